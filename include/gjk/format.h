@@ -1,0 +1,57 @@
+// Number formats, vectors and limits.
+#ifndef GJK_FORMAT_H
+#define GJK_FORMAT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+// Length or coordinate in Q16.16: 1 LSB is 2^-16 unit.
+typedef int32_t gjk_q16;
+
+// Component of a unit vector, rotation or quaternion in Q2.30: 1 LSB is 2^-30.
+typedef int32_t gjk_q30;
+
+// Position, offset or half extents, Q16.16.
+typedef struct gjk_vec3 {
+  gjk_q16 x, y, z;
+} gjk_vec3;
+
+// Unit vector, Q2.30.
+typedef struct gjk_unit3 {
+  gjk_q30 x, y, z;
+} gjk_unit3;
+
+// Rotation as a unit quaternion x i + y j + z k + w, Q2.30; the identity is {0, 0, 0, GJK_Q30_ONE}.
+typedef struct gjk_quat {
+  gjk_q30 x, y, z, w;
+} gjk_quat;
+
+// Where a shape stands: first rotated about its own origin, then moved by position.
+typedef struct gjk_pose {
+  gjk_vec3 position;
+  gjk_quat rotation;
+} gjk_pose;
+
+#define GJK_Q16_ONE ((gjk_q16)65536)
+#define GJK_Q30_ONE ((gjk_q30)1073741824)
+
+// A literal in units, rounded to the nearest LSB; the compiler folds it, the program holds an integer.
+#define GJK_Q16(units) ((gjk_q16)((units) * 65536.0 + ((units) < 0 ? -0.5 : 0.5)))
+#define GJK_Q30(value) ((gjk_q30)((value) * 1073741824.0 + ((value) < 0 ? -0.5 : 0.5)))
+
+#define GJK_POSE_IDENTITY {{0, 0, 0}, {0, 0, 0, GJK_Q30_ONE}}
+
+// Largest radius of a shape about the centre of its bounding box, rounding included: 4095 units.
+#define GJK_RADIUS_MAX ((gjk_q16)(4095 * (int32_t)65536))
+
+// Most vertices of one hull.
+#define GJK_HULL_VERTICES_MAX 65535
+
+// Ceiling on the rounds of one query. Polytopes have needed at most a quarter of it in every test, curved
+// shapes at most half; a query that reaches it says so and gives the bounds proven so far.
+#ifndef GJK_ITERATIONS_MAX
+#define GJK_ITERATIONS_MAX 128
+#endif
+
+#endif

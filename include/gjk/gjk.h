@@ -1,0 +1,14 @@
+// Everything at once. A program may as well include only the headers of the capabilities that it uses.
+#ifndef GJK_GJK_H
+#define GJK_GJK_H
+
+#include "gjk/check.h"
+#include "gjk/collider.h"
+#include "gjk/distance.h"
+#include "gjk/format.h"
+#include "gjk/intersect.h"
+#include "gjk/pose.h"
+#include "gjk/shape.h"
+#include "gjk/status.h"
+
+#endif

@@ -1,0 +1,90 @@
+// Shapes: convex geometry in its own frame, constant, fit for flash.
+//
+// A shape is a core and a rounding radius around it: a sphere is a rounded point, a capsule a rounded
+// segment. Long axes lie along local z. Write one with the initialiser of its kind:
+//
+//     static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.25));
+//
+// An initialiser names the class of its kind, so a program links the kinds that it mentions and no others.
+#ifndef GJK_SHAPE_H
+#define GJK_SHAPE_H
+
+#include "gjk/format.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// The functions behind a kind of shape; opaque. One constant per kind.
+typedef struct gjk_shape_class gjk_shape_class;
+
+extern const gjk_shape_class gjk_class_point;
+extern const gjk_shape_class gjk_class_segment;
+extern const gjk_shape_class gjk_class_box;
+extern const gjk_shape_class gjk_class_triangle;
+extern const gjk_shape_class gjk_class_hull;
+extern const gjk_shape_class gjk_class_cylinder;
+extern const gjk_shape_class gjk_class_cone;
+extern const gjk_shape_class gjk_class_ellipsoid;
+extern const gjk_shape_class gjk_class_custom;
+
+// A user's own convex shape: write to out a point of it that is farthest along direction.
+//
+// user       the shape's user pointer.
+// direction  not zero, any length up to 2^31, local frame.
+// out        local frame, Q16.16, at most size.x from the local origin. An answer that is e LSB from the
+//            true farthest point makes decision and distance right to within e LSB more.
+typedef void gjk_support_function(const void *user, const gjk_vec3 *direction, gjk_vec3 *out);
+
+// Fields are set by the initialisers below; gjk_collider_init checks them.
+typedef struct gjk_shape {
+  const gjk_shape_class *type;
+  const gjk_vec3 *vertices;       // triangle, hull: local, Q16.16, the caller's, must outlive the shape
+  gjk_support_function *support;  // custom
+  const void *user;               // custom
+  gjk_vec3 size;                  // half extents or radii, Q16.16, by kind
+  gjk_q16 round;                  // rounding radius, at least 0
+  uint16_t count;                 // vertices of the hull
+} gjk_shape;
+
+// The same shapes with a rounding radius. Hull vertices need no order, may repeat, lie in a line, in a plane
+// or inside the hull; their coordinates may be any int32_t within GJK_RADIUS_MAX of their box's centre.
+#define GJK_ROUNDED_POINT(radius) {&gjk_class_point, 0, 0, 0, {0, 0, 0}, (radius), 0}
+#define GJK_ROUNDED_SEGMENT(half, radius) {&gjk_class_segment, 0, 0, 0, {0, 0, (half)}, (radius), 0}
+#define GJK_ROUNDED_TRIANGLE(vertices3, radius) \
+  {&gjk_class_triangle, (vertices3), 0, 0, {0, 0, 0}, (radius), 3}
+#define GJK_ROUNDED_BOX(half_x, half_y, half_z, radius) \
+  {&gjk_class_box, 0, 0, 0, {(half_x), (half_y), (half_z)}, (radius), 0}
+#define GJK_ROUNDED_HULL(vertices_n, n, radius) \
+  {&gjk_class_hull, (vertices_n), 0, 0, {0, 0, 0}, (radius), (n)}
+#define GJK_ROUNDED_CYLINDER(base_radius, half, radius) \
+  {&gjk_class_cylinder, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0}
+#define GJK_ROUNDED_CONE(base_radius, half, radius) \
+  {&gjk_class_cone, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0}
+#define GJK_ROUNDED_ELLIPSOID(radius_x, radius_y, radius_z, radius) \
+  {&gjk_class_ellipsoid, 0, 0, 0, {(radius_x), (radius_y), (radius_z)}, (radius), 0}
+#define GJK_ROUNDED_CUSTOM(function, user_pointer, bound, radius) \
+  {&gjk_class_custom, 0, (function), (user_pointer), {(bound), 0, 0}, (radius), 0}
+
+#define GJK_POINT GJK_ROUNDED_POINT(0)
+#define GJK_SPHERE(radius) GJK_ROUNDED_POINT(radius)
+// From (0, 0, -half) to (0, 0, half).
+#define GJK_SEGMENT(half) GJK_ROUNDED_SEGMENT(half, 0)
+// half: of the straight part.
+#define GJK_CAPSULE(radius, half) GJK_ROUNDED_SEGMENT(half, radius)
+#define GJK_TRIANGLE(vertices3) GJK_ROUNDED_TRIANGLE(vertices3, 0)
+#define GJK_BOX(half_x, half_y, half_z) GJK_ROUNDED_BOX(half_x, half_y, half_z, 0)
+#define GJK_HULL(vertices_n, n) GJK_ROUNDED_HULL(vertices_n, n, 0)
+// From z = -half to z = half.
+#define GJK_CYLINDER(base_radius, half) GJK_ROUNDED_CYLINDER(base_radius, half, 0)
+// Apex at z = half, base at z = -half.
+#define GJK_CONE(base_radius, half) GJK_ROUNDED_CONE(base_radius, half, 0)
+#define GJK_ELLIPSOID(radius_x, radius_y, radius_z) GJK_ROUNDED_ELLIPSOID(radius_x, radius_y, radius_z, 0)
+// bound: a radius about the local origin that the shape stays within.
+#define GJK_CUSTOM(function, user_pointer, bound) GJK_ROUNDED_CUSTOM(function, user_pointer, bound, 0)
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
