@@ -1,0 +1,163 @@
+// Checks certificates: from the named vertices, or the named direction, and one visit to every vertex.
+#include "gjk/check.h"
+
+#include "iteration.h"
+
+// Fills the simplex with the named pairs. False when a vertex does not exist.
+static bool load(gjk_iteration *it, const gjk_certificate *certificate) {
+  gjk_simplex *s = &it->simplex;
+  for (uint8_t i = 0; i < certificate->count; i++) {
+    gjk_support a, b;
+    a.vertex = certificate->a[i];
+    b.vertex = certificate->b[i];
+    if (!it->a->shape->type->vertex(it->a, a.vertex, &a.offset) ||
+        !it->b->shape->type->vertex(it->b, b.vertex, &b.offset)) {
+      return false;
+    }
+    s->count = i;
+    gjk_iteration_place(it, &a, &b);
+  }
+  gjk_simplex_clear(s);
+  return true;
+}
+
+// The vertex after number, from 0, in *offset; vertices are numbered without gaps.
+typedef struct visit {
+  const gjk_collider *collider;
+  uint32_t number;
+} visit;
+
+static bool next(visit *v, gjk_vec3 *offset) {
+  return v->number <= UINT16_MAX && v->collider->shape->type->vertex(v->collider, (uint16_t)v->number++, offset);
+}
+
+// Does no vertex of the collider lie before origin along the exact direction (negated: along its opposite)?
+static bool none_before(const gjk_collider *c, const gjk_direction *direction, bool negated, uint16_t origin) {
+  gjk_vec3 base, offset;
+  visit v = {c, 0};
+  if (!c->shape->type->vertex(c, origin, &base)) {
+    return false;
+  }
+  while (next(&v, &offset)) {  // at most 2^16 vertices
+    const int side = gjk_direction_sign(direction, gjk_sub(offset, base));
+    if (negated ? side < 0 : side > 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The largest offset . d of the collider's vertices.
+static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d) {
+  gjk_vec3 offset;
+  visit v = {c, 0};
+  int64_t largest = INT64_MIN;
+  while (next(&v, &offset)) {  // at most 2^16 vertices
+    const int64_t along = gjk_dot(offset, *d);
+    largest = along > largest ? along : largest;
+  }
+  return largest;
+}
+
+// Is the named feature the nearest of A - B to the origin, and apart from it?
+static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate) {
+  gjk_direction direction;
+  gjk_simplex *s = &it->simplex;
+  if (certificate->count < 1 || certificate->count > 3 || !load(it, certificate) ||
+      !gjk_simplex_set(s, certificate->count) || !gjk_simplex_direction(s, &direction)) {
+    return false;
+  }
+  if (s->count == 3 && gjk_dot_sign(&s->normal, s->slot[0].w) == 0) {
+    return false;
+  }
+  return none_before(it->a, &direction, false, certificate->a[0]) &&
+         none_before(it->b, &direction, true, certificate->b[0]);
+}
+
+static bool is_enclosing(gjk_iteration *it, const gjk_certificate *certificate) {
+  return certificate->count >= 1 && certificate->count <= 4 && load(it, certificate) &&
+         gjk_simplex_encloses(&it->simplex, certificate->count);
+}
+
+static bool is_near(gjk_iteration *it, const gjk_certificate *certificate) {
+  return certificate->count >= 1 && certificate->count <= 3 && load(it, certificate) &&
+         gjk_simplex_set(&it->simplex, certificate->count) && gjk_iteration_near(it);
+}
+
+// Does the plane across direction keep all of A - B more than radius away? Directions beyond 3 2^29 per component are
+// never made; radii from 2^31 exceed every vertex of A - B. Products: at most sqrt(3) 3 2^29 times 3 2^29.
+static bool is_separating(const gjk_iteration *it, const gjk_vec3 *direction, int64_t radius) {
+  const int64_t limit = INT64_C(3) << 29;
+  const gjk_vec3 d = *direction;
+  if (gjk_magnitude32(d.x) > limit || gjk_magnitude32(d.y) > limit || gjk_magnitude32(d.z) > limit ||
+      radius > INT32_MAX) {
+    return false;
+  }
+  const gjk_vec3 opposite = gjk_negate(d);
+  const gjk_vec3 delta = {(int32_t)it->delta.x, (int32_t)it->delta.y, (int32_t)it->delta.z};
+  const int64_t along = gjk_dot(delta, d) + farthest(it->a, &d) + farthest(it->b, &opposite);
+  return along < 0 && gjk_sum_sign(along, along, -(radius * radius), gjk_dot(d, d)) > 0;
+}
+
+static bool is_apart(gjk_iteration *it, const gjk_certificate *certificate, int64_t radius) {
+  if (certificate->proof == GJK_PROOF_DIRECTION) {
+    return is_separating(it, &certificate->direction, radius);
+  }
+  return certificate->proof == GJK_PROOF_NEAREST && is_nearest(it, certificate) && !gjk_iteration_near(it);
+}
+
+static bool is_together(gjk_iteration *it, const gjk_certificate *certificate) {
+  if (certificate->proof == GJK_PROOF_NEAR) {
+    return is_near(it, certificate);
+  }
+  return certificate->proof == GJK_PROOF_ENCLOSING && is_enclosing(it, certificate);
+}
+
+gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance,
+                              const gjk_decision *decision) {
+  gjk_iteration it;
+  gjk_status status = gjk_check_pair(a, b, decision);
+  if (status != GJK_OK || distance < 0) {
+    return status != GJK_OK ? status : GJK_ERROR_NEGATIVE;
+  }
+  const gjk_certificate *certificate = &decision->certificate;
+  const int64_t radius = (int64_t)a->shape->round + b->shape->round + distance;
+  if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {
+    return decision->yes ? GJK_ERROR_UNPROVEN : GJK_OK;
+  }
+  if (it.curved || it.shift < 0) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  const bool proven = decision->yes ? is_together(&it, certificate) : is_apart(&it, certificate, radius);
+  return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
+}
+
+gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result) {
+  gjk_iteration it;
+  gjk_status status = gjk_check_pair(a, b, result);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const gjk_certificate *certificate = &result->certificate;
+  const int64_t radius = (int64_t)a->shape->round + b->shape->round;
+  gjk_iteration_start(&it, a, b, GJK_GOAL_DISTANCE, radius);
+  if (it.curved || it.shift < 0) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  if (result->intersecting) {
+    return result->distance == 0 && is_together(&it, certificate) ? GJK_OK : GJK_ERROR_UNPROVEN;
+  }
+  if (result->distance < 0 || certificate->proof != GJK_PROOF_NEAREST || !is_apart(&it, certificate, radius)) {
+    return GJK_ERROR_UNPROVEN;
+  }
+  // 2 d - 1 <= 2 (exact distance of the cores) < 2 d + 1, the left for d > 0. In the frame no distance exceeds 2^31.
+  const uint64_t twice = 2 * (uint64_t)((int64_t)result->distance + radius);
+  if (twice > UINT64_C(1) << (33 - it.shift)) {
+    return GJK_ERROR_UNPROVEN;
+  }
+  gjk_limbs numerator, denominator;
+  gjk_simplex_squared_distance(&it.simplex, &numerator, &denominator);
+  const bool below = gjk_compare_distance(&numerator, &denominator, (twice + 1) << it.shift) < 0;
+  const bool above = twice == 0 || gjk_compare_distance(&numerator, &denominator, (twice - 1) << it.shift) >= 0;
+  return below && above ? GJK_OK : GJK_ERROR_UNPROVEN;
+}

@@ -1,0 +1,97 @@
+// Point, segment and box: a centre and up to three half axes; the farthest vertex is a sign per axis.
+//
+// A vertex's number has bit i set where half axis i counts plus.
+#include "rotation.h"
+#include "shape_class.h"
+
+static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
+  const int32_t dx = d->x, dy = d->y, dz = d->z;
+  const unsigned end = 1u << c->count;
+  int32_t x = 0, y = 0, z = 0;
+  unsigned vertex = 0;
+  const gjk_vec3 *axis = c->frame;
+  for (unsigned bit = 1; bit != end; bit <<= 1, axis++) {
+    const int32_t ax = axis->x, ay = axis->y, az = axis->z;
+    if (gjk_mul32(ax, dx) + gjk_mul32(ay, dy) + gjk_mul32(az, dz) >= 0) {
+      x += ax;
+      y += ay;
+      z += az;
+      vertex |= bit;
+    } else {
+      x -= ax;
+      y -= ay;
+      z -= az;
+    }
+  }
+  out->offset.x = x;
+  out->offset.y = y;
+  out->offset.z = z;
+  out->vertex = (uint16_t)vertex;
+  out->tie = !exact;
+}
+
+static bool vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
+  gjk_vec3 sum = {0, 0, 0};
+  for (unsigned i = 0; i < c->count; i++) {
+    sum = (number >> i & 1u) != 0 ? gjk_add(sum, c->frame[i]) : gjk_sub(sum, c->frame[i]);
+  }
+  *offset = sum;
+  return number >> c->count == 0;
+}
+
+// Rounding moves d . axis by less than |axis.x| + |axis.y| + |axis.z| <= sqrt(3) core_radius; only signs within that
+// are in doubt. An axis that is level along the exact direction keeps its sign.
+static bool refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
+                   gjk_support *at) {
+  const int64_t slack = 2 * (int64_t)c->core_radius;
+  unsigned number = at->vertex;
+  for (unsigned i = 0; i < c->count; i++) {
+    const int64_t along = gjk_dot(c->frame[i], *d);
+    if (along < slack && along > -slack) {
+      const int side = gjk_direction_sign(direction, c->frame[i]);
+      if (side != 0) {
+        number = (side > 0) != negated ? number | 1u << i : number & ~(1u << i);
+      }
+    }
+  }
+  if (number == at->vertex) {
+    return false;
+  }
+  at->vertex = (uint16_t)number;
+  return vertex(c, at->vertex, &at->offset);
+}
+
+static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
+  const gjk_vec3 *size = &shape->size;
+  const gjk_vec3 origin = {0, 0, 0};
+  if (size->x < 0 || size->y < 0 || size->z < 0) {
+    return GJK_ERROR_NEGATIVE;
+  }
+  out->centre = origin;
+  // At most 3 2^62.
+  out->squared = (uint64_t)gjk_mul32(size->x, size->x) + (uint64_t)gjk_mul32(size->y, size->y) +
+                 (uint64_t)gjk_mul32(size->z, size->z);
+  return GJK_OK;
+}
+
+static void pose_point(gjk_collider *c, const gjk_vec3 rows[3]) {
+  (void)c;
+  (void)rows;
+}
+
+static void pose_segment(gjk_collider *c, const gjk_vec3 rows[3]) {
+  const gjk_vec3 along = {0, 0, c->shape->size.z};
+  c->frame[0] = gjk_rotate(rows, &along);
+}
+
+static void pose_box(gjk_collider *c, const gjk_vec3 rows[3]) {
+  const gjk_vec3 *size = &c->shape->size;
+  const gjk_vec3 x = {size->x, 0, 0}, y = {0, size->y, 0}, z = {0, 0, size->z};
+  c->frame[0] = gjk_rotate(rows, &x);
+  c->frame[1] = gjk_rotate(rows, &y);
+  c->frame[2] = gjk_rotate(rows, &z);
+}
+
+const gjk_shape_class gjk_class_point = {measure, pose_point, support, refine, vertex, false, 0};
+const gjk_shape_class gjk_class_segment = {measure, pose_segment, support, refine, vertex, false, 1};
+const gjk_shape_class gjk_class_box = {measure, pose_box, support, refine, vertex, false, 3};

@@ -1,0 +1,24 @@
+// Cone along local z: apex above, base below.
+#include "curved.h"
+#include "round_base.h"
+
+// The apex is farther than the rim when 2 half d.z > radius |(d.x, d.y)|: squared, at most 2^120 either side.
+static bool apex_is_farther(const gjk_shape *shape, const gjk_vec3 *d) {
+  const gjk_vec3 level = {d->x, d->y, 0};
+  const int64_t rise = gjk_mul32(2 * shape->size.z, d->z);
+  return rise > 0 && gjk_sum_sign(rise, rise, -gjk_mul32(shape->size.x, shape->size.x), gjk_dot(level, level)) > 0;
+}
+
+static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
+  (void)exact;
+  const gjk_vec3 local = gjk_curved_direction(c, d);
+  const int32_t half = c->shape->size.z * (1 << GJK_FINE_BITS);
+  gjk_fine_point point = {0, 0, half};
+  if (!apex_is_farther(c->shape, &local)) {
+    gjk_rim(c->shape->size.x, &local, &point);
+    point.z = -half;
+  }
+  gjk_curved_support(c, &point, out);
+}
+
+const gjk_shape_class gjk_class_cone = {gjk_round_base_measure, gjk_curved_pose, support, NULL, NULL, false, 0};

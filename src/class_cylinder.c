@@ -1,0 +1,14 @@
+// Cylinder along local z.
+#include "curved.h"
+#include "round_base.h"
+
+static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
+  (void)exact;
+  const gjk_vec3 local = gjk_curved_direction(c, d);
+  gjk_fine_point point;
+  gjk_rim(c->shape->size.x, &local, &point);
+  point.z = (local.z < 0 ? -c->shape->size.z : c->shape->size.z) * (1 << GJK_FINE_BITS);
+  gjk_curved_support(c, &point, out);
+}
+
+const gjk_shape_class gjk_class_cylinder = {gjk_round_base_measure, gjk_curved_pose, support, NULL, NULL, false, 0};

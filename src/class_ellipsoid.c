@@ -1,0 +1,36 @@
+// Ellipsoid with its axes along the local axes.
+#include "curved.h"
+#include "unit.h"
+
+static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
+  const gjk_vec3 *size = &shape->size;
+  const gjk_vec3 origin = {0, 0, 0};
+  if (size->x < 0 || size->y < 0 || size->z < 0) {
+    return GJK_ERROR_NEGATIVE;
+  }
+  gjk_q16 longest = size->x > size->y ? size->x : size->y;
+  longest = longest > size->z ? longest : size->z;
+  out->centre = origin;
+  out->squared = (uint64_t)gjk_mul32(longest, longest);
+  return GJK_OK;
+}
+
+// The farthest point along d is radii * u where u is the unit vector along radii * d, both per component.
+static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
+  (void)exact;
+  const gjk_vec3 *size = &c->shape->size;
+  const gjk_vec3 local = gjk_curved_direction(c, d);
+  const gjk_long3 stretched = {gjk_mul32(size->x, local.x), gjk_mul32(size->y, local.y), gjk_mul32(size->z, local.z)};
+  gjk_fine_point point = {0, 0, 0};
+  if ((stretched.x | stretched.y | stretched.z) != 0) {
+    gjk_vec3 rounded;
+    const bool whole = gjk_round_direction(&stretched, &rounded);
+    const gjk_unit3 u = gjk_unit(&rounded, whole);
+    point.x = gjk_fine(size->x, u.x);
+    point.y = gjk_fine(size->y, u.y);
+    point.z = gjk_fine(size->z, u.z);
+  }
+  gjk_curved_support(c, &point, out);
+}
+
+const gjk_shape_class gjk_class_ellipsoid = {measure, gjk_curved_pose, support, NULL, NULL, false, 0};

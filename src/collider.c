@@ -1,0 +1,106 @@
+// Binding a shape to a collider, and placing it.
+#include "gjk/collider.h"
+
+#include "root.h"
+#include "rotation.h"
+#include "shape_class.h"
+
+// Rounding a posed vertex moves it by less than sqrt(3), and a sum of three half axes by less than 3 sqrt(3) / 2.
+#define POSE_SLACK 3
+
+// Do [p, p + p_bytes) and [q, q + q_bytes) share a byte?
+static bool overlap(const void *p, size_t p_bytes, const void *q, size_t q_bytes) {
+  uintptr_t a = (uintptr_t)p, b = (uintptr_t)q;
+  return a < b ? b - a < p_bytes : a - b < q_bytes;
+}
+
+static gjk_status check_buffer(const gjk_collider *c, const gjk_shape *shape, const gjk_vec3 *buffer,
+                               uint16_t capacity) {
+  const size_t bytes = shape->count * sizeof *buffer;
+  if (capacity < shape->count) {
+    return GJK_ERROR_CAPACITY;
+  }
+  return overlap(buffer, bytes, shape->vertices, bytes) || overlap(buffer, bytes, c, sizeof *c) ? GJK_ERROR_OVERLAP
+                                                                                               : GJK_OK;
+}
+
+gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *buffer, uint16_t capacity) {
+  if (c == NULL || shape == NULL || shape->type == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  const gjk_shape_class *type = shape->type;
+  gjk_extent extent;
+  gjk_status status = shape->round < 0 ? GJK_ERROR_NEGATIVE : type->measure(shape, &extent);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const int64_t room = (int64_t)GJK_RADIUS_MAX - shape->round;
+  if (room < 0 || extent.squared > (uint64_t)(room * room)) {
+    return GJK_ERROR_SIZE;
+  }
+  if (type->buffered && buffer != NULL) {
+    status = check_buffer(c, shape, buffer, capacity);
+    if (status != GJK_OK) {
+      return status;
+    }
+  }
+  c->shape = shape;
+  c->buffer = type->buffered ? buffer : NULL;
+  c->local_centre = extent.centre;
+  c->core_radius = (gjk_q16)gjk_isqrt64(extent.squared) + 1 + POSE_SLACK;
+  c->radius = c->core_radius + shape->round;
+  c->count = type->buffered ? shape->count : type->count;
+  c->state = GJK_STATE_INITIALISED;
+  return GJK_OK;
+}
+
+static bool fits(int64_t x) {
+  return x >= INT32_MIN && x <= INT32_MAX;
+}
+
+gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
+  if (c == NULL || pose == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (c->state != GJK_STATE_INITIALISED && c->state != GJK_STATE_POSED) {
+    return GJK_ERROR_UNINITIALISED;
+  }
+  gjk_vec3 rows[3];
+  if (!gjk_rotation_from_quat(&pose->rotation, rows)) {
+    return GJK_ERROR_ROTATION;
+  }
+  int64_t centre[3];
+  gjk_rotate_wide(rows, &c->local_centre, centre);
+  const gjk_vec3 *position = &pose->position;
+  const int64_t x = centre[0] + position->x, y = centre[1] + position->y, z = centre[2] + position->z;
+  if (!fits(x) || !fits(y) || !fits(z)) {
+    return GJK_ERROR_RANGE;
+  }
+  c->centre.x = (int32_t)x;
+  c->centre.y = (int32_t)y;
+  c->centre.z = (int32_t)z;
+  c->position = *position;
+  c->shape->type->pose(c, rows);
+  c->state = GJK_STATE_POSED;
+  return GJK_OK;
+}
+
+gjk_status gjk_collider_move(gjk_collider *c, const gjk_vec3 *position) {
+  if (c == NULL || position == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (c->state != GJK_STATE_POSED) {
+    return GJK_ERROR_UNINITIALISED;
+  }
+  const int64_t x = (int64_t)c->centre.x - c->position.x + position->x;
+  const int64_t y = (int64_t)c->centre.y - c->position.y + position->y;
+  const int64_t z = (int64_t)c->centre.z - c->position.z + position->z;
+  if (!fits(x) || !fits(y) || !fits(z)) {
+    return GJK_ERROR_RANGE;
+  }
+  c->centre.x = (int32_t)x;
+  c->centre.y = (int32_t)y;
+  c->centre.z = (int32_t)z;
+  c->position = *position;
+  return GJK_OK;
+}

@@ -1,0 +1,32 @@
+// Common ground of the kinds without vertices.
+#include "curved.h"
+
+#include "rotation.h"
+
+void gjk_curved_pose(gjk_collider *c, const gjk_vec3 rows[3]) {
+  for (int i = 0; i < 3; i++) {
+    c->frame[i] = rows[i];
+  }
+}
+
+gjk_vec3 gjk_curved_direction(const gjk_collider *c, const gjk_vec3 *d) {
+  gjk_vec3 scaled = gjk_scale_direction(d);
+  return gjk_rotate_back(c->frame, &scaled);
+}
+
+void gjk_curved_support(const gjk_collider *c, const gjk_fine_point *point, gjk_support *out) {
+  const gjk_vec3 local = {point->x, point->y, point->z};
+  int64_t world[3];
+  gjk_rotate_wide(c->frame, &local, world);
+  const int64_t half = 1 << (GJK_FINE_BITS - 1);
+  out->offset.x = (int32_t)gjk_sar64(world[0] + half, GJK_FINE_BITS);
+  out->offset.y = (int32_t)gjk_sar64(world[1] + half, GJK_FINE_BITS);
+  out->offset.z = (int32_t)gjk_sar64(world[2] + half, GJK_FINE_BITS);
+  out->vertex = 0;
+  out->tie = false;
+}
+
+int32_t gjk_fine(gjk_q16 size, gjk_q30 u) {
+  const unsigned shift = 30 - GJK_FINE_BITS;
+  return (int32_t)gjk_sar64(gjk_mul32(size, u) + (INT64_C(1) << (shift - 1)), shift);
+}

@@ -1,0 +1,29 @@
+// Common ground of the kinds without vertices: cylinder, cone, ellipsoid and a user's own shape.
+//
+// Their supports are computed in the shape's frame with two more bits than a coordinate has, rotated, and rounded once:
+// a support point lies within 1 LSB of the surface, along each axis, and is farthest to within that.
+#ifndef GJK_SRC_CURVED_H
+#define GJK_SRC_CURVED_H
+
+#include "shape_class.h"
+
+// A point of the shape's frame, 2^-2 LSB; components at most 2^30.
+typedef struct gjk_fine_point {
+  int32_t x, y, z;
+} gjk_fine_point;
+
+#define GJK_FINE_BITS 2
+
+// Keeps the rotation for the supports.
+void gjk_curved_pose(gjk_collider *collider, const gjk_vec3 rows[3]);
+
+// d in the shape's frame, scaled so that rotating it loses nothing that matters. Not zero; at most 2^31 long.
+gjk_vec3 gjk_curved_direction(const gjk_collider *collider, const gjk_vec3 *d);
+
+// Reports a support point.
+void gjk_curved_support(const gjk_collider *collider, const gjk_fine_point *point, gjk_support *out);
+
+// size / 2^30 along u, in fine units. Pre: size at most 2^28.
+int32_t gjk_fine(gjk_q16 size, gjk_q30 u);
+
+#endif

@@ -1,0 +1,60 @@
+// The GJK iteration on one pair of colliders: what every query is made of.
+//
+// Frame of the pair: vertices w of A - B are taken relative to the origin of the question "where is 0?" and
+// multiplied by 2^shift, so that the filters on high words settle nearly every sign. With the reach
+// W0 = |centre_a - centre_b| + core_radius_a + core_radius_b:
+//   W0 < 2^30    shift >= 0 with 2^shift W0 < 2^30: |w| < 2^30, edges below 2^31
+//   near         shift = 0: |centre_a - centre_b| <= 2^30, so |w| <= 3 2^29 and edges at most 2^30
+//   far          shift < 0: centres rounded to 2^-shift LSB and at most 2^30 apart in that unit; w rounded to nearest;
+//                the gap is above 2^29 LSB and the rounding moves it by at most 2^-28 of itself
+#ifndef GJK_SRC_ITERATION_H
+#define GJK_SRC_ITERATION_H
+
+#include "gjk/cache.h"
+#include "gjk/certificate.h"
+#include "shape_class.h"
+#include "simplex.h"
+
+typedef enum gjk_outcome {
+  GJK_OUTCOME_NEAREST,    // the feature is nearest to the origin
+  GJK_OUTCOME_ENCLOSING,  // the origin lies in the simplex: the cores intersect
+  GJK_OUTCOME_SEPARATED,  // every w is farther than radius, along direction
+  GJK_OUTCOME_NEAR,       // the feature comes within radius
+  GJK_OUTCOME_LIMIT       // GJK_ITERATIONS_MAX
+} gjk_outcome;
+
+typedef enum gjk_goal {
+  GJK_GOAL_DISTANCE,  // NEAREST, ENCLOSING or NEAR
+  GJK_GOAL_WITHIN     // any
+} gjk_goal;
+
+typedef struct gjk_iteration {
+  const gjk_collider *a, *b;
+  gjk_long3 delta;         // centre_a - centre_b, Q16.16
+  int64_t radius;          // what counts as near, in the frame of the pair: below 2^31
+  int8_t shift;
+  uint8_t rounds;
+  bool curved;             // one of the two has no vertices
+  gjk_direction direction; // of the last support
+  gjk_simplex simplex;
+} gjk_iteration;
+
+// Sets the frame of the pair; radius is the sum of the roundings and the asked distance, Q16.16, not negative.
+// False: the bounding spheres are more than radius apart (not asked for GJK_GOAL_DISTANCE); only a, b are set.
+bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
+                         int64_t radius);
+
+// Puts the vertex of A - B with these offsets into the simplex's free slot.
+void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_support *b);
+
+// Runs from the cache, or cold when it is NULL or useless.
+gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache);
+
+// Is the feature's exact distance at most radius? Pre: 1 <= count <= 3.
+bool gjk_iteration_near(const gjk_iteration *it);
+
+// What a query reports and keeps of an iteration.
+void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_certificate *out);
+void gjk_iteration_keep(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache);
+
+#endif

@@ -1,0 +1,55 @@
+// What a kind of shape provides. One constant table per kind, named by the initialisers of gjk/shape.h.
+#ifndef GJK_SRC_SHAPE_CLASS_H
+#define GJK_SRC_SHAPE_CLASS_H
+
+#include "gjk/collider.h"
+#include "vector.h"
+
+// The vertex of a collider that is farthest along a direction.
+typedef struct gjk_support {
+  gjk_vec3 offset;  // from the collider's centre, Q16.16, at most core_radius long
+  uint16_t vertex;  // its number; 0 for curved shapes
+  bool tie;         // another vertex may be farther along the exact direction: refine tells
+} gjk_support;
+
+// The core of a shape in its own frame, without rounding.
+typedef struct gjk_extent {
+  gjk_vec3 centre;   // of the bounding box
+  uint64_t squared;  // of the largest distance from it, at most GJK_RADIUS_MAX^2
+} gjk_extent;
+
+struct gjk_shape_class {
+  // Checks the shape's own fields and measures it; round is checked by the caller.
+  gjk_status (*measure)(const gjk_shape *shape, gjk_extent *out);
+
+  // Fills frame and buffer of an initialised collider for a rotation given by its rows, Q2.30.
+  void (*pose)(gjk_collider *collider, const gjk_vec3 rows[3]);
+
+  // The farthest vertex along d; among equals the one that the kind prefers, always the same.
+  // exact: d is not rounded. Pre: d != 0, |d| <= 2^31.
+  void (*support)(const gjk_collider *collider, const gjk_vec3 *d, bool exact, gjk_support *out);
+
+  // Moves *at, the support along d, to a vertex that is farthest along the exact direction (negated: along its
+  // opposite; d is then negated, too). Returns whether it moved. NULL: curved, there are no vertices to choose from.
+  bool (*refine)(const gjk_collider *collider, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
+                 gjk_support *at);
+
+  // The offset of a vertex by its number; false: there is none. NULL: curved.
+  bool (*vertex)(const gjk_collider *collider, uint16_t number, gjk_vec3 *offset);
+
+  bool buffered;   // takes a buffer for the vertices of the shape
+  uint8_t count;   // half axes or vertices; 0 with buffered: the shape's own count
+};
+
+#define GJK_STATE_INITIALISED UINT32_C(0x676A6B31)
+#define GJK_STATE_POSED UINT32_C(0x676A6B32)
+
+// NULL, UNINITIALISED or OK.
+static inline gjk_status gjk_check_pair(const gjk_collider *a, const gjk_collider *b, const void *out) {
+  if (a == NULL || b == NULL || out == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  return a->state == GJK_STATE_POSED && b->state == GJK_STATE_POSED ? GJK_OK : GJK_ERROR_UNINITIALISED;
+}
+
+#endif

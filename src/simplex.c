@@ -1,0 +1,311 @@
+// The nearest feature, by exact signs alone.
+//
+// After   Johnson's sub-algorithm (Gilbert, Johnson, Keerthi 1988): a feature is nearest when the origin's
+//         projection lies inside it and every other vertex lies behind it. Departures: signs are exact; the
+//         cofactors are products of differences of dot products; the old feature being nearest, only features that
+//         contain the new vertex are candidates, and with the strict progress of that vertex exactly one of
+//         them meets its conditions.
+#include "simplex.h"
+
+void gjk_simplex_clear(gjk_simplex *s) {
+  s->count = 0;
+  for (uint8_t i = 0; i < 4; i++) {
+    s->order[i] = i;
+  }
+}
+
+// The feature becomes the n first of the slots i, j, k; the others follow.
+static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigned j, unsigned k) {
+  s->count = (uint8_t)n;
+  s->order[0] = (uint8_t)i;
+  s->order[1] = (uint8_t)j;
+  s->order[2] = (uint8_t)k;
+  s->order[3] = (uint8_t)(6 - i - j - k);
+}
+
+// w_i . (w_i - w_j): positive when the origin's projection onto the edge's line lies on j's side of i.
+static inline int64_t toward(const gjk_simplex *s, unsigned i, unsigned j) {
+  return s->dot[i][i] - s->dot[i][j];
+}
+
+// The sign of the weight of vertex k when the origin is projected onto the plane of i, j, k: positive when the
+// projection lies on k's side of edge (i, j). Up to a positive factor the edge's line is nearest to the origin at
+// p = w_i toward(j, i) + w_j toward(i, j), and the weight is p . (w_i - w_k).
+static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
+  return gjk_sum_sign(toward(s, j, i), toward(s, i, k), toward(s, i, j), s->dot[i][j] - s->dot[j][k]);
+}
+
+// Enters the dot products of slot w with the n slots of the feature and itself.
+static void enter_dots(gjk_simplex *s, unsigned w) {
+  gjk_vec3 v = s->slot[w].w;
+  s->dot[w][w] = gjk_dot(v, v);
+  for (unsigned i = 0; i < s->count; i++) {
+    unsigned slot = s->order[i];
+    int64_t dot = gjk_dot(v, s->slot[slot].w);
+    s->dot[w][slot] = dot;
+    s->dot[slot][w] = dot;
+  }
+}
+
+static gjk_step add_to_vertex(gjk_simplex *s, unsigned w) {
+  unsigned a = s->order[0];
+  if (toward(s, a, w) <= 0) {
+    return GJK_STEP_NONE;
+  }
+  if (toward(s, w, a) <= 0) {
+    s->order[0] = (uint8_t)w;
+    s->order[1] = (uint8_t)a;
+  } else {
+    s->count = 2;
+  }
+  return GJK_STEP_NEARER;
+}
+
+// The triangle x, y, w becomes the feature, its normal towards the origin.
+static gjk_step set_triangle(gjk_simplex *s, unsigned x, unsigned y, unsigned w) {
+  const gjk_vec3 *at = &s->slot[x].w;
+  gjk_vec3 edge = gjk_sub(s->slot[y].w, *at);
+  gjk_vec3 edge2 = gjk_sub(s->slot[w].w, *at);
+  s->normal = gjk_cross(edge, edge2);
+  int side = gjk_dot_sign(&s->normal, *at);
+  if (side > 0) {
+    set_feature(s, 3, y, x, w);
+    s->normal.x = -s->normal.x;
+    s->normal.y = -s->normal.y;
+    s->normal.z = -s->normal.z;
+    return GJK_STEP_NEARER;
+  }
+  set_feature(s, 3, x, y, w);
+  return side == 0 ? GJK_STEP_ENCLOSING : GJK_STEP_NEARER;
+}
+
+// The feature among the edges (x, w), (y, w) and vertex w, the face x, y, w being none.
+// x_edge: y lies behind edge (x, w); y_edge: x lies behind edge (y, w).
+static gjk_step set_edge(gjk_simplex *s, unsigned x, unsigned y, unsigned w, bool x_edge, bool y_edge) {
+  if (x_edge && toward(s, w, x) > 0 && toward(s, x, w) > 0) {
+    set_feature(s, 2, x, w, y);
+  } else if (y_edge && toward(s, w, y) > 0 && toward(s, y, w) > 0) {
+    set_feature(s, 2, y, w, x);
+  } else {
+    set_feature(s, 1, w, x, y);
+  }
+  return GJK_STEP_NEARER;
+}
+
+static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
+  unsigned a = s->order[0], b = s->order[1];
+  if (beyond_edge(s, a, b, w) <= 0) {
+    return GJK_STEP_NONE;
+  }
+  bool a_edge = beyond_edge(s, a, w, b) <= 0;
+  bool b_edge = beyond_edge(s, b, w, a) <= 0;
+  if (!a_edge && !b_edge) {
+    return set_triangle(s, a, b, w);
+  }
+  return set_edge(s, a, b, w, a_edge, b_edge);
+}
+
+// The feature of the tetrahedron of the old triangle and w when one face or more sees the origin.
+// visible: bit i for the face of order[i], order[i + 1 mod 3] and w.
+static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
+  unsigned corner[3] = {s->order[0], s->order[1], s->order[2]};
+  // behind[i] of the two faces at edge (corner i, w): the other corner of the face lies behind the edge
+  bool after[3], before[3];
+  for (unsigned i = 0; i < 3; i++) {
+    unsigned j = i == 2 ? 0 : i + 1;
+    unsigned x = corner[i], y = corner[j];
+    after[i] = beyond_edge(s, x, w, y) <= 0;
+    before[j] = beyond_edge(s, y, w, x) <= 0;
+    if ((visible >> i & 1u) != 0 && !after[i] && !before[j] && beyond_edge(s, x, y, w) > 0) {
+      gjk_vec3 edge = gjk_sub(s->slot[y].w, s->slot[x].w);
+      gjk_vec3 edge2 = gjk_sub(s->slot[w].w, s->slot[x].w);
+      s->normal = gjk_cross(edge, edge2);
+      set_feature(s, 3, x, y, w);
+      return GJK_STEP_NEARER;
+    }
+  }
+  for (unsigned i = 0; i < 3; i++) {
+    unsigned x = corner[i];
+    if (after[i] && before[i] && toward(s, w, x) > 0 && toward(s, x, w) > 0) {
+      set_feature(s, 2, x, w, corner[i == 0 ? 2 : i - 1]);
+      return GJK_STEP_NEARER;
+    }
+  }
+  set_feature(s, 1, w, corner[0], corner[1]);
+  return GJK_STEP_NEARER;
+}
+
+static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
+  const gjk_vec3 *a = &s->slot[s->order[0]].w, *b = &s->slot[s->order[1]].w, *c = &s->slot[s->order[2]].w;
+  const gjk_vec3 *v = &s->slot[w].w;
+  if (gjk_dot_sign(&s->normal, gjk_sub(*v, *a)) <= 0) {
+    return GJK_STEP_NONE;
+  }
+  // The origin is beyond face (x, y, w) when (x x y) . w < 0. The products w x a, w x b serve all three:
+  // (a x b) . w = (w x a) . b, (b x c) . w = (w x b) . c, (c x a) . w = -(w x a) . c.
+  gjk_long3 wa = gjk_cross(*v, *a), wb = gjk_cross(*v, *b);
+  unsigned visible = (gjk_dot_sign(&wa, *b) < 0 ? 1u : 0u) | (gjk_dot_sign(&wb, *c) < 0 ? 2u : 0u) |
+                     (gjk_dot_sign(&wa, *c) > 0 ? 4u : 0u);
+  if (visible == 0) {
+    s->count = 4;
+    return GJK_STEP_ENCLOSING;
+  }
+  enter_dots(s, w);
+  return set_visible(s, w, visible);
+}
+
+gjk_step gjk_simplex_add(gjk_simplex *s) {
+  unsigned w = s->order[s->count];
+  if (s->count == 3) {
+    return add_to_triangle(s, w);
+  }
+  enter_dots(s, w);
+  if (s->count == 0) {
+    s->count = 1;
+    return GJK_STEP_NEARER;
+  }
+  return s->count == 1 ? add_to_vertex(s, w) : add_to_edge(s, w);
+}
+
+bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
+  gjk_simplex_clear(s);
+  for (unsigned i = 0; i < n; i++) {
+    enter_dots(s, i);
+    s->count++;
+  }
+  if (n == 2) {
+    return toward(s, 0, 1) > 0 && toward(s, 1, 0) > 0;
+  }
+  if (n == 3) {
+    set_triangle(s, 0, 1, 2);
+    return beyond_edge(s, 0, 1, 2) > 0 && beyond_edge(s, 1, 2, 0) > 0 && beyond_edge(s, 2, 0, 1) > 0;
+  }
+  return true;
+}
+
+// The sign of (w_i x w_j) . w_k.
+static int volume_sign(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
+  const gjk_long3 product = gjk_cross(s->slot[i].w, s->slot[j].w);
+  return gjk_dot_sign(&product, s->slot[k].w);
+}
+
+bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
+  if (n == 4) {
+    // The origin's weights, up to a common factor.
+    const int weight[4] = {volume_sign(s, 1, 2, 3), -volume_sign(s, 0, 2, 3), volume_sign(s, 0, 1, 3),
+                           -volume_sign(s, 0, 1, 2)};
+    int low = 0, high = 0;
+    for (int i = 0; i < 4; i++) {
+      low = weight[i] < low ? weight[i] : low;
+      high = weight[i] > high ? weight[i] : high;
+    }
+    return low * high == 0 && low + high != 0;
+  }
+  // Strictly inside what it spans, and on it: the direction from there to the origin is zero.
+  gjk_direction direction;
+  if (!gjk_simplex_set(s, n)) {
+    return false;
+  }
+  return n == 3 ? gjk_dot_sign(&s->normal, s->slot[0].w) == 0 : !gjk_simplex_direction(s, &direction);
+}
+
+bool gjk_simplex_direction(const gjk_simplex *s, gjk_direction *out) {
+  unsigned a = s->order[0], b = s->order[1];
+  out->rank = s->count;
+  if (s->count == 3) {
+    out->n = &s->normal;
+    out->exact = gjk_round_direction(&s->normal, &out->rounded);
+    return true;
+  }
+  out->a = &s->slot[a].w;
+  if (s->count == 1) {
+    out->rounded = gjk_negate(*out->a);
+    out->exact = true;
+    return s->dot[a][a] != 0;
+  }
+  out->b = &s->slot[b].w;
+  out->ta = toward(s, a, b);
+  out->tb = toward(s, b, a);
+  return gjk_edge_direction(out);
+}
+
+// x = |n . w0| of a triangle, at most 2^92: the high part in units of 2^32.
+static void triangle_height(const gjk_simplex *s, gjk_limbs *x) {
+  const gjk_vec3 w = s->slot[s->order[0]].w;
+  const int64_t n[3] = {s->normal.x, s->normal.y, s->normal.z};
+  const int32_t v[3] = {w.x, w.y, w.z};
+  gjk_limbs positive, negative, factor, magnitude;
+  gjk_limbs_set(&positive, 0);
+  gjk_limbs_set(&negative, 0);
+  for (int i = 0; i < 3; i++) {
+    gjk_limbs_set(&factor, gjk_magnitude64(n[i]));
+    gjk_limbs_set(x, gjk_magnitude32(v[i]));
+    gjk_limbs_multiply(&magnitude, &factor, x);
+    gjk_limbs_add((n[i] < 0) == (v[i] < 0) ? &positive : &negative, &magnitude);
+  }
+  // The normal points to the origin's side: n . w0 < 0.
+  *x = negative;
+  gjk_limbs_subtract(x, &positive);
+}
+
+static void square(gjk_limbs *out, uint64_t value) {
+  gjk_limbs x;
+  gjk_limbs_set(&x, value);
+  gjk_limbs_multiply(out, &x, &x);
+}
+
+void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_limbs *numerator, gjk_limbs *denominator) {
+  unsigned a = s->order[0], b = s->order[1];
+  gjk_limbs x, y;
+  if (s->count == 1) {
+    gjk_limbs_set(numerator, (uint64_t)s->dot[a][a]);
+    gjk_limbs_set(denominator, 1);
+  } else if (s->count == 2) {
+    // |a x b|^2 / |b - a|^2 with |a x b|^2 = (a . a) (b . b) - (a . b)^2
+    gjk_limbs_set(&x, (uint64_t)s->dot[a][a]);
+    gjk_limbs_set(&y, (uint64_t)s->dot[b][b]);
+    gjk_limbs_multiply(numerator, &x, &y);
+    square(&x, gjk_magnitude64(s->dot[a][b]));
+    gjk_limbs_subtract(numerator, &x);
+    gjk_limbs_set(denominator, (uint64_t)(toward(s, a, b) + toward(s, b, a)));
+  } else {
+    // (n . w0)^2 / |n|^2
+    triangle_height(s, &x);
+    gjk_limbs_multiply(numerator, &x, &x);
+    square(denominator, gjk_magnitude64(s->normal.x));
+    square(&x, gjk_magnitude64(s->normal.y));
+    gjk_limbs_add(denominator, &x);
+    square(&x, gjk_magnitude64(s->normal.z));
+    gjk_limbs_add(denominator, &x);
+  }
+}
+
+int gjk_compare_distance(const gjk_limbs *numerator, const gjk_limbs *denominator, uint64_t twice) {
+  gjk_limbs x, y;
+  square(&x, twice);
+  gjk_limbs_multiply(&y, &x, denominator);
+  x = *numerator;
+  gjk_limbs_add(&x, &x);
+  gjk_limbs_add(&x, &x);
+  return gjk_limbs_compare(&x, &y);
+}
+
+// The value of beyond_edge: the weight of k times the square of twice the triangle's area. At most 2^124.
+static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, gjk_u128 *out) {
+  gjk_positive_sum(toward(s, j, i), toward(s, i, k), toward(s, i, j), s->dot[i][j] - s->dot[j][k], out);
+}
+
+void gjk_simplex_weights(const gjk_simplex *s, int32_t weight[2]) {
+  const unsigned a = s->order[0], b = s->order[1], c = s->order[2];
+  gjk_u128 of_a, of_b, of_c;
+  if (s->count == 3) {
+    weight_of(s, b, c, a, &of_a);
+    weight_of(s, c, a, b, &of_b);
+    weight_of(s, a, b, c, &of_c);
+  } else {
+    of_a.high = of_b.high = of_c.high = of_c.low = 0;
+    of_a.low = (uint64_t)toward(s, b, a);
+    of_b.low = (uint64_t)toward(s, a, b);
+  }
+  gjk_ratios(&of_a, &of_b, &of_c, weight);
+}

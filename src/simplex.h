@@ -1,0 +1,72 @@
+// The feature nearest to the origin - vertex, edge or triangle - and what a new vertex makes of it.
+//
+// All in the frame of the pair: vertices w of the Minkowski difference A - B are at most W = 3 2^29 long,
+// differences of two at most E < 2^31, W E <= 2^61 (see pair.h). So, exactly:
+//   w_i . w_j               at most W^2 < 2^62
+//   w_i . (w_j - w_k)       at most W E <= 2^61
+//   (w_j - w_i) x (w_k - w_i)   at most E^2 <= 2^62
+#ifndef GJK_SRC_SIMPLEX_H
+#define GJK_SRC_SIMPLEX_H
+
+#include "vector.h"
+
+// A vertex of A - B.
+typedef struct gjk_vertex {
+  gjk_vec3 w;
+  gjk_vec3 offset_a;  // of A's vertex from A's centre, Q16.16; B's follows from w
+  uint16_t a, b;      // vertex numbers
+} gjk_vertex;
+
+// Which feature is nearest, and a free slot. A feature of three is ordered so that its normal
+// (v1 - v0) x (v2 - v0) points to the origin's side.
+typedef struct gjk_simplex {
+  gjk_vertex slot[4];
+  int64_t dot[4][4];  // of the slots in use, w . w
+  gjk_long3 normal;   // of a feature of three
+  uint8_t order[4];   // slots: first the feature's count, then the others
+  uint8_t count;      // 0 to 3; 4, or less with the origin on it, when enclosing
+} gjk_simplex;
+
+typedef enum gjk_step {
+  GJK_STEP_NONE,      // the new vertex is no nearer than the feature: not added
+  GJK_STEP_NEARER,    // the feature is now one that contains the new vertex
+  GJK_STEP_ENCLOSING  // the origin is on the first count vertices' point, segment, triangle or tetrahedron
+} gjk_step;
+
+static inline gjk_vertex *gjk_simplex_vertex(gjk_simplex *s, int i) {
+  return &s->slot[s->order[i]];
+}
+
+// Where to put the next vertex.
+static inline gjk_vertex *gjk_simplex_free(gjk_simplex *s) {
+  return &s->slot[s->order[s->count]];
+}
+
+void gjk_simplex_clear(gjk_simplex *s);
+
+// Takes the vertex in the free slot. Pre: count <= 3, and the last step was not ENCLOSING.
+gjk_step gjk_simplex_add(gjk_simplex *s);
+
+// Makes the first n slots the feature, 1 <= n <= 3. False when they are degenerate or the origin's projection does not
+// lie strictly inside them.
+bool gjk_simplex_set(gjk_simplex *s, unsigned n);
+
+// Does the hull of the first n slots contain the origin, 1 <= n <= 4? False also for degenerate ones.
+bool gjk_simplex_encloses(gjk_simplex *s, unsigned n);
+
+// The exact direction from the feature to the origin, and its rounding. False when it is zero: the origin lies on
+// the feature. Pre: 1 <= count <= 3.
+bool gjk_simplex_direction(const gjk_simplex *s, gjk_direction *out);
+
+// The feature's squared distance to the origin as numerator / denominator, exact. Pre: 1 <= count <= 3.
+// numerator <= 2^190, denominator <= 2^124.
+void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_limbs *numerator, gjk_limbs *denominator);
+
+// The sign of (2 distance)^2 - twice^2, from the above.
+int gjk_compare_distance(const gjk_limbs *numerator, const gjk_limbs *denominator, uint64_t twice);
+
+// Weights of the second and third vertex in the nearest point on the feature, Q31, not negative, together below 2^31;
+// the first has the rest. Each within 3 LSB. Pre: 2 <= count <= 3 and the feature is nearest.
+void gjk_simplex_weights(const gjk_simplex *s, int32_t weight[2]);
+
+#endif

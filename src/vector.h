@@ -1,0 +1,99 @@
+// Vectors of integers: exact sums, dot and cross products, and signs along directions.
+#ifndef GJK_SRC_VECTOR_H
+#define GJK_SRC_VECTOR_H
+
+#include "gjk/format.h"
+#include "wide.h"
+
+// A normal or other vector of 64-bit components.
+typedef struct gjk_long3 {
+  int64_t x, y, z;
+} gjk_long3;
+
+static inline gjk_vec3 gjk_add(gjk_vec3 a, gjk_vec3 b) {
+  gjk_vec3 sum = {a.x + b.x, a.y + b.y, a.z + b.z};
+  return sum;
+}
+
+static inline gjk_vec3 gjk_sub(gjk_vec3 a, gjk_vec3 b) {
+  gjk_vec3 difference = {a.x - b.x, a.y - b.y, a.z - b.z};
+  return difference;
+}
+
+static inline gjk_vec3 gjk_negate(gjk_vec3 a) {
+  gjk_vec3 opposite = {-a.x, -a.y, -a.z};
+  return opposite;
+}
+
+// a . b, exact. Pre: |a| |b| < 2^62, lengths; then each product and each partial sum is below 3 2^61.
+static inline int64_t gjk_dot(gjk_vec3 a, gjk_vec3 b) {
+  return gjk_mul32(a.x, b.x) + gjk_mul32(a.y, b.y) + gjk_mul32(a.z, b.z);
+}
+
+// a x b, exact. Pre: |a| |b| <= 2^62; then products and components are at most 2^62 in size.
+static inline gjk_long3 gjk_cross(gjk_vec3 a, gjk_vec3 b) {
+  gjk_long3 c = {gjk_mul32(a.y, b.z) - gjk_mul32(a.z, b.y), gjk_mul32(a.z, b.x) - gjk_mul32(a.x, b.z),
+                 gjk_mul32(a.x, b.y) - gjk_mul32(a.y, b.x)};
+  return c;
+}
+
+// |x| + |y| + |z|. Pre: at most 2^32 - 1.
+static inline uint32_t gjk_norm1(gjk_vec3 v) {
+  return gjk_magnitude32(v.x) + gjk_magnitude32(v.y) + gjk_magnitude32(v.z);
+}
+
+// The sign of n . v. Pre: |n| <= 2^62, |v| <= 2^31, lengths.
+int gjk_dot_sign_exact(const gjk_long3 *n, gjk_vec3 v);
+
+// The same, settled from the high words of n wherever they suffice: n . v / 2^32 differs from h by less than
+// |v.x| + |v.y| + |v.z| <= sqrt(3) 2^31 < 2^32. Each |high word| is at most 2^30, so |h| <= 3 2^61.
+static inline int gjk_dot_sign(const gjk_long3 *n, gjk_vec3 v) {
+#if GJK_INT128
+  GJK_INT128_TYPE sum = (GJK_INT128_TYPE)n->x * v.x + (GJK_INT128_TYPE)n->y * v.y + (GJK_INT128_TYPE)n->z * v.z;
+  return (sum > 0) - (sum < 0);
+#else
+  int64_t h = gjk_mul32(gjk_high32(n->x), v.x) + gjk_mul32(gjk_high32(n->y), v.y) + gjk_mul32(gjk_high32(n->z), v.z);
+  int32_t top = gjk_high32(h);
+  if (top >= 1) {
+    return 1;
+  }
+  return top < -1 ? -1 : gjk_dot_sign_exact(n, v);
+#endif
+}
+
+// A direction as the support scans take it, with what it was rounded from.
+//
+// The exact direction is, by what spans the nearest feature:
+//   1 vertex   -a                        (no rounding)
+//   2 vertices -(a tb + b ta), where ta = a . (a - b) and tb = b . (b - a)
+//   3 vertices n
+// and rounded = floor(exact / 2^k) per component for some k; rounding is off by less than 1 in each.
+typedef struct gjk_direction {
+  gjk_vec3 rounded;     // components at most 2^30 in size, 3 2^29 for a vertex
+  const gjk_vec3 *a, *b;
+  const gjk_long3 *n;
+  int64_t ta, tb;       // at most 2^61, positive
+  uint8_t rank;         // 1, 2 or 3
+  bool exact;           // rounded is a positive multiple of the exact direction
+} gjk_direction;
+
+// The sign of the exact direction along v. Pre: |v| <= 2^30.
+int gjk_direction_sign(const gjk_direction *direction, gjk_vec3 v);
+
+// Fills rounded and exact of a direction of rank 2 from the rest. False when the direction is zero.
+// Pre: |a|, |b| <= 3 2^29; ta, tb <= 2^61.
+bool gjk_edge_direction(gjk_direction *direction);
+
+// rounded = floor(n / 2^k), with the least k >= 0 that leaves every component below 2^30 in size.
+// Returns whether no bit was lost.
+bool gjk_round_direction(const gjk_long3 *n, gjk_vec3 *rounded);
+
+// d 2^k with the largest k >= 0 that leaves every component below 2^30 in size, or d when none does. Pre: d != 0.
+static inline gjk_vec3 gjk_scale_direction(const gjk_vec3 *d) {
+  const uint32_t bits = gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z);
+  const unsigned zeros = gjk_clz32(bits), k = zeros > 2 ? zeros - 2 : 0;
+  gjk_vec3 scaled = {gjk_shl32(d->x, k), gjk_shl32(d->y, k), gjk_shl32(d->z, k)};
+  return scaled;
+}
+
+#endif

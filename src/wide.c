@@ -1,0 +1,141 @@
+// Exact signs and comparisons beyond 64 bits: the paths taken when the high words do not settle it.
+#include "wide.h"
+
+// a b, exact. The cross terms: mid <= (2^32 - 1)^2 + 2 (2^32 - 1) < 2^64.
+static gjk_u128 multiply64(uint64_t a, uint64_t b) {
+  uint32_t a0 = (uint32_t)(a & UINT32_MAX), a1 = (uint32_t)(a >> 32);
+  uint32_t b0 = (uint32_t)(b & UINT32_MAX), b1 = (uint32_t)(b >> 32);
+  uint64_t low = gjk_umul32(a0, b0);
+  uint64_t middle = gjk_umul32(a0, b1) + (low >> 32);
+  uint64_t middle2 = gjk_umul32(a1, b0) + (middle & UINT32_MAX);
+  gjk_u128 p;
+  p.low = (middle2 << 32) | (low & UINT32_MAX);
+  p.high = gjk_umul32(a1, b1) + (middle >> 32) + (middle2 >> 32);
+  return p;
+}
+
+int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
+  int first = gjk_sign64(p) * gjk_sign64(q);
+  int second = gjk_sign64(r) * gjk_sign64(s);
+  if (first + second != 0 || first == 0) {
+    return first != 0 ? first : second;
+  }
+  gjk_u128 x = multiply64(gjk_magnitude64(p), gjk_magnitude64(q));
+  gjk_u128 y = multiply64(gjk_magnitude64(r), gjk_magnitude64(s));
+  if (x.high != y.high) {
+    return x.high > y.high ? first : second;
+  }
+  if (x.low != y.low) {
+    return x.low > y.low ? first : second;
+  }
+  return 0;
+}
+
+static gjk_u128 add128(gjk_u128 a, gjk_u128 b) {
+  gjk_u128 sum = {a.high + b.high, a.low + b.low};
+  sum.high += sum.low < b.low;
+  return sum;
+}
+
+// a b modulo 2^128.
+static gjk_u128 signed_product(int64_t a, int64_t b) {
+  gjk_u128 p = multiply64(gjk_magnitude64(a), gjk_magnitude64(b));
+  if ((a < 0) != (b < 0)) {
+    const gjk_u128 one = {0, 1};
+    p.high = ~p.high;
+    p.low = ~p.low;
+    p = add128(p, one);
+  }
+  return p;
+}
+
+void gjk_positive_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out) {
+  const gjk_u128 first = signed_product(p, q), second = signed_product(r, s);
+  out->low = first.low + second.low;
+  out->high = first.high + second.high + (out->low < first.low);
+}
+
+// The 32 bits of x that start at bit number bits - 1, where no higher one is set. 1 <= bits <= 128.
+static uint32_t leading(const gjk_u128 *x, unsigned bits) {
+  uint64_t top;
+  if (bits > 64) {
+    const unsigned n = 128 - bits;
+    top = n == 0 ? x->high : (x->high << n) | (x->low >> (64 - n));
+  } else {
+    top = x->low << (64 - bits);
+  }
+  return (uint32_t)(top >> 32);
+}
+
+// About 2^63 / x for 2^31 <= x < 2^32, at most that, within 2. Newton's iteration from a line: relative errors at most
+// 2^-3, 2^-6, 2^-12, 2^-24, then rounding.
+static uint32_t reciprocal(uint32_t x) {
+  // With x = 2^32 u and the result 2^31 y: y = 1 / u on 1/2 <= u < 1 is 48/17 - 32/17 u within 1/17.
+  uint64_t line = UINT64_C(6063483241) - gjk_umulh32(x, UINT32_C(4042322161));
+  uint32_t y = line > UINT32_MAX ? UINT32_MAX : (uint32_t)line;
+  for (int i = 0; i < 3; i++) {
+    // 2^63 - x y, scaled: positive or negative, at most 2^60 in size
+    int64_t rest = gjk_int64((UINT64_C(1) << 63) - gjk_umul32(x, y));
+    int32_t e = (int32_t)gjk_sar64(rest, 31);
+    int64_t next = (int64_t)y + gjk_sar64(gjk_mul32((int32_t)(y >> 1), e), 31);
+    y = next > (int64_t)UINT32_MAX ? UINT32_MAX : (uint32_t)next;
+  }
+  return y;
+}
+
+void gjk_ratios(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, int32_t ratio[2]) {
+  gjk_u128 sum = add128(add128(*rest, *part), *part2);
+  const unsigned bits = sum.high != 0 ? 128 - gjk_clz64(sum.high) : 64 - gjk_clz64(sum.low);
+  const uint32_t inverse = reciprocal(leading(&sum, bits));
+  const uint32_t one = INT32_MAX;
+  const uint32_t first = gjk_umulh32(leading(part, bits), inverse);
+  const uint32_t second = gjk_umulh32(leading(part2, bits), inverse);
+  ratio[0] = (int32_t)(first < one ? first : one);
+  ratio[1] = (int32_t)(second < one - (uint32_t)ratio[0] ? second : one - (uint32_t)ratio[0]);
+}
+
+void gjk_limbs_set(gjk_limbs *x, uint64_t value) {
+  for (int i = 0; i < GJK_LIMBS; i++) {
+    x->limb[i] = (uint32_t)(value & UINT32_MAX);
+    value >>= 32;
+  }
+}
+
+void gjk_limbs_add(gjk_limbs *x, const gjk_limbs *y) {
+  uint64_t carry = 0;
+  for (int i = 0; i < GJK_LIMBS; i++) {
+    carry += (uint64_t)x->limb[i] + y->limb[i];
+    x->limb[i] = (uint32_t)(carry & UINT32_MAX);
+    carry >>= 32;
+  }
+}
+
+void gjk_limbs_subtract(gjk_limbs *x, const gjk_limbs *y) {
+  uint64_t carry = 1;
+  for (int i = 0; i < GJK_LIMBS; i++) {
+    carry += (uint64_t)x->limb[i] + (UINT32_MAX - y->limb[i]);
+    x->limb[i] = (uint32_t)(carry & UINT32_MAX);
+    carry >>= 32;
+  }
+}
+
+void gjk_limbs_multiply(gjk_limbs *out, const gjk_limbs *x, const gjk_limbs *y) {
+  gjk_limbs_set(out, 0);
+  for (int i = 0; i < GJK_LIMBS; i++) {
+    uint64_t carry = 0;  // below 2^32 before each step, so the sum stays below 2^64
+    for (int j = 0; i + j < GJK_LIMBS && x->limb[i] != 0; j++) {
+      carry += gjk_umul32(x->limb[i], y->limb[j]) + out->limb[i + j];
+      out->limb[i + j] = (uint32_t)(carry & UINT32_MAX);
+      carry >>= 32;
+    }
+  }
+}
+
+int gjk_limbs_compare(const gjk_limbs *x, const gjk_limbs *y) {
+  for (int i = GJK_LIMBS - 1; i >= 0; i--) {
+    if (x->limb[i] != y->limb[i]) {
+      return x->limb[i] > y->limb[i] ? 1 : -1;
+    }
+  }
+  return 0;
+}

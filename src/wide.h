@@ -1,0 +1,177 @@
+// Integers wider than the machine's: shifts that the standard defines, long products, exact signs.
+//
+// The one file of the core that may look at the compiler. Results are the same integers on every path.
+#ifndef GJK_SRC_WIDE_H
+#define GJK_SRC_WIDE_H
+
+#include "port.h"
+
+// The int32_t with the bits of u.
+static inline int32_t gjk_int32(uint32_t u) {
+  return u <= INT32_MAX ? (int32_t)u : -(int32_t)(UINT32_MAX - u) - 1;
+}
+
+// The int64_t with the bits of u.
+static inline int64_t gjk_int64(uint64_t u) {
+  return u <= INT64_MAX ? (int64_t)u : -(int64_t)(UINT64_MAX - u) - 1;
+}
+
+// floor(x / 2^n), 0 <= n <= 31. The condition is constant: a plain shift where the compiler's is arithmetic.
+static inline int32_t gjk_sar32(int32_t x, unsigned n) {
+  if ((-1 >> 1) == -1) {
+    return x >> n;
+  }
+  return x < 0 ? ~(~x >> n) : x >> n;
+}
+
+// floor(x / 2^n), 0 <= n <= 63.
+static inline int64_t gjk_sar64(int64_t x, unsigned n) {
+  if ((-1 >> 1) == -1) {
+    return x >> n;
+  }
+  return x < 0 ? ~(~x >> n) : x >> n;
+}
+
+// x 2^n. Pre: the result fits.
+static inline int32_t gjk_shl32(int32_t x, unsigned n) {
+  return gjk_int32((uint32_t)x << n);
+}
+
+static inline int64_t gjk_shl64(int64_t x, unsigned n) {
+  return gjk_int64((uint64_t)x << n);
+}
+
+// The halves of x = 2^32 high + low, low unsigned.
+static inline int32_t gjk_high32(int64_t x) {
+  return (int32_t)gjk_sar64(x, 32);
+}
+
+static inline uint32_t gjk_low32(int64_t x) {
+  return (uint32_t)((uint64_t)x & UINT32_MAX);
+}
+
+// |x| as an unsigned number; exact for the most negative one too.
+static inline uint32_t gjk_magnitude32(int32_t x) {
+  return x < 0 ? 0u - (uint32_t)x : (uint32_t)x;
+}
+
+static inline uint64_t gjk_magnitude64(int64_t x) {
+  return x < 0 ? 0u - (uint64_t)x : (uint64_t)x;
+}
+
+// Leading zeros of x. Pre: x != 0.
+static inline unsigned gjk_clz32(uint32_t x) {
+#if defined(GJK_CLZ32)
+  return (unsigned)GJK_CLZ32(x);
+#elif defined(__GNUC__) && UINT_MAX == UINT32_MAX && !(defined(__ARM_ARCH) && __ARM_ARCH < 7) && !defined(__riscv)
+  return (unsigned)__builtin_clz(x);
+#else
+  unsigned n = 0;
+  for (unsigned step = 16; step != 0; step >>= 1) {
+    if (x >> (32 - step) == 0) {
+      n += step;
+      x <<= step;
+    }
+  }
+  return n;
+#endif
+}
+
+// Leading zeros of x. Pre: x != 0.
+static inline unsigned gjk_clz64(uint64_t x) {
+  uint32_t high = (uint32_t)(x >> 32);
+  return high != 0 ? gjk_clz32(high) : 32 + gjk_clz32((uint32_t)(x & UINT32_MAX));
+}
+
+// a b, exact.
+static inline int64_t gjk_mul32(int32_t a, int32_t b) {
+#if GJK_NARROW_MULTIPLY
+  // With a = 2^16 ah + al and b = 2^16 bh + bl, al and bl unsigned 16-bit: each product of halves is at most 2^31 in
+  // size and leaves room for the carry added to it: |ah bl| <= 2^15 (2^16 - 1), the carry below 2^16.
+  uint32_t al = (uint32_t)a & 0xFFFFu, bl = (uint32_t)b & 0xFFFFu;
+  int32_t ah = gjk_sar32(a, 16), bh = gjk_sar32(b, 16);
+  uint32_t low = al * bl;
+  int32_t middle = ah * (int32_t)bl + (int32_t)(low >> 16);
+  int32_t middle2 = (int32_t)al * bh + (int32_t)((uint32_t)middle & 0xFFFFu);
+  int32_t high = ah * bh + gjk_sar32(middle, 16) + gjk_sar32(middle2, 16);
+  uint32_t bits = ((uint32_t)middle2 << 16) | (low & 0xFFFFu);
+  return gjk_int64(((uint64_t)(uint32_t)high << 32) | bits);
+#else
+  return (int64_t)a * b;
+#endif
+}
+
+// a b, exact, unsigned.
+static inline uint64_t gjk_umul32(uint32_t a, uint32_t b) {
+#if GJK_NARROW_MULTIPLY
+  // Products of 16-bit halves are at most (2^16 - 1)^2, so a carry below 2^16 twice added still fits 32 bits.
+  uint32_t al = a & 0xFFFFu, bl = b & 0xFFFFu, ah = a >> 16, bh = b >> 16;
+  uint32_t low = al * bl;
+  uint32_t middle = ah * bl + (low >> 16);
+  uint32_t middle2 = al * bh + (middle & 0xFFFFu);
+  uint32_t high = ah * bh + (middle >> 16) + (middle2 >> 16);
+  return ((uint64_t)high << 32) | (middle2 << 16) | (low & 0xFFFFu);
+#else
+  return (uint64_t)a * b;
+#endif
+}
+
+// floor(a b / 2^32), unsigned.
+static inline uint32_t gjk_umulh32(uint32_t a, uint32_t b) {
+  return (uint32_t)(gjk_umul32(a, b) >> 32);
+}
+
+// -1, 0 or 1.
+static inline int gjk_sign64(int64_t x) {
+  return (x > 0) - (x < 0);
+}
+
+// The sign of p q + r s. Pre: each at most 2^62 in size.
+int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s);
+
+// The same, settled from the high words wherever they suffice. With p = 2^32 ph + pl and so on, and
+// |ph| <= 2^30: (p q + r s) / 2^64 differs from h = ph qh + rh sh by less than |ph| + |qh| + |rh| + |sh| + 2, which is
+// at most 2^32 + 2 and so below 2^33.
+static inline int gjk_sum_sign(int64_t p, int64_t q, int64_t r, int64_t s) {
+#if GJK_INT128
+  GJK_INT128_TYPE sum = (GJK_INT128_TYPE)p * q + (GJK_INT128_TYPE)r * s;
+  return (sum > 0) - (sum < 0);
+#else
+  int64_t h = gjk_mul32(gjk_high32(p), gjk_high32(q)) + gjk_mul32(gjk_high32(r), gjk_high32(s));
+  int32_t top = gjk_high32(h);
+  if (top >= 2) {
+    return 1;
+  }
+  return top < -2 ? -1 : gjk_sum_sign_exact(p, q, r, s);
+#endif
+}
+
+// Unsigned 128 bits.
+typedef struct gjk_u128 {
+  uint64_t high, low;
+} gjk_u128;
+
+// *out = p q + r s. Pre: not negative; each factor at most 2^62 in size.
+void gjk_positive_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out);
+
+// The shares of part and part2 in rest + part + part2, Q31, each within 3, not negative, together below 2^31.
+// Pre: the sum is positive and below 2^127.
+void gjk_ratios(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, int32_t ratio[2]);
+
+// Unsigned integers of 224 bits, least significant limb first, for the rare comparisons of squares.
+#define GJK_LIMBS 7
+
+typedef struct gjk_limbs {
+  uint32_t limb[GJK_LIMBS];
+} gjk_limbs;
+
+void gjk_limbs_set(gjk_limbs *x, uint64_t value);
+// x += y, x -= y, modulo 2^224.
+void gjk_limbs_add(gjk_limbs *x, const gjk_limbs *y);
+void gjk_limbs_subtract(gjk_limbs *x, const gjk_limbs *y);
+// out = x y modulo 2^224; out is neither x nor y.
+void gjk_limbs_multiply(gjk_limbs *out, const gjk_limbs *x, const gjk_limbs *y);
+// The sign of x - y.
+int gjk_limbs_compare(const gjk_limbs *x, const gjk_limbs *y);
+
+#endif

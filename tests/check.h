@@ -1,0 +1,30 @@
+// Counting checks: a failed one prints its place and the program goes on.
+#ifndef CHECK_H
+#define CHECK_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+static unsigned long check_passed, check_failed;
+
+#define CHECK_MSG(condition, ...)                                  \
+  do {                                                             \
+    if (condition) {                                               \
+      check_passed++;                                              \
+    } else {                                                       \
+      check_failed++;                                              \
+      printf("%s:%d: failed: %s: ", __FILE__, __LINE__, #condition); \
+      printf(__VA_ARGS__);                                         \
+      printf("\n");                                                \
+    }                                                              \
+  } while (0)
+
+#define CHECK(condition) CHECK_MSG(condition, "%s", "")
+
+// The program's exit status; prints the line that the test runner adds up.
+static inline int check_done(const char *name) {
+  printf("%s: %lu passed, %lu failed\n", name, check_passed, check_failed);
+  return check_failed == 0 && check_passed > 0 ? 0 : 1;
+}
+
+#endif
