@@ -14,10 +14,10 @@ static int64_t rounding_slack(const gjk_collider *c, bool exact) {
 
 static void scan_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d, bool exact,
                        gjk_support *out) {
-  gjk_scan_result found = gjk_scan(vertices, c->count, d, rounding_slack(c, exact));
-  out->offset = vertices[found.best];
-  out->vertex = found.best;
-  out->tie = found.tie;
+  const gjk_scan scan = {vertices, c->count, (uint32_t)c->core_radius, *d, rounding_slack(c, exact)};
+  const uint16_t best = gjk_scan_farthest(&scan, &out->tie);
+  out->offset = vertices[best];
+  out->vertex = best;
 }
 
 // Pre: offsets of the vertices at most core_radius; *at is among the farthest along d.
@@ -49,24 +49,25 @@ static int64_t local_direction(const gjk_collider *c, const gjk_vec3 *d, bool ex
   return 2 * (int64_t)c->core_radius + gjk_norm1(*d) + rounding_slack(c, exact);
 }
 
+// The vertices of the shape are scanned as they are, not relative to its centre: that shifts all products alike.
 static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, bool exact, gjk_support *out) {
   const gjk_vec3 *vertices = c->shape->vertices;
-  const gjk_vec3 scaled = gjk_scale_direction(direction), *d = &scaled;
-  gjk_vec3 local;
-  int64_t slack = local_direction(c, d, exact, &local);
-  gjk_scan_result found = gjk_scan(vertices, c->count, &local, slack);
-  out->offset = pose_vertex(c, c->frame, found.best);
-  out->vertex = found.best;
-  out->tie = found.tie && !exact;
-  if (!found.tie) {
+  const gjk_vec3 d = gjk_scale_direction(direction);
+  gjk_scan scan = {vertices, c->count, INT32_MAX, {0, 0, 0}, 0};
+  bool tie;
+  scan.slack = local_direction(c, &d, exact, &scan.d);
+  out->vertex = gjk_scan_farthest(&scan, &tie);
+  out->offset = pose_vertex(c, c->frame, out->vertex);
+  out->tie = tie && !exact;
+  if (!tie) {
     return;
   }
-  const int64_t limit = gjk_dot(vertices[found.best], local) - slack;
-  int64_t farthest = gjk_dot(out->offset, *d);
+  const int64_t limit = gjk_dot(vertices[out->vertex], scan.d) - scan.slack;
+  int64_t farthest = gjk_dot(out->offset, d);
   for (uint32_t i = 0; i < c->count; i++) {
-    if (gjk_dot(vertices[i], local) >= limit) {
-      gjk_vec3 offset = pose_vertex(c, c->frame, i);
-      int64_t along = gjk_dot(offset, *d);
+    if (gjk_dot(vertices[i], scan.d) >= limit) {
+      const gjk_vec3 offset = pose_vertex(c, c->frame, i);
+      const int64_t along = gjk_dot(offset, d);
       if (along > farthest || (along == farthest && i < out->vertex)) {
         farthest = along;
         out->offset = offset;

@@ -5,11 +5,6 @@
 //         exact direction, so every simplex is non-degenerate, each feature is nearer than the last and none returns.
 #include "iteration.h"
 
-// |x| + |y| + |z|, a bound on the length of v from above. Each at most 2^32.
-static int64_t norm1_long(const gjk_long3 *v) {
-  return (int64_t)(gjk_magnitude64(v->x) + gjk_magnitude64(v->y) + gjk_magnitude64(v->z));
-}
-
 // Is v longer than r >= 0? Components at most 2^32, r below 2^33. Both are first cut to 31 bits when they have more,
 // rounding towards "no".
 static bool longer_than(const gjk_long3 *v, int64_t r) {
@@ -26,14 +21,11 @@ static bool longer_than(const gjk_long3 *v, int64_t r) {
              gjk_umul32((uint32_t)z, (uint32_t)z) > gjk_umul32((uint32_t)limit, (uint32_t)limit);
 }
 
-// The shift of the frame for a reach W0 (see iteration.h), from above.
-static int frame_shift(const gjk_long3 *delta, int64_t reach) {
+// The shift of a frame whose reach is 2^30 or more.
+static int far_shift(const gjk_long3 *delta) {
   const int64_t unit = INT64_C(1) << 30;
-  if (reach < unit) {
-    return (int)gjk_clz32((uint32_t)reach | 1u) - 2;
-  }
-  int shift = 0;
   gjk_long3 scaled = *delta;
+  int shift = 0;
   while (shift > -3 && longer_than(&scaled, unit)) {
     shift--;
     scaled.x = gjk_sar64(delta->x, (unsigned)-shift);
@@ -55,12 +47,18 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   if (goal == GJK_GOAL_WITHIN && longer_than(&it->delta, cores + radius)) {
     return false;
   }
-  const int64_t reach = norm1_long(&it->delta) + cores;
-  it->shift = (int8_t)frame_shift(&it->delta, reach);
+  // |x| + |y| + |z| bounds the length from above; at most 3 2^32.
+  const int64_t reach = (int64_t)(gjk_magnitude64(it->delta.x) + gjk_magnitude64(it->delta.y) +
+                                  gjk_magnitude64(it->delta.z)) + cores;
+  it->shift = (int8_t)(reach < INT64_C(1) << 30 ? (int)gjk_clz32((uint32_t)reach) - 2 : far_shift(&it->delta));
   // A radius beyond the reach settles the question like the reach, and so does any of 2^31 or more in the frame.
   const int64_t clamped = radius < reach ? radius : reach;
-  const int64_t framed = it->shift >= 0 ? gjk_shl64(clamped, (unsigned)it->shift) : gjk_sar64(clamped, (unsigned)-it->shift);
-  it->radius = framed < INT32_MAX ? framed : INT32_MAX;
+  it->radius = 0;
+  if (radius > 0) {
+    const int64_t framed = it->shift >= 0 ? gjk_shl64(clamped, (unsigned)it->shift)
+                                          : gjk_sar64(clamped, (unsigned)-it->shift);
+    it->radius = framed < INT32_MAX ? framed : INT32_MAX;
+  }
   it->curved = a->shape->type->vertex == NULL || b->shape->type->vertex == NULL;
   gjk_simplex_clear(&it->simplex);
   return true;
@@ -74,24 +72,25 @@ static int32_t far_component(int64_t difference, int shift) {
 
 // The frame's vector from B to A for the given offsets from their centres. Near, all sums are at most 3 2^29.
 static gjk_vec3 frame_vector(const gjk_iteration *it, const gjk_vec3 *a, const gjk_vec3 *b) {
-  gjk_vec3 w;
-  if (it->shift >= 0) {
-    const unsigned n = (unsigned)it->shift;
-    w.x = gjk_shl32((int32_t)it->delta.x + a->x - b->x, n);
-    w.y = gjk_shl32((int32_t)it->delta.y + a->y - b->y, n);
-    w.z = gjk_shl32((int32_t)it->delta.z + a->z - b->z, n);
+  gjk_vec3 w = gjk_sub(*a, *b);
+  const int shift = it->shift;
+  if (shift >= 0) {
+    w.x = gjk_shl32((int32_t)it->delta.x + w.x, (unsigned)shift);
+    w.y = gjk_shl32((int32_t)it->delta.y + w.y, (unsigned)shift);
+    w.z = gjk_shl32((int32_t)it->delta.z + w.z, (unsigned)shift);
   } else {
-    w.x = far_component(it->delta.x + a->x - b->x, it->shift);
-    w.y = far_component(it->delta.y + a->y - b->y, it->shift);
-    w.z = far_component(it->delta.z + a->z - b->z, it->shift);
+    w.x = far_component(it->delta.x + w.x, shift);
+    w.y = far_component(it->delta.y + w.y, shift);
+    w.z = far_component(it->delta.z + w.z, shift);
   }
   return w;
 }
 
 void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_support *b) {
   gjk_vertex *v = gjk_simplex_free(&it->simplex);
-  v->w = frame_vector(it, &a->offset, &b->offset);
-  v->offset_a = a->offset;
+  const gjk_vec3 offset = a->offset;
+  v->offset_a = offset;
+  v->w = frame_vector(it, &offset, &b->offset);
   v->a = a->vertex;
   v->b = b->vertex;
 }

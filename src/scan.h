@@ -4,13 +4,17 @@
 
 #include "vector.h"
 
-// What a scan found.
-typedef struct gjk_scan_result {
-  uint16_t best;  // the first of the vertices with the largest vertex . d
-  bool tie;       // another vertex may come within slack of it; never set when slack is 0
-} gjk_scan_result;
+// What a scan looks for: the first of n >= 1 vertices with the largest vertex . d.
+typedef struct gjk_scan {
+  const gjk_vec3 *vertices;
+  uint32_t n;
+  uint32_t reach;  // bounds the components of the vertices; below 2^31
+  gjk_vec3 d;      // vertex . d is below 2^63 in size
+  int64_t slack;   // how near another vertex must come to count as a tie, at most 2^33; 0: never, and needed when no
+                   // component of d reaches 2^29
+} gjk_scan;
 
-// Pre: 1 <= n; |d| <= 2^31, |vertices| <= 2^31 each, lengths, and their product below 2^63; 0 <= slack <= 2^60.
-gjk_scan_result gjk_scan(const gjk_vec3 *vertices, uint32_t n, const gjk_vec3 *d, int64_t slack);
+// Returns the vertex's index. *tie: another may come within slack; false only when none does.
+uint16_t gjk_scan_farthest(const gjk_scan *scan, bool *tie);
 
 #endif

@@ -23,36 +23,34 @@ static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigned j, unsi
   s->order[3] = (uint8_t)(6 - i - j - k);
 }
 
-// w_i . (w_i - w_j): positive when the origin's projection onto the edge's line lies on j's side of i.
-static inline int64_t toward(const gjk_simplex *s, unsigned i, unsigned j) {
-  return s->dot[i][i] - s->dot[i][j];
-}
-
 // The sign of the weight of vertex k when the origin is projected onto the plane of i, j, k: positive when the
 // projection lies on k's side of edge (i, j). Up to a positive factor the edge's line is nearest to the origin at
-// p = w_i toward(j, i) + w_j toward(i, j), and the weight is p . (w_i - w_k).
+// p = w_i toward(j, i) + w_j toward(i, j), and the weight is p . (w_i - w_k), where
+// w_j . (w_i - w_k) = toward(j, k) - toward(j, i).
 static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
-  return gjk_sum_sign(toward(s, j, i), toward(s, i, k), toward(s, i, j), s->dot[i][j] - s->dot[j][k]);
+  const int64_t *at_i = s->toward[i], *at_j = s->toward[j];
+  return gjk_sum_sign(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i]);
 }
 
-// Enters the dot products of slot w with the n slots of the feature and itself.
-static void enter_dots(gjk_simplex *s, unsigned w) {
-  gjk_vec3 v = s->slot[w].w;
-  s->dot[w][w] = gjk_dot(v, v);
-  for (unsigned i = 0; i < s->count; i++) {
-    unsigned slot = s->order[i];
-    int64_t dot = gjk_dot(v, s->slot[slot].w);
-    s->dot[w][slot] = dot;
-    s->dot[slot][w] = dot;
+// Enters the products of slot w with the n slots of the feature and itself.
+static void enter(gjk_simplex *s, unsigned w) {
+  const gjk_vec3 v = s->slot[w].w;
+  const int64_t square = gjk_dot(v, v);
+  s->toward[w][w] = square;
+  for (unsigned n = s->count, i = 0; i < n; i++) {
+    const unsigned slot = s->order[i];
+    const int64_t dot = gjk_dot(v, s->slot[slot].w);
+    s->toward[w][slot] = square - dot;
+    s->toward[slot][w] = s->toward[slot][slot] - dot;
   }
 }
 
 static gjk_step add_to_vertex(gjk_simplex *s, unsigned w) {
   unsigned a = s->order[0];
-  if (toward(s, a, w) <= 0) {
+  if (s->toward[a][w] <= 0) {
     return GJK_STEP_NONE;
   }
-  if (toward(s, w, a) <= 0) {
+  if (s->toward[w][a] <= 0) {
     s->order[0] = (uint8_t)w;
     s->order[1] = (uint8_t)a;
   } else {
@@ -82,9 +80,9 @@ static gjk_step set_triangle(gjk_simplex *s, unsigned x, unsigned y, unsigned w)
 // The feature among the edges (x, w), (y, w) and vertex w, the face x, y, w being none.
 // x_edge: y lies behind edge (x, w); y_edge: x lies behind edge (y, w).
 static gjk_step set_edge(gjk_simplex *s, unsigned x, unsigned y, unsigned w, bool x_edge, bool y_edge) {
-  if (x_edge && toward(s, w, x) > 0 && toward(s, x, w) > 0) {
+  if (x_edge && s->toward[w][x] > 0 && s->toward[x][w] > 0) {
     set_feature(s, 2, x, w, y);
-  } else if (y_edge && toward(s, w, y) > 0 && toward(s, y, w) > 0) {
+  } else if (y_edge && s->toward[w][y] > 0 && s->toward[y][w] > 0) {
     set_feature(s, 2, y, w, x);
   } else {
     set_feature(s, 1, w, x, y);
@@ -108,26 +106,21 @@ static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
 // The feature of the tetrahedron of the old triangle and w when one face or more sees the origin.
 // visible: bit i for the face of order[i], order[i + 1 mod 3] and w.
 static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
-  unsigned corner[3] = {s->order[0], s->order[1], s->order[2]};
-  // behind[i] of the two faces at edge (corner i, w): the other corner of the face lies behind the edge
-  bool after[3], before[3];
+  unsigned corner[4] = {s->order[0], s->order[1], s->order[2], s->order[0]};
   for (unsigned i = 0; i < 3; i++) {
-    unsigned j = i == 2 ? 0 : i + 1;
-    unsigned x = corner[i], y = corner[j];
-    after[i] = beyond_edge(s, x, w, y) <= 0;
-    before[j] = beyond_edge(s, y, w, x) <= 0;
-    if ((visible >> i & 1u) != 0 && !after[i] && !before[j] && beyond_edge(s, x, y, w) > 0) {
-      gjk_vec3 edge = gjk_sub(s->slot[y].w, s->slot[x].w);
-      gjk_vec3 edge2 = gjk_sub(s->slot[w].w, s->slot[x].w);
-      s->normal = gjk_cross(edge, edge2);
+    const unsigned x = corner[i], y = corner[i + 1];
+    if ((visible >> i & 1u) != 0 && beyond_edge(s, x, w, y) > 0 && beyond_edge(s, y, w, x) > 0 &&
+        beyond_edge(s, x, y, w) > 0) {
+      const gjk_vec3 *at = &s->slot[x].w;
+      s->normal = gjk_cross(gjk_sub(s->slot[y].w, *at), gjk_sub(s->slot[w].w, *at));
       set_feature(s, 3, x, y, w);
       return GJK_STEP_NEARER;
     }
   }
   for (unsigned i = 0; i < 3; i++) {
-    unsigned x = corner[i];
-    if (after[i] && before[i] && toward(s, w, x) > 0 && toward(s, x, w) > 0) {
-      set_feature(s, 2, x, w, corner[i == 0 ? 2 : i - 1]);
+    const unsigned x = corner[i], y = corner[i + 1], z = corner[i == 0 ? 2 : i - 1];
+    if (s->toward[w][x] > 0 && s->toward[x][w] > 0 && beyond_edge(s, x, w, y) <= 0 && beyond_edge(s, x, w, z) <= 0) {
+      set_feature(s, 2, x, w, y);
       return GJK_STEP_NEARER;
     }
   }
@@ -150,7 +143,7 @@ static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
     s->count = 4;
     return GJK_STEP_ENCLOSING;
   }
-  enter_dots(s, w);
+  enter(s, w);
   return set_visible(s, w, visible);
 }
 
@@ -159,7 +152,7 @@ gjk_step gjk_simplex_add(gjk_simplex *s) {
   if (s->count == 3) {
     return add_to_triangle(s, w);
   }
-  enter_dots(s, w);
+  enter(s, w);
   if (s->count == 0) {
     s->count = 1;
     return GJK_STEP_NEARER;
@@ -170,11 +163,11 @@ gjk_step gjk_simplex_add(gjk_simplex *s) {
 bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
   gjk_simplex_clear(s);
   for (unsigned i = 0; i < n; i++) {
-    enter_dots(s, i);
+    enter(s, i);
     s->count++;
   }
   if (n == 2) {
-    return toward(s, 0, 1) > 0 && toward(s, 1, 0) > 0;
+    return s->toward[0][1] > 0 && s->toward[1][0] > 0;
   }
   if (n == 3) {
     set_triangle(s, 0, 1, 2);
@@ -221,11 +214,11 @@ bool gjk_simplex_direction(const gjk_simplex *s, gjk_direction *out) {
   if (s->count == 1) {
     out->rounded = gjk_negate(*out->a);
     out->exact = true;
-    return s->dot[a][a] != 0;
+    return s->toward[a][a] != 0;
   }
   out->b = &s->slot[b].w;
-  out->ta = toward(s, a, b);
-  out->tb = toward(s, b, a);
+  out->ta = s->toward[a][b];
+  out->tb = s->toward[b][a];
   return gjk_edge_direction(out);
 }
 
@@ -258,16 +251,16 @@ void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_limbs *numerator, gj
   unsigned a = s->order[0], b = s->order[1];
   gjk_limbs x, y;
   if (s->count == 1) {
-    gjk_limbs_set(numerator, (uint64_t)s->dot[a][a]);
+    gjk_limbs_set(numerator, (uint64_t)s->toward[a][a]);
     gjk_limbs_set(denominator, 1);
   } else if (s->count == 2) {
     // |a x b|^2 / |b - a|^2 with |a x b|^2 = (a . a) (b . b) - (a . b)^2
-    gjk_limbs_set(&x, (uint64_t)s->dot[a][a]);
-    gjk_limbs_set(&y, (uint64_t)s->dot[b][b]);
+    gjk_limbs_set(&x, (uint64_t)s->toward[a][a]);
+    gjk_limbs_set(&y, (uint64_t)s->toward[b][b]);
     gjk_limbs_multiply(numerator, &x, &y);
-    square(&x, gjk_magnitude64(s->dot[a][b]));
+    square(&x, gjk_magnitude64(s->toward[a][a] - s->toward[a][b]));
     gjk_limbs_subtract(numerator, &x);
-    gjk_limbs_set(denominator, (uint64_t)(toward(s, a, b) + toward(s, b, a)));
+    gjk_limbs_set(denominator, (uint64_t)(s->toward[a][b] + s->toward[b][a]));
   } else {
     // (n . w0)^2 / |n|^2
     triangle_height(s, &x);
@@ -292,7 +285,8 @@ int gjk_compare_distance(const gjk_limbs *numerator, const gjk_limbs *denominato
 
 // The value of beyond_edge: the weight of k times the square of twice the triangle's area. At most 2^124.
 static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, gjk_u128 *out) {
-  gjk_positive_sum(toward(s, j, i), toward(s, i, k), toward(s, i, j), s->dot[i][j] - s->dot[j][k], out);
+  const int64_t *at_i = s->toward[i], *at_j = s->toward[j];
+  gjk_positive_sum(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);
 }
 
 void gjk_simplex_weights(const gjk_simplex *s, int32_t weight[2]) {
@@ -304,8 +298,8 @@ void gjk_simplex_weights(const gjk_simplex *s, int32_t weight[2]) {
     weight_of(s, a, b, c, &of_c);
   } else {
     of_a.high = of_b.high = of_c.high = of_c.low = 0;
-    of_a.low = (uint64_t)toward(s, b, a);
-    of_b.low = (uint64_t)toward(s, a, b);
+    of_a.low = (uint64_t)s->toward[b][a];
+    of_b.low = (uint64_t)s->toward[a][b];
   }
   gjk_ratios(&of_a, &of_b, &of_c, weight);
 }
