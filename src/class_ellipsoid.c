@@ -24,8 +24,8 @@ static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_su
   gjk_fine_point point = {0, 0, 0};
   if ((stretched.x | stretched.y | stretched.z) != 0) {
     gjk_vec3 rounded;
-    const bool whole = gjk_round_direction(&stretched, &rounded);
-    const gjk_unit3 u = gjk_unit(&rounded, whole);
+    gjk_round_direction(&stretched, &rounded);
+    const gjk_unit3 u = gjk_unit(&rounded);
     point.x = gjk_fine(size->x, u.x);
     point.y = gjk_fine(size->y, u.y);
     point.z = gjk_fine(size->z, u.z);

@@ -15,17 +15,11 @@ static int64_t to_lsb(int64_t x, int shift) {
   return x <= 0 ? 0 : gjk_sar64(x + (INT64_C(1) << (n - 1)), n);
 }
 
-// The feature's distance in LSB, correctly rounded, a tie up. approximate: the same in the frame, Q30, off by less than
-// 2^33: u is within 1.4 2^-29 of the exact direction and |w| <= 3 2^29.
-static int64_t exact_distance(const gjk_iteration *it, int64_t approximate) {
-  const int64_t error = INT64_C(1) << 33;
-  int64_t low = to_lsb(approximate - error, it->shift), high = to_lsb(approximate + error, it->shift);
-  if (low == high) {
-    return low;
-  }
-  if (it->shift < 0) {
-    return to_lsb(approximate, it->shift);
-  }
+// How far a plane distance, Q30, may be off: the unit vector is within 2^-28 of the exact direction and |w| <= 3 2^29.
+#define PLANE_ERROR (INT64_C(1) << 33)
+
+// The exact search among the few candidates that the plane distance leaves.
+static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high) {
   gjk_limbs numerator, denominator;
   gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
   while (low < high) {  // at most 17 candidates, so 5 rounds
@@ -40,13 +34,28 @@ static int64_t exact_distance(const gjk_iteration *it, int64_t approximate) {
   return low;
 }
 
-// Do the cores come within the roundings of each other? approximate as above.
-static bool rounded_touch(const gjk_iteration *it, int64_t approximate) {
-  const int64_t error = INT64_C(1) << 33, radius = gjk_shl64(it->radius, 30);  // at most 2^61
-  if (approximate - error > radius) {
-    return false;
+// The feature's distance in LSB, correctly rounded, a tie up; from the distance of its plane.
+static int64_t exact_distance(const gjk_iteration *it, int64_t plane) {
+  if (it->shift >= 4) {
+    // In steps of 2^32: the error and the bits cut off are less than 3.
+    const unsigned n = (unsigned)it->shift - 2;
+    const uint32_t mask = (UINT32_C(1) << n) - 1;
+    const uint32_t steps = gjk_low32(gjk_sar64(plane, 32)) + (UINT32_C(1) << (n - 1));
+    const uint32_t fraction = steps & mask;
+    if (plane >= 0 && fraction >= 3 && fraction <= mask - 3) {
+      return steps >> n;
+    }
   }
-  return it->radius > 0 && gjk_iteration_near(it);
+  if (it->shift < 0) {
+    return to_lsb(plane, it->shift);
+  }
+  return settle_distance(it, to_lsb(plane - PLANE_ERROR, it->shift), to_lsb(plane + PLANE_ERROR, it->shift));
+}
+
+// Do the cores come within the roundings of each other?
+static bool rounded_touch(const gjk_iteration *it, int64_t plane) {
+  const int64_t radius = gjk_shl64(it->radius, 30);  // at most 2^61
+  return radius > 0 && plane - PLANE_ERROR <= radius && gjk_iteration_near(it);
 }
 
 static gjk_q16 saturate(int64_t x, bool *saturated) {
@@ -57,64 +66,102 @@ static gjk_q16 saturate(int64_t x, bool *saturated) {
   return (gjk_q16)x;
 }
 
-// v0 + weight[0] (v1 - v0) + weight[1] (v2 - v0), Q31. Pre: |v| <= 3 2^29, differences below 2^31: at most 3 2^61, the sum
-// of the first two at most 7 2^60.
-static int64_t weighted(const int32_t weight[2], int32_t v0, int32_t v1, int32_t v2) {
-  return gjk_shl64(v0, 31) + gjk_mul32(weight[0], v1 - v0) + gjk_mul32(weight[1], v2 - v0);
+// The feature's vertices and the weights of its nearest point; of fewer than three the first fills in, without weight.
+typedef struct feature {
+  const gjk_vertex *u, *v, *w;
+  int32_t weight[2];
+} feature;
+
+// u + weight[0] (v - u) + weight[1] (w - u), Q31. Pre: coordinates at most 3 2^29, differences below 2^31 in size: the sum
+// of the first two terms is at most 7 2^60, the whole at most 3 2^60.
+static inline int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t w) {
+  return gjk_shl64(u, 31) + gjk_mul32(v - u, f->weight[0]) + gjk_mul32(w - u, f->weight[1]);
 }
 
-// One coordinate of the nearest points. a: of the core of A, offset from its centre, Q31; w: of A - B in the frame, Q31;
-// normal Q30. B's point is A's less w, so both start from A's centre.
-static void report_coordinate(const gjk_iteration *it, gjk_q16 centre, int64_t a, int64_t w, gjk_q30 normal,
-                              gjk_q16 *point_a, gjk_q16 *point_b, bool *saturated) {
-  int64_t whole = 0, b = a;
-  if (it->shift >= 0) {
-    b -= gjk_sar64(w, (unsigned)it->shift);
-  } else {
-    whole = gjk_sar64(w, (unsigned)(31 + it->shift));  // to the LSB is fine enough there
-  }
+// The coordinate of one point: of the core Q31 from A's centre, moved by round along the normal.
+static gjk_q16 coordinate(int64_t core, gjk_q16 centre, gjk_q30 normal, gjk_q16 round, bool *saturated) {
   const int64_t half = INT64_C(1) << 30;
-  a += gjk_mul32(normal, it->a->shape->round) * 2 + half;
-  b -= gjk_mul32(normal, it->b->shape->round) * 2 - half;
-  *point_a = saturate(centre + gjk_sar64(a, 31), saturated);
-  *point_b = saturate(centre + gjk_sar64(b, 31) - whole, saturated);
+  return saturate(centre + gjk_sar64(core + half + gjk_mul32(normal, round) * 2, 31), saturated);
 }
 
-static void nearest_points(const gjk_iteration *it, gjk_distance_result *out) {
+// B's vertices are A's less w; all start from A's centre.
+static void nearest_points(const gjk_iteration *it, const feature *f, gjk_distance_result *out) {
+  const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
+  const unsigned n = (unsigned)it->shift;
+  const gjk_vec3 centre = it->a->centre;
+  const gjk_unit3 normal = out->normal;
+  const gjk_q16 round_a = it->a->shape->round, round_b = -it->b->shape->round;
+  const gjk_vec3 *a = &u->offset_a, *a1 = &v->offset_a, *a2 = &w->offset_a;
+  bool *cut = &out->saturated;
+  out->point_a.x = coordinate(weighted(f, a->x, a1->x, a2->x), centre.x, normal.x, round_a, cut);
+  out->point_a.y = coordinate(weighted(f, a->y, a1->y, a2->y), centre.y, normal.y, round_a, cut);
+  out->point_a.z = coordinate(weighted(f, a->z, a1->z, a2->z), centre.z, normal.z, round_a, cut);
+  out->point_b.x = coordinate(weighted(f, a->x - gjk_sar32(u->w.x, n), a1->x - gjk_sar32(v->w.x, n),
+                                       a2->x - gjk_sar32(w->w.x, n)), centre.x, normal.x, round_b, cut);
+  out->point_b.y = coordinate(weighted(f, a->y - gjk_sar32(u->w.y, n), a1->y - gjk_sar32(v->w.y, n),
+                                       a2->y - gjk_sar32(w->w.y, n)), centre.y, normal.y, round_b, cut);
+  out->point_b.z = coordinate(weighted(f, a->z - gjk_sar32(u->w.z, n), a1->z - gjk_sar32(v->w.z, n),
+                                       a2->z - gjk_sar32(w->w.z, n)), centre.z, normal.z, round_b, cut);
+}
+
+// One coordinate of B's point in a far frame: A's less that of A - B, to the LSB, which is fine enough there.
+static gjk_q16 far_coordinate(const gjk_iteration *it, const feature *f, int64_t core, gjk_q16 centre, gjk_q30 normal,
+                              int32_t u, int32_t v, int32_t w, bool *saturated) {
+  const int64_t apart = gjk_sar64(weighted(f, u, v, w), (unsigned)(31 + it->shift));
+  const int64_t rounding = gjk_sar64(gjk_mul32(normal, it->b->shape->round), 30);
+  return saturate(centre + gjk_sar64(core, 31) - apart - rounding, saturated);
+}
+
+static void far_nearest_points(const gjk_iteration *it, const feature *f, gjk_distance_result *out) {
+  const gjk_vec3 *a = &f->u->offset_a, *a1 = &f->v->offset_a, *a2 = &f->w->offset_a;
+  const gjk_vec3 *d = &f->u->w, *d1 = &f->v->w, *d2 = &f->w->w;
+  const gjk_vec3 centre = it->a->centre;
+  const gjk_unit3 normal = out->normal;
+  const int64_t x = weighted(f, a->x, a1->x, a2->x);
+  const int64_t y = weighted(f, a->y, a1->y, a2->y);
+  const int64_t z = weighted(f, a->z, a1->z, a2->z);
+  bool *cut = &out->saturated;
+  out->point_a.x = coordinate(x, centre.x, normal.x, it->a->shape->round, cut);
+  out->point_a.y = coordinate(y, centre.y, normal.y, it->a->shape->round, cut);
+  out->point_a.z = coordinate(z, centre.z, normal.z, it->a->shape->round, cut);
+  out->point_b.x = far_coordinate(it, f, x, centre.x, normal.x, d->x, d1->x, d2->x, cut);
+  out->point_b.y = far_coordinate(it, f, y, centre.y, normal.y, d->y, d1->y, d2->y, cut);
+  out->point_b.z = far_coordinate(it, f, z, centre.z, normal.z, d->z, d1->z, d2->z, cut);
+}
+
+static void report_points(const gjk_iteration *it, gjk_distance_result *out) {
   const gjk_simplex *s = &it->simplex;
-  const gjk_vertex *u = &s->slot[s->order[0]];
-  const gjk_vertex *v = s->count > 1 ? &s->slot[s->order[1]] : u;
-  const gjk_vertex *w = s->count > 2 ? &s->slot[s->order[2]] : u;
-  const gjk_vec3 *centre = &it->a->centre;
-  gjk_vec3 *a = &out->point_a, *b = &out->point_b;
-  int32_t weight[2] = {0, 0};
+  feature f;
+  f.u = &s->slot[s->order[0]];
+  f.v = s->count > 1 ? &s->slot[s->order[1]] : f.u;
+  f.w = s->count > 2 ? &s->slot[s->order[2]] : f.u;
+  f.weight[0] = 0;
+  f.weight[1] = 0;
   if (s->count > 1) {
-    gjk_simplex_weights(s, weight);
+    gjk_simplex_weights(s, f.weight);
   }
-  report_coordinate(it, centre->x, weighted(weight, u->offset_a.x, v->offset_a.x, w->offset_a.x),
-                    weighted(weight, u->w.x, v->w.x, w->w.x), out->normal.x, &a->x, &b->x, &out->saturated);
-  report_coordinate(it, centre->y, weighted(weight, u->offset_a.y, v->offset_a.y, w->offset_a.y),
-                    weighted(weight, u->w.y, v->w.y, w->w.y), out->normal.y, &a->y, &b->y, &out->saturated);
-  report_coordinate(it, centre->z, weighted(weight, u->offset_a.z, v->offset_a.z, w->offset_a.z),
-                    weighted(weight, u->w.z, v->w.z, w->w.z), out->normal.z, &a->z, &b->z, &out->saturated);
+  if (it->shift >= 0) {
+    nearest_points(it, &f, out);
+  } else {
+    far_nearest_points(it, &f, out);
+  }
 }
 
-// The distance of the plane through the newest vertex, across the direction, in LSB; off by less than error, Q30.
+// The distance of the plane through the newest vertex, across the direction, in LSB; error is added, Q30.
 static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
   const gjk_simplex *s = &it->simplex;
-  const gjk_unit3 u = gjk_unit(&it->direction.rounded, it->direction.exact);
+  const gjk_unit3 u = gjk_unit(&it->direction.rounded);
   return to_lsb(error - along(&u, &s->slot[s->order[s->count - 1]].w), it->shift);
 }
 
 // The proven bounds when the ceiling is reached: the newest vertex was the support along the direction, so nothing lies
 // before its plane; and the feature's own plane, found from its own direction, touches the feature.
 static void report_bounds(gjk_iteration *it, gjk_distance_result *out) {
-  const int64_t error = INT64_C(1) << 33;
   const int64_t rounding = (int64_t)it->a->shape->round + it->b->shape->round;
-  const int64_t lower = plane_distance(it, -error) - rounding - 1;
+  const int64_t lower = plane_distance(it, -PLANE_ERROR) - rounding - 1;
   bool saturated;
   gjk_simplex_direction(&it->simplex, &it->direction);
-  const int64_t upper = plane_distance(it, error) - rounding + 1;
+  const int64_t upper = plane_distance(it, PLANE_ERROR) - rounding + 1;
   out->lower = lower > 0 ? saturate(lower, &saturated) : 0;
   out->upper = upper > 0 ? saturate(upper, &saturated) : 0;
 }
@@ -136,13 +183,13 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
   out->saturated = false;
   int64_t gap = 0;
   if (outcome == GJK_OUTCOME_NEAREST) {
-    out->normal = gjk_unit(&it.direction.rounded, it.direction.exact);
-    const int64_t approximate = -along(&out->normal, &it.simplex.slot[it.simplex.order[0]].w);
-    if (rounded_touch(&it, approximate)) {
+    out->normal = gjk_unit(&it.direction.rounded);
+    const int64_t plane = -along(&out->normal, &it.simplex.slot[it.simplex.order[0]].w);
+    if (rounded_touch(&it, plane)) {
       outcome = GJK_OUTCOME_NEAR;
     } else {
-      gap = exact_distance(&it, approximate) - radius;
-      nearest_points(&it, out);
+      gap = exact_distance(&it, plane) - radius;
+      report_points(&it, out);
     }
   }
   out->intersecting = outcome != GJK_OUTCOME_NEAREST;

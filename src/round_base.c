@@ -19,7 +19,7 @@ void gjk_rim(gjk_q16 radius, const gjk_vec3 *d, gjk_fine_point *point) {
   point->x = 0;
   point->y = 0;
   if (d->x != 0 || d->y != 0) {
-    const gjk_unit3 u = gjk_unit(&level, true);
+    const gjk_unit3 u = gjk_unit(&level);
     point->x = gjk_fine(radius, u.x);
     point->y = gjk_fine(radius, u.y);
   }

@@ -15,27 +15,17 @@ static uint32_t reciprocal_root(uint32_t x) {
   return y;
 }
 
-gjk_unit3 gjk_unit(const gjk_vec3 *d, bool exact) {
-  // Twice the direction; the middle of an interval of 1 adds 1. At most 2^31 - 1 when inexact, 3 2^30 when exact: so an
-  // exact direction is taken as it is.
-  gjk_vec3 v = *d;
-  if (!exact) {
-    v.x = v.x * 2 + 1;
-    v.y = v.y * 2 + 1;
-    v.z = v.z * 2 + 1;
-  }
-  // At most 3 2^62.
-  uint64_t squared = (uint64_t)gjk_mul32(v.x, v.x) + (uint64_t)gjk_mul32(v.y, v.y) + (uint64_t)gjk_mul32(v.z, v.z);
-  // squared = 2^(2 j) x with 2^30 <= x < 2^32; j from -15 to 16.
-  const unsigned zeros = gjk_clz64(squared) & ~1u;
-  const uint32_t x = (uint32_t)((squared << zeros) >> 32);
-  // v / |v| 2^30 = v y / 2^(16 + j), with 16 + j = 32 - zeros / 2 from 1 to 32.
-  const unsigned shift = 32 - zeros / 2;
-  const int64_t half = INT64_C(1) << (shift - 1);
-  const uint32_t root = reciprocal_root(x);
+gjk_unit3 gjk_unit(const gjk_vec3 *d) {
+  const gjk_vec3 v = *d;
+  const uint64_t squared = (uint64_t)gjk_dot(v, v);
+  // squared = 2^(32 - 2 z) x with 2^30 <= x < 2^32; |v| < 2^31, so z >= 1, and |v| < 2^(32 - z).
+  const unsigned z = gjk_clz64(squared) / 2;
+  const uint32_t root = reciprocal_root((uint32_t)((squared << (2 * z)) >> 32));
   const int32_t y = root > INT32_MAX ? INT32_MAX : (int32_t)root;
-  gjk_unit3 unit = {(gjk_q30)gjk_sar64(gjk_mul32(v.x, y) + half, shift),
-                    (gjk_q30)gjk_sar64(gjk_mul32(v.y, y) + half, shift),
-                    (gjk_q30)gjk_sar64(gjk_mul32(v.z, y) + half, shift)};
+  // 2^30 v / |v| = v y / 2^(32 - z)
+  const int64_t half = INT64_C(1) << 30;
+  gjk_unit3 unit = {(gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.x, z - 1), y) + half, 31),
+                    (gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.y, z - 1), y) + half, 31),
+                    (gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.z, z - 1), y) + half, 31)};
   return unit;
 }

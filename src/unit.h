@@ -4,8 +4,7 @@
 
 #include "vector.h"
 
-// d / |d|, Q2.30, each component within 1.5 LSB for an exact d. inexact: d is a floor, its fraction unknown; the middle is
-// taken, and the direction is then within 2^-29 + 2^-30. Pre: d != 0; |d| <= 2^30 per component, 3 2^29 when exact.
-gjk_unit3 gjk_unit(const gjk_vec3 *d, bool exact);
+// d / |d|, Q2.30, each component within 1 LSB for the given d. Pre: d != 0, |d| < 2^31.
+gjk_unit3 gjk_unit(const gjk_vec3 *d);
 
 #endif

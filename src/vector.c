@@ -35,21 +35,29 @@ int gjk_direction_sign(const gjk_direction *direction, gjk_vec3 v) {
   return gjk_sign64(gjk_dot(direction->rounded, v));
 }
 
-// floor(x / 2^k), 0 <= k <= 33. Pre: the result fits.
-static int32_t shift_down(int64_t x, unsigned k) {
-  return (int32_t)gjk_sar64(x, k);
+// x / 2^k to the nearest integer, 1 <= k <= 33. Pre: the result is at most 2^30 in size.
+static int32_t round_down(int64_t x, unsigned k) {
+  const uint64_t bits = (uint64_t)x + ((uint64_t)1 << (k - 1));
+  if (k > 32) {
+    return gjk_sar32(gjk_int32((uint32_t)(bits >> 32)), k - 32);
+  }
+  return gjk_int32((uint32_t)((bits >> k) & UINT32_MAX));
 }
 
 bool gjk_round_direction(const gjk_long3 *n, gjk_vec3 *rounded) {
-  // The bits of |n|, one less for negative components: floor may reach -2^30, which is allowed.
-  uint64_t bits = (uint64_t)(n->x ^ gjk_sar64(n->x, 63)) | (uint64_t)(n->y ^ gjk_sar64(n->y, 63)) |
-                  (uint64_t)(n->z ^ gjk_sar64(n->z, 63));
-  unsigned k = bits >> 30 == 0 ? 0 : 34 - gjk_clz64(bits);
-  rounded->x = shift_down(n->x, k);
-  rounded->y = shift_down(n->y, k);
-  rounded->z = shift_down(n->z, k);
-  uint64_t lost = ((uint64_t)1 << k) - 1;
-  return (((uint64_t)n->x | (uint64_t)n->y | (uint64_t)n->z) & lost) == 0;
+  // The bits of n, of -1 - n for negative components: |n| <= 2^30 when they end below bit 30.
+  const int64_t bits = (n->x ^ gjk_sar64(n->x, 63)) | (n->y ^ gjk_sar64(n->y, 63)) | (n->z ^ gjk_sar64(n->z, 63));
+  if (bits >> 30 == 0) {
+    rounded->x = (int32_t)n->x;
+    rounded->y = (int32_t)n->y;
+    rounded->z = (int32_t)n->z;
+    return true;
+  }
+  const unsigned k = 34 - gjk_clz64((uint64_t)bits);
+  rounded->x = round_down(n->x, k);
+  rounded->y = round_down(n->y, k);
+  rounded->z = round_down(n->z, k);
+  return (((uint64_t)n->x | (uint64_t)n->y | (uint64_t)n->z) & (((uint64_t)1 << k) - 1)) == 0;
 }
 
 // -(a tb + b ta) = 2^31 high + low with 0 <= low < 2^31. With t = 2^31 th + tl: th <= 2^30, so
@@ -67,9 +75,9 @@ bool gjk_edge_direction(gjk_direction *direction) {
   uint32_t x = combine(a->x, direction->tb, b->x, direction->ta, &n.x);
   uint32_t y = combine(a->y, direction->tb, b->y, direction->ta, &n.y);
   uint32_t z = combine(a->z, direction->tb, b->z, direction->ta, &n.z);
-  const int64_t limit = INT64_C(1) << 29;
+  const int64_t limit = INT64_C(1) << 31;
   if (n.x < limit && n.x >= -limit && n.y < limit && n.y >= -limit && n.z < limit && n.z >= -limit) {
-    // High parts of at most 2^29: the whole is at most 2^60.
+    // The whole is at most 2^62.
     n.x = gjk_shl64(n.x, 31) + x;
     n.y = gjk_shl64(n.y, 31) + y;
     n.z = gjk_shl64(n.z, 31) + z;

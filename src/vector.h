@@ -67,7 +67,7 @@ static inline int gjk_dot_sign(const gjk_long3 *n, gjk_vec3 v) {
 //   1 vertex   -a                        (no rounding)
 //   2 vertices -(a tb + b ta), where ta = a . (a - b) and tb = b . (b - a)
 //   3 vertices n
-// and rounded = floor(exact / 2^k) per component for some k; rounding is off by less than 1 in each.
+// and rounded = exact / 2^k for some k, off by less than 1 in each component; by at most 3/4, in truth.
 typedef struct gjk_direction {
   gjk_vec3 rounded;     // components at most 2^30 in size, 3 2^29 for a vertex
   const gjk_vec3 *a, *b;
@@ -84,8 +84,8 @@ int gjk_direction_sign(const gjk_direction *direction, gjk_vec3 v);
 // Pre: |a|, |b| <= 3 2^29; ta, tb <= 2^61.
 bool gjk_edge_direction(gjk_direction *direction);
 
-// rounded = floor(n / 2^k), with the least k >= 0 that leaves every component below 2^30 in size.
-// Returns whether no bit was lost.
+// rounded = n / 2^k to the nearest integers, with the least k >= 0 that leaves every component at most 2^30 in size.
+// Returns whether no bit was lost. Pre: |n| < 2^63 - 2^33 per component.
 bool gjk_round_direction(const gjk_long3 *n, gjk_vec3 *rounded);
 
 // d 2^k with the largest k >= 0 that leaves every component below 2^30 in size, or d when none does. Pre: d != 0.
