@@ -6,24 +6,25 @@
 #include "scan.h"
 #include "shape_class.h"
 
-// How far rounding the direction can mislead a comparison of two vertices: each component is off by less than 1, so
-// by less than |u.x| + |u.y| + |u.z| <= sqrt(3) 2 core_radius for their difference u.
-static int64_t rounding_slack(const gjk_collider *c, bool exact) {
-  return exact ? 0 : 4 * (int64_t)c->core_radius;
+// How far rounding the direction can mislead a comparison of two vertices, in units of 4: each component is off by less
+// than 1, so by less than |u.x| + |u.y| + |u.z| <= sqrt(3) 2 core_radius for their difference u.
+static uint32_t rounding_slack(const gjk_collider *c, bool exact) {
+  return exact ? 0 : (uint32_t)c->core_radius;
 }
 
 static void scan_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d, bool exact,
                        gjk_support *out) {
-  const gjk_scan scan = {vertices, c->count, (uint32_t)c->core_radius, *d, rounding_slack(c, exact)};
-  const uint16_t best = gjk_scan_farthest(&scan, &out->tie);
-  out->offset = vertices[best];
-  out->vertex = best;
+  const unsigned bits = 32 - gjk_clz32((uint32_t)c->core_radius);
+  const gjk_farthest found = gjk_scan(vertices, c->count, bits, d, rounding_slack(c, exact));
+  out->offset = vertices[found.index];
+  out->vertex = found.index;
+  out->tie = found.tie;
 }
 
 // Pre: offsets of the vertices at most core_radius; *at is among the farthest along d.
 static bool refine_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d,
                          const gjk_direction *direction, bool negated, gjk_support *at) {
-  const int64_t limit = gjk_dot(at->offset, *d) - rounding_slack(c, false);
+  const int64_t limit = gjk_dot(at->offset, *d) - 4 * (int64_t)rounding_slack(c, false);
   const uint16_t before = at->vertex;
   for (uint32_t i = 0; i < c->count; i++) {
     if (gjk_dot(vertices[i], *d) >= limit) {
@@ -42,30 +43,30 @@ static gjk_vec3 pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], uint3
   return gjk_rotate(rows, &local);
 }
 
-// d in the shape's frame, and how far it misleads a comparison of two vertices u apart there: each of its components
-// is off by at most 1/2, |d.x| + |d.y| + |d.z| for the rounding of both vertices, and rounding_slack.
-static int64_t local_direction(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_vec3 *local) {
+// d in the shape's frame, and how far it misleads a comparison of two vertices u apart there, in units of 4: each of
+// its components is off by at most 1/2, |d.x| + |d.y| + |d.z| < 2^32 for the rounding of both vertices, rounding_slack.
+static uint32_t local_direction(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_vec3 *local) {
   *local = gjk_rotate_back(c->frame, d);
-  return 2 * (int64_t)c->core_radius + gjk_norm1(*d) + rounding_slack(c, exact);
+  return (uint32_t)c->core_radius / 2 + gjk_norm1(*d) / 4 + rounding_slack(c, exact) + 2;
 }
 
 // The vertices of the shape are scanned as they are, not relative to its centre: that shifts all products alike.
 static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, bool exact, gjk_support *out) {
   const gjk_vec3 *vertices = c->shape->vertices;
   const gjk_vec3 d = gjk_scale_direction(direction);
-  gjk_scan scan = {vertices, c->count, INT32_MAX, {0, 0, 0}, 0};
-  bool tie;
-  scan.slack = local_direction(c, &d, exact, &scan.d);
-  out->vertex = gjk_scan_farthest(&scan, &tie);
+  gjk_vec3 local;
+  const uint32_t slack = local_direction(c, &d, exact, &local);
+  const gjk_farthest found = gjk_scan(vertices, c->count, 31, &local, slack);
+  out->vertex = found.index;
   out->offset = pose_vertex(c, c->frame, out->vertex);
-  out->tie = tie && !exact;
-  if (!tie) {
+  out->tie = found.tie && !exact;
+  if (!found.tie) {
     return;
   }
-  const int64_t limit = gjk_dot(vertices[out->vertex], scan.d) - scan.slack;
+  const int64_t limit = gjk_dot(vertices[out->vertex], local) - 4 * (int64_t)slack;
   int64_t farthest = gjk_dot(out->offset, d);
   for (uint32_t i = 0; i < c->count; i++) {
-    if (gjk_dot(vertices[i], scan.d) >= limit) {
+    if (gjk_dot(vertices[i], local) >= limit) {
       const gjk_vec3 offset = pose_vertex(c, c->frame, i);
       const int64_t along = gjk_dot(offset, d);
       if (along > farthest || (along == farthest && i < out->vertex)) {
@@ -81,8 +82,8 @@ static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_dire
                         gjk_support *at) {
   const gjk_vec3 *vertices = c->shape->vertices;
   gjk_vec3 local;
-  int64_t slack = local_direction(c, d, false, &local);
-  const int64_t limit = gjk_dot(vertices[at->vertex], local) - slack;
+  const uint32_t slack = local_direction(c, d, false, &local);
+  const int64_t limit = gjk_dot(vertices[at->vertex], local) - 4 * (int64_t)slack;
   const uint16_t before = at->vertex;
   for (uint32_t i = 0; i < c->count; i++) {
     if (gjk_dot(vertices[i], local) >= limit) {

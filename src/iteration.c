@@ -139,6 +139,18 @@ static bool settles_near(const gjk_iteration *it) {
   return !clears(it, gjk_dot(it->direction.rounded, v->w)) && gjk_iteration_near(it);
 }
 
+// Does the feature have this vertex already? Then it is no nearer, and the signs need not be computed to see it.
+static bool known(const gjk_iteration *it, const gjk_support *a, const gjk_support *b) {
+  const gjk_simplex *s = &it->simplex;
+  for (unsigned i = 0; i < s->count; i++) {
+    const gjk_vertex *v = &s->slot[s->order[i]];
+    if (v->a == a->vertex && v->b == b->vertex) {
+      return !it->curved;
+    }
+  }
+  return false;
+}
+
 // Starts from the cached feature, as far as it still is one. Returns ENCLOSING if the origin lies in it.
 static gjk_step warm_start(gjk_iteration *it, const gjk_cache *cache) {
   const gjk_shape_class *type_a = it->a->shape->type, *type_b = it->b->shape->type;
@@ -199,7 +211,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
       it->rounds++;
       return GJK_OUTCOME_SEPARATED;
     }
-    gjk_step step = gjk_simplex_add(&it->simplex);
+    gjk_step step = known(it, &a, &b) ? GJK_STEP_NONE : gjk_simplex_add(&it->simplex);
     if (step == GJK_STEP_NONE && refine(it, &a, &b)) {
       gjk_iteration_place(it, &a, &b);
       step = gjk_simplex_add(&it->simplex);

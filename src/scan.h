@@ -4,17 +4,13 @@
 
 #include "vector.h"
 
-// What a scan looks for: the first of n >= 1 vertices with the largest vertex . d.
-typedef struct gjk_scan {
-  const gjk_vec3 *vertices;
-  uint32_t n;
-  uint32_t reach;  // bounds the components of the vertices; below 2^31
-  gjk_vec3 d;      // vertex . d is below 2^63 in size
-  int64_t slack;   // how near another vertex must come to count as a tie, at most 2^33; 0: never, and needed when no
-                   // component of d reaches 2^29
-} gjk_scan;
+typedef struct gjk_farthest {
+  uint16_t index;  // the first of the vertices with the largest vertex . d
+  bool tie;        // another one may come within the slack; false only when none does
+} gjk_farthest;
 
-// Returns the vertex's index. *tie: another may come within slack; false only when none does.
-uint16_t gjk_scan_farthest(const gjk_scan *scan, bool *tie);
+// Scans n >= 1 vertices with components of at most 2^bits in size, 1 <= bits <= 31; vertex . d is below 2^63.
+// slack: in units of 4, at most 2^30; 0, which makes no ties, when no component of d reaches 2^29.
+gjk_farthest gjk_scan(const gjk_vec3 *vertices, uint32_t n, unsigned bits, const gjk_vec3 *d, uint32_t slack);
 
 #endif
