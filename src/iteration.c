@@ -193,6 +193,9 @@ static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
 
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   gjk_support a, b;
+  if (it->shift < 0) {
+    cache = NULL;  // the distance of rounded vertices would depend, by an LSB, on where the search began
+  }
   if (cache != NULL && warm_start(it, cache) == GJK_STEP_ENCLOSING) {
     return GJK_OUTCOME_ENCLOSING;
   }
@@ -218,7 +221,12 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     }
     if (step != GJK_STEP_NEARER) {
       it->rounds++;
-      return step == GJK_STEP_NONE ? GJK_OUTCOME_NEAREST : GJK_OUTCOME_ENCLOSING;
+      if (step == GJK_STEP_ENCLOSING) {
+        return GJK_OUTCOME_ENCLOSING;
+      }
+      // Within the rounding of the direction clears and settles_near may both have left it open.
+      return goal == GJK_GOAL_WITHIN && it->radius > 0 && gjk_iteration_near(it) ? GJK_OUTCOME_NEAR
+                                                                                 : GJK_OUTCOME_NEAREST;
     }
   }
   return GJK_OUTCOME_LIMIT;
