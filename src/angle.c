@@ -2,7 +2,7 @@
 #include "gjk/pose.h"
 #include "wide.h"
 
-// 2^80 / (4 pi), in two words: half an angle of 1 LSB, as a part 2^-96 of a turn.
+// 2^80 / (4 pi), in two words: half an angle of 1 LSB in units of 2^-96 turns.
 #define HALF_TURNS_HIGH UINT64_C(0x145F306DC9C8)
 #define HALF_TURNS_LOW UINT32_C(0x82A53F84)
 
@@ -16,8 +16,8 @@ static uint32_t multiply_q33(uint32_t a, uint32_t b) {
   return (uint32_t)(gjk_umul32(a, b) >> 33);
 }
 
-// c0 h (1 - c1 h (1 - c2 h (...))), Q33. c: Q32, at most 1/3; h: Q33, at most pi^2 / 32. Within 3: floors of about 1 each
-// in the last round, and what the rounds before leave, times at most 1/10.
+// c0 h (1 - c1 h (1 - c2 h (...))), Q33. c: Q32, at most 1/3; h: Q33, at most pi^2 / 32. Within 1.3: in the
+// last round a floor each way, below 1, and c rounded; what the rounds before leave counts at most 1/9.
 static uint32_t series(const uint32_t c[TERMS], uint32_t h) {
   uint32_t sum = 0;
   for (int i = TERMS - 1; i >= 0; i--) {
@@ -29,11 +29,11 @@ static uint32_t series(const uint32_t c[TERMS], uint32_t h) {
 
 // Sine and cosine of half the angle, Q30, each within 1 LSB of the real one.
 //
-// Angle Q16.16. The angle is counted in turns, where whole turns drop out by themselves, and taken to the nearest quarter:
+// Angle Q16.16. It is counted in turns, where whole turns drop out by themselves, and from the nearest quarter:
 // r from -pi/4 to pi/4. With h = r^2 / 2 the Taylor series nest as
 //   sin r = r (1 - h/3 (1 - h/10 (1 - h/21 (1 - h/36 (1 - h/55))))), divisors k (2 k + 1)
 //   cos r = 1 - h (1 - h/6 (1 - h/15 (1 - h/28 (1 - h/45 (1 - h/66))))), divisors (k + 1) (2 k + 1)
-// and end with errors below 2^-37 and 2^-39.
+// and end with errors below 2^-37 and 2^-41.
 static void half_angle(gjk_q16 angle, gjk_q30 *sine, gjk_q30 *cosine) {
   static const uint32_t sine_terms[TERMS] = {UINT32_C(1431655765), UINT32_C(429496730), UINT32_C(204522252),
                                              UINT32_C(119304647), UINT32_C(78090314)};
@@ -48,12 +48,13 @@ static void half_angle(gjk_q16 angle, gjk_q30 *sine, gjk_q30 *cosine) {
   const bool below = rest >= eighth;
   // |rest| as a part of an eighth, Q32; of a negative one, |rest| - 2^-64 turns.
   const uint32_t part = (uint32_t)((below ? ~rest : rest) >> 29);
-  // |r| in Q32, the middle of what part was cut from: within 0.9. The sum is below 2^64 pi / 4 + 2^33.
-  const uint32_t r = (uint32_t)((gjk_umul32(part, EIGHTH_TURN) + (EIGHTH_TURN >> 1) + (UINT32_C(1) << 31)) >> 32);
+  // |r| in Q32, the middle of what part was cut from: within 0.9. The sum is below 2^64 pi / 4 + 2^32.
+  const uint32_t half = UINT32_C(1) << 31;
+  const uint32_t r = (uint32_t)((gjk_umul32(part, EIGHTH_TURN) + EIGHTH_TURN / 2 + half) >> 32);
   const uint32_t h = gjk_umulh32(r, r);
-  // r (1 - series): Q65 to Q30. 1 - h (1 - series): Q33 to Q30, h at most 2^33 pi^2 / 32 < 2^32.
-  const uint64_t r_wide = (uint64_t)r << 33;
-  const gjk_q30 s = (gjk_q30)((r_wide - gjk_umul32(r, series(sine_terms, h)) + (UINT64_C(1) << 34)) >> 35);
+  // r (1 - series): Q64 to Q30. 1 - h (1 - series): Q33 to Q30.
+  const uint64_t s_wide = ((uint64_t)r << 32) - (gjk_umul32(r, series(sine_terms, h)) >> 1);
+  const gjk_q30 s = (gjk_q30)((s_wide + (UINT64_C(1) << 33)) >> 34);
   const uint32_t drop = h - multiply_q33(h, series(cosine_terms, h));
   const gjk_q30 c = (gjk_q30)(((UINT64_C(1) << 33) - drop + 4) >> 3);
   const gjk_q30 s_rest = below ? -s : s;

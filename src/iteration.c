@@ -22,17 +22,15 @@ static bool longer_than(const gjk_long3 *v, int64_t r) {
 }
 
 // The shift of a frame whose reach is 2^30 or more.
-static int far_shift(const gjk_long3 *delta) {
+GJK_OUT_OF_LINE static int far_shift(const gjk_long3 *delta) {
   const int64_t unit = INT64_C(1) << 30;
-  gjk_long3 scaled = *delta;
-  int shift = 0;
-  while (shift > -3 && longer_than(&scaled, unit)) {
-    shift--;
-    scaled.x = gjk_sar64(delta->x, (unsigned)-shift);
-    scaled.y = gjk_sar64(delta->y, (unsigned)-shift);
-    scaled.z = gjk_sar64(delta->z, (unsigned)-shift);
+  for (unsigned n = 0; n < 3; n++) {
+    const gjk_long3 scaled = {gjk_sar64(delta->x, n), gjk_sar64(delta->y, n), gjk_sar64(delta->z, n)};
+    if (!longer_than(&scaled, unit)) {
+      return -(int)n;
+    }
   }
-  return shift;
+  return -3;
 }
 
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
@@ -65,13 +63,13 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
 }
 
 // One component of w in a far frame: rounded to nearest.
-static int32_t far_component(int64_t difference, int shift) {
+GJK_OUT_OF_LINE static int32_t far_component(int64_t difference, int shift) {
   const unsigned n = (unsigned)-shift;
   return (int32_t)gjk_sar64(difference + (INT64_C(1) << (n - 1)), n);
 }
 
 // The frame's vector from B to A for the given offsets from their centres. Near, all sums are at most 3 2^29.
-static gjk_vec3 frame_vector(const gjk_iteration *it, const gjk_vec3 *a, const gjk_vec3 *b) {
+GJK_HOT_INLINE gjk_vec3 frame_vector(const gjk_iteration *it, const gjk_vec3 *a, const gjk_vec3 *b) {
   gjk_vec3 w = gjk_sub(*a, *b);
   const int shift = it->shift;
   if (shift >= 0) {
@@ -152,7 +150,7 @@ static bool known(const gjk_iteration *it, const gjk_support *a, const gjk_suppo
 }
 
 // Starts from the cached feature, as far as it still is one. Returns ENCLOSING if the origin lies in it.
-static gjk_step warm_start(gjk_iteration *it, const gjk_cache *cache) {
+GJK_OUT_OF_LINE static gjk_step warm_start(gjk_iteration *it, const gjk_cache *cache) {
   const gjk_shape_class *type_a = it->a->shape->type, *type_b = it->b->shape->type;
   gjk_step step = GJK_STEP_NONE;
   if (it->curved) {

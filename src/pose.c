@@ -30,7 +30,7 @@ gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out) {
     return GJK_ERROR_ROTATION;
   }
   const unsigned up = gjk_clz32(bits);
-  // A quarter of |q 2^up|^2: from 2^60 to below 2^64, since the largest component is at least 2^31 and all are below 2^32.
+  // A quarter of |q 2^up|^2: at least 2^60 and below 2^64, for all components are below 2^32, one at least 2^31.
   uint64_t quarter = 0;
   for (int i = 0; i < 4; i++) {
     const uint32_t size = gjk_magnitude32(component[i]) << up;
@@ -44,7 +44,7 @@ gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out) {
   for (int i = 0; i < 4; i++) {
     p[i] = gjk_umul32(gjk_magnitude32(component[i]) << up, root) >> down;
   }
-  // p is a unit in Q60 but for that error, which goes here: 1 - 1 / sqrt(1 + e) = e / 2 - ..., in Q46, below 2^18.
+  // p is a unit in Q60 but for that error, which goes here: 1 - 1 / sqrt(1 + e) = e / 2 - ..., Q46, below 2^18.
   const int32_t excess = (int32_t)gjk_sar64(excess_q60(p), 15);
   int32_t unit[4];
   for (int i = 0; i < 4; i++) {
@@ -72,15 +72,16 @@ gjk_status gjk_quat_compose(const gjk_quat *a, const gjk_quat *b, gjk_quat *out)
   // 1 - 1 / sqrt(1 + e) = e / 2 - 3/8 e^2 + ..., in Q46: 3 e^2 < 2^62, the rest below 2^-46.
   const int32_t excess = e - (int32_t)gjk_sar64(3 * gjk_mul32(e, e), 47);
   // Products and their partial sums are at most |a| |b| 2^60 <= 2^60 (1 + 2^-16) in size.
-  const gjk_quat product = {
-      gjk_corrected_q30(gjk_mul32(a->w, b->x) + gjk_mul32(a->x, b->w) + gjk_mul32(a->y, b->z) - gjk_mul32(a->z, b->y),
-                        excess),
-      gjk_corrected_q30(gjk_mul32(a->w, b->y) + gjk_mul32(a->y, b->w) + gjk_mul32(a->z, b->x) - gjk_mul32(a->x, b->z),
-                        excess),
-      gjk_corrected_q30(gjk_mul32(a->w, b->z) + gjk_mul32(a->z, b->w) + gjk_mul32(a->x, b->y) - gjk_mul32(a->y, b->x),
-                        excess),
-      gjk_corrected_q30(gjk_mul32(a->w, b->w) - gjk_mul32(a->x, b->x) - gjk_mul32(a->y, b->y) - gjk_mul32(a->z, b->z),
-                        excess)};
+  const int64_t x = gjk_mul32(a->w, b->x) + gjk_mul32(a->x, b->w) +
+                    gjk_mul32(a->y, b->z) - gjk_mul32(a->z, b->y);
+  const int64_t y = gjk_mul32(a->w, b->y) + gjk_mul32(a->y, b->w) +
+                    gjk_mul32(a->z, b->x) - gjk_mul32(a->x, b->z);
+  const int64_t z = gjk_mul32(a->w, b->z) + gjk_mul32(a->z, b->w) +
+                    gjk_mul32(a->x, b->y) - gjk_mul32(a->y, b->x);
+  const int64_t w = gjk_mul32(a->w, b->w) - gjk_mul32(a->x, b->x) -
+                    gjk_mul32(a->y, b->y) - gjk_mul32(a->z, b->z);
+  const gjk_quat product = {gjk_corrected_q30(x, excess), gjk_corrected_q30(y, excess),
+                            gjk_corrected_q30(z, excess), gjk_corrected_q30(w, excess)};
   *out = product;
   return GJK_OK;
 }

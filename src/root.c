@@ -1,9 +1,9 @@
 // Square roots by Newton's iteration for the reciprocal.
 #include "root.h"
 
-// The line is within 10 %. A step takes a relative error e below the root to 3/2 e^2 below: 1.4 %, 2^-11, 2^-22, 2^-43.
-// Roundings of the last step: square is low by less than 1 in at least 2^30, which raises y by less than 1/2; the
-// others lower it by less than 3/2.
+// The line is within 10 %. A step takes a relative error e to 3/2 e^2 below: 1.5 %, 2^-11, 2^-22, 2^-43.
+// Roundings of the last step: square is low by less than 1 in at least 2^30, which raises y by less than 1/2;
+// the others lower it by less than 3/2.
 uint32_t gjk_reciprocal_root(uint32_t x) {
   uint32_t y = UINT32_C(2319282340) - gjk_umulh32(x, UINT32_C(1342177280));
   for (int i = 0; i < 4; i++) {

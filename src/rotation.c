@@ -15,7 +15,7 @@ bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation) {
 }
 
 gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess) {
-  // Q30 times Q46, back to Q60: below 2^62 and 2^46. Floors: 1 in Q30 times excess < 2^-15, and 1 in Q60.
+  // Q30 times Q46, back to Q60: below 2^62 and 2^46. Floors lose 1 in Q30 times excess < 2^-15, and 1 in Q60.
   const int64_t correction = gjk_sar64(gjk_mul32((int32_t)gjk_sar64(x, 30), excess), 16);
   return (gjk_q30)gjk_sar64(x - correction + (INT64_C(1) << 29), 30);
 }

@@ -5,15 +5,15 @@
 #include "gjk/pose.h"
 #include "vector.h"
 
-// |q|^2 - 1 exactly, Q60, at most 2^44 in size. False, and deviation not set, when it is beyond GJK_ROTATION_TOLERANCE.
+// |q|^2 - 1 exactly, Q60, at most 2^44 in size. False, and deviation not set, beyond GJK_ROTATION_TOLERANCE.
 bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation);
 
-// x (1 - excess / 2^46) rounded: from Q60 to Q30, within 0.5 + 2^-14 LSB; |x| <= 2^60 after the correction gives at most
-// 2^30. Pre: |x| <= 2^60 (1 + 2^-15), |excess| < 2^31.
+// x (1 - excess / 2^46), from Q60 to the nearest Q30: within 0.5 + 2^-14 LSB, and at most 2^30 in size when the
+// exact value is. Pre: |x| <= 2^60 (1 + 2^-15), |excess| < 2^31.
 gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess);
 
-// The rotation matrix of q / |q|, by rows, Q2.30: entries within 0.5 + 2^-13 LSB and at most 2^30 in size; the identity
-// is exact. False, and rows not set, when q is not a unit within GJK_ROTATION_TOLERANCE.
+// The rotation matrix of q / |q|, by rows, Q2.30: entries within 0.5 + 2^-13 LSB and at most 2^30 in size; the
+// identity is exact. False, and rows not set, when q is not a unit within GJK_ROTATION_TOLERANCE.
 bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]);
 
 // The matrix times v, to the nearest LSB, a half up. Against the real rotation: within

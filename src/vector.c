@@ -36,7 +36,7 @@ int gjk_direction_sign(const gjk_direction *direction, gjk_vec3 v) {
 }
 
 // x / 2^k to the nearest integer, 1 <= k <= 33. Pre: the result is at most 2^30 in size.
-static int32_t round_down(int64_t x, unsigned k) {
+GJK_HOT_INLINE int32_t round_down(int64_t x, unsigned k) {
   const uint64_t bits = (uint64_t)x + ((uint64_t)1 << (k - 1));
   if (k > 32) {
     return gjk_sar32(gjk_int32((uint32_t)(bits >> 32)), k - 32);
@@ -62,7 +62,7 @@ bool gjk_round_direction(const gjk_long3 *n, gjk_vec3 *rounded) {
 
 // -(a tb + b ta) = 2^31 high + low with 0 <= low < 2^31. With t = 2^31 th + tl: th <= 2^30, so
 // |a tbh + b tah| <= 3 2^60 and |a tbl + b tal| <= 3 2^61.
-static uint32_t combine(int32_t a, int64_t tb, int32_t b, int64_t ta, int64_t *high) {
+GJK_HOT_INLINE uint32_t combine(int32_t a, int64_t tb, int32_t b, int64_t ta, int64_t *high) {
   const uint32_t mask = INT32_MAX;
   int64_t low = -gjk_mul32(a, (int32_t)(gjk_low32(tb) & mask)) - gjk_mul32(b, (int32_t)(gjk_low32(ta) & mask));
   *high = gjk_sar64(low, 31) - gjk_mul32(a, (int32_t)gjk_sar64(tb, 31)) - gjk_mul32(b, (int32_t)gjk_sar64(ta, 31));

@@ -26,12 +26,12 @@ static inline gjk_vec3 gjk_negate(gjk_vec3 a) {
 }
 
 // a . b, exact. Pre: |a| |b| < 2^62, lengths; then each product and each partial sum is below 3 2^61.
-static inline int64_t gjk_dot(gjk_vec3 a, gjk_vec3 b) {
+GJK_HOT_INLINE int64_t gjk_dot(gjk_vec3 a, gjk_vec3 b) {
   return gjk_mul32(a.x, b.x) + gjk_mul32(a.y, b.y) + gjk_mul32(a.z, b.z);
 }
 
 // a x b, exact. Pre: |a| |b| <= 2^62; then products and components are at most 2^62 in size.
-static inline gjk_long3 gjk_cross(gjk_vec3 a, gjk_vec3 b) {
+GJK_HOT_INLINE gjk_long3 gjk_cross(gjk_vec3 a, gjk_vec3 b) {
   gjk_long3 c = {gjk_mul32(a.y, b.z) - gjk_mul32(a.z, b.y), gjk_mul32(a.z, b.x) - gjk_mul32(a.x, b.z),
                  gjk_mul32(a.x, b.y) - gjk_mul32(a.y, b.x)};
   return c;
@@ -47,7 +47,7 @@ int gjk_dot_sign_exact(const gjk_long3 *n, gjk_vec3 v);
 
 // The same, settled from the high words of n wherever they suffice: n . v / 2^32 differs from h by less than
 // |v.x| + |v.y| + |v.z| <= sqrt(3) 2^31 < 2^32. Each |high word| is at most 2^30, so |h| <= 3 2^61.
-static inline int gjk_dot_sign(const gjk_long3 *n, gjk_vec3 v) {
+GJK_HOT_INLINE int gjk_dot_sign(const gjk_long3 *n, gjk_vec3 v) {
 #if GJK_INT128
   GJK_INT128_TYPE sum = (GJK_INT128_TYPE)n->x * v.x + (GJK_INT128_TYPE)n->y * v.y + (GJK_INT128_TYPE)n->z * v.z;
   return (sum > 0) - (sum < 0);

@@ -6,6 +6,18 @@
 
 #include "port.h"
 
+// Marks what is rarely run, or, when optimising for size, worth one copy: kept out of line.
+#if defined(__GNUC__)
+#define GJK_OUT_OF_LINE __attribute__((noinline))
+#else
+#define GJK_OUT_OF_LINE
+#endif
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define GJK_HOT_INLINE static __attribute__((noinline, unused))
+#else
+#define GJK_HOT_INLINE static inline
+#endif
+
 // The int32_t with the bits of u.
 static inline int32_t gjk_int32(uint32_t u) {
   return u <= INT32_MAX ? (int32_t)u : -(int32_t)(UINT32_MAX - u) - 1;
@@ -142,7 +154,7 @@ int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s);
 // The same, settled from the high words wherever they suffice. With p = 2^32 ph + pl and so on, and
 // |ph| <= 2^30: (p q + r s) / 2^64 differs from h = ph qh + rh sh by less than |ph| + |qh| + |rh| + |sh| + 2, which is
 // at most 2^32 + 2 and so below 2^33.
-static inline int gjk_sum_sign(int64_t p, int64_t q, int64_t r, int64_t s) {
+GJK_HOT_INLINE int gjk_sum_sign(int64_t p, int64_t q, int64_t r, int64_t s) {
 #if GJK_INT128
   GJK_INT128_TYPE sum = (GJK_INT128_TYPE)p * q + (GJK_INT128_TYPE)r * s;
   return (sum > 0) - (sum < 0);

@@ -1,9 +1,14 @@
 // Rotations and poses in integers: make, normalise, compose, invert, apply.
 //
-// Quaternions are Q2.30, angles Q16.16 radians. A quaternion counts as a unit while its squared length lies
-// within 2^-16 of 1 (GJK_ROTATION_TOLERANCE); other calls renormalise inside that tolerance, so drift of an
-// integrator does no harm until it is reported. Errors below are against real arithmetic on the same integer
-// input, the largest of any component; tests/unit/test_pose.c holds them.
+// Quaternions are Q2.30, angles Q16.16 radians. A quaternion counts as a unit while its squared length is within
+// GJK_ROTATION_TOLERANCE of 1, exactly. Inside that tolerance every call takes it for q / |q|, so the drift of an
+// integrator does no harm until it is reported.
+//
+// Errors  against real arithmetic on the same integer input, the largest of any component, for every input;
+//         tests/unit/test_pose.c holds them.
+// Outputs written only when the result is GJK_OK; an output may be the same object as an input of its type.
+// Statuses NULL; ROTATION for a quaternion that is not a unit; RANGE where said.
+// Cost    no loop depends on a value.
 #ifndef GJK_POSE_H
 #define GJK_POSE_H
 
@@ -14,35 +19,37 @@
 extern "C" {
 #endif
 
-// Accepted deviation of |q|^2 from 1, Q2.30.
+// Accepted deviation of |q|^2 from 1, Q2.30: 2^-16.
 #define GJK_ROTATION_TOLERANCE ((gjk_q30)16384)
 
-// Rotation by an angle about an axis. axis: any vector but zero, in any scale; out: within 2 LSB.
+// Rotation by an angle about an axis, by the right hand. axis: any vector but 0 (ROTATION), in any scale.
+// angle: any, whole turns included; 0 gives exactly the identity. out: within 2 LSB.
 gjk_status gjk_quat_from_axis_angle(const gjk_vec3 *axis, gjk_q16 angle, gjk_quat *out);
 
-// Rotation about fixed x, then fixed y, then fixed z (roll, pitch, yaw). out: within 4 LSB.
+// Rotation about fixed x, then fixed y, then fixed z (roll, pitch, yaw). out: within 3 LSB.
 gjk_status gjk_quat_from_euler(gjk_q16 x, gjk_q16 y, gjk_q16 z, gjk_quat *out);
 
-// The unit quaternion along q, any length but 0. q and out may be the same. Within 2 LSB.
+// The unit quaternion along q, any length but 0 (ROTATION). Within 0.501 LSB.
 gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out);
 
-// First b, then a (the product a b), normalised. Any of the three may be the same. Within 3 LSB.
+// First b, then a: the product a b, normalised. Within 0.501 LSB, so the product of unit quaternions stays one.
 gjk_status gjk_quat_compose(const gjk_quat *a, const gjk_quat *b, gjk_quat *out);
 
 // The opposite rotation: the conjugate, exact.
 gjk_status gjk_quat_invert(const gjk_quat *q, gjk_quat *out);
 
-// v rotated by q; v and out may be the same. |v| at most 32767 units. Within 1 LSB for |v| up to 4095 units,
-// 8 LSB beyond. GJK_ERROR_RANGE when a component leaves int32.
+// v rotated by q. Within 1 LSB for |v| up to 8192 units, 4 LSB for any v; the identity is exact. RANGE when a
+// component leaves int32.
 gjk_status gjk_quat_apply(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 *out);
 
-// First b, then a. GJK_ERROR_RANGE when the position leaves int32.
+// First b, then a. The rotation as gjk_quat_compose, the position as gjk_pose_apply.
 gjk_status gjk_pose_compose(const gjk_pose *a, const gjk_pose *b, gjk_pose *out);
 
-// The pose that undoes p.
+// The pose that undoes p. Its rotation is exact, its position as gjk_quat_apply.
 gjk_status gjk_pose_invert(const gjk_pose *p, gjk_pose *out);
 
-// The world position of point v of p's frame; v and out may be the same. As gjk_quat_apply, plus the position.
+// The world position of point v of p's frame. As gjk_quat_apply; the position is added exactly, and RANGE is
+// about the sum.
 gjk_status gjk_pose_apply(const gjk_pose *p, const gjk_vec3 *v, gjk_vec3 *out);
 
 #ifdef __cplusplus

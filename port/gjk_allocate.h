@@ -1,0 +1,21 @@
+// Allocation for what a user builds above the core: vertices of baked hulls, scenes. The core never allocates.
+#ifndef GJK_ALLOCATE_H
+#define GJK_ALLOCATE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// bytes of memory, aligned for any of the library's types; NULL when there is not that much left, or for 0 bytes.
+void *gjk_port_allocate(size_t bytes);
+
+// Gives memory of gjk_port_allocate back; NULL is ignored. An arena may be able to reuse only its newest block.
+void gjk_port_release(void *memory);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

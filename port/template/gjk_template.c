@@ -1,0 +1,11 @@
+// Template of a port's allocation, for what you build above the core. Leave it out where nothing allocates.
+#include "../gjk_allocate.h"
+
+void *gjk_port_allocate(size_t bytes) {
+  (void)bytes;
+  return NULL;  // nothing left: every caller must cope with that
+}
+
+void gjk_port_release(void *memory) {
+  (void)memory;
+}

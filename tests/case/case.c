@@ -1,0 +1,157 @@
+// The case model: storage, building posed colliders, printing.
+#include "case.h"
+
+#include <stdlib.h>
+
+static void *resize(void *memory, size_t count, size_t size) {
+  void *grown = count > SIZE_MAX / size ? NULL : realloc(memory, count * size);
+  if (grown == NULL) {
+    fprintf(stderr, "out of memory for %lu vertices\n", (unsigned long)count);
+    exit(2);
+  }
+  return grown;
+}
+
+void case_shape_reset(case_shape *shape) {
+  static const gjk_vec3 zero = {0, 0, 0};
+  static const gjk_pose identity = GJK_POSE_IDENTITY;
+  shape->kind = CASE_POINT;
+  shape->size = zero;
+  shape->count = 0;
+  shape->round = 0;
+  shape->pose = identity;
+}
+
+void case_shape_free(case_shape *shape) {
+  free(shape->vertices);
+  shape->vertices = NULL;
+  shape->count = shape->capacity = 0;
+}
+
+void case_pair_free(case_pair *pair) {
+  case_shape_free(&pair->a);
+  case_shape_free(&pair->b);
+}
+
+void case_shape_set_count(case_shape *shape, size_t count) {
+  if (count > shape->capacity) {
+    shape->vertices = resize(shape->vertices, count, sizeof(gjk_vec3));
+    shape->capacity = count;
+  }
+  shape->count = count;
+}
+
+void case_shape_copy(case_shape *to, const case_shape *from) {
+  to->kind = from->kind;
+  to->size = from->size;
+  to->round = from->round;
+  to->pose = from->pose;
+  case_shape_set_count(to, from->count);
+  for (size_t i = 0; i < from->count; i++) {
+    to->vertices[i] = from->vertices[i];
+  }
+}
+
+static gjk_shape library_shape(const case_shape *shape) {
+  gjk_vec3 s = shape->size;
+  gjk_q16 r = shape->round;
+  switch (shape->kind) {
+    case CASE_SEGMENT: {
+      gjk_shape segment = GJK_ROUNDED_SEGMENT(s.z, r);
+      return segment;
+    }
+    case CASE_TRIANGLE: {
+      gjk_shape triangle = GJK_ROUNDED_TRIANGLE(shape->vertices, r);
+      return triangle;
+    }
+    case CASE_BOX: {
+      gjk_shape box = GJK_ROUNDED_BOX(s.x, s.y, s.z, r);
+      return box;
+    }
+    case CASE_HULL: {
+      gjk_shape hull = GJK_ROUNDED_HULL(shape->vertices, (uint16_t)shape->count, r);
+      return hull;
+    }
+    case CASE_CYLINDER: {
+      gjk_shape cylinder = GJK_ROUNDED_CYLINDER(s.x, s.z, r);
+      return cylinder;
+    }
+    case CASE_CONE: {
+      gjk_shape cone = GJK_ROUNDED_CONE(s.x, s.z, r);
+      return cone;
+    }
+    case CASE_ELLIPSOID: {
+      gjk_shape ellipsoid = GJK_ROUNDED_ELLIPSOID(s.x, s.y, s.z, r);
+      return ellipsoid;
+    }
+    default: {
+      gjk_shape point = GJK_ROUNDED_POINT(r);
+      return point;
+    }
+  }
+}
+
+gjk_status case_collider_build(case_collider *collider, const case_shape *shape, bool lazy) {
+  gjk_vec3 *buffer = NULL;
+  if (shape->count > GJK_HULL_VERTICES_MAX) {
+    return GJK_ERROR_RANGE;
+  }
+  if (shape->kind == CASE_HULL && !lazy) {
+    if (shape->count > collider->capacity) {
+      collider->buffer = resize(collider->buffer, shape->count, sizeof(gjk_vec3));
+      collider->capacity = shape->count;
+    }
+    buffer = collider->buffer;
+  }
+  collider->shape = library_shape(shape);
+  gjk_status status = gjk_collider_init(&collider->collider, &collider->shape, buffer, (uint16_t)shape->count);
+  return status == GJK_OK ? gjk_collider_pose(&collider->collider, &shape->pose) : status;
+}
+
+void case_collider_free(case_collider *collider) {
+  free(collider->buffer);
+  collider->buffer = NULL;
+  collider->capacity = 0;
+}
+
+static void print_vec3(FILE *file, gjk_vec3 v) {
+  fprintf(file, "%ld %ld %ld\n", (long)v.x, (long)v.y, (long)v.z);
+}
+
+// The KIND part of a shape's line, and the lines of its vertices.
+static void print_kind(FILE *file, const case_shape *shape) {
+  gjk_vec3 s = shape->size;
+  switch (shape->kind) {
+    case CASE_POINT: fprintf(file, "point\n"); break;
+    case CASE_SEGMENT: fprintf(file, "segment %ld\n", (long)s.z); break;
+    case CASE_TRIANGLE: fprintf(file, "triangle\n"); break;
+    case CASE_BOX: fprintf(file, "box "); print_vec3(file, s); break;
+    case CASE_HULL: fprintf(file, "hull %lu\n", (unsigned long)shape->count); break;
+    case CASE_CYLINDER: fprintf(file, "cylinder %ld %ld\n", (long)s.x, (long)s.z); break;
+    case CASE_CONE: fprintf(file, "cone %ld %ld\n", (long)s.x, (long)s.z); break;
+    case CASE_ELLIPSOID: fprintf(file, "ellipsoid "); print_vec3(file, s); break;
+  }
+  if (shape->kind == CASE_TRIANGLE || shape->kind == CASE_HULL) {
+    for (size_t i = 0; i < shape->count; i++) {
+      print_vec3(file, shape->vertices[i]);
+    }
+  }
+}
+
+static void print_shape(FILE *file, char name, const case_shape *shape) {
+  gjk_quat q = shape->pose.rotation;
+  fprintf(file, "%c ", name);
+  print_kind(file, shape);
+  if (shape->round != 0) {
+    fprintf(file, "%c round %ld\n", name, (long)shape->round);
+  }
+  fprintf(file, "%c at ", name);
+  print_vec3(file, shape->pose.position);
+  fprintf(file, "%c turn %ld %ld %ld %ld\n", name, (long)q.x, (long)q.y, (long)q.z, (long)q.w);
+}
+
+void case_print(FILE *file, const case_pair *pair) {
+  fprintf(file, "case %s\n", pair->id[0] != '\0' ? pair->id : "unnamed");
+  print_shape(file, 'A', &pair->a);
+  print_shape(file, 'B', &pair->b);
+}

@@ -1,0 +1,106 @@
+// Answers a case and prints the answer.
+#include "answer.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../reference/reference.h"
+
+static gjk_q16 round_to_q16(double value) {
+  return value >= 2147483647.0 ? INT32_MAX : value <= -2147483648.0 ? INT32_MIN : (gjk_q16)lround(value);
+}
+
+static gjk_vec3 round_vec3(const double v[3]) {
+  gjk_vec3 out = {round_to_q16(v[0]), round_to_q16(v[1]), round_to_q16(v[2])};
+  return out;
+}
+
+// On the posed integers, so that a difference from the library is one of arithmetic alone.
+static void answer_by_reference(const query_options *options, const case_pair *pair, const case_collider *a,
+                                const case_collider *b, query_answer *answer) {
+  const double unit = (double)GJK_Q30_ONE;
+  reference_result found;
+  reference_query_posed(pair, a, b, &found);
+  uint8_t iterations = (uint8_t)(found.iterations > 255 ? 255 : found.iterations);
+  answer->status = GJK_OK;
+  if (options->question != QUERY_DISTANCE) {
+    double limit = options->question == QUERY_WITHIN ? (double)options->within : 0.0;
+    answer->decision.yes = found.intersecting || found.distance <= limit;
+    answer->decision.iterations = iterations;
+    return;
+  }
+  gjk_distance_result *out = &answer->distance;
+  out->intersecting = found.intersecting;
+  out->iterations = iterations;
+  if (!found.intersecting) {
+    out->distance = out->lower = out->upper = round_to_q16(found.distance);
+    out->point_a = round_vec3(found.a);
+    out->point_b = round_vec3(found.b);
+    out->normal.x = round_to_q16(found.normal[0] * unit);
+    out->normal.y = round_to_q16(found.normal[1] * unit);
+    out->normal.z = round_to_q16(found.normal[2] * unit);
+    out->saturated = found.distance >= 2147483647.5;
+  }
+}
+
+void query_answer_case(const query_options *options, const case_pair *pair, case_collider *a, case_collider *b,
+                       query_answer *answer) {
+  memset(answer, 0, sizeof *answer);
+  answer->refused = 'A';
+  answer->status = case_collider_build(a, &pair->a, false);
+  if (answer->status == GJK_OK) {
+    answer->refused = 'B';
+    answer->status = case_collider_build(b, &pair->b, false);
+  }
+  if (answer->status != GJK_OK) {
+    return;
+  }
+  answer->refused = 0;
+  if (options->reference) {
+    answer_by_reference(options, pair, a, b, answer);
+  } else if (options->question == QUERY_DISTANCE) {
+    answer->status = gjk_distance(&a->collider, &b->collider, NULL, &answer->distance);
+  } else if (options->question == QUERY_INTERSECT) {
+    answer->status = gjk_intersect(&a->collider, &b->collider, NULL, &answer->decision);
+  } else {
+    answer->status = gjk_within(&a->collider, &b->collider, options->within, NULL, &answer->decision);
+  }
+}
+
+static const char *detail(gjk_status status) {
+  switch (status) {
+    case GJK_ERROR_SIZE: return "larger than 4095 units about the centre of its bounding box";
+    case GJK_ERROR_NEGATIVE: return "a negative radius or half extent";
+    case GJK_ERROR_EMPTY: return "no extent: every radius and half extent must be above 0";
+    case GJK_ERROR_ROTATION: return "not a unit quaternion; raw numbers are Q2.30: 1073741824 is 1.0";
+    case GJK_ERROR_RANGE: return "its centre is beyond -32768.0 to 32768.0";
+    case GJK_ERROR_ITERATION_LIMIT: return "not settled within the ceiling on iterations";
+    default: return "refused";
+  }
+}
+
+static void print_error(FILE *file, const case_pair *pair, const query_answer *answer) {
+  fprintf(file, "%s error %s ", pair->id, gjk_status_name(answer->status));
+  if (answer->refused != 0) {
+    fprintf(file, "%c: ", answer->refused);
+  }
+  fprintf(file, "%s", detail(answer->status));
+}
+
+void query_answer_print(FILE *file, const query_options *options, const case_pair *pair, const query_answer *answer) {
+  const gjk_distance_result *d = &answer->distance;
+  if (answer->status != GJK_OK) {
+    print_error(file, pair, answer);
+  } else if (options->question != QUERY_DISTANCE) {
+    const char *yes = options->question == QUERY_WITHIN ? "within" : "intersecting";
+    const char *no = options->question == QUERY_WITHIN ? "beyond" : "separated";
+    fprintf(file, "%s %s iterations=%u", pair->id, answer->decision.yes ? yes : no, answer->decision.iterations);
+  } else if (d->intersecting) {
+    fprintf(file, "%s intersecting iterations=%u", pair->id, d->iterations);
+  } else {
+    fprintf(file, "%s separated distance=%ld a=%ld,%ld,%ld b=%ld,%ld,%ld normal=%ld,%ld,%ld iterations=%u%s", pair->id,
+            (long)d->distance, (long)d->point_a.x, (long)d->point_a.y, (long)d->point_a.z, (long)d->point_b.x,
+            (long)d->point_b.y, (long)d->point_b.z, (long)d->normal.x, (long)d->normal.y, (long)d->normal.z,
+            d->iterations, d->saturated ? " saturated" : "");
+  }
+}

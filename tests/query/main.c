@@ -1,0 +1,150 @@
+// gjk-query: reads cases, answers each of them in one line.
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "answer.h"
+#include "../case/number.h"
+#include "../case/parse.h"
+#include "certify.h"
+
+enum { EXIT_ANSWERED = 0, EXIT_UNPROVEN = 1, EXIT_INPUT = 2 };
+
+static const char help[] =
+    "usage: gjk-query [OPTION]... [FILE]...\n"
+    "Answers cases about two convex shapes, one line each. Reads standard input without a FILE, or for '-'.\n"
+    "\n"
+    "  --distance    how far apart, and where (default)\n"
+    "  --intersect   do they share a point?\n"
+    "  --within R    are they at most R apart?\n"
+    "  --reference   the double-precision reference answers instead of the library\n"
+    "  --certify     check each answer in exact integers; says so where it can't or where an answer is wrong\n"
+    "  --help        this text\n"
+    "\n"
+    "A case, lengths in Q16.16 and quaternions in Q2.30; with a decimal point a number is in units instead:\n"
+    "\n"
+    "  # comment\n"
+    "  case ID [free text]\n"
+    "  A KIND ...      point | segment h | triangle (3 lines of x y z) | box hx hy hz\n"
+    "                  | hull n (n lines of x y z) | sphere r | capsule r h\n"
+    "                  | cylinder r h | cone r h | ellipsoid rx ry rz\n"
+    "                  (long axes along local z, h the half length; a cone's apex at +h)\n"
+    "  A round r       optional rounding radius\n"
+    "  A at x y z      optional, default 0 0 0\n"
+    "  A turn x y z w  optional quaternion, default 0.0 0.0 0.0 1.0\n"
+    "  B KIND ...      and so on\n"
+    "\n"
+    "Answers, in the order of the cases, in raw integers:\n"
+    "\n"
+    "  ID separated distance=D a=x,y,z b=x,y,z normal=x,y,z iterations=N [saturated]\n"
+    "  ID separated iterations=N     (--intersect)\n"
+    "  ID intersecting iterations=N\n"
+    "  ID within iterations=N        (--within; or 'beyond')\n"
+    "  ID error STATUS_NAME detail   a pair that the library refuses\n"
+    "  ... uncertified: WHY          (--certify) no exact check exists for this pair; compared with the reference\n"
+    "  ... WRONG: WHY                (--certify) the check failed\n"
+    "\n"
+    "Exit status: 0 all answered; 1 a check failed; 2 a malformed line (skipped with its case, and named on standard\n"
+    "error), a file that can't be read, a wrong option.\n";
+
+typedef struct tool {
+  query_options options;
+  case_reader reader;
+  case_pair pair;
+  case_collider a, b;
+  certify_state certify;
+  bool bad_input;
+} tool;
+
+static void run_stream(tool *t, FILE *file, const char *name) {
+  query_answer answer;
+  case_reader_open(&t->reader, file, name);
+  while (case_reader_next(&t->reader, &t->pair)) {
+    query_answer_case(&t->options, &t->pair, &t->a, &t->b, &answer);
+    query_answer_print(stdout, &t->options, &t->pair, &answer);
+    if (t->options.certify) {
+      certify_answer(stdout, &t->certify, &t->options, &t->pair, &t->a, &t->b, &answer);
+    }
+    putchar('\n');
+  }
+  if (t->reader.errors > 0) {
+    t->bad_input = true;
+  }
+}
+
+static void run_file(tool *t, const char *name) {
+  if (strcmp(name, "-") == 0) {
+    run_stream(t, stdin, "standard input");
+    return;
+  }
+  FILE *file = fopen(name, "r");
+  if (file == NULL) {
+    fprintf(stderr, "%s: %s\n", name, strerror(errno));
+    t->bad_input = true;
+    return;
+  }
+  run_stream(t, file, name);
+  fclose(file);
+}
+
+static void refuse(const char *what, const char *word) {
+  fprintf(stderr, "gjk-query: %s '%s'; see gjk-query --help\n", what, word);
+  exit(EXIT_INPUT);
+}
+
+// Sets options, and moves the names of the files to the front of argv. Returns their number.
+static int read_options(int argc, char **argv, query_options *options) {
+  int files = 0;
+  bool only_files = false;
+  for (int i = 1; i < argc; i++) {
+    const char *word = argv[i];
+    if (only_files || word[0] != '-' || strcmp(word, "-") == 0) {
+      argv[files++] = argv[i];
+    } else if (strcmp(word, "--") == 0) {
+      only_files = true;
+    } else if (strcmp(word, "--help") == 0) {
+      fputs(help, stdout);
+      exit(EXIT_ANSWERED);
+    } else if (strcmp(word, "--distance") == 0) {
+      options->question = QUERY_DISTANCE;
+    } else if (strcmp(word, "--intersect") == 0) {
+      options->question = QUERY_INTERSECT;
+    } else if (strcmp(word, "--within") == 0) {
+      const char *number = i + 1 < argc ? argv[++i] : "";
+      options->question = QUERY_WITHIN;
+      if (!case_number_parse(number, 16, &options->within) || options->within < 0) {
+        refuse("expected a distance of 0 or more after --within, found", number);
+      }
+    } else if (strcmp(word, "--reference") == 0) {
+      options->reference = true;
+    } else if (strcmp(word, "--certify") == 0) {
+      options->certify = true;
+    } else {
+      refuse("unknown option", word);
+    }
+  }
+  return files;
+}
+
+int main(int argc, char **argv) {
+  static tool t;
+  int files = read_options(argc, argv, &t.options);
+  if (files == 0) {
+    run_stream(&t, stdin, "standard input");
+  }
+  for (int i = 0; i < files; i++) {
+    run_file(&t, argv[i]);
+  }
+  if (t.options.certify) {
+    fprintf(stderr, "certify: %lu certified, %lu uncertified, %lu wrong\n", t.certify.certified,
+            t.certify.uncertified, t.certify.wrong);
+  }
+  case_pair_free(&t.pair);
+  case_collider_free(&t.a);
+  case_collider_free(&t.b);
+  if (fflush(stdout) != 0 || ferror(stdout)) {
+    fprintf(stderr, "gjk-query: cannot write the answers: %s\n", strerror(errno));
+    return EXIT_INPUT;
+  }
+  return t.bad_input ? EXIT_INPUT : t.certify.wrong > 0 ? EXIT_UNPROVEN : EXIT_ANSWERED;
+}
