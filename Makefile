@@ -76,6 +76,22 @@ $(HOST_LIB):
 	$(MAKE) lib TARGET=host
 endif
 
+# Firmware NAME for an emulated board: tests/target/NAME.c and NAME_firmware.c with the board's start-up.
+MPS2 := -nostdlib -Wl,--gc-sections -Tport/mps2/mps2.ld port/mps2/board.c port/mps2/memory.c
+BOARD_cortex-m0 := $(MPS2)
+BOARD_cortex-m3 := $(MPS2)
+BOARD_cortex-m4 := $(MPS2)
+BOARD_cortex-m7 := $(MPS2)
+BOARD_cortex-m33 := $(MPS2) -Wl,--defsym=ROM_START=0x10000000,--defsym=RAM_START=0x38000000
+BOARD_rv32imc := -nostdlib -Wl,--gc-sections -Tport/riscv-virt/riscv-virt.ld port/riscv-virt/board.c port/mps2/memory.c
+BOARD_avr := -Wl,--gc-sections port/avr/board.c
+FIRMWARE_FLAGS := $(filter-out -Wpedantic,$(WARNINGS))
+
+build/$(TARGET)/%.elf: tests/target/%.c tests/target/%_firmware.c $(LIB)
+	@echo '  $@'
+	@$(TOOLS_$(TARGET)) -std=c99 -ffreestanding -fno-tree-loop-distribute-patterns $(OPT) -g $(FIRMWARE_FLAGS) \
+	  $(INCLUDES) -ffunction-sections $(FIRMWARE_DEFINES) $(filter %.c,$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -o $@
+
 build/hosted/%.o: %.c
 	@mkdir -p $(@D)
 	@echo '  $<'

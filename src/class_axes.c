@@ -33,7 +33,7 @@ static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_su
 static bool vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
   gjk_vec3 sum = {0, 0, 0};
   for (unsigned i = 0; i < c->count; i++) {
-    sum = (number >> i & 1u) != 0 ? gjk_add(sum, c->frame[i]) : gjk_sub(sum, c->frame[i]);
+    sum = ((unsigned)number >> i & 1u) != 0 ? gjk_add(sum, c->frame[i]) : gjk_sub(sum, c->frame[i]);
   }
   *offset = sum;
   return number >> c->count == 0;

@@ -30,7 +30,7 @@ gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out) {
     return GJK_ERROR_ROTATION;
   }
   const unsigned up = gjk_clz32(bits);
-  // A quarter of |q 2^up|^2: at least 2^60 and below 2^64, for all components are below 2^32, one at least 2^31.
+  // A quarter of |q 2^up|^2: from 2^60 to below 2^64, as components are below 2^32 and one is at least 2^31.
   uint64_t quarter = 0;
   for (int i = 0; i < 4; i++) {
     const uint32_t size = gjk_magnitude32(component[i]) << up;
@@ -146,13 +146,13 @@ gjk_status gjk_pose_compose(const gjk_pose *a, const gjk_pose *b, gjk_pose *out)
   if (a == NULL || b == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
-  gjk_pose composed;
-  gjk_status status = gjk_quat_compose(&a->rotation, &b->rotation, &composed.rotation);
+  gjk_quat product;
+  gjk_status status = gjk_quat_compose(&a->rotation, &b->rotation, &product);
   if (status == GJK_OK) {
-    status = place(&a->rotation, &b->position, &a->position, &composed.position);
+    status = place(&a->rotation, &b->position, &a->position, &out->position);
   }
   if (status == GJK_OK) {
-    *out = composed;
+    out->rotation = product;
   }
   return status;
 }
@@ -161,21 +161,21 @@ gjk_status gjk_pose_invert(const gjk_pose *p, gjk_pose *out) {
   if (p == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
-  gjk_pose inverse;
+  gjk_quat opposite;
   gjk_vec3 rows[3];
   int64_t back[3];
-  gjk_status status = gjk_quat_invert(&p->rotation, &inverse.rotation);
+  gjk_status status = gjk_quat_invert(&p->rotation, &opposite);
   if (status != GJK_OK) {
     return status;
   }
-  (void)gjk_rotation_from_quat(&inverse.rotation, rows);  // as much a unit as p's
+  (void)gjk_rotation_from_quat(&opposite, rows);  // as much a unit as p's
   gjk_rotate_wide(rows, &p->position, back);
   for (int i = 0; i < 3; i++) {
     back[i] = -back[i];
   }
-  status = store(back, &inverse.position);
+  status = store(back, &out->position);
   if (status == GJK_OK) {
-    *out = inverse;
+    out->rotation = opposite;
   }
   return status;
 }

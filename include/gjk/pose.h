@@ -1,8 +1,8 @@
 // Rotations and poses in integers: make, normalise, compose, invert, apply.
 //
-// Quaternions are Q2.30, angles Q16.16 radians. A quaternion counts as a unit while its squared length is within
-// GJK_ROTATION_TOLERANCE of 1, exactly. Inside that tolerance every call takes it for q / |q|, so the drift of an
-// integrator does no harm until it is reported.
+// Quaternions are Q2.30, angles Q16.16 radians. A quaternion counts as a unit while its squared length is
+// within GJK_ROTATION_TOLERANCE of 1, exactly. Inside that tolerance every call takes it for q / |q|, so the
+// drift of an integrator does no harm until it is reported.
 //
 // Errors  against real arithmetic on the same integer input, the largest of any component, for every input;
 //         tests/unit/test_pose.c holds them.

@@ -8,6 +8,8 @@
 #define SEMIHOSTING_WRITE0 0x04
 #define SEMIHOSTING_EXIT_EXTENDED 0x20
 
+void board_reset(void);
+
 extern uint32_t board_data_load[], board_data_start[], board_data_end[], board_bss_start[], board_bss_end[];
 
 static int32_t semihosting(uint32_t operation, const void *argument) {
@@ -39,7 +41,7 @@ uint32_t board_ticks(void) {
   return 0xFFFFFFu - SYSTICK_CURRENT;
 }
 
-static void reset(void) {
+void board_reset(void) {
   const uint32_t *from = board_data_load;
   for (uint32_t *to = board_data_start; to != board_data_end; to++, from++) {
     *(volatile uint32_t *)to = *from;
@@ -59,5 +61,5 @@ static void fault(void) {
 }
 
 __attribute__((section(".vectors"), used)) static const void *const vectors[16] = {
-    board_stack_high, (const void *)reset, (const void *)fault, (const void *)fault, (const void *)fault,
+    board_stack_high, (const void *)board_reset, (const void *)fault, (const void *)fault, (const void *)fault,
     (const void *)fault, (const void *)fault};

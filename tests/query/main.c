@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "answer.h"
+#include "../case/answer.h"
+#include "../case/certify.h"
 #include "../case/number.h"
 #include "../case/parse.h"
-#include "certify.h"
 
 enum { EXIT_ANSWERED = 0, EXIT_UNPROVEN = 1, EXIT_INPUT = 2 };
 
@@ -48,22 +48,33 @@ static const char help[] =
     "error), a file that can't be read, a wrong option.\n";
 
 typedef struct tool {
-  query_options options;
+  case_question question;
+  bool certify;  // each answer is checked
   case_reader reader;
   case_pair pair;
   case_collider a, b;
-  certify_state certify;
+  unsigned long verdicts[3];  // by certify_verdict
   bool bad_input;
 } tool;
 
+// Nothing when the answer is proven.
+static void print_verdict(tool *t, const case_answer *answer) {
+  const char *why = "";
+  certify_verdict verdict = certify_answer(&t->question, &t->pair, &t->a, &t->b, answer, &why);
+  t->verdicts[verdict]++;
+  if (verdict != CERTIFY_PROVEN) {
+    printf(" %s: %s", verdict == CERTIFY_WRONG ? "WRONG" : "uncertified", why);
+  }
+}
+
 static void run_stream(tool *t, FILE *file, const char *name) {
-  query_answer answer;
+  case_answer answer;
   case_reader_open(&t->reader, file, name);
   while (case_reader_next(&t->reader, &t->pair)) {
-    query_answer_case(&t->options, &t->pair, &t->a, &t->b, &answer);
-    query_answer_print(stdout, &t->options, &t->pair, &answer);
-    if (t->options.certify) {
-      certify_answer(stdout, &t->certify, &t->options, &t->pair, &t->a, &t->b, &answer);
+    case_answer_find(&t->question, &t->pair, &t->a, &t->b, &answer);
+    case_answer_print(stdout, &t->question, &t->pair, &answer);
+    if (t->certify && answer.refused == 0) {
+      print_verdict(t, &answer);
     }
     putchar('\n');
   }
@@ -92,8 +103,8 @@ static void refuse(const char *what, const char *word) {
   exit(EXIT_INPUT);
 }
 
-// Sets options, and moves the names of the files to the front of argv. Returns their number.
-static int read_options(int argc, char **argv, query_options *options) {
+// Reads the options, and moves the names of the files to the front of argv. Returns their number.
+static int read_options(int argc, char **argv, tool *t) {
   int files = 0;
   bool only_files = false;
   for (int i = 1; i < argc; i++) {
@@ -106,19 +117,19 @@ static int read_options(int argc, char **argv, query_options *options) {
       fputs(help, stdout);
       exit(EXIT_ANSWERED);
     } else if (strcmp(word, "--distance") == 0) {
-      options->question = QUERY_DISTANCE;
+      t->question.ask = CASE_DISTANCE;
     } else if (strcmp(word, "--intersect") == 0) {
-      options->question = QUERY_INTERSECT;
+      t->question.ask = CASE_INTERSECT;
     } else if (strcmp(word, "--within") == 0) {
       const char *number = i + 1 < argc ? argv[++i] : "";
-      options->question = QUERY_WITHIN;
-      if (!case_number_parse(number, 16, &options->within) || options->within < 0) {
+      t->question.ask = CASE_WITHIN;
+      if (!case_number_parse(number, 16, &t->question.within) || t->question.within < 0) {
         refuse("expected a distance of 0 or more after --within, found", number);
       }
     } else if (strcmp(word, "--reference") == 0) {
-      options->reference = true;
+      t->question.reference = true;
     } else if (strcmp(word, "--certify") == 0) {
-      options->certify = true;
+      t->certify = true;
     } else {
       refuse("unknown option", word);
     }
@@ -128,16 +139,16 @@ static int read_options(int argc, char **argv, query_options *options) {
 
 int main(int argc, char **argv) {
   static tool t;
-  int files = read_options(argc, argv, &t.options);
+  int files = read_options(argc, argv, &t);
   if (files == 0) {
     run_stream(&t, stdin, "standard input");
   }
   for (int i = 0; i < files; i++) {
     run_file(&t, argv[i]);
   }
-  if (t.options.certify) {
-    fprintf(stderr, "certify: %lu certified, %lu uncertified, %lu wrong\n", t.certify.certified,
-            t.certify.uncertified, t.certify.wrong);
+  if (t.certify) {
+    fprintf(stderr, "certify: %lu certified, %lu uncertified, %lu wrong\n", t.verdicts[CERTIFY_PROVEN],
+            t.verdicts[CERTIFY_UNCERTIFIED], t.verdicts[CERTIFY_WRONG]);
   }
   case_pair_free(&t.pair);
   case_collider_free(&t.a);
@@ -146,5 +157,5 @@ int main(int argc, char **argv) {
     fprintf(stderr, "gjk-query: cannot write the answers: %s\n", strerror(errno));
     return EXIT_INPUT;
   }
-  return t.bad_input ? EXIT_INPUT : t.certify.wrong > 0 ? EXIT_UNPROVEN : EXIT_ANSWERED;
+  return t.bad_input ? EXIT_INPUT : t.verdicts[CERTIFY_WRONG] > 0 ? EXIT_UNPROVEN : EXIT_ANSWERED;
 }

@@ -9,7 +9,7 @@
 #define SEED 31337
 #define ROUNDS 200000
 
-// Within the tolerance of a unit: scale is the squared length less 1, as a part of the tolerance, from -1 to 1.
+// A unit within the tolerance: scale says how much of it the squared length uses, from -1 to 1.
 static gjk_quat random_unit(random_state *random, long double scale) {
   long double c[4], squared = 0;
   for (int i = 0; i < 4; i++) {
@@ -26,7 +26,7 @@ static gjk_quat random_unit(random_state *random, long double scale) {
 }
 
 static void real_matrix(const gjk_quat *q, long double m[3][3]) {
-  const long double x = q->x, y = q->y, z = q->z, w = q->w, n = x * x + y * y + z * z + w * w, s = GJK_Q30_ONE / n;
+  const long double x = q->x, y = q->y, z = q->z, w = q->w, s = GJK_Q30_ONE / (x * x + y * y + z * z + w * w);
   const long double rows[3][3] = {
       {w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
       {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
@@ -50,7 +50,7 @@ static gjk_vec3 random_vector(random_state *random, unsigned bits) {
   return v;
 }
 
-// The rows of the rotation by q, the error of the worst entry.
+// The error of the worst entry.
 static long double entry_error(const gjk_vec3 rows[3], long double m[3][3], bool *in_range) {
   long double error = 0;
   for (int i = 0; i < 9; i++) {
@@ -61,7 +61,8 @@ static long double entry_error(const gjk_vec3 rows[3], long double m[3][3], bool
   return error;
 }
 
-static long double component_error(int64_t got, long double m0, long double m1, long double m2, const gjk_vec3 *v) {
+static long double component_error(int64_t got, long double m0, long double m1, long double m2,
+                                   const gjk_vec3 *v) {
   return fabsl((long double)got - (m0 * v->x + m1 * v->y + m2 * v->z) / GJK_Q30_ONE);
 }
 
@@ -98,11 +99,12 @@ static void test_rotation(void) {
     const gjk_vec3 v = random_vector(&random, 29), largest = random_vector(&random, 31);
     worst_turn = fmaxl(worst_turn, turn_error(rows, m, &v));
     // Bounds of the header, for vectors as long as they may be.
-    const long double sum = fabsl((long double)largest.x) + fabsl((long double)largest.y) + fabsl((long double)largest.z);
+    const long double sum = fabsl(largest.x * 1.0L) + fabsl(largest.y * 1.0L) + fabsl(largest.z * 1.0L);
     const long double error = turn_error(rows, m, &largest);
     CHECK_MSG(error <= 0.501L * (1 + sum / GJK_Q30_ONE), "round %d of seed %d: %.3Lf LSB", i, SEED, error);
   }
-  printf("rotation: largest error of an entry %.4Lf LSB, of a vector up to 2^29 %.4Lf LSB\n", worst_entry, worst_turn);
+  printf("rotation: largest error of an entry %.4Lf LSB, of a vector up to 2^29 %.4Lf LSB\n", worst_entry,
+         worst_turn);
   CHECK_MSG(refused == 0, "%lu of %d, seed %d", refused, ROUNDS, SEED);
   CHECK_MSG(worst_entry <= 0.5L + ldexpl(1, -13), "%.6Lf LSB, seed %d", worst_entry, SEED);
   CHECK_MSG(worst_turn <= 1, "%.6Lf LSB, seed %d", worst_turn, SEED);
@@ -136,7 +138,8 @@ static void test_root(void) {
     const uint64_t x = random_u64(&random) >> random_below(&random, 64);
     const uint64_t r = random_u32(&random) >> random_below(&random, 32);
     CHECK_MSG(is_root(x), "%llu, seed %d", (unsigned long long)x, SEED + 2);
-    CHECK_MSG(is_root(r * r) && is_root(r * r - (r > 0)), "square of %llu, seed %d", (unsigned long long)r, SEED + 2);
+    CHECK_MSG(is_root(r * r) && is_root(r * r - (r > 0)), "%llu squared, seed %d", (unsigned long long)r,
+              SEED + 2);
   }
 }
 
@@ -145,7 +148,8 @@ static void test_reciprocal_root(void) {
   long double low = 0, high = 0;
   for (int i = 0; i < 1000000; i++) {
     const uint32_t offset = i % 2 == 0 ? (uint32_t)i : random_below(&random, UINT32_C(0xC0000000));
-    const uint32_t x = i % 4 == 0 ? UINT32_MAX - offset : (UINT32_C(1) << 30) + offset, y = gjk_reciprocal_root(x);
+    const uint32_t x = i % 4 == 0 ? UINT32_MAX - offset : (UINT32_C(1) << 30) + offset;
+    const uint32_t y = gjk_reciprocal_root(x);
     const long double error = y - ldexpl(1, 46) / sqrtl(x);
     low = fminl(low, error);
     high = fmaxl(high, error);

@@ -16,15 +16,15 @@ static gjk_vec3 round_vec3(const double v[3]) {
 }
 
 // On the posed integers, so that a difference from the library is one of arithmetic alone.
-static void answer_by_reference(const query_options *options, const case_pair *pair, const case_collider *a,
-                                const case_collider *b, query_answer *answer) {
+static void answer_by_reference(const case_question *question, const case_pair *pair, const case_collider *a,
+                                const case_collider *b, case_answer *answer) {
   const double unit = (double)GJK_Q30_ONE;
   reference_result found;
   reference_query_posed(pair, a, b, &found);
   uint8_t iterations = (uint8_t)(found.iterations > 255 ? 255 : found.iterations);
   answer->status = GJK_OK;
-  if (options->question != QUERY_DISTANCE) {
-    double limit = options->question == QUERY_WITHIN ? (double)options->within : 0.0;
+  if (question->ask != CASE_DISTANCE) {
+    double limit = question->ask == CASE_WITHIN ? (double)question->within : 0.0;
     answer->decision.yes = found.intersecting || found.distance <= limit;
     answer->decision.iterations = iterations;
     return;
@@ -43,8 +43,8 @@ static void answer_by_reference(const query_options *options, const case_pair *p
   }
 }
 
-void query_answer_case(const query_options *options, const case_pair *pair, case_collider *a, case_collider *b,
-                       query_answer *answer) {
+void case_answer_find(const case_question *question, const case_pair *pair, case_collider *a, case_collider *b,
+                       case_answer *answer) {
   memset(answer, 0, sizeof *answer);
   answer->refused = 'A';
   answer->status = case_collider_build(a, &pair->a, false);
@@ -56,14 +56,14 @@ void query_answer_case(const query_options *options, const case_pair *pair, case
     return;
   }
   answer->refused = 0;
-  if (options->reference) {
-    answer_by_reference(options, pair, a, b, answer);
-  } else if (options->question == QUERY_DISTANCE) {
+  if (question->reference) {
+    answer_by_reference(question, pair, a, b, answer);
+  } else if (question->ask == CASE_DISTANCE) {
     answer->status = gjk_distance(&a->collider, &b->collider, NULL, &answer->distance);
-  } else if (options->question == QUERY_INTERSECT) {
+  } else if (question->ask == CASE_INTERSECT) {
     answer->status = gjk_intersect(&a->collider, &b->collider, NULL, &answer->decision);
   } else {
-    answer->status = gjk_within(&a->collider, &b->collider, options->within, NULL, &answer->decision);
+    answer->status = gjk_within(&a->collider, &b->collider, question->within, NULL, &answer->decision);
   }
 }
 
@@ -79,7 +79,7 @@ static const char *detail(gjk_status status) {
   }
 }
 
-static void print_error(FILE *file, const case_pair *pair, const query_answer *answer) {
+static void print_error(FILE *file, const case_pair *pair, const case_answer *answer) {
   fprintf(file, "%s error %s ", pair->id, gjk_status_name(answer->status));
   if (answer->refused != 0) {
     fprintf(file, "%c: ", answer->refused);
@@ -87,13 +87,13 @@ static void print_error(FILE *file, const case_pair *pair, const query_answer *a
   fprintf(file, "%s", detail(answer->status));
 }
 
-void query_answer_print(FILE *file, const query_options *options, const case_pair *pair, const query_answer *answer) {
+void case_answer_print(FILE *file, const case_question *question, const case_pair *pair, const case_answer *answer) {
   const gjk_distance_result *d = &answer->distance;
   if (answer->status != GJK_OK) {
     print_error(file, pair, answer);
-  } else if (options->question != QUERY_DISTANCE) {
-    const char *yes = options->question == QUERY_WITHIN ? "within" : "intersecting";
-    const char *no = options->question == QUERY_WITHIN ? "beyond" : "separated";
+  } else if (question->ask != CASE_DISTANCE) {
+    const char *yes = question->ask == CASE_WITHIN ? "within" : "intersecting";
+    const char *no = question->ask == CASE_WITHIN ? "beyond" : "separated";
     fprintf(file, "%s %s iterations=%u", pair->id, answer->decision.yes ? yes : no, answer->decision.iterations);
   } else if (d->intersecting) {
     fprintf(file, "%s intersecting iterations=%u", pair->id, d->iterations);

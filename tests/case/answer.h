@@ -1,0 +1,29 @@
+// One case, one question, one answer: by the library or by the double-precision reference.
+#ifndef CASE_ANSWER_H
+#define CASE_ANSWER_H
+
+#include "case.h"
+
+typedef enum case_ask { CASE_DISTANCE, CASE_INTERSECT, CASE_WITHIN } case_ask;
+
+typedef struct case_question {
+  case_ask ask;
+  gjk_q16 within;
+  bool reference;  // the reference answers instead of the library
+} case_question;
+
+typedef struct case_answer {
+  gjk_status status;
+  char refused;                  // 'A' or 'B': the shape that the status is about; 0: the pair
+  gjk_distance_result distance;  // of CASE_DISTANCE
+  gjk_decision decision;         // of the other questions
+} case_answer;
+
+// Answers pair; a and b are built on the way, and kept for reuse.
+void case_answer_find(const case_question *question, const case_pair *pair, case_collider *a, case_collider *b,
+                       case_answer *answer);
+
+// The query tool's line for an answer, without the end of the line.
+void case_answer_print(FILE *file, const case_question *question, const case_pair *pair, const case_answer *answer);
+
+#endif

@@ -1,0 +1,29 @@
+// Integers of up to 512 bits, sign and magnitude: schoolbook arithmetic, to be read rather than to be fast.
+#ifndef EXACT_INTEGER_H
+#define EXACT_INTEGER_H
+
+#include <stdint.h>
+
+#define EXACT_LIMBS 16
+
+// sign is -1, 0 or 1; the magnitude is limb[0] + 2^32 limb[1] + ... up to limb[count - 1], which is not 0.
+typedef struct exact_int {
+  int sign;
+  unsigned count;
+  uint32_t limb[EXACT_LIMBS];
+} exact_int;
+
+// Results beyond 512 bits end the program: they'd be a flaw of the test.
+exact_int exact_from(int64_t value);
+exact_int exact_negate(exact_int a);
+exact_int exact_add(const exact_int *a, const exact_int *b);
+exact_int exact_sub(const exact_int *a, const exact_int *b);
+exact_int exact_mul(const exact_int *a, const exact_int *b);
+
+// The sign of a - b.
+int exact_compare(const exact_int *a, const exact_int *b);
+
+// To within 2^-51 of itself.
+double exact_to_double(const exact_int *a);
+
+#endif

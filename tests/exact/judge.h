@@ -1,0 +1,34 @@
+// What the parts of the exact oracle share while they judge one answer.
+#ifndef EXACT_JUDGE_H
+#define EXACT_JUDGE_H
+
+#include "exact.h"
+
+typedef struct judge {
+  const gjk_collider *a, *b;
+  unsigned count_a, count_b;               // vertices
+  int64_t radius;                          // the roundings and the asked distance
+  int64_t slack;                           // LSB that a far pair may be off; 0: exact
+  unsigned count;                          // pairs of the certificate
+  exact_point at_a[4], at_b[4], w[4];      // their vertices in the world and in A - B
+  exact_feature feature;
+  char *why;
+  size_t size;
+} judge;
+
+// Writes the reason and returns false.
+bool judge_refuse(judge *j, const char *format, ...);
+
+bool judge_start(judge *j, const gjk_collider *a, const gjk_collider *b, int64_t distance, char *why, size_t n);
+
+// The named pairs, of which there may be 1 to most.
+bool judge_load(judge *j, const gjk_certificate *certificate, unsigned most);
+
+// Does every vertex of A - B lie farther than radius behind the origin along direction?
+bool judge_clears(const judge *j, const exact_vector *direction, int64_t radius);
+
+// A far pair: from both sides the feature bounds the distance of the cores, to within the slack.
+bool judge_far_apart(judge *j, const gjk_certificate *certificate);
+bool judge_far_distance(judge *j, const gjk_distance_result *result);
+
+#endif

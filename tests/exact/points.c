@@ -1,0 +1,107 @@
+// The exact oracle: witness points and normals, and pairs that are far apart.
+#include <math.h>
+
+#include "judge.h"
+
+static exact_vector opposite(const exact_vector *v) {
+  const exact_vector negated = {{exact_negate(v->x[0]), exact_negate(v->x[1]), exact_negate(v->x[2])}};
+  return negated;
+}
+
+// Rounded vertices may name a neighbour of the nearest feature: whatever they span is an upper bound.
+bool judge_far_apart(judge *j, const gjk_certificate *certificate) {
+  if (!judge_load(j, certificate, 3)) {
+    return false;
+  }
+  exact_feature_nearest(j->w, j->count, &j->feature);
+  const exact_vector direction = opposite(&j->feature.point);
+  return judge_clears(j, &direction, j->radius > j->slack ? j->radius - j->slack : 0) ||
+         judge_refuse(j, "far: the feature does not separate");
+}
+
+bool judge_far_distance(judge *j, const gjk_distance_result *result) {
+  // The distance to the relative 2^-28 that is promised, in half LSB: at least 4 of them, as a far gap exceeds 2^29.
+  const int64_t reported = 2 * ((int64_t)result->distance + j->radius), slack = 2 * j->slack;
+  const exact_vector direction = opposite(&j->feature.point);
+  if (!judge_clears(j, &direction, reported / 2 - j->slack)) {
+    return judge_refuse(j, "far: the distance is too large");
+  }
+  const bool cut = result->saturated && result->distance == GJK_DISTANCE_MAX;
+  return cut || exact_feature_compare(&j->feature, reported + slack) <= 0 ||
+         judge_refuse(j, "far: the distance is too small");
+}
+
+static exact_point from_vec3(const gjk_vec3 *v) {
+  const exact_point p = {{v->x, v->y, v->z}};
+  return p;
+}
+
+// Is the point at most limit from the hull of the feature's vertices on one side?
+static bool is_at(const exact_point *point, const exact_point *vertices, unsigned count, int64_t limit) {
+  exact_point relative[3];
+  exact_feature feature;
+  for (unsigned i = 0; i < count; i++) {
+    relative[i] = exact_subtract(&vertices[i], point);
+  }
+  exact_feature_nearest(relative, count, &feature);
+  return exact_feature_compare(&feature, 2 * limit) <= 0;
+}
+
+// The lengths involved stay below 2^34 and are known to 2^-49 of themselves.
+static bool is_gap(judge *j, const exact_point *a, const exact_point *b) {
+  const exact_point between = exact_subtract(a, b);
+  exact_feature feature;
+  exact_feature_make(&between, 1, &feature);
+  const double gap = sqrt(exact_to_double(&feature.squared));
+  const double distance =
+      sqrt(exact_to_double(&j->feature.squared) / exact_to_double(&j->feature.denominator)) - (double)j->radius;
+  return fabs(gap - distance) <= (double)(2 + j->slack) + 1e-4 ||
+         judge_refuse(j, "points %.4f apart, distance %.4f", gap, distance);
+}
+
+static bool is_normal(judge *j, const gjk_unit3 *normal) {
+  const double n[3] = {normal->x, normal->y, normal->z};
+  double p[3], length = 0, off = 0;
+  for (int i = 0; i < 3; i++) {
+    p[i] = -exact_to_double(&j->feature.point.x[i]);
+    length += p[i] * p[i];
+  }
+  for (int i = 0; i < 3; i++) {
+    const double difference = n[i] - p[i] / sqrt(length) * 1073741824.0;
+    off += difference * difference;
+  }
+  // 2^-28 is 4 in Q2.30.
+  return sqrt(off) <= 4 || judge_refuse(j, "the normal is off by %.3f 2^-30", sqrt(off));
+}
+
+static bool is_cut(const gjk_vec3 *v) {
+  return v->x == INT32_MAX || v->x == INT32_MIN || v->y == INT32_MAX || v->y == INT32_MIN || v->z == INT32_MAX ||
+         v->z == INT32_MIN;
+}
+
+bool exact_check_points(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result, char *why,
+                        size_t n) {
+  judge j;
+  if (result->intersecting) {
+    return true;
+  }
+  if (!judge_start(&j, a, b, 0, why, n) || !judge_load(&j, &result->certificate, 3)) {
+    return false;
+  }
+  exact_feature_nearest(j.w, j.count, &j.feature);
+  if (!is_normal(&j, &result->normal)) {
+    return false;
+  }
+  if (result->saturated) {
+    return result->distance == GJK_DISTANCE_MAX || is_cut(&result->point_a) || is_cut(&result->point_b) ||
+           judge_refuse(&j, "saturated without a reason");
+  }
+  const exact_point at_a = from_vec3(&result->point_a), at_b = from_vec3(&result->point_b);
+  if (!is_at(&at_a, j.at_a, j.count, a->shape->round + 1 + j.slack)) {
+    return judge_refuse(&j, "the point of A is off");
+  }
+  if (!is_at(&at_b, j.at_b, j.count, b->shape->round + 1 + j.slack)) {
+    return judge_refuse(&j, "the point of B is off");
+  }
+  return is_gap(&j, &at_a, &at_b);
+}
