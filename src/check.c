@@ -39,7 +39,8 @@ static bool none_before(const gjk_collider *c, const gjk_direction *direction, b
     return false;
   }
   while (next(&v, &offset)) {  // at most 2^16 vertices
-    const int side = gjk_direction_sign(direction, gjk_sub(offset, base));
+    const gjk_vec3 step = gjk_sub(offset, base);
+    const int side = gjk_direction_sign(direction, &step);
     if (negated ? side < 0 : side > 0) {
       return false;
     }
@@ -62,11 +63,13 @@ static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d) {
 // Is the named feature the nearest of A - B to the origin, and apart from it?
 static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate) {
   gjk_direction direction;
+  gjk_rounded rounded;
   gjk_simplex *s = &it->simplex;
   if (certificate->count < 1 || certificate->count > 3 || !load(it, certificate) ||
-      !gjk_simplex_set(s, certificate->count) || !gjk_simplex_direction(s, &direction)) {
+      !gjk_simplex_set(s, certificate->count) || !gjk_simplex_direction(s, &rounded)) {
     return false;
   }
+  gjk_simplex_exact_direction(s, &direction);
   if (s->count == 3 && gjk_dot_sign(&s->normal, s->slot[0].w) == 0) {
     return false;
   }
@@ -94,7 +97,7 @@ static bool is_separating(const gjk_iteration *it, const gjk_vec3 *direction, in
     return false;
   }
   const gjk_vec3 opposite = gjk_negate(d);
-  const gjk_vec3 delta = {(int32_t)it->delta.x, (int32_t)it->delta.y, (int32_t)it->delta.z};
+  const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);
   const int64_t along = gjk_dot(delta, d) + farthest(it->a, &d) + farthest(it->b, &opposite);
   return along < 0 && gjk_sum_sign(along, along, -(radius * radius), gjk_dot(d, d)) > 0;
 }

@@ -48,7 +48,7 @@ static bool refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction
   for (unsigned i = 0; i < c->count; i++) {
     const int64_t along = gjk_dot(c->frame[i], *d);
     if (along < slack && along > -slack) {
-      const int side = gjk_direction_sign(direction, c->frame[i]);
+      const int side = gjk_direction_sign(direction, &c->frame[i]);
       if (side != 0) {
         number = (side > 0) != negated ? number | 1u << i : number & ~(1u << i);
       }

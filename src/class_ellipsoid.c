@@ -23,9 +23,9 @@ static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_su
   const gjk_long3 stretched = {gjk_mul32(size->x, local.x), gjk_mul32(size->y, local.y), gjk_mul32(size->z, local.z)};
   gjk_fine_point point = {0, 0, 0};
   if ((stretched.x | stretched.y | stretched.z) != 0) {
-    gjk_vec3 rounded;
+    gjk_rounded rounded;
     gjk_round_direction(&stretched, &rounded);
-    const gjk_unit3 u = gjk_unit(&rounded);
+    const gjk_unit3 u = gjk_unit(&rounded.d);
     point.x = gjk_fine(size->x, u.x);
     point.y = gjk_fine(size->y, u.y);
     point.z = gjk_fine(size->z, u.z);

@@ -28,7 +28,8 @@ static bool refine_posed(const gjk_collider *c, const gjk_vec3 *vertices, const 
   const uint16_t before = at->vertex;
   for (uint32_t i = 0; i < c->count; i++) {
     if (gjk_dot(vertices[i], *d) >= limit) {
-      int side = gjk_direction_sign(direction, gjk_sub(vertices[i], at->offset));
+      const gjk_vec3 step = gjk_sub(vertices[i], at->offset);
+      const int side = gjk_direction_sign(direction, &step);
       if (negated ? side < 0 : side > 0) {
         at->offset = vertices[i];
         at->vertex = (uint16_t)i;
@@ -88,7 +89,8 @@ static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_dire
   for (uint32_t i = 0; i < c->count; i++) {
     if (gjk_dot(vertices[i], local) >= limit) {
       gjk_vec3 offset = pose_vertex(c, c->frame, i);
-      int side = gjk_direction_sign(direction, gjk_sub(offset, at->offset));
+      const gjk_vec3 step = gjk_sub(offset, at->offset);
+      const int side = gjk_direction_sign(direction, &step);
       if (negated ? side < 0 : side > 0) {
         at->offset = offset;
         at->vertex = (uint16_t)i;

@@ -19,7 +19,7 @@ static int64_t to_lsb(int64_t x, int shift) {
 #define PLANE_ERROR (INT64_C(1) << 33)
 
 // The exact search among the few candidates that the plane distance leaves.
-static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high) {
+GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high) {
   gjk_limbs numerator, denominator;
   gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
   while (low < high) {  // at most 17 candidates, so 5 rounds
@@ -54,7 +54,7 @@ static int64_t exact_distance(const gjk_iteration *it, int64_t plane) {
 
 // Do the cores come within the roundings of each other?
 static bool rounded_touch(const gjk_iteration *it, int64_t plane) {
-  const int64_t radius = gjk_shl64(it->radius, 30);  // at most 2^61
+  const int64_t radius = gjk_shl64(it->radius, 30);  // below 2^61
   return radius > 0 && plane - PLANE_ERROR <= radius && gjk_iteration_near(it);
 }
 
@@ -112,7 +112,7 @@ static gjk_q16 far_coordinate(const gjk_iteration *it, const feature *f, int64_t
   return saturate(centre + gjk_sar64(core, 31) - apart - rounding, saturated);
 }
 
-static void far_nearest_points(const gjk_iteration *it, const feature *f, gjk_distance_result *out) {
+GJK_OUT_OF_LINE static void far_nearest_points(const gjk_iteration *it, const feature *f, gjk_distance_result *out) {
   const gjk_vec3 *a = &f->u->offset_a, *a1 = &f->v->offset_a, *a2 = &f->w->offset_a;
   const gjk_vec3 *d = &f->u->w, *d1 = &f->v->w, *d2 = &f->w->w;
   const gjk_vec3 centre = it->a->centre;
@@ -129,7 +129,7 @@ static void far_nearest_points(const gjk_iteration *it, const feature *f, gjk_di
   out->point_b.z = far_coordinate(it, f, z, centre.z, normal.z, d->z, d1->z, d2->z, cut);
 }
 
-static void report_points(const gjk_iteration *it, gjk_distance_result *out) {
+GJK_OUT_OF_LINE static void report_points(const gjk_iteration *it, gjk_distance_result *out) {
   const gjk_simplex *s = &it->simplex;
   feature f;
   f.u = &s->slot[s->order[0]];
@@ -150,13 +150,13 @@ static void report_points(const gjk_iteration *it, gjk_distance_result *out) {
 // The distance of the plane through the newest vertex, across the direction, in LSB; error is added, Q30.
 static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
   const gjk_simplex *s = &it->simplex;
-  const gjk_unit3 u = gjk_unit(&it->direction.rounded);
+  const gjk_unit3 u = gjk_unit(&it->direction.d);
   return to_lsb(error - along(&u, &s->slot[s->order[s->count - 1]].w), it->shift);
 }
 
 // The proven bounds when the ceiling is reached: the newest vertex was the support along the direction, so nothing lies
 // before its plane; and the feature's own plane, found from its own direction, touches the feature.
-static void report_bounds(gjk_iteration *it, gjk_distance_result *out) {
+GJK_OUT_OF_LINE static void report_bounds(gjk_iteration *it, gjk_distance_result *out) {
   const int64_t rounding = (int64_t)it->a->shape->round + it->b->shape->round;
   const int64_t lower = plane_distance(it, -PLANE_ERROR) - rounding - 1;
   bool saturated;
@@ -183,7 +183,7 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
   out->saturated = false;
   int64_t gap = 0;
   if (outcome == GJK_OUTCOME_NEAREST) {
-    out->normal = gjk_unit(&it.direction.rounded);
+    out->normal = gjk_unit(&it.direction.d);
     const int64_t plane = -along(&out->normal, &it.simplex.slot[it.simplex.order[0]].w);
     if (rounded_touch(&it, plane)) {
       outcome = GJK_OUTCOME_NEAR;

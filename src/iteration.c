@@ -33,30 +33,28 @@ GJK_OUT_OF_LINE static int far_shift(const gjk_long3 *delta) {
   return -3;
 }
 
+// A radius in the frame. One beyond the reach settles the question like the reach, and so does any of 2^31 or more.
+GJK_OUT_OF_LINE static int32_t frame_radius(int64_t radius, int shift) {
+  const int64_t framed = shift >= 0 ? gjk_shl64(radius, (unsigned)shift) : gjk_sar64(radius, (unsigned)-shift);
+  return framed < INT32_MAX ? (int32_t)framed : INT32_MAX;
+}
+
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius) {
+  const gjk_long3 delta = {(int64_t)a->centre.x - b->centre.x, (int64_t)a->centre.y - b->centre.y,
+                           (int64_t)a->centre.z - b->centre.z};
+  const int64_t cores = (int64_t)a->core_radius + b->core_radius;
   it->a = a;
   it->b = b;
   it->rounds = 0;
-  it->delta.x = (int64_t)a->centre.x - b->centre.x;
-  it->delta.y = (int64_t)a->centre.y - b->centre.y;
-  it->delta.z = (int64_t)a->centre.z - b->centre.z;
-  const int64_t cores = (int64_t)a->core_radius + b->core_radius;
-  if (goal == GJK_GOAL_WITHIN && longer_than(&it->delta, cores + radius)) {
+  if (goal == GJK_GOAL_WITHIN && longer_than(&delta, cores + radius)) {
     return false;
   }
   // |x| + |y| + |z| bounds the length from above; at most 3 2^32.
-  const int64_t reach = (int64_t)(gjk_magnitude64(it->delta.x) + gjk_magnitude64(it->delta.y) +
-                                  gjk_magnitude64(it->delta.z)) + cores;
-  it->shift = (int8_t)(reach < INT64_C(1) << 30 ? (int)gjk_clz32((uint32_t)reach) - 2 : far_shift(&it->delta));
-  // A radius beyond the reach settles the question like the reach, and so does any of 2^31 or more in the frame.
-  const int64_t clamped = radius < reach ? radius : reach;
-  it->radius = 0;
-  if (radius > 0) {
-    const int64_t framed = it->shift >= 0 ? gjk_shl64(clamped, (unsigned)it->shift)
-                                          : gjk_sar64(clamped, (unsigned)-it->shift);
-    it->radius = framed < INT32_MAX ? framed : INT32_MAX;
-  }
+  const int64_t reach =
+      (int64_t)(gjk_magnitude64(delta.x) + gjk_magnitude64(delta.y) + gjk_magnitude64(delta.z)) + cores;
+  it->shift = (int8_t)(reach < INT64_C(1) << 30 ? (int)gjk_clz32((uint32_t)reach) - 2 : far_shift(&delta));
+  it->radius = radius > 0 ? frame_radius(radius < reach ? radius : reach, it->shift) : 0;
   it->curved = a->shape->type->vertex == NULL || b->shape->type->vertex == NULL;
   gjk_simplex_clear(&it->simplex);
   return true;
@@ -68,47 +66,57 @@ GJK_OUT_OF_LINE static int32_t far_component(int64_t difference, int shift) {
   return (int32_t)gjk_sar64(difference + (INT64_C(1) << (n - 1)), n);
 }
 
-// The frame's vector from B to A for the given offsets from their centres. Near, all sums are at most 3 2^29.
-GJK_HOT_INLINE gjk_vec3 frame_vector(const gjk_iteration *it, const gjk_vec3 *a, const gjk_vec3 *b) {
-  gjk_vec3 w = gjk_sub(*a, *b);
+// Replaces v, a difference of two offsets from the centres, by the frame's vector from B to A.
+GJK_OUT_OF_LINE static void far_vector(const gjk_iteration *it, gjk_vec3 *v) {
+  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
+  v->x = far_component((int64_t)a->x - b->x + v->x, it->shift);
+  v->y = far_component((int64_t)a->y - b->y + v->y, it->shift);
+  v->z = far_component((int64_t)a->z - b->z + v->z, it->shift);
+}
+
+// The same near by: all sums are at most 3 2^29.
+static inline void frame_vector(const gjk_iteration *it, gjk_vec3 *v) {
+  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
   const int shift = it->shift;
-  if (shift >= 0) {
-    w.x = gjk_shl32((int32_t)it->delta.x + w.x, (unsigned)shift);
-    w.y = gjk_shl32((int32_t)it->delta.y + w.y, (unsigned)shift);
-    w.z = gjk_shl32((int32_t)it->delta.z + w.z, (unsigned)shift);
-  } else {
-    w.x = far_component(it->delta.x + w.x, shift);
-    w.y = far_component(it->delta.y + w.y, shift);
-    w.z = far_component(it->delta.z + w.z, shift);
+  if (shift < 0) {
+    far_vector(it, v);
+    return;
   }
-  return w;
+  v->x = gjk_shl32(a->x - b->x + v->x, (unsigned)shift);
+  v->y = gjk_shl32(a->y - b->y + v->y, (unsigned)shift);
+  v->z = gjk_shl32(a->z - b->z + v->z, (unsigned)shift);
 }
 
 void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_support *b) {
   gjk_vertex *v = gjk_simplex_free(&it->simplex);
   const gjk_vec3 offset = a->offset;
   v->offset_a = offset;
-  v->w = frame_vector(it, &offset, &b->offset);
+  v->w = gjk_sub(offset, b->offset);
   v->a = a->vertex;
   v->b = b->vertex;
+  frame_vector(it, &v->w);
 }
 
 static void support(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
-  const gjk_direction *direction = &it->direction;
-  const gjk_vec3 opposite = gjk_negate(direction->rounded);
-  it->a->shape->type->support(it->a, &direction->rounded, direction->exact, a);
+  const gjk_rounded *direction = &it->direction;
+  const gjk_vec3 opposite = gjk_negate(direction->d);
+  it->a->shape->type->support(it->a, &direction->d, direction->exact, a);
   it->b->shape->type->support(it->b, &opposite, direction->exact, b);
 }
 
 // Moves the supports to the farthest vertices along the exact direction. Returns whether one moved.
 static bool refine(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
   bool moved = false;
-  if (a->tie) {
-    moved = it->a->shape->type->refine(it->a, &it->direction.rounded, &it->direction, false, a);
-  }
-  if (b->tie) {
-    const gjk_vec3 opposite = gjk_negate(it->direction.rounded);
-    moved = it->b->shape->type->refine(it->b, &opposite, &it->direction, true, b) || moved;
+  if (a->tie || b->tie) {
+    gjk_direction direction;
+    gjk_simplex_exact_direction(&it->simplex, &direction);
+    if (a->tie) {
+      moved = it->a->shape->type->refine(it->a, &it->direction.d, &direction, false, a);
+    }
+    if (b->tie) {
+      const gjk_vec3 opposite = gjk_negate(it->direction.d);
+      moved = it->b->shape->type->refine(it->b, &opposite, &direction, true, b) || moved;
+    }
   }
   return moved;
 }
@@ -122,8 +130,11 @@ bool gjk_iteration_near(const gjk_iteration *it) {
 // Does the plane across d at distance |along| / |d|, along < 0, leave the origin more than radius behind?
 // along^2 > radius^2 d^2: |along| <= sqrt(3) 2^30 3 2^29 < 2^62, radius^2 < 2^62, d^2 <= 3 2^60.
 static bool clears(const gjk_iteration *it, int64_t along) {
-  const gjk_vec3 d = it->direction.rounded;
-  return along < 0 && gjk_sum_sign(along, along, -(it->radius * it->radius), gjk_dot(d, d)) > 0;
+  const gjk_vec3 d = it->direction.d;
+  if (it->radius == 0) {
+    return along < 0;
+  }
+  return along < 0 && gjk_sum_sign(along, along, -gjk_mul32(it->radius, it->radius), gjk_dot(d, d)) > 0;
 }
 
 // Is the feature near enough to settle the question? A vertex is measured; an edge or triangle is, when the plane
@@ -132,9 +143,9 @@ static bool settles_near(const gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *v = &s->slot[s->order[0]];
   if (s->count == 1) {
-    return gjk_dot(v->w, v->w) <= it->radius * it->radius;
+    return gjk_dot(v->w, v->w) <= gjk_mul32(it->radius, it->radius);
   }
-  return !clears(it, gjk_dot(it->direction.rounded, v->w)) && gjk_iteration_near(it);
+  return !clears(it, gjk_dot(it->direction.d, v->w)) && gjk_iteration_near(it);
 }
 
 // Does the feature have this vertex already? Then it is no nearer, and the signs need not be computed to see it.
@@ -173,19 +184,21 @@ GJK_OUT_OF_LINE static gjk_step warm_start(gjk_iteration *it, const gjk_cache *c
 
 // The first direction: the cached one, or from A's centre to B's.
 static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
-  gjk_direction *direction = &it->direction;
-  direction->rank = 1;
-  direction->exact = true;
+  gjk_vec3 *d = &it->direction.d;
+  it->direction.exact = true;
   if (cache != NULL && (cache->direction[0] | cache->direction[1] | cache->direction[2]) != 0) {
-    direction->rounded.x = cache->direction[0];
-    direction->rounded.y = cache->direction[1];
-    direction->rounded.z = cache->direction[2];
+    d->x = cache->direction[0];
+    d->y = cache->direction[1];
+    d->z = cache->direction[2];
     return;
   }
-  const gjk_vec3 centre = {0, 0, 0};
-  direction->rounded = gjk_negate(frame_vector(it, &centre, &centre));
-  if ((direction->rounded.x | direction->rounded.y | direction->rounded.z) == 0) {
-    direction->rounded.x = 1;
+  d->x = 0;
+  d->y = 0;
+  d->z = 0;
+  frame_vector(it, d);
+  *d = gjk_negate(*d);
+  if ((d->x | d->y | d->z) == 0) {
+    d->x = 1;
   }
 }
 
@@ -208,7 +221,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     support(it, &a, &b);
     gjk_iteration_place(it, &a, &b);
     if (goal == GJK_GOAL_WITHIN &&
-        clears(it, gjk_dot(it->direction.rounded, gjk_simplex_free(&it->simplex)->w))) {
+        clears(it, gjk_dot(it->direction.d, gjk_simplex_free(&it->simplex)->w))) {
       it->rounds++;
       return GJK_OUTCOME_SEPARATED;
     }
@@ -236,7 +249,7 @@ void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_cer
   const gjk_simplex *s = &it->simplex;
   out->proof = it->curved ? GJK_PROOF_NONE : proof[outcome];
   out->count = it->curved || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
-  out->direction = it->direction.rounded;
+  out->direction = it->direction.d;
   for (unsigned i = 0; i < out->count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];
     out->a[i] = v->a;
@@ -256,7 +269,7 @@ static void keep_direction(const gjk_vec3 *d, int16_t kept[3]) {
 void gjk_iteration_keep(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache) {
   const gjk_simplex *s = &it->simplex;
   cache->count = it->curved || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
-  keep_direction(&it->direction.rounded, cache->direction);
+  keep_direction(&it->direction.d, cache->direction);
   for (unsigned i = 0; i < cache->count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];
     cache->a[i] = v->a;

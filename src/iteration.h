@@ -30,12 +30,11 @@ typedef enum gjk_goal {
 
 typedef struct gjk_iteration {
   const gjk_collider *a, *b;
-  gjk_long3 delta;         // centre_a - centre_b, Q16.16
-  int64_t radius;          // what counts as near, in the frame of the pair: below 2^31
+  int32_t radius;         // what counts as near, in the frame of the pair
   int8_t shift;
   uint8_t rounds;
-  bool curved;             // one of the two has no vertices
-  gjk_direction direction; // of the last support
+  bool curved;            // one of the two has no vertices
+  gjk_rounded direction;  // of the last support
   gjk_simplex simplex;
 } gjk_iteration;
 

@@ -146,15 +146,12 @@ gjk_status gjk_pose_compose(const gjk_pose *a, const gjk_pose *b, gjk_pose *out)
   if (a == NULL || b == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
-  gjk_quat product;
-  gjk_status status = gjk_quat_compose(&a->rotation, &b->rotation, &product);
-  if (status == GJK_OK) {
-    status = place(&a->rotation, &b->position, &a->position, &out->position);
+  int64_t deviation;
+  if (!gjk_quat_deviation(&b->rotation, &deviation)) {
+    return GJK_ERROR_ROTATION;
   }
-  if (status == GJK_OK) {
-    out->rotation = product;
-  }
-  return status;
+  const gjk_status status = place(&a->rotation, &b->position, &a->position, &out->position);
+  return status == GJK_OK ? gjk_quat_compose(&a->rotation, &b->rotation, &out->rotation) : status;
 }
 
 gjk_status gjk_pose_invert(const gjk_pose *p, gjk_pose *out) {
@@ -174,8 +171,5 @@ gjk_status gjk_pose_invert(const gjk_pose *p, gjk_pose *out) {
     back[i] = -back[i];
   }
   status = store(back, &out->position);
-  if (status == GJK_OK) {
-    out->rotation = opposite;
-  }
-  return status;
+  return status == GJK_OK ? gjk_quat_invert(&p->rotation, &out->rotation) : status;
 }

@@ -195,50 +195,50 @@ bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
     return low * high == 0 && low + high != 0;
   }
   // Strictly inside what it spans, and on it: the direction from there to the origin is zero.
-  gjk_direction direction;
+  gjk_rounded direction;
   if (!gjk_simplex_set(s, n)) {
     return false;
   }
   return n == 3 ? gjk_dot_sign(&s->normal, s->slot[0].w) == 0 : !gjk_simplex_direction(s, &direction);
 }
 
-bool gjk_simplex_direction(const gjk_simplex *s, gjk_direction *out) {
-  unsigned a = s->order[0], b = s->order[1];
-  out->rank = s->count;
+bool gjk_simplex_direction(const gjk_simplex *s, gjk_rounded *out) {
+  const unsigned a = s->order[0], b = s->order[1];
   if (s->count == 3) {
-    out->n = &s->normal;
-    out->exact = gjk_round_direction(&s->normal, &out->rounded);
+    gjk_round_direction(&s->normal, out);
     return true;
   }
-  out->a = &s->slot[a].w;
-  if (s->count == 1) {
-    out->rounded = gjk_negate(*out->a);
-    out->exact = true;
-    return s->toward[a][a] != 0;
+  if (s->count == 2) {
+    return gjk_round_edge_direction(&s->slot[a].w, s->toward[b][a], &s->slot[b].w, s->toward[a][b], out);
   }
-  out->b = &s->slot[b].w;
-  out->ta = s->toward[a][b];
-  out->tb = s->toward[b][a];
-  return gjk_edge_direction(out);
+  out->d = gjk_negate(s->slot[a].w);
+  out->exact = true;
+  return s->toward[a][a] != 0;
 }
 
-// x = |n . w0| of a triangle, at most 2^92: the high part in units of 2^32.
+void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
+  const unsigned a = s->order[0], b = s->order[1];
+  out->a = &s->slot[a].w;
+  out->b = &s->slot[b].w;
+  out->n = &s->normal;
+  out->ta = s->toward[a][b];
+  out->tb = s->toward[b][a];
+  out->rank = s->count;
+}
+
+// x = |n . w| for a vertex w of the triangle, at most 2^93.
 static void triangle_height(const gjk_simplex *s, gjk_limbs *x) {
-  const gjk_vec3 w = s->slot[s->order[0]].w;
-  const int64_t n[3] = {s->normal.x, s->normal.y, s->normal.z};
-  const int32_t v[3] = {w.x, w.y, w.z};
-  gjk_limbs positive, negative, factor, magnitude;
-  gjk_limbs_set(&positive, 0);
-  gjk_limbs_set(&negative, 0);
-  for (int i = 0; i < 3; i++) {
-    gjk_limbs_set(&factor, gjk_magnitude64(n[i]));
-    gjk_limbs_set(x, gjk_magnitude32(v[i]));
-    gjk_limbs_multiply(&magnitude, &factor, x);
-    gjk_limbs_add((n[i] < 0) == (v[i] < 0) ? &positive : &negative, &magnitude);
+  uint32_t low;
+  int64_t high = gjk_dot_exact(&s->normal, s->slot[s->order[0]].w, &low);
+  if (high < 0) {
+    high = low == 0 ? -high : -high - 1;
+    low = 0u - low;
   }
-  // The normal points to the origin's side: n . w0 < 0.
-  *x = negative;
-  gjk_limbs_subtract(x, &positive);
+  gjk_limbs_set(x, (uint64_t)high);
+  for (int i = GJK_LIMBS - 1; i > 0; i--) {
+    x->limb[i] = x->limb[i - 1];
+  }
+  x->limb[0] = low;
 }
 
 static void square(gjk_limbs *out, uint64_t value) {

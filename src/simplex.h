@@ -56,12 +56,15 @@ bool gjk_simplex_set(gjk_simplex *s, unsigned n);
 // Does the hull of the first n slots contain the origin, 1 <= n <= 4? False also for degenerate ones.
 bool gjk_simplex_encloses(gjk_simplex *s, unsigned n);
 
-// The exact direction from the feature to the origin, and its rounding. False when it is zero: the origin lies on
-// the feature. Pre: 1 <= count <= 3.
-bool gjk_simplex_direction(const gjk_simplex *s, gjk_direction *out);
+// The direction from the feature to the origin. False when it is zero: the origin lies on the feature. A feature of three
+// with the origin on it is not one: see gjk_simplex_add. Pre: 1 <= count <= 3.
+bool gjk_simplex_direction(const gjk_simplex *s, gjk_rounded *out);
+
+// The same, exact; valid while the simplex stays as it is.
+void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out);
 
 // The feature's squared distance to the origin as numerator / denominator, exact. Pre: 1 <= count <= 3.
-// numerator <= 2^190, denominator <= 2^124.
+// numerator <= 2^186, denominator <= 2^124.
 void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_limbs *numerator, gjk_limbs *denominator);
 
 // The sign of (2 distance)^2 - twice^2, from the above.

@@ -42,7 +42,10 @@ static inline uint32_t gjk_norm1(gjk_vec3 v) {
   return gjk_magnitude32(v.x) + gjk_magnitude32(v.y) + gjk_magnitude32(v.z);
 }
 
-// The sign of n . v. Pre: |n| <= 2^62, |v| <= 2^31, lengths.
+// n . v = 2^32 (returned) + *low, exact. Pre: |n| <= 2^62, |v| <= 2^31, lengths.
+int64_t gjk_dot_exact(const gjk_long3 *n, gjk_vec3 v, uint32_t *low);
+
+// The sign of n . v. Pre: as above.
 int gjk_dot_sign_exact(const gjk_long3 *n, gjk_vec3 v);
 
 // The same, settled from the high words of n wherever they suffice: n . v / 2^32 differs from h by less than
@@ -61,32 +64,32 @@ GJK_HOT_INLINE int gjk_dot_sign(const gjk_long3 *n, gjk_vec3 v) {
 #endif
 }
 
-// A direction as the support scans take it, with what it was rounded from.
-//
-// The exact direction is, by what spans the nearest feature:
-//   1 vertex   -a                        (no rounding)
-//   2 vertices -(a tb + b ta), where ta = a . (a - b) and tb = b . (b - a)
+// The exact direction from a feature to the origin, by what spans the feature:
+//   1 vertex   -a
+//   2 vertices -(a tb + b ta), where ta = a . (a - b) and tb = b . (b - a), at most 2^61 and positive
 //   3 vertices n
-// and rounded = exact / 2^k for some k, off by less than 1 in each component; by at most 3/4, in truth.
 typedef struct gjk_direction {
-  gjk_vec3 rounded;     // components at most 2^30 in size, 3 2^29 for a vertex
   const gjk_vec3 *a, *b;
   const gjk_long3 *n;
-  int64_t ta, tb;       // at most 2^61, positive
-  uint8_t rank;         // 1, 2 or 3
-  bool exact;           // rounded is a positive multiple of the exact direction
+  int64_t ta, tb;
+  uint8_t rank;  // 1, 2 or 3
 } gjk_direction;
 
 // The sign of the exact direction along v. Pre: |v| <= 2^30.
-int gjk_direction_sign(const gjk_direction *direction, gjk_vec3 v);
+int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v);
 
-// Fills rounded and exact of a direction of rank 2 from the rest. False when the direction is zero.
-// Pre: |a|, |b| <= 3 2^29; ta, tb <= 2^61.
-bool gjk_edge_direction(gjk_direction *direction);
+// A direction as the support scans take it: the exact one / 2^k for some k, off by less than 1 in each component.
+typedef struct gjk_rounded {
+  gjk_vec3 d;  // components at most 2^30 in size, 3 2^29 for a vertex
+  bool exact;  // d is a positive multiple of the exact direction
+} gjk_rounded;
 
-// rounded = n / 2^k to the nearest integers, with the least k >= 0 that leaves every component at most 2^30 in size.
-// Returns whether no bit was lost. Pre: |n| < 2^63 - 2^33 per component.
-bool gjk_round_direction(const gjk_long3 *n, gjk_vec3 *rounded);
+// Rounds -(a tb + b ta). False when it is zero. Pre: |a|, |b| <= 3 2^29; 0 < ta, tb <= 2^61.
+bool gjk_round_edge_direction(const gjk_vec3 *a, int64_t tb, const gjk_vec3 *b, int64_t ta, gjk_rounded *out);
+
+// Rounds n to the nearest integers, with the least k >= 0 that leaves every component at most 2^30 in size.
+// Pre: |n| < 2^63 - 2^33 per component.
+void gjk_round_direction(const gjk_long3 *n, gjk_rounded *out);
 
 // d 2^k with the largest k >= 0 that leaves every component below 2^30 in size, or d when none does. Pre: d != 0.
 static inline gjk_vec3 gjk_scale_direction(const gjk_vec3 *d) {

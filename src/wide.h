@@ -180,18 +180,18 @@ void gjk_positive_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out)
 // Pre: the sum is positive and below 2^127.
 void gjk_ratios(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, int32_t ratio[2]);
 
-// Unsigned integers of 224 bits, least significant limb first, for the rare comparisons of squares.
-#define GJK_LIMBS 7
+// Unsigned integers of 192 bits, least significant limb first, for the rare comparisons of squares.
+#define GJK_LIMBS 6
 
 typedef struct gjk_limbs {
   uint32_t limb[GJK_LIMBS];
 } gjk_limbs;
 
 void gjk_limbs_set(gjk_limbs *x, uint64_t value);
-// x += y, x -= y, modulo 2^224.
+// x += y, x -= y, modulo 2^192.
 void gjk_limbs_add(gjk_limbs *x, const gjk_limbs *y);
 void gjk_limbs_subtract(gjk_limbs *x, const gjk_limbs *y);
-// out = x y modulo 2^224; out is neither x nor y.
+// out = x y modulo 2^192; out is neither x nor y.
 void gjk_limbs_multiply(gjk_limbs *out, const gjk_limbs *x, const gjk_limbs *y);
 // The sign of x - y.
 int gjk_limbs_compare(const gjk_limbs *x, const gjk_limbs *y);

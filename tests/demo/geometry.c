@@ -174,11 +174,12 @@ static size_t hull_faces(const case_shape *shape, real_face *faces) {
         is_known(faces, found, normal) || !collect_face(shape, p, normal, &faces[found])) {
       continue;
     }
-    real_face *face = &faces[found++];
-    sort_vertices(face);
-    face->normal = geometry_turn(shape, normal);
-    for (size_t k = 0; k < face->count; k++) {
-      face->vertex[k] = to_world(shape, face->vertex[k], face->normal);
+    sort_vertices(&faces[found++]);
+  }
+  for (size_t i = 0; i < found; i++) {
+    faces[i].normal = geometry_turn(shape, faces[i].normal);
+    for (size_t k = 0; k < faces[i].count; k++) {
+      faces[i].vertex[k] = to_world(shape, faces[i].vertex[k], faces[i].normal);
     }
   }
   return found;

@@ -116,7 +116,7 @@ int exact_feature_order(const exact_feature *a, const exact_feature *b) {
 void exact_feature_nearest(const exact_point *points, unsigned count, exact_feature *out) {
   bool found = false;
   for (unsigned mask = (1u << count) - 1; mask > 0; mask--) {
-    exact_point chosen[3];
+    exact_point chosen[3] = {{{0, 0, 0}}};
     exact_feature feature;
     const unsigned n = choose(points, count, mask, chosen);
     if (!exact_feature_make(chosen, n, &feature) || !exact_feature_contains(&feature, n, false)) {
@@ -157,7 +157,7 @@ bool exact_encloses(const exact_point *points, unsigned count) {
     return true;
   }
   for (unsigned mask = 1; mask < 1u << count; mask++) {
-    exact_point chosen[4];
+    exact_point chosen[4] = {{{0, 0, 0}}};
     exact_feature feature;
     const unsigned n = choose(points, count, mask, chosen);
     if (n < 4 && exact_feature_make(chosen, n, &feature) && feature.squared.sign == 0 &&

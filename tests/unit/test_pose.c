@@ -48,7 +48,7 @@ static bool worse_vec3(worst *at, const gjk_vec3 *got, real3 real) {
 #define NOTE(at, ...) snprintf((at)->input, sizeof(at)->input, __VA_ARGS__)
 
 static void check_worst(const worst *at) {
-  printf("%s: largest error %.3Lf LSB of %.1Lf stated, for %s\n", at->name, at->error, at->stated, at->input);
+  printf("%s: largest error %.3Lf LSB of %.3Lf stated, for %s\n", at->name, at->error, at->stated, at->input);
   CHECK_MSG(at->error <= at->stated, "%s: %.3Lf LSB for %s, seed %d", at->name, at->error, at->input, SEED);
   // A stated error that is far from any seen one promises too little.
   CHECK_MSG(at->error >= 0.5L * at->stated, "%s: %.3Lf LSB", at->name, at->error);
