@@ -105,7 +105,7 @@ static void support(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
 }
 
 // Moves the supports to the farthest vertices along the exact direction. Returns whether one moved.
-static bool refine(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
+GJK_OUT_OF_LINE static bool refine(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
   bool moved = false;
   if (a->tie || b->tie) {
     gjk_direction direction;
@@ -139,7 +139,7 @@ static bool clears(const gjk_iteration *it, int64_t along) {
 
 // Is the feature near enough to settle the question? A vertex is measured; an edge or triangle is, when the plane
 // across the direction to it does not clear the radius.
-static bool settles_near(const gjk_iteration *it) {
+GJK_OUT_OF_LINE static bool settles_near(const gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *v = &s->slot[s->order[0]];
   if (s->count == 1) {
@@ -183,7 +183,7 @@ GJK_OUT_OF_LINE static gjk_step warm_start(gjk_iteration *it, const gjk_cache *c
 }
 
 // The first direction: the cached one, or from A's centre to B's.
-static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
+GJK_OUT_OF_LINE static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
   gjk_vec3 *d = &it->direction.d;
   it->direction.exact = true;
   if (cache != NULL && (cache->direction[0] | cache->direction[1] | cache->direction[2]) != 0) {

@@ -90,7 +90,7 @@ static gjk_step set_edge(gjk_simplex *s, unsigned x, unsigned y, unsigned w, boo
   return GJK_STEP_NEARER;
 }
 
-static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
+GJK_OUT_OF_LINE static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
   unsigned a = s->order[0], b = s->order[1];
   if (beyond_edge(s, a, b, w) <= 0) {
     return GJK_STEP_NONE;
@@ -105,7 +105,7 @@ static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
 
 // The feature of the tetrahedron of the old triangle and w when one face or more sees the origin.
 // visible: bit i for the face of order[i], order[i + 1 mod 3] and w.
-static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
+GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
   unsigned corner[4] = {s->order[0], s->order[1], s->order[2], s->order[0]};
   for (unsigned i = 0; i < 3; i++) {
     const unsigned x = corner[i], y = corner[i + 1];
@@ -128,7 +128,7 @@ static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
   return GJK_STEP_NEARER;
 }
 
-static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
+GJK_OUT_OF_LINE static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
   const gjk_vec3 *a = &s->slot[s->order[0]].w, *b = &s->slot[s->order[1]].w, *c = &s->slot[s->order[2]].w;
   const gjk_vec3 *v = &s->slot[w].w;
   if (gjk_dot_sign(&s->normal, gjk_sub(*v, *a)) <= 0) {
