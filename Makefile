@@ -16,7 +16,7 @@ TOOLS_cortex-m3 := $(ARM) -mcpu=cortex-m3
 TOOLS_cortex-m4 := $(ARM) -mcpu=cortex-m4
 TOOLS_cortex-m7 := $(ARM) -mcpu=cortex-m7
 TOOLS_cortex-m33 := $(ARM) -mcpu=cortex-m33
-TOOLS_rv32imc := $(RISCV) -march=rv32imc_zicsr -mabi=ilp32
+TOOLS_rv32imc := $(RISCV) -march=rv32imc -mabi=ilp32
 TOOLS_avr := avr-gcc -mmcu=atmega2560 -DGJK_NARROW_MULTIPLY=1
 AR_host := ar
 AR_cortex-m0 := arm-none-eabi-ar
@@ -37,7 +37,8 @@ FREESTANDING = $(TOOLS_$(TARGET)) -std=c99 -ffreestanding $(OPT) -ffunction-sect
 HOSTED := $(TOOLS_host) -std=c99 -O2 -g $(WARNINGS) $(INCLUDES) -Itests -MMD -MP
 
 SOURCES := $(wildcard src/*.c)
-LIB := build/$(TARGET)/libgjk.a
+# VARIANT keeps builds of one target with other flags apart.
+LIB := build/$(TARGET)$(VARIANT)/libgjk.a
 HOST_LIB := build/host/libgjk.a
 
 # What the tests and tools share, and the programs made of it.
@@ -60,12 +61,12 @@ help:
 
 lib: $(LIB)
 
-$(LIB): $(SOURCES:src/%.c=build/$(TARGET)/%.o)
+$(LIB): $(SOURCES:src/%.c=build/$(TARGET)$(VARIANT)/%.o)
 	@rm -f $@
 	@echo '  $@'
 	@$(AR_$(TARGET)) rcs $@ $^
 
-build/$(TARGET)/%.o: src/%.c
+build/$(TARGET)$(VARIANT)/%.o: src/%.c
 	@mkdir -p $(@D)
 	@echo '  $(TARGET) $<'
 	@$(FREESTANDING) -c $< -o $@

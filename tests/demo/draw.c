@@ -178,7 +178,7 @@ static void put_cone(FILE *file, const view *v, const case_shape *shape, colour 
 }
 
 static void put_faces(FILE *file, const view *v, const case_shape *shape, colour base) {
-  static real_face faces[FACES_MAX];
+  real_face faces[FACES_MAX];
   size_t count = geometry_faces(shape, faces);
   for (size_t i = 0; i < count; i++) {
     point2 corner[FACE_VERTICES_MAX];

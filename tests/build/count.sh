@@ -1,0 +1,51 @@
+# Counting for test scripts: source it, call check and skip, end with finish NAME.
+passed=0 failed=0 skipped=0
+
+# check 'what must hold' command...: runs the command; its output is shown when it fails.
+check() {
+  what=$1
+  shift
+  if output=$("$@" 2>&1); then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    echo "failed: $what"
+    printf '%s\n' "$output" | head -n 20
+  fi
+}
+
+# skip 'what' package
+skip() {
+  skipped=$((skipped + 1))
+  echo "skipped: $1: needs $2"
+}
+
+have() {
+  command -v "$1" >/dev/null
+}
+
+finish() {
+  if [ $skipped -gt 0 ]; then
+    echo "$1: $passed passed, $failed failed, $skipped skipped"
+  else
+    echo "$1: $passed passed, $failed failed"
+  fi
+  [ $failed -eq 0 ]
+}
+
+# The tools of a target, or the package that they come in.
+missing_package() {
+  case $1 in
+    cortex-*) have arm-none-eabi-gcc || echo gcc-arm-none-eabi ;;
+    rv32imc) have riscv64-unknown-elf-gcc || echo gcc-riscv64-unknown-elf ;;
+    avr) have avr-gcc && [ -e /usr/lib/avr/include/avr/io.h ] || echo "gcc-avr avr-libc" ;;
+  esac
+}
+
+missing_emulator() {
+  case $1 in
+    cortex-*) have qemu-system-arm || echo qemu-system-arm ;;
+    rv32imc) have qemu-system-riscv32 || echo qemu-system-misc ;;
+    avr) have simavr || echo simavr ;;
+  esac
+}

@@ -1,0 +1,31 @@
+// A scene as constant tables, with the answers of the host: what `gjk-demo --c-source SCENE` writes.
+//
+// On a device: compile the file that it writes with firmware.c, and call demo_firmware from the program's start.
+#ifndef DEMO_SCENE_H
+#define DEMO_SCENE_H
+
+#include "gjk/collider.h"
+#include "gjk/distance.h"
+
+// Most vertices of a hull in the tables.
+enum { DEMO_HULL_VERTICES_MAX = 64 };
+
+typedef struct demo_pair {
+  const char *id;
+  gjk_shape a, b;
+  gjk_pose pose_a, pose_b;
+  gjk_q16 distance;
+  gjk_vec3 point_a, point_b;  // zero when intersecting, as is normal
+  gjk_unit3 normal;
+  bool intersecting;
+  uint8_t iterations;
+} demo_pair;
+
+extern const demo_pair demo_pairs[];
+extern const unsigned demo_pair_count;
+
+// Answers every pair and compares with the table, bit by bit; prints one line per pair with what instructions() counted
+// during the distance query, and a summary. Returns the number of pairs that differ. Uses no C library.
+int demo_firmware(void (*print)(const char *text), uint32_t (*instructions)(void));
+
+#endif

@@ -1,0 +1,12 @@
+// Writes an answered scene as an SVG picture: the bodies, the gaps between them, and the list of pairs.
+#ifndef PICTURE_H
+#define PICTURE_H
+
+#include "scene.h"
+
+// Text of a gap in millimetres, a unit being a metre.
+void picture_gap_text(char text[24], gjk_q16 gap);
+
+void picture_write(FILE *file, const scene *s, const char *title);
+
+#endif
