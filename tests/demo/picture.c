@@ -8,7 +8,7 @@
 #include "labels.h"
 
 #define WIDTH 1480.0
-#define HEIGHT 880.0
+#define HEIGHT 860.0
 #define PANEL_LEFT 1070.0
 #define TOP 64.0
 
@@ -24,8 +24,8 @@ static const char *const relation_word[] = {"apart", "touching", "overlapping"};
 
 static const colour palette[] = {
     {1.00, 0.60, 0.16}, {0.56, 0.66, 0.78}, {0.90, 0.22, 0.25}, {0.82, 0.66, 0.45}, {0.45, 0.72, 0.58},
-    {0.75, 0.20, 0.60}, {0.48, 0.52, 0.58}, {0.62, 0.74, 0.80}, {0.98, 0.84, 0.25}, {0.93, 0.94, 0.95},
-    {0.60, 0.50, 0.80}, {0.70, 0.62, 0.55}, {0.35, 0.62, 0.85}, {0.40, 0.75, 0.45}, {0.95, 0.45, 0.35},
+    {0.44, 0.48, 0.56}, {0.70, 0.80, 0.84}, {0.98, 0.82, 0.20}, {0.93, 0.94, 0.95}, {0.75, 0.20, 0.60},
+    {0.62, 0.52, 0.80}, {0.76, 0.70, 0.62}, {0.35, 0.62, 0.85}, {0.45, 0.75, 0.40}, {0.95, 0.45, 0.35},
 };
 
 typedef struct picture {
@@ -248,7 +248,7 @@ static void put_labels(picture *p) {
     if (pair->relation == SCENE_APART) {
       picture_gap_text(gap, pair->answer.distance);
     }
-    double width = 22 + (gap[0] != '\0' ? 7.9 * (double)strlen(gap) + 8 : 0);
+    double width = 22 + (gap[0] != '\0' ? 8.2 * (double)strlen(gap) + 8 : 0);
     label_rectangle r = label_place(&p->page, anchor, width, 18, 22);
     double end_x = fmin(fmax(anchor.x, r.left + 6), r.left + r.width - 6);
     fprintf(p->file, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"1\"/>\n", anchor.x,
@@ -278,9 +278,9 @@ static void put_row(FILE *file, const scene *s, size_t i, double y, double step)
   put_text(file, s->body[pair->a].name);
   fprintf(file, " – ");
   put_text(file, s->body[pair->b].name);
-  fprintf(file, "</text><text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"end\">%s</text>", PANEL_LEFT + 330, y, ink,
+  fprintf(file, "</text><text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"end\">%s</text>", PANEL_LEFT + 318, y, ink,
           pair->relation == SCENE_APART ? gap : relation_word[pair->relation]);
-  fprintf(file, "<text x=\"%.0f\" y=\"%.1f\" fill=\"" FAINT "\">%s</text>\n", PANEL_LEFT + 344, y,
+  fprintf(file, "<text x=\"%.0f\" y=\"%.1f\" fill=\"" FAINT "\">%s</text>\n", PANEL_LEFT + 332, y,
           pair->verdict == CERTIFY_PROVEN ? "proven" : pair->verdict == CERTIFY_WRONG ? "WRONG" : "curved");
 }
 
