@@ -127,14 +127,14 @@ bool gjk_iteration_near(const gjk_iteration *it) {
   return gjk_compare_distance(&numerator, &denominator, (uint64_t)it->radius * 2) <= 0;
 }
 
-// Does the plane across d at distance |along| / |d|, along < 0, leave the origin more than radius behind?
+// Does the plane across the direction at distance |along| / |d|, along < 0, leave the origin more than radius behind?
 // along^2 > radius^2 d^2: |along| <= sqrt(3) 2^30 3 2^29 < 2^62, radius^2 < 2^62, d^2 <= 3 2^60.
-static bool clears(const gjk_iteration *it, int64_t along) {
+static bool clears(const gjk_iteration *it, int64_t along, int32_t radius) {
   const gjk_vec3 d = it->direction.d;
-  if (it->radius == 0) {
+  if (radius == 0) {
     return along < 0;
   }
-  return along < 0 && gjk_sum_sign(along, along, -gjk_mul32(it->radius, it->radius), gjk_dot(d, d)) > 0;
+  return along < 0 && gjk_sum_sign(along, along, -gjk_mul32(radius, radius), gjk_dot(d, d)) > 0;
 }
 
 // Is the feature near enough to settle the question? A vertex is measured; an edge or triangle is, when the plane
@@ -145,7 +145,7 @@ GJK_OUT_OF_LINE static bool settles_near(const gjk_iteration *it) {
   if (s->count == 1) {
     return gjk_dot(v->w, v->w) <= gjk_mul32(it->radius, it->radius);
   }
-  return !clears(it, gjk_dot(it->direction.d, v->w)) && gjk_iteration_near(it);
+  return !clears(it, gjk_dot(it->direction.d, v->w), it->radius) && gjk_iteration_near(it);
 }
 
 // Does the feature have this vertex already? Then it is no nearer, and the signs need not be computed to see it.
@@ -164,9 +164,6 @@ static bool known(const gjk_iteration *it, const gjk_support *a, const gjk_suppo
 GJK_OUT_OF_LINE static gjk_step warm_start(gjk_iteration *it, const gjk_cache *cache) {
   const gjk_shape_class *type_a = it->a->shape->type, *type_b = it->b->shape->type;
   gjk_step step = GJK_STEP_NONE;
-  if (it->curved) {
-    return step;
-  }
   for (unsigned i = 0; i < cache->count && i < 4 && step != GJK_STEP_ENCLOSING; i++) {
     gjk_support a, b;
     a.vertex = cache->a[i];
@@ -182,16 +179,23 @@ GJK_OUT_OF_LINE static gjk_step warm_start(gjk_iteration *it, const gjk_cache *c
   return step;
 }
 
+// Takes the cached direction; false when there is none.
+static bool cached_direction(gjk_iteration *it, const gjk_cache *cache) {
+  gjk_vec3 *d = &it->direction.d;
+  d->x = cache->direction[0];
+  d->y = cache->direction[1];
+  d->z = cache->direction[2];
+  it->direction.exact = true;
+  return (d->x | d->y | d->z) != 0;
+}
+
 // The first direction: the cached one, or from A's centre to B's.
 GJK_OUT_OF_LINE static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
   gjk_vec3 *d = &it->direction.d;
-  it->direction.exact = true;
-  if (cache != NULL && (cache->direction[0] | cache->direction[1] | cache->direction[2]) != 0) {
-    d->x = cache->direction[0];
-    d->y = cache->direction[1];
-    d->z = cache->direction[2];
+  if (cache != NULL && cached_direction(it, cache)) {
     return;
   }
+  it->direction.exact = true;
   d->x = 0;
   d->y = 0;
   d->z = 0;
@@ -202,10 +206,30 @@ GJK_OUT_OF_LINE static void first_direction(gjk_iteration *it, const gjk_cache *
   }
 }
 
+// The supports of curved shapes are off by up to 2 LSB, so where the search ends depends on where it began. The cached
+// direction may therefore only settle what no start could decide otherwise: more than 4 LSB to spare.
+GJK_OUT_OF_LINE static bool cached_clears(gjk_iteration *it, const gjk_cache *cache) {
+  gjk_support a, b;
+  const int64_t radius = it->radius + gjk_shl64(4, (unsigned)it->shift);
+  if (radius > INT32_MAX || !cached_direction(it, cache)) {
+    return false;
+  }
+  support(it, &a, &b);
+  gjk_iteration_place(it, &a, &b);
+  it->rounds++;
+  return clears(it, gjk_dot(it->direction.d, gjk_simplex_free(&it->simplex)->w), (int32_t)radius);
+}
+
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   gjk_support a, b;
   if (it->shift < 0) {
     cache = NULL;  // the distance of rounded vertices would depend, by an LSB, on where the search began
+  }
+  if (cache != NULL && it->curved) {
+    if (goal == GJK_GOAL_WITHIN && cached_clears(it, cache)) {
+      return GJK_OUTCOME_SEPARATED;
+    }
+    cache = NULL;
   }
   if (cache != NULL && warm_start(it, cache) == GJK_STEP_ENCLOSING) {
     return GJK_OUTCOME_ENCLOSING;
@@ -221,7 +245,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     support(it, &a, &b);
     gjk_iteration_place(it, &a, &b);
     if (goal == GJK_GOAL_WITHIN &&
-        clears(it, gjk_dot(it->direction.d, gjk_simplex_free(&it->simplex)->w))) {
+        clears(it, gjk_dot(it->direction.d, gjk_simplex_free(&it->simplex)->w), it->radius)) {
       it->rounds++;
       return GJK_OUTCOME_SEPARATED;
     }

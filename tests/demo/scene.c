@@ -85,7 +85,7 @@ static void relate(scene *s, scene_pair *pair) {
 
 static bool add_pair(scene *s, const case_pair *source, case_collider *a, case_collider *b) {
   const case_question question = {CASE_DISTANCE, 0, false};
-  const char *why = "";
+  char why[CERTIFY_WHY_MAX];
   case_answer answer;
   case_answer_find(&question, source, a, b, &answer);
   if (answer.status != GJK_OK) {
@@ -106,7 +106,7 @@ static bool add_pair(scene *s, const case_pair *source, case_collider *a, case_c
   }
   s->pairs++;
   pair->answer = answer.distance;
-  pair->verdict = certify_answer(&question, source, a, b, &answer, &why);
+  pair->verdict = certify_answer(&question, source, a, b, &answer, why);
   relate(s, pair);
   return true;
 }

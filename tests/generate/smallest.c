@@ -264,6 +264,9 @@ static bool try_smallest(random_state *random, generate_contact contact, int64_t
     thicken(random, &plane, plane.e, below, reach, -1, &pair->a);
     thicken(random, &plane, plane.f, above, reach, 1, &pair->b);
   }
+  if (pair->a.count == 3 && random_below(random, 2) == 0) {
+    pair->a.kind = CASE_TRIANGLE;
+  }
   height->level = level;
   height->side = level == 0 ? (k > 0) - (k < 0) : compare_height(plane.n, k, level);
   height->bits = longest_bits(plane.n, contact == GENERATE_FACE_FACE ? 4 : 1);

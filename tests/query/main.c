@@ -59,8 +59,8 @@ typedef struct tool {
 
 // Nothing when the answer is proven.
 static void print_verdict(tool *t, const case_answer *answer) {
-  const char *why = "";
-  certify_verdict verdict = certify_answer(&t->question, &t->pair, &t->a, &t->b, answer, &why);
+  char why[CERTIFY_WHY_MAX];
+  certify_verdict verdict = certify_answer(&t->question, &t->pair, &t->a, &t->b, answer, why);
   t->verdicts[verdict]++;
   if (verdict != CERTIFY_PROVEN) {
     printf(" %s: %s", verdict == CERTIFY_WRONG ? "WRONG" : "uncertified", why);

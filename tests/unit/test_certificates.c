@@ -1,0 +1,265 @@
+// A campaign of seeded random pairs: every decision and every distance is proven in exact integers.
+//
+//   test_certificates [SEED [PAIRS]]    default: seed 1, a million pairs over all families
+#include <stdlib.h>
+#include <string.h>
+
+#include "../check.h"
+#include "../exact/exact.h"
+#include "../generate/generate.h"
+
+#define PAIRS 1000000
+#define FAILURES_SHOWN 10
+#define CACHES 3
+
+// One in so many pairs is also checked by the library's own check, by wrong answers, and by brute force if small.
+#define CHECK_EVERY 4
+#define MUTATE_EVERY 8
+#define BRUTE_EVERY 16
+#define BRUTE_VERTICES 16
+
+typedef struct campaign {
+  const generate_family *family;
+  case_pair pair;
+  case_collider a, b;
+  gjk_cache kept;  // of the pair before: rubbish for this one
+  random_state random;
+  unsigned long pairs, intersecting, brute, mutants, refused, failures;
+  unsigned iterations;  // largest
+  char why[160];
+} campaign;
+
+static void expect(campaign *c, bool holds, const char *what) {
+  CHECK_MSG(holds, "%s: %s: %s", c->pair.id, what, c->why);
+  if (!holds && c->failures++ < FAILURES_SHOWN) {
+    case_print(stdout, &c->pair);
+    fflush(stdout);
+  }
+  c->why[0] = '\0';
+}
+
+static void count_iterations(campaign *c, unsigned iterations) {
+  c->iterations = iterations > c->iterations ? iterations : c->iterations;
+}
+
+static void check_decision(campaign *c, gjk_q16 distance, const gjk_decision *d) {
+  const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
+  expect(c, exact_check_decision(a, b, distance, d, c->why, sizeof c->why), "decision");
+  count_iterations(c, d->iterations);
+}
+
+static gjk_cache any_cache(random_state *random) {
+  gjk_cache cache;
+  for (int i = 0; i < 4; i++) {
+    cache.direction[i % 3] = (int16_t)random_u32(random);
+    cache.a[i] = (uint16_t)(random_u32(random) >> random_below(random, 17));
+    cache.b[i] = (uint16_t)(random_u32(random) >> random_below(random, 17));
+  }
+  cache.count = (uint16_t)random_below(random, 6);
+  return cache;
+}
+
+// Asks with the caches of this pair and of another, and with bits at random: the answer is the cold one's.
+static void check_within(campaign *c, gjk_q16 distance, gjk_cache *own) {
+  const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
+  gjk_decision cold, warm;
+  gjk_cache caches[CACHES];
+  caches[0] = *own;
+  caches[1] = c->kept;
+  caches[2] = any_cache(&c->random);
+  gjk_cache *chosen = &caches[random_below(&c->random, CACHES)];
+  const gjk_status status = gjk_within(a, b, distance, NULL, &cold);
+  expect(c, status == GJK_OK, "status of within");
+  if (status != GJK_OK) {
+    return;
+  }
+  check_decision(c, distance, &cold);
+  expect(c, gjk_within(a, b, distance, chosen, &warm) == GJK_OK && warm.yes == cold.yes, "decision with a cache");
+  check_decision(c, distance, &warm);
+  if (c->pairs % CHECK_EVERY == 0 && !exact_is_far(a, b)) {
+    expect(c, gjk_check_decision(a, b, distance, &cold) == GJK_OK, "gjk_check_decision, cold");
+    expect(c, gjk_check_decision(a, b, distance, &warm) == GJK_OK, "gjk_check_decision, warm");
+  }
+  c->kept = *chosen;
+}
+
+static void check_intersect(campaign *c, bool intersecting, gjk_cache *own) {
+  const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
+  gjk_decision cold, warm;
+  expect(c, gjk_intersect(a, b, NULL, &cold) == GJK_OK && cold.yes == intersecting, "gjk_intersect");
+  check_decision(c, 0, &cold);
+  expect(c, gjk_intersect(a, b, own, &warm) == GJK_OK && warm.yes == intersecting, "gjk_intersect with a cache");
+  check_decision(c, 0, &warm);
+}
+
+static void check_decisions(campaign *c, const gjk_distance_result *r, gjk_cache *own) {
+  const gjk_q16 distance = r->distance;
+  check_intersect(c, r->intersecting, own);
+  check_within(c, random_range(&c->random, 0, INT32_MAX) >> random_below(&c->random, 31), own);
+  if (!r->intersecting) {
+    check_within(c, distance, own);
+    check_within(c, distance > 0 ? distance - 1 : 0, own);
+    check_within(c, distance < INT32_MAX ? distance + 1 : distance, own);
+  }
+}
+
+// With a cache, whatever its contents: the same decision and the same distance, proven again.
+static void check_warm(campaign *c, const gjk_distance_result *cold, gjk_cache cache, const char *what) {
+  const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
+  gjk_distance_result r;
+  expect(c, gjk_distance(a, b, &cache, &r) == GJK_OK && r.intersecting == cold->intersecting &&
+                r.distance == cold->distance, what);
+  expect(c, exact_check_distance(a, b, &r, c->why, sizeof c->why), what);
+  count_iterations(c, r.iterations);
+}
+
+// The vertex named by one pair of a certificate is another one.
+static void rename_vertex(random_state *random, gjk_certificate *certificate) {
+  const unsigned pair = certificate->count > 1 ? random_below(random, certificate->count) : 0;
+  uint16_t *vertex = random_below(random, 2) == 0 ? &certificate->a[pair] : &certificate->b[pair];
+  *vertex = (uint16_t)(*vertex ^ 1u << random_below(random, 9));
+}
+
+// The library's check must refuse an answer that the oracle refuses.
+static void check_refusal(campaign *c, const gjk_distance_result *wrong, const char *what) {
+  const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
+  const bool valid = exact_check_gap(a, b, wrong, c->why, sizeof c->why);
+  const gjk_status status = gjk_check_distance(a, b, wrong);
+  expect(c, status == (valid ? GJK_OK : GJK_ERROR_UNPROVEN), what);
+  c->mutants++;
+  c->refused += status == GJK_ERROR_UNPROVEN;
+}
+
+static void check_wrong_distances(campaign *c, const gjk_distance_result *right) {
+  gjk_distance_result wrong = *right;
+  wrong.distance = wrong.lower = wrong.upper = right->distance + 1;
+  check_refusal(c, &wrong, "distance too large");
+  wrong.distance = wrong.lower = wrong.upper = right->distance - 1;
+  check_refusal(c, &wrong, "distance too small");
+  wrong = *right;
+  wrong.intersecting = !right->intersecting;
+  wrong.distance = wrong.lower = wrong.upper = 0;
+  check_refusal(c, &wrong, "intersecting flipped");
+  wrong = *right;
+  rename_vertex(&c->random, &wrong.certificate);
+  check_refusal(c, &wrong, "vertex renamed");
+  wrong = *right;
+  wrong.certificate.proof = (uint8_t)random_below(&c->random, 8);
+  wrong.certificate.count = (uint8_t)random_below(&c->random, 6);
+  check_refusal(c, &wrong, "proof changed");
+}
+
+// Flipped: always refused. Another vertex or direction: refused when the oracle does; but where the bounding spheres
+// settle it, the library looks at no certificate.
+static void check_wrong_decision(campaign *c, gjk_q16 distance) {
+  const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
+  gjk_decision right, wrong;
+  if (gjk_within(a, b, distance, NULL, &right) != GJK_OK) {
+    return;
+  }
+  wrong = right;
+  wrong.yes = !right.yes;
+  expect(c, gjk_check_decision(a, b, distance, &wrong) == GJK_ERROR_UNPROVEN, "decision flipped");
+  wrong = right;
+  rename_vertex(&c->random, &wrong.certificate);
+  wrong.certificate.direction.x ^= 1 << random_below(&c->random, 31);
+  if (right.certificate.proof != GJK_PROOF_SPHERES) {
+    const bool valid = exact_check_decision(a, b, distance, &wrong, c->why, sizeof c->why);
+    const gjk_status status = gjk_check_decision(a, b, distance, &wrong);
+    expect(c, status == (valid ? GJK_OK : GJK_ERROR_UNPROVEN), "certificate of a decision changed");
+    c->mutants++;
+    c->refused += status == GJK_ERROR_UNPROVEN;
+  }
+}
+
+static void check_brute(campaign *c, const gjk_distance_result *r) {
+  const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
+  exact_truth truth;
+  exact_brute(a, b, &truth);
+  const bool together = exact_truth_within(&truth, a, b, 0);
+  expect(c, together == r->intersecting, "decision against brute force");
+  expect(c, together || exact_truth_distance(&truth, a, b) == r->distance, "distance against brute force");
+  c->brute++;
+}
+
+static void check_pair(campaign *c) {
+  const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
+  gjk_distance_result r;
+  gjk_cache own;
+  memset(&own, 0, sizeof own);
+  const bool built = case_collider_build(&c->a, &c->pair.a, false) == GJK_OK &&
+                     case_collider_build(&c->b, &c->pair.b, false) == GJK_OK;
+  expect(c, built, "the pair can be posed");
+  const gjk_status status = built ? gjk_distance(a, b, &own, &r) : GJK_ERROR_RANGE;
+  expect(c, status == GJK_OK, gjk_status_name(status));
+  if (status != GJK_OK) {
+    return;
+  }
+  const bool far = exact_is_far(a, b);
+  expect(c, exact_check_distance(a, b, &r, c->why, sizeof c->why), "distance");
+  count_iterations(c, r.iterations);
+  c->pairs++;
+  c->intersecting += r.intersecting;
+  check_warm(c, &r, own, "distance with its own cache");
+  check_warm(c, &r, random_below(&c->random, 2) == 0 ? c->kept : any_cache(&c->random), "distance with any cache");
+  check_decisions(c, &r, &own);
+  if (c->pairs % CHECK_EVERY == 0) {
+    expect(c, gjk_check_distance(a, b, &r) == (far ? GJK_ERROR_UNSUPPORTED : GJK_OK), "gjk_check_distance");
+  }
+  if (c->pairs % MUTATE_EVERY == 0 && !far) {
+    check_wrong_distances(c, &r);
+    check_wrong_decision(c, r.distance);
+    check_wrong_decision(c, r.distance > 0 ? r.distance - 1 : 0);
+  }
+  if (c->pairs % BRUTE_EVERY == 0 && !far && exact_vertex_count(a) * exact_vertex_count(b) <= BRUTE_VERTICES) {
+    check_brute(c, &r);
+  }
+}
+
+// Runs a family; its share of intersecting pairs must stay what the family is for. Returns the iterations.
+static unsigned run_family(campaign *c, uint64_t seed, unsigned long pairs) {
+  const generate_family *family = c->family;
+  c->random = random_seed(seed);
+  c->pairs = c->intersecting = c->brute = c->mutants = c->refused = c->failures = 0;
+  c->iterations = 0;
+  for (unsigned long i = 0; i < pairs && c->failures < FAILURES_SHOWN; i++) {
+    generate_pair(family, (seed << 32) + i, &c->pair);
+    check_pair(c);
+  }
+  const double share = 100.0 * (double)c->intersecting / (double)(c->pairs > 0 ? c->pairs : 1);
+  printf("%-22s %6lu pairs, %5.1f %% intersect, %2u iterations at most, %4lu by brute force, %lu of %lu wrong answers refused\n",
+         family->name, c->pairs, share, c->iterations, c->brute, c->refused, c->mutants);
+  fflush(stdout);
+  if (pairs >= 1000) {
+    CHECK_MSG(share >= family->least && share <= family->most, "%s: %.1f %% intersect", family->name, share);
+  }
+  return c->iterations;
+}
+
+int main(int argc, char **argv) {
+  static campaign c;
+  const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
+  const unsigned long pairs = argc > 2 ? strtoul(argv[2], NULL, 10) : PAIRS;
+  const unsigned long each = (pairs + generate_family_count - 1) / generate_family_count;
+  unsigned iterations = 0;
+  unsigned long total = 0, refused = 0, brute = 0;
+  printf("seed %llu\n", (unsigned long long)seed);
+  for (unsigned i = 0; i < generate_family_count; i++) {
+    c.family = &generate_families[i];
+    const unsigned needed = run_family(&c, seed, each);
+    iterations = needed > iterations ? needed : iterations;
+    total += c.pairs;
+    refused += c.refused;
+    brute += c.brute;
+  }
+  printf("%lu pairs, %u iterations at most\n", total, iterations);
+  CHECK(total >= pairs);
+  CHECK_MSG(iterations < GJK_ITERATIONS_MAX / 2, "%u", iterations);
+  if (pairs >= 10000) {
+    CHECK(refused > total / 4 && brute > total / 1000);
+  }
+  case_pair_free(&c.pair);
+  case_collider_free(&c.a);
+  case_collider_free(&c.b);
+  return check_done("certificates");
+}
