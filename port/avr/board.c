@@ -1,5 +1,6 @@
-// AVR under simavr: an 8-bit core with 16-bit int, for tests. Text goes to the serial port, which simavr shows.
-#include "../mps2/board.h"
+// Start-up's end, serial output and exit of an AVR under simavr, which shows what the serial port says and stops when
+// the core sleeps with interrupts off.
+#include "../board/board.h"
 
 #include <avr/interrupt.h>
 #include <avr/io.h>
@@ -13,20 +14,23 @@ void board_print(const char *text) {
   }
 }
 
+// There is no exit status: the runner reads the last line.
+static void stop(int status) {
+  board_print(status == 0 ? "exit 0\n" : "exit 1\n");
+  cli();
+  sleep_enable();
+  sleep_cpu();
+}
+
 void board_assert_failed(const char *condition) {
+  board_print("contract violated: ");
   board_print(condition);
   board_print("\n");
-  cli();
-  sleep_cpu();
+  stop(3);
 }
 
 int main(void) {
   UCSR0B = _BV(TXEN0);
-  const int status = firmware_main();
-  board_print(status == 0 ? "exit 0\n" : "exit 1\n");
-  // Sleeping for good: simavr stops.
-  cli();
-  sleep_enable();
-  sleep_cpu();
-  return status;
+  stop(firmware_main());
+  return 0;
 }

@@ -1,22 +1,26 @@
 // Start-up, semihosting and counter of a Cortex-M board under QEMU.
-#include "board.h"
+#include "../board/board.h"
 
 #define SYSTICK_CONTROL (*(volatile uint32_t *)0xE000E010)
 #define SYSTICK_RELOAD (*(volatile uint32_t *)0xE000E014)
 #define SYSTICK_CURRENT (*(volatile uint32_t *)0xE000E018)
 
+#define SYSTICK_PERIOD (UINT32_C(1) << 24)
+#define SYSTICK_RUN 5u                      // on, from the processor's clock
+#define SYSTICK_WRAPPED (UINT32_C(1) << 16)  // since the last look at SYSTICK_CONTROL
+
 #define SEMIHOSTING_WRITE0 0x04
 #define SEMIHOSTING_EXIT_EXTENDED 0x20
+#define SEMIHOSTING_APPLICATION_EXIT 0x20026
 
 void board_reset(void);
 
 extern uint32_t board_data_load[], board_data_start[], board_data_end[], board_bss_start[], board_bss_end[];
 
-static int32_t semihosting(uint32_t operation, const void *argument) {
+static void semihosting(uint32_t operation, const void *argument) {
   register uint32_t r0 __asm__("r0") = operation;
   register const void *r1 __asm__("r1") = argument;
   __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
-  return (int32_t)r0;
 }
 
 void board_print(const char *text) {
@@ -24,8 +28,8 @@ void board_print(const char *text) {
 }
 
 static void stop(uint32_t status) {
-  const uint32_t application_exit[2] = {0x20026, status};
-  semihosting(SEMIHOSTING_EXIT_EXTENDED, application_exit);
+  const uint32_t exit_block[2] = {SEMIHOSTING_APPLICATION_EXIT, status};
+  semihosting(SEMIHOSTING_EXIT_EXTENDED, exit_block);
   for (;;) {
   }
 }
@@ -38,20 +42,26 @@ void board_assert_failed(const char *condition) {
 }
 
 uint32_t board_ticks(void) {
-  return 0xFFFFFFu - SYSTICK_CURRENT;
+  static uint32_t wraps;
+  uint32_t current = SYSTICK_CURRENT;
+  if ((SYSTICK_CONTROL & SYSTICK_WRAPPED) != 0) {
+    wraps++;
+    current = SYSTICK_CURRENT;  // the first reading may be from before
+  }
+  return wraps * SYSTICK_PERIOD + (SYSTICK_PERIOD - 1 - current);
 }
 
 void board_reset(void) {
   const uint32_t *from = board_data_load;
-  for (uint32_t *to = board_data_start; to != board_data_end; to++, from++) {
-    *(volatile uint32_t *)to = *from;
+  for (volatile uint32_t *to = board_data_start; to != board_data_end; to++, from++) {
+    *to = *from;
   }
-  for (uint32_t *to = board_bss_start; to != board_bss_end; to++) {
-    *(volatile uint32_t *)to = 0;
+  for (volatile uint32_t *to = board_bss_start; to != board_bss_end; to++) {
+    *to = 0;
   }
-  SYSTICK_RELOAD = 0xFFFFFF;
+  SYSTICK_RELOAD = SYSTICK_PERIOD - 1;
   SYSTICK_CURRENT = 0;
-  SYSTICK_CONTROL = 5;
+  SYSTICK_CONTROL = SYSTICK_RUN;
   stop((uint32_t)firmware_main());
 }
 
@@ -60,6 +70,11 @@ static void fault(void) {
   stop(4);
 }
 
-__attribute__((section(".vectors"), used)) static const void *const vectors[16] = {
-    board_stack_high, (const void *)board_reset, (const void *)fault, (const void *)fault, (const void *)fault,
-    (const void *)fault, (const void *)fault};
+typedef struct vector_table {
+  uint32_t *stack;
+  void (*reset)(void);
+  void (*exceptions[14])(void);
+} vector_table;
+
+__attribute__((section(".vectors"), used)) static const vector_table vectors = {
+    board_stack_high, board_reset, {fault, fault, fault, fault, fault}};

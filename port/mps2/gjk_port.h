@@ -1,9 +1,14 @@
-// Port for the bare-metal Cortex-M boards that QEMU emulates (MPS2 and MPS2+ images AN385, AN386, AN500, AN505).
+// Port for the bare-metal Cortex-M boards that QEMU emulates: micro:bit, and MPS2 images AN385, AN386, AN500, AN505.
 #ifndef GJK_MPS2_PORT_H
 #define GJK_MPS2_PORT_H
 
-#include "board.h"
+#include "../board/board.h"
 
 #define GJK_ASSERT(condition) ((condition) ? (void)0 : board_assert_failed(#condition))
+
+// ARMv6-M multiplies 32 bits to 32.
+#if __ARM_ARCH == 6 && !defined(GJK_NARROW_MULTIPLY)
+#define GJK_NARROW_MULTIPLY 1
+#endif
 
 #endif

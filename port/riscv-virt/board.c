@@ -1,10 +1,15 @@
-// Start-up, serial output and counter of QEMU's RISC-V board; its face is that of the Cortex-M boards.
-#include "../mps2/board.h"
+// Start-up, serial output and counter of QEMU's RISC-V board.
+#include "../board/board.h"
 
 #define UART_DATA (*(volatile uint8_t *)0x10000000)
 #define TEST_FINISHER (*(volatile uint32_t *)0x100000)
+#define FINISHER_PASS 0x5555u
+#define FINISHER_FAIL 0x3333u
 
 extern uint32_t board_bss_start[], board_bss_end[];
+
+void board_reset(void);
+void board_start(void);
 
 void board_print(const char *text) {
   for (; *text != '\0'; text++) {
@@ -13,7 +18,7 @@ void board_print(const char *text) {
 }
 
 static void stop(uint32_t status) {
-  TEST_FINISHER = status == 0 ? 0x5555u : (status << 16) | 0x3333u;
+  TEST_FINISHER = status == 0 ? FINISHER_PASS : (status << 16) | FINISHER_FAIL;
   for (;;) {
   }
 }
@@ -27,17 +32,17 @@ void board_assert_failed(const char *condition) {
 
 uint32_t board_ticks(void) {
   uint32_t count;
-  __asm__ volatile(".insn i 0x73, 2, %0, x0, -1278" : "=r"(count));  // csrr of minstret, for any assembler
+  __asm__ volatile("csrr %0, minstret" : "=r"(count));
   return count;
 }
 
-__attribute__((used)) static void reset(void) {
-  for (uint32_t *to = board_bss_start; to != board_bss_end; to++) {
-    *(volatile uint32_t *)to = 0;
+void board_reset(void) {
+  for (volatile uint32_t *to = board_bss_start; to != board_bss_end; to++) {
+    *to = 0;
   }
   stop((uint32_t)firmware_main());
 }
 
 __attribute__((section(".start"), naked, used)) void board_start(void) {
-  __asm__ volatile("la sp, board_stack_high\n  j reset\n");
+  __asm__ volatile("la sp, board_stack_high\n  j board_reset\n");
 }

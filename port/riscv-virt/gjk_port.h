@@ -2,7 +2,7 @@
 #ifndef GJK_RISCV_VIRT_PORT_H
 #define GJK_RISCV_VIRT_PORT_H
 
-#include "../mps2/board.h"
+#include "../board/board.h"
 
 #define GJK_ASSERT(condition) ((condition) ? (void)0 : board_assert_failed(#condition))
 

@@ -22,7 +22,7 @@ static void make(random_state *random, case_kind a, case_kind b, gjk_q16 reach, 
 }
 
 static void round_off(random_state *random, gjk_q16 reach, case_shape *shape) {
-  shape->round = random_range(random, 0, at_most(reach, GJK_RADIUS_MAX - reach - 8));
+  shape->round = random_range(random, 0, at_most(reach, GJK_RADIUS_MAX - generate_bound(reach) - 8));
 }
 
 // Centres somewhere in the middle of the range in which the gap changes its sign.
@@ -140,7 +140,7 @@ const generate_family generate_families[] = {
     {"kinds", kinds, 10, 60},
     {"rounded", rounded, 30, 80},
     {"tiny", tiny, 20, 80},
-    {"far-apart", far_apart, 0, 20},
+    {"far-apart", far_apart, 0, 5},
     {"nested", nested, 95, 100},
     {"near-boxes", near_boxes, 30, 70},
     {"near-hulls", near_hulls, 30, 70},

@@ -15,6 +15,10 @@ static double symmetric(random_state *random) {
   return 2 * generate_unit(random) - 1;
 }
 
+gjk_q16 generate_bound(gjk_q16 reach) {
+  return reach > GENERATE_REACH_MAX / 2 ? reach : GENERATE_REACH_MAX / 2;
+}
+
 gjk_vec3 generate_vector(random_state *random, double length) {
   double x, y, z, squared;
   do {
@@ -112,6 +116,31 @@ static void fill_hull(random_state *random, gjk_q16 reach, case_shape *out) {
   }
 }
 
+// The middle of the vertices' extent along one axis.
+static double middle(const case_shape *shape, int axis) {
+  int32_t low = INT32_MAX, high = INT32_MIN;
+  for (size_t i = 0; i < shape->count; i++) {
+    const gjk_vec3 *v = &shape->vertices[i];
+    const int32_t x = axis == 0 ? v->x : axis == 1 ? v->y : v->z;
+    low = x < low ? x : low;
+    high = x > high ? x : high;
+  }
+  return ((double)low + high) / 2;
+}
+
+// Do the vertices keep within limit of the centre of their bounding box, which is what the library measures?
+static bool keeps_within(const case_shape *shape, double limit) {
+  const double cx = middle(shape, 0), cy = middle(shape, 1), cz = middle(shape, 2);
+  for (size_t i = 0; i < shape->count; i++) {
+    const gjk_vec3 *v = &shape->vertices[i];
+    const double x = v->x - cx, y = v->y - cy, z = v->z - cz;
+    if (x * x + y * y + z * z > limit * limit) {
+      return false;
+    }
+  }
+  return true;
+}
+
 static void set_triangle(case_shape *out, gjk_vec3 a, gjk_vec3 b, gjk_vec3 c) {
   case_shape_set_count(out, 3);
   out->vertices[0] = a;
@@ -138,7 +167,9 @@ void generate_polytope(random_state *random, case_kind kind, gjk_q16 reach, case
     }
     case CASE_HULL:
       case_shape_set_count(out, hull_count(random));
-      fill_hull(random, reach, out);
+      do {
+        fill_hull(random, reach, out);
+      } while (!keeps_within(out, generate_bound(reach)));
       break;
     default: break;
   }

@@ -13,6 +13,9 @@ double generate_unit(random_state *random);
 // A size from 3 LSB to 4,000 units, evenly spread over the orders of magnitude.
 gjk_q16 generate_reach(random_state *random);
 
+// What bounds the radius of a polytope made for reach: the larger of reach and 2,000 units.
+gjk_q16 generate_bound(gjk_q16 reach);
+
 // A vector of about that length, in a random direction.
 gjk_vec3 generate_vector(random_state *random, double length);
 
@@ -22,7 +25,7 @@ gjk_quat generate_rotation(random_state *random);
 // point, segment, triangle, box or hull
 case_kind generate_kind(random_state *random);
 
-// A shape that stays within reach of its centre, not rounded, at the identity. Hulls have 4 to 256 points: on a sphere,
+// A shape of about that reach, not rounded, at the identity. Hulls have 4 to 256 points: on a sphere,
 // in a box, in clusters, or on a coarse lattice, where many lie level and some coincide.
 void generate_polytope(random_state *random, case_kind kind, gjk_q16 reach, case_shape *out);
 

@@ -101,6 +101,16 @@ static bool solve(lattice_plane *plane, int64_t k, long double low, int64_t *out
   return height == k && plane->alpha > MARGIN && plane->alpha < 1 - MARGIN && beta > MARGIN && beta < 1 - MARGIN;
 }
 
+// A point of the plane itself: there is one inside only where e and f are multiples.
+static void meet(random_state *random, lattice_plane *plane, bool crossing, int multiple, int64_t *out) {
+  const int64_t s = random_range(random, 1, multiple - 1), t = random_range(random, 1, multiple - 1) * (crossing ? -1 : 1);
+  for (int i = 0; i < 3; i++) {
+    out[i] = s * (plane->e[i] / multiple) + t * (plane->f[i] / multiple);
+  }
+  plane->alpha = (long double)s / multiple;
+  plane->beta = (long double)t / multiple;
+}
+
 // The sign of k / |n| - level / 2.
 static int compare_height(const int64_t *n, int64_t k, int64_t level) {
   const exact_int two = exact_from(2), factor = exact_from(k), twice = exact_mul(&two, &factor), l = exact_from(level);
@@ -111,10 +121,10 @@ static int compare_height(const int64_t *n, int64_t k, int64_t level) {
   return k < 0 ? -1 : exact_compare(&left, &right);
 }
 
-// One of the heights next to the level: for level 0 those of determinant -1, 0 and 1, otherwise the two around it.
+// One of the two heights around the level.
 static int64_t choose_height(random_state *random, const int64_t *n, int64_t level) {
   if (level == 0) {
-    return random_range(random, -1, 1);
+    return random_below(random, 2) == 0 ? -1 : 1;
   }
   const long double x = (long double)n[0], y = (long double)n[1], z = (long double)n[2];
   int64_t k = (int64_t)(sqrtl(x * x + y * y + z * z) * (long double)level / 2);
@@ -127,14 +137,15 @@ static int64_t choose_height(random_state *random, const int64_t *n, int64_t lev
   return k + (int64_t)random_below(random, 2);
 }
 
-static void round_vector(const double *v, int64_t *out) {
+// To a multiple.
+static void round_vector(const double *v, int multiple, int64_t *out) {
   for (int i = 0; i < 3; i++) {
-    out[i] = llrint(v[i]);
+    out[i] = multiple * llrint(v[i] / multiple);
   }
 }
 
 // Two edges of one face, nearly equilateral, or of two shapes, nearly square; e and f as long as the shapes may be.
-static void choose_edges(random_state *random, bool crossing, double reach, lattice_plane *plane) {
+static void choose_edges(random_state *random, bool crossing, int multiple, double reach, lattice_plane *plane) {
   const gjk_vec3 a = generate_vector(random, 1e9), b = generate_vector(random, 1e9);
   const int64_t first[3] = {a.x, a.y, a.z}, second[3] = {b.x, b.y, b.z};
   int64_t normal[3], side[3];
@@ -142,7 +153,7 @@ static void choose_edges(random_state *random, bool crossing, double reach, latt
   const double scale = 1e9 / sqrt((double)normal[0] * (double)normal[0] + (double)normal[1] * (double)normal[1] +
                                   (double)normal[2] * (double)normal[2]);
   const double unit[3] = {(double)normal[0] * scale, (double)normal[1] * scale, (double)normal[2] * scale};
-  round_vector(unit, side);
+  round_vector(unit, 1, side);
   cross(side, first, normal);
   const double jitter = 0.8 + 0.2 * generate_unit(random), angle = crossing ? 1.3 + 0.5 * generate_unit(random) : 1.05;
   const double length = reach * (crossing ? 1.9 : 1.5);
@@ -152,8 +163,8 @@ static void choose_edges(random_state *random, bool crossing, double reach, latt
     e[i] = length * along;
     f[i] = length * jitter * (cos(angle) * along + sin(angle) * across);
   }
-  round_vector(e, plane->e);
-  round_vector(f, plane->f);
+  round_vector(e, multiple, plane->e);
+  round_vector(f, multiple, plane->f);
   cross(plane->e, plane->f, plane->n);
 }
 
@@ -240,9 +251,12 @@ static bool try_smallest(random_state *random, generate_contact contact, int64_t
   const bool crossing = contact == GENERATE_EDGE_EDGE;
   lattice_plane plane;
   int64_t p[3];
-  choose_edges(random, crossing, reach, &plane);
-  const int64_t k = choose_height(random, plane.n, level);
-  if (!solve(&plane, k, crossing ? -1 : 0, p)) {
+  const int multiple = level == 0 && random_below(random, 3) == 0 ? random_range(random, 2, 7) : 1;
+  choose_edges(random, crossing, multiple, reach, &plane);
+  const int64_t k = multiple > 1 ? 0 : choose_height(random, plane.n, level);
+  if (multiple > 1) {
+    meet(random, &plane, crossing, multiple, p);
+  } else if (!solve(&plane, k, crossing ? -1 : 0, p)) {
     return false;
   }
   case_shape_reset(&pair->a);

@@ -1,4 +1,4 @@
-// The two functions of libc that compilers call on their own, for firmware without one. The library needs neither.
+// The functions of libc that compilers call on their own, for firmware without one. The library needs none of them.
 #include <stddef.h>
 
 void *memcpy(void *to, const void *from, size_t bytes);
