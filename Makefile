@@ -1,126 +1,142 @@
-# Builds the library, its tools and its tests. `make help` lists the targets.
+# Builds the library, its tools and its tests. `make help` lists what there is.
 #
-#   make demo            answers a scene, certifies it, draws build/demo.svg
+#   make                 the host library, build/gjk-query and build/gjk-demo
+#   make demo            answers a scene, certifies it, draws build/demo.svg; then the same as Cortex-M3 firmware
 #   make setup test      installs the cross tools (Debian, apt-get), then runs every test
-#   make lib TARGET=...  build/TARGET/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
+#   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
+#   make sizes           code by function group and stack by query, per target
+#   make bench-target    instructions per query on the emulated cores
+#   make clean
+#
+# OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.
 
 TARGET ?= host
 OPT ?= -O2
 
-# One line per target: compiler, then flags. GJK_NARROW_MULTIPLY is for cores without a 32 x 32 -> 64 bit multiplication.
+# The targets: compiler and flags, archiver, and what a program for the target's emulated board is linked with.
+# GJK_NARROW_MULTIPLY is for cores without a multiplication of 32 x 32 to 64 bits.
+TOOLS_host := $(CC)
+AR_host := ar
+PORT_host := hosted
+
 ARM := arm-none-eabi-gcc -mthumb
-RISCV := riscv64-unknown-elf-gcc
-TOOLS_host := $(CC) -DGJK_PORT_HEADER='"hosted/gjk_port.h"'
+MPS2 := -nostdlib -Tport/mps2/mps2.ld port/mps2/board.c port/board/memory.c
 TOOLS_cortex-m0 := $(ARM) -mcpu=cortex-m0 -DGJK_NARROW_MULTIPLY=1
 TOOLS_cortex-m3 := $(ARM) -mcpu=cortex-m3
 TOOLS_cortex-m4 := $(ARM) -mcpu=cortex-m4
 TOOLS_cortex-m7 := $(ARM) -mcpu=cortex-m7
 TOOLS_cortex-m33 := $(ARM) -mcpu=cortex-m33
-TOOLS_rv32imc := $(RISCV) -march=rv32imc -mabi=ilp32
-TOOLS_avr := avr-gcc -mmcu=atmega2560 -DGJK_NARROW_MULTIPLY=1
-AR_host := ar
+BOARD_cortex-m0 := $(MPS2) -Wl,--defsym=ROM_SIZE=256K,--defsym=RAM_SIZE=16K
+BOARD_cortex-m3 := $(MPS2)
+BOARD_cortex-m4 := $(MPS2)
+BOARD_cortex-m7 := $(MPS2)
+BOARD_cortex-m33 := $(MPS2) -Wl,--defsym=ROM_START=0x10000000,--defsym=RAM_START=0x38000000
 AR_cortex-m0 := arm-none-eabi-ar
 AR_cortex-m3 := $(AR_cortex-m0)
 AR_cortex-m4 := $(AR_cortex-m0)
 AR_cortex-m7 := $(AR_cortex-m0)
 AR_cortex-m33 := $(AR_cortex-m0)
+
+TOOLS_rv32imc := riscv64-unknown-elf-gcc -march=rv32imc -mabi=ilp32
+BOARD_rv32imc := -nostdlib -Tport/riscv-virt/riscv-virt.ld port/riscv-virt/board.c port/board/memory.c
 AR_rv32imc := riscv64-unknown-elf-ar
+
+TOOLS_avr := avr-gcc -mmcu=atmega2560 -DGJK_NARROW_MULTIPLY=1
+BOARD_avr := port/avr/board.c
 AR_avr := avr-ar
+
 ifeq ($(TOOLS_$(TARGET)),)
 $(error TARGET=$(TARGET) is unknown: one of host, cortex-m0, cortex-m3, cortex-m4, cortex-m7, cortex-m33, rv32imc, avr)
 endif
 
-WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror
-INCLUDES := -Iinclude -Isrc -Iport
-FREESTANDING = $(TOOLS_$(TARGET)) -std=c99 -ffreestanding $(OPT) -ffunction-sections -fdata-sections -g $(WARNINGS) \
-  $(INCLUDES) -MMD -MP
-HOSTED := $(TOOLS_host) -std=c99 -O2 -g $(WARNINGS) $(INCLUDES) -Itests -MMD -MP
-
-SOURCES := $(wildcard src/*.c)
-# VARIANT keeps builds of one target with other flags apart.
-LIB := build/$(TARGET)$(VARIANT)/libgjk.a
+OUT := build/$(TARGET)$(VARIANT)
+LIB := $(OUT)/libgjk.a
 HOST_LIB := build/host/libgjk.a
 
-# What the tests and tools share, and the programs made of it.
-SUPPORT_SOURCES := $(wildcard tests/case/*.c tests/reference/*.c tests/exact/*.c tests/generate/*.c) \
-  port/hosted/gjk_hosted.c
-SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
-UNIT_TESTS := $(patsubst tests/unit/%.c,build/%,$(wildcard tests/unit/test_*.c))
-QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/query/*.c))
-DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out tests/demo/firmware%.c,$(wildcard tests/demo/*.c)))
+WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror
+INCLUDES := -Iinclude -Isrc -Iport
+COMMON := -std=c99 -g $(WARNINGS) $(INCLUDES)
+DEPENDENCIES := -MMD -MP
+PORT ?= $(PORT_$(TARGET))
+PORT_HEADER = $(if $(1),-DGJK_PORT_HEADER='"$(1)/gjk_port.h"')
+FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) \
+  -ffreestanding -ffunction-sections -fdata-sections
+HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
 .PHONY: all help lib setup test unit-tests demo sizes bench-target clean
 all: lib build/gjk-query build/gjk-demo
 
 help:
 	@sed -n 's/^#   //p' Makefile
-	@echo 'make                 the host library and build/gjk-query'
-	@echo 'make sizes           text and stack by function group, per target'
-	@echo 'make bench-target    instructions per query on the emulated cores'
-	@echo 'make clean'
+
+# The library.
 
 lib: $(LIB)
 
-$(LIB): $(SOURCES:src/%.c=build/$(TARGET)$(VARIANT)/%.o)
+$(LIB): $(patsubst src/%.c,$(OUT)/%.o,$(wildcard src/*.c))
 	@rm -f $@
 	@echo '  $@'
 	@$(AR_$(TARGET)) rcs $@ $^
 
-build/$(TARGET)$(VARIANT)/%.o: src/%.c
+$(OUT)/%.o: src/%.c Makefile
 	@mkdir -p $(@D)
 	@echo '  $(TARGET) $<'
-	@$(FREESTANDING) -c $< -o $@
+	@$(FREESTANDING) $(DEPENDENCIES) -c $< -o $@
 
-# The host library, when another target is being built.
-ifneq ($(TARGET),host)
+ifneq ($(LIB),$(HOST_LIB))
 $(HOST_LIB):
-	$(MAKE) lib TARGET=host
+	$(MAKE) lib TARGET=host VARIANT=
 endif
 
-# Firmware NAME for an emulated board: tests/target/NAME.c and NAME_firmware.c with the board's start-up.
-MPS2 := -nostdlib -Wl,--gc-sections -Tport/mps2/mps2.ld port/mps2/board.c port/mps2/memory.c
-BOARD_cortex-m0 := $(MPS2)
-BOARD_cortex-m3 := $(MPS2)
-BOARD_cortex-m4 := $(MPS2)
-BOARD_cortex-m7 := $(MPS2)
-BOARD_cortex-m33 := $(MPS2) -Wl,--defsym=ROM_START=0x10000000,--defsym=RAM_START=0x38000000
-BOARD_rv32imc := -nostdlib -Wl,--gc-sections -Tport/riscv-virt/riscv-virt.ld port/riscv-virt/board.c port/mps2/memory.c
-BOARD_avr := -Wl,--gc-sections port/avr/board.c
-FIRMWARE_FLAGS := $(filter-out -Wpedantic,$(WARNINGS))
+# Programs for the host: what the tests and tools share, and each one's own.
 
-build/$(TARGET)/%.elf: tests/target/%.c tests/target/%_firmware.c $(LIB)
-	@echo '  $@'
-	@$(TOOLS_$(TARGET)) -std=c99 -ffreestanding -fno-tree-loop-distribute-patterns $(OPT) -g $(FIRMWARE_FLAGS) \
-	  $(INCLUDES) -ffunction-sections $(FIRMWARE_DEFINES) $(filter %.c,$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -o $@
+SUPPORT_SOURCES := $(wildcard tests/case/*.c tests/reference/*.c tests/exact/*.c tests/generate/*.c) \
+  port/hosted/gjk_hosted.c
+SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
+UNIT_TESTS := $(patsubst tests/unit/%.c,build/%,$(wildcard tests/unit/test_*.c))
+QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/query/*.c))
+DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out tests/demo/firmware.c,$(wildcard tests/demo/*.c)))
 
-build/hosted/%.o: %.c
+build/hosted/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	@echo '  $<'
-	@$(HOSTED) -c $< -o $@
+	@$(HOSTED) $(DEPENDENCIES) -c $< -o $@
 
-build/gjk-query: $(QUERY) $(SUPPORT) $(HOST_LIB)
+build/gjk-query: $(QUERY)
+build/gjk-demo: $(DEMO)
+$(UNIT_TESTS): build/%: build/hosted/tests/unit/%.o
+build/gjk-query build/gjk-demo $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $^ -lm -o $@
 
-build/gjk-demo: $(DEMO) $(SUPPORT) $(HOST_LIB)
-	@echo '  $@'
-	@$(HOSTED) $^ -lm -o $@
+# Firmware NAME for the target's emulated board: tests/target/NAME.c and NAME_firmware.c.
+# Start-up code clears memory in a loop, which must not become a call of itself.
 
-build/test_%: build/hosted/tests/unit/test_%.o $(SUPPORT) $(HOST_LIB)
+FIRMWARE_HEADERS := $(wildcard tests/target/*.h tests/demo/*.h include/gjk/*.h port/board/*.h tests/random.h)
+FIRMWARE = $(FREESTANDING) -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) $(filter %.c,$^) \
+  $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
+
+$(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(LIB) $(FIRMWARE_HEADERS) Makefile
 	@echo '  $@'
-	@$(HOSTED) $^ -lm -o $@
+	@$(FIRMWARE)
+
+$(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(LIB) $(FIRMWARE_HEADERS) Makefile
+	@echo '  $@'
+	@$(FIRMWARE) -Itests/demo
+
+# What else there is to do.
+
+setup:
+	@sh tests/build/setup.sh
 
 unit-tests: $(UNIT_TESTS)
 
 test: all unit-tests
 	@sh tests/build/run-tests.sh build
 
-setup:
-	@sh tests/build/setup.sh
-
 demo: build/gjk-demo
 	build/gjk-demo tests/data/arm.txt build/demo.svg
-	@sh tests/build/demo-target.sh build
+	@sh tests/build/demo-target.sh build tests/data/arm.txt
 
 sizes:
 	@sh tests/build/sizes.sh build

@@ -8,10 +8,11 @@
 extern "C" {
 #endif
 
-// bytes of memory, aligned for any of the library's types; NULL when there is not that much left, or for 0 bytes.
+// bytes of memory, aligned for any of the library's types, contents undefined. NULL when there is not that much left, and
+// for 0 bytes.
 void *gjk_port_allocate(size_t bytes);
 
-// Gives memory of gjk_port_allocate back; NULL is ignored. An arena may be able to reuse only its newest block.
+// Gives back memory of gjk_port_allocate, once; NULL is ignored. A port may reuse it late: see its own file.
 void gjk_port_release(void *memory);
 
 #ifdef __cplusplus

@@ -4,28 +4,32 @@
 #include "rotation.h"
 #include "shape_class.h"
 
-static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
-  const int32_t dx = d->x, dy = d->y, dz = d->z;
-  const unsigned end = 1u << c->count;
-  int32_t x = 0, y = 0, z = 0;
-  unsigned vertex = 0;
-  const gjk_vec3 *axis = c->frame;
-  for (unsigned bit = 1; bit != end; bit <<= 1, axis++) {
-    const int32_t ax = axis->x, ay = axis->y, az = axis->z;
-    if (gjk_mul32(ax, dx) + gjk_mul32(ay, dy) + gjk_mul32(az, dz) >= 0) {
-      x += ax;
-      y += ay;
-      z += az;
-      vertex |= bit;
-    } else {
-      x -= ax;
-      y -= ay;
-      z -= az;
-    }
+// Adds one half axis, or its opposite, whichever lies along d. Returns bit when it is added.
+static inline unsigned add_axis(const gjk_vec3 *axis, const gjk_vec3 *d, unsigned bit, gjk_vec3 *sum) {
+  const int32_t x = axis->x, y = axis->y, z = axis->z;
+  if (gjk_mac32(gjk_mac32(gjk_mul32(x, d->x), y, d->y), z, d->z) >= 0) {
+    sum->x += x;
+    sum->y += y;
+    sum->z += z;
+    return bit;
   }
-  out->offset.x = x;
-  out->offset.y = y;
-  out->offset.z = z;
+  sum->x -= x;
+  sum->y -= y;
+  sum->z -= z;
+  return 0;
+}
+
+static void support(const gjk_collider *c, const gjk_vec3 *direction, bool exact, gjk_support *out) {
+  const gjk_vec3 d = *direction;
+  gjk_vec3 sum = {0, 0, 0};
+  unsigned vertex = 0;
+  if (c->count > 0) {
+    vertex = add_axis(&c->frame[0], &d, 1, &sum);
+  }
+  if (c->count > 1) {
+    vertex |= add_axis(&c->frame[1], &d, 2, &sum) | add_axis(&c->frame[2], &d, 4, &sum);
+  }
+  out->offset = sum;
   out->vertex = (uint16_t)vertex;
   out->tie = !exact;
 }

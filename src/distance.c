@@ -6,7 +6,7 @@
 
 // u . a for a unit vector u, Q2.30, and |a| <= 3 2^29: at most 2^61.
 static int64_t along(const gjk_unit3 *u, const gjk_vec3 *a) {
-  return gjk_mul32(u->x, a->x) + gjk_mul32(u->y, a->y) + gjk_mul32(u->z, a->z);
+  return gjk_mac32(gjk_mac32(gjk_mul32(u->x, a->x), u->y, a->y), u->z, a->z);
 }
 
 // x / 2^(30 + shift) to the nearest integer, not negative; from the frame's Q30 to LSB. -3 <= shift <= 29.
@@ -75,7 +75,7 @@ typedef struct feature {
 // u + weight[0] (v - u) + weight[1] (w - u), Q31. Pre: coordinates at most 3 2^29, differences below 2^31 in size: the sum
 // of the first two terms is at most 7 2^60, the whole at most 3 2^60.
 static inline int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t w) {
-  return gjk_shl64(u, 31) + gjk_mul32(v - u, f->weight[0]) + gjk_mul32(w - u, f->weight[1]);
+  return gjk_mac32(gjk_mac32(gjk_shl64(u, 31), v - u, f->weight[0]), w - u, f->weight[1]);
 }
 
 // The coordinate of one point: of the core Q31 from A's centre, moved by round along the normal.

@@ -39,15 +39,12 @@ GJK_OUT_OF_LINE static int32_t frame_radius(int64_t radius, int shift) {
   return framed < INT32_MAX ? (int32_t)framed : INT32_MAX;
 }
 
-bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
-                         int64_t radius) {
-  const gjk_long3 delta = {(int64_t)a->centre.x - b->centre.x, (int64_t)a->centre.y - b->centre.y,
-                           (int64_t)a->centre.z - b->centre.z};
-  const int64_t cores = (int64_t)a->core_radius + b->core_radius;
-  it->a = a;
-  it->b = b;
-  it->rounds = 0;
-  if (goal == GJK_GOAL_WITHIN && longer_than(&delta, cores + radius)) {
+// The frame of any pair. False: the bounding spheres are apart.
+GJK_OUT_OF_LINE static bool set_frame(gjk_iteration *it, bool spheres, int64_t radius) {
+  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
+  const gjk_long3 delta = {(int64_t)a->x - b->x, (int64_t)a->y - b->y, (int64_t)a->z - b->z};
+  const int64_t cores = (int64_t)it->a->core_radius + it->b->core_radius;
+  if (spheres && longer_than(&delta, cores + radius)) {
     return false;
   }
   // |x| + |y| + |z| bounds the length from above; at most 3 2^32.
@@ -55,6 +52,39 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
       (int64_t)(gjk_magnitude64(delta.x) + gjk_magnitude64(delta.y) + gjk_magnitude64(delta.z)) + cores;
   it->shift = (int8_t)(reach < INT64_C(1) << 30 ? (int)gjk_clz32((uint32_t)reach) - 2 : far_shift(&delta));
   it->radius = radius > 0 ? frame_radius(radius < reach ? radius : reach, it->shift) : 0;
+  return true;
+}
+
+// Are all components of v below 2^28 in size?
+static inline bool is_small(const gjk_vec3 *v) {
+  return ((uint32_t)(v->x ^ gjk_sar32(v->x, 31)) | (uint32_t)(v->y ^ gjk_sar32(v->y, 31)) |
+          (uint32_t)(v->z ^ gjk_sar32(v->z, 31))) >> 28 == 0;
+}
+
+// The same for centres within 4096 units of the origin and no radius, the usual case, in 32 bits.
+static bool set_usual_frame(gjk_iteration *it, bool spheres) {
+  const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);  // below 2^29
+  const int32_t cores = it->a->core_radius + it->b->core_radius;    // at most 2^29
+  if (spheres && gjk_dot(delta, delta) > gjk_mul32(cores, cores)) {
+    return false;
+  }
+  const uint32_t reach = gjk_norm1(delta) + (uint32_t)cores;  // below 2^31
+  const int shift = (int)gjk_clz32(reach) - 2;
+  it->shift = (int8_t)(shift < 0 ? 0 : shift);  // |delta| <= sqrt(3) 2^29 < 2^30: near
+  it->radius = 0;
+  return true;
+}
+
+bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
+                         int64_t radius) {
+  const bool spheres = goal == GJK_GOAL_WITHIN;
+  it->a = a;
+  it->b = b;
+  it->rounds = 0;
+  if (!(radius == 0 && is_small(&a->centre) && is_small(&b->centre) ? set_usual_frame(it, spheres)
+                                                                    : set_frame(it, spheres, radius))) {
+    return false;
+  }
   it->curved = a->shape->type->vertex == NULL || b->shape->type->vertex == NULL;
   gjk_simplex_clear(&it->simplex);
   return true;

@@ -87,7 +87,7 @@ gjk_farthest gjk_scan(const gjk_vec3 *vertices, uint32_t n, unsigned bits, const
   int64_t limit = gjk_dot(*best, *d) - margin;
   bool tie = false;
   for (const gjk_vec3 *v = best + 1; v != end; v++) {
-    const int64_t along = gjk_mul32(v->x, x) + gjk_mul32(v->y, y) + gjk_mul32(v->z, z);
+    const int64_t along = gjk_mac32(gjk_mac32(gjk_mul32(v->x, x), v->y, y), v->z, z);
     if (along > limit) {
       const int64_t lead = along - limit - margin;
       tie = lead <= margin;

@@ -9,9 +9,9 @@ int64_t gjk_dot_exact(const gjk_long3 *n, gjk_vec3 v, uint32_t *low) {
   int64_t high = 0, middle = 0, lowest = 0;
   for (int i = 0; i < 3; i++) {
     const uint32_t bits = gjk_low32(component[i]);
-    high += gjk_mul32(gjk_high32(component[i]), along[i]);
-    middle += gjk_mul32((int32_t)(bits >> 16), along[i]);
-    lowest += gjk_mul32((int32_t)(bits & 0xFFFFu), along[i]);
+    high = gjk_mac32(high, gjk_high32(component[i]), along[i]);
+    middle = gjk_mac32(middle, (int32_t)(bits >> 16), along[i]);
+    lowest = gjk_mac32(lowest, (int32_t)(bits & 0xFFFFu), along[i]);
   }
   middle += gjk_sar64(lowest, 16);
   *low = (gjk_low32(middle) << 16) | (gjk_low32(lowest) & 0xFFFFu);
@@ -65,8 +65,9 @@ void gjk_round_direction(const gjk_long3 *n, gjk_rounded *out) {
 // |a tbh + b tah| <= 3 2^60 and |a tbl + b tal| <= 3 2^61.
 GJK_HOT_INLINE uint32_t combine(int32_t a, int64_t tb, int32_t b, int64_t ta, int64_t *high) {
   const uint32_t mask = INT32_MAX;
-  int64_t low = -gjk_mul32(a, (int32_t)(gjk_low32(tb) & mask)) - gjk_mul32(b, (int32_t)(gjk_low32(ta) & mask));
-  *high = gjk_sar64(low, 31) - gjk_mul32(a, (int32_t)gjk_sar64(tb, 31)) - gjk_mul32(b, (int32_t)gjk_sar64(ta, 31));
+  const int64_t low =
+      gjk_mac32(gjk_mul32(-a, (int32_t)(gjk_low32(tb) & mask)), -b, (int32_t)(gjk_low32(ta) & mask));
+  *high = gjk_mac32(gjk_mac32(gjk_sar64(low, 31), -a, (int32_t)gjk_sar64(tb, 31)), -b, (int32_t)gjk_sar64(ta, 31));
   return gjk_low32(low) & mask;
 }
 

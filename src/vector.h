@@ -27,13 +27,13 @@ static inline gjk_vec3 gjk_negate(gjk_vec3 a) {
 
 // a . b, exact. Pre: |a| |b| < 2^62, lengths; then each product and each partial sum is below 3 2^61.
 GJK_HOT_INLINE int64_t gjk_dot(gjk_vec3 a, gjk_vec3 b) {
-  return gjk_mul32(a.x, b.x) + gjk_mul32(a.y, b.y) + gjk_mul32(a.z, b.z);
+  return gjk_mac32(gjk_mac32(gjk_mul32(a.x, b.x), a.y, b.y), a.z, b.z);
 }
 
 // a x b, exact. Pre: |a| |b| <= 2^62; then products and components are at most 2^62 in size.
 GJK_HOT_INLINE gjk_long3 gjk_cross(gjk_vec3 a, gjk_vec3 b) {
-  gjk_long3 c = {gjk_mul32(a.y, b.z) - gjk_mul32(a.z, b.y), gjk_mul32(a.z, b.x) - gjk_mul32(a.x, b.z),
-                 gjk_mul32(a.x, b.y) - gjk_mul32(a.y, b.x)};
+  gjk_long3 c = {gjk_mac32(gjk_mul32(a.y, b.z), -a.z, b.y), gjk_mac32(gjk_mul32(a.z, b.x), -a.x, b.z),
+                 gjk_mac32(gjk_mul32(a.x, b.y), -a.y, b.x)};
   return c;
 }
 
@@ -55,7 +55,8 @@ GJK_HOT_INLINE int gjk_dot_sign(const gjk_long3 *n, gjk_vec3 v) {
   GJK_INT128_TYPE sum = (GJK_INT128_TYPE)n->x * v.x + (GJK_INT128_TYPE)n->y * v.y + (GJK_INT128_TYPE)n->z * v.z;
   return (sum > 0) - (sum < 0);
 #else
-  int64_t h = gjk_mul32(gjk_high32(n->x), v.x) + gjk_mul32(gjk_high32(n->y), v.y) + gjk_mul32(gjk_high32(n->z), v.z);
+  const gjk_vec3 high = {gjk_high32(n->x), gjk_high32(n->y), gjk_high32(n->z)};
+  int64_t h = gjk_mac32(gjk_mac32(gjk_mul32(high.x, v.x), high.y, v.y), high.z, v.z);
   int32_t top = gjk_high32(h);
   if (top >= 1) {
     return 1;

@@ -95,12 +95,10 @@ static inline unsigned gjk_clz64(uint64_t x) {
   return high != 0 ? gjk_clz32(high) : 32 + gjk_clz32((uint32_t)(x & UINT32_MAX));
 }
 
-// Emits nothing. On 32-bit cores gcc widens an operand used twice ahead of time and then no longer sees that one
-// multiplication instruction does: eight instructions instead of one. An operand that passes through here stays narrow.
-#if defined(__GNUC__) && UINTPTR_MAX == UINT32_MAX
-#define GJK_KEEP_32_BITS(x) __asm__("" : "+r"(x))
-#else
-#define GJK_KEEP_32_BITS(x) ((void)0)
+// The long multiplications of ARMv7-M and up by name: gcc widens operands that are used twice ahead of time, and then
+// no longer sees that one instruction does; it spends eight.
+#if defined(__GNUC__) && defined(__ARM_ARCH) && __ARM_ARCH >= 7 && defined(__thumb2__) && !GJK_NARROW_MULTIPLY
+#define GJK_ARM_LONG_MULTIPLY
 #endif
 
 // a b, exact.
@@ -116,10 +114,22 @@ static inline int64_t gjk_mul32(int32_t a, int32_t b) {
   int32_t high = ah * bh + gjk_sar32(middle, 16) + gjk_sar32(middle2, 16);
   uint32_t bits = ((uint32_t)middle2 << 16) | (low & 0xFFFFu);
   return gjk_int64(((uint64_t)(uint32_t)high << 32) | bits);
+#elif defined(GJK_ARM_LONG_MULTIPLY)
+  int64_t product;
+  __asm__("smull %Q0, %R0, %1, %2" : "=r"(product) : "r"(a), "r"(b));
+  return product;
 #else
-  GJK_KEEP_32_BITS(a);
-  GJK_KEEP_32_BITS(b);
   return (int64_t)a * b;
+#endif
+}
+
+// sum + a b. Pre: it fits.
+static inline int64_t gjk_mac32(int64_t sum, int32_t a, int32_t b) {
+#if defined(GJK_ARM_LONG_MULTIPLY)
+  __asm__("smlal %Q0, %R0, %1, %2" : "+r"(sum) : "r"(a), "r"(b));
+  return sum;
+#else
+  return sum + gjk_mul32(a, b);
 #endif
 }
 
@@ -159,7 +169,7 @@ GJK_HOT_INLINE int gjk_sum_sign(int64_t p, int64_t q, int64_t r, int64_t s) {
   GJK_INT128_TYPE sum = (GJK_INT128_TYPE)p * q + (GJK_INT128_TYPE)r * s;
   return (sum > 0) - (sum < 0);
 #else
-  int64_t h = gjk_mul32(gjk_high32(p), gjk_high32(q)) + gjk_mul32(gjk_high32(r), gjk_high32(s));
+  int64_t h = gjk_mac32(gjk_mul32(gjk_high32(p), gjk_high32(q)), gjk_high32(r), gjk_high32(s));
   int32_t top = gjk_high32(h);
   if (top >= 2) {
     return 1;

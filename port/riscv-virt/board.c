@@ -32,7 +32,7 @@ void board_assert_failed(const char *condition) {
 
 uint32_t board_ticks(void) {
   uint32_t count;
-  __asm__ volatile("csrr %0, minstret" : "=r"(count));
+  __asm__ volatile(".option push\n .option arch, +zicsr\n csrr %0, minstret\n .option pop\n" : "=r"(count));
   return count;
 }
 

@@ -1,20 +1,33 @@
 #!/bin/sh
-# Runs firmware on its emulated core: emulate.sh TARGET ELF. The exit status is the firmware's.
-# One tick of the board's counter is a fixed part of an instruction: virtual time counts instructions.
-qemu_arm() {
-  timeout 300 qemu-system-arm -M "$1" -nographic -monitor none -serial null -semihosting -icount shift=7 -kernel "$2"
+# Runs firmware on its emulated core: emulate.sh TARGET ELF. Output and exit status are the firmware's.
+#
+# With -icount virtual time counts instructions: 2^shift ns each, so that one takes more than a tick of the counter.
+limit='timeout 300'
+
+arm() {
+  $limit qemu-system-arm -M "$1" -display none -serial none -monitor none -chardev stdio,id=out \
+    -semihosting-config enable=on,target=native,chardev=out -icount shift=7 -kernel "$2" </dev/null
 }
+
+riscv() {
+  $limit qemu-system-riscv32 -M virt -bios none -display none -serial stdio -monitor none -icount shift=0 -kernel "$1" \
+    </dev/null
+}
+
+# simavr colours what the serial port says, ends its lines with a dot, and has no exit status.
+avr() {
+  said=$($limit simavr -m atmega2560 -f 16000000 "$1" 2>&1 | tr -d '\r' | sed 's/\x1b\[[0-9;]*m//g; s/\.$//')
+  printf '%s\n' "$said" | grep -v -e '^exit ' -e '^Loaded' -e '^$'
+  printf '%s\n' "$said" | grep -q '^exit 0'
+}
+
 case $1 in
-  cortex-m0) qemu_arm microbit "$2" ;;
-  cortex-m3) qemu_arm mps2-an385 "$2" ;;
-  cortex-m4) qemu_arm mps2-an386 "$2" ;;
-  cortex-m7) qemu_arm mps2-an500 "$2" ;;
-  cortex-m33) qemu_arm mps2-an505 "$2" ;;
-  rv32imc) timeout 300 qemu-system-riscv32 -M virt -nographic -monitor none -bios none -icount shift=0 -kernel "$2" ;;
-  avr)
-    # simavr colours what the serial port says, ends its lines with a dot, and has no exit status.
-    out=$(timeout 300 simavr -m atmega2560 -f 16000000 "$2" 2>&1 | sed 's/\x1b\[[0-9;]*m//g; s/\.$//' | tr -d '\r')
-    printf '%s\n' "$out" | grep -v '^exit\|^Loaded\|^$'
-    printf '%s\n' "$out" | grep -q '^exit 0' ;;
+  cortex-m0) arm microbit "$2" ;;
+  cortex-m3) arm mps2-an385 "$2" ;;
+  cortex-m4) arm mps2-an386 "$2" ;;
+  cortex-m7) arm mps2-an500 "$2" ;;
+  cortex-m33) arm mps2-an505 "$2" ;;
+  rv32imc) riscv "$2" ;;
+  avr) avr "$2" ;;
   *) echo "emulate: no board for $1" >&2; exit 2 ;;
 esac

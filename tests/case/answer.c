@@ -44,7 +44,7 @@ static void answer_by_reference(const case_question *question, const case_pair *
 }
 
 void case_answer_find(const case_question *question, const case_pair *pair, case_collider *a, case_collider *b,
-                       case_answer *answer) {
+                      case_answer *answer) {
   memset(answer, 0, sizeof *answer);
   answer->refused = 'A';
   answer->status = case_collider_build(a, &pair->a, false);
@@ -71,9 +71,9 @@ static const char *detail(gjk_status status) {
   switch (status) {
     case GJK_ERROR_SIZE: return "larger than 4095 units about the centre of its bounding box";
     case GJK_ERROR_NEGATIVE: return "a negative radius or half extent";
-    case GJK_ERROR_EMPTY: return "no extent: every radius and half extent must be above 0";
+    case GJK_ERROR_EMPTY: return "no vertices, or no extent";
     case GJK_ERROR_ROTATION: return "not a unit quaternion; raw numbers are Q2.30: 1073741824 is 1.0";
-    case GJK_ERROR_RANGE: return "its centre is beyond -32768.0 to 32768.0";
+    case GJK_ERROR_RANGE: return "its centre is not within -32768.0 to 32768.0";
     case GJK_ERROR_ITERATION_LIMIT: return "not settled within the ceiling on iterations";
     default: return "refused";
   }
@@ -87,20 +87,22 @@ static void print_error(FILE *file, const case_pair *pair, const case_answer *an
   fprintf(file, "%s", detail(answer->status));
 }
 
-void case_answer_print(FILE *file, const case_question *question, const case_pair *pair, const case_answer *answer) {
+void case_answer_print(FILE *file, const case_question *question, const case_pair *pair,
+                       const case_answer *answer) {
   const gjk_distance_result *d = &answer->distance;
   if (answer->status != GJK_OK) {
     print_error(file, pair, answer);
   } else if (question->ask != CASE_DISTANCE) {
     const char *yes = question->ask == CASE_WITHIN ? "within" : "intersecting";
     const char *no = question->ask == CASE_WITHIN ? "beyond" : "separated";
-    fprintf(file, "%s %s iterations=%u", pair->id, answer->decision.yes ? yes : no, answer->decision.iterations);
+    fprintf(file, "%s %s iterations=%u", pair->id, answer->decision.yes ? yes : no,
+            answer->decision.iterations);
   } else if (d->intersecting) {
     fprintf(file, "%s intersecting iterations=%u", pair->id, d->iterations);
   } else {
-    fprintf(file, "%s separated distance=%ld a=%ld,%ld,%ld b=%ld,%ld,%ld normal=%ld,%ld,%ld iterations=%u%s", pair->id,
-            (long)d->distance, (long)d->point_a.x, (long)d->point_a.y, (long)d->point_a.z, (long)d->point_b.x,
-            (long)d->point_b.y, (long)d->point_b.z, (long)d->normal.x, (long)d->normal.y, (long)d->normal.z,
-            d->iterations, d->saturated ? " saturated" : "");
+    fprintf(file, "%s separated distance=%ld a=%ld,%ld,%ld b=%ld,%ld,%ld normal=%ld,%ld,%ld iterations=%u%s",
+            pair->id, (long)d->distance, (long)d->point_a.x, (long)d->point_a.y, (long)d->point_a.z,
+            (long)d->point_b.x, (long)d->point_b.y, (long)d->point_b.z, (long)d->normal.x, (long)d->normal.y,
+            (long)d->normal.z, d->iterations, d->saturated ? " saturated" : "");
   }
 }

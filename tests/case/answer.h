@@ -21,9 +21,10 @@ typedef struct case_answer {
 
 // Answers pair; a and b are built on the way, and kept for reuse.
 void case_answer_find(const case_question *question, const case_pair *pair, case_collider *a, case_collider *b,
-                       case_answer *answer);
+                      case_answer *answer);
 
 // The query tool's line for an answer, without the end of the line.
-void case_answer_print(FILE *file, const case_question *question, const case_pair *pair, const case_answer *answer);
+void case_answer_print(FILE *file, const case_question *question, const case_pair *pair,
+                       const case_answer *answer);
 
 #endif

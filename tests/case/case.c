@@ -125,11 +125,17 @@ static void print_kind(FILE *file, const case_shape *shape) {
     case CASE_POINT: fprintf(file, "point\n"); break;
     case CASE_SEGMENT: fprintf(file, "segment %ld\n", (long)s.z); break;
     case CASE_TRIANGLE: fprintf(file, "triangle\n"); break;
-    case CASE_BOX: fprintf(file, "box "); print_vec3(file, s); break;
+    case CASE_BOX:
+      fprintf(file, "box ");
+      print_vec3(file, s);
+      break;
     case CASE_HULL: fprintf(file, "hull %lu\n", (unsigned long)shape->count); break;
     case CASE_CYLINDER: fprintf(file, "cylinder %ld %ld\n", (long)s.x, (long)s.z); break;
     case CASE_CONE: fprintf(file, "cone %ld %ld\n", (long)s.x, (long)s.z); break;
-    case CASE_ELLIPSOID: fprintf(file, "ellipsoid "); print_vec3(file, s); break;
+    case CASE_ELLIPSOID:
+      fprintf(file, "ellipsoid ");
+      print_vec3(file, s);
+      break;
   }
   if (shape->kind == CASE_TRIANGLE || shape->kind == CASE_HULL) {
     for (size_t i = 0; i < shape->count; i++) {

@@ -17,7 +17,8 @@ typedef enum case_kind {
   CASE_ELLIPSOID
 } case_kind;  // a sphere is a rounded point, a capsule a rounded segment
 
-// One shape at its pose. size: segment {0, 0, h}; box half extents; cylinder and cone {r, r, h}; ellipsoid radii.
+// One shape at its pose. size: segment {0, 0, h}; box half extents; cylinder and cone {r, r, h}; ellipsoid
+// radii.
 typedef struct case_shape {
   case_kind kind;
   gjk_vec3 size;

@@ -9,8 +9,9 @@
 #define FAR_TOLERANCE (1.0L / 268435456.0L)
 
 // Without vertices to name there is no exact proof: compares with proven bounds of the real distance.
-static certify_verdict compare_bounds(const case_question *question, const case_pair *pair, const case_collider *a,
-                                      const case_collider *b, const case_answer *answer, char why[CERTIFY_WHY_MAX]) {
+static certify_verdict compare_bounds(const case_question *question, const case_pair *pair,
+                                      const case_collider *a, const case_collider *b, const case_answer *answer,
+                                      char why[CERTIFY_WHY_MAX]) {
   accurate_result found;
   accurate_distance(pair, a, b, &found);
   long double tolerance = CURVED_TOLERANCE + FAR_TOLERANCE * (found.upper > 0 ? found.upper : 0);
@@ -29,7 +30,8 @@ static certify_verdict compare_bounds(const case_question *question, const case_
   return right ? CERTIFY_UNCERTIFIED : CERTIFY_WRONG;
 }
 
-// By the library's own check, whose range is smaller than that of its answers: far pairs are left to the oracle.
+// By the library's own check, whose range is smaller than that of its answers: far pairs are left to the
+// oracle.
 static bool check_by_library(const case_question *question, const case_collider *a, const case_collider *b,
                              const case_answer *answer, char why[CERTIFY_WHY_MAX]) {
   gjk_q16 limit = question->ask == CASE_WITHIN ? question->within : 0;

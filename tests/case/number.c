@@ -59,8 +59,8 @@ static int64_t whole_part(const decimal *number) {
   return whole;
 }
 
-// whole plus the part after the point, times 2^bits, rounded half up: the fraction is doubled in decimal, and each
-// carry out of it is the next bit.
+// whole plus the part after the point, times 2^bits, rounded half up: the fraction is doubled in decimal, and
+// each carry out of it is the next bit.
 static int64_t scaled(const decimal *number, int64_t whole, int bits) {
   char fraction[DIGITS_MAX + LEADING_ZEROS_MAX];
   size_t count = 0;

@@ -56,7 +56,8 @@ static char *next_word(char **cursor) {
   return word;
 }
 
-// Reads one line into text without its end; a byte 0 becomes '?', which no number contains. False at the end of file.
+// Reads one line into text without its end; a byte 0 becomes '?', which no number contains. False at the end of
+// file.
 static bool read_line(case_reader *reader) {
   size_t length = 0;
   int c = getc(reader->file);
@@ -117,7 +118,8 @@ static bool read_end(case_reader *reader, char *cursor) {
 }
 
 // Expects count numbers, called names in messages, and the end of the line.
-static bool read_numbers(case_reader *reader, char *cursor, const char *names, int bits, size_t count, int32_t *out) {
+static bool read_numbers(case_reader *reader, char *cursor, const char *names, int bits, size_t count,
+                         int32_t *out) {
   for (size_t i = 0; i < count; i++) {
     const char *word = next_word(&cursor);
     if (word == NULL) {
@@ -125,8 +127,8 @@ static bool read_numbers(case_reader *reader, char *cursor, const char *names, i
       return false;
     }
     if (!case_number_parse(word, bits, &out[i])) {
-      complain(reader, "expected %s: a raw 32-bit integer, or with a decimal point a value from %s, found '%s'", names,
-               bits == QUATERNION_BITS ? "-2.0 to below 2.0" : "-32768.0 to below 32768.0", word);
+      complain(reader, "expected %s: a raw 32-bit integer, or with a decimal point a value from %s, found '%s'",
+               names, bits == QUATERNION_BITS ? "-2.0 to below 2.0" : "-32768.0 to below 32768.0", word);
       return false;
     }
   }
@@ -173,8 +175,8 @@ static bool read_hull(case_reader *reader, char *cursor, case_shape *shape) {
 typedef struct kind_name {
   const char *word, *numbers;
   case_kind kind;
-  unsigned char count;    // numbers after the word
-  bool first_is_radius;   // the first is a radius of rounding
+  unsigned char count;   // numbers after the word
+  bool first_is_radius;  // the first is a radius of rounding
 } kind_name;
 
 static const kind_name kind_names[] = {
@@ -193,9 +195,7 @@ static const kind_name kind_names[] = {
 static void set_size(side *into, const kind_name *name, const int32_t number[3]) {
   gjk_vec3 *size = &into->shape->size;
   switch (name->kind) {
-    case CASE_SEGMENT:
-      size->z = number[name->count - 1];
-      break;
+    case CASE_SEGMENT: size->z = number[name->count - 1]; break;
     case CASE_CYLINDER:
     case CASE_CONE:
       size->x = size->y = number[0];
@@ -207,8 +207,7 @@ static void set_size(side *into, const kind_name *name, const int32_t number[3])
       size->y = number[1];
       size->z = number[2];
       break;
-    default:
-      break;
+    default: break;
   }
   into->own_radius = name->first_is_radius ? number[0] : 0;
 }
@@ -235,8 +234,10 @@ static bool read_kind(case_reader *reader, char *cursor, side *into, const char 
       return name->kind != CASE_TRIANGLE || read_vertices(reader, into->shape, 3);
     }
   }
-  complain(reader, "expected point, segment, triangle, box, hull, sphere, capsule, cylinder, cone, ellipsoid, "
-           "round, at or turn after '%c', found '%s'", into->letter, word);
+  complain(reader,
+           "expected point, segment, triangle, box, hull, sphere, capsule, cylinder, cone, ellipsoid, "
+           "round, at or turn after '%c', found '%s'",
+           into->letter, word);
   return false;
 }
 

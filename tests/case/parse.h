@@ -21,20 +21,20 @@
 
 typedef struct case_reader {
   FILE *file;
-  const char *name;             // of the file, for messages
-  unsigned long line;           // number of the line in text
-  unsigned long errors;         // messages written
-  bool pending;                 // text holds a line that is still to be read
-  bool overlong;                // text is the beginning of a longer line
-  bool failed;                  // the rest of the present case is skipped
+  const char *name;      // of the file, for messages
+  unsigned long line;    // number of the line in text
+  unsigned long errors;  // messages written
+  bool pending;          // text holds a line that is still to be read
+  bool overlong;         // text is the beginning of a longer line
+  bool failed;           // the rest of the present case is skipped
   char text[CASE_LINE_MAX];
 } case_reader;
 
 // The file stays the caller's; name must outlive the reader.
 void case_reader_open(case_reader *reader, FILE *file, const char *name);
 
-// The next well-formed case, in pair, whose storage is reused; zeroed at first. A malformed one is skipped up to the
-// next line that begins with 'case', after one message 'FILE:LINE: expected ...' on standard error.
+// The next well-formed case, in pair, whose storage is reused; zeroed at first. A malformed one is skipped up
+// to the next line that begins with 'case', after one message 'FILE:LINE: expected ...' on standard error.
 // False at the end of the file.
 bool case_reader_next(case_reader *reader, case_pair *pair);
 

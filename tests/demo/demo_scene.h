@@ -1,6 +1,7 @@
 // A scene as constant tables, with the answers of the host: what `gjk-demo --c-source SCENE` writes.
 //
-// On a device: compile the file that it writes with firmware.c, and call demo_firmware from the program's start.
+// On a device: compile the file that it writes with firmware.c, and call demo_firmware from the program's
+// start.
 #ifndef DEMO_SCENE_H
 #define DEMO_SCENE_H
 
@@ -24,8 +25,8 @@ typedef struct demo_pair {
 extern const demo_pair demo_pairs[];
 extern const unsigned demo_pair_count;
 
-// Answers every pair and compares with the table, bit by bit; prints one line per pair with what instructions() counted
-// during the distance query, and a summary. Returns the number of pairs that differ. Uses no C library.
+// Answers every pair and compares with the table, bit by bit; prints one line per pair with what instructions()
+// counted during the distance query, and a summary. Returns the number of pairs that differ. Uses no C library.
 int demo_firmware(void (*print)(const char *text), uint32_t (*instructions)(void));
 
 #endif

@@ -32,7 +32,8 @@ void draw_outline(const view *v, const case_shape *shape, point2 outline[OUTLINE
   }
 }
 
-void draw_shadow_outline(const view *v, const case_shape *shape, double height, point2 outline[OUTLINE_POINTS]) {
+void draw_shadow_outline(const view *v, const case_shape *shape, double height,
+                         point2 outline[OUTLINE_POINTS]) {
   for (int i = 0; i < OUTLINE_POINTS; i++) {
     double angle = 2 * PI * (i + 0.25) / OUTLINE_POINTS;
     real3 direction = {cos(angle), sin(angle), 0};
@@ -96,9 +97,10 @@ static void put_stop(FILE *file, double offset, colour base, double bright) {
   fprintf(file, "\"/>");
 }
 
-// Spheres and ellipsoids: the unit circle's gradient, brightest where the surface faces the lamp, under the map that
-// takes the circle to the outline. part: the columns of an affine map of the unit sphere to the body.
-static void put_ball_gradient(FILE *file, const view *v, const real3 part[3], real3 centre, colour base, size_t id) {
+// Spheres and ellipsoids: the unit circle's gradient, brightest where the surface faces the lamp, under the map
+// that takes the circle to the outline. part: the columns of an affine map of the unit sphere to the body.
+static void put_ball_gradient(FILE *file, const view *v, const real3 part[3], real3 centre, colour base,
+                              size_t id) {
   double xx = 0, xy = 0, yy = 0;
   for (int i = 0; i < 3; i++) {
     double x = v->scale * real_dot(part[i], v->right), y = -v->scale * real_dot(part[i], v->up);
@@ -110,9 +112,10 @@ static void put_ball_gradient(FILE *file, const view *v, const real3 part[3], re
   double a = sqrt(xx), b = xy / a, d = sqrt(yy - b * b);
   point2 c = view_project(v, centre);
   double fx = real_dot(v->light, v->right), fy = -real_dot(v->light, v->up);
-  fprintf(file, "<radialGradient id=\"g%lu\" gradientUnits=\"userSpaceOnUse\" cx=\"0\" cy=\"0\" r=\"1.02\" "
-          "fx=\"%.3f\" fy=\"%.3f\" gradientTransform=\"matrix(%.3f %.3f 0 %.3f %.2f %.2f)\">", (unsigned long)id,
-          0.75 * fx, 0.75 * fy, a, b, d, c.x, c.y);
+  fprintf(file,
+          "<radialGradient id=\"g%lu\" gradientUnits=\"userSpaceOnUse\" cx=\"0\" cy=\"0\" r=\"1.02\" "
+          "fx=\"%.3f\" fy=\"%.3f\" gradientTransform=\"matrix(%.3f %.3f 0 %.3f %.2f %.2f)\">",
+          (unsigned long)id, 0.75 * fx, 0.75 * fy, a, b, d, c.x, c.y);
   for (int i = 0; i <= 4; i++) {
     double t = i / 4.0;
     put_stop(file, t, base, AMBIENT + LAMP * (1.12 * (1 - t * t) + 0.1 * t));
@@ -128,8 +131,10 @@ static void put_tube_gradient(FILE *file, const view *v, real3 axis, real3 centr
   front = real_dot(front, v->toward) < 0 ? real_scale(-1, front) : front;
   point2 from = view_project(v, real_sub(centre, real_scale(radius, side)));
   point2 to = view_project(v, real_add(centre, real_scale(radius, side)));
-  fprintf(file, "<linearGradient id=\"g%lu\" gradientUnits=\"userSpaceOnUse\" x1=\"%.2f\" y1=\"%.2f\" x2=\"%.2f\" "
-          "y2=\"%.2f\">", (unsigned long)id, from.x, from.y, to.x, to.y);
+  fprintf(file,
+          "<linearGradient id=\"g%lu\" gradientUnits=\"userSpaceOnUse\" x1=\"%.2f\" y1=\"%.2f\" x2=\"%.2f\" "
+          "y2=\"%.2f\">",
+          (unsigned long)id, from.x, from.y, to.x, to.y);
   for (int i = 0; i <= 8; i++) {
     double t = -1 + i / 4.0;
     real3 normal = real_add(real_scale(t, side), real_scale(sqrt(1 - t * t), front));
@@ -205,8 +210,8 @@ static void draw_ball(FILE *file, const view *v, const case_shape *shape, colour
 static void draw_tube(FILE *file, const view *v, const case_shape *shape, colour base, size_t id) {
   const real3 z = {0, 0, 1};
   real3 axis = geometry_turn(shape, z);
-  put_tube_gradient(file, v, axis, real_from_q16(shape->pose.position), (shape->size.x + shape->round) / 65536.0, base,
-                    id);
+  put_tube_gradient(file, v, axis, real_from_q16(shape->pose.position),
+                    (shape->size.x + shape->round) / 65536.0, base, id);
   put_outline(file, v, shape, id);
   if (shape->kind == CASE_CYLINDER) {
     put_disc(file, v, shape, 1, base);
@@ -228,9 +233,7 @@ void draw_body(FILE *file, const view *v, const case_shape *shape, colour base, 
         draw_ball(file, v, shape, base, id);
       }
       break;
-    case CASE_CYLINDER:
-      draw_tube(file, v, shape, base, id);
-      break;
+    case CASE_CYLINDER: draw_tube(file, v, shape, base, id); break;
     case CASE_SEGMENT:
       if (shape->round == 0) {
         const real3 z = {0, 0, shape->size.z / 65536.0};
@@ -245,9 +248,7 @@ void draw_body(FILE *file, const view *v, const case_shape *shape, colour base, 
         draw_tube(file, v, shape, base, id);
       }
       break;
-    case CASE_CONE:
-      put_cone(file, v, shape, base);
-      break;
+    case CASE_CONE: put_cone(file, v, shape, base); break;
     default:
       if (shape->round > 0) {
         point2 outline[OUTLINE_POINTS];

@@ -58,8 +58,7 @@ static real3 local_support(const case_shape *shape, real3 d) {
   double flat = hypot(d.x, d.y);
   switch (shape->kind) {
     case CASE_TRIANGLE:
-    case CASE_HULL:
-      return farthest_vertex(shape, d);
+    case CASE_HULL: return farthest_vertex(shape, d);
     case CASE_ELLIPSOID: {
       real3 scaled = {s.x * d.x, s.y * d.y, s.z * d.z};
       real3 unit = real_unit(scaled);
@@ -76,8 +75,7 @@ static real3 local_support(const case_shape *shape, real3 d) {
       rim.z = -s.z;
       return real_dot(apex, d) > real_dot(rim, d) ? apex : rim;
     }
-    default:
-      return corner;
+    default: return corner;
   }
 }
 
@@ -167,7 +165,8 @@ static size_t hull_faces(const case_shape *shape, real_face *faces) {
   size_t n = shape->count <= FACETED_HULL_MAX ? shape->count : 0, found = 0;
   for (size_t i = 0; i < n * n * n * 2 && found < FACES_MAX; i++) {
     const gjk_vec3 *v = shape->vertices;
-    real3 p = real_from_q16(v[i / 2 % n]), q = real_from_q16(v[i / 2 / n % n]), r = real_from_q16(v[i / 2 / n / n]);
+    real3 p = real_from_q16(v[i / 2 % n]), q = real_from_q16(v[i / 2 / n % n]),
+          r = real_from_q16(v[i / 2 / n / n]);
     real3 across = real_cross(real_sub(q, p), real_sub(r, p));
     real3 normal = real_unit(real_scale(i % 2 == 0 ? 1 : -1, across));
     if (real_dot(across, across) < PLANE_TOLERANCE * PLANE_TOLERANCE * PLANE_TOLERANCE ||
@@ -187,12 +186,9 @@ static size_t hull_faces(const case_shape *shape, real_face *faces) {
 
 size_t geometry_faces(const case_shape *shape, real_face faces[FACES_MAX]) {
   switch (shape->kind) {
-    case CASE_BOX:
-      return box_faces(shape, faces);
+    case CASE_BOX: return box_faces(shape, faces);
     case CASE_TRIANGLE:
-    case CASE_HULL:
-      return hull_faces(shape, faces);
-    default:
-      return 0;
+    case CASE_HULL: return hull_faces(shape, faces);
+    default: return 0;
   }
 }

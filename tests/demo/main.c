@@ -7,22 +7,20 @@
 #include "source.h"
 
 static const char usage[] =
-    "usage: gjk-demo SCENE OUT.svg       answers and certifies the cases of SCENE, prints a table, draws a picture\n"
-    "       gjk-demo --c-source SCENE    prints the scene and its answers as a C file (see tests/demo/demo_scene.h)\n";
+    "usage: gjk-demo SCENE OUT.svg     answers and certifies the cases, prints a table, draws a picture\n"
+    "       gjk-demo --c-source SCENE  prints the cases and answers as C (see tests/demo/demo_scene.h)\n";
 
 static void put_line(const scene *s, size_t i) {
-  static const char *const verdict[] = {"proven", "curved", "WRONG"};
   const scene_pair *pair = &s->pair[i];
   char names[160], gap[24] = "", lsb[16] = "";
-  const char *word = pair->relation == SCENE_TOUCHING ? "touching" : "overlapping";
   snprintf(names, sizeof names, "%s - %s", s->body[pair->a].name, s->body[pair->b].name);
   if (pair->relation == SCENE_APART) {
-    word = "apart";
     picture_gap_text(gap, pair->answer.distance);
     snprintf(lsb, sizeof lsb, "%ld", (long)pair->answer.distance);
   }
-  printf("%3lu  %-32s %-12s %10s %12s %7u  %s\n", (unsigned long)(i + 1), names, word, lsb, gap,
-         pair->answer.iterations, verdict[pair->verdict]);
+  printf("%3lu  %-32s %-12s %10s %12s %7u  %s\n", (unsigned long)(i + 1), names,
+         scene_relation_name(pair->relation), lsb, gap, pair->answer.iterations,
+         scene_verdict_name(pair->verdict));
 }
 
 static int put_table(const scene *s) {
@@ -33,8 +31,10 @@ static int put_table(const scene *s) {
     put_line(s, i);
     verdicts[s->pair[i].verdict]++;
   }
-  printf("%lu pairs: %lu proven in exact integers, %lu with curved surfaces inside accurate bounds, %lu wrong\n",
-         (unsigned long)s->pairs, verdicts[CERTIFY_PROVEN], verdicts[CERTIFY_UNCERTIFIED], verdicts[CERTIFY_WRONG]);
+  printf(
+      "%lu pairs: %lu proven in exact integers, %lu curved and within accurate bounds, %lu wrong\n",
+      (unsigned long)s->pairs, verdicts[CERTIFY_PROVEN], verdicts[CERTIFY_UNCERTIFIED],
+      verdicts[CERTIFY_WRONG]);
   return verdicts[CERTIFY_WRONG] > 0 ? 1 : 0;
 }
 
@@ -74,8 +74,8 @@ int main(int argc, char **argv) {
     result = source_write(stdout, &s) ? 0 : 2;
   } else if (good) {
     const char *slash = strrchr(name, '/');
-    int drawn = draw(&s, argv[2], slash == NULL ? name : slash + 1);
     int wrong = put_table(&s);
+    int drawn = draw(&s, argv[2], slash == NULL ? name : slash + 1);
     result = drawn != 0 ? drawn : wrong;
   }
   scene_free(&s);

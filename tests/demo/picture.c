@@ -20,7 +20,6 @@
 #define FAINT "#6b7785"
 
 static const char *const relation_colour[] = {"#0b6fc2", "#0a8a4b", "#d0202e"};
-static const char *const relation_word[] = {"apart", "touching", "overlapping"};
 
 static const colour palette[] = {
     {1.00, 0.60, 0.16}, {0.56, 0.66, 0.78}, {0.90, 0.22, 0.25}, {0.82, 0.66, 0.45}, {0.45, 0.72, 0.58},
@@ -92,7 +91,8 @@ static void fit(picture *p) {
   }
 }
 
-// Does a hide a part of b? A plane between the two, which the library finds, has the nearer one on the camera's side.
+// Does a hide a part of b? A plane between the two, which the library finds, has the nearer one on the camera's
+// side.
 static bool hides(const picture *p, size_t a, size_t b) {
   gjk_distance_result parted;
   if (a == b || !boxes_meet(&p->box[a], &p->box[b])) {
@@ -187,8 +187,9 @@ static void put_bodies(const picture *p) {
 }
 
 static void put_names(picture *p) {
-  fprintf(p->file, "<g font-size=\"12\" fill=\"" INK "\" stroke=\"#ffffff\" stroke-opacity=\"0.75\" stroke-width=\"3\" "
-          "paint-order=\"stroke\" text-anchor=\"middle\">\n");
+  fprintf(p->file, "<g font-size=\"12\" fill=\"" INK
+                   "\" stroke=\"#ffffff\" stroke-opacity=\"0.75\" stroke-width=\"3\" "
+                   "paint-order=\"stroke\" text-anchor=\"middle\">\n");
   for (size_t i = 0; i < p->s->bodies; i++) {
     const scene_body *body = &p->s->body[i];
     const label_rectangle *box = &p->box[i];
@@ -222,17 +223,22 @@ static void put_marks(picture *p) {
       take_point(&p->page, at);
     }
     if (pair->relation != SCENE_APART) {
-      fprintf(p->file, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#ffffff\" stroke=\"%s\" stroke-width=\"2.5\"/>\n",
-              (a.x + b.x) / 2, (a.y + b.y) / 2, ink);
+      fprintf(
+          p->file,
+          "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#ffffff\" stroke=\"%s\" stroke-width=\"2.5\"/>\n",
+          (a.x + b.x) / 2, (a.y + b.y) / 2, ink);
       continue;
     }
     for (int layer = 0; layer < 2; layer++) {
-      fprintf(p->file, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%s\"%s/>\n", a.x,
-              a.y, b.x, b.y, layer == 0 ? "#ffffff" : ink, layer == 0 ? "4.5" : "2",
+      fprintf(p->file,
+              "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%s\"%s/>\n",
+              a.x, a.y, b.x, b.y, layer == 0 ? "#ffffff" : ink, layer == 0 ? "4.5" : "2",
               layer == 1 && pair->answer.distance > 20000 ? " stroke-dasharray=\"6 4\"" : "");
     }
-    fprintf(p->file, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\" stroke=\"#ffffff\"/>"
-            "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\" stroke=\"#ffffff\"/>\n", a.x, a.y, ink, b.x, b.y, ink);
+    fprintf(p->file,
+            "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\" stroke=\"#ffffff\"/>"
+            "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\" stroke=\"#ffffff\"/>\n",
+            a.x, a.y, ink, b.x, b.y, ink);
   }
 }
 
@@ -251,15 +257,21 @@ static void put_labels(picture *p) {
     double width = 22 + (gap[0] != '\0' ? 8.2 * (double)strlen(gap) + 8 : 0);
     label_rectangle r = label_place(&p->page, anchor, width, 18, 22);
     double end_x = fmin(fmax(anchor.x, r.left + 6), r.left + r.width - 6);
-    fprintf(p->file, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"1\"/>\n", anchor.x,
-            anchor.y, end_x, r.top + 9, ink);
-    fprintf(p->file, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"18\" rx=\"9\" fill=\"#ffffff\" stroke=\"%s\" "
-            "stroke-width=\"1.2\"/>", r.left, r.top, r.width, ink);
-    fprintf(p->file, "<rect x=\"%.1f\" y=\"%.1f\" width=\"22\" height=\"18\" rx=\"9\" fill=\"%s\"/>", r.left, r.top, ink);
-    fprintf(p->file, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"11\" font-weight=\"bold\" fill=\"#ffffff\" "
-            "text-anchor=\"middle\">%lu</text>", r.left + 11, r.top + 13, (unsigned long)(i + 1));
-    fprintf(p->file, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"12\" fill=\"" INK "\">%s</text>\n", r.left + 26, r.top + 13.2,
-            gap);
+    fprintf(p->file,
+            "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"1\"/>\n",
+            anchor.x, anchor.y, end_x, r.top + 9, ink);
+    fprintf(p->file,
+            "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"18\" rx=\"9\" fill=\"#ffffff\" stroke=\"%s\" "
+            "stroke-width=\"1.2\"/>",
+            r.left, r.top, r.width, ink);
+    fprintf(p->file, "<rect x=\"%.1f\" y=\"%.1f\" width=\"22\" height=\"18\" rx=\"9\" fill=\"%s\"/>", r.left,
+            r.top, ink);
+    fprintf(p->file,
+            "<text x=\"%.1f\" y=\"%.1f\" font-size=\"11\" font-weight=\"bold\" fill=\"#ffffff\" "
+            "text-anchor=\"middle\">%lu</text>",
+            r.left + 11, r.top + 13, (unsigned long)(i + 1));
+    fprintf(p->file, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"12\" fill=\"" INK "\">%s</text>\n", r.left + 26,
+            r.top + 13.2, gap);
   }
 }
 
@@ -269,26 +281,28 @@ static void put_row(FILE *file, const scene *s, size_t i, double y, double step)
   char gap[24];
   picture_gap_text(gap, pair->answer.distance);
   if (i % 2 == 0) {
-    fprintf(file, "<rect x=\"%.0f\" y=\"%.1f\" width=\"%.0f\" height=\"%.1f\" fill=\"#f1f4f7\"/>\n", PANEL_LEFT, y - step * 0.72,
-            WIDTH - PANEL_LEFT - 24, step);
+    fprintf(file, "<rect x=\"%.0f\" y=\"%.1f\" width=\"%.0f\" height=\"%.1f\" fill=\"#f1f4f7\"/>\n", PANEL_LEFT,
+            y - step * 0.72, WIDTH - PANEL_LEFT - 24, step);
   }
-  fprintf(file, "<text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" font-weight=\"bold\" text-anchor=\"end\">%lu</text>", PANEL_LEFT + 26, y,
-          ink, (unsigned long)(i + 1));
+  fprintf(file, "<text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" font-weight=\"bold\" text-anchor=\"end\">%lu</text>",
+          PANEL_LEFT + 26, y, ink, (unsigned long)(i + 1));
   fprintf(file, "<text x=\"%.0f\" y=\"%.1f\">", PANEL_LEFT + 36, y);
   put_text(file, s->body[pair->a].name);
-  fprintf(file, " – ");
+  fprintf(file, " &#8211; ");
   put_text(file, s->body[pair->b].name);
-  fprintf(file, "</text><text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"end\">%s</text>", PANEL_LEFT + 318, y, ink,
-          pair->relation == SCENE_APART ? gap : relation_word[pair->relation]);
+  fprintf(file, "</text><text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"end\">%s</text>",
+          PANEL_LEFT + 318, y, ink, pair->relation == SCENE_APART ? gap : scene_relation_name(pair->relation));
   fprintf(file, "<text x=\"%.0f\" y=\"%.1f\" fill=\"" FAINT "\">%s</text>\n", PANEL_LEFT + 332, y,
-          pair->verdict == CERTIFY_PROVEN ? "proven" : pair->verdict == CERTIFY_WRONG ? "WRONG" : "curved");
+          scene_verdict_name(pair->verdict));
 }
 
 static void put_panel(const picture *p) {
   const scene *s = p->s;
   double step = fmin(24, (HEIGHT - TOP - 150) / (double)(s->pairs + 1));
   double y = TOP + 20;
-  fprintf(p->file, "<rect x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\" rx=\"8\" fill=\"#ffffff\" stroke=\"#d5dbe1\"/>\n",
+  fprintf(p->file,
+          "<rect x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\" rx=\"8\" fill=\"#ffffff\" "
+          "stroke=\"#d5dbe1\"/>\n",
           PANEL_LEFT - 12, TOP - 8, WIDTH - PANEL_LEFT, HEIGHT - TOP - 12);
   fprintf(p->file, "<g font-size=\"%.1f\" fill=\"" INK "\">\n", fmin(13, step * 0.62));
   for (size_t i = 0; i < s->pairs; i++) {
@@ -300,10 +314,13 @@ static void put_panel(const picture *p) {
                                         "overlapping: outlined in red"};
   y = HEIGHT - 108;
   for (int i = 0; i < 3; i++) {
-    fprintf(p->file, "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"6\" fill=\"%s\"/><text x=\"%.0f\" y=\"%.0f\">%s</text>\n",
+    fprintf(p->file,
+            "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"6\" fill=\"%s\"/><text x=\"%.0f\" y=\"%.0f\">%s</text>\n",
             PANEL_LEFT + 16, y + 20 * i, relation_colour[i], PANEL_LEFT + 32, y + 20 * i + 4, meaning[i]);
   }
-  fprintf(p->file, "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT "\">proven: certificate checked in exact integers</text>"
+  fprintf(p->file,
+          "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT
+          "\">proven: certificate checked in exact integers</text>"
           "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT "\">curved: within 2 LSB of proven bounds</text></g>\n",
           PANEL_LEFT + 10, y + 64, PANEL_LEFT + 10, y + 80);
 }
@@ -315,9 +332,12 @@ static void put_title(const picture *p, const char *title) {
   }
   fprintf(p->file, "<text x=\"28\" y=\"40\" font-size=\"20\" font-weight=\"bold\" fill=\"" INK "\">");
   put_text(p->file, title);
-  fprintf(p->file, "</text><text x=\"%.0f\" y=\"40\" font-size=\"14\" fill=\"" FAINT "\" text-anchor=\"end\">%lu bodies, %lu "
-          "pairs: %lu apart, %lu touching, %lu overlapping</text>\n", WIDTH - 24, (unsigned long)p->s->bodies,
-          (unsigned long)p->s->pairs, count[SCENE_APART], count[SCENE_TOUCHING], count[SCENE_OVERLAPPING]);
+  fprintf(p->file,
+          "</text><text x=\"%.0f\" y=\"40\" font-size=\"14\" fill=\"" FAINT
+          "\" text-anchor=\"end\">%lu bodies, %lu "
+          "pairs: %lu apart, %lu touching, %lu overlapping</text>\n",
+          WIDTH - 24, (unsigned long)p->s->bodies, (unsigned long)p->s->pairs, count[SCENE_APART],
+          count[SCENE_TOUCHING], count[SCENE_OVERLAPPING]);
 }
 
 void picture_write(FILE *file, const scene *s, const char *title) {
@@ -329,8 +349,10 @@ void picture_write(FILE *file, const scene *s, const char *title) {
   p.page.area = area;
   fit(&p);
   sort_bodies(&p);
-  fprintf(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" "
-          "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n", WIDTH, HEIGHT, WIDTH, HEIGHT);
+  fprintf(file,
+          "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" "
+          "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n",
+          WIDTH, HEIGHT, WIDTH, HEIGHT);
   fprintf(file, "<rect width=\"100%%\" height=\"100%%\" fill=\"#e6ebf0\"/>\n");
   put_title(&p, title);
   put_bodies(&p);

@@ -42,7 +42,8 @@ static size_t find_body(scene *s, const case_shape *shape, const char *name, siz
   return i;
 }
 
-static bool try_move(const scene_body *a, const scene_body *b, int axis, gjk_q16 step, gjk_distance_result *out) {
+static bool try_move(const scene_body *a, const scene_body *b, int axis, gjk_q16 step,
+                     gjk_distance_result *out) {
   gjk_collider moved = b->collider.collider;
   gjk_vec3 to = moved.position;
   gjk_q16 *coordinate = axis == 0 ? &to.x : axis == 1 ? &to.y : &to.z;
@@ -96,15 +97,16 @@ static bool add_pair(scene *s, const case_pair *source, case_collider *a, case_c
   const char *colon = strchr(source->id, ':');
   size_t length = colon == NULL ? strlen(source->id) : (size_t)(colon - source->id);
   const char *second = colon == NULL ? source->id : colon + 1;
-  scene_pair *pair = &s->pair[s->pairs];
-  pair->a = find_body(s, &source->a, source->id, length);
-  pair->b = find_body(s, &source->b, second, strlen(second));
-  if (s->pairs == SCENE_PAIRS_MAX - 1 || pair->a == SCENE_BODIES_MAX || pair->b == SCENE_BODIES_MAX) {
-    fprintf(stderr, "%s: a scene holds at most %d pairs of %d bodies\n", source->id, SCENE_PAIRS_MAX - 1,
+  size_t body_a = find_body(s, &source->a, source->id, length);
+  size_t body_b = find_body(s, &source->b, second, strlen(second));
+  if (s->pairs == SCENE_PAIRS_MAX || body_a == SCENE_BODIES_MAX || body_b == SCENE_BODIES_MAX) {
+    fprintf(stderr, "%s: a scene holds at most %d pairs of %d bodies\n", source->id, SCENE_PAIRS_MAX,
             SCENE_BODIES_MAX);
     return false;
   }
-  s->pairs++;
+  scene_pair *pair = &s->pair[s->pairs++];
+  pair->a = body_a;
+  pair->b = body_b;
   pair->answer = answer.distance;
   pair->verdict = certify_answer(&question, source, a, b, &answer, why);
   relate(s, pair);
@@ -124,6 +126,14 @@ bool scene_read(scene *s, FILE *file, const char *name) {
   case_collider_free(&a);
   case_collider_free(&b);
   return good && reader.errors == 0;
+}
+
+const char *scene_relation_name(scene_relation relation) {
+  return relation == SCENE_APART ? "apart" : relation == SCENE_TOUCHING ? "touching" : "overlapping";
+}
+
+const char *scene_verdict_name(certify_verdict verdict) {
+  return verdict == CERTIFY_PROVEN ? "proven" : verdict == CERTIFY_WRONG ? "WRONG" : "curved";
 }
 
 void scene_free(scene *s) {

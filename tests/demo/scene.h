@@ -16,7 +16,7 @@ typedef struct scene_body {
 
 typedef enum scene_relation {
   SCENE_APART,
-  SCENE_TOUCHING,    // they share a point, and a move by 1 LSB along an axis parts them
+  SCENE_TOUCHING,  // they share a point, and a move by 1 LSB along an axis parts them
   SCENE_OVERLAPPING
 } scene_relation;
 
@@ -25,7 +25,8 @@ typedef struct scene_pair {
   gjk_distance_result answer;
   scene_relation relation;
   certify_verdict verdict;
-  gjk_vec3 mark_a, mark_b;  // nearest points; of touching and overlapping bodies, those once they are moved apart
+  gjk_vec3 mark_a,
+      mark_b;  // nearest points; of touching and overlapping bodies, those once they are moved apart
 } scene_pair;
 
 typedef struct scene {
@@ -40,8 +41,12 @@ typedef struct scene {
 bool scene_read(scene *s, FILE *file, const char *name);
 void scene_free(scene *s);
 
-// Moves b along the axes in growing steps, from 1 LSB on, until the bodies are apart. Returns the step, 0 when they
-// are apart as they stand; out is the answer there, as if b had moved.
+// A word for tables.
+const char *scene_relation_name(scene_relation relation);
+const char *scene_verdict_name(certify_verdict verdict);
+
+// Moves b along the axes in growing steps, from 1 LSB on, until the bodies are apart. Returns the step, 0 when
+// they are apart as they stand; out is the answer there, as if b had moved.
 gjk_q16 scene_part(const scene_body *a, const scene_body *b, gjk_distance_result *out);
 
 #endif

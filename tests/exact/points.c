@@ -36,6 +36,14 @@ static exact_point from_vec3(const gjk_vec3 *v) {
   return p;
 }
 
+// The normal of a far pair comes from rounded vertices: what holds is that the distance along it is right.
+static bool is_far_normal(judge *j, const gjk_distance_result *result) {
+  const gjk_unit3 *n = &result->normal;
+  const exact_vector direction = {{exact_from(n->x), exact_from(n->y), exact_from(n->z)}};
+  return judge_clears(j, &direction, result->distance + j->radius - j->slack) ||
+         judge_refuse(j, "far: the distance along the normal is less");
+}
+
 // Is the point at most limit from the hull of the feature's vertices on one side?
 static bool is_at(const exact_point *point, const exact_point *vertices, unsigned count, int64_t limit) {
   exact_point relative[3];
@@ -89,7 +97,7 @@ bool exact_check_points(const gjk_collider *a, const gjk_collider *b, const gjk_
     return false;
   }
   exact_feature_nearest(j.w, j.count, &j.feature);
-  if (!is_normal(&j, &result->normal)) {
+  if (j.slack > 0 ? !is_far_normal(&j, result) : !is_normal(&j, &result->normal)) {
     return false;
   }
   if (result->saturated) {

@@ -23,7 +23,7 @@ void generate_pair(const generate_family *family, uint64_t seed, case_pair *pair
 typedef struct generate_height {
   int64_t level;      // half LSB
   int side;           // sign of gap - level / 2
-  unsigned bits;      // of the longest component of the normal
+  unsigned bits;      // of the length of the normal
 } generate_height;
 
 typedef enum generate_contact {

@@ -156,7 +156,7 @@ static void choose_edges(random_state *random, bool crossing, int multiple, doub
   round_vector(unit, 1, side);
   cross(side, first, normal);
   const double jitter = 0.8 + 0.2 * generate_unit(random), angle = crossing ? 1.3 + 0.5 * generate_unit(random) : 1.05;
-  const double length = reach * (crossing ? 1.9 : 1.5);
+  const double length = reach * (crossing ? 1.9 : 1.5 + 0.15 * generate_unit(random));
   double e[3], f[3];
   for (int i = 0; i < 3; i++) {
     const double along = (double)first[i] / 1e9, across = (double)normal[i] / 1e18;
@@ -226,15 +226,11 @@ static void make_upper(const lattice_plane *plane, generate_contact contact, con
   }
 }
 
-static unsigned longest_bits(const int64_t *n, int factor) {
-  unsigned bits = 0;
-  for (int i = 0; i < 3; i++) {
-    for (uint64_t m = (uint64_t)llabs(n[i]) * (uint64_t)factor, b = 0; m != 0; m >>= 1) {
-      b++;
-      bits = b > bits ? (unsigned)b : bits;
-    }
-  }
-  return bits;
+static unsigned length_bits(const int64_t *n, int factor) {
+  const double x = (double)n[0], y = (double)n[1], z = (double)n[2];
+  int bits;
+  frexp(factor * sqrt(x * x + y * y + z * z), &bits);
+  return (unsigned)bits;
 }
 
 static bool fits(const case_shape *shape) {
@@ -283,7 +279,7 @@ static bool try_smallest(random_state *random, generate_contact contact, int64_t
   }
   height->level = level;
   height->side = level == 0 ? (k > 0) - (k < 0) : compare_height(plane.n, k, level);
-  height->bits = longest_bits(plane.n, contact == GENERATE_FACE_FACE ? 4 : 1);
+  height->bits = length_bits(plane.n, contact == GENERATE_FACE_FACE ? 4 : 1);
   pair->a.pose.position = pair->b.pose.position = generate_vector(random, (double)generate_reach(random));
   return fits(&pair->a) && fits(&pair->b);
 }

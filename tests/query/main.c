@@ -41,11 +41,11 @@ static const char help[] =
     "  ID intersecting iterations=N\n"
     "  ID within iterations=N        (--within; or 'beyond')\n"
     "  ID error STATUS_NAME detail   a pair that the library refuses\n"
-    "  ... uncertified: WHY          (--certify) no exact check exists for this pair; compared with the reference\n"
+    "  ... uncertified: WHY          (--certify) curved: no exact check exists, but accurate bounds agree\n"
     "  ... WRONG: WHY                (--certify) the check failed\n"
     "\n"
-    "Exit status: 0 all answered; 1 a check failed; 2 a malformed line (skipped with its case, and named on standard\n"
-    "error), a file that can't be read, a wrong option.\n";
+    "Exit status: 0 all answered; 1 a check failed; 2 a malformed line (skipped with its case, and named on\n"
+    "standard error), a file that can't be read, a wrong option.\n";
 
 typedef struct tool {
   case_question question;

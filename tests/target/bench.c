@@ -6,14 +6,17 @@
 #define VERTICES 64
 
 const bench_family bench_families[] = {
-    {"8-point hulls apart, distance", BENCH_DISTANCE, 8, false},
-    {"8-point hulls apart, intersect", BENCH_INTERSECT, 8, false},
-    {"8-point hulls overlapping, intersect", BENCH_INTERSECT, 8, true},
-    {"64-point hulls apart, distance", BENCH_DISTANCE, 64, false},
-    {"64-point hulls apart, intersect", BENCH_INTERSECT, 64, false},
-    {"boxes as boxes apart, distance", BENCH_DISTANCE, 0, false},
-    {"boxes as boxes apart, intersect", BENCH_INTERSECT, 0, false},
-    {"boxes as boxes overlapping, intersect", BENCH_INTERSECT, 0, true},
+    {"8-point hulls apart, distance", BENCH_DISTANCE, 8, BENCH_APART},
+    {"8-point hulls apart, intersect", BENCH_INTERSECT, 8, BENCH_APART},
+    {"8-point hulls close, distance", BENCH_DISTANCE, 8, BENCH_CLOSE},
+    {"8-point hulls close, intersect", BENCH_INTERSECT, 8, BENCH_CLOSE},
+    {"8-point hulls overlapping, intersect", BENCH_INTERSECT, 8, BENCH_OVERLAPPING},
+    {"64-point hulls apart, distance", BENCH_DISTANCE, 64, BENCH_APART},
+    {"64-point hulls close, intersect", BENCH_INTERSECT, 64, BENCH_CLOSE},
+    {"boxes as boxes apart, distance", BENCH_DISTANCE, 0, BENCH_APART},
+    {"boxes as boxes apart, intersect", BENCH_INTERSECT, 0, BENCH_APART},
+    {"boxes as boxes close, intersect", BENCH_INTERSECT, 0, BENCH_CLOSE},
+    {"boxes as boxes overlapping, intersect", BENCH_INTERSECT, 0, BENCH_OVERLAPPING},
 };
 const unsigned bench_family_count = sizeof bench_families / sizeof bench_families[0];
 
@@ -67,14 +70,20 @@ void bench_start(void) {
   random = random_seed(50);
 }
 
+static bench_gap gap_of(const gjk_distance_result *result) {
+  if (result->intersecting) {
+    return BENCH_OVERLAPPING;
+  }
+  return result->distance < GJK_Q16(0.1) ? BENCH_CLOSE : BENCH_APART;
+}
+
 void bench_next(const bench_family *family) {
   for (;;) {
     gjk_distance_result result;
     make_body(family, 0);
     make_body(family, 1);
     gjk_distance(&colliders[0], &colliders[1], NULL, &result);
-    if (family->overlapping ? result.intersecting
-                            : result.distance >= GJK_Q16(0.1) && result.distance <= GJK_Q16(2.0)) {
+    if (gap_of(&result) == family->gap && result.distance <= GJK_Q16(2.0)) {
       return;
     }
   }

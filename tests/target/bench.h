@@ -8,11 +8,17 @@
 
 typedef enum bench_query { BENCH_DISTANCE, BENCH_INTERSECT } bench_query;
 
+typedef enum bench_gap {
+  BENCH_APART,       // 0.1 to 2 units
+  BENCH_CLOSE,       // above 0, to 0.1 units; bounding spheres overlap
+  BENCH_OVERLAPPING
+} bench_gap;
+
 typedef struct bench_family {
   const char *name;
   bench_query query;
   uint16_t vertices;  // of each hull; 0: boxes
-  bool overlapping;   // else 0.1 to 2 units apart
+  bench_gap gap;
 } bench_family;
 
 extern const bench_family bench_families[];

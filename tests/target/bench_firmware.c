@@ -1,29 +1,10 @@
-// Firmware: instructions and stack per query on an emulated core, one line per family.
+// Firmware: instructions and stack per query on an emulated core, one line per family:
+// NAME|mean|worst|rounds x 100, mean|most rounds|bytes of stack
 #include "bench.h"
-#include "mps2/board.h"
+#include "count.h"
 #include "print.h"
 
-#define LOOP 1000u
 #define PAINT 0x5AA5C33Cu
-
-// Ticks of LOOP rounds of a loop that has eight instructions more than an empty one.
-static uint32_t time_loop(bool filled) {
-  const uint32_t start = board_ticks();
-  for (unsigned i = 0; i < LOOP; i++) {
-    if (filled) {
-      __asm__ volatile("nop\n nop\n nop\n nop\n nop\n nop\n nop\n nop\n");
-    } else {
-      __asm__ volatile("");
-    }
-  }
-  return board_ticks() - start;
-}
-
-static uint32_t ticks_per_8000;  // instructions
-
-static uint32_t instructions(uint32_t ticks) {
-  return (uint32_t)((uint64_t)ticks * 8000u / ticks_per_8000);
-}
 
 // Paints the free stack but for the last 16 words above its end, which this function may be using itself.
 static void paint_stack(uintptr_t top) {
@@ -41,14 +22,13 @@ static uint32_t painted_depth(uintptr_t top) {
   return (uint32_t)(top - (uintptr_t)p);
 }
 
-static void field(const char *name, uint32_t value) {
-  board_print(name);
+static void field(uint32_t value) {
+  board_print("|");
   print_decimal(board_print, value);
 }
 
-static void measure(const bench_family *family) {
-  uint64_t sum = 0;
-  uint32_t worst = 0, rounds = 0, most_rounds = 0, stack = 0;
+static void measure(const bench_family *family, uint32_t calibration) {
+  uint32_t sum = 0, worst = 0, rounds = 0, most_rounds = 0, stack = 0;
   bench_start();
   for (int i = 0; i < BENCH_PAIRS; i++) {
     bench_next(family);
@@ -56,7 +36,7 @@ static void measure(const bench_family *family) {
     paint_stack((uintptr_t)&here);
     const uint32_t start = board_ticks();
     const unsigned used = bench_run(family);
-    const uint32_t count = instructions((board_ticks() - start) & 0xFFFFFFu);
+    const uint32_t count = count_instructions(board_ticks() - start, calibration);
     const uint32_t depth = painted_depth((uintptr_t)&here);
     sum += count;
     worst = count > worst ? count : worst;
@@ -65,18 +45,22 @@ static void measure(const bench_family *family) {
     stack = depth > stack ? depth : stack;
   }
   board_print(family->name);
-  field(", mean ", (uint32_t)(sum / BENCH_PAIRS));
-  field(", worst ", worst);
-  field(", rounds x 100 ", rounds * 100 / BENCH_PAIRS);
-  field(", most ", most_rounds);
-  field(", stack ", stack);
+  field(sum / BENCH_PAIRS);
+  field(worst);
+  field(rounds * 100 / BENCH_PAIRS);
+  field(most_rounds);
+  field(stack);
   board_print("\n");
 }
 
 int firmware_main(void) {
-  ticks_per_8000 = time_loop(true) - time_loop(false);
+  const uint32_t calibration = count_calibrate();
+  if (calibration == 0) {
+    board_print("the counter does not count instructions\n");
+    return 1;
+  }
   for (unsigned i = 0; i < bench_family_count; i++) {
-    measure(&bench_families[i]);
+    measure(&bench_families[i], calibration);
   }
   return 0;
 }

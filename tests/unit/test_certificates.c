@@ -12,11 +12,13 @@
 #define FAILURES_SHOWN 10
 #define CACHES 3
 
-// One in so many pairs is also checked by the library's own check, by wrong answers, and by brute force if small.
+// One in so many pairs is also checked by the library's own check, by wrong answers, and by brute force: of up to 16
+// pairs of vertices often, of up to EXACT_BRUTE_MAX now and then.
 #define CHECK_EVERY 4
 #define MUTATE_EVERY 8
 #define BRUTE_EVERY 16
 #define BRUTE_VERTICES 16
+#define BRUTE_LARGE_EVERY 4096
 
 typedef struct campaign {
   const generate_family *family;
@@ -26,6 +28,7 @@ typedef struct campaign {
   random_state random;
   unsigned long pairs, intersecting, brute, mutants, refused, failures;
   unsigned iterations;  // largest
+  unsigned long proofs[GJK_PROOF_ENCLOSING + 1][5];  // by kind and count of named pairs, over all families
   char why[160];
 } campaign;
 
@@ -38,14 +41,17 @@ static void expect(campaign *c, bool holds, const char *what) {
   c->why[0] = '\0';
 }
 
-static void count_iterations(campaign *c, unsigned iterations) {
+static void count_answer(campaign *c, unsigned iterations, const gjk_certificate *certificate) {
   c->iterations = iterations > c->iterations ? iterations : c->iterations;
+  if (certificate->proof <= GJK_PROOF_ENCLOSING && certificate->count <= 4) {
+    c->proofs[certificate->proof][certificate->count]++;
+  }
 }
 
 static void check_decision(campaign *c, gjk_q16 distance, const gjk_decision *d) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   expect(c, exact_check_decision(a, b, distance, d, c->why, sizeof c->why), "decision");
-  count_iterations(c, d->iterations);
+  count_answer(c, d->iterations, &d->certificate);
 }
 
 static gjk_cache any_cache(random_state *random) {
@@ -110,7 +116,7 @@ static void check_warm(campaign *c, const gjk_distance_result *cold, gjk_cache c
   expect(c, gjk_distance(a, b, &cache, &r) == GJK_OK && r.intersecting == cold->intersecting &&
                 r.distance == cold->distance, what);
   expect(c, exact_check_distance(a, b, &r, c->why, sizeof c->why), what);
-  count_iterations(c, r.iterations);
+  count_answer(c, r.iterations, &r.certificate);
 }
 
 // The vertex named by one pair of a certificate is another one.
@@ -197,7 +203,7 @@ static void check_pair(campaign *c) {
   }
   const bool far = exact_is_far(a, b);
   expect(c, exact_check_distance(a, b, &r, c->why, sizeof c->why), "distance");
-  count_iterations(c, r.iterations);
+  count_answer(c, r.iterations, &r.certificate);
   c->pairs++;
   c->intersecting += r.intersecting;
   check_warm(c, &r, own, "distance with its own cache");
@@ -211,7 +217,9 @@ static void check_pair(campaign *c) {
     check_wrong_decision(c, r.distance);
     check_wrong_decision(c, r.distance > 0 ? r.distance - 1 : 0);
   }
-  if (c->pairs % BRUTE_EVERY == 0 && !far && exact_vertex_count(a) * exact_vertex_count(b) <= BRUTE_VERTICES) {
+  const unsigned vertices = exact_vertex_count(a) * exact_vertex_count(b);
+  if (!far && ((c->pairs % BRUTE_EVERY == 0 && vertices <= BRUTE_VERTICES) ||
+               (c->pairs % BRUTE_LARGE_EVERY == 0 && vertices <= EXACT_BRUTE_MAX))) {
     check_brute(c, &r);
   }
 }
@@ -236,6 +244,26 @@ static unsigned run_family(campaign *c, uint64_t seed, unsigned long pairs) {
   return c->iterations;
 }
 
+// Every kind of proof, of every size that it can have, must have been given.
+static void check_proofs(const campaign *c, unsigned long pairs) {
+  static const struct {
+    gjk_proof proof;
+    unsigned least, most;
+    const char *name;
+  } kinds[] = {{GJK_PROOF_SPHERES, 0, 0, "spheres"},
+               {GJK_PROOF_DIRECTION, 0, 0, "direction"},
+               {GJK_PROOF_NEAREST, 1, 3, "nearest"},
+               {GJK_PROOF_NEAR, 1, 3, "near"},
+               {GJK_PROOF_ENCLOSING, 1, 4, "enclosing"}};
+  for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+    for (unsigned count = kinds[i].least; count <= kinds[i].most; count++) {
+      const unsigned long given = c->proofs[kinds[i].proof][count];
+      printf("%lu times %s of %u pairs\n", given, kinds[i].name, count);
+      CHECK_MSG(given > pairs / 1000, "%s of %u pairs: %lu", kinds[i].name, count, given);
+    }
+  }
+}
+
 int main(int argc, char **argv) {
   static campaign c;
   const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
@@ -257,6 +285,7 @@ int main(int argc, char **argv) {
   CHECK_MSG(iterations < GJK_ITERATIONS_MAX / 2, "%u", iterations);
   if (pairs >= 10000) {
     CHECK(refused > total / 4 && brute > total / 1000);
+    check_proofs(&c, total);
   }
   case_pair_free(&c.pair);
   case_collider_free(&c.a);
