@@ -113,12 +113,14 @@ build/gjk-query build/gjk-demo $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 # Start-up code clears memory in a loop, which must not become a call of itself.
 
 FIRMWARE_HEADERS := $(wildcard tests/target/*.h tests/demo/*.h include/gjk/*.h port/board/*.h tests/random.h)
-FIRMWARE = $(FREESTANDING) -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) $(filter %.c,$^) \
+FIRMWARE = $(FREESTANDING) -Itests -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) $(filter %.c,$^) \
   $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 
 $(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(LIB) $(FIRMWARE_HEADERS) Makefile
 	@echo '  $@'
 	@$(FIRMWARE)
+
+$(OUT)/port.elf: tests/target/port_allocation.c port/generic/gjk_arena.c
 
 $(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(LIB) $(FIRMWARE_HEADERS) Makefile
 	@echo '  $@'

@@ -2,6 +2,7 @@
 #ifndef PORT_TEST_H
 #define PORT_TEST_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 typedef struct port_counts {
@@ -12,7 +13,7 @@ typedef struct port_counts {
 port_counts port_check(void (*print)(const char *text));
 
 // The same for the allocation that this is linked with. arena_bytes: all that there is, at most 4096; 0: no end to it.
-port_counts port_check_allocation(void (*print)(const char *text), uint32_t arena_bytes);
+port_counts port_check_allocation(void (*print)(const char *text), size_t arena_bytes);
 
 // Asks the library for what only an assert refuses: a user's shape that reaches beyond its own bound.
 void port_violate_contract(void);
