@@ -69,13 +69,24 @@ static gjk_q16 saturate(int64_t x, bool *saturated) {
 // The feature's vertices and the weights of its nearest point; of fewer than three the first fills in, without weight.
 typedef struct feature {
   const gjk_vertex *u, *v, *w;
-  int32_t weight[2];
+  gjk_share weight[2];  // of v and w
 } feature;
 
-// u + weight[0] (v - u) + weight[1] (w - u), Q31. Pre: coordinates at most 3 2^29, differences below 2^31 in size: the sum
-// of the first two terms is at most 7 2^60, the whole at most 3 2^60.
+// In a frame of less than this shift an edge may be so long that weights of 31 bits put the point off by half an LSB.
+#define FINE_SHIFT 4
+
+// What the low parts of the weights add for edges v and w, Q31: at most 2^31.
+GJK_OUT_OF_LINE static int64_t fine_part(const feature *f, int32_t v, int32_t w) {
+  return gjk_sar64(gjk_mac32(gjk_mul32(v, f->weight[0].low), w, f->weight[1].low), 16);
+}
+
+// u + (weight of v) (v - u) + (weight of w) (w - u), Q31. Pre: coordinates at most 3 2^29, differences below 2^31 in
+// size: the sum of the first two terms is at most 7 2^60, the whole at most 3 2^60.
 static inline int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t w) {
-  return gjk_mac32(gjk_mac32(gjk_shl64(u, 31), v - u, f->weight[0]), w - u, f->weight[1]);
+  v -= u;
+  w -= u;
+  const int64_t sum = gjk_mac32(gjk_mac32(gjk_shl64(u, 31), v, f->weight[0].high), w, f->weight[1].high);
+  return (f->weight[0].low | f->weight[1].low) != 0 ? sum + fine_part(f, v, w) : sum;
 }
 
 // The coordinate of one point: of the core Q31 from A's centre, moved by round along the normal.
@@ -135,10 +146,10 @@ GJK_OUT_OF_LINE static void report_points(const gjk_iteration *it, gjk_distance_
   f.u = &s->slot[s->order[0]];
   f.v = s->count > 1 ? &s->slot[s->order[1]] : f.u;
   f.w = s->count > 2 ? &s->slot[s->order[2]] : f.u;
-  f.weight[0] = 0;
-  f.weight[1] = 0;
   if (s->count > 1) {
-    gjk_simplex_weights(s, f.weight);
+    gjk_simplex_weights(s, it->shift < FINE_SHIFT, f.weight);
+  } else {
+    f.weight[0].high = f.weight[0].low = f.weight[1].high = f.weight[1].low = 0;
   }
   if (it->shift >= 0) {
     nearest_points(it, &f, out);

@@ -26,8 +26,8 @@
 
 // GJK_CLZ32(x): leading zeros of a uint32_t that is not 0. Default: portable C in wide.h.
 
-// GJK_MULTIPLY32(a, b): the exact int64_t product of two int32_t. Default: the language's own; a core without a
-// long multiplication is better off with the four partial products of wide.h, GJK_NARROW_MULTIPLY 1.
+// GJK_NARROW_MULTIPLY: 1 on a core without a multiplication of 32 x 32 to 64 bits, which is better off with four
+// products of halves. Default 0: the language's own.
 #ifndef GJK_NARROW_MULTIPLY
 #define GJK_NARROW_MULTIPLY 0
 #endif

@@ -289,7 +289,7 @@ static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, 
   gjk_positive_sum(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);
 }
 
-void gjk_simplex_weights(const gjk_simplex *s, int32_t weight[2]) {
+void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_share weight[2]) {
   const unsigned a = s->order[0], b = s->order[1], c = s->order[2];
   gjk_u128 of_a, of_b, of_c;
   if (s->count == 3) {
@@ -301,5 +301,5 @@ void gjk_simplex_weights(const gjk_simplex *s, int32_t weight[2]) {
     of_a.low = (uint64_t)s->toward[b][a];
     of_b.low = (uint64_t)s->toward[a][b];
   }
-  gjk_ratios(&of_a, &of_b, &of_c, weight);
+  gjk_shares(&of_a, &of_b, &of_c, fine, weight);
 }

@@ -70,8 +70,8 @@ void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_limbs *numerator, gj
 // The sign of (2 distance)^2 - twice^2, from the above.
 int gjk_compare_distance(const gjk_limbs *numerator, const gjk_limbs *denominator, uint64_t twice);
 
-// Weights of the second and third vertex in the nearest point on the feature, Q31, not negative, together below 2^31;
-// the first has the rest. Each within 3 LSB. Pre: 2 <= count <= 3 and the feature is nearest.
-void gjk_simplex_weights(const gjk_simplex *s, int32_t weight[2]);
+// Weights of the second and third vertex in the nearest point on the feature; the first has the rest. fine: see
+// gjk_shares. Pre: 2 <= count <= 3 and the feature is nearest.
+void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_share weight[2]);
 
 #endif

@@ -83,15 +83,44 @@ static uint32_t reciprocal(uint32_t x) {
   return y;
 }
 
-void gjk_ratios(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, int32_t ratio[2]) {
-  gjk_u128 sum = add128(add128(*rest, *part), *part2);
+static bool less128(const gjk_u128 *a, const gjk_u128 *b) {
+  return a->high != b->high ? a->high < b->high : a->low < b->low;
+}
+
+// floor(2^47 part / sum), bit by bit. Pre: part <= sum < 2^127, so twice a rest below sum fits.
+GJK_OUT_OF_LINE static void fine_share(const gjk_u128 *part, const gjk_u128 *sum, gjk_share *share) {
+  uint64_t high = part->high, low = part->low, quotient = 0;
+  for (int i = 0; i <= 47; i++) {
+    const gjk_u128 rest = {high, low};
+    const bool bit = !less128(&rest, sum);
+    if (bit) {
+      high = high - sum->high - (low < sum->low);
+      low -= sum->low;
+    }
+    quotient = (quotient << 1) | bit;
+    high = (high << 1) | (low >> 63);
+    low <<= 1;
+  }
+  share->high = (int32_t)(quotient >> 16);  // below 2^31: no part is the whole
+  share->low = (int32_t)(quotient & 0xFFFFu);
+}
+
+void gjk_shares(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine, gjk_share share[2]) {
+  const gjk_u128 sum = add128(add128(*rest, *part), *part2);
+  if (fine) {
+    fine_share(part, &sum, &share[0]);
+    fine_share(part2, &sum, &share[1]);
+    return;
+  }
   const unsigned bits = sum.high != 0 ? 128 - gjk_clz64(sum.high) : 64 - gjk_clz64(sum.low);
   const uint32_t inverse = reciprocal(leading(&sum, bits));
   const uint32_t one = INT32_MAX;
   const uint32_t first = gjk_umulh32(leading(part, bits), inverse);
   const uint32_t second = gjk_umulh32(leading(part2, bits), inverse);
-  ratio[0] = (int32_t)(first < one ? first : one);
-  ratio[1] = (int32_t)(second < one - (uint32_t)ratio[0] ? second : one - (uint32_t)ratio[0]);
+  share[0].high = (int32_t)(first < one ? first : one);
+  share[1].high = (int32_t)(second < one - first ? second : one - first);
+  share[0].low = 0;
+  share[1].low = 0;
 }
 
 void gjk_limbs_set(gjk_limbs *x, uint64_t value) {

@@ -186,9 +186,14 @@ typedef struct gjk_u128 {
 // *out = p q + r s. Pre: not negative; each factor at most 2^62 in size.
 void gjk_positive_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out);
 
-// The shares of part and part2 in rest + part + part2, Q31, each within 3, not negative, together below 2^31.
-// Pre: the sum is positive and below 2^127.
-void gjk_ratios(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, int32_t ratio[2]);
+// A share of a whole: (2^16 high + low) / 2^47.
+typedef struct gjk_share {
+  int32_t high, low;  // from 0; low below 2^16
+} gjk_share;
+
+// The shares of part and part2 in rest + part + part2; together at most 1. fine: exact but for a floor; otherwise low is
+// 0 and high within 3, sixty times as fast. Pre: the sum is positive and below 2^127.
+void gjk_shares(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine, gjk_share share[2]);
 
 // Unsigned integers of 192 bits, least significant limb first, for the rare comparisons of squares.
 #define GJK_LIMBS 6

@@ -13,7 +13,7 @@ typedef enum gjk_status {
   GJK_ERROR_NULL = -1,            // a required pointer is null
   GJK_ERROR_SIZE = -2,            // a shape beyond GJK_RADIUS_MAX
   GJK_ERROR_NEGATIVE = -3,        // a negative radius, half extent or distance
-  GJK_ERROR_EMPTY = -4,           // a hull without vertices, or an ellipsoid, cylinder or cone of size 0
+  GJK_ERROR_EMPTY = -4,           // a hull without vertices
   GJK_ERROR_CAPACITY = -5,        // a buffer or workspace too small
   GJK_ERROR_OVERLAP = -6,         // a buffer that overlaps what it is made from
   GJK_ERROR_ROTATION = -7,        // a quaternion or axis that is not a unit within the tolerance

@@ -2,17 +2,17 @@
 #ifndef GJK_TEMPLATE_PORT_H
 #define GJK_TEMPLATE_PORT_H
 
-// A violated contract: log, halt or reset; never return into the query. Without it asserts are compiled out.
+// What a violated contract does: log, halt or reset; it must not return into the query. Without it asserts cost nothing.
 // void my_assert_failed(const char *condition);
 // #define GJK_ASSERT(condition) ((condition) ? (void)0 : my_assert_failed(#condition))
 
-// Leading zeros of a uint32_t that is not 0, where the core has an instruction and the compiler no builtin for it.
-// #define GJK_CLZ32(x) __clz(x)
+// Leading zeros of a uint32_t that is not 0: an intrinsic of a compiler other than gcc and clang.
+// #define GJK_CLZ32(x) __CLZ(x)
 
-// 1 where a 32 x 32 -> 64 bit multiplication is a library call: Cortex-M0, 8- and 16-bit cores. Default 0.
+// 1 on a core without a multiplication of 32 x 32 to 64 bits: Cortex-M0, 8- and 16-bit cores.
 // #define GJK_NARROW_MULTIPLY 1
 
-// 1 where the compiler has a signed 128-bit integer. Default 0: two halves, the same results.
+// 1 where the compiler has a signed 128-bit integer, and its name.
 // #define GJK_INT128 1
 // #define GJK_INT128_TYPE __int128
 

@@ -92,6 +92,7 @@ static void check_clz(void) {
 
 static void check_product(int32_t a, int32_t b) {
   check(gjk_mul32(a, b) == (int64_t)a * b, "signed product");
+  check(gjk_mac32((int64_t)b * b, a, b) == (int64_t)b * b + (int64_t)a * b, "sum with a product");
   check(gjk_umul32((uint32_t)a, (uint32_t)b) == (uint64_t)(uint32_t)a * (uint32_t)b, "unsigned product");
 }
 
