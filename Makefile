@@ -107,7 +107,7 @@ build/gjk-demo: $(DEMO)
 $(UNIT_TESTS): build/%: build/hosted/tests/unit/%.o
 build/gjk-query build/gjk-demo $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
-	@$(HOSTED) $^ -lm -o $@
+	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
 # Firmware NAME for the target's emulated board: tests/target/NAME.c and NAME_firmware.c.
 # Start-up code clears memory in a loop, which must not become a call of itself.
