@@ -14,12 +14,12 @@ TARGET ?= host
 OPT ?= -O2
 
 # The targets: compiler and flags, archiver, and what a program for the target's emulated board is linked with.
-# GJK_NARROW_MULTIPLY is for cores without a multiplication of 32 x 32 to 64 bits.
+# GJK_NARROW_MULTIPLY is for cores without a multiplication of 32 x 32 to 64 bits; -fcallgraph-info for `make sizes`.
 TOOLS_host := $(CC)
 AR_host := ar
 PORT_host := hosted
 
-ARM := arm-none-eabi-gcc -mthumb
+ARM := arm-none-eabi-gcc -mthumb -fcallgraph-info=su
 MPS2 := -nostdlib -Tport/mps2/mps2.ld port/mps2/board.c port/board/memory.c
 TOOLS_cortex-m0 := $(ARM) -mcpu=cortex-m0 -DGJK_NARROW_MULTIPLY=1
 TOOLS_cortex-m3 := $(ARM) -mcpu=cortex-m3
@@ -37,7 +37,7 @@ AR_cortex-m4 := $(AR_cortex-m0)
 AR_cortex-m7 := $(AR_cortex-m0)
 AR_cortex-m33 := $(AR_cortex-m0)
 
-TOOLS_rv32imc := riscv64-unknown-elf-gcc -march=rv32imc -mabi=ilp32
+TOOLS_rv32imc := riscv64-unknown-elf-gcc -march=rv32imc -mabi=ilp32 -fcallgraph-info=su
 BOARD_rv32imc := -nostdlib -Tport/riscv-virt/riscv-virt.ld port/riscv-virt/board.c port/board/memory.c
 AR_rv32imc := riscv64-unknown-elf-ar
 

@@ -5,8 +5,6 @@
 # 'name: N passed, N failed' and may go on ', N skipped'. With GJK_NO_SKIP=1 a skip fails.
 build=$1
 logs=$build/log
-mkdir -p "$logs"
-rm -f "$logs"/*.log
 
 run_one() {
   name=$(basename "$1" .sh)
@@ -35,8 +33,12 @@ if [ "$2" = one ]; then
   exit 0
 fi
 
+mkdir -p "$logs"
+rm -f "$logs"/*.log
 for program in "$build"/test_*; do
-  [ -x "$program" ] && [ -f "$program" ] && case $program in *.d) ;; *) echo "$program" ;; esac
+  if [ -f "$program" ] && [ -x "$program" ]; then
+    echo "$program"
+  fi
 done >"$logs/list"
 ls tests/unit/test_*.sh >>"$logs/list" 2>/dev/null
 xargs -P 2 -n 1 sh "$0" "$build" one <"$logs/list"

@@ -10,6 +10,8 @@ typedef struct generate_family {
   void (*generate)(random_state *random, case_pair *pair);
   // Percent of the pairs that intersect: outside of these the family no longer tests what it is for.
   unsigned least, most;
+  // LSB: nearly all pairs that are apart are at most so far apart; 0: it doesn't matter.
+  int32_t near;
 } generate_family;
 
 extern const generate_family generate_families[];

@@ -1,6 +1,6 @@
 // A campaign of seeded random pairs: every decision and every distance is proven in exact integers.
 //
-//   test_certificates [SEED [PAIRS]]    default: seed 1, a million pairs over all families
+//   test_certificates [SEED [PAIRS [FAMILY]]]    default: seed 1, a million pairs over all families
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,7 +26,7 @@ typedef struct campaign {
   case_collider a, b;
   gjk_cache kept;  // of the pair before: rubbish for this one
   random_state random;
-  unsigned long pairs, intersecting, brute, mutants, refused, failures;
+  unsigned long pairs, intersecting, near, brute, mutants, refused, failures;
   unsigned iterations;  // largest
   unsigned long proofs[GJK_PROOF_ENCLOSING + 1][5];  // by kind and count of named pairs, over all families
   char why[160];
@@ -206,6 +206,7 @@ static void check_pair(campaign *c) {
   count_answer(c, r.iterations, &r.certificate);
   c->pairs++;
   c->intersecting += r.intersecting;
+  c->near += !r.intersecting && r.distance <= c->family->near;
   check_warm(c, &r, own, "distance with its own cache");
   check_warm(c, &r, random_below(&c->random, 2) == 0 ? c->kept : any_cache(&c->random), "distance with any cache");
   check_decisions(c, &r, &own);
@@ -228,7 +229,7 @@ static void check_pair(campaign *c) {
 static unsigned run_family(campaign *c, uint64_t seed, unsigned long pairs) {
   const generate_family *family = c->family;
   c->random = random_seed(seed);
-  c->pairs = c->intersecting = c->brute = c->mutants = c->refused = c->failures = 0;
+  c->pairs = c->intersecting = c->near = c->brute = c->mutants = c->refused = c->failures = 0;
   c->iterations = 0;
   for (unsigned long i = 0; i < pairs && c->failures < FAILURES_SHOWN; i++) {
     generate_pair(family, (seed << 32) + i, &c->pair);
@@ -240,6 +241,7 @@ static unsigned run_family(campaign *c, uint64_t seed, unsigned long pairs) {
   fflush(stdout);
   if (pairs >= 1000) {
     CHECK_MSG(share >= family->least && share <= family->most, "%s: %.1f %% intersect", family->name, share);
+    CHECK_MSG(family->near == 0 || c->near * 10 >= (c->pairs - c->intersecting) * 9, "%s: %lu near", family->name, c->near);
   }
   return c->iterations;
 }
@@ -264,26 +266,34 @@ static void check_proofs(const campaign *c, unsigned long pairs) {
   }
 }
 
+// Does the campaign include the family? All of them, when none is named.
+static bool includes(const char *name, const generate_family *family) {
+  return name == NULL || strcmp(name, family->name) == 0;
+}
+
 int main(int argc, char **argv) {
   static campaign c;
   const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
   const unsigned long pairs = argc > 2 ? strtoul(argv[2], NULL, 10) : PAIRS;
-  const unsigned long each = (pairs + generate_family_count - 1) / generate_family_count;
+  const char *name = argc > 3 ? argv[3] : NULL;
+  const unsigned long each = name != NULL ? pairs : (pairs + generate_family_count - 1) / generate_family_count;
   unsigned iterations = 0;
   unsigned long total = 0, refused = 0, brute = 0;
   printf("seed %llu\n", (unsigned long long)seed);
   for (unsigned i = 0; i < generate_family_count; i++) {
     c.family = &generate_families[i];
-    const unsigned needed = run_family(&c, seed, each);
-    iterations = needed > iterations ? needed : iterations;
-    total += c.pairs;
-    refused += c.refused;
-    brute += c.brute;
+    if (includes(name, c.family)) {
+      const unsigned needed = run_family(&c, seed, each);
+      iterations = needed > iterations ? needed : iterations;
+      total += c.pairs;
+      refused += c.refused;
+      brute += c.brute;
+    }
   }
   printf("%lu pairs, %u iterations at most\n", total, iterations);
   CHECK(total >= pairs);
   CHECK_MSG(iterations < GJK_ITERATIONS_MAX / 2, "%u", iterations);
-  if (pairs >= 10000) {
+  if (name == NULL && pairs >= 10000) {
     CHECK(refused > total / 4 && brute > total / 1000);
     check_proofs(&c, total);
   }

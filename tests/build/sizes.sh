@@ -1,0 +1,67 @@
+#!/bin/sh
+# Code by function group and stack by query, per target: sizes.sh BUILD
+. tests/build/count.sh
+build=$1
+targets=
+for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
+  if [ -z "$(missing_package $target)" ]; then
+    targets="$targets $target"
+  else
+    echo "no figures for $target: needs $(missing_package $target)"
+  fi
+done
+[ -n "$targets" ] || exit 1
+
+prefix() {
+  case $1 in
+    rv32imc) echo riscv64-unknown-elf- ;;
+    *) echo arm-none-eabi- ;;
+  esac
+}
+
+# Reads 'TARGET NAME NUMBER' lines; prints a row per name, a column per target.
+table() {
+  awk -v title="$1" -v targets="$targets" -v total="$2" '
+    { if (!($2 in known)) { known[$2]; name[++names] = $2 } value[$1, $2] = $3; sum[$1] += $3 }
+    END {
+      columns = split(targets, target, " ")
+      printf "\n%-26s", title
+      for (c = 1; c <= columns; c++) printf "%12s", target[c]
+      printf "\n"
+      for (n = 1; n <= names; n++) {
+        printf "%-26s", name[n]
+        for (c = 1; c <= columns; c++) printf "%12d", value[target[c], name[n]]
+        printf "\n"
+      }
+      if (total) {
+        printf "%-26s", "all"
+        for (c = 1; c <= columns; c++) printf "%12d", sum[target[c]]
+        printf "\n"
+      }
+    }'
+}
+
+for level in -O2 -Os; do
+  for target in $targets; do
+    make -s lib TARGET="$target" OPT=$level VARIANT=$level >/dev/null || exit 1
+  done
+  for target in $targets; do
+    "$(prefix "$target")size" "$build/$target$level"/*.o |
+      awk -v target="$target" 'NR > 1 { name = $6; sub(/.*\//, "", name); sub(/\.o$/, "", name); print target, name, $1 }'
+  done | table "text, bytes, $level" 1
+  for target in $targets; do
+    awk -v roots='gjk_intersect gjk_within gjk_distance gjk_check_decision gjk_check_distance gjk_collider_init
+      gjk_collider_pose gjk_collider_move gjk_collider_aabb' -f tests/build/stack.awk tests/build/indirect-calls.txt \
+      "$build/$target$level"/*.ci | awk -v target="$target" '{ print target, $1, $2 }'
+  done | table "stack, bytes, $level" 0
+done
+
+if [ -z "$(missing_package cortex-m3)" ]; then
+  make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked >/dev/null || exit 1
+  echo
+  echo 'linked for Cortex-M3 at -Os, bytes:     query   with posing'
+  printf '%-36s%9d%14d\n' 'gjk_intersect on boxes' "$(sh tests/build/linked-size.sh "$build" -DSIZE_BOXES)" \
+    "$(sh tests/build/linked-size.sh "$build" -DSIZE_BOXES -DSIZE_POSED)"
+  printf '%-36s%9d%14d\n' 'gjk_distance on hulls and boxes' "$(sh tests/build/linked-size.sh "$build")" \
+    "$(sh tests/build/linked-size.sh "$build" -DSIZE_POSED)"
+fi

@@ -1,0 +1,39 @@
+// The smallest programs with the library, whose linked sizes are figures to keep: what to link is chosen by macros.
+//   SIZE_BOXES   gjk_intersect on boxes; else gjk_distance on hulls, boxes and their rounded forms
+//   SIZE_POSED   initialises and poses the colliders, too
+#include "gjk/gjk.h"
+
+void size_main(void);
+
+gjk_collider size_a, size_b;
+
+#ifdef SIZE_BOXES
+gjk_decision size_answer;
+#else
+gjk_distance_result size_answer;
+#endif
+
+void size_main(void) {
+  static const gjk_shape box = GJK_ROUNDED_BOX(3, 4, 5, 6);
+#ifdef SIZE_BOXES
+  static const gjk_shape other = GJK_BOX(1, 2, 3);
+#else
+  static const gjk_vec3 vertices[] = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}};
+  static const gjk_shape other = GJK_ROUNDED_HULL(vertices, 4, 1);
+#endif
+#ifdef SIZE_POSED
+  static const gjk_pose pose = GJK_POSE_IDENTITY;
+  gjk_collider_init(&size_a, &box, NULL, 0);
+  gjk_collider_init(&size_b, &other, NULL, 0);
+  gjk_collider_pose(&size_a, &pose);
+  gjk_collider_pose(&size_b, &pose);
+#else
+  size_a.shape = &box;
+  size_b.shape = &other;
+#endif
+#ifdef SIZE_BOXES
+  gjk_intersect(&size_a, &size_b, NULL, &size_answer);
+#else
+  gjk_distance(&size_a, &size_b, NULL, &size_answer);
+#endif
+}
