@@ -1,38 +1,55 @@
 #!/bin/sh
-# What the objects ask of their surroundings: nothing on Cortex-M3 and up; elsewhere the compiler's integer helpers
-# below; no data that changes anywhere. test_symbols.sh BUILD
+# What the objects ask of their surroundings: no symbol on Cortex-M3 and up, elsewhere the compiler's integer helpers
+# below; no data that changes anywhere; no recursion, and little stack. test_symbols.sh BUILD
 . tests/build/count.sh
 
-# Each helper with its reason.
+# Bytes of stack that a query may need where registers are as wide as the numbers' halves.
+STACK_LIMIT=512
+
+# allowed TARGET LEVEL: each helper with its reason
 allowed() {
-  case $1 in
-    # 64-bit products and shifts, for which ARMv6-M has no instruction
-    cortex-m0) echo '__aeabi_lmul __aeabi_llsl __aeabi_llsr __aeabi_lasr' ;;
-    # 64-bit products and shifts, for which RV32 has none; GCC 12 calls memcpy for small structures at -Os
-    rv32imc) echo '__muldi3 __ashldi3 __lshrdi3 __ashrdi3 memcpy' ;;
+  case $1$2 in
+    cortex-m0-O2) echo '__aeabi_lmul' ;;  # ARMv6-M multiplies to 32 bits
+    cortex-m0-Os) echo '__aeabi_lmul __aeabi_llsl __aeabi_llsr __aeabi_lasr' ;;  # shifts of 64 bits: a call is shorter
+    rv32imc-Os) echo '__ashldi3 __lshrdi3 __ashrdi3 memcpy' ;;  # the same; and GCC copies three words by a call
   esac
 }
 
-# undefined OBJECTS: symbols that no object of the library defines
+# undefined NM OBJECTS: symbols that no object of the library defines
 undefined() {
   nm=$1
   shift
-  "$nm" "$@" | awk 'NF == 2 && $1 == "U" { wanted[$2] } NF == 3 { defined[$3] } END { for (s in wanted) if (!(s in defined)) print s }'
+  "$nm" "$@" | awk '
+    NF == 2 && $1 == "U" { wanted[$2] }
+    NF == 3 { defined[$3] }
+    END { for (symbol in wanted) if (!(symbol in defined)) print symbol }'
 }
 
+# only_allowed TARGET LEVEL NM
 only_allowed() {
-  target=$1
-  for symbol in $(undefined "$2" "build/$target$3"/*.o); do
-    case " $(allowed "$target") " in
+  bad=0
+  for symbol in $(undefined "$3" "build/$1$2"/*.o); do
+    case " $(allowed "$1" "$2") " in
       *" $symbol "*) ;;
-      *) echo "$target$3 needs $symbol"; bad=1 ;;
+      *) echo "$1 $2 needs $symbol"; bad=1 ;;
     esac
   done
-  [ -z "$bad" ]
+  [ $bad = 0 ]
 }
 
 no_mutable_data() {
-  "$1" "build/$2$3"/*.o | awk '$2 + 0 > 0 && $1 != "text" { print "data in " $6; bad = 1 } $3 + 0 > 0 { print "bss in " $6; bad = 1 } END { exit bad }'
+  "$1" "$2"/*.o | awk '
+    NR > 1 && $2 > 0 { print "data in " $6; bad = 1 }
+    NR > 1 && $3 > 0 { print "bss in " $6; bad = 1 }
+    END { exit bad || NR < 2 }'
+}
+
+stack() {
+  awk -v roots="$2" -f tests/build/stack.awk tests/build/indirect-calls.txt "$1"/*.ci
+}
+
+little_stack() {
+  stack "$1" 'gjk_intersect gjk_within gjk_distance' | awk -v limit=$STACK_LIMIT '$2 > limit { print; bad = 1 } END { exit bad || NR != 3 }'
 }
 
 for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
@@ -45,9 +62,15 @@ for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
     continue
   fi
   for level in -O2 -Os; do
+    objects=build/$target$level
     check "$target $level compiles" make -s lib TARGET=$target OPT=$level VARIANT=$level
-    check "$target $level needs nothing unlisted" only_allowed $target ${prefix}nm $level
-    check "$target $level has no mutable data" no_mutable_data ${prefix}size $target $level
+    check "$target $level needs nothing unlisted" only_allowed $target $level ${prefix}nm
+    check "$target $level has no mutable data" no_mutable_data ${prefix}size "$objects"
+    check "$target $level calls in no circle" stack "$objects" "$(${prefix}nm "$objects"/*.o | awk '$2 == "T" { print $3 }')"
+    case $target in
+      cortex-m0 | rv32imc) ;;
+      *) check "$target $level: a query needs at most $STACK_LIMIT bytes of stack" little_stack "$objects" ;;
+    esac
   done
 done
 finish symbols

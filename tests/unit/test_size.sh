@@ -1,0 +1,20 @@
+#!/bin/sh
+# Linked code of the smallest Cortex-M3 programs at -Os, query alone, against the figures to keep. test_size.sh BUILD
+. tests/build/count.sh
+
+# at_most LIMIT MACROS...
+at_most() {
+  limit=$1
+  shift
+  size=$(sh tests/build/linked-size.sh "$build" "$@") && echo "$size bytes, at most $limit" && [ "$size" -le "$limit" ]
+}
+
+build=$1
+if [ -z "$(missing_package cortex-m3)" ]; then
+  check 'the library for Cortex-M3 at -Os' make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked
+  check 'gjk_intersect on boxes alone' at_most 3072 -DSIZE_BOXES
+  check 'gjk_distance on hulls, boxes and rounded forms' at_most 7168
+else
+  skip 'linked sizes' "$(missing_package cortex-m3)"
+fi
+finish size
