@@ -93,6 +93,7 @@ endif
 SUPPORT_SOURCES := $(wildcard tests/case/*.c tests/reference/*.c tests/exact/*.c tests/generate/*.c) \
   port/hosted/gjk_hosted.c
 SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
+TEST_SCRIPTS := $(wildcard tests/unit/test_*.sh)
 UNIT_TESTS := $(patsubst tests/unit/%.c,build/%,$(wildcard tests/unit/test_*.c))
 QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/query/*.c))
 DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out tests/demo/firmware.c,$(wildcard tests/demo/*.c)))
@@ -134,7 +135,7 @@ setup:
 unit-tests: $(UNIT_TESTS)
 
 test: all unit-tests
-	@sh tests/build/run-tests.sh build
+	@sh tests/build/run-tests.sh build $(TEST_SCRIPTS) $(UNIT_TESTS)
 
 demo: build/gjk-demo
 	build/gjk-demo tests/data/arm.txt build/demo.svg
@@ -150,4 +151,7 @@ clean:
 	rm -rf build
 
 .SECONDARY:
--include $(shell find build -name '*.d' 2>/dev/null)
+-include $(wildcard $(OUT)/*.d)
+ifeq ($(TARGET),host)
+-include $(shell find build/hosted -name '*.d' 2>/dev/null)
+endif

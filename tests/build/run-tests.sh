@@ -1,57 +1,56 @@
 #!/bin/sh
-# Runs every test, two at a time, and adds up their counts: run-tests.sh BUILD
+# Runs tests, two at a time, and adds up their counts: run-tests.sh BUILD TEST...
 #
-# A test is a program BUILD/test_* or a script tests/unit/test_*.sh BUILD; its last line is
-# 'name: N passed, N failed' and may go on ', N skipped'. With GJK_NO_SKIP=1 a skip fails.
+# A test is a program, or a script that gets BUILD. Its last line is 'NAME: N passed, N failed', maybe with
+# ', N skipped'; without one, or when it ends badly all the same, it counts as one failure. Its output is kept in
+# BUILD/log, and shown when it fails. With GJK_NO_SKIP=1 a skip is a failure.
 build=$1
 logs=$build/log
+shift
 
 run_one() {
   name=$(basename "$1" .sh)
+  log=$logs/$name.log
   case $1 in
-    *.sh) sh "$1" "$build" >"$logs/$name.log" 2>&1 ;;
-    *) "$1" >"$logs/$name.log" 2>&1 ;;
+    *.sh) sh "$1" "$build" >"$log" 2>&1 ;;
+    *) "$1" >"$log" 2>&1 ;;
   esac
   status=$?
-  line=$(tail -n 1 "$logs/$name.log")
-  case $line in
-    *': '*' passed, '*' failed'*) ;;
-    *) line="$name: 0 passed, 1 failed"; echo "$line" >>"$logs/$name.log" ;;
+  line=$(tail -n 1 "$log" | grep -E ': [0-9]+ passed, [0-9]+ failed(, [0-9]+ skipped)?$')
+  case $status:$line in
+    *:) line="$name: 0 passed, 1 failed: no result, exit status $status" ;;
+    0:*) ;;
+    *' 0 failed'*) line="$name: 0 passed, 1 failed: exit status $status" ;;
   esac
-  grep -E 'skipped:' "$logs/$name.log"
-  echo "$line"
-  [ $status -eq 0 ] || { echo "--- $name, exit status $status"; tail -n 40 "$logs/$name.log"; echo "---"; }
-  if [ $status -ne 0 ]; then
-    case $line in
-      *' 0 failed'*) echo "$name: 0 passed, 1 failed" >>"$logs/$name.log" ;;
-    esac
-  fi
+  echo "$line" | tee "$logs/$name.result"
+  grep '^skipped: ' "$log"
+  [ $status = 0 ] || sed 's/^/    /' "$log" | tail -n 40
 }
 
-if [ "$2" = one ]; then
-  run_one "$3"
+if [ "$1" = --one ]; then
+  run_one "$2"
   exit 0
 fi
 
+# Tests that call make must not share this one's job server.
+unset MAKEFLAGS MFLAGS MAKELEVEL
 mkdir -p "$logs"
-rm -f "$logs"/*.log
-for program in "$build"/test_*; do
-  if [ -f "$program" ] && [ -x "$program" ]; then
-    echo "$program"
-  fi
-done >"$logs/list"
-ls tests/unit/test_*.sh >>"$logs/list" 2>/dev/null
-xargs -P 2 -n 1 sh "$0" "$build" one <"$logs/list"
+rm -f "$logs"/*
+for test in "$@"; do
+  echo "$test"
+done | xargs -P 2 -n 1 sh "$0" "$build" --one
 
-cat "$logs"/*.log | awk -v no_skip="${GJK_NO_SKIP:-0}" '
-  /: [0-9]+ passed, [0-9]+ failed/ {
-    match($0, /[0-9]+ passed/); passed += substr($0, RSTART, RLENGTH)
-    match($0, /[0-9]+ failed/); failed += substr($0, RSTART, RLENGTH)
-    if (match($0, /[0-9]+ skipped/)) skipped += substr($0, RSTART, RLENGTH)
+cat "$logs"/*.result | awk -v no_skip="${GJK_NO_SKIP:-0}" '
+  {
+    sub(/^[^:]*: /, "")
+    passed += $1
+    failed += $3
+    skipped += $5
   }
   END {
-    if (no_skip == 1 && skipped > 0) { print skipped " tests were skipped, which is not allowed here"; failed += skipped }
-    if (skipped > 0) printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped
-    else printf "%d passed, %d failed\n", passed, failed
+    if (no_skip == 1 && skipped > 0) { print skipped " skipped, which counts as failed here"; failed += skipped; skipped = 0 }
+    printf "%d passed, %d failed", passed, failed
+    if (skipped > 0) printf ", %d skipped", skipped
+    printf "\n"
     exit failed > 0 || passed == 0
   }'

@@ -9,7 +9,7 @@
 #define GOLDEN_FEW_PAIRS 150
 
 // A changed bit is a changed contract: say why in the commit that changes these.
-#define GOLDEN_HASH UINT64_C(0x845709c66eedb966)
+#define GOLDEN_HASH UINT64_C(0xe7d26f9900a01ec6)
 #define GOLDEN_FEW_HASH UINT64_C(0xd6a56d6e05b83c07)
 
 // The hash over the first pairs of the set. Not reentrant: the colliders are static, to spare small stacks.

@@ -29,7 +29,7 @@ if have gcc; then
   check 'undefined behaviour and addresses' host sanitized gcc -O1 -fsanitize=undefined,address -fno-sanitize-recover=all
 fi
 
-# target NAME OPT [define]: builds the firmware and runs it
+# target NAME [DEFINE]: builds the firmware and runs it
 target() {
   rm -f "build/$1/golden.elf"
   make -s "build/$1/golden.elf" TARGET="$1" FIRMWARE_DEFINES="$2" && sh tests/build/emulate.sh "$1" "build/$1/golden.elf"
@@ -44,4 +44,10 @@ for core in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc avr; do
     skip "golden hash on $core" "$missing"
   fi
 done
+missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
+if [ -z "${missing# }" ]; then
+  check 'the scene of the demo on cortex-m3' sh tests/build/demo-target.sh "$1" tests/data/arm.txt
+else
+  skip 'the scene of the demo on cortex-m3' "$missing"
+fi
 finish golden
