@@ -134,8 +134,8 @@ setup:
 
 unit-tests: $(UNIT_TESTS)
 
-test: all unit-tests
-	@sh tests/build/run-tests.sh build $(TEST_SCRIPTS) $(UNIT_TESTS)
+test: all unit-tests $(filter setup,$(MAKECMDGOALS))
+	@sh tests/build/run-tests.sh build $(UNIT_TESTS) $(TEST_SCRIPTS)
 
 demo: build/gjk-demo
 	build/gjk-demo tests/data/arm.txt build/demo.svg

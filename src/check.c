@@ -54,7 +54,7 @@ static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d) {
   visit v = {c, 0};
   int64_t largest = INT64_MIN;
   while (next(&v, &offset)) {  // at most 2^16 vertices
-    const int64_t along = gjk_dot(offset, *d);
+    const int64_t along = gjk_dot(&offset, d);
     largest = along > largest ? along : largest;
   }
   return largest;
@@ -70,7 +70,7 @@ static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate) {
     return false;
   }
   gjk_simplex_exact_direction(s, &direction);
-  if (s->count == 3 && gjk_dot_sign(&s->normal, s->slot[0].w) == 0) {
+  if (s->count == 3 && gjk_dot_sign(&s->normal, &s->slot[0].w) == 0) {
     return false;
   }
   return none_before(it->a, &direction, false, certificate->a[0]) &&
@@ -98,8 +98,8 @@ static bool is_separating(const gjk_iteration *it, const gjk_vec3 *direction, in
   }
   const gjk_vec3 opposite = gjk_negate(d);
   const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);
-  const int64_t along = gjk_dot(delta, d) + farthest(it->a, &d) + farthest(it->b, &opposite);
-  return along < 0 && gjk_sum_sign(along, along, -(radius * radius), gjk_dot(d, d)) > 0;
+  const int64_t along = gjk_dot(&delta, &d) + farthest(it->a, &d) + farthest(it->b, &opposite);
+  return along < 0 && gjk_sum_sign(along, along, -(radius * radius), gjk_dot(&d, &d)) > 0;
 }
 
 static bool is_apart(gjk_iteration *it, const gjk_certificate *certificate, int64_t radius) {

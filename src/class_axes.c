@@ -50,7 +50,7 @@ static bool refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction
   const int64_t slack = 2 * (int64_t)c->core_radius;
   unsigned number = at->vertex;
   for (unsigned i = 0; i < c->count; i++) {
-    const int64_t along = gjk_dot(c->frame[i], *d);
+    const int64_t along = gjk_dot(&c->frame[i], d);
     if (along < slack && along > -slack) {
       const int side = gjk_direction_sign(direction, &c->frame[i]);
       if (side != 0) {

@@ -6,7 +6,7 @@
 static bool apex_is_farther(const gjk_shape *shape, const gjk_vec3 *d) {
   const gjk_vec3 level = {d->x, d->y, 0};
   const int64_t rise = gjk_mul32(2 * shape->size.z, d->z);
-  return rise > 0 && gjk_sum_sign(rise, rise, -gjk_mul32(shape->size.x, shape->size.x), gjk_dot(level, level)) > 0;
+  return rise > 0 && gjk_sum_sign(rise, rise, -gjk_mul32(shape->size.x, shape->size.x), gjk_dot(&level, &level)) > 0;
 }
 
 static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {

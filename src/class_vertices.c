@@ -22,12 +22,12 @@ static void scan_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gj
 }
 
 // Pre: offsets of the vertices at most core_radius; *at is among the farthest along d.
-static bool refine_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d,
+GJK_OUT_OF_LINE static bool refine_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d,
                          const gjk_direction *direction, bool negated, gjk_support *at) {
-  const int64_t limit = gjk_dot(at->offset, *d) - 4 * (int64_t)rounding_slack(c, false);
+  const int64_t limit = gjk_dot(&at->offset, d) - 4 * (int64_t)rounding_slack(c, false);
   const uint16_t before = at->vertex;
   for (uint32_t i = 0; i < c->count; i++) {
-    if (gjk_dot(vertices[i], *d) >= limit) {
+    if (gjk_dot(&vertices[i], d) >= limit) {
       const gjk_vec3 step = gjk_sub(vertices[i], at->offset);
       const int side = gjk_direction_sign(direction, &step);
       if (negated ? side < 0 : side > 0) {
@@ -52,7 +52,7 @@ static uint32_t local_direction(const gjk_collider *c, const gjk_vec3 *d, bool e
 }
 
 // The vertices of the shape are scanned as they are, not relative to its centre: that shifts all products alike.
-static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, bool exact, gjk_support *out) {
+GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, bool exact, gjk_support *out) {
   const gjk_vec3 *vertices = c->shape->vertices;
   const gjk_vec3 d = gjk_scale_direction(direction);
   gjk_vec3 local;
@@ -64,12 +64,12 @@ static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, bool 
   if (!found.tie) {
     return;
   }
-  const int64_t limit = gjk_dot(vertices[out->vertex], local) - 4 * (int64_t)slack;
-  int64_t farthest = gjk_dot(out->offset, d);
+  const int64_t limit = gjk_dot(&vertices[out->vertex], &local) - 4 * (int64_t)slack;
+  int64_t farthest = gjk_dot(&out->offset, &d);
   for (uint32_t i = 0; i < c->count; i++) {
-    if (gjk_dot(vertices[i], local) >= limit) {
+    if (gjk_dot(&vertices[i], &local) >= limit) {
       const gjk_vec3 offset = pose_vertex(c, c->frame, i);
-      const int64_t along = gjk_dot(offset, d);
+      const int64_t along = gjk_dot(&offset, &d);
       if (along > farthest || (along == farthest && i < out->vertex)) {
         farthest = along;
         out->offset = offset;
@@ -79,15 +79,15 @@ static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, bool 
   }
 }
 
-static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
+GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
                         gjk_support *at) {
   const gjk_vec3 *vertices = c->shape->vertices;
   gjk_vec3 local;
   const uint32_t slack = local_direction(c, d, false, &local);
-  const int64_t limit = gjk_dot(vertices[at->vertex], local) - 4 * (int64_t)slack;
+  const int64_t limit = gjk_dot(&vertices[at->vertex], &local) - 4 * (int64_t)slack;
   const uint16_t before = at->vertex;
   for (uint32_t i = 0; i < c->count; i++) {
-    if (gjk_dot(vertices[i], local) >= limit) {
+    if (gjk_dot(&vertices[i], &local) >= limit) {
       gjk_vec3 offset = pose_vertex(c, c->frame, i);
       const gjk_vec3 step = gjk_sub(offset, at->offset);
       const int side = gjk_direction_sign(direction, &step);
@@ -189,7 +189,7 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
   out->squared = 0;
   for (uint32_t i = 0; i < shape->count; i++) {
     gjk_vec3 offset = gjk_sub(v[i], out->centre);  // each component below 2^28
-    uint64_t squared = (uint64_t)gjk_dot(offset, offset);
+    uint64_t squared = (uint64_t)gjk_dot(&offset, &offset);
     out->squared = squared > out->squared ? squared : out->squared;
   }
   return GJK_OK;

@@ -36,7 +36,7 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t 
 
 // The feature's distance in LSB, correctly rounded, a tie up; from the distance of its plane.
 static int64_t exact_distance(const gjk_iteration *it, int64_t plane) {
-  if (it->shift >= 4) {
+  if (it->shift >= 4 && !GJK_SMALL) {
     // In steps of 2^32: the error and the bits cut off are less than 3.
     const unsigned n = (unsigned)it->shift - 2;
     const uint32_t mask = (UINT32_C(1) << n) - 1;
@@ -95,49 +95,35 @@ static gjk_q16 coordinate(int64_t core, gjk_q16 centre, gjk_q30 normal, gjk_q16 
   return saturate(centre + gjk_sar64(core + half + gjk_mul32(normal, round) * 2, 31), saturated);
 }
 
-// B's vertices are A's less w; all start from A's centre.
+// One coordinate of B's vertex, offset from B's centre, from that of A's vertex and of w. At most 2^28 + 2^3.
+static inline int32_t offset_b(const gjk_iteration *it, gjk_q16 centre_a, gjk_q16 centre_b, int32_t a, int32_t w) {
+  const int shift = it->shift;
+  if (shift >= 0) {
+    return centre_a - centre_b + a - gjk_sar32(w, (unsigned)shift);
+  }
+  return (int32_t)((int64_t)centre_a - centre_b + a - gjk_shl64(w, (unsigned)-shift));
+}
+
+// One coordinate of both points, from that of the centres and the vertices.
+GJK_ONCE static void report_axis(const gjk_iteration *it, const feature *f, gjk_q16 centre_a, gjk_q16 centre_b,
+                               const int32_t a[3], const int32_t w[3], gjk_q30 normal, gjk_q16 *point_a,
+                               gjk_q16 *point_b, bool *cut) {
+  *point_a = coordinate(weighted(f, a[0], a[1], a[2]), centre_a, normal, it->a->shape->round, cut);
+  *point_b = coordinate(weighted(f, offset_b(it, centre_a, centre_b, a[0], w[0]),
+                                 offset_b(it, centre_a, centre_b, a[1], w[1]),
+                                 offset_b(it, centre_a, centre_b, a[2], w[2])),
+                        centre_b, normal, -it->b->shape->round, cut);
+}
+
 static void nearest_points(const gjk_iteration *it, const feature *f, gjk_distance_result *out) {
   const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
-  const unsigned n = (unsigned)it->shift;
-  const gjk_vec3 centre = it->a->centre;
-  const gjk_unit3 normal = out->normal;
-  const gjk_q16 round_a = it->a->shape->round, round_b = -it->b->shape->round;
-  const gjk_vec3 *a = &u->offset_a, *a1 = &v->offset_a, *a2 = &w->offset_a;
-  bool *cut = &out->saturated;
-  out->point_a.x = coordinate(weighted(f, a->x, a1->x, a2->x), centre.x, normal.x, round_a, cut);
-  out->point_a.y = coordinate(weighted(f, a->y, a1->y, a2->y), centre.y, normal.y, round_a, cut);
-  out->point_a.z = coordinate(weighted(f, a->z, a1->z, a2->z), centre.z, normal.z, round_a, cut);
-  out->point_b.x = coordinate(weighted(f, a->x - gjk_sar32(u->w.x, n), a1->x - gjk_sar32(v->w.x, n),
-                                       a2->x - gjk_sar32(w->w.x, n)), centre.x, normal.x, round_b, cut);
-  out->point_b.y = coordinate(weighted(f, a->y - gjk_sar32(u->w.y, n), a1->y - gjk_sar32(v->w.y, n),
-                                       a2->y - gjk_sar32(w->w.y, n)), centre.y, normal.y, round_b, cut);
-  out->point_b.z = coordinate(weighted(f, a->z - gjk_sar32(u->w.z, n), a1->z - gjk_sar32(v->w.z, n),
-                                       a2->z - gjk_sar32(w->w.z, n)), centre.z, normal.z, round_b, cut);
-}
-
-// One coordinate of B's point in a far frame: A's less that of A - B, to the LSB, which is fine enough there.
-static gjk_q16 far_coordinate(const gjk_iteration *it, const feature *f, int64_t core, gjk_q16 centre, gjk_q30 normal,
-                              int32_t u, int32_t v, int32_t w, bool *saturated) {
-  const int64_t apart = gjk_sar64(weighted(f, u, v, w), (unsigned)(31 + it->shift));
-  const int64_t rounding = gjk_sar64(gjk_mul32(normal, it->b->shape->round), 30);
-  return saturate(centre + gjk_sar64(core, 31) - apart - rounding, saturated);
-}
-
-GJK_OUT_OF_LINE static void far_nearest_points(const gjk_iteration *it, const feature *f, gjk_distance_result *out) {
-  const gjk_vec3 *a = &f->u->offset_a, *a1 = &f->v->offset_a, *a2 = &f->w->offset_a;
-  const gjk_vec3 *d = &f->u->w, *d1 = &f->v->w, *d2 = &f->w->w;
-  const gjk_vec3 centre = it->a->centre;
-  const gjk_unit3 normal = out->normal;
-  const int64_t x = weighted(f, a->x, a1->x, a2->x);
-  const int64_t y = weighted(f, a->y, a1->y, a2->y);
-  const int64_t z = weighted(f, a->z, a1->z, a2->z);
-  bool *cut = &out->saturated;
-  out->point_a.x = coordinate(x, centre.x, normal.x, it->a->shape->round, cut);
-  out->point_a.y = coordinate(y, centre.y, normal.y, it->a->shape->round, cut);
-  out->point_a.z = coordinate(z, centre.z, normal.z, it->a->shape->round, cut);
-  out->point_b.x = far_coordinate(it, f, x, centre.x, normal.x, d->x, d1->x, d2->x, cut);
-  out->point_b.y = far_coordinate(it, f, y, centre.y, normal.y, d->y, d1->y, d2->y, cut);
-  out->point_b.z = far_coordinate(it, f, z, centre.z, normal.z, d->z, d1->z, d2->z, cut);
+  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
+  const int32_t ax[3] = {u->offset_a.x, v->offset_a.x, w->offset_a.x}, wx[3] = {u->w.x, v->w.x, w->w.x};
+  report_axis(it, f, a->x, b->x, ax, wx, out->normal.x, &out->point_a.x, &out->point_b.x, &out->saturated);
+  const int32_t ay[3] = {u->offset_a.y, v->offset_a.y, w->offset_a.y}, wy[3] = {u->w.y, v->w.y, w->w.y};
+  report_axis(it, f, a->y, b->y, ay, wy, out->normal.y, &out->point_a.y, &out->point_b.y, &out->saturated);
+  const int32_t az[3] = {u->offset_a.z, v->offset_a.z, w->offset_a.z}, wz[3] = {u->w.z, v->w.z, w->w.z};
+  report_axis(it, f, a->z, b->z, az, wz, out->normal.z, &out->point_a.z, &out->point_b.z, &out->saturated);
 }
 
 GJK_OUT_OF_LINE static void report_points(const gjk_iteration *it, gjk_distance_result *out) {
@@ -151,11 +137,7 @@ GJK_OUT_OF_LINE static void report_points(const gjk_iteration *it, gjk_distance_
   } else {
     f.weight[0].high = f.weight[0].low = f.weight[1].high = f.weight[1].low = 0;
   }
-  if (it->shift >= 0) {
-    nearest_points(it, &f, out);
-  } else {
-    far_nearest_points(it, &f, out);
-  }
+  nearest_points(it, &f, out);
 }
 
 // The distance of the plane through the newest vertex, across the direction, in LSB; error is added, Q30.

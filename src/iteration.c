@@ -65,7 +65,7 @@ static inline bool is_small(const gjk_vec3 *v) {
 static bool set_usual_frame(gjk_iteration *it, bool spheres) {
   const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);  // below 2^29
   const int32_t cores = it->a->core_radius + it->b->core_radius;    // at most 2^29
-  if (spheres && gjk_dot(delta, delta) > gjk_mul32(cores, cores)) {
+  if (spheres && gjk_dot(&delta, &delta) > gjk_mul32(cores, cores)) {
     return false;
   }
   const uint32_t reach = gjk_norm1(delta) + (uint32_t)cores;  // below 2^31
@@ -81,7 +81,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   it->a = a;
   it->b = b;
   it->rounds = 0;
-  if (!(radius == 0 && is_small(&a->centre) && is_small(&b->centre) ? set_usual_frame(it, spheres)
+  if (!(!GJK_SMALL && radius == 0 && is_small(&a->centre) && is_small(&b->centre) ? set_usual_frame(it, spheres)
                                                                     : set_frame(it, spheres, radius))) {
     return false;
   }
@@ -164,7 +164,7 @@ static bool clears(const gjk_iteration *it, int64_t along, int32_t radius) {
   if (radius == 0) {
     return along < 0;
   }
-  return along < 0 && gjk_sum_sign(along, along, -gjk_mul32(radius, radius), gjk_dot(d, d)) > 0;
+  return along < 0 && gjk_sum_sign(along, along, -gjk_mul32(radius, radius), gjk_dot(&d, &d)) > 0;
 }
 
 // Is the feature near enough to settle the question? A vertex is measured; an edge or triangle is, when the plane
@@ -173,9 +173,9 @@ GJK_OUT_OF_LINE static bool settles_near(const gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *v = &s->slot[s->order[0]];
   if (s->count == 1) {
-    return gjk_dot(v->w, v->w) <= gjk_mul32(it->radius, it->radius);
+    return gjk_dot(&v->w, &v->w) <= gjk_mul32(it->radius, it->radius);
   }
-  return !clears(it, gjk_dot(it->direction.d, v->w), it->radius) && gjk_iteration_near(it);
+  return !clears(it, gjk_dot(&it->direction.d, &v->w), it->radius) && gjk_iteration_near(it);
 }
 
 // Does the feature have this vertex already? Then it is no nearer, and the signs need not be computed to see it.
@@ -247,7 +247,7 @@ GJK_OUT_OF_LINE static bool cached_clears(gjk_iteration *it, const gjk_cache *ca
   support(it, &a, &b);
   gjk_iteration_place(it, &a, &b);
   it->rounds++;
-  return clears(it, gjk_dot(it->direction.d, gjk_simplex_free(&it->simplex)->w), (int32_t)radius);
+  return clears(it, gjk_dot(&it->direction.d, &gjk_simplex_free(&it->simplex)->w), (int32_t)radius);
 }
 
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
@@ -275,7 +275,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     support(it, &a, &b);
     gjk_iteration_place(it, &a, &b);
     if (goal == GJK_GOAL_WITHIN &&
-        clears(it, gjk_dot(it->direction.d, gjk_simplex_free(&it->simplex)->w), it->radius)) {
+        clears(it, gjk_dot(&it->direction.d, &gjk_simplex_free(&it->simplex)->w), it->radius)) {
       it->rounds++;
       return GJK_OUTCOME_SEPARATED;
     }

@@ -46,7 +46,7 @@ bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
 }
 
 // row . v from Q30 to LSB, a half up. |row| <= 2^30 + 1 and |v| <= sqrt(3) 2^31: the product is below 2^62.
-static int64_t component(int32_t x, int32_t y, int32_t z, const gjk_vec3 *v) {
+GJK_ONCE static int64_t component(int32_t x, int32_t y, int32_t z, const gjk_vec3 *v) {
   const int64_t sum = gjk_mac32(gjk_mac32(gjk_mul32(x, v->x), y, v->y), z, v->z);
   return gjk_sar64(sum + (INT64_C(1) << 29), 30);
 }

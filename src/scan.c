@@ -26,11 +26,11 @@ static int32_t coarse_dot(const coarse *c, const gjk_vec3 *v) {
 static gjk_farthest scan_candidates(const gjk_vec3 *vertices, const gjk_vec3 *first, const gjk_vec3 *end,
                                     const gjk_vec3 *d, int64_t slack, const coarse *c, int32_t least) {
   const gjk_vec3 *best = first;
-  int64_t limit = gjk_dot(*first, *d) - slack;
+  int64_t limit = gjk_dot(first, d) - slack;
   bool tie = false;
   for (const gjk_vec3 *v = first + 1; v != end; v++) {
     if (coarse_dot(c, v) >= least) {
-      const int64_t lead = gjk_dot(*v, *d) - limit;
+      const int64_t lead = gjk_dot(v, d) - limit;
       if (lead > 0) {
         tie = lead <= 2 * slack;
       }
@@ -84,7 +84,7 @@ gjk_farthest gjk_scan(const gjk_vec3 *vertices, uint32_t n, unsigned bits, const
   const int64_t margin = (int64_t)slack * 4;
   const gjk_vec3 *const end = vertices + n;
   const gjk_vec3 *best = vertices;
-  int64_t limit = gjk_dot(*best, *d) - margin;
+  int64_t limit = gjk_dot(best, d) - margin;
   bool tie = false;
   for (const gjk_vec3 *v = best + 1; v != end; v++) {
     const int64_t along = gjk_mac32(gjk_mac32(gjk_mul32(v->x, x), v->y, y), v->z, z);

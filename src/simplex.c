@@ -35,11 +35,11 @@ static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k)
 // Enters the products of slot w with the n slots of the feature and itself.
 static void enter(gjk_simplex *s, unsigned w) {
   const gjk_vec3 v = s->slot[w].w;
-  const int64_t square = gjk_dot(v, v);
+  const int64_t square = gjk_dot(&v, &v);
   s->toward[w][w] = square;
   for (unsigned n = s->count, i = 0; i < n; i++) {
     const unsigned slot = s->order[i];
-    const int64_t dot = gjk_dot(v, s->slot[slot].w);
+    const int64_t dot = gjk_dot(&v, &s->slot[slot].w);
     s->toward[w][slot] = square - dot;
     s->toward[slot][w] = s->toward[slot][slot] - dot;
   }
@@ -59,13 +59,16 @@ static gjk_step add_to_vertex(gjk_simplex *s, unsigned w) {
   return GJK_STEP_NEARER;
 }
 
+static void set_normal(gjk_simplex *s, unsigned x, unsigned y, unsigned w) {
+  const gjk_vec3 edge = gjk_sub(s->slot[y].w, s->slot[x].w);
+  const gjk_vec3 edge2 = gjk_sub(s->slot[w].w, s->slot[x].w);
+  gjk_cross(&edge, &edge2, &s->normal);
+}
+
 // The triangle x, y, w becomes the feature, its normal towards the origin.
 static gjk_step set_triangle(gjk_simplex *s, unsigned x, unsigned y, unsigned w) {
-  const gjk_vec3 *at = &s->slot[x].w;
-  gjk_vec3 edge = gjk_sub(s->slot[y].w, *at);
-  gjk_vec3 edge2 = gjk_sub(s->slot[w].w, *at);
-  s->normal = gjk_cross(edge, edge2);
-  int side = gjk_dot_sign(&s->normal, *at);
+  set_normal(s, x, y, w);
+  const int side = gjk_dot_sign(&s->normal, &s->slot[x].w);
   if (side > 0) {
     set_feature(s, 3, y, x, w);
     s->normal.x = -s->normal.x;
@@ -111,8 +114,7 @@ GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned
     const unsigned x = corner[i], y = corner[i + 1];
     if ((visible >> i & 1u) != 0 && beyond_edge(s, x, w, y) > 0 && beyond_edge(s, y, w, x) > 0 &&
         beyond_edge(s, x, y, w) > 0) {
-      const gjk_vec3 *at = &s->slot[x].w;
-      s->normal = gjk_cross(gjk_sub(s->slot[y].w, *at), gjk_sub(s->slot[w].w, *at));
+      set_normal(s, x, y, w);
       set_feature(s, 3, x, y, w);
       return GJK_STEP_NEARER;
     }
@@ -131,14 +133,17 @@ GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned
 GJK_OUT_OF_LINE static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
   const gjk_vec3 *a = &s->slot[s->order[0]].w, *b = &s->slot[s->order[1]].w, *c = &s->slot[s->order[2]].w;
   const gjk_vec3 *v = &s->slot[w].w;
-  if (gjk_dot_sign(&s->normal, gjk_sub(*v, *a)) <= 0) {
+  const gjk_vec3 step = gjk_sub(*v, *a);
+  if (gjk_dot_sign(&s->normal, &step) <= 0) {
     return GJK_STEP_NONE;
   }
   // The origin is beyond face (x, y, w) when (x x y) . w < 0. The products w x a, w x b serve all three:
   // (a x b) . w = (w x a) . b, (b x c) . w = (w x b) . c, (c x a) . w = -(w x a) . c.
-  gjk_long3 wa = gjk_cross(*v, *a), wb = gjk_cross(*v, *b);
-  unsigned visible = (gjk_dot_sign(&wa, *b) < 0 ? 1u : 0u) | (gjk_dot_sign(&wb, *c) < 0 ? 2u : 0u) |
-                     (gjk_dot_sign(&wa, *c) > 0 ? 4u : 0u);
+  gjk_long3 wa, wb;
+  gjk_cross(v, a, &wa);
+  gjk_cross(v, b, &wb);
+  unsigned visible = (gjk_dot_sign(&wa, b) < 0 ? 1u : 0u) | (gjk_dot_sign(&wb, c) < 0 ? 2u : 0u) |
+                     (gjk_dot_sign(&wa, c) > 0 ? 4u : 0u);
   if (visible == 0) {
     s->count = 4;
     return GJK_STEP_ENCLOSING;
@@ -178,8 +183,9 @@ bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
 
 // The sign of (w_i x w_j) . w_k.
 static int volume_sign(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
-  const gjk_long3 product = gjk_cross(s->slot[i].w, s->slot[j].w);
-  return gjk_dot_sign(&product, s->slot[k].w);
+  gjk_long3 product;
+  gjk_cross(&s->slot[i].w, &s->slot[j].w, &product);
+  return gjk_dot_sign(&product, &s->slot[k].w);
 }
 
 bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
@@ -199,7 +205,7 @@ bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
   if (!gjk_simplex_set(s, n)) {
     return false;
   }
-  return n == 3 ? gjk_dot_sign(&s->normal, s->slot[0].w) == 0 : !gjk_simplex_direction(s, &direction);
+  return n == 3 ? gjk_dot_sign(&s->normal, &s->slot[0].w) == 0 : !gjk_simplex_direction(s, &direction);
 }
 
 bool gjk_simplex_direction(const gjk_simplex *s, gjk_rounded *out) {
@@ -229,7 +235,7 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
 // x = |n . w| for a vertex w of the triangle, at most 2^93.
 static void triangle_height(const gjk_simplex *s, gjk_limbs *x) {
   uint32_t low;
-  int64_t high = gjk_dot_exact(&s->normal, s->slot[s->order[0]].w, &low);
+  int64_t high = gjk_dot_exact(&s->normal, &s->slot[s->order[0]].w, &low);
   if (high < 0) {
     high = low == 0 ? -high : -high - 1;
     low = 0u - low;
@@ -286,7 +292,7 @@ int gjk_compare_distance(const gjk_limbs *numerator, const gjk_limbs *denominato
 // The value of beyond_edge: the weight of k times the square of twice the triangle's area. At most 2^124.
 static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, gjk_u128 *out) {
   const int64_t *at_i = s->toward[i], *at_j = s->toward[j];
-  gjk_positive_sum(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);
+  gjk_sum(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);
 }
 
 void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_share weight[2]) {

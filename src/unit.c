@@ -5,7 +5,7 @@
 
 gjk_unit3 gjk_unit(const gjk_vec3 *d) {
   const gjk_vec3 v = *d;
-  const uint64_t squared = (uint64_t)gjk_dot(v, v);
+  const uint64_t squared = (uint64_t)gjk_dot(&v, &v);
   // squared = 2^(32 - 2 z) x with 2^30 <= x < 2^32; |v| < 2^31, so z >= 1, and |v| < 2^(32 - z).
   const unsigned z = gjk_clz64(squared) / 2;
   const uint32_t root = gjk_reciprocal_root((uint32_t)((squared << (2 * z)) >> 32));

@@ -1,11 +1,16 @@
 // Exact signs along directions, and their rounding.
 #include "vector.h"
 
+#if GJK_SMALL
+#define GJK_HOT
+#include "hot.h"
+#endif
+
 // With n = 2^32 nh + 2^16 nm + nl per component, nm and nl unsigned 16-bit: |nh . v| <= 3 2^61, and nm . v, nl . v are
 // below 2^49 in size.
-int64_t gjk_dot_exact(const gjk_long3 *n, gjk_vec3 v, uint32_t *low) {
+int64_t gjk_dot_exact(const gjk_long3 *n, const gjk_vec3 *v, uint32_t *low) {
   const int64_t component[3] = {n->x, n->y, n->z};
-  const int32_t along[3] = {v.x, v.y, v.z};
+  const int32_t along[3] = {v->x, v->y, v->z};
   int64_t high = 0, middle = 0, lowest = 0;
   for (int i = 0; i < 3; i++) {
     const uint32_t bits = gjk_low32(component[i]);
@@ -18,7 +23,7 @@ int64_t gjk_dot_exact(const gjk_long3 *n, gjk_vec3 v, uint32_t *low) {
   return high + gjk_sar64(middle, 16);
 }
 
-int gjk_dot_sign_exact(const gjk_long3 *n, gjk_vec3 v) {
+int gjk_dot_sign_exact(const gjk_long3 *n, const gjk_vec3 *v) {
   uint32_t low;
   const int64_t high = gjk_dot_exact(n, v, &low);
   return high != 0 ? gjk_sign64(high) : low != 0;
@@ -26,17 +31,17 @@ int gjk_dot_sign_exact(const gjk_long3 *n, gjk_vec3 v) {
 
 int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v) {
   if (direction->rank == 3) {
-    return gjk_dot_sign(direction->n, *v);
+    return gjk_dot_sign(direction->n, v);
   }
-  const int64_t along_a = gjk_dot(*direction->a, *v);  // at most 3 2^59
+  const int64_t along_a = gjk_dot(direction->a, v);  // at most 3 2^59
   if (direction->rank == 1) {
     return -gjk_sign64(along_a);
   }
-  return -gjk_sum_sign(direction->tb, along_a, direction->ta, gjk_dot(*direction->b, *v));
+  return -gjk_sum_sign(direction->tb, along_a, direction->ta, gjk_dot(direction->b, v));
 }
 
 // x / 2^k to the nearest integer, 1 <= k <= 33. Pre: the result is at most 2^30 in size.
-GJK_HOT_INLINE int32_t round_down(int64_t x, unsigned k) {
+GJK_ONCE static int32_t round_down(int64_t x, unsigned k) {
   const uint64_t bits = (uint64_t)x + ((uint64_t)1 << (k - 1));
   if (k > 32) {
     return gjk_sar32(gjk_int32((uint32_t)(bits >> 32)), k - 32);
@@ -63,7 +68,7 @@ void gjk_round_direction(const gjk_long3 *n, gjk_rounded *out) {
 
 // -(a tb + b ta) = 2^31 high + low with 0 <= low < 2^31. With t = 2^31 th + tl: th <= 2^30, so
 // |a tbh + b tah| <= 3 2^60 and |a tbl + b tal| <= 3 2^61.
-GJK_HOT_INLINE uint32_t combine(int32_t a, int64_t tb, int32_t b, int64_t ta, int64_t *high) {
+GJK_ONCE static uint32_t combine(int32_t a, int64_t tb, int32_t b, int64_t ta, int64_t *high) {
   const uint32_t mask = INT32_MAX;
   const int64_t low =
       gjk_mac32(gjk_mul32(-a, (int32_t)(gjk_low32(tb) & mask)), -b, (int32_t)(gjk_low32(ta) & mask));

@@ -25,45 +25,27 @@ static inline gjk_vec3 gjk_negate(gjk_vec3 a) {
   return opposite;
 }
 
-// a . b, exact. Pre: |a| |b| < 2^62, lengths; then each product and each partial sum is below 3 2^61.
-GJK_HOT_INLINE int64_t gjk_dot(gjk_vec3 a, gjk_vec3 b) {
-  return gjk_mac32(gjk_mac32(gjk_mul32(a.x, b.x), a.y, b.y), a.z, b.z);
-}
-
-// a x b, exact. Pre: |a| |b| <= 2^62; then products and components are at most 2^62 in size.
-GJK_HOT_INLINE gjk_long3 gjk_cross(gjk_vec3 a, gjk_vec3 b) {
-  gjk_long3 c = {gjk_mac32(gjk_mul32(a.y, b.z), -a.z, b.y), gjk_mac32(gjk_mul32(a.z, b.x), -a.x, b.z),
-                 gjk_mac32(gjk_mul32(a.x, b.y), -a.y, b.x)};
-  return c;
-}
-
 // |x| + |y| + |z|. Pre: at most 2^32 - 1.
 static inline uint32_t gjk_norm1(gjk_vec3 v) {
   return gjk_magnitude32(v.x) + gjk_magnitude32(v.y) + gjk_magnitude32(v.z);
 }
 
 // n . v = 2^32 (returned) + *low, exact. Pre: |n| <= 2^62, |v| <= 2^31, lengths.
-int64_t gjk_dot_exact(const gjk_long3 *n, gjk_vec3 v, uint32_t *low);
+int64_t gjk_dot_exact(const gjk_long3 *n, const gjk_vec3 *v, uint32_t *low);
 
 // The sign of n . v. Pre: as above.
-int gjk_dot_sign_exact(const gjk_long3 *n, gjk_vec3 v);
+int gjk_dot_sign_exact(const gjk_long3 *n, const gjk_vec3 *v);
 
-// The same, settled from the high words of n wherever they suffice: n . v / 2^32 differs from h by less than
-// |v.x| + |v.y| + |v.z| <= sqrt(3) 2^31 < 2^32. Each |high word| is at most 2^30, so |h| <= 3 2^61.
-GJK_HOT_INLINE int gjk_dot_sign(const gjk_long3 *n, gjk_vec3 v) {
-#if GJK_INT128
-  GJK_INT128_TYPE sum = (GJK_INT128_TYPE)n->x * v.x + (GJK_INT128_TYPE)n->y * v.y + (GJK_INT128_TYPE)n->z * v.z;
-  return (sum > 0) - (sum < 0);
+// a . b, a x b, the sign of n . v and of p q + r s: in line where speed counts, once where size does.
+#if GJK_SMALL
+int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b);
+void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out);
+int gjk_dot_sign(const gjk_long3 *n, const gjk_vec3 *v);
+int gjk_sum_sign(int64_t p, int64_t q, int64_t r, int64_t s);
 #else
-  const gjk_vec3 high = {gjk_high32(n->x), gjk_high32(n->y), gjk_high32(n->z)};
-  int64_t h = gjk_mac32(gjk_mac32(gjk_mul32(high.x, v.x), high.y, v.y), high.z, v.z);
-  int32_t top = gjk_high32(h);
-  if (top >= 1) {
-    return 1;
-  }
-  return top < -1 ? -1 : gjk_dot_sign_exact(n, v);
+#define GJK_HOT static inline
+#include "hot.h"
 #endif
-}
 
 // The exact direction from a feature to the origin, by what spans the feature:
 //   1 vertex   -a

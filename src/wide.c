@@ -14,23 +14,6 @@ static gjk_u128 multiply64(uint64_t a, uint64_t b) {
   return p;
 }
 
-int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
-  int first = gjk_sign64(p) * gjk_sign64(q);
-  int second = gjk_sign64(r) * gjk_sign64(s);
-  if (first + second != 0 || first == 0) {
-    return first != 0 ? first : second;
-  }
-  gjk_u128 x = multiply64(gjk_magnitude64(p), gjk_magnitude64(q));
-  gjk_u128 y = multiply64(gjk_magnitude64(r), gjk_magnitude64(s));
-  if (x.high != y.high) {
-    return x.high > y.high ? first : second;
-  }
-  if (x.low != y.low) {
-    return x.low > y.low ? first : second;
-  }
-  return 0;
-}
-
 static gjk_u128 add128(gjk_u128 a, gjk_u128 b) {
   gjk_u128 sum = {a.high + b.high, a.low + b.low};
   sum.high += sum.low < b.low;
@@ -49,10 +32,16 @@ static gjk_u128 signed_product(int64_t a, int64_t b) {
   return p;
 }
 
-void gjk_positive_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out) {
+void gjk_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out) {
   const gjk_u128 first = signed_product(p, q), second = signed_product(r, s);
   out->low = first.low + second.low;
   out->high = first.high + second.high + (out->low < first.low);
+}
+
+int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
+  gjk_u128 sum;
+  gjk_sum(p, q, r, s, &sum);
+  return sum.high > INT64_MAX ? -1 : (sum.high | sum.low) != 0;
 }
 
 // The 32 bits of x that start at bit number bits - 1, where no higher one is set. 1 <= bits <= 128.

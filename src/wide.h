@@ -6,16 +6,22 @@
 
 #include "port.h"
 
-// Marks what is rarely run, or, when optimising for size, worth one copy: kept out of line.
+// Marks what is rarely run: kept out of line. GJK_SMALL: the compiler optimises for size, and so does the code, with
+// one copy of what GJK_ONCE marks; otherwise that goes in line.
 #if defined(__GNUC__)
 #define GJK_OUT_OF_LINE __attribute__((noinline))
 #else
 #define GJK_OUT_OF_LINE
 #endif
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
-#define GJK_HOT_INLINE static __attribute__((noinline, unused))
+#define GJK_SMALL 1
+#define GJK_ONCE GJK_OUT_OF_LINE
+#elif defined(__GNUC__)
+#define GJK_SMALL 0
+#define GJK_ONCE __attribute__((always_inline)) inline
 #else
-#define GJK_HOT_INLINE static inline
+#define GJK_SMALL 0
+#define GJK_ONCE inline
 #endif
 
 // The int32_t with the bits of u.
@@ -161,30 +167,13 @@ static inline int gjk_sign64(int64_t x) {
 // The sign of p q + r s. Pre: each at most 2^62 in size.
 int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s);
 
-// The same, settled from the high words wherever they suffice. With p = 2^32 ph + pl and so on, and
-// |ph| <= 2^30: (p q + r s) / 2^64 differs from h = ph qh + rh sh by less than |ph| + |qh| + |rh| + |sh| + 2, which is
-// at most 2^32 + 2 and so below 2^33.
-GJK_HOT_INLINE int gjk_sum_sign(int64_t p, int64_t q, int64_t r, int64_t s) {
-#if GJK_INT128
-  GJK_INT128_TYPE sum = (GJK_INT128_TYPE)p * q + (GJK_INT128_TYPE)r * s;
-  return (sum > 0) - (sum < 0);
-#else
-  int64_t h = gjk_mac32(gjk_mul32(gjk_high32(p), gjk_high32(q)), gjk_high32(r), gjk_high32(s));
-  int32_t top = gjk_high32(h);
-  if (top >= 2) {
-    return 1;
-  }
-  return top < -2 ? -1 : gjk_sum_sign_exact(p, q, r, s);
-#endif
-}
-
 // Unsigned 128 bits.
 typedef struct gjk_u128 {
   uint64_t high, low;
 } gjk_u128;
 
-// *out = p q + r s. Pre: not negative; each factor at most 2^62 in size.
-void gjk_positive_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out);
+// *out = p q + r s modulo 2^128: in two's complement, since each factor is at most 2^62 in size.
+void gjk_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out);
 
 // A share of a whole: (2^16 high + low) / 2^47.
 typedef struct gjk_share {

@@ -24,7 +24,10 @@ run_one() {
   esac
   echo "$line" | tee "$logs/$name.result"
   grep '^skipped: ' "$log"
-  [ $status = 0 ] || sed 's/^/    /' "$log" | tail -n 40
+  if [ $status != 0 ]; then
+    { grep -E 'failed|error' "$log" | head -n 20; tail -n 3 "$log"; } | sed 's/^/    /'
+    echo "    all of it: $log"
+  fi
 }
 
 if [ "$1" = --one ]; then

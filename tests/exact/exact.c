@@ -213,8 +213,8 @@ static bool is_apart(judge *j, const gjk_certificate *certificate) {
   switch (certificate->proof) {
     case GJK_PROOF_SPHERES: return is_spheres(j);
     case GJK_PROOF_DIRECTION: return is_separating(j, &certificate->direction);
-    case GJK_PROOF_NEAREST: return j->slack > 0 ? judge_far_apart(j, certificate)
-                                                : is_nearest(j, certificate) && is_beyond(j);
+    case GJK_PROOF_NEAREST:
+      return j->slack > 0 ? judge_far_apart(j, certificate) : is_nearest(j, certificate) && is_beyond(j);
     default: return judge_refuse(j, "proof %u for apart", certificate->proof);
   }
 }

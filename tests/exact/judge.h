@@ -6,11 +6,11 @@
 
 typedef struct judge {
   const gjk_collider *a, *b;
-  unsigned count_a, count_b;               // vertices
-  int64_t radius;                          // the roundings and the asked distance
-  int64_t slack;                           // LSB that a far pair may be off; 0: exact
-  unsigned count;                          // pairs of the certificate
-  exact_point at_a[4], at_b[4], w[4];      // their vertices in the world and in A - B
+  unsigned count_a, count_b;           // vertices
+  int64_t radius;                      // the roundings and the asked distance
+  int64_t slack;                       // LSB that a far pair may be off; 0: exact
+  unsigned count;                      // pairs of the certificate
+  exact_point at_a[4], at_b[4], w[4];  // their vertices in the world and in A - B
   exact_feature feature;
   char *why;
   size_t size;

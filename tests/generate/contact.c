@@ -81,7 +81,8 @@ void generate_shared_feature(random_state *random, case_pair *pair) {
     for (size_t i = 0; i < shape->count; i++) {
       const int32_t height = random_range(random, 1, 16 * spread);
       shape->vertices[i] = i >= shared ? on_plane(random, &plane, 4 * spread, side == 0 ? -height : height)
-                           : side == 0 ? on_plane(random, &plane, 4 * spread, 0) : pair->a.vertices[i];
+                           : side == 0 ? on_plane(random, &plane, 4 * spread, 0)
+                                       : pair->a.vertices[i];
     }
   }
   pair->b.pose.position = step(pair->a.pose.position, random_range(random, -1, 1), nudge_along(plane.normal));
@@ -130,14 +131,16 @@ void generate_flat(random_state *random, case_pair *pair) {
 
 // Corner to corner at an offset whose length is an integer.
 void generate_level_radius(random_state *random, case_pair *pair) {
-  static const int32_t offsets[][4] = {{0, 0, 1, 1}, {0, 3, 4, 5}, {1, 2, 2, 3},  {2, 3, 6, 7},    {1, 4, 8, 9},
+  static const int32_t offsets[][4] = {{0, 0, 1, 1}, {0, 3, 4, 5},  {1, 2, 2, 3},  {2, 3, 6, 7},   {1, 4, 8, 9},
                                        {4, 4, 7, 9}, {2, 6, 9, 11}, {6, 6, 7, 11}, {8, 9, 12, 17}, {0, 20, 21, 29}};
   const int32_t *o = offsets[random_below(random, sizeof offsets / sizeof offsets[0])];
   const int32_t scale = (generate_reach(random) >> 7) + 2;
   const int32_t w[3] = {o[0] * scale, o[1] * scale, o[2] * scale}, sum = o[3] * scale;
   const unsigned turn = random_below(random, 3);
-  generate_polytope(random, random_below(random, 2) == 0 ? CASE_BOX : CASE_POINT, generate_reach(random) >> 1, &pair->a);
-  generate_polytope(random, random_below(random, 2) == 0 ? CASE_BOX : CASE_POINT, generate_reach(random) >> 1, &pair->b);
+  generate_polytope(random, random_below(random, 2) == 0 ? CASE_BOX : CASE_POINT, generate_reach(random) >> 1,
+                    &pair->a);
+  generate_polytope(random, random_below(random, 2) == 0 ? CASE_BOX : CASE_POINT, generate_reach(random) >> 1,
+                    &pair->b);
   const gjk_vec3 a = pair->a.size, b = pair->b.size;
   gjk_vec3 *p = &pair->b.pose.position;
   p->x = a.x + b.x + w[turn];

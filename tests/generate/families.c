@@ -70,7 +70,8 @@ static void tiny(random_state *random, case_pair *pair) {
 // Anywhere in the world: gaps of up to 2^33 LSB.
 static void far_apart(random_state *random, case_pair *pair) {
   gjk_vec3 *a = &pair->a.pose.position, *b = &pair->b.pose.position;
-  const int32_t limit = (INT32_MAX - GENERATE_REACH_MAX) >> random_below(random, 5);  // a hull's centre is off its origin
+  const int32_t limit =
+      (INT32_MAX - GENERATE_REACH_MAX) >> random_below(random, 5);  // a hull's centre is off its origin
   make(random, generate_kind(random), generate_kind(random), generate_reach(random), pair);
   generate_apart(random, 1, pair);
   const gjk_vec3 p = {random_range(random, -limit, limit), random_range(random, -limit, limit),

@@ -17,15 +17,16 @@ typedef struct generate_family {
 extern const generate_family generate_families[];
 extern const unsigned generate_family_count;
 
-// The pair number seed of a family, always the same; its id is the family's name and the seed. pair: storage is reused.
+// The pair number seed of a family, the same whenever this build is asked; its id is the family's name and the seed.
+// pair: storage is reused.
 void generate_pair(const generate_family *family, uint64_t seed, case_pair *pair);
 
 // A pair whose answer is known from how it was made, by a determinant as small as the lattice allows: B lies above A
 // by the gap, and level / 2 LSB is a threshold that the gap misses by about 1 / |normal|, or meets.
 typedef struct generate_height {
-  int64_t level;      // half LSB
-  int side;           // sign of gap - level / 2
-  unsigned bits;      // of the length of the normal
+  int64_t level;  // half LSB
+  int side;       // sign of gap - level / 2
+  unsigned bits;  // of the length of the normal
 } generate_height;
 
 typedef enum generate_contact {

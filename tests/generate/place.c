@@ -12,7 +12,8 @@ typedef struct built_pair {
 } built_pair;
 
 static bool build(const case_pair *pair, built_pair *out) {
-  return case_collider_build(&out->a, &pair->a, false) == GJK_OK && case_collider_build(&out->b, &pair->b, false) == GJK_OK;
+  return case_collider_build(&out->a, &pair->a, false) == GJK_OK &&
+         case_collider_build(&out->b, &pair->b, false) == GJK_OK;
 }
 
 static void release(built_pair *built) {
@@ -96,7 +97,8 @@ void generate_outermost(random_state *random, case_pair *pair) {
     const gjk_vec3 *p = &pair->a.pose.position, *q = &pair->b.pose.position;
     const gjk_vec3 *a = &built.a.collider.centre, *b = &built.b.collider.centre;
     const int64_t slack = (int64_t)random_below(random, 100);
-    const int64_t x = room((corner & 1) != 0, p->x, q->x, a->x, b->x), y = room((corner & 2) != 0, p->y, q->y, a->y, b->y);
+    const int64_t x = room((corner & 1) != 0, p->x, q->x, a->x, b->x),
+                  y = room((corner & 2) != 0, p->y, q->y, a->y, b->y);
     const int64_t z = room((corner & 4) != 0, p->z, q->z, a->z, b->z);
     const gjk_vec3 by = {clamp(x > 0 ? x - slack : x + slack), clamp(y > 0 ? y - slack : y + slack),
                          clamp(z > 0 ? z - slack : z + slack)};
@@ -117,7 +119,8 @@ void generate_bake(case_shape *shape) {
     case_shape_set_count(shape, count);
     for (unsigned i = 0; i < count; i++) {
       const exact_point v = exact_vertex(&built.collider, i);
-      const gjk_vec3 offset = {(gjk_q16)(v.x[0] - centre.x), (gjk_q16)(v.x[1] - centre.y), (gjk_q16)(v.x[2] - centre.z)};
+      const gjk_vec3 offset = {(gjk_q16)(v.x[0] - centre.x), (gjk_q16)(v.x[1] - centre.y),
+                               (gjk_q16)(v.x[2] - centre.z)};
       shape->vertices[i] = offset;
     }
     shape->pose.position = centre;

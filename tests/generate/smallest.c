@@ -103,7 +103,8 @@ static bool solve(lattice_plane *plane, int64_t k, long double low, int64_t *out
 
 // A point of the plane itself: there is one inside only where e and f are multiples.
 static void meet(random_state *random, lattice_plane *plane, bool crossing, int multiple, int64_t *out) {
-  const int64_t s = random_range(random, 1, multiple - 1), t = random_range(random, 1, multiple - 1) * (crossing ? -1 : 1);
+  const int64_t s = random_range(random, 1, multiple - 1);
+  const int64_t t = random_range(random, 1, multiple - 1) * (crossing ? -1 : 1);
   for (int i = 0; i < 3; i++) {
     out[i] = s * (plane->e[i] / multiple) + t * (plane->f[i] / multiple);
   }
@@ -189,8 +190,8 @@ static void append(case_shape *shape, gjk_vec3 vertex) {
 
 // Points behind the contact point at, on the side away from the other shape, spread across the edge of a shape that
 // has one. Their height is some LSB at least, so no rounding takes them to the front.
-static void thicken(random_state *random, const lattice_plane *plane, const int64_t *edge, const double *at, double reach,
-                    double side, case_shape *shape) {
+static void thicken(random_state *random, const lattice_plane *plane, const int64_t *edge, const double *at,
+                    double reach, double side, case_shape *shape) {
   const double n[3] = {(double)plane->n[0], (double)plane->n[1], (double)plane->n[2]};
   const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), depth = 8 + reach * 0.2 * generate_unit(random);
   double across[3];

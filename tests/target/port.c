@@ -108,7 +108,7 @@ static void check_dot_sign(gjk_long3 n, gjk_vec3 v) {
   plain_add(&sum, n.x, v.x);
   plain_add(&sum, n.y, v.y);
   plain_add(&sum, n.z, v.z);
-  check(gjk_dot_sign(&n, v) == plain_sign(&sum), "sign of a dot product");
+  check(gjk_dot_sign(&n, &v) == plain_sign(&sum), "sign of a dot product");
 }
 
 static void check_extremes(void) {
@@ -158,7 +158,7 @@ static void check_random(void) {
     const gjk_vec3 along = {a / 2, b / 2, 1};
     const gjk_long3 across = {along.y * (int64_t)d, -along.x * (int64_t)d, c};
     check_dot_sign(across, along);  // sign of c
-    zeros += gjk_dot_sign(&across, along) == 0;
+    zeros += gjk_dot_sign(&across, &along) == 0;
   }
   check(zeros > RANDOM_ROUNDS / 4 && zeros < RANDOM_ROUNDS / 2, "a third of the near cancellations is exact");
 }

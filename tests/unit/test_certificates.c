@@ -27,7 +27,7 @@ typedef struct campaign {
   gjk_cache kept;  // of the pair before: rubbish for this one
   random_state random;
   unsigned long pairs, intersecting, near, brute, mutants, refused, failures;
-  unsigned iterations;  // largest
+  unsigned iterations;                               // largest
   unsigned long proofs[GJK_PROOF_ENCLOSING + 1][5];  // by kind and count of named pairs, over all families
   char why[160];
 } campaign;
@@ -113,8 +113,10 @@ static void check_decisions(campaign *c, const gjk_distance_result *r, gjk_cache
 static void check_warm(campaign *c, const gjk_distance_result *cold, gjk_cache cache, const char *what) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_distance_result r;
-  expect(c, gjk_distance(a, b, &cache, &r) == GJK_OK && r.intersecting == cold->intersecting &&
-                r.distance == cold->distance, what);
+  expect(
+      c,
+      gjk_distance(a, b, &cache, &r) == GJK_OK && r.intersecting == cold->intersecting && r.distance == cold->distance,
+      what);
   expect(c, exact_check_distance(a, b, &r, c->why, sizeof c->why), what);
   count_answer(c, r.iterations, &r.certificate);
 }
@@ -178,6 +180,28 @@ static void check_wrong_decision(campaign *c, gjk_q16 distance) {
   }
 }
 
+// The feature of a distance also proves decisions on the right side of that distance, and none on the wrong side.
+static void check_borrowed_proof(campaign *c, const gjk_distance_result *r, gjk_q16 distance, bool yes) {
+  const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
+  gjk_decision d;
+  memset(&d, 0, sizeof d);
+  d.yes = yes;
+  d.certificate = r->certificate;
+  d.certificate.proof = yes ? GJK_PROOF_NEAR : GJK_PROOF_NEAREST;
+  const bool valid = exact_check_decision(a, b, distance, &d, c->why, sizeof c->why);
+  expect(c, valid == (yes ? distance > r->distance : distance < r->distance), "borrowed proof, oracle");
+  expect(c, gjk_check_decision(a, b, distance, &d) == (valid ? GJK_OK : GJK_ERROR_UNPROVEN), "borrowed proof");
+}
+
+static void check_borrowed_proofs(campaign *c, const gjk_distance_result *r) {
+  if (!r->intersecting && r->distance > 0 && r->distance < INT32_MAX) {
+    check_borrowed_proof(c, r, r->distance - 1, false);
+    check_borrowed_proof(c, r, r->distance - 1, true);
+    check_borrowed_proof(c, r, r->distance + 1, false);
+    check_borrowed_proof(c, r, r->distance + 1, true);
+  }
+}
+
 static void check_brute(campaign *c, const gjk_distance_result *r) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   exact_truth truth;
@@ -217,6 +241,7 @@ static void check_pair(campaign *c) {
     check_wrong_distances(c, &r);
     check_wrong_decision(c, r.distance);
     check_wrong_decision(c, r.distance > 0 ? r.distance - 1 : 0);
+    check_borrowed_proofs(c, &r);
   }
   const unsigned vertices = exact_vertex_count(a) * exact_vertex_count(b);
   if (!far && ((c->pairs % BRUTE_EVERY == 0 && vertices <= BRUTE_VERTICES) ||
@@ -236,12 +261,15 @@ static unsigned run_family(campaign *c, uint64_t seed, unsigned long pairs) {
     check_pair(c);
   }
   const double share = 100.0 * (double)c->intersecting / (double)(c->pairs > 0 ? c->pairs : 1);
-  printf("%-22s %6lu pairs, %5.1f %% intersect, %2u iterations at most, %4lu by brute force, %lu of %lu wrong answers refused\n",
-         family->name, c->pairs, share, c->iterations, c->brute, c->refused, c->mutants);
+  printf(
+      "%-22s %6lu pairs, %5.1f %% intersect, %2u iterations at most, %4lu by brute force, %lu of %lu wrong answers "
+      "refused\n",
+      family->name, c->pairs, share, c->iterations, c->brute, c->refused, c->mutants);
   fflush(stdout);
   if (pairs >= 1000) {
     CHECK_MSG(share >= family->least && share <= family->most, "%s: %.1f %% intersect", family->name, share);
-    CHECK_MSG(family->near == 0 || c->near * 10 >= (c->pairs - c->intersecting) * 9, "%s: %lu near", family->name, c->near);
+    CHECK_MSG(family->near == 0 || c->near * 10 >= (c->pairs - c->intersecting) * 9, "%s: %lu near", family->name,
+              c->near);
   }
   return c->iterations;
 }

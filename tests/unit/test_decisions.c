@@ -20,7 +20,8 @@ static void show_if(bool failed, const case_pair *pair) {
 }
 
 static bool build(subject *s) {
-  return case_collider_build(&s->a, &s->pair.a, false) == GJK_OK && case_collider_build(&s->b, &s->pair.b, false) == GJK_OK;
+  return case_collider_build(&s->a, &s->pair.a, false) == GJK_OK &&
+         case_collider_build(&s->b, &s->pair.b, false) == GJK_OK;
 }
 
 static bool intersects(const subject *s) {
@@ -49,7 +50,8 @@ static gjk_distance_result distance_of(const subject *s) {
 static bool contact_is_right(const subject *s, const generate_height *height, bool thick) {
   const bool meet = thick ? height->side <= 0 : height->side == 0;
   const gjk_distance_result r = distance_of(s);
-  return intersects(s) == meet && is_within(s, 0) == meet && r.intersecting == meet && r.distance == 0 && is_within(s, 1);
+  return intersects(s) == meet && is_within(s, 0) == meet && r.intersecting == meet && r.distance == 0 &&
+         is_within(s, 1);
 }
 
 // A gap next to level / 2: an integer, where it decides "within" and rounded contact, or a half, where the
@@ -60,7 +62,8 @@ static bool level_is_right(subject *s, const generate_height *height) {
     const gjk_q16 rounded = height->side >= 0 ? below + 1 : below;
     return distance_of(s).distance == rounded && !is_within(s, below) && is_within(s, below + 1);
   }
-  bool right = is_within(s, below) == (height->side <= 0) && !is_within(s, below - 1) && distance_of(s).distance == below;
+  bool right =
+      is_within(s, below) == (height->side <= 0) && !is_within(s, below - 1) && distance_of(s).distance == below;
   s->pair.a.round = below / 3;
   s->pair.b.round = below - below / 3;
   CHECK(build(s));
@@ -96,8 +99,8 @@ static void test_smallest(random_state *random, subject *s, generate_contact con
   for (int i = 0; i < SMALLEST_PAIRS; i++) {
     check_smallest(random, s, contact, &t);
   }
-  printf("contact %d: %lu pairs, %lu below, %lu above, normals of up to %u bits\n", (int)contact, t.pairs, t.below, t.above,
-         t.bits);
+  printf("contact %d: %lu pairs, %lu below, %lu above, normals of up to %u bits\n", (int)contact, t.pairs, t.below,
+         t.above, t.bits);
   CHECK(t.below > t.pairs * 3 / 10 && t.above > t.pairs * 3 / 10);
   CHECK_MSG(t.bits >= bits, "%u bits", t.bits);
 }
@@ -107,7 +110,8 @@ static bool equals_brute(const subject *s, unsigned long *together) {
   exact_truth truth;
   exact_brute(a, b, &truth);
   const gjk_distance_result r = distance_of(s);
-  bool right = r.distance == exact_truth_distance(&truth, a, b) && r.intersecting == exact_truth_within(&truth, a, b, 0);
+  bool right =
+      r.distance == exact_truth_distance(&truth, a, b) && r.intersecting == exact_truth_within(&truth, a, b, 0);
   for (gjk_q16 distance = 0; distance <= 4; distance++) {
     right = right && is_within(s, distance) == exact_truth_within(&truth, a, b, distance);
   }

@@ -51,9 +51,10 @@ static void test_small_integers(random_state *random) {
               "%lld %lld %lld", (long long)p, (long long)q, (long long)r);
     CHECK_MSG(exact_compare(&a, &b) == (p > q) - (p < q), "%lld %lld", (long long)p, (long long)q);
     const exact_int opposite = exact_negate(product);
-    CHECK_MSG(exact_compare(&product, &first) == ((wide)p * q > (wide)(p / 2) * q) - ((wide)p * q < (wide)(p / 2) * q) &&
-                  equals(&opposite, -((wide)p * q)),
-              "%lld %lld", (long long)p, (long long)q);
+    CHECK_MSG(
+        exact_compare(&product, &first) == ((wide)p * q > (wide)(p / 2) * q) - ((wide)p * q < (wide)(p / 2) * q) &&
+            equals(&opposite, -((wide)p * q)),
+        "%lld %lld", (long long)p, (long long)q);
   }
 }
 
@@ -257,14 +258,16 @@ static void test_features(void) {
 }
 
 static void test_brute(void) {
-  static const int32_t point[1][3] = {{3, 3, 7}}, touching[2][3] = {{0, 5, 9}, {20, 5, -9}}, inside[1][3] = {{2, 2, -3}};
+  static const int32_t point[1][3] = {{3, 3, 7}}, touching[2][3] = {{0, 5, 9}, {20, 5, -9}},
+                       inside[1][3] = {{2, 2, -3}};
   exact_truth truth;
   hand_made a, b;
   make_hull(&a, triangle, 4, 1);
   make_hull(&b, point, 1, 2);
   exact_brute(&a.collider, &b.collider, &truth);
   CHECK(!truth.enclosing && exact_truth_distance(&truth, &a.collider, &b.collider) == 4);
-  CHECK(exact_truth_within(&truth, &a.collider, &b.collider, 4) && !exact_truth_within(&truth, &a.collider, &b.collider, 3));
+  CHECK(exact_truth_within(&truth, &a.collider, &b.collider, 4) &&
+        !exact_truth_within(&truth, &a.collider, &b.collider, 3));
   make_hull(&b, inside, 1, 0);
   exact_brute(&a.collider, &b.collider, &truth);
   CHECK(truth.enclosing && exact_truth_distance(&truth, &a.collider, &b.collider) == 0);

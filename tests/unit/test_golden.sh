@@ -29,20 +29,23 @@ if have gcc; then
   check 'undefined behaviour and addresses' host sanitized gcc -O1 -fsanitize=undefined,address -fno-sanitize-recover=all
 fi
 
-# target NAME [DEFINE]: builds the firmware and runs it
+# target NAME OPT [DEFINE]: builds the firmware and runs it
 target() {
-  rm -f "build/$1/golden.elf"
-  make -s "build/$1/golden.elf" TARGET="$1" FIRMWARE_DEFINES="$2" && sh tests/build/emulate.sh "$1" "build/$1/golden.elf"
+  elf=build/$1-golden$2/golden.elf
+  rm -f "$elf"
+  make -s "$elf" TARGET="$1" OPT="$2" VARIANT="-golden$2" FIRMWARE_DEFINES="$3" && sh tests/build/emulate.sh "$1" "$elf"
 }
 for core in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc avr; do
   missing="$(missing_package $core) $(missing_emulator $core)"
   few=
   [ $core = avr ] && few=-DGOLDEN_RUN_PAIRS=GOLDEN_FEW_PAIRS
-  if [ -z "${missing# }" ]; then
-    check "$core" target $core "$few"
-  else
-    skip "golden hash on $core" "$missing"
-  fi
+  for level in -O2 -Os; do
+    if [ -z "${missing# }" ]; then
+      check "$core $level" target $core $level "$few"
+    else
+      skip "golden hash on $core $level" "$missing"
+    fi
+  done
 done
 missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
 if [ -z "${missing# }" ]; then

@@ -125,10 +125,11 @@ static void test_sizes(void) {
   static const gjk_vec3 whole[2] = {{INT32_MIN, INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX, INT32_MAX}};
   static const gjk_vec3 large[3] = {{0, 0, 0}, {2 * GJK_RADIUS_MAX, 0, 0}, {0, 2 * GJK_RADIUS_MAX, 0}};
   static const gjk_vec3 far_out[2] = {{INT32_MAX, INT32_MAX, 0}, {INT32_MAX - 2 * GJK_RADIUS_MAX, INT32_MAX, 0}};
-  const gjk_shape largest[] = {GJK_SPHERE(limit),         GJK_SEGMENT(limit),          GJK_CAPSULE(limit - 5, 5),
-                               GJK_BOX(third, third, third), GJK_CYLINDER(half, half), GJK_CONE(half, half),
-                               GJK_ELLIPSOID(limit, 1, 1), GJK_HULL(line, 2),          GJK_HULL(far_out, 2),
-                               GJK_CUSTOM(support_origin, NULL, limit)};
+  const gjk_shape largest[] = {GJK_SPHERE(limit),          GJK_SEGMENT(limit),
+                               GJK_CAPSULE(limit - 5, 5),  GJK_BOX(third, third, third),
+                               GJK_CYLINDER(half, half),   GJK_CONE(half, half),
+                               GJK_ELLIPSOID(limit, 1, 1), GJK_HULL(line, 2),
+                               GJK_HULL(far_out, 2),       GJK_CUSTOM(support_origin, NULL, limit)};
   const gjk_shape beyond[] = {GJK_SPHERE(limit + 1),
                               GJK_SPHERE(INT32_MAX),
                               GJK_SEGMENT(limit + 1),

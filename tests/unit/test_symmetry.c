@@ -31,7 +31,8 @@ static answer find_answer(subject *s, const case_shape *shape_a, const case_shap
   gjk_distance_result r;
   gjk_decision touch, within, beyond;
   memset(&found, 0, sizeof found);
-  found.posed = case_collider_build(&s->a, shape_a, false) == GJK_OK && case_collider_build(&s->b, shape_b, false) == GJK_OK;
+  found.posed =
+      case_collider_build(&s->a, shape_a, false) == GJK_OK && case_collider_build(&s->b, shape_b, false) == GJK_OK;
   if (!found.posed || gjk_distance(a, b, NULL, &r) != GJK_OK || gjk_intersect(a, b, NULL, &touch) != GJK_OK) {
     return found;
   }
@@ -66,7 +67,8 @@ static void compare(subject *s, bool swapped, const char *what) {
     return;
   }
   const bool equal = same(&found, &s->expected);
-  CHECK_MSG(equal, "%s: %s: distance %ld, was %ld", s->original.id, what, (long)found.distance, (long)s->expected.distance);
+  CHECK_MSG(equal, "%s: %s: distance %ld, was %ld", s->original.id, what, (long)found.distance,
+            (long)s->expected.distance);
   if (!equal) {
     case_print(stdout, &s->original);
     case_print(stdout, &s->changed);

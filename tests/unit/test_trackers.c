@@ -73,7 +73,8 @@ static void check_one_way(const case_pair *pair, const gjk_collider *a, const gj
 }
 
 static void check_case(const case_pair *pair, case_collider *a, case_collider *b, const truth *t) {
-  const bool built = case_collider_build(a, &pair->a, false) == GJK_OK && case_collider_build(b, &pair->b, false) == GJK_OK;
+  const bool built =
+      case_collider_build(a, &pair->a, false) == GJK_OK && case_collider_build(b, &pair->b, false) == GJK_OK;
   expect(built, pair, "the pair can be posed");
   if (built) {
     check_one_way(pair, &a->collider, &b->collider, t);
