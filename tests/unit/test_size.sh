@@ -12,8 +12,8 @@ at_most() {
 build=$1
 if [ -z "$(missing_package cortex-m3)" ]; then
   check 'the library for Cortex-M3 at -Os' make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked
-  check 'gjk_intersect on boxes alone' at_most 3072 -DSIZE_BOXES
-  check 'gjk_distance on hulls, boxes and rounded forms' at_most 7168
+  check 'gjk_intersect on boxes alone' at_most 7168 -DSIZE_BOXES
+  check 'gjk_distance on hulls, boxes and rounded forms' at_most 11776
 else
   skip 'linked sizes' "$(missing_package cortex-m3)"
 fi
