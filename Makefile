@@ -113,17 +113,18 @@ build/gjk-query build/gjk-demo $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 # Firmware NAME for the target's emulated board: tests/target/NAME.c and NAME_firmware.c.
 # Start-up code clears memory in a loop, which must not become a call of itself.
 
-FIRMWARE_HEADERS := $(wildcard tests/target/*.h tests/demo/*.h include/gjk/*.h port/board/*.h tests/random.h)
-FIRMWARE = $(FREESTANDING) -Itests -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) $(filter %.c,$^) \
-  $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
+BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
+FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/*.h tests/target/*.h tests/demo/*.h include/gjk/*.h) Makefile
+FIRMWARE = $(FREESTANDING) -Itests -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
+  $(filter-out $(FIRMWARE_NEEDS),$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 
-$(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(LIB) $(FIRMWARE_HEADERS) Makefile
+$(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE)
 
 $(OUT)/port.elf: tests/target/port_allocation.c port/generic/gjk_arena.c
 
-$(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(LIB) $(FIRMWARE_HEADERS) Makefile
+$(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE) -Itests/demo
 

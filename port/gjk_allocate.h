@@ -8,8 +8,8 @@
 extern "C" {
 #endif
 
-// bytes of memory, aligned for any of the library's types, contents undefined. NULL when there is not that much left, and
-// for 0 bytes.
+// bytes of memory, aligned for any of the library's types, contents undefined. NULL when there is not that much left,
+// and for 0 bytes.
 void *gjk_port_allocate(size_t bytes);
 
 // Gives back memory of gjk_port_allocate, once; NULL is ignored. A port may reuse it late: see its own file.

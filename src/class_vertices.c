@@ -23,7 +23,7 @@ static void scan_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gj
 
 // Pre: offsets of the vertices at most core_radius; *at is among the farthest along d.
 GJK_OUT_OF_LINE static bool refine_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d,
-                         const gjk_direction *direction, bool negated, gjk_support *at) {
+                                         const gjk_direction *direction, bool negated, gjk_support *at) {
   const int64_t limit = gjk_dot(&at->offset, d) - 4 * (int64_t)rounding_slack(c, false);
   const uint16_t before = at->vertex;
   for (uint32_t i = 0; i < c->count; i++) {
@@ -52,7 +52,8 @@ static uint32_t local_direction(const gjk_collider *c, const gjk_vec3 *d, bool e
 }
 
 // The vertices of the shape are scanned as they are, not relative to its centre: that shifts all products alike.
-GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, bool exact, gjk_support *out) {
+GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, bool exact,
+                                         gjk_support *out) {
   const gjk_vec3 *vertices = c->shape->vertices;
   const gjk_vec3 d = gjk_scale_direction(direction);
   gjk_vec3 local;
@@ -79,8 +80,8 @@ GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *
   }
 }
 
-GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
-                        gjk_support *at) {
+GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
+                                        bool negated, gjk_support *at) {
   const gjk_vec3 *vertices = c->shape->vertices;
   gjk_vec3 local;
   const uint32_t slack = local_direction(c, d, false, &local);
@@ -195,6 +196,6 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
   return GJK_OK;
 }
 
-const gjk_shape_class gjk_class_triangle = {measure,         pose_triangle, support_triangle, refine_triangle,
-                                            vertex_triangle, false,         3};
+const gjk_shape_class gjk_class_triangle = {
+    measure, pose_triangle, support_triangle, refine_triangle, vertex_triangle, false, 3};
 const gjk_shape_class gjk_class_hull = {measure, pose_hull, support_hull, refine_hull, vertex_hull, true, 0};

@@ -21,7 +21,7 @@ static gjk_status check_buffer(const gjk_collider *c, const gjk_shape *shape, co
     return GJK_ERROR_CAPACITY;
   }
   return overlap(buffer, bytes, shape->vertices, bytes) || overlap(buffer, bytes, c, sizeof *c) ? GJK_ERROR_OVERLAP
-                                                                                               : GJK_OK;
+                                                                                                : GJK_OK;
 }
 
 gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *buffer, uint16_t capacity) {

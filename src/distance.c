@@ -106,13 +106,13 @@ static inline int32_t offset_b(const gjk_iteration *it, gjk_q16 centre_a, gjk_q1
 
 // One coordinate of both points, from that of the centres and the vertices.
 GJK_ONCE static void report_axis(const gjk_iteration *it, const feature *f, gjk_q16 centre_a, gjk_q16 centre_b,
-                               const int32_t a[3], const int32_t w[3], gjk_q30 normal, gjk_q16 *point_a,
-                               gjk_q16 *point_b, bool *cut) {
+                                 const int32_t a[3], const int32_t w[3], gjk_q30 normal, gjk_q16 *point_a,
+                                 gjk_q16 *point_b, bool *cut) {
   *point_a = coordinate(weighted(f, a[0], a[1], a[2]), centre_a, normal, it->a->shape->round, cut);
-  *point_b = coordinate(weighted(f, offset_b(it, centre_a, centre_b, a[0], w[0]),
-                                 offset_b(it, centre_a, centre_b, a[1], w[1]),
-                                 offset_b(it, centre_a, centre_b, a[2], w[2])),
-                        centre_b, normal, -it->b->shape->round, cut);
+  *point_b =
+      coordinate(weighted(f, offset_b(it, centre_a, centre_b, a[0], w[0]), offset_b(it, centre_a, centre_b, a[1], w[1]),
+                          offset_b(it, centre_a, centre_b, a[2], w[2])),
+                 centre_b, normal, -it->b->shape->round, cut);
 }
 
 static void nearest_points(const gjk_iteration *it, const feature *f, gjk_distance_result *out) {

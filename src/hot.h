@@ -38,8 +38,7 @@ GJK_HOT int gjk_sum_sign(int64_t p, int64_t q, int64_t r, int64_t s) {
   GJK_INT128_TYPE sum = (GJK_INT128_TYPE)p * q + (GJK_INT128_TYPE)r * s;
   return (sum > 0) - (sum < 0);
 #else
-  const int32_t top =
-      gjk_high32(gjk_mac32(gjk_mul32(gjk_high32(p), gjk_high32(q)), gjk_high32(r), gjk_high32(s)));
+  const int32_t top = gjk_high32(gjk_mac32(gjk_mul32(gjk_high32(p), gjk_high32(q)), gjk_high32(r), gjk_high32(s)));
   if (top >= 2) {
     return 1;
   }

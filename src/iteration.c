@@ -5,8 +5,8 @@
 //         exact direction, so every simplex is non-degenerate, each feature is nearer than the last and none returns.
 #include "iteration.h"
 
-// Is v longer than r >= 0? Components at most 2^32, r below 2^33. Both are first cut to 31 bits when they have more,
-// rounding towards "no".
+// Is v longer than r >= 0? Components at most 2^32, r below 2^33. From r = 2^31 on only single components are compared: the
+// answer may then be a wrong "no".
 static bool longer_than(const gjk_long3 *v, int64_t r) {
   const uint64_t x = gjk_magnitude64(v->x), y = gjk_magnitude64(v->y), z = gjk_magnitude64(v->z);
   const uint64_t limit = (uint64_t)r;
@@ -18,7 +18,8 @@ static bool longer_than(const gjk_long3 *v, int64_t r) {
   }
   // Components below 2^31: each square below 2^62, their sum below 3 2^62 < 2^64.
   return gjk_umul32((uint32_t)x, (uint32_t)x) + gjk_umul32((uint32_t)y, (uint32_t)y) +
-             gjk_umul32((uint32_t)z, (uint32_t)z) > gjk_umul32((uint32_t)limit, (uint32_t)limit);
+             gjk_umul32((uint32_t)z, (uint32_t)z) >
+         gjk_umul32((uint32_t)limit, (uint32_t)limit);
 }
 
 // The shift of a frame whose reach is 2^30 or more.
@@ -47,7 +48,7 @@ GJK_OUT_OF_LINE static bool set_frame(gjk_iteration *it, bool spheres, int64_t r
   if (spheres && longer_than(&delta, cores + radius)) {
     return false;
   }
-  // |x| + |y| + |z| bounds the length from above; at most 3 2^32.
+  // |x| + |y| + |z| bounds the length from above; at most 3 2^32. Never 0: each core_radius has its slack.
   const int64_t reach =
       (int64_t)(gjk_magnitude64(delta.x) + gjk_magnitude64(delta.y) + gjk_magnitude64(delta.z)) + cores;
   it->shift = (int8_t)(reach < INT64_C(1) << 30 ? (int)gjk_clz32((uint32_t)reach) - 2 : far_shift(&delta));
@@ -58,13 +59,15 @@ GJK_OUT_OF_LINE static bool set_frame(gjk_iteration *it, bool spheres, int64_t r
 // Are all components of v below 2^28 in size?
 static inline bool is_small(const gjk_vec3 *v) {
   return ((uint32_t)(v->x ^ gjk_sar32(v->x, 31)) | (uint32_t)(v->y ^ gjk_sar32(v->y, 31)) |
-          (uint32_t)(v->z ^ gjk_sar32(v->z, 31))) >> 28 == 0;
+          (uint32_t)(v->z ^ gjk_sar32(v->z, 31))) >>
+             28 ==
+         0;
 }
 
 // The same for centres within 4096 units of the origin and no radius, the usual case, in 32 bits.
 static bool set_usual_frame(gjk_iteration *it, bool spheres) {
-  const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);  // below 2^29
-  const int32_t cores = it->a->core_radius + it->b->core_radius;    // at most 2^29
+  const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);   // below 2^29
+  const int32_t cores = it->a->core_radius + it->b->core_radius;  // at most 2^29
   if (spheres && gjk_dot(&delta, &delta) > gjk_mul32(cores, cores)) {
     return false;
   }
@@ -81,8 +84,8 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   it->a = a;
   it->b = b;
   it->rounds = 0;
-  if (!(!GJK_SMALL && radius == 0 && is_small(&a->centre) && is_small(&b->centre) ? set_usual_frame(it, spheres)
-                                                                    : set_frame(it, spheres, radius))) {
+  const bool usual = !GJK_SMALL && radius == 0 && is_small(&a->centre) && is_small(&b->centre);
+  if (usual ? !set_usual_frame(it, spheres) : !set_frame(it, spheres, radius)) {
     return false;
   }
   it->curved = a->shape->type->vertex == NULL || b->shape->type->vertex == NULL;

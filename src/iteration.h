@@ -30,7 +30,7 @@ typedef enum gjk_goal {
 
 typedef struct gjk_iteration {
   const gjk_collider *a, *b;
-  int32_t radius;         // what counts as near, in the frame of the pair
+  int32_t radius;  // what counts as near, in the frame of the pair
   int8_t shift;
   uint8_t rounds;
   bool curved;            // one of the two has no vertices

@@ -72,16 +72,12 @@ gjk_status gjk_quat_compose(const gjk_quat *a, const gjk_quat *b, gjk_quat *out)
   // 1 - 1 / sqrt(1 + e) = e / 2 - 3/8 e^2 + ..., in Q46: 3 e^2 < 2^62, the rest below 2^-46.
   const int32_t excess = e - (int32_t)gjk_sar64(3 * gjk_mul32(e, e), 47);
   // Products and their partial sums are at most |a| |b| 2^60 <= 2^60 (1 + 2^-16) in size.
-  const int64_t x = gjk_mul32(a->w, b->x) + gjk_mul32(a->x, b->w) +
-                    gjk_mul32(a->y, b->z) - gjk_mul32(a->z, b->y);
-  const int64_t y = gjk_mul32(a->w, b->y) + gjk_mul32(a->y, b->w) +
-                    gjk_mul32(a->z, b->x) - gjk_mul32(a->x, b->z);
-  const int64_t z = gjk_mul32(a->w, b->z) + gjk_mul32(a->z, b->w) +
-                    gjk_mul32(a->x, b->y) - gjk_mul32(a->y, b->x);
-  const int64_t w = gjk_mul32(a->w, b->w) - gjk_mul32(a->x, b->x) -
-                    gjk_mul32(a->y, b->y) - gjk_mul32(a->z, b->z);
-  const gjk_quat product = {gjk_corrected_q30(x, excess), gjk_corrected_q30(y, excess),
-                            gjk_corrected_q30(z, excess), gjk_corrected_q30(w, excess)};
+  const int64_t x = gjk_mul32(a->w, b->x) + gjk_mul32(a->x, b->w) + gjk_mul32(a->y, b->z) - gjk_mul32(a->z, b->y);
+  const int64_t y = gjk_mul32(a->w, b->y) + gjk_mul32(a->y, b->w) + gjk_mul32(a->z, b->x) - gjk_mul32(a->x, b->z);
+  const int64_t z = gjk_mul32(a->w, b->z) + gjk_mul32(a->z, b->w) + gjk_mul32(a->x, b->y) - gjk_mul32(a->y, b->x);
+  const int64_t w = gjk_mul32(a->w, b->w) - gjk_mul32(a->x, b->x) - gjk_mul32(a->y, b->y) - gjk_mul32(a->z, b->z);
+  const gjk_quat product = {gjk_corrected_q30(x, excess), gjk_corrected_q30(y, excess), gjk_corrected_q30(z, excess),
+                            gjk_corrected_q30(w, excess)};
   *out = product;
   return GJK_OK;
 }

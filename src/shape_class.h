@@ -37,8 +37,8 @@ struct gjk_shape_class {
   // The offset of a vertex by its number; false: there is none. NULL: curved.
   bool (*vertex)(const gjk_collider *collider, uint16_t number, gjk_vec3 *offset);
 
-  bool buffered;   // takes a buffer for the vertices of the shape
-  uint8_t count;   // half axes or vertices; 0 with buffered: the shape's own count
+  bool buffered;  // takes a buffer for the vertices of the shape
+  uint8_t count;  // half axes or vertices; 0 with buffered: the shape's own count
 };
 
 #define GJK_STATE_INITIALISED UINT32_C(0x676A6B31)

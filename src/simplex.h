@@ -24,9 +24,9 @@ typedef struct gjk_simplex {
   // Of the slots in use: [i][i] = w_i . w_i; [i][j] = w_i . (w_i - w_j), positive when the origin's projection onto the
   // line through both lies on j's side of i.
   int64_t toward[4][4];
-  gjk_long3 normal;   // of a feature of three
-  uint8_t order[4];   // slots: first the feature's count, then the others
-  uint8_t count;      // 0 to 3; 4, or less with the origin on it, when enclosing
+  gjk_long3 normal;  // of a feature of three
+  uint8_t order[4];  // slots: first the feature's count, then the others
+  uint8_t count;     // 0 to 3; 4, or less with the origin on it, when enclosing
 } gjk_simplex;
 
 typedef enum gjk_step {

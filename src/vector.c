@@ -70,8 +70,7 @@ void gjk_round_direction(const gjk_long3 *n, gjk_rounded *out) {
 // |a tbh + b tah| <= 3 2^60 and |a tbl + b tal| <= 3 2^61.
 GJK_ONCE static uint32_t combine(int32_t a, int64_t tb, int32_t b, int64_t ta, int64_t *high) {
   const uint32_t mask = INT32_MAX;
-  const int64_t low =
-      gjk_mac32(gjk_mul32(-a, (int32_t)(gjk_low32(tb) & mask)), -b, (int32_t)(gjk_low32(ta) & mask));
+  const int64_t low = gjk_mac32(gjk_mul32(-a, (int32_t)(gjk_low32(tb) & mask)), -b, (int32_t)(gjk_low32(ta) & mask));
   *high = gjk_mac32(gjk_mac32(gjk_sar64(low, 31), -a, (int32_t)gjk_sar64(tb, 31)), -b, (int32_t)gjk_sar64(ta, 31));
   return gjk_low32(low) & mask;
 }

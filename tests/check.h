@@ -7,16 +7,16 @@
 
 static unsigned long check_passed, check_failed;
 
-#define CHECK_MSG(condition, ...)                                  \
-  do {                                                             \
-    if (condition) {                                               \
-      check_passed++;                                              \
-    } else {                                                       \
-      check_failed++;                                              \
+#define CHECK_MSG(condition, ...)                                    \
+  do {                                                               \
+    if (condition) {                                                 \
+      check_passed++;                                                \
+    } else {                                                         \
+      check_failed++;                                                \
       printf("%s:%d: failed: %s: ", __FILE__, __LINE__, #condition); \
-      printf(__VA_ARGS__);                                         \
-      printf("\n");                                                \
-    }                                                              \
+      printf(__VA_ARGS__);                                           \
+      printf("\n");                                                  \
+    }                                                                \
   } while (0)
 
 #define CHECK(condition) CHECK_MSG(condition, "%s", "")

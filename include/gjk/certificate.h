@@ -24,8 +24,8 @@ typedef enum gjk_proof {
 typedef struct gjk_certificate {
   gjk_vec3 direction;  // GJK_PROOF_DIRECTION: from A to B, no unit
   uint16_t a[4], b[4];
-  uint8_t count;       // pairs in use
-  uint8_t proof;       // a gjk_proof
+  uint8_t count;  // pairs in use
+  uint8_t proof;  // a gjk_proof
 } gjk_certificate;
 
 #ifdef __cplusplus

@@ -23,15 +23,15 @@ typedef struct gjk_aabb {
 // shape, rounding included) as you like. Copyable while shape, buffer and contents stay in place.
 typedef struct gjk_collider {
   const gjk_shape *shape;
-  gjk_vec3 *buffer;        // baked hull: its posed vertices relative to centre; NULL otherwise
-  gjk_vec3 position;       // of the pose
-  gjk_vec3 centre;         // world
-  gjk_vec3 local_centre;   // of the bounding box, shape frame
-  gjk_vec3 frame[3];       // half axes, or posed triangle, both relative to centre; or rotation rows, Q2.30
-  gjk_q16 core_radius;     // bounds |vertex - centre| after posing
-  gjk_q16 radius;          // core_radius plus the shape's rounding
-  uint32_t state;          // tells an initialised and a posed collider from other memory
-  uint16_t count;          // half axes of a point, segment or box; vertices of a triangle or hull
+  gjk_vec3 *buffer;       // baked hull: its posed vertices relative to centre; NULL otherwise
+  gjk_vec3 position;      // of the pose
+  gjk_vec3 centre;        // world
+  gjk_vec3 local_centre;  // of the bounding box, shape frame
+  gjk_vec3 frame[3];      // half axes, or posed triangle, both relative to centre; or rotation rows, Q2.30
+  gjk_q16 core_radius;    // bounds |vertex - centre| after posing
+  gjk_q16 radius;         // core_radius plus the shape's rounding
+  uint32_t state;         // tells an initialised and a posed collider from other memory
+  uint16_t count;         // half axes of a point, segment or box; vertices of a triangle or hull
 } gjk_collider;
 
 // Binds a collider to a shape and checks the shape.

@@ -37,10 +37,15 @@ typedef struct gjk_pose {
 #define GJK_Q30_ONE ((gjk_q30)1073741824)
 
 // A literal in units, rounded to the nearest LSB; the compiler folds it, the program holds an integer.
-#define GJK_Q16(units) ((gjk_q16)((units) * 65536.0 + ((units) < 0 ? -0.5 : 0.5)))
-#define GJK_Q30(value) ((gjk_q30)((value) * 1073741824.0 + ((value) < 0 ? -0.5 : 0.5)))
+#define GJK_Q16(units) ((gjk_q16)((units)*65536.0 + ((units) < 0 ? -0.5 : 0.5)))
+#define GJK_Q30(value) ((gjk_q30)((value)*1073741824.0 + ((value) < 0 ? -0.5 : 0.5)))
 
-#define GJK_POSE_IDENTITY {{0, 0, 0}, {0, 0, 0, GJK_Q30_ONE}}
+#define GJK_POSE_IDENTITY  \
+  {                        \
+    {0, 0, 0}, {           \
+      0, 0, 0, GJK_Q30_ONE \
+    }                      \
+  }
 
 // Largest radius of a shape about the centre of its bounding box, rounding included: 4095 units.
 #define GJK_RADIUS_MAX ((gjk_q16)(4095 * (int32_t)65536))
@@ -52,6 +57,9 @@ typedef struct gjk_pose {
 // shapes at most half; a query that reaches it says so and gives the bounds proven so far.
 #ifndef GJK_ITERATIONS_MAX
 #define GJK_ITERATIONS_MAX 128
+#endif
+#if GJK_ITERATIONS_MAX < 1 || GJK_ITERATIONS_MAX > 250
+#error "GJK_ITERATIONS_MAX must be from 1 to 250: define it for the whole build, or leave it at its default"
 #endif
 
 #endif

@@ -11,8 +11,8 @@ extern "C" {
 
 // The answer to a yes-or-no question about a pair.
 typedef struct gjk_decision {
-  bool yes;                     // intersect: they share a point; within: they are at most that far apart
-  uint8_t iterations;           // rounds used: support scans of both shapes
+  bool yes;            // intersect: they share a point; within: they are at most that far apart
+  uint8_t iterations;  // rounds used: support scans of both shapes
   gjk_certificate certificate;
 } gjk_decision;
 

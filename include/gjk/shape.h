@@ -49,22 +49,24 @@ typedef struct gjk_shape {
 
 // The same shapes with a rounding radius. Hull vertices need no order, may repeat, lie in a line, in a plane
 // or inside the hull; their coordinates may be any int32_t within GJK_RADIUS_MAX of their box's centre.
-#define GJK_ROUNDED_POINT(radius) {&gjk_class_point, 0, 0, 0, {0, 0, 0}, (radius), 0}
-#define GJK_ROUNDED_SEGMENT(half, radius) {&gjk_class_segment, 0, 0, 0, {0, 0, (half)}, (radius), 0}
+#define GJK_ROUNDED_POINT(radius) \
+  { &gjk_class_point, 0, 0, 0, {0, 0, 0}, (radius), 0 }
+#define GJK_ROUNDED_SEGMENT(half, radius) \
+  { &gjk_class_segment, 0, 0, 0, {0, 0, (half)}, (radius), 0 }
 #define GJK_ROUNDED_TRIANGLE(vertices3, radius) \
-  {&gjk_class_triangle, (vertices3), 0, 0, {0, 0, 0}, (radius), 3}
+  { &gjk_class_triangle, (vertices3), 0, 0, {0, 0, 0}, (radius), 3 }
 #define GJK_ROUNDED_BOX(half_x, half_y, half_z, radius) \
-  {&gjk_class_box, 0, 0, 0, {(half_x), (half_y), (half_z)}, (radius), 0}
+  { &gjk_class_box, 0, 0, 0, {(half_x), (half_y), (half_z)}, (radius), 0 }
 #define GJK_ROUNDED_HULL(vertices_n, n, radius) \
-  {&gjk_class_hull, (vertices_n), 0, 0, {0, 0, 0}, (radius), (n)}
+  { &gjk_class_hull, (vertices_n), 0, 0, {0, 0, 0}, (radius), (n) }
 #define GJK_ROUNDED_CYLINDER(base_radius, half, radius) \
-  {&gjk_class_cylinder, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0}
+  { &gjk_class_cylinder, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0 }
 #define GJK_ROUNDED_CONE(base_radius, half, radius) \
-  {&gjk_class_cone, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0}
+  { &gjk_class_cone, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0 }
 #define GJK_ROUNDED_ELLIPSOID(radius_x, radius_y, radius_z, radius) \
-  {&gjk_class_ellipsoid, 0, 0, 0, {(radius_x), (radius_y), (radius_z)}, (radius), 0}
+  { &gjk_class_ellipsoid, 0, 0, 0, {(radius_x), (radius_y), (radius_z)}, (radius), 0 }
 #define GJK_ROUNDED_CUSTOM(function, user_pointer, bound, radius) \
-  {&gjk_class_custom, 0, (function), (user_pointer), {(bound), 0, 0}, (radius), 0}
+  { &gjk_class_custom, 0, (function), (user_pointer), {(bound), 0, 0}, (radius), 0 }
 
 #define GJK_POINT GJK_ROUNDED_POINT(0)
 #define GJK_SPHERE(radius) GJK_ROUNDED_POINT(radius)

@@ -10,18 +10,18 @@ extern "C" {
 // GJK_ERROR_ITERATION_LIMIT, after which the result holds the bounds proven so far.
 typedef enum gjk_status {
   GJK_OK = 0,
-  GJK_ERROR_NULL = -1,            // a required pointer is null
-  GJK_ERROR_SIZE = -2,            // a shape beyond GJK_RADIUS_MAX
-  GJK_ERROR_NEGATIVE = -3,        // a negative radius, half extent or distance
-  GJK_ERROR_EMPTY = -4,           // a hull without vertices
-  GJK_ERROR_CAPACITY = -5,        // a buffer or workspace too small
-  GJK_ERROR_OVERLAP = -6,         // a buffer that overlaps what it is made from
-  GJK_ERROR_ROTATION = -7,        // a quaternion or axis that is not a unit within the tolerance
-  GJK_ERROR_RANGE = -8,           // a value outside its stated range, or a centre outside int32
-  GJK_ERROR_UNINITIALISED = -9,   // a collider that was never initialised, or never posed
-  GJK_ERROR_ITERATION_LIMIT = -10, // GJK_ITERATIONS_MAX rounds did not settle it
-  GJK_ERROR_UNPROVEN = -11,       // a certificate that does not hold
-  GJK_ERROR_UNSUPPORTED = -12     // a certificate of a curved or user's shape, which has no vertices
+  GJK_ERROR_NULL = -1,              // a required pointer is null
+  GJK_ERROR_SIZE = -2,              // a shape beyond GJK_RADIUS_MAX
+  GJK_ERROR_NEGATIVE = -3,          // a negative radius, half extent or distance
+  GJK_ERROR_EMPTY = -4,             // a hull without vertices
+  GJK_ERROR_CAPACITY = -5,          // a buffer or workspace too small
+  GJK_ERROR_OVERLAP = -6,           // a buffer that overlaps what it is made from
+  GJK_ERROR_ROTATION = -7,          // a quaternion or axis that is not a unit within the tolerance
+  GJK_ERROR_RANGE = -8,             // a value outside its stated range, or a centre outside int32
+  GJK_ERROR_UNINITIALISED = -9,     // a collider that was never initialised, or never posed
+  GJK_ERROR_ITERATION_LIMIT = -10,  // GJK_ITERATIONS_MAX rounds did not settle it
+  GJK_ERROR_UNPROVEN = -11,         // a certificate that does not hold
+  GJK_ERROR_UNSUPPORTED = -12       // a certificate of a curved or user's shape, which has no vertices
 } gjk_status;
 
 // The enumerator's name, for example "GJK_ERROR_NULL"; "GJK_ERROR_UNKNOWN" for any other value.

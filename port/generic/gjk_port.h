@@ -9,7 +9,7 @@
 #define GJK_ARENA_BYTES 4096
 #endif
 #if GJK_ARENA_BYTES < 64 || GJK_ARENA_BYTES % 16 != 0
-#error "GJK_ARENA_BYTES must be a multiple of 16 from 64 on: define it for the whole build, for example -DGJK_ARENA_BYTES=8192"
+#error "GJK_ARENA_BYTES must be a multiple of 16 from 64 on: define it for the whole build, say -DGJK_ARENA_BYTES=8192"
 #endif
 
 #endif

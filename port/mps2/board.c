@@ -6,7 +6,7 @@
 #define SYSTICK_CURRENT (*(volatile uint32_t *)0xE000E018)
 
 #define SYSTICK_PERIOD (UINT32_C(1) << 24)
-#define SYSTICK_RUN 5u                      // on, from the processor's clock
+#define SYSTICK_RUN 5u                       // on, from the processor's clock
 #define SYSTICK_WRAPPED (UINT32_C(1) << 16)  // since the last look at SYSTICK_CONTROL
 
 #define SEMIHOSTING_WRITE0 0x04

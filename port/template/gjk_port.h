@@ -2,7 +2,7 @@
 #ifndef GJK_TEMPLATE_PORT_H
 #define GJK_TEMPLATE_PORT_H
 
-// What a violated contract does: log, halt or reset; it must not return into the query. Without it asserts cost nothing.
+// What a violated contract does: log, halt or reset; it must not return into the query. Without it, nothing.
 // void my_assert_failed(const char *condition);
 // #define GJK_ASSERT(condition) ((condition) ? (void)0 : my_assert_failed(#condition))
 

@@ -51,7 +51,11 @@ cat "$logs"/*.result | awk -v no_skip="${GJK_NO_SKIP:-0}" '
     skipped += $5
   }
   END {
-    if (no_skip == 1 && skipped > 0) { print skipped " skipped, which counts as failed here"; failed += skipped; skipped = 0 }
+    if (no_skip == 1 && skipped > 0) {
+      print skipped " skipped, which counts as failed here"
+      failed += skipped
+      skipped = 0
+    }
     printf "%d passed, %d failed", passed, failed
     if (skipped > 0) printf ", %d skipped", skipped
     printf "\n"

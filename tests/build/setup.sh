@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs the cross compilers and emulators that the tests use. Debian and its relatives.
 set -e
-PACKAGES="gcc g++ clang gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf qemu-system-misc gcc-avr avr-libc simavr"
+PACKAGES='gcc g++ clang gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf qemu-system-misc
+  gcc-avr avr-libc simavr'
 if ! command -v apt-get >/dev/null; then
   echo "setup: no apt-get here; install the equivalents of: $PACKAGES" >&2
   exit 1

@@ -46,8 +46,8 @@ for level in -O2 -Os; do
     make -s lib TARGET="$target" OPT=$level VARIANT=$level >/dev/null || exit 1
   done
   for target in $targets; do
-    "$(prefix "$target")size" "$build/$target$level"/*.o |
-      awk -v target="$target" 'NR > 1 { name = $6; sub(/.*\//, "", name); sub(/\.o$/, "", name); print target, name, $1 }'
+    "$(prefix "$target")size" "$build/$target$level"/*.o | sed 's|\.o$||; s|[^ \t]*/||' |
+      awk -v target="$target" 'NR > 1 { print target, $6, $1 }'
   done | table "text, bytes, $level" 1
   for target in $targets; do
     awk -v roots='gjk_intersect gjk_within gjk_distance gjk_check_decision gjk_check_distance gjk_collider_init

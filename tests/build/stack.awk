@@ -1,9 +1,8 @@
 # The deepest stack below functions: awk -v roots='gjk_distance ...' -f stack.awk indirect-calls.txt FILE.ci...
 #
-# The .ci files are gcc's own call graph (-fcallgraph-info=su). Prints 'ROOT BYTES PATH' for each root, with the bytes of
-# each frame on the path; fails for
-# recursion, for a frame of unknown size, and for a call through a pointer that indirect-calls.txt does not cover.
-# A helper of the compiler's, which comes without a call graph, counts HELPER bytes.
+# The .ci files are gcc's own call graph (-fcallgraph-info=su). Prints 'ROOT BYTES PATH' for each root, with the bytes
+# of each frame on the path. Fails for recursion, for a frame of unknown size, and for a call through a pointer that
+# indirect-calls.txt does not cover. A helper of the compiler's, which has no call graph, counts HELPER bytes.
 BEGIN { HELPER = 32 }
 
 function fail(text) {

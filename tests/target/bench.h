@@ -9,8 +9,8 @@
 typedef enum bench_query { BENCH_DISTANCE, BENCH_INTERSECT } bench_query;
 
 typedef enum bench_gap {
-  BENCH_APART,       // 0.1 to 2 units
-  BENCH_CLOSE,       // above 0, to 0.1 units; bounding spheres overlap
+  BENCH_APART,  // 0.1 to 2 units
+  BENCH_CLOSE,  // above 0, to 0.1 units; bounding spheres overlap
   BENCH_OVERLAPPING
 } bench_gap;
 

@@ -75,8 +75,8 @@ static gjk_vec3 random_vector(random_state *random, int32_t size) {
 // A shape of one of ten kinds, about size large; every fourth is rounded.
 static void make_shape(random_state *random, body *b, int32_t size) {
   static const gjk_shape kinds[] = {
-      GJK_POINT, GJK_SEGMENT(0), GJK_TRIANGLE(0), GJK_BOX(0, 0, 0), GJK_HULL(0, 0), GJK_CYLINDER(0, 0), GJK_CONE(0, 0),
-      GJK_ELLIPSOID(0, 0, 0),
+      GJK_POINT,      GJK_SEGMENT(0),     GJK_TRIANGLE(0), GJK_BOX(0, 0, 0),
+      GJK_HULL(0, 0), GJK_CYLINDER(0, 0), GJK_CONE(0, 0),  GJK_ELLIPSOID(0, 0, 0),
   };
   // Boxes and hulls come twice as often.
   static const uint8_t choices[] = {0, 1, 2, 3, 3, 4, 4, 4, 5, 6, 7};

@@ -1,6 +1,6 @@
 // Firmware: the golden hash on an emulated core. Exits with 0 when it is the one in golden.h.
-#include "golden.h"
 #include "board/board.h"
+#include "golden.h"
 #include "print.h"
 
 #ifndef GOLDEN_RUN_PAIRS

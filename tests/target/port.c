@@ -112,7 +112,7 @@ static void check_dot_sign(gjk_long3 n, gjk_vec3 v) {
 }
 
 static void check_extremes(void) {
-  static const int32_t edges[] = {INT32_MIN, INT32_MIN + 1, -65537, -65536, -65535, -1, 0,
+  static const int32_t edges[] = {INT32_MIN, INT32_MIN + 1, -65537, -65536, -65535,        -1,       0,
                                   1,         65535,         65536,  65537,  INT32_MAX - 1, INT32_MAX};
   const unsigned n = sizeof edges / sizeof edges[0];
   for (unsigned i = 0; i < n; i++) {

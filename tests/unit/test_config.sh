@@ -23,8 +23,8 @@ compiles() {
 check 'GJK_NARROW_MULTIPLY is 0 or 1' stops 'set it to 1 in the port header' -DGJK_NARROW_MULTIPLY=2 src/wide.c
 check 'GJK_INT128 is 0 or 1' stops 'set it to 1 in the port header' -DGJK_INT128=2 src/wide.c
 check 'GJK_INT128 comes with a type' stops 'define GJK_INT128_TYPE' -DGJK_INT128=1 src/wide.c
-check 'the arena has a size' stops 'for example -DGJK_ARENA_BYTES=' -DGJK_ARENA_BYTES=32 port/generic/gjk_arena.c
-check 'the arena is a multiple of its alignment' stops 'for example -DGJK_ARENA_BYTES=' -DGJK_ARENA_BYTES=100 \
+check 'the arena has a size' stops 'say -DGJK_ARENA_BYTES=' -DGJK_ARENA_BYTES=32 port/generic/gjk_arena.c
+check 'the arena is a multiple of its alignment' stops 'say -DGJK_ARENA_BYTES=' -DGJK_ARENA_BYTES=100 \
   port/generic/gjk_arena.c
 check 'the arena of another size' compiles -DGJK_ARENA_BYTES=64 port/generic/gjk_arena.c
 for port in generic hosted template; do

@@ -19,7 +19,8 @@ for compiler in gcc clang; do
       check "$compiler $level" host "$compiler$level" $compiler $level
       check "$compiler $level, 128-bit integers" host "$compiler$level-wide" $compiler $level \
         '-DGJK_PORT_HEADER="hosted/gjk_port.h"'
-      check "$compiler $level, narrow multiplication" host "$compiler$level-narrow" $compiler $level -DGJK_NARROW_MULTIPLY=1
+      check "$compiler $level, narrow multiplication" host "$compiler$level-narrow" $compiler $level \
+        -DGJK_NARROW_MULTIPLY=1
     else
       skip "golden hash with $compiler $level" $compiler
     fi
@@ -33,7 +34,8 @@ fi
 target() {
   elf=build/$1-golden$2/golden.elf
   rm -f "$elf"
-  make -s "$elf" TARGET="$1" OPT="$2" VARIANT="-golden$2" FIRMWARE_DEFINES="$3" && sh tests/build/emulate.sh "$1" "$elf"
+  make -s "$elf" TARGET="$1" OPT="$2" VARIANT="-golden$2" FIRMWARE_DEFINES="$3" &&
+    sh tests/build/emulate.sh "$1" "$elf"
 }
 for core in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc avr; do
   missing="$(missing_package $core) $(missing_emulator $core)"

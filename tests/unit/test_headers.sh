@@ -1,5 +1,5 @@
 #!/bin/sh
-# Public headers: each compiles alone, as C99 and as C++, and so does every initialiser of a shape. test_headers.sh BUILD
+# Public headers: each compiles alone, as C99 and as C++; so does every initialiser of a shape. test_headers.sh BUILD
 . tests/build/count.sh
 scratch=$1/headers
 mkdir -p "$scratch"
@@ -16,7 +16,9 @@ uses() {
       if (match($0, /\(.*\)/)) {
         count = split(substr($0, RSTART + 1, RLENGTH - 2), name, / *, */)
         for (i = 1; i <= count; i++) {
-          value = name[i] ~ /^vertices/ ? "vertices" : name[i] == "function" ? "support" : name[i] == "user_pointer" ? "vertices" : "3"
+          value = "3"
+          if (name[i] ~ /^vertices/ || name[i] == "user_pointer") value = "vertices"
+          if (name[i] == "function") value = "support"
           arguments = arguments (i > 1 ? ", " : "") value
         }
         arguments = "(" arguments ")"
@@ -44,7 +46,8 @@ compile() {
 }
 
 all_initialisers_used() {
-  [ "$(grep -c '^const gjk_shape ' "$scratch/initialisers.c")" = "$(grep -cE '^#define GJK_[A-Z_]+(\(.*\))? ' include/gjk/shape.h)" ]
+  used=$(grep -c '^const gjk_shape ' "$scratch/initialisers.c")
+  [ "$used" = "$(grep -cE '^#define GJK_[A-Z_]+(\(.*\))? ' include/gjk/shape.h)" ]
 }
 
 check 'every initialiser is in the test' all_initialisers_used
@@ -64,7 +67,7 @@ for compiler in g++ clang++; do
     continue
   fi
   for header in include/gjk/*.h; do
-    check "$header as C++98, $compiler" compile $compiler -std=c++98 -Wno-long-long -Wno-variadic-macros -x c++ "$header"
+    check "$header as C++98, $compiler" compile $compiler -std=c++98 -Wno-long-long -x c++ "$header"
     check "$header as C++11, $compiler" compile $compiler -std=c++11 -x c++ "$header"
   done
   check "initialisers as C++11, $compiler" compile $compiler -std=c++11 -x c++ "$scratch/initialisers.c"

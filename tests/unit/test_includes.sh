@@ -10,7 +10,9 @@ table_is_ordered() {
         split(line[n], side, "->")
         from = substr(line[n], 1, index(line[n], ":"))
         count = split(side[2], to, " ")
-        for (i = 1; i <= count; i++) if (!(at[to[i] ":"] > at[from])) { print from " -> " to[i] " does not point down"; bad = 1 }
+        for (i = 1; i <= count; i++) {
+          if (at[to[i] ":"] <= at[from]) { print from " -> " to[i] " does not point down"; bad = 1 }
+        }
       }
       exit bad
     }' tests/build/layers.txt

@@ -49,7 +49,8 @@ stack() {
 }
 
 little_stack() {
-  stack "$1" 'gjk_intersect gjk_within gjk_distance' | awk -v limit=$STACK_LIMIT '$2 > limit { print; bad = 1 } END { exit bad || NR != 3 }'
+  stack "$1" 'gjk_intersect gjk_within gjk_distance' |
+    awk -v limit=$STACK_LIMIT '$2 > limit { print; bad = 1 } END { exit bad || NR != 3 }'
 }
 
 for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
@@ -66,7 +67,8 @@ for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
     check "$target $level compiles" make -s lib TARGET=$target OPT=$level VARIANT=$level
     check "$target $level needs nothing unlisted" only_allowed $target $level ${prefix}nm
     check "$target $level has no mutable data" no_mutable_data ${prefix}size "$objects"
-    check "$target $level calls in no circle" stack "$objects" "$(${prefix}nm "$objects"/*.o | awk '$2 == "T" { print $3 }')"
+    functions=$(${prefix}nm "$objects"/*.o | awk '$2 == "T" { print $3 }')
+    check "$target $level calls in no circle" stack "$objects" "$functions"
     case $target in
       cortex-m0 | rv32imc) ;;
       *) check "$target $level: a query needs at most $STACK_LIMIT bytes of stack" little_stack "$objects" ;;
