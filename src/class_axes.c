@@ -1,33 +1,78 @@
 // Point, segment and box: a centre and up to three half axes; the farthest vertex is a sign per axis.
 //
 // A vertex's number has bit i set where half axis i counts plus.
+#include "coarse.h"
 #include "rotation.h"
 #include "shape_class.h"
 
-// Adds one half axis, or its opposite, whichever lies along d. Returns bit when it is added.
-static inline unsigned add_axis(const gjk_vec3 *axis, const gjk_vec3 *d, unsigned bit, gjk_vec3 *sum) {
-  const int32_t x = axis->x, y = axis->y, z = axis->z;
-  if (gjk_mac32(gjk_mac32(gjk_mul32(x, d->x), y, d->y), z, d->z) >= 0) {
-    sum->x += x;
-    sum->y += y;
-    sum->z += z;
+#if GJK_NARROW_MULTIPLY
+
+// A direction, ready for signs along half axes.
+typedef struct probe {
+  const gjk_vec3 *d;
+  gjk_coarse coarse;
+} probe;
+
+GJK_OUT_OF_LINE static bool lies_along_exactly(const gjk_vec3 *axis, const gjk_vec3 *d) {
+  return gjk_dot(axis, d) >= 0;
+}
+
+static inline bool lies_along(const gjk_vec3 *axis, const probe *p) {
+  const int32_t along = gjk_coarse_dot(&p->coarse, axis);
+  if (along > GJK_COARSE_ERROR || along < -GJK_COARSE_ERROR) {
+    return along > 0;
+  }
+  return lies_along_exactly(axis, p->d);
+}
+
+static inline probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
+  const probe p = {d, gjk_coarse_direction(d, c->bits)};
+  return p;
+}
+
+#else
+
+typedef struct probe {
+  gjk_vec3 d;
+} probe;
+
+// Is axis . d at least 0?
+static inline bool lies_along(const gjk_vec3 *axis, const probe *p) {
+  return gjk_mac32(gjk_mac32(gjk_mul32(axis->x, p->d.x), axis->y, p->d.y), axis->z, p->d.z) >= 0;
+}
+
+static inline probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
+  (void)c;
+  const probe p = {*d};
+  return p;
+}
+
+#endif
+
+// Adds one half axis, or its opposite, whichever lies along the direction. Returns bit when it is added.
+static inline unsigned add_axis(const gjk_vec3 *axis, const probe *p, unsigned bit, gjk_vec3 *sum) {
+  if (lies_along(axis, p)) {
+    sum->x += axis->x;
+    sum->y += axis->y;
+    sum->z += axis->z;
     return bit;
   }
-  sum->x -= x;
-  sum->y -= y;
-  sum->z -= z;
+  sum->x -= axis->x;
+  sum->y -= axis->y;
+  sum->z -= axis->z;
   return 0;
 }
 
-static void support(const gjk_collider *c, const gjk_vec3 *direction, bool exact, gjk_support *out) {
-  const gjk_vec3 d = *direction;
+static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
+  const probe p = probe_of(c, d);
   gjk_vec3 sum = {0, 0, 0};
   unsigned vertex = 0;
   if (c->count > 0) {
-    vertex = add_axis(&c->frame[0], &d, 1, &sum);
+    vertex = add_axis(&c->frame[0], &p, 1, &sum);
   }
   if (c->count > 1) {
-    vertex |= add_axis(&c->frame[1], &d, 2, &sum) | add_axis(&c->frame[2], &d, 4, &sum);
+    vertex |= add_axis(&c->frame[1], &p, 2, &sum);
+    vertex |= add_axis(&c->frame[2], &p, 4, &sum);
   }
   out->offset = sum;
   out->vertex = (uint16_t)vertex;

@@ -14,8 +14,7 @@ static uint32_t rounding_slack(const gjk_collider *c, bool exact) {
 
 static void scan_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d, bool exact,
                        gjk_support *out) {
-  const unsigned bits = 32 - gjk_clz32((uint32_t)c->core_radius);
-  const gjk_farthest found = gjk_scan(vertices, c->count, bits, d, rounding_slack(c, exact));
+  const gjk_farthest found = gjk_scan(vertices, c->count, c->bits, d, rounding_slack(c, exact));
   out->offset = vertices[found.index];
   out->vertex = found.index;
   out->tie = found.tie;

@@ -1,35 +1,20 @@
 // The linear scan for the vertex farthest along a direction.
 #include "scan.h"
 
+#include "coarse.h"
+
 // A running maximum that also sees near ties: whatever exceeds limit = (largest so far) - slack may matter.
 #if GJK_NARROW_MULTIPLY
 
-// On a core without a long multiplication a product of 32 bits costs a fifth of one of 64. So the scan first compares
-// vertices and direction cut to 14 and 16 bits, and multiplies in full only those that come near the largest.
-//
-// With v = 2^s vc + r, d = 2^t dc + q, all 0 <= r < 2^s, 0 <= q < 2^t, |vc| <= 2^13, |dc| <= 2^15 per component:
-//   v . d / 2^(s + t) - vc . dc = vc . q / 2^t + r . d / 2^(s + t)
-// is at most 3 2^13 + 3 2^15 in size, and |vc . dc| <= 3 2^28.
-#define COARSE_ERROR (3 * INT32_C(8192) + 3 * INT32_C(32768))
-
-// The direction and the shift of the vertices.
-typedef struct coarse {
-  int32_t x, y, z;
-  unsigned s;
-} coarse;
-
-static int32_t coarse_dot(const coarse *c, const gjk_vec3 *v) {
-  return gjk_sar32(v->x, c->s) * c->x + gjk_sar32(v->y, c->s) * c->y + gjk_sar32(v->z, c->s) * c->z;
-}
-
+// The scan first compares coarse products, and multiplies in full only those that come near the largest.
 // The exact scan of the vertices from first to before end whose coarse product is at least least.
 static gjk_farthest scan_candidates(const gjk_vec3 *vertices, const gjk_vec3 *first, const gjk_vec3 *end,
-                                    const gjk_vec3 *d, int64_t slack, const coarse *c, int32_t least) {
+                                    const gjk_vec3 *d, int64_t slack, const gjk_coarse *c, int32_t least) {
   const gjk_vec3 *best = first;
   int64_t limit = gjk_dot(first, d) - slack;
   bool tie = false;
   for (const gjk_vec3 *v = first + 1; v != end; v++) {
-    if (coarse_dot(c, v) >= least) {
+    if (gjk_coarse_dot(c, v) >= least) {
       const int64_t lead = gjk_dot(v, d) - limit;
       if (lead > 0) {
         tie = lead <= 2 * slack;
@@ -45,18 +30,20 @@ static gjk_farthest scan_candidates(const gjk_vec3 *vertices, const gjk_vec3 *fi
 }
 
 gjk_farthest gjk_scan(const gjk_vec3 *vertices, uint32_t n, unsigned bits, const gjk_vec3 *d, uint32_t slack) {
-  const unsigned d_bits = 32 - gjk_clz32(gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z));
-  const unsigned s = bits > 13 ? bits - 13 : 0, t = d_bits > 15 ? d_bits - 15 : 0;
-  const coarse c = {gjk_sar32(d->x, t), gjk_sar32(d->y, t), gjk_sar32(d->z, t), s};
+  const gjk_coarse c = gjk_coarse_direction(d, bits);
+  const unsigned shift = c.s + c.t;
   // A slack comes with a direction of 30 bits, so t >= 15 and margin < 2^19: with the differences of coarse products, at
   // most 3 2^29, it stays below 2^31.
-  const int32_t margin = 2 * COARSE_ERROR + 1 + (int32_t)(slack >> (s + t < 2 ? 0 : s + t - 2 < 31 ? s + t - 2 : 31));
+  const int32_t margin = 2 * GJK_COARSE_ERROR + 1 +
+                         (int32_t)(slack >> (shift < 2        ? 0
+                                             : shift - 2 < 31 ? shift - 2
+                                                              : 31));
   const gjk_vec3 *const end = vertices + n;
   const gjk_vec3 *best = vertices;
-  int32_t limit = coarse_dot(&c, best) - margin;
+  int32_t limit = gjk_coarse_dot(&c, best) - margin;
   bool near = false;
   for (const gjk_vec3 *v = best + 1; v != end; v++) {
-    const int32_t along = coarse_dot(&c, v);
+    const int32_t along = gjk_coarse_dot(&c, v);
     if (along > limit) {
       near = along - limit <= 2 * margin;
       if (along - limit > margin) {
@@ -67,7 +54,7 @@ gjk_farthest gjk_scan(const gjk_vec3 *vertices, uint32_t n, unsigned bits, const
   }
   if (near) {
     const gjk_vec3 *first = vertices;
-    while (coarse_dot(&c, first) < limit) {  // ends at best or before
+    while (gjk_coarse_dot(&c, first) < limit) {  // ends at best or before
       first++;
     }
     return scan_candidates(vertices, first, end, d, (int64_t)slack * 4, &c, limit);

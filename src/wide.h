@@ -85,13 +85,23 @@ static inline unsigned gjk_clz32(uint32_t x) {
   return (unsigned)__builtin_clz(x);
 #else
   unsigned n = 0;
-  for (unsigned step = 16; step != 0; step >>= 1) {
-    if (x >> (32 - step) == 0) {
-      n += step;
-      x <<= step;
-    }
+  if (x >> 16 == 0) {
+    n = 16;
+    x <<= 16;
   }
-  return n;
+  if (x >> 24 == 0) {
+    n += 8;
+    x <<= 8;
+  }
+  if (x >> 28 == 0) {
+    n += 4;
+    x <<= 4;
+  }
+  if (x >> 30 == 0) {
+    n += 2;
+    x <<= 2;
+  }
+  return n + (x >> 31 == 0);
 #endif
 }
 

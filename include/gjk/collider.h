@@ -32,6 +32,7 @@ typedef struct gjk_collider {
   gjk_q16 radius;         // core_radius plus the shape's rounding
   uint32_t state;         // tells an initialised and a posed collider from other memory
   uint16_t count;         // half axes of a point, segment or box; vertices of a triangle or hull
+  uint8_t bits;           // core_radius is below 2^bits
 } gjk_collider;
 
 // Binds a collider to a shape and checks the shape.
