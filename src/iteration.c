@@ -84,6 +84,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   it->a = a;
   it->b = b;
   it->rounds = 0;
+  it->limit = GJK_ITERATIONS_MAX;
   const bool usual = !GJK_SMALL && radius == 0 && is_small(&a->centre) && is_small(&b->centre);
   if (usual ? !set_usual_frame(it, spheres) : !set_frame(it, spheres, radius)) {
     return false;
@@ -267,7 +268,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   if (cache != NULL && warm_start(it, cache) == GJK_STEP_ENCLOSING) {
     return GJK_OUTCOME_ENCLOSING;
   }
-  for (; it->rounds < GJK_ITERATIONS_MAX; it->rounds++) {
+  for (; it->rounds < it->limit; it->rounds++) {
     if (it->simplex.count == 0) {
       first_direction(it, cache);
     } else if (!gjk_simplex_direction(&it->simplex, &it->direction)) {

@@ -20,7 +20,7 @@ typedef enum gjk_outcome {
   GJK_OUTCOME_ENCLOSING,  // the origin lies in the simplex: the cores intersect
   GJK_OUTCOME_SEPARATED,  // every w is farther than radius, along direction
   GJK_OUTCOME_NEAR,       // the feature comes within radius
-  GJK_OUTCOME_LIMIT       // GJK_ITERATIONS_MAX
+  GJK_OUTCOME_LIMIT       // the limit on rounds
 } gjk_outcome;
 
 typedef enum gjk_goal {
@@ -33,6 +33,7 @@ typedef struct gjk_iteration {
   int32_t radius;  // what counts as near, in the frame of the pair
   int8_t shift;
   uint8_t rounds;
+  uint8_t limit;          // on rounds; GJK_ITERATIONS_MAX from the start
   bool curved;            // one of the two has no vertices
   gjk_rounded direction;  // of the last support
   gjk_simplex simplex;
@@ -46,7 +47,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
 // Puts the vertex of A - B with these offsets into the simplex's free slot.
 void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_support *b);
 
-// Runs from the cache, or cold when it is NULL or useless.
+// Runs from the cache, or cold when it is NULL or useless; after LIMIT and with a higher limit, on from there.
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache);
 
 // Is the feature's exact distance at most radius? Pre: 1 <= count <= 3.

@@ -41,6 +41,27 @@ typedef struct gjk_distance_result {
 // After   Gilbert, Johnson, Keerthi 1988; exact signs instead of tolerances.
 gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out);
 
+// How much of the work gjk_distance_until may leave undone.
+typedef struct gjk_effort {
+  uint8_t iterations;  // rounds at most; 0: no limit but GJK_ITERATIONS_MAX
+  gjk_q16 error;       // stops once the gap is known to within this; 0: exactly
+} gjk_effort;
+
+// As gjk_distance, but stops when the effort is spent, with what is proven by then:
+//
+// lower, upper      the gap lies between them, both included; equal when the answer is exact, as gjk_distance gives it.
+// distance          upper.
+// point_a, point_b  points of the shapes, distance apart to within 2 LSB, unless intersecting.
+// normal            a direction from A to B; the certificate's proof is GJK_PROOF_NONE, unless the answer is exact.
+// intersecting      that they intersect is proven; false says nothing when lower is 0.
+//
+// effort   read only; error not negative (GJK_ERROR_NEGATIVE).
+// cache    as gjk_distance; an answer that is not exact leaves it as it is, and may depend on it.
+// Cost     each round about a third more than one of gjk_distance, for the bounds.
+// Statuses NULL, UNINITIALISED, NEGATIVE, ITERATION_LIMIT (all of out is valid then, as above).
+gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, const gjk_effort *effort, gjk_cache *cache,
+                              gjk_distance_result *out);
+
 #ifdef __cplusplus
 }
 #endif

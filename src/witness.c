@@ -1,0 +1,78 @@
+// Where a feature of the Minkowski difference is nearest: a point on each shape.
+#include "witness.h"
+
+// The feature's vertices and the weights of its nearest point; of fewer than three the first fills in, without weight.
+typedef struct feature {
+  const gjk_vertex *u, *v, *w;
+  gjk_share weight[2];  // of v and w
+} feature;
+
+// In a frame of less than this shift an edge may be so long that weights of 31 bits put the point off by half an LSB.
+#define FINE_SHIFT 4
+
+// What the low parts of the weights add for edges v and w, Q31: at most 2^31.
+GJK_OUT_OF_LINE static int64_t fine_part(const feature *f, int32_t v, int32_t w) {
+  return gjk_sar64(gjk_mac32(gjk_mul32(v, f->weight[0].low), w, f->weight[1].low), 16);
+}
+
+// u + (weight of v) (v - u) + (weight of w) (w - u), Q31. Pre: coordinates at most 3 2^29, differences below 2^31 in
+// size: the sum of the first two terms is at most 7 2^60, the whole at most 3 2^60.
+static inline int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t w) {
+  v -= u;
+  w -= u;
+  const int64_t sum = gjk_mac32(gjk_mac32(gjk_shl64(u, 31), v, f->weight[0].high), w, f->weight[1].high);
+  return (f->weight[0].low | f->weight[1].low) != 0 ? sum + fine_part(f, v, w) : sum;
+}
+
+// The coordinate of one point: of the core Q31 from A's centre, moved by round along the normal.
+static gjk_q16 coordinate(int64_t core, gjk_q16 centre, gjk_q30 normal, gjk_q16 round, bool *saturated) {
+  const int64_t half = INT64_C(1) << 30;
+  return gjk_saturate(centre + gjk_sar64(core + half + gjk_mul32(normal, round) * 2, 31), saturated);
+}
+
+// One coordinate of B's vertex, offset from B's centre, from that of A's vertex and of w. At most 2^28 + 2^3.
+static inline int32_t offset_b(const gjk_iteration *it, gjk_q16 centre_a, gjk_q16 centre_b, int32_t a, int32_t w) {
+  const int shift = it->shift;
+  if (shift >= 0) {
+    return centre_a - centre_b + a - gjk_sar32(w, (unsigned)shift);
+  }
+  return (int32_t)((int64_t)centre_a - centre_b + a - gjk_shl64(w, (unsigned)-shift));
+}
+
+// One coordinate of both points, from that of the centres and the vertices.
+GJK_ONCE static void report_axis(const gjk_iteration *it, const feature *f, gjk_q16 centre_a, gjk_q16 centre_b,
+                                 const int32_t a[3], const int32_t w[3], gjk_q30 normal, gjk_q16 *point_a,
+                                 gjk_q16 *point_b, bool *cut) {
+  *point_a = coordinate(weighted(f, a[0], a[1], a[2]), centre_a, normal, it->a->shape->round, cut);
+  *point_b =
+      coordinate(weighted(f, offset_b(it, centre_a, centre_b, a[0], w[0]), offset_b(it, centre_a, centre_b, a[1], w[1]),
+                          offset_b(it, centre_a, centre_b, a[2], w[2])),
+                 centre_b, normal, -it->b->shape->round, cut);
+}
+
+static void nearest_points(const gjk_iteration *it, const feature *f, const gjk_unit3 *normal, gjk_vec3 *point_a,
+                           gjk_vec3 *point_b, bool *cut) {
+  const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
+  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
+  const int32_t ax[3] = {u->offset_a.x, v->offset_a.x, w->offset_a.x}, wx[3] = {u->w.x, v->w.x, w->w.x};
+  report_axis(it, f, a->x, b->x, ax, wx, normal->x, &point_a->x, &point_b->x, cut);
+  const int32_t ay[3] = {u->offset_a.y, v->offset_a.y, w->offset_a.y}, wy[3] = {u->w.y, v->w.y, w->w.y};
+  report_axis(it, f, a->y, b->y, ay, wy, normal->y, &point_a->y, &point_b->y, cut);
+  const int32_t az[3] = {u->offset_a.z, v->offset_a.z, w->offset_a.z}, wz[3] = {u->w.z, v->w.z, w->w.z};
+  report_axis(it, f, a->z, b->z, az, wz, normal->z, &point_a->z, &point_b->z, cut);
+}
+
+void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_vec3 *point_a, gjk_vec3 *point_b,
+                        bool *saturated) {
+  const gjk_simplex *s = &it->simplex;
+  feature f;
+  f.u = &s->slot[s->order[0]];
+  f.v = s->count > 1 ? &s->slot[s->order[1]] : f.u;
+  f.w = s->count > 2 ? &s->slot[s->order[2]] : f.u;
+  if (s->count > 1) {
+    gjk_simplex_weights(s, it->shift < FINE_SHIFT, f.weight);
+  } else {
+    f.weight[0].high = f.weight[0].low = f.weight[1].high = f.weight[1].low = 0;
+  }
+  nearest_points(it, &f, normal, point_a, point_b, saturated);
+}

@@ -1,0 +1,142 @@
+// gjk_distance_until: bounds that hold, narrow and end in the exact answer, on every family and on curved shapes.
+#include <math.h>
+#include <string.h>
+
+#include "../check.h"
+#include "../generate/generate.h"
+#include "../reference/random_shape.h"
+
+#define PAIRS_PER_FAMILY 150
+#define CURVED_PAIRS 1500
+#define FAR (INT32_C(1) << 29)
+
+typedef struct tally {
+  unsigned long open, exact, by_error, proven_together;
+} tally;
+
+static double gap_of(const gjk_vec3 *a, const gjk_vec3 *b) {
+  const double x = (double)a->x - b->x, y = (double)a->y - b->y, z = (double)a->z - b->z;
+  return sqrt(x * x + y * y + z * z);
+}
+
+// Is the answer what the full query says, or an honest part of it? slack: LSB that the full answer may be off.
+static bool is_honest(const gjk_distance_result *full, const gjk_distance_result *part, int32_t slack) {
+  if (part->certificate.proof != GJK_PROOF_NONE || part->lower == part->upper) {
+    return part->intersecting == full->intersecting && part->distance == full->distance;
+  }
+  return !part->intersecting && part->distance == part->upper && part->lower <= full->distance + slack &&
+         part->upper >= full->distance - slack;
+}
+
+// The points are as far apart as is said, unless what is said is 0 or far: then rounding weighs more.
+static bool points_fit(const gjk_distance_result *part) {
+  return part->intersecting || part->saturated || part->upper == 0 || part->upper > FAR ||
+         fabs(gap_of(&part->point_a, &part->point_b) - part->distance) <= 12;
+}
+
+static void check_rounds(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *full, int32_t slack,
+                         const char *id, tally *t) {
+  gjk_distance_result part, before;
+  memset(&before, 0, sizeof before);
+  before.upper = GJK_DISTANCE_MAX;
+  for (uint8_t rounds = 1; rounds < full->iterations + 2; rounds++) {
+    const gjk_effort effort = {rounds, 0};
+    const gjk_status status = gjk_distance_until(a, b, &effort, NULL, &part);
+    CHECK_MSG(status == GJK_OK && part.iterations <= rounds && is_honest(full, &part, slack) && points_fit(&part),
+              "%s after %d", id, rounds);
+    CHECK_MSG(part.lower >= before.lower && part.upper <= before.upper, "%s after %d: wider", id, rounds);
+    const bool done = part.iterations < rounds || part.certificate.proof != GJK_PROOF_NONE;
+    t->open += !done;
+    t->exact += done;
+    t->proven_together += !done && part.upper == 0;
+    before = part;
+    before.lower -= slack;
+    before.upper = before.upper > GJK_DISTANCE_MAX - slack ? before.upper : before.upper + slack;
+  }
+  CHECK_MSG(part.intersecting == full->intersecting && part.distance == full->distance &&
+                memcmp(&part.point_a, &full->point_a, sizeof part.point_a) * !full->intersecting == 0,
+            "%s: all rounds", id);
+}
+
+static void check_errors(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *full, int32_t slack,
+                         const char *id, tally *t) {
+  for (unsigned bits = 0; bits < 29; bits += 4) {
+    const gjk_q16 error = INT32_C(1) << bits;
+    const gjk_effort effort = {0, error};
+    gjk_distance_result part;
+    CHECK_MSG(gjk_distance_until(a, b, &effort, NULL, &part) == GJK_OK && is_honest(full, &part, slack) &&
+                  points_fit(&part) && part.upper - part.lower <= error && part.iterations <= full->iterations,
+              "%s, error %ld", id, (long)error);
+    t->by_error += part.upper > part.lower;
+  }
+}
+
+static void check_pair(const case_pair *pair, case_collider *a, case_collider *b, int32_t slack, tally *t) {
+  gjk_distance_result full;
+  memset(&full, 0, sizeof full);
+  if (case_collider_build(a, &pair->a, false) != GJK_OK || case_collider_build(b, &pair->b, false) != GJK_OK ||
+      gjk_distance(&a->collider, &b->collider, NULL, &full) != GJK_OK) {
+    CHECK_MSG(false, "%s", pair->id);
+    return;
+  }
+  const unsigned long failed = check_failed;
+  check_rounds(&a->collider, &b->collider, &full, slack, pair->id, t);
+  check_errors(&a->collider, &b->collider, &full, slack, pair->id, t);
+  if (check_failed > failed && failed < 5) {
+    case_print(stdout, pair);
+  }
+}
+
+static void test_statuses(void) {
+  static const gjk_shape ball = GJK_SPHERE(5);
+  const gjk_pose pose = GJK_POSE_IDENTITY;
+  gjk_collider a = {0}, b = {0};
+  gjk_distance_result out, poison;
+  gjk_effort effort = {0, -1};
+  memset(&poison, 0xA5, sizeof poison);
+  out = poison;
+  gjk_collider_init(&a, &ball, NULL, 0);
+  gjk_collider_pose(&a, &pose);
+  CHECK(gjk_distance_until(&a, &b, &effort, NULL, &out) == GJK_ERROR_UNINITIALISED);
+  CHECK(gjk_distance_until(&a, NULL, &effort, NULL, &out) == GJK_ERROR_NULL);
+  CHECK(gjk_distance_until(&a, &a, NULL, NULL, &out) == GJK_ERROR_NULL);
+  CHECK(gjk_distance_until(&a, &a, &effort, NULL, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_ERROR_NEGATIVE);
+  CHECK(memcmp(&out, &poison, sizeof out) == 0);
+  effort.error = 0;
+  effort.iterations = 1;
+  CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK && out.intersecting && out.distance == 0);
+}
+
+int main(void) {
+  case_pair pair;
+  case_collider a, b;
+  tally t = {0, 0, 0, 0}, curved = {0, 0, 0, 0};
+  memset(&pair, 0, sizeof pair);
+  memset(&a, 0, sizeof a);
+  memset(&b, 0, sizeof b);
+  test_statuses();
+  for (unsigned f = 0; f < generate_family_count; f++) {
+    for (uint64_t seed = 0; seed < PAIRS_PER_FAMILY; seed++) {
+      generate_pair(&generate_families[f], seed + 77000, &pair);
+      check_pair(&pair, &a, &b, 0, &t);
+    }
+  }
+  random_state random = random_seed(4711);
+  for (int i = 0; i < CURVED_PAIRS; i++) {
+    const gjk_q16 reach = random_reach(&random);
+    random_shape(&random, CASE_CYLINDER + (case_kind)random_below(&random, 3), reach, &pair.a);
+    random_shape(&random, (case_kind)random_below(&random, CASE_ELLIPSOID + 1), reach, &pair.b);
+    pair.b.pose.position = random_vector(&random, 2 * random_unit(&random) * reach);
+    snprintf(pair.id, sizeof pair.id, "curved-%d", i);
+    check_pair(&pair, &a, &b, 4, &curved);
+  }
+  printf("rounds that leave the gap open: %lu and %lu, exact %lu and %lu; stopped by the error %lu and %lu\n", t.open,
+         curved.open, t.exact, curved.exact, t.by_error, curved.by_error);
+  CHECK(t.open > 2000 && t.exact > 2000 && t.by_error > 1000);
+  CHECK(curved.open > 2000 && curved.exact > 1000 && curved.by_error > 1000);
+  case_pair_free(&pair);
+  case_collider_free(&a);
+  case_collider_free(&b);
+  return check_done("until");
+}
