@@ -18,11 +18,13 @@ typedef enum gjk_proof {
   GJK_PROOF_DIRECTION,  // apart: every a - b lies behind the plane across direction, at the asked distance
   GJK_PROOF_NEAREST,    // the pairs span the feature nearest to the origin: no vertex lies before its plane
   GJK_PROOF_NEAR,       // together: the pairs span a feature that comes within the asked distance
-  GJK_PROOF_ENCLOSING   // together: the pairs span a point, segment, triangle or tetrahedron with the origin in it
+  GJK_PROOF_ENCLOSING,  // together: the pairs span a point, segment, triangle or tetrahedron with the origin in it
+  GJK_PROOF_FACET,      // depth: three pairs span a plane, outwards by (w1 - w0) x (w2 - w0), that no a - b lies beyond
+  GJK_PROOF_PLANE       // depth 0 of the cores: across direction, no a - b lies beyond the origin
 } gjk_proof;
 
 typedef struct gjk_certificate {
-  gjk_vec3 direction;  // GJK_PROOF_DIRECTION: from A to B, no unit
+  gjk_vec3 direction;  // GJK_PROOF_DIRECTION, GJK_PROOF_PLANE: from A to B, no unit
   uint16_t a[4], b[4];
   uint8_t count;  // pairs in use
   uint8_t proof;  // a gjk_proof

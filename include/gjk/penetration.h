@@ -1,0 +1,81 @@
+// How deep do two shapes overlap, and which way out is the shortest?
+#ifndef GJK_PENETRATION_H
+#define GJK_PENETRATION_H
+
+#include "gjk/distance.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// One vertex or one face of the polytope that a query expands; contents are the library's.
+typedef union gjk_cell {
+  struct gjk_cell_vertex {
+    gjk_vec3 w;
+    uint16_t a, b;
+  } vertex;
+  struct gjk_cell_face {
+    uint16_t corner[3], neighbour[3];
+    uint32_t height;
+  } face;
+} gjk_cell;
+
+// Cells for a polytope of so many vertices, 4 to 16384; a pair with a curved shape needs one more for each vertex.
+#define GJK_POLYTOPE_CELLS(vertices) (3 * (vertices)-4)
+
+// The caller's memory for the polytope. Points, segments, spheres, capsules, boxes and their rounded forms need none
+// among each other, and no pair needs any unless its cores overlap. Two 8-point hulls have needed 44 vertices at most in
+// a million pairs (2 KB); more than count_a count_b vertices are never needed.
+typedef struct gjk_workspace {
+  gjk_cell *cells;
+  uint32_t count;
+} gjk_workspace;
+
+// The bytes of a workspace for a polytope of so many vertices.
+size_t gjk_workspace_bytes(uint16_t vertices);
+
+// Lengths Q16.16, world frame.
+typedef struct gjk_penetration_result {
+  gjk_q16 depth;        // the least move of B along any direction that leaves them apart or just touching, rounded up:
+                        // 0 if and only if they just touch
+  gjk_q16 lower;        // proven bounds of the depth; both equal depth for polytopes and their rounded forms after
+  gjk_q16 upper;        // GJK_OK; otherwise depth is upper
+  gjk_vec3 point_a;     // points that coincide when B has moved: A's deepest in B
+  gjk_vec3 point_b;     // and B's deepest in A
+  gjk_unit3 normal;     // that direction, from A to B, Q2.30, each component rounded away from 0
+  bool intersecting;    // false: they are apart, and nothing but iterations and certificate is set
+  uint16_t iterations;  // support scans of both shapes
+  gjk_certificate certificate;
+} gjk_penetration_result;
+
+// The depth of the overlap of two convex shapes, with the direction and points.
+//
+// a, b       posed colliders, read only; may be the same object.
+// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only.
+// workspace  read only, its cells in/out; may be NULL, see gjk_workspace.
+// out        written when the result is GJK_OK or CAPACITY.
+// Exact      points, segments, triangles, boxes, hulls and their rounded forms: the depth is that of the true minimum
+//            over all directions, rounded up. Moving B by depth along normal, each component of the product rounded
+//            away from 0, leaves them apart or touching, exactly. Cylinder, cone, ellipsoid: within 4 LSB, or
+//            CAPACITY with its bounds.
+// Cost       one round for each vertex of the polytope, so at most the workspace's; stack: `make sizes`.
+// Statuses   NULL, UNINITIALISED, ITERATION_LIMIT. CAPACITY: the workspace is too small; everything in out is valid,
+//            moving by depth = upper still parts them, and the least depth is at least lower.
+// After      Gino van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001: an
+//            expanding polytope; exact visibility signs instead of tolerances. Boxes: their 15 directions.
+gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                           const gjk_workspace *workspace, gjk_penetration_result *out);
+
+// The distance of two shapes, negative when they overlap: minus the depth.
+//
+// out  as of gjk_distance when they are apart; else as of gjk_penetration: distance = -depth, lower = -upper,
+//      upper = -lower, points, normal and certificate set, intersecting. iterations stops counting at 255.
+// The rest as gjk_distance and gjk_penetration.
+gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                               const gjk_workspace *workspace, gjk_distance_result *out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
