@@ -196,5 +196,5 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
 }
 
 const gjk_shape_class gjk_class_triangle = {
-    measure, pose_triangle, support_triangle, refine_triangle, vertex_triangle, false, 3};
-const gjk_shape_class gjk_class_hull = {measure, pose_hull, support_hull, refine_hull, vertex_hull, true, 0};
+    measure, pose_triangle, support_triangle, refine_triangle, vertex_triangle, false, 3, false};
+const gjk_shape_class gjk_class_hull = {measure, pose_hull, support_hull, refine_hull, vertex_hull, true, 0, false};

@@ -1,5 +1,5 @@
 // The distance query: how far apart, and where.
-#include "gjk/distance.h"
+#include "distance.h"
 
 #include "iteration.h"
 #include "unit.h"
@@ -10,9 +10,6 @@ static int64_t to_lsb(int64_t x, int shift) {
   const unsigned n = (unsigned)(30 + shift);
   return x <= 0 ? 0 : gjk_sar64(x + (INT64_C(1) << (n - 1)), n);
 }
-
-// How far a plane distance, Q30, may be off: the unit vector is within 2^-28 of the exact direction and |w| <= 3 2^29.
-#define PLANE_ERROR (INT64_C(1) << 33)
 
 // The exact search among the few candidates that the plane distance leaves.
 GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high) {
@@ -45,13 +42,12 @@ static int64_t exact_distance(const gjk_iteration *it, int64_t plane) {
   if (it->shift < 0) {
     return to_lsb(plane, it->shift);
   }
-  return settle_distance(it, to_lsb(plane - PLANE_ERROR, it->shift), to_lsb(plane + PLANE_ERROR, it->shift));
+  return settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift), to_lsb(plane + GJK_PLANE_ERROR, it->shift));
 }
 
-// Do the cores come within the roundings of each other?
-static bool rounded_touch(const gjk_iteration *it, int64_t plane) {
+bool gjk_rounded_touch(const gjk_iteration *it, int64_t plane) {
   const int64_t radius = gjk_shl64(it->radius, 30);  // below 2^61
-  return radius > 0 && plane - PLANE_ERROR <= radius && gjk_iteration_near(it);
+  return radius > 0 && plane - GJK_PLANE_ERROR <= radius && gjk_iteration_near(it);
 }
 
 // The distance of the plane through the newest vertex, across the direction, in LSB; error is added, Q30.
@@ -61,23 +57,16 @@ static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
   return to_lsb(error - gjk_along(&u, &s->slot[s->order[s->count - 1]].w), it->shift);
 }
 
-static int64_t roundings(const gjk_iteration *it) {
-  return (int64_t)it->a->shape->round + it->b->shape->round;
-}
-
-// How far the support points of a curved pair may stay behind its surface, LSB.
-#define CURVED_ERROR 2
-
 // Narrows the bounds by what the last round has proven: the newest vertex was the support along the direction, so nothing
 // lies before its plane; and the feature's own plane, found from its own direction, touches the feature. That may
 // settle the question.
 GJK_OUT_OF_LINE static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
-  const int64_t rounding = roundings(it);
-  const int64_t lower = plane_distance(it, -PLANE_ERROR) - rounding - 1 - (it->curved ? CURVED_ERROR : 0);
+  const int64_t rounding = gjk_roundings(it);
+  const int64_t lower = plane_distance(it, -GJK_PLANE_ERROR) - rounding - 1 - (it->curved ? GJK_CURVED_ERROR : 0);
   if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
     return GJK_OUTCOME_ENCLOSING;
   }
-  const int64_t upper = plane_distance(it, PLANE_ERROR) - rounding + 1;
+  const int64_t upper = plane_distance(it, GJK_PLANE_ERROR) - rounding + 1;
   if (upper <= 0) {
     return GJK_OUTCOME_NEAR;
   }
@@ -94,17 +83,16 @@ static gjk_outcome run(gjk_iteration *it, unsigned limit, const gjk_cache *cache
   return outcome == GJK_OUTCOME_LIMIT ? narrow(it, out) : outcome;
 }
 
-// Reports the answer.
-static void finish(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache, gjk_distance_result *out) {
+void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache, gjk_distance_result *out) {
   int64_t gap = 0;
   out->saturated = false;
   if (outcome == GJK_OUTCOME_NEAREST) {
     out->normal = gjk_unit(&it->direction.d);
     const int64_t plane = -gjk_along(&out->normal, &it->simplex.slot[it->simplex.order[0]].w);
-    if (rounded_touch(it, plane)) {
+    if (gjk_rounded_touch(it, plane)) {
       outcome = GJK_OUTCOME_NEAR;
     } else {
-      gap = exact_distance(it, plane) - roundings(it);
+      gap = exact_distance(it, plane) - gjk_roundings(it);
       gjk_witness_points(it, &out->normal, &out->point_a, &out->point_b, &out->saturated);
     }
   }
@@ -135,7 +123,7 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
   if (outcome == GJK_OUTCOME_LIMIT) {
     return GJK_ERROR_ITERATION_LIMIT;
   }
-  finish(&it, outcome, cache, out);
+  gjk_distance_report(&it, outcome, cache, out);
   return GJK_OK;
 }
 
@@ -167,7 +155,7 @@ gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, cons
   do {
     const gjk_outcome outcome = run(&it, it.rounds + 1u, it.rounds == 0 ? cache : NULL, out);
     if (outcome != GJK_OUTCOME_LIMIT) {
-      finish(&it, outcome, cache, out);
+      gjk_distance_report(&it, outcome, cache, out);
       return GJK_OK;
     }
     if (effort->error > 0 && out->upper - out->lower <= effort->error) {

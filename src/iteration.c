@@ -80,7 +80,7 @@ static bool set_usual_frame(gjk_iteration *it, bool spheres) {
 
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius) {
-  const bool spheres = goal == GJK_GOAL_WITHIN;
+  const bool spheres = gjk_goal_separates(goal);
   it->a = a;
   it->b = b;
   it->rounds = 0;
@@ -131,28 +131,38 @@ void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_supp
   frame_vector(it, &v->w);
 }
 
-static void support(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
+GJK_ONCE static void support(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
   const gjk_rounded *direction = &it->direction;
   const gjk_vec3 opposite = gjk_negate(direction->d);
   it->a->shape->type->support(it->a, &direction->d, direction->exact, a);
   it->b->shape->type->support(it->b, &opposite, direction->exact, b);
 }
 
-// Moves the supports to the farthest vertices along the exact direction. Returns whether one moved.
-GJK_OUT_OF_LINE static bool refine(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
+void gjk_iteration_support(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
+  support(it, a, b);
+}
+
+GJK_OUT_OF_LINE bool gjk_iteration_refine(const gjk_iteration *it, const gjk_direction *direction, gjk_support *a,
+                                          gjk_support *b) {
   bool moved = false;
-  if (a->tie || b->tie) {
-    gjk_direction direction;
-    gjk_simplex_exact_direction(&it->simplex, &direction);
-    if (a->tie) {
-      moved = it->a->shape->type->refine(it->a, &it->direction.d, &direction, false, a);
-    }
-    if (b->tie) {
-      const gjk_vec3 opposite = gjk_negate(it->direction.d);
-      moved = it->b->shape->type->refine(it->b, &opposite, &direction, true, b) || moved;
-    }
+  if (a->tie) {
+    moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, false, a);
+  }
+  if (b->tie) {
+    const gjk_vec3 opposite = gjk_negate(it->direction.d);
+    moved = it->b->shape->type->refine(it->b, &opposite, direction, true, b) || moved;
   }
   return moved;
+}
+
+// Moves the supports to the farthest vertices along the feature's exact direction. Returns whether one moved.
+GJK_OUT_OF_LINE static bool refine(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
+  gjk_direction direction;
+  if (!a->tie && !b->tie) {
+    return false;
+  }
+  gjk_simplex_exact_direction(&it->simplex, &direction);
+  return gjk_iteration_refine(it, &direction, a, b);
 }
 
 bool gjk_iteration_near(const gjk_iteration *it) {
@@ -260,7 +270,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     cache = NULL;  // the distance of rounded vertices would depend, by an LSB, on where the search began
   }
   if (cache != NULL && it->curved) {
-    if (goal == GJK_GOAL_WITHIN && cached_clears(it, cache)) {
+    if (gjk_goal_separates(goal) && cached_clears(it, cache)) {
       return GJK_OUTCOME_SEPARATED;
     }
     cache = NULL;
@@ -273,12 +283,12 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
       first_direction(it, cache);
     } else if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
       return GJK_OUTCOME_ENCLOSING;
-    } else if (it->radius > 0 && settles_near(it)) {
+    } else if (it->radius > 0 && gjk_goal_nears(goal) && settles_near(it)) {
       return GJK_OUTCOME_NEAR;
     }
     support(it, &a, &b);
     gjk_iteration_place(it, &a, &b);
-    if (goal == GJK_GOAL_WITHIN &&
+    if (gjk_goal_separates(goal) &&
         clears(it, gjk_dot(&it->direction.d, &gjk_simplex_free(&it->simplex)->w), it->radius)) {
       it->rounds++;
       return GJK_OUTCOME_SEPARATED;

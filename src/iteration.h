@@ -23,10 +23,24 @@ typedef enum gjk_outcome {
   GJK_OUTCOME_LIMIT       // the limit on rounds
 } gjk_outcome;
 
+// How far the support points of a curved pair may stay behind its surface, LSB.
+#define GJK_CURVED_ERROR 2
+
 typedef enum gjk_goal {
   GJK_GOAL_DISTANCE,  // NEAREST, ENCLOSING or NEAR
-  GJK_GOAL_WITHIN     // any
+  GJK_GOAL_WITHIN,    // any
+  GJK_GOAL_DEPTH,     // NEAREST, ENCLOSING or SEPARATED
+  GJK_GOAL_SIGNED     // NEAREST or ENCLOSING
 } gjk_goal;
+
+// Does the goal stop at the first separating direction? And as soon as the feature is near?
+static inline bool gjk_goal_separates(gjk_goal goal) {
+  return goal == GJK_GOAL_WITHIN || goal == GJK_GOAL_DEPTH;
+}
+
+static inline bool gjk_goal_nears(gjk_goal goal) {
+  return goal <= GJK_GOAL_WITHIN;
+}
 
 typedef struct gjk_iteration {
   const gjk_collider *a, *b;
@@ -40,9 +54,16 @@ typedef struct gjk_iteration {
 } gjk_iteration;
 
 // Sets the frame of the pair; radius is the sum of the roundings and the asked distance, Q16.16, not negative.
-// False: the bounding spheres are more than radius apart (not asked for GJK_GOAL_DISTANCE); only a, b are set.
+// False: the bounding spheres are more than radius apart (asked only where the goal separates); only a, b are set.
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius);
+
+// The supports of A along the direction and of B against it.
+void gjk_iteration_support(const gjk_iteration *it, gjk_support *a, gjk_support *b);
+
+// Moves them to the farthest vertices along the exact direction, of which it->direction is the rounded one, where they
+// may not be. Returns whether one moved.
+bool gjk_iteration_refine(const gjk_iteration *it, const gjk_direction *direction, gjk_support *a, gjk_support *b);
 
 // Puts the vertex of A - B with these offsets into the simplex's free slot.
 void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_support *b);

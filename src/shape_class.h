@@ -39,6 +39,7 @@ struct gjk_shape_class {
 
   bool buffered;  // takes a buffer for the vertices of the shape
   uint8_t count;  // half axes or vertices; 0 with buffered: the shape's own count
+  bool axes;      // spanned by half axes: its vertices are the centre with each of them added or subtracted
 };
 
 #define GJK_STATE_INITIALISED UINT32_C(0x676A6B31)

@@ -181,6 +181,14 @@ bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
   return true;
 }
 
+unsigned gjk_simplex_beyond(const gjk_simplex *s) {
+  unsigned edge = 0;
+  while (edge < 3 && beyond_edge(s, edge, (edge + 1) % 3, (edge + 2) % 3) >= 0) {
+    edge++;
+  }
+  return edge;
+}
+
 // The sign of (w_i x w_j) . w_k.
 static int volume_sign(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
   gjk_long3 product;

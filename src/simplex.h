@@ -53,6 +53,11 @@ gjk_step gjk_simplex_add(gjk_simplex *s);
 // lie strictly inside them.
 bool gjk_simplex_set(gjk_simplex *s, unsigned n);
 
+// Which edge of the triangle of the first three slots does the origin's projection onto their plane lie beyond? Edge i
+// starts at slot i; 3: none, it lies in the triangle or on its border. Pre: gjk_simplex_set has taken them, whatever it
+// said; they are not in a line.
+unsigned gjk_simplex_beyond(const gjk_simplex *s);
+
 // Does the hull of the first n slots contain the origin, 1 <= n <= 4? False also for degenerate ones.
 bool gjk_simplex_encloses(gjk_simplex *s, unsigned n);
 

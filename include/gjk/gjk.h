@@ -7,6 +7,7 @@
 #include "gjk/distance.h"
 #include "gjk/format.h"
 #include "gjk/intersect.h"
+#include "gjk/penetration.h"
 #include "gjk/pose.h"
 #include "gjk/shape.h"
 #include "gjk/status.h"

@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-// One vertex or one face of the polytope that a query expands; contents are the library's.
+// A vertex, a face or a part of the horizon of the polytope that a query expands; contents are the library's.
 typedef union gjk_cell {
   struct gjk_cell_vertex {
     gjk_vec3 w;
@@ -18,10 +18,14 @@ typedef union gjk_cell {
     uint16_t corner[3], neighbour[3];
     uint32_t height;
   } face;
+  struct gjk_cell_horizon {
+    uint16_t corner[4], face[4];
+  } horizon;
 } gjk_cell;
 
-// Cells for a polytope of so many vertices, 4 to 16384; a pair with a curved shape needs one more for each vertex.
-#define GJK_POLYTOPE_CELLS(vertices) (3 * (vertices)-4)
+// Cells that always suffice for a polytope of so many vertices, 4 to 16000; a pair with a curved shape needs one more for
+// each vertex.
+#define GJK_POLYTOPE_CELLS(vertices) (3 * (vertices)-4 + (vertices) / 2)
 
 // The caller's memory for the polytope. Points, segments, spheres, capsules, boxes and their rounded forms need none
 // among each other, and no pair needs any unless its cores overlap. Two 8-point hulls have needed 44 vertices at most in

@@ -1,0 +1,23 @@
+// What the distance and the penetration query share.
+#ifndef GJK_SRC_DISTANCE_H
+#define GJK_SRC_DISTANCE_H
+
+#include "gjk/distance.h"
+#include "iteration.h"
+
+// How far the distance of a plane, Q30, may be off: the unit vector is within 2^-28 of the exact direction and
+// |w| <= 3 2^29.
+#define GJK_PLANE_ERROR (INT64_C(1) << 33)
+
+static inline int64_t gjk_roundings(const gjk_iteration *it) {
+  return (int64_t)it->a->shape->round + it->b->shape->round;
+}
+
+// Do the cores come within the roundings of each other? plane: their distance in the frame, Q30. Pre: the feature is
+// nearest.
+bool gjk_rounded_touch(const gjk_iteration *it, int64_t plane);
+
+// Reports the answer and keeps the cache, which may be NULL. Pre: the outcome is not LIMIT; not SEPARATED.
+void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache, gjk_distance_result *out);
+
+#endif

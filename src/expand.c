@@ -1,0 +1,207 @@
+// The expanding polytope's loop: support across the lowest face, until that is a facet.
+#include "expand.h"
+
+#include "polytope.h"
+
+// For curved shapes a face counts as a facet when their support lies no more than so many LSB beyond it.
+#define CURVED_TOLERANCE UINT32_C(1)
+
+// Places the support along the exact direction d. Is it beyond the origin there?
+static bool support_beyond_origin(gjk_iteration *it, const gjk_vec3 *d) {
+  gjk_support a, b;
+  it->direction.d = *d;
+  it->direction.exact = true;
+  gjk_iteration_support(it, &a, &b);
+  gjk_iteration_place(it, &a, &b);
+  return gjk_dot(d, &gjk_simplex_free(&it->simplex)->w) > 0;
+}
+
+// Places the support along n. Is it strictly beyond the plane across n through w?
+static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3 *w) {
+  gjk_support a, b;
+  const gjk_vertex *v = gjk_simplex_free(&it->simplex);
+  gjk_round_direction(n, &it->direction);
+  gjk_iteration_support(it, &a, &b);
+  gjk_iteration_place(it, &a, &b);
+  gjk_vec3 step = gjk_sub(v->w, *w);
+  if (gjk_dot_sign(n, &step) > 0) {
+    return true;
+  }
+  gjk_direction direction;
+  direction.n = n;
+  direction.rank = 3;
+  if ((!a.tie && !b.tie) || !gjk_iteration_refine(it, &direction, &a, &b)) {
+    return false;
+  }
+  gjk_iteration_place(it, &a, &b);
+  step = gjk_sub(v->w, *w);
+  return gjk_dot_sign(n, &step) > 0;
+}
+
+// A vector across e, of the same size or less. Pre: e != 0.
+static gjk_vec3 across(const gjk_vec3 *e) {
+  const uint32_t x = gjk_magnitude32(e->x), y = gjk_magnitude32(e->y), z = gjk_magnitude32(e->z);
+  gjk_vec3 d = {0, e->z, -e->y};
+  if (z <= x && z <= y) {
+    d.x = e->y;
+    d.y = -e->x;
+    d.z = 0;
+  } else if (y <= x) {
+    d.x = -e->z;
+    d.y = 0;
+    d.z = e->x;
+  }
+  return d;
+}
+
+static void normal_of(const gjk_simplex *s, gjk_long3 *n) {
+  const gjk_vec3 *w = &s->slot[s->order[0]].w;
+  const gjk_vec3 edge = gjk_sub(s->slot[s->order[1]].w, *w), edge2 = gjk_sub(s->slot[s->order[2]].w, *w);
+  gjk_cross(&edge, &edge2, n);
+}
+
+// The triangle that holds the origin is a facet: the depth is 0.
+static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
+  gjk_simplex *s = &it->simplex;
+  for (int i = 0; i < 3; i++) {
+    facet->corner[i] = *gjk_simplex_vertex(s, i);
+  }
+  facet->direction = it->direction;
+  facet->height = 0;
+  facet->depth = it->curved ? GJK_CURVED_ERROR : 0;
+  facet->found = true;
+  facet->covers = true;
+}
+
+// Adds vertices off what the simplex spans until it is a tetrahedron, with the origin still in it. Otherwise nothing lies
+// on one side of what it spans: the shapes touch.
+static gjk_expansion complete(gjk_iteration *it, gjk_facet *facet, bool *done, uint16_t *rounds) {
+  static const gjk_vec3 x = {1, 0, 0};
+  gjk_simplex *s = &it->simplex;
+  *done = true;
+  if (s->count == 1) {
+    ++*rounds;
+    if (!support_beyond_origin(it, &x)) {
+      return GJK_EXPANSION_TOUCHES;
+    }
+    s->count = 2;
+  }
+  if (s->count == 2) {
+    const gjk_vec3 edge = gjk_sub(gjk_simplex_vertex(s, 1)->w, gjk_simplex_vertex(s, 0)->w), d = across(&edge);
+    ++*rounds;
+    if (!support_beyond_origin(it, &d)) {
+      return GJK_EXPANSION_TOUCHES;
+    }
+    s->count = 3;
+  }
+  if (s->count == 3) {
+    gjk_long3 n;
+    normal_of(s, &n);
+    ++*rounds;
+    if (!support_beyond(it, &n, &gjk_simplex_vertex(s, 0)->w)) {
+      take_triangle(it, facet);
+      return GJK_EXPANSION_FACET;
+    }
+    s->count = 4;
+  }
+  *done = false;
+  return GJK_EXPANSION_FACET;
+}
+
+// How far the support of the lowest face, in the first slot, bounds the depth from above.
+static gjk_q16 bound(const gjk_iteration *it, uint32_t reached) {
+  return gjk_height_to_lsb(reached + GJK_HEIGHT_ERROR, it->shift) + (it->curved ? GJK_CURVED_ERROR : 0);
+}
+
+// Considers a face: as a facet, or not exact, as one whose support has reached a height.
+static void consider(gjk_iteration *it, const gjk_polytope *p, const uint16_t corner[3], bool exact, uint32_t height,
+                     gjk_facet *facet) {
+  gjk_simplex *s = &it->simplex;
+  for (int i = 0; i < 3; i++) {
+    gjk_polytope_load(p, corner[i], &s->slot[i]);
+    if (p->stride == 1) {
+      it->a->shape->type->vertex(it->a, s->slot[i].a, &s->slot[i].offset_a);
+    }
+  }
+  gjk_facet_consider(facet, it, height, exact ? -1 : bound(it, height));
+}
+
+static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet, gjk_q16 *lower, uint16_t *rounds) {
+  // Each turn settles a face or adds a vertex, so there are fewer than there are cells.
+  for (;;) {
+    const uint16_t lowest = gjk_polytope_lowest(p);
+    struct gjk_cell_face *face = gjk_polytope_face(p, lowest);
+    const uint32_t height = face->height;
+    if (height == GJK_HEIGHT_SETTLED || !gjk_facet_wants(facet, it->shift, height)) {
+      return GJK_EXPANSION_FACET;
+    }
+    gjk_long3 n;
+    gjk_polytope_normal(p, face->corner, &n);
+    gjk_simplex_clear(&it->simplex);
+    ++*rounds;
+    const bool beyond = support_beyond(it, &n, gjk_polytope_vertex(p, face->corner[0]));
+    const uint32_t reached = it->curved && beyond ? gjk_height(&it->direction.d, &it->simplex.slot[0].w) : height;
+    if (!beyond || (it->curved && reached <= height + (CURVED_TOLERANCE << it->shift))) {
+      consider(it, p, face->corner, !it->curved, reached, facet);
+      face->height = GJK_HEIGHT_SETTLED;
+    } else if (!gjk_polytope_add(p, lowest, &it->simplex.slot[0])) {
+      const uint32_t least = height > GJK_HEIGHT_ERROR ? height - GJK_HEIGHT_ERROR : 0;
+      *lower = gjk_height_to_lsb(least, it->shift);
+      consider(it, p, face->corner, false, gjk_height(&it->direction.d, &it->simplex.slot[0].w), facet);
+      return GJK_EXPANSION_FULL;
+    }
+  }
+}
+
+// The facet's plane is exact, or for curved shapes known to within the tolerance and the error of their supports.
+static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
+  const gjk_q16 slack = 2 * GJK_CURVED_ERROR + (gjk_q16)CURVED_TOLERANCE + 1;
+  if (!it->curved) {
+    return facet->depth;
+  }
+  return facet->depth > slack ? facet->depth - slack : 0;
+}
+
+// Without room for a polytope: one face of the tetrahedron, and how far A - B reaches beyond it.
+static void bound_by_face(gjk_iteration *it, gjk_facet *facet) {
+  gjk_simplex *s = &it->simplex;
+  gjk_vertex corner[3] = {*gjk_simplex_vertex(s, 0), *gjk_simplex_vertex(s, 1), *gjk_simplex_vertex(s, 2)};
+  gjk_long3 n;
+  const gjk_vec3 inwards = gjk_sub(gjk_simplex_vertex(s, 3)->w, corner[0].w);
+  normal_of(s, &n);
+  if (gjk_dot_sign(&n, &inwards) > 0) {
+    n.x = -n.x;
+    n.y = -n.y;
+    n.z = -n.z;
+    corner[1] = corner[2];
+    corner[2] = *gjk_simplex_vertex(s, 1);
+  }
+  s->count = 3;
+  support_beyond(it, &n, &corner[0].w);
+  const uint32_t reached = gjk_height(&it->direction.d, &gjk_simplex_free(s)->w);
+  for (int i = 0; i < 3; i++) {
+    s->slot[i] = corner[i];
+  }
+  gjk_facet_consider(facet, it, reached, bound(it, reached));
+}
+
+gjk_expansion gjk_expand(gjk_iteration *it, const gjk_workspace *workspace, gjk_facet *facet, gjk_q16 *lower,
+                         uint16_t *rounds) {
+  bool done;
+  gjk_polytope p;
+  gjk_expansion expansion = complete(it, facet, &done, rounds);
+  *lower = 0;
+  if (done) {
+    return expansion;
+  }
+  if (!gjk_polytope_start(&p, workspace, &it->simplex, it->curved)) {
+    ++*rounds;
+    bound_by_face(it, facet);
+    return GJK_EXPANSION_FULL;
+  }
+  expansion = expand(it, &p, facet, lower, rounds);
+  if (expansion == GJK_EXPANSION_FACET || *lower > facet->depth) {
+    *lower = least_depth(it, facet);
+  }
+  return *lower == facet->depth ? GJK_EXPANSION_FACET : expansion;
+}

@@ -1,0 +1,273 @@
+// The penetration and the signed distance queries.
+#include "gjk/penetration.h"
+
+#include "distance.h"
+#include "expand.h"
+#include "unit.h"
+#include "witness.h"
+#include "zonotope.h"
+
+size_t gjk_workspace_bytes(uint16_t vertices) {
+  return vertices < 4 ? 0 : GJK_POLYTOPE_CELLS((size_t)vertices) * sizeof(gjk_cell);
+}
+
+// An overlap while it is being measured.
+typedef struct overlap {
+  gjk_iteration it;
+  gjk_facet facet;  // of the cores, when they overlap
+  gjk_q16 lower;    // bounds of the cores' depth or, negative, of minus their distance
+  gjk_q16 upper;
+  uint16_t rounds;
+  uint8_t proof;
+} overlap;
+
+// depth u / 2^30 with each component rounded away from 0. Pre: 0 <= depth.
+static gjk_q16 move_along(gjk_q16 depth, gjk_q30 u) {
+  const uint64_t size = gjk_magnitude64(gjk_mul32(depth, u)) + ((UINT32_C(1) << 30) - 1);  // below 2^62
+  const gjk_q16 steps = (gjk_q16)(size >> 30);
+  return u < 0 ? -steps : steps;
+}
+
+// What rounding adds to the move along the normal, Q60: |u| (|t| 2^30 - depth |u|), at most 2^60.
+static int64_t surplus(gjk_q16 depth, gjk_q30 u, gjk_q16 t) {
+  const int32_t size = (int32_t)gjk_magnitude32(u), steps = (int32_t)gjk_magnitude32(t);
+  return gjk_mul32(size, (int32_t)(gjk_shl64(steps, 30) - gjk_mul32(depth, size)));
+}
+
+// With u within 9/2 2^-30 of the exact normal and its own length within 7/4 2^-30 of 1, a move by t leaves at least
+// depth + surplus - 8 (depth + 1) 2^-30 along the exact normal.
+static bool surely_suffices(gjk_q16 depth, const gjk_unit3 *u, const gjk_vec3 *t) {
+  return surplus(depth, u->x, t->x) + surplus(depth, u->y, t->y) + surplus(depth, u->z, t->z) >=
+         gjk_shl64((int64_t)depth + 1, 33);
+}
+
+// Are the shapes apart or touching when B has moved by t? Exact. Overwrites the iteration.
+GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
+  const gjk_collider *a = it->a, *b = it->b;
+  const gjk_vec3 *c = &b->centre;
+  const int64_t x = (int64_t)c->x + t->x, y = (int64_t)c->y + t->y, z = (int64_t)c->z + t->z;
+  // Near the end of the world A moves instead, which then doesn't leave it.
+  const bool leaves =
+      x > INT32_MAX || x < INT32_MIN || y > INT32_MAX || y < INT32_MIN || z > INT32_MAX || z < INT32_MIN;
+  gjk_collider moved = leaves ? *a : *b;
+  moved.centre = leaves ? gjk_sub(a->centre, *t) : gjk_add(b->centre, *t);
+  const int64_t radius = gjk_roundings(it);
+  gjk_iteration_start(it, leaves ? &moved : a, leaves ? b : &moved, GJK_GOAL_SIGNED, radius);
+  gjk_limbs numerator, denominator;
+  bool apart = false;
+  if (gjk_iteration_run(it, GJK_GOAL_SIGNED, NULL) == GJK_OUTCOME_NEAREST) {
+    gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+    apart = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
+  }
+  it->a = a;
+  it->b = b;
+  return apart;
+}
+
+// Does the move take A - B behind the facet's plane? Exact.
+static bool clears_facet(const overlap *o, const gjk_vec3 *t) {
+  const gjk_vec3 *w = &o->facet.corner[0].w;
+  const gjk_vec3 edge = gjk_sub(o->facet.corner[1].w, *w), edge2 = gjk_sub(o->facet.corner[2].w, *w);
+  const unsigned shift = (unsigned)o->it.shift;
+  gjk_long3 n;
+  gjk_cross(&edge, &edge2, &n);
+  // In LSB, at most 2^30 + 2^29.
+  const gjk_vec3 rest = {gjk_sar32(w->x, shift) - t->x, gjk_sar32(w->y, shift) - t->y, gjk_sar32(w->z, shift) - t->z};
+  return gjk_dot_sign(&n, &rest) <= 0;
+}
+
+static void bump(gjk_q30 *u) {
+  if (*u != 0 && *u > -GJK_Q30_ONE && *u < GJK_Q30_ONE) {
+    *u += *u > 0 ? 1 : -1;
+  }
+}
+
+// Rounds the normal away from 0 as far as the move by depth needs it. Once no component is less than the exact one, it
+// suffices: 5 times.
+static void widen_normal(overlap *o, gjk_penetration_result *out) {
+  for (int i = 0; i < 6 && out->depth > 0; i++) {
+    const gjk_unit3 *u = &out->normal;
+    const gjk_vec3 t = {move_along(out->depth, u->x), move_along(out->depth, u->y), move_along(out->depth, u->z)};
+    if (surely_suffices(out->depth, u, &t) ||
+        (o->proof == GJK_PROOF_FACET && gjk_roundings(&o->it) == 0 ? clears_facet(o, &t)
+                                                                   : apart_when_moved(&o->it, &t))) {
+      return;
+    }
+    bump(&out->normal.x);
+    bump(&out->normal.y);
+    bump(&out->normal.z);
+  }
+}
+
+// Measures cores that intersect: the origin lies in the simplex.
+static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
+  gjk_iteration *it = &o->it;
+  gjk_facet *facet = &o->facet;
+  gjk_expansion expansion = GJK_EXPANSION_FACET;
+  facet->found = false;
+  o->proof = GJK_PROOF_FACET;
+  if (it->simplex.count == 4 && gjk_is_zonotope(it) && gjk_zonotope_facet(it, facet)) {
+    o->lower = facet->depth;
+  } else {
+    expansion = gjk_expand(it, workspace, facet, &o->lower, &o->rounds);
+  }
+  if (expansion == GJK_EXPANSION_TOUCHES) {
+    o->proof = GJK_PROOF_PLANE;
+    o->upper = it->curved ? GJK_CURVED_ERROR : 0;
+    return GJK_OK;
+  }
+  o->upper = facet->depth;
+  gjk_facet_load(facet, it);
+  it->direction = facet->direction;
+  return expansion == GJK_EXPANSION_FULL ? GJK_ERROR_CAPACITY : GJK_OK;
+}
+
+// Measures cores that are apart by plane in the frame, Q30: minus their distance, rounded up.
+static void measure_gap(overlap *o, int64_t plane) {
+  const gjk_iteration *it = &o->it;
+  const unsigned n = (unsigned)(30 + it->shift);
+  int64_t low = plane > GJK_PLANE_ERROR ? gjk_sar64(plane - GJK_PLANE_ERROR, n) : 0;
+  int64_t high = gjk_sar64(plane + GJK_PLANE_ERROR, n);
+  if (low < high) {
+    gjk_limbs numerator, denominator;
+    gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+    while (low < high) {  // at most 17 apart, so 5 times
+      const int64_t middle = low + (high - low + 1) / 2;
+      if (gjk_compare_distance(&numerator, &denominator, (uint64_t)middle << (it->shift + 1)) >= 0) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
+    }
+  }
+  o->proof = GJK_PROOF_NEAREST;
+  o->upper = -(gjk_q16)low + (it->curved ? GJK_CURVED_ERROR : 0);
+  o->lower = -(gjk_q16)low - (it->curved ? GJK_CURVED_ERROR : 0);
+}
+
+static void certify(const overlap *o, gjk_certificate *out) {
+  gjk_iteration_certify(&o->it, GJK_OUTCOME_NEAREST, out);
+  if (o->it.curved) {
+    return;
+  }
+  out->proof = o->proof;
+  if (o->proof == GJK_PROOF_FACET) {
+    out->count = 3;
+    for (int i = 0; i < 3; i++) {
+      out->a[i] = o->facet.corner[i].a;
+      out->b[i] = o->facet.corner[i].b;
+    }
+  }
+}
+
+// The distance of the cores' plane in the frame, Q30, and its normal.
+static int64_t plane_of(const gjk_iteration *it, gjk_unit3 *normal) {
+  *normal = gjk_unit(&it->direction.d);
+  return -gjk_along(normal, &it->simplex.slot[it->simplex.order[0]].w);
+}
+
+// Reports an overlap. plane and the normal: when the cores are apart.
+static gjk_status report(overlap *o, gjk_outcome outcome, int64_t plane, const gjk_workspace *workspace,
+                         gjk_penetration_result *out) {
+  gjk_status status = GJK_OK;
+  const gjk_q16 rounding = (gjk_q16)gjk_roundings(&o->it);
+  bool saturated;
+  if (outcome == GJK_OUTCOME_NEAREST) {
+    measure_gap(o, plane);
+  } else {
+    status = measure_cores(o, workspace);
+    out->normal = gjk_unit(&o->it.direction.d);
+  }
+  out->intersecting = true;
+  out->depth = o->upper + rounding;
+  out->upper = out->depth;
+  out->lower = o->lower + rounding > 0 ? o->lower + rounding : 0;
+  out->iterations = o->rounds;
+  gjk_witness_points(&o->it, &out->normal, &out->point_a, &out->point_b, &saturated);
+  certify(o, &out->certificate);
+  if (!o->it.curved && status == GJK_OK) {
+    widen_normal(o, out);
+  }
+  return status;
+}
+
+gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                           const gjk_workspace *workspace, gjk_penetration_result *out) {
+  const gjk_status status = gjk_check_pair(a, b, out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  overlap o;
+  gjk_iteration *it = &o.it;
+  if (!gjk_iteration_start(it, a, b, GJK_GOAL_DEPTH, (int64_t)a->shape->round + b->shape->round)) {
+    out->intersecting = false;
+    out->iterations = 0;
+    out->certificate.proof = GJK_PROOF_SPHERES;
+    out->certificate.count = 0;
+    return GJK_OK;
+  }
+  const gjk_outcome outcome = gjk_iteration_run(it, GJK_GOAL_DEPTH, cache);
+  if (outcome == GJK_OUTCOME_LIMIT) {
+    return GJK_ERROR_ITERATION_LIMIT;
+  }
+  if (cache != NULL) {
+    gjk_iteration_keep(it, outcome, cache);
+  }
+  o.rounds = it->rounds;
+  int64_t plane = 0;
+  if (outcome == GJK_OUTCOME_NEAREST) {
+    plane = plane_of(it, &out->normal);
+  }
+  if (outcome == GJK_OUTCOME_SEPARATED || (outcome == GJK_OUTCOME_NEAREST && !gjk_rounded_touch(it, plane))) {
+    out->intersecting = false;
+    out->iterations = o.rounds;
+    gjk_iteration_certify(it, outcome, &out->certificate);
+    return GJK_OK;
+  }
+  return report(&o, outcome, plane, workspace, out);
+}
+
+static void report_signed(const gjk_penetration_result *overlapping, gjk_distance_result *out) {
+  out->distance = -overlapping->depth;
+  out->lower = -overlapping->upper;
+  out->upper = -overlapping->lower;
+  out->point_a = overlapping->point_a;
+  out->point_b = overlapping->point_b;
+  out->normal = overlapping->normal;
+  out->intersecting = true;
+  out->saturated = false;
+  out->iterations = (uint8_t)(overlapping->iterations < UINT8_MAX ? overlapping->iterations : UINT8_MAX);
+  out->certificate = overlapping->certificate;
+}
+
+gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                               const gjk_workspace *workspace, gjk_distance_result *out) {
+  const gjk_status status = gjk_check_pair(a, b, out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  overlap o;
+  gjk_iteration *it = &o.it;
+  gjk_iteration_start(it, a, b, GJK_GOAL_SIGNED, (int64_t)a->shape->round + b->shape->round);
+  const gjk_outcome outcome = gjk_iteration_run(it, GJK_GOAL_SIGNED, cache);
+  if (outcome == GJK_OUTCOME_LIMIT) {
+    return GJK_ERROR_ITERATION_LIMIT;
+  }
+  gjk_penetration_result overlapping;
+  int64_t plane = 0;
+  out->iterations = it->rounds;
+  if (outcome == GJK_OUTCOME_NEAREST) {
+    plane = plane_of(it, &overlapping.normal);
+    if (!gjk_rounded_touch(it, plane)) {
+      gjk_distance_report(it, outcome, cache, out);
+      return GJK_OK;
+    }
+  }
+  if (cache != NULL) {
+    gjk_iteration_keep(it, outcome, cache);
+  }
+  o.rounds = it->rounds;
+  const gjk_status measured = report(&o, outcome, plane, workspace, &overlapping);
+  report_signed(&overlapping, out);
+  return measured;
+}

@@ -1,0 +1,208 @@
+// Depth of boxes and segments in each other, from the directions across every two half axes.
+//
+// A - B holds the points delta + sum of s_i g_i with |s_i| <= 1, where delta leads from B's centre to A's and g_i are the
+// half axes of both. Across n = g_i x g_j its facet is at |n . g_k| summed over the others, plus n . delta.
+// After   the separating axes of Gottschalk, Lin, Manocha, OBBTree, 1996. Departures: half axes need not be at right
+//         angles, as posing leaves them; exact signs; the nearest point of the facet as well.
+#include "zonotope.h"
+
+#include "unit.h"
+
+// Three half axes of each.
+#define AXES 6
+#define DIRECTIONS 15
+
+typedef struct zonotope {
+  gjk_iteration *it;
+  gjk_vec3 axis[AXES];  // in the frame
+  gjk_vec3 delta;
+  unsigned count, of_a;  // axes, the first of them A's
+} zonotope;
+
+bool gjk_is_zonotope(const gjk_iteration *it) {
+  return it->a->shape->type->axes && it->b->shape->type->axes;
+}
+
+static void open(zonotope *z, gjk_iteration *it) {
+  z->it = it;
+  z->of_a = it->a->count;
+  z->count = z->of_a + it->b->count;
+  const unsigned shift = (unsigned)it->shift;
+  for (unsigned i = 0; i < z->count; i++) {
+    const gjk_vec3 *g = i < z->of_a ? &it->a->frame[i] : &it->b->frame[i - z->of_a];
+    z->axis[i].x = gjk_shl32(g->x, shift);
+    z->axis[i].y = gjk_shl32(g->y, shift);
+    z->axis[i].z = gjk_shl32(g->z, shift);
+  }
+  const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);
+  z->delta.x = gjk_shl32(delta.x, shift);
+  z->delta.y = gjk_shl32(delta.y, shift);
+  z->delta.z = gjk_shl32(delta.z, shift);
+}
+
+static inline uint64_t along_size(const gjk_unit3 *u, const gjk_vec3 *v) {
+  return gjk_magnitude64(gjk_along(u, v));
+}
+
+// Heights are summed from delta and up to four half axes, sqrt(3) 2^30 in size together, so their error is that much
+// larger than that of one vertex: they are taken lower by what comes on top.
+#define SUM_ERROR 3
+
+// The height of the nearer of the two facets across axes i and j, or a little less. False when these are parallel.
+static bool height_across(const zonotope *z, unsigned i, unsigned j, uint32_t *height) {
+  gjk_long3 n;
+  gjk_rounded d;
+  gjk_cross(&z->axis[i], &z->axis[j], &n);
+  if ((n.x | n.y | n.z) == 0) {
+    return false;
+  }
+  gjk_round_direction(&n, &d);
+  const gjk_unit3 u = gjk_unit(&d.d);
+  int64_t sum = -(int64_t)along_size(&u, &z->delta);
+  for (unsigned k = 0; k < z->count; k++) {
+    if (k != i && k != j) {
+      sum += (int64_t)along_size(&u, &z->axis[k]);
+    }
+  }
+  // At most 2^60.
+  const int64_t units = gjk_sar64(sum, 30) - SUM_ERROR;
+  *height = units <= 0 ? 0 : units < (int64_t)GJK_HEIGHT_MAX ? (uint32_t)units : GJK_HEIGHT_MAX;
+  return true;
+}
+
+// A vertex of A - B by the signs of the axes: bit k is set for plus.
+static void place(const zonotope *z, unsigned signs, gjk_vertex *out) {
+  gjk_support a, b;
+  const unsigned mask_a = (1u << z->of_a) - 1;
+  a.vertex = (uint16_t)(signs & mask_a);
+  b.vertex = (uint16_t)((~signs >> z->of_a) & ((1u << (z->count - z->of_a)) - 1));
+  z->it->a->shape->type->vertex(z->it->a, a.vertex, &a.offset);
+  z->it->b->shape->type->vertex(z->it->b, b.vertex, &b.offset);
+  gjk_iteration_place(z->it, &a, &b);
+  *out = *gjk_simplex_free(&z->it->simplex);
+}
+
+// Which way e turns to v, seen against n, all three in one plane across n: -1, 0 or 1. The component along which n is
+// longest tells.
+static int turn(const gjk_long3 *n, const gjk_vec3 *e, const gjk_vec3 *v) {
+  const uint64_t x = gjk_magnitude64(n->x), y = gjk_magnitude64(n->y), z = gjk_magnitude64(n->z);
+  gjk_long3 c;
+  gjk_cross(e, v, &c);
+  if (x >= y && x >= z) {
+    return gjk_sign64(n->x) * gjk_sign64(c.x);
+  }
+  return y >= z ? gjk_sign64(n->y) * gjk_sign64(c.y) : gjk_sign64(n->z) * gjk_sign64(c.z);
+}
+
+// A triangle of a facet, on its way to the origin's projection.
+typedef struct patch {
+  const zonotope *z;
+  const gjk_long3 *n;  // outwards
+  unsigned level;      // the axes in the plane, bit k for axis k
+  unsigned signs[3];   // of the corners, counterclockwise seen against n
+} patch;
+
+// Puts the triangle into the first three slots.
+static void place_triangle(const patch *p) {
+  gjk_simplex *s = &p->z->it->simplex;
+  gjk_vertex v[3];
+  gjk_simplex_clear(s);
+  for (int i = 0; i < 3; i++) {
+    place(p->z, p->signs[i], &v[i]);
+  }
+  for (int i = 0; i < 3; i++) {
+    s->slot[i] = v[i];
+  }
+}
+
+// Turns the triangle over its edge from corner i, onto the vertex of the facet that is farthest beyond it. False: there
+// is none.
+static bool turn_over(patch *p, unsigned i) {
+  const gjk_simplex *s = &p->z->it->simplex;
+  const unsigned j = (i + 1) % 3, start = p->signs[i], end = p->signs[j];
+  const gjk_vec3 edge = gjk_sub(s->slot[j].w, s->slot[i].w);
+  unsigned signs = start;
+  bool beyond = false;
+  for (unsigned k = 0; k < p->z->count; k++) {
+    const unsigned bit = 1u << k;
+    const int side = (p->level & bit) != 0 ? turn(p->n, &edge, &p->z->axis[k]) : 0;
+    if (side != 0) {
+      signs = side < 0 ? signs | bit : signs & ~bit;
+      beyond = beyond || ((signs ^ start) & bit) != 0;
+    }
+  }
+  p->signs[0] = start;
+  p->signs[1] = signs;
+  p->signs[2] = end;
+  return beyond;
+}
+
+// Moves the triangle until it holds the origin's projection, as far as the facet does.
+static void find_projection(patch *p) {
+  const gjk_simplex *s = &p->z->it->simplex;
+  // A facet has at most twice as many vertices as there are axes, and none is left behind twice.
+  for (int round = 0; round < 2 * AXES; round++) {
+    place_triangle(p);
+    gjk_simplex_set(&p->z->it->simplex, 3);
+    const unsigned edge = gjk_simplex_beyond(s);
+    if (edge == 3 || !turn_over(p, edge)) {
+      return;
+    }
+  }
+}
+
+// Considers the nearer facet across axes i and j.
+static void consider(const zonotope *z, unsigned i, unsigned j, gjk_facet *facet) {
+  gjk_long3 n;
+  gjk_cross(&z->axis[i], &z->axis[j], &n);
+  const bool opposite = gjk_dot_sign(&n, &z->delta) > 0;
+  const unsigned first = opposite ? j : i, second = opposite ? i : j;
+  if (opposite) {
+    n.x = -n.x;
+    n.y = -n.y;
+    n.z = -n.z;
+  }
+  patch p = {z, &n, 1u << i | 1u << j, {0, 0, 0}};
+  for (unsigned k = 0; k < z->count; k++) {
+    const int side = k == i || k == j ? 0 : gjk_dot_sign(&n, &z->axis[k]);
+    p.signs[0] |= side > 0 ? 1u << k : 0;
+    p.level |= side == 0 ? 1u << k : 0;
+  }
+  p.signs[1] = p.signs[0] | 1u << first;
+  p.signs[2] = p.signs[0] | 1u << second;
+  find_projection(&p);
+  place_triangle(&p);
+  gjk_round_direction(&n, &z->it->direction);
+  gjk_facet_consider(facet, z->it, gjk_height(&z->it->direction.d, &z->it->simplex.slot[0].w), -1);
+}
+
+bool gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet) {
+  struct {
+    uint32_t height;
+    uint8_t i, j;
+  } direction[DIRECTIONS];
+  zonotope z;
+  unsigned n = 0;
+  open(&z, it);
+  for (unsigned i = 0; i < z.count; i++) {
+    for (unsigned j = i + 1; j < z.count; j++) {
+      if (height_across(&z, i, j, &direction[n].height)) {
+        direction[n].i = (uint8_t)i;
+        direction[n].j = (uint8_t)j;
+        n++;
+      }
+    }
+  }
+  while (n > 0) {  // at most DIRECTIONS times
+    unsigned lowest = 0;
+    for (unsigned k = 1; k < n; k++) {
+      lowest = direction[k].height < direction[lowest].height ? k : lowest;
+    }
+    if (!gjk_facet_wants(facet, it->shift, direction[lowest].height)) {
+      break;
+    }
+    consider(&z, direction[lowest].i, direction[lowest].j, facet);
+    direction[lowest] = direction[--n];
+  }
+  return facet->found;
+}
