@@ -78,6 +78,7 @@ static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
 static gjk_expansion complete(gjk_iteration *it, gjk_facet *facet, bool *done, uint16_t *rounds) {
   static const gjk_vec3 x = {1, 0, 0};
   gjk_simplex *s = &it->simplex;
+  const uint8_t count = s->count;
   *done = true;
   if (s->count == 1) {
     ++*rounds;
@@ -90,6 +91,7 @@ static gjk_expansion complete(gjk_iteration *it, gjk_facet *facet, bool *done, u
     const gjk_vec3 edge = gjk_sub(gjk_simplex_vertex(s, 1)->w, gjk_simplex_vertex(s, 0)->w), d = across(&edge);
     ++*rounds;
     if (!support_beyond_origin(it, &d)) {
+      s->count = count;
       return GJK_EXPANSION_TOUCHES;
     }
     s->count = 3;

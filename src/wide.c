@@ -90,7 +90,8 @@ GJK_OUT_OF_LINE static void fine_share(const gjk_u128 *part, const gjk_u128 *sum
     high = (high << 1) | (low >> 63);
     low <<= 1;
   }
-  share->high = (int32_t)(quotient >> 16);  // below 2^31: no part is the whole
+  quotient -= quotient >> 47;  // where the part is the whole, the most that a share can hold
+  share->high = (int32_t)(quotient >> 16);
   share->low = (int32_t)(quotient & 0xFFFFu);
 }
 
