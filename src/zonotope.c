@@ -131,9 +131,11 @@ static bool turn_over(patch *p, unsigned i) {
       beyond = beyond || ((signs ^ start) & bit) != 0;
     }
   }
-  p->signs[0] = start;
-  p->signs[1] = signs;
-  p->signs[2] = end;
+  if (beyond) {
+    p->signs[0] = start;
+    p->signs[1] = signs;
+    p->signs[2] = end;
+  }
   return beyond;
 }
 
