@@ -67,7 +67,8 @@ static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
     facet->corner[i] = *gjk_simplex_vertex(s, i);
   }
   facet->direction = it->direction;
-  facet->height = 0;
+  facet->rank = 0;
+  facet->set = false;
   facet->depth = it->curved ? GJK_CURVED_ERROR : 0;
   facet->found = true;
   facet->covers = true;
@@ -110,46 +111,65 @@ static gjk_expansion complete(gjk_iteration *it, gjk_facet *facet, bool *done, u
   return GJK_EXPANSION_FACET;
 }
 
-// How far the support of the lowest face, in the first slot, bounds the depth from above.
-static gjk_q16 bound(const gjk_iteration *it, uint32_t reached) {
-  return gjk_height_to_lsb(reached + GJK_HEIGHT_ERROR, it->shift) + (it->curved ? GJK_CURVED_ERROR : 0);
+// How far a plane of A - B at a height bounds the depth from above.
+static gjk_q16 upper_bound(const gjk_iteration *it, uint32_t height) {
+  return gjk_height_to_lsb(height + GJK_HEIGHT_ERROR, it->shift) + (it->curved ? GJK_CURVED_ERROR : 0);
 }
 
-// Considers a face: as a facet, or not exact, as one whose support has reached a height.
-static void consider(gjk_iteration *it, const gjk_polytope *p, const uint16_t corner[3], bool exact, uint32_t height,
-                     gjk_facet *facet) {
+// Considers a face, with the outward normal it->direction: exactly, or bound by how far a support has reached across it.
+static void consider(gjk_iteration *it, const gjk_polytope *p, const struct gjk_cell_face *face, uint32_t rank,
+                     gjk_q16 bound, gjk_facet *facet) {
   gjk_simplex *s = &it->simplex;
   for (int i = 0; i < 3; i++) {
-    gjk_polytope_load(p, corner[i], &s->slot[i]);
+    gjk_polytope_load(p, face->corner[i], &s->slot[i]);
     if (p->stride == 1) {
       it->a->shape->type->vertex(it->a, s->slot[i].a, &s->slot[i].offset_a);
     }
   }
-  gjk_facet_consider(facet, it, height, exact ? -1 : bound(it, height));
+  gjk_simplex_set(s, 3);
+  gjk_facet_consider(facet, it, rank, bound >= 0 || gjk_simplex_beyond(s) == 3, bound);
+}
+
+// The least height of a face, in LSB, rounded down: a lower bound of the depth.
+static gjk_q16 lower_bound(const gjk_iteration *it, const gjk_polytope *p) {
+  uint32_t least = GJK_HEIGHT_MAX;
+  for (uint16_t i = 0; i < p->faces; i++) {
+    gjk_long3 n;
+    gjk_rounded d;
+    const uint16_t *corner = gjk_polytope_face(p, i)->corner;
+    gjk_polytope_normal(p, corner, &n);
+    gjk_round_direction(&n, &d);
+    const uint32_t height = gjk_height(&d.d, gjk_polytope_vertex(p, corner[0]));
+    least = height < least ? height : least;
+  }
+  const gjk_q16 lower = (gjk_q16)((least > GJK_HEIGHT_ERROR ? least - GJK_HEIGHT_ERROR : 0) >> it->shift);
+  return !it->curved ? lower : lower > GJK_CURVED_ERROR ? lower - GJK_CURVED_ERROR : 0;
 }
 
 static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet, gjk_q16 *lower, uint16_t *rounds) {
+  const gjk_vertex *support = &it->simplex.slot[0];
   // Each turn settles a face or adds a vertex, so there are fewer than there are cells.
   for (;;) {
     const uint16_t lowest = gjk_polytope_lowest(p);
     struct gjk_cell_face *face = gjk_polytope_face(p, lowest);
-    const uint32_t height = face->height;
-    if (height == GJK_HEIGHT_SETTLED || !gjk_facet_wants(facet, it->shift, height)) {
+    const uint32_t rank = face->rank;
+    if (rank == GJK_RANK_SETTLED || !gjk_facet_wants(facet, it->shift, rank)) {
       return GJK_EXPANSION_FACET;
     }
     gjk_long3 n;
+    const gjk_vec3 *w = gjk_polytope_vertex(p, face->corner[0]);
     gjk_polytope_normal(p, face->corner, &n);
     gjk_simplex_clear(&it->simplex);
+    facet->set = false;
     ++*rounds;
-    const bool beyond = support_beyond(it, &n, gjk_polytope_vertex(p, face->corner[0]));
-    const uint32_t reached = it->curved && beyond ? gjk_height(&it->direction.d, &it->simplex.slot[0].w) : height;
-    if (!beyond || (it->curved && reached <= height + (CURVED_TOLERANCE << it->shift))) {
-      consider(it, p, face->corner, !it->curved, reached, facet);
-      face->height = GJK_HEIGHT_SETTLED;
-    } else if (!gjk_polytope_add(p, lowest, &it->simplex.slot[0])) {
-      const uint32_t least = height > GJK_HEIGHT_ERROR ? height - GJK_HEIGHT_ERROR : 0;
-      *lower = gjk_height_to_lsb(least, it->shift);
-      consider(it, p, face->corner, false, gjk_height(&it->direction.d, &it->simplex.slot[0].w), facet);
+    const bool beyond = support_beyond(it, &n, w);
+    const uint32_t reached = it->curved ? gjk_height(&it->direction.d, &support->w) : 0;
+    if (!beyond || (it->curved && reached <= gjk_height(&it->direction.d, w) + (CURVED_TOLERANCE << it->shift))) {
+      consider(it, p, face, rank, it->curved ? upper_bound(it, reached) : -1, facet);
+      face->rank = GJK_RANK_SETTLED;
+    } else if (!gjk_polytope_add(p, lowest, support)) {
+      *lower = lower_bound(it, p);
+      consider(it, p, face, rank, upper_bound(it, gjk_height(&it->direction.d, &support->w)), facet);
       return GJK_EXPANSION_FULL;
     }
   }
@@ -184,7 +204,8 @@ static void bound_by_face(gjk_iteration *it, gjk_facet *facet) {
   for (int i = 0; i < 3; i++) {
     s->slot[i] = corner[i];
   }
-  gjk_facet_consider(facet, it, reached, bound(it, reached));
+  gjk_simplex_set(s, 3);
+  gjk_facet_consider(facet, it, 0, true, upper_bound(it, reached));
 }
 
 gjk_expansion gjk_expand(gjk_iteration *it, const gjk_workspace *workspace, gjk_facet *facet, gjk_q16 *lower,

@@ -9,16 +9,37 @@ uint32_t gjk_height(const gjk_vec3 *d, const gjk_vec3 *w) {
   return along <= 0 ? 0 : along < GJK_HEIGHT_MAX ? (uint32_t)along : GJK_HEIGHT_MAX;
 }
 
-bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t height) {
-  if (!best->found || (!best->covers && height <= best->height + 2 * GJK_HEIGHT_ERROR)) {
+// Each of the two is cut to 16 bits, which makes the quotient wrong by less than 2^-14 and 2^-15 of itself; so does
+// cutting that off to 16 bits of fraction, by 2^-14 with the bits lost before.
+uint32_t gjk_rank(int64_t along, int64_t squared) {
+  if (along <= 0) {
+    return 0;
+  }
+  const unsigned n = gjk_clz64((uint64_t)along), m = gjk_clz64((uint64_t)squared);
+  const uint32_t top = (uint32_t)((uint64_t)along << n >> 48), bottom = (uint32_t)((uint64_t)squared << m >> 48);
+  // From 2^14 to below 2^17.
+  const uint32_t quotient = top * top / bottom;
+  const unsigned zeros = gjk_clz32(quotient);
+  // The square is quotient 2^(48 + m - 2 n); that below 1 counts as 0.
+  const int exponent = 31 - (int)zeros + 48 + (int)m - 2 * (int)n;
+  return exponent < 0 ? 0 : (uint32_t)exponent << 16 | ((quotient << zeros >> 15) & 0xFFFFu);
+}
+
+// The lowest rank of a plane that may be higher than height.
+static uint32_t rank_above(uint32_t height) {
+  return gjk_rank(height + GJK_HEIGHT_ERROR, 1) + GJK_RANK_ERROR;
+}
+
+bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t rank) {
+  if (!best->found || (!best->covers && rank <= best->rank + 2 * GJK_RANK_ERROR)) {
     return true;
   }
-  // Its exact height is above height - error, and has to be at most depth - 1.
-  return best->depth > 0 && height <= ((uint32_t)(best->depth - 1) << shift) + GJK_HEIGHT_ERROR;
+  return best->depth > 0 && rank <= rank_above((uint32_t)(best->depth - 1) << shift);
 }
 
 // The exact height of the simplex's triangle in LSB, rounded up.
-static gjk_q16 exact_depth(const gjk_iteration *it, uint32_t height) {
+static gjk_q16 exact_depth(const gjk_iteration *it) {
+  const uint32_t height = gjk_height(&it->direction.d, &it->simplex.slot[0].w);
   const uint32_t least = height > GJK_HEIGHT_ERROR ? height - GJK_HEIGHT_ERROR : 0, most = height + GJK_HEIGHT_ERROR;
   gjk_q16 low = gjk_height_to_lsb(least, it->shift), high = gjk_height_to_lsb(most, it->shift);
   if (low == high) {
@@ -37,27 +58,29 @@ static gjk_q16 exact_depth(const gjk_iteration *it, uint32_t height) {
   return low;
 }
 
-void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t height, gjk_q16 bound) {
-  gjk_simplex *s = &it->simplex;
-  const gjk_vertex corner[3] = {s->slot[0], s->slot[1], s->slot[2]};
-  gjk_simplex_set(s, 3);
-  const gjk_q16 depth = bound < 0 ? exact_depth(it, height) : bound;
-  const bool covers = bound >= 0 || gjk_simplex_beyond(s) == 3;
+void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool covers, gjk_q16 bound) {
+  const gjk_q16 depth = bound < 0 ? exact_depth(it) : bound;
+  best->set = false;
   if (best->found && (depth > best->depth || (depth == best->depth && (best->covers || !covers)))) {
     return;
   }
   best->found = true;
   best->covers = covers;
   best->depth = depth;
-  best->height = height;
+  best->rank = rank;
   best->direction = it->direction;
+  best->set = true;
   for (int i = 0; i < 3; i++) {
-    best->corner[i] = corner[i];
+    best->corner[i] = it->simplex.slot[i];
   }
 }
 
 void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
   gjk_simplex *s = &it->simplex;
+  it->direction = facet->direction;
+  if (facet->set && facet->covers) {
+    return;
+  }
   for (int i = 0; i < 3; i++) {
     s->slot[i] = facet->corner[i];
   }

@@ -5,8 +5,17 @@
 #include "gjk/certificate.h"
 #include "iteration.h"
 
-// Heights of planes over the origin in units of the frame, below 2^30, are within so many of the exact ones: the unit
-// vector is within 7/2 2^-30 of the normal, and a vertex is at most 2^30 away; the fraction is cut off.
+// How high a plane lies over the origin is first told by a rank: that of the height's square, 6 bits of exponent over 16
+// bits of fraction. Equal heights have ranks at most GJK_RANK_ERROR apart, as long as they exceed 2^13; all others are
+// told apart to within GJK_HEIGHT_ERROR units of the frame as well.
+#define GJK_RANK_MAX ((UINT32_C(64) << 16) - 1)
+#define GJK_RANK_ERROR 16
+
+// (along / |d|)^2 as a rank; 0 when along is not positive. along, squared = |d|^2: below 2^63.
+uint32_t gjk_rank(int64_t along, int64_t squared);
+
+// Heights by unit vectors are below 2^30 and within so many units of the exact ones: the unit vector is within
+// 7/2 2^-30 of the normal, and a vertex is at most 2^30 away; the fraction is cut off.
 #define GJK_HEIGHT_ERROR 5
 #define GJK_HEIGHT_MAX ((UINT32_C(1) << 30) - 1)
 
@@ -14,10 +23,11 @@
 typedef struct gjk_facet {
   gjk_vertex corner[3];   // span the plane, outwards by (w1 - w0) x (w2 - w0)
   gjk_rounded direction;  // outward normal
-  uint32_t height;
+  uint32_t rank;
   gjk_q16 depth;  // exact height in LSB, rounded up, or an upper bound of it
   bool found;
   bool covers;  // the origin's projection lies in the corners' triangle, or as near as matters
+  bool set;     // the simplex is still as it was when this was taken
 } gjk_facet;
 
 // The height of a plane with an outward normal, rounded to *d, through w. Pre: not below the origin; |w| <= 2^30.
@@ -28,13 +38,14 @@ static inline gjk_q16 gjk_height_to_lsb(uint32_t height, int shift) {
   return (gjk_q16)((height + (UINT32_C(1) << shift) - 1) >> shift);
 }
 
-// Is a face of this height able to be nearer than the best, by a whole LSB, or to hold the nearest point that the best
-// one misses?
-bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t height);
+// Is a plane of this rank able to be nearer than the best, by a whole LSB, or to hold the nearest point that the best one
+// misses?
+bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t rank);
 
-// Takes the plane of the simplex's first three slots for the best if it is better. it->direction: its outward normal.
+// Takes the plane of the simplex's first three slots for the best if it is better. They are the feature, by
+// gjk_simplex_set; covers: the projection lies in their triangle. it->direction: the outward normal.
 // bound: the depth, when it isn't the exact height of the slots that counts but that of a parallel plane; otherwise -1.
-void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t height, gjk_q16 bound);
+void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool covers, gjk_q16 bound);
 
 // Makes the corners the feature, or what of them is nearest to the origin.
 void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it);

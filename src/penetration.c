@@ -118,7 +118,6 @@ static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
   }
   o->upper = facet->depth;
   gjk_facet_load(facet, it);
-  it->direction = facet->direction;
   return expansion == GJK_EXPANSION_FULL ? GJK_ERROR_CAPACITY : GJK_OK;
 }
 

@@ -50,7 +50,7 @@ static void set_face(gjk_polytope *p, uint16_t face, uint16_t u, uint16_t v, uin
   f->corner[2] = w;
   gjk_polytope_normal(p, f->corner, &n);
   gjk_round_direction(&n, &d);
-  f->height = gjk_height(&d.d, gjk_polytope_vertex(p, u));
+  f->rank = gjk_rank(gjk_dot(&d.d, gjk_polytope_vertex(p, u)), gjk_dot(&d.d, &d.d));
 }
 
 // Does w lie strictly beyond the face?
@@ -94,10 +94,10 @@ bool gjk_polytope_start(gjk_polytope *p, const gjk_workspace *workspace, const g
 
 uint16_t gjk_polytope_lowest(const gjk_polytope *p) {
   uint16_t lowest = 0;
-  uint32_t height = gjk_polytope_face(p, 0)->height;
+  uint32_t rank = gjk_polytope_face(p, 0)->rank;
   for (uint16_t i = 1; i < p->faces; i++) {
-    if (gjk_polytope_face(p, i)->height < height) {
-      height = gjk_polytope_face(p, i)->height;
+    if (gjk_polytope_face(p, i)->rank < rank) {
+      rank = gjk_polytope_face(p, i)->rank;
       lowest = i;
     }
   }
@@ -110,27 +110,27 @@ static unsigned edge_from(const struct gjk_cell_face *f, uint16_t vertex) {
 }
 
 static inline bool is_seen(const gjk_polytope *p, uint16_t face) {
-  return (gjk_polytope_face(p, face)->height & SEEN) != 0;
+  return (gjk_polytope_face(p, face)->rank & SEEN) != 0;
 }
 
 // Marks all faces that w sees, from the first on, and links them. Returns their number, which is below FACES_MAX.
 static uint32_t mark_seen(gjk_polytope *p, uint16_t first, const gjk_vec3 *w) {
   uint16_t last = first;
   uint32_t seen = 1;
-  gjk_polytope_face(p, first)->height = SEEN | NONE;
+  gjk_polytope_face(p, first)->rank = SEEN | NONE;
   for (uint16_t face = first; face != NONE;) {  // each face joins the list once
     struct gjk_cell_face *f = gjk_polytope_face(p, face);
     for (int i = 0; i < 3; i++) {
       const uint16_t next = f->neighbour[i];
       struct gjk_cell_face *g = gjk_polytope_face(p, next);
-      if ((g->height & SEEN) == 0 && sees(p, g, w)) {
-        g->height = SEEN | NONE;
-        gjk_polytope_face(p, last)->height = SEEN | next;
+      if ((g->rank & SEEN) == 0 && sees(p, g, w)) {
+        g->rank = SEEN | NONE;
+        gjk_polytope_face(p, last)->rank = SEEN | next;
         last = next;
         seen++;
       }
     }
-    face = (uint16_t)(f->height & NONE);
+    face = (uint16_t)(f->rank & NONE);
   }
   return seen;
 }
@@ -153,7 +153,7 @@ static edge first_horizon(const gjk_polytope *p, uint16_t first) {
     if (e.number < 2) {
       e.number++;
     } else {
-      e.face = (uint16_t)(gjk_polytope_face(p, e.face)->height & NONE);
+      e.face = (uint16_t)(gjk_polytope_face(p, e.face)->rank & NONE);
       e.number = 0;
     }
   }
@@ -198,7 +198,7 @@ static void close(gjk_polytope *p, uint16_t seen, uint32_t edges, const gjk_cell
     const uint16_t end = cells[next / 4].horizon.corner[next % 4];
     uint16_t face = seen;
     if (seen != NONE) {
-      seen = (uint16_t)(gjk_polytope_face(p, seen)->height & NONE);
+      seen = (uint16_t)(gjk_polytope_face(p, seen)->rank & NONE);
     } else {
       face = p->faces++;
     }
@@ -216,8 +216,8 @@ static void close(gjk_polytope *p, uint16_t seen, uint32_t edges, const gjk_cell
   gjk_polytope_face(p, before)->neighbour[1] = first;
   while (seen != NONE) {  // at most the seen faces
     struct gjk_cell_face *unused = gjk_polytope_face(p, seen);
-    seen = (uint16_t)(unused->height & NONE);
-    unused->height = GJK_HEIGHT_SETTLED;
+    seen = (uint16_t)(unused->rank & NONE);
+    unused->rank = GJK_RANK_SETTLED;
   }
 }
 

@@ -14,8 +14,8 @@ typedef struct gjk_polytope {
   uint8_t stride;  // cells per vertex: 2 with its offset in A's frame, for shapes without vertex numbers
 } gjk_polytope;
 
-// The height of settled and of unused faces.
-#define GJK_HEIGHT_SETTLED (GJK_HEIGHT_MAX + 1)
+// The rank of settled and of unused faces.
+#define GJK_RANK_SETTLED (GJK_RANK_MAX + 1)
 
 // Starts from the four vertices of a tetrahedron with the origin in it. False: too few cells.
 bool gjk_polytope_start(gjk_polytope *p, const gjk_workspace *workspace, const gjk_simplex *tetrahedron, bool curved);

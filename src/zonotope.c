@@ -6,8 +6,6 @@
 //         angles, as posing leaves them; exact signs; the nearest point of the facet as well.
 #include "zonotope.h"
 
-#include "unit.h"
-
 // Three half axes of each.
 #define AXES 6
 #define DIRECTIONS 15
@@ -40,16 +38,14 @@ static void open(zonotope *z, gjk_iteration *it) {
   z->delta.z = gjk_shl32(delta.z, shift);
 }
 
-static inline uint64_t along_size(const gjk_unit3 *u, const gjk_vec3 *v) {
-  return gjk_magnitude64(gjk_along(u, v));
+static inline int64_t along_size(const gjk_vec3 *d, const gjk_vec3 *v) {
+  const int64_t along = gjk_dot(d, v);
+  return along < 0 ? -along : along;
 }
 
-// Heights are summed from delta and up to four half axes, sqrt(3) 2^30 in size together, so their error is that much
-// larger than that of one vertex: they are taken lower by what comes on top.
-#define SUM_ERROR 3
-
-// The height of the nearer of the two facets across axes i and j, or a little less. False when these are parallel.
-static bool height_across(const zonotope *z, unsigned i, unsigned j, uint32_t *height) {
+// The rank of the nearer of the two facets across axes i and j. False when these are parallel. |d| <= sqrt(3) 2^30; delta
+// and the half axes are sqrt(3) 2^30 long together: sums stay below 2^62.
+static bool rank_across(const zonotope *z, unsigned i, unsigned j, uint32_t *rank) {
   gjk_long3 n;
   gjk_rounded d;
   gjk_cross(&z->axis[i], &z->axis[j], &n);
@@ -57,16 +53,13 @@ static bool height_across(const zonotope *z, unsigned i, unsigned j, uint32_t *h
     return false;
   }
   gjk_round_direction(&n, &d);
-  const gjk_unit3 u = gjk_unit(&d.d);
-  int64_t sum = -(int64_t)along_size(&u, &z->delta);
+  int64_t sum = -along_size(&d.d, &z->delta);
   for (unsigned k = 0; k < z->count; k++) {
     if (k != i && k != j) {
-      sum += (int64_t)along_size(&u, &z->axis[k]);
+      sum += along_size(&d.d, &z->axis[k]);
     }
   }
-  // At most 2^60.
-  const int64_t units = gjk_sar64(sum, 30) - SUM_ERROR;
-  *height = units <= 0 ? 0 : units < (int64_t)GJK_HEIGHT_MAX ? (uint32_t)units : GJK_HEIGHT_MAX;
+  *rank = gjk_rank(sum, gjk_dot(&d.d, &d.d));
   return true;
 }
 
@@ -139,22 +132,26 @@ static bool turn_over(patch *p, unsigned i) {
   return beyond;
 }
 
-// Moves the triangle until it holds the origin's projection, as far as the facet does.
-static void find_projection(patch *p) {
-  const gjk_simplex *s = &p->z->it->simplex;
+// Moves the triangle until it holds the origin's projection. False: the facet doesn't.
+static bool find_projection(patch *p) {
+  gjk_simplex *s = &p->z->it->simplex;
   // A facet has at most twice as many vertices as there are axes, and none is left behind twice.
   for (int round = 0; round < 2 * AXES; round++) {
     place_triangle(p);
-    gjk_simplex_set(&p->z->it->simplex, 3);
+    gjk_simplex_set(s, 3);
     const unsigned edge = gjk_simplex_beyond(s);
-    if (edge == 3 || !turn_over(p, edge)) {
-      return;
+    if (edge == 3) {
+      return true;
+    }
+    if (!turn_over(p, edge)) {
+      break;
     }
   }
+  return false;
 }
 
 // Considers the nearer facet across axes i and j.
-static void consider(const zonotope *z, unsigned i, unsigned j, gjk_facet *facet) {
+static void consider(const zonotope *z, unsigned i, unsigned j, uint32_t rank, gjk_facet *facet) {
   gjk_long3 n;
   gjk_cross(&z->axis[i], &z->axis[j], &n);
   const bool opposite = gjk_dot_sign(&n, &z->delta) > 0;
@@ -172,15 +169,14 @@ static void consider(const zonotope *z, unsigned i, unsigned j, gjk_facet *facet
   }
   p.signs[1] = p.signs[0] | 1u << first;
   p.signs[2] = p.signs[0] | 1u << second;
-  find_projection(&p);
-  place_triangle(&p);
+  const bool covers = find_projection(&p);
   gjk_round_direction(&n, &z->it->direction);
-  gjk_facet_consider(facet, z->it, gjk_height(&z->it->direction.d, &z->it->simplex.slot[0].w), -1);
+  gjk_facet_consider(facet, z->it, rank, covers, -1);
 }
 
 bool gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet) {
   struct {
-    uint32_t height;
+    uint32_t rank;
     uint8_t i, j;
   } direction[DIRECTIONS];
   zonotope z;
@@ -188,7 +184,7 @@ bool gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet) {
   open(&z, it);
   for (unsigned i = 0; i < z.count; i++) {
     for (unsigned j = i + 1; j < z.count; j++) {
-      if (height_across(&z, i, j, &direction[n].height)) {
+      if (rank_across(&z, i, j, &direction[n].rank)) {
         direction[n].i = (uint8_t)i;
         direction[n].j = (uint8_t)j;
         n++;
@@ -198,12 +194,12 @@ bool gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet) {
   while (n > 0) {  // at most DIRECTIONS times
     unsigned lowest = 0;
     for (unsigned k = 1; k < n; k++) {
-      lowest = direction[k].height < direction[lowest].height ? k : lowest;
+      lowest = direction[k].rank < direction[lowest].rank ? k : lowest;
     }
-    if (!gjk_facet_wants(facet, it->shift, direction[lowest].height)) {
+    if (!gjk_facet_wants(facet, it->shift, direction[lowest].rank)) {
       break;
     }
-    consider(&z, direction[lowest].i, direction[lowest].j, facet);
+    consider(&z, direction[lowest].i, direction[lowest].j, direction[lowest].rank, facet);
     direction[lowest] = direction[--n];
   }
   return facet->found;

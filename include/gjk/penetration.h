@@ -16,7 +16,7 @@ typedef union gjk_cell {
   } vertex;
   struct gjk_cell_face {
     uint16_t corner[3], neighbour[3];
-    uint32_t height;
+    uint32_t rank;
   } face;
   struct gjk_cell_horizon {
     uint16_t corner[4], face[4];
