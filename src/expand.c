@@ -122,9 +122,6 @@ static void consider(gjk_iteration *it, const gjk_polytope *p, const struct gjk_
   gjk_simplex *s = &it->simplex;
   for (int i = 0; i < 3; i++) {
     gjk_polytope_load(p, face->corner[i], &s->slot[i]);
-    if (p->stride == 1) {
-      it->a->shape->type->vertex(it->a, s->slot[i].a, &s->slot[i].offset_a);
-    }
   }
   gjk_simplex_set(s, 3);
   gjk_facet_consider(facet, it, rank, bound >= 0 || gjk_simplex_beyond(s) == 3, bound);

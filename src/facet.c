@@ -78,23 +78,27 @@ void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool 
 void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
   gjk_simplex *s = &it->simplex;
   it->direction = facet->direction;
-  if (facet->set && facet->covers) {
-    return;
-  }
   for (int i = 0; i < 3; i++) {
     s->slot[i] = facet->corner[i];
+    if (!it->curved) {
+      it->a->shape->type->vertex(it->a, s->slot[i].a, &s->slot[i].offset_a);
+    }
+  }
+  if (facet->set && facet->covers) {
+    return;
   }
   gjk_simplex_set(s, 3);
   if (gjk_simplex_beyond(s) == 3) {
     return;
   }
   // The nearest of its features: each vertex that is added makes the feature strictly nearer.
+  const gjk_vertex corner[3] = {s->slot[0], s->slot[1], s->slot[2]};
   gjk_simplex_clear(s);
   bool nearer = true;
   for (int round = 0; round < 4 && nearer; round++) {
     nearer = false;
     for (int i = 0; i < 3; i++) {
-      *gjk_simplex_free(s) = facet->corner[i];
+      *gjk_simplex_free(s) = corner[i];
       nearer = (s->count < 3 && gjk_simplex_add(s) == GJK_STEP_NEARER) || nearer;
     }
   }

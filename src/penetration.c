@@ -104,9 +104,8 @@ static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
   gjk_iteration *it = &o->it;
   gjk_facet *facet = &o->facet;
   gjk_expansion expansion = GJK_EXPANSION_FACET;
-  facet->found = false;
   o->proof = GJK_PROOF_FACET;
-  if (it->simplex.count == 4 && gjk_is_zonotope(it) && gjk_zonotope_facet(it, facet)) {
+  if (facet->found) {
     o->lower = facet->depth;
   } else {
     expansion = gjk_expand(it, workspace, facet, &o->lower, &o->rounds);
@@ -190,6 +189,33 @@ static gjk_status report(overlap *o, gjk_outcome outcome, int64_t plane, const g
   return status;
 }
 
+// Finds out how the shapes lie: boxes and the like by their facets, which then are found as well, others by iteration.
+static gjk_outcome start(overlap *o, gjk_goal goal, gjk_cache *cache) {
+  gjk_iteration *it = &o->it;
+  gjk_cache direction;
+  const gjk_cache *from = cache;
+  o->facet.found = false;
+  if (it->shift >= 0 && gjk_is_zonotope(it)) {
+    const gjk_zonotope_answer answer = gjk_zonotope_facet(it, &o->facet);
+    if (answer == GJK_ZONOTOPE_FACET) {
+      o->rounds = 0;
+      return GJK_OUTCOME_ENCLOSING;
+    }
+    o->facet.found = false;
+    gjk_simplex_clear(&it->simplex);
+    if (answer == GJK_ZONOTOPE_APART && (goal == GJK_GOAL_DEPTH || cache == NULL)) {
+      gjk_iteration_keep(it, GJK_OUTCOME_SEPARATED, &direction);
+      from = &direction;
+    }
+  }
+  const gjk_outcome outcome = gjk_iteration_run(it, goal, from);
+  o->rounds = it->rounds;
+  if (cache != NULL && outcome != GJK_OUTCOME_LIMIT) {
+    gjk_iteration_keep(it, outcome, cache);
+  }
+  return outcome;
+}
+
 gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                            const gjk_workspace *workspace, gjk_penetration_result *out) {
   const gjk_status status = gjk_check_pair(a, b, out);
@@ -205,14 +231,10 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
     out->certificate.count = 0;
     return GJK_OK;
   }
-  const gjk_outcome outcome = gjk_iteration_run(it, GJK_GOAL_DEPTH, cache);
+  const gjk_outcome outcome = start(&o, GJK_GOAL_DEPTH, cache);
   if (outcome == GJK_OUTCOME_LIMIT) {
     return GJK_ERROR_ITERATION_LIMIT;
   }
-  if (cache != NULL) {
-    gjk_iteration_keep(it, outcome, cache);
-  }
-  o.rounds = it->rounds;
   int64_t plane = 0;
   if (outcome == GJK_OUTCOME_NEAREST) {
     plane = plane_of(it, &out->normal);
@@ -248,24 +270,20 @@ gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk
   overlap o;
   gjk_iteration *it = &o.it;
   gjk_iteration_start(it, a, b, GJK_GOAL_SIGNED, (int64_t)a->shape->round + b->shape->round);
-  const gjk_outcome outcome = gjk_iteration_run(it, GJK_GOAL_SIGNED, cache);
+  const gjk_outcome outcome = start(&o, GJK_GOAL_SIGNED, cache);
   if (outcome == GJK_OUTCOME_LIMIT) {
     return GJK_ERROR_ITERATION_LIMIT;
   }
   gjk_penetration_result overlapping;
   int64_t plane = 0;
-  out->iterations = it->rounds;
   if (outcome == GJK_OUTCOME_NEAREST) {
     plane = plane_of(it, &overlapping.normal);
     if (!gjk_rounded_touch(it, plane)) {
-      gjk_distance_report(it, outcome, cache, out);
+      out->iterations = it->rounds;
+      gjk_distance_report(it, outcome, NULL, out);
       return GJK_OK;
     }
   }
-  if (cache != NULL) {
-    gjk_iteration_keep(it, outcome, cache);
-  }
-  o.rounds = it->rounds;
   const gjk_status measured = report(&o, outcome, plane, workspace, &overlapping);
   report_signed(&overlapping, out);
   return measured;

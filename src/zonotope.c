@@ -43,36 +43,31 @@ static inline int64_t along_size(const gjk_vec3 *d, const gjk_vec3 *v) {
   return along < 0 ? -along : along;
 }
 
-// The rank of the nearer of the two facets across axes i and j. False when these are parallel. |d| <= sqrt(3) 2^30; delta
-// and the half axes are sqrt(3) 2^30 long together: sums stay below 2^62.
-static bool rank_across(const zonotope *z, unsigned i, unsigned j, uint32_t *rank) {
-  gjk_long3 n;
-  gjk_rounded d;
-  gjk_cross(&z->axis[i], &z->axis[j], &n);
-  if ((n.x | n.y | n.z) == 0) {
-    return false;
-  }
-  gjk_round_direction(&n, &d);
-  int64_t sum = -along_size(&d.d, &z->delta);
+// Rounding the normal moves products with delta and the half axes, sqrt(3) 2^30 long together, by less than 2^31.
+#define SUM_ERROR (INT64_C(1) << 31)
+
+// The height of the nearer of the two facets across axes i and j, times |d|, d being their normal. Pre: not parallel.
+// |d| <= sqrt(3) 2^30: sums stay below 2^62.
+static int64_t sum_across(const zonotope *z, unsigned i, unsigned j, const gjk_vec3 *d) {
+  int64_t sum = -along_size(d, &z->delta);
   for (unsigned k = 0; k < z->count; k++) {
     if (k != i && k != j) {
-      sum += along_size(&d.d, &z->axis[k]);
+      sum += along_size(d, &z->axis[k]);
     }
   }
-  *rank = gjk_rank(sum, gjk_dot(&d.d, &d.d));
-  return true;
+  return sum;
 }
 
 // A vertex of A - B by the signs of the axes: bit k is set for plus.
 static void place(const zonotope *z, unsigned signs, gjk_vertex *out) {
-  gjk_support a, b;
-  const unsigned mask_a = (1u << z->of_a) - 1;
-  a.vertex = (uint16_t)(signs & mask_a);
-  b.vertex = (uint16_t)((~signs >> z->of_a) & ((1u << (z->count - z->of_a)) - 1));
-  z->it->a->shape->type->vertex(z->it->a, a.vertex, &a.offset);
-  z->it->b->shape->type->vertex(z->it->b, b.vertex, &b.offset);
-  gjk_iteration_place(z->it, &a, &b);
-  *out = *gjk_simplex_free(&z->it->simplex);
+  const unsigned mask_a = (1u << z->of_a) - 1, mask_b = (1u << (z->count - z->of_a)) - 1;
+  gjk_vec3 w = z->delta;
+  for (unsigned k = 0; k < z->count; k++) {
+    w = (signs >> k & 1u) != 0 ? gjk_add(w, z->axis[k]) : gjk_sub(w, z->axis[k]);
+  }
+  out->w = w;
+  out->a = (uint16_t)(signs & mask_a);
+  out->b = (uint16_t)(~signs >> z->of_a & mask_b);
 }
 
 // Which way e turns to v, seen against n, all three in one plane across n: -1, 0 or 1. The component along which n is
@@ -94,19 +89,6 @@ typedef struct patch {
   unsigned level;      // the axes in the plane, bit k for axis k
   unsigned signs[3];   // of the corners, counterclockwise seen against n
 } patch;
-
-// Puts the triangle into the first three slots.
-static void place_triangle(const patch *p) {
-  gjk_simplex *s = &p->z->it->simplex;
-  gjk_vertex v[3];
-  gjk_simplex_clear(s);
-  for (int i = 0; i < 3; i++) {
-    place(p->z, p->signs[i], &v[i]);
-  }
-  for (int i = 0; i < 3; i++) {
-    s->slot[i] = v[i];
-  }
-}
 
 // Turns the triangle over its edge from corner i, onto the vertex of the facet that is farthest beyond it. False: there
 // is none.
@@ -137,7 +119,9 @@ static bool find_projection(patch *p) {
   gjk_simplex *s = &p->z->it->simplex;
   // A facet has at most twice as many vertices as there are axes, and none is left behind twice.
   for (int round = 0; round < 2 * AXES; round++) {
-    place_triangle(p);
+    for (int i = 0; i < 3; i++) {
+      place(p->z, p->signs[i], &s->slot[i]);
+    }
     gjk_simplex_set(s, 3);
     const unsigned edge = gjk_simplex_beyond(s);
     if (edge == 3) {
@@ -151,7 +135,7 @@ static bool find_projection(patch *p) {
 }
 
 // Considers the nearer facet across axes i and j.
-static void consider(const zonotope *z, unsigned i, unsigned j, uint32_t rank, gjk_facet *facet) {
+static gjk_zonotope_answer consider(const zonotope *z, unsigned i, unsigned j, uint32_t rank, gjk_facet *facet) {
   gjk_long3 n;
   gjk_cross(&z->axis[i], &z->axis[j], &n);
   const bool opposite = gjk_dot_sign(&n, &z->delta) > 0;
@@ -169,38 +153,76 @@ static void consider(const zonotope *z, unsigned i, unsigned j, uint32_t rank, g
   }
   p.signs[1] = p.signs[0] | 1u << first;
   p.signs[2] = p.signs[0] | 1u << second;
+  if (p.level + 1 == 1u << z->count) {
+    return GJK_ZONOTOPE_FLAT;
+  }
   const bool covers = find_projection(&p);
   gjk_round_direction(&n, &z->it->direction);
+  if (gjk_dot_sign(&n, &z->it->simplex.slot[0].w) < 0) {
+    return GJK_ZONOTOPE_APART;
+  }
   gjk_facet_consider(facet, z->it, rank, covers, -1);
+  return GJK_ZONOTOPE_FACET;
 }
 
-bool gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet) {
-  struct {
-    uint32_t rank;
-    uint8_t i, j;
-  } direction[DIRECTIONS];
-  zonotope z;
-  unsigned n = 0;
-  open(&z, it);
-  for (unsigned i = 0; i < z.count; i++) {
-    for (unsigned j = i + 1; j < z.count; j++) {
-      if (rank_across(&z, i, j, &direction[n].rank)) {
-        direction[n].i = (uint8_t)i;
-        direction[n].j = (uint8_t)j;
-        n++;
+// The directions across every two axes that are not parallel, with the ranks of their facets.
+typedef struct directions {
+  uint32_t rank[DIRECTIONS];
+  uint8_t i[DIRECTIONS], j[DIRECTIONS];
+  unsigned count;
+} directions;
+
+// False: one of them, it->direction, separates A from B.
+static bool rank_directions(const zonotope *z, directions *out) {
+  out->count = 0;
+  for (unsigned i = 0; i < z->count; i++) {
+    for (unsigned j = i + 1; j < z->count; j++) {
+      gjk_long3 n;
+      gjk_rounded *d = &z->it->direction;
+      gjk_cross(&z->axis[i], &z->axis[j], &n);
+      if ((n.x | n.y | n.z) == 0) {
+        continue;
       }
+      gjk_round_direction(&n, d);
+      const int64_t sum = sum_across(z, i, j, &d->d);
+      if (sum < -SUM_ERROR) {
+        d->d = gjk_dot(&d->d, &z->delta) > 0 ? gjk_negate(d->d) : d->d;
+        return false;
+      }
+      out->rank[out->count] = gjk_rank(sum, gjk_dot(&d->d, &d->d));
+      out->i[out->count] = (uint8_t)i;
+      out->j[out->count] = (uint8_t)j;
+      out->count++;
     }
   }
-  while (n > 0) {  // at most DIRECTIONS times
+  return true;
+}
+
+gjk_zonotope_answer gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet) {
+  directions d;
+  zonotope z;
+  open(&z, it);
+  if (!rank_directions(&z, &d)) {
+    return GJK_ZONOTOPE_APART;
+  }
+  // If A - B does not hold the origin, one of its planes lies before it. Its rank tells next to nothing of height, so that it
+  // is considered before the search can end: that takes a plane whose facet holds the origin, or others that are higher.
+  while (d.count > 0) {  // at most DIRECTIONS times
     unsigned lowest = 0;
-    for (unsigned k = 1; k < n; k++) {
-      lowest = direction[k].rank < direction[lowest].rank ? k : lowest;
+    for (unsigned k = 1; k < d.count; k++) {
+      lowest = d.rank[k] < d.rank[lowest] ? k : lowest;
     }
-    if (!gjk_facet_wants(facet, it->shift, direction[lowest].rank)) {
+    if (!gjk_facet_wants(facet, it->shift, d.rank[lowest])) {
       break;
     }
-    consider(&z, direction[lowest].i, direction[lowest].j, direction[lowest].rank, facet);
-    direction[lowest] = direction[--n];
+    const gjk_zonotope_answer answer = consider(&z, d.i[lowest], d.j[lowest], d.rank[lowest], facet);
+    if (answer != GJK_ZONOTOPE_FACET) {
+      return answer;
+    }
+    d.count--;
+    d.rank[lowest] = d.rank[d.count];
+    d.i[lowest] = d.i[d.count];
+    d.j[lowest] = d.j[d.count];
   }
-  return facet->found;
+  return facet->found ? GJK_ZONOTOPE_FACET : GJK_ZONOTOPE_FLAT;
 }

@@ -8,8 +8,14 @@
 // Are both shapes spanned by half axes?
 bool gjk_is_zonotope(const gjk_iteration *it);
 
-// Finds the facet; it->direction is then its normal. False: all half axes are parallel, there is none.
-// Pre: the cores intersect. facet: not found yet.
-bool gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet);
+typedef enum gjk_zonotope_answer {
+  GJK_ZONOTOPE_FACET,  // found
+  GJK_ZONOTOPE_APART,  // the cores are apart
+  GJK_ZONOTOPE_FLAT    // all half axes lie in a plane: there is no facet
+} gjk_zonotope_answer;
+
+// Finds the facet, or that there is none. APART: it->direction, from A to B, is where to begin to prove it.
+// Pre: a frame of shift >= 0; facet: not found yet.
+gjk_zonotope_answer gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet);
 
 #endif
