@@ -77,14 +77,18 @@ void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool 
 
 void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
   gjk_simplex *s = &it->simplex;
+  const bool ready = facet->set && facet->covers;
   it->direction = facet->direction;
   for (int i = 0; i < 3; i++) {
-    s->slot[i] = facet->corner[i];
+    gjk_vertex *v = &s->slot[i];
+    if (!ready) {
+      *v = facet->corner[i];
+    }
     if (!it->curved) {
-      it->a->shape->type->vertex(it->a, s->slot[i].a, &s->slot[i].offset_a);
+      it->a->shape->type->vertex(it->a, v->a, &v->offset_a);
     }
   }
-  if (facet->set && facet->covers) {
+  if (ready) {
     return;
   }
   gjk_simplex_set(s, 3);

@@ -93,15 +93,15 @@ bool gjk_polytope_start(gjk_polytope *p, const gjk_workspace *workspace, const g
 }
 
 uint16_t gjk_polytope_lowest(const gjk_polytope *p) {
-  uint16_t lowest = 0;
-  uint32_t rank = gjk_polytope_face(p, 0)->rank;
-  for (uint16_t i = 1; i < p->faces; i++) {
-    if (gjk_polytope_face(p, i)->rank < rank) {
-      rank = gjk_polytope_face(p, i)->rank;
-      lowest = i;
+  const gjk_cell *cell = &p->cells[p->count - 1], *end = cell - p->faces, *lowest = cell;
+  uint32_t rank = cell->face.rank;
+  while (--cell != end) {
+    if (cell->face.rank < rank) {
+      rank = cell->face.rank;
+      lowest = cell;
     }
   }
-  return lowest;
+  return (uint16_t)(&p->cells[p->count - 1] - lowest);
 }
 
 // Which edge of the face starts at the vertex, that being a corner of it?
