@@ -164,3 +164,69 @@ gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, cons
   const bool above = twice == 0 || gjk_compare_distance(&numerator, &denominator, (twice - 1) << it.shift) >= 0;
   return below && above ? GJK_OK : GJK_ERROR_UNPROVEN;
 }
+
+// The sign of the exact distance of the simplex's feature less d LSB.
+static int compare_to(const gjk_iteration *it, int64_t d) {
+  gjk_limbs numerator, denominator;
+  // In the frame no distance exceeds 2^31.
+  if (d < 0 || d > INT64_C(1) << (32 - it->shift)) {
+    return d < 0 ? 1 : -1;
+  }
+  gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+  return gjk_compare_distance(&numerator, &denominator, (uint64_t)d << (it->shift + 1));
+}
+
+// Do three pairs span a plane that no vertex of A - B lies beyond, depth (rounded up) over the origin?
+static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int64_t depth) {
+  const gjk_simplex *s = &it->simplex;
+  gjk_long3 n;
+  if (certificate->count != 3 || !load(it, certificate)) {
+    return false;
+  }
+  const gjk_vec3 edge = gjk_sub(s->slot[1].w, s->slot[0].w), edge2 = gjk_sub(s->slot[2].w, s->slot[0].w);
+  gjk_cross(&edge, &edge2, &n);
+  const gjk_direction outwards = {NULL, NULL, &n, 0, 0, 3};
+  gjk_simplex_set(&it->simplex, 3);
+  return (n.x | n.y | n.z) != 0 && gjk_dot_sign(&n, &s->slot[0].w) >= 0 &&
+         none_before(it->a, &outwards, false, certificate->a[0]) &&
+         none_before(it->b, &outwards, true, certificate->b[0]) && compare_to(it, depth) <= 0 &&
+         compare_to(it, depth - 1) > 0;
+}
+
+// Does the plane across direction through the origin bound A - B, touching it? Products: at most sqrt(3) 2^31 times 2^30.
+static bool is_level(const gjk_iteration *it, const gjk_certificate *certificate) {
+  const gjk_vec3 d = certificate->direction;
+  if ((d.x | d.y | d.z) == 0 || d.x < -INT32_MAX || d.y < -INT32_MAX || d.z < -INT32_MAX) {
+    return false;
+  }
+  const gjk_vec3 opposite = gjk_negate(d), delta = gjk_sub(it->a->centre, it->b->centre);
+  return gjk_dot(&delta, &d) + farthest(it->a, &d) + farthest(it->b, &opposite) == 0;
+}
+
+gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result) {
+  gjk_iteration it;
+  const gjk_status status = gjk_check_pair(a, b, result);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const gjk_certificate *certificate = &result->certificate;
+  const int64_t radius = (int64_t)a->shape->round + b->shape->round, depth = (int64_t)result->depth - radius;
+  if (!gjk_iteration_start(&it, a, b, GJK_GOAL_DEPTH, radius)) {
+    return result->intersecting ? GJK_ERROR_UNPROVEN : GJK_OK;
+  }
+  if (it.curved || it.shift < 0) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  bool proven = false;
+  if (!result->intersecting) {
+    proven = is_apart(&it, certificate, radius);
+  } else if (certificate->proof == GJK_PROOF_FACET) {
+    proven = is_facet(&it, certificate, depth);
+  } else if (certificate->proof == GJK_PROOF_PLANE) {
+    proven = depth == 0 && is_level(&it, certificate);
+  } else if (certificate->proof == GJK_PROOF_NEAREST) {
+    proven = result->depth >= 0 && is_nearest(&it, certificate) && compare_to(&it, -depth) >= 0 &&
+             compare_to(&it, 1 - depth) < 0;
+  }
+  return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
+}

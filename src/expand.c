@@ -184,8 +184,11 @@ static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
 // Without room for a polytope: one face of the tetrahedron, and how far A - B reaches beyond it.
 static void bound_by_face(gjk_iteration *it, gjk_facet *facet) {
   gjk_simplex *s = &it->simplex;
-  gjk_vertex corner[3] = {*gjk_simplex_vertex(s, 0), *gjk_simplex_vertex(s, 1), *gjk_simplex_vertex(s, 2)};
+  gjk_vertex corner[3];
   gjk_long3 n;
+  for (int i = 0; i < 3; i++) {
+    corner[i] = *gjk_simplex_vertex(s, i);
+  }
   const gjk_vec3 inwards = gjk_sub(gjk_simplex_vertex(s, 3)->w, corner[0].w);
   normal_of(s, &n);
   if (gjk_dot_sign(&n, &inwards) > 0) {

@@ -96,7 +96,10 @@ void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
     return;
   }
   // The nearest of its features: each vertex that is added makes the feature strictly nearer.
-  const gjk_vertex corner[3] = {s->slot[0], s->slot[1], s->slot[2]};
+  gjk_vertex corner[3];
+  for (int i = 0; i < 3; i++) {
+    corner[i] = s->slot[i];
+  }
   gjk_simplex_clear(s);
   bool nearer = true;
   for (int round = 0; round < 4 && nearer; round++) {

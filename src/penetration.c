@@ -41,6 +41,23 @@ static bool surely_suffices(gjk_q16 depth, const gjk_unit3 *u, const gjk_vec3 *t
          gjk_shl64((int64_t)depth + 1, 33);
 }
 
+// *to becomes *from with another centre; by fields, since a whole one would be copied by a call of the C library.
+static void copy_moved(gjk_collider *to, const gjk_collider *from, gjk_vec3 centre) {
+  to->shape = from->shape;
+  to->buffer = from->buffer;
+  to->position = from->position;
+  to->centre = centre;
+  to->local_centre = from->local_centre;
+  for (int i = 0; i < 3; i++) {
+    to->frame[i] = from->frame[i];
+  }
+  to->core_radius = from->core_radius;
+  to->radius = from->radius;
+  to->state = from->state;
+  to->count = from->count;
+  to->bits = from->bits;
+}
+
 // Are the shapes apart or touching when B has moved by t? Exact. Overwrites the iteration.
 GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
   const gjk_collider *a = it->a, *b = it->b;
@@ -49,8 +66,8 @@ GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *
   // Near the end of the world A moves instead, which then doesn't leave it.
   const bool leaves =
       x > INT32_MAX || x < INT32_MIN || y > INT32_MAX || y < INT32_MIN || z > INT32_MAX || z < INT32_MIN;
-  gjk_collider moved = leaves ? *a : *b;
-  moved.centre = leaves ? gjk_sub(a->centre, *t) : gjk_add(b->centre, *t);
+  gjk_collider moved;
+  copy_moved(&moved, leaves ? a : b, leaves ? gjk_sub(a->centre, *t) : gjk_add(b->centre, *t));
   const int64_t radius = gjk_roundings(it);
   gjk_iteration_start(it, leaves ? &moved : a, leaves ? b : &moved, GJK_GOAL_SIGNED, radius);
   gjk_limbs numerator, denominator;
@@ -183,6 +200,9 @@ static gjk_status report(overlap *o, gjk_outcome outcome, int64_t plane, const g
   out->iterations = o->rounds;
   gjk_witness_points(&o->it, &out->normal, &out->point_a, &out->point_b, &saturated);
   certify(o, &out->certificate);
+  if (status == GJK_ERROR_CAPACITY) {
+    out->certificate.proof = GJK_PROOF_NONE;
+  }
   if (!o->it.curved && status == GJK_OK) {
     widen_normal(o, out);
   }

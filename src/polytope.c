@@ -162,7 +162,7 @@ static edge first_horizon(const gjk_polytope *p, uint16_t first) {
 
 // The horizon's edge that starts where e ends: around that vertex from seen face to seen face.
 static edge next_horizon(const gjk_polytope *p, edge e) {
-  e.number = (uint8_t)((e.number + 1) % 3);
+  e.number = (uint8_t)gjk_next(e.number);
   const uint16_t vertex = gjk_polytope_face(p, e.face)->corner[e.number];
   while (!on_horizon(p, e)) {  // at most once for each seen face
     e.face = gjk_polytope_face(p, e.face)->neighbour[e.number];

@@ -183,7 +183,7 @@ bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
 
 unsigned gjk_simplex_beyond(const gjk_simplex *s) {
   unsigned edge = 0;
-  while (edge < 3 && beyond_edge(s, edge, (edge + 1) % 3, (edge + 2) % 3) >= 0) {
+  while (edge < 3 && beyond_edge(s, edge, gjk_next(edge), gjk_next(gjk_next(edge))) >= 0) {
     edge++;
   }
   return edge;

@@ -94,7 +94,7 @@ typedef struct patch {
 // is none.
 static bool turn_over(patch *p, unsigned i) {
   const gjk_simplex *s = &p->z->it->simplex;
-  const unsigned j = (i + 1) % 3, start = p->signs[i], end = p->signs[j];
+  const unsigned j = gjk_next(i), start = p->signs[i], end = p->signs[j];
   const gjk_vec3 edge = gjk_sub(s->slot[j].w, s->slot[i].w);
   unsigned signs = start;
   bool beyond = false;

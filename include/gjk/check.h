@@ -4,6 +4,7 @@
 
 #include "gjk/distance.h"
 #include "gjk/intersect.h"
+#include "gjk/penetration.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -20,6 +21,11 @@ gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_
 // Is result the answer to gjk_distance(a, b)? Checks the decision and that the distance is correctly rounded.
 // Centres more than 16384 units apart: UNSUPPORTED.
 gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result);
+
+// Does result follow from its certificate for gjk_penetration(a, b)? When they intersect: A and B moved apart by depth
+// no longer do, and depth is exactly that plane's, rounded up. That no other direction is shorter takes more than a
+// certificate to prove. An answer with CAPACITY has no certificate.
+gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result);
 
 #ifdef __cplusplus
 }

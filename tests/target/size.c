@@ -1,11 +1,17 @@
 // The smallest programs with the library, whose linked sizes are figures to keep: what to link is chosen by macros.
 //   SIZE_BOXES   gjk_intersect on boxes; else gjk_distance on hulls, boxes and their rounded forms
+//   SIZE_DEPTH   gjk_penetration on these as well
 //   SIZE_POSED   initialises and poses the colliders, too
 #include "gjk/gjk.h"
 
 void size_main(void);
 
 gjk_collider size_a, size_b;
+
+#ifdef SIZE_DEPTH
+gjk_cell size_cells[GJK_POLYTOPE_CELLS(20)];
+gjk_penetration_result size_depth;
+#endif
 
 #ifdef SIZE_BOXES
 gjk_decision size_answer;
@@ -35,5 +41,9 @@ void size_main(void) {
   gjk_intersect(&size_a, &size_b, NULL, &size_answer);
 #else
   gjk_distance(&size_a, &size_b, NULL, &size_answer);
+#endif
+#ifdef SIZE_DEPTH
+  static const gjk_workspace workspace = {size_cells, GJK_POLYTOPE_CELLS(20)};
+  gjk_penetration(&size_a, &size_b, NULL, &workspace, &size_depth);
 #endif
 }

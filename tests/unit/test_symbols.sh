@@ -9,8 +9,8 @@ STACK_LIMIT=1024
 # allowed TARGET LEVEL: each helper with its reason
 allowed() {
   case $1$2 in
-    cortex-m0-O2) echo '__aeabi_lmul' ;;  # ARMv6-M multiplies to 32 bits
-    cortex-m0-Os) echo '__aeabi_lmul __aeabi_llsl __aeabi_llsr __aeabi_lasr' ;;  # shifts of 64 bits: a call is shorter
+    cortex-m0-O2) echo '__aeabi_lmul __aeabi_uidiv' ;;  # ARMv6-M multiplies to 32 bits, and does not divide
+    cortex-m0-Os) echo '__aeabi_lmul __aeabi_uidiv __aeabi_llsl __aeabi_llsr __aeabi_lasr' ;;  # shifts: a call is shorter
     rv32imc-Os) echo '__ashldi3 __lshrdi3 __ashrdi3 memcpy' ;;  # the same; and GCC copies three words by a call
   esac
 }
