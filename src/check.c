@@ -169,11 +169,11 @@ gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, cons
 static int compare_to(const gjk_iteration *it, int64_t d) {
   gjk_limbs numerator, denominator;
   // In the frame no distance exceeds 2^31.
-  if (d < 0 || d > INT64_C(1) << (32 - it->shift)) {
+  if (d < 0 || d > (int64_t)(UINT32_MAX >> it->shift)) {
     return d < 0 ? 1 : -1;
   }
   gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
-  return gjk_compare_distance(&numerator, &denominator, (uint64_t)d << (it->shift + 1));
+  return gjk_compare_distance(&numerator, &denominator, (uint64_t)((uint32_t)d << it->shift) * 2);
 }
 
 // Do three pairs span a plane that no vertex of A - B lies beyond, depth (rounded up) over the origin?
