@@ -64,6 +64,33 @@ static void mix_decision(gjk_q16 distance, gjk_cache *cache) {
   mix_certificate(&decision.certificate);
 }
 
+static void mix_until(uint8_t iterations, gjk_q16 error) {
+  const gjk_effort effort = {iterations, error};
+  gjk_distance_result out;
+  mix((uint32_t)gjk_distance_until(&bodies[0].collider, &bodies[1].collider, &effort, NULL, &out));
+  mix((uint32_t)out.intersecting);
+  mix_vector(out.distance, out.lower, out.upper);
+  if (!out.intersecting) {
+    mix_vector(out.point_a.x, out.point_a.y, out.point_a.z);
+  }
+}
+
+static void mix_penetration(gjk_cache *cache) {
+  static gjk_cell cells[GJK_POLYTOPE_CELLS(20)];
+  static const gjk_workspace workspace = {cells, GJK_POLYTOPE_CELLS(20)};
+  gjk_penetration_result out;
+  mix((uint32_t)gjk_penetration(&bodies[0].collider, &bodies[1].collider, cache, &workspace, &out));
+  mix((uint32_t)out.intersecting);
+  mix(out.iterations);
+  mix_certificate(&out.certificate);
+  if (out.intersecting) {
+    mix_vector(out.depth, out.lower, out.upper);
+    mix_vector(out.point_a.x, out.point_a.y, out.point_a.z);
+    mix_vector(out.point_b.x, out.point_b.y, out.point_b.z);
+    mix_vector(out.normal.x, out.normal.y, out.normal.z);
+  }
+}
+
 static gjk_vec3 random_vector(random_state *random, int32_t size) {
   gjk_vec3 v;
   v.x = random_range(random, -size, size);
@@ -140,11 +167,15 @@ static void query_pair(random_state *random) {
   mix_decision(-1, NULL);
   mix_decision(result.distance, NULL);
   mix_distance(&cache, &result);
+  mix_penetration(&cache);
   if (!result.intersecting && !far) {
     approach(random, &result);
     mix_distance(&cache, &result);
     mix_decision(-1, &cache);
     mix_decision(1, NULL);
+    mix_until(2, 0);
+    mix_until(0, 1 + size / 16);
+    mix_penetration(NULL);
   }
 }
 
