@@ -164,27 +164,27 @@ static void put_about(const bench *b) {
   }
 }
 
-static void repeat_once(bench *b, work *w) {
+// All methods in turn, so that what slows the machine for a while slows them alike. Each goes through all families
+// before the next one does, so that none meets pairs whose branches a relative of its has just taught to the processor.
+static void repeat_once(bench *b) {
   for (int q = 0; q < BENCH_QUERIES; q++) {
     for (size_t m = 0; m < b->method_count; m++) {
-      bench_subject *s = &w->subjects[m];
-      if (bench_answers(s->method, (bench_query)q)) {
-        bench_measure_time(s, (bench_query)q);
+      for (size_t f = 0; f < bench_family_count && bench_answers(b->methods[m], (bench_query)q); f++) {
+        bench_measure_time(&b->works[f].subjects[m], (bench_query)q);
       }
     }
   }
 }
 
-// All methods in turn, so that what slows the machine for a while slows them alike.
 static void measure_times(bench *b) {
   const time_t start = time(NULL);
   unsigned long done = 0;
-  for (double spent = 0; done < b->asked.repetitions || spent < (double)b->asked.seconds; done++) {
-    for (size_t f = 0; f < bench_family_count; f++) {
-      spent = difftime(time(NULL), start);
-      progress("time: second", b->works[f].family->name, (unsigned long)spent, b->asked.seconds);
-      repeat_once(b, &b->works[f]);
-    }
+  double spent = 0;
+  while (done < b->asked.repetitions || spent < (double)b->asked.seconds) {
+    repeat_once(b);
+    done++;
+    spent = difftime(time(NULL), start);
+    progress("time: second", "all methods on all families in turn", (unsigned long)spent, b->asked.seconds);
   }
   progress_done();
   printf(",,,repetitions,,%lu\n", done);

@@ -77,7 +77,8 @@ void release(void *prepared) {
 
 using Ccd = fcl::detail::GJKSolver_libccdd;
 using Indep = fcl::detail::GJKSolver_indepd;
-const bench_method ccd = {"FCL libccd", "FCL libccd", 0, false, false, prepare<Ccd>, run<Ccd>, release<Ccd>};
+// Its yes-or-no question runs libccd's MPR, which loops without end on some of the smallest pairs.
+const bench_method ccd = {"FCL libccd", "FCL libccd", 0, true, false, prepare<Ccd>, run<Ccd>, release<Ccd>};
 const bench_method indep = {"FCL indep", "FCL indep", 0, false, false, prepare<Indep>, run<Indep>, release<Indep>};
 
 }  // namespace
