@@ -167,7 +167,7 @@ sizes:
 	@sh tests/build/sizes.sh build
 
 bench:
-	@sh tests/build/bench.sh build $(BENCH_SECONDS)
+	@sh tests/build/bench.sh build $(BENCH_SECONDS) $(BENCH_PAIRS)
 
 bench-target:
 	@sh tests/build/bench-target.sh build
