@@ -50,7 +50,7 @@ check 'wrong decisions are seen' holds '$1 == "smallest" && $3 ~ /^reference/ &&
 # The page: whole, and in need of nothing else.
 check 'the report' report "$dir/run.csv"
 check 'the table' grep -q '^gjk cold  *1\.00 ' "$dir/table.txt"
-check 'plots' test "$(grep -c '<figure>' "$dir/page.html")" -gt 20
+check 'plots' test "$(grep -c '<figure ' "$dir/page.html")" -gt 20
 check 'no numbers that are none' refused grep -qE '(nan|inf)[ "<]' "$dir/page.html"
 check 'no external resources' refused grep -qE 'https?:|src=|href=|url\(|@import' "$dir/page.html"
 check 'the page is closed' grep -q '</html>' "$dir/page.html"

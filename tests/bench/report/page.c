@@ -118,7 +118,7 @@ static void put_rounds_plot(FILE *file, const table *t, const char *query) {
   static plot p;
   char title[80];
   snprintf(title, sizeof title, "all families: %s", query);
-  plot_start(&p, title, "rounds (the last bar: 24 or more)", "queries, %");
+  plot_start(&p, title, "rounds (24 stands for more as well)", "queries, %");
   for (size_t m = 0; m < t->methods.count; m++) {
     const char *method = t->methods.name[m];
     double counts[ROUNDS_MAX + 1];
@@ -204,27 +204,28 @@ static void put_number(FILE *file, const char *format, double value) {
 }
 
 static void put_table(FILE *file, const table *t, const char *family, const char *query) {
-  fprintf(file, "<h3>%s: %s</h3>\n<div class=\"wide\"><table>\n<tr><th>method</th><th>ns</th><th>× gjk</th>", family,
-          query);
-  fprintf(file,
-          "<th>instructions</th><th>rounds</th><th>wrong</th><th>undecided</th><th>mean error</th>"
-          "<th>largest error</th></tr>\n");
+  fprintf(file, "<h3>%s: %s</h3>\n<div class=\"wide\"><table>\n<tr><th>method</th>", family, query);
+  for (size_t c = 0; c < text_column_count; c++) {
+    if (text_column_used(&text_columns[c], t, family, query)) {
+      fprintf(file, "<th>%s</th>", text_columns[c].heading);
+    }
+  }
+  fprintf(file, "</tr>\n");
   for (size_t m = 0; m < t->methods.count; m++) {
     const char *method = t->methods.name[m];
-    if (isfinite(table_get(t, family, query, method, "pairs"))) {
-      fprintf(file, "<tr><td>");
-      svg_text(file, method);
-      fprintf(file, "</td>");
-      put_number(file, "%.0f", table_get(t, family, query, method, "time"));
-      put_number(file, "%.2f", text_ratio(t, family, query, method));
-      put_number(file, "%.0f", table_get(t, family, query, method, "instructions"));
-      put_number(file, "%.1f", text_mean_rounds(t, family, query, method));
-      put_number(file, "%.0f", table_get(t, family, query, method, "wrong"));
-      put_number(file, "%.0f", table_get(t, family, query, method, "undecided"));
-      put_number(file, "%.3g", table_get(t, family, query, method, "error_mean"));
-      put_number(file, "%.3g", table_get(t, family, query, method, "error_most"));
-      fprintf(file, "</tr>\n");
+    if (!isfinite(table_get(t, family, query, method, "pairs"))) {
+      continue;
     }
+    fprintf(file, "<tr><td>");
+    svg_text(file, method);
+    fprintf(file, "</td>");
+    for (size_t c = 0; c < text_column_count; c++) {
+      const text_column *column = &text_columns[c];
+      if (text_column_used(column, t, family, query)) {
+        put_number(file, column->format, column->get(t, family, query, method, column->measure));
+      }
+    }
+    fprintf(file, "</tr>\n");
   }
   fprintf(file, "</table></div>\n");
 }
@@ -312,7 +313,7 @@ void page_write(FILE *file, const table *t) {
   open_section(file, "Cost against the number of vertices", "Every method scans all vertices for a support point.");
   put_cost_plots(file, t);
   fprintf(file,
-          "</div>\n<h2>All numbers</h2>\n<p>× gjk: time against that of gjk cold. Errors in LSB (2<sup>-16</sup> "
+          "</div>\n<h2>All numbers</h2>\n<p>x gjk: time against that of gjk cold. Errors in LSB (2<sup>-16</sup> "
           "unit) against the exact real distance.</p>\n<div class=\"tables\">\n");
   for (size_t f = 0; f < t->families.count; f++) {
     for (size_t q = 0; q < t->queries.count; q++) {

@@ -82,7 +82,7 @@ static double round_to_125(double x, bool up) {
 }
 
 static double step_of(const plot_axis *axis) {
-  return round_to_125((axis->high - axis->low) / 7, true);
+  return round_to_125((axis->high - axis->low) / 10, true);
 }
 
 // Rounds the ends outward.
@@ -128,8 +128,8 @@ static scale make_scale(const plot_axis *axis, double from, double to) {
 }
 
 static void add_tick(ticks *t, const plot_axis *axis, double value) {
-  if (value >= axis->low * (1 - 1e-9) - 1e-12 && value > axis->floor * 1.01 && value <= axis->high * (1 + 1e-9) &&
-      t->count < TICKS_MAX) {
+  if (value >= axis->low * (1 - 1e-9) - 1e-12 && (axis->floor == 0 || value > axis->floor * 1.01) &&
+      value <= axis->high * (1 + 1e-9) && t->count < TICKS_MAX) {
     t->value[t->count++] = value;
   }
 }
@@ -175,8 +175,8 @@ static void open_svg(FILE *file, const char *title, double width, double height)
   fprintf(file, "\">\n");
 }
 
-static void open_figure(FILE *file, const char *title) {
-  fprintf(file, "<figure>\n<figcaption>");
+static void open_figure(FILE *file, const char *kind, const char *title) {
+  fprintf(file, "<figure class=\"%s\">\n<figcaption>", kind);
   svg_text(file, title);
   fprintf(file, "</figcaption>\n");
 }
@@ -337,7 +337,7 @@ void plot_write_points(FILE *file, const plot *given) {
   round_ends(&p.x);
   round_ends(&p.y);
   const scale x = make_scale(&p.x, LEFT, WIDTH - RIGHT), y = make_scale(&p.y, HEIGHT - BOTTOM, TOP);
-  open_figure(file, p.title);
+  open_figure(file, "plot", p.title);
   open_svg(file, p.title, WIDTH, HEIGHT);
   put_x_axis(file, &x);
   put_y_axis(file, &y);
@@ -366,7 +366,7 @@ void plot_write_bars(FILE *file, const plot *given) {
   p.x.high += 0.5;
   const scale x = make_scale(&p.x, LEFT, WIDTH - RIGHT), y = make_scale(&p.y, HEIGHT - BOTTOM, TOP);
   const double bar = 0.8 * (place(&x, 1) - place(&x, 0)) / (double)p.count;
-  open_figure(file, p.title);
+  open_figure(file, "plot", p.title);
   open_svg(file, p.title, WIDTH, HEIGHT);
   put_x_axis(file, &x);
   put_y_axis(file, &y);
@@ -387,10 +387,10 @@ void plot_write_bars(FILE *file, const plot *given) {
 
 void plot_write_map(FILE *file, const char *title, const char *x_label, const char *const *rows, size_t row_count,
                     const char *const *columns, size_t column_count, const plot_cell *cells) {
-  const double left = 158, row = 20, column = (WIDTH - left - 4) / (double)column_count;
+  const double left = 150, width = 690, row = 20, column = (width - left - 4) / (double)column_count;
   const double height = 2 + row * (double)row_count + 46;
-  open_figure(file, title);
-  open_svg(file, title, WIDTH, height);
+  open_figure(file, "map", title);
+  open_svg(file, title, width, height);
   for (size_t i = 0; i < row_count; i++) {
     const double y = 2 + row * (double)i;
     fprintf(file, "<text class=\"small\" text-anchor=\"end\" x=\"%.1f\" y=\"%.1f\">", left - 8, y + 14.5);
@@ -411,10 +411,10 @@ void plot_write_map(FILE *file, const char *title, const char *x_label, const ch
     }
   }
   for (size_t k = 0; k < column_count; k++) {
-    fprintf(file, "<text class=\"small\" text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">%s</text>\n",
+    fprintf(file, "<text class=\"tiny\" text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">%s</text>\n",
             left + column * ((double)k + 0.5), height - 30, columns[k]);
   }
-  fprintf(file, "<text text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">", (left + WIDTH) / 2, height - 8);
+  fprintf(file, "<text text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">", (left + width) / 2, height - 8);
   svg_text(file, x_label);
   fprintf(file, "</text>\n</svg>\n</figure>\n");
 }

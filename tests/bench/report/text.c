@@ -2,18 +2,42 @@
 #include "text.h"
 
 #include <math.h>
+#include <string.h>
 
-double text_ratio(const table *t, const char *family, const char *query, const char *method) {
-  return table_get(t, family, query, method, "time") / table_get(t, family, query, t->methods.name[0], "time");
+// Against the first method.
+static double ratio(const table *t, const char *family, const char *query, const char *method, const char *measure) {
+  return table_get(t, family, query, method, measure) / table_get(t, family, query, t->methods.name[0], measure);
 }
 
-double text_mean_rounds(const table *t, const char *family, const char *query, const char *method) {
+// Of a measure that was counted by its at; NAN: it was not.
+static double mean(const table *t, const char *family, const char *query, const char *method, const char *measure) {
   double counts[256], sum = 0;
-  const double count = table_histogram(t, family, query, method, "rounds", 255, counts);
+  const double count = table_histogram(t, family, query, method, measure, 255, counts);
   for (int i = 0; i < 256; i++) {
     sum += i * counts[i];
   }
   return sum / count;
+}
+
+const text_column text_columns[] = {
+    {"ns", "%.0f", "time", table_get},
+    {"x gjk", "%.2f", "time", ratio},
+    {"instructions", "%.0f", "instructions", table_get},
+    {"rounds", "%.1f", "rounds", mean},
+    {"wrong", "%.0f", "wrong", table_get},
+    {"undecided", "%.0f", "undecided", table_get},
+    {"mean error", "%.3g", "error_mean", table_get},
+    {"largest error", "%.3g", "error_most", table_get},
+};
+const size_t text_column_count = sizeof text_columns / sizeof text_columns[0];
+
+bool text_column_used(const text_column *column, const table *t, const char *family, const char *query) {
+  for (size_t m = 0; m < t->methods.count; m++) {
+    if (isfinite(column->get(t, family, query, t->methods.name[m], column->measure))) {
+      return true;
+    }
+  }
+  return false;
 }
 
 static void put(FILE *file, int width, const char *format, double value) {
@@ -24,24 +48,31 @@ static void put(FILE *file, int width, const char *format, double value) {
   fprintf(file, "%*s", width, text);
 }
 
+static int width_of(const text_column *column) {
+  const int length = (int)strlen(column->heading);
+  return (length < 8 ? 8 : length) + 2;
+}
+
 static void put_family(FILE *file, const table *t, const char *family, const char *query) {
-  fprintf(file, "\n%s, %s: %s\n", family, query, table_text(t, family, "", "", "what"));
-  fprintf(file, "%-22s%10s%8s%12s%7s%7s%11s%12s%12s\n", "", "ns", "x gjk", "instruct.", "rounds", "wrong", "undecided",
-          "mean error", "most error");
+  fprintf(file, "\n%s, %s: %s\n%-22s", family, query, table_text(t, family, "", "", "what"), "");
+  for (size_t c = 0; c < text_column_count; c++) {
+    if (text_column_used(&text_columns[c], t, family, query)) {
+      fprintf(file, "%*s", width_of(&text_columns[c]), text_columns[c].heading);
+    }
+  }
+  fprintf(file, "\n");
   for (size_t m = 0; m < t->methods.count; m++) {
     const char *method = t->methods.name[m];
     if (!isfinite(table_get(t, family, query, method, "pairs"))) {
       continue;
     }
     fprintf(file, "%-22s", method);
-    put(file, 10, "%.0f", table_get(t, family, query, method, "time"));
-    put(file, 8, "%.2f", text_ratio(t, family, query, method));
-    put(file, 12, "%.0f", table_get(t, family, query, method, "instructions"));
-    put(file, 7, "%.1f", text_mean_rounds(t, family, query, method));
-    put(file, 7, "%.0f", table_get(t, family, query, method, "wrong"));
-    put(file, 11, "%.0f", table_get(t, family, query, method, "undecided"));
-    put(file, 12, "%.3g", table_get(t, family, query, method, "error_mean"));
-    put(file, 12, "%.3g", table_get(t, family, query, method, "error_most"));
+    for (size_t c = 0; c < text_column_count; c++) {
+      const text_column *column = &text_columns[c];
+      if (text_column_used(column, t, family, query)) {
+        put(file, width_of(column), column->format, column->get(t, family, query, method, column->measure));
+      }
+    }
     fprintf(file, "\n");
   }
 }
@@ -56,7 +87,7 @@ static void put_summary(FILE *file, const table *t, const char *query) {
     for (size_t f = 0; f < t->families.count; f++) {
       const char *family = t->families.name[f];
       const double error = table_get(t, family, query, method, "error_most");
-      logs += log(text_ratio(t, family, query, method)) / (double)t->families.count;
+      logs += log(ratio(t, family, query, method, "time")) / (double)t->families.count;
       pairs += table_get(t, family, query, method, "pairs");
       wrong += table_get(t, family, query, method, "wrong");
       undecided += table_get(t, family, query, method, "undecided");

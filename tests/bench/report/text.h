@@ -4,10 +4,17 @@
 
 #include "table.h"
 
-// What each method is compared with: the first one.
-double text_ratio(const table *t, const char *family, const char *query, const char *method);
-// The mean of the "rounds" that were counted; NAN: none.
-double text_mean_rounds(const table *t, const char *family, const char *query, const char *method);
+// A column of the table of one family and one query: a row for each method. Values that are not numbers are left out.
+typedef struct text_column {
+  const char *heading, *format, *measure;
+  double (*get)(const table *t, const char *family, const char *query, const char *method, const char *measure);
+} text_column;
+
+extern const text_column text_columns[];
+extern const size_t text_column_count;
+
+// Has any method a value there?
+bool text_column_used(const text_column *column, const table *t, const char *family, const char *query);
 
 void text_write(FILE *file, const table *t);
 
