@@ -5,7 +5,8 @@
 #   make setup test      installs the cross tools (Debian, apt-get), then runs every test
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
 #   make sizes           code by function group and stack by query, per target
-#   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv
+#   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv;
+#                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
 #   make bench-target    instructions per query on the emulated cores
 #   make clean
 #
