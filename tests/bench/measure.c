@@ -104,13 +104,15 @@ static void keep_time(bench_subject *subject, bench_query query, double time) {
   subject->times[query][n] = time;
 }
 
-void bench_measure_time(bench_subject *subject, bench_query query) {
+void bench_measure_time(bench_subject *subject, bench_query query, bool keep) {
   struct timespec start, end;
   clock_gettime(CLOCK_MONOTONIC, &start);
   pass(subject, query);
   clock_gettime(CLOCK_MONOTONIC, &end);
   const double ns = (double)(end.tv_sec - start.tv_sec) * 1e9 + (double)(end.tv_nsec - start.tv_nsec);
-  keep_time(subject, query, ns / (double)subject->count);
+  if (keep) {
+    keep_time(subject, query, ns / (double)subject->count);
+  }
 }
 
 static int compare(const void *a, const void *b) {

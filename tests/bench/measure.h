@@ -27,8 +27,8 @@ void bench_subject_free(bench_subject *subject);
 
 void bench_measure_errors(const bench_subject *subject, bench_query query, const bench_pair *pairs, bench_tally *out);
 
-// One pass over the pairs, kept in times.
-void bench_measure_time(bench_subject *subject, bench_query query);
+// One pass over the pairs; keep: its time is kept in times.
+void bench_measure_time(bench_subject *subject, bench_query query, bool keep);
 double bench_median_time(bench_subject *subject, bench_query query);
 
 // The same pass with callgrind counting; the counts go to a dump of callgrind's, named label. False without callgrind.

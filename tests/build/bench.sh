@@ -46,7 +46,7 @@ else
 fi
 
 about() {
-  echo ",,,about,,$pairs pairs a family; 100 of them timed; medians of interleaved repetitions for $seconds s"
+  echo ",,,about,,$pairs pairs a family; 100 of them timed; medians of interleaved repetitions for $seconds s; each method warmed up by a pass of its own"
   echo ",,,about,,$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)"
   echo ",,,about,,$(${CC:-cc} --version | head -n 1) -O2; other libraries as Debian builds them"
   for peer in $peers; do
