@@ -5,6 +5,8 @@
 #   make setup test      installs the cross tools (Debian, apt-get), then runs every test
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
 #   make sizes           code by function group and stack by query, per target
+#   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv;
+#                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
 #   make bench-target    instructions per query on the emulated cores
 #   make clean
 #
@@ -63,7 +65,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo sizes bench-target clean
+.PHONY: all help lib setup test unit-tests demo sizes bench bench-target clean
 all: lib build/gjk-query build/gjk-demo
 
 help:
@@ -110,6 +112,26 @@ build/gjk-query build/gjk-demo $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
+# The benchmark, and what reads its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet and fcl.
+
+BENCH_PEERS ?=
+BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/bench/*.c)) $(BENCH_PEERS:%=build/hosted/tests/bench/peer/%.o)
+BENCH_REPORT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/bench/report/*.c) tests/demo/svg.c tests/demo/labels.c)
+PEER_FLAGS = $(shell pkg-config $(1) $(BENCH_PEERS))
+
+build/hosted/tests/bench/peer/%.o: tests/bench/peer/%.cpp Makefile
+	@mkdir -p $(@D)
+	@echo '  $<'
+	@$(CXX) -std=c++17 -O2 -Wall -Wextra $(patsubst -I%,-isystem%,$(filter -I%,$(call PEER_FLAGS,--cflags))) $(DEPENDENCIES) -c $< -o $@
+
+build/gjk-bench: $(BENCH) $(SUPPORT) $(HOST_LIB)
+	@echo '  $@'
+	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $^ $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
+
+build/gjk-bench-report: $(BENCH_REPORT)
+	@echo '  $@'
+	@$(CC) $^ -lm -o $@
+
 # Firmware NAME for the target's emulated board: tests/target/NAME.c and NAME_firmware.c.
 # Start-up code clears memory in a loop, which must not become a call of itself.
 
@@ -144,6 +166,9 @@ demo: build/gjk-demo
 
 sizes:
 	@sh tests/build/sizes.sh build
+
+bench:
+	@sh tests/build/bench.sh build $(BENCH_SECONDS) $(BENCH_PAIRS)
 
 bench-target:
 	@sh tests/build/bench-target.sh build

@@ -43,17 +43,6 @@ void draw_shadow_outline(const view *v, const case_shape *shape, double height,
   }
 }
 
-// Points less than a tenth of a pixel from the one before are left out.
-void draw_points(FILE *file, const point2 *point, size_t count) {
-  point2 last = {-1e9, -1e9};
-  for (size_t i = 0; i < count; i++) {
-    if (hypot(point[i].x - last.x, point[i].y - last.y) > 0.1) {
-      fprintf(file, "%.1f,%.1f ", point[i].x, point[i].y);
-      last = point[i];
-    }
-  }
-}
-
 static double clamp(double value) {
   return value < 0 ? 0 : value > 1 ? 1 : value;
 }
@@ -75,7 +64,7 @@ static void put_colour(FILE *file, colour base, double bright) {
 
 static void put_polygon(FILE *file, const point2 *point, size_t count, colour base, double bright) {
   fprintf(file, "<polygon points=\"");
-  draw_points(file, point, count);
+  svg_points(file, point, count);
   fprintf(file, "\" fill=\"");
   put_colour(file, base, bright);
   fprintf(file, "\" stroke=\"");
@@ -87,7 +76,7 @@ static void put_outline(FILE *file, const view *v, const case_shape *shape, size
   point2 outline[OUTLINE_POINTS];
   draw_outline(v, shape, outline);
   fprintf(file, "<polygon points=\"");
-  draw_points(file, outline, OUTLINE_POINTS);
+  svg_points(file, outline, OUTLINE_POINTS);
   fprintf(file, "\" fill=\"url(#g%lu)\"/>\n", (unsigned long)id);
 }
 
@@ -240,7 +229,7 @@ void draw_body(FILE *file, const view *v, const case_shape *shape, colour base, 
         point2 end[2] = {view_project(v, real_add(origin, geometry_turn(shape, z))),
                          view_project(v, real_sub(origin, geometry_turn(shape, z)))};
         fprintf(file, "<polyline stroke-width=\"2\" points=\"");
-        draw_points(file, end, 2);
+        svg_points(file, end, 2);
         fprintf(file, "\" stroke=\"");
         put_colour(file, base, 0.9);
         fprintf(file, "\"/>\n");

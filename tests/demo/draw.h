@@ -3,16 +3,13 @@
 #define DRAW_H
 
 #include "geometry.h"
+#include "svg.h"
 
 // Unit vectors of the world; light points towards the lamp. Lengths of the page are pixels, y downwards.
 typedef struct view {
   real3 right, up, toward, light;
   double scale, left, top;  // pixels per unit, and where the world's origin goes
 } view;
-
-typedef struct point2 {
-  double x, y;
-} point2;
 
 typedef struct colour {
   double red, green, blue;  // 0 to 1
@@ -28,9 +25,6 @@ void draw_outline(const view *v, const case_shape *shape, point2 outline[OUTLINE
 
 // The outline of its shadow in the horizontal plane at height.
 void draw_shadow_outline(const view *v, const case_shape *shape, double height, point2 outline[OUTLINE_POINTS]);
-
-// 'points' attribute's value.
-void draw_points(FILE *file, const point2 *point, size_t count);
 
 // id: a number of the body's own, for the names of its gradients.
 void draw_body(FILE *file, const view *v, const case_shape *shape, colour base, size_t id);

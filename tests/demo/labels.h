@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "draw.h"
+#include "svg.h"
 
 enum { LABEL_RECTANGLES_MAX = 512 };
 

@@ -41,17 +41,6 @@ void picture_gap_text(char text[24], gjk_q16 gap) {
   snprintf(text, 24, mm < 1 ? "%.3f mm" : mm < 100 ? "%.1f mm" : "%.0f mm", mm);
 }
 
-static void put_text(FILE *file, const char *text) {
-  for (; *text != '\0'; text++) {
-    switch (*text) {
-      case '&': fputs("&amp;", file); break;
-      case '<': fputs("&lt;", file); break;
-      case '>': fputs("&gt;", file); break;
-      default: fputc(*text, file); break;
-    }
-  }
-}
-
 static label_rectangle body_box(const view *v, const case_shape *shape) {
   point2 outline[OUTLINE_POINTS];
   draw_outline(v, shape, outline);
@@ -152,14 +141,14 @@ static void put_shadows(const picture *p, const scene_body *floor) {
   point2 outline[OUTLINE_POINTS];
   draw_outline(&p->camera, &floor->shape, outline);
   fprintf(p->file, "<clipPath id=\"floor\"><polygon points=\"");
-  draw_points(p->file, outline, OUTLINE_POINTS);
+  svg_points(p->file, outline, OUTLINE_POINTS);
   fprintf(p->file, "\"/></clipPath>\n<g clip-path=\"url(#floor)\" fill=\"#27313d\" fill-opacity=\"0.13\">\n");
   for (size_t i = 0; i < p->s->bodies; i++) {
     const case_shape *shape = &p->s->body[i].shape;
     if (&p->s->body[i] != floor) {
       draw_shadow_outline(&p->camera, shape, height, outline);
       fprintf(p->file, "<polygon points=\"");
-      draw_points(p->file, outline, OUTLINE_POINTS);
+      svg_points(p->file, outline, OUTLINE_POINTS);
       fprintf(p->file, "\"/>\n");
     }
   }
@@ -172,13 +161,13 @@ static void put_bodies(const picture *p) {
     const scene_body *body = &p->s->body[i];
     point2 outline[OUTLINE_POINTS];
     fprintf(p->file, "<g><title>");
-    put_text(p->file, body->name);
+    svg_text(p->file, body->name);
     fprintf(p->file, "</title>\n");
     draw_body(p->file, &p->camera, &body->shape, body_colour(p->s, i), i);
     draw_outline(&p->camera, &body->shape, outline);
     fprintf(p->file, "<polygon fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" points=\"",
             body->overlapping ? relation_colour[SCENE_OVERLAPPING] : INK, body->overlapping ? "2" : "0.7");
-    draw_points(p->file, outline, OUTLINE_POINTS);
+    svg_points(p->file, outline, OUTLINE_POINTS);
     fprintf(p->file, "\"/></g>\n");
     if (strcmp(body->name, "floor") == 0) {
       put_shadows(p, body);
@@ -200,7 +189,7 @@ static void put_names(picture *p) {
     }
     label_rectangle r = label_place(&p->page, middle, width, 14, 0);
     fprintf(p->file, "<text x=\"%.1f\" y=\"%.1f\">", r.left + width / 2, r.top + 11);
-    put_text(p->file, body->name);
+    svg_text(p->file, body->name);
     fprintf(p->file, "</text>\n");
   }
   fprintf(p->file, "</g>\n");
@@ -287,9 +276,9 @@ static void put_row(FILE *file, const scene *s, size_t i, double y, double step)
   fprintf(file, "<text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" font-weight=\"bold\" text-anchor=\"end\">%lu</text>",
           PANEL_LEFT + 26, y, ink, (unsigned long)(i + 1));
   fprintf(file, "<text x=\"%.0f\" y=\"%.1f\">", PANEL_LEFT + 36, y);
-  put_text(file, s->body[pair->a].name);
+  svg_text(file, s->body[pair->a].name);
   fprintf(file, " &#8211; ");
-  put_text(file, s->body[pair->b].name);
+  svg_text(file, s->body[pair->b].name);
   fprintf(file, "</text><text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"end\">%s</text>",
           PANEL_LEFT + 318, y, ink, pair->relation == SCENE_APART ? gap : scene_relation_name(pair->relation));
   fprintf(file, "<text x=\"%.0f\" y=\"%.1f\" fill=\"" FAINT "\">%s</text>\n", PANEL_LEFT + 332, y,
@@ -331,7 +320,7 @@ static void put_title(const picture *p, const char *title) {
     count[p->s->pair[i].relation]++;
   }
   fprintf(p->file, "<text x=\"28\" y=\"40\" font-size=\"20\" font-weight=\"bold\" fill=\"" INK "\">");
-  put_text(p->file, title);
+  svg_text(p->file, title);
   fprintf(p->file,
           "</text><text x=\"%.0f\" y=\"40\" font-size=\"14\" fill=\"" FAINT
           "\" text-anchor=\"end\">%lu bodies, %lu "

@@ -1,10 +1,11 @@
-// The reference: GJK on cases and colliders in double, or in another scalar type.
+// The reference: GJK on cases and colliders in double, or in the scalar type of the file that includes this one.
 #include "reference.h"
 
 #include <math.h>
 
 #ifndef REFERENCE_REAL
 #define REFERENCE_REAL double
+#define REFERENCE_NAME(name) reference_##name
 #endif
 
 typedef REFERENCE_REAL reference_real;
@@ -53,7 +54,7 @@ static void query(const solver_shape *a, const solver_shape *b, gjk_vec3 origin,
   }
 }
 
-void reference_query(const case_pair *pair, reference_result *out) {
+void REFERENCE_NAME(query)(const case_pair *pair, reference_result *out) {
   gjk_vec3 origin = pair->a.pose.position;
   solver_shape a, b;
   solver_from_case(&a, &pair->a, origin);
@@ -61,8 +62,8 @@ void reference_query(const case_pair *pair, reference_result *out) {
   query(&a, &b, origin, out);
 }
 
-void reference_query_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
-                           reference_result *out) {
+void REFERENCE_NAME(query_posed)(const case_pair *pair, const case_collider *a, const case_collider *b,
+                                 reference_result *out) {
   gjk_vec3 origin = a->collider.centre;
   solver_shape shape_a, shape_b;
   solver_from_collider(&shape_a, a, pair->a.kind, origin);

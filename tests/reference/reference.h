@@ -1,7 +1,6 @@
 // The reference: the same queries in floating point, as a good library answers them; right away from touching.
 //
-// An implementation of its own (GJK by signed volumes, solver.h), in double; -DREFERENCE_REAL=float builds the
-// same in another scalar type.
+// An implementation of its own (GJK by signed volumes, solver.h), in double; reference_float.c is the same in float.
 #ifndef REFERENCE_H
 #define REFERENCE_H
 
@@ -10,9 +9,9 @@
 // Lengths in LSB, world frame.
 typedef struct reference_result {
   bool intersecting;
-  double distance;             // 0 when intersecting
-  double a[3], b[3];           // nearest points; not set when intersecting
-  double normal[3];            // unit, from A to B; not set when intersecting
+  double distance;    // 0 when intersecting
+  double a[3], b[3];  // nearest points; not set when intersecting
+  double normal[3];   // unit, from A to B; not set when intersecting
   int iterations;
 } reference_result;
 
@@ -23,5 +22,9 @@ void reference_query(const case_pair *pair, reference_result *out);
 // and curved shapes by their rotation rows. a and b are built from the shapes of pair.
 void reference_query_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
                            reference_result *out);
+
+void reference_float_query(const case_pair *pair, reference_result *out);
+void reference_float_query_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
+                                 reference_result *out);
 
 #endif

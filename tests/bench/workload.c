@@ -1,0 +1,106 @@
+// The pairs that are measured: posed, proven, and in the form that peers take.
+#include "workload.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "../case/case.h"
+#include "../exact/exact.h"
+
+static void *allocate(size_t count, size_t size) {
+  void *memory = calloc(count, size);
+  if (memory == NULL) {
+    fprintf(stderr, "bench: out of memory\n");
+    exit(2);
+  }
+  return memory;
+}
+
+static void fail(const bench_pair *pair, const char *why) {
+  fprintf(stderr, "bench: a pair without a proven answer: %s\n", why);
+  case_print(stderr, pair->shapes);
+  exit(1);
+}
+
+static void set_truth(bench_pair *pair) {
+  const gjk_collider *a = &pair->a->collider, *b = &pair->b->collider;
+  gjk_distance_result gap;
+  exact_feature nearest;
+  char why[160] = "";
+  if (gjk_distance(a, b, NULL, &gap) != GJK_OK || !exact_check_distance(a, b, &gap, why, sizeof why)) {
+    fail(pair, why);
+  }
+  pair->intersecting = gap.intersecting;
+  pair->distance = 0;
+  if (!gap.intersecting) {
+    if (!exact_named_feature(a, b, &gap.certificate, &nearest)) {
+      fail(pair, "no feature");
+    }
+    pair->distance = sqrt(exact_to_double(&nearest.squared) / exact_to_double(&nearest.denominator)) -
+                     (double)a->shape->round - (double)b->shape->round;
+  }
+}
+
+static void set_solid(const gjk_collider *collider, bench_solid *out) {
+  const gjk_vec3 centre = collider->centre;
+  const int64_t c[3] = {centre.x, centre.y, centre.z};
+  out->count = exact_vertex_count(collider);
+  out->vertices = allocate(out->count, sizeof *out->vertices);
+  for (unsigned i = 0; i < out->count; i++) {
+    const exact_point vertex = exact_vertex(collider, i);
+    for (int k = 0; k < 3; k++) {
+      out->vertices[i][k] = (double)(vertex.x[k] - c[k]) / BENCH_LSB_PER_UNIT;
+      out->centre[k] = (double)c[k] / BENCH_LSB_PER_UNIT;
+    }
+  }
+}
+
+// Has the pair come out as it was meant to? Placing ends on the lattice, within an LSB of the gap.
+static bool is_as_placed(const bench_pair *pair) {
+  return pair->placed == BENCH_NOT_PLACED ||
+         (pair->placed < 0 ? pair->intersecting : fabs(pair->distance - pair->placed) <= 1);
+}
+
+static void make_pair(const bench_family *family, random_state *random, bench_pair *pair) {
+  do {
+    pair->placed = BENCH_NOT_PLACED;
+    case_shape_reset(&pair->shapes->a);
+    case_shape_reset(&pair->shapes->b);
+    family->make(family, random, pair->shapes, &pair->placed);
+    if (case_collider_build(pair->a, &pair->shapes->a, false) != GJK_OK ||
+        case_collider_build(pair->b, &pair->shapes->b, false) != GJK_OK) {
+      fail(pair, "it cannot be posed");
+    }
+    set_truth(pair);
+  } while (!is_as_placed(pair));
+}
+
+bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t count) {
+  bench_pair *pairs = allocate(count, sizeof *pairs);
+  for (size_t i = 0; i < count; i++) {
+    random_state random = random_seed((seed << 32) + i);
+    bench_pair *pair = &pairs[i];
+    pair->shapes = allocate(1, sizeof *pair->shapes);
+    pair->a = allocate(1, sizeof *pair->a);
+    pair->b = allocate(1, sizeof *pair->b);
+    make_pair(family, &random, pair);
+    set_solid(&pair->a->collider, &pair->solid[0]);
+    set_solid(&pair->b->collider, &pair->solid[1]);
+  }
+  return pairs;
+}
+
+void bench_pairs_free(bench_pair *pairs, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    case_pair_free(pairs[i].shapes);
+    case_collider_free(pairs[i].a);
+    case_collider_free(pairs[i].b);
+    free(pairs[i].shapes);
+    free(pairs[i].a);
+    free(pairs[i].b);
+    free(pairs[i].solid[0].vertices);
+    free(pairs[i].solid[1].vertices);
+  }
+  free(pairs);
+}

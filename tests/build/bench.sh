@@ -1,0 +1,63 @@
+#!/bin/sh
+# Run time against error on the host: bench.sh BUILD [SECONDS [PAIRS]]; 60 seconds and 1000 pairs by default.
+#
+# Other libraries are measured beside this one where their Debian packages are installed, and instructions are counted
+# where valgrind is. Leaves BUILD/bench.csv and BUILD/bench.html and prints the same figures.
+. tests/build/count.sh
+build=$1
+seconds=${2:-60}
+pairs=${3:-1000}
+dir=$build/bench
+mkdir -p "$dir"
+
+peers=
+find_peer() {
+  if have g++ && have pkg-config && pkg-config --exists "$1"; then
+    peers="$peers${peers:+ }$1"
+  else
+    skip "bench of $2" "g++ pkg-config $3"
+  fi
+}
+find_peer ccd libccd libccd-dev
+find_peer bullet Bullet libbullet-dev
+find_peer fcl FCL libfcl-dev
+
+rm -f "$build/gjk-bench"
+make -s "$build/gjk-bench" "$build/gjk-bench-report" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 ||
+  { cat "$dir/make.log"; exit 1; }
+
+# Callgrind writes a dump for each family, query and method, on so many pairs.
+counted=20
+count_instructions() {
+  echo "instructions: one pass over $counted pairs of each family under callgrind" >&2
+  rm -f "$dir"/callgrind.*
+  valgrind --tool=callgrind --instr-atstart=no --callgrind-out-file="$dir/callgrind" \
+    "$build/gjk-bench" --pairs $counted --instructions 1 2>"$dir/valgrind.log" || { cat "$dir/valgrind.log"; exit 1; }
+  awk -v pairs=$counted '
+    /^desc: Trigger: Client Request: / { name = substr($0, index($0, "Request: ") + 9) }
+    /^totals: / && name != "" { printf "%s,instructions,,%.0f\n", name, $2 / pairs; name = "" }' "$dir"/callgrind.*
+  rm -f "$dir"/callgrind.*
+}
+: >"$dir/instructions.csv"
+if have valgrind; then
+  count_instructions >"$dir/instructions.csv"
+else
+  skip 'instructions per query' valgrind
+fi
+
+about() {
+  echo ",,,about,,$pairs pairs a family; 100 of them timed; medians of interleaved repetitions for $seconds s; each method warmed up by a pass of its own"
+  echo ",,,about,,$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)"
+  echo ",,,about,,$(${CC:-cc} --version | head -n 1) -O2; other libraries as Debian builds them"
+  for peer in $peers; do
+    echo ",,,about,,$peer $(pkg-config --modversion "$peer")"
+  done
+  echo ",,,about,,Every method gets the same posed integers: gjk and the reference as they are; the others in units," \
+    "vertices about a centre, boxes as hulls of 8 points. Tolerances as each library sets them, margins 0."
+}
+
+# A library that does not come back must not hold this up for ever.
+timeout $((seconds + pairs / 2 + 300)) "$build/gjk-bench" --pairs "$pairs" --seconds "$seconds" >"$dir/run.csv" || exit 1
+{ cat "$dir/run.csv" "$dir/instructions.csv"; about; } >"$build/bench.csv"
+"$build/gjk-bench-report" "$build/bench.csv" "$build/bench.html" || exit 1
+echo "figures: $build/bench.csv, page: $build/bench.html"

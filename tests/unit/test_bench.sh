@@ -1,0 +1,60 @@
+#!/bin/sh
+# The benchmark at its smallest: what it writes, and that the library is right in it: test_bench.sh BUILD
+build=$1
+dir=$build/bench-test
+. tests/build/count.sh
+rm -rf "$dir"
+mkdir -p "$dir"
+
+run() {
+  "$build/gjk-bench" --pairs 40 --timed 5 --seconds 0 --repetitions 1 >"$dir/run.csv"
+}
+report() {
+  "$build/gjk-bench-report" "$1" "$dir/page.html" >"$dir/table.txt"
+}
+refused() {
+  ! "$@" 2>/dev/null
+}
+
+# holds ROWS RULE: of the rows that the awk expression ROWS selects, and there are some, RULE is true.
+holds() {
+  awk -F, "NR > 1 && ($1) { rows++; if (!($2)) { print; bad = 1 } }
+    END { if (!rows) print \"no such rows\"; exit bad || !rows }" "$dir/run.csv"
+}
+
+check 'it builds without other libraries' make -s "$build/gjk-bench" "$build/gjk-bench-report"
+check 'it runs' run
+check 'columns' grep -qx 'family,query,method,measure,at,value' "$dir/run.csv"
+check 'six fields a row' holds 1 'NF >= 6 && $4 != "" && $6 != ""'
+for family in boxes hulls-8 hulls-32 hulls-128 hulls-512 near far slivers smallest; do
+  for query in distance intersect; do
+    for measure in pairs wrong undecided outside time; do
+      check "$family, $query, $measure" \
+        holds "\$1 == \"$family\" && \$2 == \"$query\" && \$3 == \"gjk cold\" && \$4 == \"$measure\"" '$6 >= 0'
+    done
+  done
+done
+check 'times' holds '$4 == "time"' '$6 > 0'
+check 'pairs' holds '$4 == "pairs"' '$6 == 40'
+
+# The library: no wrong decision, half an LSB, bounds that hold, and errors within what was allowed.
+check 'no wrong decisions' holds '$3 ~ /^gjk / && ($4 == "wrong" || $4 == "gap_wrong")' '$6 == 0'
+check 'nothing undecided' holds '$3 ~ /^gjk (cold|warm)$/ && $4 == "undecided"' '$6 == 0'
+check 'half an LSB' holds '$3 ~ /^gjk (cold|warm)$/ && $4 == "error_most"' '$6 <= 0.5000001'
+check 'bounds hold' holds '$4 == "outside"' '$6 == 0'
+for error in 1 16 256; do
+  check "to $error LSB" holds "\$3 == \"gjk to $error LSB\" && \$4 == \"error_most\"" "\$6 <= $error"
+done
+check 'wrong decisions are seen' holds '$1 == "smallest" && $3 ~ /^reference/ && $4 == "wrong"' '$6 > 0'
+
+# The page: whole, and in need of nothing else.
+check 'the report' report "$dir/run.csv"
+check 'the table' grep -q '^gjk cold  *1\.00 ' "$dir/table.txt"
+check 'plots' test "$(grep -c '<figure ' "$dir/page.html")" -gt 20
+check 'no numbers that are none' refused grep -qE '(nan|inf)[ "<]' "$dir/page.html"
+check 'no external resources' refused grep -qE 'https?:|src=|href=|url\(|@import' "$dir/page.html"
+check 'the page is closed' grep -q '</html>' "$dir/page.html"
+printf 'family,query\n' >"$dir/bad.csv"
+check 'other tables are refused' refused report "$dir/bad.csv"
+check 'a wrong option is refused' refused "$build/gjk-bench" --pairs
+finish bench
