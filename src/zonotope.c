@@ -38,26 +38,6 @@ static void open(zonotope *z, gjk_iteration *it) {
   z->delta.z = gjk_shl32(delta.z, shift);
 }
 
-static inline int64_t along_size(const gjk_vec3 *d, const gjk_vec3 *v) {
-  const int64_t along = gjk_dot(d, v);
-  return along < 0 ? -along : along;
-}
-
-// Rounding the normal moves products with delta and the half axes, sqrt(3) 2^30 long together, by less than 2^31.
-#define SUM_ERROR (INT64_C(1) << 31)
-
-// The height of the nearer of the two facets across axes i and j, times |d|, d being their normal. Pre: not parallel.
-// |d| <= sqrt(3) 2^30: sums stay below 2^62.
-static int64_t sum_across(const zonotope *z, unsigned i, unsigned j, const gjk_vec3 *d) {
-  int64_t sum = -along_size(d, &z->delta);
-  for (unsigned k = 0; k < z->count; k++) {
-    if (k != i && k != j) {
-      sum += along_size(d, &z->axis[k]);
-    }
-  }
-  return sum;
-}
-
 // A vertex of A - B by the signs of the axes: bit k is set for plus.
 static void place(const zonotope *z, unsigned signs, gjk_vertex *out) {
   const unsigned mask_a = (1u << z->of_a) - 1, mask_b = (1u << (z->count - z->of_a)) - 1;
@@ -134,10 +114,13 @@ static bool find_projection(patch *p) {
   return false;
 }
 
-// Considers the nearer facet across axes i and j.
+// Considers the nearer facet across axes i and j, if these are not parallel.
 static gjk_zonotope_answer consider(const zonotope *z, unsigned i, unsigned j, uint32_t rank, gjk_facet *facet) {
   gjk_long3 n;
   gjk_cross(&z->axis[i], &z->axis[j], &n);
+  if ((n.x | n.y | n.z) == 0) {
+    return GJK_ZONOTOPE_FACET;
+  }
   const bool opposite = gjk_dot_sign(&n, &z->delta) > 0;
   const unsigned first = opposite ? j : i, second = opposite ? i : j;
   if (opposite) {
@@ -165,34 +148,80 @@ static gjk_zonotope_answer consider(const zonotope *z, unsigned i, unsigned j, u
   return GJK_ZONOTOPE_FACET;
 }
 
-// The directions across every two axes that are not parallel, with the ranks of their facets.
+// The directions across every two axes, with lower bounds of the ranks of their facets.
 typedef struct directions {
   uint32_t rank[DIRECTIONS];
   uint8_t i[DIRECTIONS], j[DIRECTIONS];
   unsigned count;
 } directions;
 
-// False: one of them, it->direction, separates A from B.
+// Cut normals: components at most 2^30 in size and less than 1 below n / 2^shift, the same shift for all.
+static gjk_vec3 cut_normal(const zonotope *z, unsigned i, unsigned j, unsigned shift) {
+  gjk_long3 n;
+  gjk_cross(&z->axis[i], &z->axis[j], &n);
+  const gjk_vec3 cut = {(int32_t)gjk_sar64(n.x, shift), (int32_t)gjk_sar64(n.y, shift), (int32_t)gjk_sar64(n.z, shift)};
+  return cut;
+}
+
+static unsigned cut_shift(const zonotope *z) {
+  uint32_t bits = 1;
+  for (unsigned k = 0; k < z->count; k++) {
+    bits |= gjk_magnitude32(z->axis[k].x) | gjk_magnitude32(z->axis[k].y) | gjk_magnitude32(z->axis[k].z);
+  }
+  const unsigned b = 32 - gjk_clz32(bits);  // components of n are below 2^(2 b + 1)
+  return b > 14 ? 2 * b - 29 : 0;
+}
+
+// A sum of products with cut normals is off by less than 2^34: delta and the half axes are sqrt(3) 2^30 long together,
+// so |x| + |y| + |z| adds up to at most 3 2^30 for delta and each of four half axes.
+#define CUT_ERROR (INT64_C(1) << 34)
+
+// Cut normals shorter than this say nothing about a height.
+#define CUT_SHORTEST (INT64_C(1) << 16)
+
+static inline int64_t size_along(const gjk_vec3 *n, const gjk_vec3 *v) {
+  const int64_t along = gjk_dot(n, v);
+  return along < 0 ? -along : along;
+}
+
+// The number of the pair i < j.
+static inline unsigned pair_of(unsigned i, unsigned j) {
+  static const uint8_t before[AXES] = {0, 4, 7, 9, 10, 10};  // less i + 1
+  return before[i] + j - 1;
+}
+
+// False: one of the directions, it->direction, separates A from B. The height across i, j is the sum of
+// |g_i x g_j . g_k| over all k, less |g_i x g_j . delta|; each triple serves three directions.
 static bool rank_directions(const zonotope *z, directions *out) {
+  int64_t sum[DIRECTIONS] = {0}, squared[DIRECTIONS];
+  const unsigned shift = cut_shift(z);
+  for (unsigned i = 0; i < z->count; i++) {
+    for (unsigned j = i + 1; j < z->count; j++) {
+      const gjk_vec3 n = cut_normal(z, i, j, shift);
+      const unsigned ij = pair_of(i, j);
+      squared[ij] = gjk_dot(&n, &n);
+      int64_t rest = sum[ij] - size_along(&n, &z->delta);
+      for (unsigned k = j + 1; k < z->count; k++) {
+        const int64_t volume = size_along(&n, &z->axis[k]);
+        rest += volume;
+        sum[pair_of(i, k)] += volume;
+        sum[pair_of(j, k)] += volume;
+      }
+      sum[ij] = rest;
+    }
+  }
   out->count = 0;
   for (unsigned i = 0; i < z->count; i++) {
     for (unsigned j = i + 1; j < z->count; j++) {
-      gjk_long3 n;
-      gjk_rounded *d = &z->it->direction;
-      gjk_cross(&z->axis[i], &z->axis[j], &n);
-      if ((n.x | n.y | n.z) == 0) {
-        continue;
-      }
-      gjk_round_direction(&n, d);
-      const int64_t sum = sum_across(z, i, j, &d->d);
-      if (sum < -SUM_ERROR) {
-        d->d = gjk_dot(&d->d, &z->delta) > 0 ? gjk_negate(d->d) : d->d;
+      const unsigned ij = pair_of(i, j), n = out->count++;
+      if (squared[ij] >= CUT_SHORTEST * CUT_SHORTEST && sum[ij] < -CUT_ERROR) {
+        const gjk_vec3 normal = cut_normal(z, i, j, shift);
+        z->it->direction.d = gjk_dot(&normal, &z->delta) > 0 ? gjk_negate(normal) : normal;
         return false;
       }
-      out->rank[out->count] = gjk_rank(sum, gjk_dot(&d->d, &d->d));
-      out->i[out->count] = (uint8_t)i;
-      out->j[out->count] = (uint8_t)j;
-      out->count++;
+      out->rank[n] = squared[ij] < CUT_SHORTEST * CUT_SHORTEST ? 0 : gjk_rank(sum[ij] - CUT_ERROR, squared[ij]);
+      out->i[n] = (uint8_t)i;
+      out->j[n] = (uint8_t)j;
     }
   }
   return true;
