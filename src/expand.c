@@ -2,6 +2,7 @@
 #include "expand.h"
 
 #include "polytope.h"
+#include "unit.h"
 
 // For curved shapes a face counts as a facet when their support lies no more than so many LSB beyond it.
 #define CURVED_TOLERANCE UINT32_C(1)
@@ -67,6 +68,7 @@ static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
     facet->corner[i] = *gjk_simplex_vertex(s, i);
   }
   facet->direction = it->direction;
+  facet->normal = gjk_unit(&it->direction.d);
   facet->rank = 0;
   facet->set = false;
   facet->depth = it->curved ? GJK_CURVED_ERROR : 0;

@@ -3,10 +3,14 @@
 
 #include "unit.h"
 
+static uint32_t height_along(const gjk_unit3 *u, const gjk_vec3 *w) {
+  const int64_t along = gjk_sar64(gjk_along(u, w), 30);
+  return along <= 0 ? 0 : along < GJK_HEIGHT_MAX ? (uint32_t)along : GJK_HEIGHT_MAX;
+}
+
 uint32_t gjk_height(const gjk_vec3 *d, const gjk_vec3 *w) {
   const gjk_unit3 u = gjk_unit(d);
-  const int64_t along = gjk_sar64(gjk_along(&u, w), 30);
-  return along <= 0 ? 0 : along < GJK_HEIGHT_MAX ? (uint32_t)along : GJK_HEIGHT_MAX;
+  return height_along(&u, w);
 }
 
 // Each of the two is cut to 16 bits, which makes the quotient wrong by less than 2^-14 and 2^-15 of itself; so does
@@ -38,8 +42,8 @@ bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t rank) {
 }
 
 // The exact height of the simplex's triangle in LSB, rounded up.
-static gjk_q16 exact_depth(const gjk_iteration *it) {
-  const uint32_t height = gjk_height(&it->direction.d, &it->simplex.slot[0].w);
+static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal) {
+  const uint32_t height = height_along(normal, &it->simplex.slot[0].w);
   const uint32_t least = height > GJK_HEIGHT_ERROR ? height - GJK_HEIGHT_ERROR : 0, most = height + GJK_HEIGHT_ERROR;
   gjk_q16 low = gjk_height_to_lsb(least, it->shift), high = gjk_height_to_lsb(most, it->shift);
   if (low == high) {
@@ -59,7 +63,8 @@ static gjk_q16 exact_depth(const gjk_iteration *it) {
 }
 
 void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool covers, gjk_q16 bound) {
-  const gjk_q16 depth = bound < 0 ? exact_depth(it) : bound;
+  const gjk_unit3 normal = gjk_unit(&it->direction.d);
+  const gjk_q16 depth = bound < 0 ? exact_depth(it, &normal) : bound;
   best->set = false;
   if (best->found && (depth > best->depth || (depth == best->depth && (best->covers || !covers)))) {
     return;
@@ -69,6 +74,7 @@ void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool 
   best->depth = depth;
   best->rank = rank;
   best->direction = it->direction;
+  best->normal = normal;
   best->set = true;
   for (int i = 0; i < 3; i++) {
     best->corner[i] = it->simplex.slot[i];

@@ -191,7 +191,7 @@ static gjk_status report(overlap *o, gjk_outcome outcome, int64_t plane, const g
     measure_gap(o, plane);
   } else {
     status = measure_cores(o, workspace);
-    out->normal = gjk_unit(&o->it.direction.d);
+    out->normal = o->proof == GJK_PROOF_FACET ? o->facet.normal : gjk_unit(&o->it.direction.d);
   }
   out->intersecting = true;
   out->depth = o->upper + rounding;
