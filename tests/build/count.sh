@@ -49,3 +49,11 @@ missing_emulator() {
     avr) have simavr || echo simavr ;;
   esac
 }
+
+# What the names of a target's tools begin with.
+tool_prefix() {
+  case $1 in
+    rv32imc) echo riscv64-unknown-elf- ;;
+    *) echo arm-none-eabi- ;;
+  esac
+}
