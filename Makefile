@@ -10,6 +10,8 @@
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
 #   make bench-target    instructions, stack and code per query on the emulated cores, beside floating point
 #   make readme-figures  counts them afresh and writes the README's tables
+#   make worst-case      searches for the most expensive pairs: tests/data/worst.txt
+#   make matrix          the golden hash from every compiler, level and architecture
 #   make clean
 #
 # OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.
@@ -73,7 +75,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures clean
+.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix clean
 all: lib build/gjk-query build/gjk-demo
 
 help:
@@ -153,6 +155,7 @@ $(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(FIRMWARE_NEEDS)
 	@$(FIRMWARE)
 
 $(OUT)/bench.elf: tests/target/bench_float.c tests/target/bench_double.c
+$(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/port.elf: tests/target/port_allocation.c port/generic/gjk_arena.c
 
 $(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(FIRMWARE_NEEDS)
@@ -185,8 +188,18 @@ bench-target:
 readme-figures:
 	@sh tests/build/readme-figures.sh build
 
+worst-case:
+	@sh tests/build/worst-case.sh build
+
+matrix:
+	@sh tests/build/matrix.sh build
+
 clean:
 	rm -rf build
+
+# The value of a variable, for scripts.
+print-%:
+	@echo '$($*)'
 
 .SECONDARY:
 -include $(wildcard $(OUT)/*.d)

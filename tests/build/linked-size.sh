@@ -8,10 +8,7 @@ target=$2
 shift 2
 mkdir -p "$out"
 name=$out/$target$(echo "$*" | tr -d ' ')
-case $target in
-  cortex-*) tools="arm-none-eabi-gcc -mthumb -mcpu=$target" ;;
-  rv32imc) tools='riscv64-unknown-elf-gcc -march=rv32imc -mabi=ilp32 -Wl,--no-warn-rwx-segments' ;;
-esac
+tools=$(make -s "print-TOOLS_$target")
 
 # compile FLAGS... FILE OBJECT
 compile() {
@@ -23,7 +20,7 @@ compile() {
 link() {
   entry=$1
   shift
-  $tools -nostdlib -Wl,--gc-sections "-Wl,-e$entry" "$@" "$out/$target-memory.o" -lgcc -o "$name.elf"
+  $tools -nostdlib -Wl,--no-warn-rwx-segments -Wl,--gc-sections "-Wl,-e$entry" "$@" "$out/$target-memory.o" -lgcc -o "$name.elf"
 }
 
 compile port/board/memory.c -o "$out/$target-memory.o" || exit 1
