@@ -2,7 +2,8 @@
 # The figures of the README that are counted: readme-figures.sh BUILD [TARGET]
 #
 # Writes the tables between the marks '<!-- figures: NAME -->' and '<!-- end -->' of README.md from a fresh count on
-# every target. With a TARGET it counts on that one alone, compares the README's column for it, and changes nothing.
+# every target. With a TARGET it counts on that one alone, compares the README's column for it and the table of the most
+# expensive pairs, and changes nothing.
 build=$1
 target=$2
 figures=$build/figures
@@ -12,6 +13,8 @@ mkdir -p "$figures"
 sh tests/build/bench-target.sh "$figures" $target >"$figures/log" 2>&1 && ! grep -q '^skipped' "$figures/log" ||
   { cat "$figures/log" >&2; exit 1; }
 awk -f tests/build/readme-figures.awk "$figures/bench/target.csv" >"$figures/cost"
+sh tests/build/worst-case.sh "$figures" replay >"$figures/replay" || exit 1
+awk -f tests/build/readme-ceiling.awk "$figures/replay" >"$figures/ceiling"
 
 if [ -z "$target" ]; then
   awk -v folder="$figures" '
@@ -39,4 +42,5 @@ awk -F'|' -v heads="$heads" '
     print line
   }
   /^<!-- figures: cost -->$/ { inside = 1 }' README.md >"$figures/readme-cost"
-diff "$figures/readme-cost" "$figures/cost"
+diff "$figures/readme-cost" "$figures/cost" || exit 1
+sed -n '/^<!-- figures: ceiling -->$/,/^<!-- end -->$/{/^|/p;}' README.md | diff - "$figures/ceiling"
