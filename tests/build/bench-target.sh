@@ -7,13 +7,15 @@
 build=$1
 shift
 [ $# -gt 0 ] || set -- cortex-m0 cortex-m3 cortex-m4 cortex-m4-fpu cortex-m7 cortex-m7-fpu cortex-m33 rv32imc
+variant=$(variant_of "$build")
 csv=$build/bench/target.csv
 mkdir -p "$build/bench"
 
 # Instructions, rounds and painted stack.
 count() {
-  make -s "build/$1/bench.elf" TARGET="$1" >/dev/null || return 1
-  sh tests/build/emulate.sh "$1" "build/$1/bench.elf" >"$build/bench/$1.txt" || { cat "$build/bench/$1.txt" >&2; return 1; }
+  make -s "build/$1$variant/bench.elf" TARGET="$1" VARIANT="$variant" >/dev/null || return 1
+  sh tests/build/emulate.sh "$1" "build/$1$variant/bench.elf" >"$build/bench/$1.txt" ||
+    { cat "$build/bench/$1.txt" >&2; return 1; }
   awk -F'|' -v target="$1" '
     function row(subject, measure, figure) { print target "," $1 "," subject "," measure "," figure }
     {
@@ -30,7 +32,7 @@ count() {
 # What the queries need at most by the compiler's call graph.
 stack() {
   awk -v roots='gjk_intersect gjk_within gjk_distance' -f tests/build/stack.awk tests/build/indirect-calls.txt \
-    "build/$1"/*.ci | awk -v target="$1" '
+    "build/$1$variant"/*.ci | awk -v target="$1" '
     $2 > deepest { deepest = $2 }
     END { print target ",gjk,any query,stack bound," deepest }'
 }
@@ -42,7 +44,7 @@ code() {
 
 # For cores without floating point in hardware.
 codes() {
-  make -s lib TARGET="$1" OPT=-Os VARIANT=-linked >/dev/null &&
+  make -s lib TARGET="$1" OPT=-Os VARIANT="$variant-linked" >/dev/null &&
     code "$1" gjk 'gjk_intersect: boxes' -DSIZE_BOXES &&
     code "$1" gjk 'gjk_intersect: boxes; with posing' -DSIZE_BOXES -DSIZE_POSED &&
     code "$1" gjk 'gjk_distance: boxes and hulls; rounded' -DSIZE_HULLS &&

@@ -57,3 +57,9 @@ tool_prefix() {
     *) echo arm-none-eabi- ;;
   esac
 }
+
+# The VARIANT of the Makefile for a script that works in BUILD: none for build, -x for build/x, so that scripts that run
+# at the same time build apart.
+variant_of() {
+  echo "${1#build}" | tr / -
+}

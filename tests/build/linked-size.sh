@@ -4,6 +4,7 @@
 # the macros is the reference in that type, see tests/target/bench_reference.h, with the floating point that it needs.
 . tests/build/count.sh
 out=$1/linked
+variant=$(variant_of "$1")
 target=$2
 shift 2
 mkdir -p "$out"
@@ -30,7 +31,7 @@ case $1 in
     $(tool_prefix "$target")size "$name.elf" | awk 'NR == 2 { print $1 }'
     ;;
   *)
-    compile "$@" tests/target/size.c -o "$name.o" && link size_main "$name.o" "build/$target-linked/libgjk.a" || exit 1
+    compile "$@" tests/target/size.c -o "$name.o" && link size_main "$name.o" "build/$target$variant-linked/libgjk.a" || exit 1
     $(tool_prefix "$target")size "$name.o" "$name.elf" | awk 'NR == 2 { own = $1 } NR == 3 { print $1 - own }'
     ;;
 esac

@@ -17,15 +17,6 @@ BEGIN {
   if ($3 + 0 > most[at] + 0) most[at] = $3
 }
 
-# 1234567 as 1,234,567
-function grouped(number,    out) {
-  out = number
-  while (match(out, /^[0-9]+[0-9][0-9][0-9]/)) {
-    out = substr(out, 1, RLENGTH - 3) "," substr(out, RLENGTH - 2)
-  }
-  return out
-}
-
 END {
   print "| the most found for | distance: rounds | instructions | intersect: rounds | instructions |"
   print "|---|---|---|---|---|"

@@ -19,15 +19,6 @@ BEGIN {
   rounds[$2, $3, $4] = $5  # the same on every target
 }
 
-# 1234567 as 1,234,567
-function grouped(number,    out) {
-  out = number
-  while (match(out, /^[0-9]+[0-9][0-9][0-9]/)) {
-    out = substr(out, 1, RLENGTH - 3) "," substr(out, RLENGTH - 2)
-  }
-  return out
-}
-
 function header(first, list, count,    t, line, rule) {
   line = first
   rule = first

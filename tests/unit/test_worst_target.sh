@@ -2,12 +2,14 @@
 # The most expensive pairs on an emulated Cortex-M3: their recorded rounds, and no more than 5 % above their recorded
 # instructions, which leaves room for another compiler and not for a slower path. test_worst_target.sh BUILD
 . tests/build/count.sh
+build=$1/worst-replay
+mkdir -p "$build"
 
 replay() {
-  sh tests/build/worst-case.sh "$1" replay >"$1/worst/replayed"
+  sh tests/build/worst-case.sh "$build" replay >"$build/replayed"
 }
 
-# bounded BUILD: recorded figures and replayed ones, case by case
+# Recorded figures and replayed ones, case by case.
 bounded() {
   awk -F'|' '
     FNR == NR && /^case / { split($0, word, " "); id = word[2]; cases++ }
@@ -16,14 +18,13 @@ bounded() {
     { replayed++ }
     $2 != rounds[$1] { print $1 ": " $2 " rounds, not " rounds[$1]; bad = 1 }
     $3 > most[$1] * 1.05 || $3 == 0 { print $1 ": " $3 " instructions, recorded " most[$1]; bad = 1 }
-    END { exit bad || cases == 0 || cases != replayed }' tests/data/worst.txt "$1/worst/replayed"
+    END { exit bad || cases == 0 || cases != replayed }' tests/data/worst.txt "$build/replayed"
 }
 
 missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
 if [ -z "${missing# }" ]; then
-  mkdir -p "$1/worst"
-  check 'the replay' replay "$1"
-  check 'rounds and instructions as recorded' bounded "$1"
+  check 'the replay' replay
+  check 'rounds and instructions as recorded' bounded
 else
   skip 'the most expensive pairs on Cortex-M3' "$missing"
 fi
