@@ -11,7 +11,8 @@
 #   make bench-target    instructions, stack and code per query on the emulated cores, beside floating point
 #   make readme-figures  counts them afresh and writes the README's tables
 #   make worst-case      searches for the most expensive pairs: tests/data/worst.txt
-#   make matrix          the golden hash from every compiler, level and architecture
+#   make matrix          the golden hash from every compiler, level and architecture (sh tests/build/setup.sh matrix
+#                        installs the compilers that the tests do without)
 #   make clean
 #
 # OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.

@@ -26,8 +26,8 @@ golden_emulator() {
 golden_missing() {
   lacking=
   have "$2" || lacking=" $2"
-  case "$2 $3" in
-    clang*-flto*) have ld.lld || lacking="$lacking lld" ;;
+  case $* in
+    *' clang '*-flto*) have ld.lld || lacking="$lacking lld" ;;
   esac
   case $1 in
     host) have gcc || lacking="$lacking gcc" ;;
