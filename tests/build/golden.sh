@@ -78,7 +78,8 @@ golden() {
     case $architecture in
       rv32imc) triple=riscv32-unknown-elf ;;
       cortex-*)
-        triple='arm-none-eabi -fshort-enums'
+        # memset, not __aeabi_memclr; link-time optimisation forgets it.
+        triple='arm-none-eabi -fshort-enums -meabi gnu'
         glue="$glue -Wl,--defsym=__aeabi_memcpy=memcpy,--defsym=__aeabi_memcpy4=memcpy,--defsym=__aeabi_memcpy8=memcpy"
         ;;
       host) triple= ;;
