@@ -56,7 +56,7 @@ golden() {
   root=$(pwd)
   mkdir -p "$folder"
   rm -f "$folder"/*
-  glue="-std=c99 -Iinclude -Iport"
+  glue="-std=c99 -Iinclude -Iport -Wl,--gc-sections"
   case $architecture in
     host)
       linker=gcc
@@ -88,11 +88,12 @@ golden() {
     core="clang ${triple:+--target=$triple} $(echo "$linker" | sed 's/^[^ ]*//; s/-fcallgraph-info=su//')"
   fi
   # shellcheck disable=SC2086
-  (cd "$folder" && $core -std=c99 -ffreestanding "-I$root/include" "-I$root/src" "-I$root/port" "$@" \
-    -c "$root"/src/*.c "$root/tests/target/golden.c") || return 1
+  (cd "$folder" && $core -std=c99 -ffreestanding -ffunction-sections -fdata-sections "-I$root/include" \
+    "-I$root/src" "-I$root/port" "$@" -c "$root"/src/*.c "$root/tests/target/golden.c") || return 1
   case "$compiler $*" in
-    clang*-flto*) ld.lld -r "$folder"/*.o -o "$folder/all.lto" && rm "$folder"/*.o && mv "$folder/all.lto" "$folder/all.o" ||
-      return 1 ;;
+    clang*-flto*)
+      ld.lld -r "$folder"/*.o -o "$folder/all.lto" && rm "$folder"/*.o && mv "$folder/all.lto" "$folder/all.o" || return 1
+      ;;
   esac
   case "$*" in
     *-fsanitize=*address*) glue="$glue -fsanitize=undefined,address" ;;

@@ -21,7 +21,8 @@ compile() {
 link() {
   entry=$1
   shift
-  $tools -nostdlib -Wl,--no-warn-rwx-segments -Wl,--gc-sections "-Wl,-e$entry" "$@" "$out/$target-memory.o" -lgcc -o "$name.elf"
+  $tools -nostdlib -Wl,--no-warn-rwx-segments,--gc-sections "-Wl,-e$entry" "$@" "$out/$target-memory.o" -lgcc \
+    -o "$name.elf"
 }
 
 compile port/board/memory.c -o "$out/$target-memory.o" || exit 1
@@ -31,7 +32,8 @@ case $1 in
     $(tool_prefix "$target")size "$name.elf" | awk 'NR == 2 { print $1 }'
     ;;
   *)
-    compile "$@" tests/target/size.c -o "$name.o" && link size_main "$name.o" "build/$target$variant-linked/libgjk.a" || exit 1
+    compile "$@" tests/target/size.c -o "$name.o" &&
+      link size_main "$name.o" "build/$target$variant-linked/libgjk.a" || exit 1
     $(tool_prefix "$target")size "$name.o" "$name.elf" | awk 'NR == 2 { own = $1 } NR == 3 { print $1 - own }'
     ;;
 esac

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs the cross compilers and emulators that the tests use, or with 'matrix' those of `make matrix`, too: Debian and
-# its relatives. Debian's gcc-multilib cannot stay beside its cross compilers: apt-get takes it away.
+# Installs the cross compilers and emulators that the tests use, or with 'matrix' those of `make matrix`, too: Debian
+# and its relatives. Debian's gcc-multilib cannot stay beside its cross compilers: apt-get takes it away.
 set -e
 PACKAGES='gcc g++ clang gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf qemu-system-misc
   gcc-avr avr-libc simavr

@@ -38,7 +38,8 @@ annotate() {
     FNR == NR { line[$1] = "# rounds " $2 " instructions " $3; next }
     /^# rounds / { next }
     { print }
-    /^case / { split($0, word, " "); print line[word[2]] }' "$dir/replay" "$1" >"$dir/annotated" && cp "$dir/annotated" "$1"
+    /^case / { split($0, word, " "); print line[word[2]] }' "$dir/replay" "$1" >"$dir/annotated" &&
+    cp "$dir/annotated" "$1"
 }
 
 if [ "$seed" = replay ]; then
