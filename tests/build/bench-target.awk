@@ -39,7 +39,8 @@ END {
     row(subject[n], "gjk", subject[n], "mean rounds", "most rounds")
   }
   title("stack, bytes")
-  row("by the call graph", "gjk", "any query", "stack bound")
+  row("intersect, within, distance: by the call graph", "gjk", "any query", "stack bound")
+  row("gjk_penetration: by the call graph", "gjk", "gjk_penetration", "stack bound")
   for (s = 1; s <= count; s++) row("painted, most", solver[s], "any query", "painted stack")
   title("code linked at -Os, bytes")
   for (n = 1; n <= lines; n++) if (measure[n] == "code") {

@@ -31,8 +31,9 @@ count() {
 
 # What the queries need at most by the compiler's call graph.
 stack() {
-  awk -v roots='gjk_intersect gjk_within gjk_distance' -f tests/build/stack.awk tests/build/indirect-calls.txt \
-    "build/$1$variant"/*.ci | awk -v target="$1" '
+  awk -v roots='gjk_intersect gjk_within gjk_distance gjk_penetration' -f tests/build/stack.awk \
+    tests/build/indirect-calls.txt "build/$1$variant"/*.ci | awk -v target="$1" '
+    $1 == "gjk_penetration" { print target ",gjk," $1 ",stack bound," $2; next }
     $2 > deepest { deepest = $2 }
     END { print target ",gjk,any query,stack bound," deepest }'
 }
@@ -50,6 +51,7 @@ codes() {
     code "$1" gjk 'gjk_distance: boxes and hulls; rounded' -DSIZE_HULLS &&
     code "$1" gjk 'gjk_distance: boxes and hulls; rounded; with posing' -DSIZE_POSED &&
     code "$1" gjk 'gjk_distance: every shape; with posing' -DSIZE_POSED -DSIZE_CURVED &&
+    code "$1" gjk 'gjk_penetration: boxes and hulls; rounded; with posing' -DSIZE_POSED -DSIZE_DEPTH &&
     code "$1" float 'reference: boxes and hulls' float &&
     code "$1" double 'reference: boxes and hulls' double
 }
