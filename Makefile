@@ -4,10 +4,15 @@
 #   make demo            answers a scene, certifies it, draws build/demo.svg; then the same as Cortex-M3 firmware
 #   make setup test      installs the cross tools (Debian, apt-get), then runs every test
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
+#                        (-m4-fpu and -m7-fpu: the same with floating point, for programs that have some)
 #   make sizes           code by function group and stack by query, per target
 #   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv;
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
-#   make bench-target    instructions per query on the emulated cores
+#   make bench-target    instructions, stack and code per query on the emulated cores, beside floating point
+#   make readme-figures  counts them afresh and writes the README's tables
+#   make worst-case      searches for the most expensive pairs: tests/data/worst.txt
+#   make matrix          the golden hash from every compiler, level and architecture (sh tests/build/setup.sh matrix
+#                        installs the compilers that the tests do without)
 #   make clean
 #
 # OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.
@@ -27,16 +32,22 @@ TOOLS_cortex-m0 := $(ARM) -mcpu=cortex-m0 -DGJK_NARROW_MULTIPLY=1
 TOOLS_cortex-m3 := $(ARM) -mcpu=cortex-m3
 TOOLS_cortex-m4 := $(ARM) -mcpu=cortex-m4
 TOOLS_cortex-m7 := $(ARM) -mcpu=cortex-m7
+TOOLS_cortex-m4-fpu := $(TOOLS_cortex-m4) -mfloat-abi=hard -mfpu=fpv4-sp-d16 -fno-math-errno -DBOARD_FPU=1
+TOOLS_cortex-m7-fpu := $(TOOLS_cortex-m7) -mfloat-abi=hard -mfpu=fpv5-d16 -fno-math-errno -DBOARD_FPU=1
 TOOLS_cortex-m33 := $(ARM) -mcpu=cortex-m33
 BOARD_cortex-m0 := $(MPS2) -Wl,--defsym=ROM_SIZE=256K,--defsym=RAM_SIZE=16K
 BOARD_cortex-m3 := $(MPS2)
 BOARD_cortex-m4 := $(MPS2)
 BOARD_cortex-m7 := $(MPS2)
+BOARD_cortex-m4-fpu := $(MPS2)
+BOARD_cortex-m7-fpu := $(MPS2)
 BOARD_cortex-m33 := $(MPS2) -Wl,--defsym=ROM_START=0x10000000,--defsym=RAM_START=0x38000000
 AR_cortex-m0 := arm-none-eabi-ar
 AR_cortex-m3 := $(AR_cortex-m0)
 AR_cortex-m4 := $(AR_cortex-m0)
 AR_cortex-m7 := $(AR_cortex-m0)
+AR_cortex-m4-fpu := $(AR_cortex-m0)
+AR_cortex-m7-fpu := $(AR_cortex-m0)
 AR_cortex-m33 := $(AR_cortex-m0)
 
 TOOLS_rv32imc := riscv64-unknown-elf-gcc -march=rv32imc -mabi=ilp32 -fcallgraph-info=su
@@ -48,7 +59,7 @@ BOARD_avr := port/avr/board.c
 AR_avr := avr-ar
 
 ifeq ($(TOOLS_$(TARGET)),)
-$(error TARGET=$(TARGET) is unknown: one of host, cortex-m0, cortex-m3, cortex-m4, cortex-m7, cortex-m33, rv32imc, avr)
+$(error TARGET=$(TARGET) is unknown: one of host, cortex-m0, cortex-m3, cortex-m4, cortex-m7, cortex-m33, rv32imc, avr, cortex-m4-fpu, cortex-m7-fpu)
 endif
 
 OUT := build/$(TARGET)$(VARIANT)
@@ -65,7 +76,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo sizes bench bench-target clean
+.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix clean
 all: lib build/gjk-query build/gjk-demo
 
 help:
@@ -144,6 +155,8 @@ $(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE)
 
+$(OUT)/bench.elf: tests/target/bench_float.c tests/target/bench_double.c
+$(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/port.elf: tests/target/port_allocation.c port/generic/gjk_arena.c
 
 $(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(FIRMWARE_NEEDS)
@@ -173,8 +186,21 @@ bench:
 bench-target:
 	@sh tests/build/bench-target.sh build
 
+readme-figures:
+	@sh tests/build/readme-figures.sh build
+
+worst-case:
+	@sh tests/build/worst-case.sh build
+
+matrix:
+	@sh tests/build/matrix.sh build
+
 clean:
 	rm -rf build
+
+# The value of a variable, for scripts.
+print-%:
+	@echo '$($*)'
 
 .SECONDARY:
 -include $(wildcard $(OUT)/*.d)

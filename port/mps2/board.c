@@ -5,6 +5,9 @@
 #define SYSTICK_RELOAD (*(volatile uint32_t *)0xE000E014)
 #define SYSTICK_CURRENT (*(volatile uint32_t *)0xE000E018)
 
+#define COPROCESSOR_ACCESS (*(volatile uint32_t *)0xE000ED88)
+#define COPROCESSOR_FPU (UINT32_C(15) << 20)
+
 #define SYSTICK_PERIOD (UINT32_C(1) << 24)
 #define SYSTICK_RUN 5u                       // on, from the processor's clock
 #define SYSTICK_WRAPPED (UINT32_C(1) << 16)  // since the last look at SYSTICK_CONTROL
@@ -52,6 +55,10 @@ uint32_t board_ticks(void) {
 }
 
 void board_reset(void) {
+#ifdef BOARD_FPU  // firmware that uses floating point, which the library does not
+  COPROCESSOR_ACCESS |= COPROCESSOR_FPU;
+  __asm__ volatile("dsb\n isb\n" ::: "memory");
+#endif
   const uint32_t *from = board_data_load;
   for (volatile uint32_t *to = board_data_start; to != board_data_end; to++, from++) {
     *to = *from;

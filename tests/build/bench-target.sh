@@ -1,43 +1,78 @@
 #!/bin/sh
-# Instructions per query on emulated cores, cold, mean and worst of 50 random pairs: bench-target.sh BUILD [TARGET...]
+# What a query costs on the emulated cores, beside the reference in float and double: bench-target.sh BUILD [TARGET...]
+#
+# Instructions, cold, mean and worst of 50 random pairs; stack, painted and by the compiler's call graph; linked code.
+# All of it in BUILD/bench/target.csv, one figure a line: TARGET,SOLVER,SUBJECT,MEASURE,FIGURE
 . tests/build/count.sh
 build=$1
 shift
-[ $# -gt 0 ] || set -- cortex-m0 cortex-m3 cortex-m4 rv32imc
-results=$build/bench
-mkdir -p "$results"
-rm -f "$results"/*.txt
+[ $# -gt 0 ] || set -- cortex-m0 cortex-m3 cortex-m4 cortex-m4-fpu cortex-m7 cortex-m7-fpu cortex-m33 rv32imc
+variant=$(variant_of "$build")
+csv=$build/bench/target.csv
+mkdir -p "$build/bench"
 
+# Instructions, rounds and painted stack.
+count() {
+  make -s "build/$1$variant/bench.elf" TARGET="$1" VARIANT="$variant" >/dev/null || return 1
+  sh tests/build/emulate.sh "$1" "build/$1$variant/bench.elf" >"$build/bench/$1.txt" ||
+    { cat "$build/bench/$1.txt" >&2; return 1; }
+  awk -F'|' -v target="$1" '
+    function row(subject, measure, figure) { print target "," $1 "," subject "," measure "," figure }
+    {
+      row($2, "mean instructions", $3)
+      row($2, "worst instructions", $4)
+      row($2, "mean rounds", sprintf("%.1f", $5 / 100))
+      row($2, "most rounds", $6)
+      if ($7 + 0 > deepest[$1] + 0) deepest[$1] = $7
+    }
+    END { for (solver in deepest) print target "," solver ",any query,painted stack," deepest[solver] }
+  ' "$build/bench/$1.txt"
+}
+
+# What the queries need at most by the compiler's call graph.
+stack() {
+  awk -v roots='gjk_intersect gjk_within gjk_distance gjk_penetration' -f tests/build/stack.awk \
+    tests/build/indirect-calls.txt "build/$1$variant"/*.ci | awk -v target="$1" '
+    $1 == "gjk_penetration" { print target ",gjk," $1 ",stack bound," $2; next }
+    $2 > deepest { deepest = $2 }
+    END { print target ",gjk,any query,stack bound," deepest }'
+}
+
+# code TARGET SOLVER SUBJECT MACRO...
+code() {
+  echo "$1,$2,$3,code,$(shift 3; sh tests/build/linked-size.sh "$build" "$target" "$@")"
+}
+
+# For cores without floating point in hardware.
+codes() {
+  make -s lib TARGET="$1" OPT=-Os VARIANT="$variant-linked" >/dev/null &&
+    code "$1" gjk 'gjk_intersect: boxes' -DSIZE_BOXES &&
+    code "$1" gjk 'gjk_intersect: boxes; with posing' -DSIZE_BOXES -DSIZE_POSED &&
+    code "$1" gjk 'gjk_distance: boxes and hulls; rounded' -DSIZE_HULLS &&
+    code "$1" gjk 'gjk_distance: boxes and hulls; rounded; with posing' -DSIZE_POSED &&
+    code "$1" gjk 'gjk_distance: every shape; with posing' -DSIZE_POSED -DSIZE_CURVED &&
+    code "$1" gjk 'gjk_penetration: boxes and hulls; rounded; with posing' -DSIZE_POSED -DSIZE_DEPTH &&
+    code "$1" float 'reference: boxes and hulls' float &&
+    code "$1" double 'reference: boxes and hulls' double
+}
+
+measured=
 for target in "$@"; do
   missing="$(missing_package "$target") $(missing_emulator "$target")"
   if [ -n "${missing# }" ]; then
-    echo "no figures for $target: needs$missing" >&2
+    echo "skipped: figures of $target: needs $missing" >&2
     continue
   fi
-  make -s "build/$target/bench.elf" TARGET="$target" >/dev/null || exit 1
-  sh tests/build/emulate.sh "$target" "build/$target/bench.elf" >"$results/$target.txt" ||
-    { cat "$results/$target.txt" >&2; exit 1; }
-done
-
-ls "$results"/*.txt >/dev/null 2>&1 || exit 1
-awk -F'|' '
-  FNR == 1 { target[++targets] = FILENAME; sub(/.*\//, "", target[targets]); sub(/\.txt$/, "", target[targets]) }
-  { if (!($1 in mean)) name[++names] = $1; mean[$1]; at = $1 SUBSEP targets; m[at] = $2; w[at] = $3; stack[at] = $6
-    rounds[$1] = $4 / 100; most[$1] = $5 }
-  END {
-    printf "%-40s%-14s", "instructions per query: mean (worst)", "rounds"
-    for (t = 1; t <= targets; t++) printf "%18s", target[t]
-    printf "\n"
-    for (n = 1; n <= names; n++) {
-      printf "%-40s%-14s", name[n], sprintf("%.2f (%d)", rounds[name[n]], most[name[n]])
-      for (t = 1; t <= targets; t++) printf "%18s", m[name[n], t] " (" w[name[n], t] ")"
-      printf "\n"
-    }
-    printf "%-40s%-14s", "bytes of stack used, most", ""
-    for (t = 1; t <= targets; t++) {
-      deepest = 0
-      for (n = 1; n <= names; n++) if (stack[name[n], t] + 0 > deepest) deepest = stack[name[n], t] + 0
-      printf "%18s", deepest
-    }
-    printf "\n"
-  }' "$results"/*.txt
+  echo "  $target" >&2
+  count "$target" && stack "$target" || exit 1
+  case $target in
+    *-fpu) ;;
+    *) codes "$target" || exit 1 ;;
+  esac
+  measured="$measured $target"
+done >"$csv.part"
+[ -s "$csv.part" ] || exit 1
+mv "$csv.part" "$csv"
+awk -f tests/build/bench-target.awk "$csv"
+echo
+echo "every figure: $csv"

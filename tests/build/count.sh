@@ -49,3 +49,17 @@ missing_emulator() {
     avr) have simavr || echo simavr ;;
   esac
 }
+
+# What the names of a target's tools begin with.
+tool_prefix() {
+  case $1 in
+    rv32imc) echo riscv64-unknown-elf- ;;
+    *) echo arm-none-eabi- ;;
+  esac
+}
+
+# The VARIANT of the Makefile for a script that works in BUILD: none for build, -x for build/x, so that scripts that run
+# at the same time build apart.
+variant_of() {
+  echo "${1#build}" | tr / -
+}

@@ -24,8 +24,8 @@ avr() {
 case $1 in
   cortex-m0) arm microbit "$2" ;;
   cortex-m3) arm mps2-an385 "$2" ;;
-  cortex-m4) arm mps2-an386 "$2" ;;
-  cortex-m7) arm mps2-an500 "$2" ;;
+  cortex-m4 | cortex-m4-fpu) arm mps2-an386 "$2" ;;
+  cortex-m7 | cortex-m7-fpu) arm mps2-an500 "$2" ;;
   cortex-m33) arm mps2-an505 "$2" ;;
   rv32imc) riscv "$2" ;;
   avr) avr "$2" ;;

@@ -1,11 +1,39 @@
 #!/bin/sh
-# Bytes of the library in a small Cortex-M3 program, built and linked for size: linked-size.sh BUILD MACRO...
-# The macros choose the program, see tests/target/size.c. Code and constants; the program's own are not counted.
+# Bytes of code and constants that a program for TARGET links, built for size: linked-size.sh BUILD TARGET MACRO...
+# The macros choose the program, see tests/target/size.c; its own bytes are not counted. 'float' or 'double' instead of
+# the macros is the reference in that type, see tests/target/bench_reference.h, with the floating point that it needs.
+. tests/build/count.sh
 out=$1/linked
-shift
+variant=$(variant_of "$1")
+target=$2
+shift 2
 mkdir -p "$out"
-name=$out/program$(echo "$*" | tr -d ' ')
-arm='arm-none-eabi-gcc -mthumb -mcpu=cortex-m3'
-$arm -std=c99 -Os -ffreestanding -ffunction-sections -Iinclude "$@" -c tests/target/size.c -o "$name.o" &&
-  $arm -nostdlib -Wl,--gc-sections -Wl,-esize_main "$name.o" build/cortex-m3-linked/libgjk.a -o "$name.elf" || exit 1
-arm-none-eabi-size "$name.o" "$name.elf" | awk 'NR == 2 { own = $1 } NR == 3 { print $1 - own }'
+name=$out/$target$(echo "$*" | tr -d ' ')
+tools=$(make -s "print-TOOLS_$target")
+
+# compile FLAGS... FILE OBJECT
+compile() {
+  $tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Iinclude \
+    -c "$@"
+}
+
+# link SYMBOL OBJECT...
+link() {
+  entry=$1
+  shift
+  $tools -nostdlib -Wl,--no-warn-rwx-segments,--gc-sections "-Wl,-e$entry" "$@" "$out/$target-memory.o" -lgcc \
+    -o "$name.elf"
+}
+
+compile port/board/memory.c -o "$out/$target-memory.o" || exit 1
+case $1 in
+  float | double)
+    compile "tests/target/bench_$1.c" -o "$name.o" && link "bench_$1" "$name.o" || exit 1
+    $(tool_prefix "$target")size "$name.elf" | awk 'NR == 2 { print $1 }'
+    ;;
+  *)
+    compile "$@" tests/target/size.c -o "$name.o" &&
+      link size_main "$name.o" "build/$target$variant-linked/libgjk.a" || exit 1
+    $(tool_prefix "$target")size "$name.o" "$name.elf" | awk 'NR == 2 { own = $1 } NR == 3 { print $1 - own }'
+    ;;
+esac

@@ -1,8 +1,14 @@
 #!/bin/sh
-# Installs the cross compilers and emulators that the tests use. Debian and its relatives.
+# Installs the cross compilers and emulators that the tests use, or with 'matrix' those of `make matrix`, too: Debian
+# and its relatives. Debian's gcc-multilib cannot stay beside its cross compilers: apt-get takes it away.
 set -e
 PACKAGES='gcc g++ clang gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf qemu-system-misc
-  gcc-avr avr-libc simavr'
+  gcc-avr avr-libc simavr
+  gcc-i686-linux-gnu libc6-dev-i386-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user'
+# Only `make matrix` uses these, and says so where one is missing.
+MATRIX_PACKAGES='lld gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-riscv64-linux-gnu libc6-dev-riscv64-cross
+  gcc-powerpc-linux-gnu libc6-dev-powerpc-cross'
+[ "$1" != matrix ] || PACKAGES="$PACKAGES $MATRIX_PACKAGES"
 if ! command -v apt-get >/dev/null; then
   echo "setup: no apt-get here; install the equivalents of: $PACKAGES" >&2
   exit 1

@@ -12,13 +12,6 @@ for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
 done
 [ -n "$targets" ] || exit 1
 
-prefix() {
-  case $1 in
-    rv32imc) echo riscv64-unknown-elf- ;;
-    *) echo arm-none-eabi- ;;
-  esac
-}
-
 # Reads 'TARGET NAME NUMBER' lines; prints a row per name, a column per target.
 table() {
   awk -v title="$1" -v targets="$targets" -v total="$2" '
@@ -46,7 +39,7 @@ for level in -O2 -Os; do
     make -s lib TARGET="$target" OPT=$level VARIANT=$level >/dev/null || exit 1
   done
   for target in $targets; do
-    "$(prefix "$target")size" "$build/$target$level"/*.o | sed 's|\.o$||; s|[^ \t]*/||' |
+    "$(tool_prefix "$target")size" "$build/$target$level"/*.o | sed 's|\.o$||; s|[^ \t]*/||' |
       awk -v target="$target" 'NR > 1 { print target, $6, $1 }'
   done | table "text, bytes, $level" 1
   for target in $targets; do
@@ -60,8 +53,8 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked >/dev/null || exit 1
   echo
   echo 'linked for Cortex-M3 at -Os, bytes:     query   with posing'
-  printf '%-36s%9d%14d\n' 'gjk_intersect on boxes' "$(sh tests/build/linked-size.sh "$build" -DSIZE_BOXES)" \
-    "$(sh tests/build/linked-size.sh "$build" -DSIZE_BOXES -DSIZE_POSED)"
-  printf '%-36s%9d%14d\n' 'gjk_distance on hulls and boxes' "$(sh tests/build/linked-size.sh "$build")" \
-    "$(sh tests/build/linked-size.sh "$build" -DSIZE_POSED)"
+  printf '%-36s%9d%14d\n' 'gjk_intersect on boxes' "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_BOXES)" \
+    "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_BOXES -DSIZE_POSED)"
+  printf '%-36s%9d%14d\n' 'gjk_distance on hulls and boxes' "$(sh tests/build/linked-size.sh "$build" cortex-m3)" \
+    "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_POSED)"
 fi

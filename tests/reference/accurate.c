@@ -34,7 +34,7 @@ static void make_shape(solver_shape *out, const case_shape *shape, const case_co
 
 void accurate_distance(const case_pair *pair, const case_collider *a, const case_collider *b, accurate_result *out) {
   // 2^-12 LSB between the bounds; a core distance below 2^-40 of the largest vertex, at most 2^-10 LSB, is 0.
-  static const solver_limits limits = {0, SOLVER_LSB / 4096, 0x1p-80L, 3000};
+  static const solver_limits limits = {0, SOLVER_LSB / 4096, 0x1p-80L, SOLVER_ANY, 3000};
   solver_shape shape_a, shape_b;
   solver_result core;
   make_shape(&shape_a, &pair->a, a, a->collider.centre);

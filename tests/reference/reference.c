@@ -21,7 +21,7 @@ static real real_sqrt(real x) {
 // The tolerances that libraries of the kind use: 1e-10 of the distance, squared distances below 1e-15 of the largest
 // squared vertex are 0; for a float, what its 24 bits leave of them.
 static solver_limits limits(void) {
-  solver_limits chosen = {(real)1e-10, 0, (real)1e-15, 200};
+  solver_limits chosen = {(real)1e-10, 0, (real)1e-15, SOLVER_ANY, 200};
   if (sizeof(real) < sizeof(double)) {
     chosen.relative = (real)1e-5;
     chosen.enclosing = (real)1e-11;

@@ -3,27 +3,28 @@
 
 #include "../random.h"
 
-#define VERTICES 64
-
 const bench_family bench_families[] = {
-    {"8-point hulls apart, distance", BENCH_DISTANCE, 8, BENCH_APART},
-    {"8-point hulls apart, intersect", BENCH_INTERSECT, 8, BENCH_APART},
-    {"8-point hulls close, distance", BENCH_DISTANCE, 8, BENCH_CLOSE},
-    {"8-point hulls close, intersect", BENCH_INTERSECT, 8, BENCH_CLOSE},
-    {"8-point hulls overlapping, intersect", BENCH_INTERSECT, 8, BENCH_OVERLAPPING},
-    {"64-point hulls apart, distance", BENCH_DISTANCE, 64, BENCH_APART},
-    {"64-point hulls close, intersect", BENCH_INTERSECT, 64, BENCH_CLOSE},
-    {"boxes as boxes apart, distance", BENCH_DISTANCE, 0, BENCH_APART},
-    {"boxes as boxes apart, intersect", BENCH_INTERSECT, 0, BENCH_APART},
-    {"boxes as boxes close, intersect", BENCH_INTERSECT, 0, BENCH_CLOSE},
-    {"boxes as boxes overlapping, intersect", BENCH_INTERSECT, 0, BENCH_OVERLAPPING},
+    {"8-point hulls apart: distance", BENCH_DISTANCE, 8, BENCH_APART},
+    {"8-point hulls apart: intersect", BENCH_INTERSECT, 8, BENCH_APART},
+    {"8-point hulls close: distance", BENCH_DISTANCE, 8, BENCH_CLOSE},
+    {"8-point hulls close: intersect", BENCH_INTERSECT, 8, BENCH_CLOSE},
+    {"8-point hulls overlapping: intersect", BENCH_INTERSECT, 8, BENCH_OVERLAPPING},
+    {"64-point hulls apart: distance", BENCH_DISTANCE, 64, BENCH_APART},
+    {"64-point hulls close: intersect", BENCH_INTERSECT, 64, BENCH_CLOSE},
+    {"boxes apart: distance", BENCH_DISTANCE, 0, BENCH_APART},
+    {"boxes apart: intersect", BENCH_INTERSECT, 0, BENCH_APART},
+    {"boxes close: intersect", BENCH_INTERSECT, 0, BENCH_CLOSE},
+    {"boxes overlapping: intersect", BENCH_INTERSECT, 0, BENCH_OVERLAPPING},
 };
 const unsigned bench_family_count = sizeof bench_families / sizeof bench_families[0];
 
 static random_state random;
-static gjk_vec3 vertices[2][VERTICES], buffers[2][VERTICES];
+static gjk_vec3 vertices[2][BENCH_VERTICES], buffers[2][BENCH_VERTICES];
 static gjk_shape shapes[2];
 static gjk_collider colliders[2];
+
+const gjk_collider *const bench_pair[2] = {&colliders[0], &colliders[1]};
+bench_answer bench_expected;
 
 static gjk_vec3 random_vector(int32_t size) {
   gjk_vec3 v;
@@ -62,7 +63,7 @@ static void make_body(const bench_family *family, int i) {
   gjk_quat_normalize(&q, &pose.rotation);
   pose.position = random_vector(GJK_Q16(3.0));
   colliders[i].state = 0;
-  gjk_collider_init(&colliders[i], &shapes[i], buffers[i], VERTICES);
+  gjk_collider_init(&colliders[i], &shapes[i], buffers[i], BENCH_VERTICES);
   gjk_collider_pose(&colliders[i], &pose);
 }
 
@@ -84,18 +85,31 @@ void bench_next(const bench_family *family) {
     make_body(family, 1);
     gjk_distance(&colliders[0], &colliders[1], NULL, &result);
     if (gap_of(&result) == family->gap && result.distance <= GJK_Q16(2.0)) {
+      bench_expected.intersecting = result.intersecting;
+      bench_expected.distance = result.distance;
       return;
     }
   }
 }
 
-unsigned bench_run(const bench_family *family) {
+static void keep(const gjk_collider *a, const gjk_collider *b) {
+  (void)a;
+  (void)b;
+}
+
+static void run(bench_query query, bench_answer *out) {
   static gjk_distance_result result;
   static gjk_decision decision;
-  if (family->query == BENCH_DISTANCE) {
+  if (query == BENCH_DISTANCE) {
     gjk_distance(&colliders[0], &colliders[1], NULL, &result);
-    return result.iterations;
+    out->intersecting = result.intersecting;
+    out->distance = result.distance;
+    out->rounds = result.iterations;
+  } else {
+    gjk_intersect(&colliders[0], &colliders[1], NULL, &decision);
+    out->intersecting = decision.yes;
+    out->rounds = decision.iterations;
   }
-  gjk_intersect(&colliders[0], &colliders[1], NULL, &decision);
-  return decision.iterations;
 }
+
+const bench_solver bench_gjk = {"gjk", keep, run};

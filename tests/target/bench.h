@@ -5,6 +5,7 @@
 #include "gjk/gjk.h"
 
 #define BENCH_PAIRS 50
+#define BENCH_VERTICES 64
 
 typedef enum bench_query { BENCH_DISTANCE, BENCH_INTERSECT } bench_query;
 
@@ -24,11 +25,27 @@ typedef struct bench_family {
 extern const bench_family bench_families[];
 extern const unsigned bench_family_count;
 
-// Starts a family, then poses its next pair.
+// Starts a family, then poses its next pair and sets its answer.
 void bench_start(void);
 void bench_next(const bench_family *family);
 
-// The measured part: one query, cold. Returns its rounds.
-unsigned bench_run(const bench_family *family);
+// What a solver says: gjk_distance's answer to a pair, or a decision, whose distance is not set.
+typedef struct bench_answer {
+  bool intersecting;
+  gjk_q16 distance;
+  unsigned rounds;
+} bench_answer;
+
+extern const gjk_collider *const bench_pair[2];
+extern bench_answer bench_expected;  // intersecting and distance
+
+// One that answers a query on the pair; run is the measured part.
+typedef struct bench_solver {
+  const char *name;
+  void (*pose)(const gjk_collider *a, const gjk_collider *b);
+  void (*run)(bench_query query, bench_answer *out);
+} bench_solver;
+
+extern const bench_solver bench_gjk, bench_float, bench_double;
 
 #endif

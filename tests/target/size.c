@@ -1,6 +1,7 @@
 // The smallest programs with the library, whose linked sizes are figures to keep: what to link is chosen by macros.
 //   SIZE_BOXES   gjk_intersect on boxes; else gjk_distance on hulls, boxes and their rounded forms
 //   SIZE_DEPTH   gjk_penetration on these as well
+//   SIZE_CURVED  gjk_distance on cylinders, cones and ellipsoids as well
 //   SIZE_POSED   initialises and poses the colliders, too
 #include "gjk/gjk.h"
 
@@ -11,6 +12,10 @@ gjk_collider size_a, size_b;
 #ifdef SIZE_DEPTH
 gjk_cell size_cells[GJK_POLYTOPE_CELLS(20)];
 gjk_penetration_result size_depth;
+#endif
+
+#ifdef SIZE_CURVED
+const gjk_shape *size_shapes[3];
 #endif
 
 #ifdef SIZE_BOXES
@@ -26,6 +31,12 @@ void size_main(void) {
 #else
   static const gjk_vec3 vertices[] = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}};
   static const gjk_shape other = GJK_ROUNDED_HULL(vertices, 4, 1);
+#endif
+#ifdef SIZE_CURVED
+  static const gjk_shape cylinder = GJK_CYLINDER(1, 2), cone = GJK_CONE(1, 2), ellipsoid = GJK_ELLIPSOID(1, 2, 3);
+  size_shapes[0] = &cylinder;
+  size_shapes[1] = &cone;
+  size_shapes[2] = &ellipsoid;
 #endif
 #ifdef SIZE_POSED
   static const gjk_pose pose = GJK_POSE_IDENTITY;

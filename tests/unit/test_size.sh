@@ -6,7 +6,7 @@
 at_most() {
   limit=$1
   shift
-  size=$(sh tests/build/linked-size.sh "$build" "$@") && echo "$size bytes, at most $limit" && [ "$size" -le "$limit" ]
+  size=$(sh tests/build/linked-size.sh "$build" cortex-m3 "$@") && echo "$size bytes, at most $limit" && [ "$size" -le "$limit" ]
 }
 
 build=$1

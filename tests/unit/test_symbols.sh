@@ -54,10 +54,7 @@ little_stack() {
 }
 
 for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
-  case $target in
-    rv32imc) prefix=riscv64-unknown-elf- ;;
-    *) prefix=arm-none-eabi- ;;
-  esac
+  prefix=$(tool_prefix $target)
   if [ -n "$(missing_package $target)" ]; then
     skip "symbols of $target" "$(missing_package $target)"
     continue

@@ -1,0 +1,109 @@
+# The golden hash of one build of the library: source count.sh first, then this, then call golden.
+#
+# An architecture is host, one of Debian's for which there is a cross compiler and qemu-user, or a target of the
+# Makefile with its emulated board. The library and the queries are compiled by COMPILER, gcc or clang; the rest of the
+# program by gcc, which also links.
+golden_linux='i386 aarch64 rv64 s390x powerpc'
+golden_cores='cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc avr'
+
+golden_triple() {
+  case $1 in
+    i386) echo i686-linux-gnu ;;
+    rv64) echo riscv64-linux-gnu ;;
+    *) echo "$1-linux-gnu" ;;
+  esac
+}
+
+golden_emulator() {
+  case $1 in
+    rv64) echo qemu-riscv64 ;;
+    powerpc) echo qemu-ppc ;;
+    *) echo "qemu-$1" ;;
+  esac
+}
+
+# The packages that a build lacks: golden_missing ARCHITECTURE COMPILER FLAGS
+golden_missing() {
+  lacking=
+  have "$2" || lacking=" $2"
+  case $* in
+    *' clang '*-flto*) have ld.lld || lacking="$lacking lld" ;;
+  esac
+  case $1 in
+    host) have gcc || lacking="$lacking gcc" ;;
+    cortex-* | rv32imc | avr)
+      for package in $(missing_package "$1") $(missing_emulator "$1"); do lacking="$lacking $package"; done
+      ;;
+    *)
+      triple=$(golden_triple "$1")
+      have "$triple-gcc" || lacking="$lacking gcc-$triple"
+      case $1 in
+        aarch64) libc=libc6-dev-arm64-cross ;;
+        rv64) libc=libc6-dev-riscv64-cross ;;
+        *) libc=libc6-dev-$1-cross ;;
+      esac
+      [ -e "/usr/$triple/include/stdio.h" ] || lacking="$lacking $libc"
+      have "$(golden_emulator "$1")" || lacking="$lacking qemu-user"
+      ;;
+  esac
+  echo "${lacking# }"
+}
+
+# Builds and runs: golden FOLDER ARCHITECTURE COMPILER FLAGS... Prints the hash; succeeds when it is the golden one.
+golden() {
+  folder=$1 architecture=$2 compiler=$3
+  shift 3
+  root=$(pwd)
+  mkdir -p "$folder"
+  rm -f "$folder"/*
+  glue="-std=c99 -Iinclude -Iport -Wl,--gc-sections"
+  case $architecture in
+    host)
+      linker=gcc
+      glue="$glue tests/target/golden_host.c port/hosted/gjk_hosted.c"
+      ;;
+    cortex-* | rv32imc | avr)
+      linker=$(make -s "print-TOOLS_$architecture")
+      glue="$glue -ffreestanding -Itests -fno-tree-loop-distribute-patterns tests/target/golden_firmware.c
+        $(make -s "print-BOARD_$architecture")"
+      [ "$architecture" != avr ] || glue="$glue -DGOLDEN_RUN_PAIRS=GOLDEN_FEW_PAIRS"
+      ;;
+    *)
+      linker=$(golden_triple "$architecture")-gcc
+      glue="$glue -static tests/target/golden_host.c port/hosted/gjk_hosted.c"
+      ;;
+  esac
+  core=$linker
+  if [ "$compiler" = clang ]; then
+    case $architecture in
+      rv32imc) triple=riscv32-unknown-elf ;;
+      cortex-*)
+        # memset, not __aeabi_memclr; link-time optimisation forgets it.
+        triple='arm-none-eabi -fshort-enums -meabi gnu'
+        glue="$glue -Wl,--defsym=__aeabi_memcpy=memcpy,--defsym=__aeabi_memcpy4=memcpy,--defsym=__aeabi_memcpy8=memcpy"
+        ;;
+      host) triple= ;;
+      *) triple=$(golden_triple "$architecture") ;;
+    esac
+    core="clang ${triple:+--target=$triple} $(echo "$linker" | sed 's/^[^ ]*//; s/-fcallgraph-info=su//')"
+  fi
+  # shellcheck disable=SC2086
+  (cd "$folder" && $core -std=c99 -ffreestanding -ffunction-sections -fdata-sections "-I$root/include" \
+    "-I$root/src" "-I$root/port" "$@" -c "$root"/src/*.c "$root/tests/target/golden.c") || return 1
+  case "$compiler $*" in
+    clang*-flto*)
+      ld.lld -r "$folder"/*.o -o "$folder/all.lto" && rm "$folder"/*.o && mv "$folder/all.lto" "$folder/all.o" || return 1
+      ;;
+  esac
+  case "$*" in
+    *-fsanitize=*address*) glue="$glue -fsanitize=undefined,address" ;;
+    gcc*-flto*) glue="$glue -flto" ;;
+  esac
+  # shellcheck disable=SC2086
+  $linker $glue -O2 "$folder"/*.o -lgcc -o "$folder/golden.elf" || return 1
+  case $architecture in
+    host) "$folder/golden.elf" ;;
+    cortex-* | rv32imc | avr) sh tests/build/emulate.sh "$architecture" "$folder/golden.elf" ;;
+    *) "$(golden_emulator "$architecture")" "$folder/golden.elf" ;;
+  esac
+}

@@ -1,0 +1,89 @@
+# The README's tables of costs from build/bench/target.csv: a column for each target that it has figures of.
+BEGIN {
+  FS = ","
+  columns = split("cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc", plain, " ")
+  others = split("cortex-m0 cortex-m3 cortex-m4-fpu cortex-m7-fpu rv32imc", beside, " ")
+  title["cortex-m0"] = "Cortex-M0"
+  title["cortex-m3"] = "Cortex-M3"
+  title["cortex-m4"] = "Cortex-M4"
+  title["cortex-m4-fpu"] = "Cortex-M4, its FPU: float"
+  title["cortex-m7"] = "Cortex-M7"
+  title["cortex-m7-fpu"] = "Cortex-M7, its FPU: double"
+  title["cortex-m33"] = "Cortex-M33"
+  title["rv32imc"] = "RV32IMC"
+}
+
+{
+  measured[$1]
+  figure[$1, $2, $3, $4] = $5
+  rounds[$2, $3, $4] = $5  # the same on every target
+}
+
+function header(first, list, count,    t, line, rule) {
+  line = first
+  rule = first
+  gsub(/[^|]+/, "---", rule)
+  for (t = 1; t <= count; t++) if (list[t] in measured) {
+    line = line " " title[list[t]] " |"
+    rule = rule "---|"
+  }
+  print line
+  print rule
+}
+
+# A cell per target: the first measure, and the second, if any, in brackets.
+function row(first, list, count, solver, subject, measure, second,    t, line, cell) {
+  line = first
+  for (t = 1; t <= count; t++) if (list[t] in measured) {
+    cell = grouped(figure[list[t], solver, subject, measure])
+    if (second != "") cell = cell " (" grouped(figure[list[t], solver, subject, second]) ")"
+    line = line " " cell (cell == "" ? "|" : " |")
+  }
+  print line
+}
+
+function query(subject) {
+  row("| " subject " | " rounds["gjk", subject, "mean rounds"] " |", plain, columns, "gjk", subject, \
+    "mean instructions", "worst instructions")
+}
+
+function code(subject) {
+  row("| code, bytes: " subject " | |", plain, columns, "gjk", subject, "code", "")
+}
+
+function compare(subject,    s, of) {
+  of = split("gjk float double", solver, " ")
+  for (s = 1; s <= of; s++) {
+    row("| " (s == 1 ? subject : "") " | " solver[s] " |", beside, others, solver[s], subject, "mean instructions", "")
+  }
+}
+
+END {
+  header("| query | rounds |", plain, columns)
+  query("boxes apart: distance")
+  query("8-point hulls apart: distance")
+  query("64-point hulls apart: distance")
+  query("8-point hulls apart: intersect")
+  query("8-point hulls close: intersect")
+  query("8-point hulls overlapping: intersect")
+  row("| stack of intersect, within, distance, bytes, by the call graph | |", plain, columns, "gjk", "any query", \
+    "stack bound", "")
+  row("| the most that these used | |", plain, columns, "gjk", "any query", "painted stack", "")
+  row("| stack of gjk_penetration, by the call graph | |", plain, columns, "gjk", "gjk_penetration", "stack bound", "")
+  code("gjk_intersect: boxes")
+  code("gjk_distance: boxes and hulls; rounded")
+  code("gjk_distance: boxes and hulls; rounded; with posing")
+  code("gjk_distance: every shape; with posing")
+  code("gjk_penetration: boxes and hulls; rounded; with posing")
+  print ""
+  print "Beside it the same algorithm in floating point: mean instructions on the same pairs, in software but where the"
+  print "head says FPU. It is plain C (`tests/reference`), its vertices are in its own type already, and it stops as early."
+  print ""
+  header("| query | in |", beside, others)
+  compare("boxes apart: distance")
+  compare("8-point hulls close: intersect")
+  compare("64-point hulls apart: distance")
+  row("| stack used, bytes | gjk |", beside, others, "gjk", "any query", "painted stack", "")
+  row("| | float |", beside, others, "float", "any query", "painted stack", "")
+  row("| | double |", beside, others, "double", "any query", "painted stack", "")
+}

@@ -1,0 +1,77 @@
+#!/bin/sh
+# The most expensive pairs that a search finds: worst-case.sh BUILD [SEED [ROUNDS [INSTRUCTIONS]]]
+#
+# Per family so many measurements of rounds on the host, then of instructions on an emulated Cortex-M3. What beats the
+# pairs of tests/data/worst.txt replaces them there. With 'replay' instead of a SEED it only counts the known pairs
+# afresh, prints 'ID|rounds|instructions' and changes nothing.
+. tests/build/count.sh
+build=$1
+seed=${2:-1}
+on_host=${3:-2000000}
+on_target=${4:-20000}
+data=tests/data/worst.txt
+dir=$build/worst
+variant=$(variant_of "$build")
+elf=build/cortex-m3$variant/worst.elf
+mkdir -p "$dir"
+
+missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
+if [ -n "${missing# }" ]; then
+  echo "skipped: the search on Cortex-M3: needs $missing" >&2
+  exit 1
+fi
+
+# firmware DEFINE...: runs it on the cases of $dir/known.txt
+firmware() {
+  awk -f tests/build/worst-cases.awk "$dir/known.txt" >"$build/worst_cases.c" || return 1
+  rm -f "$elf"
+  make -s "$elf" TARGET=cortex-m3 VARIANT="$variant" WORST_CASES="$build/worst_cases.c" FIRMWARE_DEFINES="$*" \
+    >"$dir/log" 2>&1 || { cat "$dir/log" >&2; return 1; }
+  sh tests/build/emulate.sh cortex-m3 "$elf"
+}
+
+# annotate FILE: its cases with the figures of a fresh replay
+annotate() {
+  cp "$1" "$dir/known.txt"
+  firmware >"$dir/replay" || { cat "$dir/replay" >&2; return 1; }
+  awk -F'|' '
+    FNR == NR { line[$1] = "# rounds " $2 " instructions " $3; next }
+    /^# rounds / { next }
+    { print }
+    /^case / { split($0, word, " "); print line[word[2]] }' "$dir/replay" "$1" >"$dir/annotated" &&
+    cp "$dir/annotated" "$1"
+}
+
+if [ "$seed" = replay ]; then
+  cp $data "$dir/known.txt"
+  firmware
+  exit
+fi
+
+sed -n '/^case /q; p' $data >"$dir/head"
+sed -n '/^case /,$p' $data >"$dir/found.txt"
+make -s build/host/libgjk.a build/hosted/port/hosted/gjk_hosted.o >/dev/null && annotate "$dir/found.txt" || exit 1
+"${CC:-cc}" -O2 -std=c99 -Iinclude tests/target/worst.c tests/target/worst_host.c "$build/worst_cases.c" \
+  -Itests build/host/libgjk.a build/hosted/port/hosted/gjk_hosted.o -o "$dir/worst_host" || exit 1
+families=$(grep -o '"[a-z0-9]*-[a-z]*", WORST_' tests/target/worst.c | wc -l)
+
+family=0
+while [ $family -lt "$families" ]; do
+  "$dir/worst_host" $family "$seed" "$on_host" >"$dir/one.txt" || exit 1
+  echo "$(sed -n 's/^case //p; s/^#//p' "$dir/one.txt" | tr '\n' ' ')"
+  awk -f tests/build/worst-merge.awk "$dir/found.txt" "$dir/one.txt" >"$dir/merged.txt"
+  cp "$dir/merged.txt" "$dir/found.txt"
+  family=$((family + 1))
+done
+annotate "$dir/found.txt" || exit 1
+
+family=0
+while [ $family -lt "$families" ]; do
+  cp "$dir/found.txt" "$dir/known.txt"
+  firmware "-DWORST_FAMILY=$family" "-DWORST_SEED=$seed" "-DWORST_MEASUREMENTS=$on_target" >"$dir/one.txt" || exit 1
+  echo "$(sed -n 's/^case //p; s/^#//p' "$dir/one.txt" | tr '\n' ' ')"
+  awk -f tests/build/worst-merge.awk "$dir/found.txt" "$dir/one.txt" >"$dir/merged.txt"
+  cp "$dir/merged.txt" "$dir/found.txt"
+  family=$((family + 1))
+done
+annotate "$dir/found.txt" && cat "$dir/head" "$dir/found.txt" >$data
