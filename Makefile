@@ -8,6 +8,8 @@
 #   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv;
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
 #   make bench-target    instructions per query on the emulated cores
+#   make prove           shows the absence of undefined behaviour (Frama-C)
+#   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
 #   make clean
 #
 # OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.
@@ -65,7 +67,11 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
+<<<<<<< HEAD
 .PHONY: all help lib setup test unit-tests demo sizes bench bench-target clean
+=======
+.PHONY: all help lib setup test unit-tests demo sizes bench-target prove lint clean
+>>>>>>> 8dbe068 (make prove: the list of what is assumed, with reasons; assertions checked as they run; make lint begun)
 all: lib build/gjk-query build/gjk-demo
 
 help:
@@ -172,6 +178,12 @@ bench:
 
 bench-target:
 	@sh tests/build/bench-target.sh build
+
+prove:
+	@sh tests/build/prove.sh build
+
+lint:
+	@sh tests/build/lint.sh build
 
 clean:
 	rm -rf build

@@ -2,7 +2,7 @@
 # Installs the cross compilers and emulators that the tests use. Debian and its relatives.
 set -e
 PACKAGES='gcc g++ clang gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf qemu-system-misc
-  gcc-avr avr-libc simavr'
+  gcc-avr avr-libc simavr frama-c-base clang-tidy clang-format cppcheck shellcheck'
 if ! command -v apt-get >/dev/null; then
   echo "setup: no apt-get here; install the equivalents of: $PACKAGES" >&2
   exit 1

@@ -16,9 +16,16 @@ static void any_support(const void *user, const gjk_vec3 *direction, gjk_vec3 *o
 }
 
 static void any_shape(gjk_shape *shape, const gjk_q16 *bound) {
-  const gjk_shape kinds[] = {
-      GJK_POINT,         GJK_SEGMENT(0), GJK_TRIANGLE(vertices), GJK_BOX(0, 0, 0), GJK_HULL(vertices, VERTICES),
-      GJK_HULL(vertices, VERTICES), GJK_CYLINDER(0, 0), GJK_CONE(0, 0), GJK_ELLIPSOID(0, 0, 0), GJK_CUSTOM(any_support, bound, 0)};
+  const gjk_shape kinds[] = {GJK_POINT,
+                             GJK_SEGMENT(0),
+                             GJK_TRIANGLE(vertices),
+                             GJK_BOX(0, 0, 0),
+                             GJK_HULL(vertices, VERTICES),
+                             GJK_HULL(vertices, VERTICES),
+                             GJK_CYLINDER(0, 0),
+                             GJK_CONE(0, 0),
+                             GJK_ELLIPSOID(0, 0, 0),
+                             GJK_CUSTOM(any_support, bound, 0)};
   *shape = kinds[CASE];
   shape->size = any_position();
   shape->round = any_int32();
