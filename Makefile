@@ -67,11 +67,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-<<<<<<< HEAD
-.PHONY: all help lib setup test unit-tests demo sizes bench bench-target clean
-=======
-.PHONY: all help lib setup test unit-tests demo sizes bench-target prove lint clean
->>>>>>> 8dbe068 (make prove: the list of what is assumed, with reasons; assertions checked as they run; make lint begun)
+.PHONY: all help lib setup test unit-tests demo sizes bench bench-target prove lint clean
 all: lib build/gjk-query build/gjk-demo
 
 help:
