@@ -342,7 +342,7 @@ void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_cer
 // The 15 leading bits of a direction.
 static void keep_direction(const gjk_vec3 *d, int16_t kept[3]) {
   const uint32_t bits = gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z);
-  const unsigned shift = bits < UINT32_C(1) << 15 ? 0 : 17 - gjk_clz32(bits);
+  const unsigned shift = bits >> 15 == 0 ? 0 : 17 - gjk_clz32(bits);
   kept[0] = (int16_t)gjk_sar32(d->x, shift);
   kept[1] = (int16_t)gjk_sar32(d->y, shift);
   kept[2] = (int16_t)gjk_sar32(d->z, shift);
