@@ -343,6 +343,7 @@ void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_cer
 static void keep_direction(const gjk_vec3 *d, int16_t kept[3]) {
   const uint32_t bits = gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z);
   const unsigned shift = bits >> 15 == 0 ? 0 : 17 - gjk_clz32(bits);
+  //@ assert shift <= 17;
   kept[0] = (int16_t)gjk_sar32(d->x, shift);
   kept[1] = (int16_t)gjk_sar32(d->y, shift);
   kept[2] = (int16_t)gjk_sar32(d->z, shift);
