@@ -13,6 +13,8 @@
 #   make worst-case      searches for the most expensive pairs: tests/data/worst.txt
 #   make matrix          the golden hash from every compiler, level and architecture (sh tests/build/setup.sh matrix
 #                        installs the compilers that the tests do without)
+#   make prove           shows the absence of undefined behaviour (Frama-C)
+#   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
 #   make clean
 #
 # OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.
@@ -76,7 +78,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix clean
+.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix prove lint clean
 all: lib build/gjk-query build/gjk-demo
 
 help:
@@ -194,6 +196,12 @@ worst-case:
 
 matrix:
 	@sh tests/build/matrix.sh build
+
+prove:
+	@sh tests/build/prove.sh build
+
+lint:
+	@sh tests/build/lint.sh build
 
 clean:
 	rm -rf build

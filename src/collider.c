@@ -44,10 +44,12 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
       return status;
     }
   }
+  const uint32_t reach = gjk_isqrt64(extent.squared);
+  //@ assert reach <= GJK_RADIUS_MAX;
   c->shape = shape;
   c->buffer = type->buffered ? buffer : NULL;
   c->local_centre = extent.centre;
-  c->core_radius = (gjk_q16)gjk_isqrt64(extent.squared) + 1 + POSE_SLACK;
+  c->core_radius = (gjk_q16)reach + 1 + POSE_SLACK;
   c->radius = c->core_radius + shape->round;
   c->bits = (uint8_t)(32 - gjk_clz32((uint32_t)c->core_radius));
   c->count = type->buffered ? shape->count : type->count;

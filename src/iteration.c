@@ -66,6 +66,12 @@ static inline bool is_small(const gjk_vec3 *v) {
 
 // The same for centres within 4096 units of the origin and no radius, the usual case, in 32 bits.
 static bool set_usual_frame(gjk_iteration *it, bool spheres) {
+  //@ assert it->a->centre.x >= -(INT32_C(1) << 28) && it->a->centre.x < INT32_C(1) << 28;
+  //@ assert it->a->centre.y >= -(INT32_C(1) << 28) && it->a->centre.y < INT32_C(1) << 28;
+  //@ assert it->a->centre.z >= -(INT32_C(1) << 28) && it->a->centre.z < INT32_C(1) << 28;
+  //@ assert it->b->centre.x >= -(INT32_C(1) << 28) && it->b->centre.x < INT32_C(1) << 28;
+  //@ assert it->b->centre.y >= -(INT32_C(1) << 28) && it->b->centre.y < INT32_C(1) << 28;
+  //@ assert it->b->centre.z >= -(INT32_C(1) << 28) && it->b->centre.z < INT32_C(1) << 28;
   const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);   // below 2^29
   const int32_t cores = it->a->core_radius + it->b->core_radius;  // at most 2^29
   if (spheres && gjk_dot(&delta, &delta) > gjk_mul32(cores, cores)) {
@@ -97,7 +103,10 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
 // One component of w in a far frame: rounded to nearest.
 GJK_OUT_OF_LINE static int32_t far_component(int64_t difference, int shift) {
   const unsigned n = (unsigned)-shift;
-  return (int32_t)gjk_sar64(difference + (INT64_C(1) << (n - 1)), n);
+  //@ assert n >= 1 && n <= 3;
+  const int64_t rounded = gjk_sar64(difference + (INT64_C(1) << (n - 1)), n);
+  //@ assert rounded >= -(INT32_C(3) << 29) && rounded <= INT32_C(3) << 29;
+  return (int32_t)rounded;
 }
 
 // Replaces v, a difference of two offsets from the centres, by the frame's vector from B to A.
@@ -119,6 +128,9 @@ static inline void frame_vector(const gjk_iteration *it, gjk_vec3 *v) {
   v->x = gjk_shl32(a->x - b->x + v->x, (unsigned)shift);
   v->y = gjk_shl32(a->y - b->y + v->y, (unsigned)shift);
   v->z = gjk_shl32(a->z - b->z + v->z, (unsigned)shift);
+  //@ assert v->x >= -(INT32_C(3) << 29) && v->x <= INT32_C(3) << 29;
+  //@ assert v->y >= -(INT32_C(3) << 29) && v->y <= INT32_C(3) << 29;
+  //@ assert v->z >= -(INT32_C(3) << 29) && v->z <= INT32_C(3) << 29;
 }
 
 void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_support *b) {
@@ -208,6 +220,7 @@ static bool known(const gjk_iteration *it, const gjk_support *a, const gjk_suppo
 GJK_OUT_OF_LINE static gjk_step warm_start(gjk_iteration *it, const gjk_cache *cache) {
   const gjk_shape_class *type_a = it->a->shape->type, *type_b = it->b->shape->type;
   gjk_step step = GJK_STEP_NONE;
+  //@ dynamic_split it->simplex.count;
   for (unsigned i = 0; i < cache->count && i < 4 && step != GJK_STEP_ENCLOSING; i++) {
     gjk_support a, b;
     a.vertex = cache->a[i];
@@ -278,6 +291,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   if (cache != NULL && warm_start(it, cache) == GJK_STEP_ENCLOSING) {
     return GJK_OUTCOME_ENCLOSING;
   }
+  //@ dynamic_split it->simplex.count;
   for (; it->rounds < it->limit; it->rounds++) {
     if (it->simplex.count == 0) {
       first_direction(it, cache);
@@ -329,6 +343,7 @@ void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_cer
 static void keep_direction(const gjk_vec3 *d, int16_t kept[3]) {
   const uint32_t bits = gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z);
   const unsigned shift = bits >> 15 == 0 ? 0 : 17 - gjk_clz32(bits);
+  //@ assert shift <= 17;
   kept[0] = (int16_t)gjk_sar32(d->x, shift);
   kept[1] = (int16_t)gjk_sar32(d->y, shift);
   kept[2] = (int16_t)gjk_sar32(d->z, shift);

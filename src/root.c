@@ -8,9 +8,11 @@ uint32_t gjk_reciprocal_root(uint32_t x) {
   uint32_t y = UINT32_C(2319282340) - gjk_umulh32(x, UINT32_C(1342177280));
   for (int i = 0; i < 4; i++) {
     // y < 2^31 before each step: below 2^32
+    //@ assert y <= INT32_MAX;
     const uint32_t square = (uint32_t)(gjk_umul32(y, y) >> 30);
     // 2^62 - x square, at most 2^60 in size
     const int64_t rest = gjk_int64((UINT64_C(1) << 62) - gjk_umul32(x, square));
+    //@ assert rest >= -(INT64_C(1) << 60) && rest <= INT64_C(1) << 60;
     // y (rest / 2^62) / 2, at most 2^29 in size
     const int64_t step = gjk_sar64(gjk_mul32((int32_t)(y >> 1), (int32_t)gjk_sar64(rest, 31)), 31);
     y = (uint32_t)((int64_t)y + step);

@@ -10,11 +10,17 @@ bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation) {
   if (gjk_magnitude64(off) > tolerance) {
     return false;
   }
+  //@ assert off >= -(INT64_C(1) << 44) && off <= INT64_C(1) << 44;
+  //@ assert q->x >= -INT32_C(0x40002000) && q->x <= INT32_C(0x40002000);
+  //@ assert q->y >= -INT32_C(0x40002000) && q->y <= INT32_C(0x40002000);
+  //@ assert q->z >= -INT32_C(0x40002000) && q->z <= INT32_C(0x40002000);
+  //@ assert q->w >= -INT32_C(0x40002000) && q->w <= INT32_C(0x40002000);
   *deviation = off;
   return true;
 }
 
 gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess) {
+  //@ assert x >= -(INT64_C(33) << 55) && x <= INT64_C(33) << 55;
   // Q30 times Q46, back to Q60: below 2^62 and 2^46. Floors lose 1 in Q30 times excess < 2^-15, and 1 in Q60.
   const int64_t correction = gjk_sar64(gjk_mul32((int32_t)gjk_sar64(x, 30), excess), 16);
   return (gjk_q30)gjk_sar64(x - correction + (INT64_C(1) << 29), 30);
@@ -51,17 +57,24 @@ GJK_ONCE static int64_t component(int32_t x, int32_t y, int32_t z, const gjk_vec
   return gjk_sar64(sum + (INT64_C(1) << 29), 30);
 }
 
+// The same where it fits.
+GJK_ONCE static int32_t narrow_component(int32_t x, int32_t y, int32_t z, const gjk_vec3 *v) {
+  const int64_t rotated = component(x, y, z, v);
+  //@ assert rotated >= INT32_MIN && rotated <= INT32_MAX;
+  return (int32_t)rotated;
+}
+
 gjk_vec3 gjk_rotate(const gjk_vec3 rows[3], const gjk_vec3 *v) {
-  const gjk_vec3 rotated = {(int32_t)component(rows[0].x, rows[0].y, rows[0].z, v),
-                            (int32_t)component(rows[1].x, rows[1].y, rows[1].z, v),
-                            (int32_t)component(rows[2].x, rows[2].y, rows[2].z, v)};
+  const gjk_vec3 rotated = {narrow_component(rows[0].x, rows[0].y, rows[0].z, v),
+                            narrow_component(rows[1].x, rows[1].y, rows[1].z, v),
+                            narrow_component(rows[2].x, rows[2].y, rows[2].z, v)};
   return rotated;
 }
 
 gjk_vec3 gjk_rotate_back(const gjk_vec3 rows[3], const gjk_vec3 *v) {
-  const gjk_vec3 rotated = {(int32_t)component(rows[0].x, rows[1].x, rows[2].x, v),
-                            (int32_t)component(rows[0].y, rows[1].y, rows[2].y, v),
-                            (int32_t)component(rows[0].z, rows[1].z, rows[2].z, v)};
+  const gjk_vec3 rotated = {narrow_component(rows[0].x, rows[1].x, rows[2].x, v),
+                            narrow_component(rows[0].y, rows[1].y, rows[2].y, v),
+                            narrow_component(rows[0].z, rows[1].z, rows[2].z, v)};
   return rotated;
 }
 

@@ -36,12 +36,16 @@ static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k)
 static void enter(gjk_simplex *s, unsigned w) {
   const gjk_vec3 v = s->slot[w].w;
   const int64_t square = gjk_dot(&v, &v);
+  //@ assert square >= 0 && square <= INT64_C(9) << 58;
   s->toward[w][w] = square;
   for (unsigned n = s->count, i = 0; i < n; i++) {
     const unsigned slot = s->order[i];
     const int64_t dot = gjk_dot(&v, &s->slot[slot].w);
+    //@ assert dot >= -(INT64_C(9) << 58) && dot <= INT64_C(9) << 58;
     s->toward[w][slot] = square - dot;
     s->toward[slot][w] = s->toward[slot][slot] - dot;
+    //@ assert s->toward[w][slot] >= -(INT64_C(1) << 61) && s->toward[w][slot] <= INT64_C(1) << 61;
+    //@ assert s->toward[slot][w] >= -(INT64_C(1) << 61) && s->toward[slot][w] <= INT64_C(1) << 61;
   }
 }
 
@@ -63,6 +67,9 @@ static void set_normal(gjk_simplex *s, unsigned x, unsigned y, unsigned w) {
   const gjk_vec3 edge = gjk_sub(s->slot[y].w, s->slot[x].w);
   const gjk_vec3 edge2 = gjk_sub(s->slot[w].w, s->slot[x].w);
   gjk_cross(&edge, &edge2, &s->normal);
+  //@ assert s->normal.x >= -(INT64_C(1) << 62) && s->normal.x <= INT64_C(1) << 62;
+  //@ assert s->normal.y >= -(INT64_C(1) << 62) && s->normal.y <= INT64_C(1) << 62;
+  //@ assert s->normal.z >= -(INT64_C(1) << 62) && s->normal.z <= INT64_C(1) << 62;
 }
 
 // The triangle x, y, w becomes the feature, its normal towards the origin.
@@ -235,8 +242,10 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
   out->a = &s->slot[a].w;
   out->b = &s->slot[b].w;
   out->n = &s->normal;
-  out->ta = s->toward[a][b];
-  out->tb = s->toward[b][a];
+  if (s->count == 2) {
+    out->ta = s->toward[a][b];
+    out->tb = s->toward[b][a];
+  }
   out->rank = s->count;
 }
 

@@ -53,12 +53,16 @@ void gjk_round_direction(const gjk_long3 *n, gjk_rounded *out) {
   // The bits of n, of -1 - n for negative components: |n| <= 2^30 when they end below bit 30.
   const int64_t bits = (n->x ^ gjk_sar64(n->x, 63)) | (n->y ^ gjk_sar64(n->y, 63)) | (n->z ^ gjk_sar64(n->z, 63));
   if (bits >> 30 == 0) {
+    //@ assert n->x >= -(INT32_C(1) << 30) && n->x < INT32_C(1) << 30;
+    //@ assert n->y >= -(INT32_C(1) << 30) && n->y < INT32_C(1) << 30;
+    //@ assert n->z >= -(INT32_C(1) << 30) && n->z < INT32_C(1) << 30;
     out->d.x = (int32_t)n->x;
     out->d.y = (int32_t)n->y;
     out->d.z = (int32_t)n->z;
     out->exact = true;
     return;
   }
+  //@ assert bits >= INT64_C(1) << 30;
   const unsigned k = 34 - gjk_clz64((uint64_t)bits);
   out->d.x = round_down(n->x, k);
   out->d.y = round_down(n->y, k);

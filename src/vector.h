@@ -54,8 +54,8 @@ int gjk_sum_sign(int64_t p, int64_t q, int64_t r, int64_t s);
 typedef struct gjk_direction {
   const gjk_vec3 *a, *b;
   const gjk_long3 *n;
-  int64_t ta, tb;
-  uint8_t rank;  // 1, 2 or 3
+  int64_t ta, tb;  // set for rank 2
+  uint8_t rank;    // 1, 2 or 3
 } gjk_direction;
 
 // The sign of the exact direction along v. Pre: |v| <= 2^30.

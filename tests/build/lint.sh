@@ -1,0 +1,51 @@
+#!/bin/sh
+# Static checks: lint.sh BUILD. clang-format, clang-tidy, cppcheck with its MISRA addon, shellcheck.
+#
+# MISRA: the rules that src/README.md lists with a reason are those that the sources may break, and no others.
+. tests/build/count.sh
+dir=$1/lint
+mkdir -p "$dir"
+
+c_files() {
+  find src include port tests/prove -name '*.[ch]' | sort
+}
+
+# cppcheck has no headers of the compiler; what port.h and wide.h test is given here.
+analyse() {
+  cppcheck --quiet --std=c99 --platform=unix32 --enable=warning,style,performance,portability --addon=misra \
+    -UGJK_PORT_HEADER -DCHAR_BIT=8 -DUINT_MAX=4294967295U -DINT32_MAX=2147483647 -DUINT32_MAX=4294967295U \
+    --suppress=shiftNegativeLHS --suppress=shiftTooManyBitsSigned --suppress=ctuuninitvar --suppress=shadowFunction \
+    -Iinclude -Isrc --template='{file}:{line}: {id}: {message}' src/*.c 2>"$dir/cppcheck.txt"
+}
+
+misra_rules() {
+  grep -o 'misra-c2012-[0-9.]*[0-9]' "$dir/cppcheck.txt" | sed 's/misra-c2012-//' | sort -u >"$dir/broken"
+  sed -n 's/^| \([0-9]*\.[0-9]*\) | ..*/\1/p' src/README.md | sort -u >"$dir/listed"
+  diff "$dir/listed" "$dir/broken"
+}
+
+if have clang-format; then
+  # shellcheck disable=SC2046
+  check 'clang-format: src, include, port, tests/prove' clang-format --dry-run -Werror $(c_files)
+else
+  skip 'clang-format' clang-format
+fi
+if have clang-tidy; then
+  check 'clang-tidy: src, include' nice clang-tidy --quiet src/*.c -- -std=c99 -Iinclude -Isrc -Iport
+else
+  skip 'clang-tidy' clang-tidy
+fi
+if have cppcheck; then
+  check 'cppcheck runs' analyse
+  check 'cppcheck: nothing but MISRA rules' sh -c "! grep -v misra-c2012 '$dir/cppcheck.txt'"
+  check 'cppcheck: as many files as there are break some rule' grep -q 'src/wide.h.*misra' "$dir/cppcheck.txt"
+  check 'MISRA C:2012: the rules that src/README.md lists' misra_rules
+else
+  skip 'cppcheck and MISRA' cppcheck
+fi
+if have shellcheck; then
+  check 'shellcheck: the scripts' shellcheck -s sh -e SC2013,SC2016,SC2086,SC1091,SC2034,SC2154 tests/build/*.sh tests/unit/*.sh
+else
+  skip 'shellcheck' shellcheck
+fi
+finish lint

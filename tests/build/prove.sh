@@ -1,0 +1,132 @@
+#!/bin/sh
+# Proves the absence of undefined behaviour with Frama-C's Eva: prove.sh BUILD [RUN...]
+#
+# A run is a driver of tests/prove with its case and its variant, such as shape-BOX-int32; without one, all are run. What
+# Eva cannot show by itself must stand in tests/prove/assumed.txt, which says why it holds; anything else fails, and
+# with all runs so does an entry that no run needs. tests/prove/README.md tells the rest.
+. tests/build/count.sh
+LC_ALL=C.UTF-8
+export LC_ALL
+build=$1
+dir=$build/prove
+shift
+
+# The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
+QUERY_LEVELS=gjk_iteration_run:4,warm_start:40,gjk_iteration_start:500,set_frame:500,set_usual_frame:500,main:500,\
+decide:100,gjk_distance:100,gjk_check_decision:100,gjk_check_distance:100,longer_than:100,far_shift:100
+QUERY_RETURNS=gjk_iteration_start:0,set_frame:0,set_usual_frame:0,longer_than:0
+SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
+
+cases() {
+  echo primitives-x
+  echo pose-x
+  for kind in POINT SEGMENT TRIANGLE BOX BAKED LAZY CYLINDER CONE ELLIPSOID CUSTOM; do
+    echo shape-$kind
+  done
+  for count in 0 1 2 3 4; do
+    echo simplex-$count
+  done
+  for query in INTERSECT WITHIN DISTANCE CHECK_DECISION CHECK_DISTANCE; do
+    echo query-$query
+  done
+}
+
+# int32: a 32-bit machine with a long multiplication; int16: an int of 16 bits, products in halves.
+runs() {
+  cases | sed 's/$/-int32/'
+  cases | grep 'pose\|primitives\|POINT\|SEGMENT\|BOX\|TRIANGLE' | sed 's/$/-int16/'
+}
+
+# analyse NAME SOURCES OPTIONS...: leaves NAME.txt, what Eva says, and NAME.csv, a line per property.
+analyse() {
+  name=$1
+  sources=$2
+  shift 2
+  # shellcheck disable=SC2086
+  frama-c $sources -eva "$@" $contracts -warn-signed-downcast \
+    -eva-msg-key=-initial-state,-final-states -eva-split-return full -eva-min-loop-unroll 0 \
+    -eva-auto-loop-unroll 64 -then -report-csv "$dir/$name.csv" >"$dir/$name.txt" 2>&1
+}
+
+# What is not proven, a line each: file, function, property; numbers that Frama-C gives to copies are dropped.
+open_properties() {
+  awk -F '\t' 'NR > 1 && $6 != "Valid" && $6 !~ /^(Considered valid|Dead|Unreachable|Inconsistent)/ && $1 !~ /FRAMAC/ &&
+      !($2 == "contracts.h" && $5 ~ /condition$/) {
+    gsub(/_[0-9]+$/, "", $4)
+    gsub(/_[0-9]+$/, "", $5)
+    property = $7
+    gsub(/[a-z]_[0-9]+/, "&#", property)
+    gsub(/_[0-9]+#/, "", property)
+    gsub(/#/, "", property)
+    gsub(/  +/, " ", property)
+    print $2 " " $4 ": " ($5 ~ /precondition/ ? $5 ": " : "") property
+  }' "$1" | sort -u
+}
+
+prove_one() {
+  driver=${1%%-*}
+  variant=${1##*-}
+  instance=${1#*-}
+  instance=${instance%-*}
+  defines="-DCASE=$instance"
+  sources=$(echo src/*.c)
+  case $variant in
+    int16) machine=gcc_x86_16 defines="$defines -DGJK_NARROW_MULTIPLY=1" ;;
+    *) machine=gcc_x86_32 ;;
+  esac
+  contracts='-eva-use-spec gjk_sub,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32'
+  case $driver in
+    primitives) contracts= && set -- "$1" -eva-slevel 200 ;;
+    query)
+      sources="$(echo src/*.c | sed 's|src/simplex.c||') tests/prove/simplex_model.c"
+      set -- "$1" -eva-slevel 10 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits \
+        -eva-split-return-function "$QUERY_RETURNS"
+      ;;
+    simplex) set -- "$1" -eva-slevel 12 -eva-slevel-function "$SIMPLEX_LEVELS" ;;
+    *) set -- "$1" -eva-slevel 200 ;;
+  esac
+  name=$1
+  shift
+  start=$(date +%s)
+  analyse "$name" "$sources tests/prove/$driver.c" "$@" -machdep $machine \
+    -cpp-extra-args="-Iinclude -Isrc $defines -include tests/prove/contracts.h"
+  if ! [ -s "$dir/$name.csv" ] || ! grep -q 'coverage' "$dir/$name.txt"; then
+    echo "failed: $name: no analysis: $dir/$name.txt"
+    return
+  fi
+  open_properties "$dir/$name.csv" >"$dir/$name.open"
+  grep -v '^#' tests/prove/assumed.txt | grep . | sort -u | comm -13 - "$dir/$name.open" >"$dir/$name.new"
+  reached=$(sed -n 's/.*, \([0-9]* statements reached (out of [0-9]*)\): \([0-9]*%\).*/\1, \2/p' "$dir/$name.txt")
+  echo "$name: $(wc -l <"$dir/$name.new") alarms, $(wc -l <"$dir/$name.open") assumed or open, $reached," \
+    "$(($(date +%s) - start)) s"
+  sed "s/^/failed: $name: /" "$dir/$name.new"
+}
+
+if [ "$1" = --one ]; then
+  prove_one "$2"
+  exit 0
+fi
+if ! have frama-c; then
+  skip 'the proof' frama-c-base
+  finish prove
+  exit
+fi
+mkdir -p "$dir"
+rm -f "$dir"/*
+all=
+[ $# -gt 0 ] || all=1
+# shellcheck disable=SC2046
+[ $# -gt 0 ] || set -- $(runs)
+for run in "$@"; do
+  echo "$run"
+done | nice xargs -P 2 -n 1 sh "$0" "$build" --one | tee "$dir/report"
+for run in "$@"; do
+  check "$run: nothing but what is assumed" sh -c "grep -q '^$run: 0 alarms' '$dir/report'"
+done
+if [ -n "$all" ]; then
+  grep -v '^#' tests/prove/assumed.txt | grep . | sort -u >"$dir/assumed"
+  cat "$dir"/*.open | sort -u >"$dir/needed"
+  check 'every assumption is needed' sh -c "! comm -23 '$dir/assumed' '$dir/needed' | grep ."
+fi
+echo "$(cat "$dir"/*.open | sort -u | wc -l) assumptions needed, $(grep -v '^#' tests/prove/assumed.txt | grep -c .) listed"
+finish prove
