@@ -8,6 +8,7 @@
 #   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv;
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
 #   make bench-target    instructions per query on the emulated cores
+#   make coverage        which lines and branches of src the tests reach, over all variants of the code
 #   make clean
 #
 # OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.
@@ -65,7 +66,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo sizes bench bench-target clean
+.PHONY: all help lib setup test unit-tests demo sizes bench bench-target coverage clean
 all: lib build/gjk-query build/gjk-demo
 
 help:
@@ -172,6 +173,9 @@ bench:
 
 bench-target:
 	@sh tests/build/bench-target.sh build
+
+coverage: unit-tests
+	@sh tests/build/coverage.sh build
 
 clean:
 	rm -rf build

@@ -6,7 +6,7 @@
 #include "../generate/generate.h"
 
 #define SEED 4471
-#define SMALLEST_PAIRS 4000
+#define SMALLEST_PAIRS ((int)check_trials(4000))
 
 typedef struct subject {
   case_pair pair;
