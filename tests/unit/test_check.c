@@ -66,7 +66,29 @@ static void test_directions(void) {
   // With roundings the asked distance leaves 31 bits.
   static const gjk_shape ball = GJK_SPHERE(ONE);
   const gjk_collider p = placed(&ball, 0, 0, 0), q = placed(&ball, 5 * ONE, 0, 0);
+  const gjk_vec3 along = {ONE, 0, 0};
+  decision.certificate.direction = along;
+  CHECK(gjk_check_decision(&p, &q, 3 * ONE - 1, &decision) == GJK_OK);
+  CHECK(gjk_check_decision(&p, &q, 3 * ONE, &decision) == GJK_ERROR_UNPROVEN);
   CHECK(gjk_check_decision(&p, &q, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
+}
+
+// The largest shapes at the largest distance of an unscaled frame, asked for more than it can hold.
+static void test_largest(void) {
+  static const gjk_shape box = GJK_BOX(154943445, 154943445, 154943445), barrel = GJK_CYLINDER(189766190, 189766190);
+  const gjk_q16 away = 619925130;  // 2^30 / sqrt(3)
+  const gjk_shape *const shapes[2] = {&box, &barrel};
+  for (int i = 0; i < 2; i++) {
+    const gjk_collider a = placed(shapes[i], 0, 0, 0), b = placed(shapes[i], away, away, away);
+    gjk_cache cache;
+    gjk_decision decision;
+    memset(&cache, 0, sizeof cache);
+    for (int round = 0; round < 3; round++) {
+      CHECK(gjk_intersect(&a, &b, &cache, &decision) == GJK_OK && !decision.yes);
+      CHECK(gjk_within(&a, &b, INT32_MAX, &cache, &decision) == GJK_OK && decision.yes);
+      CHECK(gjk_within(&a, &b, away / 4, &cache, &decision) == GJK_OK && !decision.yes);
+    }
+  }
 }
 
 // Bounding spheres apart settle it, whatever the certificate says.
@@ -100,6 +122,7 @@ static void test_distances(void) {
 int main(void) {
   test_origin_on_feature();
   test_directions();
+  test_largest();
   test_spheres();
   test_distances();
   return check_done("check");
