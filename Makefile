@@ -9,6 +9,7 @@
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
 #   make bench-target    instructions per query on the emulated cores
 #   make coverage        which lines and branches of src the tests reach, over all variants of the code
+#   make soak            100,000,000 certified pairs over two cores, or PAIRS=N; goes on where it was interrupted
 #   make clean
 #
 # OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.
@@ -66,7 +67,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo sizes bench bench-target coverage clean
+.PHONY: all help lib setup test unit-tests demo sizes bench bench-target coverage soak clean
 all: lib build/gjk-query build/gjk-demo
 
 help:
@@ -176,6 +177,10 @@ bench-target:
 
 coverage: unit-tests
 	@sh tests/build/coverage.sh build
+
+PAIRS ?= 100000000
+soak: build/test_certificates
+	@sh tests/build/soak.sh build $(PAIRS)
 
 clean:
 	rm -rf build

@@ -1,0 +1,60 @@
+#!/bin/sh
+# A long campaign of certified pairs over two cores: soak.sh BUILD PAIRS
+#
+# Chunks of test_certificates, one seed each. The state of a campaign is a folder of BUILD/soak, one for each version of
+# that program: the program, and in 'done' the seeds that are finished. So an interrupted campaign goes on where it was,
+# and a larger one after a smaller one does what is left. A chunk that fails shows its pairs as cases for
+# build/gjk-query, keeps them in SEED.log, and runs again the next time.
+CHUNK=100000
+FIRST_SEED=1000000
+
+# chunk PROGRAM STATE SEED
+if [ "$1" = --chunk ]; then
+  log=$3/$4.log
+  if nice "$2" "$4" $CHUNK >"$log" 2>&1; then
+    rm -f "$log"
+    echo "$4" >>"$3/done"
+    echo done
+  else
+    echo "failed $4 $log"
+  fi
+  exit 0
+fi
+
+chunks=$((($2 + CHUNK - 1) / CHUNK))
+version=$(cksum <"$1/test_certificates")
+state=$1/soak/${version%% *}
+mkdir -p "$state"
+[ -e "$state/program" ] || cp "$1/test_certificates" "$state/program"
+: >>"$state/done"
+awk -v first=$FIRST_SEED -v chunks=$chunks '
+  { done[$1] }
+  END { for (i = 0; i < chunks; i++) if (!((first + i) in done)) print first + i }' "$state/done" |
+  xargs -P 2 -n 1 sh "$0" --chunk "$state/program" "$state" |
+  awk -v chunk=$CHUNK -v chunks=$chunks -v before="$(awk -v last=$((FIRST_SEED + chunks)) '$1 < last' "$state/done" | wc -l)" '
+    function clock(   t) {
+      "date +%s" | getline t
+      close("date +%s")
+      return t
+    }
+    function millions(n) { return sprintf("%.1f", n * chunk / 1000000) }
+    BEGIN {
+      start = clock()
+      print millions(before) " of " millions(chunks) " million pairs are done"
+    }
+    $1 == "done" { good++ }
+    $1 == "failed" {
+      bad++
+      print "failed: seed " $2 ", all of it in " $3
+      while ((getline line < $3) > 0) print "    " line
+    }
+    good % 20 == 0 || bad > 0 {
+      rate = good * chunk / (clock() - start + 1)
+      printf "%s of %s million pairs certified, %d chunks failed, %d pairs a second, %d minutes left\n",
+        millions(before + good), millions(chunks), bad, rate, (chunks - before - good - bad) * chunk / (rate + 1) / 60
+      fflush()
+    }
+    END {
+      printf "soak: %s million pairs certified, %d chunks failed\n", millions(before + good), bad
+      exit bad > 0
+    }'
