@@ -31,30 +31,24 @@ awk -v first=$FIRST_SEED -v chunks=$chunks '
   { done[$1] }
   END { for (i = 0; i < chunks; i++) if (!((first + i) in done)) print first + i }' "$state/done" |
   xargs -P 2 -n 1 sh "$0" --chunk "$state/program" "$state" |
-  awk -v chunk=$CHUNK -v chunks=$chunks -v before="$(awk -v last=$((FIRST_SEED + chunks)) '$1 < last' "$state/done" | wc -l)" '
-    function clock(   t) {
-      "date +%s" | getline t
-      close("date +%s")
-      return t
-    }
-    function millions(n) { return sprintf("%.1f", n * chunk / 1000000) }
-    BEGIN {
-      start = clock()
-      print millions(before) " of " millions(chunks) " million pairs are done"
-    }
-    $1 == "done" { good++ }
-    $1 == "failed" {
-      bad++
-      print "failed: seed " $2 ", all of it in " $3
-      while ((getline line < $3) > 0) print "    " line
-    }
-    good % 20 == 0 || bad > 0 {
-      rate = good * chunk / (clock() - start + 1)
-      printf "%s of %s million pairs certified, %d chunks failed, %d pairs a second, %d minutes left\n",
-        millions(before + good), millions(chunks), bad, rate, (chunks - before - good - bad) * chunk / (rate + 1) / 60
-      fflush()
-    }
-    END {
-      printf "soak: %s million pairs certified, %d chunks failed\n", millions(before + good), bad
-      exit bad > 0
-    }'
+  {
+    before=$(awk -v last=$((FIRST_SEED + chunks)) '$1 < last' "$state/done" | wc -l)
+    start=$(date +%s)
+    good=0 bad=0
+    echo "$((before * CHUNK)) of $((chunks * CHUNK)) pairs are done"
+    while read -r outcome seed log; do
+      if [ "$outcome" = done ]; then
+        good=$((good + 1))
+      else
+        bad=$((bad + 1))
+        echo "failed: seed $seed, all of it in $log"
+        cat "$log"
+      fi
+      rate=$((good * CHUNK / ($(date +%s) - start + 1) + 1))
+      left=$(((chunks - before - good - bad) * CHUNK / rate / 60))
+      [ $(((good + bad) % 10)) != 0 ] ||
+        echo "$(((before + good) * CHUNK)) pairs certified, $bad chunks failed, $rate pairs a second, $left minutes left"
+    done
+    echo "soak: $(((before + good) * CHUNK)) pairs certified, $bad chunks failed"
+    [ $bad = 0 ]
+  }

@@ -7,7 +7,7 @@
 
 #define SEED 20240611
 #define PAIRS_PER_CELL ((unsigned)check_trials(600))
-#define POINTS_PER_KIND 20000
+#define POINTS_PER_KIND ((unsigned)check_trials(20000))
 #define TOLERANCE 2.0L
 // Between the oracle's bounds.
 #define SHARPNESS 0.001L
