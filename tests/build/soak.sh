@@ -30,7 +30,7 @@ mkdir -p "$state"
 awk -v first=$FIRST_SEED -v chunks=$chunks '
   { done[$1] }
   END { for (i = 0; i < chunks; i++) if (!((first + i) in done)) print first + i }' "$state/done" |
-  xargs -P 2 -n 1 sh "$0" --chunk "$state/program" "$state" |
+  xargs -r -P 2 -n 1 sh "$0" --chunk "$state/program" "$state" |
   {
     before=$(awk -v last=$((FIRST_SEED + chunks)) '$1 < last' "$state/done" | wc -l)
     start=$(date +%s)
