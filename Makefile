@@ -15,6 +15,8 @@
 #                        installs the compilers that the tests do without)
 #   make prove           shows the absence of undefined behaviour (Frama-C)
 #   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
+#   make coverage        which lines and branches of src the tests reach, over all variants of the code
+#   make soak            100,000,000 certified pairs over two cores, or PAIRS=N; goes on where it was interrupted
 #   make clean
 #
 # OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.
@@ -78,7 +80,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix prove lint clean
+.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix prove lint coverage soak clean
 all: lib build/gjk-query build/gjk-demo
 
 help:
@@ -202,6 +204,13 @@ prove:
 
 lint:
 	@sh tests/build/lint.sh build
+
+coverage: unit-tests
+	@sh tests/build/coverage.sh build
+
+PAIRS ?= 100000000
+soak: build/test_certificates
+	@sh tests/build/soak.sh build $(PAIRS)
 
 clean:
 	rm -rf build

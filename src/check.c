@@ -21,24 +21,23 @@ static bool load(gjk_iteration *it, const gjk_certificate *certificate) {
   return true;
 }
 
-// The vertex after number, from 0, in *offset; vertices are numbered without gaps.
+// The vertex number, from 0, in *offset; vertices are numbered without gaps, and none has the last number.
 typedef struct visit {
   const gjk_collider *collider;
-  uint32_t number;
+  uint16_t number;
 } visit;
 
 static bool next(visit *v, gjk_vec3 *offset) {
-  return v->number <= UINT16_MAX && v->collider->shape->type->vertex(v->collider, (uint16_t)v->number++, offset);
+  return v->collider->shape->type->vertex(v->collider, v->number++, offset);
 }
 
-// Does no vertex of the collider lie before origin along the exact direction (negated: along its opposite)?
+// Does no vertex of the collider lie before vertex origin along the exact direction (negated: along its opposite)?
+// Pre: the vertex exists.
 static bool none_before(const gjk_collider *c, const gjk_direction *direction, bool negated, uint16_t origin) {
   gjk_vec3 base, offset;
   visit v = {c, 0};
-  if (!c->shape->type->vertex(c, origin, &base)) {
-    return false;
-  }
-  while (next(&v, &offset)) {  // at most 2^16 vertices
+  (void)c->shape->type->vertex(c, origin, &base);
+  while (next(&v, &offset)) {  // at most GJK_HULL_VERTICES_MAX vertices
     const gjk_vec3 step = gjk_sub(offset, base);
     const int side = gjk_direction_sign(direction, &step);
     if (negated ? side < 0 : side > 0) {
@@ -53,7 +52,7 @@ static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d) {
   gjk_vec3 offset;
   visit v = {c, 0};
   int64_t largest = INT64_MIN;
-  while (next(&v, &offset)) {  // at most 2^16 vertices
+  while (next(&v, &offset)) {  // at most GJK_HULL_VERTICES_MAX vertices
     const int64_t along = gjk_dot(&offset, d);
     largest = along > largest ? along : largest;
   }

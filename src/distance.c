@@ -29,6 +29,7 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t 
 
 // The feature's distance in LSB, correctly rounded, a tie up; from the distance of its plane.
 static int64_t exact_distance(const gjk_iteration *it, int64_t plane) {
+  // not reached: GJK_SMALL is a constant
   if (it->shift >= 4 && !GJK_SMALL) {
     // In steps of 2^32: the error and the bits cut off are less than 3.
     const unsigned n = (unsigned)it->shift - 2;

@@ -30,6 +30,7 @@ uint32_t gjk_isqrt64(uint64_t x) {
   const uint64_t scaled = gjk_umul32(top, gjk_reciprocal_root(top) - 1) >> 30;
   uint32_t root = (uint32_t)(scaled >> (zeros / 2));
   uint64_t rest = x - gjk_umul32(root, root);
+  // not reached: 12 is a ceiling on what the error above may need
   for (int i = 0; i < 12 && rest > 2 * (uint64_t)root; i++) {
     rest -= 2 * (uint64_t)root + 1;
     root++;

@@ -88,11 +88,13 @@ static gjk_step set_triangle(gjk_simplex *s, unsigned x, unsigned y, unsigned w)
 }
 
 // The feature among the edges (x, w), (y, w) and vertex w, the face x, y, w being none.
-// x_edge: y lies behind edge (x, w); y_edge: x lies behind edge (y, w).
+// x_edge: y lies behind edge (x, w); y_edge: x lies behind edge (y, w). In the plane, x at 0, y ahead of it, origin at
+// (u, h) and w at (p, q), with u, h, q > 0 since edge (x, y) was nearest and w is nearer: x_edge says p h >= q u, so p > 0
+// and toward(x, w) = u p + h q > 0. The same for y.
 static gjk_step set_edge(gjk_simplex *s, unsigned x, unsigned y, unsigned w, bool x_edge, bool y_edge) {
-  if (x_edge && s->toward[w][x] > 0 && s->toward[x][w] > 0) {
+  if (x_edge && s->toward[w][x] > 0) {
     set_feature(s, 2, x, w, y);
-  } else if (y_edge && s->toward[w][y] > 0 && s->toward[y][w] > 0) {
+  } else if (y_edge && s->toward[w][y] > 0) {
     set_feature(s, 2, y, w, x);
   } else {
     set_feature(s, 1, w, x, y);
@@ -114,13 +116,14 @@ GJK_OUT_OF_LINE static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
 }
 
 // The feature of the tetrahedron of the old triangle and w when one face or more sees the origin.
-// visible: bit i for the face of order[i], order[i + 1 mod 3] and w.
+// visible: bit i for the face of order[i], order[i + 1 mod 3] and w. The origin's projection onto a visible face (x, y, w)
+// lies on w's side of edge (x, y): seen along that edge the origin stands above the old triangle at an angle below a
+// quarter turn, and at a larger one than the face.
 GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
   unsigned corner[4] = {s->order[0], s->order[1], s->order[2], s->order[0]};
   for (unsigned i = 0; i < 3; i++) {
     const unsigned x = corner[i], y = corner[i + 1];
-    if ((visible >> i & 1u) != 0 && beyond_edge(s, x, w, y) > 0 && beyond_edge(s, y, w, x) > 0 &&
-        beyond_edge(s, x, y, w) > 0) {
+    if ((visible >> i & 1u) != 0 && beyond_edge(s, x, w, y) > 0 && beyond_edge(s, y, w, x) > 0) {
       set_normal(s, x, y, w);
       set_feature(s, 3, x, y, w);
       return GJK_STEP_NEARER;

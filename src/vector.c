@@ -40,12 +40,9 @@ int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v) {
   return -gjk_sum_sign(direction->tb, along_a, direction->ta, gjk_dot(direction->b, v));
 }
 
-// x / 2^k to the nearest integer, 1 <= k <= 33. Pre: the result is at most 2^30 in size.
+// x / 2^k to the nearest integer, 1 <= k <= 32. Pre: the result is at most 2^30 in size.
 GJK_ONCE static int32_t round_down(int64_t x, unsigned k) {
   const uint64_t bits = (uint64_t)x + ((uint64_t)1 << (k - 1));
-  if (k > 32) {
-    return gjk_sar32(gjk_int32((uint32_t)(bits >> 32)), k - 32);
-  }
   return gjk_int32((uint32_t)((bits >> k) & UINT32_MAX));
 }
 

@@ -71,7 +71,7 @@ typedef struct gjk_rounded {
 bool gjk_round_edge_direction(const gjk_vec3 *a, int64_t tb, const gjk_vec3 *b, int64_t ta, gjk_rounded *out);
 
 // Rounds n to the nearest integers, with the least k >= 0 that leaves every component at most 2^30 in size.
-// Pre: |n| < 2^63 - 2^33 per component.
+// Pre: |n| < 2^62 per component.
 void gjk_round_direction(const gjk_long3 *n, gjk_rounded *out);
 
 // d 2^k with the largest k >= 0 that leaves every component below 2^30 in size, or d when none does. Pre: d != 0.

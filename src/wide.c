@@ -44,12 +44,12 @@ int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
   return sum.high > INT64_MAX ? -1 : (sum.high | sum.low) != 0;
 }
 
-// The 32 bits of x that start at bit number bits - 1, where no higher one is set. 1 <= bits <= 128.
+// The 32 bits of x that start at bit number bits - 1, where no higher one is set. 1 <= bits <= 127.
 static uint32_t leading(const gjk_u128 *x, unsigned bits) {
   uint64_t top;
   if (bits > 64) {
     const unsigned n = 128 - bits;
-    top = n == 0 ? x->high : (x->high << n) | (x->low >> (64 - n));
+    top = (x->high << n) | (x->low >> (64 - n));
   } else {
     top = x->low << (64 - bits);
   }
@@ -60,14 +60,13 @@ static uint32_t leading(const gjk_u128 *x, unsigned bits) {
 // 2^-3, 2^-6, 2^-12, 2^-24, then rounding.
 static uint32_t reciprocal(uint32_t x) {
   // With x = 2^32 u and the result 2^31 y: y = 1 / u on 1/2 <= u < 1 is 48/17 - 32/17 u within 1/17.
-  uint64_t line = UINT64_C(6063483241) - gjk_umulh32(x, UINT32_C(4042322161));
-  uint32_t y = line > UINT32_MAX ? UINT32_MAX : (uint32_t)line;
+  // At most 2^63 / x, and for x = 2^31 it ends at 2^32 - 1: each y fits.
+  uint32_t y = (uint32_t)(UINT64_C(6063483241) - gjk_umulh32(x, UINT32_C(4042322161)));
   for (int i = 0; i < 3; i++) {
     // 2^63 - x y, scaled: positive or negative, at most 2^60 in size
     int64_t rest = gjk_int64((UINT64_C(1) << 63) - gjk_umul32(x, y));
     int32_t e = (int32_t)gjk_sar64(rest, 31);
-    int64_t next = (int64_t)y + gjk_sar64(gjk_mul32((int32_t)(y >> 1), e), 31);
-    y = next > (int64_t)UINT32_MAX ? UINT32_MAX : (uint32_t)next;
+    y = (uint32_t)((int64_t)y + gjk_sar64(gjk_mul32((int32_t)(y >> 1), e), 31));
   }
   return y;
 }

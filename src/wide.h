@@ -34,19 +34,21 @@ static inline int64_t gjk_int64(uint64_t u) {
   return u <= INT64_MAX ? (int64_t)u : -(int64_t)(UINT64_MAX - u) - 1;
 }
 
-// floor(x / 2^n), 0 <= n <= 31. The condition is constant: a plain shift where the compiler's is arithmetic.
+// floor(x / 2^n), 0 <= n <= 31. A plain shift where the compiler's is arithmetic.
 static inline int32_t gjk_sar32(int32_t x, unsigned n) {
-  if ((-1 >> 1) == -1) {
+  if ((-1 >> 1) == -1) {  // not reached: a constant has one outcome
     return x >> n;
   }
+  // not reached: the compilers at hand shift arithmetically
   return x < 0 ? ~(~x >> n) : x >> n;
 }
 
 // floor(x / 2^n), 0 <= n <= 63.
 static inline int64_t gjk_sar64(int64_t x, unsigned n) {
-  if ((-1 >> 1) == -1) {
+  if ((-1 >> 1) == -1) {  // not reached: a constant has one outcome
     return x >> n;
   }
+  // not reached: the compilers at hand shift arithmetically
   return x < 0 ? ~(~x >> n) : x >> n;
 }
 

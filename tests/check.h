@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static unsigned long check_passed, check_failed;
 
@@ -20,6 +21,13 @@ static unsigned long check_passed, check_failed;
   } while (0)
 
 #define CHECK(condition) CHECK_MSG(condition, "%s", "")
+
+// How many of n random trials to make: all, or GJK_TEST_PERCENT of them, for runs that repeat the tests many times over.
+static inline unsigned long check_trials(unsigned long n) {
+  const char *percent = getenv("GJK_TEST_PERCENT");
+  const unsigned long share = percent == NULL ? n : n * strtoul(percent, NULL, 10) / 100;
+  return share > 0 ? share : 1;
+}
 
 // The program's exit status; prints the line that the test runner adds up.
 static inline int check_done(const char *name) {

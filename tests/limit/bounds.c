@@ -43,6 +43,14 @@ int main(void) {
     make(&random, 0, size, &shapes[0], &a);
     make(&random, 1, size, &shapes[1], &b);
     const gjk_status status = gjk_distance(&a, &b, NULL, &result);
+    const gjk_effort full = {0, 0};
+    gjk_distance_result until = {0};
+    // Round by round it ends where the whole does, with bounds at least as narrow.
+    if (gjk_distance_until(&a, &b, &full, NULL, &until) != status || until.iterations != result.iterations ||
+        until.lower < result.lower || until.upper > result.upper) {
+      printf("pair %d round by round: %ld %ld\n", i, (long)until.lower, (long)until.upper);
+      return 1;
+    }
     const gjk_status decided = gjk_intersect(&a, &b, NULL, &decision);
     printf("%d %d %ld %ld %d %d %d\n", i, (int)status, (long)result.lower, (long)result.upper, result.iterations,
            (int)decided, decision.yes);

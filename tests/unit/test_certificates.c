@@ -8,7 +8,7 @@
 #include "../exact/exact.h"
 #include "../generate/generate.h"
 
-#define PAIRS 1000000
+#define PAIRS check_trials(1000000)
 #define FAILURES_SHOWN 10
 #define CACHES 3
 

@@ -6,8 +6,8 @@
 #include "../reference/random_shape.h"
 
 #define SEED 20240611
-#define PAIRS_PER_CELL 600
-#define POINTS_PER_KIND 20000
+#define PAIRS_PER_CELL ((unsigned)check_trials(600))
+#define POINTS_PER_KIND ((unsigned)check_trials(20000))
 #define TOLERANCE 2.0L
 // Between the oracle's bounds.
 #define SHARPNESS 0.001L
@@ -203,7 +203,7 @@ static void test_random_pairs(case_pair *pair, case_collider *a, case_collider *
     for (int b_kind = CASE_POINT; b_kind <= CASE_ELLIPSOID; b_kind++) {
       for (int place = 0; place < PLACEMENTS; place++) {
         family f = {0};
-        for (int i = 0; i < PAIRS_PER_CELL; i++) {
+        for (unsigned i = 0; i < PAIRS_PER_CELL; i++) {
           bool swapped = random_below(&random, 2) == 0;
           bool made = make_pair(&random, (case_kind)(swapped ? b_kind : a_kind), (case_kind)(swapped ? a_kind : b_kind),
                                 (placement)place, pair, a, b);

@@ -6,7 +6,7 @@
 #include "../generate/generate.h"
 
 #define SEED 4471
-#define SMALLEST_PAIRS 4000
+#define SMALLEST_PAIRS ((int)check_trials(4000))
 
 typedef struct subject {
   case_pair pair;
@@ -101,8 +101,8 @@ static void test_smallest(random_state *random, subject *s, generate_contact con
   }
   printf("contact %d: %lu pairs, %lu below, %lu above, normals of up to %u bits\n", (int)contact, t.pairs, t.below,
          t.above, t.bits);
-  CHECK(t.below > t.pairs * 3 / 10 && t.above > t.pairs * 3 / 10);
-  CHECK_MSG(t.bits >= bits, "%u bits", t.bits);
+  CHECK(t.pairs < 1000 || (t.below > t.pairs * 3 / 10 && t.above > t.pairs * 3 / 10));
+  CHECK_MSG(t.pairs < 1000 || t.bits >= bits, "%u bits", t.bits);
 }
 
 static bool equals_brute(const subject *s, unsigned long *together) {

@@ -7,7 +7,7 @@
 #include "../random.h"
 
 #define SEED 20240611
-#define ROUNDS 200000
+#define ROUNDS ((int)check_trials(200000))
 #define ONE GJK_Q30_ONE
 
 // A real rotation.
@@ -62,9 +62,8 @@ static real_quat real_of(const gjk_quat *q) {
 }
 
 static real_quat real_product(real_quat a, real_quat b) {
-  const real_quat p = {
-      a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
-      a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+  const real_quat p = {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
+                       a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
   return p;
 }
 
@@ -173,8 +172,8 @@ static void test_axis_angle(random_state *random) {
     if (angle != INT32_MIN) {
       gjk_quat_from_axis_angle(&axis, -angle, &back);
       // Halves are rounded up, so a mirrored component may differ by 1.
-      mirrored += back.w != q.w || labs((long)back.x + q.x) > 1 || labs((long)back.y + q.y) > 1 ||
-                  labs((long)back.z + q.z) > 1;
+      mirrored +=
+          back.w != q.w || labs((long)back.x + q.x) > 1 || labs((long)back.y + q.y) > 1 || labs((long)back.z + q.z) > 1;
     }
   }
   check_worst(&at);
@@ -239,8 +238,8 @@ static void test_compose(random_state *random) {
     gjk_quat p, into_a = a, into_b = b, square_a = a, squared;
     CHECK(gjk_quat_compose(&a, &b, &p) == GJK_OK);
     if (worse_quat(&at, &p, real_product(real_of(&a), real_of(&b)))) {
-      NOTE(&at, "%ld %ld %ld %ld by %ld %ld %ld %ld", (long)a.x, (long)a.y, (long)a.z, (long)a.w, (long)b.x,
-           (long)b.y, (long)b.z, (long)b.w);
+      NOTE(&at, "%ld %ld %ld %ld by %ld %ld %ld %ld", (long)a.x, (long)a.y, (long)a.z, (long)a.w, (long)b.x, (long)b.y,
+           (long)b.z, (long)b.w);
     }
     gjk_quat_compose(&into_a, &b, &into_a);
     gjk_quat_compose(&a, &into_b, &into_b);
@@ -255,7 +254,7 @@ static void test_compose(random_state *random) {
   }
   check_worst(&at);
   CHECK_MSG(changed == 0, "in place %lu of %d, seed %d", changed, ROUNDS, SEED);
-  CHECK_MSG(returned == ROUNDS, "with the inverse %lu of %d, seed %d", returned, ROUNDS, SEED);
+  CHECK_MSG(returned == (unsigned long)ROUNDS, "with the inverse %lu of %d, seed %d", returned, ROUNDS, SEED);
 }
 
 // Rotation and move, for vectors at most length LSB long.
@@ -297,7 +296,8 @@ static void test_apply(random_state *random, const char *name, int32_t length, l
   check_worst(&at);
   CHECK_MSG(wrong == 0, "%s: %lu of %d statuses, seed %d", name, wrong, ROUNDS, SEED);
   CHECK_MSG(changed == 0, "%s: in place %lu of %d, seed %d", name, changed, ROUNDS, SEED);
-  CHECK_MSG(length == 0 ? out_of_range > ROUNDS / 10 && out_of_range < ROUNDS * 9 / 10 : out_of_range == 0,
+  CHECK_MSG(length == 0 ? out_of_range > (unsigned long)ROUNDS / 10 && out_of_range < (unsigned long)ROUNDS * 9 / 10
+                        : out_of_range == 0,
             "%s: %lu of %d out of range", name, out_of_range, ROUNDS);
 }
 

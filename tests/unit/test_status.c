@@ -191,10 +191,11 @@ static bool same(const gjk_collider *a, const gjk_collider *b) {
 
 // A refused pose leaves the collider where it was.
 static void test_poses(void) {
-  static const gjk_vec3 aside[2] = {{10, 0, -10}, {12, 0, -12}};
+  static const gjk_vec3 aside[2] = {{10, 10, -10}, {12, 12, -12}};
   static const gjk_shape hull = GJK_HULL(aside, 2);
   const gjk_pose flat = {{1, 2, 3}, {0, 0, 0, 0}}, stretched = {{1, 2, 3}, {0, 0, 0, GJK_Q30_ONE + 16384}};
   const gjk_pose beyond = {{INT32_MAX - 10, 0, 0}, {0, 0, 0, GJK_Q30_ONE}};
+  const gjk_pose sideways = {{0, INT32_MAX - 10, 0}, {0, 0, 0, GJK_Q30_ONE}};
   const gjk_pose below = {{0, 0, INT32_MIN + 10}, {0, 0, 0, GJK_Q30_ONE}};
   const gjk_pose at_most = {{INT32_MAX - 11, 0, INT32_MIN + 11}, {0, 0, 0, GJK_Q30_ONE}};
   gjk_collider collider = posed(&hull);
@@ -209,7 +210,9 @@ static void test_poses(void) {
   CHECK(gjk_collider_move(NULL, &beyond.position) == GJK_ERROR_NULL);
   CHECK(gjk_collider_move(&collider, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_collider_move(&collider, &beyond.position) == GJK_ERROR_RANGE);
+  CHECK(gjk_collider_pose(&collider, &sideways) == GJK_ERROR_RANGE);
   CHECK(gjk_collider_move(&collider, &below.position) == GJK_ERROR_RANGE);
+  CHECK(gjk_collider_move(&collider, &sideways.position) == GJK_ERROR_RANGE);
   CHECK(same(&collider, &before));
   CHECK(gjk_collider_move(&collider, &at_most.position) == GJK_OK && collider.centre.x == INT32_MAX &&
         collider.centre.z == INT32_MIN);

@@ -8,7 +8,7 @@
 #include "../generate/place.h"
 
 #define SEED 3301
-#define PAIRS_PER_FAMILY 1500
+#define PAIRS_PER_FAMILY check_trials(1500)
 #define SHUFFLES 4
 #define PERMUTED_MAX 5  // vertices: all orders of them are tried, 120
 

@@ -106,6 +106,9 @@ static void test_statuses(void) {
   effort.error = 0;
   effort.iterations = 1;
   CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK && out.intersecting && out.distance == 0);
+  // As many rounds as ever, or more, is no limit.
+  effort.iterations = GJK_ITERATIONS_MAX;
+  CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK && out.intersecting);
 }
 
 int main(void) {

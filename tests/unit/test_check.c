@@ -1,0 +1,129 @@
+// Certificates that no query gives: the library's check refuses each for its own reason.
+#include <string.h>
+
+#include "../check.h"
+#include "gjk/gjk.h"
+
+#define ONE GJK_Q16_ONE
+
+static const gjk_vec3 corners[3] = {{-ONE, -ONE, 0}, {ONE, -ONE, 0}, {0, ONE, 0}};
+static const gjk_shape dot = GJK_POINT, sheet = GJK_TRIANGLE(corners), cube = GJK_BOX(ONE, ONE, ONE);
+
+static gjk_collider placed(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
+  const gjk_pose pose = {{x, y, z}, {0, 0, 0, GJK_Q30_ONE}};
+  gjk_collider collider;
+  memset(&collider, 0, sizeof collider);
+  CHECK(gjk_collider_init(&collider, shape, NULL, 0) == GJK_OK);
+  CHECK(gjk_collider_pose(&collider, &pose) == GJK_OK);
+  return collider;
+}
+
+// What the check says to "apart, the first count vertices of A and vertex 0 of B are nearest".
+static gjk_status nearest(const gjk_collider *a, const gjk_collider *b, uint8_t count) {
+  gjk_decision decision;
+  memset(&decision, 0, sizeof decision);
+  decision.certificate.proof = GJK_PROOF_NEAREST;
+  decision.certificate.count = count;
+  for (uint8_t i = 0; i < count; i++) {
+    decision.certificate.a[i] = i;
+  }
+  return gjk_check_decision(a, b, 0, &decision);
+}
+
+// Features with the origin on them are nearest to it, but not apart from it.
+static void test_origin_on_feature(void) {
+  const gjk_collider a = placed(&dot, 5, 5, 5), b = placed(&sheet, 0, 0, 0);
+  const gjk_collider middle = placed(&dot, 0, -ONE, 0), inside = placed(&dot, 0, 0, 0), above = placed(&dot, 0, 0, 1);
+  CHECK(nearest(&a, &a, 1) == GJK_ERROR_UNPROVEN);
+  CHECK(nearest(&b, &middle, 2) == GJK_ERROR_UNPROVEN);
+  CHECK(nearest(&b, &inside, 3) == GJK_ERROR_UNPROVEN);
+  CHECK(nearest(&b, &above, 3) == GJK_OK);
+  CHECK(nearest(&b, &above, 2) == GJK_ERROR_UNPROVEN);
+  CHECK(nearest(&b, &above, 0) == GJK_ERROR_UNPROVEN);
+}
+
+// A direction proves a gap while each component is in range.
+static void test_directions(void) {
+  const gjk_collider a = placed(&cube, 0, 0, 0);
+  gjk_decision decision;
+  memset(&decision, 0, sizeof decision);
+  decision.certificate.proof = GJK_PROOF_DIRECTION;
+  const gjk_q16 most = 3 * (INT32_C(1) << 29);
+  for (int axis = 0; axis < 3; axis++) {
+    const gjk_q16 gap = 2 * ONE + 10;
+    const gjk_collider b = placed(&cube, axis == 0 ? gap : 0, axis == 1 ? gap : 0, axis == 2 ? gap : 0);
+    for (gjk_q16 size = most; size <= most + 1; size++) {
+      gjk_vec3 d = {axis == 0 ? size : 0, axis == 1 ? size : 0, axis == 2 ? size : 0};
+      const gjk_status status = size <= most ? GJK_OK : GJK_ERROR_UNPROVEN;
+      decision.certificate.direction = d;
+      CHECK(gjk_check_decision(&a, &b, 0, &decision) == status);
+      CHECK(gjk_check_decision(&a, &b, 9, &decision) == status);
+      CHECK(gjk_check_decision(&a, &b, 10, &decision) == GJK_ERROR_UNPROVEN);
+      CHECK(gjk_check_decision(&a, &b, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
+      CHECK(gjk_check_decision(&b, &a, 0, &decision) == GJK_ERROR_UNPROVEN);
+    }
+  }
+  // With roundings the asked distance leaves 31 bits.
+  static const gjk_shape ball = GJK_SPHERE(ONE);
+  const gjk_collider p = placed(&ball, 0, 0, 0), q = placed(&ball, 5 * ONE, 0, 0);
+  const gjk_vec3 along = {ONE, 0, 0};
+  decision.certificate.direction = along;
+  CHECK(gjk_check_decision(&p, &q, 3 * ONE - 1, &decision) == GJK_OK);
+  CHECK(gjk_check_decision(&p, &q, 3 * ONE, &decision) == GJK_ERROR_UNPROVEN);
+  CHECK(gjk_check_decision(&p, &q, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
+}
+
+// The largest shapes at the largest distance of an unscaled frame, asked for more than it can hold.
+static void test_largest(void) {
+  static const gjk_shape box = GJK_BOX(154943445, 154943445, 154943445), barrel = GJK_CYLINDER(189766190, 189766190);
+  const gjk_q16 away = 619925130;  // 2^30 / sqrt(3)
+  const gjk_shape *const shapes[2] = {&box, &barrel};
+  for (int i = 0; i < 2; i++) {
+    const gjk_collider a = placed(shapes[i], 0, 0, 0), b = placed(shapes[i], away, away, away);
+    gjk_cache cache;
+    gjk_decision decision;
+    memset(&cache, 0, sizeof cache);
+    for (int round = 0; round < 3; round++) {
+      CHECK(gjk_intersect(&a, &b, &cache, &decision) == GJK_OK && !decision.yes);
+      CHECK(gjk_within(&a, &b, INT32_MAX, &cache, &decision) == GJK_OK && decision.yes);
+      CHECK(gjk_within(&a, &b, away / 4, &cache, &decision) == GJK_OK && !decision.yes);
+    }
+  }
+}
+
+// Bounding spheres apart settle it, whatever the certificate says.
+static void test_spheres(void) {
+  const gjk_collider a = placed(&cube, 0, 0, 0), b = placed(&cube, 0, 0, 100 * ONE);
+  gjk_decision decision;
+  memset(&decision, 0, sizeof decision);
+  CHECK(gjk_check_decision(&a, &b, 5, &decision) == GJK_OK);
+  decision.yes = true;
+  CHECK(gjk_check_decision(&a, &b, 5, &decision) == GJK_ERROR_UNPROVEN);
+  // Too far for exact proofs, and asked for more than that.
+  const gjk_collider c = placed(&cube, 0, 0, INT32_MAX), d = placed(&cube, 0, 0, INT32_MIN + 2);
+  CHECK(gjk_check_decision(&a, &c, INT32_MAX, &decision) == GJK_ERROR_UNSUPPORTED);
+  CHECK(gjk_check_decision(&c, &d, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
+}
+
+// The right feature with distances beside the right one.
+static void test_distances(void) {
+  const gjk_collider a = placed(&dot, 0, 0, 0), b = placed(&dot, 3, 4, 0);
+  gjk_distance_result result;
+  memset(&result, 0, sizeof result);
+  CHECK(gjk_distance(&a, &b, NULL, &result) == GJK_OK && result.distance == 5);
+  CHECK(gjk_check_distance(&a, &b, &result) == GJK_OK);
+  static const gjk_q16 wrong[] = {0, 4, 6, 65536, GJK_DISTANCE_MAX - 1, GJK_DISTANCE_MAX, -1, -5};
+  for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+    result.distance = wrong[i];
+    CHECK_MSG(gjk_check_distance(&a, &b, &result) == GJK_ERROR_UNPROVEN, "%ld", (long)wrong[i]);
+  }
+}
+
+int main(void) {
+  test_origin_on_feature();
+  test_directions();
+  test_largest();
+  test_spheres();
+  test_distances();
+  return check_done("check");
+}

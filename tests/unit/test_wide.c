@@ -1,0 +1,117 @@
+// Wide integers against arithmetic of another kind: long double where rounding is harmless, identities elsewhere.
+#include <math.h>
+
+#include "../../src/wide.h"
+#include "../check.h"
+#include "../random.h"
+
+#define SEED 4096
+#define TRIALS ((int)check_trials(200000))
+
+static gjk_u128 random_u128(random_state *random, unsigned bits) {
+  gjk_u128 x = {random_u64(random), random_u64(random)};
+  for (unsigned i = bits; i < 128; i++) {
+    x.low = (x.low >> 1) | (x.high << 63);
+    x.high >>= 1;
+  }
+  return x;
+}
+
+static long double value(const gjk_u128 *x) {
+  return ldexpl((long double)x->high, 64) + (long double)x->low;
+}
+
+static long double share_value(const gjk_share *s) {
+  return ldexpl((long double)s->high, 16) + (long double)s->low;
+}
+
+// Coarse shares are within 3 of 2^31 times the real ones, fine ones below 1 short of 2^47 times; both add up to 1 at most.
+static void check_shares(const gjk_u128 part[3], const char *what) {
+  const long double sum = value(&part[0]) + value(&part[1]) + value(&part[2]);
+  for (int fine = 0; fine < 2; fine++) {
+    gjk_share share[2];
+    gjk_shares(&part[0], &part[1], &part[2], fine == 1, share);
+    for (int i = 0; i < 2; i++) {
+      const long double real = ldexpl(value(&part[i + 1]) / sum, 47), found = share_value(&share[i]);
+      const long double error = found - real;
+      CHECK_MSG(fine == 1 ? error <= 0.01L && error > -1.01L : fabsl(error) <= 3 * 65536.0L, "%s, fine %d: %.3Lf off",
+                what, fine, error);
+      CHECK(share[i].high >= 0 && share[i].low >= 0 && share[i].low < 65536);
+    }
+    CHECK((int64_t)share[0].high + share[1].high <= INT32_MAX);
+  }
+}
+
+static void test_shares(void) {
+  random_state random = random_seed(SEED);
+  // A sum that is a power of two: the reciprocal of 2^31, 2^32, is the one that does not fit.
+  for (unsigned bit = 2; bit < 127; bit++) {
+    const gjk_u128 part[3] = {
+        {bit - 2 > 63 ? UINT64_C(1) << (bit - 66) : 0, bit - 2 > 63 ? 0 : UINT64_C(1) << (bit - 2)},
+        {bit - 1 > 63 ? UINT64_C(1) << (bit - 65) : 0, bit - 1 > 63 ? 0 : UINT64_C(1) << (bit - 1)},
+        {bit - 2 > 63 ? UINT64_C(1) << (bit - 66) : 0, bit - 2 > 63 ? 0 : UINT64_C(1) << (bit - 2)}};
+    check_shares(part, "power");
+  }
+  for (int i = 0; i < TRIALS; i++) {
+    const unsigned bits = 2 + random_below(&random, 123);
+    gjk_u128 part[3];
+    for (int k = 0; k < 3; k++) {
+      part[k] = random_u128(&random, bits - (unsigned)k * random_below(&random, bits / 3 + 1));
+      part[k].low |= 1;
+    }
+    check_shares(part, "random");
+  }
+}
+
+static int sign_of(long double x) {
+  return (x > 0) - (x < 0);
+}
+
+// p q + r s with p q near -r s: (x + i)(y + j) - x y = i y + j x + i j for small i, j.
+static void test_sums(void) {
+  random_state random = random_seed(SEED + 1);
+  for (int i = 0; i < TRIALS; i++) {
+    const unsigned shift = random_below(&random, 60);
+    const int64_t x = (int64_t)(random_u64(&random) >> 3) >> shift, y = (int64_t)(random_u64(&random) >> 3) >> shift;
+    const int32_t a = random_range(&random, -2, 2), b = random_range(&random, -2, 2);
+    const int sign = sign_of((long double)a * (long double)y + (long double)b * (long double)x + a * b);
+    const int flip = i % 2 == 0 ? 1 : -1;
+    CHECK(gjk_sum_sign_exact(flip * (x + a), y + b, x, -flip * y) == flip * sign);
+    CHECK(gjk_sum_sign_exact(x, y, -(x + a), y + b) == -sign);
+    gjk_u128 sum;
+    gjk_sum(x, y, -x, y - 1, &sum);
+    CHECK(sum.high == 0 && sum.low == (uint64_t)x);
+  }
+}
+
+// (x + y)^2 - (x - y)^2 = 4 x y, in limbs.
+static void test_limbs(void) {
+  random_state random = random_seed(SEED + 2);
+  for (int i = 0; i < TRIALS; i++) {
+    const uint64_t x = random_u64(&random) >> (1 + random_below(&random, 63));
+    const uint64_t y = random_below(&random, 4) == 0 ? x : random_u64(&random) >> (1 + random_below(&random, 63));
+    const uint64_t larger = x > y ? x : y, smaller = x > y ? y : x;
+    gjk_limbs a, b, sum, difference, product;
+    gjk_limbs_set(&a, x + y);
+    gjk_limbs_multiply(&sum, &a, &a);
+    gjk_limbs_set(&a, larger - smaller);
+    gjk_limbs_multiply(&difference, &a, &a);
+    gjk_limbs_set(&a, 2 * x);
+    gjk_limbs_set(&b, 2 * y);
+    gjk_limbs_multiply(&product, &a, &b);
+    CHECK(gjk_limbs_compare(&sum, &difference) == (x != 0 && y != 0));
+    CHECK(gjk_limbs_compare(&difference, &sum) == -(x != 0 && y != 0));
+    gjk_limbs_add(&difference, &product);
+    CHECK(gjk_limbs_compare(&sum, &difference) == 0);
+    gjk_limbs_subtract(&sum, &product);
+    gjk_limbs_subtract(&difference, &product);
+    CHECK(gjk_limbs_compare(&sum, &difference) == 0);
+  }
+}
+
+int main(void) {
+  test_shares();
+  test_sums();
+  test_limbs();
+  return check_done("wide");
+}
