@@ -127,32 +127,29 @@ static bool parts(const judge *j, const exact_plane *plane, const exact_point *t
   return exact_plane_compare(&moved, -j->radius) <= 0;
 }
 
-static bool move_collider(const gjk_collider *from, const exact_point *t, int sign, gjk_collider *out) {
-  const int64_t x = from->position.x + sign * t->x[0], y = from->position.y + sign * t->x[1],
-                z = from->position.z + sign * t->x[2];
-  *out = *from;
-  if (x != (int32_t)x || y != (int32_t)y || z != (int32_t)z) {
-    return false;
-  }
+static bool move_collider(const gjk_collider *from, const exact_point *by, gjk_collider *out) {
+  const int64_t x = from->position.x + by->x[0], y = from->position.y + by->x[1], z = from->position.z + by->x[2];
   const gjk_vec3 position = {(gjk_q16)x, (gjk_q16)y, (gjk_q16)z};
-  return gjk_collider_move(out, &position) == GJK_OK;
+  *out = *from;
+  return x == position.x && y == position.y && z == position.z && gjk_collider_move(out, &position) == GJK_OK;
 }
 
-// The shapes themselves, B moved or, at the end of the world, A the other way; whatever finds it, the proof counts.
-static bool parts_shapes(judge *j, const exact_point *t) {
-  gjk_collider moved;
+// The shapes themselves, carried to the middle of the world, where there is room; whatever finds it, the proof counts.
+static bool parts_shapes(const judge *j, const exact_point *t) {
+  const gjk_vec3 *c = &j->a->centre;
+  const exact_point back = {{c->x, c->y, c->z}}, zero = {{0, 0, 0}};
+  const exact_point by_a = exact_subtract(&zero, &back), by_b = exact_subtract(t, &back);
+  gjk_collider a, b;
   gjk_distance_result r;
   char why[128];
   exact_overlap overlap;
-  const bool moves_b = move_collider(j->b, t, 1, &moved);
-  if (!moves_b && !move_collider(j->a, t, -1, &moved)) {
+  if (!move_collider(j->a, &by_a, &a) || !move_collider(j->b, &by_b, &b)) {
     return false;
   }
-  const gjk_collider *a = moves_b ? j->a : &moved, *b = moves_b ? &moved : j->b;
-  if (gjk_distance(a, b, NULL, &r) == GJK_OK && !r.intersecting) {
-    return exact_check_gap(a, b, &r, why, sizeof why);
+  if (gjk_distance(&a, &b, NULL, &r) == GJK_OK && !r.intersecting) {
+    return exact_check_gap(&a, &b, &r, why, sizeof why);
   }
-  return exact_overlap_find(a, b, &overlap) && overlap.touching;
+  return exact_overlap_find(&a, &b, &overlap) && overlap.touching;
 }
 
 bool exact_check_move(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result, char *why,

@@ -193,9 +193,9 @@ static void outermost(random_state *random, case_pair *pair) {
 const generate_family generate_overlaps[] = {
     {"shallow-boxes", shallow_boxes, 95, 100, 0},
     {"shallow-hulls", shallow_hulls, 95, 100, 0},
-    {"shallow-thin", shallow_thin, 60, 100, 0},
+    {"shallow-thin", shallow_thin, 70, 100, 0},
     {"shallow-rounded", shallow_rounded, 90, 100, 0},
-    {"deep-tiny", deep_tiny, 80, 100, 0},
+    {"deep-tiny", deep_tiny, 60, 100, 0},
     {"deep-boxes", deep_boxes, 95, 100, 0},
     {"deep-hulls", deep_hulls, 80, 100, 0},
     {"deep-mixed", deep_mixed, 90, 100, 0},
@@ -208,6 +208,6 @@ const generate_family generate_overlaps[] = {
     {"flush-boxes", flush_boxes, 80, 100, 0},
     {"duplicates", duplicates, 50, 100, 0},
     {"flat", generate_flat, 10, 80, 0},
-    {"outermost", outermost, 90, 100, 0},
+    {"outermost", outermost, 70, 100, 0},
 };
 const unsigned generate_overlap_count = sizeof generate_overlaps / sizeof generate_overlaps[0];
