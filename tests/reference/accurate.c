@@ -36,10 +36,11 @@ void accurate_distance(const case_pair *pair, const case_collider *a, const case
   // 2^-12 LSB between the bounds; a core distance below 2^-40 of the largest vertex, at most 2^-10 LSB, is 0.
   static const solver_limits limits = {0, SOLVER_LSB / 4096, 0x1p-80L, 3000};
   solver_shape shape_a, shape_b;
+  solver_simplex last;
   solver_result core;
   make_shape(&shape_a, &pair->a, a, a->collider.centre);
   make_shape(&shape_b, &pair->b, b, a->collider.centre);
-  solve(&shape_a, &shape_b, &limits, &core);
+  solve(&shape_a, &shape_b, &limits, &last, &core);
   real round = shape_a.round + shape_b.round;
   out->enclosing = core.enclosing;
   out->lower = (long double)((core.lower - round) / SOLVER_LSB);

@@ -264,31 +264,33 @@ static void report(const solver_simplex *s, const real v[3], solver_result *out)
 }
 
 // The distance of two cores. Stops when the bounds meet, when the origin is enclosed, or when rounding ends progress.
-static void solve(const solver_shape *a, const solver_shape *b, const solver_limits *limits, solver_result *out) {
-  solver_simplex simplex = {0};
+// last: the simplex that it ended with.
+static void solve(const solver_shape *a, const solver_shape *b, const solver_limits *limits, solver_simplex *last,
+                  solver_result *out) {
   real v[3], d[3];
   real_sub(b->centre, a->centre, d);
   out->enclosing = false;
   out->iterations = 1;
-  add_farthest(&simplex, a, b, d);
-  simplex.count = 1;
-  real largest = reduce(&simplex, v);
+  last->count = 0;
+  add_farthest(last, a, b, d);
+  last->count = 1;
+  real largest = reduce(last, v);
   out->upper = real_length(v);
   out->lower = -out->upper;
   while (out->upper * out->upper > limits->enclosing * largest) {
-    report(&simplex, v, out);
+    report(last, v, out);
     out->iterations++;
-    add_farthest(&simplex, a, b, out->normal);
-    real bound = -real_dot(simplex.w[simplex.count], out->normal);
+    add_farthest(last, a, b, out->normal);
+    real bound = -real_dot(last->w[last->count], out->normal);
     out->lower = bound > out->lower ? bound : out->lower;
     real slack = out->upper * limits->relative;
     if (out->upper - out->lower <= (slack > limits->absolute ? slack : limits->absolute) ||
-        contains(&simplex, simplex.w[simplex.count]) || out->iterations >= limits->iterations) {
+        contains(last, last->w[last->count]) || out->iterations >= limits->iterations) {
       return;
     }
-    simplex.count++;
-    largest = reduce(&simplex, v);
-    if (simplex.count == 4) {
+    last->count++;
+    largest = reduce(last, v);
+    if (last->count == 4) {
       break;
     }
     if (real_length(v) >= out->upper) {
