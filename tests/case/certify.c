@@ -46,6 +46,11 @@ static certify_verdict compare_bounds(const case_question *question, const case_
 static bool check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result,
                               char why[CERTIFY_WHY_MAX]) {
   exact_overlap truth;
+  const gjk_status status = gjk_check_penetration(a, b, result);
+  if (status != GJK_OK) {
+    snprintf(why, CERTIFY_WHY_MAX, "the library's check: %s", gjk_status_name(status));
+    return false;
+  }
   if (!exact_check_penetration(a, b, result, why, CERTIFY_WHY_MAX)) {
     return false;
   }

@@ -9,7 +9,7 @@
 #include "../exact/depth.h"
 #include "../generate/overlap.h"
 #include "../generate/place.h"
-#include "gjk/penetration.h"
+#include "gjk/gjk.h"
 
 // Of each family; together more than a million overlap.
 #define OVERLAPS 57000
@@ -19,8 +19,9 @@
 #define FAILURES_SHOWN 5
 #define CELLS GJK_POLYTOPE_CELLS(4096)
 
-// One in so many pairs is asked again: by brute force, with caches, the other way round and elsewhere, with its vertices
+// One in so many pairs is also checked by the library's own check, right and wrong answers, and asked again: by brute force, with caches, the other way round and elsewhere, with its vertices
 // shuffled, and with every workspace from no cells on.
+#define CHECK_EVERY 4
 #define BRUTE_EVERY 4
 #define BRUTE_DIRECTIONS 2000
 #define AGAIN_EVERY 8
@@ -34,7 +35,7 @@ typedef struct campaign {
   gjk_penetration_result found;
   gjk_cache own, kept;  // of this pair; of the one before, rubbish for this one
   random_state random;
-  unsigned long pairs, intersecting, touching, brute, failures;
+  unsigned long pairs, intersecting, touching, brute, refused, failures;
   unsigned iterations;
   uint32_t cells;  // largest workspace that was needed
   unsigned long proofs[GJK_PROOF_PLANE + 1];
@@ -92,6 +93,33 @@ static void check_elsewhere(campaign *c) {
   if (move(&a, &t) && move(&b, &t)) {
     expect_same(c, &a, &b, NULL, "both moved");
   }
+}
+
+// The library's check must refuse what the oracle refuses, and a depth that is off.
+static void check_refusals(campaign *c) {
+  const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
+  gjk_penetration_result wrong = c->found;
+  expect(c, gjk_check_penetration(a, b, &wrong) == GJK_OK, "gjk_check_penetration");
+  if (!wrong.intersecting || exact_is_far(a, b)) {
+    return;
+  }
+  const gjk_q16 by = random_below(&c->random, 2) == 0 ? 1 : -1;
+  wrong.depth += by;
+  wrong.lower += by;
+  wrong.upper += by;
+  expect(c, gjk_check_penetration(a, b, &wrong) == GJK_ERROR_UNPROVEN, "a wrong depth");
+  wrong = c->found;
+  wrong.intersecting = false;
+  expect(c, gjk_check_penetration(a, b, &wrong) == GJK_ERROR_UNPROVEN, "not intersecting");
+  if (c->found.certificate.proof == GJK_PROOF_PLANE) {  // there the direction alone is the library's proof
+    return;
+  }
+  wrong = c->found;
+  wrong.certificate.a[random_below(&c->random, 3)] ^= (uint16_t)(1u << random_below(&c->random, 4));
+  const bool valid = exact_check_penetration(a, b, &wrong, c->why, sizeof c->why);
+  const gjk_status status = gjk_check_penetration(a, b, &wrong);
+  expect(c, status == GJK_ERROR_UNPROVEN || (valid && status == GJK_OK), "a vertex renamed");
+  c->refused += status == GJK_ERROR_UNPROVEN;
 }
 
 static int64_t magnitude(int64_t x) {
@@ -240,6 +268,9 @@ static void check_pair(campaign *c) {
     return;
   }
   check_answer(c);
+  if (c->pairs % CHECK_EVERY == 0) {
+    check_refusals(c);
+  }
   if (c->pairs % BRUTE_EVERY == 0) {
     check_brute(c);
   }
@@ -308,6 +339,7 @@ int main(int argc, char **argv) {
          c.proofs[GJK_PROOF_SPHERES] + c.proofs[GJK_PROOF_DIRECTION]);
   if (name == NULL && percent >= 100) {
     CHECK(overlapping >= OVERLAPPING_LEAST && brute > overlapping / 10);
+    CHECK(c.refused > overlapping / 10);
     CHECK(c.proofs[GJK_PROOF_PLANE] > 1000 && c.proofs[GJK_PROOF_NEAREST] > 10000);
   }
   case_pair_free(&c.pair);
