@@ -31,10 +31,15 @@ typedef struct exact_overlap {
 // From exact_depth, or when only the roundings overlap, from exact_brute. False: too many vertices for that.
 bool exact_overlap_find(const gjk_collider *a, const gjk_collider *b, exact_overlap *out);
 
-// Does the answer to gjk_penetration(a, b), after GJK_OK, follow from its certificate? The parts that one proves for any
-// polytopes: intersecting or not, no vertex beyond the plane, depth its height rounded up, points within 1 LSB of their
+// Does the answer to gjk_penetration(a, b), after GJK_OK, follow from its certificate? As far as one proves it of any
+// polytopes: intersecting or not, no vertex beyond the plane, depth its height rounded up. That no other plane is nearer
+// is exact_depth's part.
+bool exact_check_depth(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result, char *why,
+                       size_t n);
+
+// The same, and: points within 1 LSB of their
 // shapes, their difference within 2 LSB of the exact depth along the exact normal, the normal within 2^-28, and that the
-// move parts the shapes. That no other plane is nearer is exact_depth's part.
+// move parts the shapes.
 bool exact_check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result,
                              char *why, size_t n);
 

@@ -173,6 +173,15 @@ static bool is_apart(judge *j, const gjk_penetration_result *result) {
   return exact_check_decision(j->a, j->b, 0, &decision, j->why, j->size);
 }
 
+bool exact_check_depth(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result, char *why,
+                       size_t n) {
+  judge j;
+  exact_plane plane;
+  return judge_start(&j, a, b, 0, why, n) &&
+         (result->intersecting ? find_plane(&j, &result->certificate, &plane) && is_depth(&j, &plane, result)
+                               : is_apart(&j, result));
+}
+
 bool exact_check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result,
                              char *why, size_t n) {
   judge j;
