@@ -35,10 +35,12 @@ static uint32_t rank_above(uint32_t height) {
 }
 
 bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t rank) {
-  if (!best->found || (!best->covers && rank <= best->rank + 2 * GJK_RANK_ERROR)) {
+  if (!best->found) {
     return true;
   }
-  return best->depth > 0 && rank <= rank_above((uint32_t)(best->depth - 1) << shift);
+  // The plane whose facet holds the nearest point is as deep at most, whatever ranks say of small heights.
+  const gjk_q16 deepest = best->covers ? best->depth - 1 : best->depth;
+  return deepest >= 0 && rank <= rank_above((uint32_t)deepest << shift);
 }
 
 // The exact height of the simplex's triangle in LSB, rounded up.
