@@ -8,7 +8,7 @@
 #include "gjk/penetration.h"
 
 #define SEED 20260611
-#define PAIRS_PER_CELL 60
+#define PAIRS_PER_CELL 300
 #define TOLERANCE 4.0L
 // Bounds of the oracle that are closer than this tell a depth.
 #define SHARP 1.0L
@@ -70,7 +70,8 @@ static long double outside(const case_shape *shape, const case_collider *collide
   return gap.upper;
 }
 
-static bool check_points(const subject *s, const gjk_penetration_result *r, tally *t) {
+// The points are of the shapes, and coincide after the move unless the polytope was full.
+static bool check_points(const subject *s, const gjk_penetration_result *r, bool full, tally *t) {
   const long double off_a = outside(&s->pair.a, &s->a, r->point_a), off_b = outside(&s->pair.b, &s->b, r->point_b);
   const long double scale = (long double)r->depth / GJK_Q30_ONE;
   const long double x = (long double)r->point_a.x - r->point_b.x - scale * r->normal.x;
@@ -80,8 +81,8 @@ static bool check_points(const subject *s, const gjk_penetration_result *r, tall
   raise(&t->point, off_a);
   raise(&t->point, off_b);
   CHECK_MSG(off_a <= TOLERANCE && off_b <= TOLERANCE, "points %.2Lf and %.2Lf LSB outside", off_a, off_b);
-  CHECK_MSG(off <= 2 * TOLERANCE, "points %.2Lf LSB off depth times normal", off);
-  return off_a <= TOLERANCE && off_b <= TOLERANCE && off <= 2 * TOLERANCE;
+  CHECK_MSG(full || off <= 2 * TOLERANCE, "points %.2Lf LSB off depth times normal", off);
+  return off_a <= TOLERANCE && off_b <= TOLERANCE && (full || off <= 2 * TOLERANCE);
 }
 
 // Along the normal, a move by the depth leaves an overlap of at most the tolerance.
@@ -108,14 +109,14 @@ static bool check_depth(const subject *s, const gjk_penetration_result *r, gjk_s
   CHECK_MSG(bounded, "%ld to %ld, truth %.2Lf to %.2Lf", (long)r->lower, (long)r->upper, least, most);
   bool right = bounded;
   if (status == GJK_OK) {
-    const long double high = r->depth - most, low = least - r->depth;
+    const long double high = r->depth - (most > 0 ? most : 0), low = least - r->depth;
     right = right && high <= TOLERANCE && low <= TOLERANCE;
     raise(&t->depth, high);
     raise(&t->depth, low);
     CHECK_MSG(high <= TOLERANCE && low <= TOLERANCE, "depth %ld, truth %.2Lf to %.2Lf", (long)r->depth, least, most);
   }
   right = check_parting(s, r, t) && right;
-  return check_points(s, r, t) && right;
+  return check_points(s, r, status != GJK_OK, t) && right;
 }
 
 static void test_cell(random_state *random, case_kind a, case_kind b, subject *s) {
@@ -137,9 +138,10 @@ static void test_cell(random_state *random, case_kind a, case_kind b, subject *s
       case_print(stdout, &s->pair);
     }
   }
-  printf("%-9s in %-9s %3u overlap, %3u with sharp truth, %3u in bounds only, %4u scans; off by %5.2Lf, points %5.2Lf, "
-         "parting %5.2Lf\n",
-         kind_name[a], kind_name[b], t.pairs, t.sharp, t.full, t.iterations, t.depth, t.point, t.parting);
+  printf(
+      "%-9s in %-9s %3u overlap, %3u with sharp truth, %3u in bounds only, %4u scans; off by %5.2Lf, points %5.2Lf, "
+      "parting %5.2Lf\n",
+      kind_name[a], kind_name[b], t.pairs, t.sharp, t.full, t.iterations, t.depth, t.point, t.parting);
   fflush(stdout);
   CHECK_MSG(t.pairs > PAIRS_PER_CELL / 6, "%u overlap", t.pairs);
 }
