@@ -124,7 +124,7 @@ static bool expanding_raise(expanding_polytope *p, const solver_shape *a, const 
   real best = 0;
   expanding_point apex = p->point[0];
   for (int sign = -1; sign <= 1; sign += 2) {
-    const real d[3] = {sign * base.normal[0], sign * base.normal[1], sign * base.normal[2]};
+    const real s = (real)sign, d[3] = {s * base.normal[0], s * base.normal[1], s * base.normal[2]};
     const real above = real_dot(base.normal, expanding_probe(p, a, b, d)) - base.height;
     if (real_magnitude(above) > real_magnitude(best)) {
       best = above;
