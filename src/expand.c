@@ -4,8 +4,8 @@
 #include "polytope.h"
 #include "unit.h"
 
-// For curved shapes a face counts as a facet when their support lies no more than so many LSB beyond it.
-#define CURVED_TOLERANCE UINT32_C(1)
+// For curved shapes a face counts as a facet when their support lies no more than a quarter of an LSB beyond it.
+#define CURVED_TOLERANCE(shift) ((UINT32_C(1) << (shift)) / 4)
 
 // Places the support along the exact direction d. Is it beyond the origin there?
 static bool support_beyond_origin(gjk_iteration *it, const gjk_vec3 *d) {
@@ -113,9 +113,9 @@ static gjk_expansion complete(gjk_iteration *it, gjk_facet *facet, bool *done, u
   return GJK_EXPANSION_FACET;
 }
 
-// How far a plane of A - B at a height bounds the depth from above.
-static gjk_q16 upper_bound(const gjk_iteration *it, uint32_t height) {
-  return gjk_height_to_lsb(height + GJK_HEIGHT_ERROR, it->shift) + (it->curved ? GJK_CURVED_ERROR : 0);
+// How far a support along it->direction bounds the depth from above.
+static gjk_q16 upper_bound(const gjk_iteration *it, const gjk_vec3 *w) {
+  return gjk_depth_across(it, w) + (it->curved ? GJK_CURVED_ERROR : 0);
 }
 
 // Considers a face, with the outward normal it->direction: exactly, or bound by how far a support has reached across it.
@@ -126,7 +126,7 @@ static void consider(gjk_iteration *it, const gjk_polytope *p, const struct gjk_
     gjk_polytope_load(p, face->corner[i], &s->slot[i]);
   }
   gjk_simplex_set(s, 3);
-  gjk_facet_consider(facet, it, rank, bound >= 0 || gjk_simplex_beyond(s) == 3, bound);
+  gjk_facet_consider(facet, it, rank, gjk_simplex_beyond(s) == 3, bound);
 }
 
 // The least height of a face, in LSB, rounded down: a lower bound of the depth.
@@ -163,12 +163,12 @@ static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet
     ++*rounds;
     const bool beyond = support_beyond(it, &n, w);
     const uint32_t reached = it->curved ? gjk_height(&it->direction.d, &support->w) : 0;
-    if (!beyond || (it->curved && reached <= gjk_height(&it->direction.d, w) + (CURVED_TOLERANCE << it->shift))) {
-      consider(it, p, face, rank, it->curved ? upper_bound(it, reached) : -1, facet);
+    if (!beyond || (it->curved && reached <= gjk_height(&it->direction.d, w) + CURVED_TOLERANCE(it->shift))) {
+      consider(it, p, face, rank, it->curved ? upper_bound(it, &support->w) : -1, facet);
       face->rank = GJK_RANK_SETTLED;
     } else if (!gjk_polytope_add(p, lowest, support)) {
       *lower = lower_bound(it, p);
-      consider(it, p, face, rank, upper_bound(it, gjk_height(&it->direction.d, &support->w)), facet);
+      consider(it, p, face, rank, upper_bound(it, &support->w), facet);
       return GJK_EXPANSION_FULL;
     }
   }
@@ -176,7 +176,7 @@ static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet
 
 // The facet's plane is exact, or for curved shapes known to within the tolerance and the error of their supports.
 static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
-  const gjk_q16 slack = 2 * GJK_CURVED_ERROR + (gjk_q16)CURVED_TOLERANCE + 1;
+  const gjk_q16 slack = 2 * GJK_CURVED_ERROR + 2;
   if (!it->curved) {
     return facet->depth;
   }
@@ -202,12 +202,12 @@ static void bound_by_face(gjk_iteration *it, gjk_facet *facet) {
   }
   s->count = 3;
   support_beyond(it, &n, &corner[0].w);
-  const uint32_t reached = gjk_height(&it->direction.d, &gjk_simplex_free(s)->w);
+  const gjk_q16 reached = upper_bound(it, &gjk_simplex_free(s)->w);
   for (int i = 0; i < 3; i++) {
     s->slot[i] = corner[i];
   }
   gjk_simplex_set(s, 3);
-  gjk_facet_consider(facet, it, 0, true, upper_bound(it, reached));
+  gjk_facet_consider(facet, it, 0, true, reached);
 }
 
 gjk_expansion gjk_expand(gjk_iteration *it, const gjk_workspace *workspace, gjk_facet *facet, gjk_q16 *lower,

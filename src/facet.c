@@ -35,22 +35,33 @@ static uint32_t rank_above(uint32_t height) {
 }
 
 bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t rank) {
-  if (!best->found || (!best->covers && rank <= best->rank + 2 * GJK_RANK_ERROR)) {
+  if (!best->found) {
     return true;
   }
-  return best->depth > 0 && rank <= rank_above((uint32_t)(best->depth - 1) << shift);
+  // The plane whose facet holds the nearest point is as deep at most, whatever ranks say of small heights.
+  const gjk_q16 deepest = best->covers ? best->depth - 1 : best->depth;
+  return deepest >= 0 && rank <= rank_above((uint32_t)deepest << shift);
 }
 
-// The exact height of the simplex's triangle in LSB, rounded up.
-static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal) {
-  const uint32_t height = height_along(normal, &it->simplex.slot[0].w);
+// The exact height in LSB, rounded up, of the plane through w whose normal is it->direction; or of the simplex's triangle,
+// of which that is the rounded normal.
+static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, const gjk_vec3 *w, bool triangle) {
+  const gjk_vec3 *d = &it->direction.d;
+  const uint32_t height = height_along(normal, w);
   const uint32_t least = height > GJK_HEIGHT_ERROR ? height - GJK_HEIGHT_ERROR : 0, most = height + GJK_HEIGHT_ERROR;
   gjk_q16 low = gjk_height_to_lsb(least, it->shift), high = gjk_height_to_lsb(most, it->shift);
   if (low == high) {
     return low;
   }
   gjk_limbs numerator, denominator;
-  gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+  if (triangle) {
+    gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+  } else {
+    gjk_limbs along;
+    gjk_limbs_set(&along, gjk_magnitude64(gjk_dot(d, w)));  // not negative but for a height of 0
+    gjk_limbs_multiply(&numerator, &along, &along);
+    gjk_limbs_set(&denominator, (uint64_t)gjk_dot(d, d));
+  }
   while (low < high) {  // at most 11 apart, so 4 times
     const gjk_q16 middle = low + (high - low) / 2;
     if (gjk_compare_distance(&numerator, &denominator, (uint64_t)middle << (it->shift + 1)) > 0) {
@@ -62,16 +73,27 @@ static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal) {
   return low;
 }
 
+gjk_q16 gjk_depth_across(const gjk_iteration *it, const gjk_vec3 *w) {
+  const gjk_unit3 normal = gjk_unit(&it->direction.d);
+  return gjk_dot(&it->direction.d, w) <= 0 ? 0 : exact_depth(it, &normal, w, false);
+}
+
 void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool covers, gjk_q16 bound) {
   const gjk_unit3 normal = gjk_unit(&it->direction.d);
-  const gjk_q16 depth = bound < 0 ? exact_depth(it, &normal) : bound;
+  const gjk_q16 depth = bound < 0 ? exact_depth(it, &normal, &it->simplex.slot[0].w, true) : bound;
   best->set = false;
-  if (best->found && (depth > best->depth || (depth == best->depth && (best->covers || !covers)))) {
+  // Bounds of one plane may be 2 LSB apart: the least of them holds.
+  const gjk_q16 slack = bound < 0 ? 0 : 2, least = best->found && best->depth < depth ? best->depth : depth;
+  bool better = !best->found || depth < best->depth;
+  if (best->found && covers != best->covers) {
+    better = covers ? depth <= best->depth + slack : depth + slack < best->depth;
+  }
+  best->depth = least;
+  if (!better) {
     return;
   }
   best->found = true;
   best->covers = covers;
-  best->depth = depth;
   best->rank = rank;
   best->direction = it->direction;
   best->normal = normal;

@@ -34,6 +34,9 @@ typedef struct gjk_facet {
 // The height of a plane with an outward normal, rounded to *d, through w. Pre: not below the origin; |w| <= 2^30.
 uint32_t gjk_height(const gjk_vec3 *d, const gjk_vec3 *w);
 
+// The exact height over the origin, in LSB and rounded up, of the plane across it->direction through w.
+gjk_q16 gjk_depth_across(const gjk_iteration *it, const gjk_vec3 *w);
+
 // ceil(height / 2^shift): from the frame to LSB.
 static inline gjk_q16 gjk_height_to_lsb(uint32_t height, int shift) {
   return (gjk_q16)((height + (UINT32_C(1) << shift) - 1) >> shift);

@@ -3,8 +3,9 @@
 #define CASE_ANSWER_H
 
 #include "case.h"
+#include "gjk/penetration.h"
 
-typedef enum case_ask { CASE_DISTANCE, CASE_INTERSECT, CASE_WITHIN } case_ask;
+typedef enum case_ask { CASE_DISTANCE, CASE_INTERSECT, CASE_WITHIN, CASE_PENETRATION } case_ask;
 
 typedef struct case_question {
   case_ask ask;
@@ -15,8 +16,9 @@ typedef struct case_question {
 typedef struct case_answer {
   gjk_status status;
   char refused;                  // 'A' or 'B': the shape that the status is about; 0: the pair
-  gjk_distance_result distance;  // of CASE_DISTANCE
-  gjk_decision decision;         // of the other questions
+  gjk_distance_result distance;        // of CASE_DISTANCE, and of CASE_PENETRATION: when they are apart
+  gjk_decision decision;               // of CASE_INTERSECT and CASE_WITHIN
+  gjk_penetration_result penetration;  // of CASE_PENETRATION
 } case_answer;
 
 // Answers pair; a and b are built on the way, and kept for reuse.

@@ -1,11 +1,12 @@
 // Checks answers.
 #include "certify.h"
 
-#include "../exact/exact.h"
+#include "../exact/depth.h"
 #include "../reference/accurate.h"
 
 // Of curved shapes, and of centres so far apart that answers hold 28 bits of the distance.
 #define CURVED_TOLERANCE 2.0L
+#define DEPTH_TOLERANCE 4.0L
 #define FAR_TOLERANCE (1.0L / 268435456.0L)
 
 // Without vertices to name there is no exact proof: compares with proven bounds of the real distance.
@@ -13,11 +14,19 @@ static certify_verdict compare_bounds(const case_question *question, const case_
                                       const case_collider *a, const case_collider *b, const case_answer *answer,
                                       char why[CERTIFY_WHY_MAX]) {
   accurate_result found;
-  accurate_distance(pair, a, b, &found);
-  long double tolerance = CURVED_TOLERANCE + FAR_TOLERANCE * (found.upper > 0 ? found.upper : 0);
+  const bool deep = question->ask == CASE_PENETRATION;
+  if (deep) {
+    accurate_signed(pair, a, b, &found);
+  } else {
+    accurate_distance(pair, a, b, &found);
+  }
+  long double tolerance = (deep ? DEPTH_TOLERANCE : CURVED_TOLERANCE) + FAR_TOLERANCE * (found.upper > 0 ? found.upper : 0);
   long double lower = found.lower - tolerance, upper = found.upper + tolerance;
   bool right;
-  if (question->ask != CASE_DISTANCE) {
+  if (deep && answer->penetration.intersecting) {
+    long double depth = (long double)answer->penetration.depth;  // rounded up
+    right = lower <= 1 - depth && -depth <= upper;
+  } else if (question->ask != CASE_DISTANCE && !deep) {
     long double limit = question->ask == CASE_WITHIN ? (long double)question->within : 0;
     right = answer->decision.yes ? lower <= limit : upper > limit;
   } else if (answer->distance.intersecting) {
@@ -28,6 +37,28 @@ static certify_verdict compare_bounds(const case_question *question, const case_
   }
   snprintf(why, CERTIFY_WHY_MAX, "curved; the accurate bounds are %.1Lf to %.1Lf", found.lower, found.upper);
   return right ? CERTIFY_UNCERTIFIED : CERTIFY_WRONG;
+}
+
+// Directions that are worth trying for a single case.
+#define BRUTE_DIRECTIONS 100000
+
+// The certificate, and where the shapes are small, that no other direction is nearer.
+static bool check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result,
+                              char why[CERTIFY_WHY_MAX]) {
+  exact_overlap truth;
+  const gjk_status status = gjk_check_penetration(a, b, result);
+  if (status != GJK_OK) {
+    snprintf(why, CERTIFY_WHY_MAX, "the library's check: %s", gjk_status_name(status));
+    return false;
+  }
+  if (!exact_check_penetration(a, b, result, why, CERTIFY_WHY_MAX)) {
+    return false;
+  }
+  if (exact_depth_work(a, b) > BRUTE_DIRECTIONS || !exact_overlap_find(a, b, &truth)) {
+    return true;
+  }
+  snprintf(why, CERTIFY_WHY_MAX, "brute force knows of depth %ld", (long)truth.depth);
+  return truth.intersecting && truth.depth == result->depth;
 }
 
 // By the library's own check, whose range is smaller than that of its answers: far pairs are left to the
@@ -61,6 +92,13 @@ static certify_verdict check(const case_question *question, const case_pair *pai
   if (exact_vertex_count(&a->collider) == 0 || exact_vertex_count(&b->collider) == 0) {
     return compare_bounds(question, pair, a, b, answer, why);
   }
+  if (question->ask == CASE_PENETRATION) {
+    const case_question distance = {CASE_DISTANCE, 0, false};
+    if (!answer->penetration.intersecting) {
+      return check(&distance, pair, a, b, answer, why);
+    }
+    return check_penetration(&a->collider, &b->collider, &answer->penetration, why) ? CERTIFY_PROVEN : CERTIFY_WRONG;
+  }
   return check_by_library(question, a, b, answer, why) && check_by_oracle(question, a, b, answer, why)
              ? CERTIFY_PROVEN
              : CERTIFY_WRONG;
@@ -76,11 +114,14 @@ static certify_verdict check_reference(const case_question *question, const case
   if (check(question, pair, a, b, &proven, why) != CERTIFY_PROVEN) {
     return compare_bounds(question, pair, a, b, answer, why);
   }
-  bool same = question->ask == CASE_DISTANCE ? answer->distance.intersecting == proven.distance.intersecting
-                                             : answer->decision.yes == proven.decision.yes;
-  int64_t error = (int64_t)answer->distance.distance - proven.distance.distance;
+  bool same = answer->distance.intersecting == proven.distance.intersecting &&
+              answer->decision.yes == proven.decision.yes;
+  int64_t error = (int64_t)answer->distance.distance - proven.distance.distance + answer->penetration.depth -
+                  proven.penetration.depth;
   if (!same) {
     snprintf(why, CERTIFY_WHY_MAX, "the other answer is proven");
+  } else if (proven.penetration.intersecting) {
+    snprintf(why, CERTIFY_WHY_MAX, "the proven depth is %ld", (long)proven.penetration.depth);
   } else {
     snprintf(why, CERTIFY_WHY_MAX, "the proven distance is %ld", (long)proven.distance.distance);
   }

@@ -12,21 +12,30 @@ static const char usage[] =
 
 static void put_line(const scene *s, size_t i) {
   const scene_pair *pair = &s->pair[i];
-  char names[160], gap[24] = "", lsb[16] = "";
+  const gjk_penetration_result *deep = &pair->overlap;
+  const double unit = GJK_Q30_ONE;
+  unsigned rounds = pair->answer.iterations;
+  char names[160], gap[24] = "", lsb[16] = "", out[40] = "";
   snprintf(names, sizeof names, "%s - %s", s->body[pair->a].name, s->body[pair->b].name);
   if (pair->relation == SCENE_APART) {
     picture_gap_text(gap, pair->answer.distance);
     snprintf(lsb, sizeof lsb, "%ld", (long)pair->answer.distance);
+  } else {
+    rounds = deep->iterations;
   }
-  printf("%3lu  %-32s %-12s %10s %12s %7u  %s\n", (unsigned long)(i + 1), names,
-         scene_relation_name(pair->relation), lsb, gap, pair->answer.iterations,
-         scene_verdict_name(pair->verdict));
+  if (pair->relation == SCENE_OVERLAPPING) {
+    picture_gap_text(gap, -deep->depth);
+    snprintf(lsb, sizeof lsb, "%ld", -(long)deep->depth);
+    snprintf(out, sizeof out, "%.2f,%.2f,%.2f", deep->normal.x / unit, deep->normal.y / unit, deep->normal.z / unit);
+  }
+  printf("%3lu  %-32s %-12s %10s %12s  %-16s %6u  %s\n", (unsigned long)(i + 1), names,
+         scene_relation_name(pair->relation), lsb, gap, out, rounds, scene_verdict_name(pair->verdict));
 }
 
 static int put_table(const scene *s) {
   unsigned long verdicts[3] = {0, 0, 0};
-  printf("%3s  %-32s %-12s %10s %12s %7s  %s\n", "", "pair", "answer", "gap in LSB", "(unit: 1 m)", "rounds",
-         "certificate");
+  printf("%3s  %-32s %-12s %10s %12s  %-16s %6s  %s\n", "", "pair", "answer", "gap in LSB", "(unit: 1 m)",
+         "way out for B", "rounds", "certificate");
   for (size_t i = 0; i < s->pairs; i++) {
     put_line(s, i);
     verdicts[s->pair[i].verdict]++;

@@ -37,8 +37,8 @@ typedef struct picture {
 } picture;
 
 void picture_gap_text(char text[24], gjk_q16 gap) {
-  double mm = gap * (1000.0 / 65536.0);
-  snprintf(text, 24, mm < 1 ? "%.3f mm" : mm < 100 ? "%.1f mm" : "%.0f mm", mm);
+  double mm = gap * (1000.0 / 65536.0), size = fabs(mm);
+  snprintf(text, 24, size < 1 ? "%.3f mm" : size < 100 ? "%.1f mm" : "%.0f mm", mm);
 }
 
 static label_rectangle body_box(const view *v, const case_shape *shape) {
@@ -83,12 +83,11 @@ static void fit(picture *p) {
 // Does a hide a part of b? A plane between the two, which the library finds, has the nearer one on the camera's
 // side.
 static bool hides(const picture *p, size_t a, size_t b) {
-  gjk_distance_result parted;
   if (a == b || !boxes_meet(&p->box[a], &p->box[b])) {
     return false;
   }
-  scene_part(&p->s->body[a], &p->s->body[b], &parted);
-  real3 normal = {parted.normal.x, parted.normal.y, parted.normal.z};
+  const gjk_unit3 direction = scene_direction(&p->s->body[a], &p->s->body[b]);
+  const real3 normal = {direction.x, direction.y, direction.z};
   return real_dot(normal, p->camera.toward) < -1e-4 * (double)GJK_Q30_ONE;
 }
 
@@ -200,7 +199,31 @@ static void take_point(label_page *page, point2 at) {
   label_take(page, r, 12);
 }
 
-// The gaps, and rings where bodies touch.
+// From B's deepest point along the way out, as far as it goes, but long enough to be seen.
+static void put_arrow(picture *p, const scene_pair *pair, const char *ink) {
+  const gjk_unit3 *n = &pair->overlap.normal;
+  const double unit = GJK_Q30_ONE, least = 36;
+  const real3 from = real_from_q16(pair->mark_b), way = {n->x / unit, n->y / unit, n->z / unit};
+  const point2 tail = view_project(&p->camera, from), ahead = view_project(&p->camera, real_add(from, way));
+  const double x = ahead.x - tail.x, y = ahead.y - tail.y, per_unit = sqrt(x * x + y * y);
+  if (per_unit < p->camera.scale / 20) {
+    return;  // towards the camera or away from it
+  }
+  const double length = fmax(least, per_unit * pair->overlap.depth / 65536.0), u = x / per_unit, v = y / per_unit;
+  const point2 tip = {tail.x + u * length, tail.y + v * length};
+  for (int step = 0; step <= 6; step++) {
+    const point2 at = {tail.x + (tip.x - tail.x) * step / 6, tail.y + (tip.y - tail.y) * step / 6};
+    take_point(&p->page, at);
+  }
+  for (int layer = 0; layer < 2; layer++) {
+    fprintf(p->file, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%s\"/>\n",
+            tail.x, tail.y, tip.x - 8 * u, tip.y - 8 * v, layer == 0 ? "#ffffff" : ink, layer == 0 ? "5" : "2.5");
+  }
+  fprintf(p->file, "<polygon points=\"%.1f,%.1f %.1f,%.1f %.1f,%.1f\" fill=\"%s\" stroke=\"#ffffff\"/>\n", tip.x, tip.y,
+          tip.x - 11 * u + 5 * v, tip.y - 11 * v - 5 * u, tip.x - 11 * u - 5 * v, tip.y - 11 * v + 5 * u, ink);
+}
+
+// The gaps, rings where bodies touch, and arrows where they overlap.
 static void put_marks(picture *p) {
   for (size_t i = 0; i < p->s->pairs; i++) {
     const scene_pair *pair = &p->s->pair[i];
@@ -210,6 +233,9 @@ static void put_marks(picture *p) {
     for (int step = 0; step <= 6; step++) {
       point2 at = {a.x + (b.x - a.x) * step / 6, a.y + (b.y - a.y) * step / 6};
       take_point(&p->page, at);
+    }
+    if (pair->relation == SCENE_OVERLAPPING) {
+      put_arrow(p, pair, ink);
     }
     if (pair->relation != SCENE_APART) {
       fprintf(
@@ -231,7 +257,18 @@ static void put_marks(picture *p) {
   }
 }
 
-// A number for each pair, as in the list, with the gap where there is one.
+// The gap or depth, empty where they touch.
+static void put_measure(char text[40], const scene_pair *pair) {
+  text[0] = '\0';
+  if (pair->relation != SCENE_TOUCHING) {
+    picture_gap_text(text, pair->relation == SCENE_APART ? pair->answer.distance : pair->overlap.depth);
+  }
+  if (pair->relation == SCENE_OVERLAPPING) {
+    strcat(text, " deep");
+  }
+}
+
+// A number for each pair, as in the list, with the gap or depth where there is one.
 static void put_labels(picture *p) {
   for (size_t i = 0; i < p->s->pairs; i++) {
     const scene_pair *pair = &p->s->pair[i];
@@ -239,10 +276,8 @@ static void put_labels(picture *p) {
     point2 a = view_project(&p->camera, real_from_q16(pair->mark_a));
     point2 b = view_project(&p->camera, real_from_q16(pair->mark_b));
     point2 anchor = {(a.x + b.x) / 2, (a.y + b.y) / 2};
-    char gap[24] = "";
-    if (pair->relation == SCENE_APART) {
-      picture_gap_text(gap, pair->answer.distance);
-    }
+    char gap[40] = "";
+    put_measure(gap, pair);
     double width = 22 + (gap[0] != '\0' ? 8.2 * (double)strlen(gap) + 8 : 0);
     label_rectangle r = label_place(&p->page, anchor, width, 18, 22);
     double end_x = fmin(fmax(anchor.x, r.left + 6), r.left + r.width - 6);
@@ -267,8 +302,8 @@ static void put_labels(picture *p) {
 static void put_row(FILE *file, const scene *s, size_t i, double y, double step) {
   const scene_pair *pair = &s->pair[i];
   const char *ink = relation_colour[pair->relation];
-  char gap[24];
-  picture_gap_text(gap, pair->answer.distance);
+  char gap[40];
+  put_measure(gap, pair);
   if (i % 2 == 0) {
     fprintf(file, "<rect x=\"%.0f\" y=\"%.1f\" width=\"%.0f\" height=\"%.1f\" fill=\"#f1f4f7\"/>\n", PANEL_LEFT,
             y - step * 0.72, WIDTH - PANEL_LEFT - 24, step);
@@ -280,7 +315,7 @@ static void put_row(FILE *file, const scene *s, size_t i, double y, double step)
   fprintf(file, " &#8211; ");
   svg_text(file, s->body[pair->b].name);
   fprintf(file, "</text><text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"end\">%s</text>",
-          PANEL_LEFT + 318, y, ink, pair->relation == SCENE_APART ? gap : scene_relation_name(pair->relation));
+          PANEL_LEFT + 318, y, ink, gap[0] != '\0' ? gap : scene_relation_name(pair->relation));
   fprintf(file, "<text x=\"%.0f\" y=\"%.1f\" fill=\"" FAINT "\">%s</text>\n", PANEL_LEFT + 332, y,
           scene_verdict_name(pair->verdict));
 }
@@ -299,8 +334,8 @@ static void put_panel(const picture *p) {
   }
   fprintf(p->file, "</g>\n<g font-size=\"12\" fill=\"" INK "\">\n");
   static const char *const meaning[] = {"apart: gap between the nearest points",
-                                        "touching: a move by 1 LSB (0.015 mm) parts them",
-                                        "overlapping: outlined in red"};
+                                        "touching: depth 0 (curved: at most 4 LSB)",
+                                        "overlapping: depth, and the way out (arrow)"};
   y = HEIGHT - 108;
   for (int i = 0; i < 3; i++) {
     fprintf(p->file,
@@ -310,7 +345,7 @@ static void put_panel(const picture *p) {
   fprintf(p->file,
           "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT
           "\">proven: certificate checked in exact integers</text>"
-          "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT "\">curved: within 2 LSB of proven bounds</text></g>\n",
+          "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT "\">curved: within 2 LSB, depth within 4, of proven bounds</text></g>\n",
           PANEL_LEFT + 10, y + 64, PANEL_LEFT + 10, y + 80);
 }
 

@@ -5,8 +5,12 @@
 
 #include "../case/parse.h"
 
-// A body moved by more than this is apart from any other: both radii are at most 4095 units.
-#define PARTING_MAX ((gjk_q16)(16384 * 65536))
+// For the depth of bodies of up to 64 vertices, curved ones as well.
+#define VERTICES 1024
+#define CELLS (GJK_POLYTOPE_CELLS(VERTICES) + VERTICES)
+
+// LSB that the depth of curved bodies may be off.
+#define CURVED_TOUCH 4
 
 static bool same_vec3(gjk_vec3 a, gjk_vec3 b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
@@ -42,56 +46,53 @@ static size_t find_body(scene *s, const case_shape *shape, const char *name, siz
   return i;
 }
 
-static bool try_move(const scene_body *a, const scene_body *b, int axis, gjk_q16 step,
-                     gjk_distance_result *out) {
-  gjk_collider moved = b->collider.collider;
-  gjk_vec3 to = moved.position;
-  gjk_q16 *coordinate = axis == 0 ? &to.x : axis == 1 ? &to.y : &to.z;
-  int64_t target = (int64_t)*coordinate + step;
-  if (target < INT32_MIN || target > INT32_MAX) {
-    return false;
-  }
-  *coordinate = (gjk_q16)target;
-  return gjk_collider_move(&moved, &to) == GJK_OK &&
-         gjk_distance(&a->collider.collider, &moved, NULL, out) == GJK_OK && !out->intersecting;
-}
-
-gjk_q16 scene_part(const scene_body *a, const scene_body *b, gjk_distance_result *out) {
-  if (gjk_distance(&a->collider.collider, &b->collider.collider, NULL, out) == GJK_OK && !out->intersecting) {
-    return 0;
-  }
-  for (gjk_q16 step = 1; step < PARTING_MAX; step += (step + 3) / 4) {
-    for (int axis = 2; axis >= 0; axis--) {
-      if (try_move(a, b, axis, step, out) || try_move(a, b, axis, -step, out)) {
-        return step;
-      }
-    }
-  }
-  return PARTING_MAX;
+gjk_unit3 scene_direction(const scene_body *a, const scene_body *b) {
+  static gjk_cell cells[CELLS];
+  static const gjk_workspace workspace = {cells, CELLS};
+  static const gjk_unit3 none = {0, 0, 0};
+  gjk_distance_result r;
+  const gjk_status status =
+      gjk_signed_distance(&a->collider.collider, &b->collider.collider, NULL, &workspace, &r);
+  return status == GJK_OK || status == GJK_ERROR_CAPACITY ? r.normal : none;
 }
 
 static void relate(scene *s, scene_pair *pair) {
-  scene_body *a = &s->body[pair->a], *b = &s->body[pair->b];
-  gjk_distance_result parted = pair->answer;
-  pair->relation = SCENE_APART;
-  if (pair->answer.intersecting) {
-    pair->relation = scene_part(a, b, &parted) == 1 ? SCENE_TOUCHING : SCENE_OVERLAPPING;
+  const bool curved = pair->verdict != CERTIFY_PROVEN;
+  if (!pair->answer.intersecting) {
+    pair->relation = SCENE_APART;
+    pair->mark_a = pair->answer.point_a;
+    pair->mark_b = pair->answer.point_b;
+    return;
   }
-  pair->mark_a = parted.point_a;
-  pair->mark_b = parted.point_b;
+  pair->relation = pair->overlap.depth <= (curved ? CURVED_TOUCH : 0) ? SCENE_TOUCHING : SCENE_OVERLAPPING;
+  pair->mark_a = pair->overlap.point_a;
+  pair->mark_b = pair->overlap.point_b;
   if (pair->relation == SCENE_OVERLAPPING) {
-    a->overlapping = b->overlapping = true;
+    s->body[pair->a].overlapping = s->body[pair->b].overlapping = true;
   }
 }
 
-static bool add_pair(scene *s, const case_pair *source, case_collider *a, case_collider *b) {
-  const case_question question = {CASE_DISTANCE, 0, false};
+// Answers a question about the pair and adds the verdict on it. False, with a message, when it is refused.
+static bool ask(case_ask about, const case_pair *source, case_collider *a, case_collider *b, case_answer *answer,
+                certify_verdict *verdict) {
+  const case_question question = {about, 0, false};
   char why[CERTIFY_WHY_MAX];
-  case_answer answer;
-  case_answer_find(&question, source, a, b, &answer);
-  if (answer.status != GJK_OK) {
-    case_answer_print(stderr, &question, source, &answer);
+  case_answer_find(&question, source, a, b, answer);
+  if (answer->status != GJK_OK) {
+    case_answer_print(stderr, &question, source, answer);
     fputc('\n', stderr);
+    return false;
+  }
+  const certify_verdict found = certify_answer(&question, source, a, b, answer, why);
+  *verdict = found > *verdict ? found : *verdict;
+  return true;
+}
+
+static bool add_pair(scene *s, const case_pair *source, case_collider *a, case_collider *b) {
+  certify_verdict verdict = CERTIFY_PROVEN;
+  case_answer answer, deep = {0};
+  if (!ask(CASE_DISTANCE, source, a, b, &answer, &verdict) ||
+      (answer.distance.intersecting && !ask(CASE_PENETRATION, source, a, b, &deep, &verdict))) {
     return false;
   }
   const char *colon = strchr(source->id, ':');
@@ -108,7 +109,8 @@ static bool add_pair(scene *s, const case_pair *source, case_collider *a, case_c
   pair->a = body_a;
   pair->b = body_b;
   pair->answer = answer.distance;
-  pair->verdict = certify_answer(&question, source, a, b, &answer, why);
+  pair->overlap = deep.penetration;
+  pair->verdict = verdict;
   relate(s, pair);
   return true;
 }

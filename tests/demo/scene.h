@@ -16,17 +16,17 @@ typedef struct scene_body {
 
 typedef enum scene_relation {
   SCENE_APART,
-  SCENE_TOUCHING,  // they share a point, and a move by 1 LSB along an axis parts them
+  SCENE_TOUCHING,  // depth 0, or of curved bodies at most the 4 LSB that it may be off
   SCENE_OVERLAPPING
 } scene_relation;
 
 typedef struct scene_pair {
   size_t a, b;  // bodies
   gjk_distance_result answer;
+  gjk_penetration_result overlap;  // unless they are apart
   scene_relation relation;
   certify_verdict verdict;
-  gjk_vec3 mark_a,
-      mark_b;  // nearest points; of touching and overlapping bodies, those once they are moved apart
+  gjk_vec3 mark_a, mark_b;  // nearest or deepest points
 } scene_pair;
 
 typedef struct scene {
@@ -45,8 +45,7 @@ void scene_free(scene *s);
 const char *scene_relation_name(scene_relation relation);
 const char *scene_verdict_name(certify_verdict verdict);
 
-// Moves b along the axes in growing steps, from 1 LSB on, until the bodies are apart. Returns the step, 0 when
-// they are apart as they stand; out is the answer there, as if b had moved.
-gjk_q16 scene_part(const scene_body *a, const scene_body *b, gjk_distance_result *out);
+// The direction from a to b along which they are apart, or parted by the least move.
+gjk_unit3 scene_direction(const scene_body *a, const scene_body *b);
 
 #endif

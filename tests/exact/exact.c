@@ -96,10 +96,10 @@ bool judge_load(judge *j, const gjk_certificate *certificate, unsigned most) {
   return true;
 }
 
-// Does no vertex of the collider lie before base against direction, times sign? Doubles settle what they can: with p
-// within 2^-51 of itself, the products and sums in double are off by less than 2^-49 of the sum of their sizes.
-static bool none_before(const gjk_collider *c, unsigned count, const exact_point *base, const exact_vector *direction,
-                        int sign) {
+// Doubles settle what they can: with p within 2^-51 of itself, the products and sums in double are off by less than
+// 2^-49 of the sum of their sizes.
+bool judge_none_before(const gjk_collider *c, unsigned count, const exact_point *base, const exact_vector *direction,
+                       int sign) {
   const double p[3] = {exact_to_double(&direction->x[0]), exact_to_double(&direction->x[1]),
                        exact_to_double(&direction->x[2])};
   for (unsigned i = 0; i < count; i++) {
@@ -114,8 +114,7 @@ static bool none_before(const gjk_collider *c, unsigned count, const exact_point
   return true;
 }
 
-// Is the named feature nearest to the origin, its nearest point inside it?
-static bool is_nearest(judge *j, const gjk_certificate *certificate) {
+bool judge_nearest(judge *j, const gjk_certificate *certificate) {
   if (!judge_load(j, certificate, 3)) {
     return false;
   }
@@ -125,10 +124,10 @@ static bool is_nearest(judge *j, const gjk_certificate *certificate) {
   if (!exact_feature_contains(&j->feature, j->count, true)) {
     return judge_refuse(j, "the feature's nearest point is not inside it");
   }
-  if (!none_before(j->a, j->count_a, &j->at_a[0], &j->feature.point, 1)) {
+  if (!judge_none_before(j->a, j->count_a, &j->at_a[0], &j->feature.point, 1)) {
     return judge_refuse(j, "a vertex of A lies nearer");
   }
-  return none_before(j->b, j->count_b, &j->at_b[0], &j->feature.point, -1) ||
+  return judge_none_before(j->b, j->count_b, &j->at_b[0], &j->feature.point, -1) ||
          judge_refuse(j, "a vertex of B lies nearer");
 }
 
@@ -214,7 +213,7 @@ static bool is_apart(judge *j, const gjk_certificate *certificate) {
     case GJK_PROOF_SPHERES: return is_spheres(j);
     case GJK_PROOF_DIRECTION: return is_separating(j, &certificate->direction);
     case GJK_PROOF_NEAREST:
-      return j->slack > 0 ? judge_far_apart(j, certificate) : is_nearest(j, certificate) && is_beyond(j);
+      return j->slack > 0 ? judge_far_apart(j, certificate) : judge_nearest(j, certificate) && is_beyond(j);
     default: return judge_refuse(j, "proof %u for apart", certificate->proof);
   }
 }

@@ -24,7 +24,7 @@ static exact_int cross_term(int64_t p, int64_t q, int64_t r, int64_t s) {
   return exact_sub(&ab, &cd);
 }
 
-static exact_vector cross(const exact_point *a, const exact_point *b) {
+exact_vector exact_cross(const exact_point *a, const exact_point *b) {
   exact_vector v;
   v.x[0] = cross_term(a->x[1], b->x[2], a->x[2], b->x[1]);
   v.x[1] = cross_term(a->x[2], b->x[0], a->x[0], b->x[2]);
@@ -61,10 +61,10 @@ static void weigh_segment(const exact_point *points, exact_feature *out) {
 // Along the normal n, the origin sees each corner's opposite edge as the area n . (p x q) / 2.
 static void weigh_triangle(const exact_point *points, exact_feature *out) {
   const exact_point e = exact_subtract(&points[1], &points[0]), f = exact_subtract(&points[2], &points[0]);
-  const exact_vector n = cross(&e, &f);
+  const exact_vector n = exact_cross(&e, &f);
   out->denominator = dot(&n, &n);
   for (int i = 0; i < 3; i++) {
-    const exact_vector opposite = cross(&points[(i + 1) % 3], &points[(i + 2) % 3]);
+    const exact_vector opposite = exact_cross(&points[(i + 1) % 3], &points[(i + 2) % 3]);
     out->weight[i] = dot(&n, &opposite);
   }
 }
@@ -133,7 +133,7 @@ void exact_feature_nearest(const exact_point *points, unsigned count, exact_feat
 }
 
 static int determinant_sign(const exact_point *a, const exact_point *b, const exact_point *c) {
-  const exact_vector n = cross(a, b);
+  const exact_vector n = exact_cross(a, b);
   return exact_dot(&n, c).sign;
 }
 

@@ -25,6 +25,7 @@ typedef struct exact_feature {
 } exact_feature;
 
 exact_point exact_subtract(const exact_point *a, const exact_point *b);
+exact_vector exact_cross(const exact_point *a, const exact_point *b);
 exact_int exact_dot(const exact_vector *a, const exact_point *b);
 
 // False when the points do not span a line or plane.

@@ -24,6 +24,24 @@ bool judge_start(judge *j, const gjk_collider *a, const gjk_collider *b, int64_t
 // The named pairs, of which there may be 1 to most.
 bool judge_load(judge *j, const gjk_certificate *certificate, unsigned most);
 
+// Does no vertex of the collider lie before base against direction, times sign?
+bool judge_none_before(const gjk_collider *c, unsigned count, const exact_point *base, const exact_vector *direction,
+                       int sign);
+
+// Is the named feature nearest to the origin, its nearest point inside it? Sets feature.
+bool judge_nearest(judge *j, const gjk_certificate *certificate);
+
+// Is the normal within 2^-28 of the direction's?
+bool judge_normal(judge *j, const exact_vector *direction, const gjk_unit3 *normal);
+
+// Is the point at most limit from the hull of up to three vertices?
+bool judge_at(const exact_point *point, const exact_point *vertices, unsigned count, int64_t limit);
+
+// A coordinate at the end of the world: the point may have been cut off there.
+bool judge_is_cut(const gjk_vec3 *point);
+
+exact_vector judge_opposite(const exact_vector *v);
+
 // Does every vertex of A - B lie farther than radius behind the origin along direction?
 bool judge_clears(const judge *j, const exact_vector *direction, int64_t radius);
 

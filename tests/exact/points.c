@@ -3,7 +3,7 @@
 
 #include "judge.h"
 
-static exact_vector opposite(const exact_vector *v) {
+exact_vector judge_opposite(const exact_vector *v) {
   const exact_vector negated = {{exact_negate(v->x[0]), exact_negate(v->x[1]), exact_negate(v->x[2])}};
   return negated;
 }
@@ -14,7 +14,7 @@ bool judge_far_apart(judge *j, const gjk_certificate *certificate) {
     return false;
   }
   exact_feature_nearest(j->w, j->count, &j->feature);
-  const exact_vector direction = opposite(&j->feature.point);
+  const exact_vector direction = judge_opposite(&j->feature.point);
   return judge_clears(j, &direction, j->radius > j->slack ? j->radius - j->slack : 0) ||
          judge_refuse(j, "far: the feature does not separate");
 }
@@ -22,7 +22,7 @@ bool judge_far_apart(judge *j, const gjk_certificate *certificate) {
 bool judge_far_distance(judge *j, const gjk_distance_result *result) {
   // The distance to the relative 2^-28 that is promised, in half LSB: at least 4 of them, as a far gap exceeds 2^29.
   const int64_t reported = 2 * ((int64_t)result->distance + j->radius), slack = 2 * j->slack;
-  const exact_vector direction = opposite(&j->feature.point);
+  const exact_vector direction = judge_opposite(&j->feature.point);
   if (!judge_clears(j, &direction, reported / 2 - j->slack)) {
     return judge_refuse(j, "far: the distance is too large");
   }
@@ -44,8 +44,7 @@ static bool is_far_normal(judge *j, const gjk_distance_result *result) {
          judge_refuse(j, "far: the distance along the normal is less");
 }
 
-// Is the point at most limit from the hull of the feature's vertices on one side?
-static bool is_at(const exact_point *point, const exact_point *vertices, unsigned count, int64_t limit) {
+bool judge_at(const exact_point *point, const exact_point *vertices, unsigned count, int64_t limit) {
   exact_point relative[3];
   exact_feature feature;
   for (unsigned i = 0; i < count; i++) {
@@ -67,11 +66,11 @@ static bool is_gap(judge *j, const exact_point *a, const exact_point *b) {
          judge_refuse(j, "points %.4f apart, distance %.4f", gap, distance);
 }
 
-static bool is_normal(judge *j, const gjk_unit3 *normal) {
+bool judge_normal(judge *j, const exact_vector *direction, const gjk_unit3 *normal) {
   const double n[3] = {normal->x, normal->y, normal->z};
   double p[3], length = 0, off = 0;
   for (int i = 0; i < 3; i++) {
-    p[i] = -exact_to_double(&j->feature.point.x[i]);
+    p[i] = exact_to_double(&direction->x[i]);
     length += p[i] * p[i];
   }
   for (int i = 0; i < 3; i++) {
@@ -82,7 +81,7 @@ static bool is_normal(judge *j, const gjk_unit3 *normal) {
   return sqrt(off) <= 4 || judge_refuse(j, "the normal is off by %.3f 2^-30", sqrt(off));
 }
 
-static bool is_cut(const gjk_vec3 *v) {
+bool judge_is_cut(const gjk_vec3 *v) {
   return v->x == INT32_MAX || v->x == INT32_MIN || v->y == INT32_MAX || v->y == INT32_MIN || v->z == INT32_MAX ||
          v->z == INT32_MIN;
 }
@@ -97,18 +96,19 @@ bool exact_check_points(const gjk_collider *a, const gjk_collider *b, const gjk_
     return false;
   }
   exact_feature_nearest(j.w, j.count, &j.feature);
-  if (j.slack > 0 ? !is_far_normal(&j, result) : !is_normal(&j, &result->normal)) {
+  const exact_vector direction = judge_opposite(&j.feature.point);
+  if (j.slack > 0 ? !is_far_normal(&j, result) : !judge_normal(&j, &direction, &result->normal)) {
     return false;
   }
   if (result->saturated) {
-    return result->distance == GJK_DISTANCE_MAX || is_cut(&result->point_a) || is_cut(&result->point_b) ||
+    return result->distance == GJK_DISTANCE_MAX || judge_is_cut(&result->point_a) || judge_is_cut(&result->point_b) ||
            judge_refuse(&j, "saturated without a reason");
   }
   const exact_point at_a = from_vec3(&result->point_a), at_b = from_vec3(&result->point_b);
-  if (!is_at(&at_a, j.at_a, j.count, a->shape->round + 1 + j.slack)) {
+  if (!judge_at(&at_a, j.at_a, j.count, a->shape->round + 1 + j.slack)) {
     return judge_refuse(&j, "the point of A is off");
   }
-  if (!is_at(&at_b, j.at_b, j.count, b->shape->round + 1 + j.slack)) {
+  if (!judge_at(&at_b, j.at_b, j.count, b->shape->round + 1 + j.slack)) {
     return judge_refuse(&j, "the point of B is off");
   }
   return is_gap(&j, &at_a, &at_b);

@@ -170,3 +170,14 @@ void generate_pair(const generate_family *family, uint64_t seed, case_pair *pair
   family->generate(&random, pair);
   snprintf(pair->id, sizeof pair->id, "%s-%llu", family->name, (unsigned long long)seed);
 }
+
+gjk_cache generate_cache(random_state *random) {
+  gjk_cache cache;
+  for (int i = 0; i < 4; i++) {
+    cache.direction[i % 3] = (int16_t)random_u32(random);
+    cache.a[i] = (uint16_t)(random_u32(random) >> random_below(random, 17));
+    cache.b[i] = (uint16_t)(random_u32(random) >> random_below(random, 17));
+  }
+  cache.count = (uint16_t)random_below(random, 6);
+  return cache;
+}

@@ -21,6 +21,9 @@ extern const unsigned generate_family_count;
 // pair: storage is reused.
 void generate_pair(const generate_family *family, uint64_t seed, case_pair *pair);
 
+// Bits at random, small numbers more often than not.
+gjk_cache generate_cache(random_state *random);
+
 // A pair whose answer is known from how it was made, by a determinant as small as the lattice allows: B lies above A
 // by the gap, and level / 2 LSB is a threshold that the gap misses by about 1 / |normal|, or meets.
 typedef struct generate_height {

@@ -17,6 +17,7 @@ static const char help[] =
     "  --distance    how far apart, and where (default)\n"
     "  --intersect   do they share a point?\n"
     "  --within R    are they at most R apart?\n"
+    "  --penetration how deep they overlap, which way out, and where; else as --distance\n"
     "  --reference   the double-precision reference answers instead of the library\n"
     "  --certify     check each answer in exact integers; says so where it can't or where an answer is wrong\n"
     "  --help        this text\n"
@@ -39,6 +40,7 @@ static const char help[] =
     "  ID separated distance=D a=x,y,z b=x,y,z normal=x,y,z iterations=N [saturated]\n"
     "  ID separated iterations=N     (--intersect)\n"
     "  ID intersecting iterations=N\n"
+    "  ID intersecting depth=D a=x,y,z b=x,y,z normal=x,y,z iterations=N     (--penetration)\n"
     "  ID within iterations=N        (--within; or 'beyond')\n"
     "  ID error STATUS_NAME detail   a pair that the library refuses\n"
     "  ... uncertified: WHY          (--certify) curved: no exact check exists, but accurate bounds agree\n"
@@ -120,6 +122,8 @@ static int read_options(int argc, char **argv, tool *t) {
       t->question.ask = CASE_DISTANCE;
     } else if (strcmp(word, "--intersect") == 0) {
       t->question.ask = CASE_INTERSECT;
+    } else if (strcmp(word, "--penetration") == 0) {
+      t->question.ask = CASE_PENETRATION;
     } else if (strcmp(word, "--within") == 0) {
       const char *number = i + 1 < argc ? argv[++i] : "";
       t->question.ask = CASE_WITHIN;

@@ -18,7 +18,7 @@ static real real_sqrt(real x) {
   return root > 0 ? (root + x / root) / 2 : 0;
 }
 
-#include "solver.h"
+#include "expanding.h"
 
 static real hypotenuse(real x, real y) {
   return real_sqrt(x * x + y * y);
@@ -32,14 +32,18 @@ static void make_shape(solver_shape *out, const case_shape *shape, const case_co
   }
 }
 
-void accurate_distance(const case_pair *pair, const case_collider *a, const case_collider *b, accurate_result *out) {
+static void find(const case_pair *pair, const case_collider *a, const case_collider *b, bool deep,
+                 accurate_result *out) {
+  static expanding_polytope polytope;
+  static const solver_limits deep_limits = {0, SOLVER_LSB / 16, 0, SOLVER_ANY, 3000};
   // 2^-12 LSB between the bounds; a core distance below 2^-40 of the largest vertex, at most 2^-10 LSB, is 0.
   static const solver_limits limits = {0, SOLVER_LSB / 4096, 0x1p-80L, SOLVER_ANY, 3000};
   solver_shape shape_a, shape_b;
+  solver_simplex last;
   solver_result core;
   make_shape(&shape_a, &pair->a, a, a->collider.centre);
   make_shape(&shape_b, &pair->b, b, a->collider.centre);
-  solve(&shape_a, &shape_b, &limits, &core);
+  solve(&shape_a, &shape_b, &limits, &last, &core);
   real round = shape_a.round + shape_b.round;
   out->enclosing = core.enclosing;
   out->lower = (long double)((core.lower - round) / SOLVER_LSB);
@@ -48,6 +52,24 @@ void accurate_distance(const case_pair *pair, const case_collider *a, const case
   for (int k = 0; k < 3; k++) {
     out->normal[k] = core.enclosing ? 0 : (long double)core.normal[k];
   }
+  if (deep && core.enclosing) {
+    expanding_result inside;
+    expand(&shape_a, &shape_b, &deep_limits, &last, &polytope, &inside);
+    out->lower = (long double)((-inside.upper - round) / SOLVER_LSB);
+    out->upper = (long double)((-inside.lower - round) / SOLVER_LSB);
+    out->iterations += inside.iterations;
+    for (int k = 0; k < 3; k++) {
+      out->normal[k] = (long double)inside.normal[k];
+    }
+  }
+}
+
+void accurate_distance(const case_pair *pair, const case_collider *a, const case_collider *b, accurate_result *out) {
+  find(pair, a, b, false, out);
+}
+
+void accurate_signed(const case_pair *pair, const case_collider *a, const case_collider *b, accurate_result *out) {
+  find(pair, a, b, true, out);
 }
 
 long double accurate_separation(const case_pair *pair, const case_collider *a, const case_collider *b,

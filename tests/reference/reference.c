@@ -16,7 +16,7 @@ static real real_sqrt(real x) {
   return (real)sqrt((double)x);
 }
 
-#include "solver.h"
+#include "expanding.h"
 
 // The tolerances that libraries of the kind use: 1e-10 of the distance, squared distances below 1e-15 of the largest
 // squared vertex are 0; for a float, what its 24 bits leave of them.
@@ -36,21 +36,34 @@ static void to_world(const real point[3], const real n[3], real along, gjk_vec3 
   }
 }
 
-static void query(const solver_shape *a, const solver_shape *b, gjk_vec3 origin, reference_result *out) {
+// With the roundings on top: gap apart, or minus the depth.
+static void report_points(const solver_shape *a, const solver_shape *b, const real core_a[3], const real core_b[3],
+                          const real n[3], real gap, gjk_vec3 origin, reference_result *out) {
+  out->distance = (double)(gap / SOLVER_LSB);
+  to_world(core_a, n, a->round, origin, out->a);
+  to_world(core_b, n, -b->round, origin, out->b);
+  for (int k = 0; k < 3; k++) {
+    out->normal[k] = (double)n[k];
+  }
+}
+
+static void query(const solver_shape *a, const solver_shape *b, gjk_vec3 origin, bool deep, reference_result *out) {
+  static expanding_polytope polytope;
+  solver_simplex last;
   solver_result core;
+  expanding_result inside;
   const solver_limits chosen = limits();
-  solve(a, b, &chosen, &core);
-  real gap = core.upper - a->round - b->round;
+  solve(a, b, &chosen, &last, &core);
+  const real round = a->round + b->round, gap = core.upper - round;
   out->iterations = core.iterations;
   out->intersecting = core.enclosing || gap <= 0;
   out->distance = 0;
-  if (!out->intersecting) {
-    out->distance = (double)(gap / SOLVER_LSB);
-    to_world(core.a, core.normal, a->round, origin, out->a);
-    to_world(core.b, core.normal, -b->round, origin, out->b);
-    for (int k = 0; k < 3; k++) {
-      out->normal[k] = (double)core.normal[k];
-    }
+  if (!core.enclosing && (deep || !out->intersecting)) {
+    report_points(a, b, core.a, core.b, core.normal, gap, origin, out);
+  } else if (deep) {
+    expand(a, b, &chosen, &last, &polytope, &inside);
+    report_points(a, b, inside.a, inside.b, inside.normal, -inside.upper - round, origin, out);
+    out->iterations += inside.iterations;
   }
 }
 
@@ -59,14 +72,24 @@ void REFERENCE_NAME(query)(const case_pair *pair, reference_result *out) {
   solver_shape a, b;
   solver_from_case(&a, &pair->a, origin);
   solver_from_case(&b, &pair->b, origin);
-  query(&a, &b, origin, out);
+  query(&a, &b, origin, false, out);
 }
 
-void REFERENCE_NAME(query_posed)(const case_pair *pair, const case_collider *a, const case_collider *b,
-                                 reference_result *out) {
+static void query_posed(const case_pair *pair, const case_collider *a, const case_collider *b, bool deep,
+                        reference_result *out) {
   gjk_vec3 origin = a->collider.centre;
   solver_shape shape_a, shape_b;
   solver_from_collider(&shape_a, a, pair->a.kind, origin);
   solver_from_collider(&shape_b, b, pair->b.kind, origin);
-  query(&shape_a, &shape_b, origin, out);
+  query(&shape_a, &shape_b, origin, deep, out);
+}
+
+void REFERENCE_NAME(query_posed)(const case_pair *pair, const case_collider *a, const case_collider *b,
+                                 reference_result *out) {
+  query_posed(pair, a, b, false, out);
+}
+
+void REFERENCE_NAME(signed_posed)(const case_pair *pair, const case_collider *a, const case_collider *b,
+                                  reference_result *out) {
+  query_posed(pair, a, b, true, out);
 }

@@ -87,22 +87,24 @@ static real reduce(solver_simplex *s, real v[3]) {
   return largest;
 }
 
-static void report_points(const solver_simplex *s, solver_result *out) {
+static void report_simplex(const solver_simplex *s, solver_result *out) {
   const real *a[4] = {s->a[0], s->a[1], s->a[2], s->a[3]}, *b[4] = {s->b[0], s->b[1], s->b[2], s->b[3]};
   weighted_sum(a, s->weight, s->count, out->a);
   weighted_sum(b, s->weight, s->count, out->b);
 }
 
 // The distance of two cores. Stops when the bounds meet, when the origin is enclosed, or when rounding ends progress.
-static void solve(const solver_shape *a, const solver_shape *b, const solver_limits *limits, solver_result *out) {
-  solver_simplex simplex = {0};
+// last: the simplex that it ended with.
+static void solve(const solver_shape *a, const solver_shape *b, const solver_limits *limits, solver_simplex *last,
+                  solver_result *out) {
   real v[3], d[3];
   real_sub(b->centre, a->centre, d);
   out->enclosing = false;
   out->iterations = 1;
-  add_farthest(&simplex, a, b, d);
-  simplex.count = 1;
-  real largest = reduce(&simplex, v);
+  last->count = 0;
+  add_farthest(last, a, b, d);
+  last->count = 1;
+  real largest = reduce(last, v);
   out->upper = real_length(v);
   out->lower = -out->upper;
   if (limits->apart < SOLVER_ANY && -real_dot(v, d) > limits->apart * real_length(d)) {
@@ -113,24 +115,24 @@ static void solve(const solver_shape *a, const solver_shape *b, const solver_lim
       out->normal[k] = -v[k] / out->upper;
     }
     out->iterations++;
-    add_farthest(&simplex, a, b, out->normal);
-    real bound = -real_dot(simplex.w[simplex.count], out->normal);
+    add_farthest(last, a, b, out->normal);
+    real bound = -real_dot(last->w[last->count], out->normal);
     out->lower = bound > out->lower ? bound : out->lower;
     real slack = out->upper * limits->relative;
     if (out->upper - out->lower <= (slack > limits->absolute ? slack : limits->absolute) ||
-        out->lower > limits->apart || contains(&simplex, simplex.w[simplex.count]) ||
+        out->lower > limits->apart || contains(last, last->w[last->count]) ||
         out->iterations >= limits->iterations) {
-      report_points(&simplex, out);
+      report_simplex(last, out);
       return;
     }
-    simplex.count++;
-    largest = reduce(&simplex, v);
-    if (simplex.count == 4) {
+    last->count++;
+    largest = reduce(last, v);
+    if (last->count == 4) {
       break;
     }
     real length = real_length(v);
     if (length >= out->upper) {
-      report_points(&simplex, out);
+      report_simplex(last, out);
       return;
     }
     out->upper = length;

@@ -88,6 +88,7 @@ static bool spheres_apart(const solver_shape *a, const solver_shape *b) {
 
 // As the library does: a yes-or-no question looks at the bounding spheres first, and stops at a separating direction.
 static void reference_run(bench_query query, bench_answer *out) {
+  static solver_simplex last;
   static solver_result result;
   static const solver_limits exact = {BENCH_RELATIVE, 0, BENCH_ENCLOSING, SOLVER_ANY, 100},
                              decide = {BENCH_RELATIVE, 0, BENCH_ENCLOSING, 0, 100};
@@ -95,7 +96,7 @@ static void reference_run(bench_query query, bench_answer *out) {
   out->rounds = 0;
   out->intersecting = false;
   if (query == BENCH_DISTANCE || !spheres_apart(a, b)) {
-    solve(a, b, query == BENCH_DISTANCE ? &exact : &decide, &result);
+    solve(a, b, query == BENCH_DISTANCE ? &exact : &decide, &last, &result);
     out->rounds = (unsigned)result.iterations;
     out->intersecting = result.enclosing;
     out->distance = result.enclosing ? 0 : (gjk_q16)(result.upper / BENCH_LSB + (real)0.5);

@@ -54,17 +54,6 @@ static void check_decision(campaign *c, gjk_q16 distance, const gjk_decision *d)
   count_answer(c, d->iterations, &d->certificate);
 }
 
-static gjk_cache any_cache(random_state *random) {
-  gjk_cache cache;
-  for (int i = 0; i < 4; i++) {
-    cache.direction[i % 3] = (int16_t)random_u32(random);
-    cache.a[i] = (uint16_t)(random_u32(random) >> random_below(random, 17));
-    cache.b[i] = (uint16_t)(random_u32(random) >> random_below(random, 17));
-  }
-  cache.count = (uint16_t)random_below(random, 6);
-  return cache;
-}
-
 // Asks with the caches of this pair and of another, and with bits at random: the answer is the cold one's.
 static void check_within(campaign *c, gjk_q16 distance, gjk_cache *own) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
@@ -72,7 +61,7 @@ static void check_within(campaign *c, gjk_q16 distance, gjk_cache *own) {
   gjk_cache caches[CACHES];
   caches[0] = *own;
   caches[1] = c->kept;
-  caches[2] = any_cache(&c->random);
+  caches[2] = generate_cache(&c->random);
   gjk_cache *chosen = &caches[random_below(&c->random, CACHES)];
   const gjk_status status = gjk_within(a, b, distance, NULL, &cold);
   expect(c, status == GJK_OK, "status of within");
@@ -232,7 +221,7 @@ static void check_pair(campaign *c) {
   c->intersecting += r.intersecting;
   c->near += !r.intersecting && r.distance <= c->family->near;
   check_warm(c, &r, own, "distance with its own cache");
-  check_warm(c, &r, random_below(&c->random, 2) == 0 ? c->kept : any_cache(&c->random), "distance with any cache");
+  check_warm(c, &r, random_below(&c->random, 2) == 0 ? c->kept : generate_cache(&c->random), "distance with any cache");
   check_decisions(c, &r, &own);
   if (c->pairs % CHECK_EVERY == 0) {
     expect(c, gjk_check_distance(a, b, &r) == (far ? GJK_ERROR_UNSUPPORTED : GJK_OK), "gjk_check_distance");

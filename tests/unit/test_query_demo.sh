@@ -16,7 +16,7 @@ status() {
 }
 
 check 'the demo runs' status 0 "$demo" tests/data/arm.txt "$dir/arm.svg"
-# Number, pair, answer, gap and certificate; without the rounds.
+# Number, pair, answer, gap or minus the depth, way out and certificate; without the rounds.
 grep -E '^ *[0-9]+  ' "$dir/out" |
   sed -E 's/ +[0-9]+  (proven|curved|WRONG)$/ \1/; s/ +/ /g; s/^ //' >"$dir/table"
 check 'the table' diff tests/data/arm.expected "$dir/table"
@@ -24,7 +24,7 @@ check 'the summary' grep -q '^29 pairs: 20 proven in exact integers, 9 curved an
 
 bodies=$(awk '/^case/ {gsub(":", "\n", $2); print $2}' tests/data/arm.txt | sort -u | wc -l | tr -d ' ')
 check 'each body is drawn once' test "$(grep -c '<title>' "$dir/arm.svg")" = "$bodies"
-for text in '48.2 mm' '0.015 mm' 'overlapping' 'touching' 'arm-elbow'; do
+for text in '48.2 mm' '0.015 mm' '24.4 mm deep' 'overlapping' 'touching' 'arm-elbow'; do
   check "the picture says $text" grep -q "$text" "$dir/arm.svg"
 done
 check 'the picture has numbers only' sh -c "! grep -qE 'nan|inf[^o]' \"$dir/arm.svg\""

@@ -1,4 +1,5 @@
-// Pairs that other libraries' users reported as wrong, against answers computed in rational arithmetic.
+// Pairs that other libraries' users reported as wrong, against answers computed in rational arithmetic: distances and
+// depths.
 //
 //   test_trackers [FILE]    default: tests/data/trackers.txt, from the top folder
 #include <math.h>
@@ -6,9 +7,13 @@
 
 #include "../case/parse.h"
 #include "../check.h"
-#include "../exact/exact.h"
+#include "../exact/depth.h"
 
 #define CASES 33
+#define CELLS GJK_POLYTOPE_CELLS(512)
+
+// Half the height of prisms over flat pairs, above every depth within the plane.
+#define PRISM 40000000
 
 // What the file says of a case: '# exact separated DISTANCE | touching | intersecting DEPTH', in LSB.
 typedef struct truth {
@@ -50,6 +55,66 @@ static bool decides(const gjk_collider *a, const gjk_collider *b, gjk_q16 distan
   return distance > 0 || (gjk_intersect(a, b, NULL, &d) == GJK_OK && d.yes == yes);
 }
 
+// The depth is the file's, rounded up; and from there on the signed distance.
+static void check_depth(const case_pair *pair, const gjk_collider *a, const gjk_collider *b, gjk_q16 depth) {
+  static gjk_cell cells[CELLS];
+  static const gjk_workspace workspace = {cells, CELLS};
+  gjk_penetration_result r;
+  gjk_distance_result s;
+  char why[200] = "";
+  const bool answered = gjk_penetration(a, b, NULL, &workspace, &r) == GJK_OK;
+  expect(answered && r.intersecting && r.depth == depth, pair, "depth");
+  expect(answered && exact_check_penetration(a, b, &r, why, sizeof why), pair, why);
+  expect(answered && gjk_check_penetration(a, b, &r) == GJK_OK, pair, "gjk_check_penetration");
+  expect(gjk_signed_distance(a, b, NULL, &workspace, &s) == GJK_OK && s.intersecting && s.distance == -depth, pair,
+         "signed distance");
+}
+
+// Do all vertices lie in one plane across z?
+static bool is_flat(const gjk_collider *a, const gjk_collider *b) {
+  const gjk_collider *c[2] = {a, b};
+  const int64_t z = exact_vertex(a, 0).x[2];
+  for (int k = 0; k < 2; k++) {
+    for (unsigned i = 0; i < exact_vertex_count(c[k]); i++) {
+      if (exact_vertex(c[k], i).x[2] != z) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// The prism over a flat hull.
+static void raise_prism(const case_shape *flat, case_shape *prism) {
+  case_shape_copy(prism, flat);
+  case_shape_set_count(prism, 2 * flat->count);
+  for (size_t i = 0; i < flat->count; i++) {
+    gjk_vec3 *below = &prism->vertices[i], *above = &prism->vertices[flat->count + i];
+    *below = *above = flat->vertices[i];
+    below->z -= PRISM;
+    above->z += PRISM;
+  }
+}
+
+// The file's depth of a flat pair is that within its plane, which prisms have; across the plane it is 0.
+static void check_flat(const case_pair *pair, const gjk_collider *a, const gjk_collider *b, gjk_q16 depth) {
+  case_pair prisms = {{0}, {0}, {0}};
+  case_collider prism_a = {0}, prism_b = {0};
+  check_depth(pair, a, b, 0);
+  expect(pair->a.kind == CASE_HULL && pair->b.kind == CASE_HULL && depth < PRISM, pair, "hulls");
+  raise_prism(a->shape->vertices == pair->a.vertices ? &pair->a : &pair->b, &prisms.a);
+  raise_prism(a->shape->vertices == pair->a.vertices ? &pair->b : &pair->a, &prisms.b);
+  const bool built = case_collider_build(&prism_a, &prisms.a, false) == GJK_OK &&
+                     case_collider_build(&prism_b, &prisms.b, false) == GJK_OK;
+  expect(built, pair, "the prisms can be posed");
+  if (built) {
+    check_depth(&prisms, &prism_a.collider, &prism_b.collider, depth);
+  }
+  case_pair_free(&prisms);
+  case_collider_free(&prism_a);
+  case_collider_free(&prism_b);
+}
+
 static void check_one_way(const case_pair *pair, const gjk_collider *a, const gjk_collider *b, const truth *t) {
   const bool separated = strcmp(t->word, "separated") == 0;
   const gjk_q16 distance = separated ? (gjk_q16)floor(t->number + 0.5) : 0;
@@ -69,6 +134,10 @@ static void check_one_way(const case_pair *pair, const gjk_collider *a, const gj
     const gjk_q16 within = (gjk_q16)ceil(t->number);
     expect(decides(a, b, within, true), pair, "within the distance");
     expect(decides(a, b, within - 1, false), pair, "within less than the distance");
+  } else if (is_flat(a, b)) {
+    check_flat(pair, a, b, (gjk_q16)ceil(t->number));
+  } else {
+    check_depth(pair, a, b, (gjk_q16)ceil(t->number));
   }
 }
 
@@ -93,6 +162,10 @@ static unsigned check_truth(const case_pair *pair, const gjk_collider *a, const 
   expect(separated == (strcmp(t->word, "separated") == 0), pair, "brute force, decision");
   expect(exact_truth_distance(&brute, a, b) == (separated ? (int64_t)floor(t->number + 0.5) : 0), pair,
          "brute force, distance");
+  exact_overlap overlap;
+  const double depth = is_flat(a, b) ? 0 : t->number;
+  expect(exact_overlap_find(a, b, &overlap) && overlap.intersecting != separated, pair, "all directions, decision");
+  expect(separated || overlap.depth == (int64_t)ceil(depth), pair, "all directions, depth");
   return 1;
 }
 
