@@ -163,6 +163,26 @@ static uint32_t measure_axis(int32_t low, int32_t high, int32_t *middle) {
   return (uint32_t)((int64_t)high - *middle);
 }
 
+// Faces: polygons of vertices that there are.
+static gjk_status check_faces(const gjk_hull_faces *faces, uint16_t vertices) {
+  uint16_t first = 0;
+  if (faces->corner == NULL || faces->end == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  for (uint32_t i = 0; i < faces->count; i++) {
+    const uint16_t end = faces->end[i];
+    if (end < first || end - first < 3 || end - first > GJK_FACE_CORNERS_MAX) {
+      return GJK_ERROR_RANGE;
+    }
+    for (; first < end; first++) {
+      if (faces->corner[first] >= vertices) {
+        return GJK_ERROR_RANGE;
+      }
+    }
+  }
+  return GJK_OK;
+}
+
 static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
   const gjk_vec3 *v = shape->vertices;
   if (v == NULL) {
@@ -170,6 +190,10 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
   }
   if (shape->count == 0) {
     return GJK_ERROR_EMPTY;
+  }
+  const gjk_status faces = shape->faces == NULL ? GJK_OK : check_faces(shape->faces, shape->count);
+  if (faces != GJK_OK) {
+    return faces;
   }
   gjk_vec3 low = v[0], high = v[0];
   for (uint32_t i = 1; i < shape->count; i++) {
@@ -196,5 +220,6 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
 }
 
 const gjk_shape_class gjk_class_triangle = {
-    measure, pose_triangle, support_triangle, refine_triangle, vertex_triangle, false, 3, false};
-const gjk_shape_class gjk_class_hull = {measure, pose_hull, support_hull, refine_hull, vertex_hull, true, 0, false};
+    measure, pose_triangle, support_triangle, refine_triangle, vertex_triangle, false, 3, GJK_KIND_VERTICES};
+const gjk_shape_class gjk_class_hull = {measure, pose_hull, support_hull,     refine_hull, vertex_hull,
+                                        true,    0,         GJK_KIND_VERTICES};

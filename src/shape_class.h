@@ -18,6 +18,15 @@ typedef struct gjk_extent {
   uint64_t squared;  // of the largest distance from it, at most GJK_RADIUS_MAX^2
 } gjk_extent;
 
+// What a collider of the class holds, for those that look at more than its supports.
+typedef enum gjk_kind {
+  GJK_KIND_SMOOTH,    // nothing to look at
+  GJK_KIND_AXES,      // half axes: its vertices are the centre with each of them added or subtracted
+  GJK_KIND_VERTICES,  // a list of vertices
+  GJK_KIND_CYLINDER,  // rotation rows
+  GJK_KIND_CONE       // rotation rows
+} gjk_kind;
+
 struct gjk_shape_class {
   // Checks the shape's own fields and measures it; round is checked by the caller.
   gjk_status (*measure)(const gjk_shape *shape, gjk_extent *out);
@@ -39,7 +48,7 @@ struct gjk_shape_class {
 
   bool buffered;  // takes a buffer for the vertices of the shape
   uint8_t count;  // half axes or vertices; 0 with buffered: the shape's own count
-  bool axes;      // spanned by half axes: its vertices are the centre with each of them added or subtracted
+  uint8_t kind;   // a gjk_kind
 };
 
 #define GJK_STATE_INITIALISED UINT32_C(0x676A6B31)

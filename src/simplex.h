@@ -35,11 +35,6 @@ typedef enum gjk_step {
   GJK_STEP_ENCLOSING  // the origin is on the first count vertices' point, segment, triangle or tetrahedron
 } gjk_step;
 
-// The corner of a triangle after i.
-static inline unsigned gjk_next(unsigned i) {
-  return i < 2 ? i + 1 : 0;
-}
-
 static inline gjk_vertex *gjk_simplex_vertex(gjk_simplex *s, int i) {
   return &s->slot[s->order[i]];
 }

@@ -10,6 +10,11 @@ typedef struct gjk_long3 {
   int64_t x, y, z;
 } gjk_long3;
 
+// The corner of a triangle, or the axis, after i.
+static inline unsigned gjk_next(unsigned i) {
+  return i < 2 ? i + 1 : 0;
+}
+
 static inline gjk_vec3 gjk_add(gjk_vec3 a, gjk_vec3 b) {
   gjk_vec3 sum = {a.x + b.x, a.y + b.y, a.z + b.z};
   return sum;

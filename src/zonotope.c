@@ -18,7 +18,7 @@ typedef struct zonotope {
 } zonotope;
 
 bool gjk_is_zonotope(const gjk_iteration *it) {
-  return it->a->shape->type->axes && it->b->shape->type->axes;
+  return it->a->shape->type->kind == GJK_KIND_AXES && it->b->shape->type->kind == GJK_KIND_AXES;
 }
 
 static void open(zonotope *z, gjk_iteration *it) {

@@ -4,6 +4,7 @@
 
 #include "gjk/check.h"
 #include "gjk/collider.h"
+#include "gjk/contacts.h"
 #include "gjk/distance.h"
 #include "gjk/format.h"
 #include "gjk/intersect.h"

@@ -36,6 +36,15 @@ extern const gjk_shape_class gjk_class_custom;
 //            true farthest point makes decision and distance right to within e LSB more.
 typedef void gjk_support_function(const void *user, const gjk_vec3 *direction, gjk_vec3 *out);
 
+// The faces of a hull, for contact manifolds alone: convex polygons of 3 to 16 corners.
+typedef struct gjk_hull_faces {
+  const uint16_t *corner;  // vertices of all faces, one face after the other, each counterclockwise seen from outside
+  const uint16_t *end;     // end[i]: where face i ends in corner
+  uint16_t count;          // faces
+} gjk_hull_faces;
+
+#define GJK_FACE_CORNERS_MAX 16
+
 // Fields are set by the initialisers below; gjk_collider_init checks them.
 typedef struct gjk_shape {
   const gjk_shape_class *type;
@@ -45,28 +54,32 @@ typedef struct gjk_shape {
   gjk_vec3 size;                  // half extents or radii, Q16.16, by kind
   gjk_q16 round;                  // rounding radius, at least 0
   uint16_t count;                 // vertices of the hull
+  const gjk_hull_faces *faces;    // hull: optional, the caller's
 } gjk_shape;
 
 // The same shapes with a rounding radius. Hull vertices need no order, may repeat, lie in a line, in a plane
 // or inside the hull; their coordinates may be any int32_t within GJK_RADIUS_MAX of their box's centre.
 #define GJK_ROUNDED_POINT(radius) \
-  { &gjk_class_point, 0, 0, 0, {0, 0, 0}, (radius), 0 }
+  { &gjk_class_point, 0, 0, 0, {0, 0, 0}, (radius), 0, 0 }
 #define GJK_ROUNDED_SEGMENT(half, radius) \
-  { &gjk_class_segment, 0, 0, 0, {0, 0, (half)}, (radius), 0 }
+  { &gjk_class_segment, 0, 0, 0, {0, 0, (half)}, (radius), 0, 0 }
 #define GJK_ROUNDED_TRIANGLE(vertices3, radius) \
-  { &gjk_class_triangle, (vertices3), 0, 0, {0, 0, 0}, (radius), 3 }
+  { &gjk_class_triangle, (vertices3), 0, 0, {0, 0, 0}, (radius), 3, 0 }
 #define GJK_ROUNDED_BOX(half_x, half_y, half_z, radius) \
-  { &gjk_class_box, 0, 0, 0, {(half_x), (half_y), (half_z)}, (radius), 0 }
+  { &gjk_class_box, 0, 0, 0, {(half_x), (half_y), (half_z)}, (radius), 0, 0 }
 #define GJK_ROUNDED_HULL(vertices_n, n, radius) \
-  { &gjk_class_hull, (vertices_n), 0, 0, {0, 0, 0}, (radius), (n) }
+  { &gjk_class_hull, (vertices_n), 0, 0, {0, 0, 0}, (radius), (n), 0 }
 #define GJK_ROUNDED_CYLINDER(base_radius, half, radius) \
-  { &gjk_class_cylinder, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0 }
+  { &gjk_class_cylinder, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0, 0 }
 #define GJK_ROUNDED_CONE(base_radius, half, radius) \
-  { &gjk_class_cone, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0 }
+  { &gjk_class_cone, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0, 0 }
 #define GJK_ROUNDED_ELLIPSOID(radius_x, radius_y, radius_z, radius) \
-  { &gjk_class_ellipsoid, 0, 0, 0, {(radius_x), (radius_y), (radius_z)}, (radius), 0 }
+  { &gjk_class_ellipsoid, 0, 0, 0, {(radius_x), (radius_y), (radius_z)}, (radius), 0, 0 }
 #define GJK_ROUNDED_CUSTOM(function, user_pointer, bound, radius) \
-  { &gjk_class_custom, 0, (function), (user_pointer), {(bound), 0, 0}, (radius), 0 }
+  { &gjk_class_custom, 0, (function), (user_pointer), {(bound), 0, 0}, (radius), 0, 0 }
+
+#define GJK_ROUNDED_HULL_WITH_FACES(vertices_n, n, faces_pointer, radius) \
+  { &gjk_class_hull, (vertices_n), 0, 0, {0, 0, 0}, (radius), (n), (faces_pointer) }
 
 #define GJK_POINT GJK_ROUNDED_POINT(0)
 #define GJK_SPHERE(radius) GJK_ROUNDED_POINT(radius)
@@ -77,6 +90,7 @@ typedef struct gjk_shape {
 #define GJK_TRIANGLE(vertices3) GJK_ROUNDED_TRIANGLE(vertices3, 0)
 #define GJK_BOX(half_x, half_y, half_z) GJK_ROUNDED_BOX(half_x, half_y, half_z, 0)
 #define GJK_HULL(vertices_n, n) GJK_ROUNDED_HULL(vertices_n, n, 0)
+#define GJK_HULL_WITH_FACES(vertices_n, n, faces_pointer) GJK_ROUNDED_HULL_WITH_FACES(vertices_n, n, faces_pointer, 0)
 // From z = -half to z = half.
 #define GJK_CYLINDER(base_radius, half) GJK_ROUNDED_CYLINDER(base_radius, half, 0)
 // Apex at z = half, base at z = -half.
