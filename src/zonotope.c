@@ -193,8 +193,9 @@ static inline unsigned pair_of(unsigned i, unsigned j) {
 // False: one of the directions, it->direction, separates A from B. The height across i, j is the sum of
 // |g_i x g_j . g_k| over all k, less |g_i x g_j . delta|; each triple serves three directions.
 static bool rank_directions(const zonotope *z, directions *out) {
-  int64_t sum[DIRECTIONS] = {0}, squared[DIRECTIONS];
+  int64_t sum[DIRECTIONS], squared[DIRECTIONS];
   const unsigned shift = cut_shift(z);
+  sum[0] = 0;  // the others are set by the first triple that they are in: all at once would call memset
   for (unsigned i = 0; i < z->count; i++) {
     for (unsigned j = i + 1; j < z->count; j++) {
       const gjk_vec3 n = cut_normal(z, i, j, shift);
@@ -204,8 +205,8 @@ static bool rank_directions(const zonotope *z, directions *out) {
       for (unsigned k = j + 1; k < z->count; k++) {
         const int64_t volume = size_along(&n, &z->axis[k]);
         rest += volume;
-        sum[pair_of(i, k)] += volume;
-        sum[pair_of(j, k)] += volume;
+        sum[pair_of(i, k)] = volume + (i == 0 && j == 1 ? 0 : sum[pair_of(i, k)]);
+        sum[pair_of(j, k)] = volume + (i == 0 ? 0 : sum[pair_of(j, k)]);
       }
       sum[ij] = rest;
     }
