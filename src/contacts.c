@@ -45,9 +45,14 @@ static gjk_unit3 opposite(const gjk_unit3 *u) {
   return v;
 }
 
+// To the nearest LSB. Pre: the result fits.
+static gjk_q16 to_lsb(int64_t x) {
+  return (gjk_q16)gjk_sar64(x + (INT64_C(1) << 29), 30);
+}
+
 // u length / 2^30 to the nearest.
 static gjk_q16 part_along(gjk_q30 u, gjk_q16 length) {
-  return (gjk_q16)gjk_sar64(gjk_mul32(u, length) + (INT64_C(1) << 29), 30);
+  return to_lsb(gjk_mul32(u, length));
 }
 
 static gjk_vec3 step_along(const gjk_unit3 *u, gjk_q16 length) {
@@ -101,7 +106,7 @@ static void add_points(contacts *c, const reference *r, const gjk_clip *clip) {
     const int64_t along = gjk_along(&r->normal, &step);
     const uint64_t low = gjk_umul32(gjk_low32(along) & mask, scale) >> 30;
     const int64_t gap = gjk_sar64(gjk_sar64(along, 30) * (int64_t)scale + (int64_t)low + (INT64_C(1) << 29), 30);
-    if (gap >= REACH || gap <= -REACH) {
+    if (gap >= 2 * (int64_t)REACH || gap <= -2 * (int64_t)REACH) {
       continue;
     }
     const gjk_vec3 across = gjk_sub(*v, step_along(&r->out, (gjk_q16)gap));
@@ -119,17 +124,18 @@ static void open_clip(const gjk_polygon *p, gjk_clip *clip) {
   }
 }
 
-// The incident polygon or edge behind all sides of the reference polygon. Sides stand on its plane.
+// The incident polygon or edge behind all sides of the reference polygon, which stand along the contact's normal: so the
+// points across from what is left lie in the polygon.
 static void clip_by_polygon(contacts *c, const reference *r, const gjk_polygon *incident) {
   gjk_clip clip[2];
   const gjk_polygon *p = r->polygon;
-  const gjk_vec3 normal = vector_of(&p->normal);
+  const gjk_vec3 out = vector_of(&r->out);
   open_clip(incident, &clip[0]);
   for (unsigned i = 0; i < p->count; i++) {
     gjk_long3 n;
     gjk_rounded d;
     const gjk_vec3 edge = gjk_sub(p->corner[i + 1 < p->count ? i + 1 : 0], p->corner[i]);
-    gjk_cross(&edge, &normal, &n);
+    gjk_cross(&edge, &out, &n);
     gjk_round_direction(&n, &d);
     gjk_clip_behind(&clip[i & 1u], &p->corner[i], &d.d, i, &clip[(i + 1u) & 1u]);
   }
@@ -147,8 +153,8 @@ static bool has_length(const gjk_polygon *edge) {
   return (e.x | e.y | e.z) != 0;
 }
 
-// Two edges: parallel ones by the extent of A's; of others only the one point matters.
-static void clip_by_edge(contacts *c, reference *r, const gjk_polygon *incident) {
+// Two edges: parallel ones by the extent of A's, the reference; of others only the one point matters.
+static void clip_by_edge(contacts *c, const reference *r, const gjk_polygon *incident) {
   if (!has_length(r->polygon) || !has_length(incident)) {
     return;
   }
@@ -165,12 +171,13 @@ static void clip_by_edge(contacts *c, reference *r, const gjk_polygon *incident)
     return;
   }
   gjk_clip_behind(&clip[1], &r->polygon->corner[0], &back, 1, &clip[0]);
-  // The plane through the edge that faces the normal as squarely as it can.
-  const gjk_q30 along = gjk_cosine(&e, &r->out);
-  const gjk_vec3 square = {r->out.x - part_along(e.x, along), r->out.y - part_along(e.y, along),
-                           r->out.z - part_along(e.z, along)};
-  r->normal = gjk_unit(&square);
-  add_points(c, r, &clip[0]);
+  for (unsigned i = 0; i < clip[0].count; i++) {
+    const gjk_vec3 *v = &clip[0].corner[i].v, *start = &r->polygon->corner[0];
+    const gjk_vec3 step = gjk_sub(*v, *start);
+    const gjk_vec3 on_edge = gjk_add(*start, step_along(&e, to_lsb(gjk_along(&e, &step))));
+    const gjk_vec3 across = gjk_sub(*v, on_edge);
+    add(c, &on_edge, v, to_lsb(gjk_along(&r->out, &across)), clip[0].corner[i].id);
+  }
 }
 
 // A polygon that leans away from u, which leads out of it, meets it with the edge that reaches farthest.
@@ -302,6 +309,32 @@ static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
   return x <= REACH && x >= -REACH && y <= REACH && y >= -REACH && z <= REACH && z >= -REACH;
 }
 
+// Fills in the manifold of shapes that are at most margin apart. Out of line, so that its room on the stack is not taken
+// while the distance is measured.
+GJK_OUT_OF_LINE static void make_manifold(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
+                                          const gjk_distance_result *d, gjk_manifold *out) {
+  contacts c;
+  c.a = a;
+  c.b = b;
+  c.u = d->normal;
+  c.margin = margin;
+  c.count = 0;
+  out->normal = d->normal;
+  out->feature_a = 0;
+  out->feature_b = 0;
+  if (is_within_reach(&a->centre, &b->centre)) {
+    meet(&c, out);
+  }
+  add_witness(&c, d);
+  if (c.count > most) {
+    choose(&c, most);
+  }
+  out->count = (uint8_t)c.count;
+  for (unsigned i = 0; i < c.count; i++) {
+    out->contact[i] = c.candidate[i];
+  }
+}
+
 gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most, gjk_cache *cache,
                         const gjk_workspace *workspace, gjk_manifold *out) {
   gjk_status status = gjk_check_pair(a, b, out);
@@ -310,32 +343,11 @@ gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 ma
   }
   gjk_distance_result d;
   status = gjk_signed_distance(a, b, cache, workspace, &d);
-  if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
-    return status;
-  }
-  out->count = 0;
-  if (d.distance > margin) {
-    return status;
-  }
-  contacts c;
-  c.a = a;
-  c.b = b;
-  c.u = d.normal;
-  c.margin = margin;
-  c.count = 0;
-  out->normal = d.normal;
-  out->feature_a = 0;
-  out->feature_b = 0;
-  if (is_within_reach(&a->centre, &b->centre)) {
-    meet(&c, out);
-  }
-  add_witness(&c, &d);
-  if (c.count > most) {
-    choose(&c, most);
-  }
-  out->count = (uint8_t)c.count;
-  for (unsigned i = 0; i < c.count; i++) {
-    out->contact[i] = c.candidate[i];
+  if (status == GJK_OK || status == GJK_ERROR_CAPACITY) {
+    out->count = 0;
+    if (d.distance <= margin) {
+      make_manifold(a, b, margin, most, &d, out);
+    }
   }
   return status;
 }

@@ -53,6 +53,9 @@ typedef struct gjk_pose {
 // Most vertices of one hull.
 #define GJK_HULL_VERTICES_MAX 65535
 
+// Most corners of one face of a hull.
+#define GJK_FACE_CORNERS_MAX 12
+
 // Ceiling on the rounds of one query; one that reaches it says so and gives the bounds proven so far. Each feature is
 // strictly nearer than the last, so every query ends, but how soon has no useful bound. Random pairs have needed at most
 // 18 (polytopes) and 51 (curved). A search for the worst, tests/data/worst.txt, found 16 for boxes, 45 for hulls of 8

@@ -36,14 +36,13 @@ extern const gjk_shape_class gjk_class_custom;
 //            true farthest point makes decision and distance right to within e LSB more.
 typedef void gjk_support_function(const void *user, const gjk_vec3 *direction, gjk_vec3 *out);
 
-// The faces of a hull, for contact manifolds alone: convex polygons of 3 to 16 corners.
+// The faces of a hull, for contact manifolds alone: convex polygons of 3 to
+// GJK_FACE_CORNERS_MAX corners.
 typedef struct gjk_hull_faces {
   const uint16_t *corner;  // vertices of all faces, one face after the other, each counterclockwise seen from outside
   const uint16_t *end;     // end[i]: where face i ends in corner
   uint16_t count;          // faces
 } gjk_hull_faces;
-
-#define GJK_FACE_CORNERS_MAX 16
 
 // Fields are set by the initialisers below; gjk_collider_init checks them.
 typedef struct gjk_shape {

@@ -19,6 +19,7 @@ uses() {
           value = "3"
           if (name[i] ~ /^vertices/ || name[i] == "user_pointer") value = "vertices"
           if (name[i] == "function") value = "support"
+          if (name[i] == "faces_pointer") value = "0"
           arguments = arguments (i > 1 ? ", " : "") value
         }
         arguments = "(" arguments ")"
