@@ -21,7 +21,7 @@ typedef struct gjk_clip {
 } gjk_clip;
 
 // Keeps what lies behind the plane across d through point, or on it. plane: its number, below 16, for the ids.
-// Pre: coordinates at most 2^30, |d| <= sqrt(3) 2^30. from and to are not the same.
-void gjk_clip_behind(const gjk_clip *from, const gjk_vec3 *point, const gjk_vec3 *d, unsigned plane, gjk_clip *to);
+// Pre: coordinates at most 3 2^28 in size, |d| <= sqrt(3) 2^30.
+void gjk_clip_behind(gjk_clip *clip, const gjk_vec3 *point, const gjk_vec3 *d, unsigned plane);
 
 #endif

@@ -127,19 +127,19 @@ static void open_clip(const gjk_polygon *p, gjk_clip *clip) {
 // The incident polygon or edge behind all sides of the reference polygon, which stand along the contact's normal: so the
 // points across from what is left lie in the polygon.
 static void clip_by_polygon(contacts *c, const reference *r, const gjk_polygon *incident) {
-  gjk_clip clip[2];
+  gjk_clip clip;
   const gjk_polygon *p = r->polygon;
   const gjk_vec3 out = vector_of(&r->out);
-  open_clip(incident, &clip[0]);
-  for (unsigned i = 0; i < p->count; i++) {
+  open_clip(incident, &clip);
+  for (unsigned i = 0; i < p->count && clip.count > 0; i++) {
     gjk_long3 n;
     gjk_rounded d;
     const gjk_vec3 edge = gjk_sub(p->corner[i + 1 < p->count ? i + 1 : 0], p->corner[i]);
     gjk_cross(&edge, &out, &n);
     gjk_round_direction(&n, &d);
-    gjk_clip_behind(&clip[i & 1u], &p->corner[i], &d.d, i, &clip[(i + 1u) & 1u]);
+    gjk_clip_behind(&clip, &p->corner[i], &d.d, i);
   }
-  add_points(c, r, &clip[p->count & 1u]);
+  add_points(c, r, &clip);
 }
 
 static gjk_unit3 edge_direction(const gjk_polygon *edge) {
@@ -163,20 +163,20 @@ static void clip_by_edge(contacts *c, const reference *r, const gjk_polygon *inc
   if (cosine < PARALLEL && cosine > -PARALLEL) {
     return;
   }
-  gjk_clip clip[2];
+  gjk_clip clip;
   const gjk_vec3 forth = vector_of(&e), back = gjk_negate(forth);
-  open_clip(incident, &clip[0]);
-  gjk_clip_behind(&clip[0], &r->polygon->corner[1], &forth, 0, &clip[1]);
-  if (clip[1].count == 0) {
+  open_clip(incident, &clip);
+  gjk_clip_behind(&clip, &r->polygon->corner[1], &forth, 0);
+  if (clip.count == 0) {
     return;
   }
-  gjk_clip_behind(&clip[1], &r->polygon->corner[0], &back, 1, &clip[0]);
-  for (unsigned i = 0; i < clip[0].count; i++) {
-    const gjk_vec3 *v = &clip[0].corner[i].v, *start = &r->polygon->corner[0];
+  gjk_clip_behind(&clip, &r->polygon->corner[0], &back, 1);
+  for (unsigned i = 0; i < clip.count; i++) {
+    const gjk_vec3 *v = &clip.corner[i].v, *start = &r->polygon->corner[0];
     const gjk_vec3 step = gjk_sub(*v, *start);
     const gjk_vec3 on_edge = gjk_add(*start, step_along(&e, to_lsb(gjk_along(&e, &step))));
     const gjk_vec3 across = gjk_sub(*v, on_edge);
-    add(c, &on_edge, v, to_lsb(gjk_along(&r->out, &across)), clip[0].corner[i].id);
+    add(c, &on_edge, v, to_lsb(gjk_along(&r->out, &across)), clip.corner[i].id);
   }
 }
 

@@ -15,6 +15,8 @@ typedef struct body {
 
 static body bodies[2];
 static uint64_t hash;
+static gjk_cell cells[GJK_POLYTOPE_CELLS(20)];
+static const gjk_workspace workspace = {cells, GJK_POLYTOPE_CELLS(20)};
 
 // FNV-1a over the bytes of a value, lowest first.
 static void mix(uint32_t value) {
@@ -76,8 +78,6 @@ static void mix_until(uint8_t iterations, gjk_q16 error) {
 }
 
 static void mix_penetration(gjk_cache *cache) {
-  static gjk_cell cells[GJK_POLYTOPE_CELLS(20)];
-  static const gjk_workspace workspace = {cells, GJK_POLYTOPE_CELLS(20)};
   gjk_penetration_result out;
   mix((uint32_t)gjk_penetration(&bodies[0].collider, &bodies[1].collider, cache, &workspace, &out));
   mix((uint32_t)out.intersecting);
@@ -88,6 +88,19 @@ static void mix_penetration(gjk_cache *cache) {
     mix_vector(out.point_a.x, out.point_a.y, out.point_a.z);
     mix_vector(out.point_b.x, out.point_b.y, out.point_b.z);
     mix_vector(out.normal.x, out.normal.y, out.normal.z);
+  }
+}
+
+static void mix_contacts(gjk_q16 margin) {
+  static gjk_manifold out;
+  mix((uint32_t)gjk_contacts(&bodies[0].collider, &bodies[1].collider, margin, 4, NULL, &workspace, &out));
+  mix(out.count);
+  for (unsigned i = 0; i < out.count; i++) {
+    const gjk_contact *c = &out.contact[i];
+    mix_vector(c->point_a.x, c->point_a.y, c->point_a.z);
+    mix_vector(c->point_b.x, c->point_b.y, c->point_b.z);
+    mix((uint32_t)c->distance);
+    mix(c->id);
   }
 }
 
@@ -168,6 +181,7 @@ static void query_pair(random_state *random) {
   mix_decision(result.distance, NULL);
   mix_distance(&cache, &result);
   mix_penetration(&cache);
+  mix_contacts(0);
   if (!result.intersecting && !far) {
     approach(random, &result);
     mix_distance(&cache, &result);
@@ -176,6 +190,7 @@ static void query_pair(random_state *random) {
     mix_until(2, 0);
     mix_until(0, 1 + size / 16);
     mix_penetration(NULL);
+    mix_contacts(size / 8);
   }
 }
 
