@@ -47,11 +47,12 @@ link() {
 prepare() {
   rm -rf "$build"
   mkdir -p "$build/tests"
+  cp -r src "$build/src"  # what the mutants are made of, whatever changes meanwhile
   gcc -std=c99 -O1 tests/mutate/mutate.c -o "$build/mutate" || return 1
   for variant in $VARIANTS; do
     mkdir -p "$build/$variant"
     for source in src/*.c; do
-      compile "$variant" src "$build/$variant" "$(basename "$source" .c)" 2>/dev/null || return 1
+      compile "$variant" "$build/src" "$build/$variant" "$(basename "$source" .c)" 2>/dev/null || return 1
     done
   done
   link "$build"/default/*.o -o "$build/tests/libgjk.so"
@@ -116,11 +117,11 @@ judge() {
 work() {
   folder=$build/worker$1
   mkdir -p "$folder"
-  cp -r src "$folder/src"
+  cp -r "$build/src" "$folder/src"
   awk -v first="$1" 'NR % 2 == first' "$build/list" | while IFS='	' read -r file number line change text; do
-    "$build/mutate" apply "$file" "$number" >"$folder/$file"
+    (cd "$build" && ./mutate apply "$file" "$number") >"$folder/$file"
     printf '%s\t%s\t%s\t%s\t%s\n' "$(judge "$folder" "$file")" "$file" "$line" "$change" "$text"
-    cp "$file" "$folder/$file"
+    cp "$build/$file" "$folder/$file"
   done >"$build/results$1"
 }
 
@@ -138,7 +139,7 @@ shift
 [ $# -gt 0 ] && shift
 [ $# -gt 0 ] || set -- src/*.[ch]
 for file in "$@"; do
-  "$build/mutate" list "$file"
+  (cd "$build" && ./mutate list "$file")
 done | awk -v sample="$sample" -v seed=$SEED '
   # A random sample keeps the order of the files.
   { line[NR] = $0 }
