@@ -68,7 +68,7 @@ static void test_names(void) {
 }
 
 static void test_null_shapes(void) {
-  const gjk_shape no_class = {NULL, NULL, NULL, NULL, {0, 0, 0}, 0, 0};
+  const gjk_shape no_class = {NULL, NULL, NULL, NULL, {0, 0, 0}, 0, 0, NULL};
   const gjk_shape hull = GJK_HULL(NULL, 4), triangle = GJK_TRIANGLE(NULL), custom = GJK_CUSTOM(NULL, NULL, ONE);
   CHECK(gjk_collider_init(NULL, &cube, NULL, 0) == GJK_ERROR_NULL);
   CHECK(init_status(NULL, NULL, 0) == GJK_ERROR_NULL);
