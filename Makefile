@@ -16,6 +16,8 @@
 #   make prove           shows the absence of undefined behaviour (Frama-C)
 #   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
 #   make coverage        which lines and branches of src the tests reach, over all variants of the code
+#   make mutants         small wrong changes of src that the tests must notice; MUTANTS=300: a random sample
+#   make fuzz            fuzzes pairs, the reader of cases and arguments for SECONDS=60
 #   make soak            100,000,000 certified pairs over two cores, or PAIRS=N; goes on where it was interrupted
 #   make clean
 #
@@ -80,7 +82,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix prove lint coverage soak clean
+.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix prove lint coverage soak mutants fuzz clean
 all: lib build/gjk-query build/gjk-demo
 
 help:
@@ -207,6 +209,14 @@ lint:
 
 coverage: unit-tests
 	@sh tests/build/coverage.sh build
+
+MUTANTS ?= 0
+mutants: unit-tests
+	@sh tests/build/mutants.sh build $(MUTANTS)
+
+SECONDS ?= 60
+fuzz:
+	@sh tests/build/fuzz.sh build $(SECONDS)
 
 PAIRS ?= 100000000
 soak: build/test_certificates

@@ -17,7 +17,7 @@ if ! have clang || ! have llvm-cov || ! have llvm-profdata; then
   exit 0
 fi
 if ! echo 'int main(void) { return 0; }' | clang -fprofile-instr-generate -x c - -o /dev/null 2>/dev/null; then
-  echo 'skipped: coverage: needs libclang-rt-14-dev'
+  echo 'skipped: coverage: needs libclang-rt-dev'
   exit 0
 fi
 

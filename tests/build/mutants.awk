@@ -1,8 +1,8 @@
 # Adds up what became of the mutants: see mutants.sh. First file: tests/mutate/equivalent.txt, lines
-# 'FILE | TEXT | CHANGE | REASON', TEXT a part of the source line, CHANGE 'OLD => NEW', each or * for any.
+# of FILE, TEXT, CHANGE, REASON with tabs between, TEXT a part of the source line, CHANGE 'OLD => NEW', each or * for any.
 
 FNR == NR {
-  if ($0 !~ /^#/ && split($0, field, / \| /) == 4) {
+  if ($0 !~ /^#/ && split($0, field, /\t/) == 4) {
     entries++
     file_of[entries] = field[1]
     text_of[entries] = field[2]

@@ -10,7 +10,9 @@
 build=$1/mutants
 sample=${2:-0}
 programs=$1
-compiler='gcc -std=c99 -w -Werror=incompatible-pointer-types -Werror=int-conversion -fPIC -fno-semantic-interposition'
+# Undefined behaviour traps: the tests of the golden hash run with the sanitizer too.
+compiler='gcc -std=c99 -Werror=incompatible-pointer-types -Werror=int-conversion -fPIC -fno-semantic-interposition
+  -fsanitize=undefined -fsanitize-undefined-trap-on-error'
 # Of processor time, for one test: others may be at work here.
 SECONDS_EACH=8
 SEED=1
@@ -27,8 +29,8 @@ flags() {
 }
 
 # The tests, those first that notice most in least time; the others follow, but for those of the tests' own tools.
-TESTS='golden test_status test_check test_pose_status test_wide test_rotation test_pose test_aabb test_custom
-  test_certificates'
+TESTS='golden test_status test_check test_pose_bits test_wide test_support test_rotation test_pose test_pose_status
+  test_aabb test_custom test_certificates'
 TOOLS='test_case test_exact test_reference'
 
 # compile VARIANT SOURCES FOLDER FILE: FILE.o from SOURCES, where the mutated file stands
@@ -45,11 +47,12 @@ link() {
 prepare() {
   rm -rf "$build"
   mkdir -p "$build/tests"
+  cp -r src "$build/src"  # what the mutants are made of, whatever changes meanwhile
   gcc -std=c99 -O1 tests/mutate/mutate.c -o "$build/mutate" || return 1
   for variant in $VARIANTS; do
     mkdir -p "$build/$variant"
     for source in src/*.c; do
-      compile "$variant" src "$build/$variant" "$(basename "$source" .c)" || return 1
+      compile "$variant" "$build/src" "$build/$variant" "$(basename "$source" .c)" 2>/dev/null || return 1
     done
   done
   link "$build"/default/*.o -o "$build/tests/libgjk.so"
@@ -114,11 +117,11 @@ judge() {
 work() {
   folder=$build/worker$1
   mkdir -p "$folder"
-  cp -r src "$folder/src"
+  cp -r "$build/src" "$folder/src"
   awk -v first="$1" 'NR % 2 == first' "$build/list" | while IFS='	' read -r file number line change text; do
-    "$build/mutate" apply "$file" "$number" >"$folder/$file"
+    (cd "$build" && ./mutate apply "$file" "$number") >"$folder/$file"
     printf '%s\t%s\t%s\t%s\t%s\n' "$(judge "$folder" "$file")" "$file" "$line" "$change" "$text"
-    cp "$file" "$folder/$file"
+    cp "$build/$file" "$folder/$file"
   done >"$build/results$1"
 }
 
@@ -136,7 +139,7 @@ shift
 [ $# -gt 0 ] && shift
 [ $# -gt 0 ] || set -- src/*.[ch]
 for file in "$@"; do
-  "$build/mutate" list "$file"
+  (cd "$build" && ./mutate list "$file")
 done | awk -v sample="$sample" -v seed=$SEED '
   # A random sample keeps the order of the files.
   { line[NR] = $0 }

@@ -2,7 +2,7 @@
 # Installs the cross compilers and emulators that the tests use, or with 'matrix' those of `make matrix`, too: Debian
 # and its relatives. Debian's gcc-multilib cannot stay beside its cross compilers: apt-get takes it away.
 set -e
-PACKAGES='gcc g++ clang gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf qemu-system-misc
+PACKAGES='gcc g++ clang libclang-rt-dev gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf qemu-system-misc
   gcc-avr avr-libc simavr frama-c-base clang-tidy clang-format cppcheck shellcheck
   gcc-i686-linux-gnu libc6-dev-i386-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user'
 # Only `make matrix` uses these, and says so where one is missing.

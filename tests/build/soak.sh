@@ -50,5 +50,5 @@ awk -v first=$FIRST_SEED -v chunks=$chunks '
         echo "$(((before + good) * CHUNK)) pairs certified, $bad chunks failed, $rate pairs a second, $left minutes left"
     done
     echo "soak: $(((before + good) * CHUNK)) pairs certified, $bad chunks failed"
-    [ $bad = 0 ]
+    [ $bad = 0 ] && [ $((before + good)) -ge $chunks ]
   }

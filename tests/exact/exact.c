@@ -52,8 +52,14 @@ static double centre_distance(const gjk_collider *a, const gjk_collider *b) {
   return sqrt(x * x + y * y + z * z);
 }
 
+// In integers: a square root in double is 2^30 for what is a little more.
 bool exact_is_far(const gjk_collider *a, const gjk_collider *b) {
-  return centre_distance(a, b) > 1073741824.0;
+  const exact_int x = exact_from((int64_t)a->centre.x - b->centre.x), xx = exact_mul(&x, &x);
+  const exact_int y = exact_from((int64_t)a->centre.y - b->centre.y), yy = exact_mul(&y, &y);
+  const exact_int z = exact_from((int64_t)a->centre.z - b->centre.z), zz = exact_mul(&z, &z);
+  const exact_int level = exact_add(&xx, &yy), squared = exact_add(&level, &zz);
+  const exact_int limit = exact_from(INT64_C(1) << 60);
+  return exact_compare(&squared, &limit) > 0;
 }
 
 bool judge_refuse(judge *j, const char *format, ...) {
@@ -72,10 +78,10 @@ bool judge_start(judge *j, const gjk_collider *a, const gjk_collider *b, int64_t
   j->radius = (int64_t)a->shape->round + b->shape->round + distance;
   j->why = why;
   j->size = n;
-  // 2^-28 of the smallest gap that the centres allow: that of a far pair exceeds 2^29.
+  // 2^-27 of the smallest gap that the centres allow: that of a far pair exceeds 2^29.
   j->slack = 0;
   if (exact_is_far(a, b)) {
-    j->slack = (int64_t)((centre_distance(a, b) - (double)a->radius - (double)b->radius) / 268435456.0);
+    j->slack = (int64_t)((centre_distance(a, b) - (double)a->radius - (double)b->radius) / 134217728.0);
   }
   return j->count_a != 0 && j->count_b != 0 ? true : judge_refuse(j, "not a polytope");
 }

@@ -216,8 +216,8 @@ static int end_of(int t) {
 
 // f(a, b ...) becomes f(b, a ...), unless the order cannot matter.
 static void swap_arguments(int t) {
-  static const char *const symmetric[] = {"gjk_mul32", "gjk_umul32", "gjk_umulh32", "gjk_add",
-                                          "gjk_dot",   "sizeof",     NULL};
+  static const char *const symmetric[] = {"gjk_mul32", "gjk_umul32",   "gjk_umulh32", "gjk_add", "gjk_dot",
+                                          "multiply",  "multiply_q33", "sizeof",      NULL};
   static const char *const words[] = {"if", "while", "for", "switch", "return", NULL};
   if (!is(t + 1, "(") || !isalpha((unsigned char)text[tokens[t].start]) || is_one_of(t, symmetric) ||
       is_one_of(t, words)) {

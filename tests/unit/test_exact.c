@@ -279,6 +279,20 @@ static void test_brute(void) {
   CHECK(truth.enclosing);
 }
 
+// The border between near and far lies between integers: found by the fuzzer, when it was computed in double.
+static void test_far(void) {
+  static const int32_t origin[1][3] = {{0, 0, 0}};
+  hand_made a, b;
+  make_hull(&a, origin, 1, 0);
+  make_hull(&b, origin, 1, 0);
+  b.collider.centre.x = INT32_C(1) << 30;
+  CHECK(!exact_is_far(&a.collider, &b.collider));
+  b.collider.centre.z = 2;
+  CHECK(exact_is_far(&a.collider, &b.collider) && exact_is_far(&b.collider, &a.collider));
+  b.collider.centre.x--;
+  CHECK(!exact_is_far(&a.collider, &b.collider));
+}
+
 int main(void) {
   random_state random = random_seed(SEED);
   test_small_integers(&random);
@@ -288,5 +302,6 @@ int main(void) {
   test_face_by_hand();
   test_proofs_by_hand();
   test_brute();
+  test_far();
   return check_done("exact");
 }

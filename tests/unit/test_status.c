@@ -219,6 +219,29 @@ static void test_poses(void) {
   CHECK(gjk_collider_pose(&collider, &at_most) == GJK_OK && collider.centre.x == INT32_MAX);
 }
 
+// Every move counts from the last one.
+static void test_moves(void) {
+  const gjk_vec3 there = {100, -200, 300}, on = {-7, 8, -9};
+  gjk_collider collider = posed(&cube);
+  CHECK(gjk_collider_move(&collider, &there) == GJK_OK && gjk_collider_move(&collider, &on) == GJK_OK);
+  CHECK(collider.centre.x == -7 && collider.centre.y == 8 && collider.centre.z == -9);
+}
+
+// Only hulls take a buffer.
+static void test_unused_buffer(void) {
+  static gjk_vec3 memory[4];
+  static const gjk_vec3 corners[3] = {{0, 0, 0}, {ONE, 0, 0}, {0, ONE, 0}};
+  const gjk_shape shapes[] = {
+      GJK_POINT,          GJK_SEGMENT(ONE), GJK_BOX(1, 2, 3),       GJK_TRIANGLE(corners),
+      GJK_CYLINDER(5, 5), GJK_CONE(5, 5),   GJK_ELLIPSOID(1, 2, 3), GJK_CUSTOM(support_origin, NULL, 5)};
+  for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
+    gjk_collider collider;
+    memset(&collider, POISON, sizeof collider);
+    CHECK(gjk_collider_init(&collider, &shapes[i], memory, 0) == GJK_OK && collider.buffer == NULL);
+    CHECK(gjk_collider_pose(&collider, &origin) == GJK_OK);
+  }
+}
+
 // Outputs of every query, poisoned.
 typedef struct outputs {
   gjk_aabb box;
@@ -314,6 +337,8 @@ int main(void) {
   test_sizes();
   test_buffers();
   test_poses();
+  test_moves();
+  test_unused_buffer();
   test_unposed();
   test_query_arguments();
   test_unsupported();

@@ -60,6 +60,11 @@ static void check_rounds(const gjk_collider *a, const gjk_collider *b, const gjk
 
 static void check_errors(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *full, int32_t slack,
                          const char *id, tally *t) {
+  const gjk_effort unlimited = {0, 0};
+  gjk_distance_result whole;
+  CHECK_MSG(gjk_distance_until(a, b, &unlimited, NULL, &whole) == GJK_OK && whole.distance == full->distance &&
+                whole.iterations == full->iterations && whole.certificate.proof == full->certificate.proof,
+            "%s, no limit", id);
   for (unsigned bits = 0; bits < 29; bits += 4) {
     const gjk_q16 error = INT32_C(1) << bits;
     const gjk_effort effort = {0, error};

@@ -1,0 +1,69 @@
+#!/bin/sh
+# Fuzzes pairs, the reader of cases and hostile arguments with libFuzzer: fuzz.sh BUILD SECONDS
+#
+# The seconds are shared out evenly. Inputs that reach new code stay in BUILD/fuzz/corpus and are where the next run
+# begins. An input that fails stays in BUILD/fuzz, of a pair also as a case for build/gjk-query. Exit status 1 then.
+. tests/build/count.sh
+build=$1/fuzz
+each=$(($2 / 3))
+mkdir -p "$build"
+
+flags='-std=c99 -g -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -Iinclude -Isrc -Iport -Itests'
+if ! have clang; then
+  echo 'skipped: fuzz: needs clang'
+  exit 0
+fi
+# shellcheck disable=SC2086
+if ! echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { (void)d; (void)n; return 0; }' |
+  clang $flags -fsanitize=fuzzer -x c - -o "$build/probe" 2>/dev/null; then
+  echo 'skipped: fuzz: needs libclang-rt-dev'
+  exit 0
+fi
+
+# fuzz TARGET OPTIONS...: one target, for its share of the time
+fuzz() {
+  target=$1
+  shift
+  mkdir -p "$build/corpus/$target"
+  # shellcheck disable=SC2086
+  clang $flags -fsanitize=fuzzer "tests/fuzz/$target.c" "$build"/objects/*.o -o "$build/$target" || return 1
+  if ! nice "$build/$target" -max_total_time="$each" -timeout=20 -print_final_stats=1 -artifact_prefix="$build/$target-" \
+    "$@" "$build/corpus/$target" "$build/seeds-$target" >"$build/$target.log" 2>&1; then
+    tail -n 40 "$build/$target.log"
+    if [ "$target" = pairs ]; then
+      for input in "$build"/pairs-crash-* "$build"/pairs-timeout-*; do
+        [ -e "$input" ] && GJK_FUZZ_PRINT=1 "$build/pairs" "$input" 2>/dev/null >"$input.case"
+      done
+    fi
+    echo "fuzz: $target fails, see $build/$target-*"
+    return 1
+  fi
+  awk -v target="$target" '
+    /number_of_executed_units/ { n = $2 }
+    /new_units_added/ { added = $2 }
+    / cov: / { for (i = 1; i < NF; i++) if ($i == "cov:") reached = $(i + 1) }
+    END {
+      printf "%s: %d inputs, %d of them reached new code, %d places reached\n", target, n, added, reached
+      exit n < 100
+    }' "$build/$target.log"
+}
+
+# What the targets share, compiled once.
+mkdir -p "$build/objects"
+for source in tests/fuzz/bytes.c tests/case/case.c tests/case/number.c tests/case/parse.c tests/exact/*.c src/*.c; do
+  # shellcheck disable=SC2086
+  clang $flags -c "$source" -o "$build/objects/$(echo "${source%.c}" | tr / -).o" || exit 1
+done
+
+mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments"
+# shellcheck disable=SC2086
+clang $flags tests/fuzz/seeds.c "$build"/objects/*.o -o "$build/seeds" &&
+  "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt || exit 1
+cp tests/data/*.txt "$build/seeds-cases"
+cp "$build"/seeds-pairs/* "$build/seeds-arguments"
+
+status=0
+fuzz pairs -max_len=2048 || status=1
+fuzz cases -close_fd_mask=2 -max_len=4096 || status=1
+fuzz arguments -max_len=2048 || status=1
+exit $status

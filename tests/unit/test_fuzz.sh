@@ -1,0 +1,9 @@
+#!/bin/sh
+# A short run of the fuzzers, from where the last one ended. test_fuzz.sh BUILD
+. tests/build/count.sh
+if have clang && echo 'int main(void) { return 0; }' | clang -fsanitize=address -x c - -o /dev/null 2>/dev/null; then
+  check 'pairs, cases and arguments' sh tests/build/fuzz.sh "$1" 21
+else
+  skip 'fuzzing' 'clang libclang-rt-dev'
+fi
+finish fuzz
