@@ -128,8 +128,9 @@ typedef struct gjk_scene_header {
   uint32_t moved;               // first body
   uint32_t gone;                // pairs of that state
   uint32_t phase, queued, next_test, next_report;
-  gjk_scene_stats stats;    // of the last update that was completed; updates counts on
-  gjk_scene_stats working;  // of the one under way
+  uint32_t updates;       // completed
+  uint32_t refused;       // counted for the update under way
+  gjk_scene_stats stats;  // of the last update whose tests are done, as far as not counted elsewhere
 } gjk_scene_header;
 
 // A scene with its sections found.

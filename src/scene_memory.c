@@ -9,7 +9,7 @@
 typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_part) == 144 &&
                                      sizeof(gjk_scene_node) == 40 && sizeof(gjk_scene_placed) == 32 &&
                                      sizeof(gjk_scene_pair) == 44 && sizeof(gjk_scene_config) == 24 &&
-                                     sizeof(gjk_scene_header) == 320
+                                     sizeof(gjk_scene_header) == 264
                                  ? 1
                                  : -1];
 

@@ -133,7 +133,7 @@ static gjk_status make_missing(gjk_scene_view *v, uint32_t part) {
       continue;
     }
     if (!gjk_scene_wanted(v, p, q)) {
-      h->working.refused++;
+      h->refused++;
     } else if (h->pairs.count == h->pairs.capacity) {
       status = GJK_ERROR_CAPACITY;
       break;
@@ -147,7 +147,7 @@ static gjk_status make_missing(gjk_scene_view *v, uint32_t part) {
 
 gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
   gjk_scene_header *h = v->header;
-  h->working.refused = 0;
+  h->refused = 0;
   for (uint32_t slot = h->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
     for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
       if ((v->parts[i].state & GJK_SCENE_REPAIR) != 0) {

@@ -118,9 +118,9 @@ bool gjk_scene_place(gjk_scene_view *v, uint32_t index, const gjk_collider *coll
     return false;
   }
   // Twice the step, at most 2^33.
-  const int64_t scale = ahead ? 2 : 0;
-  enlarge(v, p, scale * ((int64_t)p->centre.x - before.x), scale * ((int64_t)p->centre.y - before.y),
-          scale * ((int64_t)p->centre.z - before.z));
+  const int64_t x = 2 * ((int64_t)p->centre.x - before.x), y = 2 * ((int64_t)p->centre.y - before.y);
+  const int64_t z = 2 * ((int64_t)p->centre.z - before.z);
+  enlarge(v, p, ahead ? x : 0, ahead ? y : 0, ahead ? z : 0);
   return true;
 }
 

@@ -110,6 +110,11 @@ static bool less(const share *a, const share *b) {
   return gjk_sum_sign(a->over, b->under, -b->over, a->under) < 0;
 }
 
+static void set_share(share *s, int64_t over, int64_t under) {
+  s->over = over;
+  s->under = under;
+}
+
 // Narrows [enter, leave] to where the way is between the two planes of one axis. False: nowhere.
 static bool clip(gjk_q16 from, gjk_q16 to, gjk_q16 lower, gjk_q16 upper, share *enter, share *leave) {
   if (from == to) {
@@ -117,21 +122,22 @@ static bool clip(gjk_q16 from, gjk_q16 to, gjk_q16 lower, gjk_q16 upper, share *
   }
   const bool up = to > from;
   const int64_t length = up ? (int64_t)to - from : (int64_t)from - to;
-  const share in = {up ? (int64_t)lower - from : (int64_t)from - upper, length};
-  const share out = {up ? (int64_t)upper - from : (int64_t)from - lower, length};
+  share in, out;
+  set_share(&in, up ? (int64_t)lower - from : (int64_t)from - upper, length);
+  set_share(&out, up ? (int64_t)upper - from : (int64_t)from - lower, length);
   if (less(enter, &in)) {
-    *enter = in;
+    set_share(enter, in.over, length);
   }
   if (less(&out, leave)) {
-    *leave = out;
+    set_share(leave, out.over, length);
   }
   return !less(leave, enter);
 }
 
 static bool cross_box(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_aabb *box, share *enter) {
-  const share start = {0, 1};
-  share leave = {1, 1};
-  *enter = start;
+  share leave;
+  set_share(enter, 0, 1);
+  set_share(&leave, 1, 1);
   return clip(from->x, to->x, box->lower.x, box->upper.x, enter, &leave) &&
          clip(from->y, to->y, box->lower.y, box->upper.y, enter, &leave) &&
          clip(from->z, to->z, box->lower.z, box->upper.z, enter, &leave);
@@ -219,7 +225,10 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
                                    const gjk_body *ignore, gjk_scene_hit *hit, gjk_q16 *distance, bool *found) {
   gjk_scene_view v;
   gjk_scene_walk walk;
-  search s = {collider, {{0, 0, 0}, {0, 0, 0}}, reach, false, {{0, 0}, 0, 0}};
+  search s;
+  s.collider = collider;
+  s.best = reach;
+  s.found = false;
   gjk_status status = hit == NULL || distance == NULL || found == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, &v);
   if (status == GJK_OK) {
     status = gjk_collider_aabb(collider, &s.box);

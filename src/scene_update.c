@@ -70,15 +70,17 @@ static bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
   return v->header->config.persist != 0 && (awake(v, pair->part[0]) || awake(v, pair->part[1]));
 }
 
-static void count_outcome(gjk_scene_stats *s, uint8_t outcome) {
-  uint32_t *const counters[GJK_SCENE_OUTCOMES] = {NULL,          &s->filtered, &s->motion, &s->boxes,
-                                                  &s->direction, &s->warm,     &s->cold};
-  (*counters[outcome & (GJK_SCENE_UNSETTLED - 1)])++;
-  s->unsettled += (outcome & GJK_SCENE_UNSETTLED) != 0;
+static uint32_t *counter_of(gjk_scene_stats *s, unsigned outcome) {
+  return outcome == GJK_SCENE_FILTERED    ? &s->filtered
+         : outcome == GJK_SCENE_MOTION    ? &s->motion
+         : outcome == GJK_SCENE_BOXES     ? &s->boxes
+         : outcome == GJK_SCENE_DIRECTION ? &s->direction
+         : outcome == GJK_SCENE_WARM      ? &s->warm
+                                          : &s->cold;
 }
 
 static void keep_event(gjk_scene_view *v, uint32_t index, gjk_event event, uint32_t *kept) {
-  gjk_scene_stats *s = &v->header->working;
+  gjk_scene_stats *s = &v->header->stats;
   uint32_t *counter = event == GJK_EVENT_BEGIN ? &s->begun : event == GJK_EVENT_END ? &s->ended : &s->persisting;
   (*counter)++;
   v->pairs[index].outcome = (uint8_t)event;
@@ -94,7 +96,8 @@ static void collect_events(gjk_scene_view *v) {
     const uint32_t index = v->queue[i];
     gjk_scene_pair *pair = &v->pairs[index];
     const bool was = (pair->state & GJK_SCENE_PAIR_NEAR) != 0, now = (pair->state & GJK_SCENE_PAIR_NEAR_NOW) != 0;
-    count_outcome(&h->working, pair->outcome);
+    (*counter_of(&h->stats, pair->outcome & (GJK_SCENE_UNSETTLED - 1u)))++;
+    h->stats.unsettled += (pair->outcome & GJK_SCENE_UNSETTLED) != 0;
     pair->state = (uint8_t)((pair->state & ~(GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_QUEUED | GJK_SCENE_PAIR_NEAR_NOW)) |
                             (now ? GJK_SCENE_PAIR_NEAR : 0u));
     if (was != now) {
@@ -200,22 +203,33 @@ static void sort_events(gjk_scene_view *v) {
   }
 }
 
-static void finish_tests(gjk_scene_view *v) {
-  static const gjk_scene_stats zero = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-  gjk_scene_header *h = v->header;
-  const uint32_t refused = h->working.refused;
-  uint32_t gone = 0;
-  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].previous[0]) {
-    gone++;
+// Copies count words; volatile, lest the compiler make it a call of memcpy.
+static void copy_words(uint32_t *to, const volatile uint32_t *from, unsigned count) {
+  for (unsigned i = 0; i < count; i++) {
+    to[i] = from[i];
   }
-  h->working = zero;
-  h->working.refused = refused;
-  h->working.pairs = h->pairs.count - gone;
-  h->working.resting = h->working.pairs - h->queued;
+}
+
+#define STATS_WORDS (sizeof(gjk_scene_stats) / sizeof(uint32_t))
+
+static void start_stats(gjk_scene_view *v) {
+  static const uint32_t zero[STATS_WORDS] = {0};
+  gjk_scene_header *h = v->header;
+  copy_words((void *)&h->stats, zero, STATS_WORDS);
+  h->stats.refused = h->refused;
+  h->stats.pairs = h->pairs.count;
+  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].previous[0]) {
+    h->stats.pairs--;
+  }
+  h->stats.resting = h->stats.pairs - h->queued;
+}
+
+static void finish_tests(gjk_scene_view *v) {
+  start_stats(v);
   collect_events(v);
   settle_bodies(v);
   sort_events(v);
-  h->phase = GJK_SCENE_REPORTING;
+  v->header->phase = GJK_SCENE_REPORTING;
 }
 
 // Reports one pair, and drops it if that was all it was kept for.
@@ -241,8 +255,7 @@ static void report_some(gjk_scene_view *v, gjk_report *reports, uint32_t capacit
   }
   progress->reports_left = h->queued - h->next_report;
   if (progress->reports_left == 0) {
-    h->working.updates = h->stats.updates + 1;
-    h->stats = h->working;
+    h->updates++;
     h->queued = 0;
     h->phase = GJK_SCENE_IDLE;
   }
@@ -358,7 +371,8 @@ gjk_status gjk_scene_get_stats(const gjk_scene *scene, gjk_scene_stats *out) {
     status = GJK_ERROR_NULL;
   }
   if (status == GJK_OK) {
-    *out = v.header->stats;
+    copy_words((void *)out, (const void *)&v.header->stats, STATS_WORDS);
+    out->updates = v.header->updates;
     out->bodies = v.header->bodies.count;
     out->parts = v.header->parts.count;
   }

@@ -198,7 +198,7 @@ gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t begin, uint32_t end);
 // at the end. event is PERSIST, or END when a body was removed since.
 gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_report *out, bool *found);
 
-// What the last update that was completed did. Each of its pairs is counted in resting or in one of filtered to cold.
+// What the last update whose tests are done did. Each of its pairs is counted in resting or in one of filtered to cold.
 typedef struct gjk_scene_stats {
   uint32_t bodies, parts;         // there now
   uint32_t pairs;                 // whose boxes met

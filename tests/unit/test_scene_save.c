@@ -214,7 +214,7 @@ static void check_forged(void) {
     memcpy(copy, block, bytes);
     // The header and the records in use, which come first in their pools.
     const size_t at =
-        random_below(&random, 2) == 0 ? random_below(&random, 320) : random_below(&random, (uint32_t)bytes / 4);
+        random_below(&random, 2) == 0 ? random_below(&random, 264) : random_below(&random, (uint32_t)bytes / 4);
     copy[at] = (unsigned char)random_u32(&random);
     if (gjk_scene_attach(&forged, copy, bytes, world_shapes, WORLD_SHAPES) != GJK_OK) {
       refused++;
