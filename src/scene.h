@@ -90,6 +90,7 @@ typedef struct gjk_scene_pair {
   uint8_t outcome;  // a gjk_scene_outcome
 } gjk_scene_pair;
 
+// From FILTERED to COLD in the order of gjk_scene_stats.
 typedef enum gjk_scene_outcome {
   GJK_SCENE_PENDING = 0,
   GJK_SCENE_FILTERED,

@@ -70,13 +70,10 @@ static bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
   return v->header->config.persist != 0 && (awake(v, pair->part[0]) || awake(v, pair->part[1]));
 }
 
+// The counter of an outcome: both are in the same order.
 static uint32_t *counter_of(gjk_scene_stats *s, unsigned outcome) {
-  return outcome == GJK_SCENE_FILTERED    ? &s->filtered
-         : outcome == GJK_SCENE_MOTION    ? &s->motion
-         : outcome == GJK_SCENE_BOXES     ? &s->boxes
-         : outcome == GJK_SCENE_DIRECTION ? &s->direction
-         : outcome == GJK_SCENE_WARM      ? &s->warm
-                                          : &s->cold;
+  uint32_t *words = (void *)s;
+  return words + offsetof(gjk_scene_stats, filtered) / sizeof *words + (outcome - GJK_SCENE_FILTERED);
 }
 
 static void keep_event(gjk_scene_view *v, uint32_t index, gjk_event event, uint32_t *kept) {
