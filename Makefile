@@ -151,7 +151,7 @@ build/gjk-bench-report: $(BENCH_REPORT)
 # Start-up code clears memory in a loop, which must not become a call of itself.
 
 BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
-FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/*.h tests/target/*.h tests/demo/*.h include/gjk/*.h) Makefile
+FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/*.h tests/target/*.h tests/demo/*.h tests/scene/*.h include/gjk/*.h) Makefile
 FIRMWARE = $(FREESTANDING) -Itests -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
   $(filter-out $(FIRMWARE_NEEDS),$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 
@@ -161,6 +161,8 @@ $(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(FIRMWARE_NEEDS)
 
 $(OUT)/bench.elf: tests/target/bench_float.c tests/target/bench_double.c
 $(OUT)/worst.elf: $(WORST_CASES)
+$(OUT)/scene_bench.elf: tests/scene/traffic.c
+$(OUT)/scene_golden.elf: tests/scene/match.c
 $(OUT)/port.elf: tests/target/port_allocation.c port/generic/gjk_arena.c
 
 $(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(FIRMWARE_NEEDS)

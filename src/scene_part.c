@@ -1,7 +1,6 @@
 // One shape of a body: as a collider, and its boxes.
 #include "scene_part.h"
 
-#include "root.h"
 #include "shape_class.h"
 
 // Posing moves vertices by roundings, before and after: offsets by less than 3 (collider.c), so by less than 6 against each
@@ -25,38 +24,46 @@ void gjk_scene_unpack(const gjk_scene_view *v, const gjk_scene_part *part, gjk_c
   out->bits = (uint8_t)(32 - gjk_clz32((uint32_t)part->core_radius));
 }
 
+// At least the length of a vector whose components have this sum and maximum: with the others b, ... at most the maximum a,
+// (a + b/2 + ...)^2 >= a^2 + a b + ... >= a^2 + b^2 + ... At most a fifth too long in three dimensions. Pre: sum < 2^32.
+static uint32_t length_bound(uint32_t sum, uint32_t largest) {
+  return sum / 2 + largest / 2 + 1;
+}
+
+static uint32_t larger(uint32_t a, uint32_t b) {
+  return a > b ? a : b;
+}
+
 // Unit quaternions d apart turn points by at most 2 d times their distance: with t = angle / 4, d = 2 sin t, and a point
 // moves by 2 sin 2t = 4 sin t cos t. q and -q are the same rotation. Lengths within 2^-17 of 1 change d by less than
 // 2^-16 of itself.
 uint32_t gjk_scene_turn(const gjk_quat *a, const gjk_quat *b) {
   const int64_t dot = gjk_mac32(gjk_mac32(gjk_mac32(gjk_mul32(a->x, b->x), a->y, b->y), a->z, b->z), a->w, b->w);
   const int32_t sign = dot < 0 ? -1 : 1;
-  // Components are at most 2^30 (1 + 2^-17) in size, and the length of the difference at most sqrt(2) times that.
-  const int32_t x = a->x - sign * b->x, y = a->y - sign * b->y, z = a->z - sign * b->z, w = a->w - sign * b->w;
-  const int64_t squared = gjk_mac32(gjk_mac32(gjk_mac32(gjk_mul32(x, x), y, y), z, z), w, w);
-  if (squared == 0) {
+  // The length of the difference is at most sqrt(2) 2^30 (1 + 2^-17), so the sum of its components at most 2^31.5.
+  const uint32_t x = gjk_magnitude32(a->x - sign * b->x), y = gjk_magnitude32(a->y - sign * b->y);
+  const uint32_t z = gjk_magnitude32(a->z - sign * b->z), w = gjk_magnitude32(a->w - sign * b->w);
+  const uint32_t sum = x + y + z + w;
+  if (sum == 0) {
     return 0;
   }
-  const uint32_t distance = gjk_isqrt64((uint64_t)squared) + 1;  // below 2^30.6
-  return 2 * (distance + (distance >> 15) + 1);
+  const uint32_t distance = length_bound(sum, larger(larger(x, y), larger(z, w)));  // below 2^31.2
+  return distance < UINT32_C(1) << 30 ? 2 * (distance + (distance >> 15) + 1) : UINT32_MAX;
 }
 
 static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
   return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
-// |b - a|, rounded up; UNBOUNDED from 2^31 along an axis.
+// How far it is from a to b, or a little more; UNBOUNDED from 2^30 along an axis.
 static uint32_t distance_moved(const gjk_vec3 *a, const gjk_vec3 *b) {
   const uint64_t x = gjk_magnitude64((int64_t)b->x - a->x), y = gjk_magnitude64((int64_t)b->y - a->y);
   const uint64_t z = gjk_magnitude64((int64_t)b->z - a->z);
-  if ((x | y | z) >> 31 != 0) {
+  if ((x | y | z) >> 30 != 0) {
     return GJK_SCENE_UNBOUNDED;
   }
-  // Squares below 2^62, their sum below 3 2^62.
-  const uint64_t squared = gjk_umul32((uint32_t)x, (uint32_t)x) + gjk_umul32((uint32_t)y, (uint32_t)y) +
-                           gjk_umul32((uint32_t)z, (uint32_t)z);
-  const uint32_t root = gjk_isqrt64(squared);
-  return root + (gjk_umul32(root, root) < squared);
+  const uint32_t u = (uint32_t)x, v = (uint32_t)y, w = (uint32_t)z;
+  return (u | v | w) == 0 ? 0 : length_bound(u + v + w, larger(u, larger(v, w)));
 }
 
 static uint32_t add_motion(uint32_t a, uint32_t b) {
@@ -117,9 +124,9 @@ bool gjk_scene_place(gjk_scene_view *v, uint32_t index, const gjk_collider *coll
   if (has_room(v, p)) {
     return false;
   }
-  // Twice the step, at most 2^33.
-  const int64_t x = 2 * ((int64_t)p->centre.x - before.x), y = 2 * ((int64_t)p->centre.y - before.y);
-  const int64_t z = 2 * ((int64_t)p->centre.z - before.z);
+  // For four more such steps, at most 2^34.
+  const int64_t x = 4 * ((int64_t)p->centre.x - before.x), y = 4 * ((int64_t)p->centre.y - before.y);
+  const int64_t z = 4 * ((int64_t)p->centre.z - before.z);
   enlarge(v, p, ahead ? x : 0, ahead ? y : 0, ahead ? z : 0);
   return true;
 }

@@ -160,7 +160,9 @@ static void query(const question *q, gjk_scene_pair *pair) {
     set_near(pair, ask(q, &a, &b, NULL, pair));
     return;
   }
-  if (settle_far(pair, spare(q, plane_bound(&a, &b, pair->direction)), GJK_SCENE_DIRECTION)) {
+  // What was near last time had no such direction.
+  if ((pair->state & GJK_SCENE_PAIR_NEAR) == 0 &&
+      settle_far(pair, spare(q, plane_bound(&a, &b, pair->direction)), GJK_SCENE_DIRECTION)) {
     return;
   }
   load_cache(pair, &cache);
