@@ -27,12 +27,12 @@ if have gcc; then
   check 'undefined behaviour and addresses' host sanitized '' gcc -O1 -fsanitize=undefined,address \
     -fno-sanitize-recover=all
 fi
-if ! have powerpc-linux-gnu-gcc; then
-  skip 'the match on a big-endian machine' 'gcc-powerpc-linux-gnu libc6-dev-powerpc-cross'
-elif ! have qemu-ppc; then
+if ! have s390x-linux-gnu-gcc; then
+  skip 'the match on a big-endian machine' 'gcc-s390x-linux-gnu libc6-dev-s390x-cross'
+elif ! have qemu-s390x; then
   skip 'the match on a big-endian machine' qemu-user
 else
-  check 'big-endian' host powerpc qemu-ppc powerpc-linux-gnu-gcc -O2 -static
+  check 'big-endian' host s390x qemu-s390x s390x-linux-gnu-gcc -O2 -static
 fi
 
 # target NAME
