@@ -94,7 +94,7 @@ static void add_part(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, con
 }
 
 static uint32_t lowest_bit(uint32_t x) {
-  return 31 - gjk_clz32(x & (0 - x));
+  return 31 - gjk_clz32(x & (~x + 1));
 }
 
 static bool is_free(const gjk_scene_view *v, uint32_t slot) {
@@ -254,12 +254,12 @@ static gjk_status move(gjk_scene *scene, gjk_body handle, const gjk_pose *pose, 
   return GJK_OK;
 }
 
-gjk_status gjk_scene_move(gjk_scene *scene, gjk_body body, const gjk_pose *pose) {
-  return move(scene, body, pose, true);
+gjk_status gjk_scene_move(gjk_scene *scene, gjk_body handle, const gjk_pose *pose) {
+  return move(scene, handle, pose, true);
 }
 
-gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body body, const gjk_pose *pose) {
-  return move(scene, body, pose, false);
+gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body handle, const gjk_pose *pose) {
+  return move(scene, handle, pose, false);
 }
 
 gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body handle) {
@@ -295,7 +295,9 @@ static uint32_t find_part(const gjk_scene_view *v, const gjk_scene_body *body, u
 }
 
 static gjk_pose body_pose(const gjk_scene_body *body) {
-  const gjk_pose pose = {body->position, body->rotation};
+  gjk_pose pose;
+  pose.position = body->position;
+  pose.rotation = body->rotation;
   return pose;
 }
 

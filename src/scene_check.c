@@ -92,7 +92,7 @@ static bool check_moved(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
   uint32_t flagged = 0, listed = 0;
   for (uint32_t slot = 0; slot < h->config.bodies; slot++) {
-    flagged += (v->bodies[slot].flags & GJK_SCENE_MOVED) != 0;
+    flagged += (v->bodies[slot].flags & GJK_SCENE_MOVED) != 0 ? 1 : 0;
   }
   for (uint32_t slot = h->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
     if (slot >= h->config.bodies || (v->bodies[slot].flags & GJK_SCENE_MOVED) == 0 || listed++ == flagged) {

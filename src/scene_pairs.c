@@ -53,7 +53,7 @@ bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair) {
 static void make(gjk_scene_view *v, uint32_t a, uint32_t b) {
   const uint32_t index = gjk_scene_take(v, &v->header->pairs, sizeof(gjk_scene_pair));
   gjk_scene_pair *pair = &v->pairs[index];
-  const unsigned side = v->parts[a].body > v->parts[b].body;
+  const unsigned side = v->parts[a].body > v->parts[b].body ? 1 : 0;
   pair->part[side] = a;
   pair->part[1 - side] = b;
   pair->gap = 0;
@@ -123,23 +123,18 @@ static gjk_status make_missing(gjk_scene_view *v, uint32_t part) {
   gjk_status status = GJK_OK;
   mark_partners(v, part, true);
   gjk_scene_walk_start(v, &walk);
-  for (;;) {
-    const uint32_t other = gjk_scene_walk_meeting(v, &walk, &p->enlarged);
-    if (other == GJK_SCENE_NONE) {
-      break;
-    }
+  uint32_t other = gjk_scene_walk_meeting(v, &walk, &p->enlarged);
+  while (other != GJK_SCENE_NONE && status == GJK_OK) {  // ends: as the walk
     const gjk_scene_part *q = &v->parts[other];
-    if (q->body == p->body || (q->state & GJK_SCENE_MARK) != 0) {
-      continue;
-    }
-    if (!gjk_scene_wanted(v, p, q)) {
+    const bool partner = q->body == p->body || (q->state & GJK_SCENE_MARK) != 0;
+    if (!partner && !gjk_scene_wanted(v, p, q)) {
       h->refused++;
-    } else if (h->pairs.count == h->pairs.capacity) {
+    } else if (!partner && h->pairs.count == h->pairs.capacity) {
       status = GJK_ERROR_CAPACITY;
-      break;
-    } else {
+    } else if (!partner) {
       make(v, part, other);
     }
+    other = gjk_scene_walk_meeting(v, &walk, &p->enlarged);
   }
   mark_partners(v, part, false);
   return status;

@@ -10,7 +10,7 @@ bool gjk_scene_wanted(const gjk_scene_view *v, const gjk_scene_part *a, const gj
 // Must there be a record of this pair, near or not? Pre: not gone.
 bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair);
 
-void gjk_scene_pair_drop(gjk_scene_view *v, uint32_t pair);
+void gjk_scene_pair_drop(gjk_scene_view *v, uint32_t index);
 
 // Drops the pairs of a part that is about to go; those that were near become gone, until their end is reported.
 void gjk_scene_pairs_forget(gjk_scene_view *v, uint32_t part);

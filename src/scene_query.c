@@ -11,6 +11,14 @@ typedef struct collection {
   const gjk_scene_hit *after;
 } collection;
 
+static gjk_scene_hit hit_of(const gjk_scene_view *v, const gjk_scene_part *p, uint32_t fraction) {
+  gjk_scene_hit hit;
+  hit.body = gjk_scene_handle(v, p->body);
+  hit.part = p->number;
+  hit.fraction = fraction;
+  return hit;
+}
+
 // Does a come before b?
 static bool before(const gjk_scene_hit *a, const gjk_scene_hit *b) {
   if (a->fraction != b->fraction) {
@@ -42,7 +50,7 @@ static void make_heap(collection *c) {
 
 static void collect(collection *c, const gjk_scene_view *v, uint32_t part, uint32_t fraction) {
   const gjk_scene_part *p = &v->parts[part];
-  const gjk_scene_hit hit = {gjk_scene_handle(v, p->body), p->number, fraction};
+  const gjk_scene_hit hit = hit_of(v, p, fraction);
   if (c->after != NULL && !before(c->after, &hit)) {
     return;
   }
@@ -213,7 +221,7 @@ static void try_part(const gjk_scene_view *v, uint32_t part, search *s) {
   gjk_scene_unpack(v, p, &c);
   // At the ceiling on rounds: the proven lower bound.
   const gjk_q16 distance = gjk_distance(s->collider, &c, NULL, &result) == GJK_OK ? result.distance : result.lower;
-  const gjk_scene_hit hit = {gjk_scene_handle(v, p->body), p->number, 0};
+  const gjk_scene_hit hit = hit_of(v, p, 0);
   if (distance < s->best || (distance == s->best && (!s->found || before(&hit, &s->hit)))) {
     s->best = distance;
     s->found = true;

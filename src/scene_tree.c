@@ -73,15 +73,16 @@ static uint32_t balance(gjk_scene_view *v, uint32_t index) {
   if (left <= right + 1 && right <= left + 1) {
     return index;
   }
-  const unsigned tall = right > left;
+  const unsigned tall = right > left ? 1 : 0;
   const uint32_t rising = n->child[tall];
   gjk_scene_node *r = &v->nodes[rising];
   const uint32_t first = height(v, r->child[0]), second = height(v, r->child[1]);
-  unsigned low = second < first;  // which child of the rising node goes down
+  unsigned low = second < first ? 1 : 0;  // which child of the rising node goes down
   if (first == second) {
     const gjk_aabb *stays = gjk_scene_node_box(v, n->child[1 - tall]);
-    low = cost_of_hull(stays, gjk_scene_node_box(v, r->child[1])) <
-          cost_of_hull(stays, gjk_scene_node_box(v, r->child[0]));
+    const uint32_t a = cost_of_hull(stays, gjk_scene_node_box(v, r->child[0]));
+    const uint32_t b = cost_of_hull(stays, gjk_scene_node_box(v, r->child[1]));
+    low = b < a ? 1 : 0;
   }
   replace_child(v, n->parent, index, rising);
   n->child[tall] = r->child[low];

@@ -251,7 +251,7 @@ static void report_some(gjk_scene_view *v, gjk_report *reports, uint32_t capacit
     report(v, v->queue[h->next_report++], &reports[progress->reports++]);
   }
   progress->reports_left = h->queued - h->next_report;
-  if (progress->reports_left == 0) {
+  if (h->next_report >= h->queued) {
     h->updates++;
     h->queued = 0;
     h->phase = GJK_SCENE_IDLE;

@@ -109,25 +109,25 @@ gjk_status gjk_scene_add(gjk_scene *scene, const gjk_body_setup *setup, gjk_body
 gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setup *setup, gjk_body *out);
 
 // Pairs that were near are reported as ended by the next update.
-gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body body);
+gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body handle);
 
 // Takes a body to its next pose, and wakes it. Statuses as gjk_collider_pose.
-gjk_status gjk_scene_move(gjk_scene *scene, gjk_body body, const gjk_pose *pose);
+gjk_status gjk_scene_move(gjk_scene *scene, gjk_body handle, const gjk_pose *pose);
 
 // The same without an expectation that the motion goes on. Answers do not differ; boxes in the tree do.
-gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body body, const gjk_pose *pose);
+gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body handle, const gjk_pose *pose);
 
 // A sleeping body stands still. Pairs without an awake body are not reported as persisting. Sleep: RANGE unless dynamic.
-gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body body);
-gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body body);
+gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body handle);
+gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body handle);
 
 // Gives part number part another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
-gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body body, uint16_t part, uint16_t shape);
-gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body body, uint32_t category, uint32_t mask);
-gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body body, uint32_t user);
+gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body handle, uint16_t part, uint16_t shape);
+gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body handle, uint32_t category, uint32_t mask);
+gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body handle, uint32_t user);
 
 // Has the next update ask the predicate about the body's pairs again.
-gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body body);
+gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body handle);
 
 // What a scene holds about a body.
 typedef struct gjk_body_state {
@@ -139,13 +139,13 @@ typedef struct gjk_body_state {
   bool asleep;
 } gjk_body_state;
 
-gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body body, gjk_body_state *out);
+gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body handle, gjk_body_state *out);
 
 // The body in a slot, generation 0 when it is free. RANGE: no such slot.
 gjk_status gjk_scene_body_at(const gjk_scene *scene, uint32_t slot, gjk_body *out);
 
 // A part as a posed collider, for any query of the library. RANGE: no such part.
-gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body body, uint16_t part, gjk_collider *out);
+gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body handle, uint16_t part, gjk_collider *out);
 
 // Updates.
 
@@ -190,9 +190,9 @@ gjk_status gjk_scene_update_each(gjk_scene *scene, gjk_report_function *function
 
 // Spreads an update over threads: begin says how many pairs are to be tested; disjoint ranges of them are tested at the
 // same time, without locks, each call writing to the records of its own pairs alone; a gjk_scene_update then tests what
-// is left and reports. RANGE: begin > end, or end beyond the pairs; or no update has begun.
+// is left and reports. RANGE: first > end, or end beyond the pairs; or no update has begun.
 gjk_status gjk_scene_update_begin(gjk_scene *scene, uint32_t *pairs);
-gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t begin, uint32_t end);
+gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t first, uint32_t end);
 
 // Goes through the pairs that were near at the last update, in no stated order: start with *cursor 0; found is false
 // at the end. event is PERSIST, or END when a body was removed since.
@@ -200,15 +200,15 @@ gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_rep
 
 // What the last update whose tests are done did. Each of its pairs is counted in resting or in one of filtered to cold.
 typedef struct gjk_scene_stats {
-  uint32_t bodies, parts;         // there now
-  uint32_t pairs;                 // whose boxes met
-  uint32_t refused;               // boxes came together, but both are static or the filter refuses: not made a pair
-  uint32_t resting;               // neither side moved - asleep, static or still: the last answer stands
-  uint32_t filtered;              // the predicate, or a changed filter
-  uint32_t motion;                // proven gap at the last test exceeds the motion since
-  uint32_t boxes;                 // exact boxes apart
-  uint32_t direction;             // the last separating direction still separates: one support scan
-  uint32_t warm, cold;            // queries, started from the cache or not
+  uint32_t bodies, parts;  // there now
+  uint32_t pairs;          // whose boxes met
+  uint32_t refused;        // boxes came together, but both are static or the filter refuses: not made a pair
+  uint32_t resting;        // neither side moved - asleep, static or still: the last answer stands
+  uint32_t filtered;       // the predicate, or a changed filter
+  uint32_t motion;         // proven gap at the last test exceeds the motion since
+  uint32_t boxes;          // exact boxes apart
+  uint32_t direction;      // the last separating direction still separates: one support scan
+  uint32_t warm, cold;     // queries, started from the cache or not
   uint32_t begun, persisting, ended;
   uint32_t unsettled;  // queries that reached their ceiling
   uint32_t updates;    // completed so far, modulo 2^32
