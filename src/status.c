@@ -16,6 +16,9 @@ const char *gjk_status_name(gjk_status status) {
     case GJK_ERROR_ITERATION_LIMIT: return "GJK_ERROR_ITERATION_LIMIT";
     case GJK_ERROR_UNPROVEN: return "GJK_ERROR_UNPROVEN";
     case GJK_ERROR_UNSUPPORTED: return "GJK_ERROR_UNSUPPORTED";
+    case GJK_ERROR_HANDLE: return "GJK_ERROR_HANDLE";
+    case GJK_ERROR_BUSY: return "GJK_ERROR_BUSY";
+    case GJK_ERROR_CORRUPT: return "GJK_ERROR_CORRUPT";
   }
   return "GJK_ERROR_UNKNOWN";
 }

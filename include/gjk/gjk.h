@@ -10,6 +10,7 @@
 #include "gjk/intersect.h"
 #include "gjk/penetration.h"
 #include "gjk/pose.h"
+#include "gjk/scene.h"
 #include "gjk/shape.h"
 #include "gjk/status.h"
 

@@ -57,7 +57,10 @@ static void test_names(void) {
                {GJK_ERROR_UNINITIALISED, "GJK_ERROR_UNINITIALISED"},
                {GJK_ERROR_ITERATION_LIMIT, "GJK_ERROR_ITERATION_LIMIT"},
                {GJK_ERROR_UNPROVEN, "GJK_ERROR_UNPROVEN"},
-               {GJK_ERROR_UNSUPPORTED, "GJK_ERROR_UNSUPPORTED"}};
+               {GJK_ERROR_UNSUPPORTED, "GJK_ERROR_UNSUPPORTED"},
+               {GJK_ERROR_HANDLE, "GJK_ERROR_HANDLE"},
+               {GJK_ERROR_BUSY, "GJK_ERROR_BUSY"},
+               {GJK_ERROR_CORRUPT, "GJK_ERROR_CORRUPT"}};
   const int count = (int)(sizeof names / sizeof names[0]);
   for (int i = 0; i < count; i++) {
     CHECK_MSG((int)names[i].status == -i && strcmp(gjk_status_name(names[i].status), names[i].name) == 0, "%s",

@@ -1,0 +1,197 @@
+// What a scene's block holds, and how its parts are found.
+//
+// Records have fields of fixed width, naturally aligned, so that every compiler lays them out alike, without holes. The
+// first field of a record that is free is the index of the next free one.
+#ifndef GJK_SRC_SCENE_H
+#define GJK_SRC_SCENE_H
+
+#include "gjk/cache.h"
+#include "gjk/scene.h"
+#include "wide.h"
+
+#define GJK_SCENE_NONE UINT32_MAX
+
+// A node of the tree by its number: a part's, marked, or an inner node's.
+#define GJK_SCENE_LEAF UINT32_C(0x80000000)
+
+// The tree is balanced: heights of siblings differ by at most 1, so 2^20 leaves are at most 1.45 * 20 = 29 deep. A walk
+// that puts off one sibling per level needs no more room than this.
+#define GJK_SCENE_DEPTH 32
+
+// Motion that nothing bounds: a new shape, or a jump.
+#define GJK_SCENE_UNBOUNDED UINT32_MAX
+
+// gjk_scene_body.flags
+#define GJK_SCENE_ASLEEP 1u
+#define GJK_SCENE_MOVED 2u  // in the list of bodies that changed since the last update
+
+typedef struct gjk_scene_body {
+  uint32_t generation;  // odd: in use
+  gjk_vec3 position;
+  gjk_quat rotation;
+  uint32_t category, mask, user;
+  gjk_q16 margin;
+  uint32_t first;  // part
+  uint32_t next_moved;
+  uint16_t parts;
+  uint8_t kind_detail;  // kind, and detail << 4
+  uint8_t flags;
+} gjk_scene_body;
+
+// gjk_scene_part.state
+#define GJK_SCENE_LIVE 1u
+#define GJK_SCENE_REPAIR 2u  // its pairs may not be those whose enlarged boxes meet
+#define GJK_SCENE_MARK 4u    // already a partner of the part at hand
+
+typedef struct gjk_scene_part {
+  uint32_t next;    // of the body
+  uint32_t body;    // slot
+  uint32_t parent;  // inner node
+  uint32_t pairs;   // first link, see gjk_scene_pair
+  uint32_t placed;  // pose in the body, or none: the body's own
+  uint32_t motion;  // bounds how far any of its points has moved since the last update, LSB
+  gjk_vec3 centre, local_centre, frame[3];
+  gjk_q16 core_radius;
+  gjk_aabb exact, enlarged;
+  uint16_t shape, number;
+  uint32_t state;
+} gjk_scene_part;
+
+typedef struct gjk_scene_node {
+  uint32_t child[2];
+  uint32_t parent;
+  uint32_t height;  // a leaf's is 0
+  gjk_aabb box;
+} gjk_scene_node;
+
+typedef struct gjk_scene_placed {
+  uint32_t next;
+  gjk_pose pose;
+} gjk_scene_placed;
+
+// gjk_scene_pair.state; the upper three bits count the cached vertices.
+#define GJK_SCENE_PAIR_LIVE 1u
+#define GJK_SCENE_PAIR_NEAR 2u      // at the last update
+#define GJK_SCENE_PAIR_QUEUED 4u    // to be tested in this one
+#define GJK_SCENE_PAIR_NEAR_NOW 8u  // so it was found
+#define GJK_SCENE_PAIR_GONE 16u     // a body was removed: the end is still to be reported
+#define GJK_SCENE_PAIR_CACHED 5u    // shift
+
+// Two parts whose enlarged boxes meet, or that were near at the last update; part[0] is of the body with the lower slot.
+// A pair is in a list of each part's; a link is the pair's index times two, plus the side.
+// Of a pair that is gone, part holds the slots, next the generations, and direction[0..1] the part numbers.
+typedef struct gjk_scene_pair {
+  uint32_t part[2];
+  uint32_t next[2], previous[2];
+  int32_t gap;           // near: the distance; otherwise by how much more than the margins they are proven apart, or 0
+  int16_t direction[3];  // as in gjk_cache
+  uint8_t a[4], b[4];
+  uint8_t state;
+  uint8_t outcome;  // a gjk_scene_outcome
+} gjk_scene_pair;
+
+// From FILTERED to COLD in the order of gjk_scene_stats.
+typedef enum gjk_scene_outcome {
+  GJK_SCENE_PENDING = 0,
+  GJK_SCENE_FILTERED,
+  GJK_SCENE_MOTION,
+  GJK_SCENE_BOXES,
+  GJK_SCENE_DIRECTION,
+  GJK_SCENE_WARM,
+  GJK_SCENE_COLD,
+  GJK_SCENE_OUTCOMES,
+  GJK_SCENE_UNSETTLED = 16  // flag
+} gjk_scene_outcome;
+
+// A pool hands out what was given back last, and else the next that was never used.
+typedef struct gjk_scene_pool {
+  uint32_t at;  // bytes from the start of the block
+  uint32_t capacity;
+  uint32_t fresh;  // from here on never used
+  uint32_t free;   // first
+  uint32_t count;  // in use
+} gjk_scene_pool;
+
+typedef enum gjk_scene_phase {
+  GJK_SCENE_IDLE = 0,
+  GJK_SCENE_TESTING,   // queue[0 .. queued) are being tested, those below next_test are done
+  GJK_SCENE_REPORTING  // queue[next_report .. queued) are still to be reported
+} gjk_scene_phase;
+
+typedef struct gjk_scene_header {
+  uint32_t magic, version, order, bytes;
+  uint32_t sealed, checksum[2];
+  gjk_scene_config config;
+  gjk_scene_pool bodies, parts, nodes, placed, pairs;
+  uint32_t queue_at, slots_at;  // pair indices; a bit per slot, set when free
+  uint32_t lowest;              // word of the bits; those below have none set
+  uint32_t root;                // of the tree
+  uint32_t moved;               // first body
+  uint32_t gone;                // pairs of that state
+  uint32_t phase, queued, next_test, next_report;
+  uint32_t updates;       // completed
+  uint32_t refused;       // counted for the update under way
+  gjk_scene_stats stats;  // of the last update whose tests are done, as far as not counted elsewhere
+} gjk_scene_header;
+
+// A scene with its sections found.
+typedef struct gjk_scene_view {
+  const gjk_scene *scene;
+  gjk_scene_header *header;
+  gjk_scene_body *bodies;
+  gjk_scene_part *parts;
+  gjk_scene_node *nodes;
+  gjk_scene_placed *placed;
+  gjk_scene_pair *pairs;
+  uint32_t *queue, *slots;
+} gjk_scene_view;
+
+// NULL, CORRUPT or OK.
+gjk_status gjk_scene_view_of(const gjk_scene *scene, gjk_scene_view *out);
+
+// The same for a call that changes bodies: BUSY, too; the seal is broken.
+gjk_status gjk_scene_edit(gjk_scene *scene, gjk_scene_view *out);
+
+// Checks a header and the layout it states; sealed or not. CORRUPT or CAPACITY.
+gjk_status gjk_scene_check_header(const void *block, size_t bytes);
+
+// Takes a record of size bytes from a pool. Pre: one is left.
+uint32_t gjk_scene_take(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size);
+void gjk_scene_give(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size, uint32_t index);
+
+// The body of a handle, or HANDLE.
+gjk_status gjk_scene_find(const gjk_scene_view *v, gjk_body handle, gjk_scene_body **out);
+
+static inline gjk_body gjk_scene_handle(const gjk_scene_view *v, uint32_t slot) {
+  const gjk_body handle = {slot, v->bodies[slot].generation};
+  return handle;
+}
+
+static inline bool gjk_aabb_meet(const gjk_aabb *a, const gjk_aabb *b) {
+  return a->lower.x <= b->upper.x && b->lower.x <= a->upper.x && a->lower.y <= b->upper.y && b->lower.y <= a->upper.y &&
+         a->lower.z <= b->upper.z && b->lower.z <= a->upper.z;
+}
+
+// Is a inside b?
+static inline bool gjk_aabb_inside(const gjk_aabb *a, const gjk_aabb *b) {
+  return a->lower.x >= b->lower.x && a->upper.x <= b->upper.x && a->lower.y >= b->lower.y && a->upper.y <= b->upper.y &&
+         a->lower.z >= b->lower.z && a->upper.z <= b->upper.z;
+}
+
+static inline gjk_q16 gjk_cut_off(int64_t x) {
+  return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (gjk_q16)x;
+}
+
+// The largest gap of two boxes along an axis, negative when they overlap along each: a lower bound of the distance.
+static inline int64_t gjk_aabb_gap(const gjk_aabb *a, const gjk_aabb *b) {
+  const int64_t gaps[6] = {(int64_t)a->lower.x - b->upper.x, (int64_t)b->lower.x - a->upper.x,
+                           (int64_t)a->lower.y - b->upper.y, (int64_t)b->lower.y - a->upper.y,
+                           (int64_t)a->lower.z - b->upper.z, (int64_t)b->lower.z - a->upper.z};
+  int64_t gap = gaps[0];
+  for (int i = 1; i < 6; i++) {
+    gap = gaps[i] > gap ? gaps[i] : gap;
+  }
+  return gap;
+}
+
+#endif

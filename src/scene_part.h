@@ -1,0 +1,21 @@
+// One shape of a body: as a collider, and its boxes.
+#ifndef GJK_SRC_SCENE_PART_H
+#define GJK_SRC_SCENE_PART_H
+
+#include "scene.h"
+
+// The part as a posed collider, hulls lazy: good for queries and for posing, not for gjk_collider_move.
+void gjk_scene_unpack(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out);
+
+// How far the rotation from a to b turns points, Q30: they move by at most this times their distance from the axis.
+// Pre: both are units within the tolerance.
+uint32_t gjk_scene_turn(const gjk_quat *a, const gjk_quat *b);
+
+// Takes over a posed collider, which the part's shape was posed to: boxes, and how far its points moved if the body turned
+// by turn since; ahead: the box in the tree may expect the motion to go on. Returns whether that box changed.
+bool gjk_scene_place(gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn, bool ahead);
+
+// The same for a part that is new, or has another shape: nothing bounds its motion, and its box in the tree is set.
+void gjk_scene_settle(gjk_scene_view *v, uint32_t index, const gjk_collider *collider);
+
+#endif

@@ -1,0 +1,201 @@
+// The test of one pair, and what saves it: in the order of cost.
+#include "gjk/distance.h"
+#include "gjk/intersect.h"
+#include "root.h"
+#include "scene_pairs.h"
+#include "scene_part.h"
+#include "shape_class.h"
+#include "unit.h"
+
+// Decisions about curved shapes are right to within 2 LSB, their supports to within 2, and so for each of two poses: only
+// what is farther than this beyond the margins is skipped.
+#define CURVED_SLACK 8
+
+// How far pieces of the plane distance are off: the unit vector by sqrt(3) 2^-30 of at most sqrt(3) 2^30, and the floor.
+#define PLANE_SLACK 4
+
+typedef struct question {
+  const gjk_scene_view *v;
+  const gjk_scene_part *a, *b;
+  int32_t margin;  // of both bodies together: below 2^29
+  uint8_t detail;
+} question;
+
+static bool curved(const gjk_scene_view *v, const gjk_scene_part *p) {
+  return v->scene->shapes[p->shape]->type->vertex == NULL;
+}
+
+// What a proven lower bound of the distance leaves beyond the margins, as gap keeps it: 0 when the bound settles nothing.
+static int32_t spare(const question *q, int64_t bound) {
+  const int64_t slack = curved(q->v, q->a) || curved(q->v, q->b) ? CURVED_SLACK : 0;
+  const int64_t left = bound - q->margin - slack;
+  return left > 0 ? gjk_cut_off(left) : 0;
+}
+
+// Does the gap proven at the last test exceed the motion since? Then that much less remains.
+static bool outlasts_motion(const question *q, gjk_scene_pair *pair) {
+  const uint32_t a = q->a->motion, b = q->b->motion;
+  const uint32_t motion = a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
+  if ((pair->state & GJK_SCENE_PAIR_NEAR) != 0 || motion >= (uint32_t)pair->gap) {
+    return false;
+  }
+  pair->gap -= (int32_t)motion;
+  return true;
+}
+
+static bool settle_far(gjk_scene_pair *pair, int32_t gap, gjk_scene_outcome outcome) {
+  if (gap > 0) {
+    pair->gap = gap;
+    pair->outcome = (uint8_t)outcome;
+  }
+  return gap > 0;
+}
+
+// A lower bound of the distance: that of the planes across direction, from A to B, which both shapes lie behind.
+static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const int16_t direction[3]) {
+  const gjk_vec3 d = {direction[0], direction[1], direction[2]}, opposite = gjk_negate(d);
+  const int64_t x = (int64_t)b->centre.x - a->centre.x, y = (int64_t)b->centre.y - a->centre.y;
+  const int64_t z = (int64_t)b->centre.z - a->centre.z;
+  if ((d.x | d.y | d.z) == 0 || (gjk_magnitude64(x) | gjk_magnitude64(y) | gjk_magnitude64(z)) >> 29 != 0) {
+    return 0;
+  }
+  gjk_support far_a, far_b;
+  a->shape->type->support(a, &d, true, &far_a);
+  b->shape->type->support(b, &opposite, true, &far_b);
+  // Offsets are below 2^28 + 2^3, so the sums are at most 2^30 + 2^4.
+  const gjk_vec3 apart = {(int32_t)x + far_b.offset.x - far_a.offset.x, (int32_t)y + far_b.offset.y - far_a.offset.y,
+                          (int32_t)z + far_b.offset.z - far_a.offset.z};
+  const gjk_unit3 u = gjk_unit(&d);
+  const int64_t along = gjk_mac32(gjk_mac32(gjk_mul32(u.x, apart.x), u.y, apart.y), u.z, apart.z);
+  return gjk_sar64(along, 30) - PLANE_SLACK - a->shape->round - b->shape->round;
+}
+
+// A lower bound from the bounding spheres.
+static int64_t sphere_bound(const gjk_collider *a, const gjk_collider *b) {
+  const uint64_t x = gjk_magnitude64((int64_t)a->centre.x - b->centre.x);
+  const uint64_t y = gjk_magnitude64((int64_t)a->centre.y - b->centre.y);
+  const uint64_t z = gjk_magnitude64((int64_t)a->centre.z - b->centre.z);
+  if ((x | y | z) >> 31 != 0) {
+    return 0;
+  }
+  const uint64_t squared = gjk_umul32((uint32_t)x, (uint32_t)x) + gjk_umul32((uint32_t)y, (uint32_t)y) +
+                           gjk_umul32((uint32_t)z, (uint32_t)z);
+  return (int64_t)gjk_isqrt64(squared) - a->radius - b->radius;
+}
+
+// A pair keeps vertices whose numbers fit a byte; others are found anew.
+static void load_cache(const gjk_scene_pair *pair, gjk_cache *cache) {
+  cache->count = (uint16_t)(pair->state >> GJK_SCENE_PAIR_CACHED);
+  for (int i = 0; i < 3; i++) {
+    cache->direction[i] = pair->direction[i];
+  }
+  for (int i = 0; i < 4; i++) {
+    cache->a[i] = pair->a[i];
+    cache->b[i] = pair->b[i];
+  }
+}
+
+static void store_cache(const gjk_cache *cache, gjk_scene_pair *pair) {
+  unsigned count = 0;
+  for (unsigned i = 0; i < cache->count && i < 4; i++) {
+    if (cache->a[i] < 256 && cache->b[i] < 256) {
+      pair->a[count] = (uint8_t)cache->a[i];
+      pair->b[count] = (uint8_t)cache->b[i];
+      count++;
+    }
+  }
+  for (int i = 0; i < 3; i++) {
+    pair->direction[i] = cache->direction[i];
+  }
+  const unsigned flags = pair->state & ((1u << GJK_SCENE_PAIR_CACHED) - 1);
+  pair->state = (uint8_t)(flags | count << GJK_SCENE_PAIR_CACHED);
+}
+
+// Is the pair near? Sets gap. A query that reaches its ceiling from the cache is asked again without.
+static bool ask(const question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                gjk_scene_pair *pair) {
+  gjk_decision decision;
+  gjk_status status = gjk_within(a, b, q->margin, cache, &decision);
+  if (status != GJK_OK && cache != NULL) {
+    status = gjk_within(a, b, q->margin, NULL, &decision);
+  }
+  if (status != GJK_OK) {
+    pair->outcome |= GJK_SCENE_UNSETTLED;
+  } else if (!decision.yes) {
+    int64_t bound = 0;
+    if (decision.certificate.proof == GJK_PROOF_SPHERES) {
+      bound = sphere_bound(a, b);
+    } else if (cache != NULL) {
+      bound = plane_bound(a, b, cache->direction);
+    }
+    pair->gap = spare(q, bound);
+    return false;
+  }
+  pair->gap = 0;
+  if (q->detail >= GJK_DETAIL_DISTANCE) {
+    gjk_distance_result result;
+    status = gjk_distance(a, b, cache, &result);
+    if (status != GJK_OK && cache != NULL) {
+      status = gjk_distance(a, b, NULL, &result);
+    }
+    if (status != GJK_OK) {
+      pair->outcome |= GJK_SCENE_UNSETTLED;
+    }
+    pair->gap = status == GJK_OK ? result.distance : result.lower;
+  }
+  return true;
+}
+
+static void set_near(gjk_scene_pair *pair, bool near) {
+  pair->state = (uint8_t)(pair->state | (near ? GJK_SCENE_PAIR_NEAR_NOW : 0u));
+}
+
+static void query(const question *q, gjk_scene_pair *pair) {
+  gjk_collider a, b;
+  gjk_cache cache;
+  gjk_scene_unpack(q->v, q->a, &a);
+  gjk_scene_unpack(q->v, q->b, &b);
+  if (q->v->header->config.no_skips != 0) {
+    pair->outcome = GJK_SCENE_COLD;
+    set_near(pair, ask(q, &a, &b, NULL, pair));
+    return;
+  }
+  // What was near last time had no such direction.
+  if ((pair->state & GJK_SCENE_PAIR_NEAR) == 0 &&
+      settle_far(pair, spare(q, plane_bound(&a, &b, pair->direction)), GJK_SCENE_DIRECTION)) {
+    return;
+  }
+  load_cache(pair, &cache);
+  pair->outcome = cache.count != 0 || (cache.direction[0] | cache.direction[1] | cache.direction[2]) != 0
+                      ? GJK_SCENE_WARM
+                      : GJK_SCENE_COLD;
+  const bool near = ask(q, &a, &b, &cache, pair);
+  store_cache(&cache, pair);
+  set_near(pair, near);
+}
+
+static bool refused(const question *q) {
+  const gjk_scene *scene = q->v->scene;
+  const gjk_body a = gjk_scene_handle(q->v, q->a->body), b = gjk_scene_handle(q->v, q->b->body);
+  return !gjk_scene_wanted(q->v, q->a, q->b) ||
+         (scene->predicate != NULL &&
+          !scene->predicate(scene->user, a, q->v->bodies[a.slot].user, b, q->v->bodies[b.slot].user));
+}
+
+void gjk_scene_pair_test(const gjk_scene_view *v, gjk_scene_pair *pair) {
+  if (pair->outcome != GJK_SCENE_PENDING) {
+    return;
+  }
+  const gjk_scene_part *part_a = &v->parts[pair->part[0]], *part_b = &v->parts[pair->part[1]];
+  const gjk_scene_body *a = &v->bodies[part_a->body], *b = &v->bodies[part_b->body];
+  const question q = {v, part_a, part_b, a->margin + b->margin, gjk_scene_detail(v, a, b)};
+  if (refused(&q)) {
+    pair->gap = 0;
+    pair->outcome = GJK_SCENE_FILTERED;
+  } else if (v->header->config.no_skips == 0 && outlasts_motion(&q, pair)) {
+    pair->outcome = GJK_SCENE_MOTION;
+  } else if (v->header->config.no_skips != 0 ||
+             !settle_far(pair, spare(&q, gjk_aabb_gap(&part_a->exact, &part_b->exact)), GJK_SCENE_BOXES)) {
+    query(&q, pair);
+  }
+}

@@ -1,0 +1,31 @@
+#!/bin/sh
+# Two processes play a match by exchanging inputs alone and compare hashes each tick: demo-lockstep.sh BUILD TICKS
+# [DIVERGE]. First two on this machine, then this machine against an emulated S390. With DIVERGE the
+# judging side goes wrong at that tick. Status: 0 when the hashes were the same, or with DIVERGE when they were not.
+build=$1 ticks=$2 diverge=$3
+link=$build/lockstep-link
+rm -rf "$link"
+mkdir -p "$link"
+mkfifo "$link/forth" "$link/back"
+
+# play COMMAND...: player 0 here against the command as player 1. Each opens the ends of a pipe in the same order.
+play() {
+  "$@" <"$link/forth" >"$link/back" &
+  other=$!
+  # shellcheck disable=SC2086
+  "$build/lockstep" 0 "$ticks" $diverge >"$link/forth" <"$link/back"
+  status=$?
+  wait $other
+  [ "$status" = "$([ -n "$diverge" ] && echo 1 || echo 0)" ]
+}
+
+echo 'Two processes on this machine:' >&2
+play "$build/lockstep" 1 "$ticks" || exit 1
+if ! command -v s390x-linux-gnu-gcc >/dev/null || ! command -v qemu-s390x >/dev/null; then
+  echo 'This machine against a big-endian one needs gcc-s390x-linux-gnu, qemu-user: `make setup` installs them.' >&2
+  exit 0
+fi
+s390x-linux-gnu-gcc -std=c99 -O2 -static -Iinclude -Isrc -Iport -Itests src/*.c tests/scene/match.c tests/lockstep/*.c \
+  -o "$build/lockstep-s390x" || exit 1
+echo 'This machine against an emulated big-endian one:' >&2
+play qemu-s390x "$build/lockstep-s390x" 1 "$ticks"

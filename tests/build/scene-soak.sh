@@ -1,0 +1,8 @@
+#!/bin/sh
+# Random operations on scenes under the sanitizers: scene-soak.sh BUILD OPERATIONS [SEED]
+build=$1
+shift
+mkdir -p "$build"
+gcc -std=c99 -O1 -g -fsanitize=undefined,address -fno-sanitize-recover=all -Iinclude -Isrc -Iport -Itests \
+  '-DGJK_PORT_HEADER="hosted/gjk_port.h"' src/*.c port/hosted/gjk_hosted.c tests/scene/world.c \
+  tests/soak_scene/main.c -o "$build/scene-soak" && "$build/scene-soak" "$@"

@@ -1,0 +1,11 @@
+// Host program: prints the match's hashes of this build, without and with rollbacks.
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "scene_golden.h"
+
+int main(void) {
+  const uint64_t straight = scene_golden_hash(SCENE_GOLDEN_TICKS, 0), rolled = scene_golden_hash(SCENE_GOLDEN_TICKS, 1);
+  printf("%016" PRIx64 " %016" PRIx64 "\n", straight, rolled);
+  return straight == SCENE_GOLDEN_HASH && rolled == SCENE_GOLDEN_HASH ? 0 : 1;
+}

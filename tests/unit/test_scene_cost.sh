@@ -1,0 +1,26 @@
+#!/bin/sh
+# What a scene's tick may cost: instructions on an emulated Cortex-M4, and against all box pairs here.
+# test_scene_cost.sh BUILD
+. tests/build/count.sh
+build=$1
+
+# at_most LIMIT CASE
+at_most() {
+  awk -F'|' -v limit="$1" -v name="$2" '
+    $1 == name { found = 1; print; if ($2 > limit) bad = 1 }
+    END { exit bad || !found }' "$build/scene_cost.txt"
+}
+
+missing="$(missing_package cortex-m4) $(missing_emulator cortex-m4)"
+if [ -z "${missing# }" ]; then
+  make -s build/cortex-m4/scene_bench.elf TARGET=cortex-m4 >/dev/null
+  check 'the cases run' sh -c "sh tests/build/emulate.sh cortex-m4 build/cortex-m4/scene_bench.elf >$build/scene_cost.txt"
+  check '64 bodies sparse' at_most 80000 '64 bodies sparse, 25 % moving'
+  check '64 bodies in piles' at_most 80000 '64 bodies in piles, 25 % moving'
+  check '64 bodies crowded, two pairs a body' at_most 110000 '64 bodies crowded, 25 % moving'
+  check '64 bodies at rest' at_most 1000 '64 bodies crowded, at rest'
+else
+  skip 'instructions per tick' "$missing"
+fi
+check '10,000 bodies, 5 % moving: 20 times faster than all box pairs' "$build/scene-bench" quick
+finish scene_cost

@@ -1,0 +1,93 @@
+// Scenes under random changes against a search of all pairs: every report of every update, with all skips and with none.
+#include <stdlib.h>
+#include <string.h>
+
+#include "../check.h"
+#include "../scene/world.h"
+
+#define UPDATES 400
+
+static const world_options families[] = {
+    {WORLD_BODIES, GJK_Q16(3), GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, false, false, false},
+    {WORLD_BODIES, GJK_Q16(3), GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 1, false, false, false},
+    {WORLD_BODIES, GJK_Q16(2), 0, GJK_DETAIL_DISTANCE, 1, 0, true, true, false},
+    {WORLD_BODIES, GJK_Q16(2), GJK_Q16(1), GJK_DETAIL_DISTANCE, 1, 1, true, true, false},
+    {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.25), GJK_DETAIL_TOUCH, 1, 0, false, true, false},
+    {5, GJK_Q16(1), GJK_Q16(0.05), GJK_DETAIL_DISTANCE, 1, 0, false, true, false},
+    {WORLD_BODIES, GJK_Q16(1.5), GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 1, 0, false, true, true},
+    {WORLD_BODIES, GJK_Q16(1.5), GJK_Q16(4000), GJK_DETAIL_DISTANCE, 1, 1, false, true, true},
+};
+
+static world w;
+static world_list expected, actual;
+
+static bool update(void) {
+  gjk_progress progress;
+  const gjk_status status = gjk_scene_update(&w.scene, actual.report, WORLD_REPORTS, &progress);
+  actual.count = progress.reports;
+  return status == GJK_OK && progress.reports_left == 0 && progress.pairs_left == 0;
+}
+
+// Every pair that the skips and queries are counted for is counted once.
+static bool counted(const gjk_scene_stats *s) {
+  return s->resting + s->filtered + s->motion + s->boxes + s->direction + s->warm + s->cold == s->pairs;
+}
+
+static void run(unsigned family) {
+  const world_options *options = &families[family];
+  const gjk_scene_config config = world_config(options);
+  const size_t bytes = gjk_scene_bytes(&config);
+  void *block = malloc(bytes);
+  random_state random = random_seed(700 + family / 2);
+  gjk_scene_stats all = {0}, stats;
+  CHECK(block != NULL && world_start(&w, options, block, bytes));
+  for (int i = 0; i < UPDATES; i++) {
+    bool fine = true;
+    const uint32_t changes = random_below(&random, 4) == 0 ? 60 : 12;
+    for (uint32_t k = 0; k < changes && fine; k++) {
+      fine = world_change(&w, &random);
+    }
+    CHECK_MSG(fine, "a change, family %u, update %d", family, i);
+    CHECK_MSG(gjk_scene_check(&w.scene) == GJK_OK, "before, family %u, update %d", family, i);
+    world_expect(&w, &expected);
+    CHECK_MSG(update(), "family %u, update %d", family, i);
+    CHECK_MSG(gjk_scene_check(&w.scene) == GJK_OK, "after, family %u, update %d", family, i);
+    const bool same = world_same(&expected, &actual);
+    CHECK_MSG(same, "family %u, update %d: %u reports, %u expected", family, i, actual.count, expected.count);
+    gjk_scene_get_stats(&w.scene, &stats);
+    all.begun += stats.begun;
+    all.ended += stats.ended;
+    all.persisting += stats.persisting;
+    all.resting += stats.resting;
+    all.motion += stats.motion;
+    all.boxes += stats.boxes;
+    all.direction += stats.direction;
+    all.warm += stats.warm;
+    all.cold += stats.cold;
+    all.unsettled += stats.unsettled;
+    CHECK(counted(&stats));
+    if (!same || !fine) {
+      break;
+    }
+  }
+  printf(
+      "family %u: %u begun, %u ended, %u persisting; %u resting, %u motion, %u boxes, %u direction, %u warm, %u cold\n",
+      family, all.begun, all.ended, all.persisting, all.resting, all.motion, all.boxes, all.direction, all.warm,
+      all.cold);
+  // Each family must still come to touch and part, and each skip must have had its turn.
+  CHECK(options->bodies < WORLD_BODIES || (all.begun > 200 && all.ended > 200));
+  CHECK(all.unsettled == 0);
+  if (options->no_skips) {
+    CHECK(all.resting + all.motion + all.boxes + all.direction + all.warm == 0);
+  } else if (options->bodies == WORLD_BODIES) {
+    CHECK(all.resting > 100 && all.motion > 100 && all.boxes > 100 && all.direction > 100 && all.warm > 100);
+  }
+  free(block);
+}
+
+int main(void) {
+  for (unsigned i = 0; i < sizeof families / sizeof families[0]; i++) {
+    run(i);
+  }
+  return check_done("scene_random");
+}
