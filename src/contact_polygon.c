@@ -1,239 +1,377 @@
-// Faces and edges that meet a direction.
+// Faces, edges and corners that meet a direction.
 #include "contact_polygon.h"
 
-#include "rotation.h"
+#include "facet.h"
+#include "round_base.h"
 #include "unit.h"
 
-// cos 45 degrees.
-#define DIAGONAL ((gjk_q30)759250125)
+// The direction is 2^30 long. By gjk_rank, the square of what a unit vector has of it: 7/8 of 2^60 for a normal that is
+// within 20.7 degrees of it, 1/8 for an edge that is within 20.7 degrees of level.
+#define FACE_RANK (UINT32_C(59) << 16 | 0xC000u)
+#define LEVEL_RANK (UINT32_C(57) << 16)
 
-gjk_q30 gjk_cosine(const gjk_unit3 *u, const gjk_unit3 *v) {
-  const gjk_vec3 w = {v->x, v->y, v->z};
-  const int64_t cosine = gjk_sar64(gjk_along(u, &w), 30);
-  return cosine < GJK_Q30_ONE ? (gjk_q30)cosine : GJK_Q30_ONE;
+// A rim of less counts as a point.
+#define RIM_MIN 8
+
+// Corners of a hull that lie at most so far behind its farthest one, Q30 LSB, are among the farthest.
+#define LEVEL_SLACK (INT64_C(4) << 30)
+
+// What a face with farthest corners to share is preferred by; above all ranks.
+#define SHARES_EDGE (UINT32_C(1) << 23)
+
+static bool is_zero(const gjk_vec3 *v) {
+  return (v->x | v->y | v->z) == 0;
 }
 
-static gjk_unit3 opposite(gjk_unit3 u) {
-  const gjk_unit3 v = {-u.x, -u.y, -u.z};
-  return v;
+static void negate(gjk_long3 *n) {
+  n->x = -n->x;
+  n->y = -n->y;
+  n->z = -n->z;
 }
 
-// Is e x f not 0? Then its direction. Pre: |e| |f| <= 2^62.
-static bool normal_of(const gjk_vec3 *e, const gjk_vec3 *f, gjk_unit3 *out) {
-  gjk_long3 n;
-  gjk_rounded d;
-  gjk_cross(e, f, &n);
-  if ((n.x | n.y | n.z) == 0) {
-    return false;
+// How well a face meets the direction, 0: not at all.
+static uint32_t alignment(const gjk_long3 *n, const gjk_vec3 *direction) {
+  gjk_rounded r;
+  if ((n->x | n->y | n->z) == 0) {
+    return 0;
   }
-  gjk_round_direction(&n, &d);
-  *out = gjk_unit(&d.d);
-  return true;
+  gjk_round_direction(n, &r);
+  return gjk_rank(gjk_dot(&r.d, direction), gjk_dot(&r.d, &r.d));
 }
 
-static void set_edge(const gjk_vec3 *from, const gjk_vec3 *to, gjk_polygon *out) {
-  out->corner[0] = *from;
-  out->corner[1] = *to;
-  out->count = 2;
+// How far from level an edge is. Pre: not 0.
+static uint32_t slope(const gjk_vec3 *edge, const gjk_vec3 *direction) {
+  const int64_t along = gjk_dot(edge, direction);
+  return gjk_rank(along < 0 ? -along : along, gjk_dot(edge, edge));
 }
 
-// The face of a box across axis i, on the side to which u leads; its corners go around the axes j and k.
-static void set_box_face(const gjk_collider *c, const gjk_vec3 *position, unsigned i, gjk_unit3 across,
-                         const gjk_unit3 *u, gjk_polygon *out) {
-  const gjk_vec3 *axis = &c->frame[i], *j = &c->frame[gjk_next(i)], *k = &c->frame[gjk_next(gjk_next(i))];
-  const bool turned = gjk_cosine(&across, u) < 0;  // u leads against j x k
-  out->normal = turned ? opposite(across) : across;
-  const bool minus = gjk_along(&out->normal, axis) < 0;
-  const gjk_vec3 face = minus ? gjk_sub(*position, *axis) : gjk_add(*position, *axis);
-  const gjk_vec3 low = gjk_sub(face, *j), high = gjk_add(face, *j);
-  out->corner[0] = gjk_sub(low, *k);
-  out->corner[turned ? 3 : 1] = gjk_sub(high, *k);
-  out->corner[2] = gjk_add(high, *k);
-  out->corner[turned ? 1 : 3] = gjk_add(low, *k);
-  out->count = 4;
-  out->feature = (uint16_t)(2 * i + minus);
+// Moves the corners by radius along u, Q2.30, to the nearest LSB.
+static void lift(gjk_polygon *p, const gjk_unit3 *u, gjk_q16 radius) {
+  const int64_t half = INT64_C(1) << 29;
+  const gjk_vec3 by = {(gjk_q16)gjk_sar64(gjk_mul32(u->x, radius) + half, 30),
+                       (gjk_q16)gjk_sar64(gjk_mul32(u->y, radius) + half, 30),
+                       (gjk_q16)gjk_sar64(gjk_mul32(u->z, radius) + half, 30)};
+  for (unsigned i = 0; i < p->count; i++) {
+    p->corner[i] = gjk_add(p->corner[i], by);
+  }
 }
 
-static void find_box_face(const gjk_collider *c, const gjk_vec3 *position, const gjk_unit3 *u, gjk_polygon *out) {
-  gjk_q30 best = -1;
-  for (unsigned i = 0; i < 3; i++) {
-    gjk_unit3 across;
-    if (normal_of(&c->frame[gjk_next(i)], &c->frame[gjk_next(gjk_next(i))], &across)) {
-      const gjk_q30 cosine = gjk_cosine(&across, u), size = cosine < 0 ? -cosine : cosine;
-      if (size > best) {
-        best = size;
-        set_box_face(c, position, i, across, u, out);
-      }
+static void lift_face(gjk_polygon *p, gjk_q16 radius) {
+  if (radius > 0) {
+    gjk_rounded r;
+    gjk_round_direction(&p->normal, &r);
+    const gjk_unit3 u = gjk_unit(&r.d);
+    lift(p, &u, radius);
+  }
+}
+
+// Square to the edge, as near to the direction as that allows; the edge is nearly level, so the rest is most of it.
+static void lift_edge(gjk_polygon *p, gjk_q16 radius) {
+  if (radius > 0) {
+    const gjk_vec3 edge = gjk_sub(p->corner[1], p->corner[0]), *d = &p->direction;
+    const gjk_unit3 e = gjk_unit(&edge);
+    const gjk_q30 along = (gjk_q30)gjk_sar64(gjk_along(&e, d), 30);
+    const gjk_vec3 square = {d->x - (int32_t)gjk_sar64(gjk_mul32(e.x, along), 30),
+                             d->y - (int32_t)gjk_sar64(gjk_mul32(e.y, along), 30),
+                             d->z - (int32_t)gjk_sar64(gjk_mul32(e.z, along), 30)};
+    const gjk_unit3 u = gjk_unit(&square);
+    lift(p, &u, radius);
+  }
+}
+
+static void set_corner(gjk_polygon *p, unsigned i, const gjk_vec3 *position, const gjk_vec3 *offset, unsigned vertex) {
+  p->corner[i] = gjk_add(*position, *offset);
+  p->vertex[i] = (uint16_t)vertex;
+}
+
+// Keeps corners i and j alone.
+static void keep_edge(gjk_polygon *p, unsigned i, unsigned j) {
+  const bool ordered = p->vertex[i] <= p->vertex[j];
+  const unsigned first = ordered ? i : j, second = ordered ? j : i;
+  const gjk_vec3 from = p->corner[first], to = p->corner[second];
+  const uint16_t from_vertex = p->vertex[first], to_vertex = p->vertex[second];
+  p->corner[0] = from;
+  p->corner[1] = to;
+  p->vertex[0] = from_vertex;
+  p->vertex[1] = to_vertex;
+  p->feature = (uint16_t)(from_vertex + 256u * to_vertex);
+  p->count = 2;
+}
+
+// From a face that leans away, the more level edge at its farthest corner; from an edge, itself. Unless it is level
+// enough, the farthest corner.
+static void settle_for_less(gjk_polygon *p, gjk_q16 radius) {
+  const gjk_vec3 *d = &p->direction;
+  unsigned top = 0, end = 0;
+  uint32_t least = LEVEL_RANK;
+  int64_t farthest = INT64_MIN;
+  for (unsigned i = 0; i < p->count; i++) {
+    const int64_t along = gjk_dot(&p->corner[i], d);  // below 2^62
+    if (along > farthest) {
+      farthest = along;
+      top = i;
     }
   }
-  // No two axes span a face: at most one has a length.
-  for (unsigned i = 0; i < 3 && best < 0; i++) {
-    const gjk_vec3 *axis = &c->frame[i];
-    if ((axis->x | axis->y | axis->z) != 0) {
-      const gjk_vec3 from = gjk_sub(*position, *axis), to = gjk_add(*position, *axis);
-      set_edge(&from, &to, out);
+  end = top;
+  const unsigned neighbour[2] = {top + 1 < p->count ? top + 1 : 0, top > 0 ? top - 1 : p->count - 1u};
+  for (unsigned k = 0; k < 2; k++) {
+    const gjk_vec3 edge = gjk_sub(p->corner[neighbour[k]], p->corner[top]);
+    const uint32_t rank = is_zero(&edge) ? LEVEL_RANK : slope(&edge, d);
+    if (rank < least) {
+      least = rank;
+      end = neighbour[k];
     }
   }
-}
-
-static void from_axes(const gjk_collider *c, const gjk_vec3 *position, const gjk_unit3 *u, gjk_polygon *out) {
-  if (c->count == 3) {
-    find_box_face(c, position, u, out);
-  } else if (c->count == 1) {
-    const gjk_vec3 from = gjk_sub(*position, c->frame[0]), to = gjk_add(*position, c->frame[0]);
-    set_edge(&from, &to, out);
-  }
-}
-
-// The normal of a face of a hull, from the first corners that are not in a line. False: all are.
-static bool normal_of_corners(const gjk_vec3 *corner, unsigned count, gjk_unit3 *out) {
-  const gjk_vec3 edge = gjk_sub(corner[1], corner[0]);
-  for (unsigned i = 2; i < count; i++) {
-    const gjk_vec3 edge2 = gjk_sub(corner[i], corner[0]);
-    if (normal_of(&edge, &edge2, out)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-static void from_triangle(const gjk_collider *c, const gjk_vec3 *position, const gjk_unit3 *u, gjk_polygon *out) {
-  for (unsigned i = 0; i < 3; i++) {
-    out->corner[i] = gjk_add(*position, c->frame[i]);
-  }
-  if (!normal_of_corners(out->corner, 3, &out->normal)) {
+  if (end == top) {
+    p->feature = p->vertex[top];
+    p->count = 1;
     return;
   }
+  keep_edge(p, top, end);
+  lift_edge(p, radius);
+}
+
+// Keeps the face if it meets the direction well enough.
+static void settle(gjk_polygon *p, gjk_q16 radius) {
+  if (p->count > 2 && alignment(&p->normal, &p->direction) >= FACE_RANK) {
+    lift_face(p, radius);
+  } else if (p->count > 1) {
+    settle_for_less(p, radius);
+  }
+}
+
+// The edge of a box along axis i that reaches farthest: with as little of the others as there is.
+static void set_box_edge(const gjk_collider *c, const gjk_vec3 *position, unsigned i, unsigned signs,
+                         gjk_polygon *out) {
+  for (unsigned k = 0; k < 2; k++) {
+    gjk_vec3 offset;
+    const unsigned vertex = k == 0 ? signs & ~(1u << i) : signs | 1u << i;
+    c->shape->type->vertex(c, (uint16_t)vertex, &offset);
+    set_corner(out, k, position, &offset, vertex);
+  }
+  out->count = 2;
+  out->feature = (uint16_t)(out->vertex[0] + 256u * out->vertex[1]);
+}
+
+// The face of a box across axis i that its farthest corner, by signs, is one of.
+static void set_box_face(const gjk_collider *c, const gjk_vec3 *position, unsigned i, unsigned signs,
+                         gjk_polygon *out) {
+  const unsigned j = gjk_next(i), k = gjk_next(j);
+  const gjk_vec3 *across = &c->frame[j], *across2 = &c->frame[k];
+  gjk_cross(across, across2, &out->normal);
+  const bool turned = gjk_dot_sign(&out->normal, &out->direction) < 0;
+  // Around j x k: both minus, j, both, k.
+  const unsigned around[4] = {0, 1u << j, 1u << j | 1u << k, 1u << k};
+  for (unsigned n = 0; n < 4; n++) {
+    gjk_vec3 offset;
+    const unsigned vertex = (signs & 1u << i) | around[turned ? 3 - n : n];
+    c->shape->type->vertex(c, (uint16_t)vertex, &offset);
+    set_corner(out, n, position, &offset, vertex);
+  }
+  if (turned) {
+    negate(&out->normal);
+  }
+  out->feature = (uint16_t)(2 * i + ((signs >> i & 1u) ^ 1u));
+  out->count = 4;
+}
+
+static void from_box(const gjk_collider *c, const gjk_vec3 *position, gjk_polygon *out) {
+  const gjk_vec3 *d = &out->direction;
+  unsigned face = 3, longest = 3, signs = 0;
+  uint32_t best = 0, most = 0;
+  for (unsigned i = 0; i < 3; i++) {
+    const unsigned j = gjk_next(i);
+    gjk_long3 n;
+    gjk_cross(&c->frame[j], &c->frame[gjk_next(j)], &n);
+    if (gjk_dot_sign(&n, d) < 0) {
+      negate(&n);
+    }
+    const uint32_t rank = alignment(&n, d);
+    if ((n.x | n.y | n.z) != 0 && (face == 3 || rank > best)) {
+      best = rank;
+      face = i;
+    }
+    if (gjk_norm1(c->frame[i]) > most) {
+      most = gjk_norm1(c->frame[i]);
+      longest = i;
+    }
+    signs |= gjk_dot(&c->frame[i], d) >= 0 ? 1u << i : 0;
+  }
+  if (face < 3) {
+    set_box_face(c, position, face, signs, out);
+  } else if (longest < 3) {
+    set_box_edge(c, position, longest, signs, out);
+  }
+}
+
+static void from_axes(const gjk_collider *c, const gjk_vec3 *position, gjk_polygon *out) {
+  if (c->count == 3) {
+    from_box(c, position, out);
+  } else if (c->count == 1 && !is_zero(&c->frame[0])) {
+    set_box_edge(c, position, 0, 0, out);
+  }
+}
+
+// Sums the triangles of a face: at most 14 times 2^58 for edges of 2^29.
+static void set_normal(gjk_polygon *p) {
+  gjk_long3 n = {0, 0, 0};
+  for (unsigned i = 2; i < p->count; i++) {
+    const gjk_vec3 edge = gjk_sub(p->corner[i - 1], p->corner[0]), edge2 = gjk_sub(p->corner[i], p->corner[0]);
+    gjk_long3 part;
+    gjk_cross(&edge, &edge2, &part);
+    n.x += part.x;
+    n.y += part.y;
+    n.z += part.z;
+  }
+  p->normal = n;
+}
+
+static void from_triangle(const gjk_collider *c, const gjk_vec3 *position, gjk_polygon *out) {
+  for (unsigned i = 0; i < 3; i++) {
+    set_corner(out, i, position, &c->frame[i], i);
+  }
   out->count = 3;
-  if (gjk_cosine(&out->normal, u) < 0) {
-    const gjk_vec3 second = out->corner[1];
-    out->corner[1] = out->corner[2];
-    out->corner[2] = second;
-    out->normal = opposite(out->normal);
+  set_normal(out);
+  if (gjk_dot_sign(&out->normal, &out->direction) < 0) {
+    set_corner(out, 1, position, &c->frame[2], 2);
+    set_corner(out, 2, position, &c->frame[1], 1);
+    negate(&out->normal);
     out->feature = 1;
   }
 }
 
-// Loads face i of a hull; returns how well it meets u.
-static gjk_q30 load_face(const gjk_collider *c, const gjk_vec3 *position, uint32_t i, const gjk_unit3 *u,
-                         gjk_polygon *out) {
+// Loads face i of a hull. Returns how many corners reach as far as limit, or 2 if there are more.
+static unsigned load_face(const gjk_collider *c, const gjk_vec3 *position, uint32_t i, int64_t limit,
+                          gjk_polygon *out) {
   const gjk_hull_faces *faces = c->shape->faces;
   const uint16_t first = i == 0 ? 0 : faces->end[i - 1];
+  unsigned farthest = 0;
   out->count = (uint8_t)(faces->end[i] - first);
   for (unsigned k = 0; k < out->count; k++) {
     gjk_vec3 offset;
-    c->shape->type->vertex(c, faces->corner[first + k], &offset);
-    out->corner[k] = gjk_add(*position, offset);
+    const uint16_t vertex = faces->corner[first + k];
+    c->shape->type->vertex(c, vertex, &offset);
+    set_corner(out, k, position, &offset, vertex);
+    farthest += gjk_dot(&offset, &out->direction) >= limit ? 1 : 0;
   }
   out->feature = (uint16_t)i;
-  return normal_of_corners(out->corner, out->count, &out->normal) ? gjk_cosine(&out->normal, u) : -GJK_Q30_ONE;
+  return farthest < 2 ? farthest : 2;
 }
 
-static void from_hull(const gjk_collider *c, const gjk_vec3 *position, const gjk_unit3 *u, gjk_polygon *out) {
-  if (c->shape->faces == NULL || c->shape->faces->count == 0) {
+// The face that meets the direction best among those with two farthest corners; without such, among those with one.
+static void from_hull(const gjk_collider *c, const gjk_vec3 *position, gjk_polygon *out) {
+  const gjk_hull_faces *faces = c->shape->faces;
+  uint32_t best = 0, best_face = 0;
+  gjk_support found;
+  if (faces == NULL || faces->count == 0) {
     return;
   }
-  uint32_t best = 0;
-  gjk_q30 cosine = -GJK_Q30_ONE;
-  for (uint32_t i = 0; i < c->shape->faces->count; i++) {
-    const gjk_q30 meets = load_face(c, position, i, u, out);
-    if (meets > cosine) {
-      cosine = meets;
-      best = i;
+  c->shape->type->support(c, &out->direction, true, &found);
+  const int64_t limit = gjk_dot(&found.offset, &out->direction) - LEVEL_SLACK;
+  for (uint32_t i = 0; i < faces->count; i++) {  // below 2^16
+    const unsigned farthest = load_face(c, position, i, limit, out);
+    if (farthest > 0) {
+      set_normal(out);
+      const uint32_t rank = alignment(&out->normal, &out->direction);
+      const uint32_t score = rank > 0 && farthest > 1 ? rank + SHARES_EDGE : rank;
+      if (score > best) {
+        best = score;
+        best_face = i;
+      }
     }
   }
-  if (load_face(c, position, best, u, out) <= -GJK_Q30_ONE) {
+  if (best > 0) {
+    load_face(c, position, best_face, limit, out);
+    set_normal(out);
+  } else {
     out->count = 1;
+    out->feature = found.vertex;
   }
 }
 
-// A point of a cylinder or cone, from its own frame.
-static gjk_vec3 to_world(const gjk_collider *c, const gjk_vec3 *position, const gjk_vec3 *local) {
-  return gjk_add(*position, gjk_rotate(c->frame, local));
+static gjk_vec3 axis_of(const gjk_collider *c) {
+  const gjk_vec3 axis = {c->frame[0].z, c->frame[1].z, c->frame[2].z};
+  return axis;
 }
 
-// size cos or sin of 45 degrees.
-static gjk_q16 diagonal(gjk_q16 size) {
-  return (gjk_q16)gjk_sar64(gjk_mul32(size, DIAGONAL) + (INT64_C(1) << 29), 30);
+static void set_fine_corner(const gjk_collider *c, const gjk_vec3 *position, const gjk_fine_point *point, unsigned i,
+                            gjk_polygon *out) {
+  gjk_support s;
+  gjk_curved_support(c, point, &s);
+  set_corner(out, i, position, &s.offset, i);
 }
 
-// The rim at z = height as an octagon: top faces up.
-static void set_cap(const gjk_collider *c, const gjk_vec3 *position, gjk_q16 height, bool top, gjk_polygon *out) {
-  const gjk_q16 r = c->shape->size.x, d = diagonal(r);
-  const gjk_q16 x[8] = {r, d, 0, -d, -r, -d, 0, d}, y[8] = {0, d, r, d, 0, -d, -r, -d};
+// The flat end of a cylinder or cone as an octagon, its rounding included.
+static void set_cap(const gjk_collider *c, const gjk_vec3 *position, bool top, gjk_polygon *out) {
+  const int32_t diagonal = 759250125;  // 2^30 cos 45 degrees
+  const gjk_q30 cosine[8] = {GJK_Q30_ONE, diagonal, 0, -diagonal, -GJK_Q30_ONE, -diagonal, 0, diagonal};
+  const gjk_shape *shape = c->shape;
+  const int32_t height = (shape->size.z + shape->round) * (1 << GJK_FINE_BITS);  // at most 2^30
+  const gjk_vec3 axis = axis_of(c);
+  if (shape->size.x < RIM_MIN) {
+    return;
+  }
   for (unsigned i = 0; i < 8; i++) {
-    const gjk_vec3 local = {x[i], top ? y[i] : -y[i], height};
-    out->corner[i] = to_world(c, position, &local);
+    const gjk_q30 sine = cosine[(i + 6) & 7u];
+    const gjk_fine_point point = {gjk_fine(shape->size.x, cosine[i]), gjk_fine(shape->size.x, top ? sine : -sine),
+                                  top ? height : -height};
+    set_fine_corner(c, position, &point, i, out);
   }
-  const gjk_unit3 up = {c->frame[0].z, c->frame[1].z, c->frame[2].z};
-  out->normal = top ? up : opposite(up);
+  out->normal.x = top ? axis.x : -(int64_t)axis.x;
+  out->normal.y = top ? axis.y : -(int64_t)axis.y;
+  out->normal.z = top ? axis.z : -(int64_t)axis.z;
   out->feature = top ? 0 : 1;
   out->count = 8;
 }
 
-// The line of the side towards u, given in the shape's frame and not along the axis: from the base's rim to radius top at
-// the upper end.
-static void set_side(const gjk_collider *c, const gjk_vec3 *position, const gjk_vec3 *u, gjk_q16 top,
-                     gjk_polygon *out) {
-  const gjk_vec3 level = {u->x, u->y, 0};
-  const gjk_unit3 v = gjk_unit(&level);
-  const gjk_q16 r = c->shape->size.x, h = c->shape->size.z;
-  const gjk_vec3 low = {(gjk_q16)gjk_sar64(gjk_mul32(r, v.x), 30), (gjk_q16)gjk_sar64(gjk_mul32(r, v.y), 30), -h};
-  const gjk_vec3 high = {top == 0 ? 0 : low.x, top == 0 ? 0 : low.y, h};
-  const gjk_vec3 from = to_world(c, position, &low), to = to_world(c, position, &high);
-  set_edge(&from, &to, out);
-  out->feature = 2;
+// The line of the side that faces the direction, from base to top.
+static void set_side(const gjk_collider *c, const gjk_vec3 *position, gjk_q16 base, gjk_q16 top, gjk_polygon *out) {
+  const gjk_vec3 local = gjk_curved_direction(c, &out->direction);
+  const int32_t height = c->shape->size.z * (1 << GJK_FINE_BITS);
+  gjk_fine_point point;
+  gjk_rim(base, &local, &point);
+  point.z = -height;
+  set_fine_corner(c, position, &point, 0, out);
+  gjk_rim(top, &local, &point);
+  point.z = height;
+  set_fine_corner(c, position, &point, 1, out);
+  out->count = 2;
 }
 
-static void from_cylinder(const gjk_collider *c, const gjk_vec3 *position, const gjk_vec3 *local, gjk_polygon *out) {
-  const gjk_q16 h = c->shape->size.z;
-  if (local->z >= DIAGONAL || local->z <= -DIAGONAL) {
-    set_cap(c, position, local->z > 0 ? h : -h, local->z > 0, out);
-  } else {
-    set_side(c, position, local, c->shape->size.x, out);
-  }
-}
-
-// The side's normal leans up by radius in 2 half of the way out.
-static void from_cone(const gjk_collider *c, const gjk_vec3 *position, const gjk_vec3 *local, gjk_polygon *out) {
-  if (local->z <= -DIAGONAL) {
-    set_cap(c, position, -c->shape->size.z, false, out);
-    return;
-  }
-  if ((local->x | local->y) == 0) {
-    return;
-  }
-  const gjk_vec3 level = {local->x, local->y, 0}, slope = {2 * c->shape->size.z, c->shape->size.x, 0};
-  if ((slope.x | slope.y) == 0) {
-    return;
-  }
-  const gjk_unit3 out_from_axis = gjk_unit(&level), lean = gjk_unit(&slope);
-  const gjk_q30 out_share = (gjk_q30)gjk_sar64(gjk_along(&out_from_axis, &level), 30);
-  const int64_t cosine = gjk_sar64(gjk_mac32(gjk_mul32(lean.x, out_share), lean.y, local->z), 30);
-  if (cosine >= GJK_ALIGNED) {
-    set_side(c, position, local, 0, out);
+static void from_round(const gjk_collider *c, const gjk_vec3 *position, gjk_polygon *out) {
+  const gjk_shape *shape = c->shape;
+  const bool cone = shape->type->kind == GJK_KIND_CONE;
+  const gjk_vec3 axis = axis_of(c), *d = &out->direction;
+  const int64_t along = gjk_dot(&axis, d);
+  const bool top = along > 0, flat = !cone || !top || shape->size.z == 0;
+  if (flat && gjk_rank(top ? along : -along, gjk_dot(&axis, &axis)) >= FACE_RANK) {
+    set_cap(c, position, top, out);
+  } else if (shape->size.z > 0) {
+    // A cylinder's own radius adds to its rounding, so that its side needs rounding to LSB but once.
+    set_side(c, position, cone ? shape->size.x : shape->size.x + shape->round, cone ? 0 : shape->size.x + shape->round,
+             out);
+    settle_for_less(out, cone ? shape->round : 0);
+    out->feature = 2;
   }
 }
 
-void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const gjk_unit3 *u, gjk_polygon *out) {
-  const uint8_t kind = c->shape->type->kind;
-  out->corner[0] = *position;
+void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const gjk_vec3 *direction, gjk_polygon *out) {
+  const gjk_shape_class *type = c->shape->type;
+  out->direction = *direction;
   out->count = 1;
   out->feature = 0;
-  if (kind == GJK_KIND_AXES) {
-    from_axes(c, position, u, out);
-  } else if (kind == GJK_KIND_VERTICES) {
-    if (c->shape->type->buffered) {
-      from_hull(c, position, u, out);
-    } else {
-      from_triangle(c, position, u, out);
-    }
-  } else if (kind != GJK_KIND_SMOOTH) {
-    const gjk_vec3 world = {u->x, u->y, u->z}, local = gjk_rotate_back(c->frame, &world);
-    if (kind == GJK_KIND_CYLINDER) {
-      from_cylinder(c, position, &local, out);
-    } else {
-      from_cone(c, position, &local, out);
-    }
+  switch (type->kind) {
+    case GJK_KIND_AXES: from_axes(c, position, out); break;
+    case GJK_KIND_VERTICES:
+      if (type->buffered) {
+        from_hull(c, position, out);
+      } else {
+        from_triangle(c, position, out);
+      }
+      break;
+    case GJK_KIND_CYLINDER:
+    case GJK_KIND_CONE: from_round(c, position, out); return;
+    default: return;
   }
+  settle(out, c->shape->round);
 }

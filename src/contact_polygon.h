@@ -1,24 +1,23 @@
-// The face, edge or point with which a shape meets a direction.
+// The face, edge or corner with which a shape meets a direction.
 #ifndef GJK_SRC_CONTACT_POLYGON_H
 #define GJK_SRC_CONTACT_POLYGON_H
 
 #include "shape_class.h"
 
-// Relative to a centre that both shapes of a pair share; coordinates at most 2^30.
+// On the shape's surface, its rounding included, relative to a centre that both shapes of a pair share: components at
+// most 2^30 in size, edges at most 2^29 long.
 typedef struct gjk_polygon {
-  gjk_vec3 corner[GJK_FACE_CORNERS_MAX];  // counterclockwise seen from outside
-  gjk_unit3 normal;                       // outwards, of a polygon
+  gjk_vec3 corner[GJK_FACE_CORNERS_MAX];  // of a face counterclockwise seen from outside, of an edge by vertex number
+  uint16_t vertex[GJK_FACE_CORNERS_MAX];  // their numbers
+  gjk_long3 normal;                       // of a face, outwards, at most 2^62
+  gjk_vec3 direction;                     // that it meets, a unit vector in Q2.30
   uint16_t feature;                       // its number, see gjk/contacts.h
-  uint8_t count;                          // 1: no more than a point is known; 2: an edge; from 3 on a polygon
+  uint8_t count;  // 1: a corner, or none known, and nothing else is set; 2: an edge; more: a face
 } gjk_polygon;
 
-// u . v, Q2.30.
-gjk_q30 gjk_cosine(const gjk_unit3 *u, const gjk_unit3 *v);
-
-// Within about 20 degrees.
-#define GJK_ALIGNED (GJK_Q30_ONE / 16 * 15)
-
-// What c, its centre at position, meets the direction u with, which leads out of it.
-void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const gjk_unit3 *u, gjk_polygon *out);
+// What c, its centre at position, meets the other shape with along direction, Q2.30, which leads out of it: a face within
+// 20 degrees of it, else the edge that reaches farthest if it is level within 20 degrees, else a corner.
+// Pre: components of position at most 2^29.
+void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const gjk_vec3 *direction, gjk_polygon *out);
 
 #endif

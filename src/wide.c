@@ -44,6 +44,11 @@ int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
   return sum.high > INT64_MAX ? -1 : (sum.high | sum.low) != 0;
 }
 
+// Bits of x, 0 for 0.
+static unsigned bit_length(const gjk_u128 *x) {
+  return x->high != 0 ? 128 - gjk_clz64(x->high) : x->low != 0 ? 64 - gjk_clz64(x->low) : 0;
+}
+
 // The 32 bits of x that start at bit number bits - 1, where no higher one is set. 1 <= bits <= 127.
 static uint32_t leading(const gjk_u128 *x, unsigned bits) {
   uint64_t top;
@@ -101,7 +106,7 @@ void gjk_shares(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part
     fine_share(part2, &sum, &share[1]);
     return;
   }
-  const unsigned bits = sum.high != 0 ? 128 - gjk_clz64(sum.high) : 64 - gjk_clz64(sum.low);
+  const unsigned bits = bit_length(&sum);
   const uint32_t inverse = reciprocal(leading(&sum, bits));
   const uint32_t one = INT32_MAX;
   const uint32_t first = gjk_umulh32(leading(part, bits), inverse);
@@ -110,6 +115,38 @@ void gjk_shares(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part
   share[1].high = (int32_t)(second < one - first ? second : one - first);
   share[0].low = 0;
   share[1].low = 0;
+}
+
+void gjk_magnitude96(int64_t high, uint32_t low, gjk_u128 *out) {
+  out->high = (uint64_t)gjk_sar64(high, 32);
+  out->low = (uint64_t)high << 32 | low;
+  if (high < 0) {
+    out->low = ~out->low + 1;
+    out->high = ~out->high + (out->low == 0);
+  }
+}
+
+void gjk_divisor_set(gjk_divisor *divisor, const gjk_u128 *x) {
+  divisor->bits = bit_length(x);
+  divisor->inverse = reciprocal(leading(x, divisor->bits));
+}
+
+int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale, unsigned *k) {
+  const unsigned bits = bit_length(x);
+  *k = 0;
+  if (bits == 0) {
+    return 0;
+  }
+  // With x = 2^(bits - 32) top and the divisor 2^(its bits - 32) bottom: top inverse / 2^33 is 2^30 top / bottom, from 2^29
+  // to 2^31, and low by less than 1 + 2 + 2: for the cuts of top, inverse and product. That of bottom makes it high.
+  const uint32_t quotient = gjk_umulh32(leading(x, bits), divisor->inverse) >> 1;
+  const int exponent = (int)divisor->bits + 30 - (int)bits - (int)scale;  // quotient / 2^exponent
+  if (exponent >= 0) {
+    const unsigned cut = exponent > 32 ? (unsigned)exponent - 32 : 0;
+    *k = (unsigned)exponent - cut;
+    return cut < 32 ? (int32_t)(quotient >> cut) : 0;
+  }
+  return exponent == -1 && quotient >> 30 == 0 ? (int32_t)(quotient << 1) : INT32_MAX;
 }
 
 void gjk_limbs_set(gjk_limbs *x, uint64_t value) {

@@ -196,6 +196,22 @@ typedef struct gjk_share {
 // 0 and high within 3, sixty times as fast. Pre: the sum is positive and below 2^127.
 void gjk_shares(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine, gjk_share share[2]);
 
+// *out = |x| for x = 2^32 high + low.
+void gjk_magnitude96(int64_t high, uint32_t low, gjk_u128 *out);
+
+// What to divide by, prepared.
+typedef struct gjk_divisor {
+  uint32_t inverse;  // 2^63 / its leading 32 bits
+  unsigned bits;
+} gjk_divisor;
+
+// Pre: x > 0.
+void gjk_divisor_set(gjk_divisor *divisor, const gjk_u128 *x);
+
+// 2^scale x / divisor as the returned number / 2^k, 0 <= k <= 32: within 2^-28 of itself, and 2^-32. Where it is 2^31 or
+// more, the largest number. Pre: scale <= 64.
+int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale, unsigned *k);
+
 // Unsigned integers of 192 bits, least significant limb first, for the rare comparisons of squares.
 #define GJK_LIMBS 6
 

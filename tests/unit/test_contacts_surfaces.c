@@ -1,0 +1,338 @@
+// Manifolds of every pair of kinds, at every scale, against the accurate oracle: points on the surfaces, gaps along the
+// normal, nothing missed at the deepest, the same from the other side, and ids that last.
+#include <math.h>
+#include <string.h>
+
+#include "../check.h"
+#include "../reference/accurate.h"
+#include "../reference/random_shape.h"
+#include "gjk/contacts.h"
+
+#define SEED 20270103
+#define PAIRS_PER_CELL 240
+#define TOLERANCE 2.0L
+#define VERTICES 64
+#define CELLS GJK_POLYTOPE_CELLS(VERTICES)
+#define SIDES_MAX 8
+
+static const char *const kind_name[] = {"point", "segment",  "triangle", "box",
+                                        "prism", "cylinder", "cone",     "ellipsoid"};
+static gjk_cell cells[CELLS];
+static const gjk_workspace workspace = {cells, CELLS};
+
+// What a shape of a case becomes: a hull is a prism, and has faces.
+typedef struct subject {
+  case_shape shape;
+  case_collider collider;
+  uint16_t corner[6 * SIDES_MAX], end[SIDES_MAX + 2];
+  gjk_hull_faces faces;
+} subject;
+
+typedef struct tally {
+  unsigned met, apart, full, many, mirrored, moved, kept;
+  long double surface, gap, least;  // largest errors
+} tally;
+
+static void raise(long double *largest, long double value) {
+  *largest = value > *largest ? value : *largest;
+}
+
+static int32_t scaled(int32_t size, double by) {
+  return (int32_t)lround(size * by);
+}
+
+// A prism along z of 3 to 8 sides, within size: base counterclockwise from above, then the top.
+static void make_prism(random_state *random, subject *s) {
+  const unsigned n = 3 + random_below(random, SIDES_MAX - 2);
+  const gjk_vec3 size = s->shape.size;
+  unsigned at = 0;
+  case_shape_set_count(&s->shape, 2 * (size_t)n);
+  for (unsigned i = 0; i < n; i++) {
+    const double angle = 6.283185307179586 * i / n;
+    const gjk_vec3 low = {scaled(size.x, cos(angle)), scaled(size.y, sin(angle)), -size.z},
+                   high = {low.x, low.y, size.z};
+    s->shape.vertices[i] = low;
+    s->shape.vertices[n + i] = high;
+    s->corner[i] = (uint16_t)(n - 1 - i);
+    s->corner[n + i] = (uint16_t)(n + i);
+  }
+  s->end[0] = (uint16_t)n;
+  s->end[1] = (uint16_t)(2 * n);
+  at = 2 * n;
+  for (unsigned i = 0; i < n; i++) {
+    const unsigned next = i + 1 < n ? i + 1 : 0;
+    const unsigned side[4] = {i, next, n + next, n + i};
+    for (unsigned k = 0; k < 4; k++) {
+      s->corner[at++] = (uint16_t)side[k];
+    }
+    s->end[2 + i] = (uint16_t)at;
+  }
+  s->faces.corner = s->corner;
+  s->faces.end = s->end;
+  s->faces.count = (uint16_t)(n + 2);
+}
+
+static void make_shape(random_state *random, case_kind kind, gjk_q16 reach, subject *s) {
+  random_shape(random, kind == CASE_HULL ? CASE_BOX : kind, reach, &s->shape);
+  s->shape.kind = kind;
+  if (kind == CASE_HULL) {
+    make_prism(random, s);
+  }
+}
+
+static bool build(subject *s) {
+  const bool built = case_collider_build(&s->collider, &s->shape, false) == GJK_OK;
+  s->collider.shape.faces = s->shape.kind == CASE_HULL ? &s->faces : NULL;
+  return built;
+}
+
+static gjk_quat axis_turn(random_state *random, gjk_q16 angle) {
+  const gjk_vec3 axis = random_vector(random, 65536);
+  gjk_quat q;
+  CHECK(gjk_quat_from_axis_angle(&axis, angle, &q) == GJK_OK);
+  return q;
+}
+
+// B on A: turned alike but for a spin about z, a quarter turn to lie down, or a tilt of a few degrees.
+static void stack(random_state *random, subject *a, subject *b) {
+  static const gjk_vec3 up = {0, 0, 65536}, side = {65536, 0, 0};
+  gjk_quat turn, unit;
+  gjk_quat_normalize(&a->shape.pose.rotation, &unit);
+  a->shape.pose.rotation = unit;
+  gjk_quat_from_axis_angle(&up, random_below(random, 2) == 0 ? 0 : random_range(random, 0, 400000), &turn);
+  gjk_quat_compose(&unit, &turn, &unit);
+  if (random_below(random, 3) == 0) {
+    gjk_quat_from_axis_angle(&side, GJK_Q16(1.5707963), &turn);
+    gjk_quat_compose(&unit, &turn, &unit);
+  }
+  if (random_below(random, 2) == 0) {
+    const gjk_quat tilt = axis_turn(random, random_range(random, -6000, 6000));
+    gjk_quat_compose(&tilt, &unit, &unit);
+  }
+  b->shape.pose.rotation = unit;
+  const double lateral = 0.5 * ((double)a->shape.size.x + b->shape.size.x);
+  gjk_vec3 offset = random_vector(random, lateral * random_unit(random));
+  offset.z = a->shape.size.z + a->shape.round + b->shape.size.z + b->shape.round;
+  CHECK(gjk_quat_apply(&a->shape.pose.rotation, &offset, &offset) == GJK_OK);
+  b->shape.pose.position = a->shape.pose.position;
+  b->shape.pose.position.x += offset.x;
+  b->shape.pose.position.y += offset.y;
+  b->shape.pose.position.z += offset.z;
+}
+
+// Any direction.
+static void beside(random_state *random, const subject *a, subject *b) {
+  const gjk_vec3 by = random_vector(random, (double)a->collider.collider.radius + b->collider.collider.radius);
+  b->shape.pose.position = a->shape.pose.position;
+  b->shape.pose.position.x += by.x;
+  b->shape.pose.position.y += by.y;
+  b->shape.pose.position.z += by.z;
+}
+
+// Moves B along the normal to a gap near zero.
+static bool approach(random_state *random, const subject *a, subject *b) {
+  gjk_distance_result d;
+  const gjk_status status = gjk_signed_distance(&a->collider.collider, &b->collider.collider, NULL, &workspace, &d);
+  if (status != GJK_OK) {
+    return status == GJK_ERROR_CAPACITY;
+  }
+  const int32_t deep = b->collider.collider.radius / 16;
+  const double by = random_range(random, random_below(random, 2) == 0 ? -deep : -3, 3) - (double)d.distance;
+  gjk_vec3 *position = &b->shape.pose.position;
+  position->x += scaled(1, by * d.normal.x / GJK_Q30_ONE);
+  position->y += scaled(1, by * d.normal.y / GJK_Q30_ONE);
+  position->z += scaled(1, by * d.normal.z / GJK_Q30_ONE);
+  return build(b);
+}
+
+static bool make_pair(random_state *random, case_kind kind_a, case_kind kind_b, subject *a, subject *b) {
+  const gjk_q16 reach = random_reach(random);
+  make_shape(random, kind_a, reach, a);
+  make_shape(random, kind_b, random_below(random, 2) == 0 ? reach : random_reach(random), b);
+  a->shape.pose.position = random_vector(random, random_below(random, 2) == 0 ? 1e9 : 1e3);
+  if (random_below(random, 3) != 0) {
+    stack(random, a, b);
+  }
+  if (!build(a) || !build(b)) {
+    return false;
+  }
+  if (random_below(random, 3) == 0) {
+    beside(random, a, b);
+  }
+  return build(b) && approach(random, a, b);
+}
+
+// The distance of a point from the surface.
+static long double surface_error(const subject *s, gjk_vec3 point) {
+  case_pair pair = {{0}, s->shape, {0}};
+  case_collider at = {0};
+  accurate_result gap;
+  case_shape_reset(&pair.b);
+  pair.b.pose.position = point;
+  CHECK(case_collider_build(&at, &pair.b, false) == GJK_OK);
+  accurate_signed(&pair, &s->collider, &at, &gap);
+  return gap.lower > 0 ? gap.lower : gap.upper < 0 ? -gap.upper : 0;
+}
+
+static long double along_normal(const gjk_manifold *m, const gjk_contact *c) {
+  return (((long double)c->point_b.x - c->point_a.x) * m->normal.x +
+          ((long double)c->point_b.y - c->point_a.y) * m->normal.y +
+          ((long double)c->point_b.z - c->point_a.z) * m->normal.z) /
+         GJK_Q30_ONE;
+}
+
+static bool check_contacts(const subject *a, const subject *b, const gjk_manifold *m, gjk_q16 margin, tally *t) {
+  bool right = true;
+  for (unsigned i = 0; i < m->count; i++) {
+    const gjk_contact *c = &m->contact[i];
+    const long double off_a = surface_error(a, c->point_a), off_b = surface_error(b, c->point_b);
+    const long double off = fabsl(along_normal(m, c) - c->distance);
+    raise(&t->surface, off_a > off_b ? off_a : off_b);
+    raise(&t->gap, off);
+    const bool good = off_a <= TOLERANCE && off_b <= TOLERANCE && off <= TOLERANCE && c->distance <= margin;
+    CHECK_MSG(good, "contact %u, id %x: %.2Lf and %.2Lf off the surfaces, %ld is off by %.2Lf, margin %ld", i,
+              (unsigned)c->id, off_a, off_b, (long)c->distance, off, (long)margin);
+    right = right && good;
+    for (unsigned k = 0; k < i; k++) {
+      CHECK_MSG(m->contact[k].id != c->id, "id %x twice", (unsigned)c->id);
+      right = right && m->contact[k].id != c->id;
+    }
+  }
+  return right;
+}
+
+static gjk_q16 least_of(const gjk_manifold *m) {
+  gjk_q16 least = GJK_DISTANCE_MAX;
+  for (unsigned i = 0; i < m->count; i++) {
+    least = m->contact[i].distance < least ? m->contact[i].distance : least;
+  }
+  return least;
+}
+
+static bool same_point(gjk_vec3 p, gjk_vec3 q) {
+  return p.x == q.x && p.y == q.y && p.z == q.z;
+}
+
+// From the other side: the same points, where the normal is the same to the bit and none are left out.
+static bool check_mirrored(const subject *a, const subject *b, const gjk_manifold *m, gjk_q16 margin, tally *t) {
+  gjk_manifold other;
+  gjk_contacts(&b->collider.collider, &a->collider.collider, margin, GJK_CONTACTS_MAX, NULL, &workspace, &other);
+  if (other.normal.x != -m->normal.x || other.normal.y != -m->normal.y || other.normal.z != -m->normal.z ||
+      m->count == GJK_CONTACTS_MAX) {
+    return true;
+  }
+  bool right = other.count == m->count && other.feature_a == m->feature_b && other.feature_b == m->feature_a;
+  t->mirrored++;
+  for (unsigned i = 0; i < m->count; i++) {
+    bool found = m->count == 1;  // the one of gjk_signed_distance, which may be any of equally near ones
+    for (unsigned k = 0; k < other.count; k++) {
+      found = found || (same_point(m->contact[i].point_a, other.contact[k].point_b) &&
+                        same_point(m->contact[i].point_b, other.contact[k].point_a));
+    }
+    right = right && found;
+  }
+  CHECK_MSG(right, "%u contacts, from the other side %u", m->count, other.count);
+  return right;
+}
+
+// A motion of an LSB to three.
+static void check_ids(random_state *random, const subject *a, subject *b, const gjk_manifold *m, gjk_q16 margin,
+                      tally *t) {
+  gjk_manifold after;
+  gjk_vec3 position = b->shape.pose.position;
+  position.x += random_range(random, -3, 3);
+  position.y += random_range(random, -3, 3);
+  position.z += random_range(random, -3, 3);
+  CHECK(gjk_collider_move(&b->collider.collider, &position) == GJK_OK);
+  gjk_contacts(&a->collider.collider, &b->collider.collider, margin + 16, GJK_CONTACTS_MAX, NULL, &workspace, &after);
+  bool kept = after.count == m->count && after.feature_a == m->feature_a && after.feature_b == m->feature_b;
+  for (unsigned i = 0; i < m->count && kept; i++) {
+    bool found = false;
+    for (unsigned k = 0; k < after.count; k++) {
+      found = found || after.contact[k].id == m->contact[i].id;
+    }
+    kept = found;
+  }
+  t->moved++;
+  t->kept += kept;
+}
+
+// Is no extent of the shape so small that an LSB of motion is a large one?
+static bool is_large(const subject *s) {
+  const gjk_vec3 *size = &s->shape.size;
+  const bool prism = s->shape.kind == CASE_HULL, triangle = s->shape.kind == CASE_TRIANGLE;
+  return s->collider.collider.radius >= 2000 &&
+         (!(prism || s->shape.kind == CASE_BOX) || (size->x >= 500 && size->y >= 500 && size->z >= 500)) && !triangle;
+}
+
+static bool check_pair(random_state *random, const subject *a, subject *b, tally *t) {
+  gjk_manifold m, few;
+  gjk_distance_result d;
+  const gjk_collider *p = &a->collider.collider, *q = &b->collider.collider;
+  const gjk_q16 smaller = p->radius < q->radius ? p->radius : q->radius;
+  const gjk_q16 margin = random_below(random, 2) == 0 ? random_range(random, 0, 3) : smaller / 32;
+  const gjk_status status = gjk_contacts(p, q, margin, GJK_CONTACTS_MAX, NULL, &workspace, &m);
+  const gjk_status measured = gjk_signed_distance(p, q, NULL, &workspace, &d);
+  bool right = status == measured && (status == GJK_OK || status == GJK_ERROR_CAPACITY) &&
+               (m.count > 0) == (d.distance <= margin) && m.count <= GJK_CONTACTS_MAX;
+  CHECK_MSG(right, "%s, %u contacts at %ld", gjk_status_name(status), m.count, (long)d.distance);
+  t->full += status != GJK_OK;
+  t->apart += m.count == 0;
+  if (!right || m.count == 0) {
+    return right;
+  }
+  t->met++;
+  t->many += m.count > 1;
+  right = check_contacts(a, b, &m, margin, t);
+  if (status == GJK_OK) {
+    raise(&t->least, fabsl((long double)least_of(&m) - d.distance));
+    const bool near = fabsl((long double)least_of(&m) - d.distance) <= TOLERANCE;
+    CHECK_MSG(near, "%ld is the least, %ld the distance", (long)least_of(&m), (long)d.distance);
+    right = right && near;
+  }
+  CHECK(gjk_contacts(p, q, margin, 4, NULL, &workspace, &few) == status && few.count == (m.count < 4 ? m.count : 4));
+  right = check_contacts(a, b, &few, margin, t) && check_mirrored(a, b, &m, margin, t) && right;
+  if (is_large(a) && is_large(b)) {
+    gjk_contacts(p, q, margin + 16, GJK_CONTACTS_MAX, NULL, &workspace, &m);
+    check_ids(random, a, b, &m, margin, t);
+  }
+  return right;
+}
+
+static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, tally *all) {
+  static subject a, b;
+  tally t = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  for (int i = 0; i < PAIRS_PER_CELL; i++) {
+    const bool made = make_pair(random, kind_a, kind_b, &a, &b);
+    CHECK(made);
+    if (made && !check_pair(random, &a, &b, &t)) {
+      case_pair pair = {"failed", a.shape, b.shape};
+      case_print(stdout, &pair);
+    }
+  }
+  printf(
+      "%-9s on %-9s %3u met, %3u in more than a point, %2u in bounds only; off by %4.2Lf, gaps %4.2Lf, least %4.2Lf; "
+      "%3u mirrored; ids of %3u of %3u kept\n",
+      kind_name[kind_a], kind_name[kind_b], t.met, t.many, t.full, t.surface, t.gap, t.least, t.mirrored, t.kept,
+      t.moved);
+  fflush(stdout);
+  CHECK_MSG(t.met > PAIRS_PER_CELL / 2, "%u met", t.met);
+  all->many += t.many;
+  all->mirrored += t.mirrored;
+  all->moved += t.moved;
+  all->kept += t.kept;
+}
+
+int main(void) {
+  random_state random = random_seed(SEED);
+  tally all = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  for (int a = CASE_POINT; a <= CASE_ELLIPSOID; a++) {
+    for (int b = CASE_POINT; b <= CASE_ELLIPSOID; b++) {
+      test_cell(&random, (case_kind)a, (case_kind)b, &all);
+    }
+  }
+  printf("%u in more than a point, %u mirrored, ids of %u of %u kept\n", all.many, all.mirrored, all.kept, all.moved);
+  CHECK_MSG(all.many > 2000 && all.mirrored > 4000, "%u, %u", all.many, all.mirrored);
+  CHECK_MSG(all.kept * 100.0 >= all.moved * 97.0, "ids of %u of %u kept", all.kept, all.moved);
+  return check_done("contacts-surfaces");
+}
