@@ -8,7 +8,7 @@
 // A's centre are below 2^29 + 2^28.
 #define REACH (INT32_C(1) << 29)
 
-// How much nearer the nearest points may be before they take the place of the nearest ones that clipping has found.
+// How much nearer the nearest points may be than all that clipping has found before they are taken in.
 #define SLACK 2
 
 static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
@@ -34,20 +34,35 @@ GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_colli
   }
 }
 
+// Squared, in 2^-4 LSB^2, of points less than 2^31 apart: below 2^61.
+static int64_t squared_between(const gjk_vec3 *p, const gjk_vec3 *q) {
+  const int64_t x = (int64_t)p->x - q->x, y = (int64_t)p->y - q->y, z = (int64_t)p->z - q->z;
+  const gjk_vec3 v = {(int32_t)gjk_sar64(x, 2), (int32_t)gjk_sar64(y, 2), (int32_t)gjk_sar64(z, 2)};
+  return gjk_dot(&v, &v);
+}
+
 // Sees to it that the nearest points are among the touches: of rounded and curved shapes they may lie beside the flat parts,
-// and of crossing edges there is nothing else.
+// and of crossing edges there is nothing else. They take the place of the touch next to them.
 static void admit_nearest(const gjk_distance_result *nearest, gjk_touches *touches) {
-  unsigned least = 0;
-  for (unsigned i = 1; i < touches->count; i++) {
-    least = touches->touch[i].distance < touches->touch[least].distance ? i : least;
+  unsigned next = 0;
+  int64_t least = INT64_MAX;
+  for (unsigned i = 0; i < touches->count; i++) {
+    const gjk_contact *touch = &touches->touch[i];
+    if (touch->distance <= nearest->distance + SLACK) {
+      return;
+    }
+    const int64_t squared =
+        squared_between(&touch->point_a, &nearest->point_a) + squared_between(&touch->point_b, &nearest->point_b);
+    if (squared < least) {
+      least = squared;
+      next = i;
+    }
   }
-  gjk_contact *touch = &touches->touch[least];
-  if (touches->count == 0 || touch->distance > nearest->distance + SLACK) {
-    touch->point_a = nearest->point_a;
-    touch->point_b = nearest->point_b;
-    touch->distance = nearest->distance;
-    touches->count = touches->count == 0 ? 1 : touches->count;
-  }
+  gjk_contact *touch = &touches->touch[next];
+  touch->point_a = nearest->point_a;
+  touch->point_b = nearest->point_b;
+  touch->distance = nearest->distance;
+  touches->count = touches->count == 0 ? 1 : touches->count;
 }
 
 GJK_OUT_OF_LINE static void find_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most,

