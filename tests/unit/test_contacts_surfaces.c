@@ -225,11 +225,14 @@ static bool near_point(gjk_vec3 p, gjk_vec3 q) {
 }
 
 // From the other side: the same points but for their rounding, where the normal is the same to the bit and none are left out.
-static bool check_mirrored(const subject *a, const subject *b, const gjk_manifold *m, gjk_q16 margin, tally *t) {
+static bool check_mirrored(const subject *a, const subject *b, const gjk_manifold *m, gjk_q16 distance, gjk_q16 margin,
+                           tally *t) {
   gjk_manifold other;
+  gjk_distance_result d;
+  gjk_signed_distance(&b->collider.collider, &a->collider.collider, NULL, &workspace, &d);
   gjk_contacts(&b->collider.collider, &a->collider.collider, margin, GJK_CONTACTS_MAX, NULL, &workspace, &other);
   if (other.normal.x != -m->normal.x || other.normal.y != -m->normal.y || other.normal.z != -m->normal.z ||
-      m->count == GJK_CONTACTS_MAX) {
+      d.distance != distance || m->count == GJK_CONTACTS_MAX) {
     return true;
   }
   bool right = other.count == m->count && other.feature_a == m->feature_b && other.feature_b == m->feature_a;
@@ -309,7 +312,7 @@ static bool check_pair(random_state *random, const subject *a, subject *b, tally
   CHECK_MSG(near, "%ld is the least, %ld the distance", (long)least_of(&m), (long)d.distance);
   right = check_contacts(a, b, &m, &d, margin, t) && near;
   CHECK(gjk_contacts(p, q, margin, 4, NULL, &workspace, &few) == status && few.count == (m.count < 4 ? m.count : 4));
-  right = check_contacts(a, b, &few, &d, margin, t) && check_mirrored(a, b, &m, margin, t) && right;
+  right = check_contacts(a, b, &few, &d, margin, t) && check_mirrored(a, b, &m, d.distance, margin, t) && right;
   if (is_large(a) && is_large(b)) {
     gjk_contacts(p, q, margin + 16, GJK_CONTACTS_MAX, NULL, &workspace, &m);
     check_ids(random, a, b, &m, margin, t);
