@@ -55,10 +55,12 @@ static void add_between(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, uint16_t 
   add(c, a, b, (gjk_q16)gjk_sar64(gjk_dot(&step, &c->a->direction) + (INT64_C(1) << 29), 30), id);
 }
 
-// The normal of the line from corner k, to the inside; at most 2^59.
+// The normal of the line from corner k, to the inside; scaled, so that high words tell most of its signs: at most
+// sqrt(3) 2^60. An edge of no length has no sides.
 static void line_normal(const gjk_polygon *p, unsigned k, gjk_long3 *n) {
   const gjk_vec3 edge = gjk_sub(p->corner[after(p, k)], p->corner[k]);
-  gjk_cross(&p->direction, &edge, n);
+  const gjk_vec3 scaled = (edge.x | edge.y | edge.z) != 0 ? gjk_scale_direction(&edge) : edge;
+  gjk_cross(&p->direction, &scaled, n);
 }
 
 static void find_sides(const gjk_polygon *p, const gjk_polygon *other, sides *out) {
