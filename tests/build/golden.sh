@@ -77,11 +77,7 @@ golden() {
   if [ "$compiler" = clang ]; then
     case $architecture in
       rv32imc) triple=riscv32-unknown-elf ;;
-      cortex-*)
-        # memset, not __aeabi_memclr; link-time optimisation forgets it.
-        triple='arm-none-eabi -fshort-enums -meabi gnu'
-        glue="$glue -Wl,--defsym=__aeabi_memcpy=memcpy,--defsym=__aeabi_memcpy4=memcpy,--defsym=__aeabi_memcpy8=memcpy"
-        ;;
+      cortex-*) triple='arm-none-eabi -fshort-enums' ;;
       host) triple= ;;
       *) triple=$(golden_triple "$architecture") ;;
     esac
