@@ -6,3 +6,10 @@ function grouped(number,    out) {
   }
   return out
 }
+
+# The same to three digits: where a count begins within a tick of the board's counter moves it by one or two.
+function about(number,    unit) {
+  for (unit = 1; number / unit >= 1000; unit *= 10) {
+  }
+  return grouped(int(number / unit + 0.5) * unit)
+}

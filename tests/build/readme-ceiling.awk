@@ -23,6 +23,6 @@ END {
   for (n = 1; n <= names; n++) {
     d = name[n] SUBSEP "distance"
     i = name[n] SUBSEP "intersect"
-    print "| " title[name[n]] " | " rounds[d] " | " grouped(most[d]) " | " rounds[i] " | " grouped(most[i]) " |"
+    print "| " title[name[n]] " | " rounds[d] " | " about(most[d]) " | " rounds[i] " | " about(most[i]) " |"
   }
 }

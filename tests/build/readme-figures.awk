@@ -31,12 +31,16 @@ function header(first, list, count,    t, line, rule) {
   print rule
 }
 
+function shown(measure, number) {
+  return measure ~ /instructions/ ? about(number) : grouped(number)
+}
+
 # A cell per target: the first measure, and the second, if any, in brackets.
 function row(first, list, count, solver, subject, measure, second,    t, line, cell) {
   line = first
   for (t = 1; t <= count; t++) if (list[t] in measured) {
-    cell = grouped(figure[list[t], solver, subject, measure])
-    if (second != "") cell = cell " (" grouped(figure[list[t], solver, subject, second]) ")"
+    cell = shown(measure, figure[list[t], solver, subject, measure])
+    if (second != "") cell = cell " (" shown(second, figure[list[t], solver, subject, second]) ")"
     line = line " " cell (cell == "" ? "|" : " |")
   }
   print line
