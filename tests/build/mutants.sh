@@ -1,5 +1,6 @@
 #!/bin/sh
 # Do the tests notice small wrong changes of src? mutants.sh BUILD [MUTANTS [FILE...]]
+# In SUPPORT: the objects that tests share.
 #
 # Each mutant of tests/mutate is compiled (its file alone, or what includes it) and put into a shared library under the
 # tests, which run with few trials until one fails; an endless loop fails too. A mutant whose object code is that of
@@ -56,14 +57,12 @@ prepare() {
     done
   done
   link "$build"/default/*.o -o "$build/tests/libgjk.so"
-  support=$(find "$programs/hosted/tests/case" "$programs/hosted/tests/reference" "$programs/hosted/tests/exact" \
-    "$programs/hosted/tests/generate" "$programs/hosted/port/hosted" -name '*.o')
   gcc -std=c99 -O1 -Iinclude tests/target/golden.c tests/target/golden_host.c -o "$build/tests/golden" \
     -L"$build/tests" -lgjk || return 1
   for test in tests/unit/test_*.c; do
     name=$(basename "$test" .c)
     # shellcheck disable=SC2086
-    gcc "$programs/hosted/tests/unit/$name.o" $support -o "$build/tests/$name" -L"$build/tests" -lgjk -lm || return 1
+    gcc "$programs/hosted/tests/unit/$name.o" $SUPPORT -o "$build/tests/$name" -L"$build/tests" -lgjk -lm || return 1
     case " $TESTS $TOOLS " in
       *" $name "*) ;;
       *) TESTS="$TESTS $name" ;;
