@@ -216,11 +216,11 @@ lint:
 	@sh tests/build/lint.sh build
 
 coverage: unit-tests
-	@sh tests/build/coverage.sh build
+	@SUPPORT='$(SUPPORT)' sh tests/build/coverage.sh build
 
 MUTANTS ?= 0
 mutants: unit-tests
-	@sh tests/build/mutants.sh build $(MUTANTS)
+	@SUPPORT='$(SUPPORT)' sh tests/build/mutants.sh build $(MUTANTS)
 
 SECONDS ?= 60
 fuzz:

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Which lines and branches of src and include the tests reach: coverage.sh BUILD
+# Which lines and branches of src and include the tests reach: coverage.sh BUILD, in SUPPORT the objects that tests share
 #
 # Every variant that compiles other code is built with clang's source coverage, and runs the unit tests, the golden hash
 # and the scenes; the counts are added up. A branch is one outcome of one condition. What is not reached stands in
@@ -43,8 +43,6 @@ run() {
     { echo "$variant: $1 fails"; tail -n 3 "$variant/$1.log"; return 1; }
 }
 
-support=$(find "$programs/hosted/tests/case" "$programs/hosted/tests/reference" "$programs/hosted/tests/exact" \
-  "$programs/hosted/tests/generate" "$programs/hosted/port/hosted" -name '*.o')
 
 # measure NAME FLAGS...: builds and runs a variant, and writes what llvm-cov has to say
 measure() {
@@ -59,7 +57,7 @@ measure() {
   case $variant in
     */ceiling)
       # shellcheck disable=SC2086
-      program bounds "$@" tests/limit/bounds.c $support && run bounds || return 1
+      program bounds "$@" tests/limit/bounds.c $SUPPORT && run bounds || return 1
       ;;
     *)
       program golden -DGOLDEN_RUN_PAIRS=GOLDEN_PAIRS tests/target/golden.c tests/target/golden_host.c \
@@ -67,7 +65,7 @@ measure() {
       for test in tests/unit/test_*.c; do
         name=$(basename "$test" .c)
         # shellcheck disable=SC2086
-        program "$name" "$programs/hosted/tests/unit/$name.o" $support && run "$name" || return 1
+        program "$name" "$programs/hosted/tests/unit/$name.o" $SUPPORT && run "$name" || return 1
       done
       ;;
   esac

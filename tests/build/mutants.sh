@@ -1,5 +1,6 @@
 #!/bin/sh
 # Do the tests notice small wrong changes of src? mutants.sh BUILD [MUTANTS [FILE...]]
+# In SUPPORT: the objects that tests share.
 #
 # Each mutant of tests/mutate is compiled (its file alone, or what includes it) and put into a shared library under the
 # tests, which run with few trials until one fails; an endless loop fails too. A mutant whose object code is that of
@@ -29,8 +30,8 @@ flags() {
 }
 
 # The tests, those first that notice most in least time; the others follow, but for those of the tests' own tools.
-TESTS='golden test_status test_check test_pose_bits test_wide test_support test_rotation test_pose test_pose_status
-  test_aabb test_custom test_certificates'
+TESTS='golden test_status test_check test_pose_bits test_wide test_support test_rotation test_pose test_pose_status'
+TESTS="$TESTS test_aabb test_custom test_certificates test_penetration"
 TOOLS='test_case test_exact test_reference'
 
 # compile VARIANT SOURCES FOLDER FILE: FILE.o from SOURCES, where the mutated file stands
@@ -56,15 +57,13 @@ prepare() {
     done
   done
   link "$build"/default/*.o -o "$build/tests/libgjk.so"
-  support=$(find "$programs/hosted/tests/case" "$programs/hosted/tests/reference" "$programs/hosted/tests/exact" \
-    "$programs/hosted/tests/generate" "$programs/hosted/port/hosted" -name '*.o')
   gcc -std=c99 -O1 -Iinclude tests/target/golden.c tests/target/golden_host.c -o "$build/tests/golden" \
     -L"$build/tests" -lgjk || return 1
   for test in tests/unit/test_*.c; do
     name=$(basename "$test" .c)
     # shellcheck disable=SC2086
-    gcc "$programs/hosted/tests/unit/$name.o" $support -o "$build/tests/$name" -L"$build/tests" -lgjk -lm || return 1
-    case " $(echo $TESTS $TOOLS) " in
+    gcc "$programs/hosted/tests/unit/$name.o" $SUPPORT -o "$build/tests/$name" -L"$build/tests" -lgjk -lm || return 1
+    case " $TESTS $TOOLS " in
       *" $name "*) ;;
       *) TESTS="$TESTS $name" ;;
     esac
@@ -74,6 +73,7 @@ prepare() {
 # run_tests FOLDER: with the library there; prints the test that fails
 run_tests() {
   for test in $TESTS; do
+    # shellcheck disable=SC3045 # dash and others have it
     if ! (ulimit -t $SECONDS_EACH && LD_LIBRARY_PATH=$1 exec "$build/tests/$test" >/dev/null 2>&1) 2>/dev/null; then
       echo "$test"
       return 1

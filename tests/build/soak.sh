@@ -14,7 +14,7 @@ if [ "$1" = --chunk ]; then
   if nice "$2" "$4" $CHUNK >"$log" 2>&1; then
     rm -f "$log"
     echo "$4" >>"$3/done"
-    echo done
+    echo finished
   else
     echo "failed $4 $log"
   fi
@@ -37,7 +37,7 @@ awk -v first=$FIRST_SEED -v chunks=$chunks '
     good=0 bad=0
     echo "$((before * CHUNK)) of $((chunks * CHUNK)) pairs are done"
     while read -r outcome seed log; do
-      if [ "$outcome" = done ]; then
+      if [ "$outcome" = finished ]; then
         good=$((good + 1))
       else
         bad=$((bad + 1))
