@@ -44,9 +44,9 @@ int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
   return sum.high > INT64_MAX ? -1 : (sum.high | sum.low) != 0;
 }
 
-// Bits of x, 0 for 0.
+// Bits of x, 1 for 0.
 static unsigned bit_length(const gjk_u128 *x) {
-  return x->high != 0 ? 128 - gjk_clz64(x->high) : x->low != 0 ? 64 - gjk_clz64(x->low) : 0;
+  return x->high != 0 ? 128 - gjk_clz64(x->high) : 64 - gjk_clz64(x->low | 1);
 }
 
 // The 32 bits of x that start at bit number bits - 1, where no higher one is set. 1 <= bits <= 127.
@@ -134,7 +134,7 @@ void gjk_divisor_set(gjk_divisor *divisor, const gjk_u128 *x) {
 int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale, unsigned *k) {
   const unsigned bits = bit_length(x);
   *k = 0;
-  if (bits == 0) {
+  if ((x->high | x->low) == 0) {
     return 0;
   }
   // With x = 2^(bits - 32) top and the divisor 2^(its bits - 32) bottom: top inverse / 2^33 is 2^30 top / bottom, from 2^29

@@ -205,11 +205,11 @@ typedef struct gjk_divisor {
   unsigned bits;
 } gjk_divisor;
 
-// Pre: x > 0.
+// Pre: 0 < x < 2^127.
 void gjk_divisor_set(gjk_divisor *divisor, const gjk_u128 *x);
 
 // 2^scale x / divisor as the returned number / 2^k, 0 <= k <= 32: within 2^-28 of itself, and 2^-32. Where it is 2^31 or
-// more, the largest number. Pre: scale <= 64.
+// more, the largest number. Pre: scale <= 64, x < 2^127.
 int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale, unsigned *k);
 
 // Unsigned integers of 192 bits, least significant limb first, for the rare comparisons of squares.

@@ -67,10 +67,14 @@ static void answer_by_reference(const case_question *question, const case_pair *
   }
 }
 
-// The depth when they overlap, else the distance.
-static gjk_status find_penetration(const gjk_collider *a, const gjk_collider *b, case_answer *answer) {
+// The depth when they overlap, else the distance; the contacts on demand.
+static gjk_status find_penetration(const case_question *question, const gjk_collider *a, const gjk_collider *b,
+                                   case_answer *answer) {
   static gjk_cell cells[CELLS];
   static const gjk_workspace workspace = {cells, CELLS};
+  if (question->contacts) {
+    gjk_contacts(a, b, question->margin, GJK_CONTACTS_MAX, NULL, &workspace, &answer->manifold);
+  }
   const gjk_status status = gjk_penetration(a, b, NULL, &workspace, &answer->penetration);
   answer->distance.intersecting = answer->penetration.intersecting;
   return status != GJK_OK || answer->penetration.intersecting ? status : gjk_distance(a, b, NULL, &answer->distance);
@@ -94,7 +98,7 @@ void case_answer_find(const case_question *question, const case_pair *pair, case
   } else if (question->ask == CASE_DISTANCE) {
     answer->status = gjk_distance(&a->collider, &b->collider, NULL, &answer->distance);
   } else if (question->ask == CASE_PENETRATION) {
-    answer->status = find_penetration(&a->collider, &b->collider, answer);
+    answer->status = find_penetration(question, &a->collider, &b->collider, answer);
   } else if (question->ask == CASE_INTERSECT) {
     answer->status = gjk_intersect(&a->collider, &b->collider, NULL, &answer->decision);
   } else {
@@ -146,5 +150,13 @@ void case_answer_print(FILE *file, const case_question *question, const case_pai
             pair->id, (long)d->distance, (long)d->point_a.x, (long)d->point_a.y, (long)d->point_a.z,
             (long)d->point_b.x, (long)d->point_b.y, (long)d->point_b.z, (long)d->normal.x, (long)d->normal.y,
             (long)d->normal.z, d->iterations, d->saturated ? " saturated" : "");
+  }
+}
+
+void case_contacts_print(FILE *file, const case_answer *answer) {
+  for (unsigned i = 0; i < answer->manifold.count; i++) {
+    const gjk_contact *c = &answer->manifold.contact[i];
+    fprintf(file, "  contact a=%ld,%ld,%ld b=%ld,%ld,%ld distance=%ld id=%u\n", (long)c->point_a.x, (long)c->point_a.y,
+            (long)c->point_a.z, (long)c->point_b.x, (long)c->point_b.y, (long)c->point_b.z, (long)c->distance, c->id);
   }
 }

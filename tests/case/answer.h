@@ -3,7 +3,7 @@
 #define CASE_ANSWER_H
 
 #include "case.h"
-#include "gjk/penetration.h"
+#include "gjk/contacts.h"
 
 typedef enum case_ask { CASE_DISTANCE, CASE_INTERSECT, CASE_WITHIN, CASE_PENETRATION } case_ask;
 
@@ -11,6 +11,8 @@ typedef struct case_question {
   case_ask ask;
   gjk_q16 within;
   bool reference;  // the reference answers instead of the library
+  bool contacts;   // with CASE_PENETRATION: the manifold as well, not by the reference
+  gjk_q16 margin;  // of contacts
 } case_question;
 
 typedef struct case_answer {
@@ -19,6 +21,7 @@ typedef struct case_answer {
   gjk_distance_result distance;        // of CASE_DISTANCE, and of CASE_PENETRATION: when they are apart
   gjk_decision decision;               // of CASE_INTERSECT and CASE_WITHIN
   gjk_penetration_result penetration;  // of CASE_PENETRATION
+  gjk_manifold manifold;               // of contacts; the count is 0 otherwise
 } case_answer;
 
 // Answers pair; a and b are built on the way, and kept for reuse.
@@ -28,5 +31,8 @@ void case_answer_find(const case_question *question, const case_pair *pair, case
 // The query tool's line for an answer, without the end of the line.
 void case_answer_print(FILE *file, const case_question *question, const case_pair *pair,
                        const case_answer *answer);
+
+// The lines of the contacts below it.
+void case_contacts_print(FILE *file, const case_answer *answer);
 
 #endif

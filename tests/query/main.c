@@ -18,6 +18,8 @@ static const char help[] =
     "  --intersect   do they share a point?\n"
     "  --within R    are they at most R apart?\n"
     "  --penetration how deep they overlap, which way out, and where; else as --distance\n"
+    "  --contacts [MARGIN]\n"
+    "                as --penetration, and the points where they touch, or are at most MARGIN (default 0) apart\n"
     "  --reference   the double-precision reference answers instead of the library\n"
     "  --certify     check each answer in exact integers; says so where it can't or where an answer is wrong\n"
     "  --help        this text\n"
@@ -41,6 +43,7 @@ static const char help[] =
     "  ID separated iterations=N     (--intersect)\n"
     "  ID intersecting iterations=N\n"
     "  ID intersecting depth=D a=x,y,z b=x,y,z normal=x,y,z iterations=N     (--penetration)\n"
+    "    contact a=x,y,z b=x,y,z distance=D id=N     (--contacts) a line per point below; D negative: its depth\n"
     "  ID within iterations=N        (--within; or 'beyond')\n"
     "  ID error STATUS_NAME detail   a pair that the library refuses\n"
     "  ... uncertified: WHY          (--certify) curved: no exact check exists, but accurate bounds agree\n"
@@ -79,6 +82,7 @@ static void run_stream(tool *t, FILE *file, const char *name) {
       print_verdict(t, &answer);
     }
     putchar('\n');
+    case_contacts_print(stdout, &answer);
   }
   if (t->reader.errors > 0) {
     t->bad_input = true;
@@ -124,6 +128,15 @@ static int read_options(int argc, char **argv, tool *t) {
       t->question.ask = CASE_INTERSECT;
     } else if (strcmp(word, "--penetration") == 0) {
       t->question.ask = CASE_PENETRATION;
+    } else if (strcmp(word, "--contacts") == 0) {
+      t->question.ask = CASE_PENETRATION;
+      t->question.contacts = true;
+      if (i + 1 < argc && case_number_parse(argv[i + 1], 16, &t->question.margin)) {
+        i++;
+      }
+      if (t->question.margin < 0) {
+        refuse("expected a margin of 0 or more after --contacts, found", argv[i]);
+      }
     } else if (strcmp(word, "--within") == 0) {
       const char *number = i + 1 < argc ? argv[++i] : "";
       t->question.ask = CASE_WITHIN;

@@ -78,6 +78,16 @@ check 'touching: distance' is 'gap intersecting' "$(answer --distance "$dir/touc
 
 check 'penetration' is 'deep intersecting depth=98304 a=65536,0,0 b=-32768,0,0 normal=1073741824,0,0' \
   "$(printf 'case deep\nA sphere 1.0\nB sphere 1.0\nB at 0.5 0.0 0.0\n' | answer --penetration)"
+printf 'case pair\nA box 1.0 1.0 1.0\nB box 0.5 0.5 1.0\nB at 0 0 131172\n' >"$dir/contacts.txt"
+corners() {
+  "$tool" --contacts "$@" "$dir/contacts.txt" |
+    grep -c '^  contact a=-*32768,-*32768,65536 b=-*32768,-*32768,65636 distance=100 id='
+}
+check 'contacts' is 4 "$(corners 0.01)"
+check 'contacts, too far apart' is 0 "$(corners 99)"
+check 'contacts below the line of the distance' is "$(answer "$dir/contacts.txt")" \
+  "$(answer --contacts "$dir/contacts.txt")"
+check 'a negative margin' status 2 "$tool" --contacts -1 "$dir/contacts.txt"
 check 'penetration, apart' is "$(answer "$dir/gap.txt")" "$(answer --penetration "$dir/gap.txt")"
 
 # Depths known by hand; of the curved pair, within 4 LSB.
@@ -205,7 +215,7 @@ check 'the next file is answered' grep -q '^gap separated' "$dir/out"
 check 'a folder' status 2 "$tool" "$dir"
 check 'a folder is named' grep -q "^$dir:" "$dir/err"
 check 'help' status 0 "$tool" --help
-for word in --intersect --within --distance --penetration --reference --certify ellipsoid 'Exit status'; do
+for word in --intersect --within --distance --penetration --contacts --reference --certify ellipsoid 'Exit status'; do
   check "help has $word" grep -q -e "$word" "$dir/out"
 done
 check 'an unknown option' status 2 "$tool" --fast

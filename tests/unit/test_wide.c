@@ -109,9 +109,52 @@ static void test_limbs(void) {
   }
 }
 
+static void check_quotient(const gjk_u128 *x, const gjk_u128 *by, unsigned scale) {
+  gjk_divisor divisor;
+  unsigned k;
+  gjk_divisor_set(&divisor, by);
+  const int32_t m = gjk_divide(x, &divisor, scale, &k);
+  const long double real = ldexpl(value(x) / value(by), (int)scale), found = ldexpl(m, -(int)k);
+  CHECK(m >= 0 && k <= 32);
+  CHECK_MSG(real >= 2147483648.0L ? found > 2147483000.0L : fabsl(found - real) <= ldexpl(real, -28) + ldexpl(1, -32),
+            "%.10Lg instead of %.10Lg", found, real);
+}
+
+static void test_quotients(void) {
+  random_state random = random_seed(SEED + 1);
+  const gjk_u128 zero = {0, 0}, one = {0, 1}, most = {INT64_MAX, UINT64_MAX};
+  check_quotient(&zero, &one, 30);
+  check_quotient(&one, &one, 30);
+  check_quotient(&one, &one, 31);
+  check_quotient(&one, &one, 64);
+  check_quotient(&most, &one, 0);
+  check_quotient(&one, &most, 64);
+  check_quotient(&most, &most, 30);
+  for (int i = 0; i < TRIALS; i++) {
+    const unsigned bits = 1 + random_below(&random, 127), less = random_below(&random, 70);
+    gjk_u128 x = random_u128(&random, bits), by = random_u128(&random, bits > less ? bits - less : 1);
+    by.low |= 1;
+    check_quotient(&x, &by, random_below(&random, 65));
+  }
+}
+
+static void test_magnitudes(void) {
+  random_state random = random_seed(SEED + 2);
+  for (int i = 0; i < 1000; i++) {
+    const int64_t high = gjk_int64(random_u64(&random)) >> random_below(&random, 64);
+    const uint32_t low = random_below(&random, 4) == 0 ? 0 : random_u32(&random);
+    const long double real = fabsl(ldexpl((long double)high, 32) + low);
+    gjk_u128 size;
+    gjk_magnitude96(high, low, &size);
+    CHECK_MSG(fabsl(value(&size) - real) <= ldexpl(real, -62), "%Lg instead of %Lg", value(&size), real);
+  }
+}
+
 int main(void) {
   test_shares();
   test_sums();
   test_limbs();
+  test_quotients();
+  test_magnitudes();
   return check_done("wide");
 }
