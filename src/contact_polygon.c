@@ -88,10 +88,11 @@ static void set_corner(gjk_polygon *p, unsigned i, const gjk_vec3 *position, con
 static void keep_edge(gjk_polygon *p, unsigned i, unsigned j) {
   const bool ordered = p->vertex[i] <= p->vertex[j];
   const unsigned first = ordered ? i : j, second = ordered ? j : i;
-  const gjk_vec3 from = p->corner[first], to = p->corner[second];
+  // As a sum, since GCC copies two of them for ARMv6-M by a call of memcpy.
+  const gjk_vec3 from = p->corner[first], edge = gjk_sub(p->corner[second], from);
   const uint16_t from_vertex = p->vertex[first], to_vertex = p->vertex[second];
   p->corner[0] = from;
-  p->corner[1] = to;
+  p->corner[1] = gjk_add(from, edge);
   p->vertex[0] = from_vertex;
   p->vertex[1] = to_vertex;
   p->feature = (uint16_t)(from_vertex + 256u * to_vertex);

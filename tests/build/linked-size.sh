@@ -29,11 +29,11 @@ compile port/board/memory.c -o "$out/$target-memory.o" || exit 1
 case $1 in
   float | double)
     compile "tests/target/bench_$1.c" -o "$name.o" && link "bench_$1" "$name.o" || exit 1
-    $(tool_prefix "$target")size "$name.elf" | awk 'NR == 2 { print $1 }'
+    "$(tool_prefix "$target")size" "$name.elf" | awk 'NR == 2 { print $1 }'
     ;;
   *)
     compile "$@" tests/target/size.c -o "$name.o" &&
       link size_main "$name.o" "build/$target$variant-linked/libgjk.a" || exit 1
-    $(tool_prefix "$target")size "$name.o" "$name.elf" | awk 'NR == 2 { own = $1 } NR == 3 { print $1 - own }'
+    "$(tool_prefix "$target")size" "$name.o" "$name.elf" | awk 'NR == 2 { own = $1 } NR == 3 { print $1 - own }'
     ;;
 esac

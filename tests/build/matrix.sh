@@ -27,6 +27,7 @@ carried() {
   esac
 }
 
+# shellcheck disable=SC2046
 one() {
   name=$1-$2$3
   missing=$(golden_missing "$1" "$2" "$(flags "$2" "$3")")
@@ -35,7 +36,6 @@ one() {
   elif [ -n "$missing" ]; then
     echo "skipped: $1, $2 $3: needs $missing"
     echo skipped >"$dir/$name"
-  # shellcheck disable=SC2046
   elif golden "$dir/$name.build" "$1" "$2" $(flags "$2" "$3") >"$dir/$name.log" 2>&1; then
     echo same >"$dir/$name"
   else

@@ -10,8 +10,10 @@ figures=$build/figures
 mkdir -p "$figures"
 
 # shellcheck disable=SC2086
-sh tests/build/bench-target.sh "$figures" $target >"$figures/log" 2>&1 && ! grep -q '^skipped' "$figures/log" ||
-  { cat "$figures/log" >&2; exit 1; }
+if ! sh tests/build/bench-target.sh "$figures" $target >"$figures/log" 2>&1 || grep -q '^skipped' "$figures/log"; then
+  cat "$figures/log" >&2
+  exit 1
+fi
 awk -f tests/build/grouped.awk -f tests/build/readme-figures.awk "$figures/bench/target.csv" >"$figures/cost"
 sh tests/build/worst-case.sh "$figures" replay >"$figures/replay" || exit 1
 awk -f tests/build/grouped.awk -f tests/build/readme-ceiling.awk "$figures/replay" >"$figures/ceiling"

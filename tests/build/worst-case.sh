@@ -58,7 +58,7 @@ families=$(grep -o '"[a-z0-9]*-[a-z]*", WORST_' tests/target/worst.c | wc -l)
 family=0
 while [ $family -lt "$families" ]; do
   "$dir/worst_host" $family "$seed" "$on_host" >"$dir/one.txt" || exit 1
-  echo "$(sed -n 's/^case //p; s/^#//p' "$dir/one.txt" | tr '\n' ' ')"
+  sed -n 's/^case //p; s/^#//p' "$dir/one.txt" | paste -s -d ' '
   awk -f tests/build/worst-merge.awk "$dir/found.txt" "$dir/one.txt" >"$dir/merged.txt"
   cp "$dir/merged.txt" "$dir/found.txt"
   family=$((family + 1))
@@ -69,7 +69,7 @@ family=0
 while [ $family -lt "$families" ]; do
   cp "$dir/found.txt" "$dir/known.txt"
   firmware "-DWORST_FAMILY=$family" "-DWORST_SEED=$seed" "-DWORST_MEASUREMENTS=$on_target" >"$dir/one.txt" || exit 1
-  echo "$(sed -n 's/^case //p; s/^#//p' "$dir/one.txt" | tr '\n' ' ')"
+  sed -n 's/^case //p; s/^#//p' "$dir/one.txt" | paste -s -d ' '
   awk -f tests/build/worst-merge.awk "$dir/found.txt" "$dir/one.txt" >"$dir/merged.txt"
   cp "$dir/merged.txt" "$dir/found.txt"
   family=$((family + 1))

@@ -127,8 +127,7 @@ static void print_error(FILE *file, const case_pair *pair, const case_answer *an
   fprintf(file, "%s", detail(answer->status));
 }
 
-void case_answer_print(FILE *file, const case_question *question, const case_pair *pair,
-                       const case_answer *answer) {
+void case_answer_print(FILE *file, const case_question *question, const case_pair *pair, const case_answer *answer) {
   const gjk_distance_result *d = &answer->distance;
   const gjk_penetration_result *p = &answer->penetration;
   if (answer->status != GJK_OK) {
@@ -141,15 +140,14 @@ void case_answer_print(FILE *file, const case_question *question, const case_pai
   } else if (question->ask == CASE_INTERSECT || question->ask == CASE_WITHIN) {
     const char *yes = question->ask == CASE_WITHIN ? "within" : "intersecting";
     const char *no = question->ask == CASE_WITHIN ? "beyond" : "separated";
-    fprintf(file, "%s %s iterations=%u", pair->id, answer->decision.yes ? yes : no,
-            answer->decision.iterations);
+    fprintf(file, "%s %s iterations=%u", pair->id, answer->decision.yes ? yes : no, answer->decision.iterations);
   } else if (d->intersecting) {
     fprintf(file, "%s intersecting iterations=%u", pair->id, d->iterations);
   } else {
-    fprintf(file, "%s separated distance=%ld a=%ld,%ld,%ld b=%ld,%ld,%ld normal=%ld,%ld,%ld iterations=%u%s",
-            pair->id, (long)d->distance, (long)d->point_a.x, (long)d->point_a.y, (long)d->point_a.z,
-            (long)d->point_b.x, (long)d->point_b.y, (long)d->point_b.z, (long)d->normal.x, (long)d->normal.y,
-            (long)d->normal.z, d->iterations, d->saturated ? " saturated" : "");
+    fprintf(file, "%s separated distance=%ld a=%ld,%ld,%ld b=%ld,%ld,%ld normal=%ld,%ld,%ld iterations=%u%s", pair->id,
+            (long)d->distance, (long)d->point_a.x, (long)d->point_a.y, (long)d->point_a.z, (long)d->point_b.x,
+            (long)d->point_b.y, (long)d->point_b.z, (long)d->normal.x, (long)d->normal.y, (long)d->normal.z,
+            d->iterations, d->saturated ? " saturated" : "");
   }
 }
 

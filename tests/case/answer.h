@@ -17,7 +17,7 @@ typedef struct case_question {
 
 typedef struct case_answer {
   gjk_status status;
-  char refused;                  // 'A' or 'B': the shape that the status is about; 0: the pair
+  char refused;                        // 'A' or 'B': the shape that the status is about; 0: the pair
   gjk_distance_result distance;        // of CASE_DISTANCE, and of CASE_PENETRATION: when they are apart
   gjk_decision decision;               // of CASE_INTERSECT and CASE_WITHIN
   gjk_penetration_result penetration;  // of CASE_PENETRATION
@@ -29,8 +29,7 @@ void case_answer_find(const case_question *question, const case_pair *pair, case
                       case_answer *answer);
 
 // The query tool's line for an answer, without the end of the line.
-void case_answer_print(FILE *file, const case_question *question, const case_pair *pair,
-                       const case_answer *answer);
+void case_answer_print(FILE *file, const case_question *question, const case_pair *pair, const case_answer *answer);
 
 // The lines of the contacts below it.
 void case_contacts_print(FILE *file, const case_answer *answer);

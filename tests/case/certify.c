@@ -10,9 +10,8 @@
 #define FAR_TOLERANCE (1.0L / 134217728.0L)
 
 // Without vertices to name there is no exact proof: compares with proven bounds of the real distance.
-static certify_verdict compare_bounds(const case_question *question, const case_pair *pair,
-                                      const case_collider *a, const case_collider *b, const case_answer *answer,
-                                      char why[CERTIFY_WHY_MAX]) {
+static certify_verdict compare_bounds(const case_question *question, const case_pair *pair, const case_collider *a,
+                                      const case_collider *b, const case_answer *answer, char why[CERTIFY_WHY_MAX]) {
   accurate_result found;
   const bool deep = question->ask == CASE_PENETRATION;
   if (deep) {
@@ -20,7 +19,8 @@ static certify_verdict compare_bounds(const case_question *question, const case_
   } else {
     accurate_distance(pair, a, b, &found);
   }
-  long double tolerance = (deep ? DEPTH_TOLERANCE : CURVED_TOLERANCE) + FAR_TOLERANCE * (found.upper > 0 ? found.upper : 0);
+  long double tolerance =
+      (deep ? DEPTH_TOLERANCE : CURVED_TOLERANCE) + FAR_TOLERANCE * (found.upper > 0 ? found.upper : 0);
   long double lower = found.lower - tolerance, upper = found.upper + tolerance;
   bool right;
   if (deep && answer->penetration.intersecting) {
@@ -99,9 +99,8 @@ static certify_verdict check(const case_question *question, const case_pair *pai
     }
     return check_penetration(&a->collider, &b->collider, &answer->penetration, why) ? CERTIFY_PROVEN : CERTIFY_WRONG;
   }
-  return check_by_library(question, a, b, answer, why) && check_by_oracle(question, a, b, answer, why)
-             ? CERTIFY_PROVEN
-             : CERTIFY_WRONG;
+  return check_by_library(question, a, b, answer, why) && check_by_oracle(question, a, b, answer, why) ? CERTIFY_PROVEN
+                                                                                                       : CERTIFY_WRONG;
 }
 
 // An answer of the reference has no certificate of its own: that of the library's answer settles it.
@@ -114,8 +113,8 @@ static certify_verdict check_reference(const case_question *question, const case
   if (check(question, pair, a, b, &proven, why) != CERTIFY_PROVEN) {
     return compare_bounds(question, pair, a, b, answer, why);
   }
-  bool same = answer->distance.intersecting == proven.distance.intersecting &&
-              answer->decision.yes == proven.decision.yes;
+  bool same =
+      answer->distance.intersecting == proven.distance.intersecting && answer->decision.yes == proven.decision.yes;
   int64_t error = (int64_t)answer->distance.distance - proven.distance.distance + answer->penetration.depth -
                   proven.penetration.depth;
   if (!same) {
@@ -128,8 +127,8 @@ static certify_verdict check_reference(const case_question *question, const case
   return same && error >= -1 && error <= 1 ? CERTIFY_PROVEN : CERTIFY_WRONG;
 }
 
-certify_verdict certify_answer(const case_question *question, const case_pair *pair, case_collider *a,
-                               case_collider *b, const case_answer *answer, char why[CERTIFY_WHY_MAX]) {
+certify_verdict certify_answer(const case_question *question, const case_pair *pair, case_collider *a, case_collider *b,
+                               const case_answer *answer, char why[CERTIFY_WHY_MAX]) {
   return question->reference ? check_reference(question, pair, a, b, answer, why)
                              : check(question, pair, a, b, answer, why);
 }

@@ -15,7 +15,7 @@ enum { CERTIFY_WHY_MAX = 160 };
 // Checks an answer whose status is not of a refused shape; a and b were built from pair. why: the reason for
 // any verdict but CERTIFY_PROVEN. An answer of the reference is compared with the library's, once that is
 // proven.
-certify_verdict certify_answer(const case_question *question, const case_pair *pair, case_collider *a,
-                               case_collider *b, const case_answer *answer, char why[CERTIFY_WHY_MAX]);
+certify_verdict certify_answer(const case_question *question, const case_pair *pair, case_collider *a, case_collider *b,
+                               const case_answer *answer, char why[CERTIFY_WHY_MAX]);
 
 #endif

@@ -118,8 +118,7 @@ static bool read_end(case_reader *reader, char *cursor) {
 }
 
 // Expects count numbers, called names in messages, and the end of the line.
-static bool read_numbers(case_reader *reader, char *cursor, const char *names, int bits, size_t count,
-                         int32_t *out) {
+static bool read_numbers(case_reader *reader, char *cursor, const char *names, int bits, size_t count, int32_t *out) {
   for (size_t i = 0; i < count; i++) {
     const char *word = next_word(&cursor);
     if (word == NULL) {
@@ -127,8 +126,8 @@ static bool read_numbers(case_reader *reader, char *cursor, const char *names, i
       return false;
     }
     if (!case_number_parse(word, bits, &out[i])) {
-      complain(reader, "expected %s: a raw 32-bit integer, or with a decimal point a value from %s, found '%s'",
-               names, bits == QUATERNION_BITS ? "-2.0 to below 2.0" : "-32768.0 to below 32768.0", word);
+      complain(reader, "expected %s: a raw 32-bit integer, or with a decimal point a value from %s, found '%s'", names,
+               bits == QUATERNION_BITS ? "-2.0 to below 2.0" : "-32768.0 to below 32768.0", word);
       return false;
     }
   }
@@ -263,8 +262,7 @@ static bool read_property(case_reader *reader, char *cursor, side *into) {
   }
   if (strcmp(word, "at") == 0) {
     gjk_vec3 *position = &into->shape->pose.position;
-    if (!once(reader, &into->at, into, word) ||
-        !read_numbers(reader, cursor, "x y z after 'at'", LENGTH_BITS, 3, n)) {
+    if (!once(reader, &into->at, into, word) || !read_numbers(reader, cursor, "x y z after 'at'", LENGTH_BITS, 3, n)) {
       return false;
     }
     position->x = n[0];

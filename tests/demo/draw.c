@@ -32,8 +32,7 @@ void draw_outline(const view *v, const case_shape *shape, point2 outline[OUTLINE
   }
 }
 
-void draw_shadow_outline(const view *v, const case_shape *shape, double height,
-                         point2 outline[OUTLINE_POINTS]) {
+void draw_shadow_outline(const view *v, const case_shape *shape, double height, point2 outline[OUTLINE_POINTS]) {
   for (int i = 0; i < OUTLINE_POINTS; i++) {
     double angle = 2 * PI * (i + 0.25) / OUTLINE_POINTS;
     real3 direction = {cos(angle), sin(angle), 0};
@@ -88,8 +87,7 @@ static void put_stop(FILE *file, double offset, colour base, double bright) {
 
 // Spheres and ellipsoids: the unit circle's gradient, brightest where the surface faces the lamp, under the map
 // that takes the circle to the outline. part: the columns of an affine map of the unit sphere to the body.
-static void put_ball_gradient(FILE *file, const view *v, const real3 part[3], real3 centre, colour base,
-                              size_t id) {
+static void put_ball_gradient(FILE *file, const view *v, const real3 part[3], real3 centre, colour base, size_t id) {
   double xx = 0, xy = 0, yy = 0;
   for (int i = 0; i < 3; i++) {
     double x = v->scale * real_dot(part[i], v->right), y = -v->scale * real_dot(part[i], v->up);
@@ -199,8 +197,8 @@ static void draw_ball(FILE *file, const view *v, const case_shape *shape, colour
 static void draw_tube(FILE *file, const view *v, const case_shape *shape, colour base, size_t id) {
   const real3 z = {0, 0, 1};
   real3 axis = geometry_turn(shape, z);
-  put_tube_gradient(file, v, axis, real_from_q16(shape->pose.position),
-                    (shape->size.x + shape->round) / 65536.0, base, id);
+  put_tube_gradient(file, v, axis, real_from_q16(shape->pose.position), (shape->size.x + shape->round) / 65536.0, base,
+                    id);
   put_outline(file, v, shape, id);
   if (shape->kind == CASE_CYLINDER) {
     put_disc(file, v, shape, 1, base);

@@ -45,8 +45,7 @@ static bool same_points(const gjk_vec3 *a, const gjk_vec3 *b) {
 }
 
 static bool same_bits(const gjk_distance_result *r, const demo_pair *pair) {
-  if (r->intersecting != pair->intersecting || r->distance != pair->distance ||
-      r->iterations != pair->iterations) {
+  if (r->intersecting != pair->intersecting || r->distance != pair->distance || r->iterations != pair->iterations) {
     return false;
   }
   return r->intersecting ||

@@ -165,8 +165,7 @@ static size_t hull_faces(const case_shape *shape, real_face *faces) {
   size_t n = shape->count <= FACETED_HULL_MAX ? shape->count : 0, found = 0;
   for (size_t i = 0; i < n * n * n * 2 && found < FACES_MAX; i++) {
     const gjk_vec3 *v = shape->vertices;
-    real3 p = real_from_q16(v[i / 2 % n]), q = real_from_q16(v[i / 2 / n % n]),
-          r = real_from_q16(v[i / 2 / n / n]);
+    real3 p = real_from_q16(v[i / 2 % n]), q = real_from_q16(v[i / 2 / n % n]), r = real_from_q16(v[i / 2 / n / n]);
     real3 across = real_cross(real_sub(q, p), real_sub(r, p));
     real3 normal = real_unit(real_scale(i % 2 == 0 ? 1 : -1, across));
     if (real_dot(across, across) < PLANE_TOLERANCE * PLANE_TOLERANCE * PLANE_TOLERANCE ||

@@ -40,10 +40,8 @@ static int put_table(const scene *s) {
     put_line(s, i);
     verdicts[s->pair[i].verdict]++;
   }
-  printf(
-      "%lu pairs: %lu proven in exact integers, %lu curved and within accurate bounds, %lu wrong\n",
-      (unsigned long)s->pairs, verdicts[CERTIFY_PROVEN], verdicts[CERTIFY_UNCERTIFIED],
-      verdicts[CERTIFY_WRONG]);
+  printf("%lu pairs: %lu proven in exact integers, %lu curved and within accurate bounds, %lu wrong\n",
+         (unsigned long)s->pairs, verdicts[CERTIFY_PROVEN], verdicts[CERTIFY_UNCERTIFIED], verdicts[CERTIFY_WRONG]);
   return verdicts[CERTIFY_WRONG] > 0 ? 1 : 0;
 }
 

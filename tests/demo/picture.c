@@ -121,13 +121,12 @@ static colour body_colour(const scene *s, size_t body) {
   for (size_t i = 0; i < body; i++) {
     size_t length = strcspn(s->body[i].name, "-");
     bool seen = false;
-    if (strncmp(s->body[i].name, s->body[body].name, length) == 0 &&
-        strcspn(s->body[body].name, "-") == length) {
+    if (strncmp(s->body[i].name, s->body[body].name, length) == 0 && strcspn(s->body[body].name, "-") == length) {
       break;
     }
     for (size_t j = 0; j < i; j++) {
-      seen = seen || (strcspn(s->body[j].name, "-") == length &&
-                      strncmp(s->body[j].name, s->body[i].name, length) == 0);
+      seen =
+          seen || (strcspn(s->body[j].name, "-") == length && strncmp(s->body[j].name, s->body[i].name, length) == 0);
     }
     group += !seen;
   }
@@ -238,15 +237,13 @@ static void put_marks(picture *p) {
       put_arrow(p, pair, ink);
     }
     if (pair->relation != SCENE_APART) {
-      fprintf(
-          p->file,
-          "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#ffffff\" stroke=\"%s\" stroke-width=\"2.5\"/>\n",
-          (a.x + b.x) / 2, (a.y + b.y) / 2, ink);
+      fprintf(p->file,
+              "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#ffffff\" stroke=\"%s\" stroke-width=\"2.5\"/>\n",
+              (a.x + b.x) / 2, (a.y + b.y) / 2, ink);
       continue;
     }
     for (int layer = 0; layer < 2; layer++) {
-      fprintf(p->file,
-              "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%s\"%s/>\n",
+      fprintf(p->file, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%s\"%s/>\n",
               a.x, a.y, b.x, b.y, layer == 0 ? "#ffffff" : ink, layer == 0 ? "4.5" : "2",
               layer == 1 && pair->answer.distance > 20000 ? " stroke-dasharray=\"6 4\"" : "");
     }
@@ -281,15 +278,14 @@ static void put_labels(picture *p) {
     double width = 22 + (gap[0] != '\0' ? 8.2 * (double)strlen(gap) + 8 : 0);
     label_rectangle r = label_place(&p->page, anchor, width, 18, 22);
     double end_x = fmin(fmax(anchor.x, r.left + 6), r.left + r.width - 6);
-    fprintf(p->file,
-            "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"1\"/>\n",
+    fprintf(p->file, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"1\"/>\n",
             anchor.x, anchor.y, end_x, r.top + 9, ink);
     fprintf(p->file,
             "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"18\" rx=\"9\" fill=\"#ffffff\" stroke=\"%s\" "
             "stroke-width=\"1.2\"/>",
             r.left, r.top, r.width, ink);
-    fprintf(p->file, "<rect x=\"%.1f\" y=\"%.1f\" width=\"22\" height=\"18\" rx=\"9\" fill=\"%s\"/>", r.left,
-            r.top, ink);
+    fprintf(p->file, "<rect x=\"%.1f\" y=\"%.1f\" width=\"22\" height=\"18\" rx=\"9\" fill=\"%s\"/>", r.left, r.top,
+            ink);
     fprintf(p->file,
             "<text x=\"%.1f\" y=\"%.1f\" font-size=\"11\" font-weight=\"bold\" fill=\"#ffffff\" "
             "text-anchor=\"middle\">%lu</text>",
@@ -314,8 +310,8 @@ static void put_row(FILE *file, const scene *s, size_t i, double y, double step)
   svg_text(file, s->body[pair->a].name);
   fprintf(file, " &#8211; ");
   svg_text(file, s->body[pair->b].name);
-  fprintf(file, "</text><text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"end\">%s</text>",
-          PANEL_LEFT + 318, y, ink, gap[0] != '\0' ? gap : scene_relation_name(pair->relation));
+  fprintf(file, "</text><text x=\"%.0f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"end\">%s</text>", PANEL_LEFT + 318, y,
+          ink, gap[0] != '\0' ? gap : scene_relation_name(pair->relation));
   fprintf(file, "<text x=\"%.0f\" y=\"%.1f\" fill=\"" FAINT "\">%s</text>\n", PANEL_LEFT + 332, y,
           scene_verdict_name(pair->verdict));
 }
@@ -338,14 +334,14 @@ static void put_panel(const picture *p) {
                                         "overlapping: depth, and the way out (arrow)"};
   y = HEIGHT - 108;
   for (int i = 0; i < 3; i++) {
-    fprintf(p->file,
-            "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"6\" fill=\"%s\"/><text x=\"%.0f\" y=\"%.0f\">%s</text>\n",
+    fprintf(p->file, "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"6\" fill=\"%s\"/><text x=\"%.0f\" y=\"%.0f\">%s</text>\n",
             PANEL_LEFT + 16, y + 20 * i, relation_colour[i], PANEL_LEFT + 32, y + 20 * i + 4, meaning[i]);
   }
   fprintf(p->file,
           "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT
           "\">proven: certificate checked in exact integers</text>"
-          "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT "\">curved: within 2 LSB, depth within 4, of proven bounds</text></g>\n",
+          "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT
+          "\">curved: within 2 LSB, depth within 4, of proven bounds</text></g>\n",
           PANEL_LEFT + 10, y + 64, PANEL_LEFT + 10, y + 80);
 }
 

@@ -19,8 +19,7 @@ static bool same_vec3(gjk_vec3 a, gjk_vec3 b) {
 static bool same_shape(const case_shape *a, const case_shape *b) {
   const gjk_quat *p = &a->pose.rotation, *q = &b->pose.rotation;
   if (a->kind != b->kind || !same_vec3(a->size, b->size) || a->round != b->round || a->count != b->count ||
-      !same_vec3(a->pose.position, b->pose.position) || p->x != q->x || p->y != q->y || p->z != q->z ||
-      p->w != q->w) {
+      !same_vec3(a->pose.position, b->pose.position) || p->x != q->x || p->y != q->y || p->z != q->z || p->w != q->w) {
     return false;
   }
   for (size_t i = 0; i < a->count; i++) {
@@ -51,8 +50,7 @@ gjk_unit3 scene_direction(const scene_body *a, const scene_body *b) {
   static const gjk_workspace workspace = {cells, CELLS};
   static const gjk_unit3 none = {0, 0, 0};
   gjk_distance_result r;
-  const gjk_status status =
-      gjk_signed_distance(&a->collider.collider, &b->collider.collider, NULL, &workspace, &r);
+  const gjk_status status = gjk_signed_distance(&a->collider.collider, &b->collider.collider, NULL, &workspace, &r);
   return status == GJK_OK || status == GJK_ERROR_CAPACITY ? r.normal : none;
 }
 
@@ -101,8 +99,7 @@ static bool add_pair(scene *s, const case_pair *source, case_collider *a, case_c
   size_t body_a = find_body(s, &source->a, source->id, length);
   size_t body_b = find_body(s, &source->b, second, strlen(second));
   if (s->pairs == SCENE_PAIRS_MAX || body_a == SCENE_BODIES_MAX || body_b == SCENE_BODIES_MAX) {
-    fprintf(stderr, "%s: a scene holds at most %d pairs of %d bodies\n", source->id, SCENE_PAIRS_MAX,
-            SCENE_BODIES_MAX);
+    fprintf(stderr, "%s: a scene holds at most %d pairs of %d bodies\n", source->id, SCENE_PAIRS_MAX, SCENE_BODIES_MAX);
     return false;
   }
   scene_pair *pair = &s->pair[s->pairs++];

@@ -110,8 +110,7 @@ static void put_pair(FILE *file, const scene *s, const scene_pair *pair) {
 }
 
 bool source_write(FILE *file, const scene *s) {
-  fprintf(file,
-          "// Written by gjk-demo --c-source.\n#include \"demo_scene.h\"\n\n#include \"gjk/shape.h\"\n\n");
+  fprintf(file, "// Written by gjk-demo --c-source.\n#include \"demo_scene.h\"\n\n#include \"gjk/shape.h\"\n\n");
   for (size_t i = 0; i < s->bodies; i++) {
     if (!put_vertices(file, &s->body[i], i)) {
       return false;

@@ -10,9 +10,9 @@
 // Bounds of the distance between the two surfaces. Each follows from points and planes of the shapes, so it holds
 // whatever the iteration did, up to the rounding of 113-bit (at least long double) numbers in evaluating it.
 typedef struct accurate_result {
-  bool enclosing;           // the cores share a point: upper is minus the sum of the roundings
-  long double lower, upper; // negative: the roundings overlap by so much
-  long double normal[3];    // from A to B; not set when enclosing
+  bool enclosing;            // the cores share a point: upper is minus the sum of the roundings
+  long double lower, upper;  // negative: the roundings overlap by so much
+  long double normal[3];     // from A to B; not set when enclosing
   int iterations;
 } accurate_result;
 

@@ -174,8 +174,8 @@ static void farthest(const solver_shape *shape, const real d[3], real out[3]) {
   }
   farthest_local(shape, local_d, local);
   for (int k = 0; k < 3; k++) {
-    out[k] = shape->centre[k] + local[0] * shape->axes[0][k] + local[1] * shape->axes[1][k] +
-             local[2] * shape->axes[2][k];
+    out[k] =
+        shape->centre[k] + local[0] * shape->axes[0][k] + local[1] * shape->axes[1][k] + local[2] * shape->axes[2][k];
   }
 }
 

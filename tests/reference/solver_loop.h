@@ -120,8 +120,7 @@ static void solve(const solver_shape *a, const solver_shape *b, const solver_lim
     out->lower = bound > out->lower ? bound : out->lower;
     real slack = out->upper * limits->relative;
     if (out->upper - out->lower <= (slack > limits->absolute ? slack : limits->absolute) ||
-        out->lower > limits->apart || contains(last, last->w[last->count]) ||
-        out->iterations >= limits->iterations) {
+        out->lower > limits->apart || contains(last, last->w[last->count]) || out->iterations >= limits->iterations) {
       report_simplex(last, out);
       return;
     }

@@ -69,8 +69,7 @@ static void test_numbers(void) {
     const number_row *row = &numbers[i];
     int32_t value = 12345;
     bool good = case_number_parse(row->text, row->bits, &value);
-    CHECK_MSG(good == row->good && value == (good ? row->value : 12345), "'%s': %d %ld", row->text, good,
-              (long)value);
+    CHECK_MSG(good == row->good && value == (good ? row->value : 12345), "'%s': %d %ld", row->text, good, (long)value);
   }
 }
 
@@ -78,8 +77,7 @@ static void test_numbers(void) {
 static void test_decimals(random_state *random) {
   for (int i = 0; i < 20000; i++) {
     char text[64];
-    int32_t number = (int32_t)(random_u32(random) - UINT32_C(0x80000000)) >> random_below(random, 31),
-            value = 0;
+    int32_t number = (int32_t)(random_u32(random) - UINT32_C(0x80000000)) >> random_below(random, 31), value = 0;
     snprintf(text, sizeof text, "%.16f", number / 65536.0);
     CHECK_MSG(case_number_parse(text, 16, &value) && value == number, "'%s': %ld for %ld", text, (long)value,
               (long)number);
@@ -127,8 +125,8 @@ static bool same_vec3(gjk_vec3 a, gjk_vec3 b) {
 }
 
 static bool same_shape(const case_shape *a, const case_shape *b) {
-  bool same = a->kind == b->kind && same_vec3(a->size, b->size) && a->round == b->round &&
-              a->count == b->count && same_vec3(a->pose.position, b->pose.position) &&
+  bool same = a->kind == b->kind && same_vec3(a->size, b->size) && a->round == b->round && a->count == b->count &&
+              same_vec3(a->pose.position, b->pose.position) &&
               memcmp(&a->pose.rotation, &b->pose.rotation, sizeof a->pose.rotation) == 0;
   for (size_t i = 0; same && i < a->count; i++) {
     same = same_vec3(a->vertices[i], b->vertices[i]);
@@ -161,9 +159,8 @@ static void test_round_trip(random_state *random) {
     random_case_shape(&again, &written.a);
     random_case_shape(&again, &written.b);
     bool found = case_reader_next(&reader, &read);
-    CHECK_MSG(
-        found && strcmp(read.id, id) == 0 && same_shape(&written.a, &read.a) && same_shape(&written.b, &read.b),
-        "case %d", i);
+    CHECK_MSG(found && strcmp(read.id, id) == 0 && same_shape(&written.a, &read.a) && same_shape(&written.b, &read.b),
+              "case %d", i);
   }
   CHECK(!case_reader_next(&reader, &read) && reader.errors == 0);
   case_pair_free(&written);

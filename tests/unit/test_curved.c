@@ -112,9 +112,9 @@ static long double point_error(const case_shape *shape, const case_collider *col
 static bool check_points(const case_pair *pair, const case_collider *a, const case_collider *b,
                          const gjk_distance_result *found, family *f) {
   const long double off_a = point_error(&pair->a, a, found->point_a), off_b = point_error(&pair->b, b, found->point_b);
-  const long double gap = hypotl(hypotl((long double)found->point_b.x - found->point_a.x,
-                                        (long double)found->point_b.y - found->point_a.y),
-                                 (long double)found->point_b.z - found->point_a.z);
+  const long double gap =
+      hypotl(hypotl((long double)found->point_b.x - found->point_a.x, (long double)found->point_b.y - found->point_a.y),
+             (long double)found->point_b.z - found->point_a.z);
   const long double along = accurate_separation(pair, a, b, &found->normal);
   raise(&f->point_error, off_a > off_b ? off_a : off_b);
   raise(&f->gap_error, fabsl(gap - found->distance));
@@ -190,10 +190,13 @@ static bool check_pair(const case_pair *pair, const case_collider *a, const case
 }
 
 static void print_family(const char *a, const char *b, const char *place, const family *f) {
-  printf("%-9s %-9s %-13s %5u pairs, %3u %% together, %3u decided otherwise, %3u by cache; error %5.3Lf, points %5.3Lf, gap %5.3Lf, "
-         "normal %5.3Lf LSB; %3d iterations (oracle %d)\n",
-         a, b, place, f->pairs, 100 * f->intersecting / (f->pairs > 0 ? f->pairs : 1), f->decided_otherwise,
-         f->cache_differs, f->distance_error, f->point_error, f->gap_error, f->normal_error, f->iterations, f->oracle_iterations);
+  printf(
+      "%-9s %-9s %-13s %5u pairs, %3u %% together, %3u decided otherwise, %3u by cache; error %5.3Lf, points %5.3Lf, "
+      "gap %5.3Lf, "
+      "normal %5.3Lf LSB; %3d iterations (oracle %d)\n",
+      a, b, place, f->pairs, 100 * f->intersecting / (f->pairs > 0 ? f->pairs : 1), f->decided_otherwise,
+      f->cache_differs, f->distance_error, f->point_error, f->gap_error, f->normal_error, f->iterations,
+      f->oracle_iterations);
 }
 
 static void test_random_pairs(case_pair *pair, case_collider *a, case_collider *b) {

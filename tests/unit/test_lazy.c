@@ -13,7 +13,8 @@ typedef struct pair_of_colliders {
 } pair_of_colliders;
 
 static bool build(const case_pair *pair, bool lazy, pair_of_colliders *out) {
-  return case_collider_build(&out->a, &pair->a, lazy) == GJK_OK && case_collider_build(&out->b, &pair->b, lazy) == GJK_OK;
+  return case_collider_build(&out->a, &pair->a, lazy) == GJK_OK &&
+         case_collider_build(&out->b, &pair->b, lazy) == GJK_OK;
 }
 
 static bool same_vec3(gjk_vec3 a, gjk_vec3 b) {
@@ -29,9 +30,9 @@ static bool same_distance(const gjk_distance_result *a, const gjk_distance_resul
   bool same = a->intersecting == b->intersecting && a->distance == b->distance && a->saturated == b->saturated &&
               a->lower == b->lower && a->upper == b->upper && a->iterations == b->iterations &&
               same_certificate(&a->certificate, &b->certificate);
-  return same && (a->intersecting ||
-                  (same_vec3(a->point_a, b->point_a) && same_vec3(a->point_b, b->point_b) &&
-                   a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z));
+  return same &&
+         (a->intersecting || (same_vec3(a->point_a, b->point_a) && same_vec3(a->point_b, b->point_b) &&
+                              a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z));
 }
 
 static bool same_decision(const gjk_decision *a, const gjk_decision *b) {
@@ -78,14 +79,16 @@ static bool same_answers(const pair_of_colliders *baked, const pair_of_colliders
   gjk_decision touch[2], within[2];
   gjk_cache cache[2];
   memset(cache, 0, sizeof cache);
-  bool fine = gjk_distance(a, b, NULL, &distance[0]) == GJK_OK && gjk_distance(lazy_a, lazy_b, NULL, &distance[1]) == GJK_OK;
+  bool fine =
+      gjk_distance(a, b, NULL, &distance[0]) == GJK_OK && gjk_distance(lazy_a, lazy_b, NULL, &distance[1]) == GJK_OK;
   CHECK(fine);
   if (!fine) {
     return false;
   }
   *together = distance[0].intersecting;
   const gjk_q16 near = distance[0].distance;
-  fine = gjk_intersect(a, b, &cache[0], &touch[0]) == GJK_OK && gjk_intersect(lazy_a, lazy_b, &cache[1], &touch[1]) == GJK_OK &&
+  fine = gjk_intersect(a, b, &cache[0], &touch[0]) == GJK_OK &&
+         gjk_intersect(lazy_a, lazy_b, &cache[1], &touch[1]) == GJK_OK &&
          gjk_within(a, b, near, &cache[0], &within[0]) == GJK_OK &&
          gjk_within(lazy_a, lazy_b, near, &cache[1], &within[1]) == GJK_OK;
   return fine && same_distance(&distance[0], &distance[1]) && same_decision(&touch[0], &touch[1]) &&

@@ -27,10 +27,9 @@ static gjk_quat random_unit(random_state *random, long double scale) {
 
 static void real_matrix(const gjk_quat *q, long double m[3][3]) {
   const long double x = q->x, y = q->y, z = q->z, w = q->w, s = GJK_Q30_ONE / (x * x + y * y + z * z + w * w);
-  const long double rows[3][3] = {
-      {w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-      {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-      {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+  const long double rows[3][3] = {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                                  {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+                                  {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
   for (int i = 0; i < 9; i++) {
     m[i / 3][i % 3] = rows[i / 3][i % 3] * s;
   }
@@ -61,8 +60,7 @@ static long double entry_error(const gjk_vec3 rows[3], long double m[3][3], bool
   return error;
 }
 
-static long double component_error(int64_t got, long double m0, long double m1, long double m2,
-                                   const gjk_vec3 *v) {
+static long double component_error(int64_t got, long double m0, long double m1, long double m2, const gjk_vec3 *v) {
   return fabsl((long double)got - (m0 * v->x + m1 * v->y + m2 * v->z) / GJK_Q30_ONE);
 }
 
@@ -103,8 +101,7 @@ static void test_rotation(void) {
     const long double error = turn_error(rows, m, &largest);
     CHECK_MSG(error <= 0.501L * (1 + sum / GJK_Q30_ONE), "round %d of seed %d: %.3Lf LSB", i, SEED, error);
   }
-  printf("rotation: largest error of an entry %.4Lf LSB, of a vector up to 2^29 %.4Lf LSB\n", worst_entry,
-         worst_turn);
+  printf("rotation: largest error of an entry %.4Lf LSB, of a vector up to 2^29 %.4Lf LSB\n", worst_entry, worst_turn);
   CHECK_MSG(refused == 0, "%lu of %d, seed %d", refused, ROUNDS, SEED);
   CHECK_MSG(worst_entry <= 0.5L + ldexpl(1, -13), "%.6Lf LSB, seed %d", worst_entry, SEED);
   CHECK_MSG(worst_turn <= 1, "%.6Lf LSB, seed %d", worst_turn, SEED);
@@ -138,8 +135,7 @@ static void test_root(void) {
     const uint64_t x = random_u64(&random) >> random_below(&random, 64);
     const uint64_t r = random_u32(&random) >> random_below(&random, 32);
     CHECK_MSG(is_root(x), "%llu, seed %d", (unsigned long long)x, SEED + 2);
-    CHECK_MSG(is_root(r * r) && is_root(r * r - (r > 0)), "%llu squared, seed %d", (unsigned long long)r,
-              SEED + 2);
+    CHECK_MSG(is_root(r * r) && is_root(r * r - (r > 0)), "%llu squared, seed %d", (unsigned long long)r, SEED + 2);
   }
 }
 
