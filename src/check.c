@@ -127,7 +127,7 @@ gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_
   if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {
     return decision->yes ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
-  if (it.curved || it.shift < 0) {
+  if (it.curved != NULL || it.shift < 0) {
     return GJK_ERROR_UNSUPPORTED;
   }
   const bool proven = decision->yes ? is_together(&it, certificate) : is_apart(&it, certificate, radius);
@@ -143,7 +143,7 @@ gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, cons
   const gjk_certificate *certificate = &result->certificate;
   const int64_t radius = (int64_t)a->shape->round + b->shape->round;
   gjk_iteration_start(&it, a, b, GJK_GOAL_DISTANCE, radius);
-  if (it.curved || it.shift < 0) {
+  if (it.curved != NULL || it.shift < 0) {
     return GJK_ERROR_UNSUPPORTED;
   }
   if (result->intersecting) {
@@ -213,7 +213,7 @@ gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, c
   if (!gjk_iteration_start(&it, a, b, GJK_GOAL_DEPTH, radius)) {
     return result->intersecting ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
-  if (it.curved || it.shift < 0) {
+  if (it.curved != NULL || it.shift < 0) {
     return GJK_ERROR_UNSUPPORTED;
   }
   bool proven = false;

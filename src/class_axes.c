@@ -141,6 +141,7 @@ static void pose_box(gjk_collider *c, const gjk_vec3 rows[3]) {
   c->frame[2] = gjk_rotate(rows, &z);
 }
 
-const gjk_shape_class gjk_class_point = {measure, pose_point, support, refine, vertex, false, 0, GJK_KIND_AXES};
-const gjk_shape_class gjk_class_segment = {measure, pose_segment, support, refine, vertex, false, 1, GJK_KIND_AXES};
-const gjk_shape_class gjk_class_box = {measure, pose_box, support, refine, vertex, false, 3, GJK_KIND_AXES};
+const gjk_shape_class gjk_class_point = {measure, pose_point, support, refine, vertex, NULL, false, 0, GJK_KIND_AXES};
+const gjk_shape_class gjk_class_segment = {measure, pose_segment, support, refine,       vertex,
+                                           NULL,    false,        1,       GJK_KIND_AXES};
+const gjk_shape_class gjk_class_box = {measure, pose_box, support, refine, vertex, NULL, false, 3, GJK_KIND_AXES};

@@ -11,5 +11,5 @@ static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_su
   gjk_curved_support(c, &point, out);
 }
 
-const gjk_shape_class gjk_class_cylinder = {gjk_round_base_measure, gjk_curved_pose, support, NULL, NULL, false, 0,
-                                            GJK_KIND_CYLINDER};
+const gjk_shape_class gjk_class_cylinder = {
+    gjk_round_base_measure, gjk_curved_pose, support, NULL, NULL, gjk_curved_stalls, false, 0, GJK_KIND_CYLINDER};

@@ -220,6 +220,6 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
 }
 
 const gjk_shape_class gjk_class_triangle = {
-    measure, pose_triangle, support_triangle, refine_triangle, vertex_triangle, false, 3, GJK_KIND_VERTICES};
-const gjk_shape_class gjk_class_hull = {measure, pose_hull, support_hull,     refine_hull, vertex_hull,
+    measure, pose_triangle, support_triangle, refine_triangle, vertex_triangle, NULL, false, 3, GJK_KIND_VERTICES};
+const gjk_shape_class gjk_class_hull = {measure, pose_hull, support_hull,     refine_hull, vertex_hull, NULL,
                                         true,    0,         GJK_KIND_VERTICES};

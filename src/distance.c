@@ -63,7 +63,8 @@ static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
 // settle the question.
 GJK_OUT_OF_LINE static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
   const int64_t rounding = gjk_roundings(it);
-  const int64_t lower = plane_distance(it, -GJK_PLANE_ERROR) - rounding - 1 - (it->curved ? GJK_CURVED_ERROR : 0);
+  const int64_t lower =
+      plane_distance(it, -GJK_PLANE_ERROR) - rounding - 1 - (it->curved != NULL ? GJK_CURVED_ERROR : 0);
   if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
     return GJK_OUTCOME_ENCLOSING;
   }

@@ -71,7 +71,7 @@ static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
   facet->normal = gjk_unit(&it->direction.d);
   facet->rank = 0;
   facet->set = false;
-  facet->depth = it->curved ? GJK_CURVED_ERROR : 0;
+  facet->depth = it->curved != NULL ? GJK_CURVED_ERROR : 0;
   facet->found = true;
   facet->covers = true;
 }
@@ -115,7 +115,7 @@ static gjk_expansion complete(gjk_iteration *it, gjk_facet *facet, bool *done, u
 
 // How far a support along it->direction bounds the depth from above.
 static gjk_q16 upper_bound(const gjk_iteration *it, const gjk_vec3 *w) {
-  return gjk_depth_across(it, w) + (it->curved ? GJK_CURVED_ERROR : 0);
+  return gjk_depth_across(it, w) + (it->curved != NULL ? GJK_CURVED_ERROR : 0);
 }
 
 // Considers a face, with the outward normal it->direction: exactly, or bound by how far a support has reached across it.
@@ -142,7 +142,7 @@ static gjk_q16 lower_bound(const gjk_iteration *it, const gjk_polytope *p) {
     least = height < least ? height : least;
   }
   const gjk_q16 lower = (gjk_q16)((least > GJK_HEIGHT_ERROR ? least - GJK_HEIGHT_ERROR : 0) >> it->shift);
-  return !it->curved ? lower : lower > GJK_CURVED_ERROR ? lower - GJK_CURVED_ERROR : 0;
+  return it->curved == NULL ? lower : lower > GJK_CURVED_ERROR ? lower - GJK_CURVED_ERROR : 0;
 }
 
 static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet, gjk_q16 *lower, uint16_t *rounds) {
@@ -162,9 +162,9 @@ static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet
     facet->set = false;
     ++*rounds;
     const bool beyond = support_beyond(it, &n, w);
-    const uint32_t reached = it->curved ? gjk_height(&it->direction.d, &support->w) : 0;
-    if (!beyond || (it->curved && reached <= gjk_height(&it->direction.d, w) + CURVED_TOLERANCE(it->shift))) {
-      consider(it, p, face, rank, it->curved ? upper_bound(it, &support->w) : -1, facet);
+    const uint32_t reached = it->curved != NULL ? gjk_height(&it->direction.d, &support->w) : 0;
+    if (!beyond || (it->curved != NULL && reached <= gjk_height(&it->direction.d, w) + CURVED_TOLERANCE(it->shift))) {
+      consider(it, p, face, rank, it->curved != NULL ? upper_bound(it, &support->w) : -1, facet);
       face->rank = GJK_RANK_SETTLED;
     } else if (!gjk_polytope_add(p, lowest, support)) {
       *lower = lower_bound(it, p);
@@ -177,7 +177,7 @@ static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet
 // The facet's plane is exact, or for curved shapes known to within the tolerance and the error of their supports.
 static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
   const gjk_q16 slack = 2 * GJK_CURVED_ERROR + 2;
-  if (!it->curved) {
+  if (it->curved == NULL) {
     return facet->depth;
   }
   return facet->depth > slack ? facet->depth - slack : 0;
@@ -219,7 +219,7 @@ gjk_expansion gjk_expand(gjk_iteration *it, const gjk_workspace *workspace, gjk_
   if (done) {
     return expansion;
   }
-  if (!gjk_polytope_start(&p, workspace, &it->simplex, it->curved)) {
+  if (!gjk_polytope_start(&p, workspace, &it->simplex, it->curved != NULL)) {
     ++*rounds;
     bound_by_face(it, facet);
     return GJK_EXPANSION_FULL;

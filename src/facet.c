@@ -112,7 +112,7 @@ void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
     if (!ready) {
       *v = facet->corner[i];
     }
-    if (!it->curved) {
+    if (it->curved == NULL) {
       it->a->shape->type->vertex(it->a, v->a, &v->offset_a);
     }
   }

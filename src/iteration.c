@@ -96,7 +96,10 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   if (usual ? !set_usual_frame(it, spheres) : !set_frame(it, spheres, radius)) {
     return false;
   }
-  it->curved = a->shape->type->vertex == NULL || b->shape->type->vertex == NULL;
+  it->curved = a->shape->type->stalls;
+  if (it->curved == NULL) {
+    it->curved = b->shape->type->stalls;
+  }
   gjk_simplex_clear(&it->simplex);
   return true;
 }
@@ -205,13 +208,17 @@ GJK_OUT_OF_LINE static bool settles_near(const gjk_iteration *it) {
   return !clears(it, gjk_dot(&it->direction.d, &v->w), it->radius) && gjk_iteration_near(it);
 }
 
-// Does the feature have this vertex already? Then it is no nearer, and the signs need not be computed to see it.
-static bool known(const gjk_iteration *it, const gjk_support *a, const gjk_support *b) {
+// Is the vertex of no use: does the feature have it already, or for a curved pair nearly? Then the signs need not be
+// computed to see it.
+static bool known(gjk_iteration *it, const gjk_support *a, const gjk_support *b) {
   const gjk_simplex *s = &it->simplex;
+  if (it->curved != NULL && s->count > 0) {
+    return it->curved(&it->direction.d, &s->slot[s->order[0]].w, &gjk_simplex_free(&it->simplex)->w, it->shift);
+  }
   for (unsigned i = 0; i < s->count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];
     if (v->a == a->vertex && v->b == b->vertex) {
-      return !it->curved;
+      return true;
     }
   }
   return false;
@@ -283,7 +290,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   if (it->shift < 0) {
     cache = NULL;  // the distance of rounded vertices would depend, by an LSB, on where the search began
   }
-  if (cache != NULL && it->curved) {
+  if (cache != NULL && it->curved != NULL) {
     if (gjk_goal_separates(goal) && cached_clears(it, cache)) {
       return GJK_OUTCOME_SEPARATED;
     }
@@ -326,18 +333,24 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   return GJK_OUTCOME_LIMIT;
 }
 
+// The vertices of the feature, when there are some to be named. Returns their number.
+static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint16_t a[4], uint16_t b[4]) {
+  const gjk_simplex *s = &it->simplex;
+  const uint8_t count = it->curved != NULL || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
+  for (unsigned i = 0; i < count; i++) {
+    const gjk_vertex *v = &s->slot[s->order[i]];
+    a[i] = v->a;
+    b[i] = v->b;
+  }
+  return count;
+}
+
 void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_certificate *out) {
   static const uint8_t proof[] = {GJK_PROOF_NEAREST, GJK_PROOF_ENCLOSING, GJK_PROOF_DIRECTION, GJK_PROOF_NEAR,
                                   GJK_PROOF_NONE};
-  const gjk_simplex *s = &it->simplex;
-  out->proof = it->curved ? GJK_PROOF_NONE : proof[outcome];
-  out->count = it->curved || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
+  out->proof = it->curved != NULL ? GJK_PROOF_NONE : proof[outcome];
+  out->count = name_vertices(it, outcome, out->a, out->b);
   out->direction = it->direction.d;
-  for (unsigned i = 0; i < out->count; i++) {
-    const gjk_vertex *v = &s->slot[s->order[i]];
-    out->a[i] = v->a;
-    out->b[i] = v->b;
-  }
 }
 
 // The 15 leading bits of a direction.
@@ -351,12 +364,6 @@ static void keep_direction(const gjk_vec3 *d, int16_t kept[3]) {
 }
 
 void gjk_iteration_keep(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache) {
-  const gjk_simplex *s = &it->simplex;
-  cache->count = it->curved || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
   keep_direction(&it->direction.d, cache->direction);
-  for (unsigned i = 0; i < cache->count; i++) {
-    const gjk_vertex *v = &s->slot[s->order[i]];
-    cache->a[i] = v->a;
-    cache->b[i] = v->b;
-  }
+  cache->count = name_vertices(it, outcome, cache->a, cache->b);
 }

@@ -129,7 +129,7 @@ static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
   }
   if (expansion == GJK_EXPANSION_TOUCHES) {
     o->proof = GJK_PROOF_PLANE;
-    o->upper = it->curved ? GJK_CURVED_ERROR : 0;
+    o->upper = it->curved != NULL ? GJK_CURVED_ERROR : 0;
     return GJK_OK;
   }
   o->upper = facet->depth;
@@ -156,13 +156,13 @@ static void measure_gap(overlap *o, int64_t plane) {
     }
   }
   o->proof = GJK_PROOF_NEAREST;
-  o->upper = -(gjk_q16)low + (it->curved ? GJK_CURVED_ERROR : 0);
-  o->lower = -(gjk_q16)low - (it->curved ? GJK_CURVED_ERROR : 0);
+  o->upper = -(gjk_q16)low + (it->curved != NULL ? GJK_CURVED_ERROR : 0);
+  o->lower = -(gjk_q16)low - (it->curved != NULL ? GJK_CURVED_ERROR : 0);
 }
 
 static void certify(const overlap *o, gjk_certificate *out) {
   gjk_iteration_certify(&o->it, GJK_OUTCOME_NEAREST, out);
-  if (o->it.curved) {
+  if (o->it.curved != NULL) {
     return;
   }
   out->proof = o->proof;
@@ -203,7 +203,7 @@ static gjk_status report(overlap *o, gjk_outcome outcome, int64_t plane, const g
   if (status == GJK_ERROR_CAPACITY) {
     out->certificate.proof = GJK_PROOF_NONE;
   }
-  if (!o->it.curved && status == GJK_OK) {
+  if (o->it.curved == NULL && status == GJK_OK) {
     widen_normal(o, out);
   }
   return status;
