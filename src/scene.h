@@ -118,6 +118,13 @@ typedef enum gjk_scene_phase {
   GJK_SCENE_REPORTING  // queue[next_report .. queued) are still to be reported
 } gjk_scene_phase;
 
+struct gjk_scene_details {
+  gjk_status (*signed_distance)(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                                const gjk_workspace *workspace, gjk_distance_result *out);
+  gjk_status (*manifold)(const gjk_scene *scene, const gjk_report *report, unsigned most,
+                         gjk_manifold *out);  // or NULL
+};
+
 typedef struct gjk_scene_header {
   uint32_t magic, version, order, bytes;
   uint32_t sealed, checksum[2];
@@ -130,6 +137,7 @@ typedef struct gjk_scene_header {
   uint32_t gone;                // pairs of that state
   uint32_t phase, queued, next_test, next_report;
   uint32_t updates;       // completed
+  uint32_t most_detail;   // that configuration or a body, maybe one that is gone, has asked for
   uint32_t refused;       // counted for the update under way
   gjk_scene_stats stats;  // of the last update whose tests are done, as far as not counted elsewhere
 } gjk_scene_header;

@@ -48,9 +48,6 @@ static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) 
   if (s->kind > GJK_BODY_DYNAMIC || s->detail > GJK_DETAIL_CONTACTS || s->margin < 0 || s->margin > GJK_RADIUS_MAX) {
     return GJK_ERROR_RANGE;
   }
-  if (s->detail > GJK_DETAIL_DISTANCE) {
-    return GJK_ERROR_UNSUPPORTED;
-  }
   for (uint32_t i = 0; i < s->part_count; i++) {
     c.state = 0;
     const gjk_status status = build_part(v, &s->pose, &s->parts[i], &c);
@@ -122,6 +119,7 @@ static gjk_status add_to(gjk_scene_view *v, uint32_t slot, const gjk_body_setup 
   body->first = GJK_SCENE_NONE;
   body->parts = s->part_count;
   body->kind_detail = (uint8_t)(s->kind | s->detail << 4);
+  h->most_detail = s->detail > h->most_detail ? s->detail : h->most_detail;
   body->flags &= GJK_SCENE_MOVED;                 // left by the body before
   for (uint16_t i = s->part_count; i > 0; i--) {  // backwards: the list then runs upwards
     add_part(v, slot, &s->pose, &s->parts[i - 1], (uint16_t)(i - 1));

@@ -61,7 +61,7 @@ static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts,
 static bool check_body(const gjk_scene_view *v, uint32_t slot) {
   const gjk_scene_body *body = &v->bodies[slot];
   gjk_quat opposite;
-  return (body->kind_detail & 15u) <= GJK_BODY_DYNAMIC && body->kind_detail >> 4 <= GJK_DETAIL_DISTANCE &&
+  return (body->kind_detail & 15u) <= GJK_BODY_DYNAMIC && body->kind_detail >> 4 <= (int)v->header->most_detail &&
          body->margin >= 0 && body->margin <= GJK_RADIUS_MAX && gjk_quat_invert(&body->rotation, &opposite) == GJK_OK;
 }
 
@@ -168,7 +168,8 @@ static bool check_link(const gjk_scene_view *v, uint32_t link) {
 static bool check_pair(const gjk_scene_view *v, uint32_t index) {
   const gjk_scene_pair *pair = &v->pairs[index];
   const uint32_t a = pair->part[0], b = pair->part[1];
-  if (pair->state >> GJK_SCENE_PAIR_CACHED > 4 || pair->gap < 0 ||
+  if (pair->state >> GJK_SCENE_PAIR_CACHED > 4 ||
+      (pair->gap < 0 && (pair->state & (GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_NEAR_NOW)) == 0) ||
       (pair->outcome & (GJK_SCENE_UNSETTLED - 1)) >= GJK_SCENE_OUTCOMES ||
       (v->header->phase == GJK_SCENE_IDLE && (pair->state & GJK_SCENE_PAIR_QUEUED) != 0)) {
     return false;
@@ -212,7 +213,8 @@ static bool check_pairs(const gjk_scene_view *v) {
 
 static bool check_queue(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
-  if (h->phase > GJK_SCENE_REPORTING || h->queued > h->pairs.capacity || h->lowest > (h->config.bodies + 31) / 32 ||
+  if (h->most_detail > GJK_DETAIL_CONTACTS || h->most_detail < h->config.detail || h->phase > GJK_SCENE_REPORTING ||
+      h->queued > h->pairs.capacity || h->lowest > (h->config.bodies + 31) / 32 ||
       (h->phase == GJK_SCENE_IDLE && h->queued != 0) || (h->phase == GJK_SCENE_TESTING && h->next_test > h->queued) ||
       (h->phase == GJK_SCENE_REPORTING && h->next_report > h->queued)) {
     return false;

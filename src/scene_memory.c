@@ -9,7 +9,7 @@
 typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_part) == 144 &&
                                      sizeof(gjk_scene_node) == 40 && sizeof(gjk_scene_placed) == 32 &&
                                      sizeof(gjk_scene_pair) == 44 && sizeof(gjk_scene_config) == 24 &&
-                                     sizeof(gjk_scene_header) == 264
+                                     sizeof(gjk_scene_header) == 268
                                  ? 1
                                  : -1];
 
@@ -20,7 +20,7 @@ static gjk_status check_config(const gjk_scene_config *c) {
       c->detail > GJK_DETAIL_CONTACTS) {
     return GJK_ERROR_RANGE;
   }
-  return c->detail > GJK_DETAIL_DISTANCE ? GJK_ERROR_UNSUPPORTED : GJK_OK;
+  return GJK_OK;
 }
 
 static void set_pool(gjk_scene_pool *pool, uint32_t capacity, uint32_t size, uint32_t *at) {
@@ -64,6 +64,17 @@ static bool aligned(const void *block) {
   return (uintptr_t)block % sizeof(uint32_t) == 0;
 }
 
+static void set_handle(gjk_scene *scene, void *block, const gjk_shape *const *shapes, uint16_t shape_count) {
+  scene->block = block;
+  scene->shapes = shapes;
+  scene->shape_count = shape_count;
+  scene->predicate = NULL;
+  scene->user = NULL;
+  scene->details = NULL;
+  scene->workspace = NULL;
+  scene->manifolds = NULL;
+}
+
 gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,
                           const gjk_shape *const *shapes, uint16_t shape_count) {
   if (scene == NULL || config == NULL || block == NULL || shapes == NULL) {
@@ -86,6 +97,7 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   h->version = VERSION;
   h->order = ORDER;
   h->config = *config;
+  h->most_detail = config->detail;
   lay_out(config, h);
   h->root = GJK_SCENE_NONE;
   h->moved = GJK_SCENE_NONE;
@@ -94,11 +106,7 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   for (uint32_t i = 0; i < config->bodies; i++) {
     slots[i / 32] |= UINT32_C(1) << i % 32;
   }
-  scene->block = block;
-  scene->shapes = shapes;
-  scene->shape_count = shape_count;
-  scene->predicate = NULL;
-  scene->user = NULL;
+  set_handle(scene, block, shapes, shape_count);
   return GJK_OK;
 }
 
@@ -134,11 +142,7 @@ gjk_status gjk_scene_attach(gjk_scene *scene, void *block, size_t bytes, const g
   if (status != GJK_OK) {
     return status;
   }
-  scene->block = block;
-  scene->shapes = shapes;
-  scene->shape_count = shape_count;
-  scene->predicate = NULL;
-  scene->user = NULL;
+  set_handle(scene, block, shapes, shape_count);
   return GJK_OK;
 }
 

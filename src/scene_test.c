@@ -111,6 +111,30 @@ static void store_cache(const gjk_cache *cache, gjk_scene_pair *pair) {
   pair->state = (uint8_t)(flags | count << GJK_SCENE_PAIR_CACHED);
 }
 
+// The distance of a pair that is near, or minus its depth where that is asked; a bound of it where a query reaches its
+// ceiling also without the cache, or the workspace is too small.
+static int32_t measure(const question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                       gjk_scene_pair *pair) {
+  const gjk_scene *scene = q->v->scene;
+  gjk_distance_result result;
+  result.lower = 0;
+  for (unsigned attempt = cache != NULL ? 0 : 1; attempt < 2; attempt++) {
+    gjk_cache *from = attempt == 0 ? cache : NULL;
+    const gjk_status status = q->detail == GJK_DETAIL_DEPTH
+                                  ? scene->details->signed_distance(a, b, from, scene->workspace, &result)
+                                  : gjk_distance(a, b, from, &result);
+    if (status == GJK_OK) {
+      return result.distance;
+    }
+    if (status == GJK_ERROR_CAPACITY) {
+      pair->outcome |= GJK_SCENE_UNSETTLED;
+      return result.distance;
+    }
+  }
+  pair->outcome |= GJK_SCENE_UNSETTLED;
+  return result.lower;
+}
+
 // Is the pair near? Sets gap. A query that reaches its ceiling from the cache is asked again without.
 static bool ask(const question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                 gjk_scene_pair *pair) {
@@ -131,18 +155,8 @@ static bool ask(const question *q, const gjk_collider *a, const gjk_collider *b,
     pair->gap = spare(q, bound);
     return false;
   }
-  pair->gap = 0;
-  if (q->detail >= GJK_DETAIL_DISTANCE) {
-    gjk_distance_result result;
-    status = gjk_distance(a, b, cache, &result);
-    if (status != GJK_OK && cache != NULL) {
-      status = gjk_distance(a, b, NULL, &result);
-    }
-    if (status != GJK_OK) {
-      pair->outcome |= GJK_SCENE_UNSETTLED;
-    }
-    pair->gap = status == GJK_OK ? result.distance : result.lower;
-  }
+  const bool asked = q->detail == GJK_DETAIL_DISTANCE || q->detail == GJK_DETAIL_DEPTH;
+  pair->gap = asked ? measure(q, a, b, cache, pair) : 0;
   return true;
 }
 

@@ -32,8 +32,21 @@ static void fill_queue(gjk_scene_view *v) {
   }
 }
 
+// Does the handle have what the details asked for take?
+static gjk_status check_details(const gjk_scene_view *v) {
+  const gjk_scene_details *details = v->scene->details;
+  const uint32_t most = v->header->most_detail;
+  const bool lacking =
+      most > GJK_DETAIL_DISTANCE && (details == NULL || (most == GJK_DETAIL_CONTACTS && details->manifold == NULL));
+  return lacking ? GJK_ERROR_UNSUPPORTED : GJK_OK;
+}
+
 static gjk_status begin(gjk_scene_view *v) {
   gjk_scene_header *h = v->header;
+  const gjk_status able = check_details(v);
+  if (able != GJK_OK) {
+    return able;
+  }
   h->sealed = 0;
   if (h->phase != GJK_SCENE_IDLE) {
     return GJK_OK;
@@ -235,6 +248,7 @@ static void report(gjk_scene_view *v, uint32_t index, gjk_report *out) {
   describe(v, pair, out);
   out->event = pair->outcome;
   out->distance = 0;
+  out->manifold = NULL;
   if (out->event != GJK_EVENT_END) {
     out->distance = pair->gap;  // 0 unless asked for
   } else if ((pair->state & GJK_SCENE_PAIR_GONE) != 0) {
@@ -245,10 +259,29 @@ static void report(gjk_scene_view *v, uint32_t index, gjk_report *out) {
   }
 }
 
+// Adds the manifold to a report, and its least distance.
+static void add_manifold(const gjk_scene_view *v, gjk_manifold *room, gjk_report *out) {
+  const gjk_status status = v->scene->details->manifold(v->scene, out, 4, room);
+  if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
+    room->count = 0;
+  }
+  v->header->stats.unsettled += status != GJK_OK;
+  out->manifold = room;
+  out->distance = room->count > 0 ? room->contact[0].distance : 0;
+  for (unsigned i = 1; i < room->count; i++) {
+    out->distance = room->contact[i].distance < out->distance ? room->contact[i].distance : out->distance;
+  }
+}
+
 static void report_some(gjk_scene_view *v, gjk_report *reports, uint32_t capacity, gjk_progress *progress) {
   gjk_scene_header *h = v->header;
   while (h->next_report < h->queued && progress->reports < capacity) {
-    report(v, v->queue[h->next_report++], &reports[progress->reports++]);
+    gjk_report *out = &reports[progress->reports];
+    report(v, v->queue[h->next_report++], out);
+    if (out->detail == GJK_DETAIL_CONTACTS && out->event != GJK_EVENT_END && v->scene->manifolds != NULL) {
+      add_manifold(v, &v->scene->manifolds[progress->reports], out);
+    }
+    progress->reports++;
   }
   progress->reports_left = h->queued - h->next_report;
   if (h->next_report >= h->queued) {
@@ -291,18 +324,18 @@ gjk_status gjk_scene_update(gjk_scene *scene, gjk_report *reports, uint32_t capa
 }
 
 gjk_status gjk_scene_update_each(gjk_scene *scene, gjk_report_function *function, void *user) {
-  gjk_report reports[4];
+  gjk_report report;
   gjk_progress progress = {0, 0, 0};
   if (function == NULL) {
     return GJK_ERROR_NULL;
   }
   do {  // ends: each call writes a report or is the last
-    const gjk_status status = gjk_scene_update(scene, reports, 4, &progress);
+    const gjk_status status = gjk_scene_update(scene, &report, 1, &progress);
     if (status != GJK_OK) {
       return status;
     }
-    for (uint32_t i = 0; i < progress.reports; i++) {
-      function(user, &reports[i]);
+    if (progress.reports > 0) {
+      function(user, &report);
     }
   } while (progress.reports_left > 0);
   return GJK_OK;
@@ -332,6 +365,10 @@ gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t first, uint32_t end) 
   if (v.header->phase != GJK_SCENE_TESTING || first > end || end > v.header->queued) {
     return GJK_ERROR_RANGE;
   }
+  const gjk_status able = check_details(&v);
+  if (able != GJK_OK) {
+    return able;
+  }
   for (uint32_t i = first; i < end; i++) {
     gjk_scene_pair_test(&v, &v.pairs[v.queue[i]]);
   }
@@ -355,6 +392,7 @@ gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_rep
       describe(&v, pair, out);
       out->event = gone ? GJK_EVENT_END : GJK_EVENT_PERSIST;
       out->distance = gone ? 0 : pair->gap;
+      out->manifold = NULL;
       *found = true;
     }
   }

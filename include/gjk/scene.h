@@ -11,8 +11,7 @@
 #ifndef GJK_SCENE_H
 #define GJK_SCENE_H
 
-#include "gjk/collider.h"
-#include "gjk/status.h"
+#include "gjk/contacts.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -34,12 +33,12 @@ typedef enum gjk_body_kind {
   GJK_BODY_DYNAMIC      // may fall asleep
 } gjk_body_kind;
 
-// What is wanted of a pair. Depth and contacts are not there yet: UNSUPPORTED.
+// What is wanted of a pair. Depth and contacts are there for a handle whose field details says so.
 typedef enum gjk_detail {
   GJK_DETAIL_TOUCH = 0,  // near or not
   GJK_DETAIL_DISTANCE,   // and the distance
-  GJK_DETAIL_DEPTH,
-  GJK_DETAIL_CONTACTS
+  GJK_DETAIL_DEPTH,      // and the depth
+  GJK_DETAIL_CONTACTS    // and the manifold
 } gjk_detail;
 
 // One shape of a body.
@@ -77,13 +76,21 @@ typedef struct gjk_scene_config {
 // what does not change during an update. A pair that moves no more is not asked about again; gjk_scene_refilter.
 typedef bool gjk_scene_predicate(void *user, gjk_body a, uint32_t user_a, gjk_body b, uint32_t user_b);
 
-// The handle. Fields are set by gjk_scene_init, gjk_scene_open or gjk_scene_attach; predicate and user are the caller's.
+// What depth and contacts need, one constant each, so that a program links them only if it mentions them.
+typedef struct gjk_scene_details gjk_scene_details;
+extern const gjk_scene_details gjk_scene_depth, gjk_scene_contacts;
+
+// The handle. gjk_scene_init, gjk_scene_open and gjk_scene_attach set the first three fields, and the others to zero; these
+// are the caller's.
 typedef struct gjk_scene {
   void *block;
   const gjk_shape *const *shapes;  // the same shapes, in the same order, wherever a block goes
   uint16_t shape_count;
-  gjk_scene_predicate *predicate;  // NULL: all pairs
-  void *user;
+  gjk_scene_predicate *predicate;    // NULL: all pairs
+  void *user;                        // of the predicate
+  const gjk_scene_details *details;  // &gjk_scene_depth; &gjk_scene_contacts: both; NULL: neither
+  const gjk_workspace *workspace;    // of depth and contacts, see gjk/penetration.h; NULL: none
+  gjk_manifold *manifolds;           // room for as many manifolds as reports, see gjk_report; NULL: none are wanted
 } gjk_scene;
 
 // Bytes of a block; 0 for a configuration outside its ranges, or more than size_t can say.
@@ -159,9 +166,14 @@ typedef enum gjk_event {
 typedef struct gjk_report {
   gjk_body a, b;
   uint16_t part_a, part_b;
-  uint8_t event;     // a gjk_event
-  uint8_t detail;    // what was asked of the pair
-  gjk_q16 distance;  // GJK_DETAIL_DISTANCE, begin and persist: as gjk_distance says; otherwise 0
+  uint8_t event;   // a gjk_event
+  uint8_t detail;  // what was asked of the pair
+  gjk_q16
+      distance;  // begin and persist; DISTANCE: as gjk_distance says; DEPTH: as gjk_signed_distance says, negative for a
+                 // depth; CONTACTS: the least of the manifold's; otherwise 0
+  const gjk_manifold
+      *manifold;  // begin and persist, CONTACTS: the scene's manifolds hold it, that of the i-th report of
+                  // a call at i, with up to 4 contacts, without a cache; otherwise NULL
 } gjk_report;
 
 // How far an update has come. Both zero: done.
@@ -175,8 +187,10 @@ typedef struct gjk_progress {
 //
 // reports   room for capacity reports; NULL when that is 0. A buffer that fills up loses nothing: call again.
 // Statuses  CAPACITY: more pairs of boxes meet than config.pairs; the update has not begun, and does once bodies are
-//           moved or removed so that they fit. A query that reaches the ceiling on its rounds counts the pair as near, at
-//           the proven lower bound, and in unsettled.
+//           moved or removed so that they fit. UNSUPPORTED: some body or the configuration asks for a detail that the
+//           handle's details lack; nothing is done. A query that reaches the ceiling on its rounds counts the pair as near,
+//           at the proven lower bound, and in unsettled; so does a depth whose workspace is too small, with the depth
+//           that is enough.
 gjk_status gjk_scene_update(gjk_scene *scene, gjk_report *reports, uint32_t capacity, gjk_progress *progress);
 
 // The same with at most tests tests of pairs in this call, for firmware with a deadline. Boxes are matched by the first.
@@ -185,18 +199,24 @@ gjk_status gjk_scene_update_slice(gjk_scene *scene, uint32_t tests, gjk_report *
 
 typedef void gjk_report_function(void *user, const gjk_report *report);
 
-// The same with each report handed to a function, which may not change the scene.
+// The same with each report handed to a function, which may not change the scene; manifolds need room for one.
 gjk_status gjk_scene_update_each(gjk_scene *scene, gjk_report_function *function, void *user);
 
 // Spreads an update over threads: begin says how many pairs are to be tested; disjoint ranges of them are tested at the
 // same time, without locks, each call writing to the records of its own pairs alone; a gjk_scene_update then tests what
-// is left and reports. RANGE: first > end, or end beyond the pairs; or no update has begun.
+// is left and reports. Threads that ask for depth each need a handle of their own, a copy with another workspace.
+// RANGE: first > end, or end beyond the pairs; or no update has begun.
 gjk_status gjk_scene_update_begin(gjk_scene *scene, uint32_t *pairs);
 gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t first, uint32_t end);
 
 // Goes through the pairs that were near at the last update, in no stated order: start with *cursor 0; found is false
 // at the end. event is PERSIST, or END when a body was removed since.
 gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_report *out, bool *found);
+
+// The manifold of a reported pair at its bodies' poses of now, at most their margins apart, without a cache; for those who
+// ask of some pairs alone, or share the work among threads. most and out as of gjk_contacts; statuses, too, and HANDLE,
+// RANGE for a part that is not there.
+gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out);
 
 // What the last update whose tests are done did. Each of its pairs is counted in resting or in one of filtered to cold.
 typedef struct gjk_scene_stats {

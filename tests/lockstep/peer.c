@@ -98,15 +98,24 @@ static void each_near(bool (*function)(void *user, const gjk_report *pair), void
   }
 }
 
+// A distance as a number that is never 0.
+static uint32_t code_of(gjk_q16 distance) {
+  return (uint32_t)distance + (UINT32_C(1) << 31);
+}
+
+static int64_t distance_of(uint32_t code) {
+  return (int64_t)code - (INT64_C(1) << 31);
+}
+
 static bool write_pair(void *user, const gjk_report *pair) {
-  const uint64_t numbers[5] = {pair->a.slot, pair->part_a, pair->b.slot, pair->part_b, (uint64_t)pair->distance + 1};
+  const uint64_t numbers[5] = {pair->a.slot, pair->part_a, pair->b.slot, pair->part_b, code_of(pair->distance)};
   write_line(user, "p", numbers, 5);
   return true;
 }
 
 static bool note_pair(void *user, const gjk_report *pair) {
   (void)user;
-  here[pair->a.slot][pair->b.slot][pair->part_a][pair->part_b] = (uint32_t)pair->distance + 1;
+  here[pair->a.slot][pair->b.slot][pair->part_a][pair->part_b] = code_of(pair->distance);
   return true;
 }
 
@@ -147,8 +156,8 @@ static void say_pairs(void (*say)(const char *)) {
       if (mine == 0 || theirs == 0) {
         say(mine != 0 ? ": near here, not there\n" : ": near there, not here\n");
       } else {
-        say_number(say, ": distance ", (int64_t)mine - 1);
-        say_number(say, " here, ", (int64_t)theirs - 1);
+        say_number(say, ": distance ", distance_of(mine));
+        say_number(say, " here, ", distance_of(theirs));
         say(" there\n");
       }
     }
@@ -191,7 +200,7 @@ static bool find_apart(void *user, const gjk_report *pair) {
 
 // Moves a body of a pair that has a distance by about 700 LSB, behind the other side's back. False: there is no such pair now.
 static bool nudge(void) {
-  gjk_report pair = {{0, 0}, {0, 0}, 0, 0, 0, 0, 0};
+  gjk_report pair = {{0, 0}, {0, 0}, 0, 0, 0, 0, 0, NULL};
   gjk_scene scene;
   gjk_body_state state;
   each_near(find_apart, &pair);

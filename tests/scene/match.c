@@ -26,9 +26,25 @@ static int32_t dice(uint32_t a, uint32_t b, uint32_t c, int32_t limit) {
   return (int32_t)(any % (2 * (uint32_t)limit + 1)) - limit;
 }
 
-bool match_scene(match *m, gjk_scene *out) {
-  return gjk_scene_attach(out, m->block, sizeof m->block, shapes, SHAPES) == GJK_OK;
+// The same room for every match: nothing stays in it.
+static gjk_cell cells[400];
+static const gjk_workspace workspace = {cells, sizeof cells / sizeof cells[0]};
+static gjk_manifold manifold;
+
+static void equip(gjk_scene *scene) {
+  scene->details = &gjk_scene_contacts;
+  scene->workspace = &workspace;
+  scene->manifolds = &manifold;
 }
+
+bool match_scene(match *m, gjk_scene *out) {
+  const bool fine = gjk_scene_attach(out, m->block, sizeof m->block, shapes, SHAPES) == GJK_OK;
+  equip(out);
+  return fine;
+}
+
+static const uint8_t details[6] = {GJK_DETAIL_DISTANCE, GJK_DETAIL_TOUCH, GJK_DETAIL_TOUCH,
+                                   GJK_DETAIL_DISTANCE, GJK_DETAIL_DEPTH, GJK_DETAIL_CONTACTS};
 
 static bool add(match *m, gjk_scene *scene, uint32_t slot) {
   gjk_part parts[2] = {{0, false, GJK_POSE_IDENTITY}, {1, true, GJK_POSE_IDENTITY}};
@@ -43,7 +59,7 @@ static bool add(match *m, gjk_scene *scene, uint32_t slot) {
                           (uint8_t)(fixed      ? GJK_BODY_STATIC
                                     : slot < 2 ? GJK_BODY_KINEMATIC
                                                : GJK_BODY_DYNAMIC),
-                          (uint8_t)(slot % 3 == 0 ? GJK_DETAIL_DISTANCE : GJK_DETAIL_TOUCH),
+                          details[slot % 6],
                           1,
                           UINT32_MAX,
                           slot,
@@ -118,7 +134,18 @@ static bool holds(const match *m, gjk_body body) {
   return m->bodies[body.slot].handle.generation == body.generation;
 }
 
-// Bodies that begin to touch swap their steps; the distance of those that stay near bends the path of one.
+// What a manifold comes to: nearly every number in it counts.
+static int32_t sum_of(const gjk_manifold *m) {
+  int32_t sum = m->normal.x % 5 + m->normal.y % 7 + m->normal.z % 11 + m->feature_a + m->feature_b;
+  for (int i = 0; i < m->count; i++) {
+    const gjk_contact *c = &m->contact[i];
+    sum += c->point_a.x % 5 + c->point_a.y % 7 + c->point_b.z % 11 + c->distance % 13 + c->id;
+  }
+  return sum;
+}
+
+// Bodies that begin to touch swap their steps; the distance of those that stay near bends the path of one, or else their
+// manifold.
 static void react(void *user, const gjk_report *report) {
   match *m = user;
   if (!holds(m, report->a) || !holds(m, report->b)) {
@@ -130,7 +157,7 @@ static void react(void *user, const gjk_report *report) {
     a->step = b->step;
     b->step = step;
   } else if (report->event == GJK_EVENT_PERSIST) {
-    b->step.x += report->distance % 7 - 3;
+    b->step.x += (report->manifold != NULL ? sum_of(report->manifold) : report->distance) % 7 - 3;
   } else {
     b->step.y += report->part_b + 1;
   }

@@ -23,6 +23,11 @@ static const gjk_shape egg = GJK_ELLIPSOID(GJK_Q16(0.5), GJK_Q16(0.375), GJK_Q16
 const gjk_shape *const world_shapes[WORLD_SHAPES] = {&crate, &ball,  &plank, &roof,  &capsule, &stone,
                                                      &soap,  &stick, &flag,  &speck, &drum,    &egg};
 
+gjk_manifold world_manifolds[WORLD_REPORTS];
+
+// Enough for any two of the shapes.
+#define CELLS 2000
+
 gjk_scene_config world_config(const world_options *options) {
   gjk_scene_config config = {options->bodies, WORLD_PARTS * options->bodies, options->bodies, 4000, 0, 0, 0, 0, 0};
   config.box_margin = options->box_margin;
@@ -46,8 +51,17 @@ bool world_start(world *w, const world_options *options, void *block, size_t byt
   if (gjk_scene_init(&w->scene, &config, block, bytes, world_shapes, WORLD_SHAPES) != GJK_OK) {
     return false;
   }
-  w->scene.predicate = options->predicate ? world_predicate : NULL;
+  world_equip(w, &w->scene);
   return true;
+}
+
+void world_equip(const world *w, gjk_scene *scene) {
+  static gjk_cell cells[CELLS];
+  static const gjk_workspace workspace = {cells, CELLS};
+  scene->predicate = w->options.predicate ? world_predicate : NULL;
+  scene->details = &gjk_scene_contacts;
+  scene->workspace = &workspace;
+  scene->manifolds = world_manifolds;
 }
 
 static gjk_vec3 random_point(random_state *random, int32_t reach) {
@@ -100,7 +114,8 @@ void world_random_setup(const world *w, random_state *random, world_body *body) 
     body->parts[i].pose.rotation = random_rotation(random, 2000);
   }
   s->kind = (uint8_t)(random_below(random, 4) == 0 ? random_below(random, 2) : GJK_BODY_DYNAMIC);
-  s->detail = (uint8_t)(random_below(random, 4) == 0 ? GJK_DETAIL_DISTANCE : GJK_DETAIL_TOUCH);
+  const uint8_t most = w->options.detail >= GJK_DETAIL_DEPTH ? GJK_DETAIL_CONTACTS : GJK_DETAIL_DISTANCE;
+  s->detail = (uint8_t)(random_below(random, 4) == 0 ? most : GJK_DETAIL_TOUCH);
   s->category = 1u << random_below(random, 4);
   s->mask = random_below(random, 4) == 0 ? random_below(random, 16) : UINT32_MAX;
   s->user = random_u32(random);
@@ -300,11 +315,29 @@ static bool tested(const world *w, const world_body *a, const world_body *b) {
          (!w->options.predicate || world_predicate(NULL, a->handle, a->setup.user, b->handle, b->setup.user));
 }
 
+// The distance that a report gives.
+static gjk_q16 report_distance(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned detail) {
+  static gjk_cell cells[CELLS];
+  static const gjk_workspace workspace = {cells, CELLS};
+  gjk_distance_result gap = {0};
+  gjk_manifold manifold = {0};
+  switch (detail) {
+    case GJK_DETAIL_DISTANCE: gjk_distance(a, b, NULL, &gap); return gap.distance;
+    case GJK_DETAIL_DEPTH: gjk_signed_distance(a, b, NULL, &workspace, &gap); return gap.distance;
+    case GJK_DETAIL_CONTACTS: gjk_contacts(a, b, margin, 4, NULL, &workspace, &manifold); break;
+    default: break;
+  }
+  gjk_q16 least = manifold.count > 0 ? INT32_MAX : 0;
+  for (int i = 0; i < manifold.count; i++) {
+    least = manifold.contact[i].distance < least ? manifold.contact[i].distance : least;
+  }
+  return least;
+}
+
 static void add_near(const world *w, const world_body *a, const world_body *b, int i, int k, world_list *list) {
   const gjk_collider *x = &a->colliders[i], *y = &b->colliders[k];
   const gjk_q16 margin = a->setup.margin + b->setup.margin;
   gjk_decision decision = {0};
-  gjk_distance_result gap = {0};
   if (spheres_apart(x, y, margin) || gjk_within(x, y, margin, NULL, &decision) != GJK_OK || !decision.yes) {
     return;
   }
@@ -317,9 +350,7 @@ static void add_near(const world *w, const world_body *a, const world_body *b, i
   r->event = GJK_EVENT_PERSIST;
   r->detail = a->setup.detail > b->setup.detail ? a->setup.detail : b->setup.detail;
   r->detail = r->detail > w->options.detail ? r->detail : w->options.detail;
-  if (r->detail == GJK_DETAIL_DISTANCE && gjk_distance(x, y, NULL, &gap) == GJK_OK) {
-    r->distance = gap.distance;
-  }
+  r->distance = report_distance(x, y, margin, r->detail);
 }
 
 static void find_near(const world *w, world_list *list) {

@@ -30,7 +30,8 @@ typedef struct world_options {
   uint32_t bodies;  // at most WORLD_BODIES
   int32_t reach;    // half the side of the cube that they are in
   gjk_q16 box_margin;
-  uint8_t detail, persist, no_skips;
+  uint8_t detail;  // of the configuration; bodies ask for more, from DEPTH on for depth and contacts, too
+  uint8_t persist, no_skips;
   bool predicate, margins;
   bool edges;  // positions are around the corners of int32, so that some parts leave it
 } world_options;
@@ -46,11 +47,17 @@ typedef struct world {
 
 extern const gjk_shape *const world_shapes[WORLD_SHAPES];
 
+// Where the manifolds of all worlds' reports are.
+extern gjk_manifold world_manifolds[WORLD_REPORTS];
+
 // The configuration for these options.
 gjk_scene_config world_config(const world_options *options);
 
 // An empty world in a block of gjk_scene_bytes(world_config(options)). Returns whether the scene could be made.
 bool world_start(world *w, const world_options *options, void *block, size_t bytes);
+
+// Sets the fields of a handle that are the caller's: the predicate of the world's options, depth and contacts.
+void world_equip(const world *w, gjk_scene *scene);
 
 // One random change to both. Returns false when the scene's status is not the expected one.
 bool world_change(world *w, random_state *random);

@@ -23,10 +23,10 @@ static void move_block(size_t bytes, void *save, bool back) {
                                  : gjk_scene_open(&scene, block, bytes, world_shapes, WORLD_SHAPES);
   CHECK_MSG(status == GJK_OK, "after %lu updates", updates);
   free(w.scene.block);
-  scene.predicate = w.scene.predicate;
   if (back) {
     w = saved;
   }
+  world_equip(&w, &scene);
   w.scene = scene;
   restores++;
 }
@@ -58,7 +58,7 @@ int main(int argc, char **argv) {
     options.bodies = 2 + random_below(&random, WORLD_BODIES - 1);
     options.reach = random_range(&random, GJK_Q16(1), GJK_Q16(5));
     options.box_margin = random_range(&random, 0, GJK_Q16(0.5));
-    options.detail = (uint8_t)random_below(&random, 2);
+    options.detail = (uint8_t)(random_below(&random, 4) == 0 ? random_below(&random, 4) : random_below(&random, 2));
     options.persist = (uint8_t)random_below(&random, 2);
     options.predicate = random_below(&random, 2) == 0;
     options.margins = random_below(&random, 2) == 0;

@@ -14,6 +14,8 @@ static const world_options families[] = {
     {WORLD_BODIES, GJK_Q16(2), GJK_Q16(1), GJK_DETAIL_DISTANCE, 1, 1, true, true, false},
     {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.25), GJK_DETAIL_TOUCH, 1, 0, false, true, false},
     {5, GJK_Q16(1), GJK_Q16(0.05), GJK_DETAIL_DISTANCE, 1, 0, false, true, false},
+    {WORLD_BODIES, GJK_Q16(2), GJK_Q16(0.1), GJK_DETAIL_DEPTH, 1, 0, false, true, false},
+    {WORLD_BODIES, GJK_Q16(2), GJK_Q16(0.3), GJK_DETAIL_DEPTH, 1, 1, false, true, false},
     {WORLD_BODIES, GJK_Q16(1.5), GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 1, 0, false, true, true},
     {WORLD_BODIES, GJK_Q16(1.5), GJK_Q16(4000), GJK_DETAIL_DISTANCE, 1, 1, false, true, true},
 };

@@ -35,7 +35,7 @@ static void transplant(world *w, size_t bytes, bool seal) {
   memcpy(block, old, bytes);
   memset(old, 0xA5, bytes);
   CHECK((seal ? gjk_scene_open : gjk_scene_attach)(&scene, block, bytes, world_shapes, WORLD_SHAPES) == GJK_OK);
-  scene.predicate = w->scene.predicate;
+  world_equip(w, &scene);
   w->scene = scene;
   free(old);
 }
@@ -94,7 +94,7 @@ static void check_rollback(void) {
   const size_t more = gjk_scene_bytes(&config);
   CHECK(world_start(&other, &plain, malloc(more), more));
   CHECK(gjk_scene_init(&other.scene, &config, other.scene.block, more, world_shapes, WORLD_SHAPES) == GJK_OK);
-  other.scene.predicate = world_predicate;
+  world_equip(&other, &other.scene);
   for (int i = 0; i < TICKS; i++) {
     tick(&other, i);
     CHECK_MSG(hash_of(&other.scene) == hashes[i], "without skips, tick %d", i);

@@ -8,6 +8,7 @@
 
 #define UPDATES 150
 #define THREADS 3
+#define CELLS 2000
 
 typedef enum manner { WHOLE, SLICES, SMALL_BUFFERS, FUNCTION, RANGES, MANNERS } manner;
 
@@ -36,28 +37,35 @@ static void take_report(void *user, const gjk_report *report) {
 }
 
 typedef struct range {
-  gjk_scene *scene;
+  gjk_scene scene;  // a copy with a workspace of its own
+  gjk_workspace workspace;
+  gjk_cell cells[CELLS];
   uint32_t begin, end;
   gjk_status status;
 } range;
 
 static void *test_range(void *argument) {
   range *r = argument;
-  r->status = gjk_scene_test_pairs(r->scene, r->begin, r->end);
+  r->status = gjk_scene_test_pairs(&r->scene, r->begin, r->end);
   return NULL;
 }
 
 // Ranges that leave a few pairs to the final update.
 static bool in_ranges(world *w, world_list *list) {
+  static range ranges[THREADS];
   pthread_t threads[THREADS];
-  range ranges[THREADS];
   uint32_t pairs = 0;
   gjk_progress progress;
   bool fine = gjk_scene_update_begin(&w->scene, &pairs) == GJK_OK;
   const uint32_t share = pairs / THREADS;
   for (uint32_t i = 0; i < THREADS && fine; i++) {
-    const range r = {&w->scene, i * share, (i + 1) * share, GJK_OK};
-    ranges[i] = r;
+    range *r = &ranges[i];
+    r->scene = w->scene;
+    r->workspace.cells = r->cells;
+    r->workspace.count = CELLS;
+    r->scene.workspace = &r->workspace;
+    r->begin = i * share;
+    r->end = (i + 1) * share;
     fine = pthread_create(&threads[i], NULL, test_range, &ranges[i]) == 0;
   }
   for (uint32_t i = 0; i < THREADS && fine; i++) {
@@ -85,9 +93,8 @@ static bool update(manner how, random_state *random) {
   return fine;
 }
 
-int main(void) {
-  const world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 1, 0,
-                                 true,         true,         false};
+static void check_manners(gjk_detail detail) {
+  const world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), (uint8_t)detail, 1, 0, true, true, false};
   const gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
   random_state random[MANNERS], slices = random_seed(4);
@@ -116,6 +123,12 @@ int main(void) {
   CHECK(reports > 20 * UPDATES);
   for (int m = 0; m < MANNERS; m++) {
     free(worlds[m].scene.block);
+  }
+}
+
+int main(void) {
+  for (int i = 0; i < 2; i++) {
+    check_manners(i == 0 ? GJK_DETAIL_DISTANCE : GJK_DETAIL_DEPTH);
   }
   return check_done("scene_spread");
 }

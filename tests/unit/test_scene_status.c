@@ -61,7 +61,6 @@ static void check_configurations(void) {
   REFUSED(no_skips, 2, GJK_ERROR_RANGE);
   REFUSED(reserved, 1, GJK_ERROR_RANGE);
   REFUSED(detail, GJK_DETAIL_CONTACTS + 1, GJK_ERROR_RANGE);
-  REFUSED(detail, GJK_DETAIL_DEPTH, GJK_ERROR_UNSUPPORTED);
 #undef REFUSED
   c = usual;
   const size_t bytes = gjk_scene_bytes(&c);
@@ -101,7 +100,6 @@ static void check_bad_setups(void) {
   REFUSED(part_count, 7, GJK_ERROR_CAPACITY);
   REFUSED(kind, GJK_BODY_DYNAMIC + 1, GJK_ERROR_RANGE);
   REFUSED(detail, GJK_DETAIL_CONTACTS + 1, GJK_ERROR_RANGE);
-  REFUSED(detail, GJK_DETAIL_CONTACTS, GJK_ERROR_UNSUPPORTED);
   REFUSED(margin, -1, GJK_ERROR_RANGE);
   REFUSED(margin, GJK_RADIUS_MAX + 1, GJK_ERROR_RANGE);
   REFUSED(pose.rotation.w, 5, GJK_ERROR_ROTATION);
@@ -263,7 +261,7 @@ static void check_busy(void) {
 }
 
 static void check_foreign(void) {
-  const gjk_scene nothing = {NULL, NULL, 0, NULL, NULL};
+  const gjk_scene nothing = {NULL, NULL, 0, NULL, NULL, NULL, NULL, NULL};
   gjk_scene_stats stats;
   start(&usual);
   CHECK(gjk_scene_get_stats(&nothing, &stats) == GJK_ERROR_NULL && gjk_scene_get_stats(&scene, NULL) == GJK_ERROR_NULL);
