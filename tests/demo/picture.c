@@ -182,8 +182,8 @@ static void put_names(picture *p) {
     const label_rectangle *box = &p->box[i];
     double width = 7.2 * (double)strlen(body->name);
     point2 middle = view_project(&p->camera, real_from_q16(body->collider.collider.centre));
-    if (box->width < 0.7 * width || box->height < 16) {
-      continue;  // the list names it
+    if (box->width < 0.7 * width || box->height < 16 || strcmp(body->name, "floor") == 0) {
+      continue;  // the list names it; what stands on the floor hides its middle
     }
     label_rectangle r = label_place(&p->page, middle, width, 14, 0);
     fprintf(p->file, "<text x=\"%.1f\" y=\"%.1f\">", r.left + width / 2, r.top + 11);
@@ -222,7 +222,20 @@ static void put_arrow(picture *p, const scene_pair *pair, const char *ink) {
           tip.x - 11 * u + 5 * v, tip.y - 11 * v - 5 * u, tip.x - 11 * u - 5 * v, tip.y - 11 * v + 5 * u, ink);
 }
 
-// The gaps, rings where bodies touch, and arrows where they overlap.
+// The contact points of two bodies: halfway between the points on each.
+static void put_contacts(picture *p, const scene_pair *pair, const char *ink) {
+  for (int i = 0; i < pair->manifold.count; i++) {
+    const gjk_contact *contact = &pair->manifold.contact[i];
+    const point2 a = view_project(&p->camera, real_from_q16(contact->point_a));
+    const point2 b = view_project(&p->camera, real_from_q16(contact->point_b));
+    const point2 at = {(a.x + b.x) / 2, (a.y + b.y) / 2};
+    take_point(&p->page, at);
+    fprintf(p->file, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"#ffffff\" stroke=\"%s\" stroke-width=\"1.8\"/>\n",
+            at.x, at.y, ink);
+  }
+}
+
+// The gaps, the contact points of bodies that touch or overlap, and arrows where they overlap.
 static void put_marks(picture *p) {
   for (size_t i = 0; i < p->s->pairs; i++) {
     const scene_pair *pair = &p->s->pair[i];
@@ -237,9 +250,7 @@ static void put_marks(picture *p) {
       put_arrow(p, pair, ink);
     }
     if (pair->relation != SCENE_APART) {
-      fprintf(p->file,
-              "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#ffffff\" stroke=\"%s\" stroke-width=\"2.5\"/>\n",
-              (a.x + b.x) / 2, (a.y + b.y) / 2, ink);
+      put_contacts(p, pair, ink);
       continue;
     }
     for (int layer = 0; layer < 2; layer++) {
@@ -330,7 +341,7 @@ static void put_panel(const picture *p) {
   }
   fprintf(p->file, "</g>\n<g font-size=\"12\" fill=\"" INK "\">\n");
   static const char *const meaning[] = {"apart: gap between the nearest points",
-                                        "touching: depth 0 (curved: at most 4 LSB)",
+                                        "touching: contact points, depth 0 (curved: at most 4 LSB)",
                                         "overlapping: depth, and the way out (arrow)"};
   y = HEIGHT - 108;
   for (int i = 0; i < 3; i++) {

@@ -24,6 +24,7 @@ typedef struct scene_pair {
   size_t a, b;  // bodies
   gjk_distance_result answer;
   gjk_penetration_result overlap;  // unless they are apart
+  gjk_manifold manifold;           // the same
   scene_relation relation;
   certify_verdict verdict;
   gjk_vec3 mark_a, mark_b;  // nearest or deepest points
