@@ -6,7 +6,7 @@
 static void *resize(void *memory, size_t count, size_t size) {
   void *grown = count > SIZE_MAX / size ? NULL : realloc(memory, count * size);
   if (grown == NULL) {
-    fprintf(stderr, "out of memory for %lu vertices\n", (unsigned long)count);
+    fprintf(stderr, "out of memory for %lu vertices or corners\n", (unsigned long)count);
     exit(2);
   }
   return grown;
@@ -18,14 +18,19 @@ void case_shape_reset(case_shape *shape) {
   shape->kind = CASE_POINT;
   shape->size = zero;
   shape->count = 0;
+  shape->faces = 0;
   shape->round = 0;
   shape->pose = identity;
 }
 
 void case_shape_free(case_shape *shape) {
   free(shape->vertices);
+  free(shape->corners);
+  free(shape->ends);
   shape->vertices = NULL;
+  shape->corners = shape->ends = NULL;
   shape->count = shape->capacity = 0;
+  shape->faces = shape->faces_capacity = 0;
 }
 
 void case_pair_free(case_pair *pair) {
@@ -41,6 +46,15 @@ void case_shape_set_count(case_shape *shape, size_t count) {
   shape->count = count;
 }
 
+void case_shape_set_faces(case_shape *shape, size_t faces) {
+  if (faces > shape->faces_capacity) {
+    shape->corners = resize(shape->corners, faces * GJK_FACE_CORNERS_MAX, sizeof(uint16_t));
+    shape->ends = resize(shape->ends, faces, sizeof(uint16_t));
+    shape->faces_capacity = faces;
+  }
+  shape->faces = faces;
+}
+
 void case_shape_copy(case_shape *to, const case_shape *from) {
   to->kind = from->kind;
   to->size = from->size;
@@ -49,6 +63,13 @@ void case_shape_copy(case_shape *to, const case_shape *from) {
   case_shape_set_count(to, from->count);
   for (size_t i = 0; i < from->count; i++) {
     to->vertices[i] = from->vertices[i];
+  }
+  case_shape_set_faces(to, from->faces);
+  for (size_t i = 0; i < from->faces; i++) {
+    to->ends[i] = from->ends[i];
+  }
+  for (size_t i = 0; from->faces > 0 && i < from->ends[from->faces - 1]; i++) {
+    to->corners[i] = from->corners[i];
   }
 }
 
@@ -104,6 +125,12 @@ gjk_status case_collider_build(case_collider *collider, const case_shape *shape,
     buffer = collider->buffer;
   }
   collider->shape = library_shape(shape);
+  if (shape->faces > 0) {
+    collider->faces.corner = shape->corners;
+    collider->faces.end = shape->ends;
+    collider->faces.count = (uint16_t)shape->faces;
+    collider->shape.faces = &collider->faces;
+  }
   gjk_status status = gjk_collider_init(&collider->collider, &collider->shape, buffer, (uint16_t)shape->count);
   return status == GJK_OK ? gjk_collider_pose(&collider->collider, &shape->pose) : status;
 }
@@ -144,10 +171,23 @@ static void print_kind(FILE *file, const case_shape *shape) {
   }
 }
 
+static void print_faces(FILE *file, char name, const case_shape *shape) {
+  fprintf(file, "%c faces %lu\n", name, (unsigned long)shape->faces);
+  for (size_t i = 0, k = 0; i < shape->faces; i++) {
+    for (const char *before = ""; k < shape->ends[i]; k++, before = " ") {
+      fprintf(file, "%s%u", before, shape->corners[k]);
+    }
+    fprintf(file, "\n");
+  }
+}
+
 static void print_shape(FILE *file, char name, const case_shape *shape) {
   gjk_quat q = shape->pose.rotation;
   fprintf(file, "%c ", name);
   print_kind(file, shape);
+  if (shape->faces > 0) {
+    print_faces(file, name, shape);
+  }
   if (shape->round != 0) {
     fprintf(file, "%c round %ld\n", name, (long)shape->round);
   }

@@ -24,6 +24,8 @@ typedef struct case_shape {
   gjk_vec3 size;
   gjk_vec3 *vertices;  // triangle, hull: owned, grows as needed, kept between cases
   size_t count, capacity;
+  uint16_t *corners, *ends;  // faces of a hull, as in gjk_hull_faces: owned, with room for faces_capacity faces
+  size_t faces, faces_capacity;
   gjk_q16 round;
   gjk_pose pose;
 } case_shape;
@@ -36,6 +38,7 @@ typedef struct case_pair {
 // A shape of a case bound to a posed collider; hulls baked. Both may be reused; free with case_collider_free.
 typedef struct case_collider {
   gjk_shape shape;
+  gjk_hull_faces faces;
   gjk_vec3 *buffer;
   size_t capacity;
   gjk_collider collider;
@@ -47,6 +50,8 @@ void case_shape_free(case_shape *shape);
 void case_pair_free(case_pair *pair);
 // Room for count vertices; sets count.
 void case_shape_set_count(case_shape *shape, size_t count);
+// Room for so many faces of GJK_FACE_CORNERS_MAX corners; sets faces.
+void case_shape_set_faces(case_shape *shape, size_t faces);
 // *to becomes a deep copy of *from.
 void case_shape_copy(case_shape *to, const case_shape *from);
 

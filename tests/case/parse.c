@@ -14,7 +14,7 @@
 typedef struct side {
   case_shape *shape;
   char letter;
-  bool kind, round, at, turn;  // seen
+  bool kind, faces, round, at, turn;  // seen
   gjk_q16 own_radius, rounding;
 } side;
 
@@ -134,22 +134,27 @@ static bool read_numbers(case_reader *reader, char *cursor, const char *names, i
   return read_end(reader, cursor);
 }
 
+// The next line of a list; false at the end of the file or the case.
+static bool next_item(case_reader *reader, const char *names) {
+  if (!next_line(reader)) {
+    complain(reader, "expected %s, found the end of the file", names);
+    return false;
+  }
+  if (begins_case(reader)) {
+    complain(reader, "expected %s, found 'case'", names);
+    reader->pending = true;
+    return false;
+  }
+  return true;
+}
+
 static bool read_vertices(case_reader *reader, case_shape *shape, size_t count) {
   case_shape_set_count(shape, count);
   for (size_t i = 0; i < count; i++) {
     char names[64];
     int32_t v[3];
     snprintf(names, sizeof names, "vertex %lu of %lu, x y z", (unsigned long)(i + 1), (unsigned long)count);
-    if (!next_line(reader)) {
-      complain(reader, "expected %s, found the end of the file", names);
-      return false;
-    }
-    if (begins_case(reader)) {
-      complain(reader, "expected %s, found 'case'", names);
-      reader->pending = true;
-      return false;
-    }
-    if (!read_numbers(reader, reader->text, names, LENGTH_BITS, 3, v)) {
+    if (!next_item(reader, names) || !read_numbers(reader, reader->text, names, LENGTH_BITS, 3, v)) {
       return false;
     }
     shape->vertices[i].x = v[0];
@@ -159,16 +164,59 @@ static bool read_vertices(case_reader *reader, case_shape *shape, size_t count) 
   return true;
 }
 
-static bool read_hull(case_reader *reader, char *cursor, case_shape *shape) {
+// Expects a count from 1 to most of what is listed, after a word, and the end of the line.
+static bool read_count(case_reader *reader, char *cursor, const char *listed, const char *after, int32_t most,
+                       int32_t *count) {
   char *word = next_word(&cursor);
-  int32_t count;
-  if (word == NULL || strchr(word, '.') != NULL || !case_number_parse(word, 0, &count) || count < 1 ||
-      count > GJK_HULL_VERTICES_MAX) {
-    complain(reader, "expected a number of vertices from 1 to %ld after 'hull', found '%s'",
-             (long)GJK_HULL_VERTICES_MAX, word == NULL ? "" : word);
+  if (word == NULL || strchr(word, '.') != NULL || !case_number_parse(word, 0, count) || *count < 1 || *count > most) {
+    complain(reader, "expected a number of %s from 1 to %ld, found '%s'", listed, (long)most, after,
+             word == NULL ? "" : word);
     return false;
   }
-  return read_end(reader, cursor) && read_vertices(reader, shape, (size_t)count);
+  return read_end(reader, cursor);
+}
+
+static bool read_hull(case_reader *reader, char *cursor, case_shape *shape) {
+  int32_t count;
+  return read_count(reader, cursor, "vertices", "hull", GJK_HULL_VERTICES_MAX, &count) &&
+         read_vertices(reader, shape, (size_t)count);
+}
+
+// The corners of one face, the numbers on the line; they follow those of the faces before.
+static bool read_face(case_reader *reader, case_shape *shape, size_t face) {
+  char *cursor = reader->text, *word;
+  const uint16_t first = face == 0 ? 0 : shape->ends[face - 1];
+  uint16_t end = first;
+  while ((word = next_word(&cursor)) != NULL) {
+    int32_t number;
+    if (end - first == GJK_FACE_CORNERS_MAX || strchr(word, '.') != NULL || !case_number_parse(word, 0, &number) ||
+        number < 0 || number > UINT16_MAX) {
+      complain(reader, "expected face %lu: up to %d vertex numbers, found '%s'", (unsigned long)(face + 1),
+               GJK_FACE_CORNERS_MAX, word);
+      return false;
+    }
+    shape->corners[end++] = (uint16_t)number;
+  }
+  shape->ends[face] = end;
+  return read_end(reader, cursor);
+}
+
+// At most so many faces that the numbers of their corners fit 16 bits.
+#define FACES_MAX (UINT16_MAX / GJK_FACE_CORNERS_MAX)
+
+static bool read_faces(case_reader *reader, char *cursor, case_shape *shape) {
+  int32_t count;
+  if (!read_count(reader, cursor, "faces", "faces", FACES_MAX, &count)) {
+    return false;
+  }
+  case_shape_set_faces(shape, (size_t)count);
+  for (size_t i = 0; i < shape->faces; i++) {
+    if (!next_item(reader, "the vertex numbers of a face") || !read_face(reader, shape, i)) {
+      shape->faces = 0;
+      return false;
+    }
+  }
+  return true;
 }
 
 typedef struct kind_name {
@@ -235,7 +283,7 @@ static bool read_kind(case_reader *reader, char *cursor, side *into, const char 
   }
   complain(reader,
            "expected point, segment, triangle, box, hull, sphere, capsule, cylinder, cone, ellipsoid, "
-           "round, at or turn after '%c', found '%s'",
+           "round, faces, at or turn after '%c', found '%s'",
            into->letter, word);
   return false;
 }
@@ -259,6 +307,9 @@ static bool read_property(case_reader *reader, char *cursor, side *into) {
   if (strcmp(word, "round") == 0) {
     return once(reader, &into->round, into, word) &&
            read_numbers(reader, cursor, "r after 'round'", LENGTH_BITS, 1, &into->rounding);
+  }
+  if (strcmp(word, "faces") == 0) {
+    return once(reader, &into->faces, into, word) && read_faces(reader, cursor, into->shape);
   }
   if (strcmp(word, "at") == 0) {
     gjk_vec3 *position = &into->shape->pose.position;
@@ -292,6 +343,10 @@ static bool finish_side(case_reader *reader, const side *of, const char *id) {
     complain(reader, "expected '%c KIND ...' before the end of case %s", of->letter, id);
     return false;
   }
+  if (of->faces && of->shape->kind != CASE_HULL) {
+    complain(reader, "expected '%c hull ...' with '%c faces' in case %s", of->letter, of->letter, id);
+    return false;
+  }
   if (of->own_radius < 0 || of->rounding < 0) {
     sum = of->own_radius < of->rounding ? of->own_radius : of->rounding;
   }
@@ -323,8 +378,8 @@ static bool read_header(case_reader *reader, case_pair *pair) {
 
 // The lines of a case, up to the next one.
 static bool read_case(case_reader *reader, case_pair *pair) {
-  side a = {&pair->a, 'A', false, false, false, false, 0, 0};
-  side b = {&pair->b, 'B', false, false, false, false, 0, 0};
+  side a = {&pair->a, 'A', false, false, false, false, false, 0, 0};
+  side b = {&pair->b, 'B', false, false, false, false, false, 0, 0};
   case_shape_reset(&pair->a);
   case_shape_reset(&pair->b);
   if (!read_header(reader, pair)) {

@@ -6,6 +6,7 @@
 //                              | hull n (n lines of x y z) | sphere r | capsule r h
 //                              | cylinder r h | cone r h | ellipsoid rx ry rz
 //     A round r                optional, adds to the radius of a sphere or capsule
+//     A faces m                optional, of a hull: m lines of vertex numbers from 0, up to GJK_FACE_CORNERS_MAX
 //     A at x y z               optional, default 0 0 0
 //     A turn x y z w           optional quaternion, default 0.0 0.0 0.0 1.0
 //     B KIND ...               and so on

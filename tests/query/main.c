@@ -33,6 +33,8 @@ static const char help[] =
     "                  | cylinder r h | cone r h | ellipsoid rx ry rz\n"
     "                  (long axes along local z, h the half length; a cone's apex at +h)\n"
     "  A round r       optional rounding radius\n"
+    "  A faces m       optional, of a hull, for --contacts: m lines of vertex numbers from 0, each face's\n"
+    "                  counterclockwise seen from outside\n"
     "  A at x y z      optional, default 0 0 0\n"
     "  A turn x y z w  optional quaternion, default 0.0 0.0 0.0 1.0\n"
     "  B KIND ...      and so on\n"

@@ -112,6 +112,14 @@ static void random_case_shape(random_state *random, case_shape *shape) {
     shape->vertices[i].y = any_number(random);
     shape->vertices[i].z = any_number(random);
   }
+  case_shape_set_faces(shape,
+                       shape->kind == CASE_HULL && random_below(random, 2) == 0 ? 1 + random_below(random, 9) : 0);
+  for (size_t i = 0, k = 0; i < shape->faces; i++) {
+    for (uint32_t left = 1 + random_below(random, GJK_FACE_CORNERS_MAX); left > 0; left--) {
+      shape->corners[k++] = (uint16_t)any_number(random);
+    }
+    shape->ends[i] = (uint16_t)k;
+  }
   shape->round = random_below(random, 2) == 0 ? 0 : any_number(random);
   shape->pose.position.x = any_number(random);
   shape->pose.position.y = any_number(random);
@@ -131,7 +139,11 @@ static bool same_shape(const case_shape *a, const case_shape *b) {
   for (size_t i = 0; same && i < a->count; i++) {
     same = same_vec3(a->vertices[i], b->vertices[i]);
   }
-  return same;
+  same = same && a->faces == b->faces;
+  for (size_t i = 0; same && i < a->faces; i++) {
+    same = a->ends[i] == b->ends[i];
+  }
+  return same && (a->faces == 0 || memcmp(a->corners, b->corners, a->ends[a->faces - 1] * sizeof a->corners[0]) == 0);
 }
 
 // What case_print writes, the reader reads; the reader's storage is that of the case before.

@@ -87,6 +87,45 @@ check 'contacts' is 4 "$(corners 0.01)"
 check 'contacts, too far apart' is 0 "$(corners 99)"
 check 'contacts below the line of the distance' is "$(answer "$dir/contacts.txt")" \
   "$(answer --contacts "$dir/contacts.txt")"
+cube='A hull 8
+-1.0 -1.0 -1.0
+1.0 -1.0 -1.0
+-1.0 1.0 -1.0
+1.0 1.0 -1.0
+-1.0 -1.0 1.0
+1.0 -1.0 1.0
+-1.0 1.0 1.0
+1.0 1.0 1.0'
+faces='A faces 6
+0 4 6 2
+1 3 7 5
+0 1 5 4
+2 6 7 3
+0 2 3 1
+4 5 7 6  # the top'
+beside='B box 0.5 0.5 0.5
+B at 1.25 0.0 0.25'
+# points FACES: contacts of the cube and a box that reaches a quarter into it
+points() {
+  printf 'case cube\n%s\n%s\n%s\n' "$cube" "$1" "$beside" | "$tool" --contacts |
+    grep -c '^  contact a=65536,-*32768,[-0-9]* b=49152,-*32768,[-0-9]* distance=-16384 id='
+}
+check 'contacts of a hull with faces' is 4 "$(points "$faces")"
+check 'contacts of a hull without' is 1 "$(printf 'case cube\n%s\n%s\n' "$cube" "$beside" | "$tool" --contacts | grep -c contact)"
+# refused_faces LINES: is the case refused with this message?
+refused_faces() {
+  printf 'case cube\n%s\n%s\n%s\n' "$cube" "$1" "$beside" | "$tool" --contacts 2>&1 | grep -q "$2"
+}
+check 'faces: none' refused_faces 'A faces 0' 'expected a number of faces'
+check 'faces: too few lines' refused_faces 'A faces 2
+0 4 6 2' "expected face 2: up to 12 vertex numbers, found 'B'"
+check 'faces: too many corners' refused_faces 'A faces 1
+0 1 2 3 4 5 6 7 0 1 2 3 4' "expected face 1: up to 12 vertex numbers, found '4'"
+check 'faces: of two corners' refused_faces 'A faces 1
+0 1' 'cube error GJK_ERROR_'
+check 'faces: of a vertex that is not there' refused_faces 'A faces 1
+0 1 8' 'cube error GJK_ERROR_'
+check 'faces: of a box' sh -c "printf 'case box\nA box 1 1 1\nA faces 1\n0 1 2\nB point\n' | '$tool' 2>&1 | grep -q \"expected 'A hull\""
 check 'a negative margin' status 2 "$tool" --contacts -1 "$dir/contacts.txt"
 check 'penetration, apart' is "$(answer "$dir/gap.txt")" "$(answer --penetration "$dir/gap.txt")"
 
