@@ -21,8 +21,9 @@
 #   make soak            100,000,000 certified pairs over two cores, or PAIRS=N; goes on where it was interrupted
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies
 #   make scene-soak      1,000,000 random operations on scenes under the sanitizers
-#   make demo-lockstep   two processes play a match by exchanging inputs alone, then one of them on an emulated big-endian
-#                        machine; DIVERGE=200 has one go wrong from that tick, and what differs is named
+#   make demo-lockstep   two processes play a match by exchanging inputs alone; then one of them is firmware on an emulated
+#                        Cortex-M3, then on a big-endian machine; DIVERGE=200 has one go wrong from that tick, and what
+#                        differs is named
 #   make clean
 #
 # OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.
@@ -159,7 +160,7 @@ build/gjk-bench-report: $(BENCH_REPORT)
 # Start-up code clears memory in a loop, which must not become a call of itself.
 
 BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
-FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/*.h tests/target/*.h tests/demo/*.h tests/scene/*.h include/gjk/*.h) Makefile
+FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/*.h tests/target/*.h tests/demo/*.h tests/scene/*.h tests/lockstep/*.h include/gjk/*.h) Makefile
 FIRMWARE = $(FREESTANDING) -Itests -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
   $(filter-out $(FIRMWARE_NEEDS),$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 
@@ -176,6 +177,10 @@ $(OUT)/port.elf: tests/target/port_allocation.c port/generic/gjk_arena.c
 $(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE) -Itests/demo
+
+$(OUT)/lockstep.elf: tests/lockstep/firmware.c tests/lockstep/peer.c tests/scene/match.c $(FIRMWARE_NEEDS)
+	@echo '  $@'
+	@$(FIRMWARE)
 
 # What else there is to do.
 

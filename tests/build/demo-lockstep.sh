@@ -1,7 +1,9 @@
 #!/bin/sh
 # Two processes play a match by exchanging inputs alone and compare hashes each tick: demo-lockstep.sh BUILD TICKS
-# [DIVERGE]. First two on this machine, then this machine against an emulated S390. With DIVERGE the
-# judging side goes wrong at that tick. Status: 0 when the hashes were the same, or with DIVERGE when they were not.
+# [DIVERGE]. First two on this machine, then this machine against firmware on an emulated Cortex-M3, then against an
+# emulated S390. With DIVERGE the judging side goes wrong at that tick. Status: 0 when the hashes were the same, or with
+# DIVERGE when they were not.
+. tests/build/count.sh
 build=$1 ticks=$2 diverge=$3
 link=$build/lockstep-link
 rm -rf "$link"
@@ -21,6 +23,16 @@ play() {
 
 echo 'Two processes on this machine:' >&2
 play "$build/lockstep" 1 "$ticks" || exit 1
+missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
+if [ -n "${missing# }" ]; then
+  echo "This machine against a Cortex-M3 needs $missing: \`make setup\` installs them." >&2
+else
+  rm -f build/cortex-m3/lockstep.elf
+  make -s build/cortex-m3/lockstep.elf TARGET=cortex-m3 FIRMWARE_DEFINES="-DLOCKSTEP_TICKS=$ticks" >/dev/null || exit 1
+  echo 'This machine against firmware on an emulated Cortex-M3:' >&2
+  play timeout 300 qemu-system-arm -M mps2-an385 -display none -monitor none -serial stdio \
+    -semihosting-config enable=on,target=native -kernel build/cortex-m3/lockstep.elf || exit 1
+fi
 if ! command -v s390x-linux-gnu-gcc >/dev/null || ! command -v qemu-s390x >/dev/null; then
   echo 'This machine against a big-endian one needs gcc-s390x-linux-gnu, qemu-user: `make setup` installs them.' >&2
   exit 0

@@ -10,6 +10,10 @@ names_what_differs() {
     echo "$said" | grep -q 'pair of body .*: distance '
 }
 
+missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
+if [ -n "${missing# }" ]; then
+  skip 'lockstep with firmware' "$missing"
+fi
 if ! have s390x-linux-gnu-gcc || ! have qemu-s390x; then
   skip 'lockstep with a big-endian machine' 'gcc-s390x-linux-gnu qemu-user'
 fi
