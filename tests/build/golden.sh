@@ -57,6 +57,7 @@ golden() {
   mkdir -p "$folder"
   rm -f "$folder"/*
   glue="-std=c99 -Iinclude -Iport -Wl,--gc-sections"
+  scene="$root/tests/scene/match.c $root/tests/target/scene_golden.c"
   case $architecture in
     host)
       linker=gcc
@@ -66,7 +67,11 @@ golden() {
       linker=$(make -s "print-TOOLS_$architecture")
       glue="$glue -ffreestanding -Itests -fno-tree-loop-distribute-patterns tests/target/golden_firmware.c
         $(make -s "print-BOARD_$architecture")"
-      [ "$architecture" != avr ] || glue="$glue -DGOLDEN_RUN_PAIRS=GOLDEN_FEW_PAIRS"
+      case $architecture in
+        avr) glue="$glue -DGOLDEN_RUN_PAIRS=GOLDEN_FEW_PAIRS" scene= ;;
+        cortex-m0) scene= ;;
+        *) glue="$glue -DGOLDEN_SCENE" ;;
+      esac
       ;;
     *)
       linker=$(golden_triple "$architecture")-gcc
@@ -85,7 +90,7 @@ golden() {
   fi
   # shellcheck disable=SC2086
   (cd "$folder" && $core -std=c99 -ffreestanding -ffunction-sections -fdata-sections "-I$root/include" \
-    "-I$root/src" "-I$root/port" "$@" -c "$root"/src/*.c "$root/tests/target/golden.c") || return 1
+    "-I$root/src" "-I$root/port" "$@" -c "$root"/src/*.c "$root/tests/target/golden.c" $scene) || return 1
   case "$compiler $*" in
     clang*-flto*)
       ld.lld -r "$folder"/*.o -o "$folder/all.lto" && rm "$folder"/*.o && mv "$folder/all.lto" "$folder/all.o" || return 1

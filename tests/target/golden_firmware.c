@@ -1,16 +1,34 @@
-// Firmware: the golden hash on an emulated core. Exits with 0 when it is the one in golden.h.
+// Firmware: the golden hash on an emulated core, and that of a match in a scene where GOLDEN_SCENE says that its 50 KB of
+// memory are there. Exits with 0 when they are those in golden.h and scene_golden.h.
+#include <stdbool.h>
+
 #include "board/board.h"
 #include "golden.h"
 #include "print.h"
+#include "scene_golden.h"
 
 #ifndef GOLDEN_RUN_PAIRS
 #define GOLDEN_RUN_PAIRS GOLDEN_PAIRS
+#endif
+
+#ifdef GOLDEN_SCENE
+static bool scene_is_golden(void) {
+  const uint64_t hash = scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1);
+  board_print(" ");
+  print_hex(board_print, hash);
+  return hash == SCENE_GOLDEN_FEW_HASH;
+}
+#else
+static bool scene_is_golden(void) {
+  return true;
+}
 #endif
 
 int firmware_main(void) {
   const uint64_t expected = GOLDEN_RUN_PAIRS == GOLDEN_PAIRS ? GOLDEN_HASH : GOLDEN_FEW_HASH;
   const uint64_t hash = golden_hash(GOLDEN_RUN_PAIRS);
   print_hex(board_print, hash);
+  const bool scene = scene_is_golden();
   board_print("\n");
-  return hash == expected ? 0 : 1;
+  return hash == expected && scene ? 0 : 1;
 }

@@ -4,8 +4,11 @@
 #include <inttypes.h>
 #include <stdio.h>
 
+#include "scene_golden.h"
+
 int main(void) {
   const uint64_t few = golden_hash(GOLDEN_FEW_PAIRS), all = golden_hash(GOLDEN_PAIRS);
-  printf("%016" PRIx64 " %016" PRIx64 "\n", few, all);
-  return few == GOLDEN_FEW_HASH && all == GOLDEN_HASH ? 0 : 1;
+  const uint64_t scene = scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1);
+  printf("%016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", few, all, scene);
+  return few == GOLDEN_FEW_HASH && all == GOLDEN_HASH && scene == SCENE_GOLDEN_FEW_HASH ? 0 : 1;
 }
