@@ -1,27 +1,30 @@
 #!/bin/sh
-# The README's own example: the first block of C with a main compiles, runs, and prints what its comments
-# '// prints: TEXT' say, in their order. test_readme.sh BUILD
+# The README's own examples: each block of C with a main compiles, runs, and prints what its comments '// prints: TEXT'
+# say, in their order. test_readme.sh BUILD
 . tests/build/count.sh
 scratch=$1/readme
+rm -rf "$scratch"
 mkdir -p "$scratch"
 
-awk '
+awk -v scratch="$scratch" '
   /^```c$/ { block = ""; inside = 1; next }
-  /^```$/ { if (inside && block ~ /int main/) { printf "%s", block; exit } inside = 0; next }
-  inside { block = block $0 "\n" }' README.md >"$scratch/example.c"
-sed -n 's|.*// prints: ||p' "$scratch/example.c" >"$scratch/expected"
+  /^```$/ { if (inside && block ~ /int main/) printf "%s", block >(scratch "/example" ++count ".c"); inside = 0; next }
+  inside { block = block $0 "\n" }' README.md
 
 compiles() {
-  "${CC:-cc}" -std=c99 -Wall -Wextra -Wpedantic -Werror -Iinclude "$scratch/example.c" "$1/host/libgjk.a" \
-    "$1/hosted/port/hosted/gjk_hosted.o" -o "$scratch/example"
+  "${CC:-cc}" -std=c99 -Wall -Wextra -Wpedantic -Werror -Iinclude "$1.c" "$2/host/libgjk.a" \
+    "$2/hosted/port/hosted/gjk_hosted.o" -o "$1"
 }
 
 prints() {
-  "$scratch/example" >"$scratch/printed" && diff "$scratch/expected" "$scratch/printed"
+  sed -n 's|.*// prints: ||p' "$1.c" >"$1.expected"
+  "$1" >"$1.printed" && test -s "$1.expected" && diff "$1.expected" "$1.printed"
 }
 
-check 'there is an example' test -s "$scratch/example.c"
-check 'it says what it prints' test -s "$scratch/expected"
-check 'it compiles' compiles "$1"
-check 'it prints that' prints
+for number in 1 2; do
+  example=$scratch/example$number
+  check "example $number compiles" compiles "$example" "$1"
+  check "example $number prints what it says" prints "$example"
+done
+check 'there are no more' test ! -e "$scratch/example3.c"
 finish readme
