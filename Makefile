@@ -129,10 +129,9 @@ build/hosted/%.o: %.c Makefile
 
 build/gjk-query: $(QUERY)
 build/gjk-demo: $(DEMO)
-build/scene-bench: build/hosted/tests/bench_scene/main.o
 build/lockstep: build/hosted/tests/lockstep/main.o build/hosted/tests/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/unit/%.o
-build/gjk-query build/gjk-demo build/scene-bench build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
+build/gjk-query build/gjk-demo build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
@@ -142,15 +141,31 @@ BENCH_PEERS ?=
 BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/bench/*.c)) $(BENCH_PEERS:%=build/hosted/tests/bench/peer/%.o)
 BENCH_REPORT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/bench/report/*.c) tests/demo/svg.c tests/demo/labels.c)
 PEER_FLAGS = $(shell pkg-config $(1) $(BENCH_PEERS))
+PEER_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(patsubst -I%,-isystem%,$(filter -I%,$(call PEER_FLAGS,--cflags))) \
+  $(DEPENDENCIES)
 
 build/hosted/tests/bench/peer/%.o: tests/bench/peer/%.cpp Makefile
 	@mkdir -p $(@D)
 	@echo '  $<'
-	@$(CXX) -std=c++17 -O2 -Wall -Wextra $(patsubst -I%,-isystem%,$(filter -I%,$(call PEER_FLAGS,--cflags))) $(DEPENDENCIES) -c $< -o $@
+	@$(PEER_COMPILE) -c $< -o $@
 
 build/gjk-bench: $(BENCH) $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $^ $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
+
+# The scene's; of the peers those that have a broad phase, bullet and fcl.
+SCENE_PEERS := $(filter bullet fcl,$(BENCH_PEERS))
+SCENE_BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/bench_scene/*.c)) \
+  $(SCENE_PEERS:%=build/hosted/tests/bench_scene/peer/%.o)
+
+build/hosted/tests/bench_scene/peer/%.o: tests/bench_scene/peer/%.cpp Makefile
+	@mkdir -p $(@D)
+	@echo '  $<'
+	@$(PEER_COMPILE) -c $< -o $@
+
+build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB)
+	@echo '  $@'
+	@$(if $(SCENE_PEERS),$(CXX),$(CC)) $^ $(if $(SCENE_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
 build/gjk-bench-report: $(BENCH_REPORT)
 	@echo '  $@'

@@ -1,21 +1,59 @@
-// Time per tick of scenes of 8 to 20,000 bodies on this machine, as CSV, against testing the boxes of all pairs.
+// Time per tick of scenes of 8 to 20,000 bodies on this machine, as CSV, beside other libraries' broad phases where they
+// are linked, and beside testing the boxes of all pairs.
 //
-// scene-bench [QUICK]: with an argument only the line that a figure is promised for, and whether it is kept.
+// scene-bench [QUICK]: with an argument only the line that a figure is promised for, of the library and of all pairs,
+// and whether it is kept.
+//
+// Every method replays the same recorded motion, MOTION_TICKS ticks at a time, in turn; a figure is the median of the
+// means over so many ticks. Exit status 1: a scene failed, a count of pairs is wrong, or the promise is not kept.
 #define _POSIX_C_SOURCE 199309L
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 
-#include "../scene/traffic.h"
+#include "method_gjk.h"
+#include "motion.h"
 
-#define BODIES 20000
 #define PROMISED_BODIES 10000
 #define PROMISED_PERCENT 5
 #define PROMISED_RATIO 20
 
-static traffic_body bodies[BODIES];
-static gjk_aabb boxes[BODIES];
+#define WARM_UP 2  // blocks of MOTION_TICKS
+#define REPETITIONS_LEAST 5
+#define REPETITIONS_MOST 60
+#define TIME_ENOUGH 3e8  // ns of one line
+
+// A peer that is not linked is none.
+#pragma weak scene_bullet
+#pragma weak scene_fcl
+static const scene_method *const methods[] = {&scene_gjk_whole, &scene_gjk_broad, &scene_gjk_posing, &scene_bullet,
+                                              &scene_fcl};
+#define METHODS (sizeof methods / sizeof methods[0])
+#define WHOLE 0
+
+typedef struct measured {
+  void *world;
+  double times[REPETITIONS_MOST];
+  uint32_t held, meeting;
+} measured;
+
+// The pairs that a tick's skips settled, and those that went to a query, added up.
+typedef struct shares {
+  double pairs, resting, motion, boxes, direction, warm, cold;
+} shares;
+
+typedef struct line {
+  const char *name;
+  traffic_kind kind;
+  uint32_t count, percent;
+  bool quick;
+  unsigned repetitions;
+  measured of[METHODS];
+  double all[REPETITIONS_MOST];
+  uint32_t meeting;
+  shares shares;
+} line;
 
 static double now(void) {
   struct timespec t;
@@ -23,68 +61,167 @@ static double now(void) {
   return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
 }
 
-static void ignore_report(void *user, const gjk_report *report) {
-  uint32_t *count = user;
-  *count += report->event;
+static int compare(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
 }
 
-// Nanoseconds for the boxes of all pairs, ready made; the caller's moves and posing are not in it.
-static double test_all(const gjk_scene *scene, uint32_t count, uint32_t *meeting) {
-  for (uint32_t i = 0; i < count; i++) {
-    gjk_collider c;
-    gjk_scene_collider(scene, bodies[i].handle, 0, &c);
-    gjk_collider_aabb(&c, &boxes[i]);
+static double median(const double *values, unsigned count) {
+  double sorted[REPETITIONS_MOST];
+  for (unsigned i = 0; i < count; i++) {
+    sorted[i] = values[i];
   }
+  qsort(sorted, count, sizeof sorted[0], compare);
+  return count % 2 != 0 ? sorted[count / 2] : (sorted[count / 2 - 1] + sorted[count / 2]) / 2;
+}
+
+static bool used(const line *l, unsigned method) {
+  return methods[method] != NULL && (!l->quick || method == WHOLE);
+}
+
+// Mean nanoseconds of the recorded ticks, negative when one failed.
+static double replay(const motion *m, const scene_method *method, void *world) {
   const double start = now();
-  uint32_t found = 0;
-  for (uint32_t i = 0; i < count; i++) {
-    for (uint32_t k = i + 1; k < count; k++) {
-      const gjk_aabb *a = &boxes[i], *b = &boxes[k];
-      found += a->lower.x <= b->upper.x && b->lower.x <= a->upper.x && a->lower.y <= b->upper.y &&
-               b->lower.y <= a->upper.y && a->lower.z <= b->upper.z && b->lower.z <= a->upper.z;
-    }
+  bool fine = true;
+  for (unsigned i = 0; i < MOTION_TICKS && fine; i++) {
+    const scene_tick changes = motion_tick(m, i);
+    fine = method->tick(world, &changes);
   }
-  *meeting = found;
-  return now() - start;
+  return fine ? (now() - start) / MOTION_TICKS : -1;
 }
 
-// One line: the mean over as many ticks as take about a quarter of a second. Returns how many times faster than all pairs;
-// negative when something failed.
-static double run(const char *name, traffic_kind kind, uint32_t count, uint32_t percent) {
-  const gjk_scene_config config = traffic_config(kind, count);
-  const size_t bytes = gjk_scene_bytes(&config);
-  void *block = malloc(bytes);
-  gjk_scene scene;
-  gjk_scene_stats stats;
-  traffic t;
-  uint32_t reports = 0, meeting = 0;
-  bool fine = block != NULL &&
-              gjk_scene_init(&scene, &config, block, bytes, traffic_shapes, TRAFFIC_SHAPES) == GJK_OK &&
-              traffic_start(&t, &scene, kind, count, percent, bodies) == GJK_OK;
-  double total = 0;
-  unsigned ticks = 0;
-  for (int i = -10; fine && (i < 10 || (total < 25e7 && i < 10000)); i++) {
-    traffic_plan(&t);
-    const double start = now();
-    fine = traffic_apply(&t, &scene) == GJK_OK && gjk_scene_update_each(&scene, ignore_report, &reports) == GJK_OK;
-    if (i >= 0) {
-      total += now() - start;
-      ticks++;
+static void add_shares(shares *s, const gjk_scene_stats *stats) {
+  s->pairs += stats->pairs;
+  s->resting += stats->resting;
+  s->motion += stats->motion;
+  s->boxes += stats->boxes;
+  s->direction += stats->direction;
+  s->warm += stats->warm;
+  s->cold += stats->cold;
+}
+
+// Records a block of motion and shows it to each method.
+static bool repeat(line *l, motion *m, bool warm_up, double *spent) {
+  const unsigned at = warm_up ? 0 : l->repetitions++;
+  if (!motion_record(m)) {
+    return false;
+  }
+  for (unsigned i = 0; i < METHODS; i++) {
+    if (used(l, i)) {
+      l->of[i].times[at] = replay(m, methods[i], l->of[i].world);
+      *spent += l->of[i].times[at] * MOTION_TICKS;
+      if (l->of[i].times[at] < 0) {
+        return false;
+      }
     }
   }
-  if (!fine) {
-    fprintf(stderr, "%s, %u bodies: failed\n", name, count);
-    free(block);
-    return -1;
+  if (!warm_up) {
+    const gjk_scene_stats stats = method_gjk_stats(l->of[WHOLE].world);
+    const double start = now();
+    add_shares(&l->shares, &stats);
+    l->meeting = motion_test_all(m);
+    l->all[at] = now() - start;
+    *spent += l->all[at];
   }
-  gjk_scene_get_stats(&scene, &stats);
-  const double all = test_all(&scene, count, &meeting), mean = total / ticks;
-  const double share = stats.pairs > 0 ? 100.0 / stats.pairs : 0;
-  printf("%s,%u,%u,%.0f,%.0f,%.1f,%u,%u,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f\n", name, count, percent, mean, all, all / mean,
-         stats.pairs, meeting, stats.resting * share, stats.motion * share, stats.boxes * share,
-         stats.direction * share, stats.warm * share, stats.cold * share);
-  free(block);
-  return all / mean;
+  return true;
+}
+
+static bool measure(line *l, motion *m) {
+  double spent = 0;
+  for (unsigned i = 0; i < WARM_UP; i++) {
+    if (!repeat(l, m, true, &spent)) {
+      return false;
+    }
+  }
+  spent = 0;
+  while (l->repetitions < REPETITIONS_LEAST || (l->repetitions < REPETITIONS_MOST && spent < TIME_ENOUGH)) {
+    if (!repeat(l, m, false, &spent)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Every method that holds pairs must hold those whose exact boxes meet.
+static bool check_pairs(line *l, motion *m) {
+  bool right = true;
+  for (unsigned i = 0; i < METHODS; i++) {
+    measured *d = &l->of[i];
+    if (used(l, i) && methods[i]->count != NULL) {
+      methods[i]->count(d->world, motion_meet, m, &d->held, &d->meeting);
+      if (d->meeting != l->meeting) {
+        fprintf(stderr, "%s, %u bodies, %u %% moving: %s holds %u of the %u pairs whose boxes meet\n", l->name,
+                l->count, l->percent, methods[i]->name, d->meeting, l->meeting);
+        right = false;
+      }
+    }
+  }
+  return right;
+}
+
+static void put_number(bool there, double value) {
+  printf(there ? ",%.4g" : ",", value);
+}
+
+static void put_line(const line *l) {
+  const shares *s = &l->shares;
+  const double all = median(l->all, l->repetitions), share = s->pairs > 0 ? 100 / s->pairs : 0;
+  printf("%s,%u,%u", l->name, l->count, l->percent);
+  for (unsigned i = 0; i < METHODS; i++) {
+    put_number(used(l, i), median(l->of[i].times, l->repetitions));
+  }
+  put_number(true, all);
+  printf(",%u,%.0f", l->meeting, s->pairs / l->repetitions);
+  for (unsigned i = 0; i < METHODS; i++) {
+    if (i > WHOLE && methods[i] != &scene_gjk_posing) {
+      put_number(used(l, i) && methods[i]->count != NULL, l->of[i].held);
+    }
+  }
+  printf(",%.1f,%.1f,%.1f,%.1f,%.1f,%.1f\n", s->resting * share, s->motion * share, s->boxes * share,
+         s->direction * share, s->warm * share, s->cold * share);
+  fflush(stdout);
+}
+
+// Measures and prints one line. Returns how many times less a whole tick takes than all pairs; negative when something
+// failed.
+static double run(const char *name, traffic_kind kind, uint32_t count, uint32_t percent, bool quick) {
+  static line l;
+  static const line none;
+  motion m;
+  l = none;
+  l.name = name;
+  l.kind = kind;
+  l.count = count;
+  l.percent = percent;
+  l.quick = quick;
+  bool fine = motion_start(&m, kind, count, percent);
+  const scene_tick all = fine ? motion_all(&m) : (scene_tick){NULL, NULL, 0};
+  fine = all.count == count;
+  for (unsigned i = 0; i < METHODS && fine; i++) {
+    l.of[i].world = used(&l, i) ? methods[i]->start(&all) : NULL;
+    fine = !used(&l, i) || l.of[i].world != NULL;
+  }
+  fine = fine && measure(&l, &m) && check_pairs(&l, &m);
+  if (fine) {
+    put_line(&l);
+  } else {
+    fprintf(stderr, "%s, %u bodies: failed\n", name, count);
+  }
+  for (unsigned i = 0; i < METHODS; i++) {
+    if (l.of[i].world != NULL) {
+      methods[i]->stop(l.of[i].world);
+    }
+  }
+  motion_free(&m);
+  return fine ? median(l.all, l.repetitions) / median(l.of[WHOLE].times, l.repetitions) : -1;
+}
+
+static void put_head(void) {
+  // Times in ns. gjk's include the posing; the others' start from boxes ready made. all pairs: the boxes alone.
+  puts(
+      "scene,bodies,percent moving,gjk whole tick ns,gjk broad phase ns,gjk posing ns,Bullet ns,FCL ns,all pairs ns,"
+      "boxes meeting,gjk pairs,gjk broad pairs,Bullet pairs,FCL pairs,"
+      "% resting,% motion,% boxes,% direction,% warm,% cold");
 }
 
 int main(int argc, char **argv) {
@@ -97,17 +234,14 @@ int main(int argc, char **argv) {
                {"streaming", TRAFFIC_STREAMING}};
   static const uint32_t counts[] = {8, 64, 256, 1000, 4000, 10000, 20000}, percents[] = {0, 5, 25, 100};
   (void)argv;
-  puts(
-      "scene,bodies,percent moving,ns per tick,ns all box pairs,times faster,pairs,boxes meeting,"
-      "% resting,% motion,% boxes,% direction,% warm,% cold");
+  put_head();
   if (argc > 1) {
-    const double ratio = run("sparse", TRAFFIC_SPARSE, PROMISED_BODIES, PROMISED_PERCENT);
-    return ratio >= PROMISED_RATIO ? 0 : 1;
+    return run("sparse", TRAFFIC_SPARSE, PROMISED_BODIES, PROMISED_PERCENT, true) >= PROMISED_RATIO ? 0 : 1;
   }
   for (unsigned k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
     for (unsigned n = 0; n < sizeof counts / sizeof counts[0]; n++) {
       for (unsigned p = 0; p < sizeof percents / sizeof percents[0]; p++) {
-        if (run(kinds[k].name, kinds[k].kind, counts[n], percents[p]) < 0) {
+        if (run(kinds[k].name, kinds[k].kind, counts[n], percents[p], false) < 0) {
           return 1;
         }
       }

@@ -73,12 +73,16 @@ static void place(traffic *t, traffic_body *b, uint32_t index) {
   }
 }
 
-static gjk_status add(gjk_scene *scene, uint32_t slot, traffic_body *b) {
+bool traffic_is_static(const traffic_body *b) {
+  return b->shape == PLATE;
+}
+
+gjk_status traffic_add(gjk_scene *scene, uint32_t slot, traffic_body *b) {
   gjk_part part = {0, false, GJK_POSE_IDENTITY};
   part.shape = b->shape;
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, UINT32_MAX, 0, 0};
   setup.pose = b->pose;
-  setup.kind = b->shape == PLATE ? GJK_BODY_STATIC : GJK_BODY_DYNAMIC;
+  setup.kind = traffic_is_static(b) ? GJK_BODY_STATIC : GJK_BODY_DYNAMIC;
   return gjk_scene_add_at(scene, slot, &setup, &b->handle);
 }
 
@@ -97,7 +101,7 @@ gjk_status traffic_start(traffic *t, gjk_scene *scene, traffic_kind kind, uint32
   t->reach.z = t->reach.x;
   for (uint32_t i = 0; i < count; i++) {
     place(t, &bodies[i], i);
-    const gjk_status status = add(scene, i, &bodies[i]);
+    const gjk_status status = traffic_add(scene, i, &bodies[i]);
     if (status != GJK_OK) {
       return status;
     }
@@ -142,7 +146,7 @@ static gjk_status stream(traffic *t, gjk_scene *scene) {
     gjk_status status = gjk_scene_remove(scene, b->handle);
     t->ahead += t->reach.x / (int32_t)t->count * 2;
     place(t, b, t->count);
-    status = status == GJK_OK ? add(scene, t->oldest, b) : status;
+    status = status == GJK_OK ? traffic_add(scene, t->oldest, b) : status;
     t->oldest = (t->oldest + 1) % t->count;
     if (status != GJK_OK) {
       return status;

@@ -42,6 +42,10 @@ gjk_scene_config traffic_config(traffic_kind kind, uint32_t count);
 gjk_status traffic_start(traffic *t, gjk_scene *scene, traffic_kind kind, uint32_t count, uint32_t percent,
                          traffic_body *bodies);
 
+// Adds a body of some traffic to a slot of a scene, and sets its handle.
+gjk_status traffic_add(gjk_scene *scene, uint32_t slot, traffic_body *b);
+bool traffic_is_static(const traffic_body *b);
+
 // Where the bodies are next; touches no scene.
 void traffic_plan(traffic *t);
 
