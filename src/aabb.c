@@ -53,10 +53,12 @@ static void bound_vertices(const gjk_collider *c, gjk_aabb *out) {
   }
 }
 
-// offset: at most 2^29 with the rounding.
+// Pre: offset at most 2^29 in size, with the rounding.
 static gjk_q16 cut_off(gjk_q16 centre, int32_t offset) {
-  const int64_t x = (int64_t)centre + offset;
-  return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (gjk_q16)x;
+  if (offset < 0) {
+    return centre < INT32_MIN - offset ? INT32_MIN : centre + offset;
+  }
+  return centre > INT32_MAX - offset ? INT32_MAX : centre + offset;
 }
 
 gjk_status gjk_collider_aabb(const gjk_collider *c, gjk_aabb *out) {

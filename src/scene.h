@@ -83,7 +83,8 @@ typedef struct gjk_scene_placed {
 typedef struct gjk_scene_pair {
   uint32_t part[2];
   uint32_t next[2], previous[2];
-  int32_t gap;           // near: the distance; otherwise by how much more than the margins they are proven apart, or 0
+  int32_t gap;  // by how much more than the margins they are proven apart, or nearer, or 0; but the distance of a
+                // near pair whose detail asks for it
   int16_t direction[3];  // as in gjk_cache
   uint8_t a[4], b[4];
   uint8_t state;
@@ -190,16 +191,20 @@ static inline gjk_q16 gjk_cut_off(int64_t x) {
   return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (gjk_q16)x;
 }
 
-// The largest gap of two boxes along an axis, negative when they overlap along each: a lower bound of the distance.
-static inline int64_t gjk_aabb_gap(const gjk_aabb *a, const gjk_aabb *b) {
-  const int64_t gaps[6] = {(int64_t)a->lower.x - b->upper.x, (int64_t)b->lower.x - a->upper.x,
-                           (int64_t)a->lower.y - b->upper.y, (int64_t)b->lower.y - a->upper.y,
-                           (int64_t)a->lower.z - b->upper.z, (int64_t)b->lower.z - a->upper.z};
-  int64_t gap = gaps[0];
-  for (int i = 1; i < 6; i++) {
-    gap = gaps[i] > gap ? gaps[i] : gap;
-  }
-  return gap;
+// The larger of gap and that of two intervals; below 2^32.
+static inline uint32_t gjk_larger_gap(uint32_t gap, gjk_q16 lower_a, gjk_q16 upper_a, gjk_q16 lower_b,
+                                      gjk_q16 upper_b) {
+  const uint32_t apart = lower_a > upper_b   ? (uint32_t)lower_a - (uint32_t)upper_b
+                         : lower_b > upper_a ? (uint32_t)lower_b - (uint32_t)upper_a
+                                             : 0;
+  return apart > gap ? apart : gap;
+}
+
+// The largest gap of two boxes along an axis, 0 when they meet: a lower bound of the distance.
+static inline uint32_t gjk_aabb_gap(const gjk_aabb *a, const gjk_aabb *b) {
+  const uint32_t x = gjk_larger_gap(0, a->lower.x, a->upper.x, b->lower.x, b->upper.x);
+  const uint32_t y = gjk_larger_gap(x, a->lower.y, a->upper.y, b->lower.y, b->upper.y);
+  return gjk_larger_gap(y, a->lower.z, a->upper.z, b->lower.z, b->upper.z);
 }
 
 #endif

@@ -37,13 +37,6 @@ static void unlink(gjk_scene_view *v, uint32_t index) {
   unlink_side(v, 2 * index + 1);
 }
 
-bool gjk_scene_wanted(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b) {
-  const gjk_scene_body *body_a = &v->bodies[a->body], *body_b = &v->bodies[b->body];
-  const bool both_static =
-      (body_a->kind_detail & 15u) == GJK_BODY_STATIC && (body_b->kind_detail & 15u) == GJK_BODY_STATIC;
-  return !both_static && (body_a->category & body_b->mask) != 0 && (body_b->category & body_a->mask) != 0;
-}
-
 bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair) {
   const gjk_scene_part *a = &v->parts[pair->part[0]], *b = &v->parts[pair->part[1]];
   return (pair->state & GJK_SCENE_PAIR_NEAR) != 0 ||

@@ -5,7 +5,12 @@
 #include "scene.h"
 
 // Do kinds and filters of the bodies of two parts let them be a pair?
-bool gjk_scene_wanted(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b);
+static inline bool gjk_scene_wanted(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b) {
+  const gjk_scene_body *body_a = &v->bodies[a->body], *body_b = &v->bodies[b->body];
+  const bool both_static =
+      (body_a->kind_detail & 15u) == GJK_BODY_STATIC && (body_b->kind_detail & 15u) == GJK_BODY_STATIC;
+  return !both_static && (body_a->category & body_b->mask) != 0 && (body_b->category & body_a->mask) != 0;
+}
 
 // Must there be a record of this pair, near or not? Pre: not gone.
 bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair);
@@ -28,6 +33,11 @@ static inline uint8_t gjk_scene_detail(const gjk_scene_view *v, const gjk_scene_
   const uint8_t first = a->kind_detail >> 4, second = b->kind_detail >> 4;
   const uint8_t more = first > second ? first : second;
   return more > least ? more : least;
+}
+
+// Is gap the distance of a pair that is near, or minus its depth?
+static inline bool gjk_scene_measures(uint8_t detail) {
+  return detail == GJK_DETAIL_DISTANCE || detail == GJK_DETAIL_DEPTH;
 }
 
 #endif

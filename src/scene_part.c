@@ -55,15 +55,18 @@ static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
   return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
+// |a - b|, below 2^32.
+static uint32_t difference(int32_t a, int32_t b) {
+  return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
+}
+
 // How far it is from a to b, or a little more; UNBOUNDED from 2^30 along an axis.
 static uint32_t distance_moved(const gjk_vec3 *a, const gjk_vec3 *b) {
-  const uint64_t x = gjk_magnitude64((int64_t)b->x - a->x), y = gjk_magnitude64((int64_t)b->y - a->y);
-  const uint64_t z = gjk_magnitude64((int64_t)b->z - a->z);
+  const uint32_t x = difference(a->x, b->x), y = difference(a->y, b->y), z = difference(a->z, b->z);
   if ((x | y | z) >> 30 != 0) {
     return GJK_SCENE_UNBOUNDED;
   }
-  const uint32_t u = (uint32_t)x, v = (uint32_t)y, w = (uint32_t)z;
-  return (u | v | w) == 0 ? 0 : length_bound(u + v + w, larger(u, larger(v, w)));
+  return (x | y | z) == 0 ? 0 : length_bound(x + y + z, larger(x, larger(y, z)));
 }
 
 static uint32_t add_motion(uint32_t a, uint32_t b) {
@@ -102,6 +105,9 @@ static void enlarge(gjk_scene_view *v, gjk_scene_part *p, int64_t x, int64_t y, 
 static bool has_room(const gjk_scene_view *v, const gjk_scene_part *p) {
   gjk_aabb needed = p->exact;
   const int64_t margin = v->bodies[p->body].margin;
+  if (margin == 0) {
+    return gjk_aabb_inside(&p->exact, &p->enlarged);
+  }
   grow_side(&needed.lower.x, &needed.upper.x, margin, 0);
   grow_side(&needed.lower.y, &needed.upper.y, margin, 0);
   grow_side(&needed.lower.z, &needed.upper.z, margin, 0);

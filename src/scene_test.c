@@ -14,32 +14,48 @@
 // How far pieces of the plane distance are off: the unit vector by sqrt(3) 2^-30 of at most sqrt(3) 2^30, and the floor.
 #define PLANE_SLACK 4
 
+// How far the distance along a feature's rounded direction is off: each component by less than 1 of at least 2^29 unless
+// it is exact, so the unit vectors by less than 2 sqrt(3) 2^-29 of at most 3 2^29, which is 10.4; and PLANE_SLACK.
+#define NEAR_SLACK 16
+
 typedef struct question {
   const gjk_scene_view *v;
   const gjk_scene_part *a, *b;
   int32_t margin;  // of both bodies together: below 2^29
-  uint8_t detail;
 } question;
+
+static uint8_t detail(const question *q) {
+  return gjk_scene_detail(q->v, &q->v->bodies[q->a->body], &q->v->bodies[q->b->body]);
+}
 
 static bool curved(const gjk_scene_view *v, const gjk_scene_part *p) {
   return v->scene->shapes[p->shape]->type->vertex == NULL;
 }
 
+static void set_near(gjk_scene_pair *pair, bool near) {
+  pair->state = (uint8_t)(pair->state | (near ? GJK_SCENE_PAIR_NEAR_NOW : 0u));
+}
+
 // What a proven lower bound of the distance leaves beyond the margins, as gap keeps it: 0 when the bound settles nothing.
 static int32_t spare(const question *q, int64_t bound) {
-  const int64_t slack = curved(q->v, q->a) || curved(q->v, q->b) ? CURVED_SLACK : 0;
-  const int64_t left = bound - q->margin - slack;
+  int64_t left = bound - q->margin;
+  if (left > 0 && (curved(q->v, q->a) || curved(q->v, q->b))) {
+    left -= CURVED_SLACK;
+  }
   return left > 0 ? gjk_cut_off(left) : 0;
 }
 
-// Does the gap proven at the last test exceed the motion since? Then that much less remains.
+// Does what was proven at the last test, apart or near, exceed the motion since? Then that much less remains. A distance
+// that is asked for has to be found anew.
 static bool outlasts_motion(const question *q, gjk_scene_pair *pair) {
   const uint32_t a = q->a->motion, b = q->b->motion;
   const uint32_t motion = a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
-  if ((pair->state & GJK_SCENE_PAIR_NEAR) != 0 || motion >= (uint32_t)pair->gap) {
+  const bool near = (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
+  if ((near && gjk_scene_measures(detail(q))) || motion >= (uint32_t)pair->gap) {
     return false;
   }
   pair->gap -= (int32_t)motion;
+  set_near(pair, near);
   return true;
 }
 
@@ -49,6 +65,12 @@ static bool settle_far(gjk_scene_pair *pair, int32_t gap, gjk_scene_outcome outc
     pair->outcome = (uint8_t)outcome;
   }
   return gap > 0;
+}
+
+// v along d, in the units of v, rounded down: less than PLANE_SLACK off for |v| <= 2^31.
+static int64_t along_unit(const gjk_vec3 *d, const gjk_vec3 *v) {
+  const gjk_unit3 u = gjk_unit(d);
+  return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(u.x, v->x), u.y, v->y), u.z, v->z), 30);
 }
 
 // A lower bound of the distance: that of the planes across direction, from A to B, which both shapes lie behind.
@@ -65,9 +87,7 @@ static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const i
   // Offsets are below 2^28 + 2^3, so the sums are at most 2^30 + 2^4.
   const gjk_vec3 apart = {(int32_t)x + far_b.offset.x - far_a.offset.x, (int32_t)y + far_b.offset.y - far_a.offset.y,
                           (int32_t)z + far_b.offset.z - far_a.offset.z};
-  const gjk_unit3 u = gjk_unit(&d);
-  const int64_t along = gjk_mac32(gjk_mac32(gjk_mul32(u.x, apart.x), u.y, apart.y), u.z, apart.z);
-  return gjk_sar64(along, 30) - PLANE_SLACK - a->shape->round - b->shape->round;
+  return along_unit(&d, &apart) - PLANE_SLACK - a->shape->round - b->shape->round;
 }
 
 // A lower bound from the bounding spheres.
@@ -120,7 +140,7 @@ static int32_t measure(const question *q, const gjk_collider *a, const gjk_colli
   result.lower = 0;
   for (unsigned attempt = cache != NULL ? 0 : 1; attempt < 2; attempt++) {
     gjk_cache *from = attempt == 0 ? cache : NULL;
-    const gjk_status status = q->detail == GJK_DETAIL_DEPTH
+    const gjk_status status = detail(q) == GJK_DETAIL_DEPTH
                                   ? scene->details->signed_distance(a, b, from, scene->workspace, &result)
                                   : gjk_distance(a, b, from, &result);
     if (status == GJK_OK) {
@@ -133,6 +153,28 @@ static int32_t measure(const question *q, const gjk_collider *a, const gjk_colli
   }
   pair->outcome |= GJK_SCENE_UNSETTLED;
   return result.lower;
+}
+
+// By how much nearer than the margins a decision proves the pair, as gap keeps it. The cores' distance is 0, or that of the
+// feature, which is across the direction.
+static int32_t near_spare(const question *q, const gjk_collider *a, const gjk_collider *b,
+                          const gjk_decision *decision) {
+  const gjk_certificate *c = &decision->certificate;
+  const int64_t within = (int64_t)q->margin + a->shape->round + b->shape->round - NEAR_SLACK;  // below 2^31
+  const int64_t x = (int64_t)a->centre.x - b->centre.x, y = (int64_t)a->centre.y - b->centre.y;
+  const int64_t z = (int64_t)a->centre.z - b->centre.z;
+  gjk_vec3 on_a, on_b;
+  if (within <= 0 || c->proof == GJK_PROOF_ENCLOSING) {
+    return within <= 0 ? 0 : gjk_cut_off(within);
+  }
+  if (c->proof != GJK_PROOF_NEAR || (gjk_magnitude64(x) | gjk_magnitude64(y) | gjk_magnitude64(z)) >> 29 != 0 ||
+      !a->shape->type->vertex(a, c->a[0], &on_a) || !b->shape->type->vertex(b, c->b[0], &on_b)) {
+    return 0;
+  }
+  // As in plane_bound.
+  const gjk_vec3 apart = {(int32_t)x + on_a.x - on_b.x, (int32_t)y + on_a.y - on_b.y, (int32_t)z + on_a.z - on_b.z};
+  const int64_t left = within - (int64_t)gjk_magnitude64(along_unit(&c->direction, &apart));
+  return left > 0 ? gjk_cut_off(left) : 0;
 }
 
 // Is the pair near? Sets gap. A query that reaches its ceiling from the cache is asked again without.
@@ -155,13 +197,12 @@ static bool ask(const question *q, const gjk_collider *a, const gjk_collider *b,
     pair->gap = spare(q, bound);
     return false;
   }
-  const bool asked = q->detail == GJK_DETAIL_DISTANCE || q->detail == GJK_DETAIL_DEPTH;
-  pair->gap = asked ? measure(q, a, b, cache, pair) : 0;
+  if (gjk_scene_measures(detail(q))) {
+    pair->gap = measure(q, a, b, cache, pair);
+  } else {
+    pair->gap = status == GJK_OK ? near_spare(q, a, b, &decision) : 0;
+  }
   return true;
-}
-
-static void set_near(gjk_scene_pair *pair, bool near) {
-  pair->state = (uint8_t)(pair->state | (near ? GJK_SCENE_PAIR_NEAR_NOW : 0u));
 }
 
 static void query(const question *q, gjk_scene_pair *pair) {
@@ -202,7 +243,7 @@ void gjk_scene_pair_test(const gjk_scene_view *v, gjk_scene_pair *pair) {
   }
   const gjk_scene_part *part_a = &v->parts[pair->part[0]], *part_b = &v->parts[pair->part[1]];
   const gjk_scene_body *a = &v->bodies[part_a->body], *b = &v->bodies[part_b->body];
-  const question q = {v, part_a, part_b, a->margin + b->margin, gjk_scene_detail(v, a, b)};
+  const question q = {v, part_a, part_b, a->margin + b->margin};
   if (refused(&q)) {
     pair->gap = 0;
     pair->outcome = GJK_SCENE_FILTERED;

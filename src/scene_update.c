@@ -1,35 +1,41 @@
 // The update: which pairs are to be tested, the tests, what they come to, and the reports in order.
 #include "scene_pairs.h"
 
-static void queue_pair(gjk_scene_view *v, uint32_t index) {
+// Enters a pair at that place of the queue, unless it is queued. Returns how many it has then.
+static uint32_t queue_pair(gjk_scene_view *v, uint32_t index, uint32_t at) {
   gjk_scene_pair *pair = &v->pairs[index];
-  if ((pair->state & GJK_SCENE_PAIR_QUEUED) == 0) {
-    pair->state = (uint8_t)((pair->state | GJK_SCENE_PAIR_QUEUED) & ~GJK_SCENE_PAIR_NEAR_NOW);
-    pair->outcome = GJK_SCENE_PENDING;
-    v->queue[v->header->queued++] = index;
+  const unsigned state = pair->state;
+  if ((state & GJK_SCENE_PAIR_QUEUED) != 0) {
+    return at;
   }
+  pair->state = (uint8_t)((state | GJK_SCENE_PAIR_QUEUED) & ~GJK_SCENE_PAIR_NEAR_NOW);
+  pair->outcome = GJK_SCENE_PENDING;
+  v->queue[at] = index;
+  return at + 1;
 }
 
 // The pairs of the bodies that moved; with no_skips all.
 static void fill_queue(gjk_scene_view *v) {
   gjk_scene_header *h = v->header;
-  h->queued = 0;
+  uint32_t queued = 0;
   h->next_test = 0;
   if (h->config.no_skips != 0) {
     for (uint32_t i = 0; i < h->pairs.fresh; i++) {
       if ((v->pairs[i].state & (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_GONE)) == GJK_SCENE_PAIR_LIVE) {
-        queue_pair(v, i);
+        queued = queue_pair(v, i, queued);
       }
     }
+    h->queued = queued;
     return;
   }
   for (uint32_t slot = h->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
     for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
       for (uint32_t link = v->parts[i].pairs; link != GJK_SCENE_NONE; link = v->pairs[link / 2].next[link % 2]) {
-        queue_pair(v, link / 2);
+        queued = queue_pair(v, link / 2, queued);
       }
     }
   }
+  h->queued = queued;
 }
 
 // Does the handle have what the details asked for take?
@@ -105,10 +111,11 @@ static void collect_events(gjk_scene_view *v) {
   for (uint32_t i = 0; i < h->queued; i++) {
     const uint32_t index = v->queue[i];
     gjk_scene_pair *pair = &v->pairs[index];
-    const bool was = (pair->state & GJK_SCENE_PAIR_NEAR) != 0, now = (pair->state & GJK_SCENE_PAIR_NEAR_NOW) != 0;
-    (*counter_of(&h->stats, pair->outcome & (GJK_SCENE_UNSETTLED - 1u)))++;
-    h->stats.unsettled += (pair->outcome & GJK_SCENE_UNSETTLED) != 0;
-    pair->state = (uint8_t)((pair->state & ~(GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_QUEUED | GJK_SCENE_PAIR_NEAR_NOW)) |
+    const unsigned state = pair->state, outcome = pair->outcome;
+    const bool was = (state & GJK_SCENE_PAIR_NEAR) != 0, now = (state & GJK_SCENE_PAIR_NEAR_NOW) != 0;
+    (*counter_of(&h->stats, outcome & (GJK_SCENE_UNSETTLED - 1u)))++;
+    h->stats.unsettled += (outcome & GJK_SCENE_UNSETTLED) != 0;
+    pair->state = (uint8_t)((state & ~(GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_QUEUED | GJK_SCENE_PAIR_NEAR_NOW)) |
                             (now ? GJK_SCENE_PAIR_NEAR : 0u));
     if (was != now) {
       keep_event(v, index, now ? GJK_EVENT_BEGIN : GJK_EVENT_END, &kept);
@@ -171,13 +178,21 @@ static int compare(uint32_t a, uint32_t b) {
   return (a > b) - (a < b);
 }
 
+// The slot of a pair's first body.
+static uint32_t first_slot(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? pair->part[0] : v->parts[pair->part[0]].body;
+}
+
 // Slot a settles most.
 static int order(const gjk_scene_view *v, uint32_t first, uint32_t second) {
   gjk_report x, y;
+  int sign = compare(first_slot(v, &v->pairs[first]), first_slot(v, &v->pairs[second]));
+  if (sign != 0) {
+    return sign;
+  }
   describe(v, &v->pairs[first], &x);
   describe(v, &v->pairs[second], &y);
-  int sign = compare(x.a.slot, y.a.slot);
-  sign = sign != 0 ? sign : compare(x.a.generation, y.a.generation);
+  sign = compare(x.a.generation, y.a.generation);
   sign = sign != 0 ? sign : compare(x.part_a, y.part_a);
   sign = sign != 0 ? sign : compare(x.b.slot, y.b.slot);
   sign = sign != 0 ? sign : compare(x.b.generation, y.b.generation);
@@ -250,7 +265,7 @@ static void report(gjk_scene_view *v, uint32_t index, gjk_report *out) {
   out->distance = 0;
   out->manifold = NULL;
   if (out->event != GJK_EVENT_END) {
-    out->distance = pair->gap;  // 0 unless asked for
+    out->distance = gjk_scene_measures(out->detail) ? pair->gap : 0;
   } else if ((pair->state & GJK_SCENE_PAIR_GONE) != 0) {
     pair->state = 0;
     gjk_scene_give(v, &v->header->pairs, sizeof *pair, index);
@@ -391,7 +406,7 @@ gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_rep
       const bool gone = (pair->state & GJK_SCENE_PAIR_GONE) != 0;
       describe(&v, pair, out);
       out->event = gone ? GJK_EVENT_END : GJK_EVENT_PERSIST;
-      out->distance = gone ? 0 : pair->gap;
+      out->distance = !gone && gjk_scene_measures(out->detail) ? pair->gap : 0;
       out->manifold = NULL;
       *found = true;
     }

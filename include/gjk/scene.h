@@ -225,7 +225,7 @@ typedef struct gjk_scene_stats {
   uint32_t refused;        // boxes came together, but both are static or the filter refuses: not made a pair
   uint32_t resting;        // neither side moved - asleep, static or still: the last answer stands
   uint32_t filtered;       // the predicate, or a changed filter
-  uint32_t motion;         // proven gap at the last test exceeds the motion since
+  uint32_t motion;         // what the last test left, apart or near, exceeds the motion since
   uint32_t boxes;          // exact boxes apart
   uint32_t direction;      // the last separating direction still separates: one support scan
   uint32_t warm, cold;     // queries, started from the cache or not
