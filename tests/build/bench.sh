@@ -59,5 +59,7 @@ about() {
 # A library that does not come back must not hold this up for ever.
 timeout $((seconds + pairs / 2 + 300)) "$build/gjk-bench" --pairs "$pairs" --seconds "$seconds" >"$dir/run.csv" || exit 1
 { cat "$dir/run.csv" "$dir/instructions.csv"; about; } >"$build/bench.csv"
-"$build/gjk-bench-report" "$build/bench.csv" "$build/bench.html" || exit 1
+scenes=$build/bench-scene.csv  # of make bench-scene, if that was run
+[ -f "$scenes" ] || scenes=
+"$build/gjk-bench-report" "$build/bench.csv" "$build/bench.html" ${scenes:+"$scenes"} || exit 1
 echo "figures: $build/bench.csv, page: $build/bench.html"

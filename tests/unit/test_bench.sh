@@ -54,6 +54,18 @@ check 'plots' test "$(grep -c '<figure ' "$dir/page.html")" -gt 20
 check 'no numbers that are none' refused grep -qE '(nan|inf)[ "<]' "$dir/page.html"
 check 'no external resources' refused grep -qE 'https?:|src=|href=|url\(|@import' "$dir/page.html"
 check 'the page is closed' grep -q '</html>' "$dir/page.html"
+check 'without scenes' refused grep -q 'Scenes' "$dir/page.html"
+cat >"$dir/scenes.csv" <<'END'
+scene,bodies,percent moving,gjk whole tick ns,all pairs ns,Bullet ns,gjk pairs,% resting,% motion,% boxes,% direction,% warm,% cold
+sparse,1000,5,20000,1000000,,100,90,5,2,1,1,1
+sparse,10000,5,300000,100000000,,1100,90,5,2,1,1,1
+END
+check 'with scenes' "$build/gjk-bench-report" "$dir/run.csv" "$dir/scenes.html" "$dir/scenes.csv"
+check 'their lines' grep -q 'boxes of all pairs' "$dir/scenes.html"
+check 'no line of what is not there' refused grep -q 'btDbvtBroadphase' "$dir/scenes.html"
+check 'their shares' grep -q 'moved less than was proven: 5.0 %' "$dir/scenes.html"
+check 'no numbers that are none there' refused grep -qE '(nan|inf)[ "<]' "$dir/scenes.html"
+check 'other tables of scenes are refused' refused "$build/gjk-bench-report" "$dir/run.csv" "$dir/no.html" "$dir/run.csv"
 printf 'family,query\n' >"$dir/bad.csv"
 check 'other tables are refused' refused report "$dir/bad.csv"
 check 'a wrong option is refused' refused "$build/gjk-bench" --pairs

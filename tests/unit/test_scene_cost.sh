@@ -11,14 +11,25 @@ at_most() {
     END { exit bad || !found }' "$build/scene_cost.txt"
 }
 
+# at_most_times FACTOR CASE OTHER: CASE costs at most so many times what OTHER does.
+at_most_times() {
+  awk -F'|' -v factor="$1" -v name="$2" -v other="$3" '
+    $1 == name || $1 == other { print; cost[$1] = $2 }
+    END { exit !(cost[name] > 0 && cost[name] <= factor * cost[other]) }' "$build/scene_cost.txt"
+}
+
 missing="$(missing_package cortex-m4) $(missing_emulator cortex-m4)"
 if [ -z "${missing# }" ]; then
   make -s build/cortex-m4/scene_bench.elf TARGET=cortex-m4 >/dev/null
   check 'the cases run' sh -c "sh tests/build/emulate.sh cortex-m4 build/cortex-m4/scene_bench.elf >$build/scene_cost.txt"
-  check '64 bodies sparse' at_most 80000 '64 bodies sparse, 25 % moving'
-  check '64 bodies in piles' at_most 80000 '64 bodies in piles, 25 % moving'
-  check '64 bodies crowded, two pairs a body' at_most 110000 '64 bodies crowded, 25 % moving'
+  check '64 bodies sparse' at_most 35000 '64 bodies sparse, 25 % moving'
+  check '64 bodies in piles' at_most 70000 '64 bodies in piles, 25 % moving'
+  check '64 bodies crowded, two pairs a body' at_most 90000 '64 bodies crowded, 25 % moving'
   check '64 bodies at rest' at_most 1000 '64 bodies crowded, at rest'
+  check 'all moving against a quarter' at_most_times 4 '64 bodies crowded, all moving' '64 bodies crowded, 25 % moving'
+  for kind in sparse crowded 'in piles'; do
+    check "four times the bodies, $kind" at_most_times 5 "256 bodies $kind, 25 % moving" "64 bodies $kind, 25 % moving"
+  done
 else
   skip 'instructions per tick' "$missing"
 fi

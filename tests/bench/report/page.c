@@ -282,7 +282,7 @@ static void put_cost_plots(FILE *file, const table *t) {
   }
 }
 
-void page_write(FILE *file, const table *t) {
+void page_write(FILE *file, const table *t, const scene_table *scenes) {
   put_head(file, t);
   open_section(file, "Error against time",
                "Each method a mark, at its largest error; a thin line leads from there to its mean error. Errors below "
@@ -312,8 +312,12 @@ void page_write(FILE *file, const table *t) {
   fprintf(file, "</div>\n");
   open_section(file, "Cost against the number of vertices", "Every method scans all vertices for a support point.");
   put_cost_plots(file, t);
+  fprintf(file, "</div>\n");
+  if (scenes != NULL) {
+    scene_write(file, scenes);
+  }
   fprintf(file,
-          "</div>\n<h2>All numbers</h2>\n<p>x gjk: time against that of gjk cold. Errors in LSB (2<sup>-16</sup> "
+          "<h2>All numbers</h2>\n<p>x gjk: time against that of gjk cold. Errors in LSB (2<sup>-16</sup> "
           "unit) against the exact real distance.</p>\n<div class=\"tables\">\n");
   for (size_t f = 0; f < t->families.count; f++) {
     for (size_t q = 0; q < t->queries.count; q++) {

@@ -2,8 +2,10 @@
 #ifndef REPORT_PAGE_H
 #define REPORT_PAGE_H
 
+#include "scene.h"
 #include "table.h"
 
-void page_write(FILE *file, const table *t);
+// scenes: NULL when none were measured.
+void page_write(FILE *file, const table *t, const scene_table *scenes);
 
 #endif

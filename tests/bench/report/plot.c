@@ -181,6 +181,12 @@ static void open_figure(FILE *file, const char *kind, const char *title) {
   fprintf(file, "</figcaption>\n");
 }
 
+static void put_x_label(FILE *file, const plot_axis *axis) {
+  fprintf(file, "<text text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">", (LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10);
+  svg_text(file, axis->label);
+  fprintf(file, "</text>\n");
+}
+
 static void put_x_axis(FILE *file, const scale *s) {
   const ticks t = make_ticks(s->axis);
   for (size_t i = 0; i < t.count; i++) {
@@ -190,9 +196,7 @@ static void put_x_axis(FILE *file, const scale *s) {
     put_number(file, t.value[i]);
     fprintf(file, "</text>\n");
   }
-  fprintf(file, "<text text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">", (LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10);
-  svg_text(file, s->axis->label);
-  fprintf(file, "</text>\n");
+  put_x_label(file, s->axis);
 }
 
 static void put_y_axis(FILE *file, const scale *s) {
@@ -231,7 +235,8 @@ static void put_mark(FILE *file, unsigned style, double x, double y) {
   fprintf(file, "\"/>");
 }
 
-static void put_legend(FILE *file, const plot *p) {
+// bars: a swatch for each series instead of its mark.
+static void put_legend(FILE *file, const plot *p, bool bars) {
   fprintf(file, "<ul class=\"legend\">");
   for (size_t i = 0; i < p->count; i++) {
     if (p->series[i].count > 0) {
@@ -239,7 +244,11 @@ static void put_legend(FILE *file, const plot *p) {
       if (p->series[i].line) {
         fprintf(file, "<path class=\"s%u line\" d=\"M0 8H24\"/>", p->series[i].style);
       }
-      put_mark(file, p->series[i].style, 12, 8);
+      if (bars) {
+        fprintf(file, "<rect class=\"s%u bar\" x=\"6\" y=\"2\" width=\"12\" height=\"12\"/>", p->series[i].style);
+      } else {
+        put_mark(file, p->series[i].style, 12, 8);
+      }
       fprintf(file, "</svg>");
       svg_text(file, p->series[i].name);
       fprintf(file, "</li>\n");
@@ -352,7 +361,7 @@ void plot_write_points(FILE *file, const plot *given) {
   }
   put_numbers(file, &p, &x, &y);
   fprintf(file, "</svg>\n");
-  put_legend(file, &p);
+  put_legend(file, &p, false);
   fprintf(file, "</figure>\n");
 }
 
@@ -381,7 +390,48 @@ void plot_write_bars(FILE *file, const plot *given) {
     }
   }
   fprintf(file, "</svg>\n");
-  put_legend(file, &p);
+  put_legend(file, &p, true);
+  fprintf(file, "</figure>\n");
+}
+
+// One bar: the series' points at x, from 0 upwards; shares that there is room for are written into it.
+static void put_stack(FILE *file, const plot *p, size_t at, double left, double width, const scale *y) {
+  double below = 0;
+  for (size_t i = 0; i < p->count; i++) {
+    const double share = p->series[i].points[at].y, top = place(y, below + share), height = place(y, below) - top;
+    fprintf(file, "<rect class=\"s%u bar\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"><title>",
+            p->series[i].style, left, top, width, height);
+    svg_text(file, p->series[i].name);
+    fprintf(file, ": %.1f %%</title></rect>\n", share);
+    if (height >= 14) {
+      fprintf(file, "<text class=\"onbar\" text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">%.0f</text>\n",
+              left + width / 2, top + height / 2 + 4.5, share);
+    }
+    below += share;
+  }
+}
+
+void plot_write_stacks(FILE *file, const plot *given, const char *const *names, size_t count) {
+  static plot p;
+  p = *given;
+  widen(&p.y, 0);
+  widen(&p.y, 100);
+  round_ends(&p.y);
+  const scale y = make_scale(&p.y, HEIGHT - BOTTOM, TOP);
+  const double step = (WIDTH - LEFT - RIGHT) / (double)count;
+  open_figure(file, "plot", p.title);
+  open_svg(file, p.title, WIDTH, HEIGHT);
+  put_y_axis(file, &y);
+  put_x_label(file, &p.x);
+  for (size_t k = 0; k < count; k++) {
+    const double left = LEFT + step * ((double)k + 0.15);
+    put_stack(file, &p, k, left, 0.7 * step, &y);
+    fprintf(file, "<text text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">", left + 0.35 * step, HEIGHT - BOTTOM + 18);
+    svg_text(file, names[k]);
+    fprintf(file, "</text>\n");
+  }
+  fprintf(file, "</svg>\n");
+  put_legend(file, &p, true);
   fprintf(file, "</figure>\n");
 }
 

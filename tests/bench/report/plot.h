@@ -51,6 +51,8 @@ void plot_add_point(plot_series *s, plot_point point);
 void plot_write_points(FILE *file, const plot *p);
 // Bars from 0, side by side; x are small integers.
 void plot_write_bars(FILE *file, const plot *p);
+// Bars of 0 to 100, one for each name, each made of the series' points there on top of each other.
+void plot_write_stacks(FILE *file, const plot *p, const char *const *names, size_t count);
 
 // A map of numbers: a cell for each row and column, the redder the nearer to 1; the text is written into it.
 typedef struct plot_cell {

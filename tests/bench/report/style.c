@@ -34,5 +34,6 @@ const char page_style[] =
     "th,td{padding:2px 5px;text-align:right;border-bottom:1px solid var(--grid);white-space:nowrap}"
     "th:first-child,td:first-child{text-align:left}th{font-weight:600}\n"
 #define SERIES(n) ".s" #n "{fill:var(--c" #n ");stroke:var(--c" #n ")}"
-    SERIES(0) SERIES(1) SERIES(2) SERIES(3) SERIES(4) SERIES(5) SERIES(6) SERIES(7) SERIES(8) SERIES(9) SERIES(10)
-        SERIES(11) "\n.line,.tail,.mark.open{fill:none}svg .number{stroke:none}.bar{stroke:none}\n";
+    SERIES(0) SERIES(1) SERIES(2) SERIES(3) SERIES(4) SERIES(5) SERIES(6) SERIES(7) SERIES(8) SERIES(9) SERIES(10) SERIES(
+        11) "\n.line,.tail,.mark.open{fill:none}svg .number{stroke:none}.bar{stroke:none}svg "
+            ".onbar{fill:var(--page)}\n";
