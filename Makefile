@@ -19,7 +19,8 @@
 #   make mutants         small wrong changes of src that the tests must notice; MUTANTS=300: a random sample
 #   make fuzz            fuzzes pairs, the reader of cases and arguments for SECONDS=60
 #   make soak            100,000,000 certified pairs over two cores, or PAIRS=N; goes on where it was interrupted
-#   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies
+#   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
+#                        the broad phases of Bullet and FCL where installed; make bench draws it, too
 #   make scene-soak      1,000,000 random operations on scenes under the sanitizers
 #   make demo-lockstep   two processes play a match by exchanging inputs alone; then one of them is firmware on an emulated
 #                        Cortex-M3, then on a big-endian machine; DIVERGE=200 has one go wrong from that tick, and what
@@ -250,7 +251,7 @@ PAIRS ?= 100000000
 soak: build/test_certificates
 	@sh tests/build/soak.sh build $(PAIRS)
 
-bench-scene: build/scene-bench
+bench-scene:
 	@sh tests/build/bench-scene.sh build
 
 scene-soak:
