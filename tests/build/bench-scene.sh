@@ -2,6 +2,7 @@
 # Cost of a scene's tick: instructions on an emulated Cortex-M4, then time on this machine into BUILD/bench-scene.csv.
 # bench-scene.sh BUILD
 . tests/build/count.sh
+. tests/build/peers.sh
 build=$1
 missing="$(missing_package cortex-m4) $(missing_emulator cortex-m4)"
 if [ -n "${missing# }" ]; then
@@ -16,14 +17,6 @@ fi
 echo
 
 # Other libraries' broad phases beside it, where they are installed.
-peers=
-find_peer() {
-  if have g++ && have pkg-config && pkg-config --exists "$1"; then
-    peers="$peers${peers:+ }$1"
-  else
-    skip "bench of the broad phase of $2" "g++ pkg-config $3"
-  fi
-}
 find_peer bullet Bullet libbullet-dev
 find_peer fcl FCL libfcl-dev
 rm -f "$build/scene-bench"

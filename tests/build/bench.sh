@@ -4,20 +4,13 @@
 # Other libraries are measured beside this one where their Debian packages are installed, and instructions are counted
 # where valgrind is. Leaves BUILD/bench.csv and BUILD/bench.html and prints the same figures.
 . tests/build/count.sh
+. tests/build/peers.sh
 build=$1
 seconds=${2:-60}
 pairs=${3:-1000}
 dir=$build/bench
 mkdir -p "$dir"
 
-peers=
-find_peer() {
-  if have g++ && have pkg-config && pkg-config --exists "$1"; then
-    peers="$peers${peers:+ }$1"
-  else
-    skip "bench of $2" "g++ pkg-config $3"
-  fi
-}
 find_peer ccd libccd libccd-dev
 find_peer bullet Bullet libbullet-dev
 find_peer fcl FCL libfcl-dev

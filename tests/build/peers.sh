@@ -1,0 +1,11 @@
+# Other libraries to measure beside this one: source it after count.sh.
+peers=
+
+# find_peer PKG-CONFIG-NAME NAME DEBIAN-PACKAGE: adds one to $peers, or says what it needs.
+find_peer() {
+  if have g++ && have pkg-config && pkg-config --exists "$1"; then
+    peers="$peers${peers:+ }$1"
+  else
+    skip "bench of $2" "g++ pkg-config $3"
+  fi
+}
