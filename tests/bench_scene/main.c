@@ -19,7 +19,7 @@
 #define PROMISED_PERCENT 5
 #define PROMISED_RATIO 20
 
-#define WARM_UP 2  // blocks of MOTION_TICKS
+#define WARM_UP 3  // blocks of MOTION_TICKS, in which shares are counted, too
 #define REPETITIONS_LEAST 5
 #define REPETITIONS_MOST 60
 #define TIME_ENOUGH 3e8  // ns of one line
@@ -41,7 +41,7 @@ typedef struct measured {
 
 // The pairs that a tick's skips settled, and those that went to a query, added up.
 typedef struct shares {
-  double pairs, resting, motion, boxes, direction, warm, cold;
+  double ticks, pairs, resting, motion, boxes, direction, warm, cold;
 } shares;
 
 typedef struct line {
@@ -92,6 +92,7 @@ static double replay(const motion *m, const scene_method *method, void *world) {
 }
 
 static void add_shares(shares *s, const gjk_scene_stats *stats) {
+  s->ticks++;
   s->pairs += stats->pairs;
   s->resting += stats->resting;
   s->motion += stats->motion;
@@ -101,6 +102,19 @@ static void add_shares(shares *s, const gjk_scene_stats *stats) {
   s->cold += stats->cold;
 }
 
+// Replays the recorded ticks to the library, and counts what became of the pairs in each; not timed.
+static bool count_shares(line *l, const motion *m) {
+  for (unsigned i = 0; i < MOTION_TICKS; i++) {
+    const scene_tick changes = motion_tick(m, i);
+    if (!methods[WHOLE]->tick(l->of[WHOLE].world, &changes)) {
+      return false;
+    }
+    const gjk_scene_stats stats = method_gjk_stats(l->of[WHOLE].world);
+    add_shares(&l->shares, &stats);
+  }
+  return true;
+}
+
 // Records a block of motion and shows it to each method.
 static bool repeat(line *l, motion *m, bool warm_up, double *spent) {
   const unsigned at = warm_up ? 0 : l->repetitions++;
@@ -108,7 +122,11 @@ static bool repeat(line *l, motion *m, bool warm_up, double *spent) {
     return false;
   }
   for (unsigned i = 0; i < METHODS; i++) {
-    if (used(l, i)) {
+    if (warm_up && i == WHOLE) {
+      if (!count_shares(l, m)) {
+        return false;
+      }
+    } else if (used(l, i)) {
       l->of[i].times[at] = replay(m, methods[i], l->of[i].world);
       *spent += l->of[i].times[at] * MOTION_TICKS;
       if (l->of[i].times[at] < 0) {
@@ -117,9 +135,7 @@ static bool repeat(line *l, motion *m, bool warm_up, double *spent) {
     }
   }
   if (!warm_up) {
-    const gjk_scene_stats stats = method_gjk_stats(l->of[WHOLE].world);
     const double start = now();
-    add_shares(&l->shares, &stats);
     l->meeting = motion_test_all(m);
     l->all[at] = now() - start;
     *spent += l->all[at];
@@ -172,7 +188,7 @@ static void put_line(const line *l) {
     put_number(used(l, i), median(l->of[i].times, l->repetitions));
   }
   put_number(true, all);
-  printf(",%u,%.0f", l->meeting, s->pairs / l->repetitions);
+  printf(",%u,%.0f", l->meeting, s->pairs / s->ticks);
   for (unsigned i = 0; i < METHODS; i++) {
     if (i > WHOLE && methods[i] != &scene_gjk_posing) {
       put_number(used(l, i) && methods[i]->count != NULL, l->of[i].held);
