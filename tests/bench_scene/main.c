@@ -19,7 +19,7 @@
 #define PROMISED_PERCENT 5
 #define PROMISED_RATIO 20
 
-#define WARM_UP 3  // blocks of MOTION_TICKS, in which shares are counted, too
+#define WARM_UP 3  // blocks of MOTION_TICKS, in all but the first shares are counted, too
 #define REPETITIONS_LEAST 5
 #define REPETITIONS_MOST 60
 #define TIME_ENOUGH 3e8  // ns of one line
@@ -144,11 +144,13 @@ static bool repeat(line *l, motion *m, bool warm_up, double *spent) {
 }
 
 static bool measure(line *l, motion *m) {
+  static const shares none;
   double spent = 0;
   for (unsigned i = 0; i < WARM_UP; i++) {
     if (!repeat(l, m, true, &spent)) {
       return false;
     }
+    l->shares = i == 0 ? none : l->shares;  // all pairs are new in the first tick
   }
   spent = 0;
   while (l->repetitions < REPETITIONS_LEAST || (l->repetitions < REPETITIONS_MOST && spent < TIME_ENOUGH)) {
