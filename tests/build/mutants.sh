@@ -1,22 +1,25 @@
 #!/bin/sh
-# Do the tests notice small wrong changes of src? mutants.sh BUILD [MUTANTS [FILE...]]
+# Do the tests notice small wrong changes of src? mutants.sh BUILD [MUTANTS [SEED]]
 # In SUPPORT: the objects that tests share.
 #
 # Each mutant of tests/mutate is compiled (its file alone, or what includes it) and put into a shared library under the
-# tests, which run with few trials until one fails; an endless loop fails too. A mutant whose object code is that of
-# the original in every variant of the build is none. What survives stands in the list at the end, unless
-# tests/mutate/equivalent.txt argues that it changes no answer. MUTANTS: a seeded random sample of so many; 0: all.
-# Exit status 1 when less than 95 % of the others are noticed.
+# tests, which run with few trials until one fails; an endless loop fails too. Only tests that link the file run, those
+# first that noticed most mutants of it so far. A mutant whose object code is that of the original in every variant of
+# the build is none. What survives stands in the list at the end, unless tests/mutate/equivalent.txt argues that it
+# changes no answer, or nothing but speed. MUTANTS: a random sample of so many, 0: all; of one SEED the larger
+# sample holds the smaller. Verdicts are kept in BUILD/mutants/results, so that a run goes on where it was
+# interrupted: they hold while the library's code is the same, those of survivors while the tests are, too.
+# Exit status 1 when less than 95 % are noticed, or when an argument is wrong.
 . tests/build/count.sh
 build=$1/mutants
 sample=${2:-0}
+seed=${3:-1}
 programs=$1
+percent=2
+results=$build/results
 # Undefined behaviour traps: the tests of the golden hash run with the sanitizer too.
 compiler='gcc -std=c99 -Werror=incompatible-pointer-types -Werror=int-conversion -fPIC -fno-semantic-interposition
   -fsanitize=undefined -fsanitize-undefined-trap-on-error'
-# Of processor time, for one test: others may be at work here.
-SECONDS_EACH=8
-SEED=1
 VARIANTS='default narrow small wide plain'
 
 flags() {
@@ -29,10 +32,8 @@ flags() {
   esac
 }
 
-# The tests, those first that notice most in least time; the others follow, but for those of the tests' own tools.
-TESTS='golden test_status test_check test_pose_bits test_wide test_support test_rotation test_pose test_pose_status'
-TESTS="$TESTS test_aabb test_custom test_certificates test_penetration"
-TOOLS='test_case test_exact test_reference'
+# Tests of the tests' own tools.
+TOOLS='test_case test_exact test_reference test_reference_depth'
 
 # compile VARIANT SOURCES FOLDER FILE: FILE.o from SOURCES, where the mutated file stands
 compile() {
@@ -40,75 +41,137 @@ compile() {
   $compiler $(flags "$1") -I"$2" -Iinclude -MMD -c "$2/$4.c" -o "$3/$4.o"
 }
 
-link() {
-  gcc -shared "$@"
+# program NAME OBJECTS OR SOURCES...: linked with the shared library; into NAME.units the objects of the library that it needs
+program() {
+  name=$1
+  shift
+  gcc -std=c99 -O1 -Iinclude -Itests "$@" "$build/tests/support.a" -L"$build/tests" -lgjk -lm -o "$build/tests/$name" &&
+    gcc -std=c99 -O1 -Iinclude -Itests "$@" "$build/tests/support.a" "$build/tests/library.a" -lm \
+      -Wl,-Map,"$build/tests/map" -o "$build/tests/static" || return 1
+  sed -n 's|^[^ ]*library\.a(\(.*\)\.o)$|\1|p; /^Discarded/q' "$build/tests/map" | sort -u >"$build/tests/$name.units"
+  [ -s "$build/tests/$name.units" ] || rm "$build/tests/$name" "$build/tests/$name.units"
 }
 
-# Tests do not depend on the variant: they are linked once, with the default library.
-prepare() {
-  rm -rf "$build"
-  mkdir -p "$build/tests"
-  cp -r src "$build/src"  # what the mutants are made of, whatever changes meanwhile
-  gcc -std=c99 -O1 tests/mutate/mutate.c -o "$build/mutate" || return 1
+# Processor time of the test on the library as it is, in hundredths of a second, into NAME.time.
+measure() {
+  (LD_LIBRARY_PATH=$build/tests "$build/tests/$1" >/dev/null 2>&1 || echo fails; times) | awk '
+    /fails/ { failed = 1 }
+    { line = $0 }
+    END {
+      split(line, field, /[ms ]+/)
+      print int(100 * (60 * field[1] + field[2]))
+      exit failed
+    }' >"$build/tests/$1.time"
+}
+
+# What the mutants are made of, whatever changes meanwhile, and its objects, unless they are there already.
+prepare_library() {
+  if [ -e "$build/complete" ] && diff -r src "$build/src" >/dev/null && diff -r include "$build/include" >/dev/null; then
+    return
+  fi
+  rm -rf "$build/src" "$build/include" "$build/complete"
+  cp -r src "$build/src"
+  cp -r include "$build/include"
   for variant in $VARIANTS; do
     mkdir -p "$build/$variant"
+    rm -f "$build/$variant"/*
     for source in src/*.c; do
       compile "$variant" "$build/src" "$build/$variant" "$(basename "$source" .c)" 2>/dev/null || return 1
     done
   done
-  link "$build"/default/*.o -o "$build/tests/libgjk.so"
-  gcc -std=c99 -O1 -Iinclude tests/target/golden.c tests/target/golden_host.c -o "$build/tests/golden" \
-    -L"$build/tests" -lgjk || return 1
+  touch "$build/complete"
+}
+
+# Tests do not depend on the variant: they are linked once, with the default library. Quick ones come first.
+prepare_tests() {
+  rm -rf "$build/tests"
+  mkdir -p "$build/tests"
+  gcc -shared "$build"/default/*.o -o "$build/tests/libgjk.so" && ar rcs "$build/tests/library.a" "$build"/default/*.o &&
+    ar rcs "$build/tests/support.a" $SUPPORT || return 1
+  program golden tests/target/golden.c tests/target/golden_host.c || return 1
+  program scene_golden tests/scene/match.c tests/target/scene_golden.c tests/target/scene_golden_host.c || return 1
   for test in tests/unit/test_*.c; do
     name=$(basename "$test" .c)
-    # shellcheck disable=SC2086
-    gcc "$programs/hosted/tests/unit/$name.o" $SUPPORT -o "$build/tests/$name" -L"$build/tests" -lgjk -lm || return 1
-    case " $TESTS $TOOLS " in
+    case " $TOOLS " in
       *" $name "*) ;;
-      *) TESTS="$TESTS $name" ;;
+      *) program "$name" "$programs/hosted/tests/unit/$name.o" || return 1 ;;
     esac
+  done
+  sum=$(cat "$build"/tests/*golden "$build"/tests/test_*[a-z] | cksum | tr ' ' '-')
+  for units in "$build"/tests/*.units; do
+    test=$(basename "$units" .units)
+    measure "$test" || { echo "mutants: $test fails on the library as it is"; return 1; }
+  done
+  TESTS=$(for time in "$build"/tests/*.time; do
+    echo "$(cat "$time") $(basename "$time" .time)"
+  done | sort -n | sed 's/.* //')
+}
+
+# order FILE UNITS...: the tests to run, those first that noticed the most mutants of the file
+order() {
+  file=$1
+  shift
+  {
+    awk -F '\t' -v file="$file" '$3 == file && $2 ~ /^noticed/ { print substr($2, 9) }' "$results" |
+      sort | uniq -c | sort -rn | awk '{ print $2 }'
+    echo "$TESTS"
+  } | awk '!seen[$0]++' | while read -r test; do
+    for unit in "$@"; do
+      if grep -qx "$unit" "$build/tests/$test.units"; then
+        echo "$test"
+        break
+      fi
+    done
   done
 }
 
-# run_tests FOLDER: with the library there; prints the test that fails
+# run_tests FOLDER TEST...: with the library there; prints the test that fails
 run_tests() {
-  for test in $TESTS; do
+  library=$1
+  shift
+  for test in "$@"; do
+    # Others may be at work here, and a wrong answer may take longer than a right one.
+    limit=$(($(cat "$build/tests/$test.time") / 30 + 2))
     # shellcheck disable=SC3045 # dash and others have it
-    if ! (ulimit -t $SECONDS_EACH && LD_LIBRARY_PATH=$1 exec "$build/tests/$test" >/dev/null 2>&1) 2>/dev/null; then
+    if ! (ulimit -t $limit && LD_LIBRARY_PATH=$library exec "$build/tests/$test" >/dev/null 2>&1) 2>/dev/null; then
       echo "$test"
       return 1
     fi
   done
 }
 
-# judge FOLDER FILE: what becomes of the mutant in FOLDER/src: invalid, same, 'noticed TEST' or survived. Survivors of one
-# variant meet the others where the file has code that differs between them.
+# judge FOLDER FILE: what becomes of the mutant in FOLDER/src: invalid, same, 'noticed TEST' or survived. Other variants than
+# the default only where the file has code that differs between them.
 judge() {
   verdict=same
   case $2 in
     *.c) units=$(basename "$2" .c) ;;
     *) units=$(grep -l "src/$(basename "$2")" "$build"/default/*.d | sed 's|.*/||; s|\.d$||') ;;
   esac
+  # shellcheck disable=SC2086
+  tests=$(order "$2" $units)
   for variant in $VARIANTS; do
     changed=
     for unit in $units; do
       compile "$variant" "$1/src" "$1" "$unit" 2>/dev/null || { echo invalid; return; }
       cmp -s "$1/$unit.o" "$build/$variant/$unit.o" || changed="$changed $unit"
     done
-    [ -n "$changed" ] || continue
-    objects=
-    for object in "$build/$variant"/*.o; do
-      unit=$(basename "$object" .o)
-      case " $changed " in
-        *" $unit "*) object=$1/$unit.o ;;
-      esac
-      objects="$objects $object"
-    done
-    # shellcheck disable=SC2086
-    link $objects -o "$1/libgjk.so"
-    test=$(run_tests "$1") || { echo "noticed $test"; return; }
-    verdict=survived
-    grep -qE '^#(if|el).*(GJK|__)|GJK_SMALL' "$2" || break
+    if [ -n "$changed" ]; then
+      objects=
+      for object in "$build/$variant"/*.o; do
+        unit=$(basename "$object" .o)
+        case " $changed " in
+          *" $unit "*) object=$1/$unit.o ;;
+        esac
+        objects="$objects $object"
+      done
+      # shellcheck disable=SC2086
+      gcc -shared $objects -o "$1/libgjk.so"
+      # shellcheck disable=SC2086
+      test=$(run_tests "$1" $tests) || { echo "noticed $test"; return; }
+      verdict=survived
+    fi
+    grep -qE '^#(if|el).*(GJK_[^S]|GJK_SMALL|__)|GJK_SMALL' "$2" || break
   done
   echo $verdict
 }
@@ -116,45 +179,48 @@ judge() {
 # work NUMBER: judges every second mutant of the list
 work() {
   folder=$build/worker$1
+  rm -rf "$folder"
   mkdir -p "$folder"
   cp -r "$build/src" "$folder/src"
-  awk -v first="$1" 'NR % 2 == first' "$build/list" | while IFS='	' read -r file number line change text; do
+  awk -v first="$1" 'NR % 2 == first' "$build/left" | while IFS='	' read -r file number line change text; do
     (cd "$build" && ./mutate apply "$file" "$number") >"$folder/$file"
-    printf '%s\t%s\t%s\t%s\t%s\n' "$(judge "$folder" "$file")" "$file" "$line" "$change" "$text"
+    verdict=$(judge "$folder" "$file")
+    case $verdict in
+      survived) key=$code-$sum ;;
+      *) key=$code ;;
+    esac
+    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$key" "$verdict" "$file" "$number" "$line" "$change" "$text" >>"$results"
     cp "$build/$file" "$folder/$file"
-  done >"$build/results$1"
+  done
 }
 
 if ! have gcc; then
   echo 'skipped: mutants: needs gcc'
   exit 0
 fi
-export GJK_TEST_PERCENT=2
-prepare || exit 1
-if ! test=$(run_tests "$build/tests"); then
-  echo "mutants: $test fails on the library as it is"
-  exit 1
-fi
-shift
-[ $# -gt 0 ] && shift
-[ $# -gt 0 ] || set -- src/*.[ch]
-for file in "$@"; do
+export GJK_TEST_PERCENT=$percent
+mkdir -p "$build"
+gcc -std=c99 -O1 tests/mutate/mutate.c -o "$build/mutate" && prepare_library && prepare_tests || exit 1
+code=$(for variant in $VARIANTS; do cat "$build/$variant"/*.o; done | cksum | tr ' ' '-')
+
+# All mutants; the sample in random order, so that what an interrupted run has done is a sample too.
+for file in src/*.[ch]; do
   (cd "$build" && ./mutate list "$file")
-done | awk -v sample="$sample" -v seed=$SEED '
-  # A random sample keeps the order of the files.
-  { line[NR] = $0 }
-  END {
-    srand(seed)
-    left = sample > 0 && sample < NR ? sample : NR
-    for (i = 1; i <= NR; i++) {
-      if (rand() * (NR - i + 1) < left) {
-        print line[i]
-        left--
-      }
-    }
-  }' >"$build/list"
-echo "$(wc -l <"$build/list") mutants; $build/results0 and $build/results1 grow"
+done >"$build/all"
+[ "$sample" -gt 0 ] || sample=$(wc -l <"$build/all")
+awk -v seed="$seed" '
+  # The minimal standard generator: the same numbers from every awk.
+  BEGIN { x = seed * 7919 % 2147483647; for (i = 0; i < 10; i++) x = x * 16807 % 2147483647 }
+  { x = x * 16807 % 2147483647; printf "%d\t%s\n", x, $0 }' "$build/all" | sort -n | head -n "$sample" |
+  cut -f 2- >"$build/list"
+
+# Verdicts that hold no longer go; what has none is left to do.
+touch "$results"
+awk -F '\t' -v code="$code" -v both="$code-$sum" '$1 == code || $1 == both' "$results" >"$build/kept"
+mv "$build/kept" "$results"
+awk -F '\t' 'FILENAME == ARGV[1] { done[$3, $4]; next } !(($1, $2) in done)' "$results" "$build/list" >"$build/left"
+echo "$sample of $(wc -l <"$build/all") mutants, seed $seed; $(wc -l <"$build/left") left to judge; $results grows"
 work 0 &
 work 1
 wait
-awk -F '\t' -f tests/build/mutants.awk tests/mutate/equivalent.txt "$build/results0" "$build/results1"
+awk -F '\t' -f tests/build/mutants.awk tests/mutate/equivalent.txt "$build/all" "$build/list" "$results"

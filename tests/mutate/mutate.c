@@ -1,6 +1,7 @@
 // Small wrong changes of a C file, one at a time.
 //
-//   mutate list FILE           one line per mutant: FILE, its number, line, change, text of the line; tabs between
+//   mutate list FILE           one line per mutant: FILE, its number, line, change, text of the line; tabs between;
+//                              the change ends in (2) where it is the second such place of the line
 //   mutate apply FILE NUMBER   the file with that change, on standard output
 //
 // Changed are function bodies and initialisers: comparisons (bound and sense), && and ||, + - * << >> & | ^, negations,
@@ -130,10 +131,25 @@ static void print_line_of(int line) {
   printf("%.*s\n", (int)strcspn(at, "\n"), at);
 }
 
-// One mutant: the length characters from start become replacement.
+// How many times text from start has stood in its line before.
+static int times_before(int line, int start, int length) {
+  int times = 0;
+  for (int t = 0; t < count && tokens[t].line <= line && tokens[t].start < start; t++) {
+    times += tokens[t].line == line && strncmp(text + tokens[t].start, text + start, (size_t)length) == 0;
+  }
+  return times;
+}
+
+// One mutant: the length characters from start become replacement. Where they stand in the line more than once, the
+// change says which it is, from the second on.
 static void mutant(int line, int start, int length, const char *replacement) {
   if (wanted < 0) {
-    printf("%s\t%d\t%d\t%.*s => %s\t", file_name, number, line, length, text + start, replacement);
+    const int before = times_before(line, start, length);
+    printf("%s\t%d\t%d\t%.*s => %s", file_name, number, line, length, text + start, replacement);
+    if (before > 0) {
+      printf(" (%d)", before + 1);
+    }
+    printf("\t");
     print_line_of(line);
   } else if (wanted == number) {
     printf("%.*s%s%s", start, text, replacement, text + start + length);

@@ -10,7 +10,7 @@
 #include "gjk/contacts.h"
 
 #define SEED 20270103
-#define PAIRS_PER_CELL 240
+#define PAIRS_PER_CELL ((unsigned)check_trials(240))
 #define TOLERANCE 2.0L
 // The nearest points of curved shapes, apart by a depth that is an upper bound: 4 LSB and the points' rounding.
 #define CURVED_TOLERANCE 5.0L
@@ -367,7 +367,7 @@ static bool check_pair(random_state *random, const subject *a, subject *b, tally
 static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, tally *all) {
   static subject a, b;
   tally t = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-  for (int i = 0; i < PAIRS_PER_CELL; i++) {
+  for (unsigned i = 0; i < PAIRS_PER_CELL; i++) {
     const bool made = make_pair(random, kind_a, kind_b, &a, &b);
     CHECK(made);
     if (made && !check_pair(random, &a, &b, &t)) {
@@ -382,7 +382,8 @@ static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, 
       kind_name[kind_a], kind_name[kind_b], t.met, t.many, t.full, t.surface, t.gap, t.nearest_gap, t.least, t.mirrored,
       t.kept, t.moved);
   fflush(stdout);
-  CHECK_MSG(t.met > PAIRS_PER_CELL / 3, "%u met", t.met);
+  // Of few pairs, it may happen that few meet.
+  CHECK_MSG(t.met > PAIRS_PER_CELL / 3 || PAIRS_PER_CELL < 100, "%u met", t.met);
   all->many += t.many;
   all->reduced += t.reduced;
   all->mirrored += t.mirrored;
@@ -400,8 +401,8 @@ int main(void) {
   }
   printf("%u in more than a point, %u reduced, %u mirrored, ids of %u of %u kept\n", all.many, all.reduced,
          all.mirrored, all.kept, all.moved);
-  CHECK_MSG(all.many > 1200 && all.reduced > 30 && all.mirrored > 4000, "%u, %u, %u", all.many, all.reduced,
-            all.mirrored);
+  CHECK_MSG(all.many > 5 * PAIRS_PER_CELL && all.reduced > PAIRS_PER_CELL / 8 && all.mirrored > 16 * PAIRS_PER_CELL,
+            "%u, %u, %u", all.many, all.reduced, all.mirrored);
   CHECK_MSG(all.kept * 100.0 >= all.moved * 99.0, "ids of %u of %u kept", all.kept, all.moved);
   return check_done("contacts-surfaces");
 }
