@@ -15,7 +15,7 @@ build=$1/mutants
 sample=${2:-0}
 seed=${3:-1}
 programs=$1
-percent=2
+percent=3
 results=$build/results
 # Undefined behaviour traps: the tests of the golden hash run with the sanitizer too.
 compiler='gcc -std=c99 -Werror=incompatible-pointer-types -Werror=int-conversion -fPIC -fno-semantic-interposition

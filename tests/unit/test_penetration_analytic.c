@@ -10,7 +10,7 @@
 #include "gjk/gjk.h"
 
 #define SEED 6607
-#define ROUNDS 20000
+#define ROUNDS ((int)check_trials(20000))
 
 typedef struct subject {
   case_pair pair;

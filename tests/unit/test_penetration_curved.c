@@ -8,7 +8,7 @@
 #include "gjk/penetration.h"
 
 #define SEED 20260611
-#define PAIRS_PER_CELL 300
+#define PAIRS_PER_CELL ((unsigned)check_trials(300))
 #define TOLERANCE 4.0L
 // Bounds of the oracle that are closer than this tell a depth.
 #define SHARP 1.0L
@@ -122,7 +122,7 @@ static bool check_depth(const subject *s, const gjk_penetration_result *r, gjk_s
 static void test_cell(random_state *random, case_kind a, case_kind b, subject *s) {
   static const gjk_workspace workspace = {cells, CELLS};
   tally t = {0, 0, 0, 0, 0, 0, 0};
-  for (int i = 0; i < PAIRS_PER_CELL; i++) {
+  for (unsigned i = 0; i < PAIRS_PER_CELL; i++) {
     gjk_penetration_result r;
     const bool made = make_pair(random, a, b, s);
     CHECK(made);
@@ -143,7 +143,8 @@ static void test_cell(random_state *random, case_kind a, case_kind b, subject *s
       "parting %5.2Lf\n",
       kind_name[a], kind_name[b], t.pairs, t.sharp, t.full, t.iterations, t.depth, t.point, t.parting);
   fflush(stdout);
-  CHECK_MSG(t.pairs > PAIRS_PER_CELL / 6, "%u overlap", t.pairs);
+  // Of few pairs, it may happen that few overlap.
+  CHECK_MSG(t.pairs > PAIRS_PER_CELL / 6 || PAIRS_PER_CELL < 100, "%u overlap", t.pairs);
 }
 
 int main(void) {
