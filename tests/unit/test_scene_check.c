@@ -1,0 +1,397 @@
+// gjk_scene_check: each way in which a block can be wrong, one at a time, in an otherwise sound one.
+//
+// The wrong value goes where src/scene.h says that the field is.
+#include <string.h>
+
+#include "../../src/scene.h"
+#include "../check.h"
+#include "gjk/gjk.h"
+
+#define ONE GJK_Q16_ONE
+#define WORDS 8192
+
+static const gjk_shape crate = GJK_BOX(ONE / 2, ONE / 2, ONE / 2);
+static const gjk_shape *const shapes[] = {&crate, NULL};
+static const gjk_scene_config config = {40, 60, 5, 30, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, 0};
+
+static uint32_t sound[WORDS], block[WORDS];
+static gjk_scene scene;
+static gjk_scene_view v;
+
+static gjk_body add(gjk_q16 x, uint16_t parts) {
+  static const gjk_part part[3] = {{0, false, GJK_POSE_IDENTITY},
+                                   {0, true, {{0, 3 * ONE, 0}, {0, 0, 0, GJK_Q30_ONE}}},
+                                   {0, true, {{0, 6 * ONE, 0}, {0, 0, 0, GJK_Q30_ONE}}}};
+  gjk_body_setup setup = {GJK_POSE_IDENTITY, part, parts, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+  gjk_body body = {0, 0};
+  setup.pose.position.x = x;
+  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
+  return body;
+}
+
+static void update(void) {
+  gjk_report reports[30];
+  gjk_progress progress;
+  CHECK(gjk_scene_update(&scene, reports, 30, &progress) == GJK_OK && progress.reports_left == 0);
+}
+
+// Bodies in slots 0 to 35: three that touch, one of three parts, the others alone; every pool has a record that was given
+// back. Slot 34 is free again, slots from 36 on never were taken.
+static void build(void) {
+  gjk_body bodies[36];
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2) == GJK_OK);
+  for (int i = 0; i < 36; i++) {
+    const gjk_q16 x = i < 3 ? i * (ONE / 2) : 10 * i * ONE;
+    bodies[i] = add(x, i == 3 || i == 34 ? 3 : 1);
+  }
+  gjk_pose away = GJK_POSE_IDENTITY;
+  away.position.x = 9 * 10 * ONE;
+  CHECK(gjk_scene_teleport(&scene, bodies[35], &away) == GJK_OK);  // a pair for one update
+  update();
+  away.position.x = -99 * ONE;
+  CHECK(gjk_scene_teleport(&scene, bodies[35], &away) == GJK_OK && gjk_scene_remove(&scene, bodies[34]) == GJK_OK);
+  update();
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  memcpy(sound, block, sizeof block);
+}
+
+// The sound block again, found.
+static void restore(void) {
+  memcpy(block, sound, sizeof block);
+  CHECK(gjk_scene_view_of(&scene, &v) == GJK_OK);
+}
+
+static bool opens(void) {
+  gjk_scene opened;
+  return gjk_scene_seal(&scene) == GJK_OK &&
+         gjk_scene_open(&opened, block, sizeof block, shapes, 2) != GJK_ERROR_CORRUPT;
+}
+
+// The check refuses it; and so does opening it, sealed afresh, wherever it comes so far.
+#define REFUSED(...)                                                             \
+  do {                                                                           \
+    restore();                                                                   \
+    __VA_ARGS__;                                                                 \
+    CHECK_MSG(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT, "%s", #__VA_ARGS__); \
+    CHECK_MSG(!opens(), "%s", #__VA_ARGS__);                                     \
+  } while (0)
+
+#define ACCEPTED(...)                                                 \
+  do {                                                                \
+    restore();                                                        \
+    __VA_ARGS__;                                                      \
+    CHECK_MSG(gjk_scene_check(&scene) == GJK_OK, "%s", #__VA_ARGS__); \
+  } while (0)
+
+// The first part of a slot, the node above it, and the pair of two slots.
+static gjk_scene_part *part_of(uint32_t slot) {
+  return &v.parts[v.bodies[slot].first];
+}
+
+static uint32_t pair_of(uint32_t a, uint32_t b) {
+  for (uint32_t i = 0; i < v.header->pairs.fresh; i++) {
+    if ((v.pairs[i].state & GJK_SCENE_PAIR_LIVE) != 0 && v.parts[v.pairs[i].part[0]].body == a &&
+        v.parts[v.pairs[i].part[1]].body == b) {
+      return i;
+    }
+  }
+  CHECK(false);
+  return 0;
+}
+
+static void test_header(void) {
+  restore();
+  gjk_scene_header *h = v.header;
+  REFUSED(h->magic ^= 1);
+  REFUSED(h->version++);
+  REFUSED(h->order = UINT32_C(0x04030201));
+  REFUSED(h->config.bodies = 0);
+  REFUSED(h->config.detail = GJK_DETAIL_DEPTH);
+  REFUSED(h->bytes += 4);
+  REFUSED(h->queue_at += 4);
+  REFUSED(h->slots_at += 4);
+  gjk_scene_pool *const pools[] = {&h->bodies, &h->parts, &h->nodes, &h->placed, &h->pairs};
+  for (unsigned i = 0; i < 5; i++) {
+    REFUSED(pools[i]->at += 4);
+    REFUSED(pools[i]->capacity++);
+    REFUSED(pools[i]->count = pools[i]->fresh + 1);
+    REFUSED(pools[i]->fresh = pools[i]->capacity + 1);
+  }
+  // The block must hold what its header says.
+  restore();
+  gjk_scene opened;
+  CHECK(gjk_scene_attach(&opened, block, h->bytes, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_attach(&opened, block, h->bytes - 1, shapes, 2) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_attach(&opened, block, sizeof *h, shapes, 2) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_attach(&opened, block, sizeof *h - 1, shapes, 2) == GJK_ERROR_CAPACITY);
+}
+
+static void test_free_lists(void) {
+  restore();
+  gjk_scene_header *h = v.header;
+  gjk_scene_pool *const pools[] = {&h->parts, &h->nodes, &h->placed, &h->pairs};
+  for (unsigned i = 0; i < 4; i++) {
+    CHECK_MSG(pools[i]->free != GJK_SCENE_NONE && pools[i]->count < pools[i]->fresh, "pool %u: %lu of %lu", i,
+              (unsigned long)pools[i]->count, (unsigned long)pools[i]->fresh);
+    REFUSED(pools[i]->free = GJK_SCENE_NONE);
+    REFUSED(pools[i]->free = pools[i]->fresh);
+  }
+  REFUSED(h->parts.free = v.bodies[5].first);
+  REFUSED(h->nodes.free = part_of(5)->parent);
+  REFUSED(h->pairs.free = pair_of(0, 1));
+  // One too many, or in a ring.
+  REFUSED(v.parts[h->parts.free].next = h->parts.free);
+  REFUSED(*(uint32_t *)&v.nodes[h->nodes.free] = h->nodes.free);
+  // A record that is neither in the list nor in use.
+  REFUSED(h->parts.free = v.parts[h->parts.free].next; h->parts.count++);
+  REFUSED(v.parts[h->parts.free].state = GJK_SCENE_LIVE; h->parts.free = v.parts[h->parts.free].next; h->parts.count++);
+  REFUSED(h->nodes.free = v.nodes[h->nodes.free].child[0]; h->nodes.count++);
+  REFUSED(h->placed.free = v.placed[h->placed.free].next; h->placed.count++);
+  REFUSED(h->pairs.free = v.pairs[h->pairs.free].part[0]; h->pairs.count++);
+}
+
+static void test_bodies(void) {
+  restore();
+  gjk_scene_header *h = v.header;
+  REFUSED(v.slots[0] |= 1);                                           // taken, and free
+  REFUSED(v.slots[1] &= ~UINT32_C(4));                                // slot 34, neither taken nor free
+  ACCEPTED(v.slots[1] &= ~UINT32_C(4); v.bodies[34].generation = 0);  // used up
+  REFUSED(h->lowest = 2);
+  ACCEPTED(h->lowest = 0);
+  REFUSED(h->lowest = 3);
+  REFUSED(v.bodies[36].generation = 2);  // never taken
+  REFUSED(v.bodies[36].generation = 1; v.slots[1] &= ~UINT32_C(16));
+  REFUSED(v.bodies[34].first = 0);  // free, with a part
+  REFUSED(h->bodies.count--);
+  REFUSED(v.bodies[4].kind_detail = GJK_BODY_DYNAMIC + 1);
+  ACCEPTED(v.bodies[4].kind_detail = GJK_BODY_STATIC | GJK_DETAIL_DISTANCE << 4);
+  REFUSED(v.bodies[4].kind_detail = GJK_DETAIL_DEPTH << 4);
+  REFUSED(v.bodies[4].margin = -1);
+  ACCEPTED(v.bodies[4].margin = GJK_RADIUS_MAX);
+  REFUSED(v.bodies[4].margin = GJK_RADIUS_MAX + 1);
+  REFUSED(v.bodies[4].rotation.w = 5);
+}
+
+static void test_parts(void) {
+  restore();
+  REFUSED(v.bodies[4].first = v.header->parts.free);
+  REFUSED(v.bodies[4].first = v.header->parts.fresh);
+  REFUSED(v.bodies[4].first = v.bodies[5].first);
+  REFUSED(v.bodies[4].first = GJK_SCENE_NONE);
+  REFUSED(v.bodies[4].first = GJK_SCENE_NONE; v.bodies[4].parts = 0);
+  REFUSED(v.bodies[3].parts = 2);
+  REFUSED(part_of(3)->number = 1);
+  REFUSED(part_of(3)->next = v.bodies[3].first);
+  REFUSED(part_of(4)->core_radius = 0);
+  ACCEPTED(part_of(4)->core_radius = 1);
+  ACCEPTED(part_of(4)->core_radius = GJK_RADIUS_MAX + 4);
+  REFUSED(part_of(4)->core_radius = GJK_RADIUS_MAX + 5);
+  gjk_scene_part *const second = &v.parts[part_of(3)->next];
+  CHECK(second->placed != GJK_SCENE_NONE);
+  REFUSED(second->placed = v.header->placed.fresh);
+  REFUSED(second->placed = v.header->placed.free);
+  REFUSED(second->placed = v.parts[second->next].placed);
+  REFUSED(second->placed = GJK_SCENE_NONE);
+  REFUSED(v.placed[second->placed].pose.rotation.w = 5);
+  // The exact box sticks out of the enlarged one, on each side.
+  gjk_aabb *const exact = &part_of(4)->exact, *const enlarged = &part_of(4)->enlarged;
+  REFUSED(exact->lower.x = enlarged->lower.x - 1);
+  REFUSED(exact->lower.y = enlarged->lower.y - 1);
+  REFUSED(exact->lower.z = enlarged->lower.z - 1);
+  REFUSED(exact->upper.x = enlarged->upper.x + 1);
+  REFUSED(exact->upper.y = enlarged->upper.y + 1);
+  REFUSED(exact->upper.z = enlarged->upper.z + 1);
+  ACCEPTED(*exact = *enlarged);
+  // A shape that the table doesn't have is the caller's mistake.
+  restore();
+  part_of(4)->shape = 2;
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_RANGE);
+  part_of(4)->shape = 1;  // NULL
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_RANGE);
+  part_of(4)->shape = 0;
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+}
+
+static void test_moved(void) {
+  restore();
+  REFUSED(v.header->moved = v.header->config.bodies);
+  REFUSED(v.header->moved = 4);
+  REFUSED(v.bodies[4].flags = GJK_SCENE_MOVED);
+  ACCEPTED(v.header->moved = 4; v.bodies[4].flags = GJK_SCENE_MOVED; v.bodies[4].next_moved = GJK_SCENE_NONE);
+  REFUSED(v.header->moved = 4; v.bodies[4].flags = GJK_SCENE_MOVED; v.bodies[4].next_moved = 4);
+}
+
+static void test_tree(void) {
+  restore();
+  gjk_scene_header *h = v.header;
+  gjk_scene_node *const n = &v.nodes[part_of(5)->parent], *const root = &v.nodes[h->root];
+  REFUSED(h->root = GJK_SCENE_NONE);
+  REFUSED(h->root = h->nodes.free);
+  REFUSED(h->root = h->nodes.fresh);
+  REFUSED(h->root = GJK_SCENE_LEAF | h->parts.free);
+  REFUSED(h->root = part_of(5)->parent);  // has a parent
+  REFUSED(h->root = GJK_SCENE_LEAF | v.bodies[5].first);
+  REFUSED(root->parent = part_of(5)->parent);
+  REFUSED(n->child[0] = n->child[1]);
+  REFUSED(n->child[1] = n->child[0]);
+  REFUSED(root->child[0] = h->nodes.free);
+  REFUSED(root->child[0] = h->nodes.fresh);
+  REFUSED(root->child[0] = GJK_SCENE_LEAF | h->parts.free);
+  REFUSED(part_of(5)->parent = h->root);
+  REFUSED(root->height++);
+  REFUSED(root->height--);
+  for (int i = 0; i < 2; i++) {  // not balanced, to either side
+    REFUSED(v.nodes[root->child[i]].height += 2; root->height += 2);
+    REFUSED(v.nodes[root->child[i]].height -= 3; root->height = 0; root->height = root->height + 1);
+  }
+  REFUSED(n->box.lower.x = INT32_MAX);
+  REFUSED(root->box.upper.z = v.nodes[root->child[0]].box.upper.z - 1);
+  // A part that is in no node, and a node that is in no tree.
+  REFUSED(h->root = root->child[0]; v.nodes[h->root].parent = GJK_SCENE_NONE);
+  REFUSED(v.nodes[h->nodes.free].height = 1; h->nodes.free = v.nodes[h->nodes.free].child[0]; h->nodes.count++);
+}
+
+// Heights that promise a deeper tree than any: the check ends before its list of waiting nodes does.
+static void test_deep_tree(void) {
+  static const gjk_scene_config large = {100, 100, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  CHECK(gjk_scene_init(&scene, &large, block, sizeof block, shapes, 2) == GJK_OK);
+  for (int i = 0; i < 100; i++) {
+    add(10 * i * ONE, 1);
+  }
+  CHECK(gjk_scene_view_of(&scene, &v) == GJK_OK && gjk_scene_check(&scene) == GJK_OK);
+  CHECK(v.header->nodes.fresh == 99);
+  const gjk_aabb box = v.nodes[v.header->root].box;
+  for (uint32_t i = 0; i < 99; i++) {
+    v.nodes[i].box = box;
+    v.nodes[i].height = 60 - (i + 1) / 2;
+    v.nodes[i].parent = i == 0 ? GJK_SCENE_NONE : i % 2 != 0 ? i - 1 : i - 2;
+    v.nodes[i].child[0] = i + 2 - i % 2 < 99 ? i + 2 : 0;
+    v.nodes[i].child[1] = i + 1 < 99 ? i + 1 : 0;
+  }
+  v.header->root = 0;
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+}
+
+static void test_pairs(void) {
+  restore();
+  gjk_scene_header *h = v.header;
+  // Slots 0, 1 and 2 touch each other: part 1 is second in one pair and first in another.
+  gjk_scene_pair *const p = &v.pairs[pair_of(0, 1)], *const q = &v.pairs[pair_of(1, 2)],
+                        *const r = &v.pairs[pair_of(0, 2)];
+  ACCEPTED(p->state = (uint8_t)((p->state & 31u) | 4u << GJK_SCENE_PAIR_CACHED));
+  REFUSED(p->state = (uint8_t)((p->state & 31u) | 5u << GJK_SCENE_PAIR_CACHED));
+  REFUSED(p->gap = -1);
+  ACCEPTED(p->outcome = GJK_SCENE_COLD | GJK_SCENE_UNSETTLED);
+  REFUSED(p->outcome = GJK_SCENE_OUTCOMES);
+  REFUSED(p->state = (uint8_t)(p->state | GJK_SCENE_PAIR_QUEUED));
+  REFUSED(p->part[0] = h->parts.free);
+  REFUSED(p->part[1] = h->parts.fresh);
+  REFUSED(p->part[0] = p->part[1]);
+  REFUSED(const uint32_t a = p->part[0]; p->part[0] = p->part[1]; p->part[1] = a);
+  // Lists that do not lead back.
+  for (int i = 0; i < 2; i++) {
+    REFUSED(p->next[i] = p->next[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
+    REFUSED(p->previous[i] = p->previous[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
+    REFUSED(p->next[i] = 2 * h->pairs.free);
+    REFUSED(p->previous[i] = 2 * h->pairs.free);
+  }
+  REFUSED(part_of(0)->pairs = GJK_SCENE_NONE);
+  REFUSED(part_of(0)->pairs = 2 * h->pairs.free);
+  REFUSED(part_of(9)->pairs = 2 * h->pairs.free);  // of a part without pairs
+  REFUSED(part_of(9)->pairs = part_of(0)->pairs);
+  REFUSED(part_of(9)->pairs = 2 * h->pairs.fresh);
+  // A ring, with the list's head in it or not.
+  const uint32_t part = v.bodies[9].first;
+  for (int headed = 0; headed < 2; headed++) {
+    restore();
+    const uint32_t index = h->pairs.free, link = 2 * index;
+    gjk_scene_pair *const s = &v.pairs[index];
+    h->pairs.free = s->part[0];
+    h->pairs.count++;
+    *s = *p;
+    s->part[0] = part;
+    s->part[1] = v.bodies[10].first;
+    s->next[0] = s->previous[0] = headed != 0 ? link : GJK_SCENE_NONE;
+    s->next[1] = s->previous[1] = GJK_SCENE_NONE;
+    v.parts[part].pairs = link;
+    v.parts[s->part[1]].pairs = link + 1;
+    CHECK(gjk_scene_check(&scene) == (headed != 0 ? GJK_ERROR_CORRUPT : GJK_OK));
+    s->next[0] = s->previous[0] = link;
+    v.parts[part].pairs = GJK_SCENE_NONE;
+    CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+  }
+  CHECK(q != r);
+}
+
+// Pairs whose end is still to be reported.
+static void test_gone(void) {
+  restore();
+  const gjk_body first = gjk_scene_handle(&v, 0);
+  CHECK(gjk_scene_remove(&scene, first) == GJK_OK && gjk_scene_check(&scene) == GJK_OK);
+  gjk_scene_header *h = v.header;
+  memcpy(sound, block, sizeof block);
+  const uint32_t gone = h->gone, second = v.pairs[gone].previous[0], other = pair_of(1, 2);
+  CHECK(second != GJK_SCENE_NONE && v.pairs[second].previous[0] == GJK_SCENE_NONE);
+  REFUSED(h->gone = second);
+  REFUSED(h->gone = GJK_SCENE_NONE);
+  REFUSED(h->gone = other);
+  REFUSED(h->gone = h->pairs.fresh);
+  REFUSED(v.pairs[second].previous[0] = gone);
+  REFUSED(v.pairs[gone].state = GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_GONE);
+  REFUSED(v.pairs[other].next[0] = 2 * gone);
+  REFUSED(v.pairs[other].next[1] = 2 * gone);
+  REFUSED(v.pairs[other].previous[0] = 2 * gone);
+  REFUSED(v.pairs[other].previous[1] = 2 * gone);
+}
+
+// In the middle of an update.
+static void test_queue(void) {
+  build();
+  gjk_scene_header *h = v.header;
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  uint32_t pairs;
+  pose.position.y = 1;
+  for (uint32_t slot = 0; slot < 3; slot++) {
+    pose.position.x = (gjk_q16)slot * (3 * ONE);
+    CHECK(gjk_scene_move(&scene, gjk_scene_handle(&v, slot), &pose) == GJK_OK);
+  }
+  REFUSED(h->phase = GJK_SCENE_REPORTING + 1);
+  REFUSED(h->queued = 1);
+  memcpy(block, sound, sizeof block);
+  for (uint32_t slot = 0; slot < 3; slot++) {
+    pose.position.x = (gjk_q16)slot * (3 * ONE);
+    CHECK(gjk_scene_move(&scene, gjk_scene_handle(&v, slot), &pose) == GJK_OK);
+  }
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 3 && gjk_scene_check(&scene) == GJK_OK);
+  memcpy(sound, block, sizeof block);
+  ACCEPTED(h->next_test = 3);
+  REFUSED(h->next_test = 4);
+  REFUSED(h->queued = h->pairs.capacity + 1);
+  REFUSED(v.queue[2] = h->pairs.free);
+  REFUSED(v.queue[0] = h->pairs.fresh);
+  restore();
+  gjk_report report;
+  gjk_progress progress;
+  CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports_left == 2);
+  memcpy(sound, block, sizeof block);
+  ACCEPTED((void)0);
+  ACCEPTED(h->next_report = 3);
+  REFUSED(h->next_report = 4);
+  ACCEPTED(v.queue[0] = h->pairs.fresh);  // reported already
+  REFUSED(v.queue[1] = h->pairs.fresh);
+}
+
+int main(void) {
+  build();
+  test_header();
+  test_free_lists();
+  test_bodies();
+  test_parts();
+  test_moved();
+  test_tree();
+  test_pairs();
+  test_gone();
+  test_queue();
+  test_deep_tree();
+  return check_done("scene_check");
+}
