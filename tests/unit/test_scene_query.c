@@ -191,13 +191,19 @@ static void check_nearest(random_state *random, int32_t reach) {
 }
 
 static void check_refusals(void) {
-  const gjk_aabb flipped = {{0, 0, 0}, {5, -1, 5}};
+  const gjk_aabb flipped = {{0, 0, 0}, {5, -1, 5}}, flipped_x = {{1, 0, 0}, {0, 0, 0}},
+                 flipped_z = {{0, 0, 3}, {0, 0, 2}}, point = {{0, 0, 0}, {0, 0, 0}};
   uint32_t count;
   gjk_scene_hit hit;
   gjk_q16 distance;
   bool found;
   gjk_collider c = {0};
   CHECK(gjk_scene_query_box(&w.scene, &flipped, NULL, &hit, 1, &count) == GJK_ERROR_RANGE);
+  CHECK(gjk_scene_query_box(&w.scene, &flipped_x, NULL, &hit, 1, &count) == GJK_ERROR_RANGE);
+  CHECK(gjk_scene_query_box(&w.scene, &flipped_z, NULL, &hit, 1, &count) == GJK_ERROR_RANGE);
+  CHECK(gjk_scene_query_box(&w.scene, &point, NULL, NULL, 0, &count) == GJK_OK);
+  CHECK(gjk_scene_query_box(NULL, &point, NULL, NULL, 0, &count) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_query_ray(NULL, &flipped.lower, &flipped.upper, NULL, &hit, 1, &count) == GJK_ERROR_NULL);
   CHECK(gjk_scene_query_box(&w.scene, NULL, NULL, &hit, 1, &count) == GJK_ERROR_NULL);
   CHECK(gjk_scene_query_box(&w.scene, &flipped, NULL, NULL, 1, &count) == GJK_ERROR_NULL);
   CHECK(gjk_scene_query_box(&w.scene, &flipped, NULL, &hit, 1, NULL) == GJK_ERROR_NULL);
@@ -208,6 +214,57 @@ static void check_refusals(void) {
   const gjk_pose identity = GJK_POSE_IDENTITY;
   CHECK(gjk_collider_pose(&c, &identity) == GJK_OK);
   CHECK(gjk_scene_query_nearest(&w.scene, &c, -1, NULL, &hit, &distance, &found) == GJK_ERROR_NEGATIVE);
+  CHECK(gjk_scene_query_nearest(NULL, &c, 0, NULL, &hit, &distance, &found) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_query_nearest(&w.scene, &c, 0, NULL, NULL, &distance, &found) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_query_nearest(&w.scene, &c, 0, NULL, &hit, NULL, &found) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_query_nearest(&w.scene, &c, 0, NULL, &hit, &distance, NULL) == GJK_ERROR_NULL);
+}
+
+// Among equally near parts the lowest slot, then the lowest part, whatever the order in which the tree holds them; a body
+// is left out by its whole handle.
+static void check_equals(void) {
+  static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
+  static const gjk_shape *const shapes[] = {&ball};
+  static const gjk_scene_config config = {8, 16, 16, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  static uint32_t block[1400];
+  static const gjk_vec3 corner[8] = {{1, 1, 1},  {1, 1, -1},  {1, -1, 1},  {1, -1, -1},
+                                     {-1, 1, 1}, {-1, 1, -1}, {-1, -1, 1}, {-1, -1, -1}};
+  gjk_scene scene;
+  gjk_scene_hit hit;
+  gjk_q16 distance;
+  bool found;
+  gjk_collider c;
+  const gjk_pose identity = GJK_POSE_IDENTITY;
+  CHECK(gjk_collider_init(&c, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &identity) == GJK_OK);
+  for (uint32_t first = 0; first < 8; first++) {  // slots from there on, in either order
+    gjk_body bodies[8];
+    CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
+    for (uint32_t i = first; i < 8; i++) {
+      gjk_part parts[2] = {{0, true, GJK_POSE_IDENTITY}, {0, true, GJK_POSE_IDENTITY}};
+      for (int k = 0; k < 2; k++) {  // the second across the middle
+        const gjk_vec3 *at = &corner[k == 0 ? i : 7 - i];
+        parts[k].pose.position.x = at->x * GJK_Q16(2);
+        parts[k].pose.position.y = at->y * GJK_Q16(2);
+        parts[k].pose.position.z = at->z * GJK_Q16(2);
+      }
+      const gjk_body_setup setup = {GJK_POSE_IDENTITY, parts, 2, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+      const uint32_t slot = first % 2 == 0 ? i : 7 - (i - first);
+      CHECK(gjk_scene_add_at(&scene, slot, &setup, &bodies[slot]) == GJK_OK);
+    }
+    for (uint32_t slot = first; slot < 8; slot++) {
+      CHECK(gjk_scene_query_nearest(&scene, &c, GJK_DISTANCE_MAX, NULL, &hit, &distance, &found) == GJK_OK && found);
+      CHECK(hit.body.slot == slot && hit.part == 0 && distance == 161487);  // 2 sqrt(3) - 1
+      CHECK(gjk_scene_query_nearest(&scene, &c, 161487, NULL, &hit, &distance, &found) == GJK_OK && found);
+      CHECK(gjk_scene_query_nearest(&scene, &c, 161486, NULL, &hit, &distance, &found) == GJK_OK && !found);
+      CHECK(gjk_scene_query_nearest(&scene, &c, 161487, &bodies[slot], &hit, &distance, &found) == GJK_OK);
+      CHECK(found == (slot < 7) && (!found || hit.body.slot == slot + 1));
+      const gjk_body stale = {slot, bodies[slot].generation + 2};
+      CHECK(gjk_scene_query_nearest(&scene, &c, 161487, &stale, &hit, &distance, &found) == GJK_OK && found &&
+            hit.body.slot == slot);
+      CHECK(gjk_scene_remove(&scene, bodies[slot]) == GJK_OK);
+    }
+    CHECK(gjk_scene_query_nearest(&scene, &c, GJK_DISTANCE_MAX, NULL, &hit, &distance, &found) == GJK_OK && !found);
+  }
 }
 
 int main(void) {
@@ -228,6 +285,7 @@ int main(void) {
     }
   }
   check_refusals();
+  check_equals();
   printf("%u parts in boxes, %u on rays, %u nearest\n", box_hits, ray_hits, nearest_hits);
   CHECK(box_hits > ROUNDS * QUERIES && ray_hits > ROUNDS * QUERIES && nearest_hits > ROUNDS * QUERIES / 2);
   free(block);

@@ -271,6 +271,85 @@ static void check_foreign(void) {
   CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
 }
 
+static void count_report(void *user, const gjk_report *report) {
+  ++*(int *)user;
+  (void)report;
+}
+
+// Every call says NULL for a pointer that is missing, and CORRUPT for a block that is none, and changes nothing.
+static void check_missing(void) {
+  const gjk_part plain = {0, false, GJK_POSE_IDENTITY};
+  const gjk_body_setup s = setup_of(&plain, 1, 0);
+  gjk_scene unbound, bare;
+  gjk_body body, out = nobody;
+  gjk_body_state state;
+  gjk_collider collider;
+  gjk_report report;
+  gjk_progress progress;
+  gjk_scene_stats stats;
+  uint64_t value;
+  uint32_t n = 0;
+  int calls = 0;
+  bool found;
+  start(&usual);
+  CHECK(gjk_scene_add(&scene, &s, &body) == GJK_OK);
+  const uint64_t before = hash();
+  unbound = scene;
+  unbound.block = NULL;
+  bare = scene;
+  bare.shapes = NULL;
+  // The magic word, the version and the byte order.
+  const uint32_t wrong[3] = {1, 1, UINT32_C(0x05030305)};
+  for (int i = 0; i < 6; i++) {
+    gjk_scene *const bad = i == 0 ? NULL : i == 1 ? &unbound : i == 2 ? &bare : &scene;
+    const gjk_status status = i < 3 ? GJK_ERROR_NULL : GJK_ERROR_CORRUPT;
+    if (i >= 3) {
+      block[i - 3] ^= wrong[i - 3];
+    }
+    CHECK(gjk_scene_add(bad, &s, &out) == status && gjk_scene_add_at(bad, 1, &s, &out) == status);
+    CHECK(gjk_scene_remove(bad, body) == status && gjk_scene_move(bad, body, &identity) == status);
+    CHECK(gjk_scene_teleport(bad, body, &identity) == status && gjk_scene_sleep(bad, body) == status);
+    CHECK(gjk_scene_wake(bad, body) == status && gjk_scene_set_shape(bad, body, 0, 1) == status);
+    CHECK(gjk_scene_set_filter(bad, body, 5, 5) == status && gjk_scene_set_user(bad, body, 5) == status);
+    CHECK(gjk_scene_refilter(bad, body) == status && gjk_scene_get(bad, body, &state) == status);
+    CHECK(gjk_scene_body_at(bad, 0, &out) == status && gjk_scene_collider(bad, body, 0, &collider) == status);
+    CHECK(gjk_scene_update(bad, &report, 1, &progress) == status && gjk_scene_update_begin(bad, &n) == status);
+    CHECK(gjk_scene_update_each(bad, count_report, &calls) == status && gjk_scene_test_pairs(bad, 0, 0) == status);
+    CHECK(gjk_scene_next_near(bad, &n, &report, &found) == status && gjk_scene_get_stats(bad, &stats) == status);
+    CHECK(gjk_scene_hash(bad, &value) == status && gjk_scene_seal(bad) == status && gjk_scene_check(bad) == status);
+    if (i >= 3) {
+      block[i - 3] ^= wrong[i - 3];
+    }
+  }
+  CHECK(gjk_scene_add_at(&scene, 1, NULL, &out) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_add_at(&scene, 1, &s, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_body_at(&scene, 0, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_collider(&scene, body, 0, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_collider(&scene, nobody, 0, &collider) == GJK_ERROR_HANDLE);
+  CHECK(gjk_scene_get(&scene, nobody, &state) == GJK_ERROR_HANDLE);
+  CHECK(gjk_scene_sleep(&scene, nobody) == GJK_ERROR_HANDLE && gjk_scene_wake(&scene, nobody) == GJK_ERROR_HANDLE);
+  CHECK(gjk_scene_set_user(&scene, nobody, 1) == GJK_ERROR_HANDLE);
+  CHECK(gjk_scene_set_filter(&scene, nobody, 1, 1) == GJK_ERROR_HANDLE);
+  CHECK(gjk_scene_refilter(&scene, nobody) == GJK_ERROR_HANDLE);
+  CHECK(gjk_scene_set_shape(&scene, nobody, 0, 0) == GJK_ERROR_HANDLE);
+  CHECK(gjk_scene_update_each(&scene, NULL, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_update_begin(&scene, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_next_near(&scene, NULL, &report, &found) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_next_near(&scene, &n, NULL, &found) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_next_near(&scene, &n, &report, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_hash(&scene, NULL) == GJK_ERROR_NULL && hash() == before && calls == 0);
+  // Attaching.
+  const size_t bytes = gjk_scene_bytes(&usual);
+  gjk_scene other = bare;
+  CHECK(gjk_scene_attach(NULL, block, bytes, shapes, 4) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_attach(&other, NULL, bytes, shapes, 4) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_attach(&other, block, bytes, NULL, 4) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_attach(&other, (char *)block + 2, bytes, shapes, 4) == GJK_ERROR_RANGE);
+  CHECK(other.shapes == NULL && gjk_scene_attach(&other, block, bytes, shapes, 4) == GJK_OK);
+  CHECK(other.shapes == shapes && other.block == block && other.shape_count == 4 && other.predicate == NULL);
+  CHECK(gjk_scene_open(NULL, block, bytes, shapes, 4) == GJK_ERROR_NULL);
+}
+
 // The block may come from the port's allocator.
 static void check_allocated(void) {
   const size_t bytes = gjk_scene_bytes(&usual);
@@ -289,6 +368,7 @@ int main(void) {
   check_pair_pool();
   check_busy();
   check_foreign();
+  check_missing();
   check_allocated();
   return check_done("scene_status");
 }
