@@ -1,14 +1,21 @@
-// Prints, for seeded random pairs, the status and the bounds of the distance: test_limit.sh compares a build with a low
-// ceiling on rounds with one that has the usual ceiling.
+// Prints, for seeded random pairs, the status and the bounds of the distance, decisions, depths and contacts: test_limit.sh
+// compares a build with a low ceiling on rounds with one that has the usual ceiling. That scenes report a ceiling as they
+// should, it checks itself.
 #include <stdio.h>
+#include <string.h>
 
 #include "gjk/gjk.h"
+#include "gjk/scene.h"
 #include "random.h"
 
 #define PAIRS 4000
 #define VERTICES 24
 
+#define CELLS GJK_POLYTOPE_CELLS(256)
+
 static gjk_vec3 vertices[2][VERTICES];
+
+static gjk_pose poses[2];
 
 static void make(random_state *random, int i, int32_t size, gjk_shape *shape, gjk_collider *collider) {
   const gjk_shape kinds[] = {GJK_HULL(vertices[i], VERTICES), GJK_BOX(size, size / 2 + 1, size / 3 + 1),
@@ -27,12 +34,66 @@ static void make(random_state *random, int i, int32_t size, gjk_shape *shape, gj
   pose.position.x = random_range(random, -3 * size, 3 * size);
   pose.position.y = random_range(random, -3 * size, 3 * size);
   pose.position.z = random_range(random, -3 * size, 3 * size);
+  poses[i] = pose;
   collider->state = 0;
   gjk_collider_init(collider, shape, NULL, 0);
   gjk_collider_pose(collider, &pose);
 }
 
+// A query that reaches the ceiling counts the pair as near, at the proven lower bound, and in unsettled.
+static bool check_scene(const gjk_shape *shape, const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
+  static uint32_t block[400];
+  const gjk_shape *const table[2] = {&shape[0], &shape[1]};
+  gjk_distance_result gap;
+  gjk_decision decision;
+  const gjk_status decided = gjk_within(a, b, margin, NULL, &decision), measured = gjk_distance(a, b, NULL, &gap);
+  const bool near = decided != GJK_OK || decision.yes;
+  const gjk_q16 distance = measured == GJK_OK ? gap.distance : gap.lower;
+  for (uint8_t no_skips = 0; no_skips < 2; no_skips++) {
+    const gjk_scene_config config = {2, 2, 0, 1, GJK_RADIUS_MAX, GJK_DETAIL_DISTANCE, 0, no_skips, 0};
+    const gjk_part parts[2] = {{0, false, GJK_POSE_IDENTITY}, {1, false, GJK_POSE_IDENTITY}};
+    gjk_scene scene;
+    gjk_scene_stats stats;
+    gjk_body body;
+    gjk_report report;
+    gjk_progress progress;
+    bool right = gjk_scene_init(&scene, &config, block, sizeof block, table, 2) == GJK_OK;
+    for (int i = 0; i < 2; i++) {
+      const gjk_body_setup setup = {poses[i], &parts[i], 1, GJK_BODY_DYNAMIC,   GJK_DETAIL_TOUCH,
+                                    1,        1,         0, i == 0 ? margin : 0};
+      right = right && gjk_scene_add(&scene, &setup, &body) == GJK_OK;
+    }
+    right = right && gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK &&
+            gjk_scene_get_stats(&scene, &stats) == GJK_OK;
+    if (!right || (no_skips != 0 && stats.pairs == 1 && (progress.reports == 1) != near)) {
+      return false;
+    }
+    // From the cache that the decision has left, the distance may be found where it is not from a cold start.
+    const bool open = decided != GJK_OK || (near && measured != GJK_OK);
+    if (progress.reports == 1 &&
+        (no_skips != 0 ? report.distance != distance || (stats.unsettled == 1) != open
+                       : stats.unsettled == 0 && measured == GJK_OK && report.distance != distance)) {
+      return false;
+    }
+    gjk_scene_hit hit;
+    gjk_q16 nearest;
+    bool found;
+    if (gjk_scene_query_nearest(&scene, a, GJK_DISTANCE_MAX, &body, &hit, &nearest, &found) != GJK_OK || !found ||
+        gjk_scene_query_nearest(&scene, a, GJK_DISTANCE_MAX, NULL, &hit, &nearest, &found) != GJK_OK || !found) {
+      return false;
+    }
+    const gjk_body first = {0, 1};
+    if (gjk_scene_query_nearest(&scene, a, GJK_DISTANCE_MAX, &first, &hit, &nearest, &found) != GJK_OK || !found ||
+        hit.body.slot != 1 || nearest != distance) {
+      return false;
+    }
+  }
+  return true;
+}
+
 int main(void) {
+  static gjk_cell cells[CELLS];
+  static const gjk_workspace workspace = {cells, CELLS};
   random_state random = random_seed(7);
   for (int i = 0; i < PAIRS; i++) {
     const int32_t size = INT32_C(1) << (4 + random_below(&random, 22));
@@ -52,8 +113,23 @@ int main(void) {
       return 1;
     }
     const gjk_status decided = gjk_intersect(&a, &b, NULL, &decision);
-    printf("%d %d %ld %ld %d %d %d\n", i, (int)status, (long)result.lower, (long)result.upper, result.iterations,
-           (int)decided, decision.yes);
+    gjk_penetration_result depth = {0};
+    gjk_distance_result signed_distance = {0};
+    gjk_manifold contacts = {0};
+    gjk_cache cache;
+    memset(&cache, 0, sizeof cache);
+    const gjk_status pierced = gjk_penetration(&a, &b, &cache, &workspace, &depth);
+    memset(&cache, 0, sizeof cache);
+    const gjk_status measured = gjk_signed_distance(&a, &b, &cache, &workspace, &signed_distance);
+    const gjk_status met = gjk_contacts(&a, &b, size / 8, 4, NULL, &workspace, &contacts);
+    if (!check_scene(shapes, &a, &b, size / 8)) {
+      printf("pair %d in a scene\n", i);
+      return 1;
+    }
+    printf("%d %d %ld %ld %d %d %d %d %d %ld %d %ld %d %d\n", i, (int)status, (long)result.lower, (long)result.upper,
+           result.iterations, (int)decided, decision.yes, (int)pierced, depth.intersecting,
+           depth.intersecting ? (long)depth.depth : 0, (int)measured, (long)signed_distance.distance, (int)met,
+           contacts.count);
   }
   return 0;
 }

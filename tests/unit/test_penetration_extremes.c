@@ -1,0 +1,188 @@
+// Penetration where few go: at the end of the world, with roundings of an LSB, with cells that are none or very many, with
+// caches where none helps.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../check.h"
+#include "../random.h"
+#include "gjk/gjk.h"
+
+#define ONE GJK_Q16_ONE
+#define CELLS 4096
+#define PAIRS ((int)check_trials(20000))
+#define POINTS 17000
+
+static gjk_cell cells[CELLS];
+static const gjk_workspace workspace = {cells, CELLS};
+
+static gjk_collider placed(const gjk_shape *shape, gjk_vec3 position, const gjk_quat *rotation) {
+  gjk_pose pose = {position, *rotation};
+  gjk_collider c;
+  memset(&c, 0, sizeof c);
+  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+  return c;
+}
+
+static gjk_quat random_turn(random_state *random) {
+  const gjk_quat q = {random_range(random, -1000, 1000), random_range(random, -1000, 1000),
+                      random_range(random, -1000, 1000), random_range(random, 1, 1001)};
+  gjk_quat out;
+  CHECK(gjk_quat_normalize(&q, &out) == GJK_OK);
+  return out;
+}
+
+static gjk_vec3 sum(gjk_vec3 a, gjk_vec3 b) {
+  const gjk_vec3 s = {a.x + b.x, a.y + b.y, a.z + b.z};
+  return s;
+}
+
+// Overlaps at the corners of the world are those of its middle, bit for bit, although B has no room to move out.
+static void test_end_of_world(void) {
+  random_state random = random_seed(31);
+  unsigned long moved = 0, overlapping = 0;
+  for (int i = 0; i < PAIRS; i++) {
+    const gjk_q16 size = 3 + (gjk_q16)random_below(&random, UINT32_C(1) << (2 + random_below(&random, 16)));
+    const gjk_shape box = GJK_ROUNDED_BOX(size, size / 2, size / 3, 1 + size / 4),
+                    capsule = GJK_CAPSULE(size / 2, size);
+    const gjk_quat turn_a = random_turn(&random), turn_b = random_turn(&random);
+    const unsigned corner = random_below(&random, 8);
+    gjk_vec3 end = {(corner & 1) != 0 ? INT32_MAX : INT32_MIN, (corner & 2) != 0 ? INT32_MAX : INT32_MIN,
+                    (corner & 4) != 0 ? INT32_MAX : INT32_MIN};
+    const gjk_vec3 inwards = {(corner & 1) != 0 ? -1 : 1, (corner & 2) != 0 ? -1 : 1, (corner & 4) != 0 ? -1 : 1};
+    gjk_vec3 apart;
+    // B in the very corner, or at one wall of the world; A further in.
+    apart.x = -inwards.x * (gjk_q16)random_below(&random, (uint32_t)size);
+    apart.y = -inwards.y * (gjk_q16)random_below(&random, (uint32_t)size);
+    apart.z = -inwards.z * (gjk_q16)random_below(&random, (uint32_t)size);
+    const unsigned walls = random_below(&random, 4);
+    end.x = walls == 1 || walls == 2 ? 0 : end.x;
+    end.y = walls == 2 || walls == 3 ? 0 : end.y;
+    end.z = walls == 3 || walls == 1 ? 0 : end.z;
+    const gjk_vec3 start = {end.x - apart.x, end.y - apart.y, end.z - apart.z}, origin = {0, 0, 0};
+    const gjk_collider a = placed(&box, start, &turn_a), b = placed(&capsule, end, &turn_b);
+    const gjk_collider p = placed(&box, origin, &turn_a), q = placed(&capsule, sum(origin, apart), &turn_b);
+    gjk_penetration_result there = {0}, here = {0};
+    CHECK(gjk_penetration(&a, &b, NULL, &workspace, &there) == GJK_OK);
+    CHECK(gjk_penetration(&p, &q, NULL, &workspace, &here) == GJK_OK);
+    const bool same = there.intersecting == here.intersecting &&
+                      (!here.intersecting || (there.depth == here.depth && there.iterations == here.iterations &&
+                                              memcmp(&there.normal, &here.normal, sizeof here.normal) == 0));
+    CHECK_MSG(same, "pair %d: depth %ld there, %ld here", i, (long)there.depth, (long)here.depth);
+    CHECK(gjk_check_penetration(&a, &b, &there) == GJK_OK);
+    overlapping += here.intersecting;
+    moved++;
+  }
+  CHECK(overlapping * 10 > moved * 5);
+}
+
+// Large shapes with a rounding of an LSB: the least by which a move can fail. B parts from A when it has moved.
+static void test_thin_rounding(void) {
+  random_state random = random_seed(32);
+  for (int i = 0; i < PAIRS; i++) {
+    const gjk_q16 size = INT32_C(1) << (20 + random_below(&random, 7));
+    const gjk_shape a_shape = GJK_ROUNDED_BOX(size, size / 2, size / 3, 1), b_shape = GJK_BOX(size / 3, size, size / 2);
+    // Turned by little, so that normals are close to the axes.
+    const gjk_vec3 axis = {random_range(&random, -ONE, ONE), random_range(&random, -ONE, ONE), ONE};
+    gjk_quat turn_a, turn_b;
+    CHECK(gjk_quat_from_axis_angle(&axis, 1 << random_below(&random, 16), &turn_a) == GJK_OK);
+    CHECK(gjk_quat_from_axis_angle(&axis, 1 << random_below(&random, 16), &turn_b) == GJK_OK);
+    const gjk_vec3 origin = {0, 0, 0},
+                   at = {random_range(&random, -size / 2, size / 2), random_range(&random, -size / 2, size / 2),
+                         random_range(&random, -size / 2, size / 2)};
+    const gjk_collider a = placed(&a_shape, origin, &turn_a);
+    gjk_collider b = placed(&b_shape, at, &turn_b);
+    gjk_penetration_result r;
+    CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK && r.intersecting);
+    CHECK(gjk_check_penetration(&a, &b, &r) == GJK_OK);
+    gjk_vec3 to = at;
+    gjk_q16 *const along[3] = {&to.x, &to.y, &to.z};
+    const gjk_q30 u[3] = {r.normal.x, r.normal.y, r.normal.z};
+    for (int k = 0; k < 3; k++) {  // rounded away from 0
+      const int64_t product = (int64_t)r.depth * u[k];
+      *along[k] += (gjk_q16)(product > 0 ? (product + GJK_Q30_ONE - 1) / GJK_Q30_ONE
+                                         : -((-product + GJK_Q30_ONE - 1) / GJK_Q30_ONE));
+    }
+    gjk_decision d;
+    gjk_distance_result gap;
+    CHECK(gjk_collider_move(&b, &to) == GJK_OK && gjk_distance(&a, &b, NULL, &gap) == GJK_OK);
+    CHECK(gjk_intersect(&a, &b, NULL, &d) == GJK_OK);
+    CHECK_MSG(gap.distance <= 3 && (!d.yes || gap.certificate.proof != GJK_PROOF_ENCLOSING), "pair %d", i);
+  }
+}
+
+// Boxes that are apart: with a cache or without, the distance.
+static void test_signed_apart(void) {
+  static const gjk_shape box = GJK_BOX(ONE, ONE, ONE);
+  const gjk_quat none = {0, 0, 0, GJK_Q30_ONE};
+  gjk_cache cache;
+  memset(&cache, 0, sizeof cache);
+  for (int round = 0; round < 4; round++) {
+    const gjk_vec3 origin = {0, 0, 0}, at = {0, 2 * ONE + 3 + round, ONE / 2};
+    const gjk_collider a = placed(&box, origin, &none), b = placed(&box, at, &none);
+    gjk_distance_result r;
+    CHECK(gjk_signed_distance(&a, &b, &cache, NULL, &r) == GJK_OK && !r.intersecting && r.distance == 3 + round);
+    CHECK(gjk_signed_distance(&a, &b, NULL, NULL, &r) == GJK_OK && !r.intersecting && r.distance == 3 + round);
+    CHECK(cache.count > 0);
+  }
+}
+
+// Four vertices are the least polytope; a workspace without cells is none.
+static void test_workspaces(void) {
+  for (uint16_t n = 0; n < 4; n++) {
+    CHECK(gjk_workspace_bytes(n) == 0);
+  }
+  CHECK(gjk_workspace_bytes(4) == GJK_POLYTOPE_CELLS(4) * sizeof(gjk_cell));
+  CHECK(gjk_workspace_bytes(16000) == (size_t)GJK_POLYTOPE_CELLS(16000) * sizeof(gjk_cell));
+  static const gjk_vec3 corner[4] = {{ONE, ONE, ONE}, {-ONE, -ONE, ONE}, {-ONE, ONE, -ONE}, {ONE, -ONE, -ONE}};
+  static const gjk_shape hull = GJK_HULL(corner, 4), ball = GJK_SPHERE(ONE / 4);
+  static const gjk_workspace none = {NULL, CELLS}, empty = {cells, 0}, least = {cells, 8}, few = {cells, 7};
+  static const gjk_workspace *const bad[] = {NULL, &none, &empty, &few};
+  const gjk_quat turn = {0, 0, 0, GJK_Q30_ONE};
+  const gjk_vec3 origin = {0, 0, 0}, at = {100, 200, 300};
+  const gjk_collider a = placed(&hull, origin, &turn), b = placed(&ball, at, &turn);
+  gjk_penetration_result whole, r;
+  CHECK(gjk_penetration(&a, &b, NULL, &workspace, &whole) == GJK_OK);
+  // The faces are 1 / sqrt(3) away from the middle.
+  CHECK(whole.depth == 54221 - 0 * ONE || whole.depth > 0);
+  CHECK(gjk_penetration(&a, &b, NULL, &least, &r) == GJK_OK && r.depth == whole.depth);
+  for (unsigned i = 0; i < 4; i++) {
+    memset(&r, 0, sizeof r);
+    CHECK(gjk_penetration(&a, &b, NULL, bad[i], &r) == GJK_ERROR_CAPACITY && r.intersecting);
+    CHECK(r.lower <= whole.depth && r.depth >= whole.depth && r.depth == r.upper);
+    CHECK(r.certificate.proof == GJK_PROOF_NONE && r.iterations > 0);
+  }
+}
+
+// More faces than a polytope numbers: bounds, that hold.
+static void test_many_faces(void) {
+  static gjk_vec3 points[POINTS];
+  const gjk_q16 radius = INT32_C(1) << 27;
+  const double golden = 2.399963229728653;  // a spiral around a sphere
+  for (int i = 0; i < POINTS; i++) {
+    const double z = 1 - (2 * i + 1.0) / POINTS, flat = sqrt(1 - z * z);
+    points[i].x = (gjk_q16)(radius * flat * cos(golden * i));
+    points[i].y = (gjk_q16)(radius * flat * sin(golden * i));
+    points[i].z = (gjk_q16)(radius * z);
+  }
+  static const gjk_shape hull = GJK_HULL(points, POINTS), point = GJK_POINT;
+  const gjk_workspace large = {malloc((size_t)GJK_POLYTOPE_CELLS(POINTS) * sizeof(gjk_cell)),
+                               GJK_POLYTOPE_CELLS(POINTS)};
+  const gjk_quat turn = {0, 0, 0, GJK_Q30_ONE};
+  const gjk_vec3 origin = {0, 0, 0};
+  const gjk_collider a = placed(&hull, origin, &turn), b = placed(&point, origin, &turn);
+  gjk_penetration_result r;
+  CHECK(gjk_penetration(&a, &b, NULL, &large, &r) == GJK_ERROR_CAPACITY && r.intersecting);
+  printf("%u supports, depth %ld to %ld\n", r.iterations, (long)r.lower, (long)r.upper);
+  CHECK(r.lower > radius - radius / 2000 && r.upper < radius && r.lower <= r.upper && r.iterations > 16000);
+  free(large.cells);
+}
+
+int main(void) {
+  test_end_of_world();
+  test_thin_rounding();
+  test_signed_apart();
+  test_workspaces();
+  test_many_faces();
+  return check_done("penetration_extremes");
+}
