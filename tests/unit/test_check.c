@@ -119,11 +119,116 @@ static void test_distances(void) {
   }
 }
 
+static gjk_status penetrates(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result,
+                             gjk_q16 depth) {
+  gjk_penetration_result r = *result;
+  r.depth = depth;
+  return gjk_check_penetration(a, b, &r);
+}
+
+// Depths beside the right one, by each proof; proofs that are none; pairs that have none.
+static void test_penetrations(void) {
+  static gjk_cell cells[GJK_POLYTOPE_CELLS(16)];
+  static const gjk_workspace workspace = {cells, GJK_POLYTOPE_CELLS(16)};
+  static const gjk_shape soft = GJK_ROUNDED_BOX(ONE, ONE, ONE, ONE), barrel = GJK_CYLINDER(ONE, ONE);
+  const gjk_collider a = placed(&cube, 0, 0, 0), b = placed(&cube, 0, 0, 2 * ONE - 10),
+                     far = placed(&cube, 0, 9 * ONE, 0);
+  gjk_penetration_result r;
+  memset(&r, 0, sizeof r);
+  CHECK(gjk_check_penetration(NULL, &b, &r) == GJK_ERROR_NULL && gjk_check_penetration(&a, NULL, &r) == GJK_ERROR_NULL);
+  CHECK(gjk_check_penetration(&a, &b, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_check_penetration(&a, &far, &r) == GJK_OK);
+  r.intersecting = true;
+  CHECK(gjk_check_penetration(&a, &far, &r) == GJK_ERROR_UNPROVEN);
+  const gjk_collider curved = placed(&barrel, 0, 0, 2 * ONE - 10);
+  CHECK(gjk_penetration(&a, &curved, NULL, &workspace, &r) == GJK_OK && r.intersecting);
+  CHECK(gjk_check_penetration(&a, &curved, &r) == GJK_ERROR_UNSUPPORTED);
+  CHECK(gjk_check_penetration(&curved, &a, &r) == GJK_ERROR_UNSUPPORTED);
+  // By a facet.
+  CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK && r.depth == 10);
+  CHECK(r.certificate.proof == GJK_PROOF_FACET && gjk_check_penetration(&a, &b, &r) == GJK_OK);
+  static const gjk_q16 wrong[] = {-INT32_MAX, -1, 0, 9, 11, 20, 65536, INT32_MAX};
+  for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+    CHECK(penetrates(&a, &b, &r, wrong[i]) == GJK_ERROR_UNPROVEN);
+  }
+  gjk_penetration_result other = r;
+  for (uint8_t count = 0; count <= 5; count++) {
+    other.certificate.count = count;
+    CHECK(gjk_check_penetration(&a, &b, &other) == (count == 3 ? GJK_OK : GJK_ERROR_UNPROVEN));
+  }
+  for (uint8_t proof = 0; proof < 20; proof++) {
+    other = r;
+    other.certificate.proof = proof;
+    CHECK(gjk_check_penetration(&a, &b, &other) == (proof == GJK_PROOF_FACET ? GJK_OK : GJK_ERROR_UNPROVEN));
+  }
+  other = r;
+  other.certificate.a[1] = other.certificate.a[0];
+  other.certificate.b[1] = other.certificate.b[0];
+  CHECK(gjk_check_penetration(&a, &b, &other) == GJK_ERROR_UNPROVEN);  // an edge
+  other.certificate.a[1] = 8;
+  CHECK(gjk_check_penetration(&a, &b, &other) == GJK_ERROR_UNPROVEN);  // a vertex that there is not
+  // Of rounded cores that overlap: what is less than the roundings is less than any.
+  const gjk_collider p = placed(&soft, 0, 0, 0), q = placed(&soft, 0, 0, 2 * ONE - 10);
+  CHECK(gjk_penetration(&p, &q, NULL, &workspace, &r) == GJK_OK && r.depth == 2 * ONE + 10);
+  CHECK(gjk_check_penetration(&p, &q, &r) == GJK_OK);
+  CHECK(penetrates(&p, &q, &r, 2 * ONE + 9) == GJK_ERROR_UNPROVEN && penetrates(&p, &q, &r, 3) == GJK_ERROR_UNPROVEN);
+  // By the nearest feature of cores that are apart.
+  const gjk_collider s = placed(&soft, 0, 0, 2 * ONE + 10);
+  CHECK(gjk_penetration(&p, &s, NULL, &workspace, &r) == GJK_OK && r.depth == 2 * ONE - 10);
+  CHECK(r.certificate.proof == GJK_PROOF_NEAREST && gjk_check_penetration(&p, &s, &r) == GJK_OK);
+  static const gjk_q16 beside[] = {-1, 0, 2 * ONE - 11, 2 * ONE - 9, 2 * ONE, 2 * ONE + 1};
+  for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
+    CHECK(penetrates(&p, &s, &r, beside[i]) == GJK_ERROR_UNPROVEN);
+  }
+  // Cores much nearer than the roundings are large, in a frame of high resolution.
+  static const gjk_shape large = GJK_SPHERE(INT32_C(1) << 27);
+  const gjk_collider u = placed(&large, 0, 0, 0), v = placed(&large, 0, 3, 4);
+  CHECK(gjk_penetration(&u, &v, NULL, &workspace, &r) == GJK_OK && r.depth == (INT32_C(1) << 28) - 5);
+  CHECK(gjk_check_penetration(&u, &v, &r) == GJK_OK);
+  for (int i = 0; i < 29; i++) {
+    CHECK(penetrates(&u, &v, &r, r.depth - (INT32_C(1) << i)) == GJK_ERROR_UNPROVEN);
+    CHECK(penetrates(&u, &v, &r, r.depth + (INT32_C(1) << i)) == GJK_ERROR_UNPROVEN);
+  }
+}
+
+// Cubes that touch along each axis: the plane between them, whatever its normal's length.
+static void test_planes(void) {
+  static const gjk_q30 size[] = {1, 5, INT32_MAX};
+  gjk_penetration_result r;
+  memset(&r, 0, sizeof r);
+  r.intersecting = true;
+  r.certificate.proof = GJK_PROOF_PLANE;
+  const gjk_collider a = placed(&cube, 0, 0, 0);
+  for (int axis = 0; axis < 3; axis++) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+      const gjk_q16 by = sign * 2 * ONE, x = axis == 0 ? by : 0, y = axis == 1 ? by : 0, z = axis == 2 ? by : 0;
+      const gjk_collider b = placed(&cube, x, y, z),
+                         deep = placed(&cube, x - (x > 0) + (x < 0), y - (y > 0) + (y < 0), z - (z > 0) + (z < 0));
+      gjk_q30 *const along = axis == 0   ? &r.certificate.direction.x
+                             : axis == 1 ? &r.certificate.direction.y
+                                         : &r.certificate.direction.z;
+      memset(&r.certificate.direction, 0, sizeof r.certificate.direction);
+      CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
+      for (int i = 0; i < 3; i++) {
+        *along = sign * size[i];
+        CHECK(gjk_check_penetration(&a, &b, &r) == GJK_OK);
+        CHECK(penetrates(&a, &b, &r, 1) == GJK_ERROR_UNPROVEN && penetrates(&a, &b, &r, -1) == GJK_ERROR_UNPROVEN);
+        CHECK(gjk_check_penetration(&b, &a, &r) == GJK_ERROR_UNPROVEN);
+        CHECK(gjk_check_penetration(&a, &deep, &r) == GJK_ERROR_UNPROVEN);
+      }
+      *along = INT32_MIN;
+      CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
+    }
+  }
+}
+
 int main(void) {
   test_origin_on_feature();
   test_directions();
   test_largest();
   test_spheres();
   test_distances();
+  test_penetrations();
+  test_planes();
   return check_done("check");
 }

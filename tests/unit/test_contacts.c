@@ -178,10 +178,12 @@ static void test_faces(void) {
   static const gjk_hull_faces none = {NULL, three, 1}, endless = {cube_corners, NULL, 1},
                               beyond = {wrong_corner, three, 1}, short_face = {cube_corners, two, 1},
                               long_face = {cube_corners, many, 1}, empty = {cube_corners, three, 0};
-  const gjk_hull_faces *refused[] = {&beyond, &short_face, &long_face};
+  static const uint16_t back[2] = {4, 3}, back_far[2] = {16, 0};
+  static const gjk_hull_faces backwards = {cube_corners, back, 2}, far_back = {cube_corners, back_far, 2};
+  const gjk_hull_faces *refused[] = {&beyond, &short_face, &long_face, &backwards, &far_back};
   gjk_collider c = {0};
   gjk_shape shape = cube;
-  for (unsigned i = 0; i < 3; i++) {
+  for (unsigned i = 0; i < 5; i++) {
     shape.faces = refused[i];
     CHECK(gjk_collider_init(&c, &shape, NULL, 0) == GJK_ERROR_RANGE);
   }
@@ -192,6 +194,160 @@ static void test_faces(void) {
   shape.faces = &empty;
   const gjk_manifold m = meet(&shape, origin, &box, at(0, 0, 2 * ONE - 100), 4);
   CHECK(m.count == 1);
+}
+
+static gjk_q16 least_of(const gjk_manifold *m) {
+  gjk_q16 least = GJK_DISTANCE_MAX;
+  for (unsigned i = 0; i < m->count; i++) {
+    least = m->contact[i].distance < least ? m->contact[i].distance : least;
+  }
+  return least;
+}
+
+// Beyond 2^29 along an axis there is the nearest point alone; up to it, all that faces cover.
+static void test_reach(void) {
+  const gjk_q16 reach = INT32_C(1) << 29;
+  gjk_collider a, b;
+  gjk_manifold m;
+  place(&box, &origin, &a);
+  for (int axis = 0; axis < 3; axis++) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+      for (gjk_q16 beyond = 0; beyond < 2; beyond++) {
+        const gjk_q16 by = sign * (reach + beyond);
+        const gjk_pose there = at(axis == 0 ? by : 0, axis == 1 ? by : 0, axis == 2 ? by : 0);
+        place(&box, &there, &b);
+        CHECK(gjk_contacts(&a, &b, reach - 2 * ONE + beyond, 8, NULL, &workspace, &m) == GJK_OK);
+        CHECK(m.count == (beyond != 0 ? 1 : 4) && m.contact[0].distance == reach - 2 * ONE + beyond);
+        CHECK(beyond == 0 || (m.feature_a == 0 && m.feature_b == 0));
+        CHECK(gjk_contacts(&a, &b, reach - 2 * ONE + beyond - 1, 8, NULL, &workspace, &m) == GJK_OK && m.count == 0);
+      }
+    }
+  }
+}
+
+// The largest triangle, or quadrilateral, that has a corner at contact 0 of few, with the others among m's: twice its area.
+static int64_t largest(const gjk_manifold *few, const gjk_manifold *m, unsigned axis, bool quadrilateral) {
+  int64_t most = 0;
+  struct {
+    int64_t x, y;
+  } s[GJK_CONTACTS_MAX];
+  for (unsigned i = 0; i < m->count; i++) {
+    const gjk_vec3 *p = &m->contact[i].point_a, *o = &few->contact[0].point_a;
+    s[i].x = axis == 0 ? p->y - o->y : p->x - o->x;
+    s[i].y = axis == 2 ? p->y - o->y : p->z - o->z;
+  }
+  for (unsigned k = 0; k < m->count; k++) {
+    int64_t left = 0, right = 0;
+    for (unsigned i = 0; i < m->count; i++) {
+      const int64_t area = s[k].x * s[i].y - s[k].y * s[i].x;
+      left = area > left ? area : left;
+      right = -area > right ? -area : right;
+    }
+    const int64_t area = quadrilateral ? left + right : left > right ? left : right;
+    most = area > most ? area : most;
+  }
+  return most;
+}
+
+static int64_t squared_apart(const gjk_contact *a, const gjk_contact *b) {
+  const int64_t x = a->point_a.x - b->point_a.x, y = a->point_a.y - b->point_a.y, z = a->point_a.z - b->point_a.z;
+  return x * x + y * y + z * z;
+}
+
+// How far contact c is from the nearest of the first n of m, squared.
+static int64_t clearance(const gjk_contact *c, const gjk_manifold *m, unsigned n) {
+  int64_t least = INT64_MAX;
+  for (unsigned i = 0; i < n; i++) {
+    const int64_t squared = squared_apart(c, &m->contact[i]);
+    least = squared < least ? squared : least;
+  }
+  return least;
+}
+
+static bool has_contact(const gjk_manifold *m, unsigned n, uint16_t id) {
+  for (unsigned i = 0; i < n; i++) {
+    if (m->contact[i].id == id) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Fewer than there are: the deepest, the largest triangle or quadrilateral with it, then what is farthest from those.
+static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned axis) {
+  gjk_manifold m, few;
+  CHECK(gjk_contacts(a, b, MARGIN, 8, NULL, &workspace, &m) == GJK_OK && m.count > 4);
+  const gjk_q16 least = least_of(&m);
+  for (unsigned most = 1; most < m.count; most++) {
+    CHECK(gjk_contacts(a, b, MARGIN, most, NULL, &workspace, &few) == GJK_OK && few.count == most);
+    unsigned first = 0;
+    while (m.contact[first].distance > least + 1) {
+      first++;
+    }
+    CHECK(few.contact[0].id == m.contact[first].id);
+    for (unsigned i = 0; i < most; i++) {
+      CHECK(has_contact(&m, m.count, few.contact[i].id) && !has_contact(&few, i, few.contact[i].id));
+    }
+    const unsigned corners = most < 3 ? 1 : most == 3 ? 3 : 4;
+    if (most >= 3) {
+      gjk_manifold kept = few;
+      kept.count = (uint8_t)corners;
+      const int64_t wanted = largest(&few, &m, axis, most > 3);
+      CHECK_MSG(wanted > 0 && largest(&few, &kept, axis, most > 3) == wanted, "%u of %u", most, m.count);
+    }
+    for (unsigned i = corners; i < most; i++) {
+      for (unsigned k = 0; k < m.count; k++) {
+        CHECK(has_contact(&few, i, m.contact[k].id) ||
+              clearance(&m.contact[k], &few, i) <= clearance(&few.contact[i], &few, i));
+      }
+    }
+  }
+}
+
+static void test_fewer(void) {
+  random_state random = random_seed(62);
+  const gjk_vec3 *const axes[3] = {&axis_x, &axis_y, &axis_z};
+  for (int i = 0; i < 600; i++) {
+    gjk_collider a, b;
+    const unsigned axis = (unsigned)i % 3;
+    const gjk_shape flat = GJK_BOX(axis == 0 ? ONE / 2 : ONE, axis == 1 ? ONE / 2 : ONE, axis == 2 ? ONE / 2 : ONE);
+    const gjk_q16 up = ONE - random_range(&random, 0, 500), side = random_range(&random, -ONE / 8, ONE / 8),
+                  side2 = random_range(&random, -ONE / 8, ONE / 8);
+    const gjk_pose turn = turned(at(axis == 0 ? up : side,
+                                    axis == 1   ? up
+                                    : axis == 0 ? side
+                                                : side2,
+                                    axis == 2 ? up : side2),
+                                 axes[axis], EIGHTH_TURN + random_range(&random, -ONE / 8, ONE / 8));
+    place(&flat, &origin, &a);
+    place(&flat, &turn, &b);
+    check_fewer(&a, &b, axis);
+    check_fewer(&b, &a, axis);
+  }
+}
+
+// A hull's faces are the caller's: ones that cross themselves give contacts that are none of the polygons', but no more
+// than there is room for, each on both planes.
+static void test_crossing_faces(void) {
+  static gjk_vec3 star[2][24];
+  static uint16_t around[24];
+  static const uint16_t ends[2] = {12, 24};
+  const gjk_hull_faces faces = {around, ends, 2};
+  for (int i = 0; i < 24; i++) {
+    const double angle = 6.283185307179586 * (i % 12) / 12, step = angle + 0.09;
+    const gjk_q16 z = i < 12 ? -ONE : ONE;
+    const gjk_vec3 v = {(gjk_q16)(ONE * cos(angle)), (gjk_q16)(ONE * sin(angle)), z},
+                   w = {(gjk_q16)(ONE * cos(step)), (gjk_q16)(ONE * sin(step)), z};
+    star[0][i] = v;
+    star[1][i] = w;
+    around[i] = (uint16_t)(i < 12 ? 5 * (11 - i) % 12 : 12 + 5 * (i - 12) % 12);
+  }
+  const gjk_shape one = GJK_HULL_WITH_FACES(star[0], 24, &faces), two = GJK_HULL_WITH_FACES(star[1], 24, &faces);
+  const gjk_manifold m = meet(&one, origin, &two, at(0, 0, 2 * ONE - 100), 8);
+  CHECK(m.count == 8);
+  for (unsigned i = 0; i < m.count; i++) {
+    CHECK(m.contact[i].distance == -100 && m.contact[i].point_a.z == ONE && m.contact[i].point_b.z == ONE - 100);
+  }
 }
 
 // How far a point lies outside of a posed box, LSB; negative inside. Rounding has left its half axes a little askew, so its
@@ -245,14 +401,6 @@ static bool is_kept(const gjk_manifold *before, const gjk_manifold *after) {
     }
   }
   return true;
-}
-
-static gjk_q16 least_of(const gjk_manifold *m) {
-  gjk_q16 least = GJK_DISTANCE_MAX;
-  for (unsigned i = 0; i < m->count; i++) {
-    least = m->contact[i].distance < least ? m->contact[i].distance : least;
-  }
-  return least;
 }
 
 static void check_pair(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most, tally *t, int n) {
@@ -331,6 +479,9 @@ int main(void) {
   test_round_shapes();
   test_statuses();
   test_faces();
+  test_reach();
+  test_fewer();
+  test_crossing_faces();
   test_random();
   return check_done("contacts");
 }
