@@ -154,6 +154,34 @@ static void test_round_shapes(void) {
   CHECK(m.count == 1 && is_near(m.contact[0].distance, -36, 4));
 }
 
+// Boxes without thickness are edges, in whichever direction they lie; edges without length are points, whatever the
+// collider held before.
+static void test_flat_shapes(void) {
+  for (int axis = 0; axis < 3; axis++) {
+    const gjk_shape needle = GJK_BOX(axis == 0 ? HALF : 0, axis == 1 ? HALF : 0, axis == 2 ? HALF : 0);
+    const gjk_pose down = axis == 2 ? turned(at(0, 0, ONE - 9), &axis_y, QUARTER_TURN) : at(0, 0, ONE - 9);
+    gjk_manifold m = meet(&box, origin, &needle, down, 4);
+    CHECK(m.count == 2 && has_point(&m, axis == 1 ? 0 : HALF, axis == 1 ? HALF : 0, -9) &&
+          has_point(&m, axis == 1 ? 0 : -HALF, axis == 1 ? -HALF : 0, -9));
+    m = meet(&needle, down, &box, origin, 4);
+    CHECK(m.count == 2);
+  }
+  static const gjk_shape none = GJK_BOX(0, 0, 0), stub = GJK_CAPSULE(HALF, 0), ball = GJK_SPHERE(HALF), dot = GJK_POINT;
+  static const gjk_shape *const points[] = {&none, &stub, &ball, &dot};
+  for (int i = 0; i < 4; i++) {
+    const gjk_pose on_top = at(100, 200, ONE + points[i]->round - 9);
+    gjk_collider a, b;
+    gjk_manifold m;
+    place(&box, &origin, &a);
+    for (int poison = 0; poison < 256; poison += 85) {
+      memset(&b, poison, sizeof b);
+      CHECK(gjk_collider_init(&b, points[i], NULL, 0) == GJK_OK && gjk_collider_pose(&b, &on_top) == GJK_OK);
+      CHECK(gjk_contacts(&a, &b, MARGIN, 4, NULL, &workspace, &m) == GJK_OK);
+      CHECK(m.count == 1 && has_point(&m, 100, 200, -9) && m.contact[0].point_b.z == ONE - 9);
+    }
+  }
+}
+
 static void test_statuses(void) {
   gjk_collider a, b, blank = {0};
   gjk_manifold m, poison;
@@ -477,6 +505,7 @@ int main(void) {
   test_hulls();
   test_edges();
   test_round_shapes();
+  test_flat_shapes();
   test_statuses();
   test_faces();
   test_reach();

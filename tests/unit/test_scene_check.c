@@ -234,9 +234,17 @@ static void test_tree(void) {
   REFUSED(root->parent = part_of(5)->parent);
   REFUSED(n->child[0] = n->child[1]);
   REFUSED(n->child[1] = n->child[0]);
-  REFUSED(root->child[0] = h->nodes.free);
-  REFUSED(root->child[0] = h->nodes.fresh);
-  REFUSED(root->child[0] = GJK_SCENE_LEAF | h->parts.free);
+  for (int i = 0; i < 2; i++) {
+    REFUSED(root->child[i] = h->nodes.free);
+    REFUSED(root->child[i] = h->nodes.fresh);
+    REFUSED(root->child[i] = GJK_SCENE_LEAF | h->parts.free);
+    REFUSED(root->child[i] = GJK_SCENE_LEAF | v.bodies[5].first);
+    restore();
+    // A child's box sticks out of its parent's.
+    gjk_aabb *const inner = &v.nodes[root->child[i]].box;
+    REFUSED(inner->lower.y = root->box.lower.y - 1);
+    REFUSED(inner->upper.x = root->box.upper.x + 1);
+  }
   REFUSED(part_of(5)->parent = h->root);
   REFUSED(root->height++);
   REFUSED(root->height--);

@@ -199,6 +199,22 @@ static void test_turns(void) {
     turn(b, *turns[i]);
     CHECK(update(reports, &count).motion == 1 && count == 0);
   }
+  // About any axis, from any rotation.
+  const gjk_quat generic[2] = {{GJK_Q30_ONE / 2, GJK_Q30_ONE / 2, GJK_Q30_ONE / 2, GJK_Q30_ONE / 2},
+                               {-GJK_Q30_ONE / 2, GJK_Q30_ONE / 2, -GJK_Q30_ONE / 2, GJK_Q30_ONE / 2}};
+  for (int i = 0; i < 8; i++) {
+    start(&usual);
+    add(0, 0, 6 * ONE, GJK_Q16(1.4));
+    const gjk_body b = add(1, 0, 0, 0);  // at most 4.01 long
+    turn(b, generic[i % 2]);
+    CHECK(update(reports, &count).boxes == 1 && count == 0);
+    gjk_quat next = generic[i % 2];
+    gjk_q30 *const component[4] = {&next.x, &next.y, &next.z, &next.w};
+    *component[i / 2] += 300;
+    *component[(i / 2 + 1) % 4] += (*component[i / 2] > 0) == (*component[(i / 2 + 1) % 4] > 0) ? -300 : 300;
+    turn(b, next);
+    CHECK(update(reports, &count).motion == 1 && count == 0);
+  }
   // The bar reaches across the crate's margin when it stands upright, and does not when it has turned by a half.
   start(&usual);
   add(0, 0, GJK_Q16(2.675), 2 * ONE);
