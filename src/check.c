@@ -213,7 +213,7 @@ gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, c
   if (!gjk_iteration_start(&it, a, b, GJK_GOAL_DEPTH, radius)) {
     return result->intersecting ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
-  if (it.curved != NULL || it.shift < 0) {
+  if (it.curved != NULL) {  // near enough for the unscaled frame they are: the bounding spheres meet
     return GJK_ERROR_UNSUPPORTED;
   }
   bool proven = false;

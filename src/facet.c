@@ -5,6 +5,7 @@
 
 static uint32_t height_along(const gjk_unit3 *u, const gjk_vec3 *w) {
   const int64_t along = gjk_sar64(gjk_along(u, w), 30);
+  // not reached: the most: the frame's reach is below 2^30, and by its slack at least 8 more than any vertex is long
   return along <= 0 ? 0 : along < GJK_HEIGHT_MAX ? (uint32_t)along : GJK_HEIGHT_MAX;
 }
 
@@ -130,10 +131,11 @@ void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
   }
   gjk_simplex_clear(s);
   bool nearer = true;
-  for (int round = 0; round < 4 && nearer; round++) {
+  for (int round = 0; round < 4 && nearer; round++) {  // not reached: 4: the last of three corners that is added stays
     nearer = false;
     for (int i = 0; i < 3; i++) {
       *gjk_simplex_free(s) = corner[i];
+      // not reached: 3: the projection is not in the triangle, so the nearest feature has two corners at most
       nearer = (s->count < 3 && gjk_simplex_add(s) == GJK_STEP_NEARER) || nearer;
     }
   }

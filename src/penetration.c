@@ -94,6 +94,7 @@ static bool clears_facet(const overlap *o, const gjk_vec3 *t) {
 }
 
 static void bump(gjk_q30 *u) {
+  // not reached: 1: along a normal that near to an axis the first move suffices but for 2^-27 LSB
   if (*u != 0 && *u > -GJK_Q30_ONE && *u < GJK_Q30_ONE) {
     *u += *u > 0 ? 1 : -1;
   }
@@ -102,7 +103,7 @@ static void bump(gjk_q30 *u) {
 // Rounds the normal away from 0 as far as the move by depth needs it. Once no component is less than the exact one, it
 // suffices: 5 times.
 static void widen_normal(overlap *o, gjk_penetration_result *out) {
-  for (int i = 0; i < 6 && out->depth > 0; i++) {
+  for (int i = 0; i < 6 && out->depth > 0; i++) {  // not reached: 6, see above
     const gjk_unit3 *u = &out->normal;
     const gjk_vec3 t = {move_along(out->depth, u->x), move_along(out->depth, u->y), move_along(out->depth, u->z)};
     if (surely_suffices(out->depth, u, &t) ||

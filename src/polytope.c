@@ -80,6 +80,7 @@ bool gjk_polytope_start(gjk_polytope *p, const gjk_workspace *workspace, const g
   gjk_long3 n;
   gjk_polytope_normal(p, first, &n);
   const gjk_vec3 step = gjk_sub(*gjk_polytope_vertex(p, 0), *gjk_polytope_vertex(p, 1));
+  // not reached: 2: the last vertex was added beyond the others, along their normal
   const unsigned second = gjk_dot_sign(&n, &step) < 0 ? 1 : 2, third = 3 - second;
   for (uint16_t i = 0; i < 4; i++) {
     const uint8_t *c = corner[i];

@@ -142,6 +142,7 @@ static bool check_tree(const gjk_scene_view *v) {
   for (uint32_t node = gjk_scene_walk_next(&walk); node != GJK_SCENE_NONE; node = gjk_scene_walk_next(&walk)) {
     if ((node & GJK_SCENE_LEAF) != 0) {
       leaves++;
+      // not reached: more than count: other than the free ones there are no more, and each is reached once
     } else if (!check_inner(v, node) || inner++ == h->nodes.count || walk.count + 2 > GJK_SCENE_DEPTH) {
       return false;
     } else {

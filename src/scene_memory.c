@@ -53,6 +53,7 @@ size_t gjk_scene_bytes(const gjk_scene_config *config) {
     return 0;
   }
   lay_out(config, &h);
+  // not reached: a size_t of 16 bits, which no host has
   return (uint32_t)(size_t)h.bytes == h.bytes ? (size_t)h.bytes : 0;
 }
 
@@ -85,6 +86,7 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   if (status != GJK_OK) {
     return status;
   }
+  // not reached: 0: as above
   if (needed == 0 || bytes < needed) {
     return GJK_ERROR_CAPACITY;
   }

@@ -117,7 +117,7 @@ static void load_cache(const gjk_scene_pair *pair, gjk_cache *cache) {
 
 static void store_cache(const gjk_cache *cache, gjk_scene_pair *pair) {
   unsigned count = 0;
-  for (unsigned i = 0; i < cache->count && i < 4; i++) {
+  for (unsigned i = 0; i < cache->count && i < 4; i++) {  // not reached: 4: what a query keeps has no more
     if (cache->a[i] < 256 && cache->b[i] < 256) {
       pair->a[count] = (uint8_t)cache->a[i];
       pair->b[count] = (uint8_t)cache->b[i];

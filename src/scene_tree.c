@@ -96,6 +96,7 @@ static uint32_t balance(gjk_scene_view *v, uint32_t index) {
 
 // Refits and balances from index up to the root, or to where nothing changes any more.
 static void restore(gjk_scene_view *v, uint32_t index) {
+  // not reached: the ceiling
   for (unsigned level = 0; index != GJK_SCENE_NONE && level < GJK_SCENE_DEPTH; level++) {
     const bool changed = refit(v, index);
     const uint32_t top = balance(v, index);
@@ -110,6 +111,7 @@ static void restore(gjk_scene_view *v, uint32_t index) {
 // the new node's children would differ in height by more than one rotation mends.
 static uint32_t best_sibling(const gjk_scene_view *v, const gjk_aabb *box) {
   uint32_t node = v->header->root;
+  // not reached: the ceiling
   for (unsigned level = 0; (node & GJK_SCENE_LEAF) == 0 && level < GJK_SCENE_DEPTH; level++) {
     const gjk_scene_node *n = &v->nodes[node];
     uint32_t cost[2];  // of what grows or is made below the node

@@ -98,7 +98,7 @@ static bool turn_over(patch *p, unsigned i) {
 static bool find_projection(patch *p) {
   gjk_simplex *s = &p->z->it->simplex;
   // A facet has at most twice as many vertices as there are axes, and none is left behind twice.
-  for (int round = 0; round < 2 * AXES; round++) {
+  for (int round = 0; round < 2 * AXES; round++) {  // not reached: the ceiling
     for (int i = 0; i < 3; i++) {
       place(p->z, p->signs[i], &s->slot[i]);
     }
