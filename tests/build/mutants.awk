@@ -1,5 +1,5 @@
 # Adds up what became of the mutants: see mutants.sh. Input: tests/mutate/equivalent.txt, lines of FILE, TEXT, CHANGE, KIND,
-# REASON with tabs between; all mutants as mutate lists them; those of the sample; the verdicts.
+# REASON with tabs between; all mutants as mutate lists them; the verdicts.
 
 BEGIN { FS = "\t" }
 
@@ -29,20 +29,16 @@ function argument(file, change, text,   i) {
 FILENAME == ARGV[2] {
   i = argument($1, $4, $5)
   if (i > 0) met[i]++
-  next
-}
-
-FILENAME == ARGV[3] {
-  sampled[$1, $2]
+  line[$1, $2] = $3
   next
 }
 
 # Verdicts: key, verdict, file, number, line, change, text.
-($3, $4) in sampled {
+{
   files[$3]
   split($2, verdict, " ")
   i = argument($3, $6, $7)
-  what = $3 ":" $5 ": " $6 ": " $7
+  what = $3 ":" line[$3, $4] ": " $6 ": " $7
   if (verdict[1] == "noticed") {
     noticed[$3]++
     by[verdict[2]]++

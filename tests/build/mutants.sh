@@ -8,7 +8,8 @@
 # the build is none. What survives stands in the list at the end, unless tests/mutate/equivalent.txt argues that it
 # changes no answer, or nothing but speed. MUTANTS: a random sample of so many, 0: all; of one SEED the larger
 # sample holds the smaller. Verdicts are kept in BUILD/mutants/results, so that a run goes on where it was
-# interrupted: they hold while the library's code is the same, those of survivors while the tests are, too.
+# interrupted, and one with another seed adds to it: they hold while the file's code is the same, those of survivors
+# while the tests are, too.
 # Exit status 1 when less than 95 % are noticed, or when an argument is wrong.
 . tests/build/count.sh
 build=$1/mutants
@@ -185,9 +186,9 @@ work() {
   awk -v first="$1" 'NR % 2 == first' "$build/left" | while IFS='	' read -r file number line change text; do
     (cd "$build" && ./mutate apply "$file" "$number") >"$folder/$file"
     verdict=$(judge "$folder" "$file")
+    key=$(awk -v file="$file" '$1 == file { print $2 }' "$build/codes")
     case $verdict in
-      survived) key=$code-$sum ;;
-      *) key=$code ;;
+      survived) key=$key-$sum ;;
     esac
     printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$key" "$verdict" "$file" "$number" "$line" "$change" "$text" >>"$results"
     cp "$build/$file" "$folder/$file"
@@ -201,26 +202,43 @@ fi
 export GJK_TEST_PERCENT=$percent
 mkdir -p "$build"
 gcc -std=c99 -O1 tests/mutate/mutate.c -o "$build/mutate" && prepare_library && prepare_tests || exit 1
-code=$(for variant in $VARIANTS; do cat "$build/$variant"/*.o; done | cksum | tr ' ' '-')
+
+# What a file's verdicts hold for: its object code in all variants; of a header what there is to change.
+code_of() {
+  case $1 in
+    *.c) cat "$build"/*/"$(basename "$1" .c).o" ;;
+    *) (cd "$build" && ./mutate list "$1") | cut -f 4- ;;
+  esac | cksum | tr ' ' '-'
+}
 
 # All mutants; the sample in random order, so that what an interrupted run has done is a sample too.
+rm -rf "$build"/worker*
 for file in src/*.[ch]; do
   (cd "$build" && ./mutate list "$file")
-done >"$build/all"
+  echo "$file $(code_of "$file")" >&3
+done >"$build/all" 3>"$build/codes"
 [ "$sample" -gt 0 ] || sample=$(wc -l <"$build/all")
-awk -v seed="$seed" '
-  # The minimal standard generator: the same numbers from every awk.
-  BEGIN { x = seed * 7919 % 2147483647; for (i = 0; i < 10; i++) x = x * 16807 % 2147483647 }
-  { x = x * 16807 % 2147483647; printf "%d\t%s\n", x, $0 }' "$build/all" | sort -n | head -n "$sample" |
-  cut -f 2- >"$build/list"
+awk -F '\t' -v seed="$seed" '
+  # The minimal standard generator: the same numbers from every awk; for each file anew, whatever the others are.
+  function next_random() { x = x * 16807 % 2147483647 }
+  BEGIN { letters = "abcdefghijklmnopqrstuvwxyz_./" }
+  $1 != file {
+    file = $1
+    x = seed
+    for (i = 1; i <= length(file); i++) { x = (x + index(letters, substr(file, i, 1))) % 2147483646 + 1; next_random() }
+    for (i = 0; i < 10; i++) next_random()
+  }
+  { next_random(); printf "%d\t%s\n", x, $0 }' "$build/all" | sort -n | head -n "$sample" | cut -f 2- >"$build/list"
 
 # Verdicts that hold no longer go; what has none is left to do.
 touch "$results"
-awk -F '\t' -v code="$code" -v both="$code-$sum" '$1 == code || $1 == both' "$results" >"$build/kept"
+awk -F '\t' -v tests="$sum" '
+  FILENAME == ARGV[1] { split($0, field, " "); code[field[1]] = field[2]; next }
+  $1 == code[$3] || $1 == code[$3] "-" tests' "$build/codes" "$results" >"$build/kept"
 mv "$build/kept" "$results"
 awk -F '\t' 'FILENAME == ARGV[1] { done[$3, $4]; next } !(($1, $2) in done)' "$results" "$build/list" >"$build/left"
 echo "$sample of $(wc -l <"$build/all") mutants, seed $seed; $(wc -l <"$build/left") left to judge; $results grows"
 work 0 &
 work 1
 wait
-awk -F '\t' -f tests/build/mutants.awk tests/mutate/equivalent.txt "$build/all" "$build/list" "$results"
+awk -F '\t' -f tests/build/mutants.awk tests/mutate/equivalent.txt "$build/all" "$results"

@@ -154,6 +154,64 @@ static void test_round_shapes(void) {
   CHECK(m.count == 1 && is_near(m.contact[0].distance, -36, 4));
 }
 
+// Which face, side or vertex it is: of a box 2 axis + 1 on the lower side, of a hull as in its list, of a triangle 1 seen
+// from behind, of a cylinder or cone top, bottom, side; of a hull without a face there the vertex.
+static void test_features(void) {
+  static const gjk_vec3 corners[3] = {{-ONE, -ONE, 0}, {ONE, -ONE, 0}, {0, ONE, 0}};
+  static const gjk_shape sheet = GJK_TRIANGLE(corners), cylinder = GJK_CYLINDER(HALF, ONE), cone = GJK_CONE(HALF, ONE);
+  static const uint16_t hull_face[6] = {5, 4, 3, 2, 1, 0};  // across +x, -x, +y, -y, +z, -z
+  for (int side = 0; side < 6; side++) {
+    const gjk_q16 by = side % 2 == 0 ? 2 * ONE - 100 : 100 - 2 * ONE;
+    const gjk_pose pose = at(side < 2 ? by : 0, side / 2 == 1 ? by : 0, side > 3 ? by : 0);
+    gjk_manifold m = meet(&box, origin, &box, pose, 4);
+    CHECK(m.count == 4 && m.feature_a == side && m.feature_b == (side ^ 1));
+    m = meet(&cube, origin, &box, pose, 4);
+    CHECK(m.count == 4 && m.feature_a == hull_face[side] && m.feature_b == (side ^ 1));
+  }
+  for (int sign = -1; sign <= 1; sign += 2) {
+    const gjk_pose pose = at(0, 0, sign * (ONE - 100)), beyond = at(0, 0, sign * (2 * ONE - 100)),
+                   beside = at(sign * (ONE + HALF - 100), 0, 0);
+    gjk_manifold m = meet(&sheet, origin, &box, pose, 8);
+    CHECK(m.count == 3 && m.feature_a == (sign < 0) && m.feature_b == (sign < 0 ? 4 : 5));
+    CHECK(has_point(&m, -ONE, -ONE, -100) && has_point(&m, ONE, -ONE, -100) && has_point(&m, 0, ONE, -100));
+    m = meet(&cylinder, origin, &box, beyond, 8);
+    CHECK(m.count == 8 && m.feature_a == (sign < 0));
+    const gjk_q16 diagonal = 23170;  // half of cos 45 degrees
+    CHECK(has_point(&m, HALF, 0, -100) && has_point(&m, 0, -HALF, -100) && has_point(&m, diagonal, -diagonal, -100) &&
+          has_point(&m, -diagonal, diagonal, -100));
+    m = meet(&cylinder, origin, &box, beside, 8);
+    CHECK(m.count == 2 && m.feature_a == 2 && is_near(m.contact[0].point_a.x, sign * HALF, 3));
+    if (sign < 0) {
+      m = meet(&cone, origin, &box, beyond, 8);
+      CHECK(m.count == 8 && m.feature_a == 1 && has_point(&m, -HALF, 0, -100) &&
+            has_point(&m, diagonal, diagonal, -100));
+    } else {
+      m = meet(&cone, origin, &box, beyond, 8);
+      CHECK(m.count == 1 && m.feature_a == 2 && has_point(&m, 0, 0, -100));
+    }
+  }
+  // Only the lower face is given.
+  static const uint16_t end[1] = {4};
+  static const gjk_hull_faces lower = {cube_corners, end, 1};
+  static const gjk_shape half_open = GJK_HULL_WITH_FACES(cube_vertices, 8, &lower);
+  gjk_manifold m = meet(&half_open, origin, &box, at(0, 0, 100 - 2 * ONE), 4);
+  CHECK(m.count == 4 && m.feature_a == 0);
+  for (int i = 0; i < 4; i++) {  // a corner of the upper face is highest when it leans there
+    gjk_pose pose = at(0, 0, 0);
+    const gjk_vec3 lean = {i < 2 ? -ONE : ONE, i % 2 == 0 ? ONE : -ONE, 0};
+    CHECK(gjk_quat_from_axis_angle(&lean, EIGHTH_TURN / 4, &pose.rotation) == GJK_OK);
+    gjk_collider c;
+    gjk_vec3 high = {0, 0, 0};
+    place(&half_open, &pose, &c);
+    gjk_aabb bounds;
+    CHECK(gjk_collider_aabb(&c, &bounds) == GJK_OK);
+    m = meet(&half_open, pose, &box, at(0, 0, bounds.upper.z + ONE - 100), 4);
+    CHECK(m.count == 1 && m.feature_a >= 4 && m.feature_a < 8);
+    CHECK(gjk_pose_apply(&pose, &cube_vertices[m.feature_a], &high) == GJK_OK);
+    CHECK(is_near(high.z, bounds.upper.z, 3));
+  }
+}
+
 // Boxes without thickness are edges, in whichever direction they lie; edges without length are points, whatever the
 // collider held before.
 static void test_flat_shapes(void) {
@@ -505,6 +563,7 @@ int main(void) {
   test_hulls();
   test_edges();
   test_round_shapes();
+  test_features();
   test_flat_shapes();
   test_statuses();
   test_faces();
