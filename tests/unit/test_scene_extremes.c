@@ -5,6 +5,7 @@
 
 #include "../../src/scene.h"
 #include "../check.h"
+#include "../random.h"
 #include "gjk/gjk.h"
 
 #define ONE GJK_Q16_ONE
@@ -214,6 +215,28 @@ static void test_turns(void) {
     *component[(i / 2 + 1) % 4] += (*component[i / 2] > 0) == (*component[(i / 2 + 1) % 4] > 0) ? -300 : 300;
     turn(b, next);
     CHECK(update(reports, &count).motion == 1 && count == 0);
+  }
+  // The opposite of nearly the same rotation is nearly the same, whatever the signs of its components.
+  static const gjk_scene_config roomy = {4, 4, 0, 6, 8 * ONE, GJK_DETAIL_DISTANCE, 0, 0, 0};
+  random_state random = random_seed(41);
+  for (int i = 0; i < 500; i++) {
+    gjk_quat q = {random_range(&random, -9, 9), random_range(&random, -9, 9), random_range(&random, -9, 9),
+                  random_range(&random, -9, 9)};
+    if (gjk_quat_normalize(&q, &q) != GJK_OK) {
+      continue;
+    }
+    start(&roomy);
+    add(0, 0, 6 * ONE, GJK_Q16(1.4));
+    const gjk_body b = add(1, 0, 0, 0);
+    turn(b, q);
+    CHECK(update(reports, &count).boxes == 1 && count == 0);
+    const gjk_quat near = {q.x + 50, q.y - 40, q.z + 30, q.w - 20}, far = {-near.x, -near.y, -near.z, -near.w};
+    turn(b, i % 2 != 0 ? near : far);
+    CHECK(update(reports, &count).motion == 1 && count == 0);
+    // Other than by a turn of more than the gap.
+    gjk_quat other = {q.w, q.z, -q.y, -q.x};  // at a right angle to q: a half turn from it
+    turn(b, other);
+    CHECK(update(reports, &count).motion == 0 && count == 0);
   }
   // The bar reaches across the crate's margin when it stands upright, and does not when it has turned by a half.
   start(&usual);
