@@ -61,7 +61,7 @@ measure() {
       ;;
     *)
       program golden -DGOLDEN_RUN_PAIRS=GOLDEN_PAIRS tests/target/golden.c tests/target/golden_host.c \
-        port/hosted/gjk_hosted.c && run golden || return 1
+        tests/target/scene_golden.c tests/scene/match.c port/hosted/gjk_hosted.c && run golden || return 1
       for test in tests/unit/test_*.c; do
         name=$(basename "$test" .c)
         # shellcheck disable=SC2086

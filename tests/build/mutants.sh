@@ -89,7 +89,8 @@ prepare_tests() {
   mkdir -p "$build/tests"
   gcc -shared "$build"/default/*.o -o "$build/tests/libgjk.so" && ar rcs "$build/tests/library.a" "$build"/default/*.o &&
     ar rcs "$build/tests/support.a" $SUPPORT || return 1
-  program golden tests/target/golden.c tests/target/golden_host.c || return 1
+  program golden tests/scene/match.c tests/target/golden.c tests/target/scene_golden.c tests/target/golden_host.c ||
+    return 1
   program scene_golden tests/scene/match.c tests/target/scene_golden.c tests/target/scene_golden_host.c || return 1
   for test in tests/unit/test_*.c; do
     name=$(basename "$test" .c)

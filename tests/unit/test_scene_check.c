@@ -106,7 +106,7 @@ static void test_header(void) {
   REFUSED(h->version++);
   REFUSED(h->order = UINT32_C(0x04030201));
   REFUSED(h->config.bodies = 0);
-  REFUSED(h->config.detail = GJK_DETAIL_DEPTH);
+  REFUSED(h->config.detail = GJK_DETAIL_CONTACTS + 1);
   REFUSED(h->bytes += 4);
   REFUSED(h->queue_at += 4);
   REFUSED(h->slots_at += 4);
@@ -164,7 +164,11 @@ static void test_bodies(void) {
   REFUSED(v.bodies[34].first = 0);  // free, with a part
   REFUSED(h->bodies.count--);
   REFUSED(v.bodies[4].kind_detail = GJK_BODY_DYNAMIC + 1);
-  ACCEPTED(v.bodies[4].kind_detail = GJK_BODY_STATIC | GJK_DETAIL_DISTANCE << 4);
+  ACCEPTED(v.bodies[4].kind_detail = GJK_BODY_STATIC | GJK_DETAIL_DISTANCE << 4; h->most_detail = GJK_DETAIL_DISTANCE);
+  REFUSED(v.bodies[4].kind_detail = GJK_BODY_STATIC | GJK_DETAIL_DISTANCE << 4);
+  ACCEPTED(h->most_detail = GJK_DETAIL_CONTACTS);
+  REFUSED(h->most_detail = GJK_DETAIL_CONTACTS + 1);
+  REFUSED(h->config.detail = GJK_DETAIL_DISTANCE);
   REFUSED(v.bodies[4].kind_detail = GJK_DETAIL_DEPTH << 4);
   REFUSED(v.bodies[4].margin = -1);
   ACCEPTED(v.bodies[4].margin = GJK_RADIUS_MAX);
@@ -288,7 +292,9 @@ static void test_pairs(void) {
                         *const r = &v.pairs[pair_of(0, 2)];
   ACCEPTED(p->state = (uint8_t)((p->state & 31u) | 4u << GJK_SCENE_PAIR_CACHED));
   REFUSED(p->state = (uint8_t)((p->state & 31u) | 5u << GJK_SCENE_PAIR_CACHED));
-  REFUSED(p->gap = -1);
+  ACCEPTED(p->gap = -1);  // that deep
+  REFUSED(p->gap = -1; p->state = (uint8_t)(p->state & ~GJK_SCENE_PAIR_NEAR));
+  ACCEPTED(p->gap = 0; p->state = (uint8_t)(p->state & ~GJK_SCENE_PAIR_NEAR));
   ACCEPTED(p->outcome = GJK_SCENE_COLD | GJK_SCENE_UNSETTLED);
   REFUSED(p->outcome = GJK_SCENE_OUTCOMES);
   REFUSED(p->state = (uint8_t)(p->state | GJK_SCENE_PAIR_QUEUED));
