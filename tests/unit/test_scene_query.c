@@ -267,6 +267,50 @@ static void check_equals(void) {
   }
 }
 
+// Ways along the faces and edges of a box, and an LSB beside them; ways that end at it; points.
+static void check_borders(void) {
+  static const gjk_shape crate = GJK_BOX(100, 100, 100);
+  static const gjk_shape *const shapes[] = {&crate};
+  static const gjk_scene_config config = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  static uint32_t block[400];
+  const gjk_part part = {0, false, GJK_POSE_IDENTITY};
+  const gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+  gjk_scene scene;
+  gjk_scene_hit hit;
+  gjk_body body;
+  gjk_collider c;
+  gjk_aabb box;
+  uint32_t count;
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
+  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK && gjk_scene_collider(&scene, body, 0, &c) == GJK_OK);
+  CHECK(gjk_collider_aabb(&c, &box) == GJK_OK && box.lower.x == -100 && box.upper.z == 100);
+  for (int axis = 0; axis < 3; axis++) {
+    for (gjk_q16 s = -101; s <= 101; s += s == -101 || s == 100 ? 1 : 200) {
+      for (gjk_q16 t = -101; t <= 101; t += t == -101 || t == 100 ? 1 : 200) {
+        const bool inside = s >= -100 && s <= 100 && t >= -100 && t <= 100;
+        for (gjk_q16 end = -101; end <= 101; end++) {
+          const gjk_vec3 from = {axis == 0 ? -300 : s, axis == 1 ? -300 : axis == 0 ? s : t, axis == 2 ? -300 : t};
+          gjk_vec3 to = from, point = from;
+          *(axis == 0 ? &to.x : axis == 1 ? &to.y : &to.z) = end;
+          *(axis == 0 ? &point.x : axis == 1 ? &point.y : &point.z) = end;
+          CHECK(gjk_scene_query_ray(&scene, &from, &to, NULL, &hit, 1, &count) == GJK_OK);
+          CHECK(count == (inside && end >= -100 ? 1 : 0));
+          const uint32_t fraction = (uint32_t)((UINT64_C(200) << 30) / (uint32_t)(end + 300));
+          CHECK(count == 0 || hit.fraction == fraction);
+          CHECK(gjk_scene_query_ray(&scene, &to, &from, NULL, &hit, 1, &count) == GJK_OK);
+          CHECK(count == (inside && end >= -100 ? 1 : 0));
+          CHECK(count == 0 || hit.fraction == (end <= 100 ? 0 : (uint32_t)((UINT64_C(1) << 30) / 401)));
+          CHECK(gjk_scene_query_ray(&scene, &point, &point, NULL, &hit, 1, &count) == GJK_OK);
+          CHECK(count == (inside && end >= -100 && end <= 100 ? 1 : 0) && (count == 0 || hit.fraction == 0));
+          const gjk_aabb dot = {point, point};
+          CHECK(gjk_scene_query_box(&scene, &dot, NULL, &hit, 1, &count) == GJK_OK);
+          CHECK(count == (inside && end >= -100 && end <= 100 ? 1 : 0));
+        }
+      }
+    }
+  }
+}
+
 int main(void) {
   const world_options options = {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.2), GJK_DETAIL_TOUCH, 0, 0, false, false, false};
   const gjk_scene_config config = world_config(&options);
@@ -286,6 +330,7 @@ int main(void) {
   }
   check_refusals();
   check_equals();
+  check_borders();
   printf("%u parts in boxes, %u on rays, %u nearest\n", box_hits, ray_hits, nearest_hits);
   CHECK(box_hits > ROUNDS * QUERIES && ray_hits > ROUNDS * QUERIES && nearest_hits > ROUNDS * QUERIES / 2);
   free(block);

@@ -271,6 +271,35 @@ static void check_foreign(void) {
   CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
 }
 
+// What a scene holds about a body is what it was given, and then what was changed, field by field.
+static void check_state(void) {
+  const gjk_part parts[2] = {{0, false, GJK_POSE_IDENTITY}, {1, true, {{65536, 0, 0}, {0, 0, 0, GJK_Q30_ONE}}}};
+  gjk_body_setup s = {{{1, 2, 3}, {0, GJK_Q30_ONE, 0, 0}}, parts, 2, GJK_BODY_DYNAMIC, GJK_DETAIL_DISTANCE, 4, 5, 6, 7};
+  gjk_body body;
+  gjk_body_state state;
+  start(&usual);
+  memset(&state, 0x5A, sizeof state);
+  CHECK(gjk_scene_add(&scene, &s, &body) == GJK_OK && gjk_scene_get(&scene, body, &state) == GJK_OK);
+  CHECK(memcmp(&state.pose, &s.pose, sizeof s.pose) == 0 && state.category == 4 && state.mask == 5 && state.user == 6);
+  CHECK(state.margin == 7 && state.part_count == 2 && state.kind == GJK_BODY_DYNAMIC && !state.asleep);
+  CHECK(state.detail == GJK_DETAIL_DISTANCE);
+  CHECK(gjk_scene_set_filter(&scene, body, 8, 9) == GJK_OK && gjk_scene_set_user(&scene, body, 10) == GJK_OK);
+  CHECK(gjk_scene_sleep(&scene, body) == GJK_OK && gjk_scene_get(&scene, body, &state) == GJK_OK);
+  CHECK(state.category == 8 && state.mask == 9 && state.user == 10 && state.asleep);
+  CHECK(gjk_scene_wake(&scene, body) == GJK_OK && gjk_scene_get(&scene, body, &state) == GJK_OK && !state.asleep);
+  CHECK(gjk_scene_sleep(&scene, body) == GJK_OK && gjk_scene_move(&scene, body, &s.pose) == GJK_OK);
+  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK && !state.asleep);  // moved to where it is
+  s.pose.position.y++;
+  CHECK(gjk_scene_sleep(&scene, body) == GJK_OK && gjk_scene_move(&scene, body, &s.pose) == GJK_OK);
+  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK && !state.asleep && state.pose.position.y == 3);
+  for (uint8_t kind = GJK_BODY_STATIC; kind < GJK_BODY_DYNAMIC; kind++) {
+    s.kind = kind;
+    start(&usual);
+    CHECK(gjk_scene_add(&scene, &s, &body) == GJK_OK && gjk_scene_sleep(&scene, body) == GJK_ERROR_RANGE);
+    CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK && state.kind == kind && !state.asleep);
+  }
+}
+
 static void count_report(void *user, const gjk_report *report) {
   ++*(int *)user;
   (void)report;
@@ -369,6 +398,7 @@ int main(void) {
   check_busy();
   check_foreign();
   check_missing();
+  check_state();
   check_allocated();
   return check_done("scene_status");
 }
