@@ -40,60 +40,96 @@ static void make(random_state *random, int i, int32_t size, gjk_shape *shape, gj
   gjk_collider_pose(collider, &pose);
 }
 
+static gjk_cell cells[CELLS];
+static const gjk_workspace workspace = {cells, CELLS};
+
+// A scene of the two, after an update.
+typedef struct two {
+  gjk_scene scene;
+  gjk_scene_stats stats;
+  gjk_body bodies[2];
+  gjk_report report;
+  gjk_progress progress;
+  gjk_manifold manifold;
+} two;
+
+static bool update(const gjk_shape *shape, gjk_q16 margin, uint8_t detail, uint8_t no_skips, two *out) {
+  static uint32_t block[400];
+  static const gjk_shape *table[2];
+  const gjk_scene_config config = {2, 2, 0, 1, GJK_RADIUS_MAX, detail, 0, no_skips, 0};
+  const gjk_part parts[2] = {{0, false, GJK_POSE_IDENTITY}, {1, false, GJK_POSE_IDENTITY}};
+  gjk_scene *scene = &out->scene;
+  table[0] = &shape[0];
+  table[1] = &shape[1];
+  bool right = gjk_scene_init(scene, &config, block, sizeof block, table, 2) == GJK_OK;
+  scene->details = &gjk_scene_contacts;
+  scene->workspace = &workspace;
+  scene->manifolds = &out->manifold;
+  for (int i = 0; i < 2; i++) {
+    const gjk_body_setup setup = {poses[i], &parts[i], 1, GJK_BODY_DYNAMIC,   GJK_DETAIL_TOUCH,
+                                  1,        1,         0, i == 0 ? margin : 0};
+    right = right && gjk_scene_add(scene, &setup, &out->bodies[i]) == GJK_OK;
+  }
+  return right && gjk_scene_update(scene, &out->report, 1, &out->progress) == GJK_OK &&
+         gjk_scene_get_stats(scene, &out->stats) == GJK_OK;
+}
+
+// The part of body 1 is the nearest to a, body 0 left out.
+static bool check_nearest(const two *t, const gjk_collider *a, gjk_q16 distance) {
+  gjk_scene_hit hit;
+  gjk_q16 nearest;
+  bool found;
+  return gjk_scene_query_nearest(&t->scene, a, GJK_DISTANCE_MAX, &t->bodies[0], &hit, &nearest, &found) == GJK_OK &&
+         found && hit.body.slot == 1 && nearest == distance;
+}
+
 // A query that reaches the ceiling counts the pair as near, at the proven lower bound, and in unsettled.
 static bool check_scene(const gjk_shape *shape, const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
-  static uint32_t block[400];
-  const gjk_shape *const table[2] = {&shape[0], &shape[1]};
+  two t;
   gjk_distance_result gap;
   gjk_decision decision;
   const gjk_status decided = gjk_within(a, b, margin, NULL, &decision), measured = gjk_distance(a, b, NULL, &gap);
   const bool near = decided != GJK_OK || decision.yes;
   const gjk_q16 distance = measured == GJK_OK ? gap.distance : gap.lower;
   for (uint8_t no_skips = 0; no_skips < 2; no_skips++) {
-    const gjk_scene_config config = {2, 2, 0, 1, GJK_RADIUS_MAX, GJK_DETAIL_DISTANCE, 0, no_skips, 0};
-    const gjk_part parts[2] = {{0, false, GJK_POSE_IDENTITY}, {1, false, GJK_POSE_IDENTITY}};
-    gjk_scene scene;
-    gjk_scene_stats stats;
-    gjk_body body;
-    gjk_report report;
-    gjk_progress progress;
-    bool right = gjk_scene_init(&scene, &config, block, sizeof block, table, 2) == GJK_OK;
-    for (int i = 0; i < 2; i++) {
-      const gjk_body_setup setup = {poses[i], &parts[i], 1, GJK_BODY_DYNAMIC,   GJK_DETAIL_TOUCH,
-                                    1,        1,         0, i == 0 ? margin : 0};
-      right = right && gjk_scene_add(&scene, &setup, &body) == GJK_OK;
-    }
-    right = right && gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK &&
-            gjk_scene_get_stats(&scene, &stats) == GJK_OK;
-    if (!right || (no_skips != 0 && stats.pairs == 1 && (progress.reports == 1) != near)) {
+    if (!update(shape, margin, GJK_DETAIL_DISTANCE, no_skips, &t) || !check_nearest(&t, a, distance) ||
+        (no_skips != 0 && t.stats.pairs == 1 && (t.progress.reports == 1) != near)) {
       return false;
     }
     // From the cache that the decision has left, the distance may be found where it is not from a cold start.
     const bool open = decided != GJK_OK || (near && measured != GJK_OK);
-    if (progress.reports == 1 &&
-        (no_skips != 0 ? report.distance != distance || (stats.unsettled == 1) != open
-                       : stats.unsettled == 0 && measured == GJK_OK && report.distance != distance)) {
-      return false;
-    }
-    gjk_scene_hit hit;
-    gjk_q16 nearest;
-    bool found;
-    if (gjk_scene_query_nearest(&scene, a, GJK_DISTANCE_MAX, &body, &hit, &nearest, &found) != GJK_OK || !found ||
-        gjk_scene_query_nearest(&scene, a, GJK_DISTANCE_MAX, NULL, &hit, &nearest, &found) != GJK_OK || !found) {
-      return false;
-    }
-    const gjk_body first = {0, 1};
-    if (gjk_scene_query_nearest(&scene, a, GJK_DISTANCE_MAX, &first, &hit, &nearest, &found) != GJK_OK || !found ||
-        hit.body.slot != 1 || nearest != distance) {
+    if (t.progress.reports == 1 &&
+        (no_skips != 0 ? t.report.distance != distance || (t.stats.unsettled == 1) != open
+                       : t.stats.unsettled == 0 && measured == GJK_OK && t.report.distance != distance)) {
       return false;
     }
   }
   return true;
 }
 
+// The same of depth, whose lower bound is then 0, and of contacts, of which there are then none.
+static bool check_details(const gjk_shape *shape, const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
+  two t;
+  gjk_distance_result depth;
+  gjk_manifold m;
+  gjk_decision decision;
+  const bool decided = gjk_within(a, b, margin, NULL, &decision) == GJK_OK;
+  const gjk_status measured = gjk_signed_distance(a, b, NULL, &workspace, &depth),
+                   met = gjk_contacts(a, b, margin, 4, NULL, &workspace, &m);
+  const gjk_q16 distance = measured == GJK_ERROR_ITERATION_LIMIT ? 0 : depth.distance;
+  if (!update(shape, margin, GJK_DETAIL_DEPTH, 1, &t) ||
+      (t.progress.reports == 1 &&
+       (t.report.distance != distance || (t.stats.unsettled == 1) != (!decided || measured != GJK_OK)))) {
+    return false;
+  }
+  const unsigned count = met == GJK_ERROR_ITERATION_LIMIT ? 0 : m.count;
+  return update(shape, margin, GJK_DETAIL_CONTACTS, 1, &t) &&
+         (t.progress.reports == 0 ||
+          (t.report.manifold == &t.manifold && t.manifold.count == count && (count > 0 || t.report.distance == 0) &&
+           t.stats.unsettled == (unsigned)!decided + (met != GJK_OK)));
+}
+
 int main(void) {
-  static gjk_cell cells[CELLS];
-  static const gjk_workspace workspace = {cells, CELLS};
   random_state random = random_seed(7);
   for (int i = 0; i < PAIRS; i++) {
     const int32_t size = INT32_C(1) << (4 + random_below(&random, 22));
@@ -122,7 +158,7 @@ int main(void) {
     memset(&cache, 0, sizeof cache);
     const gjk_status measured = gjk_signed_distance(&a, &b, &cache, &workspace, &signed_distance);
     const gjk_status met = gjk_contacts(&a, &b, size / 8, 4, NULL, &workspace, &contacts);
-    if (!check_scene(shapes, &a, &b, size / 8)) {
+    if (!check_scene(shapes, &a, &b, size / 8) || !check_details(shapes, &a, &b, size / 8)) {
       printf("pair %d in a scene\n", i);
       return 1;
     }

@@ -436,6 +436,17 @@ static void test_crossing_faces(void) {
   }
 }
 
+// A corner that a face names twice in a row is there twice; the edge between covers nothing and leaves nothing out.
+static void test_repeated_corner(void) {
+  static const uint16_t doubled[25] = {0, 2, 3, 1, 4, 5, 7, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+  static const uint16_t ends[6] = {4, 9, 13, 17, 21, 25};
+  static const gjk_hull_faces faces = {doubled, ends, 6};
+  static const gjk_shape hull = GJK_HULL_WITH_FACES(cube_vertices, 8, &faces);
+  gjk_manifold m = meet(&hull, origin, &box, at(ONE, HALF, 2 * ONE - 100), 8);
+  CHECK(m.count == 5 && has_point(&m, 0, -HALF, -100) && has_point(&m, ONE, -HALF, -100) &&
+        has_point(&m, 0, ONE, -100) && has_point(&m, ONE, ONE, -100) && m.feature_a == 1);
+}
+
 // How far a point lies outside of a posed box, LSB; negative inside. Rounding has left its half axes a little askew, so its
 // faces are taken as they are.
 static double outside_box(const gjk_collider *c, const gjk_vec3 *p) {
@@ -570,6 +581,7 @@ int main(void) {
   test_reach();
   test_fewer();
   test_crossing_faces();
+  test_repeated_corner();
   test_random();
   return check_done("contacts");
 }

@@ -76,6 +76,27 @@ static void test_end_of_world(void) {
   CHECK(overlapping * 10 > moved * 5);
 }
 
+// Along each axis, at either end of the world: B has no room to move out, so A's move has to do.
+static void test_walls(void) {
+  static const gjk_shape ball = GJK_SPHERE(ONE);
+  const gjk_quat none = {0, 0, 0, GJK_Q30_ONE};
+  for (int axis = 0; axis < 3; axis++) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+      for (gjk_q16 room = 0; room < 2 * ONE + 3; room += ONE - 4) {
+        const gjk_q16 end = sign > 0 ? INT32_MAX - room : INT32_MIN + room, inner = end - sign * 9;
+        const gjk_vec3 at = {axis == 0 ? end : 5, axis == 1 ? end : 5, axis == 2 ? end : 5},
+                       in = {axis == 0 ? inner : 5, axis == 1 ? inner : 5, axis == 2 ? inner : 5};
+        const gjk_collider a = placed(&ball, in, &none), b = placed(&ball, at, &none);
+        const gjk_unit3 normal = {axis == 0 ? sign * GJK_Q30_ONE : 0, axis == 1 ? sign * GJK_Q30_ONE : 0,
+                                  axis == 2 ? sign * GJK_Q30_ONE : 0};
+        gjk_penetration_result r;
+        CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK && r.intersecting && r.depth == 2 * ONE - 9);
+        CHECK(memcmp(&r.normal, &normal, sizeof normal) == 0 && gjk_check_penetration(&a, &b, &r) == GJK_OK);
+      }
+    }
+  }
+}
+
 // Large shapes with a rounding of an LSB: the least by which a move can fail. B parts from A when it has moved.
 static void test_thin_rounding(void) {
   random_state random = random_seed(32);
@@ -143,8 +164,8 @@ static void test_workspaces(void) {
   const gjk_collider a = placed(&hull, origin, &turn), b = placed(&ball, at, &turn);
   gjk_penetration_result whole, r;
   CHECK(gjk_penetration(&a, &b, NULL, &workspace, &whole) == GJK_OK);
-  // The faces are 1 / sqrt(3) away from the middle.
-  CHECK(whole.depth == 54221 - 0 * ONE || whole.depth > 0);
+  // The least of (1 + v . at) / sqrt(3) over the corners v, 37606.3 LSB, and the ball's radius.
+  CHECK(whole.depth == 37607 + ONE / 4);
   CHECK(gjk_penetration(&a, &b, NULL, &least, &r) == GJK_OK && r.depth == whole.depth);
   for (unsigned i = 0; i < 4; i++) {
     memset(&r, 0, sizeof r);
@@ -180,6 +201,7 @@ static void test_many_faces(void) {
 
 int main(void) {
   test_end_of_world();
+  test_walls();
   test_thin_rounding();
   test_signed_apart();
   test_workspaces();

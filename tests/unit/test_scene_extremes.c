@@ -289,6 +289,23 @@ static void test_gone(void) {
   CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK && !found);
 }
 
+static void count_report(void *user, const gjk_report *report) {
+  ++*(int *)user;
+  (void)report;
+}
+
+// An update without reports calls nobody, one with some each time.
+static void test_each(void) {
+  int calls = 0;
+  start(&usual);
+  CHECK(gjk_scene_update_each(&scene, count_report, &calls) == GJK_OK && calls == 0);
+  for (int i = 0; i < 4; i++) {
+    add(0, 0, 0, 0);
+  }
+  CHECK(gjk_scene_update_each(&scene, count_report, &calls) == GJK_OK && calls == 6);
+  CHECK(gjk_scene_update_each(&scene, count_report, &calls) == GJK_OK && calls == 6);
+}
+
 // Pairs that were tested are not tested again.
 static bool count_call(void *user, gjk_body a, uint32_t user_a, gjk_body b, uint32_t user_b) {
   ++*(int *)user;
@@ -320,6 +337,7 @@ int main(void) {
   test_turns();
   test_one_axis();
   test_gone();
+  test_each();
   test_tested_once();
   return check_done("scene_extremes");
 }
