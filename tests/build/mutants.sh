@@ -231,13 +231,20 @@ awk -F '\t' -v seed="$seed" '
   }
   { next_random(); printf "%d\t%s\n", x, $0 }' "$build/all" | sort -n | head -n "$sample" | cut -f 2- >"$build/list"
 
-# Verdicts that hold no longer go; what has none is left to do.
+# Verdicts that hold no longer are found anew, so that the sample stays one; what has none is left to do.
 touch "$results"
-awk -F '\t' -v tests="$sum" '
+awk -F '\t' -v tests="$sum" -v old="$build/old" '
   FILENAME == ARGV[1] { split($0, field, " "); code[field[1]] = field[2]; next }
-  $1 == code[$3] || $1 == code[$3] "-" tests' "$build/codes" "$results" >"$build/kept"
+  $1 == code[$3] || $1 == code[$3] "-" tests { print; next }
+  { printf "%s\t%s\t%s\t%s\n", $3, $4, $6, $7 >old }' "$build/codes" "$results" >"$build/kept"
 mv "$build/kept" "$results"
-awk -F '\t' 'FILENAME == ARGV[1] { done[$3, $4]; next } !(($1, $2) in done)' "$results" "$build/list" >"$build/left"
+touch "$build/old"
+awk -F '\t' '
+  FILENAME == ARGV[1] { done[$3, $4]; next }
+  FILENAME == ARGV[2] { again[$1, $2, $3, $4]; next }
+  FILENAME == ARGV[3] && !(($1, $2, $4, $5) in again) { next }
+  !(($1, $2) in done) { done[$1, $2]; print }' "$results" "$build/old" "$build/all" "$build/list" >"$build/left"
+rm "$build/old"
 echo "$sample of $(wc -l <"$build/all") mutants, seed $seed; $(wc -l <"$build/left") left to judge; $results grows"
 work 0 &
 work 1
