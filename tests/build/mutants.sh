@@ -87,6 +87,7 @@ prepare_library() {
 prepare_tests() {
   rm -rf "$build/tests"
   mkdir -p "$build/tests"
+  # shellcheck disable=SC2086
   gcc -shared "$build"/default/*.o -o "$build/tests/libgjk.so" && ar rcs "$build/tests/library.a" "$build"/default/*.o &&
     ar rcs "$build/tests/support.a" $SUPPORT || return 1
   program golden tests/scene/match.c tests/target/golden.c tests/target/scene_golden.c tests/target/golden_host.c ||

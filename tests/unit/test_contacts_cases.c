@@ -1,0 +1,259 @@
+// Contact manifolds: what each shape meets with, shapes without thickness, how far faces are looked at, which points are
+// kept of many, faces that are none.
+#include <math.h>
+
+#include "../random.h"
+#include "contacts_scene.h"
+
+// Which face, side or vertex it is: of a box 2 axis + 1 on the lower side, of a hull as in its list, of a triangle 1 seen
+// from behind, of a cylinder or cone top, bottom, side; of a hull without a face there the vertex.
+static void test_features(void) {
+  static const gjk_vec3 corners[3] = {{-ONE, -ONE, 0}, {ONE, -ONE, 0}, {0, ONE, 0}};
+  static const gjk_shape sheet = GJK_TRIANGLE(corners), cylinder = GJK_CYLINDER(HALF, ONE), cone = GJK_CONE(HALF, ONE);
+  static const uint16_t hull_face[6] = {5, 4, 3, 2, 1, 0};  // across +x, -x, +y, -y, +z, -z
+  for (int side = 0; side < 6; side++) {
+    const gjk_q16 by = side % 2 == 0 ? 2 * ONE - 100 : 100 - 2 * ONE;
+    const gjk_pose pose = at(side < 2 ? by : 0, side / 2 == 1 ? by : 0, side > 3 ? by : 0);
+    gjk_manifold m = meet(&box, origin, &box, pose, 4);
+    CHECK(m.count == 4 && m.feature_a == side && m.feature_b == (side ^ 1));
+    m = meet(&cube, origin, &box, pose, 4);
+    CHECK(m.count == 4 && m.feature_a == hull_face[side] && m.feature_b == (side ^ 1));
+  }
+  for (int sign = -1; sign <= 1; sign += 2) {
+    const gjk_pose pose = at(0, 0, sign * (ONE - 100)), beyond = at(0, 0, sign * (2 * ONE - 100)),
+                   beside = at(sign * (ONE + HALF - 100), 0, 0);
+    gjk_manifold m = meet(&sheet, origin, &box, pose, 8);
+    CHECK(m.count == 3 && m.feature_a == (sign < 0) && m.feature_b == (sign < 0 ? 4 : 5));
+    CHECK(has_point(&m, -ONE, -ONE, -100) && has_point(&m, ONE, -ONE, -100) && has_point(&m, 0, ONE, -100));
+    m = meet(&cylinder, origin, &box, beyond, 8);
+    CHECK(m.count == 8 && m.feature_a == (sign < 0));
+    const gjk_q16 diagonal = 23170;  // half of cos 45 degrees
+    CHECK(has_point(&m, HALF, 0, -100) && has_point(&m, 0, -HALF, -100) && has_point(&m, diagonal, -diagonal, -100) &&
+          has_point(&m, -diagonal, diagonal, -100));
+    m = meet(&cylinder, origin, &box, beside, 8);
+    CHECK(m.count == 2 && m.feature_a == 2 && is_near(m.contact[0].point_a.x, sign * HALF, 3));
+    if (sign < 0) {
+      m = meet(&cone, origin, &box, beyond, 8);
+      CHECK(m.count == 8 && m.feature_a == 1 && has_point(&m, -HALF, 0, -100) &&
+            has_point(&m, diagonal, diagonal, -100));
+    } else {
+      m = meet(&cone, origin, &box, beyond, 8);
+      CHECK(m.count == 1 && m.feature_a == 2 && has_point(&m, 0, 0, -100));
+    }
+  }
+  // Only the lower face is given.
+  static const uint16_t end[1] = {4};
+  static const gjk_hull_faces lower = {cube_corners, end, 1};
+  static const gjk_shape half_open = GJK_HULL_WITH_FACES(cube_vertices, 8, &lower);
+  gjk_manifold m = meet(&half_open, origin, &box, at(0, 0, 100 - 2 * ONE), 4);
+  CHECK(m.count == 4 && m.feature_a == 0);
+  for (int i = 0; i < 4; i++) {  // a corner of the upper face is highest when it leans there
+    gjk_pose pose = at(0, 0, 0);
+    const gjk_vec3 lean = {i < 2 ? -ONE : ONE, i % 2 == 0 ? ONE : -ONE, 0};
+    CHECK(gjk_quat_from_axis_angle(&lean, EIGHTH_TURN / 4, &pose.rotation) == GJK_OK);
+    gjk_collider c;
+    gjk_vec3 high = {0, 0, 0};
+    place(&half_open, &pose, &c);
+    gjk_aabb bounds;
+    CHECK(gjk_collider_aabb(&c, &bounds) == GJK_OK);
+    m = meet(&half_open, pose, &box, at(0, 0, bounds.upper.z + ONE - 100), 4);
+    CHECK(m.count == 1 && m.feature_a >= 4 && m.feature_a < 8);
+    CHECK(gjk_pose_apply(&pose, &cube_vertices[m.feature_a], &high) == GJK_OK);
+    CHECK(is_near(high.z, bounds.upper.z, 3));
+  }
+}
+
+// Boxes without thickness are edges, in whichever direction they lie; edges without length are points, whatever the
+// collider held before.
+static void test_flat_shapes(void) {
+  for (int axis = 0; axis < 3; axis++) {
+    const gjk_shape needle = GJK_BOX(axis == 0 ? HALF : 0, axis == 1 ? HALF : 0, axis == 2 ? HALF : 0);
+    const gjk_pose down = axis == 2 ? turned(at(0, 0, ONE - 9), &axis_y, QUARTER_TURN) : at(0, 0, ONE - 9);
+    gjk_manifold m = meet(&box, origin, &needle, down, 4);
+    CHECK(m.count == 2 && has_point(&m, axis == 1 ? 0 : HALF, axis == 1 ? HALF : 0, -9) &&
+          has_point(&m, axis == 1 ? 0 : -HALF, axis == 1 ? -HALF : 0, -9));
+    m = meet(&needle, down, &box, origin, 4);
+    CHECK(m.count == 2);
+  }
+  static const gjk_shape none = GJK_BOX(0, 0, 0), stub = GJK_CAPSULE(HALF, 0), ball = GJK_SPHERE(HALF), dot = GJK_POINT;
+  static const gjk_shape *const points[] = {&none, &stub, &ball, &dot};
+  for (int i = 0; i < 4; i++) {
+    const gjk_pose on_top = at(100, 200, ONE + points[i]->round - 9);
+    gjk_collider a, b;
+    gjk_manifold m;
+    place(&box, &origin, &a);
+    for (int poison = 0; poison < 256; poison += 85) {
+      memset(&b, poison, sizeof b);
+      CHECK(gjk_collider_init(&b, points[i], NULL, 0) == GJK_OK && gjk_collider_pose(&b, &on_top) == GJK_OK);
+      CHECK(gjk_contacts(&a, &b, MARGIN, 4, NULL, &workspace, &m) == GJK_OK);
+      CHECK(m.count == 1 && has_point(&m, 100, 200, -9) && m.contact[0].point_b.z == ONE - 9);
+    }
+  }
+}
+
+// Beyond 2^29 along an axis there is the nearest point alone; up to it, all that faces cover.
+static void test_reach(void) {
+  const gjk_q16 reach = INT32_C(1) << 29;
+  gjk_collider a, b;
+  gjk_manifold m;
+  place(&box, &origin, &a);
+  for (int axis = 0; axis < 3; axis++) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+      for (gjk_q16 beyond = 0; beyond < 2; beyond++) {
+        const gjk_q16 by = sign * (reach + beyond);
+        const gjk_pose there = at(axis == 0 ? by : 0, axis == 1 ? by : 0, axis == 2 ? by : 0);
+        place(&box, &there, &b);
+        CHECK(gjk_contacts(&a, &b, reach - 2 * ONE + beyond, 8, NULL, &workspace, &m) == GJK_OK);
+        CHECK(m.count == (beyond != 0 ? 1 : 4) && m.contact[0].distance == reach - 2 * ONE + beyond);
+        CHECK(beyond == 0 || (m.feature_a == 0 && m.feature_b == 0));
+        CHECK(gjk_contacts(&a, &b, reach - 2 * ONE + beyond - 1, 8, NULL, &workspace, &m) == GJK_OK && m.count == 0);
+      }
+    }
+  }
+}
+
+// The largest triangle, or quadrilateral, that has a corner at contact 0 of few, with the others among m's: twice its area.
+static int64_t largest(const gjk_manifold *few, const gjk_manifold *m, unsigned axis, bool quadrilateral) {
+  int64_t most = 0;
+  struct {
+    int64_t x, y;
+  } s[GJK_CONTACTS_MAX];
+  for (unsigned i = 0; i < m->count; i++) {
+    const gjk_vec3 *p = &m->contact[i].point_a, *o = &few->contact[0].point_a;
+    s[i].x = axis == 0 ? p->y - o->y : p->x - o->x;
+    s[i].y = axis == 2 ? p->y - o->y : p->z - o->z;
+  }
+  for (unsigned k = 0; k < m->count; k++) {
+    int64_t left = 0, right = 0;
+    for (unsigned i = 0; i < m->count; i++) {
+      const int64_t area = s[k].x * s[i].y - s[k].y * s[i].x;
+      left = area > left ? area : left;
+      right = -area > right ? -area : right;
+    }
+    const int64_t area = quadrilateral ? left + right : left > right ? left : right;
+    most = area > most ? area : most;
+  }
+  return most;
+}
+
+static int64_t squared_apart(const gjk_contact *a, const gjk_contact *b) {
+  const int64_t x = a->point_a.x - b->point_a.x, y = a->point_a.y - b->point_a.y, z = a->point_a.z - b->point_a.z;
+  return x * x + y * y + z * z;
+}
+
+// How far contact c is from the nearest of the first n of m, squared.
+static int64_t clearance(const gjk_contact *c, const gjk_manifold *m, unsigned n) {
+  int64_t least = INT64_MAX;
+  for (unsigned i = 0; i < n; i++) {
+    const int64_t squared = squared_apart(c, &m->contact[i]);
+    least = squared < least ? squared : least;
+  }
+  return least;
+}
+
+static bool has_contact(const gjk_manifold *m, unsigned n, uint16_t id) {
+  for (unsigned i = 0; i < n; i++) {
+    if (m->contact[i].id == id) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Fewer than there are: the deepest, the largest triangle or quadrilateral with it, then what is farthest from those.
+static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned axis) {
+  gjk_manifold m, few;
+  CHECK(gjk_contacts(a, b, MARGIN, 8, NULL, &workspace, &m) == GJK_OK && m.count > 4);
+  const gjk_q16 least = least_of(&m);
+  for (unsigned most = 1; most < m.count; most++) {
+    CHECK(gjk_contacts(a, b, MARGIN, most, NULL, &workspace, &few) == GJK_OK && few.count == most);
+    unsigned first = 0;
+    while (m.contact[first].distance > least + 1) {
+      first++;
+    }
+    CHECK(few.contact[0].id == m.contact[first].id);
+    for (unsigned i = 0; i < most; i++) {
+      CHECK(has_contact(&m, m.count, few.contact[i].id) && !has_contact(&few, i, few.contact[i].id));
+    }
+    const unsigned corners = most < 3 ? 1 : most == 3 ? 3 : 4;
+    if (most >= 3) {
+      gjk_manifold kept = few;
+      kept.count = (uint8_t)corners;
+      const int64_t wanted = largest(&few, &m, axis, most > 3);
+      CHECK_MSG(wanted > 0 && largest(&few, &kept, axis, most > 3) == wanted, "%u of %u", most, m.count);
+    }
+    for (unsigned i = corners; i < most; i++) {
+      for (unsigned k = 0; k < m.count; k++) {
+        CHECK(has_contact(&few, i, m.contact[k].id) ||
+              clearance(&m.contact[k], &few, i) <= clearance(&few.contact[i], &few, i));
+      }
+    }
+  }
+}
+
+static void test_fewer(void) {
+  random_state random = random_seed(62);
+  const gjk_vec3 *const axes[3] = {&axis_x, &axis_y, &axis_z};
+  for (int i = 0; i < 600; i++) {
+    gjk_collider a, b;
+    const unsigned axis = (unsigned)i % 3;
+    const gjk_shape flat = GJK_BOX(axis == 0 ? ONE / 2 : ONE, axis == 1 ? ONE / 2 : ONE, axis == 2 ? ONE / 2 : ONE);
+    const gjk_q16 up = ONE - random_range(&random, 0, 500), side = random_range(&random, -ONE / 8, ONE / 8),
+                  side2 = random_range(&random, -ONE / 8, ONE / 8);
+    const gjk_pose turn = turned(at(axis == 0 ? up : side,
+                                    axis == 1   ? up
+                                    : axis == 0 ? side
+                                                : side2,
+                                    axis == 2 ? up : side2),
+                                 axes[axis], EIGHTH_TURN + random_range(&random, -ONE / 8, ONE / 8));
+    place(&flat, &origin, &a);
+    place(&flat, &turn, &b);
+    check_fewer(&a, &b, axis);
+    check_fewer(&b, &a, axis);
+  }
+}
+
+// A hull's faces are the caller's: ones that cross themselves give contacts that are none of the polygons', but no more
+// than there is room for, each on both planes.
+static void test_crossing_faces(void) {
+  static gjk_vec3 star[2][24];
+  static uint16_t around[24];
+  static const uint16_t ends[2] = {12, 24};
+  const gjk_hull_faces faces = {around, ends, 2};
+  for (int i = 0; i < 24; i++) {
+    const double angle = 6.283185307179586 * (i % 12) / 12, step = angle + 0.09;
+    const gjk_q16 z = i < 12 ? -ONE : ONE;
+    const gjk_vec3 v = {(gjk_q16)(ONE * cos(angle)), (gjk_q16)(ONE * sin(angle)), z},
+                   w = {(gjk_q16)(ONE * cos(step)), (gjk_q16)(ONE * sin(step)), z};
+    star[0][i] = v;
+    star[1][i] = w;
+    around[i] = (uint16_t)(i < 12 ? 5 * (11 - i) % 12 : 12 + 5 * (i - 12) % 12);
+  }
+  const gjk_shape one = GJK_HULL_WITH_FACES(star[0], 24, &faces), two = GJK_HULL_WITH_FACES(star[1], 24, &faces);
+  const gjk_manifold m = meet(&one, origin, &two, at(0, 0, 2 * ONE - 100), 8);
+  CHECK(m.count == 8);
+  for (unsigned i = 0; i < m.count; i++) {
+    CHECK(m.contact[i].distance == -100 && m.contact[i].point_a.z == ONE && m.contact[i].point_b.z == ONE - 100);
+  }
+}
+
+// A corner that a face names twice in a row is there twice; the edge between covers nothing and leaves nothing out.
+static void test_repeated_corner(void) {
+  static const uint16_t doubled[25] = {0, 2, 3, 1, 4, 5, 7, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+  static const uint16_t ends[6] = {4, 9, 13, 17, 21, 25};
+  static const gjk_hull_faces faces = {doubled, ends, 6};
+  static const gjk_shape hull = GJK_HULL_WITH_FACES(cube_vertices, 8, &faces);
+  gjk_manifold m = meet(&hull, origin, &box, at(ONE, HALF, 2 * ONE - 100), 8);
+  CHECK(m.count == 5 && has_point(&m, 0, -HALF, -100) && has_point(&m, ONE, -HALF, -100) &&
+        has_point(&m, 0, ONE, -100) && has_point(&m, ONE, ONE, -100) && m.feature_a == 1);
+}
+
+int main(void) {
+  test_features();
+  test_flat_shapes();
+  test_reach();
+  test_fewer();
+  test_crossing_faces();
+  test_repeated_corner();
+  return check_done("contacts_cases");
+}
