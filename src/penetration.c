@@ -58,7 +58,7 @@ static void copy_moved(gjk_collider *to, const gjk_collider *from, gjk_vec3 cent
   to->bits = from->bits;
 }
 
-// Are the shapes apart or touching when B has moved by t? Exact. Overwrites the iteration.
+// Are the shapes apart or touching when B has moved by t? Exact. Overwrites the iteration. Pre: t parts the cores.
 GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
   const gjk_collider *a = it->a, *b = it->b;
   const gjk_vec3 *c = &b->centre;
@@ -72,7 +72,7 @@ GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *
   gjk_iteration_start(it, leaves ? &moved : a, leaves ? b : &moved, GJK_GOAL_SIGNED, radius);
   gjk_limbs numerator, denominator;
   bool apart = false;
-  if (gjk_iteration_run(it, GJK_GOAL_SIGNED, NULL) == GJK_OUTCOME_NEAREST) {
+  if (gjk_iteration_run(it, GJK_GOAL_SIGNED, NULL) == GJK_OUTCOME_NEAREST) {  // not reached: else, see above
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
     apart = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
   }
