@@ -110,12 +110,15 @@ static void test_header(void) {
   REFUSED(h->bytes += 4);
   REFUSED(h->queue_at += 4);
   REFUSED(h->slots_at += 4);
+  gjk_scene attached;
   gjk_scene_pool *const pools[] = {&h->bodies, &h->parts, &h->nodes, &h->placed, &h->pairs};
   for (unsigned i = 0; i < 5; i++) {
     REFUSED(pools[i]->at += 4);
     REFUSED(pools[i]->capacity++);
     REFUSED(pools[i]->count = pools[i]->fresh + 1);
+    CHECK(gjk_scene_attach(&attached, block, sizeof block, shapes, 2) == GJK_ERROR_CORRUPT);
     REFUSED(pools[i]->fresh = pools[i]->capacity + 1);
+    CHECK(gjk_scene_attach(&attached, block, sizeof block, shapes, 2) == GJK_ERROR_CORRUPT);
   }
   // The block must hold what its header says.
   restore();
