@@ -87,7 +87,43 @@ static void run(unsigned family) {
   free(block);
 }
 
+// What each skip is counted as, one after the other: two crates, turned by 45 degrees, one corner beside the other.
+static void check_counters(void) {
+  static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
+  static const gjk_shape *const shapes[] = {&crate};
+  static uint32_t block[500];
+  const gjk_scene_config config = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  const gjk_part part = {0, false, GJK_POSE_IDENTITY};
+  const gjk_vec3 up = {0, 0, GJK_Q16_ONE};
+  gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+  gjk_scene scene;
+  gjk_scene_stats stats;
+  gjk_body fixed, moving;
+  gjk_report report;
+  gjk_progress progress;
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
+  CHECK(gjk_quat_from_axis_angle(&up, GJK_Q16(0.7853982), &setup.pose.rotation) == GJK_OK);
+  CHECK(gjk_scene_add(&scene, &setup, &fixed) == GJK_OK && gjk_scene_add(&scene, &setup, &moving) == GJK_OK);
+  // Along both axes, so that the boxes overlap and the direction found has a component that is 0; 0.27 apart.
+  const struct {
+    gjk_q16 at;
+    uint32_t motion, direction, warm, cold, resting;
+  } steps[] = {{GJK_Q16(0.9), 0, 0, 0, 1, 0},  {GJK_Q16(0.95), 1, 0, 0, 0, 0}, {GJK_Q16(0.9), 1, 0, 0, 0, 0},
+               {GJK_Q16(0.75), 0, 1, 0, 0, 0}, {GJK_Q16(0.75), 0, 0, 0, 0, 1}, {GJK_Q16(0.6), 0, 0, 1, 0, 0}};
+  for (unsigned i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+    setup.pose.position.x = setup.pose.position.y = steps[i].at;
+    CHECK(i == 4 || gjk_scene_move(&scene, moving, &setup.pose) == GJK_OK);
+    CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK);
+    CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
+    CHECK_MSG(stats.motion == steps[i].motion && stats.direction == steps[i].direction && stats.warm == steps[i].warm &&
+                  stats.cold == steps[i].cold && stats.resting == steps[i].resting,
+              "step %u: %u %u %u %u %u", i, stats.motion, stats.direction, stats.warm, stats.cold, stats.resting);
+    CHECK_MSG(progress.reports == (i == 5 ? 1 : 0), "step %u", i);
+  }
+}
+
 int main(void) {
+  check_counters();
   for (unsigned i = 0; i < sizeof families / sizeof families[0]; i++) {
     run(i);
   }
