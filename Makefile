@@ -184,7 +184,8 @@ $(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE)
 
-$(OUT)/bench.elf: tests/target/bench_float.c tests/target/bench_double.c
+$(OUT)/bench.elf: tests/target/bench_gjk.c tests/target/bench_float.c tests/target/bench_double.c
+$(OUT)/bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
 $(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/scene_bench.elf: tests/scene/traffic.c
 $(OUT)/scene_golden.elf: tests/scene/match.c

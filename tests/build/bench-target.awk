@@ -9,14 +9,14 @@ BEGIN { FS = "," }
 }
 
 function title(text) {
-  printf "\n%-62s", text
+  printf "\n%-66s", text
   for (t = 1; t <= targets; t++) printf "%18s", target[t]
   printf "\n"
 }
 
 # The figure of a measure, and behind it in brackets that of another.
 function row(name, solver, subject, first, second,    t, any, out, cell) {
-  out = sprintf("%-54s%-8s", name, solver)
+  out = sprintf("%-58s%-8s", name, solver)
   for (t = 1; t <= targets; t++) {
     cell = figure[target[t], solver, subject, first]
     if (cell != "") any = 1
@@ -38,10 +38,17 @@ END {
   for (n = 1; n <= lines; n++) if (measure[n] == "mean rounds") {
     row(subject[n], "gjk", subject[n], "mean rounds", "most rounds")
   }
-  title("stack, bytes")
-  row("intersect, within, distance: by the call graph", "gjk", "any query", "stack bound")
-  row("gjk_penetration: by the call graph", "gjk", "gjk_penetration", "stack bound")
-  for (s = 1; s <= count; s++) row("painted, most", solver[s], "any query", "painted stack")
+  title("contacts per query: mean (most)")
+  for (n = 1; n <= lines; n++) if (measure[n] == "mean contacts") {
+    row(subject[n], "gjk", subject[n], "mean contacts", "most contacts")
+  }
+  title("stack, bytes: by the call graph (painted, most)")
+  row("intersect, within, distance", "gjk", "any query", "stack bound", "painted stack")
+  for (s = 2; s <= count; s++) row("", solver[s], "any query", "painted stack")
+  row("gjk_penetration", "gjk", "gjk_penetration", "stack bound", "painted stack")
+  row("gjk_contacts", "gjk", "gjk_contacts", "stack bound", "painted stack")
+  title("workspace needed, bytes: the most of the pairs")
+  for (n = 1; n <= lines; n++) if (measure[n] == "workspace") row(subject[n], "gjk", subject[n], "workspace")
   title("code linked at -Os, bytes")
   for (n = 1; n <= lines; n++) if (measure[n] == "code") {
     for (s = 1; s <= count; s++) row(subject[n], solver[s], subject[n], "code")

@@ -1,7 +1,8 @@
 #!/bin/sh
 # What a query costs on the emulated cores, beside the reference in float and double: bench-target.sh BUILD [TARGET...]
 #
-# Instructions, cold, mean and worst of 50 random pairs; stack, painted and by the compiler's call graph; linked code.
+# Instructions, cold, mean and worst of 50 random pairs; stack, painted and by the compiler's call graph; the workspace
+# that the pairs need at most; linked code.
 # All of it in BUILD/bench/target.csv, one figure a line: TARGET,SOLVER,SUBJECT,MEASURE,FIGURE
 . tests/build/count.sh
 build=$1
@@ -11,7 +12,7 @@ variant=$(variant_of "$build")
 csv=$build/bench/target.csv
 mkdir -p "$build/bench"
 
-# Instructions, rounds and painted stack.
+# Instructions, rounds or contacts, painted stack, workspace.
 count() {
   make -s "build/$1$variant/bench.elf" TARGET="$1" VARIANT="$variant" >/dev/null || return 1
   sh tests/build/emulate.sh "$1" "build/$1$variant/bench.elf" >"$build/bench/$1.txt" ||
@@ -19,21 +20,23 @@ count() {
   awk -F'|' -v target="$1" '
     function row(subject, measure, figure) { print target "," $1 "," subject "," measure "," figure }
     {
+      group = $2 ~ /: depth$/ ? "gjk_penetration" : $2 ~ /: contacts$/ ? "gjk_contacts" : "any query"
       row($2, "mean instructions", $3)
       row($2, "worst instructions", $4)
-      row($2, "mean rounds", sprintf("%.1f", $5 / 100))
-      row($2, "most rounds", $6)
-      if ($7 + 0 > deepest[$1] + 0) deepest[$1] = $7
+      row($2, group == "gjk_contacts" ? "mean contacts" : "mean rounds", sprintf("%.1f", $5 / 100))
+      row($2, group == "gjk_contacts" ? "most contacts" : "most rounds", $6)
+      if (group != "any query") row($2, "workspace", $8)
+      if ($7 + 0 > deepest[$1 "," group] + 0) deepest[$1 "," group] = $7
     }
-    END { for (solver in deepest) print target "," solver ",any query,painted stack," deepest[solver] }
+    END { for (group in deepest) print target "," group ",painted stack," deepest[group] }
   ' "$build/bench/$1.txt"
 }
 
 # What the queries need at most by the compiler's call graph.
 stack() {
-  awk -v roots='gjk_intersect gjk_within gjk_distance gjk_penetration' -f tests/build/stack.awk \
+  awk -v roots='gjk_intersect gjk_within gjk_distance gjk_penetration gjk_contacts' -f tests/build/stack.awk \
     tests/build/indirect-calls.txt "build/$1$variant"/*.ci | awk -v target="$1" '
-    $1 == "gjk_penetration" { print target ",gjk," $1 ",stack bound," $2; next }
+    /^gjk_(penetration|contacts) / { print target ",gjk," $1 ",stack bound," $2; next }
     $2 > deepest { deepest = $2 }
     END { print target ",gjk,any query,stack bound," deepest }'
 }
@@ -51,7 +54,10 @@ codes() {
     code "$1" gjk 'gjk_distance: boxes and hulls; rounded' -DSIZE_HULLS &&
     code "$1" gjk 'gjk_distance: boxes and hulls; rounded; with posing' -DSIZE_POSED &&
     code "$1" gjk 'gjk_distance: every shape; with posing' -DSIZE_POSED -DSIZE_CURVED &&
+    code "$1" gjk 'gjk_penetration: boxes and hulls; rounded' -DSIZE_HULLS -DSIZE_DEPTH &&
     code "$1" gjk 'gjk_penetration: boxes and hulls; rounded; with posing' -DSIZE_POSED -DSIZE_DEPTH &&
+    code "$1" gjk 'gjk_contacts: boxes and hulls; rounded' -DSIZE_HULLS -DSIZE_CONTACTS &&
+    code "$1" gjk 'gjk_contacts: boxes and hulls; rounded; with posing' -DSIZE_POSED -DSIZE_CONTACTS &&
     code "$1" float 'reference: boxes and hulls' float &&
     code "$1" double 'reference: boxes and hulls' double
 }

@@ -70,15 +70,29 @@ END {
   query("8-point hulls apart: intersect")
   query("8-point hulls close: intersect")
   query("8-point hulls overlapping: intersect")
+  query("boxes overlapping: depth")
+  query("8-point hulls overlapping: depth")
+  query("32-point hulls overlapping: depth")
+  query("boxes face to face: contacts")
+  query("boxes face to face within the margin: contacts")
+  query("8-point hulls face to face: contacts")
   row("| stack of intersect, within, distance, bytes, by the call graph | |", plain, columns, "gjk", "any query", \
     "stack bound", "")
   row("| the most that these used | |", plain, columns, "gjk", "any query", "painted stack", "")
-  row("| stack of gjk_penetration, by the call graph | |", plain, columns, "gjk", "gjk_penetration", "stack bound", "")
+  row("| stack of gjk_penetration, by the call graph (used) | |", plain, columns, "gjk", "gjk_penetration", \
+    "stack bound", "painted stack")
+  row("| stack of gjk_contacts, by the call graph (used) | |", plain, columns, "gjk", "gjk_contacts", "stack bound", \
+    "painted stack")
+  row("| workspace that depths of 8-point hulls needed, bytes | |", plain, columns, "gjk", \
+    "8-point hulls overlapping: depth", "workspace", "")
+  row("| workspace that depths of 32-point hulls needed, bytes | |", plain, columns, "gjk", \
+    "32-point hulls overlapping: depth", "workspace", "")
   code("gjk_intersect: boxes")
   code("gjk_distance: boxes and hulls; rounded")
   code("gjk_distance: boxes and hulls; rounded; with posing")
   code("gjk_distance: every shape; with posing")
   code("gjk_penetration: boxes and hulls; rounded; with posing")
+  code("gjk_contacts: boxes and hulls; rounded; with posing")
   print ""
   print "Beside it the same algorithm in floating point: mean instructions on the same pairs, in software but where the"
   print "head says FPU. It is plain C (`tests/reference`), its vertices are in its own type already, and it stops as early."

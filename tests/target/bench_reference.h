@@ -103,6 +103,6 @@ static void reference_run(bench_query query, bench_answer *out) {
   }
 }
 
-const bench_solver BENCH_SOLVER = {BENCH_SOLVER_NAME, reference_pose, reference_run};
+const bench_solver BENCH_SOLVER = {BENCH_SOLVER_NAME, BENCH_INTERSECT, reference_pose, reference_run};
 
 #endif

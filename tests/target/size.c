@@ -1,6 +1,6 @@
 // The smallest programs with the library, whose linked sizes are figures to keep: what to link is chosen by macros.
 //   SIZE_BOXES   gjk_intersect on boxes; else gjk_distance on hulls, boxes and their rounded forms
-//   SIZE_DEPTH   gjk_penetration on these as well
+//   SIZE_DEPTH, SIZE_CONTACTS  gjk_penetration, gjk_contacts on these as well
 //   SIZE_CURVED  gjk_distance on cylinders, cones and ellipsoids as well
 //   SIZE_POSED   initialises and poses the colliders, too
 #include "gjk/gjk.h"
@@ -9,9 +9,11 @@ void size_main(void);
 
 gjk_collider size_a, size_b;
 
-#ifdef SIZE_DEPTH
+#if defined(SIZE_DEPTH) || defined(SIZE_CONTACTS)
 gjk_cell size_cells[GJK_POLYTOPE_CELLS(20)];
+gjk_workspace size_workspace;
 gjk_penetration_result size_depth;
+gjk_manifold size_manifold;
 #endif
 
 #ifdef SIZE_CURVED
@@ -53,8 +55,14 @@ void size_main(void) {
 #else
   gjk_distance(&size_a, &size_b, NULL, &size_answer);
 #endif
+#if defined(SIZE_DEPTH) || defined(SIZE_CONTACTS)
+  size_workspace.cells = size_cells;
+  size_workspace.count = GJK_POLYTOPE_CELLS(20);
+#endif
 #ifdef SIZE_DEPTH
-  static const gjk_workspace workspace = {size_cells, GJK_POLYTOPE_CELLS(20)};
-  gjk_penetration(&size_a, &size_b, NULL, &workspace, &size_depth);
+  gjk_penetration(&size_a, &size_b, NULL, &size_workspace, &size_depth);
+#endif
+#ifdef SIZE_CONTACTS
+  gjk_contacts(&size_a, &size_b, 1, 4, NULL, &size_workspace, &size_manifold);
 #endif
 }

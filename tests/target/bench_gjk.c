@@ -1,0 +1,47 @@
+// The library as the benchmark runs it.
+#include "bench.h"
+
+static void keep(const gjk_collider *a, const gjk_collider *b) {
+  (void)a;
+  (void)b;
+}
+
+static void run_contacts(bench_answer *out) {
+  static gjk_manifold manifold;
+  gjk_contacts(bench_pair[0], bench_pair[1], BENCH_MARGIN, BENCH_CONTACTS_KEPT, NULL, &bench_workspace, &manifold);
+  out->rounds = manifold.count;
+  out->distance = GJK_DISTANCE_MAX;
+  for (unsigned i = 0; i < manifold.count; i++) {
+    const gjk_q16 distance = manifold.contact[i].distance;
+    out->distance = distance < out->distance ? distance : out->distance;
+  }
+  out->intersecting = out->distance <= 0;
+}
+
+static void run(bench_query query, bench_answer *out) {
+  static gjk_distance_result result;
+  static gjk_decision decision;
+  static gjk_penetration_result depth;
+  switch (query) {
+    case BENCH_DISTANCE:
+      gjk_distance(bench_pair[0], bench_pair[1], NULL, &result);
+      out->intersecting = result.intersecting;
+      out->distance = result.distance;
+      out->rounds = result.iterations;
+      break;
+    case BENCH_INTERSECT:
+      gjk_intersect(bench_pair[0], bench_pair[1], NULL, &decision);
+      out->intersecting = decision.yes;
+      out->rounds = decision.iterations;
+      break;
+    case BENCH_DEPTH:
+      gjk_penetration(bench_pair[0], bench_pair[1], NULL, &bench_workspace, &depth);
+      out->intersecting = depth.intersecting;
+      out->distance = -depth.depth;
+      out->rounds = depth.iterations;
+      break;
+    case BENCH_CONTACTS: run_contacts(out); break;
+  }
+}
+
+const bench_solver bench_gjk = {"gjk", BENCH_CONTACTS, keep, run};
