@@ -18,6 +18,8 @@ static real real_sqrt(real x) {
   return root > 0 ? (root + x / root) / 2 : 0;
 }
 
+#include "solver.h"
+
 #include "expanding.h"
 
 static real hypotenuse(real x, real y) {

@@ -1,12 +1,12 @@
 // The depth of overlapping cores by an expanding polytope, for the scalar type `real` of the including file; after
-// solver.h.
+// solver_loop.h, and with its conditions.
 //
 // After van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game Objects", 2001. Departure: all
 // faces are searched for those that a vertex sees, so that what rounding has made of the polytope can't trap a walk.
 #ifndef EXPANDING_H
 #define EXPANDING_H
 
-#include "solver.h"
+#include "solver_loop.h"
 
 #ifndef EXPANDING_VERTICES_MAX
 #define EXPANDING_VERTICES_MAX 256
@@ -186,7 +186,8 @@ static void expanding_toggle(expanding_polytope *p, int from, int to) {
   }
 }
 
-// Puts the probe on the polytope: replaces the faces that it sees, but for those in whose plane it lies. False when rounding leaves no proper one.
+// Puts the probe on the polytope: replaces the faces that it sees, but for those in whose plane it lies. False when
+// rounding leaves no proper one.
 static bool expanding_expand(expanding_polytope *p) {
   const real *w = p->point[p->points].w;
   const real noise = expanding_noise(p);

@@ -16,6 +16,8 @@ static real real_sqrt(real x) {
   return (real)sqrt((double)x);
 }
 
+#include "solver.h"
+
 #include "expanding.h"
 
 // The tolerances that libraries of the kind use: 1e-10 of the distance, squared distances below 1e-15 of the largest

@@ -27,8 +27,8 @@ void reference_float_query(const case_pair *pair, reference_result *out);
 void reference_float_query_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
                                  reference_result *out);
 
-// The same, and when intersecting the depth by an expanding polytope (expanding.h): distance is minus the depth, a, b and
-// normal are set as of gjk_penetration.
+// The same, and when intersecting the depth by an expanding polytope (expanding.h): distance is minus the depth; a, b
+// and normal are set as of gjk_penetration.
 void reference_signed_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
                             reference_result *out);
 void reference_float_signed_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
