@@ -185,6 +185,7 @@ $(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(FIRMWARE_NEEDS)
 	@$(FIRMWARE)
 
 $(OUT)/bench.elf: tests/target/bench_gjk.c tests/target/bench_float.c tests/target/bench_double.c
+$(OUT)/bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),,-DBENCH_REFERENCE_DEPTH)
 $(OUT)/bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
 $(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/scene_bench.elf: tests/scene/traffic.c

@@ -46,6 +46,7 @@ END {
   row("intersect, within, distance", "gjk", "any query", "stack bound", "painted stack")
   for (s = 2; s <= count; s++) row("", solver[s], "any query", "painted stack")
   row("gjk_penetration", "gjk", "gjk_penetration", "stack bound", "painted stack")
+  for (s = 2; s <= count; s++) row("", solver[s], "gjk_penetration", "painted stack")
   row("gjk_contacts", "gjk", "gjk_contacts", "stack bound", "painted stack")
   title("workspace needed, bytes: the most of the pairs")
   for (n = 1; n <= lines; n++) if (measure[n] == "workspace") row(subject[n], "gjk", subject[n], "workspace")

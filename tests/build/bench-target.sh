@@ -25,7 +25,7 @@ count() {
       row($2, "worst instructions", $4)
       row($2, group == "gjk_contacts" ? "mean contacts" : "mean rounds", sprintf("%.1f", $5 / 100))
       row($2, group == "gjk_contacts" ? "most contacts" : "most rounds", $6)
-      if (group != "any query") row($2, "workspace", $8)
+      if (group != "any query" && $1 == "gjk") row($2, "workspace", $8)
       if ($7 + 0 > deepest[$1 "," group] + 0) deepest[$1 "," group] = $7
     }
     END { for (group in deepest) print target "," group ",painted stack," deepest[group] }

@@ -61,9 +61,9 @@ static gjk_vec3 shell_vector(void) {
   }
 }
 
-static gjk_quat random_turn(int32_t most) {
-  const gjk_quat q = {random_range(&random, -most, most), random_range(&random, -most, most),
-                      random_range(&random, -1000, 1000), random_range(&random, -1000, 1001)};
+static gjk_quat random_rotation(int32_t xy, int32_t z, int32_t least_w) {
+  const gjk_quat q = {random_range(&random, -xy, xy), random_range(&random, -xy, xy), random_range(&random, -z, z),
+                      random_range(&random, least_w, 1001)};
   gjk_quat unit = {0, 0, 0, GJK_Q30_ONE};
   gjk_quat_normalize(&q, &unit);
   return unit;
@@ -87,7 +87,7 @@ static void make_body(const bench_family *family, int i) {
   shapes[i].size.y = random_range(&random, GJK_Q16(0.2), GJK_Q16(1.0));
   shapes[i].size.z = random_range(&random, GJK_Q16(0.2), GJK_Q16(1.0));
   gjk_pose pose;
-  pose.rotation = random_turn(1000);
+  pose.rotation = random_rotation(1000, 1000, -1000);
   pose.position = random_vector(GJK_Q16(3.0));
   place(i, &pose);
 }
@@ -122,9 +122,9 @@ static void make_stack(const bench_family *family) {
   offset.x = random_range(&random, -shapes[0].size.x / 2, shapes[0].size.x / 2);
   offset.y = random_range(&random, -shapes[0].size.y / 2, shapes[0].size.y / 2);
   offset.z = shapes[0].size.z + shapes[1].size.z + random_range(&random, -GJK_Q16(0.05), BENCH_MARGIN);
-  below.rotation = random_turn(1000);
+  below.rotation = random_rotation(1000, 1000, -1000);
   below.position = random_vector(GJK_Q16(3.0));
-  const gjk_quat spin = random_turn(8);
+  const gjk_quat spin = random_rotation(6, 1000, 1000);
   gjk_quat_compose(&below.rotation, &spin, &above.rotation);
   gjk_pose_apply(&below, &offset, &above.position);
   place(0, &below);

@@ -6,6 +6,29 @@ static void keep(const gjk_collider *a, const gjk_collider *b) {
   (void)b;
 }
 
+static void run_distance(bench_answer *out) {
+  static gjk_distance_result result;
+  gjk_distance(bench_pair[0], bench_pair[1], NULL, &result);
+  out->intersecting = result.intersecting;
+  out->distance = result.distance;
+  out->rounds = result.iterations;
+}
+
+static void run_intersect(bench_answer *out) {
+  static gjk_decision decision;
+  gjk_intersect(bench_pair[0], bench_pair[1], NULL, &decision);
+  out->intersecting = decision.yes;
+  out->rounds = decision.iterations;
+}
+
+static void run_depth(bench_answer *out) {
+  static gjk_penetration_result result;
+  gjk_penetration(bench_pair[0], bench_pair[1], NULL, &bench_workspace, &result);
+  out->intersecting = result.intersecting;
+  out->distance = -result.depth;
+  out->rounds = result.iterations;
+}
+
 static void run_contacts(bench_answer *out) {
   static gjk_manifold manifold;
   gjk_contacts(bench_pair[0], bench_pair[1], BENCH_MARGIN, BENCH_CONTACTS_KEPT, NULL, &bench_workspace, &manifold);
@@ -19,29 +42,8 @@ static void run_contacts(bench_answer *out) {
 }
 
 static void run(bench_query query, bench_answer *out) {
-  static gjk_distance_result result;
-  static gjk_decision decision;
-  static gjk_penetration_result depth;
-  switch (query) {
-    case BENCH_DISTANCE:
-      gjk_distance(bench_pair[0], bench_pair[1], NULL, &result);
-      out->intersecting = result.intersecting;
-      out->distance = result.distance;
-      out->rounds = result.iterations;
-      break;
-    case BENCH_INTERSECT:
-      gjk_intersect(bench_pair[0], bench_pair[1], NULL, &decision);
-      out->intersecting = decision.yes;
-      out->rounds = decision.iterations;
-      break;
-    case BENCH_DEPTH:
-      gjk_penetration(bench_pair[0], bench_pair[1], NULL, &bench_workspace, &depth);
-      out->intersecting = depth.intersecting;
-      out->distance = -depth.depth;
-      out->rounds = depth.iterations;
-      break;
-    case BENCH_CONTACTS: run_contacts(out); break;
-  }
+  static void (*const runs[])(bench_answer *) = {run_distance, run_intersect, run_depth, run_contacts};
+  runs[query](out);
 }
 
 const bench_solver bench_gjk = {"gjk", BENCH_CONTACTS, keep, run};

@@ -1,7 +1,8 @@
 // The reference as the benchmark runs it: posed shapes in the scalar type `real` of the including file, which also
 // names BENCH_SOLVER and the tolerances.
 //
-// The conversion to `real` is not measured: a program on floats would have its vertices in them.
+// The conversion to `real` is not measured: a program on floats would have its vertices in them. It answers depths where
+// BENCH_REFERENCE_DEPTH is defined: a polytope in double does not fit on the smallest board.
 #ifndef BENCH_REFERENCE_H
 #define BENCH_REFERENCE_H
 
@@ -22,6 +23,11 @@ static real real_sqrt(real x);
 static void farthest(const solver_shape *shape, const real d[3], real out[3]);
 
 #include "../reference/solver_loop.h"
+
+#ifdef BENCH_REFERENCE_DEPTH
+#define EXPANDING_VERTICES_MAX 48
+#include "../reference/expanding.h"
+#endif
 
 static void farthest(const solver_shape *shape, const real d[3], real out[3]) {
   if (shape->count > 0) {
@@ -86,12 +92,29 @@ static bool spheres_apart(const solver_shape *a, const solver_shape *b) {
   return real_dot(delta, delta) > radii * radii;
 }
 
+static const solver_limits exact = {BENCH_RELATIVE, 0, BENCH_ENCLOSING, SOLVER_ANY, 100},
+                           decide = {BENCH_RELATIVE, 0, BENCH_ENCLOSING, 0, 100};
+
+#ifdef BENCH_REFERENCE_DEPTH
+#define BENCH_REFERENCE_LAST BENCH_DEPTH
+
+// Out of line, so that its stack is not that of the other queries.
+__attribute__((noinline)) static void reference_depth(const solver_shape *a, const solver_shape *b,
+                                                      const solver_simplex *last, bench_answer *out) {
+  static expanding_polytope polytope;
+  static expanding_result depth;
+  expand(a, b, &exact, last, &polytope, &depth);
+  out->rounds += (unsigned)depth.iterations;
+  out->distance = -(gjk_q16)(depth.upper / BENCH_LSB + (real)0.5);
+}
+#else
+#define BENCH_REFERENCE_LAST BENCH_INTERSECT
+#endif
+
 // As the library does: a yes-or-no question looks at the bounding spheres first, and stops at a separating direction.
 static void reference_run(bench_query query, bench_answer *out) {
   static solver_simplex last;
   static solver_result result;
-  static const solver_limits exact = {BENCH_RELATIVE, 0, BENCH_ENCLOSING, SOLVER_ANY, 100},
-                             decide = {BENCH_RELATIVE, 0, BENCH_ENCLOSING, 0, 100};
   const solver_shape *a = &reference_shapes[0], *b = &reference_shapes[1];
   out->rounds = 0;
   out->intersecting = false;
@@ -100,9 +123,14 @@ static void reference_run(bench_query query, bench_answer *out) {
     out->rounds = (unsigned)result.iterations;
     out->intersecting = result.enclosing;
     out->distance = result.enclosing ? 0 : (gjk_q16)(result.upper / BENCH_LSB + (real)0.5);
+#ifdef BENCH_REFERENCE_DEPTH
+    if (query == BENCH_DEPTH && result.enclosing) {
+      reference_depth(a, b, &last, out);
+    }
+#endif
   }
 }
 
-const bench_solver BENCH_SOLVER = {BENCH_SOLVER_NAME, BENCH_INTERSECT, reference_pose, reference_run};
+const bench_solver BENCH_SOLVER = {BENCH_SOLVER_NAME, BENCH_REFERENCE_LAST, reference_pose, reference_run};
 
 #endif
