@@ -17,7 +17,7 @@ static const char usage[] =
     "  --seed N          of the pairs (1)\n"
     "  --instructions 1  under callgrind: nothing but its dumps, one of each family,query,method\n";
 
-static const char *const query_names[BENCH_QUERIES] = {"distance", "intersect"};
+static const char *const query_names[BENCH_QUERIES] = {"distance", "intersect", "depth", "contacts"};
 
 typedef struct options {
   unsigned long pairs, timed, seconds, repetitions, seed, instructions;
@@ -27,6 +27,7 @@ typedef struct options {
 typedef struct work {
   const bench_family *family;
   bench_pair *pairs;
+  size_t brute;                               // pairs whose depth brute force has proven
   bench_subject subjects[BENCH_METHODS_MAX];  // on the timed pairs
 } work;
 
@@ -87,9 +88,19 @@ static void put_tally(const bench_method *method, const char *family, bench_quer
   const char *q = query_names[query], *m = method->name;
   put(family, q, m, "pairs", (double)t->asked);
   put(family, q, m, "wrong", (double)t->wrong);
-  put(family, q, m, "undecided", (double)t->undecided);
-  put(family, q, m, "outside", (double)t->outside);
-  if (query == BENCH_DISTANCE) {
+  if (query >= BENCH_DEPTH) {
+    put(family, q, m, "failed", (double)t->failed);
+    put(family, q, m, "says_apart", (double)t->apart);
+    put(family, q, m, "too_small", (double)t->small);
+    put(family, q, m, "too_large", (double)t->large);
+  } else {
+    put(family, q, m, "undecided", (double)t->undecided);
+    put(family, q, m, "outside", (double)t->outside);
+  }
+  if (query == BENCH_CONTACTS) {
+    put(family, q, m, "contacts", (double)t->contacts / (double)t->asked);
+  }
+  if (query != BENCH_INTERSECT) {
     put(family, q, m, "error_mean", t->error_sum / (double)t->asked);
     put(family, q, m, "error_most", t->error_most);
   }
@@ -98,22 +109,36 @@ static void put_tally(const bench_method *method, const char *family, bench_quer
       put_at(family, q, m, "rounds", i, t->rounds[i]);
     }
   }
-  for (size_t i = 0; i < bench_gap_count; i++) {
+  const int *gaps = query == BENCH_DEPTH ? bench_depths : bench_gaps;
+  const size_t gap_count = query == BENCH_DEPTH ? bench_depth_count : query == BENCH_CONTACTS ? 0 : bench_gap_count;
+  for (size_t i = 0; i < gap_count; i++) {
     if (t->gap_asked[i] > 0) {
-      put_at(family, q, m, "gap_pairs", bench_gaps[i], t->gap_asked[i]);
-      put_at(family, q, m, "gap_wrong", bench_gaps[i], t->gap_wrong[i]);
-      put_at(family, q, m, "gap_undecided", bench_gaps[i], t->gap_undecided[i]);
+      put_at(family, q, m, "gap_pairs", gaps[i], t->gap_asked[i]);
+      put_at(family, q, m, "gap_wrong", gaps[i], t->gap_wrong[i]);
+      put_at(family, q, m, "gap_undecided", gaps[i], t->gap_undecided[i]);
     }
   }
+}
+
+// Has the method anything to answer?
+static bool is_asked(const bench_method *method, const bench_family *family) {
+  bool asked = false;
+  for (int q = 0; q < BENCH_QUERIES; q++) {
+    asked = asked || bench_answers(method, family, (bench_query)q);
+  }
+  return asked;
 }
 
 static void measure_errors(const bench *b, const work *w) {
   for (size_t m = 0; m < b->method_count; m++) {
     bench_subject all;
+    if (!is_asked(b->methods[m], w->family)) {
+      continue;
+    }
     bench_subject_make(b->methods[m], w->pairs, b->asked.pairs, &all);
     for (int q = 0; q < BENCH_QUERIES; q++) {
       bench_tally tally;
-      if (bench_answers(b->methods[m], (bench_query)q)) {
+      if (bench_answers(b->methods[m], w->family, (bench_query)q)) {
         bench_measure_errors(&all, (bench_query)q, w->pairs, &tally);
         put_tally(b->methods[m], w->family->name, (bench_query)q, &tally);
       }
@@ -132,12 +157,14 @@ static void prepare(bench *b) {
     work *w = &b->works[f];
     w->family = &bench_families[f];
     progress("pairs and errors: family", w->family->name, f + 1, bench_family_count);
-    w->pairs = bench_pairs_make(w->family, b->asked.seed, b->asked.pairs);
+    w->pairs = bench_pairs_make(w->family, b->asked.seed, b->asked.pairs, &w->brute);
     if (b->asked.instructions == 0) {
       measure_errors(b, w);
     }
     for (size_t m = 0; m < b->method_count; m++) {
-      bench_subject_make(b->methods[m], w->pairs, b->asked.timed, &w->subjects[m]);
+      if (is_asked(b->methods[m], w->family)) {
+        bench_subject_make(b->methods[m], w->pairs, b->asked.timed, &w->subjects[m]);
+      }
     }
   }
   progress_done();
@@ -146,11 +173,22 @@ static void prepare(bench *b) {
 static void release(bench *b) {
   for (size_t f = 0; f < bench_family_count; f++) {
     for (size_t m = 0; m < b->method_count; m++) {
-      bench_subject_free(&b->works[f].subjects[m]);
+      if (is_asked(b->methods[m], b->works[f].family)) {
+        bench_subject_free(&b->works[f].subjects[m]);
+      }
     }
     bench_pairs_free(b->works[f].pairs, b->asked.pairs);
   }
   free(b->works);
+}
+
+// How the depths of each family are known.
+static void put_proofs(const bench *b) {
+  for (size_t f = 0; f < bench_family_count; f++) {
+    if (bench_families[f].asked & (BENCH_ASK(BENCH_DEPTH) | BENCH_ASK(BENCH_CONTACTS))) {
+      printf("%s,,,brute,,%zu\n", bench_families[f].name, b->works[f].brute);
+    }
+  }
 }
 
 static void put_about(const bench *b) {
@@ -169,7 +207,9 @@ static void put_about(const bench *b) {
 static void time_method(bench *b, size_t method, bench_query query) {
   for (int round = 0; round < 2; round++) {
     for (size_t f = 0; f < bench_family_count; f++) {
-      bench_measure_time(&b->works[f].subjects[method], query, round == 1);
+      if (bench_answers(b->methods[method], &bench_families[f], query)) {
+        bench_measure_time(&b->works[f].subjects[method], query, round == 1);
+      }
     }
   }
 }
@@ -178,9 +218,7 @@ static void time_method(bench *b, size_t method, bench_query query) {
 static void repeat_once(bench *b) {
   for (int q = 0; q < BENCH_QUERIES; q++) {
     for (size_t m = 0; m < b->method_count; m++) {
-      if (bench_answers(b->methods[m], (bench_query)q)) {
-        time_method(b, m, (bench_query)q);
-      }
+      time_method(b, m, (bench_query)q);
     }
   }
 }
@@ -201,7 +239,7 @@ static void measure_times(bench *b) {
     for (int q = 0; q < BENCH_QUERIES; q++) {
       for (size_t m = 0; m < b->method_count; m++) {
         bench_subject *s = &b->works[f].subjects[m];
-        if (bench_answers(s->method, (bench_query)q)) {
+        if (bench_answers(b->methods[m], &bench_families[f], (bench_query)q)) {
           put(bench_families[f].name, query_names[q], s->method->name, "time", bench_median_time(s, (bench_query)q));
         }
       }
@@ -215,8 +253,9 @@ static bool measure_instructions(const bench *b) {
       for (size_t m = 0; m < b->method_count; m++) {
         const bench_subject *s = &b->works[f].subjects[m];
         char label[160];
-        snprintf(label, sizeof label, "%s,%s,%s", bench_families[f].name, query_names[q], s->method->name);
-        if (bench_answers(s->method, (bench_query)q) && !bench_measure_instructions(s, (bench_query)q, label)) {
+        snprintf(label, sizeof label, "%s,%s,%s", bench_families[f].name, query_names[q], b->methods[m]->name);
+        if (bench_answers(b->methods[m], &bench_families[f], (bench_query)q) &&
+            !bench_measure_instructions(s, (bench_query)q, label)) {
           fprintf(stderr, "gjk-bench: not run by callgrind, or built without its header\n");
           return false;
         }
@@ -243,6 +282,7 @@ int main(int argc, char **argv) {
     b.method_count = bench_methods(b.methods);
     put_about(&b);
     prepare(&b);
+    put_proofs(&b);
     measure_times(&b);
   }
   release(&b);

@@ -52,13 +52,27 @@ static bench_answer ask(const bench_subject *subject, bench_query query, size_t 
   return answer;
 }
 
-static void count_gap(const bench_pair *pair, bool wrong, bool undecided, bench_tally *out) {
-  for (size_t i = 0; i < bench_gap_count; i++) {
-    if (bench_gaps[i] == pair->placed) {
-      out->gap_asked[i]++;
-      out->gap_wrong[i] += wrong;
-      out->gap_undecided[i] += undecided;
+// In which of bench_depths' ranges a depth is, or which of bench_gaps a pair was made for; the count: none.
+static size_t find_gap(const bench_pair *pair, bool deep) {
+  size_t i = 0;
+  if (deep) {
+    while (i < bench_depth_count && -pair->distance > bench_depths[i]) {
+      i++;
     }
+    return i;
+  }
+  while (i < bench_gap_count && bench_gaps[i] != pair->placed) {
+    i++;
+  }
+  return i;
+}
+
+static void count_gap(const bench_pair *pair, bool deep, bool wrong, bool undecided, bench_tally *out) {
+  const size_t i = find_gap(pair, deep);
+  if (i < (deep ? bench_depth_count : bench_gap_count)) {
+    out->gap_asked[i]++;
+    out->gap_wrong[i] += wrong;
+    out->gap_undecided[i] += undecided;
   }
 }
 
@@ -68,21 +82,41 @@ static bool is_outside(const bench_answer *answer, double distance) {
   return answer->bounded && (distance < answer->lower - slack || distance > answer->upper + slack);
 }
 
+static bool is_wrong_decision(const bench_answer *answer, const bench_pair *pair, bench_tally *out) {
+  out->undecided += answer->decision == BENCH_UNDECIDED;
+  return answer->decision != BENCH_UNDECIDED && (answer->decision == BENCH_TOGETHER) != pair->intersecting;
+}
+
+// The shapes do overlap. Sets the error of an answer that is none to the whole depth.
+static bool is_wrong_depth(const bench_answer *answer, const bench_pair *pair, double *error, bench_tally *out) {
+  const double depth = -pair->distance, found = -answer->distance, slack = fmax(1, depth / 100);
+  const bool failed = answer->decision == BENCH_UNDECIDED || !isfinite(found),
+             apart = !failed && answer->decision == BENCH_APART, small = !failed && !apart && found < depth - slack,
+             large = !failed && !apart && found > depth + slack;
+  *error = failed || apart ? depth : fabs(found - depth);
+  out->failed += failed;
+  out->apart += apart;
+  out->small += small;
+  out->large += large;
+  return failed || apart || small || large;
+}
+
 void bench_measure_errors(const bench_subject *subject, bench_query query, const bench_pair *pairs, bench_tally *out) {
+  const bool deep = query >= BENCH_DEPTH;
   memset(out, 0, sizeof *out);
   for (size_t i = 0; i < subject->count; i++) {
     const bench_answer answer = ask(subject, query, i);
-    const bool undecided = answer.decision == BENCH_UNDECIDED;
-    const bool wrong = !undecided && (answer.decision == BENCH_TOGETHER) != pairs[i].intersecting;
-    const double error = isnan(answer.distance) ? INFINITY : fabs(answer.distance - pairs[i].distance);
+    double error = isnan(answer.distance) ? INFINITY : fabs(answer.distance - pairs[i].distance);
+    const bool wrong =
+        deep ? is_wrong_depth(&answer, &pairs[i], &error, out) : is_wrong_decision(&answer, &pairs[i], out);
     out->asked++;
     out->wrong += wrong;
-    out->undecided += undecided;
     out->outside += is_outside(&answer, pairs[i].distance);
     out->error_sum += error;
     out->error_most = error > out->error_most ? error : out->error_most;
     out->rounds[answer.rounds < 255 ? answer.rounds : 255]++;
-    count_gap(&pairs[i], wrong, undecided, out);
+    out->contacts += answer.contacts;
+    count_gap(&pairs[i], deep, wrong, answer.decision == BENCH_UNDECIDED, out);
   }
 }
 

@@ -7,10 +7,12 @@
 // Of one method at one query, over all pairs of a family.
 typedef struct bench_tally {
   unsigned long asked, wrong, undecided;
+  unsigned long failed, apart, small, large;  // what is wrong with depths: no answer, none, more than 1 LSB and 1 % off
+  unsigned long contacts;
   unsigned long outside;         // true distances outside of the bounds that were called proven
   double error_sum, error_most;  // LSB
   unsigned long rounds[256];
-  unsigned long gap_asked[32], gap_wrong[32], gap_undecided[32];  // by the index in bench_gaps
+  unsigned long gap_asked[32], gap_wrong[32], gap_undecided[32];  // by the index in bench_gaps, or bench_depths
 } bench_tally;
 
 // One method prepared for the pairs of a family.

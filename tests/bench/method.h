@@ -13,13 +13,21 @@ extern "C" {
 
 #define BENCH_LSB_PER_UNIT 65536.0
 
-typedef enum bench_query { BENCH_DISTANCE, BENCH_INTERSECT, BENCH_QUERIES } bench_query;
+// Contacts: those at most BENCH_MARGIN apart, four at most.
+typedef enum bench_query { BENCH_DISTANCE, BENCH_INTERSECT, BENCH_DEPTH, BENCH_CONTACTS, BENCH_QUERIES } bench_query;
 
-// A posed polytope: its vertices are centre + vertices, in units, the axes the world's. Exactly the library's integers.
+#define BENCH_ASK(query) (1u << (query))
+#define BENCH_MARGIN 655  // LSB
+#define BENCH_CONTACTS_KEPT 4
+
+// A posed polytope: its vertices are centre + vertices, in units, the axes the world's, and all within round of it.
+// Exactly the library's integers.
 typedef struct bench_solid {
   double centre[3];
   double (*vertices)[3];
   size_t count;
+  double round;
+  double half_axes[3][3];  // of a box
 } bench_solid;
 
 struct case_pair;
@@ -31,7 +39,7 @@ typedef struct bench_pair {
   struct case_collider *a, *b;  // of shapes, posed
   bench_solid solid[2];
   bool intersecting;
-  double distance;  // LSB, 0 when intersecting
+  double distance;  // LSB; when intersecting 0, or minus the depth where the family asks for it
   int placed;       // what gap the pair was made for, LSB; BENCH_NOT_PLACED
 } bench_pair;
 
@@ -39,20 +47,22 @@ typedef struct bench_pair {
 
 typedef enum bench_decision { BENCH_APART, BENCH_TOGETHER, BENCH_UNDECIDED } bench_decision;
 
-// distance, lower, upper: LSB. A method that proves no bounds leaves bounded false.
+// distance, lower, upper: LSB; minus the depth, that of the deepest contact. A method that proves no bounds leaves bounded
+// false.
 typedef struct bench_answer {
-  bench_decision decision;
+  bench_decision decision;  // undecided: of a depth or contacts there is no answer
   bool bounded;
   double distance, lower, upper;
   unsigned rounds;  // 0: the method does not tell
+  unsigned contacts;
 } bench_answer;
 
 typedef struct bench_method {
   const char *name;
-  const char *series;   // methods of one series differ in a setting and are drawn as one line
-  int setting;          // the method's place in its series
-  bool distance_only;   // answers no yes-or-no question
-  bool intersect_only;  // answers nothing else
+  const char *series;  // methods of one series differ in a setting and are drawn as one line
+  int setting;         // the method's place in its series
+  unsigned answers;    // BENCH_ASK of each query
+  bool boxes_only;     // answers about no other shapes
   void *(*prepare)(const struct bench_method *method, const bench_pair *pair);
   void (*run)(const struct bench_method *method, void *prepared, bench_query query, bench_answer *out);
   void (*release)(void *prepared);
@@ -67,10 +77,6 @@ extern bench_method_list bench_ccd_methods, bench_bullet_methods, bench_fcl_meth
 // All methods that are linked; the library's own, cold, is the first.
 #define BENCH_METHODS_MAX 64
 size_t bench_methods(const bench_method *out[BENCH_METHODS_MAX]);
-
-static inline bool bench_answers(const bench_method *method, bench_query query) {
-  return query == BENCH_DISTANCE ? !method->intersect_only : !method->distance_only;
-}
 
 #ifdef __cplusplus
 }

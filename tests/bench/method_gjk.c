@@ -10,11 +10,20 @@
 // How far B has moved since the cache was filled, in parts of its radius.
 #define STEP_PARTS 100
 
+#define GAP (BENCH_ASK(BENCH_DISTANCE) | BENCH_ASK(BENCH_INTERSECT))
+#define ALL (GAP | BENCH_ASK(BENCH_DEPTH) | BENCH_ASK(BENCH_CONTACTS))
+#define UNTIL BENCH_ASK(BENCH_DISTANCE)
+
+#define CELLS GJK_POLYTOPE_CELLS(1024)
+
 typedef struct prepared_pair {
   const gjk_collider *a, *b;
   gjk_cache caches[BENCH_QUERIES];  // as the query one step ago left them; zeroed: cold
   gjk_effort effort;
 } prepared_pair;
+
+static gjk_cell cells[CELLS];
+static const gjk_workspace workspace = {cells, CELLS};
 
 static void *prepare(const bench_method *method, const bench_pair *pair) {
   prepared_pair *p = calloc(1, sizeof *p);
@@ -45,9 +54,13 @@ static void *prepare_warm(const bench_method *method, const bench_pair *pair) {
   const gjk_vec3 at = one_step_ago(&before);
   gjk_distance_result gap;
   gjk_decision decision;
+  gjk_penetration_result depth;
+  gjk_manifold manifold;
   if (p != NULL && gjk_collider_move(&before, &at) == GJK_OK) {
     gjk_distance(p->a, &before, &p->caches[BENCH_DISTANCE], &gap);
     gjk_intersect(p->a, &before, &p->caches[BENCH_INTERSECT], &decision);
+    gjk_penetration(p->a, &before, &p->caches[BENCH_DEPTH], &workspace, &depth);
+    gjk_contacts(p->a, &before, BENCH_MARGIN, BENCH_CONTACTS_KEPT, &p->caches[BENCH_CONTACTS], &workspace, &manifold);
   }
   return p;
 }
@@ -63,22 +76,45 @@ static void set_gap(const gjk_distance_result *gap, bench_answer *out) {
   out->rounds = gap->iterations;
 }
 
+static void set_contacts(const gjk_manifold *manifold, bench_answer *out) {
+  out->contacts = manifold->count;
+  out->decision = manifold->count > 0 ? BENCH_TOGETHER : BENCH_APART;
+  out->distance = GJK_DISTANCE_MAX;
+  for (unsigned i = 0; i < manifold->count; i++) {
+    const double distance = manifold->contact[i].distance;
+    out->distance = distance < out->distance ? distance : out->distance;
+  }
+}
+
+static gjk_status run_depth(const prepared_pair *p, gjk_cache *cache, bench_answer *out) {
+  gjk_penetration_result depth;
+  const gjk_status status = gjk_penetration(p->a, p->b, cache, &workspace, &depth);
+  out->decision = depth.intersecting ? BENCH_TOGETHER : BENCH_APART;
+  out->distance = -depth.depth;
+  out->rounds = depth.iterations;
+  return status;
+}
+
 static void run_query(prepared_pair *p, bench_query query, gjk_cache *cache, bench_answer *out) {
+  gjk_status status;
   if (query == BENCH_DISTANCE) {
     gjk_distance_result gap;
-    const gjk_status status = gjk_distance(p->a, p->b, cache, &gap);
-    if (status != GJK_OK) {
-      fail(status);
-    }
+    status = gjk_distance(p->a, p->b, cache, &gap);
     set_gap(&gap, out);
-  } else {
+  } else if (query == BENCH_INTERSECT) {
     gjk_decision decision;
-    const gjk_status status = gjk_intersect(p->a, p->b, cache, &decision);
-    if (status != GJK_OK) {
-      fail(status);
-    }
+    status = gjk_intersect(p->a, p->b, cache, &decision);
     out->decision = decision.yes ? BENCH_TOGETHER : BENCH_APART;
     out->rounds = decision.iterations;
+  } else if (query == BENCH_DEPTH) {
+    status = run_depth(p, cache, out);
+  } else {
+    gjk_manifold manifold;
+    status = gjk_contacts(p->a, p->b, BENCH_MARGIN, BENCH_CONTACTS_KEPT, cache, &workspace, &manifold);
+    set_contacts(&manifold, out);
+  }
+  if (status != GJK_OK) {
+    fail(status);
   }
 }
 
@@ -130,13 +166,13 @@ static void run_until(const bench_method *method, void *prepared, bench_query qu
   }
 }
 
-static const bench_method cold = {"gjk cold", "gjk cold", 0, false, false, prepare, run_cold, free};
-static const bench_method warm = {"gjk warm", "gjk warm", 0, false, false, prepare_warm, run_warm, free};
+static const bench_method cold = {"gjk cold", "gjk cold", 0, ALL, false, prepare, run_cold, free};
+static const bench_method warm = {"gjk warm", "gjk warm", 0, ALL, false, prepare_warm, run_warm, free};
 
 #define AFTER(n) \
-  { "gjk after " #n " rounds", "gjk after n rounds", (n), true, false, prepare_rounds, run_until, free }
+  { "gjk after " #n " rounds", "gjk after n rounds", (n), UNTIL, false, prepare_rounds, run_until, free }
 static const bench_method after[] = {
-    {"gjk after 1 round", "gjk after n rounds", 1, true, false, prepare_rounds, run_until, free},
+    {"gjk after 1 round", "gjk after n rounds", 1, UNTIL, false, prepare_rounds, run_until, free},
     AFTER(2),
     AFTER(3),
     AFTER(4),
@@ -145,7 +181,7 @@ static const bench_method after[] = {
     AFTER(8)};
 
 #define TO(n) \
-  { "gjk to " #n " LSB", "gjk to an error of n LSB", (n), true, false, prepare_error, run_until, free }
+  { "gjk to " #n " LSB", "gjk to an error of n LSB", (n), UNTIL, false, prepare_error, run_until, free }
 static const bench_method to[] = {TO(1), TO(16), TO(256)};
 
 bench_method_list bench_gjk_methods = {&cold,     &warm,     &after[0], &after[1], &after[2], &after[3], &after[4],

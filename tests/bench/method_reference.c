@@ -16,7 +16,9 @@ static void *prepare(const bench_method *method, const bench_pair *pair) {
   return p;
 }
 
-// It has one query: a yes or no costs as much as a distance.
+#define ANSWERS (BENCH_ASK(BENCH_DISTANCE) | BENCH_ASK(BENCH_INTERSECT) | BENCH_ASK(BENCH_DEPTH))
+
+// A yes or no costs as much as a distance.
 static void run(reference_function *query, const bench_pair *p, bench_answer *out) {
   reference_result result;
   query(p->shapes, p->a, p->b, &result);
@@ -27,18 +29,17 @@ static void run(reference_function *query, const bench_pair *p, bench_answer *ou
 
 static void run_double(const bench_method *method, void *prepared, bench_query query, bench_answer *out) {
   (void)method;
-  (void)query;
-  run(reference_query_posed, prepared, out);
+  run(query == BENCH_DEPTH ? reference_signed_posed : reference_query_posed, prepared, out);
 }
 
 static void run_float(const bench_method *method, void *prepared, bench_query query, bench_answer *out) {
   (void)method;
-  (void)query;
-  run(reference_float_query_posed, prepared, out);
+  run(query == BENCH_DEPTH ? reference_float_signed_posed : reference_float_query_posed, prepared, out);
 }
 
 static const bench_method in_double = {
-    "reference double", "reference double", 0, false, false, prepare, run_double, free};
-static const bench_method in_float = {"reference float", "reference float", 0, false, false, prepare, run_float, free};
+    "reference double", "reference double", 0, ANSWERS, false, prepare, run_double, free};
+static const bench_method in_float = {"reference float", "reference float", 0,   ANSWERS, false,
+                                      prepare,           run_float,         free};
 
 bench_method_list bench_reference_methods = {&in_double, &in_float, NULL};

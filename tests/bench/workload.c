@@ -7,6 +7,10 @@
 
 #include "../case/case.h"
 #include "../exact/exact.h"
+#include "truth.h"
+
+// One pair in so many has its depth proven thoroughly.
+#define THOROUGH_EVERY 25
 
 static void *allocate(size_t count, size_t size) {
   void *memory = calloc(count, size);
@@ -23,41 +27,56 @@ static void fail(const bench_pair *pair, const char *why) {
   exit(1);
 }
 
-static void set_truth(bench_pair *pair) {
-  const gjk_collider *a = &pair->a->collider, *b = &pair->b->collider;
-  gjk_distance_result gap;
-  exact_feature nearest;
+static bool asks_depth(const bench_family *family) {
+  return bench_asks(family, BENCH_DEPTH) || bench_asks(family, BENCH_CONTACTS);
+}
+
+static void set_distance(bench_pair *pair) {
   char why[160] = "";
-  if (gjk_distance(a, b, NULL, &gap) != GJK_OK || !exact_check_distance(a, b, &gap, why, sizeof why)) {
+  if (!bench_find_distance(pair, why, sizeof why)) {
     fail(pair, why);
   }
-  pair->intersecting = gap.intersecting;
-  pair->distance = 0;
-  if (!gap.intersecting) {
-    if (!exact_named_feature(a, b, &gap.certificate, &nearest)) {
-      fail(pair, "no feature");
-    }
-    pair->distance = sqrt(exact_to_double(&nearest.squared) / exact_to_double(&nearest.denominator)) -
-                     (double)a->shape->round - (double)b->shape->round;
+}
+
+static bench_depth_proof set_depth(bench_pair *pair, bool thorough) {
+  char why[160] = "";
+  const bench_depth_proof proof = bench_find_depth(pair, thorough, why, sizeof why);
+  if (proof == BENCH_DEPTH_UNPROVEN) {
+    fail(pair, why);
   }
+  return proof;
+}
+
+static void set_vector(gjk_vec3 v, double out[3]) {
+  out[0] = (double)v.x / BENCH_LSB_PER_UNIT;
+  out[1] = (double)v.y / BENCH_LSB_PER_UNIT;
+  out[2] = (double)v.z / BENCH_LSB_PER_UNIT;
 }
 
 static void set_solid(const gjk_collider *collider, bench_solid *out) {
   const gjk_vec3 centre = collider->centre;
   const int64_t c[3] = {centre.x, centre.y, centre.z};
   out->count = exact_vertex_count(collider);
+  out->round = (double)collider->shape->round / BENCH_LSB_PER_UNIT;
+  set_vector(centre, out->centre);
+  for (int i = 0; i < 3; i++) {
+    set_vector(collider->frame[i], out->half_axes[i]);
+  }
   out->vertices = allocate(out->count, sizeof *out->vertices);
   for (unsigned i = 0; i < out->count; i++) {
     const exact_point vertex = exact_vertex(collider, i);
     for (int k = 0; k < 3; k++) {
       out->vertices[i][k] = (double)(vertex.x[k] - c[k]) / BENCH_LSB_PER_UNIT;
-      out->centre[k] = (double)c[k] / BENCH_LSB_PER_UNIT;
     }
   }
 }
 
-// Has the pair come out as it was meant to? Placing ends on the lattice, within an LSB of the gap.
-static bool is_as_placed(const bench_pair *pair) {
+// Has the pair come out as it was meant to? Placing ends on the lattice, within an LSB of the gap; a depth may be less,
+// along another direction.
+static bool is_as_placed(const bench_family *family, const bench_pair *pair) {
+  if (asks_depth(family)) {
+    return pair->intersecting;
+  }
   return pair->placed == BENCH_NOT_PLACED ||
          (pair->placed < 0 ? pair->intersecting : fabs(pair->distance - pair->placed) <= 1);
 }
@@ -72,12 +91,15 @@ static void make_pair(const bench_family *family, random_state *random, bench_pa
         case_collider_build(pair->b, &pair->shapes->b, false) != GJK_OK) {
       fail(pair, "it cannot be posed");
     }
-    set_truth(pair);
-  } while (!is_as_placed(pair));
+    pair->a->shape.faces = family->faces;
+    pair->b->shape.faces = family->faces;
+    set_distance(pair);
+  } while (!is_as_placed(family, pair));
 }
 
-bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t count) {
+bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t count, size_t *brute) {
   bench_pair *pairs = allocate(count, sizeof *pairs);
+  *brute = 0;
   for (size_t i = 0; i < count; i++) {
     random_state random = random_seed((seed << 32) + i);
     bench_pair *pair = &pairs[i];
@@ -85,6 +107,9 @@ bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t c
     pair->a = allocate(1, sizeof *pair->a);
     pair->b = allocate(1, sizeof *pair->b);
     make_pair(family, &random, pair);
+    if (asks_depth(family)) {
+      *brute += set_depth(pair, i % THOROUGH_EVERY == 0) == BENCH_DEPTH_BRUTE;
+    }
     set_solid(&pair->a->collider, &pair->solid[0]);
     set_solid(&pair->b->collider, &pair->solid[1]);
   }

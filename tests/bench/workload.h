@@ -3,14 +3,18 @@
 #define BENCH_WORKLOAD_H
 
 #include <stdint.h>
+#include <string.h>
 
 #include "../random.h"
+#include "gjk/shape.h"
 #include "method.h"
 
 // One family. make: sets *placed where the pair is made for a gap.
 typedef struct bench_family {
   const char *name, *what;
-  unsigned vertices;  // of each shape; 0: they differ
+  unsigned asked;               // BENCH_ASK of each query; with a depth or contacts, all pairs intersect
+  unsigned vertices;            // of each shape; 0: they differ
+  const gjk_hull_faces *faces;  // of the hulls, or NULL
   void (*make)(const struct bench_family *family, random_state *random, struct case_pair *pair, int *placed);
 } bench_family;
 
@@ -21,10 +25,27 @@ extern const size_t bench_family_count;
 extern const int bench_gaps[];
 extern const size_t bench_gap_count;
 
-// Makes count pairs of a family, the same for the same seed. Every one is certified: its answer is the library's own,
-// proven in exact integers, and its distance that of the feature that the proof names. A pair that cannot be proven
-// ends the program.
-bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t count);
+// Where depths are sorted in, in LSB: at most so deep.
+extern const int bench_depths[];
+extern const size_t bench_depth_count;
+
+static inline bool bench_asks(const bench_family *family, bench_query query) {
+  return (family->asked & BENCH_ASK(query)) != 0;
+}
+
+static inline bool bench_boxes_only(const bench_family *family) {
+  return strstr(family->name, "boxes") != NULL;
+}
+
+static inline bool bench_answers(const bench_method *method, const bench_family *family, bench_query query) {
+  return bench_asks(family, query) && (method->answers & BENCH_ASK(query)) != 0 &&
+         (!method->boxes_only || bench_boxes_only(family));
+}
+
+// Makes count pairs of a family, the same for the same seed. Every one has a proven answer, see truth.h. A pair that
+// cannot be proven ends the program.
+// brute: how many of them have a depth that brute force has proven.
+bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t count, size_t *brute);
 void bench_pairs_free(bench_pair *pairs, size_t count);
 
 #endif
