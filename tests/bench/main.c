@@ -27,7 +27,7 @@ typedef struct options {
 typedef struct work {
   const bench_family *family;
   bench_pair *pairs;
-  size_t brute;                               // pairs whose depth brute force has proven
+  size_t exact;                               // pairs whose depth is proven by exact integers
   bench_subject subjects[BENCH_METHODS_MAX];  // on the timed pairs
 } work;
 
@@ -157,7 +157,7 @@ static void prepare(bench *b) {
     work *w = &b->works[f];
     w->family = &bench_families[f];
     progress("pairs and errors: family", w->family->name, f + 1, bench_family_count);
-    w->pairs = bench_pairs_make(w->family, b->asked.seed, b->asked.pairs, &w->brute);
+    w->pairs = bench_pairs_make(w->family, b->asked.seed, b->asked.pairs, &w->exact);
     if (b->asked.instructions == 0) {
       measure_errors(b, w);
     }
@@ -186,7 +186,7 @@ static void release(bench *b) {
 static void put_proofs(const bench *b) {
   for (size_t f = 0; f < bench_family_count; f++) {
     if (bench_families[f].asked & (BENCH_ASK(BENCH_DEPTH) | BENCH_ASK(BENCH_CONTACTS))) {
-      printf("%s,,,brute,,%zu\n", bench_families[f].name, b->works[f].brute);
+      printf("%s,,,exact,,%zu\n", bench_families[f].name, b->works[f].exact);
     }
   }
 }

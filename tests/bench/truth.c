@@ -15,6 +15,9 @@
 #define QUICK_DIRECTIONS 4000
 #define THOROUGH_DIRECTIONS 500000
 
+// LSB, what rounding makes of a depth in double here.
+#define SLACK 1e-3
+
 static double radii(const bench_pair *pair) {
   return (double)pair->a->collider.shape->round + pair->b->collider.shape->round;
 }
@@ -44,9 +47,20 @@ bool bench_find_distance(bench_pair *pair, char *why, size_t n) {
   return true;
 }
 
-static double plane_depth(const bench_pair *pair, const gjk_certificate *certificate) {
-  const double cores = certificate->proof == GJK_PROOF_PLANE ? 0 : feature_distance(pair, certificate);
-  return radii(pair) + (certificate->proof == GJK_PROOF_NEAREST ? -cores : cores);
+// Of the real depth: by trying all directions; of cores that are apart by the feature that the certificate proves nearest.
+static bool find_exact(const bench_pair *pair, const gjk_certificate *certificate, bool thorough, double *depth) {
+  const gjk_collider *a = &pair->a->collider, *b = &pair->b->collider;
+  exact_plane plane;
+  if (certificate->proof == GJK_PROOF_NEAREST) {
+    *depth = radii(pair) - feature_distance(pair, certificate);
+    return true;
+  }
+  if (exact_vertex_count(a) > EXACT_DEPTH_VERTICES || exact_vertex_count(b) > EXACT_DEPTH_VERTICES ||
+      exact_depth_work(a, b) > (thorough ? THOROUGH_DIRECTIONS : QUICK_DIRECTIONS) || !exact_depth(a, b, &plane)) {
+    return false;
+  }
+  *depth = radii(pair) + exact_plane_height(&plane);
+  return true;
 }
 
 bench_depth_proof bench_find_depth(bench_pair *pair, bool thorough, char *why, size_t n) {
@@ -54,21 +68,22 @@ bench_depth_proof bench_find_depth(bench_pair *pair, bool thorough, char *why, s
   static const gjk_workspace workspace = {cells, CELLS};
   const gjk_collider *a = &pair->a->collider, *b = &pair->b->collider;
   gjk_penetration_result found;
-  exact_overlap overlap;
   if (gjk_penetration(a, b, NULL, &workspace, &found) != GJK_OK || !found.intersecting ||
       !exact_check_penetration(a, b, &found, why, n)) {
     return BENCH_DEPTH_UNPROVEN;
   }
-  pair->distance = -plane_depth(pair, &found.certificate);
-  if (exact_depth_work(a, b) <= (thorough ? THOROUGH_DIRECTIONS : QUICK_DIRECTIONS) &&
-      exact_overlap_find(a, b, &overlap)) {
-    snprintf(why, n, "depth %ld, by brute force %ld", (long)found.depth, (long)overlap.depth);
-    return overlap.intersecting && overlap.depth == found.depth ? BENCH_DEPTH_BRUTE : BENCH_DEPTH_UNPROVEN;
+  double depth;
+  const bool exact = find_exact(pair, &found.certificate, thorough, &depth);
+  if (!exact) {
+    // The facet of the certificate, or one that is lower by less than the rounding, which the reference may know.
+    reference_result reference;
+    reference_signed_posed(pair->shapes, pair->a, pair->b, &reference);
+    depth = radii(pair) + (found.certificate.proof == GJK_PROOF_PLANE ? 0 : feature_distance(pair, &found.certificate));
+    depth = fmin(depth, -reference.distance);
   }
-  reference_result reference;
-  reference_signed_posed(pair->shapes, pair->a, pair->b, &reference);
-  snprintf(why, n, "depth %.4f, but double knows of %.4f", -pair->distance, -reference.distance);
-  // What double's rounding may make of it.
-  const double slack = 1e-3 - 1e-9 * pair->distance;
-  return reference.distance <= pair->distance + slack ? BENCH_DEPTH_CERTIFIED : BENCH_DEPTH_UNPROVEN;
+  pair->distance = -depth;
+  snprintf(why, n, "depth %ld, but it is %.6f", (long)found.depth, depth);
+  // Rounded up, but for what double's rounding may make of it.
+  const bool least = depth > found.depth - 1 - SLACK && depth <= found.depth + SLACK;
+  return !least ? BENCH_DEPTH_UNPROVEN : exact ? BENCH_DEPTH_EXACT : BENCH_DEPTH_CERTIFIED;
 }

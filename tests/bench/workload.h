@@ -44,8 +44,8 @@ static inline bool bench_answers(const bench_method *method, const bench_family 
 
 // Makes count pairs of a family, the same for the same seed. Every one has a proven answer, see truth.h. A pair that
 // cannot be proven ends the program.
-// brute: how many of them have a depth that brute force has proven.
-bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t count, size_t *brute);
+// exact: how many of them have a depth that is proven least by exact integers.
+bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t count, size_t *exact);
 void bench_pairs_free(bench_pair *pairs, size_t count);
 
 #endif

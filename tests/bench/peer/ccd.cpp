@@ -1,5 +1,8 @@
-// libccd, in double: its GJK, which answers yes or no. (Its MPR loops without end on some of the smallest pairs.)
+// libccd, in double: its GJK, which answers yes or no, and with its EPA measures depths. (Its MPR loops without end on
+// some of the smallest pairs.)
 #include <ccd/ccd.h>
+
+#include <cmath>
 
 #include "../method.h"
 
@@ -22,8 +25,11 @@ void support(const void *object, const ccd_vec3_t *direction, ccd_vec3_t *out) {
       farthest = i;
     }
   }
+  const double length = std::sqrt(direction->v[0] * direction->v[0] + direction->v[1] * direction->v[1] +
+                                  direction->v[2] * direction->v[2]);
+  const double round = s->round > 0 && length > 0 ? s->round / length : 0;
   for (int k = 0; k < 3; k++) {
-    out->v[k] = s->centre[k] + s->vertices[farthest][k];
+    out->v[k] = s->centre[k] + s->vertices[farthest][k] + round * direction->v[k];
   }
 }
 
@@ -38,16 +44,30 @@ void *prepare(const bench_method *, const bench_pair *pair) {
   return p;
 }
 
-void run_gjk(const bench_method *, void *prepared, bench_query, bench_answer *out) {
+// It returns -1 for shapes that are apart and -2 when it has failed.
+void run_depth(const Prepared *p, bench_answer *out) {
+  double depth = 0;
+  ccd_vec3_t direction, position;
+  const int status = ccdGJKPenetration(&p->solid[0], &p->solid[1], &p->ccd, &depth, &direction, &position);
+  out->decision = status == 0 ? BENCH_TOGETHER : status == -1 ? BENCH_APART : BENCH_UNDECIDED;
+  out->distance = -depth * BENCH_LSB_PER_UNIT;
+}
+
+void run_gjk(const bench_method *, void *prepared, bench_query query, bench_answer *out) {
   const Prepared *p = static_cast<Prepared *>(prepared);
-  out->decision = ccdGJKIntersect(&p->solid[0], &p->solid[1], &p->ccd) != 0 ? BENCH_TOGETHER : BENCH_APART;
+  if (query == BENCH_DEPTH) {
+    run_depth(p, out);
+  } else {
+    out->decision = ccdGJKIntersect(&p->solid[0], &p->solid[1], &p->ccd) != 0 ? BENCH_TOGETHER : BENCH_APART;
+  }
 }
 
 void release(void *prepared) {
   delete static_cast<Prepared *>(prepared);
 }
 
-const bench_method gjk = {"libccd GJK", "libccd GJK", 0, false, true, prepare, run_gjk, release};
+const bench_method gjk = {"libccd GJK", "libccd GJK", 0,       BENCH_ASK(BENCH_INTERSECT) | BENCH_ASK(BENCH_DEPTH),
+                          false,        prepare,      run_gjk, release};
 
 }  // namespace
 
