@@ -116,6 +116,19 @@ double table_at(const table *t, const char *family, const char *query, const cha
   return r != NULL ? r->value : NAN;
 }
 
+double table_sum_at(const table *t, const char *query, const char *method, const char *measure, int at) {
+  double sum = 0;
+  for (size_t f = 0; f < t->families.count; f++) {
+    const double value = table_at(t, t->families.name[f], query, method, measure, at);
+    sum += isnan(value) ? 0 : value;
+  }
+  return sum;
+}
+
+bool table_asked(const table *t, const char *family, const char *query) {
+  return find(t, family, query, t->methods.name[0], "pairs", NULL) != NULL;
+}
+
 double table_histogram(const table *t, const char *family, const char *query, const char *method, const char *measure,
                        int most, double *counts) {
   double sum = 0;

@@ -33,6 +33,11 @@ void table_free(table *t);
 const char *table_text(const table *t, const char *family, const char *query, const char *method, const char *measure);
 double table_get(const table *t, const char *family, const char *query, const char *method, const char *measure);
 double table_at(const table *t, const char *family, const char *query, const char *method, const char *measure, int at);
+// The same, added up over all families; 0 when there is none.
+double table_sum_at(const table *t, const char *query, const char *method, const char *measure, int at);
+
+// Was the query asked about the family's pairs?
+bool table_asked(const table *t, const char *family, const char *query);
 
 // Adds up the values of a measure by their at, from 0 to most; what is beyond goes to most. family: NULL for all.
 // Returns the sum of them all.

@@ -26,6 +26,11 @@ const text_column text_columns[] = {
     {"rounds", "%.1f", "rounds", mean},
     {"wrong", "%.0f", "wrong", table_get},
     {"undecided", "%.0f", "undecided", table_get},
+    {"failed", "%.0f", "failed", table_get},
+    {"apart", "%.0f", "says_apart", table_get},
+    {"too small", "%.0f", "too_small", table_get},
+    {"too large", "%.0f", "too_large", table_get},
+    {"contacts", "%.2f", "contacts", table_get},
     {"mean error", "%.3g", "error_mean", table_get},
     {"largest error", "%.3g", "error_most", table_get},
 };
@@ -77,26 +82,32 @@ static void put_family(FILE *file, const table *t, const char *family, const cha
   }
 }
 
-// Over all families: the geometric mean of the ratios, the sum of the wrong decisions, the largest error.
+// Over the families that a method was asked about: the geometric mean of the ratios, the sum of the wrong answers, the
+// largest error.
 static void put_summary(FILE *file, const table *t, const char *query) {
   fprintf(file, "\nall families, %s\n%-22s%8s%9s%7s%11s%12s%9s\n", query, "", "x gjk", "pairs", "wrong", "undecided",
           "most error", "outside");
   for (size_t m = 0; m < t->methods.count; m++) {
     const char *method = t->methods.name[m];
-    double logs = 0, pairs = 0, wrong = 0, undecided = 0, most = NAN, outside = 0;
+    double logs = 0, families = 0, pairs = 0, wrong = 0, undecided = 0, most = NAN, outside = 0;
     for (size_t f = 0; f < t->families.count; f++) {
       const char *family = t->families.name[f];
       const double error = table_get(t, family, query, method, "error_most");
-      logs += log(ratio(t, family, query, method, "time")) / (double)t->families.count;
-      pairs += table_get(t, family, query, method, "pairs");
+      const double asked = table_get(t, family, query, method, "pairs");
+      if (isnan(asked)) {
+        continue;
+      }
+      logs += log(ratio(t, family, query, method, "time"));
+      families++;
+      pairs += asked;
       wrong += table_get(t, family, query, method, "wrong");
       undecided += table_get(t, family, query, method, "undecided");
       outside += table_get(t, family, query, method, "outside");
       most = error > most || isnan(most) ? error : most;
     }
-    if (isfinite(pairs)) {
+    if (pairs > 0) {
       fprintf(file, "%-22s", method);
-      put(file, 8, "%.2f", exp(logs));
+      put(file, 8, "%.2f", exp(logs / families));
       put(file, 9, "%.0f", pairs);
       put(file, 7, "%.0f", wrong);
       put(file, 11, "%.0f", undecided);
@@ -110,7 +121,9 @@ static void put_summary(FILE *file, const table *t, const char *query) {
 void text_write(FILE *file, const table *t) {
   for (size_t f = 0; f < t->families.count; f++) {
     for (size_t q = 0; q < t->queries.count; q++) {
-      put_family(file, t, t->families.name[f], t->queries.name[q]);
+      if (table_asked(t, t->families.name[f], t->queries.name[q])) {
+        put_family(file, t, t->families.name[f], t->queries.name[q]);
+      }
     }
   }
   for (size_t q = 0; q < t->queries.count; q++) {
@@ -119,5 +132,8 @@ void text_write(FILE *file, const table *t) {
   fprintf(
       file,
       "\nx gjk: time against gjk cold (all families: geometric mean). Errors in LSB of 2^-16 unit, against the exact\n"
-      "real distance. outside: true distances outside of bounds that were called proven.\n");
+      "real distance or depth. outside: true distances outside of bounds that were called proven. Depths are wrong "
+      "when\n"
+      "more than 1 LSB and more than 1 %% too small or too large, when the method failed or says that they are "
+      "apart.\n");
 }
