@@ -9,7 +9,7 @@
 #include "../generate/polytope.h"
 #include "workload.h"
 
-const int bench_depths[] = {1, 2, 3, 10, 30, 100, 300, 1000, 3000, 10000, 30000, 1000000};
+const int bench_depths[] = {1, 2, 3, 10, 30, 100, 300, 1000, 3000, 10000, 1000000};
 const size_t bench_depth_count = sizeof bench_depths / sizeof bench_depths[0];
 
 const int bench_gaps[] = {-1000, -100, -10, -3, -2, -1, 0, 1, 2, 3, 10, 100, 1000};

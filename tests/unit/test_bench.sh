@@ -34,13 +34,34 @@ for family in boxes hulls-8 hulls-32 hulls-128 hulls-512 near far slivers smalle
     done
   done
 done
+for family in overlap-boxes overlap-hulls-8 overlap-hulls-32 overlap-hulls-128 shallow concentric rounded crosses depths; do
+  for measure in pairs wrong failed says_apart too_small too_large error_most time; do
+    check "$family, depth, $measure" \
+      holds "\$1 == \"$family\" && \$2 == \"depth\" && \$3 == \"gjk cold\" && \$4 == \"$measure\"" '$6 >= 0'
+  done
+done
+for family in pressed-boxes pressed-hulls; do
+  for measure in pairs wrong contacts error_most time; do
+    check "$family, contacts, $measure" \
+      holds "\$1 == \"$family\" && \$2 == \"contacts\" && \$3 == \"gjk cold\" && \$4 == \"$measure\"" '$6 >= 0'
+  done
+done
 check 'times' holds '$4 == "time"' '$6 > 0'
 check 'pairs' holds '$4 == "pairs"' '$6 == 40'
 
 # The library: no wrong decision, half an LSB, bounds that hold, and errors within what was allowed.
 check 'no wrong decisions' holds '$3 ~ /^gjk / && ($4 == "wrong" || $4 == "gap_wrong")' '$6 == 0'
 check 'nothing undecided' holds '$3 ~ /^gjk (cold|warm)$/ && $4 == "undecided"' '$6 == 0'
-check 'half an LSB' holds '$3 ~ /^gjk (cold|warm)$/ && $4 == "error_most"' '$6 <= 0.5000001'
+check 'half an LSB' \
+  holds '$2 == "distance" && $3 ~ /^gjk (cold|warm)$/ && $4 == "error_most"' '$6 <= 0.5000001'
+check 'depths: an LSB' holds '$2 == "depth" && $3 ~ /^gjk / && $4 == "error_most"' '$6 < 1.000001'
+check 'contacts: two LSB' holds '$2 == "contacts" && $3 ~ /^gjk / && $4 == "error_most"' '$6 < 2.000001'
+check 'four contacts, face to face' holds '$3 ~ /^gjk / && $4 == "contacts"' '$6 > 3.5 && $6 <= 4'
+check 'small depths are proven in exact integers' holds '$1 ~ /overlap-(boxes|hulls-8)/ && $4 == "exact"' '$6 == 40'
+check 'some of 32 points, too' holds '$1 == "overlap-hulls-32" && $4 == "exact"' '$6 >= 8'
+check 'the depths spread' holds '$1 == "depths" && $3 == "gjk cold" && $4 == "gap_pairs"' '$6 < 20'
+check 'the reference is close' \
+  holds '$2 == "depth" && $3 == "reference double" && $1 != "shallow" && $4 == "error_mean"' '$6 < 0.01'
 check 'bounds hold' holds '$4 == "outside"' '$6 == 0'
 for error in 1 16 256; do
   check "to $error LSB" holds "\$3 == \"gjk to $error LSB\" && \$4 == \"error_most\"" "\$6 <= $error"
@@ -50,7 +71,10 @@ check 'wrong decisions are seen' holds '$1 == "smallest" && $3 ~ /^reference/ &&
 # The page: whole, and in need of nothing else.
 check 'the report' report "$dir/run.csv"
 check 'the table' grep -q '^gjk cold  *1\.00 ' "$dir/table.txt"
-check 'plots' test "$(grep -c '<figure ' "$dir/page.html")" -gt 20
+check 'the table of depths' grep -q '^overlap-boxes, depth: ' "$dir/table.txt"
+check 'plots' test "$(grep -c '<figure ' "$dir/page.html")" -gt 30
+check 'plots of depths and contacts' grep -q 'figcaption>shallow: depth<' "$dir/page.html"
+check 'a map of depths' grep -q 'figcaption>all families: depth<' "$dir/page.html"
 check 'no numbers that are none' refused grep -qE '(nan|inf)[ "<]' "$dir/page.html"
 check 'no external resources' refused grep -qE 'https?:|src=|href=|url\(|@import' "$dir/page.html"
 check 'the page is closed' grep -q '</html>' "$dir/page.html"

@@ -57,7 +57,7 @@ void run_detector(const bench_method *, void *prepared, bench_query query, bench
     out->decision = found.m_hasResult ? BENCH_TOGETHER : BENCH_UNDECIDED;
     out->distance = static_cast<double>(found.m_distance) * BENCH_LSB_PER_UNIT;
   }
-  out->rounds = static_cast<unsigned>(detector.m_curIter);
+  out->rounds = query == BENCH_DEPTH ? 0 : static_cast<unsigned>(detector.m_curIter);  // EPA's are not told
 }
 
 void run_epa2(const bench_method *, void *prepared, bench_query query, bench_answer *out) {

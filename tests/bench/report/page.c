@@ -313,7 +313,7 @@ static void put_head(FILE *file, const table *t) {
     svg_text(file, table_text(t, t->families.name[f], "", "", "what"));
     const double exact = table_get(t, t->families.name[f], "", "", "exact");
     if (isfinite(exact)) {
-      fprintf(file, " (depths of %.0f pairs proven least in exact integers)", exact);
+      fprintf(file, " (%.0f depths proven in exact integers)", exact);
     }
     fprintf(file, "</dd>\n");
   }
@@ -363,7 +363,7 @@ static void put_error_sections(FILE *file, const table *t) {
        "up to the next LSB, so that a move by the depth parts the shapes: its error is up to 1 LSB by contract. Depths "
        "of pairs that are not proven least in exact integers are those of a facet that the certificate names, while "
        "the "
-       "reference in double knows of none that is lower."},
+       "reference in double knows of none that is lower by more than the rounding."},
       {"contacts", "Of the deepest contact of a manifold of four points at most, against the real least depth."}};
   for (size_t i = 0; i < sizeof sections / sizeof sections[0]; i++) {
     char heading[64], text[1024];

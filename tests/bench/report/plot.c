@@ -14,6 +14,7 @@
 #define BOTTOM 52.0
 #define BAND 34.0  // of an axis for what is below its floor
 #define TICKS_MAX 64
+#define NAME_WIDTH 50.0  // of the name of the line across
 
 // Where a value goes on the page.
 typedef struct scale {
@@ -147,9 +148,10 @@ static ticks make_ticks(const plot_axis *axis) {
   const int every = last - first > 8 ? 2 : 1;
   for (int decade = first; decade <= last; decade += every) {
     add_tick(&t, axis, pow(10, decade));
-    if (last - first <= 3) {
-      add_tick(&t, axis, 2 * pow(10, decade));
-      add_tick(&t, axis, 5 * pow(10, decade));
+    for (int lead = 2; lead <= 8 && last - first <= 3; lead++) {
+      if (lead == 2 || lead == 5 || (axis->high / axis->low < 6 && lead != 7)) {
+        add_tick(&t, axis, lead * pow(10, decade));
+      }
     }
   }
   return t;
@@ -304,6 +306,19 @@ static void take_marks(label_page *page, const plot *p, const scale *x, const sc
   }
 }
 
+// Where the name of the line across begins: at the left end, or at the right if a mark is in its way.
+static double reference_name_left(const plot *p, const scale *x, const scale *y) {
+  for (size_t i = 0; i < p->count; i++) {
+    for (size_t k = 0; k < p->series[i].count; k++) {
+      const plot_point *point = &p->series[i].points[k];
+      if (place(x, point->x) < LEFT + NAME_WIDTH + 6 && fabs(place(y, point->y) - place(y, p->mark) + 8) < 20) {
+        return WIDTH - RIGHT - NAME_WIDTH;
+      }
+    }
+  }
+  return LEFT;
+}
+
 // Numbers beside their points, clear of the marks and lines and of each other.
 static void put_numbers(FILE *file, const plot *p, const scale *x, const scale *y) {
   static label_page page;
@@ -312,7 +327,7 @@ static void put_numbers(FILE *file, const plot *p, const scale *x, const scale *
   page.count = 0;
   take_marks(&page, p, x, y);
   if (isfinite(p->mark)) {
-    const label_rectangle named = {LEFT, place(y, p->mark) - 18, 50, 18};
+    const label_rectangle named = {reference_name_left(p, x, y), place(y, p->mark) - 18, NAME_WIDTH, 18};
     label_take(&page, named, 10);
   }
   for (size_t i = 0; i < p->count; i++) {
@@ -329,11 +344,11 @@ static void put_numbers(FILE *file, const plot *p, const scale *x, const scale *
   }
 }
 
-static void put_reference_line(FILE *file, const plot *p, const scale *y) {
+static void put_reference_line(FILE *file, const plot *p, const scale *x, const scale *y) {
   if (isfinite(p->mark)) {
     const double at = place(y, p->mark);
     fprintf(file, "<path class=\"reference\" d=\"M%.1f %.1fH%.1f\"/>", LEFT, at, WIDTH - RIGHT);
-    fprintf(file, "<text class=\"small\" x=\"%.1f\" y=\"%.1f\">", LEFT + 4, at - 5);
+    fprintf(file, "<text class=\"small\" x=\"%.1f\" y=\"%.1f\">", reference_name_left(p, x, y) + 4, at - 5);
     svg_text(file, p->mark_name);
     fprintf(file, "</text>\n");
   }
@@ -350,7 +365,7 @@ void plot_write_points(FILE *file, const plot *given) {
   open_svg(file, p.title, WIDTH, HEIGHT);
   put_x_axis(file, &x);
   put_y_axis(file, &y);
-  put_reference_line(file, &p, &y);
+  put_reference_line(file, &p, &x, &y);
   for (size_t i = p.count; i-- > 0;) {  // the first series on top
     if (p.series[i].line) {
       put_line(file, &p.series[i], &x, &y);
