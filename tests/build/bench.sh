@@ -46,7 +46,8 @@ about() {
     echo ",,,about,,$peer $(pkg-config --modversion "$peer")"
   done
   echo ",,,about,,Every method gets the same posed integers: gjk and the reference as they are; the others in units," \
-    "vertices about a centre, boxes as hulls of 8 points. Tolerances as each library sets them, margins 0."
+    "vertices about a centre, boxes as hulls of 8 points. Tolerances as each library sets them, margins 0 or the" \
+    "rounding; Bullet's box-box gets boxes with right angles."
 }
 
 # A library that does not come back must not hold this up for ever.

@@ -26,7 +26,7 @@ fuzz() {
   shift
   mkdir -p "$build/corpus/$target"
   # shellcheck disable=SC2086
-  clang $flags -fsanitize=fuzzer "tests/fuzz/$target.c" "$build"/objects/*.o -o "$build/$target" || return 1
+  clang $flags -fsanitize=fuzzer "tests/fuzz/$target.c" "$build"/objects/*.o -lm -o "$build/$target" || return 1
   if ! nice "$build/$target" -max_total_time="$each" -timeout=20 -print_final_stats=1 -artifact_prefix="$build/$target-" \
     "$@" "$build/corpus/$target" "$build/seeds-$target" >"$build/$target.log" 2>&1; then
     tail -n 40 "$build/$target.log"
@@ -50,14 +50,14 @@ fuzz() {
 
 # What the targets share, compiled once.
 mkdir -p "$build/objects"
-for source in tests/fuzz/bytes.c tests/case/case.c tests/case/number.c tests/case/parse.c tests/exact/*.c src/*.c; do
+for source in tests/fuzz/bytes.c tests/fuzz/overlap.c tests/case/case.c tests/case/number.c tests/case/parse.c tests/exact/*.c src/*.c; do
   # shellcheck disable=SC2086
   clang $flags -c "$source" -o "$build/objects/$(echo "${source%.c}" | tr / -).o" || exit 1
 done
 
 mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments"
 # shellcheck disable=SC2086
-clang $flags tests/fuzz/seeds.c "$build"/objects/*.o -o "$build/seeds" &&
+clang $flags tests/fuzz/seeds.c "$build"/objects/*.o -lm -o "$build/seeds" &&
   "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt || exit 1
 cp tests/data/*.txt "$build/seeds-cases"
 cp "$build"/seeds-pairs/* "$build/seeds-arguments"

@@ -1,9 +1,10 @@
-// Bytes to a pair of shapes, a query and a cache: every answer about polytopes must pass the exact oracle. With
-// GJK_FUZZ_PRINT set, the pair is shown first, as a case of the query tool.
+// Bytes to a pair of shapes, queries and caches: every answer about polytopes must pass the exact oracle, and the answers
+// must agree. With GJK_FUZZ_PRINT set, the pair is shown first, as a case of the query tool.
 #include <stdlib.h>
 
 #include "../exact/exact.h"
 #include "bytes.h"
+#include "overlap.h"
 
 static case_pair pair;
 static case_collider a, b;
@@ -69,6 +70,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   expect(check_within(asked, NULL, certain) == check_within(asked, &other, certain), "gjk_within with a cache");
   expect(check_within(0, NULL, certain) == cold.intersecting || !certain, "gjk_within 0");
   check_within(cold.distance, &cache, certain);
+  const char *wrong = fuzz_check_overlap(&a.collider, &b.collider, &cold, &bytes, why, sizeof why);
+  expect(wrong == NULL, wrong);
   if (certain) {
     check_truth(&cold);
     if (case_collider_build(&b, &pair.b, true) == GJK_OK) {
