@@ -7,7 +7,8 @@
 
 #include "../exact/depth.h"
 
-#define CELLS GJK_POLYTOPE_CELLS(1024)
+// For polytopes of the product of the largest hulls' vertices; more than enough for most curved ones.
+#define CELLS GJK_POLYTOPE_CELLS(24 * 24)
 
 // Directions that brute force tries in a fraction of a millisecond.
 #define QUICK_DIRECTIONS 1500
