@@ -1,11 +1,14 @@
 #!/bin/sh
-# Fuzzes pairs, the reader of cases and hostile arguments with libFuzzer: fuzz.sh BUILD SECONDS
+# Fuzzes pairs, the reader of cases, hostile arguments and scenes with libFuzzer: fuzz.sh BUILD SECONDS [TARGET...]
 #
 # The seconds are shared out evenly. Inputs that reach new code stay in BUILD/fuzz/corpus and are where the next run
 # begins. An input that fails stays in BUILD/fuzz, of a pair also as a case for build/gjk-query. Exit status 1 then.
 . tests/build/count.sh
 build=$1/fuzz
-each=$(($2 / 3))
+seconds=$2
+shift 2
+[ $# -gt 0 ] || set -- pairs cases arguments scene
+each=$((seconds / $#))
 mkdir -p "$build"
 
 flags='-std=c99 -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude -Isrc -Iport -Itests'
@@ -50,7 +53,8 @@ fuzz() {
 
 # What the targets share, compiled once. The fuzzer looks at what the library and the reader of cases do, not the oracles.
 mkdir -p "$build/objects"
-for source in tests/fuzz/bytes.c tests/fuzz/overlap.c tests/case/case.c tests/case/number.c tests/case/parse.c tests/exact/*.c src/*.c; do
+for source in tests/fuzz/bytes.c tests/fuzz/overlap.c tests/case/case.c tests/case/number.c tests/case/parse.c \
+  tests/exact/*.c tests/scene/world.c tests/scene/session.c src/*.c; do
   case $source in
     src/* | tests/case/*) seen=-fsanitize=fuzzer-no-link ;;
     *) seen= ;;
@@ -59,7 +63,7 @@ for source in tests/fuzz/bytes.c tests/fuzz/overlap.c tests/case/case.c tests/ca
   clang $flags $seen -c "$source" -o "$build/objects/$(echo "${source%.c}" | tr / -).o" || exit 1
 done
 
-mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments"
+mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments" "$build/seeds-scene"
 # shellcheck disable=SC2086
 clang $flags tests/fuzz/seeds.c "$build"/objects/*.o -lm -o "$build/seeds" &&
   "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt || exit 1
@@ -67,7 +71,11 @@ cp tests/data/*.txt "$build/seeds-cases"
 cp "$build"/seeds-pairs/* "$build/seeds-arguments"
 
 status=0
-fuzz pairs -max_len=2048 || status=1
-fuzz cases -close_fd_mask=2 -max_len=4096 || status=1
-fuzz arguments -max_len=2048 || status=1
+for target in "$@"; do
+  case $target in
+    cases) fuzz cases -close_fd_mask=2 -max_len=4096 || status=1 ;;
+    scene) fuzz scene -max_len=384 || status=1 ;;
+    *) fuzz "$target" -max_len=2048 || status=1 ;;
+  esac
+done
 exit $status
