@@ -8,7 +8,8 @@
 // A's centre are below 2^29 + 2^28.
 #define REACH (INT32_C(1) << 29)
 
-// How much nearer the nearest points may be than all that clipping has found before they are taken in.
+// How much nearer the nearest points may be than all that clipping has found before they are taken in. That is only within
+// REACH, where no distance comes near the end of its range.
 #define SLACK 2
 
 static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
@@ -77,7 +78,7 @@ GJK_OUT_OF_LINE static void find_contacts(const gjk_collider *a, const gjk_colli
   admit_nearest(nearest, &touches);
   const bool reduced = touches.count > most;
   if (reduced) {
-    gjk_reduce(&touches, &out->normal, most, keep);
+    gjk_reduce(&touches, &out->normal, most, nearest->distance + SLACK, keep);
   }
   out->count = (uint8_t)(reduced ? most : touches.count);
   for (unsigned i = 0; i < out->count; i++) {

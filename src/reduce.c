@@ -19,13 +19,13 @@ static spot spot_of(const selection *s, unsigned i) {
   return p;
 }
 
-static unsigned deepest(const gjk_touches *t) {
+static unsigned deepest(const gjk_touches *t, gjk_q16 limit) {
   gjk_q16 least = t->touch[0].distance;
   unsigned i = 0;
   for (unsigned k = 1; k < t->count; k++) {
     least = t->touch[k].distance < least ? t->touch[k].distance : least;
   }
-  while (t->touch[i].distance > least + 1) {  // one of them is the least
+  while (t->touch[i].distance > least + 1 || t->touch[i].distance > limit) {  // one of them is the least
     i++;
   }
   return i;
@@ -103,10 +103,10 @@ static void keep_farthest(selection *s) {
   s->keep[s->count++] = (uint8_t)best;
 }
 
-void gjk_reduce(const gjk_touches *touches, const gjk_unit3 *normal, unsigned most, uint8_t *keep) {
+void gjk_reduce(const gjk_touches *touches, const gjk_unit3 *normal, unsigned most, gjk_q16 limit, uint8_t *keep) {
   const uint32_t x = gjk_magnitude32(normal->x), y = gjk_magnitude32(normal->y), z = gjk_magnitude32(normal->z);
   selection s = {touches, x >= y && x >= z ? 0 : y >= z ? 1 : 2, keep, 1};
-  keep[0] = (uint8_t)deepest(touches);
+  keep[0] = (uint8_t)deepest(touches, limit);
   if (most > 2) {
     keep_largest(&s, most > 3);
   }

@@ -6,6 +6,8 @@
 #define POISON 0xA5
 #define VERTICES 8
 #define CELLS 128
+#define CORNERS 16
+#define FACES 4
 
 // All that the calls below work on.
 typedef struct world {
@@ -14,6 +16,8 @@ typedef struct world {
   gjk_collider collider[2];
   gjk_pose pose[2];
   gjk_cell cells[CELLS];
+  uint16_t corner[2][CORNERS], end[2][FACES];
+  gjk_hull_faces faces[2];
 } world;
 
 static world w;
@@ -54,6 +58,21 @@ static gjk_quat any_quat(void) {
   return keep || gjk_quat_normalize(&q, &unit) != GJK_OK ? q : unit;
 }
 
+// Corners that the hull has, and some that it hasn't; faces that end anywhere within them.
+static const gjk_hull_faces *make_faces(int i) {
+  gjk_hull_faces *f = &w.faces[i];
+  for (unsigned k = 0; k < CORNERS; k++) {
+    w.corner[i][k] = fuzz_u8(&bytes) % (VERTICES + 1);
+  }
+  for (unsigned k = 0; k < FACES; k++) {
+    w.end[i][k] = fuzz_u8(&bytes) % (CORNERS + 1);
+  }
+  f->corner = MAYBE(w.corner[i]);
+  f->end = MAYBE(w.end[i]);
+  f->count = fuzz_u8(&bytes) % (FACES + 1);
+  return f;
+}
+
 static void make_shape(int i) {
   static const gjk_shape_class *const types[] = {
       &gjk_class_point, &gjk_class_segment,  &gjk_class_triangle, &gjk_class_box,       &gjk_class_hull,
@@ -76,6 +95,7 @@ static void make_shape(int i) {
     w.vertices[i][k].y >>= shift;
     w.vertices[i][k].z >>= shift;
   }
+  s->faces = fuzz_u8(&bytes) % 2 == 0 ? NULL : make_faces(i);
 }
 
 static void place(int i) {
@@ -126,6 +146,8 @@ static void query(void) {
   gjk_decision decision;
   gjk_distance_result distance;
   gjk_penetration_result depth;
+  gjk_manifold manifold;
+  const unsigned most = fuzz_u8(&bytes) % (GJK_CONTACTS_MAX + 2);
   const gjk_effort effort = {fuzz_u8(&bytes), fuzz_i32(&bytes)};
   const gjk_q16 asked = fuzz_i32(&bytes);
   const gjk_workspace workspace = {MAYBE(w.cells), fuzz_u8(&bytes) % (CELLS + 1)};
@@ -141,6 +163,8 @@ static void query(void) {
   check(gjk_penetration(a, b, MAYBE(&cache), MAYBE(&workspace), &depth), &depth, sizeof depth);
   memset(&distance, POISON, sizeof distance);
   check(gjk_signed_distance(a, b, MAYBE(&cache), MAYBE(&workspace), &distance), &distance, sizeof distance);
+  memset(&manifold, POISON, sizeof manifold);
+  check(gjk_contacts(a, b, asked, most, MAYBE(&cache), MAYBE(&workspace), &manifold), &manifold, sizeof manifold);
   check(gjk_intersect(a, b, NULL, NULL), NULL, 0);
   memset(&decision, 0, sizeof decision);
   memset(&distance, 0, sizeof distance);

@@ -84,6 +84,31 @@ static void test_round_shapes(void) {
   CHECK(m.count == 1 && is_near(m.contact[0].distance, -36, 4));
 }
 
+static gjk_q16 least_of(const gjk_manifold *m) {
+  gjk_q16 least = GJK_DISTANCE_MAX;
+  for (unsigned i = 0; i < m->count; i++) {
+    least = m->contact[i].distance < least ? m->contact[i].distance : least;
+  }
+  return least;
+}
+
+// Of points that are 2 and 3 LSB above the depth one of the former is kept: the ends of a tilted coin, pressed into a disc.
+static void test_reduced_deepest(void) {
+  static const gjk_shape coin = GJK_ROUNDED_CYLINDER(17695, 0, 212992), disc = GJK_ROUNDED_CONE(238960190, 0, 1966080);
+  const gjk_pose tilted = {{10240, 7680, 0}, {13213, 10636, 0, GJK_Q30_ONE}};
+  gjk_collider a, b;
+  gjk_distance_result d;
+  const gjk_pose beside = at(2621440, 0, 4);
+  place(&coin, &tilted, &a);
+  place(&disc, &beside, &b);
+  CHECK(gjk_signed_distance(&a, &b, NULL, &workspace, &d) == GJK_OK);
+  for (unsigned most = 1; most <= GJK_CONTACTS_MAX; most++) {
+    const gjk_manifold m = meet(&coin, tilted, &disc, beside, most);
+    CHECK_MSG(m.count == most && is_near(least_of(&m), d.distance, 2), "%ld of %ld", (long)least_of(&m),
+              (long)d.distance);
+  }
+}
+
 static void test_statuses(void) {
   gjk_collider a, b, blank = {0};
   gjk_manifold m, poison;
@@ -253,6 +278,7 @@ int main(void) {
   test_hulls();
   test_edges();
   test_round_shapes();
+  test_reduced_deepest();
   test_statuses();
   test_faces();
   test_random();

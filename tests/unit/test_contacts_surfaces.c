@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../check.h"
+#include "../generate/prism.h"
 #include "../reference/accurate.h"
 #include "../reference/random_shape.h"
 #include "gjk/contacts.h"
@@ -16,7 +17,6 @@
 #define CURVED_TOLERANCE 5.0L
 #define VERTICES 512
 #define CELLS (GJK_POLYTOPE_CELLS(VERTICES) + VERTICES)
-#define SIDES_MAX 8
 
 static const char *const kind_name[] = {"point", "segment",  "triangle", "box",
                                         "prism", "cylinder", "cone",     "ellipsoid"};
@@ -27,8 +27,7 @@ static const gjk_workspace workspace = {cells, CELLS};
 typedef struct subject {
   case_shape shape;
   case_collider collider;
-  uint16_t corner[6 * SIDES_MAX], end[SIDES_MAX + 2];
-  gjk_hull_faces faces;
+  generate_faces faces;
 } subject;
 
 typedef struct tally {
@@ -44,48 +43,17 @@ static int32_t scaled(int32_t size, double by) {
   return (int32_t)lround(size * by);
 }
 
-// A prism along z of 3 to 8 sides, within size: base counterclockwise from above, then the top.
-static void make_prism(random_state *random, subject *s) {
-  const unsigned n = 3 + random_below(random, SIDES_MAX - 2);
-  const gjk_vec3 size = s->shape.size;
-  unsigned at = 0;
-  case_shape_set_count(&s->shape, 2 * (size_t)n);
-  for (unsigned i = 0; i < n; i++) {
-    const double angle = 6.283185307179586 * i / n;
-    const gjk_vec3 low = {scaled(size.x, cos(angle)), scaled(size.y, sin(angle)), -size.z},
-                   high = {low.x, low.y, size.z};
-    s->shape.vertices[i] = low;
-    s->shape.vertices[n + i] = high;
-    s->corner[i] = (uint16_t)(n - 1 - i);
-    s->corner[n + i] = (uint16_t)(n + i);
-  }
-  s->end[0] = (uint16_t)n;
-  s->end[1] = (uint16_t)(2 * n);
-  at = 2 * n;
-  for (unsigned i = 0; i < n; i++) {
-    const unsigned next = i + 1 < n ? i + 1 : 0;
-    const unsigned side[4] = {i, next, n + next, n + i};
-    for (unsigned k = 0; k < 4; k++) {
-      s->corner[at++] = (uint16_t)side[k];
-    }
-    s->end[2 + i] = (uint16_t)at;
-  }
-  s->faces.corner = s->corner;
-  s->faces.end = s->end;
-  s->faces.count = (uint16_t)(n + 2);
-}
-
 static void make_shape(random_state *random, case_kind kind, gjk_q16 reach, subject *s) {
   random_shape(random, kind == CASE_HULL ? CASE_BOX : kind, reach, &s->shape);
   s->shape.kind = kind;
   if (kind == CASE_HULL) {
-    make_prism(random, s);
+    generate_prism(3 + random_below(random, GENERATE_SIDES_MAX - 2), &s->shape, &s->faces);
   }
 }
 
 static bool build(subject *s) {
   const bool built = case_collider_build(&s->collider, &s->shape, false) == GJK_OK;
-  s->collider.shape.faces = s->shape.kind == CASE_HULL ? &s->faces : NULL;
+  s->collider.shape.faces = s->shape.kind == CASE_HULL ? &s->faces.faces : NULL;
   return built;
 }
 
