@@ -7,6 +7,7 @@
 #include "../generate/overlap.h"
 #include "../generate/place.h"
 #include "../generate/polytope.h"
+#include "../generate/prism.h"
 #include "workload.h"
 
 const int bench_depths[] = {1, 2, 3, 10, 30, 100, 300, 1000, 3000, 10000, 1000000};
@@ -168,24 +169,14 @@ static void make_rounded(const bench_family *family, random_state *random, case_
   generate_near(random, -random_range(random, 1, GJK_Q16(0.5)), pair);
 }
 
-// The frustum of a pyramid that stands in the box of the shape's size, its top half as large to as large as its base.
-static void make_frustum(random_state *random, case_shape *shape) {
-  const gjk_vec3 size = shape->size;
+// Takes a prism's top in, to half its size at the least.
+static void taper(random_state *random, case_shape *shape) {
   const int32_t share = random_range(random, 128, 256);
-  shape->kind = CASE_HULL;
-  case_shape_set_count(shape, 8);
-  for (unsigned k = 0; k < 8; k++) {
-    gjk_vec3 *v = &shape->vertices[k];
-    const int32_t wide = k < 4 ? 256 : share;
-    v->x = (k % 2 == 0 ? -size.x : size.x) / 256 * wide;
-    v->y = (k / 2 % 2 == 0 ? -size.y : size.y) / 256 * wide;
-    v->z = k < 4 ? -size.z : size.z;
+  for (size_t i = shape->count / 2; i < shape->count; i++) {
+    shape->vertices[i].x = shape->vertices[i].x / 256 * share;
+    shape->vertices[i].y = shape->vertices[i].y / 256 * share;
   }
 }
-
-static const uint16_t frustum_corners[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
-static const uint16_t frustum_ends[6] = {4, 8, 12, 16, 20, 24};
-static const gjk_hull_faces frustum_faces = {frustum_corners, frustum_ends, 6};
 
 // B on A, spun and tilted by up to a degree.
 static void make_pressed(const bench_family *family, random_state *random, case_pair *pair, int *placed) {
@@ -201,9 +192,11 @@ static void make_pressed(const bench_family *family, random_state *random, case_
   gjk_quat_normalize(&turn, &turn);
   gjk_quat_compose(&pair->a.pose.rotation, &turn, &pair->b.pose.rotation);
   gjk_pose_apply(&pair->a.pose, &at, &pair->b.pose.position);
-  if (family->faces != NULL) {
-    make_frustum(random, &pair->a);
-    make_frustum(random, &pair->b);
+  if (!bench_boxes_only(family)) {
+    generate_prism(4, &pair->a);
+    generate_prism(4, &pair->b);
+    taper(random, &pair->a);
+    taper(random, &pair->b);
   }
 }
 
@@ -212,30 +205,30 @@ static void make_pressed(const bench_family *family, random_state *random, case_
 #define CONTACTS BENCH_ASK(BENCH_CONTACTS)
 
 const bench_family bench_families[] = {
-    {"boxes", "boxes with half extents of 0.2 to 1 unit; centres 0.5 to 3.5 units apart", GAP, 8, NULL, make_boxes},
-    {"hulls-8", "hulls of 8 points 0.8 to 1 unit from their middle; centres 0.5 to 3.5 units apart", GAP, 8, NULL,
+    {"boxes", "boxes with half extents of 0.2 to 1 unit; centres 0.5 to 3.5 units apart", GAP, 8, make_boxes},
+    {"hulls-8", "hulls of 8 points 0.8 to 1 unit from their middle; centres 0.5 to 3.5 units apart", GAP, 8,
      make_hulls},
-    {"hulls-32", "the same with 32 points", GAP, 32, NULL, make_hulls},
-    {"hulls-128", "the same with 128 points", GAP, 128, NULL, make_hulls},
-    {"hulls-512", "the same with 512 points", GAP, 512, NULL, make_hulls},
-    {"near", "such boxes and hulls (8 to 32 points) placed at gaps of -1000 to 1000 LSB", GAP, 0, NULL, make_near},
-    {"far", "the same 16000 to 30000 units from the origin along each axis", GAP, 0, NULL, make_far},
+    {"hulls-32", "the same with 32 points", GAP, 32, make_hulls},
+    {"hulls-128", "the same with 128 points", GAP, 128, make_hulls},
+    {"hulls-512", "the same with 512 points", GAP, 512, make_hulls},
+    {"near", "such boxes and hulls (8 to 32 points) placed at gaps of -1000 to 1000 LSB", GAP, 0, make_near},
+    {"far", "the same 16000 to 30000 units from the origin along each axis", GAP, 0, make_far},
     {"slivers", "boxes and hulls 10000 times longer than thick; 1 to 4000 units; within 3 LSB of touching", GAP, 0,
-     NULL, make_slivers},
-    {"smallest", "contacts of hulls of up to 4000 units whose deciding determinant is -1 or 0 or 1", GAP, 0, NULL,
+     make_slivers},
+    {"smallest", "contacts of hulls of up to 4000 units whose deciding determinant is -1 or 0 or 1", GAP, 0,
      make_smallest},
-    {"overlap-boxes", "boxes like those above that overlap; centres up to 1 unit apart", DEPTH, 8, NULL, make_overlap},
-    {"overlap-hulls-8", "hulls of 8 points that overlap; centres up to 1 unit apart", DEPTH, 8, NULL, make_overlap},
-    {"overlap-hulls-32", "the same with 32 points", DEPTH, 32, NULL, make_overlap},
-    {"overlap-hulls-128", "the same with 128 points", DEPTH, 128, NULL, make_overlap},
-    {"shallow", "boxes and hulls of 8 to 32 points that are 1 to 3 LSB deep", DEPTH, 0, NULL, make_shallow},
-    {"concentric", "the same with their centres an LSB or less apart", DEPTH, 0, NULL, make_concentric},
-    {"rounded", "the same rounded by 0.05 to 0.3 units; up to 0.5 units deep", DEPTH, 0, NULL, make_rounded},
-    {"crosses", "boxes and hulls 10000 times longer than thick that cross", DEPTH, 0, NULL, make_crosses},
+    {"overlap-boxes", "boxes like those above that overlap; centres up to 1 unit apart", DEPTH, 8, make_overlap},
+    {"overlap-hulls-8", "hulls of 8 points that overlap; centres up to 1 unit apart", DEPTH, 8, make_overlap},
+    {"overlap-hulls-32", "the same with 32 points", DEPTH, 32, make_overlap},
+    {"overlap-hulls-128", "the same with 128 points", DEPTH, 128, make_overlap},
+    {"shallow", "boxes and hulls of 8 to 32 points that are 1 to 3 LSB deep", DEPTH, 0, make_shallow},
+    {"concentric", "the same with their centres an LSB or less apart", DEPTH, 0, make_concentric},
+    {"rounded", "the same rounded by 0.05 to 0.3 units; up to 0.5 units deep", DEPTH, 0, make_rounded},
+    {"crosses", "boxes and hulls 10000 times longer than thick that cross", DEPTH, 0, make_crosses},
     {"depths", "boxes and hulls of 8 to 32 points; depths from 1 LSB to 0.5 units; evenly over the orders of magnitude",
-     DEPTH, 0, NULL, make_depths},
-    {"pressed-boxes", "boxes face to face; spun; tilted by up to a degree; up to 0.05 units deep", CONTACTS, 8, NULL,
+     DEPTH, 0, make_depths},
+    {"pressed-boxes", "boxes face to face; spun; tilted by up to a degree; up to 0.05 units deep", CONTACTS, 8,
      make_pressed},
-    {"pressed-hulls", "frusta of pyramids with faces; placed the same way", CONTACTS, 8, &frustum_faces, make_pressed},
+    {"pressed-hulls", "frusta of pyramids with faces; placed the same way", CONTACTS, 8, make_pressed},
 };
 const size_t bench_family_count = sizeof bench_families / sizeof bench_families[0];

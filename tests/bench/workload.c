@@ -91,8 +91,6 @@ static void make_pair(const bench_family *family, random_state *random, bench_pa
         case_collider_build(pair->b, &pair->shapes->b, false) != GJK_OK) {
       fail(pair, "it cannot be posed");
     }
-    pair->a->shape.faces = family->faces;
-    pair->b->shape.faces = family->faces;
     set_distance(pair);
   } while (!is_as_placed(family, pair));
 }

@@ -6,15 +6,13 @@
 #include <string.h>
 
 #include "../random.h"
-#include "gjk/shape.h"
 #include "method.h"
 
 // One family. make: sets *placed where the pair is made for a gap.
 typedef struct bench_family {
   const char *name, *what;
-  unsigned asked;               // BENCH_ASK of each query; with a depth or contacts, all pairs intersect
-  unsigned vertices;            // of each shape; 0: they differ
-  const gjk_hull_faces *faces;  // of the hulls, or NULL
+  unsigned asked;     // BENCH_ASK of each query; with a depth or contacts, all pairs intersect
+  unsigned vertices;  // of each shape; 0: they differ
   void (*make)(const struct bench_family *family, random_state *random, struct case_pair *pair, int *placed);
 } bench_family;
 

@@ -11,7 +11,6 @@
 #define SIDES (GENERATE_SIDES_MAX - 2)
 
 static case_pair pair;
-static generate_faces faces_a, faces_b;
 static case_collider a, b;
 static char why[160];
 
@@ -55,19 +54,11 @@ static void check_truth(const gjk_distance_result *r) {
 }
 
 // Some hulls become prisms with faces.
-static bool make_prism(unsigned what, case_shape *shape, generate_faces *faces) {
+static void make_prism(unsigned what, case_shape *shape) {
   const unsigned sides = what & 7u;
-  if (shape->kind != CASE_HULL || sides == 0 || sides > SIDES) {
-    return false;
+  if (shape->kind == CASE_HULL && sides > 0 && sides <= SIDES) {
+    generate_prism(sides + 2, shape);
   }
-  generate_prism(sides + 2, shape, faces);
-  return true;
-}
-
-static bool build(case_collider *collider, const case_shape *shape, const generate_faces *faces) {
-  const bool built = case_collider_build(collider, shape, false) == GJK_OK;
-  collider->shape.faces = faces != NULL ? &faces->faces : NULL;
-  return built;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -76,12 +67,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz_bytes bytes = {data, data + size};
   fuzz_pair(&bytes, &pair);
   const uint8_t prisms = fuzz_u8(&bytes);
-  const bool prism_a = make_prism(prisms, &pair.a, &faces_a), prism_b = make_prism(prisms >> 4, &pair.b, &faces_b);
+  make_prism(prisms, &pair.a);
+  make_prism(prisms >> 4, &pair.b);
   if (getenv("GJK_FUZZ_PRINT") != NULL) {
     case_print(stdout, &pair);
     fflush(stdout);
   }
-  if (!build(&a, &pair.a, prism_a ? &faces_a : NULL) || !build(&b, &pair.b, prism_b ? &faces_b : NULL)) {
+  if (case_collider_build(&a, &pair.a, false) != GJK_OK || case_collider_build(&b, &pair.b, false) != GJK_OK) {
     return 0;
   }
   why[0] = '\0';

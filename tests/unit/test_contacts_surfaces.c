@@ -23,11 +23,10 @@ static const char *const kind_name[] = {"point", "segment",  "triangle", "box",
 static gjk_cell cells[CELLS];
 static const gjk_workspace workspace = {cells, CELLS};
 
-// What a shape of a case becomes: a hull is a prism, and has faces.
+// Hulls are prisms, and have faces.
 typedef struct subject {
   case_shape shape;
   case_collider collider;
-  generate_faces faces;
 } subject;
 
 typedef struct tally {
@@ -47,14 +46,12 @@ static void make_shape(random_state *random, case_kind kind, gjk_q16 reach, subj
   random_shape(random, kind == CASE_HULL ? CASE_BOX : kind, reach, &s->shape);
   s->shape.kind = kind;
   if (kind == CASE_HULL) {
-    generate_prism(3 + random_below(random, GENERATE_SIDES_MAX - 2), &s->shape, &s->faces);
+    generate_prism(3 + random_below(random, GENERATE_SIDES_MAX - 2), &s->shape);
   }
 }
 
 static bool build(subject *s) {
-  const bool built = case_collider_build(&s->collider, &s->shape, false) == GJK_OK;
-  s->collider.shape.faces = s->shape.kind == CASE_HULL ? &s->faces.faces : NULL;
-  return built;
+  return case_collider_build(&s->collider, &s->shape, false) == GJK_OK;
 }
 
 static gjk_quat axis_turn(random_state *random, gjk_q16 angle) {
