@@ -47,8 +47,8 @@ typedef struct bench_pair {
 
 typedef enum bench_decision { BENCH_APART, BENCH_TOGETHER, BENCH_UNDECIDED } bench_decision;
 
-// distance, lower, upper: LSB; minus the depth, that of the deepest contact. A method that proves no bounds leaves bounded
-// false.
+// distance, lower, upper: LSB; minus the depth, that of the deepest contact. A method that proves no bounds leaves
+// bounded false.
 typedef struct bench_answer {
   bench_decision decision;  // undecided: of a depth or contacts there is no answer
   bool bounded;

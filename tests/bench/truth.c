@@ -47,7 +47,8 @@ bool bench_find_distance(bench_pair *pair, char *why, size_t n) {
   return true;
 }
 
-// Of the real depth: by trying all directions; of cores that are apart by the feature that the certificate proves nearest.
+// Of the real depth: by trying all directions; of cores that are apart by the feature that the certificate proves
+// nearest.
 static bool find_exact(const bench_pair *pair, const gjk_certificate *certificate, bool thorough, double *depth) {
   const gjk_collider *a = &pair->a->collider, *b = &pair->b->collider;
   exact_plane plane;

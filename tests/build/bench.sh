@@ -45,8 +45,8 @@ about() {
   for peer in $peers; do
     echo ",,,about,,$peer $(pkg-config --modversion "$peer")"
   done
-  echo ",,,about,,Every method gets the same posed integers: gjk and the reference as they are; the others in units," \
-    "vertices about a centre, boxes as hulls of 8 points. Tolerances as each library sets them, margins 0 or the" \
+  echo ",,,about,,Every method gets the same posed integers: gjk and the reference as they are; the others in" \
+    "units, vertices about a centre, boxes as hulls of 8 points. Tolerances as each library sets them, margins 0 or the" \
     "rounding; Bullet's box-box gets boxes with right angles."
 }
 

@@ -51,7 +51,8 @@ fuzz() {
     }' "$build/$target.log"
 }
 
-# What the targets share, compiled once. The fuzzer looks at what the library and the reader of cases do, not the oracles.
+# What the targets share, compiled once. The fuzzer looks at what the library and the reader of cases do, not at the
+# oracles.
 mkdir -p "$build/objects"
 for source in tests/fuzz/bytes.c tests/fuzz/overlap.c tests/case/case.c tests/case/number.c tests/case/parse.c \
   tests/exact/*.c tests/generate/prism.c tests/scene/world.c tests/scene/session.c src/*.c; do

@@ -76,8 +76,8 @@ static const char *check_cache(const subject *s, gjk_cache *cache) {
   return s->certain && !exact_check_penetration(s->a, s->b, &r, s->why, s->n) ? "certificate with a cache" : NULL;
 }
 
-// So few cells that the answer may be bounds: they hold the depth, and the upper one parts the shapes. The cells end where
-// the memory does.
+// So few cells that the answer may be bounds: they hold the depth, and the upper one parts the shapes. The cells end
+// where the memory does.
 static const char *check_small(const subject *s, uint32_t count) {
   gjk_workspace small = {count > 0 ? malloc(count * sizeof(gjk_cell)) : NULL, count};
   gjk_penetration_result r;

@@ -4,9 +4,9 @@
 
 #include "bytes.h"
 
-// The answers to gjk_penetration, gjk_signed_distance and gjk_contacts: certificates by the exact oracle, by brute force
-// where the vertices are few, and what follows from the contracts. gap: gjk_distance's answer; bytes: a cache, workspace and
-// margin. Returns NULL, or what does not hold, with the reason in why.
+// The answers to gjk_penetration, gjk_signed_distance and gjk_contacts: certificates by the exact oracle, by brute
+// force where the vertices are few, and what follows from the contracts. gap: gjk_distance's answer; bytes: a cache,
+// workspace and margin. Returns NULL, or what does not hold, with the reason in why.
 const char *fuzz_check_overlap(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *gap,
                                fuzz_bytes *bytes, char *why, size_t n);
 

@@ -1,5 +1,5 @@
-// Bytes to a pair of shapes, queries and caches: every answer about polytopes must pass the exact oracle, and the answers
-// must agree. With GJK_FUZZ_PRINT set, the pair is shown first, as a case of the query tool.
+// Bytes to a pair of shapes, queries and caches: every answer about polytopes must pass the exact oracle, and the
+// answers must agree. With GJK_FUZZ_PRINT set, the pair is shown first, as a case of the query tool.
 #include <stdlib.h>
 
 #include "../exact/exact.h"

@@ -1,5 +1,5 @@
-// Bytes to operations on a scene: its reports against a search of all pairs, its block against its own check, also when the
-// block is damaged.
+// Bytes to operations on a scene: its reports against a search of all pairs, its block against its own check, also
+// when the block is damaged.
 #include <stdlib.h>
 #include <string.h>
 

@@ -19,8 +19,8 @@ typedef struct accurate_result {
 void accurate_distance(const case_pair *pair, const case_collider *a, const case_collider *b, accurate_result *out);
 
 // The same, below 0 when the shapes overlap: minus the bounds of the depth, found by an expanding polytope of at most
-// 256 vertices. It stops when the bounds are 1/16 LSB apart or when it is full. The normal is always set; a move of B by
-// -lower along it parts the shapes.
+// 256 vertices. It stops when the bounds are 1/16 LSB apart or when it is full. The normal is always set; a move of B
+// by -lower along it parts the shapes.
 void accurate_signed(const case_pair *pair, const case_collider *a, const case_collider *b, accurate_result *out);
 
 // How far the surfaces are apart along a direction from A to B: a lower bound of the distance, and minus an upper

@@ -11,8 +11,8 @@ typedef struct session {
   unsigned long updates, restores, begun;
 } session;
 
-// An empty world, which is also the one that is saved. False: out of memory, or the scene could not be made. s: zeroed, or
-// ended; the counts go on.
+// An empty world, which is also the one that is saved. False: out of memory, or the scene could not be made. s:
+// zeroed, or ended; the counts go on.
 bool session_start(session *s, const world_options *options);
 void session_end(session *s);
 

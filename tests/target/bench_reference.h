@@ -1,8 +1,8 @@
 // The reference as the benchmark runs it: posed shapes in the scalar type `real` of the including file, which also
 // names BENCH_SOLVER and the tolerances.
 //
-// The conversion to `real` is not measured: a program on floats would have its vertices in them. It answers depths where
-// BENCH_REFERENCE_DEPTH is defined: a polytope in double does not fit on the smallest board.
+// The conversion to `real` is not measured: a program on floats would have its vertices in them. It answers depths
+// where BENCH_REFERENCE_DEPTH is defined: a polytope in double does not fit on the smallest board.
 #ifndef BENCH_REFERENCE_H
 #define BENCH_REFERENCE_H
 

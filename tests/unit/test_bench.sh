@@ -34,7 +34,8 @@ for family in boxes hulls-8 hulls-32 hulls-128 hulls-512 near far slivers smalle
     done
   done
 done
-for family in overlap-boxes overlap-hulls-8 overlap-hulls-32 overlap-hulls-128 shallow concentric rounded crosses depths; do
+for family in overlap-boxes overlap-hulls-8 overlap-hulls-32 overlap-hulls-128 shallow concentric rounded crosses \
+  depths; do
   for measure in pairs wrong failed says_apart too_small too_large error_most time; do
     check "$family, depth, $measure" \
       holds "\$1 == \"$family\" && \$2 == \"depth\" && \$3 == \"gjk cold\" && \$4 == \"$measure\"" '$6 >= 0'

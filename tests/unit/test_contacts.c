@@ -92,7 +92,8 @@ static gjk_q16 least_of(const gjk_manifold *m) {
   return least;
 }
 
-// Of points that are 2 and 3 LSB above the depth one of the former is kept: the ends of a tilted coin, pressed into a disc.
+// Of points that are 2 and 3 LSB above the depth one of the former is kept: the ends of a tilted coin, pressed into a
+// disc.
 static void test_reduced_deepest(void) {
   static const gjk_shape coin = GJK_ROUNDED_CYLINDER(17695, 0, 212992), disc = GJK_ROUNDED_CONE(238960190, 0, 1966080);
   const gjk_pose tilted = {{10240, 7680, 0}, {13213, 10636, 0, GJK_Q30_ONE}};

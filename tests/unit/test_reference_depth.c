@@ -1,5 +1,5 @@
-// The reference's depths, in double and in float, judged by the exact answers: how often and how far the same method, in
-// the arithmetic of other libraries, is wrong.
+// The reference's depths, in double and in float, judged by the exact answers: how often and how far the same method,
+// in the arithmetic of other libraries, is wrong.
 #include <math.h>
 
 #include "../check.h"
@@ -70,7 +70,8 @@ static void judge(const case_pair *pair, const case_collider *a, const case_coll
     return;
   }
   const double grain = in->grain * ((double)a->collider.radius + b->collider.radius), error = -found.distance - depth;
-  // depth - 1 < exact depth <= depth; and the depth along any direction, the reference's too, is at least the exact one.
+  // depth - 1 < exact depth <= depth; and the depth along any direction, the reference's too, is at least the exact
+  // one.
   CHECK_MSG(error > -1.01 - grain, "%s: depth %.0f, but %s knows of %.3f", pair->id, depth, in->name, -found.distance);
   const double off = error > 0 ? error : error < -1 ? -1 - error : 0;
   t->depths += !(off <= 1 + grain);
