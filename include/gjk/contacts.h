@@ -41,9 +41,10 @@ typedef struct gjk_manifold {
 //            Everything else, a hull without faces too, meets in the one point of gjk_signed_distance, and so do shapes
 //            whose centres are more than 8192 units apart along an axis. That point always is one of them where it is
 //            nearer than all others.
-// Exact      which corners and edges meet. Points within 2 LSB of the surfaces, and distances within 2 LSB of their gap along
-//            the normal; the least distance within 2 LSB of that of gjk_signed_distance. Its point, where a shape is
-//            curved: as exact as its depth.
+// Exact      which corners and edges meet. Points within 2 LSB of the surfaces, and distances within 2 LSB of their gap
+//            along the normal; the least distance within 2 LSB of that of gjk_signed_distance. Its point: within 3 LSB of
+//            that gap, since a depth is rounded up, and 2^-28 of it, as the normal is; where a shape is curved as exact
+//            as its depth.
 // Cost       of gjk_signed_distance, and 8,000 to 20,000 instructions for faces; stack: `make sizes`.
 // Statuses   NULL, UNINITIALISED, NEGATIVE, RANGE, ITERATION_LIMIT. CAPACITY: the normal is that of the upper bound, and
 //            where it has but one point, that need not lie on the surfaces.

@@ -110,6 +110,22 @@ static void test_reduced_deepest(void) {
   }
 }
 
+static double along_normal(const gjk_manifold *m, const gjk_contact *c) {
+  return (((double)c->point_b.x - c->point_a.x) * m->normal.x + ((double)c->point_b.y - c->point_a.y) * m->normal.y +
+          ((double)c->point_b.z - c->point_a.z) * m->normal.z) /
+         1073741824.0;
+}
+
+// Two large balls: the points and the depth are rounded each on its own, together by more than 2 LSB.
+static void test_large_balls(void) {
+  static const gjk_q16 radius = 258961264;
+  static const gjk_shape ball = GJK_SPHERE(258961264);
+  const gjk_manifold m = meet(&ball, at(-radius, -radius, -radius), &ball, origin, 4);
+  CHECK(m.count == 1);
+  const double off = fabs(along_normal(&m, &m.contact[0]) - m.contact[0].distance);
+  CHECK_MSG(off > 2 && off < 3 + ldexp(fabs((double)m.contact[0].distance), -28), "%.3f LSB", off);
+}
+
 static void test_statuses(void) {
   gjk_collider a, b, blank = {0};
   gjk_manifold m, poison;
@@ -167,12 +183,6 @@ static double outside_box(const gjk_collider *c, const gjk_vec3 *p) {
     worst = along - half > worst ? along - half : worst;
   }
   return worst;
-}
-
-static double along_normal(const gjk_manifold *m, const gjk_contact *c) {
-  return (((double)c->point_b.x - c->point_a.x) * m->normal.x + ((double)c->point_b.y - c->point_a.y) * m->normal.y +
-          ((double)c->point_b.z - c->point_a.z) * m->normal.z) /
-         1073741824.0;
 }
 
 typedef struct tally {
@@ -280,6 +290,7 @@ int main(void) {
   test_edges();
   test_round_shapes();
   test_reduced_deepest();
+  test_large_balls();
   test_statuses();
   test_faces();
   test_random();
