@@ -75,7 +75,7 @@ status=0
 for target in "$@"; do
   case $target in
     cases) fuzz cases -close_fd_mask=2 -max_len=4096 || status=1 ;;
-    scene) fuzz scene -max_len=384 -len_control=0 || status=1 ;;
+    scene) fuzz scene -max_len=192 -len_control=10 || status=1 ;;
     *) fuzz "$target" -max_len=2048 || status=1 ;;
   esac
 done
