@@ -84,14 +84,6 @@ static void test_round_shapes(void) {
   CHECK(m.count == 1 && is_near(m.contact[0].distance, -36, 4));
 }
 
-static gjk_q16 least_of(const gjk_manifold *m) {
-  gjk_q16 least = GJK_DISTANCE_MAX;
-  for (unsigned i = 0; i < m->count; i++) {
-    least = m->contact[i].distance < least ? m->contact[i].distance : least;
-  }
-  return least;
-}
-
 // Of points that are 2 and 3 LSB above the depth one of the former is kept: the ends of a tilted coin, pressed into a
 // disc.
 static void test_reduced_deepest(void) {
