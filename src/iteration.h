@@ -44,12 +44,13 @@ static inline bool gjk_goal_nears(gjk_goal goal) {
 
 typedef struct gjk_iteration {
   const gjk_collider *a, *b;
-  int32_t radius;                 // what counts as near, in the frame of the pair
+  int32_t radius;  // what counts as near, in the frame of the pair
   int8_t shift;
   uint8_t rounds;
   uint8_t limit;          // on rounds; GJK_ITERATIONS_MAX from the start
   gjk_rounded direction;  // of the last support
-  bool (*curved)(const gjk_vec3 *, const gjk_vec3 *, const gjk_vec3 *, int);  // of one of the two that has no vertices; NULL: both have
+  // Of one of the two that has no vertices, see gjk_shape_class.stalls; NULL: both have.
+  bool (*curved)(const gjk_vec3 *, const gjk_vec3 *, const gjk_vec3 *, int);
   gjk_simplex simplex;
 } gjk_iteration;
 
