@@ -188,19 +188,14 @@ static void bound_by_face(gjk_iteration *it, gjk_facet *facet) {
   gjk_simplex *s = &it->simplex;
   gjk_vertex corner[3];
   gjk_long3 n;
+  // The fourth vertex was added strictly beyond the others, along their normal: outwards is the other way.
   for (int i = 0; i < 3; i++) {
-    corner[i] = *gjk_simplex_vertex(s, i);
+    corner[i] = *gjk_simplex_vertex(s, i == 0 ? 0 : 3 - i);
   }
-  const gjk_vec3 inwards = gjk_sub(gjk_simplex_vertex(s, 3)->w, corner[0].w);
   normal_of(s, &n);
-  // not reached: outwards already: the last vertex was added beyond the others, along their normal
-  if (gjk_dot_sign(&n, &inwards) > 0) {
-    n.x = -n.x;
-    n.y = -n.y;
-    n.z = -n.z;
-    corner[1] = corner[2];
-    corner[2] = *gjk_simplex_vertex(s, 1);
-  }
+  n.x = -n.x;
+  n.y = -n.y;
+  n.z = -n.z;
   s->count = 3;
   support_beyond(it, &n, &corner[0].w);
   const gjk_q16 reached = upper_bound(it, &gjk_simplex_free(s)->w);

@@ -62,7 +62,8 @@ static bool sees(const gjk_polytope *p, const struct gjk_cell_face *f, const gjk
 }
 
 bool gjk_polytope_start(gjk_polytope *p, const gjk_workspace *workspace, const gjk_simplex *tetrahedron, bool curved) {
-  // Face i leaves out vertex i; across its edges lie the faces that leave out the third corner of each.
+  // Face i leaves out vertex i; across its edges lie the faces that leave out the third corner of each. They look outwards:
+  // vertex 3 was added strictly beyond the others, along their normal.
   static const uint8_t corner[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   p->stride = curved ? 2 : 1;
   p->vertices = 0;
@@ -75,17 +76,10 @@ bool gjk_polytope_start(gjk_polytope *p, const gjk_workspace *workspace, const g
   for (int i = 0; i < 4; i++) {
     store(p, &tetrahedron->slot[tetrahedron->order[i]]);
   }
-  // Outwards when vertex 0 lies behind face 0; otherwise all corners go around the other way.
-  const uint16_t first[3] = {1, 2, 3};
-  gjk_long3 n;
-  gjk_polytope_normal(p, first, &n);
-  const gjk_vec3 step = gjk_sub(*gjk_polytope_vertex(p, 0), *gjk_polytope_vertex(p, 1));
-  // not reached: 2: the last vertex was added beyond the others, along their normal
-  const unsigned second = gjk_dot_sign(&n, &step) < 0 ? 1 : 2, third = 3 - second;
   for (uint16_t i = 0; i < 4; i++) {
     const uint8_t *c = corner[i];
     struct gjk_cell_face *f = gjk_polytope_face(p, i);
-    set_face(p, i, c[0], c[second], c[third]);
+    set_face(p, i, c[0], c[1], c[2]);
     f->neighbour[0] = f->corner[2];
     f->neighbour[1] = f->corner[0];
     f->neighbour[2] = f->corner[1];
