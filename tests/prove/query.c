@@ -9,6 +9,12 @@
 #define DISTANCE 3
 #define CHECK_DECISION 4
 #define CHECK_DISTANCE 5
+#define UNTIL 6
+#define PENETRATION 7
+#define AXES 8
+#define SIGNED 9
+#define CHECK_PENETRATION 10
+#define CONTACTS 11
 
 static bool any_offset(gjk_vec3 *offset) {
   if (any_bool()) {
@@ -51,10 +57,14 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
 }
 
 static const gjk_shape_class polytope = {measure, pose, support, refine, vertex, false, 0};
+static const gjk_shape_class axes = {measure, pose, support, refine, vertex, false, 0, GJK_KIND_AXES};
 static const gjk_shape_class curved = {measure, pose, curved_support, NULL, NULL, false, 0};
 
 static void any_collider(gjk_collider *c, gjk_shape *shape, bool has_vertices) {
-  shape->type = has_vertices ? &polytope : &curved;
+  shape->type = has_vertices ? (CASE == AXES ? &axes : &polytope) : &curved;
+  for (int i = 0; i < 3; i++) {
+    c->frame[i] = any_vec3(ANY_OFFSET);
+  }
   shape->round = any_between(0, GJK_RADIUS_MAX);
   c->shape = shape;
   c->centre = any_position();
@@ -69,7 +79,9 @@ static void any_certificate(gjk_certificate *certificate) {
     certificate->a[i] = any_uint16();
     certificate->b[i] = any_uint16();
   }
-  certificate->count = (uint8_t)any_between(0, UINT8_MAX);
+  const int32_t count = any_between(0, 5);
+  //@ split count;
+  certificate->count = (uint8_t)(count < 5 ? count : any_between(5, UINT8_MAX));
   certificate->proof = (uint8_t)any_between(0, UINT8_MAX);
 }
 
@@ -84,36 +96,71 @@ static void any_cache(gjk_cache *cache) {
   }
 }
 
+static void any_axes(gjk_collider *c) {
+  const int32_t count = any_between(0, 2);
+  //@ split count;
+  c->count = (uint16_t)(count < 2 ? count : 3);
+}
+
+static void any_workspace(gjk_workspace *workspace) {
+  static gjk_cell cells[1];
+  workspace->cells = any_bool() ? cells : NULL;
+  workspace->count = (uint32_t)any_int32();
+}
+
+static void ask(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache) {
+  gjk_decision decision;
+  gjk_distance_result distance;
+  gjk_penetration_result penetration;
+  gjk_manifold manifold;
+  gjk_workspace workspace;
+  any_workspace(&workspace);
+#if CASE == INTERSECT
+  (void)gjk_intersect(a, b, cache, &decision);
+#elif CASE == WITHIN
+  (void)gjk_within(a, b, any_int32(), cache, &decision);
+#elif CASE == DISTANCE
+  (void)gjk_distance(a, b, cache, &distance);
+#elif CASE == UNTIL
+  const gjk_effort effort = {(uint8_t)any_between(0, UINT8_MAX), any_int32()};
+  (void)gjk_distance_until(a, b, &effort, cache, &distance);
+#elif CASE == PENETRATION || CASE == AXES
+  (void)gjk_penetration(a, b, cache, &workspace, &penetration);
+#elif CASE == SIGNED
+  (void)gjk_signed_distance(a, b, cache, &workspace, &distance);
+#elif CASE == CONTACTS
+  (void)gjk_contacts(a, b, any_int32(), (unsigned)any_int32(), cache, &workspace, &manifold);
+#elif CASE == CHECK_DECISION
+  any_certificate(&decision.certificate);
+  decision.yes = any_bool();
+  (void)gjk_check_decision(a, b, any_int32(), &decision);
+#elif CASE == CHECK_DISTANCE
+  any_certificate(&distance.certificate);
+  distance.intersecting = any_bool();
+  distance.distance = any_int32();
+  (void)gjk_check_distance(a, b, &distance);
+#else
+  any_certificate(&penetration.certificate);
+  penetration.intersecting = any_bool();
+  penetration.depth = any_int32();
+  (void)gjk_check_penetration(a, b, &penetration);
+#endif
+}
+
 int main(void) {
   gjk_shape shapes[2] = {0};
   gjk_collider a = {0}, b = {0};
   gjk_cache cache;
-  const unsigned kinds = (unsigned)any_between(0, 3), warm = (unsigned)any_between(0, 1);
+  const unsigned kinds = (unsigned)any_between(CASE == AXES ? 3 : 0, 3), warm = (unsigned)any_between(0, 1);
   //@ split kinds;
   any_collider(&a, &shapes[0], (kinds & 1u) != 0);
   any_collider(&b, &shapes[1], (kinds & 2u) != 0);
+#if CASE == AXES
+  any_axes(&a);
+  any_axes(&b);
+#endif
   any_cache(&cache);
   //@ split warm;
-#if CASE == INTERSECT
-  gjk_decision decision;
-  (void)gjk_intersect(&a, &b, warm != 0 ? &cache : NULL, &decision);
-#elif CASE == WITHIN
-  gjk_decision decision;
-  (void)gjk_within(&a, &b, any_int32(), warm != 0 ? &cache : NULL, &decision);
-#elif CASE == DISTANCE
-  gjk_distance_result result;
-  (void)gjk_distance(&a, &b, warm != 0 ? &cache : NULL, &result);
-#elif CASE == CHECK_DECISION
-  gjk_decision decision;
-  any_certificate(&decision.certificate);
-  decision.yes = any_bool();
-  (void)gjk_check_decision(&a, &b, any_int32(), &decision);
-#else
-  gjk_distance_result result;
-  any_certificate(&result.certificate);
-  result.intersecting = any_bool();
-  result.distance = any_int32();
-  (void)gjk_check_distance(&a, &b, &result);
-#endif
+  ask(&a, &b, warm != 0 ? &cache : NULL);
   return 0;
 }
