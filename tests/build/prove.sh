@@ -12,9 +12,10 @@ dir=$build/prove
 shift
 
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
-QUERY_LEVELS=gjk_iteration_run:4,warm_start:1000,gjk_iteration_start:500,set_frame:500,set_usual_frame:500,main:500,\
-none_before:100,is_nearest:100,load:100,is_facet:100,decide:100,gjk_distance:100,gjk_check_decision:100,gjk_check_distance:100,longer_than:100,far_shift:100
-QUERY_RETURNS=gjk_iteration_start:0,set_frame:0,set_usual_frame:0,longer_than:0
+QUERY_LEVELS=main:200,ask:200,gjk_penetration:100,gjk_signed_distance:100,report:100
+ITERATION_LEVELS=gjk_iteration_run:4,warm_start:1000,gjk_iteration_start:500,set_frame:500,set_usual_frame:500,main:500,\
+longer_than:100,far_shift:100,run:500
+ITERATION_RETURNS=gjk_iteration_start:0,set_frame:0,set_usual_frame:0,longer_than:0
 SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
 
 cases() {
@@ -26,7 +27,11 @@ cases() {
   for count in 0 1 2 3 4; do
     echo simplex-$count
   done
-  for query in INTERSECT WITHIN DISTANCE UNTIL PENETRATION AXES SIGNED CONTACTS CHECK_DECISION CHECK_DISTANCE \
+  for goal in DISTANCE WITHIN DEPTH SIGNED; do
+    echo iteration-GJK_GOAL_$goal
+  done
+  echo zonotope-x
+  for query in INTERSECT WITHIN DISTANCE UNTIL PENETRATION SIGNED CONTACTS CHECK_DECISION CHECK_DISTANCE \
     CHECK_PENETRATION; do
     echo query-$query
   done
@@ -75,18 +80,26 @@ prove_one() {
     int16) machine=gcc_x86_16 defines="$defines -DGJK_NARROW_MULTIPLY=1" ;;
     *) machine=gcc_x86_32 ;;
   esac
-  contracts='-eva-use-spec gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_reciprocal_root,gjk_unit'
+  models=
+  contracts='-eva-use-spec gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,reciprocal,gjk_reciprocal_root,gjk_unit'
   case $driver in
     primitives) contracts= && set -- "$1" -eva-slevel 200 ;;
+    zonotope) models='simplex iteration' && set -- "$1" -eva-slevel 300 ;;
     query)
-      sources=$(echo src/*.c | sed 's|src/simplex.c||; s|src/polytope.c||; s|src/contact_polygon.c||')
-      sources="$sources tests/prove/simplex_model.c tests/prove/polytope_model.c tests/prove/contact_polygon_model.c"
-      set -- "$1" -eva-slevel 10 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits \
-        -eva-split-return-function "$QUERY_RETURNS"
+      models='simplex polytope contact_polygon iteration'
+      set -- "$1" -eva-slevel 20 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits
+      ;;
+    iteration)
+      models=simplex
+      set -- "$1" -eva-slevel 10 -eva-slevel-function "$ITERATION_LEVELS" -eva-interprocedural-splits \
+        -eva-split-return-function "$ITERATION_RETURNS"
       ;;
     simplex) set -- "$1" -eva-slevel 12 -eva-slevel-function "$SIMPLEX_LEVELS" ;;
     *) set -- "$1" -eva-slevel 200 ;;
   esac
+  for model in $models; do
+    sources="$(echo "$sources" | sed "s|src/$model\.c||") tests/prove/${model}_model.c"
+  done
   name=$1
   shift
   start=$(date +%s)

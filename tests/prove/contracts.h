@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "gjk/format.h"
+#include "vector.h"
 
 /*@ requires fits_x: -0x7fffffff <= a.x - b.x <= 0x7fffffff;
     requires fits_y: -0x7fffffff <= a.y - b.y <= 0x7fffffff;
@@ -69,6 +70,24 @@ static inline int64_t gjk_mac32(int64_t sum, int32_t a, int32_t b);
     ensures a == b ==> \result >= 0;
     ensures a == b && (a->x != 0 || a->y != 0 || a->z != 0) ==> \result > 0; */
 static inline int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b);
+
+/*@ requires set_a: \initialized(&a->x) && \initialized(&a->y) && \initialized(&a->z);
+    requires set_b: \initialized(&b->x) && \initialized(&b->y) && \initialized(&b->z);
+    requires fits_x: -0x4000000000000000 <= a->y * b->z - a->z * b->y <= 0x4000000000000000;
+    requires fits_y: -0x4000000000000000 <= a->z * b->x - a->x * b->z <= 0x4000000000000000;
+    requires fits_z: -0x4000000000000000 <= a->x * b->y - a->y * b->x <= 0x4000000000000000;
+    requires negates: a->x > -0x80000000 && a->y > -0x80000000 && a->z > -0x80000000;
+    assigns out->x, out->y, out->z \from *a, *b;
+    ensures \initialized(&out->x) && \initialized(&out->y) && \initialized(&out->z);
+    ensures out->x == a->y * b->z - a->z * b->y && -0x4000000000000000 <= out->x <= 0x4000000000000000;
+    ensures out->y == a->z * b->x - a->x * b->z && -0x4000000000000000 <= out->y <= 0x4000000000000000;
+    ensures out->z == a->x * b->y - a->y * b->x && -0x4000000000000000 <= out->z <= 0x4000000000000000; */
+static inline void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out);
+
+/*@ requires normal: x >= 0x80000000;
+    assigns \result \from x;
+    ensures 0x7fffffff <= \result; */
+static uint32_t reciprocal(uint32_t x);
 
 // A root of x / 2^30 from 1 to 4: 2^46 / sqrt(x).
 /*@ requires normal: x >= 0x40000000;

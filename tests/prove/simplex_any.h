@@ -31,6 +31,11 @@ static void any_normal(gjk_long3 *n) {
   n->z = any_long(ANY_NORMAL);
 }
 
+// A direction of a support, by how many vertices have led to it: of a vertex as long as that, of others rounded.
+static gjk_vec3 any_direction(unsigned count) {
+  return any_vec3(count == 1 ? ANY_W : INT32_C(1) << 30);
+}
+
 static void check_size(int64_t x, int64_t size) {
   //@ assert x >= -size && x <= size;
 }

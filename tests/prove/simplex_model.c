@@ -60,7 +60,7 @@ bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
 
 bool gjk_simplex_direction(const gjk_simplex *s, gjk_rounded *out) {
   //@ assert s->count >= 1 && s->count <= 3;
-  out->d = any_vec3(ANY_W);
+  out->d = any_direction(s->count);
   out->exact = any_bool();
   return any_bool();
 }
