@@ -11,7 +11,6 @@
 #define PENETRATION 7
 #define SIGNED 8
 #define CHECK_PENETRATION 9
-#define CONTACTS 10
 
 static void any_certificate(gjk_certificate *certificate) {
   certificate->direction = any_position();
@@ -35,7 +34,6 @@ static void ask(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache) 
   gjk_decision decision;
   gjk_distance_result distance;
   gjk_penetration_result penetration;
-  gjk_manifold manifold;
   gjk_workspace workspace;
   any_workspace(&workspace);
 #if CASE == INTERSECT
@@ -51,8 +49,6 @@ static void ask(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache) 
   (void)gjk_penetration(a, b, cache, &workspace, &penetration);
 #elif CASE == SIGNED
   (void)gjk_signed_distance(a, b, cache, &workspace, &distance);
-#elif CASE == CONTACTS
-  (void)gjk_contacts(a, b, any_int32(), (unsigned)any_int32(), cache, &workspace, &manifold);
 #elif CASE == CHECK_DECISION
   any_certificate(&decision.certificate);
   decision.yes = any_bool();
