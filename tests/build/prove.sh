@@ -12,7 +12,8 @@ dir=$build/prove
 shift
 
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
-QUERY_LEVELS=main:200,ask:200,gjk_penetration:100,gjk_signed_distance:100,report:100
+QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:100,gjk_signed_distance:100,report:100,gjk_distance:200,run:200,narrow:200,\
+gjk_distance_until:100,gjk_distance_report:100,stop_early:100,load:100,is_nearest:100,is_facet:100,none_before:100
 ITERATION_LEVELS=gjk_iteration_run:4,warm_start:1000,gjk_iteration_start:500,set_frame:500,set_usual_frame:500,main:500,\
 longer_than:100,far_shift:100,run:500
 ITERATION_RETURNS=gjk_iteration_start:0,set_frame:0,set_usual_frame:0,longer_than:0
@@ -91,7 +92,7 @@ prove_one() {
     witness) models=simplex && set -- "$1" -eva-slevel 200 ;;
     query)
       models='simplex polytope iteration witness zonotope'
-      set -- "$1" -eva-slevel 20 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits
+      set -- "$1" -eva-slevel 50 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits
       ;;
     iteration)
       models=simplex

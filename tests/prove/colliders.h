@@ -30,7 +30,7 @@ static void any_curved_support(const gjk_collider *c, const gjk_vec3 *d, bool ex
 }
 
 static bool any_refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
-                   gjk_support *at) {
+                       gjk_support *at) {
   check_vec3(d, ANY_W);
   at->vertex = any_uint16();
   return any_offset(&at->offset);

@@ -42,15 +42,19 @@ void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_supp
 }
 
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
+  gjk_simplex *s = &it->simplex;
   gjk_outcome outcome = (gjk_outcome)any_between(GJK_OUTCOME_NEAREST, GJK_OUTCOME_LIMIT);
+  int32_t count = any_between(1, 4);
   if ((outcome == GJK_OUTCOME_SEPARATED && !gjk_goal_separates(goal)) ||
       (outcome == GJK_OUTCOME_NEAR && !gjk_goal_nears(goal))) {
     outcome = GJK_OUTCOME_NEAREST;
   }
-  gjk_simplex *s = &it->simplex;
   //@ split outcome;
-  s->count = (uint8_t)any_between(1, outcome == GJK_OUTCOME_ENCLOSING ? 4 : 3);
-  //@ split s->count;
+  if (outcome != GJK_OUTCOME_ENCLOSING && count == 4) {
+    count = 3;
+  }
+  //@ split count;
+  s->count = (uint8_t)count;
   for (unsigned i = 0; i < s->count; i++) {
     any_vertex(&s->slot[s->order[i]]);
   }
