@@ -84,24 +84,26 @@ static inline int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b);
     ensures out->z == a->x * b->y - a->y * b->x && -0x4000000000000000 <= out->z <= 0x4000000000000000; */
 static inline void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out);
 
+// Shown for every x by tests/prove/exhaust.c: 2^63 / x.
 /*@ requires normal: x >= 0x80000000;
     assigns \result \from x;
     ensures 0x7fffffff <= \result; */
 static uint32_t reciprocal(uint32_t x);
 
-// A root of x / 2^30 from 1 to 4: 2^46 / sqrt(x).
+// Shown for every x by tests/prove/exhaust.c: 2^46 / sqrt(x).
 /*@ requires normal: x >= 0x40000000;
     assigns \result \from x;
     ensures 0x3fffffff <= \result <= 0x7fffffff; */
 uint32_t gjk_reciprocal_root(uint32_t x);
 
+// Its root is at most 3/2 too large, so that a component is at most 1 too large; the assertion beside the code checks it.
 /*@ requires set: \initialized(&d->x) && \initialized(&d->y) && \initialized(&d->z);
     requires fits: d->x * d->x + d->y * d->y + d->z * d->z <= 0x3fffffffffffffff;
     requires nonzero: d->x != 0 || d->y != 0 || d->z != 0;
     assigns \result \from *d;
-    ensures -0x40000000 <= \result.x <= 0x40000000;
-    ensures -0x40000000 <= \result.y <= 0x40000000;
-    ensures -0x40000000 <= \result.z <= 0x40000000; */
+    ensures -0x40000001 <= \result.x <= 0x40000001;
+    ensures -0x40000001 <= \result.y <= 0x40000001;
+    ensures -0x40000001 <= \result.z <= 0x40000001; */
 gjk_unit3 gjk_unit(const gjk_vec3 *d);
 
 #endif

@@ -13,6 +13,8 @@
 #define ANY_SQUARE (INT64_C(9) << 58)
 #define ANY_TOWARD (INT64_C(1) << 61)
 #define ANY_NORMAL (INT64_C(1) << 62)
+// A component of a unit vector of src/unit.h.
+#define ANY_UNIT (GJK_Q30_ONE + 1)
 
 static int64_t any_long(int64_t size) {
   return Frama_C_long_long_interval(-size, size);

@@ -19,7 +19,7 @@ int main(void) {
   for (int i = 0; i < CASE; i++) {
     any_vertex(&it.simplex.slot[i]);
   }
-  const gjk_vec3 u = any_vec3(GJK_Q30_ONE);
+  const gjk_vec3 u = any_vec3(ANY_UNIT);
   const gjk_unit3 normal = {u.x, u.y, u.z};
   gjk_witness_points(&it, &normal, &points[0], &points[1], &saturated);
   return 0;

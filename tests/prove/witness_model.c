@@ -10,9 +10,9 @@ void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_ve
   for (unsigned i = 0; i < s->count; i++) {
     check_vertex(&s->slot[s->order[i]]);
   }
-  check_size(normal->x, GJK_Q30_ONE);
-  check_size(normal->y, GJK_Q30_ONE);
-  check_size(normal->z, GJK_Q30_ONE);
+  check_size(normal->x, ANY_UNIT);
+  check_size(normal->y, ANY_UNIT);
+  check_size(normal->z, ANY_UNIT);
   *point_a = any_position();
   *point_b = any_position();
   if (any_bool()) {

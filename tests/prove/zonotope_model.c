@@ -13,9 +13,9 @@ static void any_facet(gjk_facet *facet) {
   }
   facet->direction.d = any_direction(3);
   facet->direction.exact = any_bool();
-  facet->normal.x = any_between(-GJK_Q30_ONE, GJK_Q30_ONE);
-  facet->normal.y = any_between(-GJK_Q30_ONE, GJK_Q30_ONE);
-  facet->normal.z = any_between(-GJK_Q30_ONE, GJK_Q30_ONE);
+  facet->normal.x = any_between(-ANY_UNIT, ANY_UNIT);
+  facet->normal.y = any_between(-ANY_UNIT, ANY_UNIT);
+  facet->normal.z = any_between(-ANY_UNIT, ANY_UNIT);
   facet->rank = (uint32_t)any_int32();
   facet->depth = any_between(0, INT32_C(1) << 30);
   facet->covers = any_bool();
