@@ -148,7 +148,7 @@ for run in "$@"; do
   check "$run: nothing but what is assumed" sh -c "grep -q '^$run: 0 alarms' '$dir/report'"
 done
 if [ -n "$all" ]; then
-  check 'what is assumed holds as it runs' nice sh tests/build/bounds.sh "$build" 100000 1
+  check 'what is assumed holds as it runs' nice sh tests/build/bounds.sh "$build" 20000 1
   grep -v '^#' tests/prove/assumed.txt | grep . | sort -u >"$dir/assumed"
   cat "$dir"/*.open | sort -u >"$dir/needed"
   check 'every assumption is needed' sh -c "! comm -23 '$dir/assumed' '$dir/needed' | grep ."
