@@ -218,6 +218,7 @@ gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, c
   if (it.curved != NULL) {  // near enough for the unscaled frame they are: the bounding spheres meet
     return GJK_ERROR_UNSUPPORTED;
   }
+  //@ assert it.shift >= 0;
   bool proven = false;
   if (!result->intersecting) {
     proven = is_apart(&it, certificate, radius);

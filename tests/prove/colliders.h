@@ -47,8 +47,18 @@ static gjk_status any_measure(const gjk_shape *shape, gjk_extent *out) {
   return GJK_ERROR_NULL;
 }
 
-static const gjk_shape_class polytope = {any_measure, keep_pose, any_support, any_refine, any_vertex_of, false, 0};
-static const gjk_shape_class curved = {any_measure, keep_pose, any_curved_support, NULL, NULL, false, 0};
+static bool any_stalls(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift) {
+  check_vec3(d, ANY_W);
+  check_vec3(from, ANY_W);
+  check_vec3(to, ANY_W);
+  //@ assert shift >= -3 && shift <= 29;
+  return any_bool();
+}
+
+static const gjk_shape_class polytope = {any_measure, keep_pose, any_support, any_refine,     any_vertex_of,
+                                         NULL,        false,     0,           GJK_KIND_SMOOTH};
+static const gjk_shape_class curved = {any_measure, keep_pose, any_curved_support, NULL, NULL, any_stalls,
+                                       false,       0,         GJK_KIND_SMOOTH};
 
 static void any_collider(gjk_collider *c, gjk_shape *shape, const gjk_shape_class *type) {
   shape->type = type;

@@ -14,7 +14,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   it->shift = (int8_t)any_between(-3, 29);
   it->rounds = 0;
   it->limit = GJK_ITERATIONS_MAX;
-  it->curved = a->shape->type->vertex == NULL || b->shape->type->vertex == NULL;
+  it->curved = a->shape->type->stalls != NULL ? a->shape->type->stalls : b->shape->type->stalls;
   gjk_simplex_clear(&it->simplex);
   return true;
 }
