@@ -36,7 +36,9 @@ static bool next(visit *v, gjk_vec3 *offset) {
 static bool none_before(const gjk_collider *c, const gjk_direction *direction, bool negated, uint16_t origin) {
   gjk_vec3 base, offset;
   visit v = {c, 0};
-  (void)c->shape->type->vertex(c, origin, &base);
+  const bool exists = c->shape->type->vertex(c, origin, &base);
+  //@ assert exists;
+  (void)exists;
   while (next(&v, &offset)) {  // at most GJK_HULL_VERTICES_MAX vertices
     const gjk_vec3 step = gjk_sub(offset, base);
     const int side = gjk_direction_sign(direction, &step);
@@ -216,6 +218,7 @@ gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, c
   if (it.curved != NULL) {  // near enough for the unscaled frame they are: the bounding spheres meet
     return GJK_ERROR_UNSUPPORTED;
   }
+  //@ assert it.shift >= 0;
   bool proven = false;
   if (!result->intersecting) {
     proven = is_apart(&it, certificate, radius);

@@ -221,6 +221,7 @@ gjk_expansion gjk_expand(gjk_iteration *it, const gjk_workspace *workspace, gjk_
     return GJK_EXPANSION_FULL;
   }
   expansion = expand(it, &p, facet, lower, rounds);
+  //@ assert facet->found;
   // not reached: lower > depth: the polytope lies within A - B, and the errors of curved supports are added on both sides
   if (expansion == GJK_EXPANSION_FACET || *lower > facet->depth) {
     *lower = least_depth(it, facet);

@@ -22,6 +22,7 @@ uint32_t gjk_rank(int64_t along, int64_t squared) {
   }
   const unsigned n = gjk_clz64((uint64_t)along), m = gjk_clz64((uint64_t)squared);
   const uint32_t top = (uint32_t)((uint64_t)along << n >> 48), bottom = (uint32_t)((uint64_t)squared << m >> 48);
+  //@ assert top >= 0x8000 && bottom >= 0x8000;
   // From 2^14 to below 2^17.
   const uint32_t quotient = top * top / bottom;
   const unsigned zeros = gjk_clz32(quotient);
@@ -65,6 +66,7 @@ static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, con
   }
   while (low < high) {  // at most 11 apart, so 4 times
     const gjk_q16 middle = low + (high - low) / 2;
+    //@ assert middle >= low && middle < high;
     if (gjk_compare_distance(&numerator, &denominator, (uint64_t)middle << (it->shift + 1)) > 0) {
       low = middle + 1;
     } else {

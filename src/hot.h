@@ -11,6 +11,9 @@ GJK_HOT void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
   out->x = gjk_mac32(gjk_mul32(a->y, b->z), -a->z, b->y);
   out->y = gjk_mac32(gjk_mul32(a->z, b->x), -a->x, b->z);
   out->z = gjk_mac32(gjk_mul32(a->x, b->y), -a->y, b->x);
+  //@ assert out->x >= -(INT64_C(1) << 62) && out->x <= INT64_C(1) << 62;
+  //@ assert out->y >= -(INT64_C(1) << 62) && out->y <= INT64_C(1) << 62;
+  //@ assert out->z >= -(INT64_C(1) << 62) && out->z <= INT64_C(1) << 62;
 }
 
 // The sign of n . v, settled from the high words of n wherever they suffice: n . v / 2^32 differs from h by less than

@@ -144,11 +144,13 @@ static void measure_gap(overlap *o, int64_t plane) {
   const unsigned n = (unsigned)(30 + it->shift);
   int64_t low = plane > GJK_PLANE_ERROR ? gjk_sar64(plane - GJK_PLANE_ERROR, n) : 0;
   int64_t high = gjk_sar64(plane + GJK_PLANE_ERROR, n);
+  //@ assert low >= 0 && low <= INT64_C(1) << 30 && high <= INT64_C(1) << 30;
   if (low < high) {
     gjk_limbs numerator, denominator;
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
     while (low < high) {  // at most 17 apart, so 5 times
       const int64_t middle = low + (high - low + 1) / 2;
+      //@ assert middle > low && middle <= high;
       if (gjk_compare_distance(&numerator, &denominator, (uint64_t)middle << (it->shift + 1)) >= 0) {
         low = middle;
       } else {
@@ -266,6 +268,7 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
     gjk_iteration_certify(it, outcome, &out->certificate);
     return GJK_OK;
   }
+  //@ assert it->shift >= 0;
   return report(&o, outcome, plane, workspace, out);
 }
 
@@ -305,6 +308,7 @@ gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk
       return GJK_OK;
     }
   }
+  //@ assert it->shift >= 0;
   const gjk_status measured = report(&o, outcome, plane, workspace, &overlapping);
   report_signed(&overlapping, out);
   return measured;

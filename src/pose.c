@@ -36,6 +36,7 @@ gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out) {
     const uint32_t size = gjk_magnitude32(component[i]) << up;
     quarter += gjk_umul32(size, size) >> 2;
   }
+  //@ assert quarter >= UINT64_C(1) << 60;
   const unsigned zeros = gjk_clz64(quarter) & ~1u;  // 0 or 2
   // 2^46 sqrt(2^32) / sqrt(quarter 2^zeros) = 2^(63 - zeros / 2) / |q 2^up|, within 2^-29.4 of itself.
   const uint32_t root = gjk_reciprocal_root((uint32_t)((quarter << zeros) >> 32));
@@ -45,7 +46,9 @@ gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out) {
     p[i] = gjk_umul32(gjk_magnitude32(component[i]) << up, root) >> down;
   }
   // p is a unit in Q60 but for that error, which goes here: 1 - 1 / sqrt(1 + e) = e / 2 - ..., Q46, below 2^18.
-  const int32_t excess = (int32_t)gjk_sar64(excess_q60(p), 15);
+  const int64_t off = excess_q60(p);
+  //@ assert off >= -(INT64_C(1) << 33) && off <= INT64_C(1) << 33;
+  const int32_t excess = (int32_t)gjk_sar64(off, 15);
   int32_t unit[4];
   for (int i = 0; i < 4; i++) {
     const gjk_q30 size = gjk_corrected_q30((int64_t)p[i], excess);
@@ -154,18 +157,18 @@ gjk_status gjk_pose_invert(const gjk_pose *p, gjk_pose *out) {
   if (p == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
-  gjk_quat opposite;
   gjk_vec3 rows[3];
   int64_t back[3];
-  gjk_status status = gjk_quat_invert(&p->rotation, &opposite);
-  if (status != GJK_OK) {
-    return status;
+  if (!gjk_rotation_from_quat(&p->rotation, rows)) {
+    return GJK_ERROR_ROTATION;
   }
-  (void)gjk_rotation_from_quat(&opposite, rows);  // as much a unit as p's
-  gjk_rotate_wide(rows, &p->position, back);
+  // The rows of the inverse are the columns.
+  const gjk_vec3 inverse[3] = {
+      {rows[0].x, rows[1].x, rows[2].x}, {rows[0].y, rows[1].y, rows[2].y}, {rows[0].z, rows[1].z, rows[2].z}};
+  gjk_rotate_wide(inverse, &p->position, back);
   for (int i = 0; i < 3; i++) {
     back[i] = -back[i];
   }
-  status = store(back, &out->position);
+  const gjk_status status = store(back, &out->position);
   return status == GJK_OK ? gjk_quat_invert(&p->rotation, &out->rotation) : status;
 }

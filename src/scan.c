@@ -56,6 +56,7 @@ gjk_farthest gjk_scan(const gjk_vec3 *vertices, uint32_t n, unsigned bits, const
     const gjk_vec3 *first = vertices;
     while (gjk_coarse_dot(&c, first) < limit) {  // ends at best or before
       first++;
+      //@ assert first <= best;
     }
     return scan_candidates(vertices, first, end, d, (int64_t)slack * 4, &c, limit);
   }

@@ -67,9 +67,6 @@ static void set_normal(gjk_simplex *s, unsigned x, unsigned y, unsigned w) {
   const gjk_vec3 edge = gjk_sub(s->slot[y].w, s->slot[x].w);
   const gjk_vec3 edge2 = gjk_sub(s->slot[w].w, s->slot[x].w);
   gjk_cross(&edge, &edge2, &s->normal);
-  //@ assert s->normal.x >= -(INT64_C(1) << 62) && s->normal.x <= INT64_C(1) << 62;
-  //@ assert s->normal.y >= -(INT64_C(1) << 62) && s->normal.y <= INT64_C(1) << 62;
-  //@ assert s->normal.z >= -(INT64_C(1) << 62) && s->normal.z <= INT64_C(1) << 62;
 }
 
 // The triangle x, y, w becomes the feature, its normal towards the origin.

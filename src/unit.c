@@ -14,5 +14,8 @@ gjk_unit3 gjk_unit(const gjk_vec3 *d) {
   gjk_unit3 unit = {(gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.x, z - 1), y) + half, 31),
                     (gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.y, z - 1), y) + half, 31),
                     (gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.z, z - 1), y) + half, 31)};
+  //@ assert unit.x >= -GJK_Q30_ONE - 1 && unit.x <= GJK_Q30_ONE + 1;
+  //@ assert unit.y >= -GJK_Q30_ONE - 1 && unit.y <= GJK_Q30_ONE + 1;
+  //@ assert unit.z >= -GJK_Q30_ONE - 1 && unit.z <= GJK_Q30_ONE + 1;
   return unit;
 }

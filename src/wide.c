@@ -70,6 +70,7 @@ static uint32_t reciprocal(uint32_t x) {
   for (int i = 0; i < 3; i++) {
     // 2^63 - x y, scaled: positive or negative, at most 2^60 in size
     int64_t rest = gjk_int64((UINT64_C(1) << 63) - gjk_umul32(x, y));
+    //@ assert rest >= -(INT64_C(1) << 60) && rest <= INT64_C(1) << 60;
     int32_t e = (int32_t)gjk_sar64(rest, 31);
     y = (uint32_t)((int64_t)y + gjk_sar64(gjk_mul32((int32_t)(y >> 1), e), 31));
   }

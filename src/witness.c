@@ -66,6 +66,7 @@ void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_ve
                         bool *saturated) {
   const gjk_simplex *s = &it->simplex;
   feature f;
+  //@ assert s->count >= 1 && s->count <= 3;
   f.u = &s->slot[s->order[0]];
   f.v = s->count > 1 ? &s->slot[s->order[1]] : f.u;
   f.w = s->count > 2 ? &s->slot[s->order[2]] : f.u;

@@ -1,10 +1,27 @@
 #!/bin/sh
-# The assertions that the proof takes, checked as they run, and all undefined behaviour with them: bounds.sh BUILD PAIRS
+# The assertions that the proof takes, checked as they run, with all undefined behaviour and reads outside of what they
+# may: bounds.sh BUILD PAIRS STEP. PAIRS random pairs for each of two builds, Newton's iterations in steps of STEP.
 dir=$1/bounds
+rm -rf "$dir"
 mkdir -p "$dir"
 for file in src/*; do
   sed 's|//@ assert \(.*\);$|if (!(\1)) __builtin_trap();|; s|//@ .*||' "$file" >"$dir/$(basename "$file")"
 done
-sed "s/^#define PAIRS .*/#define PAIRS $2/" tests/limit/bounds.c >"$dir/main_bounds.c"
-${CC:-cc} -std=c99 -O2 -fsanitize=undefined -fno-sanitize-recover=all -Iinclude "-I$dir" -Itests "$dir"/*.c \
-  -o "$dir/bounds" && [ "$("$dir/bounds" | wc -l)" = "$2" ]
+support="$(echo "$dir"/*.c) tests/generate/*.c tests/exact/*.c tests/case/case.c tests/prove/bounds.c"
+
+# build NAME SANITIZERS SOURCES...
+build() {
+  name=$1
+  sanitizers=$2
+  shift 2
+  # shellcheck disable=SC2086
+  ${CC:-cc} -std=c99 -O1 $sanitizers -Iinclude "-I$dir" -Itests "$@" -lm -o "$dir/$name"
+}
+
+all='-fsanitize=undefined,address -fno-sanitize-recover=all'
+# shellcheck disable=SC2086
+build pairs "$all" $support && [ "$("$dir/pairs" "$2")" = "$2" ] || exit 1
+# shellcheck disable=SC2086
+build pairs-narrow "$all -DGJK_NARROW_MULTIPLY=1" $support && [ "$("$dir/pairs-narrow" "$2")" = "$2" ] || exit 1
+build exhaust '-fsanitize=undefined -fsanitize-undefined-trap-on-error' tests/prove/exhaust.c "$dir/root.c" &&
+  "$dir/exhaust" "$3"

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "gjk/format.h"
+#include "vector.h"
 
 /*@ requires fits_x: -0x7fffffff <= a.x - b.x <= 0x7fffffff;
     requires fits_y: -0x7fffffff <= a.y - b.y <= 0x7fffffff;
@@ -39,6 +40,13 @@ static inline unsigned gjk_clz32(uint32_t x);
     ensures x < 0x8000000000000000 ==> \result >= 1; */
 static inline unsigned gjk_clz64(uint64_t x);
 
+/*@ requires fits_x: a.x > -0x80000000;
+    requires fits_y: a.y > -0x80000000;
+    requires fits_z: a.z > -0x80000000;
+    assigns \result \from a;
+    ensures \result.x == -a.x && \result.y == -a.y && \result.z == -a.z; */
+static inline gjk_vec3 gjk_negate(gjk_vec3 a);
+
 // The products, however they are made.
 /*@ assigns \result \from a, b;
     ensures \result == a * b; */
@@ -47,5 +55,55 @@ static inline int64_t gjk_mul32(int32_t a, int32_t b);
 /*@ assigns \result \from a, b;
     ensures \result == a * b; */
 static inline uint64_t gjk_umul32(uint32_t a, uint32_t b);
+
+/*@ requires fits: -0x7fffffffffffffff - 1 <= sum + a * b <= 0x7fffffffffffffff;
+    assigns \result \from sum, a, b;
+    ensures \result == sum + a * b; */
+static inline int64_t gjk_mac32(int64_t sum, int32_t a, int32_t b);
+
+/*@ requires set_a: \initialized(&a->x) && \initialized(&a->y) && \initialized(&a->z);
+    requires set_b: \initialized(&b->x) && \initialized(&b->y) && \initialized(&b->z);
+    requires fits_xy: -0x7fffffffffffffff - 1 <= a->x * b->x + a->y * b->y <= 0x7fffffffffffffff;
+    requires fits: -0x7fffffffffffffff - 1 <= a->x * b->x + a->y * b->y + a->z * b->z <= 0x7fffffffffffffff;
+    assigns \result \from *a, *b;
+    ensures \result == a->x * b->x + a->y * b->y + a->z * b->z;
+    ensures a == b ==> \result >= 0;
+    ensures a == b && (a->x != 0 || a->y != 0 || a->z != 0) ==> \result > 0; */
+static inline int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b);
+
+/*@ requires set_a: \initialized(&a->x) && \initialized(&a->y) && \initialized(&a->z);
+    requires set_b: \initialized(&b->x) && \initialized(&b->y) && \initialized(&b->z);
+    requires fits_x: -0x4000000000000000 <= a->y * b->z - a->z * b->y <= 0x4000000000000000;
+    requires fits_y: -0x4000000000000000 <= a->z * b->x - a->x * b->z <= 0x4000000000000000;
+    requires fits_z: -0x4000000000000000 <= a->x * b->y - a->y * b->x <= 0x4000000000000000;
+    requires negates: a->x > -0x80000000 && a->y > -0x80000000 && a->z > -0x80000000;
+    assigns out->x, out->y, out->z \from *a, *b;
+    ensures \initialized(&out->x) && \initialized(&out->y) && \initialized(&out->z);
+    ensures out->x == a->y * b->z - a->z * b->y && -0x4000000000000000 <= out->x <= 0x4000000000000000;
+    ensures out->y == a->z * b->x - a->x * b->z && -0x4000000000000000 <= out->y <= 0x4000000000000000;
+    ensures out->z == a->x * b->y - a->y * b->x && -0x4000000000000000 <= out->z <= 0x4000000000000000; */
+static inline void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out);
+
+// Shown for every x by tests/prove/exhaust.c: 2^63 / x.
+/*@ requires normal: x >= 0x80000000;
+    assigns \result \from x;
+    ensures 0x7fffffff <= \result; */
+static uint32_t reciprocal(uint32_t x);
+
+// Shown for every x by tests/prove/exhaust.c: 2^46 / sqrt(x).
+/*@ requires normal: x >= 0x40000000;
+    assigns \result \from x;
+    ensures 0x3fffffff <= \result <= 0x7fffffff; */
+uint32_t gjk_reciprocal_root(uint32_t x);
+
+// Its root is at most 3/2 too large, so that a component is at most 1 too large; the assertion beside the code checks it.
+/*@ requires set: \initialized(&d->x) && \initialized(&d->y) && \initialized(&d->z);
+    requires fits: d->x * d->x + d->y * d->y + d->z * d->z <= 0x3fffffffffffffff;
+    requires nonzero: d->x != 0 || d->y != 0 || d->z != 0;
+    assigns \result \from *d;
+    ensures -0x40000001 <= \result.x <= 0x40000001;
+    ensures -0x40000001 <= \result.y <= 0x40000001;
+    ensures -0x40000001 <= \result.z <= 0x40000001; */
+gjk_unit3 gjk_unit(const gjk_vec3 *d);
 
 #endif

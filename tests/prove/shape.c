@@ -77,6 +77,9 @@ static void use(const gjk_collider *c) {
       check_offset(&found.offset);
     }
   }
+  if (c->shape->type->stalls != NULL) {
+    (void)c->shape->type->stalls(&d, &ends[0], &ends[1], any_between(-3, 29));
+  }
   if (c->shape->type->vertex != NULL && c->shape->type->vertex(c, any_uint16(), &found.offset)) {
     check_offset(&found.offset);
   }

@@ -13,6 +13,8 @@
 #define ANY_SQUARE (INT64_C(9) << 58)
 #define ANY_TOWARD (INT64_C(1) << 61)
 #define ANY_NORMAL (INT64_C(1) << 62)
+// A component of a unit vector of src/unit.h.
+#define ANY_UNIT (GJK_Q30_ONE + 1)
 
 static int64_t any_long(int64_t size) {
   return Frama_C_long_long_interval(-size, size);
@@ -29,6 +31,11 @@ static void any_normal(gjk_long3 *n) {
   n->x = any_long(ANY_NORMAL);
   n->y = any_long(ANY_NORMAL);
   n->z = any_long(ANY_NORMAL);
+}
+
+// A direction of a support, by how many vertices have led to it: of a vertex as long as that, of others rounded.
+static gjk_vec3 any_direction(unsigned count) {
+  return any_vec3(count == 1 ? ANY_W : INT32_C(1) << 30);
 }
 
 static void check_size(int64_t x, int64_t size) {

@@ -8,6 +8,7 @@ void gjk_simplex_clear(gjk_simplex *s) {
   }
 }
 
+// Takes what the first n slots hold, and gives them any other vertices in any order. Of three there is a normal.
 static void any_feature(gjk_simplex *s, unsigned n) {
   for (unsigned i = 0; i < n; i++) {
     check_vertex(&s->slot[i]);
@@ -15,21 +16,26 @@ static void any_feature(gjk_simplex *s, unsigned n) {
   for (unsigned i = 0; i < n; i++) {
     any_vertex(&s->slot[i]);
   }
+  if (n >= 3) {
+    any_normal(&s->normal);
+  }
 }
 
 gjk_step gjk_simplex_add(gjk_simplex *s) {
   const unsigned n = s->count + 1u;
   //@ assert n >= 1 && n <= 4;
   any_feature(s, n);
+  gjk_step step = GJK_STEP_NEARER;
   if (n >= 2 && any_bool()) {
-    return GJK_STEP_NONE;
-  }
-  if (n >= 3 && any_bool()) {
+    step = GJK_STEP_NONE;
+  } else if (n >= 3 && any_bool()) {
     s->count = (uint8_t)n;
-    return GJK_STEP_ENCLOSING;
+    step = GJK_STEP_ENCLOSING;
+  } else {
+    s->count = (uint8_t)any_between(1, n < 3 ? (int32_t)n : 3);
   }
-  s->count = (uint8_t)any_between(1, n < 3 ? (int32_t)n : 3);
-  return GJK_STEP_NEARER;
+  //@ split s->count;
+  return step;
 }
 
 bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
@@ -37,6 +43,13 @@ bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
   any_feature(s, n);
   s->count = (uint8_t)n;
   return any_bool();
+}
+
+unsigned gjk_simplex_beyond(const gjk_simplex *s) {
+  for (int i = 0; i < 3; i++) {
+    check_vertex(&s->slot[i]);
+  }
+  return (unsigned)any_between(0, 3);
 }
 
 bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
@@ -47,13 +60,20 @@ bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
 
 bool gjk_simplex_direction(const gjk_simplex *s, gjk_rounded *out) {
   //@ assert s->count >= 1 && s->count <= 3;
-  out->d = any_vec3(ANY_W);
+  out->d = any_direction(s->count);
   out->exact = any_bool();
   return any_bool();
 }
 
 void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
   //@ assert s->count >= 1 && s->count <= 3;
+  out->a = &s->slot[s->order[0]].w;
+  out->b = &s->slot[s->order[1]].w;
+  out->n = &s->normal;
+  if (s->count == 2) {
+    out->ta = Frama_C_long_long_interval(1, ANY_TOWARD);
+    out->tb = Frama_C_long_long_interval(1, ANY_TOWARD);
+  }
   out->rank = s->count;
 }
 

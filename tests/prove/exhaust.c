@@ -1,0 +1,26 @@
+// Newton's iterations for every number that they take, every step or, for a quick look, with larger ones: what
+// tests/prove/contracts.h says of them. tests/build/bounds.sh builds it with the assertions of the sources as checks.
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "root.h"
+#include "wide.c"
+
+int main(int count, char **arguments) {
+  const uint64_t step = count > 1 ? strtoull(arguments[1], NULL, 10) : 1;
+  for (uint64_t x = UINT64_C(1) << 30; x <= UINT32_MAX; x += step) {
+    const uint32_t y = gjk_reciprocal_root((uint32_t)x);
+    if (y < 0x3FFFFFFF || y > 0x7FFFFFFF) {
+      printf("root of %llu: %lu\n", (unsigned long long)x, (unsigned long)y);
+      return 1;
+    }
+  }
+  for (uint64_t x = UINT64_C(1) << 31; x <= UINT32_MAX; x += step) {
+    const uint32_t y = reciprocal((uint32_t)x);
+    if (y < 0x7FFFFFFF) {
+      printf("reciprocal of %llu: %lu\n", (unsigned long long)x, (unsigned long)y);
+      return 1;
+    }
+  }
+  return 0;
+}

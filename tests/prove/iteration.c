@@ -1,0 +1,71 @@
+// src/iteration.h with any goal, CASE, on any two colliders, and what it leaves behind: no more than
+// tests/prove/iteration_model.c answers.
+#include "iteration.h"
+#include "colliders.h"
+
+#if GJK_ITERATIONS_MAX != 128
+#error "the assertion on rounds has another ceiling"
+#endif
+
+static void check_direction(const gjk_rounded *direction, int32_t size) {
+  check_vec3(&direction->d, size);
+  check_size(direction->exact, 1);
+}
+
+// What the queries read after an outcome.
+static void check_iteration(const gjk_iteration *it, unsigned outcome) {
+  const gjk_simplex *s = &it->simplex;
+  //@ assert it->rounds <= 128;
+  check_direction(&it->direction, outcome == GJK_OUTCOME_NEAREST && s->count > 1 ? INT32_C(1) << 30 : ANY_W);
+  if (outcome != GJK_OUTCOME_SEPARATED) {
+    const unsigned most = outcome == GJK_OUTCOME_ENCLOSING ? 4 : 3;
+    //@ assert s->count >= 1 && s->count <= most;
+    for (unsigned i = 0; i < s->count; i++) {
+      check_vertex(&s->slot[s->order[i]]);
+    }
+  }
+}
+
+// Only gjk_distance_until has a lower limit, and goes on from there.
+static void run(gjk_iteration *it, gjk_cache *cache) {
+  if (CASE == GJK_GOAL_DISTANCE) {
+    it->limit = (uint8_t)any_between(it->rounds + 1, GJK_ITERATIONS_MAX);
+  }
+  const unsigned outcome = gjk_iteration_run(it, CASE, cache);
+  //@ split outcome;
+  check_iteration(it, outcome);
+  if (outcome == GJK_OUTCOME_LIMIT) {
+    return;
+  }
+  gjk_certificate certificate;
+  gjk_iteration_certify(it, (gjk_outcome)outcome, &certificate);
+  if (cache != NULL) {
+    gjk_iteration_keep(it, (gjk_outcome)outcome, cache);
+  }
+  if (outcome != GJK_OUTCOME_SEPARATED && it->simplex.count < 4) {
+    (void)gjk_iteration_near(it);
+  }
+}
+
+int main(void) {
+  gjk_shape shapes[2] = {0};
+  gjk_collider a = {0}, b = {0};
+  gjk_cache cache;
+  gjk_iteration it;
+  const int64_t radius = any_bool() ? 0 : Frama_C_long_long_interval(1, 2 * (int64_t)GJK_RADIUS_MAX + INT32_MAX);
+  const unsigned kinds = (unsigned)any_between(0, 3), warm = (unsigned)any_between(0, 1);
+  //@ split kinds;
+  any_collider(&a, &shapes[0], (kinds & 1u) != 0 ? &polytope : &curved);
+  any_collider(&b, &shapes[1], (kinds & 2u) != 0 ? &polytope : &curved);
+  any_cache(&cache);
+  //@ split warm;
+  if (gjk_iteration_start(&it, &a, &b, CASE, radius)) {
+    //@ assert it.shift >= -3 && it.shift <= 29;
+    check_size(it.radius, INT32_MAX);
+    run(&it, warm != 0 ? &cache : NULL);
+    if (CASE == GJK_GOAL_DISTANCE && it.rounds < GJK_ITERATIONS_MAX && it.simplex.count < 4) {
+      run(&it, NULL);
+    }
+  }
+  return 0;
+}
