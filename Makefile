@@ -16,7 +16,7 @@
 #   make prove           shows the absence of undefined behaviour (Frama-C)
 #   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
 #   make coverage        which lines and branches of src the tests reach, over all variants of the code
-#   make mutants         small wrong changes of src that the tests must notice; MUTANTS=300: a random sample, of SEED=1
+#   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400, 0: all, of SEED=1
 #   make fuzz            fuzzes pairs, the reader of cases, arguments and scenes for SECONDS=60
 #   make soak            100,000,000 certified pairs over two cores, or PAIRS=N; goes on where it was interrupted
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
@@ -241,7 +241,7 @@ lint:
 coverage: unit-tests
 	@SUPPORT='$(SUPPORT)' sh tests/build/coverage.sh build
 
-MUTANTS ?= 0
+MUTANTS ?= 400
 SEED ?= 1
 mutants: unit-tests
 	@SUPPORT='$(SUPPORT)' sh tests/build/mutants.sh build $(MUTANTS) $(SEED)
