@@ -47,7 +47,7 @@ cases() {
 # int32: a 32-bit machine with a long multiplication; int16: an int of 16 bits, products in halves.
 runs() {
   cases | sed 's/$/-int32/'
-  cases | grep 'pose\|primitives\|POINT\|SEGMENT\|BOX\|TRIANGLE' | sed 's/$/-int16/'
+  cases | sed 's/$/-int16/'
 }
 
 # analyse NAME SOURCES OPTIONS...: leaves NAME.txt, what Eva says, and NAME.csv, a line per property.
