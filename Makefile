@@ -248,7 +248,7 @@ mutants: unit-tests
 
 SECONDS ?= 60
 fuzz:
-	@sh tests/build/fuzz.sh build $(SECONDS)
+	@sh tests/build/fuzz.sh build $(SECONDS) 0
 
 PAIRS ?= 100000000
 soak: build/test_certificates

@@ -10,7 +10,7 @@ check() {
   else
     failed=$((failed + 1))
     echo "failed: $what"
-    printf '%s\n' "$output" | head -n 20
+    printf '%s\n' "$output" | head -n 40
   fi
 }
 

@@ -1,12 +1,14 @@
 #!/bin/sh
-# Fuzzes pairs, the reader of cases, hostile arguments and scenes with libFuzzer: fuzz.sh BUILD SECONDS [TARGET...]
+# Fuzzes pairs, the reader of cases, hostile arguments and scenes with libFuzzer: fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
-# The seconds are shared out evenly. Inputs that reach new code stay in BUILD/fuzz/corpus and are where the next run
-# begins. An input that fails stays in BUILD/fuzz, of a pair also as a case for build/gjk-query. Exit status 1 then.
+# The seconds are shared out evenly; SEED 0 is a new one each time. Runs begin with what once failed (tests/fuzz/once)
+# and with what reached new code before, which stays in BUILD/fuzz/corpus. An input that fails stays in BUILD/fuzz and is
+# printed, of a pair also as a case for build/gjk-query. Exit status 1 then.
 . tests/build/count.sh
 build=$1/fuzz
 seconds=$2
-shift 2
+seed=$3
+shift 3
 [ $# -gt 0 ] || set -- pairs cases arguments scene
 each=$((seconds / $#))
 mkdir -p "$build"
@@ -30,15 +32,16 @@ fuzz() {
   mkdir -p "$build/corpus/$target"
   # shellcheck disable=SC2086
   clang $flags -fsanitize=fuzzer "tests/fuzz/$target.c" "$build"/objects/*.o -lm -o "$build/$target" || return 1
-  if ! nice "$build/$target" -max_total_time="$each" -timeout=20 -print_final_stats=1 -artifact_prefix="$build/$target-" \
-    "$@" "$build/corpus/$target" "$build/seeds-$target" >"$build/$target.log" 2>&1; then
-    tail -n 40 "$build/$target.log"
-    if [ "$target" = pairs ]; then
-      for input in "$build"/pairs-crash-* "$build"/pairs-timeout-*; do
-        [ -e "$input" ] && GJK_FUZZ_PRINT=1 "$build/pairs" "$input" 2>/dev/null >"$input.case"
-      done
-    fi
-    echo "fuzz: $target fails, see $build/$target-*"
+  if ! nice "$build/$target" -max_total_time="$each" -seed="$seed" -timeout=20 -print_final_stats=1 \
+    -artifact_prefix="$build/$target-" "$@" "$build/corpus/$target" "$build/seeds-$target" >"$build/$target.log" 2>&1; then
+    echo "failed: $target: $(grep -a -m 1 '^fuzz: ' "$build/$target.log")"
+    grep -a -E 'ERROR|runtime error|Seed:' "$build/$target.log"
+    for input in "$build/$target"-crash-* "$build/$target"-timeout-*; do
+      [ -e "$input" ] || continue
+      [ "$target" = pairs ] && GJK_FUZZ_PRINT=1 "$build/pairs" "$input" 2>/dev/null | tee "$input.case"
+      echo "the input $input, in base64:"
+      base64 "$input"
+    done
     return 1
   fi
   awk -v target="$target" '
@@ -70,6 +73,7 @@ clang $flags tests/fuzz/seeds.c "$build"/objects/*.o -lm -o "$build/seeds" &&
   "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt || exit 1
 cp tests/data/*.txt "$build/seeds-cases"
 cp "$build"/seeds-pairs/* "$build/seeds-arguments"
+cp tests/fuzz/once/pairs-* "$build/seeds-pairs"
 
 status=0
 for target in "$@"; do

@@ -25,7 +25,7 @@ run_one() {
   echo "$line" | tee "$logs/$name.result"
   grep '^skipped: ' "$log"
   if [ $status != 0 ]; then
-    { grep -E 'failed|error' "$log" | head -n 20; tail -n 3 "$log"; } | sed 's/^/    /'
+    { grep -a -E 'failed|error' "$log" | head -n 20; tail -n 40 "$log"; } | sed 's/^/    /'
     echo "    all of it: $log"
   fi
 }

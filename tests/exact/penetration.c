@@ -4,6 +4,9 @@
 #include "depth.h"
 #include "judge.h"
 
+// Enough for most shapes as moved.
+#define CELLS GJK_POLYTOPE_CELLS(24 * 24)
+
 // Three pairs span it, and no a - b lies beyond it.
 static bool is_facet(judge *j, const gjk_certificate *certificate, exact_plane *out) {
   if (!judge_load(j, certificate, 3)) {
@@ -134,6 +137,19 @@ static bool move_collider(const gjk_collider *from, const exact_point *by, gjk_c
   return x == position.x && y == position.y && z == position.z && gjk_collider_move(out, &position) == GJK_OK;
 }
 
+// Depth 0: by a certificate, or by trying every direction.
+static bool touch(const gjk_collider *a, const gjk_collider *b) {
+  static gjk_cell cells[CELLS];
+  static const gjk_workspace workspace = {cells, CELLS};
+  gjk_penetration_result r;
+  char why[128];
+  exact_overlap overlap;
+  if (gjk_penetration(a, b, NULL, &workspace, &r) == GJK_OK) {
+    return r.intersecting && r.depth == 0 && exact_check_depth(a, b, &r, why, sizeof why);
+  }
+  return exact_overlap_find(a, b, &overlap) && overlap.touching;
+}
+
 // The shapes themselves, carried to the middle of the world, where there is room; whatever finds it, the proof counts.
 static bool parts_shapes(const judge *j, const exact_point *t) {
   const gjk_vec3 *c = &j->a->centre;
@@ -142,14 +158,13 @@ static bool parts_shapes(const judge *j, const exact_point *t) {
   gjk_collider a, b;
   gjk_distance_result r;
   char why[128];
-  exact_overlap overlap;
   if (!move_collider(j->a, &by_a, &a) || !move_collider(j->b, &by_b, &b)) {
     return false;
   }
   if (gjk_distance(&a, &b, NULL, &r) == GJK_OK && !r.intersecting) {
     return exact_check_gap(&a, &b, &r, why, sizeof why);
   }
-  return exact_overlap_find(&a, &b, &overlap) && overlap.touching;
+  return touch(&a, &b);
 }
 
 bool exact_check_move(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result, char *why,
