@@ -165,3 +165,16 @@ long double accurate_point_distance(const case_shape *shape, gjk_vec3 point) {
   set_vec3(half, shape->size);
   return (long double)(core_distance(shape->kind, p, half) - shape->round);
 }
+
+long double accurate_point_outside(const case_shape *shape, const case_collider *collider, gjk_vec3 point) {
+  case_pair pair = {{0}, *shape, {0}};
+  case_collider at = {0};
+  accurate_result gap;
+  case_shape_reset(&pair.b);
+  pair.b.pose.position = point;
+  if (case_collider_build(&at, &pair.b, false) != GJK_OK) {
+    return HUGE_VALL;
+  }
+  accurate_distance(&pair, collider, &at, &gap);
+  return gap.upper;
+}

@@ -33,4 +33,8 @@ long double accurate_separation(const case_pair *pair, const case_collider *a, c
 // no deeper than its smallest radius of curvature.
 long double accurate_point_distance(const case_shape *shape, gjk_vec3 point);
 
+// An upper bound of the distance of a world point from a shape as posed, within accurate_distance's of it; negative
+// inside of its rounding.
+long double accurate_point_outside(const case_shape *shape, const case_collider *collider, gjk_vec3 point);
+
 #endif

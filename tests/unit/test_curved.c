@@ -99,14 +99,8 @@ static long double point_error(const case_shape *shape, const case_collider *col
   if (shape->kind > CASE_HULL) {
     return fabsl(accurate_point_distance(shape, point));
   }
-  case_pair pair = {{0}, *shape, {0}};
-  case_collider at = {0};
-  accurate_result gap;
-  case_shape_reset(&pair.b);
-  pair.b.pose.position = point;
-  CHECK(case_collider_build(&at, &pair.b, false) == GJK_OK);
-  accurate_distance(&pair, collider, &at, &gap);
-  return gap.upper > 0 ? gap.upper : 0;
+  const long double off = accurate_point_outside(shape, collider, point);
+  return off > 0 ? off : 0;
 }
 
 static bool check_points(const case_pair *pair, const case_collider *a, const case_collider *b,

@@ -60,14 +60,7 @@ static long double outside(const case_shape *shape, const case_collider *collide
   if (shape->kind == CASE_CYLINDER || shape->kind == CASE_CONE) {
     return accurate_point_distance(shape, point);
   }
-  case_pair pair = {{0}, *shape, {0}};
-  case_collider at = {0};
-  accurate_result gap;
-  case_shape_reset(&pair.b);
-  pair.b.pose.position = point;
-  CHECK(case_collider_build(&at, &pair.b, false) == GJK_OK);
-  accurate_distance(&pair, collider, &at, &gap);
-  return gap.upper;
+  return accurate_point_outside(shape, collider, point);
 }
 
 // The points are of the shapes, and coincide after the move unless the polytope was full.
