@@ -339,6 +339,7 @@ gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body handle) {
   }
   for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v.parts[i].next) {
     v.parts[i].state |= GJK_SCENE_REPAIR;
+    v.parts[i].motion = GJK_SCENE_UNBOUNDED;  // lest a test that motion saves not ask
   }
   put_in_moved_list(&v, handle.slot);
   return GJK_OK;

@@ -28,8 +28,12 @@ static uint8_t detail(const question *q) {
   return gjk_scene_detail(q->v, &q->v->bodies[q->a->body], &q->v->bodies[q->b->body]);
 }
 
-static bool curved(const gjk_scene_view *v, const gjk_scene_part *p) {
-  return v->scene->shapes[p->shape]->type->vertex == NULL;
+static const gjk_shape *shape_of(const question *q, const gjk_scene_part *p) {
+  return q->v->scene->shapes[p->shape];
+}
+
+static bool curved(const question *q, const gjk_scene_part *p) {
+  return shape_of(q, p)->type->vertex == NULL;
 }
 
 static void set_near(gjk_scene_pair *pair, bool near) {
@@ -39,7 +43,7 @@ static void set_near(gjk_scene_pair *pair, bool near) {
 // What a proven lower bound of the distance leaves beyond the margins, as gap keeps it: 0 when the bound settles nothing.
 static int32_t spare(const question *q, int64_t bound) {
   int64_t left = bound - q->margin;
-  if (left > 0 && (curved(q->v, q->a) || curved(q->v, q->b))) {
+  if (left > 0 && (curved(q, q->a) || curved(q, q->b))) {
     left -= CURVED_SLACK;
   }
   return left > 0 ? gjk_cut_off(left) : 0;
@@ -51,7 +55,7 @@ static bool outlasts_motion(const question *q, gjk_scene_pair *pair) {
   const uint32_t a = q->a->motion, b = q->b->motion;
   const uint32_t motion = a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
   const bool near = (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
-  if ((near && gjk_scene_measures(detail(q))) || motion >= (uint32_t)pair->gap) {
+  if (motion >= (uint32_t)pair->gap || (near && gjk_scene_measures(detail(q)))) {
     return false;
   }
   pair->gap -= (int32_t)motion;
@@ -73,34 +77,54 @@ static int64_t along_unit(const gjk_vec3 *d, const gjk_vec3 *v) {
   return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(u.x, v->x), u.y, v->y), u.z, v->z), 30);
 }
 
+// From the centre of A to that of B; false when they are 2^29 or more apart along an axis.
+static bool between_centres(const gjk_collider *a, const gjk_collider *b, gjk_vec3 *out) {
+  const int64_t x = (int64_t)b->centre.x - a->centre.x, y = (int64_t)b->centre.y - a->centre.y;
+  const int64_t z = (int64_t)b->centre.z - a->centre.z;
+  if ((gjk_magnitude64(x) | gjk_magnitude64(y) | gjk_magnitude64(z)) >> 29 != 0) {
+    return false;
+  }
+  out->x = (int32_t)x;
+  out->y = (int32_t)y;
+  out->z = (int32_t)z;
+  return true;
+}
+
+// What lies from a point of A to one of B along d, for centres that far apart and offsets from them: these are below
+// 2^28 + 2^3, so the sums are at most 2^30 + 2^4.
+static int64_t along(const gjk_vec3 *d, const gjk_vec3 *centres, const gjk_vec3 *on_a, const gjk_vec3 *on_b) {
+  const gjk_vec3 apart = {centres->x + on_b->x - on_a->x, centres->y + on_b->y - on_a->y,
+                          centres->z + on_b->z - on_a->z};
+  return along_unit(d, &apart);
+}
+
 // A lower bound of the distance: that of the planes across direction, from A to B, which both shapes lie behind.
 static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const int16_t direction[3]) {
   const gjk_vec3 d = {direction[0], direction[1], direction[2]}, opposite = gjk_negate(d);
-  const int64_t x = (int64_t)b->centre.x - a->centre.x, y = (int64_t)b->centre.y - a->centre.y;
-  const int64_t z = (int64_t)b->centre.z - a->centre.z;
-  if ((d.x | d.y | d.z) == 0 || (gjk_magnitude64(x) | gjk_magnitude64(y) | gjk_magnitude64(z)) >> 29 != 0) {
+  gjk_vec3 centres;
+  if ((d.x | d.y | d.z) == 0 || !between_centres(a, b, &centres)) {
     return 0;
   }
   gjk_support far_a, far_b;
   a->shape->type->support(a, &d, true, &far_a);
   b->shape->type->support(b, &opposite, true, &far_b);
-  // Offsets are below 2^28 + 2^3, so the sums are at most 2^30 + 2^4.
-  const gjk_vec3 apart = {(int32_t)x + far_b.offset.x - far_a.offset.x, (int32_t)y + far_b.offset.y - far_a.offset.y,
-                          (int32_t)z + far_b.offset.z - far_a.offset.z};
-  return along_unit(&d, &apart) - PLANE_SLACK - a->shape->round - b->shape->round;
+  return along(&d, &centres, &far_a.offset, &far_b.offset) - PLANE_SLACK - a->shape->round - b->shape->round;
 }
 
-// A lower bound from the bounding spheres.
-static int64_t sphere_bound(const gjk_collider *a, const gjk_collider *b) {
-  const uint64_t x = gjk_magnitude64((int64_t)a->centre.x - b->centre.x);
-  const uint64_t y = gjk_magnitude64((int64_t)a->centre.y - b->centre.y);
-  const uint64_t z = gjk_magnitude64((int64_t)a->centre.z - b->centre.z);
+// A lower bound of the distance from the bounding spheres, where it exceeds the margins; otherwise 0.
+static int64_t sphere_bound(const question *q) {
+  const uint64_t x = gjk_magnitude64((int64_t)q->a->centre.x - q->b->centre.x);
+  const uint64_t y = gjk_magnitude64((int64_t)q->a->centre.y - q->b->centre.y);
+  const uint64_t z = gjk_magnitude64((int64_t)q->a->centre.z - q->b->centre.z);
+  // Cores reach 2^28 + 4, roundings 2^28, margins less than 2^29: below 2^31.
+  const int32_t radii = q->a->core_radius + q->b->core_radius + shape_of(q, q->a)->round + shape_of(q, q->b)->round;
+  const uint32_t reach = (uint32_t)radii + (uint32_t)q->margin;
   if ((x | y | z) >> 31 != 0) {
     return 0;
   }
   const uint64_t squared = gjk_umul32((uint32_t)x, (uint32_t)x) + gjk_umul32((uint32_t)y, (uint32_t)y) +
                            gjk_umul32((uint32_t)z, (uint32_t)z);
-  return (int64_t)gjk_isqrt64(squared) - a->radius - b->radius;
+  return squared > gjk_umul32(reach, reach) ? (int64_t)gjk_isqrt64(squared) - radii : 0;
 }
 
 // A pair keeps vertices whose numbers fit a byte; others are found anew.
@@ -161,19 +185,15 @@ static int32_t near_spare(const question *q, const gjk_collider *a, const gjk_co
                           const gjk_decision *decision) {
   const gjk_certificate *c = &decision->certificate;
   const int64_t within = (int64_t)q->margin + a->shape->round + b->shape->round - NEAR_SLACK;  // below 2^31
-  const int64_t x = (int64_t)a->centre.x - b->centre.x, y = (int64_t)a->centre.y - b->centre.y;
-  const int64_t z = (int64_t)a->centre.z - b->centre.z;
-  gjk_vec3 on_a, on_b;
+  gjk_vec3 centres, on_a, on_b;
   if (within <= 0 || c->proof == GJK_PROOF_ENCLOSING) {
     return within <= 0 ? 0 : gjk_cut_off(within);
   }
-  if (c->proof != GJK_PROOF_NEAR || (gjk_magnitude64(x) | gjk_magnitude64(y) | gjk_magnitude64(z)) >> 29 != 0 ||
-      !a->shape->type->vertex(a, c->a[0], &on_a) || !b->shape->type->vertex(b, c->b[0], &on_b)) {
+  if (c->proof != GJK_PROOF_NEAR || !between_centres(a, b, &centres) || !a->shape->type->vertex(a, c->a[0], &on_a) ||
+      !b->shape->type->vertex(b, c->b[0], &on_b)) {
     return 0;
   }
-  // As in plane_bound.
-  const gjk_vec3 apart = {(int32_t)x + on_a.x - on_b.x, (int32_t)y + on_a.y - on_b.y, (int32_t)z + on_a.z - on_b.z};
-  const int64_t left = within - (int64_t)gjk_magnitude64(along_unit(&c->direction, &apart));
+  const int64_t left = within - (int64_t)gjk_magnitude64(along(&c->direction, &centres, &on_a, &on_b));
   return left > 0 ? gjk_cut_off(left) : 0;
 }
 
@@ -188,13 +208,7 @@ static bool ask(const question *q, const gjk_collider *a, const gjk_collider *b,
   if (status != GJK_OK) {
     pair->outcome |= GJK_SCENE_UNSETTLED;
   } else if (!decision.yes) {
-    int64_t bound = 0;
-    if (decision.certificate.proof == GJK_PROOF_SPHERES) {
-      bound = sphere_bound(a, b);
-    } else if (cache != NULL) {
-      bound = plane_bound(a, b, cache->direction);
-    }
-    pair->gap = spare(q, bound);
+    pair->gap = cache != NULL ? spare(q, plane_bound(a, b, cache->direction)) : 0;
     return false;
   }
   if (gjk_scene_measures(detail(q))) {
@@ -237,20 +251,28 @@ static bool refused(const question *q) {
           !scene->predicate(scene->user, a, q->v->bodies[a.slot].user, b, q->v->bodies[b.slot].user));
 }
 
+// Do the boxes or, unless the pair was near, the bounding spheres tell?
+static bool surely_far(const question *q, gjk_scene_pair *pair) {
+  return settle_far(pair, spare(q, gjk_aabb_gap(&q->a->exact, &q->b->exact)), GJK_SCENE_BOXES) ||
+         ((pair->state & GJK_SCENE_PAIR_NEAR) == 0 && settle_far(pair, spare(q, sphere_bound(q)), GJK_SCENE_BOXES));
+}
+
 void gjk_scene_pair_test(const gjk_scene_view *v, gjk_scene_pair *pair) {
   if (pair->outcome != GJK_SCENE_PENDING) {
     return;
   }
+  const bool skips = v->header->config.no_skips == 0;
   const gjk_scene_part *part_a = &v->parts[pair->part[0]], *part_b = &v->parts[pair->part[1]];
-  const gjk_scene_body *a = &v->bodies[part_a->body], *b = &v->bodies[part_b->body];
-  const question q = {v, part_a, part_b, a->margin + b->margin};
+  question q = {v, part_a, part_b, 0};
+  if (skips && outlasts_motion(&q, pair)) {
+    pair->outcome = GJK_SCENE_MOTION;
+    return;
+  }
+  q.margin = v->bodies[part_a->body].margin + v->bodies[part_b->body].margin;
   if (refused(&q)) {
     pair->gap = 0;
     pair->outcome = GJK_SCENE_FILTERED;
-  } else if (v->header->config.no_skips == 0 && outlasts_motion(&q, pair)) {
-    pair->outcome = GJK_SCENE_MOTION;
-  } else if (v->header->config.no_skips != 0 ||
-             !settle_far(pair, spare(&q, gjk_aabb_gap(&part_a->exact, &part_b->exact)), GJK_SCENE_BOXES)) {
+  } else if (!skips || !surely_far(&q, pair)) {
     query(&q, pair);
   }
 }

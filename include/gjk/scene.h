@@ -72,8 +72,9 @@ typedef struct gjk_scene_config {
   uint8_t reserved;    // 0
 } gjk_scene_config;
 
-// Should this pair be tested? Called once per test, perhaps from several threads: it may depend on its arguments and on
-// what does not change during an update. A pair that moves no more is not asked about again; gjk_scene_refilter.
+// Should this pair be tested? Called at most once per test, perhaps from several threads: it may depend on its arguments
+// and on what does not change during an update. A pair whose last answer outlasts its motion is not asked about again
+// unless gjk_scene_refilter says so.
 typedef bool gjk_scene_predicate(void *user, gjk_body a, uint32_t user_a, gjk_body b, uint32_t user_b);
 
 // What depth and contacts need, one constant each, so that a program links them only if it mentions them.
@@ -226,7 +227,7 @@ typedef struct gjk_scene_stats {
   uint32_t resting;        // neither side moved - asleep, static or still: the last answer stands
   uint32_t filtered;       // the predicate, or a changed filter
   uint32_t motion;         // what the last test left, apart or near, exceeds the motion since
-  uint32_t boxes;          // exact boxes apart
+  uint32_t boxes;          // exact boxes, or bounding spheres, apart
   uint32_t direction;      // the last separating direction still separates: one support scan
   uint32_t warm, cold;     // queries, started from the cache or not
   uint32_t begun, persisting, ended;

@@ -24,7 +24,7 @@ if [ -z "${missing# }" ]; then
   check 'the cases run' sh -c "sh tests/build/emulate.sh cortex-m4 build/cortex-m4/scene_bench.elf >$build/scene_cost.txt"
   check '64 bodies sparse' at_most 35000 '64 bodies sparse, 25 % moving'
   check '64 bodies in piles' at_most 70000 '64 bodies in piles, 25 % moving'
-  check '64 bodies crowded, two pairs a body' at_most 90000 '64 bodies crowded, 25 % moving'
+  check '64 bodies crowded, two pairs a body' at_most 80000 '64 bodies crowded, 25 % moving'
   check '64 bodies at rest' at_most 1000 '64 bodies crowded, at rest'
   check 'all moving against a quarter' at_most_times 4 '64 bodies crowded, all moving' '64 bodies crowded, 25 % moving'
   for kind in sparse crowded 'in piles'; do
