@@ -41,21 +41,13 @@ static bool surely_suffices(gjk_q16 depth, const gjk_unit3 *u, const gjk_vec3 *t
          gjk_shl64((int64_t)depth + 1, 33);
 }
 
-// *to becomes *from with another centre; by fields, since a whole one would be copied by a call of the C library.
-static void copy_moved(gjk_collider *to, const gjk_collider *from, gjk_vec3 centre) {
-  to->shape = from->shape;
-  to->buffer = from->buffer;
-  to->position = from->position;
-  to->centre = centre;
-  to->local_centre = from->local_centre;
-  for (int i = 0; i < 3; i++) {
-    to->frame[i] = from->frame[i];
+// Copies a collider; volatile, lest the compiler make it a call of memcpy.
+static void copy_collider(gjk_collider *to, const gjk_collider *from) {
+  const volatile unsigned char *source = (const volatile unsigned char *)from;
+  unsigned char *target = (unsigned char *)to;
+  for (size_t i = 0; i < sizeof *to; i++) {
+    target[i] = source[i];
   }
-  to->core_radius = from->core_radius;
-  to->radius = from->radius;
-  to->state = from->state;
-  to->count = from->count;
-  to->bits = from->bits;
 }
 
 // Are the shapes apart or touching when B has moved by t? Exact. Overwrites the iteration. Pre: t parts the cores.
@@ -67,7 +59,8 @@ GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *
   const bool leaves =
       x > INT32_MAX || x < INT32_MIN || y > INT32_MAX || y < INT32_MIN || z > INT32_MAX || z < INT32_MIN;
   gjk_collider moved;
-  copy_moved(&moved, leaves ? a : b, leaves ? gjk_sub(a->centre, *t) : gjk_add(b->centre, *t));
+  copy_collider(&moved, leaves ? a : b);
+  moved.centre = leaves ? gjk_sub(a->centre, *t) : gjk_add(b->centre, *t);
   const int64_t radius = gjk_roundings(it);
   gjk_iteration_start(it, leaves ? &moved : a, leaves ? b : &moved, GJK_GOAL_SIGNED, radius);
   gjk_limbs numerator, denominator;

@@ -21,21 +21,21 @@ bool gjk_is_zonotope(const gjk_iteration *it) {
   return it->a->shape->type->kind == GJK_KIND_AXES && it->b->shape->type->kind == GJK_KIND_AXES;
 }
 
+static gjk_vec3 in_frame(const gjk_vec3 *v, int shift) {
+  const gjk_vec3 scaled = {gjk_shl32(v->x, (unsigned)shift), gjk_shl32(v->y, (unsigned)shift),
+                           gjk_shl32(v->z, (unsigned)shift)};
+  return scaled;
+}
+
 static void open(zonotope *z, gjk_iteration *it) {
   z->it = it;
   z->of_a = it->a->count;
   z->count = z->of_a + it->b->count;
-  const unsigned shift = (unsigned)it->shift;
   for (unsigned i = 0; i < z->count; i++) {
-    const gjk_vec3 *g = i < z->of_a ? &it->a->frame[i] : &it->b->frame[i - z->of_a];
-    z->axis[i].x = gjk_shl32(g->x, shift);
-    z->axis[i].y = gjk_shl32(g->y, shift);
-    z->axis[i].z = gjk_shl32(g->z, shift);
+    z->axis[i] = in_frame(i < z->of_a ? &it->a->frame[i] : &it->b->frame[i - z->of_a], it->shift);
   }
   const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);
-  z->delta.x = gjk_shl32(delta.x, shift);
-  z->delta.y = gjk_shl32(delta.y, shift);
-  z->delta.z = gjk_shl32(delta.z, shift);
+  z->delta = in_frame(&delta, it->shift);
 }
 
 // A vertex of A - B by the signs of the axes: bit k is set for plus.
@@ -50,24 +50,19 @@ static void place(const zonotope *z, unsigned signs, gjk_vertex *out) {
   out->b = (uint16_t)(~signs >> z->of_a & mask_b);
 }
 
-// Which way e turns to v, seen against n, all three in one plane across n: -1, 0 or 1. The component along which n is
-// longest tells.
-static int turn(const gjk_long3 *n, const gjk_vec3 *e, const gjk_vec3 *v) {
-  const uint64_t x = gjk_magnitude64(n->x), y = gjk_magnitude64(n->y), z = gjk_magnitude64(n->z);
-  gjk_long3 c;
-  gjk_cross(e, v, &c);
-  if (x >= y && x >= z) {
-    return gjk_sign64(n->x) * gjk_sign64(c.x);
-  }
-  return y >= z ? gjk_sign64(n->y) * gjk_sign64(c.y) : gjk_sign64(n->z) * gjk_sign64(c.z);
+// Which way e turns to v, both in a facet, seen against its normal: -1, 0 or 1. Their product is a multiple of the normal,
+// and so turned as the rounded one is.
+static int turn(const gjk_vec3 *normal, const gjk_vec3 *e, const gjk_vec3 *v) {
+  gjk_long3 product;
+  gjk_cross(e, v, &product);
+  return gjk_dot_sign(&product, normal);
 }
 
-// A triangle of a facet, on its way to the origin's projection.
+// A triangle of a facet with the outward normal it->direction, on its way to the origin's projection.
 typedef struct patch {
   const zonotope *z;
-  const gjk_long3 *n;  // outwards
-  unsigned level;      // the axes in the plane, bit k for axis k
-  unsigned signs[3];   // of the corners, counterclockwise seen against n
+  unsigned level;     // the axes in the plane, bit k for axis k
+  unsigned signs[3];  // of the corners, counterclockwise seen against n
 } patch;
 
 // Turns the triangle over its edge from corner i, onto the vertex of the facet that is farthest beyond it. False: there
@@ -80,7 +75,7 @@ static bool turn_over(patch *p, unsigned i) {
   bool beyond = false;
   for (unsigned k = 0; k < p->z->count; k++) {
     const unsigned bit = 1u << k;
-    const int side = (p->level & bit) != 0 ? turn(p->n, &edge, &p->z->axis[k]) : 0;
+    const int side = (p->level & bit) != 0 ? turn(&p->z->it->direction.d, &edge, &p->z->axis[k]) : 0;
     if (side != 0) {
       signs = side < 0 ? signs | bit : signs & ~bit;
       beyond = beyond || ((signs ^ start) & bit) != 0;
@@ -128,7 +123,7 @@ static gjk_zonotope_answer consider(const zonotope *z, unsigned i, unsigned j, u
     n.y = -n.y;
     n.z = -n.z;
   }
-  patch p = {z, &n, 1u << i | 1u << j, {0, 0, 0}};
+  patch p = {z, 1u << i | 1u << j, {0, 0, 0}};
   for (unsigned k = 0; k < z->count; k++) {
     const int side = k == i || k == j ? 0 : gjk_dot_sign(&n, &z->axis[k]);
     p.signs[0] |= side > 0 ? 1u << k : 0;
@@ -139,8 +134,8 @@ static gjk_zonotope_answer consider(const zonotope *z, unsigned i, unsigned j, u
   if (p.level + 1 == 1u << z->count) {
     return GJK_ZONOTOPE_FLAT;
   }
-  const bool covers = find_projection(&p);
   gjk_round_direction(&n, &z->it->direction);
+  const bool covers = find_projection(&p);
   if (gjk_dot_sign(&n, &z->it->simplex.slot[0].w) < 0) {
     return GJK_ZONOTOPE_APART;
   }
