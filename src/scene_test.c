@@ -112,18 +112,15 @@ static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const i
 }
 
 // A lower bound of the distance from the bounding spheres, where it exceeds the margins; otherwise 0.
+// Pre: the boxes do not tell. Radii are at most 2^28 + 4, with their roundings, and margins less than 2^29, so the reach is
+// below 2^31, and so is each component from centre to centre.
 static int64_t sphere_bound(const question *q) {
-  const uint64_t x = gjk_magnitude64((int64_t)q->a->centre.x - q->b->centre.x);
-  const uint64_t y = gjk_magnitude64((int64_t)q->a->centre.y - q->b->centre.y);
-  const uint64_t z = gjk_magnitude64((int64_t)q->a->centre.z - q->b->centre.z);
-  // Cores reach 2^28 + 4, roundings 2^28, margins less than 2^29: below 2^31.
+  const uint32_t x = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.x - q->b->centre.x);
+  const uint32_t y = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.y - q->b->centre.y);
+  const uint32_t z = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.z - q->b->centre.z);
   const int32_t radii = q->a->core_radius + q->b->core_radius + shape_of(q, q->a)->round + shape_of(q, q->b)->round;
   const uint32_t reach = (uint32_t)radii + (uint32_t)q->margin;
-  if ((x | y | z) >> 31 != 0) {
-    return 0;
-  }
-  const uint64_t squared = gjk_umul32((uint32_t)x, (uint32_t)x) + gjk_umul32((uint32_t)y, (uint32_t)y) +
-                           gjk_umul32((uint32_t)z, (uint32_t)z);
+  const uint64_t squared = gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z);
   return squared > gjk_umul32(reach, reach) ? (int64_t)gjk_isqrt64(squared) - radii : 0;
 }
 
@@ -189,10 +186,11 @@ static int32_t near_spare(const question *q, const gjk_collider *a, const gjk_co
   if (within <= 0 || c->proof == GJK_PROOF_ENCLOSING) {
     return within <= 0 ? 0 : gjk_cut_off(within);
   }
-  if (c->proof != GJK_PROOF_NEAR || !between_centres(a, b, &centres) || !a->shape->type->vertex(a, c->a[0], &on_a) ||
-      !b->shape->type->vertex(b, c->b[0], &on_b)) {
+  if (c->proof != GJK_PROOF_NEAR || !between_centres(a, b, &centres)) {
     return 0;
   }
+  a->shape->type->vertex(a, c->a[0], &on_a);  // named by the query, so they are there
+  b->shape->type->vertex(b, c->b[0], &on_b);
   const int64_t left = within - (int64_t)gjk_magnitude64(along(&c->direction, &centres, &on_a, &on_b));
   return left > 0 ? gjk_cut_off(left) : 0;
 }

@@ -156,10 +156,12 @@ static void test_large_hulls(void) {
 // gaps are within the margins along each axis, the bounding spheres meet.
 static void test_far_apart(void) {
   const gjk_q16 x = (INT32_C(1) << 29) + 1, y = INT32_C(3) << 27, left = -x / 2, low = -y / 2;
+  gjk_scene_config config = usual;
   gjk_report reports[8];
   uint32_t count;
+  config.detail = GJK_DETAIL_TOUCH;
   for (int n = 0; n < 2; n++) {
-    start(&usual);
+    start(&config);
     const gjk_body a = add(2, left, low, GJK_RADIUS_MAX), b = add(2, left + x - n, low + y, GJK_RADIUS_MAX);
     gjk_scene_stats stats = update(reports, &count);
     CHECK(count == 0 && stats.cold == 1);
@@ -169,9 +171,13 @@ static void test_far_apart(void) {
     move(a, left + 2, low);
     stats = update(reports, &count);
     CHECK(count == 0 && stats.direction == 1);  // now the last direction settles it
-    move(b, left + x, low);
+    move(b, left + x + n, low);
     update(reports, &count);
     CHECK(count == 1 && reports[0].event == GJK_EVENT_BEGIN);
+    // Near by about 2^17: that is known, unless the centres are too far apart.
+    move(b, left + x + n, low + 1);
+    stats = update(reports, &count);
+    CHECK(count == 0 && (n == 0 ? stats.motion : stats.warm) == 1);
   }
 }
 
