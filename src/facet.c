@@ -85,8 +85,8 @@ void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool 
   const gjk_unit3 normal = gjk_unit(&it->direction.d);
   const gjk_q16 depth = bound < 0 ? exact_depth(it, &normal, &it->simplex.slot[0].w, true) : bound;
   best->set = false;
-  // Bounds of one plane may be 2 LSB apart: the least of them holds.
-  const gjk_q16 slack = bound < 0 ? 0 : 2, least = best->found && best->depth < depth ? best->depth : depth;
+  // Curved supports may be 2 LSB apart across the same plane: the least of the bounds holds.
+  const gjk_q16 slack = it->curved == NULL ? 0 : 2, least = best->found && best->depth < depth ? best->depth : depth;
   bool better = !best->found || depth < best->depth;
   if (best->found && covers != best->covers) {
     better = covers ? depth <= best->depth + slack : depth + slack < best->depth;

@@ -93,15 +93,18 @@ static void bump(gjk_q30 *u) {
   }
 }
 
+// Does the move part the shapes? Exact.
+static bool parts(overlap *o, const gjk_vec3 *t) {
+  return o->proof == GJK_PROOF_FACET && gjk_roundings(&o->it) == 0 ? clears_facet(o, t) : apart_when_moved(&o->it, t);
+}
+
 // Rounds the normal away from 0 as far as the move by depth needs it. Once no component is less than the exact one, it
-// suffices: 5 times.
-static void widen_normal(overlap *o, gjk_penetration_result *out) {
+// suffices: 5 times. Too small a workspace leaves a bound, and no feature to ask.
+static void widen_normal(overlap *o, gjk_status status, gjk_penetration_result *out) {
   for (int i = 0; i < 6 && out->depth > 0; i++) {  // not reached: 6, see above
     const gjk_unit3 *u = &out->normal;
     const gjk_vec3 t = {move_along(out->depth, u->x), move_along(out->depth, u->y), move_along(out->depth, u->z)};
-    if (surely_suffices(out->depth, u, &t) ||
-        (o->proof == GJK_PROOF_FACET && gjk_roundings(&o->it) == 0 ? clears_facet(o, &t)
-                                                                   : apart_when_moved(&o->it, &t))) {
+    if (surely_suffices(out->depth, u, &t) || (status == GJK_ERROR_CAPACITY ? i == 5 : parts(o, &t))) {
       return;
     }
     bump(&out->normal.x);
@@ -199,8 +202,8 @@ static gjk_status report(overlap *o, gjk_outcome outcome, int64_t plane, const g
   if (status == GJK_ERROR_CAPACITY) {
     out->certificate.proof = GJK_PROOF_NONE;
   }
-  if (o->it.curved == NULL && status == GJK_OK) {
-    widen_normal(o, out);
+  if (o->it.curved == NULL) {
+    widen_normal(o, status, out);
   }
   return status;
 }

@@ -147,6 +147,24 @@ static void same(random_state *random, case_pair *pair) {
   }
 }
 
+// A cube in a cube, turned alike, as hulls: the heights of all facets of A - B are within a few LSB of each other.
+static void cubes(random_state *random, case_pair *pair) {
+  const gjk_q16 half = at_least(generate_reach(random) / 2, 8);
+  const gjk_quat rotation = generate_rotation(random);
+  case_shape *shapes[2] = {&pair->a, &pair->b};
+  for (int k = 0; k < 2; k++) {
+    const gjk_q16 size = half - random_range(random, 0, half / 4);
+    shapes[k]->kind = CASE_BOX;
+    shapes[k]->size.x = size + random_range(random, -2, 2);
+    shapes[k]->size.y = size + random_range(random, -2, 2);
+    shapes[k]->size.z = size;
+    shapes[k]->pose.rotation = rotation;
+    generate_bake(shapes[k]);
+  }
+  pair->b.pose.position.x += random_range(random, -2, 2);
+  pair->b.pose.position.y += random_range(random, -2, 2);
+}
+
 // Equal boxes, faces or edges flush, pushed into each other along the others.
 static void flush_boxes(random_state *random, case_pair *pair) {
   const gjk_q16 unit = at_least(generate_reach(random) / 8, 2);
@@ -205,6 +223,7 @@ const generate_family generate_overlaps[] = {
     {"sliver-crosses", slivers, 40, 100, 0},
     {"sheets", sheets, 20, 90, 0},
     {"same", same, 90, 100, 0},
+    {"cubes", cubes, 100, 100, 0},
     {"flush-boxes", flush_boxes, 80, 100, 0},
     {"duplicates", duplicates, 50, 100, 0},
     {"flat", generate_flat, 10, 80, 0},
