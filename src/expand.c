@@ -61,6 +61,10 @@ static void normal_of(const gjk_simplex *s, gjk_long3 *n) {
   gjk_cross(&edge, &edge2, n);
 }
 
+static gjk_q16 curved_error(const gjk_iteration *it) {
+  return it->curved != NULL ? GJK_CURVED_ERROR : 0;
+}
+
 // The triangle that holds the origin is a facet: the depth is 0.
 static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
   gjk_simplex *s = &it->simplex;
@@ -71,7 +75,7 @@ static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
   facet->normal = gjk_unit(&it->direction.d);
   facet->rank = 0;
   facet->set = false;
-  facet->depth = it->curved != NULL ? GJK_CURVED_ERROR : 0;
+  facet->depth = curved_error(it);
   facet->found = true;
   facet->covers = true;
 }
@@ -115,7 +119,7 @@ static gjk_expansion complete(gjk_iteration *it, gjk_facet *facet, bool *done, u
 
 // How far a support along it->direction bounds the depth from above.
 static gjk_q16 upper_bound(const gjk_iteration *it, const gjk_vec3 *w) {
-  return gjk_depth_across(it, w) + (it->curved != NULL ? GJK_CURVED_ERROR : 0);
+  return gjk_depth_across(it, w) + curved_error(it);
 }
 
 // Considers a face, with the outward normal it->direction: exactly, or bound by how far a support has reached across it.
@@ -141,8 +145,7 @@ static gjk_q16 lower_bound(const gjk_iteration *it, const gjk_polytope *p) {
     const uint32_t height = gjk_height(&d.d, gjk_polytope_vertex(p, corner[0]));
     least = height < least ? height : least;
   }
-  const gjk_q16 lower = (gjk_q16)((least > GJK_HEIGHT_ERROR ? least - GJK_HEIGHT_ERROR : 0) >> it->shift);
-  return it->curved == NULL ? lower : lower > GJK_CURVED_ERROR ? lower - GJK_CURVED_ERROR : 0;
+  return (gjk_q16)((least > GJK_HEIGHT_ERROR ? least - GJK_HEIGHT_ERROR : 0) >> it->shift) - curved_error(it);
 }
 
 static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet, gjk_q16 *lower, uint16_t *rounds) {
@@ -176,11 +179,7 @@ static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet
 
 // The facet's plane is exact, or for curved shapes known to within the tolerance and the error of their supports.
 static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
-  const gjk_q16 slack = 2 * GJK_CURVED_ERROR + 2;
-  if (it->curved == NULL) {
-    return facet->depth;
-  }
-  return facet->depth > slack ? facet->depth - slack : 0;
+  return it->curved == NULL ? facet->depth : facet->depth - (2 * GJK_CURVED_ERROR + 2);
 }
 
 // Without room for a polytope: one face of the tetrahedron, and how far A - B reaches beyond it.
@@ -211,7 +210,7 @@ gjk_expansion gjk_expand(gjk_iteration *it, const gjk_workspace *workspace, gjk_
   bool done;
   gjk_polytope p;
   gjk_expansion expansion = complete(it, facet, &done, rounds);
-  *lower = 0;
+  *lower = -curved_error(it);
   if (done) {
     return expansion;
   }

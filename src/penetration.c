@@ -87,7 +87,6 @@ static bool clears_facet(const overlap *o, const gjk_vec3 *t) {
 }
 
 static void bump(gjk_q30 *u) {
-  // not reached: 1: along a normal that near to an axis the first move suffices but for 2^-27 LSB
   if (*u != 0 && *u > -GJK_Q30_ONE && *u < GJK_Q30_ONE) {
     *u += *u > 0 ? 1 : -1;
   }
@@ -126,7 +125,7 @@ static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
   }
   if (expansion == GJK_EXPANSION_TOUCHES) {
     o->proof = GJK_PROOF_PLANE;
-    o->upper = it->curved != NULL ? GJK_CURVED_ERROR : 0;
+    o->upper = -o->lower;
     return GJK_OK;
   }
   o->upper = facet->depth;
@@ -156,7 +155,7 @@ static void measure_gap(overlap *o, int64_t plane) {
   }
   o->proof = GJK_PROOF_NEAREST;
   o->upper = -(gjk_q16)low + (it->curved != NULL ? GJK_CURVED_ERROR : 0);
-  o->lower = -(gjk_q16)low - (it->curved != NULL ? GJK_CURVED_ERROR : 0);
+  o->lower = -(gjk_q16)low - (it->curved != NULL ? GJK_CURVED_ERROR + 1 : 0);
 }
 
 static void certify(const overlap *o, gjk_certificate *out) {
@@ -193,9 +192,11 @@ static gjk_status report(overlap *o, gjk_outcome outcome, int64_t plane, const g
     out->normal = o->proof == GJK_PROOF_FACET ? o->facet.normal : gjk_unit(&o->it.direction.d);
   }
   out->intersecting = true;
-  out->depth = o->upper + rounding;
-  out->upper = out->depth;
+  out->upper = o->upper + rounding;
   out->lower = o->lower + rounding > 0 ? o->lower + rounding : 0;
+  // A bound is as far off as curved supports may be; the depth itself is told by the supports as they are.
+  const gjk_q16 off = o->it.curved != NULL && status == GJK_OK ? GJK_CURVED_ERROR : 0;
+  out->depth = out->upper - off;
   out->iterations = o->rounds;
   gjk_witness_points(&o->it, &out->normal, &out->point_a, &out->point_b, &saturated);
   certify(o, &out->certificate);

@@ -44,7 +44,7 @@ typedef struct gjk_penetration_result {
   gjk_q16 depth;        // the least move of B along any direction that leaves them apart or just touching, rounded up:
                         // 0 if and only if they just touch
   gjk_q16 lower;        // proven bounds of the depth; both equal depth for polytopes and their rounded forms after
-  gjk_q16 upper;        // GJK_OK; otherwise depth is upper
+  gjk_q16 upper;        // GJK_OK; after CAPACITY depth is upper
   gjk_vec3 point_a;     // points that coincide when B has moved: A's deepest in B
   gjk_vec3 point_b;     // and B's deepest in A
   gjk_unit3 normal;     // that direction, from A to B, Q2.30, each component rounded away from 0
@@ -61,7 +61,7 @@ typedef struct gjk_penetration_result {
 // out        written when the result is GJK_OK or CAPACITY.
 // Exact      points, segments, triangles, boxes, hulls and their rounded forms: the depth is that of the true minimum
 //            over all directions, rounded up. Moving B by depth along normal, each component of the product rounded
-//            away from 0, leaves them apart or touching, exactly. Cylinder, cone, ellipsoid: within 4 LSB, or
+//            away from 0, leaves them apart or touching, exactly. Cylinder, cone, ellipsoid: within 3 LSB, or
 //            CAPACITY with its bounds.
 // Cost       one round for each vertex of the polytope, so at most the workspace's; stack: `make sizes`.
 // Statuses   NULL, UNINITIALISED, ITERATION_LIMIT. CAPACITY: the workspace is too small; everything in out is valid,

@@ -6,7 +6,7 @@
 
 // Of curved shapes, and of centres so far apart that answers hold 27 bits of the distance.
 #define CURVED_TOLERANCE 2.0L
-#define DEPTH_TOLERANCE 4.0L
+#define DEPTH_TOLERANCE 3.0L
 #define FAR_TOLERANCE (1.0L / 134217728.0L)
 
 // Without vertices to name there is no exact proof: compares with proven bounds of the real distance.

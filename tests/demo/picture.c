@@ -341,7 +341,7 @@ static void put_panel(const picture *p) {
   }
   fprintf(p->file, "</g>\n<g font-size=\"12\" fill=\"" INK "\">\n");
   static const char *const meaning[] = {"apart: gap between the nearest points",
-                                        "touching: contact points, depth 0 (curved: at most 4 LSB)",
+                                        "touching: contact points, depth 0 (curved: at most 3 LSB)",
                                         "overlapping: depth, and the way out (arrow)"};
   y = HEIGHT - 108;
   for (int i = 0; i < 3; i++) {
@@ -352,7 +352,7 @@ static void put_panel(const picture *p) {
           "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT
           "\">proven: certificate checked in exact integers</text>"
           "<text x=\"%.0f\" y=\"%.0f\" fill=\"" FAINT
-          "\">curved: within 2 LSB, depth within 4, of proven bounds</text></g>\n",
+          "\">curved: within 2 LSB, depth within 3, of proven bounds</text></g>\n",
           PANEL_LEFT + 10, y + 64, PANEL_LEFT + 10, y + 80);
 }
 

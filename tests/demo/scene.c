@@ -10,7 +10,7 @@
 #define CELLS (GJK_POLYTOPE_CELLS(VERTICES) + VERTICES)
 
 // LSB that the depth of curved bodies may be off.
-#define CURVED_TOUCH 4
+#define CURVED_TOUCH 3
 
 static bool same_vec3(gjk_vec3 a, gjk_vec3 b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;

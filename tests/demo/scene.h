@@ -16,7 +16,7 @@ typedef struct scene_body {
 
 typedef enum scene_relation {
   SCENE_APART,
-  SCENE_TOUCHING,  // depth 0, or of curved bodies at most the 4 LSB that it may be off
+  SCENE_TOUCHING,  // depth 0, or of curved bodies at most the 3 LSB that it may be off
   SCENE_OVERLAPPING
 } scene_relation;
 

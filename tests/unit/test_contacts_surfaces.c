@@ -13,8 +13,8 @@
 #define SEED 20270103
 #define PAIRS_PER_CELL ((unsigned)check_trials(240))
 #define TOLERANCE 2.0L
-// The nearest points of curved shapes, apart by a depth that is an upper bound: 4 LSB and the points' rounding.
-#define CURVED_TOLERANCE 5.0L
+// The nearest points of curved shapes, apart by a depth: 3 LSB and the points' rounding.
+#define CURVED_TOLERANCE 4.0L
 #define VERTICES 512
 #define CELLS (GJK_POLYTOPE_CELLS(VERTICES) + VERTICES)
 
