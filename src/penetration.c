@@ -53,25 +53,25 @@ static void copy_collider(gjk_collider *to, const gjk_collider *from) {
 // Are the shapes apart or touching when B has moved by t? Exact. Overwrites the iteration. Pre: t parts the cores.
 GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
   const gjk_collider *a = it->a, *b = it->b;
-  const gjk_vec3 *c = &b->centre;
-  const int64_t x = (int64_t)c->x + t->x, y = (int64_t)c->y + t->y, z = (int64_t)c->z + t->z;
-  // Near the end of the world A moves instead, which then doesn't leave it.
-  const bool leaves =
-      x > INT32_MAX || x < INT32_MIN || y > INT32_MAX || y < INT32_MIN || z > INT32_MAX || z < INT32_MIN;
-  gjk_collider moved;
-  copy_collider(&moved, leaves ? a : b);
-  moved.centre = leaves ? gjk_sub(a->centre, *t) : gjk_add(b->centre, *t);
+  // In the middle of the world, where there is room: they overlap, so their centres are at most 2^29 + 2^3 apart, and t is
+  // not much longer.
+  const gjk_vec3 origin = {0, 0, 0}, apart = gjk_sub(b->centre, a->centre);
+  gjk_collider moved_a, moved_b;
+  copy_collider(&moved_a, a);
+  copy_collider(&moved_b, b);
+  moved_a.centre = origin;
+  moved_b.centre = gjk_add(apart, *t);
   const int64_t radius = gjk_roundings(it);
-  gjk_iteration_start(it, leaves ? &moved : a, leaves ? b : &moved, GJK_GOAL_SIGNED, radius);
+  gjk_iteration_start(it, &moved_a, &moved_b, GJK_GOAL_SIGNED, radius);
   gjk_limbs numerator, denominator;
-  bool apart = false;
+  bool parted = false;
   if (gjk_iteration_run(it, GJK_GOAL_SIGNED, NULL) == GJK_OUTCOME_NEAREST) {  // not reached: else, see above
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
-    apart = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
+    parted = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
   }
   it->a = a;
   it->b = b;
-  return apart;
+  return parted;
 }
 
 // Does the move take A - B behind the facet's plane? Exact.

@@ -37,6 +37,10 @@ static gjk_vec3 sum(gjk_vec3 a, gjk_vec3 b) {
   return s;
 }
 
+static gjk_q16 random_depth(random_state *random, gjk_q16 below) {
+  return random_below(random, 2) == 0 ? 0 : (gjk_q16)random_below(random, (uint32_t)below);
+}
+
 // Overlaps at the corners of the world are those of its middle, bit for bit, although B has no room to move out.
 static void test_end_of_world(void) {
   random_state random = random_seed(31);
@@ -51,10 +55,10 @@ static void test_end_of_world(void) {
                     (corner & 4) != 0 ? INT32_MAX : INT32_MIN};
     const gjk_vec3 inwards = {(corner & 1) != 0 ? -1 : 1, (corner & 2) != 0 ? -1 : 1, (corner & 4) != 0 ? -1 : 1};
     gjk_vec3 apart;
-    // B in the very corner, or at one wall of the world; A further in.
-    apart.x = -inwards.x * (gjk_q16)random_below(&random, (uint32_t)size);
-    apart.y = -inwards.y * (gjk_q16)random_below(&random, (uint32_t)size);
-    apart.z = -inwards.z * (gjk_q16)random_below(&random, (uint32_t)size);
+    // B in the very corner, or at one wall of the world; A further in, or level, so that it has no room either.
+    apart.x = -inwards.x * random_depth(&random, size);
+    apart.y = -inwards.y * random_depth(&random, size);
+    apart.z = -inwards.z * random_depth(&random, size);
     const unsigned walls = random_below(&random, 4);
     end.x = walls == 1 || walls == 2 ? 0 : end.x;
     end.y = walls == 2 || walls == 3 ? 0 : end.y;
