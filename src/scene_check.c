@@ -1,6 +1,8 @@
 // Checks a block's every index and invariant, in passes that end whatever the block holds.
 #include "gjk/pose.h"
+#include "scene_pairs.h"
 #include "scene_tree.h"
+#include "shape_class.h"
 
 static bool live_part(const gjk_scene_view *v, uint32_t index) {
   return index < v->header->parts.fresh && (v->parts[index].state & GJK_SCENE_LIVE) != 0;
@@ -14,13 +16,19 @@ static bool gone(const gjk_scene_pair *pair) {
   return (pair->state & GJK_SCENE_PAIR_GONE) != 0;
 }
 
+// A part's pose that is free has the next free one where one in use has its part, which names it.
+static bool placed_is_used(const gjk_scene_view *v, uint32_t index) {
+  const uint32_t part = v->placed[index].next;
+  return live_part(v, part) && v->parts[part].placed == index;
+}
+
 // The free list of a pool names fresh - count records, none of them in use.
 static bool check_free(const gjk_scene_view *v, const gjk_scene_pool *pool, uint32_t size) {
   const gjk_scene_header *h = v->header;
   uint32_t at = pool->free;
   for (uint32_t left = pool->fresh - pool->count; left > 0; left--) {
     if (at >= pool->fresh || (pool == &h->parts && live_part(v, at)) || (pool == &h->pairs && live_pair(v, at)) ||
-        (pool == &h->nodes && v->nodes[at].height != 0)) {
+        (pool == &h->nodes && v->nodes[at].height != 0) || (pool == &h->placed && placed_is_used(v, at))) {
       return false;
     }
     const void *record = (const unsigned char *)(const void *)h + (size_t)(pool->at + at * size);
@@ -40,6 +48,31 @@ static bool check_placed(const gjk_scene_view *v, uint32_t index, uint32_t *plac
          gjk_quat_invert(&v->placed[at].pose.rotation, &opposite) == GJK_OK;
 }
 
+static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
+  return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+// A part holds what its shape is at the pose of its body: posing repeats bit for bit. So all that a query assumes of a
+// collider is true of it.
+static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p) {
+  gjk_pose pose = {body->position, body->rotation};
+  gjk_aabb box;
+  gjk_collider c;
+  c.state = 0;
+  for (int i = 0; i < 3; i++) {  // what the shape does not use
+    c.frame[i].x = c.frame[i].y = c.frame[i].z = 0;
+  }
+  if ((p->placed != GJK_SCENE_NONE && gjk_pose_compose(&pose, &v->placed[p->placed].pose, &pose) != GJK_OK) ||
+      gjk_collider_init(&c, v->scene->shapes[p->shape], NULL, 0) != GJK_OK || gjk_collider_pose(&c, &pose) != GJK_OK ||
+      gjk_collider_aabb(&c, &box) != GJK_OK) {
+    return false;
+  }
+  return same_vec3(&p->centre, &c.centre) && same_vec3(&p->local_centre, &c.local_centre) &&
+         same_vec3(&p->frame[0], &c.frame[0]) && same_vec3(&p->frame[1], &c.frame[1]) &&
+         same_vec3(&p->frame[2], &c.frame[2]) && p->core_radius == c.core_radius &&
+         same_vec3(&p->exact.lower, &box.lower) && same_vec3(&p->exact.upper, &box.upper);
+}
+
 // The parts of a body: as many as it says, numbered upwards. Counts them and their poses.
 static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts, uint32_t *placed) {
   uint32_t number = 0;
@@ -48,8 +81,9 @@ static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts,
       return false;
     }
     const gjk_scene_part *p = &v->parts[i];
-    if (p->body != slot || p->number != number || p->core_radius <= 0 || p->core_radius > GJK_RADIUS_MAX + 4 ||
-        !gjk_aabb_inside(&p->exact, &p->enlarged) || !check_placed(v, i, placed)) {
+    if (p->body != slot || p->number != number || (p->state & GJK_SCENE_MARK) != 0 ||
+        !gjk_aabb_inside(&p->exact, &p->enlarged) || !check_placed(v, i, placed) ||
+        !check_pose(v, &v->bodies[slot], p)) {
       return false;
     }
     number++;
@@ -80,9 +114,13 @@ static bool check_bodies(const gjk_scene_view *v) {
       if (!check_body(v, slot) || !check_parts(v, slot, &parts, &placed)) {
         return false;
       }
-    } else if (body->generation != 0 && body->first != GJK_SCENE_NONE) {
-      return false;
+    } else if ((body->generation != 0 || (body->flags & GJK_SCENE_MOVED) != 0) && body->first != GJK_SCENE_NONE) {
+      return false;  // zeroed, it holds no list, but is in none either
     }
+  }
+  const uint32_t last = h->config.bodies % 32;  // bits of no slot
+  if (last != 0 && v->slots[h->config.bodies / 32] >> last != 0) {
+    return false;
   }
   return bodies == h->bodies.count && parts == h->parts.count && placed == h->placed.count;
 }
@@ -166,32 +204,41 @@ static bool check_link(const gjk_scene_view *v, uint32_t link) {
          (live_pair(v, next / 2) && !gone(&v->pairs[next / 2]) && v->pairs[next / 2].previous[next % 2] == link);
 }
 
+// May gap be minus a depth? Pre: its parts are there.
+static bool may_be_deep(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  const gjk_scene_body *a = &v->bodies[v->parts[pair->part[0]].body], *b = &v->bodies[v->parts[pair->part[1]].body];
+  const unsigned found = pair->outcome == GJK_SCENE_PENDING ? 0 : GJK_SCENE_PAIR_NEAR_NOW;
+  return gjk_scene_detail(v, a, b) == GJK_DETAIL_DEPTH && (pair->state & (GJK_SCENE_PAIR_NEAR | found)) != 0;
+}
+
 static bool check_pair(const gjk_scene_view *v, uint32_t index) {
   const gjk_scene_pair *pair = &v->pairs[index];
   const uint32_t a = pair->part[0], b = pair->part[1];
-  if (pair->state >> GJK_SCENE_PAIR_CACHED > 4 ||
-      (pair->gap < 0 && (pair->state & (GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_NEAR_NOW)) == 0) ||
-      (pair->outcome & (GJK_SCENE_UNSETTLED - 1)) >= GJK_SCENE_OUTCOMES ||
-      (v->header->phase == GJK_SCENE_IDLE && (pair->state & GJK_SCENE_PAIR_QUEUED) != 0)) {
+  const unsigned outcome = pair->outcome & (GJK_SCENE_UNSETTLED - 1u);
+  if (pair->state >> GJK_SCENE_PAIR_CACHED > 4 || outcome >= GJK_SCENE_OUTCOMES ||
+      (outcome == GJK_SCENE_PENDING && pair->outcome != GJK_SCENE_PENDING)) {
     return false;
   }
   if (gone(pair)) {
     return (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
   }
   return live_part(v, a) && live_part(v, b) && v->parts[a].body < v->parts[b].body && check_link(v, 2 * index) &&
-         check_link(v, 2 * index + 1);
+         check_link(v, 2 * index + 1) && (pair->gap >= 0 || may_be_deep(v, pair));
 }
 
 static bool check_pairs(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
-  uint32_t pairs = 0, missing = 0, linked = 0, listed = 0;
+  uint32_t pairs = 0, missing = 0, linked = 0, listed = 0, queued = 0;
   for (uint32_t i = 0; i < h->pairs.fresh; i++) {
     if (live_pair(v, i)) {
       pairs++;
+      queued += (v->pairs[i].state & GJK_SCENE_PAIR_QUEUED) != 0 ? 1 : 0;
       missing += gone(&v->pairs[i]);
       if (!check_pair(v, i)) {
         return false;
       }
+    } else if (v->pairs[i].state != 0) {
+      return false;
     }
   }
   // No ring without a head: the lists together hold every link.
@@ -208,8 +255,40 @@ static bool check_pairs(const gjk_scene_view *v) {
       return false;
     }
   }
-  return pairs == h->pairs.count && linked == 2 * (pairs - missing) &&
-         (listed == missing || h->phase == GJK_SCENE_REPORTING);
+  for (uint32_t i = h->next_report; h->phase == GJK_SCENE_REPORTING && i < h->queued; i++) {
+    listed += gone(&v->pairs[v->queue[i]]) ? 1 : 0;
+  }
+  return pairs == h->pairs.count && linked == 2 * (pairs - missing) && listed == missing &&
+         queued == (h->phase == GJK_SCENE_TESTING ? h->queued : 0);
+}
+
+// Is this an entry as the phase has them?
+static bool check_entry(const gjk_scene_view *v, uint32_t at) {
+  const gjk_scene_header *h = v->header;
+  if (!live_pair(v, v->queue[at])) {
+    return false;
+  }
+  const gjk_scene_pair *pair = &v->pairs[v->queue[at]];
+  const bool queued = (pair->state & GJK_SCENE_PAIR_QUEUED) != 0;
+  if (h->phase == GJK_SCENE_TESTING) {
+    return queued && !gone(pair) && (at >= h->next_test || pair->outcome != GJK_SCENE_PENDING);
+  }
+  return !queued && pair->outcome >= (gone(pair) ? GJK_EVENT_END : GJK_EVENT_BEGIN) && pair->outcome <= GJK_EVENT_END;
+}
+
+// No pair is in the queue twice: each entry flips the flag of the pair that it names, which must not have been flipped
+// yet. Afterwards all are as they were.
+static bool check_entries(const gjk_scene_view *v) {
+  const gjk_scene_header *h = v->header;
+  const uint32_t first = h->phase == GJK_SCENE_REPORTING ? h->next_report : 0;
+  uint32_t end = first;
+  for (; end < h->queued && check_entry(v, end); end++) {
+    v->pairs[v->queue[end]].state ^= GJK_SCENE_PAIR_QUEUED;
+  }
+  for (uint32_t i = first; i < end; i++) {
+    v->pairs[v->queue[i]].state ^= GJK_SCENE_PAIR_QUEUED;
+  }
+  return end >= h->queued;
 }
 
 static bool check_queue(const gjk_scene_view *v) {
@@ -217,15 +296,10 @@ static bool check_queue(const gjk_scene_view *v) {
   if (h->most_detail > GJK_DETAIL_CONTACTS || h->most_detail < h->config.detail || h->phase > GJK_SCENE_REPORTING ||
       h->queued > h->pairs.capacity || h->lowest > (h->config.bodies + 31) / 32 ||
       (h->phase == GJK_SCENE_IDLE && h->queued != 0) || (h->phase == GJK_SCENE_TESTING && h->next_test > h->queued) ||
-      (h->phase == GJK_SCENE_REPORTING && h->next_report > h->queued)) {
+      (h->phase == GJK_SCENE_REPORTING && (h->next_report > h->queued || h->gone != GJK_SCENE_NONE))) {
     return false;
   }
-  for (uint32_t i = h->phase == GJK_SCENE_REPORTING ? h->next_report : 0; i < h->queued; i++) {
-    if (!live_pair(v, v->queue[i])) {
-      return false;
-    }
-  }
-  return true;
+  return check_entries(v);
 }
 
 gjk_status gjk_scene_check(const gjk_scene *scene) {
@@ -247,6 +321,6 @@ gjk_status gjk_scene_check(const gjk_scene *scene) {
   const bool sound =
       check_free(&v, &h->parts, sizeof(gjk_scene_part)) && check_free(&v, &h->nodes, sizeof(gjk_scene_node)) &&
       check_free(&v, &h->placed, sizeof(gjk_scene_placed)) && check_free(&v, &h->pairs, sizeof(gjk_scene_pair)) &&
-      check_bodies(&v) && check_moved(&v) && check_tree(&v) && check_pairs(&v) && check_queue(&v);
+      check_bodies(&v) && check_moved(&v) && check_tree(&v) && check_queue(&v) && check_pairs(&v);
   return sound ? GJK_OK : GJK_ERROR_CORRUPT;
 }

@@ -276,9 +276,10 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 // Enters a checksum into the block, which holds until a call that changes the scene. For saves that leave the program.
 gjk_status gjk_scene_seal(gjk_scene *scene);
 
-// Opens a sealed block that may come from anywhere: checks its header, byte order, checksum, and every index in it.
-// scene is written as by gjk_scene_init. Statuses: CORRUPT; CAPACITY (bytes); RANGE (not aligned, or a shape index beyond
-// shape_count). That the shapes are the same is the caller's promise.
+// Opens a sealed block that may come from anywhere: checks its header, byte order, checksum, and all that
+// gjk_scene_check does, so that no call reads or writes outside of it afterwards. scene is written as by gjk_scene_init.
+// Statuses: CORRUPT; CAPACITY (bytes); RANGE (not aligned, or a shape index beyond shape_count). That the shapes are the
+// same is the caller's promise; CORRUPT where a part's box or pose tells that they are not.
 gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
                           uint16_t shape_count);
 
@@ -286,7 +287,8 @@ gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk
 gjk_status gjk_scene_attach(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
                             uint16_t shape_count);
 
-// Checks every index and invariant in the block: OK or CORRUPT. Visits all of it.
+// Checks every index and invariant in the block, and poses every part anew: OK or CORRUPT; RANGE as above. Visits all of
+// it, and may not overlap with queries.
 gjk_status gjk_scene_check(const gjk_scene *scene);
 
 #ifdef __cplusplus

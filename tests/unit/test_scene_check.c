@@ -142,6 +142,10 @@ static void test_free_lists(void) {
   REFUSED(h->parts.free = v.bodies[5].first);
   REFUSED(h->nodes.free = part_of(5)->parent);
   REFUSED(h->pairs.free = pair_of(0, 1));
+  // In use, in the place of another.
+  const uint32_t third = v.parts[part_of(3)->next].next;
+  CHECK(v.parts[third].number == 2 && third < h->placed.fresh && v.placed[third].next != part_of(3)->next);
+  REFUSED(v.placed[third].next = GJK_SCENE_NONE; h->placed.free = v.parts[third].placed);
   // One too many, or in a ring.
   REFUSED(v.parts[h->parts.free].next = h->parts.free);
   REFUSED(*(uint32_t *)&v.nodes[h->nodes.free] = h->nodes.free);
@@ -165,6 +169,9 @@ static void test_bodies(void) {
   REFUSED(v.bodies[36].generation = 2);  // never taken
   REFUSED(v.bodies[36].generation = 1; v.slots[1] &= ~UINT32_C(16));
   REFUSED(v.bodies[34].first = 0);  // free, with a part
+  // No slots, free.
+  REFUSED(v.slots[1] |= UINT32_C(1) << 8);
+  REFUSED(v.slots[1] |= UINT32_C(1) << 31);
   REFUSED(h->bodies.count--);
   REFUSED(v.bodies[4].kind_detail = GJK_BODY_DYNAMIC + 1);
   ACCEPTED(v.bodies[4].kind_detail = GJK_BODY_STATIC | GJK_DETAIL_DISTANCE << 4; h->most_detail = GJK_DETAIL_DISTANCE);
@@ -189,16 +196,31 @@ static void test_parts(void) {
   REFUSED(v.bodies[3].parts = 2);
   REFUSED(part_of(3)->number = 1);
   REFUSED(part_of(3)->next = v.bodies[3].first);
-  REFUSED(part_of(4)->core_radius = 0);
-  ACCEPTED(part_of(4)->core_radius = 1);
-  ACCEPTED(part_of(4)->core_radius = GJK_RADIUS_MAX + 4);
-  REFUSED(part_of(4)->core_radius = GJK_RADIUS_MAX + 5);
+  REFUSED(part_of(3)->state |= GJK_SCENE_MARK);
+  ACCEPTED(part_of(3)->state |= GJK_SCENE_REPAIR);
+  // Not what posing gives.
+  REFUSED(part_of(4)->core_radius++);
+  for (int i = 0; i < 3; i++) {
+    REFUSED(part_of(4)->frame[i].x++);
+    REFUSED(part_of(4)->frame[i].y++);
+    REFUSED(part_of(4)->frame[i].z++);
+  }
+  gjk_vec3 *const corners[] = {&part_of(4)->centre, &part_of(4)->local_centre, &part_of(4)->exact.lower,
+                               &part_of(4)->exact.upper};
+  for (int i = 0; i < 4; i++) {
+    REFUSED(corners[i]->x++);
+    REFUSED(corners[i]->y++);
+    REFUSED(corners[i]->z++);
+  }
+  REFUSED(v.bodies[4].position.y++);
   gjk_scene_part *const second = &v.parts[part_of(3)->next];
   CHECK(second->placed != GJK_SCENE_NONE);
   REFUSED(second->placed = v.header->placed.fresh);
   REFUSED(second->placed = v.header->placed.free);
   REFUSED(second->placed = v.parts[second->next].placed);
   REFUSED(second->placed = GJK_SCENE_NONE);
+  REFUSED(v.placed[second->placed].pose.position.y = INT32_MAX);  // still a pose, but not of the part
+  REFUSED(v.bodies[3].position.y = INT32_MAX);                    // placed parts leave int32
   REFUSED(v.placed[second->placed].pose.rotation.w = 5);
   // The exact box sticks out of the enlarged one, on each side.
   gjk_aabb *const exact = &part_of(4)->exact, *const enlarged = &part_of(4)->enlarged;
@@ -208,7 +230,7 @@ static void test_parts(void) {
   REFUSED(exact->upper.x = enlarged->upper.x + 1);
   REFUSED(exact->upper.y = enlarged->upper.y + 1);
   REFUSED(exact->upper.z = enlarged->upper.z + 1);
-  ACCEPTED(*exact = *enlarged);
+  ACCEPTED(*enlarged = *exact);
   // A shape that the table doesn't have is the caller's mistake.
   restore();
   part_of(4)->shape = 2;
@@ -226,6 +248,11 @@ static void test_moved(void) {
   REFUSED(v.bodies[4].flags = GJK_SCENE_MOVED);
   ACCEPTED(v.header->moved = 4; v.bodies[4].flags = GJK_SCENE_MOVED; v.bodies[4].next_moved = GJK_SCENE_NONE);
   REFUSED(v.header->moved = 4; v.bodies[4].flags = GJK_SCENE_MOVED; v.bodies[4].next_moved = 4);
+  // A slot that was never taken, without and with parts.
+  gjk_scene_body *const never = &v.bodies[36];
+  ACCEPTED(never->first = 0);
+  ACCEPTED(v.header->moved = 36; never->flags = GJK_SCENE_MOVED; never->next_moved = never->first = GJK_SCENE_NONE);
+  REFUSED(v.header->moved = 36; never->flags = GJK_SCENE_MOVED; never->next_moved = GJK_SCENE_NONE; never->first = 99);
 }
 
 static void test_tree(void) {
@@ -295,12 +322,30 @@ static void test_pairs(void) {
                         *const r = &v.pairs[pair_of(0, 2)];
   ACCEPTED(p->state = (uint8_t)((p->state & 31u) | 4u << GJK_SCENE_PAIR_CACHED));
   REFUSED(p->state = (uint8_t)((p->state & 31u) | 5u << GJK_SCENE_PAIR_CACHED));
-  ACCEPTED(p->gap = -1);  // that deep
+  // That deep; where no depth is asked for, or none was found.
+  ACCEPTED(p->gap = -1; h->most_detail = h->config.detail = GJK_DETAIL_DEPTH);
+  ACCEPTED(p->gap = -1; h->most_detail = h->config.detail = GJK_DETAIL_DEPTH; p->outcome = GJK_SCENE_PENDING);
+  for (unsigned detail = GJK_DETAIL_TOUCH; detail <= GJK_DETAIL_CONTACTS; detail++) {
+    const unsigned now = detail == GJK_DETAIL_DEPTH ? GJK_SCENE_PENDING : GJK_SCENE_COLD;
+    restore();
+    h->config.detail = (uint8_t)detail;
+    h->most_detail = detail;
+    p->gap = -1;
+    p->state = (uint8_t)(p->state | GJK_SCENE_PAIR_NEAR_NOW);
+    p->outcome = (uint8_t)now;
+    p->state = (uint8_t)(detail == GJK_DETAIL_DEPTH ? p->state & ~GJK_SCENE_PAIR_NEAR : p->state);
+    CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+    p->gap = 0;
+    CHECK(gjk_scene_check(&scene) == GJK_OK);
+  }
   REFUSED(p->gap = -1; p->state = (uint8_t)(p->state & ~GJK_SCENE_PAIR_NEAR));
   ACCEPTED(p->gap = 0; p->state = (uint8_t)(p->state & ~GJK_SCENE_PAIR_NEAR));
   ACCEPTED(p->outcome = GJK_SCENE_COLD | GJK_SCENE_UNSETTLED);
   REFUSED(p->outcome = GJK_SCENE_OUTCOMES);
+  ACCEPTED(p->outcome = GJK_SCENE_PENDING);
+  REFUSED(p->outcome = GJK_SCENE_PENDING | GJK_SCENE_UNSETTLED);
   REFUSED(p->state = (uint8_t)(p->state | GJK_SCENE_PAIR_QUEUED));
+  REFUSED(v.pairs[h->pairs.free].state = GJK_SCENE_PAIR_NEAR);  // near, but not there
   REFUSED(p->part[0] = h->parts.free);
   REFUSED(p->part[1] = h->parts.fresh);
   REFUSED(p->part[0] = p->part[1]);
@@ -361,41 +406,99 @@ static void test_gone(void) {
   REFUSED(v.pairs[other].previous[1] = 2 * gone);
 }
 
-// In the middle of an update.
-static void test_queue(void) {
-  build();
-  gjk_scene_header *h = v.header;
+// A sound block in which slots 0 to 2 have moved apart, and their update has begun. Returns how many pairs it tests.
+static uint32_t begin_update(void) {
   gjk_pose pose = GJK_POSE_IDENTITY;
-  uint32_t pairs;
+  uint32_t pairs = 0;
+  build();
   pose.position.y = 1;
   for (uint32_t slot = 0; slot < 3; slot++) {
     pose.position.x = (gjk_q16)slot * (3 * ONE);
     CHECK(gjk_scene_move(&scene, gjk_scene_handle(&v, slot), &pose) == GJK_OK);
   }
-  REFUSED(h->phase = GJK_SCENE_REPORTING + 1);
-  REFUSED(h->queued = 1);
-  memcpy(block, sound, sizeof block);
-  for (uint32_t slot = 0; slot < 3; slot++) {
-    pose.position.x = (gjk_q16)slot * (3 * ONE);
-    CHECK(gjk_scene_move(&scene, gjk_scene_handle(&v, slot), &pose) == GJK_OK);
-  }
-  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 3 && gjk_scene_check(&scene) == GJK_OK);
   memcpy(sound, block, sizeof block);
-  ACCEPTED(h->next_test = 3);
+  REFUSED(v.header->phase = GJK_SCENE_REPORTING + 1);
+  REFUSED(v.header->queued = 1);
+  restore();
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && gjk_scene_check(&scene) == GJK_OK);
+  memcpy(sound, block, sizeof block);
+  return pairs;
+}
+
+static void test_testing(void) {
+  CHECK(begin_update() == 3);
+  gjk_scene_header *h = v.header;
+  gjk_scene_pair *const first = &v.pairs[v.queue[0]], *const last = &v.pairs[v.queue[2]];
+  ACCEPTED(h->next_test = 1; first->outcome = GJK_SCENE_COLD);
+  ACCEPTED(last->outcome = GJK_SCENE_COLD);
+  REFUSED(h->next_test = 1);  // not tested
+  REFUSED(h->next_test = 3; first->outcome = last->outcome = GJK_SCENE_COLD);
   REFUSED(h->next_test = 4);
   REFUSED(h->queued = h->pairs.capacity + 1);
   REFUSED(v.queue[2] = h->pairs.free);
   REFUSED(v.queue[0] = h->pairs.fresh);
+  // Twice, not flagged, flagged but not in the queue.
+  REFUSED(v.queue[2] = v.queue[0]);
+  REFUSED(first->state = (uint8_t)(first->state & ~GJK_SCENE_PAIR_QUEUED));
+  REFUSED(h->queued = 2);
+  ACCEPTED(h->queued = 2; last->state = (uint8_t)(last->state & ~GJK_SCENE_PAIR_QUEUED));
+  // Refused blocks are as they were, too.
   restore();
+  v.queue[2] = v.queue[0];
+  memcpy(sound, block, sizeof block);
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT && memcmp(sound, block, sizeof block) == 0);
+}
+
+static void test_reporting(void) {
   gjk_report report;
   gjk_progress progress;
-  CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports_left == 2);
+  CHECK(begin_update() == 3 && gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports_left == 2);
+  gjk_scene_header *h = v.header;
   memcpy(sound, block, sizeof block);
   ACCEPTED((void)0);
-  ACCEPTED(h->next_report = 3);
   REFUSED(h->next_report = 4);
+  ACCEPTED(h->next_report = 3);
   ACCEPTED(v.queue[0] = h->pairs.fresh);  // reported already
+  ACCEPTED(v.queue[0] = v.queue[1]);
   REFUSED(v.queue[1] = h->pairs.fresh);
+  REFUSED(v.queue[2] = v.queue[1]);
+  gjk_scene_pair *const next = &v.pairs[v.queue[1]];
+  REFUSED(next->outcome = 0);
+  ACCEPTED(next->outcome = GJK_EVENT_BEGIN);
+  REFUSED(next->outcome = GJK_EVENT_END + 1);
+  REFUSED(next->state |= GJK_SCENE_PAIR_QUEUED);
+}
+
+// Pairs whose end is being reported, of a body that was removed.
+static void test_reporting_gone(void) {
+  gjk_report report;
+  gjk_progress progress;
+  build();
+  CHECK(gjk_scene_remove(&scene, gjk_scene_handle(&v, 0)) == GJK_OK);
+  CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports_left == 1);
+  memcpy(sound, block, sizeof block);
+  gjk_scene_header *h = v.header;
+  gjk_scene_pair *const gone = &v.pairs[v.queue[1]];
+  ACCEPTED((void)0);
+  REFUSED(h->gone = v.queue[1]; gone->previous[0] = GJK_SCENE_NONE);
+  REFUSED(h->gone = v.queue[1]; gone->previous[0] = GJK_SCENE_NONE; h->next_report = 2);
+  REFUSED(h->next_report = 2);  // never reported
+  REFUSED(gone->outcome = GJK_EVENT_BEGIN);
+  // Tested, as if it had parts.
+  const uint32_t other = pair_of(1, 2);
+  REFUSED(h->phase = GJK_SCENE_TESTING; h->next_test = 0; h->gone = v.queue[1]; h->queued = 1; v.queue[0] = h->gone;
+          gone->previous[0] = GJK_SCENE_NONE; gone->state |= GJK_SCENE_PAIR_QUEUED);
+  ACCEPTED(h->phase = GJK_SCENE_TESTING; h->next_test = 0; h->gone = v.queue[1]; h->queued = 1; v.queue[0] = other;
+           gone->previous[0] = GJK_SCENE_NONE; v.pairs[other].state |= GJK_SCENE_PAIR_QUEUED);
+}
+
+// As many slots as bits.
+static void test_full_word(void) {
+  static const gjk_scene_config whole = {32, 32, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  CHECK(gjk_scene_init(&scene, &whole, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  block[gjk_scene_bytes(&whole) / 4] = UINT32_MAX;  // what follows the block is no part of it
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
 }
 
 int main(void) {
@@ -408,7 +511,10 @@ int main(void) {
   test_tree();
   test_pairs();
   test_gone();
-  test_queue();
+  test_testing();
+  test_reporting();
+  test_reporting_gone();
+  test_full_word();
   test_deep_tree();
   return check_done("scene_check");
 }
