@@ -55,15 +55,17 @@ static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
 // A part holds what its shape is at the pose of its body: posing repeats bit for bit. So all that a query assumes of a
 // collider is true of it.
 static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p) {
+  const uint16_t shape = p->shape;
   gjk_pose pose = {body->position, body->rotation};
   gjk_aabb box;
   gjk_collider c;
+  //@ assert shape < v->scene->shape_count;
   c.state = 0;
   for (int i = 0; i < 3; i++) {  // what the shape does not use
     c.frame[i].x = c.frame[i].y = c.frame[i].z = 0;
   }
   if ((p->placed != GJK_SCENE_NONE && gjk_pose_compose(&pose, &v->placed[p->placed].pose, &pose) != GJK_OK) ||
-      gjk_collider_init(&c, v->scene->shapes[p->shape], NULL, 0) != GJK_OK || gjk_collider_pose(&c, &pose) != GJK_OK ||
+      gjk_collider_init(&c, v->scene->shapes[shape], NULL, 0) != GJK_OK || gjk_collider_pose(&c, &pose) != GJK_OK ||
       gjk_collider_aabb(&c, &box) != GJK_OK) {
     return false;
   }
@@ -95,7 +97,7 @@ static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts,
 static bool check_body(const gjk_scene_view *v, uint32_t slot) {
   const gjk_scene_body *body = &v->bodies[slot];
   gjk_quat opposite;
-  return (body->kind_detail & 15u) <= GJK_BODY_DYNAMIC && body->kind_detail >> 4 <= (int)v->header->most_detail &&
+  return (body->kind_detail & 15u) <= GJK_BODY_DYNAMIC && (uint32_t)body->kind_detail >> 4 <= v->header->most_detail &&
          body->margin >= 0 && body->margin <= GJK_RADIUS_MAX && gjk_quat_invert(&body->rotation, &opposite) == GJK_OK;
 }
 
@@ -158,13 +160,15 @@ static bool check_inner(const gjk_scene_view *v, uint32_t node) {
   if (n->child[0] == n->child[1]) {
     return false;
   }
+  uint32_t heights[2];
   for (int i = 0; i < 2; i++) {
-    if (!is_node(v, n->child[i]) || parent_of(v, n->child[i]) != node ||
-        !gjk_aabb_inside(gjk_scene_node_box(v, n->child[i]), &n->box)) {
+    const uint32_t child = n->child[i];
+    if (!is_node(v, child) || parent_of(v, child) != node || !gjk_aabb_inside(gjk_scene_node_box(v, child), &n->box)) {
       return false;
     }
+    heights[i] = height_of(v, child);
   }
-  const uint32_t a = height_of(v, n->child[0]), b = height_of(v, n->child[1]);
+  const uint32_t a = heights[0], b = heights[1];
   return a <= b + 1 && b <= a + 1 && n->height == (a > b ? a : b) + 1;
 }
 
@@ -180,35 +184,38 @@ static bool check_tree(const gjk_scene_view *v) {
   for (uint32_t node = gjk_scene_walk_next(&walk); node != GJK_SCENE_NONE; node = gjk_scene_walk_next(&walk)) {
     if ((node & GJK_SCENE_LEAF) != 0) {
       leaves++;
-      // not reached: more than count: other than the free ones there are no more, and each is reached once
-    } else if (!check_inner(v, node) || inner++ == h->nodes.count || walk.count + 2 > GJK_SCENE_DEPTH) {
-      return false;
-    } else {
-      gjk_scene_walk_descend(v, &walk, node);
+      continue;
     }
+    //@ assert node < h->nodes.fresh;
+    // not reached: more than count: other than the free ones there are no more, and each is reached once
+    if (!check_inner(v, node) || inner++ == h->nodes.count || walk.count > GJK_SCENE_DEPTH - 2) {
+      return false;
+    }
+    gjk_scene_walk_descend(v, &walk, node);
   }
   return leaves == h->parts.count && inner == h->nodes.count;
 }
 
-// A pair's place in the lists of its parts: both neighbours point back.
-static bool check_link(const gjk_scene_view *v, uint32_t link) {
+// A pair's place in the lists of its parts: both neighbours point back. Pre: part, of that side, is there.
+static bool check_link(const gjk_scene_view *v, uint32_t link, uint32_t part) {
   const gjk_scene_pair *pair = &v->pairs[link / 2];
-  const uint32_t part = pair->part[link % 2], next = pair->next[link % 2], previous = pair->previous[link % 2];
-  if (previous == GJK_SCENE_NONE ? v->parts[part].pairs != link
-                                 : !live_pair(v, previous / 2) || gone(&v->pairs[previous / 2]) ||
-                                       v->pairs[previous / 2].next[previous % 2] != link ||
-                                       v->pairs[previous / 2].part[previous % 2] != part) {
+  const uint32_t next = pair->next[link % 2], previous = pair->previous[link % 2];
+  const uint32_t after = next / 2, before = previous / 2;
+  if (previous == GJK_SCENE_NONE
+          ? v->parts[part].pairs != link
+          : !live_pair(v, before) || gone(&v->pairs[before]) || v->pairs[before].next[previous % 2] != link ||
+                v->pairs[before].part[previous % 2] != part) {
     return false;
   }
   return next == GJK_SCENE_NONE ||
-         (live_pair(v, next / 2) && !gone(&v->pairs[next / 2]) && v->pairs[next / 2].previous[next % 2] == link);
+         (live_pair(v, after) && !gone(&v->pairs[after]) && v->pairs[after].previous[next % 2] == link);
 }
 
-// May gap be minus a depth? Pre: its parts are there.
-static bool may_be_deep(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  const gjk_scene_body *a = &v->bodies[v->parts[pair->part[0]].body], *b = &v->bodies[v->parts[pair->part[1]].body];
+// May gap be minus a depth?
+static bool may_be_deep(const gjk_scene_view *v, const gjk_scene_pair *pair, uint32_t slot_a, uint32_t slot_b) {
   const unsigned found = pair->outcome == GJK_SCENE_PENDING ? 0 : GJK_SCENE_PAIR_NEAR_NOW;
-  return gjk_scene_detail(v, a, b) == GJK_DETAIL_DEPTH && (pair->state & (GJK_SCENE_PAIR_NEAR | found)) != 0;
+  return gjk_scene_detail(v, &v->bodies[slot_a], &v->bodies[slot_b]) == GJK_DETAIL_DEPTH &&
+         (pair->state & (GJK_SCENE_PAIR_NEAR | found)) != 0;
 }
 
 static bool check_pair(const gjk_scene_view *v, uint32_t index) {
@@ -222,8 +229,13 @@ static bool check_pair(const gjk_scene_view *v, uint32_t index) {
   if (gone(pair)) {
     return (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
   }
-  return live_part(v, a) && live_part(v, b) && v->parts[a].body < v->parts[b].body && check_link(v, 2 * index) &&
-         check_link(v, 2 * index + 1) && (pair->gap >= 0 || may_be_deep(v, pair));
+  if (!live_part(v, a) || !live_part(v, b)) {
+    return false;
+  }
+  const uint32_t slot_a = v->parts[a].body, slot_b = v->parts[b].body;
+  //@ assert slot_b < v->header->config.bodies;
+  return slot_a < slot_b && check_link(v, 2 * index, a) && check_link(v, 2 * index + 1, b) &&
+         (pair->gap >= 0 || may_be_deep(v, pair, slot_a, slot_b));
 }
 
 static bool check_pairs(const gjk_scene_view *v) {
@@ -244,10 +256,12 @@ static bool check_pairs(const gjk_scene_view *v) {
   // No ring without a head: the lists together hold every link.
   for (uint32_t i = 0; i < h->parts.fresh; i++) {
     uint32_t link = live_part(v, i) ? v->parts[i].pairs : GJK_SCENE_NONE;
-    for (; link != GJK_SCENE_NONE; link = v->pairs[link / 2].next[link % 2]) {
-      if (!live_pair(v, link / 2) || v->pairs[link / 2].part[link % 2] != i || linked++ == 2 * pairs) {
+    while (link != GJK_SCENE_NONE) {
+      const uint32_t index = link / 2;
+      if (!live_pair(v, index) || v->pairs[index].part[link % 2] != i || linked++ == 2 * pairs) {
         return false;
       }
+      link = v->pairs[index].next[link % 2];
     }
   }
   for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].previous[0]) {
@@ -256,19 +270,17 @@ static bool check_pairs(const gjk_scene_view *v) {
     }
   }
   for (uint32_t i = h->next_report; h->phase == GJK_SCENE_REPORTING && i < h->queued; i++) {
-    listed += gone(&v->pairs[v->queue[i]]) ? 1 : 0;
+    const uint32_t index = v->queue[i];
+    //@ assert index < h->pairs.fresh;
+    listed += gone(&v->pairs[index]) ? 1 : 0;
   }
   return pairs == h->pairs.count && linked == 2 * (pairs - missing) && listed == missing &&
          queued == (h->phase == GJK_SCENE_TESTING ? h->queued : 0);
 }
 
 // Is this an entry as the phase has them?
-static bool check_entry(const gjk_scene_view *v, uint32_t at) {
+static bool check_entry(const gjk_scene_view *v, uint32_t at, const gjk_scene_pair *pair) {
   const gjk_scene_header *h = v->header;
-  if (!live_pair(v, v->queue[at])) {
-    return false;
-  }
-  const gjk_scene_pair *pair = &v->pairs[v->queue[at]];
   const bool queued = (pair->state & GJK_SCENE_PAIR_QUEUED) != 0;
   if (h->phase == GJK_SCENE_TESTING) {
     return queued && !gone(pair) && (at >= h->next_test || pair->outcome != GJK_SCENE_PENDING);
@@ -282,11 +294,17 @@ static bool check_entries(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
   const uint32_t first = h->phase == GJK_SCENE_REPORTING ? h->next_report : 0;
   uint32_t end = first;
-  for (; end < h->queued && check_entry(v, end); end++) {
-    v->pairs[v->queue[end]].state ^= GJK_SCENE_PAIR_QUEUED;
+  for (; end < h->queued; end++) {
+    const uint32_t index = v->queue[end];
+    if (!live_pair(v, index) || !check_entry(v, end, &v->pairs[index])) {
+      break;
+    }
+    v->pairs[index].state ^= GJK_SCENE_PAIR_QUEUED;
   }
   for (uint32_t i = first; i < end; i++) {
-    v->pairs[v->queue[i]].state ^= GJK_SCENE_PAIR_QUEUED;
+    const uint32_t index = v->queue[i];
+    //@ assert index < h->pairs.fresh;
+    v->pairs[index].state ^= GJK_SCENE_PAIR_QUEUED;
   }
   return end >= h->queued;
 }
