@@ -5,6 +5,7 @@
 #include "scene_tree.h"
 
 static void put_in_moved_list(gjk_scene_view *v, uint32_t slot) {
+  //@ assert slot < v->header->config.bodies;
   gjk_scene_body *body = &v->bodies[slot];
   if ((body->flags & GJK_SCENE_MOVED) == 0) {
     body->flags |= GJK_SCENE_MOVED;
@@ -194,7 +195,8 @@ gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body handle) {
 }
 
 static const gjk_pose *placed_pose(const gjk_scene_view *v, const gjk_scene_part *p) {
-  return p->placed == GJK_SCENE_NONE ? NULL : &v->placed[p->placed].pose;
+  const uint32_t at = p->placed;
+  return at == GJK_SCENE_NONE ? NULL : &v->placed[at].pose;
 }
 
 // The part's collider at another pose of its body.

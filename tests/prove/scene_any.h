@@ -35,10 +35,165 @@ static void any_shapes(void) {
   shape.type = any_bool() ? &polytope : &curved;
   shape.round = any_between(0, GJK_RADIUS_MAX);
   shape.count = any_uint16();
-  for (int i = 0; i < SHAPES; i++) {
-    shapes[i] = any_bool() ? &shape : NULL;
-  }
+  shapes[0] = &shape;
+  shapes[1] = any_bool() ? &shape : NULL;
 }
 
+// An index below count.
+static uint32_t any_below(uint32_t count) {
+  return Frama_C_unsigned_int_interval(0, count - 1);
+}
+
+static uint32_t any_index(uint32_t count) {
+  return any_bool() ? GJK_SCENE_NONE : any_below(count);
+}
+
+static uint32_t any_node(void) {
+  return any_bool() ? GJK_SCENE_LEAF | any_below(PARTS) : any_below(PARTS);
+}
+
+static gjk_aabb any_box(void) {
+  const gjk_aabb box = {any_position(), any_position()};
+  return box;
+}
+
+static void any_body(gjk_scene_body *body) {
+  body->generation = any_uint32();
+  body->position = any_position();
+  body->rotation = any_quat();
+  body->category = any_uint32();
+  body->mask = any_uint32();
+  body->user = any_uint32();
+  body->margin = any_between(0, GJK_RADIUS_MAX);
+  body->first = any_index(PARTS);
+  body->next_moved = any_index(BODIES);
+  body->parts = any_uint16();
+  body->kind_detail = (uint8_t)(any_between(0, GJK_BODY_DYNAMIC) | any_between(0, GJK_DETAIL_CONTACTS) << 4);
+  body->flags = (uint8_t)any_between(0, UINT8_MAX);
+}
+
+static void any_part(gjk_scene_part *part) {
+  part->next = any_index(PARTS);
+  part->body = any_below(BODIES);
+  part->parent = any_index(PARTS);
+  part->pairs = any_index(2 * PAIRS);
+  part->placed = any_index(PLACED);
+  part->motion = any_uint32();
+  part->centre = any_position();
+  part->local_centre = any_position();
+  for (int i = 0; i < 3; i++) {
+    part->frame[i] = any_position();
+  }
+  part->core_radius = any_between(4, GJK_RADIUS_MAX + 4);
+  part->exact = any_box();
+  part->enlarged = any_box();
+  part->shape = 0;
+  part->number = any_uint16();
+  part->state = any_uint32();
+}
+
+static void any_inner(gjk_scene_node *node) {
+  node->child[0] = any_node();
+  node->child[1] = any_node();
+  node->parent = any_index(PARTS);
+  node->height = any_below(GJK_SCENE_DEPTH);
+  node->box = any_box();
+}
+
+static void any_placed(gjk_scene_placed *placed) {
+  placed->next = any_index(PARTS > PLACED ? PARTS : PLACED);
+  placed->pose = any_pose();
+}
+
+static void any_pair(gjk_scene_pair *pair) {
+  for (int i = 0; i < 2; i++) {
+    pair->part[i] = any_below(PARTS);
+    pair->next[i] = any_index(2 * PAIRS);
+    pair->previous[i] = any_index(2 * PAIRS);
+  }
+  pair->gap = any_int32();
+  for (int i = 0; i < 3; i++) {
+    pair->direction[i] = (int16_t)any_between(INT16_MIN, INT16_MAX);
+  }
+  for (int i = 0; i < 4; i++) {
+    pair->a[i] = (uint8_t)any_between(0, UINT8_MAX);
+    pair->b[i] = (uint8_t)any_between(0, UINT8_MAX);
+  }
+  pair->state = (uint8_t)any_between(0, UINT8_MAX);
+  pair->outcome = (uint8_t)(any_between(0, GJK_SCENE_OUTCOMES - 1) + (any_bool() ? GJK_SCENE_UNSETTLED : 0));
+}
+
+static void any_pool(gjk_scene_pool *pool, uint32_t free) {
+  pool->fresh = any_below(pool->capacity + 1);
+  pool->free = any_index(free);
+  pool->count = any_below(pool->capacity + 1);
+}
+
+static void any_header(gjk_scene_header *h) {
+  h->sealed = any_uint32();
+  h->config.box_margin = any_between(0, GJK_RADIUS_MAX);
+  h->config.detail = (uint8_t)any_between(0, GJK_DETAIL_CONTACTS);
+  h->config.persist = any_bool();
+  h->config.no_skips = any_bool();
+  any_pool(&h->bodies, BODIES);
+  any_pool(&h->parts, PARTS);
+  any_pool(&h->nodes, PARTS);
+  any_pool(&h->placed, PLACED);
+  any_pool(&h->pairs, PAIRS);
+  h->lowest = any_below(2);
+  h->root = any_bool() ? GJK_SCENE_NONE : any_node();
+  h->moved = any_index(BODIES);
+  h->gone = any_index(PAIRS);
+  h->phase = any_below(GJK_SCENE_REPORTING + 1);
+  h->queued = any_below(PAIRS + 1);
+  h->next_test = any_below(PAIRS + 1);
+  h->next_report = any_below(PAIRS + 1);
+  h->updates = any_uint32();
+  h->most_detail = any_below(GJK_DETAIL_CONTACTS + 1);
+  h->refused = any_uint32();
+  Frama_C_make_unknown((char *)&h->stats, sizeof h->stats);
+}
+
+static bool any_answer(void *user, gjk_body a, uint32_t user_a, gjk_body b, uint32_t user_b) {
+  return any_bool();
+}
+
+static gjk_cell cells[1];
+static const gjk_workspace workspace = {cells, 1};
+static gjk_manifold manifolds[PAIRS];
+
+static void any_handle(gjk_scene *scene) {
+  const int32_t able = any_between(0, 2);
+  //@ split able;
+  scene->predicate = any_bool() ? any_answer : NULL;
+  scene->details = able == 0 ? NULL : able == 1 ? &gjk_scene_depth : &gjk_scene_contacts;
+  scene->workspace = any_bool() ? &workspace : NULL;
+  scene->manifolds = any_bool() ? manifolds : NULL;
+}
+
+// Every field of a block holds what gjk_scene_check lets it hold by itself.
+static bool any_scene(gjk_scene *scene) {
+  const gjk_scene_config config = {BODIES, PARTS, PLACED, PAIRS, 0, 0, 0, 0, 0};
+  any_shapes();
+  if (gjk_scene_init(scene, &config, &block, sizeof block, shapes, SHAPES) != GJK_OK) {
+    return false;
+  }
+  any_header(&block.header);
+  for (int i = 0; i < PARTS; i++) {
+    any_body(&block.bodies[i]);
+    any_part(&block.parts[i]);
+    any_inner(&block.nodes[i]);
+  }
+  for (int i = 0; i < PLACED; i++) {
+    any_placed(&block.placed[i]);
+  }
+  for (int i = 0; i < PAIRS; i++) {
+    any_pair(&block.pairs[i]);
+    block.queue[i] = any_below(PAIRS);
+  }
+  block.slots[0] = any_below(1u << BODIES);
+  any_handle(scene);
+  return true;
+}
 
 #endif

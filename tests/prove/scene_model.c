@@ -1,9 +1,9 @@
 // Stands in for what the scene asks of the rest of the library: any answers.
-#include "gjk/pose.h"
+#include "any.h"
 #include "gjk/contacts.h"
 #include "gjk/distance.h"
 #include "gjk/intersect.h"
-#include "any.h"
+#include "gjk/pose.h"
 #include "shape_class.h"
 
 static gjk_status any_status(void) {
@@ -51,5 +51,61 @@ gjk_status gjk_pose_compose(const gjk_pose *a, const gjk_pose *b, gjk_pose *out)
 
 gjk_status gjk_quat_invert(const gjk_quat *q, gjk_quat *out) {
   *out = any_quat();
+  return any_status();
+}
+
+static void check_posed(const gjk_collider *a, const gjk_collider *b) {
+  //@ assert a->state == GJK_STATE_POSED && b->state == GJK_STATE_POSED;
+  //@ assert a->shape->round >= 0 && b->shape->round >= 0;
+}
+
+gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, gjk_cache *cache,
+                      gjk_decision *out) {
+  check_posed(a, b);
+  if (any_bool()) {
+    return GJK_ERROR_ITERATION_LIMIT;
+  }
+  out->yes = any_bool();
+  out->certificate.proof = (uint8_t)any_between(GJK_PROOF_NONE, GJK_PROOF_PLANE);
+  out->certificate.direction = any_vec3(INT32_C(3) << 29);
+  out->certificate.a[0] = any_uint16();
+  out->certificate.b[0] = any_uint16();
+  if (cache != NULL) {
+    Frama_C_make_unknown((char *)cache, sizeof *cache);
+  }
+  return GJK_OK;
+}
+
+static gjk_status any_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                               gjk_distance_result *out) {
+  check_posed(a, b);
+  out->lower = any_int32();
+  if (any_bool()) {
+    return GJK_ERROR_ITERATION_LIMIT;
+  }
+  out->distance = any_int32();
+  if (cache != NULL) {
+    Frama_C_make_unknown((char *)cache, sizeof *cache);
+  }
+  return GJK_OK;
+}
+
+gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {
+  return any_distance(a, b, cache, out);
+}
+
+gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                               const gjk_workspace *workspace, gjk_distance_result *out) {
+  const gjk_status status = any_distance(a, b, cache, out);
+  return status == GJK_OK && any_bool() ? GJK_ERROR_CAPACITY : status;
+}
+
+gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most, gjk_cache *cache,
+                        const gjk_workspace *workspace, gjk_manifold *out) {
+  check_posed(a, b);
+  out->count = (uint8_t)any_between(0, 4);
+  for (int i = 0; i < 4; i++) {
+    out->contact[i].distance = any_int32();
+  }
   return any_status();
 }

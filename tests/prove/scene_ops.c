@@ -1,0 +1,164 @@
+// One operation, CASE, on any scene that gjk_scene_check lets through.
+#include "scene_any.h"
+
+// Values of CASE.
+#define ADD 1
+#define REMOVE 2
+#define MOVE 3
+#define SHAPE 4
+#define FIELDS 5
+#define BEGIN 6
+#define TEST 7
+#define REPORT 8
+#define BOX 9
+#define RAY 10
+#define NEAREST 11
+#define READ 12
+
+#define HITS 3
+
+static gjk_body any_handle_of(void) {
+  const gjk_body body = {any_uint32(), any_uint32()};
+  return body;
+}
+
+static void add(gjk_scene *scene) {
+  gjk_part parts[2];
+  gjk_body out;
+  gjk_body_setup setup = {any_pose(),
+                          any_bool() ? parts : NULL,
+                          (uint16_t)any_below(3),
+                          (uint8_t)any_uint16(),
+                          (uint8_t)any_uint16(),
+                          any_uint32(),
+                          any_uint32(),
+                          any_uint32(),
+                          any_int32()};
+  for (int i = 0; i < 2; i++) {
+    parts[i].shape = any_uint16();
+    parts[i].placed = any_bool();
+    parts[i].pose = any_pose();
+  }
+  if (any_bool()) {
+    (void)gjk_scene_add(scene, any_bool() ? &setup : NULL, any_bool() ? &out : NULL);
+  } else {
+    (void)gjk_scene_add_at(scene, any_uint32(), any_bool() ? &setup : NULL, any_bool() ? &out : NULL);
+  }
+}
+
+static void move(gjk_scene *scene) {
+  const gjk_pose pose = any_pose();
+  if (any_bool()) {
+    (void)gjk_scene_move(scene, any_handle_of(), any_bool() ? &pose : NULL);
+  } else {
+    (void)gjk_scene_teleport(scene, any_handle_of(), any_bool() ? &pose : NULL);
+  }
+}
+
+static void set_fields(gjk_scene *scene) {
+  gjk_body_state state;
+  gjk_body body;
+  gjk_collider collider;
+  (void)gjk_scene_get(scene, any_handle_of(), any_bool() ? &state : NULL);
+  (void)gjk_scene_body_at(scene, any_uint32(), any_bool() ? &body : NULL);
+  (void)gjk_scene_collider(scene, any_handle_of(), any_uint16(), any_bool() ? &collider : NULL);
+  (void)gjk_scene_sleep(scene, any_handle_of());
+  (void)gjk_scene_wake(scene, any_handle_of());
+  (void)gjk_scene_set_user(scene, any_handle_of(), any_uint32());
+  (void)gjk_scene_set_filter(scene, any_handle_of(), any_uint32(), any_uint32());
+  (void)gjk_scene_refilter(scene, any_handle_of());
+}
+
+static void test(gjk_scene *scene) {
+  (void)gjk_scene_test_pairs(scene, any_uint32(), any_uint32());
+}
+
+static void begin_update(gjk_scene *scene) {
+  uint32_t pairs;
+  (void)gjk_scene_update_begin(scene, any_bool() ? &pairs : NULL);
+}
+
+static void report(gjk_scene *scene) {
+  gjk_report reports[PAIRS];
+  gjk_progress progress;
+  if (block.header.phase != GJK_SCENE_IDLE) {
+    (void)gjk_scene_update_slice(scene, any_uint32(), any_bool() ? reports : NULL, any_below(PAIRS + 1),
+                                 any_bool() ? &progress : NULL);
+  }
+}
+
+static void any_hit(gjk_scene_hit *hit) {
+  hit->body = any_handle_of();
+  hit->part = any_uint16();
+  hit->fraction = any_uint32();
+}
+
+static void find(const gjk_scene *scene) {
+  const gjk_vec3 from = any_position(), to = any_position();
+  const gjk_aabb box = {from, to};
+  gjk_scene_hit hits[HITS], after;
+  gjk_shape of_collider;
+  gjk_collider collider = {0};
+  gjk_q16 distance;
+  bool found;
+  uint32_t count;
+  const gjk_body ignore = any_handle_of();
+  any_hit(&after);
+#if CASE == BOX
+  (void)gjk_scene_query_box(scene, any_bool() ? &box : NULL, any_bool() ? &after : NULL, any_bool() ? hits : NULL,
+                            any_below(HITS + 1), any_bool() ? &count : NULL);
+#elif CASE == RAY
+  (void)gjk_scene_query_ray(scene, any_bool() ? &from : NULL, any_bool() ? &to : NULL, any_bool() ? &after : NULL,
+                            any_bool() ? hits : NULL, any_below(HITS + 1), any_bool() ? &count : NULL);
+#else
+  any_collider(&collider, &of_collider, any_bool() ? &polytope : &curved);
+  (void)gjk_scene_query_nearest(scene, any_bool() ? &collider : NULL, any_int32(), any_bool() ? &ignore : NULL,
+                                any_bool() ? hits : NULL, any_bool() ? &distance : NULL, any_bool() ? &found : NULL);
+#endif
+}
+
+static void read(const gjk_scene *scene) {
+  uint32_t cursor = any_uint32();
+  uint64_t hash;
+  bool found;
+  gjk_report near;
+  gjk_scene_stats stats;
+  gjk_manifold manifold;
+  (void)gjk_scene_get_stats(scene, any_bool() ? &stats : NULL);
+  (void)gjk_scene_hash(scene, any_bool() ? &hash : NULL);
+  (void)gjk_scene_next_near(scene, any_bool() ? &cursor : NULL, any_bool() ? &near : NULL, any_bool() ? &found : NULL);
+  near.a = any_handle_of();
+  near.b = any_handle_of();
+  near.part_a = any_uint16();
+  near.part_b = any_uint16();
+  (void)gjk_scene_manifold(scene, any_bool() ? &near : NULL, any_uint16(), any_bool() ? &manifold : NULL);
+}
+
+int main(void) {
+  gjk_scene scene;
+  if (!any_scene(&scene)) {
+    return 0;
+  }
+#if CASE == ADD
+  add(&scene);
+#elif CASE == REMOVE
+  (void)gjk_scene_remove(&scene, any_handle_of());
+#elif CASE == MOVE
+  move(&scene);
+#elif CASE == SHAPE
+  (void)gjk_scene_set_shape(&scene, any_handle_of(), any_uint16(), any_uint16());
+#elif CASE == FIELDS
+  set_fields(&scene);
+#elif CASE == BEGIN
+  begin_update(&scene);
+#elif CASE == TEST
+  test(&scene);
+#elif CASE == REPORT
+  report(&scene);
+#elif CASE == READ
+  read(&scene);
+#else
+  find(&scene);
+#endif
+  return 0;
+}
