@@ -80,9 +80,10 @@ static void add_part(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, con
   p->pairs = GJK_SCENE_NONE;
   p->placed = GJK_SCENE_NONE;
   if (part->placed) {
-    p->placed = gjk_scene_take(v, &h->placed, sizeof(gjk_scene_placed));
-    v->placed[p->placed].next = index;  // its owner
-    v->placed[p->placed].pose = part->pose;
+    const uint32_t at = gjk_scene_take(v, &h->placed, sizeof(gjk_scene_placed));
+    v->placed[at].next = index;  // its owner
+    v->placed[at].pose = part->pose;
+    p->placed = at;
   }
   p->shape = part->shape;
   p->number = number;
@@ -101,6 +102,7 @@ static bool is_free(const gjk_scene_view *v, uint32_t slot) {
 
 // Pre: the slot is free.
 static gjk_status add_to(gjk_scene_view *v, uint32_t slot, const gjk_body_setup *s, gjk_body *out) {
+  //@ assert slot < v->header->config.bodies;
   gjk_scene_header *h = v->header;
   gjk_scene_body *body = &v->bodies[slot];
   const gjk_status status = check_setup(v, s);
@@ -184,6 +186,7 @@ gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body handle) {
     v.parts[i].state = 0;
     gjk_scene_give(&v, &h->parts, sizeof(gjk_scene_part), i);
   }
+  //@ assert handle.slot < v.header->config.bodies;
   body->first = GJK_SCENE_NONE;  // it stays in the list of the moved, if it is there
   body->generation++;
   h->bodies.count--;
@@ -232,7 +235,9 @@ static gjk_status move(gjk_scene *scene, gjk_body handle, const gjk_pose *pose, 
     body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
     return GJK_OK;
   }
-  for (uint32_t i = body->first; i != GJK_SCENE_NONE && status == GJK_OK; i = v.parts[i].next) {
+  const uint32_t first = body->first;
+  //@ assert first != GJK_SCENE_NONE;
+  for (uint32_t i = first; i != GJK_SCENE_NONE && status == GJK_OK; i = v.parts[i].next) {
     status = move_part(&v, &v.parts[i], pose, &c);
   }
   if (status != GJK_OK) {
@@ -243,7 +248,7 @@ static gjk_status move(gjk_scene *scene, gjk_body handle, const gjk_pose *pose, 
   body->rotation = pose->rotation;
   body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
   put_in_moved_list(&v, handle.slot);
-  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v.parts[i].next) {
+  for (uint32_t i = first; i != GJK_SCENE_NONE; i = v.parts[i].next) {
     if (body->parts > 1) {  // of a single part the collider is still there
       (void)move_part(&v, &v.parts[i], pose, &c);
     }

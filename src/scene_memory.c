@@ -182,10 +182,12 @@ gjk_status gjk_scene_edit(gjk_scene *scene, gjk_scene_view *out) {
 
 uint32_t gjk_scene_take(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size) {
   pool->count++;
-  if (pool->free == GJK_SCENE_NONE) {
+  const uint32_t index = pool->free;
+  if (index == GJK_SCENE_NONE) {
+    //@ assert pool->fresh < pool->capacity;
     return pool->fresh++;
   }
-  const uint32_t index = pool->free;
+  //@ assert index < pool->fresh;
   const uint32_t *record = at(v->header, pool->at + index * size);
   pool->free = *record;
   return index;

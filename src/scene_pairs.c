@@ -10,20 +10,26 @@ static uint32_t *next_of(gjk_scene_view *v, uint32_t link) {
 
 static void link_side(gjk_scene_view *v, uint32_t link) {
   gjk_scene_pair *pair = &v->pairs[link / 2];
-  gjk_scene_part *part = &v->parts[pair->part[link % 2]];
-  pair->next[link % 2] = part->pairs;
+  const uint32_t at = pair->part[link % 2];
+  //@ assert at < v->header->parts.capacity;
+  gjk_scene_part *part = &v->parts[at];
+  const uint32_t next = part->pairs;
+  pair->next[link % 2] = next;
   pair->previous[link % 2] = GJK_SCENE_NONE;
-  if (part->pairs != GJK_SCENE_NONE) {
-    v->pairs[part->pairs / 2].previous[part->pairs % 2] = link;
+  if (next != GJK_SCENE_NONE) {
+    v->pairs[next / 2].previous[next % 2] = link;
   }
   part->pairs = link;
 }
 
 static void unlink_side(gjk_scene_view *v, uint32_t link) {
   const gjk_scene_pair *pair = &v->pairs[link / 2];
-  const uint32_t next = pair->next[link % 2], previous = pair->previous[link % 2];
+  const uint32_t next = pair->next[link % 2], previous = pair->previous[link % 2], part = pair->part[link % 2];
+  //@ assert next == GJK_SCENE_NONE || next < 2 * v->header->pairs.capacity;
+  //@ assert previous == GJK_SCENE_NONE || previous < 2 * v->header->pairs.capacity;
+  //@ assert part < v->header->parts.capacity;
   if (previous == GJK_SCENE_NONE) {
-    v->parts[pair->part[link % 2]].pairs = next;
+    v->parts[part].pairs = next;
   } else {
     *next_of(v, previous) = next;
   }
@@ -38,7 +44,9 @@ static void unlink(gjk_scene_view *v, uint32_t index) {
 }
 
 bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  const gjk_scene_part *a = &v->parts[pair->part[0]], *b = &v->parts[pair->part[1]];
+  const uint32_t at_a = pair->part[0], at_b = pair->part[1];
+  //@ assert at_a < v->header->parts.capacity && at_b < v->header->parts.capacity;
+  const gjk_scene_part *a = &v->parts[at_a], *b = &v->parts[at_b];
   return (pair->state & GJK_SCENE_PAIR_NEAR) != 0 ||
          (gjk_aabb_meet(&a->enlarged, &b->enlarged) && gjk_scene_wanted(v, a, b));
 }
@@ -70,8 +78,11 @@ static void make_gone(gjk_scene_view *v, uint32_t index) {
   gjk_scene_pair *pair = &v->pairs[index];
   unlink(v, index);
   for (int i = 0; i < 2; i++) {
-    const gjk_scene_part *part = &v->parts[pair->part[i]];
-    pair->direction[i] = (int16_t)gjk_int32(part->number >= 32768u ? part->number - UINT32_C(65536) : part->number);
+    const uint32_t at = pair->part[i];
+    //@ assert at < v->header->parts.capacity;
+    const gjk_scene_part *part = &v->parts[at];
+    const uint32_t number = part->number;
+    pair->direction[i] = (int16_t)gjk_int32(number >= 32768u ? number - UINT32_C(65536) : number);
     pair->part[i] = part->body;
     pair->next[i] = v->bodies[part->body].generation;
   }
@@ -82,8 +93,8 @@ static void make_gone(gjk_scene_view *v, uint32_t index) {
 
 void gjk_scene_pairs_forget(gjk_scene_view *v, uint32_t part) {
   // Ends: each round takes one pair out of the list.
-  while (v->parts[part].pairs != GJK_SCENE_NONE) {
-    const uint32_t index = v->parts[part].pairs / 2;
+  for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = v->parts[part].pairs) {
+    const uint32_t index = link / 2;
     if ((v->pairs[index].state & GJK_SCENE_PAIR_NEAR) != 0) {
       make_gone(v, index);
     } else {
@@ -104,7 +115,9 @@ static void drop_stale(gjk_scene_view *v, uint32_t part) {
 
 static void mark_partners(gjk_scene_view *v, uint32_t part, bool set) {
   for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = *next_of(v, link)) {
-    gjk_scene_part *partner = &v->parts[v->pairs[link / 2].part[1 - link % 2]];
+    const uint32_t at = v->pairs[link / 2].part[1 - link % 2];
+    //@ assert at < v->header->parts.capacity;
+    gjk_scene_part *partner = &v->parts[at];
     partner->state = set ? partner->state | GJK_SCENE_MARK : partner->state & ~(uint32_t)GJK_SCENE_MARK;
   }
 }

@@ -38,6 +38,10 @@ static uint32_t larger(uint32_t a, uint32_t b) {
 // moves by 2 sin 2t = 4 sin t cos t. q and -q are the same rotation. Lengths within 2^-17 of 1 change d by less than
 // 2^-16 of itself.
 uint32_t gjk_scene_turn(const gjk_quat *a, const gjk_quat *b) {
+  //@ assert a->x >= -0x40002000L && a->y >= -0x40002000L && a->z >= -0x40002000L && a->w >= -0x40002000L;
+  //@ assert a->x <= 0x40002000L && a->y <= 0x40002000L && a->z <= 0x40002000L && a->w <= 0x40002000L;
+  //@ assert b->x >= -0x40002000L && b->y >= -0x40002000L && b->z >= -0x40002000L && b->w >= -0x40002000L;
+  //@ assert b->x <= 0x40002000L && b->y <= 0x40002000L && b->z <= 0x40002000L && b->w <= 0x40002000L;
   const int64_t dot = gjk_mac32(gjk_mac32(gjk_mac32(gjk_mul32(a->x, b->x), a->y, b->y), a->z, b->z), a->w, b->w);
   const int32_t sign = dot < 0 ? -1 : 1;
   // The length of the difference is at most sqrt(2) 2^30 (1 + 2^-17), so the sum of its components at most 2^31.5.

@@ -86,7 +86,6 @@ gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, cons
                                gjk_scene_hit *hits, uint32_t capacity, uint32_t *count) {
   gjk_scene_view v;
   gjk_scene_walk walk;
-  collection c = {hits, capacity, 0, 0, after};
   const gjk_status status = open_query(scene, box, hits, capacity, count, &v);
   if (status != GJK_OK) {
     return status;
@@ -94,6 +93,7 @@ gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, cons
   if (box->lower.x > box->upper.x || box->lower.y > box->upper.y || box->lower.z > box->upper.z) {
     return GJK_ERROR_RANGE;
   }
+  collection c = {hits, capacity, 0, 0, after};
   gjk_scene_walk_start(&v, &walk);
   for (;;) {  // ends: as the walk
     const uint32_t part = gjk_scene_walk_meeting(&v, &walk, box);
@@ -159,7 +159,8 @@ static uint32_t fraction_of(const share *s) {
     return (uint32_t)GJK_Q30_ONE;
   }
   for (int i = 0; i < 30; i++) {
-    rest *= 2;  // below 2^33
+    //@ assert rest >= 0 && rest < 1LL << 32;
+    rest *= 2;
     fraction *= 2;
     if (rest >= s->under) {
       rest -= s->under;
@@ -173,19 +174,18 @@ gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, con
                                const gjk_scene_hit *after, gjk_scene_hit *hits, uint32_t capacity, uint32_t *count) {
   gjk_scene_view v;
   gjk_scene_walk walk;
-  collection c = {hits, capacity, 0, 0, after};
   const gjk_status status = to == NULL ? GJK_ERROR_NULL : open_query(scene, from, hits, capacity, count, &v);
   if (status != GJK_OK) {
     return status;
   }
+  collection c = {hits, capacity, 0, 0, after};
   gjk_scene_walk_start(&v, &walk);
   for (uint32_t node = gjk_scene_walk_next(&walk); node != GJK_SCENE_NONE; node = gjk_scene_walk_next(&walk)) {
     share enter;
-    const uint32_t part = node & ~GJK_SCENE_LEAF;
-    const bool leaf = (node & GJK_SCENE_LEAF) != 0;
-    if (cross_box(from, to, leaf ? &v.parts[part].exact : &v.nodes[node].box, &enter)) {
-      if (leaf) {
-        collect(&c, &v, part, fraction_of(&enter));
+    const gjk_aabb *box = (node & GJK_SCENE_LEAF) != 0 ? &v.parts[node & ~GJK_SCENE_LEAF].exact : &v.nodes[node].box;
+    if (cross_box(from, to, box, &enter)) {
+      if ((node & GJK_SCENE_LEAF) != 0) {
+        collect(&c, &v, node & ~GJK_SCENE_LEAF, fraction_of(&enter));
       } else {
         gjk_scene_walk_descend(&v, &walk, node);
       }
@@ -249,7 +249,6 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
   }
   gjk_scene_walk_start(&v, &walk);
   for (uint32_t node = gjk_scene_walk_next(&walk); node != GJK_SCENE_NONE; node = gjk_scene_walk_next(&walk)) {
-    const uint32_t part = node & ~GJK_SCENE_LEAF;
     if (beyond(&s, gjk_scene_node_box(&v, node))) {
       continue;
     }
@@ -263,8 +262,11 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
         next[0] = next[1];
         next[1] = nearer;
       }
-    } else if (ignore == NULL || v.parts[part].body != ignore->slot ||
-               v.bodies[ignore->slot].generation != ignore->generation) {
+      continue;
+    }
+    const uint32_t part = node & ~GJK_SCENE_LEAF;
+    if (ignore == NULL || v.parts[part].body != ignore->slot ||
+        v.bodies[ignore->slot].generation != ignore->generation) {
       try_part(&v, part, &s);
     }
   }

@@ -29,8 +29,9 @@ static uint64_t mix_body(uint64_t hash, const gjk_scene_view *v, uint32_t slot) 
   for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
     const gjk_scene_part *p = &v->parts[i];
     hash = mix(hash, p->shape);
-    if (p->placed != GJK_SCENE_NONE) {
-      const gjk_pose *pose = &v->placed[p->placed].pose;
+    const uint32_t placed = p->placed;
+    if (placed != GJK_SCENE_NONE) {
+      const gjk_pose *pose = &v->placed[placed].pose;
       hash = mix_pose(mix(hash, 1), &pose->position, &pose->rotation);
     }
   }

@@ -55,10 +55,12 @@ static bool outlasts_motion(const question *q, gjk_scene_pair *pair) {
   const uint32_t a = q->a->motion, b = q->b->motion;
   const uint32_t motion = a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
   const bool near = (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
-  if (motion >= (uint32_t)pair->gap || (near && gjk_scene_measures(detail(q)))) {
+  const int32_t gap = pair->gap;
+  if (motion >= (uint32_t)gap || (near && gjk_scene_measures(detail(q)))) {
     return false;
   }
-  pair->gap -= (int32_t)motion;
+  //@ assert gap >= 0 && motion <= INT32_MAX;
+  pair->gap = gap - (int32_t)motion;
   set_near(pair, near);
   return true;
 }
@@ -84,6 +86,9 @@ static bool between_centres(const gjk_collider *a, const gjk_collider *b, gjk_ve
   if ((gjk_magnitude64(x) | gjk_magnitude64(y) | gjk_magnitude64(z)) >> 29 != 0) {
     return false;
   }
+  //@ assert x > -(1L << 29) && x < 1L << 29;
+  //@ assert y > -(1L << 29) && y < 1L << 29;
+  //@ assert z > -(1L << 29) && z < 1L << 29;
   out->x = (int32_t)x;
   out->y = (int32_t)y;
   out->z = (int32_t)z;

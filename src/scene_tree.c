@@ -75,6 +75,7 @@ static uint32_t balance(gjk_scene_view *v, uint32_t index) {
   }
   const unsigned tall = right > left ? 1 : 0;
   const uint32_t rising = n->child[tall];
+  //@ assert rising < v->header->nodes.capacity;
   gjk_scene_node *r = &v->nodes[rising];
   const uint32_t first = height(v, r->child[0]), second = height(v, r->child[1]);
   unsigned low = second < first ? 1 : 0;  // which child of the rising node goes down

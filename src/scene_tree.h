@@ -28,6 +28,7 @@ static inline uint32_t gjk_scene_walk_next(gjk_scene_walk *walk) {
 
 // Each level leaves one node waiting, the deepest two; the tree's depth bounds both.
 static inline void gjk_scene_walk_descend(const gjk_scene_view *v, gjk_scene_walk *walk, uint32_t node) {
+  //@ assert walk->count <= GJK_SCENE_DEPTH - 2;
   walk->waiting[walk->count++] = v->nodes[node].child[1];
   walk->waiting[walk->count++] = v->nodes[node].child[0];
 }

@@ -9,6 +9,7 @@ static uint32_t queue_pair(gjk_scene_view *v, uint32_t index, uint32_t at) {
     return at;
   }
   pair->state = (uint8_t)((state | GJK_SCENE_PAIR_QUEUED) & ~GJK_SCENE_PAIR_NEAR_NOW);
+  //@ assert at < v->header->pairs.capacity;
   pair->outcome = GJK_SCENE_PENDING;
   v->queue[at] = index;
   return at + 1;
@@ -99,6 +100,7 @@ static void keep_event(gjk_scene_view *v, uint32_t index, gjk_event event, uint3
   gjk_scene_stats *s = &v->header->stats;
   uint32_t *counter = event == GJK_EVENT_BEGIN ? &s->begun : event == GJK_EVENT_END ? &s->ended : &s->persisting;
   (*counter)++;
+  //@ assert *kept < v->header->pairs.capacity;
   v->pairs[index].outcome = (uint8_t)event;
   v->queue[(*kept)++] = index;
 }
@@ -113,7 +115,9 @@ static void collect_events(gjk_scene_view *v) {
     gjk_scene_pair *pair = &v->pairs[index];
     const unsigned state = pair->state, outcome = pair->outcome;
     const bool was = (state & GJK_SCENE_PAIR_NEAR) != 0, now = (state & GJK_SCENE_PAIR_NEAR_NOW) != 0;
-    (*counter_of(&h->stats, outcome & (GJK_SCENE_UNSETTLED - 1u)))++;
+    const unsigned kind = outcome & (GJK_SCENE_UNSETTLED - 1u);
+    //@ assert kind >= GJK_SCENE_FILTERED && kind <= GJK_SCENE_COLD;
+    (*counter_of(&h->stats, kind))++;
     h->stats.unsettled += (outcome & GJK_SCENE_UNSETTLED) != 0;
     pair->state = (uint8_t)((state & ~(GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_QUEUED | GJK_SCENE_PAIR_NEAR_NOW)) |
                             (now ? GJK_SCENE_PAIR_NEAR : 0u));
@@ -136,6 +140,7 @@ static void collect_events(gjk_scene_view *v) {
     pair->state = (uint8_t)(pair->state & ~GJK_SCENE_PAIR_QUEUED);
   }
   for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].previous[0]) {
+    //@ assert i < h->pairs.fresh;
     keep_event(v, i, GJK_EVENT_END, &kept);
   }
   h->gone = GJK_SCENE_NONE;
@@ -166,7 +171,9 @@ static void describe(const gjk_scene_view *v, const gjk_scene_pair *pair, gjk_re
     out->detail = v->header->config.detail;
     return;
   }
-  const gjk_scene_part *a = &v->parts[pair->part[0]], *b = &v->parts[pair->part[1]];
+  const uint32_t at_a = pair->part[0], at_b = pair->part[1];
+  //@ assert at_a < v->header->parts.capacity && at_b < v->header->parts.capacity;
+  const gjk_scene_part *a = &v->parts[at_a], *b = &v->parts[at_b];
   out->a = gjk_scene_handle(v, a->body);
   out->b = gjk_scene_handle(v, b->body);
   out->part_a = a->number;
@@ -244,6 +251,7 @@ static void start_stats(gjk_scene_view *v) {
   h->stats.refused = h->refused;
   h->stats.pairs = h->pairs.count;
   for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].previous[0]) {
+    //@ assert i < h->pairs.fresh;
     h->stats.pairs--;
   }
   h->stats.resting = h->stats.pairs - h->queued;

@@ -10,6 +10,8 @@
 #define PLACED 2
 #define PAIRS 4
 #define SHAPES 2
+#define UNIT 0x40002000L  // of a rotation's component
+#define NAMED 3           // vertices that queries name
 
 // As src/scene_memory.c lays it out.
 typedef struct any_block {
@@ -31,8 +33,19 @@ static uint32_t any_uint32(void) {
   return Frama_C_unsigned_int_interval(0, UINT32_MAX);
 }
 
+static bool named_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
+  //@ assert number < NAMED;
+  *offset = any_vec3(ANY_OFFSET);
+  return true;
+}
+
+static const gjk_shape_class with_vertices = {any_measure, keep_pose, any_support, any_refine,     named_vertex,
+                                              NULL,        false,     0,           GJK_KIND_SMOOTH};
+
 static void any_shapes(void) {
-  shape.type = any_bool() ? &polytope : &curved;
+  const int32_t vertices = any_between(0, 1);
+  //@ split vertices;
+  shape.type = vertices != 0 ? &with_vertices : &curved;
   shape.round = any_between(0, GJK_RADIUS_MAX);
   shape.count = any_uint16();
   shapes[0] = &shape;
@@ -60,7 +73,10 @@ static gjk_aabb any_box(void) {
 static void any_body(gjk_scene_body *body) {
   body->generation = any_uint32();
   body->position = any_position();
-  body->rotation = any_quat();
+  body->rotation.x = any_between(-UNIT, UNIT);
+  body->rotation.y = any_between(-UNIT, UNIT);
+  body->rotation.z = any_between(-UNIT, UNIT);
+  body->rotation.w = any_between(-UNIT, UNIT);
   body->category = any_uint32();
   body->mask = any_uint32();
   body->user = any_uint32();
@@ -141,7 +157,6 @@ static void any_header(gjk_scene_header *h) {
   any_pool(&h->placed, PLACED);
   any_pool(&h->pairs, PAIRS);
   h->lowest = any_below(2);
-  h->root = any_bool() ? GJK_SCENE_NONE : any_node();
   h->moved = any_index(BODIES);
   h->gone = any_index(PAIRS);
   h->phase = any_below(GJK_SCENE_REPORTING + 1);
@@ -160,7 +175,13 @@ static bool any_answer(void *user, gjk_body a, uint32_t user_a, gjk_body b, uint
 
 static gjk_cell cells[1];
 static const gjk_workspace workspace = {cells, 1};
-static gjk_manifold manifolds[PAIRS];
+static gjk_manifold manifolds[1];
+
+static void any_tree(gjk_scene_header *h) {
+  const int32_t empty = any_between(0, 1);
+  //@ split empty;
+  h->root = empty != 0 ? GJK_SCENE_NONE : any_node();
+}
 
 static void any_handle(gjk_scene *scene) {
   const int32_t able = any_between(0, 2);
@@ -179,6 +200,7 @@ static bool any_scene(gjk_scene *scene) {
     return false;
   }
   any_header(&block.header);
+  any_tree(&block.header);
   for (int i = 0; i < PARTS; i++) {
     any_body(&block.bodies[i]);
     any_part(&block.parts[i]);

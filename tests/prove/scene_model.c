@@ -1,9 +1,9 @@
 // Stands in for what the scene asks of the rest of the library: any answers.
-#include "any.h"
 #include "gjk/contacts.h"
 #include "gjk/distance.h"
 #include "gjk/intersect.h"
 #include "gjk/pose.h"
+#include "scene_any.h"
 #include "shape_class.h"
 
 static gjk_status any_status(void) {
@@ -38,7 +38,9 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
 }
 
 gjk_status gjk_collider_aabb(const gjk_collider *c, gjk_aabb *out) {
-  //@ assert c->state == GJK_STATE_POSED;
+  if (c == NULL || c->state != GJK_STATE_POSED) {
+    return GJK_ERROR_UNINITIALISED;
+  }
   out->lower = any_position();
   out->upper = any_position();
   return GJK_OK;
@@ -67,9 +69,12 @@ gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 marg
   }
   out->yes = any_bool();
   out->certificate.proof = (uint8_t)any_between(GJK_PROOF_NONE, GJK_PROOF_PLANE);
+  if (a->shape->type->vertex == NULL && out->certificate.proof == GJK_PROOF_NEAR) {
+    out->certificate.proof = GJK_PROOF_NONE;
+  }
   out->certificate.direction = any_vec3(INT32_C(3) << 29);
-  out->certificate.a[0] = any_uint16();
-  out->certificate.b[0] = any_uint16();
+  out->certificate.a[0] = (uint16_t)any_between(0, NAMED - 1);
+  out->certificate.b[0] = (uint16_t)any_between(0, NAMED - 1);
   if (cache != NULL) {
     Frama_C_make_unknown((char *)cache, sizeof *cache);
   }

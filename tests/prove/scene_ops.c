@@ -1,4 +1,4 @@
-// One operation, CASE, on any scene that gjk_scene_check lets through.
+// One operation, CASE, on any scene that gjk_scene_check lets through, over any tree: tests/prove/scene_tree_model.c.
 #include "scene_any.h"
 
 // Values of CASE.
@@ -9,13 +9,10 @@
 #define FIELDS 5
 #define BEGIN 6
 #define TEST 7
-#define REPORT 8
-#define BOX 9
-#define RAY 10
-#define NEAREST 11
-#define READ 12
-
-#define HITS 3
+#define FINISH 8
+#define REPORT 9
+#define HASH 10
+#define READ 11
 
 static gjk_body any_handle_of(void) {
   const gjk_body body = {any_uint32(), any_uint32()};
@@ -78,54 +75,21 @@ static void begin_update(gjk_scene *scene) {
   (void)gjk_scene_update_begin(scene, any_bool() ? &pairs : NULL);
 }
 
+// From the last test on, or from some report on.
 static void report(gjk_scene *scene) {
-  gjk_report reports[PAIRS];
+  gjk_report report;
   gjk_progress progress;
-  if (block.header.phase != GJK_SCENE_IDLE) {
-    (void)gjk_scene_update_slice(scene, any_uint32(), any_bool() ? reports : NULL, any_below(PAIRS + 1),
-                                 any_bool() ? &progress : NULL);
-  }
-}
-
-static void any_hit(gjk_scene_hit *hit) {
-  hit->body = any_handle_of();
-  hit->part = any_uint16();
-  hit->fraction = any_uint32();
-}
-
-static void find(const gjk_scene *scene) {
-  const gjk_vec3 from = any_position(), to = any_position();
-  const gjk_aabb box = {from, to};
-  gjk_scene_hit hits[HITS], after;
-  gjk_shape of_collider;
-  gjk_collider collider = {0};
-  gjk_q16 distance;
-  bool found;
-  uint32_t count;
-  const gjk_body ignore = any_handle_of();
-  any_hit(&after);
-#if CASE == BOX
-  (void)gjk_scene_query_box(scene, any_bool() ? &box : NULL, any_bool() ? &after : NULL, any_bool() ? hits : NULL,
-                            any_below(HITS + 1), any_bool() ? &count : NULL);
-#elif CASE == RAY
-  (void)gjk_scene_query_ray(scene, any_bool() ? &from : NULL, any_bool() ? &to : NULL, any_bool() ? &after : NULL,
-                            any_bool() ? hits : NULL, any_below(HITS + 1), any_bool() ? &count : NULL);
-#else
-  any_collider(&collider, &of_collider, any_bool() ? &polytope : &curved);
-  (void)gjk_scene_query_nearest(scene, any_bool() ? &collider : NULL, any_int32(), any_bool() ? &ignore : NULL,
-                                any_bool() ? hits : NULL, any_bool() ? &distance : NULL, any_bool() ? &found : NULL);
-#endif
+  block.header.phase = CASE == FINISH ? GJK_SCENE_TESTING : GJK_SCENE_REPORTING;
+  (void)gjk_scene_update_slice(scene, 0, any_bool() ? &report : NULL, any_below(2), any_bool() ? &progress : NULL);
 }
 
 static void read(const gjk_scene *scene) {
   uint32_t cursor = any_uint32();
-  uint64_t hash;
   bool found;
   gjk_report near;
   gjk_scene_stats stats;
   gjk_manifold manifold;
   (void)gjk_scene_get_stats(scene, any_bool() ? &stats : NULL);
-  (void)gjk_scene_hash(scene, any_bool() ? &hash : NULL);
   (void)gjk_scene_next_near(scene, any_bool() ? &cursor : NULL, any_bool() ? &near : NULL, any_bool() ? &found : NULL);
   near.a = any_handle_of();
   near.b = any_handle_of();
@@ -153,12 +117,13 @@ int main(void) {
   begin_update(&scene);
 #elif CASE == TEST
   test(&scene);
-#elif CASE == REPORT
+#elif CASE == FINISH || CASE == REPORT
   report(&scene);
-#elif CASE == READ
-  read(&scene);
+#elif CASE == HASH
+  uint64_t hash;
+  (void)gjk_scene_hash(&scene, any_bool() ? &hash : NULL);
 #else
-  find(&scene);
+  read(&scene);
 #endif
   return 0;
 }

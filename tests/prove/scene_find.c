@@ -1,0 +1,65 @@
+// The tree of any scene that gjk_scene_check lets through: changed, and asked.
+#include "scene_any.h"
+#include "scene_tree.h"
+
+// Values of CASE.
+#define INSERT 1
+#define TAKE 2
+#define BOX 3
+#define RAY 4
+#define NEAREST 5
+
+#define HITS 3
+
+static gjk_body any_handle_of(void) {
+  const gjk_body body = {any_uint32(), any_uint32()};
+  return body;
+}
+
+static void any_hit(gjk_scene_hit *hit) {
+  hit->body = any_handle_of();
+  hit->part = any_uint16();
+  hit->fraction = any_uint32();
+}
+
+static void find(const gjk_scene *scene) {
+  const gjk_vec3 from = any_position(), to = any_position();
+  const gjk_aabb box = {from, to};
+  gjk_scene_hit hits[HITS], after;
+  gjk_shape of_collider;
+  gjk_collider collider = {0};
+  gjk_q16 distance;
+  bool found;
+  uint32_t count;
+  const int32_t room = any_between(0, 1);
+  const gjk_body ignore = any_handle_of();
+  any_hit(&after);
+  //@ split room;
+#if CASE == BOX
+  (void)gjk_scene_query_box(scene, any_bool() ? &box : NULL, any_bool() ? &after : NULL, room != 0 ? hits : NULL,
+                            any_below(HITS + 1), any_bool() ? &count : NULL);
+#elif CASE == RAY
+  (void)gjk_scene_query_ray(scene, any_bool() ? &from : NULL, any_bool() ? &to : NULL, any_bool() ? &after : NULL,
+                            room != 0 ? hits : NULL, any_below(HITS + 1), any_bool() ? &count : NULL);
+#else
+  any_collider(&collider, &of_collider, any_bool() ? &polytope : &curved);
+  (void)gjk_scene_query_nearest(scene, any_bool() ? &collider : NULL, any_int32(), any_bool() ? &ignore : NULL,
+                                room != 0 ? hits : NULL, any_bool() ? &distance : NULL, any_bool() ? &found : NULL);
+#endif
+}
+
+int main(void) {
+  gjk_scene scene;
+  gjk_scene_view v;
+  if (!any_scene(&scene) || gjk_scene_view_of(&scene, &v) != GJK_OK) {
+    return 0;
+  }
+#if CASE == INSERT
+  gjk_scene_tree_insert(&v, any_below(PARTS));
+#elif CASE == TAKE
+  gjk_scene_tree_remove(&v, any_below(PARTS));
+#else
+  find(&scene);
+#endif
+  return 0;
+}
