@@ -211,11 +211,11 @@ static bool check_link(const gjk_scene_view *v, uint32_t link, uint32_t part) {
          (live_pair(v, after) && !gone(&v->pairs[after]) && v->pairs[after].previous[next % 2] == link);
 }
 
-// May gap be minus a depth?
+// May gap be minus a depth? Of a pair that is near, by this update's test if that was done.
 static bool may_be_deep(const gjk_scene_view *v, const gjk_scene_pair *pair, uint32_t slot_a, uint32_t slot_b) {
-  const unsigned found = pair->outcome == GJK_SCENE_PENDING ? 0 : GJK_SCENE_PAIR_NEAR_NOW;
+  const bool tested = (pair->state & GJK_SCENE_PAIR_QUEUED) != 0 && pair->outcome != GJK_SCENE_PENDING;
   return gjk_scene_detail(v, &v->bodies[slot_a], &v->bodies[slot_b]) == GJK_DETAIL_DEPTH &&
-         (pair->state & (GJK_SCENE_PAIR_NEAR | found)) != 0;
+         (pair->state & (tested ? GJK_SCENE_PAIR_NEAR_NOW : GJK_SCENE_PAIR_NEAR)) != 0;
 }
 
 static bool check_pair(const gjk_scene_view *v, uint32_t index) {

@@ -1,6 +1,7 @@
 #!/bin/sh
 # The assertions that the proof takes, checked as they run, with all undefined behaviour and reads outside of what they
-# may: bounds.sh BUILD PAIRS STEP. PAIRS random pairs for each of two builds, Newton's iterations in steps of STEP.
+# may: bounds.sh BUILD PAIRS STEP. PAIRS random pairs for each of two builds, as many forged scenes, Newton's iterations in
+# steps of STEP.
 dir=$1/bounds
 rm -rf "$dir"
 mkdir -p "$dir"
@@ -23,5 +24,8 @@ all='-fsanitize=undefined,address -fno-sanitize-recover=all'
 build pairs "$all" $support && [ "$("$dir/pairs" "$2")" = "$2" ] || exit 1
 # shellcheck disable=SC2086
 build pairs-narrow "$all -DGJK_NARROW_MULTIPLY=1" $support && [ "$("$dir/pairs-narrow" "$2")" = "$2" ] || exit 1
+# shellcheck disable=SC2086
+build scene "$all" "$dir"/*.c tests/scene/world.c tests/prove/bounds_scene.c &&
+  [ "$("$dir/scene" "$2")" = "$2" ] || exit 1
 build exhaust '-fsanitize=undefined -fsanitize-undefined-trap-on-error' tests/prove/exhaust.c "$dir/root.c" &&
   "$dir/exhaust" "$3"

@@ -23,6 +23,11 @@ longer_than:100,far_shift:100,run:500
 ITERATION_RETURNS=gjk_iteration_start:0,set_frame:0,set_usual_frame:0,longer_than:0
 SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
 
+# The outcomes of a call kept apart by its last branch, so that what a check found of an index is known after it.
+SCENE_LEVELS=main:100,any_shapes:50,any_scene:100,gjk_scene_init:100,gjk_scene_attach:100,gjk_scene_view_of:100,\
+gjk_scene_check_header:100,gjk_scene_check:100,check_pair:50,check_link:50,check_inner:50,check_entry:50,check_pose:30,\
+gjk_collider_init:30,ask:50,near_spare:50
+
 cases() {
   echo primitives-x
   echo pose-x
@@ -42,6 +47,15 @@ cases() {
     CHECK_PENETRATION; do
     echo query-$query
   done
+  for bytes in HEADER INIT OPEN; do
+    echo scene_block-$bytes
+  done
+  for call in ADD REMOVE MOVE SHAPE FIELDS BEGIN TEST FINISH REPORT HASH READ; do
+    echo scene_ops-$call
+  done
+  for call in INSERT TAKE BOX RAY NEAREST; do
+    echo scene_tree-$call
+  done
 }
 
 # int32: a 32-bit machine with a long multiplication; int16: an int of 16 bits, products in halves.
@@ -56,9 +70,9 @@ analyse() {
   sources=$2
   shift 2
   # shellcheck disable=SC2086
-  frama-c $sources -eva "$@" $contracts -warn-signed-downcast \
+  frama-c $sources -eva $contracts -warn-signed-downcast \
     -eva-msg-key=-initial-state,-final-states -eva-split-return full -eva-min-loop-unroll 0 \
-    -eva-auto-loop-unroll 64 -then -report-csv "$dir/$name.csv" >"$dir/$name.txt" 2>&1
+    -eva-auto-loop-unroll 64 "$@" -then -report-csv "$dir/$name.csv" >"$dir/$name.txt" 2>&1
 }
 
 # What is not proven, a line each: file, function, property; of the harness its driver before that, so that a check which
@@ -102,6 +116,13 @@ prove_one() {
       models=simplex
       set -- "$1" -eva-slevel 10 -eva-slevel-function "$ITERATION_LEVELS" -eva-interprocedural-splits \
         -eva-split-return-function "$ITERATION_RETURNS"
+      ;;
+    scene_*)
+      sources="$(echo src/scene_*.c) src/root.c src/status.c src/wide.c"
+      models=scene
+      [ "$driver" != scene_ops ] || models='scene scene_tree'
+      set -- "$1" -eva-slevel 12 -eva-slevel-function "$SCENE_LEVELS" -eva-partition-history 1 \
+        -eva-interprocedural-history -eva-interprocedural-splits -eva-ilevel 64 -eva-auto-loop-unroll 8
       ;;
     simplex) set -- "$1" -eva-slevel 12 -eva-slevel-function "$SIMPLEX_LEVELS" ;;
     *) set -- "$1" -eva-slevel 200 ;;

@@ -1,10 +1,10 @@
 // Scenes whose blocks are changed and sealed again, and used where they are opened all the same: tests/build/bounds.sh
-// builds it with the assertions of the sources as checks. Prints how many blocks there were and how many were opened.
+// builds it with the assertions of the sources as checks. Prints how many blocks there were.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../src/scene.h"
+#include "scene.h"
 #include "scene/world.h"
 
 #define BODIES 9
@@ -192,6 +192,6 @@ int main(int count, char **arguments) {
     }
     free(block);
   }
-  printf("%llu blocks, %llu opened\n", (unsigned long long)blocks, (unsigned long long)opened);
-  return 0;
+  printf("%llu\n", (unsigned long long)blocks);
+  return opened * 8 > blocks && opened * 2 < blocks ? 0 : 1;
 }
