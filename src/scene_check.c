@@ -55,16 +55,20 @@ static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
 // A part holds what its shape is at the pose of its body: posing repeats bit for bit. So all that a query assumes of a
 // collider is true of it.
 static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p) {
+  const uint32_t placed = p->placed;
   const uint16_t shape = p->shape;
-  gjk_pose pose = {body->position, body->rotation};
+  gjk_pose pose;
   gjk_aabb box;
   gjk_collider c;
+  pose.position = body->position;
+  pose.rotation = body->rotation;
   //@ assert shape < v->scene->shape_count;
+  //@ assert placed == GJK_SCENE_NONE || placed < v->header->placed.fresh;
   c.state = 0;
   for (int i = 0; i < 3; i++) {  // what the shape does not use
     c.frame[i].x = c.frame[i].y = c.frame[i].z = 0;
   }
-  if ((p->placed != GJK_SCENE_NONE && gjk_pose_compose(&pose, &v->placed[p->placed].pose, &pose) != GJK_OK) ||
+  if ((placed != GJK_SCENE_NONE && gjk_pose_compose(&pose, &v->placed[placed].pose, &pose) != GJK_OK) ||
       gjk_collider_init(&c, v->scene->shapes[shape], NULL, 0) != GJK_OK || gjk_collider_pose(&c, &pose) != GJK_OK ||
       gjk_collider_aabb(&c, &box) != GJK_OK) {
     return false;

@@ -10,6 +10,15 @@ static gjk_status any_status(void) {
   return any_bool() ? GJK_OK : GJK_ERROR_RANGE;
 }
 
+static void read_quat(const gjk_quat *q) {
+  (void)(q->x ^ q->y ^ q->z ^ q->w);
+}
+
+static void read_pose(const gjk_pose *pose) {
+  (void)(pose->position.x ^ pose->position.y ^ pose->position.z);
+  read_quat(&pose->rotation);
+}
+
 gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *buffer, uint16_t capacity) {
   if (any_bool()) {
     return GJK_ERROR_SIZE;
@@ -28,6 +37,7 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
   if (any_bool()) {
     return GJK_ERROR_RANGE;
   }
+  read_pose(pose);
   c->position = pose->position;
   c->centre = any_position();
   for (int i = 0; i < 3; i++) {
@@ -47,11 +57,14 @@ gjk_status gjk_collider_aabb(const gjk_collider *c, gjk_aabb *out) {
 }
 
 gjk_status gjk_pose_compose(const gjk_pose *a, const gjk_pose *b, gjk_pose *out) {
+  read_pose(a);
+  read_pose(b);
   *out = any_pose();
   return any_status();
 }
 
 gjk_status gjk_quat_invert(const gjk_quat *q, gjk_quat *out) {
+  read_quat(q);
   *out = any_quat();
   return any_status();
 }

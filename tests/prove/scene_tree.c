@@ -1,6 +1,6 @@
 // The tree of any scene that gjk_scene_check lets through: changed, and asked.
-#include "scene_any.h"
 #include "scene_tree.h"
+#include "scene_any.h"
 
 // Values of CASE.
 #define INSERT 1
