@@ -2,7 +2,6 @@
 #include "gjk/pose.h"
 #include "scene_pairs.h"
 #include "scene_tree.h"
-#include "shape_class.h"
 
 static bool live_part(const gjk_scene_view *v, uint32_t index) {
   return index < v->header->parts.fresh && (v->parts[index].state & GJK_SCENE_LIVE) != 0;
