@@ -116,15 +116,23 @@ static void update(gjk_scene *scene, random_state *random) {
                                random_below(random, 3) == 0 ? random_below(random, 5) : PAIRS, &progress);
 }
 
-static void go_on(gjk_scene *scene, random_state *random, int rounds) {
+// What passed the check passes it after any call.
+static bool go_on(gjk_scene *scene, random_state *random, int rounds) {
   for (int i = 0; i < rounds; i++) {
     const uint32_t changes = random_below(random, 6);
     for (uint32_t k = 0; k < changes; k++) {
       change(scene, random);
+      if (gjk_scene_check(scene) != GJK_OK) {
+        return false;
+      }
     }
     ask(scene, random);
     update(scene, random);
+    if (gjk_scene_check(scene) != GJK_OK) {
+      return false;
+    }
   }
+  return true;
 }
 
 // What a field may hold instead.
@@ -175,18 +183,19 @@ int main(int count, char **arguments) {
     for (int k = 0; k < 50; k++) {
       uint32_t *copy = malloc(bytes);
       gjk_scene other;
-      go_on(&scene, &random, 1);
-      memcpy(copy, block, bytes);
-      forge(copy, (uint32_t)(bytes / 4), &random);
-      if (gjk_scene_check(&scene) != GJK_OK) {
+      if (!go_on(&scene, &random, 1)) {
         return 1;
       }
+      memcpy(copy, block, bytes);
+      forge(copy, (uint32_t)(bytes / 4), &random);
       if (gjk_scene_attach(&other, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_OK &&
           gjk_scene_seal(&other) == GJK_OK &&
           gjk_scene_open(&other, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_OK) {
         opened++;
         world_equip(&equipment, &other);
-        go_on(&other, &random, 5);
+        if (!go_on(&other, &random, 5)) {
+          return 1;
+        }
       }
       free(copy);
     }
