@@ -11,6 +11,7 @@
 #define PAIRS 4
 #define SHAPES 2
 #define UNIT 0x40002000L  // of a rotation's component
+#define GAP 40            // words, more than any record has
 #define NAMED 3           // vertices that queries name
 
 // As src/scene_memory.c lays it out.
@@ -24,6 +25,25 @@ typedef struct any_block {
   uint32_t queue[PAIRS];
   uint32_t slots[1];
 } any_block;
+
+// The same with room between the sections that is never set, so that an index beyond one of them shows.
+typedef struct apart_block {
+  gjk_scene_header header;
+  uint32_t gap_a[GAP];
+  gjk_scene_body bodies[BODIES];
+  uint32_t gap_b[GAP];
+  gjk_scene_part parts[PARTS];
+  uint32_t gap_c[GAP];
+  gjk_scene_node nodes[PARTS];
+  uint32_t gap_d[GAP];
+  gjk_scene_placed placed[PLACED];
+  uint32_t gap_e[GAP];
+  gjk_scene_pair pairs[PAIRS];
+  uint32_t gap_f[GAP];
+  uint32_t queue[PAIRS];
+  uint32_t gap_g[GAP];
+  uint32_t slots[1];
+} apart_block;
 
 static any_block block;
 static gjk_shape shape;
@@ -193,27 +213,36 @@ static void any_handle(gjk_scene *scene) {
 }
 
 // Every field of a block holds what gjk_scene_check lets it hold by itself.
-static bool any_scene(gjk_scene *scene) {
+static bool any_scene(gjk_scene *scene, apart_block *b) {
   const gjk_scene_config config = {BODIES, PARTS, PLACED, PAIRS, 0, 0, 0, 0, 0};
   any_shapes();
   if (gjk_scene_init(scene, &config, &block, sizeof block, shapes, SHAPES) != GJK_OK) {
     return false;
   }
-  any_header(&block.header);
-  any_tree(&block.header);
+  b->header = block.header;
+  b->header.bodies.at = offsetof(apart_block, bodies);
+  b->header.parts.at = offsetof(apart_block, parts);
+  b->header.nodes.at = offsetof(apart_block, nodes);
+  b->header.placed.at = offsetof(apart_block, placed);
+  b->header.pairs.at = offsetof(apart_block, pairs);
+  b->header.queue_at = offsetof(apart_block, queue);
+  b->header.slots_at = offsetof(apart_block, slots);
+  scene->block = b;
+  any_header(&b->header);
+  any_tree(&b->header);
   for (int i = 0; i < PARTS; i++) {
-    any_body(&block.bodies[i]);
-    any_part(&block.parts[i]);
-    any_inner(&block.nodes[i]);
+    any_body(&b->bodies[i]);
+    any_part(&b->parts[i]);
+    any_inner(&b->nodes[i]);
   }
   for (int i = 0; i < PLACED; i++) {
-    any_placed(&block.placed[i]);
+    any_placed(&b->placed[i]);
   }
   for (int i = 0; i < PAIRS; i++) {
-    any_pair(&block.pairs[i]);
-    block.queue[i] = any_below(PAIRS);
+    any_pair(&b->pairs[i]);
+    b->queue[i] = any_below(PAIRS);
   }
-  block.slots[0] = any_below(1u << BODIES);
+  b->slots[0] = any_below(1u << BODIES);
   any_handle(scene);
   return true;
 }

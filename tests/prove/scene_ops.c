@@ -79,7 +79,8 @@ static void begin_update(gjk_scene *scene) {
 static void report(gjk_scene *scene) {
   gjk_report report;
   gjk_progress progress;
-  block.header.phase = CASE == FINISH ? GJK_SCENE_TESTING : GJK_SCENE_REPORTING;
+  gjk_scene_header *h = scene->block;
+  h->phase = CASE == FINISH ? GJK_SCENE_TESTING : GJK_SCENE_REPORTING;
   (void)gjk_scene_update_slice(scene, 0, any_bool() ? &report : NULL, any_below(2), any_bool() ? &progress : NULL);
 }
 
@@ -99,8 +100,9 @@ static void read(const gjk_scene *scene) {
 }
 
 int main(void) {
+  apart_block apart;
   gjk_scene scene;
-  if (!any_scene(&scene)) {
+  if (!any_scene(&scene, &apart)) {
     return 0;
   }
 #if CASE == ADD

@@ -49,9 +49,10 @@ static void find(const gjk_scene *scene) {
 }
 
 int main(void) {
+  apart_block apart;
   gjk_scene scene;
   gjk_scene_view v;
-  if (!any_scene(&scene) || gjk_scene_view_of(&scene, &v) != GJK_OK) {
+  if (!any_scene(&scene, &apart) || gjk_scene_view_of(&scene, &v) != GJK_OK) {
     return 0;
   }
 #if CASE == INSERT
