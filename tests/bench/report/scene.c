@@ -110,9 +110,9 @@ static void put_shares(FILE *file, const scene_table *t, const char *name) {
   static const struct {
     const char *column, *name;
     unsigned style;
-  } skips[] = {{"% resting", "neither side moved", 10}, {"% motion", "moved less than was proven", 0},
-               {"% boxes", "boxes or spheres apart", 1},     {"% direction", "last direction still separates", 4},
-               {"% warm", "queried, warm", 6},          {"% cold", "queried, cold", 7}};
+  } skips[] = {{"% resting", "neither side moved", 10},  {"% motion", "moved less than was proven", 0},
+               {"% boxes", "boxes or spheres apart", 1}, {"% direction", "last direction still separates", 4},
+               {"% warm", "queried, warm", 6},           {"% cold", "queried, cold", 7}};
   static plot p;
   static char labels[PLOT_POINTS_MAX][32];
   const char *names[PLOT_POINTS_MAX];
