@@ -51,7 +51,7 @@ static void add(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, gjk_q16 distance,
 
 // The gap of two points of edges, along the direction.
 static void add_between(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, uint16_t id) {
-  const gjk_vec3 step = gjk_sub(*b, *a);  // components at most 2^31 - 1, the product below 2^62
+  const gjk_vec3 step = gjk_sub(*b, *a);  // less than 2^31 long: centres at most sqrt(3) 2^29 apart, two radii of 2^28
   add(c, a, b, (gjk_q16)gjk_sar64(gjk_dot(&step, &c->a->direction) + (INT64_C(1) << 29), 30), id);
 }
 

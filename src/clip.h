@@ -23,7 +23,7 @@ typedef struct gjk_touches {
 #define GJK_PART_CORNER 0x80u
 
 // The part of a polygon, edge or corner that a point within it is of.
-static inline unsigned gjk_part(const gjk_polygon *p) {
+static inline unsigned gjk_part_of(const gjk_polygon *p) {
   return p->count > 2 ? GJK_PART_FACE : p->count == 2 ? GJK_PART_EDGE : GJK_PART_CORNER;
 }
 

@@ -93,6 +93,9 @@ static void keep_edge(gjk_polygon *p, unsigned i, unsigned j) {
   const uint16_t from_vertex = p->vertex[first], to_vertex = p->vertex[second];
   p->corner[0] = from;
   p->corner[1] = gjk_add(from, edge);
+  //@ assert p->corner[1].x >= -(INT32_C(3) << 28) && p->corner[1].x <= INT32_C(3) << 28;
+  //@ assert p->corner[1].y >= -(INT32_C(3) << 28) && p->corner[1].y <= INT32_C(3) << 28;
+  //@ assert p->corner[1].z >= -(INT32_C(3) << 28) && p->corner[1].z <= INT32_C(3) << 28;
   p->vertex[0] = from_vertex;
   p->vertex[1] = to_vertex;
   p->feature = (uint16_t)(from_vertex + 256u * to_vertex);
@@ -213,7 +216,7 @@ static void from_axes(const gjk_collider *c, const gjk_vec3 *position, gjk_polyg
   }
 }
 
-// Sums the triangles of a face: at most 14 times 2^58 for edges of 2^29.
+// Sums the triangles of a face: at most 10 times 2^58 for edges of 2^29.
 static void set_normal(gjk_polygon *p) {
   gjk_long3 n = {0, 0, 0};
   for (unsigned i = 2; i < p->count; i++) {
@@ -224,6 +227,9 @@ static void set_normal(gjk_polygon *p) {
     n.y += part.y;
     n.z += part.z;
   }
+  //@ assert n.x >= -(INT64_C(1) << 62) && n.x <= INT64_C(1) << 62;
+  //@ assert n.y >= -(INT64_C(1) << 62) && n.y <= INT64_C(1) << 62;
+  //@ assert n.z >= -(INT64_C(1) << 62) && n.z <= INT64_C(1) << 62;
   p->normal = n;
 }
 
@@ -299,6 +305,9 @@ static void set_fine_corner(const gjk_collider *c, const gjk_vec3 *position, con
                             gjk_polygon *out) {
   gjk_support s;
   gjk_curved_support(c, point, &s);
+  //@ assert s.offset.x >= -(INT32_C(1) << 28) && s.offset.x <= INT32_C(1) << 28;
+  //@ assert s.offset.y >= -(INT32_C(1) << 28) && s.offset.y <= INT32_C(1) << 28;
+  //@ assert s.offset.z >= -(INT32_C(1) << 28) && s.offset.z <= INT32_C(1) << 28;
   set_corner(out, i, position, &s.offset, i);
 }
 

@@ -22,6 +22,9 @@ GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_colli
                                           gjk_touches *touches, gjk_manifold *out) {
   const gjk_vec3 origin = {0, 0, 0}, to_b = {out->normal.x, out->normal.y, out->normal.z}, to_a = gjk_negate(to_b);
   const gjk_vec3 delta = gjk_sub(b->centre, a->centre);
+  //@ assert delta.x >= -REACH && delta.x <= REACH;
+  //@ assert delta.y >= -REACH && delta.y <= REACH;
+  //@ assert delta.z >= -REACH && delta.z <= REACH;
   gjk_polygon of_a, of_b;
   gjk_contact_polygon(a, &origin, &to_b, &of_a);
   gjk_contact_polygon(b, &delta, &to_a, &of_b);
@@ -31,7 +34,7 @@ GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_colli
     gjk_clip(&of_a, &of_b, &a->centre, margin, touches);
   }
   if (touches->count == 0) {
-    touches->touch[0].id = gjk_touch_id(gjk_part(&of_a), gjk_part(&of_b));
+    touches->touch[0].id = gjk_touch_id(gjk_part_of(&of_a), gjk_part_of(&of_b));
   }
 }
 

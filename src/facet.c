@@ -52,6 +52,8 @@ static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, con
   const uint32_t height = height_along(normal, w);
   const uint32_t least = height > GJK_HEIGHT_ERROR ? height - GJK_HEIGHT_ERROR : 0, most = height + GJK_HEIGHT_ERROR;
   gjk_q16 low = gjk_height_to_lsb(least, it->shift), high = gjk_height_to_lsb(most, it->shift);
+  //@ assert low >= 0 && low <= (INT32_C(1) << 30) + 4;
+  //@ assert high >= 0 && high <= (INT32_C(1) << 30) + 4;
   if (low == high) {
     return low;
   }
@@ -73,6 +75,7 @@ static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, con
       high = middle;
     }
   }
+  //@ assert low >= 0 && low <= (INT32_C(1) << 30) + 4;
   return low;
 }
 

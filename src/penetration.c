@@ -63,6 +63,7 @@ GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *
   moved_b.centre = gjk_add(apart, *t);
   const int64_t radius = gjk_roundings(it);
   gjk_iteration_start(it, &moved_a, &moved_b, GJK_GOAL_SIGNED, radius);
+  //@ assert it->shift >= 0;
   gjk_limbs numerator, denominator;
   bool parted = false;
   if (gjk_iteration_run(it, GJK_GOAL_SIGNED, NULL) == GJK_OUTCOME_NEAREST) {  // not reached: else, see above

@@ -126,6 +126,7 @@ static uint32_t mark_seen(gjk_polytope *p, uint16_t first, const gjk_vec3 *w) {
       }
     }
     face = (uint16_t)(f->rank & NONE);
+    //@ assert face == NONE || face < p->faces;
   }
   return seen;
 }
@@ -149,6 +150,7 @@ static edge first_horizon(const gjk_polytope *p, uint16_t first) {
       e.number++;
     } else {
       e.face = (uint16_t)(gjk_polytope_face(p, e.face)->rank & NONE);
+      //@ assert e.face < p->faces;
       e.number = 0;
     }
   }
@@ -174,6 +176,7 @@ static uint32_t write_horizon(const gjk_polytope *p, uint16_t first, gjk_cell *c
   uint32_t edges = 0;
   do {
     const struct gjk_cell_face *f = gjk_polytope_face(p, e.face);
+    //@ assert edges < 4 * (p->count - p->faces - 2 - (p->vertices + (uint32_t)1) * p->stride);
     cells[edges / 4].horizon.corner[edges % 4] = f->corner[e.number];
     cells[edges / 4].horizon.face[edges % 4] = f->neighbour[e.number];
     edges++;
@@ -194,8 +197,10 @@ static void close(gjk_polytope *p, uint16_t seen, uint32_t edges, const gjk_cell
     uint16_t face = seen;
     if (seen != NONE) {
       seen = (uint16_t)(gjk_polytope_face(p, seen)->rank & NONE);
+      //@ assert seen == NONE || seen < p->faces;
     } else {
       face = p->faces++;
+      //@ assert p->faces <= p->count - (uint32_t)p->vertices * p->stride - (edges + 3) / 4;
     }
     struct gjk_cell_face *f = gjk_polytope_face(p, face), *g = gjk_polytope_face(p, outer);
     g->neighbour[edge_from(g, end)] = face;
@@ -212,6 +217,7 @@ static void close(gjk_polytope *p, uint16_t seen, uint32_t edges, const gjk_cell
   while (seen != NONE) {  // at most the seen faces
     struct gjk_cell_face *unused = gjk_polytope_face(p, seen);
     seen = (uint16_t)(unused->rank & NONE);
+    //@ assert seen == NONE || seen < p->faces;
     unused->rank = GJK_RANK_SETTLED;
   }
 }

@@ -27,6 +27,7 @@ static unsigned deepest(const gjk_touches *t, gjk_q16 limit) {
   }
   while (t->touch[i].distance > least + 1 || t->touch[i].distance > limit) {  // one of them is the least
     i++;
+    //@ assert i < t->count;
   }
   return i;
 }

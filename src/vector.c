@@ -43,7 +43,9 @@ int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v) {
 // x / 2^k to the nearest integer, 1 <= k <= 32. Pre: the result is at most 2^30 in size.
 GJK_ONCE static int32_t round_down(int64_t x, unsigned k) {
   const uint64_t bits = (uint64_t)x + ((uint64_t)1 << (k - 1));
-  return gjk_int32((uint32_t)((bits >> k) & UINT32_MAX));
+  const int32_t rounded = gjk_int32((uint32_t)((bits >> k) & UINT32_MAX));
+  //@ assert rounded >= -(INT32_C(1) << 30) && rounded <= INT32_C(1) << 30;
+  return rounded;
 }
 
 void gjk_round_direction(const gjk_long3 *n, gjk_rounded *out) {

@@ -145,6 +145,7 @@ int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale
   if (exponent >= 0) {
     const unsigned cut = exponent > 32 ? (unsigned)exponent - 32 : 0;
     *k = (unsigned)exponent - cut;
+    //@ assert *k <= 32;
     return cut < 32 ? (int32_t)(quotient >> cut) : 0;
   }
   return exponent == -1 && quotient >> 30 == 0 ? (int32_t)(quotient << 1) : INT32_MAX;

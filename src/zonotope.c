@@ -24,6 +24,9 @@ bool gjk_is_zonotope(const gjk_iteration *it) {
 static gjk_vec3 in_frame(const gjk_vec3 *v, int shift) {
   const gjk_vec3 scaled = {gjk_shl32(v->x, (unsigned)shift), gjk_shl32(v->y, (unsigned)shift),
                            gjk_shl32(v->z, (unsigned)shift)};
+  //@ assert scaled.x >= -(INT32_C(1) << 30) && scaled.x <= INT32_C(1) << 30;
+  //@ assert scaled.y >= -(INT32_C(1) << 30) && scaled.y <= INT32_C(1) << 30;
+  //@ assert scaled.z >= -(INT32_C(1) << 30) && scaled.z <= INT32_C(1) << 30;
   return scaled;
 }
 
@@ -45,6 +48,9 @@ static void place(const zonotope *z, unsigned signs, gjk_vertex *out) {
   for (unsigned k = 0; k < z->count; k++) {
     w = (signs >> k & 1u) != 0 ? gjk_add(w, z->axis[k]) : gjk_sub(w, z->axis[k]);
   }
+  //@ assert w.x >= -(INT32_C(3) << 29) && w.x <= INT32_C(3) << 29;
+  //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
+  //@ assert w.z >= -(INT32_C(3) << 29) && w.z <= INT32_C(3) << 29;
   out->w = w;
   out->a = (uint16_t)(signs & mask_a);
   out->b = (uint16_t)(~signs >> z->of_a & mask_b);
@@ -155,6 +161,9 @@ static gjk_vec3 cut_normal(const zonotope *z, unsigned i, unsigned j, unsigned s
   gjk_long3 n;
   gjk_cross(&z->axis[i], &z->axis[j], &n);
   const gjk_vec3 cut = {(int32_t)gjk_sar64(n.x, shift), (int32_t)gjk_sar64(n.y, shift), (int32_t)gjk_sar64(n.z, shift)};
+  //@ assert cut.x >= -(INT32_C(1) << 30) && cut.x <= INT32_C(1) << 30;
+  //@ assert cut.y >= -(INT32_C(1) << 30) && cut.y <= INT32_C(1) << 30;
+  //@ assert cut.z >= -(INT32_C(1) << 30) && cut.z <= INT32_C(1) << 30;
   return cut;
 }
 

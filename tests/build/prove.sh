@@ -12,15 +12,18 @@ dir=$build/prove
 shift
 
 # What has a contract instead of a body, but in the driver of the bodies.
-CONTRACTS=gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,reciprocal,\
-gjk_reciprocal_root,gjk_unit
+CONTRACTS=gjk_add,gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,reciprocal,\
+gjk_reciprocal_root,gjk_unit,copy_collider,gjk_rank
 
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
-QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:100,gjk_signed_distance:100,report:100,gjk_distance:200,run:200,narrow:200,\
+QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report:100,\
+ask_penetration:500,ask_signed:500,gjk_distance:200,run:200,narrow:200,\
 gjk_distance_until:100,gjk_distance_report:100,stop_early:100,load:100,is_nearest:100,is_facet:100,none_before:100
 ITERATION_LEVELS=gjk_iteration_run:4,warm_start:1000,gjk_iteration_start:500,set_frame:500,set_usual_frame:500,main:500,\
 longer_than:100,far_shift:100,run:500
 ITERATION_RETURNS=gjk_iteration_start:0,set_frame:0,set_usual_frame:0,longer_than:0
+POLYTOPE_LEVELS=write_horizon:200,gjk_polytope_add:500,close:1000,add:1000,check_polytope:100,gjk_polytope_lowest:50
+ZONOTOPE_LEVELS=gjk_zonotope_facet:1000,run:100
 SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
 
 # The outcomes of a call kept apart by its last branch, so that what a check found of an index is known after it.
@@ -43,7 +46,25 @@ cases() {
   for count in 1 2 3; do
     echo witness-$count
   done
-  for query in INTERSECT WITHIN DISTANCE UNTIL CHECK_DECISION CHECK_DISTANCE \
+  for kind in SMOOTH POINT SEGMENT BOX TRIANGLE HULL CYLINDER CONE; do
+    echo polygon-$kind
+  done
+  for faces in 0 1 2 3; do
+    echo clip-$faces
+  done
+  echo reduce-x
+  for case in 0 1 2; do
+    echo facet-$case
+    echo polytope-$case
+  done
+  for count in 0 1 3; do
+    echo zonotope-$count
+  done
+  for count in 1 2 3 4; do
+    echo expand-$count
+  done
+  echo contacts-x
+  for query in INTERSECT WITHIN DISTANCE UNTIL PENETRATION SIGNED CHECK_DECISION CHECK_DISTANCE \
     CHECK_PENETRATION; do
     echo query-$query
   done
@@ -98,7 +119,7 @@ prove_one() {
   instance=${instance%-*}
   defines="-DCASE=$instance"
   # Without what has no driver yet.
-  sources=$(echo src/*.c | tr ' ' '\n' | grep -v 'scene\|contact\|clip\|reduce\|zonotope' | tr '\n' ' ')
+  sources=$(echo src/*.c | tr ' ' '\n' | grep -v scene | tr '\n' ' ')
   case $variant in
     int16) machine=gcc_x86_16 defines="$defines -DGJK_NARROW_MULTIPLY=1" ;;
     *) machine=gcc_x86_32 ;;
@@ -109,8 +130,9 @@ prove_one() {
     primitives) contracts= && set -- "$1" -eva-slevel 200 ;;
     witness) models=simplex && set -- "$1" -eva-slevel 200 ;;
     query)
-      models='simplex polytope iteration witness zonotope'
-      set -- "$1" -eva-slevel 50 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits
+      models='simplex iteration witness zonotope facet expand'
+      set -- "$1" -eva-slevel 50 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits \
+        -eva-partition-value facet_is_found
       ;;
     iteration)
       models=simplex
@@ -124,6 +146,24 @@ prove_one() {
       set -- "$1" -eva-slevel 12 -eva-slevel-function "$SCENE_LEVELS" -eva-partition-history 1 \
         -eva-interprocedural-history -eva-interprocedural-splits -eva-ilevel 64 -eva-auto-loop-unroll 8
       ;;
+    facet) models=simplex contracts=${contracts%,gjk_rank} && set -- "$1" -eva-slevel 200 -eva-interprocedural-splits ;;
+    zonotope)
+      models='simplex facet'
+      set -- "$1" -eva-slevel 2 -eva-slevel-function "$ZONOTOPE_LEVELS" -eva-auto-loop-unroll 6 -eva-min-loop-unroll 6 \
+        -eva-partition-value facet_is_found
+      ;;
+    polytope)
+      set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 9 -eva-slevel-function "$POLYTOPE_LEVELS"
+      ;;
+    expand)
+      models='simplex iteration polytope facet'
+      set -- "$1" -eva-slevel 100 -eva-interprocedural-splits -eva-partition-value facet_is_found
+      ;;
+    contacts)
+      models='penetration contact_polygon clip reduce'
+      set -- "$1" -eva-slevel 300 -eva-min-loop-unroll 24 -eva-interprocedural-splits
+      ;;
+    clip | reduce) set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
     simplex) set -- "$1" -eva-slevel 12 -eva-slevel-function "$SIMPLEX_LEVELS" ;;
     *) set -- "$1" -eva-slevel 200 ;;
   esac

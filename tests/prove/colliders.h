@@ -16,14 +16,14 @@ static bool any_offset(gjk_vec3 *offset) {
 }
 
 static void any_support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
-  check_vec3(d, ANY_W);
+  check_vec3(d, ANY_DIRECTION);
   out->offset = any_vec3(ANY_OFFSET);
   out->vertex = any_uint16();
   out->tie = exact ? false : any_bool();
 }
 
 static void any_curved_support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
-  check_vec3(d, ANY_W);
+  check_vec3(d, ANY_DIRECTION);
   out->offset = any_vec3(ANY_OFFSET);
   out->vertex = 0;
   out->tie = false;

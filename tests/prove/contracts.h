@@ -5,8 +5,15 @@
 
 #include <stdint.h>
 
-#include "gjk/format.h"
+#include "gjk/collider.h"
 #include "vector.h"
+
+/*@ requires fits_x: -0x80000000 <= a.x + b.x <= 0x7fffffff;
+    requires fits_y: -0x80000000 <= a.y + b.y <= 0x7fffffff;
+    requires fits_z: -0x80000000 <= a.z + b.z <= 0x7fffffff;
+    assigns \result \from a, b;
+    ensures \result.x == a.x + b.x && \result.y == a.y + b.y && \result.z == a.z + b.z; */
+static inline gjk_vec3 gjk_add(gjk_vec3 a, gjk_vec3 b);
 
 /*@ requires fits_x: -0x7fffffff <= a.x - b.x <= 0x7fffffff;
     requires fits_y: -0x7fffffff <= a.y - b.y <= 0x7fffffff;
@@ -105,5 +112,18 @@ uint32_t gjk_reciprocal_root(uint32_t x);
     ensures -0x40000001 <= \result.y <= 0x40000001;
     ensures -0x40000001 <= \result.z <= 0x40000001; */
 gjk_unit3 gjk_unit(const gjk_vec3 *d);
+
+// Shown by tests/prove/facet.c.
+/*@ requires positive: along > 0 ==> squared > 0;
+    assigns \result \from along, squared;
+    ensures \result <= 0x3fffff; */
+uint32_t gjk_rank(int64_t along, int64_t squared);
+
+// Byte by byte, which Eva does not follow.
+/*@ requires set: \initialized(&from->shape) && \initialized(&from->centre.x);
+    assigns *to \from *from;
+    ensures \initialized(to);
+    ensures to->shape == from->shape; */
+static void copy_collider(gjk_collider *to, const gjk_collider *from);
 
 #endif

@@ -73,7 +73,7 @@ bool gjk_iteration_near(const gjk_iteration *it) {
 }
 
 void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_certificate *out) {
-  check_vec3(&it->direction.d, ANY_W);
+  check_vec3(&it->direction.d, ANY_DIRECTION);
   out->proof = (uint8_t)any_between(GJK_PROOF_NONE, GJK_PROOF_PLANE);
   out->count = (uint8_t)any_between(0, 4);
   out->direction = it->direction.d;

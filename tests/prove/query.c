@@ -30,6 +30,51 @@ static void any_workspace(gjk_workspace *workspace) {
   workspace->count = (uint32_t)any_int32();
 }
 
+static void check_normal(const gjk_unit3 *normal) {
+  check_size(normal->x, ANY_UNIT);
+  check_size(normal->y, ANY_UNIT);
+  check_size(normal->z, ANY_UNIT);
+}
+
+// An answer is set.
+static void check_points(const gjk_vec3 *a, const gjk_vec3 *b) {
+  check_size(a->x, INT64_C(1) << 31);
+  check_size(a->y, INT64_C(1) << 31);
+  check_size(a->z, INT64_C(1) << 31);
+  check_size(b->x, INT64_C(1) << 31);
+  check_size(b->y, INT64_C(1) << 31);
+  check_size(b->z, INT64_C(1) << 31);
+}
+
+static void ask_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                            const gjk_workspace *workspace) {
+  gjk_penetration_result r;
+  const gjk_status status = gjk_penetration(a, b, cache, workspace, &r);
+  if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
+    return;
+  }
+  //@ split r.intersecting;
+  if (r.intersecting) {
+    check_size(r.depth, INT64_C(1) << 31);
+    check_size(r.lower, INT64_C(1) << 31);
+    check_size(r.upper, INT64_C(1) << 31);
+    check_normal(&r.normal);
+    check_points(&r.point_a, &r.point_b);
+  }
+}
+
+static void ask_signed(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, const gjk_workspace *workspace) {
+  gjk_distance_result r;
+  const gjk_status status = gjk_signed_distance(a, b, cache, workspace, &r);
+  if (status == GJK_OK || status == GJK_ERROR_CAPACITY) {
+    check_size(r.distance, INT64_C(1) << 31);
+    check_size(r.lower, INT64_C(1) << 31);
+    check_size(r.upper, INT64_C(1) << 31);
+    check_normal(&r.normal);
+    check_points(&r.point_a, &r.point_b);
+  }
+}
+
 static void ask(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache) {
   gjk_decision decision;
   gjk_distance_result distance;
@@ -46,9 +91,9 @@ static void ask(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache) 
   const gjk_effort effort = {(uint8_t)any_between(0, UINT8_MAX), any_int32()};
   (void)gjk_distance_until(a, b, &effort, cache, &distance);
 #elif CASE == PENETRATION
-  (void)gjk_penetration(a, b, cache, &workspace, &penetration);
+  ask_penetration(a, b, cache, &workspace);
 #elif CASE == SIGNED
-  (void)gjk_signed_distance(a, b, cache, &workspace, &distance);
+  ask_signed(a, b, cache, &workspace);
 #elif CASE == CHECK_DECISION
   any_certificate(&decision.certificate);
   decision.yes = any_bool();

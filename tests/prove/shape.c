@@ -65,7 +65,7 @@ static void any_direction(gjk_direction *direction, const gjk_vec3 ends[2], gjk_
 // The class's functions on the posed collider.
 static void use(const gjk_collider *c) {
   const int32_t most = INT32_C(3) << 29;
-  const gjk_vec3 d = any_vec3(most), ends[2] = {any_vec3(most), any_vec3(most)};
+  const gjk_vec3 d = any_vec3(INT32_MAX), ends[2] = {any_vec3(most), any_vec3(most)};
   gjk_long3 n;
   gjk_direction direction;
   gjk_support found;

@@ -86,16 +86,25 @@ static void run(unsigned count, unsigned i, unsigned j, unsigned k) {
   check_feature(&s, step == GJK_STEP_ENCLOSING ? 4 : 3);
 }
 
-// Certificates fill the slots in order.
+// Certificates and facets fill the slots in order; of these, only where the vertices are is read.
 static void named(unsigned n) {
   gjk_simplex s;
   gjk_simplex_clear(&s);
   for (unsigned i = 0; i < n; i++) {
-    any_vertex(&s.slot[i]);
+    s.slot[i].w = any_vec3(ANY_W);
   }
   if (any_bool()) {
     (void)gjk_simplex_encloses(&s, n);
-  } else if (n < 4 && gjk_simplex_set(&s, n)) {
+  } else if (n < 4) {
+    (void)gjk_simplex_set(&s, n);
+    if (n == 3) {
+      (void)gjk_simplex_beyond(&s);
+    }
+    for (unsigned i = 0; i < n; i++) {
+      s.slot[i].offset_a = any_vec3(ANY_OFFSET);
+      s.slot[i].a = any_uint16();
+      s.slot[i].b = any_uint16();
+    }
     check_feature(&s, 3);
   }
 }

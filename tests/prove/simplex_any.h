@@ -10,6 +10,8 @@
 
 // Of vertices w, squares and products of two, and w_i . (w_i - w_j): src/simplex.h.
 #define ANY_W (INT32_C(3) << 29)
+// A direction that a support is asked for: a vertex, an edge turned, or rounded.
+#define ANY_DIRECTION INT32_MAX
 #define ANY_SQUARE (INT64_C(9) << 58)
 #define ANY_TOWARD (INT64_C(1) << 61)
 #define ANY_NORMAL (INT64_C(1) << 62)

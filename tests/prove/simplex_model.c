@@ -38,23 +38,39 @@ gjk_step gjk_simplex_add(gjk_simplex *s) {
   return step;
 }
 
+// Only where the vertices are counts, and the slots keep what they hold; of three the order follows the origin's side.
 bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
   //@ assert n >= 1 && n <= 3;
-  any_feature(s, n);
+  gjk_simplex_clear(s);
+  for (unsigned i = 0; i < n; i++) {
+    check_vec3(&s->slot[i].w, ANY_W);
+  }
   s->count = (uint8_t)n;
+  if (n == 3) {
+    any_normal(&s->normal);
+    if (any_bool()) {
+      s->order[0] = 1;
+      s->order[1] = 0;
+    }
+  }
   return any_bool();
 }
 
 unsigned gjk_simplex_beyond(const gjk_simplex *s) {
   for (int i = 0; i < 3; i++) {
-    check_vertex(&s->slot[i]);
+    check_vec3(&s->slot[i].w, ANY_W);
   }
   return (unsigned)any_between(0, 3);
 }
 
 bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
   //@ assert n >= 1 && n <= 4;
-  any_feature(s, n);
+  if (n < 4) {
+    return gjk_simplex_set(s, n) && any_bool();
+  }
+  for (unsigned i = 0; i < 4; i++) {
+    check_vec3(&s->slot[i].w, ANY_W);
+  }
   return any_bool();
 }
 

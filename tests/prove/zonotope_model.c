@@ -1,26 +1,12 @@
 // Stands in for src/zonotope.c under the queries: any answer, for any pair.
 #include "zonotope.h"
 
-#include "simplex_any.h"
+#include "facets.h"
+
+extern int facet_is_found;  // by the model of the facet
 
 bool gjk_is_zonotope(const gjk_iteration *it) {
-  return any_bool();
-}
-
-static void any_facet(gjk_facet *facet) {
-  for (int i = 0; i < 3; i++) {
-    any_vertex(&facet->corner[i]);
-  }
-  facet->direction.d = any_direction(3);
-  facet->direction.exact = any_bool();
-  facet->normal.x = any_between(-ANY_UNIT, ANY_UNIT);
-  facet->normal.y = any_between(-ANY_UNIT, ANY_UNIT);
-  facet->normal.z = any_between(-ANY_UNIT, ANY_UNIT);
-  facet->rank = (uint32_t)any_int32();
-  facet->depth = any_between(0, INT32_C(1) << 30);
-  facet->covers = any_bool();
-  facet->set = any_bool();
-  facet->found = true;
+  return it->curved == NULL && any_bool();
 }
 
 gjk_zonotope_answer gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet) {
@@ -30,11 +16,12 @@ gjk_zonotope_answer gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet) {
   it->direction.exact = any_bool();
   it->simplex.count = 3;
   for (int i = 0; i < 3; i++) {
-    any_vertex(&it->simplex.slot[i]);
+    any_corner(&it->simplex.slot[i], false);
   }
   any_normal(&it->simplex.normal);
   if (answer == GJK_ZONOTOPE_FACET) {
-    any_facet(facet);
+    any_facet(facet, false);
+    facet_is_found = 1;
   }
   return (gjk_zonotope_answer)answer;
 }

@@ -1,0 +1,62 @@
+// Stands in for src/facet.c: any answer, from what tests/prove/facet.c shows to be enough.
+//
+// facet_is_found: as the facet has it, for analyses that keep the two apart by it.
+#include "facets.h"
+
+int facet_is_found;
+
+uint32_t gjk_height(const gjk_vec3 *d, const gjk_vec3 *w) {
+  check_vec3(d, INT32_C(1) << 30);
+  check_vec3(w, ANY_W);
+  return (uint32_t)any_between(0, (int32_t)GJK_HEIGHT_MAX);
+}
+
+gjk_q16 gjk_depth_across(const gjk_iteration *it, const gjk_vec3 *w) {
+  check_vec3(&it->direction.d, INT32_C(1) << 30);
+  check_vec3(w, ANY_W);
+  return any_between(0, ANY_DEPTH - 4);
+}
+
+bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t rank) {
+  //@ assert shift >= 0 && shift <= 29;
+  check_size(rank, UINT32_MAX);
+  if (!best->found) {
+    return true;
+  }
+  check_size(best->covers, 1);
+  check_size(best->depth, ANY_DEPTH);
+  return any_bool();
+}
+
+void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool covers, gjk_q16 bound) {
+  const gjk_simplex *s = &it->simplex;
+  //@ assert it->shift >= 0 && it->shift <= 29 && s->count == 3;
+  //@ assert bound >= -1 && bound <= ANY_DEPTH;
+  check_vec3(&it->direction.d, INT32_C(1) << 30);
+  check_size(it->direction.exact, 1);
+  check_size(rank, UINT32_MAX);
+  check_size(covers, 1);
+  for (int i = 0; i < 3; i++) {
+    check_corner(&s->slot[i], it->curved != NULL);
+  }
+  any_facet(best, it->curved != NULL);
+  facet_is_found = 1;
+}
+
+void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
+  gjk_simplex *s = &it->simplex;
+  check_facet(facet, it->curved != NULL);
+  if (facet->set && facet->covers) {
+    for (int i = 0; i < 3; i++) {
+      check_corner(&s->slot[i], it->curved != NULL);
+    }
+  }
+  it->direction = facet->direction;
+  gjk_simplex_clear(s);
+  const int32_t count = any_between(1, 3);
+  for (int i = 0; i < 3; i++) {
+    any_vertex(&s->slot[i]);
+  }
+  any_normal(&s->normal);
+  s->count = (uint8_t)count;
+}

@@ -1,0 +1,24 @@
+// src/reduce.h with any contact points, one more than are to be kept or the most there are, of which any number is kept.
+#include "reduce.h"
+
+#include "touches.h"
+
+static void run(int32_t count, int32_t most) {
+  gjk_touches touches;
+  uint8_t keep[GJK_CONTACTS_MAX];
+  const gjk_vec3 u = any_vec3(ANY_UNIT);
+  const gjk_unit3 normal = {u.x, u.y, u.z};
+  any_touches(&touches, count);
+  gjk_reduce(&touches, &normal, (unsigned)most, any_int32(), keep);
+  for (int i = 0; i < most; i++) {
+    //@ assert keep[i] < count;
+  }
+}
+
+int main(void) {
+  for (int32_t most = 1; most <= GJK_CONTACTS_MAX; most++) {
+    run(most + 1, most);
+    run(GJK_TOUCHES_MAX, most);
+  }
+  return 0;
+}
