@@ -84,20 +84,18 @@ static void test_round_shapes(void) {
   CHECK(m.count == 1 && is_near(m.contact[0].distance, -36, 4));
 }
 
-// Of points that are 2 and 3 LSB above the depth one of the former is kept: the ends of a tilted coin, pressed into a
-// disc.
+// Of points that are 2 and 3 LSB above the depth one of the former is kept: the ends of a tilted disc in a coin.
 static void test_reduced_deepest(void) {
-  static const gjk_shape coin = GJK_ROUNDED_CYLINDER(17695, 0, 212992), disc = GJK_ROUNDED_CONE(238960190, 0, 1966080);
-  const gjk_pose tilted = {{10240, 7680, 0}, {13213, 10636, 0, GJK_Q30_ONE}};
+  static const gjk_shape disc = GJK_ROUNDED_CYLINDER(213063, 756, 9020), coin = GJK_ROUNDED_CYLINDER(49206, 0, 820);
+  const gjk_pose tilted = {{-14092, -3172, 0}, {15454, -5824, 0, GJK_Q30_ONE}}, beside = at(2421, 0, 2426);
   gjk_collider a, b;
   gjk_distance_result d;
-  const gjk_pose beside = at(2621440, 0, 4);
-  place(&coin, &tilted, &a);
-  place(&disc, &beside, &b);
+  place(&disc, &tilted, &a);
+  place(&coin, &beside, &b);
   CHECK(gjk_signed_distance(&a, &b, NULL, &workspace, &d) == GJK_OK);
   for (unsigned most = 1; most <= GJK_CONTACTS_MAX; most++) {
-    const gjk_manifold m = meet(&coin, tilted, &disc, beside, most);
-    CHECK_MSG(m.count == most && is_near(least_of(&m), d.distance, 2), "%ld of %ld", (long)least_of(&m),
+    const gjk_manifold m = meet(&disc, tilted, &coin, beside, most);
+    CHECK_MSG(m.count <= most && is_near(least_of(&m), d.distance, 2), "%ld of %ld", (long)least_of(&m),
               (long)d.distance);
   }
 }

@@ -241,6 +241,33 @@ static void test_parts(void) {
   CHECK(gjk_scene_check(&scene) == GJK_OK);
 }
 
+// Parts that cannot be posed again: shape or body would leave the world, or the table has another shape.
+static void test_poses(void) {
+  static const gjk_vec3 corners[4] = {{0, 0, 0}, {ONE, 0, 0}, {0, ONE, 0}, {0, 0, ONE}};
+  static const gjk_shape rock = GJK_HULL(corners, 4), wrong = GJK_BOX(-1, 1, 1);
+  static const gjk_shape *const rocks[] = {&rock}, *const wrongs[] = {&wrong};
+  static const gjk_scene_config few = {2, 2, 1, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  static const gjk_part part[2] = {{0, false, GJK_POSE_IDENTITY}, {0, true, {{0, 3 * ONE, 0}, {0, 0, 0, GJK_Q30_ONE}}}};
+  static uint32_t memory[500];
+  gjk_scene small;
+  gjk_body body[2];
+  gjk_scene_view view;
+  CHECK(gjk_scene_init(&small, &few, memory, sizeof memory, rocks, 1) == GJK_OK);
+  for (int i = 0; i < 2; i++) {
+    gjk_body_setup setup = {GJK_POSE_IDENTITY, &part[i], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+    CHECK(gjk_scene_add(&small, &setup, &body[i]) == GJK_OK);
+  }
+  CHECK(gjk_scene_view_of(&small, &view) == GJK_OK && gjk_scene_check(&small) == GJK_OK);
+  for (int i = 0; i < 2; i++) {
+    view.bodies[body[i].slot].position.y = INT32_MAX;
+    CHECK(gjk_scene_check(&small) == GJK_ERROR_CORRUPT);
+    view.bodies[body[i].slot].position.y = 0;
+    CHECK(gjk_scene_check(&small) == GJK_OK);
+  }
+  CHECK(gjk_scene_attach(&small, memory, sizeof memory, wrongs, 1) == GJK_OK);
+  CHECK(gjk_scene_check(&small) == GJK_ERROR_CORRUPT);
+}
+
 static void test_moved(void) {
   restore();
   REFUSED(v.header->moved = v.header->config.bodies);
@@ -512,6 +539,7 @@ int main(void) {
   test_free_lists();
   test_bodies();
   test_parts();
+  test_poses();
   test_moved();
   test_tree();
   test_pairs();
