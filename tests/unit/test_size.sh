@@ -1,5 +1,5 @@
 #!/bin/sh
-# Linked code of the smallest Cortex-M3 programs at -Os, query alone, against the figures to keep. test_size.sh BUILD
+# Linked code of the smallest Cortex-M3 programs at -Os, query alone but for depth, against the figures to keep. test_size.sh BUILD
 . tests/build/count.sh
 
 # at_most LIMIT MACROS...
@@ -14,6 +14,7 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   check 'the library for Cortex-M3 at -Os' make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked
   check 'gjk_intersect on boxes alone' at_most 7168 -DSIZE_BOXES
   check 'gjk_distance on hulls, boxes and rounded forms' at_most 11776
+  check 'gjk_penetration as well, with posing' at_most 20736 -DSIZE_POSED -DSIZE_DEPTH
 else
   skip 'linked sizes' "$(missing_package cortex-m3)"
 fi
