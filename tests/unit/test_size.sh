@@ -1,5 +1,5 @@
 #!/bin/sh
-# Linked code of the smallest Cortex-M3 programs at -Os, query alone but for depth, against the figures to keep. test_size.sh BUILD
+# Linked code of the smallest Cortex-M3 programs at -Os, against the figures to keep. test_size.sh BUILD
 . tests/build/count.sh
 
 # at_most LIMIT MACROS...
