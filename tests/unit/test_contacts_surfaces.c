@@ -388,8 +388,9 @@ int main(void) {
   }
   printf("%u in more than a point, %u reduced, %u mirrored, ids of %u of %u kept\n", all.many, all.reduced,
          all.mirrored, all.kept, all.moved);
-  CHECK_MSG(all.many > 5 * PAIRS_PER_CELL && all.reduced > PAIRS_PER_CELL / 8 && all.mirrored > 16 * PAIRS_PER_CELL,
-            "%u, %u, %u", all.many, all.reduced, all.mirrored);
+  const bool mixed =
+      all.many > 5 * PAIRS_PER_CELL && all.reduced > PAIRS_PER_CELL / 8 && all.mirrored > 16 * PAIRS_PER_CELL;
+  CHECK_MSG(mixed || PAIRS_PER_CELL < 100, "%u, %u, %u", all.many, all.reduced, all.mirrored);
   // Of few, a fiftieth may be lost by chance.
   CHECK_MSG(all.kept * 100.0 >= all.moved * (PAIRS_PER_CELL < 100 ? 98.0 : 99.0), "ids of %u of %u kept", all.kept,
             all.moved);
