@@ -37,4 +37,7 @@ long double accurate_point_distance(const case_shape *shape, gjk_vec3 point);
 // inside of its rounding.
 long double accurate_point_outside(const case_shape *shape, const case_collider *collider, gjk_vec3 point);
 
+// How far it is from the surface, outside or inside: a lower bound.
+long double accurate_surface_distance(const case_shape *shape, const case_collider *collider, gjk_vec3 point);
+
 #endif

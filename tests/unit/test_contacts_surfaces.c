@@ -133,14 +133,9 @@ static bool make_pair(random_state *random, case_kind kind_a, case_kind kind_b, 
 
 // The distance of a point from the surface.
 static long double surface_error(const subject *s, gjk_vec3 point) {
-  case_pair pair = {{0}, s->shape, {0}};
-  case_collider at = {0};
-  accurate_result gap;
-  case_shape_reset(&pair.b);
-  pair.b.pose.position = point;
-  CHECK(case_collider_build(&at, &pair.b, false) == GJK_OK);
-  accurate_signed(&pair, &s->collider, &at, &gap);
-  return gap.lower > 0 ? gap.lower : gap.upper < 0 ? -gap.upper : 0;
+  const long double off = accurate_surface_distance(&s->shape, &s->collider, point);
+  CHECK(off < HUGE_VALL);  // the point was placed
+  return off;
 }
 
 static long double along_normal(const gjk_manifold *m, const gjk_contact *c) {
