@@ -207,4 +207,8 @@ static inline uint32_t gjk_aabb_gap(const gjk_aabb *a, const gjk_aabb *b) {
   return gjk_larger_gap(y, a->lower.z, a->upper.z, b->lower.z, b->upper.z);
 }
 
+static inline bool gjk_scene_same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
+  return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
 #endif

@@ -1,5 +1,4 @@
 // Bodies: added, removed, moved, changed. Each call checks everything first, then changes the scene.
-#include "gjk/pose.h"
 #include "scene_pairs.h"
 #include "scene_part.h"
 #include "scene_tree.h"
@@ -14,26 +13,8 @@ static void put_in_moved_list(gjk_scene_view *v, uint32_t slot) {
   }
 }
 
-// Poses an initialised collider to the part of a body: at the body's pose, or at its own in the body's frame.
-static gjk_status pose_part(gjk_collider *c, const gjk_pose *body, const gjk_pose *placed) {
-  gjk_pose pose;
-  if (placed == NULL) {
-    return gjk_collider_pose(c, body);
-  }
-  const gjk_status status = gjk_pose_compose(body, placed, &pose);
-  return status == GJK_OK ? gjk_collider_pose(c, &pose) : status;
-}
-
-static gjk_status bind_shape(const gjk_scene_view *v, uint16_t shape, gjk_collider *c) {
-  if (shape >= v->scene->shape_count) {
-    return GJK_ERROR_RANGE;
-  }
-  return gjk_collider_init(c, v->scene->shapes[shape], NULL, 0);
-}
-
 static gjk_status build_part(const gjk_scene_view *v, const gjk_pose *pose, const gjk_part *part, gjk_collider *c) {
-  const gjk_status status = bind_shape(v, part->shape, c);
-  return status == GJK_OK ? pose_part(c, pose, part->placed ? &part->pose : NULL) : status;
+  return gjk_scene_build(v, part->shape, pose, part->placed ? &part->pose : NULL, c);
 }
 
 static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) {
@@ -50,7 +31,6 @@ static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) 
     return GJK_ERROR_RANGE;
   }
   for (uint32_t i = 0; i < s->part_count; i++) {
-    c.state = 0;
     const gjk_status status = build_part(v, &s->pose, &s->parts[i], &c);
     if (status != GJK_OK) {
       return status;
@@ -69,10 +49,6 @@ static void add_part(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, con
   const uint32_t index = gjk_scene_take(v, &h->parts, sizeof(gjk_scene_part));
   gjk_scene_part *p = &v->parts[index];
   gjk_collider c;
-  c.state = 0;
-  c.frame[0].x = c.frame[0].y = c.frame[0].z = 0;
-  c.frame[1] = c.frame[0];
-  c.frame[2] = c.frame[0];
   (void)build_part(v, pose, part, &c);  // checked
   p->next = body->first;
   body->first = index;
@@ -205,7 +181,7 @@ static const gjk_pose *placed_pose(const gjk_scene_view *v, const gjk_scene_part
 // The part's collider at another pose of its body.
 static gjk_status move_part(const gjk_scene_view *v, const gjk_scene_part *p, const gjk_pose *pose, gjk_collider *c) {
   gjk_scene_unpack(v, p, c);
-  return pose_part(c, pose, placed_pose(v, p));
+  return gjk_scene_pose(c, pose, placed_pose(v, p));
 }
 
 static void replant(gjk_scene_view *v, uint32_t index) {
@@ -215,9 +191,8 @@ static void replant(gjk_scene_view *v, uint32_t index) {
 }
 
 static bool same_pose(const gjk_scene_body *body, const gjk_pose *pose) {
-  const gjk_vec3 *p = &pose->position;
   const gjk_quat *q = &pose->rotation;
-  return body->position.x == p->x && body->position.y == p->y && body->position.z == p->z && body->rotation.x == q->x &&
+  return gjk_scene_same_vec3(&body->position, &pose->position) && body->rotation.x == q->x &&
          body->rotation.y == q->y && body->rotation.z == q->z && body->rotation.w == q->w;
 }
 
@@ -319,14 +294,7 @@ gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body handle, uint16_t part,
     return GJK_ERROR_RANGE;
   }
   const gjk_pose pose = body_pose(body);
-  c.state = 0;
-  c.frame[0].x = c.frame[0].y = c.frame[0].z = 0;
-  c.frame[1] = c.frame[0];
-  c.frame[2] = c.frame[0];
-  status = bind_shape(&v, shape, &c);
-  if (status == GJK_OK) {
-    status = pose_part(&c, &pose, placed_pose(&v, &v.parts[index]));
-  }
+  status = gjk_scene_build(&v, shape, &pose, placed_pose(&v, &v.parts[index]), &c);
   if (status != GJK_OK) {
     return status;
   }

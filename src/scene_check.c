@@ -1,6 +1,7 @@
 // Checks a block's every index and invariant, in passes that end whatever the block holds.
 #include "gjk/pose.h"
 #include "scene_pairs.h"
+#include "scene_part.h"
 #include "scene_tree.h"
 
 static bool live_part(const gjk_scene_view *v, uint32_t index) {
@@ -47,35 +48,24 @@ static bool check_placed(const gjk_scene_view *v, uint32_t index, uint32_t *plac
          gjk_quat_invert(&v->placed[at].pose.rotation, &opposite) == GJK_OK;
 }
 
-static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z;
-}
-
 // A part holds what its shape is at the pose of its body: posing repeats bit for bit. So all that a query assumes of a
 // collider is true of it.
 static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p) {
   const uint32_t placed = p->placed;
-  const uint16_t shape = p->shape;
   gjk_pose pose;
   gjk_aabb box;
   gjk_collider c;
   pose.position = body->position;
   pose.rotation = body->rotation;
-  //@ assert shape < v->scene->shape_count;
   //@ assert placed == GJK_SCENE_NONE || placed < v->header->placed.fresh;
-  c.state = 0;
-  for (int i = 0; i < 3; i++) {  // what the shape does not use
-    c.frame[i].x = c.frame[i].y = c.frame[i].z = 0;
-  }
-  if ((placed != GJK_SCENE_NONE && gjk_pose_compose(&pose, &v->placed[placed].pose, &pose) != GJK_OK) ||
-      gjk_collider_init(&c, v->scene->shapes[shape], NULL, 0) != GJK_OK || gjk_collider_pose(&c, &pose) != GJK_OK) {
+  if (gjk_scene_build(v, p->shape, &pose, placed == GJK_SCENE_NONE ? NULL : &v->placed[placed].pose, &c) != GJK_OK) {
     return false;
   }
   (void)gjk_collider_aabb(&c, &box);  // posed, so it cannot fail
-  return same_vec3(&p->centre, &c.centre) && same_vec3(&p->local_centre, &c.local_centre) &&
-         same_vec3(&p->frame[0], &c.frame[0]) && same_vec3(&p->frame[1], &c.frame[1]) &&
-         same_vec3(&p->frame[2], &c.frame[2]) && p->core_radius == c.core_radius &&
-         same_vec3(&p->exact.lower, &box.lower) && same_vec3(&p->exact.upper, &box.upper);
+  return gjk_scene_same_vec3(&p->centre, &c.centre) && gjk_scene_same_vec3(&p->local_centre, &c.local_centre) &&
+         gjk_scene_same_vec3(&p->frame[0], &c.frame[0]) && gjk_scene_same_vec3(&p->frame[1], &c.frame[1]) &&
+         gjk_scene_same_vec3(&p->frame[2], &c.frame[2]) && p->core_radius == c.core_radius &&
+         gjk_scene_same_vec3(&p->exact.lower, &box.lower) && gjk_scene_same_vec3(&p->exact.upper, &box.upper);
 }
 
 // The parts of a body: as many as it says, numbered upwards. Counts them and their poses.

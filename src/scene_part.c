@@ -1,6 +1,7 @@
 // One shape of a body: as a collider, and its boxes.
 #include "scene_part.h"
 
+#include "gjk/pose.h"
 #include "shape_class.h"
 
 // Posing moves vertices by roundings, before and after: offsets by less than 3 (collider.c), so by less than 6 against each
@@ -22,6 +23,28 @@ void gjk_scene_unpack(const gjk_scene_view *v, const gjk_scene_part *part, gjk_c
   out->state = GJK_STATE_POSED;
   out->count = shape->type->buffered ? shape->count : shape->type->count;
   out->bits = (uint8_t)(32 - gjk_clz32((uint32_t)part->core_radius));
+}
+
+gjk_status gjk_scene_pose(gjk_collider *c, const gjk_pose *body, const gjk_pose *placed) {
+  gjk_pose pose;
+  if (placed == NULL) {
+    return gjk_collider_pose(c, body);
+  }
+  const gjk_status status = gjk_pose_compose(body, placed, &pose);
+  return status == GJK_OK ? gjk_collider_pose(c, &pose) : status;
+}
+
+gjk_status gjk_scene_build(const gjk_scene_view *v, uint16_t shape, const gjk_pose *body, const gjk_pose *placed,
+                           gjk_collider *out) {
+  if (shape >= v->scene->shape_count) {
+    return GJK_ERROR_RANGE;
+  }
+  out->state = 0;
+  out->frame[0].x = out->frame[0].y = out->frame[0].z = 0;
+  out->frame[1] = out->frame[0];
+  out->frame[2] = out->frame[0];
+  const gjk_status status = gjk_collider_init(out, v->scene->shapes[shape], NULL, 0);
+  return status == GJK_OK ? gjk_scene_pose(out, body, placed) : status;
 }
 
 // At least the length of a vector whose components have this sum and maximum: with the others b, ... at most the maximum a,
@@ -55,10 +78,6 @@ uint32_t gjk_scene_turn(const gjk_quat *a, const gjk_quat *b) {
   return distance < UINT32_C(1) << 30 ? 2 * (distance + (distance >> 15) + 1) : UINT32_MAX;
 }
 
-static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z;
-}
-
 // |a - b|, below 2^32.
 static uint32_t difference(int32_t a, int32_t b) {
   return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
@@ -81,8 +100,8 @@ static uint32_t add_motion(uint32_t a, uint32_t b) {
 // they are, bit for bit.
 static uint32_t motion_to(const gjk_scene_part *p, const gjk_collider *c, uint32_t turn) {
   uint32_t motion = distance_moved(&p->centre, &c->centre);
-  if (!same_vec3(&p->frame[0], &c->frame[0]) || !same_vec3(&p->frame[1], &c->frame[1]) ||
-      !same_vec3(&p->frame[2], &c->frame[2])) {
+  if (!gjk_scene_same_vec3(&p->frame[0], &c->frame[0]) || !gjk_scene_same_vec3(&p->frame[1], &c->frame[1]) ||
+      !gjk_scene_same_vec3(&p->frame[2], &c->frame[2])) {
     // core_radius <= 2^28 + 4 and turn < 2^32: below 2^61.
     const uint64_t turned = gjk_umul32((uint32_t)c->core_radius, turn) >> 30;
     motion = add_motion(motion, (uint32_t)turned + 1 + POSE_ROUNDING);

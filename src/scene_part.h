@@ -7,6 +7,14 @@
 // The part as a posed collider, hulls lazy: good for queries and for posing, not for gjk_collider_move.
 void gjk_scene_unpack(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out);
 
+// Poses an initialised collider to the part of a body: at the body's pose, or at placed in the body's frame, if not NULL.
+gjk_status gjk_scene_pose(gjk_collider *c, const gjk_pose *body, const gjk_pose *placed);
+
+// Makes the collider of such a part from a shape of the table, 0 where the shape uses no frame. Posing repeats bit for
+// bit. RANGE: no such shape.
+gjk_status gjk_scene_build(const gjk_scene_view *v, uint16_t shape, const gjk_pose *body, const gjk_pose *placed,
+                           gjk_collider *out);
+
 // How far the rotation from a to b turns points, Q30: they move by at most this times their distance from the axis.
 // Pre: both are units within the tolerance.
 uint32_t gjk_scene_turn(const gjk_quat *a, const gjk_quat *b);

@@ -90,6 +90,11 @@ static gjk_aabb any_box(void) {
   return box;
 }
 
+static gjk_body any_body_handle(void) {
+  const gjk_body body = {any_uint32(), any_uint32()};
+  return body;
+}
+
 static void any_body(gjk_scene_body *body) {
   body->generation = any_uint32();
   body->position = any_position();

@@ -14,11 +14,6 @@
 #define HASH 10
 #define READ 11
 
-static gjk_body any_handle_of(void) {
-  const gjk_body body = {any_uint32(), any_uint32()};
-  return body;
-}
-
 static void add(gjk_scene *scene) {
   gjk_part parts[2];
   gjk_body out;
@@ -46,9 +41,9 @@ static void add(gjk_scene *scene) {
 static void move(gjk_scene *scene) {
   const gjk_pose pose = any_pose();
   if (any_bool()) {
-    (void)gjk_scene_move(scene, any_handle_of(), any_bool() ? &pose : NULL);
+    (void)gjk_scene_move(scene, any_body_handle(), any_bool() ? &pose : NULL);
   } else {
-    (void)gjk_scene_teleport(scene, any_handle_of(), any_bool() ? &pose : NULL);
+    (void)gjk_scene_teleport(scene, any_body_handle(), any_bool() ? &pose : NULL);
   }
 }
 
@@ -56,14 +51,14 @@ static void set_fields(gjk_scene *scene) {
   gjk_body_state state;
   gjk_body body;
   gjk_collider collider;
-  (void)gjk_scene_get(scene, any_handle_of(), any_bool() ? &state : NULL);
+  (void)gjk_scene_get(scene, any_body_handle(), any_bool() ? &state : NULL);
   (void)gjk_scene_body_at(scene, any_uint32(), any_bool() ? &body : NULL);
-  (void)gjk_scene_collider(scene, any_handle_of(), any_uint16(), any_bool() ? &collider : NULL);
-  (void)gjk_scene_sleep(scene, any_handle_of());
-  (void)gjk_scene_wake(scene, any_handle_of());
-  (void)gjk_scene_set_user(scene, any_handle_of(), any_uint32());
-  (void)gjk_scene_set_filter(scene, any_handle_of(), any_uint32(), any_uint32());
-  (void)gjk_scene_refilter(scene, any_handle_of());
+  (void)gjk_scene_collider(scene, any_body_handle(), any_uint16(), any_bool() ? &collider : NULL);
+  (void)gjk_scene_sleep(scene, any_body_handle());
+  (void)gjk_scene_wake(scene, any_body_handle());
+  (void)gjk_scene_set_user(scene, any_body_handle(), any_uint32());
+  (void)gjk_scene_set_filter(scene, any_body_handle(), any_uint32(), any_uint32());
+  (void)gjk_scene_refilter(scene, any_body_handle());
 }
 
 static void test(gjk_scene *scene) {
@@ -92,8 +87,8 @@ static void read(const gjk_scene *scene) {
   gjk_manifold manifold;
   (void)gjk_scene_get_stats(scene, any_bool() ? &stats : NULL);
   (void)gjk_scene_next_near(scene, any_bool() ? &cursor : NULL, any_bool() ? &near : NULL, any_bool() ? &found : NULL);
-  near.a = any_handle_of();
-  near.b = any_handle_of();
+  near.a = any_body_handle();
+  near.b = any_body_handle();
   near.part_a = any_uint16();
   near.part_b = any_uint16();
   (void)gjk_scene_manifold(scene, any_bool() ? &near : NULL, any_uint16(), any_bool() ? &manifold : NULL);
@@ -108,11 +103,11 @@ int main(void) {
 #if CASE == ADD
   add(&scene);
 #elif CASE == REMOVE
-  (void)gjk_scene_remove(&scene, any_handle_of());
+  (void)gjk_scene_remove(&scene, any_body_handle());
 #elif CASE == MOVE
   move(&scene);
 #elif CASE == SHAPE
-  (void)gjk_scene_set_shape(&scene, any_handle_of(), any_uint16(), any_uint16());
+  (void)gjk_scene_set_shape(&scene, any_body_handle(), any_uint16(), any_uint16());
 #elif CASE == FIELDS
   set_fields(&scene);
 #elif CASE == BEGIN

@@ -11,13 +11,8 @@
 
 #define HITS 3
 
-static gjk_body any_handle_of(void) {
-  const gjk_body body = {any_uint32(), any_uint32()};
-  return body;
-}
-
 static void any_hit(gjk_scene_hit *hit) {
-  hit->body = any_handle_of();
+  hit->body = any_body_handle();
   hit->part = any_uint16();
   hit->fraction = any_uint32();
 }
@@ -32,7 +27,7 @@ static void find(const gjk_scene *scene) {
   bool found;
   uint32_t count;
   const int32_t room = any_between(0, 1);
-  const gjk_body ignore = any_handle_of();
+  const gjk_body ignore = any_body_handle();
   any_hit(&after);
   //@ split room;
 #if CASE == BOX
