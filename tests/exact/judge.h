@@ -31,7 +31,7 @@ bool judge_none_before(const gjk_collider *c, unsigned count, const exact_point 
 // Is the named feature nearest to the origin, its nearest point inside it? Sets feature.
 bool judge_nearest(judge *j, const gjk_certificate *certificate);
 
-// Is the normal within 2^-28 of the direction's?
+// Is the normal within 2^-28 of the direction's, none of its components across or against that one's?
 bool judge_normal(judge *j, const exact_vector *direction, const gjk_unit3 *normal);
 
 // Is the point at most limit from the hull of up to three vertices?

@@ -72,6 +72,9 @@ bool judge_normal(judge *j, const exact_vector *direction, const gjk_unit3 *norm
   for (int i = 0; i < 3; i++) {
     p[i] = exact_to_double(&direction->x[i]);
     length += p[i] * p[i];
+    if (direction->x[i].sign == 0 ? n[i] != 0 : direction->x[i].sign * n[i] < 0) {
+      return judge_refuse(j, "a component of the normal has another sign");
+    }
   }
   for (int i = 0; i < 3; i++) {
     const double difference = n[i] - p[i] / sqrt(length) * 1073741824.0;

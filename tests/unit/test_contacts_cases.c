@@ -63,6 +63,34 @@ static void test_features(void) {
   }
 }
 
+// The line of an edge through a corner of a face leaves it there, and through the middle of the edge opposite.
+static void test_edge_over_corner(void) {
+  static const gjk_vec3 corners[3] = {{-ONE, -ONE, 0}, {ONE, -ONE, 0}, {0, ONE, 0}};
+  static const gjk_shape needle = GJK_BOX(0, 2 * ONE, 0);
+  for (int first = 0; first < 3; first++) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+      const gjk_vec3 around[3] = {corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
+      const gjk_shape sheet = GJK_TRIANGLE(around);
+      gjk_manifold m = meet(&sheet, origin, &needle, at(0, 0, sign * 40), 8);
+      CHECK(m.count == 2 && has_point(&m, 0, ONE, 40) && has_point(&m, 0, -ONE, 40));
+      m = meet(&needle, at(0, 0, sign * 40), &sheet, origin, 8);
+      CHECK(m.count == 2 && has_point(&m, 0, ONE, 40) && has_point(&m, 0, -ONE, 40));
+    }
+  }
+}
+
+// Boxes without thickness stand on an edge: the lower one, though the upright one be longer.
+static void test_standing_sheets(void) {
+  for (int flat = 0; flat < 2; flat++) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+      const gjk_shape sheet = GJK_BOX(flat == 0 ? 0 : HALF, flat == 1 ? 0 : HALF, 2 * ONE);
+      const gjk_q16 x = flat == 0 ? 0 : HALF, y = flat == 1 ? 0 : HALF;
+      const gjk_manifold m = meet(&box, origin, &sheet, at(0, 0, sign * (3 * ONE + 9)), 4);
+      CHECK(m.count == 2 && has_point(&m, x, y, 9) && has_point(&m, -x, -y, 9));
+    }
+  }
+}
+
 // Boxes without thickness are edges, in whichever direction they lie; edges without length are points, whatever the
 // collider held before.
 static void test_flat_shapes(void) {
@@ -93,7 +121,9 @@ static void test_flat_shapes(void) {
 
 // Beyond 2^29 along an axis there is the nearest point alone; up to it, all that faces cover.
 static void test_reach(void) {
+  static const gjk_shape ball = GJK_SPHERE(HALF);
   const gjk_q16 reach = INT32_C(1) << 29;
+  const gjk_manifold corners = meet(&ball, origin, &ball, at(ONE, 0, 0), 1);
   gjk_collider a, b;
   gjk_manifold m;
   place(&box, &origin, &a);
@@ -105,7 +135,7 @@ static void test_reach(void) {
         place(&box, &there, &b);
         CHECK(gjk_contacts(&a, &b, reach - 2 * ONE + beyond, 8, NULL, &workspace, &m) == GJK_OK);
         CHECK(m.count == (beyond != 0 ? 1 : 4) && m.contact[0].distance == reach - 2 * ONE + beyond);
-        CHECK(beyond == 0 || (m.feature_a == 0 && m.feature_b == 0));
+        CHECK(beyond == 0 || (m.feature_a == 0 && m.feature_b == 0 && m.contact[0].id == corners.contact[0].id));
         CHECK(gjk_contacts(&a, &b, reach - 2 * ONE + beyond - 1, 8, NULL, &workspace, &m) == GJK_OK && m.count == 0);
       }
     }
@@ -160,7 +190,8 @@ static bool has_contact(const gjk_manifold *m, unsigned n, uint16_t id) {
   return false;
 }
 
-// Fewer than there are: the deepest, the largest triangle or quadrilateral with it, then what is farthest from those.
+// Fewer than there are: the deepest, the largest triangle or quadrilateral with it, then what is farthest from those; of
+// equally far ones the first.
 static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned axis) {
   gjk_manifold m, few;
   CHECK(gjk_contacts(a, b, MARGIN, 8, NULL, &workspace, &m) == GJK_OK && m.count > 4);
@@ -183,9 +214,11 @@ static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned a
       CHECK_MSG(wanted > 0 && largest(&few, &kept, axis, most > 3) == wanted, "%u of %u", most, m.count);
     }
     for (unsigned i = corners; i < most; i++) {
+      bool before = true;
       for (unsigned k = 0; k < m.count; k++) {
-        CHECK(has_contact(&few, i, m.contact[k].id) ||
-              clearance(&m.contact[k], &few, i) <= clearance(&few.contact[i], &few, i));
+        const int64_t other = clearance(&m.contact[k], &few, i), kept = clearance(&few.contact[i], &few, i);
+        before = before && m.contact[k].id != few.contact[i].id;
+        CHECK(has_contact(&few, i, m.contact[k].id) || (before ? other < kept : other <= kept));
       }
     }
   }
@@ -211,6 +244,12 @@ static void test_fewer(void) {
     check_fewer(&a, &b, axis);
     check_fewer(&b, &a, axis);
   }
+  static const gjk_shape cylinder = GJK_CYLINDER(HALF, ONE);
+  const gjk_pose on_top = at(0, 0, 2 * ONE - 100);
+  gjk_collider a, b;
+  place(&box, &origin, &a);
+  place(&cylinder, &on_top, &b);
+  check_fewer(&a, &b, 2);
 }
 
 // A hull's faces are the caller's: ones that cross themselves give contacts that are none of the polygons', but no more
@@ -250,6 +289,8 @@ static void test_repeated_corner(void) {
 
 int main(void) {
   test_features();
+  test_edge_over_corner();
+  test_standing_sheets();
   test_flat_shapes();
   test_reach();
   test_fewer();

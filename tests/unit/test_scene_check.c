@@ -533,6 +533,22 @@ static void test_full_word(void) {
   CHECK(gjk_scene_check(&scene) == GJK_OK);
 }
 
+// No slot is free, of as many as bits or of one, and that is known.
+static void test_no_slot(void) {
+  static const gjk_part part = {0, false, GJK_POSE_IDENTITY};
+  const gjk_body_setup more = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+  gjk_body body;
+  for (uint32_t n = 1; n <= 32; n += 31) {
+    const gjk_scene_config full = {n, n, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+    CHECK(gjk_scene_init(&scene, &full, block, sizeof block, shapes, 2) == GJK_OK);
+    for (uint32_t i = 0; i < n; i++) {
+      add((gjk_q16)i * 10 * ONE, 1);
+    }
+    CHECK(gjk_scene_add(&scene, &more, &body) == GJK_ERROR_CAPACITY);
+    CHECK(gjk_scene_check(&scene) == GJK_OK);
+  }
+}
+
 int main(void) {
   build();
   test_header();
@@ -548,6 +564,7 @@ int main(void) {
   test_reporting();
   test_reporting_gone();
   test_full_word();
+  test_no_slot();
   test_deep_tree();
   return check_done("scene_check");
 }

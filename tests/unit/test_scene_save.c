@@ -190,6 +190,9 @@ static void check_refused(void) {
     memcpy(copy + i, word, 4);
   }
   CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  // A whole header tells that it is none.
+  CHECK(gjk_scene_open(&opened, copy, 268, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_open(&opened, copy, 267, world_shapes, WORLD_SHAPES) == GJK_ERROR_CAPACITY);
   // A change breaks the seal.
   CHECK(gjk_scene_wake(&w.scene, w.bodies[0].handle) == GJK_OK);
   CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);

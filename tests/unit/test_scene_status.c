@@ -62,6 +62,17 @@ static void check_configurations(void) {
   REFUSED(reserved, 1, GJK_ERROR_RANGE);
   REFUSED(detail, GJK_DETAIL_CONTACTS + 1, GJK_ERROR_RANGE);
 #undef REFUSED
+  static const gjk_scene_config most = {GJK_SCENE_BODIES_MAX,
+                                        GJK_SCENE_BODIES_MAX,
+                                        GJK_SCENE_BODIES_MAX,
+                                        GJK_SCENE_PAIRS_MAX,
+                                        GJK_RADIUS_MAX,
+                                        GJK_DETAIL_CONTACTS,
+                                        1,
+                                        1,
+                                        0};
+  static const gjk_scene_config least = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  CHECK(gjk_scene_bytes(&most) > 0 && gjk_scene_bytes(&least) > 0);
   c = usual;
   const size_t bytes = gjk_scene_bytes(&c);
   CHECK(gjk_scene_init(&scene, &c, block, bytes - 1, shapes, 4) == GJK_ERROR_CAPACITY);
