@@ -102,6 +102,9 @@ static void test_flat_shapes(void) {
           has_point(&m, axis == 1 ? 0 : -HALF, axis == 1 ? -HALF : 0, -9));
     m = meet(&needle, down, &box, origin, 4);
     CHECK(m.count == 2);
+    const gjk_shape splinter = GJK_BOX(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+    m = meet(&box, origin, &splinter, down, 4);
+    CHECK(m.count == 2 && m.contact[0].id != m.contact[1].id);
   }
   static const gjk_shape none = GJK_BOX(0, 0, 0), stub = GJK_CAPSULE(HALF, 0), ball = GJK_SPHERE(HALF), dot = GJK_POINT;
   static const gjk_shape *const points[] = {&none, &stub, &ball, &dot};
@@ -114,7 +117,7 @@ static void test_flat_shapes(void) {
       memset(&b, poison, sizeof b);
       CHECK(gjk_collider_init(&b, points[i], NULL, 0) == GJK_OK && gjk_collider_pose(&b, &on_top) == GJK_OK);
       CHECK(gjk_contacts(&a, &b, MARGIN, 4, NULL, &workspace, &m) == GJK_OK);
-      CHECK(m.count == 1 && has_point(&m, 100, 200, -9) && m.contact[0].point_b.z == ONE - 9);
+      CHECK(m.count == 1 && has_point(&m, 100, 200, -9) && m.contact[0].point_b.z == ONE - 9 && m.feature_b == 0);
     }
   }
 }
@@ -192,7 +195,8 @@ static bool has_contact(const gjk_manifold *m, unsigned n, uint16_t id) {
 
 // Fewer than there are: the deepest, the largest triangle or quadrilateral with it, then what is farthest from those; of
 // equally far ones the first.
-static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned axis) {
+// Unless they lie on one line, if so is said.
+static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned axis, bool line) {
   gjk_manifold m, few;
   CHECK(gjk_contacts(a, b, MARGIN, 8, NULL, &workspace, &m) == GJK_OK && m.count > 4);
   const gjk_q16 least = least_of(&m);
@@ -206,12 +210,12 @@ static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned a
     for (unsigned i = 0; i < most; i++) {
       CHECK(has_contact(&m, m.count, few.contact[i].id) && !has_contact(&few, i, few.contact[i].id));
     }
-    const unsigned corners = most < 3 ? 1 : most == 3 ? 3 : 4;
+    const unsigned corners = most < 3 || line ? 1 : most == 3 ? 3 : 4;
     if (most >= 3) {
       gjk_manifold kept = few;
       kept.count = (uint8_t)corners;
       const int64_t wanted = largest(&few, &m, axis, most > 3);
-      CHECK_MSG(wanted > 0 && largest(&few, &kept, axis, most > 3) == wanted, "%u of %u", most, m.count);
+      CHECK_MSG((wanted > 0) != line && largest(&few, &kept, axis, most > 3) == wanted, "%u of %u", most, m.count);
     }
     for (unsigned i = corners; i < most; i++) {
       bool before = true;
@@ -241,15 +245,30 @@ static void test_fewer(void) {
                                  axes[axis], EIGHTH_TURN + random_range(&random, -ONE / 8, ONE / 8));
     place(&flat, &origin, &a);
     place(&flat, &turn, &b);
-    check_fewer(&a, &b, axis);
-    check_fewer(&b, &a, axis);
+    check_fewer(&a, &b, axis, false);
+    check_fewer(&b, &a, axis, false);
   }
+}
+
+// An octagon of which many points are equally far from others; a triangle with corners in the middle of its edges; a line
+// along which polygons meet.
+static void test_fewer_of_few_kinds(void) {
   static const gjk_shape cylinder = GJK_CYLINDER(HALF, ONE);
-  const gjk_pose on_top = at(0, 0, 2 * ONE - 100);
+  static const gjk_vec3 points[8] = {{-HALF, -HALF, 0}, {0, -HALF, 0},       {HALF, -HALF, 0}, {HALF, -HALF / 2, 0},
+                                     {HALF, 0, 0},      {HALF, HALF / 2, 0}, {HALF, HALF, 0},  {0, 0, 0}};
+  static const uint16_t around[8] = {0, 1, 2, 3, 4, 5, 6, 7}, end[1] = {8};
+  static const gjk_hull_faces faces = {around, end, 1};
+  static const gjk_shape triangle = GJK_HULL_WITH_FACES(points, 8, &faces);
+  const gjk_pose on_top = at(0, 0, 2 * ONE - 100), above = at(0, 0, ONE + 100), beside = at(HALF + ONE, 0, ONE + 100);
   gjk_collider a, b;
   place(&box, &origin, &a);
   place(&cylinder, &on_top, &b);
-  check_fewer(&a, &b, 2);
+  check_fewer(&a, &b, 2, false);
+  place(&triangle, &origin, &a);
+  place(&box, &above, &b);
+  check_fewer(&a, &b, 2, false);
+  place(&box, &beside, &b);
+  check_fewer(&a, &b, 2, true);
 }
 
 // A hull's faces are the caller's: ones that cross themselves give contacts that are none of the polygons', but no more
@@ -294,6 +313,7 @@ int main(void) {
   test_flat_shapes();
   test_reach();
   test_fewer();
+  test_fewer_of_few_kinds();
   test_crossing_faces();
   test_repeated_corner();
   return check_done("contacts_cases");

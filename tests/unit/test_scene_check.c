@@ -481,6 +481,14 @@ static void test_testing(void) {
   CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT && memcmp(sound, block, sizeof block) == 0);
 }
 
+// An update of no pairs.
+static void test_testing_none(void) {
+  static const gjk_scene_config empty = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  uint32_t pairs = 1;
+  CHECK(gjk_scene_init(&scene, &empty, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 0 && gjk_scene_check(&scene) == GJK_OK);
+}
+
 static void test_reporting(void) {
   gjk_report report;
   gjk_progress progress;
@@ -564,6 +572,7 @@ int main(void) {
   test_reporting();
   test_reporting_gone();
   test_full_word();
+  test_testing_none();
   test_no_slot();
   test_deep_tree();
   return check_done("scene_check");

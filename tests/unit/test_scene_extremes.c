@@ -15,23 +15,33 @@
 
 static gjk_vec3 corners[CORNERS];
 static const gjk_shape crate = GJK_BOX(ONE / 2, ONE / 2, ONE / 2), bar = GJK_BOX(4 * ONE, ONE / 8, ONE / 8);
-static const gjk_shape wall = GJK_BOX(2 * ONE, INT32_C(1) << 27, 2 * ONE), round_hull = GJK_HULL(corners, CORNERS);
-static const gjk_shape *const shapes[] = {&crate, &bar, &wall, &round_hull};
+static const gjk_shape round_hull = GJK_HULL(corners, CORNERS);
+static const gjk_shape walls[3] = {GJK_BOX(2 * ONE, INT32_C(1) << 27, 2 * ONE),
+                                   GJK_BOX(2 * ONE, 2 * ONE, INT32_C(1) << 27),
+                                   GJK_BOX(INT32_C(1) << 27, 2 * ONE, 2 * ONE)};
+static const gjk_shape *const shapes[] = {&crate, &bar, &walls[0], &round_hull, &walls[1], &walls[2]};
 static const gjk_scene_config usual = {4, 4, 0, 6, GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 0, 0, 0};
 
 static uint32_t block[WORDS];
 static gjk_scene scene;
 
 static void start(const gjk_scene_config *config) {
-  CHECK(gjk_scene_init(&scene, config, block, sizeof block, shapes, 4) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, config, block, sizeof block, shapes, 6) == GJK_OK);
+}
+
+// The axis that bodies are put along; the next one is y.
+static int first_axis;
+
+static gjk_vec3 position_of(gjk_q16 x, gjk_q16 y) {
+  const gjk_vec3 at[3] = {{x, y, 0}, {0, x, y}, {y, 0, x}};
+  return at[first_axis];
 }
 
 static gjk_body add(uint16_t shape, gjk_q16 x, gjk_q16 y, gjk_q16 margin) {
   const gjk_part part = {shape, false, GJK_POSE_IDENTITY};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, margin};
   gjk_body body = {0, 0};
-  setup.pose.position.x = x;
-  setup.pose.position.y = y;
+  setup.pose.position = position_of(x, y);
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
   return body;
 }
@@ -39,8 +49,7 @@ static gjk_body add(uint16_t shape, gjk_q16 x, gjk_q16 y, gjk_q16 margin) {
 static void move(gjk_body body, gjk_q16 x, gjk_q16 y) {
   gjk_body_state state;
   CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK);
-  state.pose.position.x = x;
-  state.pose.position.y = y;
+  state.pose.position = position_of(x, y);
   CHECK(gjk_scene_teleport(&scene, body, &state.pose) == GJK_OK);
 }
 
@@ -160,9 +169,12 @@ static void test_far_apart(void) {
   gjk_report reports[8];
   uint32_t count;
   config.detail = GJK_DETAIL_TOUCH;
-  for (int n = 0; n < 2; n++) {
+  for (int i = 0; i < 6; i++) {
+    const int n = i % 2;
     start(&config);
-    const gjk_body a = add(2, left, low, GJK_RADIUS_MAX), b = add(2, left + x - n, low + y, GJK_RADIUS_MAX);
+    first_axis = i / 2;
+    const uint16_t wall = (uint16_t)(first_axis == 0 ? 2 : 3 + first_axis);
+    const gjk_body a = add(wall, left, low, GJK_RADIUS_MAX), b = add(wall, left + x - n, low + y, GJK_RADIUS_MAX);
     gjk_scene_stats stats = update(reports, &count);
     CHECK(count == 0 && stats.cold == 1);
     move(b, left + x - n, low + y - 1);
@@ -179,6 +191,7 @@ static void test_far_apart(void) {
     stats = update(reports, &count);
     CHECK(count == 0 && (n == 0 ? stats.motion : stats.warm) == 1);
   }
+  first_axis = 0;
 }
 
 static void turn(gjk_body body, gjk_quat rotation) {

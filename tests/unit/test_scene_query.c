@@ -256,6 +256,7 @@ static void check_equals(void) {
       CHECK(hit.body.slot == slot && hit.part == 0 && distance == 161487);  // 2 sqrt(3) - 1
       CHECK(gjk_scene_query_nearest(&scene, &c, 161487, NULL, &hit, &distance, &found) == GJK_OK && found);
       CHECK(gjk_scene_query_nearest(&scene, &c, 161486, NULL, &hit, &distance, &found) == GJK_OK && !found);
+      CHECK(gjk_scene_query_nearest(&scene, &c, 0, NULL, &hit, &distance, &found) == GJK_OK && !found);
       CHECK(gjk_scene_query_nearest(&scene, &c, 161487, &bodies[slot], &hit, &distance, &found) == GJK_OK);
       CHECK(found == (slot < 7) && (!found || hit.body.slot == slot + 1));
       const gjk_body stale = {slot, bodies[slot].generation + 2};

@@ -122,8 +122,32 @@ static void check_counters(void) {
   }
 }
 
+// Boxes of static bodies that come together are counted in that update alone.
+static void check_refused(void) {
+  static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
+  static const gjk_shape *const shapes[] = {&crate};
+  static uint32_t block[500];
+  const gjk_scene_config config = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  const gjk_part part = {0, false, GJK_POSE_IDENTITY};
+  gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_STATIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+  gjk_scene scene;
+  gjk_scene_stats stats;
+  gjk_body fixed, moving;
+  gjk_progress progress;
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
+  CHECK(gjk_scene_add(&scene, &setup, &fixed) == GJK_OK && gjk_scene_add(&scene, &setup, &moving) == GJK_OK);
+  for (uint32_t i = 0; i < 4; i++) {
+    setup.pose.position.x = i < 2 ? 0 : GJK_Q16_ONE / 4;
+    CHECK(i % 2 != 0 || gjk_scene_teleport(&scene, moving, &setup.pose) == GJK_OK);
+    CHECK(gjk_scene_update(&scene, NULL, 0, &progress) == GJK_OK && progress.reports_left == 0);
+    CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.pairs == 0);
+    CHECK_MSG((stats.refused != 0) == (i % 2 == 0), "update %u: %u", i, stats.refused);
+  }
+}
+
 int main(void) {
   check_counters();
+  check_refused();
   for (unsigned i = 0; i < sizeof families / sizeof families[0]; i++) {
     run(i);
   }

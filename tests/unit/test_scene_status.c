@@ -37,6 +37,12 @@ static gjk_status update(gjk_report *reports, uint32_t capacity, gjk_progress *p
   return gjk_scene_update(&scene, reports, capacity, progress);
 }
 
+static size_t bytes_of(uint32_t bodies) {
+  gjk_scene_config c = usual;
+  c.bodies = bodies;
+  return gjk_scene_bytes(&c);
+}
+
 static void check_configurations(void) {
   gjk_scene_config c = usual;
   CHECK(gjk_scene_bytes(&c) > 0 && gjk_scene_bytes(&c) <= sizeof block);
@@ -91,6 +97,10 @@ static void check_configurations(void) {
   const size_t per_pair = gjk_scene_bytes(&more) - bytes;
   printf("%u bytes a body with one shape, %u a pair\n", (unsigned)per_body, (unsigned)per_pair);
   CHECK(per_body <= 256 && per_pair <= 48);
+  // A word tells which of 32 slots are free.
+  for (uint32_t n = 2; n < 100; n++) {
+    CHECK(bytes_of(n + 1) - bytes_of(n) == bytes_of(2) - bytes_of(1) + (n % 32 == 0 ? 4 : 0));
+  }
 }
 
 static void check_bad_setups(void) {
@@ -257,7 +267,11 @@ static void check_busy(void) {
       CHECK(gjk_scene_test_pairs(&scene, 0, 2) == GJK_ERROR_RANGE);
       CHECK(gjk_scene_test_pairs(&scene, 1, 0) == GJK_ERROR_RANGE);
     } else {
-      CHECK(update(NULL, 0, &progress) == GJK_OK && progress.reports_left == 1 && progress.pairs_left == 0);
+      for (int again = 0; again < 2; again++) {
+        memset(&progress, 0xA5, sizeof progress);
+        CHECK(update(NULL, 0, &progress) == GJK_OK && progress.reports == 0 && progress.reports_left == 1 &&
+              progress.pairs_left == 0);
+      }
       CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_ERROR_BUSY);
     }
     CHECK(gjk_scene_add(&scene, &s, &c) == GJK_ERROR_BUSY && gjk_scene_remove(&scene, a) == GJK_ERROR_BUSY);
