@@ -54,6 +54,7 @@ static void test_polytopes(void) {
     if (case_collider_build(&c, &shape, false) != GJK_OK) {
       continue;
     }
+    CHECK(c.collider.core_radius >> c.collider.bits == 0 && c.collider.core_radius >> (c.collider.bits - 1) == 1);
     gjk_aabb box;
     const gjk_aabb expected = box_of_vertices(&c.collider);
     CHECK(gjk_collider_aabb(&c.collider, &box) == GJK_OK);

@@ -79,6 +79,18 @@ static void test_edge_over_corner(void) {
   }
 }
 
+// A roof whose sides are steeper than its end: the ridge is of the sides, not of the end that meets the direction better.
+static void test_ridge(void) {
+  static const gjk_vec3 points[6] = {{0, 0, 0},          {ONE, 0, 0},       {-ONE, -HALF, -ONE},
+                                     {ONE, -HALF, -ONE}, {ONE, HALF, -ONE}, {-ONE, HALF, -ONE}};
+  static const uint16_t corners[18] = {0, 5, 2, 0, 1, 4, 5, 1, 0, 2, 3, 1, 3, 4, 2, 5, 4, 3},
+                        ends[5] = {3, 7, 11, 14, 18};
+  static const gjk_hull_faces faces = {corners, ends, 5};
+  static const gjk_shape roof = GJK_HULL_WITH_FACES(points, 6, &faces);
+  const gjk_manifold m = meet(&roof, origin, &box, at(0, 0, ONE + 100), 4);
+  CHECK(m.count == 2 && has_point(&m, 0, 0, 100) && has_point(&m, ONE, 0, 100) && m.feature_a == 256);
+}
+
 // Boxes without thickness stand on an edge: the lower one, though the upright one be longer.
 static void test_standing_sheets(void) {
   for (int flat = 0; flat < 2; flat++) {
@@ -146,7 +158,9 @@ static void test_reach(void) {
 }
 
 // The largest triangle, or quadrilateral, that has a corner at contact 0 of few, with the others among m's: twice its area.
-static int64_t largest(const gjk_manifold *few, const gjk_manifold *m, unsigned axis, bool quadrilateral) {
+// The first contact that is the end of an edge or a diagonal from there.
+static int64_t largest(const gjk_manifold *few, const gjk_manifold *m, unsigned axis, bool quadrilateral,
+                       unsigned *end) {
   int64_t most = 0;
   struct {
     int64_t x, y;
@@ -164,7 +178,10 @@ static int64_t largest(const gjk_manifold *few, const gjk_manifold *m, unsigned 
       right = -area > right ? -area : right;
     }
     const int64_t area = quadrilateral ? left + right : left > right ? left : right;
-    most = area > most ? area : most;
+    if (area > most) {
+      most = area;
+      *end = k;
+    }
   }
   return most;
 }
@@ -214,8 +231,11 @@ static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned a
     if (most >= 3) {
       gjk_manifold kept = few;
       kept.count = (uint8_t)corners;
-      const int64_t wanted = largest(&few, &m, axis, most > 3);
-      CHECK_MSG((wanted > 0) != line && largest(&few, &kept, axis, most > 3) == wanted, "%u of %u", most, m.count);
+      unsigned end = 0, other = 0;
+      const int64_t wanted = largest(&few, &m, axis, most > 3, &end);
+      CHECK_MSG((wanted > 0) != line && largest(&few, &kept, axis, most > 3, &other) == wanted &&
+                    (line || few.contact[1].id == m.contact[end].id),
+                "%u of %u", most, m.count);
     }
     for (unsigned i = corners; i < most; i++) {
       bool before = true;
@@ -309,6 +329,7 @@ static void test_repeated_corner(void) {
 int main(void) {
   test_features();
   test_edge_over_corner();
+  test_ridge();
   test_standing_sheets();
   test_flat_shapes();
   test_reach();

@@ -168,6 +168,12 @@ static void test_bodies(void) {
   REFUSED(h->lowest = 3);
   REFUSED(v.bodies[36].generation = 2);  // never taken
   REFUSED(v.bodies[36].generation = 1; v.slots[1] &= ~UINT32_C(16));
+  // What follows the last body is none.
+  const gjk_body beyond = {h->config.bodies, 1};
+  gjk_body_state state;
+  restore();
+  v.bodies[beyond.slot].generation = beyond.generation;
+  CHECK(gjk_scene_get(&scene, beyond, &state) == GJK_ERROR_HANDLE);
   REFUSED(v.bodies[34].first = 0);  // free, with a part
   // No slots, free.
   REFUSED(v.slots[1] |= UINT32_C(1) << 8);
@@ -282,6 +288,18 @@ static void test_moved(void) {
   REFUSED(v.header->moved = 36; never->flags = GJK_SCENE_MOVED; never->next_moved = GJK_SCENE_NONE; never->first = 99);
 }
 
+// Puts a copy of a node in the place of it in the tree.
+static void put_node(uint32_t from, uint32_t to) {
+  const gjk_scene_node *const n = &v.nodes[from];
+  gjk_scene_node *const above = &v.nodes[n->parent];
+  above->child[above->child[0] == from ? 0 : 1] = to;
+  for (int i = 0; i < 2; i++) {
+    const uint32_t child = n->child[i];
+    *((child & GJK_SCENE_LEAF) != 0 ? &v.parts[child & ~GJK_SCENE_LEAF].parent : &v.nodes[child].parent) = to;
+  }
+  v.nodes[to] = *n;
+}
+
 static void test_tree(void) {
   restore();
   gjk_scene_header *h = v.header;
@@ -293,6 +311,7 @@ static void test_tree(void) {
   REFUSED(h->root = part_of(5)->parent);  // has a parent
   REFUSED(h->root = GJK_SCENE_LEAF | v.bodies[5].first);
   REFUSED(root->parent = part_of(5)->parent);
+  REFUSED(put_node(part_of(5)->parent, h->nodes.fresh));
   REFUSED(n->child[0] = n->child[1]);
   REFUSED(n->child[1] = n->child[0]);
   for (int i = 0; i < 2; i++) {
@@ -497,6 +516,8 @@ static void test_reporting(void) {
   memcpy(sound, block, sizeof block);
   ACCEPTED((void)0);
   REFUSED(h->next_report = 4);
+  ACCEPTED(h->next_report = 0; h->queued = 1; v.queue[0] = v.queue[1]);
+  REFUSED(h->phase = GJK_SCENE_IDLE; h->queued = 1; v.queue[0] = v.queue[1]);
   ACCEPTED(h->next_report = 3);
   ACCEPTED(v.queue[0] = h->pairs.fresh);  // reported already
   ACCEPTED(v.queue[0] = v.queue[1]);

@@ -1,7 +1,9 @@
 // Hash, saves, rollbacks and restores at other addresses; the order of adding; blocks that are refused.
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../src/scene.h"
 #include "../check.h"
 #include "../scene/world.h"
 
@@ -145,6 +147,20 @@ static void check_order(void) {
   }
 }
 
+// The checksum is the same on all builds: each word but for the seal mixed in with all 64 bits, from the first to the last.
+static void check_checksum(const void *block) {
+  const gjk_scene_header *h = block;
+  const uint32_t *word = block, seal = offsetof(gjk_scene_header, sealed) / 4;
+  uint64_t sum = 0;
+  for (uint32_t i = 0; i < h->bytes / 4; i++) {
+    if (i < seal || i > seal + 2) {
+      sum = (sum ^ word[i]) * UINT64_C(0x9E3779B97F4A7C15);
+      sum ^= sum >> 32;
+    }
+  }
+  CHECK(h->sealed == 1 && h->checksum[0] == (uint32_t)sum && h->checksum[1] == (uint32_t)(sum >> 32));
+}
+
 // Any byte of a sealed block that differs is noticed, and so is what is no scene at all.
 static void check_refused(void) {
   static world w;
@@ -168,6 +184,7 @@ static void check_refused(void) {
   memcpy(copy, block, bytes);
   CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);  // not sealed
   CHECK(gjk_scene_seal(&w.scene) == GJK_OK);
+  check_checksum(block);
   memcpy(copy, block, bytes);
   CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_OK);
   CHECK(gjk_scene_open(&opened, copy, bytes - 1, world_shapes, WORLD_SHAPES) == GJK_ERROR_CAPACITY);
