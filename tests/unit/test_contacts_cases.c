@@ -91,6 +91,26 @@ static void test_ridge(void) {
   CHECK(m.count == 2 && has_point(&m, 0, 0, 100) && has_point(&m, ONE, 0, 100) && m.feature_a == 256);
 }
 
+// A triangle that leans to either side stands on the edge of its two lower vertices.
+static void test_leaning_triangle(void) {
+  for (int first = 0; first < 3; first++) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+      const int second = (first + 1) % 3, third = (first + 2) % 3;
+      gjk_vec3 corners[3] = {{0, 0, 0}, {0, 0, 0}, {sign * ONE, 0, ONE}};
+      corners[third] = corners[2];
+      corners[first].x = corners[second].x = 0;
+      corners[first].z = corners[second].z = 0;
+      corners[first].y = -HALF;
+      corners[second].y = HALF;
+      const gjk_shape sheet = GJK_TRIANGLE(corners);
+      const gjk_manifold m = meet(&sheet, origin, &box, at(0, 0, -ONE - 100), 4);
+      const int low = first < second ? first : second, high = first < second ? second : first;
+      CHECK(m.count == 2 && has_point(&m, 0, -HALF, 100) && has_point(&m, 0, HALF, 100));
+      CHECK_MSG(m.feature_a == 256 * high + low, "%d of %d and %d", m.feature_a, first, second);
+    }
+  }
+}
+
 // Boxes without thickness stand on an edge: the lower one, though the upright one be longer.
 static void test_standing_sheets(void) {
   for (int flat = 0; flat < 2; flat++) {
@@ -157,11 +177,16 @@ static void test_reach(void) {
   }
 }
 
-// The largest triangle, or quadrilateral, that has a corner at contact 0 of few, with the others among m's: twice its area.
-// The first contact that is the end of an edge or a diagonal from there.
-static int64_t largest(const gjk_manifold *few, const gjk_manifold *m, unsigned axis, bool quadrilateral,
-                       unsigned *end) {
-  int64_t most = 0;
+// The largest triangle, or quadrilateral, that has a corner at contact 0 of few, with the others among m's.
+typedef struct region {
+  int64_t area;  // twice
+  unsigned
+      corner[3];  // the others: the end of an edge or a diagonal from there, and what is farthest from that; the first
+  unsigned corners;  // of each
+} region;
+
+static region largest(const gjk_manifold *few, const gjk_manifold *m, unsigned axis, bool quadrilateral) {
+  region found = {0, {0, 0, 0}, 0};
   struct {
     int64_t x, y;
   } s[GJK_CONTACTS_MAX];
@@ -171,19 +196,25 @@ static int64_t largest(const gjk_manifold *few, const gjk_manifold *m, unsigned 
     s[i].y = axis == 2 ? p->y - o->y : p->z - o->z;
   }
   for (unsigned k = 0; k < m->count; k++) {
-    int64_t left = 0, right = 0;
+    int64_t most[2] = {0, 0};  // to either side
+    unsigned at[2] = {k, k};
     for (unsigned i = 0; i < m->count; i++) {
       const int64_t area = s[k].x * s[i].y - s[k].y * s[i].x;
-      left = area > left ? area : left;
-      right = -area > right ? -area : right;
+      for (int side = 0; side < 2; side++) {
+        if ((side == 0 ? area : -area) > most[side]) {
+          most[side] = side == 0 ? area : -area;
+          at[side] = i;
+        }
+      }
     }
-    const int64_t area = quadrilateral ? left + right : left > right ? left : right;
-    if (area > most) {
-      most = area;
-      *end = k;
+    const int larger = most[0] > most[1] ? 0 : 1;
+    const int64_t area = quadrilateral ? most[0] + most[1] : most[larger];
+    if (area > found.area) {
+      const bool both = quadrilateral && most[1 - larger] > 0;
+      found = (region){area, {k, at[larger], at[1 - larger]}, both ? 3 : 2};
     }
   }
-  return most;
+  return found;
 }
 
 static int64_t squared_apart(const gjk_contact *a, const gjk_contact *b) {
@@ -231,11 +262,12 @@ static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned a
     if (most >= 3) {
       gjk_manifold kept = few;
       kept.count = (uint8_t)corners;
-      unsigned end = 0, other = 0;
-      const int64_t wanted = largest(&few, &m, axis, most > 3, &end);
-      CHECK_MSG((wanted > 0) != line && largest(&few, &kept, axis, most > 3, &other) == wanted &&
-                    (line || few.contact[1].id == m.contact[end].id),
-                "%u of %u", most, m.count);
+      const region wanted = largest(&few, &m, axis, most > 3);
+      CHECK_MSG((wanted.area > 0) != line && largest(&few, &kept, axis, most > 3).area == wanted.area, "%u of %u", most,
+                m.count);
+      for (unsigned i = 0; i < wanted.corners; i++) {
+        CHECK(has_contact(&kept, corners, m.contact[wanted.corner[i]].id));
+      }
     }
     for (unsigned i = corners; i < most; i++) {
       bool before = true;
@@ -270,7 +302,7 @@ static void test_fewer(void) {
   }
 }
 
-// An octagon of which many points are equally far from others; a triangle with corners in the middle of its edges; a line
+// An octagon of which many points are equally far from others; a triangle and a square with corners within their edges; a line
 // along which polygons meet.
 static void test_fewer_of_few_kinds(void) {
   static const gjk_shape cylinder = GJK_CYLINDER(HALF, ONE);
@@ -279,7 +311,11 @@ static void test_fewer_of_few_kinds(void) {
   static const uint16_t around[8] = {0, 1, 2, 3, 4, 5, 6, 7}, end[1] = {8};
   static const gjk_hull_faces faces = {around, end, 1};
   static const gjk_shape triangle = GJK_HULL_WITH_FACES(points, 8, &faces);
-  const gjk_pose on_top = at(0, 0, 2 * ONE - 100), above = at(0, 0, ONE + 100), beside = at(HALF + ONE, 0, ONE + 100);
+  static const gjk_vec3 border[8] = {{-HALF, -HALF, 0}, {0, -HALF, 0}, {HALF, -HALF, 0}, {HALF, 0, 0},
+                                     {HALF, HALF, 0},   {0, HALF, 0},  {-HALF, HALF, 0}, {-HALF, 0, 0}};
+  static const gjk_shape square = GJK_HULL_WITH_FACES(border, 8, &faces);
+  const gjk_pose on_top = at(0, 0, 2 * ONE - 100), above = at(0, 0, ONE + 100), beside = at(HALF + ONE, 0, ONE + 100),
+                 below = at(0, 0, -ONE - 100), over = {{0, 0, 0}, {GJK_Q30_ONE, 0, 0, 0}};
   gjk_collider a, b;
   place(&box, &origin, &a);
   place(&cylinder, &on_top, &b);
@@ -289,6 +325,12 @@ static void test_fewer_of_few_kinds(void) {
   check_fewer(&a, &b, 2, false);
   place(&box, &beside, &b);
   check_fewer(&a, &b, 2, true);
+  place(&square, &origin, &a);
+  place(&box, &above, &b);
+  check_fewer(&a, &b, 2, false);
+  place(&square, &over, &a);  // the other way around
+  place(&box, &below, &b);
+  check_fewer(&a, &b, 2, false);
 }
 
 // A hull's faces are the caller's: ones that cross themselves give contacts that are none of the polygons', but no more
@@ -329,6 +371,7 @@ static void test_repeated_corner(void) {
 int main(void) {
   test_features();
   test_edge_over_corner();
+  test_leaning_triangle();
   test_ridge();
   test_standing_sheets();
   test_flat_shapes();

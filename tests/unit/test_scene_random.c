@@ -6,6 +6,7 @@
 #include "../scene/world.h"
 
 #define UPDATES 400
+#define THRESHOLDS 300u
 
 static const world_options families[] = {
     {WORLD_BODIES, GJK_Q16(3), GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, false, false, false},
@@ -158,7 +159,77 @@ static void check_refused(void) {
   }
 }
 
+static gjk_quat random_turn(random_state *random) {
+  const gjk_quat q = {random_range(random, -1000, 1000), random_range(random, -1000, 1000),
+                      random_range(random, -1000, 1000), random_range(random, 1, 1001)};
+  gjk_quat out;
+  CHECK(gjk_quat_normalize(&q, &out) == GJK_OK);
+  return out;
+}
+
+// Moves the body along the normal by so many LSB.
+static void push(gjk_scene *scene, gjk_body body, const gjk_unit3 *normal, int64_t by) {
+  gjk_body_state state;
+  CHECK(gjk_scene_get(scene, body, &state) == GJK_OK);
+  state.pose.position.x += (gjk_q16)(by * normal->x / GJK_Q30_ONE);
+  state.pose.position.y += (gjk_q16)(by * normal->y / GJK_Q30_ONE);
+  state.pose.position.z += (gjk_q16)(by * normal->z / GJK_Q30_ONE);
+  CHECK(gjk_scene_move(scene, body, &state.pose) == GJK_OK);
+}
+
+// Two bodies that are as far apart as their margins reach, and go to and fro by a few LSB: each time as the decision says,
+// whatever an earlier one leaves to spare.
+static void check_threshold(void) {
+  static const gjk_shape kinds[] = {GJK_BOX(50000, 90000, 20000), GJK_ROUNDED_BOX(30000, 60000, 0, 5000),
+                                    GJK_CYLINDER(60000, 40000), GJK_CONE(50000, 70000),
+                                    GJK_ELLIPSOID(30000, 60000, 90000)};
+  static const gjk_shape *const shapes[] = {&kinds[0], &kinds[1], &kinds[2], &kinds[3], &kinds[4]};
+  static uint32_t block[500];
+  const gjk_scene_config config = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  random_state random = random_seed(720);
+  unsigned near_count = 0, skipped = 0;
+  for (unsigned i = 0; i < THRESHOLDS; i++) {
+    const gjk_q16 margin = random_range(&random, 0, 1) == 0 ? 0 : random_range(&random, 0, 6000);
+    const gjk_part part[2] = {{(uint16_t)random_below(&random, 5), false, GJK_POSE_IDENTITY},
+                              {(uint16_t)random_below(&random, 5), false, GJK_POSE_IDENTITY}};
+    gjk_body_setup setup = {GJK_POSE_IDENTITY, &part[0], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, margin};
+    gjk_scene scene;
+    gjk_body fixed, moving;
+    gjk_collider a, b;
+    gjk_distance_result r = {0};
+    CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 5) == GJK_OK);
+    setup.pose.rotation = random_turn(&random);
+    CHECK(gjk_scene_add(&scene, &setup, &fixed) == GJK_OK);
+    setup.parts = &part[1];
+    setup.pose.rotation = random_turn(&random);
+    setup.pose.position.x = random_range(&random, -300000, 300000);
+    setup.pose.position.y = random_range(&random, -300000, 300000);
+    setup.pose.position.z = 300000;
+    CHECK(gjk_scene_add(&scene, &setup, &moving) == GJK_OK && gjk_scene_collider(&scene, fixed, 0, &a) == GJK_OK);
+    for (unsigned step = 0; step < 12; step++) {
+      gjk_report report;
+      gjk_progress progress;
+      gjk_scene_stats stats;
+      gjk_decision decision;
+      uint32_t cursor = 0;
+      bool found;
+      CHECK(gjk_scene_collider(&scene, moving, 0, &b) == GJK_OK && gjk_distance(&a, &b, NULL, &r) == GJK_OK);
+      push(&scene, moving, &r.normal, 2 * (int64_t)margin - r.distance + random_range(&random, -30, 30));
+      CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && gjk_scene_get_stats(&scene, &stats) == GJK_OK);
+      CHECK(gjk_scene_collider(&scene, moving, 0, &b) == GJK_OK);
+      CHECK(gjk_within(&a, &b, 2 * margin, NULL, &decision) == GJK_OK);
+      CHECK(gjk_scene_next_near(&scene, &cursor, &report, &found) == GJK_OK);
+      CHECK_MSG(found == decision.yes, "pair %u, step %u", i, step);
+      near_count += found;
+      skipped += stats.motion;
+    }
+  }
+  printf("%u near, %u skipped\n", near_count, skipped);
+  CHECK(near_count > THRESHOLDS && skipped > THRESHOLDS / 4);
+}
+
 int main(void) {
+  check_threshold();
   check_counters();
   check_refused();
   for (unsigned i = 0; i < sizeof families / sizeof families[0]; i++) {
