@@ -575,6 +575,9 @@ static void test_no_slot(void) {
     }
     CHECK(gjk_scene_add(&scene, &more, &body) == GJK_ERROR_CAPACITY);
     CHECK(gjk_scene_check(&scene) == GJK_OK);
+    gjk_scene_header *h = scene.block;
+    h->lowest++;
+    CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
   }
 }
 
