@@ -31,9 +31,9 @@ static bool next(visit *v, gjk_vec3 *offset) {
   return v->collider->shape->type->vertex(v->collider, v->number++, offset);
 }
 
-// Does no vertex of the collider lie before vertex origin along the exact direction (negated: along its opposite)?
+// Does no vertex of the collider lie before vertex origin along the exact direction?
 // Pre: the vertex exists.
-static bool none_before(const gjk_collider *c, const gjk_direction *direction, bool negated, uint16_t origin) {
+static bool none_before(const gjk_collider *c, const gjk_direction *direction, uint16_t origin) {
   gjk_vec3 base, offset;
   visit v = {c, 0};
   const bool exists = c->shape->type->vertex(c, origin, &base);
@@ -41,8 +41,7 @@ static bool none_before(const gjk_collider *c, const gjk_direction *direction, b
   (void)exists;
   while (next(&v, &offset)) {  // at most GJK_HULL_VERTICES_MAX vertices
     const gjk_vec3 step = gjk_sub(offset, base);
-    const int side = gjk_direction_sign(direction, &step);
-    if (negated ? side < 0 : side > 0) {
+    if (gjk_direction_sign(direction, &step) > 0) {
       return false;
     }
   }
@@ -61,6 +60,16 @@ static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d) {
   return largest;
 }
 
+// Does no vertex of A - B lie before the certificate's first along the direction?
+static bool is_support(const gjk_iteration *it, const gjk_certificate *certificate, gjk_direction *direction) {
+  direction->opposite = false;
+  if (!none_before(it->a, direction, certificate->a[0])) {
+    return false;
+  }
+  direction->opposite = true;
+  return none_before(it->b, direction, certificate->b[0]);
+}
+
 // Is the named feature the nearest of A - B to the origin, and apart from it?
 static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate) {
   gjk_direction direction;
@@ -74,8 +83,7 @@ static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate) {
   if (s->count == 3 && gjk_dot_sign(&s->normal, &s->slot[0].w) == 0) {
     return false;
   }
-  return none_before(it->a, &direction, false, certificate->a[0]) &&
-         none_before(it->b, &direction, true, certificate->b[0]);
+  return is_support(it, certificate, &direction);
 }
 
 static bool is_enclosing(gjk_iteration *it, const gjk_certificate *certificate) {
@@ -186,12 +194,10 @@ static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int6
   }
   const gjk_vec3 edge = gjk_sub(s->slot[1].w, s->slot[0].w), edge2 = gjk_sub(s->slot[2].w, s->slot[0].w);
   gjk_cross(&edge, &edge2, &n);
-  const gjk_direction outwards = {NULL, NULL, &n, 0, 0, 3};
+  gjk_direction outwards = {NULL, NULL, &n, 0, 0, 3, false};
   gjk_simplex_set(&it->simplex, 3);
-  return (n.x | n.y | n.z) != 0 && gjk_dot_sign(&n, &s->slot[0].w) >= 0 &&
-         none_before(it->a, &outwards, false, certificate->a[0]) &&
-         none_before(it->b, &outwards, true, certificate->b[0]) && compare_to(it, depth) <= 0 &&
-         compare_to(it, depth - 1) > 0;
+  return (n.x | n.y | n.z) != 0 && gjk_dot_sign(&n, &s->slot[0].w) >= 0 && is_support(it, certificate, &outwards) &&
+         compare_to(it, depth) <= 0 && compare_to(it, depth - 1) > 0;
 }
 
 // Does the plane across direction through the origin bound A - B, touching it? Products: at most sqrt(3) 2^31 times 2^30.

@@ -90,8 +90,7 @@ static bool vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
 
 // Rounding moves d . axis by less than |axis.x| + |axis.y| + |axis.z| <= sqrt(3) core_radius; only signs within that
 // are in doubt. An axis that is level along the exact direction keeps its sign.
-static bool refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
-                   gjk_support *at) {
+static bool refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
   const int64_t slack = 2 * (int64_t)c->core_radius;
   unsigned number = at->vertex;
   for (unsigned i = 0; i < c->count; i++) {
@@ -99,7 +98,7 @@ static bool refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction
     if (along < slack && along > -slack) {
       const int side = gjk_direction_sign(direction, &c->frame[i]);
       if (side != 0) {
-        number = (side > 0) != negated ? number | 1u << i : number & ~(1u << i);
+        number = side > 0 ? number | 1u << i : number & ~(1u << i);
       }
     }
   }

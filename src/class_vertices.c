@@ -22,14 +22,13 @@ static void scan_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gj
 
 // Pre: offsets of the vertices at most core_radius; *at is among the farthest along d.
 GJK_OUT_OF_LINE static bool refine_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d,
-                                         const gjk_direction *direction, bool negated, gjk_support *at) {
+                                         const gjk_direction *direction, gjk_support *at) {
   const int64_t limit = gjk_dot(&at->offset, d) - 4 * (int64_t)rounding_slack(c, false);
   const uint16_t before = at->vertex;
   for (uint32_t i = 0; i < c->count; i++) {
     if (gjk_dot(&vertices[i], d) >= limit) {
       const gjk_vec3 step = gjk_sub(vertices[i], at->offset);
-      const int side = gjk_direction_sign(direction, &step);
-      if (negated ? side < 0 : side > 0) {
+      if (gjk_direction_sign(direction, &step) > 0) {
         at->offset = vertices[i];
         at->vertex = (uint16_t)i;
       }
@@ -80,7 +79,7 @@ GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *
 }
 
 GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
-                                        bool negated, gjk_support *at) {
+                                        gjk_support *at) {
   const gjk_vec3 *vertices = c->shape->vertices;
   gjk_vec3 local;
   const uint32_t slack = local_direction(c, d, false, &local);
@@ -90,8 +89,7 @@ GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d
     if (gjk_dot(&vertices[i], &local) >= limit) {
       gjk_vec3 offset = pose_vertex(c, c->frame, i);
       const gjk_vec3 step = gjk_sub(offset, at->offset);
-      const int side = gjk_direction_sign(direction, &step);
-      if (negated ? side < 0 : side > 0) {
+      if (gjk_direction_sign(direction, &step) > 0) {
         at->offset = offset;
         at->vertex = (uint16_t)i;
       }
@@ -108,10 +106,8 @@ static void support_hull(const gjk_collider *c, const gjk_vec3 *d, bool exact, g
   }
 }
 
-static bool refine_hull(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
-                        gjk_support *at) {
-  return c->buffer != NULL ? refine_posed(c, c->buffer, d, direction, negated, at)
-                           : refine_lazy(c, d, direction, negated, at);
+static bool refine_hull(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+  return c->buffer != NULL ? refine_posed(c, c->buffer, d, direction, at) : refine_lazy(c, d, direction, at);
 }
 
 static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
@@ -138,9 +134,8 @@ static void support_triangle(const gjk_collider *c, const gjk_vec3 *d, bool exac
   scan_posed(c, c->frame, d, exact, out);
 }
 
-static bool refine_triangle(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
-                            gjk_support *at) {
-  return refine_posed(c, c->frame, d, direction, negated, at);
+static bool refine_triangle(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+  return refine_posed(c, c->frame, d, direction, at);
 }
 
 static bool vertex_triangle(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {

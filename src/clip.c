@@ -103,7 +103,7 @@ static unsigned coincident(const gjk_polygon *p, const sides *of_p) {
 static int measure(const gjk_long3 *n, const gjk_vec3 *v, gjk_u128 *size) {
   uint32_t low;
   const int64_t high = gjk_dot_exact(n, v, &low);
-  gjk_magnitude96(high, low, size);
+  gjk_magnitude95(high, low, size);
   return high < 0 ? -1 : 1;
 }
 

@@ -31,6 +31,7 @@ static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3
   gjk_direction direction;
   direction.n = n;
   direction.rank = 3;
+  direction.opposite = false;
   if ((!a.tie && !b.tie) || !gjk_iteration_refine(it, &direction, &a, &b)) {
     return false;
   }

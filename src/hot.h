@@ -18,7 +18,7 @@ GJK_HOT void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
 
 // The sign of n . v, settled from the high words of n wherever they suffice: n . v / 2^32 differs from h by less than
 // |v.x| + |v.y| + |v.z| <= sqrt(3) 2^31 < 2^32. Each |high word| is at most 2^30, so |h| <= 3 2^61.
-// Pre: |n| <= 2^62, |v| <= 2^31, lengths.
+// Pre: |n| < 2^62, |v| <= 2^31, lengths.
 GJK_HOT int gjk_dot_sign(const gjk_long3 *n, const gjk_vec3 *v) {
 #if GJK_INT128
   GJK_INT128_TYPE sum = (GJK_INT128_TYPE)n->x * v->x + (GJK_INT128_TYPE)n->y * v->y + (GJK_INT128_TYPE)n->z * v->z;
@@ -35,7 +35,7 @@ GJK_HOT int gjk_dot_sign(const gjk_long3 *n, const gjk_vec3 *v) {
 
 // The sign of p q + r s, settled from the high words wherever they suffice. With p = 2^32 ph + pl and so on, and
 // |ph| <= 2^30: (p q + r s) / 2^64 differs from h = ph qh + rh sh by less than |ph| + |qh| + |rh| + |sh| + 2, which is
-// at most 2^32 + 2 and so below 2^33. Pre: each at most 2^62 in size.
+// at most 2^32 + 2 and so below 2^33. Pre: each below 2^62 in size.
 GJK_HOT int gjk_sum_sign(int64_t p, int64_t q, int64_t r, int64_t s) {
 #if GJK_INT128
   GJK_INT128_TYPE sum = (GJK_INT128_TYPE)p * q + (GJK_INT128_TYPE)r * s;

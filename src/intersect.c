@@ -29,11 +29,6 @@ static gjk_status decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 d
   return GJK_OK;
 }
 
-gjk_status gjk_intersect(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_decision *out) {
-  gjk_status status = gjk_check_pair(a, b, out);
-  return status == GJK_OK ? decide(a, b, 0, cache, out) : status;
-}
-
 gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, gjk_cache *cache,
                       gjk_decision *out) {
   gjk_status status = gjk_check_pair(a, b, out);
@@ -41,4 +36,8 @@ gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 dist
     status = GJK_ERROR_NEGATIVE;
   }
   return status == GJK_OK ? decide(a, b, distance, cache, out) : status;
+}
+
+gjk_status gjk_intersect(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_decision *out) {
+  return gjk_within(a, b, 0, cache, out);
 }

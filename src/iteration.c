@@ -158,15 +158,16 @@ void gjk_iteration_support(const gjk_iteration *it, gjk_support *a, gjk_support 
   support(it, a, b);
 }
 
-GJK_OUT_OF_LINE bool gjk_iteration_refine(const gjk_iteration *it, const gjk_direction *direction, gjk_support *a,
+GJK_OUT_OF_LINE bool gjk_iteration_refine(const gjk_iteration *it, gjk_direction *direction, gjk_support *a,
                                           gjk_support *b) {
   bool moved = false;
   if (a->tie) {
-    moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, false, a);
+    moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, a);
   }
   if (b->tie) {
     const gjk_vec3 opposite = gjk_negate(it->direction.d);
-    moved = it->b->shape->type->refine(it->b, &opposite, direction, true, b) || moved;
+    direction->opposite = true;
+    moved = it->b->shape->type->refine(it->b, &opposite, direction, b) || moved;
   }
   return moved;
 }
@@ -224,24 +225,17 @@ static bool known(gjk_iteration *it, const gjk_support *a, const gjk_support *b)
   return false;
 }
 
-// Starts from the cached feature, as far as it still is one. Returns ENCLOSING if the origin lies in it.
-GJK_OUT_OF_LINE static gjk_step warm_start(gjk_iteration *it, const gjk_cache *cache) {
-  const gjk_shape_class *type_a = it->a->shape->type, *type_b = it->b->shape->type;
-  gjk_step step = GJK_STEP_NONE;
-  //@ dynamic_split it->simplex.count;
-  for (unsigned i = 0; i < cache->count && i < 4 && step != GJK_STEP_ENCLOSING; i++) {
-    gjk_support a, b;
-    a.vertex = cache->a[i];
-    b.vertex = cache->b[i];
-    if (type_a->vertex(it->a, a.vertex, &a.offset) && type_b->vertex(it->b, b.vertex, &b.offset)) {
-      gjk_iteration_place(it, &a, &b);
-      step = gjk_simplex_add(&it->simplex);
-      if (it->simplex.count < 3 && step == GJK_STEP_NEARER && !gjk_simplex_direction(&it->simplex, &it->direction)) {
-        step = GJK_STEP_ENCLOSING;
-      }
-    }
+// Places a vertex of the cached feature; false: there is none of its numbers.
+GJK_OUT_OF_LINE static bool place_cached(gjk_iteration *it, const gjk_cache *cache, unsigned i) {
+  gjk_support a, b;
+  a.vertex = cache->a[i];
+  b.vertex = cache->b[i];
+  const bool found =
+      it->a->shape->type->vertex(it->a, a.vertex, &a.offset) && it->b->shape->type->vertex(it->b, b.vertex, &b.offset);
+  if (found) {
+    gjk_iteration_place(it, &a, &b);
   }
-  return step;
+  return found;
 }
 
 // Takes the cached direction; false when there is none.
@@ -296,8 +290,14 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     }
     cache = NULL;
   }
-  if (cache != NULL && warm_start(it, cache) == GJK_STEP_ENCLOSING) {
-    return GJK_OUTCOME_ENCLOSING;
+  // Starts from the cached feature, as far as it still is one.
+  //@ dynamic_split it->simplex.count;
+  for (unsigned i = 0; cache != NULL && i < cache->count && i < 4; i++) {
+    const gjk_step step = place_cached(it, cache, i) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
+    if (step == GJK_STEP_ENCLOSING ||
+        (step == GJK_STEP_NEARER && it->simplex.count < 3 && !gjk_simplex_direction(&it->simplex, &it->direction))) {
+      return GJK_OUTCOME_ENCLOSING;
+    }
   }
   //@ dynamic_split it->simplex.count;
   for (; it->rounds < it->limit; it->rounds++) {

@@ -64,7 +64,7 @@ void gjk_iteration_support(const gjk_iteration *it, gjk_support *a, gjk_support 
 
 // Moves them to the farthest vertices along the exact direction, of which it->direction is the rounded one, where they
 // may not be. Returns whether one moved.
-bool gjk_iteration_refine(const gjk_iteration *it, const gjk_direction *direction, gjk_support *a, gjk_support *b);
+bool gjk_iteration_refine(const gjk_iteration *it, gjk_direction *direction, gjk_support *a, gjk_support *b);
 
 // Puts the vertex of A - B with these offsets into the simplex's free slot.
 void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_support *b);

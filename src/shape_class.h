@@ -38,10 +38,9 @@ struct gjk_shape_class {
   // exact: d is not rounded. Pre: d != 0, |d| <= 2^31.
   void (*support)(const gjk_collider *collider, const gjk_vec3 *d, bool exact, gjk_support *out);
 
-  // Moves *at, the support along d, to a vertex that is farthest along the exact direction (negated: along its
-  // opposite; d is then negated, too). Returns whether it moved. NULL: curved, there are no vertices to choose from.
-  bool (*refine)(const gjk_collider *collider, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
-                 gjk_support *at);
+  // Moves *at, the support along d, to a vertex that is farthest along the exact direction, of which d is the rounded
+  // one. Returns whether it moved. NULL: curved, there are no vertices to choose from.
+  bool (*refine)(const gjk_collider *collider, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at);
 
   // The offset of a vertex by its number; false: there is none. NULL: curved.
   bool (*vertex)(const gjk_collider *collider, uint16_t number, gjk_vec3 *offset);

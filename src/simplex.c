@@ -113,7 +113,7 @@ GJK_OUT_OF_LINE static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
 }
 
 // The feature of the tetrahedron of the old triangle and w when one face or more sees the origin.
-// visible: bit i for the face of order[i], order[i + 1 mod 3] and w. The origin's projection onto a visible face (x, y, w)
+// visible: see visible_faces. The origin's projection onto a visible face (x, y, w)
 // lies on w's side of edge (x, y): seen along that edge the origin stands above the old triangle at an angle below a
 // quarter turn, and at a larger one than the face.
 GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
@@ -137,20 +137,26 @@ GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned
   return GJK_STEP_NEARER;
 }
 
-GJK_OUT_OF_LINE static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
+// Which faces of the tetrahedron of the feature and vertex w see the origin: bit i for the face of order[i],
+// order[i + 1 mod 3] and w.
+GJK_OUT_OF_LINE static unsigned visible_faces(const gjk_simplex *s, unsigned w) {
   const gjk_vec3 *a = &s->slot[s->order[0]].w, *b = &s->slot[s->order[1]].w, *c = &s->slot[s->order[2]].w;
   const gjk_vec3 *v = &s->slot[w].w;
-  const gjk_vec3 step = gjk_sub(*v, *a);
-  if (gjk_dot_sign(&s->normal, &step) <= 0) {
-    return GJK_STEP_NONE;
-  }
   // The origin is beyond face (x, y, w) when (x x y) . w < 0. The products w x a, w x b serve all three:
   // (a x b) . w = (w x a) . b, (b x c) . w = (w x b) . c, (c x a) . w = -(w x a) . c.
   gjk_long3 wa, wb;
   gjk_cross(v, a, &wa);
   gjk_cross(v, b, &wb);
-  unsigned visible = (gjk_dot_sign(&wa, b) < 0 ? 1u : 0u) | (gjk_dot_sign(&wb, c) < 0 ? 2u : 0u) |
-                     (gjk_dot_sign(&wa, c) > 0 ? 4u : 0u);
+  return (gjk_dot_sign(&wa, b) < 0 ? 1u : 0u) | (gjk_dot_sign(&wb, c) < 0 ? 2u : 0u) |
+         (gjk_dot_sign(&wa, c) > 0 ? 4u : 0u);
+}
+
+GJK_OUT_OF_LINE static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
+  const gjk_vec3 step = gjk_sub(s->slot[w].w, s->slot[s->order[0]].w);
+  if (gjk_dot_sign(&s->normal, &step) <= 0) {
+    return GJK_STEP_NONE;
+  }
+  const unsigned visible = visible_faces(s, w);
   if (visible == 0) {
     s->count = 4;
     return GJK_STEP_ENCLOSING;
@@ -247,21 +253,7 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
     out->tb = s->toward[b][a];
   }
   out->rank = s->count;
-}
-
-// x = |n . w| for a vertex w of the triangle, at most 2^93.
-static void triangle_height(const gjk_simplex *s, gjk_limbs *x) {
-  uint32_t low;
-  int64_t high = gjk_dot_exact(&s->normal, &s->slot[s->order[0]].w, &low);
-  if (high < 0) {
-    high = low == 0 ? -high : -high - 1;
-    low = 0u - low;
-  }
-  gjk_limbs_set(x, (uint64_t)high);
-  for (int i = GJK_LIMBS - 1; i > 0; i--) {
-    x->limb[i] = x->limb[i - 1];
-  }
-  x->limb[0] = low;
+  out->opposite = false;
 }
 
 static void square(gjk_limbs *out, uint64_t value) {
@@ -270,29 +262,43 @@ static void square(gjk_limbs *out, uint64_t value) {
   gjk_limbs_multiply(out, &x, &x);
 }
 
+// *out = |v|^2. Pre: components at most 2^62 in size.
+static void squared_length(const gjk_long3 *v, gjk_limbs *out) {
+  gjk_limbs x;
+  square(out, gjk_magnitude64(v->x));
+  square(&x, gjk_magnitude64(v->y));
+  gjk_limbs_add(out, &x);
+  square(&x, gjk_magnitude64(v->z));
+  gjk_limbs_add(out, &x);
+}
+
+// *out = (n . w)^2 for a vertex w of the triangle; n . w is at most 2^93.
+static void squared_height(const gjk_simplex *s, gjk_limbs *out) {
+  uint32_t low;
+  gjk_u128 height;
+  gjk_limbs x;
+  const int64_t high = gjk_dot_exact(&s->normal, &s->slot[s->order[0]].w, &low);
+  gjk_magnitude95(high, low, &height);
+  gjk_limbs_set(&x, height.low);
+  x.limb[2] = (uint32_t)height.high;
+  gjk_limbs_multiply(out, &x, &x);
+}
+
 void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_limbs *numerator, gjk_limbs *denominator) {
-  unsigned a = s->order[0], b = s->order[1];
-  gjk_limbs x, y;
+  const unsigned a = s->order[0], b = s->order[1];
   if (s->count == 1) {
     gjk_limbs_set(numerator, (uint64_t)s->toward[a][a]);
     gjk_limbs_set(denominator, 1);
   } else if (s->count == 2) {
-    // |a x b|^2 / |b - a|^2 with |a x b|^2 = (a . a) (b . b) - (a . b)^2
-    gjk_limbs_set(&x, (uint64_t)s->toward[a][a]);
-    gjk_limbs_set(&y, (uint64_t)s->toward[b][b]);
-    gjk_limbs_multiply(numerator, &x, &y);
-    square(&x, gjk_magnitude64(s->toward[a][a] - s->toward[a][b]));
-    gjk_limbs_subtract(numerator, &x);
+    // |a x b|^2 / |b - a|^2
+    gjk_long3 moment;
+    gjk_cross(&s->slot[a].w, &s->slot[b].w, &moment);
+    squared_length(&moment, numerator);
     gjk_limbs_set(denominator, (uint64_t)(s->toward[a][b] + s->toward[b][a]));
   } else {
-    // (n . w0)^2 / |n|^2
-    triangle_height(s, &x);
-    gjk_limbs_multiply(numerator, &x, &x);
-    square(denominator, gjk_magnitude64(s->normal.x));
-    square(&x, gjk_magnitude64(s->normal.y));
-    gjk_limbs_add(denominator, &x);
-    square(&x, gjk_magnitude64(s->normal.z));
-    gjk_limbs_add(denominator, &x);
+    // (n . a)^2 / |n|^2
+    squared_height(s, numerator);
+    squared_length(&s->normal, denominator);
   }
 }
 
@@ -306,10 +312,14 @@ int gjk_compare_distance(const gjk_limbs *numerator, const gjk_limbs *denominato
   return gjk_limbs_compare(&x, &y);
 }
 
-// The value of beyond_edge: the weight of k times the square of twice the triangle's area. At most 2^124.
+// The value of beyond_edge, where it is not negative: the weight of k times the square of twice the triangle's area. At
+// most 2^124.
 static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, gjk_u128 *out) {
   const int64_t *at_i = s->toward[i], *at_j = s->toward[j];
-  gjk_sum(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);
+  uint64_t low;
+  const uint64_t high = (uint64_t)gjk_sum(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], &low);
+  out->high = high >> 2;
+  out->low = high << 62 | low;
 }
 
 void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_share weight[2]) {

@@ -6,21 +6,13 @@
 #include "hot.h"
 #endif
 
-// With n = 2^32 nh + 2^16 nm + nl per component, nm and nl unsigned 16-bit: |nh . v| <= 3 2^61, and nm . v, nl . v are
-// below 2^49 in size.
+// With n = 2^31 nh + nl per component: nl . v is at most sqrt(3) 2^62 in size, nh . v at most 2^62 + sqrt(3) 2^31.
 int64_t gjk_dot_exact(const gjk_long3 *n, const gjk_vec3 *v, uint32_t *low) {
-  const int64_t component[3] = {n->x, n->y, n->z};
-  const int32_t along[3] = {v->x, v->y, v->z};
-  int64_t high = 0, middle = 0, lowest = 0;
-  for (int i = 0; i < 3; i++) {
-    const uint32_t bits = gjk_low32(component[i]);
-    high = gjk_mac32(high, gjk_high32(component[i]), along[i]);
-    middle = gjk_mac32(middle, (int32_t)(bits >> 16), along[i]);
-    lowest = gjk_mac32(lowest, (int32_t)(bits & 0xFFFFu), along[i]);
-  }
-  middle += gjk_sar64(lowest, 16);
-  *low = (gjk_low32(middle) << 16) | (gjk_low32(lowest) & 0xFFFFu);
-  return high + gjk_sar64(middle, 16);
+  const int64_t lowest =
+      gjk_mac32(gjk_mac32(gjk_mul32(gjk_low_digit(n->x), v->x), gjk_low_digit(n->y), v->y), gjk_low_digit(n->z), v->z);
+  *low = (uint32_t)gjk_low_digit(lowest);
+  return gjk_mac32(gjk_mac32(gjk_mac32(gjk_sar64(lowest, 31), gjk_high_digit(n->x), v->x), gjk_high_digit(n->y), v->y),
+                   gjk_high_digit(n->z), v->z);
 }
 
 int gjk_dot_sign_exact(const gjk_long3 *n, const gjk_vec3 *v) {
@@ -30,14 +22,15 @@ int gjk_dot_sign_exact(const gjk_long3 *n, const gjk_vec3 *v) {
 }
 
 int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v) {
+  int side;
   if (direction->rank == 3) {
-    return gjk_dot_sign(direction->n, v);
+    side = -gjk_dot_sign(direction->n, v);
+  } else {
+    side = direction->rank == 1 ? gjk_sign64(gjk_dot(direction->a, v))
+                                : gjk_sum_sign(direction->tb, gjk_dot(direction->a, v), direction->ta,
+                                               gjk_dot(direction->b, v));  // dot products at most 3 2^59
   }
-  const int64_t along_a = gjk_dot(direction->a, v);  // at most 3 2^59
-  if (direction->rank == 1) {
-    return -gjk_sign64(along_a);
-  }
-  return -gjk_sum_sign(direction->tb, along_a, direction->ta, gjk_dot(direction->b, v));
+  return direction->opposite ? side : -side;
 }
 
 // x / 2^k to the nearest integer, 1 <= k <= 32. Pre: the result is at most 2^30 in size.
@@ -72,10 +65,9 @@ void gjk_round_direction(const gjk_long3 *n, gjk_rounded *out) {
 // -(a tb + b ta) = 2^31 high + low with 0 <= low < 2^31. With t = 2^31 th + tl: th <= 2^30, so
 // |a tbh + b tah| <= 3 2^60 and |a tbl + b tal| <= 3 2^61.
 GJK_ONCE static uint32_t combine(int32_t a, int64_t tb, int32_t b, int64_t ta, int64_t *high) {
-  const uint32_t mask = INT32_MAX;
-  const int64_t low = gjk_mac32(gjk_mul32(-a, (int32_t)(gjk_low32(tb) & mask)), -b, (int32_t)(gjk_low32(ta) & mask));
-  *high = gjk_mac32(gjk_mac32(gjk_sar64(low, 31), -a, (int32_t)gjk_sar64(tb, 31)), -b, (int32_t)gjk_sar64(ta, 31));
-  return gjk_low32(low) & mask;
+  const int64_t low = gjk_mac32(gjk_mul32(-a, gjk_low_digit(tb)), -b, gjk_low_digit(ta));
+  *high = gjk_mac32(gjk_mac32(gjk_sar64(low, 31), -a, gjk_high_digit(tb)), -b, gjk_high_digit(ta));
+  return (uint32_t)gjk_low_digit(low);
 }
 
 bool gjk_round_edge_direction(const gjk_vec3 *a, int64_t tb, const gjk_vec3 *b, int64_t ta, gjk_rounded *out) {

@@ -35,7 +35,7 @@ static inline uint32_t gjk_norm1(gjk_vec3 v) {
   return gjk_magnitude32(v.x) + gjk_magnitude32(v.y) + gjk_magnitude32(v.z);
 }
 
-// n . v = 2^32 (returned) + *low, exact. Pre: |n| <= 2^62, |v| <= 2^31, lengths.
+// n . v = 2^31 (returned) + *low, 0 <= *low < 2^31, exact. Pre: |n| < 2^62, |v| <= 2^31, lengths.
 int64_t gjk_dot_exact(const gjk_long3 *n, const gjk_vec3 *v, uint32_t *low);
 
 // The sign of n . v. Pre: as above.
@@ -61,9 +61,10 @@ typedef struct gjk_direction {
   const gjk_long3 *n;
   int64_t ta, tb;  // set for rank 2
   uint8_t rank;    // 1, 2 or 3
+  bool opposite;   // the opposite of the above is meant
 } gjk_direction;
 
-// The sign of the exact direction along v. Pre: |v| <= 2^30.
+// The sign of v along the exact direction. Pre: |v| <= 2^30.
 int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v);
 
 // A direction as the support scans take it: the exact one / 2^k for some k, off by less than 1 in each component.

@@ -1,47 +1,30 @@
 // Exact signs and comparisons beyond 64 bits: the paths taken when the high words do not settle it.
 #include "wide.h"
 
-// a b, exact. The cross terms: mid <= (2^32 - 1)^2 + 2 (2^32 - 1) < 2^64.
-static gjk_u128 multiply64(uint64_t a, uint64_t b) {
-  uint32_t a0 = (uint32_t)(a & UINT32_MAX), a1 = (uint32_t)(a >> 32);
-  uint32_t b0 = (uint32_t)(b & UINT32_MAX), b1 = (uint32_t)(b >> 32);
-  uint64_t low = gjk_umul32(a0, b0);
-  uint64_t middle = gjk_umul32(a0, b1) + (low >> 32);
-  uint64_t middle2 = gjk_umul32(a1, b0) + (middle & UINT32_MAX);
-  gjk_u128 p;
-  p.low = (middle2 << 32) | (low & UINT32_MAX);
-  p.high = gjk_umul32(a1, b1) + (middle >> 32) + (middle2 >> 32);
-  return p;
+// In digits of 31 bits, |high ones| <= 2^31: a product of two is at most 2^62 in size, one with a low digit at most
+// 2^62 - 2^31. So with the carry, below 2^32, middle and middle2 stay below 2^63; and the whole is below 2^125.
+int64_t gjk_sum(int64_t p, int64_t q, int64_t r, int64_t s, uint64_t *low) {
+  const int32_t ph = gjk_high_digit(p), pl = gjk_low_digit(p), qh = gjk_high_digit(q), ql = gjk_low_digit(q);
+  const int32_t rh = gjk_high_digit(r), rl = gjk_low_digit(r), sh = gjk_high_digit(s), sl = gjk_low_digit(s);
+  const int64_t lowest = gjk_mac32(gjk_mul32(pl, ql), rl, sl);
+  const int64_t middle = gjk_mac32(gjk_mac32(gjk_sar64(lowest, 31), ph, ql), pl, qh);
+  const int64_t middle2 = gjk_mac32(gjk_mul32(rh, sl), rl, sh);
+  const uint32_t digit = (uint32_t)gjk_low_digit(middle) + (uint32_t)gjk_low_digit(middle2);
+  *low = (uint64_t)(digit & INT32_MAX) << 31 | (uint32_t)gjk_low_digit(lowest);
+  const int64_t carry = gjk_sar64(middle, 31) + gjk_sar64(middle2, 31) + (digit >> 31);
+  return gjk_mac32(gjk_mac32(carry, ph, qh), rh, sh);
+}
+
+int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
+  uint64_t low;
+  const int64_t high = gjk_sum(p, q, r, s, &low);
+  return high != 0 ? gjk_sign64(high) : low != 0;
 }
 
 static gjk_u128 add128(gjk_u128 a, gjk_u128 b) {
   gjk_u128 sum = {a.high + b.high, a.low + b.low};
   sum.high += sum.low < b.low;
   return sum;
-}
-
-// a b modulo 2^128.
-static gjk_u128 signed_product(int64_t a, int64_t b) {
-  gjk_u128 p = multiply64(gjk_magnitude64(a), gjk_magnitude64(b));
-  if ((a < 0) != (b < 0)) {
-    const gjk_u128 one = {0, 1};
-    p.high = ~p.high;
-    p.low = ~p.low;
-    p = add128(p, one);
-  }
-  return p;
-}
-
-void gjk_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out) {
-  const gjk_u128 first = signed_product(p, q), second = signed_product(r, s);
-  out->low = first.low + second.low;
-  out->high = first.high + second.high + (out->low < first.low);
-}
-
-int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
-  gjk_u128 sum;
-  gjk_sum(p, q, r, s, &sum);
-  return sum.high > INT64_MAX ? -1 : (sum.high | sum.low) != 0;
 }
 
 // Bits of x, 1 for 0.
@@ -118,9 +101,9 @@ void gjk_shares(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part
   share[1].low = 0;
 }
 
-void gjk_magnitude96(int64_t high, uint32_t low, gjk_u128 *out) {
-  out->high = (uint64_t)gjk_sar64(high, 32);
-  out->low = (uint64_t)high << 32 | low;
+void gjk_magnitude95(int64_t high, uint32_t low, gjk_u128 *out) {
+  out->high = (uint64_t)gjk_sar64(high, 33);
+  out->low = (uint64_t)high << 31 | low;
   if (high < 0) {
     out->low = ~out->low + 1;
     out->high = ~out->high + (out->low == 0);
@@ -162,15 +145,6 @@ void gjk_limbs_add(gjk_limbs *x, const gjk_limbs *y) {
   uint64_t carry = 0;
   for (int i = 0; i < GJK_LIMBS; i++) {
     carry += (uint64_t)x->limb[i] + y->limb[i];
-    x->limb[i] = (uint32_t)(carry & UINT32_MAX);
-    carry >>= 32;
-  }
-}
-
-void gjk_limbs_subtract(gjk_limbs *x, const gjk_limbs *y) {
-  uint64_t carry = 1;
-  for (int i = 0; i < GJK_LIMBS; i++) {
-    carry += (uint64_t)x->limb[i] + (UINT32_MAX - y->limb[i]);
     x->limb[i] = (uint32_t)(carry & UINT32_MAX);
     carry >>= 32;
   }

@@ -176,16 +176,25 @@ static inline int gjk_sign64(int64_t x) {
   return (x > 0) - (x < 0);
 }
 
-// The sign of p q + r s. Pre: each at most 2^62 in size.
+// The digits of x = 2^31 high + low, 0 <= low < 2^31: their products are signed. Pre: |x| < 2^62.
+static inline int32_t gjk_high_digit(int64_t x) {
+  return (int32_t)gjk_sar64(x, 31);
+}
+
+static inline int32_t gjk_low_digit(int64_t x) {
+  return (int32_t)(gjk_low32(x) & INT32_MAX);
+}
+
+// p q + r s = 2^62 (returned) + *low, 0 <= *low < 2^62, exact. Pre: each below 2^62 in size.
+int64_t gjk_sum(int64_t p, int64_t q, int64_t r, int64_t s, uint64_t *low);
+
+// The sign of p q + r s. Pre: as above.
 int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s);
 
 // Unsigned 128 bits.
 typedef struct gjk_u128 {
   uint64_t high, low;
 } gjk_u128;
-
-// *out = p q + r s modulo 2^128: in two's complement, since each factor is at most 2^62 in size.
-void gjk_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out);
 
 // A share of a whole: (2^16 high + low) / 2^47.
 typedef struct gjk_share {
@@ -196,8 +205,8 @@ typedef struct gjk_share {
 // 0 and high within 3, sixty times as fast. Pre: the sum is positive and below 2^127.
 void gjk_shares(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine, gjk_share share[2]);
 
-// *out = |x| for x = 2^32 high + low.
-void gjk_magnitude96(int64_t high, uint32_t low, gjk_u128 *out);
+// *out = |x| for x = 2^31 high + low, low < 2^31.
+void gjk_magnitude95(int64_t high, uint32_t low, gjk_u128 *out);
 
 // What to divide by, prepared.
 typedef struct gjk_divisor {
@@ -220,9 +229,8 @@ typedef struct gjk_limbs {
 } gjk_limbs;
 
 void gjk_limbs_set(gjk_limbs *x, uint64_t value);
-// x += y, x -= y, modulo 2^192.
+// x += y modulo 2^192.
 void gjk_limbs_add(gjk_limbs *x, const gjk_limbs *y);
-void gjk_limbs_subtract(gjk_limbs *x, const gjk_limbs *y);
 // out = x y modulo 2^192; out is neither x nor y.
 void gjk_limbs_multiply(gjk_limbs *out, const gjk_limbs *x, const gjk_limbs *y);
 // The sign of x - y.

@@ -78,9 +78,8 @@ static void test_sums(void) {
     const int flip = i % 2 == 0 ? 1 : -1;
     CHECK(gjk_sum_sign_exact(flip * (x + a), y + b, x, -flip * y) == flip * sign);
     CHECK(gjk_sum_sign_exact(x, y, -(x + a), y + b) == -sign);
-    gjk_u128 sum;
-    gjk_sum(x, y, -x, y - 1, &sum);
-    CHECK(sum.high == 0 && sum.low == (uint64_t)x);
+    uint64_t low;
+    CHECK(gjk_sum(x, y, -x, y - 1, &low) == 0 && low == (uint64_t)x);
   }
 }
 
@@ -102,9 +101,6 @@ static void test_limbs(void) {
     CHECK(gjk_limbs_compare(&sum, &difference) == (x != 0 && y != 0));
     CHECK(gjk_limbs_compare(&difference, &sum) == -(x != 0 && y != 0));
     gjk_limbs_add(&difference, &product);
-    CHECK(gjk_limbs_compare(&sum, &difference) == 0);
-    gjk_limbs_subtract(&sum, &product);
-    gjk_limbs_subtract(&difference, &product);
     CHECK(gjk_limbs_compare(&sum, &difference) == 0);
   }
 }
@@ -142,10 +138,10 @@ static void test_magnitudes(void) {
   random_state random = random_seed(SEED + 2);
   for (int i = 0; i < 1000; i++) {
     const int64_t high = gjk_int64(random_u64(&random)) >> random_below(&random, 64);
-    const uint32_t low = random_below(&random, 4) == 0 ? 0 : random_u32(&random);
-    const long double real = fabsl(ldexpl((long double)high, 32) + low);
+    const uint32_t low = random_below(&random, 4) == 0 ? 0 : random_u32(&random) >> 1;
+    const long double real = fabsl(ldexpl((long double)high, 31) + low);
     gjk_u128 size;
-    gjk_magnitude96(high, low, &size);
+    gjk_magnitude95(high, low, &size);
     CHECK_MSG(fabsl(value(&size) - real) <= ldexpl(real, -62), "%Lg instead of %Lg", value(&size), real);
   }
 }
