@@ -8,7 +8,7 @@ static int32_t reach(const gjk_collider *c, int axis, int32_t direction) {
   const int32_t length = direction * (INT32_C(1) << 29);
   const gjk_vec3 d = {axis == 0 ? length : 0, axis == 1 ? length : 0, axis == 2 ? length : 0};
   gjk_support found;
-  c->shape->type->support(c, &d, true, &found);
+  c->shape->type->support(c, &d, &found);
   return (axis == 0 ? found.offset.x : axis == 1 ? found.offset.y : found.offset.z) + direction;
 }
 

@@ -63,7 +63,7 @@ static inline unsigned add_axis(const gjk_vec3 *axis, const probe *p, unsigned b
   return 0;
 }
 
-static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
+static void support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   const probe p = probe_of(c, d);
   gjk_vec3 sum = {0, 0, 0};
   unsigned vertex = 0;
@@ -76,7 +76,6 @@ static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_su
   }
   out->offset = sum;
   out->vertex = (uint16_t)vertex;
-  out->tie = !exact;
 }
 
 static bool vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {

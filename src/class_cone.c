@@ -9,8 +9,7 @@ static bool apex_is_farther(const gjk_shape *shape, const gjk_vec3 *d) {
   return rise > 0 && gjk_sum_sign(rise, rise, -gjk_mul32(shape->size.x, shape->size.x), gjk_dot(&level, &level)) > 0;
 }
 
-static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
-  (void)exact;
+static void support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   const gjk_vec3 local = gjk_curved_direction(c, d);
   const int32_t half = c->shape->size.z * (1 << GJK_FINE_BITS);
   gjk_fine_point point = {0, 0, half};

@@ -14,8 +14,7 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
   return GJK_OK;
 }
 
-static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
-  (void)exact;
+static void support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   const gjk_vec3 local = gjk_curved_direction(c, d);
   const int32_t bound = c->shape->size.x;
   gjk_vec3 at = {0, 0, 0};

@@ -2,8 +2,7 @@
 #include "curved.h"
 #include "round_base.h"
 
-static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
-  (void)exact;
+static void support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   const gjk_vec3 local = gjk_curved_direction(c, d);
   gjk_fine_point point;
   gjk_rim(c->shape->size.x, &local, &point);

@@ -16,8 +16,7 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
 }
 
 // The farthest point along d is radii * u where u is the unit vector along radii * d, both per component.
-static void support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
-  (void)exact;
+static void support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   const gjk_vec3 *size = &c->shape->size;
   const gjk_vec3 local = gjk_curved_direction(c, d);
   const gjk_long3 stretched = {gjk_mul32(size->x, local.x), gjk_mul32(size->y, local.y), gjk_mul32(size->z, local.z)};

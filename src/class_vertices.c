@@ -6,32 +6,37 @@
 #include "scan.h"
 #include "shape_class.h"
 
-// How far rounding the direction can mislead a comparison of two vertices, in units of 4: each component is off by less
-// than 1, so by less than |u.x| + |u.y| + |u.z| <= sqrt(3) 2 core_radius for their difference u.
-static uint32_t rounding_slack(const gjk_collider *c, bool exact) {
-  return exact ? 0 : (uint32_t)c->core_radius;
+static gjk_vertices posed(const gjk_collider *c) {
+  const gjk_vertices vertices = {c->buffer != NULL ? c->buffer : c->frame, c->count, c->bits};
+  return vertices;
 }
 
-static void scan_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d, bool exact,
-                       gjk_support *out) {
-  const gjk_farthest found = gjk_scan(vertices, c->count, c->bits, d, rounding_slack(c, exact));
-  out->offset = vertices[found.index];
-  out->vertex = found.index;
-  out->tie = found.tie;
+static void support_posed(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
+  const gjk_vertices vertices = posed(c);
+  const gjk_vec3 *farthest = gjk_scan(vertices, d);
+  out->offset = *farthest;
+  out->vertex = (uint16_t)(farthest - vertices.first);
+}
+
+// How far behind the farthest along a rounded direction the farthest along the exact one may stay: each component is off
+// by less than 1, so by less than |u.x| + |u.y| + |u.z| <= sqrt(3) 2 core_radius for their difference u.
+static int64_t rounding_slack(const gjk_collider *c) {
+  return 4 * (int64_t)c->core_radius;
 }
 
 // Pre: offsets of the vertices at most core_radius; *at is among the farthest along d.
-GJK_OUT_OF_LINE static bool refine_posed(const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d,
-                                         const gjk_direction *direction, gjk_support *at) {
-  const int64_t limit = gjk_dot(&at->offset, d) - 4 * (int64_t)rounding_slack(c, false);
+GJK_OUT_OF_LINE static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
+                                         gjk_support *at) {
+  const gjk_vertices vertices = posed(c);
   const uint16_t before = at->vertex;
-  for (uint32_t i = 0; i < c->count; i++) {
-    if (gjk_dot(&vertices[i], d) >= limit) {
-      const gjk_vec3 step = gjk_sub(vertices[i], at->offset);
-      if (gjk_direction_sign(direction, &step) > 0) {
-        at->offset = vertices[i];
-        at->vertex = (uint16_t)i;
-      }
+  const gjk_vec3 *v;
+  gjk_reach reach;
+  gjk_reach_start(&reach, vertices, d, gjk_dot(&at->offset, d) - rounding_slack(c));
+  while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
+    const gjk_vec3 step = gjk_sub(*v, at->offset);
+    if (gjk_direction_sign(direction, &step) > 0) {
+      at->offset = *v;
+      at->vertex = (uint16_t)(v - vertices.first);
     }
   }
   return at->vertex != before;
@@ -42,79 +47,86 @@ static gjk_vec3 pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], uint3
   return gjk_rotate(rows, &local);
 }
 
-// d in the shape's frame, and how far it misleads a comparison of two vertices u apart there, in units of 4: each of
-// its components is off by at most 1/2, |d.x| + |d.y| + |d.z| < 2^32 for the rounding of both vertices, rounding_slack.
-static uint32_t local_direction(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_vec3 *local) {
-  *local = gjk_rotate_back(c->frame, d);
-  return (uint32_t)c->core_radius / 2 + gjk_norm1(*d) / 4 + rounding_slack(c, exact) + 2;
+// The shape's own vertices, which are scanned as they are, not relative to its centre: that shifts all products alike.
+static gjk_vertices unposed(const gjk_collider *c) {
+  const gjk_vertices vertices = {c->shape->vertices, c->count, 31};
+  return vertices;
 }
 
-// The vertices of the shape are scanned as they are, not relative to its centre: that shifts all products alike.
-GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, bool exact,
-                                         gjk_support *out) {
-  const gjk_vec3 *vertices = c->shape->vertices;
+// d in the shape's frame, and how far it misleads a comparison of two vertices u apart there: each of its components is
+// off by at most 1/2, so by at most 2 core_radius, and by |d.x| + |d.y| + |d.z| < 2^32 for the rounding of both vertices.
+static int64_t local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec3 *local) {
+  *local = gjk_rotate_back(c->frame, d);
+  return 2 * (int64_t)c->core_radius + gjk_norm1(*d) + 8;
+}
+
+GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, gjk_support *out) {
+  const gjk_vertices vertices = unposed(c);
   const gjk_vec3 d = gjk_scale_direction(direction);
   gjk_vec3 local;
-  const uint32_t slack = local_direction(c, &d, exact, &local);
-  const gjk_farthest found = gjk_scan(vertices, c->count, 31, &local, slack);
-  out->vertex = found.index;
-  out->offset = pose_vertex(c, c->frame, out->vertex);
-  out->tie = found.tie && !exact;
-  if (!found.tie) {
-    return;
-  }
-  const int64_t limit = gjk_dot(&vertices[out->vertex], &local) - 4 * (int64_t)slack;
-  int64_t farthest = gjk_dot(&out->offset, &d);
-  for (uint32_t i = 0; i < c->count; i++) {
-    if (gjk_dot(&vertices[i], &local) >= limit) {
-      const gjk_vec3 offset = pose_vertex(c, c->frame, i);
-      const int64_t along = gjk_dot(&offset, &d);
-      if (along > farthest || (along == farthest && i < out->vertex)) {
-        farthest = along;
-        out->offset = offset;
-        out->vertex = (uint16_t)i;
-      }
+  gjk_reach reach;
+  const int64_t slack = local_direction(c, &d, &local);
+  const gjk_vec3 *v = gjk_scan(vertices, &local);
+  int64_t farthest = INT64_MIN;
+  gjk_reach_start(&reach, vertices, &local, gjk_dot(v, &local) - slack);
+  while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX, at least the one just found
+    const uint16_t number = (uint16_t)(v - vertices.first);
+    const gjk_vec3 offset = pose_vertex(c, c->frame, number);
+    const int64_t along = gjk_dot(&offset, &d);
+    if (along > farthest) {
+      farthest = along;
+      out->offset = offset;
+      out->vertex = number;
     }
   }
 }
 
 GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
                                         gjk_support *at) {
-  const gjk_vec3 *vertices = c->shape->vertices;
-  gjk_vec3 local;
-  const uint32_t slack = local_direction(c, d, false, &local);
-  const int64_t limit = gjk_dot(&vertices[at->vertex], &local) - 4 * (int64_t)slack;
+  const gjk_vertices vertices = unposed(c);
   const uint16_t before = at->vertex;
-  for (uint32_t i = 0; i < c->count; i++) {
-    if (gjk_dot(&vertices[i], &local) >= limit) {
-      gjk_vec3 offset = pose_vertex(c, c->frame, i);
-      const gjk_vec3 step = gjk_sub(offset, at->offset);
-      if (gjk_direction_sign(direction, &step) > 0) {
-        at->offset = offset;
-        at->vertex = (uint16_t)i;
-      }
+  const gjk_vec3 *v;
+  gjk_vec3 local;
+  gjk_reach reach;
+  const int64_t slack = local_direction(c, d, &local) + rounding_slack(c);
+  gjk_reach_start(&reach, vertices, &local, gjk_dot(&vertices.first[before], &local) - slack);
+  while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
+    const uint16_t number = (uint16_t)(v - vertices.first);
+    const gjk_vec3 offset = pose_vertex(c, c->frame, number);
+    const gjk_vec3 step = gjk_sub(offset, at->offset);
+    if (gjk_direction_sign(direction, &step) > 0) {
+      at->offset = offset;
+      at->vertex = number;
     }
   }
   return at->vertex != before;
 }
 
-static void support_hull(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
+static void support_hull(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   if (c->buffer != NULL) {
-    scan_posed(c, c->buffer, d, exact, out);
+    support_posed(c, d, out);
   } else {
-    support_lazy(c, d, exact, out);
+    support_lazy(c, d, out);
   }
 }
 
 static bool refine_hull(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
-  return c->buffer != NULL ? refine_posed(c, c->buffer, d, direction, at) : refine_lazy(c, d, direction, at);
+  return c->buffer != NULL ? refine_posed(c, d, direction, at) : refine_lazy(c, d, direction, at);
 }
 
-static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
+static bool vertex_posed(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
   if (number >= c->count) {
     return false;
   }
-  *offset = c->buffer != NULL ? c->buffer[number] : pose_vertex(c, c->frame, number);
+  *offset = posed(c).first[number];
+  return true;
+}
+
+static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
+  if (c->buffer != NULL || number >= c->count) {
+    return vertex_posed(c, number, offset);
+  }
+  *offset = pose_vertex(c, c->frame, number);
   return true;
 }
 
@@ -128,22 +140,6 @@ static void pose_hull(gjk_collider *c, const gjk_vec3 rows[3]) {
   for (uint32_t i = 0; i < c->count; i++) {
     c->buffer[i] = pose_vertex(c, rows, i);
   }
-}
-
-static void support_triangle(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
-  scan_posed(c, c->frame, d, exact, out);
-}
-
-static bool refine_triangle(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
-  return refine_posed(c, c->frame, d, direction, at);
-}
-
-static bool vertex_triangle(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
-  if (number >= c->count) {
-    return false;
-  }
-  *offset = c->frame[number];
-  return true;
 }
 
 static void pose_triangle(gjk_collider *c, const gjk_vec3 rows[3]) {
@@ -215,6 +211,6 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
 }
 
 const gjk_shape_class gjk_class_triangle = {
-    measure, pose_triangle, support_triangle, refine_triangle, vertex_triangle, NULL, false, 3, GJK_KIND_VERTICES};
+    measure, pose_triangle, support_posed, refine_posed, vertex_posed, NULL, false, 3, GJK_KIND_VERTICES};
 const gjk_shape_class gjk_class_hull = {measure, pose_hull, support_hull,     refine_hull, vertex_hull, NULL,
                                         true,    0,         GJK_KIND_VERTICES};

@@ -273,7 +273,7 @@ static void from_hull(const gjk_collider *c, const gjk_vec3 *position, gjk_polyg
   if (faces == NULL || faces->count == 0) {
     return;
   }
-  c->shape->type->support(c, &out->direction, true, &found);
+  c->shape->type->support(c, &out->direction, &found);
   const int64_t limit = gjk_dot(&found.offset, &out->direction) - LEVEL_SLACK;
   for (uint32_t i = 0; i < faces->count; i++) {  // below 2^16
     const unsigned farthest = load_face(c, position, i, limit, out);

@@ -23,7 +23,6 @@ void gjk_curved_support(const gjk_collider *c, const gjk_fine_point *point, gjk_
   out->offset.y = (int32_t)gjk_sar64(world[1] + half, GJK_FINE_BITS);
   out->offset.z = (int32_t)gjk_sar64(world[2] + half, GJK_FINE_BITS);
   out->vertex = 0;
-  out->tie = false;
 }
 
 int32_t gjk_fine(gjk_q16 size, gjk_q30 u) {

@@ -32,7 +32,7 @@ static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3
   direction.n = n;
   direction.rank = 3;
   direction.opposite = false;
-  if ((!a.tie && !b.tie) || !gjk_iteration_refine(it, &direction, &a, &b)) {
+  if (it->direction.exact || !gjk_iteration_refine(it, &direction, &a, &b)) {
     return false;
   }
   gjk_iteration_place(it, &a, &b);

@@ -150,8 +150,8 @@ void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_supp
 GJK_ONCE static void support(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
   const gjk_rounded *direction = &it->direction;
   const gjk_vec3 opposite = gjk_negate(direction->d);
-  it->a->shape->type->support(it->a, &direction->d, direction->exact, a);
-  it->b->shape->type->support(it->b, &opposite, direction->exact, b);
+  it->a->shape->type->support(it->a, &direction->d, a);
+  it->b->shape->type->support(it->b, &opposite, b);
 }
 
 void gjk_iteration_support(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
@@ -161,10 +161,10 @@ void gjk_iteration_support(const gjk_iteration *it, gjk_support *a, gjk_support 
 GJK_OUT_OF_LINE bool gjk_iteration_refine(const gjk_iteration *it, gjk_direction *direction, gjk_support *a,
                                           gjk_support *b) {
   bool moved = false;
-  if (a->tie) {
+  if (it->a->shape->type->refine != NULL) {
     moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, a);
   }
-  if (b->tie) {
+  if (it->b->shape->type->refine != NULL) {
     const gjk_vec3 opposite = gjk_negate(it->direction.d);
     direction->opposite = true;
     moved = it->b->shape->type->refine(it->b, &opposite, direction, b) || moved;
@@ -175,7 +175,7 @@ GJK_OUT_OF_LINE bool gjk_iteration_refine(const gjk_iteration *it, gjk_direction
 // Moves the supports to the farthest vertices along the feature's exact direction. Returns whether one moved.
 GJK_OUT_OF_LINE static bool refine(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
   gjk_direction direction;
-  if (!a->tie && !b->tie) {
+  if (it->direction.exact) {
     return false;
   }
   gjk_simplex_exact_direction(&it->simplex, &direction);

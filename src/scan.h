@@ -1,16 +1,33 @@
-// The linear scan for the vertex farthest along a direction: where a query on hulls spends most of its time.
+// Linear scans over vertices: where a query on hulls spends most of its time.
 #ifndef GJK_SRC_SCAN_H
 #define GJK_SRC_SCAN_H
 
-#include "vector.h"
+#include "coarse.h"
 
-typedef struct gjk_farthest {
-  uint16_t index;  // the first of the vertices with the largest vertex . d
-  bool tie;        // another one may come within the slack; false only when none does
-} gjk_farthest;
+// Vertices with components of at most 2^bits in size, 1 <= bits <= 31; along the directions asked, vertex . d < 2^63.
+typedef struct gjk_vertices {
+  const gjk_vec3 *first;
+  uint16_t count;  // at least 1
+  uint8_t bits;
+} gjk_vertices;
 
-// Scans n >= 1 vertices with components of at most 2^bits in size, 1 <= bits <= 31; vertex . d is below 2^63.
-// slack: in units of 4, at most 2^30; 0, which makes no ties, when no component of d reaches 2^29.
-gjk_farthest gjk_scan(const gjk_vec3 *vertices, uint32_t n, unsigned bits, const gjk_vec3 *d, uint32_t slack);
+// The first of the vertices with the largest vertex . d.
+const gjk_vec3 *gjk_scan(gjk_vertices vertices, const gjk_vec3 *d);
+
+// The vertices with vertex . d >= limit, one after the other. Only this file and its source look inside.
+typedef struct gjk_reach {
+  const gjk_vec3 *next, *end, *d;
+  int64_t limit;
+#if GJK_NARROW_MULTIPLY
+  gjk_coarse coarse;
+  int32_t coarse_limit;
+#endif
+} gjk_reach;
+
+// d stays in place.
+void gjk_reach_start(gjk_reach *reach, gjk_vertices vertices, const gjk_vec3 *d, int64_t limit);
+
+// The next one; NULL: no more.
+const gjk_vec3 *gjk_reach_next(gjk_reach *reach);
 
 #endif

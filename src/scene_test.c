@@ -111,8 +111,8 @@ static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const i
     return 0;
   }
   gjk_support far_a, far_b;
-  a->shape->type->support(a, &d, true, &far_a);
-  b->shape->type->support(b, &opposite, true, &far_b);
+  a->shape->type->support(a, &d, &far_a);
+  b->shape->type->support(b, &opposite, &far_b);
   return along(&d, &centres, &far_a.offset, &far_b.offset) - PLANE_SLACK - a->shape->round - b->shape->round;
 }
 

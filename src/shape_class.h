@@ -9,7 +9,6 @@
 typedef struct gjk_support {
   gjk_vec3 offset;  // from the collider's centre, Q16.16, at most core_radius long
   uint16_t vertex;  // its number; 0 for curved shapes
-  bool tie;         // another vertex may be farther along the exact direction: refine tells
 } gjk_support;
 
 // The core of a shape in its own frame, without rounding.
@@ -35,8 +34,8 @@ struct gjk_shape_class {
   void (*pose)(gjk_collider *collider, const gjk_vec3 rows[3]);
 
   // The farthest vertex along d; among equals the one that the kind prefers, always the same.
-  // exact: d is not rounded. Pre: d != 0, |d| <= 2^31.
-  void (*support)(const gjk_collider *collider, const gjk_vec3 *d, bool exact, gjk_support *out);
+  // Pre: d != 0, |d| <= 2^31.
+  void (*support)(const gjk_collider *collider, const gjk_vec3 *d, gjk_support *out);
 
   // Moves *at, the support along d, to a vertex that is farthest along the exact direction, of which d is the rounded
   // one. Returns whether it moved. NULL: curved, there are no vertices to choose from.

@@ -59,8 +59,8 @@ static unsigned support(const gjk_collider *c, const gjk_long3 *n, bool negated,
   exact.rank = 3;
   exact.opposite = negated;
   const gjk_vec3 d = negated ? gjk_negate(rounded.d) : rounded.d;
-  c->shape->type->support(c, &d, rounded.exact, &found);
-  *moved = found.tie && c->shape->type->refine(c, &d, &exact, &found);
+  c->shape->type->support(c, &d, &found);
+  *moved = !rounded.exact && c->shape->type->refine(c, &d, &exact, &found);
   gjk_vec3 offset;
   CHECK(c->shape->type->vertex(c, found.vertex, &offset) && memcmp(&offset, &found.offset, sizeof offset) == 0);
   return found.vertex;
