@@ -35,8 +35,8 @@ int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v) {
 
 // x / 2^k to the nearest integer, 1 <= k <= 32. Pre: the result is at most 2^30 in size.
 GJK_ONCE static int32_t round_down(int64_t x, unsigned k) {
-  const uint64_t bits = (uint64_t)x + ((uint64_t)1 << (k - 1));
-  const int32_t rounded = gjk_int32((uint32_t)((bits >> k) & UINT32_MAX));
+  const uint32_t twice = gjk_low32(x) >> (k - 1);
+  const int32_t rounded = gjk_int32((((uint32_t)gjk_high32(x) << (32 - k)) | twice >> 1) + (twice & 1u));
   //@ assert rounded >= -(INT32_C(1) << 30) && rounded <= INT32_C(1) << 30;
   return rounded;
 }
@@ -59,7 +59,7 @@ void gjk_round_direction(const gjk_long3 *n, gjk_rounded *out) {
   out->d.x = round_down(n->x, k);
   out->d.y = round_down(n->y, k);
   out->d.z = round_down(n->z, k);
-  out->exact = (((uint64_t)n->x | (uint64_t)n->y | (uint64_t)n->z) & (((uint64_t)1 << k) - 1)) == 0;
+  out->exact = (gjk_low32(n->x) | gjk_low32(n->y) | gjk_low32(n->z)) << (32 - k) == 0;
 }
 
 // -(a tb + b ta) = 2^31 high + low with 0 <= low < 2^31. With t = 2^31 th + tl: th <= 2^30, so

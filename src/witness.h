@@ -5,11 +5,12 @@
 #include "iteration.h"
 
 static inline gjk_q16 gjk_saturate(int64_t x, bool *saturated) {
-  if (x > INT32_MAX || x < INT32_MIN) {
+  const gjk_q16 low = gjk_int32(gjk_low32(x));
+  if (low != x) {
     *saturated = true;
     return x < 0 ? INT32_MIN : INT32_MAX;
   }
-  return (gjk_q16)x;
+  return low;
 }
 
 // The nearest point on the feature, as a point of each core moved by its rounding along normal (A) and against it (B),
