@@ -41,21 +41,35 @@ GJK_ONCE static int32_t round_down(int64_t x, unsigned k) {
   return rounded;
 }
 
+// The high words of v's components as they are, of -1 - v for negative ones, in one; and the low words.
+static inline uint32_t high_bits(const gjk_long3 *v) {
+  const int32_t x = gjk_high32(v->x), y = gjk_high32(v->y), z = gjk_high32(v->z);
+  return (uint32_t)((x ^ gjk_sar32(x, 31)) | (y ^ gjk_sar32(y, 31)) | (z ^ gjk_sar32(z, 31)));
+}
+
+static inline uint32_t low_bits(const gjk_long3 *v) {
+  return gjk_low32((v->x ^ gjk_sar64(v->x, 63)) | (v->y ^ gjk_sar64(v->y, 63)) | (v->z ^ gjk_sar64(v->z, 63)));
+}
+
 void gjk_round_direction(const gjk_long3 *n, gjk_rounded *out) {
-  // The bits of n, of -1 - n for negative components: |n| <= 2^30 when they end below bit 30.
-  const int64_t bits = (n->x ^ gjk_sar64(n->x, 63)) | (n->y ^ gjk_sar64(n->y, 63)) | (n->z ^ gjk_sar64(n->z, 63));
-  if (bits >> 30 == 0) {
-    //@ assert n->x >= -(INT32_C(1) << 30) && n->x < INT32_C(1) << 30;
-    //@ assert n->y >= -(INT32_C(1) << 30) && n->y < INT32_C(1) << 30;
-    //@ assert n->z >= -(INT32_C(1) << 30) && n->z < INT32_C(1) << 30;
-    out->d.x = (int32_t)n->x;
-    out->d.y = (int32_t)n->y;
-    out->d.z = (int32_t)n->z;
-    out->exact = true;
-    return;
+  uint32_t bits = high_bits(n);
+  unsigned k = 34;
+  if (bits == 0) {
+    bits = low_bits(n);
+    k = 2;
+    if (bits >> 30 == 0) {
+      //@ assert n->x >= -(INT32_C(1) << 30) && n->x < INT32_C(1) << 30;
+      //@ assert n->y >= -(INT32_C(1) << 30) && n->y < INT32_C(1) << 30;
+      //@ assert n->z >= -(INT32_C(1) << 30) && n->z < INT32_C(1) << 30;
+      out->d.x = (int32_t)n->x;
+      out->d.y = (int32_t)n->y;
+      out->d.z = (int32_t)n->z;
+      out->exact = true;
+      return;
+    }
   }
-  //@ assert bits >= INT64_C(1) << 30;
-  const unsigned k = 34 - gjk_clz64((uint64_t)bits);
+  k -= gjk_clz32(bits);
+  //@ assert k >= 1 && k <= 32;
   out->d.x = round_down(n->x, k);
   out->d.y = round_down(n->y, k);
   out->d.z = round_down(n->z, k);
@@ -75,9 +89,8 @@ bool gjk_round_edge_direction(const gjk_vec3 *a, int64_t tb, const gjk_vec3 *b, 
   const uint32_t x = combine(a->x, tb, b->x, ta, &n.x);
   const uint32_t y = combine(a->y, tb, b->y, ta, &n.y);
   const uint32_t z = combine(a->z, tb, b->z, ta, &n.z);
-  const int64_t limit = INT64_C(1) << 31;
-  if (n.x < limit && n.x >= -limit && n.y < limit && n.y >= -limit && n.z < limit && n.z >= -limit) {
-    // The whole is at most 2^62.
+  if (high_bits(&n) == 0 && low_bits(&n) >> 31 == 0) {
+    // Each is below 2^31 in size, or -2^31: the whole is at most 2^62.
     n.x = gjk_shl64(n.x, 31) + x;
     n.y = gjk_shl64(n.y, 31) + y;
     n.z = gjk_shl64(n.z, 31) + z;
