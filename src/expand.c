@@ -12,8 +12,7 @@ static bool support_beyond_origin(gjk_iteration *it, const gjk_vec3 *d) {
   gjk_support a, b;
   it->direction.d = *d;
   it->direction.exact = true;
-  gjk_iteration_support(it, &a, &b);
-  gjk_iteration_place(it, &a, &b);
+  gjk_iteration_next(it, &a, &b);
   return gjk_dot(d, &gjk_simplex_free(&it->simplex)->w) > 0;
 }
 
@@ -22,8 +21,7 @@ static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3
   gjk_support a, b;
   const gjk_vertex *v = gjk_simplex_free(&it->simplex);
   gjk_round_direction(n, &it->direction);
-  gjk_iteration_support(it, &a, &b);
-  gjk_iteration_place(it, &a, &b);
+  gjk_iteration_next(it, &a, &b);
   gjk_vec3 step = gjk_sub(v->w, *w);
   if (gjk_dot_sign(n, &step) > 0) {
     return true;

@@ -25,13 +25,15 @@ static bool longer_than(const gjk_long3 *v, int64_t r) {
 // The shift of a frame whose reach is 2^30 or more.
 GJK_OUT_OF_LINE static int far_shift(const gjk_long3 *delta) {
   const int64_t unit = INT64_C(1) << 30;
-  for (unsigned n = 0; n < 3; n++) {
-    const gjk_long3 scaled = {gjk_sar64(delta->x, n), gjk_sar64(delta->y, n), gjk_sar64(delta->z, n)};
-    if (!longer_than(&scaled, unit)) {
-      return -(int)n;
-    }
+  gjk_long3 scaled = *delta;
+  int shift = 0;
+  while (shift > -3 && longer_than(&scaled, unit)) {
+    scaled.x = gjk_sar64(scaled.x, 1);
+    scaled.y = gjk_sar64(scaled.y, 1);
+    scaled.z = gjk_sar64(scaled.z, 1);
+    shift--;
   }
-  return -3;
+  return shift;
 }
 
 // A radius in the frame. One beyond the reach settles the question like the reach, and so does any of 2^31 or more.
@@ -147,15 +149,15 @@ void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_supp
   frame_vector(it, &v->w);
 }
 
-GJK_ONCE static void support(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
-  const gjk_rounded *direction = &it->direction;
-  const gjk_vec3 opposite = gjk_negate(direction->d);
-  it->a->shape->type->support(it->a, &direction->d, a);
+GJK_ONCE static void next_vertex(gjk_iteration *it, gjk_support *a, gjk_support *b) {
+  const gjk_vec3 opposite = gjk_negate(it->direction.d);
+  it->a->shape->type->support(it->a, &it->direction.d, a);
   it->b->shape->type->support(it->b, &opposite, b);
+  gjk_iteration_place(it, a, b);
 }
 
-void gjk_iteration_support(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
-  support(it, a, b);
+void gjk_iteration_next(gjk_iteration *it, gjk_support *a, gjk_support *b) {
+  next_vertex(it, a, b);
 }
 
 GJK_OUT_OF_LINE bool gjk_iteration_refine(const gjk_iteration *it, gjk_direction *direction, gjk_support *a,
@@ -188,10 +190,11 @@ bool gjk_iteration_near(const gjk_iteration *it) {
   return gjk_compare_distance(&numerator, &denominator, (uint64_t)it->radius * 2) <= 0;
 }
 
-// Does the plane across the direction at distance |along| / |d|, along < 0, leave the origin more than radius behind?
-// along^2 > radius^2 d^2: |along| <= sqrt(3) 2^30 3 2^29 < 2^62, radius^2 < 2^62, d^2 <= 3 2^60.
-static bool clears(const gjk_iteration *it, int64_t along, int32_t radius) {
+// Does the plane across the direction through w leave the origin more than radius behind? Its distance is along / |d|, so:
+// along^2 > radius^2 d^2. |along| <= sqrt(3) 2^30 3 2^29 < 2^62, radius^2 < 2^62, d^2 <= 3 2^60.
+static bool clears(const gjk_iteration *it, const gjk_vec3 *w, int32_t radius) {
   const gjk_vec3 d = it->direction.d;
+  const int64_t along = gjk_dot(&d, w);
   if (radius == 0) {
     return along < 0;
   }
@@ -206,7 +209,7 @@ GJK_OUT_OF_LINE static bool settles_near(const gjk_iteration *it) {
   if (s->count == 1) {
     return gjk_dot(&v->w, &v->w) <= gjk_mul32(it->radius, it->radius);
   }
-  return !clears(it, gjk_dot(&it->direction.d, &v->w), it->radius) && gjk_iteration_near(it);
+  return !clears(it, &v->w, it->radius) && gjk_iteration_near(it);
 }
 
 // Is the vertex of no use: does the feature have it already, or for a curved pair nearly? Then the signs need not be
@@ -265,28 +268,21 @@ GJK_OUT_OF_LINE static void first_direction(gjk_iteration *it, const gjk_cache *
   }
 }
 
-// The supports of curved shapes are off by up to 2 LSB, so where the search ends depends on where it began. The cached
-// direction may therefore only settle what no start could decide otherwise: more than 4 LSB to spare.
-GJK_OUT_OF_LINE static bool cached_clears(gjk_iteration *it, const gjk_cache *cache) {
-  gjk_support a, b;
-  const int64_t radius = it->radius + gjk_shl64(4, (unsigned)it->shift);
-  if (radius > INT32_MAX || !cached_direction(it, cache)) {
-    return false;
-  }
-  support(it, &a, &b);
-  gjk_iteration_place(it, &a, &b);
-  it->rounds++;
-  return clears(it, gjk_dot(&it->direction.d, &gjk_simplex_free(&it->simplex)->w), (int32_t)radius);
-}
-
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   gjk_support a, b;
   if (it->shift < 0) {
     cache = NULL;  // the distance of rounded vertices would depend, by an LSB, on where the search began
   }
   if (cache != NULL && it->curved != NULL) {
-    if (gjk_goal_separates(goal) && cached_clears(it, cache)) {
-      return GJK_OUTCOME_SEPARATED;
+    // The supports of curved shapes are off by up to 2 LSB, so where the search ends depends on where it began. The cached
+    // direction may therefore only settle what no start could decide otherwise: more than 4 LSB to spare.
+    const int64_t margin = gjk_shl64(4, (unsigned)it->shift);
+    if (gjk_goal_separates(goal) && it->radius + margin <= INT32_MAX && cached_direction(it, cache)) {
+      gjk_iteration_next(it, &a, &b);
+      it->rounds++;
+      if (clears(it, &gjk_simplex_free(&it->simplex)->w, it->radius + (int32_t)margin)) {
+        return GJK_OUTCOME_SEPARATED;
+      }
     }
     cache = NULL;
   }
@@ -308,10 +304,8 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     } else if (it->radius > 0 && gjk_goal_nears(goal) && settles_near(it)) {
       return GJK_OUTCOME_NEAR;
     }
-    support(it, &a, &b);
-    gjk_iteration_place(it, &a, &b);
-    if (gjk_goal_separates(goal) &&
-        clears(it, gjk_dot(&it->direction.d, &gjk_simplex_free(&it->simplex)->w), it->radius)) {
+    next_vertex(it, &a, &b);
+    if (gjk_goal_separates(goal) && clears(it, &gjk_simplex_free(&it->simplex)->w, it->radius)) {
       it->rounds++;
       return GJK_OUTCOME_SEPARATED;
     }

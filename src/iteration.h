@@ -59,8 +59,8 @@ typedef struct gjk_iteration {
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius);
 
-// The supports of A along the direction and of B against it.
-void gjk_iteration_support(const gjk_iteration *it, gjk_support *a, gjk_support *b);
+// The supports of A along the direction and of B against it, and their vertex of A - B in the simplex's free slot.
+void gjk_iteration_next(gjk_iteration *it, gjk_support *a, gjk_support *b);
 
 // Moves them to the farthest vertices along the exact direction, of which it->direction is the rounded one, where they
 // may not be. Returns whether one moved.
