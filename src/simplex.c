@@ -15,7 +15,7 @@ void gjk_simplex_clear(gjk_simplex *s) {
 }
 
 // The feature becomes the n first of the slots i, j, k; the others follow.
-static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigned j, unsigned k) {
+GJK_ONCE static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigned j, unsigned k) {
   s->count = (uint8_t)n;
   s->order[0] = (uint8_t)i;
   s->order[1] = (uint8_t)j;
