@@ -11,14 +11,19 @@ static int64_t to_lsb(int64_t x, int shift) {
   return x <= 0 ? 0 : gjk_sar64(x + (INT64_C(1) << (n - 1)), n);
 }
 
-// The exact search among the few candidates that the plane distance leaves.
+// The exact search among the few candidates that the plane distance leaves. In a frame 2^n times as coarse as an LSB, n <= 3,
+// no edge exceeds 2^(30 - n), so 4^n times the numerator stays below 2^184 - 2 n.
 GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high) {
+  const unsigned finer = it->shift > 0 ? (unsigned)it->shift : 0;
   gjk_limbs numerator, denominator;
   gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
-  while (low < high) {  // at most 17 candidates, so 5 rounds
+  for (int n = 2 * it->shift; n < 0; n++) {
+    gjk_limbs_add(&numerator, &numerator);
+  }
+  while (low < high) {  // at most 129 candidates, so 8 rounds
     const int64_t middle = gjk_sar64(low + high, 1);
-    // Is twice the distance at least 2 middle + 1? In the frame, at most 2^33.
-    if (gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * middle + 1) << it->shift) >= 0) {
+    // Is twice the distance at least 2 middle + 1? At most 2^34.
+    if (gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * middle + 1) << finer) >= 0) {
       low = middle + 1;
     } else {
       high = middle;
@@ -40,10 +45,13 @@ static int64_t exact_distance(const gjk_iteration *it, int64_t plane) {
       return steps >> n;
     }
   }
-  if (it->shift < 0) {
-    return to_lsb(plane, it->shift);
-  }
   return settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift), to_lsb(plane + GJK_PLANE_ERROR, it->shift));
+}
+
+// What rounding the vertices of a halved frame has made the distance too small by, on average, in LSB: it moves each
+// coordinate by 0 or 1. In coarser frames the error is less than 2^-28 of the distance as it is.
+static int64_t halving_error(const gjk_iteration *it, const gjk_unit3 *normal) {
+  return it->shift == -1 ? gjk_sar64((int64_t)normal->x + normal->y + normal->z + (INT64_C(1) << 30), 31) : 0;
 }
 
 bool gjk_rounded_touch(const gjk_iteration *it, int64_t plane) {
@@ -94,7 +102,7 @@ void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache
     if (gjk_rounded_touch(it, plane)) {
       outcome = GJK_OUTCOME_NEAR;
     } else {
-      gap = exact_distance(it, plane) - gjk_roundings(it);
+      gap = exact_distance(it, plane) + halving_error(it, &out->normal) - gjk_roundings(it);
       gjk_witness_points(it, &out->normal, &out->point_a, &out->point_b, &out->saturated);
     }
   }

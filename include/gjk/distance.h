@@ -33,8 +33,8 @@ typedef struct gjk_distance_result {
 // Exact   points, segments, triangles, boxes, hulls and their rounded forms: separated or not always; distance
 //         correctly rounded (a tie goes up); each witness point within 1 LSB of its shape, their gap within
 //         2 LSB of the distance; normal within 2^-28. Cylinder, cone, ellipsoid: within 2 LSB of the exact surface.
-//         More than 8192 units apart: distance and points to 2^-27 of the distance, and the shapes are that far apart,
-//         to 2^-27, along the normal.
+//         More than 8192 units apart: distance within 2^-28 of itself, of curved shapes within 2^-27; points to 2^-27 of the
+//         distance, and the shapes are that far apart, to 2^-27, along the normal.
 //         A gap above 0 but below half an LSB is reported as distance 0, and not as intersecting.
 // Cost    at most GJK_ITERATIONS_MAX rounds; stack: `make sizes`.
 // Statuses NULL, UNINITIALISED, ITERATION_LIMIT.

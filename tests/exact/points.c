@@ -20,7 +20,8 @@ bool judge_far_apart(judge *j, const gjk_certificate *certificate) {
 }
 
 bool judge_far_distance(judge *j, const gjk_distance_result *result) {
-  // The distance to the relative 2^-27 that is promised, in half LSB: at least 8 of them, as a far gap exceeds 2^29.
+  // To 2^-27, twice what is promised, since the named feature may be a neighbour of the nearest. In half LSB: at least 8 of
+  // them, as a far gap exceeds 2^29.
   const int64_t reported = 2 * ((int64_t)result->distance + j->radius), slack = 2 * j->slack;
   const exact_vector direction = judge_opposite(&j->feature.point);
   if (!judge_clears(j, &direction, reported / 2 - j->slack)) {
