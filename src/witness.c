@@ -15,19 +15,18 @@ GJK_OUT_OF_LINE static int64_t fine_part(const feature *f, int32_t v, int32_t w)
   return gjk_sar64(gjk_mac32(gjk_mul32(v, f->weight[0].low), w, f->weight[1].low), 16);
 }
 
-// u + (weight of v) (v - u) + (weight of w) (w - u), Q31. Pre: coordinates at most 3 2^29, differences below 2^31 in
-// size: the sum of the first two terms is at most 7 2^60, the whole at most 3 2^60.
+// u + (weight of v) (v - u) + (weight of w) (w - u) and half an LSB, Q31. Pre: coordinates at most 2^29, by which all partial
+// sums are at most 5 2^60.
 static inline int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t w) {
   v -= u;
   w -= u;
-  const int64_t sum = gjk_mac32(gjk_mac32(gjk_shl64(u, 31), v, f->weight[0].high), w, f->weight[1].high);
+  const int64_t sum = gjk_mac32(gjk_mac32(gjk_shl64(2 * u + 1, 30), v, f->weight[0].high), w, f->weight[1].high);
   return (f->weight[0].low | f->weight[1].low) != 0 ? sum + fine_part(f, v, w) : sum;
 }
 
-// The coordinate of one point: of the core Q31 from A's centre, moved by round along the normal.
+// The coordinate of one point: of the core, weighted from the centre, moved by round along the normal.
 static gjk_q16 coordinate(int64_t core, gjk_q16 centre, gjk_q30 normal, gjk_q16 round, bool *saturated) {
-  const int64_t half = INT64_C(1) << 30;
-  return gjk_saturate(centre + gjk_sar64(core + half + gjk_mul32(normal, round) * 2, 31), saturated);
+  return gjk_saturate(centre + gjk_sar64(gjk_mac32(core, normal, 2 * round), 31), saturated);
 }
 
 // One coordinate of B's vertex, offset from B's centre, from that of A's vertex and of w. At most 2^28 + 2^3.
