@@ -6,16 +6,14 @@
 #include "scan.h"
 #include "shape_class.h"
 
-static gjk_vertices posed(const gjk_collider *c) {
-  const gjk_vertices vertices = {c->buffer != NULL ? c->buffer : c->frame, c->count, c->bits};
-  return vertices;
+static const gjk_vec3 *posed(const gjk_collider *c) {
+  return c->buffer != NULL ? c->buffer : c->frame;
 }
 
 static void support_posed(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
-  const gjk_vertices vertices = posed(c);
-  const gjk_vec3 *farthest = gjk_scan(vertices, d);
+  const gjk_vec3 *vertices = posed(c), *farthest = gjk_scan(vertices, vertices + c->count, c->bits, d);
   out->offset = *farthest;
-  out->vertex = (uint16_t)(farthest - vertices.first);
+  out->vertex = (uint16_t)(farthest - vertices);
 }
 
 // How far behind the farthest along a rounded direction the farthest along the exact one may stay: each component is off
@@ -27,16 +25,19 @@ static int64_t rounding_slack(const gjk_collider *c) {
 // Pre: offsets of the vertices at most core_radius; *at is among the farthest along d.
 GJK_OUT_OF_LINE static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
                                          gjk_support *at) {
-  const gjk_vertices vertices = posed(c);
+  const gjk_vec3 *vertices = posed(c), *v;
   const uint16_t before = at->vertex;
-  const gjk_vec3 *v;
   gjk_reach reach;
-  gjk_reach_start(&reach, vertices, d, gjk_dot(&at->offset, d) - rounding_slack(c));
+  reach.next = vertices;
+  reach.end = vertices + c->count;
+  reach.d = d;
+  reach.limit = gjk_dot(&at->offset, d) - rounding_slack(c);
+  gjk_reach_start(&reach, c->bits);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
     const gjk_vec3 step = gjk_sub(*v, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
       at->offset = *v;
-      at->vertex = (uint16_t)(v - vertices.first);
+      at->vertex = (uint16_t)(v - vertices);
     }
   }
   return at->vertex != before;
@@ -47,12 +48,6 @@ static gjk_vec3 pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], uint3
   return gjk_rotate(rows, &local);
 }
 
-// The shape's own vertices, which are scanned as they are, not relative to its centre: that shifts all products alike.
-static gjk_vertices unposed(const gjk_collider *c) {
-  const gjk_vertices vertices = {c->shape->vertices, c->count, 31};
-  return vertices;
-}
-
 // d in the shape's frame, and how far it misleads a comparison of two vertices u apart there: each of its components is
 // off by at most 1/2, so by at most 2 core_radius, and by |d.x| + |d.y| + |d.z| < 2^32 for the rounding of both vertices.
 static int64_t local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec3 *local) {
@@ -60,17 +55,27 @@ static int64_t local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec
   return 2 * (int64_t)c->core_radius + gjk_norm1(*d) + 8;
 }
 
+// The shape's own vertices within slack of one of them; they are looked at as they are, not relative to its centre, which
+// shifts all products alike.
+static void reach_local(gjk_reach *reach, const gjk_collider *c, const gjk_vec3 *local, const gjk_vec3 *vertex,
+                        int64_t slack) {
+  reach->next = c->shape->vertices;
+  reach->end = c->shape->vertices + c->count;
+  reach->d = local;
+  reach->limit = gjk_dot(vertex, local) - slack;
+  gjk_reach_start(reach, 31);
+}
+
 GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, gjk_support *out) {
-  const gjk_vertices vertices = unposed(c);
+  const gjk_vec3 *vertices = c->shape->vertices, *v;
   const gjk_vec3 d = gjk_scale_direction(direction);
   gjk_vec3 local;
   gjk_reach reach;
   const int64_t slack = local_direction(c, &d, &local);
-  const gjk_vec3 *v = gjk_scan(vertices, &local);
   int64_t farthest = INT64_MIN;
-  gjk_reach_start(&reach, vertices, &local, gjk_dot(v, &local) - slack);
+  reach_local(&reach, c, &local, gjk_scan(vertices, vertices + c->count, 31, &local), slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX, at least the one just found
-    const uint16_t number = (uint16_t)(v - vertices.first);
+    const uint16_t number = (uint16_t)(v - vertices);
     const gjk_vec3 offset = pose_vertex(c, c->frame, number);
     const int64_t along = gjk_dot(&offset, &d);
     if (along > farthest) {
@@ -83,15 +88,14 @@ GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *
 
 GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
                                         gjk_support *at) {
-  const gjk_vertices vertices = unposed(c);
+  const gjk_vec3 *vertices = c->shape->vertices, *v;
   const uint16_t before = at->vertex;
-  const gjk_vec3 *v;
   gjk_vec3 local;
   gjk_reach reach;
   const int64_t slack = local_direction(c, d, &local) + rounding_slack(c);
-  gjk_reach_start(&reach, vertices, &local, gjk_dot(&vertices.first[before], &local) - slack);
+  reach_local(&reach, c, &local, &vertices[before], slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
-    const uint16_t number = (uint16_t)(v - vertices.first);
+    const uint16_t number = (uint16_t)(v - vertices);
     const gjk_vec3 offset = pose_vertex(c, c->frame, number);
     const gjk_vec3 step = gjk_sub(offset, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
@@ -118,7 +122,7 @@ static bool vertex_posed(const gjk_collider *c, uint16_t number, gjk_vec3 *offse
   if (number >= c->count) {
     return false;
   }
-  *offset = posed(c).first[number];
+  *offset = posed(c)[number];
   return true;
 }
 

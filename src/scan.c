@@ -5,11 +5,10 @@
 
 // Coarse products come first, and those in full only where these leave it open.
 
-const gjk_vec3 *gjk_scan(gjk_vertices vertices, const gjk_vec3 *d) {
-  const gjk_coarse c = gjk_coarse_direction(d, vertices.bits);
+const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bits, const gjk_vec3 *d) {
+  const gjk_coarse c = gjk_coarse_direction(d, bits);
   const int32_t margin = 2 * GJK_COARSE_ERROR + 1;  // what lies further behind is no candidate
-  const gjk_vec3 *const end = vertices.first + vertices.count;
-  const gjk_vec3 *best = vertices.first;
+  const gjk_vec3 *best = first;
   int32_t limit = gjk_coarse_dot(&c, best) - margin;
   bool open = false;
   for (const gjk_vec3 *v = best + 1; v != end; v++) {
@@ -25,7 +24,7 @@ const gjk_vec3 *gjk_scan(gjk_vertices vertices, const gjk_vec3 *d) {
   if (!open) {
     return best;
   }
-  const gjk_vec3 *v = vertices.first;
+  const gjk_vec3 *v = first;
   while (gjk_coarse_dot(&c, v) < limit) {  // ends at best or before
     v++;
     //@ assert v <= best;
@@ -44,14 +43,10 @@ const gjk_vec3 *gjk_scan(gjk_vertices vertices, const gjk_vec3 *d) {
   return best;
 }
 
-void gjk_reach_start(gjk_reach *reach, gjk_vertices vertices, const gjk_vec3 *d, int64_t limit) {
-  reach->next = vertices.first;
-  reach->end = vertices.first + vertices.count;
-  reach->d = d;
-  reach->limit = limit;
-  reach->coarse = gjk_coarse_direction(d, vertices.bits);
+void gjk_reach_start(gjk_reach *reach, unsigned bits) {
+  reach->coarse = gjk_coarse_direction(reach->d, bits);
   // Whatever is below the coarse limit lies below the limit; so large a limit has no coarse one.
-  const int64_t coarse_limit = gjk_sar64(limit, reach->coarse.s + reach->coarse.t) - GJK_COARSE_ERROR;
+  const int64_t coarse_limit = gjk_sar64(reach->limit, reach->coarse.s + reach->coarse.t) - GJK_COARSE_ERROR;
   reach->coarse_limit = coarse_limit > INT32_MIN ? (int32_t)coarse_limit : INT32_MIN;
 }
 
@@ -67,36 +62,33 @@ const gjk_vec3 *gjk_reach_next(gjk_reach *reach) {
 
 #else
 
-const gjk_vec3 *gjk_scan(gjk_vertices vertices, const gjk_vec3 *d) {
+const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bits, const gjk_vec3 *d) {
+  (void)bits;
   const int32_t x = d->x, y = d->y, z = d->z;
-  const gjk_vec3 *const end = vertices.first + vertices.count;
-  const gjk_vec3 *best = vertices.first;
-  int64_t most = gjk_dot(best, d);
-  for (const gjk_vec3 *v = best + 1; v != end; v++) {
-    const int64_t along = gjk_mac32(gjk_mac32(gjk_mul32(v->x, x), v->y, y), v->z, z);
+  const gjk_vec3 *v = first + 1, *after = v;  // after the farthest so far
+  int64_t most = gjk_dot(first, d);
+  while (v != end) {
+    const int32_t vx = v->x, vy = v->y, vz = v->z;
+    v++;
+    const int64_t along = gjk_mac32(gjk_mac32(gjk_mul32(vx, x), vy, y), vz, z);
     if (along > most) {
-      best = v;
+      after = v;
       most = along;
     }
   }
-  return best;
-}
-
-void gjk_reach_start(gjk_reach *reach, gjk_vertices vertices, const gjk_vec3 *d, int64_t limit) {
-  reach->next = vertices.first;
-  reach->end = vertices.first + vertices.count;
-  reach->d = d;
-  reach->limit = limit;
+  return after - 1;
 }
 
 const gjk_vec3 *gjk_reach_next(gjk_reach *reach) {
   const int32_t x = reach->d->x, y = reach->d->y, z = reach->d->z;
   const int64_t limit = reach->limit;
-  const gjk_vec3 *const end = reach->end;
-  for (const gjk_vec3 *v = reach->next; v != end; v++) {
-    if (gjk_mac32(gjk_mac32(gjk_mul32(v->x, x), v->y, y), v->z, z) >= limit) {
-      reach->next = v + 1;
-      return v;
+  const gjk_vec3 *const end = reach->end, *v = reach->next;
+  while (v != end) {
+    const int32_t vx = v->x, vy = v->y, vz = v->z;
+    v++;
+    if (gjk_mac32(gjk_mac32(gjk_mul32(vx, x), vy, y), vz, z) >= limit) {
+      reach->next = v;
+      return v - 1;
     }
   }
   return NULL;

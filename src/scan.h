@@ -4,19 +4,14 @@
 
 #include "coarse.h"
 
-// Vertices with components of at most 2^bits in size, 1 <= bits <= 31; along the directions asked, vertex . d < 2^63.
-typedef struct gjk_vertices {
-  const gjk_vec3 *first;
-  uint16_t count;  // at least 1
-  uint8_t bits;
-} gjk_vertices;
+// The first of the vertices from first to before end, at least one, with the largest vertex . d < 2^63. Their components are
+// at most 2^bits in size, 1 <= bits <= 31.
+const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bits, const gjk_vec3 *d);
 
-// The first of the vertices with the largest vertex . d.
-const gjk_vec3 *gjk_scan(gjk_vertices vertices, const gjk_vec3 *d);
-
-// The vertices with vertex . d >= limit, one after the other. Only this file and its source look inside.
+// Those of the vertices with vertex . d >= limit, one after the other.
 typedef struct gjk_reach {
-  const gjk_vec3 *next, *end, *d;
+  const gjk_vec3 *next, *end;  // the vertices to look at, as above
+  const gjk_vec3 *d;
   int64_t limit;
 #if GJK_NARROW_MULTIPLY
   gjk_coarse coarse;
@@ -24,8 +19,15 @@ typedef struct gjk_reach {
 #endif
 } gjk_reach;
 
-// d stays in place.
-void gjk_reach_start(gjk_reach *reach, gjk_vertices vertices, const gjk_vec3 *d, int64_t limit);
+// Prepares the filter; the fields above are set.
+#if GJK_NARROW_MULTIPLY
+void gjk_reach_start(gjk_reach *reach, unsigned bits);
+#else
+static inline void gjk_reach_start(gjk_reach *reach, unsigned bits) {
+  (void)reach;
+  (void)bits;
+}
+#endif
 
 // The next one; NULL: no more.
 const gjk_vec3 *gjk_reach_next(gjk_reach *reach);
