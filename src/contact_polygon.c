@@ -227,9 +227,9 @@ static void set_normal(gjk_polygon *p) {
     n.y += part.y;
     n.z += part.z;
   }
-  //@ assert n.x >= -(INT64_C(1) << 62) && n.x <= INT64_C(1) << 62;
-  //@ assert n.y >= -(INT64_C(1) << 62) && n.y <= INT64_C(1) << 62;
-  //@ assert n.z >= -(INT64_C(1) << 62) && n.z <= INT64_C(1) << 62;
+  //@ assert n.x > -(INT64_C(1) << 62) && n.x < INT64_C(1) << 62;
+  //@ assert n.y > -(INT64_C(1) << 62) && n.y < INT64_C(1) << 62;
+  //@ assert n.z > -(INT64_C(1) << 62) && n.z < INT64_C(1) << 62;
   p->normal = n;
 }
 

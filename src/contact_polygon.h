@@ -9,7 +9,7 @@
 typedef struct gjk_polygon {
   gjk_vec3 corner[GJK_FACE_CORNERS_MAX];  // of a face counterclockwise seen from outside, of an edge by vertex number
   uint16_t vertex[GJK_FACE_CORNERS_MAX];  // their numbers
-  gjk_long3 normal;                       // of a face, outwards, at most 2^62
+  gjk_long3 normal;                       // of a face, outwards, below 2^62
   gjk_vec3 direction;                     // that it meets, a unit vector in Q2.30
   uint16_t feature;                       // its number, see gjk/contacts.h
   uint8_t count;  // 1: a corner, or none known, and nothing else is set; 2: an edge; more: a face

@@ -6,14 +6,14 @@ GJK_HOT int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b) {
   return gjk_mac32(gjk_mac32(gjk_mul32(a->x, b->x), a->y, b->y), a->z, b->z);
 }
 
-// *out = a x b, exact. Pre: |a| |b| <= 2^62; then products and components are at most 2^62 in size.
+// *out = a x b, exact. Pre: |a| |b| < 2^62; then products and components are below 2^62 in size.
 GJK_HOT void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
   out->x = gjk_mac32(gjk_mul32(a->y, b->z), -a->z, b->y);
   out->y = gjk_mac32(gjk_mul32(a->z, b->x), -a->x, b->z);
   out->z = gjk_mac32(gjk_mul32(a->x, b->y), -a->y, b->x);
-  //@ assert out->x >= -(INT64_C(1) << 62) && out->x <= INT64_C(1) << 62;
-  //@ assert out->y >= -(INT64_C(1) << 62) && out->y <= INT64_C(1) << 62;
-  //@ assert out->z >= -(INT64_C(1) << 62) && out->z <= INT64_C(1) << 62;
+  //@ assert out->x > -(INT64_C(1) << 62) && out->x < INT64_C(1) << 62;
+  //@ assert out->y > -(INT64_C(1) << 62) && out->y < INT64_C(1) << 62;
+  //@ assert out->z > -(INT64_C(1) << 62) && out->z < INT64_C(1) << 62;
 }
 
 // The sign of n . v, settled from the high words of n wherever they suffice: n . v / 2^32 differs from h by less than

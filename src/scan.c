@@ -13,7 +13,7 @@ const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bi
   bool open = false;
   for (const gjk_vec3 *v = best + 1; v != end; v++) {
     const int32_t along = gjk_coarse_dot(&c, v);
-    if (along >= limit) {
+    if (along > limit) {
       open = along - limit <= 2 * margin;
       if (along - limit > margin) {
         best = v;

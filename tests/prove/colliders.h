@@ -15,22 +15,19 @@ static bool any_offset(gjk_vec3 *offset) {
   return true;
 }
 
-static void any_support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
+static void any_support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   check_vec3(d, ANY_DIRECTION);
   out->offset = any_vec3(ANY_OFFSET);
   out->vertex = any_uint16();
-  out->tie = exact ? false : any_bool();
 }
 
-static void any_curved_support(const gjk_collider *c, const gjk_vec3 *d, bool exact, gjk_support *out) {
+static void any_curved_support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   check_vec3(d, ANY_DIRECTION);
   out->offset = any_vec3(ANY_OFFSET);
   out->vertex = 0;
-  out->tie = false;
 }
 
-static bool any_refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, bool negated,
-                       gjk_support *at) {
+static bool any_refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
   check_vec3(d, ANY_W);
   at->vertex = any_uint16();
   return any_offset(&at->offset);

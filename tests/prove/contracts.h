@@ -80,15 +80,15 @@ static inline int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b);
 
 /*@ requires set_a: \initialized(&a->x) && \initialized(&a->y) && \initialized(&a->z);
     requires set_b: \initialized(&b->x) && \initialized(&b->y) && \initialized(&b->z);
-    requires fits_x: -0x4000000000000000 <= a->y * b->z - a->z * b->y <= 0x4000000000000000;
-    requires fits_y: -0x4000000000000000 <= a->z * b->x - a->x * b->z <= 0x4000000000000000;
-    requires fits_z: -0x4000000000000000 <= a->x * b->y - a->y * b->x <= 0x4000000000000000;
+    requires fits_x: -0x4000000000000000 < a->y * b->z - a->z * b->y < 0x4000000000000000;
+    requires fits_y: -0x4000000000000000 < a->z * b->x - a->x * b->z < 0x4000000000000000;
+    requires fits_z: -0x4000000000000000 < a->x * b->y - a->y * b->x < 0x4000000000000000;
     requires negates: a->x > -0x80000000 && a->y > -0x80000000 && a->z > -0x80000000;
     assigns out->x, out->y, out->z \from *a, *b;
     ensures \initialized(&out->x) && \initialized(&out->y) && \initialized(&out->z);
-    ensures out->x == a->y * b->z - a->z * b->y && -0x4000000000000000 <= out->x <= 0x4000000000000000;
-    ensures out->y == a->z * b->x - a->x * b->z && -0x4000000000000000 <= out->y <= 0x4000000000000000;
-    ensures out->z == a->x * b->y - a->y * b->x && -0x4000000000000000 <= out->z <= 0x4000000000000000; */
+    ensures out->x == a->y * b->z - a->z * b->y && -0x4000000000000000 < out->x < 0x4000000000000000;
+    ensures out->y == a->z * b->x - a->x * b->z && -0x4000000000000000 < out->y < 0x4000000000000000;
+    ensures out->z == a->x * b->y - a->y * b->x && -0x4000000000000000 < out->z < 0x4000000000000000; */
 static inline void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out);
 
 // Shown for every x by tests/prove/exhaust.c: 2^63 / x.

@@ -19,12 +19,13 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   return true;
 }
 
-void gjk_iteration_support(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
-  any_support(it->a, &it->direction.d, it->direction.exact, a);
-  any_support(it->b, &it->direction.d, it->direction.exact, b);
+void gjk_iteration_next(gjk_iteration *it, gjk_support *a, gjk_support *b) {
+  any_support(it->a, &it->direction.d, a);
+  any_support(it->b, &it->direction.d, b);
+  any_vertex(gjk_simplex_free(&it->simplex));
 }
 
-bool gjk_iteration_refine(const gjk_iteration *it, const gjk_direction *direction, gjk_support *a, gjk_support *b) {
+bool gjk_iteration_refine(const gjk_iteration *it, gjk_direction *direction, gjk_support *a, gjk_support *b) {
   check_vec3(&it->direction.d, ANY_W);
   a->offset = any_vec3(ANY_OFFSET);
   b->offset = any_vec3(ANY_OFFSET);

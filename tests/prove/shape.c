@@ -55,11 +55,12 @@ static void any_direction(gjk_direction *direction, const gjk_vec3 ends[2], gjk_
   direction->a = &ends[0];
   direction->b = &ends[1];
   direction->n = n;
+  direction->opposite = any_bool();
   direction->ta = Frama_C_long_long_interval(1, INT64_C(1) << 61);
   direction->tb = Frama_C_long_long_interval(1, INT64_C(1) << 61);
-  n->x = any_long(INT64_C(1) << 62);
-  n->y = any_long(INT64_C(1) << 62);
-  n->z = any_long(INT64_C(1) << 62);
+  n->x = any_long((INT64_C(1) << 62) - 1);
+  n->y = any_long((INT64_C(1) << 62) - 1);
+  n->z = any_long((INT64_C(1) << 62) - 1);
 }
 
 // The class's functions on the posed collider.
@@ -71,9 +72,9 @@ static void use(const gjk_collider *c) {
   gjk_support found;
   any_direction(&direction, ends, &n);
   if (d.x != 0 || d.y != 0 || d.z != 0) {
-    c->shape->type->support(c, &d, any_bool(), &found);
+    c->shape->type->support(c, &d, &found);
     check_offset(&found.offset);
-    if (c->shape->type->refine != NULL && c->shape->type->refine(c, &d, &direction, any_bool(), &found)) {
+    if (c->shape->type->refine != NULL && c->shape->type->refine(c, &d, &direction, &found)) {
       check_offset(&found.offset);
     }
   }

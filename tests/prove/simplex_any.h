@@ -14,7 +14,7 @@
 #define ANY_DIRECTION INT32_MAX
 #define ANY_SQUARE (INT64_C(9) << 58)
 #define ANY_TOWARD (INT64_C(1) << 61)
-#define ANY_NORMAL (INT64_C(1) << 62)
+#define ANY_NORMAL ((INT64_C(1) << 62) - 1)
 // A component of a unit vector of src/unit.h.
 #define ANY_UNIT (GJK_Q30_ONE + 1)
 

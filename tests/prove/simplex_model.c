@@ -91,6 +91,7 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
     out->tb = Frama_C_long_long_interval(1, ANY_TOWARD);
   }
   out->rank = s->count;
+  out->opposite = false;
 }
 
 static void any_limbs(gjk_limbs *x) {
