@@ -7,15 +7,10 @@
 static bool load(gjk_iteration *it, const gjk_certificate *certificate) {
   gjk_simplex *s = &it->simplex;
   for (uint8_t i = 0; i < certificate->count; i++) {
-    gjk_support a, b;
-    a.vertex = certificate->a[i];
-    b.vertex = certificate->b[i];
-    if (!it->a->shape->type->vertex(it->a, a.vertex, &a.offset) ||
-        !it->b->shape->type->vertex(it->b, b.vertex, &b.offset)) {
+    s->count = i;
+    if (!gjk_iteration_place(it, certificate->a[i], certificate->b[i])) {
       return false;
     }
-    s->count = i;
-    gjk_iteration_place(it, &a, &b);
   }
   gjk_simplex_clear(s);
   return true;

@@ -9,19 +9,19 @@
 
 // Places the support along the exact direction d. Is it beyond the origin there?
 static bool support_beyond_origin(gjk_iteration *it, const gjk_vec3 *d) {
-  gjk_support a, b;
+  gjk_support b;
   it->direction.d = *d;
   it->direction.exact = true;
-  gjk_iteration_next(it, &a, &b);
+  gjk_iteration_next(it, &b);
   return gjk_dot(d, &gjk_simplex_free(&it->simplex)->w) > 0;
 }
 
 // Places the support along n. Is it strictly beyond the plane across n through w?
 static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3 *w) {
-  gjk_support a, b;
+  gjk_support b;
   const gjk_vertex *v = gjk_simplex_free(&it->simplex);
   gjk_round_direction(n, &it->direction);
-  gjk_iteration_next(it, &a, &b);
+  gjk_iteration_next(it, &b);
   gjk_vec3 step = gjk_sub(v->w, *w);
   if (gjk_dot_sign(n, &step) > 0) {
     return true;
@@ -30,10 +30,9 @@ static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3
   direction.n = n;
   direction.rank = 3;
   direction.opposite = false;
-  if (it->direction.exact || !gjk_iteration_refine(it, &direction, &a, &b)) {
+  if (it->direction.exact || !gjk_iteration_refine(it, &direction, &b)) {
     return false;
   }
-  gjk_iteration_place(it, &a, &b);
   step = gjk_sub(v->w, *w);
   return gjk_dot_sign(n, &step) > 0;
 }

@@ -119,7 +119,7 @@ void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
       *v = facet->corner[i];
     }
     if (it->curved == NULL) {
-      it->a->shape->type->vertex(it->a, v->a, &v->offset_a);
+      it->a->shape->type->vertex(it->a, v->a.vertex, &v->a.offset);
     }
   }
   if (ready) {

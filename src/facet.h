@@ -21,7 +21,7 @@ uint32_t gjk_rank(int64_t along, int64_t squared);
 
 // The best candidate so far.
 typedef struct gjk_facet {
-  gjk_vertex corner[3];   // span the plane, outwards by (w1 - w0) x (w2 - w0); offset_a only for curved shapes
+  gjk_vertex corner[3];   // span the plane, outwards by (w1 - w0) x (w2 - w0); A's offset only for curved shapes
   gjk_rounded direction;  // outward normal
   gjk_unit3 normal;       // the same
   uint32_t rank;

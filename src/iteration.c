@@ -139,49 +139,61 @@ static inline void frame_vector(const gjk_iteration *it, gjk_vec3 *v) {
   //@ assert v->z >= -(INT32_C(3) << 29) && v->z <= INT32_C(3) << 29;
 }
 
-void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_support *b) {
+// Completes the free slot, which has its vertex of A.
+GJK_ONCE static void complete(gjk_iteration *it, const gjk_support *b) {
   gjk_vertex *v = gjk_simplex_free(&it->simplex);
-  const gjk_vec3 offset = a->offset;
-  v->offset_a = offset;
-  v->w = gjk_sub(offset, b->offset);
-  v->a = a->vertex;
   v->b = b->vertex;
+  v->w = gjk_sub(v->a.offset, b->offset);
   frame_vector(it, &v->w);
 }
 
-GJK_ONCE static void next_vertex(gjk_iteration *it, gjk_support *a, gjk_support *b) {
+bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b) {
+  gjk_vertex *v = gjk_simplex_free(&it->simplex);
+  gjk_support of_b;
+  v->a.vertex = a;
+  of_b.vertex = b;
+  if (!it->a->shape->type->vertex(it->a, a, &v->a.offset) || !it->b->shape->type->vertex(it->b, b, &of_b.offset)) {
+    return false;
+  }
+  complete(it, &of_b);
+  return true;
+}
+
+GJK_ONCE static void next_vertex(gjk_iteration *it, gjk_support *b) {
   const gjk_vec3 opposite = gjk_negate(it->direction.d);
-  it->a->shape->type->support(it->a, &it->direction.d, a);
+  it->a->shape->type->support(it->a, &it->direction.d, &gjk_simplex_free(&it->simplex)->a);
   it->b->shape->type->support(it->b, &opposite, b);
-  gjk_iteration_place(it, a, b);
+  complete(it, b);
 }
 
-void gjk_iteration_next(gjk_iteration *it, gjk_support *a, gjk_support *b) {
-  next_vertex(it, a, b);
+void gjk_iteration_next(gjk_iteration *it, gjk_support *b) {
+  next_vertex(it, b);
 }
 
-GJK_OUT_OF_LINE bool gjk_iteration_refine(const gjk_iteration *it, gjk_direction *direction, gjk_support *a,
-                                          gjk_support *b) {
+GJK_OUT_OF_LINE bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_support *b) {
   bool moved = false;
   if (it->a->shape->type->refine != NULL) {
-    moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, a);
+    moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, &gjk_simplex_free(&it->simplex)->a);
   }
   if (it->b->shape->type->refine != NULL) {
     const gjk_vec3 opposite = gjk_negate(it->direction.d);
     direction->opposite = true;
     moved = it->b->shape->type->refine(it->b, &opposite, direction, b) || moved;
   }
+  if (moved) {
+    complete(it, b);
+  }
   return moved;
 }
 
-// Moves the supports to the farthest vertices along the feature's exact direction. Returns whether one moved.
-GJK_OUT_OF_LINE static bool refine(const gjk_iteration *it, gjk_support *a, gjk_support *b) {
+// Moves the vertex to the farthest along the feature's exact direction. Returns whether it moved.
+GJK_OUT_OF_LINE static bool refine(gjk_iteration *it, gjk_support *b) {
   gjk_direction direction;
   if (it->direction.exact) {
     return false;
   }
   gjk_simplex_exact_direction(&it->simplex, &direction);
-  return gjk_iteration_refine(it, &direction, a, b);
+  return gjk_iteration_refine(it, &direction, b);
 }
 
 bool gjk_iteration_near(const gjk_iteration *it) {
@@ -214,31 +226,19 @@ GJK_OUT_OF_LINE static bool settles_near(const gjk_iteration *it) {
 
 // Is the vertex of no use: does the feature have it already, or for a curved pair nearly? Then the signs need not be
 // computed to see it.
-static bool known(gjk_iteration *it, const gjk_support *a, const gjk_support *b) {
+static bool known(gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
+  const gjk_vertex *added = gjk_simplex_free(&it->simplex);
   if (it->curved != NULL && s->count > 0) {
-    return it->curved(&it->direction.d, &s->slot[s->order[0]].w, &gjk_simplex_free(&it->simplex)->w, it->shift);
+    return it->curved(&it->direction.d, &s->slot[s->order[0]].w, &added->w, it->shift);
   }
   for (unsigned i = 0; i < s->count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];
-    if (v->a == a->vertex && v->b == b->vertex) {
+    if (v->a.vertex == added->a.vertex && v->b == added->b) {
       return true;
     }
   }
   return false;
-}
-
-// Places a vertex of the cached feature; false: there is none of its numbers.
-GJK_OUT_OF_LINE static bool place_cached(gjk_iteration *it, const gjk_cache *cache, unsigned i) {
-  gjk_support a, b;
-  a.vertex = cache->a[i];
-  b.vertex = cache->b[i];
-  const bool found =
-      it->a->shape->type->vertex(it->a, a.vertex, &a.offset) && it->b->shape->type->vertex(it->b, b.vertex, &b.offset);
-  if (found) {
-    gjk_iteration_place(it, &a, &b);
-  }
-  return found;
 }
 
 // Takes the cached direction; false when there is none.
@@ -269,7 +269,7 @@ GJK_OUT_OF_LINE static void first_direction(gjk_iteration *it, const gjk_cache *
 }
 
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
-  gjk_support a, b;
+  gjk_support b;
   if (it->shift < 0) {
     cache = NULL;  // the distance of rounded vertices would depend, by an LSB, on where the search began
   }
@@ -278,7 +278,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     // direction may therefore only settle what no start could decide otherwise: more than 4 LSB to spare.
     const int64_t margin = gjk_shl64(4, (unsigned)it->shift);
     if (gjk_goal_separates(goal) && it->radius + margin <= INT32_MAX && cached_direction(it, cache)) {
-      gjk_iteration_next(it, &a, &b);
+      gjk_iteration_next(it, &b);
       it->rounds++;
       if (clears(it, &gjk_simplex_free(&it->simplex)->w, it->radius + (int32_t)margin)) {
         return GJK_OUTCOME_SEPARATED;
@@ -289,7 +289,8 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   // Starts from the cached feature, as far as it still is one.
   //@ dynamic_split it->simplex.count;
   for (unsigned i = 0; cache != NULL && i < cache->count && i < 4; i++) {
-    const gjk_step step = place_cached(it, cache, i) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
+    const gjk_step step =
+        gjk_iteration_place(it, cache->a[i], cache->b[i]) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
     if (step == GJK_STEP_ENCLOSING ||
         (step == GJK_STEP_NEARER && it->simplex.count < 3 && !gjk_simplex_direction(&it->simplex, &it->direction))) {
       return GJK_OUTCOME_ENCLOSING;
@@ -304,14 +305,13 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     } else if (it->radius > 0 && gjk_goal_nears(goal) && settles_near(it)) {
       return GJK_OUTCOME_NEAR;
     }
-    next_vertex(it, &a, &b);
+    next_vertex(it, &b);
     if (gjk_goal_separates(goal) && clears(it, &gjk_simplex_free(&it->simplex)->w, it->radius)) {
       it->rounds++;
       return GJK_OUTCOME_SEPARATED;
     }
-    gjk_step step = known(it, &a, &b) ? GJK_STEP_NONE : gjk_simplex_add(&it->simplex);
-    if (step == GJK_STEP_NONE && refine(it, &a, &b)) {
-      gjk_iteration_place(it, &a, &b);
+    gjk_step step = known(it) ? GJK_STEP_NONE : gjk_simplex_add(&it->simplex);
+    if (step == GJK_STEP_NONE && refine(it, &b)) {
       step = gjk_simplex_add(&it->simplex);
     }
     if (step != GJK_STEP_NEARER) {
@@ -333,7 +333,7 @@ static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint1
   const uint8_t count = it->curved != NULL || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
   for (unsigned i = 0; i < count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];
-    a[i] = v->a;
+    a[i] = v->a.vertex;
     b[i] = v->b;
   }
   return count;

@@ -59,15 +59,15 @@ typedef struct gjk_iteration {
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius);
 
-// The supports of A along the direction and of B against it, and their vertex of A - B in the simplex's free slot.
-void gjk_iteration_next(gjk_iteration *it, gjk_support *a, gjk_support *b);
+// Fills the simplex's free slot with the farthest vertex of A - B along the direction, made of A's and of *b.
+void gjk_iteration_next(gjk_iteration *it, gjk_support *b);
 
-// Moves them to the farthest vertices along the exact direction, of which it->direction is the rounded one, where they
-// may not be. Returns whether one moved.
-bool gjk_iteration_refine(const gjk_iteration *it, gjk_direction *direction, gjk_support *a, gjk_support *b);
+// Moves that vertex to the farthest along the exact direction, of which it->direction is the rounded one. Returns whether
+// it moved.
+bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_support *b);
 
-// Puts the vertex of A - B with these offsets into the simplex's free slot.
-void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_support *b);
+// Fills the free slot with the vertex of A - B of these numbers; false: there is none.
+bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b);
 
 // Runs from the cache, or cold when it is NULL or useless; after LIMIT and with a higher limit, on from there.
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache);

@@ -168,7 +168,7 @@ static void certify(const overlap *o, gjk_certificate *out) {
   if (o->proof == GJK_PROOF_FACET) {
     out->count = 3;
     for (int i = 0; i < 3; i++) {
-      out->a[i] = o->facet.corner[i].a;
+      out->a[i] = o->facet.corner[i].a.vertex;
       out->b[i] = o->facet.corner[i].b;
     }
   }

@@ -16,20 +16,20 @@
 void gjk_polytope_load(const gjk_polytope *p, uint16_t vertex, gjk_vertex *out) {
   const gjk_cell *cell = &p->cells[(uint32_t)vertex * p->stride];
   out->w = cell->vertex.w;
-  out->a = cell->vertex.a;
+  out->a.vertex = cell->vertex.a;
   out->b = cell->vertex.b;
   if (p->stride == 2) {
-    out->offset_a = cell[1].vertex.w;
+    out->a.offset = cell[1].vertex.w;
   }
 }
 
 static void store(gjk_polytope *p, const gjk_vertex *v) {
   gjk_cell *cell = &p->cells[(uint32_t)p->vertices * p->stride];
   cell->vertex.w = v->w;
-  cell->vertex.a = v->a;
+  cell->vertex.a = v->a.vertex;
   cell->vertex.b = v->b;
   if (p->stride == 2) {
-    cell[1].vertex.w = v->offset_a;
+    cell[1].vertex.w = v->a.offset;
   }
   p->vertices++;
 }

@@ -5,12 +5,6 @@
 #include "gjk/collider.h"
 #include "vector.h"
 
-// The vertex of a collider that is farthest along a direction.
-typedef struct gjk_support {
-  gjk_vec3 offset;  // from the collider's centre, Q16.16, at most core_radius long
-  uint16_t vertex;  // its number; 0 for curved shapes
-} gjk_support;
-
 // The core of a shape in its own frame, without rounding.
 typedef struct gjk_extent {
   gjk_vec3 centre;   // of the bounding box

@@ -13,8 +13,8 @@
 // A vertex of A - B.
 typedef struct gjk_vertex {
   gjk_vec3 w;
-  gjk_vec3 offset_a;  // of A's vertex from A's centre, Q16.16; B's follows from w
-  uint16_t a, b;      // vertex numbers
+  gjk_support a;
+  uint16_t b;  // vertex number; its offset follows from w
 } gjk_vertex;
 
 // Which feature is nearest, and a free slot. A feature of three is ordered so that its normal

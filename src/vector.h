@@ -52,6 +52,12 @@ int gjk_sum_sign(int64_t p, int64_t q, int64_t r, int64_t s);
 #include "hot.h"
 #endif
 
+// A vertex of a shape.
+typedef struct gjk_support {
+  gjk_vec3 offset;  // from the collider's centre, Q16.16
+  uint16_t vertex;  // its number; 0 for curved shapes
+} gjk_support;
+
 // The exact direction from a feature to the origin, by what spans the feature:
 //   1 vertex   -a
 //   2 vertices -(a tb + b ta), where ta = a . (a - b) and tb = b . (b - a), at most 2^61 and positive

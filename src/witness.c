@@ -53,11 +53,11 @@ static void nearest_points(const gjk_iteration *it, const feature *f, const gjk_
                            gjk_vec3 *point_b, bool *cut) {
   const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
   const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
-  const int32_t ax[3] = {u->offset_a.x, v->offset_a.x, w->offset_a.x}, wx[3] = {u->w.x, v->w.x, w->w.x};
+  const int32_t ax[3] = {u->a.offset.x, v->a.offset.x, w->a.offset.x}, wx[3] = {u->w.x, v->w.x, w->w.x};
   report_axis(it, f, a->x, b->x, ax, wx, normal->x, &point_a->x, &point_b->x, cut);
-  const int32_t ay[3] = {u->offset_a.y, v->offset_a.y, w->offset_a.y}, wy[3] = {u->w.y, v->w.y, w->w.y};
+  const int32_t ay[3] = {u->a.offset.y, v->a.offset.y, w->a.offset.y}, wy[3] = {u->w.y, v->w.y, w->w.y};
   report_axis(it, f, a->y, b->y, ay, wy, normal->y, &point_a->y, &point_b->y, cut);
-  const int32_t az[3] = {u->offset_a.z, v->offset_a.z, w->offset_a.z}, wz[3] = {u->w.z, v->w.z, w->w.z};
+  const int32_t az[3] = {u->a.offset.z, v->a.offset.z, w->a.offset.z}, wz[3] = {u->w.z, v->w.z, w->w.z};
   report_axis(it, f, a->z, b->z, az, wz, normal->z, &point_a->z, &point_b->z, cut);
 }
 

@@ -52,7 +52,7 @@ static void place(const zonotope *z, unsigned signs, gjk_vertex *out) {
   //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
   //@ assert w.z >= -(INT32_C(3) << 29) && w.z <= INT32_C(3) << 29;
   out->w = w;
-  out->a = (uint16_t)(signs & mask_a);
+  out->a.vertex = (uint16_t)(signs & mask_a);
   out->b = (uint16_t)(~signs >> z->of_a & mask_b);
 }
 
