@@ -86,6 +86,37 @@ static bool set_usual_frame(gjk_iteration *it, bool spheres) {
   return true;
 }
 
+// One component of w in a far frame: rounded to nearest.
+GJK_OUT_OF_LINE static int32_t far_component(int64_t difference, int shift) {
+  const unsigned n = (unsigned)-shift;
+  //@ assert n >= 1 && n <= 3;
+  const int64_t rounded = gjk_sar64(difference + (INT64_C(1) << (n - 1)), n);
+  //@ assert rounded >= -(INT32_C(3) << 29) && rounded <= INT32_C(3) << 29;
+  return (int32_t)rounded;
+}
+
+// Puts the frame's vector from B to A for points whose offsets from the centres differ by v into v.
+GJK_OUT_OF_LINE static void far_vector(const gjk_iteration *it, gjk_vec3 *v) {
+  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
+  v->x = far_component((int64_t)a->x - b->x + v->x, it->shift);
+  v->y = far_component((int64_t)a->y - b->y + v->y, it->shift);
+  v->z = far_component((int64_t)a->z - b->z + v->z, it->shift);
+}
+
+// The frame's vector from B's centre to A's. Near by it is at most 2^30 long.
+static void set_delta(gjk_iteration *it) {
+  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
+  const unsigned shift = (unsigned)it->shift;
+  if (it->shift < 0) {
+    it->delta.x = it->delta.y = it->delta.z = 0;
+    far_vector(it, &it->delta);
+    return;
+  }
+  it->delta.x = gjk_shl32(a->x - b->x, shift);
+  it->delta.y = gjk_shl32(a->y - b->y, shift);
+  it->delta.z = gjk_shl32(a->z - b->z, shift);
+}
+
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius) {
   const bool spheres = gjk_goal_separates(goal);
@@ -98,6 +129,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   if (usual ? !set_usual_frame(it, spheres) : !set_frame(it, spheres, radius)) {
     return false;
   }
+  set_delta(it);
   it->curved = a->shape->type->stalls;
   if (it->curved == NULL) {
     it->curved = b->shape->type->stalls;
@@ -106,45 +138,22 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   return true;
 }
 
-// One component of w in a far frame: rounded to nearest.
-GJK_OUT_OF_LINE static int32_t far_component(int64_t difference, int shift) {
-  const unsigned n = (unsigned)-shift;
-  //@ assert n >= 1 && n <= 3;
-  const int64_t rounded = gjk_sar64(difference + (INT64_C(1) << (n - 1)), n);
-  //@ assert rounded >= -(INT32_C(3) << 29) && rounded <= INT32_C(3) << 29;
-  return (int32_t)rounded;
-}
-
-// Replaces v, a difference of two offsets from the centres, by the frame's vector from B to A.
-GJK_OUT_OF_LINE static void far_vector(const gjk_iteration *it, gjk_vec3 *v) {
-  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
-  v->x = far_component((int64_t)a->x - b->x + v->x, it->shift);
-  v->y = far_component((int64_t)a->y - b->y + v->y, it->shift);
-  v->z = far_component((int64_t)a->z - b->z + v->z, it->shift);
-}
-
-// The same near by: all sums are at most 3 2^29.
-static inline void frame_vector(const gjk_iteration *it, gjk_vec3 *v) {
-  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
-  const int shift = it->shift;
-  if (shift < 0) {
-    far_vector(it, v);
-    return;
-  }
-  v->x = gjk_shl32(a->x - b->x + v->x, (unsigned)shift);
-  v->y = gjk_shl32(a->y - b->y + v->y, (unsigned)shift);
-  v->z = gjk_shl32(a->z - b->z + v->z, (unsigned)shift);
-  //@ assert v->x >= -(INT32_C(3) << 29) && v->x <= INT32_C(3) << 29;
-  //@ assert v->y >= -(INT32_C(3) << 29) && v->y <= INT32_C(3) << 29;
-  //@ assert v->z >= -(INT32_C(3) << 29) && v->z <= INT32_C(3) << 29;
-}
-
-// Completes the free slot, which has its vertex of A.
+// Completes the free slot, which has its vertex of A. Near by all sums are at most 3 2^29.
 GJK_ONCE static void complete(gjk_iteration *it, const gjk_support *b) {
   gjk_vertex *v = gjk_simplex_free(&it->simplex);
+  const unsigned shift = (unsigned)it->shift;
   v->b = b->vertex;
   v->w = gjk_sub(v->a.offset, b->offset);
-  frame_vector(it, &v->w);
+  if (it->shift < 0) {
+    far_vector(it, &v->w);
+    return;
+  }
+  v->w.x = it->delta.x + gjk_shl32(v->w.x, shift);
+  v->w.y = it->delta.y + gjk_shl32(v->w.y, shift);
+  v->w.z = it->delta.z + gjk_shl32(v->w.z, shift);
+  //@ assert v->w.x >= -(INT32_C(3) << 29) && v->w.x <= INT32_C(3) << 29;
+  //@ assert v->w.y >= -(INT32_C(3) << 29) && v->w.y <= INT32_C(3) << 29;
+  //@ assert v->w.z >= -(INT32_C(3) << 29) && v->w.z <= INT32_C(3) << 29;
 }
 
 bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b) {
@@ -258,11 +267,7 @@ GJK_OUT_OF_LINE static void first_direction(gjk_iteration *it, const gjk_cache *
     return;
   }
   it->direction.exact = true;
-  d->x = 0;
-  d->y = 0;
-  d->z = 0;
-  frame_vector(it, d);
-  *d = gjk_negate(*d);
+  *d = gjk_negate(it->delta);
   if ((d->x | d->y | d->z) == 0) {
     d->x = 1;
   }

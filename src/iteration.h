@@ -44,7 +44,8 @@ static inline bool gjk_goal_nears(gjk_goal goal) {
 
 typedef struct gjk_iteration {
   const gjk_collider *a, *b;
-  int32_t radius;  // what counts as near, in the frame of the pair
+  gjk_vec3 delta;  // from B's centre to A's, in the frame of the pair
+  int32_t radius;  // what counts as near, there
   int8_t shift;
   uint8_t rounds;
   uint8_t limit;          // on rounds; GJK_ITERATIONS_MAX from the start

@@ -37,8 +37,7 @@ static void open(zonotope *z, gjk_iteration *it) {
   for (unsigned i = 0; i < z->count; i++) {
     z->axis[i] = in_frame(i < z->of_a ? &it->a->frame[i] : &it->b->frame[i - z->of_a], it->shift);
   }
-  const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);
-  z->delta = in_frame(&delta, it->shift);
+  z->delta = it->delta;
 }
 
 // A vertex of A - B by the signs of the axes: bit k is set for plus.
