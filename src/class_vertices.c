@@ -43,8 +43,8 @@ GJK_OUT_OF_LINE static bool refine_posed(const gjk_collider *c, const gjk_vec3 *
   return at->vertex != before;
 }
 
-static gjk_vec3 pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], uint32_t i) {
-  gjk_vec3 local = gjk_sub(c->shape->vertices[i], c->local_centre);  // at most GJK_RADIUS_MAX, by measure
+static gjk_vec3 pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], const gjk_vec3 *v) {
+  const gjk_vec3 local = gjk_sub(*v, c->local_centre);  // at most GJK_RADIUS_MAX, by measure
   return gjk_rotate(rows, &local);
 }
 
@@ -67,23 +67,26 @@ static void reach_local(gjk_reach *reach, const gjk_collider *c, const gjk_vec3 
 }
 
 GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, gjk_support *out) {
-  const gjk_vec3 *vertices = c->shape->vertices, *v;
+  const gjk_vec3 *vertices = c->shape->vertices, *best = NULL;
   const gjk_vec3 d = gjk_scale_direction(direction);
   gjk_vec3 local;
   gjk_reach reach;
   const int64_t slack = local_direction(c, &d, &local);
-  int64_t farthest = INT64_MIN;
   reach_local(&reach, c, &local, gjk_scan(vertices, vertices + c->count, 31, &local), slack);
-  while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX, at least the one just found
-    const uint16_t number = (uint16_t)(v - vertices);
-    const gjk_vec3 offset = pose_vertex(c, c->frame, number);
+  const gjk_vec3 *v = gjk_reach_next(&reach);
+  int64_t farthest = 0;
+  //@ assert v != 0;
+  do {  // at least the one just found, at most GJK_HULL_VERTICES_MAX
+    const gjk_vec3 offset = pose_vertex(c, c->frame, v);
     const int64_t along = gjk_dot(&offset, &d);
-    if (along > farthest) {
+    if (best == NULL || along > farthest) {
+      best = v;
       farthest = along;
       out->offset = offset;
-      out->vertex = number;
     }
-  }
+    v = gjk_reach_next(&reach);
+  } while (v != NULL);
+  out->vertex = (uint16_t)(best - vertices);
 }
 
 GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
@@ -95,12 +98,11 @@ GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d
   const int64_t slack = local_direction(c, d, &local) + rounding_slack(c);
   reach_local(&reach, c, &local, &vertices[before], slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
-    const uint16_t number = (uint16_t)(v - vertices);
-    const gjk_vec3 offset = pose_vertex(c, c->frame, number);
+    const gjk_vec3 offset = pose_vertex(c, c->frame, v);
     const gjk_vec3 step = gjk_sub(offset, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
       at->offset = offset;
-      at->vertex = number;
+      at->vertex = (uint16_t)(v - vertices);
     }
   }
   return at->vertex != before;
@@ -130,7 +132,7 @@ static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   if (c->buffer != NULL || number >= c->count) {
     return vertex_posed(c, number, offset);
   }
-  *offset = pose_vertex(c, c->frame, number);
+  *offset = pose_vertex(c, c->frame, &c->shape->vertices[number]);
   return true;
 }
 
@@ -142,13 +144,13 @@ static void pose_hull(gjk_collider *c, const gjk_vec3 rows[3]) {
     return;
   }
   for (uint32_t i = 0; i < c->count; i++) {
-    c->buffer[i] = pose_vertex(c, rows, i);
+    c->buffer[i] = pose_vertex(c, rows, &c->shape->vertices[i]);
   }
 }
 
 static void pose_triangle(gjk_collider *c, const gjk_vec3 rows[3]) {
   for (uint32_t i = 0; i < 3; i++) {
-    c->frame[i] = pose_vertex(c, rows, i);
+    c->frame[i] = pose_vertex(c, rows, &c->shape->vertices[i]);
   }
 }
 

@@ -11,19 +11,19 @@
 // A corner; offsets only come with curved shapes.
 static void any_corner(gjk_vertex *v, bool curved) {
   v->w = any_vec3(ANY_W);
-  v->a = any_uint16();
+  v->a.vertex = any_uint16();
   v->b = any_uint16();
   if (curved) {
-    v->offset_a = any_vec3(ANY_OFFSET);
+    v->a.offset = any_vec3(ANY_OFFSET);
   }
 }
 
 static void check_corner(const gjk_vertex *v, bool curved) {
   check_vec3(&v->w, ANY_W);
-  check_size(v->a, UINT16_MAX);
+  check_size(v->a.vertex, UINT16_MAX);
   check_size(v->b, UINT16_MAX);
   if (curved) {
-    check_vec3(&v->offset_a, ANY_OFFSET);
+    check_vec3(&v->a.offset, ANY_OFFSET);
   }
 }
 

@@ -62,6 +62,7 @@ int main(void) {
   if (gjk_iteration_start(&it, &a, &b, CASE, radius)) {
     //@ assert it.shift >= -3 && it.shift <= 29;
     check_size(it.radius, INT32_MAX);
+    check_vec3(&it.delta, ANY_W);
     run(&it, warm != 0 ? &cache : NULL);
     if (CASE == GJK_GOAL_DISTANCE && it.rounds < GJK_ITERATIONS_MAX && it.simplex.count < 4) {
       run(&it, NULL);

@@ -12,6 +12,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   }
   it->radius = radius > 0 ? any_between(0, INT32_MAX) : 0;
   it->shift = (int8_t)any_between(-3, 29);
+  it->delta = any_vec3(ANY_W);
   it->rounds = 0;
   it->limit = GJK_ITERATIONS_MAX;
   it->curved = a->shape->type->stalls != NULL ? a->shape->type->stalls : b->shape->type->stalls;
@@ -19,27 +20,29 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   return true;
 }
 
-void gjk_iteration_next(gjk_iteration *it, gjk_support *a, gjk_support *b) {
-  any_support(it->a, &it->direction.d, a);
+void gjk_iteration_next(gjk_iteration *it, gjk_support *b) {
+  check_vec3(&it->direction.d, ANY_DIRECTION);
   any_support(it->b, &it->direction.d, b);
   any_vertex(gjk_simplex_free(&it->simplex));
 }
 
-bool gjk_iteration_refine(const gjk_iteration *it, gjk_direction *direction, gjk_support *a, gjk_support *b) {
+bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_support *b) {
   check_vec3(&it->direction.d, ANY_W);
-  a->offset = any_vec3(ANY_OFFSET);
-  b->offset = any_vec3(ANY_OFFSET);
-  a->vertex = any_uint16();
-  b->vertex = any_uint16();
+  check_vertex(gjk_simplex_free(&it->simplex));
+  check_vec3(&b->offset, ANY_OFFSET);
+  any_support(it->b, &it->direction.d, b);
+  any_vertex(gjk_simplex_free(&it->simplex));
   return any_bool();
 }
 
-void gjk_iteration_place(gjk_iteration *it, const gjk_support *a, const gjk_support *b) {
-  check_vec3(&a->offset, ANY_OFFSET);
-  check_vec3(&b->offset, ANY_OFFSET);
-  check_size(a->vertex, UINT16_MAX);
-  check_size(b->vertex, UINT16_MAX);
+bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b) {
+  check_size(a, UINT16_MAX);
+  check_size(b, UINT16_MAX);
+  if (any_bool()) {
+    return false;
+  }
   any_vertex(gjk_simplex_free(&it->simplex));
+  return true;
 }
 
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {

@@ -101,8 +101,8 @@ static void named(unsigned n) {
       (void)gjk_simplex_beyond(&s);
     }
     for (unsigned i = 0; i < n; i++) {
-      s.slot[i].offset_a = any_vec3(ANY_OFFSET);
-      s.slot[i].a = any_uint16();
+      s.slot[i].a.offset = any_vec3(ANY_OFFSET);
+      s.slot[i].a.vertex = any_uint16();
       s.slot[i].b = any_uint16();
     }
     check_feature(&s, 3);

@@ -24,8 +24,8 @@ static int64_t any_long(int64_t size) {
 
 static void any_vertex(gjk_vertex *v) {
   v->w = any_vec3(ANY_W);
-  v->offset_a = any_vec3(ANY_OFFSET);
-  v->a = any_uint16();
+  v->a.offset = any_vec3(ANY_OFFSET);
+  v->a.vertex = any_uint16();
   v->b = any_uint16();
 }
 
@@ -52,8 +52,8 @@ static void check_vec3(const gjk_vec3 *v, int32_t size) {
 
 static void check_vertex(const gjk_vertex *v) {
   check_vec3(&v->w, ANY_W);
-  check_vec3(&v->offset_a, ANY_OFFSET);
-  check_size(v->a, UINT16_MAX);
+  check_vec3(&v->a.offset, ANY_OFFSET);
+  check_size(v->a.vertex, UINT16_MAX);
   check_size(v->b, UINT16_MAX);
 }
 
