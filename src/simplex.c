@@ -256,20 +256,17 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
   out->opposite = false;
 }
 
-static void square(gjk_limbs *out, uint64_t value) {
-  gjk_limbs x;
-  gjk_limbs_set(&x, value);
-  gjk_limbs_multiply(out, &x, &x);
+static void set_limbs(gjk_limbs *out, const gjk_u128 *x) {
+  gjk_limbs_set(out, x->low);
+  out->limb[2] = (uint32_t)(x->high & UINT32_MAX);
+  out->limb[3] = (uint32_t)(x->high >> 32);
 }
 
-// *out = |v|^2. Pre: components at most 2^62 in size.
-static void squared_length(const gjk_long3 *v, gjk_limbs *out) {
-  gjk_limbs x;
-  square(out, gjk_magnitude64(v->x));
-  square(&x, gjk_magnitude64(v->y));
-  gjk_limbs_add(out, &x);
-  square(&x, gjk_magnitude64(v->z));
-  gjk_limbs_add(out, &x);
+// *out = p q + r s, which is not negative. Pre: see gjk_sum.
+static void sum_of_products(int64_t p, int64_t q, int64_t r, int64_t s, gjk_limbs *out) {
+  gjk_u128 sum;
+  gjk_sum(p, q, r, s, &sum);
+  set_limbs(out, &sum);
 }
 
 // *out = (n . w)^2 for a vertex w of the triangle; n . w is at most 2^93.
@@ -279,32 +276,37 @@ static void squared_height(const gjk_simplex *s, gjk_limbs *out) {
   gjk_limbs x;
   const int64_t high = gjk_dot_exact(&s->normal, &s->slot[s->order[0]].w, &low);
   gjk_magnitude95(high, low, &height);
-  gjk_limbs_set(&x, height.low);
-  x.limb[2] = (uint32_t)height.high;
+  set_limbs(&x, &height);
   gjk_limbs_multiply(out, &x, &x);
 }
 
 void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_limbs *numerator, gjk_limbs *denominator) {
   const unsigned a = s->order[0], b = s->order[1];
-  if (s->count == 1) {
-    gjk_limbs_set(numerator, (uint64_t)s->toward[a][a]);
-    gjk_limbs_set(denominator, 1);
-  } else if (s->count == 2) {
-    // |a x b|^2 / |b - a|^2
-    gjk_long3 moment;
-    gjk_cross(&s->slot[a].w, &s->slot[b].w, &moment);
-    squared_length(&moment, numerator);
-    gjk_limbs_set(denominator, (uint64_t)(s->toward[a][b] + s->toward[b][a]));
-  } else {
+  const gjk_long3 *n = &s->normal;
+  const int64_t square = s->toward[a][a];
+  if (s->count == 3) {
     // (n . a)^2 / |n|^2
+    gjk_limbs z;
     squared_height(s, numerator);
-    squared_length(&s->normal, denominator);
+    sum_of_products(n->x, n->x, n->y, n->y, denominator);
+    sum_of_products(n->z, n->z, 0, 0, &z);
+    gjk_limbs_add(denominator, &z);
+    return;
+  }
+  gjk_limbs_set(denominator, 1);
+  gjk_limbs_set(numerator, (uint64_t)square);
+  if (s->count == 2) {
+    // |a x b|^2 / |b - a|^2 with |a x b|^2 = (a . a) (b . b) - (a . b)^2
+    const int64_t dot = square - s->toward[a][b];
+    sum_of_products(square, s->toward[b][b], -dot, dot, numerator);
+    gjk_limbs_set(denominator, (uint64_t)(s->toward[a][b] + s->toward[b][a]));
   }
 }
 
 int gjk_compare_distance(const gjk_limbs *numerator, const gjk_limbs *denominator, uint64_t twice) {
   gjk_limbs x, y;
-  square(&x, twice);
+  gjk_limbs_set(&y, twice);
+  gjk_limbs_multiply(&x, &y, &y);
   gjk_limbs_multiply(&y, &x, denominator);
   x = *numerator;
   gjk_limbs_add(&x, &x);
@@ -316,10 +318,7 @@ int gjk_compare_distance(const gjk_limbs *numerator, const gjk_limbs *denominato
 // most 2^124.
 static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, gjk_u128 *out) {
   const int64_t *at_i = s->toward[i], *at_j = s->toward[j];
-  uint64_t low;
-  const uint64_t high = (uint64_t)gjk_sum(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], &low);
-  out->high = high >> 2;
-  out->low = high << 62 | low;
+  gjk_sum(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);
 }
 
 void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_share weight[2]) {

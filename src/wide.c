@@ -3,22 +3,23 @@
 
 // In digits of 31 bits, |high ones| <= 2^31: a product of two is at most 2^62 in size, one with a low digit at most
 // 2^62 - 2^31. So with the carry, below 2^32, middle and middle2 stay below 2^63; and the whole is below 2^125.
-int64_t gjk_sum(int64_t p, int64_t q, int64_t r, int64_t s, uint64_t *low) {
+void gjk_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out) {
   const int32_t ph = gjk_high_digit(p), pl = gjk_low_digit(p), qh = gjk_high_digit(q), ql = gjk_low_digit(q);
   const int32_t rh = gjk_high_digit(r), rl = gjk_low_digit(r), sh = gjk_high_digit(s), sl = gjk_low_digit(s);
   const int64_t lowest = gjk_mac32(gjk_mul32(pl, ql), rl, sl);
   const int64_t middle = gjk_mac32(gjk_mac32(gjk_sar64(lowest, 31), ph, ql), pl, qh);
   const int64_t middle2 = gjk_mac32(gjk_mul32(rh, sl), rl, sh);
   const uint32_t digit = (uint32_t)gjk_low_digit(middle) + (uint32_t)gjk_low_digit(middle2);
-  *low = (uint64_t)(digit & INT32_MAX) << 31 | (uint32_t)gjk_low_digit(lowest);
   const int64_t carry = gjk_sar64(middle, 31) + gjk_sar64(middle2, 31) + (digit >> 31);
-  return gjk_mac32(gjk_mac32(carry, ph, qh), rh, sh);
+  const int64_t high = gjk_mac32(gjk_mac32(carry, ph, qh), rh, sh);
+  out->high = (uint64_t)gjk_sar64(high, 2);
+  out->low = (uint64_t)high << 62 | (uint64_t)(digit & INT32_MAX) << 31 | (uint32_t)gjk_low_digit(lowest);
 }
 
 int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
-  uint64_t low;
-  const int64_t high = gjk_sum(p, q, r, s, &low);
-  return high != 0 ? gjk_sign64(high) : low != 0;
+  gjk_u128 sum;
+  gjk_sum(p, q, r, s, &sum);
+  return sum.high > INT64_MAX ? -1 : (sum.high | sum.low) != 0;
 }
 
 static gjk_u128 add128(gjk_u128 a, gjk_u128 b) {

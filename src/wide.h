@@ -186,16 +186,16 @@ static inline int32_t gjk_low_digit(int64_t x) {
   return (int32_t)(gjk_low32(x) & INT32_MAX);
 }
 
-// p q + r s = 2^62 (returned) + *low, 0 <= *low < 2^62, exact. Pre: each below 2^62 in size.
-int64_t gjk_sum(int64_t p, int64_t q, int64_t r, int64_t s, uint64_t *low);
-
-// The sign of p q + r s. Pre: as above.
+// The sign of p q + r s. Pre: each below 2^62 in size.
 int gjk_sum_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s);
 
 // Unsigned 128 bits.
 typedef struct gjk_u128 {
   uint64_t high, low;
 } gjk_u128;
+
+// *out = p q + r s modulo 2^128: in two's complement, since it is below 2^125 in size. Pre: as above.
+void gjk_sum(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out);
 
 // A share of a whole: (2^16 high + low) / 2^47.
 typedef struct gjk_share {

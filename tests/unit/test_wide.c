@@ -78,8 +78,9 @@ static void test_sums(void) {
     const int flip = i % 2 == 0 ? 1 : -1;
     CHECK(gjk_sum_sign_exact(flip * (x + a), y + b, x, -flip * y) == flip * sign);
     CHECK(gjk_sum_sign_exact(x, y, -(x + a), y + b) == -sign);
-    uint64_t low;
-    CHECK(gjk_sum(x, y, -x, y - 1, &low) == 0 && low == (uint64_t)x);
+    gjk_u128 sum;
+    gjk_sum(x, y, -x, y - 1, &sum);
+    CHECK(sum.high == 0 && sum.low == (uint64_t)x);
   }
 }
 
