@@ -6,6 +6,7 @@
 #include "scan.h"
 #include "shape_class.h"
 
+// The posed vertices of a triangle or a baked hull.
 static const gjk_vec3 *posed(const gjk_collider *c) {
   return c->buffer != NULL ? c->buffer : c->frame;
 }
