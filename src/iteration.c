@@ -106,12 +106,12 @@ GJK_OUT_OF_LINE static void far_vector(const gjk_iteration *it, gjk_vec3 *v) {
 // The frame's vector from B's centre to A's. Near by it is at most 2^30 long.
 static void set_delta(gjk_iteration *it) {
   const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
-  const unsigned shift = (unsigned)it->shift;
   if (it->shift < 0) {
     it->delta.x = it->delta.y = it->delta.z = 0;
     far_vector(it, &it->delta);
     return;
   }
+  const unsigned shift = (unsigned)it->shift;
   it->delta.x = gjk_shl32(a->x - b->x, shift);
   it->delta.y = gjk_shl32(a->y - b->y, shift);
   it->delta.z = gjk_shl32(a->z - b->z, shift);
@@ -141,13 +141,13 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
 // Completes the free slot, which has its vertex of A. Near by all sums are at most 3 2^29.
 GJK_ONCE static void complete(gjk_iteration *it, const gjk_support *b) {
   gjk_vertex *v = gjk_simplex_free(&it->simplex);
-  const unsigned shift = (unsigned)it->shift;
   v->b = b->vertex;
   v->w = gjk_sub(v->a.offset, b->offset);
   if (it->shift < 0) {
     far_vector(it, &v->w);
     return;
   }
+  const unsigned shift = (unsigned)it->shift;
   v->w.x = it->delta.x + gjk_shl32(v->w.x, shift);
   v->w.y = it->delta.y + gjk_shl32(v->w.y, shift);
   v->w.z = it->delta.z + gjk_shl32(v->w.z, shift);
@@ -273,33 +273,46 @@ GJK_OUT_OF_LINE static void first_direction(gjk_iteration *it, const gjk_cache *
   }
 }
 
+// Starts from the cached feature, as far as it still is one. Does the origin lie in it?
+static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
+  //@ dynamic_split it->simplex.count;
+  for (unsigned i = 0; i < cache->count && i < 4; i++) {
+    const gjk_step step =
+        gjk_iteration_place(it, cache->a[i], cache->b[i]) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
+    if (step == GJK_STEP_ENCLOSING ||
+        (step == GJK_STEP_NEARER && it->simplex.count < 3 && !gjk_simplex_direction(&it->simplex, &it->direction))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The supports of curved shapes are off by up to 2 LSB, so where the search ends depends on where it began. The cached
+// direction may therefore only settle what no start could decide otherwise: more than 4 LSB to spare.
+static bool cached_clears(gjk_iteration *it, const gjk_cache *cache) {
+  const int64_t radius = it->radius + gjk_shl64(4, (unsigned)it->shift);
+  gjk_support b;
+  if (radius > INT32_MAX || !cached_direction(it, cache)) {
+    return false;
+  }
+  gjk_iteration_next(it, &b);
+  it->rounds++;
+  return clears(it, &gjk_simplex_free(&it->simplex)->w, (int32_t)radius);
+}
+
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   gjk_support b;
   if (it->shift < 0) {
     cache = NULL;  // the distance of rounded vertices would depend, by an LSB, on where the search began
   }
   if (cache != NULL && it->curved != NULL) {
-    // The supports of curved shapes are off by up to 2 LSB, so where the search ends depends on where it began. The cached
-    // direction may therefore only settle what no start could decide otherwise: more than 4 LSB to spare.
-    const int64_t margin = gjk_shl64(4, (unsigned)it->shift);
-    if (gjk_goal_separates(goal) && it->radius + margin <= INT32_MAX && cached_direction(it, cache)) {
-      gjk_iteration_next(it, &b);
-      it->rounds++;
-      if (clears(it, &gjk_simplex_free(&it->simplex)->w, it->radius + (int32_t)margin)) {
-        return GJK_OUTCOME_SEPARATED;
-      }
+    if (gjk_goal_separates(goal) && cached_clears(it, cache)) {
+      return GJK_OUTCOME_SEPARATED;
     }
     cache = NULL;
   }
-  // Starts from the cached feature, as far as it still is one.
-  //@ dynamic_split it->simplex.count;
-  for (unsigned i = 0; cache != NULL && i < cache->count && i < 4; i++) {
-    const gjk_step step =
-        gjk_iteration_place(it, cache->a[i], cache->b[i]) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
-    if (step == GJK_STEP_ENCLOSING ||
-        (step == GJK_STEP_NEARER && it->simplex.count < 3 && !gjk_simplex_direction(&it->simplex, &it->direction))) {
-      return GJK_OUTCOME_ENCLOSING;
-    }
+  if (cache != NULL && warm_start(it, cache)) {
+    return GJK_OUTCOME_ENCLOSING;
   }
   //@ dynamic_split it->simplex.count;
   for (; it->rounds < it->limit; it->rounds++) {
