@@ -300,6 +300,17 @@ static bool cached_clears(gjk_iteration *it, const gjk_cache *cache) {
   return clears(it, &gjk_simplex_free(&it->simplex)->w, (int32_t)radius);
 }
 
+// Adds the vertex of the last direction, or if that is no nearer the one that rounding has hidden.
+static gjk_step add_vertex(gjk_iteration *it, gjk_support *b) {
+  if (!known(it)) {
+    const gjk_step step = gjk_simplex_add(&it->simplex);
+    if (step != GJK_STEP_NONE) {
+      return step;
+    }
+  }
+  return refine(it, b) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
+}
+
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   gjk_support b;
   if (it->shift < 0) {
@@ -328,10 +339,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
       it->rounds++;
       return GJK_OUTCOME_SEPARATED;
     }
-    gjk_step step = known(it) ? GJK_STEP_NONE : gjk_simplex_add(&it->simplex);
-    if (step == GJK_STEP_NONE && refine(it, &b)) {
-      step = gjk_simplex_add(&it->simplex);
-    }
+    const gjk_step step = add_vertex(it, &b);
     if (step != GJK_STEP_NEARER) {
       it->rounds++;
       if (step == GJK_STEP_ENCLOSING) {
