@@ -71,7 +71,6 @@ static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
   }
   facet->direction = it->direction;
   facet->normal = gjk_unit(&it->direction.d);
-  facet->rank = 0;
   facet->set = false;
   facet->depth = curved_error(it);
   facet->found = true;
@@ -121,14 +120,14 @@ static gjk_q16 upper_bound(const gjk_iteration *it, const gjk_vec3 *w) {
 }
 
 // Considers a face, with the outward normal it->direction: exactly, or bound by how far a support has reached across it.
-static void consider(gjk_iteration *it, const gjk_polytope *p, const struct gjk_cell_face *face, uint32_t rank,
-                     gjk_q16 bound, gjk_facet *facet) {
+static void consider(gjk_iteration *it, const gjk_polytope *p, const struct gjk_cell_face *face, gjk_q16 bound,
+                     gjk_facet *facet) {
   gjk_simplex *s = &it->simplex;
   for (int i = 0; i < 3; i++) {
     gjk_polytope_load(p, face->corner[i], &s->slot[i]);
   }
   gjk_simplex_set(s, 3);
-  gjk_facet_consider(facet, it, rank, gjk_simplex_beyond(s) == 3, bound);
+  gjk_facet_consider(facet, it, gjk_simplex_beyond(s) == 3, bound);
 }
 
 // The least height of a face, in LSB, rounded down: a lower bound of the depth.
@@ -165,11 +164,11 @@ static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet
     const bool beyond = support_beyond(it, &n, w);
     const uint32_t reached = it->curved != NULL ? gjk_height(&it->direction.d, &support->w) : 0;
     if (!beyond || (it->curved != NULL && reached <= gjk_height(&it->direction.d, w) + CURVED_TOLERANCE(it->shift))) {
-      consider(it, p, face, rank, it->curved != NULL ? upper_bound(it, &support->w) : -1, facet);
+      consider(it, p, face, it->curved != NULL ? upper_bound(it, &support->w) : -1, facet);
       face->rank = GJK_RANK_SETTLED;
     } else if (!gjk_polytope_add(p, lowest, support)) {
       *lower = lower_bound(it, p);
-      consider(it, p, face, rank, upper_bound(it, &support->w), facet);
+      consider(it, p, face, upper_bound(it, &support->w), facet);
       return GJK_EXPANSION_FULL;
     }
   }
@@ -200,7 +199,7 @@ static void bound_by_face(gjk_iteration *it, gjk_facet *facet) {
     s->slot[i] = corner[i];
   }
   gjk_simplex_set(s, 3);
-  gjk_facet_consider(facet, it, 0, true, reached);
+  gjk_facet_consider(facet, it, true, reached);
 }
 
 gjk_expansion gjk_expand(gjk_iteration *it, const gjk_workspace *workspace, gjk_facet *facet, gjk_q16 *lower,

@@ -84,7 +84,7 @@ gjk_q16 gjk_depth_across(const gjk_iteration *it, const gjk_vec3 *w) {
   return gjk_dot(&it->direction.d, w) <= 0 ? 0 : exact_depth(it, &normal, w, false);
 }
 
-void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool covers, gjk_q16 bound) {
+void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16 bound) {
   const gjk_unit3 normal = gjk_unit(&it->direction.d);
   const gjk_q16 depth = bound < 0 ? exact_depth(it, &normal, &it->simplex.slot[0].w, true) : bound;
   best->set = false;
@@ -100,7 +100,6 @@ void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool 
   }
   best->found = true;
   best->covers = covers;
-  best->rank = rank;
   best->direction = it->direction;
   best->normal = normal;
   best->set = true;

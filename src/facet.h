@@ -24,8 +24,7 @@ typedef struct gjk_facet {
   gjk_vertex corner[3];   // span the plane, outwards by (w1 - w0) x (w2 - w0); A's offset only for curved shapes
   gjk_rounded direction;  // outward normal
   gjk_unit3 normal;       // the same
-  uint32_t rank;
-  gjk_q16 depth;  // exact height in LSB, rounded up, or an upper bound of it
+  gjk_q16 depth;          // exact height in LSB, rounded up, or an upper bound of it
   bool found;
   bool covers;  // the origin's projection lies in the corners' triangle, or as near as matters
   bool set;     // the simplex is still as it was when this was taken
@@ -49,7 +48,7 @@ bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t rank);
 // Takes the plane of the simplex's first three slots for the best if it is better. They are the feature, by
 // gjk_simplex_set; covers: the projection lies in their triangle. it->direction: the outward normal.
 // bound: the depth, when it isn't the exact height of the slots that counts but that of a parallel plane; otherwise -1.
-void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool covers, gjk_q16 bound);
+void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16 bound);
 
 // Makes the corners the feature, or what of them is nearest to the origin.
 void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it);

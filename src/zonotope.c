@@ -115,7 +115,7 @@ static bool find_projection(patch *p) {
 }
 
 // Considers the nearer facet across axes i and j, if these are not parallel.
-static gjk_zonotope_answer consider(const zonotope *z, unsigned i, unsigned j, uint32_t rank, gjk_facet *facet) {
+static gjk_zonotope_answer consider(const zonotope *z, unsigned i, unsigned j, gjk_facet *facet) {
   gjk_long3 n;
   gjk_cross(&z->axis[i], &z->axis[j], &n);
   if ((n.x | n.y | n.z) == 0) {
@@ -144,7 +144,7 @@ static gjk_zonotope_answer consider(const zonotope *z, unsigned i, unsigned j, u
   if (gjk_dot_sign(&n, &z->it->simplex.slot[0].w) < 0) {
     return GJK_ZONOTOPE_APART;
   }
-  gjk_facet_consider(facet, z->it, rank, covers, -1);
+  gjk_facet_consider(facet, z->it, covers, -1);
   return GJK_ZONOTOPE_FACET;
 }
 
@@ -248,7 +248,7 @@ gjk_zonotope_answer gjk_zonotope_facet(gjk_iteration *it, gjk_facet *facet) {
     if (!gjk_facet_wants(facet, it->shift, d.rank[lowest])) {
       break;
     }
-    const gjk_zonotope_answer answer = consider(&z, d.i[lowest], d.j[lowest], d.rank[lowest], facet);
+    const gjk_zonotope_answer answer = consider(&z, d.i[lowest], d.j[lowest], facet);
     if (answer != GJK_ZONOTOPE_FACET) {
       return answer;
     }

@@ -51,7 +51,7 @@ static void consider(gjk_iteration *it, gjk_q16 bound, bool found) {
   if (found) {
     any_facet(&facet, it->curved != NULL);
   }
-  gjk_facet_consider(&facet, it, (uint32_t)any_int32(), any_bool(), bound);
+  gjk_facet_consider(&facet, it, any_bool(), bound);
   check_facet(&facet, it->curved != NULL);
   for (int i = 0; i < 3; i++) {
     check_corner(&it->simplex.slot[i], it->curved != NULL);

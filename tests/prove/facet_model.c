@@ -28,13 +28,12 @@ bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t rank) {
   return any_bool();
 }
 
-void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, uint32_t rank, bool covers, gjk_q16 bound) {
+void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16 bound) {
   const gjk_simplex *s = &it->simplex;
   //@ assert it->shift >= 0 && it->shift <= 29 && s->count == 3;
   //@ assert bound >= -1 && bound <= ANY_DEPTH;
   check_vec3(&it->direction.d, INT32_C(1) << 30);
   check_size(it->direction.exact, 1);
-  check_size(rank, UINT32_MAX);
   check_size(covers, 1);
   for (int i = 0; i < 3; i++) {
     check_corner(&s->slot[i], it->curved != NULL);

@@ -36,7 +36,6 @@ static void any_facet(gjk_facet *facet, bool curved) {
   facet->normal.x = any_between(-ANY_UNIT, ANY_UNIT);
   facet->normal.y = any_between(-ANY_UNIT, ANY_UNIT);
   facet->normal.z = any_between(-ANY_UNIT, ANY_UNIT);
-  facet->rank = (uint32_t)any_int32();
   facet->depth = any_between(0, ANY_DEPTH);
   facet->covers = any_bool();
   facet->set = any_bool();
@@ -53,7 +52,6 @@ static void check_facet(const gjk_facet *facet, bool curved) {
   check_size(facet->normal.x, ANY_UNIT);
   check_size(facet->normal.y, ANY_UNIT);
   check_size(facet->normal.z, ANY_UNIT);
-  check_size(facet->rank, UINT32_MAX);
   check_size(facet->depth, ANY_DEPTH);
   //@ assert facet->depth >= 0;
   check_size(facet->covers, 1);
