@@ -33,7 +33,7 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t 
 }
 
 // The feature's distance in LSB, correctly rounded, a tie up; from the distance of its plane.
-static int64_t exact_distance(const gjk_iteration *it, int64_t plane) {
+static int64_t exact_distance(const gjk_iteration *it, const gjk_unit3 *normal, int64_t plane) {
   // not reached: GJK_SMALL is a constant
   if (it->shift >= 4 && !GJK_SMALL) {
     // In steps of 2^32: the error and the bits cut off are less than 3.
@@ -45,13 +45,14 @@ static int64_t exact_distance(const gjk_iteration *it, int64_t plane) {
       return steps >> n;
     }
   }
-  return settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift), to_lsb(plane + GJK_PLANE_ERROR, it->shift));
-}
-
-// What rounding the vertices of a halved frame has made the distance too small by, on average, in LSB: it moves each
-// coordinate by 0 or 1. In coarser frames the error is less than 2^-28 of the distance as it is.
-static int64_t halving_error(const gjk_iteration *it, const gjk_unit3 *normal) {
-  return it->shift == -1 ? gjk_sar64((int64_t)normal->x + normal->y + normal->z + (INT64_C(1) << 30), 31) : 0;
+  int64_t distance =
+      settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift), to_lsb(plane + GJK_PLANE_ERROR, it->shift));
+  if (it->shift == -1) {
+    // Rounding has moved each coordinate of a vertex by 0 or 1 LSB, by half of one on average. In coarser frames the error
+    // is less than 2^-28 of the distance as it is.
+    distance += gjk_sar64((int64_t)normal->x + normal->y + normal->z + (INT64_C(1) << 30), 31);
+  }
+  return distance;
 }
 
 bool gjk_rounded_touch(const gjk_iteration *it, int64_t plane) {
@@ -102,7 +103,7 @@ void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache
     if (gjk_rounded_touch(it, plane)) {
       outcome = GJK_OUTCOME_NEAR;
     } else {
-      gap = exact_distance(it, plane) + halving_error(it, &out->normal) - gjk_roundings(it);
+      gap = exact_distance(it, &out->normal, plane) - gjk_roundings(it);
       gjk_witness_points(it, &out->normal, &out->point_a, &out->point_b, &out->saturated);
     }
   }

@@ -18,7 +18,7 @@ gjk_reciprocal_root,gjk_unit,copy_collider,gjk_rank
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
 QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report:100,\
 ask_penetration:500,ask_signed:500,gjk_distance:200,run:200,narrow:200,\
-gjk_distance_until:100,gjk_distance_report:400,stop_early:100,load:100,is_nearest:100,is_facet:100,none_before:100
+gjk_distance_until:100,gjk_distance_report:100,stop_early:100,load:100,is_nearest:100,is_facet:100,none_before:100
 ITERATION_LEVELS=gjk_iteration_run:4,add_vertex:100,warm_start:1000,gjk_iteration_start:500,set_frame:500,set_usual_frame:500,main:500,\
 longer_than:100,far_shift:100,run:500
 ITERATION_RETURNS=gjk_iteration_start:0,set_frame:0,set_usual_frame:0,longer_than:0
