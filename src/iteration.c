@@ -25,7 +25,7 @@ static bool longer_than(const gjk_long3 *v, int64_t r) {
 // The shift of a frame whose reach is 2^30 or more.
 GJK_OUT_OF_LINE static int far_shift(const gjk_long3 *delta) {
   const int64_t unit = INT64_C(1) << 30;
-  gjk_long3 scaled = *delta;
+  gjk_long3 scaled = {delta->x, delta->y, delta->z};
   int shift = 0;
   while (shift > -3 && longer_than(&scaled, unit)) {
     scaled.x = gjk_sar64(scaled.x, 1);
