@@ -42,6 +42,29 @@ static void test_origin_on_feature(void) {
   CHECK(nearest(&b, &above, 0) == GJK_ERROR_UNPROVEN);
 }
 
+// What the check says to "the four named vertices of A, less vertex 0 of B, enclose the origin".
+static gjk_status enclosed(const gjk_collider *a, const gjk_collider *b, const uint16_t vertices[4]) {
+  gjk_decision decision;
+  memset(&decision, 0, sizeof decision);
+  decision.yes = true;
+  decision.certificate.proof = GJK_PROOF_ENCLOSING;
+  decision.certificate.count = 4;
+  memcpy(decision.certificate.a, vertices, sizeof decision.certificate.a);
+  return gjk_check_decision(a, b, 0, &decision);
+}
+
+// Every second corner of a cube holds its middle; those of one face hold nothing, also where the origin is in their plane.
+static void test_enclosing(void) {
+  static const uint16_t alternate[4] = {0, 3, 5, 6}, top[4] = {4, 5, 6, 7}, twice[4] = {0, 3, 5, 5};
+  const gjk_collider a = placed(&cube, 0, 0, 0), middle = placed(&dot, 0, 0, 0), beside = placed(&dot, ONE + 9, 0, ONE);
+  const gjk_collider in_corner = placed(&dot, ONE - 1, ONE - 1, ONE - 1);
+  CHECK(enclosed(&a, &middle, alternate) == GJK_OK);
+  CHECK(enclosed(&a, &in_corner, alternate) == GJK_ERROR_UNPROVEN);
+  CHECK(enclosed(&a, &middle, top) == GJK_ERROR_UNPROVEN);
+  CHECK(enclosed(&a, &beside, top) == GJK_ERROR_UNPROVEN);
+  CHECK(enclosed(&a, &middle, twice) == GJK_ERROR_UNPROVEN);
+}
+
 // A direction proves a gap while each component is in range.
 static void test_directions(void) {
   const gjk_collider a = placed(&cube, 0, 0, 0);
@@ -224,6 +247,7 @@ static void test_planes(void) {
 
 int main(void) {
   test_origin_on_feature();
+  test_enclosing();
   test_directions();
   test_largest();
   test_spheres();
