@@ -45,10 +45,10 @@ const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bi
 
 void gjk_reach_start(gjk_reach *reach, unsigned bits) {
   reach->coarse = gjk_coarse_direction(reach->d, bits);
-  // Whatever is below the coarse limit lies below the limit. One too low for 32 bits lets all pass.
+  // Whatever is below the coarse limit lies below the limit. A coarse product is at most 3 2^28 in size, a slack at most 4.
   const int64_t coarse_limit = gjk_sar64(reach->limit, reach->coarse.s + reach->coarse.t) - GJK_COARSE_ERROR;
-  //@ assert coarse_limit <= INT32_MAX;
-  reach->coarse_limit = coarse_limit > INT32_MIN ? (int32_t)coarse_limit : INT32_MIN;
+  //@ assert coarse_limit >= -(INT32_C(1) << 30) && coarse_limit <= INT32_C(1) << 30;
+  reach->coarse_limit = (int32_t)coarse_limit;
 }
 
 const gjk_vec3 *gjk_reach_next(gjk_reach *reach) {

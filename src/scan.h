@@ -8,7 +8,8 @@
 // at most 2^bits in size, 1 <= bits <= 31.
 const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bits, const gjk_vec3 *d);
 
-// Those of the vertices with vertex . d >= limit, one after the other.
+// Those of the vertices with vertex . d >= limit, one after the other. A component of d has 29 bits or more, and limit is the
+// product of one of the vertices less a slack of at most 2^33, and at most 2^(bits + 2) for vertices of fewer than 31 bits.
 typedef struct gjk_reach {
   const gjk_vec3 *next, *end;  // the vertices to look at, as above
   const gjk_vec3 *d;
