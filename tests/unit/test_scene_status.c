@@ -266,6 +266,7 @@ static void check_busy(void) {
       CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
       CHECK(gjk_scene_test_pairs(&scene, 0, 2) == GJK_ERROR_RANGE);
       CHECK(gjk_scene_test_pairs(&scene, 1, 0) == GJK_ERROR_RANGE);
+      CHECK(gjk_scene_test_pairs(&scene, 0, 0) == GJK_OK && gjk_scene_test_pairs(&scene, 1, 1) == GJK_OK);
     } else {
       for (int again = 0; again < 2; again++) {
         memset(&progress, 0xA5, sizeof progress);
