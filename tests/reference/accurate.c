@@ -166,33 +166,31 @@ long double accurate_point_distance(const case_shape *shape, gjk_vec3 point) {
   return (long double)(core_distance(shape->kind, p, half) - shape->round);
 }
 
-// A pair of the shape and a point.
-static bool make_point(const case_shape *shape, gjk_vec3 point, case_pair *pair, case_collider *at) {
-  const case_pair with_point = {{0}, *shape, {0}};
-  *pair = with_point;
-  case_shape_reset(&pair->b);
-  pair->b.pose.position = point;
-  return case_collider_build(at, &pair->b, false) == GJK_OK;
+// The answer of a query about the shape and a point. False: there is no such point.
+static bool ask_about_point(const case_shape *shape, const case_collider *collider, gjk_vec3 point,
+                            void (*query)(const case_pair *, const case_collider *, const case_collider *,
+                                          accurate_result *),
+                            accurate_result *out) {
+  case_pair pair = {{0}, *shape, {0}};
+  case_collider at = {0};
+  case_shape_reset(&pair.b);
+  pair.b.pose.position = point;
+  if (case_collider_build(&at, &pair.b, false) != GJK_OK) {
+    return false;
+  }
+  query(&pair, collider, &at, out);
+  return true;
 }
 
 long double accurate_point_outside(const case_shape *shape, const case_collider *collider, gjk_vec3 point) {
-  case_pair pair;
-  case_collider at = {0};
   accurate_result gap;
-  if (!make_point(shape, point, &pair, &at)) {
-    return HUGE_VALL;
-  }
-  accurate_distance(&pair, collider, &at, &gap);
-  return gap.upper;
+  return ask_about_point(shape, collider, point, accurate_distance, &gap) ? gap.upper : HUGE_VALL;
 }
 
 long double accurate_surface_distance(const case_shape *shape, const case_collider *collider, gjk_vec3 point) {
-  case_pair pair;
-  case_collider at = {0};
   accurate_result gap;
-  if (!make_point(shape, point, &pair, &at)) {
+  if (!ask_about_point(shape, collider, point, accurate_signed, &gap)) {
     return HUGE_VALL;
   }
-  accurate_signed(&pair, collider, &at, &gap);
   return gap.lower > 0 ? gap.lower : gap.upper < 0 ? -gap.upper : 0;
 }

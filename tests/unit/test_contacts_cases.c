@@ -180,9 +180,9 @@ static void test_reach(void) {
 // The largest triangle, or quadrilateral, that has a corner at contact 0 of few, with the others among m's.
 typedef struct region {
   int64_t area;  // twice
-  unsigned
-      corner[3];  // the others: the end of an edge or a diagonal from there, and what is farthest from that; the first
-  unsigned corners;  // of each
+  // The others: the end of an edge or a diagonal from there, then what is farthest from that; of equals the first.
+  unsigned corner[3];
+  unsigned corners;
 } region;
 
 static region largest(const gjk_manifold *few, const gjk_manifold *m, unsigned axis, bool quadrilateral) {
@@ -241,9 +241,8 @@ static bool has_contact(const gjk_manifold *m, unsigned n, uint16_t id) {
   return false;
 }
 
-// Fewer than there are: the deepest, the largest triangle or quadrilateral with it, then what is farthest from those; of
-// equally far ones the first.
-// Unless they lie on one line, if so is said.
+// Fewer than there are: the deepest, the largest triangle or quadrilateral with it unless they lie on a line, then what is
+// farthest from those; of equally far ones the first.
 static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned axis, bool line) {
   gjk_manifold m, few;
   CHECK(gjk_contacts(a, b, MARGIN, 8, NULL, &workspace, &m) == GJK_OK && m.count > 4);

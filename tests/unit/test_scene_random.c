@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../check.h"
+#include "../generate/polytope.h"
 #include "../scene/world.h"
 
 #define UPDATES 400
@@ -88,23 +89,30 @@ static void run(unsigned family) {
   free(block);
 }
 
+static const gjk_scene_config two_bodies = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+static uint32_t small_block[500];
+
+// A scene of two crates. Returns what both were added with.
+static gjk_body_setup add_crates(gjk_scene *scene, uint8_t kind, gjk_body *fixed, gjk_body *moving) {
+  static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
+  static const gjk_shape *const shapes[] = {&crate};
+  static const gjk_part part = {0, false, GJK_POSE_IDENTITY};
+  const gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, kind, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+  CHECK(gjk_scene_init(scene, &two_bodies, small_block, sizeof small_block, shapes, 1) == GJK_OK);
+  CHECK(gjk_scene_add(scene, &setup, fixed) == GJK_OK && gjk_scene_add(scene, &setup, moving) == GJK_OK);
+  return setup;
+}
+
 // What each skip is counted as, one after the other: two crates, turned by 45 degrees, one corner beside the other; along
 // two axes after the others, where the pair, which was dropped meanwhile, remembers nothing.
 static void check_counters(void) {
-  static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
-  static const gjk_shape *const shapes[] = {&crate};
-  static uint32_t block[500];
-  const gjk_scene_config config = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
-  const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   const gjk_vec3 up[3] = {{0, 0, GJK_Q16_ONE}, {GJK_Q16_ONE, 0, 0}, {0, GJK_Q16_ONE, 0}};
-  gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
   gjk_scene scene;
   gjk_scene_stats stats;
   gjk_body fixed, moving;
   gjk_report report;
   gjk_progress progress;
-  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
-  CHECK(gjk_scene_add(&scene, &setup, &fixed) == GJK_OK && gjk_scene_add(&scene, &setup, &moving) == GJK_OK);
+  gjk_body_setup setup = add_crates(&scene, GJK_BODY_DYNAMIC, &fixed, &moving);
   // Along both axes, so that the boxes overlap and the direction found has a component that is 0; 0.27 apart.
   const struct {
     gjk_q16 at;
@@ -138,18 +146,11 @@ static void check_counters(void) {
 
 // Boxes of static bodies that come together are counted in that update alone.
 static void check_refused(void) {
-  static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
-  static const gjk_shape *const shapes[] = {&crate};
-  static uint32_t block[500];
-  const gjk_scene_config config = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
-  const gjk_part part = {0, false, GJK_POSE_IDENTITY};
-  gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_STATIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
   gjk_scene scene;
   gjk_scene_stats stats;
   gjk_body fixed, moving;
   gjk_progress progress;
-  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
-  CHECK(gjk_scene_add(&scene, &setup, &fixed) == GJK_OK && gjk_scene_add(&scene, &setup, &moving) == GJK_OK);
+  gjk_body_setup setup = add_crates(&scene, GJK_BODY_STATIC, &fixed, &moving);
   for (uint32_t i = 0; i < 4; i++) {
     setup.pose.position.x = i < 2 ? 0 : GJK_Q16_ONE / 4;
     CHECK(i % 2 != 0 || gjk_scene_teleport(&scene, moving, &setup.pose) == GJK_OK);
@@ -157,14 +158,6 @@ static void check_refused(void) {
     CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.pairs == 0);
     CHECK_MSG((stats.refused != 0) == (i % 2 == 0), "update %u: %u", i, stats.refused);
   }
-}
-
-static gjk_quat random_turn(random_state *random) {
-  const gjk_quat q = {random_range(random, -1000, 1000), random_range(random, -1000, 1000),
-                      random_range(random, -1000, 1000), random_range(random, 1, 1001)};
-  gjk_quat out;
-  CHECK(gjk_quat_normalize(&q, &out) == GJK_OK);
-  return out;
 }
 
 // Moves the body along the normal by so many LSB.
@@ -184,8 +177,6 @@ static void check_threshold(void) {
                                     GJK_CYLINDER(60000, 40000), GJK_CONE(50000, 70000),
                                     GJK_ELLIPSOID(30000, 60000, 90000)};
   static const gjk_shape *const shapes[] = {&kinds[0], &kinds[1], &kinds[2], &kinds[3], &kinds[4]};
-  static uint32_t block[500];
-  const gjk_scene_config config = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
   random_state random = random_seed(720);
   unsigned near_count = 0, skipped = 0;
   for (unsigned i = 0; i < THRESHOLDS; i++) {
@@ -197,11 +188,11 @@ static void check_threshold(void) {
     gjk_body fixed, moving;
     gjk_collider a, b;
     gjk_distance_result r = {0};
-    CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 5) == GJK_OK);
-    setup.pose.rotation = random_turn(&random);
+    CHECK(gjk_scene_init(&scene, &two_bodies, small_block, sizeof small_block, shapes, 5) == GJK_OK);
+    setup.pose.rotation = generate_rotation(&random);
     CHECK(gjk_scene_add(&scene, &setup, &fixed) == GJK_OK);
     setup.parts = &part[1];
-    setup.pose.rotation = random_turn(&random);
+    setup.pose.rotation = generate_rotation(&random);
     setup.pose.position.x = random_range(&random, -300000, 300000);
     setup.pose.position.y = random_range(&random, -300000, 300000);
     setup.pose.position.z = 300000;
