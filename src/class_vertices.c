@@ -23,17 +23,24 @@ static int64_t rounding_slack(const gjk_collider *c) {
   return 4 * (int64_t)c->core_radius;
 }
 
+// Those of the vertices that come within slack of one of them along d: posed ones, or the shape's own, which are looked at as
+// they are, not relative to its centre: that shifts all products alike.
+static void reach_within(gjk_reach *reach, const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d,
+                         const gjk_vec3 *one, int64_t slack) {
+  reach->next = vertices;
+  reach->end = vertices + c->count;
+  reach->d = d;
+  reach->limit = gjk_dot(one, d) - slack;
+  gjk_reach_start(reach, vertices == c->shape->vertices ? 31 : c->bits);
+}
+
 // Pre: offsets of the vertices at most core_radius; *at is among the farthest along d.
 GJK_OUT_OF_LINE static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
                                          gjk_support *at) {
   const gjk_vec3 *vertices = posed(c), *v;
   const uint16_t before = at->vertex;
   gjk_reach reach;
-  reach.next = vertices;
-  reach.end = vertices + c->count;
-  reach.d = d;
-  reach.limit = gjk_dot(&at->offset, d) - rounding_slack(c);
-  gjk_reach_start(&reach, c->bits);
+  reach_within(&reach, c, vertices, d, &at->offset, rounding_slack(c));
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
     const gjk_vec3 step = gjk_sub(*v, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
@@ -56,24 +63,13 @@ static int64_t local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec
   return 2 * (int64_t)c->core_radius + gjk_norm1(*d) + 8;
 }
 
-// The shape's own vertices within slack of one of them; they are looked at as they are, not relative to its centre, which
-// shifts all products alike.
-static void reach_local(gjk_reach *reach, const gjk_collider *c, const gjk_vec3 *local, const gjk_vec3 *vertex,
-                        int64_t slack) {
-  reach->next = c->shape->vertices;
-  reach->end = c->shape->vertices + c->count;
-  reach->d = local;
-  reach->limit = gjk_dot(vertex, local) - slack;
-  gjk_reach_start(reach, 31);
-}
-
 GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, gjk_support *out) {
   const gjk_vec3 *vertices = c->shape->vertices, *best = NULL;
   const gjk_vec3 d = gjk_scale_direction(direction);
   gjk_vec3 local;
   gjk_reach reach;
   const int64_t slack = local_direction(c, &d, &local);
-  reach_local(&reach, c, &local, gjk_scan(vertices, vertices + c->count, 31, &local), slack);
+  reach_within(&reach, c, vertices, &local, gjk_scan(vertices, vertices + c->count, 31, &local), slack);
   const gjk_vec3 *v = gjk_reach_next(&reach);
   int64_t farthest = 0;
   //@ assert v != 0;
@@ -97,7 +93,7 @@ GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d
   gjk_vec3 local;
   gjk_reach reach;
   const int64_t slack = local_direction(c, d, &local) + rounding_slack(c);
-  reach_local(&reach, c, &local, &vertices[before], slack);
+  reach_within(&reach, c, vertices, &local, &vertices[before], slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
     const gjk_vec3 offset = pose_vertex(c, c->frame, v);
     const gjk_vec3 step = gjk_sub(offset, at->offset);

@@ -12,7 +12,7 @@ static int64_t to_lsb(int64_t x, int shift) {
 }
 
 // The exact search among the few candidates that the plane distance leaves. In a frame 2^n times as coarse as an LSB, n <= 3,
-// no edge exceeds 2^(30 - n), so 4^n times the numerator stays below 2^184 - 2 n.
+// no edge exceeds 2^(30 - n), so 4^n times the numerator stays below 2^(184 - 2 n).
 GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high) {
   const unsigned finer = it->shift > 0 ? (unsigned)it->shift : 0;
   gjk_limbs numerator, denominator;

@@ -291,15 +291,14 @@ void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_limbs *numerator, gj
     sum_of_products(n->x, n->x, n->y, n->y, denominator);
     sum_of_products(n->z, n->z, 0, 0, &z);
     gjk_limbs_add(denominator, &z);
-    return;
-  }
-  gjk_limbs_set(denominator, 1);
-  gjk_limbs_set(numerator, (uint64_t)square);
-  if (s->count == 2) {
+  } else if (s->count == 2) {
     // |a x b|^2 / |b - a|^2 with |a x b|^2 = (a . a) (b . b) - (a . b)^2
     const int64_t dot = square - s->toward[a][b];
     sum_of_products(square, s->toward[b][b], -dot, dot, numerator);
     gjk_limbs_set(denominator, (uint64_t)(s->toward[a][b] + s->toward[b][a]));
+  } else {
+    gjk_limbs_set(numerator, (uint64_t)square);
+    gjk_limbs_set(denominator, 1);
   }
 }
 
