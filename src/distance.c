@@ -1,7 +1,7 @@
 // The distance query: how far apart, and where.
 #include "distance.h"
 
-#include "iteration.h"
+#include "search.h"
 #include "unit.h"
 #include "witness.h"
 
@@ -88,8 +88,7 @@ GJK_OUT_OF_LINE static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result
 
 // Runs up to so many rounds in all, and narrows the bounds when they do not suffice.
 static gjk_outcome run(gjk_iteration *it, unsigned limit, const gjk_cache *cache, gjk_distance_result *out) {
-  it->limit = (uint8_t)limit;
-  const gjk_outcome outcome = gjk_iteration_run(it, GJK_GOAL_DISTANCE, cache);
+  const gjk_outcome outcome = gjk_search(it, GJK_GOAL_DISTANCE, cache, limit);
   out->iterations = it->rounds;
   return outcome == GJK_OUTCOME_LIMIT ? narrow(it, out) : outcome;
 }
@@ -130,7 +129,7 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
   }
   gjk_iteration it;
   start(&it, a, b, out);
-  const gjk_outcome outcome = run(&it, GJK_ITERATIONS_MAX, cache, out);
+  const gjk_outcome outcome = run(&it, gjk_search_limit(&it), cache, out);
   if (outcome == GJK_OUTCOME_LIMIT) {
     return GJK_ERROR_ITERATION_LIMIT;
   }
@@ -158,11 +157,12 @@ gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, cons
   if (effort->error < 0) {
     return GJK_ERROR_NEGATIVE;
   }
-  const bool limited = effort->iterations > 0 && effort->iterations < GJK_ITERATIONS_MAX;
-  const unsigned most = limited ? effort->iterations : GJK_ITERATIONS_MAX;
   gjk_iteration it;
   start(&it, a, b, out);
-  // Every turn is a round, so there are at most GJK_ITERATIONS_MAX.
+  const unsigned ceiling = gjk_search_limit(&it);
+  const bool limited = effort->iterations > 0 && effort->iterations < ceiling;
+  const unsigned most = limited ? effort->iterations : ceiling;
+  // Every turn is a round, so there are at most as many as the ceiling.
   do {
     const gjk_outcome outcome = run(&it, it.rounds + 1u, it.rounds == 0 ? cache : NULL, out);
     if (outcome != GJK_OUTCOME_LIMIT) {

@@ -1,7 +1,7 @@
 // Yes-or-no queries: do two shapes touch, are they within a distance?
 #include "gjk/intersect.h"
 
-#include "iteration.h"
+#include "search.h"
 
 static gjk_status decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, gjk_cache *cache,
                          gjk_decision *out) {
@@ -16,7 +16,7 @@ static gjk_status decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 d
     out->certificate.count = 0;
     return GJK_OK;
   }
-  outcome = gjk_iteration_run(&it, GJK_GOAL_WITHIN, cache);
+  outcome = gjk_search(&it, GJK_GOAL_WITHIN, cache, gjk_search_limit(&it));
   out->iterations = it.rounds;
   if (outcome == GJK_OUTCOME_LIMIT) {
     return GJK_ERROR_ITERATION_LIMIT;

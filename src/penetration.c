@@ -3,6 +3,7 @@
 
 #include "distance.h"
 #include "expand.h"
+#include "search.h"
 #include "unit.h"
 #include "witness.h"
 #include "zonotope.h"
@@ -66,7 +67,7 @@ GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *
   //@ assert it->shift >= 0;
   gjk_limbs numerator, denominator;
   bool parted = false;
-  if (gjk_iteration_run(it, GJK_GOAL_SIGNED, NULL) == GJK_OUTCOME_NEAREST) {  // not reached: else, see above
+  if (gjk_search(it, GJK_GOAL_SIGNED, NULL, gjk_search_limit(it)) == GJK_OUTCOME_NEAREST) {  // not reached: else, see above
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
     parted = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
   }
@@ -229,7 +230,7 @@ static gjk_outcome start(overlap *o, gjk_goal goal, gjk_cache *cache) {
       from = &direction;
     }
   }
-  const gjk_outcome outcome = gjk_iteration_run(it, goal, from);
+  const gjk_outcome outcome = gjk_search(it, goal, from, gjk_search_limit(it));
   o->rounds = it->rounds;
   if (cache != NULL && outcome != GJK_OUTCOME_LIMIT) {
     gjk_iteration_keep(it, outcome, cache);

@@ -1,0 +1,212 @@
+// A query's search, in rounds of GJK; see search.h.
+#include "search.h"
+
+// One shape, and which of its vertices were seen: bit i stands for the vertices from i 2^shift to before (i + 1) 2^shift.
+typedef struct album {
+  const gjk_collider *collider;
+  uint64_t *seen;
+  uint32_t count;
+  unsigned shift;
+} album;
+
+static album open_album(const gjk_collider *c, uint64_t *seen) {
+  const uint32_t count = c->shape->type->kind == GJK_KIND_AXES ? UINT32_C(1) << c->count : c->count;
+  album of = {c, seen, count, 0};
+  while ((count - 1) >> of.shift >= GJK_MARKS) {  // at most 10 times
+    of.shift++;
+  }
+  return of;
+}
+
+// Returns whether the mark is new.
+static bool mark(const album *of, uint16_t vertex) {
+  const uint64_t bit = UINT64_C(1) << (vertex >> of->shift), before = *of->seen;
+  *of->seen |= bit;
+  return *of->seen != before;
+}
+
+// The first seen vertex from number v on; count: none.
+static uint32_t next_seen(const album *of, uint32_t v) {
+  while (v < of->count && (*of->seen >> (v >> of->shift) & 1u) == 0) {
+    v++;
+  }
+  return v;
+}
+
+// Is step ahead along the direction, of which d is the rounded one? Each component of d is off by less than 1, or d is
+// exact; so a product of at least |x| + |y| + |z| has the right sign. |d| <= 2^31, |step| <= 2^30.
+static bool leads(const gjk_vec3 *d, const gjk_direction *direction, const gjk_vec3 *step) {
+  const int64_t along = gjk_dot(d, step);
+  const int64_t doubt = (int64_t)gjk_norm1(*step);
+  if (along >= doubt || along <= -doubt) {
+    return along > 0;
+  }
+  return gjk_direction_sign(direction, step) > 0;
+}
+
+// The seen vertex that is farthest along the exact direction; among equals the first.
+static uint16_t farthest_seen(const album *of, const gjk_vec3 *d, const gjk_direction *direction) {
+  const gjk_collider *c = of->collider;
+  uint32_t best = next_seen(of, 0);
+  gjk_vec3 at, offset;
+  c->shape->type->vertex(c, (uint16_t)best, &at);
+  for (uint32_t v = next_seen(of, best + 1); v < of->count; v = next_seen(of, v + 1)) {
+    c->shape->type->vertex(c, (uint16_t)v, &offset);
+    const gjk_vec3 step = gjk_sub(offset, at);
+    if (leads(d, direction, &step)) {
+      best = v;
+      at = offset;
+    }
+  }
+  return (uint16_t)best;
+}
+
+// Adds the difference of seen vertices that is farthest along the direction from the feature to the origin. NONE: it is no
+// nearer, or the origin lies on the feature.
+static gjk_step recall(gjk_iteration *it, const album *a, const album *b) {
+  gjk_direction direction;
+  if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
+    return GJK_STEP_NONE;
+  }
+  const gjk_vec3 opposite = gjk_negate(it->direction.d);
+  gjk_simplex_exact_direction(&it->simplex, &direction);
+  const uint16_t of_a = farthest_seen(a, &it->direction.d, &direction);
+  direction.opposite = true;
+  gjk_iteration_place(it, of_a, farthest_seen(b, &opposite, &direction));
+  return gjk_simplex_add(&it->simplex);
+}
+
+// Differences of seen vertices in the first slots, each after the one before: by its vertex of A, then of B.
+typedef struct chain {
+  uint32_t a[4], b[4];
+  unsigned last;  // the number of the last slot
+} chain;
+
+// Is the chain one to be tried? Among exact differences a point of A and one of B are what counts, each inside some vertices
+// of its shape, five in all at most (Kirchberger 1903): fewest possible, so that only these points have this difference.
+// The prism of these vertices then is cut into simplices by chains in which no number falls and at most three rise.
+// In a far frame differences are rounded, and so any three may be needed.
+static bool is_candidate(const gjk_iteration *it, const chain *c) {
+  unsigned rises = 0;
+  if (it->shift < 0) {
+    return c->last < 3;
+  }
+  for (unsigned i = 0; i < c->last; i++) {
+    if (c->b[i + 1] < c->b[i]) {
+      return false;
+    }
+    rises += (c->a[i + 1] > c->a[i] ? 1u : 0u) + (c->b[i + 1] > c->b[i] ? 1u : 0u);
+  }
+  return rises <= 3;
+}
+
+// Is the simplex of the chain the answer: does it hold the origin, or is it the nearest feature?
+static gjk_step try_chain(gjk_iteration *it, const album *a, const album *b, const chain *c) {
+  gjk_simplex *s = &it->simplex;
+  const unsigned length = c->last + 1;
+  s->count = (uint8_t)c->last;
+  for (uint8_t i = 0; i < 4; i++) {
+    s->order[i] = i;
+  }
+  gjk_iteration_place(it, (uint16_t)c->a[c->last], (uint16_t)c->b[c->last]);
+  if (gjk_simplex_encloses(s, length)) {
+    s->count = (uint8_t)length;
+    return GJK_STEP_ENCLOSING;
+  }
+  if (length == 4 || !gjk_simplex_set(s, length)) {
+    return GJK_STEP_NONE;
+  }
+  return recall(it, a, b) == GJK_STEP_NONE ? GJK_STEP_NEARER : GJK_STEP_NONE;
+}
+
+// The next pair of seen vertices. False: there is none.
+static bool advance(const album *a, const album *b, uint32_t *of_a, uint32_t *of_b) {
+  *of_b = next_seen(b, *of_b + 1);
+  if (*of_b == b->count) {
+    *of_a = next_seen(a, *of_a + 1);
+    *of_b = next_seen(b, 0);
+  }
+  return *of_a < a->count;
+}
+
+// Makes the feature the nearest over all differences of seen vertices by trying all: k and l of them have less than (k l)^4
+// chains.
+GJK_OUT_OF_LINE static gjk_step try_all(gjk_iteration *it, const album *a, const album *b) {
+  chain c;
+  c.last = 0;
+  c.a[0] = next_seen(a, 0);
+  c.b[0] = next_seen(b, 0);
+  for (;;) {  // each chain once, and one of them is the answer
+    if (is_candidate(it, &c)) {
+      const gjk_step step = try_chain(it, a, b, &c);
+      if (step != GJK_STEP_NONE) {
+        return step;
+      }
+      if (c.last < 3) {
+        c.a[c.last + 1] = c.a[c.last];
+        c.b[c.last + 1] = c.b[c.last];
+        c.last++;
+      }
+    }
+    while (!advance(a, b, &c.a[c.last], &c.b[c.last])) {
+      if (c.last == 0) {
+        return GJK_STEP_NONE;  // not reached: see above
+      }
+      c.last--;
+    }
+  }
+}
+
+// Step 2 of search.h. ENCLOSING: the origin lies in the simplex.
+static gjk_step recall_all(gjk_iteration *it, const album *a, const album *b) {
+  while (it->recalls < GJK_RECALLS_MAX) {
+    it->recalls++;
+    const gjk_step step = recall(it, a, b);
+    if (step != GJK_STEP_NEARER) {
+      return step;
+    }
+  }
+  return try_all(it, a, b);
+}
+
+// Marks the vertices of the feature. Returns whether a mark is new.
+static bool mark_feature(const gjk_iteration *it, const album *a, const album *b) {
+  const gjk_simplex *s = &it->simplex;
+  bool found = false;
+  for (unsigned i = 0; i < s->count; i++) {
+    const gjk_vertex *v = &s->slot[s->order[i]];
+    const bool of_a = mark(a, v->a.vertex), of_b = mark(b, v->b);
+    found = found || of_a || of_b;
+  }
+  return found;
+}
+
+// A round that remembers: step 3 of search.h after 1 and 2.
+static gjk_outcome remembering_round(gjk_iteration *it, gjk_goal goal) {
+  const album a = open_album(it->a, &it->seen[0]), b = open_album(it->b, &it->seen[1]);
+  if (!mark_feature(it, &a, &b)) {
+    // In a far frame alone, where vertices are rounded: by such rounding the feature is nearest.
+    gjk_simplex_direction(&it->simplex, &it->direction);
+    return GJK_OUTCOME_NEAREST;
+  }
+  if (recall_all(it, &a, &b) == GJK_STEP_ENCLOSING) {
+    return GJK_OUTCOME_ENCLOSING;
+  }
+  it->limit = (uint8_t)(it->rounds + 1);
+  return gjk_iteration_run(it, goal, NULL);
+}
+
+gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
+  gjk_outcome outcome = GJK_OUTCOME_LIMIT;
+  const unsigned plain = it->curved != NULL || limit < GJK_PLAIN_ROUNDS ? limit : GJK_PLAIN_ROUNDS;
+  if (it->rounds < plain) {
+    it->limit = (uint8_t)plain;
+    outcome = gjk_iteration_run(it, goal, cache);
+    it->seen[0] = it->seen[1] = 0;
+    it->recalls = 0;
+  }
+  while (outcome == GJK_OUTCOME_LIMIT && it->rounds < limit) {
+    outcome = remembering_round(it, goal);
+  }
+  return outcome;
+}

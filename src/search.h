@@ -1,0 +1,41 @@
+// A query's search: GJK, and once it takes long, GJK that remembers the vertices it has seen.
+//
+// GJK forgets vertices that it needs again, so how many rounds it takes has no bound of use. After GJK_PLAIN_ROUNDS of
+// them this happens to polytopes:
+//   1 The vertices of A and of B in the feature are marked as seen.
+//   2 The feature is made nearest to the origin over all differences of seen vertices.
+//   3 A round of GJK looks for a vertex of A - B strictly nearer along the exact direction. None: the feature is nearest.
+//   4 Otherwise that vertex of A or that of B was not seen before: by 2 no difference of seen ones is nearer. On from 1.
+// Each round but the last marks a vertex, and one of each shape is marked before the first. So for shapes of n and m vertices
+// there are at most GJK_PLAIN_ROUNDS + n + m - 1 rounds. Beyond GJK_MARKS vertices of a shape neighbours share a mark, and
+// are seen together; then n or m is GJK_MARKS here.
+//
+// Step 2 is GJK among the seen vertices. Its steps are counted as well, and after GJK_RECALLS_MAX of them in a query all
+// features are tried instead, which surely ends.
+#ifndef GJK_SRC_SEARCH_H
+#define GJK_SRC_SEARCH_H
+
+#include "iteration.h"
+
+// A build may define both, to test what follows.
+#ifndef GJK_PLAIN_ROUNDS
+#define GJK_PLAIN_ROUNDS 16
+#endif
+#ifndef GJK_RECALLS_MAX
+#define GJK_RECALLS_MAX 200
+#endif
+
+#define GJK_MARKS 64
+
+// Runs from the cache, or cold when it is NULL or useless; after LIMIT and with a higher limit on rounds, on from there.
+// LIMIT for polytopes: only at a limit below GJK_ROUNDS_MAX.
+gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit);
+
+// The ceiling on the rounds of any query.
+#define GJK_ROUNDS_MAX (GJK_PLAIN_ROUNDS + 2 * GJK_MARKS)
+
+static inline unsigned gjk_search_limit(const gjk_iteration *it) {
+  return it->curved != NULL ? GJK_ITERATIONS_MAX : GJK_ROUNDS_MAX;
+}
+
+#endif
