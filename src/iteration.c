@@ -238,7 +238,8 @@ static bool known(gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *added = gjk_simplex_free(&it->simplex);
   if (it->curved != NULL && s->count > 0) {
-    return it->curved(&it->direction.d, &s->slot[s->order[0]].w, &added->w, it->shift);
+    return it->curved(&it->direction.d, &s->slot[s->order[0]].w, &added->w, it->shift,
+                      it->rounds >= GJK_ITERATIONS_MAX / 2);
   }
   for (unsigned i = 0; i < s->count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];

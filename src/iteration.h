@@ -48,12 +48,12 @@ typedef struct gjk_iteration {
   int32_t radius;  // what counts as near, there
   int8_t shift;
   uint8_t rounds;
-  uint8_t limit;          // on rounds
-  uint8_t recalls;        // what gjk_search remembers: see there
+  uint8_t limit;    // on rounds
+  uint8_t recalls;  // what gjk_search remembers: see there
   uint64_t seen[2];
   gjk_rounded direction;  // of the last support
   // Of one of the two that has no vertices, see gjk_shape_class.stalls; NULL: both have.
-  bool (*curved)(const gjk_vec3 *, const gjk_vec3 *, const gjk_vec3 *, int);
+  bool (*curved)(const gjk_vec3 *, const gjk_vec3 *, const gjk_vec3 *, int, bool);
   gjk_simplex simplex;
 } gjk_iteration;
 

@@ -67,7 +67,8 @@ GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *
   //@ assert it->shift >= 0;
   gjk_limbs numerator, denominator;
   bool parted = false;
-  if (gjk_search(it, GJK_GOAL_SIGNED, NULL, gjk_search_limit(it)) == GJK_OUTCOME_NEAREST) {  // not reached: else, see above
+  if (gjk_search(it, GJK_GOAL_SIGNED, NULL, gjk_search_limit(it)) ==
+      GJK_OUTCOME_NEAREST) {  // not reached: else, see above
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
     parted = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
   }

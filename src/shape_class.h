@@ -38,9 +38,9 @@ struct gjk_shape_class {
   // The offset of a vertex by its number; false: there is none. NULL: curved.
   bool (*vertex)(const gjk_collider *collider, uint16_t number, gjk_vec3 *offset);
 
-  // Does a step of the search along d, from one vertex of the pair's frame to another, gain too little to go on for? For
-  // kinds without vertices alone, NULL for the others, which run out of vertices. Pre: see gjk/iteration.h.
-  bool (*stalls)(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift);
+  // Does a step of the search along d, from one vertex of the pair's frame to another, gain too little to go on for? late: the
+  // search is long. For kinds without vertices alone, NULL for the others, which run out of vertices. Pre: see gjk/iteration.h.
+  bool (*stalls)(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift, bool late);
 
   bool buffered;  // takes a buffer for the vertices of the shape
   uint8_t count;  // half axes or vertices; 0 with buffered: the shape's own count

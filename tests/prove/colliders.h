@@ -44,7 +44,7 @@ static gjk_status any_measure(const gjk_shape *shape, gjk_extent *out) {
   return GJK_ERROR_NULL;
 }
 
-static bool any_stalls(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift) {
+static bool any_stalls(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift, bool late) {
   check_vec3(d, ANY_W);
   check_vec3(from, ANY_W);
   check_vec3(to, ANY_W);

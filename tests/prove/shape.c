@@ -79,7 +79,7 @@ static void use(const gjk_collider *c) {
     }
   }
   if (c->shape->type->stalls != NULL) {
-    (void)c->shape->type->stalls(&d, &ends[0], &ends[1], any_between(-3, 29));
+    (void)c->shape->type->stalls(&d, &ends[0], &ends[1], any_between(-3, 29), any_bool());
   }
   if (c->shape->type->vertex != NULL && c->shape->type->vertex(c, any_uint16(), &found.offset)) {
     check_offset(&found.offset);
