@@ -48,14 +48,14 @@ static bool leads(const gjk_vec3 *d, const gjk_direction *direction, const gjk_v
 static uint16_t farthest_seen(const album *of, const gjk_vec3 *d, const gjk_direction *direction) {
   const gjk_collider *c = of->collider;
   uint32_t best = next_seen(of, 0);
-  gjk_vec3 at, offset;
+  gjk_vec3 at, step;
   c->shape->type->vertex(c, (uint16_t)best, &at);
   for (uint32_t v = next_seen(of, best + 1); v < of->count; v = next_seen(of, v + 1)) {
-    c->shape->type->vertex(c, (uint16_t)v, &offset);
-    const gjk_vec3 step = gjk_sub(offset, at);
+    c->shape->type->vertex(c, (uint16_t)v, &step);
+    step = gjk_sub(step, at);
     if (leads(d, direction, &step)) {
       best = v;
-      at = offset;
+      at = gjk_add(at, step);
     }
   }
   return (uint16_t)best;
@@ -78,8 +78,8 @@ static gjk_step recall(gjk_iteration *it, const album *a, const album *b) {
 
 // Differences of seen vertices in the first slots, each after the one before: by its vertex of A, then of B.
 typedef struct chain {
-  uint32_t a[4], b[4];
-  unsigned last;  // the number of the last slot
+  uint16_t a[4], b[4];
+  uint8_t last;  // the number of the last slot
 } chain;
 
 // Is the chain one to be tried? Among exact differences a point of A and one of B are what counts, each inside some vertices
@@ -108,7 +108,7 @@ static gjk_step try_chain(gjk_iteration *it, const album *a, const album *b, con
   for (uint8_t i = 0; i < 4; i++) {
     s->order[i] = i;
   }
-  gjk_iteration_place(it, (uint16_t)c->a[c->last], (uint16_t)c->b[c->last]);
+  gjk_iteration_place(it, c->a[c->last], c->b[c->last]);
   if (gjk_simplex_encloses(s, length)) {
     s->count = (uint8_t)length;
     return GJK_STEP_ENCLOSING;
@@ -120,13 +120,18 @@ static gjk_step try_chain(gjk_iteration *it, const album *a, const album *b, con
 }
 
 // The next pair of seen vertices. False: there is none.
-static bool advance(const album *a, const album *b, uint32_t *of_a, uint32_t *of_b) {
-  *of_b = next_seen(b, *of_b + 1);
-  if (*of_b == b->count) {
-    *of_a = next_seen(a, *of_a + 1);
-    *of_b = next_seen(b, 0);
+static bool advance(const album *a, const album *b, uint16_t *of_a, uint16_t *of_b) {
+  uint32_t next = next_seen(b, *of_b + UINT32_C(1));
+  if (next == b->count) {
+    next = next_seen(a, *of_a + UINT32_C(1));
+    if (next == a->count) {
+      return false;
+    }
+    *of_a = (uint16_t)next;
+    next = next_seen(b, 0);
   }
-  return *of_a < a->count;
+  *of_b = (uint16_t)next;
+  return true;
 }
 
 // Makes the feature the nearest over all differences of seen vertices by trying all: k and l of them have less than (k l)^4
@@ -134,8 +139,8 @@ static bool advance(const album *a, const album *b, uint32_t *of_a, uint32_t *of
 GJK_OUT_OF_LINE static gjk_step try_all(gjk_iteration *it, const album *a, const album *b) {
   chain c;
   c.last = 0;
-  c.a[0] = next_seen(a, 0);
-  c.b[0] = next_seen(b, 0);
+  c.a[0] = (uint16_t)next_seen(a, 0);
+  c.b[0] = (uint16_t)next_seen(b, 0);
   for (;;) {  // each chain once, and one of them is the answer
     if (is_candidate(it, &c)) {
       const gjk_step step = try_chain(it, a, b, &c);
@@ -181,32 +186,29 @@ static bool mark_feature(const gjk_iteration *it, const album *a, const album *b
   return found;
 }
 
-// A round that remembers: step 3 of search.h after 1 and 2.
-static gjk_outcome remembering_round(gjk_iteration *it, gjk_goal goal) {
-  const album a = open_album(it->a, &it->seen[0]), b = open_album(it->b, &it->seen[1]);
-  if (!mark_feature(it, &a, &b)) {
-    // In a far frame alone, where vertices are rounded: by such rounding the feature is nearest.
-    gjk_simplex_direction(&it->simplex, &it->direction);
-    return GJK_OUTCOME_NEAREST;
-  }
-  if (recall_all(it, &a, &b) == GJK_STEP_ENCLOSING) {
-    return GJK_OUTCOME_ENCLOSING;
-  }
-  it->limit = (uint8_t)(it->rounds + 1);
-  return gjk_iteration_run(it, goal, NULL);
-}
-
-gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
-  gjk_outcome outcome = GJK_OUTCOME_LIMIT;
-  const unsigned plain = it->curved != NULL || limit < GJK_PLAIN_ROUNDS ? limit : GJK_PLAIN_ROUNDS;
-  if (it->rounds < plain) {
-    it->limit = (uint8_t)plain;
-    outcome = gjk_iteration_run(it, goal, cache);
+// 1 and 2 of search.h. LIMIT: a round of GJK comes next.
+GJK_OUT_OF_LINE static gjk_outcome remember(gjk_iteration *it) {
+  if (it->rounds == GJK_PLAIN_ROUNDS) {
     it->seen[0] = it->seen[1] = 0;
     it->recalls = 0;
   }
+  const album a = open_album(it->a, &it->seen[0]), b = open_album(it->b, &it->seen[1]);
+  if (!mark_feature(it, &a, &b)) {
+    // In a far frame alone, where vertices are rounded: another one is nearer by no more than that.
+    gjk_simplex_direction(&it->simplex, &it->direction);
+    return GJK_OUTCOME_NEAREST;
+  }
+  return recall_all(it, &a, &b) == GJK_STEP_ENCLOSING ? GJK_OUTCOME_ENCLOSING : GJK_OUTCOME_LIMIT;
+}
+
+GJK_OUT_OF_LINE gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit) {
+  gjk_outcome outcome = GJK_OUTCOME_LIMIT;
   while (outcome == GJK_OUTCOME_LIMIT && it->rounds < limit) {
-    outcome = remembering_round(it, goal);
+    outcome = remember(it);
+    if (outcome == GJK_OUTCOME_LIMIT) {
+      it->limit = (uint8_t)(it->rounds + 1);
+      outcome = gjk_iteration_run(it, goal, NULL);
+    }
   }
   return outcome;
 }

@@ -25,17 +25,32 @@
 #define GJK_RECALLS_MAX 200
 #endif
 
+#if GJK_PLAIN_ROUNDS < 1 || GJK_PLAIN_ROUNDS > 100
+#error "GJK_PLAIN_ROUNDS must be from 1 to 100"
+#endif
+
 #define GJK_MARKS 64
 
-// Runs from the cache, or cold when it is NULL or useless; after LIMIT and with a higher limit on rounds, on from there.
-// LIMIT for polytopes: only at a limit below GJK_ROUNDS_MAX.
-gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit);
-
-// The ceiling on the rounds of any query.
+// The ceiling on the rounds of any query; that of curved shapes is no bound.
 #define GJK_ROUNDS_MAX (GJK_PLAIN_ROUNDS + 2 * GJK_MARKS)
 
 static inline unsigned gjk_search_limit(const gjk_iteration *it) {
   return it->curved != NULL ? GJK_ITERATIONS_MAX : GJK_ROUNDS_MAX;
+}
+
+// Rounds that remember, up to the limit in all.
+gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit);
+
+// Runs from the cache, or cold when it is NULL or useless; after LIMIT and with a higher limit on rounds, on from there.
+// Polytopes do not reach gjk_search_limit.
+static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
+  const unsigned plain = it->curved != NULL || limit < GJK_PLAIN_ROUNDS ? limit : GJK_PLAIN_ROUNDS;
+  gjk_outcome outcome = GJK_OUTCOME_LIMIT;
+  if (it->rounds < plain) {
+    it->limit = (uint8_t)plain;
+    outcome = gjk_iteration_run(it, goal, cache);
+  }
+  return outcome == GJK_OUTCOME_LIMIT && it->curved == NULL ? gjk_search_on(it, goal, limit) : outcome;
 }
 
 #endif

@@ -1,8 +1,8 @@
 #!/bin/sh
 # The most expensive pairs that a search finds: worst-case.sh BUILD [SEED [ROUNDS [INSTRUCTIONS]]]
 #
-# Per family so many measurements of rounds on the host, then of instructions on an emulated Cortex-M3. What beats the
-# pairs of tests/data/worst.txt replaces them there. With 'replay' instead of a SEED it only counts the known pairs
+# Per family so many measurements on the host, of rounds and what is done between them, then of instructions on an emulated
+# Cortex-M3. What beats the pairs of tests/data/worst.txt replaces them there. With 'replay' instead of a SEED it only counts the known pairs
 # afresh, prints 'ID|rounds|instructions' and changes nothing.
 . tests/build/count.sh
 build=$1
@@ -51,7 +51,7 @@ fi
 sed -n '/^case /q; p' $data >"$dir/head"
 sed -n '/^case /,$p' $data >"$dir/found.txt"
 make -s build/host/libgjk.a build/hosted/port/hosted/gjk_hosted.o >/dev/null && annotate "$dir/found.txt" || exit 1
-"${CC:-cc}" -O2 -std=c99 -Iinclude tests/target/worst.c tests/target/worst_host.c "$build/worst_cases.c" \
+"${CC:-cc}" -O2 -std=c99 -Iinclude -Isrc tests/target/worst.c tests/target/worst_host.c "$build/worst_cases.c" \
   -Itests build/host/libgjk.a build/hosted/port/hosted/gjk_hosted.o -o "$dir/worst_host" || exit 1
 families=$(grep -o '"[a-z0-9]*-[a-z]*", WORST_' tests/target/worst.c | wc -l)
 

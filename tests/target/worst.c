@@ -46,6 +46,10 @@ bool worst_pose(const worst_pair *pair) {
   return true;
 }
 
+const gjk_collider *worst_collider(int number) {
+  return &colliders[number];
+}
+
 unsigned worst_query(const worst_family *family) {
   static gjk_distance_result result;
   static gjk_decision decision;
@@ -180,10 +184,41 @@ static void turn(gjk_quat *q) {
   }
 }
 
+// Adds a vertex - between two others, beside one, or one of the other body's - or takes one away.
+static void change_count(const worst_family *family, worst_pair *pair, worst_body *body) {
+  gjk_shape *shape = &body->shape;
+  const worst_body *from = &pair->body[random_below(&random, 2)];
+  if (random_below(&random, 2) == 0 && shape->count < family->vertices && from->shape.type == &gjk_class_hull) {
+    const gjk_vec3 *u = &from->vertices[random_below(&random, from->shape.count)];
+    const gjk_vec3 *v = &from->vertices[random_below(&random, from->shape.count)];
+    gjk_vec3 *added = &body->vertices[shape->count++];
+    added->x = u->x / 2 + v->x / 2;
+    added->y = u->y / 2 + v->y / 2;
+    added->z = u->z / 2 + v->z / 2;
+    nudge(component(added), -GJK_RADIUS_MAX);
+  } else if (shape->count > 2) {
+    body->vertices[random_below(&random, shape->count)] = body->vertices[shape->count - 1u];
+    shape->count--;
+  }
+}
+
+// Divides one coordinate of all vertices, or one half extent, by a power of two.
+static void flatten(worst_body *body) {
+  const int32_t by = INT32_C(1) << random_below(&random, 12);
+  const uint32_t axis = random_below(&random, 3);
+  for (unsigned i = 0; i < body->shape.count; i++) {
+    gjk_vec3 *v = &body->vertices[i];
+    int32_t *const at[] = {&v->x, &v->y, &v->z};
+    *at[axis] /= by;
+  }
+  int32_t *const size[] = {&body->shape.size.x, &body->shape.size.y, &body->shape.size.z};
+  *size[axis] /= by;
+}
+
 static void change_once(const worst_family *family, worst_pair *pair) {
   worst_body *body = &pair->body[random_below(&random, 2)];
   gjk_shape *shape = &body->shape;
-  const uint32_t choice = random_below(&random, 8);
+  const uint32_t choice = random_below(&random, 10);
   if (choice == 0) {
     turn(&body->pose.rotation);
   } else if (choice < 3) {
@@ -192,6 +227,10 @@ static void change_once(const worst_family *family, worst_pair *pair) {
     nudge(&shape->round, 1);
   } else if (choice == 4) {
     touch(pair);
+  } else if (choice == 8 && shape->type == &gjk_class_hull) {
+    change_count(family, pair, body);
+  } else if (choice == 9 && random_below(&random, 8) == 0) {
+    flatten(body);
   } else if (shape->type == &gjk_class_hull || shape->type == &gjk_class_triangle) {
     nudge(component(&body->vertices[random_below(&random, shape->count)]), -GJK_RADIUS_MAX);
   } else {

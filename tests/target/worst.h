@@ -22,7 +22,7 @@ typedef enum worst_kind { WORST_BOXES, WORST_HULLS, WORST_ROUNDED, WORST_CURVED 
 typedef struct worst_family {
   const char *name;  // shapes and query
   worst_kind kind;
-  uint16_t vertices;  // of hulls
+  uint16_t vertices;  // of hulls, at most
   bool distance;      // else intersect
 } worst_family;
 
@@ -43,6 +43,7 @@ const worst_family *worst_family_of(const char *id);
 
 // Poses the pair; false when the library refuses it. Then the query, cold: what is measured. Returns its rounds.
 bool worst_pose(const worst_pair *pair);
+const gjk_collider *worst_collider(int number);
 unsigned worst_query(const worst_family *family);
 
 // What the search makes as expensive as it can; 0 for a pair that is refused.

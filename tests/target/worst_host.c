@@ -1,11 +1,25 @@
 // Host program: searches for pairs that take the most rounds: worst_host FAMILY SEED MEASUREMENTS
+//
+// What a search does between its rounds counts as well: among vertices that it has seen.
+#include "search.h"
 #include "worst.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-static uint32_t rounds(const worst_family *family, const worst_pair *pair) {
-  return worst_pose(pair) ? worst_query(family) : 0;
+static uint32_t steps(const worst_family *family, const worst_pair *pair) {
+  const gjk_goal goal = family->distance ? GJK_GOAL_DISTANCE : GJK_GOAL_WITHIN;
+  gjk_iteration it;
+  if (!worst_pose(pair)) {
+    return 0;
+  }
+  const gjk_collider *a = worst_collider(0), *b = worst_collider(1);
+  if (!gjk_iteration_start(&it, a, b, goal, (int64_t)a->shape->round + b->shape->round)) {
+    return 1;
+  }
+  it.recalls = 0;
+  gjk_search(&it, goal, NULL, gjk_search_limit(&it));
+  return (uint32_t)it.rounds + it.recalls;
 }
 
 static void print(const char *text) {
@@ -21,7 +35,7 @@ int main(int argc, char **argv) {
   }
   const worst_family *family = &worst_families[number];
   const uint32_t measurements = (uint32_t)strtoul(argv[3], NULL, 10);
-  const uint32_t most_rounds = worst_search(family, rounds, strtoull(argv[2], NULL, 10), measurements, &most);
+  const uint32_t most_rounds = worst_search(family, steps, strtoull(argv[2], NULL, 10), measurements, &most);
   worst_print(print, family, "rounds", &most);
   printf("# rounds %lu\n", (unsigned long)most_rounds);
   return 0;
