@@ -5,6 +5,9 @@
 //         exact direction, so every simplex is non-degenerate, each feature is nearer than the last and none returns.
 #include "iteration.h"
 
+// From here on a search of curved shapes is long. Random pairs take at most 51 rounds.
+#define LATE_ROUNDS 64
+
 // Is v longer than r >= 0? Components at most 2^32, r below 2^33. From r = 2^31 on only single components are compared: the
 // answer may then be a wrong "no".
 static bool longer_than(const gjk_long3 *v, int64_t r) {
@@ -238,8 +241,7 @@ static bool known(gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *added = gjk_simplex_free(&it->simplex);
   if (it->curved != NULL && s->count > 0) {
-    return it->curved(&it->direction.d, &s->slot[s->order[0]].w, &added->w, it->shift,
-                      it->rounds >= GJK_ITERATIONS_MAX / 2);
+    return it->curved(&it->direction.d, &s->slot[s->order[0]].w, &added->w, it->shift, it->rounds >= LATE_ROUNDS);
   }
   for (unsigned i = 0; i < s->count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];

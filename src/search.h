@@ -25,6 +25,7 @@
 #define GJK_RECALLS_MAX 200
 #endif
 
+// GJK_ITERATIONS_OF of gjk/format.h counts on 16.
 #if GJK_PLAIN_ROUNDS < 1 || GJK_PLAIN_ROUNDS > 100
 #error "GJK_PLAIN_ROUNDS must be from 1 to 100"
 #endif

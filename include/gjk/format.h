@@ -56,10 +56,13 @@ typedef struct gjk_pose {
 // Most corners of one face of a hull.
 #define GJK_FACE_CORNERS_MAX 12
 
-// Ceiling on the rounds of one query; one that reaches it says so and gives the bounds proven so far. Each feature is
-// strictly nearer than the last, so every query ends, but how soon has no useful bound. Random pairs have needed at most
-// 18 (polytopes) and 51 (curved). A search for the worst, tests/data/worst.txt, found 16 for boxes, 45 for hulls of 8
-// points, 108 for hulls of 64, and the ceiling for slender curved shapes within 2 LSB of touching.
+// The most rounds of a query on polytopes of n and m vertices or their rounded forms, proven in src/search.h. A box has 8
+// vertices, a triangle 3, a segment or capsule 2, a point or sphere 1. More than 64 count as 64.
+#define GJK_ITERATIONS_OF(n, m) (15 + ((n) < 64 ? (n) : 64) + ((m) < 64 ? (m) : 64))
+
+// Ceiling on the rounds of a query with a cylinder, cone, ellipsoid or user's shape, for which there is no such bound. One that
+// reaches it says so and gives the bounds proven so far. Random pairs have needed at most 51, a search for the worst found
+// the figures of tests/data/worst.txt.
 #ifndef GJK_ITERATIONS_MAX
 #define GJK_ITERATIONS_MAX 128
 #endif

@@ -1,9 +1,9 @@
 #!/bin/sh
 # The most expensive pairs that a search finds: worst-case.sh BUILD [SEED [ROUNDS [INSTRUCTIONS]]]
 #
-# Per family so many measurements on the host, of rounds and what is done between them, then of instructions on an emulated
-# Cortex-M3. What beats the pairs of tests/data/worst.txt replaces them there. With 'replay' instead of a SEED it only counts the known pairs
-# afresh, prints 'ID|rounds|instructions' and changes nothing.
+# Per family so many measurements on the host, of rounds and what is done between them, then of instructions on an
+# emulated Cortex-M3. What beats the pairs of tests/data/worst.txt replaces them there. With 'replay' instead of a SEED it
+# only counts the known pairs afresh, prints 'ID|rounds|instructions' and changes nothing.
 . tests/build/count.sh
 build=$1
 seed=${2:-1}

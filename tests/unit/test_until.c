@@ -124,7 +124,7 @@ static void test_statuses(void) {
   effort.iterations = 1;
   CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK && out.intersecting && out.distance == 0);
   // As many rounds as ever, or more, is no limit.
-  effort.iterations = GJK_ITERATIONS_MAX;
+  effort.iterations = UINT8_MAX;
   CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK && out.intersecting);
 }
 

@@ -7,8 +7,9 @@
 #include "../case/parse.h"
 #include "../check.h"
 #include "../reference/accurate.h"
+#include "../rounds.h"
 
-#define CASES 20
+#define CASES 23
 
 // The '# rounds N ...' comments of the file, in order. Returns their number.
 static size_t read_rounds(FILE *file, unsigned *rounds, size_t most) {
@@ -41,9 +42,10 @@ static bool check_case(const case_pair *pair, case_collider *a, case_collider *b
   const unsigned used = question.ask == CASE_DISTANCE ? answer.distance.iterations : answer.decision.iterations;
   CHECK_MSG(used == rounds, "%s: %u rounds, not the recorded %u", pair->id, used, rounds);
   const bool limit = answer.status == GJK_ERROR_ITERATION_LIMIT;
-  CHECK_MSG(limit == (used == GJK_ITERATIONS_MAX), "%s: %s", pair->id, gjk_status_name(answer.status));
+  CHECK_MSG(used <= rounds_bound(&a->collider, &b->collider), "%s: %u rounds", pair->id, used);
   if (limit) {
     CHECK_MSG(pair->a.kind > CASE_HULL || pair->b.kind > CASE_HULL, "%s: a polytope at the ceiling", pair->id);
+    CHECK_MSG(used == GJK_ITERATIONS_MAX, "%s: %u rounds", pair->id, used);
     if (question.ask == CASE_DISTANCE) {
       check_limit(pair, a, b, &answer.distance);
     }
