@@ -1,7 +1,7 @@
 // The distance query: how far apart, and where.
 #include "distance.h"
 
-#include "search.h"
+#include "pair_search.h"
 #include "unit.h"
 #include "witness.h"
 

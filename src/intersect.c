@@ -1,7 +1,7 @@
 // Yes-or-no queries: do two shapes touch, are they within a distance?
 #include "gjk/intersect.h"
 
-#include "search.h"
+#include "pair_search.h"
 
 static gjk_status decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, gjk_cache *cache,
                          gjk_decision *out) {

@@ -3,7 +3,7 @@
 
 #include "distance.h"
 #include "expand.h"
-#include "search.h"
+#include "pair_search.h"
 #include "unit.h"
 #include "witness.h"
 #include "zonotope.h"

@@ -2,7 +2,7 @@
 #ifndef ROUNDS_H
 #define ROUNDS_H
 
-#include "search.h"
+#include "pair_search.h"
 
 // The vertices of a collider's polytope; 0: it is curved.
 static inline unsigned rounds_vertices(const gjk_collider *c) {

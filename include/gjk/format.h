@@ -56,7 +56,7 @@ typedef struct gjk_pose {
 // Most corners of one face of a hull.
 #define GJK_FACE_CORNERS_MAX 12
 
-// The most rounds of a query on polytopes of n and m vertices or their rounded forms, proven in src/search.h. A box has 8
+// The most rounds of a query on polytopes of n and m vertices or their rounded forms, proven in src/pair_search.h. A box has 8
 // vertices, a triangle 3, a segment or capsule 2, a point or sphere 1. More than 64 count as 64.
 #define GJK_ITERATIONS_OF(n, m) (15 + ((n) < 64 ? (n) : 64) + ((m) < 64 ? (m) : 64))
 

@@ -44,6 +44,7 @@ cases() {
     echo iteration-GJK_GOAL_$goal
   done
   for count in 1 2 3; do
+    echo pair_search-$count
     echo witness-$count
   done
   for kind in SMOOTH POINT SEGMENT BOX TRIANGLE HULL CYLINDER CONE; do
@@ -130,7 +131,7 @@ prove_one() {
     primitives) contracts= && set -- "$1" -eva-slevel 200 ;;
     witness) models=simplex && set -- "$1" -eva-slevel 200 ;;
     query)
-      models='simplex iteration witness zonotope facet expand'
+      models='simplex iteration pair_search witness zonotope facet expand'
       set -- "$1" -eva-slevel 50 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits \
         -eva-partition-value facet_is_found
       ;;
@@ -138,6 +139,10 @@ prove_one() {
       models=simplex
       set -- "$1" -eva-slevel 10 -eva-slevel-function "$ITERATION_LEVELS" -eva-interprocedural-splits \
         -eva-split-return-function "$ITERATION_RETURNS"
+      ;;
+    pair_search)
+      models='simplex iteration'
+      set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-interprocedural-splits
       ;;
     scene_*)
       sources="$(echo src/scene_*.c) src/root.c src/status.c src/wide.c"

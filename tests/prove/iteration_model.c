@@ -14,7 +14,6 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   it->shift = (int8_t)any_between(-3, 29);
   it->delta = any_vec3(ANY_W);
   it->rounds = 0;
-  it->limit = GJK_ITERATIONS_MAX;
   it->curved = a->shape->type->stalls != NULL ? a->shape->type->stalls : b->shape->type->stalls;
   gjk_simplex_clear(&it->simplex);
   return true;
@@ -65,7 +64,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   if (s->count >= 3) {
     any_normal(&s->normal);
   }
-  it->rounds = (uint8_t)any_between(0, GJK_ITERATIONS_MAX);
+  it->rounds = (uint8_t)any_between(0, it->limit);
   it->direction.d = outcome == GJK_OUTCOME_NEAREST ? any_direction(s->count) : any_vec3(ANY_W);
   it->direction.exact = any_bool();
   return outcome;

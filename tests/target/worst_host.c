@@ -1,7 +1,7 @@
 // Host program: searches for pairs that take the most rounds: worst_host FAMILY SEED MEASUREMENTS
 //
 // What a search does between its rounds counts as well: among vertices that it has seen.
-#include "search.h"
+#include "pair_search.h"
 #include "worst.h"
 
 #include <stdio.h>

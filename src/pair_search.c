@@ -1,5 +1,5 @@
-// A query's search, in rounds of GJK; see search.h.
-#include "search.h"
+// A query's search, in rounds of GJK; see pair_search.h.
+#include "pair_search.h"
 
 // One shape, and which of its vertices were seen: bit i stands for the vertices from i 2^shift to before (i + 1) 2^shift.
 typedef struct album {
@@ -18,47 +18,68 @@ static album open_album(const gjk_collider *c, uint64_t *seen) {
   return of;
 }
 
+// The number of a vertex's mark.
+static inline unsigned number_of(const album *of, uint32_t vertex) {
+  return vertex >> of->shift & (GJK_MARKS - 1);  // no more than GJK_MARKS - 1 as it is
+}
+
 // Returns whether the mark is new.
 static bool mark(const album *of, uint16_t vertex) {
-  const uint64_t bit = UINT64_C(1) << (vertex >> of->shift), before = *of->seen;
+  const uint64_t bit = UINT64_C(1) << number_of(of, vertex), before = *of->seen;
   *of->seen |= bit;
   return *of->seen != before;
 }
 
 // The first seen vertex from number v on; count: none.
 static uint32_t next_seen(const album *of, uint32_t v) {
-  while (v < of->count && (*of->seen >> (v >> of->shift) & 1u) == 0) {
+  while (v < of->count && (*of->seen >> number_of(of, v) & 1u) == 0) {
     v++;
   }
   return v;
 }
 
-// Is step ahead along the direction, of which d is the rounded one? Each component of d is off by less than 1, or d is
-// exact; so a product of at least |x| + |y| + |z| has the right sign. |d| <= 2^31, |step| <= 2^30.
-static bool leads(const gjk_vec3 *d, const gjk_direction *direction, const gjk_vec3 *step) {
-  const int64_t along = gjk_dot(d, step);
-  const int64_t doubt = (int64_t)gjk_norm1(*step);
-  if (along >= doubt || along <= -doubt) {
-    return along > 0;
-  }
-  return gjk_direction_sign(direction, step) > 0;
-}
+// The farthest vertex so far along a direction.
+typedef struct lead {
+  const gjk_collider *collider;
+  const gjk_vec3 *d;               // rounded
+  const gjk_direction *direction;  // exact
+  int64_t along, slack;
+  gjk_vec3 offset;
+  uint16_t vertex;
+} lead;
 
-// The seen vertex that is farthest along the exact direction; among equals the first.
-static uint16_t farthest_seen(const album *of, const gjk_vec3 *d, const gjk_direction *direction) {
-  const gjk_collider *c = of->collider;
-  uint32_t best = next_seen(of, 0);
-  gjk_vec3 at, step;
-  c->shape->type->vertex(c, (uint16_t)best, &at);
-  for (uint32_t v = next_seen(of, best + 1); v < of->count; v = next_seen(of, v + 1)) {
-    c->shape->type->vertex(c, (uint16_t)v, &step);
-    step = gjk_sub(step, at);
-    if (leads(d, direction, &step)) {
-      best = v;
-      at = gjk_add(at, step);
+static void look_at(lead *l, uint16_t vertex) {
+  gjk_vec3 offset = {0, 0, 0};
+  l->collider->shape->type->vertex(l->collider, vertex, &offset);
+  const int64_t along = gjk_dot(l->d, &offset);  // at most 3 2^29 times sqrt(3) 2^28
+  if (along < l->along - l->slack) {
+    return;
+  }
+  if (along <= l->along + l->slack) {
+    const gjk_vec3 step = gjk_sub(offset, l->offset);
+    if (gjk_direction_sign(l->direction, &step) <= 0) {
+      return;
     }
   }
-  return (uint16_t)best;
+  l->along = along;
+  l->offset = offset;
+  l->vertex = vertex;
+}
+
+// The seen vertex that is farthest along the exact direction; among equals the first. Each component of the rounded one is off
+// by less than 1, which moves the difference of two products by less than 2 sqrt(3) core_radius.
+static uint16_t farthest_seen(const album *of, const gjk_vec3 *d, const gjk_direction *direction) {
+  const gjk_collider *c = of->collider;
+  lead l = {c, d, direction, -(INT64_C(1) << 62), 4 * (int64_t)c->core_radius, {0, 0, 0}, 0};
+  uint32_t first = 0;
+  for (uint64_t rest = *of->seen; rest != 0; rest >>= 1) {  // at most GJK_MARKS
+    const uint32_t end = first + (UINT32_C(1) << of->shift);
+    for (uint32_t v = first; (rest & 1u) != 0 && v < end && v < of->count; v++) {
+      look_at(&l, (uint16_t)v);
+    }
+    first = end;
+  }
+  return l.vertex;
 }
 
 // Adds the difference of seen vertices that is farthest along the direction from the feature to the origin. NONE: it is no
@@ -137,8 +158,7 @@ static bool advance(const album *a, const album *b, uint16_t *of_a, uint16_t *of
 // Makes the feature the nearest over all differences of seen vertices by trying all: k and l of them have less than (k l)^4
 // chains.
 GJK_OUT_OF_LINE static gjk_step try_all(gjk_iteration *it, const album *a, const album *b) {
-  chain c;
-  c.last = 0;
+  chain c = {{0, 0, 0, 0}, {0, 0, 0, 0}, 0};
   c.a[0] = (uint16_t)next_seen(a, 0);
   c.b[0] = (uint16_t)next_seen(b, 0);
   for (;;) {  // each chain once, and one of them is the answer
@@ -162,7 +182,7 @@ GJK_OUT_OF_LINE static gjk_step try_all(gjk_iteration *it, const album *a, const
   }
 }
 
-// Step 2 of search.h. ENCLOSING: the origin lies in the simplex.
+// Step 2 of pair_search.h. ENCLOSING: the origin lies in the simplex.
 static gjk_step recall_all(gjk_iteration *it, const album *a, const album *b) {
   while (it->recalls < GJK_RECALLS_MAX) {
     it->recalls++;
@@ -186,7 +206,7 @@ static bool mark_feature(const gjk_iteration *it, const album *a, const album *b
   return found;
 }
 
-// 1 and 2 of search.h. LIMIT: a round of GJK comes next.
+// 1 and 2 of pair_search.h. LIMIT: a round of GJK comes next.
 GJK_OUT_OF_LINE static gjk_outcome remember(gjk_iteration *it) {
   if (it->rounds == GJK_PLAIN_ROUNDS) {
     it->seen[0] = it->seen[1] = 0;

@@ -12,8 +12,8 @@
 //
 // Step 2 is GJK among the seen vertices. Its steps are counted as well, and after GJK_RECALLS_MAX of them in a query all
 // features are tried instead, which surely ends.
-#ifndef GJK_SRC_SEARCH_H
-#define GJK_SRC_SEARCH_H
+#ifndef GJK_SRC_PAIR_SEARCH_H
+#define GJK_SRC_PAIR_SEARCH_H
 
 #include "iteration.h"
 
