@@ -30,6 +30,16 @@ static void check_limit(const case_pair *pair, const case_collider *a, const cas
             pair->id, (long)result->lower, (long)result->upper, truth.lower, truth.upper);
 }
 
+// The steps among seen vertices that the search takes.
+static unsigned count_recalls(const gjk_collider *a, const gjk_collider *b, gjk_goal goal) {
+  gjk_iteration it;
+  it.recalls = 0;
+  if (gjk_iteration_start(&it, a, b, goal, (int64_t)a->shape->round + b->shape->round)) {
+    gjk_search(&it, goal, NULL, gjk_search_limit(&it));
+  }
+  return it.rounds > GJK_PLAIN_ROUNDS && it.curved == NULL ? it.recalls : 0;
+}
+
 // Returns whether the ceiling was reached.
 static bool check_case(const case_pair *pair, case_collider *a, case_collider *b, unsigned rounds) {
   case_question question = {CASE_DISTANCE, 0, false, false, 0};
@@ -41,6 +51,10 @@ static bool check_case(const case_pair *pair, case_collider *a, case_collider *b
   case_answer_find(&question, pair, a, b, &answer);
   const unsigned used = question.ask == CASE_DISTANCE ? answer.distance.iterations : answer.decision.iterations;
   CHECK_MSG(used == rounds, "%s: %u rounds, not the recorded %u", pair->id, used, rounds);
+  const unsigned recalls =
+      count_recalls(&a->collider, &b->collider, question.ask == CASE_DISTANCE ? GJK_GOAL_DISTANCE : GJK_GOAL_WITHIN);
+  printf("%s: %u rounds, %u steps among seen vertices\n", pair->id, used, recalls);
+  CHECK_MSG(recalls < GJK_RECALLS_MAX, "%s: %u steps", pair->id, recalls);
   const bool limit = answer.status == GJK_ERROR_ITERATION_LIMIT;
   CHECK_MSG(used <= rounds_bound(&a->collider, &b->collider), "%s: %u rounds", pair->id, used);
   if (limit) {
