@@ -223,6 +223,7 @@ GJK_OUT_OF_LINE static gjk_outcome remember(gjk_iteration *it) {
 
 GJK_OUT_OF_LINE gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit) {
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
+  //@ dynamic_split it->simplex.count;
   while (outcome == GJK_OUTCOME_LIMIT && it->rounds < limit) {
     outcome = remember(it);
     if (outcome == GJK_OUTCOME_LIMIT) {
