@@ -213,7 +213,11 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
   return GJK_OK;
 }
 
+static gjk_status measure_triangle(const gjk_shape *shape, gjk_extent *out) {
+  return shape->vertices == NULL || shape->count == 3 ? measure(shape, out) : GJK_ERROR_RANGE;
+}
+
 const gjk_shape_class gjk_class_triangle = {
-    measure, pose_triangle, support_posed, refine_posed, vertex_posed, NULL, false, 3, GJK_KIND_VERTICES};
+    measure_triangle, pose_triangle, support_posed, refine_posed, vertex_posed, NULL, false, 3, GJK_KIND_VERTICES};
 const gjk_shape_class gjk_class_hull = {measure, pose_hull, support_hull,     refine_hull, vertex_hull, NULL,
                                         true,    0,         GJK_KIND_VERTICES};

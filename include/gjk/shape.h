@@ -32,8 +32,9 @@ extern const gjk_shape_class gjk_class_custom;
 //
 // user       the shape's user pointer.
 // direction  not zero, any length up to 2^31, local frame.
-// out        local frame, Q16.16, at most size.x from the local origin. An answer that is e LSB from the
-//            true farthest point makes decision and distance right to within e LSB more.
+// out        local frame, Q16.16, at most size.x from the local origin; the library pulls a point beyond that back onto the
+//            bound, towards the origin, and a port with asserts stops there. An answer that is e LSB from the true farthest
+//            point makes decision and distance right to within e LSB more. Unwritten, it is the local origin.
 typedef void gjk_support_function(const void *user, const gjk_vec3 *direction, gjk_vec3 *out);
 
 // The faces of a hull, for contact manifolds alone: convex polygons of 3 to
@@ -52,7 +53,7 @@ typedef struct gjk_shape {
   const void *user;               // custom
   gjk_vec3 size;                  // half extents or radii, Q16.16, by kind
   gjk_q16 round;                  // rounding radius, at least 0
-  uint16_t count;                 // vertices of the hull
+  uint16_t count;                 // vertices of the hull; of the triangle: 3
   const gjk_hull_faces *faces;    // hull: optional, the caller's
 } gjk_shape;
 
