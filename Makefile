@@ -28,7 +28,8 @@
 #                        differs is named
 #   make clean
 #
-# OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, VARIANT=-x in build/T-x, to keep such builds apart.
+# OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, CC=clang with that compiler: what was built with other
+# flags is built again. VARIANT=-x builds in build/T-x, to keep such builds apart.
 
 TARGET ?= host
 OPT ?= -O2
@@ -89,8 +90,12 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix prove lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean
+.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix prove lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
+
+# A file of flags keeps what the things that depend on it were built with: it is written only when that changes.
+FLAGS = @mkdir -p $(@D); flags='$(subst ','\'',$(1))'; \
+  [ "$$flags" = "$$(cat $@ 2>/dev/null)" ] || printf '%s\n' "$$flags" >$@
 
 help:
 	@sed -n 's/^#   //p' Makefile
@@ -104,14 +109,17 @@ $(LIB): $(patsubst src/%.c,$(OUT)/%.o,$(wildcard src/*.c))
 	@echo '  $@'
 	@$(AR_$(TARGET)) rcs $@ $^
 
-$(OUT)/%.o: src/%.c Makefile
+$(OUT)/library.flags: FORCE
+	$(call FLAGS,$(FREESTANDING) $(AR_$(TARGET)))
+
+$(OUT)/%.o: src/%.c $(OUT)/library.flags Makefile
 	@mkdir -p $(@D)
 	@echo '  $(TARGET) $<'
 	@$(FREESTANDING) $(DEPENDENCIES) -c $< -o $@
 
 ifneq ($(LIB),$(HOST_LIB))
-$(HOST_LIB):
-	$(MAKE) lib TARGET=host VARIANT=
+$(HOST_LIB): FORCE
+	@$(MAKE) --no-print-directory lib TARGET=host VARIANT= PORT=$(PORT_host)
 endif
 
 # Programs for the host: what the tests and tools share, and each one's own.
@@ -124,7 +132,10 @@ UNIT_TESTS := $(patsubst tests/unit/%.c,build/%,$(wildcard tests/unit/test_*.c))
 QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/query/*.c))
 DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out tests/demo/firmware.c,$(wildcard tests/demo/*.c)))
 
-build/hosted/%.o: %.c Makefile
+build/hosted/programs.flags: FORCE
+	$(call FLAGS,$(HOSTED))
+
+build/hosted/%.o: %.c build/hosted/programs.flags Makefile
 	@mkdir -p $(@D)
 	@echo '  $<'
 	@$(HOSTED) $(DEPENDENCIES) -c $< -o $@
@@ -146,28 +157,31 @@ PEER_FLAGS = $(shell pkg-config $(1) $(BENCH_PEERS))
 PEER_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(patsubst -I%,-isystem%,$(filter -I%,$(call PEER_FLAGS,--cflags))) \
   $(DEPENDENCIES)
 
-build/hosted/tests/bench/peer/%.o: tests/bench/peer/%.cpp Makefile
+build/hosted/peers.flags: FORCE
+	$(call FLAGS,$(CC) $(BENCH_PEERS) $(if $(BENCH_PEERS),$(PEER_COMPILE) $(call PEER_FLAGS,--libs)))
+
+build/hosted/tests/bench/peer/%.o: tests/bench/peer/%.cpp build/hosted/peers.flags Makefile
 	@mkdir -p $(@D)
 	@echo '  $<'
 	@$(PEER_COMPILE) -c $< -o $@
 
-build/gjk-bench: $(BENCH) $(SUPPORT) $(HOST_LIB)
+build/gjk-bench: $(BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
 	@echo '  $@'
-	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $^ $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
+	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
 # The scene's; of the peers those that have a broad phase, bullet and fcl.
 SCENE_PEERS := $(filter bullet fcl,$(BENCH_PEERS))
 SCENE_BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/bench_scene/*.c)) \
   $(SCENE_PEERS:%=build/hosted/tests/bench_scene/peer/%.o)
 
-build/hosted/tests/bench_scene/peer/%.o: tests/bench_scene/peer/%.cpp Makefile
+build/hosted/tests/bench_scene/peer/%.o: tests/bench_scene/peer/%.cpp build/hosted/peers.flags Makefile
 	@mkdir -p $(@D)
 	@echo '  $<'
 	@$(PEER_COMPILE) -c $< -o $@
 
-build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB)
+build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
 	@echo '  $@'
-	@$(if $(SCENE_PEERS),$(CXX),$(CC)) $^ $(if $(SCENE_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
+	@$(if $(SCENE_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(SCENE_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
 build/gjk-bench-report: $(BENCH_REPORT)
 	@echo '  $@'
@@ -179,9 +193,12 @@ build/gjk-bench-report: $(BENCH_REPORT)
 BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
 FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/*.h tests/target/*.h tests/demo/*.h tests/scene/*.h tests/lockstep/*.h include/gjk/*.h) Makefile
 FIRMWARE = $(FREESTANDING) -Itests -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
-  $(filter-out $(FIRMWARE_NEEDS),$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
+  $(filter-out $(FIRMWARE_NEEDS) %.flags,$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 
-$(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(FIRMWARE_NEEDS)
+$(OUT)/%.elf.flags: FORCE
+	$(call FLAGS,$(FREESTANDING) $(FIRMWARE_DEFINES) $(BOARD_$(TARGET)) $(WORST_CASES))
+
+$(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(OUT)/%.elf.flags $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE)
 
@@ -193,11 +210,11 @@ $(OUT)/scene_bench.elf: tests/scene/traffic.c
 $(OUT)/scene_golden.elf: tests/scene/match.c
 $(OUT)/port.elf: tests/target/port_allocation.c port/generic/gjk_arena.c
 
-$(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(FIRMWARE_NEEDS)
+$(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(OUT)/demo.elf.flags $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE) -Itests/demo
 
-$(OUT)/lockstep.elf: tests/lockstep/firmware.c tests/lockstep/peer.c tests/scene/match.c $(FIRMWARE_NEEDS)
+$(OUT)/lockstep.elf: tests/lockstep/firmware.c tests/lockstep/peer.c tests/scene/match.c $(OUT)/lockstep.elf.flags $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE)
 

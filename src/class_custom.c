@@ -14,14 +14,28 @@ static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
   return GJK_OK;
 }
 
+// The user's point; one beyond the bound is pulled back towards the local origin, onto the bound.
+static gjk_fine_point within_bound(const gjk_shape *shape, const gjk_vec3 *at) {
+  const gjk_vec3 bound = {shape->size.x, shape->size.x, shape->size.x};
+  // At most 3 2^62.
+  const uint64_t squared =
+      (uint64_t)gjk_mul32(at->x, at->x) + (uint64_t)gjk_mul32(at->y, at->y) + (uint64_t)gjk_mul32(at->z, at->z);
+  const bool within = squared <= (uint64_t)gjk_mul32(bound.x, bound.x);
+  GJK_ASSERT(within);
+  if (!within) {
+    const gjk_long3 far = {at->x, at->y, at->z};
+    return gjk_fine_stretch(&bound, &far);
+  }
+  const gjk_fine_point point = {at->x * (1 << GJK_FINE_BITS), at->y * (1 << GJK_FINE_BITS),
+                                at->z * (1 << GJK_FINE_BITS)};
+  return point;
+}
+
 static void support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   const gjk_vec3 local = gjk_curved_direction(c, d);
-  const int32_t bound = c->shape->size.x;
   gjk_vec3 at = {0, 0, 0};
   c->shape->support(c->shape->user, &local, &at);
-  GJK_ASSERT(at.x >= -bound && at.x <= bound && at.y >= -bound && at.y <= bound && at.z >= -bound && at.z <= bound);
-  (void)bound;
-  const gjk_fine_point point = {at.x * (1 << GJK_FINE_BITS), at.y * (1 << GJK_FINE_BITS), at.z * (1 << GJK_FINE_BITS)};
+  const gjk_fine_point point = within_bound(c->shape, &at);
   gjk_curved_support(c, &point, out);
 }
 

@@ -1,6 +1,5 @@
 // Ellipsoid with its axes along the local axes.
 #include "curved.h"
-#include "unit.h"
 
 static gjk_status measure(const gjk_shape *shape, gjk_extent *out) {
   const gjk_vec3 *size = &shape->size;
@@ -22,12 +21,7 @@ static void support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) 
   const gjk_long3 stretched = {gjk_mul32(size->x, local.x), gjk_mul32(size->y, local.y), gjk_mul32(size->z, local.z)};
   gjk_fine_point point = {0, 0, 0};
   if ((stretched.x | stretched.y | stretched.z) != 0) {
-    gjk_rounded rounded;
-    gjk_round_direction(&stretched, &rounded);
-    const gjk_unit3 u = gjk_unit(&rounded.d);
-    point.x = gjk_fine(size->x, u.x);
-    point.y = gjk_fine(size->y, u.y);
-    point.z = gjk_fine(size->z, u.z);
+    point = gjk_fine_stretch(size, &stretched);
   }
   gjk_curved_support(c, &point, out);
 }

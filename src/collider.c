@@ -5,7 +5,8 @@
 #include "rotation.h"
 #include "shape_class.h"
 
-// Rounding a posed vertex moves it by less than sqrt(3), and a sum of three half axes by less than 3 sqrt(3) / 2.
+// How much farther posing puts a vertex from the centre. Per component, a vertex is off by 3/4 at most, the centre by 0.51; three
+// half axes by 1/2 each, and together by 0.22 for the matrix. So less than 1.26 sqrt(3), and 1.72 sqrt(3) < 3.
 #define POSE_SLACK 3
 
 // Do [p, p + p_bytes) and [q, q + q_bytes) share a byte?
@@ -61,6 +62,13 @@ static bool fits(int64_t x) {
   return x >= INT32_MIN && x <= INT32_MAX;
 }
 
+// Rounds one coordinate of the rotated centre, Q30: returns it, and puts the rest, Q8, into fraction.
+static int64_t round_centre(int64_t rotated, int8_t *fraction) {
+  const int64_t whole = gjk_sar64(rotated + (INT64_C(1) << 29), 30);
+  *fraction = (int8_t)gjk_sar64(rotated - gjk_shl64(whole, 30), 22);  // from -2^29 to below 2^29: from -128 to 127
+  return whole;
+}
+
 gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
   if (c == NULL || pose == NULL) {
     return GJK_ERROR_NULL;
@@ -73,9 +81,12 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
     return GJK_ERROR_ROTATION;
   }
   int64_t centre[3];
-  gjk_rotate_wide(rows, &c->local_centre, centre);
+  int8_t fraction[3];
+  gjk_rotate_fine(&pose->rotation, &c->local_centre, centre);
   const gjk_vec3 *position = &pose->position;
-  const int64_t x = centre[0] + position->x, y = centre[1] + position->y, z = centre[2] + position->z;
+  const int64_t x = round_centre(centre[0], &fraction[0]) + position->x;
+  const int64_t y = round_centre(centre[1], &fraction[1]) + position->y;
+  const int64_t z = round_centre(centre[2], &fraction[2]) + position->z;
   if (!fits(x) || !fits(y) || !fits(z)) {
     return GJK_ERROR_RANGE;
   }
@@ -83,6 +94,9 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
   c->centre.y = (int32_t)y;
   c->centre.z = (int32_t)z;
   c->position = *position;
+  for (int i = 0; i < 3; i++) {
+    c->fraction[i] = fraction[i];
+  }
   c->shape->type->pose(c, rows);
   c->state = GJK_STATE_POSED;
   return GJK_OK;

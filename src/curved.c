@@ -2,6 +2,7 @@
 #include "curved.h"
 
 #include "rotation.h"
+#include "unit.h"
 
 void gjk_curved_pose(gjk_collider *c, const gjk_vec3 rows[3]) {
   for (int i = 0; i < 3; i++) {
@@ -23,6 +24,14 @@ void gjk_curved_support(const gjk_collider *c, const gjk_fine_point *point, gjk_
   out->offset.y = (int32_t)gjk_sar64(world[1] + half, GJK_FINE_BITS);
   out->offset.z = (int32_t)gjk_sar64(world[2] + half, GJK_FINE_BITS);
   out->vertex = 0;
+}
+
+gjk_fine_point gjk_fine_stretch(const gjk_vec3 *size, const gjk_long3 *d) {
+  gjk_rounded rounded;
+  gjk_round_direction(d, &rounded);
+  const gjk_unit3 u = gjk_unit(&rounded.d);
+  const gjk_fine_point point = {gjk_fine(size->x, u.x), gjk_fine(size->y, u.y), gjk_fine(size->z, u.z)};
+  return point;
 }
 
 int32_t gjk_fine(gjk_q16 size, gjk_q30 u) {

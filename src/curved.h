@@ -31,4 +31,8 @@ bool gjk_curved_stalls(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *
 // size / 2^30 along u, in fine units. Pre: size at most 2^28.
 int32_t gjk_fine(gjk_q16 size, gjk_q30 u);
 
+// size * u in fine units, per component, where u is the unit vector along d. Pre: d != 0, components at most 2^62; size at
+// most 2^28.
+gjk_fine_point gjk_fine_stretch(const gjk_vec3 *size, const gjk_long3 *d);
+
 #endif

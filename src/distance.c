@@ -11,9 +11,14 @@ static int64_t to_lsb(int64_t x, int shift) {
   return x <= 0 ? 0 : gjk_sar64(x + (INT64_C(1) << (n - 1)), n);
 }
 
+typedef enum round_to {
+  ROUND_UP,
+  ROUND_NEAREST  // a tie goes up
+} round_to;
+
 // The exact search among the few candidates that the plane distance leaves. In a frame 2^n times as coarse as an LSB, n <= 3,
 // no edge exceeds 2^(30 - n), so 4^n times the numerator stays below 2^(184 - 2 n).
-GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high) {
+GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high, round_to to) {
   const unsigned finer = it->shift > 0 ? (unsigned)it->shift : 0;
   gjk_limbs numerator, denominator;
   gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
@@ -22,8 +27,8 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t 
   }
   while (low < high) {  // at most 129 candidates, so 8 rounds
     const int64_t middle = gjk_sar64(low + high, 1);
-    // Is twice the distance at least 2 middle + 1? At most 2^34.
-    if (gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * middle + 1) << finer) >= 0) {
+    // Is twice the distance at least 2 middle + 1, or to round up, above 2 middle? At most 2^34.
+    if (gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * middle + to) << finer) + (int)to > 0) {
       low = middle + 1;
     } else {
       high = middle;
@@ -45,8 +50,8 @@ static int64_t exact_distance(const gjk_iteration *it, const gjk_unit3 *normal, 
       return steps >> n;
     }
   }
-  int64_t distance =
-      settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift), to_lsb(plane + GJK_PLANE_ERROR, it->shift));
+  int64_t distance = settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift),
+                                     to_lsb(plane + GJK_PLANE_ERROR, it->shift), ROUND_NEAREST);
   if (it->shift == -1) {
     // Rounding has moved each coordinate of a vertex by 0 or 1 LSB, by half of one on average. In coarser frames the error
     // is less than 2^-28 of the distance as it is.
@@ -122,6 +127,37 @@ static void start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *
   out->upper = GJK_DISTANCE_MAX;
 }
 
+// Takes the exact distance of the feature for that of the points, and rounded up for the upper bound: its plane's is up to 17
+// units of the frame more, which far frames keep. False: the roundings reach across.
+GJK_OUT_OF_LINE static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
+  out->distance = out->upper;
+  if (it->shift < 0) {
+    return true;
+  }
+  const int64_t plane = -gjk_along(&out->normal, &it->simplex.slot[it->simplex.order[0]].w);
+  const int64_t nearest = settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift),
+                                          to_lsb(plane + GJK_PLANE_ERROR, it->shift), ROUND_NEAREST);
+  const int64_t upper = settle_distance(it, nearest, nearest + 1, ROUND_UP) - gjk_roundings(it);
+  out->distance = (gjk_q16)(nearest - gjk_roundings(it));
+  out->upper = (gjk_q16)upper;
+  return upper > 0;
+}
+
+// Reports the bounds and the nearest points so far; the feature's direction is in place. False: those points prove that the
+// shapes intersect, and nothing that counts is reported.
+static bool stop_early(const gjk_iteration *it, gjk_distance_result *out) {
+  out->normal = gjk_unit(&it->direction.d);
+  if (!take_feature(it, out)) {
+    return false;
+  }
+  out->saturated = false;
+  gjk_witness_points(it, &out->normal, &out->point_a, &out->point_b, &out->saturated);
+  out->intersecting = false;
+  out->certificate.proof = GJK_PROOF_NONE;
+  out->certificate.count = 0;
+  return true;
+}
+
 gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {
   gjk_status status = gjk_check_pair(a, b, out);
   if (status != GJK_OK) {
@@ -129,23 +165,15 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
   }
   gjk_iteration it;
   start(&it, a, b, out);
-  const gjk_outcome outcome = run(&it, gjk_search_limit(&it), cache, out);
+  gjk_outcome outcome = run(&it, gjk_search_limit(&it), cache, out);
   if (outcome == GJK_OUTCOME_LIMIT) {
-    return GJK_ERROR_ITERATION_LIMIT;
+    if (stop_early(&it, out)) {
+      return GJK_ERROR_ITERATION_LIMIT;
+    }
+    outcome = GJK_OUTCOME_NEAR;
   }
   gjk_distance_report(&it, outcome, cache, out);
   return GJK_OK;
-}
-
-// Reports the bounds and the nearest points so far; the feature's direction is in place.
-static void stop_early(const gjk_iteration *it, gjk_distance_result *out) {
-  out->normal = gjk_unit(&it->direction.d);
-  out->saturated = false;
-  gjk_witness_points(it, &out->normal, &out->point_a, &out->point_b, &out->saturated);
-  out->intersecting = false;
-  out->distance = out->upper;
-  out->certificate.proof = GJK_PROOF_NONE;
-  out->certificate.count = 0;
 }
 
 gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, const gjk_effort *effort, gjk_cache *cache,
@@ -162,6 +190,7 @@ gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, cons
   const unsigned ceiling = gjk_search_limit(&it);
   const bool limited = effort->iterations > 0 && effort->iterations < ceiling;
   const unsigned most = limited ? effort->iterations : ceiling;
+  bool spent;
   // Every turn is a round, so there are at most as many as the ceiling.
   do {
     const gjk_outcome outcome = run(&it, it.rounds + 1u, it.rounds == 0 ? cache : NULL, out);
@@ -169,11 +198,11 @@ gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, cons
       gjk_distance_report(&it, outcome, cache, out);
       return GJK_OK;
     }
-    if (effort->error > 0 && out->upper - out->lower <= effort->error) {
-      stop_early(&it, out);
-      return GJK_OK;
-    }
-  } while (it.rounds < most);
-  stop_early(&it, out);
-  return limited ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
+    spent = effort->error > 0 && out->upper - out->lower <= effort->error;
+  } while (!spent && it.rounds < most);
+  if (!stop_early(&it, out)) {
+    gjk_distance_report(&it, GJK_OUTCOME_NEAR, cache, out);
+    return GJK_OK;
+  }
+  return spent || limited ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
 }

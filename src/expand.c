@@ -4,6 +4,12 @@
 #include "polytope.h"
 #include "unit.h"
 
+// The bounds of a curved pair tell its depth when they are at most so far apart, LSB: those of a facet that is found are.
+#define CURVED_WIDTH (2 * GJK_CURVED_ERROR + 2)
+
+// The turn after which they are first looked at, a power of two.
+#define FIRST_LOOK 32
+
 // For curved shapes a face counts as a facet when their support lies no more than a quarter of an LSB beyond it.
 #define CURVED_TOLERANCE(shift) ((UINT32_C(1) << (shift)) / 4)
 
@@ -119,12 +125,13 @@ static gjk_q16 upper_bound(const gjk_iteration *it, const gjk_vec3 *w) {
   return gjk_depth_across(it, w) + curved_error(it);
 }
 
-// Considers a face, with the outward normal it->direction: exactly, or bound by how far a support has reached across it.
-static void consider(gjk_iteration *it, const gjk_polytope *p, const struct gjk_cell_face *face, gjk_q16 bound,
+// Considers a face of these corners, with the outward normal it->direction: exactly, or bound by how far a support has reached
+// across it.
+static void consider(gjk_iteration *it, const gjk_polytope *p, const uint16_t corner[3], gjk_q16 bound,
                      gjk_facet *facet) {
   gjk_simplex *s = &it->simplex;
   for (int i = 0; i < 3; i++) {
-    gjk_polytope_load(p, face->corner[i], &s->slot[i]);
+    gjk_polytope_load(p, corner[i], &s->slot[i]);
   }
   gjk_simplex_set(s, 3);
   gjk_facet_consider(facet, it, gjk_simplex_beyond(s) == 3, bound);
@@ -145,15 +152,63 @@ static gjk_q16 lower_bound(const gjk_iteration *it, const gjk_polytope *p) {
   return (gjk_q16)((least > GJK_HEIGHT_ERROR ? least - GJK_HEIGHT_ERROR : 0) >> it->shift) - curved_error(it);
 }
 
+// The facet's plane is exact, or for curved shapes known to within the tolerance and the error of their supports.
+static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
+  return it->curved == NULL ? facet->depth : facet->depth - CURVED_WIDTH;
+}
+
+// Do the bounds of a curved pair tell its depth? That takes a look at every face, so it is asked when the turns have doubled,
+// and after the last. The facet must cover the origin's projection: else its points do not tell where.
+static bool told(const gjk_iteration *it, const gjk_polytope *p, const gjk_facet *facet, uint16_t turns,
+                 gjk_q16 *lower) {
+  if (!facet->found || !facet->covers || turns < FIRST_LOOK ||
+      ((turns & (turns - 1u)) != 0 && turns < GJK_CURVED_ROUNDS_MAX)) {
+    return false;
+  }
+  *lower = lower_bound(it, p);
+  return facet->depth - *lower <= CURVED_WIDTH;
+}
+
+// The face across which a support has reached least: a bound of the depth.
+typedef struct bounding_face {
+  uint32_t reached;  // in the frame; 0 for polytopes, whose last face counts
+  uint16_t corner[3];
+} bounding_face;
+
+// Bounds the depth where the search ends without a facet.
+static gjk_expansion bound_by(gjk_iteration *it, const gjk_polytope *p, const bounding_face *face, gjk_facet *facet,
+                              gjk_q16 *lower, uint16_t *rounds) {
+  gjk_long3 n;
+  *lower = lower_bound(it, p);
+  gjk_polytope_normal(p, face->corner, &n);
+  gjk_simplex_clear(&it->simplex);
+  facet->set = false;
+  ++*rounds;
+  support_beyond(it, &n, gjk_polytope_vertex(p, face->corner[0]));
+  consider(it, p, face->corner, upper_bound(it, &it->simplex.slot[0].w), facet);
+  return GJK_EXPANSION_FULL;
+}
+
 static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet, gjk_q16 *lower, uint16_t *rounds) {
   const gjk_vertex *support = &it->simplex.slot[0];
-  // Each turn settles a face or adds a vertex, so there are fewer than there are cells.
-  for (;;) {
+  const bool curved = it->curved != NULL;
+  bounding_face least;
+  least.reached = UINT32_MAX;
+  // Each turn settles a face or adds a vertex, so there are fewer than there are cells, and of a curved pair at most
+  // GJK_CURVED_ROUNDS_MAX.
+  for (uint16_t turns = 0;; turns++) {
     const uint16_t lowest = gjk_polytope_lowest(p);
     struct gjk_cell_face *face = gjk_polytope_face(p, lowest);
     const uint32_t rank = face->rank;
     if (rank == GJK_RANK_SETTLED || !gjk_facet_wants(facet, it->shift, rank)) {
+      *lower = least_depth(it, facet);
       return GJK_EXPANSION_FACET;
+    }
+    if (curved && told(it, p, facet, turns, lower)) {
+      return GJK_EXPANSION_FACET;
+    }
+    if (curved && turns == GJK_CURVED_ROUNDS_MAX) {
+      return bound_by(it, p, &least, facet, lower, rounds);
     }
     gjk_long3 n;
     const gjk_vec3 *w = gjk_polytope_vertex(p, face->corner[0]);
@@ -162,21 +217,20 @@ static gjk_expansion expand(gjk_iteration *it, gjk_polytope *p, gjk_facet *facet
     facet->set = false;
     ++*rounds;
     const bool beyond = support_beyond(it, &n, w);
-    const uint32_t reached = it->curved != NULL ? gjk_height(&it->direction.d, &support->w) : 0;
-    if (!beyond || (it->curved != NULL && reached <= gjk_height(&it->direction.d, w) + CURVED_TOLERANCE(it->shift))) {
-      consider(it, p, face, it->curved != NULL ? upper_bound(it, &support->w) : -1, facet);
+    const uint32_t reached = curved ? gjk_height(&it->direction.d, &support->w) : 0;
+    if (reached <= least.reached) {
+      least.reached = reached;
+      for (int i = 0; i < 3; i++) {
+        least.corner[i] = face->corner[i];
+      }
+    }
+    if (!beyond || (curved && reached <= gjk_height(&it->direction.d, w) + CURVED_TOLERANCE(it->shift))) {
+      consider(it, p, face->corner, curved ? upper_bound(it, &support->w) : -1, facet);
       face->rank = GJK_RANK_SETTLED;
     } else if (!gjk_polytope_add(p, lowest, support)) {
-      *lower = lower_bound(it, p);
-      consider(it, p, face, upper_bound(it, &support->w), facet);
-      return GJK_EXPANSION_FULL;
+      return bound_by(it, p, &least, facet, lower, rounds);
     }
   }
-}
-
-// The facet's plane is exact, or for curved shapes known to within the tolerance and the error of their supports.
-static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
-  return it->curved == NULL ? facet->depth : facet->depth - (2 * GJK_CURVED_ERROR + 2);
 }
 
 // Without room for a polytope: one face of the tetrahedron, and how far A - B reaches beyond it.
@@ -219,7 +273,7 @@ gjk_expansion gjk_expand(gjk_iteration *it, const gjk_workspace *workspace, gjk_
   expansion = expand(it, &p, facet, lower, rounds);
   //@ assert facet->found;
   // not reached: lower > depth: the polytope lies within A - B, and the errors of curved supports are added on both sides
-  if (expansion == GJK_EXPANSION_FACET || *lower > facet->depth) {
+  if (*lower > facet->depth) {
     *lower = least_depth(it, facet);
   }
   return *lower == facet->depth ? GJK_EXPANSION_FACET : expansion;

@@ -24,6 +24,13 @@ gjk_vec3 gjk_rotate(const gjk_vec3 rows[3], const gjk_vec3 *v);
 // The transposed matrix, the opposite rotation, times v; as gjk_rotate.
 gjk_vec3 gjk_rotate_back(const gjk_vec3 rows[3], const gjk_vec3 *v);
 
+// The same with a fraction of an LSB, Q8, added to each component before it is rounded.
+gjk_vec3 gjk_rotate_onto(const gjk_vec3 rows[3], const gjk_vec3 *v, const int8_t fraction[3]);
+
+// q / |q| times v in Q30, without the rounding of the matrix: within 2^-42 (|v.x| + |v.y| + |v.z|), so within 2^-9 LSB for
+// any v; the identity is exact. At most 2^62 in size. Pre: q is a unit within GJK_ROTATION_TOLERANCE.
+void gjk_rotate_fine(const gjk_quat *q, const gjk_vec3 *v, int64_t out[3]);
+
 // As gjk_rotate for any v: out is at most 2^32 in size.
 void gjk_rotate_wide(const gjk_vec3 rows[3], const gjk_vec3 *v, int64_t out[3]);
 

@@ -54,7 +54,8 @@ typedef struct gjk_scene_part {
   gjk_q16 core_radius;
   gjk_aabb exact, enlarged;
   uint16_t shape, number;
-  uint32_t state;
+  uint8_t state;
+  int8_t fraction[3];  // of the centre
 } gjk_scene_part;
 
 typedef struct gjk_scene_node {

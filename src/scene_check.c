@@ -65,6 +65,7 @@ static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, cons
   return gjk_scene_same_vec3(&p->centre, &c.centre) && gjk_scene_same_vec3(&p->local_centre, &c.local_centre) &&
          gjk_scene_same_vec3(&p->frame[0], &c.frame[0]) && gjk_scene_same_vec3(&p->frame[1], &c.frame[1]) &&
          gjk_scene_same_vec3(&p->frame[2], &c.frame[2]) && p->core_radius == c.core_radius &&
+         p->fraction[0] == c.fraction[0] && p->fraction[1] == c.fraction[1] && p->fraction[2] == c.fraction[2] &&
          gjk_scene_same_vec3(&p->exact.lower, &box.lower) && gjk_scene_same_vec3(&p->exact.upper, &box.upper);
 }
 

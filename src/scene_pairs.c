@@ -118,7 +118,7 @@ static void mark_partners(gjk_scene_view *v, uint32_t part, bool set) {
     const uint32_t at = v->pairs[link / 2].part[1 - link % 2];
     //@ assert at < v->header->parts.capacity;
     gjk_scene_part *partner = &v->parts[at];
-    partner->state = set ? partner->state | GJK_SCENE_MARK : partner->state & ~(uint32_t)GJK_SCENE_MARK;
+    partner->state = (uint8_t)(set ? partner->state | GJK_SCENE_MARK : partner->state & ~GJK_SCENE_MARK);
   }
 }
 
@@ -163,7 +163,7 @@ gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
         if (status != GJK_OK) {
           return status;
         }
-        v->parts[i].state &= ~(uint32_t)GJK_SCENE_REPAIR;
+        v->parts[i].state = (uint8_t)(v->parts[i].state & ~GJK_SCENE_REPAIR);
       }
     }
   }

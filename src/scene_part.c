@@ -20,6 +20,9 @@ void gjk_scene_unpack(const gjk_scene_view *v, const gjk_scene_part *part, gjk_c
   out->frame[2] = part->frame[2];
   out->core_radius = part->core_radius;
   out->radius = part->core_radius + shape->round;
+  for (int i = 0; i < 3; i++) {
+    out->fraction[i] = part->fraction[i];
+  }
   out->state = GJK_STATE_POSED;
   out->count = shape->type->buffered ? shape->count : shape->type->count;
   out->bits = (uint8_t)(32 - gjk_clz32((uint32_t)part->core_radius));
@@ -142,6 +145,9 @@ static void take_over(gjk_scene_part *p, const gjk_collider *c) {
   p->frame[0] = c->frame[0];
   p->frame[1] = c->frame[1];
   p->frame[2] = c->frame[2];
+  for (int i = 0; i < 3; i++) {
+    p->fraction[i] = c->fraction[i];
+  }
   (void)gjk_collider_aabb(c, &p->exact);  // posed, so it cannot fail
 }
 

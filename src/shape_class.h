@@ -24,7 +24,7 @@ struct gjk_shape_class {
   // Checks the shape's own fields and measures it; round is checked by the caller.
   gjk_status (*measure)(const gjk_shape *shape, gjk_extent *out);
 
-  // Fills frame and buffer of an initialised collider for a rotation given by its rows, Q2.30.
+  // Fills frame and buffer of an initialised collider, its fraction set, for a rotation given by its rows, Q2.30.
   void (*pose)(gjk_collider *collider, const gjk_vec3 rows[3]);
 
   // The farthest vertex along d; among equals the one that the kind prefers, always the same.
@@ -47,8 +47,8 @@ struct gjk_shape_class {
   uint8_t kind;   // a gjk_kind
 };
 
-#define GJK_STATE_INITIALISED UINT32_C(0x676A6B31)
-#define GJK_STATE_POSED UINT32_C(0x676A6B32)
+#define GJK_STATE_INITIALISED UINT16_C(0x676A)
+#define GJK_STATE_POSED UINT16_C(0x676B)
 
 // NULL, UNINITIALISED or OK.
 static inline gjk_status gjk_check_pair(const gjk_collider *a, const gjk_collider *b, const void *out) {

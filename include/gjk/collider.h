@@ -30,9 +30,10 @@ typedef struct gjk_collider {
   gjk_vec3 frame[3];      // half axes, or posed triangle, both relative to centre; or rotation rows, Q2.30
   gjk_q16 core_radius;    // bounds |vertex - centre| after posing
   gjk_q16 radius;         // core_radius plus the shape's rounding
-  uint32_t state;         // tells an initialised and a posed collider from other memory
+  uint16_t state;         // tells an initialised and a posed collider from other memory
   uint16_t count;         // half axes of a point, segment or box; vertices of a triangle or hull
   uint8_t bits;           // core_radius is below 2^bits
+  int8_t fraction[3];     // of an LSB, Q8: from centre to where it is without rounding
 } gjk_collider;
 
 // Binds a collider to a shape and checks the shape.
@@ -43,15 +44,16 @@ typedef struct gjk_collider {
 //           NULL: lazy, vertices are rotated as they are needed; the answers are the same bits, the scan is
 //           of about the same cost, and each vertex used costs a rotation. Other kinds ignore it.
 // Statuses  NULL, SIZE, NEGATIVE, EMPTY, CAPACITY, OVERLAP (the buffer with the shape's vertices or with the
-//           collider), RANGE (a face of a hull with less than 3 or too many corners, or with one that there isn't).
+//           collider), RANGE (a triangle whose count is not 3; a face of a hull with less than 3 or too many corners, or with one
+//           that there isn't).
 // Cost      one pass over a hull's vertices.
 gjk_status gjk_collider_init(gjk_collider *collider, const gjk_shape *shape, gjk_vec3 *buffer, uint16_t capacity);
 
 // Places the collider.
 //
 // Statuses  NULL, UNINITIALISED, ROTATION (see gjk/pose.h), RANGE (the centre of the shape's box leaves int32).
-// Exact     identity rotation moves without rounding. Otherwise each vertex lies within 1 LSB of its real place,
-//           per component; a box's or segment's half axes do.
+// Exact     identity rotation moves without rounding. Otherwise each vertex of a triangle or hull lies within 3/4 LSB of its
+//           real place, per component, however far from the shape's origin; a box's or segment's half axes do.
 gjk_status gjk_collider_pose(gjk_collider *collider, const gjk_pose *pose);
 
 // Moves a posed collider, keeping its rotation: exact, and no vertex is touched. Statuses as gjk_collider_pose.

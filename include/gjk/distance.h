@@ -11,9 +11,9 @@ extern "C" {
 
 // Lengths Q16.16, world frame.
 typedef struct gjk_distance_result {
-  gjk_q16 distance;    // gap between the surfaces, 0 when intersecting; GJK_DISTANCE_MAX when saturated
-  gjk_q16 lower;       // proven bounds of the gap; equal to distance after GJK_OK; after
-  gjk_q16 upper;       // GJK_ERROR_ITERATION_LIMIT they are all that is valid
+  gjk_q16 distance;  // gap between the surfaces, 0 when intersecting; GJK_DISTANCE_MAX when saturated
+  gjk_q16 lower;     // proven bounds of the gap; equal to distance after GJK_OK
+  gjk_q16 upper;
   gjk_vec3 point_a;    // nearest point of A; not set when intersecting
   gjk_vec3 point_b;    // nearest point of B; not set when intersecting
   gjk_unit3 normal;    // from A to B, Q2.30; not set when intersecting
@@ -29,7 +29,7 @@ typedef struct gjk_distance_result {
 //
 // a, b    posed colliders, read only; may be the same object.
 // cache   in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only.
-// out     written when the result is GJK_OK; after ITERATION_LIMIT lower, upper and iterations are set.
+// out     written when the result is GJK_OK; or ITERATION_LIMIT: all of it is valid then, as gjk_distance_until gives it.
 // Exact   points, segments, triangles, boxes, hulls and their rounded forms: separated or not always; distance
 //         correctly rounded (a tie goes up); each witness point within 1 LSB of its shape, their gap within
 //         2 LSB of the distance; normal within 2^-28. Cylinder, cone, ellipsoid: within 2 LSB of the exact surface.
@@ -50,8 +50,9 @@ typedef struct gjk_effort {
 // As gjk_distance, but stops when the effort is spent, with what is proven by then:
 //
 // lower, upper      the gap lies between them, both included; equal when the answer is exact, as gjk_distance gives it.
-// distance          upper.
-// point_a, point_b  points of the shapes, distance apart to within 2 LSB, unless intersecting.
+// distance          of the two points below, to the nearest LSB; upper is the same rounded up. More than 8192 units apart: upper.
+// point_a, point_b  points of the shapes as accurate as those of gjk_distance, distance apart to within 2 LSB, unless
+//                   intersecting.
 // normal            a direction from A to B; the certificate's proof is GJK_PROOF_NONE, unless the answer is exact.
 // intersecting      that they intersect is proven; false says nothing when lower is 0.
 //

@@ -36,9 +36,24 @@ typedef struct gjk_pose {
 #define GJK_Q16_ONE ((gjk_q16)65536)
 #define GJK_Q30_ONE ((gjk_q30)1073741824)
 
-// A literal in units, rounded to the nearest LSB; the compiler folds it, the program holds an integer.
-#define GJK_Q16(units) ((gjk_q16)((units)*65536.0 + ((units) < 0 ? -0.5 : 0.5)))
-#define GJK_Q30(value) ((gjk_q30)((value)*1073741824.0 + ((value) < 0 ? -0.5 : 0.5)))
+// A literal in units, rounded to the nearest LSB; the compiler folds it, the program holds an integer. What leaves int32 does
+// not compile in C++11, nor in C where a constant is needed; within a function C compilers warn of a division by zero.
+#define GJK_Q16(units) GJK_FIXED((units)*65536.0)
+#define GJK_Q30(value) GJK_FIXED((value)*1073741824.0)
+
+#define GJK_FIXED(x) \
+  ((int32_t)GJK_TO_NEAREST(x) / GJK_TRUE(GJK_TO_NEAREST(x) >= -2147483648.5 && GJK_TO_NEAREST(x) < 2147483648.0))
+#define GJK_TO_NEAREST(x) ((x) + ((x) < 0 ? -0.5 : 0.5))
+
+// 1; does not compile where the condition is false.
+#if defined(__cplusplus) && __cplusplus >= 201103L
+#define GJK_TRUE(condition) ((int32_t)sizeof(char[(condition) ? 1 : -1]))
+#else
+#define GJK_TRUE(condition) ((condition) ? 1 : 0)
+#endif
+
+// x; does not compile unless x is an integer.
+#define GJK_INTEGER(x) ((x) | 0)
 
 #define GJK_POSE_IDENTITY  \
   {                        \

@@ -27,6 +27,11 @@ typedef union gjk_cell {
 // each vertex.
 #define GJK_POLYTOPE_CELLS(vertices) (3 * (vertices)-4 + (vertices) / 2)
 
+// Most rounds of a polytope's expansion for a pair with a curved shape: smooth shapes in the middle of each other are equally
+// deep all round, and would take hundreds of thousands. The cells that this takes; more change nothing.
+#define GJK_CURVED_ROUNDS_MAX 1000
+#define GJK_CURVED_CELLS (GJK_POLYTOPE_CELLS(GJK_CURVED_ROUNDS_MAX + 4) + GJK_CURVED_ROUNDS_MAX + 4)
+
 // The caller's memory for the polytope. Points, segments, spheres, capsules, boxes and their rounded forms need none
 // among each other, and no pair needs any unless its cores overlap. In a million random pairs two 8-point hulls have
 // needed at most 20 vertices (66 cells, 1,056 bytes), in 100,000 two 64-point hulls 36 (1,952 bytes); hulls of n and m
@@ -61,11 +66,13 @@ typedef struct gjk_penetration_result {
 // out        written when the result is GJK_OK or CAPACITY.
 // Exact      points, segments, triangles, boxes, hulls and their rounded forms: the depth is that of the true minimum
 //            over all directions, rounded up. Moving B by depth along normal, each component of the product rounded
-//            away from 0, leaves them apart or touching, exactly. Cylinder, cone, ellipsoid: within 3 LSB, or
-//            CAPACITY with its bounds.
-// Cost       one round for each vertex of the polytope, so at most the workspace's; stack: `make sizes`.
-// Statuses   NULL, UNINITIALISED, ITERATION_LIMIT. CAPACITY: the workspace is too small; everything in out is valid,
-//            moving by depth = upper still parts them, and the least depth is at least lower.
+//            away from 0, leaves them apart or touching, exactly. Cylinder, cone, ellipsoid: within 3 LSB, between
+//            bounds at most 6 apart; or CAPACITY with its bounds.
+// Cost       one round for each vertex of the polytope, so at most the workspace's, and of a curved pair at most
+//            GJK_CURVED_ROUNDS_MAX beside those of gjk_distance; stack: `make sizes`.
+// Statuses   NULL, UNINITIALISED, ITERATION_LIMIT. CAPACITY: the workspace is too small, or a curved pair would take more than
+//            GJK_CURVED_ROUNDS_MAX; everything in out is valid, moving by depth = upper still parts them, and the least depth
+//            is at least lower.
 // After      Gino van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001: an
 //            expanding polytope; exact visibility signs instead of tolerances. Boxes: their 15 directions.
 gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,

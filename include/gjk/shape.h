@@ -32,8 +32,9 @@ extern const gjk_shape_class gjk_class_custom;
 //
 // user       the shape's user pointer.
 // direction  not zero, any length up to 2^31, local frame.
-// out        local frame, Q16.16, at most size.x from the local origin. An answer that is e LSB from the
-//            true farthest point makes decision and distance right to within e LSB more.
+// out        local frame, Q16.16, at most size.x from the local origin; the library pulls a point beyond that back onto the
+//            bound, towards the origin, and a port with asserts stops there. An answer that is e LSB from the true farthest
+//            point makes decision and distance right to within e LSB more. Unwritten, it is the local origin.
 typedef void gjk_support_function(const void *user, const gjk_vec3 *direction, gjk_vec3 *out);
 
 // The faces of a hull, for contact manifolds alone: convex polygons of 3 to
@@ -52,33 +53,36 @@ typedef struct gjk_shape {
   const void *user;               // custom
   gjk_vec3 size;                  // half extents or radii, Q16.16, by kind
   gjk_q16 round;                  // rounding radius, at least 0
-  uint16_t count;                 // vertices of the hull
+  uint16_t count;                 // vertices of the hull; of the triangle: 3
   const gjk_hull_faces *faces;    // hull: optional, the caller's
 } gjk_shape;
+
+// Size and rounding radius of a shape, Q16.16. What is no integer does not compile: 0.5 is written GJK_Q16(0.5).
+#define GJK_LENGTHS(x, y, z, radius) {GJK_INTEGER(x), GJK_INTEGER(y), GJK_INTEGER(z)}, GJK_INTEGER(radius)
 
 // The same shapes with a rounding radius. Hull vertices need no order, may repeat, lie in a line, in a plane
 // or inside the hull; their coordinates may be any int32_t within GJK_RADIUS_MAX of their box's centre.
 #define GJK_ROUNDED_POINT(radius) \
-  { &gjk_class_point, 0, 0, 0, {0, 0, 0}, (radius), 0, 0 }
+  { &gjk_class_point, 0, 0, 0, GJK_LENGTHS(0, 0, 0, radius), 0, 0 }
 #define GJK_ROUNDED_SEGMENT(half, radius) \
-  { &gjk_class_segment, 0, 0, 0, {0, 0, (half)}, (radius), 0, 0 }
+  { &gjk_class_segment, 0, 0, 0, GJK_LENGTHS(0, 0, half, radius), 0, 0 }
 #define GJK_ROUNDED_TRIANGLE(vertices3, radius) \
-  { &gjk_class_triangle, (vertices3), 0, 0, {0, 0, 0}, (radius), 3, 0 }
+  { &gjk_class_triangle, (vertices3), 0, 0, GJK_LENGTHS(0, 0, 0, radius), 3, 0 }
 #define GJK_ROUNDED_BOX(half_x, half_y, half_z, radius) \
-  { &gjk_class_box, 0, 0, 0, {(half_x), (half_y), (half_z)}, (radius), 0, 0 }
+  { &gjk_class_box, 0, 0, 0, GJK_LENGTHS(half_x, half_y, half_z, radius), 0, 0 }
 #define GJK_ROUNDED_HULL(vertices_n, n, radius) \
-  { &gjk_class_hull, (vertices_n), 0, 0, {0, 0, 0}, (radius), (n), 0 }
+  { &gjk_class_hull, (vertices_n), 0, 0, GJK_LENGTHS(0, 0, 0, radius), (n), 0 }
 #define GJK_ROUNDED_CYLINDER(base_radius, half, radius) \
-  { &gjk_class_cylinder, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0, 0 }
+  { &gjk_class_cylinder, 0, 0, 0, GJK_LENGTHS(base_radius, base_radius, half, radius), 0, 0 }
 #define GJK_ROUNDED_CONE(base_radius, half, radius) \
-  { &gjk_class_cone, 0, 0, 0, {(base_radius), (base_radius), (half)}, (radius), 0, 0 }
+  { &gjk_class_cone, 0, 0, 0, GJK_LENGTHS(base_radius, base_radius, half, radius), 0, 0 }
 #define GJK_ROUNDED_ELLIPSOID(radius_x, radius_y, radius_z, radius) \
-  { &gjk_class_ellipsoid, 0, 0, 0, {(radius_x), (radius_y), (radius_z)}, (radius), 0, 0 }
+  { &gjk_class_ellipsoid, 0, 0, 0, GJK_LENGTHS(radius_x, radius_y, radius_z, radius), 0, 0 }
 #define GJK_ROUNDED_CUSTOM(function, user_pointer, bound, radius) \
-  { &gjk_class_custom, 0, (function), (user_pointer), {(bound), 0, 0}, (radius), 0, 0 }
+  { &gjk_class_custom, 0, (function), (user_pointer), GJK_LENGTHS(bound, 0, 0, radius), 0, 0 }
 
 #define GJK_ROUNDED_HULL_WITH_FACES(vertices_n, n, faces_pointer, radius) \
-  { &gjk_class_hull, (vertices_n), 0, 0, {0, 0, 0}, (radius), (n), (faces_pointer) }
+  { &gjk_class_hull, (vertices_n), 0, 0, GJK_LENGTHS(0, 0, 0, radius), (n), (faces_pointer) }
 
 #define GJK_POINT GJK_ROUNDED_POINT(0)
 #define GJK_SPHERE(radius) GJK_ROUNDED_POINT(radius)

@@ -27,7 +27,6 @@ missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
 if [ -n "${missing# }" ]; then
   echo "This machine against a Cortex-M3 needs $missing: \`make setup\` installs them." >&2
 else
-  rm -f build/cortex-m3/lockstep.elf
   make -s build/cortex-m3/lockstep.elf TARGET=cortex-m3 FIRMWARE_DEFINES="-DLOCKSTEP_TICKS=$ticks" >/dev/null || exit 1
   echo 'This machine against firmware on an emulated Cortex-M3:' >&2
   play timeout 300 qemu-system-arm -M mps2-an385 -display none -monitor none -serial stdio \

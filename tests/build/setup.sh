@@ -23,6 +23,26 @@ if [ -z "$missing" ]; then
 fi
 sudo=
 [ "$(id -u)" = 0 ] || sudo=sudo
-$sudo apt-get update
+
+# apt_get WORDS...: waits for the locks that another apt holds, ten minutes at most. apt-get waits by itself for dpkg's lock
+# alone, not for those on its lists and archives.
+apt_get() {
+  said=$(mktemp)
+  tries=120
+  until $sudo env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 "$@" 2>"$said"; do
+    cat "$said" >&2
+    if ! grep -q -i -E 'could not get lock|unable to (lock|acquire)' "$said" || [ $tries = 0 ]; then
+      rm -f "$said"
+      return 1
+    fi
+    echo "setup: another apt is at work; waiting for it" >&2
+    tries=$((tries - 1))
+    sleep 5
+  done
+  cat "$said" >&2
+  rm -f "$said"
+}
+
+apt_get update
 # shellcheck disable=SC2086
-DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y --no-install-recommends $missing
+apt_get install -y --no-install-recommends $missing

@@ -1,6 +1,8 @@
 // Checks answers.
 #include "certify.h"
 
+#include <math.h>
+
 #include "../exact/depth.h"
 #include "../reference/accurate.h"
 
@@ -8,6 +10,11 @@
 #define CURVED_TOLERANCE 2.0L
 #define DEPTH_TOLERANCE 3.0L
 #define FAR_TOLERANCE (1.0L / 134217728.0L)
+
+// To one digit, and without the sign of a zero.
+static long double to_a_tenth(long double x) {
+  return rintl(10 * x) / 10 + 0.0L;
+}
 
 // Without vertices to name there is no exact proof: compares with proven bounds of the real distance.
 static certify_verdict compare_bounds(const case_question *question, const case_pair *pair, const case_collider *a,
@@ -35,7 +42,8 @@ static certify_verdict compare_bounds(const case_question *question, const case_
     long double distance = (long double)answer->distance.distance;
     right = upper > 0 && lower <= distance + 0.5L && (distance - 0.5L <= upper || answer->distance.saturated);
   }
-  snprintf(why, CERTIFY_WHY_MAX, "curved; the accurate bounds are %.1Lf to %.1Lf", found.lower, found.upper);
+  snprintf(why, CERTIFY_WHY_MAX, "curved; the accurate bounds are %.1Lf to %.1Lf", to_a_tenth(found.lower),
+           to_a_tenth(found.upper));
   return right ? CERTIFY_UNCERTIFIED : CERTIFY_WRONG;
 }
 

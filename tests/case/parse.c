@@ -93,7 +93,9 @@ static bool next_line(case_reader *reader) {
     }
   }
   if (ferror(reader->file)) {
-    complain(reader, "expected more lines, found %s", strerror(errno));
+    fprintf(stderr, "%s: cannot be read%s: %s\n", reader->name, reader->line > 0 ? " to its end" : "", strerror(errno));
+    reader->errors++;
+    reader->failed = true;
   }
   return false;
 }

@@ -86,5 +86,9 @@ int main(int argc, char **argv) {
     result = drawn != 0 ? drawn : wrong;
   }
   scene_free(&s);
+  if (fflush(stdout) != 0 || ferror(stdout) != 0) {
+    fprintf(stderr, "gjk-demo: cannot write the table: %s\n", strerror(errno));
+    return 2;
+  }
   return result;
 }

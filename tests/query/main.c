@@ -52,7 +52,7 @@ static const char help[] =
     "  ... WRONG: WHY                (--certify) the check failed\n"
     "\n"
     "Exit status: 0 all answered; 1 a check failed; 2 a malformed line (skipped with its case, and named on\n"
-    "standard error), a file that can't be read, a wrong option.\n";
+    "standard error), a file that can't be read, a wrong option, or an output that can't be written.\n";
 
 typedef struct tool {
   case_question question;
@@ -106,6 +106,15 @@ static void run_file(tool *t, const char *name) {
   fclose(file);
 }
 
+// The exit status, unless some of what was printed could not be written.
+static int written(int status) {
+  if (fflush(stdout) == 0 && ferror(stdout) == 0) {
+    return status;
+  }
+  fprintf(stderr, "gjk-query: cannot write the answers: %s\n", strerror(errno));
+  return EXIT_INPUT;
+}
+
 static void refuse(const char *what, const char *word) {
   fprintf(stderr, "gjk-query: %s '%s'; see gjk-query --help\n", what, word);
   exit(EXIT_INPUT);
@@ -123,7 +132,7 @@ static int read_options(int argc, char **argv, tool *t) {
       only_files = true;
     } else if (strcmp(word, "--help") == 0) {
       fputs(help, stdout);
-      exit(EXIT_ANSWERED);
+      exit(written(EXIT_ANSWERED));
     } else if (strcmp(word, "--distance") == 0) {
       t->question.ask = CASE_DISTANCE;
     } else if (strcmp(word, "--intersect") == 0) {
@@ -172,9 +181,5 @@ int main(int argc, char **argv) {
   case_pair_free(&t.pair);
   case_collider_free(&t.a);
   case_collider_free(&t.b);
-  if (fflush(stdout) != 0 || ferror(stdout)) {
-    fprintf(stderr, "gjk-query: cannot write the answers: %s\n", strerror(errno));
-    return EXIT_INPUT;
-  }
-  return t.bad_input ? EXIT_INPUT : t.verdicts[CERTIFY_WRONG] > 0 ? EXIT_UNPROVEN : EXIT_ANSWERED;
+  return written(t.bad_input ? EXIT_INPUT : t.verdicts[CERTIFY_WRONG] > 0 ? EXIT_UNPROVEN : EXIT_ANSWERED);
 }

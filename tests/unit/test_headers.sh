@@ -9,7 +9,7 @@ warnings='-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werr
 # whose first argument is an array, support for those whose first is a function.
 uses() {
   sed -n 's/^#define GJK_\([A-Z_]*\)\(([^)]*)\)\{0,1\} .*/\1\2/p' include/gjk/shape.h | awk '
-    /^SHAPE_H/ { next }
+    /^SHAPE_H|^LENGTHS/ { next }
     {
       macro = $0; sub(/\(.*/, "", macro)
       arguments = ""
@@ -18,6 +18,7 @@ uses() {
         for (i = 1; i <= count; i++) {
           value = "3"
           if (name[i] ~ /^vertices/ || name[i] == "user_pointer") value = "vertices"
+          if (name[i] == "n") value = "2"
           if (name[i] == "function") value = "support"
           if (name[i] == "faces_pointer") value = "0"
           arguments = arguments (i > 1 ? ", " : "") value
@@ -48,7 +49,7 @@ compile() {
 
 all_initialisers_used() {
   used=$(grep -c '^const gjk_shape ' "$scratch/initialisers.c")
-  [ "$used" = "$(grep -cE '^#define GJK_[A-Z_]+(\(.*\))? ' include/gjk/shape.h)" ]
+  [ "$used" = "$(grep -E '^#define GJK_[A-Z_]+(\(.*\))? ' include/gjk/shape.h | grep -vc GJK_LENGTHS\()" ]
 }
 
 check 'every initialiser is in the test' all_initialisers_used
@@ -72,6 +73,56 @@ for compiler in g++ clang++; do
     check "$header as C++11, $compiler" compile $compiler -std=c++11 -x c++ "$header"
   done
   check "initialisers as C++11, $compiler" compile $compiler -std=c++11 -x c++ "$scratch/initialisers.c"
+done
+
+# Lengths that are no integers and numbers that leave their format do not compile, even where warnings are off.
+
+# static_number WORDS...: a constant of that value
+static_number() {
+  printf '#include "gjk/gjk.h"\nextern const int32_t number;\nconst int32_t number = %s;\n' "$1" >"$scratch/number.c"
+}
+
+# refused COMPILER FLAGS...: the file does not compile, because of what it says after its first line
+refused() {
+  ! "$@" -w -Iinclude -fsyntax-only >"$scratch/refusal" 2>&1 || { echo compiled; return 1; }
+  grep -q ': error: ' "$scratch/refusal" || { cat "$scratch/refusal"; return 1; }
+}
+
+# each_language WHAT CHECK FILE: by every compiler there is
+each_language() {
+  for language in 'gcc -std=c99 -x c' 'clang -std=c99 -x c' 'g++ -std=c++11 -x c++' 'clang++ -std=c++11 -x c++'; do
+    if have "${language%% *}"; then
+      # shellcheck disable=SC2086
+      check "$1, $language" "$2" $language "$3"
+    fi
+  done
+}
+
+# Each argument of each initialiser in turn that is a length in the test of all initialisers becomes 0.5.
+awk -v dir="$scratch" '
+  /^const gjk_shape / {
+    declared = "#include \"gjk/gjk.h\"\nextern const gjk_vec3 vertices[];\ngjk_support_function support;\n"
+    for (at = 1; (found = match(substr($0, at), /[(,] *3[,)]/)) > 0; at += found + 1) {
+      length_at = at + found - 1 + RLENGTH - 2
+      file = dir "/half" ++files ".c"
+      print declared "static " substr($0, 1, length_at - 1) "0.5" substr($0, length_at + 1) >file
+      close(file)
+      print file
+    }
+  }' "$scratch/initialisers.c" >"$scratch/halves"
+check 'lengths to be refused' test "$(wc -l <"$scratch/halves")" -ge 34
+while read -r file; do
+  each_language "$(sed -n 's/.* = //p' "$file") is refused" refused "$file"
+done <"$scratch/halves"
+
+for number in 'GJK_Q16(32767.99999)' 'GJK_Q16(-32768.0)' 'GJK_Q16(0.0)' 'GJK_Q16(7)' 'GJK_Q30(1.9999999)' 'GJK_Q30(-2.0)'; do
+  static_number "$number"
+  each_language "$number compiles" compile "$scratch/number.c"
+done
+for number in 'GJK_Q16(40000.0)' 'GJK_Q16(-40000.0)' 'GJK_Q16(32768)' 'GJK_Q16(32767.999993)' 'GJK_Q16(-32768.00001)' \
+  'GJK_Q16(1e300)' 'GJK_Q30(2.0)' 'GJK_Q30(-2.1)'; do
+  static_number "$number"
+  each_language "$number is refused" refused "$scratch/number.c"
 done
 
 # A C++ program calls the C library.

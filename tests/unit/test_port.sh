@@ -32,7 +32,7 @@ run_host() {
 # A contract that is violated says so and stops the program.
 aborts() {
   ! "$1" violate >"$build/message" 2>&1 || return 1
-  grep -q 'contract violated: at.x >= -bound' "$build/message"
+  grep -q 'contract violated: within' "$build/message"
 }
 
 run_host generic '-DGJK_PORT_HEADER="generic/gjk_port.h"' -DPORT_ARENA_BYTES=4096 port/generic/gjk_arena.c
@@ -49,7 +49,7 @@ firmware() {
   make -s "build/$1-port/port.elf" TARGET="$1" PORT="$2" VARIANT=-port >"$build/$1.log" 2>&1 ||
     { cat "$build/$1.log"; return 1; }
   sh tests/build/emulate.sh "$1" "build/$1-port/port.elf" >"$build/$1.txt" && return 1
-  tail -n 1 "$build/$1.txt" | grep -q '^contract violated: at.x >= -bound' && return 0
+  tail -n 1 "$build/$1.txt" | grep -q '^contract violated: within' && return 0
   cat "$build/$1.txt"
   return 1
 }

@@ -174,6 +174,12 @@ check 'the reference agrees' same $data/query.expected "$dir/plain"
 check 'curved shapes' status 0 "$tool" --certify $data/query.txt
 check 'curved shapes say so' sh -c "[ \$(grep -c ' uncertified: curved; ' \"$dir/out\") = 4 ]"
 check 'the far pair is proven' grep -q '^certify: 15 certified, 4 uncertified, 0 wrong$' "$dir/err"
+printf 'case t\nA cylinder 1.0 1.0\nB cylinder 1.0 1.0\nB at 2.0 0.0 0.0\n' >"$dir/zero.txt"
+for question in --distance --penetration; do
+  check "touching, certified $question" status 0 "$tool" --certify $question "$dir/zero.txt"
+  check "touching $question: the bounds are told" grep -q 'accurate bounds are -*0\.[01] to 0\.0$' "$dir/out"
+  check "touching $question: no zero has a sign" sh -c "! grep -q -e '-0\.0' \"$dir/out\""
+done
 
 # Malformed cases: one message with file, line and expectation, no answer, and the others are answered.
 
@@ -252,7 +258,7 @@ check 'a missing file' status 2 "$tool" "$dir/none.txt" "$dir/gap.txt"
 check 'a missing file is named' grep -q '/none.txt: ' "$dir/err"
 check 'the next file is answered' grep -q '^gap separated' "$dir/out"
 check 'a folder' status 2 "$tool" "$dir"
-check 'a folder is named' grep -q "^$dir:" "$dir/err"
+check 'a folder is named, and what is wrong with it' grep -q "^$dir: cannot be read: [^ ].*directory" "$dir/err"
 check 'help' status 0 "$tool" --help
 for word in --intersect --within --distance --penetration --contacts --reference --certify ellipsoid 'Exit status'; do
   check "help has $word" grep -q -e "$word" "$dir/out"
@@ -264,6 +270,7 @@ check 'within a word' status 2 "$tool" --within far "$dir/gap.txt"
 check 'within a negative distance' status 2 "$tool" --within -1 "$dir/gap.txt"
 if [ -e /dev/full ]; then
   check 'answers that cannot be written' status 2 sh -c "\"$tool\" $data/query.txt >/dev/full"
+  check 'help that cannot be written' status 2 sh -c "\"$tool\" --help >/dev/full"
 fi
 
 # 100,000 cases under a limit on memory that a leak of one hull per case would burst.

@@ -62,6 +62,9 @@ check 'a changed bit is named' grep -q 'arm-fore:rack-beam *DIFFERENT' "$dir/out
 check 'usage' status 2 "$demo"
 check 'a missing scene' status 2 "$demo" "$dir/none.txt" "$dir/none.svg"
 check 'a picture that cannot be written' status 2 "$demo" tests/data/arm.txt "$dir"
+if [ -e /dev/full ]; then
+  check 'a table that cannot be written' status 2 sh -c "\"$demo\" tests/data/arm.txt \"$dir/full.svg\" >/dev/full"
+fi
 printf 'case a:b\nA point\nB cube\n' >"$dir/bad.txt"
 check 'a malformed scene' status 2 "$demo" "$dir/bad.txt" "$dir/bad.svg"
 awk 'BEGIN {print "case a:b\nA hull 65"; for (i = 0; i < 65; i++) print i, i * i, 0; print "B point"}' \

@@ -210,6 +210,7 @@ static void test_parts(void) {
     REFUSED(part_of(4)->frame[i].x++);
     REFUSED(part_of(4)->frame[i].y++);
     REFUSED(part_of(4)->frame[i].z++);
+    REFUSED(part_of(4)->fraction[i]++);
   }
   gjk_vec3 *const corners[] = {&part_of(4)->centre, &part_of(4)->local_centre, &part_of(4)->exact.lower,
                                &part_of(4)->exact.upper};

@@ -120,6 +120,21 @@ static void test_empty(void) {
   CHECK(shape_status(ellipsoid) == GJK_OK && shape_status(cylinder) == GJK_OK && shape_status(box) == GJK_OK);
 }
 
+// A triangle of any other count was read to that count when measured and to 3 when posed.
+static void test_triangles(void) {
+  static const gjk_vec3 corners[4] = {{0, 0, 0}, {ONE, 0, 0}, {0, ONE, 0}, {0, 0, ONE}};
+  gjk_shape triangle = GJK_TRIANGLE(corners);
+  CHECK(shape_status(triangle) == GJK_OK);
+  for (int count = 0; count < 5; count++) {
+    triangle.count = (uint16_t)count;
+    CHECK_MSG(shape_status(triangle) == (count == 3 ? GJK_OK : GJK_ERROR_RANGE), "%d vertices", count);
+  }
+  triangle.count = UINT16_MAX;
+  CHECK(shape_status(triangle) == GJK_ERROR_RANGE);
+  triangle.vertices = NULL;
+  CHECK(shape_status(triangle) == GJK_ERROR_NULL);
+}
+
 // The largest sizes pass; one LSB more does not. 1/sqrt(3) and 1/sqrt(2) of the limit, rounded down.
 static void test_sizes(void) {
   const gjk_q16 limit = GJK_RADIUS_MAX, third = 154943445, half = 189766190;
@@ -337,6 +352,7 @@ int main(void) {
   test_null_shapes();
   test_negative_sizes();
   test_empty();
+  test_triangles();
   test_sizes();
   test_buffers();
   test_poses();
