@@ -45,8 +45,8 @@ typedef struct gjk_penetration_result {
                         // 0 if and only if they just touch
   gjk_q16 lower;        // proven bounds of the depth; both equal depth for polytopes and their rounded forms after
   gjk_q16 upper;        // GJK_OK; after CAPACITY depth is upper
-  gjk_vec3 point_a;     // points that coincide when B has moved: A's deepest in B
-  gjk_vec3 point_b;     // and B's deepest in A
+  gjk_vec3 point_a;     // A's deepest in B, within 1 LSB of A; and B's deepest in A: they coincide when B has moved, to
+  gjk_vec3 point_b;     // within 3 LSB and 2^-28 of depth. Coordinates beyond Q16.16 are cut off there
   gjk_unit3 normal;     // that direction, from A to B, Q2.30, each component rounded away from 0
   bool intersecting;    // false: they are apart, and nothing but iterations and certificate is set
   uint16_t iterations;  // support scans of both shapes

@@ -137,7 +137,7 @@ static void test_distances(void) {
   CHECK(gjk_check_distance(&a, &b, &result) == GJK_OK);
   static const gjk_q16 wrong[] = {0, 4, 6, 65536, GJK_DISTANCE_MAX - 1, GJK_DISTANCE_MAX, -1, -5};
   for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
-    result.distance = wrong[i];
+    result.distance = result.lower = result.upper = wrong[i];
     CHECK_MSG(gjk_check_distance(&a, &b, &result) == GJK_ERROR_UNPROVEN, "%ld", (long)wrong[i]);
   }
 }
@@ -145,7 +145,7 @@ static void test_distances(void) {
 static gjk_status penetrates(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result,
                              gjk_q16 depth) {
   gjk_penetration_result r = *result;
-  r.depth = depth;
+  r.depth = r.lower = r.upper = depth;
   return gjk_check_penetration(a, b, &r);
 }
 
@@ -214,23 +214,32 @@ static void test_penetrations(void) {
   }
 }
 
-// Cubes that touch along each axis: the plane between them, whatever its normal's length.
+// Cubes that touch along each axis, from corner to corner: the plane between them, whatever its normal's length.
 static void test_planes(void) {
   static const gjk_q30 size[] = {1, 5, INT32_MAX};
-  gjk_penetration_result r;
-  memset(&r, 0, sizeof r);
-  r.intersecting = true;
-  r.certificate.proof = GJK_PROOF_PLANE;
   const gjk_collider a = placed(&cube, 0, 0, 0);
   for (int axis = 0; axis < 3; axis++) {
     for (int sign = -1; sign <= 1; sign += 2) {
       const gjk_q16 by = sign * 2 * ONE, x = axis == 0 ? by : 0, y = axis == 1 ? by : 0, z = axis == 2 ? by : 0;
       const gjk_collider b = placed(&cube, x, y, z),
-                         deep = placed(&cube, x - (x > 0) + (x < 0), y - (y > 0) + (y < 0), z - (z > 0) + (z < 0));
+                         deep = placed(&cube, x - (x > 0) + (x < 0), y - (y > 0) + (y < 0), z - (z > 0) + (z < 0)),
+                         apart = placed(&cube, x + (x > 0) - (x < 0), y + (y > 0) - (y < 0), z + (z > 0) - (z < 0));
+      const gjk_vec3 corner = {axis == 0 ? sign * ONE : ONE, axis == 1 ? sign * ONE : ONE,
+                               axis == 2 ? sign * ONE : ONE};
+      const gjk_unit3 normal = {axis == 0 ? sign * GJK_Q30_ONE : 0, axis == 1 ? sign * GJK_Q30_ONE : 0,
+                                axis == 2 ? sign * GJK_Q30_ONE : 0};
+      gjk_penetration_result r;
+      memset(&r, 0, sizeof r);
+      r.intersecting = true;
+      r.point_a = r.point_b = corner;
+      r.normal = normal;
+      r.certificate.proof = GJK_PROOF_PLANE;
+      r.certificate.count = 1;
+      r.certificate.a[0] = (uint16_t)(sign > 0 ? 7 : 7 & ~(1 << axis));
+      r.certificate.b[0] = (uint16_t)(sign > 0 ? 7 & ~(1 << axis) : 7);
       gjk_q30 *const along = axis == 0   ? &r.certificate.direction.x
                              : axis == 1 ? &r.certificate.direction.y
                                          : &r.certificate.direction.z;
-      memset(&r.certificate.direction, 0, sizeof r.certificate.direction);
       CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
       for (int i = 0; i < 3; i++) {
         *along = sign * size[i];
@@ -238,11 +247,46 @@ static void test_planes(void) {
         CHECK(penetrates(&a, &b, &r, 1) == GJK_ERROR_UNPROVEN && penetrates(&a, &b, &r, -1) == GJK_ERROR_UNPROVEN);
         CHECK(gjk_check_penetration(&b, &a, &r) == GJK_ERROR_UNPROVEN);
         CHECK(gjk_check_penetration(&a, &deep, &r) == GJK_ERROR_UNPROVEN);
+        CHECK(gjk_check_penetration(&a, &apart, &r) == GJK_ERROR_UNPROVEN);
       }
       *along = INT32_MIN;
       CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
     }
   }
+}
+
+// The facet of A - B that is highest above B, which lies behind it whether the shapes overlap or not.
+static gjk_penetration_result by_upper_facet(gjk_q16 depth, gjk_q16 point_a, gjk_q16 point_b) {
+  static const uint16_t of_a[3] = {2, 6, 3}, of_b[3] = {5, 1, 4};
+  gjk_penetration_result r;
+  memset(&r, 0, sizeof r);
+  r.intersecting = true;
+  r.depth = r.lower = r.upper = depth;
+  r.normal.y = GJK_Q30_ONE;
+  r.point_a.y = point_a;
+  r.point_b.y = point_b;
+  r.certificate.proof = GJK_PROOF_FACET;
+  r.certificate.count = 3;
+  memcpy(r.certificate.a, of_a, sizeof of_a);
+  memcpy(r.certificate.b, of_b, sizeof of_b);
+  return r;
+}
+
+// Where boxes are apart it bounds a depth that there is not: beside the origin, or across from it. All else that is said
+// of the slabs would be right.
+static void test_facet_of_boxes_apart(void) {
+  static const gjk_shape small = GJK_BOX(1000, 1000, 1000), slab = GJK_BOX(1000, 100, 1000);
+  const gjk_collider a = placed(&small, 0, 0, 0), beside = placed(&small, 2100, 0, 0);
+  gjk_penetration_result r = by_upper_facet(2000, 1000, -1000);
+  CHECK(gjk_check_penetration(&a, &a, &r) == GJK_OK);
+  r.point_a.x = r.point_b.x = 1000;
+  CHECK(gjk_check_penetration(&a, &beside, &r) == GJK_ERROR_UNPROVEN);
+  const gjk_collider p = placed(&slab, 0, 0, 0), across = placed(&slab, 0, -300, 0),
+                     touching = placed(&slab, 0, -200, 0);
+  r = by_upper_facet(400, 100, -300);
+  CHECK(gjk_check_penetration(&p, &touching, &r) == GJK_OK);  // enough, though not the least
+  r = by_upper_facet(500, 100, -400);
+  CHECK(gjk_check_penetration(&p, &across, &r) == GJK_ERROR_UNPROVEN);
 }
 
 int main(void) {
@@ -254,5 +298,6 @@ int main(void) {
   test_distances();
   test_penetrations();
   test_planes();
+  test_facet_of_boxes_apart();
   return check_done("check");
 }
