@@ -223,15 +223,14 @@ static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int6
          compare_to(it, depth) <= 0 && compare_to(it, depth - 1) > 0;
 }
 
-// Does the plane across direction through the origin bound A - B? That it touches it follows, as they intersect.
-// Products: at most sqrt(3) 2^31 times 2^30.
+// Does the plane across direction through the origin bound A - B, touching it? Products: at most sqrt(3) 2^31 times 2^30.
 static bool is_level(const gjk_iteration *it, const gjk_vec3 *direction) {
   const gjk_vec3 d = *direction;
   if ((d.x | d.y | d.z) == 0 || d.x < -INT32_MAX || d.y < -INT32_MAX || d.z < -INT32_MAX) {
     return false;
   }
   const gjk_vec3 opposite = gjk_negate(d), delta = gjk_sub(it->a->centre, it->b->centre);
-  return gjk_dot(&delta, &d) + farthest(it->a, &d) + farthest(it->b, &opposite) <= 0;
+  return gjk_dot(&delta, &d) + farthest(it->a, &d) + farthest(it->b, &opposite) == 0;
 }
 
 // Does the certificate prove the depth of shapes that intersect? direction: the way out that it names.

@@ -214,8 +214,16 @@ static void test_penetrations(void) {
   }
 }
 
+static gjk_vec3 moved(gjk_vec3 v, int axis, gjk_q16 by) {
+  v.x += axis == 0 ? by : 0;
+  v.y += axis == 1 ? by : 0;
+  v.z += axis == 2 ? by : 0;
+  return v;
+}
+
 // Cubes that touch along each axis, from corner to corner: the plane between them, whatever its normal's length.
 static void test_planes(void) {
+  static const gjk_shape soft = GJK_ROUNDED_BOX(ONE, ONE, ONE, 10);
   static const gjk_q30 size[] = {1, 5, INT32_MAX};
   const gjk_collider a = placed(&cube, 0, 0, 0);
   for (int axis = 0; axis < 3; axis++) {
@@ -251,6 +259,15 @@ static void test_planes(void) {
       }
       *along = INT32_MIN;
       CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
+      // Of rounded cubes that intersect, too, the plane has to touch both cores.
+      const gjk_collider soft_a = placed(&soft, 0, 0, 0), soft_b = placed(&soft, x, y, z);
+      const gjk_collider apart_b = placed(&soft, apart.centre.x, apart.centre.y, apart.centre.z);
+      *along = sign * ONE;
+      r.depth = r.lower = r.upper = 20;
+      r.point_a = moved(corner, axis, sign * 10);
+      r.point_b = moved(corner, axis, -sign * 10);
+      CHECK(gjk_check_penetration(&soft_a, &soft_b, &r) == GJK_OK);
+      CHECK(gjk_check_penetration(&soft_a, &apart_b, &r) == GJK_ERROR_UNPROVEN);
     }
   }
 }
