@@ -56,18 +56,23 @@ typedef struct gjk_penetration_result {
 // The depth of the overlap of two convex shapes, with the direction and points.
 //
 // a, b       posed colliders, read only; may be the same object.
-// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only.
+// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only. Kept after OK and CAPACITY.
 // workspace  read only, its cells in/out; may be NULL, see gjk_workspace.
-// out        written when the result is GJK_OK or CAPACITY.
 // Exact      points, segments, triangles, boxes, hulls and their rounded forms: the depth is that of the true minimum
 //            over all directions, rounded up. Moving B by depth along normal, each component of the product rounded
 //            away from 0, leaves them apart or touching, exactly. Cylinder, cone, ellipsoid: within 3 LSB, or
 //            CAPACITY with its bounds.
 // Cost       one round for each vertex of the polytope, so at most the workspace's; stack: `make sizes`.
-// Statuses   NULL, UNINITIALISED, ITERATION_LIMIT. CAPACITY: the workspace is too small; everything in out is valid,
-//            moving by depth = upper still parts them, and the least depth is at least lower.
 // After      Gino van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001: an
 //            expanding polytope; exact visibility signs instead of tolerances. Boxes: their 15 directions.
+//
+// What is valid in out after each status; after an error all else is as it was:
+//
+// OK                   everything if intersecting, else intersecting, iterations and certificate; of that what its proof uses.
+// CAPACITY             everything, intersecting: the workspace is too small, or a curved pair too flat. Moving by depth, which
+//                      is upper, still parts them; the least depth is at least lower. The certificate proves nothing.
+// ITERATION_LIMIT      nothing, nor whether they intersect.
+// NULL, UNINITIALISED  nothing.
 gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                            const gjk_workspace *workspace, gjk_penetration_result *out);
 
@@ -76,6 +81,12 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
 // out  as of gjk_distance when they are apart; else as of gjk_penetration: distance = -depth, lower = -upper,
 //      upper = -lower, points, normal and certificate set, intersecting. iterations stops counting at 255.
 // The rest as gjk_distance and gjk_penetration.
+//
+// OK                   everything, points and normal too; of the certificate what its proof uses.
+// CAPACITY             everything, as of gjk_penetration.
+// ITERATION_LIMIT      lower, upper, iterations: the distance, or minus the depth, is between them. lower above 0 proves
+//                      that the shapes are apart, upper below 0 that they overlap.
+// NULL, UNINITIALISED  nothing.
 gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                                const gjk_workspace *workspace, gjk_distance_result *out);
 

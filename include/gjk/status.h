@@ -6,8 +6,9 @@
 extern "C" {
 #endif
 
-// GJK_OK is 0, every error is negative. An error leaves all outputs untouched; the one exception is
-// GJK_ERROR_ITERATION_LIMIT, after which the result holds the bounds proven so far.
+// GJK_OK is 0, every error is negative. An error leaves all outputs as they were. Two of them come with results, of which
+// each query's comment says what is valid: ITERATION_LIMIT, with the bounds proven so far, and CAPACITY of a workspace,
+// with an answer that is safe but not the least.
 typedef enum gjk_status {
   GJK_OK = 0,
   GJK_ERROR_NULL = -1,              // a required pointer is null

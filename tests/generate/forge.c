@@ -34,14 +34,14 @@ static void make(random_state *random, case_kind kind, gjk_q16 reach, case_shape
   out->round = random_below(random, 3) == 0 ? random_range(random, 0, reach) >> random_below(random, 16) : 0;
 }
 
-void forge_pair(random_state *random, case_pair *pair) {
+void forge_pair(random_state *random, unsigned most, case_pair *pair) {
   static const case_kind kinds[] = {CASE_POINT, CASE_SEGMENT, CASE_TRIANGLE, CASE_BOX, CASE_HULL};
   const gjk_q16 reach = INT32_C(1) << (3 + random_below(random, 24));
   case_kind a, b;
   do {
     a = kinds[random_below(random, 5)];
     b = kinds[random_below(random, 5)];
-  } while (count_of(a) * count_of(b) > 32 && random_below(random, 16) != 0);
+  } while (count_of(a) * count_of(b) > most);
   case_shape_reset(&pair->a);
   case_shape_reset(&pair->b);
   make(random, a, reach, &pair->a);
@@ -136,9 +136,8 @@ static bool find_fit(const gjk_collider *a, const gjk_collider *b, const gjk_cer
   if (length == 0) {
     return false;
   }
-  const exact_int along = exact_dot(&normal, &w[0]);
   const double height = sqrt(exact_to_double(&feature.squared) / exact_to_double(&feature.denominator));
-  out->height = c->proof == GJK_PROOF_PLANE ? 0 : sign > 0 && along.sign > 0 ? height : -height;
+  out->height = c->proof == GJK_PROOF_PLANE ? 0 : sign * height;
   for (int k = 0; k < 3; k++) {
     out->normal[k] /= sqrt(length);
   }

@@ -18,9 +18,9 @@ typedef struct forge_claim {
   gjk_penetration_result penetration;
 } forge_claim;
 
-// A pair of at most EXACT_BRUTE_MAX pairs of vertices, not far from the origin, apart or together; many of them flat,
+// A pair of polytopes with at most so many pairs of vertices, from 1 on, not far from the origin, apart or together; many of them flat,
 // or next to touching.
-void forge_pair(random_state *random, case_pair *pair);
+void forge_pair(random_state *random, unsigned most, case_pair *pair);
 
 // The library's answer. False: it has none.
 bool forge_true(const gjk_collider *a, const gjk_collider *b, forge_kind kind, gjk_q16 asked, forge_claim *out);

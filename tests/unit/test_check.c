@@ -304,6 +304,61 @@ static void test_facet_of_boxes_apart(void) {
   CHECK(gjk_check_penetration(&p, &touching, &r) == GJK_OK);  // enough, though not the least
   r = by_upper_facet(500, 100, -400);
   CHECK(gjk_check_penetration(&p, &across, &r) == GJK_ERROR_UNPROVEN);
+  // Deeper than the bounding spheres are: never the least.
+  const gjk_collider below = placed(&small, 0, -2000, 0);
+  r = by_upper_facet(4000, 1000, -3000);
+  CHECK(gjk_check_penetration(&a, &below, &r) == GJK_ERROR_UNPROVEN);
+}
+
+// Cores 1 LSB apart whose roundings overlap: the facet before the origin tells the depth with the wrong sign, and points
+// that are off by 2 LSB only.
+static void test_facet_before_origin(void) {
+  static const uint16_t of_a[3] = {1, 3, 7}, of_b[3] = {6, 4, 0};
+  static const gjk_shape soft = GJK_ROUNDED_BOX(1000, 1000, 1000, 10);
+  const gjk_collider a = placed(&soft, 0, 0, 0), b = placed(&soft, 2001, 0, 0), deep = placed(&soft, 1999, 0, 0);
+  gjk_penetration_result r;
+  memset(&r, 0, sizeof r);
+  r.intersecting = true;
+  r.depth = r.lower = r.upper = 21;
+  r.normal.x = GJK_Q30_ONE;
+  r.point_a.x = 1010;
+  r.point_b.x = 989;
+  r.certificate.proof = GJK_PROOF_FACET;
+  r.certificate.count = 3;
+  memcpy(r.certificate.a, of_a, sizeof of_a);
+  memcpy(r.certificate.b, of_b, sizeof of_b);
+  CHECK(gjk_check_penetration(&a, &deep, &r) == GJK_OK);
+  r.point_b.x = 991;
+  CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
+  r.depth = r.lower = r.upper = 19;
+  CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
+}
+
+// A coordinate may be cut off where the shape reaches the end of the world, and nowhere else.
+static void test_cut_off(void) {
+  static const gjk_shape ball = GJK_SPHERE(ONE);
+  const gjk_q16 ends[2] = {INT32_MAX, INT32_MIN};
+  for (int i = 0; i < 2; i++) {
+    const gjk_q16 inwards = i == 0 ? -ONE : ONE, end = ends[i] + inwards / 2;
+    const gjk_collider a = placed(&ball, end, 0, 0), b = placed(&ball, end, 3 * ONE, 0);
+    const gjk_collider near = placed(&ball, end, 0, 0), inner = placed(&ball, end + 3 * inwards, 3, 0);
+    gjk_distance_result r;
+    // The points are not where the shapes leave the world.
+    CHECK(gjk_distance(&a, &b, NULL, &r) == GJK_OK && !r.saturated && gjk_check_distance(&a, &b, &r) == GJK_OK);
+    r.point_a.x = r.point_b.x = ends[i];
+    r.saturated = true;
+    CHECK(gjk_check_distance(&a, &b, &r) == GJK_OK);  // what is at the end is not checked
+    r.saturated = false;
+    CHECK(gjk_check_distance(&a, &b, &r) == GJK_ERROR_UNPROVEN);
+    CHECK(gjk_distance(&inner, &near, NULL, &r) == GJK_OK && gjk_check_distance(&inner, &near, &r) == GJK_OK);
+    r.saturated = true;
+    CHECK(gjk_check_distance(&inner, &near, &r) == GJK_ERROR_UNPROVEN);
+    r.point_a.x = ends[i];
+    CHECK(gjk_check_distance(&inner, &near, &r) == GJK_ERROR_UNPROVEN);
+    // Beyond its end: cut off in earnest.
+    const gjk_collider edge = placed(&ball, ends[i], 0, 0), over = placed(&ball, ends[i] + 3 * inwards, 0, 0);
+    CHECK(gjk_distance(&over, &edge, NULL, &r) == GJK_OK && gjk_check_distance(&over, &edge, &r) == GJK_OK);
+  }
 }
 
 int main(void) {
@@ -316,5 +371,7 @@ int main(void) {
   test_penetrations();
   test_planes();
   test_facet_of_boxes_apart();
+  test_facet_before_origin();
+  test_cut_off();
   return check_done("check");
 }
