@@ -3,6 +3,17 @@
 
 #include "iteration.h"
 
+// Does the feature of the last round settle it, without another support?
+static gjk_outcome settle(gjk_iteration *it) {
+  if (it->simplex.count == 0) {  // the cached direction was all there was
+    return GJK_OUTCOME_LIMIT;
+  }
+  if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
+    return GJK_OUTCOME_ENCLOSING;
+  }
+  return it->radius > 0 && gjk_iteration_near(it) ? GJK_OUTCOME_NEAR : GJK_OUTCOME_LIMIT;
+}
+
 // Runs up to so many rounds. NO, YES, or OPEN: then iterations alone are set, and the cache is as it was.
 static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t most, gjk_cache *cache,
                          gjk_decision *out) {
@@ -19,6 +30,9 @@ static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 d
   }
   it.limit = most;
   outcome = gjk_iteration_run(&it, GJK_GOAL_WITHIN, cache);
+  if (outcome == GJK_OUTCOME_LIMIT) {
+    outcome = settle(&it);
+  }
   out->iterations = it.rounds;
   if (outcome == GJK_OUTCOME_LIMIT) {
     return GJK_ANSWER_OPEN;

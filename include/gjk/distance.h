@@ -11,8 +11,8 @@ extern "C" {
 
 // Lengths Q16.16, world frame.
 typedef struct gjk_distance_result {
-  gjk_q16 distance;    // gap between the surfaces, 0 when intersecting; GJK_DISTANCE_MAX when saturated
-  gjk_q16 lower;       // proven bounds of the gap, both included; equal to distance where the answer is exact
+  gjk_q16 distance;  // gap between the surfaces, 0 when intersecting; GJK_DISTANCE_MAX when saturated
+  gjk_q16 lower;     // proven bounds of the gap, both included; equal to distance where the answer is exact
   gjk_q16 upper;
   gjk_vec3 point_a;    // nearest point of A; not set when intersecting
   gjk_vec3 point_b;    // nearest point of B; not set when intersecting
