@@ -1,5 +1,6 @@
 #!/bin/sh
-# Fuzzes pairs, the reader of cases, hostile arguments and scenes with libFuzzer: fuzz.sh BUILD SECONDS SEED [TARGET...]
+# Fuzzes pairs, the reader of cases, hostile arguments, scenes and forged claims with libFuzzer:
+# fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
 # The seconds are shared out evenly; SEED 0 is a new one each time. Runs begin with what once failed (tests/fuzz/once)
 # and with what reached new code before, which stays in BUILD/fuzz/corpus. An input that fails stays in BUILD/fuzz and is
