@@ -18,7 +18,7 @@
 #   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
 #   make coverage        which lines and branches of src the tests reach, over all variants of the code
 #   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400, 0: all, of SEED=1
-#   make fuzz            fuzzes pairs, the reader of cases, arguments and scenes for SECONDS=60
+#   make fuzz            fuzzes pairs, the reader of cases, arguments, scenes and forged claims for SECONDS=60
 #   make soak            100,000,000 certified pairs over two cores, or PAIRS=N; goes on where it was interrupted
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
 #                        the broad phases of Bullet and FCL where installed; make bench draws it, too

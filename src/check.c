@@ -1,18 +1,22 @@
-// Checks certificates: from the named vertices, or the named direction, and one visit to every vertex.
+// Checks answers. What the certificate names settles the decision, the distance and the depth, with one visit to every vertex;
+// points, normals and moves are then compared with these.
 #include "gjk/check.h"
 
-#include "iteration.h"
+#include "claim.h"
+#include "distance.h"
+#include "pair_search.h"
 
 // Fills the simplex with the named pairs. False when a vertex does not exist.
 static bool load(gjk_iteration *it, const gjk_certificate *certificate) {
   gjk_simplex *s = &it->simplex;
+  gjk_simplex_clear(s);
   for (uint8_t i = 0; i < certificate->count; i++) {
     s->count = i;
     if (!gjk_iteration_place(it, certificate->a[i], certificate->b[i])) {
       return false;
     }
   }
-  gjk_simplex_clear(s);
+  s->count = 0;
   return true;
 }
 
@@ -139,6 +143,33 @@ gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_
   return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
 }
 
+// Is the distance that of the feature, correctly rounded? 2 d - 1 <= 2 (exact distance of the cores) < 2 d + 1, the left
+// for d > 0.
+static bool is_rounded(const gjk_iteration *it, gjk_q16 distance, int64_t radius) {
+  const uint64_t twice = 2 * (uint64_t)((int64_t)distance + radius);
+  if (twice > UINT64_C(1) << (33 - it->shift)) {  // in the frame no distance exceeds 2^31
+    return false;
+  }
+  gjk_limbs numerator, denominator;
+  gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+  return gjk_compare_distance(&numerator, &denominator, (twice + 1) << it->shift) < 0 &&
+         (twice == 0 || gjk_compare_distance(&numerator, &denominator, (twice - 1) << it->shift) >= 0);
+}
+
+// Are the points where the named feature is nearest, and is a coordinate said to be cut off where one may be? What is cut
+// off says nothing of where the point was. Pre: the certificate's feature holds.
+static bool are_nearest(const gjk_iteration *it, const gjk_distance_result *result, int64_t radius) {
+  const gjk_certificate *c = &result->certificate;
+  const bool on_a = gjk_claim_point(it->a, c->a, c->count, &result->point_a),
+             on_b = gjk_claim_point(it->b, c->b, c->count, &result->point_b);
+  if (!result->saturated) {
+    return on_a && on_b && gjk_claim_gap(it, result->distance, radius, &result->point_a, &result->point_b);
+  }
+  const bool cut_a = gjk_claim_cut(it->a, c->a, c->count, &result->point_a),
+             cut_b = gjk_claim_cut(it->b, c->b, c->count, &result->point_b);
+  return (cut_a || cut_b) && (on_a || cut_a) && (on_b || cut_b);
+}
+
 gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result) {
   gjk_iteration it;
   gjk_status status = gjk_check_pair(a, b, result);
@@ -151,22 +182,21 @@ gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, cons
   if (it.curved != NULL || it.shift < 0) {
     return GJK_ERROR_UNSUPPORTED;
   }
+  if (result->lower != result->distance || result->upper != result->distance || result->distance < 0) {
+    return GJK_ERROR_UNPROVEN;
+  }
   if (result->intersecting) {
-    return result->distance == 0 && is_together(&it, certificate) ? GJK_OK : GJK_ERROR_UNPROVEN;
+    const bool zero = result->distance == 0 && !result->saturated;
+    return zero && is_together(&it, certificate) ? GJK_OK : GJK_ERROR_UNPROVEN;
   }
-  if (result->distance < 0 || certificate->proof != GJK_PROOF_NEAREST || !is_apart(&it, certificate, radius)) {
+  gjk_long3 direction;
+  if (certificate->proof != GJK_PROOF_NEAREST || !is_apart(&it, certificate, radius) ||
+      !is_rounded(&it, result->distance, radius)) {
     return GJK_ERROR_UNPROVEN;
   }
-  // 2 d - 1 <= 2 (exact distance of the cores) < 2 d + 1, the left for d > 0. In the frame no distance exceeds 2^31.
-  const uint64_t twice = 2 * (uint64_t)((int64_t)result->distance + radius);
-  if (twice > UINT64_C(1) << (33 - it.shift)) {
-    return GJK_ERROR_UNPROVEN;
-  }
-  gjk_limbs numerator, denominator;
-  gjk_simplex_squared_distance(&it.simplex, &numerator, &denominator);
-  const bool below = gjk_compare_distance(&numerator, &denominator, (twice + 1) << it.shift) < 0;
-  const bool above = twice == 0 || gjk_compare_distance(&numerator, &denominator, (twice - 1) << it.shift) >= 0;
-  return below && above ? GJK_OK : GJK_ERROR_UNPROVEN;
+  gjk_claim_direction(&it.simplex, &direction);
+  return gjk_claim_normal(&direction, &result->normal) && are_nearest(&it, result, radius) ? GJK_OK
+                                                                                           : GJK_ERROR_UNPROVEN;
 }
 
 // The sign of the exact distance of the simplex's feature less d LSB.
@@ -180,24 +210,23 @@ static int compare_to(const gjk_iteration *it, int64_t d) {
   return gjk_compare_distance(&numerator, &denominator, (uint64_t)((uint32_t)d << it->shift) * 2);
 }
 
-// Do three pairs span a plane that no vertex of A - B lies beyond, depth (rounded up) over the origin?
-static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int64_t depth) {
+// Do three pairs span a plane that no vertex of A - B lies beyond, depth (rounded up) over the origin? n: its outward normal.
+static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int64_t depth, gjk_long3 *n) {
   const gjk_simplex *s = &it->simplex;
-  gjk_long3 n;
   if (certificate->count != 3 || !load(it, certificate)) {
     return false;
   }
   const gjk_vec3 edge = gjk_sub(s->slot[1].w, s->slot[0].w), edge2 = gjk_sub(s->slot[2].w, s->slot[0].w);
-  gjk_cross(&edge, &edge2, &n);
-  gjk_direction outwards = {NULL, NULL, &n, 0, 0, 3, false};
+  gjk_cross(&edge, &edge2, n);
+  gjk_direction outwards = {NULL, NULL, n, 0, 0, 3, false};
   gjk_simplex_set(&it->simplex, 3);
-  return (n.x | n.y | n.z) != 0 && gjk_dot_sign(&n, &s->slot[0].w) >= 0 && is_support(it, certificate, &outwards) &&
+  return (n->x | n->y | n->z) != 0 && gjk_dot_sign(n, &s->slot[0].w) >= 0 && is_support(it, certificate, &outwards) &&
          compare_to(it, depth) <= 0 && compare_to(it, depth - 1) > 0;
 }
 
 // Does the plane across direction through the origin bound A - B, touching it? Products: at most sqrt(3) 2^31 times 2^30.
-static bool is_level(const gjk_iteration *it, const gjk_certificate *certificate) {
-  const gjk_vec3 d = certificate->direction;
+static bool is_level(const gjk_iteration *it, const gjk_vec3 *direction) {
+  const gjk_vec3 d = *direction;
   if ((d.x | d.y | d.z) == 0 || d.x < -INT32_MAX || d.y < -INT32_MAX || d.z < -INT32_MAX) {
     return false;
   }
@@ -205,14 +234,97 @@ static bool is_level(const gjk_iteration *it, const gjk_certificate *certificate
   return gjk_dot(&delta, &d) + farthest(it->a, &d) + farthest(it->b, &opposite) == 0;
 }
 
+// Does the certificate prove the depth of shapes that intersect? direction: the way out that it names.
+static bool is_depth(gjk_iteration *it, const gjk_penetration_result *result, gjk_long3 *direction) {
+  const gjk_certificate *certificate = &result->certificate;
+  const int64_t depth = result->depth - gjk_roundings(it);
+  if (certificate->proof == GJK_PROOF_FACET) {
+    return is_facet(it, certificate, depth, direction);
+  }
+  if (certificate->proof == GJK_PROOF_PLANE) {
+    const gjk_vec3 *d = &certificate->direction;
+    direction->x = d->x;
+    direction->y = d->y;
+    direction->z = d->z;
+    return depth == 0 && certificate->count >= 1 && certificate->count <= 3 && is_level(it, d) && load(it, certificate);
+  }
+  // Cores that are apart: as near as the roundings, less depth.
+  if (certificate->proof != GJK_PROOF_NEAREST || !is_nearest(it, certificate) || compare_to(it, -depth) < 0 ||
+      compare_to(it, 1 - depth) >= 0) {
+    return false;
+  }
+  gjk_claim_direction(&it->simplex, direction);
+  return true;
+}
+
+// Do the shapes intersect? An iteration of the check's own finds the certificate, and what that proves is what counts.
+static bool intersect(const gjk_collider *a, const gjk_collider *b, int64_t radius) {
+  gjk_iteration it;
+  gjk_certificate certificate;
+  gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius);  // true, as for the depth
+  const gjk_outcome outcome = gjk_search(&it, GJK_GOAL_WITHIN, NULL, gjk_search_limit(&it));
+  gjk_iteration_certify(&it, outcome, &certificate);
+  return is_together(&it, &certificate);
+}
+
+// Are the cores at least radius > 0 apart when B has moved by t? Found and proven in the same way. In an unscaled frame:
+// shapes that intersect have centres at most 2^29 - 2^17 + 8 apart, and t is hardly longer.
+static bool apart_when_moved(const gjk_collider *a, const gjk_collider *b, int64_t radius, const gjk_vec3 *t) {
+  gjk_iteration it;
+  gjk_certificate certificate;
+  gjk_iteration_start(&it, a, b, GJK_GOAL_SIGNED, radius);
+  it.shift = 0;
+  it.radius = (int32_t)radius;
+  it.delta = gjk_sub(gjk_sub(a->centre, b->centre), *t);
+  const gjk_outcome outcome = gjk_search(&it, GJK_GOAL_SIGNED, NULL, gjk_search_limit(&it));
+  gjk_iteration_certify(&it, outcome, &certificate);
+  return outcome == GJK_OUTCOME_NEAREST && is_nearest(&it, &certificate) && compare_to(&it, radius) >= 0;
+}
+
+// A coordinate of depth along the normal, rounded away from 0. Below 2^61 + 2^33 before the shift.
+static gjk_q16 move_along(gjk_q16 depth, gjk_q30 u) {
+  const uint64_t size = gjk_magnitude64(gjk_mul32(depth, u)) + ((UINT32_C(1) << 30) - 1);
+  const gjk_q16 steps = (gjk_q16)(size >> 30);
+  return u < 0 ? -steps : steps;
+}
+
+// Does moving B by depth along the normal part the shapes? Cores without rounding may be left touching: there the facet's
+// plane tells. Pre: depth and normal hold, depth is at most 2^29 - 2^17 + 8, and the simplex is the certificate's.
+static bool parts(const gjk_iteration *it, const gjk_penetration_result *result, const gjk_long3 *direction) {
+  const gjk_unit3 *u = &result->normal;
+  const gjk_vec3 t = {move_along(result->depth, u->x), move_along(result->depth, u->y),
+                      move_along(result->depth, u->z)};
+  const int64_t radius = gjk_roundings(it);
+  if (radius > 0) {
+    return apart_when_moved(it->a, it->b, radius, &t);
+  }
+  const gjk_vec3 *w = &it->simplex.slot[0].w;
+  const unsigned shift = (unsigned)it->shift;
+  const gjk_vec3 rest = {gjk_sar32(w->x, shift) - t.x, gjk_sar32(w->y, shift) - t.y, gjk_sar32(w->z, shift) - t.z};
+  return result->certificate.proof == GJK_PROOF_PLANE || gjk_dot_sign(direction, &rest) <= 0;
+}
+
+// Do the points coincide when B has moved? What is cut off at the end of Q16.16 says nothing.
+static bool coincide(const gjk_iteration *it, const gjk_penetration_result *result) {
+  const gjk_certificate *c = &result->certificate;
+  const bool on_a = gjk_claim_point(it->a, c->a, c->count, &result->point_a),
+             on_b = gjk_claim_point(it->b, c->b, c->count, &result->point_b);
+  if (on_a && on_b && gjk_claim_overlap(result->depth, &result->normal, &result->point_a, &result->point_b)) {
+    return true;
+  }
+  const bool cut_a = gjk_claim_cut(it->a, c->a, c->count, &result->point_a),
+             cut_b = gjk_claim_cut(it->b, c->b, c->count, &result->point_b);
+  return (cut_a || cut_b) && (on_a || cut_a) && (on_b || cut_b);
+}
+
 gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result) {
   gjk_iteration it;
+  gjk_long3 direction;
   const gjk_status status = gjk_check_pair(a, b, result);
   if (status != GJK_OK) {
     return status;
   }
-  const gjk_certificate *certificate = &result->certificate;
-  const int64_t radius = (int64_t)a->shape->round + b->shape->round, depth = (int64_t)result->depth - radius;
+  const int64_t radius = (int64_t)a->shape->round + b->shape->round;
   if (!gjk_iteration_start(&it, a, b, GJK_GOAL_DEPTH, radius)) {
     return result->intersecting ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
@@ -222,14 +334,11 @@ gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, c
   //@ assert it.shift >= 0;
   bool proven = false;
   if (!result->intersecting) {
-    proven = is_apart(&it, certificate, radius);
-  } else if (certificate->proof == GJK_PROOF_FACET) {
-    proven = is_facet(&it, certificate, depth);
-  } else if (certificate->proof == GJK_PROOF_PLANE) {
-    proven = depth == 0 && is_level(&it, certificate);
-  } else if (certificate->proof == GJK_PROOF_NEAREST) {
-    proven = result->depth >= 0 && is_nearest(&it, certificate) && compare_to(&it, -depth) >= 0 &&
-             compare_to(&it, 1 - depth) < 0;
+    proven = is_apart(&it, &result->certificate, radius);
+  } else if (result->depth >= 0 && result->depth <= a->radius + b->radius && result->lower == result->depth &&
+             result->upper == result->depth) {  // no least depth is larger
+    proven = intersect(a, b, radius) && is_depth(&it, result, &direction) &&
+             gjk_claim_normal(&direction, &result->normal) && coincide(&it, result) && parts(&it, result, &direction);
   }
   return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
 }

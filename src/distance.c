@@ -65,30 +65,35 @@ bool gjk_rounded_touch(const gjk_iteration *it, int64_t plane) {
   return radius > 0 && plane - GJK_PLANE_ERROR <= radius && gjk_iteration_near(it);
 }
 
-// The distance of the plane through the newest vertex, across the direction, in LSB; error is added, Q30.
+// The distance of the plane through the newest vertex across the direction, less the roundings, to the nearest LSB; error is
+// added, Q30. Negative when the plane has the origin behind it. Below 2^35 in size.
 static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
   const gjk_simplex *s = &it->simplex;
   const gjk_unit3 u = gjk_unit(&it->direction.d);
-  return to_lsb(error - gjk_along(&u, &s->slot[s->order[s->count - 1]].w), it->shift);
+  const int64_t plane = error - gjk_along(&u, &s->slot[s->order[s->count - 1]].w);
+  const unsigned n = (unsigned)(30 + it->shift);
+  return gjk_sar64(plane + (INT64_C(1) << (n - 1)), n) - gjk_roundings(it);
 }
 
-// Narrows the bounds by what the last round has proven: the newest vertex was the support along the direction, so nothing
-// lies before its plane; and the feature's own plane, found from its own direction, touches the feature. That may
-// settle the question.
-GJK_OUT_OF_LINE static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
-  const int64_t rounding = gjk_roundings(it);
-  const int64_t lower =
-      plane_distance(it, -GJK_PLANE_ERROR) - rounding - 1 - (it->curved != NULL ? GJK_CURVED_ERROR : 0);
+gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *upper) {
+  *lower = plane_distance(it, -GJK_PLANE_ERROR) - 1 - (it->curved != NULL ? GJK_CURVED_ERROR : 0);
   if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
+    *upper = -gjk_roundings(it);
     return GJK_OUTCOME_ENCLOSING;
   }
-  const int64_t upper = plane_distance(it, GJK_PLANE_ERROR) - rounding + 1;
-  if (upper <= 0) {
-    return GJK_OUTCOME_NEAR;
+  *upper = plane_distance(it, GJK_PLANE_ERROR) + 1;
+  return *upper <= 0 ? GJK_OUTCOME_NEAR : GJK_OUTCOME_LIMIT;
+}
+
+// Narrows the bounds by what the last round has proven, which may settle the question.
+GJK_OUT_OF_LINE static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
+  int64_t lower, upper;
+  const gjk_outcome outcome = gjk_distance_bounds(it, &lower, &upper);
+  if (outcome == GJK_OUTCOME_LIMIT) {
+    out->lower = lower > out->lower ? (gjk_q16)(lower < INT32_MAX ? lower : INT32_MAX) : out->lower;
+    out->upper = upper < out->upper ? (gjk_q16)upper : out->upper;
   }
-  out->lower = lower > out->lower ? (gjk_q16)(lower < INT32_MAX ? lower : INT32_MAX) : out->lower;
-  out->upper = upper < out->upper ? (gjk_q16)upper : out->upper;
-  return GJK_OUTCOME_LIMIT;
+  return outcome;
 }
 
 // Runs up to so many rounds in all, and narrows the bounds when they do not suffice.

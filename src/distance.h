@@ -17,6 +17,12 @@ static inline int64_t gjk_roundings(const gjk_iteration *it) {
 // nearest.
 bool gjk_rounded_touch(const gjk_iteration *it, int64_t plane);
 
+// What the last round of an outcome LIMIT has proven of the distance, negative for minus a depth, in LSB. The newest vertex
+// was the support along the direction, so nothing lies before its plane; and the feature's own plane, found from its own
+// direction, touches the feature. That may settle it after all: ENCLOSING or NEAR, when upper is not positive; or LIMIT.
+// Moves it->direction to the feature's.
+gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *upper);
+
 // Reports the answer and keeps the cache, which may be NULL. Pre: the outcome is not LIMIT; not SEPARATED.
 void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache, gjk_distance_result *out);
 

@@ -3,7 +3,22 @@
 
 #include "pair_search.h"
 
-static gjk_status decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, gjk_cache *cache,
+// Does the feature of the last round settle it, without another support?
+static gjk_outcome settle(gjk_iteration *it) {
+  if (it->simplex.count == 0) {  // the cached direction was all there was
+    return GJK_OUTCOME_LIMIT;
+  }
+  if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
+    return GJK_OUTCOME_ENCLOSING;
+  }
+  return it->radius > 0 && gjk_iteration_near(it) ? GJK_OUTCOME_NEAR : GJK_OUTCOME_LIMIT;
+}
+
+#define NO_BUDGET UINT8_MAX
+
+// Runs up to so many rounds, with a budget from a cold start, lest the cache decide what they settle. NO, YES, or OPEN: then
+// iterations alone are set, and the cache is as it was.
+static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t most, gjk_cache *cache,
                          gjk_decision *out) {
   gjk_iteration it;
   gjk_outcome outcome = GJK_OUTCOME_SEPARATED;
@@ -14,28 +29,49 @@ static gjk_status decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 d
     out->iterations = 0;
     out->certificate.proof = GJK_PROOF_SPHERES;
     out->certificate.count = 0;
-    return GJK_OK;
+    return GJK_ANSWER_NO;
   }
-  outcome = gjk_search(&it, GJK_GOAL_WITHIN, cache, gjk_search_limit(&it));
+  const unsigned ceiling = gjk_search_limit(&it);
+  outcome = gjk_search(&it, GJK_GOAL_WITHIN, most == NO_BUDGET ? cache : NULL, most < ceiling ? most : ceiling);
+  if (outcome == GJK_OUTCOME_LIMIT) {
+    outcome = settle(&it);
+  }
   out->iterations = it.rounds;
   if (outcome == GJK_OUTCOME_LIMIT) {
-    return GJK_ERROR_ITERATION_LIMIT;
+    return GJK_ANSWER_OPEN;
   }
   out->yes = outcome == GJK_OUTCOME_ENCLOSING || outcome == GJK_OUTCOME_NEAR;
   gjk_iteration_certify(&it, outcome, &out->certificate);
   if (cache != NULL) {
     gjk_iteration_keep(&it, outcome, cache);
   }
-  return GJK_OK;
+  return out->yes ? GJK_ANSWER_YES : GJK_ANSWER_NO;
+}
+
+static gjk_status check(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, const void *out) {
+  const gjk_status status = gjk_check_pair(a, b, out);
+  return status == GJK_OK && distance < 0 ? GJK_ERROR_NEGATIVE : status;
 }
 
 gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, gjk_cache *cache,
                       gjk_decision *out) {
-  gjk_status status = gjk_check_pair(a, b, out);
-  if (status == GJK_OK && distance < 0) {
-    status = GJK_ERROR_NEGATIVE;
+  const gjk_status status = check(a, b, distance, out);
+  if (status != GJK_OK) {
+    return status;
   }
-  return status == GJK_OK ? decide(a, b, distance, cache, out) : status;
+  const gjk_answer answer = decide(a, b, distance, NO_BUDGET, cache, out);
+  return answer == GJK_ANSWER_OPEN ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
+}
+
+gjk_status gjk_within_until(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t rounds,
+                            gjk_cache *cache, gjk_within_result *out) {
+  const gjk_status status = check(a, b, distance, out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  out->answer = decide(a, b, distance, rounds > 0 ? rounds : NO_BUDGET, cache, &out->decision);
+  const bool spent = rounds > 0 && out->decision.iterations == rounds;
+  return out->answer == GJK_ANSWER_OPEN && !spent ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
 }
 
 gjk_status gjk_intersect(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_decision *out) {

@@ -285,6 +285,15 @@ static void report_signed(const gjk_penetration_result *overlapping, gjk_distanc
   out->certificate = overlapping->certificate;
 }
 
+static void report_bounds(gjk_iteration *it, gjk_distance_result *out) {
+  int64_t lower, upper;
+  bool saturated;
+  (void)gjk_distance_bounds(it, &lower, &upper);
+  out->lower = gjk_saturate(lower, &saturated);
+  out->upper = gjk_saturate(upper, &saturated);
+  out->iterations = it->rounds;
+}
+
 gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                                const gjk_workspace *workspace, gjk_distance_result *out) {
   const gjk_status status = gjk_check_pair(a, b, out);
@@ -296,6 +305,7 @@ gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk
   gjk_iteration_start(it, a, b, GJK_GOAL_SIGNED, (int64_t)a->shape->round + b->shape->round);
   const gjk_outcome outcome = start(&o, GJK_GOAL_SIGNED, cache);
   if (outcome == GJK_OUTCOME_LIMIT) {
+    report_bounds(it, out);
     return GJK_ERROR_ITERATION_LIMIT;
   }
   gjk_penetration_result overlapping;

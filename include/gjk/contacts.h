@@ -34,7 +34,6 @@ typedef struct gjk_manifold {
 // most       contacts, 1 to 8 (GJK_ERROR_RANGE); 4 are enough for a solver. Of more are kept the deepest, those that span
 //            the largest area with it, then the ones farthest from all others. Ties go to the first of them.
 // cache, workspace  as of gjk_signed_distance, which is asked first.
-// out        written when the result is GJK_OK or CAPACITY; without contacts only normal, count and features.
 // Faces      boxes, triangles, hulls with faces and the flat ends of cylinders and cones (octagons) meet in the polygon that
 //            they share, seen along the normal; a shape that has no face within 20 degrees of the normal meets with its
 //            edge, or the line of its side, if that is level within 20 degrees; parallel edges share two points.
@@ -46,8 +45,12 @@ typedef struct gjk_manifold {
 //            that gap, since a depth is rounded up, and 2^-28 of it, as the normal is; where a shape is curved as exact
 //            as its depth.
 // Cost       of gjk_signed_distance, and 8,000 to 20,000 instructions for faces; stack: `make sizes`.
-// Statuses   NULL, UNINITIALISED, NEGATIVE, RANGE, ITERATION_LIMIT. CAPACITY: the normal is that of the upper bound, and
-//            where it has but one point, that need not lie on the surfaces.
+//
+// What is valid in out after each status; after an error all else is as it was:
+//
+// OK        normal, count, features, the first count contacts.
+// CAPACITY  the same. The normal is that of the upper bound; a single point need not lie on the surfaces.
+// ITERATION_LIMIT, NULL, UNINITIALISED, NEGATIVE, RANGE  nothing.
 gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most, gjk_cache *cache,
                         const gjk_workspace *workspace, gjk_manifold *out);
 

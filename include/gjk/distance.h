@@ -12,7 +12,7 @@ extern "C" {
 // Lengths Q16.16, world frame.
 typedef struct gjk_distance_result {
   gjk_q16 distance;  // gap between the surfaces, 0 when intersecting; GJK_DISTANCE_MAX when saturated
-  gjk_q16 lower;     // proven bounds of the gap; equal to distance after GJK_OK
+  gjk_q16 lower;     // proven bounds of the gap, both included; equal to distance where the answer is exact
   gjk_q16 upper;
   gjk_vec3 point_a;    // nearest point of A; not set when intersecting
   gjk_vec3 point_b;    // nearest point of B; not set when intersecting
@@ -28,22 +28,27 @@ typedef struct gjk_distance_result {
 // Distance between two convex shapes, with a nearest point on each.
 //
 // a, b    posed colliders, read only; may be the same object.
-// cache   in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only.
-// out     written when the result is GJK_OK; or ITERATION_LIMIT: all of it is valid then, as gjk_distance_until gives it.
+// cache   in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only. Kept after OK.
 // Exact   points, segments, triangles, boxes, hulls and their rounded forms: separated or not always; distance
 //         correctly rounded (a tie goes up); each witness point within 1 LSB of its shape, their gap within
 //         2 LSB of the distance; normal within 2^-28. Cylinder, cone, ellipsoid: within 2 LSB of the exact surface.
 //         More than 8192 units apart: distance within 2^-28 of itself, of curved shapes within 2^-27; points to 2^-27 of the
 //         distance, and the shapes are that far apart, to 2^-27, along the normal.
 //         A gap above 0 but below half an LSB is reported as distance 0, and not as intersecting.
-// Cost    at most GJK_ITERATIONS_MAX rounds; stack: `make sizes`.
-// Statuses NULL, UNINITIALISED, ITERATION_LIMIT.
+// Cost    at most GJK_ITERATIONS_OF(n, m) rounds, see gjk/format.h; stack: `make sizes`.
 // After   Gilbert, Johnson, Keerthi 1988; exact signs instead of tolerances.
+//
+// What is valid in out after each status; after an error all else is as it was:
+//
+// OK                   everything, points and normal unless intersecting; of the certificate what its proof uses.
+// ITERATION_LIMIT      everything, as gjk_distance_until gives it: 0 <= lower <= gap <= upper; apart is proven if lower is above
+//                      0. Of cylinder, cone, ellipsoid and custom alone.
+// NULL, UNINITIALISED  nothing.
 gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out);
 
 // How much of the work gjk_distance_until may leave undone.
 typedef struct gjk_effort {
-  uint8_t iterations;  // rounds at most; 0: no limit but GJK_ITERATIONS_MAX
+  uint8_t iterations;  // rounds at most; 0: no limit but that of gjk_distance
   gjk_q16 error;       // stops once the gap is known to within this; 0: exactly
 } gjk_effort;
 
@@ -59,7 +64,10 @@ typedef struct gjk_effort {
 // effort   read only; error not negative (GJK_ERROR_NEGATIVE).
 // cache    as gjk_distance; an answer that is not exact leaves it as it is, and may depend on it.
 // Cost     each round about a third more than one of gjk_distance, for the bounds.
-// Statuses NULL, UNINITIALISED, NEGATIVE, ITERATION_LIMIT (all of out is valid then, as above).
+//
+// OK, ITERATION_LIMIT            everything, as above; points and normal unless intersecting. ITERATION_LIMIT: the effort
+//                                set no limit below GJK_ITERATIONS_MAX, and so many have not settled it.
+// NULL, UNINITIALISED, NEGATIVE  nothing; out is as it was.
 gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, const gjk_effort *effort, gjk_cache *cache,
                               gjk_distance_result *out);
 

@@ -50,8 +50,8 @@ typedef struct gjk_penetration_result {
                         // 0 if and only if they just touch
   gjk_q16 lower;        // proven bounds of the depth; both equal depth for polytopes and their rounded forms after
   gjk_q16 upper;        // GJK_OK; after CAPACITY depth is upper
-  gjk_vec3 point_a;     // points that coincide when B has moved: A's deepest in B
-  gjk_vec3 point_b;     // and B's deepest in A
+  gjk_vec3 point_a;     // A's deepest in B, within 1 LSB of A; and B's deepest in A: they coincide when B has moved, to
+  gjk_vec3 point_b;     // within 3 LSB and 2^-28 of depth. Coordinates beyond Q16.16 are cut off there
   gjk_unit3 normal;     // that direction, from A to B, Q2.30, each component rounded away from 0
   bool intersecting;    // false: they are apart, and nothing but iterations and certificate is set
   uint16_t iterations;  // support scans of both shapes
@@ -61,20 +61,25 @@ typedef struct gjk_penetration_result {
 // The depth of the overlap of two convex shapes, with the direction and points.
 //
 // a, b       posed colliders, read only; may be the same object.
-// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only.
+// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only. Kept after OK and CAPACITY.
 // workspace  read only, its cells in/out; may be NULL, see gjk_workspace.
-// out        written when the result is GJK_OK or CAPACITY.
 // Exact      points, segments, triangles, boxes, hulls and their rounded forms: the depth is that of the true minimum
 //            over all directions, rounded up. Moving B by depth along normal, each component of the product rounded
 //            away from 0, leaves them apart or touching, exactly. Cylinder, cone, ellipsoid: within 3 LSB, between
 //            bounds at most 6 apart; or CAPACITY with its bounds.
 // Cost       one round for each vertex of the polytope, so at most the workspace's, and of a curved pair at most
 //            GJK_CURVED_ROUNDS_MAX beside those of gjk_distance; stack: `make sizes`.
-// Statuses   NULL, UNINITIALISED, ITERATION_LIMIT. CAPACITY: the workspace is too small, or a curved pair would take more than
-//            GJK_CURVED_ROUNDS_MAX; everything in out is valid, moving by depth = upper still parts them, and the least depth
-//            is at least lower.
 // After      Gino van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001: an
 //            expanding polytope; exact visibility signs instead of tolerances. Boxes: their 15 directions.
+//
+// What is valid in out after each status; after an error all else is as it was:
+//
+// OK                   everything if intersecting, else intersecting, iterations and certificate; of that what its proof uses.
+// CAPACITY             everything, intersecting: the workspace is too small, or a curved pair would take more than
+//                      GJK_CURVED_ROUNDS_MAX. Moving by depth, which is upper, still parts them; the least depth is at least
+//                      lower. The certificate proves nothing.
+// ITERATION_LIMIT      nothing, nor whether they intersect. Of cylinder, cone, ellipsoid and custom alone.
+// NULL, UNINITIALISED  nothing.
 gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                            const gjk_workspace *workspace, gjk_penetration_result *out);
 
@@ -83,6 +88,12 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
 // out  as of gjk_distance when they are apart; else as of gjk_penetration: distance = -depth, lower = -upper,
 //      upper = -lower, points, normal and certificate set, intersecting. iterations stops counting at 255.
 // The rest as gjk_distance and gjk_penetration.
+//
+// OK                   everything, points and normal too; of the certificate what its proof uses.
+// CAPACITY             everything, as of gjk_penetration.
+// ITERATION_LIMIT      lower, upper, iterations: the distance, or minus the depth, is between them. lower above 0 proves
+//                      that the shapes are apart, upper below 0 that they overlap.
+// NULL, UNINITIALISED  nothing.
 gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                                const gjk_workspace *workspace, gjk_distance_result *out);
 

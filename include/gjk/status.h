@@ -6,8 +6,9 @@
 extern "C" {
 #endif
 
-// GJK_OK is 0, every error is negative. An error leaves all outputs untouched; the one exception is
-// GJK_ERROR_ITERATION_LIMIT, after which the result holds the bounds proven so far.
+// GJK_OK is 0, every error is negative. An error leaves all outputs as they were. Two of them come with results, of which
+// each query's comment says what is valid: ITERATION_LIMIT, with the bounds proven so far, and CAPACITY of a workspace,
+// with an answer that is safe but not the least.
 typedef enum gjk_status {
   GJK_OK = 0,
   GJK_ERROR_NULL = -1,              // a required pointer is null
@@ -19,7 +20,7 @@ typedef enum gjk_status {
   GJK_ERROR_ROTATION = -7,          // a quaternion or axis that is not a unit within the tolerance
   GJK_ERROR_RANGE = -8,             // a value outside its stated range, or a centre outside int32
   GJK_ERROR_UNINITIALISED = -9,     // a collider that was never initialised, or never posed
-  GJK_ERROR_ITERATION_LIMIT = -10,  // GJK_ITERATIONS_MAX rounds did not settle it
+  GJK_ERROR_ITERATION_LIMIT = -10,  // GJK_ITERATIONS_MAX rounds did not settle it; of curved or user's shapes alone
   GJK_ERROR_UNPROVEN = -11,         // a certificate that does not hold
   GJK_ERROR_UNSUPPORTED = -12,      // a certificate of a curved or user's shape, which has no vertices
   GJK_ERROR_HANDLE = -13,           // a scene's handle that is stale or was never given, or a slot that is taken

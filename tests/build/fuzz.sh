@@ -1,5 +1,6 @@
 #!/bin/sh
-# Fuzzes pairs, the reader of cases, hostile arguments and scenes with libFuzzer: fuzz.sh BUILD SECONDS SEED [TARGET...]
+# Fuzzes pairs, the reader of cases, hostile arguments, scenes and forged claims with libFuzzer:
+# fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
 # The seconds are shared out evenly; SEED 0 is a new one each time. Runs begin with what once failed (tests/fuzz/once)
 # and with what reached new code before, which stays in BUILD/fuzz/corpus. An input that fails stays in BUILD/fuzz and is
@@ -9,7 +10,7 @@ build=$1/fuzz
 seconds=$2
 seed=$3
 shift 3
-[ $# -gt 0 ] || set -- pairs cases arguments scene
+[ $# -gt 0 ] || set -- pairs cases arguments scene claims
 each=$((seconds / $#))
 mkdir -p "$build"
 
@@ -38,7 +39,9 @@ fuzz() {
     grep -a -E 'ERROR|runtime error|Seed:' "$build/$target.log"
     for input in "$build/$target"-crash-* "$build/$target"-timeout-*; do
       [ -e "$input" ] || continue
-      [ "$target" = pairs ] && GJK_FUZZ_PRINT=1 "$build/pairs" "$input" 2>/dev/null | tee "$input.case"
+      case $target in
+        pairs | claims) GJK_FUZZ_PRINT=1 "$build/$target" "$input" 2>/dev/null | tee "$input.case" ;;
+      esac
       echo "the input $input, in base64:"
       base64 "$input"
     done
@@ -58,7 +61,7 @@ fuzz() {
 # oracles.
 mkdir -p "$build/objects"
 for source in tests/fuzz/bytes.c tests/fuzz/overlap.c tests/case/case.c tests/case/number.c tests/case/parse.c \
-  tests/exact/*.c tests/generate/prism.c tests/scene/world.c tests/scene/session.c src/*.c; do
+  tests/exact/*.c tests/generate/*.c tests/scene/world.c tests/scene/session.c src/*.c; do
   case $source in
     src/* | tests/case/*) seen=-fsanitize=fuzzer-no-link ;;
     *) seen= ;;
@@ -67,7 +70,8 @@ for source in tests/fuzz/bytes.c tests/fuzz/overlap.c tests/case/case.c tests/ca
   clang $flags $seen -c "$source" -o "$build/objects/$(echo "${source%.c}" | tr / -).o" || exit 1
 done
 
-mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments" "$build/seeds-scene"
+mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments" "$build/seeds-scene" \
+  "$build/seeds-claims"
 # shellcheck disable=SC2086
 clang $flags tests/fuzz/seeds.c "$build"/objects/*.o -lm -o "$build/seeds" &&
   "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt || exit 1
@@ -79,6 +83,7 @@ status=0
 for target in "$@"; do
   case $target in
     cases) fuzz cases -close_fd_mask=2 -max_len=4096 || status=1 ;;
+    claims) fuzz claims -max_len=128 || status=1 ;;
     scene) fuzz scene -max_len=192 -len_control=10 || status=1 ;;
     *) fuzz "$target" -max_len=2048 || status=1 ;;
   esac

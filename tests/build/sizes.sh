@@ -43,7 +43,7 @@ for level in -O2 -Os; do
       awk -v target="$target" 'NR > 1 { print target, $6, $1 }'
   done | table "text, bytes, $level" 1
   for target in $targets; do
-    awk -v roots='gjk_intersect gjk_within gjk_distance gjk_distance_until gjk_penetration gjk_signed_distance
+    awk -v roots='gjk_intersect gjk_within gjk_within_until gjk_distance gjk_distance_until gjk_penetration gjk_signed_distance
       gjk_contacts gjk_check_decision gjk_check_distance gjk_check_penetration gjk_collider_init gjk_collider_pose
       gjk_collider_move gjk_collider_aabb' -f tests/build/stack.awk tests/build/indirect-calls.txt \
       "$build/$target$level"/*.ci | awk -v target="$target" '{ print target, $1, $2 }'

@@ -101,8 +101,13 @@ void case_answer_find(const case_question *question, const case_pair *pair, case
     answer->status = find_penetration(question, &a->collider, &b->collider, answer);
   } else if (question->ask == CASE_INTERSECT) {
     answer->status = gjk_intersect(&a->collider, &b->collider, NULL, &answer->decision);
-  } else {
+  } else if (question->rounds == 0) {
     answer->status = gjk_within(&a->collider, &b->collider, question->within, NULL, &answer->decision);
+  } else {
+    gjk_within_result found = {0};
+    answer->status = gjk_within_until(&a->collider, &b->collider, question->within, question->rounds, NULL, &found);
+    answer->open = found.answer == GJK_ANSWER_OPEN;
+    answer->decision = found.decision;
   }
 }
 
@@ -139,7 +144,7 @@ void case_answer_print(FILE *file, const case_question *question, const case_pai
             p->iterations);
   } else if (question->ask == CASE_INTERSECT || question->ask == CASE_WITHIN) {
     const char *yes = question->ask == CASE_WITHIN ? "within" : "intersecting";
-    const char *no = question->ask == CASE_WITHIN ? "beyond" : "separated";
+    const char *no = answer->open ? "open" : question->ask == CASE_WITHIN ? "beyond" : "separated";
     fprintf(file, "%s %s iterations=%u", pair->id, answer->decision.yes ? yes : no, answer->decision.iterations);
   } else if (d->intersecting) {
     fprintf(file, "%s intersecting iterations=%u", pair->id, d->iterations);

@@ -13,6 +13,7 @@ typedef struct case_question {
   bool reference;  // the reference answers instead of the library
   bool contacts;   // with CASE_PENETRATION: the manifold as well, not by the reference
   gjk_q16 margin;  // of contacts
+  uint8_t rounds;  // with CASE_WITHIN: at most so many; 0: as many as it takes
 } case_question;
 
 typedef struct case_answer {
@@ -20,6 +21,7 @@ typedef struct case_answer {
   char refused;                        // 'A' or 'B': the shape that the status is about; 0: the pair
   gjk_distance_result distance;        // of CASE_DISTANCE, and of CASE_PENETRATION: when they are apart
   gjk_decision decision;               // of CASE_INTERSECT and CASE_WITHIN
+  bool open;                           // of CASE_WITHIN: the rounds have not settled it
   gjk_penetration_result penetration;  // of CASE_PENETRATION
   gjk_manifold manifold;               // of contacts; the count is 0 otherwise
 } case_answer;

@@ -97,11 +97,15 @@ static certify_verdict check(const case_question *question, const case_pair *pai
     snprintf(why, CERTIFY_WHY_MAX, "no answer: %s", gjk_status_name(answer->status));
     return CERTIFY_WRONG;
   }
+  if (answer->open) {
+    snprintf(why, CERTIFY_WHY_MAX, "open after %u rounds", answer->decision.iterations);
+    return CERTIFY_UNCERTIFIED;
+  }
   if (exact_vertex_count(&a->collider) == 0 || exact_vertex_count(&b->collider) == 0) {
     return compare_bounds(question, pair, a, b, answer, why);
   }
   if (question->ask == CASE_PENETRATION) {
-    const case_question distance = {CASE_DISTANCE, 0, false, false, 0};
+    const case_question distance = {CASE_DISTANCE, 0, false, false, 0, 0};
     if (!answer->penetration.intersecting) {
       return check(&distance, pair, a, b, answer, why);
     }

@@ -155,6 +155,9 @@ static void query(void) {
   check(gjk_intersect(a, b, MAYBE(&cache), &decision), &decision, sizeof decision);
   memset(&decision, POISON, sizeof decision);
   check(gjk_within(a, b, asked, MAYBE(&cache), &decision), &decision, sizeof decision);
+  gjk_within_result within;
+  memset(&within, POISON, sizeof within);
+  check(gjk_within_until(a, b, asked, effort.iterations, MAYBE(&cache), &within), &within, sizeof within);
   memset(&distance, POISON, sizeof distance);
   check(gjk_distance(a, b, MAYBE(&cache), &distance), &distance, sizeof distance);
   memset(&distance, POISON, sizeof distance);
@@ -172,6 +175,14 @@ static void query(void) {
   decision.yes = distance.intersecting = depth.intersecting = fuzz_u8(&bytes) % 2 == 0;
   decision.certificate = distance.certificate = depth.certificate = any_certificate();
   distance.distance = depth.depth = depth.lower = depth.upper = fuzz_i32(&bytes);
+  distance.lower = distance.upper = distance.distance;
+  distance.saturated = fuzz_u8(&bytes) % 2 == 0;
+  distance.point_a = depth.point_a = fuzz_vec3(&bytes);
+  distance.point_b = depth.point_b = fuzz_vec3(&bytes);
+  const gjk_vec3 n = fuzz_vec3(&bytes);
+  distance.normal.x = depth.normal.x = n.x;
+  distance.normal.y = depth.normal.y = n.y;
+  distance.normal.z = depth.normal.z = n.z;
   check(gjk_check_decision(a, b, asked, MAYBE(&decision)), NULL, 0);
   check(gjk_check_distance(a, b, MAYBE(&distance)), NULL, 0);
   check(gjk_check_penetration(a, b, MAYBE(&depth)), NULL, 0);

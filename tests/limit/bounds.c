@@ -107,7 +107,7 @@ static bool check_scene(const gjk_shape *shape, const gjk_collider *a, const gjk
   return true;
 }
 
-// The same of depth, whose lower bound is then 0, and of contacts, of which there are then none.
+// The same of depth, and of contacts, of which there are then none.
 static bool check_details(const gjk_shape *shape, const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
   two t;
   gjk_distance_result depth;
@@ -116,7 +116,7 @@ static bool check_details(const gjk_shape *shape, const gjk_collider *a, const g
   const bool decided = gjk_within(a, b, margin, NULL, &decision) == GJK_OK;
   const gjk_status measured = gjk_signed_distance(a, b, NULL, &workspace, &depth),
                    met = gjk_contacts(a, b, margin, 4, NULL, &workspace, &m);
-  const gjk_q16 distance = measured == GJK_ERROR_ITERATION_LIMIT ? 0 : depth.distance;
+  const gjk_q16 distance = measured == GJK_ERROR_ITERATION_LIMIT ? depth.lower : depth.distance;
   if (!update(shape, margin, GJK_DETAIL_DEPTH, 1, &t) ||
       (t.progress.reports == 1 &&
        (t.report.distance != distance || (t.stats.unsettled == 1) != (!decided || measured != GJK_OK)))) {
@@ -162,10 +162,10 @@ int main(void) {
       printf("pair %d in a scene\n", i);
       return 1;
     }
-    printf("%d %d %ld %ld %d %d %d %d %d %ld %d %ld %d %d\n", i, (int)status, (long)result.lower, (long)result.upper,
-           result.iterations, (int)decided, decision.yes, (int)pierced, depth.intersecting,
+    printf("%d %d %ld %ld %d %d %d %d %d %ld %d %ld %d %d %ld %ld\n", i, (int)status, (long)result.lower,
+           (long)result.upper, result.iterations, (int)decided, decision.yes, (int)pierced, depth.intersecting,
            depth.intersecting ? (long)depth.depth : 0, (int)measured, (long)signed_distance.distance, (int)met,
-           contacts.count);
+           contacts.count, (long)signed_distance.lower, (long)signed_distance.upper);
   }
   return 0;
 }

@@ -30,6 +30,11 @@ static void check(const question *q, random_state *random) {
   if (gjk_intersect(q->a, q->b, q->cache, &decision) == GJK_OK) {
     (void)gjk_check_decision(q->a, q->b, 0, &decision);
   }
+  gjk_within_result within;
+  if (gjk_within_until(q->a, q->b, reach, effort.iterations, q->cache, &within) == GJK_OK &&
+      within.answer != GJK_ANSWER_OPEN) {
+    (void)gjk_check_decision(q->a, q->b, reach, &within.decision);
+  }
   (void)gjk_distance_until(q->a, q->b, &effort, q->cache, &distance);
   if (gjk_distance(q->a, q->b, q->cache, &distance) == GJK_OK) {
     (void)gjk_check_distance(q->a, q->b, &distance);
@@ -62,6 +67,8 @@ static void check_any_certificate(const question *q, random_state *random) {
   distance.certificate = penetration.certificate = *c;
   distance.intersecting = penetration.intersecting = decision.yes;
   distance.distance = penetration.depth = random_range(random, INT32_MIN, INT32_MAX) >> zeros;
+  distance.lower = distance.upper = distance.distance;
+  penetration.lower = penetration.upper = penetration.depth;
   (void)gjk_check_distance(q->a, q->b, &distance);
   (void)gjk_check_penetration(q->a, q->b, &penetration);
 }

@@ -11,6 +11,7 @@
 #define PENETRATION 7
 #define SIGNED 8
 #define CHECK_PENETRATION 9
+#define WITHIN_UNTIL 10
 
 static void any_certificate(gjk_certificate *certificate) {
   certificate->direction = any_position();
@@ -22,6 +23,12 @@ static void any_certificate(gjk_certificate *certificate) {
   //@ split count;
   certificate->count = (uint8_t)(count < 5 ? count : any_between(5, UINT8_MAX));
   certificate->proof = (uint8_t)any_between(0, UINT8_MAX);
+}
+
+static void any_unit3(gjk_unit3 *normal) {
+  normal->x = any_int32();
+  normal->y = any_int32();
+  normal->z = any_int32();
 }
 
 static void any_workspace(gjk_workspace *workspace) {
@@ -102,11 +109,25 @@ static void ask(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache) 
   any_certificate(&distance.certificate);
   distance.intersecting = any_bool();
   distance.distance = any_int32();
+  distance.lower = any_int32();
+  distance.upper = any_int32();
+  distance.saturated = any_bool();
+  distance.point_a = any_position();
+  distance.point_b = any_position();
+  any_unit3(&distance.normal);
   (void)gjk_check_distance(a, b, &distance);
+#elif CASE == WITHIN_UNTIL
+  gjk_within_result within;
+  (void)gjk_within_until(a, b, any_int32(), (uint8_t)any_between(0, UINT8_MAX), cache, &within);
 #else
   any_certificate(&penetration.certificate);
   penetration.intersecting = any_bool();
   penetration.depth = any_int32();
+  penetration.lower = any_int32();
+  penetration.upper = any_int32();
+  penetration.point_a = any_position();
+  penetration.point_b = any_position();
+  any_unit3(&penetration.normal);
   (void)gjk_check_penetration(a, b, &penetration);
 #endif
 }

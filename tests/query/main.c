@@ -17,6 +17,7 @@ static const char help[] =
     "  --distance    how far apart, and where (default)\n"
     "  --intersect   do they share a point?\n"
     "  --within R    are they at most R apart?\n"
+    "  --rounds N    with --within: after N rounds, 1 to 255, it may be open\n"
     "  --penetration how deep they overlap, which way out, and where; else as --distance\n"
     "  --contacts [MARGIN]\n"
     "                as --penetration, and the points where they touch, or are at most MARGIN (default 0) apart\n"
@@ -46,7 +47,7 @@ static const char help[] =
     "  ID intersecting iterations=N\n"
     "  ID intersecting depth=D a=x,y,z b=x,y,z normal=x,y,z iterations=N     (--penetration)\n"
     "    contact a=x,y,z b=x,y,z distance=D id=N     (--contacts) a line per point below; D negative: its depth\n"
-    "  ID within iterations=N        (--within; or 'beyond')\n"
+    "  ID within iterations=N        (--within; or 'beyond'; with --rounds 'open', where they do not settle it)\n"
     "  ID error STATUS_NAME detail   a pair that the library refuses\n"
     "  ... uncertified: WHY          (--certify) curved: no exact check exists, but accurate bounds agree\n"
     "  ... WRONG: WHY                (--certify) the check failed\n"
@@ -120,6 +121,14 @@ static void refuse(const char *what, const char *word) {
   exit(EXIT_INPUT);
 }
 
+static uint8_t read_rounds(const char *number) {
+  int32_t rounds;
+  if (!case_number_parse(number, 0, &rounds) || rounds < 1 || rounds > UINT8_MAX) {
+    refuse("expected a number from 1 to 255 after --rounds, found", number);
+  }
+  return (uint8_t)rounds;
+}
+
 // Reads the options, and moves the names of the files to the front of argv. Returns their number.
 static int read_options(int argc, char **argv, tool *t) {
   int files = 0;
@@ -154,6 +163,9 @@ static int read_options(int argc, char **argv, tool *t) {
       if (!case_number_parse(number, 16, &t->question.within) || t->question.within < 0) {
         refuse("expected a distance of 0 or more after --within, found", number);
       }
+    } else if (strcmp(word, "--rounds") == 0) {
+      const char *number = i + 1 < argc ? argv[++i] : "";
+      t->question.rounds = read_rounds(number);
     } else if (strcmp(word, "--reference") == 0) {
       t->question.reference = true;
     } else if (strcmp(word, "--certify") == 0) {

@@ -66,6 +66,16 @@ static void mix_decision(gjk_q16 distance, gjk_cache *cache) {
   mix_certificate(&decision.certificate);
 }
 
+static void mix_within_until(gjk_q16 distance, uint8_t rounds) {
+  gjk_within_result out;
+  mix((uint32_t)gjk_within_until(&bodies[0].collider, &bodies[1].collider, distance, rounds, NULL, &out));
+  mix((uint32_t)out.answer);
+  mix(out.decision.iterations);
+  if (out.answer != GJK_ANSWER_OPEN) {
+    mix_certificate(&out.decision.certificate);
+  }
+}
+
 static void mix_until(uint8_t iterations, gjk_q16 error) {
   const gjk_effort effort = {iterations, error};
   gjk_distance_result out;
@@ -187,6 +197,8 @@ static void query_pair(random_state *random) {
     mix_distance(&cache, &result);
     mix_decision(-1, &cache);
     mix_decision(1, NULL);
+    mix_within_until(1 + size / 32, 1);
+    mix_within_until(result.distance, 2);
     mix_until(2, 0);
     mix_until(0, 1 + size / 16);
     mix_penetration(NULL);

@@ -137,7 +137,7 @@ static void test_distances(void) {
   CHECK(gjk_check_distance(&a, &b, &result) == GJK_OK);
   static const gjk_q16 wrong[] = {0, 4, 6, 65536, GJK_DISTANCE_MAX - 1, GJK_DISTANCE_MAX, -1, -5};
   for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
-    result.distance = wrong[i];
+    result.distance = result.lower = result.upper = wrong[i];
     CHECK_MSG(gjk_check_distance(&a, &b, &result) == GJK_ERROR_UNPROVEN, "%ld", (long)wrong[i]);
   }
 }
@@ -145,7 +145,7 @@ static void test_distances(void) {
 static gjk_status penetrates(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result,
                              gjk_q16 depth) {
   gjk_penetration_result r = *result;
-  r.depth = depth;
+  r.depth = r.lower = r.upper = depth;
   return gjk_check_penetration(a, b, &r);
 }
 
@@ -214,23 +214,40 @@ static void test_penetrations(void) {
   }
 }
 
-// Cubes that touch along each axis: the plane between them, whatever its normal's length.
+static gjk_vec3 moved(gjk_vec3 v, int axis, gjk_q16 by) {
+  v.x += axis == 0 ? by : 0;
+  v.y += axis == 1 ? by : 0;
+  v.z += axis == 2 ? by : 0;
+  return v;
+}
+
+// Cubes that touch along each axis, from corner to corner: the plane between them, whatever its normal's length.
 static void test_planes(void) {
+  static const gjk_shape soft = GJK_ROUNDED_BOX(ONE, ONE, ONE, 10);
   static const gjk_q30 size[] = {1, 5, INT32_MAX};
-  gjk_penetration_result r;
-  memset(&r, 0, sizeof r);
-  r.intersecting = true;
-  r.certificate.proof = GJK_PROOF_PLANE;
   const gjk_collider a = placed(&cube, 0, 0, 0);
   for (int axis = 0; axis < 3; axis++) {
     for (int sign = -1; sign <= 1; sign += 2) {
       const gjk_q16 by = sign * 2 * ONE, x = axis == 0 ? by : 0, y = axis == 1 ? by : 0, z = axis == 2 ? by : 0;
       const gjk_collider b = placed(&cube, x, y, z),
-                         deep = placed(&cube, x - (x > 0) + (x < 0), y - (y > 0) + (y < 0), z - (z > 0) + (z < 0));
+                         deep = placed(&cube, x - (x > 0) + (x < 0), y - (y > 0) + (y < 0), z - (z > 0) + (z < 0)),
+                         apart = placed(&cube, x + (x > 0) - (x < 0), y + (y > 0) - (y < 0), z + (z > 0) - (z < 0));
+      const gjk_vec3 corner = {axis == 0 ? sign * ONE : ONE, axis == 1 ? sign * ONE : ONE,
+                               axis == 2 ? sign * ONE : ONE};
+      const gjk_unit3 normal = {axis == 0 ? sign * GJK_Q30_ONE : 0, axis == 1 ? sign * GJK_Q30_ONE : 0,
+                                axis == 2 ? sign * GJK_Q30_ONE : 0};
+      gjk_penetration_result r;
+      memset(&r, 0, sizeof r);
+      r.intersecting = true;
+      r.point_a = r.point_b = corner;
+      r.normal = normal;
+      r.certificate.proof = GJK_PROOF_PLANE;
+      r.certificate.count = 1;
+      r.certificate.a[0] = (uint16_t)(sign > 0 ? 7 : 7 & ~(1 << axis));
+      r.certificate.b[0] = (uint16_t)(sign > 0 ? 7 & ~(1 << axis) : 7);
       gjk_q30 *const along = axis == 0   ? &r.certificate.direction.x
                              : axis == 1 ? &r.certificate.direction.y
                                          : &r.certificate.direction.z;
-      memset(&r.certificate.direction, 0, sizeof r.certificate.direction);
       CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
       for (int i = 0; i < 3; i++) {
         *along = sign * size[i];
@@ -238,10 +255,109 @@ static void test_planes(void) {
         CHECK(penetrates(&a, &b, &r, 1) == GJK_ERROR_UNPROVEN && penetrates(&a, &b, &r, -1) == GJK_ERROR_UNPROVEN);
         CHECK(gjk_check_penetration(&b, &a, &r) == GJK_ERROR_UNPROVEN);
         CHECK(gjk_check_penetration(&a, &deep, &r) == GJK_ERROR_UNPROVEN);
+        CHECK(gjk_check_penetration(&a, &apart, &r) == GJK_ERROR_UNPROVEN);
       }
       *along = INT32_MIN;
       CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
+      // Of rounded cubes that intersect, too, the plane has to touch both cores.
+      const gjk_collider soft_a = placed(&soft, 0, 0, 0), soft_b = placed(&soft, x, y, z);
+      const gjk_collider apart_b = placed(&soft, apart.centre.x, apart.centre.y, apart.centre.z);
+      *along = sign * ONE;
+      r.depth = r.lower = r.upper = 20;
+      r.point_a = moved(corner, axis, sign * 10);
+      r.point_b = moved(corner, axis, -sign * 10);
+      CHECK(gjk_check_penetration(&soft_a, &soft_b, &r) == GJK_OK);
+      CHECK(gjk_check_penetration(&soft_a, &apart_b, &r) == GJK_ERROR_UNPROVEN);
     }
+  }
+}
+
+// The facet of A - B that is highest above B, which lies behind it whether the shapes overlap or not.
+static gjk_penetration_result by_upper_facet(gjk_q16 depth, gjk_q16 point_a, gjk_q16 point_b) {
+  static const uint16_t of_a[3] = {2, 6, 3}, of_b[3] = {5, 1, 4};
+  gjk_penetration_result r;
+  memset(&r, 0, sizeof r);
+  r.intersecting = true;
+  r.depth = r.lower = r.upper = depth;
+  r.normal.y = GJK_Q30_ONE;
+  r.point_a.y = point_a;
+  r.point_b.y = point_b;
+  r.certificate.proof = GJK_PROOF_FACET;
+  r.certificate.count = 3;
+  memcpy(r.certificate.a, of_a, sizeof of_a);
+  memcpy(r.certificate.b, of_b, sizeof of_b);
+  return r;
+}
+
+// Where boxes are apart it bounds a depth that there is not: beside the origin, or across from it. All else that is said
+// of the slabs would be right.
+static void test_facet_of_boxes_apart(void) {
+  static const gjk_shape small = GJK_BOX(1000, 1000, 1000), slab = GJK_BOX(1000, 100, 1000);
+  const gjk_collider a = placed(&small, 0, 0, 0), beside = placed(&small, 2100, 0, 0);
+  gjk_penetration_result r = by_upper_facet(2000, 1000, -1000);
+  CHECK(gjk_check_penetration(&a, &a, &r) == GJK_OK);
+  r.point_a.x = r.point_b.x = 1000;
+  CHECK(gjk_check_penetration(&a, &beside, &r) == GJK_ERROR_UNPROVEN);
+  const gjk_collider p = placed(&slab, 0, 0, 0), across = placed(&slab, 0, -300, 0),
+                     touching = placed(&slab, 0, -200, 0);
+  r = by_upper_facet(400, 100, -300);
+  CHECK(gjk_check_penetration(&p, &touching, &r) == GJK_OK);  // enough, though not the least
+  r = by_upper_facet(500, 100, -400);
+  CHECK(gjk_check_penetration(&p, &across, &r) == GJK_ERROR_UNPROVEN);
+  // Deeper than the bounding spheres are: never the least.
+  const gjk_collider below = placed(&small, 0, -2000, 0);
+  r = by_upper_facet(4000, 1000, -3000);
+  CHECK(gjk_check_penetration(&a, &below, &r) == GJK_ERROR_UNPROVEN);
+}
+
+// Cores 1 LSB apart whose roundings overlap: the facet before the origin tells the depth with the wrong sign, and points
+// that are off by 2 LSB only.
+static void test_facet_before_origin(void) {
+  static const uint16_t of_a[3] = {1, 3, 7}, of_b[3] = {6, 4, 0};
+  static const gjk_shape soft = GJK_ROUNDED_BOX(1000, 1000, 1000, 10);
+  const gjk_collider a = placed(&soft, 0, 0, 0), b = placed(&soft, 2001, 0, 0), deep = placed(&soft, 1999, 0, 0);
+  gjk_penetration_result r;
+  memset(&r, 0, sizeof r);
+  r.intersecting = true;
+  r.depth = r.lower = r.upper = 21;
+  r.normal.x = GJK_Q30_ONE;
+  r.point_a.x = 1010;
+  r.point_b.x = 989;
+  r.certificate.proof = GJK_PROOF_FACET;
+  r.certificate.count = 3;
+  memcpy(r.certificate.a, of_a, sizeof of_a);
+  memcpy(r.certificate.b, of_b, sizeof of_b);
+  CHECK(gjk_check_penetration(&a, &deep, &r) == GJK_OK);
+  r.point_b.x = 991;
+  CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
+  r.depth = r.lower = r.upper = 19;
+  CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
+}
+
+// A coordinate may be cut off where the shape reaches the end of the world, and nowhere else.
+static void test_cut_off(void) {
+  static const gjk_shape ball = GJK_SPHERE(ONE);
+  const gjk_q16 ends[2] = {INT32_MAX, INT32_MIN};
+  for (int i = 0; i < 2; i++) {
+    const gjk_q16 inwards = i == 0 ? -ONE : ONE, end = ends[i] + inwards / 2;
+    const gjk_collider a = placed(&ball, end, 0, 0), b = placed(&ball, end, 3 * ONE, 0);
+    const gjk_collider near = placed(&ball, end, 0, 0), inner = placed(&ball, end + 3 * inwards, 3, 0);
+    gjk_distance_result r;
+    // The points are not where the shapes leave the world.
+    CHECK(gjk_distance(&a, &b, NULL, &r) == GJK_OK && !r.saturated && gjk_check_distance(&a, &b, &r) == GJK_OK);
+    r.point_a.x = r.point_b.x = ends[i];
+    r.saturated = true;
+    CHECK(gjk_check_distance(&a, &b, &r) == GJK_OK);  // what is at the end is not checked
+    r.saturated = false;
+    CHECK(gjk_check_distance(&a, &b, &r) == GJK_ERROR_UNPROVEN);
+    CHECK(gjk_distance(&inner, &near, NULL, &r) == GJK_OK && gjk_check_distance(&inner, &near, &r) == GJK_OK);
+    r.saturated = true;
+    CHECK(gjk_check_distance(&inner, &near, &r) == GJK_ERROR_UNPROVEN);
+    r.point_a.x = ends[i];
+    CHECK(gjk_check_distance(&inner, &near, &r) == GJK_ERROR_UNPROVEN);
+    // Beyond its end: cut off in earnest.
+    const gjk_collider edge = placed(&ball, ends[i], 0, 0), over = placed(&ball, ends[i] + 3 * inwards, 0, 0);
+    CHECK(gjk_distance(&over, &edge, NULL, &r) == GJK_OK && gjk_check_distance(&over, &edge, &r) == GJK_OK);
   }
 }
 
@@ -254,5 +370,8 @@ int main(void) {
   test_distances();
   test_penetrations();
   test_planes();
+  test_facet_of_boxes_apart();
+  test_facet_before_origin();
+  test_cut_off();
   return check_done("check");
 }

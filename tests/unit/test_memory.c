@@ -33,8 +33,9 @@ static const gjk_shape shapes[] = {GJK_POINT,
 // All answers about a pair.
 typedef struct answers {
   gjk_collider a, b;
-  gjk_status status[9];
+  gjk_status status[10];
   gjk_decision touch, near;
+  gjk_within_result within;
   gjk_distance_result distance, until, apart;
   gjk_penetration_result depth;
   gjk_manifold contacts;
@@ -82,6 +83,8 @@ static void ask(const gjk_shape *a, const gjk_pose *at_a, const gjk_shape *b, co
   out->status[7] = gjk_collider_aabb(&out->a, &out->bounds);
   fill(stack);
   out->status[8] = gjk_penetration(&out->a, &out->b, NULL, NULL, &out->depth);
+  fill(stack);
+  out->status[9] = gjk_within_until(&out->a, &out->b, 9000, 2, NULL, &out->within);
 }
 
 static bool same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
@@ -132,6 +135,9 @@ static bool same_contacts(const gjk_manifold *m, const gjk_manifold *n) {
 
 static bool same_answers(const answers *a, const answers *b) {
   return memcmp(a->status, b->status, sizeof a->status) == 0 && memcmp(&a->cache, &b->cache, sizeof a->cache) == 0 &&
+         a->within.answer == b->within.answer &&
+         (a->within.answer == GJK_ANSWER_OPEN ? a->within.decision.iterations == b->within.decision.iterations
+                                              : same_decision(&a->within.decision, &b->within.decision)) &&
          same_decision(&a->touch, &b->touch) && same_decision(&a->near, &b->near) &&
          same_distance(&a->distance, &b->distance, !a->distance.intersecting) &&
          same_distance(&a->until, &b->until, !a->until.intersecting) && same_distance(&a->apart, &b->apart, true) &&

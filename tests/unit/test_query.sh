@@ -65,11 +65,18 @@ printf 'case gap\nA sphere 1.0\nB box 1.0 1.0 1.0\nB at 3.0 0.0 0.0\n' >"$dir/ga
 is() {
   [ "$1" = "$2" ] || { echo "'$2' instead of '$1'"; return 1; }
 }
+printf 'case gap\nA box 1.0 2.0 0.5\nA turn 0.0 0.6 0.0 0.8\nB hull 4\n0 0 0\n9.0 0 0\n0 9.0 0\n0 0 9.0\nB at 1.5 -1.0 1.0\n' >"$dir/boxes.txt"
 check 'intersect' is 'gap separated' "$(answer --intersect "$dir/gap.txt")"
 check 'just not within' is 'gap beyond' "$(answer --within 65535 "$dir/gap.txt")"
 check 'just within' is 'gap within' "$(answer "$dir/gap.txt" --within 65536)"
 check 'within in units' is 'gap within' "$(answer --within 1.0 "$dir/gap.txt")"
 check 'within 0' is 'gap beyond' "$(answer --within 0 "$dir/gap.txt")"
+check 'within, open after a round' is 'gap open' "$(answer --within 1.0 --rounds 1 "$dir/boxes.txt")"
+check 'within, settled after three' is 'gap beyond' "$(answer --rounds 3 --within 1.0 "$dir/boxes.txt")"
+check 'within, settled by the spheres' is 'gap beyond iterations=0' "$("$tool" --within 1 --rounds 1 "$dir/gap.txt")"
+check 'open is not certified' is 'gap open iterations=1 uncertified: open after 1 rounds' \
+  "$("$tool" --certify --within 1.0 --rounds 1 "$dir/boxes.txt")"
+check 'settled is' is 'gap beyond iterations=3' "$("$tool" --certify --within 1.0 --rounds 9 "$dir/boxes.txt")"
 check 'the last question counts' is 'gap separated' "$(answer --within 9.0 --intersect "$dir/gap.txt")"
 sed 's/3.0/2.0/' "$dir/gap.txt" >"$dir/touch.txt"
 check 'touching: intersect' is 'gap intersecting' "$(answer --intersect "$dir/touch.txt")"
@@ -260,12 +267,15 @@ check 'the next file is answered' grep -q '^gap separated' "$dir/out"
 check 'a folder' status 2 "$tool" "$dir"
 check 'a folder is named, and what is wrong with it' grep -q "^$dir: cannot be read: [^ ].*directory" "$dir/err"
 check 'help' status 0 "$tool" --help
-for word in --intersect --within --distance --penetration --contacts --reference --certify ellipsoid 'Exit status'; do
+for word in --intersect --within --rounds --distance --penetration --contacts --reference --certify ellipsoid 'Exit status'; do
   check "help has $word" grep -q -e "$word" "$dir/out"
 done
 check 'an unknown option' status 2 "$tool" --fast
 check 'an unknown option is named' grep -q -e '--fast' "$dir/err"
 check 'within without a distance' status 2 "$tool" --within
+for rounds in 0 256 -1 one ''; do
+  check "rounds $rounds" status 2 "$tool" --within 1 --rounds "$rounds" "$dir/gap.txt"
+done
 check 'within a word' status 2 "$tool" --within far "$dir/gap.txt"
 check 'within a negative distance' status 2 "$tool" --within -1 "$dir/gap.txt"
 if [ -e /dev/full ]; then

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The README's own examples: each block of C with a main compiles, runs, and prints what its comments '// prints: TEXT'
-# say, in their order. test_readme.sh BUILD
+# say, in their order; one without compiles. test_readme.sh BUILD
 . tests/build/count.sh
 scratch=$1/readme
 rm -rf "$scratch"
@@ -8,7 +8,12 @@ mkdir -p "$scratch"
 
 awk -v scratch="$scratch" '
   /^```c$/ { block = ""; inside = 1; next }
-  /^```$/ { if (inside && block ~ /int main/) printf "%s", block >(scratch "/example" ++count ".c"); inside = 0; next }
+  /^```$/ {
+    if (inside && block ~ /int main/) printf "%s", block >(scratch "/example" ++count ".c")
+    else if (inside) printf "#include \"gjk/gjk.h\"\n%s", block >(scratch "/part" ++parts ".c")
+    inside = 0
+    next
+  }
   inside { block = block $0 "\n" }' README.md
 
 compiles() {
@@ -26,5 +31,9 @@ for number in 1 2; do
   check "example $number compiles" compiles "$example" "$1"
   check "example $number prints what it says" prints "$example"
 done
+part() {
+  "${CC:-cc}" -std=c99 -Wall -Wextra -Wpedantic -Wno-unused-function -Werror -Iinclude -fsyntax-only "$scratch/part$1.c"
+}
+check 'the part compiles' part 1
 check 'there are no more' test ! -e "$scratch/example3.c"
 finish readme

@@ -42,7 +42,7 @@ static unsigned count_recalls(const gjk_collider *a, const gjk_collider *b, gjk_
 
 // Returns whether the ceiling was reached.
 static bool check_case(const case_pair *pair, case_collider *a, case_collider *b, unsigned rounds) {
-  case_question question = {CASE_DISTANCE, 0, false, false, 0};
+  case_question question = {CASE_DISTANCE, 0, false, false, 0, 0};
   case_answer answer;
   char why[CERTIFY_WHY_MAX] = "";
   if (strstr(pair->id, "-intersect-") != NULL) {
