@@ -4,7 +4,7 @@
 #include "pair_search.h"
 
 // Does the feature of the last round settle it, without another support?
-static gjk_outcome settle(gjk_iteration *it) {
+GJK_OUT_OF_LINE static gjk_outcome settle(gjk_iteration *it) {
   if (it->simplex.count == 0) {  // the cached direction was all there was
     return GJK_OUTCOME_LIMIT;
   }
@@ -18,8 +18,8 @@ static gjk_outcome settle(gjk_iteration *it) {
 
 // Runs up to so many rounds, with a budget from a cold start, lest the cache decide what they settle. NO, YES, or OPEN: then
 // iterations alone are set, and the cache is as it was.
-static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t most, gjk_cache *cache,
-                         gjk_decision *out) {
+GJK_ONCE static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t most,
+                                  gjk_cache *cache, gjk_decision *out) {
   gjk_iteration it;
   gjk_outcome outcome = GJK_OUTCOME_SEPARATED;
   // At most 2^31 + 2^29.
