@@ -3,6 +3,7 @@
 #define CHECK_H
 
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -27,6 +28,14 @@ static inline unsigned long check_trials(unsigned long n) {
   const char *percent = getenv("GJK_TEST_PERCENT");
   const unsigned long share = percent == NULL ? n : n * strtoul(percent, NULL, 10) / 100;
   return share > 0 ? share : 1;
+}
+
+// The seed of a random test: GJK_TEST_SEED, or else its own. Printed, so that a failure can be had again.
+static inline uint64_t check_seed(uint64_t own) {
+  const char *given = getenv("GJK_TEST_SEED");
+  const uint64_t seed = given == NULL ? own : strtoull(given, NULL, 10);
+  printf("seed %llu\n", (unsigned long long)seed);
+  return seed;
 }
 
 // The program's exit status; prints the line that the test runner adds up.
