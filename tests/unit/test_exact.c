@@ -294,7 +294,7 @@ static void test_far(void) {
 }
 
 int main(void) {
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   test_small_integers(&random);
   test_large_integers(&random);
   test_enclosing();

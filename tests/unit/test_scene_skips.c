@@ -265,6 +265,7 @@ static void make_pair(random_state *random, bool level) {
 static void check_paths(void) {
   random_state random = random_seed(seed);
   for (unsigned i = 0; i < check_trials(PATHS); i++) {
+    check_trial(i, NULL, NULL);
     const bool along_axis = random_below(&random, 2) == 0;
     course c = {{GJK_Q30_ONE, 0, 0}, along_axis, !along_axis && random_below(&random, 2) == 0, 1};
     make_pair(&random, along_axis);
@@ -273,9 +274,9 @@ static void check_paths(void) {
     for (unsigned k = 0; k < TICKS && fine; k++) {
       advance(&random, &c);
       fine = tick();
-      CHECK_MSG(fine, "seed %llu, path %u, tick %u", (unsigned long long)seed, i, k);
+      CHECK_MSG(fine, "tick %u", k);
     }
-    CHECK_MSG(gjk_scene_check(&quick) == GJK_OK, "seed %llu, path %u", (unsigned long long)seed, i);
+    CHECK(gjk_scene_check(&quick) == GJK_OK);
   }
 }
 
@@ -283,6 +284,7 @@ static void check_paths(void) {
 static void check_edges(void) {
   random_state random = random_seed(seed + 1);
   for (unsigned i = 0; i < check_trials(PATHS); i++) {
+    check_trial(i, NULL, NULL);
     course c = {{GJK_Q30_ONE, 0, 0}, true, false, 1};
     make_pair(&random, true);
     start(GJK_Q16(4000));
@@ -304,9 +306,9 @@ static void check_edges(void) {
         move(n);
       }
       fine = tick();
-      CHECK_MSG(fine, "seed %llu, pair %u, step %u", (unsigned long long)seed, i, k);
+      CHECK_MSG(fine, "step %u", k);
       CHECK(gjk_scene_get_stats(&quick, &stats) == GJK_OK);
-      CHECK_MSG(stats.motion == (skipped ? 1 : 0), "seed %llu, pair %u, step %u", (unsigned long long)seed, i, k);
+      CHECK_MSG(stats.motion == (skipped ? 1 : 0), "step %u", k);
       edge_count++;
     }
   }
@@ -334,6 +336,7 @@ static void check_motion(void) {
   random_state random = random_seed(seed + 2);
   unsigned tight = 0;
   for (unsigned i = 0; i < check_trials(MOVES); i++) {
+    check_trial(i, NULL, NULL);
     make_pair(&random, false);
     if (is_curved(shapes[1])) {
       continue;
@@ -356,8 +359,8 @@ static void check_motion(void) {
     }
     const gjk_collider to = collider_of(1);
     const uint64_t motion = part_of(1)->motion, squared = farthest_moved(&from, &to);
-    CHECK_MSG(motion >= GJK_SCENE_UNBOUNDED || motion * motion >= squared, "seed %llu, move %u: %llu, squared %llu",
-              (unsigned long long)seed, i, (unsigned long long)motion, (unsigned long long)squared);
+    CHECK_MSG(motion >= GJK_SCENE_UNBOUNDED || motion * motion >= squared, "%llu, squared %llu",
+              (unsigned long long)motion, (unsigned long long)squared);
     tight += motion < 20 || motion / 2 * (motion / 2) < squared;
   }
   printf("%u motions at most twice what was moved\n", tight);
@@ -415,6 +418,7 @@ static void check_faces(void) {
   random_state random = random_seed(seed + 3);
   unsigned apart = 0, near = 0;
   for (unsigned i = 0; i < check_trials(FACES); i++) {
+    check_trial(i, NULL, NULL);
     faces f;
     make_faces(&random, &f);
     margin = random_range(&random, 0, 1) == 0 ? 0 : random_range(&random, 0, 3000);
@@ -422,7 +426,7 @@ static void check_faces(void) {
     const bool yes = update(&quick);
     const int64_t claimed = yes ? margin - record()->gap : margin + record()->gap;
     const int64_t square = f.above * f.above, bound = claimed * claimed * gjk_dot(&f.normal, &f.normal);
-    CHECK_MSG(yes ? square <= bound : square >= bound, "seed %llu, faces %u", (unsigned long long)seed, i);
+    CHECK(yes ? square <= bound : square >= bound);
     apart += !yes && record()->gap > 0;
     near += yes && record()->gap > 0;
   }
@@ -449,6 +453,7 @@ static void check_walls(void) {
   random_state random = random_seed(seed + 4);
   unsigned claimed = 0;
   for (unsigned i = 0; i < check_trials(WALLS); i++) {
+    check_trial(i, NULL, NULL);
     const gjk_q16 reach = generate_reach(&random) / 2 + 20;
     const gjk_shape wall = GJK_BOX(20, reach, reach);
     const gjk_pose identity = GJK_POSE_IDENTITY;
@@ -463,11 +468,10 @@ static void check_walls(void) {
     const double touching = reach_of(&cases[0]) + 20;
     pose[1].position.x = (gjk_q16)touching + margin + random_range(&random, -3, 30);
     start(GJK_Q16(1));
-    CHECK_MSG(tick(), "seed %llu, wall %u", (unsigned long long)seed, i);
+    CHECK(tick());
     const gjk_scene_pair *pair = record();
     if ((pair->state & GJK_SCENE_PAIR_NEAR) == 0 && pair->gap > 0) {
-      CHECK_MSG(pose[1].position.x - touching > (double)margin + pair->gap + CURVED_ERROR - 0.001, "seed %llu, wall %u",
-                (unsigned long long)seed, i);
+      CHECK(pose[1].position.x - touching > (double)margin + pair->gap + CURVED_ERROR - 0.001);
       claimed++;
     }
   }
