@@ -18,16 +18,20 @@ static struct {
   const void *subject;
 } check_now;
 
-// The seed of a random test: GJK_TEST_SEED, or else its own. The first call prints it.
-static inline uint64_t check_seed(uint64_t own) {
-  const char *given = getenv("GJK_TEST_SEED");
-  const uint64_t seed = given == NULL ? own : strtoull(given, NULL, 10);
+// The seed of a random test is this one. The first call prints it.
+static inline uint64_t check_seeded(uint64_t seed) {
   if (!check_now.seeded) {
     printf("seed %llu\n", (unsigned long long)seed);
   }
   check_now.seeded = true;
   check_now.seed = seed;
   return seed;
+}
+
+// The same: GJK_TEST_SEED, or else the test's own.
+static inline uint64_t check_seed(uint64_t own) {
+  const char *given = getenv("GJK_TEST_SEED");
+  return check_seeded(given == NULL ? own : strtoull(given, NULL, 10));
 }
 
 // A trial begins: if a check of it fails, print shows subject; NULL: its number says it all.
