@@ -349,6 +349,7 @@ static void check_motion(void) {
     start(0);
     update(&quick);
     const gjk_collider from = collider_of(1);
+    CHECK(from.radius == built[1].collider.radius);
     const unsigned calls = 1 + random_below(&random, 3);
     const int32_t most = (int32_t)(generate_reach(&random) / 2);
     const int64_t amount = random_range(&random, 0, most);
