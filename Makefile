@@ -2,7 +2,7 @@
 #
 #   make                 the host library, build/gjk-query and build/gjk-demo
 #   make demo            answers a scene, certifies it, draws build/demo.svg; then the same as Cortex-M3 firmware
-#   make setup test      installs the cross tools (Debian, apt-get), then runs every test
+#   make setup test      installs the cross tools (Debian, apt-get), then runs every test; GJK_TEST_SEED=N for other random ones
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
 #                        (-m4-fpu and -m7-fpu: the same with floating point, for programs that have some)
 #   make sizes           code by function group and stack by query, per target
@@ -17,7 +17,8 @@
 #   make prove           shows the absence of undefined behaviour (Frama-C)
 #   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
 #   make coverage        which lines and branches of src the tests reach, over all variants of the code
-#   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400, 0: all, of SEED=1
+#   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400, 0: all, of SEED=1,
+#                        in files that match FILES=.; survivors one by one
 #   make fuzz            fuzzes pairs, the reader of cases, arguments, scenes and forged claims for SECONDS=60
 #   make soak            100,000,000 certified pairs over two cores, or PAIRS=N; goes on where it was interrupted
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
@@ -261,8 +262,9 @@ coverage: unit-tests
 
 MUTANTS ?= 400
 SEED ?= 1
+FILES ?= .
 mutants: unit-tests
-	@SUPPORT='$(SUPPORT)' sh tests/build/mutants.sh build $(MUTANTS) $(SEED)
+	@SUPPORT='$(SUPPORT)' FILES='$(FILES)' sh tests/build/mutants.sh build $(MUTANTS) $(SEED)
 
 MEASUREMENTS ?= 2000000
 SECONDS ?= 60

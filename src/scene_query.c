@@ -196,7 +196,7 @@ gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, con
   return GJK_OK;
 }
 
-// The distance of a curved shape may be reported up to 2 LSB less than that of its box.
+// The distance of a curved shape, or beyond 16384 units, may be reported up to 2 LSB less than that of the boxes.
 #define BOX_SLACK 2
 
 typedef struct search {

@@ -1,5 +1,6 @@
-# Adds up what became of the mutants: see mutants.sh. Input: tests/mutate/equivalent.txt, lines of FILE, TEXT, CHANGE, KIND,
-# REASON with tabs between; all mutants as mutate lists them; the verdicts.
+# Adds up what became of the mutants: see mutants.sh. Survivors are a table, fit for tests/mutate/README.md. Input:
+# tests/mutate/equivalent.txt, lines of FILE, TEXT, CHANGE, KIND, REASON with tabs between; all mutants as mutate lists
+# them; the verdicts.
 
 BEGIN { FS = "\t" }
 
@@ -33,6 +34,12 @@ FILENAME == ARGV[2] {
   next
 }
 
+# Code in a cell of a table.
+function cell(s) {
+  gsub(/\|/, "\\\\|", s)
+  return "`" s "`"
+}
+
 # Verdicts: key, verdict, file, number, line, change, text.
 {
   files[$3]
@@ -51,7 +58,7 @@ FILENAME == ARGV[2] {
     else argued[$3]++
   } else {
     survived[$3]++
-    list[++survivors] = "survived: " what
+    list[++survivors] = "| " $3 ":" line[$3, $4] " | " cell($7) " | " cell($6) " |"
   }
 }
 
@@ -71,9 +78,15 @@ END {
     printf "first noticed by %s: %d\n", test, by[test] | command
   }
   close(command)
-  for (i = 1; i <= survivors; i++) {
-    print list[i]
+  if (survivors > 0) {
+    print "| survived | line | change |"
+    print "|---|---|---|"
   }
+  command = "sort -t : -k 1,1 -k 2,2n"
+  for (i = 1; i <= survivors; i++) {
+    print list[i] | command
+  }
+  close(command)
   for (i = 1; i <= wrongs; i++) {
     print wrong[i]
   }

@@ -7,9 +7,9 @@
 # first that noticed most mutants of it so far. A mutant whose object code is that of the original in every variant of
 # the build is none. What survives stands in the list at the end, unless tests/mutate/equivalent.txt argues that it
 # changes no answer, or nothing but speed. MUTANTS: a random sample of so many, 0: all; of one SEED the larger
-# sample holds the smaller. Verdicts are kept in BUILD/mutants/results, so that a run goes on where it was
-# interrupted, and one with another seed adds to it: they hold while the file's code is the same, those of survivors
-# while the tests are, too.
+# sample holds the smaller. In FILES: an expression for the names of files, when only some are meant. Verdicts are kept
+# in BUILD/mutants/results, so that a run goes on where it was interrupted, and one with another seed adds to it: they
+# hold while the file's code is the same, those of survivors while the tests are, too.
 # Exit status 1 when less than 95 % are noticed, or when an argument is wrong.
 . tests/build/count.sh
 build=$1/mutants
@@ -220,7 +220,7 @@ for file in src/*.[ch]; do
   echo "$file $(code_of "$file")" >&3
 done >"$build/all" 3>"$build/codes"
 [ "$sample" -gt 0 ] || sample=$(wc -l <"$build/all")
-awk -F '\t' -v seed="$seed" '
+awk -F '\t' -v seed="$seed" -v files="${FILES:-.}" '
   # The minimal standard generator: the same numbers from every awk; for each file anew, whatever the others are.
   function next_random() { x = x * 16807 % 2147483647 }
   BEGIN { letters = "abcdefghijklmnopqrstuvwxyz_./" }
@@ -230,7 +230,8 @@ awk -F '\t' -v seed="$seed" '
     for (i = 1; i <= length(file); i++) { x = (x + index(letters, substr(file, i, 1))) % 2147483646 + 1; next_random() }
     for (i = 0; i < 10; i++) next_random()
   }
-  { next_random(); printf "%d\t%s\n", x, $0 }' "$build/all" | sort -n | head -n "$sample" | cut -f 2- >"$build/list"
+  { next_random() }
+  $1 ~ files { printf "%d\t%s\n", x, $0 }' "$build/all" | sort -n | head -n "$sample" | cut -f 2- >"$build/list"
 
 # Verdicts that hold no longer are found anew, so that the sample stays one; what has none is left to do.
 touch "$results"

@@ -2,8 +2,9 @@
 # Runs tests, two at a time, and adds up their counts: run-tests.sh BUILD TEST...
 #
 # A test is a program, or a script that gets BUILD. Its last line is 'NAME: N passed, N failed', maybe with
-# ', N skipped'; without one, or when it ends badly all the same, it counts as one failure. Its output is kept in
-# BUILD/log, and shown when it fails. With GJK_NO_SKIP=1 a skip is a failure.
+# ', N skipped'. It counts as a failure when it ends badly all the same, says nothing of the kind, counts nothing at all,
+# or has no result in the end: never started, or killed with the shell that watched it. Its output is kept in BUILD/log,
+# and shown when it fails. With GJK_NO_SKIP=1 a skip is a failure.
 build=$1
 logs=$build/log
 shift
@@ -19,6 +20,7 @@ run_one() {
   line=$(tail -n 1 "$log" | grep -E ': [0-9]+ passed, [0-9]+ failed(, [0-9]+ skipped)?$')
   case $status:$line in
     *:) line="$name: 0 passed, 1 failed: no result, exit status $status" ;;
+    *': 0 passed, 0 failed') line="$name: 0 passed, 1 failed: it counts nothing" ;;
     0:*) ;;
     *' 0 failed'*) line="$name: 0 passed, 1 failed: exit status $status" ;;
   esac
@@ -35,6 +37,15 @@ if [ "$1" = --one ]; then
   exit 0
 fi
 
+# Two tests of one name would share a log and a result.
+twice=$(for test in "$@"; do
+  basename "$test" .sh
+done | sort | uniq -d)
+if [ -n "$twice" ]; then
+  echo "run-tests: 0 passed, 1 failed: more than one test named $twice"
+  exit 1
+fi
+
 # Tests that call make must not share this one's job server.
 unset MAKEFLAGS MFLAGS MAKELEVEL
 mkdir -p "$logs"
@@ -42,6 +53,16 @@ rm -f "$logs"/*
 for test in "$@"; do
   echo "$test"
 done | xargs -P 2 -n 1 sh "$0" "$build" --one
+ended=$?
+
+# xargs starts no more when a shell that watches a test is killed.
+if [ $ended != 0 ]; then
+  echo "run-tests: 0 passed, 1 failed: xargs ends with status $ended" | tee "$logs/run-tests.result"
+fi
+for test in "$@"; do
+  name=$(basename "$test" .sh)
+  [ -s "$logs/$name.result" ] || echo "$name: 0 passed, 1 failed: not run to its end" | tee "$logs/$name.result"
+done
 
 cat "$logs"/*.result | awk -v no_skip="${GJK_NO_SKIP:-0}" '
   {

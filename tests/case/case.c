@@ -201,3 +201,28 @@ void case_print(FILE *file, const case_pair *pair) {
   print_shape(file, 'A', &pair->a);
   print_shape(file, 'B', &pair->b);
 }
+
+void case_show(const void *pair) {
+  case_print(stdout, pair);
+}
+
+// A case of a shape, the vertices borrowed to be printed.
+static case_shape borrow(const gjk_shape *shape, const gjk_pose *pose) {
+  static const gjk_shape_class *const kinds[] = {
+      [CASE_POINT] = &gjk_class_point, [CASE_SEGMENT] = &gjk_class_segment,    [CASE_TRIANGLE] = &gjk_class_triangle,
+      [CASE_BOX] = &gjk_class_box,     [CASE_HULL] = &gjk_class_hull,          [CASE_CYLINDER] = &gjk_class_cylinder,
+      [CASE_CONE] = &gjk_class_cone,   [CASE_ELLIPSOID] = &gjk_class_ellipsoid};
+  case_shape s = {CASE_POINT, shape->size, NULL, shape->count, 0, NULL, NULL, 0, 0, shape->round, *pose};
+  while (s.kind < CASE_ELLIPSOID && kinds[s.kind] != shape->type) {
+    s.kind = (case_kind)(s.kind + 1);
+  }
+  s.vertices = (gjk_vec3 *)(uintptr_t)shape->vertices;
+  s.count = s.kind == CASE_TRIANGLE ? 3 : shape->count;
+  return s;
+}
+
+void case_show_posed(const void *posed) {
+  const case_posed *p = posed;
+  const case_pair pair = {"posed", borrow(&p->a, &p->at_a), borrow(&p->b, &p->at_b)};
+  case_print(stdout, &pair);
+}

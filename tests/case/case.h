@@ -62,6 +62,18 @@ void case_collider_free(case_collider *collider);
 // Prints the case in the query tool's own format, raw integers.
 void case_print(FILE *file, const case_pair *pair);
 
+// For check_trial: prints a case_pair to standard output.
+void case_show(const void *pair);
+
+// Two shapes of the library's own kinds at their poses, whose vertices outlive it.
+typedef struct case_posed {
+  gjk_shape a, b;
+  gjk_pose at_a, at_b;
+} case_posed;
+
+// For check_trial: prints a case_posed as a case.
+void case_show_posed(const void *posed);
+
 // Reading, see parse.h.
 
 #endif

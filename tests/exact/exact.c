@@ -78,10 +78,12 @@ bool judge_start(judge *j, const gjk_collider *a, const gjk_collider *b, int64_t
   j->radius = (int64_t)a->shape->round + b->shape->round + distance;
   j->why = why;
   j->size = n;
-  // 2^-27 of the smallest gap that the centres allow: that of a far pair exceeds 2^29.
-  j->slack = 0;
-  if (exact_is_far(a, b)) {
-    j->slack = (int64_t)((centre_distance(a, b) - (double)a->radius - (double)b->radius) / 134217728.0);
+  j->far = exact_is_far(a, b);
+  j->decision_slack = 0;
+  j->point_slack = 0;
+  if (j->far) {  // of the smallest gap that the centres allow: that of a far pair exceeds 2^29
+    j->decision_slack = (int64_t)ldexp(centre_distance(a, b), -28);
+    j->point_slack = (int64_t)ldexp(centre_distance(a, b) - (double)a->radius - (double)b->radius, -27);
   }
   return j->count_a != 0 && j->count_b != 0 ? true : judge_refuse(j, "not a polytope");
 }
@@ -152,7 +154,7 @@ static bool is_near(judge *j, const gjk_certificate *certificate) {
     return false;
   }
   exact_feature_nearest(j->w, j->count, &j->feature);
-  return exact_feature_compare(&j->feature, 2 * (j->radius + j->slack)) <= 0 ||
+  return exact_feature_compare(&j->feature, 2 * (j->radius + j->decision_slack)) <= 0 ||
          judge_refuse(j, "the feature is farther than the radius");
 }
 
@@ -171,8 +173,13 @@ static exact_int farthest(const gjk_collider *c, unsigned count, const exact_vec
 }
 
 bool judge_clears(const judge *j, const exact_vector *direction, int64_t radius) {
+  return judge_clears_fine(j, direction, JUDGE_FINE * radius);
+}
+
+bool judge_clears_fine(const judge *j, const exact_vector *direction, int64_t radius) {
   const exact_int from_a = farthest(j->a, j->count_a, direction, 1), from_b = farthest(j->b, j->count_b, direction, -1);
-  const exact_int along = exact_add(&from_a, &from_b), r = exact_from(radius);
+  const exact_int lsb = exact_add(&from_a, &from_b), fine = exact_from(JUDGE_FINE);
+  const exact_int along = exact_mul(&lsb, &fine), r = exact_from(radius);
   exact_int length = exact_from(0);
   for (int i = 0; i < 3; i++) {
     const exact_int square = exact_mul(&direction->x[i], &direction->x[i]);
@@ -185,7 +192,7 @@ bool judge_clears(const judge *j, const exact_vector *direction, int64_t radius)
 
 static bool is_separating(judge *j, const gjk_vec3 *d) {
   const exact_vector direction = {{exact_from(d->x), exact_from(d->y), exact_from(d->z)}};
-  const int64_t radius = j->radius > j->slack ? j->radius - j->slack : 0;
+  const int64_t radius = j->radius > j->decision_slack ? j->radius - j->decision_slack : 0;
   return judge_clears(j, &direction, radius) || judge_refuse(j, "the direction does not separate");
 }
 
@@ -219,7 +226,7 @@ static bool is_apart(judge *j, const gjk_certificate *certificate) {
     case GJK_PROOF_SPHERES: return is_spheres(j);
     case GJK_PROOF_DIRECTION: return is_separating(j, &certificate->direction);
     case GJK_PROOF_NEAREST:
-      return j->slack > 0 ? judge_far_apart(j, certificate) : judge_nearest(j, certificate) && is_beyond(j);
+      return j->far ? judge_far_apart(j, certificate) : judge_nearest(j, certificate) && is_beyond(j);
     default: return judge_refuse(j, "proof %u for apart", certificate->proof);
   }
 }
@@ -264,7 +271,7 @@ bool exact_check_gap(const gjk_collider *a, const gjk_collider *b, const gjk_dis
     return judge_refuse(&j, "proof %u for a distance", result->certificate.proof);
   }
   return is_apart(&j, &result->certificate) &&
-         (j.slack > 0 ? judge_far_distance(&j, result) : is_rounded(&j, result->distance));
+         (j.far ? judge_far_distance(&j, result) : is_rounded(&j, result->distance));
 }
 
 bool exact_check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result, char *why,

@@ -16,7 +16,8 @@ unsigned exact_vertex_count(const gjk_collider *collider);
 // In the world. Pre: number below the count.
 exact_point exact_vertex(const gjk_collider *collider, unsigned number);
 
-// Are the centres more than 16384 units apart? There the contract is 2^-27 relative, and the checks apply that.
+// Are the centres more than 16384 units apart? There the checks apply the contract as it is: a distance within 2^-28 of
+// itself, a decision within 2^-28 of the centres' distance, points and the distance along the normal within 2^-27 of it.
 bool exact_is_far(const gjk_collider *a, const gjk_collider *b);
 
 // Do decision and distance follow from the certificate?

@@ -8,7 +8,9 @@ typedef struct judge {
   const gjk_collider *a, *b;
   unsigned count_a, count_b;           // vertices
   int64_t radius;                      // the roundings and the asked distance
-  int64_t slack;                       // LSB that a far pair may be off; 0: exact
+  bool far;                            // centres more than 16384 units apart
+  int64_t decision_slack;              // LSB that a far decision may be off: 2^-28 of the centres' distance
+  int64_t point_slack;                 // LSB that far points may be off, and the distance along the normal: 2^-27 of it
   unsigned count;                      // pairs of the certificate
   exact_point at_a[4], at_b[4], w[4];  // their vertices in the world and in A - B
   exact_feature feature;
@@ -42,10 +44,15 @@ bool judge_is_cut(const gjk_vec3 *point);
 
 exact_vector judge_opposite(const exact_vector *v);
 
-// Does every vertex of A - B lie farther than radius behind the origin along direction?
-bool judge_clears(const judge *j, const exact_vector *direction, int64_t radius);
+// A part of an LSB, for bounds of far distances.
+#define JUDGE_FINE 256
 
-// A far pair: from both sides the feature bounds the distance of the cores, to within the slack.
+// Does every vertex of A - B lie farther than radius behind the origin along direction? The same for a radius in fine parts.
+bool judge_clears(const judge *j, const exact_vector *direction, int64_t radius);
+bool judge_clears_fine(const judge *j, const exact_vector *direction, int64_t radius);
+
+// A far pair: does the plane of the feature separate, to within the slack of a decision? Is the distance, which that plane bounds
+// from below and the feature from above, within 2^-28 of itself?
 bool judge_far_apart(judge *j, const gjk_certificate *certificate);
 bool judge_far_distance(judge *j, const gjk_distance_result *result);
 

@@ -15,21 +15,24 @@ bool judge_far_apart(judge *j, const gjk_certificate *certificate) {
   }
   exact_feature_nearest(j->w, j->count, &j->feature);
   const exact_vector direction = judge_opposite(&j->feature.point);
-  return judge_clears(j, &direction, j->radius > j->slack ? j->radius - j->slack : 0) ||
+  return judge_clears(j, &direction, j->radius > j->decision_slack ? j->radius - j->decision_slack : 0) ||
          judge_refuse(j, "far: the feature does not separate");
 }
 
+// With d reported and the gap g, d - g <= g / 2^28 when g >= d - d / (2^28 + 1), and g - d <= g / 2^28 when
+// g <= d + d / (2^28 - 1). Bounds are rounded to fine parts, inwards.
 bool judge_far_distance(judge *j, const gjk_distance_result *result) {
-  // To 2^-27, twice what is promised, since the named feature may be a neighbour of the nearest. In half LSB: at least 8 of
-  // them, as a far gap exceeds 2^29.
-  const int64_t reported = 2 * ((int64_t)result->distance + j->radius), slack = 2 * j->slack;
+  const int64_t d = JUDGE_FINE * (int64_t)result->distance, radius = JUDGE_FINE * j->radius;
+  const int64_t least = radius + d - d / ((INT64_C(1) << 28) + 1), most = radius + d + d / ((INT64_C(1) << 28) - 1);
   const exact_vector direction = judge_opposite(&j->feature.point);
-  if (!judge_clears(j, &direction, reported / 2 - j->slack)) {
+  if (!judge_clears_fine(j, &direction, least)) {
     return judge_refuse(j, "far: the distance is too large");
   }
+  const exact_int m = exact_from(most), fine = exact_from(JUDGE_FINE), unit = exact_mul(&fine, &fine);
+  const exact_int squared = exact_mul(&m, &m), limit = exact_mul(&squared, &j->feature.denominator);
+  const exact_int mine = exact_mul(&unit, &j->feature.squared);
   const bool cut = result->saturated && result->distance == GJK_DISTANCE_MAX;
-  return cut || exact_feature_compare(&j->feature, reported + slack) <= 0 ||
-         judge_refuse(j, "far: the distance is too small");
+  return cut || exact_compare(&mine, &limit) <= 0 || judge_refuse(j, "far: the distance is too small");
 }
 
 static exact_point from_vec3(const gjk_vec3 *v) {
@@ -41,7 +44,7 @@ static exact_point from_vec3(const gjk_vec3 *v) {
 static bool is_far_normal(judge *j, const gjk_distance_result *result) {
   const gjk_unit3 *n = &result->normal;
   const exact_vector direction = {{exact_from(n->x), exact_from(n->y), exact_from(n->z)}};
-  return judge_clears(j, &direction, result->distance + j->radius - j->slack) ||
+  return judge_clears(j, &direction, result->distance + j->radius - j->point_slack) ||
          judge_refuse(j, "far: the distance along the normal is less");
 }
 
@@ -63,7 +66,7 @@ static bool is_gap(judge *j, const exact_point *a, const exact_point *b) {
   const double gap = sqrt(exact_to_double(&feature.squared));
   const double distance =
       sqrt(exact_to_double(&j->feature.squared) / exact_to_double(&j->feature.denominator)) - (double)j->radius;
-  return fabs(gap - distance) <= (double)(2 + j->slack) + 1e-4 ||
+  return fabs(gap - distance) <= (double)(2 + j->point_slack) + 1e-4 ||
          judge_refuse(j, "points %.4f apart, distance %.4f", gap, distance);
 }
 
@@ -101,7 +104,7 @@ bool exact_check_points(const gjk_collider *a, const gjk_collider *b, const gjk_
   }
   exact_feature_nearest(j.w, j.count, &j.feature);
   const exact_vector direction = judge_opposite(&j.feature.point);
-  if (j.slack > 0 ? !is_far_normal(&j, result) : !judge_normal(&j, &direction, &result->normal)) {
+  if (j.far ? !is_far_normal(&j, result) : !judge_normal(&j, &direction, &result->normal)) {
     return false;
   }
   if (result->saturated) {
@@ -109,10 +112,10 @@ bool exact_check_points(const gjk_collider *a, const gjk_collider *b, const gjk_
            judge_refuse(&j, "saturated without a reason");
   }
   const exact_point at_a = from_vec3(&result->point_a), at_b = from_vec3(&result->point_b);
-  if (!judge_at(&at_a, j.at_a, j.count, a->shape->round + 1 + j.slack)) {
+  if (!judge_at(&at_a, j.at_a, j.count, a->shape->round + 1 + j.point_slack)) {
     return judge_refuse(&j, "the point of A is off");
   }
-  if (!judge_at(&at_b, j.at_b, j.count, b->shape->round + 1 + j.slack)) {
+  if (!judge_at(&at_b, j.at_b, j.count, b->shape->round + 1 + j.point_slack)) {
     return judge_refuse(&j, "the point of B is off");
   }
   return is_gap(&j, &at_a, &at_b);

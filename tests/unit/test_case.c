@@ -215,8 +215,7 @@ static void test_build(void) {
 }
 
 int main(void) {
-  random_state random = random_seed(SEED);
-  printf("seed %u\n", SEED);
+  random_state random = random_seed(check_seed(SEED));
   test_numbers();
   test_decimals(&random);
   test_round_trip(&random);

@@ -292,13 +292,12 @@ static bool includes(const char *name, const generate_family *family) {
 
 int main(int argc, char **argv) {
   static campaign c;
-  const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
+  const uint64_t seed = argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(1);
   const unsigned long pairs = argc > 2 ? strtoul(argv[2], NULL, 10) : PAIRS;
   const char *name = argc > 3 ? argv[3] : NULL;
   const unsigned long each = name != NULL ? pairs : (pairs + generate_family_count - 1) / generate_family_count;
   unsigned iterations = 0;
   unsigned long total = 0, refused = 0, brute = 0;
-  printf("seed %llu\n", (unsigned long long)seed);
   for (unsigned i = 0; i < generate_family_count; i++) {
     c.family = &generate_families[i];
     if (includes(name, c.family)) {

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../case/case.h"
 #include "../random.h"
 #include "contacts_scene.h"
 
@@ -237,7 +238,8 @@ static void check_pair(const gjk_collider *a, const gjk_collider *b, gjk_q16 mar
 }
 
 static void test_random(void) {
-  random_state random = random_seed(61);
+  random_state random = random_seed(check_seed(61));
+  static case_posed posed;
   tally t;
   memset(&t, 0, sizeof t);
   unsigned long moved = 0;
@@ -250,6 +252,9 @@ static void test_random(void) {
     const gjk_pose pose_a = random_pose(&random, ONE), pose_b = random_pose(&random, ONE);
     const unsigned most = random_below(&random, 2) == 0 ? 4 : 8;
     const gjk_q16 margin = random_range(&random, 0, 5000);
+    const case_posed now = {shape_a, shape_b, pose_a, pose_b};
+    posed = now;
+    check_trial((unsigned long)n, case_show_posed, &posed);
     place(&shape_a, &pose_a, &a);
     place(&shape_b, &pose_b, &b);
     check_pair(&a, &b, margin, most, &t, n);

@@ -2,6 +2,7 @@
 // kept of many, faces that are none.
 #include <math.h>
 
+#include "../case/case.h"
 #include "../random.h"
 #include "contacts_scene.h"
 
@@ -280,7 +281,8 @@ static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned a
 }
 
 static void test_fewer(void) {
-  random_state random = random_seed(62);
+  random_state random = random_seed(check_seed(62));
+  static case_posed posed;
   const gjk_vec3 *const axes[3] = {&axis_x, &axis_y, &axis_z};
   for (int i = 0; i < 600; i++) {
     gjk_collider a, b;
@@ -294,6 +296,9 @@ static void test_fewer(void) {
                                                 : side2,
                                     axis == 2 ? up : side2),
                                  axes[axis], EIGHTH_TURN + random_range(&random, -ONE / 8, ONE / 8));
+    const case_posed now = {flat, flat, origin, turn};
+    posed = now;
+    check_trial((unsigned long)i, case_show_posed, &posed);
     place(&flat, &origin, &a);
     place(&flat, &turn, &b);
     check_fewer(&a, &b, axis, false);

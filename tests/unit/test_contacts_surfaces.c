@@ -374,7 +374,7 @@ static void test_cell(random_state *random, case_kind kind_a, case_kind kind_b, 
 }
 
 int main(void) {
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   tally all = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   for (int a = CASE_POINT; a <= CASE_ELLIPSOID; a++) {
     for (int b = CASE_POINT; b <= CASE_ELLIPSOID; b++) {

@@ -194,7 +194,7 @@ static void print_family(const char *a, const char *b, const char *place, const 
 }
 
 static void test_random_pairs(case_pair *pair, case_collider *a, case_collider *b) {
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   unsigned shown = 0;
   for (int a_kind = CASE_CYLINDER; a_kind <= CASE_ELLIPSOID; a_kind++) {
     for (int b_kind = CASE_POINT; b_kind <= CASE_ELLIPSOID; b_kind++) {
@@ -217,7 +217,7 @@ static void test_random_pairs(case_pair *pair, case_collider *a, case_collider *
 
 // Points about the surface: the closed form, the oracle and the library agree.
 static void test_points_about(case_kind kind, case_pair *pair, case_collider *a, case_collider *b) {
-  random_state random = random_seed(SEED + kind);
+  random_state random = random_seed(check_seed(SEED) + kind);
   unsigned inside = 0, made = 0;
   long double oracle_error = 0, error = 0;
   while (made < POINTS_PER_KIND) {
@@ -250,7 +250,7 @@ static void test_points_about(case_kind kind, case_pair *pair, case_collider *a,
 
 // An ellipsoid of three equal radii against a sphere, both spheres: the distance of the centres less the radii.
 static void test_spheres(case_pair *pair, case_collider *a, case_collider *b) {
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   for (int i = 0; i < 20000; i++) {
     const gjk_q16 reach = random_reach(&random);
     random_shape(&random, CASE_ELLIPSOID, reach, &pair->a);

@@ -168,8 +168,7 @@ static void test_lattice(subject *s) {
 
 int main(void) {
   static subject s;
-  random_state random = random_seed(SEED);
-  printf("seed %d\n", SEED);
+  random_state random = random_seed(check_seed(SEED));
   test_smallest(&random, &s, GENERATE_FACE_VERTEX, 58);
   test_smallest(&random, &s, GENERATE_FACE_FACE, 60);
   test_smallest(&random, &s, GENERATE_EDGE_EDGE, 58);

@@ -293,8 +293,35 @@ static void test_far(void) {
   CHECK(!exact_is_far(&a.collider, &b.collider));
 }
 
+// Points 5 2^28 apart: a distance may be off by 2^-28 of that, 5, and so may a decision; what is off by more is refused.
+static void test_far_bounds(void) {
+  static const int32_t origin[1][3] = {{0, 0, 0}};
+  const gjk_q16 apart = 5 * (INT32_C(1) << 28);
+  hand_made a, b;
+  char why[100];
+  make_hull(&a, origin, 1, 0);
+  make_hull(&b, origin, 1, 0);
+  b.collider.centre.x = apart;
+  for (int off = -8; off <= 8; off++) {
+    gjk_distance_result r = {0};
+    gjk_decision d = {0};
+    r.distance = r.lower = r.upper = apart + off;
+    r.certificate.proof = d.certificate.proof = GJK_PROOF_NEAREST;
+    r.certificate.count = d.certificate.count = 1;
+    const bool allowed = off >= -4 && off <= 4, refused = off < -5 || off > 5;
+    const bool gap = exact_check_gap(&a.collider, &b.collider, &r, why, sizeof why);
+    const bool no = exact_check_decision(&a.collider, &b.collider, apart + off, &d, why, sizeof why);
+    d.yes = true;
+    d.certificate.proof = GJK_PROOF_NEAR;
+    const bool yes = exact_check_decision(&a.collider, &b.collider, apart + off, &d, why, sizeof why);
+    CHECK_MSG(gap ? !refused : !allowed, "distance off by %d", off);
+    CHECK_MSG(no ? off <= 5 : off > 4, "apart, off by %d", off);
+    CHECK_MSG(yes ? off >= -5 : off < -4, "together, off by %d", off);
+  }
+}
+
 int main(void) {
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   test_small_integers(&random);
   test_large_integers(&random);
   test_enclosing();
@@ -303,5 +330,6 @@ int main(void) {
   test_proofs_by_hand();
   test_brute();
   test_far();
+  test_far_bounds();
   return check_done("exact");
 }

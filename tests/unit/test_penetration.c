@@ -327,11 +327,10 @@ static unsigned long run_table(campaign *c, const generate_family *families, uns
 
 int main(int argc, char **argv) {
   static campaign c;
-  const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
+  const uint64_t seed = argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(1);
   const unsigned long percent = argc > 2 ? strtoul(argv[2], NULL, 10) : check_trials(100);
   const char *name = argc > 3 ? argv[3] : NULL;
   unsigned long overlapping = 0, brute = 0;
-  printf("seed %llu\n", (unsigned long long)seed);
   overlapping += run_table(&c, generate_overlaps, generate_overlap_count, name, seed, OVERLAPS * percent / 100, &brute);
   overlapping += run_table(&c, generate_families, generate_family_count, name, seed, OTHERS * percent / 100, &brute);
   printf("%lu overlapping pairs, %lu by brute force; proofs: %lu facet, %lu plane, %lu nearest, %lu apart\n",

@@ -194,7 +194,7 @@ static void test_refusals(subject *s) {
 
 int main(void) {
   static subject s;
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   test_spheres(&random, &s);
   test_concentric_spheres(&s);
   test_parallel_capsules(&random, &s);

@@ -144,7 +144,7 @@ static void test_cell(random_state *random, case_kind a, case_kind b, subject *s
 
 int main(void) {
   static subject s;
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   for (int a = CASE_CYLINDER; a <= CASE_ELLIPSOID; a++) {
     for (int b = CASE_POINT; b <= CASE_ELLIPSOID; b++) {
       test_cell(&random, (case_kind)a, (case_kind)b, &s);

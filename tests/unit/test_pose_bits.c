@@ -3,6 +3,7 @@
 #include "../random.h"
 #include "gjk/pose.h"
 
+#define SEED 2026
 #define CALLS 20000
 
 // A changed bit is a changed contract: say why in the commit that changes this.
@@ -58,10 +59,11 @@ static void call_all(random_state *random) {
 }
 
 int main(void) {
-  random_state random = random_seed(2026);
+  const uint64_t seed = check_seed(SEED);
+  random_state random = random_seed(seed);
   for (int i = 0; i < CALLS; i++) {
     call_all(&random);
   }
-  CHECK_MSG(hash == POSE_HASH, "0x%016llX", (unsigned long long)hash);
+  CHECK_MSG(hash == POSE_HASH || seed != SEED, "0x%016llX", (unsigned long long)hash);
   return check_done("pose_bits");
 }

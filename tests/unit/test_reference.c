@@ -59,12 +59,12 @@ static void compare(const case_pair *pair, case_collider *a, case_collider *b, t
 }
 
 int main(int argc, char **argv) {
-  const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 0) : 1;
+  const uint64_t seed = argc > 1 ? check_seeded(strtoull(argv[1], NULL, 0)) : check_seed(1);
   const unsigned pairs = argc > 2 ? (unsigned)strtoul(argv[2], NULL, 0) : 20000;
   case_pair pair = {0};
   case_collider a = {0}, b = {0};
   tally all = {0}, near = {0};
-  printf("seed %llu, %u pairs a family\n", (unsigned long long)seed, pairs);
+  printf("%u pairs a family\n", pairs);
   for (unsigned f = 0; f < generate_family_count; f++) {
     const generate_family *family = &generate_families[f];
     tally t = {0};

@@ -67,11 +67,12 @@ static void check_world(void) {
   const world_options options = {WORLD_BODIES, GJK_Q16(2), GJK_Q16(0.1), GJK_DETAIL_DEPTH, 1, 0, false, true, false};
   const gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
-  random_state random = random_seed(31);
+  random_state random = random_seed(check_seed(31));
   tally t = {0, 0, 0, 0};
   CHECK(world_start(&w, &options, malloc(bytes), bytes));
   for (int i = 0; i < UPDATES; i++) {
     gjk_progress progress;
+    check_trial((unsigned long)i, NULL, NULL);
     for (int k = 0; k < 20; k++) {
       CHECK(world_change(&w, &random));
     }
@@ -87,7 +88,10 @@ static void check_world(void) {
   }
   printf("%u manifolds with %u points, %u other reports, %u of all negative\n", t.manifolds, t.points, t.others,
          t.negative);
-  CHECK(t.manifolds > 20 * UPDATES && t.points > t.manifolds && t.others > UPDATES && t.negative > 10 * UPDATES);
+  CHECK(t.manifolds > 15 * UPDATES);
+  CHECK(t.points > t.manifolds);
+  CHECK(t.others > UPDATES);
+  CHECK(t.negative > 10 * UPDATES);
   free(w.scene.block);
 }
 

@@ -7,6 +7,7 @@
 #include "../check.h"
 #include "../scene/world.h"
 
+#define SEED 5
 #define TICKS 300
 
 static const world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 1, 0,
@@ -22,7 +23,7 @@ static uint64_t hash_of(const gjk_scene *scene) {
 static void tick(world *w, int number) {
   static world_list list;
   gjk_progress progress;
-  random_state random = random_seed((uint64_t)number * 77 + 5);
+  random_state random = random_seed(check_seed(SEED) + (uint64_t)number * 77);
   for (int k = 0; k < 15; k++) {
     CHECK(world_change(w, &random));
   }
@@ -50,7 +51,7 @@ static void check_rollback(void) {
   gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
   void *save = malloc(bytes);
-  random_state random = random_seed(9);
+  random_state random = random_seed(check_seed(SEED) + 4);
   unsigned rollbacks = 0, transplants = 0;
   CHECK(world_start(&w, &options, malloc(bytes), bytes));
   for (int i = 0; i < TICKS; i++) {
@@ -112,7 +113,7 @@ static void check_order(void) {
   const gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
   uint32_t slots[WORLD_BODIES];
-  random_state random = random_seed(10);
+  random_state random = random_seed(check_seed(SEED) + 5);
   for (int round = 0; round < 10; round++) {
     CHECK(world_start(&second, &options, malloc(bytes), bytes));
     CHECK(world_start(&first, &options, malloc(bytes), bytes));
@@ -132,7 +133,7 @@ static void check_order(void) {
     CHECK(hash_of(&first.scene) == hash_of(&second.scene));
     for (int i = 0; i < 20; i++) {
       gjk_progress progress;
-      random_state same = random_seed((uint64_t)(round * 100 + i)), again = same;
+      random_state same = random_seed(check_seed(SEED) + (uint64_t)(round * 100 + i)), again = same;
       for (int k = 0; k < 10; k++) {
         CHECK(world_change(&first, &same) && world_change(&second, &again));
       }
@@ -174,7 +175,7 @@ static void check_refused(void) {
   gjk_scene opened;
   CHECK(!world_start(&w, &small, block, 0));  // no room, but the world is set up
   CHECK(gjk_scene_init(&w.scene, &config, block, bytes, world_shapes, WORLD_SHAPES) == GJK_OK);
-  random_state random = random_seed(12);
+  random_state random = random_seed(check_seed(SEED) + 7);
   for (int i = 0; i < 40; i++) {
     gjk_report report[20];
     gjk_progress progress;
@@ -223,7 +224,7 @@ static void check_forged(void) {
   const gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
   unsigned char *block = malloc(bytes), *copy = malloc(bytes);
-  random_state random = random_seed(13);
+  random_state random = random_seed(check_seed(SEED) + 8);
   CHECK(world_start(&w, &options, block, bytes));
   for (int i = 0; i < 30; i++) {
     tick(&w, i);

@@ -43,7 +43,7 @@ static void check_shares(const gjk_u128 part[3], const char *what) {
 }
 
 static void test_shares(void) {
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   // A sum that is a power of two: the reciprocal of 2^31, 2^32, is the one that does not fit.
   for (unsigned bit = 2; bit < 127; bit++) {
     const gjk_u128 part[3] = {
@@ -53,6 +53,7 @@ static void test_shares(void) {
     check_shares(part, "power");
   }
   for (int i = 0; i < TRIALS; i++) {
+    check_trial((unsigned long)i, NULL, NULL);
     const unsigned bits = 2 + random_below(&random, 123);
     gjk_u128 part[3];
     for (int k = 0; k < 3; k++) {
@@ -69,8 +70,9 @@ static int sign_of(long double x) {
 
 // p q + r s with p q near -r s: (x + i)(y + j) - x y = i y + j x + i j for small i, j.
 static void test_sums(void) {
-  random_state random = random_seed(SEED + 1);
+  random_state random = random_seed(check_seed(SEED) + 1);
   for (int i = 0; i < TRIALS; i++) {
+    check_trial((unsigned long)i, NULL, NULL);
     const unsigned shift = random_below(&random, 60);
     const int64_t x = (int64_t)(random_u64(&random) >> 3) >> shift, y = (int64_t)(random_u64(&random) >> 3) >> shift;
     const int32_t a = random_range(&random, -2, 2), b = random_range(&random, -2, 2);
@@ -86,8 +88,9 @@ static void test_sums(void) {
 
 // (x + y)^2 - (x - y)^2 = 4 x y, in limbs.
 static void test_limbs(void) {
-  random_state random = random_seed(SEED + 2);
+  random_state random = random_seed(check_seed(SEED) + 2);
   for (int i = 0; i < TRIALS; i++) {
+    check_trial((unsigned long)i, NULL, NULL);
     const uint64_t x = random_u64(&random) >> (1 + random_below(&random, 63));
     const uint64_t y = random_below(&random, 4) == 0 ? x : random_u64(&random) >> (1 + random_below(&random, 63));
     const uint64_t larger = x > y ? x : y, smaller = x > y ? y : x;
@@ -118,7 +121,7 @@ static void check_quotient(const gjk_u128 *x, const gjk_u128 *by, unsigned scale
 }
 
 static void test_quotients(void) {
-  random_state random = random_seed(SEED + 1);
+  random_state random = random_seed(check_seed(SEED) + 1);
   const gjk_u128 zero = {0, 0}, one = {0, 1}, most = {INT64_MAX, UINT64_MAX};
   check_quotient(&zero, &one, 30);
   check_quotient(&one, &one, 30);
@@ -128,6 +131,7 @@ static void test_quotients(void) {
   check_quotient(&one, &most, 64);
   check_quotient(&most, &most, 30);
   for (int i = 0; i < TRIALS; i++) {
+    check_trial((unsigned long)i, NULL, NULL);
     const unsigned bits = 1 + random_below(&random, 127), less = random_below(&random, 70);
     gjk_u128 x = random_u128(&random, bits), by = random_u128(&random, bits > less ? bits - less : 1);
     by.low |= 1;
@@ -136,8 +140,9 @@ static void test_quotients(void) {
 }
 
 static void test_magnitudes(void) {
-  random_state random = random_seed(SEED + 2);
+  random_state random = random_seed(check_seed(SEED) + 2);
   for (int i = 0; i < 1000; i++) {
+    check_trial((unsigned long)i, NULL, NULL);
     const int64_t high = gjk_int64(random_u64(&random)) >> random_below(&random, 64);
     const uint32_t low = random_below(&random, 4) == 0 ? 0 : random_u32(&random) >> 1;
     const long double real = fabsl(ldexpl((long double)high, 31) + low);
