@@ -164,7 +164,7 @@ gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, cons
   start(&it, a, b, out);
   // Every turn is a round, so there are at most GJK_ITERATIONS_MAX.
   do {
-    const gjk_outcome outcome = run(&it, it.rounds + 1u, it.rounds == 0 ? cache : NULL, out);
+    const gjk_outcome outcome = run(&it, it.rounds + 1u, NULL, out);
     if (outcome != GJK_OUTCOME_LIMIT) {
       gjk_distance_report(&it, outcome, cache, out);
       return GJK_OK;
