@@ -85,7 +85,7 @@ typedef struct gjk_scene_config {
 
 // Should this pair be tested? Called at most once per test, perhaps from several threads: it may depend on its arguments
 // and on what does not change during an update. A pair whose last answer outlasts its motion is not asked about again
-// unless gjk_scene_refilter says so.
+// unless a user word changes, or gjk_scene_refilter says so, which every other change of mind needs.
 typedef bool gjk_scene_predicate(void *user, gjk_body a, uint32_t user_a, gjk_body b, uint32_t user_b);
 
 // What depth and contacts need, one constant each, so that a program links them only if it mentions them.
@@ -143,6 +143,8 @@ gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body handle);
 // Gives part number part another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
 gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body handle, uint16_t part, uint16_t shape);
 gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body handle, uint32_t category, uint32_t mask);
+
+// Gives the body another word; one that differs refilters, as the predicate is given it.
 gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body handle, uint32_t user);
 
 // Has the next update ask the predicate about the body's pairs again.
