@@ -130,7 +130,7 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
   }
   gjk_iteration it;
   start(&it, a, b, out);
-  const gjk_outcome outcome = run(&it, GJK_ITERATIONS_MAX, cache, out);
+  const gjk_outcome outcome = run(&it, it.limit, cache, out);
   if (outcome == GJK_OUTCOME_LIMIT) {
     return GJK_ERROR_ITERATION_LIMIT;
   }
@@ -158,10 +158,10 @@ gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, cons
   if (effort->error < 0) {
     return GJK_ERROR_NEGATIVE;
   }
-  const bool limited = effort->iterations > 0 && effort->iterations < GJK_ITERATIONS_MAX;
-  const unsigned most = limited ? effort->iterations : GJK_ITERATIONS_MAX;
   gjk_iteration it;
   start(&it, a, b, out);
+  const bool limited = effort->iterations > 0 && effort->iterations < it.limit;
+  const unsigned most = limited ? effort->iterations : it.limit;
   // Every turn is a round, so there are at most GJK_ITERATIONS_MAX.
   do {
     const gjk_outcome outcome = run(&it, it.rounds + 1u, NULL, out);

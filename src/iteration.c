@@ -123,7 +123,6 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   it->a = a;
   it->b = b;
   it->rounds = 0;
-  it->limit = GJK_ITERATIONS_MAX;
   // not reached: GJK_SMALL is a constant
   const bool usual = !GJK_SMALL && radius == 0 && is_small(&a->centre) && is_small(&b->centre);
   if (usual ? !set_usual_frame(it, spheres) : !set_frame(it, spheres, radius)) {
@@ -134,6 +133,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   if (it->curved == NULL) {
     it->curved = b->shape->type->stalls;
   }
+  it->limit = it->curved != NULL ? GJK_ITERATIONS_MAX : 250;
   gjk_simplex_clear(&it->simplex);
   return true;
 }
