@@ -198,7 +198,7 @@ gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, cons
   bool spent;
   // Every turn is a round, so there are at most as many as the ceiling.
   do {
-    const gjk_outcome outcome = run(&it, it.rounds + 1u, it.rounds == 0 ? cache : NULL, out);
+    const gjk_outcome outcome = run(&it, it.rounds + 1u, NULL, out);
     if (outcome != GJK_OUTCOME_LIMIT) {
       gjk_distance_report(&it, outcome, cache, out);
       return GJK_OK;

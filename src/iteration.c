@@ -289,19 +289,6 @@ static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
   return false;
 }
 
-// The supports of curved shapes are off by up to 2 LSB, so where the search ends depends on where it began. The cached
-// direction may therefore only settle what no start could decide otherwise: more than 4 LSB to spare.
-static bool cached_clears(gjk_iteration *it, const gjk_cache *cache) {
-  const int64_t radius = it->radius + gjk_shl64(4, (unsigned)it->shift);
-  gjk_support b;
-  if (radius > INT32_MAX || !cached_direction(it, cache)) {
-    return false;
-  }
-  gjk_iteration_next(it, &b);
-  it->rounds++;
-  return clears(it, &gjk_simplex_free(&it->simplex)->w, (int32_t)radius);
-}
-
 // Adds the vertex of the last direction, or if that is no nearer the one that rounding has hidden.
 static gjk_step add_vertex(gjk_iteration *it, gjk_support *b) {
   if (!known(it)) {
@@ -315,13 +302,8 @@ static gjk_step add_vertex(gjk_iteration *it, gjk_support *b) {
 
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   gjk_support b;
-  if (it->shift < 0) {
-    cache = NULL;  // the distance of rounded vertices would depend, by an LSB, on where the search began
-  }
-  if (cache != NULL && it->curved != NULL) {
-    if (gjk_goal_separates(goal) && cached_clears(it, cache)) {
-      return GJK_OUTCOME_SEPARATED;
-    }
+  // Of rounded vertices, where the search ends, and whether it does in time, would depend on where it began.
+  if (it->shift < 0 || it->curved != NULL) {
     cache = NULL;
   }
   if (cache != NULL && warm_start(it, cache)) {

@@ -212,11 +212,27 @@ static gjk_status report(overlap *o, gjk_outcome outcome, int64_t plane, const g
   return status;
 }
 
-// Finds out how the shapes lie: boxes and the like by their facets, which then are found as well, others by iteration.
+// Searches from the cache, and again without it where the cores intersect: what is measured of them then starts from a
+// simplex that depends on the pair alone.
+static gjk_outcome search(overlap *o, gjk_goal goal, const gjk_cache *cache) {
+  gjk_iteration *it = &o->it;
+  const gjk_outcome outcome = gjk_search(it, goal, cache, gjk_search_limit(it));
+  o->rounds = it->rounds;
+  if (outcome != GJK_OUTCOME_ENCLOSING || cache == NULL) {
+    return outcome;
+  }
+  gjk_iteration_start(it, it->a, it->b, goal, gjk_roundings(it));
+  const gjk_outcome cold = gjk_search(it, goal, NULL, gjk_search_limit(it));
+  o->rounds = (uint16_t)(o->rounds + it->rounds);
+  return cold;
+}
+
+// Finds out how the shapes lie: boxes and the like by their facets, which then are found as well, others by iteration. A
+// cached tetrahedron is of no use: it held the origin, and most likely still does.
 static gjk_outcome start(overlap *o, gjk_goal goal, gjk_cache *cache) {
   gjk_iteration *it = &o->it;
   gjk_cache direction;
-  const gjk_cache *from = cache;
+  const gjk_cache *from = it->curved == NULL && cache != NULL && cache->count < 4 ? cache : NULL;
   o->facet.found = false;
   if (it->shift >= 0 && gjk_is_zonotope(it)) {
     const gjk_zonotope_answer answer = gjk_zonotope_facet(it, &o->facet);
@@ -231,8 +247,7 @@ static gjk_outcome start(overlap *o, gjk_goal goal, gjk_cache *cache) {
       from = &direction;
     }
   }
-  const gjk_outcome outcome = gjk_search(it, goal, from, gjk_search_limit(it));
-  o->rounds = it->rounds;
+  const gjk_outcome outcome = search(o, goal, from);
   if (cache != NULL && outcome != GJK_OUTCOME_LIMIT) {
     gjk_iteration_keep(it, outcome, cache);
   }

@@ -130,6 +130,7 @@ struct gjk_scene_details {
 typedef struct gjk_scene_header {
   uint32_t magic, version, order, bytes;
   uint32_t sealed, checksum[2];
+  uint32_t rounds;  // GJK_ITERATIONS_MAX of the build
   gjk_scene_config config;
   gjk_scene_pool bodies, parts, nodes, placed, pairs;
   uint32_t queue_at, slots_at;  // pair indices; a bit per slot, set when free
@@ -164,6 +165,9 @@ gjk_status gjk_scene_edit(gjk_scene *scene, gjk_scene_view *out);
 
 // Checks a header and the layout it states; sealed or not. CORRUPT or CAPACITY.
 gjk_status gjk_scene_check_header(const void *block, size_t bytes);
+
+// The part of the handle's workspace that the configuration lets depths use. False: the handle lacks it.
+bool gjk_scene_workspace(const gjk_scene *scene, gjk_workspace *out);
 
 // Takes a record of size bytes from a pool. Pre: one is left.
 uint32_t gjk_scene_take(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size);

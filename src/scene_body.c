@@ -336,10 +336,11 @@ gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body handle, uint32_t user) 
   gjk_scene_view v;
   gjk_scene_body *body;
   const gjk_status status = edit_body(scene, handle, &v, &body);
-  if (status == GJK_OK) {
-    body->user = user;
+  if (status != GJK_OK || body->user == user) {
+    return status;
   }
-  return status;
+  body->user = user;
+  return gjk_scene_refilter(scene, handle);  // the predicate is given the word
 }
 
 // Opens a scene to look at one body.

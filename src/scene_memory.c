@@ -2,14 +2,14 @@
 #include "scene.h"
 
 #define MAGIC UINT32_C(0x736B6A67)
-#define VERSION UINT32_C(1)
+#define VERSION UINT32_C(2)
 #define ORDER UINT32_C(0x01020304)
 
 // The layout that every build must share.
 typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_part) == 144 &&
                                      sizeof(gjk_scene_node) == 40 && sizeof(gjk_scene_placed) == 32 &&
-                                     sizeof(gjk_scene_pair) == 44 && sizeof(gjk_scene_config) == 24 &&
-                                     sizeof(gjk_scene_header) == 268
+                                     sizeof(gjk_scene_pair) == 44 && sizeof(gjk_scene_config) == 28 &&
+                                     sizeof(gjk_scene_header) == 276
                                  ? 1
                                  : -1];
 
@@ -98,6 +98,7 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   h->magic = MAGIC;
   h->version = VERSION;
   h->order = ORDER;
+  h->rounds = GJK_ITERATIONS_MAX;
   h->config = *config;
   h->most_detail = config->detail;
   lay_out(config, h);
@@ -122,7 +123,8 @@ gjk_status gjk_scene_check_header(const void *block, size_t bytes) {
   if (bytes < sizeof *h) {
     return GJK_ERROR_CAPACITY;
   }
-  if (h->magic != MAGIC || h->version != VERSION || h->order != ORDER || check_config(&h->config) != GJK_OK) {
+  if (h->magic != MAGIC || h->version != VERSION || h->order != ORDER || h->rounds != GJK_ITERATIONS_MAX ||
+      check_config(&h->config) != GJK_OK) {
     return GJK_ERROR_CORRUPT;
   }
   lay_out(&h->config, &expected);
@@ -178,6 +180,14 @@ gjk_status gjk_scene_edit(gjk_scene *scene, gjk_scene_view *out) {
   }
   out->header->sealed = 0;
   return GJK_OK;
+}
+
+bool gjk_scene_workspace(const gjk_scene *scene, gjk_workspace *out) {
+  const gjk_scene_header *h = scene->block;
+  const gjk_workspace *given = scene->workspace;
+  out->count = h->config.workspace_cells;
+  out->cells = given != NULL ? given->cells : NULL;
+  return out->count == 0 || (out->cells != NULL && given->count >= out->count);
 }
 
 uint32_t gjk_scene_take(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size) {

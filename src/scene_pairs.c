@@ -1,6 +1,7 @@
 // The pairs of a scene: made, matched to the boxes, dropped.
 #include "scene_pairs.h"
 
+#include "scene_part.h"
 #include "scene_tree.h"
 
 // A link: the pair's index times two, plus the side whose part the list belongs to.
@@ -146,17 +147,8 @@ static gjk_status make_missing(gjk_scene_view *v, uint32_t part) {
   return status;
 }
 
-gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
-  gjk_scene_header *h = v->header;
-  h->refused = 0;
-  for (uint32_t slot = h->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
-    for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
-      if ((v->parts[i].state & GJK_SCENE_REPAIR) != 0) {
-        drop_stale(v, i);
-      }
-    }
-  }
-  for (uint32_t slot = h->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
+static gjk_status make_all_missing(gjk_scene_view *v) {
+  for (uint32_t slot = v->header->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
     for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
       if ((v->parts[i].state & GJK_SCENE_REPAIR) != 0) {
         const gjk_status status = make_missing(v, i);
@@ -168,4 +160,40 @@ gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
     }
   }
   return GJK_OK;
+}
+
+// Takes all boxes back to what they must hold, and drops the pairs that met in the rest alone.
+static void tighten(gjk_scene_view *v) {
+  const gjk_scene_header *h = v->header;
+  for (uint32_t i = 0; i < h->parts.fresh; i++) {
+    if ((v->parts[i].state & GJK_SCENE_LIVE) != 0) {
+      gjk_scene_tighten(v, i);
+    }
+  }
+  for (uint32_t i = 0; i < h->pairs.fresh; i++) {
+    const gjk_scene_pair *pair = &v->pairs[i];
+    if ((pair->state & (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_GONE)) == GJK_SCENE_PAIR_LIVE &&
+        !gjk_scene_pair_stays(v, pair)) {
+      gjk_scene_pair_drop(v, i);
+    }
+  }
+}
+
+// How much larger the boxes in the tree are depends on how bodies came to where they are. Whether there is room must not:
+// where it lacks, the boxes as they are at these poses decide.
+gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
+  gjk_scene_header *h = v->header;
+  h->refused = 0;
+  for (uint32_t slot = h->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
+    for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+      if ((v->parts[i].state & GJK_SCENE_REPAIR) != 0) {
+        drop_stale(v, i);
+      }
+    }
+  }
+  if (make_all_missing(v) == GJK_OK) {
+    return GJK_OK;
+  }
+  tighten(v);
+  return make_all_missing(v);
 }

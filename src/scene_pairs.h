@@ -20,8 +20,8 @@ void gjk_scene_pair_drop(gjk_scene_view *v, uint32_t index);
 // Drops the pairs of a part that is about to go; those that were near become gone, until their end is reported.
 void gjk_scene_pairs_forget(gjk_scene_view *v, uint32_t part);
 
-// Makes the pairs those whose enlarged boxes meet, and those that were near. CAPACITY: there is no room; then some are
-// still to be made, and the next call goes on.
+// Makes the pairs those whose enlarged boxes meet, and those that were near. CAPACITY: there is no room even for those that
+// meet without box_margin and look-ahead; then some are still to be made, and the next call goes on.
 gjk_status gjk_scene_pairs_match(gjk_scene_view *v);
 
 // Tests a pair that is queued, unless that was done: sets NEAR_NOW, gap and outcome. Writes to its record alone.

@@ -127,16 +127,20 @@ static void enlarge(gjk_scene_view *v, gjk_scene_part *p, int64_t x, int64_t y, 
   grow_side(&p->enlarged.lower.z, &p->enlarged.upper.z, margin, z);
 }
 
-// Does the box in the tree still leave room for the body's margin all round?
-static bool has_room(const gjk_scene_view *v, const gjk_scene_part *p) {
+// What the box in the tree must hold: the exact one, with the body's margin all round.
+static gjk_aabb needed_box(const gjk_scene_view *v, const gjk_scene_part *p) {
   gjk_aabb needed = p->exact;
   const int64_t margin = v->bodies[p->body].margin;
-  if (margin == 0) {
-    return gjk_aabb_inside(&p->exact, &p->enlarged);
+  if (margin != 0) {
+    grow_side(&needed.lower.x, &needed.upper.x, margin, 0);
+    grow_side(&needed.lower.y, &needed.upper.y, margin, 0);
+    grow_side(&needed.lower.z, &needed.upper.z, margin, 0);
   }
-  grow_side(&needed.lower.x, &needed.upper.x, margin, 0);
-  grow_side(&needed.lower.y, &needed.upper.y, margin, 0);
-  grow_side(&needed.lower.z, &needed.upper.z, margin, 0);
+  return needed;
+}
+
+static bool has_room(const gjk_scene_view *v, const gjk_scene_part *p) {
+  const gjk_aabb needed = needed_box(v, p);
   return gjk_aabb_inside(&needed, &p->enlarged);
 }
 
@@ -173,4 +177,8 @@ void gjk_scene_settle(gjk_scene_view *v, uint32_t index, const gjk_collider *col
   p->core_radius = collider->core_radius;
   take_over(p, collider);
   enlarge(v, p, 0, 0, 0);
+}
+
+void gjk_scene_tighten(gjk_scene_view *v, uint32_t index) {
+  v->parts[index].enlarged = needed_box(v, &v->parts[index]);
 }

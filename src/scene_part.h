@@ -26,4 +26,7 @@ bool gjk_scene_place(gjk_scene_view *v, uint32_t index, const gjk_collider *coll
 // The same for a part that is new, or has another shape: nothing bounds its motion, and its box in the tree is set.
 void gjk_scene_settle(gjk_scene_view *v, uint32_t index, const gjk_collider *collider);
 
+// Takes the part's box in the tree back to what it must hold. Nodes above stay as large as they were.
+void gjk_scene_tighten(gjk_scene_view *v, uint32_t index);
+
 #endif

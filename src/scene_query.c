@@ -196,8 +196,10 @@ gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, con
   return GJK_OK;
 }
 
-// The distance of a curved shape, or beyond 16384 units, may be reported up to 2 LSB less than that of the boxes.
-#define BOX_SLACK 2
+// A distance may be reported less than that of the boxes: of two curved shapes by up to 4 LSB, of shapes far apart by up to
+// 2^-27 of itself. A box beyond best + BOX_SLACK + 2^-26 best holds nothing that counts, in whatever order the tree is gone
+// through.
+#define BOX_SLACK 6
 
 typedef struct search {
   const gjk_collider *collider;
@@ -208,19 +210,27 @@ typedef struct search {
 } search;
 
 static bool beyond(const search *s, const gjk_aabb *box) {
-  return gjk_aabb_gap(&s->box, box) > (int64_t)s->best + BOX_SLACK;
+  return gjk_aabb_gap(&s->box, box) > (int64_t)s->best + s->best / (INT32_C(1) << 26) + BOX_SLACK;
+}
+
+// Where the query reaches its ceiling, the larger of the bounds that it and the boxes prove.
+static gjk_q16 distance_of(const search *s, const gjk_collider *c, const gjk_aabb *box) {
+  gjk_distance_result result;
+  if (gjk_distance(s->collider, c, NULL, &result) == GJK_OK) {
+    return result.distance;
+  }
+  const gjk_q16 gap = gjk_cut_off(gjk_aabb_gap(&s->box, box));
+  return result.lower > gap ? result.lower : gap;
 }
 
 static void try_part(const gjk_scene_view *v, uint32_t part, search *s) {
   const gjk_scene_part *p = &v->parts[part];
   gjk_collider c;
-  gjk_distance_result result;
   if (beyond(s, &p->exact)) {
     return;
   }
   gjk_scene_unpack(v, p, &c);
-  // At the ceiling on rounds: the proven lower bound.
-  const gjk_q16 distance = gjk_distance(s->collider, &c, NULL, &result) == GJK_OK ? result.distance : result.lower;
+  const gjk_q16 distance = distance_of(s, &c, &p->exact);
   const gjk_scene_hit hit = hit_of(v, p, 0);
   if (distance < s->best || (distance == s->best && (!s->found || before(&hit, &s->hit)))) {
     s->best = distance;

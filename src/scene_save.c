@@ -55,6 +55,7 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
     return GJK_ERROR_BUSY;
   }
   uint64_t hash = mix(mix(0, (uint32_t)h->config.detail << 16 | h->config.persist), h->updates);
+  hash = mix(mix(hash, h->config.workspace_cells), h->rounds);
   for (uint32_t slot = 0; slot < h->bodies.fresh; slot++) {
     if (v.bodies[slot].generation != 0) {
       hash = mix_body(hash, &v, slot);

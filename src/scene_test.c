@@ -7,10 +7,6 @@
 #include "shape_class.h"
 #include "unit.h"
 
-// Decisions about curved shapes are right to within 2 LSB, their supports to within 2, and so for each of two poses: only
-// what is farther than this beyond the margins is skipped.
-#define CURVED_SLACK 8
-
 // How far pieces of the plane distance are off: the unit vector by sqrt(3) 2^-30 of at most sqrt(3) 2^30, and the floor.
 #define PLANE_SLACK 4
 
@@ -22,6 +18,9 @@ typedef struct question {
   const gjk_scene_view *v;
   const gjk_scene_part *a, *b;
   int32_t margin;  // of both bodies together: below 2^29
+  // One of them has no vertices. A query may then end at the ceiling on rounds, or decide within 2 LSB, so that nothing but
+  // asking tells what it answers: poses alone count, and nothing that was found before.
+  bool curved;
 } question;
 
 static uint8_t detail(const question *q) {
@@ -32,20 +31,13 @@ static const gjk_shape *shape_of(const question *q, const gjk_scene_part *p) {
   return q->v->scene->shapes[p->shape];
 }
 
-static bool curved(const question *q, const gjk_scene_part *p) {
-  return shape_of(q, p)->type->vertex == NULL;
-}
-
 static void set_near(gjk_scene_pair *pair, bool near) {
   pair->state = (uint8_t)(pair->state | (near ? GJK_SCENE_PAIR_NEAR_NOW : 0u));
 }
 
 // What a proven lower bound of the distance leaves beyond the margins, as gap keeps it: 0 when the bound settles nothing.
 static int32_t spare(const question *q, int64_t bound) {
-  int64_t left = bound - q->margin;
-  if (left > 0 && (curved(q, q->a) || curved(q, q->b))) {
-    left -= CURVED_SLACK;
-  }
+  const int64_t left = bound - q->margin;
   return left > 0 ? gjk_cut_off(left) : 0;
 }
 
@@ -158,27 +150,24 @@ static void store_cache(const gjk_cache *cache, gjk_scene_pair *pair) {
 }
 
 // The distance of a pair that is near, or minus its depth where that is asked; a bound of it where a query reaches its
-// ceiling also without the cache, or the workspace is too small.
+// ceiling or the workspace is too small.
 static int32_t measure(const question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                        gjk_scene_pair *pair) {
   const gjk_scene *scene = q->v->scene;
   gjk_distance_result result;
+  gjk_workspace workspace;
+  gjk_status status;
   result.lower = 0;
-  for (unsigned attempt = cache != NULL ? 0 : 1; attempt < 2; attempt++) {
-    gjk_cache *from = attempt == 0 ? cache : NULL;
-    const gjk_status status = detail(q) == GJK_DETAIL_DEPTH
-                                  ? scene->details->signed_distance(a, b, from, scene->workspace, &result)
-                                  : gjk_distance(a, b, from, &result);
-    if (status == GJK_OK) {
-      return result.distance;
-    }
-    if (status == GJK_ERROR_CAPACITY) {
-      pair->outcome |= GJK_SCENE_UNSETTLED;
-      return result.distance;
-    }
+  if (detail(q) == GJK_DETAIL_DEPTH) {
+    gjk_scene_workspace(scene, &workspace);
+    status = scene->details->signed_distance(a, b, cache, &workspace, &result);
+  } else {
+    status = gjk_distance(a, b, cache, &result);
   }
-  pair->outcome |= GJK_SCENE_UNSETTLED;
-  return result.lower;
+  if (status != GJK_OK) {
+    pair->outcome |= GJK_SCENE_UNSETTLED;
+  }
+  return status == GJK_ERROR_ITERATION_LIMIT ? result.lower : result.distance;
 }
 
 // By how much nearer than the margins a decision proves the pair, as gap keeps it. The cores' distance is 0, or that of the
@@ -200,14 +189,11 @@ static int32_t near_spare(const question *q, const gjk_collider *a, const gjk_co
   return left > 0 ? gjk_cut_off(left) : 0;
 }
 
-// Is the pair near? Sets gap. A query that reaches its ceiling from the cache is asked again without.
+// Is the pair near? Sets gap.
 static bool ask(const question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                 gjk_scene_pair *pair) {
   gjk_decision decision;
-  gjk_status status = gjk_within(a, b, q->margin, cache, &decision);
-  if (status != GJK_OK && cache != NULL) {
-    status = gjk_within(a, b, q->margin, NULL, &decision);
-  }
+  const gjk_status status = gjk_within(a, b, q->margin, cache, &decision);
   if (status != GJK_OK) {
     pair->outcome |= GJK_SCENE_UNSETTLED;
   } else if (!decision.yes) {
@@ -222,12 +208,12 @@ static bool ask(const question *q, const gjk_collider *a, const gjk_collider *b,
   return true;
 }
 
-static void query(const question *q, gjk_scene_pair *pair) {
+static void query(const question *q, bool cold, gjk_scene_pair *pair) {
   gjk_collider a, b;
   gjk_cache cache;
   gjk_scene_unpack(q->v, q->a, &a);
   gjk_scene_unpack(q->v, q->b, &b);
-  if (q->v->header->config.no_skips != 0) {
+  if (cold) {
     pair->outcome = GJK_SCENE_COLD;
     set_near(pair, ask(q, &a, &b, NULL, pair));
     return;
@@ -254,19 +240,25 @@ static bool refused(const question *q) {
           !scene->predicate(scene->user, a, q->v->bodies[a.slot].user, b, q->v->bodies[b.slot].user));
 }
 
-// Do the boxes or, unless the pair was near, the bounding spheres tell?
-static bool surely_far(const question *q, gjk_scene_pair *pair) {
-  return settle_far(pair, spare(q, gjk_aabb_gap(&q->a->exact, &q->b->exact)), GJK_SCENE_BOXES) ||
-         ((pair->state & GJK_SCENE_PAIR_NEAR) == 0 && settle_far(pair, spare(q, sphere_bound(q)), GJK_SCENE_BOXES));
+static bool boxes_tell(const question *q, gjk_scene_pair *pair) {
+  return settle_far(pair, spare(q, gjk_aabb_gap(&q->a->exact, &q->b->exact)), GJK_SCENE_BOXES);
 }
 
+// Unless the pair was near, do the bounding spheres tell?
+static bool spheres_tell(const question *q, gjk_scene_pair *pair) {
+  return (pair->state & GJK_SCENE_PAIR_NEAR) == 0 && settle_far(pair, spare(q, sphere_bound(q)), GJK_SCENE_BOXES);
+}
+
+// What a skip answers, a query from a cold start would answer, too. Without curves both are exact. With curves, boxes that
+// are apart are the answer, not a skip of it: whether there is a record to ask depends on larger boxes, and so on history.
 void gjk_scene_pair_test(const gjk_scene_view *v, gjk_scene_pair *pair) {
   if (pair->outcome != GJK_SCENE_PENDING) {
     return;
   }
-  const bool skips = v->header->config.no_skips == 0;
   const gjk_scene_part *part_a = &v->parts[pair->part[0]], *part_b = &v->parts[pair->part[1]];
-  question q = {v, part_a, part_b, 0};
+  question q = {v, part_a, part_b, 0, false};
+  q.curved = shape_of(&q, part_a)->type->vertex == NULL || shape_of(&q, part_b)->type->vertex == NULL;
+  const bool skips = v->header->config.no_skips == 0 && !q.curved;
   if (skips && outlasts_motion(&q, pair)) {
     pair->outcome = GJK_SCENE_MOTION;
     return;
@@ -275,7 +267,7 @@ void gjk_scene_pair_test(const gjk_scene_view *v, gjk_scene_pair *pair) {
   if (refused(&q)) {
     pair->gap = 0;
     pair->outcome = GJK_SCENE_FILTERED;
-  } else if (!skips || !surely_far(&q, pair)) {
-    query(&q, pair);
+  } else if (!((skips || q.curved) && boxes_tell(&q, pair)) && !(skips && spheres_tell(&q, pair))) {
+    query(&q, !skips, pair);
   }
 }

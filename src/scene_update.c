@@ -43,8 +43,10 @@ static void fill_queue(gjk_scene_view *v) {
 static gjk_status check_details(const gjk_scene_view *v) {
   const gjk_scene_details *details = v->scene->details;
   const uint32_t most = v->header->most_detail;
+  gjk_workspace workspace;
   const bool lacking =
-      most > GJK_DETAIL_DISTANCE && (details == NULL || (most == GJK_DETAIL_CONTACTS && details->manifold == NULL));
+      most > GJK_DETAIL_DISTANCE && (details == NULL || (most == GJK_DETAIL_CONTACTS && details->manifold == NULL) ||
+                                     !gjk_scene_workspace(v->scene, &workspace));
   return lacking ? GJK_ERROR_UNSUPPORTED : GJK_OK;
 }
 
@@ -286,7 +288,9 @@ static void report(gjk_scene_view *v, uint32_t index, gjk_report *out) {
 static void add_manifold(const gjk_scene_view *v, gjk_manifold *room, gjk_report *out) {
   const gjk_status status = v->scene->details->manifold(v->scene, out, 4, room);
   if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
+    room->normal.x = room->normal.y = room->normal.z = 0;
     room->count = 0;
+    room->feature_a = room->feature_b = 0;
   }
   v->header->stats.unsettled += status != GJK_OK;
   out->manifold = room;

@@ -62,7 +62,8 @@ typedef struct gjk_effort {
 // intersecting      that they intersect is proven; false says nothing when lower is 0.
 //
 // effort   read only; error not negative (GJK_ERROR_NEGATIVE).
-// cache    as gjk_distance; an answer that is not exact leaves it as it is, and may depend on it.
+// cache    out, the caller's; NULL = none. Not read, as what is proven by then would depend on it; kept for other queries
+//          when the answer is exact.
 // Cost     each round about a third more than one of gjk_distance, for the bounds.
 //
 // OK, ITERATION_LIMIT            everything, as above; points and normal unless intersecting. ITERATION_LIMIT: the effort

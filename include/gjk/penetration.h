@@ -61,8 +61,10 @@ typedef struct gjk_penetration_result {
 // The depth of the overlap of two convex shapes, with the direction and points.
 //
 // a, b       posed colliders, read only; may be the same object.
-// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only. Kept after OK and CAPACITY.
-// workspace  read only, its cells in/out; may be NULL, see gjk_workspace.
+// cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only: it serves to find out sooner that
+//            they are apart, and a depth is measured from a cold start. Kept after OK and CAPACITY.
+// workspace  read only, its cells in/out; may be NULL, see gjk_workspace. What is reported depends on their number only
+//            where they are too few, never on what they hold.
 // Exact      points, segments, triangles, boxes, hulls and their rounded forms: the depth is that of the true minimum
 //            over all directions, rounded up. Moving B by depth along normal, each component of the product rounded
 //            away from 0, leaves them apart or touching, exactly. Cylinder, cone, ellipsoid: within 3 LSB, between

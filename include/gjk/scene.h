@@ -2,8 +2,15 @@
 //
 // A scene is one block of the caller's memory with indices instead of pointers inside: a plain copy of the block is a
 // save, at any address. Beside the block stands a gjk_scene, a small handle with the pointers. What a scene answers
-// depends on its contents alone: not on addresses, caches, capacities, or the order in which bodies were added to
-// stated slots; so it is the same on every platform. tests/unit/test_scene_*.c hold each statement of this header.
+// depends on its contents alone: not on addresses, caches, capacities, how bodies came to where they are, or the order in
+// which they were added to stated slots; so it is the same on every platform. tests/unit/test_scene_*.c and
+// test_history.c hold each statement of this header.
+//
+// Everything that is reported of a pair is a function of shapes, poses, margins and configuration, as the queries answer
+// from a cold start: where no answer is found, too. Skips and caches never change it. Of a pair with a curved or custom
+// shape, exact boxes that are farther apart than the margins along an axis are the answer, before any query. Lockstep peers
+// need the same shapes, builds with the same GJK_ITERATIONS_MAX, and the same configuration but for box_margin, no_skips,
+// and capacities that do not run out.
 //
 // Threads  calls for one scene may not overlap, but for gjk_scene_test_pairs and several queries at once.
 // Cost     a call that changes one body: O(log bodies + its parts). An update: the pairs of the bodies that moved.
@@ -61,20 +68,24 @@ typedef struct gjk_body_setup {
 } gjk_body_setup;
 
 typedef struct gjk_scene_config {
-  uint32_t bodies;     // capacity, from 1 to GJK_SCENE_BODIES_MAX
-  uint32_t parts;      // capacity, shapes of all bodies together; same ceiling
-  uint32_t placed;     // capacity, parts with a pose of their own; same ceiling, may be 0
-  uint32_t pairs;      // capacity, pairs of parts whose enlarged boxes meet, from 1 to GJK_SCENE_PAIRS_MAX
+  uint32_t bodies;  // capacity, from 1 to GJK_SCENE_BODIES_MAX
+  uint32_t parts;   // capacity, shapes of all bodies together; same ceiling
+  uint32_t placed;  // capacity, parts with a pose of their own; same ceiling, may be 0
+  uint32_t pairs;  // capacity, pairs of parts whose boxes meet, margins included, or that were near at the last update;
+                   // from 1 to GJK_SCENE_PAIRS_MAX. Room for those that meet within box_margin saves work
   gjk_q16 box_margin;  // boxes in the tree are larger by this, so that small moves leave it alone; 0 to GJK_RADIUS_MAX
   uint8_t detail;      // a gjk_detail: the least for every pair
   uint8_t persist;     // 1: pairs that stay near are reported in every update
-  uint8_t no_skips;    // 1: every pair is tested anew in every update, from a cold start; for tests
-  uint8_t reserved;    // 0
+  uint8_t no_skips;  // 1: every pair is tested anew in every update, from a cold start; for tests. Answers are the same
+  uint8_t reserved;  // 0
+  uint32_t
+      workspace_cells;  // of the handle's workspace, as many as depth and contacts use; 0: none is needed. Where they
+                        // are too few, what is reported depends on their number: see gjk/penetration.h
 } gjk_scene_config;
 
 // Should this pair be tested? Called at most once per test, perhaps from several threads: it may depend on its arguments
 // and on what does not change during an update. A pair whose last answer outlasts its motion is not asked about again
-// unless gjk_scene_refilter says so.
+// unless a user word changes, or gjk_scene_refilter says so, which every other change of mind needs.
 typedef bool gjk_scene_predicate(void *user, gjk_body a, uint32_t user_a, gjk_body b, uint32_t user_b);
 
 // What depth and contacts need, one constant each, so that a program links them only if it mentions them.
@@ -90,7 +101,7 @@ typedef struct gjk_scene {
   gjk_scene_predicate *predicate;    // NULL: all pairs
   void *user;                        // of the predicate
   const gjk_scene_details *details;  // &gjk_scene_depth; &gjk_scene_contacts: both; NULL: neither
-  const gjk_workspace *workspace;    // of depth and contacts, see gjk/penetration.h; NULL: none
+  const gjk_workspace *workspace;    // at least config.workspace_cells; no more are used; NULL: none
   gjk_manifold *manifolds;           // room for as many manifolds as reports, see gjk_report; NULL: none are wanted
 } gjk_scene;
 
@@ -132,6 +143,8 @@ gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body handle);
 // Gives part number part another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
 gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body handle, uint16_t part, uint16_t shape);
 gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body handle, uint32_t category, uint32_t mask);
+
+// Gives the body another word; one that differs refilters, as the predicate is given it.
 gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body handle, uint32_t user);
 
 // Has the next update ask the predicate about the body's pairs again.
@@ -187,11 +200,14 @@ typedef struct gjk_progress {
 // Finds which pairs are near now. Reports are in the order of (slot, generation, part) of a, then of b.
 //
 // reports   room for capacity reports; NULL when that is 0. A buffer that fills up loses nothing: call again.
-// Statuses  CAPACITY: more pairs of boxes meet than config.pairs; the update has not begun, and does once bodies are
-//           moved or removed so that they fit. UNSUPPORTED: some body or the configuration asks for a detail that the
-//           handle's details lack; nothing is done. A query that reaches the ceiling on its rounds counts the pair as near,
-//           at the proven lower bound, and in unsettled; so does a depth whose workspace is too small, with the depth
-//           that is enough.
+// Statuses  CAPACITY: more pairs of parts than config.pairs have exact boxes that meet, each with its body's margin all round,
+//           or were near at the last update. The update has not begun, and does once bodies are moved or removed so that
+//           they fit. UNSUPPORTED: some body or the configuration asks for a detail that the
+//           handle's details lack, or for depths and the handle's workspace has fewer cells than config.workspace_cells;
+//           nothing is done.
+// Unsettled  A query that reaches the ceiling on its rounds, which is of curved or custom shapes, counts the pair as near, at
+//           the proven lower bound, and in unsettled; its manifold is zero. So does a depth whose workspace is too small,
+//           with the depth that is enough.
 gjk_status gjk_scene_update(gjk_scene *scene, gjk_report *reports, uint32_t capacity, gjk_progress *progress);
 
 // The same with at most tests tests of pairs in this call, for firmware with a deadline. Boxes are matched by the first.
@@ -216,10 +232,11 @@ gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_rep
 
 // The manifold of a reported pair at its bodies' poses of now, at most their margins apart, without a cache; for those who
 // ask of some pairs alone, or share the work among threads. most and out as of gjk_contacts; statuses, too, and HANDLE,
-// RANGE for a part that is not there.
+// RANGE for a part that is not there, UNSUPPORTED for a workspace of fewer cells than config.workspace_cells.
 gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out);
 
-// What the last update whose tests are done did. Each of its pairs is counted in resting or in one of filtered to cold.
+// What the last update whose tests are done did. Each of its pairs is counted in resting or in one of filtered to cold. These
+// tell of work, not of answers: they depend on skips, on caches, and on how bodies came to where they are.
 typedef struct gjk_scene_stats {
   uint32_t bodies, parts;  // there now
   uint32_t pairs;          // whose boxes met
@@ -227,7 +244,7 @@ typedef struct gjk_scene_stats {
   uint32_t resting;        // neither side moved - asleep, static or still: the last answer stands
   uint32_t filtered;       // the predicate, or a changed filter
   uint32_t motion;         // what the last test left, apart or near, exceeds the motion since
-  uint32_t boxes;          // exact boxes, or bounding spheres, apart
+  uint32_t boxes;          // exact boxes or, without curves, bounding spheres apart
   uint32_t direction;      // the last separating direction still separates: one support scan
   uint32_t warm, cold;     // queries, started from the cache or not
   uint32_t begun, persisting, ended;
@@ -259,7 +276,8 @@ gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, cons
 gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, const gjk_vec3 *to,
                                const gjk_scene_hit *after, gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
 
-// The part nearest to a posed collider, at most reach away by gjk_distance; among equals the lowest (slot, part).
+// The part nearest to a posed collider, at most reach away by gjk_distance; among equals the lowest (slot, part). A part
+// whose query reaches the ceiling on rounds counts at the larger of the lower bounds that it and the boxes prove.
 //
 // ignore  NULL, or a body to leave out, for example the one that asks.
 // found   whether there is one; hit and distance are set only then.
@@ -269,8 +287,8 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
 
 // Lockstep and saving.
 
-// 64 bits over what decides all further answers: configuration but for capacities, bodies, pairs near at the last update,
-// updates. Not over tree and caches. BUSY during an update.
+// 64 bits over what decides all further answers: configuration but for capacities, box_margin and no_skips; the build's
+// GJK_ITERATIONS_MAX; bodies, pairs near at the last update, updates. Not over tree and caches. BUSY during an update.
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 
 // Enters a checksum into the block, which holds until a call that changes the scene. For saves that leave the program.
@@ -278,8 +296,9 @@ gjk_status gjk_scene_seal(gjk_scene *scene);
 
 // Opens a sealed block that may come from anywhere: checks its header, byte order, checksum, and all that
 // gjk_scene_check does, so that no call reads or writes outside of it afterwards. scene is written as by gjk_scene_init.
-// Statuses: CORRUPT; CAPACITY (bytes); RANGE (not aligned, or a shape index beyond shape_count). That the shapes are the
-// same is the caller's promise; CORRUPT where a part's box or pose tells that they are not.
+// Statuses: CORRUPT, also for a block of another version of the library or of a build with another GJK_ITERATIONS_MAX;
+// CAPACITY (bytes); RANGE (not aligned, or a shape index beyond shape_count). That the shapes are the same is the caller's
+// promise; CORRUPT where a part's box or pose tells that they are not.
 gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
                           uint16_t shape_count);
 

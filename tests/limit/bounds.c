@@ -56,7 +56,7 @@ typedef struct two {
 static bool update(const gjk_shape *shape, gjk_q16 margin, uint8_t detail, uint8_t no_skips, two *out) {
   static uint32_t block[400];
   static const gjk_shape *table[2];
-  const gjk_scene_config config = {2, 2, 0, 1, GJK_RADIUS_MAX, detail, 0, no_skips, 0};
+  const gjk_scene_config config = {2, 2, 0, 1, GJK_RADIUS_MAX, detail, 0, no_skips, 0, CELLS};
   const gjk_part parts[2] = {{0, false, GJK_POSE_IDENTITY}, {1, false, GJK_POSE_IDENTITY}};
   gjk_scene *scene = &out->scene;
   table[0] = &shape[0];
@@ -83,24 +83,36 @@ static bool check_nearest(const two *t, const gjk_collider *a, gjk_q16 distance)
          found && hit.body.slot == 1 && nearest == distance;
 }
 
-// A query that reaches the ceiling counts the pair as near, at the proven lower bound, and in unsettled.
+static int64_t larger(int64_t a, int64_t b) {
+  return a > b ? a : b;
+}
+
+// How far the boxes are apart along an axis; negative when they overlap along all.
+static int64_t gap_of_boxes(const gjk_collider *a, const gjk_collider *b) {
+  gjk_aabb x, y;
+  gjk_collider_aabb(a, &x);
+  gjk_collider_aabb(b, &y);
+  const int64_t along_x = larger((int64_t)x.lower.x - y.upper.x, (int64_t)y.lower.x - x.upper.x);
+  const int64_t along_y = larger((int64_t)x.lower.y - y.upper.y, (int64_t)y.lower.y - x.upper.y);
+  return larger(larger(along_x, along_y), larger((int64_t)x.lower.z - y.upper.z, (int64_t)y.lower.z - x.upper.z));
+}
+
+// A query that reaches the ceiling counts the pair as near, at the proven lower bound, and in unsettled, unless the boxes are
+// farther apart than the margin; with skips and without.
 static bool check_scene(const gjk_shape *shape, const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
   two t;
   gjk_distance_result gap;
   gjk_decision decision;
   const gjk_status decided = gjk_within(a, b, margin, NULL, &decision), measured = gjk_distance(a, b, NULL, &gap);
-  const bool near = decided != GJK_OK || decision.yes;
+  const int64_t boxes = gap_of_boxes(a, b);
+  const bool near = (decided != GJK_OK || decision.yes) && boxes <= margin;
+  const bool open = near && (decided != GJK_OK || measured != GJK_OK);
   const gjk_q16 distance = measured == GJK_OK ? gap.distance : gap.lower;
+  const gjk_q16 nearest = measured == GJK_OK || distance > boxes ? distance : (gjk_q16)boxes;
   for (uint8_t no_skips = 0; no_skips < 2; no_skips++) {
-    if (!update(shape, margin, GJK_DETAIL_DISTANCE, no_skips, &t) || !check_nearest(&t, a, distance) ||
-        (no_skips != 0 && t.stats.pairs == 1 && (t.progress.reports == 1) != near)) {
-      return false;
-    }
-    // From the cache that the decision has left, the distance may be found where it is not from a cold start.
-    const bool open = decided != GJK_OK || (near && measured != GJK_OK);
-    if (t.progress.reports == 1 &&
-        (no_skips != 0 ? t.report.distance != distance || (t.stats.unsettled == 1) != open
-                       : t.stats.unsettled == 0 && measured == GJK_OK && t.report.distance != distance)) {
+    if (!update(shape, margin, GJK_DETAIL_DISTANCE, no_skips, &t) || !check_nearest(&t, a, nearest) ||
+        (t.stats.pairs == 1 && (t.progress.reports == 1) != near) || t.stats.unsettled != (open ? 1u : 0u) ||
+        (t.progress.reports == 1 && t.report.distance != distance)) {
       return false;
     }
   }
@@ -117,16 +129,21 @@ static bool check_details(const gjk_shape *shape, const gjk_collider *a, const g
   const gjk_status measured = gjk_signed_distance(a, b, NULL, &workspace, &depth),
                    met = gjk_contacts(a, b, margin, 4, NULL, &workspace, &m);
   const gjk_q16 distance = measured == GJK_ERROR_ITERATION_LIMIT ? depth.lower : depth.distance;
-  if (!update(shape, margin, GJK_DETAIL_DEPTH, 1, &t) ||
-      (t.progress.reports == 1 &&
-       (t.report.distance != distance || (t.stats.unsettled == 1) != (!decided || measured != GJK_OK)))) {
-    return false;
-  }
   const unsigned count = met == GJK_ERROR_ITERATION_LIMIT ? 0 : m.count;
-  return update(shape, margin, GJK_DETAIL_CONTACTS, 1, &t) &&
-         (t.progress.reports == 0 ||
-          (t.report.manifold == &t.manifold && t.manifold.count == count && (count > 0 || t.report.distance == 0) &&
-           t.stats.unsettled == (unsigned)!decided + (met != GJK_OK)));
+  for (uint8_t no_skips = 0; no_skips < 2; no_skips++) {
+    if (!update(shape, margin, GJK_DETAIL_DEPTH, no_skips, &t) ||
+        (t.progress.reports == 1 &&
+         (t.report.distance != distance || (t.stats.unsettled == 1) != (!decided || measured != GJK_OK)))) {
+      return false;
+    }
+    if (!update(shape, margin, GJK_DETAIL_CONTACTS, no_skips, &t) ||
+        (t.progress.reports == 1 &&
+         (t.report.manifold != &t.manifold || t.manifold.count != count || (count == 0 && t.report.distance != 0) ||
+          t.stats.unsettled != (unsigned)!decided + (met != GJK_OK)))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 int main(void) {

@@ -219,7 +219,7 @@ static void any_handle(gjk_scene *scene) {
 
 // Every field of a block holds what gjk_scene_check lets it hold by itself.
 static bool any_scene(gjk_scene *scene, apart_block *b) {
-  const gjk_scene_config config = {BODIES, PARTS, PLACED, PAIRS, 0, 0, 0, 0, 0};
+  const gjk_scene_config config = {BODIES, PARTS, PLACED, PAIRS, 0, 0, 0, 0, 0, 1};
   any_shapes();
   if (gjk_scene_init(scene, &config, &block, sizeof block, shapes, SHAPES) != GJK_OK) {
     return false;

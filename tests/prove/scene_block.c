@@ -19,6 +19,7 @@ static void any_config(gjk_scene_config *config) {
   config->persist = (uint8_t)any_uint16();
   config->no_skips = (uint8_t)any_uint16();
   config->reserved = (uint8_t)any_uint16();
+  config->workspace_cells = any_uint32();
 }
 
 static void init(gjk_scene *scene) {

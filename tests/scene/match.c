@@ -27,8 +27,9 @@ static int32_t dice(uint32_t a, uint32_t b, uint32_t c, int32_t limit) {
 }
 
 // The same room for every match: nothing stays in it.
-static gjk_cell cells[400];
-static const gjk_workspace workspace = {cells, sizeof cells / sizeof cells[0]};
+#define CELLS 400
+static gjk_cell cells[CELLS];
+static const gjk_workspace workspace = {cells, CELLS};
 static gjk_manifold manifold;
 
 static void equip(gjk_scene *scene) {
@@ -75,7 +76,7 @@ static bool add(match *m, gjk_scene *scene, uint32_t slot) {
 
 bool match_start(match *m) {
   const gjk_scene_config config = {
-      MATCH_BODIES, 2 * MATCH_BODIES, MATCH_BODIES, MATCH_PAIRS, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 1, 0, 0};
+      MATCH_BODIES, 2 * MATCH_BODIES, MATCH_BODIES, MATCH_PAIRS, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 1, 0, 0, CELLS};
   gjk_scene scene;
   m->tick = 0;
   bool fine = gjk_scene_init(&scene, &config, m->block, sizeof m->block, shapes, SHAPES) == GJK_OK;

@@ -12,6 +12,7 @@
 #define WORLD_PARTS 3
 #define WORLD_SHAPES 12
 #define WORLD_REPORTS 8192
+#define WORLD_CELLS 2000  // enough for any two of the shapes
 
 typedef struct world_body {
   gjk_body handle;  // generation 0: not there
@@ -49,6 +50,12 @@ extern const gjk_shape *const world_shapes[WORLD_SHAPES];
 
 // Where the manifolds of all worlds' reports are.
 extern gjk_manifold world_manifolds[WORLD_REPORTS];
+
+// Cells of the workspace that a world's configuration lets depths use: WORLD_CELLS, or as many as GJK_TEST_CELLS says.
+uint32_t world_cells(void);
+
+// May a query of a world be left unsettled, by a ceiling on rounds lower than usual or by the cells?
+bool world_is_tight(void);
 
 // The configuration for these options.
 gjk_scene_config world_config(const world_options *options);

@@ -7,10 +7,10 @@
 #include "../scene/world.h"
 
 #define UPDATES 150
-#define CELLS 2000
 
-static gjk_cell cells[CELLS];
-static const gjk_workspace workspace = {cells, CELLS};
+static gjk_cell cells[WORLD_CELLS];
+static const gjk_workspace workspace = {cells, WORLD_CELLS};
+static gjk_workspace of_worlds;
 static world w;
 
 static bool same_manifold(const gjk_manifold *a, const gjk_manifold *b) {
@@ -49,9 +49,12 @@ static void check_report(const gjk_report *r, tally *t) {
   CHECK(gjk_scene_collider(&w.scene, r->a, r->part_a, &a) == GJK_OK &&
         gjk_scene_collider(&w.scene, r->b, r->part_b, &b) == GJK_OK);
   const gjk_q16 margin = margin_of(r->a) + margin_of(r->b);
-  CHECK(gjk_contacts(&a, &b, margin, 4, NULL, &workspace, &expected) == GJK_OK);
+  memset(&expected, 0, sizeof expected);  // as it is reported where the ceiling on rounds is reached
+  const gjk_status status = gjk_contacts(&a, &b, margin, 4, NULL, &of_worlds, &expected);
+  CHECK(status == GJK_OK || world_is_tight());
   CHECK(r->manifold != NULL && same_manifold(r->manifold, &expected));
-  CHECK(gjk_scene_manifold(&w.scene, r, 4, &single) == GJK_OK && same_manifold(&single, &expected));
+  CHECK(gjk_scene_manifold(&w.scene, r, 4, &single) == status);
+  CHECK(status == GJK_ERROR_ITERATION_LIMIT || same_manifold(&single, &expected));
   CHECK(expected.count == 0 || r->distance <= margin + 2);
   t->manifolds++;
   t->points += expected.count;
@@ -89,7 +92,7 @@ static void check_world(void) {
   printf("%u manifolds with %u points, %u other reports, %u of all negative\n", t.manifolds, t.points, t.others,
          t.negative);
   CHECK(t.manifolds > 15 * UPDATES);
-  CHECK(t.points > t.manifolds);
+  CHECK(t.points > t.manifolds / (world_is_tight() ? 2 : 1));
   CHECK(t.others > UPDATES);
   CHECK(t.negative > 10 * UPDATES);
   free(w.scene.block);
@@ -111,8 +114,8 @@ static gjk_status update(void) {
 }
 
 // Two solids, the second beside the first, that overlap deeply.
-static void start(gjk_detail least, gjk_detail of_body) {
-  const gjk_scene_config config = {2, 2, 0, 4, 0, (uint8_t)least, 1, 0, 0};
+static void start(gjk_detail least, gjk_detail of_body, uint32_t workspace_cells) {
+  const gjk_scene_config config = {2, 2, 0, 4, 0, (uint8_t)least, 1, 0, 0, workspace_cells};
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, (uint8_t)of_body, 1, 1, 0, 0};
   gjk_body body;
@@ -127,7 +130,7 @@ static void start(gjk_detail least, gjk_detail of_body) {
 static void check_unsupported(void) {
   uint64_t before, after;
   uint32_t pairs;
-  start(GJK_DETAIL_TOUCH, GJK_DETAIL_CONTACTS);
+  start(GJK_DETAIL_TOUCH, GJK_DETAIL_CONTACTS, 0);
   CHECK(gjk_scene_hash(&scene, &before) == GJK_OK);
   CHECK(update() == GJK_ERROR_UNSUPPORTED && gjk_scene_update_begin(&scene, &pairs) == GJK_ERROR_UNSUPPORTED);
   scene.details = &gjk_scene_depth;
@@ -143,21 +146,45 @@ static void check_unsupported(void) {
   CHECK(gjk_scene_check(&scene) == GJK_OK);
 }
 
+// So does a workspace of fewer cells than are configured, where depths are asked for.
+static void check_lacking(void) {
+  const gjk_workspace small = {cells, 99}, none = {NULL, 100}, enough = {cells, 100};
+  gjk_manifold out;
+  uint32_t pairs;
+  start(GJK_DETAIL_DISTANCE, GJK_DETAIL_TOUCH, 100);
+  CHECK(update() == GJK_OK && progress.reports == 1);
+  CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_ERROR_UNSUPPORTED);
+  start(GJK_DETAIL_TOUCH, GJK_DETAIL_DEPTH, 100);
+  scene.details = &gjk_scene_depth;
+  CHECK(update() == GJK_ERROR_UNSUPPORTED);
+  scene.workspace = &small;
+  CHECK(update() == GJK_ERROR_UNSUPPORTED);
+  scene.workspace = &none;
+  CHECK(update() == GJK_ERROR_UNSUPPORTED);
+  scene.workspace = &enough;
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
+  scene.workspace = &small;
+  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_ERROR_UNSUPPORTED);
+  scene.workspace = &enough;
+  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_OK && update() == GJK_OK && progress.reports == 1);
+  CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_OK);
+}
+
 // Without a workspace the depth of hulls is one that is enough, and the pair counts as unsettled.
 static void check_bounds(void) {
   gjk_scene_stats stats;
   gjk_q16 enough;
-  start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH);
+  start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH, 0);
   scene.details = &gjk_scene_depth;
   CHECK(update() == GJK_OK && report.event == GJK_EVENT_BEGIN && report.distance < 0);
   CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 1);
   enough = report.distance;
-  start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH);
+  start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH, WORLD_CELLS);
   scene.details = &gjk_scene_depth;
   scene.workspace = &workspace;
   CHECK(update() == GJK_OK && report.distance < 0 && report.distance >= enough);
   CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 0);
-  start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH);
+  start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH, 0);
   scene.details = &gjk_scene_contacts;
   scene.manifolds = manifolds;
   CHECK(update() == GJK_OK && report.manifold == manifolds && report.distance < 0);
@@ -166,7 +193,7 @@ static void check_bounds(void) {
 
 // Resting pairs are reported with the manifold that they had.
 static void check_rest(void) {
-  start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH);
+  start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH, WORLD_CELLS);
   scene.details = &gjk_scene_contacts;
   scene.workspace = &workspace;
   scene.manifolds = manifolds;
@@ -179,7 +206,7 @@ static void check_rest(void) {
 
 static void check_manifold_statuses(void) {
   gjk_manifold out;
-  start(GJK_DETAIL_TOUCH, GJK_DETAIL_TOUCH);
+  start(GJK_DETAIL_TOUCH, GJK_DETAIL_TOUCH, WORLD_CELLS);
   scene.workspace = &workspace;
   CHECK(update() == GJK_OK && progress.reports == 1);
   CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_OK && out.count > 0);
@@ -195,8 +222,11 @@ static void check_manifold_statuses(void) {
 }
 
 int main(void) {
+  of_worlds = workspace;
+  of_worlds.count = world_cells();
   check_world();
   check_unsupported();
+  check_lacking();
   check_bounds();
   check_rest();
   check_manifold_statuses();

@@ -25,6 +25,7 @@ static const world_options families[] = {
 
 static world w;
 static world_list expected, actual;
+static unsigned unsettled;
 
 static bool update(void) {
   gjk_progress progress;
@@ -77,21 +78,23 @@ static void run(unsigned family) {
     }
   }
   printf(
-      "family %u: %u begun, %u ended, %u persisting; %u resting, %u motion, %u boxes, %u direction, %u warm, %u cold\n",
+      "family %u: %u begun, %u ended, %u persisting; %u resting, %u motion, %u boxes, %u direction, %u warm, %u cold, "
+      "%u unsettled\n",
       family, all.begun, all.ended, all.persisting, all.resting, all.motion, all.boxes, all.direction, all.warm,
-      all.cold);
+      all.cold, all.unsettled);
   // Each family must still come to touch and part, and each skip must have had its turn.
   CHECK(options->bodies < WORLD_BODIES || (all.begun > 200 && all.ended > 200));
-  CHECK(all.unsettled == 0);
+  CHECK(all.unsettled == 0 || world_is_tight());
+  unsettled += all.unsettled;
   if (options->no_skips) {
-    CHECK(all.resting + all.motion + all.boxes + all.direction + all.warm == 0);
+    CHECK(all.resting + all.motion + all.direction + all.warm == 0);
   } else if (options->bodies == WORLD_BODIES) {
     CHECK(all.resting > 100 && all.motion > 100 && all.boxes > 100 && all.direction > 100 && all.warm > 100);
   }
   free(block);
 }
 
-static const gjk_scene_config two_bodies = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+static const gjk_scene_config two_bodies = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
 static uint32_t small_block[500];
 
 // A scene of two crates. Returns what both were added with.
@@ -184,8 +187,9 @@ static void check_threshold(void) {
   for (unsigned i = 0; i < THRESHOLDS; i++) {
     check_trial(i, NULL, NULL);
     const gjk_q16 margin = random_range(&random, 0, 1) == 0 ? 0 : random_range(&random, 0, 6000);
-    const gjk_part part[2] = {{(uint16_t)random_below(&random, 5), false, GJK_POSE_IDENTITY},
-                              {(uint16_t)random_below(&random, 5), false, GJK_POSE_IDENTITY}};
+    const uint32_t kind_count = i % 2 == 0 ? 2 : 5;  // the first two without curves, which nothing is skipped for
+    const gjk_part part[2] = {{(uint16_t)random_below(&random, kind_count), false, GJK_POSE_IDENTITY},
+                              {(uint16_t)random_below(&random, kind_count), false, GJK_POSE_IDENTITY}};
     gjk_body_setup setup = {GJK_POSE_IDENTITY, &part[0], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, margin};
     gjk_scene scene;
     gjk_body fixed, moving;
@@ -207,13 +211,20 @@ static void check_threshold(void) {
       gjk_decision decision;
       uint32_t cursor = 0;
       bool found;
-      CHECK(gjk_scene_collider(&scene, moving, 0, &b) == GJK_OK && gjk_distance(&a, &b, NULL, &r) == GJK_OK);
+      CHECK(gjk_scene_collider(&scene, moving, 0, &b) == GJK_OK);
+      if (gjk_distance(&a, &b, NULL, &r) != GJK_OK) {
+        CHECK(world_is_tight());
+        break;
+      }
       push(&scene, moving, &r.normal, 2 * (int64_t)margin - r.distance + random_range(&random, -30, 30));
       CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && gjk_scene_get_stats(&scene, &stats) == GJK_OK);
       CHECK(gjk_scene_collider(&scene, moving, 0, &b) == GJK_OK);
-      CHECK(gjk_within(&a, &b, 2 * margin, NULL, &decision) == GJK_OK);
+      const gjk_status decided = gjk_within(&a, &b, 2 * margin, NULL, &decision);
+      CHECK(decided == GJK_OK || world_is_tight());
       CHECK(gjk_scene_next_near(&scene, &cursor, &report, &found) == GJK_OK);
-      CHECK_MSG(found == decision.yes, "pair %u, step %u", i, step);
+      // Boxes that are apart settle what the ceiling on rounds leaves open.
+      CHECK_MSG(decided == GJK_OK ? found == decision.yes : found || stats.boxes + stats.resting == 1,
+                "pair %u, step %u", i, step);
       near_count += found;
       skipped += stats.motion;
     }
@@ -229,5 +240,6 @@ int main(void) {
   for (unsigned i = 0; i < sizeof families / sizeof families[0]; i++) {
     run(i);
   }
+  CHECK(!world_is_tight() || unsettled > 100);  // where queries may be left unsettled, some are
   return check_done("scene_random");
 }

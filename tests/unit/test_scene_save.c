@@ -10,8 +10,7 @@
 #define SEED 5
 #define TICKS 300
 
-static const world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 1, 0,
-                                      true,         true,         false};
+static world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 1, 0, true, true, false};
 
 static uint64_t hash_of(const gjk_scene *scene) {
   uint64_t hash = 0;
@@ -162,6 +161,28 @@ static void check_checksum(const void *block) {
   CHECK(h->sealed == 1 && h->checksum[0] == (uint32_t)sum && h->checksum[1] == (uint32_t)(sum >> 32));
 }
 
+// A block of another version, or of a build with another ceiling on rounds, is refused; that ceiling is in the hash.
+static void check_builds(void) {
+  static world w;
+  const gjk_scene_config config = world_config(&options);
+  const size_t bytes = gjk_scene_bytes(&config);
+  void *block = malloc(bytes);
+  gjk_scene_header *h = block;
+  gjk_scene opened;
+  CHECK(world_start(&w, &options, block, bytes) && h->version == 2 && h->rounds == GJK_ITERATIONS_MAX);
+  const uint64_t before = hash_of(&w.scene);
+  h->version = 1;
+  CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  h->version = 2;
+  CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_OK);
+  h->rounds++;
+  CHECK(hash_of(&w.scene) != before);
+  CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_seal(&w.scene) == GJK_OK);
+  CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  free(block);
+}
+
 // Any byte of a sealed block that differs is noticed, and so is what is no scene at all.
 static void check_refused(void) {
   static world w;
@@ -209,8 +230,8 @@ static void check_refused(void) {
   }
   CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
   // A whole header tells that it is none.
-  CHECK(gjk_scene_open(&opened, copy, 268, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
-  CHECK(gjk_scene_open(&opened, copy, 267, world_shapes, WORLD_SHAPES) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_open(&opened, copy, 276, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_open(&opened, copy, 275, world_shapes, WORLD_SHAPES) == GJK_ERROR_CAPACITY);
   // A change breaks the seal.
   CHECK(gjk_scene_wake(&w.scene, w.bodies[0].handle) == GJK_OK);
   CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
@@ -235,7 +256,7 @@ static void check_forged(void) {
     memcpy(copy, block, bytes);
     // The header and the records in use, which come first in their pools.
     const size_t at =
-        random_below(&random, 2) == 0 ? random_below(&random, 264) : random_below(&random, (uint32_t)bytes / 4);
+        random_below(&random, 2) == 0 ? random_below(&random, 272) : random_below(&random, (uint32_t)bytes / 4);
     copy[at] = (unsigned char)random_u32(&random);
     if (gjk_scene_attach(&forged, copy, bytes, world_shapes, WORLD_SHAPES) != GJK_OK) {
       refused++;
@@ -251,8 +272,12 @@ static void check_forged(void) {
 }
 
 int main(void) {
+  options.detail = GJK_DETAIL_DEPTH;
+  check_rollback();
+  options.detail = GJK_DETAIL_DISTANCE;
   check_rollback();
   check_order();
+  check_builds();
   check_refused();
   check_forged();
   return check_done("scene_save");

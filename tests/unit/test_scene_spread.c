@@ -9,7 +9,6 @@
 #define SEED 4
 #define UPDATES 150
 #define THREADS 3
-#define CELLS 2000
 
 typedef enum manner { WHOLE, SLICES, SMALL_BUFFERS, FUNCTION, RANGES, MANNERS } manner;
 
@@ -40,7 +39,7 @@ static void take_report(void *user, const gjk_report *report) {
 typedef struct range {
   gjk_scene scene;  // a copy with a workspace of its own
   gjk_workspace workspace;
-  gjk_cell cells[CELLS];
+  gjk_cell cells[WORLD_CELLS];
   uint32_t begin, end;
   gjk_status status;
 } range;
@@ -63,7 +62,7 @@ static bool in_ranges(world *w, world_list *list) {
     range *r = &ranges[i];
     r->scene = w->scene;
     r->workspace.cells = r->cells;
-    r->workspace.count = CELLS;
+    r->workspace.count = world_cells();
     r->scene.workspace = &r->workspace;
     r->begin = i * share;
     r->end = (i + 1) * share;
