@@ -361,6 +361,7 @@ static void from_round(const gjk_collider *c, const gjk_vec3 *position, gjk_poly
     set_side(c, position, cone ? shape->size.x : shape->size.x + shape->round, cone ? 0 : shape->size.x + shape->round,
              out);
     settle_for_less(out, cone ? shape->round : 0);
+    out->radius = cone ? shape->round : shape->size.x + shape->round;
     out->feature = 2;
   }
 }
@@ -370,6 +371,7 @@ void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const 
   out->direction = *direction;
   out->count = 1;
   out->feature = 0;
+  out->radius = c->shape->round;
   switch (type->kind) {
     case GJK_KIND_AXES: from_axes(c, position, out); break;
     case GJK_KIND_VERTICES:

@@ -84,7 +84,7 @@ static void test_round_shapes(void) {
   CHECK(m.count == 1 && is_near(m.contact[0].distance, -36, 4));
 }
 
-// Of points that are 2 and 3 LSB above the depth one of the former is kept: the ends of a tilted disc in a coin.
+// Of points that are about as deep as the deepest one is kept, within 4 LSB of it: the ends of a tilted disc in a coin.
 static void test_reduced_deepest(void) {
   static const gjk_shape disc = GJK_ROUNDED_CYLINDER(213063, 756, 9020), coin = GJK_ROUNDED_CYLINDER(49206, 0, 820);
   const gjk_pose tilted = {{-14092, -3172, 0}, {15454, -5824, 0, GJK_Q30_ONE}}, beside = at(2421, 0, 2426);
@@ -95,8 +95,8 @@ static void test_reduced_deepest(void) {
   CHECK(gjk_signed_distance(&a, &b, NULL, &workspace, &d) == GJK_OK);
   for (unsigned most = 1; most <= GJK_CONTACTS_MAX; most++) {
     const gjk_manifold m = meet(&disc, tilted, &coin, beside, most);
-    CHECK_MSG(m.count <= most && is_near(least_of(&m), d.distance, 2), "%ld of %ld", (long)least_of(&m),
-              (long)d.distance);
+    CHECK_MSG(m.count <= most && is_near(least_of(&m), d.distance, m.count < most ? 2 : 6), "%ld of %ld",
+              (long)least_of(&m), (long)d.distance);
   }
 }
 
