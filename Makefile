@@ -115,7 +115,7 @@ endif
 
 # Programs for the host: what the tests and tools share, and each one's own.
 
-SUPPORT_SOURCES := $(wildcard tests/case/*.c tests/reference/*.c tests/exact/*.c tests/generate/*.c tests/scene/*.c) \
+SUPPORT_SOURCES := $(wildcard tests/case/*.c tests/reference/*.c tests/exact/*.c tests/generate/*.c tests/scene/*.c tests/solver/*.c) \
   port/hosted/gjk_hosted.c
 SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
 TEST_SCRIPTS := $(wildcard tests/unit/test_*.sh)

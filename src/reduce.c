@@ -4,14 +4,15 @@
 // which is best: of all that are as good as the best but for a margin that rounding does not cross, the first by id is taken.
 #include "reduce.h"
 
-// A point is as deep as the deepest if it is so to this many LSB.
+// A point is as deep as the deepest if it is so to this many LSB and a 2^LEAN-th of how far the points reach: a body that
+// rests leans by less.
 #define DEEP 4
+#define LEAN 9
 
 // An area, or the square of a distance, is as large as the largest if it falls short of it by at most 1 / 2^ALIKE.
 #define ALIKE 5
 
-// Where a point lies seen along the axis that is nearest to the normal, from the deepest point: at most 2^13 in size, the
-// same scale for all.
+// Where a point lies seen along the axis that is nearest to the normal, from the deepest point: below 2^30 in size.
 typedef struct spot {
   int32_t x, y;
 } spot;
@@ -24,8 +25,8 @@ typedef struct selection {
   unsigned kept;
 } selection;
 
-static bool is_as_large(int32_t value, int32_t largest) {
-  return value >= largest - gjk_sar32(largest, ALIKE);
+static bool is_as_large(int64_t value, int64_t largest) {
+  return value >= largest - gjk_sar64(largest, ALIKE);
 }
 
 static void sort(const gjk_touches *t, selection *s) {
@@ -40,46 +41,51 @@ static void sort(const gjk_touches *t, selection *s) {
   }
 }
 
-static unsigned deepest(const gjk_touches *t, const selection *s) {
+// Finds the spots, from the first point. Returns the largest coordinate.
+static uint32_t find_spots(const gjk_touches *t, const gjk_unit3 *normal, selection *s) {
+  const uint32_t x = gjk_magnitude32(normal->x), y = gjk_magnitude32(normal->y), z = gjk_magnitude32(normal->z);
+  const unsigned axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  const gjk_vec3 *origin = &t->touch[s->order[0]].point_a;
+  uint32_t reach = 0;
+  for (unsigned i = 0; i < s->count; i++) {
+    const gjk_vec3 v = gjk_sub(t->touch[s->order[i]].point_a, *origin);
+    const spot p = {axis == 0 ? v.y : v.x, axis == 2 ? v.y : v.z};
+    s->spot[i] = p;
+    reach = gjk_magnitude32(p.x) > reach ? gjk_magnitude32(p.x) : reach;
+    reach = gjk_magnitude32(p.y) > reach ? gjk_magnitude32(p.y) : reach;
+  }
+  return reach;
+}
+
+static void keep_deepest(const gjk_touches *t, uint32_t reach, selection *s) {
+  const int64_t band = DEEP + (reach >> LEAN);
   gjk_q16 least = t->touch[0].distance;
   unsigned i = 0;
   for (unsigned k = 1; k < t->count; k++) {
     least = t->touch[k].distance < least ? t->touch[k].distance : least;
   }
-  while ((int64_t)t->touch[s->order[i]].distance > (int64_t)least + DEEP) {  // one of them is the least
+  while (t->touch[s->order[i]].distance > least + band) {  // one of them is the least
     i++;
     //@ assert i < s->count;
   }
-  return i;
-}
-
-static void find_spots(const gjk_touches *t, const gjk_unit3 *normal, selection *s) {
-  const uint32_t x = gjk_magnitude32(normal->x), y = gjk_magnitude32(normal->y), z = gjk_magnitude32(normal->z);
-  const unsigned axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-  const gjk_vec3 *origin = &t->touch[s->order[s->keep[0]]].point_a;
-  uint32_t bits = 1;
-  for (unsigned i = 0; i < s->count; i++) {
-    const gjk_vec3 v = gjk_sub(t->touch[s->order[i]].point_a, *origin);
-    const spot p = {axis == 0 ? v.y : v.x, axis == 2 ? v.y : v.z};
-    s->spot[i] = p;
-    bits |= gjk_magnitude32(p.x) | gjk_magnitude32(p.y);
+  const spot from = s->spot[i];
+  for (unsigned k = 0; k < s->count; k++) {
+    s->spot[k].x -= from.x;
+    s->spot[k].y -= from.y;
   }
-  const unsigned zeros = gjk_clz32(bits), shift = zeros < 19 ? 19 - zeros : 0;
-  for (unsigned i = 0; i < s->count; i++) {
-    s->spot[i].x = gjk_sar32(s->spot[i].x, shift);
-    s->spot[i].y = gjk_sar32(s->spot[i].y, shift);
-  }
+  s->keep[0] = (uint8_t)i;
+  s->kept = 1;
 }
 
-// Twice the area of the triangle of the deepest point, end and i; negative on the right. At most 2^27.
-static inline int32_t area_of(const selection *s, const spot *end, unsigned i) {
-  return end->x * s->spot[i].y - end->y * s->spot[i].x;
+// Twice the area of the triangle of the deepest point, end and i; negative on the right. Below 2^61 in size.
+static inline int64_t area_of(const selection *s, const spot *end, unsigned i) {
+  return gjk_mul32(end->x, s->spot[i].y) - gjk_mul32(end->y, s->spot[i].x);
 }
 
-// Keeps the first point that is as far from the line to end as the farthest; sign: 1 left of it, -1 right.
-static void keep_aside(selection *s, const spot *end, int32_t sign, int32_t farthest) {
+// Keeps the first point that is as far from the line to end as the farthest on that side.
+static void keep_aside(selection *s, const spot *end, bool to_left, int64_t farthest) {
   unsigned i = 0;
-  while (!is_as_large(sign * area_of(s, end, i), farthest)) {  // one of them is the farthest
+  while (!is_as_large(to_left ? area_of(s, end, i) : -area_of(s, end, i), farthest)) {  // one of them is the farthest
     i++;
     //@ assert i < s->count;
   }
@@ -90,15 +96,15 @@ static void keep_aside(selection *s, const spot *end, int32_t sign, int32_t fart
 // diagonal, the point that is farthest from it.
 typedef struct diagonal {
   spot end;
-  int32_t left, right;  // the areas of the largest triangles, doubled
+  int64_t left, right;  // twice the areas of the largest triangles
 } diagonal;
 
-static int32_t measure(const selection *s, unsigned k, bool quadrilateral, diagonal *out) {
+static int64_t measure(const selection *s, unsigned k, bool quadrilateral, diagonal *out) {
   out->end = s->spot[k];
   out->left = 0;
   out->right = 0;
   for (unsigned i = 0; i < s->count; i++) {
-    const int32_t area = area_of(s, &out->end, i);
+    const int64_t area = area_of(s, &out->end, i);
     out->left = area > out->left ? area : out->left;
     out->right = -area > out->right ? -area : out->right;
   }
@@ -106,7 +112,7 @@ static int32_t measure(const selection *s, unsigned k, bool quadrilateral, diago
 }
 
 static void keep_largest(selection *s, bool quadrilateral) {
-  int32_t area[GJK_TOUCHES_MAX], most = 0;
+  int64_t area[GJK_TOUCHES_MAX], most = 0;
   unsigned k = 0;
   diagonal d;
   for (unsigned i = 0; i < s->count; i++) {
@@ -124,29 +130,29 @@ static void keep_largest(selection *s, bool quadrilateral) {
   const bool to_left = is_as_large(d.left, d.right);
   s->keep[s->kept++] = (uint8_t)k;
   if (d.left > 0 && (quadrilateral || to_left)) {
-    keep_aside(s, &d.end, 1, d.left);
+    keep_aside(s, &d.end, true, d.left);
   }
   if (d.right > 0 && (quadrilateral || !to_left)) {
-    keep_aside(s, &d.end, -1, d.right);
+    keep_aside(s, &d.end, false, d.right);
   }
 }
 
-// The square of how far point i is from the nearest one kept, at most 2^29; -1 if it is one of them.
-static int32_t clearance(const selection *s, unsigned i) {
-  int32_t nearest = INT32_MAX;
+// The square of how far point i is from the nearest one kept, below 2^61; -1 if it is one of them.
+static int64_t clearance(const selection *s, unsigned i) {
+  int64_t nearest = INT64_MAX;
   for (unsigned k = 0; k < s->kept; k++) {
     const int32_t x = s->spot[i].x - s->spot[s->keep[k]].x, y = s->spot[i].y - s->spot[s->keep[k]].y;
-    const int32_t squared = s->keep[k] == i ? -1 : x * x + y * y;
+    const int64_t squared = s->keep[k] == i ? -1 : gjk_mul32(x, x) + gjk_mul32(y, y);
     nearest = squared < nearest ? squared : nearest;
   }
   return nearest;
 }
 
 static void keep_farthest(selection *s) {
-  int32_t most = 0;
+  int64_t most = 0;
   unsigned i = 0;
   for (unsigned k = 0; k < s->count; k++) {
-    const int32_t far = clearance(s, k);
+    const int64_t far = clearance(s, k);
     most = far > most ? far : most;
   }
   while (!is_as_large(clearance(s, i), most)) {  // there are more than are kept, and one of them is the farthest
@@ -160,11 +166,7 @@ void gjk_reduce(const gjk_touches *touches, const gjk_unit3 *normal, unsigned mo
   selection s;
   sort(touches, &s);
   s.keep = keep;
-  s.kept = 1;
-  keep[0] = (uint8_t)deepest(touches, &s);
-  if (most > 1) {
-    find_spots(touches, normal, &s);
-  }
+  keep_deepest(touches, find_spots(touches, normal, &s), &s);
   if (most > 2) {
     keep_largest(&s, most > 3);
   }

@@ -229,15 +229,12 @@ static bool has_contact(const gjk_manifold *m, unsigned n, uint16_t id) {
   return false;
 }
 
-// How much above the least a distance may be that counts as least.
-#define DEEP 4
-
-// The one of the lowest id within DEEP of the deepest.
+// The one of the lowest id within 4 LSB of the deepest; all of these are as deep.
 static uint16_t first_deep(const gjk_manifold *m) {
   const gjk_q16 least = least_of(m);
   uint16_t id = UINT16_MAX;
   for (unsigned i = 0; i < m->count; i++) {
-    id = m->contact[i].distance <= least + DEEP && m->contact[i].id < id ? m->contact[i].id : id;
+    id = m->contact[i].distance <= least + 4 && m->contact[i].id < id ? m->contact[i].id : id;
   }
   return id;
 }

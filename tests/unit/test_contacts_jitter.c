@@ -18,17 +18,19 @@ typedef struct subject {
   gjk_vec3 size;
   gjk_q16 round;
   unsigned sides;  // of a prism
+  bool split;      // its faces into triangles
 } subject;
 
 static const subject subjects[] = {
-    {"box", CASE_BOX, {ONE / 2, ONE / 2, ONE / 2}, 0, 0},
-    {"long box", CASE_BOX, {ONE, ONE / 20, ONE / 20}, 0, 0},
-    {"rounded box", CASE_BOX, {ONE / 2, ONE / 3, ONE / 4}, ONE / 10, 0},
-    {"box of a hull", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, 0, 4},
-    {"prism of 6 sides", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, 0, 6},
-    {"rounded prism of 8 sides", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, ONE / 20, 8},
-    {"cylinder", CASE_CYLINDER, {ONE / 2, ONE / 2, ONE / 2}, 0, 0},
-    {"rounded cylinder", CASE_CYLINDER, {ONE / 2, ONE / 2, ONE / 2}, ONE / 16, 0},
+    {"box", CASE_BOX, {ONE / 2, ONE / 2, ONE / 2}, 0, 0, false},
+    {"long box", CASE_BOX, {ONE, ONE / 20, ONE / 20}, 0, 0, false},
+    {"rounded box", CASE_BOX, {ONE / 2, ONE / 3, ONE / 4}, ONE / 10, 0, false},
+    {"box of a hull", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, 0, 4, false},
+    {"prism of 6 sides", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, 0, 6, false},
+    {"rounded prism of 8 sides", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, ONE / 20, 8, false},
+    {"box of triangles", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, 0, 4, true},
+    {"cylinder", CASE_CYLINDER, {ONE / 2, ONE / 2, ONE / 2}, 0, 0, false},
+    {"rounded cylinder", CASE_CYLINDER, {ONE / 2, ONE / 2, ONE / 2}, ONE / 16, 0, false},
 };
 
 typedef enum arrangement {
@@ -46,6 +48,20 @@ typedef enum arrangement {
 static const char *const arrangement_name[ARRANGEMENTS] = {
     "equal", "flush", "by half a width", "an eighth turn", "slightly spun", "spun", "moved aside", "smaller"};
 
+// Two triangles for each face of a box.
+static void split(case_shape *shape) {
+  uint16_t corner[24];
+  memcpy(corner, shape->corners, sizeof corner);
+  case_shape_set_faces(shape, 12);
+  for (unsigned i = 0; i < 12; i++) {
+    const uint16_t *of = &corner[i / 2 * 4];
+    shape->corners[3 * i] = of[0];
+    shape->corners[3 * i + 1] = of[1 + i % 2];
+    shape->corners[3 * i + 2] = of[2 + i % 2];
+    shape->ends[i] = (uint16_t)(3 * (i + 1));
+  }
+}
+
 static void make(const subject *s, case_shape *shape) {
   case_shape_reset(shape);
   shape->kind = s->kind;
@@ -53,6 +69,9 @@ static void make(const subject *s, case_shape *shape) {
   shape->round = s->round;
   if (s->kind == CASE_HULL) {
     generate_prism(s->sides, shape);
+    if (s->split) {
+      split(shape);
+    }
   }
 }
 
@@ -111,15 +130,15 @@ typedef struct tally {
   unsigned long ids, fresh, ticks, changed;
 } tally;
 
-static void watch(random_state *random, gjk_collider *a, gjk_collider *b, const gjk_pose *pose, unsigned most,
-                  tally *t) {
+static void watch(random_state *random, gjk_collider *a, gjk_collider *b, const gjk_pose *pose, unsigned least,
+                  unsigned most, tally *t) {
   gjk_manifold before, now;
   memset(&before, 0, sizeof before);
   for (int tick = 0; tick < TICKS; tick++) {
     const gjk_pose there = tremble(random, pose);
     CHECK(gjk_collider_pose(b, &there) == GJK_OK);
     CHECK(gjk_contacts(a, b, MARGIN, most, NULL, &workspace, &now) == GJK_OK);
-    CHECK_MSG(now.count > 1, "%u contacts", now.count);
+    CHECK_MSG(now.count >= least, "%u contacts", now.count);
     unsigned fresh = 0;
     for (unsigned i = 0; i < now.count && tick > 0; i++) {
       fresh += !has(&before, &now, i);
@@ -150,7 +169,8 @@ static void test_arrangement(random_state *random, const subject *s, arrangement
     arrange(random, how, &a, &b);
     CHECK(case_collider_build(&built_a, &a, false) == GJK_OK);
     CHECK(case_collider_build(&built_b, &b, false) == GJK_OK);
-    watch(random, &built_a.collider, &built_b.collider, &b.pose, n / 2 % 2 == 0 ? 4 : GJK_CONTACTS_MAX, &t);
+    watch(random, &built_a.collider, &built_b.collider, &b.pose, s->split ? 1 : 2,
+          n / 2 % 2 == 0 ? 4 : GJK_CONTACTS_MAX, &t);  // halves of two faces may meet in a corner
   }
   CHECK_MSG(t.fresh * 100 <= t.ids, "%s, %s: %lu of %lu ids new, other ones in %lu of %lu ticks; seed %d", s->name,
             arrangement_name[how], t.fresh, t.ids, t.changed, t.ticks, SEED);
