@@ -4,15 +4,15 @@
 // which is best: of all that are as good as the best but for a margin that rounding does not cross, the first by id is taken.
 #include "reduce.h"
 
-// A point is as deep as the deepest if it is so to this many LSB and a 2^LEAN-th of how far the points reach: a body that
-// rests leans by less.
+// A point is as deep as the deepest if it is so to this many LSB. A body at rest leans by less than 1 / 2^LEAN; so as long as
+// one that deep is kept, the choice begins with the first that is so to this part of how far the points reach.
 #define DEEP 4
 #define LEAN 9
 
 // An area, or the square of a distance, is as large as the largest if it falls short of it by at most 1 / 2^ALIKE.
 #define ALIKE 5
 
-// Where a point lies seen along the axis that is nearest to the normal, from the deepest point: below 2^30 in size.
+// Where a point lies seen along the axis that is nearest to the normal, from the first that is kept: below 2^30 in size.
 typedef struct spot {
   int32_t x, y;
 } spot;
@@ -21,7 +21,7 @@ typedef struct selection {
   spot spot[GJK_TOUCHES_MAX];
   uint8_t order[GJK_TOUCHES_MAX];  // the touches by their ids
   unsigned count;                  // of these
-  uint8_t *keep;                   // places in order; the first is the deepest
+  uint8_t *keep;                   // places in order
   unsigned kept;
 } selection;
 
@@ -57,17 +57,26 @@ static uint32_t find_spots(const gjk_touches *t, const gjk_unit3 *normal, select
   return reach;
 }
 
-static void keep_deepest(const gjk_touches *t, uint32_t reach, selection *s) {
-  const int64_t band = DEEP + (reach >> LEAN);
+static gjk_q16 least_distance(const gjk_touches *t) {
   gjk_q16 least = t->touch[0].distance;
-  unsigned i = 0;
-  for (unsigned k = 1; k < t->count; k++) {
-    least = t->touch[k].distance < least ? t->touch[k].distance : least;
+  for (unsigned i = 1; i < t->count; i++) {
+    least = t->touch[i].distance < least ? t->touch[i].distance : least;
   }
-  while (t->touch[s->order[i]].distance > least + band) {  // one of them is the least
+  return least;
+}
+
+// The first point whose distance is no more than limit. Pre: there is one.
+static unsigned first_within(const gjk_touches *t, const selection *s, int64_t limit) {
+  unsigned i = 0;
+  while (t->touch[s->order[i]].distance > limit) {
     i++;
     //@ assert i < s->count;
   }
+  return i;
+}
+
+// Keeps point i, from which the spots are told from now on.
+static void keep_first(selection *s, unsigned i) {
   const spot from = s->spot[i];
   for (unsigned k = 0; k < s->count; k++) {
     s->spot[k].x -= from.x;
@@ -77,7 +86,7 @@ static void keep_deepest(const gjk_touches *t, uint32_t reach, selection *s) {
   s->kept = 1;
 }
 
-// Twice the area of the triangle of the deepest point, end and i; negative on the right. Below 2^61 in size.
+// Twice the area of the triangle of the first point kept, end and i; negative on the right. Below 2^61 in size.
 static inline int64_t area_of(const selection *s, const spot *end, unsigned i) {
   return gjk_mul32(end->x, s->spot[i].y) - gjk_mul32(end->y, s->spot[i].x);
 }
@@ -92,7 +101,7 @@ static void keep_aside(selection *s, const spot *end, bool to_left, int64_t fart
   s->keep[s->kept++] = (uint8_t)i;
 }
 
-// A quadrilateral with a corner at the deepest point has a diagonal from there; so the largest has, to either side of its
+// A quadrilateral with a corner at the first point has a diagonal from there; so the largest has, to either side of its
 // diagonal, the point that is farthest from it.
 typedef struct diagonal {
   spot end;
@@ -162,16 +171,34 @@ static void keep_farthest(selection *s) {
   s->keep[s->kept++] = (uint8_t)i;
 }
 
+static void keep_most(selection *s, unsigned first, unsigned most) {
+  keep_first(s, first);
+  if (most > 2) {
+    keep_largest(s, most > 3);
+  }
+  while (s->kept < most) {  // there are more than that
+    keep_farthest(s);
+  }
+}
+
+static bool keeps_within(const gjk_touches *t, const selection *s, int64_t limit) {
+  for (unsigned k = 0; k < s->kept; k++) {
+    if (t->touch[s->order[s->keep[k]]].distance <= limit) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void gjk_reduce(const gjk_touches *touches, const gjk_unit3 *normal, unsigned most, uint8_t *keep) {
   selection s;
-  sort(touches, &s);
   s.keep = keep;
-  keep_deepest(touches, find_spots(touches, normal, &s), &s);
-  if (most > 2) {
-    keep_largest(&s, most > 3);
-  }
-  while (s.kept < most) {  // there are more than that
-    keep_farthest(&s);
+  sort(touches, &s);
+  const uint32_t reach = find_spots(touches, normal, &s);
+  const int64_t limit = (int64_t)least_distance(touches) + DEEP;
+  keep_most(&s, first_within(touches, &s, limit + (reach >> LEAN)), most);
+  if (!keeps_within(touches, &s, limit)) {
+    keep_most(&s, first_within(touches, &s, limit), most);
   }
   for (unsigned i = 0; i < most; i++) {
     keep[i] = s.order[keep[i]];

@@ -14,9 +14,8 @@ extern "C" {
 typedef struct gjk_contact {
   gjk_vec3 point_a, point_b;  // on the surfaces, one straight across the normal from the other
   gjk_q16 distance;           // between them along the normal; negative: how deep
-  uint16_t
-      id;  // of no other one; the same while the contact persists, as long as the manifold's features are: which part
-           // of A in the high byte and of B in the low one, a corner or edge of the face or what lies within
+  uint16_t id;  // of no other one; lasts while the contact does, as long as the manifold's features do: which part of
+                // A in the high byte and of B in the low one, a corner or edge of the face or what lies within
 } gjk_contact;
 
 typedef struct gjk_manifold {
@@ -32,8 +31,8 @@ typedef struct gjk_manifold {
 // The contact manifold of two shapes that overlap or are at most margin apart.
 //
 // margin     Q16.16, not negative (GJK_ERROR_NEGATIVE): points farther apart are left out.
-// most       contacts, 1 to 8 (GJK_ERROR_RANGE); 4 are enough for a solver. Of more are kept: one as deep as the deepest, to
-//            within 4 LSB and a 512th of what they span; those that span with it 9/10 at least of the largest area; then
+// most       contacts, 1 to 8 (GJK_ERROR_RANGE); 4 are enough for a solver. Of more are kept: those that span 9/10 at least
+//            of the largest area with one of them, which is about as deep as the deepest; one at least is so to 4 LSB; then
 //            the ones farthest from all others. Where choices are as good as each other, the lowest ids stay.
 // cache, workspace  as of gjk_signed_distance, which is asked first.
 // out        written when the result is GJK_OK or CAPACITY; without contacts only normal, count and features.
@@ -51,7 +50,7 @@ typedef struct gjk_manifold {
 //            is a 64th of the shortest edge, |x| + |y| + |z|, or 8 LSB, but no more than a quarter of it, along each axis.
 // Exact      the shared polygon, but for what ids leave out. Points within 2 LSB of the surfaces and of straight across, and
 //            distances within 2 LSB of their gap along the normal; the least distance within 2 LSB of that of
-//            gjk_signed_distance, unless points had to be left out for most. Its point: within 3 LSB of that gap, since a
+//            gjk_signed_distance, or 6 where points had to be left out for most. Its point: within 3 LSB of that gap, since a
 //            depth is rounded up, and 2^-28 of it, as the normal is; where a shape is curved as exact as its depth.
 // Cost       of gjk_signed_distance, and 8,000 to 20,000 instructions for faces; stack: `make sizes`.
 // Statuses   NULL, UNINITIALISED, NEGATIVE, RANGE, ITERATION_LIMIT. CAPACITY: the normal is that of the upper bound, and

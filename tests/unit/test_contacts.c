@@ -205,23 +205,9 @@ static bool is_kept(const gjk_manifold *before, const gjk_manifold *after) {
   return true;
 }
 
-// How far the points reach along an axis.
-static gjk_q16 reach_of(const gjk_manifold *m) {
-  gjk_q16 most = 0;
-  for (unsigned i = 0; i < m->count; i++) {
-    for (unsigned k = 0; k < m->count; k++) {
-      const gjk_vec3 *p = &m->contact[i].point_a, *q = &m->contact[k].point_a;
-      most = p->x - q->x > most ? p->x - q->x : most;
-      most = p->y - q->y > most ? p->y - q->y : most;
-      most = p->z - q->z > most ? p->z - q->z : most;
-    }
-  }
-  return most;
-}
-
-// How much above the least distance the points may be: those that are left out may reach twice as far.
+// How much above the least distance the points may be: some may have been left out.
 static gjk_q16 room_of(const gjk_manifold *m, unsigned most) {
-  return m->count < most ? 3 : 3 + 4 + reach_of(m) / 256;
+  return m->count < most ? 3 : 3 + 4;
 }
 
 static void check_pair(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most, tally *t, int n) {
