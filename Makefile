@@ -5,6 +5,7 @@
 #   make setup test      installs the cross tools (Debian, apt-get), then runs every test; GJK_TEST_SEED=N for other random ones
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
 #                        (-m4-fpu and -m7-fpu: the same with floating point, for programs that have some)
+#   make demo-stack      lets a pile of crates, balls, capsules and drums fall and rest under the tests' solver: build/stack.svg
 #   make sizes           code by function group and stack by query, per target
 #   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv;
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
@@ -91,7 +92,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo sizes bench bench-target readme-figures worst-case matrix prove lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: all help lib setup test unit-tests demo demo-stack sizes bench bench-target readme-figures worst-case matrix prove lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags keeps what the things that depend on it were built with: it is written only when that changes.
@@ -125,12 +126,13 @@ endif
 
 # Programs for the host: what the tests and tools share, and each one's own.
 
-SUPPORT_SOURCES := $(wildcard tests/case/*.c tests/reference/*.c tests/exact/*.c tests/generate/*.c tests/scene/*.c) \
+SUPPORT_SOURCES := $(wildcard tests/case/*.c tests/reference/*.c tests/exact/*.c tests/generate/*.c tests/scene/*.c tests/solver/*.c) \
   port/hosted/gjk_hosted.c
 SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
 TEST_SCRIPTS := $(wildcard tests/unit/test_*.sh)
 UNIT_TESTS := $(patsubst tests/unit/%.c,build/%,$(wildcard tests/unit/test_*.c))
 QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/query/*.c))
+DEMO_STACK := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/demo_stack/*.c) $(addprefix tests/demo/,draw.c geometry.c svg.c))
 DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out tests/demo/firmware.c,$(wildcard tests/demo/*.c)))
 
 build/hosted/programs.flags: FORCE
@@ -143,9 +145,10 @@ build/hosted/%.o: %.c build/hosted/programs.flags Makefile
 
 build/gjk-query: $(QUERY)
 build/gjk-demo: $(DEMO)
+build/gjk-demo-stack: $(DEMO_STACK)
 build/lockstep: build/hosted/tests/lockstep/main.o build/hosted/tests/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/unit/%.o
-build/gjk-query build/gjk-demo build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
+build/gjk-query build/gjk-demo build/gjk-demo-stack build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
@@ -226,12 +229,15 @@ setup:
 
 unit-tests: $(UNIT_TESTS)
 
-test: all unit-tests build/scene-bench build/lockstep $(filter setup,$(MAKECMDGOALS))
+test: all unit-tests build/scene-bench build/lockstep build/gjk-demo-stack $(filter setup,$(MAKECMDGOALS))
 	@sh tests/build/run-tests.sh build $(UNIT_TESTS) $(TEST_SCRIPTS)
 
 demo: build/gjk-demo
 	build/gjk-demo tests/data/arm.txt build/demo.svg
 	@sh tests/build/demo-target.sh build tests/data/arm.txt
+
+demo-stack: build/gjk-demo-stack
+	build/gjk-demo-stack build/stack.svg
 
 sizes:
 	@sh tests/build/sizes.sh build

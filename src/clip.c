@@ -3,10 +3,23 @@
 // Their shadows along the direction share a polygon. Its corners are corners of one within the other, and crossings of
 // edges; which, is a matter of signs, and they are exact. Each point is then found from the given corners alone, and
 // rounded once.
+//
+// Where borders nearly coincide, which of these a corner is flips with every LSB of motion. So an id tells only what a
+// tolerance leaves alone:
+//   1. A point near a corner of A's or B's is that corner's; of other edges it tells nothing.
+//   2. Of points with the same id one stays, the deepest.
+//   3. A crossing of edges at so small an angle that it bounds next to nothing is left out, unless it is deeper.
 #include "clip.h"
 
-#include "unit.h"
 #include "witness.h"
+
+// Of long edges, points no farther apart than this along each axis count as one: rounding moves a posed corner by up to 2
+// LSB, so a motion of one moves two corners by up to 5 against each other.
+#define NEAR_MIN 8
+
+// The square of how far aside of each other two points may be that are across from each other, LSB^2, to the nearest LSB
+// along each axis: less than 2 LSB.
+#define ASIDE_SQUARED 1
 
 // On which side of the lines of one polygon the corners of the other lie: bit i of [k] for corner i and line k, which starts
 // at corner k. Neither: on it.
@@ -20,6 +33,8 @@ typedef struct clip {
   gjk_q16 margin;
   gjk_touches *out;
   sides of_a, of_b;  // the lines' owner
+  uint32_t near;     // points closer than this along each axis count as one
+  uint32_t flat;     // bit i: touch i is a crossing that bounds next to nothing
 } clip;
 
 static inline unsigned after(const gjk_polygon *p, unsigned i) {
@@ -31,14 +46,42 @@ static inline unsigned lines(const gjk_polygon *p) {
   return p->count > 2 ? p->count : 1;
 }
 
+static inline bool is_close(int32_t x, int32_t y, uint32_t near) {
+  return (uint32_t)x - (uint32_t)y + near <= 2 * near;
+}
+
+static bool is_near(const gjk_vec3 *p, const gjk_vec3 *q, uint32_t near) {
+  return is_close(p->x, q->x, near) && is_close(p->y, q->y, near) && is_close(p->z, q->z, near);
+}
+
+// The part that a point of p is: the first corner that it is near to, otherwise what is given.
+static unsigned part_at(const clip *c, const gjk_polygon *p, const gjk_vec3 *point, unsigned otherwise) {
+  for (unsigned i = 0; i < p->count; i++) {
+    if (is_near(point, &p->corner[i], c->near)) {
+      return i + (p->count > 2 ? GJK_PART_FACE_CORNER : GJK_PART_EDGE_END);
+    }
+  }
+  return otherwise;
+}
+
+// Where the touch with this id belongs, or NULL: a deeper one is there, or no room.
+static gjk_contact *place_for(gjk_touches *out, gjk_q16 distance, uint16_t id) {
+  for (unsigned i = 0; i < out->count; i++) {
+    if (out->touch[i].id == id) {
+      return distance < out->touch[i].distance ? &out->touch[i] : NULL;
+    }
+  }
+  return out->count < GJK_TOUCHES_MAX ? &out->touch[out->count++] : NULL;
+}
+
 // Adds a pair of points, relative to the centre.
 static void add(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, gjk_q16 distance, uint16_t id) {
   const gjk_vec3 *centre = c->centre;
   bool cut;
-  if (distance > c->margin || c->out->count == GJK_TOUCHES_MAX) {
+  gjk_contact *touch = distance > c->margin ? NULL : place_for(c->out, distance, id);
+  if (touch == NULL) {
     return;
   }
-  gjk_contact *touch = &c->out->touch[c->out->count++];
   touch->point_a.x = gjk_saturate((int64_t)centre->x + a->x, &cut);
   touch->point_a.y = gjk_saturate((int64_t)centre->y + a->y, &cut);
   touch->point_a.z = gjk_saturate((int64_t)centre->z + a->z, &cut);
@@ -49,10 +92,10 @@ static void add(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, gjk_q16 distance,
   touch->id = id;
 }
 
-// The gap of two points of edges, along the direction.
-static void add_between(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, uint16_t id) {
-  const gjk_vec3 step = gjk_sub(*b, *a);  // less than 2^31 long: centres at most sqrt(3) 2^29 apart, two radii of 2^28
-  add(c, a, b, (gjk_q16)gjk_sar64(gjk_dot(&step, &c->a->direction) + (INT64_C(1) << 29), 30), id);
+// How long a step is along the direction. Pre: less than 2^31 long, as between points of edges: centres are at most
+// sqrt(3) 2^29 apart, with two radii of 2^28.
+static gjk_q16 gap_of(const clip *c, const gjk_vec3 *step) {
+  return (gjk_q16)gjk_sar64(gjk_dot(step, &c->a->direction) + (INT64_C(1) << 29), 30);
 }
 
 // The normal of the line from corner k, to the inside; scaled, so that high words tell most of its signs: at most
@@ -88,17 +131,6 @@ static unsigned covered(const gjk_polygon *p, const sides *of_p) {
   return ~beyond;
 }
 
-// The corners of the other that coincide with a corner of p: they are on two lines of it.
-static unsigned coincident(const gjk_polygon *p, const sides *of_p) {
-  unsigned both = 0, on_last = ~((unsigned)of_p->inside[p->count - 1] | of_p->outside[p->count - 1]);
-  for (unsigned k = 0; k < p->count; k++) {
-    const unsigned on = ~((unsigned)of_p->inside[k] | of_p->outside[k]);
-    both |= on & on_last;
-    on_last = on;
-  }
-  return both;
-}
-
 // |x| for x = n . v, and its sign.
 static int measure(const gjk_long3 *n, const gjk_vec3 *v, gjk_u128 *size) {
   uint32_t low;
@@ -130,11 +162,11 @@ static void add_corners(clip *c, const gjk_polygon *from, unsigned which, const 
                              p->y - (int32_t)gjk_sar64(gjk_mul32(m, d->y) + half, 30 + k),
                              p->z - (int32_t)gjk_sar64(gjk_mul32(m, d->z) + half, 30 + k)};
     const gjk_q16 gap = k == 0 ? m : (gjk_q16)gjk_sar64((int64_t)m + (INT64_C(1) << (k - 1)), k);
-    const unsigned part = i + (from->count > 2 ? GJK_PART_FACE_CORNER : GJK_PART_EDGE_END);
+    const unsigned part = part_at(c, from, p, GJK_PART_FACE), part_onto = part_at(c, onto, &across, GJK_PART_FACE);
     if (from == c->a) {
-      add(c, p, &across, gap, gjk_touch_id(part, GJK_PART_FACE));
+      add(c, p, &across, gap, gjk_touch_id(part, part_onto));
     } else {
-      add(c, &across, p, gap, gjk_touch_id(GJK_PART_FACE, part));
+      add(c, &across, p, gap, gjk_touch_id(part_onto, part));
     }
   }
 }
@@ -152,8 +184,17 @@ static gjk_vec3 between(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_u128
   return at;
 }
 
-// Where p's edge from corner i crosses line k of the other.
-static gjk_vec3 crossing(const gjk_polygon *p, unsigned i, const gjk_polygon *other, unsigned k) {
+// Is size, a multiple |n . v| of how far v lies from the line with normal n, no more than near?
+static bool is_flat(const gjk_long3 *n, const gjk_u128 *size, uint32_t near) {
+  // Of components up to 2^61: below 2^31; of the size, below 2^95, what is above 2^32.
+  const uint32_t length = (uint32_t)(gjk_magnitude64(n->x) >> 32) + (uint32_t)(gjk_magnitude64(n->y) >> 32) +
+                          (uint32_t)(gjk_magnitude64(n->z) >> 32);
+  return (size->high << 32 | size->low >> 32) <= gjk_umul32(length, near);
+}
+
+// Where p's edge from corner i crosses line k of the other. *flat is set where the end within is next to that line.
+static gjk_vec3 crossing(const clip *c, const gjk_polygon *p, unsigned i, const gjk_polygon *other,
+                         const sides *of_other, unsigned k, bool *flat) {
   const gjk_vec3 *from = &p->corner[i], *to = &p->corner[after(p, i)];
   const gjk_vec3 step = gjk_sub(*from, other->corner[k]), step2 = gjk_sub(*to, other->corner[k]);
   gjk_long3 n;
@@ -161,6 +202,7 @@ static gjk_vec3 crossing(const gjk_polygon *p, unsigned i, const gjk_polygon *ot
   line_normal(other, k, &n);
   measure(&n, &step, &part);
   measure(&n, &step2, &rest);
+  *flat = *flat || is_flat(&n, (of_other->inside[k] >> i & 1u) != 0 ? &part : &rest, c->near);
   return between(from, to, &part, &rest);
 }
 
@@ -175,39 +217,73 @@ static unsigned edge_part(const gjk_polygon *p, unsigned i) {
   return p->count > 2 ? GJK_PART_FACE_EDGE + i : GJK_PART_EDGE;
 }
 
+// Do the edges of two faces bound what is shared one after the other, rather than enclose its tip?
+static bool go_on(const clip *c, unsigned i, unsigned k) {
+  const gjk_vec3 e = gjk_sub(c->a->corner[after(c->a, i)], c->a->corner[i]),
+                 f = gjk_sub(c->b->corner[after(c->b, k)], c->b->corner[k]);
+  return c->a->count > 2 && c->b->count > 2 && gjk_dot(&e, &f) < 0;  // faces turn to each other: one is clockwise
+}
+
+static void add_crossing(clip *c, unsigned i, unsigned k) {
+  const gjk_polygon *a = c->a, *b = c->b;
+  bool flat = false;
+  const gjk_vec3 on_a = crossing(c, a, i, b, &c->of_b, k, &flat), on_b = crossing(c, b, k, a, &c->of_a, i, &flat);
+  unsigned part_a = part_at(c, a, &on_a, gjk_part_of(a)), part_b = part_at(c, b, &on_b, gjk_part_of(b));
+  const bool bare = part_a == gjk_part_of(a) && part_b == gjk_part_of(b);
+  const unsigned count = c->out->count;
+  if (bare) {
+    part_a = edge_part(a, i);
+    part_b = edge_part(b, k);
+  }
+  const gjk_vec3 step = gjk_sub(on_b, on_a);
+  add(c, &on_a, &on_b, gap_of(c, &step), gjk_touch_id(part_a, part_b));
+  if (bare && flat && c->out->count > count && go_on(c, i, k)) {
+    c->flat |= UINT32_C(1) << count;
+  }
+}
+
 static void add_crossings(clip *c) {
   const gjk_polygon *a = c->a, *b = c->b;
   for (unsigned i = 0; i < lines(a); i++) {
     for (unsigned k = 0; k < lines(b); k++) {
       if (crosses(b, k, a, &c->of_a, i) && crosses(a, i, b, &c->of_b, k)) {
-        const gjk_vec3 on_a = crossing(a, i, b, k), on_b = crossing(b, k, a, i);
-        add_between(c, &on_a, &on_b, gjk_touch_id(edge_part(a, i), edge_part(b, k)));
+        add_crossing(c, i, k);
       }
     }
   }
 }
 
+// Leaves out what bounds next to nothing and is no deeper than the others, if there are others.
+static void drop_flat(clip *c) {
+  gjk_touches *t = c->out;
+  gjk_q16 least = INT32_MAX;
+  unsigned count = 0;
+  for (unsigned i = 0; i < t->count; i++) {
+    if ((c->flat >> i & 1u) == 0 && t->touch[i].distance < least) {
+      least = t->touch[i].distance;
+    }
+  }
+  for (unsigned i = 0; i < t->count; i++) {
+    if ((c->flat >> i & 1u) == 0 || (int64_t)t->touch[i].distance + 1 < least || least == INT32_MAX) {
+      t->touch[count++] = t->touch[i];
+    }
+  }
+  t->count = count;
+}
+
 static void clip_faces(clip *c) {
   find_sides(c->a, c->b, &c->of_a);
   find_sides(c->b, c->a, &c->of_b);
-  const unsigned coinciding = c->a->count > 2 && c->b->count > 2 ? coincident(c->b, &c->of_b) : 0;
   if (c->a->count > 2) {
     add_corners(c, c->b, covered(c->a, &c->of_a), c->a);
   }
   if (c->b->count > 2) {
-    add_corners(c, c->a, covered(c->b, &c->of_b) & ~coinciding, c->b);
+    add_corners(c, c->a, covered(c->b, &c->of_b), c->b);
   }
   add_crossings(c);
-}
-
-// |e x f| <= |e| |f| / 32? Both are not 0.
-static bool are_parallel(const gjk_vec3 *e, const gjk_vec3 *f) {
-  const gjk_unit3 u = gjk_unit(e), v = gjk_unit(f);
-  const gjk_vec3 s = {u.x, u.y, u.z}, t = {v.x, v.y, v.z};
-  gjk_long3 n;
-  gjk_cross(&s, &t, &n);
-  const gjk_vec3 sine = {(int32_t)gjk_sar64(n.x, 30), (int32_t)gjk_sar64(n.y, 30), (int32_t)gjk_sar64(n.z, 30)};
-  return gjk_dot(&sine, &sine) <= INT64_C(1) << 50;
+  if (c->flat != 0) {
+    drop_flat(c);
+  }
 }
 
 // An edge along a common direction: where it begins and ends there.
@@ -217,23 +293,45 @@ typedef struct extent {
   int64_t begin, end;
 } extent;
 
-// The point of the edge at x; its part.
-static gjk_vec3 point_at(const extent *e, int64_t x, unsigned *part) {
+// The point of the edge at x.
+static gjk_vec3 point_at(const extent *e, int64_t x) {
   const gjk_u128 before = {0, (uint64_t)(x - e->begin)}, behind = {0, (uint64_t)(e->end - x)};
   const gjk_vec3 *corner = e->edge->corner;
   if (x == e->begin || x == e->end) {
-    const unsigned i = x == e->begin ? e->first : 1 - e->first;
-    *part = GJK_PART_EDGE_END + i;
-    return corner[i];
+    return corner[x == e->begin ? e->first : 1 - e->first];
   }
-  *part = GJK_PART_EDGE;
   return between(&corner[e->first], &corner[1 - e->first], &before, &behind);
 }
 
-static void add_level(clip *c, const extent *a, const extent *b, int64_t x) {
-  unsigned part_a, part_b;
-  const gjk_vec3 on_a = point_at(a, x, &part_a), on_b = point_at(b, x, &part_b);
-  add_between(c, &on_a, &on_b, gjk_touch_id(part_a, part_b));
+// A point on each edge, across from each other.
+typedef struct level_pair {
+  gjk_vec3 a, b;
+  gjk_q16 gap;
+  uint16_t id;
+} level_pair;
+
+// Finds the points at x. False: they are too far aside of each other.
+static bool find_level(const clip *c, const extent *a, const extent *b, int64_t x, level_pair *out) {
+  const gjk_vec3 *d = &c->a->direction, on_a = point_at(a, x), on_b = point_at(b, x), step = gjk_sub(on_b, on_a);
+  const int64_t half = INT64_C(1) << 29;
+  const gjk_q16 gap = gap_of(c, &step);
+  const gjk_vec3 aside = {step.x - (int32_t)gjk_sar64(gjk_mul32(gap, d->x) + half, 30),
+                          step.y - (int32_t)gjk_sar64(gjk_mul32(gap, d->y) + half, 30),
+                          step.z - (int32_t)gjk_sar64(gjk_mul32(gap, d->z) + half, 30)};
+  const gjk_q16 radius = c->a->radius < c->b->radius ? c->a->radius : c->b->radius;
+  const int64_t squared = gjk_dot(&aside, &aside);
+  out->a = on_a;
+  out->b = on_b;
+  out->gap = gap;
+  out->id = gjk_touch_id(part_at(c, c->a, &on_a, GJK_PART_EDGE), part_at(c, c->b, &on_b, GJK_PART_EDGE));
+  if (squared <= ASIDE_SQUARED) {
+    return true;
+  }
+  // The sides are round there. Both points move to the middle, which leaves sides by s^2 / (2 radius): half an LSB.
+  const gjk_vec3 middle = {gjk_sar32(aside.x, 1), gjk_sar32(aside.y, 1), gjk_sar32(aside.z, 1)};
+  out->a = gjk_add(on_a, middle);
+  out->b = gjk_add(gjk_sub(on_b, aside), middle);
+  return squared <= 4 * (int64_t)radius;
 }
 
 // Parallel edges: the two ends of what they share along the middle of their directions. With edges of 2^29 and offsets
@@ -243,9 +341,6 @@ static void clip_edges(clip *c) {
   const gjk_vec3 e = gjk_sub(a[1], a[0]);
   gjk_vec3 f = gjk_sub(b[1], b[0]);
   const bool turned = gjk_dot(&e, &f) < 0;
-  if (!are_parallel(&e, &f)) {
-    return;
-  }
   f = turned ? gjk_negate(f) : f;
   const gjk_vec3 along = gjk_add(e, f), to_b = gjk_sub(b[turned ? 1 : 0], a[0]);
   const int64_t start = gjk_dot(&to_b, &along);
@@ -253,12 +348,26 @@ static void clip_edges(clip *c) {
   const extent of_b = {c->b, turned ? 1 : 0, start, start + gjk_dot(&f, &along)};
   const int64_t begin = of_a.begin > of_b.begin ? of_a.begin : of_b.begin;
   const int64_t end = of_a.end < of_b.end ? of_a.end : of_b.end;
-  if (begin <= end) {
-    add_level(c, &of_a, &of_b, begin);
+  level_pair first, last;
+  if (begin <= end && find_level(c, &of_a, &of_b, begin, &first) && find_level(c, &of_a, &of_b, end, &last)) {
+    add(c, &first.a, &first.b, first.gap, first.id);
+    add(c, &last.a, &last.b, last.gap, last.id);
   }
-  if (begin < end) {
-    add_level(c, &of_a, &of_b, end);
+}
+
+// The least of length and p's edges: |x| + |y| + |z|, below sqrt(3) 2^29.
+static uint32_t shortest_edge(const gjk_polygon *p, uint32_t length) {
+  for (unsigned i = 0; i < lines(p); i++) {
+    const uint32_t edge = gjk_norm1(gjk_sub(p->corner[after(p, i)], p->corner[i]));
+    length = edge < length ? edge : length;
   }
+  return length;
+}
+
+// How near points are that count as one: a 64th of the shortest edge, or what rounding takes, but no more than a quarter.
+static uint32_t nearness(const gjk_polygon *a, const gjk_polygon *b) {
+  const uint32_t shortest = shortest_edge(a, shortest_edge(b, UINT32_MAX));
+  return shortest >= 64 * NEAR_MIN ? shortest / 64 : shortest >= 4 * NEAR_MIN ? NEAR_MIN : shortest / 4;
 }
 
 void gjk_clip(const gjk_polygon *a, const gjk_polygon *b, const gjk_vec3 *centre, gjk_q16 margin, gjk_touches *out) {
@@ -268,6 +377,8 @@ void gjk_clip(const gjk_polygon *a, const gjk_polygon *b, const gjk_vec3 *centre
   c.centre = centre;
   c.margin = margin;
   c.out = out;
+  c.near = nearness(a, b);
+  c.flat = 0;
   out->count = 0;
   if (a->count > 2 || b->count > 2) {
     clip_faces(&c);

@@ -16,6 +16,9 @@
 // Corners of a hull that lie at most so far behind its farthest one, Q30 LSB, are among the farthest.
 #define LEVEL_SLACK (INT64_C(4) << 30)
 
+// Faces within about a degree of each other meet the direction as well as each other.
+#define ALIKE_RANK 64
+
 // What a face with farthest corners to share is preferred by; above all ranks.
 #define SHARES_EDGE (UINT32_C(1) << 23)
 
@@ -265,7 +268,8 @@ static unsigned load_face(const gjk_collider *c, const gjk_vec3 *position, uint3
   return farthest < 2 ? farthest : 2;
 }
 
-// The face that meets the direction best among those with two farthest corners; without such, among those with one.
+// The face that meets the direction best among those with two farthest corners; without such, among those with one. Of
+// faces in one plane it is the first.
 static void from_hull(const gjk_collider *c, const gjk_vec3 *position, gjk_polygon *out) {
   const gjk_hull_faces *faces = c->shape->faces;
   uint32_t best = 0, best_face = 0;
@@ -281,7 +285,7 @@ static void from_hull(const gjk_collider *c, const gjk_vec3 *position, gjk_polyg
       set_normal(out);
       const uint32_t rank = alignment(&out->normal, &out->direction);
       const uint32_t score = rank > 0 && farthest > 1 ? rank + SHARES_EDGE : rank;
-      if (score > best) {
+      if (score > best + (best > 0 ? ALIKE_RANK : 0)) {
         best = score;
         best_face = i;
       }
@@ -361,6 +365,7 @@ static void from_round(const gjk_collider *c, const gjk_vec3 *position, gjk_poly
     set_side(c, position, cone ? shape->size.x : shape->size.x + shape->round, cone ? 0 : shape->size.x + shape->round,
              out);
     settle_for_less(out, cone ? shape->round : 0);
+    out->radius = cone ? shape->round : shape->size.x + shape->round;
     out->feature = 2;
   }
 }
@@ -370,6 +375,7 @@ void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const 
   out->direction = *direction;
   out->count = 1;
   out->feature = 0;
+  out->radius = c->shape->round;
   switch (type->kind) {
     case GJK_KIND_AXES: from_axes(c, position, out); break;
     case GJK_KIND_VERTICES:

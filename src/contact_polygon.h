@@ -12,6 +12,7 @@ typedef struct gjk_polygon {
   gjk_long3 normal;                       // of a face, outwards, below 2^62
   gjk_vec3 direction;                     // that it meets, a unit vector in Q2.30
   uint16_t feature;                       // its number, see gjk/contacts.h
+  gjk_q16 radius;                         // of an edge: of the side that it is the line of, 0: sharp
   uint8_t count;  // 1: a corner, or none known, and nothing else is set; 2: an edge; more: a face
 } gjk_polygon;
 

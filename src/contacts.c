@@ -81,7 +81,7 @@ GJK_OUT_OF_LINE static void find_contacts(const gjk_collider *a, const gjk_colli
   admit_nearest(nearest, &touches);
   const bool reduced = touches.count > most;
   if (reduced) {
-    gjk_reduce(&touches, &out->normal, most, nearest->distance + SLACK, keep);
+    gjk_reduce(&touches, &out->normal, most, keep);
   }
   out->count = (uint8_t)(reduced ? most : touches.count);
   for (unsigned i = 0; i < out->count; i++) {

@@ -3,13 +3,12 @@
 
 #include "touches.h"
 
-void gjk_reduce(const gjk_touches *touches, const gjk_unit3 *normal, unsigned most, gjk_q16 limit, uint8_t *keep) {
+void gjk_reduce(const gjk_touches *touches, const gjk_unit3 *normal, unsigned most, uint8_t *keep) {
   //@ assert most >= 1 && most <= GJK_CONTACTS_MAX && most < touches->count;
   check_touches(touches);
   check_size(normal->x, ANY_UNIT);
   check_size(normal->y, ANY_UNIT);
   check_size(normal->z, ANY_UNIT);
-  check_size(limit, INT64_C(1) << 31);
   for (unsigned i = 0; i < most; i++) {
     keep[i] = (uint8_t)any_between(0, (int32_t)touches->count - 1);
   }

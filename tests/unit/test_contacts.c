@@ -85,7 +85,7 @@ static void test_round_shapes(void) {
   CHECK(m.count == 1 && is_near(m.contact[0].distance, -36, 4));
 }
 
-// Of points that are 2 and 3 LSB above the depth one of the former is kept: the ends of a tilted disc in a coin.
+// Of points that are about as deep as the deepest one is kept, within 4 LSB of it: the ends of a tilted disc in a coin.
 static void test_reduced_deepest(void) {
   static const gjk_shape disc = GJK_ROUNDED_CYLINDER(213063, 756, 9020), coin = GJK_ROUNDED_CYLINDER(49206, 0, 820);
   const gjk_pose tilted = {{-14092, -3172, 0}, {15454, -5824, 0, GJK_Q30_ONE}}, beside = at(2421, 0, 2426);
@@ -96,8 +96,8 @@ static void test_reduced_deepest(void) {
   CHECK(gjk_signed_distance(&a, &b, NULL, &workspace, &d) == GJK_OK);
   for (unsigned most = 1; most <= GJK_CONTACTS_MAX; most++) {
     const gjk_manifold m = meet(&disc, tilted, &coin, beside, most);
-    CHECK_MSG(m.count <= most && is_near(least_of(&m), d.distance, 2), "%ld of %ld", (long)least_of(&m),
-              (long)d.distance);
+    CHECK_MSG(m.count <= most && is_near(least_of(&m), d.distance, m.count < most ? 2 : 6), "%ld of %ld",
+              (long)least_of(&m), (long)d.distance);
   }
 }
 
@@ -206,6 +206,11 @@ static bool is_kept(const gjk_manifold *before, const gjk_manifold *after) {
   return true;
 }
 
+// How much above the least distance the points may be: some may have been left out.
+static gjk_q16 room_of(const gjk_manifold *m, unsigned most) {
+  return m->count < most ? 3 : 3 + 4;
+}
+
 static void check_pair(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most, tally *t, int n) {
   gjk_manifold m, mirrored;
   gjk_distance_result d;
@@ -230,10 +235,11 @@ static void check_pair(const gjk_collider *a, const gjk_collider *b, gjk_q16 mar
       CHECK_MSG(m.contact[k].id != c->id, "pair %d: id twice", n);
     }
   }
-  CHECK_MSG(is_near(least, d.distance, 3), "pair %d: %ld instead of %ld", n, (long)least, (long)d.distance);
+  CHECK_MSG(is_near(least, d.distance, room_of(&m, most)), "pair %d: %ld instead of %ld", n, (long)least,
+            (long)d.distance);
   // The other way around: as deep, whichever of two equally near ways out it takes.
   CHECK_MSG(gjk_contacts(b, a, margin, most, NULL, &workspace, &mirrored) == GJK_OK && mirrored.count > 0 &&
-                is_near(least_of(&mirrored), least, 3),
+                is_near(least_of(&mirrored), least, room_of(&m, most)),
             "pair %d mirrored", n);
 }
 

@@ -178,16 +178,9 @@ static void test_reach(void) {
   }
 }
 
-// The largest triangle, or quadrilateral, that has a corner at contact 0 of few, with the others among m's.
-typedef struct region {
-  int64_t area;  // twice
-  // The others: the end of an edge or a diagonal from there, then what is farthest from that; of equals the first.
-  unsigned corner[3];
-  unsigned corners;
-} region;
-
-static region largest(const gjk_manifold *few, const gjk_manifold *m, unsigned axis, bool quadrilateral) {
-  region found = {0, {0, 0, 0}, 0};
+// Twice the area of the largest triangle, or quadrilateral, that has a corner at contact 0 of few, the others among m's.
+static int64_t largest(const gjk_manifold *few, const gjk_manifold *m, unsigned axis, bool quadrilateral) {
+  int64_t found = 0;
   struct {
     int64_t x, y;
   } s[GJK_CONTACTS_MAX];
@@ -198,22 +191,17 @@ static region largest(const gjk_manifold *few, const gjk_manifold *m, unsigned a
   }
   for (unsigned k = 0; k < m->count; k++) {
     int64_t most[2] = {0, 0};  // to either side
-    unsigned at[2] = {k, k};
     for (unsigned i = 0; i < m->count; i++) {
       const int64_t area = s[k].x * s[i].y - s[k].y * s[i].x;
       for (int side = 0; side < 2; side++) {
         if ((side == 0 ? area : -area) > most[side]) {
           most[side] = side == 0 ? area : -area;
-          at[side] = i;
         }
       }
     }
     const int larger = most[0] > most[1] ? 0 : 1;
     const int64_t area = quadrilateral ? most[0] + most[1] : most[larger];
-    if (area > found.area) {
-      const bool both = quadrilateral && most[1 - larger] > 0;
-      found = (region){area, {k, at[larger], at[1 - larger]}, both ? 3 : 2};
-    }
+    found = area > found ? area : found;
   }
   return found;
 }
@@ -242,19 +230,24 @@ static bool has_contact(const gjk_manifold *m, unsigned n, uint16_t id) {
   return false;
 }
 
-// Fewer than there are: the deepest, the largest triangle or quadrilateral with it unless they lie on a line, then what is
-// farthest from those; of equally far ones the first.
+// The one of the lowest id within 4 LSB of the deepest; all of these are as deep.
+static uint16_t first_deep(const gjk_manifold *m) {
+  const gjk_q16 least = least_of(m);
+  uint16_t id = UINT16_MAX;
+  for (unsigned i = 0; i < m->count; i++) {
+    id = m->contact[i].distance <= least + 4 && m->contact[i].id < id ? m->contact[i].id : id;
+  }
+  return id;
+}
+
+// Fewer than there are: one of the deepest, then 9/10 at least of the largest triangle or quadrilateral with it unless they
+// lie on a line, then what is as far from those as the farthest.
 static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned axis, bool line) {
   gjk_manifold m, few;
   CHECK(gjk_contacts(a, b, MARGIN, 8, NULL, &workspace, &m) == GJK_OK && m.count > 4);
-  const gjk_q16 least = least_of(&m);
   for (unsigned most = 1; most < m.count; most++) {
     CHECK(gjk_contacts(a, b, MARGIN, most, NULL, &workspace, &few) == GJK_OK && few.count == most);
-    unsigned first = 0;
-    while (m.contact[first].distance > least + 1) {
-      first++;
-    }
-    CHECK(few.contact[0].id == m.contact[first].id);
+    CHECK(few.contact[0].id == first_deep(&m));
     for (unsigned i = 0; i < most; i++) {
       CHECK(has_contact(&m, m.count, few.contact[i].id) && !has_contact(&few, i, few.contact[i].id));
     }
@@ -262,19 +255,13 @@ static void check_fewer(const gjk_collider *a, const gjk_collider *b, unsigned a
     if (most >= 3) {
       gjk_manifold kept = few;
       kept.count = (uint8_t)corners;
-      const region wanted = largest(&few, &m, axis, most > 3);
-      CHECK_MSG((wanted.area > 0) != line && largest(&few, &kept, axis, most > 3).area == wanted.area, "%u of %u", most,
-                m.count);
-      for (unsigned i = 0; i < wanted.corners; i++) {
-        CHECK(has_contact(&kept, corners, m.contact[wanted.corner[i]].id));
-      }
+      const int64_t wanted = largest(&few, &m, axis, most > 3), found = largest(&few, &kept, axis, most > 3);
+      CHECK_MSG((wanted > 0) != line && found * 10 >= wanted * 9, "%u of %u", most, m.count);
     }
     for (unsigned i = corners; i < most; i++) {
-      bool before = true;
+      const int64_t kept = clearance(&few.contact[i], &few, i);
       for (unsigned k = 0; k < m.count; k++) {
-        const int64_t other = clearance(&m.contact[k], &few, i), kept = clearance(&few.contact[i], &few, i);
-        before = before && m.contact[k].id != few.contact[i].id;
-        CHECK(has_contact(&few, i, m.contact[k].id) || (before ? other < kept : other <= kept));
+        CHECK(has_contact(&few, i, m.contact[k].id) || clearance(&m.contact[k], &few, i) * 9 <= kept * 10);
       }
     }
   }
@@ -361,14 +348,14 @@ static void test_crossing_faces(void) {
   }
 }
 
-// A corner that a face names twice in a row is there twice; the edge between covers nothing and leaves nothing out.
+// A corner that a face names twice in a row is there once; the edge between covers nothing and leaves nothing out.
 static void test_repeated_corner(void) {
   static const uint16_t doubled[25] = {0, 2, 3, 1, 4, 5, 7, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
   static const uint16_t ends[6] = {4, 9, 13, 17, 21, 25};
   static const gjk_hull_faces faces = {doubled, ends, 6};
   static const gjk_shape hull = GJK_HULL_WITH_FACES(cube_vertices, 8, &faces);
   gjk_manifold m = meet(&hull, origin, &box, at(ONE, HALF, 2 * ONE - 100), 8);
-  CHECK(m.count == 5 && has_point(&m, 0, -HALF, -100) && has_point(&m, ONE, -HALF, -100) &&
+  CHECK(m.count == 4 && has_point(&m, 0, -HALF, -100) && has_point(&m, ONE, -HALF, -100) &&
         has_point(&m, 0, ONE, -100) && has_point(&m, ONE, ONE, -100) && m.feature_a == 1);
 }
 

@@ -312,7 +312,7 @@ static void test_gone(void) {
 
 // Near pairs are looked for among the records there are: what lies beyond the last one is none, whatever it holds.
 static void test_near_pairs_alone(void) {
-  static const gjk_scene_config one_pair = {2, 2, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  static const gjk_scene_config one_pair = {2, 2, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
   gjk_report reports[8];
   uint32_t count, cursor = 0;
   bool found;

@@ -292,7 +292,7 @@ static void check_equals(void) {
 static void check_far(random_state *random) {
   static const gjk_shape slab = GJK_BOX(INT32_C(1) << 27, 9000, 9000);
   static const gjk_shape *const shapes[] = {&slab};
-  static const gjk_scene_config config = {3, 3, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0};
+  static const gjk_scene_config config = {3, 3, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
   static uint32_t block[600];
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};

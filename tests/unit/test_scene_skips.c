@@ -30,7 +30,7 @@ static gjk_q16 margin;  // of both together
 static unsigned motion_count, boxes_count, direction_count, near_count, far_count, edge_count;
 
 static void start_scene(gjk_scene *scene, uint32_t *block, size_t bytes, gjk_q16 box_margin, uint8_t no_skips) {
-  const gjk_scene_config config = {2, 2, 2, 1, box_margin, GJK_DETAIL_TOUCH, 0, no_skips, 0};
+  const gjk_scene_config config = {2, 2, 2, 1, box_margin, GJK_DETAIL_TOUCH, 0, no_skips, 0, 0};
   CHECK(gjk_scene_init(scene, &config, block, bytes, shapes, 2) == GJK_OK);
   for (uint16_t i = 0; i < 2; i++) {
     const gjk_part part = {i, placed, offset};

@@ -1,0 +1,21 @@
+#!/bin/sh
+# The pile of make demo-stack: it comes to rest, the same everywhere, and its picture is whole: test_demo_stack.sh BUILD
+build=$1
+demo=$build/gjk-demo-stack
+dir=$build/demo-stack-test
+. tests/build/count.sh
+rm -rf "$dir"
+mkdir -p "$dir"
+
+check 'the pile falls' sh -c "\"$demo\" \"$dir/stack.svg\" >\"$dir/out\""
+check 'it rests' grep -q '^30 bodies, 58 pairs in contact, the fastest at 0.0009 units a second' "$dir/out"
+check 'each body and the tray are drawn at each of three moments' \
+  test "$(grep -c 'fill="none" stroke=' "$dir/stack.svg")" = 105
+check 'the picture has numbers only' sh -c "! grep -qE 'nan|inf[^o]' \"$dir/stack.svg\""
+opened=$(grep -oE '<[a-zA-Z]' "$dir/stack.svg" | wc -l)
+closed=$(grep -oE '</|/>' "$dir/stack.svg" | wc -l)
+check 'the picture is well formed' test "$opened" -gt 200 -a "$opened" = "$closed"
+check 'a picture that cannot be written is an error' sh -c "! \"$demo\" \"$dir/none/stack.svg\" 2>\"$dir/err\""
+check 'a call without a picture is one' sh -c "! \"$demo\" 2>\"$dir/err\""
+
+finish demo-stack
