@@ -31,7 +31,8 @@ static bool is_as_large(int64_t value, int64_t largest) {
 
 static void sort(const gjk_touches *t, selection *s) {
   s->count = t->count;
-  for (unsigned i = 0; i < t->count; i++) {
+  s->order[0] = 0;
+  for (unsigned i = 1; i < t->count; i++) {
     unsigned at = i;
     while (at > 0 && t->touch[s->order[at - 1]].id > t->touch[i].id) {
       s->order[at] = s->order[at - 1];
@@ -68,9 +69,8 @@ static gjk_q16 least_distance(const gjk_touches *t) {
 // The first point whose distance is no more than limit. Pre: there is one.
 static unsigned first_within(const gjk_touches *t, const selection *s, int64_t limit) {
   unsigned i = 0;
-  while (t->touch[s->order[i]].distance > limit) {
+  while (i + 1 < s->count && t->touch[s->order[i]].distance > limit) {
     i++;
-    //@ assert i < s->count;
   }
   return i;
 }
@@ -93,10 +93,11 @@ static inline int64_t area_of(const selection *s, const spot *end, unsigned i) {
 
 // Keeps the first point that is as far from the line to end as the farthest on that side.
 static void keep_aside(selection *s, const spot *end, bool to_left, int64_t farthest) {
+  // Seen the other way, right is left.
+  const spot along = {to_left ? end->x : -end->x, to_left ? end->y : -end->y};
   unsigned i = 0;
-  while (!is_as_large(to_left ? area_of(s, end, i) : -area_of(s, end, i), farthest)) {  // one of them is the farthest
+  while (i + 1 < s->count && !is_as_large(area_of(s, &along, i), farthest)) {
     i++;
-    //@ assert i < s->count;
   }
   s->keep[s->kept++] = (uint8_t)i;
 }
@@ -131,9 +132,8 @@ static void keep_largest(selection *s, bool quadrilateral) {
   if (most == 0) {
     return;
   }
-  while (!is_as_large(area[k], most)) {  // one of them is the most
+  while (k + 1 < s->count && !is_as_large(area[k], most)) {
     k++;
-    //@ assert k < s->count;
   }
   measure(s, k, quadrilateral, &d);
   const bool to_left = is_as_large(d.left, d.right);
@@ -164,9 +164,8 @@ static void keep_farthest(selection *s) {
     const int64_t far = clearance(s, k);
     most = far > most ? far : most;
   }
-  while (!is_as_large(clearance(s, i), most)) {  // there are more than are kept, and one of them is the farthest
+  while (i + 1 < s->count && !is_as_large(clearance(s, i), most)) {
     i++;
-    //@ assert i < s->count;
   }
   s->keep[s->kept++] = (uint8_t)i;
 }

@@ -17,7 +17,7 @@ static void any_polygon(gjk_polygon *p, int32_t count) {
       p->corner[i] = any_vec3(ANY_CORNER);
     }
     p->direction = any_vec3(ANY_UNIT);
-    p->radius = any_between(0, GJK_RADIUS_MAX);
+    p->radius = any_between(0, 2 * GJK_RADIUS_MAX);
   }
   if (count > 2) {
     any_normal(&p->normal);
@@ -32,7 +32,7 @@ static void check_polygon(const gjk_polygon *p) {
       check_vec3(&p->corner[i], ANY_CORNER);
     }
     check_vec3(&p->direction, ANY_UNIT);
-    //@ assert p->radius >= 0 && p->radius <= GJK_RADIUS_MAX;
+    //@ assert p->radius >= 0 && p->radius <= 2 * GJK_RADIUS_MAX;
   }
   if (p->count > 2) {
     check_size(p->normal.x, ANY_NORMAL);
