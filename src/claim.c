@@ -166,7 +166,8 @@ bool gjk_claim_cut(const gjk_collider *c, const uint16_t *named, unsigned count,
 
 // The sign of 4 sqrt(numerator / denominator) - quarters. Pre: numerator <= 2^186.
 static int compare_quarters(const gjk_limbs *numerator, const gjk_limbs *denominator, uint64_t quarters) {
-  gjk_limbs x = *numerator;
+  gjk_limbs x;
+  x = *numerator;
   gjk_limbs_add(&x, &x);
   gjk_limbs_add(&x, &x);
   return gjk_compare_distance(&x, denominator, quarters);
