@@ -151,7 +151,7 @@ static void watch(random_state *random, gjk_collider *a, gjk_collider *b, const 
   }
 }
 
-static void test_arrangement(random_state *random, const subject *s, arrangement how) {
+static void test_arrangement(random_state *random, const subject *s, arrangement how, tally *all) {
   static case_shape a, b;
   static case_collider built_a, built_b;
   tally t = {0, 0, 0, 0};
@@ -172,18 +172,25 @@ static void test_arrangement(random_state *random, const subject *s, arrangement
     watch(random, &built_a.collider, &built_b.collider, &b.pose, s->split ? 1 : 2,
           n / 2 % 2 == 0 ? 4 : GJK_CONTACTS_MAX, &t);  // halves of two faces may meet in a corner
   }
-  CHECK_MSG(t.fresh * 100 <= t.ids, "%s, %s: %lu of %lu ids new, other ones in %lu of %lu ticks; seed %d", s->name,
-            arrangement_name[how], t.fresh, t.ids, t.changed, t.ticks, SEED);
+  all->ids += t.ids;
+  all->fresh += t.fresh;
+  // Of few scenes, one may tremble where a point begins to be near a corner.
+  CHECK_MSG(t.fresh * 100 <= t.ids || SCENES < 40,
+            "%s, %s: %lu of %lu ids new, other ones in %lu of %lu ticks; seed %d", s->name, arrangement_name[how],
+            t.fresh, t.ids, t.changed, t.ticks, SEED);
   printf("%-24s %-16s %5lu of %6lu ids new, other ones in %4lu of %lu ticks\n", s->name, arrangement_name[how], t.fresh,
          t.ids, t.changed, t.ticks);
 }
 
 int main(void) {
   random_state random = random_seed(SEED);
+  tally all = {0, 0, 0, 0};
   for (unsigned i = 0; i < sizeof subjects / sizeof subjects[0]; i++) {
     for (int how = 0; how < ARRANGEMENTS; how++) {
-      test_arrangement(&random, &subjects[i], (arrangement)how);
+      test_arrangement(&random, &subjects[i], (arrangement)how, &all);
     }
   }
+  CHECK_MSG(all.fresh * 400 <= all.ids, "%lu of %lu ids new; seed %d", all.fresh, all.ids, SEED);
+  printf("all: %lu of %lu ids new\n", all.fresh, all.ids);
   return check_done("contacts_jitter");
 }
