@@ -5,8 +5,8 @@
 #include "rotation.h"
 #include "shape_class.h"
 
-// How much farther posing puts a vertex from the centre. Per component, a vertex is off by 3/4 at most, the centre by 0.51; three
-// half axes by 1/2 each, and together by 0.22 for the matrix. So less than 1.26 sqrt(3), and 1.72 sqrt(3) < 3.
+// How much farther posing puts a vertex from the centre. Per component, a vertex is off by 3/4 at most, the centre by 0.51;
+// three half axes by 1/2 each, and together by 0.22 for the matrix. So less than 1.26 sqrt(3), and 1.72 sqrt(3) < 3.
 #define POSE_SLACK 3
 
 // Do [p, p + p_bytes) and [q, q + q_bytes) share a byte?

@@ -44,8 +44,8 @@ typedef struct gjk_collider {
 //           NULL: lazy, vertices are rotated as they are needed; the answers are the same bits, the scan is
 //           of about the same cost, and each vertex used costs a rotation. Other kinds ignore it.
 // Statuses  NULL, SIZE, NEGATIVE, EMPTY, CAPACITY, OVERLAP (the buffer with the shape's vertices or with the
-//           collider), RANGE (a triangle whose count is not 3; a face of a hull with less than 3 or too many corners, or with one
-//           that there isn't).
+//           collider), RANGE (a triangle whose count is not 3; a face of a hull with less than 3 or too many
+//           corners, or with one that there isn't).
 // Cost      one pass over a hull's vertices.
 gjk_status gjk_collider_init(gjk_collider *collider, const gjk_shape *shape, gjk_vec3 *buffer, uint16_t capacity);
 

@@ -55,7 +55,8 @@ typedef struct gjk_effort {
 // As gjk_distance, but stops when the effort is spent, with what is proven by then:
 //
 // lower, upper      the gap lies between them, both included; equal when the answer is exact, as gjk_distance gives it.
-// distance          of the two points below, to the nearest LSB; upper is the same rounded up. More than 8192 units apart: upper.
+// distance          of the two points below, to the nearest LSB; upper is the same rounded up. More than 8192 units
+//                   apart: upper.
 // point_a, point_b  points of the shapes as accurate as those of gjk_distance, distance apart to within 2 LSB, unless
 //                   intersecting.
 // normal            a direction from A to B; the certificate's proof is GJK_PROOF_NONE, unless the answer is exact.
