@@ -16,6 +16,7 @@
 #   make matrix          the golden hash from every compiler, level and architecture (sh tests/build/setup.sh matrix
 #                        installs the compilers that the tests do without)
 #   make prove           shows the absence of undefined behaviour (Frama-C)
+#   make prove-faults    puts faults into copies of the sources that the proof must notice
 #   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
 #   make coverage        which lines and branches of src the tests reach, over all variants of the code
 #   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400, 0: all, of SEED=1,
@@ -92,7 +93,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
 
-.PHONY: all help lib setup test unit-tests demo demo-stack sizes bench bench-target readme-figures worst-case matrix prove lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: all help lib setup test unit-tests demo demo-stack sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags keeps what the things that depend on it were built with: it is written only when that changes.
@@ -259,6 +260,9 @@ matrix:
 
 prove:
 	@sh tests/build/prove.sh build
+
+prove-faults:
+	@sh tests/build/prove-faults.sh build
 
 lint:
 	@sh tests/build/lint.sh build

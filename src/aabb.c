@@ -76,6 +76,9 @@ gjk_status gjk_collider_aabb(const gjk_collider *c, gjk_aabb *out) {
   } else {
     bound_vertices(c, out);
   }
+  //@ assert round >= 0 && round <= GJK_RADIUS_MAX;
+  //@ assert out->lower.x >= -(1L << 29) && out->lower.y >= -(1L << 29) && out->lower.z >= -(1L << 29);
+  //@ assert out->upper.x <= 1L << 29 && out->upper.y <= 1L << 29 && out->upper.z <= 1L << 29;
   out->lower.x = cut_off(c->centre.x, out->lower.x - round);
   out->lower.y = cut_off(c->centre.y, out->lower.y - round);
   out->lower.z = cut_off(c->centre.z, out->lower.z - round);

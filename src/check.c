@@ -216,7 +216,7 @@ static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int6
   if (certificate->count != 3 || !load(it, certificate)) {
     return false;
   }
-  const gjk_vec3 edge = gjk_sub(s->slot[1].w, s->slot[0].w), edge2 = gjk_sub(s->slot[2].w, s->slot[0].w);
+  const gjk_vec3 edge = gjk_edge(s->slot[1].w, s->slot[0].w), edge2 = gjk_edge(s->slot[2].w, s->slot[0].w);
   gjk_cross(&edge, &edge2, n);
   gjk_direction outwards = {NULL, NULL, n, 0, 0, 3, false};
   gjk_simplex_set(&it->simplex, 3);

@@ -25,7 +25,10 @@ static inline gjk_coarse gjk_coarse_direction(const gjk_vec3 *d, unsigned bits) 
 }
 
 static inline int32_t gjk_coarse_dot(const gjk_coarse *c, const gjk_vec3 *v) {
-  return gjk_sar32(v->x, c->s) * c->x + gjk_sar32(v->y, c->s) * c->y + gjk_sar32(v->z, c->s) * c->z;
+  const int32_t x = gjk_sar32(v->x, c->s), y = gjk_sar32(v->y, c->s), z = gjk_sar32(v->z, c->s);
+  //@ assert x >= -8192 && x <= 8192 && y >= -8192 && y <= 8192 && z >= -8192 && z <= 8192;
+  //@ assert c->x >= -32768 && c->x <= 32768 && c->y >= -32768 && c->y <= 32768 && c->z >= -32768 && c->z <= 32768;
+  return x * c->x + y * c->y + z * c->z;
 }
 
 #endif

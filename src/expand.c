@@ -61,7 +61,7 @@ static gjk_vec3 across(const gjk_vec3 *e) {
 
 static void normal_of(const gjk_simplex *s, gjk_long3 *n) {
   const gjk_vec3 *w = &s->slot[s->order[0]].w;
-  const gjk_vec3 edge = gjk_sub(s->slot[s->order[1]].w, *w), edge2 = gjk_sub(s->slot[s->order[2]].w, *w);
+  const gjk_vec3 edge = gjk_edge(s->slot[s->order[1]].w, *w), edge2 = gjk_edge(s->slot[s->order[2]].w, *w);
   gjk_cross(&edge, &edge2, n);
 }
 

@@ -80,7 +80,7 @@ GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *
 // Does the move take A - B behind the facet's plane? Exact.
 static bool clears_facet(const overlap *o, const gjk_vec3 *t) {
   const gjk_vec3 *w = &o->facet.corner[0].w;
-  const gjk_vec3 edge = gjk_sub(o->facet.corner[1].w, *w), edge2 = gjk_sub(o->facet.corner[2].w, *w);
+  const gjk_vec3 edge = gjk_edge(o->facet.corner[1].w, *w), edge2 = gjk_edge(o->facet.corner[2].w, *w);
   const unsigned shift = (unsigned)o->it.shift;
   gjk_long3 n;
   gjk_cross(&edge, &edge2, &n);

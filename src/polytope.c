@@ -36,8 +36,8 @@ static void store(gjk_polytope *p, const gjk_vertex *v) {
 
 void gjk_polytope_normal(const gjk_polytope *p, const uint16_t corner[3], gjk_long3 *n) {
   const gjk_vec3 *w = gjk_polytope_vertex(p, corner[0]);
-  const gjk_vec3 edge = gjk_sub(*gjk_polytope_vertex(p, corner[1]), *w);
-  const gjk_vec3 edge2 = gjk_sub(*gjk_polytope_vertex(p, corner[2]), *w);
+  const gjk_vec3 edge = gjk_edge(*gjk_polytope_vertex(p, corner[1]), *w);
+  const gjk_vec3 edge2 = gjk_edge(*gjk_polytope_vertex(p, corner[2]), *w);
   gjk_cross(&edge, &edge2, n);
 }
 

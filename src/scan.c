@@ -25,9 +25,8 @@ const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bi
     return best;
   }
   const gjk_vec3 *v = first;
-  while (gjk_coarse_dot(&c, v) < limit) {  // ends at best or before
+  while (v != best && gjk_coarse_dot(&c, v) < limit) {  // best itself reaches the limit
     v++;
-    //@ assert v <= best;
   }
   best = v;
   int64_t most = gjk_dot(best, d);

@@ -60,6 +60,11 @@ static uint32_t larger(uint32_t a, uint32_t b) {
   return a > b ? a : b;
 }
 
+// |a - b|, below 2^32.
+static uint32_t difference(int32_t a, int32_t b) {
+  return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
+}
+
 // Unit quaternions d apart turn points by at most 2 d times their distance: with t = angle / 4, d = 2 sin t, and a point
 // moves by 2 sin 2t = 4 sin t cos t. q and -q are the same rotation. Lengths within 2^-17 of 1 change d by less than
 // 2^-16 of itself.
@@ -71,19 +76,14 @@ uint32_t gjk_scene_turn(const gjk_quat *a, const gjk_quat *b) {
   const int64_t dot = gjk_mac32(gjk_mac32(gjk_mac32(gjk_mul32(a->x, b->x), a->y, b->y), a->z, b->z), a->w, b->w);
   const int32_t sign = dot < 0 ? -1 : 1;
   // The length of the difference is at most sqrt(2) 2^30 (1 + 2^-17), so the sum of its components at most 2^31.5.
-  const uint32_t x = gjk_magnitude32(a->x - sign * b->x), y = gjk_magnitude32(a->y - sign * b->y);
-  const uint32_t z = gjk_magnitude32(a->z - sign * b->z), w = gjk_magnitude32(a->w - sign * b->w);
+  const uint32_t x = difference(a->x, sign * b->x), y = difference(a->y, sign * b->y);
+  const uint32_t z = difference(a->z, sign * b->z), w = difference(a->w, sign * b->w);
   const uint32_t sum = x + y + z + w;
   if (sum == 0) {
     return 0;
   }
   const uint32_t distance = length_bound(sum, larger(larger(x, y), larger(z, w)));  // below 2^31.2
   return distance < UINT32_C(1) << 30 ? 2 * (distance + (distance >> 15) + 1) : UINT32_MAX;
-}
-
-// |a - b|, below 2^32.
-static uint32_t difference(int32_t a, int32_t b) {
-  return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
 }
 
 // How far it is from a to b, or a little more; UNBOUNDED from 2^30 along an axis.

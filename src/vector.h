@@ -25,6 +25,11 @@ static inline gjk_vec3 gjk_sub(gjk_vec3 a, gjk_vec3 b) {
   return difference;
 }
 
+// a - b where it is shorter than 2^31, so that products of two such are below 2^62.
+static inline gjk_vec3 gjk_edge(gjk_vec3 a, gjk_vec3 b) {
+  return gjk_sub(a, b);
+}
+
 static inline gjk_vec3 gjk_negate(gjk_vec3 a) {
   gjk_vec3 opposite = {-a.x, -a.y, -a.z};
   return opposite;

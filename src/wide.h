@@ -178,7 +178,7 @@ static inline int gjk_sign64(int64_t x) {
 
 // The digits of x = 2^31 high + low, 0 <= low < 2^31: signed, as their products. Pre: |x| < 2^62.
 static inline int32_t gjk_high_digit(int64_t x) {
-  //@ assert x >= -(INT64_C(1) << 62) && x < INT64_C(1) << 62;
+  //@ assert x > -(INT64_C(1) << 62) && x < INT64_C(1) << 62;
   return (int32_t)gjk_sar64(x, 31);
 }
 

@@ -18,9 +18,14 @@ GJK_OUT_OF_LINE static int64_t fine_part(const feature *f, int32_t v, int32_t w)
 // u + (weight of v) (v - u) + (weight of w) (w - u) and half an LSB, Q31. Pre: coordinates at most 2^29, by which all partial
 // sums are at most 5 2^60.
 static inline int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t w) {
+  //@ assert u >= -(INT32_C(1) << 29) && u <= INT32_C(1) << 29;
+  //@ assert v >= -(INT32_C(1) << 29) && v <= INT32_C(1) << 29;
+  //@ assert w >= -(INT32_C(1) << 29) && w <= INT32_C(1) << 29;
   v -= u;
   w -= u;
-  const int64_t sum = gjk_mac32(gjk_mac32(gjk_shl64(2 * u + 1, 30), v, f->weight[0].high), w, f->weight[1].high);
+  const int64_t start = gjk_shl64(2 * u + 1, 30);
+  //@ assert start >= -(INT64_C(1) << 61) && start <= INT64_C(1) << 61;
+  const int64_t sum = gjk_mac32(gjk_mac32(start, v, f->weight[0].high), w, f->weight[1].high);
   return (f->weight[0].low | f->weight[1].low) != 0 ? sum + fine_part(f, v, w) : sum;
 }
 

@@ -159,10 +159,11 @@ typedef struct directions {
 static gjk_vec3 cut_normal(const zonotope *z, unsigned i, unsigned j, unsigned shift) {
   gjk_long3 n;
   gjk_cross(&z->axis[i], &z->axis[j], &n);
-  const gjk_vec3 cut = {(int32_t)gjk_sar64(n.x, shift), (int32_t)gjk_sar64(n.y, shift), (int32_t)gjk_sar64(n.z, shift)};
-  //@ assert cut.x >= -(INT32_C(1) << 30) && cut.x <= INT32_C(1) << 30;
-  //@ assert cut.y >= -(INT32_C(1) << 30) && cut.y <= INT32_C(1) << 30;
-  //@ assert cut.z >= -(INT32_C(1) << 30) && cut.z <= INT32_C(1) << 30;
+  const gjk_long3 low = {gjk_sar64(n.x, shift), gjk_sar64(n.y, shift), gjk_sar64(n.z, shift)};
+  //@ assert low.x >= -(INT32_C(1) << 30) && low.x <= INT32_C(1) << 30;
+  //@ assert low.y >= -(INT32_C(1) << 30) && low.y <= INT32_C(1) << 30;
+  //@ assert low.z >= -(INT32_C(1) << 30) && low.z <= INT32_C(1) << 30;
+  const gjk_vec3 cut = {(int32_t)low.x, (int32_t)low.y, (int32_t)low.z};
   return cut;
 }
 

@@ -2,8 +2,10 @@
 # Proves the absence of undefined behaviour with Frama-C's Eva: prove.sh BUILD [RUN...]
 #
 # A run is a driver of tests/prove with its case and its variant, such as shape-BOX-int32; without one, all are run. What
-# Eva cannot show by itself must stand in tests/prove/assumed.txt, which says why it holds; anything else fails, and
-# with all runs so does an entry that no run needs. tests/prove/README.md tells the rest.
+# Eva cannot show by itself must stand in tests/prove/assumed.txt, which says why it holds, and in tests/prove/open.txt,
+# which says for which runs, in how many places, and which statements they do not reach: more fails, and so does less. What
+# Eva refutes fails anyway. `prove.sh BUILD --list [RUN...]` writes what the last analysis of those runs, or of all that
+# BUILD holds, has found into open.txt. tests/prove/README.md tells the rest.
 . tests/build/count.sh
 LC_ALL=C.UTF-8
 export LC_ALL
@@ -12,7 +14,7 @@ dir=$build/prove
 shift
 
 # What has a contract instead of a body, but in the driver of the bodies.
-CONTRACTS=gjk_add,gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,reciprocal,\
+CONTRACTS=gjk_add,gjk_sub,gjk_edge,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,reciprocal,\
 gjk_reciprocal_root,gjk_unit,copy_collider,gjk_rank
 
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
@@ -94,27 +96,66 @@ analyse() {
   # shellcheck disable=SC2086
   frama-c $sources -eva $contracts -warn-signed-downcast \
     -eva-msg-key=-initial-state,-final-states -eva-split-return full -eva-min-loop-unroll 0 \
-    -eva-auto-loop-unroll 64 "$@" -then -report-csv "$dir/$name.csv" >"$dir/$name.txt" 2>&1
+    -eva-auto-loop-unroll 64 "$@" -then -metrics-eva-cover -report-csv "$dir/$name.csv" >"$dir/$name.txt" 2>&1
 }
 
-# What is not proven, a line each: file, function, property; of the harness its driver before that, so that a check which
-# serves many is taken for granted in one alone. Numbers that Frama-C gives to copies are dropped.
-open_properties() {
-  awk -v driver="$driver" -F '\t' 'NR > 1 && $6 != "Valid" && $6 !~ /^(Considered valid|Dead|Unreachable|Inconsistent)/ && $1 !~ /FRAMAC/ &&
-      !($2 == "contracts.h" && $5 ~ /condition$/) {
-    gsub(/_[0-9]+$/, "", $4)
-    gsub(/_[0-9]+$/, "", $5)
-    property = $7
-    gsub(/[a-z]_[0-9]+/, "&#", property)
-    gsub(/_[0-9]+#/, "", property)
-    gsub(/#/, "", property)
-    gsub(/  +/, " ", property)
-    print ($1 ~ /prove$/ ? driver "/" : "") $2 " " $4 ": " ($5 ~ /precondition/ ? $5 ": " : "") property
-  }' "$1" | sort -u
+# What RUN leaves open, from its table and report, sorted.
+facts() {
+  awk -v driver="${1%%-*}" -v contracts="${contracts#-eva-use-spec }" -f tests/build/prove-facts.awk \
+    "$dir/$1.csv" "$dir/$1.txt" | sort
+}
+
+# expected MODE...: open.txt at length.
+expected() {
+  runs >"$dir/runs.$$"
+  awk -v mode=split "$@" -f tests/build/prove-runs.awk "$dir/runs.$$" tests/prove/open.txt
+  rm "$dir/runs.$$"
+}
+
+# entries FILE...: without comments, sorted.
+entries() {
+  cat "$@" | grep -v '^#' | grep . | sort -u
+}
+
+# What tests/prove/proved.txt lists follows, function by function, from the contracts of what each calls: by WP's own
+# simplifier, no other prover. Leaves NAME.wrong.
+prove_consequences() {
+  name=$1
+  case $name in
+    *int16) set -- gcc_x86_16 -DGJK_NARROW_MULTIPLY=1 ;;
+    *) set -- gcc_x86_32 ;;
+  esac
+  entries tests/prove/proved.txt >"$dir/$name.listed"
+  start=$(date +%s)
+  # Each file by itself, so that no function is renamed.
+  sed 's/ .*//' "$dir/$name.listed" | sort -u | while read -r file; do
+    functions=$(sed -n "s/^$file \([^:]*\):.*/\1/p" "$dir/$name.listed" | sort -u | tr '\n' ',')
+    frama-c "src/$file" -wp -wp-fct "${functions%,}" -wp-prover qed -inline-calls gjk_polytope_vertex -machdep "$1" \
+      -cpp-extra-args="-Iinclude -Isrc $2 -include tests/prove/contracts.h -include polytope.h" \
+      -then -report-csv "$dir/$name-$file.csv" >"$dir/$name-$file.txt" 2>&1 </dev/null
+    awk -v proved=1 -f tests/build/prove-facts.awk "$dir/$name-$file.csv" /dev/null
+  done | sort -u >"$dir/$name.proved"
+  comm -23 "$dir/$name.listed" "$dir/$name.proved" | sed 's/^/not proven: /' >"$dir/$name.wrong"
+  echo "$name: $(wc -l <"$dir/$name.wrong") unexpected, $(wc -l <"$dir/$name.listed") proven, $(($(date +%s) - start)) s"
+  sed "s/^/failed: $name: /" "$dir/$name.wrong"
+}
+
+# What the contracts say of vectors' lengths, by an SMT solver.
+prove_lengths() {
+  WHY3CONFIG=$dir/why3.conf
+  export WHY3CONFIG
+  why3 config detect >/dev/null 2>&1
+  frama-c -wp -wp-prover z3 -wp-timeout 60 -machdep gcc_x86_32 tests/prove/lengths.c >"$dir/lengths.txt" 2>&1
+  cat "$dir/lengths.txt"
+  grep -qE '^\[wp\] Proved goals: *([0-9]+) / \1$' "$dir/lengths.txt"
 }
 
 prove_one() {
   driver=${1%%-*}
+  if [ "$driver" = wp ]; then
+    prove_consequences "$1"
+    return
+  fi
   variant=${1##*-}
   instance=${1#*-}
   instance=${instance%-*}
@@ -184,12 +225,50 @@ prove_one() {
     echo "failed: $name: no analysis: $dir/$name.txt"
     return
   fi
-  open_properties "$dir/$name.csv" >"$dir/$name.open"
-  grep -v '^#' tests/prove/assumed.txt | grep . | sort -u | comm -13 - "$dir/$name.open" >"$dir/$name.new"
+  facts "$name" >"$dir/$name.facts"
+  expected -v only="$name" | cut -f 2- | sort >"$dir/$name.expected"
+  grep '^refuted' "$dir/$name.facts" | sed 's/^/refuted: /' >"$dir/$name.wrong"
+  comm -13 "$dir/$name.expected" "$dir/$name.facts" | grep -v '^refuted' | sed 's/^/not in open.txt: /' >>"$dir/$name.wrong"
+  comm -23 "$dir/$name.expected" "$dir/$name.facts" | sed 's/^/only in open.txt: /' >>"$dir/$name.wrong"
   reached=$(sed -n 's/.*, \([0-9]* statements reached (out of [0-9]*)\): \([0-9]*%\).*/\1, \2/p' "$dir/$name.txt")
-  echo "$name: $(wc -l <"$dir/$name.new") alarms, $(wc -l <"$dir/$name.open") assumed or open, $reached," \
+  echo "$name: $(wc -l <"$dir/$name.wrong") unexpected, $(grep -vc '^unreached' "$dir/$name.facts") open, $reached," \
     "$(($(date +%s) - start)) s"
-  sed "s/^/failed: $name: /" "$dir/$name.new"
+  sed "s/^/failed: $name: /" "$dir/$name.wrong"
+}
+
+# list RUN...: what they found becomes what is expected.
+list() {
+  for run in "$@"; do
+    [ -e "$dir/$run.facts" ] || { echo "not analysed in $dir: $run"; exit 1; }
+  done
+  for run in "$@"; do
+    echo "$run"
+  done >"$dir/listed"
+  {
+    expected -v without="$dir/listed"
+    for run in "$@"; do
+      sed "s/^/$run	/" "$dir/$run.facts"
+    done
+  } >"$dir/all"
+  runs >"$dir/runs"
+  {
+    grep '^#' tests/prove/open.txt
+    echo
+    grep -v '	refuted	' "$dir/all" | awk -v mode=join -f tests/build/prove-runs.awk "$dir/runs" - |
+      sort -t '	' -k 4 -k 1,1 -k 2,2n
+  } >"$dir/open"
+  cat "$dir/open" >tests/prove/open.txt
+  ! grep '	refuted	' "$dir/all"
+}
+
+# Each open property has its reason, each reason a run that needs it.
+is_explained() {
+  grep -v '^#' tests/prove/open.txt | grep . | grep -v '^unreached' | cut -f 4 | sort -u >"$dir/needed"
+  entries tests/prove/assumed.txt tests/prove/proved.txt >"$dir/assumed"
+  comm -13 "$dir/assumed" "$dir/needed" | sed 's/^/without a reason or proof: /' >"$dir/explained"
+  comm -23 "$dir/assumed" "$dir/needed" | sed 's/^/needed by no run: /' >>"$dir/explained"
+  cat "$dir/explained"
+  [ ! -s "$dir/explained" ]
 }
 
 if [ "$1" = --one ]; then
@@ -202,22 +281,35 @@ if ! have frama-c; then
   exit
 fi
 mkdir -p "$dir"
+if [ "$1" = --list ]; then
+  shift
+  # shellcheck disable=SC2046
+  [ $# -gt 0 ] || set -- $(runs | while read -r run; do [ ! -e "$dir/$run.facts" ] || echo "$run"; done)
+  list "$@"
+  check 'nothing is refuted' [ $? = 0 ]
+  check 'what is open has its reason, and each reason a need' is_explained
+  finish prove
+  exit
+fi
 rm -f "$dir"/*
 all=
 [ $# -gt 0 ] || all=1
 # shellcheck disable=SC2046
-[ $# -gt 0 ] || set -- $(runs)
+[ $# -gt 0 ] || set -- $(runs) wp-int32 wp-int16
 for run in "$@"; do
   echo "$run"
 done | nice xargs -P 2 -n 1 sh "$0" "$build" --one | tee "$dir/report"
 for run in "$@"; do
-  check "$run: nothing but what is assumed" sh -c "grep -q '^$run: 0 alarms' '$dir/report'"
+  check "$run: open and unreached is what is listed" grep -q "^$run: 0 unexpected" "$dir/report"
 done
+check 'what is open has its reason, and each reason a need' is_explained
 if [ -n "$all" ]; then
+  if have why3 && have z3; then
+    check 'what contracts say of lengths' prove_lengths
+  else
+    skip 'what contracts say of lengths' 'why3 z3'
+  fi
   check 'what is assumed holds as it runs' nice sh tests/build/bounds.sh "$build" 20000 1
-  grep -v '^#' tests/prove/assumed.txt | grep . | sort -u >"$dir/assumed"
-  cat "$dir"/*.open | sort -u >"$dir/needed"
-  check 'every assumption is needed' sh -c "! comm -23 '$dir/assumed' '$dir/needed' | grep ."
 fi
-echo "$(cat "$dir"/*.open | sort -u | wc -l) assumptions needed, $(grep -v '^#' tests/prove/assumed.txt | grep -c .) listed"
+echo "$(entries tests/prove/assumed.txt | wc -l) assumptions, $(entries tests/prove/proved.txt | wc -l) consequences"
 finish prove

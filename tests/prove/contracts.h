@@ -8,21 +8,30 @@
 #include "gjk/collider.h"
 #include "vector.h"
 
-/*@ requires fits_x: -0x80000000 <= a.x + b.x <= 0x7fffffff;
-    requires fits_y: -0x80000000 <= a.y + b.y <= 0x7fffffff;
-    requires fits_z: -0x80000000 <= a.z + b.z <= 0x7fffffff;
+// Shorter than 2^31. The components of two such vectors' cross product are below 2^62: tests/prove/lengths.c.
+#define SHORT(x, y, z) ((x) * (x) + (y) * (y) + (z) * (z) < 0x4000000000000000)
+
+/*@ requires fits: -0x80000000 <= a.x + b.x <= 0x7fffffff && -0x80000000 <= a.y + b.y <= 0x7fffffff &&
+      -0x80000000 <= a.z + b.z <= 0x7fffffff;
     assigns \result \from a, b;
     ensures \result.x == a.x + b.x && \result.y == a.y + b.y && \result.z == a.z + b.z; */
 static inline gjk_vec3 gjk_add(gjk_vec3 a, gjk_vec3 b);
 
-/*@ requires fits_x: -0x7fffffff <= a.x - b.x <= 0x7fffffff;
-    requires fits_y: -0x7fffffff <= a.y - b.y <= 0x7fffffff;
-    requires fits_z: -0x7fffffff <= a.z - b.z <= 0x7fffffff;
+/*@ requires fits: -0x7fffffff <= a.x - b.x <= 0x7fffffff && -0x7fffffff <= a.y - b.y <= 0x7fffffff &&
+      -0x7fffffff <= a.z - b.z <= 0x7fffffff;
     assigns \result \from a, b;
     ensures \result.x == a.x - b.x && \result.x >= -0x7fffffff;
     ensures \result.y == a.y - b.y && \result.y >= -0x7fffffff;
     ensures \result.z == a.z - b.z && \result.z >= -0x7fffffff; */
 static inline gjk_vec3 gjk_sub(gjk_vec3 a, gjk_vec3 b);
+
+/*@ requires short: SHORT(a.x - b.x, a.y - b.y, a.z - b.z);
+    assigns \result \from a, b;
+    ensures \result.x == a.x - b.x && \result.x >= -0x7fffffff;
+    ensures \result.y == a.y - b.y && \result.y >= -0x7fffffff;
+    ensures \result.z == a.z - b.z && \result.z >= -0x7fffffff;
+    ensures SHORT(\result.x, \result.y, \result.z); */
+static inline gjk_vec3 gjk_edge(gjk_vec3 a, gjk_vec3 b);
 
 /*@ requires positive: x != 0;
     assigns \result \from x;
@@ -47,9 +56,7 @@ static inline unsigned gjk_clz32(uint32_t x);
     ensures x < 0x8000000000000000 ==> \result >= 1; */
 static inline unsigned gjk_clz64(uint64_t x);
 
-/*@ requires fits_x: a.x > -0x80000000;
-    requires fits_y: a.y > -0x80000000;
-    requires fits_z: a.z > -0x80000000;
+/*@ requires fits: a.x > -0x80000000 && a.y > -0x80000000 && a.z > -0x80000000;
     assigns \result \from a;
     ensures \result.x == -a.x && \result.y == -a.y && \result.z == -a.z; */
 static inline gjk_vec3 gjk_negate(gjk_vec3 a);
@@ -80,10 +87,7 @@ static inline int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b);
 
 /*@ requires set_a: \initialized(&a->x) && \initialized(&a->y) && \initialized(&a->z);
     requires set_b: \initialized(&b->x) && \initialized(&b->y) && \initialized(&b->z);
-    requires fits_x: -0x4000000000000000 < a->y * b->z - a->z * b->y < 0x4000000000000000;
-    requires fits_y: -0x4000000000000000 < a->z * b->x - a->x * b->z < 0x4000000000000000;
-    requires fits_z: -0x4000000000000000 < a->x * b->y - a->y * b->x < 0x4000000000000000;
-    requires negates: a->x > -0x80000000 && a->y > -0x80000000 && a->z > -0x80000000;
+    requires short: SHORT(a->x, a->y, a->z) && SHORT(b->x, b->y, b->z);
     assigns out->x, out->y, out->z \from *a, *b;
     ensures \initialized(&out->x) && \initialized(&out->y) && \initialized(&out->z);
     ensures out->x == a->y * b->z - a->z * b->y && -0x4000000000000000 < out->x < 0x4000000000000000;

@@ -11,6 +11,7 @@ int main(void) {
   (void)gjk_mul32(a, b);
   (void)gjk_umul32(x, y);
   (void)gjk_sub(v, w);
+  (void)gjk_edge(any_vec3(INT32_C(1) << 29), any_vec3(INT32_C(1) << 29));
   (void)gjk_negate(v);
   (void)gjk_mac32(INT64_C(1) << 62, a, b / 2);
   (void)gjk_dot(&v, &w);

@@ -3,6 +3,7 @@
 
 #include "../../src/wide.h"
 #include "../check.h"
+#include "../exact/integer.h"
 #include "../random.h"
 
 #define SEED 4096
@@ -86,6 +87,59 @@ static void test_sums(void) {
   }
 }
 
+// The signed 128-bit integer with these halves.
+static exact_int signed_value(const gjk_u128 *x) {
+  const exact_int scale = exact_from(INT64_C(1) << 32), top = exact_from(gjk_int64(x->high));
+  const exact_int middle = exact_from((int64_t)(x->low >> 32)), low = exact_from((int64_t)(x->low & UINT32_MAX));
+  exact_int value = exact_mul(&top, &scale);
+  value = exact_add(&value, &middle);
+  value = exact_mul(&value, &scale);
+  return exact_add(&value, &low);
+}
+
+static void check_sum(int64_t p, int64_t q, int64_t r, int64_t s) {
+  const exact_int ep = exact_from(p), eq = exact_from(q), er = exact_from(r), es = exact_from(s);
+  const exact_int pq = exact_mul(&ep, &eq), rs = exact_mul(&er, &es), expected = exact_add(&pq, &rs);
+  gjk_u128 sum;
+  gjk_sum(p, q, r, s, &sum);
+  const exact_int found = signed_value(&sum);
+  CHECK_MSG(exact_compare(&found, &expected) == 0, "%lld %lld + %lld %lld: high %llx low %llx", (long long)p,
+            (long long)q, (long long)r, (long long)s, (unsigned long long)sum.high, (unsigned long long)sum.low);
+}
+
+// At the ends of what is allowed each product of digits is 2^62 in size, and four of them share the middle digit: added in
+// one chain they leave 64 bits.
+static void test_sum_extremes(void) {
+  static const int64_t size[] = {(INT64_C(1) << 62) - 1,
+                                 (INT64_C(1) << 62) - INT32_MAX - 1,  // low digit 0
+                                 (INT64_C(1) << 62) - INT32_MAX,
+                                 (INT64_C(1) << 61) + INT32_MAX,
+                                 INT64_C(1) << 31,
+                                 INT32_MAX,
+                                 1,
+                                 0};
+  const unsigned count = 2 * sizeof size / sizeof size[0];
+  for (unsigned i = 0; i < count * count * count * count; i++) {
+    int64_t x[4];
+    for (unsigned k = 0, rest = i; k < 4; k++, rest /= count) {
+      x[k] = rest % 2 == 0 ? size[rest % count / 2] : -size[rest % count / 2];
+    }
+    check_sum(x[0], x[1], x[2], x[3]);
+  }
+}
+
+// The largest and smallest sums, by hand: 2 (2^62 - 1)^2 = 2^125 - 2^64 + 2.
+static void test_largest_sums(void) {
+  const int64_t most = (INT64_C(1) << 62) - 1;
+  gjk_u128 sum;
+  gjk_sum(most, most, -most, -most, &sum);
+  CHECK(sum.high == UINT64_C(0x1FFFFFFFFFFFFFFF));
+  CHECK(sum.low == 2);
+  gjk_sum(most, -most, -most, most, &sum);
+  CHECK(sum.high == UINT64_C(0xE000000000000000));
+  CHECK(sum.low == UINT64_C(0xFFFFFFFFFFFFFFFE));
+}
+
 // (x + y)^2 - (x - y)^2 = 4 x y, in limbs.
 static void test_limbs(void) {
   random_state random = random_seed(check_seed(SEED) + 2);
@@ -155,6 +209,8 @@ static void test_magnitudes(void) {
 int main(void) {
   test_shares();
   test_sums();
+  test_sum_extremes();
+  test_largest_sums();
   test_limbs();
   test_quotients();
   test_magnitudes();

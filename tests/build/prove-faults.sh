@@ -1,0 +1,73 @@
+#!/bin/sh
+# Does the proof notice faults? prove-faults.sh BUILD: each is put into a copy of the sources, and the runs concerned must
+# fail. Without a fault they must hold.
+. tests/build/count.sh
+LC_ALL=C.UTF-8
+export LC_ALL
+top=$1/prove-faults
+mkdir -p "$top"
+
+# fault NAME FILE RUNS OLD NEW [OLD NEW]...: literal text, which must be there, once.
+fault() {
+  name=$1 file=$2 runs=$3
+  copy=$top/$name
+  shift 3
+  rm -rf "$copy"
+  mkdir -p "$copy/tests"
+  cp -r src include "$copy"
+  cp -r tests/build tests/prove "$copy/tests"
+  while [ $# -gt 0 ]; do
+    OLD=$1 NEW=$2 awk '
+      { text = text $0 "\n" }
+      END {
+        old = ENVIRON["OLD"]
+        at = index(text, old)
+        if (at == 0 || index(substr(text, at + 1), old) != 0) exit 1
+        printf "%s%s%s", substr(text, 1, at - 1), ENVIRON["NEW"], substr(text, at + length(old))
+      }' "$copy/src/$file" >"$copy/changed" || {
+      check "$name: src/$file still has '$1', once" false
+      return
+    }
+    mv "$copy/changed" "$copy/src/$file"
+    shift 2
+  done
+  for run in $runs; do
+    (cd "$copy" && sh tests/build/prove.sh build "$run") >"$copy/$run.out" 2>&1
+    # A fault that ends in no analysis is not noticed but in the way.
+    check "$name: noticed by $run" sh -c \
+      "grep -q '^failed: $run: \(refuted\|not in\|only in\)' '$copy/$run.out' && ! grep -q 'no analysis' '$copy/$run.out'"
+    grep "^failed: $run: \(refuted\|not in\|only in\)" "$copy/$run.out" | head -n 3 | sed "s/^failed:/  $name:/"
+  done
+}
+
+if ! have frama-c; then
+  skip 'the faults' frama-c-base
+  finish prove-faults
+  exit
+fi
+
+for run in simplex-2-int32 simplex-3-int32 shape-TRIANGLE-int16; do
+  sh tests/build/prove.sh "$top/none" "$run" >"$top/$run.out" 2>&1
+  check "without a fault $run holds" grep "^$run: 0 unexpected" "$top/$run.out"
+done
+
+# Four products of digits and a carry do not fit 64 bits.
+fault middle-in-one-chain wide.c simplex-3-int32 \
+  'gjk_mac32(gjk_mac32(gjk_sar64(lowest, 31), ph, ql), pl, qh);' \
+  'gjk_mac32(gjk_mac32(gjk_mac32(gjk_mac32(gjk_sar64(lowest, 31), ph, ql), pl, qh), rh, sl), rl, sh);' \
+  'middle2 = gjk_mac32(gjk_mul32(rh, sl), rl, sh);' 'middle2 = 0;'
+
+# A listed assertion that no value meets any more: because of it, or of what stands before it.
+fault assertion-always-false simplex.c simplex-2-int32 \
+  'assert square >= 0 && square <=' 'assert square < 0 && square <='
+fault bound-always-broken vector.c simplex-2-int32 'k -= gjk_clz32(bits);' 'k -= gjk_clz32(bits) + 40;'
+
+# Scans of the variant with narrow products that run past the last vertex.
+fault scan-off-the-end scan.c shape-TRIANGLE-int16 \
+  'for (const gjk_vec3 *v = best + 1; v != end; v++) {' 'for (const gjk_vec3 *v = best + 1; v <= end; v++) {'
+fault second-scan-off-the-end scan.c shape-TRIANGLE-int16 'for (v++; v != end; v++) {' 'for (v++; v <= end; v++) {'
+fault search-off-the-end scan.c shape-TRIANGLE-int16 \
+  'while (v != best && gjk_coarse_dot(&c, v) < limit) {' 'for (;;) {'
+fault reach-off-the-end scan.c shape-TRIANGLE-int16 \
+  'while (reach->next != reach->end) {' 'while (reach->next <= reach->end) {'
+finish prove-faults
