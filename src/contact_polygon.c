@@ -268,6 +268,21 @@ static unsigned load_face(const gjk_collider *c, const gjk_vec3 *position, uint3
   return farthest < 2 ? farthest : 2;
 }
 
+// Is a rounded face, of a normal, broad enough to have one? Posing moves corners by an LSB, and so turns a face of width W by
+// about 1 / W, which takes points at radius up to radius / (2 W^2) off the surface. W is at least the normal's largest
+// component by the sum of a corner's distances from the first. 2^root is from the root of radius to twice that.
+static bool is_broad(const gjk_polygon *p, gjk_q16 radius) {
+  const uint64_t x = gjk_magnitude64(p->normal.x), y = gjk_magnitude64(p->normal.y), z = gjk_magnitude64(p->normal.z);
+  const uint64_t size = x > y ? (x > z ? x : z) : (y > z ? y : z);
+  uint32_t length = 0;
+  for (unsigned i = 1; i < p->count; i++) {
+    const uint32_t from_first = gjk_norm1(gjk_sub(p->corner[i], p->corner[0]));  // below 2^31
+    length = from_first > length ? from_first : length;
+  }
+  const unsigned root = radius > 0 ? (33 - gjk_clz32((uint32_t)radius)) / 2 : 0;  // at most 15
+  return radius == 0 || size >= (uint64_t)length << root;
+}
+
 // The face that meets the direction best among those with two farthest corners; without such, among those with one. Of
 // faces in one plane it is the first.
 static void from_hull(const gjk_collider *c, const gjk_vec3 *position, gjk_polygon *out) {
@@ -283,7 +298,7 @@ static void from_hull(const gjk_collider *c, const gjk_vec3 *position, gjk_polyg
     const unsigned farthest = load_face(c, position, i, limit, out);
     if (farthest > 0) {
       set_normal(out);
-      const uint32_t rank = alignment(&out->normal, &out->direction);
+      const uint32_t rank = is_broad(out, c->shape->round) ? alignment(&out->normal, &out->direction) : 0;
       const uint32_t score = rank > 0 && farthest > 1 ? rank + SHARES_EDGE : rank;
       if (score > best + (best > 0 ? ALIKE_RANK : 0)) {
         best = score;
