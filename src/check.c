@@ -261,7 +261,9 @@ static bool is_depth(gjk_iteration *it, const gjk_penetration_result *result, gj
 static bool intersect(const gjk_collider *a, const gjk_collider *b, int64_t radius) {
   gjk_iteration it;
   gjk_certificate certificate;
-  gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius);  // true, as for the depth
+  if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {  // not reached: it was true for the depth
+    return false;
+  }
   const gjk_outcome outcome = gjk_search(&it, GJK_GOAL_WITHIN, NULL, gjk_search_limit(&it));
   gjk_iteration_certify(&it, outcome, &certificate);
   return is_together(&it, &certificate);

@@ -31,6 +31,7 @@ void gjk_claim_direction(const gjk_simplex *s, gjk_long3 *out) {
     low |= sum[i].low ^ flip;
   }
   const unsigned bits = high != 0 ? 128 - gjk_clz64(high) : 64 - gjk_clz64(low | 1), n = bits > 61 ? bits - 61 : 0;
+  //@ assert n <= 32;
   out->x = shift_down(&sum[0], n);
   out->y = shift_down(&sum[1], n);
   out->z = shift_down(&sum[2], n);
@@ -63,9 +64,9 @@ bool gjk_claim_normal(const gjk_long3 *direction, const gjk_unit3 *u) {
   const gjk_long3 *d = direction;
   const bool large = (gjk_magnitude64(d->x) | gjk_magnitude64(d->y) | gjk_magnitude64(d->z)) >> 56 != 0;
   const gjk_long3 v = {gjk_sar64(d->x, large ? 6 : 0), gjk_sar64(d->y, large ? 6 : 0), gjk_sar64(d->z, large ? 6 : 0)};
-  const uint32_t most = GJK_Q30_ONE + 4;
+  const gjk_q30 most = GJK_Q30_ONE + 4;
   int64_t x, y, z;
-  if (gjk_magnitude32(n.x) > most || gjk_magnitude32(n.y) > most || gjk_magnitude32(n.z) > most) {
+  if (n.x < -most || n.x > most || n.y < -most || n.y > most || n.z < -most || n.z > most) {
     return false;
   }
   const int64_t along = gjk_dot(&n, &n) - (INT64_C(1) << 60), limit = INT64_C(1) << 34;  // below 3 2^60
@@ -184,10 +185,9 @@ bool gjk_claim_gap(const gjk_iteration *it, gjk_q16 distance, int64_t radius, co
   int64_t exact = 4 * (int64_t)distance - 2;
   const int64_t least = 4 * radius;  // exact + least below 2^34, and below 2^33 in the frame
   gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
-  while (exact <= 4 * (int64_t)distance &&
-         (exact + 1 + least < 0 ||
-          compare_quarters(&numerator, &denominator, (uint64_t)(exact + 1 + least) << it->shift) >= 0)) {
-    exact++;  // 3 times at most
+  for (int i = 0; i < 3; i++) {
+    const int64_t next = exact + 1 + least;
+    exact += next < 0 || compare_quarters(&numerator, &denominator, (uint64_t)next << it->shift) >= 0;
   }
   gjk_limbs squared;
   gjk_limbs_set(&denominator, 1);

@@ -80,6 +80,10 @@ void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_cer
   out->proof = (uint8_t)any_between(GJK_PROOF_NONE, GJK_PROOF_PLANE);
   out->count = (uint8_t)any_between(0, 4);
   out->direction = it->direction.d;
+  for (int i = 0; i < 4; i++) {
+    out->a[i] = any_uint16();
+    out->b[i] = any_uint16();
+  }
 }
 
 void gjk_iteration_keep(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache) {
