@@ -170,7 +170,7 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
   }
   gjk_iteration it;
   start(&it, a, b, out);
-  gjk_outcome outcome = run(&it, gjk_search_limit(&it), cache, out);
+  gjk_outcome outcome = run(&it, GJK_NO_LIMIT, cache, out);
   if (outcome == GJK_OUTCOME_LIMIT) {
     if (stop_early(&it, out)) {
       return GJK_ERROR_ITERATION_LIMIT;

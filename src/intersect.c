@@ -14,8 +14,6 @@ GJK_OUT_OF_LINE static gjk_outcome settle(gjk_iteration *it) {
   return it->radius > 0 && gjk_iteration_near(it) ? GJK_OUTCOME_NEAR : GJK_OUTCOME_LIMIT;
 }
 
-#define NO_BUDGET UINT8_MAX
-
 // Runs up to so many rounds, with a budget from a cold start, lest the cache decide what they settle. NO, YES, or OPEN: then
 // iterations alone are set, and the cache is as it was.
 GJK_ONCE static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t most,
@@ -31,8 +29,7 @@ GJK_ONCE static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, 
     out->certificate.count = 0;
     return GJK_ANSWER_NO;
   }
-  const unsigned ceiling = gjk_search_limit(&it);
-  outcome = gjk_search(&it, GJK_GOAL_WITHIN, most == NO_BUDGET ? cache : NULL, most < ceiling ? most : ceiling);
+  outcome = gjk_search(&it, GJK_GOAL_WITHIN, most == GJK_NO_LIMIT ? cache : NULL, most);
   if (outcome == GJK_OUTCOME_LIMIT) {
     outcome = settle(&it);
   }
@@ -59,7 +56,7 @@ gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 dist
   if (status != GJK_OK) {
     return status;
   }
-  const gjk_answer answer = decide(a, b, distance, NO_BUDGET, cache, out);
+  const gjk_answer answer = decide(a, b, distance, GJK_NO_LIMIT, cache, out);
   return answer == GJK_ANSWER_OPEN ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
 }
 
@@ -69,7 +66,7 @@ gjk_status gjk_within_until(const gjk_collider *a, const gjk_collider *b, gjk_q1
   if (status != GJK_OK) {
     return status;
   }
-  out->answer = decide(a, b, distance, rounds > 0 ? rounds : NO_BUDGET, cache, &out->decision);
+  out->answer = decide(a, b, distance, rounds > 0 ? rounds : GJK_NO_LIMIT, cache, &out->decision);
   const bool spent = rounds > 0 && out->decision.iterations == rounds;
   return out->answer == GJK_ANSWER_OPEN && !spent ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
 }

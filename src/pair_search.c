@@ -124,7 +124,7 @@ static bool is_candidate(const gjk_iteration *it, const chain *c) {
 // Is the simplex of the chain the answer: does it hold the origin, or is it the nearest feature?
 static gjk_step try_chain(gjk_iteration *it, const album *a, const album *b, const chain *c) {
   gjk_simplex *s = &it->simplex;
-  const unsigned length = c->last + 1;
+  const unsigned length = c->last + 1u;
   s->count = (uint8_t)c->last;
   for (uint8_t i = 0; i < 4; i++) {
     s->order[i] = i;

@@ -39,13 +39,17 @@ static inline unsigned gjk_search_limit(const gjk_iteration *it) {
   return it->curved != NULL ? GJK_ITERATIONS_MAX : GJK_ROUNDS_MAX;
 }
 
+// As a limit: no other than that.
+#define GJK_NO_LIMIT UINT8_MAX
+
 // Rounds that remember, up to the limit in all.
 gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit);
 
 // Runs from the cache, or cold when it is NULL or useless; after LIMIT and with a higher limit on rounds, on from there.
 // Polytopes do not reach gjk_search_limit.
 static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
-  const unsigned plain = it->curved != NULL || limit < GJK_PLAIN_ROUNDS ? limit : GJK_PLAIN_ROUNDS;
+  const unsigned most = it->curved != NULL ? GJK_ITERATIONS_MAX : GJK_PLAIN_ROUNDS;
+  const unsigned plain = limit < most ? limit : most;
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
   if (it->rounds < plain) {
     it->limit = (uint8_t)plain;

@@ -67,8 +67,7 @@ GJK_OUT_OF_LINE static bool apart_when_moved(gjk_iteration *it, const gjk_vec3 *
   //@ assert it->shift >= 0;
   gjk_limbs numerator, denominator;
   bool parted = false;
-  if (gjk_search(it, GJK_GOAL_SIGNED, NULL, gjk_search_limit(it)) ==
-      GJK_OUTCOME_NEAREST) {  // not reached: else, see above
+  if (gjk_search(it, GJK_GOAL_SIGNED, NULL, GJK_NO_LIMIT) == GJK_OUTCOME_NEAREST) {  // not reached: else, see above
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
     parted = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
   }
@@ -216,13 +215,13 @@ static gjk_status report(overlap *o, gjk_outcome outcome, int64_t plane, const g
 // simplex that depends on the pair alone.
 static gjk_outcome search(overlap *o, gjk_goal goal, const gjk_cache *cache) {
   gjk_iteration *it = &o->it;
-  const gjk_outcome outcome = gjk_search(it, goal, cache, gjk_search_limit(it));
+  const gjk_outcome outcome = gjk_search(it, goal, cache, GJK_NO_LIMIT);
   o->rounds = it->rounds;
   if (outcome != GJK_OUTCOME_ENCLOSING || cache == NULL) {
     return outcome;
   }
   gjk_iteration_start(it, it->a, it->b, goal, gjk_roundings(it));
-  const gjk_outcome cold = gjk_search(it, goal, NULL, gjk_search_limit(it));
+  const gjk_outcome cold = gjk_search(it, goal, NULL, GJK_NO_LIMIT);
   o->rounds = (uint16_t)(o->rounds + it->rounds);
   return cold;
 }

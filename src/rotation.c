@@ -77,8 +77,9 @@ bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
 void gjk_rotate_fine(const gjk_quat *q, const gjk_vec3 *v, int64_t out[3]) {
   const int32_t along[3] = {v->x, v->y, v->z};
   int64_t m[9];
-  if (!fine_matrix(q, m)) {
-    return;  // not reached: q is a unit
+  out[0] = out[1] = out[2] = 0;
+  if ((v->x | v->y | v->z) == 0 || !fine_matrix(q, m)) {  // not reached: q is a unit
+    return;
   }
   for (int i = 0; i < 3; i++) {
     int64_t coarse = 0, fine = 0;

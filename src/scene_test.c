@@ -18,9 +18,6 @@ typedef struct question {
   const gjk_scene_view *v;
   const gjk_scene_part *a, *b;
   int32_t margin;  // of both bodies together: below 2^29
-  // One of them has no vertices. A query may then end at the ceiling on rounds, or decide within 2 LSB, so that nothing but
-  // asking tells what it answers: poses alone count, and nothing that was found before.
-  bool curved;
 } question;
 
 static uint8_t detail(const question *q) {
@@ -29,6 +26,12 @@ static uint8_t detail(const question *q) {
 
 static const gjk_shape *shape_of(const question *q, const gjk_scene_part *p) {
   return q->v->scene->shapes[p->shape];
+}
+
+// Has one of them no vertices? A query may then end at the ceiling on rounds, or decide within 2 LSB, so that nothing but
+// asking tells what it answers: poses alone count, and nothing that was found before.
+static bool is_curved(const question *q) {
+  return shape_of(q, q->a)->type->vertex == NULL || shape_of(q, q->b)->type->vertex == NULL;
 }
 
 static void set_near(gjk_scene_pair *pair, bool near) {
@@ -48,7 +51,7 @@ static bool outlasts_motion(const question *q, gjk_scene_pair *pair) {
   const uint32_t motion = a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
   const bool near = (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
   const int32_t gap = pair->gap;
-  if (motion >= (uint32_t)gap || (near && gjk_scene_measures(detail(q)))) {
+  if (motion >= (uint32_t)gap || (near && gjk_scene_measures(detail(q))) || is_curved(q)) {
     return false;
   }
   //@ assert gap >= 0 && motion <= INT32_MAX;
@@ -256,9 +259,8 @@ void gjk_scene_pair_test(const gjk_scene_view *v, gjk_scene_pair *pair) {
     return;
   }
   const gjk_scene_part *part_a = &v->parts[pair->part[0]], *part_b = &v->parts[pair->part[1]];
-  question q = {v, part_a, part_b, 0, false};
-  q.curved = shape_of(&q, part_a)->type->vertex == NULL || shape_of(&q, part_b)->type->vertex == NULL;
-  const bool skips = v->header->config.no_skips == 0 && !q.curved;
+  question q = {v, part_a, part_b, 0};
+  const bool skips = v->header->config.no_skips == 0;
   if (skips && outlasts_motion(&q, pair)) {
     pair->outcome = GJK_SCENE_MOTION;
     return;
@@ -267,7 +269,10 @@ void gjk_scene_pair_test(const gjk_scene_view *v, gjk_scene_pair *pair) {
   if (refused(&q)) {
     pair->gap = 0;
     pair->outcome = GJK_SCENE_FILTERED;
-  } else if (!((skips || q.curved) && boxes_tell(&q, pair)) && !(skips && spheres_tell(&q, pair))) {
-    query(&q, !skips, pair);
+  } else if (!((skips || is_curved(&q)) && boxes_tell(&q, pair))) {
+    const bool cold = !skips || is_curved(&q);
+    if (cold || !spheres_tell(&q, pair)) {
+      query(&q, cold, pair);
+    }
   }
 }

@@ -8,7 +8,7 @@
 #include "gjk/scene.h"
 #include "random.h"
 
-#define PAIRS 4000
+#define PAIRS 6000
 #define VERTICES 24
 
 #define CELLS GJK_POLYTOPE_CELLS(256)

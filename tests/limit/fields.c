@@ -109,18 +109,14 @@ static gjk_status ask_distance(const question *q, answer *out) {
 }
 
 static unsigned valid_distance(gjk_status status, const answer *out) {
-  if (status == GJK_OK) {
-    return out->distance.intersecting ? DISTANCE & ~PLACES : DISTANCE;
+  if (status != GJK_OK && status != GJK_ERROR_ITERATION_LIMIT) {
+    return 0;
   }
-  return status == GJK_ERROR_ITERATION_LIMIT ? BOUNDS : 0;
+  return out->distance.intersecting ? DISTANCE & ~PLACES : DISTANCE;
 }
 
 static gjk_status ask_until(const question *q, answer *out) {
   return gjk_distance_until(q->first, &q->b, &q->effort, NULL, &out->distance);
-}
-
-static unsigned valid_until(gjk_status status, const answer *out) {
-  return valid_distance(status == GJK_ERROR_ITERATION_LIMIT ? GJK_OK : status, out);
 }
 
 static gjk_status ask_penetration(const question *q, answer *out) {
@@ -164,7 +160,7 @@ static const struct query {
                {"gjk_within", ask_within, valid_decision, TABLE(of_decision)},
                {"gjk_within_until", ask_within_until, valid_within, TABLE(of_within)},
                {"gjk_distance", ask_distance, valid_distance, TABLE(of_distance)},
-               {"gjk_distance_until", ask_until, valid_until, TABLE(of_distance)},
+               {"gjk_distance_until", ask_until, valid_distance, TABLE(of_distance)},
                {"gjk_penetration", ask_penetration, valid_penetration, TABLE(of_penetration)},
                {"gjk_signed_distance", ask_signed, valid_signed, TABLE(of_distance)},
                {"gjk_contacts", ask_contacts, valid_manifold, TABLE(of_manifold)}};

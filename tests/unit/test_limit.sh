@@ -46,7 +46,7 @@ holds() {
     $27 == -10 { if ($31 > $12 + 3 || $32 < $12 - 3) { print "signed: " $0; bad = 1 } if ($31 > 0) apart++; if ($31 < 0) deep++ }
     { same(2, 3); undecided += !same(6, 1); unpierced += !same(8, 2); unmeasured += !same(11, 1); unmet += !same(13, 1) }
     END {
-      print limited + 0, useful + 0, undecided + 0, unpierced + 0, unmeasured + 0, unmet + 0
+      print limited + 0, useful + 0, undecided + 0, unpierced + 0, unmeasured + 0, unmet + 0, apart + 0, deep + 0
       exit bad || apart < 100 || deep < 100 || limited < 400 || useful < limited / 4 || undecided < 20 || unpierced < 20 || unmeasured < 100 || unmet < 100
     }'
 }

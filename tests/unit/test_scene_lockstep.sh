@@ -4,7 +4,7 @@
 build=$1
 
 names_what_differs() {
-  said=$(sh tests/build/demo-lockstep.sh "$build" 600 200 2>&1) || { echo "$said"; return 1; }
+  said=$(sh tests/build/demo-lockstep.sh "$build" 600 100 2>&1) || { echo "$said"; return 1; }
   echo "$said"
   echo "$said" | grep -q 'The two differ after tick' && echo "$said" | grep -q 'body [0-9]* position.x: ' &&
     echo "$said" | grep -q 'pair of body .*: distance '

@@ -12,12 +12,8 @@
 #define TICKS 60u
 #define MOVES 20000u
 #define FACES 20000u
-#define WALLS 10000u
 
 static const gjk_pose identity = GJK_POSE_IDENTITY;
-
-// LSB by which a decision about a curved pair may be off.
-#define CURVED_ERROR 2
 
 static uint64_t seed;
 static uint32_t quick_block[300], plain_block[300];
@@ -313,7 +309,9 @@ static void check_edges(void) {
       fine = tick();
       CHECK_MSG(fine, "step %u", k);
       CHECK(gjk_scene_get_stats(&quick, &stats) == GJK_OK);
-      CHECK_MSG(stats.motion == (skipped ? 1 : 0), "step %u", k);
+      // Curved pairs are asked anew in each update.
+      const bool curved = is_curved(shapes[0]) || is_curved(shapes[1]);
+      CHECK_MSG(stats.motion == (skipped && !curved ? 1 : 0), "step %u", k);
       edge_count++;
     }
   }
@@ -439,54 +437,10 @@ static void check_faces(void) {
   CHECK(near > check_trials(FACES) / 8);
 }
 
-// How far a curved shape reaches along x at a rotation.
-static double reach_of(const case_shape *s) {
-  const gjk_quat *q = &s->pose.rotation;
-  const double x = q->x, y = q->y, z = q->z, w = q->w, n = x * x + y * y + z * z + w * w;
-  const double u[3] = {(w * w + x * x - y * y - z * z) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n};
-  const double base = s->size.x * sqrt(u[0] * u[0] + u[1] * u[1]), tip = s->size.z * u[2];
-  switch (s->kind) {
-    case CASE_CYLINDER: return s->round + base + fabs(tip);
-    case CASE_CONE: return s->round + fmax(tip, base - tip);
-    default: return s->round + sqrt(pow(s->size.x * u[0], 2) + pow(s->size.y * u[1], 2) + pow(s->size.z * u[2], 2));
-  }
-}
-
-// Curved shapes before a wall across x, where the true distance is known: a claim leaves what a later decision may be off.
-static void check_walls(void) {
-  random_state random = random_seed(seed + 4);
-  unsigned claimed = 0;
-  for (unsigned i = 0; i < check_trials(WALLS); i++) {
-    check_trial(i, NULL, NULL);
-    const gjk_q16 reach = generate_reach(&random) / 2 + 20;
-    const gjk_shape wall = GJK_BOX(20, reach, reach);
-    do {
-      make_shape(&random, 0, reach);
-    } while (!is_curved(shapes[0]));
-    shapes[1] = &wall;
-    placed = false;
-    cases[0].pose.rotation = generate_rotation(&random);
-    pose[0] = cases[0].pose;
-    pose[1] = identity;
-    margin = random_range(&random, 0, 1) == 0 ? 0 : random_range(&random, 0, reach);
-    const double touching = reach_of(&cases[0]) + 20;
-    pose[1].position.x = (gjk_q16)touching + margin + random_range(&random, -3, 30);
-    start(GJK_Q16(1));
-    CHECK(tick());
-    const gjk_scene_pair *pair = record();
-    if ((pair->state & GJK_SCENE_PAIR_NEAR) == 0 && pair->gap > 0) {
-      CHECK(pose[1].position.x - touching > (double)margin + pair->gap + CURVED_ERROR - 0.001);
-      claimed++;
-    }
-  }
-  CHECK(claimed > check_trials(WALLS) / 3);
-}
-
 int main(void) {
   seed = check_seed(SEED);
   check_motion();
   check_faces();
-  check_walls();
   check_edges();
   check_paths();
   printf("%u near, %u far; %u skipped by motion, %u by boxes, %u by direction; %u edges\n", near_count, far_count,

@@ -35,7 +35,7 @@ static unsigned count_recalls(const gjk_collider *a, const gjk_collider *b, gjk_
   gjk_iteration it;
   it.recalls = 0;
   if (gjk_iteration_start(&it, a, b, goal, (int64_t)a->shape->round + b->shape->round)) {
-    gjk_search(&it, goal, NULL, gjk_search_limit(&it));
+    gjk_search(&it, goal, NULL, GJK_NO_LIMIT);
   }
   return it.rounds > GJK_PLAIN_ROUNDS && it.curved == NULL ? it.recalls : 0;
 }
