@@ -9,9 +9,11 @@ typedef struct album {
   unsigned shift;
 } album;
 
-static album open_album(const gjk_collider *c, uint64_t *seen) {
+// side 0: of A; 1: of B.
+static album open_album(gjk_iteration *it, unsigned side) {
+  const gjk_collider *c = side == 0 ? it->a : it->b;
   const uint32_t count = c->shape->type->kind == GJK_KIND_AXES ? UINT32_C(1) << c->count : c->count;
-  album of = {c, seen, count, 0};
+  album of = {c, &it->seen[side], count, 0};
   while ((count - 1) >> of.shift >= GJK_MARKS) {  // at most 10 times
     of.shift++;
   }
@@ -212,7 +214,7 @@ GJK_OUT_OF_LINE static gjk_outcome remember(gjk_iteration *it) {
     it->seen[0] = it->seen[1] = 0;
     it->recalls = 0;
   }
-  const album a = open_album(it->a, &it->seen[0]), b = open_album(it->b, &it->seen[1]);
+  const album a = open_album(it, 0), b = open_album(it, 1);
   if (!mark_feature(it, &a, &b)) {
     // In a far frame alone, where vertices are rounded: another one is nearer by no more than that.
     gjk_simplex_direction(&it->simplex, &it->direction);

@@ -12,9 +12,9 @@ at_most() {
 build=$1
 if [ -z "$(missing_package cortex-m3)" ]; then
   check 'the library for Cortex-M3 at -Os' make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked
-  check 'gjk_intersect on boxes alone' at_most 6912 -DSIZE_BOXES
-  check 'gjk_distance on hulls, boxes and rounded forms' at_most 11264
-  check 'gjk_penetration as well, with posing' at_most 20224 -DSIZE_POSED -DSIZE_DEPTH
+  check 'gjk_intersect on boxes alone' at_most 8576 -DSIZE_BOXES
+  check 'gjk_distance on hulls, boxes and rounded forms' at_most 13440
+  check 'gjk_penetration as well, with posing' at_most 22912 -DSIZE_POSED -DSIZE_DEPTH
 else
   skip 'linked sizes' "$(missing_package cortex-m3)"
 fi
