@@ -142,6 +142,7 @@ GJK_OUT_OF_LINE static bool take_feature(const gjk_iteration *it, gjk_distance_r
   const int64_t plane = -gjk_along(&out->normal, &it->simplex.slot[it->simplex.order[0]].w);
   const int64_t nearest = settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift),
                                           to_lsb(plane + GJK_PLANE_ERROR, it->shift), ROUND_NEAREST);
+  //@ assert nearest >= 0 && nearest <= INT64_C(1) << 31;
   const int64_t upper = settle_distance(it, nearest, nearest + 1, ROUND_UP) - gjk_roundings(it);
   out->distance = (gjk_q16)(nearest - gjk_roundings(it));
   out->upper = (gjk_q16)upper;

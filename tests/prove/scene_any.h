@@ -124,6 +124,7 @@ static void any_part(gjk_scene_part *part) {
   part->local_centre = any_position();
   for (int i = 0; i < 3; i++) {
     part->frame[i] = any_position();
+    part->fraction[i] = (int8_t)any_between(INT8_MIN, INT8_MAX);
   }
   part->core_radius = any_between(4, GJK_RADIUS_MAX + 4);
   part->exact = any_box();

@@ -42,6 +42,7 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
   c->centre = any_position();
   for (int i = 0; i < 3; i++) {
     c->frame[i] = any_position();
+    c->fraction[i] = (int8_t)any_between(INT8_MIN, INT8_MAX);
   }
   c->state = GJK_STATE_POSED;
   return GJK_OK;
