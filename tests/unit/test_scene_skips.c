@@ -1,6 +1,5 @@
 // Skips to the last LSB: what a pair's record claims is so, motion bounds what moves, and paths that spend each gap in full
 // are told as a scene without skips and brute force tell them, tick by tick.
-#include <math.h>
 
 #include "../../src/scene.h"
 #include "../../src/shape_class.h"
@@ -107,12 +106,29 @@ static bool claim_holds(void) {
   return (pair->state & GJK_SCENE_PAIR_NEAR) != 0 ? distance <= limit - pair->gap : distance >= limit + pair->gap;
 }
 
+// Only a pair with a curved shape may reach the ceiling on rounds, where that is low.
+static bool answered(gjk_status status) {
+  const bool curved = is_curved(shapes[0]) || is_curved(shapes[1]);
+  CHECK_MSG(status == GJK_OK || (curved && status == GJK_ERROR_ITERATION_LIMIT), "%s", gjk_status_name(status));
+  return status == GJK_OK;
+}
+
+// Then the pair is near, unless the boxes tell.
+static bool boxes_are_near(const gjk_collider *a, const gjk_collider *b) {
+  gjk_aabb box, other;
+  CHECK(gjk_collider_aabb(a, &box) == GJK_OK);
+  CHECK(gjk_collider_aabb(b, &other) == GJK_OK);
+  return gjk_aabb_gap(&box, &other) <= (uint32_t)margin;
+}
+
 // One update of both scenes, compared with brute force. Returns whether all agree.
 static bool tick(void) {
   const gjk_collider a = collider_of(0), b = collider_of(1);
   gjk_decision truth = {0};
   gjk_scene_stats stats;
-  CHECK(gjk_within(&a, &b, margin, NULL, &truth) == GJK_OK);
+  if (!answered(gjk_within(&a, &b, margin, NULL, &truth))) {
+    truth.yes = boxes_are_near(&a, &b);
+  }
   const bool with = update(&quick), without = update(&plain);
   CHECK(gjk_scene_get_stats(&quick, &stats) == GJK_OK);
   motion_count += stats.motion;
@@ -168,7 +184,7 @@ static gjk_vec3 main_axis(const gjk_vec3 *way) {
 static int64_t look(course *c) {
   const gjk_collider a = collider_of(0), b = collider_of(1);
   gjk_distance_result r = {0};
-  CHECK(gjk_distance(&a, &b, NULL, &r) == GJK_OK);
+  answered(gjk_distance(&a, &b, NULL, &r));
   if (r.distance > 0) {
     const gjk_vec3 way = {r.normal.x, r.normal.y, r.normal.z};
     c->way = c->along_axis ? main_axis(&way) : way;
