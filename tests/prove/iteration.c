@@ -3,7 +3,7 @@
 #include "iteration.h"
 #include "colliders.h"
 
-// At least the ceiling of any query; the assertion on rounds has the same.
+// At least the ceiling of any query.
 #define MOST 250
 
 static void check_direction(const gjk_rounded *direction, int32_t size) {
@@ -14,7 +14,6 @@ static void check_direction(const gjk_rounded *direction, int32_t size) {
 // What the queries read after an outcome.
 static void check_iteration(const gjk_iteration *it, unsigned outcome) {
   const gjk_simplex *s = &it->simplex;
-  //@ assert it->rounds <= 250;
   check_direction(&it->direction, outcome == GJK_OUTCOME_NEAREST && s->count > 1 ? INT32_C(1) << 30 : ANY_W);
   if (outcome != GJK_OUTCOME_SEPARATED) {
     const unsigned most = outcome == GJK_OUTCOME_ENCLOSING ? 4 : 3;
