@@ -37,10 +37,10 @@ typedef struct gjk_manifold {
 // cache, workspace  as of gjk_signed_distance, which is asked first.
 // Faces      boxes, triangles, hulls with faces and the flat ends of cylinders and cones (octagons) meet in the polygon that
 //            they share, seen along the normal; but no face of a rounded hull that is narrower than some 6 times the root
-//            of its rounding, both in LSB, since posing turns it. A shape that has no face within 20 degrees of the normal meets with its
-//            edge, or the line of its side, if that is level within 20 degrees. Edges share two points where they are
-//            across from each other all along, to 2 LSB; the lines of round sides, where a point between them is on both
-//            to half an LSB. At any larger angle edges meet where they cross. Everything else, a hull without faces too,
+//            of its rounding, both in LSB, since posing turns it. A shape that has no face within 20 degrees of the
+//            normal meets with its edge, or the line of its side, if that is level within 20 degrees. Edges share two
+//            points where they are across from each other all along, to 2 LSB; the lines of round sides, where a point
+//            between them is on both to half an LSB. At any larger angle edges meet where they cross. Everything else, a hull without faces too,
 //            meets in the one point of gjk_signed_distance, and so do shapes whose centres are more than 8192 units apart
 //            along an axis. That point always is one of them where it is nearer than all others, but for those left out.
 // Ids        functions of the shapes and poses alone. Shapes that rest keep them: of bodies that tremble by an LSB and 1e-7
