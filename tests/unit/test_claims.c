@@ -97,9 +97,8 @@ static void check_forged(campaign *c) {
 
 int main(int argc, char **argv) {
   static campaign c;
-  const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
+  const uint64_t seed = argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(1);
   const unsigned long pairs = argc > 2 ? strtoul(argv[2], NULL, 10) : PAIRS;
-  printf("seed %llu\n", (unsigned long long)seed);
   c.random = random_seed(seed);
   for (unsigned long i = 0; i < pairs && c.failures < FAILURES_SHOWN; i++) {
     forge_pair(&c.random, i % 16 == 0 ? EXACT_BRUTE_MAX : EXACT_BRUTE_MAX / 2, &c.pair);

@@ -145,7 +145,7 @@ static void test_identity(void) {
 }
 
 int main(void) {
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   long double most = 0;
   for (int i = 0; i < ROUNDS; i++) {
     check_round(&random, i);

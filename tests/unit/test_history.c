@@ -124,7 +124,7 @@ static gjk_cache make_rubbish(random_state *random) {
 static void check_caches(void) {
   unsigned touching = 0, full = 0, limited = 0;
   for (unsigned i = 0; i < PAIRS; i++) {
-    random_state random = random_seed(SEED + i);
+    random_state random = random_seed(check_seed(SEED) + i);
     const gjk_shape shapes[2] = {make_shape(&random, 0), make_shape(&random, 1)};
     question q;
     answers cold, warm;
@@ -287,7 +287,7 @@ static void check_scenes(void) {
   static history h[HISTORIES];
   unsigned near = 0, unsettled = 0, skipped = 0;
   for (unsigned i = 0; i < SCENES; i++) {
-    random_state random = random_seed(SEED + 1000000 + i);
+    random_state random = random_seed(check_seed(SEED) + 1000000 + i);
     gjk_shape shapes[2];
     const story s = make_story(&random, shapes);
     CHECK(play(&h[WHOLE], &s, true, 0));
@@ -370,7 +370,7 @@ static void check_room(void) {
   static crowd wide, tight;
   unsigned refused = 0, narrow = 0;
   for (unsigned i = 0; i < ROOMS; i++) {
-    random_state random = random_seed(SEED + 2000000 + i);
+    random_state random = random_seed(check_seed(SEED) + 2000000 + i);
     const gjk_q16 margin = random_below(&random, 2) == 0 ? 0 : GJK_Q16(0.25);
     const uint32_t pairs = 2 + random_below(&random, 10);
     start_crowd(&wide, GJK_Q16(2), margin, pairs);
@@ -411,7 +411,7 @@ static void check_nearest(void) {
   static const gjk_scene_config config = {CROWD, CROWD, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
   static crowd c;
   for (unsigned i = 0; i < ROOMS; i++) {
-    random_state random = random_seed(SEED + 3000000 + i);
+    random_state random = random_seed(check_seed(SEED) + 3000000 + i);
     gjk_collider from, to[CROWD];
     gjk_pose pose = GJK_POSE_IDENTITY;
     gjk_q16 best = INT32_MAX, distance = 0;
@@ -451,7 +451,7 @@ static void check_nearest(void) {
 // What peers must have in common is in the hash: the cells of the workspace.
 static void check_configuration(void) {
   static history few, many;
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   gjk_shape shapes[2];
   story s = make_story(&random, shapes);
   s.cells = 40;
@@ -462,7 +462,7 @@ static void check_configuration(void) {
 }
 
 int main(void) {
-  printf("seed %d, ceiling %d\n", SEED, GJK_ITERATIONS_MAX);
+  printf("ceiling %d\n", GJK_ITERATIONS_MAX);
   check_caches();
   check_scenes();
   check_room();

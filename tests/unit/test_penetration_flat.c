@@ -147,7 +147,7 @@ static void check_pair(tally *t) {
 }
 
 int main(void) {
-  random_state random = random_seed(SEED);
+  random_state random = random_seed(check_seed(SEED));
   const gjk_pose identity = GJK_POSE_IDENTITY;
   tally t = {0, 0, 0, 0}, of_known = {0, 0, 0, 0};
   for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {

@@ -136,8 +136,7 @@ static void test_statuses(void) {
 
 int main(int argc, char **argv) {
   static campaign c;
-  const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
-  printf("seed %llu\n", (unsigned long long)seed);
+  const uint64_t seed = argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(1);
   c.random = random_seed(seed);
   test_statuses();
   for (unsigned f = 0; f < generate_family_count; f++) {
