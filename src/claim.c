@@ -11,7 +11,9 @@ void gjk_claim_direction(const gjk_simplex *s, gjk_long3 *out) {
   gjk_u128 sum[3];
   gjk_simplex_exact_direction(s, &d);
   if (d.rank == 3) {
-    *out = *d.n;
+    out->x = d.n->x;
+    out->y = d.n->y;
+    out->z = d.n->z;
     return;
   }
   if (d.rank == 1) {
@@ -168,7 +170,8 @@ bool gjk_claim_cut(const gjk_collider *c, const uint16_t *named, unsigned count,
 // The sign of 4 sqrt(numerator / denominator) - quarters. Pre: numerator <= 2^186.
 static int compare_quarters(const gjk_limbs *numerator, const gjk_limbs *denominator, uint64_t quarters) {
   gjk_limbs x;
-  x = *numerator;
+  gjk_limbs_set(&x, 0);
+  gjk_limbs_add(&x, numerator);  // no copy, which GCC makes a call of memcpy on ARMv6-M
   gjk_limbs_add(&x, &x);
   gjk_limbs_add(&x, &x);
   return gjk_compare_distance(&x, denominator, quarters);

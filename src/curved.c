@@ -42,5 +42,5 @@ int32_t gjk_fine(gjk_q16 size, gjk_q30 u) {
 bool gjk_curved_stalls(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift, bool late) {
   // d . step / |d| is the gain: below 2^62; |d|_1 <= sqrt(3) |d| is below 2^32. In a far frame, by its own unit.
   const gjk_vec3 step = gjk_sub(*to, *from);
-  return gjk_dot(d, &step) <= gjk_shl64(gjk_norm1(*d), shift > 0 ? (unsigned)shift : 0) / (late ? 2 : 8);
+  return gjk_dot(d, &step) <= gjk_sar64(gjk_shl64(gjk_norm1(*d), shift > 0 ? (unsigned)shift : 0), late ? 1 : 3);
 }

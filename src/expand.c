@@ -16,7 +16,9 @@
 // Places the support along the exact direction d. Is it beyond the origin there?
 static bool support_beyond_origin(gjk_iteration *it, const gjk_vec3 *d) {
   gjk_support b;
-  it->direction.d = *d;
+  it->direction.d.x = d->x;  // one by one: GCC makes a copy of three on ARMv6-M a call of memcpy
+  it->direction.d.y = d->y;
+  it->direction.d.z = d->z;
   it->direction.exact = true;
   gjk_iteration_next(it, &b);
   return gjk_dot(d, &gjk_simplex_free(&it->simplex)->w) > 0;

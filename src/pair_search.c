@@ -160,7 +160,9 @@ static bool advance(const album *a, const album *b, uint16_t *of_a, uint16_t *of
 // Makes the feature the nearest over all differences of seen vertices by trying all: k and l of them have less than (k l)^4
 // chains.
 GJK_OUT_OF_LINE static gjk_step try_all(gjk_iteration *it, const album *a, const album *b) {
-  chain c = {{0, 0, 0, 0}, {0, 0, 0, 0}, 0};
+  chain c;
+  c.last = 0;
+  c.a[1] = c.a[2] = c.a[3] = c.b[1] = c.b[2] = c.b[3] = 0;
   c.a[0] = (uint16_t)next_seen(a, 0);
   c.b[0] = (uint16_t)next_seen(b, 0);
   for (;;) {  // each chain once, and one of them is the answer
