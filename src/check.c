@@ -156,8 +156,8 @@ static bool is_rounded(const gjk_iteration *it, gjk_q16 distance, int64_t radius
          (twice == 0 || gjk_compare_distance(&numerator, &denominator, (twice - 1) << it->shift) >= 0);
 }
 
-// Are the points where the named feature is nearest, and is a coordinate said to be cut off where one may be? What is cut
-// off says nothing of where the point was. Pre: the certificate's feature holds.
+// Are the points where the named feature is nearest? Saturated: may a coordinate have been cut off? A point that was says
+// nothing of where it lay. Pre: the certificate's feature holds.
 static bool are_nearest(const gjk_iteration *it, const gjk_distance_result *result, int64_t radius) {
   const gjk_certificate *c = &result->certificate;
   const bool on_a = gjk_claim_point(it->a, c->a, c->count, &result->point_a),

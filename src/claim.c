@@ -59,8 +59,8 @@ static bool same_sign(int64_t direction, gjk_q30 u) {
   return direction == 0 ? u == 0 : (direction > 0 ? u >= 0 : u <= 0);
 }
 
-// With v the direction, at most 2^56 per component, and u the normal, Q30: u is off by |u x v| / |v| across v and by |u| - 2^30 along it, and that is
-// (u^2 - 2^60) / 2^31, both to 2^-26. 4 are allowed; 255/16 instead of 16 for their square leaves room for what is cut off.
+// With v the direction, at most 2^56 per component, and u the normal, Q30: across v u is off by |u x v| / |v|, along it by
+// |u| - 2^30, which is (u^2 - 2^60) / 2^31; both to 2^-26. 4 are allowed; 255/16 instead of 16 for their square leaves room for what is cut off.
 bool gjk_claim_normal(const gjk_long3 *direction, const gjk_unit3 *u) {
   const gjk_vec3 n = {u->x, u->y, u->z};
   const gjk_long3 *d = direction;

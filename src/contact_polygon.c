@@ -268,8 +268,8 @@ static unsigned load_face(const gjk_collider *c, const gjk_vec3 *position, uint3
   return farthest < 2 ? farthest : 2;
 }
 
-// Is a rounded face, of a normal, broad enough to have one? Posing moves corners by an LSB, and so turns a face of width W by
-// about 1 / W, which takes points at radius up to radius / (2 W^2) off the surface. W is at least the normal's largest
+// Is a rounded face broad enough for its normal to count? Posing moves corners by an LSB. That turns a face of width W by
+// about 1 / W, and takes points at radius up to radius / (2 W^2) off the surface. W is at least the normal's largest
 // component by the sum of a corner's distances from the first. 2^root is from the root of radius to twice that.
 static bool is_broad(const gjk_polygon *p, gjk_q16 radius) {
   const uint64_t x = gjk_magnitude64(p->normal.x), y = gjk_magnitude64(p->normal.y), z = gjk_magnitude64(p->normal.z);

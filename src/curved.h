@@ -23,9 +23,9 @@ gjk_vec3 gjk_curved_direction(const gjk_collider *collider, const gjk_vec3 *d);
 // Reports a support point.
 void gjk_curved_support(const gjk_collider *collider, const gjk_fine_point *point, gjk_support *out);
 
-// Is the gain less than a fifth of an LSB, or late in a search than one? Supports are rounded to an LSB, so that by such steps
-// the search could go on for long. The gain is also how far the feature's distance is from a proven bound, supports taken as
-// they are; so distances stay within 2 LSB. |d| <= 3 2^29, |to - from| < 2^31; -3 <= shift <= 29.
+// Is the gain less than a fifth of an LSB, or late in a search less than one? Supports are rounded to an LSB, so a search by
+// such steps could go on for long. With supports as they are, the gain is also how far the feature's distance is from a
+// proven bound. So distances stay within 2 LSB. |d| <= 3 2^29, |to - from| < 2^31; -3 <= shift <= 29.
 bool gjk_curved_stalls(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift, bool late);
 
 // size / 2^30 along u, in fine units. Pre: size at most 2^28.

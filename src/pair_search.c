@@ -105,9 +105,9 @@ typedef struct chain {
   uint8_t last;  // the number of the last slot
 } chain;
 
-// Is the chain one to be tried? Among exact differences a point of A and one of B are what counts, each inside some vertices
-// of its shape, five in all at most (Kirchberger 1903): fewest possible, so that only these points have this difference.
-// The prism of these vertices then is cut into simplices by chains in which no number falls and at most three rise.
+// Is the chain one to be tried? The answer is a difference of a point of A and one of B, each spanned by vertices of its shape.
+// Five vertices in all suffice (Kirchberger 1903). Of the fewest that do, no other points have this difference.
+// Chains in which no number falls and at most three rise cut the prism of these vertices into simplices.
 // In a far frame differences are rounded, and so any three may be needed.
 static bool is_candidate(const gjk_iteration *it, const chain *c) {
   unsigned rises = 0;
