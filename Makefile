@@ -84,14 +84,14 @@ LIB := $(OUT)/libgjk.a
 HOST_LIB := build/host/libgjk.a
 
 WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror
-INCLUDES := -Iinclude -Isrc -Iport
+INCLUDES := -Iinclude -Iport
 COMMON := -std=c99 -g $(WARNINGS) $(INCLUDES)
 DEPENDENCIES := -MMD -MP
 PORT ?= $(PORT_$(TARGET))
 PORT_HEADER = $(if $(1),-DGJK_PORT_HEADER='"$(1)/gjk_port.h"')
 FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) \
   -ffreestanding -ffunction-sections -fdata-sections
-HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -Itests
+HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
 .PHONY: all help lib setup test unit-tests demo demo-stack sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
@@ -107,7 +107,10 @@ help:
 
 lib: $(LIB)
 
-$(LIB): $(patsubst src/%.c,$(OUT)/%.o,$(wildcard src/*.c))
+LIB_OBJECTS := $(patsubst %.c,$(OUT)/%.o,$(notdir $(wildcard src/*/*.c)))
+vpath gjk_%.c $(wildcard src/*)
+
+$(LIB): $(LIB_OBJECTS)
 	@rm -f $@
 	@echo '  $@'
 	@$(AR_$(TARGET)) rcs $@ $^
@@ -115,7 +118,7 @@ $(LIB): $(patsubst src/%.c,$(OUT)/%.o,$(wildcard src/*.c))
 $(OUT)/library.flags: FORCE
 	$(call FLAGS,$(FREESTANDING) $(AR_$(TARGET)))
 
-$(OUT)/%.o: src/%.c $(OUT)/library.flags Makefile
+$(LIB_OBJECTS): $(OUT)/%.o: %.c $(OUT)/library.flags Makefile
 	@mkdir -p $(@D)
 	@echo '  $(TARGET) $<'
 	@$(FREESTANDING) $(DEPENDENCIES) -c $< -o $@
@@ -127,14 +130,14 @@ endif
 
 # Programs for the host: what the tests and tools share, and each one's own.
 
-SUPPORT_SOURCES := $(wildcard tests/case/*.c tests/reference/*.c tests/exact/*.c tests/generate/*.c tests/scene/*.c tests/solver/*.c) \
+SUPPORT_SOURCES := $(wildcard tests/support/case/*.c tests/support/reference/*.c tests/support/exact/*.c tests/support/generate/*.c tests/support/scene/*.c tests/support/solver/*.c) \
   port/hosted/gjk_hosted.c
 SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
-TEST_SCRIPTS := $(wildcard tests/unit/test_*.sh)
-UNIT_TESTS := $(patsubst tests/unit/%.c,build/%,$(wildcard tests/unit/test_*.c))
-QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/query/*.c))
-DEMO_STACK := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/demo_stack/*.c) $(addprefix tests/demo/,draw.c geometry.c svg.c))
-DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out tests/demo/firmware.c,$(wildcard tests/demo/*.c)))
+TEST_SCRIPTS := $(wildcard tests/check/unit/test_*.sh)
+UNIT_TESTS := $(patsubst tests/check/unit/%.c,build/%,$(wildcard tests/check/unit/test_*.c))
+QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/query/*.c))
+DEMO_STACK := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/demo_stack/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c svg.c))
+DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo/*.c)))
 
 build/hosted/programs.flags: FORCE
 	$(call FLAGS,$(HOSTED))
@@ -147,8 +150,8 @@ build/hosted/%.o: %.c build/hosted/programs.flags Makefile
 build/gjk-query: $(QUERY)
 build/gjk-demo: $(DEMO)
 build/gjk-demo-stack: $(DEMO_STACK)
-build/lockstep: build/hosted/tests/lockstep/main.o build/hosted/tests/lockstep/peer.o
-$(UNIT_TESTS): build/%: build/hosted/tests/unit/%.o
+build/lockstep: build/hosted/tests/programs/lockstep/main.o build/hosted/tests/programs/lockstep/peer.o
+$(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
 build/gjk-query build/gjk-demo build/gjk-demo-stack build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
@@ -156,8 +159,8 @@ build/gjk-query build/gjk-demo build/gjk-demo-stack build/lockstep $(UNIT_TESTS)
 # The benchmark, and what reads its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet and fcl.
 
 BENCH_PEERS ?=
-BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/bench/*.c)) $(BENCH_PEERS:%=build/hosted/tests/bench/peer/%.o)
-BENCH_REPORT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/bench/report/*.c) tests/demo/svg.c tests/demo/labels.c)
+BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/*.c)) $(BENCH_PEERS:%=build/hosted/tests/measure/bench/peer/%.o)
+BENCH_REPORT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/report/*.c) tests/programs/demo/svg.c tests/programs/demo/labels.c)
 PEER_FLAGS = $(shell pkg-config $(1) $(BENCH_PEERS))
 PEER_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(patsubst -I%,-isystem%,$(filter -I%,$(call PEER_FLAGS,--cflags))) \
   $(DEPENDENCIES)
@@ -165,7 +168,7 @@ PEER_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(patsubst -I%,-isystem%,$(fi
 build/hosted/peers.flags: FORCE
 	$(call FLAGS,$(CC) $(BENCH_PEERS) $(if $(BENCH_PEERS),$(PEER_COMPILE) $(call PEER_FLAGS,--libs)))
 
-build/hosted/tests/bench/peer/%.o: tests/bench/peer/%.cpp build/hosted/peers.flags Makefile
+build/hosted/tests/measure/bench/peer/%.o: tests/measure/bench/peer/%.cpp build/hosted/peers.flags Makefile
 	@mkdir -p $(@D)
 	@echo '  $<'
 	@$(PEER_COMPILE) -c $< -o $@
@@ -176,10 +179,10 @@ build/gjk-bench: $(BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
 
 # The scene's; of the peers those that have a broad phase, bullet and fcl.
 SCENE_PEERS := $(filter bullet fcl,$(BENCH_PEERS))
-SCENE_BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/bench_scene/*.c)) \
-  $(SCENE_PEERS:%=build/hosted/tests/bench_scene/peer/%.o)
+SCENE_BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench_scene/*.c)) \
+  $(SCENE_PEERS:%=build/hosted/tests/measure/bench_scene/peer/%.o)
 
-build/hosted/tests/bench_scene/peer/%.o: tests/bench_scene/peer/%.cpp build/hosted/peers.flags Makefile
+build/hosted/tests/measure/bench_scene/peer/%.o: tests/measure/bench_scene/peer/%.cpp build/hosted/peers.flags Makefile
 	@mkdir -p $(@D)
 	@echo '  $<'
 	@$(PEER_COMPILE) -c $< -o $@
@@ -192,34 +195,38 @@ build/gjk-bench-report: $(BENCH_REPORT)
 	@echo '  $@'
 	@$(CC) $^ -lm -o $@
 
-# Firmware NAME for the target's emulated board: tests/target/NAME.c and NAME_firmware.c.
+# Firmware NAME for the target's emulated board: NAME.c and NAME_firmware.c of tests/check/target or tests/measure/target.
 # Start-up code clears memory in a loop, which must not become a call of itself.
 
 BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
-FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/*.h tests/target/*.h tests/demo/*.h tests/scene/*.h tests/lockstep/*.h include/gjk/*.h) Makefile
-FIRMWARE = $(FREESTANDING) -Itests -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
+FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/support/scene/*.h tests/programs/lockstep/*.h include/gjk/*.h) Makefile
+FIRMWARE = $(FREESTANDING) -I. -Itests/support -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
   $(filter-out $(FIRMWARE_NEEDS) %.flags,$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 
 $(OUT)/%.elf.flags: FORCE
 	$(call FLAGS,$(FREESTANDING) $(FIRMWARE_DEFINES) $(BOARD_$(TARGET)) $(WORST_CASES))
 
-$(OUT)/%.elf: tests/target/%.c tests/target/%_firmware.c $(OUT)/%.elf.flags $(FIRMWARE_NEEDS)
+$(OUT)/%.elf: tests/check/target/%.c tests/check/target/%_firmware.c $(OUT)/%.elf.flags $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE)
 
-$(OUT)/bench.elf: tests/target/bench_gjk.c tests/target/bench_float.c tests/target/bench_double.c
+$(OUT)/%.elf: tests/measure/target/%.c tests/measure/target/%_firmware.c $(OUT)/%.elf.flags $(FIRMWARE_NEEDS)
+	@echo '  $@'
+	@$(FIRMWARE)
+
+$(OUT)/bench.elf: tests/measure/target/bench_gjk.c tests/measure/target/bench_float.c tests/measure/target/bench_double.c
 $(OUT)/bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),,-DBENCH_REFERENCE_DEPTH)
 $(OUT)/bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
 $(OUT)/worst.elf: $(WORST_CASES)
-$(OUT)/scene_bench.elf: tests/scene/traffic.c
-$(OUT)/scene_golden.elf: tests/scene/match.c
-$(OUT)/port.elf: tests/target/port_allocation.c port/generic/gjk_arena.c
+$(OUT)/scene_bench.elf: tests/support/scene/traffic.c
+$(OUT)/scene_golden.elf: tests/support/scene/match.c
+$(OUT)/port.elf: tests/check/target/port_allocation.c port/generic/gjk_arena.c
 
-$(OUT)/demo.elf: build/demo_scene.c tests/demo/firmware.c tests/target/demo_firmware.c $(OUT)/demo.elf.flags $(FIRMWARE_NEEDS)
+$(OUT)/demo.elf: build/demo_scene.c tests/programs/demo/firmware.c tests/programs/demo/demo_firmware.c $(OUT)/demo.elf.flags $(FIRMWARE_NEEDS)
 	@echo '  $@'
-	@$(FIRMWARE) -Itests/demo
+	@$(FIRMWARE) -Itests/programs/demo
 
-$(OUT)/lockstep.elf: tests/lockstep/firmware.c tests/lockstep/peer.c tests/scene/match.c $(OUT)/lockstep.elf.flags $(FIRMWARE_NEEDS)
+$(OUT)/lockstep.elf: tests/programs/lockstep/firmware.c tests/programs/lockstep/peer.c tests/support/scene/match.c $(OUT)/lockstep.elf.flags $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE)
 

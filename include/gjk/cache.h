@@ -9,7 +9,7 @@
 // Status, decision, distance, depth and bounds never depend on it. Between polytopes and their rounded forms the witness
 // points, normal, certificate, and contacts that follow from them may, among equally near ones; iterations do. A lockstep
 // game that uses those saves caches with its state, or passes none; a scene's reports never depend on its own.
-// tests/unit/test_history.c holds it, with low ceilings and small workspaces as well.
+// tests/check/unit/test_history.c holds it, with low ceilings and small workspaces as well.
 typedef struct gjk_cache {
   int16_t direction[3];  // last direction from A to B; all zero: none
   uint16_t count;        // pairs below

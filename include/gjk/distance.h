@@ -19,7 +19,7 @@ typedef struct gjk_distance_result {
   gjk_unit3 normal;    // from A to B, Q2.30; not set when intersecting
   bool intersecting;   // the shapes share a point
   bool saturated;      // the gap, or a coordinate of a point, is beyond Q16.16 and was cut off there
-  uint8_t iterations;  // rounds used: support scans of both shapes
+  uint8_t iterations;  // iterations used: support scans of both shapes
   gjk_certificate certificate;
 } gjk_distance_result;
 
@@ -35,7 +35,7 @@ typedef struct gjk_distance_result {
 //         More than 8192 units apart: distance within 2^-28 of itself, of curved shapes within 2^-27; points to 2^-27 of the
 //         distance, and the shapes are that far apart, to 2^-27, along the normal.
 //         A gap above 0 but below half an LSB is reported as distance 0, and not as intersecting.
-// Cost    at most GJK_ITERATIONS_OF(n, m) rounds, see gjk/format.h; stack: `make sizes`.
+// Cost    at most GJK_ITERATIONS_OF(n, m) iterations, see gjk/format.h; stack: `make sizes`.
 // After   Gilbert, Johnson, Keerthi 1988; exact signs instead of tolerances.
 //
 // What is valid in out after each status; after an error all else is as it was:
@@ -48,7 +48,7 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
 
 // How much of the work gjk_distance_until may leave undone.
 typedef struct gjk_effort {
-  uint8_t iterations;  // rounds at most; 0: no limit but that of gjk_distance
+  uint8_t iterations;  // iterations at most; 0: no limit but that of gjk_distance
   gjk_q16 error;       // stops once the gap is known to within this; 0: exactly
 } gjk_effort;
 

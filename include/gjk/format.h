@@ -12,6 +12,9 @@ typedef int32_t gjk_q16;
 // Component of a unit vector, rotation or quaternion in Q2.30: 1 LSB is 2^-30.
 typedef int32_t gjk_q30;
 
+// Angle in radians, Q16.16: 1 LSB is 2^-16 radian, whatever the unit of length.
+typedef int32_t gjk_angle;
+
 // Position, offset or half extents, Q16.16.
 typedef struct gjk_vec3 {
   gjk_q16 x, y, z;
@@ -40,6 +43,7 @@ typedef struct gjk_pose {
 // not compile in C++11, nor in C where a constant is needed; within a function C compilers warn of a division by zero.
 #define GJK_Q16(units) GJK_FIXED((units)*65536.0)
 #define GJK_Q30(value) GJK_FIXED((value)*1073741824.0)
+#define GJK_ANGLE(radians) GJK_FIXED((radians)*65536.0)
 
 #define GJK_FIXED(x) \
   ((int32_t)GJK_TO_NEAREST(x) / GJK_TRUE(GJK_TO_NEAREST(x) >= -2147483648.5 && GJK_TO_NEAREST(x) < 2147483648.0))
@@ -71,11 +75,11 @@ typedef struct gjk_pose {
 // Most corners of one face of a hull.
 #define GJK_FACE_CORNERS_MAX 12
 
-// The most rounds of a query on polytopes of n and m vertices or their rounded forms, proven in src/pair_search.h. A box has 8
+// The most iterations of a query on polytopes of n and m vertices or their rounded forms, proven in src/gjk/gjk_search.h. A box has 8
 // vertices, a triangle 3, a segment or capsule 2, a point or sphere 1. More than 64 count as 64.
 #define GJK_ITERATIONS_OF(n, m) (15 + ((n) < 64 ? (n) : 64) + ((m) < 64 ? (m) : 64))
 
-// Ceiling on the rounds of a query with a cylinder, cone, ellipsoid or user's shape, for which there is no such bound. One that
+// Ceiling on the iterations of a query with a cylinder, cone, ellipsoid or user's shape, for which there is no such bound. One that
 // reaches it says so and gives the bounds proven so far. Random pairs have needed at most 51, a search for the worst found
 // the figures of tests/data/worst.txt.
 #ifndef GJK_ITERATIONS_MAX

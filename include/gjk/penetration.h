@@ -8,36 +8,42 @@
 extern "C" {
 #endif
 
-// A vertex, a face or a part of the horizon of the polytope that a query expands; contents are the library's.
-typedef union gjk_cell {
-  struct gjk_cell_vertex {
-    gjk_vec3 w;
-    uint16_t a, b;
-  } vertex;
-  struct gjk_cell_face {
-    uint16_t corner[3], neighbour[3];
-    uint32_t rank;
-  } face;
-  struct gjk_cell_horizon {
-    uint16_t corner[4], face[4];
-  } horizon;
-} gjk_cell;
+// What a workspace holds: vertices, faces and the horizon of the expanding polytope (EPA). Contents are the library's.
+typedef struct gjk_epa_vertex {
+  gjk_vec3 w;
+  uint16_t a, b;
+} gjk_epa_vertex;
+
+typedef struct gjk_epa_face {
+  uint16_t corner[3], neighbour[3];
+  uint32_t height_key;
+} gjk_epa_face;
+
+typedef struct gjk_epa_horizon {
+  uint16_t corner[4], face[4];
+} gjk_epa_horizon;
+
+typedef union gjk_epa_cell {
+  gjk_epa_vertex vertex;
+  gjk_epa_face face;
+  gjk_epa_horizon horizon;
+} gjk_epa_cell;
 
 // Cells that always suffice for a polytope of so many vertices, 4 to 16000; a pair with a curved shape needs one more for
 // each vertex.
-#define GJK_POLYTOPE_CELLS(vertices) (3 * (vertices)-4 + (vertices) / 2)
+#define GJK_EPA_CELLS(vertices) (3 * (vertices)-4 + (vertices) / 2)
 
-// Most rounds of a polytope's expansion for a pair with a curved shape: smooth shapes in the middle of each other are equally
+// Most iterations of a polytope's expansion for a pair with a curved shape: smooth shapes in the middle of each other are equally
 // deep all round, and would take hundreds of thousands. The cells that this takes; more change nothing.
-#define GJK_CURVED_ROUNDS_MAX 1000
-#define GJK_CURVED_CELLS (GJK_POLYTOPE_CELLS(GJK_CURVED_ROUNDS_MAX + 4) + GJK_CURVED_ROUNDS_MAX + 4)
+#define GJK_EPA_CURVED_ITERATIONS_MAX 1000
+#define GJK_EPA_CURVED_CELLS (GJK_EPA_CELLS(GJK_EPA_CURVED_ITERATIONS_MAX + 4) + GJK_EPA_CURVED_ITERATIONS_MAX + 4)
 
 // The caller's memory for the polytope. Points, segments, spheres, capsules, boxes and their rounded forms need none
 // among each other, and no pair needs any unless its cores overlap. In a million random pairs two 8-point hulls have
 // needed at most 20 vertices (66 cells, 1,056 bytes), in 100,000 two 64-point hulls 36 (1,952 bytes); hulls of n and m
 // vertices never need more than n m.
 typedef struct gjk_workspace {
-  gjk_cell *cells;
+  gjk_epa_cell *cells;
   uint32_t count;
 } gjk_workspace;
 
@@ -70,7 +76,7 @@ typedef struct gjk_penetration_result {
 //            away from 0, leaves them apart or touching, exactly. Cylinder, cone, ellipsoid: within 3 LSB, between
 //            bounds at most 6 apart; or CAPACITY with its bounds.
 // Cost       one round for each vertex of the polytope, so at most the workspace's, and of a curved pair at most
-//            GJK_CURVED_ROUNDS_MAX beside those of gjk_distance; stack: `make sizes`.
+//            GJK_EPA_CURVED_ITERATIONS_MAX beside those of gjk_distance; stack: `make sizes`.
 // After      Gino van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001: an
 //            expanding polytope; exact visibility signs instead of tolerances. Boxes: their 15 directions.
 //
@@ -78,7 +84,7 @@ typedef struct gjk_penetration_result {
 //
 // OK                   everything if intersecting, else intersecting, iterations and certificate; of that what its proof uses.
 // CAPACITY             everything, intersecting: the workspace is too small, or a curved pair would take more than
-//                      GJK_CURVED_ROUNDS_MAX. Moving by depth, which is upper, still parts them; the least depth is at least
+//                      GJK_EPA_CURVED_ITERATIONS_MAX. Moving by depth, which is upper, still parts them; the least depth is at least
 //                      lower. The certificate proves nothing.
 // ITERATION_LIMIT      nothing, nor whether they intersect. Of cylinder, cone, ellipsoid and custom alone.
 // NULL, UNINITIALISED  nothing.

@@ -1,11 +1,11 @@
 // Rotations and poses in integers: make, normalise, compose, invert, apply.
 //
-// Quaternions are Q2.30, angles Q16.16 radians. A quaternion counts as a unit while its squared length is
+// Quaternions are Q2.30, angles are a gjk_angle, Q16.16 radians. A quaternion counts as a unit while its squared length is
 // within GJK_ROTATION_TOLERANCE of 1, exactly. Inside that tolerance every call takes it for q / |q|, so the
 // drift of an integrator does no harm until it is reported.
 //
 // Errors  against real arithmetic on the same integer input, the largest of any component, for every input;
-//         tests/unit/test_pose.c holds them.
+//         tests/check/unit/test_pose.c holds them.
 // Outputs written only when the result is GJK_OK; an output may be the same object as an input of its type.
 // Statuses NULL; ROTATION for a quaternion that is not a unit; RANGE where said.
 // Cost    no loop depends on a value.
@@ -24,10 +24,10 @@ extern "C" {
 
 // Rotation by an angle about an axis, by the right hand. axis: any vector but 0 (ROTATION), in any scale.
 // angle: any, whole turns included; 0 gives exactly the identity. out: within 2 LSB.
-gjk_status gjk_quat_from_axis_angle(const gjk_vec3 *axis, gjk_q16 angle, gjk_quat *out);
+gjk_status gjk_quat_from_axis_angle(const gjk_vec3 *axis, gjk_angle angle, gjk_quat *out);
 
 // Rotation about fixed x, then fixed y, then fixed z (roll, pitch, yaw). out: within 3 LSB.
-gjk_status gjk_quat_from_euler(gjk_q16 x, gjk_q16 y, gjk_q16 z, gjk_quat *out);
+gjk_status gjk_quat_from_euler(gjk_angle x, gjk_angle y, gjk_angle z, gjk_quat *out);
 
 // The unit quaternion along q, any length but 0 (ROTATION). Within 0.501 LSB.
 gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out);

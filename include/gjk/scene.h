@@ -3,13 +3,13 @@
 // A scene is one block of the caller's memory with indices instead of pointers inside: a plain copy of the block is a
 // save, at any address. Beside the block stands a gjk_scene, a small handle with the pointers. What a scene answers
 // depends on its contents alone: not on addresses, caches, capacities, how bodies came to where they are, or the order in
-// which they were added to stated slots; so it is the same on every platform. tests/unit/test_scene_*.c and
+// which they were added to stated slots; so it is the same on every platform. tests/check/unit/test_scene_*.c and
 // test_history.c hold each statement of this header.
 //
 // Everything that is reported of a pair is a function of shapes, poses, margins and configuration, as the queries answer
 // from a cold start: where no answer is found, too. Skips and caches never change it. Of a pair with a curved or custom
 // shape, exact boxes that are farther apart than the margins along an axis are the answer, before any query. Lockstep peers
-// need the same shapes, builds with the same GJK_ITERATIONS_MAX, and the same configuration but for box_margin, no_skips,
+// need the same shapes, builds with the same GJK_ITERATIONS_MAX, and the same configuration but for box_margin, retest_all,
 // and capacities that do not run out.
 //
 // Threads  calls for one scene may not overlap, but for gjk_scene_test_pairs and several queries at once.
@@ -30,9 +30,9 @@ extern "C" {
 
 // A body by its slot and how often the slot was taken. Zeroed: no body. A handle of a removed body is never that of
 // another: a slot that was taken 2^31 times is not taken again.
-typedef struct gjk_body {
+typedef struct gjk_body_id {
   uint32_t slot, generation;
-} gjk_body;
+} gjk_body_id;
 
 typedef enum gjk_body_kind {
   GJK_BODY_STATIC = 0,  // scenery: never tested against other statics
@@ -76,7 +76,8 @@ typedef struct gjk_scene_config {
   gjk_q16 box_margin;  // boxes in the tree are larger by this, so that small moves leave it alone; 0 to GJK_RADIUS_MAX
   uint8_t detail;      // a gjk_detail: the least for every pair
   uint8_t persist;     // 1: pairs that stay near are reported in every update
-  uint8_t no_skips;  // 1: every pair is tested anew in every update, from a cold start; for tests. Answers are the same
+  uint8_t
+      retest_all;    // 1: every pair is tested anew in every update, from a cold start; for tests. Answers are the same
   uint8_t reserved;  // 0
   uint32_t
       workspace_cells;  // of the handle's workspace, as many as depth and contacts use; 0: none is needed. Where they
@@ -86,7 +87,7 @@ typedef struct gjk_scene_config {
 // Should this pair be tested? Called at most once per test, perhaps from several threads: it may depend on its arguments
 // and on what does not change during an update. A pair whose last answer outlasts its motion is not asked about again
 // unless a user word changes, or gjk_scene_refilter says so, which every other change of mind needs.
-typedef bool gjk_scene_predicate(void *user, gjk_body a, uint32_t user_a, gjk_body b, uint32_t user_b);
+typedef bool gjk_scene_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b);
 
 // What depth and contacts need, one constant each, so that a program links them only if it mentions them.
 typedef struct gjk_scene_details gjk_scene_details;
@@ -122,33 +123,33 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
 
 // Adds a body to the lowest free slot. Statuses: CAPACITY (bodies, parts or placed parts are used up), RANGE (a field,
 // or a part that leaves int32), EMPTY (no parts), ROTATION, UNSUPPORTED (detail), and those of gjk_collider_init.
-gjk_status gjk_scene_add(gjk_scene *scene, const gjk_body_setup *setup, gjk_body *out);
+gjk_status gjk_scene_add(gjk_scene *scene, const gjk_body_setup *setup, gjk_body_id *out);
 
 // The same with the slot named, so that bodies may be added in any order: the scene is the same. HANDLE: taken.
-gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setup *setup, gjk_body *out);
+gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setup *setup, gjk_body_id *out);
 
 // Pairs that were near are reported as ended by the next update.
-gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body handle);
+gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id handle);
 
 // Takes a body to its next pose, and wakes it. Statuses as gjk_collider_pose.
-gjk_status gjk_scene_move(gjk_scene *scene, gjk_body handle, const gjk_pose *pose);
+gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pose);
 
 // The same without an expectation that the motion goes on. Answers do not differ; boxes in the tree do.
-gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body handle, const gjk_pose *pose);
+gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pose);
 
 // A sleeping body stands still. Pairs without an awake body are not reported as persisting. Sleep: RANGE unless dynamic.
-gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body handle);
-gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body handle);
+gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id handle);
+gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id handle);
 
 // Gives part number part another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
-gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body handle, uint16_t part, uint16_t shape);
-gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body handle, uint32_t category, uint32_t mask);
+gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id handle, uint16_t part, uint16_t shape);
+gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body_id handle, uint32_t category, uint32_t mask);
 
 // Gives the body another word; one that differs refilters, as the predicate is given it.
-gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body handle, uint32_t user);
+gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body_id handle, uint32_t user);
 
 // Has the next update ask the predicate about the body's pairs again.
-gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body handle);
+gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body_id handle);
 
 // What a scene holds about a body.
 typedef struct gjk_body_state {
@@ -160,13 +161,13 @@ typedef struct gjk_body_state {
   bool asleep;
 } gjk_body_state;
 
-gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body handle, gjk_body_state *out);
+gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id handle, gjk_body_state *out);
 
 // The body in a slot, generation 0 when it is free. RANGE: no such slot.
-gjk_status gjk_scene_body_at(const gjk_scene *scene, uint32_t slot, gjk_body *out);
+gjk_status gjk_scene_body_at(const gjk_scene *scene, uint32_t slot, gjk_body_id *out);
 
 // A part as a posed collider, for any query of the library. RANGE: no such part.
-gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body handle, uint16_t part, gjk_collider *out);
+gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id handle, uint16_t part, gjk_collider *out);
 
 // Updates.
 
@@ -178,7 +179,7 @@ typedef enum gjk_event {
 
 // One pair of parts. a has the lower slot.
 typedef struct gjk_report {
-  gjk_body a, b;
+  gjk_body_id a, b;
   uint16_t part_a, part_b;
   uint8_t event;   // a gjk_event
   uint8_t detail;  // what was asked of the pair
@@ -205,7 +206,7 @@ typedef struct gjk_progress {
 //           they fit. UNSUPPORTED: some body or the configuration asks for a detail that the
 //           handle's details lack, or for depths and the handle's workspace has fewer cells than config.workspace_cells;
 //           nothing is done.
-// Unsettled  A query that reaches the ceiling on its rounds, which is of curved or custom shapes, counts the pair as near, at
+// Unsettled  A query that reaches the ceiling on its iterations, which is of curved or custom shapes, counts the pair as near, at
 //           the proven lower bound, and in unsettled; its manifold is zero. So does a depth whose workspace is too small,
 //           with the depth that is enough.
 gjk_status gjk_scene_update(gjk_scene *scene, gjk_report *reports, uint32_t capacity, gjk_progress *progress);
@@ -258,7 +259,7 @@ gjk_status gjk_scene_get_stats(const gjk_scene *scene, gjk_scene_stats *out);
 
 // A part that a query found.
 typedef struct gjk_scene_hit {
-  gjk_body body;
+  gjk_body_id body;
   uint16_t part;
   uint32_t fraction;  // ray: where it enters the part's box, in 2^-30 of the way, rounded down; otherwise 0
 } gjk_scene_hit;
@@ -277,17 +278,17 @@ gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, con
                                const gjk_scene_hit *after, gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
 
 // The part nearest to a posed collider, at most reach away by gjk_distance; among equals the lowest (slot, part). A part
-// whose query reaches the ceiling on rounds counts at the larger of the lower bounds that it and the boxes prove.
+// whose query reaches the ceiling on iterations counts at the larger of the lower bounds that it and the boxes prove.
 //
 // ignore  NULL, or a body to leave out, for example the one that asks.
 // found   whether there is one; hit and distance are set only then.
 // Statuses  NEGATIVE (reach), UNINITIALISED.
 gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *collider, gjk_q16 reach,
-                                   const gjk_body *ignore, gjk_scene_hit *hit, gjk_q16 *distance, bool *found);
+                                   const gjk_body_id *ignore, gjk_scene_hit *hit, gjk_q16 *distance, bool *found);
 
 // Lockstep and saving.
 
-// 64 bits over what decides all further answers: configuration but for capacities, box_margin and no_skips; the build's
+// 64 bits over what decides all further answers: configuration but for capacities, box_margin and retest_all; the build's
 // GJK_ITERATIONS_MAX; bodies, pairs near at the last update, updates. Not over tree and caches. BUSY during an update.
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 

@@ -1,6 +1,6 @@
 // Shapes: convex geometry in its own frame, constant, fit for flash.
 //
-// A shape is a core and a rounding radius around it: a sphere is a rounded point, a capsule a rounded
+// A shape is a core and a convex radius around it: a sphere is a rounded point, a capsule a rounded
 // segment. Long axes lie along local z. Write one with the initialiser of its kind:
 //
 //     static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.25));
@@ -52,15 +52,15 @@ typedef struct gjk_shape {
   gjk_support_function *support;  // custom
   const void *user;               // custom
   gjk_vec3 size;                  // half extents or radii, Q16.16, by kind
-  gjk_q16 round;                  // rounding radius, at least 0
+  gjk_q16 convex_radius;          // convex radius, at least 0
   uint16_t count;                 // vertices of the hull; of the triangle: 3
   const gjk_hull_faces *faces;    // hull: optional, the caller's
 } gjk_shape;
 
-// Size and rounding radius of a shape, Q16.16. What is no integer does not compile: 0.5 is written GJK_Q16(0.5).
+// Size and convex radius of a shape, Q16.16. What is no integer does not compile: 0.5 is written GJK_Q16(0.5).
 #define GJK_LENGTHS(x, y, z, radius) {GJK_INTEGER(x), GJK_INTEGER(y), GJK_INTEGER(z)}, GJK_INTEGER(radius)
 
-// The same shapes with a rounding radius. Hull vertices need no order, may repeat, lie in a line, in a plane
+// The same shapes with a convex radius. Hull vertices need no order, may repeat, lie in a line, in a plane
 // or inside the hull; their coordinates may be any int32_t within GJK_RADIUS_MAX of their box's centre.
 #define GJK_ROUNDED_POINT(radius) \
   { &gjk_class_point, 0, 0, 0, GJK_LENGTHS(0, 0, 0, radius), 0, 0 }

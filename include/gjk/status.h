@@ -20,10 +20,10 @@ typedef enum gjk_status {
   GJK_ERROR_ROTATION = -7,          // a quaternion or axis that is not a unit within the tolerance
   GJK_ERROR_RANGE = -8,             // a value outside its stated range, or a centre outside int32
   GJK_ERROR_UNINITIALISED = -9,     // a collider that was never initialised, or never posed
-  GJK_ERROR_ITERATION_LIMIT = -10,  // GJK_ITERATIONS_MAX rounds did not settle it; of curved or user's shapes alone
+  GJK_ERROR_ITERATION_LIMIT = -10,  // GJK_ITERATIONS_MAX iterations did not settle it; of curved or user's shapes alone
   GJK_ERROR_UNPROVEN = -11,         // a certificate that does not hold
   GJK_ERROR_UNSUPPORTED = -12,      // a certificate of a curved or user's shape, which has no vertices
-  GJK_ERROR_HANDLE = -13,           // a scene's handle that is stale or was never given, or a slot that is taken
+  GJK_ERROR_BODY_ID = -13,          // a scene's handle that is stale or was never given, or a slot that is taken
   GJK_ERROR_BUSY = -14,             // a scene in the middle of an update
   GJK_ERROR_CORRUPT = -15           // a block that is no scene, or not as it was when it was sealed
 } gjk_status;

@@ -34,9 +34,9 @@ END {
       row(s == 1 ? subject[n] : "", solver[s], subject[n], "mean instructions", "worst instructions")
     }
   }
-  title("rounds per query: mean (most)")
-  for (n = 1; n <= lines; n++) if (measure[n] == "mean rounds") {
-    row(subject[n], "gjk", subject[n], "mean rounds", "most rounds")
+  title("iterations per query: mean (most)")
+  for (n = 1; n <= lines; n++) if (measure[n] == "mean iterations") {
+    row(subject[n], "gjk", subject[n], "mean iterations", "most iterations")
   }
   title("contacts per query: mean (most)")
   for (n = 1; n <= lines; n++) if (measure[n] == "mean contacts") {

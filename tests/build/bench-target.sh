@@ -12,7 +12,7 @@ variant=$(variant_of "$build")
 csv=$build/bench/target.csv
 mkdir -p "$build/bench"
 
-# Instructions, rounds or contacts, painted stack, workspace.
+# Instructions, iterations or contacts, painted stack, workspace.
 count() {
   make -s "build/$1$variant/bench.elf" TARGET="$1" VARIANT="$variant" >/dev/null || return 1
   sh tests/build/emulate.sh "$1" "build/$1$variant/bench.elf" >"$build/bench/$1.txt" ||
@@ -23,8 +23,8 @@ count() {
       group = $2 ~ /: depth$/ ? "gjk_penetration" : $2 ~ /: contacts$/ ? "gjk_contacts" : "any query"
       row($2, "mean instructions", $3)
       row($2, "worst instructions", $4)
-      row($2, group == "gjk_contacts" ? "mean contacts" : "mean rounds", sprintf("%.1f", $5 / 100))
-      row($2, group == "gjk_contacts" ? "most contacts" : "most rounds", $6)
+      row($2, group == "gjk_contacts" ? "mean contacts" : "mean iterations", sprintf("%.1f", $5 / 100))
+      row($2, group == "gjk_contacts" ? "most contacts" : "most iterations", $6)
       if (group != "any query" && $1 == "gjk") row($2, "workspace", $8)
       if ($7 + 0 > deepest[$1 "," group] + 0) deepest[$1 "," group] = $7
     }

@@ -5,10 +5,11 @@
 dir=$1/bounds
 rm -rf "$dir"
 mkdir -p "$dir"
-for file in src/*; do
-  sed 's|//@ assert \(.*\);$|if (!(\1)) __builtin_trap();|; s|//@ .*||' "$file" >"$dir/$(basename "$file")"
+cp -r src "$dir/src"
+for file in src/*/*.[ch]; do
+  sed 's|//@ assert \(.*\);$|if (!(\1)) __builtin_trap();|; s|//@ .*||' "$file" >"$dir/$file"
 done
-support="$(echo "$dir"/*.c) tests/generate/*.c tests/exact/*.c tests/case/case.c tests/prove/bounds.c"
+support="$(echo "$dir"/src/*/*.c) tests/support/generate/*.c tests/support/exact/*.c tests/support/case/case.c tests/prove/bounds.c"
 
 # build NAME SANITIZERS SOURCES...
 build() {
@@ -16,7 +17,7 @@ build() {
   sanitizers=$2
   shift 2
   # shellcheck disable=SC2086
-  ${CC:-cc} -std=c99 -O1 $sanitizers -Iinclude "-I$dir" -Itests "$@" -lm -o "$dir/$name"
+  ${CC:-cc} -std=c99 -O1 $sanitizers -Iinclude "-I$dir" -Itests/support "$@" -lm -o "$dir/$name"
 }
 
 all='-fsanitize=undefined,address -fno-sanitize-recover=all'
@@ -25,7 +26,7 @@ build pairs "$all" $support && [ "$("$dir/pairs" "$2")" = "$2" ] || exit 1
 # shellcheck disable=SC2086
 build pairs-narrow "$all -DGJK_NARROW_MULTIPLY=1" $support && [ "$("$dir/pairs-narrow" "$2")" = "$2" ] || exit 1
 # shellcheck disable=SC2086
-build scene "$all" "$dir"/*.c tests/scene/world.c tests/prove/bounds_scene.c &&
+build scene "$all" "$dir"/src/*/*.c tests/support/scene/world.c tests/prove/bounds_scene.c &&
   [ "$("$dir/scene" "$2")" = "$2" ] || exit 1
-build exhaust '-fsanitize=undefined -fsanitize-undefined-trap-on-error' tests/prove/exhaust.c "$dir/root.c" &&
+build exhaust '-fsanitize=undefined -fsanitize-undefined-trap-on-error' tests/prove/exhaust.c "$dir/src/arith/gjk_root.c" &&
   "$dir/exhaust" "$3"

@@ -24,8 +24,8 @@ fi
 # library FLAGS...: the variant's library; it counts atomically, since some tests have threads
 library() {
   mkdir -p "$variant"
-  for source in src/*.c; do
-    clang -std=c99 -ffreestanding -fprofile-instr-generate -fprofile-update=atomic -fcoverage-mapping -Iinclude -Isrc -Iport "$@" -c "$source" \
+  for source in src/*/*.c; do
+    clang -std=c99 -ffreestanding -fprofile-instr-generate -fprofile-update=atomic -fcoverage-mapping -Iinclude -Iport "$@" -c "$source" \
       -o "$variant/$(basename "$source" .c).o" || return 1
   done
 }
@@ -34,7 +34,7 @@ library() {
 program() {
   name=$1
   shift
-  clang -std=c99 -O1 -fprofile-instr-generate -Iinclude -Isrc -Iport -Itests "$@" "$variant"/*.o -lm -o "$variant/$name"
+  clang -std=c99 -O1 -fprofile-instr-generate -Iinclude -I. -Iport -Itests/support "$@" "$variant"/*.o -lm -o "$variant/$name"
 }
 
 # run NAME: the program, its counts in the variant's folder
@@ -57,15 +57,15 @@ measure() {
   case $variant in
     */ceiling)
       # shellcheck disable=SC2086
-      program bounds "$@" tests/limit/bounds.c $SUPPORT && run bounds || return 1
+      program bounds "$@" tests/check/limit/bounds.c $SUPPORT && run bounds || return 1
       ;;
     *)
-      program golden -DGOLDEN_RUN_PAIRS=GOLDEN_PAIRS tests/target/golden.c tests/target/golden_host.c \
-        tests/target/scene_golden.c tests/scene/match.c port/hosted/gjk_hosted.c && run golden || return 1
-      for test in tests/unit/test_*.c; do
+      program golden -DGOLDEN_RUN_PAIRS=GOLDEN_PAIRS tests/check/target/golden.c tests/check/target/golden_host.c \
+        tests/check/target/scene_golden.c tests/support/scene/match.c port/hosted/gjk_hosted.c && run golden || return 1
+      for test in tests/check/unit/test_*.c; do
         name=$(basename "$test" .c)
         # shellcheck disable=SC2086
-        program "$name" "$programs/hosted/tests/unit/$name.o" $SUPPORT && run "$name" || return 1
+        program "$name" "$programs/hosted/tests/check/unit/$name.o" $SUPPORT && run "$name" || return 1
       done
       ;;
   esac

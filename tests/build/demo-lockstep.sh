@@ -36,8 +36,8 @@ if ! command -v s390x-linux-gnu-gcc >/dev/null || ! command -v qemu-s390x >/dev/
   echo 'This machine against a big-endian one needs gcc-s390x-linux-gnu, qemu-user: `make setup` installs them.' >&2
   exit 0
 fi
-s390x-linux-gnu-gcc -std=c99 -O2 -static -Iinclude -Isrc -Iport -Itests src/*.c tests/scene/match.c \
-  tests/lockstep/main.c tests/lockstep/peer.c \
+s390x-linux-gnu-gcc -std=c99 -O2 -static -Iinclude -I. -Iport -Itests/support src/*/*.c tests/support/scene/match.c \
+  tests/programs/lockstep/main.c tests/programs/lockstep/peer.c \
   -o "$build/lockstep-s390x" || exit 1
 echo 'This machine against an emulated big-endian one:' >&2
 play qemu-s390x "$build/lockstep-s390x" 1 "$ticks"

@@ -2,7 +2,7 @@
 # Fuzzes pairs, the reader of cases, hostile arguments, scenes and forged claims with libFuzzer:
 # fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
-# The seconds are shared out evenly; SEED 0 is a new one each time. Runs begin with what once failed (tests/fuzz/once)
+# The seconds are shared out evenly; SEED 0 is a new one each time. Runs begin with what once failed (tests/check/fuzz/once)
 # and with what reached new code before, which stays in BUILD/fuzz/corpus. An input that fails stays in BUILD/fuzz and is
 # printed, of a pair also as a case for build/gjk-query. Exit status 1 then.
 . tests/build/count.sh
@@ -14,7 +14,7 @@ shift 3
 each=$((seconds / $#))
 mkdir -p "$build"
 
-flags='-std=c99 -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude -Isrc -Iport -Itests'
+flags='-std=c99 -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support'
 if ! have clang; then
   echo 'skipped: fuzz: needs clang'
   exit 0
@@ -32,7 +32,7 @@ fuzz() {
   shift
   mkdir -p "$build/corpus/$target"
   # shellcheck disable=SC2086
-  clang $flags -fsanitize=fuzzer "tests/fuzz/$target.c" "$build"/objects/*.o -lm -o "$build/$target" || return 1
+  clang $flags -fsanitize=fuzzer "tests/check/fuzz/$target.c" "$build"/objects/*.o -lm -o "$build/$target" || return 1
   if ! nice "$build/$target" -max_total_time="$each" -seed="$seed" -timeout=20 -print_final_stats=1 \
     -artifact_prefix="$build/$target-" "$@" "$build/corpus/$target" "$build/seeds-$target" >"$build/$target.log" 2>&1; then
     echo "failed: $target: $(grep -a -m 1 '^fuzz: ' "$build/$target.log")"
@@ -60,10 +60,10 @@ fuzz() {
 # What the targets share, compiled once. The fuzzer looks at what the library and the reader of cases do, not at the
 # oracles.
 mkdir -p "$build/objects"
-for source in tests/fuzz/bytes.c tests/fuzz/overlap.c tests/case/case.c tests/case/number.c tests/case/parse.c \
-  tests/exact/*.c tests/generate/*.c tests/scene/world.c tests/scene/session.c src/*.c; do
+for source in tests/check/fuzz/bytes.c tests/check/fuzz/overlap.c tests/support/case/case.c tests/support/case/number.c tests/support/case/parse.c \
+  tests/support/exact/*.c tests/support/generate/*.c tests/support/scene/world.c tests/support/scene/session.c src/*/*.c; do
   case $source in
-    src/* | tests/case/*) seen=-fsanitize=fuzzer-no-link ;;
+    src/* | tests/support/case/*) seen=-fsanitize=fuzzer-no-link ;;
     *) seen= ;;
   esac
   # shellcheck disable=SC2086
@@ -73,11 +73,11 @@ done
 mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments" "$build/seeds-scene" \
   "$build/seeds-claims"
 # shellcheck disable=SC2086
-clang $flags tests/fuzz/seeds.c "$build"/objects/*.o -lm -o "$build/seeds" &&
+clang $flags tests/check/fuzz/seeds.c "$build"/objects/*.o -lm -o "$build/seeds" &&
   "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt || exit 1
 cp tests/data/*.txt "$build/seeds-cases"
 cp "$build"/seeds-pairs/* "$build/seeds-arguments"
-cp tests/fuzz/once/pairs-* "$build/seeds-pairs"
+cp tests/check/fuzz/once/pairs-* "$build/seeds-pairs"
 
 status=0
 for target in "$@"; do

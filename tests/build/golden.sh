@@ -56,16 +56,16 @@ golden() {
   root=$(pwd)
   mkdir -p "$folder"
   rm -f "$folder"/*
-  glue="-std=c99 -Iinclude -Iport -Wl,--gc-sections"
-  scene="$root/tests/scene/match.c $root/tests/target/scene_golden.c"
+  glue="-std=c99 -Iinclude -Iport -I. -Itests/support -Wl,--gc-sections"
+  scene="$root/tests/support/scene/match.c $root/tests/check/target/scene_golden.c"
   case $architecture in
     host)
       linker=gcc
-      glue="$glue tests/target/golden_host.c port/hosted/gjk_hosted.c"
+      glue="$glue tests/check/target/golden_host.c port/hosted/gjk_hosted.c"
       ;;
     cortex-* | rv32imc | avr)
       linker=$(make -s "print-TOOLS_$architecture")
-      glue="$glue -ffreestanding -Itests -fno-tree-loop-distribute-patterns tests/target/golden_firmware.c
+      glue="$glue -ffreestanding -fno-tree-loop-distribute-patterns tests/check/target/golden_firmware.c
         $(make -s "print-BOARD_$architecture")"
       case $architecture in
         avr) glue="$glue -DGOLDEN_RUN_PAIRS=GOLDEN_FEW_PAIRS" scene= ;;
@@ -75,7 +75,7 @@ golden() {
       ;;
     *)
       linker=$(golden_triple "$architecture")-gcc
-      glue="$glue -static tests/target/golden_host.c port/hosted/gjk_hosted.c"
+      glue="$glue -static tests/check/target/golden_host.c port/hosted/gjk_hosted.c"
       ;;
   esac
   core=$linker
@@ -90,7 +90,7 @@ golden() {
   fi
   # shellcheck disable=SC2086
   (cd "$folder" && $core -std=c99 -ffreestanding -ffunction-sections -fdata-sections "-I$root/include" \
-    "-I$root/src" "-I$root/port" "$@" -c "$root"/src/*.c "$root/tests/target/golden.c" $scene) || return 1
+    "-I$root" "-I$root/port" "-I$root/tests/support" "$@" -c "$root"/src/*/*.c "$root/tests/check/target/golden.c" $scene) || return 1
   case "$compiler $*" in
     clang*-flto*)
       ld.lld -r "$folder"/*.o -o "$folder/all.lto" && rm "$folder"/*.o && mv "$folder/all.lto" "$folder/all.o" || return 1

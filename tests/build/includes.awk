@@ -1,38 +1,31 @@
-# Checks one source file against layers.txt: awk -f includes.awk tests/build/layers.txt src/FILE
+# Checks one source file against layers.txt: awk -f includes.awk tests/build/layers.txt src/ROOM/FILE
 FNR == NR && /^[a-z]+:/ {
-  split($0, side, "->")
-  count = split(side[1], word, /[: ]+/)
-  for (i = 2; i <= count; i++) if (word[i] != "") layer_of[word[i]] = word[1]
-  count = split(side[2], word, " ")
-  for (i = 1; i <= count; i++) allowed[$1 word[i]]
+  room = substr($1, 1, length($1) - 1)
+  known[room]
+  allowed[room, room]
+  for (i = 3; i <= NF; i++) allowed[room, $i]
   next
 }
 
 FNR == NR { next }
 
 FNR == 1 {
-  stem = FILENAME
-  sub(/.*\//, "", stem)
-  sub(/\.[ch]$/, "", stem)
-  layer = FILENAME ~ /^include\/gjk\// ? "public" : layer_of[stem]
-  if (layer == "") { print FILENAME ": in no layer of layers.txt"; bad = 1; exit }
+  parts = split(FILENAME, part, "/")
+  room = FILENAME ~ /(^|\/)include\/gjk\// ? "public" : part[parts - 1]
+  if (!(room in known)) { print FILENAME ": in no room of layers.txt"; bad = 1; exit }
 }
 
 /^[ \t]*#[ \t]*include/ {
   name = $0
   sub(/^[^<"A-Z]*/, "", name)
   if (name ~ /^<(stdint|stddef|stdbool|limits)\.h>/) next
-  if (name ~ /^GJK_PORT_HEADER/ && FILENAME == "src/port.h") next
-  target = name
+  if (name ~ /^GJK_PORT_HEADER/ && FILENAME ~ /src\/arith\/gjk_port_defaults\.h$/) next
+  to = ""
   if (name ~ /^"gjk\/[a-z]+\.h"/) to = "public"
-  else {
-    gsub(/"|\.h.*/, "", target)
-    to = layer_of[target]
-  }
-  if (name !~ /^"gjk\// && target == stem && FILENAME ~ /\.c$/) next
-  if (layer == "public" && to == "public") next
-  if (!((layer ":" to) in allowed)) {
-    print FILENAME ":" FNR ": layer '" layer "' may not include " name
+  else if (name ~ /^"gjk_[a-z_0-9]+\.h"/) to = room
+  else if (name ~ /^"\.\.\/[a-z]+\/gjk_[a-z_0-9]+\.h"/) { split(name, folder, "/"); to = folder[2] }
+  if (!((room, to) in allowed)) {
+    print FILENAME ":" FNR ": room '" room "' may not include " name
     bad = 1
   }
 }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Bytes of code and constants that a program for TARGET links, built for size: linked-size.sh BUILD TARGET MACRO...
-# The macros choose the program, see tests/target/size.c; its own bytes are not counted. 'float' or 'double' instead of
-# the macros is the reference in that type, see tests/target/bench_reference.h, with the floating point that it needs.
+# The macros choose the program, see tests/measure/target/size.c; its own bytes are not counted. 'float' or 'double' instead of
+# the macros is the reference in that type, see tests/measure/target/bench_reference.h, with the floating point that it needs.
 . tests/build/count.sh
 out=$1/linked
 variant=$(variant_of "$1")
@@ -13,7 +13,7 @@ tools=$(make -s "print-TOOLS_$target")
 
 # compile FLAGS... FILE OBJECT
 compile() {
-  $tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Iinclude \
+  $tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Iinclude -I. -Itests/support \
     -c "$@"
 }
 
@@ -28,11 +28,11 @@ link() {
 compile port/board/memory.c -o "$out/$target-memory.o" || exit 1
 case $1 in
   float | double)
-    compile "tests/target/bench_$1.c" -o "$name.o" && link "bench_$1" "$name.o" || exit 1
+    compile "tests/measure/target/bench_$1.c" -o "$name.o" && link "bench_$1" "$name.o" || exit 1
     "$(tool_prefix "$target")size" "$name.elf" | awk 'NR == 2 { print $1 }'
     ;;
   *)
-    compile "$@" tests/target/size.c -o "$name.o" &&
+    compile "$@" tests/measure/target/size.c -o "$name.o" &&
       link size_main "$name.o" "build/$target$variant-linked/libgjk.a" || exit 1
     "$(tool_prefix "$target")size" "$name.o" "$name.elf" | awk 'NR == 2 { own = $1 } NR == 3 { print $1 - own }'
     ;;

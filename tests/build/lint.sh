@@ -15,7 +15,7 @@ analyse() {
   cppcheck --quiet --std=c99 --platform=unix32 --enable=warning,style,performance,portability --addon=misra \
     -UGJK_PORT_HEADER -DCHAR_BIT=8 -DUINT_MAX=4294967295U -DINT32_MAX=2147483647 -DUINT32_MAX=4294967295U \
     --suppress=shiftNegativeLHS --suppress=shiftTooManyBitsSigned --suppress=ctuuninitvar --suppress=shadowFunction \
-    -Iinclude -Isrc --template='{file}:{line}: {id}: {message}' src/*.c 2>"$dir/cppcheck.txt"
+    -Iinclude --template='{file}:{line}: {id}: {message}' src/*/*.c 2>"$dir/cppcheck.txt"
 }
 
 misra_rules() {
@@ -31,20 +31,20 @@ else
   skip 'clang-format' clang-format
 fi
 if have clang-tidy; then
-  check 'clang-tidy: src, include' nice clang-tidy --quiet src/*.c -- -std=c99 -Iinclude -Isrc -Iport
+  check 'clang-tidy: src, include' nice clang-tidy --quiet src/*/*.c -- -std=c99 -Iinclude -Iport
 else
   skip 'clang-tidy' clang-tidy
 fi
 if have cppcheck; then
   check 'cppcheck runs' analyse
   check 'cppcheck: nothing but MISRA rules' sh -c "! grep -v misra-c2012 '$dir/cppcheck.txt'"
-  check 'cppcheck: as many files as there are break some rule' grep -q 'src/wide.h.*misra' "$dir/cppcheck.txt"
+  check 'cppcheck: as many files as there are break some rule' grep -q 'src/arith/gjk_wide.h.*misra' "$dir/cppcheck.txt"
   check 'MISRA C:2012: the rules that src/README.md lists' misra_rules
 else
   skip 'cppcheck and MISRA' cppcheck
 fi
 if have shellcheck; then
-  check 'shellcheck: the scripts' shellcheck -s sh -e SC2013,SC2016,SC2086,SC1091,SC2034,SC2154 tests/build/*.sh tests/unit/*.sh
+  check 'shellcheck: the scripts' shellcheck -s sh -e SC2013,SC2016,SC2086,SC1091,SC2034,SC2154 tests/build/*.sh tests/check/unit/*.sh
 else
   skip 'shellcheck' shellcheck
 fi

@@ -1,5 +1,5 @@
-# Adds up what became of the mutants: see mutants.sh. Survivors are a table, fit for tests/mutate/README.md. Input:
-# tests/mutate/equivalent.txt, lines of FILE, TEXT, CHANGE, KIND, REASON with tabs between; all mutants as mutate lists
+# Adds up what became of the mutants: see mutants.sh. Survivors are a table, fit for tests/check/mutate/README.md. Input:
+# tests/check/mutate/equivalent.txt, lines of FILE, TEXT, CHANGE, KIND, REASON with tabs between; all mutants as mutate lists
 # them; the verdicts.
 
 BEGIN { FS = "\t" }

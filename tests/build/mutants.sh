@@ -2,10 +2,10 @@
 # Do the tests notice small wrong changes of src? mutants.sh BUILD [MUTANTS [SEED]]
 # In SUPPORT: the objects that tests share.
 #
-# Each mutant of tests/mutate is compiled (its file alone, or what includes it) and put into a shared library under the
+# Each mutant of tests/check/mutate is compiled (its file alone, or what includes it) and put into a shared library under the
 # tests, which run with few trials until one fails; an endless loop fails too. Only tests that link the file run, those
 # first that noticed most mutants of it so far. A mutant whose object code is that of the original in every variant of
-# the build is none. What survives stands in the list at the end, unless tests/mutate/equivalent.txt argues that it
+# the build is none. What survives stands in the list at the end, unless tests/check/mutate/equivalent.txt argues that it
 # changes no answer, or nothing but speed. MUTANTS: a random sample of so many, 0: all; of one SEED the larger
 # sample holds the smaller. In FILES: an expression for the names of files, when only some are meant. Verdicts are kept
 # in BUILD/mutants/results, so that a run goes on where it was interrupted, and one with another seed adds to it: they
@@ -36,18 +36,18 @@ flags() {
 # Tests of the tests' own tools.
 TOOLS='test_case test_exact test_reference test_reference_depth'
 
-# compile VARIANT SOURCES FOLDER FILE: FILE.o from SOURCES, where the mutated file stands
+# compile VARIANT TOP FOLDER FILE: FILE.o from TOP/src, where the mutated file stands
 compile() {
   # shellcheck disable=SC2046
-  $compiler $(flags "$1") -I"$2" -Iinclude -MMD -c "$2/$4.c" -o "$3/$4.o"
+  $compiler $(flags "$1") -Iinclude -MMD -c "$2"/src/*/"$4.c" -o "$3/$4.o"
 }
 
 # program NAME OBJECTS OR SOURCES...: linked with the shared library; into NAME.units the objects of the library that it needs
 program() {
   name=$1
   shift
-  gcc -std=c99 -O1 -Iinclude -Itests "$@" "$build/tests/support.a" -L"$build/tests" -lgjk -lm -o "$build/tests/$name" &&
-    gcc -std=c99 -O1 -Iinclude -Itests "$@" "$build/tests/support.a" "$build/tests/library.a" -lm \
+  gcc -std=c99 -O1 -Iinclude -I. -Itests/support "$@" "$build/tests/support.a" -L"$build/tests" -lgjk -lm -o "$build/tests/$name" &&
+    gcc -std=c99 -O1 -Iinclude -I. -Itests/support "$@" "$build/tests/support.a" "$build/tests/library.a" -lm \
       -Wl,-Map,"$build/tests/map" -o "$build/tests/static" || return 1
   sed -n 's|^[^ ]*library\.a(\(.*\)\.o)$|\1|p; /^Discarded/q' "$build/tests/map" | sort -u >"$build/tests/$name.units"
   [ -s "$build/tests/$name.units" ] || rm "$build/tests/$name" "$build/tests/$name.units"
@@ -76,8 +76,8 @@ prepare_library() {
   for variant in $VARIANTS; do
     mkdir -p "$build/$variant"
     rm -f "$build/$variant"/*
-    for source in src/*.c; do
-      compile "$variant" "$build/src" "$build/$variant" "$(basename "$source" .c)" 2>/dev/null || return 1
+    for source in src/*/*.c; do
+      compile "$variant" "$build" "$build/$variant" "$(basename "$source" .c)" 2>/dev/null || return 1
     done
   done
   touch "$build/complete"
@@ -90,14 +90,14 @@ prepare_tests() {
   # shellcheck disable=SC2086
   gcc -shared "$build"/default/*.o -o "$build/tests/libgjk.so" && ar rcs "$build/tests/library.a" "$build"/default/*.o &&
     ar rcs "$build/tests/support.a" $SUPPORT || return 1
-  program golden tests/scene/match.c tests/target/golden.c tests/target/scene_golden.c tests/target/golden_host.c ||
+  program golden tests/support/scene/match.c tests/check/target/golden.c tests/check/target/scene_golden.c tests/check/target/golden_host.c ||
     return 1
-  program scene_golden tests/scene/match.c tests/target/scene_golden.c tests/target/scene_golden_host.c || return 1
-  for test in tests/unit/test_*.c; do
+  program scene_golden tests/support/scene/match.c tests/check/target/scene_golden.c tests/check/target/scene_golden_host.c || return 1
+  for test in tests/check/unit/test_*.c; do
     name=$(basename "$test" .c)
     case " $TOOLS " in
       *" $name "*) ;;
-      *) program "$name" "$programs/hosted/tests/unit/$name.o" || return 1 ;;
+      *) program "$name" "$programs/hosted/tests/check/unit/$name.o" || return 1 ;;
     esac
   done
   sum=$(cat "$build"/tests/*golden "$build"/tests/test_*[a-z] | cksum | tr ' ' '-')
@@ -149,14 +149,14 @@ judge() {
   verdict=same
   case $2 in
     *.c) units=$(basename "$2" .c) ;;
-    *) units=$(grep -l "src/$(basename "$2")" "$build"/default/*.d | sed 's|.*/||; s|\.d$||') ;;
+    *) units=$(grep -l "/$(basename "$2")" "$build"/default/*.d | sed 's|.*/||; s|\.d$||') ;;
   esac
   # shellcheck disable=SC2086
   tests=$(order "$2" $units)
   for variant in $VARIANTS; do
     changed=
     for unit in $units; do
-      compile "$variant" "$1/src" "$1" "$unit" 2>/dev/null || { echo invalid; return; }
+      compile "$variant" "$1" "$1" "$unit" 2>/dev/null || { echo invalid; return; }
       cmp -s "$1/$unit.o" "$build/$variant/$unit.o" || changed="$changed $unit"
     done
     if [ -n "$changed" ]; then
@@ -203,7 +203,7 @@ if ! have gcc; then
 fi
 export GJK_TEST_PERCENT=$percent
 mkdir -p "$build"
-gcc -std=c99 -O1 tests/mutate/mutate.c -o "$build/mutate" && prepare_library && prepare_tests || exit 1
+gcc -std=c99 -O1 tests/check/mutate/mutate.c -o "$build/mutate" && prepare_library && prepare_tests || exit 1
 
 # What a file's verdicts hold for: its object code in all variants; of a header what there is to change.
 code_of() {
@@ -215,7 +215,7 @@ code_of() {
 
 # All mutants; the sample in random order, so that what an interrupted run has done is a sample too.
 rm -rf "$build"/worker*
-for file in src/*.[ch]; do
+for file in src/*/*.[ch]; do
   (cd "$build" && ./mutate list "$file")
   echo "$file $(code_of "$file")" >&3
 done >"$build/all" 3>"$build/codes"
@@ -254,10 +254,10 @@ awk -F '\t' '
       if (i <= n) last[++count] = $0
       else print
     }
-    END { for (i = 1; i <= count; i++) print last[i] }' tests/mutate/equivalent.txt - >"$build/left"
+    END { for (i = 1; i <= count; i++) print last[i] }' tests/check/mutate/equivalent.txt - >"$build/left"
 rm "$build/old"
 echo "$sample of $(wc -l <"$build/all") mutants, seed $seed; $(wc -l <"$build/left") left to judge; $results grows"
 work 0 &
 work 1
 wait
-awk -F '\t' -f tests/build/mutants.awk tests/mutate/equivalent.txt "$build/all" "$results"
+awk -F '\t' -f tests/build/mutants.awk tests/check/mutate/equivalent.txt "$build/all" "$results"

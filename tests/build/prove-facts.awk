@@ -40,7 +40,7 @@ FILENAME == ARGV[1] {
   next
 }
 
-# '[eva:alarm] src/scan.c:30: Warning: ', and the line after it
+# '[eva:alarm] src/shape/gjk_scan.c:30: Warning: ', and the line after it
 /^\[eva:alarm\]/ { split($0, field, " "); place = substr(field[2], 1, length(field[2]) - 1) }
 /got status invalid/ { stopped[place] }
 

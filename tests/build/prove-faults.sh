@@ -24,11 +24,11 @@ fault() {
         at = index(text, old)
         if (at == 0 || index(substr(text, at + 1), old) != 0) exit 1
         printf "%s%s%s", substr(text, 1, at - 1), ENVIRON["NEW"], substr(text, at + length(old))
-      }' "$copy/src/$file" >"$copy/changed" || {
-      check "$name: src/$file still has '$1', once" false
+      }' "$copy/src"/*/"$file" >"$copy/changed" || {
+      check "$name: $file still has '$1', once" false
       return
     }
-    mv "$copy/changed" "$copy/src/$file"
+    mv "$copy/changed" "$(echo "$copy/src"/*/"$file")"
     shift 2
   done
   for run in $runs; do
@@ -52,22 +52,22 @@ for run in simplex-2-int32 simplex-3-int32 shape-TRIANGLE-int16; do
 done
 
 # Four products of digits and a carry do not fit 64 bits.
-fault middle-in-one-chain wide.c simplex-3-int32 \
+fault middle-in-one-chain gjk_wide.c simplex-3-int32 \
   'gjk_mac32(gjk_mac32(gjk_sar64(lowest, 31), ph, ql), pl, qh);' \
   'gjk_mac32(gjk_mac32(gjk_mac32(gjk_mac32(gjk_sar64(lowest, 31), ph, ql), pl, qh), rh, sl), rl, sh);' \
   'middle2 = gjk_mac32(gjk_mul32(rh, sl), rl, sh);' 'middle2 = 0;'
 
 # A listed assertion that no value meets any more: because of it, or of what stands before it.
-fault assertion-always-false simplex.c simplex-2-int32 \
+fault assertion-always-false gjk_simplex.c simplex-2-int32 \
   'assert square >= 0 && square <=' 'assert square < 0 && square <='
-fault bound-always-broken vector.c simplex-2-int32 'k -= gjk_clz32(bits);' 'k -= gjk_clz32(bits) + 40;'
+fault bound-always-broken gjk_vector.c simplex-2-int32 'k -= gjk_clz32(bits);' 'k -= gjk_clz32(bits) + 40;'
 
 # Scans of the variant with narrow products that run past the last vertex.
-fault scan-off-the-end scan.c shape-TRIANGLE-int16 \
+fault scan-off-the-end gjk_scan.c shape-TRIANGLE-int16 \
   'for (const gjk_vec3 *v = best + 1; v != end; v++) {' 'for (const gjk_vec3 *v = best + 1; v <= end; v++) {'
-fault second-scan-off-the-end scan.c shape-TRIANGLE-int16 'for (v++; v != end; v++) {' 'for (v++; v <= end; v++) {'
-fault search-off-the-end scan.c shape-TRIANGLE-int16 \
+fault second-scan-off-the-end gjk_scan.c shape-TRIANGLE-int16 'for (v++; v != end; v++) {' 'for (v++; v <= end; v++) {'
+fault search-off-the-end gjk_scan.c shape-TRIANGLE-int16 \
   'while (v != best && gjk_coarse_dot(&c, v) < limit) {' 'for (;;) {'
-fault reach-off-the-end scan.c shape-TRIANGLE-int16 \
+fault reach-off-the-end gjk_scan.c shape-TRIANGLE-int16 \
   'while (reach->next != reach->end) {' 'while (reach->next <= reach->end) {'
 finish prove-faults

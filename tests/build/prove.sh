@@ -15,17 +15,17 @@ shift
 
 # What has a contract instead of a body, but in the driver of the bodies.
 CONTRACTS=gjk_add,gjk_sub,gjk_edge,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,reciprocal,\
-gjk_reciprocal_root,gjk_unit,copy_collider,gjk_rank
+gjk_reciprocal_root,gjk_unit,copy_collider,gjk_height_key
 
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
-QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report:100,\
-ask_penetration:500,ask_signed:500,gjk_distance:200,run:200,narrow:200,\
+QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report_depth:100,\
+ask_penetration:500,ask_signed:500,gjk_distance:200,run_and_narrow:200,narrow:200,\
 gjk_distance_until:100,gjk_distance_report:100,stop_early:100,load:100,is_nearest:100,is_facet:100,none_before:100
 ITERATION_LEVELS=gjk_iteration_run:4,add_vertex:100,warm_start:1000,gjk_iteration_start:500,set_frame:500,set_usual_frame:500,main:500,\
 longer_than:100,far_shift:100,run:500
 ITERATION_RETURNS=gjk_iteration_start:0,set_frame:0,set_usual_frame:0,longer_than:0
-POLYTOPE_LEVELS=write_horizon:200,gjk_polytope_add:500,close:1000,add:1000,check_polytope:100,gjk_polytope_lowest:50
-ZONOTOPE_LEVELS=gjk_zonotope_facet:1000,run:100
+EPA_HULL_LEVELS=write_horizon:200,gjk_epa_hull_add:500,close:1000,add:1000,check_polytope:100,gjk_epa_hull_lowest:50
+BOX_SAT_LEVELS=gjk_box_sat:1000,run:100
 SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
 
 # The outcomes of a call kept apart by its last branch, so that what a check found of an index is known after it.
@@ -46,7 +46,7 @@ cases() {
     echo iteration-GJK_GOAL_$goal
   done
   for count in 1 2 3; do
-    echo pair_search-$count
+    echo search-$count
     echo witness-$count
   done
   for kind in SMOOTH POINT SEGMENT BOX TRIANGLE HULL CYLINDER CONE; do
@@ -58,13 +58,13 @@ cases() {
   echo reduce-x
   for case in 0 1 2; do
     echo facet-$case
-    echo polytope-$case
+    echo epa_hull-$case
   done
   for count in 0 1 3; do
-    echo zonotope-$count
+    echo box_sat-$count
   done
   for count in 1 2 3 4; do
-    echo expand-$count
+    echo epa-$count
   done
   echo contacts-x
   for query in INTERSECT WITHIN WITHIN_UNTIL DISTANCE UNTIL PENETRATION SIGNED CHECK_DECISION CHECK_DISTANCE \
@@ -130,8 +130,8 @@ prove_consequences() {
   # Each file by itself, so that no function is renamed.
   sed 's/ .*//' "$dir/$name.listed" | sort -u | while read -r file; do
     functions=$(sed -n "s/^$file \([^:]*\):.*/\1/p" "$dir/$name.listed" | sort -u | tr '\n' ',')
-    frama-c "src/$file" -wp -wp-fct "${functions%,}" -wp-prover qed -inline-calls gjk_polytope_vertex -machdep "$1" \
-      -cpp-extra-args="-Iinclude -Isrc $2 -include tests/prove/contracts.h -include polytope.h" \
+    frama-c src/*/"$file" -wp -wp-fct "${functions%,}" -wp-prover qed -inline-calls gjk_epa_hull_vertex -machdep "$1" \
+      -cpp-extra-args="-Iinclude -I. $2 -include tests/prove/contracts.h -include src/depth/gjk_epa_hull.h" \
       -then -report-csv "$dir/$name-$file.csv" >"$dir/$name-$file.txt" 2>&1 </dev/null
     awk -v proved=1 -f tests/build/prove-facts.awk "$dir/$name-$file.csv" /dev/null
   done | sort -u >"$dir/$name.proved"
@@ -161,7 +161,7 @@ prove_one() {
   instance=${instance%-*}
   defines="-DCASE=$instance"
   # Without what has no driver yet.
-  sources=$(echo src/*.c | tr ' ' '\n' | grep -v scene | tr '\n' ' ')
+  sources=$(echo src/*/*.c | tr ' ' '\n' | grep -v scene | tr '\n' ' ')
   case $variant in
     int16) machine=gcc_x86_16 defines="$defines -DGJK_NARROW_MULTIPLY=1" ;;
     *) machine=gcc_x86_32 ;;
@@ -172,7 +172,7 @@ prove_one() {
     primitives) contracts= && set -- "$1" -eva-slevel 200 ;;
     witness) models=simplex && set -- "$1" -eva-slevel 200 ;;
     query)
-      models='simplex iteration pair_search witness zonotope facet expand'
+      models='simplex iteration search witness box_sat facet epa'
       set -- "$1" -eva-slevel 50 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits \
         -eva-partition-value facet_is_found
       ;;
@@ -181,28 +181,28 @@ prove_one() {
       set -- "$1" -eva-slevel 10 -eva-slevel-function "$ITERATION_LEVELS" -eva-interprocedural-splits \
         -eva-split-return-function "$ITERATION_RETURNS"
       ;;
-    pair_search)
+    search)
       models='simplex iteration'
       set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-interprocedural-splits
       ;;
     scene_*)
-      sources="$(echo src/scene_*.c) src/root.c src/status.c src/wide.c"
+      sources="$(echo src/scene/*.c) src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
       models=scene
       [ "$driver" != scene_ops ] || models='scene scene_tree'
       set -- "$1" -eva-slevel 12 -eva-slevel-function "$SCENE_LEVELS" -eva-partition-history 1 \
         -eva-interprocedural-history -eva-interprocedural-splits -eva-ilevel 64 -eva-auto-loop-unroll 8
       ;;
-    facet) models=simplex contracts=${contracts%,gjk_rank} && set -- "$1" -eva-slevel 200 -eva-interprocedural-splits ;;
-    zonotope)
+    facet) models=simplex contracts=${contracts%,gjk_height_key} && set -- "$1" -eva-slevel 200 -eva-interprocedural-splits ;;
+    box_sat)
       models='simplex facet'
-      set -- "$1" -eva-slevel 2 -eva-slevel-function "$ZONOTOPE_LEVELS" -eva-auto-loop-unroll 6 -eva-min-loop-unroll 6 \
+      set -- "$1" -eva-slevel 2 -eva-slevel-function "$BOX_SAT_LEVELS" -eva-auto-loop-unroll 6 -eva-min-loop-unroll 6 \
         -eva-partition-value facet_is_found
       ;;
-    polytope)
-      set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 9 -eva-slevel-function "$POLYTOPE_LEVELS"
+    epa_hull)
+      set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 9 -eva-slevel-function "$EPA_HULL_LEVELS"
       ;;
-    expand)
-      models='simplex iteration polytope facet'
+    epa)
+      models='simplex iteration epa_hull facet'
       set -- "$1" -eva-slevel 100 -eva-interprocedural-splits -eva-partition-value facet_is_found
       ;;
     contacts)
@@ -214,13 +214,13 @@ prove_one() {
     *) set -- "$1" -eva-slevel 200 ;;
   esac
   for model in $models; do
-    sources="$(echo "$sources" | sed "s|src/$model\.c||") tests/prove/${model}_model.c"
+    sources="$(echo "$sources" | sed "s|src/[a-z]*/gjk_$model\.c||") tests/prove/${model}_model.c"
   done
   name=$1
   shift
   start=$(date +%s)
   analyse "$name" "$sources tests/prove/$driver.c" "$@" -machdep $machine \
-    -cpp-extra-args="-Iinclude -Isrc $defines -include tests/prove/contracts.h"
+    -cpp-extra-args="-Iinclude -I. $defines -include tests/prove/contracts.h"
   if ! [ -s "$dir/$name.csv" ] || ! grep -q 'coverage' "$dir/$name.txt"; then
     echo "failed: $name: no analysis: $dir/$name.txt"
     return

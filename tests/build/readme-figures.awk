@@ -16,7 +16,7 @@ BEGIN {
 {
   measured[$1]
   figure[$1, $2, $3, $4] = $5
-  rounds[$2, $3, $4] = $5  # the same on every target
+  iterations[$2, $3, $4] = $5  # the same on every target
 }
 
 function header(first, list, count,    t, line, rule) {
@@ -48,7 +48,7 @@ function row(first, list, count, solver, subject, measure, second,    t, line, c
 }
 
 function query(subject) {
-  row("| " subject " | " rounds["gjk", subject, "mean rounds"] " |", plain, columns, "gjk", subject, \
+  row("| " subject " | " iterations["gjk", subject, "mean iterations"] " |", plain, columns, "gjk", subject, \
     "mean instructions", "worst instructions")
 }
 
@@ -64,7 +64,7 @@ function compare(subject,    s, of) {
 }
 
 END {
-  header("| query | rounds |", plain, columns)
+  header("| query | iterations |", plain, columns)
   query("boxes apart: distance")
   query("8-point hulls apart: distance")
   query("64-point hulls apart: distance")
@@ -99,7 +99,7 @@ END {
   print "0.02; the hulls there are frusta with faces. Contacts: four at most."
   print ""
   print "Beside it the same algorithm in floating point: mean instructions on the same pairs, in software but where the"
-  print "head says FPU. It is plain C (`tests/reference`), its vertices are in its own type already, and it stops as early."
+  print "head says FPU. It is plain C (`tests/support/reference`), its vertices are in its own type already, and it stops as early."
   print "Its depths are an expanding polytope\47s, which does not fit in Cortex-M0\47s 16 KB."
   print ""
   header("| query | in |", beside, others)

@@ -3,6 +3,6 @@
 build=$1
 shift
 mkdir -p "$build"
-gcc -std=c99 -O1 -g -fsanitize=undefined,address -fno-sanitize-recover=all -Iinclude -Isrc -Iport -Itests \
-  '-DGJK_PORT_HEADER="hosted/gjk_port.h"' src/*.c port/hosted/gjk_hosted.c tests/scene/world.c tests/scene/session.c \
-  tests/soak_scene/main.c -o "$build/scene-soak" && "$build/scene-soak" "$@"
+gcc -std=c99 -O1 -g -fsanitize=undefined,address -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support \
+  '-DGJK_PORT_HEADER="hosted/gjk_port.h"' src/*/*.c port/hosted/gjk_hosted.c tests/support/scene/world.c tests/support/scene/session.c \
+  tests/check/soak_scene/main.c -o "$build/scene-soak" && "$build/scene-soak" "$@"

@@ -1,9 +1,9 @@
 #!/bin/sh
-# The most expensive pairs that a search finds: worst-case.sh BUILD [SEED [ROUNDS [INSTRUCTIONS]]]
+# The most expensive pairs that a search finds: worst-case.sh BUILD [SEED [ITERATIONS [INSTRUCTIONS]]]
 #
-# Per family so many measurements on the host, of rounds and what is done between them, then of instructions on an
+# Per family so many measurements on the host, of iterations and what is done between them, then of instructions on an
 # emulated Cortex-M3. What beats the pairs of tests/data/worst.txt replaces them there. With 'replay' instead of a SEED it
-# only counts the known pairs afresh, prints 'ID|rounds|instructions' and changes nothing.
+# only counts the known pairs afresh, prints 'ID|iterations|instructions' and changes nothing.
 . tests/build/count.sh
 build=$1
 seed=${2:-1}
@@ -35,8 +35,8 @@ annotate() {
   cp "$1" "$dir/known.txt"
   firmware >"$dir/replay" || { cat "$dir/replay" >&2; return 1; }
   awk -F'|' '
-    FNR == NR { line[$1] = "# rounds " $2 " instructions " $3; next }
-    /^# rounds / { next }
+    FNR == NR { line[$1] = "# iterations " $2 " instructions " $3; next }
+    /^# iterations / { next }
     { print }
     /^case / { split($0, word, " "); print line[word[2]] }' "$dir/replay" "$1" >"$dir/annotated" &&
     cp "$dir/annotated" "$1"
@@ -51,9 +51,9 @@ fi
 sed -n '/^case /q; p' $data >"$dir/head"
 sed -n '/^case /,$p' $data >"$dir/found.txt"
 make -s build/host/libgjk.a build/hosted/port/hosted/gjk_hosted.o >/dev/null && annotate "$dir/found.txt" || exit 1
-"${CC:-cc}" -O2 -std=c99 -Iinclude -Isrc tests/target/worst.c tests/target/worst_host.c "$build/worst_cases.c" \
-  -Itests build/host/libgjk.a build/hosted/port/hosted/gjk_hosted.o -o "$dir/worst_host" || exit 1
-families=$(grep -o '"[a-z0-9]*-[a-z]*", WORST_' tests/target/worst.c | wc -l)
+"${CC:-cc}" -O2 -std=c99 -Iinclude -I. -Itests/support tests/measure/target/worst.c tests/measure/target/worst_host.c "$build/worst_cases.c" \
+  -Itests/support build/host/libgjk.a build/hosted/port/hosted/gjk_hosted.o -o "$dir/worst_host" || exit 1
+families=$(grep -o '"[a-z0-9]*-[a-z]*", WORST_' tests/measure/target/worst.c | wc -l)
 
 family=0
 while [ $family -lt "$families" ]; do

@@ -1,4 +1,4 @@
-# Cases in the format of tests/case/parse.h, raw integers, as the C table of tests/target/worst.h.
+# Cases in the format of tests/support/case/parse.h, raw integers, as the C table of tests/measure/target/worst.h.
 function flush_side() {
   if (side != "") {
     sub(/@/, round, shape)

@@ -1,5 +1,5 @@
 // Asks every query about random pairs and prints how many there were: tests/build/bounds.sh builds it with the assertions
-// of the sources as checks. Pairs of every family of tests/generate, and pairs of all kinds, curved too, from a few LSB to
+// of the sources as checks. Pairs of every family of tests/support/generate, and pairs of all kinds, curved too, from a few LSB to
 // the largest there are, some of them at the ends of the world.
 #include <stdlib.h>
 
@@ -8,7 +8,7 @@
 
 #define CELLS_MAX 400
 
-static gjk_cell *cells;
+static gjk_epa_cell *cells;
 
 // A collider and where it may be asked again from.
 typedef struct question {
@@ -110,7 +110,7 @@ static void make_any(random_state *random, int32_t size, case_shape *shape) {
     shape->vertices[i].y = random_range(random, -size, size);
     shape->vertices[i].z = random_range(random, -size, size);
   }
-  shape->round = random_below(random, 2) == 0 ? 0 : some_size(random, size);
+  shape->convex_radius = random_below(random, 2) == 0 ? 0 : some_size(random, size);
   const gjk_quat q = {random_range(random, -1000, 1000), random_range(random, -1000, 1000),
                       random_range(random, -1000, 1000), random_range(random, -1000, 1001)};
   (void)gjk_quat_normalize(&q, &shape->pose.rotation);

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene.h"
 #include "scene/world.h"
+#include "src/scene/gjk_scene_block.h"
 
 #define BODIES 9
 #define PARTS 13
@@ -30,15 +30,15 @@ static gjk_pose some_pose(random_state *random) {
   return pose;
 }
 
-static gjk_body some_body(const gjk_scene *scene, random_state *random) {
-  gjk_body body = {0, 0};
+static gjk_body_id some_body(const gjk_scene *scene, random_state *random) {
+  gjk_body_id body = {0, 0};
   (void)gjk_scene_body_at(scene, random_below(random, BODIES + 1), &body);
   return body;
 }
 
 static void add(gjk_scene *scene, random_state *random) {
   gjk_part parts[3];
-  gjk_body body;
+  gjk_body_id body;
   gjk_body_setup setup = {some_pose(random), parts, 1, 0, 0, UINT32_MAX, UINT32_MAX, 0, 0};
   for (int i = 0; i < 3; i++) {
     parts[i].shape = (uint16_t)random_below(random, WORLD_SHAPES);
@@ -57,7 +57,7 @@ static void add(gjk_scene *scene, random_state *random) {
 }
 
 static void change(gjk_scene *scene, random_state *random) {
-  const gjk_body body = some_body(scene, random);
+  const gjk_body_id body = some_body(scene, random);
   const gjk_pose pose = some_pose(random);
   const uint16_t part = (uint16_t)random_below(random, 3);
   switch (random_below(random, 11)) {
@@ -75,7 +75,7 @@ static void change(gjk_scene *scene, random_state *random) {
 }
 
 static void ask(gjk_scene *scene, random_state *random) {
-  const gjk_body body = some_body(scene, random), other = some_body(scene, random);
+  const gjk_body_id body = some_body(scene, random), other = some_body(scene, random);
   const gjk_vec3 from = some_position(random), to = some_position(random);
   gjk_scene_hit hits[HITS], after = {{0, 0}, 0, 0};
   gjk_collider collider = {0};
@@ -117,8 +117,8 @@ static void update(gjk_scene *scene, random_state *random) {
 }
 
 // What passed the check passes it after any call.
-static bool go_on(gjk_scene *scene, random_state *random, int rounds) {
-  for (int i = 0; i < rounds; i++) {
+static bool go_on(gjk_scene *scene, random_state *random, int iterations) {
+  for (int i = 0; i < iterations; i++) {
     const uint32_t changes = random_below(random, 6);
     for (uint32_t k = 0; k < changes; k++) {
       change(scene, random);
@@ -162,7 +162,7 @@ static gjk_scene_config some_config(random_state *random) {
   gjk_scene_config config = {BODIES, PARTS, PARTS / 2, PAIRS, GJK_Q16(0.25), 0, 0, 0, 0, 0};
   config.detail = (uint8_t)(random_below(random, 3) == 0 ? random_below(random, 4) : 0);
   config.persist = (uint8_t)random_below(random, 2);
-  config.no_skips = random_below(random, 4) == 0;
+  config.retest_all = random_below(random, 4) == 0;
   config.workspace_cells = random_below(random, 60);
   return config;
 }

@@ -1,6 +1,6 @@
-// src/clip.h with any two polygons: two edges, CASE 0, a face and an edge, 1, an edge and a face, 2, or two faces, 3, each
+// src/contact/gjk_clip.h with any two polygons: two edges, CASE 0, a face and an edge, 1, an edge and a face, 2, or two faces, 3, each
 // of three or the most corners.
-#include "clip.h"
+#include "src/contact/gjk_clip.h"
 
 #include "polygons.h"
 #include "touches.h"

@@ -1,5 +1,5 @@
-// Stands in for src/clip.c: any contact points, from what tests/prove/clip.c shows to be enough.
-#include "clip.h"
+// Stands in for src/contact/gjk_clip.c: any contact points, from what tests/prove/clip.c shows to be enough.
+#include "src/contact/gjk_clip.h"
 
 #include "polygons.h"
 #include "touches.h"

@@ -4,8 +4,8 @@
 #define PROVE_COLLIDERS_H
 
 #include "gjk/cache.h"
-#include "shape_class.h"
 #include "simplex_any.h"
+#include "src/shape/gjk_shape_class.h"
 
 static bool any_offset(gjk_vec3 *offset) {
   if (any_bool()) {
@@ -62,7 +62,7 @@ static void any_collider(gjk_collider *c, gjk_shape *shape, const gjk_shape_clas
   for (int i = 0; i < 3; i++) {
     c->frame[i] = any_vec3(ANY_OFFSET);
   }
-  shape->round = any_between(0, GJK_RADIUS_MAX);
+  shape->convex_radius = any_between(0, GJK_RADIUS_MAX);
   c->shape = shape;
   c->centre = any_position();
   c->core_radius = any_between(4, ANY_OFFSET);

@@ -1,5 +1,5 @@
-// Stands in for src/contact_polygon.c: any polygon, as tests/prove/polygon.c shows.
-#include "contact_polygon.h"
+// Stands in for src/contact/gjk_contact_polygon.c: any polygon, as tests/prove/polygon.c shows.
+#include "src/contact/gjk_contact_polygon.h"
 
 #include "polygons.h"
 

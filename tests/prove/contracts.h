@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "gjk/collider.h"
-#include "vector.h"
+#include "src/arith/gjk_vector.h"
 
 // Shorter than 2^31. The components of two such vectors' cross product are below 2^62: tests/prove/lengths.c.
 #define SHORT(x, y, z) ((x) * (x) + (y) * (y) + (z) * (z) < 0x4000000000000000)
@@ -121,7 +121,7 @@ gjk_unit3 gjk_unit(const gjk_vec3 *d);
 /*@ requires positive: along > 0 ==> squared > 0;
     assigns \result \from along, squared;
     ensures \result <= 0x3fffff; */
-uint32_t gjk_rank(int64_t along, int64_t squared);
+uint32_t gjk_height_key(int64_t along, int64_t squared);
 
 // Byte by byte, which Eva does not follow.
 /*@ requires set: \initialized(&from->shape) && \initialized(&from->centre.x);

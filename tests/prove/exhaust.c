@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "root.h"
-#include "wide.c"
+#include "src/arith/gjk_root.h"
+#include "src/arith/gjk_wide.c"
 
 int main(int count, char **arguments) {
   const uint64_t step = count > 1 ? strtoull(arguments[1], NULL, 10) : 1;

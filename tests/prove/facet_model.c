@@ -1,4 +1,4 @@
-// Stands in for src/facet.c: any answer, from what tests/prove/facet.c shows to be enough.
+// Stands in for src/depth/gjk_facet.c: any answer, from what tests/prove/facet.c shows to be enough.
 //
 // facet_is_found: as the facet has it, for analyses that keep the two apart by it.
 #include "facets.h"
@@ -17,7 +17,7 @@ gjk_q16 gjk_depth_across(const gjk_iteration *it, const gjk_vec3 *w) {
   return any_between(0, ANY_DEPTH - 4);
 }
 
-bool gjk_facet_wants(const gjk_facet *best, int shift, uint32_t rank) {
+bool gjk_facet_may_improve(const gjk_facet *best, int shift, uint32_t rank) {
   //@ assert shift >= 0 && shift <= 29;
   check_size(rank, UINT32_MAX);
   if (!best->found) {

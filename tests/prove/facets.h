@@ -1,9 +1,9 @@
-// Any facet that src/facet.c may hold, and the check that one is such a facet.
+// Any facet that src/depth/gjk_facet.c may hold, and the check that one is such a facet.
 #ifndef PROVE_FACETS_H
 #define PROVE_FACETS_H
 
-#include "facet.h"
 #include "simplex_any.h"
+#include "src/depth/gjk_facet.h"
 
 // A depth in LSB: GJK_HEIGHT_MAX, and what heights and curved supports may be off by.
 #define ANY_DEPTH ((INT32_C(1) << 30) + 8)

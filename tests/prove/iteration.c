@@ -1,12 +1,12 @@
-// src/iteration.h with any goal, CASE, on any two colliders, and what it leaves behind: no more than
+// src/gjk/gjk_iteration.h with any goal, CASE, on any two colliders, and what it leaves behind: no more than
 // tests/prove/iteration_model.c answers.
-#include "iteration.h"
 #include "colliders.h"
+#include "src/gjk/gjk_iteration.h"
 
 // At least the ceiling of any query.
 #define MOST 250
 
-static void check_direction(const gjk_rounded *direction, int32_t size) {
+static void check_direction(const gjk_search_direction *direction, int32_t size) {
   check_vec3(&direction->d, size);
   check_size(direction->exact, 1);
 }
@@ -25,7 +25,7 @@ static void check_iteration(const gjk_iteration *it, unsigned outcome) {
 }
 
 static void run(gjk_iteration *it, gjk_cache *cache) {
-  it->limit = (uint8_t)any_between(it->rounds + 1, MOST);
+  it->limit = (uint8_t)any_between(it->iterations + 1, MOST);
   const unsigned outcome = gjk_iteration_run(it, CASE, cache);
   //@ split outcome;
   check_iteration(it, outcome);
@@ -59,7 +59,7 @@ int main(void) {
     check_size(it.radius, INT32_MAX);
     check_vec3(&it.delta, ANY_W);
     run(&it, warm != 0 ? &cache : NULL);
-    if (it.rounds < MOST && it.simplex.count < 4) {
+    if (it.iterations < MOST && it.simplex.count < 4) {
       run(&it, NULL);
     }
   }

@@ -1,6 +1,6 @@
-// Stands in for src/iteration.c under the queries: any answer that it may give, as tests/prove/iteration.c shows.
+// Stands in for src/gjk/gjk_iteration.c under the queries: any answer that it may give, as tests/prove/iteration.c shows.
 #include "colliders.h"
-#include "iteration.h"
+#include "src/gjk/gjk_iteration.h"
 
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius) {
@@ -13,7 +13,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   it->radius = radius > 0 ? any_between(0, INT32_MAX) : 0;
   it->shift = (int8_t)any_between(-3, 29);
   it->delta = any_vec3(ANY_W);
-  it->rounds = 0;
+  it->iterations = 0;
   it->curved = a->shape->type->stalls != NULL ? a->shape->type->stalls : b->shape->type->stalls;
   gjk_simplex_clear(&it->simplex);
   return true;
@@ -64,7 +64,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   if (s->count >= 3) {
     any_normal(&s->normal);
   }
-  it->rounds = (uint8_t)any_between(0, it->limit);
+  it->iterations = (uint8_t)any_between(0, it->limit);
   it->direction.d = outcome == GJK_OUTCOME_NEAREST ? any_direction(s->count) : any_vec3(ANY_W);
   it->direction.exact = any_bool();
   return outcome;

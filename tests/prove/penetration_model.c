@@ -1,4 +1,4 @@
-// Stands in for src/penetration.c: any result, as tests/prove/query.c shows.
+// Stands in for src/query/gjk_penetration.c: any result, as tests/prove/query.c shows.
 #include "gjk/penetration.h"
 
 #include "colliders.h"

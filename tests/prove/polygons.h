@@ -1,9 +1,9 @@
-// Any polygon that src/contact_polygon.c may give, and the check that one is such a polygon.
+// Any polygon that src/contact/gjk_contact_polygon.c may give, and the check that one is such a polygon.
 #ifndef PROVE_POLYGONS_H
 #define PROVE_POLYGONS_H
 
-#include "contact_polygon.h"
 #include "simplex_any.h"
+#include "src/contact/gjk_contact_polygon.h"
 
 // Of a corner from A's centre: B's centre is at most 2^29 away, a shape reaches 2^28, which its core and its rounding share.
 #define ANY_CORNER ((INT32_C(1) << 30) - 1)

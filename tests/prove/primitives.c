@@ -1,7 +1,7 @@
 // The bodies of what tests/prove/contracts.h has contracts for: any numbers, and any vectors below 2^30. What longer ones
 // may overflow is what the contracts ask of each caller.
 #include "any.h"
-#include "vector.h"
+#include "src/arith/gjk_vector.h"
 
 int main(void) {
   const int32_t a = any_int32(), b = any_int32();

@@ -1,4 +1,4 @@
-// Every query on any two colliders and what src/iteration.h gives it: any answer of tests/prove/iteration_model.c.
+// Every query on any two colliders and what src/gjk/gjk_iteration.h gives it: any answer of tests/prove/iteration_model.c.
 #include "colliders.h"
 
 // Values of CASE.
@@ -32,7 +32,7 @@ static void any_unit3(gjk_unit3 *normal) {
 }
 
 static void any_workspace(gjk_workspace *workspace) {
-  static gjk_cell cells[1];
+  static gjk_epa_cell cells[1];
   workspace->cells = any_bool() ? cells : NULL;
   workspace->count = (uint32_t)any_int32();
 }

@@ -1,5 +1,5 @@
-// Stands in for src/reduce.c: any of the points, from what tests/prove/reduce.c shows to be enough.
-#include "reduce.h"
+// Stands in for src/contact/gjk_reduce.c: any of the points, from what tests/prove/reduce.c shows to be enough.
+#include "src/contact/gjk_reduce.h"
 
 #include "touches.h"
 

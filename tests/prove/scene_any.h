@@ -3,7 +3,7 @@
 #define PROVE_SCENE_ANY_H
 
 #include "colliders.h"
-#include "scene.h"
+#include "src/scene/gjk_scene_block.h"
 
 #define BODIES 3
 #define PARTS 3
@@ -14,7 +14,7 @@
 #define GAP 40            // words, more than any record has
 #define NAMED 3           // vertices that queries name
 
-// As src/scene_memory.c lays it out.
+// As src/scene/gjk_scene_memory.c lays it out.
 typedef struct any_block {
   gjk_scene_header header;
   gjk_scene_body bodies[BODIES];
@@ -66,7 +66,7 @@ static void any_shapes(void) {
   const int32_t vertices = any_between(0, 1);
   //@ split vertices;
   shape.type = vertices != 0 ? &with_vertices : &curved;
-  shape.round = any_between(0, GJK_RADIUS_MAX);
+  shape.convex_radius = any_between(0, GJK_RADIUS_MAX);
   shape.count = any_uint16();
   shapes[0] = &shape;
   shapes[1] = any_bool() ? &shape : NULL;
@@ -90,8 +90,8 @@ static gjk_aabb any_box(void) {
   return box;
 }
 
-static gjk_body any_body_handle(void) {
-  const gjk_body body = {any_uint32(), any_uint32()};
+static gjk_body_id any_body_handle(void) {
+  const gjk_body_id body = {any_uint32(), any_uint32()};
   return body;
 }
 
@@ -176,7 +176,7 @@ static void any_header(gjk_scene_header *h) {
   h->config.box_margin = any_between(0, GJK_RADIUS_MAX);
   h->config.detail = (uint8_t)any_between(0, GJK_DETAIL_CONTACTS);
   h->config.persist = any_bool();
-  h->config.no_skips = any_bool();
+  h->config.retest_all = any_bool();
   any_pool(&h->bodies, BODIES);
   any_pool(&h->parts, PARTS);
   any_pool(&h->nodes, PARTS);
@@ -195,11 +195,11 @@ static void any_header(gjk_scene_header *h) {
   Frama_C_make_unknown((char *)&h->stats, sizeof h->stats);
 }
 
-static bool any_answer(void *user, gjk_body a, uint32_t user_a, gjk_body b, uint32_t user_b) {
+static bool any_answer(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b) {
   return any_bool();
 }
 
-static gjk_cell cells[1];
+static gjk_epa_cell cells[1];
 static const gjk_workspace workspace = {cells, 1};
 static gjk_manifold manifolds[1];
 

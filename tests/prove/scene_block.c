@@ -17,7 +17,7 @@ static void any_config(gjk_scene_config *config) {
   config->box_margin = any_int32();
   config->detail = (uint8_t)any_uint16();
   config->persist = (uint8_t)any_uint16();
-  config->no_skips = (uint8_t)any_uint16();
+  config->retest_all = (uint8_t)any_uint16();
   config->reserved = (uint8_t)any_uint16();
   config->workspace_cells = any_uint32();
 }

@@ -4,7 +4,7 @@
 #include "gjk/intersect.h"
 #include "gjk/pose.h"
 #include "scene_any.h"
-#include "shape_class.h"
+#include "src/shape/gjk_shape_class.h"
 
 static gjk_status any_status(void) {
   return any_bool() ? GJK_OK : GJK_ERROR_RANGE;
@@ -72,7 +72,7 @@ gjk_status gjk_quat_invert(const gjk_quat *q, gjk_quat *out) {
 
 static void check_posed(const gjk_collider *a, const gjk_collider *b) {
   //@ assert a->state == GJK_STATE_POSED && b->state == GJK_STATE_POSED;
-  //@ assert a->shape->round >= 0 && b->shape->round >= 0;
+  //@ assert a->shape->convex_radius >= 0 && b->shape->convex_radius >= 0;
 }
 
 gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, gjk_cache *cache,

@@ -16,7 +16,7 @@
 
 static void add(gjk_scene *scene) {
   gjk_part parts[2];
-  gjk_body out;
+  gjk_body_id out;
   gjk_body_setup setup = {any_pose(),
                           any_bool() ? parts : NULL,
                           (uint16_t)any_below(3),
@@ -49,7 +49,7 @@ static void move(gjk_scene *scene) {
 
 static void set_fields(gjk_scene *scene) {
   gjk_body_state state;
-  gjk_body body;
+  gjk_body_id body;
   gjk_collider collider;
   (void)gjk_scene_get(scene, any_body_handle(), any_bool() ? &state : NULL);
   (void)gjk_scene_body_at(scene, any_uint32(), any_bool() ? &body : NULL);

@@ -1,6 +1,6 @@
 // The tree of any scene that gjk_scene_check lets through: changed, and asked.
-#include "scene_tree.h"
 #include "scene_any.h"
+#include "src/scene/gjk_scene_tree.h"
 
 // Values of CASE.
 #define INSERT 1
@@ -27,7 +27,7 @@ static void find(const gjk_scene *scene) {
   bool found;
   uint32_t count;
   const int32_t room = any_between(0, 1);
-  const gjk_body ignore = any_body_handle();
+  const gjk_body_id ignore = any_body_handle();
   any_hit(&after);
   //@ split room;
 #if CASE == BOX

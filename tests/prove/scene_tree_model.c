@@ -1,6 +1,6 @@
-// Stands in for src/scene_tree.c under the operations: any tree, and any parts that meet a box.
+// Stands in for src/scene/gjk_scene_tree.c under the operations: any tree, and any parts that meet a box.
 #include "scene_any.h"
-#include "scene_tree.h"
+#include "src/scene/gjk_scene_tree.h"
 
 static void any_change(gjk_scene_view *v) {
   any_tree(v->header);

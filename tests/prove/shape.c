@@ -1,7 +1,7 @@
 // One kind of shape, CASE, from any sizes, vertices and pose: what gjk/collider.h does with it, and what a query then
 // asks of its class, in the ranges that tests/prove/query.c shows to be all it asks.
 #include "any.h"
-#include "shape_class.h"
+#include "src/shape/gjk_shape_class.h"
 
 #define VERTICES 5
 
@@ -28,7 +28,7 @@ static void any_shape(gjk_shape *shape, const gjk_q16 *bound) {
                              GJK_CUSTOM(any_support, bound, 0)};
   *shape = kinds[CASE];
   shape->size = any_position();
-  shape->round = any_int32();
+  shape->convex_radius = any_int32();
   if (CASE == CUSTOM) {
     shape->size.x = *bound;
   }
@@ -51,7 +51,7 @@ static int64_t any_long(int64_t most) {
 }
 
 static void any_direction(gjk_direction *direction, const gjk_vec3 ends[2], gjk_long3 *n) {
-  direction->rank = (uint8_t)any_between(1, 3);
+  direction->spanning = (uint8_t)any_between(1, 3);
   direction->a = &ends[0];
   direction->b = &ends[1];
   direction->n = n;

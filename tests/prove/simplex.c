@@ -1,8 +1,8 @@
-// Every function of src/simplex.h on any simplex, for every order of its slots: each leaves such a simplex behind, as
+// Every function of src/gjk/gjk_simplex.h on any simplex, for every order of its slots: each leaves such a simplex behind, as
 // tests/prove/simplex_model.c has it, and reads nothing of a slot that is not in use.
 #include "simplex_any.h"
 
-// What src/simplex.c may read of a feature: products of slots in use, positive between the two of an edge.
+// What src/gjk/gjk_simplex.c may read of a feature: products of slots in use, positive between the two of an edge.
 static void any_feature(gjk_simplex *s) {
   for (unsigned i = 0; i < s->count; i++) {
     const unsigned at = s->order[i];
@@ -47,10 +47,10 @@ static void check_feature(const gjk_simplex *s, unsigned most) {
 
 // The functions that look at a feature.
 static void look(const gjk_simplex *s) {
-  gjk_rounded rounded;
+  gjk_search_direction rounded;
   gjk_direction direction;
-  gjk_limbs numerator, denominator;
-  gjk_share weight[2];
+  gjk_u192 numerator, denominator;
+  gjk_barycentric weight[2];
   const gjk_vec3 v = any_vec3(2 * ANY_OFFSET);
   (void)gjk_simplex_direction(s, &rounded);
   check_vec3(&rounded.d, ANY_W);

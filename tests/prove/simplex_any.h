@@ -1,4 +1,4 @@
-// Any simplex that src/simplex.c may leave behind, and the check that one is such a simplex.
+// Any simplex that src/gjk/gjk_simplex.c may leave behind, and the check that one is such a simplex.
 //
 // The queries know slots through order[] alone, so to them the slots' names mean nothing: tests/prove/query.c takes
 // order 0, 1, 2, 3, tests/prove/simplex.c shows every other.
@@ -6,16 +6,16 @@
 #define PROVE_SIMPLEX_ANY_H
 
 #include "any.h"
-#include "simplex.h"
+#include "src/gjk/gjk_simplex.h"
 
-// Of vertices w, squares and products of two, and w_i . (w_i - w_j): src/simplex.h.
+// Of vertices w, squares and products of two, and w_i . (w_i - w_j): src/gjk/gjk_simplex.h.
 #define ANY_W (INT32_C(3) << 29)
 // A direction that a support is asked for: a vertex, an edge turned, or rounded.
 #define ANY_DIRECTION INT32_MAX
 #define ANY_SQUARE (INT64_C(9) << 58)
 #define ANY_TOWARD (INT64_C(1) << 61)
 #define ANY_NORMAL ((INT64_C(1) << 62) - 1)
-// A component of a unit vector of src/unit.h.
+// A component of a unit vector of src/arith/gjk_unit.h.
 #define ANY_UNIT (GJK_Q30_ONE + 1)
 
 static int64_t any_long(int64_t size) {

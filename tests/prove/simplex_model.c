@@ -1,4 +1,4 @@
-// Stands in for src/simplex.c under the queries: any answer that it may give, for every order of the slots at once.
+// Stands in for src/gjk/gjk_simplex.c under the queries: any answer that it may give, for every order of the slots at once.
 #include "simplex_any.h"
 
 void gjk_simplex_clear(gjk_simplex *s) {
@@ -74,7 +74,7 @@ bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
   return any_bool();
 }
 
-bool gjk_simplex_direction(const gjk_simplex *s, gjk_rounded *out) {
+bool gjk_simplex_direction(const gjk_simplex *s, gjk_search_direction *out) {
   //@ assert s->count >= 1 && s->count <= 3;
   out->d = any_direction(s->count);
   out->exact = any_bool();
@@ -90,29 +90,29 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
     out->ta = Frama_C_long_long_interval(1, ANY_TOWARD);
     out->tb = Frama_C_long_long_interval(1, ANY_TOWARD);
   }
-  out->rank = s->count;
+  out->spanning = s->count;
   out->opposite = false;
 }
 
-static void any_limbs(gjk_limbs *x) {
-  for (int i = 0; i < GJK_LIMBS; i++) {
+static void any_limbs(gjk_u192 *x) {
+  for (int i = 0; i < GJK_U192_LIMBS; i++) {
     x->limb[i] = (uint32_t)any_int32();
   }
 }
 
-void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_limbs *numerator, gjk_limbs *denominator) {
+void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_u192 *numerator, gjk_u192 *denominator) {
   //@ assert s->count >= 1 && s->count <= 3;
   any_limbs(numerator);
   any_limbs(denominator);
 }
 
-int gjk_compare_distance(const gjk_limbs *numerator, const gjk_limbs *denominator, uint64_t twice) {
+int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, uint64_t twice) {
   check_size(numerator->limb[0] & 1u, 1);
   check_size(denominator->limb[0] & 1u, 1);
   return (int)any_between(-1, 1);
 }
 
-void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_share weight[2]) {
+void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_barycentric weight[2]) {
   //@ assert s->count >= 2 && s->count <= 3;
   for (int i = 0; i < 2; i++) {
     weight[i].high = any_between(0, INT32_MAX);

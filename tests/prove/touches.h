@@ -1,9 +1,9 @@
-// Any contact points that src/clip.c may give.
+// Any contact points that src/contact/gjk_clip.c may give.
 #ifndef PROVE_TOUCHES_H
 #define PROVE_TOUCHES_H
 
-#include "clip.h"
 #include "simplex_any.h"
+#include "src/contact/gjk_clip.h"
 
 static void any_touches(gjk_touches *touches, int32_t count) {
   for (int i = 0; i < count; i++) {

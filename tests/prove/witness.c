@@ -1,5 +1,5 @@
 // The nearest points of any feature of one to three vertices, CASE, in any frame.
-#include "witness.h"
+#include "src/gjk/gjk_witness.h"
 
 #include "colliders.h"
 

@@ -1,0 +1,174 @@
+// Exact signs and comparisons beyond 64 bits: the paths taken when the high words do not settle it.
+#include "gjk_wide.h"
+
+// In digits of 31 bits, |high ones| <= 2^31: a product of two is at most 2^62 in size, one with a low digit at most
+// 2^62 - 2^31. So with the carry, below 2^32, middle and middle2 stay below 2^63; and the whole is below 2^125.
+void gjk_sum_of_products(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out) {
+  const int32_t ph = gjk_high_digit(p), pl = gjk_low_digit(p), qh = gjk_high_digit(q), ql = gjk_low_digit(q);
+  const int32_t rh = gjk_high_digit(r), rl = gjk_low_digit(r), sh = gjk_high_digit(s), sl = gjk_low_digit(s);
+  const int64_t lowest = gjk_mac32(gjk_mul32(pl, ql), rl, sl);
+  const int64_t middle = gjk_mac32(gjk_mac32(gjk_sar64(lowest, 31), ph, ql), pl, qh);
+  const int64_t middle2 = gjk_mac32(gjk_mul32(rh, sl), rl, sh);
+  const uint32_t digit = (uint32_t)gjk_low_digit(middle) + (uint32_t)gjk_low_digit(middle2);
+  const int64_t carry = gjk_sar64(middle, 31) + gjk_sar64(middle2, 31) + (digit >> 31);
+  const int64_t high = gjk_mac32(gjk_mac32(carry, ph, qh), rh, sh);
+  out->high = (uint64_t)gjk_sar64(high, 2);
+  out->low = (uint64_t)high << 62 | (uint64_t)(digit & INT32_MAX) << 31 | (uint32_t)gjk_low_digit(lowest);
+}
+
+int gjk_sum_of_products_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
+  gjk_u128 sum;
+  gjk_sum_of_products(p, q, r, s, &sum);
+  return sum.high > INT64_MAX ? -1 : (sum.high | sum.low) != 0;
+}
+
+static gjk_u128 add128(gjk_u128 a, gjk_u128 b) {
+  gjk_u128 sum = {a.high + b.high, a.low + b.low};
+  sum.high += sum.low < b.low;
+  return sum;
+}
+
+// Bits of x, 1 for 0.
+static unsigned bit_length(const gjk_u128 *x) {
+  return x->high != 0 ? 128 - gjk_clz64(x->high) : 64 - gjk_clz64(x->low | 1);
+}
+
+// The 32 bits of x that start at bit number bits - 1, where no higher one is set. 1 <= bits <= 127.
+static uint32_t leading(const gjk_u128 *x, unsigned bits) {
+  uint64_t top;
+  if (bits > 64) {
+    const unsigned n = 128 - bits;
+    top = (x->high << n) | (x->low >> (64 - n));
+  } else {
+    top = x->low << (64 - bits);
+  }
+  return (uint32_t)(top >> 32);
+}
+
+// About 2^63 / x for 2^31 <= x < 2^32, at most that, within 2. Newton's iteration from a line: relative errors at most
+// 2^-3, 2^-6, 2^-12, 2^-24, then rounding.
+static uint32_t reciprocal(uint32_t x) {
+  // With x = 2^32 u and the result 2^31 y: y = 1 / u on 1/2 <= u < 1 is 48/17 - 32/17 u within 1/17.
+  // At most 2^63 / x, and for x = 2^31 it ends at 2^32 - 1: each y fits.
+  uint32_t y = (uint32_t)(UINT64_C(6063483241) - gjk_umulh32(x, UINT32_C(4042322161)));
+  for (int i = 0; i < 3; i++) {
+    // 2^63 - x y, scaled: positive or negative, at most 2^60 in size
+    int64_t rest = gjk_int64((UINT64_C(1) << 63) - gjk_umul32(x, y));
+    //@ assert rest >= -(INT64_C(1) << 60) && rest <= INT64_C(1) << 60;
+    int32_t e = (int32_t)gjk_sar64(rest, 31);
+    y = (uint32_t)((int64_t)y + gjk_sar64(gjk_mul32((int32_t)(y >> 1), e), 31));
+  }
+  return y;
+}
+
+static bool less128(const gjk_u128 *a, const gjk_u128 *b) {
+  return a->high != b->high ? a->high < b->high : a->low < b->low;
+}
+
+// floor(2^47 part / sum), bit by bit. Pre: part <= sum < 2^127, so twice a rest below sum fits.
+GJK_OUT_OF_LINE static void fine_share(const gjk_u128 *part, const gjk_u128 *sum, gjk_barycentric *share) {
+  uint64_t high = part->high, low = part->low, quotient = 0;
+  for (int i = 0; i <= 47; i++) {
+    const gjk_u128 rest = {high, low};
+    const bool bit = !less128(&rest, sum);
+    if (bit) {
+      high = high - sum->high - (low < sum->low);
+      low -= sum->low;
+    }
+    quotient = (quotient << 1) | bit;
+    high = (high << 1) | (low >> 63);
+    low <<= 1;
+  }
+  quotient -= quotient >> 47;  // where the part is the whole, the most that a share can hold
+  share->high = (int32_t)(quotient >> 16);
+  share->low = (int32_t)(quotient & 0xFFFFu);
+}
+
+void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine,
+                      gjk_barycentric share[2]) {
+  const gjk_u128 sum = add128(add128(*rest, *part), *part2);
+  if (fine) {
+    fine_share(part, &sum, &share[0]);
+    fine_share(part2, &sum, &share[1]);
+    return;
+  }
+  const unsigned bits = bit_length(&sum);
+  const uint32_t inverse = reciprocal(leading(&sum, bits));
+  const uint32_t one = INT32_MAX;
+  const uint32_t first = gjk_umulh32(leading(part, bits), inverse);
+  const uint32_t second = gjk_umulh32(leading(part2, bits), inverse);
+  share[0].high = (int32_t)(first < one ? first : one);
+  share[1].high = (int32_t)(second < one - first ? second : one - first);
+  share[0].low = 0;
+  share[1].low = 0;
+}
+
+void gjk_magnitude95(int64_t high, uint32_t low, gjk_u128 *out) {
+  out->high = (uint64_t)gjk_sar64(high, 33);
+  out->low = (uint64_t)high << 31 | low;
+  if (high < 0) {
+    out->low = ~out->low + 1;
+    out->high = ~out->high + (out->low == 0);
+  }
+}
+
+void gjk_divisor_set(gjk_divisor *divisor, const gjk_u128 *x) {
+  divisor->bits = bit_length(x);
+  divisor->inverse = reciprocal(leading(x, divisor->bits));
+}
+
+int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale, unsigned *k) {
+  const unsigned bits = bit_length(x);
+  *k = 0;
+  if ((x->high | x->low) == 0) {
+    return 0;
+  }
+  // With x = 2^(bits - 32) top and the divisor 2^(its bits - 32) bottom: top inverse / 2^33 is 2^30 top / bottom, from 2^29
+  // to 2^31, and low by less than 1 + 2 + 2: for the cuts of top, inverse and product. That of bottom makes it high.
+  const uint32_t quotient = gjk_umulh32(leading(x, bits), divisor->inverse) >> 1;
+  const int exponent = (int)divisor->bits + 30 - (int)bits - (int)scale;  // quotient / 2^exponent
+  if (exponent >= 0) {
+    const unsigned cut = exponent > 32 ? (unsigned)exponent - 32 : 0;
+    *k = (unsigned)exponent - cut;
+    //@ assert *k <= 32;
+    return cut < 32 ? (int32_t)(quotient >> cut) : 0;
+  }
+  return exponent == -1 && quotient >> 30 == 0 ? (int32_t)(quotient << 1) : INT32_MAX;
+}
+
+void gjk_u192_set(gjk_u192 *x, uint64_t value) {
+  for (int i = 0; i < GJK_U192_LIMBS; i++) {
+    x->limb[i] = (uint32_t)(value & UINT32_MAX);
+    value >>= 32;
+  }
+}
+
+void gjk_u192_add(gjk_u192 *x, const gjk_u192 *y) {
+  uint64_t carry = 0;
+  for (int i = 0; i < GJK_U192_LIMBS; i++) {
+    carry += (uint64_t)x->limb[i] + y->limb[i];
+    x->limb[i] = (uint32_t)(carry & UINT32_MAX);
+    carry >>= 32;
+  }
+}
+
+void gjk_u192_multiply(gjk_u192 *out, const gjk_u192 *x, const gjk_u192 *y) {
+  gjk_u192_set(out, 0);
+  for (int i = 0; i < GJK_U192_LIMBS; i++) {
+    uint64_t carry = 0;  // below 2^32 before each step, so the sum stays below 2^64
+    for (int j = 0; i + j < GJK_U192_LIMBS && x->limb[i] != 0; j++) {
+      carry += gjk_umul32(x->limb[i], y->limb[j]) + out->limb[i + j];
+      out->limb[i + j] = (uint32_t)(carry & UINT32_MAX);
+      carry >>= 32;
+    }
+  }
+}
+
+int gjk_u192_compare(const gjk_u192 *x, const gjk_u192 *y) {
+  for (int i = GJK_U192_LIMBS - 1; i >= 0; i--) {
+    if (x->limb[i] != y->limb[i]) {
+      return x->limb[i] > y->limb[i] ? 1 : -1;
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,129 @@
+// Candidates for the nearest facet.
+#include "gjk_facet.h"
+
+#include "../arith/gjk_unit.h"
+
+static uint32_t height_along(const gjk_unit3 *u, const gjk_vec3 *w) {
+  const int64_t along = gjk_sar64(gjk_along(u, w), 30);
+  // not reached: the most: the frame's reach is below 2^30, and by its slack at least 8 more than any vertex is long
+  return along <= 0 ? 0 : along < GJK_HEIGHT_MAX ? (uint32_t)along : GJK_HEIGHT_MAX;
+}
+
+uint32_t gjk_height(const gjk_vec3 *d, const gjk_vec3 *w) {
+  const gjk_unit3 u = gjk_unit(d);
+  return height_along(&u, w);
+}
+
+// The lowest key of a plane that may be higher than height.
+static uint32_t key_above(uint32_t height) {
+  return gjk_height_key(height + GJK_HEIGHT_ERROR, 1) + GJK_HEIGHT_KEY_ERROR;
+}
+
+bool gjk_facet_may_improve(const gjk_facet *best, int shift, uint32_t key) {
+  if (!best->found) {
+    return true;
+  }
+  // The plane whose facet holds the nearest point is as deep at most, whatever keys say of small heights.
+  const gjk_q16 deepest = best->covers ? best->depth - 1 : best->depth;
+  return deepest >= 0 && key <= key_above((uint32_t)deepest << shift);
+}
+
+// The exact height in LSB, rounded up, of the plane through w whose normal is it->direction; or of the simplex's triangle,
+// of which that is the rounded normal.
+static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, const gjk_vec3 *w, bool triangle) {
+  const gjk_vec3 *d = &it->direction.d;
+  const uint32_t height = height_along(normal, w);
+  const uint32_t least = height > GJK_HEIGHT_ERROR ? height - GJK_HEIGHT_ERROR : 0, most = height + GJK_HEIGHT_ERROR;
+  gjk_q16 low = gjk_height_to_lsb(least, it->shift), high = gjk_height_to_lsb(most, it->shift);
+  //@ assert low >= 0 && low <= (INT32_C(1) << 30) + 4;
+  //@ assert high >= 0 && high <= (INT32_C(1) << 30) + 4;
+  if (low == high) {
+    return low;
+  }
+  gjk_u192 numerator, denominator;
+  if (triangle) {
+    gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+  } else {
+    gjk_u192 along;
+    gjk_u192_set(&along, gjk_magnitude64(gjk_dot(d, w)));  // not negative but for a height of 0
+    gjk_u192_multiply(&numerator, &along, &along);
+    gjk_u192_set(&denominator, (uint64_t)gjk_dot(d, d));
+  }
+  while (low < high) {  // at most 11 apart, so 4 times
+    const gjk_q16 middle = low + (high - low) / 2;
+    //@ assert middle >= low && middle < high;
+    if (gjk_compare_distance(&numerator, &denominator, (uint64_t)middle << (it->shift + 1)) > 0) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  //@ assert low >= 0 && low <= (INT32_C(1) << 30) + 4;
+  return low;
+}
+
+gjk_q16 gjk_depth_across(const gjk_iteration *it, const gjk_vec3 *w) {
+  const gjk_unit3 normal = gjk_unit(&it->direction.d);
+  return gjk_dot(&it->direction.d, w) <= 0 ? 0 : exact_depth(it, &normal, w, false);
+}
+
+void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16 bound) {
+  const gjk_unit3 normal = gjk_unit(&it->direction.d);
+  const gjk_q16 depth = bound < 0 ? exact_depth(it, &normal, &it->simplex.slot[0].w, true) : bound;
+  best->set = false;
+  // Curved supports may be 2 LSB apart across the same plane: the least of the bounds holds.
+  const gjk_q16 slack = it->curved == NULL ? 0 : 2, least = best->found && best->depth < depth ? best->depth : depth;
+  bool better = !best->found || depth < best->depth;
+  if (best->found && covers != best->covers) {
+    better = covers ? depth <= best->depth + slack : depth + slack < best->depth;
+  }
+  best->depth = least;
+  if (!better) {
+    return;
+  }
+  best->found = true;
+  best->covers = covers;
+  best->direction = it->direction;
+  best->normal = normal;
+  best->set = true;
+  for (int i = 0; i < 3; i++) {
+    best->corner[i] = it->simplex.slot[i];
+  }
+}
+
+void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
+  gjk_simplex *s = &it->simplex;
+  const bool ready = facet->set && facet->covers;
+  it->direction = facet->direction;
+  for (int i = 0; i < 3; i++) {
+    gjk_vertex *v = &s->slot[i];
+    if (!ready) {
+      *v = facet->corner[i];
+    }
+    if (it->curved == NULL) {
+      it->a->shape->type->vertex(it->a, v->a.vertex, &v->a.offset);
+    }
+  }
+  if (ready) {
+    return;
+  }
+  gjk_simplex_set(s, 3);
+  if (gjk_simplex_beyond(s) == 3) {
+    return;
+  }
+  // The nearest of its features: each vertex that is added makes the feature strictly nearer.
+  gjk_vertex corner[3];
+  for (int i = 0; i < 3; i++) {
+    corner[i] = s->slot[i];
+  }
+  gjk_simplex_clear(s);
+  bool nearer = true;
+  for (int round = 0; round < 4 && nearer; round++) {  // not reached: 4: the last of three corners that is added stays
+    nearer = false;
+    for (int i = 0; i < 3; i++) {
+      *gjk_simplex_free(s) = corner[i];
+      // not reached: 3: the projection is not in the triangle, so the nearest feature has two corners at most
+      nearer = (s->count < 3 && gjk_simplex_add(s) == GJK_STEP_NEARER) || nearer;
+    }
+  }
+}

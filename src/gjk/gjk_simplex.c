@@ -1,0 +1,336 @@
+// The nearest feature, by exact signs alone.
+//
+// After   Johnson's sub-algorithm (Gilbert, Johnson, Keerthi 1988): a feature is nearest when the origin's
+//         projection lies inside it and every other vertex lies behind it. Departures: signs are exact; the
+//         cofactors are products of differences of dot products; the old feature being nearest, only features that
+//         contain the new vertex are candidates, and with the strict progress of that vertex exactly one of
+//         them meets its conditions.
+#include "gjk_simplex.h"
+
+void gjk_simplex_clear(gjk_simplex *s) {
+  s->count = 0;
+  for (uint8_t i = 0; i < 4; i++) {
+    s->order[i] = i;
+  }
+}
+
+// The feature becomes the n first of the slots i, j, k; the others follow.
+GJK_ONCE static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigned j, unsigned k) {
+  s->count = (uint8_t)n;
+  s->order[0] = (uint8_t)i;
+  s->order[1] = (uint8_t)j;
+  s->order[2] = (uint8_t)k;
+  s->order[3] = (uint8_t)(6 - i - j - k);
+}
+
+// The sign of the weight of vertex k when the origin is projected onto the plane of i, j, k: positive when the
+// projection lies on k's side of edge (i, j). Up to a positive factor the edge's line is nearest to the origin at
+// p = w_i toward(j, i) + w_j toward(i, j), and the weight is p . (w_i - w_k), where
+// w_j . (w_i - w_k) = toward(j, k) - toward(j, i).
+static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
+  const int64_t *at_i = s->toward[i], *at_j = s->toward[j];
+  return gjk_sum_of_products_sign(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i]);
+}
+
+// Enters the products of slot w with the n slots of the feature and itself.
+static void set_products(gjk_simplex *s, unsigned w) {
+  const gjk_vec3 v = s->slot[w].w;
+  const int64_t square = gjk_dot(&v, &v);
+  //@ assert square >= 0 && square <= INT64_C(9) << 58;
+  s->toward[w][w] = square;
+  for (unsigned n = s->count, i = 0; i < n; i++) {
+    const unsigned slot = s->order[i];
+    const int64_t dot = gjk_dot(&v, &s->slot[slot].w);
+    //@ assert dot >= -(INT64_C(9) << 58) && dot <= INT64_C(9) << 58;
+    s->toward[w][slot] = square - dot;
+    s->toward[slot][w] = s->toward[slot][slot] - dot;
+    //@ assert s->toward[w][slot] >= -(INT64_C(1) << 61) && s->toward[w][slot] <= INT64_C(1) << 61;
+    //@ assert s->toward[slot][w] >= -(INT64_C(1) << 61) && s->toward[slot][w] <= INT64_C(1) << 61;
+  }
+}
+
+static gjk_step add_to_vertex(gjk_simplex *s, unsigned w) {
+  unsigned a = s->order[0];
+  if (s->toward[a][w] <= 0) {
+    return GJK_STEP_NONE;
+  }
+  if (s->toward[w][a] <= 0) {
+    s->order[0] = (uint8_t)w;
+    s->order[1] = (uint8_t)a;
+  } else {
+    s->count = 2;
+  }
+  return GJK_STEP_NEARER;
+}
+
+static void set_triangle_normal(gjk_simplex *s, unsigned x, unsigned y, unsigned w) {
+  const gjk_vec3 edge = gjk_edge(s->slot[y].w, s->slot[x].w);
+  const gjk_vec3 edge2 = gjk_edge(s->slot[w].w, s->slot[x].w);
+  gjk_cross(&edge, &edge2, &s->normal);
+}
+
+// The triangle x, y, w becomes the feature, its normal towards the origin.
+static gjk_step set_triangle(gjk_simplex *s, unsigned x, unsigned y, unsigned w) {
+  set_triangle_normal(s, x, y, w);
+  const int side = gjk_dot_sign(&s->normal, &s->slot[x].w);
+  if (side > 0) {
+    set_feature(s, 3, y, x, w);
+    s->normal.x = -s->normal.x;
+    s->normal.y = -s->normal.y;
+    s->normal.z = -s->normal.z;
+    return GJK_STEP_NEARER;
+  }
+  set_feature(s, 3, x, y, w);
+  return side == 0 ? GJK_STEP_ENCLOSING : GJK_STEP_NEARER;
+}
+
+// The feature among the edges (x, w), (y, w) and vertex w, the face x, y, w being none.
+// x_edge: y lies behind edge (x, w); y_edge: x lies behind edge (y, w). In the plane, x at 0, y ahead of it, origin at
+// (u, h) and w at (p, q), with u, h, q > 0 since edge (x, y) was nearest and w is nearer: x_edge says p h >= q u, so p > 0
+// and toward(x, w) = u p + h q > 0. The same for y.
+static gjk_step set_edge(gjk_simplex *s, unsigned x, unsigned y, unsigned w, bool x_edge, bool y_edge) {
+  if (x_edge && s->toward[w][x] > 0) {
+    set_feature(s, 2, x, w, y);
+  } else if (y_edge && s->toward[w][y] > 0) {
+    set_feature(s, 2, y, w, x);
+  } else {
+    set_feature(s, 1, w, x, y);
+  }
+  return GJK_STEP_NEARER;
+}
+
+GJK_OUT_OF_LINE static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
+  unsigned a = s->order[0], b = s->order[1];
+  if (beyond_edge(s, a, b, w) <= 0) {
+    return GJK_STEP_NONE;
+  }
+  bool a_edge = beyond_edge(s, a, w, b) <= 0;
+  bool b_edge = beyond_edge(s, b, w, a) <= 0;
+  if (!a_edge && !b_edge) {
+    return set_triangle(s, a, b, w);
+  }
+  return set_edge(s, a, b, w, a_edge, b_edge);
+}
+
+// The feature of the tetrahedron of the old triangle and w when one face or more sees the origin.
+// visible: see visible_faces. The origin's projection onto a visible face (x, y, w)
+// lies on w's side of edge (x, y): seen along that edge the origin stands above the old triangle at an angle below a
+// quarter turn, and at a larger one than the face.
+GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
+  unsigned corner[4] = {s->order[0], s->order[1], s->order[2], s->order[0]};
+  for (unsigned i = 0; i < 3; i++) {
+    const unsigned x = corner[i], y = corner[i + 1];
+    if ((visible >> i & 1u) != 0 && beyond_edge(s, x, w, y) > 0 && beyond_edge(s, y, w, x) > 0) {
+      set_triangle_normal(s, x, y, w);
+      set_feature(s, 3, x, y, w);
+      return GJK_STEP_NEARER;
+    }
+  }
+  for (unsigned i = 0; i < 3; i++) {
+    const unsigned x = corner[i], y = corner[i + 1], z = corner[i == 0 ? 2 : i - 1];
+    if (s->toward[w][x] > 0 && s->toward[x][w] > 0 && beyond_edge(s, x, w, y) <= 0 && beyond_edge(s, x, w, z) <= 0) {
+      set_feature(s, 2, x, w, y);
+      return GJK_STEP_NEARER;
+    }
+  }
+  set_feature(s, 1, w, corner[0], corner[1]);
+  return GJK_STEP_NEARER;
+}
+
+// Which faces of the tetrahedron of the feature and vertex w see the origin: bit i for the face of order[i],
+// order[i + 1 mod 3] and w.
+GJK_OUT_OF_LINE static unsigned visible_faces(const gjk_simplex *s, unsigned w) {
+  const gjk_vec3 *a = &s->slot[s->order[0]].w, *b = &s->slot[s->order[1]].w, *c = &s->slot[s->order[2]].w;
+  const gjk_vec3 *v = &s->slot[w].w;
+  // The origin is beyond face (x, y, w) when (x x y) . w < 0. The products w x a, w x b serve all three:
+  // (a x b) . w = (w x a) . b, (b x c) . w = (w x b) . c, (c x a) . w = -(w x a) . c.
+  gjk_long3 wa, wb;
+  gjk_cross(v, a, &wa);
+  gjk_cross(v, b, &wb);
+  return (gjk_dot_sign(&wa, b) < 0 ? 1u : 0u) | (gjk_dot_sign(&wb, c) < 0 ? 2u : 0u) |
+         (gjk_dot_sign(&wa, c) > 0 ? 4u : 0u);
+}
+
+GJK_OUT_OF_LINE static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
+  const gjk_vec3 step = gjk_sub(s->slot[w].w, s->slot[s->order[0]].w);
+  if (gjk_dot_sign(&s->normal, &step) <= 0) {
+    return GJK_STEP_NONE;
+  }
+  const unsigned visible = visible_faces(s, w);
+  if (visible == 0) {
+    s->count = 4;
+    return GJK_STEP_ENCLOSING;
+  }
+  set_products(s, w);
+  return set_visible(s, w, visible);
+}
+
+gjk_step gjk_simplex_add(gjk_simplex *s) {
+  unsigned w = s->order[s->count];
+  if (s->count == 3) {
+    return add_to_triangle(s, w);
+  }
+  set_products(s, w);
+  if (s->count == 0) {
+    s->count = 1;
+    return GJK_STEP_NEARER;
+  }
+  return s->count == 1 ? add_to_vertex(s, w) : add_to_edge(s, w);
+}
+
+bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
+  gjk_simplex_clear(s);
+  for (unsigned i = 0; i < n; i++) {
+    set_products(s, i);
+    s->count++;
+  }
+  if (n == 2) {
+    return s->toward[0][1] > 0 && s->toward[1][0] > 0;
+  }
+  if (n == 3) {
+    set_triangle(s, 0, 1, 2);
+    return beyond_edge(s, 0, 1, 2) > 0 && beyond_edge(s, 1, 2, 0) > 0 && beyond_edge(s, 2, 0, 1) > 0;
+  }
+  return true;
+}
+
+unsigned gjk_simplex_beyond(const gjk_simplex *s) {
+  unsigned edge = 0;
+  while (edge < 3 && beyond_edge(s, edge, gjk_next(edge), gjk_next(gjk_next(edge))) >= 0) {
+    edge++;
+  }
+  return edge;
+}
+
+// The sign of (w_i x w_j) . w_k.
+static int volume_sign(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
+  gjk_long3 product;
+  gjk_cross(&s->slot[i].w, &s->slot[j].w, &product);
+  return gjk_dot_sign(&product, &s->slot[k].w);
+}
+
+bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
+  if (n == 4) {
+    // The origin's weights, up to a common factor.
+    const int weight[4] = {volume_sign(s, 1, 2, 3), -volume_sign(s, 0, 2, 3), volume_sign(s, 0, 1, 3),
+                           -volume_sign(s, 0, 1, 2)};
+    int low = 0, high = 0;
+    for (int i = 0; i < 4; i++) {
+      low = weight[i] < low ? weight[i] : low;
+      high = weight[i] > high ? weight[i] : high;
+    }
+    return low * high == 0 && low + high != 0;
+  }
+  // Strictly inside what it spans, and on it: the direction from there to the origin is zero.
+  gjk_search_direction direction;
+  if (!gjk_simplex_set(s, n)) {
+    return false;
+  }
+  return n == 3 ? gjk_dot_sign(&s->normal, &s->slot[0].w) == 0 : !gjk_simplex_direction(s, &direction);
+}
+
+bool gjk_simplex_direction(const gjk_simplex *s, gjk_search_direction *out) {
+  const unsigned a = s->order[0], b = s->order[1];
+  if (s->count == 3) {
+    gjk_search_direction_of(&s->normal, out);
+    return true;
+  }
+  if (s->count == 2) {
+    return gjk_search_direction_of_edge(&s->slot[a].w, s->toward[b][a], &s->slot[b].w, s->toward[a][b], out);
+  }
+  out->d = gjk_negate(s->slot[a].w);
+  out->exact = true;
+  return s->toward[a][a] != 0;
+}
+
+void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
+  const unsigned a = s->order[0], b = s->order[1];
+  out->a = &s->slot[a].w;
+  out->b = &s->slot[b].w;
+  out->n = &s->normal;
+  if (s->count == 2) {
+    out->ta = s->toward[a][b];
+    out->tb = s->toward[b][a];
+  }
+  out->spanning = s->count;
+  out->opposite = false;
+}
+
+static void set_limbs(gjk_u192 *out, const gjk_u128 *x) {
+  gjk_u192_set(out, x->low);
+  out->limb[2] = (uint32_t)(x->high & UINT32_MAX);
+  out->limb[3] = (uint32_t)(x->high >> 32);
+}
+
+// *out = p q + r s, which is not negative. Pre: see gjk_sum_of_products.
+static void set_sum_of_products(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u192 *out) {
+  gjk_u128 sum;
+  gjk_sum_of_products(p, q, r, s, &sum);
+  set_limbs(out, &sum);
+}
+
+// *out = (n . w)^2 for a vertex w of the triangle; n . w is at most 2^93.
+static void squared_height(const gjk_simplex *s, gjk_u192 *out) {
+  uint32_t low;
+  gjk_u128 height;
+  gjk_u192 x;
+  const int64_t high = gjk_dot_exact(&s->normal, &s->slot[s->order[0]].w, &low);
+  gjk_magnitude95(high, low, &height);
+  set_limbs(&x, &height);
+  gjk_u192_multiply(out, &x, &x);
+}
+
+void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_u192 *numerator, gjk_u192 *denominator) {
+  const unsigned a = s->order[0], b = s->order[1];
+  const gjk_long3 *n = &s->normal;
+  const int64_t square = s->toward[a][a];
+  if (s->count == 3) {
+    // (n . a)^2 / |n|^2
+    gjk_u192 z;
+    squared_height(s, numerator);
+    set_sum_of_products(n->x, n->x, n->y, n->y, denominator);
+    set_sum_of_products(n->z, n->z, 0, 0, &z);
+    gjk_u192_add(denominator, &z);
+  } else if (s->count == 2) {
+    // |a x b|^2 / |b - a|^2 with |a x b|^2 = (a . a) (b . b) - (a . b)^2
+    const int64_t dot = square - s->toward[a][b];
+    set_sum_of_products(square, s->toward[b][b], -dot, dot, numerator);
+    gjk_u192_set(denominator, (uint64_t)(s->toward[a][b] + s->toward[b][a]));
+  } else {
+    gjk_u192_set(numerator, (uint64_t)square);
+    gjk_u192_set(denominator, 1);
+  }
+}
+
+int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, uint64_t twice) {
+  gjk_u192 x, y;
+  gjk_u192_set(&y, twice);
+  gjk_u192_multiply(&x, &y, &y);
+  gjk_u192_multiply(&y, &x, denominator);
+  x = *numerator;
+  gjk_u192_add(&x, &x);
+  gjk_u192_add(&x, &x);
+  return gjk_u192_compare(&x, &y);
+}
+
+// The value of beyond_edge, where it is not negative: the weight of k times the square of twice the triangle's area. At
+// most 2^124.
+static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, gjk_u128 *out) {
+  const int64_t *at_i = s->toward[i], *at_j = s->toward[j];
+  gjk_sum_of_products(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);
+}
+
+void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_barycentric weight[2]) {
+  const unsigned a = s->order[0], b = s->order[1], c = s->order[2];
+  gjk_u128 of_a, of_b, of_c;
+  if (s->count == 3) {
+    weight_of(s, b, c, a, &of_a);
+    weight_of(s, c, a, b, &of_b);
+    weight_of(s, a, b, c, &of_c);
+  } else {
+    of_a.high = of_b.high = of_c.high = of_c.low = 0;
+    of_a.low = (uint64_t)s->toward[b][a];
+    of_b.low = (uint64_t)s->toward[a][b];
+  }
+  gjk_barycentrics(&of_a, &of_b, &of_c, fine, weight);
+}

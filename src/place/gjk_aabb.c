@@ -1,0 +1,89 @@
+// The axis-aligned box of a collider.
+#include "../shape/gjk_shape_class.h"
+#include "gjk/collider.h"
+
+// How far a curved shape reaches from its centre along one axis, direction = +1 or -1: its support, which may stop short
+// by 1.
+static int32_t reach(const gjk_collider *c, int axis, int32_t direction) {
+  const int32_t length = direction * (INT32_C(1) << 29);
+  const gjk_vec3 d = {axis == 0 ? length : 0, axis == 1 ? length : 0, axis == 2 ? length : 0};
+  gjk_support found;
+  c->shape->type->support(c, &d, &found);
+  return (axis == 0 ? found.offset.x : axis == 1 ? found.offset.y : found.offset.z) + direction;
+}
+
+static void bound_curved(const gjk_collider *c, gjk_aabb *out) {
+  out->lower.x = reach(c, 0, -1);
+  out->lower.y = reach(c, 1, -1);
+  out->lower.z = reach(c, 2, -1);
+  out->upper.x = reach(c, 0, 1);
+  out->upper.y = reach(c, 1, 1);
+  out->upper.z = reach(c, 2, 1);
+}
+
+static int32_t size_of(int32_t x) {
+  return x < 0 ? -x : x;
+}
+
+// Half axes: each reaches as far along an axis as it is long there. Their sums are at most core_radius.
+static void bound_axes(const gjk_collider *c, gjk_aabb *out) {
+  gjk_vec3 sum = {0, 0, 0};
+  for (unsigned i = 0; i < c->count; i++) {
+    sum.x += size_of(c->frame[i].x);
+    sum.y += size_of(c->frame[i].y);
+    sum.z += size_of(c->frame[i].z);
+  }
+  out->lower = gjk_negate(sum);
+  out->upper = sum;
+}
+
+static void bound_vertices(const gjk_collider *c, gjk_aabb *out) {
+  gjk_vec3 v;
+  (void)c->shape->type->vertex(c, 0, &v);  // there is one
+  out->lower = v;
+  out->upper = v;
+  for (uint32_t i = 1; i < c->count; i++) {
+    (void)c->shape->type->vertex(c, (uint16_t)i, &v);
+    out->lower.x = v.x < out->lower.x ? v.x : out->lower.x;
+    out->lower.y = v.y < out->lower.y ? v.y : out->lower.y;
+    out->lower.z = v.z < out->lower.z ? v.z : out->lower.z;
+    out->upper.x = v.x > out->upper.x ? v.x : out->upper.x;
+    out->upper.y = v.y > out->upper.y ? v.y : out->upper.y;
+    out->upper.z = v.z > out->upper.z ? v.z : out->upper.z;
+  }
+}
+
+// Pre: offset at most 2^29 in size, with the rounding.
+static gjk_q16 cut_off(gjk_q16 centre, int32_t offset) {
+  if (offset < 0) {
+    return centre < INT32_MIN - offset ? INT32_MIN : centre + offset;
+  }
+  return centre > INT32_MAX - offset ? INT32_MAX : centre + offset;
+}
+
+gjk_status gjk_collider_aabb(const gjk_collider *c, gjk_aabb *out) {
+  if (c == NULL || out == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (c->state != GJK_STATE_POSED) {
+    return GJK_ERROR_UNINITIALISED;
+  }
+  const gjk_q16 convex_radius = c->shape->convex_radius;
+  if (c->shape->type->vertex == NULL) {
+    bound_curved(c, out);
+  } else if (c->shape->vertices == NULL) {
+    bound_axes(c, out);
+  } else {
+    bound_vertices(c, out);
+  }
+  //@ assert convex_radius >= 0 && convex_radius <= GJK_RADIUS_MAX;
+  //@ assert out->lower.x >= -(1L << 29) && out->lower.y >= -(1L << 29) && out->lower.z >= -(1L << 29);
+  //@ assert out->upper.x <= 1L << 29 && out->upper.y <= 1L << 29 && out->upper.z <= 1L << 29;
+  out->lower.x = cut_off(c->centre.x, out->lower.x - convex_radius);
+  out->lower.y = cut_off(c->centre.y, out->lower.y - convex_radius);
+  out->lower.z = cut_off(c->centre.z, out->lower.z - convex_radius);
+  out->upper.x = cut_off(c->centre.x, out->upper.x + convex_radius);
+  out->upper.y = cut_off(c->centre.y, out->upper.y + convex_radius);
+  out->upper.z = cut_off(c->centre.z, out->upper.z + convex_radius);
+  return GJK_OK;
+}

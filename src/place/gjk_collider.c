@@ -1,0 +1,124 @@
+// Binding a shape to a collider, and placing it.
+#include "gjk/collider.h"
+
+#include "../arith/gjk_root.h"
+#include "../arith/gjk_rotation.h"
+#include "../shape/gjk_shape_class.h"
+
+// How much farther posing puts a vertex from the centre. Per component, a vertex is off by 3/4 at most, the centre by 0.51;
+// three half axes by 1/2 each, and together by 0.22 for the matrix. So less than 1.26 sqrt(3), and 1.72 sqrt(3) < 3.
+#define POSE_SLACK 3
+
+// Do [p, p + p_bytes) and [q, q + q_bytes) share a byte?
+static bool regions_overlap(const void *p, size_t p_bytes, const void *q, size_t q_bytes) {
+  uintptr_t a = (uintptr_t)p, b = (uintptr_t)q;
+  return a < b ? b - a < p_bytes : a - b < q_bytes;
+}
+
+static gjk_status check_buffer(const gjk_collider *c, const gjk_shape *shape, const gjk_vec3 *buffer,
+                               uint16_t capacity) {
+  const size_t bytes = shape->count * sizeof *buffer;
+  if (capacity < shape->count) {
+    return GJK_ERROR_CAPACITY;
+  }
+  return regions_overlap(buffer, bytes, shape->vertices, bytes) || regions_overlap(buffer, bytes, c, sizeof *c)
+             ? GJK_ERROR_OVERLAP
+             : GJK_OK;
+}
+
+gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *buffer, uint16_t capacity) {
+  if (c == NULL || shape == NULL || shape->type == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  const gjk_shape_class *type = shape->type;
+  gjk_extent extent;
+  gjk_status status = shape->convex_radius < 0 ? GJK_ERROR_NEGATIVE : type->measure(shape, &extent);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const int64_t room = (int64_t)GJK_RADIUS_MAX - shape->convex_radius;
+  if (room < 0 || extent.squared > (uint64_t)(room * room)) {
+    return GJK_ERROR_SIZE;
+  }
+  if (type->buffered && buffer != NULL) {
+    status = check_buffer(c, shape, buffer, capacity);
+    if (status != GJK_OK) {
+      return status;
+    }
+  }
+  const uint32_t reach = gjk_isqrt64(extent.squared);
+  //@ assert reach <= GJK_RADIUS_MAX;
+  c->shape = shape;
+  c->buffer = type->buffered ? buffer : NULL;
+  c->local_centre = extent.centre;
+  c->core_radius = (gjk_q16)reach + 1 + POSE_SLACK;
+  c->radius = c->core_radius + shape->convex_radius;
+  c->bits = (uint8_t)(32 - gjk_clz32((uint32_t)c->core_radius));
+  c->count = type->buffered ? shape->count : type->count;
+  c->state = GJK_STATE_INITIALISED;
+  return GJK_OK;
+}
+
+static bool fits(int64_t x) {
+  return x >= INT32_MIN && x <= INT32_MAX;
+}
+
+// Rounds one coordinate of the rotated centre, Q30: returns it, and puts the rest, Q8, into fraction.
+static int64_t round_centre(int64_t rotated, int8_t *fraction) {
+  const int64_t whole = gjk_sar64(rotated + (INT64_C(1) << 29), 30);
+  *fraction = (int8_t)gjk_sar64(rotated - gjk_shl64(whole, 30), 22);  // from -2^29 to below 2^29: from -128 to 127
+  return whole;
+}
+
+gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
+  if (c == NULL || pose == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (c->state != GJK_STATE_INITIALISED && c->state != GJK_STATE_POSED) {
+    return GJK_ERROR_UNINITIALISED;
+  }
+  gjk_vec3 rows[3];
+  if (!gjk_rotation_from_quat(&pose->rotation, rows)) {
+    return GJK_ERROR_ROTATION;
+  }
+  int64_t centre[3];
+  int8_t fraction[3];
+  gjk_rotate_fine(&pose->rotation, &c->local_centre, centre);
+  const gjk_vec3 *position = &pose->position;
+  const int64_t x = round_centre(centre[0], &fraction[0]) + position->x;
+  const int64_t y = round_centre(centre[1], &fraction[1]) + position->y;
+  const int64_t z = round_centre(centre[2], &fraction[2]) + position->z;
+  if (!fits(x) || !fits(y) || !fits(z)) {
+    return GJK_ERROR_RANGE;
+  }
+  c->centre.x = (int32_t)x;
+  c->centre.y = (int32_t)y;
+  c->centre.z = (int32_t)z;
+  c->position = *position;
+  for (int i = 0; i < 3; i++) {
+    c->fraction[i] = fraction[i];
+  }
+  c->shape->type->pose(c, rows);
+  c->state = GJK_STATE_POSED;
+  return GJK_OK;
+}
+
+gjk_status gjk_collider_move(gjk_collider *c, const gjk_vec3 *position) {
+  if (c == NULL || position == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (c->state != GJK_STATE_POSED) {
+    return GJK_ERROR_UNINITIALISED;
+  }
+  const int64_t x = (int64_t)c->centre.x - c->position.x + position->x;
+  const int64_t y = (int64_t)c->centre.y - c->position.y + position->y;
+  const int64_t z = (int64_t)c->centre.z - c->position.z + position->z;
+  if (!fits(x) || !fits(y) || !fits(z)) {
+    return GJK_ERROR_RANGE;
+  }
+  c->centre.x = (int32_t)x;
+  c->centre.y = (int32_t)y;
+  c->centre.z = (int32_t)z;
+  c->position = *position;
+  return GJK_OK;
+}

@@ -1,0 +1,340 @@
+// Checks answers. What the certificate names settles the decision, the distance and the depth, with one visit to every vertex;
+// points, normals and moves are then compared with these.
+#include "gjk/check.h"
+
+#include "../gjk/gjk_search.h"
+#include "gjk_claim.h"
+#include "gjk_distance.h"
+
+// Fills the simplex with the named pairs. False when a vertex does not exist.
+static bool load(gjk_iteration *it, const gjk_certificate *certificate) {
+  gjk_simplex *s = &it->simplex;
+  gjk_simplex_clear(s);
+  for (uint8_t i = 0; i < certificate->count; i++) {
+    s->count = i;
+    if (!gjk_iteration_place(it, certificate->a[i], certificate->b[i])) {
+      return false;
+    }
+  }
+  s->count = 0;
+  return true;
+}
+
+// The vertex number, from 0, in *offset; vertices are numbered without gaps, and none has the last number.
+typedef struct visit {
+  const gjk_collider *collider;
+  uint16_t number;
+} visit;
+
+static bool next(visit *v, gjk_vec3 *offset) {
+  return v->collider->shape->type->vertex(v->collider, v->number++, offset);
+}
+
+// Does no vertex of the collider lie before vertex origin along the exact direction?
+// Pre: the vertex exists.
+static bool none_before(const gjk_collider *c, const gjk_direction *direction, uint16_t origin) {
+  gjk_vec3 base, offset;
+  visit v = {c, 0};
+  const bool exists = c->shape->type->vertex(c, origin, &base);
+  //@ assert exists;
+  (void)exists;
+  while (next(&v, &offset)) {  // at most GJK_HULL_VERTICES_MAX vertices
+    const gjk_vec3 step = gjk_sub(offset, base);
+    if (gjk_direction_sign(direction, &step) > 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The largest offset . d of the collider's vertices.
+static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d) {
+  gjk_vec3 offset;
+  visit v = {c, 0};
+  int64_t largest = INT64_MIN;
+  while (next(&v, &offset)) {  // at most GJK_HULL_VERTICES_MAX vertices
+    const int64_t along = gjk_dot(&offset, d);
+    largest = along > largest ? along : largest;
+  }
+  return largest;
+}
+
+// Does no vertex of A - B lie before the certificate's first along the direction?
+static bool is_support(const gjk_iteration *it, const gjk_certificate *certificate, gjk_direction *direction) {
+  direction->opposite = false;
+  if (!none_before(it->a, direction, certificate->a[0])) {
+    return false;
+  }
+  direction->opposite = true;
+  return none_before(it->b, direction, certificate->b[0]);
+}
+
+// Is the named feature the nearest of A - B to the origin, and apart from it?
+static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate) {
+  gjk_direction direction;
+  gjk_search_direction rounded;
+  gjk_simplex *s = &it->simplex;
+  if (certificate->count < 1 || certificate->count > 3 || !load(it, certificate) ||
+      !gjk_simplex_set(s, certificate->count) || !gjk_simplex_direction(s, &rounded)) {
+    return false;
+  }
+  gjk_simplex_exact_direction(s, &direction);
+  if (s->count == 3 && gjk_dot_sign(&s->normal, &s->slot[0].w) == 0) {
+    return false;
+  }
+  return is_support(it, certificate, &direction);
+}
+
+static bool is_enclosing(gjk_iteration *it, const gjk_certificate *certificate) {
+  return certificate->count >= 1 && certificate->count <= 4 && load(it, certificate) &&
+         gjk_simplex_encloses(&it->simplex, certificate->count);
+}
+
+static bool proves_near(gjk_iteration *it, const gjk_certificate *certificate) {
+  return certificate->count >= 1 && certificate->count <= 3 && load(it, certificate) &&
+         gjk_simplex_set(&it->simplex, certificate->count) && gjk_iteration_near(it);
+}
+
+// Does the plane across direction keep all of A - B more than radius away? Directions beyond 3 2^29 per component are
+// never made; radii from 2^31 exceed every vertex of A - B. Products: at most sqrt(3) 3 2^29 times 3 2^29.
+static bool is_separating(const gjk_iteration *it, const gjk_vec3 *direction, int64_t radius) {
+  const int64_t limit = INT64_C(3) << 29;
+  const gjk_vec3 d = *direction;
+  if (gjk_magnitude32(d.x) > limit || gjk_magnitude32(d.y) > limit || gjk_magnitude32(d.z) > limit ||
+      radius > INT32_MAX) {
+    return false;
+  }
+  const gjk_vec3 opposite = gjk_negate(d);
+  const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);
+  const int64_t along = gjk_dot(&delta, &d) + farthest(it->a, &d) + farthest(it->b, &opposite);
+  return along < 0 && gjk_sum_of_products_sign(along, along, -(radius * radius), gjk_dot(&d, &d)) > 0;
+}
+
+static bool is_apart(gjk_iteration *it, const gjk_certificate *certificate, int64_t radius) {
+  if (certificate->proof == GJK_PROOF_DIRECTION) {
+    return is_separating(it, &certificate->direction, radius);
+  }
+  return certificate->proof == GJK_PROOF_NEAREST && is_nearest(it, certificate) && !gjk_iteration_near(it);
+}
+
+static bool is_together(gjk_iteration *it, const gjk_certificate *certificate) {
+  if (certificate->proof == GJK_PROOF_NEAR) {
+    return proves_near(it, certificate);
+  }
+  return certificate->proof == GJK_PROOF_ENCLOSING && is_enclosing(it, certificate);
+}
+
+gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance,
+                              const gjk_decision *decision) {
+  gjk_iteration it;
+  gjk_status status = gjk_check_pair(a, b, decision);
+  if (status != GJK_OK || distance < 0) {
+    return status != GJK_OK ? status : GJK_ERROR_NEGATIVE;
+  }
+  const gjk_certificate *certificate = &decision->certificate;
+  const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius + distance;
+  if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {
+    return decision->yes ? GJK_ERROR_UNPROVEN : GJK_OK;
+  }
+  if (it.curved != NULL || it.shift < 0) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  const bool proven = decision->yes ? is_together(&it, certificate) : is_apart(&it, certificate, radius);
+  return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
+}
+
+// Is the distance that of the feature, correctly rounded? 2 d - 1 <= 2 (exact distance of the cores) < 2 d + 1, the left
+// for d > 0.
+static bool is_rounded(const gjk_iteration *it, gjk_q16 distance, int64_t radius) {
+  const uint64_t twice = 2 * (uint64_t)((int64_t)distance + radius);
+  if (twice > UINT64_C(1) << (33 - it->shift)) {  // in the frame no distance exceeds 2^31
+    return false;
+  }
+  gjk_u192 numerator, denominator;
+  gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+  return gjk_compare_distance(&numerator, &denominator, (twice + 1) << it->shift) < 0 &&
+         (twice == 0 || gjk_compare_distance(&numerator, &denominator, (twice - 1) << it->shift) >= 0);
+}
+
+// Are the points where the named feature is nearest? Saturated: may a coordinate have been cut off? A point that was says
+// nothing of where it lay. Pre: the certificate's feature holds.
+static bool are_nearest(const gjk_iteration *it, const gjk_distance_result *result, int64_t radius) {
+  const gjk_certificate *c = &result->certificate;
+  const bool on_a = gjk_claim_point(it->a, c->a, c->count, &result->point_a),
+             on_b = gjk_claim_point(it->b, c->b, c->count, &result->point_b);
+  if (!result->saturated) {
+    return on_a && on_b && gjk_claim_gap(it, result->distance, radius, &result->point_a, &result->point_b);
+  }
+  const bool cut_a = gjk_claim_cut(it->a, c->a, c->count, &result->point_a),
+             cut_b = gjk_claim_cut(it->b, c->b, c->count, &result->point_b);
+  return (cut_a || cut_b) && (on_a || cut_a) && (on_b || cut_b);
+}
+
+gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result) {
+  gjk_iteration it;
+  gjk_status status = gjk_check_pair(a, b, result);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const gjk_certificate *certificate = &result->certificate;
+  const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius;
+  gjk_iteration_start(&it, a, b, GJK_GOAL_DISTANCE, radius);
+  if (it.curved != NULL || it.shift < 0) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  if (result->lower != result->distance || result->upper != result->distance || result->distance < 0) {
+    return GJK_ERROR_UNPROVEN;
+  }
+  if (result->intersecting) {
+    const bool zero = result->distance == 0 && !result->saturated;
+    return zero && is_together(&it, certificate) ? GJK_OK : GJK_ERROR_UNPROVEN;
+  }
+  gjk_long3 direction;
+  if (certificate->proof != GJK_PROOF_NEAREST || !is_apart(&it, certificate, radius) ||
+      !is_rounded(&it, result->distance, radius)) {
+    return GJK_ERROR_UNPROVEN;
+  }
+  gjk_claim_direction(&it.simplex, &direction);
+  return gjk_claim_normal(&direction, &result->normal) && are_nearest(&it, result, radius) ? GJK_OK
+                                                                                           : GJK_ERROR_UNPROVEN;
+}
+
+// The sign of the exact distance of the simplex's feature less d LSB.
+static int compare_to(const gjk_iteration *it, int64_t d) {
+  gjk_u192 numerator, denominator;
+  // In the frame no distance exceeds 2^31.
+  if (d < 0 || d > (int64_t)(UINT32_MAX >> it->shift)) {
+    return d < 0 ? 1 : -1;
+  }
+  gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+  return gjk_compare_distance(&numerator, &denominator, (uint64_t)((uint32_t)d << it->shift) * 2);
+}
+
+// Do three pairs span a plane that no vertex of A - B lies beyond, depth (rounded up) over the origin? n: its outward normal.
+static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int64_t depth, gjk_long3 *n) {
+  const gjk_simplex *s = &it->simplex;
+  if (certificate->count != 3 || !load(it, certificate)) {
+    return false;
+  }
+  const gjk_vec3 edge = gjk_edge(s->slot[1].w, s->slot[0].w), edge2 = gjk_edge(s->slot[2].w, s->slot[0].w);
+  gjk_cross(&edge, &edge2, n);
+  gjk_direction outwards = {NULL, NULL, n, 0, 0, 3, false};
+  gjk_simplex_set(&it->simplex, 3);
+  return (n->x | n->y | n->z) != 0 && gjk_dot_sign(n, &s->slot[0].w) >= 0 && is_support(it, certificate, &outwards) &&
+         compare_to(it, depth) <= 0 && compare_to(it, depth - 1) > 0;
+}
+
+// Does the plane across direction through the origin bound A - B, touching it? Products: at most sqrt(3) 2^31 times 2^30.
+static bool is_level(const gjk_iteration *it, const gjk_vec3 *direction) {
+  const gjk_vec3 d = *direction;
+  if ((d.x | d.y | d.z) == 0 || d.x < -INT32_MAX || d.y < -INT32_MAX || d.z < -INT32_MAX) {
+    return false;
+  }
+  const gjk_vec3 opposite = gjk_negate(d), delta = gjk_sub(it->a->centre, it->b->centre);
+  return gjk_dot(&delta, &d) + farthest(it->a, &d) + farthest(it->b, &opposite) == 0;
+}
+
+// Does the certificate prove the depth of shapes that intersect? direction: the way out that it names.
+static bool is_depth(gjk_iteration *it, const gjk_penetration_result *result, gjk_long3 *direction) {
+  const gjk_certificate *certificate = &result->certificate;
+  const int64_t depth = result->depth - gjk_convex_radii(it);
+  if (certificate->proof == GJK_PROOF_FACET) {
+    return is_facet(it, certificate, depth, direction);
+  }
+  if (certificate->proof == GJK_PROOF_PLANE) {
+    const gjk_vec3 *d = &certificate->direction;
+    direction->x = d->x;
+    direction->y = d->y;
+    direction->z = d->z;
+    return depth == 0 && certificate->count >= 1 && certificate->count <= 3 && is_level(it, d) && load(it, certificate);
+  }
+  // Cores that are apart: as near as the roundings, less depth.
+  if (certificate->proof != GJK_PROOF_NEAREST || !is_nearest(it, certificate) || compare_to(it, -depth) < 0 ||
+      compare_to(it, 1 - depth) >= 0) {
+    return false;
+  }
+  gjk_claim_direction(&it->simplex, direction);
+  return true;
+}
+
+// Do the shapes intersect? An iteration of the check's own finds the certificate, and what that proves is what counts.
+static bool intersect(const gjk_collider *a, const gjk_collider *b, int64_t radius) {
+  gjk_iteration it;
+  gjk_certificate certificate;
+  if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {  // not reached: it was true for the depth
+    return false;
+  }
+  const gjk_outcome outcome = gjk_search(&it, GJK_GOAL_WITHIN, NULL, GJK_NO_LIMIT);
+  gjk_iteration_certify(&it, outcome, &certificate);
+  return is_together(&it, &certificate);
+}
+
+// Are the cores at least radius > 0 apart when B has moved by t? Found and proven in the same way. In an unscaled frame:
+// shapes that intersect have centres at most 2^29 - 2^17 + 8 apart, and t is hardly longer.
+static bool proves_apart_when_moved(const gjk_collider *a, const gjk_collider *b, int64_t radius, const gjk_vec3 *t) {
+  gjk_iteration it;
+  gjk_certificate certificate;
+  gjk_iteration_start(&it, a, b, GJK_GOAL_SIGNED, radius);
+  it.shift = 0;
+  it.radius = (int32_t)radius;
+  it.delta = gjk_sub(gjk_sub(a->centre, b->centre), *t);
+  const gjk_outcome outcome = gjk_search(&it, GJK_GOAL_SIGNED, NULL, GJK_NO_LIMIT);
+  gjk_iteration_certify(&it, outcome, &certificate);
+  return outcome == GJK_OUTCOME_NEAREST && is_nearest(&it, &certificate) && compare_to(&it, radius) >= 0;
+}
+
+// Does moving B by depth along the normal part the shapes? Cores without rounding may be left touching: there the facet's
+// plane tells. Pre: depth and normal hold, depth is at most 2^29 - 2^17 + 8, and the simplex is the certificate's.
+static bool proves_parting(const gjk_iteration *it, const gjk_penetration_result *result, const gjk_long3 *direction) {
+  const gjk_unit3 *u = &result->normal;
+  const gjk_vec3 t = {gjk_move_along(result->depth, u->x), gjk_move_along(result->depth, u->y),
+                      gjk_move_along(result->depth, u->z)};
+  const int64_t radius = gjk_convex_radii(it);
+  if (radius > 0) {
+    return proves_apart_when_moved(it->a, it->b, radius, &t);
+  }
+  const gjk_vec3 *w = &it->simplex.slot[0].w;
+  const unsigned shift = (unsigned)it->shift;
+  const gjk_vec3 rest = {gjk_sar32(w->x, shift) - t.x, gjk_sar32(w->y, shift) - t.y, gjk_sar32(w->z, shift) - t.z};
+  return result->certificate.proof == GJK_PROOF_PLANE || gjk_dot_sign(direction, &rest) <= 0;
+}
+
+// Do the points coincide when B has moved? What is cut off at the end of Q16.16 says nothing.
+static bool coincide(const gjk_iteration *it, const gjk_penetration_result *result) {
+  const gjk_certificate *c = &result->certificate;
+  const bool on_a = gjk_claim_point(it->a, c->a, c->count, &result->point_a),
+             on_b = gjk_claim_point(it->b, c->b, c->count, &result->point_b);
+  if (on_a && on_b && gjk_claim_overlap(result->depth, &result->normal, &result->point_a, &result->point_b)) {
+    return true;
+  }
+  const bool cut_a = gjk_claim_cut(it->a, c->a, c->count, &result->point_a),
+             cut_b = gjk_claim_cut(it->b, c->b, c->count, &result->point_b);
+  return (cut_a || cut_b) && (on_a || cut_a) && (on_b || cut_b);
+}
+
+gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result) {
+  gjk_iteration it;
+  gjk_long3 direction;
+  const gjk_status status = gjk_check_pair(a, b, result);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius;
+  if (!gjk_iteration_start(&it, a, b, GJK_GOAL_DEPTH, radius)) {
+    return result->intersecting ? GJK_ERROR_UNPROVEN : GJK_OK;
+  }
+  if (it.curved != NULL) {  // near enough for the unscaled frame they are: the bounding spheres meet
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  //@ assert it.shift >= 0;
+  bool proven = false;
+  if (!result->intersecting) {
+    proven = is_apart(&it, &result->certificate, radius);
+  } else if (result->depth >= 0 && result->depth <= a->radius + b->radius && result->lower == result->depth &&
+             result->upper == result->depth) {  // no least depth is larger
+    proven = intersect(a, b, radius) && is_depth(&it, result, &direction) &&
+             gjk_claim_normal(&direction, &result->normal) && coincide(&it, result) &&
+             proves_parting(&it, result, &direction);
+  }
+  return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
+}

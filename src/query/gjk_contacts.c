@@ -1,0 +1,111 @@
+// The contact manifold: where the faces, edges or corners that two shapes turn to each other cover each other.
+#include "gjk/contacts.h"
+
+#include "../contact/gjk_clip.h"
+#include "../contact/gjk_reduce.h"
+
+// Centres farther apart than this along an axis: the one pair of nearest points has to do. Otherwise coordinates from
+// A's centre are below 2^29 + 2^28.
+#define REACH (INT32_C(1) << 29)
+
+// How much nearer the nearest points may be than all that clipping has found before they are taken in. That is only within
+// REACH, where no distance comes near the end of its range.
+#define SLACK 2
+
+static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
+  const int64_t x = (int64_t)a->x - b->x, y = (int64_t)a->y - b->y, z = (int64_t)a->z - b->z;
+  return x <= REACH && x >= -REACH && y <= REACH && y >= -REACH && z <= REACH && z >= -REACH;
+}
+
+// Where the faces cover each other; out's features.
+GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin,
+                                          gjk_touches *touches, gjk_manifold *out) {
+  const gjk_vec3 origin = {0, 0, 0}, to_b = {out->normal.x, out->normal.y, out->normal.z}, to_a = gjk_negate(to_b);
+  const gjk_vec3 delta = gjk_sub(b->centre, a->centre);
+  //@ assert delta.x >= -REACH && delta.x <= REACH;
+  //@ assert delta.y >= -REACH && delta.y <= REACH;
+  //@ assert delta.z >= -REACH && delta.z <= REACH;
+  gjk_polygon of_a, of_b;
+  gjk_contact_polygon(a, &origin, &to_b, &of_a);
+  gjk_contact_polygon(b, &delta, &to_a, &of_b);
+  out->feature_a = of_a.feature;
+  out->feature_b = of_b.feature;
+  if (of_a.count > 1 && of_b.count > 1) {
+    gjk_clip(&of_a, &of_b, &a->centre, margin, touches);
+  }
+  if (touches->count == 0) {
+    touches->touch[0].id = gjk_touch_id(gjk_part_of(&of_a), gjk_part_of(&of_b));
+  }
+}
+
+// Squared, in 2^-4 LSB^2, of points less than 2^31 apart: below 2^61.
+static int64_t squared_between(const gjk_vec3 *p, const gjk_vec3 *q) {
+  const int64_t x = (int64_t)p->x - q->x, y = (int64_t)p->y - q->y, z = (int64_t)p->z - q->z;
+  const gjk_vec3 v = {(int32_t)gjk_sar64(x, 2), (int32_t)gjk_sar64(y, 2), (int32_t)gjk_sar64(z, 2)};
+  return gjk_dot(&v, &v);
+}
+
+// Sees to it that the nearest points are among the touches: of rounded and curved shapes they may lie beside the flat parts,
+// and of crossing edges there is nothing else. They take the place of the touch next to them.
+static void admit_nearest(const gjk_distance_result *nearest, gjk_touches *touches) {
+  unsigned next = 0;
+  int64_t least = INT64_MAX;
+  for (unsigned i = 0; i < touches->count; i++) {
+    const gjk_contact *touch = &touches->touch[i];
+    if (touch->distance <= nearest->distance + SLACK) {
+      return;
+    }
+    const int64_t squared =
+        squared_between(&touch->point_a, &nearest->point_a) + squared_between(&touch->point_b, &nearest->point_b);
+    if (squared < least) {
+      least = squared;
+      next = i;
+    }
+  }
+  gjk_contact *touch = &touches->touch[next];
+  touch->point_a = nearest->point_a;
+  touch->point_b = nearest->point_b;
+  touch->distance = nearest->distance;
+  touches->count = touches->count == 0 ? 1 : touches->count;
+}
+
+GJK_OUT_OF_LINE static void find_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
+                                          const gjk_distance_result *nearest, gjk_manifold *out) {
+  gjk_touches touches;
+  uint8_t keep[GJK_CONTACTS_MAX];
+  touches.count = 0;
+  touches.touch[0].id = gjk_touch_id(GJK_PART_CORNER, GJK_PART_CORNER);
+  if (is_within_reach(&a->centre, &b->centre)) {
+    clip_polygons(a, b, margin, &touches, out);
+  }
+  admit_nearest(nearest, &touches);
+  const bool reduced = touches.count > most;
+  if (reduced) {
+    gjk_reduce(&touches, &out->normal, most, keep);
+  }
+  out->count = (uint8_t)(reduced ? most : touches.count);
+  for (unsigned i = 0; i < out->count; i++) {
+    out->contact[i] = touches.touch[reduced ? keep[i] : i];
+  }
+}
+
+gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most, gjk_cache *cache,
+                        const gjk_workspace *workspace, gjk_manifold *out) {
+  gjk_status status = gjk_check_pair(a, b, out);
+  if (status != GJK_OK || margin < 0 || most < 1 || most > GJK_CONTACTS_MAX) {
+    return status != GJK_OK ? status : margin < 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_RANGE;
+  }
+  gjk_distance_result nearest;
+  status = gjk_signed_distance(a, b, cache, workspace, &nearest);
+  if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
+    return status;
+  }
+  out->normal = nearest.normal;
+  out->feature_a = 0;
+  out->feature_b = 0;
+  out->count = 0;
+  if (nearest.distance <= margin) {
+    find_contacts(a, b, margin, most, &nearest, out);
+  }
+  return status;
+}

@@ -1,0 +1,214 @@
+// The distance query: how far apart, and where.
+#include "gjk_distance.h"
+
+#include "../arith/gjk_unit.h"
+#include "../gjk/gjk_search.h"
+#include "../gjk/gjk_witness.h"
+
+// x / 2^(30 + shift) to the nearest integer, not negative; from the frame's Q30 to LSB. -3 <= shift <= 29.
+static int64_t to_lsb(int64_t x, int shift) {
+  const unsigned n = (unsigned)(30 + shift);
+  return x <= 0 ? 0 : gjk_sar64(x + (INT64_C(1) << (n - 1)), n);
+}
+
+typedef enum round_to {
+  ROUND_UP,
+  ROUND_NEAREST  // a tie goes up
+} round_to;
+
+// The exact search among the few candidates that the plane distance leaves. In a frame 2^n times as coarse as an LSB, n <= 3,
+// no edge exceeds 2^(30 - n), so 4^n times the numerator stays below 2^(184 - 2 n).
+GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high, round_to to) {
+  const unsigned finer = it->shift > 0 ? (unsigned)it->shift : 0;
+  gjk_u192 numerator, denominator;
+  gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+  for (int n = 2 * it->shift; n < 0; n++) {
+    gjk_u192_add(&numerator, &numerator);
+  }
+  while (low < high) {  // at most 129 candidates, so 8 iterations
+    const int64_t middle = gjk_sar64(low + high, 1);
+    // Is twice the distance at least 2 middle + 1, or to round up, above 2 middle? At most 2^34.
+    if (gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * middle + to) << finer) + (int)to > 0) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+// The feature's distance in LSB, correctly rounded, a tie up; from the distance of its plane.
+static int64_t exact_distance(const gjk_iteration *it, const gjk_unit3 *normal, int64_t plane) {
+  // not reached: GJK_SMALL is a constant
+  if (it->shift >= 4 && !GJK_SMALL) {
+    // In steps of 2^32: the error and the bits cut off are less than 3.
+    const unsigned n = (unsigned)it->shift - 2;
+    const uint32_t mask = (UINT32_C(1) << n) - 1;
+    const uint32_t steps = gjk_low32(gjk_sar64(plane, 32)) + (UINT32_C(1) << (n - 1));
+    const uint32_t fraction = steps & mask;
+    if (plane >= 0 && fraction >= 3 && fraction <= mask - 3) {
+      return steps >> n;
+    }
+  }
+  int64_t distance = settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift),
+                                     to_lsb(plane + GJK_PLANE_ERROR, it->shift), ROUND_NEAREST);
+  if (it->shift == -1) {
+    // Rounding has moved each coordinate of a vertex by 0 or 1 LSB, by half of one on average. In coarser frames the error
+    // is less than 2^-28 of the distance as it is.
+    distance += gjk_sar64((int64_t)normal->x + normal->y + normal->z + (INT64_C(1) << 30), 31);
+  }
+  return distance;
+}
+
+bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane) {
+  const int64_t radius = gjk_shl64(it->radius, 30);  // below 2^61
+  return radius > 0 && plane - GJK_PLANE_ERROR <= radius && gjk_iteration_near(it);
+}
+
+// The distance of the plane through the newest vertex across the direction, less the roundings, to the nearest LSB; error is
+// added, Q30. Negative when the plane has the origin behind it. Below 2^35 in size.
+static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
+  const gjk_simplex *s = &it->simplex;
+  const gjk_unit3 u = gjk_unit(&it->direction.d);
+  const int64_t plane = error - gjk_along(&u, &s->slot[s->order[s->count - 1]].w);
+  const unsigned n = (unsigned)(30 + it->shift);
+  return gjk_sar64(plane + (INT64_C(1) << (n - 1)), n) - gjk_convex_radii(it);
+}
+
+gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *upper) {
+  *lower = plane_distance(it, -GJK_PLANE_ERROR) - 1 - (it->curved != NULL ? GJK_CURVED_ERROR : 0);
+  if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
+    *upper = -gjk_convex_radii(it);
+    return GJK_OUTCOME_ENCLOSING;
+  }
+  *upper = plane_distance(it, GJK_PLANE_ERROR) + 1;
+  return *upper <= 0 ? GJK_OUTCOME_NEAR : GJK_OUTCOME_LIMIT;
+}
+
+// Narrows the bounds by what the last round has proven, which may settle the question.
+GJK_OUT_OF_LINE static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
+  int64_t lower, upper;
+  const gjk_outcome outcome = gjk_distance_bounds(it, &lower, &upper);
+  if (outcome == GJK_OUTCOME_LIMIT) {
+    out->lower = lower > out->lower ? (gjk_q16)(lower < INT32_MAX ? lower : INT32_MAX) : out->lower;
+    out->upper = upper < out->upper ? (gjk_q16)upper : out->upper;
+  }
+  return outcome;
+}
+
+// Runs up to so many iterations in all, and narrows the bounds when they do not suffice.
+static gjk_outcome run_and_narrow(gjk_iteration *it, unsigned limit, const gjk_cache *cache, gjk_distance_result *out) {
+  const gjk_outcome outcome = gjk_search(it, GJK_GOAL_DISTANCE, cache, limit);
+  out->iterations = it->iterations;
+  return outcome == GJK_OUTCOME_LIMIT ? narrow(it, out) : outcome;
+}
+
+void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache, gjk_distance_result *out) {
+  int64_t gap = 0;
+  out->saturated = false;
+  if (outcome == GJK_OUTCOME_NEAREST) {
+    out->normal = gjk_unit(&it->direction.d);
+    const int64_t plane = -gjk_along(&out->normal, &it->simplex.slot[it->simplex.order[0]].w);
+    if (gjk_convex_radii_touch(it, plane)) {
+      outcome = GJK_OUTCOME_NEAR;
+    } else {
+      gap = exact_distance(it, &out->normal, plane) - gjk_convex_radii(it);
+      gjk_witness_points(it, &out->normal, &out->point_a, &out->point_b, &out->saturated);
+    }
+  }
+  out->intersecting = outcome != GJK_OUTCOME_NEAREST;
+  out->distance = gjk_saturate_noting(gap, &out->saturated);
+  out->lower = out->distance;
+  out->upper = out->distance;
+  gjk_iteration_certify(it, outcome, &out->certificate);
+  if (cache != NULL) {
+    gjk_iteration_keep(it, outcome, cache);
+  }
+}
+
+static void start_distance(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_distance_result *out) {
+  gjk_iteration_start(it, a, b, GJK_GOAL_DISTANCE, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
+  out->lower = 0;
+  out->upper = GJK_DISTANCE_MAX;
+}
+
+// Takes the exact distance of the feature for that of the points, and rounded up for the upper bound: its plane's is up to 17
+// units of the frame more, which far frames keep. False: the roundings reach across.
+GJK_OUT_OF_LINE static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
+  out->distance = out->upper;
+  if (it->shift < 0) {
+    return true;
+  }
+  const int64_t plane = -gjk_along(&out->normal, &it->simplex.slot[it->simplex.order[0]].w);
+  const int64_t nearest = settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift),
+                                          to_lsb(plane + GJK_PLANE_ERROR, it->shift), ROUND_NEAREST);
+  //@ assert nearest >= 0 && nearest <= INT64_C(1) << 31;
+  const int64_t upper = settle_distance(it, nearest, nearest + 1, ROUND_UP) - gjk_convex_radii(it);
+  out->distance = (gjk_q16)(nearest - gjk_convex_radii(it));
+  out->upper = (gjk_q16)upper;
+  return upper > 0;
+}
+
+// Reports the bounds and the nearest points so far; the feature's direction is in place. False: those points prove that the
+// shapes intersect, and nothing that counts is reported.
+static bool stop_early(const gjk_iteration *it, gjk_distance_result *out) {
+  out->normal = gjk_unit(&it->direction.d);
+  if (!take_feature(it, out)) {
+    return false;
+  }
+  out->saturated = false;
+  gjk_witness_points(it, &out->normal, &out->point_a, &out->point_b, &out->saturated);
+  out->intersecting = false;
+  out->certificate.proof = GJK_PROOF_NONE;
+  out->certificate.count = 0;
+  return true;
+}
+
+gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {
+  gjk_status status = gjk_check_pair(a, b, out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  gjk_iteration it;
+  start_distance(&it, a, b, out);
+  gjk_outcome outcome = run_and_narrow(&it, GJK_NO_LIMIT, cache, out);
+  if (outcome == GJK_OUTCOME_LIMIT) {
+    if (stop_early(&it, out)) {
+      return GJK_ERROR_ITERATION_LIMIT;
+    }
+    outcome = GJK_OUTCOME_NEAR;
+  }
+  gjk_distance_report(&it, outcome, cache, out);
+  return GJK_OK;
+}
+
+gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, const gjk_effort *effort, gjk_cache *cache,
+                              gjk_distance_result *out) {
+  gjk_status status = gjk_check_pair(a, b, out);
+  if (status != GJK_OK || effort == NULL) {
+    return status != GJK_OK ? status : GJK_ERROR_NULL;
+  }
+  if (effort->error < 0) {
+    return GJK_ERROR_NEGATIVE;
+  }
+  gjk_iteration it;
+  start_distance(&it, a, b, out);
+  const unsigned ceiling = gjk_search_limit(&it);
+  const bool limited = effort->iterations > 0 && effort->iterations < ceiling;
+  const unsigned most = limited ? effort->iterations : ceiling;
+  bool spent;
+  // Every turn is a round, so there are at most as many as the ceiling.
+  do {
+    const gjk_outcome outcome = run_and_narrow(&it, it.iterations + 1u, NULL, out);
+    if (outcome != GJK_OUTCOME_LIMIT) {
+      gjk_distance_report(&it, outcome, cache, out);
+      return GJK_OK;
+    }
+    spent = effort->error > 0 && out->upper - out->lower <= effort->error;
+  } while (!spent && it.iterations < most);
+  if (!stop_early(&it, out)) {
+    gjk_distance_report(&it, GJK_OUTCOME_NEAR, cache, out);
+    return GJK_OK;
+  }
+  return spent || limited ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
+}

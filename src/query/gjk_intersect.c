@@ -1,0 +1,76 @@
+// Yes-or-no queries: do two shapes touch, are they within a distance?
+#include "gjk/intersect.h"
+
+#include "../gjk/gjk_search.h"
+
+// Does the feature of the last round settle it, without another support?
+GJK_OUT_OF_LINE static gjk_outcome settle_decision(gjk_iteration *it) {
+  if (it->simplex.count == 0) {  // the cached direction was all there was
+    return GJK_OUTCOME_LIMIT;
+  }
+  if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
+    return GJK_OUTCOME_ENCLOSING;
+  }
+  return it->radius > 0 && gjk_iteration_near(it) ? GJK_OUTCOME_NEAR : GJK_OUTCOME_LIMIT;
+}
+
+// Runs up to so many iterations, with a budget from a cold start, lest the cache decide what they settle. NO, YES, or OPEN: then
+// iterations alone are set, and the cache is as it was.
+GJK_ONCE static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t most,
+                                  gjk_cache *cache, gjk_decision *out) {
+  gjk_iteration it;
+  gjk_outcome outcome = GJK_OUTCOME_SEPARATED;
+  // At most 2^31 + 2^29.
+  const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius + distance;
+  if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {
+    out->yes = false;
+    out->iterations = 0;
+    out->certificate.proof = GJK_PROOF_SPHERES;
+    out->certificate.count = 0;
+    return GJK_ANSWER_NO;
+  }
+  outcome = gjk_search(&it, GJK_GOAL_WITHIN, most == GJK_NO_LIMIT ? cache : NULL, most);
+  if (outcome == GJK_OUTCOME_LIMIT) {
+    outcome = settle_decision(&it);
+  }
+  out->iterations = it.iterations;
+  if (outcome == GJK_OUTCOME_LIMIT) {
+    return GJK_ANSWER_OPEN;
+  }
+  out->yes = outcome == GJK_OUTCOME_ENCLOSING || outcome == GJK_OUTCOME_NEAR;
+  gjk_iteration_certify(&it, outcome, &out->certificate);
+  if (cache != NULL) {
+    gjk_iteration_keep(&it, outcome, cache);
+  }
+  return out->yes ? GJK_ANSWER_YES : GJK_ANSWER_NO;
+}
+
+static gjk_status check(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, const void *out) {
+  const gjk_status status = gjk_check_pair(a, b, out);
+  return status == GJK_OK && distance < 0 ? GJK_ERROR_NEGATIVE : status;
+}
+
+gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, gjk_cache *cache,
+                      gjk_decision *out) {
+  const gjk_status status = check(a, b, distance, out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const gjk_answer answer = decide(a, b, distance, GJK_NO_LIMIT, cache, out);
+  return answer == GJK_ANSWER_OPEN ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
+}
+
+gjk_status gjk_within_until(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t iterations,
+                            gjk_cache *cache, gjk_within_result *out) {
+  const gjk_status status = check(a, b, distance, out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  out->answer = decide(a, b, distance, iterations > 0 ? iterations : GJK_NO_LIMIT, cache, &out->decision);
+  const bool spent = iterations > 0 && out->decision.iterations == iterations;
+  return out->answer == GJK_ANSWER_OPEN && !spent ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
+}
+
+gjk_status gjk_intersect(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_decision *out) {
+  return gjk_within(a, b, 0, cache, out);
+}

@@ -1,0 +1,399 @@
+// Bodies: added, removed, moved, changed. Each call checks everything first, then changes the scene.
+#include "gjk_scene_pairs.h"
+#include "gjk_scene_part.h"
+#include "gjk_scene_tree.h"
+
+static void put_in_moved_list(gjk_scene_view *v, uint32_t slot) {
+  //@ assert slot < v->header->config.bodies;
+  gjk_scene_body *body = &v->bodies[slot];
+  if ((body->flags & GJK_SCENE_MOVED) == 0) {
+    body->flags |= GJK_SCENE_MOVED;
+    body->next_moved = v->header->moved;
+    v->header->moved = slot;
+  }
+}
+
+static gjk_status build_part(const gjk_scene_view *v, const gjk_pose *pose, const gjk_part *part, gjk_collider *c) {
+  return gjk_scene_part_build(v, part->shape, pose, part->placed ? &part->pose : NULL, c);
+}
+
+static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) {
+  const gjk_scene_header *h = v->header;
+  gjk_collider c;
+  uint32_t placed = 0;
+  if (s->parts == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (s->part_count == 0) {
+    return GJK_ERROR_EMPTY;
+  }
+  if (s->kind > GJK_BODY_DYNAMIC || s->detail > GJK_DETAIL_CONTACTS || s->margin < 0 || s->margin > GJK_RADIUS_MAX) {
+    return GJK_ERROR_RANGE;
+  }
+  for (uint32_t i = 0; i < s->part_count; i++) {
+    const gjk_status status = build_part(v, &s->pose, &s->parts[i], &c);
+    if (status != GJK_OK) {
+      return status;
+    }
+    placed += s->parts[i].placed;
+  }
+  return s->part_count > h->parts.capacity - h->parts.count || placed > h->placed.capacity - h->placed.count
+             ? GJK_ERROR_CAPACITY
+             : GJK_OK;
+}
+
+// Pre: check_setup.
+static void add_part(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, const gjk_part *part, uint16_t number) {
+  gjk_scene_header *h = v->header;
+  gjk_scene_body *body = &v->bodies[slot];
+  const uint32_t index = gjk_scene_take(v, &h->parts, sizeof(gjk_scene_part));
+  gjk_scene_part *p = &v->parts[index];
+  gjk_collider c;
+  (void)build_part(v, pose, part, &c);  // checked
+  p->next = body->first;
+  body->first = index;
+  p->body = slot;
+  p->pairs = GJK_SCENE_NONE;
+  p->placed = GJK_SCENE_NONE;
+  if (part->placed) {
+    const uint32_t at = gjk_scene_take(v, &h->placed, sizeof(gjk_scene_placed));
+    v->placed[at].next = index;  // its owner
+    v->placed[at].pose = part->pose;
+    p->placed = at;
+  }
+  p->shape = part->shape;
+  p->number = number;
+  p->state = GJK_SCENE_LIVE | GJK_SCENE_PAIRS_STALE;
+  gjk_scene_part_reset(v, index, &c);
+  gjk_scene_tree_insert(v, index);
+}
+
+static uint32_t lowest_bit(uint32_t x) {
+  return 31 - gjk_clz32(x & (~x + 1));
+}
+
+static bool is_free(const gjk_scene_view *v, uint32_t slot) {
+  return (v->slots[slot / 32] >> slot % 32 & 1u) != 0;
+}
+
+// Pre: the slot is free.
+static gjk_status add_to(gjk_scene_view *v, uint32_t slot, const gjk_body_setup *s, gjk_body_id *out) {
+  //@ assert slot < v->header->config.bodies;
+  gjk_scene_header *h = v->header;
+  gjk_scene_body *body = &v->bodies[slot];
+  const gjk_status status = check_setup(v, s);
+  if (status != GJK_OK) {
+    return status;
+  }
+  v->slots[slot / 32] &= ~(UINT32_C(1) << slot % 32);
+  h->bodies.count++;
+  h->bodies.fresh = slot >= h->bodies.fresh ? slot + 1 : h->bodies.fresh;
+  body->generation++;
+  body->position = s->pose.position;
+  body->rotation = s->pose.rotation;
+  body->category = s->category;
+  body->mask = s->mask;
+  body->user = s->user;
+  body->margin = s->margin;
+  body->first = GJK_SCENE_NONE;
+  body->parts = s->part_count;
+  body->kind_detail = (uint8_t)(s->kind | s->detail << 4);
+  h->most_detail = s->detail > h->most_detail ? s->detail : h->most_detail;
+  body->flags &= GJK_SCENE_MOVED;                 // left by the body before
+  for (uint16_t i = s->part_count; i > 0; i--) {  // backwards: the list then runs upwards
+    add_part(v, slot, &s->pose, &s->parts[i - 1], (uint16_t)(i - 1));
+  }
+  put_in_moved_list(v, slot);
+  *out = gjk_scene_id_of(v, slot);
+  return GJK_OK;
+}
+
+gjk_status gjk_scene_add(gjk_scene *scene, const gjk_body_setup *setup, gjk_body_id *out) {
+  gjk_scene_view v;
+  gjk_status status = setup == NULL || out == NULL ? GJK_ERROR_NULL : gjk_scene_edit(scene, &v);
+  if (status != GJK_OK) {
+    return status;
+  }
+  gjk_scene_header *h = v.header;
+  const uint32_t words = (h->config.bodies + 31) / 32;
+  while (h->lowest < words && v.slots[h->lowest] == 0) {
+    h->lowest++;
+  }
+  if (h->lowest == words) {
+    return GJK_ERROR_CAPACITY;
+  }
+  return add_to(&v, 32 * h->lowest + lowest_bit(v.slots[h->lowest]), setup, out);
+}
+
+gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setup *setup, gjk_body_id *out) {
+  gjk_scene_view v;
+  const gjk_status status = setup == NULL || out == NULL ? GJK_ERROR_NULL : gjk_scene_edit(scene, &v);
+  if (status != GJK_OK) {
+    return status;
+  }
+  if (slot >= v.header->config.bodies) {
+    return GJK_ERROR_CAPACITY;
+  }
+  return is_free(&v, slot) ? add_to(&v, slot, setup, out) : GJK_ERROR_BODY_ID;
+}
+
+// Opens a scene for a change of one body.
+static gjk_status edit_body(gjk_scene *scene, gjk_body_id handle, gjk_scene_view *v, gjk_scene_body **body) {
+  const gjk_status status = gjk_scene_edit(scene, v);
+  return status == GJK_OK ? gjk_scene_body_of(v, handle, body) : status;
+}
+
+gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id handle) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  const gjk_status status = edit_body(scene, handle, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  gjk_scene_header *h = v.header;
+  uint32_t next;
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = next) {
+    next = v.parts[i].next;
+    gjk_scene_pairs_forget(&v, i);
+    gjk_scene_tree_remove(&v, i);
+    if (v.parts[i].placed != GJK_SCENE_NONE) {
+      gjk_scene_give(&v, &h->placed, sizeof(gjk_scene_placed), v.parts[i].placed);
+    }
+    v.parts[i].state = 0;
+    gjk_scene_give(&v, &h->parts, sizeof(gjk_scene_part), i);
+  }
+  //@ assert handle.slot < v.header->config.bodies;
+  body->first = GJK_SCENE_NONE;  // it stays in the list of the moved, if it is there
+  body->generation++;
+  h->bodies.count--;
+  if (body->generation != 0) {  // else the slot is used up
+    v.slots[handle.slot / 32] |= UINT32_C(1) << handle.slot % 32;
+    h->lowest = handle.slot / 32 < h->lowest ? handle.slot / 32 : h->lowest;
+  }
+  return GJK_OK;
+}
+
+static const gjk_pose *placed_pose(const gjk_scene_view *v, const gjk_scene_part *p) {
+  const uint32_t at = p->placed;
+  return at == GJK_SCENE_NONE ? NULL : &v->placed[at].pose;
+}
+
+// The part's collider at another pose of its body.
+static gjk_status move_part(const gjk_scene_view *v, const gjk_scene_part *p, const gjk_pose *pose, gjk_collider *c) {
+  gjk_scene_part_collider(v, p, c);
+  return gjk_scene_part_pose(c, pose, placed_pose(v, p));
+}
+
+static void replant(gjk_scene_view *v, uint32_t index) {
+  gjk_scene_tree_remove(v, index);
+  gjk_scene_tree_insert(v, index);
+  v->parts[index].state |= GJK_SCENE_PAIRS_STALE;
+}
+
+static bool same_pose(const gjk_scene_body *body, const gjk_pose *pose) {
+  const gjk_quat *q = &pose->rotation;
+  return gjk_scene_same_vec3(&body->position, &pose->position) && body->rotation.x == q->x &&
+         body->rotation.y == q->y && body->rotation.z == q->z && body->rotation.w == q->w;
+}
+
+// What is in the tree must hold the part's old box until it is taken out, so the new one is set after that; nothing in
+// the tree looks at it meanwhile.
+static gjk_status move(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pose, bool ahead) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  gjk_collider c;
+  gjk_status status = pose == NULL ? GJK_ERROR_NULL : edit_body(scene, handle, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  if (same_pose(body, pose)) {
+    body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
+    return GJK_OK;
+  }
+  const uint32_t first = body->first;
+  //@ assert first != GJK_SCENE_NONE;
+  for (uint32_t i = first; i != GJK_SCENE_NONE && status == GJK_OK; i = v.parts[i].next) {
+    status = move_part(&v, &v.parts[i], pose, &c);
+  }
+  if (status != GJK_OK) {
+    return status;
+  }
+  const uint32_t turn = gjk_scene_rotation_bound(&body->rotation, &pose->rotation);
+  body->position = pose->position;
+  body->rotation = pose->rotation;
+  body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
+  put_in_moved_list(&v, handle.slot);
+  for (uint32_t i = first; i != GJK_SCENE_NONE; i = v.parts[i].next) {
+    if (body->parts > 1) {  // of a single part the collider is still there
+      (void)move_part(&v, &v.parts[i], pose, &c);
+    }
+    if (gjk_scene_part_moved(&v, i, &c, turn, ahead)) {
+      replant(&v, i);
+    }
+  }
+  return GJK_OK;
+}
+
+gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pose) {
+  return move(scene, handle, pose, true);
+}
+
+gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pose) {
+  return move(scene, handle, pose, false);
+}
+
+gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id handle) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  const gjk_status status = edit_body(scene, handle, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  if ((body->kind_detail & 15u) != GJK_BODY_DYNAMIC) {
+    return GJK_ERROR_RANGE;
+  }
+  body->flags |= GJK_SCENE_ASLEEP;
+  return GJK_OK;
+}
+
+gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id handle) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  const gjk_status status = edit_body(scene, handle, &v, &body);
+  if (status == GJK_OK) {
+    body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
+  }
+  return status;
+}
+
+static uint32_t find_part(const gjk_scene_view *v, const gjk_scene_body *body, uint16_t number) {
+  uint32_t index = body->first;
+  while (index != GJK_SCENE_NONE && v->parts[index].number != number) {
+    index = v->parts[index].next;
+  }
+  return index;
+}
+
+static gjk_pose body_pose(const gjk_scene_body *body) {
+  gjk_pose pose;
+  pose.position = body->position;
+  pose.rotation = body->rotation;
+  return pose;
+}
+
+gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id handle, uint16_t part, uint16_t shape) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  gjk_collider c;
+  gjk_status status = edit_body(scene, handle, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const uint32_t index = find_part(&v, body, part);
+  if (index == GJK_SCENE_NONE) {
+    return GJK_ERROR_RANGE;
+  }
+  const gjk_pose pose = body_pose(body);
+  status = gjk_scene_part_build(&v, shape, &pose, placed_pose(&v, &v.parts[index]), &c);
+  if (status != GJK_OK) {
+    return status;
+  }
+  v.parts[index].shape = shape;
+  gjk_scene_part_reset(&v, index, &c);
+  put_in_moved_list(&v, handle.slot);
+  replant(&v, index);
+  return GJK_OK;
+}
+
+gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body_id handle) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  const gjk_status status = edit_body(scene, handle, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v.parts[i].next) {
+    v.parts[i].state |= GJK_SCENE_PAIRS_STALE;
+    v.parts[i].motion = GJK_SCENE_UNBOUNDED;  // lest a test that motion saves not ask
+  }
+  put_in_moved_list(&v, handle.slot);
+  return GJK_OK;
+}
+
+gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body_id handle, uint32_t category, uint32_t mask) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  const gjk_status status = edit_body(scene, handle, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  body->category = category;
+  body->mask = mask;
+  return gjk_scene_refilter(scene, handle);
+}
+
+gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body_id handle, uint32_t user) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  const gjk_status status = edit_body(scene, handle, &v, &body);
+  if (status != GJK_OK || body->user == user) {
+    return status;
+  }
+  body->user = user;
+  return gjk_scene_refilter(scene, handle);  // the predicate is given the word
+}
+
+// Opens a scene to look at one body.
+static gjk_status look_at_body(const gjk_scene *scene, gjk_body_id handle, const void *out, gjk_scene_view *v,
+                               gjk_scene_body **body) {
+  const gjk_status status = out == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, v);
+  return status == GJK_OK ? gjk_scene_body_of(v, handle, body) : status;
+}
+
+gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id handle, gjk_body_state *out) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  const gjk_status status = look_at_body(scene, handle, out, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  out->pose = body_pose(body);
+  out->category = body->category;
+  out->mask = body->mask;
+  out->user = body->user;
+  out->margin = body->margin;
+  out->part_count = body->parts;
+  out->kind = body->kind_detail & 15u;
+  out->detail = body->kind_detail >> 4;
+  out->asleep = (body->flags & GJK_SCENE_ASLEEP) != 0;
+  return GJK_OK;
+}
+
+gjk_status gjk_scene_body_at(const gjk_scene *scene, uint32_t slot, gjk_body_id *out) {
+  gjk_scene_view v;
+  const gjk_status status = out == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, &v);
+  if (status != GJK_OK) {
+    return status;
+  }
+  if (slot >= v.header->config.bodies) {
+    return GJK_ERROR_RANGE;
+  }
+  *out = gjk_scene_id_of(&v, slot);
+  out->generation = out->generation % 2 != 0 ? out->generation : 0;
+  return GJK_OK;
+}
+
+gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id handle, uint16_t part, gjk_collider *out) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  const gjk_status status = look_at_body(scene, handle, out, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const uint32_t index = find_part(&v, body, part);
+  if (index == GJK_SCENE_NONE) {
+    return GJK_ERROR_RANGE;
+  }
+  const gjk_pose pose = body_pose(body);
+  return move_part(&v, &v.parts[index], &pose, out);  // where it is: posing repeats bit for bit
+}

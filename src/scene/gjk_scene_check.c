@@ -1,0 +1,339 @@
+// Checks a block's every index and invariant, in passes that end whatever the block holds.
+#include "gjk/pose.h"
+#include "gjk_scene_pairs.h"
+#include "gjk_scene_part.h"
+#include "gjk_scene_tree.h"
+
+static bool live_part(const gjk_scene_view *v, uint32_t index) {
+  return index < v->header->parts.fresh && (v->parts[index].state & GJK_SCENE_LIVE) != 0;
+}
+
+static bool live_pair(const gjk_scene_view *v, uint32_t index) {
+  return index < v->header->pairs.fresh && (v->pairs[index].state & GJK_SCENE_PAIR_LIVE) != 0;
+}
+
+static bool gone(const gjk_scene_pair *pair) {
+  return (pair->state & GJK_SCENE_PAIR_GONE) != 0;
+}
+
+// A part's pose that is free has the next free one where one in use has its part, which names it.
+static bool placed_is_used(const gjk_scene_view *v, uint32_t index) {
+  const uint32_t part = v->placed[index].next;
+  return live_part(v, part) && v->parts[part].placed == index;
+}
+
+// The free list of a pool names fresh - count records, none of them in use.
+static bool check_free(const gjk_scene_view *v, const gjk_scene_pool *pool, uint32_t size) {
+  const gjk_scene_header *h = v->header;
+  uint32_t at = pool->free;
+  for (uint32_t left = pool->fresh - pool->count; left > 0; left--) {
+    if (at >= pool->fresh || (pool == &h->parts && live_part(v, at)) || (pool == &h->pairs && live_pair(v, at)) ||
+        (pool == &h->nodes && v->nodes[at].height != 0) || (pool == &h->placed && placed_is_used(v, at))) {
+      return false;
+    }
+    const void *record = (const unsigned char *)(const void *)h + (size_t)(pool->at + at * size);
+    at = *(const uint32_t *)record;
+  }
+  return at == GJK_SCENE_NONE;
+}
+
+static bool check_placed(const gjk_scene_view *v, uint32_t index, uint32_t *placed) {
+  const uint32_t at = v->parts[index].placed;
+  gjk_quat opposite;
+  if (at == GJK_SCENE_NONE) {
+    return true;
+  }
+  (*placed)++;
+  return at < v->header->placed.fresh && v->placed[at].next == index &&
+         gjk_quat_invert(&v->placed[at].pose.rotation, &opposite) == GJK_OK;
+}
+
+// A part holds what its shape is at the pose of its body: posing repeats bit for bit. So all that a query assumes of a
+// collider is true of it.
+static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p) {
+  const uint32_t placed = p->placed;
+  gjk_pose pose;
+  gjk_aabb box;
+  gjk_collider c;
+  pose.position = body->position;
+  pose.rotation = body->rotation;
+  //@ assert placed == GJK_SCENE_NONE || placed < v->header->placed.fresh;
+  if (gjk_scene_part_build(v, p->shape, &pose, placed == GJK_SCENE_NONE ? NULL : &v->placed[placed].pose, &c) !=
+      GJK_OK) {
+    return false;
+  }
+  (void)gjk_collider_aabb(&c, &box);  // posed, so it cannot fail
+  return gjk_scene_same_vec3(&p->centre, &c.centre) && gjk_scene_same_vec3(&p->local_centre, &c.local_centre) &&
+         gjk_scene_same_vec3(&p->frame[0], &c.frame[0]) && gjk_scene_same_vec3(&p->frame[1], &c.frame[1]) &&
+         gjk_scene_same_vec3(&p->frame[2], &c.frame[2]) && p->core_radius == c.core_radius &&
+         p->fraction[0] == c.fraction[0] && p->fraction[1] == c.fraction[1] && p->fraction[2] == c.fraction[2] &&
+         gjk_scene_same_vec3(&p->exact.lower, &box.lower) && gjk_scene_same_vec3(&p->exact.upper, &box.upper);
+}
+
+// The parts of a body: as many as it says, numbered upwards. Counts them and their poses.
+static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts, uint32_t *placed) {
+  uint32_t number = 0;
+  for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+    if (!live_part(v, i)) {
+      return false;
+    }
+    const gjk_scene_part *p = &v->parts[i];
+    if (p->body != slot || p->number != number || (p->state & GJK_SCENE_MARK) != 0 ||
+        !gjk_aabb_inside(&p->exact, &p->enlarged) || !check_placed(v, i, placed) ||
+        !check_pose(v, &v->bodies[slot], p)) {
+      return false;
+    }
+    number++;
+  }
+  *parts += number;
+  return number == v->bodies[slot].parts && number > 0;
+}
+
+static bool check_body(const gjk_scene_view *v, uint32_t slot) {
+  const gjk_scene_body *body = &v->bodies[slot];
+  gjk_quat opposite;
+  return (body->kind_detail & 15u) <= GJK_BODY_DYNAMIC && (uint32_t)body->kind_detail >> 4 <= v->header->most_detail &&
+         body->margin >= 0 && body->margin <= GJK_RADIUS_MAX && gjk_quat_invert(&body->rotation, &opposite) == GJK_OK;
+}
+
+static bool check_bodies(const gjk_scene_view *v) {
+  const gjk_scene_header *h = v->header;
+  uint32_t bodies = 0, parts = 0, placed = 0;
+  for (uint32_t slot = 0; slot < h->config.bodies; slot++) {
+    const gjk_scene_body *body = &v->bodies[slot];
+    const bool free = (v->slots[slot / 32] >> slot % 32 & 1u) != 0, live = body->generation % 2 != 0;
+    if ((free && (live || slot / 32 < h->lowest)) || (!free && !live && body->generation != 0) ||
+        (slot >= h->bodies.fresh && body->generation != 0)) {
+      return false;
+    }
+    if (live) {
+      bodies++;
+      if (!check_body(v, slot) || !check_parts(v, slot, &parts, &placed)) {
+        return false;
+      }
+    } else if ((body->generation != 0 || (body->flags & GJK_SCENE_MOVED) != 0) && body->first != GJK_SCENE_NONE) {
+      return false;  // zeroed, it holds no list, but is in none either
+    }
+  }
+  const uint32_t last = h->config.bodies % 32;  // bits of no slot
+  if (last != 0 && v->slots[h->config.bodies / 32] >> last != 0) {
+    return false;
+  }
+  return bodies == h->bodies.count && parts == h->parts.count && placed == h->placed.count;
+}
+
+// The list of bodies that changed names each flagged one once.
+static bool check_moved(const gjk_scene_view *v) {
+  const gjk_scene_header *h = v->header;
+  uint32_t flagged = 0, listed = 0;
+  for (uint32_t slot = 0; slot < h->config.bodies; slot++) {
+    flagged += (v->bodies[slot].flags & GJK_SCENE_MOVED) != 0 ? 1 : 0;
+  }
+  for (uint32_t slot = h->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
+    if (slot >= h->config.bodies || (v->bodies[slot].flags & GJK_SCENE_MOVED) == 0 || listed++ == flagged) {
+      return false;
+    }
+  }
+  return listed == flagged;
+}
+
+static uint32_t parent_of(const gjk_scene_view *v, uint32_t node) {
+  return (node & GJK_SCENE_LEAF) != 0 ? v->parts[node & ~GJK_SCENE_LEAF].parent : v->nodes[node].parent;
+}
+
+static uint32_t height_of(const gjk_scene_view *v, uint32_t node) {
+  return (node & GJK_SCENE_LEAF) != 0 ? 0 : v->nodes[node].height;
+}
+
+static bool is_node(const gjk_scene_view *v, uint32_t node) {
+  return (node & GJK_SCENE_LEAF) != 0 ? live_part(v, node & ~GJK_SCENE_LEAF)
+                                      : node < v->header->nodes.fresh && v->nodes[node].height != 0;
+}
+
+static bool check_inner(const gjk_scene_view *v, uint32_t node) {
+  const gjk_scene_node *n = &v->nodes[node];
+  if (n->child[0] == n->child[1]) {
+    return false;
+  }
+  uint32_t heights[2];
+  for (int i = 0; i < 2; i++) {
+    const uint32_t child = n->child[i];
+    if (!is_node(v, child) || parent_of(v, child) != node || !gjk_aabb_inside(gjk_scene_node_box(v, child), &n->box)) {
+      return false;
+    }
+    heights[i] = height_of(v, child);
+  }
+  const uint32_t a = heights[0], b = heights[1];
+  return a <= b + 1 && b <= a + 1 && n->height == (a > b ? a : b) + 1;
+}
+
+// Every node is reached from its one parent, so once at most.
+static bool check_tree(const gjk_scene_view *v) {
+  const gjk_scene_header *h = v->header;
+  gjk_scene_walk walk;
+  uint32_t leaves = 0, inner = 0;
+  if (h->root != GJK_SCENE_NONE && (!is_node(v, h->root) || parent_of(v, h->root) != GJK_SCENE_NONE)) {
+    return false;
+  }
+  gjk_scene_walk_start(v, &walk);
+  for (uint32_t node = gjk_scene_walk_next(&walk); node != GJK_SCENE_NONE; node = gjk_scene_walk_next(&walk)) {
+    if ((node & GJK_SCENE_LEAF) != 0) {
+      leaves++;
+      continue;
+    }
+    //@ assert node < h->nodes.fresh;
+    // not reached: more than count: other than the free ones there are no more, and each is reached once
+    if (!check_inner(v, node) || inner++ == h->nodes.count || walk.count > GJK_SCENE_DEPTH - 2) {
+      return false;
+    }
+    gjk_scene_walk_descend(v, &walk, node);
+  }
+  return leaves == h->parts.count && inner == h->nodes.count;
+}
+
+// A pair's place in the lists of its parts: both neighbours point back. Pre: part, of that side, is there.
+static bool check_link(const gjk_scene_view *v, uint32_t link, uint32_t part) {
+  const gjk_scene_pair *pair = &v->pairs[link / 2];
+  const uint32_t next = pair->next[link % 2], previous = pair->previous[link % 2];
+  const uint32_t after = next / 2, before = previous / 2;
+  if (previous == GJK_SCENE_NONE
+          ? v->parts[part].pairs != link
+          : !live_pair(v, before) || gone(&v->pairs[before]) || v->pairs[before].next[previous % 2] != link ||
+                v->pairs[before].part[previous % 2] != part) {
+    return false;
+  }
+  return next == GJK_SCENE_NONE ||
+         (live_pair(v, after) && !gone(&v->pairs[after]) && v->pairs[after].previous[next % 2] == link);
+}
+
+// May gap be minus a depth? Of a pair that is near, by this update's test if that was done.
+static bool may_be_deep(const gjk_scene_view *v, const gjk_scene_pair *pair, uint32_t slot_a, uint32_t slot_b) {
+  const bool tested = (pair->state & GJK_SCENE_PAIR_QUEUED) != 0 && pair->outcome != GJK_SCENE_PENDING;
+  return gjk_scene_detail(v, &v->bodies[slot_a], &v->bodies[slot_b]) == GJK_DETAIL_DEPTH &&
+         (pair->state & (tested ? GJK_SCENE_PAIR_NEAR_NOW : GJK_SCENE_PAIR_NEAR)) != 0;
+}
+
+static bool check_pair(const gjk_scene_view *v, uint32_t index) {
+  const gjk_scene_pair *pair = &v->pairs[index];
+  const uint32_t a = pair->part[0], b = pair->part[1];
+  const unsigned outcome = pair->outcome & (GJK_SCENE_UNSETTLED - 1u);
+  if (pair->state >> GJK_SCENE_PAIR_CACHED > 4 || outcome >= GJK_SCENE_OUTCOMES ||
+      (outcome == GJK_SCENE_PENDING && pair->outcome != GJK_SCENE_PENDING)) {
+    return false;
+  }
+  if (gone(pair)) {
+    return (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
+  }
+  if (!live_part(v, a) || !live_part(v, b)) {
+    return false;
+  }
+  const uint32_t slot_a = v->parts[a].body, slot_b = v->parts[b].body;
+  //@ assert slot_b < v->header->config.bodies;
+  return slot_a < slot_b && check_link(v, 2 * index, a) && check_link(v, 2 * index + 1, b) &&
+         (pair->gap >= 0 || may_be_deep(v, pair, slot_a, slot_b));
+}
+
+static bool check_pairs(const gjk_scene_view *v) {
+  const gjk_scene_header *h = v->header;
+  uint32_t pairs = 0, missing = 0, linked = 0, listed = 0, queued = 0;
+  for (uint32_t i = 0; i < h->pairs.fresh; i++) {
+    if (live_pair(v, i)) {
+      pairs++;
+      queued += (v->pairs[i].state & GJK_SCENE_PAIR_QUEUED) != 0 ? 1 : 0;
+      missing += gone(&v->pairs[i]);
+      if (!check_pair(v, i)) {
+        return false;
+      }
+    } else if (v->pairs[i].state != 0) {
+      return false;
+    }
+  }
+  // No ring without a head: the lists together hold every link.
+  for (uint32_t i = 0; i < h->parts.fresh; i++) {
+    uint32_t link = live_part(v, i) ? v->parts[i].pairs : GJK_SCENE_NONE;
+    while (link != GJK_SCENE_NONE) {
+      const uint32_t index = link / 2;
+      if (!live_pair(v, index) || v->pairs[index].part[link % 2] != i || linked++ == 2 * pairs) {
+        return false;
+      }
+      link = v->pairs[index].next[link % 2];
+    }
+  }
+  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].previous[0]) {
+    if (!live_pair(v, i) || !gone(&v->pairs[i]) || listed++ == missing) {
+      return false;
+    }
+  }
+  for (uint32_t i = h->next_report; h->phase == GJK_SCENE_REPORTING && i < h->queued; i++) {
+    const uint32_t index = v->queue[i];
+    //@ assert index < h->pairs.fresh;
+    listed += gone(&v->pairs[index]) ? 1 : 0;
+  }
+  return pairs == h->pairs.count && linked == 2 * (pairs - missing) && listed == missing &&
+         queued == (h->phase == GJK_SCENE_TESTING ? h->queued : 0);
+}
+
+// Is this an entry as the phase has them?
+static bool check_entry(const gjk_scene_view *v, uint32_t at, const gjk_scene_pair *pair) {
+  const gjk_scene_header *h = v->header;
+  const bool queued = (pair->state & GJK_SCENE_PAIR_QUEUED) != 0;
+  if (h->phase == GJK_SCENE_TESTING) {
+    return queued && !gone(pair) && (at >= h->next_test || pair->outcome != GJK_SCENE_PENDING);
+  }
+  return !queued && pair->outcome >= (gone(pair) ? GJK_EVENT_END : GJK_EVENT_BEGIN) && pair->outcome <= GJK_EVENT_END;
+}
+
+// No pair is in the queue twice: each entry flips the flag of the pair that it names, which must not have been flipped
+// yet. Afterwards all are as they were.
+static bool check_entries(const gjk_scene_view *v) {
+  const gjk_scene_header *h = v->header;
+  const uint32_t first = h->phase == GJK_SCENE_REPORTING ? h->next_report : 0;
+  uint32_t end = first;
+  for (; end < h->queued; end++) {
+    const uint32_t index = v->queue[end];
+    if (!live_pair(v, index) || !check_entry(v, end, &v->pairs[index])) {
+      break;
+    }
+    v->pairs[index].state ^= GJK_SCENE_PAIR_QUEUED;
+  }
+  for (uint32_t i = first; i < end; i++) {
+    const uint32_t index = v->queue[i];
+    //@ assert index < h->pairs.fresh;
+    v->pairs[index].state ^= GJK_SCENE_PAIR_QUEUED;
+  }
+  return end >= h->queued;
+}
+
+static bool check_queue(const gjk_scene_view *v) {
+  const gjk_scene_header *h = v->header;
+  if (h->most_detail > GJK_DETAIL_CONTACTS || h->most_detail < h->config.detail || h->phase > GJK_SCENE_REPORTING ||
+      h->queued > h->pairs.capacity || h->lowest > (h->config.bodies + 31) / 32 ||
+      (h->phase == GJK_SCENE_IDLE && h->queued != 0) || (h->phase == GJK_SCENE_TESTING && h->next_test > h->queued) ||
+      (h->phase == GJK_SCENE_REPORTING && (h->next_report > h->queued || h->gone != GJK_SCENE_NONE))) {
+    return false;
+  }
+  return check_entries(v);
+}
+
+gjk_status gjk_scene_check(const gjk_scene *scene) {
+  gjk_scene_view v;
+  gjk_status status = gjk_scene_view_of(scene, &v);
+  if (status == GJK_OK) {
+    status = gjk_scene_check_header(scene->block, (size_t)v.header->bytes);
+  }
+  if (status != GJK_OK) {
+    return status;
+  }
+  const gjk_scene_header *h = v.header;
+  for (uint32_t i = 0; i < h->parts.fresh; i++) {
+    const uint16_t shape = v.parts[i].shape;
+    if (live_part(&v, i) && (shape >= scene->shape_count || scene->shapes[shape] == NULL)) {
+      return GJK_ERROR_RANGE;
+    }
+  }
+  const bool sound =
+      check_free(&v, &h->parts, sizeof(gjk_scene_part)) && check_free(&v, &h->nodes, sizeof(gjk_scene_node)) &&
+      check_free(&v, &h->placed, sizeof(gjk_scene_placed)) && check_free(&v, &h->pairs, sizeof(gjk_scene_pair)) &&
+      check_bodies(&v) && check_moved(&v) && check_tree(&v) && check_queue(&v) && check_pairs(&v);
+  return sound ? GJK_OK : GJK_ERROR_CORRUPT;
+}

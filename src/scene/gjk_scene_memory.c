@@ -1,0 +1,220 @@
+// The block of a scene: its layout, its pools, and how a handle finds them.
+#include "gjk_scene_block.h"
+
+#define MAGIC UINT32_C(0x736B6A67)
+#define VERSION UINT32_C(2)
+#define ORDER UINT32_C(0x01020304)
+
+// The layout that every build must share.
+typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_part) == 144 &&
+                                     sizeof(gjk_scene_node) == 40 && sizeof(gjk_scene_placed) == 32 &&
+                                     sizeof(gjk_scene_pair) == 44 && sizeof(gjk_scene_config) == 28 &&
+                                     sizeof(gjk_scene_header) == 276
+                                 ? 1
+                                 : -1];
+
+static gjk_status check_config(const gjk_scene_config *c) {
+  if (c->bodies < 1 || c->bodies > GJK_SCENE_BODIES_MAX || c->parts < 1 || c->parts > GJK_SCENE_BODIES_MAX ||
+      c->placed > GJK_SCENE_BODIES_MAX || c->pairs < 1 || c->pairs > GJK_SCENE_PAIRS_MAX || c->box_margin < 0 ||
+      c->box_margin > GJK_RADIUS_MAX || c->persist > 1 || c->retest_all > 1 || c->reserved != 0 ||
+      c->detail > GJK_DETAIL_CONTACTS) {
+    return GJK_ERROR_RANGE;
+  }
+  return GJK_OK;
+}
+
+static void set_pool(gjk_scene_pool *pool, uint32_t capacity, uint32_t size, uint32_t *at) {
+  pool->at = *at;
+  pool->capacity = capacity;
+  pool->fresh = 0;
+  pool->free = GJK_SCENE_NONE;
+  pool->count = 0;
+  *at += capacity * size;
+}
+
+// The sections of a block for this configuration. At most 2^20 (60 + 144 + 40 + 32 + 1) + 2^22 48 + 400 < 2^30 bytes.
+static void lay_out(const gjk_scene_config *c, gjk_scene_header *h) {
+  uint32_t at = sizeof *h;
+  set_pool(&h->bodies, c->bodies, sizeof(gjk_scene_body), &at);
+  set_pool(&h->parts, c->parts, sizeof(gjk_scene_part), &at);
+  set_pool(&h->nodes, c->parts, sizeof(gjk_scene_node), &at);  // one less than leaves
+  set_pool(&h->placed, c->placed, sizeof(gjk_scene_placed), &at);
+  set_pool(&h->pairs, c->pairs, sizeof(gjk_scene_pair), &at);
+  h->queue_at = at;
+  at += c->pairs * (uint32_t)sizeof(uint32_t);
+  h->slots_at = at;
+  at += (c->bodies + 31) / 32 * (uint32_t)sizeof(uint32_t);
+  h->bytes = at;
+}
+
+size_t gjk_scene_bytes(const gjk_scene_config *config) {
+  gjk_scene_header h;
+  if (config == NULL || check_config(config) != GJK_OK) {
+    return 0;
+  }
+  lay_out(config, &h);
+  // not reached: a size_t of 16 bits, which no host has
+  return (uint32_t)(size_t)h.bytes == h.bytes ? (size_t)h.bytes : 0;
+}
+
+static void *at(void *block, uint32_t offset) {
+  return (unsigned char *)block + (size_t)offset;
+}
+
+static bool aligned(const void *block) {
+  return (uintptr_t)block % sizeof(uint32_t) == 0;
+}
+
+static void set_handle(gjk_scene *scene, void *block, const gjk_shape *const *shapes, uint16_t shape_count) {
+  scene->block = block;
+  scene->shapes = shapes;
+  scene->shape_count = shape_count;
+  scene->predicate = NULL;
+  scene->user = NULL;
+  scene->details = NULL;
+  scene->workspace = NULL;
+  scene->manifolds = NULL;
+}
+
+gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,
+                          const gjk_shape *const *shapes, uint16_t shape_count) {
+  if (scene == NULL || config == NULL || block == NULL || shapes == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  const gjk_status status = aligned(block) ? check_config(config) : GJK_ERROR_RANGE;
+  const size_t needed = gjk_scene_bytes(config);
+  if (status != GJK_OK) {
+    return status;
+  }
+  // not reached: 0: as above
+  if (needed == 0 || bytes < needed) {
+    return GJK_ERROR_CAPACITY;
+  }
+  // Volatile, lest the compiler make it a call of memset.
+  for (volatile uint32_t *p = block, *end = at(block, (uint32_t)needed); p < end; p++) {
+    *p = 0;
+  }
+  gjk_scene_header *h = block;
+  h->magic = MAGIC;
+  h->version = VERSION;
+  h->order = ORDER;
+  h->iterations = GJK_ITERATIONS_MAX;
+  h->config = *config;
+  h->most_detail = config->detail;
+  lay_out(config, h);
+  h->root = GJK_SCENE_NONE;
+  h->moved = GJK_SCENE_NONE;
+  h->gone = GJK_SCENE_NONE;
+  uint32_t *slots = at(block, h->slots_at);
+  for (uint32_t i = 0; i < config->bodies; i++) {
+    slots[i / 32] |= UINT32_C(1) << i % 32;
+  }
+  set_handle(scene, block, shapes, shape_count);
+  return GJK_OK;
+}
+
+static bool same_pool(const gjk_scene_pool *a, const gjk_scene_pool *b) {
+  return a->at == b->at && a->capacity == b->capacity && b->count <= b->fresh && b->fresh <= b->capacity;
+}
+
+gjk_status gjk_scene_check_header(const void *block, size_t bytes) {
+  const gjk_scene_header *h = block;
+  gjk_scene_header expected;
+  if (bytes < sizeof *h) {
+    return GJK_ERROR_CAPACITY;
+  }
+  if (h->magic != MAGIC || h->version != VERSION || h->order != ORDER || h->iterations != GJK_ITERATIONS_MAX ||
+      check_config(&h->config) != GJK_OK) {
+    return GJK_ERROR_CORRUPT;
+  }
+  lay_out(&h->config, &expected);
+  if (h->bytes != expected.bytes || h->queue_at != expected.queue_at || h->slots_at != expected.slots_at ||
+      !same_pool(&expected.bodies, &h->bodies) || !same_pool(&expected.parts, &h->parts) ||
+      !same_pool(&expected.nodes, &h->nodes) || !same_pool(&expected.placed, &h->placed) ||
+      !same_pool(&expected.pairs, &h->pairs)) {
+    return GJK_ERROR_CORRUPT;
+  }
+  return bytes < h->bytes ? GJK_ERROR_CAPACITY : GJK_OK;
+}
+
+gjk_status gjk_scene_attach(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
+                            uint16_t shape_count) {
+  if (scene == NULL || block == NULL || shapes == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  const gjk_status status = aligned(block) ? gjk_scene_check_header(block, bytes) : GJK_ERROR_RANGE;
+  if (status != GJK_OK) {
+    return status;
+  }
+  set_handle(scene, block, shapes, shape_count);
+  return GJK_OK;
+}
+
+gjk_status gjk_scene_view_of(const gjk_scene *scene, gjk_scene_view *out) {
+  if (scene == NULL || scene->block == NULL || scene->shapes == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  gjk_scene_header *h = scene->block;
+  if (h->magic != MAGIC || h->version != VERSION || h->order != ORDER) {
+    return GJK_ERROR_CORRUPT;
+  }
+  out->scene = scene;
+  out->header = h;
+  out->bodies = at(h, h->bodies.at);
+  out->parts = at(h, h->parts.at);
+  out->nodes = at(h, h->nodes.at);
+  out->placed = at(h, h->placed.at);
+  out->pairs = at(h, h->pairs.at);
+  out->queue = at(h, h->queue_at);
+  out->slots = at(h, h->slots_at);
+  return GJK_OK;
+}
+
+gjk_status gjk_scene_edit(gjk_scene *scene, gjk_scene_view *out) {
+  const gjk_status status = gjk_scene_view_of(scene, out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  if (out->header->phase != GJK_SCENE_IDLE) {
+    return GJK_ERROR_BUSY;
+  }
+  out->header->sealed = 0;
+  return GJK_OK;
+}
+
+bool gjk_scene_workspace(const gjk_scene *scene, gjk_workspace *out) {
+  const gjk_scene_header *h = scene->block;
+  const gjk_workspace *given = scene->workspace;
+  out->count = h->config.workspace_cells;
+  out->cells = given != NULL ? given->cells : NULL;
+  return out->count == 0 || (out->cells != NULL && given->count >= out->count);
+}
+
+uint32_t gjk_scene_take(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size) {
+  pool->count++;
+  const uint32_t index = pool->free;
+  if (index == GJK_SCENE_NONE) {
+    //@ assert pool->fresh < pool->capacity;
+    return pool->fresh++;
+  }
+  //@ assert index < pool->fresh;
+  const uint32_t *record = at(v->header, pool->at + index * size);
+  pool->free = *record;
+  return index;
+}
+
+void gjk_scene_give(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size, uint32_t index) {
+  uint32_t *record = at(v->header, pool->at + index * size);
+  *record = pool->free;
+  pool->free = index;
+  pool->count--;
+}
+
+gjk_status gjk_scene_body_of(const gjk_scene_view *v, gjk_body_id handle, gjk_scene_body **out) {
+  if (handle.slot >= v->header->config.bodies || handle.generation % 2 == 0 ||
+      v->bodies[handle.slot].generation != handle.generation) {
+    return GJK_ERROR_BODY_ID;
+  }
+  *out = &v->bodies[handle.slot];
+  return GJK_OK;
+}

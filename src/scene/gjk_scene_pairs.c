@@ -1,0 +1,199 @@
+// The pairs of a scene: made, matched to the boxes, dropped.
+#include "gjk_scene_pairs.h"
+
+#include "gjk_scene_part.h"
+#include "gjk_scene_tree.h"
+
+// A link: the pair's index times two, plus the side whose part the list belongs to.
+static uint32_t *next_of(gjk_scene_view *v, uint32_t link) {
+  return &v->pairs[link / 2].next[link % 2];
+}
+
+static void link_side(gjk_scene_view *v, uint32_t link) {
+  gjk_scene_pair *pair = &v->pairs[link / 2];
+  const uint32_t at = pair->part[link % 2];
+  //@ assert at < v->header->parts.capacity;
+  gjk_scene_part *part = &v->parts[at];
+  const uint32_t next = part->pairs;
+  pair->next[link % 2] = next;
+  pair->previous[link % 2] = GJK_SCENE_NONE;
+  if (next != GJK_SCENE_NONE) {
+    v->pairs[next / 2].previous[next % 2] = link;
+  }
+  part->pairs = link;
+}
+
+static void unlink_side(gjk_scene_view *v, uint32_t link) {
+  const gjk_scene_pair *pair = &v->pairs[link / 2];
+  const uint32_t next = pair->next[link % 2], previous = pair->previous[link % 2], part = pair->part[link % 2];
+  //@ assert next == GJK_SCENE_NONE || next < 2 * v->header->pairs.capacity;
+  //@ assert previous == GJK_SCENE_NONE || previous < 2 * v->header->pairs.capacity;
+  //@ assert part < v->header->parts.capacity;
+  if (previous == GJK_SCENE_NONE) {
+    v->parts[part].pairs = next;
+  } else {
+    *next_of(v, previous) = next;
+  }
+  if (next != GJK_SCENE_NONE) {
+    v->pairs[next / 2].previous[next % 2] = previous;
+  }
+}
+
+static void unlink(gjk_scene_view *v, uint32_t index) {
+  unlink_side(v, 2 * index);
+  unlink_side(v, 2 * index + 1);
+}
+
+bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  const uint32_t at_a = pair->part[0], at_b = pair->part[1];
+  //@ assert at_a < v->header->parts.capacity && at_b < v->header->parts.capacity;
+  const gjk_scene_part *a = &v->parts[at_a], *b = &v->parts[at_b];
+  return (pair->state & GJK_SCENE_PAIR_NEAR) != 0 ||
+         (gjk_aabb_meet(&a->enlarged, &b->enlarged) && gjk_scene_wanted(v, a, b));
+}
+
+static void make(gjk_scene_view *v, uint32_t a, uint32_t b) {
+  const uint32_t index = gjk_scene_take(v, &v->header->pairs, sizeof(gjk_scene_pair));
+  gjk_scene_pair *pair = &v->pairs[index];
+  const unsigned side = v->parts[a].body > v->parts[b].body ? 1 : 0;
+  pair->part[side] = a;
+  pair->part[1 - side] = b;
+  pair->gap = 0;
+  pair->direction[0] = 0;
+  pair->direction[1] = 0;
+  pair->direction[2] = 0;
+  pair->state = GJK_SCENE_PAIR_LIVE;
+  pair->outcome = GJK_SCENE_PENDING;
+  link_side(v, 2 * index);
+  link_side(v, 2 * index + 1);
+}
+
+void gjk_scene_pair_drop(gjk_scene_view *v, uint32_t index) {
+  unlink(v, index);
+  v->pairs[index].state = 0;
+  gjk_scene_give(v, &v->header->pairs, sizeof(gjk_scene_pair), index);
+}
+
+// Replaces what a near pair says of its parts by what remains to be reported.
+static void make_gone(gjk_scene_view *v, uint32_t index) {
+  gjk_scene_pair *pair = &v->pairs[index];
+  unlink(v, index);
+  for (int i = 0; i < 2; i++) {
+    const uint32_t at = pair->part[i];
+    //@ assert at < v->header->parts.capacity;
+    const gjk_scene_part *part = &v->parts[at];
+    const uint32_t number = part->number;
+    pair->direction[i] = (int16_t)gjk_int32(number >= 32768u ? number - UINT32_C(65536) : number);
+    pair->part[i] = part->body;
+    pair->next[i] = v->bodies[part->body].generation;
+  }
+  pair->state = GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_GONE;
+  pair->previous[0] = v->header->gone;
+  v->header->gone = index;
+}
+
+void gjk_scene_pairs_forget(gjk_scene_view *v, uint32_t part) {
+  // Ends: each round takes one pair out of the list.
+  for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = v->parts[part].pairs) {
+    const uint32_t index = link / 2;
+    if ((v->pairs[index].state & GJK_SCENE_PAIR_NEAR) != 0) {
+      make_gone(v, index);
+    } else {
+      gjk_scene_pair_drop(v, index);
+    }
+  }
+}
+
+static void drop_stale(gjk_scene_view *v, uint32_t part) {
+  uint32_t next;
+  for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = next) {
+    next = *next_of(v, link);
+    if (!gjk_scene_pair_stays(v, &v->pairs[link / 2])) {
+      gjk_scene_pair_drop(v, link / 2);
+    }
+  }
+}
+
+static void mark_partners(gjk_scene_view *v, uint32_t part, bool set) {
+  for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = *next_of(v, link)) {
+    const uint32_t at = v->pairs[link / 2].part[1 - link % 2];
+    //@ assert at < v->header->parts.capacity;
+    gjk_scene_part *partner = &v->parts[at];
+    partner->state = (uint8_t)(set ? partner->state | GJK_SCENE_MARK : partner->state & ~GJK_SCENE_MARK);
+  }
+}
+
+static gjk_status make_missing(gjk_scene_view *v, uint32_t part) {
+  const gjk_scene_part *p = &v->parts[part];
+  gjk_scene_header *h = v->header;
+  gjk_scene_walk walk;
+  gjk_status status = GJK_OK;
+  mark_partners(v, part, true);
+  gjk_scene_walk_start(v, &walk);
+  uint32_t other = gjk_scene_walk_meeting(v, &walk, &p->enlarged);
+  while (other != GJK_SCENE_NONE && status == GJK_OK) {  // ends: as the walk
+    const gjk_scene_part *q = &v->parts[other];
+    const bool partner = q->body == p->body || (q->state & GJK_SCENE_MARK) != 0;
+    if (!partner && !gjk_scene_wanted(v, p, q)) {
+      h->refused++;
+    } else if (!partner && h->pairs.count == h->pairs.capacity) {
+      status = GJK_ERROR_CAPACITY;
+    } else if (!partner) {
+      make(v, part, other);
+    }
+    other = gjk_scene_walk_meeting(v, &walk, &p->enlarged);
+  }
+  mark_partners(v, part, false);
+  return status;
+}
+
+static gjk_status make_all_missing(gjk_scene_view *v) {
+  for (uint32_t slot = v->header->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
+    for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+      if ((v->parts[i].state & GJK_SCENE_PAIRS_STALE) != 0) {
+        const gjk_status status = make_missing(v, i);
+        if (status != GJK_OK) {
+          return status;
+        }
+        v->parts[i].state = (uint8_t)(v->parts[i].state & ~GJK_SCENE_PAIRS_STALE);
+      }
+    }
+  }
+  return GJK_OK;
+}
+
+// Takes all boxes back to what they must hold, and drops the pairs that met in the rest alone.
+static void tighten(gjk_scene_view *v) {
+  const gjk_scene_header *h = v->header;
+  for (uint32_t i = 0; i < h->parts.fresh; i++) {
+    if ((v->parts[i].state & GJK_SCENE_LIVE) != 0) {
+      gjk_scene_part_shrink_box(v, i);
+    }
+  }
+  for (uint32_t i = 0; i < h->pairs.fresh; i++) {
+    const gjk_scene_pair *pair = &v->pairs[i];
+    if ((pair->state & (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_GONE)) == GJK_SCENE_PAIR_LIVE &&
+        !gjk_scene_pair_stays(v, pair)) {
+      gjk_scene_pair_drop(v, i);
+    }
+  }
+}
+
+// How much larger the boxes in the tree are depends on how bodies came to where they are. Whether there is room must not:
+// where it lacks, the boxes as they are at these poses decide.
+gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
+  gjk_scene_header *h = v->header;
+  h->refused = 0;
+  for (uint32_t slot = h->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
+    for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+      if ((v->parts[i].state & GJK_SCENE_PAIRS_STALE) != 0) {
+        drop_stale(v, i);
+      }
+    }
+  }
+  if (make_all_missing(v) == GJK_OK) {
+    return GJK_OK;
+  }
+  tighten(v);
+  return make_all_missing(v);
+}

@@ -1,0 +1,118 @@
+// Hash, seal and opening.
+#include "gjk_scene_block.h"
+
+// One step of a hash. For a fixed word it is one to one in the hash, and the other way round.
+static uint64_t mix(uint64_t hash, uint32_t word) {
+  hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
+  return hash ^ hash >> 32;
+}
+
+static uint64_t mix_vec3(uint64_t hash, const gjk_vec3 *v) {
+  return mix(mix(mix(hash, (uint32_t)v->x), (uint32_t)v->y), (uint32_t)v->z);
+}
+
+static uint64_t mix_pose(uint64_t hash, const gjk_vec3 *position, const gjk_quat *rotation) {
+  hash = mix(mix(mix_vec3(hash, position), (uint32_t)rotation->x), (uint32_t)rotation->y);
+  return mix(mix(hash, (uint32_t)rotation->z), (uint32_t)rotation->w);
+}
+
+static uint64_t mix_body(uint64_t hash, const gjk_scene_view *v, uint32_t slot) {
+  const gjk_scene_body *body = &v->bodies[slot];
+  hash = mix(mix(hash, slot), body->generation);
+  if (body->generation % 2 == 0) {
+    return hash;
+  }
+  hash = mix_pose(hash, &body->position, &body->rotation);
+  hash = mix(mix(mix(mix(hash, body->category), body->mask), body->user), (uint32_t)body->margin);
+  hash = mix(hash, (uint32_t)body->kind_detail << 16 | body->parts);
+  hash = mix(hash, body->flags & GJK_SCENE_ASLEEP);
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+    const gjk_scene_part *p = &v->parts[i];
+    hash = mix(hash, p->shape);
+    const uint32_t placed = p->placed;
+    if (placed != GJK_SCENE_NONE) {
+      const gjk_pose *pose = &v->placed[placed].pose;
+      hash = mix_pose(mix(hash, 1), &pose->position, &pose->rotation);
+    }
+  }
+  return hash;
+}
+
+static uint64_t hash_of_near(const gjk_report *r) {
+  uint64_t hash = mix(mix(mix(mix(1, r->a.slot), r->a.generation), r->b.slot), r->b.generation);
+  hash = mix(hash, (uint32_t)r->part_a << 16 | r->part_b);
+  return mix(mix(hash, r->event), (uint32_t)r->distance);
+}
+
+gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
+  gjk_scene_view v;
+  const gjk_status status = out == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, &v);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const gjk_scene_header *h = v.header;
+  if (h->phase != GJK_SCENE_IDLE) {
+    return GJK_ERROR_BUSY;
+  }
+  uint64_t hash = mix(mix(0, (uint32_t)h->config.detail << 16 | h->config.persist), h->updates);
+  hash = mix(mix(hash, h->config.workspace_cells), h->iterations);
+  for (uint32_t slot = 0; slot < h->bodies.fresh; slot++) {
+    if (v.bodies[slot].generation != 0) {
+      hash = mix_body(hash, &v, slot);
+    }
+  }
+  // Pairs are in no order, so their hashes are added.
+  uint64_t pairs = 0;
+  uint32_t cursor = 0;
+  bool found;
+  do {  // ends: the cursor reaches the end of the pairs
+    gjk_report near;
+    (void)gjk_scene_next_near(scene, &cursor, &near, &found);
+    pairs += found ? hash_of_near(&near) : 0;
+  } while (found);
+  *out = mix(mix(hash, (uint32_t)(pairs >> 32)), (uint32_t)(pairs & UINT32_MAX));
+  return GJK_OK;
+}
+
+// Over every word of the block but for the seal itself.
+static uint64_t checksum(const gjk_scene_header *h) {
+  const uint32_t *word = (const void *)h, *seal = &h->sealed, *end = word + h->bytes / sizeof *word;
+  uint64_t hash = 0;
+  for (; word < end; word++) {
+    if (word < seal || word > &h->checksum[1]) {
+      hash = mix(hash, *word);
+    }
+  }
+  return hash;
+}
+
+gjk_status gjk_scene_seal(gjk_scene *scene) {
+  gjk_scene_view v;
+  const gjk_status status = gjk_scene_view_of(scene, &v);
+  if (status == GJK_OK) {
+    const uint64_t sum = checksum(v.header);
+    v.header->checksum[0] = (uint32_t)(sum & UINT32_MAX);
+    v.header->checksum[1] = (uint32_t)(sum >> 32);
+    v.header->sealed = 1;
+  }
+  return status;
+}
+
+gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
+                          uint16_t shape_count) {
+  gjk_scene opened;
+  gjk_status status = scene == NULL ? GJK_ERROR_NULL : gjk_scene_attach(&opened, block, bytes, shapes, shape_count);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const gjk_scene_header *h = block;
+  const uint64_t sum = checksum(h);
+  if (h->sealed != 1 || h->checksum[0] != (uint32_t)(sum & UINT32_MAX) || h->checksum[1] != (uint32_t)(sum >> 32)) {
+    return GJK_ERROR_CORRUPT;
+  }
+  status = gjk_scene_check(&opened);
+  if (status == GJK_OK) {
+    *scene = opened;
+  }
+  return status;
+}

@@ -1,0 +1,184 @@
+// The tree of enlarged boxes: leaves are parts, inner nodes the box of their two children.
+//
+// Insertion goes where the sum of sides grows least; heights of siblings differ by at most 1 always (Adelson-Velsky,
+// Landis 1962; leaves have no order, so one kind of rotation does), which bounds every walk. The shape of the tree decides
+// no answer.
+#include "gjk_scene_tree.h"
+
+static uint32_t height(const gjk_scene_view *v, uint32_t node) {
+  return (node & GJK_SCENE_LEAF) != 0 ? 0 : v->nodes[node].height;
+}
+
+static void set_parent(gjk_scene_view *v, uint32_t node, uint32_t parent) {
+  if ((node & GJK_SCENE_LEAF) != 0) {
+    v->parts[node & ~GJK_SCENE_LEAF].parent = parent;
+  } else {
+    v->nodes[node].parent = parent;
+  }
+}
+
+static gjk_aabb hull_of(const gjk_aabb *a, const gjk_aabb *b) {
+  gjk_aabb box = *a;
+  box.lower.x = b->lower.x < box.lower.x ? b->lower.x : box.lower.x;
+  box.lower.y = b->lower.y < box.lower.y ? b->lower.y : box.lower.y;
+  box.lower.z = b->lower.z < box.lower.z ? b->lower.z : box.lower.z;
+  box.upper.x = b->upper.x > box.upper.x ? b->upper.x : box.upper.x;
+  box.upper.y = b->upper.y > box.upper.y ? b->upper.y : box.upper.y;
+  box.upper.z = b->upper.z > box.upper.z ? b->upper.z : box.upper.z;
+  return box;
+}
+
+// One side of a box, over 8: below 2^29.
+static uint32_t side(int32_t lower, int32_t upper) {
+  return ((uint32_t)upper - (uint32_t)lower) >> 3;
+}
+
+// The cost of a box: the sum of its sides over 8, below 3 2^29.
+static uint32_t cost_of(const gjk_aabb *box) {
+  return side(box->lower.x, box->upper.x) + side(box->lower.y, box->upper.y) + side(box->lower.z, box->upper.z);
+}
+
+static uint32_t cost_of_hull(const gjk_aabb *a, const gjk_aabb *b) {
+  const gjk_aabb box = hull_of(a, b);
+  return cost_of(&box);
+}
+
+// Recomputes a node from its children. Returns whether anything changed.
+static bool refit(gjk_scene_view *v, uint32_t index) {
+  gjk_scene_node *n = &v->nodes[index];
+  const uint32_t a = height(v, n->child[0]), b = height(v, n->child[1]);
+  const uint32_t taller = (a > b ? a : b) + 1;
+  const gjk_aabb box = hull_of(gjk_scene_node_box(v, n->child[0]), gjk_scene_node_box(v, n->child[1]));
+  const bool changed = taller != n->height || !gjk_aabb_inside(&box, &n->box) || !gjk_aabb_inside(&n->box, &box);
+  n->height = taller;
+  n->box = box;
+  return changed;
+}
+
+// Puts what in the place of node below parent.
+static void replace_child(gjk_scene_view *v, uint32_t parent, uint32_t node, uint32_t what) {
+  if (parent == GJK_SCENE_NONE) {
+    v->header->root = what;
+  } else {
+    v->nodes[parent].child[v->nodes[parent].child[1] == node] = what;
+  }
+  set_parent(v, what, parent);
+}
+
+// Rotates when the heights of the children differ by 2: the taller child rises, and its own lower child takes its place.
+// Returns the top of the subtree. Pre: they differ by at most 2.
+static uint32_t balance(gjk_scene_view *v, uint32_t index) {
+  gjk_scene_node *n = &v->nodes[index];
+  const uint32_t left = height(v, n->child[0]), right = height(v, n->child[1]);
+  if (left <= right + 1 && right <= left + 1) {
+    return index;
+  }
+  const unsigned tall = right > left ? 1 : 0;
+  const uint32_t rising = n->child[tall];
+  //@ assert rising < v->header->nodes.capacity;
+  gjk_scene_node *r = &v->nodes[rising];
+  const uint32_t first = height(v, r->child[0]), second = height(v, r->child[1]);
+  unsigned low = second < first ? 1 : 0;  // which child of the rising node goes down
+  if (first == second) {
+    const gjk_aabb *stays = gjk_scene_node_box(v, n->child[1 - tall]);
+    const uint32_t a = cost_of_hull(stays, gjk_scene_node_box(v, r->child[0]));
+    const uint32_t b = cost_of_hull(stays, gjk_scene_node_box(v, r->child[1]));
+    low = b < a ? 1 : 0;
+  }
+  replace_child(v, n->parent, index, rising);
+  n->child[tall] = r->child[low];
+  set_parent(v, n->child[tall], index);
+  r->child[low] = index;
+  n->parent = rising;
+  refit(v, index);
+  refit(v, rising);
+  return rising;
+}
+
+// Refits and balances from index up to the root, or to where nothing changes any more.
+static void restore(gjk_scene_view *v, uint32_t index) {
+  // not reached: the ceiling
+  for (unsigned level = 0; index != GJK_SCENE_NONE && level < GJK_SCENE_DEPTH; level++) {
+    const bool changed = refit(v, index);
+    const uint32_t top = balance(v, index);
+    if (!changed && top == index) {
+      return;
+    }
+    index = v->nodes[top].parent;
+  }
+}
+
+// The node that a leaf of this box becomes the sibling of: a leaf, or the parent of two where that costs less. Higher up
+// the new node's children would differ in height by more than one rotation mends.
+static uint32_t best_sibling(const gjk_scene_view *v, const gjk_aabb *box) {
+  uint32_t node = v->header->root;
+  // not reached: the ceiling
+  for (unsigned level = 0; (node & GJK_SCENE_LEAF) == 0 && level < GJK_SCENE_DEPTH; level++) {
+    const gjk_scene_node *n = &v->nodes[node];
+    uint32_t cost[2];  // of what grows or is made below the node
+    for (int i = 0; i < 2; i++) {
+      const gjk_aabb *child = gjk_scene_node_box(v, n->child[i]);
+      const uint32_t hull = cost_of_hull(child, box);
+      cost[i] = (n->child[i] & GJK_SCENE_LEAF) != 0 ? hull : hull - cost_of(child);
+    }
+    if (n->height == 1) {
+      const uint32_t whole = cost_of_hull(&n->box, box), grows = whole - cost_of(&n->box);  // sums < 3 2^30
+      if (whole <= grows + cost[0] && whole <= grows + cost[1]) {
+        return node;
+      }
+    }
+    node = n->child[cost[1] < cost[0]];
+  }
+  return node;
+}
+
+void gjk_scene_tree_insert(gjk_scene_view *v, uint32_t part) {
+  gjk_scene_header *h = v->header;
+  const uint32_t leaf = part | GJK_SCENE_LEAF;
+  if (h->root == GJK_SCENE_NONE) {
+    h->root = leaf;
+    v->parts[part].parent = GJK_SCENE_NONE;
+    return;
+  }
+  const uint32_t sibling = best_sibling(v, &v->parts[part].enlarged);
+  const uint32_t parent =
+      (sibling & GJK_SCENE_LEAF) != 0 ? v->parts[sibling & ~GJK_SCENE_LEAF].parent : v->nodes[sibling].parent;
+  const uint32_t index = gjk_scene_take(v, &h->nodes, sizeof(gjk_scene_node));
+  replace_child(v, parent, sibling, index);
+  v->nodes[index].child[0] = sibling;
+  v->nodes[index].child[1] = leaf;
+  v->nodes[index].height = 0;  // not yet known
+  set_parent(v, sibling, index);
+  v->parts[part].parent = index;
+  restore(v, index);
+}
+
+void gjk_scene_tree_remove(gjk_scene_view *v, uint32_t part) {
+  gjk_scene_header *h = v->header;
+  const uint32_t index = v->parts[part].parent;
+  if (index == GJK_SCENE_NONE) {
+    h->root = GJK_SCENE_NONE;
+    return;
+  }
+  const gjk_scene_node *n = &v->nodes[index];
+  const uint32_t sibling = n->child[n->child[0] == (part | GJK_SCENE_LEAF)], parent = n->parent;
+  replace_child(v, parent, index, sibling);
+  v->nodes[index].height = 0;  // free
+  gjk_scene_give(v, &h->nodes, sizeof(gjk_scene_node), index);
+  restore(v, parent);
+}
+
+uint32_t gjk_scene_walk_meeting(const gjk_scene_view *v, gjk_scene_walk *walk, const gjk_aabb *box) {
+  for (;;) {  // ends: each node is taken once
+    const uint32_t node = gjk_scene_walk_next(walk);
+    if (node == GJK_SCENE_NONE) {
+      return node;
+    }
+    if (gjk_aabb_meet(box, gjk_scene_node_box(v, node))) {
+      if ((node & GJK_SCENE_LEAF) != 0) {
+        return node & ~GJK_SCENE_LEAF;
+      }
+      gjk_scene_walk_descend(v, walk, node);
+    }
+  }
+}

@@ -1,5 +1,0 @@
-// What a scene needs for depths.
-#include "gjk/penetration.h"
-#include "scene.h"
-
-const gjk_scene_details gjk_scene_depth = {gjk_signed_distance, NULL};

@@ -1,0 +1,147 @@
+// Point, segment and box: a centre and up to three half axes; the farthest vertex is a sign per axis.
+//
+// A vertex's number has bit i set where half axis i counts plus.
+#include "../arith/gjk_coarse.h"
+#include "../arith/gjk_rotation.h"
+#include "gjk_shape_class.h"
+
+#if GJK_NARROW_MULTIPLY
+
+// A direction, ready for signs along half axes.
+typedef struct probe {
+  const gjk_vec3 *d;
+  gjk_coarse coarse;
+} probe;
+
+GJK_OUT_OF_LINE static bool lies_along_exactly(const gjk_vec3 *axis, const gjk_vec3 *d) {
+  return gjk_dot(axis, d) >= 0;
+}
+
+static inline bool lies_along(const gjk_vec3 *axis, const probe *p) {
+  const int32_t along = gjk_coarse_dot(&p->coarse, axis);
+  if (along > GJK_COARSE_ERROR || along < -GJK_COARSE_ERROR) {
+    return along > 0;
+  }
+  return lies_along_exactly(axis, p->d);
+}
+
+static inline probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
+  const probe p = {d, gjk_coarse_direction(d, c->bits)};
+  return p;
+}
+
+#else
+
+typedef struct probe {
+  gjk_vec3 d;
+} probe;
+
+// Is axis . d at least 0?
+static inline bool lies_along(const gjk_vec3 *axis, const probe *p) {
+  return gjk_mac32(gjk_mac32(gjk_mul32(axis->x, p->d.x), axis->y, p->d.y), axis->z, p->d.z) >= 0;
+}
+
+static inline probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
+  (void)c;
+  const probe p = {*d};
+  return p;
+}
+
+#endif
+
+// Adds one half axis, or its opposite, whichever lies along the direction. Returns bit when it is added.
+static inline unsigned add_axis(const gjk_vec3 *axis, const probe *p, unsigned bit, gjk_vec3 *sum) {
+  if (lies_along(axis, p)) {
+    sum->x += axis->x;
+    sum->y += axis->y;
+    sum->z += axis->z;
+    return bit;
+  }
+  sum->x -= axis->x;
+  sum->y -= axis->y;
+  sum->z -= axis->z;
+  return 0;
+}
+
+static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
+  const probe p = probe_of(c, d);
+  gjk_vec3 sum = {0, 0, 0};
+  unsigned vertex_axes = 0;
+  if (c->count > 0) {
+    vertex_axes = add_axis(&c->frame[0], &p, 1, &sum);
+  }
+  if (c->count > 1) {
+    vertex_axes |= add_axis(&c->frame[1], &p, 2, &sum);
+    vertex_axes |= add_axis(&c->frame[2], &p, 4, &sum);
+  }
+  out->offset = sum;
+  out->vertex = (uint16_t)vertex_axes;
+}
+
+static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
+  gjk_vec3 sum = {0, 0, 0};
+  for (unsigned i = 0; i < c->count; i++) {
+    sum = ((unsigned)number >> i & 1u) != 0 ? gjk_add(sum, c->frame[i]) : gjk_sub(sum, c->frame[i]);
+  }
+  *offset = sum;
+  return number >> c->count == 0;
+}
+
+// Rounding moves d . axis by less than |axis.x| + |axis.y| + |axis.z| <= sqrt(3) core_radius; only signs within that
+// are in doubt. An axis that is level along the exact direction keeps its sign.
+static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+  const int64_t slack = 2 * (int64_t)c->core_radius;
+  unsigned number = at->vertex;
+  for (unsigned i = 0; i < c->count; i++) {
+    const int64_t along = gjk_dot(&c->frame[i], d);
+    if (along < slack && along > -slack) {
+      const int side = gjk_direction_sign(direction, &c->frame[i]);
+      if (side != 0) {
+        number = side > 0 ? number | 1u << i : number & ~(1u << i);
+      }
+    }
+  }
+  if (number == at->vertex) {
+    return false;
+  }
+  at->vertex = (uint16_t)number;
+  return vertex_axes(c, at->vertex, &at->offset);
+}
+
+static gjk_status measure_axes(const gjk_shape *shape, gjk_extent *out) {
+  const gjk_vec3 *size = &shape->size;
+  const gjk_vec3 origin = {0, 0, 0};
+  if (size->x < 0 || size->y < 0 || size->z < 0) {
+    return GJK_ERROR_NEGATIVE;
+  }
+  out->centre = origin;
+  // At most 3 2^62.
+  out->squared = (uint64_t)gjk_mul32(size->x, size->x) + (uint64_t)gjk_mul32(size->y, size->y) +
+                 (uint64_t)gjk_mul32(size->z, size->z);
+  return GJK_OK;
+}
+
+static void pose_point(gjk_collider *c, const gjk_vec3 rows[3]) {
+  (void)c;
+  (void)rows;
+}
+
+static void pose_segment(gjk_collider *c, const gjk_vec3 rows[3]) {
+  const gjk_vec3 along = {0, 0, c->shape->size.z};
+  c->frame[0] = gjk_rotate(rows, &along);
+}
+
+static void pose_box(gjk_collider *c, const gjk_vec3 rows[3]) {
+  const gjk_vec3 *size = &c->shape->size;
+  const gjk_vec3 x = {size->x, 0, 0}, y = {0, size->y, 0}, z = {0, 0, size->z};
+  c->frame[0] = gjk_rotate(rows, &x);
+  c->frame[1] = gjk_rotate(rows, &y);
+  c->frame[2] = gjk_rotate(rows, &z);
+}
+
+const gjk_shape_class gjk_class_point = {measure_axes, pose_point, support_axes, refine_axes, vertex_axes, NULL,
+                                         false,        0,          GJK_KIND_AXES};
+const gjk_shape_class gjk_class_segment = {
+    measure_axes, pose_segment, support_axes, refine_axes, vertex_axes, NULL, false, 1, GJK_KIND_AXES};
+const gjk_shape_class gjk_class_box = {measure_axes, pose_box, support_axes, refine_axes, vertex_axes, NULL,
+                                       false,        3,        GJK_KIND_AXES};

@@ -1,0 +1,228 @@
+// Every public function on hostile arguments: a known status, and outputs left as they were by an error.
+#include <string.h>
+
+#include "bytes.h"
+
+#define POISON 0xA5
+#define VERTICES 8
+#define CELLS 128
+#define CORNERS 16
+#define FACES 4
+
+// All that the calls below work on.
+typedef struct world {
+  gjk_vec3 vertices[2][VERTICES], buffer[2][VERTICES];
+  gjk_shape shape[2];
+  gjk_collider collider[2];
+  gjk_pose pose[2];
+  gjk_epa_cell cells[CELLS];
+  uint16_t corner[2][CORNERS], end[2][FACES];
+  gjk_hull_faces faces[2];
+} world;
+
+static world w;
+static fuzz_bytes bytes;
+
+// One argument in 32 is missing.
+#define MAYBE(pointer) (fuzz_u8(&bytes) < 8 && bytes.at < bytes.end ? NULL : (pointer))
+
+static void origin_or_corner(const void *user, const gjk_vec3 *direction, gjk_vec3 *out) {
+  const gjk_vec3 corner = {direction->x < 0 ? -1 : 1, 0, 0}, none = {0, 0, 0};
+  *out = user != NULL ? corner : none;
+}
+
+// Known, and OK or, but for the statuses that say what is valid, nothing written.
+static void check(gjk_status status, const void *output, size_t size) {
+  const uint8_t *byte = output;
+  if (status > GJK_OK || strcmp(gjk_status_name(status), "GJK_ERROR_UNKNOWN") == 0) {
+    fuzz_fail("unknown status");
+  }
+  if (status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT || status == GJK_ERROR_CAPACITY) {
+    return;
+  }
+  for (size_t i = 0; i < size; i++) {
+    if (byte[i] != POISON) {
+      fuzz_fail("an error wrote to its output");
+    }
+  }
+}
+
+static gjk_quat any_quat(void) {
+  gjk_quat q;
+  q.x = fuzz_i32(&bytes);
+  q.y = fuzz_i32(&bytes);
+  q.z = fuzz_i32(&bytes);
+  q.w = fuzz_i32(&bytes);
+  gjk_quat unit;
+  const bool keep = fuzz_u8(&bytes) % 4 == 0;
+  return keep || gjk_quat_normalize(&q, &unit) != GJK_OK ? q : unit;
+}
+
+// Corners that the hull has, and some that it hasn't; faces that end anywhere within them.
+static const gjk_hull_faces *make_faces(int i) {
+  gjk_hull_faces *f = &w.faces[i];
+  for (unsigned k = 0; k < CORNERS; k++) {
+    w.corner[i][k] = fuzz_u8(&bytes) % (VERTICES + 1);
+  }
+  for (unsigned k = 0; k < FACES; k++) {
+    w.end[i][k] = fuzz_u8(&bytes) % (CORNERS + 1);
+  }
+  f->corner = MAYBE(w.corner[i]);
+  f->end = MAYBE(w.end[i]);
+  f->count = fuzz_u8(&bytes) % (FACES + 1);
+  return f;
+}
+
+static void make_shape(int i) {
+  static const gjk_shape_class *const types[] = {
+      &gjk_class_point, &gjk_class_segment,  &gjk_class_triangle, &gjk_class_box,       &gjk_class_hull,
+      &gjk_class_hull,  &gjk_class_cylinder, &gjk_class_cone,     &gjk_class_ellipsoid, &gjk_class_custom};
+  gjk_shape *s = &w.shape[i];
+  s->type = MAYBE(types[fuzz_u8(&bytes) % (sizeof types / sizeof types[0])]);
+  s->vertices = MAYBE(w.vertices[i]);
+  s->support = MAYBE(origin_or_corner);
+  s->user = MAYBE(&w);
+  s->size = fuzz_vec3(&bytes);
+  const unsigned shift = fuzz_u8(&bytes) % 32;
+  s->size.x >>= shift;
+  s->size.y >>= shift;
+  s->size.z >>= shift;
+  s->convex_radius = fuzz_i32(&bytes) >> (fuzz_u8(&bytes) % 32);
+  s->count = s->type == &gjk_class_triangle ? 3 : fuzz_u8(&bytes) % (VERTICES + 1);
+  for (int k = 0; k < VERTICES; k++) {
+    w.vertices[i][k] = fuzz_vec3(&bytes);
+    w.vertices[i][k].x >>= shift;
+    w.vertices[i][k].y >>= shift;
+    w.vertices[i][k].z >>= shift;
+  }
+  s->faces = fuzz_u8(&bytes) % 2 == 0 ? NULL : make_faces(i);
+}
+
+static void place(int i) {
+  gjk_collider *c = &w.collider[i], before;
+  memset(c, fuzz_u8(&bytes) % 2 == 0 ? 0 : POISON, sizeof *c);
+  make_shape(i);
+  gjk_vec3 *const buffers[] = {w.buffer[i], w.vertices[i], (gjk_vec3 *)c, NULL};
+  gjk_vec3 *buffer = buffers[fuzz_u8(&bytes) % 8 < 4 ? fuzz_u8(&bytes) % 4 : 0];
+  const uint16_t capacity = (uint16_t)(fuzz_u8(&bytes) % 8 == 0 ? 3 : VERTICES);
+  memcpy(&before, c, sizeof before);
+  const gjk_status status = gjk_collider_init(MAYBE(c), MAYBE(&w.shape[i]), buffer, capacity);
+  check(status, NULL, 0);
+  if (status != GJK_OK && memcmp(c, &before, sizeof before) != 0) {
+    fuzz_fail("gjk_collider_init wrote");
+  }
+  w.pose[i].position = fuzz_vec3(&bytes);
+  w.pose[i].rotation = any_quat();
+  memcpy(&before, c, sizeof before);
+  if (gjk_collider_pose(MAYBE(c), MAYBE(&w.pose[i])) != GJK_OK && memcmp(c, &before, sizeof before) != 0) {
+    fuzz_fail("gjk_collider_pose wrote");
+  }
+  gjk_aabb box;
+  memset(&box, POISON, sizeof box);
+  check(gjk_collider_aabb(MAYBE(c), &box), &box, sizeof box);
+  const gjk_vec3 position = fuzz_vec3(&bytes);
+  memcpy(&before, c, sizeof before);
+  if (gjk_collider_move(MAYBE(c), MAYBE(&position)) != GJK_OK && memcmp(c, &before, sizeof before) != 0) {
+    fuzz_fail("gjk_collider_move wrote");
+  }
+}
+
+static gjk_certificate any_certificate(void) {
+  gjk_certificate c;
+  c.direction = fuzz_vec3(&bytes);
+  for (int i = 0; i < 4; i++) {
+    c.a[i] = (uint16_t)(fuzz_u8(&bytes) % 9);
+    c.b[i] = (uint16_t)(fuzz_u8(&bytes) % 9);
+  }
+  c.count = fuzz_u8(&bytes);
+  c.proof = fuzz_u8(&bytes);
+  return c;
+}
+
+// Answers, and checks of answers that nobody gave.
+static void query(void) {
+  const gjk_collider *a = MAYBE(&w.collider[0]), *b = MAYBE(&w.collider[1]);
+  gjk_cache cache = fuzz_cache(&bytes);
+  gjk_decision decision;
+  gjk_distance_result distance;
+  gjk_penetration_result depth;
+  gjk_manifold manifold;
+  const unsigned most = fuzz_u8(&bytes) % (GJK_CONTACTS_MAX + 2);
+  const gjk_effort effort = {fuzz_u8(&bytes), fuzz_i32(&bytes)};
+  const gjk_q16 asked = fuzz_i32(&bytes);
+  const gjk_workspace workspace = {MAYBE(w.cells), fuzz_u8(&bytes) % (CELLS + 1)};
+  memset(&decision, POISON, sizeof decision);
+  check(gjk_intersect(a, b, MAYBE(&cache), &decision), &decision, sizeof decision);
+  memset(&decision, POISON, sizeof decision);
+  check(gjk_within(a, b, asked, MAYBE(&cache), &decision), &decision, sizeof decision);
+  gjk_within_result within;
+  memset(&within, POISON, sizeof within);
+  check(gjk_within_until(a, b, asked, effort.iterations, MAYBE(&cache), &within), &within, sizeof within);
+  memset(&distance, POISON, sizeof distance);
+  check(gjk_distance(a, b, MAYBE(&cache), &distance), &distance, sizeof distance);
+  memset(&distance, POISON, sizeof distance);
+  check(gjk_distance_until(a, b, MAYBE(&effort), MAYBE(&cache), &distance), &distance, sizeof distance);
+  memset(&depth, POISON, sizeof depth);
+  check(gjk_penetration(a, b, MAYBE(&cache), MAYBE(&workspace), &depth), &depth, sizeof depth);
+  memset(&distance, POISON, sizeof distance);
+  check(gjk_signed_distance(a, b, MAYBE(&cache), MAYBE(&workspace), &distance), &distance, sizeof distance);
+  memset(&manifold, POISON, sizeof manifold);
+  check(gjk_contacts(a, b, asked, most, MAYBE(&cache), MAYBE(&workspace), &manifold), &manifold, sizeof manifold);
+  check(gjk_intersect(a, b, NULL, NULL), NULL, 0);
+  memset(&decision, 0, sizeof decision);
+  memset(&distance, 0, sizeof distance);
+  memset(&depth, 0, sizeof depth);
+  decision.yes = distance.intersecting = depth.intersecting = fuzz_u8(&bytes) % 2 == 0;
+  decision.certificate = distance.certificate = depth.certificate = any_certificate();
+  distance.distance = depth.depth = depth.lower = depth.upper = fuzz_i32(&bytes);
+  distance.lower = distance.upper = distance.distance;
+  distance.saturated = fuzz_u8(&bytes) % 2 == 0;
+  distance.point_a = depth.point_a = fuzz_vec3(&bytes);
+  distance.point_b = depth.point_b = fuzz_vec3(&bytes);
+  const gjk_vec3 n = fuzz_vec3(&bytes);
+  distance.normal.x = depth.normal.x = n.x;
+  distance.normal.y = depth.normal.y = n.y;
+  distance.normal.z = depth.normal.z = n.z;
+  check(gjk_check_decision(a, b, asked, MAYBE(&decision)), NULL, 0);
+  check(gjk_check_distance(a, b, MAYBE(&distance)), NULL, 0);
+  check(gjk_check_penetration(a, b, MAYBE(&depth)), NULL, 0);
+}
+
+static void turn(void) {
+  const gjk_quat p = any_quat(), q = any_quat();
+  const gjk_pose *pose = &w.pose[0], *other = &w.pose[1];
+  const gjk_vec3 v = fuzz_vec3(&bytes);
+  const gjk_q16 x = fuzz_i32(&bytes), y = fuzz_i32(&bytes), z = fuzz_i32(&bytes);
+  gjk_quat out;
+  gjk_vec3 moved;
+  gjk_pose place_of;
+  memset(&out, POISON, sizeof out);
+  check(gjk_quat_from_axis_angle(MAYBE(&v), x, &out), &out, sizeof out);
+  check(gjk_quat_from_euler(x, y, z, MAYBE(&out)), NULL, 0);
+  memset(&out, POISON, sizeof out);
+  check(gjk_quat_normalize(MAYBE(&p), &out), &out, sizeof out);
+  memset(&out, POISON, sizeof out);
+  check(gjk_quat_compose(MAYBE(&p), MAYBE(&q), &out), &out, sizeof out);
+  memset(&out, POISON, sizeof out);
+  check(gjk_quat_invert(MAYBE(&p), &out), &out, sizeof out);
+  memset(&moved, POISON, sizeof moved);
+  check(gjk_quat_apply(MAYBE(&p), MAYBE(&v), &moved), &moved, sizeof moved);
+  memset(&moved, POISON, sizeof moved);
+  check(gjk_pose_apply(MAYBE(pose), MAYBE(&v), &moved), &moved, sizeof moved);
+  memset(&place_of, POISON, sizeof place_of);
+  check(gjk_pose_compose(MAYBE(pose), MAYBE(other), &place_of), &place_of, sizeof place_of);
+  memset(&place_of, POISON, sizeof place_of);
+  check(gjk_pose_invert(MAYBE(pose), &place_of), &place_of, sizeof place_of);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  bytes.at = data;
+  bytes.end = data + size;
+  place(0);
+  place(1);
+  query();
+  turn();
+  return 0;
+}

@@ -1,0 +1,91 @@
+#!/bin/sh
+# What a source file may mention: headers of lower rooms, four headers of the standard, no compiler, no floating point.
+. tests/build/count.sh
+
+# The table must be right before it can judge: every room exists, and each includes only rooms further down.
+table_is_ordered() {
+  awk '/^[a-z]+:/ { at[$1] = NR; line[NR] = $0 }
+    END {
+      for (n in line) {
+        split(line[n], side, "->")
+        from = substr(line[n], 1, index(line[n], ":"))
+        count = split(side[2], to, " ")
+        for (i = 1; i <= count; i++) {
+          if (at[to[i] ":"] <= at[from]) { print from " -> " to[i] " does not point down"; bad = 1 }
+        }
+      }
+      exit bad
+    }' tests/build/layers.txt
+}
+
+table_has_all_rooms() {
+  sed -n 's/^\([a-z]*\):.*/\1/p' tests/build/layers.txt | grep -v '^public$' | sort >"$1/rooms"
+  find src -mindepth 1 -maxdepth 1 -type d | sed 's|src/||' | sort | diff "$1/rooms" -
+}
+
+# A flat build, and a user's include path, may hold other files of every name that has no prefix.
+files_have_own_names() {
+  ! find src -name '*.[ch]' | sed 's|.*/||' | grep -v '^gjk_' || return 1
+  [ -z "$(find src -name '*.c' | sed 's|.*/||' | sort | uniq -d)" ] && [ -z "$(find src -name '*.h' | sed 's|.*/||' | sort | uniq -d)" ]
+}
+
+# circles DIR: the headers below it that include each other in a circle
+no_circle() {
+  find "$1" -name '*.h' | while read -r header; do
+    sed -n 's|^ *# *include "\(.*/\)*\(gjk_[a-z_0-9]*\)\.h".*|\2|p' "$header" | sed "s|^|$(basename "$header" .h) |"
+  done | tsort >/dev/null
+}
+
+layered() {
+  awk -f tests/build/includes.awk tests/build/layers.txt "$1"
+}
+
+# code FILE: the file without its comments and strings
+code() {
+  sed 's|//.*||; s/"[^"]*"//g' "$1"
+}
+
+no_floating_point() {
+  ! code "$1" | grep -nwE 'float|double|long double|math\.h'
+}
+
+# Names that start with two underscores are the compiler's.
+no_compiler() {
+  ! code "$1" | sed 's/__cplusplus//g' | grep -nE '(^|[^A-Za-z0-9_])_[_A-Z][A-Za-z]'
+}
+
+scratch=$1/includes/src
+rm -rf "$scratch"
+mkdir -p "$scratch/shape" "$scratch/arith" "$scratch/attic" "$scratch/circle"
+check 'layers.txt: rooms point down' table_is_ordered
+check 'layers.txt: the rooms there are' table_has_all_rooms "$scratch"
+check 'every file of src has a name of its own, with the prefix' files_have_own_names
+check 'no headers include each other in a circle' no_circle src
+for file in src/*/*.[ch] include/gjk/*.h; do
+  check "$file includes what its room may" layered "$file"
+  check "$file has no floating point" no_floating_point "$file"
+  case $file in
+    src/arith/gjk_wide.h | src/arith/gjk_port_defaults.h) ;;
+    *) check "$file does not look at the compiler" no_compiler "$file" ;;
+  esac
+done
+
+# The rules must be able to refuse.
+refused() {
+  ! "$@"
+}
+printf '#include "../gjk/gjk_iteration.h"\n' >"$scratch/shape/gjk_upward.c"
+printf '#include <string.h>\n' >"$scratch/arith/gjk_library.c"
+printf '#include "../arith/../shape/gjk_scan.h"\n' >"$scratch/arith/gjk_around.h"
+printf '#include "gjk_scan.h"\n' >"$scratch/attic/gjk_attic.c"
+printf 'int x = sizeof(double);\n#ifdef __GNUC__\n#endif\n' >"$scratch/arith/gjk_double.c"
+printf '#include "gjk_two.h"\n' >"$scratch/circle/gjk_one.h"
+printf '#include "../circle/gjk_one.h"\n' >"$scratch/circle/gjk_two.h"
+check 'an include upward is refused' refused layered "$scratch/shape/gjk_upward.c"
+check 'a fifth header is refused' refused layered "$scratch/arith/gjk_library.c"
+check 'a path around the rooms is refused' refused layered "$scratch/arith/gjk_around.h"
+check 'a file in no room is refused' refused layered "$scratch/attic/gjk_attic.c"
+check 'a circle is refused' refused no_circle "$scratch/circle"
+check 'floating point is refused' refused no_floating_point "$scratch/arith/gjk_double.c"
+check 'a compiler test is refused' refused no_compiler "$scratch/arith/gjk_double.c"
+finish includes

@@ -1,0 +1,68 @@
+#!/bin/sh
+# The ceiling on iterations: a build that has a low one reports it, with bounds that hold, and after each status the fields that
+# the headers name are valid. test_limit.sh BUILD
+. tests/build/count.sh
+dir=$1/limit
+mkdir -p "$dir"
+
+# library MAX: the objects of the library with that ceiling
+library() {
+  mkdir -p "$dir/$1"
+  for source in src/*/*.c; do
+    ${CC:-cc} -std=c99 -O2 "-DGJK_ITERATIONS_MAX=$1" -Iinclude -c "$source" \
+      -o "$dir/$1/$(basename "$source" .c).o" || return 1
+  done
+}
+
+# run PROGRAM MAX: leaves what tests/check/limit/PROGRAM.c prints with that ceiling
+run() {
+  ${CC:-cc} -std=c99 -O2 "-DGJK_ITERATIONS_MAX=$2" -Iinclude -I. -Itests/support "tests/check/limit/$1.c" "$dir/$2"/*.o -o "$dir/$1" &&
+    "$dir/$1" >"$dir/$1-$2.txt"
+}
+
+# The queries that have reported a status, of so many.
+reported() {
+  grep -c "$1" "$dir/fields-$2.txt" | grep -qx "$3"
+}
+
+# fields MAX
+fields() {
+  run fields "$1" || { cat "$dir/fields-$1.txt"; return 1; }
+}
+
+# holds MAX: wherever MAX iterations do not settle it, the bounds hold the distance (2 LSB of curved shapes apart) and MAX
+# iterations were used; elsewhere nothing changes. Other queries say so, too, or answer as usual.
+holds() {
+  paste -d ' ' "$dir/bounds-128.txt" "$dir/bounds-$1.txt" | awk -v max="$1" '
+    # The status in the field and the n fields after it, to those of the usual ceiling.
+    function same(field, n,   i, differ) {
+      if ($(16 + field) == -10) return 0
+      for (i = 0; i <= n; i++) differ = differ || $(field + i) != $(16 + field + i)
+      if (differ) { print field ": " $0; bad = 1 }
+      return 1
+    }
+    $18 == -10 { limited++; if ($19 > $3 + 2 || $20 < $3 - 2 || $21 != max) { print; bad = 1 } if ($19 > 0) useful++ }
+    # The signed distance, of curved shapes within 3 LSB.
+    $27 == -10 { if ($31 > $12 + 3 || $32 < $12 - 3) { print "signed: " $0; bad = 1 } if ($31 > 0) apart++; if ($31 < 0) deep++ }
+    { same(2, 3); undecided += !same(6, 1); unpierced += !same(8, 2); unmeasured += !same(11, 1); unmet += !same(13, 1) }
+    END {
+      print limited + 0, useful + 0, undecided + 0, unpierced + 0, unmeasured + 0, unmet + 0, apart + 0, deep + 0
+      exit bad || apart < 100 || deep < 100 || limited < 400 || useful < limited / 4 || undecided < 20 || unpierced < 20 || unmeasured < 100 || unmet < 100
+    }'
+}
+
+check 'the usual ceiling' library 128
+check 'bounds' run bounds 128
+check 'no pair reaches it' awk '$2 != 0 || $6 != 0 || $5 >= 64 { print; bad = 1 } END { exit bad }' "$dir/bounds-128.txt"
+check 'valid fields' fields 128
+check 'all queries answer' reported GJK_OK 128 8
+check 'three run out of memory' reported GJK_ERROR_CAPACITY 128 3
+for max in 1 2 3 4; do
+  check "a ceiling of $max" library $max
+  check "a ceiling of $max: valid fields" fields $max
+  check "a ceiling of $max: all queries report it" reported GJK_ERROR_ITERATION_LIMIT $max 8
+  [ $max = 1 ] && continue
+  check "a ceiling of $max: bounds" run bounds $max
+  check "a ceiling of $max holds its bounds" holds $max
+done
+finish limit

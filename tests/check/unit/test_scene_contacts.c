@@ -1,0 +1,234 @@
+// Depth and contacts in a scene's reports: each manifold is that of the colliders, the statuses around them, and the function
+// for single pairs.
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "scene/world.h"
+
+#define UPDATES 150
+
+static gjk_epa_cell cells[WORLD_CELLS];
+static const gjk_workspace workspace = {cells, WORLD_CELLS};
+static gjk_workspace of_worlds;
+static world w;
+
+static bool same_manifold(const gjk_manifold *a, const gjk_manifold *b) {
+  bool same = a->count == b->count && a->feature_a == b->feature_a && a->feature_b == b->feature_b &&
+              memcmp(&a->normal, &b->normal, sizeof a->normal) == 0;
+  for (int i = 0; i < a->count && same; i++) {
+    const gjk_contact *x = &a->contact[i], *y = &b->contact[i];
+    same = x->distance == y->distance && x->id == y->id && memcmp(&x->point_a, &y->point_a, sizeof x->point_a) == 0 &&
+           memcmp(&x->point_b, &y->point_b, sizeof x->point_b) == 0;
+  }
+  return same;
+}
+
+typedef struct tally {
+  unsigned manifolds, points, negative, others;
+} tally;
+
+static gjk_q16 margin_of(gjk_body_id body) {
+  return w.bodies[body.slot].setup.margin;
+}
+
+// Does a report hold what the library says of the two colliders?
+static void check_report(const gjk_report *r, tally *t) {
+  gjk_collider a, b;
+  gjk_manifold expected, single;
+  if (r->event == GJK_EVENT_END) {
+    CHECK(r->manifold == NULL && r->distance == 0);
+    return;
+  }
+  t->negative += r->distance < 0;
+  if (r->detail != GJK_DETAIL_CONTACTS) {
+    CHECK(r->manifold == NULL);
+    t->others++;
+    return;
+  }
+  CHECK(gjk_scene_collider(&w.scene, r->a, r->part_a, &a) == GJK_OK &&
+        gjk_scene_collider(&w.scene, r->b, r->part_b, &b) == GJK_OK);
+  const gjk_q16 margin = margin_of(r->a) + margin_of(r->b);
+  memset(&expected, 0, sizeof expected);  // as it is reported where the ceiling on iterations is reached
+  const gjk_status status = gjk_contacts(&a, &b, margin, 4, NULL, &of_worlds, &expected);
+  CHECK(status == GJK_OK || world_is_tight());
+  CHECK(r->manifold != NULL && same_manifold(r->manifold, &expected));
+  CHECK(gjk_scene_manifold(&w.scene, r, 4, &single) == status);
+  CHECK(status == GJK_ERROR_ITERATION_LIMIT || same_manifold(&single, &expected));
+  CHECK(expected.count == 0 || r->distance <= margin + 2);
+  t->manifolds++;
+  t->points += expected.count;
+}
+
+static void take_report(void *user, const gjk_report *report) {
+  CHECK(report->manifold == NULL || report->manifold == world_manifolds);
+  check_report(report, user);
+}
+
+static void check_world(void) {
+  static gjk_report reports[WORLD_REPORTS];
+  const world_options options = {WORLD_BODIES, GJK_Q16(2), GJK_Q16(0.1), GJK_DETAIL_DEPTH, 1, 0, false, true, false};
+  const gjk_scene_config config = world_config(&options);
+  const size_t bytes = gjk_scene_bytes(&config);
+  random_state random = random_seed(check_seed(31));
+  tally t = {0, 0, 0, 0};
+  CHECK(world_start(&w, &options, malloc(bytes), bytes));
+  for (int i = 0; i < UPDATES; i++) {
+    gjk_progress progress;
+    check_trial((unsigned long)i, NULL, NULL);
+    for (int k = 0; k < 20; k++) {
+      CHECK(world_change(&w, &random));
+    }
+    if (i % 2 == 0) {
+      CHECK(gjk_scene_update_each(&w.scene, take_report, &t) == GJK_OK);
+      continue;
+    }
+    CHECK(gjk_scene_update(&w.scene, reports, WORLD_REPORTS, &progress) == GJK_OK);
+    for (uint32_t n = 0; n < progress.reports; n++) {
+      CHECK(reports[n].manifold == NULL || reports[n].manifold == &world_manifolds[n]);
+      check_report(&reports[n], &t);
+    }
+  }
+  printf("%u manifolds with %u points, %u other reports, %u of all negative\n", t.manifolds, t.points, t.others,
+         t.negative);
+  CHECK(t.manifolds > 15 * UPDATES);
+  CHECK(t.points > t.manifolds / (world_is_tight() ? 2 : 1));
+  CHECK(t.others > UPDATES);
+  CHECK(t.negative > 10 * UPDATES);
+  free(w.scene.block);
+}
+
+static const gjk_vec3 tetrahedron[4] = {
+    {-40000, -40000, -40000}, {40000, -40000, -40000}, {0, 40000, -40000}, {0, 0, 40000}};
+static const gjk_shape solid = GJK_HULL(tetrahedron, 4), crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
+static const gjk_shape *const shapes[] = {&solid, &crate};
+
+static uint32_t block[1000];
+static gjk_scene scene;
+static gjk_manifold manifolds[2];
+static gjk_report report;
+static gjk_progress progress;
+
+static gjk_status update(void) {
+  return gjk_scene_update(&scene, &report, 1, &progress);
+}
+
+// Two solids, the second beside the first, that overlap deeply.
+static void start(gjk_detail least, gjk_detail of_body, uint32_t workspace_cells) {
+  const gjk_scene_config config = {2, 2, 0, 4, 0, (uint8_t)least, 1, 0, 0, workspace_cells};
+  const gjk_part part = {0, false, GJK_POSE_IDENTITY};
+  gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, (uint8_t)of_body, 1, 1, 0, 0};
+  gjk_body_id body;
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(scene.details == NULL && scene.workspace == NULL && scene.manifolds == NULL);
+  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
+  setup.pose.position.x = 9000;
+  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
+}
+
+// A detail that the handle has nothing for stops the update before it has done anything.
+static void check_unsupported(void) {
+  uint64_t before, after;
+  uint32_t pairs;
+  start(GJK_DETAIL_TOUCH, GJK_DETAIL_CONTACTS, 0);
+  CHECK(gjk_scene_hash(&scene, &before) == GJK_OK);
+  CHECK(update() == GJK_ERROR_UNSUPPORTED && gjk_scene_update_begin(&scene, &pairs) == GJK_ERROR_UNSUPPORTED);
+  scene.details = &gjk_scene_depth;
+  CHECK(update() == GJK_ERROR_UNSUPPORTED);
+  CHECK(gjk_scene_hash(&scene, &after) == GJK_OK && after == before);
+  scene.details = &gjk_scene_contacts;
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
+  scene.details = NULL;
+  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_ERROR_UNSUPPORTED && update() == GJK_ERROR_UNSUPPORTED);
+  scene.details = &gjk_scene_contacts;
+  CHECK(update() == GJK_OK && progress.reports == 1 && report.detail == GJK_DETAIL_CONTACTS);
+  CHECK(report.manifold == NULL && report.distance == 0);  // no room was given
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+}
+
+// So does a workspace of fewer cells than are configured, where depths are asked for.
+static void check_lacking(void) {
+  const gjk_workspace small = {cells, 99}, none = {NULL, 100}, enough = {cells, 100};
+  gjk_manifold out;
+  uint32_t pairs;
+  start(GJK_DETAIL_DISTANCE, GJK_DETAIL_TOUCH, 100);
+  CHECK(update() == GJK_OK && progress.reports == 1);
+  CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_ERROR_UNSUPPORTED);
+  start(GJK_DETAIL_TOUCH, GJK_DETAIL_DEPTH, 100);
+  scene.details = &gjk_scene_depth;
+  CHECK(update() == GJK_ERROR_UNSUPPORTED);
+  scene.workspace = &small;
+  CHECK(update() == GJK_ERROR_UNSUPPORTED);
+  scene.workspace = &none;
+  CHECK(update() == GJK_ERROR_UNSUPPORTED);
+  scene.workspace = &enough;
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
+  scene.workspace = &small;
+  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_ERROR_UNSUPPORTED);
+  scene.workspace = &enough;
+  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_OK && update() == GJK_OK && progress.reports == 1);
+  CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_OK);
+}
+
+// Without a workspace the depth of hulls is one that is enough, and the pair counts as unsettled.
+static void check_bounds(void) {
+  gjk_scene_stats stats;
+  gjk_q16 enough;
+  start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH, 0);
+  scene.details = &gjk_scene_depth;
+  CHECK(update() == GJK_OK && report.event == GJK_EVENT_BEGIN && report.distance < 0);
+  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 1);
+  enough = report.distance;
+  start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH, WORLD_CELLS);
+  scene.details = &gjk_scene_depth;
+  scene.workspace = &workspace;
+  CHECK(update() == GJK_OK && report.distance < 0 && report.distance >= enough);
+  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 0);
+  start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH, 0);
+  scene.details = &gjk_scene_contacts;
+  scene.manifolds = manifolds;
+  CHECK(update() == GJK_OK && report.manifold == manifolds && report.distance < 0);
+  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 1);
+}
+
+// Resting pairs are reported with the manifold that they had.
+static void check_rest(void) {
+  start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH, WORLD_CELLS);
+  scene.details = &gjk_scene_contacts;
+  scene.workspace = &workspace;
+  scene.manifolds = manifolds;
+  CHECK(update() == GJK_OK && report.event == GJK_EVENT_BEGIN && report.manifold == manifolds);
+  const gjk_manifold first = manifolds[0];
+  const gjk_q16 distance = report.distance;
+  CHECK(update() == GJK_OK && report.event == GJK_EVENT_PERSIST && report.distance == distance);
+  CHECK(same_manifold(&first, report.manifold));
+}
+
+static void check_manifold_statuses(void) {
+  gjk_manifold out;
+  start(GJK_DETAIL_TOUCH, GJK_DETAIL_TOUCH, WORLD_CELLS);
+  scene.workspace = &workspace;
+  CHECK(update() == GJK_OK && progress.reports == 1);
+  CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_OK && out.count > 0);
+  CHECK(gjk_scene_manifold(NULL, &report, 4, &out) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_manifold(&scene, NULL, 4, &out) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_manifold(&scene, &report, 4, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_manifold(&scene, &report, 9, &out) == GJK_ERROR_RANGE);
+  gjk_report other = report;
+  other.part_b = 1;
+  CHECK(gjk_scene_manifold(&scene, &other, 4, &out) == GJK_ERROR_RANGE);
+  CHECK(gjk_scene_remove(&scene, report.a) == GJK_OK);
+  CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_ERROR_BODY_ID);
+}
+
+int main(void) {
+  of_worlds = workspace;
+  of_worlds.count = world_cells();
+  check_world();
+  check_unsupported();
+  check_lacking();
+  check_bounds();
+  check_rest();
+  check_manifold_statuses();
+  return check_done("scene_contacts");
+}

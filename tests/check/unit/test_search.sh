@@ -1,0 +1,39 @@
+#!/bin/sh
+# The search of polytopes when it remembers what it has seen, which few pairs need: from the first iterations on, and with few
+# steps among what was seen before all features are tried. Certified as usual, in the same bits. test_search.sh BUILD
+. tests/build/count.sh
+dir=$1/search
+support=$(make -s print-SUPPORT)
+mkdir -p "$dir"
+
+# build NAME TEST DEFINES...: a test with such a library
+build() {
+  program=$dir/$1
+  test=$2
+  shift 2
+  # shellcheck disable=SC2086
+  ${CC:-cc} -std=c99 -O1 -DGJK_PORT_HEADER='"hosted/gjk_port.h"' -Iinclude -I. -Iport -Itests/support "$@" src/*/*.c "$test" \
+    $support -lm -o "$program"
+}
+
+# certified PLAIN RECALLS SEED PAIRS
+certified() {
+  build "certificates-$1-$2" tests/check/unit/test_certificates.c "-DGJK_PLAIN_ITERATIONS=$1" "-DGJK_RECALLS_MAX=$2" &&
+    "$dir/certificates-$1-$2" "$3" "$4"
+}
+
+# worst PLAIN RECALLS: the pairs of tests/data/worst.txt, whatever their iterations
+worst() {
+  build "query-$1-$2" tests/programs/query/main.c "-DGJK_PLAIN_ITERATIONS=$1" "-DGJK_RECALLS_MAX=$2" || return 1
+  for ask in --distance --intersect; do
+    "$dir/query-$1-$2" --certify $ask tests/data/worst.txt 2>&1 >"$dir/worst.txt" | grep -q ' 0 wrong$' || return 1
+    [ "$(wc -l <"$dir/worst.txt")" -ge 23 ] || return 1
+  done
+}
+
+check 'remembering from round 1' certified 1 200 71 20000
+check 'remembering from round 2, three steps among the seen' certified 2 3 72 6000
+check 'remembering from round 1, all features tried each time' certified 1 0 73 3000
+check 'the most expensive pairs, remembering from round 1' worst 1 200
+check 'the most expensive pairs, one step among the seen' worst 16 1
+finish search

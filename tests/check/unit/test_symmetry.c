@@ -1,0 +1,207 @@
+// What must not matter: the order of vertices, which shape is called A, where in the world the pair stands, which way
+// the axes point, and whether a polytope is written as a box or as a hull of its vertices.
+#include <string.h>
+
+#include "check.h"
+#include "exact/exact.h"
+#include "generate/generate.h"
+#include "generate/place.h"
+
+#define SEED 3301
+#define PAIRS_PER_FAMILY check_trials(1500)
+#define SHUFFLES 4
+#define PERMUTED_MAX 5  // vertices: all orders of them are tried, 120
+
+// Decisions and distance of a pair.
+typedef struct answer {
+  bool posed, far, intersecting, touch, within, beyond;
+  gjk_q16 distance;
+} answer;
+
+typedef struct subject {
+  case_pair original, changed;
+  case_collider a, b;
+  answer expected;
+  unsigned long changes, out_of_range;
+} subject;
+
+static answer find_answer(subject *s, const case_shape *shape_a, const case_shape *shape_b, gjk_q16 distance) {
+  const gjk_collider *a = &s->a.collider, *b = &s->b.collider;
+  answer found;
+  gjk_distance_result r;
+  gjk_decision touch, within, beyond;
+  memset(&found, 0, sizeof found);
+  found.posed =
+      case_collider_build(&s->a, shape_a, false) == GJK_OK && case_collider_build(&s->b, shape_b, false) == GJK_OK;
+  if (!found.posed || gjk_distance(a, b, NULL, &r) != GJK_OK || gjk_intersect(a, b, NULL, &touch) != GJK_OK) {
+    return found;
+  }
+  found.far = exact_is_far(a, b);
+  distance = distance < 0 ? r.distance : distance;
+  CHECK(gjk_within(a, b, distance, NULL, &within) == GJK_OK);
+  CHECK(gjk_within(a, b, distance > 0 ? distance - 1 : 0, NULL, &beyond) == GJK_OK);
+  found.intersecting = r.intersecting;
+  found.distance = r.distance;
+  found.touch = touch.yes;
+  found.within = within.yes;
+  found.beyond = beyond.yes;
+  return found;
+}
+
+// Centres more than 16384 units apart: each of the two distances is within 2^-28 of the real one.
+static bool same(const answer *a, const answer *b) {
+  if (a->far) {
+    const int64_t difference = (int64_t)a->distance - b->distance, slack = a->distance >> 27;
+    return a->intersecting == b->intersecting && a->touch == b->touch && difference <= slack && difference >= -slack;
+  }
+  return a->intersecting == b->intersecting && a->distance == b->distance && a->touch == b->touch &&
+         a->within == b->within && a->beyond == b->beyond;
+}
+
+// Asks again about changed, or with the shapes swapped. A change may carry a centre out of int32.
+static void compare(subject *s, bool swapped, const char *what) {
+  const case_shape *a = swapped ? &s->changed.b : &s->changed.a, *b = swapped ? &s->changed.a : &s->changed.b;
+  const answer found = find_answer(s, a, b, s->expected.distance);
+  if (!found.posed) {
+    s->out_of_range++;
+    return;
+  }
+  const bool equal = same(&found, &s->expected);
+  CHECK_MSG(equal, "%s: %s: distance %ld, was %ld", s->original.id, what, (long)found.distance,
+            (long)s->expected.distance);
+  if (!equal) {
+    case_print(stdout, &s->original);
+    case_print(stdout, &s->changed);
+  }
+  s->changes++;
+}
+
+static void restore(subject *s) {
+  case_shape_copy(&s->changed.a, &s->original.a);
+  case_shape_copy(&s->changed.b, &s->original.b);
+}
+
+static void exchange(gjk_vec3 *v, gjk_vec3 *w) {
+  const gjk_vec3 kept = *v;
+  *v = *w;
+  *w = kept;
+}
+
+static void shuffle(random_state *random, case_shape *shape) {
+  for (size_t i = shape->count; i > 1; i--) {
+    exchange(&shape->vertices[i - 1], &shape->vertices[random_below(random, (uint32_t)i)]);
+  }
+}
+
+// Heap's algorithm without recursion: calls compare for every order of the vertices of the changed A.
+static void try_orders(subject *s) {
+  case_shape *shape = &s->changed.a;
+  size_t turns[PERMUTED_MAX] = {0};
+  for (size_t i = 1; i < shape->count;) {
+    if (turns[i] < i) {
+      exchange(&shape->vertices[i % 2 == 0 ? 0 : turns[i]], &shape->vertices[i]);
+      compare(s, false, "vertices reordered");
+      turns[i]++;
+      i = 1;
+    } else {
+      turns[i] = 0;
+      i++;
+    }
+  }
+}
+
+static void test_orders(random_state *random, subject *s) {
+  if (s->changed.a.count <= PERMUTED_MAX) {
+    try_orders(s);
+  }
+  for (int i = 0; i < SHUFFLES; i++) {
+    shuffle(random, &s->changed.a);
+    shuffle(random, &s->changed.b);
+    compare(s, i % 2 != 0, "vertices shuffled");
+  }
+}
+
+// Adds as much of by as leaves both positions in int32.
+static void shift(gjk_q16 *a, gjk_q16 *b, int32_t by) {
+  const int64_t low = (*a < *b ? *a : *b) + (int64_t)by, high = (*a > *b ? *a : *b) + (int64_t)by;
+  const int64_t moved = high > INT32_MAX ? by - (high - INT32_MAX) : low < INT32_MIN ? by + (INT32_MIN - low) : by;
+  *a = (gjk_q16)(*a + moved);
+  *b = (gjk_q16)(*b + moved);
+}
+
+static void test_translations(random_state *random, subject *s) {
+  for (int i = 0; i < SHUFFLES; i++) {
+    gjk_vec3 *a = &s->changed.a.pose.position, *b = &s->changed.b.pose.position;
+    restore(s);
+    shift(&a->x, &b->x, (int32_t)random_u32(random));
+    shift(&a->y, &b->y, (int32_t)random_u32(random));
+    shift(&a->z, &b->z, (int32_t)random_u32(random));
+    compare(s, false, "both moved");
+  }
+}
+
+// Axes in another order (of 6), some of them (bits) reversed. A position goes from p to -1 - p where its axis is
+// reversed, so that all of int32 has an image: a reflection with a common translation.
+static gjk_vec3 turn(gjk_vec3 v, unsigned order, unsigned reversed, int32_t offset) {
+  const gjk_q16 x[3] = {v.x, v.y, v.z};
+  gjk_q16 y[3];
+  for (unsigned i = 0; i < 3; i++) {
+    const gjk_q16 from = x[(order < 3 ? order + i : order + 3 - i) % 3];
+    y[i] = (reversed >> i & 1u) != 0 ? offset - from : from;
+  }
+  const gjk_vec3 turned = {y[0], y[1], y[2]};
+  return turned;
+}
+
+static void turn_shape(case_shape *shape, unsigned order, unsigned reversed) {
+  shape->pose.position = turn(shape->pose.position, order, reversed, -1);
+  for (size_t i = 0; i < shape->count; i++) {
+    shape->vertices[i] = turn(shape->vertices[i], order, reversed, 0);
+  }
+}
+
+// All 48 symmetries of a cube.
+static void test_axes(subject *s) {
+  for (unsigned order = 0; order < 6; order++) {
+    for (unsigned reversed = 0; reversed < 8; reversed++) {
+      restore(s);
+      turn_shape(&s->changed.a, order, reversed);
+      turn_shape(&s->changed.b, order, reversed);
+      compare(s, false, "axes turned");
+    }
+  }
+}
+
+static void test_pair(random_state *random, subject *s) {
+  s->expected = find_answer(s, &s->original.a, &s->original.b, -1);
+  CHECK_MSG(s->expected.posed, "%s", s->original.id);
+  restore(s);
+  compare(s, true, "A and B swapped");
+  test_translations(random, s);
+  generate_bake(&s->original.a);
+  generate_bake(&s->original.b);
+  restore(s);
+  compare(s, false, "written as hulls");
+  test_orders(random, s);
+  test_axes(s);
+}
+
+int main(void) {
+  static subject s;
+  random_state random = random_seed(check_seed(SEED));
+  unsigned long pairs = 0;
+  for (unsigned i = 0; i < generate_family_count; i++) {
+    for (uint64_t k = 0; k < PAIRS_PER_FAMILY; k++) {
+      generate_pair(&generate_families[i], check_seed(SEED) + k, &s.original);
+      test_pair(&random, &s);
+      pairs++;
+    }
+  }
+  printf("%lu pairs, %lu changes, %lu out of range\n", pairs, s.changes, s.out_of_range);
+  CHECK(s.out_of_range < s.changes / 20 && s.changes > 50 * pairs);
+  case_pair_free(&s.original);
+  case_pair_free(&s.changed);
+  case_collider_free(&s.a);
+  case_collider_free(&s.b);
+  return check_done("symmetry");
+}

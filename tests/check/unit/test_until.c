@@ -1,0 +1,232 @@
+// gjk_distance_until: bounds that hold, narrow and end in the exact answer, on every family and on curved shapes.
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "generate/generate.h"
+#include "reference/random_shape.h"
+
+#define SEED 77000
+#define PAIRS_PER_FAMILY 150
+#define CURVED_PAIRS 1500
+#define SLENDER_PAIRS ((int)check_trials(4000))
+#define SLENDER_SEED 58
+#define FAR (INT32_C(1) << 29)
+
+typedef struct tally {
+  unsigned long open, exact, by_error, proven_together;
+} tally;
+
+static double gap_of(const gjk_vec3 *a, const gjk_vec3 *b) {
+  const double x = (double)a->x - b->x, y = (double)a->y - b->y, z = (double)a->z - b->z;
+  return sqrt(x * x + y * y + z * z);
+}
+
+// Is the answer what the full query says, or an honest part of it? slack: LSB that the full answer may be off.
+static bool is_honest(const gjk_distance_result *full, const gjk_distance_result *part, int32_t slack) {
+  if (part->certificate.proof != GJK_PROOF_NONE || part->lower == part->upper) {
+    return part->intersecting == full->intersecting && part->distance == full->distance;
+  }
+  return !part->intersecting && part->distance <= part->upper && part->distance >= part->upper - 1 &&
+         part->lower <= part->upper && part->lower <= full->distance + slack && part->upper >= full->distance - slack;
+}
+
+// The points are as far apart as is said, unless what is said is 0 or far: then rounding weighs more.
+static bool points_fit(const gjk_distance_result *part) {
+  return part->intersecting || part->saturated || part->upper == 0 || part->upper > FAR ||
+         fabs(gap_of(&part->point_a, &part->point_b) - part->distance) <= 2;
+}
+
+static bool at_end(const gjk_vec3 *p) {
+  return p->x == INT32_MAX || p->x == INT32_MIN || p->y == INT32_MAX || p->y == INT32_MIN || p->z == INT32_MAX ||
+         p->z == INT32_MIN;
+}
+
+// Is there a number that saturation may have cut?
+static bool is_cut(const gjk_distance_result *r) {
+  return r->upper == GJK_DISTANCE_MAX || at_end(&r->point_a) || at_end(&r->point_b);
+}
+
+static void check_iterations(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *full,
+                             int32_t slack, const char *id, tally *t) {
+  gjk_distance_result part, before;
+  memset(&before, 0, sizeof before);
+  before.upper = GJK_DISTANCE_MAX;
+  for (uint8_t iterations = 1; iterations < full->iterations + 2; iterations++) {
+    const gjk_effort effort = {iterations, 0};
+    memset(&part, 1, sizeof part);
+    const gjk_status status = gjk_distance_until(a, b, &effort, NULL, &part);
+    CHECK_MSG(status == GJK_OK && (!part.saturated || is_cut(&part)) && part.iterations <= iterations &&
+                  is_honest(full, &part, slack) && points_fit(&part),
+              "%s after %d", id, iterations);
+    CHECK_MSG(part.lower >= before.lower && part.upper <= before.upper, "%s after %d: wider", id, iterations);
+    const bool done = part.iterations < iterations || part.certificate.proof != GJK_PROOF_NONE;
+    t->open += !done;
+    t->exact += done;
+    t->proven_together += !done && part.upper == 0;
+    before = part;
+    before.lower -= slack;
+    before.upper = before.upper > GJK_DISTANCE_MAX - slack ? before.upper : before.upper + slack;
+  }
+  CHECK_MSG(part.intersecting == full->intersecting && part.distance == full->distance &&
+                memcmp(&part.point_a, &full->point_a, sizeof part.point_a) * !full->intersecting == 0,
+            "%s: all iterations", id);
+}
+
+static void check_errors(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *full, int32_t slack,
+                         const char *id, tally *t) {
+  const gjk_effort unlimited = {0, 0};
+  gjk_distance_result whole;
+  CHECK_MSG(gjk_distance_until(a, b, &unlimited, NULL, &whole) == GJK_OK && whole.distance == full->distance &&
+                whole.iterations == full->iterations && whole.certificate.proof == full->certificate.proof,
+            "%s, no limit", id);
+  for (unsigned bits = 0; bits < 29; bits += 4) {
+    const gjk_q16 error = INT32_C(1) << bits;
+    const gjk_effort effort = {0, error};
+    gjk_distance_result part;
+    CHECK_MSG(gjk_distance_until(a, b, &effort, NULL, &part) == GJK_OK && is_honest(full, &part, slack) &&
+                  points_fit(&part) && part.upper - part.lower <= error && part.iterations <= full->iterations,
+              "%s, error %ld", id, (long)error);
+    t->by_error += part.upper > part.lower;
+  }
+}
+
+static void check_pair(const case_pair *pair, case_collider *a, case_collider *b, int32_t slack, tally *t) {
+  gjk_distance_result full;
+  memset(&full, 0, sizeof full);
+  if (case_collider_build(a, &pair->a, false) != GJK_OK || case_collider_build(b, &pair->b, false) != GJK_OK ||
+      gjk_distance(&a->collider, &b->collider, NULL, &full) != GJK_OK) {
+    CHECK_MSG(false, "%s", pair->id);
+    return;
+  }
+  const unsigned long failed = check_failed;
+  check_iterations(&a->collider, &b->collider, &full, slack, pair->id, t);
+  check_errors(&a->collider, &b->collider, &full, slack, pair->id, t);
+  if (check_failed > failed && failed < 5) {
+    case_print(stdout, pair);
+  }
+}
+
+// Sides of some 2,000 units, but one corner is near another, or near the middle of the side between the others.
+static void random_slender(random_state *random, gjk_vec3 corner[3]) {
+  const gjk_q16 reach = GJK_Q16(2000.0);
+  const gjk_q16 width = INT32_C(1) << random_below(random, 22);
+  for (int i = 0; i < 2; i++) {
+    corner[i].x = random_range(random, -reach, reach);
+    corner[i].y = random_range(random, -reach, reach);
+    corner[i].z = random_range(random, -reach, reach);
+  }
+  const bool middle = random_below(random, 2) == 0;
+  corner[2].x = (middle ? (corner[0].x + corner[1].x) / 2 : corner[0].x) + random_range(random, -width, width);
+  corner[2].y = (middle ? (corner[0].y + corner[1].y) / 2 : corner[0].y) + random_range(random, -width, width);
+  corner[2].z = (middle ? (corner[0].z + corner[1].z) / 2 : corner[0].z) + random_range(random, -width, width);
+}
+
+// How far a point lies from a shape, to the nearest LSB.
+static gjk_q16 off_shape(const gjk_vec3 *point, const gjk_collider *shape) {
+  static const gjk_shape dot = GJK_POINT;
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  gjk_collider at = {0};
+  gjk_distance_result result;
+  pose.position = *point;
+  CHECK(gjk_collider_init(&at, &dot, NULL, 0) == GJK_OK);
+  CHECK(gjk_collider_pose(&at, &pose) == GJK_OK);
+  CHECK(gjk_distance(&at, shape, NULL, &result) == GJK_OK);
+  return result.distance;
+}
+
+// The plane of a large feature is known to several LSB: its distance was taken for that of the points, up to 10 LSB more.
+static void test_slender_triangles(void) {
+  random_state random = random_seed(SLENDER_SEED);
+  unsigned long open = 0;
+  double worst = 0;
+  for (int i = 0; i < SLENDER_PAIRS; i++) {
+    gjk_vec3 corners[2][3];
+    random_slender(&random, corners[0]);
+    random_slender(&random, corners[1]);
+    const gjk_shape shape_a = GJK_TRIANGLE(corners[0]), shape_b = GJK_TRIANGLE(corners[1]);
+    gjk_pose pose = GJK_POSE_IDENTITY;
+    gjk_collider a = {0}, b = {0};
+    CHECK(gjk_collider_init(&a, &shape_a, NULL, 0) == GJK_OK);
+    CHECK(gjk_collider_init(&b, &shape_b, NULL, 0) == GJK_OK);
+    CHECK(gjk_collider_pose(&a, &pose) == GJK_OK);
+    pose.position = random_vector(&random, GJK_Q16(2000.0));
+    CHECK(gjk_collider_pose(&b, &pose) == GJK_OK);
+    for (uint8_t iterations = 1; iterations <= 5; iterations++) {
+      const gjk_effort effort = {iterations, 0};
+      gjk_distance_result part;
+      CHECK(gjk_distance_until(&a, &b, &effort, NULL, &part) == GJK_OK);
+      if (part.intersecting) {
+        continue;
+      }
+      const double off = fabs(gap_of(&part.point_a, &part.point_b) - part.distance);
+      CHECK_MSG(off <= 2, "pair %d, seed %d, after %d: points %.2f LSB off", i, SLENDER_SEED, iterations, off);
+      CHECK_MSG(off_shape(&part.point_a, &a) <= 1, "pair %d, seed %d, after %d: A's point", i, SLENDER_SEED,
+                iterations);
+      CHECK_MSG(off_shape(&part.point_b, &b) <= 1, "pair %d, seed %d, after %d: B's point", i, SLENDER_SEED,
+                iterations);
+      open += part.certificate.proof == GJK_PROOF_NONE;
+      worst = off > worst ? off : worst;
+    }
+  }
+  printf("slender triangles: %lu answers before the last round, points at most %.2f LSB off\n", open, worst);
+  CHECK(open > (unsigned long)SLENDER_PAIRS);
+}
+
+static void test_statuses(void) {
+  static const gjk_shape ball = GJK_SPHERE(5);
+  const gjk_pose pose = GJK_POSE_IDENTITY;
+  gjk_collider a = {0}, b = {0};
+  gjk_distance_result out, poison;
+  gjk_effort effort = {0, -1};
+  memset(&poison, 0xA5, sizeof poison);
+  out = poison;
+  gjk_collider_init(&a, &ball, NULL, 0);
+  gjk_collider_pose(&a, &pose);
+  CHECK(gjk_distance_until(&a, &b, &effort, NULL, &out) == GJK_ERROR_UNINITIALISED);
+  CHECK(gjk_distance_until(&a, NULL, &effort, NULL, &out) == GJK_ERROR_NULL);
+  CHECK(gjk_distance_until(&a, &a, NULL, NULL, &out) == GJK_ERROR_NULL);
+  CHECK(gjk_distance_until(&a, &a, &effort, NULL, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_ERROR_NEGATIVE);
+  CHECK(memcmp(&out, &poison, sizeof out) == 0);
+  effort.error = 0;
+  effort.iterations = 1;
+  CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK && out.intersecting && out.distance == 0);
+  // As many iterations as ever, or more, is no limit.
+  effort.iterations = UINT8_MAX;
+  CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK && out.intersecting);
+}
+
+int main(void) {
+  case_pair pair;
+  case_collider a, b;
+  tally t = {0, 0, 0, 0}, curved = {0, 0, 0, 0};
+  memset(&pair, 0, sizeof pair);
+  memset(&a, 0, sizeof a);
+  memset(&b, 0, sizeof b);
+  test_statuses();
+  test_slender_triangles();
+  for (unsigned f = 0; f < generate_family_count; f++) {
+    for (uint64_t seed = 0; seed < PAIRS_PER_FAMILY; seed++) {
+      generate_pair(&generate_families[f], check_seed(SEED) + seed, &pair);
+      check_pair(&pair, &a, &b, 0, &t);
+    }
+  }
+  random_state random = random_seed(check_seed(SEED) + 4711);
+  for (int i = 0; i < CURVED_PAIRS; i++) {
+    const gjk_q16 reach = random_reach(&random);
+    random_shape(&random, CASE_CYLINDER + (case_kind)random_below(&random, 3), reach, &pair.a);
+    random_shape(&random, (case_kind)random_below(&random, CASE_ELLIPSOID + 1), reach, &pair.b);
+    pair.b.pose.position = random_vector(&random, 2 * random_unit(&random) * reach);
+    snprintf(pair.id, sizeof pair.id, "curved-%d", i);
+    check_pair(&pair, &a, &b, 4, &curved);
+  }
+  printf("iterations that leave the gap open: %lu and %lu, exact %lu and %lu; stopped by the error %lu and %lu\n",
+         t.open, curved.open, t.exact, curved.exact, t.by_error, curved.by_error);
+  CHECK(t.open > 2000 && t.exact > 2000 && t.by_error > 1000);
+  CHECK(curved.open > 2000 && curved.exact > 1000 && curved.by_error > 1000);
+  case_pair_free(&pair);
+  case_collider_free(&a);
+  case_collider_free(&b);
+  return check_done("until");
+}

@@ -1,0 +1,62 @@
+// Families of random pairs whose queries are counted in instructions, the same pairs on every core.
+#ifndef BENCH_H
+#define BENCH_H
+
+#include "gjk/gjk.h"
+
+#define BENCH_PAIRS 50
+#define BENCH_VERTICES 64
+
+// Contacts: within BENCH_MARGIN, four at most.
+typedef enum bench_query { BENCH_DISTANCE, BENCH_INTERSECT, BENCH_DEPTH, BENCH_CONTACTS } bench_query;
+
+#define BENCH_MARGIN GJK_Q16(0.02)
+#define BENCH_CONTACTS_KEPT 4
+
+typedef enum bench_gap {
+  BENCH_APART,  // 0.1 to 2 units
+  BENCH_CLOSE,  // above 0, to 0.1 units; bounding spheres overlap
+  BENCH_OVERLAPPING,
+  BENCH_PRESSED,  // face to face, spun and tilted by up to a degree, up to 0.05 units deep
+  BENCH_HOVERING  // the same, apart by no more than the margin
+} bench_gap;
+
+typedef struct bench_family {
+  const char *name;
+  bench_query query;
+  uint16_t vertices;  // of each hull; 0: boxes. Face to face, 8: frusta of pyramids, with faces
+  bench_gap gap;
+} bench_family;
+
+extern const bench_family bench_families[];
+extern const unsigned bench_family_count;
+
+// Starts a family, then poses its next pair and sets its answer. False: the certificate of its depth does not hold.
+void bench_start(void);
+bool bench_next(const bench_family *family);
+
+// What a solver says: the distance, minus the depth, the least distance of the contacts; not set for a decision.
+typedef struct bench_answer {
+  bool intersecting;
+  gjk_q16 distance;
+  unsigned iterations;  // or how many contacts
+} bench_answer;
+
+// The workspace that every depth is asked with, and how many of its cells the pair's needs; 0 for any other query.
+extern const gjk_workspace bench_workspace;
+uint32_t bench_cells_needed(const bench_family *family);
+
+extern const gjk_collider *const bench_pair[2];
+extern bench_answer bench_expected;  // intersecting and distance
+
+// One that answers queries up to last on the pair; run is the measured part.
+typedef struct bench_solver {
+  const char *name;
+  bench_query last;
+  void (*pose)(const gjk_collider *a, const gjk_collider *b);
+  void (*run)(bench_query query, bench_answer *out);
+} bench_solver;
+
+extern const bench_solver bench_gjk, bench_float, bench_double;
+
+#endif

@@ -1,0 +1,68 @@
+// The smallest programs with the library, whose linked sizes are figures to keep: what to link is chosen by macros.
+//   SIZE_BOXES   gjk_intersect on boxes; else gjk_distance on hulls, boxes and their rounded forms
+//   SIZE_DEPTH, SIZE_CONTACTS  gjk_penetration, gjk_contacts on these as well
+//   SIZE_CURVED  gjk_distance on cylinders, cones and ellipsoids as well
+//   SIZE_POSED   initialises and poses the colliders, too
+#include "gjk/gjk.h"
+
+void size_main(void);
+
+gjk_collider size_a, size_b;
+
+#if defined(SIZE_DEPTH) || defined(SIZE_CONTACTS)
+gjk_epa_cell size_cells[GJK_EPA_CELLS(20)];
+gjk_workspace size_workspace;
+gjk_penetration_result size_depth;
+gjk_manifold size_manifold;
+#endif
+
+#ifdef SIZE_CURVED
+const gjk_shape *size_shapes[3];
+#endif
+
+#ifdef SIZE_BOXES
+gjk_decision size_answer;
+#else
+gjk_distance_result size_answer;
+#endif
+
+void size_main(void) {
+  static const gjk_shape box = GJK_ROUNDED_BOX(3, 4, 5, 6);
+#ifdef SIZE_BOXES
+  static const gjk_shape other = GJK_BOX(1, 2, 3);
+#else
+  static const gjk_vec3 vertices[] = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}};
+  static const gjk_shape other = GJK_ROUNDED_HULL(vertices, 4, 1);
+#endif
+#ifdef SIZE_CURVED
+  static const gjk_shape cylinder = GJK_CYLINDER(1, 2), cone = GJK_CONE(1, 2), ellipsoid = GJK_ELLIPSOID(1, 2, 3);
+  size_shapes[0] = &cylinder;
+  size_shapes[1] = &cone;
+  size_shapes[2] = &ellipsoid;
+#endif
+#ifdef SIZE_POSED
+  static const gjk_pose pose = GJK_POSE_IDENTITY;
+  gjk_collider_init(&size_a, &box, NULL, 0);
+  gjk_collider_init(&size_b, &other, NULL, 0);
+  gjk_collider_pose(&size_a, &pose);
+  gjk_collider_pose(&size_b, &pose);
+#else
+  size_a.shape = &box;
+  size_b.shape = &other;
+#endif
+#ifdef SIZE_BOXES
+  gjk_intersect(&size_a, &size_b, NULL, &size_answer);
+#else
+  gjk_distance(&size_a, &size_b, NULL, &size_answer);
+#endif
+#if defined(SIZE_DEPTH) || defined(SIZE_CONTACTS)
+  size_workspace.cells = size_cells;
+  size_workspace.count = GJK_EPA_CELLS(20);
+#endif
+#ifdef SIZE_DEPTH
+  gjk_penetration(&size_a, &size_b, NULL, &size_workspace, &size_depth);
+#endif
+#ifdef SIZE_CONTACTS
+  gjk_contacts(&size_a, &size_b, 1, 4, NULL, &size_workspace, &size_manifold);
+#endif
+}

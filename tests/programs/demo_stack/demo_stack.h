@@ -1,0 +1,30 @@
+// A pile under the tests' solver, and its picture.
+#ifndef DEMO_STACK_H
+#define DEMO_STACK_H
+
+#include <stdio.h>
+
+#include "case/case.h"
+#include "solver/solver.h"
+
+enum { DEMO_MOMENTS = 3 };
+
+typedef struct demo_stack {
+  solver_world world;
+  case_shape drawn[SOLVER_BODIES_MAX];  // each body, as it is drawn
+  unsigned kind[SOLVER_BODIES_MAX];     // of the palette
+  gjk_shape shape[SOLVER_BODIES_MAX];
+} demo_stack;
+
+void demo_stack_start(demo_stack *d);
+
+// How many bodies move.
+unsigned demo_stack_falling(const demo_stack *d);
+
+// The head of the picture; the caller ends it.
+void demo_stack_open(FILE *file);
+
+// The world as it is, at its place among the moments.
+void demo_stack_draw(FILE *file, demo_stack *d, unsigned moment, unsigned tick);
+
+#endif

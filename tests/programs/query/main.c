@@ -1,0 +1,197 @@
+// gjk-query: reads cases, answers each of them in one line.
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "case/answer.h"
+#include "case/certify.h"
+#include "case/number.h"
+#include "case/parse.h"
+
+enum { EXIT_ANSWERED = 0, EXIT_UNPROVEN = 1, EXIT_INPUT = 2 };
+
+static const char help[] =
+    "usage: gjk-query [OPTION]... [FILE]...\n"
+    "Answers cases about two convex shapes, one line each. Reads standard input without a FILE, or for '-'.\n"
+    "\n"
+    "  --distance    how far apart, and where (default)\n"
+    "  --intersect   do they share a point?\n"
+    "  --within R    are they at most R apart?\n"
+    "  --iterations N    with --within: after N iterations, 1 to 255, it may be open\n"
+    "  --penetration how deep they overlap, which way out, and where; else as --distance\n"
+    "  --contacts [MARGIN]\n"
+    "                as --penetration, and the points where they touch, or are at most MARGIN (default 0) apart\n"
+    "  --reference   the double-precision reference answers instead of the library\n"
+    "  --certify     check each answer in exact integers; says so where it can't or where an answer is wrong\n"
+    "  --help        this text\n"
+    "\n"
+    "A case, lengths in Q16.16 and quaternions in Q2.30; with a decimal point a number is in units instead:\n"
+    "\n"
+    "  # comment\n"
+    "  case ID [free text]\n"
+    "  A KIND ...      point | segment h | triangle (3 lines of x y z) | box hx hy hz\n"
+    "                  | hull n (n lines of x y z) | sphere r | capsule r h\n"
+    "                  | cylinder r h | cone r h | ellipsoid rx ry rz\n"
+    "                  (long axes along local z, h the half length; a cone's apex at +h)\n"
+    "  A round r       optional convex radius\n"
+    "  A faces m       optional, of a hull, for --contacts: m lines of vertex numbers from 0, each face's\n"
+    "                  counterclockwise seen from outside\n"
+    "  A at x y z      optional, default 0 0 0\n"
+    "  A turn x y z w  optional quaternion, default 0.0 0.0 0.0 1.0\n"
+    "  B KIND ...      and so on\n"
+    "\n"
+    "Answers, in the order of the cases, in raw integers:\n"
+    "\n"
+    "  ID separated distance=D a=x,y,z b=x,y,z normal=x,y,z iterations=N [saturated]\n"
+    "  ID separated iterations=N     (--intersect)\n"
+    "  ID intersecting iterations=N\n"
+    "  ID intersecting depth=D a=x,y,z b=x,y,z normal=x,y,z iterations=N     (--penetration)\n"
+    "    contact a=x,y,z b=x,y,z distance=D id=N     (--contacts) a line per point below; D negative: its depth\n"
+    "  ID within iterations=N        (--within; or 'beyond'; with --iterations 'open', where they do not settle it)\n"
+    "  ID error STATUS_NAME detail   a pair that the library refuses\n"
+    "  ... uncertified: WHY          (--certify) curved: no exact check exists, but accurate bounds agree\n"
+    "  ... WRONG: WHY                (--certify) the check failed\n"
+    "\n"
+    "Exit status: 0 all answered; 1 a check failed; 2 a malformed line (skipped with its case, and named on\n"
+    "standard error), a file that can't be read, a wrong option, or an output that can't be written.\n";
+
+typedef struct tool {
+  case_question question;
+  bool certify;  // each answer is checked
+  case_reader reader;
+  case_pair pair;
+  case_collider a, b;
+  unsigned long verdicts[3];  // by certify_verdict
+  bool bad_input;
+} tool;
+
+// Nothing when the answer is proven.
+static void print_verdict(tool *t, const case_answer *answer) {
+  char why[CERTIFY_WHY_MAX];
+  certify_verdict verdict = certify_answer(&t->question, &t->pair, &t->a, &t->b, answer, why);
+  t->verdicts[verdict]++;
+  if (verdict != CERTIFY_PROVEN) {
+    printf(" %s: %s", verdict == CERTIFY_WRONG ? "WRONG" : "uncertified", why);
+  }
+}
+
+static void run_stream(tool *t, FILE *file, const char *name) {
+  case_answer answer;
+  case_reader_open(&t->reader, file, name);
+  while (case_reader_next(&t->reader, &t->pair)) {
+    case_answer_find(&t->question, &t->pair, &t->a, &t->b, &answer);
+    case_answer_print(stdout, &t->question, &t->pair, &answer);
+    if (t->certify && answer.refused == 0) {
+      print_verdict(t, &answer);
+    }
+    putchar('\n');
+    case_contacts_print(stdout, &answer);
+  }
+  if (t->reader.errors > 0) {
+    t->bad_input = true;
+  }
+}
+
+static void run_file(tool *t, const char *name) {
+  if (strcmp(name, "-") == 0) {
+    run_stream(t, stdin, "standard input");
+    return;
+  }
+  FILE *file = fopen(name, "r");
+  if (file == NULL) {
+    fprintf(stderr, "%s: %s\n", name, strerror(errno));
+    t->bad_input = true;
+    return;
+  }
+  run_stream(t, file, name);
+  fclose(file);
+}
+
+// The exit status, unless some of what was printed could not be written.
+static int written(int status) {
+  if (fflush(stdout) == 0 && ferror(stdout) == 0) {
+    return status;
+  }
+  fprintf(stderr, "gjk-query: cannot write the answers: %s\n", strerror(errno));
+  return EXIT_INPUT;
+}
+
+static void refuse(const char *what, const char *word) {
+  fprintf(stderr, "gjk-query: %s '%s'; see gjk-query --help\n", what, word);
+  exit(EXIT_INPUT);
+}
+
+static uint8_t read_iterations(const char *number) {
+  int32_t iterations;
+  if (!case_number_parse(number, 0, &iterations) || iterations < 1 || iterations > UINT8_MAX) {
+    refuse("expected a number from 1 to 255 after --iterations, found", number);
+  }
+  return (uint8_t)iterations;
+}
+
+// Reads the options, and moves the names of the files to the front of argv. Returns their number.
+static int read_options(int argc, char **argv, tool *t) {
+  int files = 0;
+  bool only_files = false;
+  for (int i = 1; i < argc; i++) {
+    const char *word = argv[i];
+    if (only_files || word[0] != '-' || strcmp(word, "-") == 0) {
+      argv[files++] = argv[i];
+    } else if (strcmp(word, "--") == 0) {
+      only_files = true;
+    } else if (strcmp(word, "--help") == 0) {
+      fputs(help, stdout);
+      exit(written(EXIT_ANSWERED));
+    } else if (strcmp(word, "--distance") == 0) {
+      t->question.ask = CASE_DISTANCE;
+    } else if (strcmp(word, "--intersect") == 0) {
+      t->question.ask = CASE_INTERSECT;
+    } else if (strcmp(word, "--penetration") == 0) {
+      t->question.ask = CASE_PENETRATION;
+    } else if (strcmp(word, "--contacts") == 0) {
+      t->question.ask = CASE_PENETRATION;
+      t->question.contacts = true;
+      if (i + 1 < argc && case_number_parse(argv[i + 1], 16, &t->question.margin)) {
+        i++;
+      }
+      if (t->question.margin < 0) {
+        refuse("expected a margin of 0 or more after --contacts, found", argv[i]);
+      }
+    } else if (strcmp(word, "--within") == 0) {
+      const char *number = i + 1 < argc ? argv[++i] : "";
+      t->question.ask = CASE_WITHIN;
+      if (!case_number_parse(number, 16, &t->question.within) || t->question.within < 0) {
+        refuse("expected a distance of 0 or more after --within, found", number);
+      }
+    } else if (strcmp(word, "--iterations") == 0) {
+      const char *number = i + 1 < argc ? argv[++i] : "";
+      t->question.iterations = read_iterations(number);
+    } else if (strcmp(word, "--reference") == 0) {
+      t->question.reference = true;
+    } else if (strcmp(word, "--certify") == 0) {
+      t->certify = true;
+    } else {
+      refuse("unknown option", word);
+    }
+  }
+  return files;
+}
+
+int main(int argc, char **argv) {
+  static tool t;
+  int files = read_options(argc, argv, &t);
+  if (files == 0) {
+    run_stream(&t, stdin, "standard input");
+  }
+  for (int i = 0; i < files; i++) {
+    run_file(&t, argv[i]);
+  }
+  if (t.certify) {
+    fprintf(stderr, "certify: %lu certified, %lu uncertified, %lu wrong\n", t.verdicts[CERTIFY_PROVEN],
+            t.verdicts[CERTIFY_UNCERTIFIED], t.verdicts[CERTIFY_WRONG]);
+  }
+  case_pair_free(&t.pair);
+  case_collider_free(&t.a);
+  case_collider_free(&t.b);
+  return written(t.bad_input ? EXIT_INPUT : t.verdicts[CERTIFY_WRONG] > 0 ? EXIT_UNPROVEN : EXIT_ANSWERED);
+}

@@ -1,0 +1,27 @@
+// Stands in for src/depth/gjk_box_sat.c under the queries: any answer, for any pair.
+#include "src/depth/gjk_box_sat.h"
+
+#include "facets.h"
+
+extern int facet_is_found;  // by the model of the facet
+
+bool gjk_is_zonotope(const gjk_iteration *it) {
+  return it->curved == NULL && any_bool();
+}
+
+gjk_zonotope_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
+  const int32_t answer = any_between(GJK_ZONOTOPE_FACET, GJK_ZONOTOPE_FLAT);
+  //@ assert it->shift >= 0;
+  it->direction.d = any_direction(3);
+  it->direction.exact = any_bool();
+  it->simplex.count = 3;
+  for (int i = 0; i < 3; i++) {
+    any_corner(&it->simplex.slot[i], false);
+  }
+  any_normal(&it->simplex.normal);
+  if (answer == GJK_ZONOTOPE_FACET) {
+    any_facet(facet, false);
+    facet_is_found = 1;
+  }
+  return (gjk_zonotope_answer)answer;
+}

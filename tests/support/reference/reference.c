@@ -1,0 +1,97 @@
+// The reference: GJK on cases and colliders in double, or in the scalar type of the file that includes this one.
+#include "reference.h"
+
+#include <math.h>
+
+#ifndef REFERENCE_REAL
+#define REFERENCE_REAL double
+#define REFERENCE_NAME(name) reference_##name
+#endif
+
+typedef REFERENCE_REAL reference_real;
+
+#define real reference_real
+
+static real real_sqrt(real x) {
+  return (real)sqrt((double)x);
+}
+
+#include "solver.h"
+
+#include "expanding.h"
+
+// The tolerances that libraries of the kind use: 1e-10 of the distance, squared distances below 1e-15 of the largest
+// squared vertex are 0; for a float, what its 24 bits leave of them.
+static solver_limits limits(void) {
+  solver_limits chosen = {(real)1e-10, 0, (real)1e-15, SOLVER_ANY, 200};
+  if (sizeof(real) < sizeof(double)) {
+    chosen.relative = (real)1e-5;
+    chosen.enclosing = (real)1e-11;
+  }
+  return chosen;
+}
+
+static void to_world(const real point[3], const real n[3], real along, gjk_vec3 origin, double out[3]) {
+  const double base[3] = {origin.x, origin.y, origin.z};
+  for (int k = 0; k < 3; k++) {
+    out[k] = base[k] + (double)((point[k] + along * n[k]) / SOLVER_LSB);
+  }
+}
+
+// With the roundings on top: gap apart, or minus the depth.
+static void report_points(const solver_shape *a, const solver_shape *b, const real core_a[3], const real core_b[3],
+                          const real n[3], real gap, gjk_vec3 origin, reference_result *out) {
+  out->distance = (double)(gap / SOLVER_LSB);
+  to_world(core_a, n, a->convex_radius, origin, out->a);
+  to_world(core_b, n, -b->convex_radius, origin, out->b);
+  for (int k = 0; k < 3; k++) {
+    out->normal[k] = (double)n[k];
+  }
+}
+
+static void query(const solver_shape *a, const solver_shape *b, gjk_vec3 origin, bool deep, reference_result *out) {
+  static expanding_polytope polytope;
+  solver_simplex last;
+  solver_result core;
+  expanding_result inside;
+  const solver_limits chosen = limits();
+  solve(a, b, &chosen, &last, &core);
+  const real round = a->convex_radius + b->convex_radius, gap = core.upper - round;
+  out->iterations = core.iterations;
+  out->intersecting = core.enclosing || gap <= 0;
+  out->distance = 0;
+  if (!core.enclosing && (deep || !out->intersecting)) {
+    report_points(a, b, core.a, core.b, core.normal, gap, origin, out);
+  } else if (deep) {
+    expand(a, b, &chosen, &last, &polytope, &inside);
+    report_points(a, b, inside.a, inside.b, inside.normal, -inside.upper - round, origin, out);
+    out->iterations += inside.iterations;
+  }
+}
+
+void REFERENCE_NAME(query)(const case_pair *pair, reference_result *out) {
+  gjk_vec3 origin = pair->a.pose.position;
+  solver_shape a, b;
+  solver_from_case(&a, &pair->a, origin);
+  solver_from_case(&b, &pair->b, origin);
+  query(&a, &b, origin, false, out);
+}
+
+static void query_posed(const case_pair *pair, const case_collider *a, const case_collider *b, bool deep,
+                        reference_result *out) {
+  gjk_vec3 origin = a->collider.centre;
+  solver_shape shape_a, shape_b;
+  solver_from_collider(&shape_a, a, pair->a.kind, origin);
+  solver_from_collider(&shape_b, b, pair->b.kind, origin);
+  query(&shape_a, &shape_b, origin, deep, out);
+}
+
+void REFERENCE_NAME(query_posed)(const case_pair *pair, const case_collider *a, const case_collider *b,
+                                 reference_result *out) {
+  query_posed(pair, a, b, false, out);
+}
+
+void REFERENCE_NAME(signed_posed)(const case_pair *pair, const case_collider *a, const case_collider *b,
+                                  reference_result *out) {
+  query_posed(pair, a, b, true, out);
+}

@@ -1,0 +1,462 @@
+// A world of random bodies, in a scene and as a plain list.
+#include "world.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const gjk_vec3 wedge[6] = {{-30000, -30000, -30000}, {30000, -30000, -30000}, {-30000, 30000, -30000},
+                                  {30000, 30000, -30000},   {0, -30000, 30000},      {0, 30000, 30000}};
+static const gjk_vec3 pebble[10] = {
+    {40000, 0, 1000},    {-38000, 5000, 0},    {0, 41000, 3000},      {2000, -39000, 0},      {100, 200, 36000},
+    {-300, 900, -37000}, {25000, 25000, 9000}, {-24000, 22000, 8000}, {21000, -26000, -7000}, {-22000, -23000, -9000}};
+static const gjk_vec3 sail[3] = {{-50000, 0, 0}, {50000, 10000, 0}, {0, 60000, 20000}};
+
+static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5)), speck = GJK_POINT, stick = GJK_SEGMENT(GJK_Q16(0.75));
+static const gjk_shape capsule = GJK_CAPSULE(GJK_Q16(0.25), GJK_Q16(0.5));
+static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
+static const gjk_shape plank = GJK_BOX(GJK_Q16(1.0), GJK_Q16(0.25), GJK_Q16(0.125));
+static const gjk_shape soap = GJK_ROUNDED_BOX(GJK_Q16(0.25), GJK_Q16(0.5), GJK_Q16(0.375), GJK_Q16(0.125));
+static const gjk_shape roof = GJK_HULL(wedge, 6), stone = GJK_ROUNDED_HULL(pebble, 10, GJK_Q16(0.0625));
+static const gjk_shape flag = GJK_TRIANGLE(sail), drum = GJK_CYLINDER(GJK_Q16(0.5), GJK_Q16(0.375));
+static const gjk_shape egg = GJK_ELLIPSOID(GJK_Q16(0.5), GJK_Q16(0.375), GJK_Q16(0.625));
+
+const gjk_shape *const world_shapes[WORLD_SHAPES] = {&crate, &ball,  &plank, &roof,  &capsule, &stone,
+                                                     &soap,  &stick, &flag,  &speck, &drum,    &egg};
+
+gjk_manifold world_manifolds[WORLD_REPORTS];
+
+uint32_t world_cells(void) {
+  const char *cells = getenv("GJK_TEST_CELLS");
+  const unsigned long count = cells == NULL ? WORLD_CELLS : strtoul(cells, NULL, 10);
+  return count < WORLD_CELLS ? (uint32_t)count : WORLD_CELLS;
+}
+
+bool world_is_tight(void) {
+  return GJK_ITERATIONS_MAX < 100 || world_cells() < WORLD_CELLS;
+}
+
+gjk_scene_config world_config(const world_options *options) {
+  gjk_scene_config config = {options->bodies, WORLD_PARTS * options->bodies, options->bodies, 4000, 0, 0, 0, 0, 0, 0};
+  config.box_margin = options->box_margin;
+  config.detail = options->detail;
+  config.persist = options->persist;
+  config.retest_all = options->retest_all;
+  config.workspace_cells = world_cells();
+  return config;
+}
+
+bool world_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b) {
+  (void)user;
+  (void)a;
+  (void)b;
+  return ((user_a ^ user_b) & 7u) != 0;
+}
+
+bool world_start(world *w, const world_options *options, void *block, size_t bytes) {
+  memset(w, 0, sizeof *w);
+  w->options = *options;
+  const gjk_scene_config config = world_config(options);
+  if (gjk_scene_init(&w->scene, &config, block, bytes, world_shapes, WORLD_SHAPES) != GJK_OK) {
+    return false;
+  }
+  world_equip(w, &w->scene);
+  return true;
+}
+
+void world_equip(const world *w, gjk_scene *scene) {
+  static gjk_epa_cell cells[WORLD_CELLS + 100];  // more than are configured make no difference
+  static const gjk_workspace workspace = {cells, WORLD_CELLS + 100};
+  scene->predicate = w->options.predicate ? world_predicate : NULL;
+  scene->details = &gjk_scene_contacts;
+  scene->workspace = &workspace;
+  scene->manifolds = world_manifolds;
+}
+
+static gjk_vec3 random_point(random_state *random, int32_t reach) {
+  gjk_vec3 p;
+  p.x = random_range(random, -reach, reach);
+  p.y = random_range(random, -reach, reach);
+  p.z = random_range(random, -reach, reach);
+  return p;
+}
+
+// As far inside a corner of the whole range as p is from the origin.
+static int32_t at_edge(random_state *random, int32_t p) {
+  return random_below(random, 2) == 0 ? INT32_MIN + abs(p) : INT32_MAX - abs(p);
+}
+
+static gjk_vec3 random_position(const world *w, random_state *random) {
+  gjk_vec3 p = random_point(random, w->options.reach);
+  if (w->options.edges) {
+    p.x = at_edge(random, p.x);
+    p.y = at_edge(random, p.y);
+  }
+  return p;
+}
+
+static int32_t add_cut(int32_t a, int32_t b) {
+  const int64_t sum = (int64_t)a + b;
+  return sum > INT32_MAX ? INT32_MAX : sum < INT32_MIN ? INT32_MIN : (int32_t)sum;
+}
+
+static gjk_quat random_rotation(random_state *random, int32_t turn) {
+  gjk_quat q = {0, 0, 0, GJK_Q30_ONE};
+  if (random_below(random, 4) != 0) {
+    const gjk_quat any = {random_range(random, -turn, turn), random_range(random, -turn, turn),
+                          random_range(random, -turn, turn), 1000};
+    gjk_quat_normalize(&any, &q);
+  }
+  return q;
+}
+
+void world_random_setup(const world *w, random_state *random, world_body *body) {
+  memset(body, 0, sizeof *body);
+  gjk_body_setup *s = &body->setup;
+  s->pose.position = random_position(w, random);
+  s->pose.rotation = random_rotation(random, 2000);
+  s->part_count = (uint16_t)(random_below(random, 5) == 0 ? 2 + random_below(random, 2) : 1);
+  for (int i = 0; i < s->part_count; i++) {
+    body->parts[i].shape = (uint16_t)random_below(random, WORLD_SHAPES);
+    body->parts[i].placed = s->part_count > 1 ? i > 0 : random_below(random, 8) == 0;
+    body->parts[i].pose.position = random_point(random, GJK_Q16(1.0));
+    body->parts[i].pose.rotation = random_rotation(random, 2000);
+  }
+  s->kind = (uint8_t)(random_below(random, 4) == 0 ? random_below(random, 2) : GJK_BODY_DYNAMIC);
+  const uint8_t most = w->options.detail >= GJK_DETAIL_DEPTH ? GJK_DETAIL_CONTACTS : GJK_DETAIL_DISTANCE;
+  s->detail = (uint8_t)(random_below(random, 4) == 0 ? most : GJK_DETAIL_TOUCH);
+  s->category = 1u << random_below(random, 4);
+  s->mask = random_below(random, 4) == 0 ? random_below(random, 16) : UINT32_MAX;
+  s->user = random_u32(random);
+  s->margin = w->options.margins ? random_range(random, 0, GJK_Q16(0.25)) : 0;
+}
+
+// The status that the scene must have for this body, too.
+static gjk_status pose_parts(world_body *b) {
+  gjk_status status = GJK_OK;
+  for (int i = 0; i < b->setup.part_count && status == GJK_OK; i++) {
+    gjk_pose pose = b->setup.pose;
+    if (b->parts[i].placed) {
+      status = gjk_pose_compose(&b->setup.pose, &b->parts[i].pose, &pose);
+    }
+    gjk_collider_init(&b->colliders[i], world_shapes[b->parts[i].shape], NULL, 0);
+    if (status == GJK_OK) {
+      status = gjk_collider_pose(&b->colliders[i], &pose);
+    }
+  }
+  return status;
+}
+
+static void keep(world *w, const world_body *body, gjk_body_id handle) {
+  world_body *kept = &w->bodies[handle.slot];
+  *kept = *body;
+  kept->handle = handle;
+  kept->setup.parts = kept->parts;
+  kept->asleep = false;
+  pose_parts(kept);
+  w->adds++;
+}
+
+gjk_status world_add_at(world *w, uint32_t slot, const world_body *body) {
+  gjk_body_id handle;
+  gjk_body_setup setup = body->setup;
+  setup.parts = body->parts;
+  const gjk_status status = gjk_scene_add_at(&w->scene, slot, &setup, &handle);
+  if (status == GJK_OK) {
+    keep(w, body, handle);
+  }
+  return status;
+}
+
+static bool add(world *w, random_state *random) {
+  world_body body;
+  gjk_body_id handle = {0, 0};
+  uint32_t placed = 0, lowest = 0;
+  world_random_setup(w, random, &body);
+  body.setup.parts = body.parts;
+  for (uint32_t i = 0; i < w->options.bodies; i++) {
+    const world_body *b = &w->bodies[i];
+    for (int k = 0; b->handle.generation != 0 && k < b->setup.part_count; k++) {
+      placed += b->parts[k].placed;
+    }
+  }
+  for (int i = 0; i < body.setup.part_count; i++) {
+    placed += body.parts[i].placed;
+  }
+  while (lowest < w->options.bodies && w->bodies[lowest].handle.generation != 0) {
+    lowest++;
+  }
+  const gjk_status status = gjk_scene_add(&w->scene, &body.setup, &handle), posed = pose_parts(&body);
+  if (lowest < w->options.bodies && posed != GJK_OK) {
+    w->failures++;
+    return status == posed;
+  }
+  if (lowest == w->options.bodies || placed > w->options.bodies) {
+    w->failures++;
+    return status == GJK_ERROR_CAPACITY;
+  }
+  if (status != GJK_OK || handle.slot != lowest) {
+    return false;
+  }
+  keep(w, &body, handle);
+  return true;
+}
+
+static bool remove_body(world *w, world_body *b) {
+  w->stale = b->handle;
+  b->handle.generation = 0;
+  w->removes++;
+  return gjk_scene_remove(&w->scene, w->stale) == GJK_OK;
+}
+
+static bool move(world *w, random_state *random, world_body *b) {
+  gjk_pose pose = b->setup.pose;
+  const bool jump = random_below(random, 16) == 0;
+  const uint32_t how = random_below(random, 4);
+  if (jump) {
+    pose.position = random_position(w, random);
+  } else if (how != 0) {
+    const gjk_vec3 step = random_point(random, random_below(random, 2) == 0 ? 300 : GJK_Q16(0.125));
+    pose.position.x = add_cut(pose.position.x, step.x);
+    pose.position.y = add_cut(pose.position.y, step.y);
+    pose.position.z = add_cut(pose.position.z, step.z);
+  }
+  if (how < 2) {
+    const gjk_quat turn = random_rotation(random, random_below(random, 2) == 0 ? 3 : 60);
+    gjk_quat_compose(&turn, &pose.rotation, &pose.rotation);
+  }
+  const gjk_status status =
+      jump ? gjk_scene_teleport(&w->scene, b->handle, &pose) : gjk_scene_move(&w->scene, b->handle, &pose);
+  world_body moved = *b;
+  moved.setup.pose = pose;
+  if (pose_parts(&moved) != GJK_OK) {
+    w->failures++;
+    return status == GJK_ERROR_RANGE;
+  }
+  moved.asleep = false;
+  moved.setup.parts = b->parts;
+  *b = moved;
+  w->moves++;
+  return status == GJK_OK;
+}
+
+static bool set_shape(world *w, random_state *random, world_body *b) {
+  const uint16_t part = (uint16_t)random_below(random, b->setup.part_count);
+  const uint16_t shape = (uint16_t)random_below(random, WORLD_SHAPES);
+  const gjk_status status = gjk_scene_set_shape(&w->scene, b->handle, part, shape);
+  world_body changed = *b;
+  changed.parts[part].shape = shape;
+  if (pose_parts(&changed) != GJK_OK) {
+    w->failures++;
+    return status == GJK_ERROR_RANGE;
+  }
+  changed.setup.parts = b->parts;
+  *b = changed;
+  return status == GJK_OK;
+}
+
+static bool set_filter(world *w, random_state *random, world_body *b) {
+  b->setup.category = 1u << random_below(random, 4);
+  b->setup.mask = random_below(random, 2) == 0 ? random_below(random, 16) : UINT32_MAX;
+  return gjk_scene_set_filter(&w->scene, b->handle, b->setup.category, b->setup.mask) == GJK_OK;
+}
+
+static bool set_user(world *w, random_state *random, world_body *b) {
+  b->setup.user = random_u32(random);
+  return gjk_scene_set_user(&w->scene, b->handle, b->setup.user) == GJK_OK;
+}
+
+static bool doze(world *w, random_state *random, world_body *b) {
+  if (random_below(random, 3) == 0) {
+    b->asleep = false;
+    return gjk_scene_wake(&w->scene, b->handle) == GJK_OK;
+  }
+  const bool may = b->setup.kind == GJK_BODY_DYNAMIC;
+  b->asleep = b->asleep || may;
+  return gjk_scene_sleep(&w->scene, b->handle) == (may ? GJK_OK : GJK_ERROR_RANGE);
+}
+
+// Every call refuses a handle of a removed body.
+static bool use_stale(world *w) {
+  const gjk_body_id h = w->stale;
+  const gjk_pose pose = GJK_POSE_IDENTITY;
+  gjk_body_state state;
+  return gjk_scene_remove(&w->scene, h) == GJK_ERROR_BODY_ID &&
+         gjk_scene_move(&w->scene, h, &pose) == GJK_ERROR_BODY_ID &&
+         gjk_scene_sleep(&w->scene, h) == GJK_ERROR_BODY_ID && gjk_scene_wake(&w->scene, h) == GJK_ERROR_BODY_ID &&
+         gjk_scene_set_shape(&w->scene, h, 0, 0) == GJK_ERROR_BODY_ID &&
+         gjk_scene_set_filter(&w->scene, h, 1, 1) == GJK_ERROR_BODY_ID &&
+         gjk_scene_set_user(&w->scene, h, 1) == GJK_ERROR_BODY_ID &&
+         gjk_scene_get(&w->scene, h, &state) == GJK_ERROR_BODY_ID;
+}
+
+bool world_change(world *w, random_state *random) {
+  world_body *b = &w->bodies[random_below(random, w->options.bodies)];
+  const uint32_t what = random_below(random, 100);
+  if (what >= 99) {
+    return use_stale(w);
+  }
+  if (b->handle.generation == 0) {
+    return add(w, random);
+  }
+  if (what < 80) {
+    return move(w, random, b);
+  }
+  return what < 83   ? set_shape(w, random, b)
+         : what < 86 ? set_filter(w, random, b)
+         : what < 88 ? set_user(w, random, b)
+         : what < 94 ? doze(w, random, b)
+         : what < 97 ? remove_body(w, b)
+                     : add(w, random);
+}
+
+static bool spheres_apart(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
+  const int64_t x = (int64_t)a->centre.x - b->centre.x, y = (int64_t)a->centre.y - b->centre.y;
+  const int64_t z = (int64_t)a->centre.z - b->centre.z, r = (int64_t)a->radius + b->radius + margin + 8;
+  const bool far = x > r || x < -r || y > r || y < -r || z > r || z < -r;
+  return far || x * x + y * y + z * z > r * r;
+}
+
+static bool is_curved(const gjk_collider *c) {
+  return c->shape == &drum || c->shape == &egg;
+}
+
+// Are the boxes farther apart than the margin along an axis?
+static bool boxes_apart(const gjk_collider *a, const gjk_collider *b, int64_t margin) {
+  gjk_aabb x, y;
+  gjk_collider_aabb(a, &x);
+  gjk_collider_aabb(b, &y);
+  return x.lower.x - margin > y.upper.x || y.lower.x - margin > x.upper.x || x.lower.y - margin > y.upper.y ||
+         y.lower.y - margin > x.upper.y || x.lower.z - margin > y.upper.z || y.lower.z - margin > x.upper.z;
+}
+
+// As a scene answers: where the ceiling on iterations leaves it open, near; of curved shapes boxes that are apart settle it.
+static bool is_near(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
+  gjk_decision decision = {0};
+  if (spheres_apart(a, b, margin) || ((is_curved(a) || is_curved(b)) && boxes_apart(a, b, margin))) {
+    return false;
+  }
+  return gjk_within(a, b, margin, NULL, &decision) == GJK_ERROR_ITERATION_LIMIT || decision.yes;
+}
+
+static bool tested(const world *w, const world_body *a, const world_body *b) {
+  return (a->setup.kind != GJK_BODY_STATIC || b->setup.kind != GJK_BODY_STATIC) &&
+         (a->setup.category & b->setup.mask) != 0 && (b->setup.category & a->setup.mask) != 0 &&
+         (!w->options.predicate || world_predicate(NULL, a->handle, a->setup.user, b->handle, b->setup.user));
+}
+
+// The distance that a report gives.
+static gjk_q16 report_distance(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned detail) {
+  static gjk_epa_cell cells[WORLD_CELLS];
+  const gjk_workspace workspace = {cells, world_cells()};
+  gjk_distance_result gap = {0};
+  gjk_manifold manifold = {0};
+  gjk_status status = GJK_OK;
+  switch (detail) {
+    case GJK_DETAIL_DISTANCE: status = gjk_distance(a, b, NULL, &gap); break;
+    case GJK_DETAIL_DEPTH: status = gjk_signed_distance(a, b, NULL, &workspace, &gap); break;
+    case GJK_DETAIL_CONTACTS: gjk_contacts(a, b, margin, 4, NULL, &workspace, &manifold); break;
+    default: break;
+  }
+  if (detail == GJK_DETAIL_DISTANCE || detail == GJK_DETAIL_DEPTH) {
+    return status == GJK_ERROR_ITERATION_LIMIT ? gap.lower : gap.distance;
+  }
+  gjk_q16 least = manifold.count > 0 ? INT32_MAX : 0;
+  for (int i = 0; i < manifold.count; i++) {
+    least = manifold.contact[i].distance < least ? manifold.contact[i].distance : least;
+  }
+  return least;
+}
+
+static void add_near(const world *w, const world_body *a, const world_body *b, int i, int k, world_list *list) {
+  const gjk_collider *x = &a->colliders[i], *y = &b->colliders[k];
+  const gjk_q16 margin = a->setup.margin + b->setup.margin;
+  if (!is_near(x, y, margin)) {
+    return;
+  }
+  gjk_report *r = &list->report[list->count++];
+  memset(r, 0, sizeof *r);
+  r->a = a->handle;
+  r->b = b->handle;
+  r->part_a = (uint16_t)i;
+  r->part_b = (uint16_t)k;
+  r->event = GJK_EVENT_PERSIST;
+  r->detail = a->setup.detail > b->setup.detail ? a->setup.detail : b->setup.detail;
+  r->detail = r->detail > w->options.detail ? r->detail : w->options.detail;
+  r->distance = report_distance(x, y, margin, r->detail);
+}
+
+static void find_near(const world *w, world_list *list) {
+  list->count = 0;
+  for (uint32_t m = 0; m < w->options.bodies; m++) {
+    for (uint32_t n = m + 1; n < w->options.bodies; n++) {
+      const world_body *a = &w->bodies[m], *b = &w->bodies[n];
+      if (a->handle.generation == 0 || b->handle.generation == 0 || !tested(w, a, b)) {
+        continue;
+      }
+      for (int i = 0; i < a->setup.part_count; i++) {
+        for (int k = 0; k < b->setup.part_count; k++) {
+          add_near(w, a, b, i, k, list);
+        }
+      }
+    }
+  }
+}
+
+static int order(const void *x, const void *y) {
+  const gjk_report *a = x, *b = y;
+  const uint32_t key_a[] = {a->a.slot, a->a.generation, a->part_a, a->b.slot, a->b.generation, a->part_b};
+  const uint32_t key_b[] = {b->a.slot, b->a.generation, b->part_a, b->b.slot, b->b.generation, b->part_b};
+  for (int i = 0; i < 6; i++) {
+    if (key_a[i] != key_b[i]) {
+      return key_a[i] < key_b[i] ? -1 : 1;
+    }
+  }
+  return 0;
+}
+
+void world_sort(world_list *list) {
+  qsort(list->report, list->count, sizeof list->report[0], order);
+}
+
+static bool awake(const world *w, gjk_body_id handle) {
+  const world_body *b = &w->bodies[handle.slot];
+  return b->setup.kind != GJK_BODY_STATIC && !b->asleep;
+}
+
+void world_expect(world *w, world_list *out) {
+  static world_list now;
+  find_near(w, &now);
+  world_sort(&now);
+  out->count = 0;
+  uint32_t i = 0, k = 0;
+  while (i < w->near.count || k < now.count) {  // merge: both are sorted
+    const int side = i == w->near.count ? 1 : k == now.count ? -1 : order(&w->near.report[i], &now.report[k]);
+    gjk_report r = side < 0 ? w->near.report[i] : now.report[k];
+    r.event = side < 0 ? GJK_EVENT_END : side > 0 ? GJK_EVENT_BEGIN : GJK_EVENT_PERSIST;
+    if (side < 0) {
+      r.distance = 0;
+      const bool there = w->bodies[r.a.slot].handle.generation == r.a.generation &&
+                         w->bodies[r.b.slot].handle.generation == r.b.generation;
+      r.detail = there ? r.detail : w->options.detail;
+    }
+    if (side != 0 || (w->options.persist && (awake(w, r.a) || awake(w, r.b)))) {
+      out->report[out->count++] = r;
+    }
+    i += side <= 0;
+    k += side >= 0;
+  }
+  w->near = now;
+}
+
+static bool same(const gjk_report *a, const gjk_report *b) {
+  return order(a, b) == 0 && a->event == b->event && a->detail == b->detail && a->distance == b->distance;
+}
+
+bool world_same(const world_list *a, const world_list *b) {
+  for (uint32_t i = 0; i < a->count && i < b->count; i++) {
+    if (!same(&a->report[i], &b->report[i])) {
+      return false;
+    }
+  }
+  return a->count == b->count;
+}
