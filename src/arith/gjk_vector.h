@@ -57,6 +57,13 @@ int gjk_sum_of_products_sign(int64_t p, int64_t q, int64_t r, int64_t s);
 #include "gjk_vector_inline.h"
 #endif
 
+// *out = (b - a) x (c - a), exact: the triangle's normal, outwards of what it bounds when a, b, c run counterclockwise.
+// Pre: edges as of gjk_edge.
+static inline void gjk_triangle_normal(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, gjk_long3 *out) {
+  const gjk_vec3 ab = gjk_edge(*b, *a), ac = gjk_edge(*c, *a);
+  gjk_cross(&ab, &ac, out);
+}
+
 // A vertex of a shape.
 typedef struct gjk_support {
   gjk_vec3 offset;  // from the collider's centre, Q16.16

@@ -223,9 +223,8 @@ static void from_axes(const gjk_collider *c, const gjk_vec3 *position, gjk_polyg
 static void set_polygon_normal(gjk_polygon *p) {
   gjk_long3 n = {0, 0, 0};
   for (unsigned i = 2; i < p->count; i++) {
-    const gjk_vec3 edge = gjk_edge(p->corner[i - 1], p->corner[0]), edge2 = gjk_edge(p->corner[i], p->corner[0]);
     gjk_long3 part;
-    gjk_cross(&edge, &edge2, &part);
+    gjk_triangle_normal(&p->corner[0], &p->corner[i - 1], &p->corner[i], &part);
     n.x += part.x;
     n.y += part.y;
     n.z += part.z;

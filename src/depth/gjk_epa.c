@@ -62,13 +62,11 @@ static gjk_vec3 across(const gjk_vec3 *e) {
 }
 
 static void normal_of(const gjk_simplex *s, gjk_long3 *n) {
-  const gjk_vec3 *w = &s->slot[s->order[0]].w;
-  const gjk_vec3 edge = gjk_edge(s->slot[s->order[1]].w, *w), edge2 = gjk_edge(s->slot[s->order[2]].w, *w);
-  gjk_cross(&edge, &edge2, n);
+  gjk_triangle_normal(&s->slot[s->order[0]].w, &s->slot[s->order[1]].w, &s->slot[s->order[2]].w, n);
 }
 
 static gjk_q16 curved_error(const gjk_iteration *it) {
-  return it->curved != NULL ? GJK_CURVED_ERROR : 0;
+  return gjk_pair_is_curved(it) ? GJK_CURVED_ERROR : 0;
 }
 
 // The triangle that holds the origin is a facet: the depth is 0.
@@ -156,7 +154,7 @@ static gjk_q16 lower_bound(const gjk_iteration *it, const gjk_epa_hull *p) {
 
 // The facet's plane is exact, or for curved shapes known to within the tolerance and the error of their supports.
 static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
-  return it->curved == NULL ? facet->depth : facet->depth - CURVED_WIDTH;
+  return !gjk_pair_is_curved(it) ? facet->depth : facet->depth - CURVED_WIDTH;
 }
 
 // Do the bounds of a curved pair tell its depth? That takes a look at every face, so it is asked when the turns have doubled,
@@ -194,7 +192,7 @@ static gjk_epa_outcome bound_by(gjk_iteration *it, const gjk_epa_hull *p, const 
 static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *facet, gjk_q16 *lower,
                               uint16_t *iterations) {
   const gjk_vertex *support = &it->simplex.slot[0];
-  const bool curved = it->curved != NULL;
+  const bool curved = gjk_pair_is_curved(it);
   bounding_face least;
   least.reached = UINT32_MAX;
   // Each turn settles a face or adds a vertex, so there are fewer than there are cells, and of a curved pair at most
@@ -268,7 +266,7 @@ gjk_epa_outcome gjk_epa(gjk_iteration *it, const gjk_workspace *workspace, gjk_f
   if (done) {
     return expansion;
   }
-  if (!gjk_epa_hull_start(&p, workspace, &it->simplex, it->curved != NULL)) {
+  if (!gjk_epa_hull_start(&p, workspace, &it->simplex, gjk_pair_is_curved(it))) {
     ++*iterations;
     bound_by_face(it, facet);
     return GJK_EPA_FULL;

@@ -35,10 +35,8 @@ static void store_vertex(gjk_epa_hull *p, const gjk_vertex *v) {
 }
 
 void gjk_epa_hull_normal(const gjk_epa_hull *p, const uint16_t corner[3], gjk_long3 *n) {
-  const gjk_vec3 *w = gjk_epa_hull_vertex(p, corner[0]);
-  const gjk_vec3 edge = gjk_edge(*gjk_epa_hull_vertex(p, corner[1]), *w);
-  const gjk_vec3 edge2 = gjk_edge(*gjk_epa_hull_vertex(p, corner[2]), *w);
-  gjk_cross(&edge, &edge2, n);
+  gjk_triangle_normal(gjk_epa_hull_vertex(p, corner[0]), gjk_epa_hull_vertex(p, corner[1]),
+                      gjk_epa_hull_vertex(p, corner[2]), n);
 }
 
 static void set_face(gjk_epa_hull *p, uint16_t face, uint16_t u, uint16_t v, uint16_t w) {

@@ -72,7 +72,8 @@ void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16
   const gjk_q16 depth = bound < 0 ? exact_depth(it, &normal, &it->simplex.slot[0].w, true) : bound;
   best->set = false;
   // Curved supports may be 2 LSB apart across the same plane: the least of the bounds holds.
-  const gjk_q16 slack = it->curved == NULL ? 0 : 2, least = best->found && best->depth < depth ? best->depth : depth;
+  const gjk_q16 slack = !gjk_pair_is_curved(it) ? 0 : 2,
+                least = best->found && best->depth < depth ? best->depth : depth;
   bool better = !best->found || depth < best->depth;
   if (best->found && covers != best->covers) {
     better = covers ? depth <= best->depth + slack : depth + slack < best->depth;
@@ -100,7 +101,7 @@ void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
     if (!ready) {
       *v = facet->corner[i];
     }
-    if (it->curved == NULL) {
+    if (!gjk_pair_is_curved(it)) {
       it->a->shape->type->vertex(it->a, v->a.vertex, &v->a.offset);
     }
   }

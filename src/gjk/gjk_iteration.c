@@ -132,9 +132,9 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
     return false;
   }
   set_delta(it);
-  it->curved = a->shape->type->stalls;
-  if (it->curved == NULL) {
-    it->curved = b->shape->type->stalls;
+  it->stalls = a->shape->type->stalls;
+  if (!gjk_pair_is_curved(it)) {
+    it->stalls = b->shape->type->stalls;
   }
   gjk_simplex_clear(&it->simplex);
   return true;
@@ -240,8 +240,8 @@ GJK_OUT_OF_LINE static bool settles_near(const gjk_iteration *it) {
 static bool is_duplicate(gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *added = gjk_simplex_free(&it->simplex);
-  if (it->curved != NULL && s->count > 0) {
-    return it->curved(&it->direction.d, &s->slot[s->order[0]].w, &added->w, it->shift,
+  if (gjk_pair_is_curved(it) && s->count > 0) {
+    return it->stalls(&it->direction.d, &s->slot[s->order[0]].w, &added->w, it->shift,
                       it->iterations >= LATE_ITERATIONS);
   }
   for (unsigned i = 0; i < s->count; i++) {
@@ -304,7 +304,7 @@ static gjk_step add_vertex(gjk_iteration *it, gjk_support *b) {
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   gjk_support b;
   // Of rounded vertices, where the search ends, and whether it does in time, would depend on where it began.
-  if (it->shift < 0 || it->curved != NULL) {
+  if (it->shift < 0 || gjk_pair_is_curved(it)) {
     cache = NULL;
   }
   if (cache != NULL && warm_start(it, cache)) {
@@ -341,7 +341,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
 // The vertices of the feature, when there are some to be named. Returns their number.
 static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint16_t a[4], uint16_t b[4]) {
   const gjk_simplex *s = &it->simplex;
-  const uint8_t count = it->curved != NULL || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
+  const uint8_t count = gjk_pair_is_curved(it) || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
   for (unsigned i = 0; i < count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];
     a[i] = v->a.vertex;
@@ -353,7 +353,7 @@ static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint1
 void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_certificate *out) {
   static const uint8_t proof[] = {GJK_PROOF_NEAREST, GJK_PROOF_ENCLOSING, GJK_PROOF_DIRECTION, GJK_PROOF_NEAR,
                                   GJK_PROOF_NONE};
-  out->proof = it->curved != NULL ? GJK_PROOF_NONE : proof[outcome];
+  out->proof = gjk_pair_is_curved(it) ? GJK_PROOF_NONE : proof[outcome];
   out->count = name_vertices(it, outcome, out->a, out->b);
   out->direction = it->direction.d;
 }

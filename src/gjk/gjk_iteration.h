@@ -53,9 +53,14 @@ typedef struct gjk_iteration {
   uint64_t seen[2];
   gjk_search_direction direction;  // of the last support
   // Of one of the two that has no vertices, see gjk_shape_class.stalls; NULL: both have.
-  bool (*curved)(const gjk_vec3 *, const gjk_vec3 *, const gjk_vec3 *, int, bool);
+  bool (*stalls)(const gjk_vec3 *, const gjk_vec3 *, const gjk_vec3 *, int, bool);
   gjk_simplex simplex;
 } gjk_iteration;
+
+// Is one of the two shapes curved?
+static inline bool gjk_pair_is_curved(const gjk_iteration *it) {
+  return it->stalls != NULL;
+}
 
 // Sets the frame of the pair; radius is the sum of the roundings and the asked distance, Q16.16, not negative.
 // False: the bounding spheres are more than radius apart (asked only where the goal separates); only a, b are set.

@@ -36,7 +36,7 @@
 #define GJK_SEARCH_ITERATIONS_MAX (GJK_PLAIN_ITERATIONS + 2 * GJK_MARKS)
 
 static inline unsigned gjk_search_limit(const gjk_iteration *it) {
-  return it->curved != NULL ? GJK_ITERATIONS_MAX : GJK_SEARCH_ITERATIONS_MAX;
+  return gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : GJK_SEARCH_ITERATIONS_MAX;
 }
 
 // As a limit: no other than that.
@@ -48,14 +48,14 @@ gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit);
 // Runs from the cache, or cold when it is NULL or useless; after LIMIT and with a higher limit on iterations, on from there.
 // Polytopes do not reach gjk_search_limit.
 static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
-  const unsigned most = it->curved != NULL ? GJK_ITERATIONS_MAX : GJK_PLAIN_ITERATIONS;
+  const unsigned most = gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : GJK_PLAIN_ITERATIONS;
   const unsigned plain = limit < most ? limit : most;
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
   if (it->iterations < plain) {
     it->limit = (uint8_t)plain;
     outcome = gjk_iteration_run(it, goal, cache);
   }
-  return outcome == GJK_OUTCOME_LIMIT && it->curved == NULL ? gjk_search_on(it, goal, limit) : outcome;
+  return outcome == GJK_OUTCOME_LIMIT && !gjk_pair_is_curved(it) ? gjk_search_on(it, goal, limit) : outcome;
 }
 
 #endif

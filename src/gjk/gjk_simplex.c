@@ -64,9 +64,7 @@ static gjk_step add_to_vertex(gjk_simplex *s, unsigned w) {
 }
 
 static void set_triangle_normal(gjk_simplex *s, unsigned x, unsigned y, unsigned w) {
-  const gjk_vec3 edge = gjk_edge(s->slot[y].w, s->slot[x].w);
-  const gjk_vec3 edge2 = gjk_edge(s->slot[w].w, s->slot[x].w);
-  gjk_cross(&edge, &edge2, &s->normal);
+  gjk_triangle_normal(&s->slot[x].w, &s->slot[y].w, &s->slot[w].w, &s->normal);
 }
 
 // The triangle x, y, w becomes the feature, its normal towards the origin.

@@ -69,7 +69,7 @@ gjk_status gjk_collider_aabb(const gjk_collider *c, gjk_aabb *out) {
     return GJK_ERROR_UNINITIALISED;
   }
   const gjk_q16 convex_radius = c->shape->convex_radius;
-  if (c->shape->type->vertex == NULL) {
+  if (gjk_is_curved(c->shape)) {
     bound_curved(c, out);
   } else if (c->shape->vertices == NULL) {
     bound_axes(c, out);

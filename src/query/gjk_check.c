@@ -136,7 +136,7 @@ gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_
   if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {
     return decision->yes ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
-  if (it.curved != NULL || it.shift < 0) {
+  if (gjk_pair_is_curved(&it) || it.shift < 0) {
     return GJK_ERROR_UNSUPPORTED;
   }
   const bool proven = decision->yes ? is_together(&it, certificate) : is_apart(&it, certificate, radius);
@@ -179,7 +179,7 @@ gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, cons
   const gjk_certificate *certificate = &result->certificate;
   const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius;
   gjk_iteration_start(&it, a, b, GJK_GOAL_DISTANCE, radius);
-  if (it.curved != NULL || it.shift < 0) {
+  if (gjk_pair_is_curved(&it) || it.shift < 0) {
     return GJK_ERROR_UNSUPPORTED;
   }
   if (result->lower != result->distance || result->upper != result->distance || result->distance < 0) {
@@ -216,8 +216,7 @@ static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int6
   if (certificate->count != 3 || !load(it, certificate)) {
     return false;
   }
-  const gjk_vec3 edge = gjk_edge(s->slot[1].w, s->slot[0].w), edge2 = gjk_edge(s->slot[2].w, s->slot[0].w);
-  gjk_cross(&edge, &edge2, n);
+  gjk_triangle_normal(&s->slot[0].w, &s->slot[1].w, &s->slot[2].w, n);
   gjk_direction outwards = {NULL, NULL, n, 0, 0, 3, false};
   gjk_simplex_set(&it->simplex, 3);
   return (n->x | n->y | n->z) != 0 && gjk_dot_sign(n, &s->slot[0].w) >= 0 && is_support(it, certificate, &outwards) &&
@@ -323,7 +322,7 @@ gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, c
   if (!gjk_iteration_start(&it, a, b, GJK_GOAL_DEPTH, radius)) {
     return result->intersecting ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
-  if (it.curved != NULL) {  // near enough for the unscaled frame they are: the bounding spheres meet
+  if (gjk_pair_is_curved(&it)) {  // near enough for the unscaled frame they are: the bounding spheres meet
     return GJK_ERROR_UNSUPPORTED;
   }
   //@ assert it.shift >= 0;

@@ -76,7 +76,7 @@ static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
 }
 
 gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *upper) {
-  *lower = plane_distance(it, -GJK_PLANE_ERROR) - 1 - (it->curved != NULL ? GJK_CURVED_ERROR : 0);
+  *lower = plane_distance(it, -GJK_PLANE_ERROR) - 1 - (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR : 0);
   if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
     *upper = -gjk_convex_radii(it);
     return GJK_OUTCOME_ENCLOSING;

@@ -1,6 +1,7 @@
 // The penetration and the signed distance queries.
 #include "gjk/penetration.h"
 
+#include "../arith/gjk_memory.h"
 #include "../arith/gjk_unit.h"
 #include "../depth/gjk_box_sat.h"
 #include "../depth/gjk_epa.h"
@@ -35,15 +36,6 @@ static bool surely_suffices(gjk_q16 depth, const gjk_unit3 *u, const gjk_vec3 *t
          gjk_shl64((int64_t)depth + 1, 33);
 }
 
-// Copies a collider; volatile, lest the compiler make it a call of memcpy.
-static void copy_collider(gjk_collider *to, const gjk_collider *from) {
-  const volatile unsigned char *source = (const volatile unsigned char *)from;
-  unsigned char *target = (unsigned char *)to;
-  for (size_t i = 0; i < sizeof *to; i++) {
-    target[i] = source[i];
-  }
-}
-
 // Are the shapes apart or touching when B has moved by t? Exact. Overwrites the iteration. Pre: t parts the cores.
 GJK_OUT_OF_LINE static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
   const gjk_collider *a = it->a, *b = it->b;
@@ -51,8 +43,8 @@ GJK_OUT_OF_LINE static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec
   // not much longer.
   const gjk_vec3 origin = {0, 0, 0}, apart = gjk_sub(b->centre, a->centre);
   gjk_collider moved_a, moved_b;
-  copy_collider(&moved_a, a);
-  copy_collider(&moved_b, b);
+  gjk_copy(&moved_a, a, sizeof moved_a);
+  gjk_copy(&moved_b, b, sizeof moved_b);
   moved_a.centre = origin;
   moved_b.centre = gjk_add(apart, *t);
   const int64_t radius = gjk_convex_radii(it);
@@ -72,10 +64,9 @@ GJK_OUT_OF_LINE static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec
 // Does the move take A - B behind the facet's plane? Exact.
 static bool clears_facet(const overlap *o, const gjk_vec3 *t) {
   const gjk_vec3 *w = &o->facet.corner[0].w;
-  const gjk_vec3 edge = gjk_edge(o->facet.corner[1].w, *w), edge2 = gjk_edge(o->facet.corner[2].w, *w);
   const unsigned shift = (unsigned)o->it.shift;
   gjk_long3 n;
-  gjk_cross(&edge, &edge2, &n);
+  gjk_triangle_normal(w, &o->facet.corner[1].w, &o->facet.corner[2].w, &n);
   // In LSB, at most 2^30 + 2^29.
   const gjk_vec3 rest = {gjk_sar32(w->x, shift) - t->x, gjk_sar32(w->y, shift) - t->y, gjk_sar32(w->z, shift) - t->z};
   return gjk_dot_sign(&n, &rest) <= 0;
@@ -151,13 +142,13 @@ static void measure_gap(overlap *o, int64_t plane) {
     }
   }
   o->proof = GJK_PROOF_NEAREST;
-  o->upper = -(gjk_q16)low + (it->curved != NULL ? GJK_CURVED_ERROR : 0);
-  o->lower = -(gjk_q16)low - (it->curved != NULL ? GJK_CURVED_ERROR + 1 : 0);
+  o->upper = -(gjk_q16)low + (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR : 0);
+  o->lower = -(gjk_q16)low - (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR + 1 : 0);
 }
 
 static void certify(const overlap *o, gjk_certificate *out) {
   gjk_iteration_certify(&o->it, GJK_OUTCOME_NEAREST, out);
-  if (o->it.curved != NULL) {
+  if (gjk_pair_is_curved(&o->it)) {
     return;
   }
   out->proof = o->proof;
@@ -192,7 +183,7 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
   out->upper = o->upper + rounding;
   out->lower = o->lower + rounding > 0 ? o->lower + rounding : 0;
   // A bound is as far off as curved supports may be; the depth itself is told by the supports as they are.
-  const gjk_q16 off = o->it.curved != NULL && status == GJK_OK ? GJK_CURVED_ERROR : 0;
+  const gjk_q16 off = gjk_pair_is_curved(&o->it) && status == GJK_OK ? GJK_CURVED_ERROR : 0;
   out->depth = out->upper - off;
   out->iterations = o->iterations;
   gjk_witness_points(&o->it, &out->normal, &out->point_a, &out->point_b, &saturated);
@@ -200,7 +191,7 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
   if (status == GJK_ERROR_CAPACITY) {
     out->certificate.proof = GJK_PROOF_NONE;
   }
-  if (o->it.curved == NULL) {
+  if (!gjk_pair_is_curved(&o->it)) {
     widen_normal(o, status, out);
   }
   return status;
@@ -226,7 +217,7 @@ static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *ca
 static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   gjk_iteration *it = &o->it;
   gjk_cache direction;
-  const gjk_cache *from = it->curved == NULL && cache != NULL && cache->count < 4 ? cache : NULL;
+  const gjk_cache *from = !gjk_pair_is_curved(it) && cache != NULL && cache->count < 4 ? cache : NULL;
   o->facet.found = false;
   if (it->shift >= 0 && gjk_is_zonotope(it)) {
     const gjk_zonotope_answer answer = gjk_box_sat(it, &o->facet);

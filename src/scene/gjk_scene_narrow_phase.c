@@ -31,7 +31,7 @@ static const gjk_shape *shape_of(const pair_question *q, const gjk_scene_part *p
 // Has one of them no vertices? A query may then end at the ceiling on iterations, or decide within 2 LSB, so that nothing but
 // asking tells what it answers: poses alone count, and nothing that was found before.
 static bool is_curved(const pair_question *q) {
-  return shape_of(q, q->a)->type->vertex == NULL || shape_of(q, q->b)->type->vertex == NULL;
+  return gjk_is_curved(shape_of(q, q->a)) || gjk_is_curved(shape_of(q, q->b));
 }
 
 static void set_near(gjk_scene_pair *pair, bool near) {

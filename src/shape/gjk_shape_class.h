@@ -47,6 +47,11 @@ struct gjk_shape_class {
   uint8_t kind;   // a gjk_kind
 };
 
+// Has the shape no vertices: a cylinder, cone, ellipsoid or a user's own?
+static inline bool gjk_is_curved(const gjk_shape *shape) {
+  return shape->type->stalls != NULL;
+}
+
 #define GJK_STATE_INITIALISED UINT16_C(0x676A)
 #define GJK_STATE_POSED UINT16_C(0x676B)
 

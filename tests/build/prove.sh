@@ -15,7 +15,7 @@ shift
 
 # What has a contract instead of a body, but in the driver of the bodies.
 CONTRACTS=gjk_add,gjk_sub,gjk_edge,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,reciprocal,\
-gjk_reciprocal_root,gjk_unit,copy_collider,gjk_height_key
+gjk_reciprocal_root,gjk_unit,gjk_copy,gjk_height_key
 
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
 QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report_depth:100,\
@@ -187,7 +187,7 @@ prove_one() {
       ;;
     scene_*)
       sources="$(echo src/scene/*.c) src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
-      models=scene
+      models=scene contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
       [ "$driver" != scene_ops ] || models='scene scene_tree'
       set -- "$1" -eva-slevel 12 -eva-slevel-function "$SCENE_LEVELS" -eva-partition-history 1 \
         -eva-interprocedural-history -eva-interprocedural-splits -eva-ilevel 64 -eva-auto-loop-unroll 8

@@ -27,7 +27,7 @@ static void run(uint16_t count_a, uint16_t count_b) {
   it.b = &b;
   it.shift = (int8_t)any_between(0, 29);
   it.delta = any_vec3(INT32_C(1) << 30);
-  it.curved = NULL;
+  it.stalls = NULL;
   gjk_simplex_clear(&it.simplex);
   facet.found = false;
   facet_is_found = 0;

@@ -6,7 +6,7 @@
 extern int facet_is_found;  // by the model of the facet
 
 bool gjk_is_zonotope(const gjk_iteration *it) {
-  return it->curved == NULL && any_bool();
+  return !gjk_pair_is_curved(it) && any_bool();
 }
 
 gjk_zonotope_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {

@@ -124,10 +124,11 @@ gjk_unit3 gjk_unit(const gjk_vec3 *d);
 uint32_t gjk_height_key(int64_t along, int64_t squared);
 
 // Byte by byte, which Eva does not follow.
-/*@ requires set: \initialized(&from->shape) && \initialized(&from->centre.x);
-    assigns *to \from *from;
-    ensures \initialized(to);
-    ensures to->shape == from->shape; */
-static void copy_collider(gjk_collider *to, const gjk_collider *from);
+/*@ requires set: \initialized(&((gjk_collider *)from)->shape) && \initialized(&((gjk_collider *)from)->centre.x);
+    requires whole: bytes == sizeof(gjk_collider);
+    assigns *(gjk_collider *)to \from *(gjk_collider *)from;
+    ensures \initialized((gjk_collider *)to);
+    ensures ((gjk_collider *)to)->shape == ((gjk_collider *)from)->shape; */
+static void gjk_copy(void *to, const void *from, size_t bytes);
 
 #endif

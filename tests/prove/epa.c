@@ -21,10 +21,10 @@ static void check_expansion(const gjk_iteration *it, gjk_epa_outcome expansion, 
   check_size(lower, ANY_DEPTH);
   check_vec3(&it->direction.d, ANY_DIRECTION);
   if (expansion != GJK_EPA_TOUCHES) {
-    check_facet(facet, it->curved != NULL);
+    check_facet(facet, gjk_pair_is_curved(it));
     if (facet->set && facet->covers) {
       for (int i = 0; i < 3; i++) {
-        check_corner(&s->slot[i], it->curved != NULL);
+        check_corner(&s->slot[i], gjk_pair_is_curved(it));
       }
     }
     return;
@@ -44,7 +44,7 @@ static void run(const gjk_collider *a, const gjk_collider *b, const gjk_workspac
   it.a = a;
   it.b = b;
   it.shift = (int8_t)any_between(0, 29);
-  it.curved = b->shape->type->stalls;
+  it.stalls = b->shape->type->stalls;
   it.direction.d = any_vec3(ANY_W);
   it.direction.exact = any_bool();
   any_origin(&it);

@@ -28,7 +28,7 @@ gjk_epa_outcome gjk_epa(gjk_iteration *it, const gjk_workspace *workspace, gjk_f
     s->count = (uint8_t)count;
     any_normal(&s->normal);
   } else {
-    any_facet(facet, it->curved != NULL);
+    any_facet(facet, gjk_pair_is_curved(it));
     facet_is_found = 1;
   }
   return expansion;

@@ -16,14 +16,14 @@ static void any_iteration(gjk_iteration *it, const gjk_collider *a, bool is_curv
   it->a = a;
   it->b = a;
   it->shift = (int8_t)any_between(0, 29);
-  it->curved = is_curved ? any_stalls : NULL;
+  it->stalls = is_curved ? any_stalls : NULL;
   it->direction.d = any_direction(3);
   it->direction.exact = any_bool();
 }
 
 static void any_triangle(gjk_iteration *it) {
   for (int i = 0; i < 3; i++) {
-    any_corner(&it->simplex.slot[i], it->curved != NULL);
+    any_corner(&it->simplex.slot[i], gjk_pair_is_curved(it));
   }
   gjk_simplex_set(&it->simplex, 3);
 }
@@ -49,19 +49,19 @@ static void consider(gjk_iteration *it, gjk_q16 bound, bool found) {
   any_triangle(it);
   facet.found = false;
   if (found) {
-    any_facet(&facet, it->curved != NULL);
+    any_facet(&facet, gjk_pair_is_curved(it));
   }
   gjk_facet_consider(&facet, it, any_bool(), bound);
-  check_facet(&facet, it->curved != NULL);
+  check_facet(&facet, gjk_pair_is_curved(it));
   for (int i = 0; i < 3; i++) {
-    check_corner(&it->simplex.slot[i], it->curved != NULL);
+    check_corner(&it->simplex.slot[i], gjk_pair_is_curved(it));
   }
 }
 
 static void load(gjk_iteration *it, bool is_set) {
   const gjk_simplex *s = &it->simplex;
   gjk_facet facet;
-  any_facet(&facet, it->curved != NULL);
+  any_facet(&facet, gjk_pair_is_curved(it));
   facet.set = is_set;
   gjk_simplex_clear(&it->simplex);
   if (is_set) {

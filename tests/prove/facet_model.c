@@ -36,18 +36,18 @@ void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16
   check_size(it->direction.exact, 1);
   check_size(covers, 1);
   for (int i = 0; i < 3; i++) {
-    check_corner(&s->slot[i], it->curved != NULL);
+    check_corner(&s->slot[i], gjk_pair_is_curved(it));
   }
-  any_facet(best, it->curved != NULL);
+  any_facet(best, gjk_pair_is_curved(it));
   facet_is_found = 1;
 }
 
 void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
   gjk_simplex *s = &it->simplex;
-  check_facet(facet, it->curved != NULL);
+  check_facet(facet, gjk_pair_is_curved(it));
   if (facet->set && facet->covers) {
     for (int i = 0; i < 3; i++) {
-      check_corner(&s->slot[i], it->curved != NULL);
+      check_corner(&s->slot[i], gjk_pair_is_curved(it));
     }
   }
   it->direction = facet->direction;

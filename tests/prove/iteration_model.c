@@ -14,7 +14,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   it->shift = (int8_t)any_between(-3, 29);
   it->delta = any_vec3(ANY_W);
   it->iterations = 0;
-  it->curved = a->shape->type->stalls != NULL ? a->shape->type->stalls : b->shape->type->stalls;
+  it->stalls = a->shape->type->stalls != NULL ? a->shape->type->stalls : b->shape->type->stalls;
   gjk_simplex_clear(&it->simplex);
   return true;
 }

@@ -37,7 +37,7 @@ static unsigned count_recalls(const gjk_collider *a, const gjk_collider *b, gjk_
   if (gjk_iteration_start(&it, a, b, goal, (int64_t)a->shape->convex_radius + b->shape->convex_radius)) {
     gjk_search(&it, goal, NULL, GJK_NO_LIMIT);
   }
-  return it.iterations > GJK_PLAIN_ITERATIONS && it.curved == NULL ? it.recalls : 0;
+  return it.iterations > GJK_PLAIN_ITERATIONS && !gjk_pair_is_curved(&it) ? it.recalls : 0;
 }
 
 // Returns whether the ceiling was reached.
