@@ -1,0 +1,215 @@
+// gjk_scene_check: each way in which the pairs or the update of an otherwise sound block can be wrong, one at a time.
+#include "scene_check.h"
+
+static void test_pairs(void) {
+  restore();
+  gjk_scene_header *h = v.header;
+  // Slots 0, 1 and 2 touch each other: part 1 is second in one pair and first in another.
+  gjk_scene_pair *const p = &v.pairs[pair_of(0, 1)], *const q = &v.pairs[pair_of(1, 2)],
+                        *const r = &v.pairs[pair_of(0, 2)];
+  ACCEPTED(p->state = (uint8_t)((p->state & 31u) | 4u << GJK_SCENE_PAIR_CACHED));
+  REFUSED(p->state = (uint8_t)((p->state & 31u) | 5u << GJK_SCENE_PAIR_CACHED));
+  // That deep; where no depth is asked for, or none was found.
+  ACCEPTED(p->gap = -1; h->most_detail = h->config.detail = GJK_DETAIL_DEPTH);
+  ACCEPTED(p->gap = -1; h->most_detail = h->config.detail = GJK_DETAIL_DEPTH; p->outcome = GJK_SCENE_PENDING);
+  for (unsigned detail = GJK_DETAIL_TOUCH; detail <= GJK_DETAIL_CONTACTS; detail++) {
+    if (detail != GJK_DETAIL_DEPTH) {
+      ACCEPTED(h->most_detail = h->config.detail = (uint8_t)detail);
+      REFUSED(h->most_detail = h->config.detail = (uint8_t)detail; p->gap = -1);
+    }
+  }
+  REFUSED(h->most_detail = h->config.detail = GJK_DETAIL_DEPTH; p->gap = -1; p->outcome = GJK_SCENE_COLD;
+          p->state = (uint8_t)((p->state & ~GJK_SCENE_PAIR_NEAR) | GJK_SCENE_PAIR_NEAR_NOW));
+  REFUSED(p->gap = -1; p->state = (uint8_t)(p->state & ~GJK_SCENE_PAIR_NEAR));
+  ACCEPTED(p->gap = 0; p->state = (uint8_t)(p->state & ~GJK_SCENE_PAIR_NEAR));
+  ACCEPTED(p->outcome = GJK_SCENE_COLD | GJK_SCENE_UNSETTLED);
+  REFUSED(p->outcome = GJK_SCENE_OUTCOMES);
+  ACCEPTED(p->outcome = GJK_SCENE_PENDING);
+  REFUSED(p->outcome = GJK_SCENE_PENDING | GJK_SCENE_UNSETTLED);
+  REFUSED(p->state = (uint8_t)(p->state | GJK_SCENE_PAIR_QUEUED));
+  REFUSED(v.pairs[h->pairs.free].state = GJK_SCENE_PAIR_NEAR);  // near, but not there
+  REFUSED(p->part[0] = h->parts.free);
+  REFUSED(p->part[1] = h->parts.fresh);
+  REFUSED(p->part[0] = p->part[1]);
+  REFUSED(const uint32_t a = p->part[0]; p->part[0] = p->part[1]; p->part[1] = a);
+  // Lists that do not lead back.
+  for (int i = 0; i < 2; i++) {
+    REFUSED(p->next[i] = p->next[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
+    REFUSED(p->previous[i] = p->previous[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
+    REFUSED(p->next[i] = 2 * h->pairs.free);
+    REFUSED(p->previous[i] = 2 * h->pairs.free);
+  }
+  REFUSED(part_of(0)->pairs = GJK_SCENE_NONE);
+  REFUSED(part_of(0)->pairs = 2 * h->pairs.free);
+  REFUSED(part_of(9)->pairs = 2 * h->pairs.free);  // of a part without pairs
+  REFUSED(part_of(9)->pairs = part_of(0)->pairs);
+  REFUSED(part_of(9)->pairs = 2 * h->pairs.fresh);
+  // A ring, with the list's head in it or not.
+  const uint32_t part = v.bodies[9].first;
+  for (int headed = 0; headed < 2; headed++) {
+    restore();
+    const uint32_t index = h->pairs.free, link = 2 * index;
+    gjk_scene_pair *const s = &v.pairs[index];
+    h->pairs.free = s->part[0];
+    h->pairs.count++;
+    *s = *p;
+    s->part[0] = part;
+    s->part[1] = v.bodies[10].first;
+    s->next[0] = s->previous[0] = headed != 0 ? link : GJK_SCENE_NONE;
+    s->next[1] = s->previous[1] = GJK_SCENE_NONE;
+    v.parts[part].pairs = link;
+    v.parts[s->part[1]].pairs = link + 1;
+    CHECK(gjk_scene_check(&scene) == (headed != 0 ? GJK_ERROR_CORRUPT : GJK_OK));
+    s->next[0] = s->previous[0] = link;
+    v.parts[part].pairs = GJK_SCENE_NONE;
+    CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+  }
+  CHECK(q != r);
+}
+
+// Pairs whose end is still to be reported.
+static void test_gone(void) {
+  restore();
+  const gjk_body_id first = gjk_scene_id_of(&v, 0);
+  CHECK(gjk_scene_remove(&scene, first) == GJK_OK);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  gjk_scene_header *h = v.header;
+  memcpy(sound, block, sizeof block);
+  const uint32_t gone = h->gone, second = v.pairs[gone].previous[0], other = pair_of(1, 2);
+  CHECK(second != GJK_SCENE_NONE);
+  CHECK(v.pairs[second].previous[0] == GJK_SCENE_NONE);
+  REFUSED(h->gone = second);
+  REFUSED(h->gone = GJK_SCENE_NONE);
+  REFUSED(h->gone = other);
+  REFUSED(h->gone = h->pairs.fresh);
+  REFUSED(v.pairs[second].previous[0] = gone);
+  REFUSED(v.pairs[gone].state = GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_GONE);
+  REFUSED(v.pairs[other].next[0] = 2 * gone);
+  REFUSED(v.pairs[other].next[1] = 2 * gone);
+  REFUSED(v.pairs[other].previous[0] = 2 * gone);
+  REFUSED(v.pairs[other].previous[1] = 2 * gone);
+}
+
+// A sound block in which slots 0 to 2 have moved apart, and their update has begun. Returns how many pairs it tests.
+static uint32_t begin_update(void) {
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  uint32_t pairs = 0;
+  build();
+  pose.position.y = 1;
+  for (uint32_t slot = 0; slot < 3; slot++) {
+    pose.position.x = (gjk_q16)slot * (3 * ONE);
+    CHECK(gjk_scene_move(&scene, gjk_scene_id_of(&v, slot), &pose) == GJK_OK);
+  }
+  memcpy(sound, block, sizeof block);
+  REFUSED(v.header->phase = GJK_SCENE_REPORTING + 1);
+  REFUSED(v.header->queued = 1);
+  restore();
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  memcpy(sound, block, sizeof block);
+  return pairs;
+}
+
+static void test_testing(void) {
+  CHECK(begin_update() == 3);
+  gjk_scene_header *h = v.header;
+  gjk_scene_pair *const first = &v.pairs[v.queue[0]], *const last = &v.pairs[v.queue[2]];
+  ACCEPTED(h->next_test = 1; first->outcome = GJK_SCENE_COLD);
+  ACCEPTED(last->outcome = GJK_SCENE_COLD);
+  REFUSED(h->next_test = 1);  // not tested
+  REFUSED(h->next_test = 3; first->outcome = last->outcome = GJK_SCENE_COLD);
+  REFUSED(h->next_test = 4);
+  REFUSED(h->queued = h->pairs.capacity + 1);
+  REFUSED(v.queue[2] = h->pairs.free);
+  REFUSED(v.queue[0] = h->pairs.fresh);
+  // As deep as this update's test says, where it was done.
+  restore();
+  h->most_detail = h->config.detail = GJK_DETAIL_DEPTH;
+  first->gap = -1;
+  memcpy(sound, block, sizeof block);
+  ACCEPTED((void)0);
+  REFUSED(first->state = (uint8_t)(first->state & ~GJK_SCENE_PAIR_NEAR));
+  REFUSED(first->outcome = GJK_SCENE_COLD);
+  ACCEPTED(first->outcome = GJK_SCENE_COLD; first->state |= GJK_SCENE_PAIR_NEAR_NOW);
+  REFUSED(first->state = (uint8_t)((first->state & ~GJK_SCENE_PAIR_NEAR) | GJK_SCENE_PAIR_NEAR_NOW));
+  // Twice, not flagged, flagged but not in the queue.
+  REFUSED(v.queue[2] = v.queue[0]);
+  REFUSED(first->state = (uint8_t)(first->state & ~GJK_SCENE_PAIR_QUEUED));
+  REFUSED(h->queued = 2);
+  ACCEPTED(h->queued = 2; last->state = (uint8_t)(last->state & ~GJK_SCENE_PAIR_QUEUED));
+  // Refused blocks are as they were, too.
+  restore();
+  v.queue[2] = v.queue[0];
+  memcpy(sound, block, sizeof block);
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+  CHECK(memcmp(sound, block, sizeof block) == 0);
+}
+
+// An update of no pairs.
+static void test_testing_none(void) {
+  static const gjk_scene_config empty = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  uint32_t pairs = 1;
+  CHECK(gjk_scene_init(&scene, &empty, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
+  CHECK(pairs == 0);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+}
+
+static void test_reporting(void) {
+  gjk_report report;
+  gjk_progress progress;
+  CHECK(begin_update() == 3);
+  CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK);
+  CHECK(progress.reports_left == 2);
+  gjk_scene_header *h = v.header;
+  memcpy(sound, block, sizeof block);
+  ACCEPTED((void)0);
+  REFUSED(h->next_report = 4);
+  ACCEPTED(h->next_report = 0; h->queued = 1; v.queue[0] = v.queue[1]);
+  REFUSED(h->phase = GJK_SCENE_IDLE; h->queued = 1; v.queue[0] = v.queue[1]);
+  ACCEPTED(h->next_report = 3);
+  ACCEPTED(v.queue[0] = h->pairs.fresh);  // reported already
+  ACCEPTED(v.queue[0] = v.queue[1]);
+  REFUSED(v.queue[1] = h->pairs.fresh);
+  REFUSED(v.queue[2] = v.queue[1]);
+  gjk_scene_pair *const next = &v.pairs[v.queue[1]];
+  REFUSED(next->outcome = 0);
+  ACCEPTED(next->outcome = GJK_EVENT_BEGIN);
+  REFUSED(next->outcome = GJK_EVENT_END + 1);
+  REFUSED(next->state |= GJK_SCENE_PAIR_QUEUED);
+}
+
+// Pairs whose end is being reported, of a body that was removed.
+static void test_reporting_gone(void) {
+  gjk_report report;
+  gjk_progress progress;
+  build();
+  CHECK(gjk_scene_remove(&scene, gjk_scene_id_of(&v, 0)) == GJK_OK);
+  CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK);
+  CHECK(progress.reports_left == 1);
+  memcpy(sound, block, sizeof block);
+  gjk_scene_header *h = v.header;
+  gjk_scene_pair *const gone = &v.pairs[v.queue[1]];
+  ACCEPTED((void)0);
+  REFUSED(h->gone = v.queue[1]; gone->previous[0] = GJK_SCENE_NONE);
+  REFUSED(h->gone = v.queue[1]; gone->previous[0] = GJK_SCENE_NONE; h->next_report = 2);
+  REFUSED(h->next_report = 2);  // never reported
+  REFUSED(gone->outcome = GJK_EVENT_BEGIN);
+  // Tested, as if it had parts.
+  const uint32_t other = pair_of(1, 2);
+  REFUSED(h->phase = GJK_SCENE_TESTING; h->next_test = 0; h->gone = v.queue[1]; h->queued = 1; v.queue[0] = h->gone;
+          gone->previous[0] = GJK_SCENE_NONE; gone->state |= GJK_SCENE_PAIR_QUEUED);
+  ACCEPTED(h->phase = GJK_SCENE_TESTING; h->next_test = 0; h->gone = v.queue[1]; h->queued = 1; v.queue[0] = other;
+           gone->previous[0] = GJK_SCENE_NONE; v.pairs[other].state |= GJK_SCENE_PAIR_QUEUED);
+}
+
+int main(void) {
+  build();
+  test_pairs();
+  test_gone();
+  test_testing();
+  test_reporting();
+  test_reporting_gone();
+  test_testing_none();
+  return check_done("scene_check_update");
+}
