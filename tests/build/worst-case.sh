@@ -53,7 +53,7 @@ sed -n '/^case /,$p' $data >"$dir/found.txt"
 make -s build/host/libgjk.a build/hosted/port/hosted/gjk_hosted.o >/dev/null && annotate "$dir/found.txt" || exit 1
 "${CC:-cc}" -O2 -std=c99 -Iinclude -I. -Itests/support tests/measure/target/worst.c tests/measure/target/worst_host.c "$build/worst_cases.c" \
   -Itests/support build/host/libgjk.a build/hosted/port/hosted/gjk_hosted.o -o "$dir/worst_host" || exit 1
-families=$(grep -o '"[a-z0-9]*-[a-z]*", WORST_' tests/measure/target/worst.c | wc -l)
+families=$(grep -o '"[a-z0-9]*-[a-z]*", .kind = WORST_' tests/measure/target/worst.c | wc -l)
 
 family=0
 while [ $family -lt "$families" ]; do

@@ -38,7 +38,7 @@ typedef struct field {
 } field;
 
 #define FIELD(type, member) \
-  { #member, offsetof(type, member), sizeof(((type *)0)->member) }
+  { .name = #member, .offset = offsetof(type, member), .size = sizeof(((type *)0)->member) }
 
 // Bits of the fields, in the order of the tables.
 static const field of_decision[] = {FIELD(gjk_decision, yes), FIELD(gjk_decision, iterations),
@@ -148,7 +148,7 @@ static unsigned valid_manifold(gjk_status status, const answer *out) {
   return status == GJK_OK || status == GJK_ERROR_CAPACITY ? MANIFOLD : 0;
 }
 
-#define TABLE(fields) fields, sizeof(fields) / sizeof(fields)[0]
+#define TABLE(table) .fields = (table), .count = sizeof(table) / sizeof(table)[0]
 
 static const struct query {
   const char *name;
@@ -156,14 +156,14 @@ static const struct query {
   unsigned (*valid)(gjk_status, const answer *);
   const field *fields;
   size_t count;
-} queries[] = {{"gjk_intersect", ask_intersect, valid_decision, TABLE(of_decision)},
-               {"gjk_within", ask_within, valid_decision, TABLE(of_decision)},
-               {"gjk_within_until", ask_within_until, valid_within, TABLE(of_within)},
-               {"gjk_distance", ask_distance, valid_distance, TABLE(of_distance)},
-               {"gjk_distance_until", ask_until, valid_distance, TABLE(of_distance)},
-               {"gjk_penetration", ask_penetration, valid_penetration, TABLE(of_penetration)},
-               {"gjk_signed_distance", ask_signed, valid_signed, TABLE(of_distance)},
-               {"gjk_contacts", ask_contacts, valid_manifold, TABLE(of_manifold)}};
+} queries[] = {{.name = "gjk_intersect", .ask = ask_intersect, .valid = valid_decision, TABLE(of_decision)},
+               {.name = "gjk_within", .ask = ask_within, .valid = valid_decision, TABLE(of_decision)},
+               {.name = "gjk_within_until", .ask = ask_within_until, .valid = valid_within, TABLE(of_within)},
+               {.name = "gjk_distance", .ask = ask_distance, .valid = valid_distance, TABLE(of_distance)},
+               {.name = "gjk_distance_until", .ask = ask_until, .valid = valid_distance, TABLE(of_distance)},
+               {.name = "gjk_penetration", .ask = ask_penetration, .valid = valid_penetration, TABLE(of_penetration)},
+               {.name = "gjk_signed_distance", .ask = ask_signed, .valid = valid_signed, TABLE(of_distance)},
+               {.name = "gjk_contacts", .ask = ask_contacts, .valid = valid_manifold, TABLE(of_manifold)}};
 
 #define QUERIES (sizeof queries / sizeof queries[0])
 #define STATUSES 16

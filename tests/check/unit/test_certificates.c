@@ -272,11 +272,13 @@ static void check_proofs(const campaign *c, unsigned long pairs) {
     gjk_proof proof;
     unsigned least, most;
     const char *name;
-  } kinds[] = {{GJK_PROOF_SPHERES, 0, 0, "spheres"},
-               {GJK_PROOF_DIRECTION, 0, 0, "direction"},
-               {GJK_PROOF_NEAREST, 1, 3, "nearest"},
-               {GJK_PROOF_NEAR, 1, 3, "near"},
-               {GJK_PROOF_ENCLOSING, 1, 4, "enclosing"}};
+  } kinds[] = {
+      {.proof = GJK_PROOF_SPHERES, .least = 0, .most = 0, .name = "spheres"},
+      {.proof = GJK_PROOF_DIRECTION, .least = 0, .most = 0, .name = "direction"},
+      {.proof = GJK_PROOF_NEAREST, .least = 1, .most = 3, .name = "nearest"},
+      {.proof = GJK_PROOF_NEAR, .least = 1, .most = 3, .name = "near"},
+      {.proof = GJK_PROOF_ENCLOSING, .least = 1, .most = 4, .name = "enclosing"},
+  };
   for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
     for (unsigned count = kinds[i].least; count <= kinds[i].most; count++) {
       const unsigned long given = c->proofs[kinds[i].proof][count];

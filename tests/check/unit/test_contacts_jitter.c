@@ -22,15 +22,19 @@ typedef struct subject {
 } subject;
 
 static const subject subjects[] = {
-    {"box", CASE_BOX, {ONE / 2, ONE / 2, ONE / 2}, 0, 0, false},
-    {"long box", CASE_BOX, {ONE, ONE / 20, ONE / 20}, 0, 0, false},
-    {"rounded box", CASE_BOX, {ONE / 2, ONE / 3, ONE / 4}, ONE / 10, 0, false},
-    {"box of a hull", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, 0, 4, false},
-    {"prism of 6 sides", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, 0, 6, false},
-    {"rounded prism of 8 sides", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, ONE / 20, 8, false},
-    {"box of triangles", CASE_HULL, {ONE / 2, ONE / 2, ONE / 2}, 0, 4, true},
-    {"cylinder", CASE_CYLINDER, {ONE / 2, ONE / 2, ONE / 2}, 0, 0, false},
-    {"rounded cylinder", CASE_CYLINDER, {ONE / 2, ONE / 2, ONE / 2}, ONE / 16, 0, false},
+    {.name = "box", .kind = CASE_BOX, .size = {ONE / 2, ONE / 2, ONE / 2}},
+    {.name = "long box", .kind = CASE_BOX, .size = {ONE, ONE / 20, ONE / 20}},
+    {.name = "rounded box", .kind = CASE_BOX, .size = {ONE / 2, ONE / 3, ONE / 4}, .convex_radius = ONE / 10},
+    {.name = "box of a hull", .kind = CASE_HULL, .size = {ONE / 2, ONE / 2, ONE / 2}, .sides = 4},
+    {.name = "prism of 6 sides", .kind = CASE_HULL, .size = {ONE / 2, ONE / 2, ONE / 2}, .sides = 6},
+    {.name = "rounded prism of 8 sides",
+     .kind = CASE_HULL,
+     .size = {ONE / 2, ONE / 2, ONE / 2},
+     .convex_radius = ONE / 20,
+     .sides = 8},
+    {.name = "box of triangles", .kind = CASE_HULL, .size = {ONE / 2, ONE / 2, ONE / 2}, .sides = 4, .split = true},
+    {.name = "cylinder", .kind = CASE_CYLINDER, .size = {ONE / 2, ONE / 2, ONE / 2}},
+    {.name = "rounded cylinder", .kind = CASE_CYLINDER, .size = {ONE / 2, ONE / 2, ONE / 2}, .convex_radius = ONE / 16},
 };
 
 typedef enum arrangement {

@@ -120,9 +120,13 @@ typedef struct pile {
 
 int main(void) {
   static const pile piles[] = {
-      {"crates", stack, &crate, HIGH, UINT32_C(0xE7EF4402)},     {"drums", stack, &drum, HIGH, UINT32_C(0x613A3BDE)},
-      {"cushions", stack, &cushion, HIGH, UINT32_C(0x63A755F2)}, {"prisms", stack, &prism, HIGH, UINT32_C(0x681A6D95)},
-      {"pyramid", pyramid, &crate, BROAD, UINT32_C(0x2C024FCC)}, {"wall", wall, &brick, BROAD, UINT32_C(0x823D4A21)}};
+      {.name = "crates", .make = stack, .shape = &crate, .iterations = HIGH, .hash = UINT32_C(0xE7EF4402)},
+      {.name = "drums", .make = stack, .shape = &drum, .iterations = HIGH, .hash = UINT32_C(0x613A3BDE)},
+      {.name = "cushions", .make = stack, .shape = &cushion, .iterations = HIGH, .hash = UINT32_C(0x63A755F2)},
+      {.name = "prisms", .make = stack, .shape = &prism, .iterations = HIGH, .hash = UINT32_C(0x681A6D95)},
+      {.name = "pyramid", .make = pyramid, .shape = &crate, .iterations = BROAD, .hash = UINT32_C(0x2C024FCC)},
+      {.name = "wall", .make = wall, .shape = &brick, .iterations = BROAD, .hash = UINT32_C(0x823D4A21)},
+  };
   const unsigned long count = check_trials(sizeof piles / sizeof piles[0]);
   for (unsigned long i = 0; i < count; i++) {
     start(piles[i].iterations);

@@ -21,8 +21,9 @@ typedef struct precision {
   double grain;  // what its rounding may make of a length, in parts of the shapes' radii
 } precision;
 
-static const precision precisions[] = {{"double", reference_signed_posed, 0},
-                                       {"float", reference_float_signed_posed, 1.0 / (1 << 20)}};
+static const precision precisions[] = {
+    {.name = "double", .query = reference_signed_posed},
+    {.name = "float", .query = reference_float_signed_posed, .grain = 1.0 / (1 << 20)}};
 #define PRECISIONS (sizeof precisions / sizeof precisions[0])
 
 typedef struct tally {

@@ -166,22 +166,30 @@ static void run_until(const bench_method *method, void *prepared, bench_query qu
   }
 }
 
-static const bench_method cold = {"gjk cold", "gjk cold", 0, ALL, false, prepare, run_cold, free};
-static const bench_method warm = {"gjk warm", "gjk warm", 0, ALL, false, prepare_warm, run_warm, free};
+static const bench_method cold = {
+    .name = "gjk cold", .series = "gjk cold", .answers = ALL, .prepare = prepare, .run = run_cold, .release = free};
+static const bench_method warm = {.name = "gjk warm",
+                                  .series = "gjk warm",
+                                  .answers = ALL,
+                                  .prepare = prepare_warm,
+                                  .run = run_warm,
+                                  .release = free};
 
-#define AFTER(n) \
-  { "gjk after " #n " iterations", "gjk after n iterations", (n), UNTIL, false, prepare_iterations, run_until, free }
+#define AFTER(n, unit)                                                                                      \
+  {                                                                                                         \
+    .name = "gjk after " #n " " unit, .series = "gjk after n iterations", .setting = (n), .answers = UNTIL, \
+    .prepare = prepare_iterations, .run = run_until, .release = free                                        \
+  }
 static const bench_method after[] = {
-    {"gjk after 1 round", "gjk after n iterations", 1, UNTIL, false, prepare_iterations, run_until, free},
-    AFTER(2),
-    AFTER(3),
-    AFTER(4),
-    AFTER(5),
-    AFTER(6),
-    AFTER(8)};
+    AFTER(1, "iteration"),  AFTER(2, "iterations"), AFTER(3, "iterations"), AFTER(4, "iterations"),
+    AFTER(5, "iterations"), AFTER(6, "iterations"), AFTER(8, "iterations"),
+};
 
-#define TO(n) \
-  { "gjk to " #n " LSB", "gjk to an error of n LSB", (n), UNTIL, false, prepare_error, run_until, free }
+#define TO(n)                                                                                            \
+  {                                                                                                      \
+    .name = "gjk to " #n " LSB", .series = "gjk to an error of n LSB", .setting = (n), .answers = UNTIL, \
+    .prepare = prepare_error, .run = run_until, .release = free                                          \
+  }
 static const bench_method to[] = {TO(1), TO(16), TO(256)};
 
 bench_method_list bench_gjk_methods = {&cold,     &warm,     &after[0], &after[1], &after[2], &after[3], &after[4],

@@ -37,9 +37,17 @@ static void run_float(const bench_method *method, void *prepared, bench_query qu
   run(query == BENCH_DEPTH ? reference_float_signed_posed : reference_float_query_posed, prepared, out);
 }
 
-static const bench_method in_double = {
-    "reference double", "reference double", 0, ANSWERS, false, prepare, run_double, free};
-static const bench_method in_float = {"reference float", "reference float", 0,   ANSWERS, false,
-                                      prepare,           run_float,         free};
+static const bench_method in_double = {.name = "reference double",
+                                       .series = "reference double",
+                                       .answers = ANSWERS,
+                                       .prepare = prepare,
+                                       .run = run_double,
+                                       .release = free};
+static const bench_method in_float = {.name = "reference float",
+                                      .series = "reference float",
+                                      .answers = ANSWERS,
+                                      .prepare = prepare,
+                                      .run = run_float,
+                                      .release = free};
 
 bench_method_list bench_reference_methods = {&in_double, &in_float, NULL};

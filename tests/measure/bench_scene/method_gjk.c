@@ -144,6 +144,9 @@ static void *start_posing(const scene_tick *all) {
   return posers;
 }
 
-const scene_method scene_gjk_whole = {"gjk: whole tick", start, tick, NULL, stop};
-const scene_method scene_gjk_broad = {"gjk: broad phase", start_broad, tick, count, stop};
-const scene_method scene_gjk_posing = {"gjk: posing", start_posing, tick_posing, NULL, free};
+const scene_method scene_gjk_whole = {
+    .name = "gjk: whole tick", .start = start, .tick = tick, .count = NULL, .stop = stop};
+const scene_method scene_gjk_broad = {
+    .name = "gjk: broad phase", .start = start_broad, .tick = tick, .count = count, .stop = stop};
+const scene_method scene_gjk_posing = {
+    .name = "gjk: posing", .start = start_posing, .tick = tick_posing, .count = NULL, .stop = free};

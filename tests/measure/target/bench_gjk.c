@@ -46,4 +46,4 @@ static void run(bench_query query, bench_answer *out) {
   runs[query](out);
 }
 
-const bench_solver bench_gjk = {"gjk", BENCH_CONTACTS, keep, run};
+const bench_solver bench_gjk = {.name = "gjk", .last = BENCH_CONTACTS, .pose = keep, .run = run};

@@ -92,8 +92,11 @@ static bool spheres_apart(const solver_shape *a, const solver_shape *b) {
   return real_dot(delta, delta) > radii * radii;
 }
 
-static const solver_limits exact = {BENCH_RELATIVE, 0, BENCH_ENCLOSING, SOLVER_ANY, 100},
-                           decide = {BENCH_RELATIVE, 0, BENCH_ENCLOSING, 0, 100};
+static const solver_limits exact = {.relative = BENCH_RELATIVE,
+                                    .enclosing = BENCH_ENCLOSING,
+                                    .apart = SOLVER_ANY,
+                                    .iterations = 100},
+                           decide = {.relative = BENCH_RELATIVE, .enclosing = BENCH_ENCLOSING, .iterations = 100};
 
 #ifdef BENCH_REFERENCE_DEPTH
 #define BENCH_REFERENCE_LAST BENCH_DEPTH
@@ -131,6 +134,7 @@ static void reference_run(bench_query query, bench_answer *out) {
   }
 }
 
-const bench_solver BENCH_SOLVER = {BENCH_SOLVER_NAME, BENCH_REFERENCE_LAST, reference_pose, reference_run};
+const bench_solver BENCH_SOLVER = {
+    .name = BENCH_SOLVER_NAME, .last = BENCH_REFERENCE_LAST, .pose = reference_pose, .run = reference_run};
 
 #endif

@@ -5,16 +5,16 @@
 #define WARM_UP 20
 
 const scene_bench_case scene_bench_cases[] = {
-    {"64 bodies sparse, 25 % moving", TRAFFIC_SPARSE, 64, 25},
-    {"64 bodies crowded, 25 % moving", TRAFFIC_CROWDED, 64, 25},
-    {"64 bodies in piles, 25 % moving", TRAFFIC_PILES, 64, 25},
-    {"64 bodies crowded, all moving", TRAFFIC_CROWDED, 64, 100},
-    {"64 bodies crowded, at rest", TRAFFIC_CROWDED, 64, 0},
-    {"256 bodies sparse, 25 % moving", TRAFFIC_SPARSE, 256, 25},
-    {"256 bodies crowded, 25 % moving", TRAFFIC_CROWDED, 256, 25},
-    {"256 bodies in piles, 25 % moving", TRAFFIC_PILES, 256, 25},
-    {"256 bodies crowded, all moving", TRAFFIC_CROWDED, 256, 100},
-    {"256 bodies crowded, at rest", TRAFFIC_CROWDED, 256, 0},
+    {.name = "64 bodies sparse, 25 % moving", .kind = TRAFFIC_SPARSE, .bodies = 64, .percent = 25},
+    {.name = "64 bodies crowded, 25 % moving", .kind = TRAFFIC_CROWDED, .bodies = 64, .percent = 25},
+    {.name = "64 bodies in piles, 25 % moving", .kind = TRAFFIC_PILES, .bodies = 64, .percent = 25},
+    {.name = "64 bodies crowded, all moving", .kind = TRAFFIC_CROWDED, .bodies = 64, .percent = 100},
+    {.name = "64 bodies crowded, at rest", .kind = TRAFFIC_CROWDED, .bodies = 64, .percent = 0},
+    {.name = "256 bodies sparse, 25 % moving", .kind = TRAFFIC_SPARSE, .bodies = 256, .percent = 25},
+    {.name = "256 bodies crowded, 25 % moving", .kind = TRAFFIC_CROWDED, .bodies = 256, .percent = 25},
+    {.name = "256 bodies in piles, 25 % moving", .kind = TRAFFIC_PILES, .bodies = 256, .percent = 25},
+    {.name = "256 bodies crowded, all moving", .kind = TRAFFIC_CROWDED, .bodies = 256, .percent = 100},
+    {.name = "256 bodies crowded, at rest", .kind = TRAFFIC_CROWDED, .bodies = 256, .percent = 0},
 };
 const unsigned scene_bench_count = sizeof scene_bench_cases / sizeof scene_bench_cases[0];
 

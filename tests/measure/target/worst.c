@@ -6,11 +6,16 @@
 #define CLIMB 400  // changes without success that end a climb
 
 const worst_family worst_families[] = {
-    {"boxes-distance", WORST_BOXES, 0, true},     {"boxes-intersect", WORST_BOXES, 0, false},
-    {"hulls8-distance", WORST_HULLS, 8, true},    {"hulls8-intersect", WORST_HULLS, 8, false},
-    {"hulls64-distance", WORST_HULLS, 64, true},  {"hulls64-intersect", WORST_HULLS, 64, false},
-    {"rounded-distance", WORST_ROUNDED, 8, true}, {"rounded-intersect", WORST_ROUNDED, 8, false},
-    {"curved-distance", WORST_CURVED, 0, true},   {"curved-intersect", WORST_CURVED, 0, false},
+    {.name = "boxes-distance", .kind = WORST_BOXES, .distance = true},
+    {.name = "boxes-intersect", .kind = WORST_BOXES},
+    {.name = "hulls8-distance", .kind = WORST_HULLS, .vertices = 8, .distance = true},
+    {.name = "hulls8-intersect", .kind = WORST_HULLS, .vertices = 8},
+    {.name = "hulls64-distance", .kind = WORST_HULLS, .vertices = 64, .distance = true},
+    {.name = "hulls64-intersect", .kind = WORST_HULLS, .vertices = 64},
+    {.name = "rounded-distance", .kind = WORST_ROUNDED, .vertices = 8, .distance = true},
+    {.name = "rounded-intersect", .kind = WORST_ROUNDED, .vertices = 8},
+    {.name = "curved-distance", .kind = WORST_CURVED, .distance = true},
+    {.name = "curved-intersect", .kind = WORST_CURVED},
 };
 const unsigned worst_family_count = sizeof worst_families / sizeof worst_families[0];
 

@@ -64,12 +64,14 @@ void demo_stack_start(demo_stack *d) {
     case_kind kind;
     gjk_vec3 size;
     gjk_q16 convex_radius;
-  } kinds[] = {{CASE_BOX, {ONE / 2, ONE / 2, ONE / 2}, 0},
-               {CASE_BOX, {ONE / 2, ONE / 3, ONE / 4}, 0},
-               {CASE_POINT, {0, 0, 0}, ONE * 2 / 5},
-               {CASE_SEGMENT, {0, 0, ONE * 2 / 5}, ONE / 4},
-               {CASE_CYLINDER, {ONE * 2 / 5, ONE * 2 / 5, ONE / 2}, 0},
-               {CASE_BOX, {ONE / 3, ONE / 3, ONE / 3}, ONE / 12}};
+  } kinds[] = {
+      {.kind = CASE_BOX, .size = {ONE / 2, ONE / 2, ONE / 2}},
+      {.kind = CASE_BOX, .size = {ONE / 2, ONE / 3, ONE / 4}},
+      {.kind = CASE_POINT, .size = {0, 0, 0}, .convex_radius = ONE * 2 / 5},
+      {.kind = CASE_SEGMENT, .size = {0, 0, ONE * 2 / 5}, .convex_radius = ONE / 4},
+      {.kind = CASE_CYLINDER, .size = {ONE * 2 / 5, ONE * 2 / 5, ONE / 2}},
+      {.kind = CASE_BOX, .size = {ONE / 3, ONE / 3, ONE / 3}, .convex_radius = ONE / 12},
+  };
   random_state random = random_seed(7);
   solver_init(&d->world, 20);
   d->world.damping = 5;

@@ -229,15 +229,15 @@ typedef struct kind_name {
 } kind_name;
 
 static const kind_name kind_names[] = {
-    {"point", "nothing", CASE_POINT, 0, false},
-    {"segment", "h after 'segment'", CASE_SEGMENT, 1, false},
-    {"triangle", "nothing", CASE_TRIANGLE, 0, false},
-    {"box", "hx hy hz after 'box'", CASE_BOX, 3, false},
-    {"sphere", "r after 'sphere'", CASE_POINT, 1, true},
-    {"capsule", "r h after 'capsule'", CASE_SEGMENT, 2, true},
-    {"cylinder", "r h after 'cylinder'", CASE_CYLINDER, 2, false},
-    {"cone", "r h after 'cone'", CASE_CONE, 2, false},
-    {"ellipsoid", "rx ry rz after 'ellipsoid'", CASE_ELLIPSOID, 3, false},
+    {.word = "point", .numbers = "nothing", .kind = CASE_POINT},
+    {.word = "segment", .numbers = "h after 'segment'", .kind = CASE_SEGMENT, .count = 1},
+    {.word = "triangle", .numbers = "nothing", .kind = CASE_TRIANGLE},
+    {.word = "box", .numbers = "hx hy hz after 'box'", .kind = CASE_BOX, .count = 3},
+    {.word = "sphere", .numbers = "r after 'sphere'", .kind = CASE_POINT, .count = 1, .first_is_radius = true},
+    {.word = "capsule", .numbers = "r h after 'capsule'", .kind = CASE_SEGMENT, .count = 2, .first_is_radius = true},
+    {.word = "cylinder", .numbers = "r h after 'cylinder'", .kind = CASE_CYLINDER, .count = 2},
+    {.word = "cone", .numbers = "r h after 'cone'", .kind = CASE_CONE, .count = 2},
+    {.word = "ellipsoid", .numbers = "rx ry rz after 'ellipsoid'", .kind = CASE_ELLIPSOID, .count = 3},
 };
 
 // Numbers in the order of the line to the fields of the case.

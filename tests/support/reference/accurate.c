@@ -37,9 +37,10 @@ static void make_shape(solver_shape *out, const case_shape *shape, const case_co
 static void find(const case_pair *pair, const case_collider *a, const case_collider *b, bool deep,
                  accurate_result *out) {
   static expanding_polytope polytope;
-  static const solver_limits deep_limits = {0, SOLVER_LSB / 16, 0, SOLVER_ANY, 3000};
+  static const solver_limits deep_limits = {.absolute = SOLVER_LSB / 16, .apart = SOLVER_ANY, .iterations = 3000};
   // 2^-12 LSB between the bounds; a core distance below 2^-40 of the largest vertex, at most 2^-10 LSB, is 0.
-  static const solver_limits limits = {0, SOLVER_LSB / 4096, 0x1p-80L, SOLVER_ANY, 3000};
+  static const solver_limits limits = {
+      .absolute = SOLVER_LSB / 4096, .enclosing = 0x1p-80L, .apart = SOLVER_ANY, .iterations = 3000};
   solver_shape shape_a, shape_b;
   solver_simplex last;
   solver_result core;

@@ -24,7 +24,7 @@ static real real_sqrt(real x) {
 // vertex count as 0: of all powers of ten this one decides best (tests/check/unit/test_reference.c, 1e-15 to 1e-36). A
 // float gets what its 24 bits leave.
 static solver_limits limits(void) {
-  solver_limits chosen = {(real)1e-10, 0, (real)1e-30, SOLVER_ANY, 200};
+  solver_limits chosen = {.relative = (real)1e-10, .enclosing = (real)1e-30, .apart = SOLVER_ANY, .iterations = 200};
   if (sizeof(real) < sizeof(double)) {
     chosen.relative = (real)1e-5;
     chosen.enclosing = (real)1e-11;

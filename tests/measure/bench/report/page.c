@@ -357,11 +357,10 @@ static void put_error_sections(FILE *file, const table *t) {
   } sections[] = {
       {"distance",
        "Numbers at gjk stopped early: the iterations, or the error in LSB, that it was allowed. A pair that a method "
-       "takes "
-       "for touching counts with its whole gap."},
+       "takes for touching counts with its whole gap."},
       {"depth",
-       "Against the real least depth, where an answer that is none, or apart, counts with the whole depth. gjk "
-       "iterations "
+       "Against the real least depth. Where a method gives no answer, or says apart, the whole depth counts. gjk "
+       "rounds "
        "up to the next LSB, so that a move by the depth parts the shapes: its error is up to 1 LSB by contract. Depths "
        "of pairs that are not proven least in exact integers are those of a facet that the certificate names, while "
        "the "

@@ -83,12 +83,14 @@ static void put_lines(FILE *file, const scene_table *t, const char *name) {
   static const struct {
     const char *column, *name;
     unsigned style;
-  } lines[] = {{"gjk whole tick ns", "gjk: whole tick, exact answers", 0},
-               {"gjk broad phase ns", "gjk: posing and broad phase", 4},
-               {"gjk posing ns", "gjk: posing alone", 11},
-               {"all pairs ns", "boxes of all pairs", 7},
-               {"Bullet ns", "Bullet btDbvtBroadphase", 6},
-               {"FCL ns", "FCL DynamicAABBTree", 9}};
+  } lines[] = {
+      {.column = "gjk whole tick ns", .name = "gjk: whole tick, exact answers", .style = 0},
+      {.column = "gjk broad phase ns", .name = "gjk: posing and broad phase", .style = 4},
+      {.column = "gjk posing ns", .name = "gjk: posing alone", .style = 11},
+      {.column = "all pairs ns", .name = "boxes of all pairs", .style = 7},
+      {.column = "Bullet ns", .name = "Bullet btDbvtBroadphase", .style = 6},
+      {.column = "FCL ns", .name = "FCL DynamicAABBTree", .style = 9},
+  };
   static plot p;
   char title[80];
   snprintf(title, sizeof title, "%s: %d %% of the bodies moving", name, LINES_PERCENT);
@@ -110,9 +112,14 @@ static void put_shares(FILE *file, const scene_table *t, const char *name) {
   static const struct {
     const char *column, *name;
     unsigned style;
-  } skips[] = {{"% resting", "neither side moved", 10},  {"% motion", "moved less than was proven", 0},
-               {"% boxes", "boxes or spheres apart", 1}, {"% direction", "last direction still separates", 4},
-               {"% warm", "queried, warm", 6},           {"% cold", "queried, cold", 7}};
+  } skips[] = {
+      {.column = "% resting", .name = "neither side moved", .style = 10},
+      {.column = "% motion", .name = "moved less than was proven", .style = 0},
+      {.column = "% boxes", .name = "boxes or spheres apart", .style = 1},
+      {.column = "% direction", .name = "last direction still separates", .style = 4},
+      {.column = "% warm", .name = "queried, warm", .style = 6},
+      {.column = "% cold", .name = "queried, cold", .style = 7},
+  };
   static plot p;
   static char labels[PLOT_POINTS_MAX][32];
   const char *names[PLOT_POINTS_MAX];

@@ -20,19 +20,19 @@ static double mean(const table *t, const char *family, const char *query, const 
 }
 
 const text_column text_columns[] = {
-    {"ns", "%.0f", "time", table_get},
-    {"x gjk", "%.2f", "time", ratio},
-    {"instructions", "%.0f", "instructions", table_get},
-    {"iterations", "%.1f", "iterations", mean},
-    {"wrong", "%.0f", "wrong", table_get},
-    {"undecided", "%.0f", "undecided", table_get},
-    {"failed", "%.0f", "failed", table_get},
-    {"apart", "%.0f", "says_apart", table_get},
-    {"too small", "%.0f", "too_small", table_get},
-    {"too large", "%.0f", "too_large", table_get},
-    {"contacts", "%.2f", "contacts", table_get},
-    {"mean error", "%.3g", "error_mean", table_get},
-    {"largest error", "%.3g", "error_most", table_get},
+    {.heading = "ns", .format = "%.0f", .measure = "time", .get = table_get},
+    {.heading = "x gjk", .format = "%.2f", .measure = "time", .get = ratio},
+    {.heading = "instructions", .format = "%.0f", .measure = "instructions", .get = table_get},
+    {.heading = "iterations", .format = "%.1f", .measure = "iterations", .get = mean},
+    {.heading = "wrong", .format = "%.0f", .measure = "wrong", .get = table_get},
+    {.heading = "undecided", .format = "%.0f", .measure = "undecided", .get = table_get},
+    {.heading = "failed", .format = "%.0f", .measure = "failed", .get = table_get},
+    {.heading = "apart", .format = "%.0f", .measure = "says_apart", .get = table_get},
+    {.heading = "too small", .format = "%.0f", .measure = "too_small", .get = table_get},
+    {.heading = "too large", .format = "%.0f", .measure = "too_large", .get = table_get},
+    {.heading = "contacts", .format = "%.2f", .measure = "contacts", .get = table_get},
+    {.heading = "mean error", .format = "%.3g", .measure = "error_mean", .get = table_get},
+    {.heading = "largest error", .format = "%.3g", .measure = "error_most", .get = table_get},
 };
 const size_t text_column_count = sizeof text_columns / sizeof text_columns[0];
 
