@@ -1,6 +1,6 @@
-// Asks every query about random pairs and prints how many there were: tests/build/bounds.sh builds it with the assertions
-// of the sources as checks. Pairs of every family of tests/support/generate, and pairs of all kinds, curved too, from a few LSB to
-// the largest there are, some of them at the ends of the world.
+// Asks every query about random pairs and prints how many there were: tests/build/bounds.sh builds it with the
+// assertions of the sources as checks. Pairs of every family of tests/support/generate, and pairs of all kinds, curved
+// too, from a few LSB to the largest there are, some of them at the ends of the world.
 #include <stdlib.h>
 
 #include "generate/generate.h"

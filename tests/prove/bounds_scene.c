@@ -149,7 +149,7 @@ static uint32_t some_word(const uint32_t *block, uint32_t words, uint32_t old, r
   }
 }
 
-// The header, where a handle is found; then records, each field of its own chance.
+// Changes one to three words of a block; one in four of them lies in its header.
 static void forge(uint32_t *block, uint32_t words, random_state *random) {
   const uint32_t changes = 1 + random_below(random, 3);
   for (uint32_t i = 0; i < changes; i++) {

@@ -1,4 +1,4 @@
-// src/depth/gjk_box_sat.h for points, segments and boxes of any half axes: CASE of A's against 0, 1 and 3 of B's.
+// Proves src/depth/gjk_box_sat.h for points, segments and boxes: any half axes, CASE of A's against 0, 1 and 3 of B's.
 #include "src/depth/gjk_box_sat.h"
 
 #include "colliders.h"

@@ -1,5 +1,5 @@
-// src/contact/gjk_clip.h with any two polygons: two edges, CASE 0, a face and an edge, 1, an edge and a face, 2, or two faces, 3, each
-// of three or the most corners.
+// src/contact/gjk_clip.h with any two polygons: two edges, CASE 0, a face and an edge, 1, an edge and a face, 2, or two
+// faces, 3, each of three or the most corners.
 #include "src/contact/gjk_clip.h"
 
 #include "polygons.h"

@@ -1,5 +1,5 @@
-// Any colliders: shapes of a model class whose supports are any offsets that a class may give (tests/prove/shape.c shows
-// that each class of the library gives no others), with vertices or without.
+// Any colliders: shapes of a model class whose supports are any offsets that a class may give (tests/prove/shape.c
+// shows that each class of the library gives no others), with vertices or without.
 #ifndef PROVE_COLLIDERS_H
 #define PROVE_COLLIDERS_H
 

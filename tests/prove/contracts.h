@@ -107,7 +107,8 @@ static uint32_t reciprocal(uint32_t x);
     ensures 0x3fffffff <= \result <= 0x7fffffff; */
 uint32_t gjk_reciprocal_root(uint32_t x);
 
-// Its root is at most 3/2 too large, so that a component is at most 1 too large; the assertion beside the code checks it.
+// Its root is at most 3/2 too large, so that a component is at most 1 too large; the assertion beside the code checks
+// it.
 /*@ requires set: \initialized(&d->x) && \initialized(&d->y) && \initialized(&d->z);
     requires fits: d->x * d->x + d->y * d->y + d->z * d->z <= 0x3fffffffffffffff;
     requires nonzero: d->x != 0 || d->y != 0 || d->z != 0;

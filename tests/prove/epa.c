@@ -1,4 +1,4 @@
-// src/depth/gjk_epa.h from any simplex that holds the origin, of CASE vertices.
+// Proves src/depth/gjk_epa.h from any simplex of CASE vertices that holds the origin.
 #include "src/depth/gjk_epa.h"
 
 #include "colliders.h"

@@ -1,6 +1,6 @@
-// src/depth/gjk_epa_hull.h on cells of any content: CASE 0 starts from any workspace, 1 and 2 ask and add to a polytope of any
-// vertices whose faces name some of these and each other, with one cell and with two for a vertex; there is room for up to
-// two cells of the horizon.
+// Proves src/depth/gjk_epa_hull.h on cells of any content. CASE 0 starts from any workspace. CASE 1 and 2 ask and add
+// to a hull of any vertices, whose faces name some of these and each other, with one cell and with two for a vertex.
+// There is room for up to two cells of the horizon.
 #include "src/depth/gjk_epa_hull.h"
 
 #include "facets.h"

@@ -1,5 +1,5 @@
-// Stands in for src/depth/gjk_epa_hull.c under the queries: any answers, with cells that hold any vertices, and faces that name
-// some of these.
+// Stands in for src/depth/gjk_epa_hull.c under the queries: any answers, with cells that hold any vertices, and faces
+// that name some of these.
 #include "simplex_any.h"
 #include "src/depth/gjk_epa_hull.h"
 

@@ -1,9 +1,10 @@
-// src/depth/gjk_facet.h: heights and ranks of any planes, CASE 0; any candidate, 1; the corners of any facet, 2.
+// Proves src/depth/gjk_facet.h. CASE 0: heights and height keys of any planes; 1: any candidate; 2: the corners of any
+// facet.
 #include "facets.h"
 
 #include "colliders.h"
 
-// As of the classes of the library: supports have given the numbers, so that there are such vertices.
+// As the vertex function of the library's classes. Every number comes from a support point, so such a vertex exists.
 static bool any_existing(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
   *offset = any_vec3(ANY_OFFSET);
   return true;

@@ -1,6 +1,6 @@
 // Stands in for src/depth/gjk_facet.c: any answer, from what tests/prove/facet.c shows to be enough.
 //
-// facet_is_found: as the facet has it, for analyses that keep the two apart by it.
+// facet_is_found is a copy of the facet's `found`: an analysis may keep the two states apart by it.
 #include "facets.h"
 
 int facet_is_found;

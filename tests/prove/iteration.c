@@ -1,5 +1,5 @@
-// src/gjk/gjk_iteration.h with any goal, CASE, on any two colliders, and what it leaves behind: no more than
-// tests/prove/iteration_model.c answers.
+// Proves src/gjk/gjk_iteration.h with the goal CASE on any two colliders, and that it leaves nothing behind that
+// tests/prove/iteration_model.c does not answer.
 #include "colliders.h"
 #include "src/gjk/gjk_iteration.h"
 

@@ -1,4 +1,5 @@
-// Stands in for src/gjk/gjk_iteration.c under the queries: any answer that it may give, as tests/prove/iteration.c shows.
+// Stands in for src/gjk/gjk_iteration.c under the queries: any answer that it may give, as tests/prove/iteration.c
+// shows.
 #include "colliders.h"
 #include "src/gjk/gjk_iteration.h"
 

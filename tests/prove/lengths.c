@@ -1,5 +1,6 @@
-// What contracts.h says of vectors shorter than 2^31: each component is, and those of the cross product of two are below
-// 2^62. For WP with an SMT solver, which is led by the squares: 2 (ay bz - az by) is what they leave of |a|^2 + |b|^2.
+// What contracts.h says of vectors shorter than 2^31: each component is, and those of the cross product of two are
+// below 2^62. For WP with an SMT solver, which is led by the squares: 2 (ay bz - az by) is what they leave of |a|^2 +
+// |b|^2.
 #include <stdint.h>
 
 /*@ requires a: ax * ax + ay * ay + az * az < 0x4000000000000000;

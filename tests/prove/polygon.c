@@ -1,4 +1,5 @@
-// src/contact/gjk_contact_polygon.h with any collider of a kind, CASE, from any direction. A polygon is all that this leaves behind.
+// src/contact/gjk_contact_polygon.h with any collider of a kind, CASE, from any direction. A polygon is all that this
+// leaves behind.
 #include "colliders.h"
 #include "polygons.h"
 

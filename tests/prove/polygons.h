@@ -5,7 +5,8 @@
 #include "simplex_any.h"
 #include "src/contact/gjk_contact_polygon.h"
 
-// Of a corner from A's centre: B's centre is at most 2^29 away, a shape reaches 2^28, which its core and its rounding share.
+// Bound of a corner from A's centre: B's centre is at most 2^29 away, and core and convex radius of a shape reach 2^28
+// together.
 #define ANY_CORNER ((INT32_C(1) << 30) - 1)
 
 // count: 1 to GJK_FACE_CORNERS_MAX, known by its value.

@@ -1,5 +1,5 @@
-// The bodies of what tests/prove/contracts.h has contracts for: any numbers, and any vectors below 2^30. What longer ones
-// may overflow is what the contracts ask of each caller.
+// The bodies of what tests/prove/contracts.h has contracts for: any numbers, and any vectors below 2^30. What longer
+// ones may overflow is what the contracts ask of each caller.
 #include "any.h"
 #include "src/arith/gjk_vector.h"
 

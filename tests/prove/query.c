@@ -1,4 +1,5 @@
-// Every query on any two colliders and what src/gjk/gjk_iteration.h gives it: any answer of tests/prove/iteration_model.c.
+// Every query on any two colliders and what src/gjk/gjk_iteration.h gives it: any answer of
+// tests/prove/iteration_model.c.
 #include "colliders.h"
 
 // Values of CASE.

@@ -1,4 +1,5 @@
-// src/contact/gjk_reduce.h with any contact points, one more than are to be kept or the most there are, of which any number is kept.
+// src/contact/gjk_reduce.h with any contact points, one more than are to be kept or the most there are, of which any
+// number is kept.
 #include "src/contact/gjk_reduce.h"
 
 #include "touches.h"

@@ -1,4 +1,5 @@
-// src/gjk/gjk_search.h on any two colliders of vertices, from any feature of CASE vertices that src/gjk/gjk_iteration.c leaves, at any round.
+// Proves src/gjk/gjk_search.h on any two colliders with vertices, at any iteration, from any feature of CASE vertices
+// that src/gjk/gjk_iteration.c leaves.
 #include "colliders.h"
 #include "src/gjk/gjk_search.h"
 

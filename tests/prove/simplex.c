@@ -1,5 +1,5 @@
-// Every function of src/gjk/gjk_simplex.h on any simplex, for every order of its slots: each leaves such a simplex behind, as
-// tests/prove/simplex_model.c has it, and reads nothing of a slot that is not in use.
+// Every function of src/gjk/gjk_simplex.h on any simplex, for every order of its slots: each leaves such a simplex
+// behind, as tests/prove/simplex_model.c has it, and reads nothing of a slot that is not in use.
 #include "simplex_any.h"
 
 // What src/gjk/gjk_simplex.c may read of a feature: products of slots in use, positive between the two of an edge.

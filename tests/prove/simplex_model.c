@@ -1,4 +1,5 @@
-// Stands in for src/gjk/gjk_simplex.c under the queries: any answer that it may give, for every order of the slots at once.
+// Stands in for src/gjk/gjk_simplex.c under the queries: any answer that it may give, for every order of the slots at
+// once.
 #include "simplex_any.h"
 
 void gjk_simplex_clear(gjk_simplex *s) {

@@ -1,4 +1,5 @@
-// Stands in for src/gjk/gjk_witness.c under the queries: any points, from what tests/prove/witness.c shows to be enough.
+// Stands in for src/gjk/gjk_witness.c under the queries: any points, from what tests/prove/witness.c shows to be
+// enough.
 #include "src/gjk/gjk_witness.h"
 
 #include "simplex_any.h"

@@ -1,4 +1,7 @@
-// Counting checks: a failed one prints its place and the program goes on.
+// CHECK counts conditions that hold and that fail. A failed one prints its place, and the program goes on.
+//
+// A test ends with `return check_done(NAME)`. A test with random trials takes its seed from check_seed, so that
+// GJK_TEST_SEED changes it, and calls check_trial before each trial, so that a failure names the trial.
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -9,16 +12,16 @@
 
 static unsigned long check_passed, check_failed;
 
-// What a failed check shows beside its place, in tests with random trials.
+// What a failed check prints besides its place, in tests with random trials.
 static struct {
   bool seeded, numbered;
   uint64_t seed;
   unsigned long trial;
-  void (*print)(const void *subject);  // NULL: nothing, or it was shown
+  void (*print)(const void *subject);  // NULL: there is nothing to print, or it was printed before
   const void *subject;
 } check_now;
 
-// The seed of a random test is this one. The first call prints it.
+// Sets the seed that failures name, and returns it. The first call prints it.
 static inline uint64_t check_seeded(uint64_t seed) {
   if (!check_now.seeded) {
     printf("seed %llu\n", (unsigned long long)seed);
@@ -28,13 +31,13 @@ static inline uint64_t check_seeded(uint64_t seed) {
   return seed;
 }
 
-// The same: GJK_TEST_SEED, or else the test's own.
+// Sets, prints and returns the seed: GJK_TEST_SEED if that is set, else own.
 static inline uint64_t check_seed(uint64_t own) {
   const char *given = getenv("GJK_TEST_SEED");
   return check_seeded(given == NULL ? own : strtoull(given, NULL, 10));
 }
 
-// A trial begins: if a check of it fails, print shows subject; NULL: its number says it all.
+// Begins trial number: if one of its checks fails, print(subject) shows it once. print NULL: the number is enough.
 static inline void check_trial(unsigned long number, void (*print)(const void *subject), const void *subject) {
   check_now.numbered = true;
   check_now.trial = number;
@@ -42,6 +45,7 @@ static inline void check_trial(unsigned long number, void (*print)(const void *s
   check_now.subject = subject;
 }
 
+// Prints the present trial after a failure.
 static inline void check_show(void) {
   if (check_now.seeded && check_now.numbered) {
     printf("  trial %lu of seed %llu\n", check_now.trial, (unsigned long long)check_now.seed);
@@ -52,6 +56,7 @@ static inline void check_show(void) {
   }
 }
 
+// CHECK, with a printf format and its arguments to print after a failure.
 #define CHECK_MSG(condition, ...)                                    \
   do {                                                               \
     if (condition) {                                                 \
@@ -67,14 +72,16 @@ static inline void check_show(void) {
 
 #define CHECK(condition) CHECK_MSG(condition, "%s", "")
 
-// How many of n random trials to make: all, or GJK_TEST_PERCENT of them, for runs that repeat the tests many times over.
+// How many of n random trials to make: n, or GJK_TEST_PERCENT percent of n, at least 1. Mutants, coverage and quick
+// looks set GJK_TEST_PERCENT, since they run the tests many times over.
 static inline unsigned long check_trials(unsigned long n) {
   const char *percent = getenv("GJK_TEST_PERCENT");
   const unsigned long share = percent == NULL ? n : n * strtoul(percent, NULL, 10) / 100;
   return share > 0 ? share : 1;
 }
 
-// The program's exit status; prints the line that the test runner adds up.
+// Prints the counts, which tests/build/run-tests.sh adds up, and returns the exit status of the test: 1 also without
+// any check.
 static inline int check_done(const char *name) {
   printf("%s: %lu passed, %lu failed\n", name, check_passed, check_failed);
   return check_failed == 0 && check_passed > 0 ? 0 : 1;

@@ -1,10 +1,10 @@
-// Numbers as text, without libc.
+// Prints numbers as text, without libc, for programs that also run as firmware.
 #ifndef PRINT_H
 #define PRINT_H
 
 #include <stdint.h>
 
-typedef void print_function(const char *text);
+typedef void print_function(const char *text);  // writes text
 
 static inline void print_hex(print_function *print, uint64_t value) {
   char text[17];

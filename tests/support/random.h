@@ -1,4 +1,4 @@
-// A small seeded generator (splitmix64), the same numbers everywhere.
+// A small seeded generator of random numbers, splitmix64: a seed gives the same numbers on every target.
 #ifndef RANDOM_H
 #define RANDOM_H
 
@@ -24,12 +24,12 @@ static inline uint32_t random_u32(random_state *state) {
   return (uint32_t)(random_u64(state) >> 32);
 }
 
-// From 0 to bound - 1, for bound > 0.
+// A number from 0 to bound - 1. Pre: bound > 0.
 static inline uint32_t random_below(random_state *state, uint32_t bound) {
   return (uint32_t)(((uint64_t)random_u32(state) * bound) >> 32);
 }
 
-// From low to high, both included; high - low must fit in 32 bits unsigned.
+// A number from low to high, both included. Pre: low <= high.
 static inline int32_t random_range(random_state *state, int32_t low, int32_t high) {
   uint64_t width = (uint64_t)((int64_t)high - low) + 1;
   return (int32_t)((int64_t)((random_u64(state) >> 32) * width >> 32) + low);

@@ -1,6 +1,6 @@
-// Prints, for seeded random pairs, the status and the bounds of the distance, decisions, depths and contacts: test_limit.sh
-// compares a build with a low ceiling on iterations with one that has the usual ceiling. That scenes report a ceiling as they
-// should, it checks itself.
+// Prints, for seeded random pairs, the status and the bounds of the distance, decisions, depths and contacts:
+// test_limit.sh compares a build with a low ceiling on iterations with one that has the usual ceiling. That scenes
+// report a ceiling as they should, it checks itself.
 #include <stdio.h>
 #include <string.h>
 
@@ -97,8 +97,8 @@ static int64_t gap_of_boxes(const gjk_collider *a, const gjk_collider *b) {
   return larger(larger(along_x, along_y), larger((int64_t)x.lower.z - y.upper.z, (int64_t)y.lower.z - x.upper.z));
 }
 
-// A query that reaches the ceiling counts the pair as near, at the proven lower bound, and in unsettled, unless the boxes are
-// farther apart than the margin; with skips and without.
+// A query that reaches the ceiling counts the pair as near, at the proven lower bound, and in unsettled, unless the
+// boxes are farther apart than the margin; with skips and without.
 static bool check_scene(const gjk_shape *shape, const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
   two t;
   gjk_distance_result gap;
@@ -159,10 +159,10 @@ int main(void) {
     const gjk_status status = gjk_distance(&a, &b, NULL, &result);
     const gjk_effort full = {0, 0};
     gjk_distance_result until = {0};
-    // Round by round it ends where the whole does, with bounds at least as narrow.
+    // With one more iteration at a time it ends where the whole query does, with bounds at least as narrow.
     if (gjk_distance_until(&a, &b, &full, NULL, &until) != status || until.iterations != result.iterations ||
         until.lower < result.lower || until.upper > result.upper) {
-      printf("pair %d round by round: %ld %ld\n", i, (long)until.lower, (long)until.upper);
+      printf("pair %d by iterations: %ld %ld\n", i, (long)until.lower, (long)until.upper);
       return 1;
     }
     const gjk_status decided = gjk_intersect(&a, &b, NULL, &decision);

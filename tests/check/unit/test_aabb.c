@@ -21,7 +21,7 @@ static bool same(const gjk_vec3 *a, const gjk_vec3 *b) {
 
 // The box of the vertices, by the oracle's own arithmetic.
 static gjk_aabb box_of_vertices(const gjk_collider *c) {
-  const int64_t round = c->shape->convex_radius;
+  const int64_t radius = c->shape->convex_radius;
   int64_t low[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, high[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
   for (unsigned i = 0; i < exact_vertex_count(c); i++) {
     const exact_point p = exact_vertex(c, i);
@@ -31,8 +31,8 @@ static gjk_aabb box_of_vertices(const gjk_collider *c) {
       high[k] = at[k] > high[k] ? at[k] : high[k];
     }
   }
-  const gjk_aabb box = {{cut_off(low[0] - round), cut_off(low[1] - round), cut_off(low[2] - round)},
-                        {cut_off(high[0] + round), cut_off(high[1] + round), cut_off(high[2] + round)}};
+  const gjk_aabb box = {{cut_off(low[0] - radius), cut_off(low[1] - radius), cut_off(low[2] - radius)},
+                        {cut_off(high[0] + radius), cut_off(high[1] + radius), cut_off(high[2] + radius)}};
   return box;
 }
 

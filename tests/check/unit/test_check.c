@@ -53,7 +53,8 @@ static gjk_status enclosed(const gjk_collider *a, const gjk_collider *b, const u
   return gjk_check_decision(a, b, 0, &decision);
 }
 
-// Every second corner of a cube holds its middle; those of one face hold nothing, also where the origin is in their plane.
+// Every second corner of a cube holds its middle; those of one face hold nothing, also where the origin is in their
+// plane.
 static void test_enclosing(void) {
   static const uint16_t alternate[4] = {0, 3, 5, 6}, top[4] = {4, 5, 6, 7}, twice[4] = {0, 3, 5, 5};
   const gjk_collider a = placed(&cube, 0, 0, 0), middle = placed(&dot, 0, 0, 0), beside = placed(&dot, ONE + 9, 0, ONE);
@@ -86,7 +87,7 @@ static void test_directions(void) {
       CHECK(gjk_check_decision(&b, &a, 0, &decision) == GJK_ERROR_UNPROVEN);
     }
   }
-  // With roundings the asked distance leaves 31 bits.
+  // With the convex radii the asked distance needs more than 31 bits.
   static const gjk_shape ball = GJK_SPHERE(ONE);
   const gjk_collider p = placed(&ball, 0, 0, 0), q = placed(&ball, 5 * ONE, 0, 0);
   const gjk_vec3 along = {ONE, 0, 0};
@@ -106,7 +107,7 @@ static void test_largest(void) {
     gjk_cache cache;
     gjk_decision decision;
     memset(&cache, 0, sizeof cache);
-    for (int round = 0; round < 3; round++) {
+    for (int change = 0; change < 3; change++) {
       CHECK(gjk_intersect(&a, &b, &cache, &decision) == GJK_OK);
       CHECK(!decision.yes);
       CHECK(gjk_within(&a, &b, INT32_MAX, &cache, &decision) == GJK_OK);
@@ -198,7 +199,7 @@ static void test_penetrations(void) {
   CHECK(gjk_check_penetration(&a, &b, &other) == GJK_ERROR_UNPROVEN);  // an edge
   other.certificate.a[1] = 8;
   CHECK(gjk_check_penetration(&a, &b, &other) == GJK_ERROR_UNPROVEN);  // a vertex that there is not
-  // Of rounded cores that overlap: what is less than the roundings is less than any.
+  // Shapes whose cores overlap are within any distance: also one that is smaller than their convex radii.
   const gjk_collider p = placed(&soft, 0, 0, 0), q = placed(&soft, 0, 0, 2 * ONE - 10);
   CHECK(gjk_penetration(&p, &q, NULL, &workspace, &r) == GJK_OK);
   CHECK(r.depth == 2 * ONE + 10);
@@ -215,7 +216,7 @@ static void test_penetrations(void) {
   for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
     CHECK(penetrates(&p, &s, &r, beside[i]) == GJK_ERROR_UNPROVEN);
   }
-  // Cores much nearer than the roundings are large, in a frame of high resolution.
+  // Cores much nearer to each other than the convex radii, in a frame of high resolution.
   static const gjk_shape large = GJK_SPHERE(INT32_C(1) << 27);
   const gjk_collider u = placed(&large, 0, 0, 0), v = placed(&large, 0, 3, 4);
   CHECK(gjk_penetration(&u, &v, NULL, &workspace, &r) == GJK_OK);
@@ -303,8 +304,8 @@ static gjk_penetration_result by_upper_facet(gjk_q16 depth, gjk_q16 point_a, gjk
   return r;
 }
 
-// Where boxes are apart it bounds a depth that there is not: beside the origin, or across from it. All else that is said
-// of the slabs would be right.
+// Where boxes are apart it bounds a depth that there is not: beside the origin, or across from it. All else that is
+// said of the slabs would be right.
 static void test_facet_of_boxes_apart(void) {
   static const gjk_shape small = GJK_BOX(1000, 1000, 1000), slab = GJK_BOX(1000, 100, 1000);
   const gjk_collider a = placed(&small, 0, 0, 0), beside = placed(&small, 2100, 0, 0);
@@ -324,8 +325,8 @@ static void test_facet_of_boxes_apart(void) {
   CHECK(gjk_check_penetration(&a, &below, &r) == GJK_ERROR_UNPROVEN);
 }
 
-// Cores 1 LSB apart whose roundings overlap: the facet before the origin tells the depth with the wrong sign, and points
-// that are off by 2 LSB only.
+// Cores 1 LSB apart whose convex radii overlap: the facet before the origin tells the depth with the wrong sign, and
+// points that are off by 2 LSB only.
 static void test_facet_before_origin(void) {
   static const uint16_t of_a[3] = {1, 3, 7}, of_b[3] = {6, 4, 0};
   static const gjk_shape soft = GJK_ROUNDED_BOX(1000, 1000, 1000, 10);

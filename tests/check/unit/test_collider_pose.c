@@ -82,7 +82,7 @@ static bool place(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *buffer, con
   return gjk_collider_pose(c, pose) == GJK_OK;
 }
 
-static void check_round(random_state *random, int round) {
+static void check_random_pose(random_state *random, int trial) {
   // At most 2^30 from the origin along each axis; in the last class so far that the turned centre still fits.
   const unsigned bits = random_below(random, 32);
   const int32_t distance = bits == 31 ? INT32_C(1200000000) : INT32_C(1) << bits;
@@ -101,26 +101,26 @@ static void check_round(random_state *random, int round) {
   pose.position.z = opposite(far.z) + random_range(random, -200, 200);
   gjk_collider baked, lazy, sheet;
   gjk_vec3 buffer[VERTICES];
-  CHECK_MSG(place(&baked, &hull, buffer, &pose), "round %d, seed %d", round, SEED);
-  CHECK_MSG(place(&lazy, &hull, NULL, &pose), "round %d, seed %d", round, SEED);
-  CHECK_MSG(place(&sheet, &triangle, NULL, &pose), "round %d, seed %d", round, SEED);
+  CHECK_MSG(place(&baked, &hull, buffer, &pose), "trial %d, seed %d", trial, SEED);
+  CHECK_MSG(place(&lazy, &hull, NULL, &pose), "trial %d, seed %d", trial, SEED);
+  CHECK_MSG(place(&sheet, &triangle, NULL, &pose), "trial %d, seed %d", trial, SEED);
   const gjk_vec3 elsewhere = random_about(random, pose.position, 1000);
   for (int moved = 0; moved < 2; moved++) {
     for (uint16_t i = 0; i < VERTICES; i++) {
       gjk_vec3 offset;
       const long double error = error_of(&baked, &buffer[i], &pose, &vertices[i]);
       worst[bits] = error > worst[bits] ? error : worst[bits];
-      CHECK_MSG(error < STATED, "round %d, seed %d, vertex %u, 2^%u LSB away: %.3Lf LSB off", round, SEED, i, bits,
+      CHECK_MSG(error < STATED, "trial %d, seed %d, vertex %u, 2^%u LSB away: %.3Lf LSB off", trial, SEED, i, bits,
                 error);
-      CHECK_MSG(within_core(&baked, &buffer[i]), "round %d, seed %d, vertex %u: beyond the radius", round, SEED, i);
-      CHECK_MSG(hull.type->vertex(&lazy, i, &offset), "round %d, seed %d, lazy vertex %u", round, SEED, i);
-      CHECK_MSG(same_vec3(&offset, &buffer[i]), "round %d, seed %d, lazy vertex %u", round, SEED, i);
+      CHECK_MSG(within_core(&baked, &buffer[i]), "trial %d, seed %d, vertex %u: beyond the radius", trial, SEED, i);
+      CHECK_MSG(hull.type->vertex(&lazy, i, &offset), "trial %d, seed %d, lazy vertex %u", trial, SEED, i);
+      CHECK_MSG(same_vec3(&offset, &buffer[i]), "trial %d, seed %d, lazy vertex %u", trial, SEED, i);
       if (i < 3) {
         const long double of_sheet = error_of(&sheet, &sheet.frame[i], &pose, &vertices[i]);
-        CHECK_MSG(of_sheet < STATED, "round %d, seed %d, triangle: %.3Lf LSB off", round, SEED, of_sheet);
+        CHECK_MSG(of_sheet < STATED, "trial %d, seed %d, triangle: %.3Lf LSB off", trial, SEED, of_sheet);
       }
     }
-    CHECK_MSG(same_vec3(&lazy.centre, &baked.centre), "round %d, seed %d", round, SEED);
+    CHECK_MSG(same_vec3(&lazy.centre, &baked.centre), "trial %d, seed %d", trial, SEED);
     pose.position = elsewhere;
     CHECK(gjk_collider_move(&baked, &elsewhere) == GJK_OK);
     CHECK(gjk_collider_move(&lazy, &elsewhere) == GJK_OK);
@@ -148,7 +148,7 @@ int main(void) {
   random_state random = random_seed(check_seed(SEED));
   long double most = 0;
   for (int i = 0; i < ITERATIONS; i++) {
-    check_round(&random, i);
+    check_random_pose(&random, i);
   }
   test_identity();
   for (int i = 0; i < 32; i++) {

@@ -134,7 +134,7 @@ static bool check_decisions(const case_collider *a, const case_collider *b, cons
   return right;
 }
 
-// The same question with a cache: the same answer. The other way round: as near the truth.
+// The same question with a cache: the same answer. With the shapes swapped: as near to the truth.
 static bool check_again(const case_collider *a, const case_collider *b, long double truth, family *f) {
   gjk_distance_result cold, warm, swapped;
   gjk_cache cache = {{0}, 0, {0}, {0}};
@@ -165,7 +165,7 @@ static bool check_pair(const case_pair *pair, const case_collider *a, const case
   if (status != GJK_OK) {
     return false;
   }
-  // An enclosed origin has no distance to bound, and overlapping roundings have one below 0.
+  // Cores that share a point have no distance to bound; cores nearer than the convex radii have one below 0.
   const bool sharp = truth.enclosing || truth.upper < -TOLERANCE || truth.upper - truth.lower <= SHARPNESS;
   CHECK_MSG(sharp, "oracle from %Lg to %Lg in %d", truth.lower, truth.upper, truth.iterations);
   f->pairs++;

@@ -1,9 +1,9 @@
-// Far pairs: the distance is within 2^-28 of itself also where all its errors add up. Centres just beyond 2^30 LSB apart
-// along a diagonal, coordinates all odd or any, so that those are rounded by an LSB in the halved frame, and the
-// largest roundings, which leave half the distance of the centres.
+// Far pairs: the distance is within 2^-28 of itself also where all its errors add up. Centres just beyond 2^30 LSB
+// apart along a diagonal, coordinates all odd or any, so that those are rounded by an LSB in the halved frame, and the
+// largest convex radii, which leave half the distance of the centres.
 //
-// In LSB, of which a gap of at least 2^29 allows 2: each coordinate is within 1/2 of its mean error, sqrt(3) / 2 together,
-// and the distance and that mean are rounded by up to 1/2 each: 1.87.
+// In LSB, of which a gap of at least 2^29 allows 2: each coordinate is within 1/2 of its mean error, sqrt(3) / 2
+// together, and the distance and that mean are rounded by up to 1/2 each: 1.87.
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,6 @@
-// What must not change an answer: the cache, what was asked before, how bodies came to where they are, skips, saves. Also
-// where a ceiling on iterations or a small workspace leaves no answer; test_ceilings.sh repeats it with low ceilings.
+// What must not change an answer: the cache, what was asked before, how bodies came to where they are, skips, saves.
+// Also where a ceiling on iterations or a small workspace leaves no answer; test_ceilings.sh repeats it with low
+// ceilings.
 #include <stdlib.h>
 #include <string.h>
 
@@ -287,9 +288,10 @@ static story make_story(random_state *random, gjk_shape shapes[2]) {
   return s;
 }
 
-// Scenes of equal hashes, by other histories, with skips and without, saved and not, give the same reports of the same move.
+// Scenes of equal hashes, by other histories, with skips and without, saved and not, give the same reports of the same
+// move.
 static void check_scenes(void) {
-  enum { WHOLE, SHORT, NO_SKIPS, SHORT_NO_SKIPS, COPIED, OPENED, HISTORIES };
+  enum { WHOLE, SHORT, RETESTED, SHORT_RETESTED, COPIED, OPENED, HISTORIES };
   static history h[HISTORIES];
   unsigned near = 0, unsettled = 0, skipped = 0;
   for (unsigned i = 0; i < SCENES; i++) {
@@ -298,8 +300,8 @@ static void check_scenes(void) {
     const story s = make_story(&random, shapes);
     CHECK(play(&h[WHOLE], &s, true, 0));
     CHECK(play(&h[SHORT], &s, false, 0));
-    CHECK(play(&h[NO_SKIPS], &s, true, 1));
-    CHECK(play(&h[SHORT_NO_SKIPS], &s, false, 1));
+    CHECK(play(&h[RETESTED], &s, true, 1));
+    CHECK(play(&h[SHORT_RETESTED], &s, false, 1));
     CHECK(carry(&h[COPIED], &h[WHOLE], &s, false));
     CHECK(carry(&h[OPENED], &h[SHORT], &s, true));
     for (int k = 1; k < HISTORIES; k++) {
@@ -370,8 +372,8 @@ static uint32_t count_needed(const crowd *c, gjk_q16 margin) {
   return count;
 }
 
-// Whether there is room for all pairs depends on poses, and on what was near: not on how large the boxes in the tree have become
-// on the way.
+// Whether there is room for all pairs depends on poses, and on what was near: not on how large the boxes in the tree
+// have become on the way.
 static void check_room(void) {
   static crowd wide, tight;
   unsigned refused = 0, narrow = 0;
@@ -408,8 +410,8 @@ static void check_room(void) {
   CHECK(narrow > ROOMS);
 }
 
-// The nearest of parts that are far away and nearly as far as each other, where distances are rounded by more than boxes
-// are: the one that a search of all finds, whatever the shape of the tree.
+// The nearest of parts that are far away and nearly as far as each other, where distances are rounded by more than
+// boxes are: the one that a search of all finds, whatever the shape of the tree.
 static void check_nearest(void) {
   static const gjk_shape kinds[] = {GJK_BOX(40000, 40000, 40000), GJK_ELLIPSOID(30000, 40000, 50000),
                                     GJK_CYLINDER(40000, 30000), GJK_SPHERE(40000)};

@@ -1,5 +1,5 @@
-// Depths that a formula gives: spheres, capsules side by side, boxes along the axes, points in boxes; and arguments that
-// are refused.
+// Depths that a formula gives: spheres, capsules side by side, boxes along the axes, points in boxes; and arguments
+// that are refused.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +25,8 @@ static void reset(subject *s) {
   s->pair.b.pose.position.x = 123456;
 }
 
-// The answer has the depth, which is rounded up, along the direction; none of these needs a workspace. depth < 0: apart.
+// The answer has the depth, which is rounded up, along the direction; none of these needs a workspace. depth < 0:
+// apart.
 static void expect(subject *s, double depth, const char *what) {
   char why[200] = "";
   const bool answered = case_collider_build(&s->a, &s->pair.a, false) == GJK_OK &&
@@ -128,7 +129,7 @@ static int32_t least(int32_t a, int32_t b) {
   return a < b ? a : b;
 }
 
-// The smallest of the overlaps along the axes; with roundings they add up, as long as the cores overlap.
+// The depth is the smallest overlap along an axis. Convex radii add to it as long as the cores overlap.
 static void test_boxes(random_state *random, subject *s) {
   for (int i = 0; i < ITERATIONS; i++) {
     const gjk_q16 most = generate_reach(random) / 3 + 2;

@@ -1,5 +1,5 @@
-// Penetration where few go: at the end of the world, with roundings of an LSB, with cells that are none or very many, with
-// caches where none helps.
+// Penetration where few go: at the end of the world, with convex radii of an LSB, with cells that are none or very
+// many, with caches where none helps.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -119,8 +119,9 @@ static void test_walls(void) {
   }
 }
 
-// Large shapes with a rounding of an LSB: the least by which a move can fail. B parts from A when it has moved.
-static void test_thin_rounding(void) {
+// Large shapes with a convex radius of an LSB: the least by which a move can fail. B must part from A when it has
+// moved.
+static void test_thin_convex_radius(void) {
   random_state random = random_seed(check_seed(SEED) + 1);
   for (int i = 0; i < PAIRS; i++) {
     const gjk_q16 size = INT32_C(1) << (20 + random_below(&random, 7));
@@ -162,8 +163,8 @@ static gjk_q30 narrowed(gjk_q30 u, gjk_q30 by) {
   return u > by ? u - by : u < -by ? u + by : u;
 }
 
-// A normal that is a little shorter is still within 2^-28, but the move may no longer part them: then it is refused, by the
-// check and the oracle. Returns how often.
+// A normal that is a little shorter is still within 2^-28, but the move may no longer part them: then it is refused, by
+// the check and the oracle. Returns how often.
 static unsigned long narrow(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *found,
                             int pair) {
   unsigned long refused = 0;
@@ -180,8 +181,8 @@ static unsigned long narrow(const gjk_collider *a, const gjk_collider *b, const 
   return refused;
 }
 
-// The largest boxes, turned by so little that now and then a normal loses more by its rounding than the move gains by its
-// own: it is widened until the move parts them, wherever they are.
+// The largest boxes, turned by so little that now and then a normal loses more by its rounding than the move gains by
+// its own: it is widened until the move parts them, wherever they are.
 static void test_widened_normals(void) {
   const gjk_quat none = {0, 0, 0, GJK_Q30_ONE};
   random_state random = random_seed(check_seed(SEED) + 3);
@@ -218,16 +219,16 @@ static void test_signed_apart(void) {
   const gjk_quat none = {0, 0, 0, GJK_Q30_ONE};
   gjk_cache cache;
   memset(&cache, 0, sizeof cache);
-  for (int round = 0; round < 4; round++) {
-    const gjk_vec3 origin = {0, 0, 0}, at = {0, 2 * ONE + 3 + round, ONE / 2};
+  for (int extra = 0; extra < 4; extra++) {
+    const gjk_vec3 origin = {0, 0, 0}, at = {0, 2 * ONE + 3 + extra, ONE / 2};
     const gjk_collider a = placed(&box, origin, &none), b = placed(&box, at, &none);
     gjk_distance_result r;
     CHECK(gjk_signed_distance(&a, &b, &cache, NULL, &r) == GJK_OK);
     CHECK(!r.intersecting);
-    CHECK(r.distance == 3 + round);
+    CHECK(r.distance == 3 + extra);
     CHECK(gjk_signed_distance(&a, &b, NULL, NULL, &r) == GJK_OK);
     CHECK(!r.intersecting);
-    CHECK(r.distance == 3 + round);
+    CHECK(r.distance == 3 + extra);
     CHECK(cache.count > 0);
   }
 }
@@ -242,8 +243,8 @@ static bool is_across(const gjk_penetration_result *r) {
          llabs(z * n->x - x * n->z) <= 4 * (int64_t)GJK_Q30_ONE;
 }
 
-// Four vertices are the least polytope; a workspace without cells is none, and every face of the first tetrahedron has the
-// origin over it.
+// Four vertices are the least polytope; a workspace without cells is none, and every face of the first tetrahedron has
+// the origin over it.
 static void test_workspaces(void) {
   for (uint16_t n = 0; n < 4; n++) {
     CHECK(gjk_workspace_bytes(n) == 0);
@@ -306,7 +307,7 @@ static void test_many_faces(void) {
 int main(void) {
   test_end_of_world();
   test_walls();
-  test_thin_rounding();
+  test_thin_convex_radius();
   test_widened_normals();
   test_signed_apart();
   test_workspaces();

@@ -329,15 +329,15 @@ static void test_poses(random_state *random) {
     const real3 turned = real_apply(real_of(&a.rotation), real_vec3(&b.position));
     const real3 moved = {p.x + turned.x, p.y + turned.y, p.z + turned.z};
     if (worse_vec3(&composed, &ab.position, moved)) {
-      NOTE(&composed, "round %d", i);
+      NOTE(&composed, "trial %d", i);
     }
     if (worse_vec3(&inverted, &inverse.position, real_apply(real_of(&conjugate), opposite))) {
-      NOTE(&inverted, "round %d", i);
+      NOTE(&inverted, "trial %d", i);
     }
     const real3 origin = {0, 0, 0};
     CHECK(gjk_pose_compose(&a, &inverse, &into_a) == GJK_OK);
     if (worse_vec3(&back, &into_a.position, origin)) {
-      NOTE(&back, "round %d", i);
+      NOTE(&back, "trial %d", i);
     }
     gjk_pose in_place = a;
     gjk_pose_invert(&in_place, &in_place);

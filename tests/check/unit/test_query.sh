@@ -71,7 +71,7 @@ check 'just not within' is 'gap beyond' "$(answer --within 65535 "$dir/gap.txt")
 check 'just within' is 'gap within' "$(answer "$dir/gap.txt" --within 65536)"
 check 'within in units' is 'gap within' "$(answer --within 1.0 "$dir/gap.txt")"
 check 'within 0' is 'gap beyond' "$(answer --within 0 "$dir/gap.txt")"
-check 'within, open after a round' is 'gap open' "$(answer --within 1.0 --iterations 1 "$dir/boxes.txt")"
+check 'within, open after an iteration' is 'gap open' "$(answer --within 1.0 --iterations 1 "$dir/boxes.txt")"
 check 'within, settled after three' is 'gap beyond' "$(answer --iterations 3 --within 1.0 "$dir/boxes.txt")"
 check 'within, settled by the spheres' is 'gap beyond iterations=0' "$("$tool" --within 1 --iterations 1 "$dir/gap.txt")"
 check 'open is not certified' is 'gap open iterations=1 uncertified: open after 1 iterations' \

@@ -99,7 +99,7 @@ static void test_rotation(void) {
     // Bounds of the header, for vectors as long as they may be.
     const long double sum = fabsl(largest.x * 1.0L) + fabsl(largest.y * 1.0L) + fabsl(largest.z * 1.0L);
     const long double error = turn_error(rows, m, &largest);
-    CHECK_MSG(error <= 0.501L * (1 + sum / GJK_Q30_ONE), "round %d: %.3Lf LSB", i, error);
+    CHECK_MSG(error <= 0.501L * (1 + sum / GJK_Q30_ONE), "trial %d: %.3Lf LSB", i, error);
   }
   printf("rotation: largest error of an entry %.4Lf LSB, of a vector up to 2^29 %.4Lf LSB\n", worst_entry, worst_turn);
   CHECK_MSG(refused == 0, "%lu of %d", refused, ITERATIONS);

@@ -31,9 +31,9 @@ worst() {
   done
 }
 
-check 'remembering from round 1' certified 1 200 71 20000
-check 'remembering from round 2, three steps among the seen' certified 2 3 72 6000
-check 'remembering from round 1, all features tried each time' certified 1 0 73 3000
-check 'the most expensive pairs, remembering from round 1' worst 1 200
+check 'remembering from iteration 1' certified 1 200 71 20000
+check 'remembering from iteration 2, three steps among the seen' certified 2 3 72 6000
+check 'remembering from iteration 1, all features tried each time' certified 1 0 73 3000
+check 'the most expensive pairs, remembering from iteration 1' worst 1 200
 check 'the most expensive pairs, one step among the seen' worst 16 1
 finish search

@@ -341,9 +341,9 @@ static void test_query_arguments(void) {
 
 // Exact proofs are for polytopes that are not too far apart.
 static void test_unsupported(void) {
-  static const gjk_shape round = GJK_CYLINDER(ONE, ONE);
+  static const gjk_shape drum = GJK_CYLINDER(ONE, ONE);
   const gjk_vec3 far_off = {INT32_MAX, 0, 0};
-  const gjk_collider good = posed(&cube), curved = posed(&round);
+  const gjk_collider good = posed(&cube), curved = posed(&drum);
   gjk_collider away = posed(&cube);
   gjk_decision decision;
   gjk_distance_result distance;

@@ -45,7 +45,7 @@ static bool decides(const gjk_collider *a, const gjk_collider *b, gjk_q16 distan
   gjk_cache cache;
   char why[128];
   memset(&cache, 0, sizeof cache);
-  for (int round = 0; round < 2; round++) {  // cold, then warm
+  for (int pass = 0; pass < 2; pass++) {  // cold, then warm
     if (gjk_within(a, b, distance, &cache, &d) != GJK_OK || d.yes != yes ||
         !exact_check_decision(a, b, distance, &d, why, sizeof why) ||
         gjk_check_decision(a, b, distance, &d) != GJK_OK) {

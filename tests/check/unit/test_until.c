@@ -142,7 +142,8 @@ static gjk_q16 off_shape(const gjk_vec3 *point, const gjk_collider *shape) {
   return result.distance;
 }
 
-// The plane of a large feature is known to several LSB: its distance was taken for that of the points, up to 10 LSB more.
+// The plane of a large feature is known to several LSB: its distance was taken for that of the points, up to 10 LSB
+// more.
 static void test_slender_triangles(void) {
   random_state random = random_seed(SLENDER_SEED);
   unsigned long open = 0;
@@ -176,7 +177,7 @@ static void test_slender_triangles(void) {
       worst = off > worst ? off : worst;
     }
   }
-  printf("slender triangles: %lu answers before the last round, points at most %.2f LSB off\n", open, worst);
+  printf("slender triangles: %lu answers before the last iteration, points at most %.2f LSB off\n", open, worst);
   CHECK(open > (unsigned long)SLENDER_PAIRS);
 }
 

@@ -205,10 +205,10 @@ static void put_about(const bench *b) {
 // A method goes through all families twice, and the second time counts: so each finds the processor as it leaves it
 // itself, not taught or untaught by the method before, which may be a relative on the same pairs.
 static void time_method(bench *b, size_t method, bench_query query) {
-  for (int round = 0; round < 2; round++) {
+  for (int pass = 0; pass < 2; pass++) {
     for (size_t f = 0; f < bench_family_count; f++) {
       if (bench_answers(b->methods[method], &bench_families[f], query)) {
-        bench_measure_time(&b->works[f].subjects[method], query, round == 1);
+        bench_measure_time(&b->works[f].subjects[method], query, pass == 1);
       }
     }
   }

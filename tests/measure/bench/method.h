@@ -1,6 +1,6 @@
-// What is measured: methods that answer a question about a pair.
+// A method answers queries about pairs: the library, the reference, or another library. The benchmark measures methods.
 //
-// A method prepares what its users would keep between queries, untimed, and then answers again and again.
+// prepare makes what a user of the method would keep between queries; it is not timed. run answers, again and again.
 #ifndef BENCH_METHOD_H
 #define BENCH_METHOD_H
 
@@ -13,15 +13,15 @@ extern "C" {
 
 #define BENCH_LSB_PER_UNIT 65536.0
 
-// Contacts: those at most BENCH_MARGIN apart, four at most.
+// BENCH_CONTACTS: contact points at most BENCH_MARGIN apart, at most BENCH_CONTACTS_KEPT of them.
 typedef enum bench_query { BENCH_DISTANCE, BENCH_INTERSECT, BENCH_DEPTH, BENCH_CONTACTS, BENCH_QUERIES } bench_query;
 
 #define BENCH_ASK(query) (1u << (query))
 #define BENCH_MARGIN 655  // LSB
 #define BENCH_CONTACTS_KEPT 4
 
-// A posed polytope: its vertices are centre + vertices, in units, the axes the world's, and all within round of it.
-// Exactly the library's integers.
+// A posed polytope: all points within convex_radius of the hull of centre + vertices[i]. Lengths in units, axes of the
+// world. All numbers are exactly the library's integers.
 typedef struct bench_solid {
   double centre[3];
   double (*vertices)[3];
@@ -40,20 +40,20 @@ typedef struct bench_pair {
   bench_solid solid[2];
   bool intersecting;
   double distance;  // LSB; when intersecting 0, or minus the depth where the family asks for it
-  int placed;       // what gap the pair was made for, LSB; BENCH_NOT_PLACED
+  int placed;       // the gap that the pair was made for, LSB, or BENCH_NOT_PLACED
 } bench_pair;
 
 #define BENCH_NOT_PLACED (-1000000)
 
 typedef enum bench_decision { BENCH_APART, BENCH_TOGETHER, BENCH_UNDECIDED } bench_decision;
 
-// distance, lower, upper: LSB; minus the depth, that of the deepest contact. A method that proves no bounds leaves
-// bounded false.
+// distance, lower, upper  LSB; of overlapping shapes minus the depth; of contacts that of the deepest one
+// bounded                 the method has proven lower and upper
 typedef struct bench_answer {
-  bench_decision decision;  // undecided: of a depth or contacts there is no answer
+  bench_decision decision;  // BENCH_UNDECIDED of a depth or contacts: there is no answer
   bool bounded;
   double distance, lower, upper;
-  unsigned iterations;  // 0: the method does not tell
+  unsigned iterations;  // 0: unknown
   unsigned contacts;
 } bench_answer;
 
@@ -61,8 +61,8 @@ typedef struct bench_method {
   const char *name;
   const char *series;  // methods of one series differ in a setting and are drawn as one line
   int setting;         // the method's place in its series
-  unsigned answers;    // BENCH_ASK of each query
-  bool boxes_only;     // answers about no other shapes
+  unsigned answers;    // BENCH_ASK of each query that it answers, combined by |
+  bool boxes_only;     // it answers only about boxes
   void *(*prepare)(const struct bench_method *method, const bench_pair *pair);
   void (*run)(const struct bench_method *method, void *prepared, bench_query query, bench_answer *out);
   void (*release)(void *prepared);

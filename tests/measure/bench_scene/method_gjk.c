@@ -18,7 +18,7 @@ typedef struct gjk_world {
   scene_meet *meet;  // for counting
   const void *meet_user;
   uint32_t held, meeting;
-  traffic_body bodies[];  // with the handles in this scene
+  traffic_body bodies[];  // with their ids in this scene
 } gjk_world;
 
 static void count_report(void *user, const gjk_report *report) {

@@ -78,7 +78,7 @@ bool motion_record(motion *m) {
     if (traffic_apply(&m->traffic, &m->scene) != GJK_OK) {
       return false;
     }
-    // The bodies of a streaming scene that were replaced, from the oldest on, round the end.
+    // The bodies of a streaming scene that were replaced: from the oldest on, past the end from the first on.
     const uint32_t replaced = (m->traffic.oldest + m->count - oldest) % m->count;
     for (uint32_t i = 0; i < m->count; i++) {
       const bool anew = (i + m->count - oldest) % m->count < replaced;

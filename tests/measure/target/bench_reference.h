@@ -1,8 +1,8 @@
-// The reference as the benchmark runs it: posed shapes in the scalar type `real` of the including file, which also
-// names BENCH_SOLVER and the tolerances.
+// The reference as the benchmark on emulated cores runs it: posed shapes, in the scalar type `real` of the including
+// file. That file also defines BENCH_SOLVER and the tolerances.
 //
-// The conversion to `real` is not measured: a program on floats would have its vertices in them. It answers depths
-// where BENCH_REFERENCE_DEPTH is defined: a polytope in double does not fit on the smallest board.
+// The conversion to `real` is not measured: a program that uses floats would have its vertices in them. Depths are
+// answered only if BENCH_REFERENCE_DEPTH is defined, since an EPA hull in double does not fit on the smallest board.
 #ifndef BENCH_REFERENCE_H
 #define BENCH_REFERENCE_H
 
@@ -25,8 +25,8 @@ static void farthest(const solver_shape *shape, const real d[3], real out[3]);
 #include "reference/solver_loop.h"
 
 #ifdef BENCH_REFERENCE_DEPTH
-#define EXPANDING_VERTICES_MAX 48
-#include "reference/expanding.h"
+#define EPA_VERTICES_MAX 48
+#include "reference/epa.h"
 #endif
 
 static void farthest(const solver_shape *shape, const real d[3], real out[3]) {
@@ -104,9 +104,9 @@ static const solver_limits exact = {.relative = BENCH_RELATIVE,
 // Out of line, so that its stack is not that of the other queries.
 __attribute__((noinline)) static void reference_depth(const solver_shape *a, const solver_shape *b,
                                                       const solver_simplex *last, bench_answer *out) {
-  static expanding_polytope polytope;
-  static expanding_result depth;
-  expand(a, b, &exact, last, &polytope, &depth);
+  static epa_hull hull;
+  static epa_result depth;
+  epa_depth(a, b, &exact, last, &hull, &depth);
   out->iterations += (unsigned)depth.iterations;
   out->distance = -(gjk_q16)(depth.upper / BENCH_LSB + (real)0.5);
 }

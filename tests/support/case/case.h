@@ -1,4 +1,5 @@
-// A case: two shapes at their poses, as the query tool reads them and as tests make and print them.
+// A case is two shapes at their poses. The query tool reads cases (parse.h); tests make them and print the ones that
+// fail.
 #ifndef CASE_H
 #define CASE_H
 
@@ -15,14 +16,16 @@ typedef enum case_kind {
   CASE_CYLINDER,
   CASE_CONE,
   CASE_ELLIPSOID
-} case_kind;  // a sphere is a rounded point, a capsule a rounded segment
+} case_kind;  // a sphere is a point with a convex radius, a capsule a segment with one
 
-// One shape at its pose. size: segment {0, 0, h}; box half extents; cylinder and cone {r, r, h}; ellipsoid
-// radii.
+// One shape at its pose.
+//
+// size      segment {0, 0, h}; box: half extents; cylinder and cone {r, r, h}; ellipsoid: radii; else unused.
+// vertices  of a triangle or hull. case_shape_set_count makes room; case_shape_reset keeps the room for the next case.
 typedef struct case_shape {
   case_kind kind;
   gjk_vec3 size;
-  gjk_vec3 *vertices;  // triangle, hull: owned, grows as needed, kept between cases
+  gjk_vec3 *vertices;  // owned
   size_t count, capacity;
   uint16_t *corners, *ends;  // faces of a hull, as in gjk_hull_faces: owned, with room for faces_capacity faces
   size_t faces, faces_capacity;
@@ -35,7 +38,8 @@ typedef struct case_pair {
   case_shape a, b;
 } case_pair;
 
-// A shape of a case bound to a posed collider; hulls baked. Both may be reused; free with case_collider_free.
+// A collider with all that it points to. Zeroed before the first use; may be built again; free it with
+// case_collider_free.
 typedef struct case_collider {
   gjk_shape shape;
   gjk_hull_faces faces;
@@ -44,28 +48,29 @@ typedef struct case_collider {
   gjk_collider collider;
 } case_collider;
 
-// Point at the origin with identity rotation, no rounding; keeps the vertex storage.
+// Makes shape a point at the origin with identity rotation and convex radius 0; keeps the room for vertices.
 void case_shape_reset(case_shape *shape);
 void case_shape_free(case_shape *shape);
 void case_pair_free(case_pair *pair);
-// Room for count vertices; sets count.
+// Makes room for count vertices and sets count.
 void case_shape_set_count(case_shape *shape, size_t count);
-// Room for so many faces of GJK_FACE_CORNERS_MAX corners; sets faces.
+// Makes room for so many faces of GJK_FACE_CORNERS_MAX corners each, and sets faces.
 void case_shape_set_faces(case_shape *shape, size_t faces);
-// *to becomes a deep copy of *from.
+// Makes *to a deep copy of *from.
 void case_shape_copy(case_shape *to, const case_shape *from);
 
-// Builds and poses. lazy: hulls keep no buffer. The case must outlive the collider.
+// Makes a collider of shape and poses it. lazy: a hull gets no buffer; else it is baked. shape must outlive the
+// collider.
 gjk_status case_collider_build(case_collider *collider, const case_shape *shape, bool lazy);
 void case_collider_free(case_collider *collider);
 
-// Prints the case in the query tool's own format, raw integers.
+// Prints the case in the format of parse.h, numbers as raw integers, so that the query tool can read it.
 void case_print(FILE *file, const case_pair *pair);
 
 // For check_trial: prints a case_pair to standard output.
 void case_show(const void *pair);
 
-// Two shapes of the library's own kinds at their poses, whose vertices outlive it.
+// Two shapes of the library's at their poses; the caller keeps their vertices. For tests that need no case_pair.
 typedef struct case_posed {
   gjk_shape a, b;
   gjk_pose at_a, at_b;
@@ -73,7 +78,5 @@ typedef struct case_posed {
 
 // For check_trial: prints a case_posed as a case.
 void case_show_posed(const void *posed);
-
-// Reading, see parse.h.
 
 #endif

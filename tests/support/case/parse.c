@@ -15,7 +15,7 @@ typedef struct side {
   case_shape *shape;
   char letter;
   bool kind, faces, convex_radius, at, turn;  // seen
-  gjk_q16 own_radius, rounding;
+  gjk_q16 own_radius, round_radius;           // of a sphere or capsule; of 'round'
 } side;
 
 static void complain(case_reader *reader, const char *format, ...) {
@@ -225,7 +225,7 @@ typedef struct kind_name {
   const char *word, *numbers;
   case_kind kind;
   unsigned char count;   // numbers after the word
-  bool first_is_radius;  // the first is a radius of rounding
+  bool first_is_radius;  // the first number is a convex radius
 } kind_name;
 
 static const kind_name kind_names[] = {
@@ -308,7 +308,7 @@ static bool read_property(case_reader *reader, char *cursor, side *into) {
   }
   if (strcmp(word, "round") == 0) {
     return once(reader, &into->convex_radius, into, word) &&
-           read_numbers(reader, cursor, "r after 'round'", LENGTH_BITS, 1, &into->rounding);
+           read_numbers(reader, cursor, "r after 'round'", LENGTH_BITS, 1, &into->round_radius);
   }
   if (strcmp(word, "faces") == 0) {
     return once(reader, &into->faces, into, word) && read_faces(reader, cursor, into->shape);
@@ -340,7 +340,7 @@ static bool read_property(case_reader *reader, char *cursor, side *into) {
 
 // Adds the radii of the shape and of 'round'; a negative one stays, for the library to refuse.
 static bool finish_side(case_reader *reader, const side *of, const char *id) {
-  int64_t sum = (int64_t)of->own_radius + of->rounding;
+  int64_t sum = (int64_t)of->own_radius + of->round_radius;
   if (!of->kind) {
     complain(reader, "expected '%c KIND ...' before the end of case %s", of->letter, id);
     return false;
@@ -349,8 +349,8 @@ static bool finish_side(case_reader *reader, const side *of, const char *id) {
     complain(reader, "expected '%c hull ...' with '%c faces' in case %s", of->letter, of->letter, id);
     return false;
   }
-  if (of->own_radius < 0 || of->rounding < 0) {
-    sum = of->own_radius < of->rounding ? of->own_radius : of->rounding;
+  if (of->own_radius < 0 || of->round_radius < 0) {
+    sum = of->own_radius < of->round_radius ? of->own_radius : of->round_radius;
   }
   if (sum > INT32_MAX) {
     complain(reader, "expected a radius and 'round' of %c that add up to less than 32768.0", of->letter);

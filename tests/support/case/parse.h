@@ -5,14 +5,14 @@
 //     A KIND ...               point | segment h | triangle (3 lines of x y z) | box hx hy hz
 //                              | hull n (n lines of x y z) | sphere r | capsule r h
 //                              | cylinder r h | cone r h | ellipsoid rx ry rz
-//     A round r                optional, adds to the radius of a sphere or capsule
+//     A round r                optional convex radius, adds to that of a sphere or capsule
 //     A faces m                optional, of a hull: m lines of vertex numbers from 0, up to GJK_FACE_CORNERS_MAX
 //     A at x y z               optional, default 0 0 0
 //     A turn x y z w           optional quaternion, default 0.0 0.0 0.0 1.0
 //     B KIND ...               and so on
 //
-// Numbers as in number.h: lengths Q16.16, quaternions Q2.30. Blank lines, tabs and CRLF are fine, and so is a
-// comment after the words of a line, except on the line of 'case'.
+// Numbers are written as number.h says: lengths in Q16.16, quaternions in Q2.30. Blank lines, tabs and CRLF are
+// allowed. So is a comment at the end of any line but that of 'case'.
 #ifndef CASE_PARSE_H
 #define CASE_PARSE_H
 
@@ -31,12 +31,12 @@ typedef struct case_reader {
   char text[CASE_LINE_MAX];
 } case_reader;
 
-// The file stays the caller's; name must outlive the reader.
+// Starts to read file, which stays the caller's. name is printed in messages and must outlive the reader.
 void case_reader_open(case_reader *reader, FILE *file, const char *name);
 
-// The next well-formed case, in pair, whose storage is reused; zeroed at first. A malformed one is skipped up
-// to the next line that begins with 'case', after one message 'FILE:LINE: expected ...' on standard error.
-// False at the end of the file.
+// Reads the next well-formed case into pair and returns true; false at the end of the file. pair is zeroed before the
+// first call; later calls use its memory again. A malformed case gets one message 'FILE:LINE: expected ...' on standard
+// error and is skipped, up to the next line that begins with 'case'.
 bool case_reader_next(case_reader *reader, case_pair *pair);
 
 #endif

@@ -1,6 +1,7 @@
-// What an answer claims, field by field, against brute force: whatever its certificate says.
+// Judges what an answer claims, field by field, by brute force. The certificate of the answer is not read.
 //
-// "False" is certain; where a claim is a matter of rounding, such as a depth along a rounded normal, it gets the benefit.
+// Each function returns false only for a claim that is certainly wrong. A claim that rounding alone may make wrong,
+// such as the depth along a rounded normal, passes.
 #ifndef EXACT_CLAIM_H
 #define EXACT_CLAIM_H
 
@@ -9,19 +10,21 @@
 typedef struct exact_claims {
   const gjk_collider *a, *b;
   exact_truth truth;
-  char *why;
+  char *why;  // gets the reason of a refusal
   size_t size;
 } exact_claims;
 
-// Pre: as exact_brute; no coordinate near the end of Q16.16. why: room for the reason of a refusal.
+// Finds the truth of a pair by exact_brute. why: room for the reason of a refusal, size bytes.
+// Pre: that of exact_brute; no coordinate is near the ends of Q16.16.
 void exact_claims_open(const gjk_collider *a, const gjk_collider *b, char *why, size_t size, exact_claims *out);
 
+// Judges a decision of gjk_within(a, b, distance).
 bool exact_claims_decision(const exact_claims *c, gjk_q16 distance, const gjk_decision *decision);
 
-// As after GJK_OK: an answer of gjk_distance.
+// Judges an answer of gjk_distance after GJK_OK.
 bool exact_claims_distance(const exact_claims *c, const gjk_distance_result *result);
 
-// That no direction is shorter is not judged: exact_depth's part.
+// Judges an answer of gjk_penetration after GJK_OK, but not whether a shorter way out exists: exact_depth tells that.
 bool exact_claims_penetration(const exact_claims *c, const gjk_penetration_result *result);
 
 #endif

@@ -13,7 +13,7 @@ typedef struct exact_int {
   uint32_t limb[EXACT_LIMBS];
 } exact_int;
 
-// Results beyond 512 bits end the program: they'd be a flaw of the test.
+// A result beyond 512 bits ends the program, since it is a fault of the test.
 exact_int exact_from(int64_t value);
 exact_int exact_negate(exact_int a);
 exact_int exact_add(const exact_int *a, const exact_int *b);
@@ -23,7 +23,7 @@ exact_int exact_mul(const exact_int *a, const exact_int *b);
 // The sign of a - b.
 int exact_compare(const exact_int *a, const exact_int *b);
 
-// To within 2^-51 of itself.
+// a, within 2^-51 of itself.
 double exact_to_double(const exact_int *a);
 
 #endif

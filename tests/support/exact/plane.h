@@ -1,4 +1,4 @@
-// A plane that no vertex of A - B lies beyond, and how far it is from the origin.
+// Planes that no vertex of A - B lies beyond, and how far they are from the origin.
 #ifndef EXACT_PLANE_H
 #define EXACT_PLANE_H
 
@@ -13,7 +13,8 @@ typedef struct exact_plane {
 
 void exact_plane_make(const exact_vector *normal, const exact_int *height, exact_plane *out);
 
-// The plane across the nearest point of a feature that does not hold the origin: the origin is beyond it.
+// The plane through the nearest point of a feature, across the way to the origin, which lies beyond it.
+// Pre: the feature does not hold the origin.
 void exact_plane_behind(const exact_feature *feature, exact_plane *out);
 
 // The sign of (height / |normal|) - distance.
@@ -22,10 +23,10 @@ int exact_plane_compare(const exact_plane *plane, int64_t distance);
 // height / |normal| rounded up. Pre: below 2^40 in size.
 int64_t exact_plane_ceiling(const exact_plane *plane);
 
-// To within 2^-47 of itself.
+// height / |normal|, within 2^-47 of itself.
 double exact_plane_height(const exact_plane *plane);
 
-// The sign of the difference of two heights above the origin. Pre: neither is negative.
+// The sign of (a.height / |a.normal|) - (b.height / |b.normal|). Pre: neither height is negative.
 int exact_plane_order(const exact_plane *a, const exact_plane *b);
 
 #endif

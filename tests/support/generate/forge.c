@@ -148,7 +148,7 @@ static gjk_q16 rounded(double x) {
   return x >= 2147483647.0 ? INT32_MAX : x <= -2147483648.0 ? INT32_MIN : (gjk_q16)floor(x + 0.5);
 }
 
-// The points of the cores, moved by the roundings.
+// The points of the cores, moved out by the convex radii.
 static void fit_points(const gjk_collider *a, const gjk_collider *b, const fit *f, gjk_vec3 *point_a, gjk_vec3 *point_b,
                        gjk_unit3 *normal) {
   const double p = a->shape->convex_radius, q = b->shape->convex_radius, *n = f->normal;
@@ -262,7 +262,8 @@ void forge_edit(uint32_t field, uint32_t how, int32_t value, forge_claim *claim)
   }
 }
 
-// The answer for B moved somewhere, together or apart: its certificate names a facet of that A - B, which is one of this.
+// The answer for B moved somewhere, together or apart: its certificate names a facet of that A - B, which is one of
+// this.
 static bool borrow(random_state *random, const gjk_collider *a, const gjk_collider *b, forge_claim *out) {
   gjk_collider moved = *b;
   const double length = generate_unit(random) * 1.2 * ((double)a->radius + b->radius);

@@ -1,5 +1,5 @@
-// Forged answers: true ones of this or another pair with fields changed, certificates swapped or made up, and all the
-// values that would go with them.
+// Forges answers, for tests of the library's check: true answers with a field changed, answers of another pair, and
+// answers whose certificate is swapped or made up while all values agree with it.
 #ifndef GENERATE_FORGE_H
 #define GENERATE_FORGE_H
 
@@ -9,7 +9,8 @@ typedef enum forge_kind { FORGE_DECISION, FORGE_DISTANCE, FORGE_PENETRATION } fo
 
 #define FORGE_KINDS 3
 
-// An answer of a kind; of a decision asked is the distance that it is about.
+// An answer: that of decision, distance and penetration which kind says. asked: of a decision, the distance it is
+// about.
 typedef struct forge_claim {
   forge_kind kind;
   gjk_q16 asked;
@@ -18,24 +19,25 @@ typedef struct forge_claim {
   gjk_penetration_result penetration;
 } forge_claim;
 
-// A pair of polytopes with at most so many pairs of vertices, from 1 on, not far from the origin, apart or together; many of them flat,
-// or next to touching.
+// Makes a pair of polytopes with 1 to most pairs of vertices, near the origin, apart or overlapping. Many are flat or
+// almost touch.
 void forge_pair(random_state *random, unsigned most, case_pair *pair);
 
-// The library's answer. False: it has none.
+// The library's own answer. False: it has none.
 bool forge_true(const gjk_collider *a, const gjk_collider *b, forge_kind kind, gjk_q16 asked, forge_claim *out);
 
-// Sets every value as if the certificate held: a lie that is consistent.
+// Sets every value as it would be if the certificate held, so that the lie is consistent.
 void forge_fit(const gjk_collider *a, const gjk_collider *b, forge_claim *claim);
 
-// Changes one field, by little or much.
+// Changes one field of claim; field, how and value are any numbers.
 void forge_edit(uint32_t field, uint32_t how, int32_t value, forge_claim *claim);
 
-// A forged answer about the pair, b somewhere else lending its own and other giving that of another pair.
+// Makes a forged answer about a and b. It may borrow from other, an answer about another pair, and from b at another
+// place.
 void forge(random_state *random, const gjk_collider *a, const gjk_collider *b, const forge_claim *other,
            forge_claim *out);
 
-// What the library's check says.
+// The status of the library's check of claim.
 gjk_status forge_check(const gjk_collider *a, const gjk_collider *b, const forge_claim *claim);
 
 void forge_print(FILE *file, const forge_claim *claim);

@@ -53,7 +53,7 @@ static void shallow_thin(random_state *random, case_pair *pair) {
   sink(random, make(random, solid(random), thin, pair) / 4, pair);
 }
 
-// The roundings alone overlap, or the cores as well.
+// Only the parts within the convex radii overlap, or the cores as well.
 static void shallow_rounded(random_state *random, case_pair *pair) {
   const gjk_q16 reach = make(random, generate_kind(random), generate_kind(random), pair);
   round_off(random, reach, &pair->a);
@@ -125,7 +125,8 @@ static void sheets(random_state *random, case_pair *pair) {
 }
 
 // A hull or box and the same again, at a vertex of it, a difference of two, or where it stands: planes, edges and
-// vertices coincide, and A - B is full of parallel edges. Turned, a hull may reach up to twice as far from its box's centre.
+// vertices coincide, and A - B is full of parallel edges. Turned, a hull may reach up to twice as far from its box's
+// centre.
 static void same(random_state *random, case_pair *pair) {
   generate_polytope(random, solid(random), at_least(generate_reach(random) / 2, 3), &pair->a);
   pair->a.pose.rotation = generate_rotation(random);

@@ -4,7 +4,7 @@
 
 #include "generate.h"
 
-// As generate_families; near is of no meaning here.
+// As generate_families; near is not used.
 extern const generate_family generate_overlaps[];
 extern const unsigned generate_overlap_count;
 

@@ -1,4 +1,4 @@
-// Hulls that have faces: prisms.
+// Makes prisms: hulls that have faces.
 #ifndef GENERATE_PRISM_H
 #define GENERATE_PRISM_H
 
@@ -6,8 +6,9 @@
 
 #define GENERATE_SIDES_MAX 8
 
-// Makes shape the prism along z of 3 to GENERATE_SIDES_MAX sides within its size, with its faces: the base
-// counterclockwise from above, then the top. Where the size is a few LSB, vertices may coincide.
+// Makes shape a prism along z with 3 to GENERATE_SIDES_MAX sides, within the box of shape->size, with its faces. The
+// vertices of the base come first, counterclockwise from above, then those of the top. They may coincide if the size is
+// a few LSB.
 void generate_prism(unsigned sides, case_shape *shape);
 
 #endif

@@ -20,7 +20,7 @@ static real real_sqrt(real x) {
 
 #include "solver.h"
 
-#include "expanding.h"
+#include "epa.h"
 
 static real hypotenuse(real x, real y) {
   return real_sqrt(x * x + y * y);
@@ -36,7 +36,7 @@ static void make_shape(solver_shape *out, const case_shape *shape, const case_co
 
 static void find(const case_pair *pair, const case_collider *a, const case_collider *b, bool deep,
                  accurate_result *out) {
-  static expanding_polytope polytope;
+  static epa_hull hull;
   static const solver_limits deep_limits = {.absolute = SOLVER_LSB / 16, .apart = SOLVER_ANY, .iterations = 3000};
   // 2^-12 LSB between the bounds; a core distance below 2^-40 of the largest vertex, at most 2^-10 LSB, is 0.
   static const solver_limits limits = {
@@ -47,19 +47,19 @@ static void find(const case_pair *pair, const case_collider *a, const case_colli
   make_shape(&shape_a, &pair->a, a, a->collider.centre);
   make_shape(&shape_b, &pair->b, b, a->collider.centre);
   solve(&shape_a, &shape_b, &limits, &last, &core);
-  real round = shape_a.convex_radius + shape_b.convex_radius;
+  real radius = shape_a.convex_radius + shape_b.convex_radius;
   out->enclosing = core.enclosing;
-  out->lower = (long double)((core.lower - round) / SOLVER_LSB);
-  out->upper = (long double)((core.upper - round) / SOLVER_LSB);
+  out->lower = (long double)((core.lower - radius) / SOLVER_LSB);
+  out->upper = (long double)((core.upper - radius) / SOLVER_LSB);
   out->iterations = core.iterations;
   for (int k = 0; k < 3; k++) {
     out->normal[k] = core.enclosing ? 0 : (long double)core.normal[k];
   }
   if (deep && core.enclosing) {
-    expanding_result inside;
-    expand(&shape_a, &shape_b, &deep_limits, &last, &polytope, &inside);
-    out->lower = (long double)((-inside.upper - round) / SOLVER_LSB);
-    out->upper = (long double)((-inside.lower - round) / SOLVER_LSB);
+    epa_result inside;
+    epa_depth(&shape_a, &shape_b, &deep_limits, &last, &hull, &inside);
+    out->lower = (long double)((-inside.upper - radius) / SOLVER_LSB);
+    out->upper = (long double)((-inside.lower - radius) / SOLVER_LSB);
     out->iterations += inside.iterations;
     for (int k = 0; k < 3; k++) {
       out->normal[k] = (long double)inside.normal[k];

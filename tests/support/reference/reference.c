@@ -18,11 +18,11 @@ static real real_sqrt(real x) {
 
 #include "solver.h"
 
-#include "expanding.h"
+#include "epa.h"
 
-// The search ends when a step gains less than 1e-10 of the distance. Squared distances below 1e-30 of the largest squared
-// vertex count as 0: of all powers of ten this one decides best (tests/check/unit/test_reference.c, 1e-15 to 1e-36). A
-// float gets what its 24 bits leave.
+// The search ends when a step gains less than 1e-10 of the distance. Squared distances below 1e-30 of the largest
+// squared vertex count as 0: of all powers of ten this one decides best (tests/check/unit/test_reference.c, 1e-15 to
+// 1e-36). A float gets what its 24 bits leave.
 static solver_limits limits(void) {
   solver_limits chosen = {.relative = (real)1e-10, .enclosing = (real)1e-30, .apart = SOLVER_ANY, .iterations = 200};
   if (sizeof(real) < sizeof(double)) {
@@ -39,7 +39,7 @@ static void to_world(const real point[3], const real n[3], real along, gjk_vec3 
   }
 }
 
-// With the roundings on top: gap apart, or minus the depth.
+// Reports the points of the cores, moved out by the convex radii. gap: the distance, or minus the depth.
 static void report_points(const solver_shape *a, const solver_shape *b, const real core_a[3], const real core_b[3],
                           const real n[3], real gap, gjk_vec3 origin, reference_result *out) {
   out->distance = (double)(gap / SOLVER_LSB);
@@ -51,21 +51,21 @@ static void report_points(const solver_shape *a, const solver_shape *b, const re
 }
 
 static void query(const solver_shape *a, const solver_shape *b, gjk_vec3 origin, bool deep, reference_result *out) {
-  static expanding_polytope polytope;
+  static epa_hull hull;
   solver_simplex last;
   solver_result core;
-  expanding_result inside;
+  epa_result inside;
   const solver_limits chosen = limits();
   solve(a, b, &chosen, &last, &core);
-  const real round = a->convex_radius + b->convex_radius, gap = core.upper - round;
+  const real radius = a->convex_radius + b->convex_radius, gap = core.upper - radius;
   out->iterations = core.iterations;
   out->intersecting = core.enclosing || gap <= 0;
   out->distance = 0;
   if (!core.enclosing && (deep || !out->intersecting)) {
     report_points(a, b, core.a, core.b, core.normal, gap, origin, out);
   } else if (deep) {
-    expand(a, b, &chosen, &last, &polytope, &inside);
-    report_points(a, b, inside.a, inside.b, inside.normal, -inside.upper - round, origin, out);
+    epa_depth(a, b, &chosen, &last, &hull, &inside);
+    report_points(a, b, inside.a, inside.b, inside.normal, -inside.upper - radius, origin, out);
     out->iterations += inside.iterations;
   }
 }

@@ -1,12 +1,14 @@
-// The reference: the same queries in floating point, as a good library answers them; right away from touching.
+// The reference: the same queries in floating point, as a good library answers them. It is right unless the shapes
+// almost touch.
 //
-// An implementation of its own (GJK by signed volumes, solver.h), in double; reference_float.c is the same in float.
+// It shares no code with the library: GJK by signed volumes (solver.h) and EPA (epa.h), in double. reference_float.c is
+// the same in float. It is what the library is compared with in tests, benchmarks and the README.
 #ifndef REFERENCE_H
 #define REFERENCE_H
 
 #include "case/case.h"
 
-// Lengths in LSB, world frame.
+// Lengths in LSB, points in the world frame.
 typedef struct reference_result {
   bool intersecting;
   double distance;    // 0 when intersecting
@@ -15,11 +17,11 @@ typedef struct reference_result {
   int iterations;
 } reference_result;
 
-// The shapes at their poses in the reals.
+// The distance of the shapes at their poses in the reals.
 void reference_query(const case_pair *pair, reference_result *out);
 
-// The integers that posing has made of the polytopes, so that only the query differs from the library's; lazy hulls
-// and curved shapes by their rotation rows. a and b are built from the shapes of pair.
+// The distance of the shapes as posed by the library, so that only the query differs: polytopes by their integer
+// vertices, lazy hulls and curved shapes by their rotation matrix. Pre: a and b were built from pair.
 void reference_query_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
                            reference_result *out);
 
@@ -27,8 +29,8 @@ void reference_float_query(const case_pair *pair, reference_result *out);
 void reference_float_query_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
                                  reference_result *out);
 
-// The same, and when intersecting the depth by an expanding polytope (expanding.h): distance is minus the depth; a, b
-// and normal are set as of gjk_penetration.
+// reference_query_posed, and the depth if the shapes overlap: then distance is minus the depth, and a, b and normal are
+// those that gjk_penetration would report.
 void reference_signed_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
                             reference_result *out);
 void reference_float_signed_posed(const case_pair *pair, const case_collider *a, const case_collider *b,

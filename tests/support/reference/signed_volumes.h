@@ -62,7 +62,7 @@ static void nearest_on_segment(const real *const s[2], real weight[2]) {
   }
 }
 
-// The best of the faces opposite to the vertices that `behind` marks: those that the origin lies beyond.
+// The weights of the nearest point of all faces that lie opposite to a vertex which `behind` marks.
 static void nearest_on_faces(const real *const s[], int count, const bool behind[],
                              void (*nearest)(const real *const[], real[]), real weight[]) {
   real best = -1;
@@ -86,8 +86,8 @@ static void nearest_on_faces(const real *const s[], int count, const bool behind
   }
 }
 
-// Weights from the signed parts that the origin cuts off opposite to each vertex; false, with the vertices marked,
-// when it lies beyond a face.
+// Sets the weights of the origin from the signed volume that it spans with the face opposite to each vertex. False: the
+// origin lies beyond a face; `behind` marks the vertex opposite to each such face.
 static bool inside_weights(const real part[], real whole, int count, bool behind[], real weight[]) {
   bool inside = true;
   for (int j = 0; j < count; j++) {
@@ -136,7 +136,7 @@ static void nearest_on_tetrahedron(const real *const s[4], real weight[4]) {
   }
 }
 
-// The weights of the nearest point; 0 for the vertices that don't count. 1 <= count <= 4.
+// The weights of the simplex's point nearest to the origin; 0 for vertices that it does not need. Pre: 1 <= count <= 4.
 static void nearest_on_simplex(const real *const s[], int count, real weight[]) {
   switch (count) {
     case 1: weight[0] = 1; break;

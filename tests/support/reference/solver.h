@@ -1,7 +1,7 @@
-// GJK in floating point on cases and colliders, for the scalar type `real` of the including file.
+// Shapes of cases and colliders for GJK in floating point, in the scalar type `real` of the including file.
 //
 // Nothing here is shared with the library but the public types. The including file defines `real` and
-// `static real real_sqrt(real)` first. Inside, lengths are in units (65536 LSB), so that a float does not overflow.
+// `static real real_sqrt(real)` first. Lengths are in units (65536 LSB), so that squares do not overflow a float.
 #ifndef SOLVER_H
 #define SOLVER_H
 
@@ -10,8 +10,8 @@
 
 #define SOLVER_LSB ((real)1 / (real)65536)
 
-// The image of a local shape: centre + x axes[0] + y axes[1] + z axes[2] over the points of kind and size, and
-// everything within round of it. Local lengths are in LSB, the axes carry the scale.
+// A shape: all points within convex_radius of centre + x axes[0] + y axes[1] + z axes[2], for the points (x, y, z) of
+// the local shape that kind, size and vertices say. Local lengths are in LSB; axes scale them to units.
 typedef struct solver_shape {
   case_kind kind;
   const gjk_vec3 *vertices;
@@ -36,7 +36,7 @@ static void set_scale_axes(solver_shape *shape) {
   }
 }
 
-// The rotation by q / |q|; axes[i] is where the i-th local axis goes.
+// Sets the rotation by q / |q|: axes[i] is the image of the i-th local axis.
 static void set_rotation(solver_shape *shape, const gjk_quat *q) {
   real x = (real)q->x, y = (real)q->y, z = (real)q->z, w = (real)q->w;
   real s = 2 / (x * x + y * y + z * z + w * w);
@@ -50,7 +50,7 @@ static void set_rotation(solver_shape *shape, const gjk_quat *q) {
   }
 }
 
-// The distance from one point to another, in two steps that are exact in double.
+// Sets centre to at - origin, exactly in double.
 static void set_centre(solver_shape *shape, gjk_vec3 at, gjk_vec3 origin) {
   shape->centre[0] = (real)((int64_t)at.x - origin.x) * SOLVER_LSB;
   shape->centre[1] = (real)((int64_t)at.y - origin.y) * SOLVER_LSB;
@@ -68,7 +68,7 @@ static void solver_from_case(solver_shape *out, const case_shape *shape, gjk_vec
   set_centre(out, shape->pose.position, origin);
 }
 
-// The rotation that a collider keeps as rows in Q2.30: lazy hulls and curved shapes.
+// Sets the rotation matrix that the collider of a lazy hull or curved shape keeps, rows in Q2.30.
 static void set_rows(solver_shape *shape, const gjk_collider *collider) {
   real local[3], rows[3][3];
   set_vec3(local, collider->local_centre);
@@ -81,7 +81,8 @@ static void set_rows(solver_shape *shape, const gjk_collider *collider) {
   }
 }
 
-// What posing has made of a shape, relative to origin: the integers of a polytope, the rotation of the others.
+// A shape as the library posed it, relative to origin: a polytope by its integer vertices, another by its rotation
+// matrix.
 static void solver_from_collider(solver_shape *out, const case_collider *posed, case_kind kind, gjk_vec3 origin) {
   const gjk_collider *collider = &posed->collider;
   const gjk_vec3 *frame = collider->frame;
@@ -121,7 +122,7 @@ static void farthest_vertex(const solver_shape *shape, const real d[3], real out
   }
 }
 
-// The point of the rim of radius size[0] in the plane z = 0; the middle when d does not tell.
+// The point farthest along d of the circle of radius size[0] in the plane z = 0; its centre if d is along z.
 static void farthest_on_rim(const real size[3], const real d[3], real out[3]) {
   real length = real_sqrt(d[0] * d[0] + d[1] * d[1]);
   out[0] = length > 0 ? size[0] * d[0] / length : 0;
@@ -166,7 +167,7 @@ static void farthest_local(const solver_shape *shape, const real d[3], real out[
   }
 }
 
-// The point of the core that is farthest along d, units.
+// The support point of the core along d, in units.
 static void farthest(const solver_shape *shape, const real d[3], real out[3]) {
   real local_d[3], local[3];
   for (int i = 0; i < 3; i++) {

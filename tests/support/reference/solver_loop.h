@@ -1,29 +1,29 @@
-// The loop of GJK in floating point, for the scalar type `real` of the including file.
+// GJK in floating point, for the scalar type `real` of the including file.
 //
 // The including file defines first: `real`, `static real real_sqrt(real)`, a type solver_shape with a `real centre[3]`,
-// and `static void farthest(const solver_shape *, const real d[3], real out[3])`, the point of it farthest along d.
-// Lengths are in units, so that a float does not overflow.
+// and `static void farthest(const solver_shape *, const real d[3], real out[3])`, which finds the shape's support point
+// along d. Lengths are in units, so that squares do not overflow a float.
 #ifndef SOLVER_LOOP_H
 #define SOLVER_LOOP_H
 
 #include "signed_volumes.h"
 
-// No distance is beyond it.
+// Larger than any distance.
 #define SOLVER_ANY ((real)1e30)
 
 typedef struct solver_limits {
-  real relative;   // of the distance, between the bounds
-  real absolute;   // units, between the bounds
+  real relative;   // stop when the bounds differ by less than this share of the distance
+  real absolute;   // or by less than this, units
   real enclosing;  // a squared distance below this share of the largest squared vertex counts as 0
-  real apart;      // units: once the distance is proven to be above it, the rest of the result is of no interest
+  real apart;      // stop once the distance is proven to be above it, units; the points are of no use then
   int iterations;
 } solver_limits;
 
-// Of the two cores.
+// What is found of two cores.
 typedef struct solver_result {
   bool enclosing;
   real lower, upper;  // bounds of the distance, units; the lower one may be negative
-  real a[3], b[3];    // the points that are upper apart, units
+  real a[3], b[3];    // points of the cores that are upper apart, units
   real normal[3];     // from A to B, not set when enclosing
   int iterations;
 } solver_result;
@@ -58,7 +58,7 @@ static void add_farthest(solver_simplex *s, const solver_shape *a, const solver_
   real_sub(s->a[s->count], s->b[s->count], s->w[s->count]);
 }
 
-// Keeps the vertices that count, sets v to the nearest point, and returns the largest squared vertex.
+// Drops the vertices whose weight is 0, sets v to the point nearest to the origin, and returns the largest |vertex|^2.
 static real reduce(solver_simplex *s, real v[3]) {
   const real *points[4];
   real weight[4], largest = 0;
@@ -93,8 +93,8 @@ static void report_simplex(const solver_simplex *s, solver_result *out) {
   weighted_sum(b, s->weight, s->count, out->b);
 }
 
-// The distance of two cores. Stops when the bounds meet, when the origin is enclosed, or when rounding ends progress.
-// last: the simplex that it ended with.
+// Finds the distance of two cores. Stops when the bounds meet limits, the simplex encloses the origin, or rounding ends
+// the progress. last: the simplex at the end.
 static void solve(const solver_shape *a, const solver_shape *b, const solver_limits *limits, solver_simplex *last,
                   solver_result *out) {
   real v[3], d[3];

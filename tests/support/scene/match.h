@@ -1,6 +1,8 @@
-// A small lockstep game: two players' inputs and nothing else decide it. The same on every target, no libc.
+// A small lockstep game for tests: the inputs of two players decide all that happens, the same on every target, without
+// libc.
 //
-// What touches bounces, so every report acts on all that follows. A match is one plain value: copy it to save it.
+// Bodies that touch bounce, so one wrong report changes the rest of the match. A match is a plain value: a copy of it
+// is a save.
 #ifndef MATCH_H
 #define MATCH_H
 
@@ -23,18 +25,18 @@ typedef struct match {
   uint32_t block[MATCH_WORDS];
 } match;
 
-// Both of the players' bits: move by x, y or z (1, 2, 4; with 8: back), 16 turn, 32 change a shape, 64 remove or add a
-// body, 128 stop or wake one.
+// One player's input in a tick, bits: 1, 2, 4 move along x, y, z; 8 makes that a move back; 16 turns; 32 changes a
+// shape; 64 removes or adds a body; 128 puts one to sleep or wakes it.
 typedef uint8_t match_input;
 
-// False: something that must not happen did.
+// False: a call had a status that it must not have.
 bool match_start(match *m);
 bool match_tick(match *m, match_input first, match_input second);
 
-// The hash of the scene, and of what the game keeps besides. 0: failed.
+// A hash of the scene and of all that the game keeps besides. 0: it failed.
 uint64_t match_hash(match *m);
 
-// The scene of a match, wherever that is now.
+// Attaches to the scene of a match. It must be done anew for every copy, as the block is in the match.
 bool match_scene(match *m, gjk_scene *out);
 
 #endif

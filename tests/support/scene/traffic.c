@@ -109,7 +109,7 @@ gjk_status traffic_start(traffic *t, gjk_scene *scene, traffic_kind kind, uint32
   return GJK_OK;
 }
 
-// Turns round where the room ends.
+// Turns a body back where the room ends.
 static int32_t bounce(int32_t at, int32_t step, int32_t reach) {
   return (at > reach && step > 0) || (at < -reach && step < 0) ? -step : step;
 }

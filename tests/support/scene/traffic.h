@@ -1,4 +1,4 @@
-// Scenes that move by rule, for measuring and for lockstep: the same on every target, no libc.
+// Scenes that move by rule, for benchmarks and lockstep tests: the same on every target, without libc.
 #ifndef TRAFFIC_H
 #define TRAFFIC_H
 
@@ -9,10 +9,10 @@
 #define TRAFFIC_SHAPES 5
 
 typedef enum traffic_kind {
-  TRAFFIC_SPARSE,    // bodies 4 units apart on the average
-  TRAFFIC_CROWDED,   // 1.5 units: each touches or nearly touches some others
+  TRAFFIC_SPARSE,    // bodies are 4 units apart on average
+  TRAFFIC_CROWDED,   // 1.5 units: each body touches or almost touches some others
   TRAFFIC_PILES,     // crates in columns of 8 on static plates
-  TRAFFIC_STREAMING  // static scenery, which leaves behind and comes in ahead of a moving window
+  TRAFFIC_STREAMING  // static scenery in a moving window: bodies are removed behind it and added ahead
 } traffic_kind;
 
 typedef struct traffic_body {
@@ -26,30 +26,31 @@ typedef struct traffic_body {
 
 typedef struct traffic {
   traffic_kind kind;
-  uint32_t count, percent;  // bodies, and how many of a hundred move
-  gjk_vec3 reach;           // half the room
-  uint32_t oldest;          // streaming: the next to leave
-  int32_t ahead;            // where the window is
+  uint32_t count, percent;  // bodies, and how many percent of them move
+  gjk_vec3 reach;           // half the size of the room
+  uint32_t oldest;          // streaming: the next body that leaves
+  int32_t ahead;            // streaming: where the window is
   random_state random;
   traffic_body *bodies;  // the caller's, count of them
 } traffic;
 
 extern const gjk_shape *const traffic_shapes[TRAFFIC_SHAPES];
 
+// A configuration with room for count bodies of such traffic.
 gjk_scene_config traffic_config(traffic_kind kind, uint32_t count);
 
-// Fills an empty scene. Returns the first status that is not GJK_OK.
+// Fills an empty scene with count bodies, of which percent move. Returns the first status that is not GJK_OK.
 gjk_status traffic_start(traffic *t, gjk_scene *scene, traffic_kind kind, uint32_t count, uint32_t percent,
                          traffic_body *bodies);
 
-// Adds a body of some traffic to a slot of a scene, and sets its handle.
+// Adds a body to a slot of a scene, and sets its id.
 gjk_status traffic_add(gjk_scene *scene, uint32_t slot, traffic_body *b);
 bool traffic_is_static(const traffic_body *b);
 
-// Where the bodies are next; touches no scene.
+// Sets where the bodies are in the next tick; does not change a scene.
 void traffic_plan(traffic *t);
 
-// Takes the scene there. Returns the first status that is not GJK_OK.
+// Moves the bodies of the scene to where they are planned. Returns the first status that is not GJK_OK.
 gjk_status traffic_apply(traffic *t, gjk_scene *scene);
 
 #endif

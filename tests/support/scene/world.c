@@ -275,7 +275,7 @@ static bool doze(world *w, random_state *random, world_body *b) {
   return gjk_scene_sleep(&w->scene, b->handle) == (may ? GJK_OK : GJK_ERROR_RANGE);
 }
 
-// Every call refuses a handle of a removed body.
+// Every call refuses the id of a removed body.
 static bool use_stale(world *w) {
   const gjk_body_id h = w->stale;
   const gjk_pose pose = GJK_POSE_IDENTITY;
@@ -329,7 +329,8 @@ static bool boxes_apart(const gjk_collider *a, const gjk_collider *b, int64_t ma
          y.lower.y - margin > x.upper.y || x.lower.z - margin > y.upper.z || y.lower.z - margin > x.upper.z;
 }
 
-// As a scene answers: where the ceiling on iterations leaves it open, near; of curved shapes boxes that are apart settle it.
+// Is the pair near, as the scene must report it? A pair that the ceiling on iterations leaves open counts as near. Of a
+// pair with a curved shape, boxes farther apart than the margins are the answer.
 static bool is_near(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
   gjk_decision decision = {0};
   if (spheres_apart(a, b, margin) || ((is_curved(a) || is_curved(b)) && boxes_apart(a, b, margin))) {

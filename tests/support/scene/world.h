@@ -1,6 +1,7 @@
-// A world of random bodies that is kept twice: in a scene, and as a plain list that is searched pair by pair.
+// A world of random bodies that is kept twice: in a scene, and as a plain list. What the scene reports is compared with
+// what a test of all pairs of the list says.
 //
-// The list poses its own colliders from the public calls and knows no boxes, trees, pairs or caches.
+// The list poses its own colliders with the public calls, and has no tree, pair records or caches.
 #ifndef WORLD_H
 #define WORLD_H
 
@@ -15,7 +16,7 @@
 #define WORLD_CELLS 2000  // enough for any two of the shapes
 
 typedef struct world_body {
-  gjk_body_id handle;  // generation 0: not there
+  gjk_body_id handle;  // its id; generation 0: there is no such body
   gjk_body_setup setup;
   gjk_part parts[WORLD_PARTS];
   gjk_collider colliders[WORLD_PARTS];
@@ -31,59 +32,61 @@ typedef struct world_options {
   uint32_t bodies;  // at most WORLD_BODIES
   int32_t reach;    // half the side of the cube that they are in
   gjk_q16 box_margin;
-  uint8_t detail;  // of the configuration; bodies ask for more, from DEPTH on for depth and contacts, too
+  uint8_t
+      detail;  // of the configuration; bodies ask for more, for depth and contacts only if detail is DEPTH or CONTACTS
   uint8_t persist, retest_all;
   bool predicate, margins;
-  bool edges;  // positions are around the corners of int32, so that some parts leave it
+  bool edges;  // positions are near the corners of int32_t, so that some parts leave it
 } world_options;
 
 typedef struct world {
   world_options options;
   gjk_scene scene;
   world_body bodies[WORLD_BODIES];
-  world_list near;    // pairs near at the last update, with GJK_EVENT_PERSIST
-  gjk_body_id stale;  // a handle of a body that was removed
+  world_list near;    // the pairs near at the last update, with GJK_EVENT_PERSIST
+  gjk_body_id stale;  // the id of a removed body
   uint32_t adds, removes, moves, failures;
 } world;
 
 extern const gjk_shape *const world_shapes[WORLD_SHAPES];
 
-// Where the manifolds of all worlds' reports are.
+// Where reports of all worlds point for their manifolds.
 extern gjk_manifold world_manifolds[WORLD_REPORTS];
 
-// Cells of the workspace that a world's configuration lets depths use: WORLD_CELLS, or as many as GJK_TEST_CELLS says.
+// How many cells of the workspace depths may use: WORLD_CELLS, or GJK_TEST_CELLS from the environment.
 uint32_t world_cells(void);
 
-// May a query of a world be left unsettled, by a ceiling on iterations lower than usual or by the cells?
+// May queries stay unsettled, since GJK_ITERATIONS_MAX is lower than usual or the cells are few?
 bool world_is_tight(void);
 
-// The configuration for these options.
+// The configuration of the scene for options.
 gjk_scene_config world_config(const world_options *options);
 
-// An empty world in a block of gjk_scene_bytes(world_config(options)). Returns whether the scene could be made.
+// Starts an empty world in a block of gjk_scene_bytes(world_config(options)) bytes. False: the scene could not be made.
 bool world_start(world *w, const world_options *options, void *block, size_t bytes);
 
 // Sets the fields of a handle that are the caller's: the predicate of the world's options, depth and contacts.
 void world_equip(const world *w, gjk_scene *scene);
 
-// One random change to both. Returns false when the scene's status is not the expected one.
+// Makes one random change in scene and list. False: the scene's status is not the expected one.
 bool world_change(world *w, random_state *random);
 
-// A random body's setup; parts are stored in body.
+// Sets the setup and parts of body at random.
 void world_random_setup(const world *w, random_state *random, world_body *body);
 
-// Adds what body->setup says to both, to a slot. Returns the scene's status.
+// Adds a body as body->setup says to a slot of scene and list. Returns the scene's status.
 gjk_status world_add_at(world *w, uint32_t slot, const world_body *body);
 
-// The reports that an update must give now, by testing all pairs; afterwards near is what it is after the update.
+// Finds the reports that the next update must give, by a test of all pairs, and sets near to what the update leaves.
 void world_expect(world *w, world_list *out);
 
-// Sorts into the order of reports.
+// Sorts a list into the order in which a scene reports.
 void world_sort(world_list *list);
 
+// Are both lists equal, field by field?
 bool world_same(const world_list *a, const world_list *b);
 
-// Tests pairs for the scene: the predicate of options.predicate.
+// The predicate that the scene gets with options.predicate: should this pair be tested?
 bool world_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b);
 
 #endif

@@ -297,7 +297,7 @@ static void solve(solver_world *w) {
       }
     }
   }
-  for (unsigned round = 0; round < w->iterations; round++) {
+  for (unsigned iteration = 0; iteration < w->iterations; iteration++) {
     for (unsigned i = 0; i < count; i++) {
       for (unsigned n = 0; n < pairs[i].count; n++) {
         solver_point *point = &pairs[i].point[n];

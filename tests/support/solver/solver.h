@@ -1,8 +1,11 @@
-// A small solver for rigid bodies that stand on contacts of the library: what a user's would do, in integers alone, so that
-// every machine computes the same bits.
+// A small solver for rigid bodies that uses the library's contacts as a user's would. It computes in integers alone, so
+// every machine computes the same bits. Tests and the demo let piles come to rest under it.
 //
-// Each tick the pairs whose boxes meet are asked for contacts; each contact starts from the impulses that the contact of the
-// same id had a tick before; sequential impulses push the bodies apart and hold them by friction.
+// Each tick: 1. Ask all pairs whose boxes meet for contacts.
+//            2. Start each contact from the impulses that the contact of the same id had a tick before.
+//            3. Sequential impulses push the bodies apart, and hold them by friction.
+//            4. Move the bodies by their velocities.
+//
 // After   Erin Catto, Iterative Dynamics with Temporal Coherence, 2005.
 #ifndef SOLVER_H
 #define SOLVER_H
@@ -16,7 +19,7 @@
 // Ticks a second.
 #define SOLVER_RATE 60
 
-// 2^-24; lengths in units, times in seconds, the mass of a cubic unit is 1.
+// A number in 2^-24. Lengths are in units, times in seconds; a cubic unit has mass 1.
 typedef int64_t solver_fix;
 #define SOLVER_ONE ((solver_fix)1 << 24)
 
@@ -27,14 +30,14 @@ typedef struct solver_vec {
 typedef struct solver_body {
   gjk_collider collider;
   gjk_pose pose;
-  gjk_aabb box;  // its margin included
+  gjk_aabb box;  // enlarged by the margin of contacts
   solver_vec position, velocity, spin;
-  solver_fix inverse_mass;         // 0: it stays where it is
+  solver_fix inverse_mass;         // 0: it does not move
   solver_vec inverse_inertia;      // about its own axes
-  solver_vec inverse_in_world[3];  // rows, this tick
+  solver_vec inverse_in_world[3];  // the same about the axes of the world in this tick, rows
 } solver_body;
 
-// What an impulse along an axis does: it turns A by turn_a and B by turn_b for each unit.
+// What an impulse along an axis does. Each unit of it changes the spin of A by turn_a and of B by turn_b.
 typedef struct solver_axis {
   solver_vec axis, moment_a, moment_b, turn_a, turn_b;
   solver_fix mass;  // effective
@@ -44,7 +47,7 @@ typedef struct solver_axis {
 typedef struct solver_point {
   uint16_t id;
   solver_axis along[3];  // the normal, two tangents
-  solver_fix bias;       // the speed that the normal is to have
+  solver_fix bias;       // the speed along the normal that the impulses aim at
 } solver_point;
 
 typedef struct solver_pair {
@@ -56,27 +59,28 @@ typedef struct solver_pair {
 typedef struct solver_world {
   solver_body body[SOLVER_BODIES_MAX];
   unsigned bodies;
-  solver_pair pair[2][SOLVER_PAIRS_MAX];  // of this tick and the last, in the order of their bodies
+  solver_pair pair[2][SOLVER_PAIRS_MAX];  // of this tick, [now], and of the last, sorted by their bodies
   unsigned pairs[2], now;
-  unsigned iterations;   // of impulses a tick
+  unsigned iterations;   // how often a tick goes over all impulses
   unsigned damping;      // bodies lose 1/2^damping of their spin each tick; 0: nothing
-  unsigned long points;  // of all ticks so far
-  unsigned long fresh;   // those of them that had no impulse to start from though their pair had some
+  unsigned long points;  // contact points of all ticks so far
+  unsigned long fresh;   // those whose id was new though their pair had contacts a tick before
 } solver_world;
 
-// Empty, with so many iterations of impulses a tick and no damping.
+// Starts an empty world without damping. iterations: how often a tick goes over all impulses.
 void solver_init(solver_world *w, unsigned iterations);
 
-// Adds a body of a sphere, capsule, box, cylinder or hull within a box of half extents; mass 0: it does not move. Returns its
-// number. The shape must outlive the world.
+// Adds a body and returns its number. shape: a sphere, capsule, box, cylinder or hull, which must outlive the world;
+// half: the half extents of its box, for mass and inertia. fixed: it never moves.
 unsigned solver_add(solver_world *w, const gjk_shape *shape, gjk_vec3 half, const gjk_pose *pose, bool fixed);
 
+// Goes on by one tick of 1 / SOLVER_RATE s.
 void solver_step(solver_world *w);
 
-// The largest speed of any body, of turning, too.
+// The largest component of the velocity or spin of any body.
 solver_fix solver_speed(const solver_world *w);
 
-// Of all that bodies are and do.
+// A hash of the poses, velocities and spins of all bodies.
 uint32_t solver_hash(const solver_world *w);
 
 #endif

@@ -27,9 +27,9 @@ void support(const void *object, const ccd_vec3_t *direction, ccd_vec3_t *out) {
   }
   const double length = std::sqrt(direction->v[0] * direction->v[0] + direction->v[1] * direction->v[1] +
                                   direction->v[2] * direction->v[2]);
-  const double round = s->convex_radius > 0 && length > 0 ? s->convex_radius / length : 0;
+  const double out_by = s->convex_radius > 0 && length > 0 ? s->convex_radius / length : 0;
   for (int k = 0; k < 3; k++) {
-    out->v[k] = s->centre[k] + s->vertices[farthest][k] + round * direction->v[k];
+    out->v[k] = s->centre[k] + s->vertices[farthest][k] + out_by * direction->v[k];
   }
 }
 

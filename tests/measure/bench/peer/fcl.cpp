@@ -48,7 +48,7 @@ void *prepare(const bench_method *, const bench_pair *pair) {
   return p;
 }
 
-// Of the cores, and the rounding on top; a core that EPA has failed on counts as one that touches.
+// Asks about the cores and adds the convex radii. Cores that EPA fails on count as touching.
 template <typename Solver>
 void ask_depth(const Prepared<Solver> *p, bench_answer *out) {
   std::vector<fcl::ContactPoint<double>> contacts;
