@@ -15,7 +15,7 @@ int main(int argc, char **argv) {
   while (done < operations && fine) {
     const world_options options = session_options(&random);
     fine = session_start(&s, &options);
-    for (int change = 0; change < 500 && fine && done < operations; round++) {
+    for (int change = 0; change < 500 && fine && done < operations; change++) {
       const uint32_t changes = random_below(&random, 30);
       for (uint32_t i = 0; i < changes && fine; i++, done++) {
         fine = world_change(&s.now, &random);

@@ -99,15 +99,15 @@ static void sort_bodies(picture *p) {
     double best = 1e30;
     for (size_t i = 0; i < n; i++) {
       real3 centre = real_from_q16(p->s->body[i].collider.collider.centre);
-      double order = real_dot(centre, p->camera.toward);
+      double key = real_dot(centre, p->camera.toward);
       if (drawn[i]) {
         continue;
       }
       for (size_t j = 0; j < n; j++) {
-        order += !drawn[j] && hides(p, i, j) ? 1e6 : 0;
+        key += !drawn[j] && hides(p, i, j) ? 1e6 : 0;
       }
-      if (order < best) {
-        best = order;
+      if (key < best) {
+        best = key;
         p->order[k] = i;
       }
     }

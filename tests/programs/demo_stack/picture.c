@@ -68,12 +68,12 @@ static void sort(const demo_stack *d, const view *v, unsigned order[SOLVER_BODIE
   for (unsigned k = 0; k < n; k++) {
     double best = INFINITY;
     for (unsigned i = 0; i < n; i++) {
-      double order = i == 0 ? -1e9 : real_dot(real_from_q16(d->drawn[i].pose.position), v->toward);
+      double key = i == 0 ? -1e9 : real_dot(real_from_q16(d->drawn[i].pose.position), v->toward);
       for (unsigned j = 0; j < n && !drawn[i]; j++) {
-        order += j != i && !drawn[j] && extents_meet(&extent[i], &extent[j]) && is_behind(d, v, j, i) ? 1e6 : 0;
+        key += j != i && !drawn[j] && extents_meet(&extent[i], &extent[j]) && is_behind(d, v, j, i) ? 1e6 : 0;
       }
-      if (!drawn[i] && order < best) {
-        best = order;
+      if (!drawn[i] && key < best) {
+        best = key;
         order[k] = i;
       }
     }
