@@ -1,4 +1,4 @@
-// Boxes of colliders: exact for polytopes, at most 2 LSB too large for curved shapes, cut off at the ends of int32.
+// AABBs of colliders: exact for polytopes, at most 2 LSB too large for curved shapes, saturated at the ends of int32_t.
 #include <string.h>
 
 #include "check.h"
@@ -19,7 +19,7 @@ static bool same(const gjk_vec3 *a, const gjk_vec3 *b) {
   return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
-// The box of the vertices, by the oracle's own arithmetic.
+// The box of a collider's vertices, in the exact oracle's arithmetic.
 static gjk_aabb box_of_vertices(const gjk_collider *c) {
   const int64_t radius = c->shape->convex_radius;
   int64_t low[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, high[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
@@ -70,7 +70,7 @@ static void test_polytopes(void) {
   case_collider_free(&c);
 }
 
-// The same curved shapes upright, where the box is known: the half extents.
+// Curved shapes at the identity rotation, whose box is known: their half extents.
 static void test_curved(void) {
   static const struct {
     gjk_shape shape;

@@ -1,4 +1,4 @@
-// The case model: numbers, reading back what was printed, building colliders.
+// Cases: their numbers, reading what was printed, building colliders.
 #include <string.h>
 
 #include "case/number.h"
@@ -42,7 +42,7 @@ static const number_row numbers[] = {
     {.text = "0.0e99999", .bits = 16, .good = true},
     {.text = "1.0e999999", .bits = 16},
     {.text = "1.0e99999", .bits = 16},
-    // 2^-17, a tie, and its neighbours that no double can tell from it.
+    // 2^-17 is a tie. Its neighbours here differ from it by less than a double can tell.
     {.text = "0.00000762939453125", .bits = 16, .good = true, .value = 1},
     {.text = "-0.00000762939453125", .bits = 16, .good = true, .value = -1},
     {.text = "0.0000076293945312499999999999999999", .bits = 16, .good = true},
@@ -74,7 +74,7 @@ static void test_numbers(void) {
   }
 }
 
-// Every Q16.16 number has a finite decimal, and that reads back as itself.
+// Every Q16.16 number has a finite decimal. Reading that decimal gives the number again.
 static void test_decimals(random_state *random) {
   for (int i = 0; i < 20000; i++) {
     char text[64];
@@ -147,7 +147,7 @@ static bool same_shape(const case_shape *a, const case_shape *b) {
   return same && (a->faces == 0 || memcmp(a->corners, b->corners, a->ends[a->faces - 1] * sizeof a->corners[0]) == 0);
 }
 
-// What case_print writes, the reader reads; the reader's storage is that of the case before.
+// The reader reads what case_print writes. It uses the memory of the case before again.
 static void test_round_trip(random_state *random) {
   enum { CASES = 500 };
   random_state again = *random;

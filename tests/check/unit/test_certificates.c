@@ -13,8 +13,8 @@
 #define FAILURES_SHOWN 10
 #define CACHES 3
 
-// One in so many pairs is also checked by the library's own check, by wrong answers, and by brute force: of up to 16
-// pairs of vertices often, of up to EXACT_BRUTE_MAX now and then.
+// So many pairs apart, a pair is also checked by the library, with wrong answers, and by brute force: often for up to
+// 16 pairs of vertices, rarely for up to EXACT_BRUTE_MAX.
 #define CHECK_EVERY 4
 #define MUTATE_EVERY 8
 #define BRUTE_EVERY 16
@@ -56,7 +56,7 @@ static void check_decision(campaign *c, gjk_q16 distance, const gjk_decision *d)
   count_answer(c, d->iterations, &d->certificate);
 }
 
-// Asks with the caches of this pair and of another, and with bits at random: the answer is the cold one's.
+// Asks with the caches of this pair, of another pair, and of random bits. Each answer must be that without a cache.
 static void check_within(campaign *c, gjk_q16 distance, gjk_cache *own) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_decision cold, warm;
@@ -100,7 +100,7 @@ static void check_decisions(campaign *c, const gjk_distance_result *r, gjk_cache
   }
 }
 
-// With a cache, whatever its contents: the same decision and the same distance, proven again.
+// With any cache the decision and the distance stay the same, and are proven again.
 static void check_warm(campaign *c, const gjk_distance_result *cold, gjk_cache cache, const char *what) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_distance_result r;
@@ -112,14 +112,15 @@ static void check_warm(campaign *c, const gjk_distance_result *cold, gjk_cache c
   count_answer(c, r.iterations, &r.certificate);
 }
 
-// The vertex named by one pair of a certificate is another one.
+// Names another vertex in one pair of the certificate.
 static void rename_vertex(random_state *random, gjk_certificate *certificate) {
   const unsigned pair = certificate->count > 1 ? random_below(random, certificate->count) : 0;
   uint16_t *vertex = random_below(random, 2) == 0 ? &certificate->a[pair] : &certificate->b[pair];
   *vertex = (uint16_t)(*vertex ^ 1u << random_below(random, 9));
 }
 
-// The library's check must refuse what the oracle refuses. It may refuse more: simplices with a vertex to spare.
+// The library's check must refuse what the oracle refuses. It may refuse more: simplices with a vertex that is not
+// needed.
 static void check_refusal(campaign *c, const gjk_distance_result *wrong, const char *what) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   const bool valid = exact_check_gap(a, b, wrong, c->why, sizeof c->why);
@@ -148,8 +149,8 @@ static void check_wrong_distances(campaign *c, const gjk_distance_result *right)
   check_refusal(c, &wrong, "proof changed");
 }
 
-// Flipped: always refused. Another vertex or direction: refused when the oracle does; but where the bounding spheres
-// settle it, the library looks at no certificate.
+// A flipped decision must always be refused. Another vertex or direction must be refused if the oracle refuses it. One
+// exception: where bounding spheres settle the question, the library does not read the certificate.
 static void check_wrong_decision(campaign *c, gjk_q16 distance) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_decision right, wrong;
@@ -171,7 +172,8 @@ static void check_wrong_decision(campaign *c, gjk_q16 distance) {
   }
 }
 
-// The feature of a distance also proves decisions on the right side of that distance, and none on the wrong side.
+// The feature that proves a distance also proves the right decision about each smaller and larger distance, and never
+// the wrong one.
 static void check_borrowed_proof(campaign *c, const gjk_distance_result *r, gjk_q16 distance, bool yes) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_decision d;
@@ -241,7 +243,8 @@ static void check_pair(campaign *c) {
   }
 }
 
-// Runs a family; its share of intersecting pairs must stay what the family is for. Returns the iterations.
+// Runs a family and returns its most iterations. The share of intersecting pairs must stay between the limits of the
+// family.
 static unsigned run_family(campaign *c, uint64_t seed, unsigned long pairs) {
   const generate_family *family = c->family;
   c->random = random_seed(seed);
@@ -266,7 +269,7 @@ static unsigned run_family(campaign *c, uint64_t seed, unsigned long pairs) {
   return c->iterations;
 }
 
-// Every kind of proof, of every size that it can have, must have been given.
+// Every kind of proof must occur, with each number of vertices that it can have.
 static void check_proofs(const campaign *c, unsigned long pairs) {
   static const struct {
     gjk_proof proof;
@@ -288,7 +291,7 @@ static void check_proofs(const campaign *c, unsigned long pairs) {
   }
 }
 
-// Does the campaign include the family? All of them, when none is named.
+// Is the family to be run? All are, if no name is given.
 static bool includes(const char *name, const generate_family *family) {
   return name == NULL || strcmp(name, family->name) == 0;
 }

@@ -1,4 +1,4 @@
-// Certificates that no query gives: the library's check refuses each for its own reason.
+// Certificates that no query gives. The library's check refuses each one, for a reason of its own.
 #include <string.h>
 
 #include "check.h"
@@ -18,7 +18,7 @@ static gjk_collider placed(const gjk_shape *shape, gjk_q16 x, gjk_q16 y, gjk_q16
   return collider;
 }
 
-// What the check says to "apart, the first count vertices of A and vertex 0 of B are nearest".
+// The status of the claim "apart; the first count vertices of A and vertex 0 of B are nearest".
 static gjk_status nearest(const gjk_collider *a, const gjk_collider *b, uint8_t count) {
   gjk_decision decision;
   memset(&decision, 0, sizeof decision);
@@ -30,7 +30,7 @@ static gjk_status nearest(const gjk_collider *a, const gjk_collider *b, uint8_t 
   return gjk_check_decision(a, b, 0, &decision);
 }
 
-// Features with the origin on them are nearest to it, but not apart from it.
+// Features that hold the origin are nearest to it, but prove no gap.
 static void test_origin_on_feature(void) {
   const gjk_collider a = placed(&dot, 5, 5, 5), b = placed(&sheet, 0, 0, 0);
   const gjk_collider middle = placed(&dot, 0, -ONE, 0), inside = placed(&dot, 0, 0, 0), above = placed(&dot, 0, 0, 1);
@@ -42,7 +42,7 @@ static void test_origin_on_feature(void) {
   CHECK(nearest(&b, &above, 0) == GJK_ERROR_UNPROVEN);
 }
 
-// What the check says to "the four named vertices of A, less vertex 0 of B, enclose the origin".
+// The status of the claim "the four named vertices of A, minus vertex 0 of B, enclose the origin".
 static gjk_status enclosed(const gjk_collider *a, const gjk_collider *b, const uint16_t vertices[4]) {
   gjk_decision decision;
   memset(&decision, 0, sizeof decision);
@@ -53,8 +53,8 @@ static gjk_status enclosed(const gjk_collider *a, const gjk_collider *b, const u
   return gjk_check_decision(a, b, 0, &decision);
 }
 
-// Every second corner of a cube holds its middle; those of one face hold nothing, also where the origin is in their
-// plane.
+// Every second corner of a cube makes a tetrahedron that holds the middle. Four corners of one face enclose nothing,
+// also if the origin lies in their plane.
 static void test_enclosing(void) {
   static const uint16_t alternate[4] = {0, 3, 5, 6}, top[4] = {4, 5, 6, 7}, twice[4] = {0, 3, 5, 5};
   const gjk_collider a = placed(&cube, 0, 0, 0), middle = placed(&dot, 0, 0, 0), beside = placed(&dot, ONE + 9, 0, ONE);
@@ -66,7 +66,7 @@ static void test_enclosing(void) {
   CHECK(enclosed(&a, &middle, twice) == GJK_ERROR_UNPROVEN);
 }
 
-// A direction proves a gap while each component is in range.
+// A direction proves a gap if each of its components is in range.
 static void test_directions(void) {
   const gjk_collider a = placed(&cube, 0, 0, 0);
   gjk_decision decision;
@@ -97,7 +97,7 @@ static void test_directions(void) {
   CHECK(gjk_check_decision(&p, &q, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
 }
 
-// The largest shapes at the largest distance of an unscaled frame, asked for more than it can hold.
+// The largest shapes at the largest distance of a frame with shift 0, asked about more than such a frame can hold.
 static void test_largest(void) {
   static const gjk_shape box = GJK_BOX(154943445, 154943445, 154943445), barrel = GJK_CYLINDER(189766190, 189766190);
   const gjk_q16 away = 619925130;  // 2^30 / sqrt(3)
@@ -118,7 +118,7 @@ static void test_largest(void) {
   }
 }
 
-// Bounding spheres apart settle it, whatever the certificate says.
+// If the bounding spheres are apart, the answer holds whatever the certificate says.
 static void test_spheres(void) {
   const gjk_collider a = placed(&cube, 0, 0, 0), b = placed(&cube, 0, 0, 100 * ONE);
   gjk_decision decision;
@@ -126,13 +126,13 @@ static void test_spheres(void) {
   CHECK(gjk_check_decision(&a, &b, 5, &decision) == GJK_OK);
   decision.yes = true;
   CHECK(gjk_check_decision(&a, &b, 5, &decision) == GJK_ERROR_UNPROVEN);
-  // Too far for exact proofs, and asked for more than that.
+  // Shapes too far apart for exact proofs, asked about a distance larger still.
   const gjk_collider c = placed(&cube, 0, 0, INT32_MAX), d = placed(&cube, 0, 0, INT32_MIN + 2);
   CHECK(gjk_check_decision(&a, &c, INT32_MAX, &decision) == GJK_ERROR_UNSUPPORTED);
   CHECK(gjk_check_decision(&c, &d, INT32_MAX, &decision) == GJK_ERROR_UNPROVEN);
 }
 
-// The right feature with distances beside the right one.
+// The right feature, with distances beside the right one.
 static void test_distances(void) {
   const gjk_collider a = placed(&dot, 0, 0, 0), b = placed(&dot, 3, 4, 0);
   gjk_distance_result result;
@@ -154,7 +154,7 @@ static gjk_status penetrates(const gjk_collider *a, const gjk_collider *b, const
   return gjk_check_penetration(a, b, &r);
 }
 
-// Depths beside the right one, by each proof; proofs that are none; pairs that have none.
+// Depths beside the right one, for each kind of proof; proofs that prove nothing; pairs that have no depth.
 static void test_penetrations(void) {
   static gjk_epa_cell cells[GJK_EPA_CELLS(16)];
   static const gjk_workspace workspace = {cells, GJK_EPA_CELLS(16)};
@@ -174,7 +174,7 @@ static void test_penetrations(void) {
   CHECK(r.intersecting);
   CHECK(gjk_check_penetration(&a, &curved, &r) == GJK_ERROR_UNSUPPORTED);
   CHECK(gjk_check_penetration(&curved, &a, &r) == GJK_ERROR_UNSUPPORTED);
-  // By a facet.
+  // Proven by a facet.
   CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK);
   CHECK(r.depth == 10);
   CHECK(r.certificate.proof == GJK_PROOF_FACET);
@@ -206,7 +206,7 @@ static void test_penetrations(void) {
   CHECK(gjk_check_penetration(&p, &q, &r) == GJK_OK);
   CHECK(penetrates(&p, &q, &r, 2 * ONE + 9) == GJK_ERROR_UNPROVEN);
   CHECK(penetrates(&p, &q, &r, 3) == GJK_ERROR_UNPROVEN);
-  // By the nearest feature of cores that are apart.
+  // Proven by the nearest feature of cores that are apart.
   const gjk_collider s = placed(&soft, 0, 0, 2 * ONE + 10);
   CHECK(gjk_penetration(&p, &s, NULL, &workspace, &r) == GJK_OK);
   CHECK(r.depth == 2 * ONE - 10);
@@ -235,7 +235,8 @@ static gjk_vec3 moved(gjk_vec3 v, int axis, gjk_q16 by) {
   return v;
 }
 
-// Cubes that touch along each axis, from corner to corner: the plane between them, whatever its normal's length.
+// Cubes that touch along each axis, up to corner to corner. The plane between them proves it, whatever the length of
+// its normal.
 static void test_planes(void) {
   static const gjk_shape soft = GJK_ROUNDED_BOX(ONE, ONE, ONE, 10);
   static const gjk_q30 size[] = {1, 5, INT32_MAX};
@@ -274,7 +275,7 @@ static void test_planes(void) {
       }
       *along = INT32_MIN;
       CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
-      // Of rounded cubes that intersect, too, the plane has to touch both cores.
+      // If the cubes have a convex radius and intersect, the plane must also touch both cores.
       const gjk_collider soft_a = placed(&soft, 0, 0, 0), soft_b = placed(&soft, x, y, z);
       const gjk_collider apart_b = placed(&soft, apart.centre.x, apart.centre.y, apart.centre.z);
       *along = sign * ONE;
@@ -287,7 +288,8 @@ static void test_planes(void) {
   }
 }
 
-// The facet of A - B that is highest above B, which lies behind it whether the shapes overlap or not.
+// A claim proven by the facet of A - B that the top of A and the bottom of B make. A - B lies behind its plane whether
+// the shapes overlap or not.
 static gjk_penetration_result by_upper_facet(gjk_q16 depth, gjk_q16 point_a, gjk_q16 point_b) {
   static const uint16_t of_a[3] = {2, 6, 3}, of_b[3] = {5, 1, 4};
   gjk_penetration_result r;
@@ -304,8 +306,8 @@ static gjk_penetration_result by_upper_facet(gjk_q16 depth, gjk_q16 point_a, gjk
   return r;
 }
 
-// Where boxes are apart it bounds a depth that there is not: beside the origin, or across from it. All else that is
-// said of the slabs would be right.
+// Boxes apart have no depth for the facet to bound. The origin lies beside the facet, or across from it; all else that
+// is claimed of the slabs would be right.
 static void test_facet_of_boxes_apart(void) {
   static const gjk_shape small = GJK_BOX(1000, 1000, 1000), slab = GJK_BOX(1000, 100, 1000);
   const gjk_collider a = placed(&small, 0, 0, 0), beside = placed(&small, 2100, 0, 0);
@@ -319,14 +321,14 @@ static void test_facet_of_boxes_apart(void) {
   CHECK(gjk_check_penetration(&p, &touching, &r) == GJK_OK);  // enough, though not the least
   r = by_upper_facet(500, 100, -400);
   CHECK(gjk_check_penetration(&p, &across, &r) == GJK_ERROR_UNPROVEN);
-  // Deeper than the bounding spheres are: never the least.
+  // A depth larger than the bounding spheres allow is never the least.
   const gjk_collider below = placed(&small, 0, -2000, 0);
   r = by_upper_facet(4000, 1000, -3000);
   CHECK(gjk_check_penetration(&a, &below, &r) == GJK_ERROR_UNPROVEN);
 }
 
-// Cores 1 LSB apart whose convex radii overlap: the facet before the origin tells the depth with the wrong sign, and
-// points that are off by 2 LSB only.
+// Cores 1 LSB apart whose convex radii overlap. The facet before the origin gives the depth with the wrong sign, and
+// points that are off by only 2 LSB.
 static void test_facet_before_origin(void) {
   static const uint16_t of_a[3] = {1, 3, 7}, of_b[3] = {6, 4, 0};
   static const gjk_shape soft = GJK_ROUNDED_BOX(1000, 1000, 1000, 10);
@@ -349,7 +351,7 @@ static void test_facet_before_origin(void) {
   CHECK(gjk_check_penetration(&a, &b, &r) == GJK_ERROR_UNPROVEN);
 }
 
-// A coordinate may be cut off where the shape reaches the end of the world, and nowhere else.
+// A coordinate may saturate where the shape reaches the end of the world, and nowhere else.
 static void test_cut_off(void) {
   static const gjk_shape ball = GJK_SPHERE(ONE);
   const gjk_q16 ends[2] = {INT32_MAX, INT32_MIN};
@@ -358,7 +360,7 @@ static void test_cut_off(void) {
     const gjk_collider a = placed(&ball, end, 0, 0), b = placed(&ball, end, 3 * ONE, 0);
     const gjk_collider near = placed(&ball, end, 0, 0), inner = placed(&ball, end + 3 * inwards, 3, 0);
     gjk_distance_result r;
-    // The points are not where the shapes leave the world.
+    // The points are not where the shapes leave the world, so they must not saturate.
     CHECK(gjk_distance(&a, &b, NULL, &r) == GJK_OK);
     CHECK(!r.saturated);
     CHECK(gjk_check_distance(&a, &b, &r) == GJK_OK);
@@ -373,7 +375,7 @@ static void test_cut_off(void) {
     CHECK(gjk_check_distance(&inner, &near, &r) == GJK_ERROR_UNPROVEN);
     r.point_a.x = ends[i];
     CHECK(gjk_check_distance(&inner, &near, &r) == GJK_ERROR_UNPROVEN);
-    // Beyond its end: cut off in earnest.
+    // Beyond the end of the world the points do saturate.
     const gjk_collider edge = placed(&ball, ends[i], 0, 0), over = placed(&ball, ends[i] + 3 * inwards, 0, 0);
     CHECK(gjk_distance(&over, &edge, NULL, &r) == GJK_OK);
     CHECK(gjk_check_distance(&over, &edge, &r) == GJK_OK);

@@ -1,4 +1,4 @@
-// Forged answers: what the library's check calls OK is true of the pair, whatever the certificate says.
+// Forged answers: if the library's check says OK, the answer is true of the pair, whatever its certificate.
 //
 //   test_claims [SEED [PAIRS]]
 #include <stdlib.h>
@@ -51,7 +51,7 @@ static uint8_t proof_of(const forge_claim *claim) {
                                          : claim->penetration.certificate.proof;
 }
 
-// The library's own answers are true, and the check says so.
+// The library's own answers are true, and the check accepts them.
 static void check_answers(campaign *c) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   for (unsigned kind = 0; kind < FORGE_KINDS; kind++) {

@@ -1,4 +1,5 @@
-// Posed vertices against long double, at any distance of the hull from its own origin; baked, lazy and moved alike.
+// Posed vertices against long double, for hulls at any distance from their own origin. Baked, lazy and moved colliders
+// agree.
 #include <math.h>
 #include <string.h>
 
@@ -11,11 +12,12 @@
 #define ITERATIONS ((int)check_trials(20000))
 #define VERTICES 6
 
-// LSB, of each component; and what shows that less could not be stated, by much.
+// STATED: the largest error of a component that is promised, LSB. SEEN: the largest found must exceed it, or a smaller
+// STATED could be promised.
 #define STATED 0.75L
 #define SEEN 0.6L
 
-// The farthest that vertices were off, by the bits of the hull's distance from its origin in LSB.
+// The largest error of vertices, by the number of bits of the hull's distance from its origin in LSB.
 static long double worst[32];
 
 typedef struct real3 {
@@ -31,7 +33,7 @@ static real3 real_turned(const gjk_quat *q, const gjk_vec3 *v) {
   return turned;
 }
 
-// A unit, sometimes as far off as is accepted; sometimes one about an axis.
+// A unit quaternion. Some are as far off unit length as poses accept, some turn about an axis.
 static gjk_quat random_turn(random_state *random) {
   gjk_quat q = {random_range(random, -1000, 1000), random_range(random, -1000, 1000), random_range(random, -1000, 1000),
                 random_range(random, 1, 1000)};
@@ -83,7 +85,7 @@ static bool place(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *buffer, con
 }
 
 static void check_random_pose(random_state *random, int trial) {
-  // At most 2^30 from the origin along each axis; in the last class so far that the turned centre still fits.
+  // A distance of at most 2^30 along each axis. In the last class it is so large that the turned centre only just fits.
   const unsigned bits = random_below(random, 32);
   const int32_t distance = bits == 31 ? INT32_C(1200000000) : INT32_C(1) << bits;
   const int32_t reach = random_below(random, 4) == 0 ? INT32_C(154000000) : INT32_C(1) << random_below(random, 28);
@@ -128,7 +130,7 @@ static void check_random_pose(random_state *random, int trial) {
   }
 }
 
-// Identity rotation moves without rounding, from the farthest corners there are.
+// The identity rotation moves vertices without rounding, also for the farthest possible corners.
 static void test_identity(void) {
   static const gjk_vec3 corners[3] = {{INT32_MAX, INT32_MIN, INT32_MAX},
                                       {INT32_MAX - 1000, INT32_MIN + 77, INT32_MAX - 3},

@@ -1,4 +1,4 @@
-// Cylinder, cone, ellipsoid and users' shapes against the accurate oracle: 2 LSB, at every scale.
+// Cylinder, cone, ellipsoid and custom shapes against the accurate oracle: within 2 LSB, at every scale.
 #include <math.h>
 
 #include "check.h"
@@ -9,7 +9,7 @@
 #define PAIRS_PER_CELL ((unsigned)check_trials(600))
 #define POINTS_PER_KIND ((unsigned)check_trials(20000))
 #define TOLERANCE 2.0L
-// Between the oracle's bounds.
+// The largest gap between the oracle's bounds, LSB.
 #define SHARPNESS 0.001L
 
 typedef enum placement { APART, NEAR, OVERLAPPING, STACKED, PLACEMENTS } placement;
@@ -38,7 +38,7 @@ static bool build(const case_pair *pair, case_collider *a, case_collider *b) {
   return case_collider_build(a, &pair->a, false) == GJK_OK && case_collider_build(b, &pair->b, false) == GJK_OK;
 }
 
-// Moves B until its gap is within 3 LSB of nothing, as nearly as whole LSB allow.
+// Moves B until its gap is -3 to 3 LSB, as nearly as integer coordinates allow.
 static void bring_near(random_state *random, case_pair *pair, case_collider *a, case_collider *b) {
   accurate_result gap;
   accurate_distance(pair, a, b, &gap);
@@ -48,7 +48,7 @@ static void bring_near(random_state *random, case_pair *pair, case_collider *a, 
   add(&pair->b.pose.position, step);
 }
 
-// Both turned alike, B's base on A's top, within 3 LSB: parallel faces, rims and axes.
+// Stacks B on A within 3 LSB, both with the same rotation, so that faces, rims and axes are parallel.
 static void stack(random_state *random, case_pair *pair) {
   static const gjk_pose upright = GJK_POSE_IDENTITY;
   const int32_t side = pair->a.size.x + pair->b.size.x;
@@ -65,7 +65,7 @@ static void stack(random_state *random, case_pair *pair) {
 static bool make_pair(random_state *random, case_kind a_kind, case_kind b_kind, placement place, case_pair *pair,
                       case_collider *a, case_collider *b) {
   const gjk_q16 reach = random_reach(random);
-  // Two sizes of the same order, or of any.
+  // Sizes of two shapes: of the same order of magnitude, or any.
   const gjk_q16 other = random_below(random, 2) == 0 ? reach : random_reach(random);
   random_shape(random, a_kind, reach, &pair->a);
   random_shape(random, b_kind, other, &pair->b);
@@ -78,7 +78,7 @@ static bool make_pair(random_state *random, case_kind a_kind, case_kind b_kind, 
   if (!build(pair, a, b)) {
     return false;
   }
-  // From a hull's own origin to its centre.
+  // The way from a hull's own origin to its centre.
   gjk_vec3 to_a = {a->collider.centre.x - b->collider.centre.x, a->collider.centre.y - b->collider.centre.y,
                    a->collider.centre.z - b->collider.centre.z};
   const double radii = (double)a->collider.radius + b->collider.radius;
@@ -94,7 +94,7 @@ static bool make_pair(random_state *random, case_kind a_kind, case_kind b_kind, 
   return build(pair, a, b);
 }
 
-// How far a point is from a shape: a curved shape's surface in closed form, a polytope by the solver.
+// The distance of a point from a shape: in closed form from a curved shape, by the accurate oracle from a polytope.
 static long double point_error(const case_shape *shape, const case_collider *collider, gjk_vec3 point) {
   if (shape->kind > CASE_HULL) {
     return fabsl(accurate_point_distance(shape, point));
@@ -119,7 +119,7 @@ static bool check_points(const case_pair *pair, const case_collider *a, const ca
   return off_a <= TOLERANCE && off_b <= TOLERANCE && found->distance - along <= TOLERANCE;
 }
 
-// The yes-or-no queries, for a true distance between the bounds.
+// Checks the yes-or-no queries around a true distance that lies between the bounds.
 static bool check_decisions(const case_collider *a, const case_collider *b, const accurate_result *truth, family *f) {
   gjk_decision touch, less, more;
   const long double nearer = truth->upper - TOLERANCE - 1, farther = truth->upper + TOLERANCE + 1;
@@ -134,7 +134,7 @@ static bool check_decisions(const case_collider *a, const case_collider *b, cons
   return right;
 }
 
-// The same question with a cache: the same answer. With the shapes swapped: as near to the truth.
+// The same question with a cache must have the same answer. With the shapes swapped it must be as near to the truth.
 static bool check_again(const case_collider *a, const case_collider *b, long double truth, family *f) {
   gjk_distance_result cold, warm, swapped;
   gjk_cache cache = {{0}, 0, {0}, {0}};
@@ -216,7 +216,7 @@ static void test_random_pairs(case_pair *pair, case_collider *a, case_collider *
   }
 }
 
-// Points about the surface: the closed form, the oracle and the library agree.
+// At points around a surface the closed form, the oracle and the library agree.
 static void test_points_about(case_kind kind, case_pair *pair, case_collider *a, case_collider *b) {
   random_state random = random_seed(check_seed(SEED) + kind);
   unsigned inside = 0, made = 0;
@@ -250,7 +250,7 @@ static void test_points_about(case_kind kind, case_pair *pair, case_collider *a,
   CHECK(inside < made * 9 / 10);
 }
 
-// An ellipsoid of three equal radii against a sphere, both spheres: the distance of the centres less the radii.
+// Ellipsoids of three equal radii are spheres: their distance is that of the centres less the radii.
 static void test_spheres(case_pair *pair, case_collider *a, case_collider *b) {
   random_state random = random_seed(check_seed(SEED));
   for (int i = 0; i < 20000; i++) {

@@ -1,4 +1,4 @@
-// A user's own support function: a box by its corners answers as the built-in box does.
+// A custom shape: a box given by its corners answers as the built-in box does.
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,7 +37,8 @@ static gjk_collider placed(const gjk_shape *shape, const gjk_pose *pose) {
   return c;
 }
 
-// Both boxes' own posed axes are rounded by up to 1.5 LSB a vertex, the supports of the user's by 1.
+// The built-in boxes have posed axes, which are rounded by up to 1.5 LSB a vertex; the custom shape's supports are
+// rounded by 1.
 static void check_pair(random_state *random, unsigned long number, unsigned long *together) {
   const int32_t size = INT32_C(1) << (4 + random_below(random, 20));
   const gjk_vec3 half = {random_range(random, 1, size), random_range(random, 1, size), random_range(random, 1, size)};

@@ -1,4 +1,4 @@
-// Decisions whose truth is known without a certificate: from how the pair was made, or by brute force over a lattice.
+// Decisions whose truth is known without a certificate: by the way the pair was made, or by brute force over a lattice.
 #include <string.h>
 
 #include "check.h"
@@ -45,8 +45,8 @@ static gjk_distance_result distance_of(const subject *s) {
   return r;
 }
 
-// A gap of at most 1 / |normal|: the sign of one determinant, -1, 0 or 1, decides. Thin shapes have no inside to
-// overlap with; they meet at 0 alone.
+// The gap is at most 1 / |normal|, so the sign of one determinant that is -1, 0 or 1 decides. Thin shapes have no
+// inside to overlap with: they intersect only at 0.
 static bool contact_is_right(const subject *s, const generate_height *height, bool thick) {
   const bool meet = thick ? height->side <= 0 : height->side == 0;
   const gjk_distance_result r = distance_of(s);
@@ -54,8 +54,8 @@ static bool contact_is_right(const subject *s, const generate_height *height, bo
          is_within(s, 1);
 }
 
-// A gap next to level / 2: an integer, where it decides "within" and rounded contact, or a half, where the
-// reported distance steps.
+// The gap is next to level / 2. If that is an integer, it decides "within" and contact at the convex radii; if it is a
+// half, the reported distance steps there.
 static bool level_is_right(subject *s, const generate_height *height) {
   const gjk_q16 below = (gjk_q16)(height->level / 2);
   if (height->level % 2 != 0) {
@@ -93,7 +93,7 @@ static void check_smallest(random_state *random, subject *s, generate_contact co
   t->bits = height.bits > t->bits ? height.bits : t->bits;
 }
 
-// The normal of two edges of one shape, or one edge of each, reaches 58 bits; where both have a face, 60.
+// The normal of two edges has up to 58 bits, whether they are of one shape or of both; if both shapes have a face, 60.
 static void test_smallest(random_state *random, subject *s, generate_contact contact, unsigned bits) {
   tally t = {0, 0, 0, 0};
   for (int i = 0; i < SMALLEST_PAIRS; i++) {
@@ -131,7 +131,7 @@ static gjk_vec3 lattice_point(unsigned number) {
   return v;
 }
 
-// Every segment between points of a 4 x 4 x 4 lattice, degenerate ones included, against small shapes in its middle.
+// Every segment between points of a 4 x 4 x 4 lattice, also degenerate ones, against small shapes in its middle.
 static void test_lattice(subject *s) {
   static const struct {
     gjk_vec3 vertices[5];

@@ -1,4 +1,4 @@
-// The exact oracle itself: its integers against the compiler's, its geometry against cases worked out by hand.
+// The exact oracle itself: its integers against those of the compiler, its geometry against cases worked out by hand.
 #include <string.h>
 
 #include "check.h"
@@ -11,7 +11,7 @@ __extension__ typedef unsigned __int128 unsigned_wide;
 #define SEED 20011
 #define ITERATIONS 100000
 
-// Any size from 0 to 63 bits, either sign; often all ones or a power of two.
+// A number of 0 to 63 bits, either sign; often all ones or a power of two.
 static int64_t random_int64(random_state *random) {
   const unsigned bits = random_below(random, 64);
   int64_t value = bits == 0 ? 0 : (int64_t)(random_u64(random) >> (64 - bits));
@@ -180,7 +180,7 @@ static bool decision_holds(const hand_made *a, const hand_made *b, gjk_q16 dista
   return exact_check_decision(&a->collider, &b->collider, distance, &decision, why, sizeof why);
 }
 
-// The same pair, rounded by 2 and 3: 2 apart. Each proof holds exactly as far as it should.
+// The same pair with convex radii 2 and 3 is 2 apart. Each proof must hold exactly as far as it should.
 static void test_proofs_by_hand(void) {
   static const int32_t point[1][3] = {{3, 3, 7}}, inside[1][3] = {{2, 2, -5}}, outside[1][3] = {{2, 2, -11}};
   hand_made a, b;
@@ -224,7 +224,7 @@ static void test_proofs_by_hand(void) {
   CHECK(!decision_holds(&a, &b, 0, true, &c));
 }
 
-// The origin in simplices of every size, on their borders, and just outside.
+// The origin in simplices of each size: inside, on their borders, and just outside.
 static void test_enclosing(void) {
   static const struct {
     exact_point p[4];
@@ -295,7 +295,7 @@ static void test_brute(void) {
   CHECK(truth.enclosing);
 }
 
-// The border between near and far lies between integers: found by the fuzzer, when it was computed in double.
+// The border between near and far lies between two integers, so it must be computed exactly: double is not enough.
 static void test_far(void) {
   static const int32_t origin[1][3] = {{0, 0, 0}};
   hand_made a, b;
@@ -310,7 +310,7 @@ static void test_far(void) {
   CHECK(!exact_is_far(&a.collider, &b.collider));
 }
 
-// Points 5 2^28 apart: a distance may be off by 2^-28 of that, 5, and so may a decision; what is off by more is refused.
+// Points 5 * 2^28 apart: a distance may be off by 2^-28 of that, 5, and so may a decision. Larger errors are refused.
 static void test_far_bounds(void) {
   static const int32_t origin[1][3] = {{0, 0, 0}};
   const gjk_q16 apart = 5 * (INT32_C(1) << 28);

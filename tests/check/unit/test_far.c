@@ -2,8 +2,8 @@
 // apart along a diagonal, coordinates all odd or any, so that those are rounded by an LSB in the halved frame, and the
 // largest convex radii, which leave half the distance of the centres.
 //
-// In LSB, of which a gap of at least 2^29 allows 2: each coordinate is within 1/2 of its mean error, sqrt(3) / 2
-// together, and the distance and that mean are rounded by up to 1/2 each: 1.87.
+// The sum, in LSB, of which a gap of at least 2^29 allows 2. Each coordinate is within 1/2 of its mean error: sqrt(3) /
+// 2 together. The distance and that mean are rounded by up to 1/2 each. Together: 1.87.
 #include <math.h>
 #include <string.h>
 
@@ -24,7 +24,7 @@ static gjk_collider placed(const gjk_shape *shape, gjk_vec3 at) {
   return c;
 }
 
-// Components below 2^(bits - 1) in size.
+// A vector with components below 2^(bits - 1) in size.
 static gjk_vec3 random_vector(random_state *random, int bits) {
   const int32_t most = (int32_t)((INT64_C(1) << (bits - 1)) - 1);
   const gjk_vec3 v = {random_range(random, -most, most), random_range(random, -most, most),
@@ -66,7 +66,7 @@ static void test_balls(void) {
   CHECK(worst > ldexpl(1, -29));
 }
 
-// Polytopes of every family, more than 2^30 LSB apart: the double-precision reference measures them to 2^-45 or so.
+// Polytopes of every family, more than 2^30 LSB apart. The reference in double measures such distances to about 2^-45.
 static void test_polytopes(void) {
   random_state random = random_seed(check_seed(SEED) + 1);
   case_pair pair = {0};

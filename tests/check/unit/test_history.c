@@ -1,5 +1,5 @@
-// What must not change an answer: the cache, what was asked before, how bodies came to where they are, skips, saves.
-// Also where a ceiling on iterations or a small workspace leaves no answer; test_ceilings.sh repeats it with low
+// What must not change an answer: the cache, earlier questions, the way that bodies took, skipped tests, saves. Nor may
+// it where a ceiling on iterations or a small workspace leaves no answer; test_ceilings.sh repeats this test with low
 // ceilings.
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,7 @@
 static gjk_vec3 corners[2][CORNERS];
 static gjk_epa_cell cells[CELLS + 10];
 
-// A hull of so many corners on a sphere, where all of them count.
+// A hull of so many points on a sphere, so that every one is a vertex.
 static void make_corners(random_state *random, int i, double radius) {
   for (int k = 0; k < CORNERS; k++) {
     corners[i][k] = generate_vector(random, radius);
@@ -64,7 +64,7 @@ static gjk_pose make_neighbour(random_state *random, const gjk_pose *pose, doubl
   return other;
 }
 
-// What the queries say that no cache may change.
+// The parts of an answer that no cache may change.
 typedef struct answers {
   gjk_status touched, near, measured, stopped, pierced, parted;
   gjk_decision touch, within;
@@ -81,7 +81,7 @@ typedef struct question {
 
 static void ask(const question *q, gjk_cache *cache, answers *out) {
   memset(out, 0, sizeof *out);
-  // Depth comes first, so that it meets what the other pose has left.
+  // The depth is asked first, so that it gets the cache that the other pose has left.
   out->pierced = gjk_penetration(&q->a, &q->b, cache, &q->workspace, &out->depth);
   out->parted = gjk_signed_distance(&q->a, &q->b, cache, &q->workspace, &out->apart);
   out->touched = gjk_intersect(&q->a, &q->b, cache, &out->touch);
@@ -127,7 +127,7 @@ static gjk_cache make_rubbish(random_state *random) {
   return c;
 }
 
-// Warm answers beside cold ones, the caches from a neighbouring pose, from the same, and of random bits.
+// Answers with a cache against cold ones. The cache is from a neighbouring pose, from the same pose, or random bits.
 static void check_caches(void) {
   unsigned touching = 0, full = 0, limited = 0;
   for (unsigned i = 0; i < PAIRS; i++) {
@@ -168,7 +168,7 @@ static void check_caches(void) {
   CHECK(limited > 0 || GJK_ITERATIONS_MAX > 10);
 }
 
-// One of the histories that end in the same scene.
+// A history: one of several ways to the same scene.
 typedef struct history {
   gjk_scene scene;
   gjk_body_id bodies[2];
@@ -193,7 +193,7 @@ static void equip(history *h) {
   h->scene.manifolds = &h->manifold;
 }
 
-// What the room for reports holds before is never the same.
+// Fills the room for reports with bytes that differ every time.
 static bool update(history *h) {
   static uint8_t rubbish;
   memset(&h->report, 0, sizeof h->report);
@@ -219,7 +219,8 @@ static bool move(history *h, const gjk_pose *pose) {
   return gjk_scene_move(&h->scene, h->bodies[1], pose) == GJK_OK && update(h);
 }
 
-// Three updates that end with the body at the place where it rests: by the whole way, or there from the start.
+// Makes three updates, after which the body rests at the same place. It takes the whole way there, or is there from the
+// start.
 static bool play(history *h, const story *s, bool whole, uint8_t retest_all) {
   bool fine = start(h, s, &s->way[whole ? 0 : 2], retest_all) && update(h);
   for (int i = 1; i < 3 && fine; i++) {
@@ -228,7 +229,7 @@ static bool play(history *h, const story *s, bool whole, uint8_t retest_all) {
   return fine;
 }
 
-// Goes on in a copy elsewhere, from a plain one or a sealed one.
+// Goes on in a copy of the block elsewhere: a plain copy, or a sealed one that is opened.
 static bool carry(history *to, history *from, const story *s, bool seal) {
   *to = *from;
   bool fine = !seal || gjk_scene_seal(&from->scene) == GJK_OK;
@@ -288,8 +289,8 @@ static story make_story(random_state *random, gjk_shape shapes[2]) {
   return s;
 }
 
-// Scenes of equal hashes, by other histories, with skips and without, saved and not, give the same reports of the same
-// move.
+// Scenes with equal hashes give the same reports of the same move, whatever their history: tests skipped or all
+// repeated, saved or not.
 static void check_scenes(void) {
   enum { WHOLE, SHORT, RETESTED, SHORT_RETESTED, COPIED, OPENED, HISTORIES };
   static history h[HISTORIES];
@@ -346,7 +347,7 @@ static void start_crowd(crowd *c, gjk_q16 box_margin, gjk_q16 margin, uint32_t p
   }
 }
 
-// How many pairs there must be room for: those that were near, and those whose boxes meet, grown by twice the margin.
+// How many pairs need room: those that were near, and those whose boxes meet, each enlarged by twice the margin.
 static uint32_t count_needed(const crowd *c, gjk_q16 margin) {
   bool needed[CROWD][CROWD] = {{false}};
   uint32_t cursor = 0, count = 0;
@@ -372,8 +373,8 @@ static uint32_t count_needed(const crowd *c, gjk_q16 margin) {
   return count;
 }
 
-// Whether there is room for all pairs depends on poses, and on what was near: not on how large the boxes in the tree
-// have become on the way.
+// Whether all pairs find room depends on poses, and on which pairs were near. It must not depend on how far boxes in
+// the tree have grown.
 static void check_room(void) {
   static crowd wide, tight;
   unsigned refused = 0, narrow = 0;
@@ -410,8 +411,8 @@ static void check_room(void) {
   CHECK(narrow > ROOMS);
 }
 
-// The nearest of parts that are far away and nearly as far as each other, where distances are rounded by more than
-// boxes are: the one that a search of all finds, whatever the shape of the tree.
+// The nearest of parts that are far away, almost equally far, so that distances are rounded by more than boxes are. It
+// must be the one that a search of all parts finds, whatever the shape of the tree.
 static void check_nearest(void) {
   static const gjk_shape kinds[] = {GJK_BOX(40000, 40000, 40000), GJK_ELLIPSOID(30000, 40000, 50000),
                                     GJK_CYLINDER(40000, 30000), GJK_SPHERE(40000)};
@@ -456,7 +457,7 @@ static void check_nearest(void) {
   }
 }
 
-// What peers must have in common is in the hash: the cells of the workspace.
+// The hash holds what lockstep peers must have in common: the cells of the workspace.
 static void check_configuration(void) {
   static history few, many;
   random_state random = random_seed(check_seed(SEED));

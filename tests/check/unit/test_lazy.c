@@ -45,7 +45,7 @@ static bool same_box(const gjk_collider *a, const gjk_collider *b) {
          same_vec3(box_a.lower, box_b.lower) && same_vec3(box_a.upper, box_b.upper);
 }
 
-// A hull near the surface of another shape: half of the pairs touch or nearly do.
+// Hulls near the surface of another shape: half of the pairs touch or almost do.
 static bool make_pair(random_state *random, case_pair *pair, pair_of_colliders *baked) {
   const gjk_q16 reach = random_reach(random);
   gjk_distance_result gap;

@@ -1,4 +1,5 @@
-// Answers depend on the arguments alone: what stack, results and colliders held before makes no difference, in none.
+// Answers depend on the arguments alone. The contents of the stack, results and colliders before a call do not change a
+// byte of them.
 #include <string.h>
 
 #include "case/case.h"
@@ -44,7 +45,7 @@ typedef struct answers {
   gjk_cache cache;
 } answers;
 
-// Fills what the next calls will find on the stack.
+// Fills the stack that the next calls will use.
 static void fill_stack(uint8_t pattern) {
   volatile uint8_t area[12000];
   for (unsigned i = 0; i < sizeof area; i++) {
@@ -103,7 +104,7 @@ static bool same_decision(const gjk_decision *a, const gjk_decision *b) {
   return a->yes == b->yes && a->iterations == b->iterations && same_certificate(&a->certificate, &b->certificate);
 }
 
-// set: whether points and normal are.
+// set: whether points and normal are set.
 static bool same_distance(const gjk_distance_result *a, const gjk_distance_result *b, bool set) {
   return a->distance == b->distance && a->lower == b->lower && a->upper == b->upper &&
          a->intersecting == b->intersecting && a->saturated == b->saturated && a->iterations == b->iterations &&
@@ -186,7 +187,7 @@ static void test_pairs(void) {
   }
 }
 
-// The same history makes the same block, bit for bit.
+// The same history makes the same block of a scene, bit for bit.
 static void play(uint32_t *block, size_t bytes, uint8_t stack) {
   static const gjk_shape *table[sizeof shapes / sizeof shapes[0]];
   static const gjk_scene_config config = {16, 24, 20, 200, GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 1, 0, 0, 0};

@@ -1,5 +1,5 @@
-// A campaign of seeded random pairs, most of them overlapping: every depth is checked in exact integers, and that moving
-// B by it parts the shapes; many by brute force as well.
+// A campaign of seeded random pairs, most of them overlapping. Every depth is checked in exact integers, and so is that
+// moving B by it parts the shapes. Many depths are checked by brute force as well.
 //
 //   test_penetration [SEED [PERCENT [FAMILY]]]    default: seed 1, 100 percent of the pairs, all families
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 #include "generate/place.h"
 #include "gjk/gjk.h"
 
-// Of each family; together more than a million overlap.
+// Pairs of each family of overlaps, and of each other family. At least OVERLAPPING_LEAST of all must overlap.
 #define OVERLAPS 57000
 #define OTHERS 20000
 #define OVERLAPPING_LEAST 1000000
@@ -19,8 +19,8 @@
 #define FAILURES_SHOWN 5
 #define CELLS GJK_EPA_CELLS(4096)
 
-// One in so many pairs is also checked by the library's own check, right and wrong answers, and asked again: by brute force, with caches, the other way round and elsewhere, with its vertices
-// shuffled, and with every workspace from no cells on.
+// So many pairs apart, a pair is also checked by the library, with right and wrong answers, and by brute force; asked
+// again with caches, swapped and elsewhere; with its vertices shuffled; and with every size of workspace.
 #define CHECK_EVERY 4
 #define BRUTE_EVERY 4
 #define BRUTE_DIRECTIONS 2000
@@ -54,7 +54,7 @@ static void expect(campaign *c, bool holds, const char *what) {
   c->why[0] = '\0';
 }
 
-// Whatever may change with the way to an answer, intersecting and depth may not.
+// Whatever changes in the way to an answer, `intersecting` and the depth may not change.
 static void expect_same(campaign *c, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, const char *what) {
   gjk_penetration_result r;
   const gjk_status status = gjk_penetration(a, b, cache, &roomy, &r);
@@ -95,7 +95,7 @@ static void check_elsewhere(campaign *c) {
   }
 }
 
-// The library's check must refuse what the oracle refuses, and a depth that is off.
+// The library's check must refuse what the oracle refuses, and a depth that is too small.
 static void check_refusals(campaign *c) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_penetration_result wrong = c->found;
@@ -126,8 +126,8 @@ static int64_t magnitude(int64_t x) {
   return x < 0 ? -x : x;
 }
 
-// The signed distance is that of gjk_distance, or minus the depth. Where one shape moves by an LSB the true one changes
-// by at most 1; a gap is rounded to the nearest, a depth up, so that two answers are at most 2 apart.
+// The signed distance is that of gjk_distance, or minus the depth. If a shape moves by an LSB, the true one changes by
+// at most 1. A gap is rounded to the nearest, a depth up, so two answers are at most 2 apart.
 static void check_signed(campaign *c) {
   const gjk_collider *a = &c->a.collider;
   gjk_collider b = c->b.collider;
@@ -149,7 +149,7 @@ static void check_signed(campaign *c) {
   }
 }
 
-// Moved by the depth, as the other queries see it.
+// Asks the other queries about B moved by the depth.
 static void check_parted(campaign *c) {
   gjk_collider b = c->b.collider;
   const exact_point t = exact_move(&c->found);
@@ -172,7 +172,7 @@ static void shuffle(random_state *random, case_shape *shape) {
   }
 }
 
-// Written as hulls, whose vertices come in any order.
+// The same shapes written as hulls, with their vertices in any order.
 static void check_shuffled(campaign *c) {
   case_shape_copy(&c->changed.a, &c->pair.a);
   case_shape_copy(&c->changed.b, &c->pair.b);
@@ -180,14 +180,15 @@ static void check_shuffled(campaign *c) {
   generate_bake(&c->changed.b);
   shuffle(&c->random, &c->changed.a);
   shuffle(&c->random, &c->changed.b);
-  // The centre of the box around rounded vertices may lie beyond int32.
+  // The centre of the box around the rounded vertices may lie beyond int32_t.
   if (case_collider_build(&c->other_a, &c->changed.a, false) == GJK_OK &&
       case_collider_build(&c->other_b, &c->changed.b, false) == GJK_OK) {
     expect_same(c, &c->other_a.collider, &c->other_b.collider, NULL, "vertices shuffled");
   }
 }
 
-// Too few cells: bounds that hold, and a move that parts. The cells are no longer than they are said to be.
+// With too few cells the bounds must hold and the move must part the shapes. No cell beyond the stated number may be
+// written.
 static void check_workspace(campaign *c, uint32_t count, gjk_status *status) {
   static const gjk_epa_cell guard = {{{0x5EED, 0x5EED, 0x5EED}, 0x5EED, 0x5EED}};
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
@@ -211,7 +212,7 @@ static void check_workspace(campaign *c, uint32_t count, gjk_status *status) {
   }
 }
 
-// Every size up to the first that suffices; of large ones, some.
+// Asks with every size of workspace up to the first that suffices; of large workspaces, with some.
 static void check_workspaces(campaign *c) {
   gjk_status status = GJK_ERROR_CAPACITY;
   for (uint32_t count = 0; count < CELLS && status == GJK_ERROR_CAPACITY; count++) {
@@ -290,7 +291,7 @@ static void check_pair(campaign *c) {
   }
 }
 
-// Its share of intersecting pairs must stay what the family is for.
+// The share of intersecting pairs must stay between the limits of the family.
 static void run_family(campaign *c, uint64_t seed, unsigned long pairs) {
   const generate_family *family = c->family;
   c->random = random_seed(seed);
@@ -311,7 +312,7 @@ static void run_family(campaign *c, uint64_t seed, unsigned long pairs) {
   }
 }
 
-// The families of a table, or the named one. Returns how many pairs overlapped.
+// Runs the families of a table, or the named one. Returns how many pairs overlapped.
 static unsigned long run_table(campaign *c, const generate_family *families, unsigned count, const char *name,
                                uint64_t seed, unsigned long pairs, unsigned long *brute) {
   unsigned long intersecting = 0;

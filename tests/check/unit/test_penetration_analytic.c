@@ -1,5 +1,5 @@
-// Depths that a formula gives: spheres, capsules side by side, boxes along the axes, points in boxes; and arguments
-// that are refused.
+// Depths that a formula gives: spheres, parallel capsules, boxes along the axes, points in boxes. Also arguments that
+// are refused.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,8 +25,8 @@ static void reset(subject *s) {
   s->pair.b.pose.position.x = 123456;
 }
 
-// The answer has the depth, which is rounded up, along the direction; none of these needs a workspace. depth < 0:
-// apart.
+// Checks that the answer has the depth, rounded up, along the direction; depth < 0: that the shapes are apart. None of
+// these pairs needs a workspace.
 static void expect(subject *s, double depth, const char *what) {
   char why[200] = "";
   const bool answered = case_collider_build(&s->a, &s->pair.a, false) == GJK_OK &&
@@ -54,7 +54,8 @@ static void add(gjk_vec3 *v, gjk_vec3 by) {
   v->z += by.z;
 }
 
-// The radii less the distance of the centres. A double tells it from an integer unless it is within 2^-20 of one.
+// The depth of spheres is the sum of the radii less the distance of the centres. A double tells it from an integer
+// unless it is within 2^-20 of one.
 static void test_spheres(random_state *random, subject *s) {
   for (int i = 0; i < ITERATIONS; i++) {
     reset(s);
@@ -81,7 +82,7 @@ static void test_concentric_spheres(subject *s) {
   expect(s, -1, "spheres apart");
 }
 
-// Parallel, and shifted along each other by less than both lengths: as the circles that they are in section.
+// Parallel capsules, shifted along each other by less than both lengths. Their depth is that of the circles in section.
 static void test_parallel_capsules(random_state *random, subject *s) {
   for (int i = 0; i < ITERATIONS; i++) {
     reset(s);
@@ -108,7 +109,7 @@ static void test_parallel_capsules(random_state *random, subject *s) {
   }
 }
 
-// Crossing at right angles: the radii less the height of one over the other.
+// Capsules that cross at right angles. Their depth is the sum of the radii less the height of one over the other.
 static void test_crossing_capsules(subject *s) {
   static const gjk_quat quarter = {759250125, 0, 0, 759250125};
   for (gjk_q16 height = -7; height <= 7; height++) {
@@ -170,7 +171,7 @@ static void test_sphere_in_box(random_state *random, subject *s) {
   }
 }
 
-// The workspace is as large as is said, and refusals leave the output alone.
+// GJK_EPA_CELLS is as large as the header says, and a refusal leaves the output as it was.
 static void test_refusals(subject *s) {
   gjk_penetration_result r, before;
   gjk_distance_result d;

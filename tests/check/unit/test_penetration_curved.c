@@ -1,5 +1,5 @@
-// Depths of cylinder, cone and ellipsoid in each other and in polytopes, against the accurate oracle: 3 LSB, or bounds
-// that hold.
+// Depths of cylinder, cone and ellipsoid in each other and in polytopes, against the accurate oracle: within 3 LSB, or
+// bounds that hold.
 #include <math.h>
 
 #include "check.h"
@@ -10,7 +10,7 @@
 #define SEED 20260611
 #define PAIRS_PER_CELL ((unsigned)check_trials(300))
 #define TOLERANCE 3.0L
-// Bounds of the oracle that are closer than this tell a depth.
+// If the bounds of the oracle are closer than this, LSB, they tell the depth.
 #define SHARP 1.0L
 #define VERTICES 512
 #define CELLS (GJK_EPA_CELLS(VERTICES) + VERTICES)
@@ -38,7 +38,7 @@ static bool build(subject *s) {
          case_collider_build(&s->b, &s->pair.b, false) == GJK_OK;
 }
 
-// B's centre within half of both radii of A's.
+// Puts B's centre within half of both radii of A's.
 static bool make_pair(random_state *random, case_kind a, case_kind b, subject *s) {
   const gjk_q16 reach = random_reach(random);
   random_shape(random, a, reach, &s->pair.a);
@@ -63,7 +63,7 @@ static long double outside(const case_shape *shape, const case_collider *collide
   return accurate_point_outside(shape, collider, point);
 }
 
-// The points are of the shapes, and coincide after the move unless the polytope was full.
+// The points must be of the shapes, and coincide after the move unless EPA had no room.
 static bool check_points(const subject *s, const gjk_penetration_result *r, bool full, tally *t) {
   const long double off_a = outside(&s->pair.a, &s->a, r->point_a), off_b = outside(&s->pair.b, &s->b, r->point_b);
   const long double scale = (long double)r->depth / GJK_Q30_ONE;
@@ -79,7 +79,7 @@ static bool check_points(const subject *s, const gjk_penetration_result *r, bool
   return off_a <= TOLERANCE && off_b <= TOLERANCE && (full || off <= 2 * TOLERANCE);
 }
 
-// Along the normal, a move by the depth leaves an overlap of at most the tolerance.
+// Moved by the depth along the normal, the shapes overlap by at most the tolerance.
 static bool check_parting(const subject *s, const gjk_penetration_result *r, tally *t) {
   const long double left = -accurate_separation(&s->pair, &s->a, &s->b, &r->normal) - r->depth;
   raise(&t->parting, left);
@@ -99,7 +99,7 @@ static bool check_depth(const subject *s, const gjk_penetration_result *r, gjk_s
   t->pairs++;
   t->sharp += sharp;
   t->full += status == GJK_ERROR_CAPACITY;
-  // That they intersect is told to within 2 LSB.
+  // Whether shapes intersect is told to within 2 LSB.
   const bool bounded =
       (r->lower <= most || r->lower == 0) && r->upper >= least && r->lower <= r->depth && r->depth <= r->upper;
   CHECK_MSG(bounded, "%ld to %ld, truth %.2Lf to %.2Lf", (long)r->lower, (long)r->upper, least, most);
@@ -140,7 +140,7 @@ static void test_cell(random_state *random, case_kind a, case_kind b, subject *s
       "parting %5.2Lf\n",
       kind_name[a], kind_name[b], t.pairs, t.sharp, t.full, t.iterations, t.depth, t.point, t.parting);
   fflush(stdout);
-  // Of few pairs, it may happen that few overlap.
+  // Of few pairs, perhaps only a few overlap.
   CHECK_MSG(t.pairs > PAIRS_PER_CELL / 6 || PAIRS_PER_CELL < 100, "%u overlap", t.pairs);
 }
 

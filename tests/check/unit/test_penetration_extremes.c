@@ -1,5 +1,5 @@
-// Penetration where few go: at the end of the world, with convex radii of an LSB, with cells that are none or very
-// many, with caches where none helps.
+// Penetration at the limits: at the end of the world, with convex radii of an LSB, with no cells or very many, with
+// caches that cannot help.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,7 +46,7 @@ static gjk_q16 random_depth(random_state *random, gjk_q16 below) {
   return random_below(random, 2) == 0 ? 0 : (gjk_q16)random_below(random, (uint32_t)below);
 }
 
-// Shapes and poses of a trial.
+// Sets the shapes and poses that a failure of the trial prints.
 static void show(unsigned long number, const gjk_shape *a, gjk_vec3 at_a, const gjk_quat *turn_a, const gjk_shape *b,
                  gjk_vec3 at_b, const gjk_quat *turn_b) {
   static case_posed posed;
@@ -55,7 +55,7 @@ static void show(unsigned long number, const gjk_shape *a, gjk_vec3 at_a, const 
   check_trial(number, case_show_posed, &posed);
 }
 
-// Overlaps at the corners of the world are those of its middle, bit for bit, although B has no room to move out.
+// Overlaps at the corners of the world have the same bits as in its middle, although B has no room to move out.
 static void test_end_of_world(void) {
   random_state random = random_seed(check_seed(SEED));
   unsigned long moved = 0, overlapping = 0;
@@ -69,7 +69,8 @@ static void test_end_of_world(void) {
                     (corner & 4) != 0 ? INT32_MAX : INT32_MIN};
     const gjk_vec3 inwards = {(corner & 1) != 0 ? -1 : 1, (corner & 2) != 0 ? -1 : 1, (corner & 4) != 0 ? -1 : 1};
     gjk_vec3 apart;
-    // B in the very corner, or at one wall of the world; A further in, or level, so that it has no room either.
+    // B is in the corner, or at one wall of the world. A is farther inside, or level with B so that it has no room
+    // either.
     apart.x = -inwards.x * random_depth(&random, size);
     apart.y = -inwards.y * random_depth(&random, size);
     apart.z = -inwards.z * random_depth(&random, size);
@@ -95,7 +96,7 @@ static void test_end_of_world(void) {
   CHECK(overlapping * 10 > moved * 5);
 }
 
-// Along each axis, at either end of the world: B has no room to move out, so A's move has to do.
+// Along each axis, at both ends of the world, B has no room to move out, so A must be moved.
 static void test_walls(void) {
   static const gjk_shape ball = GJK_SPHERE(ONE);
   const gjk_quat none = {0, 0, 0, GJK_Q30_ONE};
@@ -126,7 +127,7 @@ static void test_thin_convex_radius(void) {
   for (int i = 0; i < PAIRS; i++) {
     const gjk_q16 size = INT32_C(1) << (20 + random_below(&random, 7));
     const gjk_shape a_shape = GJK_ROUNDED_BOX(size, size / 2, size / 3, 1), b_shape = GJK_BOX(size / 3, size, size / 2);
-    // Turned by little, so that normals are close to the axes.
+    // Turns them by a little, so that normals are close to the axes.
     const gjk_vec3 axis = {random_range(&random, -ONE, ONE), random_range(&random, -ONE, ONE), ONE};
     gjk_quat turn_a, turn_b;
     CHECK(gjk_quat_from_axis_angle(&axis, 1 << random_below(&random, 16), &turn_a) == GJK_OK);
@@ -163,8 +164,8 @@ static gjk_q30 narrowed(gjk_q30 u, gjk_q30 by) {
   return u > by ? u - by : u < -by ? u + by : u;
 }
 
-// A normal that is a little shorter is still within 2^-28, but the move may no longer part them: then it is refused, by
-// the check and the oracle. Returns how often.
+// A normal that is a little shorter may still be within 2^-28, but the move no longer parts the shapes. Then the
+// library's check and the oracle must refuse it. Returns how often that happened.
 static unsigned long narrow(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *found,
                             int pair) {
   unsigned long refused = 0;
@@ -181,8 +182,8 @@ static unsigned long narrow(const gjk_collider *a, const gjk_collider *b, const 
   return refused;
 }
 
-// The largest boxes, turned by so little that now and then a normal loses more by its rounding than the move gains by
-// its own: it is widened until the move parts them, wherever they are.
+// The largest boxes, turned by so little that a normal may lose more by rounding than the move gains by its own. The
+// library widens such a normal until the move parts the shapes, wherever they are.
 static void test_widened_normals(void) {
   const gjk_quat none = {0, 0, 0, GJK_Q30_ONE};
   random_state random = random_seed(check_seed(SEED) + 3);
@@ -213,7 +214,7 @@ static void test_widened_normals(void) {
   CHECK(refused[1] > 20);
 }
 
-// Boxes that are apart: with a cache or without, the distance.
+// For boxes apart it reports the distance, with a cache or without.
 static void test_signed_apart(void) {
   static const gjk_shape box = GJK_BOX(ONE, ONE, ONE);
   const gjk_quat none = {0, 0, 0, GJK_Q30_ONE};
@@ -233,7 +234,7 @@ static void test_signed_apart(void) {
   }
 }
 
-// Do the points lie across the normal from each other, to 2 LSB of each?
+// Do the points lie across the normal from each other, to 2 LSB in each component?
 static bool is_across(const gjk_penetration_result *r) {
   const int64_t x = (int64_t)r->point_a.x - r->point_b.x, y = (int64_t)r->point_a.y - r->point_b.y,
                 z = (int64_t)r->point_a.z - r->point_b.z;
@@ -243,8 +244,8 @@ static bool is_across(const gjk_penetration_result *r) {
          llabs(z * n->x - x * n->z) <= 4 * (int64_t)GJK_Q30_ONE;
 }
 
-// Four vertices are the least polytope; a workspace without cells is none, and every face of the first tetrahedron has
-// the origin over it.
+// An EPA hull has at least four vertices. A workspace without cells has room for none. Every face of the first
+// tetrahedron is above the origin.
 static void test_workspaces(void) {
   for (uint16_t n = 0; n < 4; n++) {
     CHECK(gjk_workspace_bytes(n) == 0);
@@ -260,7 +261,7 @@ static void test_workspaces(void) {
   const gjk_collider a = placed(&hull, origin, &turn), b = placed(&ball, at, &turn);
   gjk_penetration_result whole, r;
   CHECK(gjk_penetration(&a, &b, NULL, &workspace, &whole) == GJK_OK);
-  // The least of (1 + v . at) / sqrt(3) over the corners v, 37606.3 LSB, and the ball's radius.
+  // The depth is the least of (1 + v . at) / sqrt(3) over the corners v, 37606.3 LSB, and the radius of the ball.
   CHECK(whole.depth == 37607 + ONE / 4);
   CHECK(gjk_penetration(&a, &b, NULL, &least, &r) == GJK_OK);
   CHECK(r.depth == whole.depth);
@@ -277,7 +278,7 @@ static void test_workspaces(void) {
   }
 }
 
-// More faces than a polytope numbers: bounds, that hold.
+// If EPA would need more faces than it can number, the answer is bounds, and they hold.
 static void test_many_faces(void) {
   static gjk_vec3 points[POINTS];
   const gjk_q16 radius = INT32_C(1) << 27;

@@ -1,5 +1,5 @@
-// Depths of very flat and of deeply nested curved pairs: iterations and memory have a ceiling, bounds that are close
-// enough are an answer, and no answer depends on more memory.
+// Depths of very flat and of deeply nested curved pairs. Iterations and memory have a ceiling; bounds that are close
+// enough are an answer; and no answer depends on more memory.
 #include <math.h>
 #include <string.h>
 
@@ -78,7 +78,7 @@ static const struct known {
      .turn = {0, 0, 0, 1}},
 };
 
-// Kind, half the time as flat as LSB allow, and size.
+// Makes a shape of the kind; half of them are as flat as an LSB allows.
 static void random_flat(random_state *random, case_kind kind, case_shape *shape) {
   const gjk_q16 wide = (INT32_C(1) << (8 + random_below(random, 19))) + (gjk_q16)random_below(random, 1000);
   const gjk_q16 flat = 1 + (gjk_q16)((uint32_t)wide >> random_below(random, 26));
@@ -123,7 +123,7 @@ static gjk_status ask(uint32_t count, gjk_penetration_result *out) {
   return gjk_penetration(&a.collider, &b.collider, NULL, &workspace, out);
 }
 
-// Less memory gives the same answer or none, with bounds that hold.
+// With less memory the answer is the same, or none with bounds that hold.
 static void check_smaller(const gjk_penetration_result *full, gjk_status status, tally *t) {
   static const uint32_t counts[] = {0, 11, 12, 20, 60, 200, 600, 2000, GJK_EPA_CURVED_CELLS - 1};
   for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {

@@ -10,7 +10,7 @@
 #define ITERATIONS ((int)check_trials(200000))
 #define ONE GJK_Q30_ONE
 
-// A real rotation.
+// A rotation in long double.
 typedef struct real_quat {
   long double x, y, z, w;
 } real_quat;
@@ -26,7 +26,7 @@ typedef struct worst {
   char input[160];
 } worst;
 
-// The error of one component; true when it is the largest so far.
+// Records the error of a component. Returns whether it is the largest so far.
 static bool worse(worst *at, long double got, long double real) {
   const long double error = fabsl(got - real);
   const bool is = !(error <= at->error);
@@ -50,7 +50,7 @@ static bool worse_vec3(worst *at, const gjk_vec3 *got, real3 real) {
 static void check_worst(const worst *at) {
   printf("%s: largest error %.3Lf LSB of %.3Lf stated, for %s\n", at->name, at->error, at->stated, at->input);
   CHECK_MSG(at->error <= at->stated, "%s: %.3Lf LSB for %s", at->name, at->error, at->input);
-  // A stated error that is far from any seen one promises too little.
+  // A stated error that is more than twice the largest seen promises too little.
   CHECK_MSG(at->error >= 0.5L * at->stated, "%s: %.3Lf LSB", at->name, at->error);
 }
 
@@ -67,7 +67,7 @@ static real_quat real_product(real_quat a, real_quat b) {
   return p;
 }
 
-// v turned by q: v + 2 w (u x v) + 2 u x (u x v) for q = u + w.
+// v turned by the unit quaternion q = u + w: v + 2 w (u x v) + 2 u x (u x v).
 static real3 real_apply(real_quat q, real3 v) {
   const real3 t = {2 * (q.y * v.z - q.z * v.y), 2 * (q.z * v.x - q.x * v.z), 2 * (q.x * v.y - q.y * v.x)};
   const real3 turned = {v.x + q.w * t.x + q.y * t.z - q.z * t.y, v.y + q.w * t.y + q.z * t.x - q.x * t.z,
@@ -80,7 +80,7 @@ static real3 real_vec3(const gjk_vec3 *v) {
   return r;
 }
 
-// Of any size from 0 to that of int32, the extremes among them.
+// A number of any size from 0 to the ends of int32_t, these included.
 static int32_t random_component(random_state *random) {
   const uint32_t kind = random_below(random, 16);
   if (kind < 3) {
@@ -91,7 +91,7 @@ static int32_t random_component(random_state *random) {
   return random_range(random, -high - 1, high);
 }
 
-// Anywhere, on the borders of quadrants and octants of the angle and of its half, and at the ends.
+// An angle: any, on a border of quadrants or octants of the angle or its half, or at the ends.
 static gjk_q16 random_angle(random_state *random) {
   const uint32_t kind = random_below(random, 8);
   if (kind == 0) {
@@ -111,7 +111,7 @@ static gjk_quat quat_of(real_quat q, long double length) {
   return rounded;
 }
 
-// A unit within the tolerance; half of them at its edges, some along the axes.
+// A quaternion whose length is within the tolerance, in half of them just so; some are along the axes.
 static gjk_quat random_unit(random_state *random) {
   gjk_quat q = {0, 0, 0, 0};
   while (q.x == 0 && q.y == 0 && q.z == 0 && q.w == 0) {
@@ -120,7 +120,7 @@ static gjk_quat random_unit(random_state *random) {
     q.z = random_component(random);
     q.w = random_component(random);
   }
-  // 2 LSB of length for the rounding.
+  // Leaves 2 LSB of length for rounding.
   const long double edge = GJK_ROTATION_TOLERANCE / 2.0L / ONE - 2.0L / ONE;
   const uint32_t kind = random_below(random, 4);
   const long double part = kind < 2 ? 2.0L * kind - 1 : random_range(random, -1000, 1000) / 1000.0L;
@@ -135,7 +135,7 @@ static gjk_vec3 random_vec3(random_state *random) {
   return v;
 }
 
-// At most length LSB long.
+// A vector at most length LSB long.
 static gjk_vec3 random_within(random_state *random, int32_t length) {
   const gjk_vec3 v = random_vec3(random);
   const real3 r = real_vec3(&v);
@@ -171,7 +171,7 @@ static void test_axis_angle(random_state *random) {
     length += gjk_quat_invert(&q, &back) != GJK_OK;
     if (angle != INT32_MIN) {
       gjk_quat_from_axis_angle(&axis, -angle, &back);
-      // Halves are rounded up, so a mirrored component may differ by 1.
+      // Halves are rounded up, so a component of the mirror image may differ by 1.
       mirrored +=
           back.w != q.w || labs((long)back.x + q.x) > 1 || labs((long)back.y + q.y) > 1 || labs((long)back.z + q.z) > 1;
     }
@@ -257,7 +257,7 @@ static void test_compose(random_state *random) {
   CHECK_MSG(returned == (unsigned long)ITERATIONS, "with the inverse %lu of %d", returned, ITERATIONS);
 }
 
-// Rotation and move, for vectors at most length LSB long.
+// Turns and moves vectors that are at most length LSB long.
 static void test_apply(random_state *random, const char *name, int32_t length, long double stated) {
   worst at = {name, stated, 0, ""};
   unsigned long changed = 0, out_of_range = 0, wrong = 0;
@@ -306,7 +306,7 @@ static bool same_pose(const gjk_pose *a, const gjk_pose *b) {
   return same_vec3(&a->position, &b->position) && same_quat(&a->rotation, &b->rotation);
 }
 
-// Poses within 4095 units: composed, inverted, and back.
+// Composes and inverts poses within 4095 units, and goes back.
 static void test_poses(random_state *random) {
   worst composed = {"pose compose", 1, 0, ""}, inverted = {"pose invert", 1, 0, ""};
   worst back = {"pose composed with its inverse", 2, 0, ""};
@@ -349,7 +349,7 @@ static void test_poses(random_state *random) {
   CHECK_MSG(changed == 0, "%lu of %d", changed, ITERATIONS);
 }
 
-// Which way things turn, and which comes first.
+// Which way rotations turn, and which of two composed poses comes first.
 static void test_directions(void) {
   const gjk_angle quarter = GJK_ANGLE(1.5707963267948966);
   const gjk_vec3 x = {GJK_Q16_ONE, 0, 0}, y = {0, GJK_Q16_ONE, 0}, z = {0, 0, GJK_Q16_ONE};
@@ -364,7 +364,7 @@ static void test_directions(void) {
   CHECK(same_vec3(&turned, &x));
   CHECK(gjk_quat_apply(&about_z, &x, &turned) == GJK_OK);
   CHECK(same_vec3(&turned, &y));
-  // First about x, then about z: y goes to z and stays there.
+  // First about x, then about z: y goes to z, and stays there.
   CHECK(gjk_quat_compose(&about_z, &about_x, &both) == GJK_OK);
   CHECK(gjk_quat_apply(&both, &y, &turned) == GJK_OK);
   CHECK(same_vec3(&turned, &z));
@@ -374,7 +374,7 @@ static void test_directions(void) {
   CHECK(gjk_quat_from_euler(quarter, quarter, 0, &euler) == GJK_OK);
   CHECK(gjk_quat_apply(&euler, &y, &turned) == GJK_OK);
   CHECK(same_vec3(&turned, &x));
-  // First b: turned about z, then moved along x by a.
+  // First b, which turns about z; then a, which moves along x.
   const gjk_pose a = {{GJK_Q16_ONE, 0, 0}, {0, 0, 0, ONE}}, b = {{0, GJK_Q16_ONE, 0}, about_z};
   gjk_pose ab;
   const gjk_vec3 expected = {GJK_Q16_ONE, 2 * GJK_Q16_ONE, 0};

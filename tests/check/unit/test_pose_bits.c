@@ -6,7 +6,7 @@
 #define SEED 2026
 #define CALLS 20000
 
-// A changed bit is a changed contract: say why in the commit that changes this.
+// A changed bit is a changed contract: a commit that changes this hash says why.
 #define POSE_HASH UINT64_C(0x67935E41BAF22143)
 
 static uint64_t hash = UINT64_C(0xCBF29CE484222325);

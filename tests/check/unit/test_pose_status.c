@@ -1,4 +1,4 @@
-// Quaternions and poses at the ends of what they accept, and beyond: statuses, and outputs left as they were.
+// Quaternions and poses at the limits of what is accepted, and beyond: statuses, and outputs that stay as they were.
 #include "check.h"
 #include "gjk/pose.h"
 
@@ -16,7 +16,7 @@ static bool same_pose(const gjk_pose *a, const gjk_pose *b) {
   return same_vec3(&a->position, &b->position) && same_quat(&a->rotation, &b->rotation);
 }
 
-// The tolerance is met to the last unit.
+// The tolerance is exact to the last unit.
 static void test_tolerance(void) {
   // |q|^2 = 2^60 + 2^44, and with 255^2 + 22^2 + 5^2 + 1 = 65535: 2^60 - 2^44.
   const gjk_q30 u = INT32_C(1) << 22;

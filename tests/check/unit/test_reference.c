@@ -1,5 +1,5 @@
-// The library against the double-precision reference, pair by pair; where they differ, the exact oracle says who is
-// right. test_reference [SEED [PAIRS]]
+// The library against the reference in double, pair by pair. Where they differ, the exact oracle says who is right.
+// test_reference [SEED [PAIRS]]
 #include <math.h>
 #include <stdlib.h>
 
@@ -13,12 +13,12 @@ typedef struct tally {
   double error;                                    // of double, in LSB, at most, where both are apart
 } tally;
 
-// Apart, how far double may be from the rounded distance: 1 LSB, or 2^-28 where that is the contract.
+// Of shapes apart, how far double may be from the rounded distance: 1 LSB, or 2^-28 of it where that is the contract.
 static double tolerance(const gjk_distance_result *result) {
   return fmax(1.0, ldexp(result->distance, -28) * 2);
 }
 
-// The exact oracle sides with the library; called where double differs.
+// Does the exact oracle side with the library? Called where double differs.
 static void judge(const case_pair *pair, const case_collider *a, const case_collider *b,
                   const gjk_distance_result *result) {
   char why[200];
@@ -89,7 +89,7 @@ int main(int argc, char **argv) {
   }
   printf("all families: double decides %u of %u wrongly; near touching %u of %u\n", all.decisions, all.pairs,
          near.decisions, near.pairs);
-  // A reference that is mostly wrong would be no check.
+  // The reference must mostly be right, or it would check nothing.
   CHECK(near.pairs > 0);
   CHECK(near.pairs < all.pairs);
   CHECK(all.decisions + all.distances < all.pairs / 4);

@@ -1,5 +1,5 @@
-// The reference's depths, in double and in float, judged by the exact answers: how often and how far the same method,
-// in the arithmetic of other libraries, is wrong.
+// The reference's depths, in double and in float, judged by exact answers: how often and by how much EPA is wrong in
+// the arithmetic of other libraries.
 #include <math.h>
 
 #include "check.h"
@@ -40,7 +40,7 @@ static gjk_q30 to_q30(double value) {
   return (gjk_q30)lround(value * GJK_Q30_ONE);
 }
 
-// The reference's answer as an answer of the library's, for trying its move.
+// The reference's answer in the form of the library's, so that its move can be tried.
 static bool parts(const gjk_collider *a, const gjk_collider *b, const reference_result *found) {
   gjk_penetration_result answer = {0};
   char why[128];
@@ -52,7 +52,7 @@ static bool parts(const gjk_collider *a, const gjk_collider *b, const reference_
   return exact_check_move(a, b, &answer, why, sizeof why);
 }
 
-// Where brute force can tell, it is the judge; the library's depths are judged by test_penetration.
+// Brute force is the judge where it can tell; elsewhere the library's depths, which test_penetration judges.
 static bool find_truth(const gjk_collider *a, const gjk_collider *b, gjk_penetration_result *out) {
   static const gjk_workspace workspace = {cells, CELLS};
   exact_overlap overlap;
@@ -71,8 +71,8 @@ static void judge(const case_pair *pair, const case_collider *a, const case_coll
     return;
   }
   const double grain = in->grain * ((double)a->collider.radius + b->collider.radius), error = -found.distance - depth;
-  // depth - 1 < exact depth <= depth; and the depth along any direction, the reference's too, is at least the exact
-  // one.
+  // depth - 1 < exact depth <= depth. The depth along any direction, so also the reference's, is at least the exact
+  // depth.
   CHECK_MSG(error > -1.01 - grain, "%s: depth %.0f, but %s knows of %.3f", pair->id, depth, in->name, -found.distance);
   const double off = error > 0 ? error : error < -1 ? -1 - error : 0;
   t->depths += !(off <= 1 + grain);
@@ -125,7 +125,7 @@ int main(void) {
   run_table(generate_families, generate_family_count, all);
   for (unsigned n = 0; n < PRECISIONS; n++) {
     print_tally("all families", &precisions[n], &all[n]);
-    // A reference that is mostly wrong would be no check.
+    // The reference must mostly be right, or it would check nothing.
     CHECK(all[n].overlapping > PAIRS_PER_FAMILY * generate_overlap_count / 2);
     CHECK_MSG((all[n].decisions + all[n].depths) * 4 < all[n].overlapping, "%s", precisions[n].name);
   }

@@ -1,4 +1,4 @@
-// Rotation matrices and integer roots, as the rest of the core relies on them.
+// Rotation matrices and integer roots: the bounds that the rest of src relies on.
 #include <math.h>
 
 #include "check.h"
@@ -9,7 +9,7 @@
 #define SEED 31337
 #define ITERATIONS ((int)check_trials(200000))
 
-// A unit within the tolerance: scale says how much of it the squared length uses, from -1 to 1.
+// A quaternion within the tolerance of unit length. scale: how much of it the squared length uses, from -1 to 1.
 static gjk_quat random_unit(random_state *random, long double scale) {
   long double c[4], squared = 0;
   for (int i = 0; i < 4; i++) {
@@ -17,7 +17,7 @@ static gjk_quat random_unit(random_state *random, long double scale) {
     c[i] = random_range(random, INT32_MIN >> 1, INT32_MAX >> 1) / ldexpl(1, (int)bits);
     squared += c[i] * c[i];
   }
-  // The rounding of a component may move |q|^2 by 2^-29; 2^-26 stays clear of it.
+  // Rounding a component moves |q|^2 by up to 2^-29. Staying 2^-26 inside the tolerance is safe.
   const long double length = sqrtl(1 + scale * (ldexpl(1, -16) - ldexpl(1, -26))), f = GJK_Q30_ONE * length;
   const long double norm = sqrtl(squared);
   const gjk_quat q = {(gjk_q30)llroundl(c[0] / norm * f), (gjk_q30)llroundl(c[1] / norm * f),
@@ -39,7 +39,7 @@ static int32_t entry(const gjk_vec3 *row, int column) {
   return column == 0 ? row->x : column == 1 ? row->y : row->z;
 }
 
-// Length at most 2^bits.
+// A vector at most 2^bits long.
 static gjk_vec3 random_vector(random_state *random, unsigned bits) {
   const int32_t size = (int32_t)(ldexpl(1, (int)bits) / sqrtl(3.0L)) - 1;
   gjk_vec3 v;
@@ -49,7 +49,7 @@ static gjk_vec3 random_vector(random_state *random, unsigned bits) {
   return v;
 }
 
-// The error of the worst entry.
+// The largest error of an entry.
 static long double entry_error(const gjk_vec3 rows[3], long double m[3][3], bool *in_range) {
   long double error = 0;
   for (int i = 0; i < 9; i++) {
@@ -64,7 +64,7 @@ static long double component_error(int64_t got, long double m0, long double m1, 
   return fabsl((long double)got - (m0 * v->x + m1 * v->y + m2 * v->z) / GJK_Q30_ONE);
 }
 
-// The three ways to turn a vector: the error of the worst component.
+// The largest error of a component, over the three functions that turn a vector.
 static long double turn_error(const gjk_vec3 rows[3], long double m[3][3], const gjk_vec3 *v) {
   const gjk_vec3 turned = gjk_rotate(rows, v), back = gjk_rotate_back(rows, v);
   int64_t wide[3];
@@ -96,7 +96,7 @@ static void test_rotation(void) {
     worst_entry = fmaxl(worst_entry, entry_error(rows, m, &in_range));
     const gjk_vec3 v = random_vector(&random, 29), largest = random_vector(&random, 31);
     worst_turn = fmaxl(worst_turn, turn_error(rows, m, &v));
-    // Bounds of the header, for vectors as long as they may be.
+    // Checks the bounds of the header, for vectors as long as they may be.
     const long double sum = fabsl(largest.x * 1.0L) + fabsl(largest.y * 1.0L) + fabsl(largest.z * 1.0L);
     const long double error = turn_error(rows, m, &largest);
     CHECK_MSG(error <= 0.501L * (1 + sum / GJK_Q30_ONE), "trial %d: %.3Lf LSB", i, error);
@@ -108,7 +108,7 @@ static void test_rotation(void) {
   CHECK_MSG(in_range, "an entry beyond 1");
 }
 
-// Turning by q and back by the transposed matrix is turning by the conjugate.
+// The transposed matrix turns back: as the conjugate of q does.
 static void test_transposed(void) {
   random_state random = random_seed(check_seed(SEED) + 1);
   unsigned long different = 0;

@@ -1,5 +1,5 @@
-// The nearest feature after each vertex, against all features tried one by one in exact integers; on small lattices, where
-// everything coincides and touches, and on larger ones.
+// The nearest feature after each new vertex, against a trial of all features in exact integers. On small lattices,
+// where everything coincides and touches, and on larger ones.
 #include <string.h>
 
 #include "check.h"
@@ -39,7 +39,8 @@ static point times(point a, wide f) {
   return p;
 }
 
-// The point nearest to the origin of what a feature's vertices span, scaled by *scale > 0. False: not inside the feature.
+// The point nearest to the origin of the point, line or plane through a feature's vertices, times *scale > 0. False: it
+// is not inside the feature.
 static bool nearest(const point *v, unsigned count, point *p, wide *scale) {
   if (count == 1) {
     *p = v[0];
@@ -60,12 +61,12 @@ static bool nearest(const point *v, unsigned count, point *p, wide *scale) {
   return *scale > 0 && dot(n, cross(v[1], v[2])) > 0 && dot(n, cross(v[2], v[0])) > 0 && dot(n, cross(v[0], v[1])) > 0;
 }
 
-// Does v lie before the plane through p / scale across it, seen from the origin?
+// Does v lie nearer to the origin than the plane through p / scale, across p?
 static bool is_before(point v, point p, wide scale) {
   return dot(v, p) * scale < dot(p, p);
 }
 
-// The set of vertices, a bit each, of the feature of v nearest to the origin; 15: the tetrahedron holds the origin.
+// The feature of v nearest to the origin, as a set of vertices, a bit each. 15: the tetrahedron holds the origin.
 static unsigned nearest_set(const point *v, unsigned count) {
   for (unsigned set = 1; set < 1u << count; set++) {
     point part[4], p;
@@ -80,7 +81,7 @@ static unsigned nearest_set(const point *v, unsigned count) {
     for (unsigned i = 0; is_nearest && i < count; i++) {
       is_nearest = !is_before(v[i], p, scale);
     }
-    // A face with the origin on it is not before the tetrahedron that has it.
+    // If the origin lies on a face of a tetrahedron, the answer is the tetrahedron, not the face.
     if (is_nearest && !(count == 4 && n == 3 && dot(p, p) == 0)) {
       return count == 4 && dot(p, p) == 0 ? 15 : set;
     }
@@ -92,14 +93,14 @@ static bool is_permutation(const gjk_simplex *s) {
   return (1u << s->order[0] | 1u << s->order[1] | 1u << s->order[2] | 1u << s->order[3]) == 15;
 }
 
-// The normal is that of the corners in order, towards the origin.
+// Is the normal that of the corners in their order, pointing to the origin?
 static bool has_normal(const gjk_simplex *s) {
   const point a = point_of(&s->slot[s->order[0]].w), b = point_of(&s->slot[s->order[1]].w),
               c = point_of(&s->slot[s->order[2]].w), n = cross(minus(b, a), minus(c, a));
   return n.x == s->normal.x && n.y == s->normal.y && n.z == s->normal.z && dot(n, a) <= 0;
 }
 
-// Adds a vertex to the feature. Returns whether the feature may be added to.
+// Adds a vertex to the simplex and checks the feature that is left. Returns whether another vertex may be added.
 static bool add(gjk_simplex *s, gjk_vec3 w, unsigned long *counts) {
   const gjk_simplex before = *s;
   const unsigned count = s->count, slot = s->order[count];

@@ -1,4 +1,4 @@
-// Bad input to colliders, queries and checks: every status, and outputs left as they were.
+// Bad input to colliders, queries and checks: every status, and outputs that stay as they were.
 #include <string.h>
 
 #include "check.h"
@@ -10,7 +10,7 @@
 static const gjk_shape cube = GJK_BOX(ONE, ONE, ONE);
 static const gjk_pose origin = GJK_POSE_IDENTITY;
 
-// Does memory hold nothing but the poison?
+// Does memory hold only the poison?
 static bool is_untouched(const void *memory, size_t bytes) {
   const unsigned char *byte = memory;
   for (size_t i = 0; i < bytes; i++) {
@@ -28,7 +28,7 @@ static void support_origin(const void *user, const gjk_vec3 *direction, gjk_vec3
   *out = zero;
 }
 
-// What gjk_collider_init says to a shape; a refusal must leave the collider as it was.
+// The status of gjk_collider_init for a shape. A refusal must leave the collider as it was.
 static gjk_status init_status(const gjk_shape *shape, gjk_vec3 *buffer, uint16_t capacity) {
   gjk_collider collider;
   memset(&collider, POISON, sizeof collider);
@@ -122,7 +122,7 @@ static void test_empty(void) {
   CHECK(shape_status(box) == GJK_OK);
 }
 
-// A triangle of any other count was read to that count when measured and to 3 when posed.
+// A triangle whose count is not 3 must be refused: measuring it would read count vertices, posing it 3.
 static void test_triangles(void) {
   static const gjk_vec3 corners[4] = {{0, 0, 0}, {ONE, 0, 0}, {0, ONE, 0}, {0, 0, ONE}};
   gjk_shape triangle = GJK_TRIANGLE(corners);
@@ -137,7 +137,8 @@ static void test_triangles(void) {
   CHECK(shape_status(triangle) == GJK_ERROR_NULL);
 }
 
-// The largest sizes pass; one LSB more does not. 1/sqrt(3) and 1/sqrt(2) of the limit, rounded down.
+// The largest sizes are accepted; one LSB more is not. Diagonals use 1/sqrt(3) and 1/sqrt(2) of the limit, rounded
+// down.
 static void test_sizes(void) {
   const gjk_q16 limit = GJK_RADIUS_MAX, third = 154943445, half = 189766190;
   static const gjk_vec3 line[2] = {{-GJK_RADIUS_MAX, 0, 0}, {GJK_RADIUS_MAX, 0, 0}};
@@ -241,7 +242,7 @@ static void test_poses(void) {
   CHECK(collider.centre.x == INT32_MAX);
 }
 
-// Every move counts from the last one.
+// Moves add up: each starts where the last one ended.
 static void test_moves(void) {
   const gjk_vec3 there = {100, -200, 300}, on = {-7, 8, -9};
   gjk_collider collider = posed(&cube);
@@ -252,7 +253,7 @@ static void test_moves(void) {
   CHECK(collider.centre.z == -9);
 }
 
-// Only hulls take a buffer.
+// Only hulls use a buffer.
 static void test_unused_buffer(void) {
   static gjk_vec3 memory[4];
   static const gjk_vec3 corners[3] = {{0, 0, 0}, {ONE, 0, 0}, {0, ONE, 0}};
@@ -268,7 +269,7 @@ static void test_unused_buffer(void) {
   }
 }
 
-// Outputs of every query, poisoned.
+// The outputs of every query, poisoned.
 typedef struct outputs {
   gjk_aabb box;
   gjk_decision decision;
@@ -276,7 +277,7 @@ typedef struct outputs {
   gjk_cache cache;
 } outputs;
 
-// Every query refuses the pair with the status and writes nothing.
+// Every query must refuse the pair with the status and write nothing.
 static void refuse(const gjk_collider *a, const gjk_collider *b, gjk_status status) {
   outputs out;
   gjk_decision decision;
@@ -339,7 +340,7 @@ static void test_query_arguments(void) {
   CHECK(gjk_check_decision(&good, &good, 0, &decision) == GJK_ERROR_UNPROVEN);
 }
 
-// Exact proofs are for polytopes that are not too far apart.
+// Exact checks are for polytopes that are not too far apart.
 static void test_unsupported(void) {
   static const gjk_shape drum = GJK_CYLINDER(ONE, ONE);
   const gjk_vec3 far_off = {INT32_MAX, 0, 0};

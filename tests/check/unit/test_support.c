@@ -1,5 +1,5 @@
-// Supports of polytopes: from the rounded direction and, after refining, along the exact one no vertex lies farther.
-// Normals are nearly across an axis or an edge, where rounding the direction hides the better vertex.
+// Support points of polytopes: from the rounded direction, and refined along the exact one. No vertex may lie farther.
+// Normals are nearly across an axis or an edge, where the rounded direction hides the better vertex.
 #include <string.h>
 
 #include "check.h"
@@ -17,7 +17,7 @@ static gjk_vec3 difference(const exact_point *a, const exact_point *b) {
   return v;
 }
 
-// A normal of up to 61 bits that is level, or almost, along an edge of the collider.
+// A normal of up to 61 bits that is across an edge of the collider, or almost.
 static gjk_long3 level_normal(random_state *random, const gjk_collider *c) {
   const unsigned count = exact_vertex_count(c);
   const exact_point p = exact_vertex(c, random_below(random, count)), q = exact_vertex(c, random_below(random, count));
@@ -30,7 +30,7 @@ static gjk_long3 level_normal(random_state *random, const gjk_collider *c) {
   return n;
 }
 
-// Is the vertex farthest along sign times n, by the oracle's integers?
+// Is the vertex the farthest along sign * n, by the integers of the exact oracle?
 static bool is_farthest(const gjk_collider *c, const gjk_long3 *n, int sign, unsigned vertex) {
   const exact_int direction[3] = {exact_from(sign * n->x), exact_from(sign * n->y), exact_from(sign * n->z)};
   const exact_point best = exact_vertex(c, vertex);
@@ -48,7 +48,7 @@ static bool is_farthest(const gjk_collider *c, const gjk_long3 *n, int sign, uns
   return true;
 }
 
-// The support along sign times n, as the iteration asks for it. Says in moved whether refining found a better one.
+// The support point along sign * n, found as gjk_iteration.c finds it. moved: whether refining found a better one.
 static unsigned support(const gjk_collider *c, const gjk_long3 *n, bool negated, bool *moved) {
   gjk_search_direction rounded;
   gjk_direction exact;
@@ -108,7 +108,7 @@ static void test_supports(void) {
   case_collider_free(&lazy);
 }
 
-// Coarse products against the exact ones, at the ends of what they may be off.
+// Coarse products against the exact ones, where their error is largest.
 static void test_coarse(void) {
   random_state random = random_seed(check_seed(SEED) + 1);
   int64_t largest = 0;

@@ -1,5 +1,5 @@
-// What must not matter: the order of vertices, which shape is called A, where in the world the pair stands, which way
-// the axes point, and whether a polytope is written as a box or as a hull of its vertices.
+// What must not change an answer: the order of vertices, which shape is A, where in the world the pair stands, the
+// direction of the axes, and whether a box is written as a box or as a hull.
 #include <string.h>
 
 #include "check.h"
@@ -12,7 +12,7 @@
 #define SHUFFLES 4
 #define PERMUTED_MAX 5  // vertices: all orders of them are tried, 120
 
-// Decisions and distance of a pair.
+// The decisions and the distance of a pair.
 typedef struct answer {
   bool posed, far, intersecting, touch, within, beyond;
   gjk_q16 distance;
@@ -48,7 +48,7 @@ static answer find_answer(subject *s, const case_shape *shape_a, const case_shap
   return found;
 }
 
-// Centres more than 16384 units apart: each of the two distances is within 2^-28 of the real one.
+// If the centres are more than 16384 units apart, each of the two distances is within 2^-28 of the real one.
 static bool same(const answer *a, const answer *b) {
   if (a->far) {
     const int64_t difference = (int64_t)a->distance - b->distance, slack = a->distance >> 27;
@@ -58,7 +58,7 @@ static bool same(const answer *a, const answer *b) {
          a->within == b->within && a->beyond == b->beyond;
 }
 
-// Asks again about changed, or with the shapes swapped. A change may carry a centre out of int32.
+// Asks about the changed pair, or about swapped shapes. A change may move a centre out of int32_t.
 static void compare(subject *s, bool swapped, const char *what) {
   const case_shape *a = swapped ? &s->changed.b : &s->changed.a, *b = swapped ? &s->changed.a : &s->changed.b;
   const answer found = find_answer(s, a, b, s->expected.distance);
@@ -93,7 +93,7 @@ static void shuffle(random_state *random, case_shape *shape) {
   }
 }
 
-// Heap's algorithm without recursion: calls compare for every order of the vertices of the changed A.
+// Heap's algorithm without recursion: calls compare for every order of the vertices of A.
 static void try_orders(subject *s) {
   case_shape *shape = &s->changed.a;
   size_t turns[PERMUTED_MAX] = {0};
@@ -121,7 +121,7 @@ static void test_orders(random_state *random, subject *s) {
   }
 }
 
-// Adds as much of by as leaves both positions in int32.
+// Adds as much of `by` as keeps both positions within int32_t.
 static void shift(gjk_q16 *a, gjk_q16 *b, int32_t by) {
   const int64_t low = (*a < *b ? *a : *b) + (int64_t)by, high = (*a > *b ? *a : *b) + (int64_t)by;
   const int64_t moved = high > INT32_MAX ? by - (high - INT32_MAX) : low < INT32_MIN ? by + (INT32_MIN - low) : by;
@@ -140,8 +140,8 @@ static void test_translations(random_state *random, subject *s) {
   }
 }
 
-// Axes in another order (of 6), some of them (bits) reversed. A position goes from p to -1 - p where its axis is
-// reversed, so that all of int32 has an image: a reflection with a common translation.
+// Permutes the axes (one of 6 orders) and reverses some (bits). A reversed coordinate p becomes -1 - p, so that all of
+// int32_t has an image: a reflection, and a translation that both shapes share.
 static gjk_vec3 turn(gjk_vec3 v, unsigned order, unsigned reversed, int32_t offset) {
   const gjk_q16 x[3] = {v.x, v.y, v.z};
   gjk_q16 y[3];

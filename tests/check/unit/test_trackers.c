@@ -12,16 +12,16 @@
 #define CASES 33
 #define CELLS GJK_EPA_CELLS(512)
 
-// Half the height of prisms over flat pairs, above every depth within the plane.
+// Half the height of the prisms over flat pairs. It is larger than every depth within the plane.
 #define PRISM 40000000
 
-// What the file says of a case: '# exact separated DISTANCE | touching | intersecting DEPTH', in LSB.
+// The answer that the file states for a case: '# exact separated DISTANCE | touching | intersecting DEPTH', in LSB.
 typedef struct truth {
   char word[16];
   double number;
 } truth;
 
-// The 'exact' comments of the file, in order. Returns their number.
+// Reads the 'exact' comments of the file, in order. Returns their number.
 static size_t read_truths(FILE *file, truth *truths, size_t most) {
   char line[CASE_LINE_MAX];
   size_t count = 0;
@@ -55,7 +55,7 @@ static bool decides(const gjk_collider *a, const gjk_collider *b, gjk_q16 distan
   return distance > 0 || (gjk_intersect(a, b, NULL, &d) == GJK_OK && d.yes == yes);
 }
 
-// The depth is the file's, rounded up; and from there on the signed distance.
+// The depth is that of the file, rounded up. The signed distance agrees with it.
 static void check_depth(const case_pair *pair, const gjk_collider *a, const gjk_collider *b, gjk_q16 depth) {
   static gjk_epa_cell cells[CELLS];
   static const gjk_workspace workspace = {cells, CELLS};
@@ -84,7 +84,7 @@ static bool is_flat(const gjk_collider *a, const gjk_collider *b) {
   return true;
 }
 
-// The prism over a flat hull.
+// Makes the prism over a flat hull.
 static void raise_prism(const case_shape *flat, case_shape *prism) {
   case_shape_copy(prism, flat);
   case_shape_set_count(prism, 2 * flat->count);
@@ -96,7 +96,8 @@ static void raise_prism(const case_shape *flat, case_shape *prism) {
   }
 }
 
-// The file's depth of a flat pair is that within its plane, which prisms have; across the plane it is 0.
+// For a flat pair the file states the depth within its plane, which the prisms over it have. The pair itself has depth
+// 0: across the plane.
 static void check_flat(const case_pair *pair, const gjk_collider *a, const gjk_collider *b, gjk_q16 depth) {
   case_pair prisms = {{0}, {0}, {0}};
   case_collider prism_a = {0}, prism_b = {0};
@@ -151,7 +152,7 @@ static void check_case(const case_pair *pair, case_collider *a, case_collider *b
   }
 }
 
-// A truth that is a typing error would show here: brute force agrees with the file where the shapes are small.
+// Brute force checks the file where the shapes are small, so that a typing error in it would show.
 static unsigned check_truth(const case_pair *pair, const gjk_collider *a, const gjk_collider *b, const truth *t) {
   exact_truth brute;
   if (exact_vertex_count(a) * exact_vertex_count(b) > EXACT_BRUTE_MAX) {

@@ -1,4 +1,4 @@
-// gjk_distance_until: bounds that hold, narrow and end in the exact answer, on every family and on curved shapes.
+// gjk_distance_until: its bounds hold, get narrower and end in the exact answer, on every family and on curved shapes.
 #include <math.h>
 #include <string.h>
 
@@ -22,7 +22,7 @@ static double gap_of(const gjk_vec3 *a, const gjk_vec3 *b) {
   return sqrt(x * x + y * y + z * z);
 }
 
-// Is the answer what the full query says, or an honest part of it? slack: LSB that the full answer may be off.
+// Is `part` the answer of the full query, or are its bounds true? slack: how far, in LSB, the full answer may be off.
 static bool is_honest(const gjk_distance_result *full, const gjk_distance_result *part, int32_t slack) {
   if (part->certificate.proof != GJK_PROOF_NONE || part->lower == part->upper) {
     return part->intersecting == full->intersecting && part->distance == full->distance;
@@ -31,7 +31,8 @@ static bool is_honest(const gjk_distance_result *full, const gjk_distance_result
          part->lower <= part->upper && part->lower <= full->distance + slack && part->upper >= full->distance - slack;
 }
 
-// The points are as far apart as is said, unless what is said is 0 or far: then rounding weighs more.
+// The points must be as far apart as the distance says. At distance 0 and far apart that is not asked, as rounding
+// weighs more there.
 static bool points_fit(const gjk_distance_result *part) {
   return part->intersecting || part->saturated || part->upper == 0 || part->upper > FAR ||
          fabs(gap_of(&part->point_a, &part->point_b) - part->distance) <= 2;
@@ -42,7 +43,7 @@ static bool at_end(const gjk_vec3 *p) {
          p->z == INT32_MIN;
 }
 
-// Is there a number that saturation may have cut?
+// May a number of the answer have saturated?
 static bool is_cut(const gjk_distance_result *r) {
   return r->upper == GJK_DISTANCE_MAX || at_end(&r->point_a) || at_end(&r->point_b);
 }
@@ -114,7 +115,7 @@ static void check_pair(const case_pair *pair, case_collider *a, case_collider *b
   }
 }
 
-// Sides of some 2,000 units, but one corner is near another, or near the middle of the side between the others.
+// Triangles with sides of some 2,000 units, but one corner is near another, or near the middle of the opposite side.
 static void random_slender(random_state *random, gjk_vec3 corner[3]) {
   const gjk_q16 reach = GJK_Q16(2000.0);
   const gjk_q16 width = INT32_C(1) << random_below(random, 22);
@@ -129,7 +130,7 @@ static void random_slender(random_state *random, gjk_vec3 corner[3]) {
   corner[2].z = (middle ? (corner[0].z + corner[1].z) / 2 : corner[0].z) + random_range(random, -width, width);
 }
 
-// How far a point lies from a shape, to the nearest LSB.
+// The distance of a point from a shape, rounded to LSB.
 static gjk_q16 off_shape(const gjk_vec3 *point, const gjk_collider *shape) {
   static const gjk_shape dot = GJK_POINT;
   gjk_pose pose = GJK_POSE_IDENTITY;
@@ -142,8 +143,8 @@ static gjk_q16 off_shape(const gjk_vec3 *point, const gjk_collider *shape) {
   return result.distance;
 }
 
-// The plane of a large feature is known to several LSB: its distance was taken for that of the points, up to 10 LSB
-// more.
+// The plane of a large feature is known only to several LSB. If its distance were taken for that of the points, the
+// answer would be off by up to 10 LSB.
 static void test_slender_triangles(void) {
   random_state random = random_seed(SLENDER_SEED);
   unsigned long open = 0;
@@ -202,7 +203,7 @@ static void test_statuses(void) {
   CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK);
   CHECK(out.intersecting);
   CHECK(out.distance == 0);
-  // As many iterations as ever, or more, is no limit.
+  // As many iterations as the ceiling, or more, are no limit.
   effort.iterations = UINT8_MAX;
   CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK);
   CHECK(out.intersecting);

@@ -1,4 +1,4 @@
-// Wide integers against arithmetic of another kind: long double where rounding is harmless, identities elsewhere.
+// Wide integers against other arithmetic: long double where its rounding is harmless, identities elsewhere.
 #include <math.h>
 
 #include "check.h"
@@ -26,7 +26,8 @@ static long double share_value(const gjk_barycentric *s) {
   return ldexpl((long double)s->high, 16) + (long double)s->low;
 }
 
-// Coarse shares are within 3 of 2^31 times the real ones, fine ones below 1 short of 2^47 times; both add up to 1 at most.
+// Coarse shares are within 3 of 2^31 times the real ones, fine ones at most 1 below 2^47 times the real ones. Neither
+// add up to more than 1.
 static void check_shares(const gjk_u128 part[3], const char *what) {
   const long double sum = value(&part[0]) + value(&part[1]) + value(&part[2]);
   for (int fine = 0; fine < 2; fine++) {
@@ -47,7 +48,7 @@ static void check_shares(const gjk_u128 part[3], const char *what) {
 
 static void test_shares(void) {
   random_state random = random_seed(check_seed(SEED));
-  // A sum that is a power of two: the reciprocal of 2^31, 2^32, is the one that does not fit.
+  // A sum that is a power of two: the reciprocal of 2^31, 2^32, is the only one that needs 33 bits.
   for (unsigned bit = 2; bit < 127; bit++) {
     const gjk_u128 part[3] = {
         {bit - 2 > 63 ? UINT64_C(1) << (bit - 66) : 0, bit - 2 > 63 ? 0 : UINT64_C(1) << (bit - 2)},
@@ -110,8 +111,8 @@ static void check_sum(int64_t p, int64_t q, int64_t r, int64_t s) {
             (long long)q, (long long)r, (long long)s, (unsigned long long)sum.high, (unsigned long long)sum.low);
 }
 
-// At the ends of what is allowed each product of digits is 2^62 in size, and four of them share the middle digit: added in
-// one chain they leave 64 bits.
+// At the limits of the operands each product of digits is 2^62 in size, and four of them meet in the middle digit.
+// Added in one chain they would overflow 64 bits.
 static void test_sum_extremes(void) {
   static const int64_t size[] = {(INT64_C(1) << 62) - 1,
                                  (INT64_C(1) << 62) - INT32_MAX - 1,  // low digit 0

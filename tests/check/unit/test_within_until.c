@@ -1,4 +1,5 @@
-// gjk_within_until: an answer within its iterations is the exact one, and a later one is the same; else it is open.
+// gjk_within_until: an answer is the exact one, however many iterations it may take, and more iterations do not change
+// it. Otherwise the answer is open.
 //
 //   test_within_until [SEED]
 #include <stdlib.h>
@@ -37,8 +38,9 @@ static bool is_same(const gjk_decision *a, const gjk_decision *b) {
          a->certificate.count == b->certificate.count;
 }
 
-// Cold, so many iterations settle it where the whole query needs no more; or one more that only proves that they are within,
-// whose feature was near enough already, by less than the direction was rounded.
+// Without a cache, n iterations settle the question if the whole query needs no more. The whole query may need one
+// more, which only proves what the feature told before: that it is near enough, by less than the rounding of the
+// direction.
 static void check_iterations(campaign *c, gjk_q16 distance, uint8_t iterations, const gjk_decision *full) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_within_result r, again;
@@ -71,7 +73,7 @@ static void check_iterations(campaign *c, gjk_q16 distance, uint8_t iterations, 
   }
 }
 
-// Whatever the cache holds, an answer is the same; an open one leaves it as it is.
+// With any cache the answer is the same. An open answer leaves the cache as it is.
 static void check_cache(campaign *c, gjk_q16 distance, uint8_t iterations, const gjk_decision *full) {
   const gjk_collider *a = &c->a.collider, *b = &c->b.collider;
   gjk_cache cache = generate_cache(&c->random), before;

@@ -1,4 +1,4 @@
-// The most expensive pairs that a search has found: each takes the recorded iterations, and its answer is proven.
+// The most expensive pairs that a search has found. Each takes the recorded iterations, and its answer is proven.
 //
 //   test_worst [FILE]    default: tests/data/worst.txt, from the top folder
 #include <string.h>
@@ -11,7 +11,7 @@
 
 #define CASES 23
 
-// The '# iterations N ...' comments of the file, in order. Returns their number.
+// Reads the '# iterations N ...' comments of the file, in order. Returns their number.
 static size_t read_iterations(FILE *file, unsigned *iterations, size_t most) {
   char line[CASE_LINE_MAX];
   size_t count = 0;
@@ -21,7 +21,8 @@ static size_t read_iterations(FILE *file, unsigned *iterations, size_t most) {
   return count;
 }
 
-// At the ceiling a distance has proven bounds: not for the reals, but for the curved supports, which are 2 LSB off.
+// At the ceiling on iterations a distance has proven bounds. Of curved shapes they hold for the support points, which
+// are up to 2 LSB off the real surface.
 static void check_limit(const case_pair *pair, const case_collider *a, const case_collider *b,
                         const gjk_distance_result *result) {
   accurate_result truth;
@@ -32,7 +33,7 @@ static void check_limit(const case_pair *pair, const case_collider *a, const cas
             (long)result->upper, truth.lower, truth.upper);
 }
 
-// The steps among seen vertices that the search takes.
+// How many steps the search takes among the vertices that it has seen.
 static unsigned count_recalls(const gjk_collider *a, const gjk_collider *b, gjk_goal goal) {
   gjk_iteration it;
   it.recalls = 0;
@@ -42,7 +43,7 @@ static unsigned count_recalls(const gjk_collider *a, const gjk_collider *b, gjk_
   return it.iterations > GJK_PLAIN_ITERATIONS && !gjk_pair_is_curved(&it) ? it.recalls : 0;
 }
 
-// Returns whether the ceiling was reached.
+// Checks a case. Returns whether it reached the ceiling on iterations.
 static bool check_case(const case_pair *pair, case_collider *a, case_collider *b, unsigned iterations) {
   case_question question = {CASE_DISTANCE, 0, false, false, 0, 0};
   case_answer answer;

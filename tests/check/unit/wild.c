@@ -1,5 +1,5 @@
-// A user's support function that keeps none of its promises: queries of all kinds end, without undefined behaviour, and the
-// shape stays within its bound. Built by test_wild.sh, with a port without asserts.
+// A custom shape whose support function breaks all its promises. Queries of all kinds must end without undefined
+// behaviour, and the shape must stay within its bound. test_wild.sh builds it with a port that has no asserts.
 #include <stdlib.h>
 #include <string.h>
 
@@ -67,7 +67,7 @@ static gjk_collider placed(random_state *random, const gjk_shape *shape, gjk_q16
   return c;
 }
 
-// Random supports are no shape: a search among them may run into its ceiling.
+// Random support points are no shape, so a search among them may reach its ceiling.
 static bool ends(gjk_status status) {
   return status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT || status == GJK_ERROR_CAPACITY;
 }
@@ -94,7 +94,8 @@ static void ask_all(const gjk_collider *a, const gjk_collider *b, int trial) {
   CHECK_MSG((int64_t)a->centre.x - box.lower.x <= most, "trial %d, seed %d: a box beyond the bound", trial, SEED);
 }
 
-// The corners of the cube are pulled back onto the ball: as far as a ball's own along the diagonal.
+// The corners of the cube are pulled back onto the ball, so they lie as far out as the points of a ball along the
+// diagonal.
 static void test_pulled_back(void) {
   random_state random = random_seed(SEED);
   const gjk_q16 bounds[] = {1, 3, 1000, GJK_Q16_ONE, GJK_RADIUS_MAX};
