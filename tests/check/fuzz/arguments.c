@@ -1,4 +1,5 @@
-// Every public function on hostile arguments: a known status, and outputs left as they were by an error.
+// Every public function on hostile arguments. Each must return a status that it may return, and an error must leave
+// outputs as they were.
 #include <string.h>
 
 #include "bytes.h"
@@ -9,7 +10,7 @@
 #define CORNERS 16
 #define FACES 4
 
-// All that the calls below work on.
+// All objects that the calls below work on.
 typedef struct world {
   gjk_vec3 vertices[2][VERTICES], buffer[2][VERTICES];
   gjk_shape shape[2];
@@ -23,7 +24,7 @@ typedef struct world {
 static world w;
 static fuzz_bytes bytes;
 
-// One argument in 32 is missing.
+// Leaves out one argument in 32.
 #define MAYBE(pointer) (fuzz_u8(&bytes) < 8 && bytes.at < bytes.end ? NULL : (pointer))
 
 static void origin_or_corner(const void *user, const gjk_vec3 *direction, gjk_vec3 *out) {
@@ -31,7 +32,7 @@ static void origin_or_corner(const void *user, const gjk_vec3 *direction, gjk_ve
   *out = user != NULL ? corner : none;
 }
 
-// Known, and OK or, but for the statuses that say what is valid, nothing written.
+// Is the status one that exists, and was nothing written unless the status says that fields are valid?
 static void check(gjk_status status, const void *output, size_t size) {
   const uint8_t *byte = output;
   if (status > GJK_OK || strcmp(gjk_status_name(status), "GJK_ERROR_UNKNOWN") == 0) {
@@ -58,7 +59,7 @@ static gjk_quat any_quat(void) {
   return keep || gjk_quat_normalize(&q, &unit) != GJK_OK ? q : unit;
 }
 
-// Corners that the hull has, and some that it hasn't; faces that end anywhere within them.
+// Faces with corners that the hull has and some that it has not, and with ends anywhere among them.
 static const gjk_hull_faces *make_faces(int i) {
   gjk_hull_faces *f = &w.faces[i];
   for (unsigned k = 0; k < CORNERS; k++) {
@@ -139,7 +140,7 @@ static gjk_certificate any_certificate(void) {
   return c;
 }
 
-// Answers, and checks of answers that nobody gave.
+// Asks for answers, and checks answers that no query gave.
 static void query(void) {
   const gjk_collider *a = MAYBE(&w.collider[0]), *b = MAYBE(&w.collider[1]);
   gjk_cache cache = fuzz_cache(&bytes);

@@ -1,4 +1,4 @@
-// Pairs from bytes.
+// Makes pairs from bytes.
 #include "bytes.h"
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@ void fuzz_fail(const char *what) {
   abort();
 }
 
-// A coordinate that leaves the shape a chance to be small enough; seeds' pass unchanged.
+// A coordinate, shifted so that the shape may be small enough. Coordinates that seeds.c writes are not changed by it.
 static int32_t limited(int32_t x) {
   return x % (INT32_C(1) << 28);
 }

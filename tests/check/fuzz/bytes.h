@@ -1,4 +1,4 @@
-// A fuzzer's input as a stream of values; at its end they are 0. And the pairs that are written that way.
+// Reads a fuzzer's input as a stream of values, which are 0 after its end, and makes pairs of them.
 #ifndef FUZZ_BYTES_H
 #define FUZZ_BYTES_H
 
@@ -12,7 +12,7 @@ static inline uint8_t fuzz_u8(fuzz_bytes *bytes) {
   return bytes->at < bytes->end ? *bytes->at++ : 0;
 }
 
-// Lowest byte first.
+// A number of several bytes, lowest byte first.
 static inline int32_t fuzz_i32(fuzz_bytes *bytes) {
   uint32_t value = 0;
   for (unsigned i = 0; i < 32; i += 8) {
@@ -42,10 +42,11 @@ static inline gjk_cache fuzz_cache(fuzz_bytes *bytes) {
   return cache;
 }
 
-// A pair of shapes: both within the limits of a case, all else as the bytes say. seeds.c writes the same.
+// Makes a pair of shapes. Both are within the limits of a case; all else is as the bytes say. seeds.c writes the same
+// format.
 void fuzz_pair(fuzz_bytes *bytes, case_pair *pair);
 
-// Ends the program, which the fuzzer notices.
+// Ends the program so that the fuzzer notices it.
 void fuzz_fail(const char *what);
 
 #endif

@@ -1,4 +1,4 @@
-// The query tool's reader of cases, on any text: what it accepts, printed and read again, is the same.
+// The query tool's reader of cases on any text. What it accepts must be the same after printing and reading it again.
 #define _POSIX_C_SOURCE 200809L
 #include <stdlib.h>
 #include <string.h>

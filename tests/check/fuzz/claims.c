@@ -1,12 +1,12 @@
-// Bytes to a pair of small polytopes, a forged answer about it and changes of that answer, one after the other: what the
-// library's check calls OK must be true. With GJK_FUZZ_PRINT set, pair and answer are shown first.
+// Makes a pair of small polytopes, a forged answer about it and changes of that answer from bytes. What the library's
+// check accepts must be true. With GJK_FUZZ_PRINT set, the pair and each answer are printed first.
 #include <stdlib.h>
 
 #include "bytes.h"
 #include "exact/claim.h"
 #include "generate/forge.h"
 
-// Pairs of vertices that brute force is quick with.
+// Most pairs of vertices, so that brute force is quick.
 #define VERTICES 16
 
 static case_pair pair;

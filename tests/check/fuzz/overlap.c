@@ -1,4 +1,4 @@
-// Depths and contacts of a pair against the exact oracle and against each other.
+// Checks depths and contacts of a pair against the exact oracle and against each other.
 #include "overlap.h"
 
 #include <math.h>
@@ -7,16 +7,17 @@
 
 #include "exact/depth.h"
 
-// For polytopes of the product of the largest hulls' vertices; more than enough for most curved ones.
+// Enough for the product of the vertices of the largest hulls, and for most curved pairs.
 #define CELLS GJK_EPA_CELLS(24 * 24)
 
-// Directions that brute force tries in a fraction of a millisecond.
+// Most directions for brute force: a fraction of a millisecond.
 #define QUICK_DIRECTIONS 1500
 
-// Two answers about curved shapes, each within 3 LSB; and a point of one, which is within 3, against another answer.
+// How far, in LSB, two answers about curved shapes may differ, each within 3; and a point of one answer from another
+// answer.
 #define CURVED_APART 6
 
-// A pair while its answers are being judged.
+// A pair and its answers while they are judged.
 typedef struct subject {
   const gjk_collider *a, *b;
   bool certain;  // polytopes and their rounded forms: exact
@@ -38,7 +39,7 @@ static bool is_answer(const subject *s, gjk_status status) {
   return status == GJK_OK || (!s->certain && (status == GJK_ERROR_CAPACITY || status == GJK_ERROR_ITERATION_LIMIT));
 }
 
-// The same answer, to within what curved shapes leave open.
+// Are both the same answer, to within what curved shapes leave open?
 static bool same_depth(const subject *s, const gjk_penetration_result *other) {
   const int64_t apart = magnitude((int64_t)s->depth.depth - other->depth);
   return other->intersecting == s->depth.intersecting && (!other->intersecting || apart == 0 || !s->certain);
@@ -77,8 +78,8 @@ static const char *check_cache(const subject *s, gjk_cache *cache) {
   return s->certain && !exact_check_penetration(s->a, s->b, &r, s->why, s->n) ? "certificate with a cache" : NULL;
 }
 
-// So few cells that the answer may be bounds: they hold the depth, and the upper one parts the shapes. The cells end
-// where the memory does.
+// With so few cells the answer may be bounds. They must hold the depth, and the upper one must part the shapes. Behind
+// the cells the memory ends, so that a sanitizer notices any more.
 static const char *check_small(const subject *s, uint32_t count) {
   gjk_workspace small = {count > 0 ? malloc(count * sizeof(gjk_epa_cell)) : NULL, count};
   gjk_penetration_result r;
@@ -97,7 +98,7 @@ static const char *check_small(const subject *s, uint32_t count) {
   return s->certain && !exact_check_move(s->a, s->b, &r, s->why, s->n) ? "move by the upper bound" : NULL;
 }
 
-// What the two queries that it stands for have said.
+// The signed distance must be what the two queries that it stands for have said.
 static gjk_q16 signed_distance(const subject *s, const gjk_distance_result *gap) {
   return s->depth.intersecting ? -s->depth.depth : gap->distance;
 }
@@ -182,7 +183,7 @@ static const char *check_contact(const subject *s, const gjk_manifold *m, unsign
   return magnitude(off_a) > off_most || magnitude(off_b) > off_most ? "a contact off the surfaces" : NULL;
 }
 
-// The nearest or deepest of them is the signed distance.
+// The nearest or deepest contact must be as far apart as the signed distance.
 static const char *check_contacts(const subject *s, const gjk_distance_result *gap, gjk_q16 margin, unsigned most) {
   gjk_manifold m;
   const gjk_status status = gjk_contacts(s->a, s->b, margin, most, NULL, &roomy, &m);

@@ -1,5 +1,5 @@
-// Bytes to a pair of shapes, queries and caches: every answer about polytopes must pass the exact oracle, and the
-// answers must agree. With GJK_FUZZ_PRINT set, the pair is shown first, as a case of the query tool.
+// Makes a pair of shapes, queries and caches from bytes. Every answer about polytopes must pass the exact oracle, and
+// the answers must agree. With GJK_FUZZ_PRINT set, the pair is printed first, as a case of the query tool.
 #include <stdlib.h>
 
 #include "bytes.h"
@@ -7,7 +7,7 @@
 #include "generate/prism.h"
 #include "overlap.h"
 
-// Prisms have 3 to so many more sides.
+// Prisms have up to so many sides more than 3.
 #define SIDES (GENERATE_SIDES_MAX - 2)
 
 static case_pair pair;
@@ -42,7 +42,7 @@ static bool check_within(gjk_q16 distance, gjk_cache *cache, bool certain) {
   return d.yes;
 }
 
-// Few vertices: by brute force.
+// Checks shapes of few vertices by brute force.
 static void check_truth(const gjk_distance_result *r) {
   if (!exact_is_far(&a.collider, &b.collider) &&
       exact_vertex_count(&a.collider) * exact_vertex_count(&b.collider) <= 16) {
@@ -53,7 +53,7 @@ static void check_truth(const gjk_distance_result *r) {
   }
 }
 
-// Some hulls become prisms with faces.
+// Makes some hulls prisms with faces.
 static void make_prism(unsigned what, case_shape *shape) {
   const unsigned sides = what & 7u;
   if (shape->kind == CASE_HULL && sides > 0 && sides <= SIDES) {

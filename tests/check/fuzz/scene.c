@@ -1,5 +1,5 @@
-// Bytes to operations on a scene: its reports against a search of all pairs, its block against its own check, also
-// when the block is damaged.
+// Makes operations on a scene from bytes. Its reports must be those of a search of all pairs, and its block must pass
+// its own check. Blocks are damaged, too.
 #include <stdlib.h>
 #include <string.h>
 
@@ -34,7 +34,7 @@ static void carry(void) {
   expect(hash() == before, "the hash of an opened block");
 }
 
-// Whatever a block holds, the check ends; and a block that passes it can be used.
+// Whatever a block holds, the check must end; a block that passes it must be usable.
 static void damage(fuzz_bytes *bytes) {
   static gjk_report reports[REPORTS];
   uint32_t *block = malloc(s.bytes);

@@ -1,6 +1,6 @@
-// Prints, for seeded random pairs, the status and the bounds of the distance, decisions, depths and contacts:
-// test_limit.sh compares a build with a low ceiling on iterations with one that has the usual ceiling. That scenes
-// report a ceiling as they should, it checks itself.
+// Prints status and bounds of the distance, decisions, depths and contacts of seeded random pairs. test_limit.sh
+// compares a build with a low ceiling on iterations with one that has the usual ceiling. Here it is checked that scenes
+// report a ceiling as they should.
 #include <stdio.h>
 #include <string.h>
 
@@ -43,7 +43,7 @@ static void make(random_state *random, int i, int32_t size, gjk_shape *shape, gj
 static gjk_epa_cell cells[CELLS];
 static const gjk_workspace workspace = {cells, CELLS};
 
-// A scene of the two, after an update.
+// Makes a scene of both shapes, and updates it.
 typedef struct two {
   gjk_scene scene;
   gjk_scene_stats stats;
@@ -74,7 +74,7 @@ static bool update(const gjk_shape *shape, gjk_q16 margin, uint8_t detail, uint8
          gjk_scene_get_stats(scene, &out->stats) == GJK_OK;
 }
 
-// The part of body 1 is the nearest to a, body 0 left out.
+// The part of body 1 must be the nearest to a, with body 0 left out.
 static bool check_nearest(const two *t, const gjk_collider *a, gjk_q16 distance) {
   gjk_scene_hit hit;
   gjk_q16 nearest;
@@ -87,7 +87,7 @@ static int64_t larger(int64_t a, int64_t b) {
   return a > b ? a : b;
 }
 
-// How far the boxes are apart along an axis; negative when they overlap along all.
+// How far apart the boxes are along an axis; negative if they overlap along all.
 static int64_t gap_of_boxes(const gjk_collider *a, const gjk_collider *b) {
   gjk_aabb x, y;
   gjk_collider_aabb(a, &x);
@@ -97,8 +97,8 @@ static int64_t gap_of_boxes(const gjk_collider *a, const gjk_collider *b) {
   return larger(larger(along_x, along_y), larger((int64_t)x.lower.z - y.upper.z, (int64_t)y.lower.z - x.upper.z));
 }
 
-// A query that reaches the ceiling counts the pair as near, at the proven lower bound, and in unsettled, unless the
-// boxes are farther apart than the margin; with skips and without.
+// A query that reaches the ceiling reports the pair as near, at the proven lower bound, and counts it as unsettled;
+// unless the boxes are farther apart than the margin. The same if every pair is tested anew.
 static bool check_scene(const gjk_shape *shape, const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
   two t;
   gjk_distance_result gap;
@@ -119,7 +119,7 @@ static bool check_scene(const gjk_shape *shape, const gjk_collider *a, const gjk
   return true;
 }
 
-// The same of depth, and of contacts, of which there are then none.
+// The same for depths, and for contacts, of which there are none then.
 static bool check_details(const gjk_shape *shape, const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
   two t;
   gjk_distance_result depth;
@@ -159,7 +159,8 @@ int main(void) {
     const gjk_status status = gjk_distance(&a, &b, NULL, &result);
     const gjk_effort full = {0, 0};
     gjk_distance_result until = {0};
-    // With one more iteration at a time it ends where the whole query does, with bounds at least as narrow.
+    // With one more iteration at a time, gjk_distance_until must end where the whole query ends, with bounds at least
+    // as narrow.
     if (gjk_distance_until(&a, &b, &full, NULL, &until) != status || until.iterations != result.iterations ||
         until.lower < result.lower || until.upper > result.upper) {
       printf("pair %d by iterations: %ld %ld\n", i, (long)until.lower, (long)until.upper);

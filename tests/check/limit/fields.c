@@ -1,7 +1,9 @@
-// Which fields each query writes after each status: test_limit.sh builds it with low ceilings on iterations and the usual one.
+// Which fields each query writes after each status. test_limit.sh builds it with low ceilings on iterations and with
+// the usual one.
 //
-// Each question is asked twice, of outputs filled with different bytes. A valid field is then the same in both; after an
-// error one that is not valid is as it was. The tables below say what the public headers say.
+// Each question is asked twice, with outputs that are filled with different bytes. A valid field must then be the same
+// in both; after an error, a field that is not valid must be as it was. The tables below repeat what the public headers
+// say.
 #include <stdio.h>
 #include <string.h>
 
@@ -40,7 +42,7 @@ typedef struct field {
 #define FIELD(type, member) \
   { .name = #member, .offset = offsetof(type, member), .size = sizeof(((type *)0)->member) }
 
-// Bits of the fields, in the order of the tables.
+// Each field of a table is a bit of the masks below it, in the order of the table.
 static const field of_decision[] = {FIELD(gjk_decision, yes), FIELD(gjk_decision, iterations),
                                     FIELD(gjk_decision, certificate.proof), FIELD(gjk_decision, certificate.count)};
 enum { YES = 1, ITERATIONS = 2, DECISION = 15 };
@@ -180,7 +182,7 @@ static bool is_filled(const void *memory, size_t size, unsigned char with) {
   return true;
 }
 
-// The pairs and the direction that a certificate's proof uses.
+// Compares the pairs and the direction of a certificate, as far as its proof uses them.
 static bool same_proof(const gjk_certificate *p, const gjk_certificate *q) {
   const size_t named = p->count * sizeof p->a[0];
   const bool directed = p->proof == GJK_PROOF_DIRECTION || p->proof == GJK_PROOF_PLANE;
@@ -209,7 +211,7 @@ static bool same_named(size_t query, unsigned valid, const answer *p, const answ
   }
 }
 
-// Bounds that hold the distance, which is known where the usual ceiling has settled it.
+// The bounds must hold the distance, which is known where the usual ceiling settles it.
 static bool check_one(size_t i, const question *q) {
   const struct query *query = &queries[i];
   answer out[2];
@@ -220,7 +222,7 @@ static bool check_one(size_t i, const question *q) {
     return false;
   }
   seen[i][-(int)status]++;
-  // Only looked at where it is written, which the comparison below shows.
+  // Reads a value only where it was written, which the comparison below shows.
   const unsigned valid = query->valid(status, &out[0]);
   for (size_t k = 0; k < query->count; k++) {
     const field *f = &query->fields[k];
@@ -268,7 +270,7 @@ static void make(random_state *random, int i, int32_t size, gjk_collider *collid
   (void)gjk_collider_pose(collider, &pose);
 }
 
-// All queries about a pair, and about what is none.
+// Asks all queries about a pair, and about what is not a pair.
 static bool check_pair(question *q) {
   static const gjk_collider unposed;
   bool right = true;

@@ -1,5 +1,6 @@
-// Plays the lockstep match in small workspaces, under whatever ceiling on iterations this is built with: with all skips, with none,
-// and saved and rolled back at random. Prints how many ticks had the same hash, and how many queries were left unsettled.
+// Plays the lockstep match in small workspaces, under the ceiling on iterations that it is built with: with skipped
+// tests, with every pair tested anew, and saved and rolled back at random. Prints how many ticks had the same hash, and
+// how many queries were left unsettled.
 #include <stdio.h>
 #include <string.h>
 
@@ -32,7 +33,7 @@ static bool tick(match *m) {
   return match_tick(m, input_of(m->tick, 0), input_of(m->tick, 1));
 }
 
-// The hashes of a match that skips what it can, beside one that skips nothing.
+// The hashes of a match that skips tests must be those of a match that tests every pair anew (retest_all).
 static bool play(uint32_t cells, unsigned *unsettled) {
   bool same = begin(&plain, cells, 0) && begin(&unskipped, cells, 1);
   for (uint32_t i = 0; i < TICKS && same; i++) {
@@ -45,7 +46,7 @@ static bool play(uint32_t cells, unsigned *unsettled) {
   return same;
 }
 
-// The same of one that goes back to what was saved.
+// The same for a match that goes back to saves.
 static bool play_rolled(uint32_t cells) {
   random_state random = random_seed(cells);
   bool same = begin(&rolled, cells, 0);

@@ -1,4 +1,4 @@
-// Small wrong changes of a C file, one at a time.
+// Makes small wrong changes of a C file, one at a time.
 //
 //   mutate list FILE           one line per mutant: FILE, its number, line, change, text of the line; tabs between;
 //                              the change ends in (2) where it is the second such place of the line
@@ -28,7 +28,7 @@ static int size;
 static token tokens[TOKENS_MAX];
 static int count;
 
-// What to do with the mutants: list them, or apply one.
+// What to do with the mutants: list all, or apply one.
 static const char *file_name;
 static int wanted = -1, number;
 
@@ -50,7 +50,7 @@ static bool is_one_of(int t, const char *const *words) {
   return false;
 }
 
-// Skips what is no token: white space, comments and the preprocessor's lines.
+// Skips what is not a token: white space, comments and preprocessor lines.
 static int skip(int at, int *line) {
   for (;;) {
     const bool at_start = at == 0 || text[at - 1] == '\n';
@@ -93,7 +93,8 @@ static int token_length(int at) {
   return 1;
 }
 
-// Does the brace at token t open a type? struct or enum, and maybe a tag, before it. Or a linkage specification?
+// Does the brace at token t open a type or a linkage specification? A type has struct or enum, and perhaps a tag,
+// before it.
 static bool opens_type(int t) {
   static const char *const types[] = {"struct", "enum", "union", "extern", NULL};
   return is_one_of(t - 1, types) || is_one_of(t - 2, types);
@@ -131,7 +132,7 @@ static void print_line_of(int line) {
   printf("%.*s\n", (int)strcspn(at, "\n"), at);
 }
 
-// How many times text from start has stood in its line before.
+// How many times the same text has stood in its line before start.
 static int times_before(int line, int start, int length) {
   int times = 0;
   for (int t = 0; t < count && tokens[t].line <= line && tokens[t].start < start; t++) {
@@ -140,8 +141,8 @@ static int times_before(int line, int start, int length) {
   return times;
 }
 
-// One mutant: the length characters from start become replacement. Where they stand in the line more than once, the
-// change says which it is, from the second on.
+// Makes a mutant: the length characters from start become replacement. If they stand in the line more than once, the
+// change says which one is meant, from the second on.
 static void mutant(int line, int start, int length, const char *replacement) {
   if (wanted < 0) {
     const int before = times_before(line, start, length);
@@ -230,7 +231,7 @@ static int end_of(int t) {
   return tokens[t].start + tokens[t].length;
 }
 
-// f(a, b ...) becomes f(b, a ...), unless the order cannot matter.
+// f(a, b ...) becomes f(b, a ...), unless their order cannot matter.
 static void swap_arguments(int t) {
   static const char *const symmetric[] = {"gjk_mul32", "gjk_umul32",   "gjk_umulh32", "gjk_add", "gjk_dot",
                                           "multiply",  "multiply_q33", "sizeof",      NULL};
@@ -251,7 +252,7 @@ static void swap_arguments(int t) {
   }
 }
 
-// An assignment or a call goes.
+// Removes an assignment or a call.
 static void remove_statement(int t) {
   static const char *const before[] = {";", "{", "}", NULL};
   static const char *const second[] = {"(", ".", "->", "[", "=", "+=", "-=", "|=", "&=", "<<=", ">>=", NULL};

@@ -1,4 +1,4 @@
-// A long run of random operations on a scene, saves and restores among them, against a search of all pairs.
+// A long run of random operations on a scene, with saves and restores, against a search of all pairs.
 //
 // scene-soak OPERATIONS [SEED]
 #include <stdlib.h>
@@ -34,7 +34,7 @@ int main(int argc, char **argv) {
   }
   printf("%lu operations, %lu of them refused for lack of room; %lu updates, %lu restores, %lu touches begun\n", done,
          failures, s.updates, s.restores, s.begun);
-  // The mix must still do all of it.
+  // Every kind of operation must have occurred.
   CHECK(failures * 400 > done);
   CHECK(s.restores * 30 > s.updates);
   CHECK(s.begun * 5 > s.updates);

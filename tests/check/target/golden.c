@@ -1,4 +1,4 @@
-// The fixed set of queries and its hash. No libc, little RAM: it runs on an 8-bit core as well.
+// The fixed set of queries and its hash, without libc and with little RAM, so that it also runs on an 8-bit core.
 #include "golden.h"
 
 #include "gjk/gjk.h"
@@ -122,13 +122,13 @@ static gjk_vec3 random_vector(random_state *random, int32_t size) {
   return v;
 }
 
-// A shape of one of ten kinds, about size large; every fourth is rounded.
+// A shape of one of ten kinds, of about that size; every fourth has a convex radius.
 static void make_shape(random_state *random, body *b, int32_t size) {
   static const gjk_shape kinds[] = {
       GJK_POINT,      GJK_SEGMENT(0),     GJK_TRIANGLE(0), GJK_BOX(0, 0, 0),
       GJK_HULL(0, 0), GJK_CYLINDER(0, 0), GJK_CONE(0, 0),  GJK_ELLIPSOID(0, 0, 0),
   };
-  // Boxes and hulls come twice as often.
+  // Boxes and hulls are chosen twice as often.
   static const uint8_t choices[] = {0, 1, 2, 3, 3, 4, 4, 4, 5, 6, 7};
   b->shape = kinds[choices[random_below(random, sizeof choices)]];
   b->shape.size.x = random_range(random, 1, size);
@@ -164,7 +164,7 @@ static void place(random_state *random, body *b) {
   mix((uint32_t)gjk_collider_pose(&b->collider, &b->pose));
 }
 
-// B goes along the normal until the gap is near zero.
+// Moves B along the normal until the gap is near 0.
 static void approach(random_state *random, const gjk_distance_result *result) {
   body *b = &bodies[1];
   const int32_t by = result->distance + random_range(random, -2, 2);

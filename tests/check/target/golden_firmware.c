@@ -1,5 +1,5 @@
-// Firmware: the golden hash on an emulated core, and that of a match in a scene where GOLDEN_SCENE says that its 50 KB of
-// memory are there. Exits with 0 when they are those in golden.h and scene_golden.h.
+// Firmware: the golden hash on an emulated core, and with GOLDEN_SCENE, for boards with 50 KB of memory, that of a
+// match in a scene. Exits with 0 if they are those of golden.h and scene_golden.h.
 #include <stdbool.h>
 
 #include "board/board.h"

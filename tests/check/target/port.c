@@ -1,4 +1,4 @@
-// Checks of a port's primitives: the ones in use, against the same in plain C, at the extremes and at random.
+// Checks a port's primitives against the same in plain C, for extreme and random operands.
 #include "port.h"
 
 #include "gjk/gjk.h"
@@ -30,7 +30,7 @@ static unsigned plain_clz(uint32_t x) {
   return n;
 }
 
-// Numbers of 192 bits, two's complement, low word first; wide enough for every sum here.
+// Integers of 192 bits, two's complement, low word first: wide enough for every sum here.
 typedef struct plain {
   uint32_t word[6];
 } plain;
@@ -118,7 +118,7 @@ static void check_extremes(void) {
   for (unsigned i = 0; i < n; i++) {
     for (unsigned k = 0; k < n; k++) {
       check_product(edges[i], edges[k]);
-      // Sums of -1, 0 and 1: x x - (x - 1)(x + 1) = 1. At most 2^62 in size.
+      // Sums that are -1, 0 or 1: x x - (x - 1)(x + 1) = 1. Their products are up to 2^62 in size.
       const int64_t x = gjk_mul32(edges[i], edges[k]);
       const int64_t y = x / 2 + edges[k];
       check_sum_sign(y, y, 1 - y, y + 1);

@@ -1,4 +1,4 @@
-// What every port must get right: its primitives, against plain C, and its allocation.
+// Checks what every port must get right: its primitives, against plain C, and its allocation.
 #ifndef PORT_TEST_H
 #define PORT_TEST_H
 
@@ -9,13 +9,14 @@ typedef struct port_counts {
   uint32_t passed, failed;
 } port_counts;
 
-// Runs the checks for the port that this is compiled with; prints the failed ones.
+// Checks the port that this is compiled with, and prints what fails.
 port_counts port_check(void (*print)(const char *text));
 
-// The same for the allocation that this is linked with. arena_bytes: all that there is, at most 4096; 0: no end to it.
+// Checks the allocation that this is linked with. arena_bytes: all memory that there is, at most 4096; 0: there is no
+// limit.
 port_counts port_check_allocation(void (*print)(const char *text), size_t arena_bytes);
 
-// Asks the library for what only an assert refuses: a user's shape that reaches beyond its own bound.
+// Asks the library for what only an assert refuses: a custom shape that reaches beyond its own bound.
 void port_violate_contract(void);
 
 #endif

@@ -1,4 +1,4 @@
-// Checks of a port's allocation: alignment, overlap, exhaustion, reuse.
+// Checks a port's allocation: alignment, overlap, exhaustion, reuse.
 #include "gjk/gjk.h"
 #include "gjk_allocate.h"
 #include "port.h"
@@ -36,7 +36,7 @@ static size_t size_of(size_t block) {
   return 1 + block * 7 % 90;
 }
 
-// Takes blocks of mixed sizes, each filled with its own number, until there are no more. Returns how many.
+// Takes blocks of mixed sizes until there are no more, and fills each with its number. Returns how many.
 static size_t take(void) {
   size_t n = 0;
   while (n < BLOCKS_MAX && (blocks[n] = (unsigned char *)gjk_port_allocate(size_of(n))) != NULL) {

@@ -1,4 +1,5 @@
-// Firmware: the port's checks on an emulated core. It ends with a violated contract, so a good run fails at the end.
+// Firmware: checks the port on an emulated core. Its last step violates a contract, so a good run ends with that
+// failure.
 #include "board/board.h"
 #include "generic/gjk_port.h"
 #include "port.h"

@@ -1,4 +1,4 @@
-// Host program: the port's checks; with an argument, a violated contract.
+// Host program: checks the port; with an argument, violates a contract.
 #include "port.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-// Firmware: the match's hash on an emulated core. Exits with 0 when it is the one in scene_golden.h.
+// Firmware: the hash of the match on an emulated core. Exits with 0 if it is the one in scene_golden.h.
 #include "board/board.h"
 #include "print.h"
 #include "scene_golden.h"

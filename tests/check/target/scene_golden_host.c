@@ -1,4 +1,4 @@
-// Host program: prints the match's hashes of this build, without and with rollbacks.
+// Host program: prints the hashes of the match in this build, without and with rollbacks.
 #include <inttypes.h>
 #include <stdio.h>
 

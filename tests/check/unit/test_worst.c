@@ -45,7 +45,7 @@ static unsigned count_recalls(const gjk_collider *a, const gjk_collider *b, gjk_
 
 // Checks a case. Returns whether it reached the ceiling on iterations.
 static bool check_case(const case_pair *pair, case_collider *a, case_collider *b, unsigned iterations) {
-  case_question question = {CASE_DISTANCE, 0, false, false, 0, 0};
+  case_question question = {.ask = CASE_DISTANCE};
   case_answer answer;
   char why[CERTIFY_WHY_MAX] = "";
   if (strstr(pair->id, "-intersect-") != NULL) {

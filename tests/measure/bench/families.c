@@ -1,4 +1,4 @@
-// The families of pairs that are measured.
+// Makes the families of pairs that the benchmark measures.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,12 +16,12 @@ const size_t bench_depth_count = sizeof bench_depths / sizeof bench_depths[0];
 const int bench_gaps[] = {-1000, -100, -10, -3, -2, -1, 0, 1, 2, 3, 10, 100, 1000};
 const size_t bench_gap_count = sizeof bench_gaps / sizeof bench_gaps[0];
 
-// A point between 0.8 and 1 unit from the origin.
+// A point 0.8 to 1 unit from the origin.
 static gjk_vec3 shell_point(random_state *random) {
   return generate_vector(random, (0.8 + 0.2 * generate_unit(random)) * GJK_Q16_ONE);
 }
 
-// A box of 0.2 to 1 unit, or a hull of so many points.
+// A box with half extents of 0.2 to 1 unit, or a hull of so many points.
 static void make_shape(random_state *random, unsigned vertices, bool box, case_shape *out) {
   case_shape_reset(out);
   out->kind = box ? CASE_BOX : CASE_HULL;
@@ -63,7 +63,7 @@ static void make_hulls(const bench_family *family, random_state *random, case_pa
   place_apart(random, pair);
 }
 
-// Boxes and hulls in turn, about as far apart as one of bench_gaps says.
+// Boxes and hulls in turn, placed at one of bench_gaps.
 static void make_near(const bench_family *family, random_state *random, case_pair *pair, int *placed) {
   (void)family;
   *placed = bench_gaps[random_below(random, (uint32_t)bench_gap_count)];
@@ -78,7 +78,7 @@ static gjk_q16 either_side(random_state *random, gjk_q16 low, gjk_q16 high) {
   return random_below(random, 2) == 0 ? -x : x;
 }
 
-// The same, with each coordinate of the place 16,000 to 30,000 units from the origin.
+// Such pairs, 16,000 to 30,000 units from the origin along each axis.
 static void make_far(const bench_family *family, random_state *random, case_pair *pair, int *placed) {
   const gjk_vec3 by = {either_side(random, GJK_Q16(16000), GJK_Q16(30000)),
                        either_side(random, GJK_Q16(16000), GJK_Q16(30000)),
@@ -126,7 +126,7 @@ static void make_smallest(const bench_family *family, random_state *random, case
   make_generated(generate_families, generate_family_count, names[random_below(random, 3)], random, pair);
 }
 
-// Centres up to a unit apart.
+// Shapes whose centres are up to a unit apart.
 static void place_together(random_state *random, case_pair *pair) {
   pair->a.pose.position = generate_vector(random, GJK_Q16(3.0));
   pair->b.pose.position = moved(pair->a.pose.position, generate_vector(random, generate_unit(random) * GJK_Q16_ONE));
@@ -152,7 +152,7 @@ static void make_shallow(const bench_family *family, random_state *random, case_
   generate_near(random, -random_range(random, 1, 3), pair);
 }
 
-// Evenly spread over the orders of magnitude from 1 LSB to half a unit.
+// A depth from 1 LSB to half a unit; every order of magnitude is equally likely.
 static void make_depths(const bench_family *family, random_state *random, case_pair *pair, int *placed) {
   (void)family;
   (void)placed;
@@ -183,7 +183,7 @@ static void make_rounded(const bench_family *family, random_state *random, case_
   generate_near(random, -random_range(random, 1, GJK_Q16(0.5)), pair);
 }
 
-// Takes a prism's top in, to half its size at the least.
+// Makes the top of a prism smaller, down to half its size.
 static void taper(random_state *random, case_shape *shape) {
   const int32_t share = random_range(random, 128, 256);
   for (size_t i = shape->count / 2; i < shape->count; i++) {
@@ -192,7 +192,7 @@ static void taper(random_state *random, case_shape *shape) {
   }
 }
 
-// B on A, spun and tilted by up to a degree.
+// Stands B on A, spun, and tilted by up to a degree.
 static void make_pressed(const bench_family *family, random_state *random, case_pair *pair, int *placed) {
   (void)placed;
   make_shape(random, 0, true, &pair->a);

@@ -1,4 +1,4 @@
-// gjk-bench: measures the methods and writes what it found as CSV, one value a line.
+// gjk-bench: measures the methods and writes the figures as CSV, one value a line.
 #define _POSIX_C_SOURCE 200112L
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,7 +23,7 @@ typedef struct options {
   unsigned long pairs, timed, seconds, repetitions, seed, instructions;
 } options;
 
-// All methods on one family.
+// The figures of all methods on one family.
 typedef struct work {
   const bench_family *family;
   bench_pair *pairs;
@@ -62,7 +62,7 @@ static bool parse(int argc, char **argv, options *out) {
   return out->timed > 0 && out->repetitions > 0;
 }
 
-// On a terminal, one line that is overwritten.
+// Shows the progress, on a terminal only, in a line that is overwritten.
 static void progress(const char *text, const char *name, unsigned long done, unsigned long all) {
   if (isatty(STDERR_FILENO) != 0) {
     fprintf(stderr, "\r\033[K%s %lu of %lu: %s", text, done, all, name);
@@ -120,7 +120,7 @@ static void put_tally(const bench_method *method, const char *family, bench_quer
   }
 }
 
-// Has the method anything to answer?
+// Does the method answer any query of the family?
 static bool is_asked(const bench_method *method, const bench_family *family) {
   bool asked = false;
   for (int q = 0; q < BENCH_QUERIES; q++) {
@@ -182,7 +182,7 @@ static void release(bench *b) {
   free(b->works);
 }
 
-// How the depths of each family are known.
+// Writes how the depths of each family are known.
 static void put_proofs(const bench *b) {
   for (size_t f = 0; f < bench_family_count; f++) {
     if (bench_families[f].asked & (BENCH_ASK(BENCH_DEPTH) | BENCH_ASK(BENCH_CONTACTS))) {
@@ -202,8 +202,8 @@ static void put_about(const bench *b) {
   }
 }
 
-// A method goes through all families twice, and the second time counts: so each finds the processor as it leaves it
-// itself, not taught or untaught by the method before, which may be a relative on the same pairs.
+// A method goes through all families twice, and the second time counts. So each method finds the processor (caches,
+// branch prediction) as it leaves it itself, not as a method before has left it.
 static void time_method(bench *b, size_t method, bench_query query) {
   for (int pass = 0; pass < 2; pass++) {
     for (size_t f = 0; f < bench_family_count; f++) {
@@ -214,7 +214,7 @@ static void time_method(bench *b, size_t method, bench_query query) {
   }
 }
 
-// All methods in turn, so that what slows the machine for a while slows them alike.
+// Measures all methods in turn, so that what slows the machine for a while slows all of them alike.
 static void repeat_once(bench *b) {
   for (int q = 0; q < BENCH_QUERIES; q++) {
     for (size_t m = 0; m < b->method_count; m++) {

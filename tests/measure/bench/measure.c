@@ -52,7 +52,7 @@ static bench_answer ask(const bench_subject *subject, bench_query query, size_t 
   return answer;
 }
 
-// In which of bench_depths' ranges a depth is, or which of bench_gaps a pair was made for; the count: none.
+// Which of bench_depths' ranges a depth is in, or which of bench_gaps a pair was made for. Returns their count: none.
 static size_t find_gap(const bench_pair *pair, bool deep) {
   size_t i = 0;
   if (deep) {
@@ -76,7 +76,7 @@ static void count_gap(const bench_pair *pair, bool deep, bool wrong, bool undeci
   }
 }
 
-// Bounds are integers, rounded to the nearest when the answer is exact.
+// Bounds are integers, rounded to the nearest if the answer is exact.
 static bool is_outside(const bench_answer *answer, double distance) {
   const double slack = answer->lower < answer->upper ? 0 : 0.5;
   return answer->bounded && (distance < answer->lower - slack || distance > answer->upper + slack);
@@ -87,7 +87,7 @@ static bool is_wrong_decision(const bench_answer *answer, const bench_pair *pair
   return answer->decision != BENCH_UNDECIDED && (answer->decision == BENCH_TOGETHER) != pair->intersecting;
 }
 
-// The shapes do overlap. Sets the error of an answer that is none to the whole depth.
+// The shapes overlap. A method without an answer gets the whole depth as its error.
 static bool is_wrong_depth(const bench_answer *answer, const bench_pair *pair, double *error, bench_tally *out) {
   const double depth = -pair->distance, found = -answer->distance, slack = fmax(1, depth / 100);
   const bool failed = answer->decision == BENCH_UNDECIDED || !isfinite(found),
@@ -128,7 +128,7 @@ static void pass(const bench_subject *subject, bench_query query) {
   }
 }
 
-// Room grows at each power of two.
+// Makes more room at each power of two.
 static void keep_time(bench_subject *subject, bench_query query, double time) {
   const size_t n = subject->repetitions[query]++;
   if ((n & (n - 1)) == 0) {

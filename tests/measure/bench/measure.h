@@ -4,7 +4,7 @@
 
 #include "workload.h"
 
-// Of one method at one query, over all pairs of a family.
+// The figures of a method at a query, over all pairs of a family.
 typedef struct bench_tally {
   unsigned long asked, wrong, undecided;
   unsigned long failed, apart, small, large;  // what is wrong with depths: no answer, none, more than 1 LSB and 1 % off
@@ -15,7 +15,7 @@ typedef struct bench_tally {
   unsigned long gap_asked[32], gap_wrong[32], gap_undecided[32];  // by the index in bench_gaps, or bench_depths
 } bench_tally;
 
-// One method prepared for the pairs of a family.
+// A method, prepared for the pairs of a family.
 typedef struct bench_subject {
   const bench_method *method;
   void **prepared;
@@ -29,11 +29,12 @@ void bench_subject_free(bench_subject *subject);
 
 void bench_measure_errors(const bench_subject *subject, bench_query query, const bench_pair *pairs, bench_tally *out);
 
-// One pass over the pairs; keep: its time is kept in times.
+// Answers all pairs once and measures the time. keep: adds it to times.
 void bench_measure_time(bench_subject *subject, bench_query query, bool keep);
 double bench_median_time(bench_subject *subject, bench_query query);
 
-// The same pass with callgrind counting; the counts go to a dump of callgrind's, named label. False without callgrind.
+// Answers all pairs once while callgrind counts; the counts go to a dump of callgrind named label. False: callgrind is
+// not there.
 bool bench_measure_instructions(const bench_subject *subject, bench_query query, const char *label);
 
 #endif

@@ -68,7 +68,7 @@ typedef struct bench_method {
   void (*release)(void *prepared);
 } bench_method;
 
-// A null-terminated list of methods. Those of other libraries are linked where their package is installed.
+// Lists of methods, each ended by NULL. Those of other libraries are linked if their package is installed.
 typedef const bench_method *const bench_method_list[];
 
 extern bench_method_list bench_gjk_methods, bench_reference_methods;

@@ -1,4 +1,4 @@
-// The library: cold, with a warm cache, and stopped early.
+// The library as methods: without a cache, with the cache of a pose before, and stopped early.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,7 +35,7 @@ static void *prepare(const bench_method *method, const bench_pair *pair) {
   return p;
 }
 
-// The direction of the step differs from pair to pair, but is the same in every run.
+// The direction of the move differs from pair to pair, but is the same in every run.
 static gjk_vec3 one_step_ago(const gjk_collider *b) {
   const gjk_vec3 p = b->position;
   const uint32_t word = ((uint32_t)p.x * 2654435761u) ^ ((uint32_t)p.y * 2246822519u) ^ (uint32_t)p.z;
@@ -123,7 +123,7 @@ static void run_cold(const bench_method *method, void *prepared, bench_query que
   run_query(prepared, query, NULL, out);
 }
 
-// Every run starts from the cache of one step ago.
+// Every run starts from the cache of the pose before the move.
 static void run_warm(const bench_method *method, void *prepared, bench_query query, bench_answer *out) {
   prepared_pair *p = prepared;
   gjk_cache cache = p->caches[query];
@@ -147,7 +147,7 @@ static void *prepare_error(const bench_method *method, const bench_pair *pair) {
   return p;
 }
 
-// An open answer decides nothing while its lower bound is 0.
+// An open answer decides nothing if its lower bound is 0.
 static void run_until(const bench_method *method, void *prepared, bench_query query, bench_answer *out) {
   prepared_pair *p = prepared;
   gjk_distance_result gap;

@@ -1,4 +1,4 @@
-// The true answers to pairs.
+// Finds the true answers to pairs.
 #include "truth.h"
 
 #include <math.h>
@@ -11,18 +11,18 @@
 #define VERTICES 4096
 #define CELLS GJK_EPA_CELLS(VERTICES)
 
-// Directions that brute force tries in no time; and in a tenth of a second.
+// Most directions for brute force: what takes no time, and what takes a tenth of a second.
 #define QUICK_DIRECTIONS 4000
 #define THOROUGH_DIRECTIONS 500000
 
-// LSB, what rounding makes of a depth in double here.
+// LSB: the error of a depth in double here.
 #define SLACK 1e-3
 
 static double radii(const bench_pair *pair) {
   return (double)pair->a->collider.shape->convex_radius + pair->b->collider.shape->convex_radius;
 }
 
-// Of the named feature's line or plane from the origin; negative: it names none.
+// The distance of the line or plane of the named feature from the origin; negative: none is named.
 static double feature_distance(const bench_pair *pair, const gjk_certificate *certificate) {
   exact_feature feature;
   if (!exact_named_feature(&pair->a->collider, &pair->b->collider, certificate, &feature)) {
@@ -47,7 +47,7 @@ bool bench_find_distance(bench_pair *pair, char *why, size_t n) {
   return true;
 }
 
-// Of the real depth: by trying all directions; of cores that are apart by the feature that the certificate proves
+// Finds the real depth by a trial of all directions. If the cores are apart, by the feature that the certificate proves
 // nearest.
 static bool find_exact(const bench_pair *pair, const gjk_certificate *certificate, bool thorough, double *depth) {
   const gjk_collider *a = &pair->a->collider, *b = &pair->b->collider;
@@ -76,7 +76,7 @@ bench_depth_proof bench_find_depth(bench_pair *pair, bool thorough, char *why, s
   double depth;
   const bool exact = find_exact(pair, &found.certificate, thorough, &depth);
   if (!exact) {
-    // The facet of the certificate, or one that is lower by less than the rounding, which the reference may know.
+    // Takes the facet of the certificate. The reference must know of none that is lower by more than its rounding.
     reference_result reference;
     reference_signed_posed(pair->shapes, pair->a, pair->b, &reference);
     depth = radii(pair) + (found.certificate.proof == GJK_PROOF_PLANE ? 0 : feature_distance(pair, &found.certificate));
@@ -84,7 +84,7 @@ bench_depth_proof bench_find_depth(bench_pair *pair, bool thorough, char *why, s
   }
   pair->distance = -depth;
   snprintf(why, n, "depth %ld, but it is %.6f", (long)found.depth, depth);
-  // Rounded up, but for what double's rounding may make of it.
+  // The answer must be the real depth, rounded up, to within the error of double.
   const bool least = depth > found.depth - 1 - SLACK && depth <= found.depth + SLACK;
   return !least ? BENCH_DEPTH_UNPROVEN : exact ? BENCH_DEPTH_EXACT : BENCH_DEPTH_CERTIFIED;
 }

@@ -1,4 +1,4 @@
-// The pairs that are measured: posed, proven, and in the form that peers take.
+// Makes the pairs that are measured: posed, proven, and in the form that other libraries take.
 #include "workload.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "exact/exact.h"
 #include "truth.h"
 
-// One pair in so many has its depth proven thoroughly.
+// So many pairs apart, a depth is proven thoroughly.
 #define THOROUGH_EVERY 5
 
 static void *allocate(size_t count, size_t size) {
@@ -71,8 +71,8 @@ static void set_solid(const gjk_collider *collider, bench_solid *out) {
   }
 }
 
-// Has the pair come out as it was meant to? Placing ends on the lattice, within an LSB of the gap; a depth may be less,
-// along another direction.
+// Is the pair as it was meant to be? Placing reaches the gap to within an LSB, as coordinates are integers. A depth may
+// be less, along another direction.
 static bool is_as_placed(const bench_family *family, const bench_pair *pair) {
   if (asks_depth(family)) {
     return pair->intersecting;

@@ -1,4 +1,4 @@
-// The pairs that are measured, by family, each with its true answer.
+// The pairs that are measured: by family, each with its true answer.
 #ifndef BENCH_WORKLOAD_H
 #define BENCH_WORKLOAD_H
 
@@ -8,7 +8,7 @@
 #include "method.h"
 #include "random.h"
 
-// One family. make: sets *placed where the pair is made for a gap.
+// A family of pairs. make: sets *placed if the pair is made for a gap.
 typedef struct bench_family {
   const char *name, *what;
   unsigned asked;     // BENCH_ASK of each query; with a depth or contacts, all pairs intersect
@@ -19,11 +19,11 @@ typedef struct bench_family {
 extern const bench_family bench_families[];
 extern const size_t bench_family_count;
 
-// The gaps that near pairs are made for, in LSB; below 0 they overlap.
+// The gaps that pairs of the family "near" are made for, LSB; below 0 they overlap.
 extern const int bench_gaps[];
 extern const size_t bench_gap_count;
 
-// Where depths are sorted in, in LSB: at most so deep.
+// Depths are sorted into ranges: at most so deep, LSB.
 extern const int bench_depths[];
 extern const size_t bench_depth_count;
 
@@ -40,9 +40,8 @@ static inline bool bench_answers(const bench_method *method, const bench_family 
          (!method->boxes_only || bench_boxes_only(family));
 }
 
-// Makes count pairs of a family, the same for the same seed. Every one has a proven answer, see truth.h. A pair that
-// cannot be proven ends the program.
-// exact: how many of them have a depth that is proven least by exact integers.
+// Makes count pairs of a family; a seed makes the same ones each time. Each pair has a proven answer (truth.h). A pair
+// that cannot be proven ends the program.
 bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t count, size_t *exact);
 void bench_pairs_free(bench_pair *pairs, size_t count);
 

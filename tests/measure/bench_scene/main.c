@@ -1,10 +1,11 @@
-// CPU time per tick of scenes of 8 to 20,000 bodies on this machine, as CSV, beside other libraries' broad phases where
-// they are linked, and beside testing the boxes of all pairs. Reading the clock adds up to 0.1 us to a tick.
+// scene-bench [QUICK]: CPU time per tick of scenes of 8 to 20,000 bodies on this machine, as CSV. Beside it other
+// libraries' broad phases, where they are linked, and a test of the boxes of all pairs. Reading the clock adds up to
+// 0.1 us to a tick.
 //
 // scene-bench [QUICK]: with an argument only the line that a figure is promised for, of the library and of all pairs,
 // and whether it is kept.
 //
-// Every method replays the same recorded motion, MOTION_TICKS ticks at a time, in turn; a figure is the median of the
+// Every method replays the same recorded motion, MOTION_TICKS ticks at a time, in turn. A figure is the median of the
 // means over so many ticks. Exit status 1: a scene failed, a count of pairs is wrong, or the promise is not kept.
 #define _POSIX_C_SOURCE 199309L
 
@@ -24,7 +25,7 @@
 #define REPETITIONS_MOST 60
 #define TIME_ENOUGH 3e8  // ns of one line
 
-// A peer that is not linked is none.
+// A library that is not linked has no method.
 #pragma weak scene_bullet
 #pragma weak scene_fcl
 static const scene_method *const methods[] = {&scene_gjk_whole, &scene_gjk_broad, &scene_gjk_posing, &scene_bullet,
@@ -39,7 +40,7 @@ typedef struct measured {
   uint32_t held, meeting;
 } measured;
 
-// The pairs that a tick's skips settled, and those that went to a query, added up.
+// The pairs that skips settled in a tick, and those that went to a query, added up.
 typedef struct shares {
   double ticks, pairs, resting, motion, boxes, direction, warm, cold;
 } shares;
@@ -80,7 +81,7 @@ static bool used(const line *l, unsigned method) {
   return methods[method] != NULL && (!l->quick || method <= BROAD);
 }
 
-// Mean nanoseconds of the recorded ticks, negative when one failed.
+// Mean nanoseconds of the recorded ticks; negative: one failed.
 static double replay(const motion *m, const scene_method *method, void *world) {
   const double start = now();
   bool fine = true;
@@ -102,7 +103,7 @@ static void add_shares(shares *s, const gjk_scene_stats *stats) {
   s->cold += stats->cold;
 }
 
-// Replays the recorded ticks to the library, and counts what became of the pairs in each; not timed.
+// Replays the recorded ticks to the library without timing, and counts what became of the pairs in each.
 static bool count_shares(line *l, const motion *m) {
   for (unsigned i = 0; i < MOTION_TICKS; i++) {
     const scene_tick changes = motion_tick(m, i);
@@ -115,7 +116,7 @@ static bool count_shares(line *l, const motion *m) {
   return true;
 }
 
-// Records a block of motion and shows it to each method.
+// Records a block of motion and replays it to each method.
 static bool repeat(line *l, motion *m, bool warm_up, double *spent) {
   const unsigned at = warm_up ? 0 : l->repetitions++;
   if (!motion_record(m)) {
@@ -161,7 +162,7 @@ static bool measure(line *l, motion *m) {
   return true;
 }
 
-// Every method that holds pairs must hold those whose exact boxes meet.
+// Every method that holds pairs must hold all whose exact boxes meet.
 static bool check_pairs(line *l, motion *m) {
   bool right = true;
   for (unsigned i = 0; i < METHODS; i++) {
@@ -201,7 +202,7 @@ static void put_line(const line *l) {
   fflush(stdout);
 }
 
-// Measures and prints one line. Returns how many times less a whole tick takes than all pairs; negative when something
+// Measures, and prints a line. Returns how many times faster a whole tick is than all pairs; negative: something
 // failed.
 static double run(const char *name, traffic_kind kind, uint32_t count, uint32_t percent, bool quick) {
   static line l;
@@ -236,7 +237,8 @@ static double run(const char *name, traffic_kind kind, uint32_t count, uint32_t 
 }
 
 static void put_head(void) {
-  // Times in ns. gjk's include the posing; the others' start from boxes ready made. all pairs: the boxes alone.
+  // Times in ns. Those of gjk include posing; those of the others start from finished boxes. all pairs: the boxes
+  // alone.
   puts(
       "scene,bodies,percent moving,gjk whole tick ns,gjk broad phase ns,gjk posing ns,Bullet ns,FCL ns,all pairs ns,"
       "boxes meeting,gjk pairs,gjk broad pairs,Bullet pairs,FCL pairs,"

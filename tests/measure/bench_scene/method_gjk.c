@@ -1,10 +1,9 @@
 // The library as a method, three ways.
 //
-// Whole: the moves of the bodies (posing and boxes in them), tree, pairs, and the exact answer of every pair, reported.
-// Broad: the same with a predicate that refuses every pair when it is asked: posing, boxes, tree, pairs of enlarged
+// Whole: moves bodies, which poses them and takes their boxes; tree; pairs; the exact answer of every pair, reported.
 //   boxes, one call of the predicate per pair of a body that moved; no test of any pair. What is left of the test, the
 //   filter and that call, stays in the figure.
-// Posing: poses the same bodies and takes their boxes, nothing else: what a user of another library does beforehand.
+// Posing: poses the same bodies and takes their boxes, nothing else. A user of another library does that beforehand.
 #include "method_gjk.h"
 
 #include <stdlib.h>
@@ -96,7 +95,7 @@ static bool tick(void *world, const scene_tick *changes) {
   return fine && update(w);
 }
 
-// Has the predicate asked about every pair.
+// Makes the scene ask the predicate about every pair.
 static void count(void *world, scene_meet *meet, const void *user, uint32_t *held, uint32_t *meeting) {
   gjk_world *w = world;
   w->meet = meet;

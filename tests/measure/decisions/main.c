@@ -1,4 +1,4 @@
-// gjk-decisions PAIRS: how often each method decides wrongly whether two polytopes touch, by family, as CSV:
+// gjk-decisions PAIRS: how often each method is wrong about whether two polytopes touch, by family. Writes CSV:
 // family,what,method,pairs,wrong. The truth of each pair is proven first.
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 
 static const char *const families[] = {"near", "touching", "stacked", "slivers", "smallest"};
 
-// The methods that the table shows: each library's own decision.
+// The methods in the table: each library's own decision.
 static bool is_shown(const bench_method *method) {
   static const char *const shown[] = {"gjk cold",  "reference double",     "reference float", "libccd GJK",
                                       "FCL indep", "Bullet pair detector", "Bullet EPA2"};

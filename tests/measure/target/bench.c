@@ -1,4 +1,4 @@
-// The families of pairs that instructions are counted on.
+// Makes the families of pairs for which instructions are counted.
 #include "bench.h"
 
 #include "random.h"
@@ -24,7 +24,7 @@ const bench_family bench_families[] = {
 };
 const unsigned bench_family_count = sizeof bench_families / sizeof bench_families[0];
 
-// Those that the depths of 32-point hulls here need, with some to spare.
+// Cells enough for the depths of the 32-point hulls here.
 #define BENCH_CELLS GJK_EPA_CELLS(24)
 
 static random_state random;
@@ -49,7 +49,7 @@ static gjk_vec3 random_vector(int32_t size) {
   return v;
 }
 
-// A point within 0.8 and 1 unit of the origin.
+// A point 0.8 to 1 unit from the origin.
 static gjk_vec3 shell_vector(void) {
   for (;;) {
     const gjk_vec3 v = random_vector(GJK_Q16_ONE);
@@ -92,7 +92,7 @@ static void make_body(const bench_family *family, int i) {
   place(i, &pose);
 }
 
-// The frustum that stands in the body's box, its top half as large to as large as its base.
+// The frustum of a pyramid that stands in the body's box. Its top is half as large to as large as its base.
 static void make_frustum(int i) {
   const gjk_vec3 size = shapes[i].size;
   const int32_t share = random_range(&random, 128, 256);
@@ -108,7 +108,7 @@ static void make_frustum(int i) {
   shapes[i].size = size;
 }
 
-// B on top of A.
+// Stands B on A.
 static void make_stack(const bench_family *family) {
   const bench_family boxes = {"", family->query, 0, family->gap};
   gjk_pose below = GJK_POSE_IDENTITY, above;
@@ -176,7 +176,7 @@ bool bench_next(const bench_family *family) {
   }
 }
 
-// By bisection: with fewer cells it fails.
+// Finds the number of cells by bisection: with fewer the query fails.
 uint32_t bench_cells_needed(const bench_family *family) {
   uint32_t low = 0, high = BENCH_CELLS;
   while (low < high && family->query >= BENCH_DEPTH) {

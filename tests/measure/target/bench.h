@@ -1,4 +1,4 @@
-// Families of random pairs whose queries are counted in instructions, the same pairs on every core.
+// Families of random pairs for which instructions per query are counted. They are the same pairs on every core.
 #ifndef BENCH_H
 #define BENCH_H
 
@@ -6,7 +6,7 @@
 
 #define BENCH_VERTICES 64
 
-// Contacts: within BENCH_MARGIN, four at most.
+// BENCH_CONTACTS: contact points at most BENCH_MARGIN apart, at most BENCH_CONTACTS_KEPT of them.
 typedef enum bench_query { BENCH_DISTANCE, BENCH_INTERSECT, BENCH_DEPTH, BENCH_CONTACTS } bench_query;
 
 #define BENCH_MARGIN GJK_Q16(0.02)
@@ -30,31 +30,33 @@ typedef struct bench_family {
 extern const bench_family bench_families[];
 extern const unsigned bench_family_count;
 
-// How many pairs of a family are counted. Bounding spheres settle most intersections of shapes apart in 150 instructions, a
-// few pairs take 20 times as many: so skewed a mean needs a large sample.
+// How many pairs of a family are counted. Bounding spheres settle most intersections of shapes apart in 150
+// instructions, and a few pairs take 20 times as many: a mean so skewed needs a large sample.
 static inline unsigned bench_pair_count(const bench_family *family) {
   return family->query == BENCH_INTERSECT && family->gap == BENCH_APART ? 1000 : 50;
 }
 
-// Starts a family, then poses its next pair and sets its answer. False: the certificate of its depth does not hold.
+// bench_start: starts a family. bench_next: poses the next pair and sets its answer; false: the certificate of its
+// depth does not hold.
 void bench_start(void);
 bool bench_next(const bench_family *family);
 
-// What a solver says: the distance, minus the depth, the least distance of the contacts; not set for a decision.
+// The answer of a solver. distance: of overlapping shapes minus the depth; of contacts the least; of a decision it is
+// not set.
 typedef struct bench_answer {
   bool intersecting;
   gjk_q16 distance;
   unsigned iterations;  // or how many contacts
 } bench_answer;
 
-// The workspace that every depth is asked with, and how many of its cells the pair's needs; 0 for any other query.
+// The workspace of every depth query; and how many of its cells the present pair needs, 0 for other queries.
 extern const gjk_workspace bench_workspace;
 uint32_t bench_cells_needed(const bench_family *family);
 
 extern const gjk_collider *const bench_pair[2];
 extern bench_answer bench_expected;  // intersecting and distance
 
-// One that answers queries up to last on the pair; run is the measured part.
+// A solver answers the queries up to `last` about the present pair. run is what is measured.
 typedef struct bench_solver {
   const char *name;
   bench_query last;

@@ -1,15 +1,15 @@
 // Firmware: instructions and stack per query on an emulated core, one line per solver and
 // family: SOLVER|FAMILY|mean|worst|iterations x 100, mean|most iterations|bytes of stack|bytes of workspace, the most needed
 //
-// Fails where a solver's answer is another than the library's: these pairs are easy.
+// Fails if an answer of a solver differs from the library's: these pairs are easy.
 #include "bench.h"
 #include "count.h"
 #include "print.h"
 
 #define PAINT 0x5AA5C33Cu
 
-// Paints the free stack but for 16 words, which this function may be using itself. Returns where the stack stands: a
-// function of its own, so that nothing of the caller's lies below.
+// Paints the free stack, except 16 words that this function itself may use. Returns the stack pointer. It is not
+// inlined, so that nothing of its caller lies below.
 __attribute__((noinline)) static uintptr_t paint_stack(void) {
   volatile uint32_t here = 0;
   const uintptr_t top = (uintptr_t)&here;
@@ -19,7 +19,7 @@ __attribute__((noinline)) static uintptr_t paint_stack(void) {
   return top;
 }
 
-// Bytes of stack below top that were written since it was painted.
+// How many bytes of stack below top were written since it was painted.
 static uint32_t painted_depth(uintptr_t top) {
   const volatile uint32_t *p = board_stack_low;
   while ((uintptr_t)p < top && *p == PAINT) {
@@ -33,14 +33,14 @@ static void field(uint32_t value) {
   print_decimal(board_print, value);
 }
 
-// The same decision, and a distance within 16 LSB, which is more than a float is off on these pairs.
+// The same decision, and a distance within 16 LSB, which is more than a float is off for these pairs.
 static bool agrees(const bench_family *family, const bench_answer *answer) {
   const gjk_q16 error = answer->distance - bench_expected.distance;
   return answer->intersecting == bench_expected.intersecting &&
          (family->query == BENCH_INTERSECT || (error >= -16 && error <= 16));
 }
 
-// Returns whether every answer was right.
+// Measures a solver on a family. Returns whether every answer was right.
 static bool measure(const bench_solver *solver, const bench_family *family, uint32_t calibration) {
   uint32_t sum = 0, worst = 0, iterations = 0, most_iterations = 0, stack = 0, cells = 0, wrong = 0;
   const unsigned pairs = bench_pair_count(family);

@@ -64,7 +64,7 @@ static void set_vector(gjk_vec3 v, const real centre[3], real out[3]) {
 
 static solver_shape reference_shapes[2];
 
-// Relative to A's centre.
+// Sets a shape relative to A's centre.
 static void set_shape(solver_shape *shape, const gjk_collider *collider, const gjk_collider *a) {
   static const real zero[3] = {0, 0, 0};
   const gjk_vec3 centre = {collider->centre.x - a->centre.x, collider->centre.y - a->centre.y,
@@ -101,7 +101,7 @@ static const solver_limits exact = {.relative = BENCH_RELATIVE,
 #ifdef BENCH_REFERENCE_DEPTH
 #define BENCH_REFERENCE_LAST BENCH_DEPTH
 
-// Out of line, so that its stack is not that of the other queries.
+// Not inlined, so that its stack does not count for the other queries.
 __attribute__((noinline)) static void reference_depth(const solver_shape *a, const solver_shape *b,
                                                       const solver_simplex *last, bench_answer *out) {
   static epa_hull hull;
@@ -114,7 +114,7 @@ __attribute__((noinline)) static void reference_depth(const solver_shape *a, con
 #define BENCH_REFERENCE_LAST BENCH_INTERSECT
 #endif
 
-// As the library does: a yes-or-no question looks at the bounding spheres first, and stops at a separating direction.
+// As in the library, a yes-or-no question looks at the bounding spheres first, and stops at a separating direction.
 static void reference_run(bench_query query, bench_answer *out) {
   static solver_simplex last;
   static solver_result result;

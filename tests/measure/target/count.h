@@ -8,7 +8,7 @@
 
 #define COUNT_ITERATIONS 1000u
 
-// Ticks that a loop of COUNT_ITERATIONS iterations takes with 0, 8 or 24 instructions in it, besides its own.
+// The ticks of a loop of COUNT_ITERATIONS iterations with 0, 8 or 24 instructions besides the loop's own.
 static inline uint32_t count_loop(unsigned instructions) {
   const uint32_t start = board_ticks();
   for (unsigned i = 0; i < COUNT_ITERATIONS; i++) {
@@ -21,8 +21,8 @@ static inline uint32_t count_loop(unsigned instructions) {
   return board_ticks() - start;
 }
 
-// Ticks per 8 COUNT_ITERATIONS instructions. 0 when three times the instructions do not take three times as long, within
-// 1 in 500: the counter does not count instructions.
+// Ticks per 8 * COUNT_ITERATIONS instructions. 0: three times the instructions do not take three times as long, within
+// 1 in 500, so the counter does not count instructions.
 static inline uint32_t count_calibrate(void) {
   const uint32_t empty = count_loop(0), few = count_loop(8) - empty, many = count_loop(24) - empty;
   const uint32_t triple = few * 3, error = many > triple ? many - triple : triple - many;

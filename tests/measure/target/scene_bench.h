@@ -16,7 +16,7 @@ extern const unsigned scene_bench_count;
 // Starts a case and runs its first ticks. False: the scene could not be made.
 bool scene_bench_start(const scene_bench_case *c);
 
-// What is measured: the moves of one tick, planned before, and the update.
+// What is measured: the moves of a tick that is already planned, and the update.
 void scene_bench_plan(void);
 bool scene_bench_tick(void);
 

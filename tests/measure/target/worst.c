@@ -1,4 +1,4 @@
-// The search for expensive pairs: random restarts and hill climbing, without libc.
+// Searches for expensive pairs by random restarts and hill climbing, without libc.
 #include "worst.h"
 
 #include "print.h"
@@ -76,7 +76,7 @@ static gjk_vec3 random_vector(int32_t x, int32_t y, int32_t z) {
   return v;
 }
 
-// From 1 up to 2^bits, evenly spread over the orders of magnitude.
+// A number from 1 to 2^bits; every order of magnitude is equally likely.
 static int32_t random_length(unsigned bits) {
   const int32_t top = INT32_C(1) << random_below(&random, bits);
   return random_range(&random, top, 2 * top - 1);
@@ -105,8 +105,8 @@ static void random_shape(const worst_family *family, worst_body *body) {
   }
 }
 
-// Sizes below 2^bits LSB; every second one with extents of different orders. Hulls are balls, or on a coarse lattice, or
-// random.
+// Shapes of sizes below 2^bits LSB, every second one with extents of different orders of magnitude. Points of hulls lie
+// on a ball, on a coarse lattice, or anywhere.
 static void random_body(const worst_family *family, unsigned bits, worst_body *body) {
   const int32_t size = random_length(bits);
   const bool flat = random_below(&random, 2) == 0;
@@ -189,7 +189,7 @@ static void turn(gjk_quat *q) {
   }
 }
 
-// Adds a vertex - between two others, beside one, or one of the other body's - or takes one away.
+// Adds a vertex (between two others, beside one, or a copy of the other body's), or removes one.
 static void change_count(const worst_family *family, worst_pair *pair, worst_body *body) {
   gjk_shape *shape = &body->shape;
   const worst_body *from = &pair->body[random_below(&random, 2)];
@@ -207,7 +207,7 @@ static void change_count(const worst_family *family, worst_pair *pair, worst_bod
   }
 }
 
-// Divides one coordinate of all vertices, or one half extent, by a power of two.
+// Divides a coordinate of all vertices, or a half extent, by a power of two.
 static void flatten(worst_body *body) {
   const int32_t by = INT32_C(1) << random_below(&random, 12);
   const uint32_t axis = random_below(&random, 3);
@@ -243,7 +243,7 @@ static void change_once(const worst_family *family, worst_pair *pair) {
   }
 }
 
-// Climbs from *pair until CLIMB changes in a row have made nothing more expensive. Returns the measure reached.
+// Climbs from *pair until CLIMB changes in a row have not made it more expensive. Returns the measure reached.
 static uint32_t climb(const worst_family *family, worst_measure *measure, worst_pair *pair, uint32_t *left) {
   static worst_pair changed;
   uint32_t best = measure(family, pair);
@@ -262,7 +262,7 @@ static uint32_t climb(const worst_family *family, worst_measure *measure, worst_
   return best;
 }
 
-// The most expensive of the known cases with the family's shapes; without one a random pair.
+// Starts from the most expensive known case with the family's shapes, or if there is none, from a random pair.
 static uint32_t start_known(const worst_family *family, worst_measure *measure, worst_pair *out) {
   random_pair(family, out);
   uint32_t best = measure(family, out);
@@ -280,7 +280,7 @@ static uint32_t start_known(const worst_family *family, worst_measure *measure, 
   return best;
 }
 
-// The best so far, or the best of a few random pairs.
+// Starts from the best pair so far, or from the best of a few random pairs.
 static void start_pair(const worst_family *family, worst_measure *measure, const worst_pair *most, worst_pair *out) {
   static worst_pair other;
   if (random_below(&random, 3) == 0) {

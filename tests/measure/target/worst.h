@@ -1,4 +1,4 @@
-// Search for the most expensive pairs: what a pair is, where the search starts, and how it changes one.
+// Searches for the most expensive pairs.
 #ifndef WORST_H
 #define WORST_H
 
@@ -29,7 +29,7 @@ typedef struct worst_family {
 extern const worst_family worst_families[];
 extern const unsigned worst_family_count;
 
-// A pair that a search has found: tests/data/worst.txt, made C by tests/build/worst-cases.awk.
+// A pair that a search has found. tests/build/worst-cases.awk makes C of tests/data/worst.txt.
 typedef struct worst_case {
   const char *id;  // FAMILY-MEASURE, the measure one of iterations and instructions
   worst_pair pair;
@@ -38,19 +38,20 @@ typedef struct worst_case {
 extern const worst_case worst_cases[];
 extern const unsigned worst_case_count;
 
-// The family that an id belongs to.
+// The family that an id names.
 const worst_family *worst_family_of(const char *id);
 
-// Poses the pair; false when the library refuses it. Then the query, cold: what is measured. Returns its iterations.
+// Poses the pair; false if the library refuses it. Then asks the query without a cache, which is what is measured.
+// Returns its iterations.
 bool worst_pose(const worst_pair *pair);
 const gjk_collider *worst_collider(int number);
 unsigned worst_query(const worst_family *family);
 
-// What the search makes as expensive as it can; 0 for a pair that is refused.
+// The cost that the search makes as large as it can; 0 for a refused pair.
 typedef uint32_t worst_measure(const worst_family *family, const worst_pair *pair);
 
-// Climbs from the known cases of the family and from random pairs, by so many measurements altogether. Returns the most,
-// with its pair.
+// Climbs from the known cases of the family and from random pairs, with so many measurements in total. Returns the
+// largest cost, and its pair.
 uint32_t worst_search(const worst_family *family, worst_measure *measure, uint64_t seed, uint32_t measurements,
                       worst_pair *most);
 

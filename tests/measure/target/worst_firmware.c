@@ -1,5 +1,5 @@
-// Firmware: replays the known cases, 'ID|iterations|instructions' each. With WORST_MEASUREMENTS it searches instead for a
-// pair of the family WORST_FAMILY that takes more instructions, and prints it as a case.
+// Firmware: replays the known cases and prints 'ID|iterations|instructions' for each. With WORST_MEASUREMENTS it
+// searches instead for a pair of the family WORST_FAMILY that takes more instructions, and prints it as a case.
 #include "worst.h"
 
 #include "count.h"

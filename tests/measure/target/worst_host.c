@@ -1,6 +1,6 @@
 // Host program: searches for pairs that take the most iterations: worst_host FAMILY SEED MEASUREMENTS
 //
-// What a search does between its iterations counts as well: among vertices that it has seen.
+// What a search does among the vertices that it has seen counts as well.
 #include "src/gjk/gjk_search.h"
 #include "worst.h"
 

@@ -74,7 +74,7 @@ static void relate(scene *s, scene_pair *pair) {
 // Answers a question about the pair and adds the verdict on it. False, with a message, when it is refused.
 static bool ask(case_ask about, const case_pair *source, case_collider *a, case_collider *b, case_answer *answer,
                 certify_verdict *verdict) {
-  const case_question question = {about, 0, false, about == CASE_PENETRATION, 0, 0};
+  const case_question question = {.ask = about, .contacts = about == CASE_PENETRATION};
   char why[CERTIFY_WHY_MAX];
   case_answer_find(&question, source, a, b, answer);
   if (answer->status != GJK_OK) {

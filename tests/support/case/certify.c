@@ -105,7 +105,7 @@ static certify_verdict check(const case_question *question, const case_pair *pai
     return compare_bounds(question, pair, a, b, answer, why);
   }
   if (question->ask == CASE_PENETRATION) {
-    const case_question distance = {CASE_DISTANCE, 0, false, false, 0, 0};
+    const case_question distance = {.ask = CASE_DISTANCE};
     if (!answer->penetration.intersecting) {
       return check(&distance, pair, a, b, answer, why);
     }
