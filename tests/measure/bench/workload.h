@@ -42,6 +42,7 @@ static inline bool bench_answers(const bench_method *method, const bench_family 
 
 // Makes count pairs of a family; a seed makes the same ones each time. Each pair has a proven answer (truth.h). A pair
 // that cannot be proven ends the program.
+// exact: how many of them have a depth that exact integers prove least.
 bench_pair *bench_pairs_make(const bench_family *family, uint64_t seed, size_t count, size_t *exact);
 void bench_pairs_free(bench_pair *pairs, size_t count);
 

@@ -2,8 +2,8 @@
 // libraries' broad phases, where they are linked, and a test of the boxes of all pairs. Reading the clock adds up to
 // 0.1 us to a tick.
 //
-// scene-bench [QUICK]: with an argument only the line that a figure is promised for, of the library and of all pairs,
-// and whether it is kept.
+// With an argument it measures only what a figure is promised for, of the library and of all pairs, and whether the promise
+// is kept.
 //
 // Every method replays the same recorded motion, MOTION_TICKS ticks at a time, in turn. A figure is the median of the
 // means over so many ticks. Exit status 1: a scene failed, a count of pairs is wrong, or the promise is not kept.

@@ -19,7 +19,8 @@ static void try_feature(search *s, const exact_point *points, unsigned count) {
   }
 }
 
-// All of one to three points; the hull's nearest point to an origin outside of it is in one of these.
+// Tries all simplices of one to three points. If the origin is outside of the hull, the nearest point of the hull is in
+// one of them.
 static void try_features(search *s) {
   exact_point p[3];
   for (unsigned i = 0; i < s->count; i++) {
@@ -36,7 +37,7 @@ static void try_features(search *s) {
   }
 }
 
-// The origin is outside exactly when the plane across the nearest point of the surface leaves all points behind it.
+// The origin is outside exactly if the plane across the nearest point of the surface has all points behind it.
 static bool is_outside(const search *s) {
   const exact_feature *f = &s->out->nearest;
   for (unsigned i = 0; i < s->count; i++) {

@@ -1,4 +1,4 @@
-// The exact oracle: claims against brute force.
+// The exact oracle: judges claims by brute force.
 #include "claim.h"
 
 #include <math.h>
@@ -73,7 +73,7 @@ bool exact_claims_distance(const exact_claims *c, const gjk_distance_result *r) 
          (fabs(gap - distance) <= 2.0001 || refuse(c, "the points' distance"));
 }
 
-// How far A - B, rounded, reaches along the normal; within 2^-20 for shapes below 2^30 LSB.
+// How far A - B, convex radii included, reaches along the normal; within 2^-20 for shapes below 2^30 LSB.
 static long double reach_along(const exact_claims *c, const gjk_unit3 *n) {
   long double most[2] = {-1e30L, -1e30L};
   const gjk_collider *const shape[2] = {c->a, c->b};
@@ -88,7 +88,7 @@ static long double reach_along(const exact_claims *c, const gjk_unit3 *n) {
   return (most[0] + most[1]) / GJK_Q30_ONE + c->a->shape->convex_radius + c->b->shape->convex_radius;
 }
 
-// Do the shapes part when B has moved?
+// Do the shapes no longer overlap when B has moved?
 static bool is_parted(const exact_claims *c, const gjk_penetration_result *r) {
   const exact_point t = exact_move(r);
   const gjk_vec3 *at = &c->b->position;
@@ -121,7 +121,7 @@ bool exact_claims_penetration(const exact_claims *c, const gjk_penetration_resul
   if (fabs(norm(n->x, n->y, n->z) - GJK_Q30_ONE) > 4.0001) {
     return refuse(c, "normal: its length");
   }
-  // The normal is off by 2^-28, and A - B at most so long.
+  // Slack: the normal is off by 2^-28, and A - B is at most so long.
   const long double size = (long double)c->a->radius + c->b->radius;
   const long double slack = 2 * size / (1 << 28) + 0.0001L, reach = reach_along(c, n);
   if (reach > r->depth + slack || reach < r->depth - 1 - slack) {

@@ -1,9 +1,9 @@
 // The exact depth of an overlap, by trying every direction that a facet of A - B can have.
 //
-// A facet of A - B is the face of A that lies farthest along its normal less the face of B that lies farthest along the
-// opposite: a polygon of A, a polygon of B, or an edge of each that are not parallel. So its normal is the cross product
-// of two edges that A's vertices span, or B's, or of one of each; and the least height of A - B over all of these
-// directions is that over its facets, since every direction's height is at least the depth.
+// A facet of A - B is a face of A, farthest along the normal, minus a face of B, farthest against it. One of the two is
+// a polygon, or both are edges that are not parallel. So the normal is the cross product of two edges between vertices
+// of A, or of B, or of one of each. All these directions are tried. Every direction's height is at least the depth, so
+// the least height is that of a facet.
 #include "depth.h"
 
 #include <assert.h>
@@ -13,7 +13,7 @@ __extension__ typedef __int128 wide;
 
 #define EDGES_MAX (EXACT_DEPTH_VERTICES * (EXACT_DEPTH_VERTICES - 1) / 2)
 
-// Relative to A's first vertex: A's coordinates are below 2^30, as its diameter is, and B's below 2^32.
+// Vertices relative to A's first one: those of A are below 2^30, as its diameter is, those of B below 2^32.
 typedef struct corner {
   int64_t x[3];
 } corner;
@@ -59,7 +59,7 @@ static direction edge(const polytope *p, unsigned i, unsigned k) {
   return e;
 }
 
-// Of edges 2^30: 2^61; of such a product and an edge 2^92.
+// Edges are at most 2^30, so their cross product is at most 2^61; that of such a product and an edge 2^92.
 static direction cross(const direction *a, const direction *b) {
   const direction n = {{a->x[1] * b->x[2] - a->x[2] * b->x[1], a->x[2] * b->x[0] - a->x[0] * b->x[2],
                         a->x[0] * b->x[1] - a->x[1] * b->x[0]}};
@@ -70,7 +70,7 @@ static bool is_zero(const direction *d) {
   return d->x[0] == 0 && d->x[1] == 0 && d->x[2] == 0;
 }
 
-// At most 3 2^92 2^32 < 2^126.
+// |height| <= 3 * 2^92 * 2^32 < 2^126.
 static wide dot(const direction *d, const corner *v) {
   return d->x[0] * v->x[0] + d->x[1] * v->x[1] + d->x[2] * v->x[2];
 }
@@ -91,8 +91,8 @@ static exact_int from_wide(wide value) {
   return exact_add(&product, &lower);
 }
 
-// The height of A - B along d, times sign. Doubles tell most that are higher than the best; both heights are known to
-// 2^-48.
+// The height of A - B along sign * d. Doubles tell most directions that are higher than the best one: both heights are
+// known to within 2^-48.
 static void consider(search *s, const direction *d, int sign, wide height) {
   if (height < 0) {
     s->apart = true;
@@ -127,7 +127,7 @@ static void try_direction(search *s, const direction *d) {
   }
 }
 
-// The planes of three vertices of one shape.
+// Tries the planes of three vertices of one shape.
 static void try_faces(search *s, const polytope *p) {
   for (unsigned i = 0; i < p->count; i++) {
     for (unsigned k = i + 1; k < p->count; k++) {
@@ -150,7 +150,7 @@ static unsigned list_edges(const polytope *p, direction *out) {
   return count;
 }
 
-// The dimension of A - B; base: as many of its edges that are not in one line or plane.
+// The dimension of A - B. base: as many of its edges, which are not in one line or plane.
 static unsigned dimension(const direction *edges, unsigned count, direction base[3]) {
   unsigned rank = 0;
   for (unsigned i = 0; i < count && rank < 3; i++) {
@@ -170,7 +170,7 @@ static unsigned dimension(const direction *edges, unsigned count, direction base
   return rank;
 }
 
-// A plane through the origin, or s->apart.
+// Of a flat A - B: finds a plane through the origin, or sets s->apart.
 static void try_flat(search *s, unsigned rank, const direction base[3], const direction *edges, unsigned count) {
   static const direction axes[3] = {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
   if (rank == 2) {

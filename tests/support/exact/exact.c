@@ -52,7 +52,7 @@ static double centre_distance(const gjk_collider *a, const gjk_collider *b) {
   return sqrt(x * x + y * y + z * z);
 }
 
-// In integers: a square root in double is 2^30 for what is a little more.
+// In integers: a square root in double rounds to 2^30 for what is a little more.
 bool exact_is_far(const gjk_collider *a, const gjk_collider *b) {
   const exact_int x = exact_from((int64_t)a->centre.x - b->centre.x), xx = exact_mul(&x, &x);
   const exact_int y = exact_from((int64_t)a->centre.y - b->centre.y), yy = exact_mul(&y, &y);
@@ -104,7 +104,7 @@ bool judge_load(judge *j, const gjk_certificate *certificate, unsigned most) {
   return true;
 }
 
-// Doubles settle what they can: with p within 2^-51 of itself, the products and sums in double are off by less than
+// Doubles settle most vertices. With p within 2^-51 of itself, the products and sums in double are off by less than
 // 2^-49 of the sum of their sizes.
 bool judge_none_before(const gjk_collider *c, unsigned count, const exact_point *base, const exact_vector *direction,
                        int sign) {
@@ -139,7 +139,7 @@ bool judge_nearest(judge *j, const gjk_certificate *certificate) {
          judge_refuse(j, "a vertex of B lies nearer");
 }
 
-// Is the feature's point farther than the radius?
+// Is the feature's point farther from the origin than the radius?
 static bool is_beyond(judge *j) {
   return exact_feature_compare(&j->feature, 2 * j->radius) > 0 || judge_refuse(j, "it comes within the radius");
 }
@@ -158,7 +158,7 @@ static bool is_near(judge *j, const gjk_certificate *certificate) {
          judge_refuse(j, "the feature is farther than the radius");
 }
 
-// The largest direction . vertex, times sign, in the world.
+// The largest sign * direction . vertex, in the world.
 static exact_int farthest(const gjk_collider *c, unsigned count, const exact_vector *direction, int sign) {
   exact_int largest = exact_from(0);
   for (unsigned i = 0; i < count; i++) {
@@ -208,7 +208,7 @@ static bool is_bounded(const gjk_collider *c, unsigned count) {
   return c->radius - c->core_radius == c->shape->convex_radius;
 }
 
-// Do spheres around the centres hold the shapes and leave more than the asked distance between them?
+// Are spheres around the centres that hold the shapes farther apart than the asked distance?
 static bool is_spheres(judge *j) {
   const gjk_vec3 *p = &j->a->centre, *q = &j->b->centre;
   const exact_point apart = {{(int64_t)p->x - q->x, (int64_t)p->y - q->y, (int64_t)p->z - q->z}};
@@ -246,7 +246,7 @@ bool exact_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_q16 
          (decision->yes ? is_together(&j, &decision->certificate) : is_apart(&j, &decision->certificate));
 }
 
-// 2 D - 1 <= 2 (distance of the cores - radius) < 2 D + 1, the left one for D > 0.
+// Rounded correctly: 2 D - 1 <= 2 (distance of the cores - radius) < 2 D + 1; the left part only if D > 0.
 static bool is_rounded(judge *j, int64_t distance) {
   const int64_t twice = 2 * (distance + j->radius);
   if (distance > 0 && exact_feature_compare(&j->feature, twice - 1) < 0) {

@@ -58,7 +58,7 @@ static void weigh_segment(const exact_point *points, exact_feature *out) {
   out->weight[1] = exact_negate(dot_points(&points[0], &e));
 }
 
-// Along the normal n, the origin sees each corner's opposite edge as the area n . (p x q) / 2.
+// Along the normal n the origin spans with each edge the area n . (p x q) / 2, the weight of the opposite corner.
 static void weigh_triangle(const exact_point *points, exact_feature *out) {
   const exact_point e = exact_subtract(&points[1], &points[0]), f = exact_subtract(&points[2], &points[0]);
   const exact_vector n = exact_cross(&e, &f);
@@ -83,7 +83,7 @@ bool exact_feature_make(const exact_point *points, unsigned count, exact_feature
       out->point.x[i] = exact_add(&out->point.x[i], &term);
     }
   }
-  // The nearest point p of a line or plane is at right angles to it: p . p = p . any point of it.
+  // The nearest point p of a line or plane is at right angles to it, so p . p = p . q for each point q of it.
   out->squared = exact_dot(&out->point, &points[0]);
   return out->denominator.sign > 0;
 }
@@ -97,7 +97,7 @@ bool exact_feature_contains(const exact_feature *feature, unsigned count, bool i
   return true;
 }
 
-// The points of a set whose bits are set in mask; returns their number.
+// Takes the points whose bits are set in mask. Returns their number.
 static unsigned choose(const exact_point *points, unsigned count, unsigned mask, exact_point *chosen) {
   unsigned n = 0;
   for (unsigned i = 0; i < count; i++) {
@@ -137,7 +137,7 @@ static int determinant_sign(const exact_point *a, const exact_point *b, const ex
   return exact_dot(&n, c).sign;
 }
 
-// Seen from the origin, all four faces of the tetrahedron turn the same way; flat ones are left to their faces.
+// The origin is inside if all four faces turn the same way as seen from it. If the tetrahedron is flat, its faces tell.
 static bool tetrahedron_encloses(const exact_point *p) {
   const exact_point e = exact_subtract(&p[1], &p[0]), f = exact_subtract(&p[2], &p[0]);
   const exact_point g = exact_subtract(&p[3], &p[0]);

@@ -104,7 +104,7 @@ exact_int exact_mul(const exact_int *a, const exact_int *b) {
   if (a->sign == 0 || b->sign == 0) {
     return product;
   }
-  // The product has count or count - 1 limbs; only numbers far above every bound of the tests come near the end.
+  // The product has count or count - 1 limbs. Only numbers far above every bound of the tests come near the end.
   product.count = a->count + b->count;
   require_room(product.count);
   for (unsigned i = 0; i < a->count; i++) {

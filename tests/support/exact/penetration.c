@@ -4,10 +4,10 @@
 #include "depth.h"
 #include "judge.h"
 
-// Enough for most shapes as moved.
+// Cells enough for most moved shapes.
 #define CELLS GJK_EPA_CELLS(24 * 24)
 
-// Three pairs span it, and no a - b lies beyond it.
+// A facet: three pairs span its plane, and no a - b lies beyond it.
 static bool is_facet(judge *j, const gjk_certificate *certificate, exact_plane *out) {
   if (!judge_load(j, certificate, 3)) {
     return false;
@@ -29,7 +29,7 @@ static bool is_facet(judge *j, const gjk_certificate *certificate, exact_plane *
          judge_refuse(j, "a vertex of B lies beyond the plane");
 }
 
-// A direction along which no a - b lies beyond the origin; the pairs hold the origin.
+// A direction along which no a - b lies beyond the origin, while the pairs hold the origin.
 static bool is_through_origin(judge *j, const gjk_certificate *certificate, exact_plane *out) {
   const gjk_vec3 *d = &certificate->direction;
   const exact_vector direction = {{exact_from(d->x), exact_from(d->y), exact_from(d->z)}};
@@ -44,7 +44,7 @@ static bool is_through_origin(judge *j, const gjk_certificate *certificate, exac
   if (!exact_encloses(j->w, j->count)) {
     return judge_refuse(j, "the pairs do not hold the origin");
   }
-  // Pairs that hold the origin lie in the plane, when nothing is beyond it.
+  // If nothing lies beyond the plane, pairs that hold the origin lie in the plane.
   return (judge_none_before(j->a, j->count_a, &j->at_a[0], &direction, -1) &&
           judge_none_before(j->b, j->count_b, &j->at_b[0], &direction, 1)) ||
          judge_refuse(j, "a vertex lies beyond the plane through the origin");
@@ -77,7 +77,8 @@ static bool is_depth(judge *j, const exact_plane *plane, const gjk_penetration_r
                       exact_plane_height(plane) + (double)j->radius);
 }
 
-// Is the point within 1 LSB of the shape? When the named vertices do not tell, a query does whose answer is proven.
+// Is the point within 1 LSB of the shape? If the named vertices do not tell, a query of the library does, whose answer
+// is proven here.
 static bool is_of_shape(const gjk_vec3 *point, const gjk_collider *shape, const exact_point *vertices, unsigned count) {
   static const gjk_shape point_shape = GJK_POINT;
   const exact_point at = {{point->x, point->y, point->z}};
@@ -94,8 +95,8 @@ static bool is_of_shape(const gjk_vec3 *point, const gjk_collider *shape, const 
          exact_check_decision(shape, &other, 1, &decision, why, sizeof why);
 }
 
-// point_a - point_b is the exact depth along the exact normal, to within 2 LSB: both are rounded, the depth is not. The
-// lengths are below 2^32 and known to 2^-15.
+// point_a - point_b must be the exact depth along the exact normal, within 2 LSB: both points are rounded, the depth is
+// not. The lengths are below 2^32 and known to 2^-15.
 static bool is_gap(judge *j, const exact_plane *plane, const gjk_penetration_result *result) {
   const double scale = (exact_plane_height(plane) + (double)j->radius) / sqrt(exact_to_double(&plane->squared));
   const double gap[3] = {(double)result->point_a.x - result->point_b.x, (double)result->point_a.y - result->point_b.y,
@@ -121,8 +122,8 @@ exact_point exact_move(const gjk_penetration_result *result) {
   return t;
 }
 
-// No a - b is beyond the plane, so after the move no a - b - t is beyond height - normal . t: at least radius behind the
-// origin?
+// No a - b lies beyond the plane. So after a move by t no a - b - t lies beyond height - normal . t. Is that at least
+// radius behind the origin?
 static bool parts(const judge *j, const exact_plane *plane, const exact_point *t) {
   const exact_int along = exact_dot(&plane->normal, t);
   exact_plane moved = *plane;
@@ -137,7 +138,7 @@ static bool move_collider(const gjk_collider *from, const exact_point *by, gjk_c
   return x == position.x && y == position.y && z == position.z && gjk_collider_move(out, &position) == GJK_OK;
 }
 
-// Depth 0: by a certificate, or by trying every direction.
+// Depth 0 is shown by a certificate, or by a trial of every direction.
 static bool touch(const gjk_collider *a, const gjk_collider *b) {
   static gjk_epa_cell cells[CELLS];
   static const gjk_workspace workspace = {cells, CELLS};
@@ -150,7 +151,8 @@ static bool touch(const gjk_collider *a, const gjk_collider *b) {
   return exact_overlap_find(a, b, &overlap) && overlap.touching;
 }
 
-// The shapes themselves, carried to the middle of the world, where there is room; whatever finds it, the proof counts.
+// Moves the shapes themselves, in the middle of the world, where there is room. The library may find the answer, as
+// only its proof counts.
 static bool parts_shapes(const judge *j, const exact_point *t) {
   const gjk_vec3 *c = &j->a->centre;
   const exact_point back = {{c->x, c->y, c->z}}, zero = {{0, 0, 0}};

@@ -18,7 +18,7 @@ void exact_plane_make(const exact_vector *normal, const exact_int *height, exact
 }
 
 void exact_plane_behind(const exact_feature *feature, exact_plane *out) {
-  // With p the nearest point, point = p denominator and squared = p . p denominator = point . p.
+  // With p the nearest point: point = p * denominator, and squared = p . p * denominator = point . p.
   const exact_int height = exact_negate(feature->squared);
   exact_vector normal;
   for (int i = 0; i < 3; i++) {

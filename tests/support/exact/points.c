@@ -8,7 +8,8 @@ exact_vector judge_opposite(const exact_vector *v) {
   return negated;
 }
 
-// Rounded vertices may name a neighbour of the nearest feature: whatever they span is an upper bound.
+// The vertices of a far pair are rounded, so they may name a neighbour of the nearest feature. The distance of what
+// they span is an upper bound.
 bool judge_far_apart(judge *j, const gjk_certificate *certificate) {
   if (!judge_load(j, certificate, 3)) {
     return false;
@@ -19,8 +20,8 @@ bool judge_far_apart(judge *j, const gjk_certificate *certificate) {
          judge_refuse(j, "far: the feature does not separate");
 }
 
-// With d reported and the gap g, d - g <= g / 2^28 when g >= d - d / (2^28 + 1), and g - d <= g / 2^28 when
-// g <= d + d / (2^28 - 1). Bounds are rounded to fine parts, inwards.
+// With d the reported distance and g the gap: d - g <= g / 2^28 if g >= d - d / (2^28 + 1), and g - d <= g / 2^28 if g
+// <= d + d / (2^28 - 1). Bounds are rounded inwards to parts of an LSB.
 bool judge_far_distance(judge *j, const gjk_distance_result *result) {
   const int64_t d = JUDGE_FINE * (int64_t)result->distance, radius = JUDGE_FINE * j->radius;
   const int64_t least = radius + d - d / ((INT64_C(1) << 28) + 1), most = radius + d + d / ((INT64_C(1) << 28) - 1);
@@ -40,7 +41,7 @@ static exact_point from_vec3(const gjk_vec3 *v) {
   return p;
 }
 
-// The normal of a far pair comes from rounded vertices: what holds is that the distance along it is right.
+// The normal of a far pair comes from rounded vertices. It is right if the distance along it is.
 static bool is_far_normal(judge *j, const gjk_distance_result *result) {
   const gjk_unit3 *n = &result->normal;
   const exact_vector direction = {{exact_from(n->x), exact_from(n->y), exact_from(n->z)}};
@@ -58,7 +59,7 @@ bool judge_at(const exact_point *point, const exact_point *vertices, unsigned co
   return exact_feature_compare(&feature, 2 * limit) <= 0;
 }
 
-// The lengths involved stay below 2^34 and are known to 2^-49 of themselves.
+// The lengths here are below 2^34 and known to 2^-49 of themselves.
 static bool is_gap(judge *j, const exact_point *a, const exact_point *b) {
   const exact_point between = exact_subtract(a, b);
   exact_feature feature;

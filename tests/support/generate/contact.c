@@ -1,4 +1,4 @@
-// Families whose shapes share planes, lines, points and lattices.
+// Makes pairs whose shapes share planes, lines, points or lattices.
 #include "contact.h"
 
 #include <stdlib.h>
@@ -13,7 +13,7 @@ static gjk_vec3 step(gjk_vec3 v, int32_t factor, gjk_vec3 u) {
   return sum;
 }
 
-// One LSB along the axis that the vector is longest in.
+// Moves by one LSB along the axis in which the vector is longest.
 static gjk_vec3 nudge_along(gjk_vec3 v) {
   const gjk_vec3 x = {v.x < 0 ? -1 : 1, 0, 0}, y = {0, v.y < 0 ? -1 : 1, 0}, z = {0, 0, v.z < 0 ? -1 : 1};
   const int32_t ax = abs(v.x), ay = abs(v.y), az = abs(v.z);
@@ -43,7 +43,7 @@ void generate_stacked_hulls(random_state *random, case_pair *pair) {
   generate_bake(&pair->b);
 }
 
-// A plane of small integers: its normal and two directions within it.
+// A plane of small integers: its normal, and two directions in it.
 typedef struct tilted_plane {
   gjk_vec3 normal, u, v;
 } tilted_plane;
@@ -129,7 +129,7 @@ void generate_flat(random_state *random, case_pair *pair) {
   pair->b.pose.position.z += random_below(random, 4) == 0 ? random_range(random, -1, 1) : 0;
 }
 
-// Corner to corner at an offset whose length is an integer.
+// The shapes stand corner to corner, at an offset whose length is an integer.
 void generate_level_radius(random_state *random, case_pair *pair) {
   static const int32_t offsets[][4] = {{0, 0, 1, 1}, {0, 3, 4, 5},  {1, 2, 2, 3},  {2, 3, 6, 7},   {1, 4, 8, 9},
                                        {4, 4, 7, 9}, {2, 6, 9, 11}, {6, 6, 7, 11}, {8, 9, 12, 17}, {0, 20, 21, 29}};

@@ -14,7 +14,7 @@ static gjk_q16 at_most(gjk_q16 a, int64_t b) {
   return a < b ? a : (gjk_q16)b;
 }
 
-// Two polytopes of about one scale, the second up to 32 times smaller.
+// Makes two polytopes of about one scale, the second up to 32 times smaller.
 static void make(random_state *random, case_kind a, case_kind b, gjk_q16 reach, case_pair *pair) {
   const gjk_q16 other = reach >> random_below(random, 6);
   generate_polytope(random, a, reach, &pair->a);
@@ -25,7 +25,7 @@ static void round_off(random_state *random, gjk_q16 reach, case_shape *shape) {
   shape->convex_radius = random_range(random, 0, at_most(reach, GJK_RADIUS_MAX - generate_bound(reach) - 8));
 }
 
-// Centres somewhere in the middle of the range in which the gap changes its sign.
+// Places the centres in the middle of the range in which the gap changes its sign.
 static void anywhere(random_state *random, case_pair *pair) {
   generate_apart(random, 1.2 * generate_unit(random), pair);
 }
@@ -58,7 +58,7 @@ static void rounded(random_state *random, case_pair *pair) {
   anywhere(random, pair);
 }
 
-// A few LSB of everything: most signs are zeros.
+// Shapes and offsets of a few LSB, so that most signs are zeros.
 static void tiny(random_state *random, case_pair *pair) {
   const gjk_q16 reach = random_range(random, 3, 12);
   make(random, generate_kind(random), generate_kind(random), reach, pair);
@@ -67,7 +67,7 @@ static void tiny(random_state *random, case_pair *pair) {
   anywhere(random, pair);
 }
 
-// Anywhere in the world: gaps of up to 2^33 LSB.
+// Shapes anywhere in the world, with gaps of up to 2^33 LSB.
 static void far_apart(random_state *random, case_pair *pair) {
   gjk_vec3 *a = &pair->a.pose.position, *b = &pair->b.pose.position;
   const int32_t limit =
@@ -107,7 +107,7 @@ static void near_rounded(random_state *random, case_pair *pair) {
   touching(random, pair);
 }
 
-// Points, segments and triangles at boxes and hulls.
+// Points, segments and triangles near boxes and hulls.
 static void near_thin(random_state *random, case_pair *pair) {
   const case_kind thin = (case_kind)random_below(random, CASE_TRIANGLE + 1);
   make(random, random_below(random, 2) == 0 ? CASE_BOX : CASE_HULL, thin, generate_reach(random), pair);

@@ -78,14 +78,14 @@ static gjk_certificate *certificate_of(forge_claim *claim) {
                                          : &claim->penetration.certificate;
 }
 
-// The values that a feature or facet of named pairs has.
+// The values that belong to a feature or facet of the named pairs.
 typedef struct fit {
   double a[3], b[3];  // where the nearest points of the cores are
   double normal[3];   // unit, from A to B; outwards for a facet
   double height;      // of the cores' plane over the origin; negative: their distance
 } fit;
 
-// Places a shape's named vertices by their weights.
+// Sets a point of a shape from its named vertices and their weights.
 static void weigh(const gjk_collider *c, const uint16_t *named, unsigned count, const double weight[3], double out[3]) {
   out[0] = out[1] = out[2] = 0;
   for (unsigned i = 0; i < count; i++) {
@@ -185,7 +185,7 @@ void forge_fit(const gjk_collider *a, const gjk_collider *b, forge_claim *claim)
   }
 }
 
-// By little or much; any bits, the opposite, 0.
+// Changes a number by little or much: to any bits, the opposite, or 0.
 static void change(uint32_t how, int32_t value, int32_t *x) {
   const uint32_t u = (uint32_t)*x, v = (uint32_t)value;
   uint32_t to = 0;
@@ -262,8 +262,8 @@ void forge_edit(uint32_t field, uint32_t how, int32_t value, forge_claim *claim)
   }
 }
 
-// The answer for B moved somewhere, together or apart: its certificate names a facet of that A - B, which is one of
-// this.
+// The answer for B moved to another place, apart or overlapping. Its certificate names a facet of that A - B, which is
+// also one of this A - B.
 static bool borrow(random_state *random, const gjk_collider *a, const gjk_collider *b, forge_claim *out) {
   gjk_collider moved = *b;
   const double length = generate_unit(random) * 1.2 * ((double)a->radius + b->radius);
@@ -303,7 +303,7 @@ void forge(random_state *random, const gjk_collider *a, const gjk_collider *b, c
   } else if (way == 7) {  // all of it from elsewhere
     *out = *other;
   }
-  // A certificate that is changed before the values are fitted to it makes a better lie.
+  // A lie is better if the certificate is changed before the values are fitted to it.
   if (random_below(random, 4) == 0) {
     edit_certificate(random_u32(random), random_u32(random), (int32_t)random_below(random, 1000), certificate_of(out));
   }

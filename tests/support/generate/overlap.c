@@ -12,7 +12,7 @@ static gjk_q16 at_least(gjk_q16 a, gjk_q16 b) {
   return a > b ? a : b;
 }
 
-// Two polytopes of about one scale, the second up to 8 times smaller. Returns the smaller one's reach.
+// Makes two polytopes of about one scale, the second up to 8 times smaller. Returns the smaller one's reach.
 static gjk_q16 make(random_state *random, case_kind a, case_kind b, case_pair *pair) {
   const gjk_q16 reach = generate_reach(random), other = at_least(reach >> random_below(random, 4), 3);
   generate_polytope(random, a, reach, &pair->a);
@@ -29,7 +29,7 @@ static void round_off(random_state *random, gjk_q16 most, case_shape *shape) {
   shape->convex_radius = random_range(random, 0, most < room ? most : room);
 }
 
-// From 1 LSB to most, evenly spread over the orders of magnitude.
+// A depth from 1 LSB to most; every order of magnitude is equally likely.
 static gjk_q16 any_depth(random_state *random, gjk_q16 most) {
   return (gjk_q16)exp(generate_unit(random) * log((double)at_least(most, 2)));
 }
@@ -47,7 +47,7 @@ static void shallow_hulls(random_state *random, case_pair *pair) {
   sink(random, make(random, CASE_HULL, CASE_HULL, pair) / 4, pair);
 }
 
-// Points, segments and triangles in boxes and hulls.
+// Points, segments and triangles inside boxes and hulls.
 static void shallow_thin(random_state *random, case_pair *pair) {
   const case_kind thin = (case_kind)random_below(random, CASE_TRIANGLE + 1);
   sink(random, make(random, solid(random), thin, pair) / 4, pair);
@@ -61,7 +61,7 @@ static void shallow_rounded(random_state *random, case_pair *pair) {
   sink(random, reach / 2, pair);
 }
 
-// Everything a few LSB large.
+// Shapes and offsets of a few LSB.
 static void deep_tiny(random_state *random, case_pair *pair) {
   generate_polytope(random, solid(random), random_range(random, 3, 12), &pair->a);
   generate_polytope(random, generate_kind(random), random_range(random, 3, 12), &pair->b);
@@ -96,7 +96,8 @@ static void deep_rounded(random_state *random, case_pair *pair) {
   deep(random, pair);
 }
 
-// The centres of the bounding boxes coincide, or nearly: for symmetric shapes each direction ties with its opposite.
+// The centres of the bounding boxes coincide, or almost. For symmetric shapes each direction then ties with its
+// opposite.
 static void concentric(random_state *random, case_pair *pair) {
   make(random, solid(random), generate_kind(random), pair);
   generate_apart(random, 0, pair);
@@ -117,16 +118,16 @@ static void slivers(random_state *random, case_pair *pair) {
   generate_apart(random, 0.02 * generate_unit(random), pair);
 }
 
-// Crossing sheets: their A - B has an inside, though they have none.
+// Crossing sheets: A - B has an inside, though the sheets have none.
 static void sheets(random_state *random, case_pair *pair) {
   static const case_kind thin[3] = {CASE_SEGMENT, CASE_TRIANGLE, CASE_TRIANGLE};
   make(random, CASE_TRIANGLE, thin[random_below(random, 3)], pair);
   deep(random, pair);
 }
 
-// A hull or box and the same again, at a vertex of it, a difference of two, or where it stands: planes, edges and
-// vertices coincide, and A - B is full of parallel edges. Turned, a hull may reach up to twice as far from its box's
-// centre.
+// A hull or box and its copy: at a vertex of it, at a difference of two, or at the same place. Planes, edges and
+// vertices coincide, and A - B is full of parallel edges. Turned, a hull may reach twice as far from the centre of its
+// box.
 static void same(random_state *random, case_pair *pair) {
   generate_polytope(random, solid(random), at_least(generate_reach(random) / 2, 3), &pair->a);
   pair->a.pose.rotation = generate_rotation(random);
@@ -148,7 +149,8 @@ static void same(random_state *random, case_pair *pair) {
   }
 }
 
-// A cube in a cube, turned alike, as hulls: the heights of all facets of A - B are within a few LSB of each other.
+// A cube in a cube with the same rotation, as hulls. The heights of all facets of A - B are within a few LSB of each
+// other.
 static void cubes(random_state *random, case_pair *pair) {
   const gjk_q16 half = at_least(generate_reach(random) / 2, 8);
   const gjk_quat rotation = generate_rotation(random);
@@ -166,7 +168,7 @@ static void cubes(random_state *random, case_pair *pair) {
   pair->b.pose.position.y += random_range(random, -2, 2);
 }
 
-// Equal boxes, faces or edges flush, pushed into each other along the others.
+// Equal boxes with faces or edges flush along some axes, pushed into each other along the others.
 static void flush_boxes(random_state *random, case_pair *pair) {
   const gjk_q16 unit = at_least(generate_reach(random) / 8, 2);
   case_shape *shapes[2] = {&pair->a, &pair->b};
@@ -186,7 +188,7 @@ static void flush_boxes(random_state *random, case_pair *pair) {
   }
 }
 
-// Some vertices twice, and points of edges and faces as vertices of their own.
+// Hulls with some vertices twice, and with points of edges and faces as vertices.
 static void duplicates(random_state *random, case_pair *pair) {
   generate_lattice(random, pair);
   case_shape *shapes[2] = {&pair->a, &pair->b};

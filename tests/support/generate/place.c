@@ -1,4 +1,4 @@
-// Where the second shape of a pair stands.
+// Places the shapes of a pair.
 #include "place.h"
 
 #include <math.h>
@@ -32,7 +32,7 @@ static void move(case_shape *shape, const gjk_vec3 *by) {
   p->z = clamp((int64_t)p->z + by->z);
 }
 
-// Puts B's centre the given multiple of both radii away from A's.
+// Puts B's centre at factor times both radii from A's.
 static void set_apart(random_state *random, double factor, case_pair *pair, built_pair *built) {
   const gjk_collider *a = &built->a.collider, *b = &built->b.collider;
   if (build(pair, built)) {
@@ -54,7 +54,7 @@ void generate_apart(random_state *random, double factor, case_pair *pair) {
   release(&built);
 }
 
-// Moves B to the given gap, if the two are apart.
+// Moves B to the given gap, if the shapes are apart.
 static bool approach(const built_pair *built, gjk_q16 gap, case_pair *pair) {
   gjk_distance_result r;
   if (gjk_distance(&built->a.collider, &built->b.collider, NULL, &r) != GJK_OK || r.intersecting) {
@@ -72,7 +72,7 @@ void generate_near(random_state *random, gjk_q16 gap, case_pair *pair) {
   built_pair built;
   memset(&built, 0, sizeof built);
   set_apart(random, 1.1, pair, &built);
-  // The first step stops before they touch; from there the second one is exact to the lattice.
+  // The first step stops before the shapes touch. From there the second step is as exact as integer coordinates allow.
   if (build(pair, &built) && approach(&built, 8, pair) && build(pair, &built)) {
     approach(&built, gap, pair);
   }

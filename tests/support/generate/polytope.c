@@ -1,4 +1,4 @@
-// Random polytopes, sizes and rotations.
+// Makes random polytopes, sizes and rotations.
 #include "polytope.h"
 
 #include <math.h>
@@ -32,7 +32,7 @@ gjk_vec3 generate_vector(random_state *random, double length) {
   return v;
 }
 
-// Each component 0 or 1 in Q30, or that and up to the given amount.
+// Changes each component of 0 or 1 (Q30) by up to the given amount, or by nothing.
 static gjk_quat quarter_turn(random_state *random, int32_t disturbance) {
   gjk_quat q;
   do {
@@ -68,7 +68,7 @@ case_kind generate_kind(random_state *random) {
   return (case_kind)random_below(random, CASE_HULL + 1);
 }
 
-// Mostly few; one in eight from 65 to 256.
+// The number of points: mostly few, one in eight from 65 to 256.
 static size_t hull_count(random_state *random) {
   switch (random_below(random, 8)) {
     case 0: return 65 + random_below(random, 192);
@@ -89,7 +89,7 @@ static gjk_vec3 on_lattice(random_state *random, gjk_q16 step) {
   return v;
 }
 
-// Half the edge of a cube that keeps within 0.96 of reach.
+// Half the edge of a cube that stays within 0.96 of reach.
 static gjk_q16 cube_within(gjk_q16 reach) {
   return (gjk_q16)((int64_t)reach * 5 / 9);
 }
@@ -116,7 +116,7 @@ static void fill_hull(random_state *random, gjk_q16 reach, case_shape *out) {
   }
 }
 
-// The middle of the vertices' extent along one axis.
+// The middle of the extent of the vertices along an axis.
 static double middle(const case_shape *shape, int axis) {
   int32_t low = INT32_MAX, high = INT32_MIN;
   for (size_t i = 0; i < shape->count; i++) {
@@ -128,7 +128,7 @@ static double middle(const case_shape *shape, int axis) {
   return ((double)low + high) / 2;
 }
 
-// Do the vertices keep within limit of the centre of their bounding box, which is what the library measures?
+// Are all vertices within limit of the centre of their bounding box? That is what the library measures.
 static bool keeps_within(const case_shape *shape, double limit) {
   const double cx = middle(shape, 0), cy = middle(shape, 1), cz = middle(shape, 2);
   for (size_t i = 0; i < shape->count; i++) {

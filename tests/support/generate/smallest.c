@@ -1,8 +1,8 @@
-// Pairs whose decisive determinant is the smallest that the lattice allows.
+// Makes pairs whose deciding determinant is the smallest that the lattice allows.
 //
-// The plane through two integer edges e and f has the normal n = e x f. Where the components of n have no common
-// factor, the extended Euclid algorithm finds an integer point p with n . p = k for any k: above the plane by k / |n|,
-// with |n| up to 2^59. Subtracting multiples of e and f brings p above the face, or the edges to where they cross.
+// The plane through two integer edges e and f has the normal n = e x f, |n| <= 2^59. If the components of n have no
+// common factor, the extended Euclidean algorithm finds an integer point p with n . p = k for any k: at height k / |n|.
+// Multiples of e and f, subtracted from p, bring it above the face, or the edges to where they cross.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +14,7 @@
 
 __extension__ typedef __int128 wide;
 
-// How far from the borders the contact stays, in parts of an edge.
+// How far the contact stays from borders, in parts of an edge.
 #define MARGIN 0.001L
 
 typedef struct lattice_plane {
@@ -22,7 +22,7 @@ typedef struct lattice_plane {
   long double alpha, beta;  // of the reduced point: alpha e + beta f, and its height
 } lattice_plane;
 
-// The greatest common divisor, never negative, as u a + v b.
+// The greatest common divisor u a + v b, never negative.
 static int64_t euclid(int64_t a, int64_t b, int64_t *u, int64_t *v) {
   int64_t u0 = 1, v0 = 0, u1 = 0, v1 = 1;
   while (b != 0) {
@@ -45,7 +45,7 @@ static void cross(const int64_t *a, const int64_t *b, int64_t *out) {
   out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-// How many e and f there are in p, good to some 2^-50 of itself.
+// The coordinates of p along e and f, good to some 2^-50 of themselves.
 static void coordinates(lattice_plane *plane, const wide *p) {
   const int64_t *e = plane->e, *f = plane->f, *n = plane->n;
   long double squared = 0, alpha = 0, beta = 0;
@@ -75,7 +75,8 @@ static bool reduce(lattice_plane *plane, wide *p, long double low) {
   return false;
 }
 
-// A point with n . p = k, reduced. False when the components of n have a common factor or the point meets a border.
+// Finds a point with n . p = k, reduced. False: the components of n have a common factor, or the point is near a
+// border.
 static bool solve(lattice_plane *plane, int64_t k, long double low, int64_t *out) {
   int64_t u, v, s, t;
   const int64_t *n = plane->n, pair = euclid(n[0], n[1], &u, &v);
@@ -101,7 +102,7 @@ static bool solve(lattice_plane *plane, int64_t k, long double low, int64_t *out
   return height == k && plane->alpha > MARGIN && plane->alpha < 1 - MARGIN && beta > MARGIN && beta < 1 - MARGIN;
 }
 
-// A point of the plane itself: there is one inside only where e and f are multiples.
+// Finds a point of the plane itself. There is one inside only if e and f are multiples of shorter integer vectors.
 static void meet(random_state *random, lattice_plane *plane, bool crossing, int multiple, int64_t *out) {
   const int64_t s = random_range(random, 1, multiple - 1);
   const int64_t t = random_range(random, 1, multiple - 1) * (crossing ? -1 : 1);
@@ -122,7 +123,7 @@ static int compare_height(const int64_t *n, int64_t k, int64_t level) {
   return k < 0 ? -1 : exact_compare(&left, &right);
 }
 
-// One of the two heights around the level.
+// One of the two heights next to the level.
 static int64_t choose_height(random_state *random, const int64_t *n, int64_t level) {
   if (level == 0) {
     return random_below(random, 2) == 0 ? -1 : 1;
@@ -138,14 +139,15 @@ static int64_t choose_height(random_state *random, const int64_t *n, int64_t lev
   return k + (int64_t)random_below(random, 2);
 }
 
-// To a multiple.
+// Rounds to a multiple.
 static void round_vector(const double *v, int multiple, int64_t *out) {
   for (int i = 0; i < 3; i++) {
     out[i] = multiple * llrint(v[i] / multiple);
   }
 }
 
-// Two edges of one face, nearly equilateral, or of two shapes, nearly square; e and f as long as the shapes may be.
+// Two edges: of one face, almost equilateral, or of two shapes, almost square. e and f are as long as the shapes may
+// be.
 static void choose_edges(random_state *random, bool crossing, int multiple, double reach, lattice_plane *plane) {
   const gjk_vec3 a = generate_vector(random, 1e9), b = generate_vector(random, 1e9);
   const int64_t first[3] = {a.x, a.y, a.z}, second[3] = {b.x, b.y, b.z};
@@ -188,8 +190,8 @@ static void append(case_shape *shape, gjk_vec3 vertex) {
   shape->vertices[shape->count - 1] = vertex;
 }
 
-// Points behind the contact point at, on the side away from the other shape, spread across the edge of a shape that
-// has one. Their height is some LSB at least, so no rounding takes them to the front.
+// Adds points behind the contact point `at`, on the side away from the other shape, spread across the edge of a shape
+// that has one. They are at least some LSB behind it, so rounding never takes them to the front.
 static void thicken(random_state *random, const lattice_plane *plane, const int64_t *edge, const double *at,
                     double reach, double side, case_shape *shape) {
   const double n[3] = {(double)plane->n[0], (double)plane->n[1], (double)plane->n[2]};

@@ -1,9 +1,10 @@
-// The accurate oracle: the reference's solver in 128-bit floating point, run until its bounds meet.
+// The accurate oracle: the GJK of the reference in 128-bit floating point, run until its bounds meet.
 #include "accurate.h"
 
 #include <math.h>
 
-// With the 64 bits of x86's long double, one pair in 200 stalls before the bounds meet; elsewhere long double is wider.
+// With the 64 bits of long double on x86, one pair in 200 stalls before the bounds meet. Elsewhere long double is
+// wider.
 #ifdef __SIZEOF_FLOAT128__
 __extension__ typedef __float128 accurate_real;
 #else
@@ -12,7 +13,7 @@ typedef long double accurate_real;
 
 #define real accurate_real
 
-// One step of Newton doubles the digits of long double.
+// One step of Newton doubles the digits that long double has.
 static real real_sqrt(real x) {
   real root = (real)sqrtl((long double)x);
   return root > 0 ? (root + x / root) / 2 : 0;
@@ -38,7 +39,8 @@ static void find(const case_pair *pair, const case_collider *a, const case_colli
                  accurate_result *out) {
   static epa_hull hull;
   static const solver_limits deep_limits = {.absolute = SOLVER_LSB / 16, .apart = SOLVER_ANY, .iterations = 3000};
-  // 2^-12 LSB between the bounds; a core distance below 2^-40 of the largest vertex, at most 2^-10 LSB, is 0.
+  // The bounds are to meet within 2^-12 LSB. A core distance below 2^-40 of the largest vertex, at most 2^-10 LSB,
+  // counts as 0.
   static const solver_limits limits = {
       .absolute = SOLVER_LSB / 4096, .enclosing = 0x1p-80L, .apart = SOLVER_ANY, .iterations = 3000};
   solver_shape shape_a, shape_b;
@@ -89,7 +91,7 @@ long double accurate_separation(const case_pair *pair, const case_collider *a, c
                        SOLVER_LSB);
 }
 
-// The point in the shape's own frame, LSB.
+// The point in the frame of the shape, LSB.
 static void to_local(const case_shape *shape, gjk_vec3 point, real out[3]) {
   solver_shape posed;
   real offset[3];
@@ -102,7 +104,7 @@ static void to_local(const case_shape *shape, gjk_vec3 point, real out[3]) {
   }
 }
 
-// The distance from a box about the origin of two or three dimensions.
+// The distance from a box of two or three dimensions about the origin.
 static real box_distance(const real p[], const real half[], int dimensions) {
   real outside = 0, inside = 0;
   for (int k = 0; k < dimensions; k++) {
@@ -120,7 +122,7 @@ static real segment_distance(real x, real z, real x0, real z0, real x1, real z1)
   return hypotenuse(x - x0 - t * ex, z - z0 - t * ez);
 }
 
-// In the half plane through the axis: the triangle of apex (0, h), rim (r, -h) and base's middle (0, -h).
+// In the half plane through the axis: the triangle of apex (0, h), rim (r, -h) and centre of the base (0, -h).
 static real cone_distance(real x, real z, real r, real h) {
   real side = segment_distance(x, z, r, -h, 0, h), base = segment_distance(x, z, 0, -h, r, -h);
   real nearest = side < base ? side : base;
@@ -128,8 +130,8 @@ static real cone_distance(real x, real z, real r, real h) {
   return inside ? -nearest : nearest;
 }
 
-// The nearest point of an ellipsoid is s^2 p / (s^2 + t) per component, for the t where it lies on the surface: the
-// sum below falls with t, and t > 0 outside. Inside, that holds up to the smallest radius of curvature.
+// The nearest point of an ellipsoid is s^2 p / (s^2 + t) in each component, for the t at which it lies on the surface.
+// The sum below falls with t, and t > 0 outside; inside that holds up to the smallest radius of curvature.
 static real ellipsoid_distance(const real p[3], const real s[3]) {
   real low = -s[0] * s[0], high = 0, squared = 0;
   for (int k = 0; k < 3; k++) {
@@ -168,7 +170,7 @@ long double accurate_point_distance(const case_shape *shape, gjk_vec3 point) {
   return (long double)(core_distance(shape->kind, p, half) - shape->convex_radius);
 }
 
-// The answer of a query about the shape and a point. False: there is no such point.
+// Asks about a shape and a point. False: there is no such point.
 static bool ask_about_point(const case_shape *shape, const case_collider *collider, gjk_vec3 point,
                             void (*query)(const case_pair *, const case_collider *, const case_collider *,
                                           accurate_result *),

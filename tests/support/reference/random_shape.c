@@ -42,7 +42,7 @@ gjk_quat random_rotation(random_state *random) {
   }
   double q[4];
   random_direction(random, 4, q);
-  // The squared length may be 2^-16 off; this is 2^-17.
+  // The squared length may be off by 2^-16; this is 2^-17.
   double scale = GJK_Q30_ONE * (1 + (random_unit(random) - 0.5) / 131072);
   for (int k = 0; k < 4; k++) {
     q[k] = fmin(fmax(q[k] * scale, INT32_MIN / 2), INT32_MAX / 2);
@@ -51,7 +51,7 @@ gjk_quat random_rotation(random_state *random) {
   return rotation;
 }
 
-// A length up to reach, at most 10,000 times smaller for a sliver, 4 times otherwise; one in 16 is 0.
+// A length up to reach: down to 1/10,000 of it for a sliver, to a quarter otherwise; one in 16 is 0.
 static gjk_q16 random_length(random_state *random, double reach, bool sliver) {
   if (random_below(random, 16) == 0) {
     return 0;
@@ -78,7 +78,7 @@ void random_shape(random_state *random, case_kind kind, gjk_q16 reach, case_shap
   if (random_below(random, 3) == 0) {
     out->convex_radius = kind == CASE_POINT ? reach : random_length(random, reach / 2, true);
   }
-  // Of a box, of a cylinder or cone, and of an ellipsoid or segment that all stay within the reach.
+  // Sizes of a box, of a cylinder or cone, and of an ellipsoid or segment, all within reach.
   const double share = kind == CASE_ELLIPSOID || kind == CASE_SEGMENT ? 1
                        : kind == CASE_CYLINDER || kind == CASE_CONE   ? sqrt(0.5)
                                                                       : sqrt(1.0 / 3);

@@ -26,7 +26,7 @@ static int32_t dice(uint32_t a, uint32_t b, uint32_t c, int32_t limit) {
   return (int32_t)(any % (2 * (uint32_t)limit + 1)) - limit;
 }
 
-// The same room for every match: nothing stays in it.
+// All matches use this memory in turn; nothing stays in it.
 #define CELLS 400
 static gjk_epa_cell cells[CELLS];
 static const gjk_workspace workspace = {cells, CELLS};
@@ -112,7 +112,7 @@ static bool move(match *m, gjk_scene *scene, uint32_t slot, match_input input) {
   return gjk_scene_move(scene, b->handle, &state.pose) == GJK_OK;
 }
 
-// What a player does besides moving: to the body that the tick says.
+// Does what a player does besides moving, to the body of the tick.
 static bool act(match *m, gjk_scene *scene, match_input input) {
   const uint32_t slot = 2 + m->tick % (MATCH_BODIES - 3);
   match_body *b = &m->bodies[slot];
@@ -135,7 +135,7 @@ static bool holds(const match *m, gjk_body_id body) {
   return m->bodies[body.slot].handle.generation == body.generation;
 }
 
-// What a manifold comes to: nearly every number in it counts.
+// A number that depends on almost every field of a manifold.
 static int32_t sum_of(const gjk_manifold *m) {
   int32_t sum = m->normal.x % 5 + m->normal.y % 7 + m->normal.z % 11 + m->feature_a + m->feature_b;
   for (int i = 0; i < m->count; i++) {
@@ -145,8 +145,8 @@ static int32_t sum_of(const gjk_manifold *m) {
   return sum;
 }
 
-// Bodies that begin to touch swap their steps; the distance of those that stay near bends the path of one, or else their
-// manifold.
+// Bodies that begin to touch swap their steps. The distance of bodies that stay near, or their manifold, bends the path
+// of one.
 static void react(void *user, const gjk_report *report) {
   match *m = user;
   if (!holds(m, report->a) || !holds(m, report->b)) {

@@ -1,4 +1,4 @@
-// A world that is saved, restored and carried to other memory.
+// A world that is saved, restored and moved to other memory.
 #include "session.h"
 
 #include <stdlib.h>

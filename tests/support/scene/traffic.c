@@ -35,7 +35,7 @@ static gjk_quat random_turn(random_state *random, int32_t size) {
   return unit;
 }
 
-// The least n with n^3 >= x.
+// The smallest n with n^3 >= x.
 static int32_t cube_root(uint32_t x) {
   int32_t n = 1;
   while ((uint32_t)(n * n * n) < x) {
@@ -139,7 +139,7 @@ void traffic_plan(traffic *t) {
   }
 }
 
-// One body in a hundred leaves, and as many come in ahead, in the same slots.
+// One body in a hundred is removed behind the window, and as many are added ahead, in the same slots.
 static gjk_status stream(traffic *t, gjk_scene *scene) {
   for (uint32_t n = 0; n < 1 + t->count / 100; n++) {
     traffic_body *b = &t->bodies[t->oldest];

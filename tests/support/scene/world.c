@@ -80,7 +80,7 @@ static gjk_vec3 random_point(random_state *random, int32_t reach) {
   return p;
 }
 
-// As far inside a corner of the whole range as p is from the origin.
+// A place as far inside a corner of the range of int32_t as p is from the origin.
 static int32_t at_edge(random_state *random, int32_t p) {
   return random_below(random, 2) == 0 ? INT32_MIN + abs(p) : INT32_MAX - abs(p);
 }
@@ -130,7 +130,7 @@ void world_random_setup(const world *w, random_state *random, world_body *body) 
   s->margin = w->options.margins ? random_range(random, 0, GJK_Q16(0.25)) : 0;
 }
 
-// The status that the scene must have for this body, too.
+// The status that the scene must return for this body.
 static gjk_status pose_parts(world_body *b) {
   gjk_status status = GJK_OK;
   for (int i = 0; i < b->setup.part_count && status == GJK_OK; i++) {

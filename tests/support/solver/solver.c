@@ -1,21 +1,21 @@
 // A small solver for rigid bodies.
 #include "solver.h"
 
-// Points up to this far apart, Q16.16, are taken in; a point's bodies may sink into each other by SLOP for good, and an
-// eighth of more is undone in a tick.
+// Contact points up to this far apart, Q16.16, are used. Bodies may stay SLOP deep in each other; an eighth of more is
+// undone in a tick.
 #define MARGIN 1311
 #define SLOP 131
 #define UNDO 8
 
 #define GRAVITY (10 * SOLVER_ONE)
 
-// Of the normal impulse, so much friction holds: 5/8.
+// Friction holds up to 5/8 of the normal impulse.
 #define FRICTION(impulse) ((impulse) / 8 * 5)
 
 static gjk_epa_cell cells[GJK_EPA_CELLS(64)];
 static const gjk_workspace workspace = {cells, sizeof cells / sizeof cells[0]};
 
-// Truncates, which takes energy out, never in. Pre: |a b| < 2^63.
+// a * b, truncated, which takes energy out and never adds any. Pre: |a b| < 2^63.
 static solver_fix mul(solver_fix a, solver_fix b) {
   return a * b / SOLVER_ONE;
 }
@@ -49,7 +49,7 @@ static solver_fix from_q16(int64_t a) {
   return a * (SOLVER_ONE / GJK_Q16_ONE);
 }
 
-// To the nearest.
+// Rounded to the nearest.
 static gjk_q16 to_q16(solver_fix a) {
   const solver_fix unit = SOLVER_ONE / GJK_Q16_ONE;
   return (gjk_q16)((a < 0 ? a - unit / 2 : a + unit / 2) / unit);
@@ -81,7 +81,7 @@ static solver_fix inverse(solver_fix a) {
   return a > 0 ? SOLVER_ONE * SOLVER_ONE / a : 0;
 }
 
-// As of a solid box of these half extents.
+// The inertia of a solid box of these half extents.
 static void set_mass(solver_body *b, gjk_vec3 half) {
   const solver_vec h = vec_from_q16(half);
   const solver_fix mass = 8 * mul(mul(h.x, h.y), h.z), xx = mul(h.x, h.x), yy = mul(h.y, h.y), zz = mul(h.z, h.z);
@@ -91,7 +91,7 @@ static void set_mass(solver_body *b, gjk_vec3 half) {
   b->inverse_inertia = third;
 }
 
-// Collider, box and inertia follow the position and the rotation.
+// Sets collider, box and inertia from position and rotation.
 static void place(solver_body *b) {
   b->pose.position.x = to_q16(b->position.x);
   b->pose.position.y = to_q16(b->position.y);
@@ -149,7 +149,7 @@ static void push(solver_world *w, const solver_pair *p, const solver_axis *k, so
   b->spin = vec_add(b->spin, vec_scale(impulse, k->turn_b));
 }
 
-// How fast B's point leaves A's along an axis.
+// The speed at which B's point leaves A's along an axis.
 static solver_fix speed_along(const solver_world *w, const solver_pair *p, const solver_axis *k) {
   const solver_body *a = &w->body[p->a], *b = &w->body[p->b];
   return vec_dot(vec_sub(b->velocity, a->velocity), k->axis) + vec_dot(b->spin, k->moment_b) -
@@ -160,7 +160,7 @@ static solver_fix magnitude(solver_fix a) {
   return a < 0 ? -a : a;
 }
 
-// A root of a, by Newton's iteration. Pre: 0 < a < 2^62.
+// The square root of a, by Newton's iteration. Pre: 0 < a < 2^62.
 static solver_fix root(solver_fix a) {
   solver_fix x = (solver_fix)1 << 31;
   for (int i = 0; i < 64; i++) {
@@ -173,7 +173,7 @@ static solver_fix root(solver_fix a) {
   return x;
 }
 
-// Two tangents that turn with the normal as little as may be.
+// Two tangents that turn as little as possible when the normal turns.
 static void set_axes(solver_vec normal, solver_vec axis[3]) {
   const solver_vec x = {SOLVER_ONE, 0, 0}, z = {0, 0, SOLVER_ONE};
   const solver_vec across = vec_cross(normal, magnitude(normal.x) < SOLVER_ONE / 8 * 5 ? x : z);
@@ -205,7 +205,7 @@ static void set_point(const solver_world *w, const solver_pair *p, const gjk_con
   point->bias = deep <= 0 ? SOLVER_RATE * from_q16(deep) : deep > SLOP ? SOLVER_RATE * from_q16(deep - SLOP) / UNDO : 0;
 }
 
-// The impulses of the tick before, by id alone.
+// Takes over the impulses of the tick before, found by id alone.
 static void warm(solver_world *w, solver_pair *p, unsigned *from) {
   const unsigned before = 1 - w->now;
   unsigned k = *from;
@@ -279,7 +279,7 @@ static solver_fix clamp(solver_fix a, solver_fix low, solver_fix high) {
   return a < low ? low : a > high ? high : a;
 }
 
-// Brings the speed along an axis to what is wanted, by an impulse within the limits.
+// Applies an impulse along an axis, within limits, that brings the speed there to the wanted one.
 static void solve_axis(solver_world *w, const solver_pair *p, solver_axis *k, solver_fix wanted, solver_fix low,
                        solver_fix high) {
   const solver_fix before = k->impulse;
@@ -310,7 +310,7 @@ static void solve(solver_world *w) {
   }
 }
 
-// By half the angle of a tick.
+// Turns a body by its spin for a tick: the quaternion has half the angle.
 static void turn(solver_body *b) {
   const solver_fix scale = GJK_Q30_ONE / SOLVER_ONE;
   const gjk_quat step = {(gjk_q30)(b->spin.x * scale / (2 * SOLVER_RATE)),

@@ -1,5 +1,5 @@
-// Bullet, in the precision that it was built for: the pair detector that its dispatcher uses, with EPA2 for depths; the
-// GJK and the EPA of EPA2 by themselves; the detector that its dispatcher uses for two boxes.
+// Bullet, in the precision that it was built for. Three methods: the pair detector that its dispatcher uses, with EPA2
+// for depths; the GJK and EPA of EPA2 alone; the detector that its dispatcher uses for two boxes.
 #include <BulletCollision/CollisionDispatch/btBoxBoxDetector.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
@@ -41,7 +41,7 @@ void *prepare(const bench_method *, const bench_pair *pair) {
   return p;
 }
 
-// A pair that the detector reports nothing about has no gap that it knows of; and no depth.
+// If the detector reports nothing about a pair, it knows of no gap and no depth.
 void run_detector(const bench_method *, void *prepared, bench_query query, bench_answer *out) {
   Prepared *p = static_cast<Prepared *>(prepared);
   btGjkPairDetector detector(&p->a, &p->b, &p->simplex, &p->depth);
@@ -81,7 +81,7 @@ void release(void *prepared) {
   delete static_cast<Prepared *>(prepared);
 }
 
-// Boxes as it takes them: with right angles, which posing has rounded.
+// Boxes as the detector takes them: with right angles. Posing has rounded the axes of ours.
 struct PreparedBoxes {
   btBoxShape a, b;
   btTransform at_a, at_b;

@@ -1,5 +1,5 @@
-// libccd, in double: its GJK, which answers yes or no, and with its EPA measures depths. (Its MPR loops without end on
-// some of the smallest pairs.)
+// libccd, in double: its GJK, which answers yes or no, and its EPA for depths. Its MPR is left out, as it loops without
+// end on some of the smallest pairs.
 #include <ccd/ccd.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ void support(const void *object, const ccd_vec3_t *direction, ccd_vec3_t *out) {
   }
 }
 
-// Its tolerances stand as it sets them; the number of iterations, unlimited by default, is bounded.
+// Its tolerances are those that it sets itself. The number of iterations, unlimited by default, gets a limit.
 void *prepare(const bench_method *, const bench_pair *pair) {
   Prepared *p = new Prepared;
   p->solid[0] = pair->solid[0];
@@ -44,7 +44,7 @@ void *prepare(const bench_method *, const bench_pair *pair) {
   return p;
 }
 
-// It returns -1 for shapes that are apart and -2 when it has failed.
+// ccdGJKPenetration returns -1 for shapes that are apart and -2 if it failed.
 void run_depth(const Prepared *p, bench_answer *out) {
   double depth = 0;
   ccd_vec3_t direction, position;

@@ -1,5 +1,5 @@
-// FCL, in double: its two GJK solvers, tolerances as it sets them. Convex shapes without faces, so all vertices are
-// scanned as every other method here does.
+// FCL, in double: its two GJK solvers, with the tolerances that it sets itself. Convex shapes get no faces, so that all
+// vertices are scanned, as by every other method here.
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/narrowphase/detail/gjk_solver_indep.h>
 #include <fcl/narrowphase/detail/gjk_solver_libccd.h>
@@ -81,7 +81,7 @@ void ask(const Prepared<Solver> *p, bench_query query, bench_answer *out) {
   out->decision = apart ? BENCH_APART : BENCH_TOGETHER;
 }
 
-// On configurations that it finds degenerate it throws.
+// FCL throws on configurations that it finds degenerate.
 template <typename Solver>
 void run(const bench_method *, void *prepared, bench_query query, bench_answer *out) {
   out->distance = 0;
@@ -100,7 +100,8 @@ void release(void *prepared) {
 
 using Ccd = fcl::detail::GJKSolver_libccdd;
 using Indep = fcl::detail::GJKSolver_indepd;
-// Its yes-or-no question and its depths run libccd's MPR, which loops without end on some of the smallest pairs.
+// Only distances are asked: its yes-or-no question and its depths run libccd's MPR, which loops without end on some of
+// the smallest pairs.
 const bench_method ccd = {"FCL libccd", "FCL libccd", 0,        BENCH_ASK(BENCH_DISTANCE),
                           false,        prepare<Ccd>, run<Ccd>, release<Ccd>};
 const bench_method indep = {

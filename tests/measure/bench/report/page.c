@@ -1,4 +1,4 @@
-// The page of a run.
+// Writes the page of a run.
 #include "page.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 #define ERROR_FLOOR 1e-4
 #define ITERATIONS_MAX 24
 
-// A method's point in a plot with one series for each series of the table.
+// A method's point in a plot with a series for each series of the table.
 static void add_method_point(const table *t, plot *p, const char *method, plot_point point) {
   const size_t s = table_series(t, method, &point.number);
   point.title = method;
@@ -24,7 +24,7 @@ static void add_method_point(const table *t, plot *p, const char *method, plot_p
   plot_add_point(&p->series[s], point);
 }
 
-// Is it one of several settings? They stand for a method that stops early, and decides nothing until it is sure.
+// Is it one of several settings of a method that stops early? Such a method decides nothing until it is sure.
 static bool is_stopped(const table *t, const char *method) {
   int setting;
   return table_series_size(t, t->series.name[table_series(t, method, &setting)]) > 1;
@@ -36,7 +36,8 @@ static void add_all_series(const table *t, plot *p) {
   }
 }
 
-// A measure against the time, each method a point. tail: another measure, where the point's thin line ends, or NULL.
+// Plots a measure against the time, a point for each method. tail: another measure, at which a thin line from the point
+// ends, or NULL.
 static void put_against_time(FILE *file, const table *t, const char *family, const char *query, const char *measure,
                              const char *tail, const char *y_label, double floor) {
   static plot p;
@@ -75,12 +76,12 @@ static void put_error_plots(FILE *file, const table *t, const char *query) {
   }
 }
 
-// Of decisions, and of depths and contacts.
+// What is wrong in decisions, and in depths and contacts.
 static const char *wrong_what(const char *query) {
   return strcmp(query, "depth") == 0 || strcmp(query, "contacts") == 0 ? "answers" : "decisions";
 }
 
-// Families in which somebody decides wrongly.
+// The families in which any method decides wrongly.
 static void put_wrong_plots(FILE *file, const table *t, const char *query) {
   char label[64];
   snprintf(label, sizeof label, "wrong %s, %% of the pairs", wrong_what(query));
@@ -104,7 +105,7 @@ static bool is_drawn(const plot *p) {
   return points > 0;
 }
 
-// Against the number of vertices of each shape, over the families of hulls.
+// Plots a measure against the number of vertices of each shape, over the families of hulls.
 static void put_vertex_plot(FILE *file, const table *t, const char *query, const char *measure, const char *y_label) {
   static plot p;
   char title[80];
@@ -133,7 +134,7 @@ static void put_vertex_plot(FILE *file, const table *t, const char *query, const
   }
 }
 
-// Queries by their iterations, all families together.
+// Plots how many queries take how many iterations, all families together.
 static void put_iterations_plot(FILE *file, const table *t, const char *query) {
   static plot p;
   char title[80];
@@ -174,7 +175,7 @@ static int compare_gaps(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-// The gaps that a family's pairs were placed at, or the depths that they have, in order. family: NULL for all.
+// The gaps at which the pairs of a family were placed, or the depths that they have, in order. family: NULL for all.
 static size_t find_gaps(const table *t, const char *family, const char *query, const char *gaps[TABLE_NAMES_MAX]) {
   size_t count = 0;
   for (size_t i = 0; i < t->count; i++) {
@@ -189,7 +190,7 @@ static size_t find_gaps(const table *t, const char *family, const char *query, c
   return count;
 }
 
-// Shares of wrong and undecided answers as they are written: in percent, 1 for what is less.
+// A share of wrong or undecided answers as it is written: in percent, at least 1.
 static plot_cell share_cell(double wrong, double undecided) {
   plot_cell cell = {wrong, ""};
   if (wrong > 0 || undecided == 0) {
@@ -207,7 +208,7 @@ static plot_cell gap_cell(const table *t, const char *family, const char *query,
                     table_at(t, family, query, method, "gap_undecided", at) / pairs);
 }
 
-// Wrong depths against the true depth, all families together.
+// Plots wrong depths against the true depth, all families together.
 static void put_depth_map(FILE *file, const table *t) {
   static plot_cell cells[TABLE_NAMES_MAX * TABLE_NAMES_MAX];
   const char *depths[TABLE_NAMES_MAX], *methods[TABLE_NAMES_MAX];

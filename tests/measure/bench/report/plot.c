@@ -1,4 +1,4 @@
-// Plots as SVG.
+// Writes plots as SVG.
 #include "plot.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@
 #define TICKS_MAX 64
 #define NAME_WIDTH 50.0  // of the name of the line across
 
-// Where a value goes on the page.
+// The place of a value on the page.
 typedef struct scale {
   const plot_axis *axis;
   double low, high;  // the axis' own, or their logarithms
@@ -61,7 +61,7 @@ static void widen(plot_axis *axis, double value) {
   }
 }
 
-// Both axes from what is to be drawn.
+// Sets both axes from what is to be drawn.
 static void fit(plot *p) {
   for (size_t i = 0; i < p->count; i++) {
     for (size_t k = 0; k < p->series[i].count; k++) {
@@ -319,7 +319,7 @@ static double reference_name_left(const plot *p, const scale *x, const scale *y)
   return LEFT;
 }
 
-// Numbers beside their points, clear of the marks and lines and of each other.
+// Writes numbers beside their points, clear of marks, lines and each other.
 static void put_numbers(FILE *file, const plot *p, const scale *x, const scale *y) {
   static label_page page;
   const label_rectangle area = {LEFT, TOP, WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM};
@@ -409,7 +409,7 @@ void plot_write_bars(FILE *file, const plot *given) {
   fprintf(file, "</figure>\n");
 }
 
-// One bar: the series' points at x, from 0 upwards; shares that there is room for are written into it.
+// Writes a bar: the series' points at x, from 0 upwards, with those shares in it for which there is room.
 static void put_stack(FILE *file, const plot *p, size_t at, double left, double width, const scale *y) {
   double below = 0;
   for (size_t i = 0; i < p->count; i++) {

@@ -9,7 +9,7 @@
 #define PLOT_SERIES_MAX 32
 #define PLOT_POINTS_MAX 64
 
-// low and high are widened to whole decades of 1, 2, 5 (log) or round numbers.
+// An axis. low and high are widened to 1, 2 or 5 times a power of ten (log), or to round numbers.
 typedef struct plot_axis {
   const char *label;  // with its unit
   bool logarithmic;
@@ -41,20 +41,20 @@ typedef struct plot {
   size_t count;
 } plot;
 
-// An empty plot.
+// Makes an empty plot.
 void plot_start(plot *p, const char *title, const char *x_label, const char *y_label);
 plot_series *plot_add_series(plot *p, const char *name, unsigned style, bool line);
-// Points that are not numbers are left out.
+// Adds a point to a series. Points that are not numbers are left out.
 void plot_add_point(plot_series *s, plot_point point);
 
-// Points, joined where a series is a line, with a legend.
+// Writes points, joined where a series is a line, with a legend.
 void plot_write_points(FILE *file, const plot *p);
-// Bars from 0, side by side; x are small integers.
+// Writes bars from 0, side by side; x are small integers.
 void plot_write_bars(FILE *file, const plot *p);
-// Bars of 0 to 100, one for each name, each made of the series' points there on top of each other.
+// Writes bars of 0 to 100, one for each name. Each is a stack of the points of all series there.
 void plot_write_stacks(FILE *file, const plot *p, const char *const *names, size_t count);
 
-// A map of numbers: a cell for each row and column, the redder the nearer to 1; the text is written into it.
+// Writes a map of numbers: a cell for each row and column, the redder the nearer it is to 1, with the text in it.
 typedef struct plot_cell {
   double share;  // 0 to 1; NAN: no cell
   char text[16];

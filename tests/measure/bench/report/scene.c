@@ -1,4 +1,4 @@
-// The page's sections about scenes.
+// Writes the page's sections about scenes.
 #include "scene.h"
 
 #include <math.h>
@@ -69,7 +69,7 @@ static double get(const scene_table *t, unsigned row, const char *column) {
   return NAN;
 }
 
-// Does a scene of this row's name come in the rows before?
+// Does a row before have the same name of a scene?
 static bool is_first(const scene_table *t, unsigned row) {
   for (unsigned i = 0; i < row; i++) {
     if (strcmp(t->names[i], t->names[row]) == 0) {

@@ -1,4 +1,4 @@
-// The figures of scenes, as scene-bench writes them: what a tick costs, and what saves it.
+// Reads and draws the figures that scene-bench writes: what the tick of a scene costs, and what saves it.
 #ifndef REPORT_SCENE_H
 #define REPORT_SCENE_H
 
@@ -15,10 +15,10 @@ typedef struct scene_table {
   double values[SCENE_ROWS_MAX][SCENE_COLUMNS_MAX];  // NAN where there is none
 } scene_table;
 
-// False, with a message, for what is not such a table.
+// False, with a message, if it is not such a table.
 bool scene_read(scene_table *out, FILE *file, const char *name);
 
-// The page's sections about scenes.
+// Writes the page's sections about scenes.
 void scene_write(FILE *file, const scene_table *t);
 
 #endif

@@ -16,7 +16,7 @@ static void add_name(table_names *names, const char *name) {
   }
 }
 
-// Cuts at the first five commas; the value may hold more.
+// Cuts a line at the first five commas; the value may hold more.
 static bool split(char *line, table_row *out) {
   char **const fields[6] = {&out->family, &out->query, &out->method, &out->measure, &out->at, &out->text};
   char *end;

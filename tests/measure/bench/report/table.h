@@ -1,4 +1,4 @@
-// The figures of a run: rows of family, query, method, measure, at and value, as gjk-bench writes them.
+// Reads the figures of a run: rows of family, query, method, measure, at and value, as gjk-bench writes them.
 #ifndef REPORT_TABLE_H
 #define REPORT_TABLE_H
 
@@ -13,7 +13,7 @@ typedef struct table_row {
 
 #define TABLE_NAMES_MAX 64
 
-// Names in the order in which they first come, each once.
+// Different names, in the order in which they first occur.
 typedef struct table_names {
   const char *name[TABLE_NAMES_MAX];
   size_t count;
@@ -25,26 +25,26 @@ typedef struct table {
   table_names families, queries, methods, series;
 } table;
 
-// False, with a message, for what is not such a table.
+// False, with a message, if it is not such a table.
 bool table_read(table *out, FILE *file, const char *name);
 void table_free(table *t);
 
-// NULL or NAN when there is no such row. Any of the keys may be "".
+// NULL or NAN if there is no such row. Any of the keys may be "".
 const char *table_text(const table *t, const char *family, const char *query, const char *method, const char *measure);
 double table_get(const table *t, const char *family, const char *query, const char *method, const char *measure);
 double table_at(const table *t, const char *family, const char *query, const char *method, const char *measure, int at);
-// The same, added up over all families; 0 when there is none.
+// A value added up over all families; 0 if there is none.
 double table_sum_at(const table *t, const char *query, const char *method, const char *measure, int at);
 
-// Was the query asked about the family's pairs?
+// Was the query asked about the pairs of the family?
 bool table_asked(const table *t, const char *family, const char *query);
 
-// Adds up the values of a measure by their at, from 0 to most; what is beyond goes to most. family: NULL for all.
-// Returns the sum of them all.
+// Adds up the values of a measure in counts[at], for at from 0 to most; larger ones go to counts[most]. Returns the sum
+// of all. family: NULL for all.
 double table_histogram(const table *t, const char *family, const char *query, const char *method, const char *measure,
                        int most, double *counts);
 
-// The series of a method, as its place in t->series, and the method's place within it.
+// The series of a method, an index into t->series, and the place of the method within it.
 size_t table_series(const table *t, const char *method, int *setting);
 // How many methods a series has.
 size_t table_series_size(const table *t, const char *series);

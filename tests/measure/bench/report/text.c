@@ -1,15 +1,15 @@
-// The figures as tables in plain text.
+// Writes the figures as tables in plain text.
 #include "text.h"
 
 #include <math.h>
 #include <string.h>
 
-// Against the first method.
+// A value in parts of the first method's.
 static double ratio(const table *t, const char *family, const char *query, const char *method, const char *measure) {
   return table_get(t, family, query, method, measure) / table_get(t, family, query, t->methods.name[0], measure);
 }
 
-// Of a measure that was counted by its at; NAN: it was not.
+// The mean of a measure that was counted by its `at`; NAN: it was not.
 static double mean(const table *t, const char *family, const char *query, const char *method, const char *measure) {
   double counts[256], sum = 0;
   const double count = table_histogram(t, family, query, method, measure, 255, counts);
@@ -82,8 +82,8 @@ static void put_family(FILE *file, const table *t, const char *family, const cha
   }
 }
 
-// Over the families that a method was asked about: the geometric mean of the ratios, the sum of the wrong answers, the
-// largest error.
+// Sums up the families that a method was asked about: the geometric mean of the ratios, the sum of the wrong answers,
+// the largest error.
 static void put_summary(FILE *file, const table *t, const char *query) {
   fprintf(file, "\nall families, %s\n%-22s%8s%9s%7s%11s%12s%9s\n", query, "", "x gjk", "pairs", "wrong", "undecided",
           "most error", "outside");
