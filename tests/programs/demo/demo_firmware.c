@@ -1,4 +1,4 @@
-// Firmware: the demo's scene once more, on an emulated core.
+// Firmware: answers the demo's scene again on an emulated core.
 #include "../../measure/target/count.h"
 #include "demo_scene.h"
 

@@ -1,7 +1,6 @@
-// A scene as constant tables, with the answers of the host: what `gjk-demo --c-source SCENE` writes.
+// A scene as constant tables, with the answers of the host. `gjk-demo --c-source SCENE` writes it.
 //
-// On a device: compile the file that it writes with firmware.c, and call demo_firmware from the program's
-// start.
+// For a device: compile the written file with firmware.c, and call demo_firmware from the program's start.
 #ifndef DEMO_SCENE_H
 #define DEMO_SCENE_H
 
@@ -25,8 +24,8 @@ typedef struct demo_pair {
 extern const demo_pair demo_pairs[];
 extern const unsigned demo_pair_count;
 
-// Answers every pair and compares with the table, bit by bit; prints one line per pair with what instructions()
-// counted during the distance query, and a summary. Returns the number of pairs that differ. Uses no C library.
+// Answers every pair and compares the bits with the table. Prints a line per pair, with what instructions() counted
+// during the distance query, and a summary. Returns how many pairs differ. Uses no C library.
 int demo_firmware(void (*print)(const char *text), uint32_t (*instructions)(void));
 
 #endif

@@ -5,7 +5,7 @@
 
 #define PI 3.14159265358979323846
 
-// Light on a surface: all around, from the lamp.
+// The light on a surface: ambient, and from the lamp.
 #define AMBIENT 0.52
 #define LAMP 0.55
 
@@ -85,8 +85,8 @@ static void put_stop(FILE *file, double offset, colour base, double bright) {
   fprintf(file, "\"/>");
 }
 
-// Spheres and ellipsoids: the unit circle's gradient, brightest where the surface faces the lamp, under the map
-// that takes the circle to the outline. part: the columns of an affine map of the unit sphere to the body.
+// Spheres and ellipsoids: the gradient of the unit circle, brightest where the surface faces the lamp, under the map
+// that takes the circle to the outline. part: the columns of an affine map from the unit sphere to the body.
 static void put_ball_gradient(FILE *file, const view *v, const real3 part[3], real3 centre, colour base, size_t id) {
   double xx = 0, xy = 0, yy = 0;
   for (int i = 0; i < 3; i++) {
@@ -110,7 +110,7 @@ static void put_ball_gradient(FILE *file, const view *v, const real3 part[3], re
   fprintf(file, "</radialGradient>\n");
 }
 
-// Capsules and cylinders: a gradient across the axis, each stop as bright as the surface there.
+// Capsules and cylinders: a gradient across the axis. Each stop is as bright as the surface there.
 static void put_tube_gradient(FILE *file, const view *v, real3 axis, real3 centre, double radius, colour base,
                               size_t id) {
   real3 side = real_unit(real_cross(axis, v->toward));
@@ -130,7 +130,7 @@ static void put_tube_gradient(FILE *file, const view *v, real3 axis, real3 centr
   fprintf(file, "</linearGradient>\n");
 }
 
-// The round face of a cylinder or cone at local height z with outward normal along sign z, when it is seen.
+// The base of a cylinder or cone at local height z, with its outward normal along sign z, if it is seen.
 static void put_disc(FILE *file, const view *v, const case_shape *shape, double sign, colour base) {
   real3 z = {0, 0, sign}, normal = geometry_turn(shape, z);
   point2 rim[OUTLINE_POINTS];
@@ -146,7 +146,7 @@ static void put_disc(FILE *file, const view *v, const case_shape *shape, double 
   put_polygon(file, rim, OUTLINE_POINTS, base, brightness(v, normal));
 }
 
-// A cone's side in strips from its apex.
+// The side of a cone, in strips from its apex.
 static void put_cone(FILE *file, const view *v, const case_shape *shape, colour base) {
   enum { STRIPS = 48 };
   double radius = shape->size.x / 65536.0, half = shape->size.z / 65536.0;

@@ -5,7 +5,7 @@
 #include "geometry.h"
 #include "svg.h"
 
-// Unit vectors of the world; light points towards the lamp. Lengths of the page are pixels, y downwards.
+// Unit vectors of the world; light points to the lamp. Lengths on the page are in pixels, y downwards.
 typedef struct view {
   real3 right, up, toward, light;
   double scale, left, top;  // pixels per unit, and where the world's origin goes
@@ -26,7 +26,7 @@ void draw_outline(const view *v, const case_shape *shape, point2 outline[OUTLINE
 // The outline of its shadow in the horizontal plane at height.
 void draw_shadow_outline(const view *v, const case_shape *shape, double height, point2 outline[OUTLINE_POINTS]);
 
-// id: a number of the body's own, for the names of its gradients.
+// id: a number of the body, for the names of its gradients.
 void draw_body(FILE *file, const view *v, const case_shape *shape, colour base, size_t id);
 
 #endif

@@ -1,4 +1,4 @@
-// The demo's scene on a device: answers every pair again and compares the bits with the host's.
+// The demo's scene on a device: answers every pair again and compares the bits with those of the host.
 #include "demo_scene.h"
 
 typedef struct line {
@@ -53,7 +53,7 @@ static bool same_bits(const gjk_distance_result *r, const demo_pair *pair) {
           same_numbers(r->normal.x, r->normal.y, r->normal.z, pair->normal.x, pair->normal.y, pair->normal.z));
 }
 
-// False unless the pair is answered; spent: instructions of the query alone.
+// False: the pair has no answer. spent: the instructions of the query alone.
 static bool answer(const demo_pair *pair, uint32_t (*instructions)(void), gjk_distance_result *result,
                    uint32_t *spent) {
   static gjk_vec3 buffer[2][DEMO_HULL_VERTICES_MAX];

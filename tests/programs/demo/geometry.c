@@ -1,12 +1,12 @@
-// Support points and faces in real numbers.
+// Finds support points and faces in real numbers.
 #include "geometry.h"
 
 #include <math.h>
 
-// Vertices of a hull that is given faces; larger ones are drawn as an outline alone.
+// Most vertices of a hull for which faces are found; larger hulls are drawn as outlines.
 #define FACETED_HULL_MAX 64
 
-// Vertices this near to a plane, in units, lie in it.
+// Vertices at most this far from a plane, in units, lie in it.
 #define PLANE_TOLERANCE 1e-5
 
 real3 real_unit(real3 a) {
@@ -19,7 +19,7 @@ real3 real_from_q16(gjk_vec3 a) {
   return out;
 }
 
-// v turned by the quaternion with its vector part times sign.
+// v turned by the quaternion, with its vector part multiplied by sign.
 static real3 turn(const case_shape *shape, real3 v, double sign) {
   const gjk_quat *q = &shape->pose.rotation;
   const double one = (double)GJK_Q30_ONE;
@@ -51,7 +51,7 @@ static real3 farthest_vertex(const case_shape *shape, real3 d) {
   return best;
 }
 
-// Of the core, in the shape's frame.
+// The support point of the core, in the frame of the shape.
 static real3 local_support(const case_shape *shape, real3 d) {
   real3 s = real_from_q16(shape->size);
   real3 corner = {with_sign(s.x, d.x), with_sign(s.y, d.y), with_sign(s.z, d.z)};
@@ -112,7 +112,7 @@ static size_t box_faces(const case_shape *shape, real_face *faces) {
   return 6;
 }
 
-// Puts the vertices in turn about their mean, counter-clockwise as seen from outside.
+// Sorts the vertices around their mean, counterclockwise as seen from outside.
 static void sort_vertices(real_face *face) {
   real3 middle = {0, 0, 0};
   double angle[FACE_VERTICES_MAX];
@@ -134,7 +134,7 @@ static void sort_vertices(real_face *face) {
   }
 }
 
-// All vertices in the plane through p across normal; false when a vertex lies before it.
+// Takes all vertices in the plane through p across normal. False: a vertex lies before the plane.
 static bool collect_face(const case_shape *shape, real3 p, real3 normal, real_face *face) {
   face->normal = normal;
   face->count = 0;
@@ -160,7 +160,7 @@ static bool is_known(const real_face *faces, size_t count, real3 normal) {
   return false;
 }
 
-// Every plane through three vertices that has none before it.
+// Takes every plane through three vertices that has no vertex before it.
 static size_t hull_faces(const case_shape *shape, real_face *faces) {
   size_t n = shape->count <= FACETED_HULL_MAX ? shape->count : 0, found = 0;
   for (size_t i = 0; i < n * n * n * 2 && found < FACES_MAX; i++) {

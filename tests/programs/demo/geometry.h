@@ -1,4 +1,4 @@
-// The bodies as a picture needs them: real numbers, in units.
+// Bodies as a picture needs them: in real numbers, in units.
 #ifndef GEOMETRY_H
 #define GEOMETRY_H
 
@@ -10,7 +10,7 @@ typedef struct real3 {
 
 enum { FACE_VERTICES_MAX = 32, FACES_MAX = 128 };
 
-// A flat face of a box, triangle or hull, moved out by the convex radius; vertices in turn.
+// A flat face of a box, triangle or hull, moved out by the convex radius. Its vertices are in order around it.
 typedef struct real_face {
   real3 normal;
   real3 vertex[FACE_VERTICES_MAX];
@@ -43,14 +43,14 @@ static inline real3 real_cross(real3 a, real3 b) {
 real3 real_unit(real3 a);
 real3 real_from_q16(gjk_vec3 a);
 
-// A direction of the shape's frame in the world, and back.
+// Turns a direction from the frame of the shape to the world, and back.
 real3 geometry_turn(const case_shape *shape, real3 local);
 real3 geometry_turn_back(const case_shape *shape, real3 world);
 
-// The point of the shape that is farthest along direction.
+// The support point of the shape along direction.
 real3 geometry_support(const case_shape *shape, real3 direction);
 
-// The faces of a box, triangle or hull; none of any other kind. Returns their number, at most FACES_MAX.
+// Finds the faces of a box, triangle or hull; other kinds have none. Returns their number, at most FACES_MAX.
 size_t geometry_faces(const case_shape *shape, real_face faces[FACES_MAX]);
 
 #endif

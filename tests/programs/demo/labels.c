@@ -1,4 +1,4 @@
-// Places labels: of some hundred places around the anchor, the one that hides least.
+// Places labels: of some hundred places around the anchor it takes the one that hides least.
 #include "labels.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@ void label_take(label_page *page, label_rectangle r, double weight) {
   }
 }
 
-// Length that two intervals share, with a margin around the first.
+// The length that two intervals share, with a margin around the first.
 static double shared(double a, double a_length, double b, double b_length) {
   const double margin = 3;
   double low = a - margin > b ? a - margin : b;

@@ -23,8 +23,8 @@ typedef struct label_page {
 
 void label_take(label_page *page, label_rectangle r, double weight);
 
-// The best place for a label of that size near the anchor; takes it. nearest: the smallest distance from the
-// anchor to the middle of the label, 0 to allow the anchor itself.
+// Finds the best place for a label of that size near the anchor, and takes it. nearest: the smallest distance from the
+// anchor to the middle of the label; 0 lets it lie on the anchor.
 label_rectangle label_place(label_page *page, point2 anchor, double width, double height, double nearest);
 
 #endif

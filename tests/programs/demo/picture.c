@@ -12,7 +12,7 @@
 #define PANEL_LEFT 1070.0
 #define TOP 64.0
 
-// Where the camera stands: radians about the vertical, and above the horizon.
+// Where the camera stands: angle about the vertical, and above the horizon, radians.
 #define AZIMUTH 0.38
 #define ELEVATION 0.40
 
@@ -60,7 +60,7 @@ static bool boxes_meet(const label_rectangle *a, const label_rectangle *b) {
          b->top < a->top + a->height;
 }
 
-// Scales and moves the view so that the bodies fill the picture's part of the page.
+// Scales and moves the view so that the bodies fill their part of the page.
 static void fit(picture *p) {
   view *v = &p->camera;
   double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
@@ -80,8 +80,7 @@ static void fit(picture *p) {
   }
 }
 
-// Does a hide a part of b? A plane between the two, which the library finds, has the nearer one on the camera's
-// side.
+// Does a hide a part of b? The library finds a plane between the two; the one on the side of the camera is nearer.
 static bool hides(const picture *p, size_t a, size_t b) {
   if (a == b || !boxes_meet(&p->box[a], &p->box[b])) {
     return false;
@@ -91,7 +90,7 @@ static bool hides(const picture *p, size_t a, size_t b) {
   return real_dot(normal, p->camera.toward) < -1e-4 * (double)GJK_Q30_ONE;
 }
 
-// Painter's order: a body follows those that it hides; the farthest goes first where that leaves a choice.
+// Painter's order: a body is drawn after all bodies that it hides. Of those that may be next, the farthest is.
 static void sort_bodies(picture *p) {
   bool drawn[SCENE_BODIES_MAX] = {false};
   size_t n = p->s->bodies;
@@ -115,7 +114,7 @@ static void sort_bodies(picture *p) {
   }
 }
 
-// Bodies whose names begin alike, up to '-', share a colour.
+// Bodies whose names have the same part before '-' get the same colour.
 static colour body_colour(const scene *s, size_t body) {
   size_t group = 0;
   for (size_t i = 0; i < body; i++) {
@@ -198,7 +197,7 @@ static void take_point(label_page *page, point2 at) {
   label_take(page, r, 12);
 }
 
-// From B's deepest point along the way out, as far as it goes, but long enough to be seen.
+// An arrow from the deepest point of B along the way out, as long as the depth, or longer so that it is seen.
 static void put_arrow(picture *p, const scene_pair *pair, const char *ink) {
   const gjk_unit3 *n = &pair->overlap.normal;
   const double unit = GJK_Q30_ONE, least = 36;
@@ -222,7 +221,7 @@ static void put_arrow(picture *p, const scene_pair *pair, const char *ink) {
           tip.x - 11 * u + 5 * v, tip.y - 11 * v - 5 * u, tip.x - 11 * u - 5 * v, tip.y - 11 * v + 5 * u, ink);
 }
 
-// The contact points of two bodies: halfway between the points on each.
+// Draws the contact points of two bodies, halfway between the points on each.
 static void put_contacts(picture *p, const scene_pair *pair, const char *ink) {
   for (int i = 0; i < pair->manifold.count; i++) {
     const gjk_contact *contact = &pair->manifold.contact[i];
@@ -235,7 +234,7 @@ static void put_contacts(picture *p, const scene_pair *pair, const char *ink) {
   }
 }
 
-// The gaps, the contact points of bodies that touch or overlap, and arrows where they overlap.
+// Draws the gaps, the contact points of bodies that touch or overlap, and arrows where they overlap.
 static void put_marks(picture *p) {
   for (size_t i = 0; i < p->s->pairs; i++) {
     const scene_pair *pair = &p->s->pair[i];
@@ -265,7 +264,7 @@ static void put_marks(picture *p) {
   }
 }
 
-// The gap or depth, empty where they touch.
+// The text of a gap or depth; empty where bodies touch.
 static void put_measure(char text[40], const scene_pair *pair) {
   text[0] = '\0';
   if (pair->relation != SCENE_TOUCHING) {
@@ -276,7 +275,7 @@ static void put_measure(char text[40], const scene_pair *pair) {
   }
 }
 
-// A number for each pair, as in the list, with the gap or depth where there is one.
+// Writes the number of each pair, as in the list, with the gap or depth if there is one.
 static void put_labels(picture *p) {
   for (size_t i = 0; i < p->s->pairs; i++) {
     const scene_pair *pair = &p->s->pair[i];

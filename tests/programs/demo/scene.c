@@ -5,11 +5,11 @@
 
 #include "case/parse.h"
 
-// For the depth of bodies of up to 64 vertices, curved ones as well.
+// Cells enough for depths of bodies of up to 64 vertices, also curved ones.
 #define VERTICES 1024
 #define CELLS (GJK_EPA_CELLS(VERTICES) + VERTICES)
 
-// LSB that the depth of curved bodies may be off.
+// The error that a depth of curved bodies may have, LSB.
 #define CURVED_TOUCH 3
 
 static bool same_vec3(gjk_vec3 a, gjk_vec3 b) {
@@ -31,7 +31,7 @@ static bool same_shape(const case_shape *a, const case_shape *b) {
   return true;
 }
 
-// The body of a shape, made when it is new; SCENE_BODIES_MAX when there is no room.
+// The body of a shape, made if it is new; SCENE_BODIES_MAX if there is no room.
 static size_t find_body(scene *s, const case_shape *shape, const char *name, size_t length) {
   size_t i = 0;
   while (i < s->bodies && !same_shape(&s->body[i].shape, shape)) {
@@ -71,7 +71,7 @@ static void relate(scene *s, scene_pair *pair) {
   }
 }
 
-// Answers a question about the pair and adds the verdict on it. False, with a message, when it is refused.
+// Answers a question about the pair and adds the verdict on the answer. False, with a message, if it is refused.
 static bool ask(case_ask about, const case_pair *source, case_collider *a, case_collider *b, case_answer *answer,
                 certify_verdict *verdict) {
   const case_question question = {.ask = about, .contacts = about == CASE_PENETRATION};

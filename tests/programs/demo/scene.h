@@ -6,7 +6,7 @@
 
 enum { SCENE_BODIES_MAX = 96, SCENE_PAIRS_MAX = 128 };
 
-// The same shape at the same pose in several cases is one body. A case 'x:y' names its bodies x and y.
+// A shape that several cases have at the same pose is one body. A case 'x:y' names its bodies x and y.
 typedef struct scene_body {
   char name[64];
   case_shape shape;
@@ -37,8 +37,8 @@ typedef struct scene {
   size_t pairs;
 } scene;
 
-// Reads the cases into a zeroed scene, answers them and checks the answers. False, with a message on standard
-// error, after a malformed or refused case or when the scene is too large.
+// Reads the cases into a zeroed scene, answers them and checks the answers. False, with a message on standard error: a
+// case is malformed or refused, or the scene is too large.
 bool scene_read(scene *s, FILE *file, const char *name);
 void scene_free(scene *s);
 
@@ -46,7 +46,7 @@ void scene_free(scene *s);
 const char *scene_relation_name(scene_relation relation);
 const char *scene_verdict_name(certify_verdict verdict);
 
-// The direction from a to b along which they are apart, or parted by the least move.
+// The direction from a to b along which they are apart, or along which the least move parts them.
 gjk_unit3 scene_direction(const scene_body *a, const scene_body *b);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "scene.h"
 
-// False, with a message on standard error, when a hull is too large for the tables.
+// False, with a message on standard error, if a hull is too large for the tables.
 bool source_write(FILE *file, const scene *s);
 
 #endif

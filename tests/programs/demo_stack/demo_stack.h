@@ -1,4 +1,4 @@
-// A pile under the tests' solver, and its picture.
+// A pile of bodies under the solver of the tests, and its picture.
 #ifndef DEMO_STACK_H
 #define DEMO_STACK_H
 
@@ -21,10 +21,10 @@ void demo_stack_start(demo_stack *d);
 // How many bodies move.
 unsigned demo_stack_falling(const demo_stack *d);
 
-// The head of the picture; the caller ends it.
+// Writes the head of the picture; the caller ends it.
 void demo_stack_open(FILE *file);
 
-// The world as it is, at its place among the moments.
+// Draws the present world at the place of its moment.
 void demo_stack_draw(FILE *file, demo_stack *d, unsigned moment, unsigned tick);
 
 #endif

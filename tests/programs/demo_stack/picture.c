@@ -26,7 +26,7 @@ void demo_stack_open(FILE *file) {
           WIDTH, HEIGHT, WIDTH, HEIGHT, WIDTH - 28);
 }
 
-// Is a, of two bodies that may hide each other, behind b? A plane between them tells.
+// Is a behind b? Asked of bodies that may hide each other; a plane between them tells.
 static bool is_behind(const demo_stack *d, const view *v, unsigned a, unsigned b) {
   gjk_distance_result gap;
   static gjk_epa_cell cells[GJK_EPA_CELLS(64)];
@@ -57,7 +57,7 @@ static bool extents_meet(const extent2 *a, const extent2 *b) {
   return a->low.x < b->high.x && b->low.x < a->high.x && a->low.y < b->high.y && b->low.y < a->high.y;
 }
 
-// Painter's order, behind the floor's: of those that hide nothing that is not drawn yet, the farthest.
+// Painter's order, after the floor: of the bodies that hide nothing still to be drawn, the farthest is next.
 static void sort(const demo_stack *d, const view *v, unsigned order[SOLVER_BODIES_MAX]) {
   static extent2 extent[SOLVER_BODIES_MAX];
   bool drawn[SOLVER_BODIES_MAX] = {false};

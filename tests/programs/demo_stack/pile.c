@@ -1,4 +1,4 @@
-// What falls: crates, balls, capsules and drums above a floor.
+// Makes the pile that falls: crates, balls, capsules and drums above a floor.
 #include <string.h>
 
 #include "demo_stack.h"
@@ -42,7 +42,7 @@ static case_shape make(case_kind kind, gjk_vec3 size, gjk_q16 convex_radius) {
   return shape;
 }
 
-// A floor at height 0 with a low rim.
+// Adds a floor at height 0 with a low rim.
 static void add_tray(demo_stack *d) {
   const gjk_q16 x = ONE * 7 / 2, y = ONE * 14 / 5, rim = ONE / 8, low = ONE / 4, high = ONE / 2;
   const gjk_vec3 plate = {x, y, low}, side = {rim, y, high}, front = {x + 2 * rim, rim, high};

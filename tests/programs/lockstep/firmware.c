@@ -1,8 +1,9 @@
-// Player 1 as firmware of an emulated Cortex-M3, the link on the board's first serial port.
+// Player 1 as firmware of an emulated Cortex-M3. The link is the first serial port of the board.
 #include "board/board.h"
 #include "peer.h"
 
-// CMSDK APB UART: data, state (bit 0: full to send, bit 1: received), control (bit 0: sends, bit 1: receives), divider.
+// The registers of a CMSDK APB UART: data; state (bit 0: full, cannot send; bit 1: received); control (bit 0: sends;
+// bit 1: receives); divider.
 #define UART_DATA (*(volatile uint32_t *)0x40004000)
 #define UART_STATE (*(volatile uint32_t *)0x40004004)
 #define UART_CONTROL (*(volatile uint32_t *)0x40004008)
@@ -19,7 +20,7 @@ static void write_text(const char *text) {
   }
 }
 
-// Waits for as long as it takes; who runs the emulator stops it when the other side is gone.
+// Waits without a limit. Whoever runs the emulator stops it when the other side is gone.
 static int read_character(void) {
   while ((UART_STATE & RECEIVED) == 0) {
   }

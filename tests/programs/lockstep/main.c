@@ -1,6 +1,6 @@
-// One side of a lockstep match, the link on standard input and output: lockstep PLAYER TICKS [DIVERGE]
+// lockstep PLAYER TICKS [DIVERGE]: one side of a lockstep match; the link is standard input and output.
 //
-// Exit status: 0 the same after every tick; 1 different; 2 the link broke.
+// Exit status: 0 if both sides were the same after every tick, 1 if they differed, 2 if the link broke.
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -10,7 +10,7 @@ static void write_text(const char *text) {
   fputs(text, stdout);
 }
 
-// What was written goes out before this side waits.
+// Sends what was written before this side waits.
 static int read_character(void) {
   fflush(stdout);
   return getchar();

@@ -11,7 +11,7 @@ static const char *const field_names[FIELDS] = {
     "generation", "position.x", "position.y", "position.z", "rotation.x", "rotation.y", "rotation.z", "rotation.w",
     "category",   "mask",       "user",       "margin",     "asleep",     "step.x",     "step.y",     "step.z"};
 
-// Distance + 1 of near pairs, 0 of others, by slots and parts.
+// Of near pairs the distance + 1, of others 0, by slots and parts.
 typedef uint32_t near_table[MATCH_BODIES][MATCH_BODIES][2][2];
 
 static match game;
@@ -26,7 +26,7 @@ static void write_line(const peer_link *link, const char *kind, const uint64_t *
   link->write("\n");
 }
 
-// Takes the next line: its letter, and its numbers, count of them. False: anything else.
+// Reads the next line: its letter, and count numbers. False: it is another line.
 static bool read_line(const peer_link *link, char *kind, uint64_t *numbers, unsigned most, unsigned *count) {
   int c = link->read();
   *kind = (char)(c > 0 ? c : 0);
@@ -45,7 +45,7 @@ static bool read_line(const peer_link *link, char *kind, uint64_t *numbers, unsi
   return c == '\n';
 }
 
-// Tells the other side something about a tick, and takes what it says about the same.
+// Tells the other side a number about a tick, and reads its number about the same.
 static bool exchange(const peer_link *link, const char *kind, uint32_t tick, uint64_t mine, uint64_t *theirs) {
   const uint64_t said[2] = {tick, mine};
   uint64_t heard[2];
@@ -88,7 +88,7 @@ static bool body_fields(uint32_t slot, uint32_t fields[FIELDS]) {
   return true;
 }
 
-// Calls for each near pair of the game; stops when it returns false.
+// Calls a function for each near pair of the game; stops when it returns false.
 static void each_near(bool (*function)(void *user, const gjk_report *pair), void *user) {
   gjk_scene scene;
   gjk_report pair;
@@ -166,7 +166,7 @@ static void say_pairs(void (*say)(const char *)) {
   say("\n");
 }
 
-// Takes the other side's description and names what differs from this side.
+// Reads the other side's description and names what differs from this side.
 static bool judge(const peer_link *link, void (*say)(const char *)) {
   uint32_t fields[FIELDS];
   uint64_t n[5];
@@ -198,7 +198,8 @@ static bool find_apart(void *user, const gjk_report *pair) {
   return pair->distance <= 100 || pair->distance > 3000;
 }
 
-// Moves a body of a pair that has a distance by about 700 LSB, behind the other side's back. False: there is no such pair now.
+// Moves a body of a pair that has a distance by about 700 LSB without telling the other side. False: there is no such
+// pair at this tick.
 static bool nudge(void) {
   gjk_report pair = {{0, 0}, {0, 0}, 0, 0, 0, 0, 0, NULL};
   gjk_scene scene;
@@ -214,7 +215,7 @@ static bool nudge(void) {
   return gjk_scene_move(&scene, pair.a, &state.pose) == GJK_OK;
 }
 
-// A player's input: each bit a quarter of the time.
+// A player's input: each bit is set a quarter of the time.
 static match_input think(unsigned player, uint32_t tick) {
   random_state random = random_seed(tick * UINT64_C(2) + player);
   const uint32_t any = random_u32(&random);

@@ -1,6 +1,6 @@
-// One side of a lockstep match: plays ticks, exchanging inputs and comparing hashes. No libc.
+// One side of a lockstep match. Plays ticks, exchanges inputs and compares hashes, without libc.
 //
-// Lines, numbers in base 16:
+// The sides exchange lines; numbers are in base 16:
 //         i TICK INPUT        this side's input
 //         h TICK HASH         what this side's state is after the tick
 //         b SLOT FIELD VALUE  after hashes that differ, from player 1: fields of its bodies
@@ -28,7 +28,7 @@ typedef enum peer_result {
   PEER_BROKEN  // the other side is gone, or talks nonsense
 } peer_result;
 
-// say: where player 0 tells how it went.
+// say: gets what player 0 tells about the match.
 peer_result peer_play(const peer_options *options, const peer_link *link, void (*say)(const char *text));
 
 #endif

@@ -1,4 +1,4 @@
-// gjk-query: reads cases, answers each of them in one line.
+// gjk-query: reads cases and answers each of them in a line.
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -65,7 +65,7 @@ typedef struct tool {
   bool bad_input;
 } tool;
 
-// Nothing when the answer is proven.
+// Writes nothing if the answer is proven.
 static void print_verdict(tool *t, const case_answer *answer) {
   char why[CERTIFY_WHY_MAX];
   certify_verdict verdict = certify_answer(&t->question, &t->pair, &t->a, &t->b, answer, why);
@@ -107,7 +107,7 @@ static void run_file(tool *t, const char *name) {
   fclose(file);
 }
 
-// The exit status, unless some of what was printed could not be written.
+// The exit status; a failure if a part of the output could not be written.
 static int written(int status) {
   if (fflush(stdout) == 0 && ferror(stdout) == 0) {
     return status;

@@ -6,7 +6,7 @@
 
 #include "reference/reference.h"
 
-// For a polytope of so many vertices, of curved shapes as well.
+// Cells enough for pairs of so many vertices, also of curved shapes.
 #define VERTICES 4096
 #define CELLS (GJK_EPA_CELLS(VERTICES) + VERTICES)
 
@@ -36,7 +36,7 @@ static void report_penetration(const reference_result *found, gjk_penetration_re
   }
 }
 
-// On the posed integers, so that a difference from the library is one of arithmetic alone.
+// Asks the reference about the posed integers, so that only its arithmetic differs from the library.
 static void answer_by_reference(const case_question *question, const case_pair *pair, const case_collider *a,
                                 const case_collider *b, case_answer *answer) {
   reference_result found;
@@ -67,7 +67,7 @@ static void answer_by_reference(const case_question *question, const case_pair *
   }
 }
 
-// The depth when they overlap, else the distance; the contacts on demand.
+// Asks for the depth if the shapes overlap, else for the distance; and for the contacts on demand.
 static gjk_status find_penetration(const case_question *question, const gjk_collider *a, const gjk_collider *b,
                                    case_answer *answer) {
   static gjk_epa_cell cells[CELLS];

@@ -1,4 +1,4 @@
-// The case model: storage, building posed colliders, printing.
+// Cases: storage, building of posed colliders, printing.
 #include "case.h"
 
 #include <stdlib.h>
@@ -145,7 +145,7 @@ static void print_vec3(FILE *file, gjk_vec3 v) {
   fprintf(file, "%ld %ld %ld\n", (long)v.x, (long)v.y, (long)v.z);
 }
 
-// The KIND part of a shape's line, and the lines of its vertices.
+// Prints the KIND part of a shape's line, and the lines of its vertices.
 static void print_kind(FILE *file, const case_shape *shape) {
   gjk_vec3 s = shape->size;
   switch (shape->kind) {
@@ -206,7 +206,7 @@ void case_show(const void *pair) {
   case_print(stdout, pair);
 }
 
-// A case of a shape, the vertices borrowed to be printed.
+// A case of a shape; it borrows the vertices, to be printed.
 static case_shape borrow(const gjk_shape *shape, const gjk_pose *pose) {
   static const gjk_shape_class *const kinds[] = {
       [CASE_POINT] = &gjk_class_point, [CASE_SEGMENT] = &gjk_class_segment,    [CASE_TRIANGLE] = &gjk_class_triangle,

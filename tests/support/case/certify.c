@@ -6,17 +6,17 @@
 #include "exact/depth.h"
 #include "reference/accurate.h"
 
-// Of curved shapes, and of centres so far apart that answers hold 27 bits of the distance.
+// Tolerances: of curved shapes, and of centres so far apart that answers hold 27 bits of the distance.
 #define CURVED_TOLERANCE 2.0L
 #define DEPTH_TOLERANCE 3.0L
 #define FAR_TOLERANCE (1.0L / 134217728.0L)
 
-// To one digit, and without the sign of a zero.
+// Rounds to one digit, and drops the sign of a zero.
 static long double to_a_tenth(long double x) {
   return rintl(10 * x) / 10 + 0.0L;
 }
 
-// Without vertices to name there is no exact proof: compares with proven bounds of the real distance.
+// Shapes without vertices have no exact proof, so this compares with proven bounds of the real distance.
 static certify_verdict compare_bounds(const case_question *question, const case_pair *pair, const case_collider *a,
                                       const case_collider *b, const case_answer *answer, char why[CERTIFY_WHY_MAX]) {
   accurate_result found;
@@ -47,10 +47,10 @@ static certify_verdict compare_bounds(const case_question *question, const case_
   return right ? CERTIFY_UNCERTIFIED : CERTIFY_WRONG;
 }
 
-// Directions that are worth trying for a single case.
+// Most directions that are tried for a single case.
 #define BRUTE_DIRECTIONS 100000
 
-// The certificate, and where the shapes are small, that no other direction is nearer.
+// Checks the certificate, and where the shapes are small, that no other direction is nearer.
 static bool check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result,
                               char why[CERTIFY_WHY_MAX]) {
   exact_overlap truth;
@@ -69,8 +69,7 @@ static bool check_penetration(const gjk_collider *a, const gjk_collider *b, cons
   return truth.intersecting && truth.depth == result->depth;
 }
 
-// By the library's own check, whose range is smaller than that of its answers: far pairs are left to the
-// oracle.
+// Asks the library's own check. Its range is smaller than that of answers, so far pairs are left to the oracle.
 static bool check_by_library(const case_question *question, const case_collider *a, const case_collider *b,
                              const case_answer *answer, char why[CERTIFY_WHY_MAX]) {
   gjk_q16 limit = question->ask == CASE_WITHIN ? question->within : 0;
@@ -90,7 +89,7 @@ static bool check_by_oracle(const case_question *question, const case_collider *
   return exact_check_decision(&a->collider, &b->collider, limit, &answer->decision, why, CERTIFY_WHY_MAX);
 }
 
-// An answer of the library's.
+// Checks an answer of the library's.
 static certify_verdict check(const case_question *question, const case_pair *pair, const case_collider *a,
                              const case_collider *b, const case_answer *answer, char why[CERTIFY_WHY_MAX]) {
   if (answer->status != GJK_OK) {
@@ -115,7 +114,7 @@ static certify_verdict check(const case_question *question, const case_pair *pai
                                                                                                        : CERTIFY_WRONG;
 }
 
-// An answer of the reference has no certificate of its own: that of the library's answer settles it.
+// Checks an answer of the reference. It has no certificate, so the certificate of the library's answer settles it.
 static certify_verdict check_reference(const case_question *question, const case_pair *pair, case_collider *a,
                                        case_collider *b, const case_answer *answer, char why[CERTIFY_WHY_MAX]) {
   case_question of_library = *question;

@@ -1,10 +1,10 @@
-// Numbers as people write them: decimal digits to fixed point, without a detour through floating point.
+// Reads numbers as people write them: decimal digits to fixed point, without floating point between.
 #include "number.h"
 
 #include <stddef.h>
 #include <stdlib.h>
 
-// More digits than any line of a case holds, and the zeros after the point that still matter.
+// Most digits: more than any line of a case holds, with the zeros after the point that still matter.
 #define DIGITS_MAX 1200
 #define LEADING_ZEROS_MAX 20
 
@@ -50,7 +50,7 @@ static bool read_decimal(const char *text, decimal *out) {
   return out->count > 0 && *text == '\0';
 }
 
-// The part before the point; saturates far beyond int32_t.
+// Reads the part before the point; saturates far beyond int32_t.
 static int64_t whole_part(const decimal *number) {
   int64_t whole = 0;
   for (long i = 0; i < number->point && whole <= INT32_MAX; i++) {
@@ -59,8 +59,8 @@ static int64_t whole_part(const decimal *number) {
   return whole;
 }
 
-// whole plus the part after the point, times 2^bits, rounded half up: the fraction is doubled in decimal, and
-// each carry out of it is the next bit.
+// Returns whole plus the part after the point, times 2^bits, rounded half up. The fraction is doubled in decimal; each
+// carry out of it is the next bit.
 static int64_t scaled(const decimal *number, int64_t whole, int bits) {
   char fraction[DIGITS_MAX + LEADING_ZEROS_MAX];
   size_t count = 0;

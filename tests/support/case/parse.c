@@ -10,7 +10,7 @@
 #define LENGTH_BITS 16
 #define QUATERNION_BITS 30
 
-// What has been read of one shape.
+// What was read of one shape.
 typedef struct side {
   case_shape *shape;
   char letter;
@@ -40,7 +40,7 @@ static const char *skip_blanks(const char *text) {
   return text;
 }
 
-// Splits off the next word; NULL at the end of the line or at a comment.
+// Splits off the next word. NULL: the line ends, or a comment begins.
 static char *next_word(char **cursor) {
   char *word = *cursor + (skip_blanks(*cursor) - *cursor);
   char *end = word;
@@ -56,8 +56,7 @@ static char *next_word(char **cursor) {
   return word;
 }
 
-// Reads one line into text without its end; a byte 0 becomes '?', which no number contains. False at the end of
-// file.
+// Reads one line into text without its end. A byte 0 becomes '?', which no number contains. False: the file ends.
 static bool read_line(case_reader *reader) {
   size_t length = 0;
   int c = getc(reader->file);
@@ -80,7 +79,7 @@ static bool read_line(case_reader *reader) {
   return true;
 }
 
-// The next line with a word on it. False at the end of the file.
+// Reads the next line that has a word. False: the file ends.
 static bool next_line(case_reader *reader) {
   if (reader->pending) {
     reader->pending = false;
@@ -119,7 +118,7 @@ static bool read_end(case_reader *reader, char *cursor) {
   return true;
 }
 
-// Expects count numbers, called names in messages, and the end of the line.
+// Expects count numbers, which messages call names, and the end of the line.
 static bool read_numbers(case_reader *reader, char *cursor, const char *names, int bits, size_t count, int32_t *out) {
   for (size_t i = 0; i < count; i++) {
     const char *word = next_word(&cursor);
@@ -136,7 +135,7 @@ static bool read_numbers(case_reader *reader, char *cursor, const char *names, i
   return read_end(reader, cursor);
 }
 
-// The next line of a list; false at the end of the file or the case.
+// Reads the next line of a list. False: the file or the case ends.
 static bool next_item(case_reader *reader, const char *names) {
   if (!next_line(reader)) {
     complain(reader, "expected %s, found the end of the file", names);
@@ -166,7 +165,7 @@ static bool read_vertices(case_reader *reader, case_shape *shape, size_t count) 
   return true;
 }
 
-// Expects a count from 1 to most of what is listed, after a word, and the end of the line.
+// Expects a count from 1 to most after a word, and the end of the line.
 static bool read_count(case_reader *reader, char *cursor, const char *listed, const char *after, int32_t most,
                        int32_t *count) {
   char *word = next_word(&cursor);
@@ -184,7 +183,7 @@ static bool read_hull(case_reader *reader, char *cursor, case_shape *shape) {
          read_vertices(reader, shape, (size_t)count);
 }
 
-// The corners of one face, the numbers on the line; they follow those of the faces before.
+// Reads the corners of one face, the numbers on a line. They follow those of the faces before.
 static bool read_face(case_reader *reader, case_shape *shape, size_t face) {
   char *cursor = reader->text, *word;
   const uint16_t first = face == 0 ? 0 : shape->ends[face - 1];
@@ -203,7 +202,7 @@ static bool read_face(case_reader *reader, case_shape *shape, size_t face) {
   return read_end(reader, cursor);
 }
 
-// At most so many faces that the numbers of their corners fit 16 bits.
+// Most faces: the numbers of their corners must fit 16 bits.
 #define FACES_MAX (UINT16_MAX / GJK_FACE_CORNERS_MAX)
 
 static bool read_faces(case_reader *reader, char *cursor, case_shape *shape) {
@@ -240,7 +239,7 @@ static const kind_name kind_names[] = {
     {.word = "ellipsoid", .numbers = "rx ry rz after 'ellipsoid'", .kind = CASE_ELLIPSOID, .count = 3},
 };
 
-// Numbers in the order of the line to the fields of the case.
+// Sets the fields of a case from the numbers in the order of its line.
 static void set_size(side *into, const kind_name *name, const int32_t number[3]) {
   gjk_vec3 *size = &into->shape->size;
   switch (name->kind) {
@@ -338,7 +337,7 @@ static bool read_property(case_reader *reader, char *cursor, side *into) {
   return read_kind(reader, cursor, into, word);
 }
 
-// Adds the radii of the shape and of 'round'; a negative one stays, for the library to refuse.
+// Adds the convex radii of the shape and of 'round'. A negative one stays, so that the library refuses it.
 static bool finish_side(case_reader *reader, const side *of, const char *id) {
   int64_t sum = (int64_t)of->own_radius + of->round_radius;
   if (!of->kind) {
@@ -360,7 +359,7 @@ static bool finish_side(case_reader *reader, const side *of, const char *id) {
   return true;
 }
 
-// The line of 'case', already in text.
+// Reads the line of 'case', which is in text already.
 static bool read_header(case_reader *reader, case_pair *pair) {
   char *cursor = reader->text;
   next_word(&cursor);
@@ -378,7 +377,7 @@ static bool read_header(case_reader *reader, case_pair *pair) {
   return true;
 }
 
-// The lines of a case, up to the next one.
+// Reads the lines of a case, up to the next one.
 static bool read_case(case_reader *reader, case_pair *pair) {
   side a = {&pair->a, 'A', false, false, false, false, false, 0, 0};
   side b = {&pair->b, 'B', false, false, false, false, false, 0, 0};

@@ -18,7 +18,7 @@ typedef struct corner {
   int64_t x[3];
 } corner;
 
-// At most 2^30 in a flat A - B's plane 2^91.
+// A vector: an edge, at most 2^30 in size, or a direction, at most 2^61; in the plane of a flat A - B 2^92.
 typedef struct direction {
   wide x[3];
 } direction;

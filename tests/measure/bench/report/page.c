@@ -76,12 +76,12 @@ static void put_error_plots(FILE *file, const table *t, const char *query) {
   }
 }
 
-// What is wrong in decisions, and in depths and contacts.
+// What is wrong: decisions, or for depths and contacts, answers.
 static const char *wrong_what(const char *query) {
   return strcmp(query, "depth") == 0 || strcmp(query, "contacts") == 0 ? "answers" : "decisions";
 }
 
-// The families in which any method decides wrongly.
+// Plots the families in which any method decides wrongly.
 static void put_wrong_plots(FILE *file, const table *t, const char *query) {
   char label[64];
   snprintf(label, sizeof label, "wrong %s, %% of the pairs", wrong_what(query));

@@ -282,7 +282,7 @@ static void put_point(FILE *file, const plot_series *s, const plot_point *point,
   fprintf(file, "</g>\n");
 }
 
-// What is drawn between two pixels.
+// Marks as taken what a line between two pixels covers.
 static void take_line(label_page *page, double x, double y, double to_x, double to_y) {
   const int steps = (int)(hypot(to_x - x, to_y - y) / 12) + 1;
   for (int i = 0; i < steps; i++) {
