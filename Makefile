@@ -12,34 +12,34 @@
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
 #   make bench-target    instructions, stack and code per query on the emulated cores, beside floating point
 #   make readme-figures  counts them afresh and writes the README's tables
-#   make worst-case      searches for the most expensive pairs: tests/data/worst.txt; SEED=1, MEASUREMENTS=2000000 a family on
-#                        the host and a hundredth of that emulated
+#   make worst-case      searches for the most expensive pairs and writes them to tests/data/worst.txt; SEED=1,
+#                        MEASUREMENTS=2000000 for each family on the host, and a hundredth of that emulated
 #   make matrix          the golden hash from every compiler, level and architecture (sh tests/build/setup.sh matrix
 #                        installs the compilers that the tests do without)
 #   make prove           shows the absence of undefined behaviour (Frama-C)
 #   make prove-faults    puts faults into copies of the sources that the proof must notice
 #   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
 #   make coverage        which lines and branches of src the tests reach, over all variants of the code
-#   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400, 0: all, of SEED=1,
-#                        in files that match FILES=.; survivors one by one
+#   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400 (0: all) by
+#                        SEED=1, in files that match FILES=.; lists the survivors
 #   make fuzz            fuzzes pairs, the reader of cases, arguments, scenes and forged claims for SECONDS=60
-#   make soak            100,000,000 certified pairs over two cores, or PAIRS=N; goes on where it was interrupted
+#   make soak            certifies PAIRS=100000000 random pairs on two cores; goes on where it was interrupted
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
 #                        the broad phases of Bullet and FCL where installed; make bench draws it, too
 #   make scene-soak      1,000,000 random operations on scenes under the sanitizers
-#   make demo-lockstep   two processes play a match by exchanging inputs alone; then one of them is firmware on an emulated
-#                        Cortex-M3, then on a big-endian machine; DIVERGE=200 has one go wrong from that tick, and what
-#                        differs is named
+#   make demo-lockstep   two processes play a match: they exchange only inputs. Then one of them is firmware on an emulated
+#                        Cortex-M3, then on a big-endian machine. With DIVERGE=200 one goes wrong from that tick on, and
+#                        what differs is named
 #   make clean
 #
-# OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, CC=clang with that compiler: what was built with other
-# flags is built again. VARIANT=-x builds in build/T-x, to keep such builds apart.
+# OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, CC=clang with that compiler. What was built with other
+# flags is built again; VARIANT=-x builds in build/T-x, so that such builds are kept apart.
 
 TARGET ?= host
 OPT ?= -O2
 
-# The targets: compiler and flags, archiver, and what a program for the target's emulated board is linked with.
-# GJK_NARROW_MULTIPLY is for cores without a multiplication of 32 x 32 to 64 bits; -fcallgraph-info for `make sizes`.
+# The targets. TOOLS: compiler and flags; AR: archiver; BOARD: what a program for the target's emulated board is linked with.
+# GJK_NARROW_MULTIPLY is for cores without a multiplication of 32 x 32 to 64 bits; `make sizes` needs -fcallgraph-info.
 TOOLS_host := $(CC)
 AR_host := ar
 PORT_host := hosted
@@ -97,7 +97,8 @@ HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Ites
 .PHONY: all help lib setup test unit-tests demo demo-stack amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
-# A file of flags keeps what the things that depend on it were built with: it is written only when that changes.
+# A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
+# that make builds these files again just then.
 FLAGS = @mkdir -p $(@D); flags='$(subst ','\'',$(1))'; \
   [ "$$flags" = "$$(cat $@ 2>/dev/null)" ] || printf '%s\n' "$$flags" >$@
 
@@ -129,7 +130,7 @@ $(HOST_LIB): FORCE
 	@$(MAKE) --no-print-directory lib TARGET=host VARIANT= PORT=$(PORT_host)
 endif
 
-# Programs for the host: what the tests and tools share, and each one's own.
+# Programs for the host: the sources that tests and tools share (SUPPORT), and those of each program.
 
 SUPPORT_SOURCES := $(wildcard tests/support/case/*.c tests/support/reference/*.c tests/support/exact/*.c tests/support/generate/*.c tests/support/scene/*.c tests/support/solver/*.c) \
   port/hosted/gjk_hosted.c
@@ -157,7 +158,7 @@ build/gjk-query build/gjk-demo build/gjk-demo-stack build/lockstep $(UNIT_TESTS)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
-# The benchmark, and what reads its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet and fcl.
+# The benchmark, and the report on its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet and fcl.
 
 BENCH_PEERS ?=
 BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/*.c)) $(BENCH_PEERS:%=build/hosted/tests/measure/bench/peer/%.o)
@@ -178,7 +179,7 @@ build/gjk-bench: $(BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
 	@echo '  $@'
 	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
-# The scene's; of the peers those that have a broad phase, bullet and fcl.
+# The benchmark of scenes. Of the other libraries only bullet and fcl have a broad phase.
 SCENE_PEERS := $(filter bullet fcl,$(BENCH_PEERS))
 SCENE_BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench_scene/*.c)) \
   $(SCENE_PEERS:%=build/hosted/tests/measure/bench_scene/peer/%.o)
@@ -200,8 +201,9 @@ build/gjk-bench-report: $(BENCH_REPORT)
 	@echo '  $@'
 	@$(CC) $^ -lm -o $@
 
-# Firmware NAME for the target's emulated board: NAME.c and NAME_firmware.c of tests/check/target or tests/measure/target.
-# Start-up code clears memory in a loop, which must not become a call of itself.
+# Firmware NAME for the target's emulated board is built of NAME.c and NAME_firmware.c of tests/check/target or
+# tests/measure/target. -fno-tree-loop-distribute-patterns: memset and start-up code clear memory in loops, which the compiler
+# must not turn into calls of memset.
 
 BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
 FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/support/scene/*.h tests/programs/lockstep/*.h include/gjk/*.h) Makefile
@@ -235,7 +237,7 @@ $(OUT)/lockstep.elf: tests/programs/lockstep/firmware.c tests/programs/lockstep/
 	@echo '  $@'
 	@$(FIRMWARE)
 
-# What else there is to do.
+# The other goals.
 
 setup:
 	@sh tests/build/setup.sh

@@ -1,9 +1,9 @@
 #!/bin/sh
 # What a query costs on the emulated cores, beside the reference in float and double: bench-target.sh BUILD [TARGET...]
 #
-# Instructions, cold, mean and worst of 50 random pairs (1,000 of a skewed family); stack, painted and by the compiler's call graph; the workspace
-# that the pairs need at most; linked code.
-# All of it in BUILD/bench/target.csv, one figure a line: TARGET,SOLVER,SUBJECT,MEASURE,FIGURE
+# Instructions without a cache, mean and worst of 50 random pairs (1,000 of a skewed family); stack, painted and by the
+# call graph of the compiler; the most workspace that the pairs need; linked code. All figures go to
+# BUILD/bench/target.csv, one a line: TARGET,SOLVER,SUBJECT,MEASURE,FIGURE
 . tests/build/count.sh
 build=$1
 shift

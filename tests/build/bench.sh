@@ -1,8 +1,8 @@
 #!/bin/sh
 # Run time against error on the host: bench.sh BUILD [SECONDS [PAIRS]]; 60 seconds and 1000 pairs by default.
 #
-# Other libraries are measured beside this one where their Debian packages are installed, and instructions are counted
-# where valgrind is. Leaves BUILD/bench.csv and BUILD/bench.html and prints the same figures.
+# Other libraries are measured too if their Debian packages are installed, and instructions are counted if valgrind is.
+# Writes BUILD/bench.csv and BUILD/bench.html, and prints the same figures.
 . tests/build/count.sh
 . tests/build/peers.sh
 build=$1

@@ -1,7 +1,7 @@
 #!/bin/sh
-# The assertions that the proof takes, checked as they run, with all undefined behaviour and reads outside of what they
-# may: bounds.sh BUILD PAIRS STEP. PAIRS random pairs for each of two builds, as many forged scenes, Newton's iterations in
-# steps of STEP.
+# Runs the assertions of the sources as checks, with the sanitizers for undefined behaviour and addresses: bounds.sh
+# BUILD PAIRS STEP. PAIRS: random pairs, and as many forged scenes, for each of two builds. STEP: Newton's iterations
+# are run for every STEP-th number.
 dir=$1/bounds
 rm -rf "$dir"
 mkdir -p "$dir"

@@ -1,7 +1,7 @@
-# Counting for test scripts: source it, call check and skip, end with finish NAME.
+# Counts checks of test scripts. Source it, call check and skip, and end with finish NAME.
 passed=0 failed=0 skipped=0
 
-# check 'what must hold' command...: runs the command; its output is shown when it fails.
+# check 'what must hold' command...: runs the command, and shows its output if it fails.
 check() {
   what=$1
   shift

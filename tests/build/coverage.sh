@@ -1,11 +1,12 @@
 #!/bin/sh
-# Which lines and branches of src and include the tests reach: coverage.sh BUILD, in SUPPORT the objects that tests share
+# Which lines and branches of src and include the tests reach: coverage.sh BUILD. SUPPORT names the objects that tests
+# share.
 #
-# Every variant that compiles other code is built with clang's source coverage, and runs the unit tests, the golden hash
-# and the scenes; the counts are added up. A branch is one outcome of one condition. What is not reached stands in
-# the list unless a comment beside it or on the line above says why: '// not reached: REASON'. A comment where all is
-# reached is listed too. Exit status 1 when the list is not empty.
-# Not compiled here, and so not counted: the multiplications by name of ARM.
+# Every variant that compiles other code is built with clang's source coverage, and runs the unit tests, the golden
+# hash and the scenes; the counts are added up. A branch is one outcome of one condition. What is not reached is
+# listed, unless a comment on its line or the line above says why: '// not reached: REASON'. Such a comment is listed
+# too if all beside it is reached. Exit status 1: the list is not empty. Not compiled here, and so not counted: the
+# inline assembly for ARM.
 . tests/build/count.sh
 build=$1/coverage
 programs=$1

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Wrong decisions by family of pairs, this library beside floating point: decisions.sh BUILD [PAIRS]
 #
-# Prints a table. Its columns are the library, the reference in double, and libccd, FCL and Bullet where their Debian
-# packages are installed; of Bullet's two detectors the better one. PAIRS: of each family, 20000.
+# Prints a table. Its columns are the library, the reference in double, and libccd, FCL and Bullet if their Debian
+# packages are installed. Of the two detectors of Bullet the better one is shown. PAIRS: pairs of each family, 20000.
 . tests/build/count.sh
 . tests/build/peers.sh
 build=$1

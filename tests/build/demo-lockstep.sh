@@ -1,8 +1,8 @@
 #!/bin/sh
-# Two processes play a match by exchanging inputs alone and compare hashes each tick: demo-lockstep.sh BUILD TICKS
-# [DIVERGE]. First two on this machine, then this machine against firmware on an emulated Cortex-M3, then against an
-# emulated S390. With DIVERGE the judging side goes wrong at that tick. Status: 0 when the hashes were the same, or with
-# DIVERGE when they were not.
+# Two processes play a match: they exchange only inputs, and compare hashes each tick. demo-lockstep.sh BUILD TICKS
+# [DIVERGE]. First both run on this machine, then one is firmware on an emulated Cortex-M3, then one runs on an
+# emulated S390. With DIVERGE the side that judges goes wrong at that tick. Exit status 0: the hashes were the same, or
+# with DIVERGE they were not.
 . tests/build/count.sh
 build=$1 ticks=$2 diverge=$3
 link=$build/lockstep-link

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The demo's scene as Cortex-M3 firmware, where there are a cross compiler and an emulator: demo-target.sh BUILD SCENE
+# Runs the demo's scene as Cortex-M3 firmware, if a cross compiler and an emulator are installed: demo-target.sh BUILD
+# SCENE
 . tests/build/count.sh
 missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
 if [ -n "${missing# }" ]; then

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Runs firmware on its emulated core: emulate.sh TARGET ELF. Output and exit status are the firmware's.
 #
-# With -icount virtual time counts instructions: 2^shift ns each, so that one takes more than a tick of the counter.
+# With -icount virtual time counts instructions, at 2^shift ns each, so that an instruction takes more than a tick of
+# the counter.
 limit='timeout 300'
 
 arm() {

@@ -2,9 +2,9 @@
 # Fuzzes pairs, the reader of cases, hostile arguments, scenes and forged claims with libFuzzer:
 # fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
-# The seconds are shared out evenly; SEED 0 is a new one each time. Runs begin with what once failed (tests/check/fuzz/once)
-# and with what reached new code before, which stays in BUILD/fuzz/corpus. An input that fails stays in BUILD/fuzz and is
-# printed, of a pair also as a case for build/gjk-query. Exit status 1 then.
+# The seconds are shared out evenly. SEED 0 is a new one each time. Runs begin with inputs that once failed
+# (tests/check/fuzz/once) and with those that reached new code before, which are kept in BUILD/fuzz/corpus. An input
+# that fails is kept in BUILD/fuzz and printed, a pair also as a case for build/gjk-query. The exit status is 1 then.
 . tests/build/count.sh
 build=$1/fuzz
 seconds=$2

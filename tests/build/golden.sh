@@ -1,8 +1,8 @@
-# The golden hash of one build of the library: source count.sh first, then this, then call golden.
+# Finds the golden hash of one build of the library. Source count.sh first, then this, then call golden.
 #
-# An architecture is host, one of Debian's for which there is a cross compiler and qemu-user, or a target of the
-# Makefile with its emulated board. The library and the queries are compiled by COMPILER, gcc or clang; the rest of the
-# program by gcc, which also links.
+# An architecture is host, one of Debian's with a cross compiler and qemu-user, or a target of the Makefile with its
+# emulated board. COMPILER, gcc or clang, compiles the library and the queries; gcc compiles the rest of the program
+# and links it.
 golden_linux='i386 aarch64 rv64 s390x powerpc'
 golden_cores='cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc avr'
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Static checks: lint.sh BUILD. clang-format, clang-tidy, cppcheck with its MISRA addon, shellcheck.
 #
-# MISRA: the rules that src/README.md lists with a reason are those that the sources may break, and no others.
+# The sources may break those MISRA rules that src/README.md lists with a reason, and no others.
 . tests/build/count.sh
 dir=$1/lint
 mkdir -p "$dir"

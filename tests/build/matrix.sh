@@ -1,8 +1,8 @@
 #!/bin/sh
 # The golden hash from every compiler and level on every architecture, two builds at a time: matrix.sh BUILD
 #
-# One differing bit fails; so does undefined behaviour, which traps in the last column (-fsanitize=undefined, without
-# -fwrapv). What Debian's tools do not carry is '-'.
+# One bit that differs fails. So does undefined behaviour, which traps in the last column (-fsanitize=undefined,
+# without -fwrapv). '-' stands for what Debian's tools do not have.
 . tests/build/count.sh
 . tests/build/golden.sh
 dir=$1/matrix

@@ -2,15 +2,16 @@
 # Do the tests notice small wrong changes of src? mutants.sh BUILD [MUTANTS [SEED]]
 # In SUPPORT: the objects that tests share.
 #
-# Each mutant of tests/check/mutate is compiled (its file alone, or what includes it) and put into a shared library under the
-# tests, which run with few trials until one fails; an endless loop fails too. Only tests that link the file run, those
-# first that noticed most mutants of it so far. A mutant whose object code is that of the original in every variant of
-# the build is none. What survives stands in the list at the end, unless tests/check/mutate/equivalent.txt argues that it
-# changes no answer, or nothing but speed. MUTANTS: a random sample of so many, 0: all; of one SEED the larger
-# sample holds the smaller. In FILES: an expression for the names of files, when only some are meant. Verdicts are kept
-# in BUILD/mutants/results, so that a run goes on where it was interrupted, and one with another seed adds to it: they
-# hold while the file's code is the same, those of survivors while the tests are, too.
-# Exit status 1 when less than 95 % are noticed, or when an argument is wrong.
+# Each mutant of tests/check/mutate is compiled (its file alone, or what includes it) and put into a shared library
+# under the tests. These run with few trials until one fails; an endless loop fails too. Only tests that link the file
+# run, those first that have noticed most mutants of it. A mutant is dropped if its object code is that of the original
+# in every variant of the build. Survivors are listed at the end, unless tests/check/mutate/equivalent.txt shows that
+# they change no answer, or only speed.
+# MUTANTS: a random sample of so many, 0: all. With the same SEED a larger sample contains a smaller one. FILES: a
+# regular expression for the names of files. Verdicts are kept in BUILD/mutants/results, so that a run goes on where it
+# was interrupted, and a run with another seed adds to them. A verdict holds while the code of its file is the same;
+# that of a survivor, while the tests are the same, too.
+# Exit status 1: fewer than 95 % are noticed, or an argument is wrong.
 . tests/build/count.sh
 build=$1/mutants
 sample=${2:-0}

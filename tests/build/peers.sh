@@ -1,4 +1,4 @@
-# Other libraries to measure beside this one: source it after count.sh.
+# Finds other libraries to measure. Source it after count.sh.
 peers=
 
 # find_peer PKG-CONFIG-NAME NAME DEBIAN-PACKAGE: adds one to $peers, or says what it needs.

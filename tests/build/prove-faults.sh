@@ -1,13 +1,13 @@
 #!/bin/sh
-# Does the proof notice faults? prove-faults.sh BUILD: each is put into a copy of the sources, and the runs concerned must
-# fail. Without a fault they must hold.
+# Does the proof notice faults? prove-faults.sh BUILD. Each fault is put into a copy of the sources, and the runs
+# concerned must fail. Without a fault they must hold.
 . tests/build/count.sh
 LC_ALL=C.UTF-8
 export LC_ALL
 top=$1/prove-faults
 mkdir -p "$top"
 
-# fault NAME FILE RUNS OLD NEW [OLD NEW]...: literal text, which must be there, once.
+# fault NAME FILE RUNS OLD NEW [OLD NEW]...: replaces literal text, which must occur once.
 fault() {
   name=$1 file=$2 runs=$3
   copy=$top/$name

@@ -1,11 +1,12 @@
 #!/bin/sh
 # Proves the absence of undefined behaviour with Frama-C's Eva: prove.sh BUILD [RUN...]
 #
-# A run is a driver of tests/prove with its case and its variant, such as shape-BOX-int32; without one, all are run. What
-# Eva cannot show by itself must stand in tests/prove/assumed.txt, which says why it holds, and in tests/prove/open.txt,
-# which says for which runs, in how many places, and which statements they do not reach: more fails, and so does less. What
-# Eva refutes fails anyway. `prove.sh BUILD --list [RUN...]` writes what the last analysis of those runs, or of all that
-# BUILD holds, has found into open.txt. tests/prove/README.md tells the rest.
+# A run is a driver of tests/prove with its case and variant, such as shape-BOX-int32. Without RUN all are made. What
+# Eva cannot show by itself must stand in two lists. tests/prove/assumed.txt says why it holds. tests/prove/open.txt
+# says for which runs, in how many places, and which statements the runs do not reach; a run fails if it finds more, or
+# less. What Eva refutes always fails.
+# `prove.sh BUILD --list [RUN...]` writes into open.txt what the last analysis of those runs has found, or of all runs
+# that BUILD holds. tests/prove/README.md tells the rest.
 . tests/build/count.sh
 LC_ALL=C.UTF-8
 export LC_ALL

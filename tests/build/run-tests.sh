@@ -1,10 +1,10 @@
 #!/bin/sh
 # Runs tests, two at a time, and adds up their counts: run-tests.sh BUILD TEST...
 #
-# A test is a program, or a script that gets BUILD. Its last line is 'NAME: N passed, N failed', maybe with
-# ', N skipped'. It counts as a failure when it ends badly all the same, says nothing of the kind, counts nothing at all,
-# or has no result in the end: never started, or killed with the shell that watched it. Its output is kept in BUILD/log,
-# and shown when it fails. With GJK_NO_SKIP=1 a skip is a failure.
+# A test is a program, or a script that gets BUILD. Its last line is 'NAME: N passed, N failed', perhaps with ', N
+# skipped'. It counts as failed also if its exit status is bad, that line is missing, it counts nothing at all, or
+# there is no result: it was never started, or was killed with the shell that watched it. Its output is kept in
+# BUILD/log, and shown if it fails. With GJK_NO_SKIP=1 a skip is a failure.
 build=$1
 logs=$build/log
 shift

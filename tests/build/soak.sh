@@ -1,10 +1,10 @@
 #!/bin/sh
 # A long campaign of certified pairs over two cores: soak.sh BUILD PAIRS
 #
-# Chunks of test_certificates, one seed each. The state of a campaign is a folder of BUILD/soak, one for each version of
-# that program: the program, and in 'done' the seeds that are finished. So an interrupted campaign goes on where it was,
-# and a larger one after a smaller one does what is left. A chunk that fails shows its pairs as cases for
-# build/gjk-query, keeps them in SEED.log, and runs again the next time.
+# Runs chunks of test_certificates, one seed each. The state of a campaign is a folder of BUILD/soak, one for each
+# version of that program. It holds the program, and in 'done' the seeds that are finished. So an interrupted campaign
+# goes on where it was, and a larger one after a smaller one does only the rest. A chunk that fails shows its pairs as
+# cases for build/gjk-query, keeps them in SEED.log, and runs again the next time.
 CHUNK=100000
 FIRST_SEED=1000000
 

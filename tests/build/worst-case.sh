@@ -1,9 +1,10 @@
 #!/bin/sh
 # The most expensive pairs that a search finds: worst-case.sh BUILD [SEED [ITERATIONS [INSTRUCTIONS]]]
 #
-# Per family so many measurements on the host, of iterations and what is done between them, then of instructions on an
-# emulated Cortex-M3. What beats the pairs of tests/data/worst.txt replaces them there. With 'replay' instead of a SEED it
-# only counts the known pairs afresh, prints 'ID|iterations|instructions' and changes nothing.
+# For each family it makes so many measurements on the host, of iterations and of the work between them, then of
+# instructions on an emulated Cortex-M3. A pair that costs more than one of tests/data/worst.txt replaces it there.
+# With 'replay' instead of a SEED it only counts the known pairs afresh, prints 'ID|iterations|instructions' and
+# changes nothing.
 . tests/build/count.sh
 build=$1
 seed=${2:-1}

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The library as two files: complete by themselves, the same bits, the same size to 2 %. test_amalgamation.sh BUILD
+# The library as two files: they are complete by themselves, give the same bits, and have the same size to within 2 %.
+# test_amalgamation.sh BUILD
 . tests/build/count.sh
 build=$1
 dir=$build/amalgamation-test

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The benchmark at its smallest: what it writes, and that the library is right in it: test_bench.sh BUILD
+# The benchmark at its smallest: it writes what it should, and the library is right in it. test_bench.sh BUILD
 build=$1
 dir=$build/bench-test
 . tests/build/count.sh

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Neither caches nor history, skips or saves change an answer, also where none is found: all tests of scenes, saves and
-# lockstep with ceilings of 1, 2, 3 and 10 iterations, and in workspaces of 0 to 60 cells. test_ceilings.sh BUILD
+# Caches, history, skipped tests and saves never change an answer, also where no answer is found. Runs all tests of
+# scenes, saves and lockstep with ceilings of 1, 2, 3 and 10 iterations, and in workspaces of 0 to 60 cells.
+# test_ceilings.sh BUILD
 . tests/build/count.sh
 root=$(pwd)
 dir=$1/ceilings
@@ -8,7 +9,7 @@ mkdir -p "$dir"
 
 flags="-std=c99 -O1 -I$root/include -I$root -I$root/port -I$root/tests/support"
 
-# compile ITERATIONS: the library and what the tests share, with that ceiling
+# compile ITERATIONS: the library and what the tests share, with that ceiling on iterations
 compile() {
   rm -rf "${dir:?}/$1"
   mkdir -p "$dir/$1/tests"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The pile of make demo-stack: it comes to rest, the same everywhere, and its picture is whole: test_demo_stack.sh BUILD
+# The pile of make demo-stack comes to rest, the same on every machine, and its picture is complete: test_demo_stack.sh
+# BUILD
 build=$1
 demo=$build/gjk-demo-stack
 dir=$build/demo-stack-test

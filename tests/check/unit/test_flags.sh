@@ -1,7 +1,7 @@
 #!/bin/sh
 # What was built with other flags is built again, and nothing else is. test_flags.sh BUILD
 #
-# In a copy of the Makefile with a library of one file, so that no other test's builds change.
+# It works on a copy of the Makefile with a library of one file, so that the builds of other tests do not change.
 . tests/build/count.sh
 dir=$1/flags-test
 rm -rf "$dir"

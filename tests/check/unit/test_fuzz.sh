@@ -1,5 +1,5 @@
 #!/bin/sh
-# A short run of the fuzzers with a seed that stays. test_fuzz.sh BUILD
+# A short run of the fuzzers with a fixed seed. test_fuzz.sh BUILD
 . tests/build/count.sh
 if have clang && echo 'int main(void) { return 0; }' | clang -fsanitize=address -x c - -o /dev/null 2>/dev/null; then
   check 'pairs, cases, arguments, scenes and claims' sh tests/build/fuzz.sh "$1" 30 1

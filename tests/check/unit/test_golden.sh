@@ -1,6 +1,6 @@
 #!/bin/sh
 # The same bits from every build: compilers, optimisation, with and without 128-bit integers and long multiplications,
-# big-endian, 32 bits, and on the emulated cores; a part of `make matrix`. test_golden.sh BUILD
+# big-endian, 32 bits, and on the emulated cores. It is a part of `make matrix`. test_golden.sh BUILD
 . tests/build/count.sh
 . tests/build/golden.sh
 build=$1/golden

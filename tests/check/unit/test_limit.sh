@@ -1,6 +1,6 @@
 #!/bin/sh
-# The ceiling on iterations: a build that has a low one reports it, with bounds that hold, and after each status the fields that
-# the headers name are valid. test_limit.sh BUILD
+# The ceiling on iterations. A build with a low one reports it, with bounds that hold. After each status the fields
+# that the headers name are valid. test_limit.sh BUILD
 . tests/build/count.sh
 dir=$1/limit
 mkdir -p "$dir"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The quick part of `make prove`, and the assertions that it takes, checked as they run. test_prove.sh BUILD
+# The quick part of `make prove`, and a run of the assertions that the proof takes as given. test_prove.sh BUILD
 . tests/build/count.sh
 check 'assertions of the sources hold, without undefined behaviour' sh tests/build/bounds.sh "$1" 4000 4001
 check 'at least eighty assertions are checked' sh -c "[ \$(cat '$1'/bounds/*.[ch] | grep -c __builtin_trap) -ge 80 ]"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The README's own examples: each block of C with a main compiles, runs, and prints what its comments '// prints: TEXT'
-# say, in their order; one without compiles. test_readme.sh BUILD
+# The README's own examples. Each block of C with a main compiles, runs, and prints what its comments '// prints: TEXT'
+# say, in their order. A block without a main compiles. test_readme.sh BUILD
 . tests/build/count.sh
 scratch=$1/readme
 rm -rf "$scratch"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The README's tables of costs are what a fresh count on Cortex-M3 gives. test_readme_figures.sh BUILD
+# The README's tables of costs must be what a fresh count on Cortex-M3 gives. test_readme_figures.sh BUILD
 . tests/build/count.sh
 
 missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"

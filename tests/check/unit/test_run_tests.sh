@@ -1,5 +1,5 @@
 #!/bin/sh
-# Does the runner of the tests notice what goes wrong around them? test_run_tests.sh BUILD
+# Does the runner of the tests notice what may go wrong with a test? test_run_tests.sh BUILD
 . tests/build/count.sh
 unset GJK_NO_SKIP  # what these runs do with skips is tested
 dir=$1/run_tests

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The start of what `make scene-soak` runs. test_scene_soak.sh BUILD
+# A short part of what `make scene-soak` runs. test_scene_soak.sh BUILD
 . tests/build/count.sh
 if have gcc; then
   check 'random operations under the sanitizers' sh tests/build/scene-soak.sh "$1" 20000

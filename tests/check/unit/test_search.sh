@@ -1,12 +1,13 @@
 #!/bin/sh
-# The search of polytopes when it remembers what it has seen, which few pairs need: from the first iterations on, and with few
-# steps among what was seen before all features are tried. Certified as usual, in the same bits. test_search.sh BUILD
+# The search of polytopes that remembers the vertices it has seen, which few pairs need. It is built to remember from
+# the first iterations on, and to take few steps among seen vertices before it tries all features. Answers are
+# certified as usual and have the same bits. test_search.sh BUILD
 . tests/build/count.sh
 dir=$1/search
 support=$(make -s print-SUPPORT)
 mkdir -p "$dir"
 
-# build NAME TEST DEFINES...: a test with such a library
+# build NAME TEST DEFINES...: builds a test with such a library
 build() {
   program=$dir/$1
   test=$2

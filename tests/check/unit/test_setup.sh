@@ -1,14 +1,14 @@
 #!/bin/sh
 # Setup installs what is missing, and waits for another apt. test_setup.sh BUILD
 #
-# apt-get and what else it calls are stand-ins that note how they were called; nothing is installed.
+# apt-get and the other tools that it calls are stand-ins that note how they were called. Nothing is installed.
 . tests/build/count.sh
 dir=$1/setup-test
 rm -rf "$dir"
 mkdir -p "$dir/bin"
 dir=$(cd "$dir" && pwd)
 
-# stand_in NAME: a program of that name, made of standard input
+# stand_in NAME: makes a program of that name of standard input
 stand_in() {
   { echo '#!/bin/sh'; cat; } >"$dir/bin/$1"
   chmod +x "$dir/bin/$1"

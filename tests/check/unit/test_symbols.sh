@@ -1,9 +1,9 @@
 #!/bin/sh
-# What the objects ask of their surroundings: no symbol on Cortex-M3 and up, elsewhere the compiler's integer helpers
-# below; no data that changes anywhere; no recursion, and little stack. test_symbols.sh BUILD
+# What the objects need of their surroundings: no symbol on Cortex-M3 and up, elsewhere the integer helpers of the
+# compiler that are listed below. No data that changes, no recursion, and little stack. test_symbols.sh BUILD
 . tests/build/count.sh
 
-# Bytes of stack that a query may need where registers are as wide as the numbers' halves.
+# Most bytes of stack of a query, where registers are as wide as the halves of wide integers.
 STACK_LIMIT=992
 
 # allowed TARGET LEVEL: each helper with its reason

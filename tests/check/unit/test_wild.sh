@@ -1,5 +1,5 @@
 #!/bin/sh
-# A user's support function without any promise kept, under the sanitizers. test_wild.sh BUILD
+# A custom shape whose support function breaks all its promises, under the sanitizers. test_wild.sh BUILD
 . tests/build/count.sh
 dir=$1/wild
 mkdir -p "$dir"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The most expensive pairs on an emulated Cortex-M3: their recorded iterations, and no more than 5 % above their recorded
-# instructions, which leaves room for another compiler and not for a slower path. test_worst_target.sh BUILD
+# The most expensive pairs on an emulated Cortex-M3. They must take the recorded iterations, and at most 5 % more than
+# the recorded instructions: room for another compiler, but not for a slower path. test_worst_target.sh BUILD
 . tests/build/count.sh
 build=$1/worst-replay
 mkdir -p "$build"
