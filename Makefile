@@ -38,8 +38,8 @@
 TARGET ?= host
 OPT ?= -O2
 
-# The targets. TOOLS: compiler and flags; AR: archiver; BOARD: what a program for the target's emulated board is linked with.
-# GJK_NARROW_MULTIPLY is for cores without a multiplication of 32 x 32 to 64 bits; `make sizes` needs -fcallgraph-info.
+# The targets: compiler and flags, archiver, and what a program for the target's emulated board is linked with.
+# GJK_NARROW_MULTIPLY is for cores without a multiplication of 32 x 32 to 64 bits; -fcallgraph-info for `make sizes`.
 TOOLS_host := $(CC)
 AR_host := ar
 PORT_host := hosted
