@@ -12,7 +12,7 @@
 #define AWAKE 0.01
 #define DRIFT (ONE / 500)
 
-// Iterations of impulses a tick: a stack of ten passes them on from body to body.
+// How often a tick goes over all impulses. A stack of ten passes them on from body to body.
 #define HIGH 60
 #define BROAD 12
 

@@ -243,7 +243,7 @@ static void check_refusals(void) {
 }
 
 // Among equally near parts the lowest slot, then the lowest part, whatever the order in which the tree holds them; a body
-// is left out by its whole handle.
+// is left out by its whole id.
 static void check_equals(void) {
   static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
   static const gjk_shape *const shapes[] = {&ball};

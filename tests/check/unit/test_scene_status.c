@@ -185,7 +185,7 @@ static void check_bad_changes(void) {
   CHECK(collider.centre.x == 65536);
 }
 
-// Handles that were never given, or are no more, are refused; a slot that comes back has another generation.
+// Ids that were never given, or whose body is removed, are refused. A slot that is taken again has another generation.
 static void check_handles(void) {
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   const gjk_body_setup s = setup_of(&part, 1, 0);

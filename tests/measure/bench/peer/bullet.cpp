@@ -142,11 +142,30 @@ void run_boxes(const bench_method *, void *prepared, bench_query, bench_answer *
 }
 
 constexpr unsigned all = BENCH_ASK(BENCH_DISTANCE) | BENCH_ASK(BENCH_INTERSECT) | BENCH_ASK(BENCH_DEPTH);
-const bench_method detector = {
-    "Bullet pair detector", "Bullet pair detector", 0, all, false, prepare, run_detector, release};
-const bench_method epa2 = {"Bullet EPA2", "Bullet EPA2", 0, all, false, prepare, run_epa2, release};
-const bench_method boxes = {"Bullet box-box", "Bullet box-box", 0, BENCH_ASK(BENCH_CONTACTS), true, prepare_boxes,
-                            run_boxes,        release_boxes};
+const bench_method detector = {.name = "Bullet pair detector",
+                               .series = "Bullet pair detector",
+                               .setting = 0,
+                               .answers = all,
+                               .boxes_only = false,
+                               .prepare = prepare,
+                               .run = run_detector,
+                               .release = release};
+const bench_method epa2 = {.name = "Bullet EPA2",
+                           .series = "Bullet EPA2",
+                           .setting = 0,
+                           .answers = all,
+                           .boxes_only = false,
+                           .prepare = prepare,
+                           .run = run_epa2,
+                           .release = release};
+const bench_method boxes = {.name = "Bullet box-box",
+                            .series = "Bullet box-box",
+                            .setting = 0,
+                            .answers = BENCH_ASK(BENCH_CONTACTS),
+                            .boxes_only = true,
+                            .prepare = prepare_boxes,
+                            .run = run_boxes,
+                            .release = release_boxes};
 
 }  // namespace
 

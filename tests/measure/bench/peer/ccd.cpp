@@ -66,8 +66,14 @@ void release(void *prepared) {
   delete static_cast<Prepared *>(prepared);
 }
 
-const bench_method gjk = {"libccd GJK", "libccd GJK", 0,       BENCH_ASK(BENCH_INTERSECT) | BENCH_ASK(BENCH_DEPTH),
-                          false,        prepare,      run_gjk, release};
+const bench_method gjk = {.name = "libccd GJK",
+                          .series = "libccd GJK",
+                          .setting = 0,
+                          .answers = BENCH_ASK(BENCH_INTERSECT) | BENCH_ASK(BENCH_DEPTH),
+                          .boxes_only = false,
+                          .prepare = prepare,
+                          .run = run_gjk,
+                          .release = release};
 
 }  // namespace
 

@@ -102,13 +102,22 @@ using Ccd = fcl::detail::GJKSolver_libccdd;
 using Indep = fcl::detail::GJKSolver_indepd;
 // Only distances are asked: its yes-or-no question and its depths run libccd's MPR, which loops without end on some of
 // the smallest pairs.
-const bench_method ccd = {"FCL libccd", "FCL libccd", 0,        BENCH_ASK(BENCH_DISTANCE),
-                          false,        prepare<Ccd>, run<Ccd>, release<Ccd>};
-const bench_method indep = {
-    "FCL indep", "FCL indep",
-    0,           BENCH_ASK(BENCH_DISTANCE) | BENCH_ASK(BENCH_INTERSECT) | BENCH_ASK(BENCH_DEPTH),
-    false,       prepare<Indep>,
-    run<Indep>,  release<Indep>};
+const bench_method ccd = {.name = "FCL libccd",
+                          .series = "FCL libccd",
+                          .setting = 0,
+                          .answers = BENCH_ASK(BENCH_DISTANCE),
+                          .boxes_only = false,
+                          .prepare = prepare<Ccd>,
+                          .run = run<Ccd>,
+                          .release = release<Ccd>};
+const bench_method indep = {.name = "FCL indep",
+                            .series = "FCL indep",
+                            .setting = 0,
+                            .answers = BENCH_ASK(BENCH_DISTANCE) | BENCH_ASK(BENCH_INTERSECT) | BENCH_ASK(BENCH_DEPTH),
+                            .boxes_only = false,
+                            .prepare = prepare<Indep>,
+                            .run = run<Indep>,
+                            .release = release<Indep>};
 
 }  // namespace
 

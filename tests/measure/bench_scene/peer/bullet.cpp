@@ -77,4 +77,5 @@ void stop(void *world) {
 
 }  // namespace
 
-extern "C" const scene_method scene_bullet = {"Bullet btDbvtBroadphase", start, tick, count, stop};
+extern "C" const scene_method scene_bullet = {
+    .name = "Bullet btDbvtBroadphase", .start = start, .tick = tick, .count = count, .stop = stop};

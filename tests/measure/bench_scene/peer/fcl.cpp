@@ -127,4 +127,5 @@ void stop(void *world) {
 
 }  // namespace
 
-extern "C" const scene_method scene_fcl = {"FCL DynamicAABBTree", start, tick, count, stop};
+extern "C" const scene_method scene_fcl = {
+    .name = "FCL DynamicAABBTree", .start = start, .tick = tick, .count = count, .stop = stop};
