@@ -1,5 +1,4 @@
-// Proves src/depth/gjk_facet.h. CASE 0: heights and height keys of any planes; 1: any candidate; 2: the corners of any
-// facet.
+// src/depth/gjk_facet.h: heights and height keys of any planes, CASE 0; any candidate, 1; the corners of any facet, 2.
 #include "facets.h"
 
 #include "colliders.h"

@@ -1,5 +1,4 @@
-// Proves src/gjk/gjk_search.h on any two colliders with vertices, at any iteration, from any feature of CASE vertices
-// that src/gjk/gjk_iteration.c leaves.
+// src/gjk/gjk_search.h on any two colliders of vertices, from any feature of CASE vertices that src/gjk/gjk_iteration.c leaves, at any iteration.
 #include "colliders.h"
 #include "src/gjk/gjk_search.h"
 
