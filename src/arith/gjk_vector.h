@@ -25,11 +25,6 @@ static inline gjk_vec3 gjk_sub(gjk_vec3 a, gjk_vec3 b) {
   return difference;
 }
 
-// a - b where it is shorter than 2^31, so that products of two such are below 2^62.
-static inline gjk_vec3 gjk_edge(gjk_vec3 a, gjk_vec3 b) {
-  return gjk_sub(a, b);
-}
-
 static inline gjk_vec3 gjk_negate(gjk_vec3 a) {
   gjk_vec3 opposite = {-a.x, -a.y, -a.z};
   return opposite;
@@ -58,9 +53,9 @@ int gjk_sum_of_products_sign(int64_t p, int64_t q, int64_t r, int64_t s);
 #endif
 
 // *out = (b - a) x (c - a), exact: the triangle's normal, outwards of what it bounds when a, b, c run counterclockwise.
-// Pre: edges as of gjk_edge.
+// Pre: edges from a are shorter than 2^31: their products are below 2^62.
 static inline void gjk_triangle_normal(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, gjk_long3 *out) {
-  const gjk_vec3 ab = gjk_edge(*b, *a), ac = gjk_edge(*c, *a);
+  const gjk_vec3 ab = gjk_sub(*b, *a), ac = gjk_sub(*c, *a);
   gjk_cross(&ab, &ac, out);
 }
 
