@@ -18,10 +18,10 @@ typedef struct spot {
 } spot;
 
 typedef struct selection {
-  spot at[GJK_TOUCHES_MAX];
-  uint8_t order[GJK_TOUCHES_MAX];  // the touches by their ids
-  unsigned count;                  // of these
-  uint8_t *keep;                   // places in order
+  spot at[GJK_CANDIDATES_MAX];
+  uint8_t order[GJK_CANDIDATES_MAX];  // the candidates by their ids
+  unsigned count;                     // of these
+  uint8_t *keep;                      // places in order
   unsigned kept;
 } selection;
 
@@ -29,12 +29,12 @@ static bool is_as_large(int64_t value, int64_t largest) {
   return value >= largest - gjk_sar64(largest, ALIKE);
 }
 
-static void sort(const gjk_touches *t, selection *s) {
+static void sort(const gjk_candidates *t, selection *s) {
   s->count = t->count;
   s->order[0] = 0;
   for (unsigned i = 1; i < t->count; i++) {
     unsigned at = i;
-    while (at > 0 && t->touch[s->order[at - 1]].id > t->touch[i].id) {
+    while (at > 0 && t->candidate[s->order[at - 1]].id > t->candidate[i].id) {
       s->order[at] = s->order[at - 1];
       at--;
     }
@@ -43,13 +43,13 @@ static void sort(const gjk_touches *t, selection *s) {
 }
 
 // Finds the spots, from the first point. Returns the largest coordinate.
-static uint32_t find_spots(const gjk_touches *t, const gjk_unit3 *normal, selection *s) {
+static uint32_t find_spots(const gjk_candidates *t, const gjk_unit3 *normal, selection *s) {
   const uint32_t x = gjk_magnitude32(normal->x), y = gjk_magnitude32(normal->y), z = gjk_magnitude32(normal->z);
   const unsigned axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-  const gjk_vec3 *origin = &t->touch[s->order[0]].point_a;
+  const gjk_vec3 *origin = &t->candidate[s->order[0]].point_a;
   uint32_t reach = 0;
   for (unsigned i = 0; i < s->count; i++) {
-    const gjk_vec3 v = gjk_sub(t->touch[s->order[i]].point_a, *origin);
+    const gjk_vec3 v = gjk_sub(t->candidate[s->order[i]].point_a, *origin);
     const spot p = {axis == 0 ? v.y : v.x, axis == 2 ? v.y : v.z};
     s->at[i] = p;
     reach = gjk_magnitude32(p.x) > reach ? gjk_magnitude32(p.x) : reach;
@@ -58,18 +58,18 @@ static uint32_t find_spots(const gjk_touches *t, const gjk_unit3 *normal, select
   return reach;
 }
 
-static gjk_q16 least_distance(const gjk_touches *t) {
-  gjk_q16 least = t->touch[0].distance;
+static gjk_q16 least_distance(const gjk_candidates *t) {
+  gjk_q16 least = t->candidate[0].distance;
   for (unsigned i = 1; i < t->count; i++) {
-    least = t->touch[i].distance < least ? t->touch[i].distance : least;
+    least = t->candidate[i].distance < least ? t->candidate[i].distance : least;
   }
   return least;
 }
 
 // The first point whose distance is no more than limit. Pre: there is one.
-static unsigned first_within(const gjk_touches *t, const selection *s, int64_t limit) {
+static unsigned first_within(const gjk_candidates *t, const selection *s, int64_t limit) {
   unsigned i = 0;
-  while (i + 1 < s->count && t->touch[s->order[i]].distance > limit) {
+  while (i + 1 < s->count && t->candidate[s->order[i]].distance > limit) {
     i++;
   }
   return i;
@@ -122,7 +122,7 @@ static int64_t measure_diagonal(const selection *s, unsigned k, bool quadrilater
 }
 
 static void keep_largest(selection *s, bool quadrilateral) {
-  int64_t area[GJK_TOUCHES_MAX], most = 0;
+  int64_t area[GJK_CANDIDATES_MAX], most = 0;
   unsigned k = 0;
   diagonal d;
   for (unsigned i = 0; i < s->count; i++) {
@@ -180,24 +180,24 @@ static void keep_most(selection *s, unsigned first, unsigned most) {
   }
 }
 
-static bool keeps_within(const gjk_touches *t, const selection *s, int64_t limit) {
+static bool keeps_within(const gjk_candidates *t, const selection *s, int64_t limit) {
   for (unsigned k = 0; k < s->kept; k++) {
-    if (t->touch[s->order[s->keep[k]]].distance <= limit) {
+    if (t->candidate[s->order[s->keep[k]]].distance <= limit) {
       return true;
     }
   }
   return false;
 }
 
-void gjk_reduce(const gjk_touches *touches, const gjk_unit3 *normal, unsigned most, uint8_t *keep) {
+void gjk_reduce(const gjk_candidates *candidates, const gjk_unit3 *normal, unsigned most, uint8_t *keep) {
   selection s;
   s.keep = keep;
-  sort(touches, &s);
-  const uint32_t reach = find_spots(touches, normal, &s);
-  const int64_t limit = (int64_t)least_distance(touches) + DEEP;
-  keep_most(&s, first_within(touches, &s, limit + (reach >> LEAN)), most);
-  if (!keeps_within(touches, &s, limit)) {
-    keep_most(&s, first_within(touches, &s, limit), most);
+  sort(candidates, &s);
+  const uint32_t reach = find_spots(candidates, normal, &s);
+  const int64_t limit = (int64_t)least_distance(candidates) + DEEP;
+  keep_most(&s, first_within(candidates, &s, limit + (reach >> LEAN)), most);
+  if (!keeps_within(candidates, &s, limit)) {
+    keep_most(&s, first_within(candidates, &s, limit), most);
   }
   for (unsigned i = 0; i < most; i++) {
     keep[i] = s.order[keep[i]];

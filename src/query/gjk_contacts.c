@@ -19,7 +19,7 @@ static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
 
 // Where the faces cover each other; out's features.
 GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin,
-                                          gjk_touches *touches, gjk_manifold *out) {
+                                          gjk_candidates *candidates, gjk_manifold *out) {
   const gjk_vec3 origin = {0, 0, 0}, to_b = {out->normal.x, out->normal.y, out->normal.z}, to_a = gjk_negate(to_b);
   const gjk_vec3 delta = gjk_sub(b->centre, a->centre);
   //@ assert delta.x >= -REACH && delta.x <= REACH;
@@ -31,10 +31,10 @@ GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_colli
   out->feature_a = of_a.feature;
   out->feature_b = of_b.feature;
   if (of_a.count > 1 && of_b.count > 1) {
-    gjk_clip(&of_a, &of_b, &a->centre, margin, touches);
+    gjk_clip(&of_a, &of_b, &a->centre, margin, candidates);
   }
-  if (touches->count == 0) {
-    touches->touch[0].id = gjk_touch_id(gjk_part_of(&of_a), gjk_part_of(&of_b));
+  if (candidates->count == 0) {
+    candidates->candidate[0].id = gjk_contact_id(gjk_feature_of(&of_a), gjk_feature_of(&of_b));
   }
 }
 
@@ -45,47 +45,47 @@ static int64_t squared_between(const gjk_vec3 *p, const gjk_vec3 *q) {
   return gjk_dot(&v, &v);
 }
 
-// Sees to it that the nearest points are among the touches: of rounded and curved shapes they may lie beside the flat parts,
-// and of crossing edges there is nothing else. They take the place of the touch next to them.
-static void admit_nearest(const gjk_distance_result *nearest, gjk_touches *touches) {
+// Sees to it that the nearest points are among the candidates: of rounded and curved shapes they may lie beside the flat parts,
+// and of crossing edges there is nothing else. They take the place of the candidate next to them.
+static void admit_nearest(const gjk_distance_result *nearest, gjk_candidates *candidates) {
   unsigned next = 0;
   int64_t least = INT64_MAX;
-  for (unsigned i = 0; i < touches->count; i++) {
-    const gjk_contact *touch = &touches->touch[i];
-    if (touch->distance <= nearest->distance + SLACK) {
+  for (unsigned i = 0; i < candidates->count; i++) {
+    const gjk_contact *candidate = &candidates->candidate[i];
+    if (candidate->distance <= nearest->distance + SLACK) {
       return;
     }
     const int64_t squared =
-        squared_between(&touch->point_a, &nearest->point_a) + squared_between(&touch->point_b, &nearest->point_b);
+        squared_between(&candidate->point_a, &nearest->point_a) + squared_between(&candidate->point_b, &nearest->point_b);
     if (squared < least) {
       least = squared;
       next = i;
     }
   }
-  gjk_contact *touch = &touches->touch[next];
-  touch->point_a = nearest->point_a;
-  touch->point_b = nearest->point_b;
-  touch->distance = nearest->distance;
-  touches->count = touches->count == 0 ? 1 : touches->count;
+  gjk_contact *candidate = &candidates->candidate[next];
+  candidate->point_a = nearest->point_a;
+  candidate->point_b = nearest->point_b;
+  candidate->distance = nearest->distance;
+  candidates->count = candidates->count == 0 ? 1 : candidates->count;
 }
 
 GJK_OUT_OF_LINE static void find_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
                                           const gjk_distance_result *nearest, gjk_manifold *out) {
-  gjk_touches touches;
+  gjk_candidates candidates;
   uint8_t keep[GJK_CONTACTS_MAX];
-  touches.count = 0;
-  touches.touch[0].id = gjk_touch_id(GJK_PART_CORNER, GJK_PART_CORNER);
+  candidates.count = 0;
+  candidates.candidate[0].id = gjk_contact_id(GJK_FEATURE_CORNER, GJK_FEATURE_CORNER);
   if (is_within_reach(&a->centre, &b->centre)) {
-    clip_polygons(a, b, margin, &touches, out);
+    clip_polygons(a, b, margin, &candidates, out);
   }
-  admit_nearest(nearest, &touches);
-  const bool reduced = touches.count > most;
+  admit_nearest(nearest, &candidates);
+  const bool reduced = candidates.count > most;
   if (reduced) {
-    gjk_reduce(&touches, &out->normal, most, keep);
+    gjk_reduce(&candidates, &out->normal, most, keep);
   }
-  out->count = (uint8_t)(reduced ? most : touches.count);
+  out->count = (uint8_t)(reduced ? most : candidates.count);
   for (unsigned i = 0; i < out->count; i++) {
-    out->contact[i] = touches.touch[reduced ? keep[i] : i];
+    out->contact[i] = candidates.candidate[reduced ? keep[i] : i];
   }
 }
 
