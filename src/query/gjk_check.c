@@ -5,6 +5,7 @@
 #include "../gjk/gjk_search.h"
 #include "gjk_claim.h"
 #include "gjk_distance.h"
+#include "gjk_outward.h"
 
 // Fills the simplex with the named pairs. False when a vertex does not exist.
 static bool load(gjk_iteration *it, const gjk_certificate *certificate) {
@@ -156,8 +157,16 @@ static bool is_rounded(const gjk_iteration *it, gjk_q16 distance, int64_t radius
          (twice == 0 || gjk_compare_distance(&numerator, &denominator, (twice - 1) << it->shift) >= 0);
 }
 
-// Are the points where the named feature is nearest? Saturated: may a coordinate have been cut off? A point that was says
-// nothing of where it lay. Pre: the certificate's feature holds.
+// May saturation explain points that are not where the certificate has them? At least one must have a coordinate at an end of
+// Q16.16 that its named vertices reach; such a point says nothing of where it lay. The other must be on its shape, or saturated.
+static bool may_be_saturated(const gjk_iteration *it, const gjk_certificate *c, const gjk_vec3 *a, bool on_a,
+                             const gjk_vec3 *b, bool on_b) {
+  const bool saturated_a = gjk_claim_saturated(it->a, c->a, c->count, a),
+             saturated_b = gjk_claim_saturated(it->b, c->b, c->count, b);
+  return (saturated_a || saturated_b) && (on_a || saturated_a) && (on_b || saturated_b);
+}
+
+// Are the points of the result on their shapes and as far apart as the distance, or saturated? Pre: the certificate holds.
 static bool are_nearest(const gjk_iteration *it, const gjk_distance_result *result, int64_t radius) {
   const gjk_certificate *c = &result->certificate;
   const bool on_a = gjk_claim_point(it->a, c->a, c->count, &result->point_a),
@@ -165,9 +174,7 @@ static bool are_nearest(const gjk_iteration *it, const gjk_distance_result *resu
   if (!result->saturated) {
     return on_a && on_b && gjk_claim_gap(it, result->distance, radius, &result->point_a, &result->point_b);
   }
-  const bool cut_a = gjk_claim_cut(it->a, c->a, c->count, &result->point_a),
-             cut_b = gjk_claim_cut(it->b, c->b, c->count, &result->point_b);
-  return (cut_a || cut_b) && (on_a || cut_a) && (on_b || cut_b);
+  return may_be_saturated(it, c, &result->point_a, on_a, &result->point_b, on_b);
 }
 
 gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result) {
@@ -285,17 +292,13 @@ static bool proves_apart_when_moved(const gjk_collider *a, const gjk_collider *b
 // Does moving B by depth along the normal part the shapes? Cores without rounding may be left touching: there the facet's
 // plane tells. Pre: depth and normal hold, depth is at most 2^29 - 2^17 + 8, and the simplex is the certificate's.
 static bool proves_parting(const gjk_iteration *it, const gjk_penetration_result *result, const gjk_long3 *direction) {
-  const gjk_unit3 *u = &result->normal;
-  const gjk_vec3 t = {gjk_move_along(result->depth, u->x), gjk_move_along(result->depth, u->y),
-                      gjk_move_along(result->depth, u->z)};
+  const gjk_vec3 t = gjk_outward_move(result->depth, &result->normal);
   const int64_t radius = gjk_convex_radii(it);
   if (radius > 0) {
     return proves_apart_when_moved(it->a, it->b, radius, &t);
   }
-  const gjk_vec3 *w = &it->simplex.slot[0].w;
-  const unsigned shift = (unsigned)it->shift;
-  const gjk_vec3 rest = {gjk_sar32(w->x, shift) - t.x, gjk_sar32(w->y, shift) - t.y, gjk_sar32(w->z, shift) - t.z};
-  return result->certificate.proof == GJK_PROOF_PLANE || gjk_dot_sign(direction, &rest) <= 0;
+  return result->certificate.proof == GJK_PROOF_PLANE ||
+         gjk_outward_clears(&it->simplex.slot[0].w, it->shift, direction, &t);
 }
 
 // Do the points coincide when B has moved? What is cut off at the end of Q16.16 says nothing.
@@ -306,9 +309,7 @@ static bool coincide(const gjk_iteration *it, const gjk_penetration_result *resu
   if (on_a && on_b && gjk_claim_overlap(result->depth, &result->normal, &result->point_a, &result->point_b)) {
     return true;
   }
-  const bool cut_a = gjk_claim_cut(it->a, c->a, c->count, &result->point_a),
-             cut_b = gjk_claim_cut(it->b, c->b, c->count, &result->point_b);
-  return (cut_a || cut_b) && (on_a || cut_a) && (on_b || cut_b);
+  return may_be_saturated(it, c, &result->point_a, on_a, &result->point_b, on_b);
 }
 
 gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result) {

@@ -154,7 +154,7 @@ static bool at_end(gjk_q16 coordinate, gjk_q16 centre, gjk_q16 offset, gjk_q16 c
          (coordinate == INT32_MIN && vertex - reach <= INT32_MIN);
 }
 
-bool gjk_claim_cut(const gjk_collider *c, const uint16_t *named, unsigned count, const gjk_vec3 *point) {
+bool gjk_claim_saturated(const gjk_collider *c, const uint16_t *named, unsigned count, const gjk_vec3 *point) {
   const gjk_q16 convex_radius = c->shape->convex_radius;
   for (unsigned i = 0; i < count; i++) {
     gjk_vec3 offset;

@@ -16,7 +16,7 @@ bool gjk_claim_normal(const gjk_long3 *direction, const gjk_unit3 *normal);
 bool gjk_claim_point(const gjk_collider *c, const uint16_t *named, unsigned count, const gjk_vec3 *point);
 
 // May a coordinate of the point have been cut off at the end of Q16.16: is it there, and so is the named vertices' hull?
-bool gjk_claim_cut(const gjk_collider *c, const uint16_t *named, unsigned count, const gjk_vec3 *point);
+bool gjk_claim_saturated(const gjk_collider *c, const uint16_t *named, unsigned count, const gjk_vec3 *point);
 
 // Is the distance of the points within 2 LSB of the feature's less radius? That is distance, correctly rounded.
 // Pre: distance, radius not negative and within the frame's reach.

@@ -1,15 +1,27 @@
-// The contact manifold: where the faces, edges or corners that two shapes turn to each other cover each other.
+// The contact manifold: the region that two shapes share where they meet, as a few pairs of points.
+//
+//   1. Ask gjk_signed_distance for the normal, the distance and the nearest points. Beyond margin there is no contact.
+//   2. Find the polygon with which each shape meets the normal: a face, an edge or a corner (gjk_contact_polygon.c).
+//   3. Clip the two polygons: the corners of the region that they share are the candidates (gjk_clip.c).
+//   4. Admit the nearest points of step 1 unless a candidate is as near.
+//   5. Keep at most `most` candidates (gjk_reduce.c).
+//
+// What is rounded:
+//   step 1   the points, each within 1 LSB of its shape; a depth, up to the next LSB
+//   step 2   the move of a face or edge by its convex radius: below 3 LSB
+//   step 3   points of edges, points across from a corner, and gaps: to the nearest LSB
+// Together a contact point is within 3 LSB of its shape, to which tests/check/unit/test_contacts.c holds it.
 #include "gjk/contacts.h"
 
 #include "../contact/gjk_clip.h"
 #include "../contact/gjk_reduce.h"
 
-// Centres farther apart than this along an axis: the one pair of nearest points has to do. Otherwise coordinates from
-// A's centre are below 2^29 + 2^28.
+// Centres farther apart than this along an axis skip steps 2 and 3: the nearest points are the one contact. Otherwise
+// coordinates relative to A's centre are below 2^29 + 2^28.
 #define REACH (INT32_C(1) << 29)
 
-// How much nearer the nearest points may be than all that clipping has found before they are taken in. That is only within
-// REACH, where no distance comes near the end of its range.
+// Step 4 admits the nearest points when every candidate is farther by more than this, LSB. There are candidates only within
+// REACH, so distance + SLACK fits.
 #define SLACK 2
 
 static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
@@ -17,7 +29,7 @@ static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
   return x <= REACH && x >= -REACH && y <= REACH && y >= -REACH && z <= REACH && z >= -REACH;
 }
 
-// Where the faces cover each other; out's features.
+// Steps 2 and 3. Also sets out's features, and without candidates the id of the one that step 4 admits.
 GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin,
                                           gjk_candidates *candidates, gjk_manifold *out) {
   const gjk_vec3 origin = {0, 0, 0}, to_b = {out->normal.x, out->normal.y, out->normal.z}, to_a = gjk_negate(to_b);
@@ -38,15 +50,16 @@ GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_colli
   }
 }
 
-// Squared, in 2^-4 LSB^2, of points less than 2^31 apart: below 2^61.
+// The squared distance of two points, in units of 16 LSB^2.
+//   points   less than 2^31 apart:   |v| < 2^29 + 2, the square below 2^61
 static int64_t squared_between(const gjk_vec3 *p, const gjk_vec3 *q) {
   const int64_t x = (int64_t)p->x - q->x, y = (int64_t)p->y - q->y, z = (int64_t)p->z - q->z;
   const gjk_vec3 v = {(int32_t)gjk_sar64(x, 2), (int32_t)gjk_sar64(y, 2), (int32_t)gjk_sar64(z, 2)};
   return gjk_dot(&v, &v);
 }
 
-// Sees to it that the nearest points are among the candidates: of rounded and curved shapes they may lie beside the flat parts,
-// and of crossing edges there is nothing else. They take the place of the candidate next to them.
+// Step 4. The nearest points of shapes with a convex radius and of curved shapes may lie beside the flat parts, and those of
+// crossing edges are the only contact. They replace the candidate that is closest to them.
 static void admit_nearest(const gjk_distance_result *nearest, gjk_candidates *candidates) {
   unsigned next = 0;
   int64_t least = INT64_MAX;
@@ -55,8 +68,8 @@ static void admit_nearest(const gjk_distance_result *nearest, gjk_candidates *ca
     if (candidate->distance <= nearest->distance + SLACK) {
       return;
     }
-    const int64_t squared =
-        squared_between(&candidate->point_a, &nearest->point_a) + squared_between(&candidate->point_b, &nearest->point_b);
+    const int64_t squared = squared_between(&candidate->point_a, &nearest->point_a) +
+                            squared_between(&candidate->point_b, &nearest->point_b);
     if (squared < least) {
       least = squared;
       next = i;
@@ -69,6 +82,7 @@ static void admit_nearest(const gjk_distance_result *nearest, gjk_candidates *ca
   candidates->count = candidates->count == 0 ? 1 : candidates->count;
 }
 
+// Steps 2 to 5.
 GJK_OUT_OF_LINE static void find_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
                                           const gjk_distance_result *nearest, gjk_manifold *out) {
   gjk_candidates candidates;

@@ -13,13 +13,6 @@ static inline int64_t gjk_convex_radii(const gjk_iteration *it) {
   return (int64_t)it->a->shape->convex_radius + it->b->shape->convex_radius;
 }
 
-// depth u / 2^30 with each component rounded away from 0. Pre: 0 <= depth.
-static inline gjk_q16 gjk_move_along(gjk_q16 depth, gjk_q30 u) {
-  const uint64_t size = gjk_magnitude64(gjk_mul32(depth, u)) + ((UINT32_C(1) << 30) - 1);  // below 2^62
-  const gjk_q16 steps = (gjk_q16)(size >> 30);
-  return u < 0 ? -steps : steps;
-}
-
 // Do the cores come within the roundings of each other? plane: their distance in the frame, Q30. Pre: the feature is
 // nearest.
 bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane);

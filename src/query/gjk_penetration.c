@@ -1,13 +1,13 @@
 // The penetration and the signed distance queries.
 #include "gjk/penetration.h"
 
-#include "../arith/gjk_memory.h"
 #include "../arith/gjk_unit.h"
 #include "../depth/gjk_box_sat.h"
 #include "../depth/gjk_epa.h"
 #include "../gjk/gjk_search.h"
 #include "../gjk/gjk_witness.h"
 #include "gjk_distance.h"
+#include "gjk_outward.h"
 
 size_t gjk_workspace_bytes(uint16_t vertices) {
   return vertices < 4 ? 0 : GJK_EPA_CELLS((size_t)vertices) * sizeof(gjk_epa_cell);
@@ -22,83 +22,6 @@ typedef struct overlap {
   uint16_t iterations;
   uint8_t proof;
 } overlap;
-
-// What rounding adds to the move along the normal, Q60: |u| (|t| 2^30 - depth |u|), at most 2^60.
-static int64_t surplus(gjk_q16 depth, gjk_q30 u, gjk_q16 t) {
-  const int32_t size = (int32_t)gjk_magnitude32(u), steps = (int32_t)gjk_magnitude32(t);
-  return gjk_mul32(size, (int32_t)(gjk_shl64(steps, 30) - gjk_mul32(depth, size)));
-}
-
-// With u within 9/2 2^-30 of the exact normal and its own length within 7/4 2^-30 of 1, a move by t leaves at least
-// depth + surplus - 8 (depth + 1) 2^-30 along the exact normal.
-static bool surely_suffices(gjk_q16 depth, const gjk_unit3 *u, const gjk_vec3 *t) {
-  return surplus(depth, u->x, t->x) + surplus(depth, u->y, t->y) + surplus(depth, u->z, t->z) >=
-         gjk_shl64((int64_t)depth + 1, 33);
-}
-
-// Are the shapes apart or touching when B has moved by t? Exact. Overwrites the iteration. Pre: t parts the cores.
-GJK_OUT_OF_LINE static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
-  const gjk_collider *a = it->a, *b = it->b;
-  // In the middle of the world, where there is room: they overlap, so their centres are at most 2^29 + 2^3 apart, and t is
-  // not much longer.
-  const gjk_vec3 origin = {0, 0, 0}, apart = gjk_sub(b->centre, a->centre);
-  gjk_collider moved_a, moved_b;
-  gjk_copy(&moved_a, a, sizeof moved_a);
-  gjk_copy(&moved_b, b, sizeof moved_b);
-  moved_a.centre = origin;
-  moved_b.centre = gjk_add(apart, *t);
-  const int64_t radius = gjk_convex_radii(it);
-  gjk_iteration_start(it, &moved_a, &moved_b, GJK_GOAL_SIGNED, radius);
-  //@ assert it->shift >= 0;
-  gjk_u192 numerator, denominator;
-  bool parted = false;
-  if (gjk_search(it, GJK_GOAL_SIGNED, NULL, GJK_NO_LIMIT) == GJK_OUTCOME_NEAREST) {  // not reached: else, see above
-    gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
-    parted = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
-  }
-  it->a = a;
-  it->b = b;
-  return parted;
-}
-
-// Does the move take A - B behind the facet's plane? Exact.
-static bool clears_facet(const overlap *o, const gjk_vec3 *t) {
-  const gjk_vec3 *w = &o->facet.corner[0].w;
-  const unsigned shift = (unsigned)o->it.shift;
-  gjk_long3 n;
-  gjk_triangle_normal(w, &o->facet.corner[1].w, &o->facet.corner[2].w, &n);
-  // In LSB, at most 2^30 + 2^29.
-  const gjk_vec3 rest = {gjk_sar32(w->x, shift) - t->x, gjk_sar32(w->y, shift) - t->y, gjk_sar32(w->z, shift) - t->z};
-  return gjk_dot_sign(&n, &rest) <= 0;
-}
-
-static void grow_component(gjk_q30 *u) {
-  if (*u != 0 && *u > -GJK_Q30_ONE && *u < GJK_Q30_ONE) {
-    *u += *u > 0 ? 1 : -1;
-  }
-}
-
-// Does the move part the shapes? Exact.
-static bool does_part(overlap *o, const gjk_vec3 *t) {
-  return o->proof == GJK_PROOF_FACET && gjk_convex_radii(&o->it) == 0 ? clears_facet(o, t)
-                                                                      : is_apart_when_moved(&o->it, t);
-}
-
-// Rounds the normal away from 0 as far as the move by depth needs it. Once no component is less than the exact one, it
-// suffices: 5 times. Too small a workspace leaves a bound, and no feature to ask.
-static void widen_normal(overlap *o, gjk_status status, gjk_penetration_result *out) {
-  for (int i = 0; i < 6 && out->depth > 0; i++) {  // not reached: 6, see above
-    const gjk_unit3 *u = &out->normal;
-    const gjk_vec3 t = {gjk_move_along(out->depth, u->x), gjk_move_along(out->depth, u->y),
-                        gjk_move_along(out->depth, u->z)};
-    if (surely_suffices(out->depth, u, &t) || (status == GJK_ERROR_CAPACITY ? i == 5 : does_part(o, &t))) {
-      return;
-    }
-    grow_component(&out->normal.x);
-    grow_component(&out->normal.y);
-    grow_component(&out->normal.z);
-  }
-}
 
 // Measures cores that intersect: the origin lies in the simplex.
 static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
@@ -192,7 +115,8 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
     out->certificate.proof = GJK_PROOF_NONE;
   }
   if (!gjk_pair_is_curved(&o->it)) {
-    widen_normal(o, status, out);
+    const gjk_facet *facet = o->proof == GJK_PROOF_FACET && rounding == 0 ? &o->facet : NULL;
+    gjk_outward_normal(&o->it, facet, status != GJK_ERROR_CAPACITY, out->depth, &out->normal);
   }
   return status;
 }
