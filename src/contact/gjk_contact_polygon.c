@@ -23,12 +23,6 @@ void gjk_polygon_negate(gjk_long3 *n) {
   n->z = -n->z;
 }
 
-void gjk_polygon_set_corner(gjk_polygon *p, unsigned i, const gjk_vec3 *position, const gjk_vec3 *offset,
-                            unsigned vertex) {
-  p->corner[i] = gjk_add(*position, *offset);
-  p->vertex[i] = (uint16_t)vertex;
-}
-
 uint32_t gjk_polygon_alignment(const gjk_long3 *n, const gjk_vec3 *direction) {
   gjk_search_direction r;
   if ((n->x | n->y | n->z) == 0) {

@@ -18,8 +18,11 @@ static inline bool gjk_polygon_is_zero(const gjk_vec3 *v) {
 void gjk_polygon_negate(gjk_long3 *n);
 
 // Sets corner i to position + offset, of the given vertex number.
-void gjk_polygon_set_corner(gjk_polygon *p, unsigned i, const gjk_vec3 *position, const gjk_vec3 *offset,
-                            unsigned vertex);
+static inline void gjk_polygon_set_corner(gjk_polygon *p, unsigned i, const gjk_vec3 *position, const gjk_vec3 *offset,
+                                          unsigned vertex) {
+  p->corner[i] = gjk_add(*position, *offset);
+  p->vertex[i] = (uint16_t)vertex;
+}
 
 // How well a face of normal n meets the direction, as a height key; 0: not at all. n is rounded to 30 bits first.
 uint32_t gjk_polygon_alignment(const gjk_long3 *n, const gjk_vec3 *direction);
