@@ -30,8 +30,8 @@ static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
 }
 
 // Steps 2 and 3. Also sets out's features, and without candidates the id of the one that step 4 admits.
-GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin,
-                                          gjk_candidates *candidates, gjk_manifold *out) {
+static void clip_polygons(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, gjk_candidates *candidates,
+                          gjk_manifold *out) {
   const gjk_vec3 origin = {0, 0, 0}, to_b = {out->normal.x, out->normal.y, out->normal.z}, to_a = gjk_negate(to_b);
   const gjk_vec3 delta = gjk_sub(b->centre, a->centre);
   //@ assert delta.x >= -REACH && delta.x <= REACH;

@@ -86,7 +86,7 @@ gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *uppe
 }
 
 // Narrows the bounds by what the last round has proven, which may settle the question.
-GJK_OUT_OF_LINE static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
+static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
   int64_t lower, upper;
   const gjk_outcome outcome = gjk_distance_bounds(it, &lower, &upper);
   if (outcome == GJK_OUTCOME_LIMIT) {
@@ -134,7 +134,7 @@ static void start_distance(gjk_iteration *it, const gjk_collider *a, const gjk_c
 
 // Takes the exact distance of the feature for that of the points, and rounded up for the upper bound: its plane's is up to 17
 // units of the frame more, which far frames keep. False: the roundings reach across.
-GJK_OUT_OF_LINE static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
+static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
   out->distance = out->upper;
   if (it->shift < 0) {
     return true;

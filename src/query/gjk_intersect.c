@@ -7,7 +7,7 @@
 #include "../gjk/gjk_search.h"
 
 // Does the feature of the last iteration settle the decision without another support scan? Pre: at least one iteration.
-GJK_OUT_OF_LINE static gjk_outcome settle_decision(gjk_iteration *it) {
+static gjk_outcome settle_decision(gjk_iteration *it) {
   if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
     return GJK_OUTCOME_ENCLOSING;
   }
