@@ -1,4 +1,18 @@
 // The penetration and the signed distance queries.
+//
+//   1. Find out how the cores lie: points, segments and boxes by separating axes, which also give the nearest facet; others by GJK.
+//   2. Cores apart, by less than the convex radii: the depth is the radii less that distance.
+//   3. Cores that intersect: the depth is the radii plus the height of the facet of A - B nearest to the origin, from step 1 or by
+//      EPA.
+//   4. Find the point of each shape on that feature, and name its vertices in the certificate.
+//   5. Round the normal outwards (gjk_outward.h).
+//
+// What is rounded:
+//   posing   only there is geometry rounded; from then on shapes are integers
+//   depth    up to the next LSB: step 2 rounds the distance of the cores down, step 3 the height up, both exactly. A curved pair
+//            has bounds instead, 2 LSB and one rounding to either side
+//   points   per component to the nearest LSB, within 1 LSB of the shape
+//   normal   within 2^-28, then outward
 #include "gjk/penetration.h"
 
 #include "../arith/gjk_unit.h"
@@ -16,14 +30,14 @@ size_t gjk_workspace_bytes(uint16_t vertices) {
 // An overlap while it is being measured.
 typedef struct overlap {
   gjk_iteration it;
-  gjk_facet facet;  // of the cores, when they overlap
-  gjk_q16 lower;    // bounds of the cores' depth or, negative, of minus their distance
+  gjk_facet facet;  // of the cores, when they intersect
+  gjk_q16 lower;    // bounds of the cores' depth, or of minus their distance; without the convex radii
   gjk_q16 upper;
-  uint16_t iterations;
-  uint8_t proof;
+  uint16_t iterations;  // support scans of all steps
+  uint8_t proof;        // a gjk_proof
 } overlap;
 
-// Measures cores that intersect: the origin lies in the simplex.
+// Step 3. Pre: the origin lies in the simplex, or the facet is found.
 static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
   gjk_iteration *it = &o->it;
   gjk_facet *facet = &o->facet;
@@ -69,6 +83,7 @@ static void measure_gap(overlap *o, int64_t plane) {
   o->lower = -(gjk_q16)low - (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR + 1 : 0);
 }
 
+// Step 4: names the vertices of the feature, or of the facet.
 static void certify(const overlap *o, gjk_certificate *out) {
   gjk_iteration_certify(&o->it, GJK_OUTCOME_NEAREST, out);
   if (gjk_pair_is_curved(&o->it)) {
@@ -84,17 +99,17 @@ static void certify(const overlap *o, gjk_certificate *out) {
   }
 }
 
-// The distance of the cores' plane in the frame, Q30, and its normal.
+// The distance of the feature's plane in the frame, Q30, within GJK_PLANE_ERROR, and its unit normal.
 static int64_t plane_of(const gjk_iteration *it, gjk_unit3 *normal) {
   *normal = gjk_unit(&it->direction.d);
   return -gjk_along(normal, &it->simplex.slot[it->simplex.order[0]].w);
 }
 
-// Reports an overlap. plane and the normal: when the cores are apart.
+// Steps 2 to 5. When the outcome is NEAREST, plane and out->normal are those of plane_of.
 static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, const gjk_workspace *workspace,
                                gjk_penetration_result *out) {
   gjk_status status = GJK_OK;
-  const gjk_q16 rounding = (gjk_q16)gjk_convex_radii(&o->it);
+  const gjk_q16 radii = (gjk_q16)gjk_convex_radii(&o->it);
   bool saturated;
   if (outcome == GJK_OUTCOME_NEAREST) {
     measure_gap(o, plane);
@@ -103,26 +118,28 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
     out->normal = o->proof == GJK_PROOF_FACET ? o->facet.normal : gjk_unit(&o->it.direction.d);
   }
   out->intersecting = true;
-  out->upper = o->upper + rounding;
-  out->lower = o->lower + rounding > 0 ? o->lower + rounding : 0;
-  // A bound is as far off as curved supports may be; the depth itself is told by the supports as they are.
-  const gjk_q16 off = gjk_pair_is_curved(&o->it) && status == GJK_OK ? GJK_CURVED_ERROR : 0;
-  out->depth = out->upper - off;
+  out->upper = o->upper + radii;
+  out->lower = o->lower + radii > 0 ? o->lower + radii : 0;
+  // The bounds of a curved pair leave room for the error of its supports. The depth is in the middle of that room.
+  const gjk_q16 error = gjk_pair_is_curved(&o->it) && status == GJK_OK ? GJK_CURVED_ERROR : 0;
+  out->depth = out->upper - error;
   out->iterations = o->iterations;
+  // Step 4.
   gjk_witness_points(&o->it, &out->normal, &out->point_a, &out->point_b, &saturated);
   certify(o, &out->certificate);
   if (status == GJK_ERROR_CAPACITY) {
     out->certificate.proof = GJK_PROOF_NONE;
   }
   if (!gjk_pair_is_curved(&o->it)) {
-    const gjk_facet *facet = o->proof == GJK_PROOF_FACET && rounding == 0 ? &o->facet : NULL;
+    // Step 5. The facet's plane decides only where the shapes have no convex radii.
+    const gjk_facet *facet = o->proof == GJK_PROOF_FACET && radii == 0 ? &o->facet : NULL;
     gjk_outward_normal(&o->it, facet, status != GJK_ERROR_CAPACITY, out->depth, &out->normal);
   }
   return status;
 }
 
-// Searches from the cache, and again without it where the cores intersect: what is measured of them then starts from a
-// simplex that depends on the pair alone.
+// Searches from the cache, and once more from a cold start where the cores intersect: step 3 continues from that simplex, and may
+// depend on the pair alone.
 static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *cache) {
   gjk_iteration *it = &o->it;
   const gjk_outcome outcome = gjk_search(it, goal, cache, GJK_NO_LIMIT);
@@ -136,8 +153,7 @@ static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *ca
   return cold;
 }
 
-// Finds out how the shapes lie: boxes and the like by their facets, which then are found as well, others by iteration. A
-// cached tetrahedron is of no use: it held the origin, and most likely still does.
+// Step 1. A cached tetrahedron is of no use: it contained the origin and likely still does, and then the search runs cold anyway.
 static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   gjk_iteration *it = &o->it;
   gjk_cache direction;
@@ -196,6 +212,7 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
   return report_depth(&o, outcome, plane, workspace, out);
 }
 
+// A depth as a distance: negative, its bounds exchanged. iterations stops counting at 255.
 static void report_signed(const gjk_penetration_result *overlapping, gjk_distance_result *out) {
   out->distance = -overlapping->depth;
   out->lower = -overlapping->upper;
@@ -209,6 +226,7 @@ static void report_signed(const gjk_penetration_result *overlapping, gjk_distanc
   out->certificate = overlapping->certificate;
 }
 
+// The bounds of the distance, or of minus the depth, that the last iteration proves.
 static void report_bounds(gjk_iteration *it, gjk_distance_result *out) {
   int64_t lower, upper;
   bool saturated;
