@@ -2,7 +2,8 @@
 //
 // Seen along the direction, the polygons share a region. The corners of that region become the candidates:
 //   1. Find on which side of every line of one polygon each corner of the other lies. All signs are exact.
-//   2. A corner of one polygon inside the face of the other is a candidate, with the point across from it on that face's plane.
+//   2. A corner of one polygon inside the face of the other is a candidate, with the point across from it on that
+//      face's plane.
 //   3. Two edges that cross are a candidate, with a point on each edge.
 //   4. Give each candidate an id, and of candidates with one id keep the deepest.
 //   5. Drop slivers: crossings that bound next to nothing and are no deeper than the rest.
@@ -20,16 +21,16 @@
 //   distance       to the nearest LSB
 #include "gjk_clip.h"
 
-// Points no farther apart than this along each axis count as one, unless edges are short. Rounding moves a posed corner by up
-// to 2 LSB, so a motion of 1 LSB moves two corners by up to 5 LSB against each other.
+// Points no farther apart than this along each axis count as one, unless edges are short. Rounding moves a posed corner
+// by up to 2 LSB. So when a shape moves by 1 LSB, two corners move by up to 5 LSB against each other.
 #define NEAR_MIN 8
 
-// Two points are across from each other if the square of their offset aside is at most this, in LSB^2. The offset is rounded to
-// the nearest LSB per axis, so it is below 2 LSB.
+// Two points are across from each other if the square of their offset aside is at most this, in LSB^2. The offset is
+// rounded to the nearest LSB per axis, so it is below 2 LSB.
 #define ASIDE_SQUARED 1
 
-// On which side of the lines of one polygon the corners of the other lie. Bit i of [k] is corner i and line k; line k starts at
-// corner k. A corner with neither bit lies on the line.
+// On which side of the lines of one polygon the corners of the other lie. Bit i of [k] is corner i and line k; line k
+// starts at corner k. A corner with neither bit lies on the line.
 typedef struct sides {
   uint16_t inside[GJK_FACE_CORNERS_MAX], outside[GJK_FACE_CORNERS_MAX];
 } sides;
@@ -100,15 +101,15 @@ static void add_candidate(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, gjk_q16
   candidate->id = id;
 }
 
-// step . a->direction, to the nearest LSB.
-// Pre: step leads between points of the shapes.
+// step . a->direction, to the nearest LSB. Pre: step leads between points of the shapes.
 //        centres   at most sqrt(3) 2^29 apart
 //        radii     at most 2^28 each:              |step| < 2^31
 static gjk_q16 gap_along(const clip *c, const gjk_vec3 *step) {
   return (gjk_q16)gjk_sar64(gjk_dot(step, &c->a->direction) + (INT64_C(1) << 29), 30);
 }
 
-// The normal of the line from corner k, towards the inside. Scaling leaves its signs, and lets high words settle most of them.
+// The normal of the line from corner k, towards the inside. Scaling leaves its signs, and lets high words settle most
+// of them.
 //   |direction| about 2^30, |scaled| <= sqrt(3) 2^30:  |n| at most sqrt(3) 2^60
 // An edge of length 0 has the normal 0, so every corner lies on its line.
 static void line_normal(const gjk_polygon *p, unsigned k, gjk_long3 *n) {
@@ -134,7 +135,8 @@ static void find_sides(const gjk_polygon *p, const gjk_polygon *other, sides *ou
   }
 }
 
-// The corners of the other polygon that are beyond none of p's lines: inside p or on its border, seen along the direction.
+// The corners of the other polygon that are beyond none of p's lines: inside p or on its border, seen along the
+// direction.
 static unsigned corners_inside(const gjk_polygon *p, const sides *of_p) {
   unsigned beyond = 0;
   for (unsigned k = 0; k < p->count; k++) {
@@ -151,8 +153,8 @@ static int measure_side(const gjk_long3 *n, const gjk_vec3 *v, gjk_u128 *size) {
   return high < 0 ? -1 : 1;
 }
 
-// Step 2: adds corners of one polygon with the points across from them on the plane of the other. The plane has the normal n
-// and contains o; corner p lies g before it along the direction:
+// Step 2: adds corners of one polygon with the points across from them on the plane of the other. The plane has the
+// normal n and contains o; corner p lies g before it along the direction:
 //   g = n . (p - o) / (n . direction)      |p - o| < 2^31, n within 20.7 degrees of the direction
 static void add_corners(clip *c, const gjk_polygon *from, unsigned which, const gjk_polygon *onto) {
   gjk_u128 size;
@@ -202,8 +204,8 @@ static gjk_vec3 interpolate(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_
   return at;
 }
 
-// Is v within near of the line with normal n, by size = |n . v|? The length of n is taken as |x| + |y| + |z|, at most sqrt(3)
-// times too long: near is a tolerance.
+// Is v within near of the line with normal n, by size = |n . v|? The length of n is taken as |x| + |y| + |z|, at most
+// sqrt(3) times too long: near is a tolerance.
 static bool is_near_line(const gjk_long3 *n, const gjk_u128 *size, uint32_t near) {
   // Components are at most 2^61, so length < 2^31. size < 2^95 is compared without its low 32 bits.
   const uint32_t length = (uint32_t)(gjk_magnitude64(n->x) >> 32) + (uint32_t)(gjk_magnitude64(n->y) >> 32) +
@@ -211,7 +213,8 @@ static bool is_near_line(const gjk_long3 *n, const gjk_u128 *size, uint32_t near
   return (size->high << 32 | size->low >> 32) <= gjk_umul32(length, near);
 }
 
-// Where p's edge from corner i crosses line k of the other polygon. Sets *flat when the edge's inner end is near that line.
+// Where p's edge from corner i crosses line k of the other polygon. Sets *flat when the edge's inner end is near that
+// line.
 static gjk_vec3 crossing(const clip *c, const gjk_polygon *p, unsigned i, const gjk_polygon *other,
                          const sides *of_other, unsigned k, bool *flat) {
   const gjk_vec3 *from = &p->corner[i], *to = &p->corner[next_corner(p, i)];
@@ -225,8 +228,8 @@ static gjk_vec3 crossing(const clip *c, const gjk_polygon *p, unsigned i, const 
   return interpolate(from, to, &part, &rest);
 }
 
-// Does p's edge from corner i cross line k of the other polygon? An end on the line of a face is no crossing: step 2 has that
-// corner. An edge has no inside, so an end on its line counts as inside.
+// Does p's edge from corner i cross line k of the other polygon? An end on the line of a face is no crossing: step 2
+// has that corner. An edge has no inside, so an end on its line counts as inside.
 static bool crosses(const gjk_polygon *p, unsigned i, const gjk_polygon *other, const sides *of_other, unsigned k) {
   const unsigned next = next_corner(p, i), out = of_other->outside[k],
                  in = other->count > 2 ? of_other->inside[k] : ~out;
@@ -237,8 +240,8 @@ static unsigned edge_feature(const gjk_polygon *p, unsigned i) {
   return p->count > 2 ? GJK_FEATURE_FACE_EDGE + i : GJK_FEATURE_EDGE;
 }
 
-// Do the two edges of faces bound the shared region one after the other? Otherwise they enclose a tip of it. The faces are
-// turned to each other, so seen along the direction one of them is clockwise.
+// Do the two edges of faces bound the shared region one after the other? Otherwise they enclose a tip of it. The faces
+// are turned to each other, so seen along the direction one of them is clockwise.
 static bool edges_continue(const clip *c, unsigned i, unsigned k) {
   const gjk_vec3 e = gjk_sub(c->a->corner[next_corner(c->a, i)], c->a->corner[i]),
                  f = gjk_sub(c->b->corner[next_corner(c->b, k)], c->b->corner[k]);
@@ -350,8 +353,8 @@ static bool find_opposite(const clip *c, const edge_span *a, const edge_span *b,
   if (squared <= ASIDE_SQUARED) {
     return true;
   }
-  // The sides may be curved. Both points move to the middle, by s = |aside| / 2 along their tangents. They leave their sides by
-  // s^2 / (2 radius), which is at most 1/2 LSB where aside^2 <= 4 radius. A sharp edge has the radius 0.
+  // The sides may be curved. Both points move to the middle, by s = |aside| / 2 along their tangents. They leave their
+  // sides by s^2 / (2 radius), which is at most 1/2 LSB where aside^2 <= 4 radius. A sharp edge has the radius 0.
   const gjk_vec3 middle = {gjk_sar32(aside.x, 1), gjk_sar32(aside.y, 1), gjk_sar32(aside.z, 1)};
   out->a = gjk_add(on_a, middle);
   out->b = gjk_add(gjk_sub(on_b, aside), middle);
@@ -389,8 +392,8 @@ static uint32_t shortest_edge(const gjk_polygon *p, uint32_t length) {
   return length;
 }
 
-// The distance along each axis within which points count as one: 1/64 of the shortest edge, at least NEAR_MIN, but at most 1/4
-// of that edge, so that its two ends stay two.
+// The distance along each axis within which points count as one: 1/64 of the shortest edge, at least NEAR_MIN, but at
+// most 1/4 of that edge, so that its two ends stay two.
 static uint32_t nearness(const gjk_polygon *a, const gjk_polygon *b) {
   const uint32_t shortest = shortest_edge(a, shortest_edge(b, UINT32_MAX));
   return shortest >= 64 * NEAR_MIN ? shortest / 64 : shortest >= 4 * NEAR_MIN ? NEAR_MIN : shortest / 4;

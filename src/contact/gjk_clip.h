@@ -1,4 +1,5 @@
-// Contact candidates: what two polygons, a polygon and an edge, or two edges share, seen along the direction in which they meet.
+// Contact candidates: what two polygons, a polygon and an edge, or two edges share, seen along the direction in which
+// they meet.
 #ifndef GJK_SRC_CLIP_H
 #define GJK_SRC_CLIP_H
 
@@ -31,9 +32,10 @@ static inline uint16_t gjk_contact_id(unsigned feature_a, unsigned feature_b) {
   return (uint16_t)(feature_a << 8 | feature_b);
 }
 
-// Writes the corners of the region that a and b share, seen along a->direction (b->direction is its opposite), at most margin
-// apart. Points are in the world: centre is added to what the polygons are relative to. Two edges whose angle has a sine of
-// more than 1/32 share nothing.
+// Finds the contact candidates: the corners of the region that a and b share, seen along a->direction, at most margin
+// apart. b->direction is the opposite of a->direction. centre is the origin of the polygons in the world, where the
+// candidates are. Two edges share a region only where they lie across from each other, to less than 2 LSB or within
+// their radii.
 // Pre: both have two corners at least.
 void gjk_clip(const gjk_polygon *a, const gjk_polygon *b, const gjk_vec3 *centre, gjk_q16 margin, gjk_candidates *out);
 

@@ -3,15 +3,15 @@
 //   1. The kind of the shape offers its face that meets the direction best, or the edge or corner that it has:
 //      gjk_polygon_axes.c, gjk_polygon_vertices.c, gjk_polygon_disc_base.c.
 //   2. A face within 20.7 degrees of the direction stays, moved outwards by the convex radius.
-//   3. Otherwise, of the two edges at the farthest corner the one that is more level stays, if it is within 20.7 degrees of
-//      level; it too is moved outwards by the convex radius.
+//   3. Otherwise, of the two edges at the farthest corner the one that is more level stays, if it is within 20.7
+//      degrees of level; it too is moved outwards by the convex radius.
 //   4. Otherwise the farthest corner stays.
 //
 // What is rounded, in LSB, for the largest radius of 2^28 LSB:
 //   corner of a polytope     not at all: the posed vertex
 //   corner of a disc base    per component to the nearest LSB, within 1 of the surface
-//   move of a face           per component to the nearest LSB: 0.87; unit vector within 7/2 2^-30: 0.88   together below 2
-//   move of an edge          per component to the nearest LSB: 0.87; unit vector within 15/2 2^-30: 1.88  together below 3
+//   move of a face           unit vector within 7/2 2^-30:  0.88, to the nearest LSB: 0.87; together below 2
+//   move of an edge          unit vector within 15/2 2^-30: 1.88, to the nearest LSB: 0.87; together below 3
 #include "gjk_contact_polygon.h"
 
 #include "../arith/gjk_unit.h"
@@ -60,8 +60,8 @@ static void lift_face(gjk_polygon *p, gjk_q16 radius) {
   }
 }
 
-// Step 3: along the part of the direction that is square to the edge. The edge is nearly level, so that part is at least 0.93 of
-// the direction. Errors in 2^-30:
+// Step 3: along the part of the direction that is square to the edge. The edge is nearly level, so that part is at
+// least 0.93 of the direction. Errors in 2^-30:
 //   e           each component 1:                                 at most 1.8 in length
 //   along       1.8, and 1 rounded down; |along| <= 0.36 2^30:    2.8
 //   square      0.36 1.8 + 2.8, and 1 rounded down per component: 5.2

@@ -18,9 +18,10 @@ typedef struct gjk_polygon {
       count;  // 2: an edge; more: a face; 1: a corner, or nothing known, and then only direction and feature are set
 } gjk_polygon;
 
-// Finds the polygon with which c meets another shape along direction, a unit vector in Q2.30 that leads out of c: a face within
-// 20 degrees of direction, else an edge at the farthest corner that is level within 20 degrees, else a corner.
-// position: where c's centre is, relative to the origin of the pair. Pre: components of position at most 2^29.
+// Finds the polygon with which c meets another shape along direction, a unit vector in Q2.30 that leads out of c: a
+// face within 20 degrees of direction, else an edge at the farthest corner that is level within 20 degrees, else a
+// corner. position: where c's centre is, relative to the origin of the pair.
+// Pre: components of position at most 2^29.
 void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const gjk_vec3 *direction, gjk_polygon *out);
 
 #endif

@@ -36,7 +36,8 @@ static void set_box_face(const gjk_collider *c, const gjk_vec3 *position, unsign
   out->count = 4;
 }
 
-// The face whose normal is nearest to the direction. A box that is flat in two axes has no normal; it offers its longest edge.
+// The face whose normal is nearest to the direction. A box that is flat in two axes has no normal; it offers its
+// longest edge.
 static void from_box(const gjk_collider *c, const gjk_vec3 *position, gjk_polygon *out) {
   const gjk_vec3 *d = &out->direction;
   unsigned face = 3, longest = 3, signs = 0;

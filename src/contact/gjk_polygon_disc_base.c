@@ -1,5 +1,5 @@
-// Steps 1 to 4 of gjk_contact_polygon.c for shapes with a disc base: cylinder and cone. Each corner is computed with two bits more
-// than an LSB has, rotated, and rounded to the nearest LSB once.
+// Steps 1 to 4 of gjk_contact_polygon.c for shapes with a disc base: cylinder and cone. Each corner is computed with
+// two bits more than an LSB has, rotated, and rounded to the nearest LSB once.
 #include "../shape/gjk_disc_base.h"
 #include "gjk_polygon_kind.h"
 

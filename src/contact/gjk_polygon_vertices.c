@@ -4,8 +4,8 @@
 // Corners of a hull at most this far behind its farthest vertex count as farthest: 4 LSB, Q30.
 #define LEVEL_SLACK (INT64_C(4) << 30)
 
-// Faces whose keys differ by less meet the direction equally well: their normals are within about a degree of each other. The
-// first face stays then, so that rounding does not choose.
+// Faces whose keys differ by less meet the direction equally well: their normals are within about a degree of each
+// other. The first face stays then, so that rounding does not choose.
 #define ALIKE_KEY 64
 
 // Added to the key of a face with two farthest corners, which prefers it to every face with one: keys are below 2^22.
@@ -62,8 +62,8 @@ static unsigned load_face(const gjk_collider *c, const gjk_vec3 *position, uint3
   return farthest < 2 ? farthest : 2;
 }
 
-// Is a face with a convex radius wide enough for its normal to count? Posing moves its corners by up to 1 LSB, which turns a face
-// of width W by about 1 / W and takes points at the radius off the surface by radius / (2 W^2).
+// Is a face with a convex radius wide enough for its normal to count? Posing moves its corners by up to 1 LSB. That
+// turns a face of width W by about 1 / W, and takes points at the radius off the surface by radius / (2 W^2).
 //   W        at least size / length
 //   2^root   from sqrt(radius) to 2 sqrt(radius)
 // So size >= length 2^root leaves points within 1/2 LSB of the surface.
@@ -79,8 +79,8 @@ static bool is_broad(const gjk_polygon *p, gjk_q16 radius) {
   return radius == 0 || size >= (uint64_t)length << root;
 }
 
-// The face that meets the direction best among those with two farthest corners; without such, among those with one. Of faces that
-// meet it equally well it is the first. A hull without faces offers its farthest vertex.
+// The face that meets the direction best among those with two farthest corners; without such, among those with one. Of
+// faces that meet it equally well it is the first. A hull without faces offers its farthest vertex.
 void gjk_polygon_from_hull(const gjk_collider *c, const gjk_vec3 *position, gjk_polygon *out) {
   const gjk_hull_faces *faces = c->shape->faces;
   uint32_t best = 0, best_face = 0;

@@ -6,21 +6,21 @@
 //   4. Until `most` are kept: add the one farthest from all that are kept.
 //   5. If none that is kept is within 4 LSB of the deepest: repeat steps 2 to 4 without the 1/512.
 //
-// Where shapes rest on each other, many choices are equally good up to rounding, and the best flips with every LSB of motion. So
-// each step takes the first by id of all candidates that are as good as the best up to a margin wider than rounding. Step 3
-// therefore keeps at least 9/10 of the largest area. Nothing is
-// rounded but the margins, down.
+// Where shapes rest on each other, many choices are equally good up to rounding, and the best flips with every LSB of
+// motion. So each step takes, of all candidates as good as the best up to a margin wider than rounding, the first by
+// id. Step 3 therefore keeps at least 9/10 of the largest area. Nothing is rounded but the margins, down.
 #include "gjk_reduce.h"
 
-// A candidate within this many LSB of the deepest counts as deepest. A body at rest leans by less than 1 / 2^LEAN, so step 2
-// widens the margin by that share of the reach.
+// A candidate within this many LSB of the deepest counts as deepest. A body at rest leans by less than 1 / 2^LEAN, so
+// step 2 widens the margin by that share of the reach.
 #define DEEP 4
 #define LEAN 9
 
 // An area or squared distance that falls short of the largest by at most 1 / 2^ALIKE of it counts as largest.
 #define ALIKE 5
 
-// Where a candidate lies seen along the axis nearest to the normal, relative to the first that is kept. |x|, |y| < 2^30.
+// Where a candidate lies seen along the axis nearest to the normal, relative to the first that is kept. |x|,
+// |y| < 2^30.
 typedef struct spot {
   int32_t x, y;
 } spot;
@@ -112,8 +112,8 @@ static void keep_aside(selection *s, const spot *end, bool to_left, int64_t fart
   s->keep[s->kept++] = (uint8_t)i;
 }
 
-// A quadrilateral with a corner at the first one kept has a diagonal from there. The largest one on a given diagonal has, on
-// either side, the candidate that is farthest from the diagonal.
+// A quadrilateral with a corner at the first one kept has a diagonal from there. The largest one on a given diagonal
+// has, on either side, the candidate that is farthest from the diagonal.
 typedef struct diagonal {
   spot end;
   int64_t left, right;  // twice the areas of the largest triangles

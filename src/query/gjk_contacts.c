@@ -20,8 +20,8 @@
 // coordinates relative to A's centre are below 2^29 + 2^28.
 #define REACH (INT32_C(1) << 29)
 
-// Step 4 admits the nearest points when every candidate is farther by more than this, LSB. There are candidates only within
-// REACH, so distance + SLACK fits.
+// Step 4 admits the nearest points when every candidate is farther by more than this, LSB. There are candidates only
+// within REACH, so distance + SLACK fits.
 #define SLACK 2
 
 static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
@@ -58,7 +58,7 @@ static int64_t squared_between(const gjk_vec3 *p, const gjk_vec3 *q) {
   return gjk_dot(&v, &v);
 }
 
-// Step 4. The nearest points of shapes with a convex radius and of curved shapes may lie beside the flat parts, and those of
+// Step 4. The nearest points may lie beside the flat parts, where a shape is curved or has a convex radius. Those of
 // crossing edges are the only contact. They replace the candidate that is closest to them.
 static void admit_nearest(const gjk_distance_result *nearest, gjk_candidates *candidates) {
   unsigned next = 0;

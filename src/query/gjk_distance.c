@@ -11,7 +11,8 @@
 // What is rounded:
 //   normal     each component within 2^-30 of the rounded direction's unit vector: within 2^-28 of the exact one
 //   step 2     within GJK_PLANE_ERROR, which only narrows step 4
-//   step 4     to the nearest LSB, a tie up. Far pairs measure vertices that are rounded to 2^-shift LSB: 2^-28 relative
+//   step 4     to the nearest LSB, a tie up. Far pairs measure vertices that are rounded to 2^-shift LSB: 2^-28
+//              relative
 //   points     per component to the nearest LSB, within 1 LSB of the shape
 //   step 6     outwards: lower down and upper up, by the plane error and 1 LSB
 #include "gjk_distance.h"
@@ -80,8 +81,8 @@ bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane) {
   return radius > 0 && plane - GJK_PLANE_ERROR <= radius && gjk_iteration_near(it);
 }
 
-// The distance of the plane through the newest vertex across the direction, plus error (Q30), less the convex radii, to the nearest
-// LSB. Negative when the origin lies behind the plane.
+// The distance of the plane through the newest vertex across the direction, plus error (Q30), less the convex radii, to
+// the nearest LSB. Negative when the origin lies behind the plane.
 //   |plane|    at most 2^61 + 2^33; shifted by 30 + shift >= 27:   result below 2^35
 static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
   const gjk_simplex *s = &it->simplex;
@@ -150,8 +151,8 @@ static void start_distance(gjk_iteration *it, const gjk_collider *a, const gjk_c
   out->upper = GJK_DISTANCE_MAX;
 }
 
-// Step 6: out->distance becomes the exact distance of the feature to the nearest LSB, and out->upper the same rounded up. Both are
-// sharper than the plane's bound by up to 17 units of the frame, which a far frame keeps.
+// Step 6: out->distance becomes the exact distance of the feature to the nearest LSB, and out->upper the same rounded
+// up. Both are sharper than the plane's bound by up to 17 units of the frame, which a far frame keeps.
 // False: the feature is within the convex radii, so the shapes intersect.
 static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
   out->distance = out->upper;
@@ -168,7 +169,8 @@ static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
   return upper > 0;
 }
 
-// Step 6: reports the bounds and the nearest points so far. False: they prove that the shapes intersect; the caller reports that.
+// Step 6: reports the bounds and the nearest points so far.
+// False: they prove that the shapes intersect; the caller reports that.
 // Pre: it->direction is the feature's.
 static bool stop_early(const gjk_iteration *it, gjk_distance_result *out) {
   out->normal = gjk_unit(&it->direction.d);

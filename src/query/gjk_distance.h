@@ -15,14 +15,16 @@ static inline int64_t gjk_convex_radii(const gjk_iteration *it) {
   return (int64_t)it->a->shape->convex_radius + it->b->shape->convex_radius;
 }
 
-// Do the cores come within the convex radii of each other? Exact. plane: their distance in the frame, Q30, within GJK_PLANE_ERROR.
+// Do the cores come within the convex radii of each other? Exact. plane: their distance in the frame, Q30, within
+// GJK_PLANE_ERROR.
 // Pre: the feature is nearest.
 bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane);
 
 // Bounds of the distance, or of minus the depth, in LSB, that the last iteration of an outcome LIMIT proves.
-//   lower   the newest vertex is the support vertex along the direction, so no vertex of A - B lies before its plane
-//   upper   the plane of the feature, across the feature's own direction, touches the feature
-// Returns ENCLOSING or NEAR when upper <= 0 settles the question after all, otherwise LIMIT. Sets it->direction to the feature's.
+//   lower   the newest vertex is the support vertex along the direction: no vertex of A - B lies before its plane
+//   upper   the plane of the feature, across the feature's own direction, touches it
+// Returns ENCLOSING or NEAR when upper <= 0 settles the question after all, otherwise LIMIT. Sets it->direction to the
+// feature's.
 gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *upper);
 
 // Reports the answer and keeps the cache, which may be NULL. Pre: the outcome is NEAREST, ENCLOSING or NEAR.

@@ -1,7 +1,7 @@
 // Yes-or-no queries: do two shapes touch, are they within a distance?
 //
-// Nothing is rounded but the centres of shapes more than 16384 units apart (gjk_iteration.h): every decision is a sign computed
-// exactly.
+// Nothing is rounded but the centres of shapes more than 16384 units apart (gjk_iteration.h): every decision is a sign
+// computed exactly.
 #include "gjk/intersect.h"
 
 #include "../gjk/gjk_search.h"
@@ -14,8 +14,9 @@ static gjk_outcome settle_decision(gjk_iteration *it) {
   return it->radius > 0 && gjk_iteration_near(it) ? GJK_OUTCOME_NEAR : GJK_OUTCOME_LIMIT;
 }
 
-// Runs at most `most` iterations. With a limit below GJK_NO_LIMIT the search starts cold, so that the cache does not decide what
-// the iterations settle. OPEN: only out->iterations is set, and the cache is as it was.
+// Runs at most `most` iterations. With a limit below GJK_NO_LIMIT the search starts cold, so that the cache does not
+// decide what the iterations settle.
+// OPEN: only out->iterations is set, and the cache is as it was.
 GJK_ONCE static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t most,
                                   gjk_cache *cache, gjk_decision *out) {
   gjk_iteration it;

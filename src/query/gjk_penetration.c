@@ -1,16 +1,17 @@
 // The penetration and the signed distance queries.
 //
-//   1. Find out how the cores lie: points, segments and boxes by separating axes, which also give the nearest facet; others by GJK.
+//   1. Find out how the cores lie: points, segments and boxes by separating axes, which also give the nearest facet;
+//      others by GJK.
 //   2. Cores apart, by less than the convex radii: the depth is the radii less that distance.
-//   3. Cores that intersect: the depth is the radii plus the height of the facet of A - B nearest to the origin, from step 1 or by
-//      EPA.
+//   3. Cores that intersect: the depth is the radii plus the height of the facet of A - B nearest to the origin, from
+//      step 1 or by EPA.
 //   4. Find the point of each shape on that feature, and name its vertices in the certificate.
 //   5. Round the normal outwards (gjk_outward.h).
 //
 // What is rounded:
 //   posing   only there is geometry rounded; from then on shapes are integers
-//   depth    up to the next LSB: step 2 rounds the distance of the cores down, step 3 the height up, both exactly. A curved pair
-//            has bounds instead, 2 LSB and one rounding to either side
+//   depth    up to the next LSB: step 2 rounds the distance of the cores down, step 3 the height up, both exactly. A
+//            curved pair has bounds instead, 2 LSB and one rounding to either side
 //   points   per component to the nearest LSB, within 1 LSB of the shape
 //   normal   within 2^-28, then outward
 #include "gjk/penetration.h"
@@ -138,8 +139,8 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
   return status;
 }
 
-// Searches from the cache, and once more from a cold start where the cores intersect: step 3 continues from that simplex, and may
-// depend on the pair alone.
+// Searches from the cache, and once more from a cold start where the cores intersect: step 3 continues from that
+// simplex, and may depend on the pair alone.
 static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *cache) {
   gjk_iteration *it = &o->it;
   const gjk_outcome outcome = gjk_search(it, goal, cache, GJK_NO_LIMIT);
@@ -153,7 +154,8 @@ static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *ca
   return cold;
 }
 
-// Step 1. A cached tetrahedron is of no use: it contained the origin and likely still does, and then the search runs cold anyway.
+// Step 1. A cached tetrahedron is of no use: it contained the origin and likely still does, and then the search runs
+// cold anyway.
 static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   gjk_iteration *it = &o->it;
   gjk_cache direction;
