@@ -68,14 +68,19 @@ static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
   //@ assert it->shift >= 0;
   gjk_u192 numerator, denominator;
   bool parted = false;
-  if (gjk_search(it, GJK_GOAL_SIGNED, NULL, GJK_NO_LIMIT) ==
-      GJK_OUTCOME_NEAREST) {  // not reached: else, t parts the cores
+  // not reached: any other outcome, since t parts the cores
+  if (gjk_search(it, GJK_GOAL_SIGNED, NULL, GJK_NO_LIMIT) == GJK_OUTCOME_NEAREST) {
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
     parted = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
   }
   it->a = a;
   it->b = b;
   return parted;
+}
+
+// Step 3.
+static bool does_part(gjk_iteration *it, const gjk_facet *facet, const gjk_vec3 *t) {
+  return facet != NULL ? clears_facet(it, facet, t) : is_apart_when_moved(it, t);
 }
 
 // Step 4. A component of 0 is exact, and none exceeds 1.
@@ -88,9 +93,7 @@ static void grow_component(gjk_q30 *u) {
 void gjk_outward_normal(gjk_iteration *it, const gjk_facet *facet, bool exact, gjk_q16 depth, gjk_unit3 *normal) {
   for (int i = 0; i < 6 && depth > 0; i++) {  // not reached: 6, growing 5 times suffices
     const gjk_vec3 t = gjk_outward_move(depth, normal);
-    if (surely_suffices(depth, normal, &t) || (!exact          ? i == 5
-                                               : facet != NULL ? clears_facet(it, facet, &t)
-                                                               : is_apart_when_moved(it, &t))) {
+    if (surely_suffices(depth, normal, &t) || (exact ? does_part(it, facet, &t) : i == 5)) {
       return;
     }
     grow_component(&normal->x);

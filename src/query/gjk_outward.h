@@ -16,13 +16,15 @@
 // Step 1: depth normal / 2^30, each component rounded away from 0. Pre: 0 <= depth.
 gjk_vec3 gjk_outward_move(gjk_q16 depth, const gjk_unit3 *normal);
 
-// Is the vertex w of A - B, moved by -t, on or behind the plane through the origin across n? Exact. w: in the frame of
-// shift >= 0, so 2^shift times an integer; in LSB at most 2^30 in size. t: at most 2^29.
+// Once A - B has moved by -t, is its vertex w on or behind the plane through the origin across n? Exact.
+//   w   in the frame of shift >= 0, so 2^shift times an integer; in LSB at most 2^30 in size
+//   t   LSB, components at most 2^29 + 2^3 in size
 bool gjk_outward_clears(const gjk_vec3 *w, int shift, const gjk_long3 *n, const gjk_vec3 *t);
 
-// Steps 2 to 4. facet: of the cores, whose plane is as far as depth at most; NULL: none, or the shapes have convex
-// radii. exact: false where depth is a bound alone; then no test is asked, and the normal grows until 2 holds, or 5
-// times. Overwrites the iteration, unless there is a facet.
+// Steps 2 to 4: rounds the normal outwards for the depth. Overwrites the iteration, unless facet is given.
+//   facet   of the cores, for shapes without convex radii whose cores intersect; otherwise NULL
+//   exact   false: the depth is an upper bound, and there is no test to ask. The normal grows until step 2 stops it, or 5
+//           times
 void gjk_outward_normal(gjk_iteration *it, const gjk_facet *facet, bool exact, gjk_q16 depth, gjk_unit3 *normal);
 
 #endif

@@ -10,8 +10,8 @@
 //
 // What is rounded:
 //   posing   only there is geometry rounded; from then on shapes are integers
-//   depth    up to the next LSB: step 2 rounds the distance of the cores down, step 3 the height up, both exactly. A
-//            curved pair has bounds instead, 2 LSB and one rounding to either side
+//   depth    up to the next LSB: step 2 rounds the distance of the cores down, step 3 the height up, both exactly. The
+//            bounds of a curved pair are 2 LSB above the depth and 3 below, for the error of its support points
 //   points   per component to the nearest LSB, within 1 LSB of the shape
 //   normal   within 2^-28, then outward
 #include "gjk/penetration.h"
@@ -170,6 +170,7 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
     o->facet.found = false;
     gjk_simplex_clear(&it->simplex);
     if (answer == GJK_ZONOTOPE_APART && (goal == GJK_GOAL_DEPTH || cache == NULL)) {
+      // The search starts along the axis that separates the cores.
       gjk_iteration_keep(it, GJK_OUTCOME_SEPARATED, &direction);
       from = &direction;
     }
