@@ -102,8 +102,8 @@ static void add_candidate(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, gjk_q16
 }
 
 // step . a->direction, to the nearest LSB. Pre: step leads between points of the shapes.
-//        centres   at most sqrt(3) 2^29 apart
-//        radii     at most 2^28 each:              |step| < 2^31
+//   centres   at most sqrt(3) 2^29 apart
+//   radii     at most 2^28 each:              |step| < 2^31
 static gjk_q16 gap_along(const clip *c, const gjk_vec3 *step) {
   return (gjk_q16)gjk_sar64(gjk_dot(step, &c->a->direction) + (INT64_C(1) << 29), 30);
 }

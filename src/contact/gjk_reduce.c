@@ -19,14 +19,14 @@
 // An area or squared distance that falls short of the largest by at most 1 / 2^ALIKE of it counts as largest.
 #define ALIKE 5
 
-// Where a candidate lies seen along the axis nearest to the normal, relative to the first that is kept. |x|,
-// |y| < 2^30.
+// Where a candidate lies seen along the axis nearest to the normal, relative to the first that is kept.
+//   x, y   below 2^30 in size
 typedef struct spot {
   int32_t x, y;
 } spot;
 
 typedef struct selection {
-  spot spot[GJK_CANDIDATES_MAX];      // in the order below
+  spot spots[GJK_CANDIDATES_MAX];     // in the order below
   uint8_t order[GJK_CANDIDATES_MAX];  // indices of the candidates, by id
   unsigned count;                     // of candidates
   uint8_t *keep;                      // indices in order
@@ -60,7 +60,7 @@ static uint32_t find_spots(const gjk_candidates *t, const gjk_unit3 *normal, sel
   for (unsigned i = 0; i < s->count; i++) {
     const gjk_vec3 v = gjk_sub(t->candidate[s->order[i]].point_a, *origin);
     const spot p = {axis == 0 ? v.y : v.x, axis == 2 ? v.y : v.z};
-    s->spot[i] = p;
+    s->spots[i] = p;
     reach = gjk_magnitude32(p.x) > reach ? gjk_magnitude32(p.x) : reach;
     reach = gjk_magnitude32(p.y) > reach ? gjk_magnitude32(p.y) : reach;
   }
@@ -86,10 +86,10 @@ static unsigned first_within(const gjk_candidates *t, const selection *s, int64_
 
 // Keeps candidate i, and makes the spots relative to it.
 static void keep_first(selection *s, unsigned i) {
-  const spot from = s->spot[i];
+  const spot from = s->spots[i];
   for (unsigned k = 0; k < s->count; k++) {
-    s->spot[k].x -= from.x;
-    s->spot[k].y -= from.y;
+    s->spots[k].x -= from.x;
+    s->spots[k].y -= from.y;
   }
   s->keep[0] = (uint8_t)i;
   s->kept = 1;
@@ -98,7 +98,7 @@ static void keep_first(selection *s, unsigned i) {
 // Twice the area of the triangle of the first one kept, end and i; negative when i lies on the right.
 //   products below 2^60 in size, their difference below 2^61
 static inline int64_t area_of(const selection *s, const spot *end, unsigned i) {
-  return gjk_mul32(end->x, s->spot[i].y) - gjk_mul32(end->y, s->spot[i].x);
+  return gjk_mul32(end->x, s->spots[i].y) - gjk_mul32(end->y, s->spots[i].x);
 }
 
 // Keeps the first candidate that is as far from the line to end as the farthest on that side.
@@ -120,7 +120,7 @@ typedef struct diagonal {
 } diagonal;
 
 static int64_t measure_diagonal(const selection *s, unsigned k, bool quadrilateral, diagonal *out) {
-  out->end = s->spot[k];
+  out->end = s->spots[k];
   out->left = 0;
   out->right = 0;
   for (unsigned i = 0; i < s->count; i++) {
@@ -162,7 +162,7 @@ static void keep_largest(selection *s, bool quadrilateral) {
 static int64_t clearance(const selection *s, unsigned i) {
   int64_t nearest = INT64_MAX;
   for (unsigned k = 0; k < s->kept; k++) {
-    const int32_t x = s->spot[i].x - s->spot[s->keep[k]].x, y = s->spot[i].y - s->spot[s->keep[k]].y;
+    const int32_t x = s->spots[i].x - s->spots[s->keep[k]].x, y = s->spots[i].y - s->spots[s->keep[k]].y;
     const int64_t squared = s->keep[k] == i ? -1 : gjk_mul32(x, x) + gjk_mul32(y, y);
     nearest = squared < nearest ? squared : nearest;
   }
