@@ -6,6 +6,9 @@
 // A disc of a smaller radius, LSB, is no face: its octagon would be rounding.
 #define RIM_MIN 8
 
+// cos 45 degrees, Q2.30.
+#define DIAGONAL INT32_C(759250125)
+
 // The shape's z axis in the world, Q2.30.
 static gjk_vec3 axis_of(const gjk_collider *c) {
   const gjk_vec3 axis = {c->frame[0].z, c->frame[1].z, c->frame[2].z};
@@ -24,8 +27,7 @@ static void set_fine_corner(const gjk_collider *c, const gjk_vec3 *position, con
 
 // Steps 1 and 2: the flat end as an octagon, moved outwards by the convex radius.
 static void set_cap(const gjk_collider *c, const gjk_vec3 *position, bool top, gjk_polygon *out) {
-  const int32_t diagonal = 759250125;  // 2^30 cos 45 degrees
-  const gjk_q30 cosine[8] = {GJK_Q30_ONE, diagonal, 0, -diagonal, -GJK_Q30_ONE, -diagonal, 0, diagonal};
+  static const gjk_q30 cosine[8] = {GJK_Q30_ONE, DIAGONAL, 0, -DIAGONAL, -GJK_Q30_ONE, -DIAGONAL, 0, DIAGONAL};
   const gjk_shape *shape = c->shape;
   const int32_t height = (shape->size.z + shape->convex_radius) * (1 << GJK_FINE_BITS);  // at most 2^30
   const gjk_vec3 axis = axis_of(c);
