@@ -1,4 +1,4 @@
-// Everything at once. A program may as well include only the headers of the capabilities that it uses.
+// All public headers. A program may include only those that it uses.
 #ifndef GJK_GJK_H
 #define GJK_GJK_H
 
