@@ -98,7 +98,8 @@ static inline uint64_t gjk_magnitude64(int64_t x) {
 static inline unsigned gjk_clz32(uint32_t x) {
 #if defined(GJK_CLZ32)
   return (unsigned)GJK_CLZ32(x);
-#elif defined(__GNUC__) && UINT_MAX == UINT32_MAX && !(defined(__ARM_ARCH) && __ARM_ARCH < 7) && !defined(__riscv)
+#elif defined(__GNUC__) && UINT_MAX == UINT32_MAX && !(defined(__ARM_ARCH) && __ARM_ARCH < 7) && \
+    !defined(__ARM_ARCH_8M_BASE__) && !defined(__riscv)
   return (unsigned)__builtin_clz(x);
 #else
   unsigned n = 0;
