@@ -45,7 +45,7 @@ const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bi
 void gjk_reach_start(gjk_reach *reach, unsigned bits) {
   reach->coarse = gjk_coarse_direction(reach->d, bits);
   // Whatever is below the coarse limit lies below the limit. A coarse product is at most 3 2^28 in size, a slack at most 4.
-  const int64_t coarse_limit = gjk_sar64(reach->limit, reach->coarse.s + reach->coarse.t) - GJK_COARSE_ERROR;
+  const int64_t coarse_limit = gjk_sar64(reach->limit, reach->coarse.vertex_shift + reach->coarse.shift) - GJK_COARSE_ERROR;
   //@ assert coarse_limit >= -(INT32_C(1) << 30) && coarse_limit <= INT32_C(1) << 30;
   reach->coarse_limit = (int32_t)coarse_limit;
 }
