@@ -4,8 +4,8 @@
 
 #include "gjk_wide.h"
 
-// The key encodes the square of a height: 6 bits of exponent over 16 bits of fraction. Equal heights above 2^13 have keys
-// at most GJK_HEIGHT_KEY_ERROR apart. Lower heights are told apart to within GJK_HEIGHT_ERROR of gjk_facet.h as well.
+// The key encodes the square of a height: 6 bits of exponent over 16 bits of fraction. Equal heights above 2^13 have
+// keys at most GJK_HEIGHT_KEY_ERROR apart. Comparisons of lower heights also allow for GJK_HEIGHT_ERROR of gjk_facet.h.
 #define GJK_HEIGHT_KEY_MAX ((UINT32_C(64) << 16) - 1)
 #define GJK_HEIGHT_KEY_ERROR 16
 

@@ -26,9 +26,9 @@
 #define GJK_ASSERT(condition) ((void)0)
 #endif
 
-// GJK_CLZ32(x): leading zeros of a uint32_t that is not 0. Default, in gjk_clz32 of gjk_wide.h: the builtin of gcc and clang
-// where the core has the instruction; portable C, five comparisons, on ARM before ARMv7, ARMv8-M baseline, RISC-V, cores
-// with a 16-bit int, and with other compilers.
+// GJK_CLZ32(x): leading zeros of a uint32_t that is not 0. Default, in gjk_clz32 of gjk_wide.h: the builtin of gcc and
+// clang where the core has the instruction; portable C, five comparisons, on ARM before ARMv7, ARMv8-M baseline,
+// RISC-V, cores with a 16-bit int, and with other compilers.
 
 // GJK_NARROW_MULTIPLY: 1 on a core without a multiplication of 32 x 32 to 64 bits. Four products of 16-bit halves are
 // faster there than the compiler's library call. Default: 1 on ARMv6-M (Cortex-M0, M0+, M1), ARMv8-M baseline

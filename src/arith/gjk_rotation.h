@@ -13,8 +13,8 @@ bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation);
 // exact value is. Pre: |x| <= 2^60 (1 + 2^-15), |excess| < 2^31.
 gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess);
 
-// The rotation matrix of q / |q|, by rows, Q60: entries within 2^-43; the identity is exact. False, and m not set, when q
-// is not a unit within GJK_ROTATION_TOLERANCE.
+// The rotation matrix of q / |q|, by rows, Q60: entries within 2^-43; the identity is exact. False, and m not set, when
+// q is not a unit within GJK_ROTATION_TOLERANCE.
 bool gjk_rotation_fine(const gjk_quat *q, int64_t m[9]);
 
 // The matrix of gjk_rotation_fine rounded to Q2.30: entries within 0.5 + 2^-13 LSB and at most 2^30 in size.
@@ -33,8 +33,8 @@ gjk_vec3 gjk_rotate_back(const gjk_vec3 rows[3], const gjk_vec3 *v);
 // As gjk_rotate, with a fraction of an LSB, Q8, added to each component before it is rounded.
 gjk_vec3 gjk_rotate_onto(const gjk_vec3 rows[3], const gjk_vec3 *v, const int8_t fraction[3]);
 
-// m of gjk_rotation_fine times v, Q30: within 2^-42 (|v.x| + |v.y| + |v.z|), so within 2^-9 LSB for any v, and at most 2^62
-// in size. The identity is exact.
+// m of gjk_rotation_fine times v, Q30: within 2^-42 (|v.x| + |v.y| + |v.z|), so within 2^-9 LSB for any v, and at most
+// 2^62 in size. The identity is exact.
 void gjk_rotate_fine(const int64_t m[9], const gjk_vec3 *v, int64_t out[3]);
 
 // As gjk_rotate, for any v: out is at most 2^32 in size.
