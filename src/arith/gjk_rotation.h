@@ -20,7 +20,7 @@ bool gjk_rotation_fine(const gjk_quat *q, int64_t m[9]);
 // The matrix of gjk_rotation_fine rounded to Q2.30: entries within 0.5 + 2^-13 LSB and at most 2^30 in size.
 void gjk_rotation_round(const int64_t m[9], gjk_vec3 rows[3]);
 
-// Both in one.
+// gjk_rotation_fine, then gjk_rotation_round.
 bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]);
 
 // The matrix times v, to the nearest LSB, a half up. It is within 0.501 (1 + (|v.x| + |v.y| + |v.z|) / 2^30) LSB of the

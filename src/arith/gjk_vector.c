@@ -45,12 +45,14 @@ static int32_t round_down(int64_t x, unsigned k) {
   return rounded;
 }
 
-// The high words of v's components, joined by or; of a negative component x that of -1 - x. low_bits: the low words.
+// The high words of v's components, joined by or, with -1 - x for a negative component x. Its leading bit tells how
+// many bits the largest component has, beyond 32.
 static uint32_t high_bits(const gjk_long3 *v) {
   const int32_t x = gjk_high32(v->x), y = gjk_high32(v->y), z = gjk_high32(v->z);
   return (uint32_t)((x ^ gjk_sar32(x, 31)) | (y ^ gjk_sar32(y, 31)) | (z ^ gjk_sar32(z, 31)));
 }
 
+// The same of the low words, for components whose high words are 0 or -1.
 static uint32_t low_bits(const gjk_long3 *v) {
   return gjk_low32((v->x ^ gjk_sar64(v->x, 63)) | (v->y ^ gjk_sar64(v->y, 63)) | (v->z ^ gjk_sar64(v->z, 63)));
 }

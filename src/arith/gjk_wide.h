@@ -7,7 +7,7 @@
 #include "gjk_port_defaults.h"
 
 // GJK_OUT_OF_LINE marks a function that must not be inlined, mostly because it rarely runs.
-// GJK_SMALL is 1 where the compiler optimises for size, and the code follows it.
+// GJK_SMALL is 1 where the compiler optimises for size; the code is then chosen for size as well.
 // GJK_ONCE marks a function that stays one copy where GJK_SMALL is 1, and goes in line elsewhere.
 #if defined(__GNUC__)
 #define GJK_OUT_OF_LINE __attribute__((noinline))
@@ -160,7 +160,7 @@ static inline int64_t gjk_mul32(int32_t a, int32_t b) {
 #endif
 }
 
-// sum + a b. Pre: it fits.
+// sum + a b. Pre: the result fits.
 static inline int64_t gjk_mac32(int64_t sum, int32_t a, int32_t b) {
 #if defined(GJK_ARM_LONG_MULTIPLY)
   __asm__("smlal %Q0, %R0, %1, %2" : "+r"(sum) : "r"(a), "r"(b));
@@ -189,7 +189,7 @@ static inline uint32_t gjk_umulh32(uint32_t a, uint32_t b) {
   return (uint32_t)(gjk_umul32(a, b) >> 32);
 }
 
-// -1, 0 or 1.
+// The sign of x: -1, 0 or 1.
 static inline int gjk_sign64(int64_t x) {
   return (x > 0) - (x < 0);
 }

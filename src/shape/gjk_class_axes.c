@@ -13,7 +13,7 @@ typedef struct probe {
   gjk_coarse coarse;
 } probe;
 
-// Out of line: in line it costs queries on boxes 8 % more instructions on Cortex-M0.
+// Out of line: in line it costs queries on boxes 1 % more instructions on Cortex-M0, and 464 bytes.
 GJK_OUT_OF_LINE static bool lies_along_exactly(const gjk_vec3 *axis, const gjk_vec3 *d) {
   return gjk_dot(axis, d) >= 0;
 }
@@ -70,16 +70,16 @@ static inline unsigned add_axis(const gjk_vec3 *axis, const probe *p, unsigned b
 static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   const probe p = probe_of(c, d);
   gjk_vec3 sum = {0, 0, 0};
-  unsigned vertex_axes = 0;
+  unsigned number = 0;
   if (c->count > 0) {
-    vertex_axes = add_axis(&c->frame[0], &p, 1, &sum);
+    number = add_axis(&c->frame[0], &p, 1, &sum);
   }
   if (c->count > 1) {
-    vertex_axes |= add_axis(&c->frame[1], &p, 2, &sum);
-    vertex_axes |= add_axis(&c->frame[2], &p, 4, &sum);
+    number |= add_axis(&c->frame[1], &p, 2, &sum);
+    number |= add_axis(&c->frame[2], &p, 4, &sum);
   }
   out->offset = sum;
-  out->vertex = (uint16_t)vertex_axes;
+  out->vertex = (uint16_t)number;
 }
 
 static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
