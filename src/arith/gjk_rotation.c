@@ -44,7 +44,9 @@ gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess) {
   return to_q30(corrected(x, excess));
 }
 
-bool gjk_rotation_fine(const gjk_quat *q, int64_t m[9]) {
+// Steps 1 to 4: the matrix of q / |q| by rows, Q60; entries within 2^-43. False, and m not set, as
+// gjk_rotation_from_quat.
+static bool fine_matrix(const gjk_quat *q, int64_t m[9]) {
   int64_t deviation;
   if (!gjk_quat_deviation(q, &deviation)) {  // Step 1
     return false;
@@ -69,7 +71,8 @@ bool gjk_rotation_fine(const gjk_quat *q, int64_t m[9]) {
   return true;
 }
 
-void gjk_rotation_round(const int64_t m[9], gjk_vec3 rows[3]) {
+// Step 5
+static void round_matrix(const int64_t m[9], gjk_vec3 rows[3]) {
   for (int i = 0; i < 3; i++) {
     rows[i].x = to_q30(m[3 * i]);
     rows[i].y = to_q30(m[3 * i + 1]);
@@ -77,16 +80,8 @@ void gjk_rotation_round(const int64_t m[9], gjk_vec3 rows[3]) {
   }
 }
 
-bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
-  int64_t m[9];
-  if (!gjk_rotation_fine(q, m)) {
-    return false;
-  }
-  gjk_rotation_round(m, rows);
-  return true;
-}
-
-void gjk_rotate_fine(const int64_t m[9], const gjk_vec3 *v, int64_t out[3]) {
+// m, Q60, times v, Q30: as gjk_rotation_with_point has it.
+static void rotate_fine(const int64_t m[9], const gjk_vec3 *v, int64_t out[3]) {
   const int32_t along[3] = {v->x, v->y, v->z};
   out[0] = out[1] = out[2] = 0;
   if ((v->x | v->y | v->z) == 0) {
@@ -103,6 +98,22 @@ void gjk_rotate_fine(const int64_t m[9], const gjk_vec3 *v, int64_t out[3]) {
     }
     out[i] = coarse + gjk_sar64(fine, 15);
   }
+}
+
+bool gjk_rotation_with_point(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 rows[3], int64_t rotated[3]) {
+  int64_t m[9];
+  if (!fine_matrix(q, m)) {
+    return false;
+  }
+  round_matrix(m, rows);
+  rotate_fine(m, v, rotated);
+  return true;
+}
+
+bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
+  static const gjk_vec3 origin = {0, 0, 0};
+  int64_t rotated[3];
+  return gjk_rotation_with_point(q, &origin, rows, rotated);
 }
 
 #define HALF (INT32_C(1) << 29)

@@ -13,15 +13,13 @@ bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation);
 // exact value is. Pre: |x| <= 2^60 (1 + 2^-15), |excess| < 2^31.
 gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess);
 
-// The rotation matrix of q / |q|, by rows, Q60: entries within 2^-43; the identity is exact. False, and m not set, when
-// q is not a unit within GJK_ROTATION_TOLERANCE.
-bool gjk_rotation_fine(const gjk_quat *q, int64_t m[9]);
-
-// The matrix of gjk_rotation_fine rounded to Q2.30: entries within 0.5 + 2^-13 LSB and at most 2^30 in size.
-void gjk_rotation_round(const int64_t m[9], gjk_vec3 rows[3]);
-
-// gjk_rotation_fine, then gjk_rotation_round.
+// The rotation matrix of q / |q|, by rows, Q2.30: entries within 0.5 + 2^-13 LSB and at most 2^30 in size; the
+// identity is exact. False, and rows not set, when q is not a unit within GJK_ROTATION_TOLERANCE.
 bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]);
+
+// The same, and v rotated without the rounding of the matrix, Q30: within 2^-42 (|v.x| + |v.y| + |v.z|), so within
+// 2^-9 LSB for any v, and at most 2^62 in size. The identity is exact.
+bool gjk_rotation_with_point(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 rows[3], int64_t rotated[3]);
 
 // The matrix times v, to the nearest LSB, a half up. It is within 0.501 (1 + (|v.x| + |v.y| + |v.z|) / 2^30) LSB of the
 // real rotation, so within 1 LSB for |v| up to 2^29. Pre: |v| <= 2^31 - 4, length; then the result fits.
@@ -32,10 +30,6 @@ gjk_vec3 gjk_rotate_back(const gjk_vec3 rows[3], const gjk_vec3 *v);
 
 // As gjk_rotate, with a fraction of an LSB, Q8, added to each component before it is rounded.
 gjk_vec3 gjk_rotate_onto(const gjk_vec3 rows[3], const gjk_vec3 *v, const int8_t fraction[3]);
-
-// m of gjk_rotation_fine times v, Q30: within 2^-42 (|v.x| + |v.y| + |v.z|), so within 2^-9 LSB for any v, and at most
-// 2^62 in size. The identity is exact.
-void gjk_rotate_fine(const int64_t m[9], const gjk_vec3 *v, int64_t out[3]);
 
 // As gjk_rotate, for any v: out is at most 2^32 in size.
 void gjk_rotate_wide(const gjk_vec3 rows[3], const gjk_vec3 *v, int64_t out[3]);

@@ -79,13 +79,12 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
   if (c->state != GJK_STATE_INITIALISED && c->state != GJK_STATE_POSED) {
     return GJK_ERROR_UNINITIALISED;
   }
-  int64_t fine_rows[9];
-  if (!gjk_rotation_fine(&pose->rotation, fine_rows)) {
-    return GJK_ERROR_ROTATION;
-  }
+  gjk_vec3 rows[3];
   int64_t centre[3];
   int8_t fraction[3];
-  gjk_rotate_fine(fine_rows, &c->local_centre, centre);
+  if (!gjk_rotation_with_point(&pose->rotation, &c->local_centre, rows, centre)) {
+    return GJK_ERROR_ROTATION;
+  }
   const gjk_vec3 *position = &pose->position;
   const int64_t x = round_centre(centre[0], &fraction[0]) + position->x;
   const int64_t y = round_centre(centre[1], &fraction[1]) + position->y;
@@ -100,8 +99,6 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
   for (int i = 0; i < 3; i++) {
     c->fraction[i] = fraction[i];
   }
-  gjk_vec3 rows[3];
-  gjk_rotation_round(fine_rows, rows);
   c->shape->type->pose(c, rows);
   c->state = GJK_STATE_POSED;
   return GJK_OK;
