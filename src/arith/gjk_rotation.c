@@ -124,7 +124,7 @@ static int64_t component(int32_t x, int32_t y, int32_t z, const gjk_vec3 *v, int
   return gjk_sar64(sum + start, 30);                                               // |v| <= sqrt(3) 2^31:  |sum| < 2^62
 }
 
-// The same, for a result that fits. One copy in a build for size, which has nine calls of it.
+// The same, for a result that fits. One copy in a build for size, which has six calls of it.
 GJK_ONCE static int32_t narrow_component(int32_t x, int32_t y, int32_t z, const gjk_vec3 *v, int32_t start) {
   const int64_t rotated = component(x, y, z, v, start);
   //@ assert rotated >= INT32_MIN && rotated <= INT32_MAX;
