@@ -80,6 +80,15 @@ static void round_matrix(const int64_t m[9], gjk_vec3 rows[3]) {
   }
 }
 
+bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
+  int64_t m[9];
+  if (!fine_matrix(q, m)) {
+    return false;
+  }
+  round_matrix(m, rows);
+  return true;
+}
+
 // m, Q60, times v, Q30: as gjk_rotation_with_point has it.
 static void rotate_fine(const int64_t m[9], const gjk_vec3 *v, int64_t out[3]) {
   const int32_t along[3] = {v->x, v->y, v->z};
@@ -108,12 +117,6 @@ bool gjk_rotation_with_point(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 rows
   round_matrix(m, rows);
   rotate_fine(m, v, rotated);
   return true;
-}
-
-bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
-  static const gjk_vec3 origin = {0, 0, 0};
-  int64_t rotated[3];
-  return gjk_rotation_with_point(q, &origin, rows, rotated);
 }
 
 #define HALF (INT32_C(1) << 29)
