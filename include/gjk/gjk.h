@@ -13,5 +13,6 @@
 #include "gjk/scene.h"
 #include "gjk/shape.h"
 #include "gjk/status.h"
+#include "gjk/version.h"
 
 #endif
