@@ -9,6 +9,7 @@ static int64_t shift_down(const gjk_u128 *x, unsigned n) {
 void gjk_claim_direction(const gjk_simplex *s, gjk_long3 *out) {
   gjk_direction d;
   gjk_u128 sum[3];
+  d.ta = d.tb = 0;  // used where an edge sets them, which GCC does not see
   gjk_simplex_exact_direction(s, &d);
   if (d.spanning == 3) {
     out->x = d.n->x;
