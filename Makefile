@@ -39,14 +39,14 @@ TARGET ?= host
 OPT ?= -O2
 
 # The targets: compiler and flags, archiver, and what a program for the target's emulated board is linked with.
-# GJK_NARROW_MULTIPLY is for cores without a multiplication of 32 x 32 to 64 bits; -fcallgraph-info for `make sizes`.
+# -fcallgraph-info is for `make sizes`.
 TOOLS_host := $(CC)
 AR_host := ar
 PORT_host := hosted
 
 ARM := arm-none-eabi-gcc -mthumb -fcallgraph-info=su
 MPS2 := -nostdlib -Tport/mps2/mps2.ld port/mps2/board.c port/board/memory.c
-TOOLS_cortex-m0 := $(ARM) -mcpu=cortex-m0 -DGJK_NARROW_MULTIPLY=1
+TOOLS_cortex-m0 := $(ARM) -mcpu=cortex-m0
 TOOLS_cortex-m3 := $(ARM) -mcpu=cortex-m3
 TOOLS_cortex-m4 := $(ARM) -mcpu=cortex-m4
 TOOLS_cortex-m7 := $(ARM) -mcpu=cortex-m7
@@ -72,7 +72,7 @@ TOOLS_rv32imc := riscv64-unknown-elf-gcc -march=rv32imc -mabi=ilp32 -fcallgraph-
 BOARD_rv32imc := -nostdlib -Tport/riscv-virt/riscv-virt.ld port/riscv-virt/board.c port/board/memory.c
 AR_rv32imc := riscv64-unknown-elf-ar
 
-TOOLS_avr := avr-gcc -mmcu=atmega2560 -DGJK_NARROW_MULTIPLY=1
+TOOLS_avr := avr-gcc -mmcu=atmega2560
 BOARD_avr := port/avr/board.c
 AR_avr := avr-ar
 

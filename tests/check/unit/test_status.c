@@ -70,6 +70,20 @@ static void test_names(void) {
   CHECK(strcmp(gjk_status_name((gjk_status)1), "GJK_ERROR_UNKNOWN") == 0);
 }
 
+// The preprocessor can compare versions.
+static void test_versions(void) {
+#if GJK_VERSION_MAJOR < 0 || GJK_VERSION_MINOR < 0 || GJK_VERSION_PATCH < 0 || GJK_BITS_VERSION < 1
+  CHECK(false);
+#endif
+  const int32_t part[3] = {GJK_VERSION_MAJOR, GJK_VERSION_MINOR, GJK_VERSION_PATCH};
+  for (int i = 0; i < 3; i++) {
+    CHECK_MSG(part[i] >= 0 && part[i] < 1000, "part %d", i);
+  }
+  // Release 0.0.0 is none, and neither is version 0 of the bits.
+  CHECK(part[0] + part[1] + part[2] > 0);
+  CHECK(GJK_BITS_VERSION >= 1);
+}
+
 static void test_null_shapes(void) {
   const gjk_shape no_class = {NULL, NULL, NULL, NULL, {0, 0, 0}, 0, 0, NULL};
   const gjk_shape hull = GJK_HULL(NULL, 4), triangle = GJK_TRIANGLE(NULL), custom = GJK_CUSTOM(NULL, NULL, ONE);
@@ -359,6 +373,7 @@ static void test_unsupported(void) {
 
 int main(void) {
   test_names();
+  test_versions();
   test_null_shapes();
   test_negative_sizes();
   test_empty();

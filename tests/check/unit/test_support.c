@@ -123,7 +123,7 @@ static void test_coarse(void) {
       d.z = random_range(&random, -d_most, d_most);
     }
     const gjk_coarse c = gjk_coarse_direction(&d, bits);
-    const int64_t exact = gjk_dot(&v, &d) >> (c.s + c.t), error = exact - gjk_coarse_dot(&c, &v);
+    const int64_t exact = gjk_dot(&v, &d) >> (c.vertex_shift + c.shift), error = exact - gjk_coarse_dot(&c, &v);
     CHECK_MSG(error <= GJK_COARSE_ERROR, "%ld off", (long)error);
     CHECK_MSG(error >= -GJK_COARSE_ERROR, "%ld off", (long)error);
     largest = error > largest ? error : largest;
