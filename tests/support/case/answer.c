@@ -119,7 +119,8 @@ static const char *detail(gjk_status status) {
     case GJK_ERROR_ROTATION: return "not a unit quaternion; raw numbers are Q2.30: 1073741824 is 1.0";
     case GJK_ERROR_RANGE: return "its centre is not within -32768.0 to 32768.0";
     case GJK_ERROR_ITERATION_LIMIT: return "not settled within the ceiling on iterations";
-    case GJK_ERROR_CAPACITY: return "the EPA hull takes more than 4096 vertices, or of a curved pair EPA more than 1000 iterations";
+    case GJK_ERROR_CAPACITY:
+      return "the EPA hull takes more than 4096 vertices, or of a curved pair EPA more than 1000 iterations";
     default: return "refused";
   }
 }
