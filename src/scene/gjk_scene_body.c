@@ -14,13 +14,13 @@ static void put_in_moved_list(gjk_scene_view *v, uint32_t slot) {
 }
 
 static gjk_status build_part(const gjk_scene_view *v, const gjk_pose *pose, const gjk_part *part, gjk_collider *c) {
-  return gjk_scene_part_build(v, part->shape, pose, part->placed ? &part->pose : NULL, c);
+  return gjk_scene_part_build(v, part->shape, pose, part->own_pose ? &part->pose : NULL, c);
 }
 
 static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) {
   const gjk_scene_header *h = v->header;
   gjk_collider c;
-  uint32_t placed = 0;
+  uint32_t own_poses = 0;
   if (s->parts == NULL) {
     return GJK_ERROR_NULL;
   }
@@ -35,9 +35,9 @@ static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) 
     if (status != GJK_OK) {
       return status;
     }
-    placed += s->parts[i].placed;
+    own_poses += s->parts[i].own_pose;
   }
-  return s->part_count > h->parts.capacity - h->parts.count || placed > h->placed.capacity - h->placed.count
+  return s->part_count > h->parts.capacity - h->parts.count || own_poses > h->own_poses.capacity - h->own_poses.count
              ? GJK_ERROR_CAPACITY
              : GJK_OK;
 }
@@ -46,7 +46,7 @@ static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) 
 static void add_part(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, const gjk_part *part, uint16_t number) {
   gjk_scene_header *h = v->header;
   gjk_scene_body *body = &v->bodies[slot];
-  const uint32_t index = gjk_scene_take(v, &h->parts, sizeof(gjk_scene_part));
+  const uint32_t index = gjk_scene_pool_take(v, &h->parts, sizeof(gjk_scene_part));
   gjk_scene_part *p = &v->parts[index];
   gjk_collider c;
   (void)build_part(v, pose, part, &c);  // checked
@@ -54,12 +54,12 @@ static void add_part(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, con
   body->first = index;
   p->body = slot;
   p->pairs = GJK_SCENE_NONE;
-  p->placed = GJK_SCENE_NONE;
-  if (part->placed) {
-    const uint32_t at = gjk_scene_take(v, &h->placed, sizeof(gjk_scene_placed));
-    v->placed[at].next = index;  // its owner
-    v->placed[at].pose = part->pose;
-    p->placed = at;
+  p->own_pose = GJK_SCENE_NONE;
+  if (part->own_pose) {
+    const uint32_t at = gjk_scene_pool_take(v, &h->own_poses, sizeof(gjk_scene_own_pose));
+    v->own_poses[at].next = index;  // its owner
+    v->own_poses[at].pose = part->pose;
+    p->own_pose = at;
   }
   p->shape = part->shape;
   p->number = number;
@@ -156,11 +156,11 @@ gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id handle) {
     next = v.parts[i].next;
     gjk_scene_pairs_forget(&v, i);
     gjk_scene_tree_remove(&v, i);
-    if (v.parts[i].placed != GJK_SCENE_NONE) {
-      gjk_scene_give(&v, &h->placed, sizeof(gjk_scene_placed), v.parts[i].placed);
+    if (v.parts[i].own_pose != GJK_SCENE_NONE) {
+      gjk_scene_pool_give(&v, &h->own_poses, sizeof(gjk_scene_own_pose), v.parts[i].own_pose);
     }
     v.parts[i].state = 0;
-    gjk_scene_give(&v, &h->parts, sizeof(gjk_scene_part), i);
+    gjk_scene_pool_give(&v, &h->parts, sizeof(gjk_scene_part), i);
   }
   //@ assert handle.slot < v.header->config.bodies;
   body->first = GJK_SCENE_NONE;  // it stays in the list of the moved, if it is there
@@ -173,15 +173,15 @@ gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id handle) {
   return GJK_OK;
 }
 
-static const gjk_pose *placed_pose(const gjk_scene_view *v, const gjk_scene_part *p) {
-  const uint32_t at = p->placed;
-  return at == GJK_SCENE_NONE ? NULL : &v->placed[at].pose;
+static const gjk_pose *own_pose_of(const gjk_scene_view *v, const gjk_scene_part *p) {
+  const uint32_t at = p->own_pose;
+  return at == GJK_SCENE_NONE ? NULL : &v->own_poses[at].pose;
 }
 
 // The part's collider at another pose of its body.
 static gjk_status move_part(const gjk_scene_view *v, const gjk_scene_part *p, const gjk_pose *pose, gjk_collider *c) {
   gjk_scene_part_collider(v, p, c);
-  return gjk_scene_part_pose(c, pose, placed_pose(v, p));
+  return gjk_scene_part_pose(c, pose, own_pose_of(v, p));
 }
 
 static void replant(gjk_scene_view *v, uint32_t index) {
@@ -294,7 +294,7 @@ gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id handle, uint16_t pa
     return GJK_ERROR_RANGE;
   }
   const gjk_pose pose = body_pose(body);
-  status = gjk_scene_part_build(&v, shape, &pose, placed_pose(&v, &v.parts[index]), &c);
+  status = gjk_scene_part_build(&v, shape, &pose, own_pose_of(&v, &v.parts[index]), &c);
   if (status != GJK_OK) {
     return status;
   }

@@ -17,9 +17,9 @@ static bool gone(const gjk_scene_pair *pair) {
 }
 
 // A part's pose that is free has the next free one where one in use has its part, which names it.
-static bool placed_is_used(const gjk_scene_view *v, uint32_t index) {
-  const uint32_t part = v->placed[index].next;
-  return live_part(v, part) && v->parts[part].placed == index;
+static bool own_pose_is_used(const gjk_scene_view *v, uint32_t index) {
+  const uint32_t part = v->own_poses[index].next;
+  return live_part(v, part) && v->parts[part].own_pose == index;
 }
 
 // The free list of a pool names fresh - count records, none of them in use.
@@ -28,7 +28,7 @@ static bool check_free(const gjk_scene_view *v, const gjk_scene_pool *pool, uint
   uint32_t at = pool->free;
   for (uint32_t left = pool->fresh - pool->count; left > 0; left--) {
     if (at >= pool->fresh || (pool == &h->parts && live_part(v, at)) || (pool == &h->pairs && live_pair(v, at)) ||
-        (pool == &h->nodes && v->nodes[at].height != 0) || (pool == &h->placed && placed_is_used(v, at))) {
+        (pool == &h->nodes && v->nodes[at].height != 0) || (pool == &h->own_poses && own_pose_is_used(v, at))) {
       return false;
     }
     const void *record = (const unsigned char *)(const void *)h + (size_t)(pool->at + at * size);
@@ -37,28 +37,28 @@ static bool check_free(const gjk_scene_view *v, const gjk_scene_pool *pool, uint
   return at == GJK_SCENE_NONE;
 }
 
-static bool check_placed(const gjk_scene_view *v, uint32_t index, uint32_t *placed) {
-  const uint32_t at = v->parts[index].placed;
+static bool check_own_pose(const gjk_scene_view *v, uint32_t index, uint32_t *own_poses) {
+  const uint32_t at = v->parts[index].own_pose;
   gjk_quat opposite;
   if (at == GJK_SCENE_NONE) {
     return true;
   }
-  (*placed)++;
-  return at < v->header->placed.fresh && v->placed[at].next == index &&
-         gjk_quat_invert(&v->placed[at].pose.rotation, &opposite) == GJK_OK;
+  (*own_poses)++;
+  return at < v->header->own_poses.fresh && v->own_poses[at].next == index &&
+         gjk_quat_invert(&v->own_poses[at].pose.rotation, &opposite) == GJK_OK;
 }
 
 // A part holds what its shape is at the pose of its body: posing repeats bit for bit. So all that a query assumes of a
 // collider is true of it.
 static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p) {
-  const uint32_t placed = p->placed;
+  const uint32_t own_pose = p->own_pose;
   gjk_pose pose;
   gjk_aabb box;
   gjk_collider c;
   pose.position = body->position;
   pose.rotation = body->rotation;
-  //@ assert placed == GJK_SCENE_NONE || placed < v->header->placed.fresh;
-  if (gjk_scene_part_build(v, p->shape, &pose, placed == GJK_SCENE_NONE ? NULL : &v->placed[placed].pose, &c) !=
+  //@ assert own_pose == GJK_SCENE_NONE || own_pose < v->header->own_poses.fresh;
+  if (gjk_scene_part_build(v, p->shape, &pose, own_pose == GJK_SCENE_NONE ? NULL : &v->own_poses[own_pose].pose, &c) !=
       GJK_OK) {
     return false;
   }
@@ -71,7 +71,7 @@ static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, cons
 }
 
 // The parts of a body: as many as it says, numbered upwards. Counts them and their poses.
-static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts, uint32_t *placed) {
+static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts, uint32_t *own_poses) {
   uint32_t number = 0;
   for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
     if (!live_part(v, i)) {
@@ -79,7 +79,7 @@ static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts,
     }
     const gjk_scene_part *p = &v->parts[i];
     if (p->body != slot || p->number != number || (p->state & GJK_SCENE_MARK) != 0 ||
-        !gjk_aabb_inside(&p->exact, &p->enlarged) || !check_placed(v, i, placed) ||
+        !gjk_aabb_inside(&p->exact, &p->enlarged) || !check_own_pose(v, i, own_poses) ||
         !check_pose(v, &v->bodies[slot], p)) {
       return false;
     }
@@ -98,7 +98,7 @@ static bool check_body(const gjk_scene_view *v, uint32_t slot) {
 
 static bool check_bodies(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
-  uint32_t bodies = 0, parts = 0, placed = 0;
+  uint32_t bodies = 0, parts = 0, own_poses = 0;
   for (uint32_t slot = 0; slot < h->config.bodies; slot++) {
     const gjk_scene_body *body = &v->bodies[slot];
     const bool free = (v->slots[slot / 32] >> slot % 32 & 1u) != 0, live = body->generation % 2 != 0;
@@ -108,7 +108,7 @@ static bool check_bodies(const gjk_scene_view *v) {
     }
     if (live) {
       bodies++;
-      if (!check_body(v, slot) || !check_parts(v, slot, &parts, &placed)) {
+      if (!check_body(v, slot) || !check_parts(v, slot, &parts, &own_poses)) {
         return false;
       }
     } else if ((body->generation != 0 || (body->flags & GJK_SCENE_MOVED) != 0) && body->first != GJK_SCENE_NONE) {
@@ -119,7 +119,7 @@ static bool check_bodies(const gjk_scene_view *v) {
   if (last != 0 && v->slots[h->config.bodies / 32] >> last != 0) {
     return false;
   }
-  return bodies == h->bodies.count && parts == h->parts.count && placed == h->placed.count;
+  return bodies == h->bodies.count && parts == h->parts.count && own_poses == h->own_poses.count;
 }
 
 // The list of bodies that changed names each flagged one once.
@@ -194,16 +194,16 @@ static bool check_tree(const gjk_scene_view *v) {
 // A pair's place in the lists of its parts: both neighbours point back. Pre: part, of that side, is there.
 static bool check_link(const gjk_scene_view *v, uint32_t link, uint32_t part) {
   const gjk_scene_pair *pair = &v->pairs[link / 2];
-  const uint32_t next = pair->next[link % 2], previous = pair->previous[link % 2];
+  const uint32_t next = pair->ends.linked.next[link % 2], previous = pair->ends.linked.previous[link % 2];
   const uint32_t after = next / 2, before = previous / 2;
-  if (previous == GJK_SCENE_NONE
-          ? v->parts[part].pairs != link
-          : !live_pair(v, before) || gone(&v->pairs[before]) || v->pairs[before].next[previous % 2] != link ||
-                v->pairs[before].part[previous % 2] != part) {
+  if (previous == GJK_SCENE_NONE ? v->parts[part].pairs != link
+                                 : !live_pair(v, before) || gone(&v->pairs[before]) ||
+                                       v->pairs[before].ends.linked.next[previous % 2] != link ||
+                                       v->pairs[before].ends.linked.part[previous % 2] != part) {
     return false;
   }
   return next == GJK_SCENE_NONE ||
-         (live_pair(v, after) && !gone(&v->pairs[after]) && v->pairs[after].previous[next % 2] == link);
+         (live_pair(v, after) && !gone(&v->pairs[after]) && v->pairs[after].ends.linked.previous[next % 2] == link);
 }
 
 // May gap be minus a depth? Of a pair that is near, by this update's test if that was done.
@@ -215,7 +215,7 @@ static bool may_be_deep(const gjk_scene_view *v, const gjk_scene_pair *pair, uin
 
 static bool check_pair(const gjk_scene_view *v, uint32_t index) {
   const gjk_scene_pair *pair = &v->pairs[index];
-  const uint32_t a = pair->part[0], b = pair->part[1];
+  const uint32_t a = pair->ends.linked.part[0], b = pair->ends.linked.part[1];
   const unsigned outcome = pair->outcome & (GJK_SCENE_UNSETTLED - 1u);
   if (pair->state >> GJK_SCENE_PAIR_CACHED > 4 || outcome >= GJK_SCENE_OUTCOMES ||
       (outcome == GJK_SCENE_PENDING && pair->outcome != GJK_SCENE_PENDING)) {
@@ -253,13 +253,13 @@ static bool check_pairs(const gjk_scene_view *v) {
     uint32_t link = live_part(v, i) ? v->parts[i].pairs : GJK_SCENE_NONE;
     while (link != GJK_SCENE_NONE) {
       const uint32_t index = link / 2;
-      if (!live_pair(v, index) || v->pairs[index].part[link % 2] != i || linked++ == 2 * pairs) {
+      if (!live_pair(v, index) || v->pairs[index].ends.linked.part[link % 2] != i || linked++ == 2 * pairs) {
         return false;
       }
-      link = v->pairs[index].next[link % 2];
+      link = v->pairs[index].ends.linked.next[link % 2];
     }
   }
-  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].previous[0]) {
+  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].ends.gone.next) {
     if (!live_pair(v, i) || !gone(&v->pairs[i]) || listed++ == missing) {
       return false;
     }
@@ -333,7 +333,7 @@ gjk_status gjk_scene_check(const gjk_scene *scene) {
   }
   const bool sound =
       check_free(&v, &h->parts, sizeof(gjk_scene_part)) && check_free(&v, &h->nodes, sizeof(gjk_scene_node)) &&
-      check_free(&v, &h->placed, sizeof(gjk_scene_placed)) && check_free(&v, &h->pairs, sizeof(gjk_scene_pair)) &&
+      check_free(&v, &h->own_poses, sizeof(gjk_scene_own_pose)) && check_free(&v, &h->pairs, sizeof(gjk_scene_pair)) &&
       check_bodies(&v) && check_moved(&v) && check_tree(&v) && check_queue(&v) && check_pairs(&v);
   return sound ? GJK_OK : GJK_ERROR_CORRUPT;
 }

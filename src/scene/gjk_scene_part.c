@@ -4,8 +4,9 @@
 #include "../shape/gjk_shape_class.h"
 #include "gjk/pose.h"
 
-// Posing moves vertices by roundings, before and after: offsets by less than 3 (collider.c), so by less than 6 against each
-// other; and the rotation of a placed part is rounded, by less than 2^-29, which is less than 1 for both poses.
+// Posing moves vertices by roundings, before and after: offsets by less than 3 (collider.c), so by less than 6 against
+// each other; and the rotation of a part with a pose of its own is rounded, by less than 2^-29, which is less than 1
+// for both poses.
 #define POSE_ROUNDING 8
 
 void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out) {
@@ -28,16 +29,16 @@ void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part
   out->bits = (uint8_t)(32 - gjk_clz32((uint32_t)part->core_radius));
 }
 
-gjk_status gjk_scene_part_pose(gjk_collider *c, const gjk_pose *body, const gjk_pose *placed) {
+gjk_status gjk_scene_part_pose(gjk_collider *c, const gjk_pose *body, const gjk_pose *own_pose) {
   gjk_pose pose;
-  if (placed == NULL) {
+  if (own_pose == NULL) {
     return gjk_collider_pose(c, body);
   }
-  const gjk_status status = gjk_pose_compose(body, placed, &pose);
+  const gjk_status status = gjk_pose_compose(body, own_pose, &pose);
   return status == GJK_OK ? gjk_collider_pose(c, &pose) : status;
 }
 
-gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const gjk_pose *body, const gjk_pose *placed,
+gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const gjk_pose *body, const gjk_pose *own_pose,
                                 gjk_collider *out) {
   if (shape >= v->scene->shape_count) {
     return GJK_ERROR_RANGE;
@@ -47,11 +48,12 @@ gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const g
   out->frame[1] = out->frame[0];
   out->frame[2] = out->frame[0];
   const gjk_status status = gjk_collider_init(out, v->scene->shapes[shape], NULL, 0);
-  return status == GJK_OK ? gjk_scene_part_pose(out, body, placed) : status;
+  return status == GJK_OK ? gjk_scene_part_pose(out, body, own_pose) : status;
 }
 
-// At least the length of a vector whose components have this sum and maximum: with the others b, ... at most the maximum a,
-// (a + b/2 + ...)^2 >= a^2 + a b + ... >= a^2 + b^2 + ... At most a fifth too long in three dimensions. Pre: sum < 2^32.
+// At least the length of a vector whose components have this sum and maximum: with the others b, ... at most the
+// maximum a, (a + b/2 + ...)^2 >= a^2 + a b + ... >= a^2 + b^2 + ... At most a fifth too long in three dimensions. Pre:
+// sum < 2^32.
 static uint32_t length_bound(uint32_t sum, uint32_t largest) {
   return sum / 2 + largest / 2 + 1;
 }
@@ -65,9 +67,9 @@ static uint32_t difference(int32_t a, int32_t b) {
   return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
 }
 
-// Unit quaternions d apart turn points by at most 2 d times their distance: with t = angle / 4, d = 2 sin t, and a point
-// moves by 2 sin 2t = 4 sin t cos t. q and -q are the same rotation. Lengths within 2^-17 of 1 change d by less than
-// 2^-16 of itself.
+// Unit quaternions d apart turn points by at most 2 d times their distance: with t = angle / 4, d = 2 sin t, and a
+// point moves by 2 sin 2t = 4 sin t cos t. q and -q are the same rotation. Lengths within 2^-17 of 1 change d by less
+// than 2^-16 of itself.
 uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b) {
   //@ assert a->x >= -0x40002000L && a->y >= -0x40002000L && a->z >= -0x40002000L && a->w >= -0x40002000L;
   //@ assert a->x <= 0x40002000L && a->y <= 0x40002000L && a->z <= 0x40002000L && a->w <= 0x40002000L;
@@ -99,8 +101,8 @@ static uint32_t add_motion(uint32_t a, uint32_t b) {
   return a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
 }
 
-// Bounds how far points of the part move when the collider replaces it. The same frame leaves offsets from the centre as
-// they are, bit for bit.
+// Bounds how far points of the part move when the collider replaces it. The same frame leaves offsets from the centre
+// as they are, bit for bit.
 static uint32_t motion_to(const gjk_scene_part *p, const gjk_collider *c, uint32_t turn) {
   uint32_t motion = distance_moved(&p->centre, &c->centre);
   if (!gjk_scene_same_vec3(&p->frame[0], &c->frame[0]) || !gjk_scene_same_vec3(&p->frame[1], &c->frame[1]) ||

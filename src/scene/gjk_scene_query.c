@@ -196,9 +196,9 @@ gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, con
   return GJK_OK;
 }
 
-// A distance may be reported less than that of the boxes: of two curved shapes by up to 4 LSB, of shapes far apart by up to
-// 2^-27 of itself. A box beyond best + BOX_SLACK + 2^-26 best holds nothing that counts, in whatever order the tree is gone
-// through.
+// A distance may be reported less than that of the boxes: of two curved shapes by up to 4 LSB, of shapes far apart by
+// up to 2^-27 of itself. A box beyond best + BOX_SLACK + 2^-26 best holds nothing that counts, in whatever order the
+// tree is gone through.
 #define BOX_SLACK 6
 
 typedef struct nearest_search {

@@ -1,8 +1,8 @@
 // The tree of enlarged boxes: leaves are parts, inner nodes the box of their two children.
 //
 // Insertion goes where the sum of sides grows least; heights of siblings differ by at most 1 always (Adelson-Velsky,
-// Landis 1962; leaves have no order, so one kind of rotation does), which bounds every walk. The shape of the tree decides
-// no answer.
+// Landis 1962; leaves have no order, so one kind of rotation does), which bounds every walk. The shape of the tree
+// decides no answer.
 #include "gjk_scene_tree.h"
 
 static uint32_t height(const gjk_scene_view *v, uint32_t node) {
@@ -65,8 +65,8 @@ static void replace_child(gjk_scene_view *v, uint32_t parent, uint32_t node, uin
   set_parent(v, what, parent);
 }
 
-// Rotates when the heights of the children differ by 2: the taller child rises, and its own lower child takes its place.
-// Returns the top of the subtree. Pre: they differ by at most 2.
+// Rotates when the heights of the children differ by 2: the taller child rises, and its own lower child takes its
+// place. Returns the top of the subtree. Pre: they differ by at most 2.
 static uint32_t balance(gjk_scene_view *v, uint32_t index) {
   gjk_scene_node *n = &v->nodes[index];
   const uint32_t left = height(v, n->child[0]), right = height(v, n->child[1]);
@@ -108,8 +108,8 @@ static void restore(gjk_scene_view *v, uint32_t index) {
   }
 }
 
-// The node that a leaf of this box becomes the sibling of: a leaf, or the parent of two where that costs less. Higher up
-// the new node's children would differ in height by more than one rotation mends.
+// The node that a leaf of this box becomes the sibling of: a leaf, or the parent of two where that costs less. Higher
+// up the new node's children would differ in height by more than one rotation mends.
 static uint32_t best_sibling(const gjk_scene_view *v, const gjk_aabb *box) {
   uint32_t node = v->header->root;
   // not reached: the ceiling
@@ -143,7 +143,7 @@ void gjk_scene_tree_insert(gjk_scene_view *v, uint32_t part) {
   const uint32_t sibling = best_sibling(v, &v->parts[part].enlarged);
   const uint32_t parent =
       (sibling & GJK_SCENE_LEAF) != 0 ? v->parts[sibling & ~GJK_SCENE_LEAF].parent : v->nodes[sibling].parent;
-  const uint32_t index = gjk_scene_take(v, &h->nodes, sizeof(gjk_scene_node));
+  const uint32_t index = gjk_scene_pool_take(v, &h->nodes, sizeof(gjk_scene_node));
   replace_child(v, parent, sibling, index);
   v->nodes[index].child[0] = sibling;
   v->nodes[index].child[1] = leaf;
@@ -164,7 +164,7 @@ void gjk_scene_tree_remove(gjk_scene_view *v, uint32_t part) {
   const uint32_t sibling = n->child[n->child[0] == (part | GJK_SCENE_LEAF)], parent = n->parent;
   replace_child(v, parent, index, sibling);
   v->nodes[index].height = 0;  // free
-  gjk_scene_give(v, &h->nodes, sizeof(gjk_scene_node), index);
+  gjk_scene_pool_give(v, &h->nodes, sizeof(gjk_scene_node), index);
   restore(v, parent);
 }
 

@@ -11,7 +11,8 @@ static inline const gjk_aabb *gjk_scene_node_box(const gjk_scene_view *v, uint32
   return (node & GJK_SCENE_LEAF) != 0 ? &v->parts[node & ~GJK_SCENE_LEAF].enlarged : &v->nodes[node].box;
 }
 
-// A walk over the tree: start at the root, then take nodes until NONE; for an inner node worth going into, call descend.
+// A walk over the tree: start at the root, then take nodes until NONE; for an inner node worth going into, call
+// descend.
 typedef struct gjk_scene_walk {
   uint32_t waiting[GJK_SCENE_DEPTH];
   unsigned count;

@@ -113,14 +113,20 @@ static gjk_status update(void) {
   return gjk_scene_update(&scene, &report, 1, &progress);
 }
 
+// Binds these to the scene.
+static void rebind(const gjk_scene_details *details, const gjk_workspace *given, gjk_manifold *room) {
+  const gjk_scene_bindings bindings = {.details = details, .workspace = given, .manifolds = room};
+  CHECK(gjk_scene_attach(&scene, block, sizeof block, shapes, 2, &bindings) == GJK_OK);
+}
+
 // Two solids, the second beside the first, that overlap deeply.
 static void start(gjk_detail least, gjk_detail of_body, uint32_t workspace_cells) {
   const gjk_scene_config config = {2, 2, 0, 4, 0, (uint8_t)least, 1, 0, 0, workspace_cells};
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, (uint8_t)of_body, 1, 1, 0, 0};
   gjk_body_id body;
-  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2) == GJK_OK);
-  CHECK(scene.details == NULL && scene.workspace == NULL && scene.manifolds == NULL);
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2, NULL) == GJK_OK);
+  CHECK(scene.bindings.details == NULL && scene.bindings.workspace == NULL && scene.bindings.manifolds == NULL);
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
   setup.pose.position.x = 9000;
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
@@ -133,14 +139,14 @@ static void check_unsupported(void) {
   start(GJK_DETAIL_TOUCH, GJK_DETAIL_CONTACTS, 0);
   CHECK(gjk_scene_hash(&scene, &before) == GJK_OK);
   CHECK(update() == GJK_ERROR_UNSUPPORTED && gjk_scene_update_begin(&scene, &pairs) == GJK_ERROR_UNSUPPORTED);
-  scene.details = &gjk_scene_depth;
+  rebind(&gjk_scene_depth, NULL, NULL);
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
   CHECK(gjk_scene_hash(&scene, &after) == GJK_OK && after == before);
-  scene.details = &gjk_scene_contacts;
+  rebind(&gjk_scene_contacts, NULL, NULL);
   CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
-  scene.details = NULL;
+  rebind(NULL, NULL, NULL);
   CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_ERROR_UNSUPPORTED && update() == GJK_ERROR_UNSUPPORTED);
-  scene.details = &gjk_scene_contacts;
+  rebind(&gjk_scene_contacts, NULL, NULL);
   CHECK(update() == GJK_OK && progress.reports == 1 && report.detail == GJK_DETAIL_CONTACTS);
   CHECK(report.manifold == NULL && report.distance == 0);  // no room was given
   CHECK(gjk_scene_check(&scene) == GJK_OK);
@@ -155,17 +161,17 @@ static void check_lacking(void) {
   CHECK(update() == GJK_OK && progress.reports == 1);
   CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_ERROR_UNSUPPORTED);
   start(GJK_DETAIL_TOUCH, GJK_DETAIL_DEPTH, 100);
-  scene.details = &gjk_scene_depth;
+  rebind(&gjk_scene_depth, NULL, NULL);
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
-  scene.workspace = &small;
+  rebind(&gjk_scene_depth, &small, NULL);
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
-  scene.workspace = &none;
+  rebind(&gjk_scene_depth, &none, NULL);
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
-  scene.workspace = &enough;
+  rebind(&gjk_scene_depth, &enough, NULL);
   CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
-  scene.workspace = &small;
+  rebind(&gjk_scene_depth, &small, NULL);
   CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_ERROR_UNSUPPORTED);
-  scene.workspace = &enough;
+  rebind(&gjk_scene_depth, &enough, NULL);
   CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_OK && update() == GJK_OK && progress.reports == 1);
   CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_OK);
 }
@@ -175,18 +181,16 @@ static void check_bounds(void) {
   gjk_scene_stats stats;
   gjk_q16 enough;
   start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH, 0);
-  scene.details = &gjk_scene_depth;
+  rebind(&gjk_scene_depth, NULL, NULL);
   CHECK(update() == GJK_OK && report.event == GJK_EVENT_BEGIN && report.distance < 0);
   CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 1);
   enough = report.distance;
   start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH, WORLD_CELLS);
-  scene.details = &gjk_scene_depth;
-  scene.workspace = &workspace;
+  rebind(&gjk_scene_depth, &workspace, NULL);
   CHECK(update() == GJK_OK && report.distance < 0 && report.distance >= enough);
   CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 0);
   start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH, 0);
-  scene.details = &gjk_scene_contacts;
-  scene.manifolds = manifolds;
+  rebind(&gjk_scene_contacts, NULL, manifolds);
   CHECK(update() == GJK_OK && report.manifold == manifolds && report.distance < 0);
   CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 1);
 }
@@ -194,9 +198,7 @@ static void check_bounds(void) {
 // Resting pairs are reported with the manifold that they had.
 static void check_rest(void) {
   start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH, WORLD_CELLS);
-  scene.details = &gjk_scene_contacts;
-  scene.workspace = &workspace;
-  scene.manifolds = manifolds;
+  rebind(&gjk_scene_contacts, &workspace, manifolds);
   CHECK(update() == GJK_OK && report.event == GJK_EVENT_BEGIN && report.manifold == manifolds);
   const gjk_manifold first = manifolds[0];
   const gjk_q16 distance = report.distance;
@@ -207,7 +209,7 @@ static void check_rest(void) {
 static void check_manifold_statuses(void) {
   gjk_manifold out;
   start(GJK_DETAIL_TOUCH, GJK_DETAIL_TOUCH, WORLD_CELLS);
-  scene.workspace = &workspace;
+  rebind(NULL, &workspace, NULL);
   CHECK(update() == GJK_OK && progress.reports == 1);
   CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_OK && out.count > 0);
   CHECK(gjk_scene_manifold(NULL, &report, 4, &out) == GJK_ERROR_NULL);
