@@ -108,12 +108,21 @@ static void forget_motion(gjk_scene_view *v) {
   h->moved = GJK_SCENE_NONE;
 }
 
-// Is the report of the pair at place i of the queue before that at place j?
+// The slot of a pair's first body.
+static uint32_t first_slot(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? pair->ends.gone.slot[0] : v->parts[pair->ends.linked.part[0]].body;
+}
+
+// Does the report of the pair at place i of the queue come before that at place j? The first slots decide most.
 static bool reported_before(const void *view, uint32_t i, uint32_t j) {
   const gjk_scene_view *v = view;
+  const gjk_scene_pair *pair_i = &v->pairs[v->queue[i]], *pair_j = &v->pairs[v->queue[j]];
+  const uint32_t slot_i = first_slot(v, pair_i), slot_j = first_slot(v, pair_j);
+  if (slot_i != slot_j) {
+    return slot_i < slot_j;
+  }
   for (unsigned side = 0; side < 2; side++) {
-    const gjk_scene_side a = gjk_scene_side_of(v, &v->pairs[v->queue[i]], side);
-    const gjk_scene_side b = gjk_scene_side_of(v, &v->pairs[v->queue[j]], side);
+    const gjk_scene_side a = gjk_scene_side_of(v, pair_i, side), b = gjk_scene_side_of(v, pair_j, side);
     if (a.slot != b.slot) {
       return a.slot < b.slot;
     }
