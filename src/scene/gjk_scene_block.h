@@ -94,14 +94,15 @@ typedef struct gjk_scene_gone_pair {
 } gjk_scene_gone_pair;
 
 // Two parts whose enlarged boxes meet, or that were near at the last update.
+//
+// gap  the distance of a near pair, or minus its depth, if its detail asks for that. Otherwise by how much the pair is
+//      proven farther apart than its margins, or nearer, if it is near; 0: nothing is proven.
 typedef struct gjk_scene_pair {
   union {
     gjk_scene_linked_pair linked;  // state without GJK_SCENE_PAIR_GONE
     gjk_scene_gone_pair gone;      // state with it
   } ends;
-  int32_t
-      gap;  // a near pair whose detail asks for it: its distance, or minus its depth. Other pairs: by how much they are
-            // proven farther apart than the margins, or nearer than them; 0: nothing is proven
+  int32_t gap;
   union {
     int16_t direction[3];   // linked: as in gjk_cache
     uint16_t gone_part[2];  // gone: numbers of the parts

@@ -1,14 +1,14 @@
 // The narrow phase: is one pair near? Skips answer without a query where they can. In the order of their cost:
 //
-// 1. Motion. The last test proved the pair apart, or near, with some gap to spare. Two parts together have moved by
-// less
-//    than that gap, so the answer stands. What they moved is taken off the gap.
-// 2. Filters. Category, mask, kinds and predicate refuse the pair: it counts as apart.
-// 3. Boxes. The exact boxes hold the parts. Farther apart along an axis than the margins: so are the parts.
-// 4. Spheres. The bounding spheres hold the parts. As for boxes.
-// 5. Direction. The parts lie behind their support planes across the last separating direction. If these planes are
-// still
-//    farther apart than the margins, so are the parts: one support scan of each.
+// 1. Motion. The last test proved the pair apart, or near, by some gap more than its margins. If both parts together
+//    have moved by less since, the answer stands. What they moved is taken off the gap. Parts of a body whose filter
+//    changed count as moved without bound, so step 2 is not left out.
+// 2. Filters. Kinds, categories, masks or the predicate refuse the pair: it counts as apart.
+// 3. Boxes. Each exact box holds its part. If the boxes are farther apart along an axis than the margins, so are the
+//    parts.
+// 4. Spheres. Each bounding sphere holds its part, too.
+// 5. Direction. Each part lies behind its support plane across the last separating direction. If the planes are still
+//    farther apart than the margins, so are the parts. That takes one support scan of each.
 // 6. The query, warm from the pair's cache. What its answer proves beyond yes or no becomes the gap of step 1.
 //
 // Why it is safe: what a skip answers, a query from a cold start would answer, too. Polytopes and their rounded forms
@@ -34,9 +34,8 @@
 
 // A distance along a feature's rounded direction errs by less than this:
 //
-// the direction   each component, of at least 2^29, by less than 1, or it is exact. So the unit vectors differ by less
-// than
-//                 2 sqrt(3) 2^-29, of at most 3 2^29 LSB: 10.4
+// the direction   it is exact, or its components err by less than 1, the largest of at least 2^29. So the unit vectors
+//                 differ by less than 2 sqrt(3) 2^-29, of at most 3 2^29 LSB: 10.4
 // the rest        PLANE_SLACK
 #define NEAR_SLACK 16
 

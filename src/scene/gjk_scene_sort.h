@@ -6,9 +6,9 @@
 // 2. Exchange item 0 with the last item of the heap, which is then in its place. The heap is one item shorter.
 // 3. Let item 0 sink. Go on at 2 until one item is left.
 //
-// The functions are in a header so that compilers see what order they are given, and inline its functions: called through
-// pointers, a query that sorts its hits takes 27 % more instructions. gjk_scene_sink stays out of line, once per file: inlined
-// it makes the library 1,000 bytes larger.
+// The functions are in a header so that compilers see what order they are given, and inline its functions: called
+// through pointers, a query that sorts its hits takes 27 % more instructions. gjk_scene_sink stays out of line, once
+// per file: inlined it makes the library 1,000 bytes larger.
 #ifndef GJK_SRC_SCENE_SORT_H
 #define GJK_SRC_SCENE_SORT_H
 
@@ -20,8 +20,8 @@ typedef struct gjk_scene_order {
   void (*exchange)(void *items, uint32_t i, uint32_t j);
 } gjk_scene_order;
 
-// Lets the item at a place sink in a heap of count items: it is exchanged with the later one of the two below it, while that
-// comes after it. Pre: the items below it are a heap.
+// Lets the item at a place sink in a heap of count items: it is exchanged with the later one of the two below it, while
+// that comes after it. Pre: the items below it are a heap.
 GJK_OUT_OF_LINE static void gjk_scene_sink(const gjk_scene_order *order, void *items, uint32_t at, uint32_t count) {
   for (uint32_t child = 2 * at + 1; child < count; child = 2 * at + 1) {  // ends: at most log2 count iterations
     if (child + 1 < count && order->before(items, child, child + 1)) {

@@ -7,8 +7,7 @@
 // 4. Test the pairs in the queue, in slices or by several threads (gjk_scene_narrow_phase.c).
 // 5. Start the statistics of this update (gjk_scene_events.c).
 // 6. Turn what the tests found into events: begin, persist, end. Pairs that rest near may persist, and pairs that are
-// gone
-//    end. The pairs with an event replace the queue.
+//    gone end. The pairs with an event replace the queue.
 // 7. Forget which bodies moved, and how far.
 // 8. Sort the events into the order of reports.
 // 9. Report, as many as fit in each call. Pairs that were kept only for their report are dropped (gjk_scene_report.c).
@@ -16,6 +15,7 @@
 // header.phase says how far an update has come: IDLE before step 2, TESTING until all pairs are tested, REPORTING until
 // all events are reported.
 #include "gjk_scene_update.h"
+
 #include "../arith/gjk_memory.h"
 
 // Step 1.
