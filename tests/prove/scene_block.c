@@ -9,6 +9,8 @@
 // Too few for any configuration.
 #define TOO_FEW 563
 
+static const gjk_scene_bindings bindings;
+
 static void any_config(gjk_scene_config *config) {
   config->bodies = any_uint32();
   config->parts = any_uint32();
@@ -23,7 +25,6 @@ static void any_config(gjk_scene_config *config) {
 }
 
 static void init(gjk_scene *scene) {
-  const gjk_scene_bindings bindings = {0};
   gjk_scene_config config;
   const int32_t small = any_between(0, 1);
   any_config(&config);
@@ -36,16 +37,18 @@ static void init(gjk_scene *scene) {
   config.parts = small != 0 ? 1 : PARTS;
   config.own_poses = small != 0 ? 0 : OWN_POSES;
   config.pairs = small != 0 ? 1 : PAIRS;
-  (void)gjk_scene_init(scene, &config, &block, (size_t)any_between(0, sizeof block), shapes, any_uint16(), NULL);
+  (void)gjk_scene_init(scene, &config, &block, (size_t)any_between(0, sizeof block), shapes, any_uint16(),
+                       any_bool() ? &bindings : NULL);
 }
 
 static void open(gjk_scene *scene) {
   gjk_scene *const any = any_bool() ? scene : NULL;
   if (gjk_scene_attach(any, any_bool() ? &block : NULL, (size_t)any_between(0, sizeof block),
-                       any_bool() ? shapes : NULL, SHAPES, NULL) == GJK_OK) {
+                       any_bool() ? shapes : NULL, SHAPES, any_bool() ? &bindings : NULL) == GJK_OK) {
     (void)gjk_scene_seal(scene);
   }
-  (void)gjk_scene_open(any, any_bool() ? &block : NULL, sizeof block, any_bool() ? shapes : NULL, SHAPES, NULL);
+  (void)gjk_scene_open(any, any_bool() ? &block : NULL, sizeof block, any_bool() ? shapes : NULL, SHAPES,
+                       any_bool() ? &bindings : NULL);
 }
 
 int main(void) {
@@ -53,7 +56,7 @@ int main(void) {
   any_shapes();
   Frama_C_make_unknown((char *)&block, sizeof block);
 #if CASE == HEADER
-  (void)gjk_scene_attach(&scene, &block, (size_t)any_uint32(), shapes, any_uint16(), NULL);
+  (void)gjk_scene_attach(&scene, &block, (size_t)any_uint32(), shapes, any_uint16(), any_bool() ? &bindings : NULL);
 #elif CASE == INIT
   init(&scene);
 #else
