@@ -140,7 +140,8 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
 // a part that leaves int32), EMPTY (no parts), ROTATION, and those of gjk_collider_init.
 gjk_status gjk_scene_add(gjk_scene *scene, const gjk_body_setup *setup, gjk_body_id *out);
 
-// Adds a body to a stated slot. The scene does not depend on the order of such calls. BODY_ID: the slot is taken.
+// Adds a body to a stated slot. The scene does not depend on the order of such calls. BODY_ID: the slot is taken or
+// used up. CAPACITY: there is no such slot.
 gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setup *setup, gjk_body_id *out);
 
 // Removes a body. The next update reports the end of its pairs that were near.

@@ -1,7 +1,8 @@
 // What a scene's block holds: a header, then arrays of records, which name each other by index.
 //
 // Fields have a fixed width and natural alignment, so every compiler lays the records out alike, without holes. Free
-// records of a pool form a list: the first word of each is the index of the next one.
+// records of a pool form a list: the first word of each is the index of the next one. Free bodies are found by the bits
+// of their slots instead.
 #ifndef GJK_SRC_SCENE_BLOCK_H
 #define GJK_SRC_SCENE_BLOCK_H
 

@@ -12,9 +12,8 @@ static inline bool gjk_scene_may_pair(const gjk_scene_view *v, const gjk_scene_p
   return !both_static && (body_a->category & body_b->mask) != 0 && (body_b->category & body_a->mask) != 0;
 }
 
-// Must this pair be there? It must if it was near at the last update, or if its enlarged boxes meet and it may be a
-// pair.
-// Pre: not gone.
+// Must this pair be there? It must if it was near at the last update, or if it may be a pair and its enlarged boxes meet.
+// Pre: it is not gone.
 bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair);
 
 // Removes a pair that is not gone.
@@ -23,14 +22,12 @@ void gjk_scene_pair_drop(gjk_scene_view *v, uint32_t index);
 // Drops the pairs of a part that is about to be removed. Those that were near become gone, until their end is reported.
 void gjk_scene_pairs_forget(gjk_scene_view *v, uint32_t part);
 
-// Step 2 of an update: makes and drops pairs, so that exactly those that must be there are. CAPACITY: they do not fit,
-//        even
-// with boxes that hold no more than they must. Some are then still to be made, and the next call goes on.
+// Step 2 of an update: makes and drops pairs, so that exactly those that must be there are. CAPACITY: they do not fit
+// even with the least boxes. Some are then still to be made, and the next call goes on.
 gjk_status gjk_scene_pairs_match(gjk_scene_view *v);
 
 // Step 4 of an update: tests a pair that is queued, unless it is tested. Sets NEAR_NOW, gap and outcome. Writes only to
-//        the
-// pair's record, so threads may test different pairs at the same time.
+// the pair's record, so threads may test different pairs at the same time.
 void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair);
 
 // The detail of a pair: the largest of the configuration's and its two bodies'.

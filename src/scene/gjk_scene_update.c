@@ -40,9 +40,9 @@ static gjk_status begin(gjk_scene_view *v) {
   if (h->phase != GJK_SCENE_IDLE) {
     return GJK_OK;
   }
-  const gjk_status status = gjk_scene_pairs_match(v);
+  const gjk_status status = gjk_scene_pairs_match(v);  // Step 2
   if (status == GJK_OK) {
-    gjk_scene_fill_queue(v);
+    gjk_scene_fill_queue(v);  // Step 3
     h->phase = GJK_SCENE_TESTING;
   }
   return status;
@@ -64,15 +64,15 @@ gjk_status gjk_scene_update_slice(gjk_scene *scene, uint32_t tests, gjk_report *
   progress->reports = 0;
   progress->pairs_left = 0;
   if (v.header->phase == GJK_SCENE_TESTING) {
-    gjk_scene_test_queue(&v, tests);
+    gjk_scene_test_queue(&v, tests);  // Step 4
     progress->pairs_left = v.header->queued - v.header->next_test;
     progress->reports_left = 0;
     if (progress->pairs_left > 0) {
       return GJK_OK;
     }
-    gjk_scene_make_events(&v);
+    gjk_scene_make_events(&v);  // Steps 5 to 8
   }
-  gjk_scene_write_reports(&v, reports, capacity, progress);
+  gjk_scene_write_reports(&v, reports, capacity, progress);  // Step 9
   return GJK_OK;
 }
 
@@ -126,7 +126,7 @@ gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t first, uint32_t end) 
   if (able != GJK_OK) {
     return able;
   }
-  for (uint32_t i = first; i < end; i++) {
+  for (uint32_t i = first; i < end; i++) {  // Step 4, for these pairs
     gjk_scene_narrow_phase(&v, &v.pairs[v.queue[i]]);
   }
   return GJK_OK;
