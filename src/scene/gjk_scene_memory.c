@@ -70,15 +70,14 @@ static bool aligned(const void *block) {
 // Writes the whole handle.
 static void set_handle(gjk_scene *scene, void *block, const gjk_shape *const *shapes, uint16_t shape_count,
                        const gjk_scene_bindings *bindings) {
-  const bool bound = bindings != NULL;
   scene->block = block;
   scene->shapes = shapes;
   scene->shape_count = shape_count;
-  scene->bindings.predicate = bound ? bindings->predicate : NULL;
-  scene->bindings.user = bound ? bindings->user : NULL;
-  scene->bindings.details = bound ? bindings->details : NULL;
-  scene->bindings.workspace = bound ? bindings->workspace : NULL;
-  scene->bindings.manifolds = bound ? bindings->manifolds : NULL;
+  scene->bindings.predicate = bindings != NULL ? bindings->predicate : NULL;
+  scene->bindings.user = bindings != NULL ? bindings->user : NULL;
+  scene->bindings.details = bindings != NULL ? bindings->details : NULL;
+  scene->bindings.workspace = bindings != NULL ? bindings->workspace : NULL;
+  scene->bindings.manifolds = bindings != NULL ? bindings->manifolds : NULL;
 }
 
 gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,

@@ -16,8 +16,6 @@
 // all events are reported.
 #include "gjk_scene_update.h"
 
-#include "../arith/gjk_memory.h"
-
 // Step 1.
 static gjk_status check_details(const gjk_scene_view *v) {
   const gjk_scene_details *details = v->scene->bindings.details;
@@ -139,10 +137,23 @@ gjk_status gjk_scene_get_stats(const gjk_scene *scene, gjk_scene_stats *out) {
     status = GJK_ERROR_NULL;
   }
   if (status == GJK_OK) {
-    gjk_copy(out, &v.header->stats, sizeof *out);
-    out->updates = v.header->updates;
+    const gjk_scene_stats *s = &v.header->stats;
     out->bodies = v.header->bodies.count;
     out->parts = v.header->parts.count;
+    out->pairs = s->pairs;
+    out->refused = s->refused;
+    out->resting = s->resting;
+    out->filtered = s->filtered;
+    out->motion = s->motion;
+    out->boxes = s->boxes;
+    out->direction = s->direction;
+    out->warm = s->warm;
+    out->cold = s->cold;
+    out->begun = s->begun;
+    out->persisting = s->persisting;
+    out->ended = s->ended;
+    out->unsettled = s->unsettled;
+    out->updates = v.header->updates;
   }
   return status;
 }

@@ -223,7 +223,8 @@ static void any_bindings(gjk_scene_bindings *bindings) {
 static bool any_scene(gjk_scene *scene, apart_block *b) {
   const gjk_scene_config config = {BODIES, PARTS, OWN_POSES, PAIRS, 0, 0, 0, 0, 0, 1};
   any_shapes();
-  if (gjk_scene_init(scene, &config, &block, sizeof block, shapes, SHAPES, NULL) != GJK_OK) {
+  const gjk_scene_bindings none = {0};
+  if (gjk_scene_init(scene, &config, &block, sizeof block, shapes, SHAPES, any_bool() ? &none : NULL) != GJK_OK) {
     return false;
   }
   b->header = block.header;
