@@ -128,7 +128,7 @@ size_t gjk_scene_bytes(const gjk_scene_config *config);
 // scene     written whole.
 // block     the caller's, aligned for uint32_t, at least gjk_scene_bytes; may come from gjk_port_allocate.
 // shapes    the caller's, must stay as it is while the scene is used; may hold NULLs that no body names.
-// bindings  copied into the handle; NULL: none.
+// bindings  copied into the handle, whose own bindings they may be; NULL: none.
 // Statuses  RANGE (config, or a block that is not aligned), CAPACITY (bytes).
 gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,
                           const gjk_shape *const *shapes, uint16_t shape_count, const gjk_scene_bindings *bindings);

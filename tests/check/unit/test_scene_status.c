@@ -404,6 +404,14 @@ static void check_missing(void) {
   CHECK(other.shapes == NULL && gjk_scene_attach(&other, block, bytes, shapes, 4, NULL) == GJK_OK);
   CHECK(other.shapes == shapes && other.block == block && other.shape_count == 4);
   CHECK(other.bindings.predicate == NULL && other.bindings.details == NULL && other.bindings.manifolds == NULL);
+  CHECK(block[1] == GJK_SCENE_BLOCK_VERSION);
+  // Bindings are copied, also from the handle itself.
+  const gjk_scene_bindings given = {.user = &n, .details = &gjk_scene_contacts};
+  CHECK(gjk_scene_attach(&other, block, bytes, shapes, 4, &given) == GJK_OK);
+  CHECK(other.bindings.user == &n && other.bindings.details == &gjk_scene_contacts);
+  CHECK(gjk_scene_attach(&other, block, bytes, shapes, 4, &other.bindings) == GJK_OK);
+  CHECK(other.bindings.user == &n && other.bindings.details == &gjk_scene_contacts);
+  CHECK(gjk_scene_attach(&other, block, bytes, shapes, 4, NULL) == GJK_OK && other.bindings.user == NULL);
   CHECK(gjk_scene_open(NULL, block, bytes, shapes, 4, NULL) == GJK_ERROR_NULL);
 }
 
