@@ -4,8 +4,9 @@
 // save, and works at any address. A gjk_scene is the handle of a block: a small struct with the pointers.
 //
 // A scene's answers depend on its contents alone, so they are the same on every platform. They do not depend on
-// addresses, caches, capacities, the way that bodies took to where they are, or the order in which bodies were added to
-// stated slots. tests/check/unit/test_scene_*.c and test_history.c hold each statement of this header.
+// addresses, caches or capacities, nor on the way that bodies took to where they are. Bodies that are added to stated
+// slots may be added in any order. tests/check/unit/test_scene_*.c and test_history.c hold each statement of this
+// header.
 //
 // What is reported of a pair is a function of shapes, poses, margins and configuration: what the queries answer from a
 // cold start, even where they find no answer. Skips and caches never change it. One case needs no query: a pair with a
@@ -76,8 +77,8 @@ typedef struct gjk_body_setup {
 // What a scene holds and does.
 //
 // pairs            an update needs room for the pairs of parts that were near at the last update, and for those whose
-//                  exact boxes meet, each enlarged by its body's margin. Room for all that meet within box_margin saves
-//                  work.
+//                  boxes meet: the exact ones, each enlarged by its body's margin. Room for all that meet within
+//                  box_margin saves work.
 // workspace_cells  where they are too few for a depth, what is reported depends on their number: see gjk/penetration.h.
 typedef struct gjk_scene_config {
   uint32_t bodies;     // capacity, from 1 to GJK_SCENE_BODIES_MAX

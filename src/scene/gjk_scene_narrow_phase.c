@@ -12,10 +12,10 @@
 // 6. The query, warm from the pair's cache. What its answer proves beyond yes or no becomes the gap of step 1.
 //
 // Why it is safe: what a skip answers, a query from a cold start would answer, too. Polytopes and their rounded forms
-// have exact queries, and each skip proves its answer, so both agree. A query of curved or custom shapes may decide
-// within 2 LSB, or reach its ceiling on iterations, so no proof says what it would answer. Such pairs take steps 2, 3
-// and 6 alone, cold. Step 3 is then the answer itself, not a skip of it: a record of the pair may be missing when its
-// boxes are apart, depending on larger boxes, and so on history.
+// have exact queries, and each skip proves its answer, so both agree. A query of curved or custom shapes decides
+// within 2 LSB, or may reach its ceiling on iterations. So no proof says what it would answer. Such pairs take steps 2,
+// 3 and 6 alone, cold. Step 3 is then the answer itself, not a skip of it. For whether such a pair has a record at all
+// depends on its larger boxes in the tree, and so on history.
 //
 // With retest_all, pairs without curves take steps 2 and 6 alone, cold.
 #include "../arith/gjk_root.h"
