@@ -12,8 +12,8 @@ static inline bool gjk_scene_may_pair(const gjk_scene_view *v, const gjk_scene_p
   return !both_static && (body_a->category & body_b->mask) != 0 && (body_b->category & body_a->mask) != 0;
 }
 
-// Must this pair be there? It must if it was near at the last update, or if it may be a pair and its enlarged boxes meet.
-// Pre: it is not gone.
+// Must this pair be there? It must if it was near at the last update. It must if it may be a pair and its enlarged
+// boxes meet. Pre: it is not gone.
 bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair);
 
 // Removes a pair that is not gone.

@@ -5,8 +5,8 @@
 //
 // Insertion of a leaf:
 //
-// 1. Go down from the root to a sibling for the leaf: always to the child that the leaf makes costlier by less. The cost
-//    of a box is the sum of its sides. Stop at a leaf, or at the parent of two leaves where that is cheaper. Higher up
+// 1. Go down from the root to a sibling for the leaf: always to the child that the leaf makes costlier by less. A box
+//    costs the sum of its sides. Stop at a leaf, or at the parent of two leaves where that is cheaper. Higher up
 //    the new node's children could differ in height by more than one rotation mends.
 // 2. Put a new node in the place of the sibling, with the sibling and the leaf as its children.
 // 3. From the new node up, refit each node: its box and height follow from its children. Then rotate, if their heights
