@@ -15,7 +15,7 @@ static bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
 
 // The counter of an outcome: gjk_scene_stats has them in the order of outcomes.
 static uint32_t *counter_of(gjk_scene_stats *s, unsigned outcome) {
-  uint32_t *words = (void *)s;
+  uint32_t *words = (uint32_t *)(void *)s;
   return words + offsetof(gjk_scene_stats, filtered) / sizeof *words + (outcome - GJK_SCENE_FILTERED);
 }
 
@@ -115,7 +115,7 @@ static uint32_t first_slot(const gjk_scene_view *v, const gjk_scene_pair *pair) 
 
 // Does the report of the pair at place i of the queue come before that at place j? The first slots decide most.
 static bool reported_before(const void *view, uint32_t i, uint32_t j) {
-  const gjk_scene_view *v = view;
+  const gjk_scene_view *v = (const gjk_scene_view *)view;
   const gjk_scene_pair *pair_i = &v->pairs[v->queue[i]], *pair_j = &v->pairs[v->queue[j]];
   const uint32_t slot_i = first_slot(v, pair_i), slot_j = first_slot(v, pair_j);
   if (slot_i != slot_j) {
@@ -137,7 +137,7 @@ static bool reported_before(const void *view, uint32_t i, uint32_t j) {
 }
 
 static void exchange_events(void *view, uint32_t i, uint32_t j) {
-  const gjk_scene_view *v = view;
+  const gjk_scene_view *v = (const gjk_scene_view *)view;
   const uint32_t index = v->queue[i];
   v->queue[i] = v->queue[j];
   v->queue[j] = index;

@@ -95,7 +95,7 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
     return GJK_ERROR_CAPACITY;
   }
   gjk_zero(block, needed);
-  gjk_scene_header *h = block;
+  gjk_scene_header *h = (gjk_scene_header *)block;
   h->magic = MAGIC;
   h->version = GJK_SCENE_BLOCK_VERSION;
   h->order = ORDER;
@@ -106,7 +106,7 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   h->root = GJK_SCENE_NONE;
   h->moved = GJK_SCENE_NONE;
   h->gone = GJK_SCENE_NONE;
-  uint32_t *slots = at(block, h->slots_at);
+  uint32_t *slots = (uint32_t *)at(block, h->slots_at);
   for (uint32_t i = 0; i < config->bodies; i++) {
     slots[i / 32] |= UINT32_C(1) << i % 32;
   }
@@ -119,7 +119,7 @@ static bool same_pool(const gjk_scene_pool *a, const gjk_scene_pool *b) {
 }
 
 gjk_status gjk_scene_check_header(const void *block, size_t bytes) {
-  const gjk_scene_header *h = block;
+  const gjk_scene_header *h = (const gjk_scene_header *)block;
   gjk_scene_header expected;
   if (bytes < sizeof *h) {
     return GJK_ERROR_CAPACITY;
@@ -155,19 +155,19 @@ gjk_status gjk_scene_view_of(const gjk_scene *scene, gjk_scene_view *out) {
   if (scene == NULL || scene->block == NULL || scene->shapes == NULL) {
     return GJK_ERROR_NULL;
   }
-  gjk_scene_header *h = scene->block;
+  gjk_scene_header *h = (gjk_scene_header *)scene->block;
   if (h->magic != MAGIC || h->version != GJK_SCENE_BLOCK_VERSION || h->order != ORDER) {
     return GJK_ERROR_CORRUPT;
   }
   out->scene = scene;
   out->header = h;
-  out->bodies = at(h, h->bodies.at);
-  out->parts = at(h, h->parts.at);
-  out->nodes = at(h, h->nodes.at);
-  out->own_poses = at(h, h->own_poses.at);
-  out->pairs = at(h, h->pairs.at);
-  out->queue = at(h, h->queue_at);
-  out->slots = at(h, h->slots_at);
+  out->bodies = (gjk_scene_body *)at(h, h->bodies.at);
+  out->parts = (gjk_scene_part *)at(h, h->parts.at);
+  out->nodes = (gjk_scene_node *)at(h, h->nodes.at);
+  out->own_poses = (gjk_scene_own_pose *)at(h, h->own_poses.at);
+  out->pairs = (gjk_scene_pair *)at(h, h->pairs.at);
+  out->queue = (uint32_t *)at(h, h->queue_at);
+  out->slots = (uint32_t *)at(h, h->slots_at);
   return GJK_OK;
 }
 
@@ -184,7 +184,7 @@ gjk_status gjk_scene_edit(gjk_scene *scene, gjk_scene_view *out) {
 }
 
 bool gjk_scene_workspace(const gjk_scene *scene, gjk_workspace *out) {
-  const gjk_scene_header *h = scene->block;
+  const gjk_scene_header *h = (const gjk_scene_header *)scene->block;
   const gjk_workspace *given = scene->bindings.workspace;
   out->count = h->config.workspace_cells;
   out->cells = given != NULL ? given->cells : NULL;
@@ -199,13 +199,13 @@ uint32_t gjk_scene_pool_take(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t s
     return pool->fresh++;
   }
   //@ assert index < pool->fresh;
-  const uint32_t *record = at(v->header, pool->at + index * size);
+  const uint32_t *record = (const uint32_t *)at(v->header, pool->at + index * size);
   pool->free = *record;
   return index;
 }
 
 void gjk_scene_pool_give(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size, uint32_t index) {
-  uint32_t *record = at(v->header, pool->at + index * size);
+  uint32_t *record = (uint32_t *)at(v->header, pool->at + index * size);
   *record = pool->free;
   pool->free = index;
   pool->count--;

@@ -32,12 +32,12 @@ static bool comes_before(const gjk_scene_hit *a, const gjk_scene_hit *b) {
 }
 
 static bool hit_before(const void *hits, uint32_t i, uint32_t j) {
-  const gjk_scene_hit *all = hits;
+  const gjk_scene_hit *all = (const gjk_scene_hit *)hits;
   return comes_before(&all[i], &all[j]);
 }
 
 static void exchange_hits(void *hits, uint32_t i, uint32_t j) {
-  gjk_scene_hit *all = hits;
+  gjk_scene_hit *all = (gjk_scene_hit *)hits;
   const gjk_scene_hit hit = all[i];
   all[i] = all[j];
   all[j] = hit;

@@ -76,7 +76,7 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
 
 // A hash over every word of the block but sealed and checksum.
 static uint64_t checksum(const gjk_scene_header *h) {
-  const uint32_t *word = (const void *)h, *seal = &h->sealed, *end = word + h->bytes / sizeof *word;
+  const uint32_t *word = (const uint32_t *)(const void *)h, *seal = &h->sealed, *end = word + h->bytes / sizeof *word;
   uint64_t hash = 0;
   for (; word < end; word++) {
     if (word < seal || word > &h->checksum[1]) {
@@ -106,7 +106,7 @@ gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk
   if (status != GJK_OK) {
     return status;
   }
-  const gjk_scene_header *h = block;
+  const gjk_scene_header *h = (const gjk_scene_header *)block;
   const uint64_t sum = checksum(h);
   if (h->sealed != 1 || h->checksum[0] != (uint32_t)(sum & UINT32_MAX) || h->checksum[1] != (uint32_t)(sum >> 32)) {
     return GJK_ERROR_CORRUPT;
