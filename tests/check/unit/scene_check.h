@@ -43,7 +43,7 @@ static void update(void) {
 // back. Slot 34 is free again, slots from 36 on never were taken.
 static void build(void) {
   gjk_body_id bodies[36];
-  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   for (int i = 0; i < 36; i++) {
     const gjk_q16 x = i < 3 ? i * (ONE / 2) : 10 * i * ONE;
     bodies[i] = add(x, i == 3 || i == 34 ? 3 : 1);
@@ -69,7 +69,7 @@ static void restore(void) {
 static bool opens(void) {
   gjk_scene opened;
   return gjk_scene_seal(&scene) == GJK_OK &&
-         gjk_scene_open(&opened, block, sizeof block, shapes, 2) != GJK_ERROR_CORRUPT;
+         gjk_scene_open(&opened, block, sizeof block, shapes, 2, NULL) != GJK_ERROR_CORRUPT;
 }
 
 // The check refuses it; and so does opening it, sealed afresh, wherever it comes so far.
@@ -95,8 +95,8 @@ static gjk_scene_part *part_of(uint32_t slot) {
 
 static uint32_t pair_of(uint32_t a, uint32_t b) {
   for (uint32_t i = 0; i < v.header->pairs.fresh; i++) {
-    if ((v.pairs[i].state & GJK_SCENE_PAIR_LIVE) != 0 && v.parts[v.pairs[i].part[0]].body == a &&
-        v.parts[v.pairs[i].part[1]].body == b) {
+    if ((v.pairs[i].state & GJK_SCENE_PAIR_LIVE) != 0 && v.parts[v.pairs[i].ends.linked.part[0]].body == a &&
+        v.parts[v.pairs[i].ends.linked.part[1]].body == b) {
       return i;
     }
   }

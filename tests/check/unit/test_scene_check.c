@@ -14,28 +14,28 @@ static void test_header(void) {
   REFUSED(h->queue_at += 4);
   REFUSED(h->slots_at += 4);
   gjk_scene attached;
-  gjk_scene_pool *const pools[] = {&h->bodies, &h->parts, &h->nodes, &h->placed, &h->pairs};
+  gjk_scene_pool *const pools[] = {&h->bodies, &h->parts, &h->nodes, &h->own_poses, &h->pairs};
   for (unsigned i = 0; i < 5; i++) {
     REFUSED(pools[i]->at += 4);
     REFUSED(pools[i]->capacity++);
     REFUSED(pools[i]->count = pools[i]->fresh + 1);
-    CHECK(gjk_scene_attach(&attached, block, sizeof block, shapes, 2) == GJK_ERROR_CORRUPT);
+    CHECK(gjk_scene_attach(&attached, block, sizeof block, shapes, 2, NULL) == GJK_ERROR_CORRUPT);
     REFUSED(pools[i]->fresh = pools[i]->capacity + 1);
-    CHECK(gjk_scene_attach(&attached, block, sizeof block, shapes, 2) == GJK_ERROR_CORRUPT);
+    CHECK(gjk_scene_attach(&attached, block, sizeof block, shapes, 2, NULL) == GJK_ERROR_CORRUPT);
   }
   // The block must hold what its header says.
   restore();
   gjk_scene opened;
-  CHECK(gjk_scene_attach(&opened, block, h->bytes, shapes, 2) == GJK_OK);
-  CHECK(gjk_scene_attach(&opened, block, h->bytes - 1, shapes, 2) == GJK_ERROR_CAPACITY);
-  CHECK(gjk_scene_attach(&opened, block, sizeof *h, shapes, 2) == GJK_ERROR_CAPACITY);
-  CHECK(gjk_scene_attach(&opened, block, sizeof *h - 1, shapes, 2) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_attach(&opened, block, h->bytes, shapes, 2, NULL) == GJK_OK);
+  CHECK(gjk_scene_attach(&opened, block, h->bytes - 1, shapes, 2, NULL) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_attach(&opened, block, sizeof *h, shapes, 2, NULL) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_attach(&opened, block, sizeof *h - 1, shapes, 2, NULL) == GJK_ERROR_CAPACITY);
 }
 
 static void test_free_lists(void) {
   restore();
   gjk_scene_header *h = v.header;
-  gjk_scene_pool *const pools[] = {&h->parts, &h->nodes, &h->placed, &h->pairs};
+  gjk_scene_pool *const pools[] = {&h->parts, &h->nodes, &h->own_poses, &h->pairs};
   for (unsigned i = 0; i < 4; i++) {
     CHECK_MSG(pools[i]->free != GJK_SCENE_NONE, "pool %u: %lu of %lu", i, (unsigned long)pools[i]->count,
               (unsigned long)pools[i]->fresh);
@@ -50,9 +50,9 @@ static void test_free_lists(void) {
   // In use, in the place of another.
   const uint32_t third = v.parts[part_of(3)->next].next;
   CHECK(v.parts[third].number == 2);
-  CHECK(third < h->placed.fresh);
-  CHECK(v.placed[third].next != part_of(3)->next);
-  REFUSED(v.placed[third].next = GJK_SCENE_NONE; h->placed.free = v.parts[third].placed);
+  CHECK(third < h->own_poses.fresh);
+  CHECK(v.own_poses[third].next != part_of(3)->next);
+  REFUSED(v.own_poses[third].next = GJK_SCENE_NONE; h->own_poses.free = v.parts[third].own_pose);
   // One too many, or in a ring.
   REFUSED(v.parts[h->parts.free].next = h->parts.free);
   REFUSED(*(uint32_t *)&v.nodes[h->nodes.free] = h->nodes.free);
@@ -60,8 +60,8 @@ static void test_free_lists(void) {
   REFUSED(h->parts.free = v.parts[h->parts.free].next; h->parts.count++);
   REFUSED(v.parts[h->parts.free].state = GJK_SCENE_LIVE; h->parts.free = v.parts[h->parts.free].next; h->parts.count++);
   REFUSED(h->nodes.free = v.nodes[h->nodes.free].child[0]; h->nodes.count++);
-  REFUSED(h->placed.free = v.placed[h->placed.free].next; h->placed.count++);
-  REFUSED(h->pairs.free = v.pairs[h->pairs.free].part[0]; h->pairs.count++);
+  REFUSED(h->own_poses.free = v.own_poses[h->own_poses.free].next; h->own_poses.count++);
+  REFUSED(h->pairs.free = v.pairs[h->pairs.free].ends.linked.part[0]; h->pairs.count++);
 }
 
 static void test_bodies(void) {
@@ -128,14 +128,14 @@ static void test_parts(void) {
   }
   REFUSED(v.bodies[4].position.y++);
   gjk_scene_part *const second = &v.parts[part_of(3)->next];
-  CHECK(second->placed != GJK_SCENE_NONE);
-  REFUSED(second->placed = v.header->placed.fresh);
-  REFUSED(second->placed = v.header->placed.free);
-  REFUSED(second->placed = v.parts[second->next].placed);
-  REFUSED(second->placed = GJK_SCENE_NONE);
-  REFUSED(v.placed[second->placed].pose.position.y = INT32_MAX);  // still a pose, but not of the part
-  REFUSED(v.bodies[3].position.y = INT32_MAX);                    // placed parts leave int32
-  REFUSED(v.placed[second->placed].pose.rotation.w = 5);
+  CHECK(second->own_pose != GJK_SCENE_NONE);
+  REFUSED(second->own_pose = v.header->own_poses.fresh);
+  REFUSED(second->own_pose = v.header->own_poses.free);
+  REFUSED(second->own_pose = v.parts[second->next].own_pose);
+  REFUSED(second->own_pose = GJK_SCENE_NONE);
+  REFUSED(v.own_poses[second->own_pose].pose.position.y = INT32_MAX);  // still a pose, but not of the part
+  REFUSED(v.bodies[3].position.y = INT32_MAX);                         // parts with a pose of their own leave int32
+  REFUSED(v.own_poses[second->own_pose].pose.rotation.w = 5);
   // The exact box sticks out of the enlarged one, on each side.
   gjk_aabb *const exact = &part_of(4)->exact, *const enlarged = &part_of(4)->enlarged;
   REFUSED(exact->lower.x = enlarged->lower.x - 1);
@@ -166,7 +166,7 @@ static void test_poses(void) {
   gjk_scene small;
   gjk_body_id body[2];
   gjk_scene_view view;
-  CHECK(gjk_scene_init(&small, &few, memory, sizeof memory, rocks, 1) == GJK_OK);
+  CHECK(gjk_scene_init(&small, &few, memory, sizeof memory, rocks, 1, NULL) == GJK_OK);
   for (int i = 0; i < 2; i++) {
     gjk_body_setup setup = {GJK_POSE_IDENTITY, &part[i], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
     CHECK(gjk_scene_add(&small, &setup, &body[i]) == GJK_OK);
@@ -179,7 +179,7 @@ static void test_poses(void) {
     view.bodies[body[i].slot].position.y = 0;
     CHECK(gjk_scene_check(&small) == GJK_OK);
   }
-  CHECK(gjk_scene_attach(&small, memory, sizeof memory, wrongs, 1) == GJK_OK);
+  CHECK(gjk_scene_attach(&small, memory, sizeof memory, wrongs, 1, NULL) == GJK_OK);
   CHECK(gjk_scene_check(&small) == GJK_ERROR_CORRUPT);
 }
 
@@ -251,7 +251,7 @@ static void test_tree(void) {
 // Heights that promise a deeper tree than any: the check ends before its list of waiting nodes does.
 static void test_deep_tree(void) {
   static const gjk_scene_config large = {100, 100, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
-  CHECK(gjk_scene_init(&scene, &large, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &large, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   for (int i = 0; i < 100; i++) {
     add(10 * i * ONE, 1);
   }
@@ -273,7 +273,7 @@ static void test_deep_tree(void) {
 // As many slots as bits.
 static void test_full_word(void) {
   static const gjk_scene_config whole = {32, 32, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
-  CHECK(gjk_scene_init(&scene, &whole, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &whole, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   CHECK(gjk_scene_check(&scene) == GJK_OK);
   block[gjk_scene_bytes(&whole) / 4] = UINT32_MAX;  // what follows the block is no part of it
   CHECK(gjk_scene_check(&scene) == GJK_OK);
@@ -286,7 +286,7 @@ static void test_no_slot(void) {
   gjk_body_id body;
   for (uint32_t n = 1; n <= 32; n += 31) {
     const gjk_scene_config full = {n, n, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
-    CHECK(gjk_scene_init(&scene, &full, block, sizeof block, shapes, 2) == GJK_OK);
+    CHECK(gjk_scene_init(&scene, &full, block, sizeof block, shapes, 2, NULL) == GJK_OK);
     for (uint32_t i = 0; i < n; i++) {
       add((gjk_q16)i * 10 * ONE, 1);
     }

@@ -28,16 +28,18 @@ static void test_pairs(void) {
   REFUSED(p->outcome = GJK_SCENE_PENDING | GJK_SCENE_UNSETTLED);
   REFUSED(p->state = (uint8_t)(p->state | GJK_SCENE_PAIR_QUEUED));
   REFUSED(v.pairs[h->pairs.free].state = GJK_SCENE_PAIR_NEAR);  // near, but not there
-  REFUSED(p->part[0] = h->parts.free);
-  REFUSED(p->part[1] = h->parts.fresh);
-  REFUSED(p->part[0] = p->part[1]);
-  REFUSED(const uint32_t a = p->part[0]; p->part[0] = p->part[1]; p->part[1] = a);
+  REFUSED(p->ends.linked.part[0] = h->parts.free);
+  REFUSED(p->ends.linked.part[1] = h->parts.fresh);
+  REFUSED(p->ends.linked.part[0] = p->ends.linked.part[1]);
+  REFUSED(const uint32_t a = p->ends.linked.part[0]; p->ends.linked.part[0] = p->ends.linked.part[1];
+          p->ends.linked.part[1] = a);
   // Lists that do not lead back.
   for (int i = 0; i < 2; i++) {
-    REFUSED(p->next[i] = p->next[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
-    REFUSED(p->previous[i] = p->previous[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
-    REFUSED(p->next[i] = 2 * h->pairs.free);
-    REFUSED(p->previous[i] = 2 * h->pairs.free);
+    REFUSED(p->ends.linked.next[i] = p->ends.linked.next[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
+    REFUSED(p->ends.linked.previous[i] =
+                p->ends.linked.previous[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
+    REFUSED(p->ends.linked.next[i] = 2 * h->pairs.free);
+    REFUSED(p->ends.linked.previous[i] = 2 * h->pairs.free);
   }
   REFUSED(part_of(0)->pairs = GJK_SCENE_NONE);
   REFUSED(part_of(0)->pairs = 2 * h->pairs.free);
@@ -50,17 +52,17 @@ static void test_pairs(void) {
     restore();
     const uint32_t index = h->pairs.free, link = 2 * index;
     gjk_scene_pair *const s = &v.pairs[index];
-    h->pairs.free = s->part[0];
+    h->pairs.free = s->ends.linked.part[0];
     h->pairs.count++;
     *s = *p;
-    s->part[0] = part;
-    s->part[1] = v.bodies[10].first;
-    s->next[0] = s->previous[0] = headed != 0 ? link : GJK_SCENE_NONE;
-    s->next[1] = s->previous[1] = GJK_SCENE_NONE;
+    s->ends.linked.part[0] = part;
+    s->ends.linked.part[1] = v.bodies[10].first;
+    s->ends.linked.next[0] = s->ends.linked.previous[0] = headed != 0 ? link : GJK_SCENE_NONE;
+    s->ends.linked.next[1] = s->ends.linked.previous[1] = GJK_SCENE_NONE;
     v.parts[part].pairs = link;
-    v.parts[s->part[1]].pairs = link + 1;
+    v.parts[s->ends.linked.part[1]].pairs = link + 1;
     CHECK(gjk_scene_check(&scene) == (headed != 0 ? GJK_ERROR_CORRUPT : GJK_OK));
-    s->next[0] = s->previous[0] = link;
+    s->ends.linked.next[0] = s->ends.linked.previous[0] = link;
     v.parts[part].pairs = GJK_SCENE_NONE;
     CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
   }
@@ -75,19 +77,19 @@ static void test_gone(void) {
   CHECK(gjk_scene_check(&scene) == GJK_OK);
   gjk_scene_header *h = v.header;
   memcpy(sound, block, sizeof block);
-  const uint32_t gone = h->gone, second = v.pairs[gone].previous[0], other = pair_of(1, 2);
+  const uint32_t gone = h->gone, second = v.pairs[gone].ends.linked.previous[0], other = pair_of(1, 2);
   CHECK(second != GJK_SCENE_NONE);
-  CHECK(v.pairs[second].previous[0] == GJK_SCENE_NONE);
+  CHECK(v.pairs[second].ends.linked.previous[0] == GJK_SCENE_NONE);
   REFUSED(h->gone = second);
   REFUSED(h->gone = GJK_SCENE_NONE);
   REFUSED(h->gone = other);
   REFUSED(h->gone = h->pairs.fresh);
-  REFUSED(v.pairs[second].previous[0] = gone);
+  REFUSED(v.pairs[second].ends.linked.previous[0] = gone);
   REFUSED(v.pairs[gone].state = GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_GONE);
-  REFUSED(v.pairs[other].next[0] = 2 * gone);
-  REFUSED(v.pairs[other].next[1] = 2 * gone);
-  REFUSED(v.pairs[other].previous[0] = 2 * gone);
-  REFUSED(v.pairs[other].previous[1] = 2 * gone);
+  REFUSED(v.pairs[other].ends.linked.next[0] = 2 * gone);
+  REFUSED(v.pairs[other].ends.linked.next[1] = 2 * gone);
+  REFUSED(v.pairs[other].ends.linked.previous[0] = 2 * gone);
+  REFUSED(v.pairs[other].ends.linked.previous[1] = 2 * gone);
 }
 
 // A sound block in which slots 0 to 2 have moved apart, and their update has begun. Returns how many pairs it tests.
@@ -149,7 +151,7 @@ static void test_testing(void) {
 static void test_testing_none(void) {
   static const gjk_scene_config empty = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
   uint32_t pairs = 1;
-  CHECK(gjk_scene_init(&scene, &empty, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &empty, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
   CHECK(pairs == 0);
   CHECK(gjk_scene_check(&scene) == GJK_OK);
@@ -191,16 +193,16 @@ static void test_reporting_gone(void) {
   gjk_scene_header *h = v.header;
   gjk_scene_pair *const gone = &v.pairs[v.queue[1]];
   ACCEPTED((void)0);
-  REFUSED(h->gone = v.queue[1]; gone->previous[0] = GJK_SCENE_NONE);
-  REFUSED(h->gone = v.queue[1]; gone->previous[0] = GJK_SCENE_NONE; h->next_report = 2);
+  REFUSED(h->gone = v.queue[1]; gone->ends.linked.previous[0] = GJK_SCENE_NONE);
+  REFUSED(h->gone = v.queue[1]; gone->ends.linked.previous[0] = GJK_SCENE_NONE; h->next_report = 2);
   REFUSED(h->next_report = 2);  // never reported
   REFUSED(gone->outcome = GJK_EVENT_BEGIN);
   // Tested, as if it had parts.
   const uint32_t other = pair_of(1, 2);
   REFUSED(h->phase = GJK_SCENE_TESTING; h->next_test = 0; h->gone = v.queue[1]; h->queued = 1; v.queue[0] = h->gone;
-          gone->previous[0] = GJK_SCENE_NONE; gone->state |= GJK_SCENE_PAIR_QUEUED);
+          gone->ends.linked.previous[0] = GJK_SCENE_NONE; gone->state |= GJK_SCENE_PAIR_QUEUED);
   ACCEPTED(h->phase = GJK_SCENE_TESTING; h->next_test = 0; h->gone = v.queue[1]; h->queued = 1; v.queue[0] = other;
-           gone->previous[0] = GJK_SCENE_NONE; v.pairs[other].state |= GJK_SCENE_PAIR_QUEUED);
+           gone->ends.linked.previous[0] = GJK_SCENE_NONE; v.pairs[other].state |= GJK_SCENE_PAIR_QUEUED);
 }
 
 int main(void) {

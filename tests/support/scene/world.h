@@ -65,8 +65,8 @@ gjk_scene_config world_config(const world_options *options);
 // Starts an empty world in a block of gjk_scene_bytes(world_config(options)) bytes. False: the scene could not be made.
 bool world_start(world *w, const world_options *options, void *block, size_t bytes);
 
-// Sets the fields of a handle that are the caller's: the predicate of the world's options, depth and contacts.
-void world_equip(const world *w, gjk_scene *scene);
+// What is bound to the scene of a world with these options: depth and contacts, and perhaps world_predicate.
+gjk_scene_bindings world_bindings(const world_options *options);
 
 // Makes one random change in scene and list. False: the scene's status is not the expected one.
 bool world_change(world *w, random_state *random);
