@@ -80,7 +80,7 @@ static uint32_t search(bool way, gjk_vec3 from, gjk_vec3 to, gjk_scene_hit *hits
   uint32_t count = 0;
   for (uint32_t i = 0; i < w.options.bodies; i++) {
     const world_body *b = &w.bodies[i];
-    for (uint16_t k = 0; b->handle.generation != 0 && k < b->setup.part_count; k++) {
+    for (uint16_t k = 0; b->id.generation != 0 && k < b->setup.part_count; k++) {
       gjk_aabb box;
       uint32_t fraction = 0;
       gjk_collider_aabb(&b->colliders[k], &box);
@@ -88,7 +88,7 @@ static uint32_t search(bool way, gjk_vec3 from, gjk_vec3 to, gjk_scene_hit *hits
                            : from.x <= box.upper.x && box.lower.x <= to.x && from.y <= box.upper.y &&
                                  box.lower.y <= to.y && from.z <= box.upper.z && box.lower.z <= to.z;
       if (hit) {
-        const gjk_scene_hit found = {b->handle, k, fraction};
+        const gjk_scene_hit found = {b->id, k, fraction};
         hits[count++] = found;
       }
     }
@@ -138,7 +138,7 @@ static void check_ray(random_state *random, int32_t reach) {
     way.upper.x = way.lower.x;
     way.upper.y = random_below(random, 2) == 0 ? way.lower.y : way.upper.y;
   }
-  if (how < 3 && b->handle.generation != 0) {
+  if (how < 3 && b->id.generation != 0) {
     gjk_aabb box;
     gjk_collider_aabb(&b->colliders[0], &box);
     const gjk_vec3 step = random_vector(random, GJK_Q16(2)),
@@ -184,19 +184,19 @@ static void check_nearest(random_state *random, int32_t reach) {
   gjk_scene_hit hit = {{0, 0}, 0, 0}, expected = {{0, 0}, 0, 0};
   gjk_q16 distance = 0, best = limit;
   bool found, any = false;
-  const gjk_body_id ignore = w.bodies[random_below(random, w.options.bodies)].handle;
+  const gjk_body_id ignore = w.bodies[random_below(random, w.options.bodies)].id;
   pose.position = random_vector(random, 2 * reach);
   gjk_collider_init(&c, world_shapes[random_below(random, WORLD_SHAPES)], NULL, 0);
   gjk_collider_pose(&c, &pose);
   for (uint32_t i = 0; i < w.options.bodies; i++) {
     const world_body *b = &w.bodies[i];
-    if (b->handle.generation == 0 || b->handle.slot == ignore.slot) {
+    if (b->id.generation == 0 || b->id.slot == ignore.slot) {
       continue;
     }
     for (uint16_t k = 0; k < b->setup.part_count; k++) {
       const gjk_q16 gap = distance_of(&c, &b->colliders[k]);
       if (gap < best || (gap == best && !any)) {
-        const gjk_scene_hit at = {b->handle, k, 0};
+        const gjk_scene_hit at = {b->id, k, 0};
         best = gap;
         any = true;
         expected = at;

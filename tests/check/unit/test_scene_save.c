@@ -243,7 +243,7 @@ static void check_refused(void) {
   CHECK(gjk_scene_open(&opened, copy, 276, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   CHECK(gjk_scene_open(&opened, copy, 275, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CAPACITY);
   // A change breaks the seal.
-  CHECK(gjk_scene_wake(&w.scene, w.bodies[0].handle) == GJK_OK);
+  CHECK(gjk_scene_wake(&w.scene, w.bodies[0].id) == GJK_OK);
   CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   free(block);
   free(copy);

@@ -78,7 +78,7 @@ static void *start_broad(const scene_tick *all) {
 }
 
 static bool replace(gjk_world *w, uint32_t slot, const traffic_body *body) {
-  const gjk_body_id old = w->bodies[slot].handle;
+  const gjk_body_id old = w->bodies[slot].id;
   w->bodies[slot] = *body;
   return gjk_scene_remove(&w->scene, old) == GJK_OK && traffic_add(&w->scene, slot, &w->bodies[slot]) == GJK_OK;
 }
@@ -88,9 +88,8 @@ static bool tick(void *world, const scene_tick *changes) {
   bool fine = true;
   for (uint32_t i = 0; i < changes->count && fine; i++) {
     const uint32_t slot = changes->boxes[i].body;
-    fine = changes->boxes[i].anew
-               ? replace(w, slot, &changes->bodies[i])
-               : gjk_scene_move(&w->scene, w->bodies[slot].handle, &changes->bodies[i].pose) == GJK_OK;
+    fine = changes->boxes[i].anew ? replace(w, slot, &changes->bodies[i])
+                                  : gjk_scene_move(&w->scene, w->bodies[slot].id, &changes->bodies[i].pose) == GJK_OK;
   }
   return fine && update(w);
 }
@@ -101,7 +100,7 @@ static void count(void *world, scene_meet *meet, const void *user, uint32_t *hel
   w->meet = meet;
   w->meet_user = user;
   for (uint32_t i = 0; i < w->count; i++) {
-    (void)gjk_scene_refilter(&w->scene, w->bodies[i].handle);
+    (void)gjk_scene_refilter(&w->scene, w->bodies[i].id);
   }
   (void)update(w);
   *held = w->held;

@@ -16,7 +16,7 @@ static bool record(motion *m, uint32_t index, uint32_t at, bool anew) {
   gjk_collider c;
   scene_box *out = &m->boxes[at];
   gjk_aabb *box = &m->exact[index];
-  if (gjk_scene_collider(&m->scene, m->bodies[index].handle, 0, &c) != GJK_OK || gjk_collider_aabb(&c, box) != GJK_OK) {
+  if (gjk_scene_collider(&m->scene, m->bodies[index].id, 0, &c) != GJK_OK || gjk_collider_aabb(&c, box) != GJK_OK) {
     return false;
   }
   m->states[at] = m->bodies[index];

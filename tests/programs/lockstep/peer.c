@@ -63,10 +63,10 @@ static bool body_fields(uint32_t slot, uint32_t fields[FIELDS]) {
   gjk_scene scene;
   gjk_body_state s;
   const match_body *b = &game.bodies[slot];
-  if (!match_scene(&game, &scene) || gjk_scene_get(&scene, b->handle, &s) != GJK_OK) {
+  if (!match_scene(&game, &scene) || gjk_scene_get(&scene, b->id, &s) != GJK_OK) {
     return false;
   }
-  const uint32_t values[FIELDS] = {b->handle.generation,
+  const uint32_t values[FIELDS] = {b->id.generation,
                                    (uint32_t)s.pose.position.x,
                                    (uint32_t)s.pose.position.y,
                                    (uint32_t)s.pose.position.z,

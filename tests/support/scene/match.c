@@ -66,7 +66,7 @@ static bool add(match *m, gjk_scene *scene, uint32_t slot) {
   b->step.x = slot < 2 ? 0 : dice(slot, m->tick, 7, 3000);
   b->step.y = slot < 2 ? 0 : dice(slot, m->tick, 8, 3000);
   b->step.z = slot < 2 ? 0 : dice(slot, m->tick, 9, 3000);
-  return gjk_quat_normalize(&turn, &b->turn) == GJK_OK && gjk_scene_add_at(scene, slot, &setup, &b->handle) == GJK_OK;
+  return gjk_quat_normalize(&turn, &b->turn) == GJK_OK && gjk_scene_add_at(scene, slot, &setup, &b->id) == GJK_OK;
 }
 
 bool match_start(match *m) {
@@ -88,7 +88,7 @@ static int32_t bounce(int32_t at, int32_t step) {
 static bool move(match *m, gjk_scene *scene, uint32_t slot, match_input input) {
   match_body *b = &m->bodies[slot];
   gjk_body_state state;
-  if (gjk_scene_get(scene, b->handle, &state) != GJK_OK) {
+  if (gjk_scene_get(scene, b->id, &state) != GJK_OK) {
     return false;
   }
   if (state.kind == GJK_BODY_STATIC || state.asleep) {
@@ -104,7 +104,7 @@ static bool move(match *m, gjk_scene *scene, uint32_t slot, match_input input) {
   if (slot >= 2 || (input & 16) != 0) {
     gjk_quat_compose(&b->turn, &state.pose.rotation, &state.pose.rotation);
   }
-  return gjk_scene_move(scene, b->handle, &state.pose) == GJK_OK;
+  return gjk_scene_move(scene, b->id, &state.pose) == GJK_OK;
 }
 
 // Does what a player does besides moving, to the body of the tick.
@@ -113,21 +113,21 @@ static bool act(match *m, gjk_scene *scene, match_input input) {
   match_body *b = &m->bodies[slot];
   bool fine = true;
   if ((input & 32) != 0 && m->tick % 5 == 0) {
-    fine = gjk_scene_set_shape(scene, b->handle, 0, (uint16_t)(m->tick % WALL)) == GJK_OK;
+    fine = gjk_scene_set_shape(scene, b->id, 0, (uint16_t)(m->tick % WALL)) == GJK_OK;
   }
   if ((input & 64) != 0 && m->tick % 7 == 0) {
-    fine = fine && gjk_scene_remove(scene, b->handle) == GJK_OK && add(m, scene, slot);
+    fine = fine && gjk_scene_remove(scene, b->id) == GJK_OK && add(m, scene, slot);
   }
   if ((input & 128) != 0 && m->tick % 3 == 0) {
     gjk_body_state state;
-    fine = fine && gjk_scene_get(scene, b->handle, &state) == GJK_OK &&
-           (state.asleep ? gjk_scene_wake(scene, b->handle) : gjk_scene_sleep(scene, b->handle)) == GJK_OK;
+    fine = fine && gjk_scene_get(scene, b->id, &state) == GJK_OK &&
+           (state.asleep ? gjk_scene_wake(scene, b->id) : gjk_scene_sleep(scene, b->id)) == GJK_OK;
   }
   return fine;
 }
 
 static bool holds(const match *m, gjk_body_id body) {
-  return m->bodies[body.slot].handle.generation == body.generation;
+  return m->bodies[body.slot].id.generation == body.generation;
 }
 
 // A number that depends on almost every field of a manifold.
@@ -180,7 +180,7 @@ uint64_t match_hash(match *m) {
   }
   for (uint32_t i = 0; i < MATCH_BODIES; i++) {
     const match_body *b = &m->bodies[i];
-    const uint32_t words[] = {(uint32_t)b->step.x, (uint32_t)b->step.y, (uint32_t)b->step.z, b->handle.generation};
+    const uint32_t words[] = {(uint32_t)b->step.x, (uint32_t)b->step.y, (uint32_t)b->step.z, b->id.generation};
     for (int k = 0; k < 4; k++) {
       hash = (hash ^ words[k]) * UINT64_C(0x100000001B3);
     }

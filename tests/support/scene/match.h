@@ -14,7 +14,7 @@
 #define MATCH_WORDS ((276 + MATCH_BODIES * (60 + 2 * 144 + 2 * 40 + 32) + MATCH_PAIRS * 48 + 4) / 4)
 
 typedef struct match_body {
-  gjk_body_id handle;
+  gjk_body_id id;
   gjk_vec3 step;
   gjk_quat turn;
 } match_body;

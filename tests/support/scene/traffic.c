@@ -83,7 +83,7 @@ gjk_status traffic_add(gjk_scene *scene, uint32_t slot, traffic_body *b) {
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, UINT32_MAX, 0, 0};
   setup.pose = b->pose;
   setup.kind = traffic_is_static(b) ? GJK_BODY_STATIC : GJK_BODY_DYNAMIC;
-  return gjk_scene_add_at(scene, slot, &setup, &b->handle);
+  return gjk_scene_add_at(scene, slot, &setup, &b->id);
 }
 
 gjk_status traffic_start(traffic *t, gjk_scene *scene, traffic_kind kind, uint32_t count, uint32_t percent,
@@ -143,7 +143,7 @@ void traffic_plan(traffic *t) {
 static gjk_status stream(traffic *t, gjk_scene *scene) {
   for (uint32_t n = 0; n < 1 + t->count / 100; n++) {
     traffic_body *b = &t->bodies[t->oldest];
-    gjk_status status = gjk_scene_remove(scene, b->handle);
+    gjk_status status = gjk_scene_remove(scene, b->id);
     t->ahead += t->reach.x / (int32_t)t->count * 2;
     place(t, b, t->count);
     status = status == GJK_OK ? traffic_add(scene, t->oldest, b) : status;
@@ -158,7 +158,7 @@ static gjk_status stream(traffic *t, gjk_scene *scene) {
 gjk_status traffic_apply(traffic *t, gjk_scene *scene) {
   for (uint32_t i = 0; i < t->count; i++) {
     const traffic_body *b = &t->bodies[i];
-    const gjk_status status = b->moves ? gjk_scene_move(scene, b->handle, &b->pose) : GJK_OK;
+    const gjk_status status = b->moves ? gjk_scene_move(scene, b->id, &b->pose) : GJK_OK;
     if (status != GJK_OK) {
       return status;
     }

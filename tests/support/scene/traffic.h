@@ -16,7 +16,7 @@ typedef enum traffic_kind {
 } traffic_kind;
 
 typedef struct traffic_body {
-  gjk_body_id handle;
+  gjk_body_id id;
   gjk_pose pose;
   gjk_vec3 step;  // per tick
   gjk_quat turn;

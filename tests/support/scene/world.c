@@ -144,10 +144,10 @@ static gjk_status pose_parts(world_body *b) {
   return status;
 }
 
-static void keep(world *w, const world_body *body, gjk_body_id handle) {
-  world_body *kept = &w->bodies[handle.slot];
+static void keep(world *w, const world_body *body, gjk_body_id id) {
+  world_body *kept = &w->bodies[id.slot];
   *kept = *body;
-  kept->handle = handle;
+  kept->id = id;
   kept->setup.parts = kept->parts;
   kept->asleep = false;
   pose_parts(kept);
@@ -155,35 +155,35 @@ static void keep(world *w, const world_body *body, gjk_body_id handle) {
 }
 
 gjk_status world_add_at(world *w, uint32_t slot, const world_body *body) {
-  gjk_body_id handle;
+  gjk_body_id id;
   gjk_body_setup setup = body->setup;
   setup.parts = body->parts;
-  const gjk_status status = gjk_scene_add_at(&w->scene, slot, &setup, &handle);
+  const gjk_status status = gjk_scene_add_at(&w->scene, slot, &setup, &id);
   if (status == GJK_OK) {
-    keep(w, body, handle);
+    keep(w, body, id);
   }
   return status;
 }
 
 static bool add(world *w, random_state *random) {
   world_body body;
-  gjk_body_id handle = {0, 0};
+  gjk_body_id id = {0, 0};
   uint32_t own_poses = 0, lowest = 0;
   world_random_setup(w, random, &body);
   body.setup.parts = body.parts;
   for (uint32_t i = 0; i < w->options.bodies; i++) {
     const world_body *b = &w->bodies[i];
-    for (int k = 0; b->handle.generation != 0 && k < b->setup.part_count; k++) {
+    for (int k = 0; b->id.generation != 0 && k < b->setup.part_count; k++) {
       own_poses += b->parts[k].own_pose;
     }
   }
   for (int i = 0; i < body.setup.part_count; i++) {
     own_poses += body.parts[i].own_pose;
   }
-  while (lowest < w->options.bodies && w->bodies[lowest].handle.generation != 0) {
+  while (lowest < w->options.bodies && w->bodies[lowest].id.generation != 0) {
     lowest++;
   }
-  const gjk_status status = gjk_scene_add(&w->scene, &body.setup, &handle), posed = pose_parts(&body);
+  const gjk_status status = gjk_scene_add(&w->scene, &body.setup, &id), posed = pose_parts(&body);
   if (lowest < w->options.bodies && posed != GJK_OK) {
     w->failures++;
     return status == posed;
@@ -192,16 +192,16 @@ static bool add(world *w, random_state *random) {
     w->failures++;
     return status == GJK_ERROR_CAPACITY;
   }
-  if (status != GJK_OK || handle.slot != lowest) {
+  if (status != GJK_OK || id.slot != lowest) {
     return false;
   }
-  keep(w, &body, handle);
+  keep(w, &body, id);
   return true;
 }
 
 static bool remove_body(world *w, world_body *b) {
-  w->stale = b->handle;
-  b->handle.generation = 0;
+  w->stale = b->id;
+  b->id.generation = 0;
   w->removes++;
   return gjk_scene_remove(&w->scene, w->stale) == GJK_OK;
 }
@@ -223,7 +223,7 @@ static bool move(world *w, random_state *random, world_body *b) {
     gjk_quat_compose(&turn, &pose.rotation, &pose.rotation);
   }
   const gjk_status status =
-      jump ? gjk_scene_teleport(&w->scene, b->handle, &pose) : gjk_scene_move(&w->scene, b->handle, &pose);
+      jump ? gjk_scene_teleport(&w->scene, b->id, &pose) : gjk_scene_move(&w->scene, b->id, &pose);
   world_body moved = *b;
   moved.setup.pose = pose;
   if (pose_parts(&moved) != GJK_OK) {
@@ -240,7 +240,7 @@ static bool move(world *w, random_state *random, world_body *b) {
 static bool set_shape(world *w, random_state *random, world_body *b) {
   const uint16_t part = (uint16_t)random_below(random, b->setup.part_count);
   const uint16_t shape = (uint16_t)random_below(random, WORLD_SHAPES);
-  const gjk_status status = gjk_scene_set_shape(&w->scene, b->handle, part, shape);
+  const gjk_status status = gjk_scene_set_shape(&w->scene, b->id, part, shape);
   world_body changed = *b;
   changed.parts[part].shape = shape;
   if (pose_parts(&changed) != GJK_OK) {
@@ -255,22 +255,22 @@ static bool set_shape(world *w, random_state *random, world_body *b) {
 static bool set_filter(world *w, random_state *random, world_body *b) {
   b->setup.category = 1u << random_below(random, 4);
   b->setup.mask = random_below(random, 2) == 0 ? random_below(random, 16) : UINT32_MAX;
-  return gjk_scene_set_filter(&w->scene, b->handle, b->setup.category, b->setup.mask) == GJK_OK;
+  return gjk_scene_set_filter(&w->scene, b->id, b->setup.category, b->setup.mask) == GJK_OK;
 }
 
 static bool set_user(world *w, random_state *random, world_body *b) {
   b->setup.user = random_u32(random);
-  return gjk_scene_set_user(&w->scene, b->handle, b->setup.user) == GJK_OK;
+  return gjk_scene_set_user(&w->scene, b->id, b->setup.user) == GJK_OK;
 }
 
 static bool doze(world *w, random_state *random, world_body *b) {
   if (random_below(random, 3) == 0) {
     b->asleep = false;
-    return gjk_scene_wake(&w->scene, b->handle) == GJK_OK;
+    return gjk_scene_wake(&w->scene, b->id) == GJK_OK;
   }
   const bool may = b->setup.kind == GJK_BODY_DYNAMIC;
   b->asleep = b->asleep || may;
-  return gjk_scene_sleep(&w->scene, b->handle) == (may ? GJK_OK : GJK_ERROR_RANGE);
+  return gjk_scene_sleep(&w->scene, b->id) == (may ? GJK_OK : GJK_ERROR_RANGE);
 }
 
 // Every call refuses the id of a removed body.
@@ -293,7 +293,7 @@ bool world_change(world *w, random_state *random) {
   if (what >= 99) {
     return use_stale(w);
   }
-  if (b->handle.generation == 0) {
+  if (b->id.generation == 0) {
     return add(w, random);
   }
   if (what < 80) {
@@ -340,7 +340,7 @@ static bool is_near(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin
 static bool tested(const world *w, const world_body *a, const world_body *b) {
   return (a->setup.kind != GJK_BODY_STATIC || b->setup.kind != GJK_BODY_STATIC) &&
          (a->setup.category & b->setup.mask) != 0 && (b->setup.category & a->setup.mask) != 0 &&
-         (!w->options.predicate || world_predicate(NULL, a->handle, a->setup.user, b->handle, b->setup.user));
+         (!w->options.predicate || world_predicate(NULL, a->id, a->setup.user, b->id, b->setup.user));
 }
 
 // The distance that a report gives.
@@ -374,8 +374,8 @@ static void add_near(const world *w, const world_body *a, const world_body *b, i
   }
   gjk_report *r = &list->report[list->count++];
   memset(r, 0, sizeof *r);
-  r->a = a->handle;
-  r->b = b->handle;
+  r->a = a->id;
+  r->b = b->id;
   r->part_a = (uint16_t)i;
   r->part_b = (uint16_t)k;
   r->event = GJK_EVENT_PERSIST;
@@ -389,7 +389,7 @@ static void find_near(const world *w, world_list *list) {
   for (uint32_t m = 0; m < w->options.bodies; m++) {
     for (uint32_t n = m + 1; n < w->options.bodies; n++) {
       const world_body *a = &w->bodies[m], *b = &w->bodies[n];
-      if (a->handle.generation == 0 || b->handle.generation == 0 || !tested(w, a, b)) {
+      if (a->id.generation == 0 || b->id.generation == 0 || !tested(w, a, b)) {
         continue;
       }
       for (int i = 0; i < a->setup.part_count; i++) {
@@ -417,8 +417,8 @@ void world_sort(world_list *list) {
   qsort(list->report, list->count, sizeof list->report[0], order);
 }
 
-static bool awake(const world *w, gjk_body_id handle) {
-  const world_body *b = &w->bodies[handle.slot];
+static bool awake(const world *w, gjk_body_id id) {
+  const world_body *b = &w->bodies[id.slot];
   return b->setup.kind != GJK_BODY_STATIC && !b->asleep;
 }
 
@@ -434,8 +434,8 @@ void world_expect(world *w, world_list *out) {
     r.event = side < 0 ? GJK_EVENT_END : side > 0 ? GJK_EVENT_BEGIN : GJK_EVENT_PERSIST;
     if (side < 0) {
       r.distance = 0;
-      const bool there = w->bodies[r.a.slot].handle.generation == r.a.generation &&
-                         w->bodies[r.b.slot].handle.generation == r.b.generation;
+      const bool there =
+          w->bodies[r.a.slot].id.generation == r.a.generation && w->bodies[r.b.slot].id.generation == r.b.generation;
       r.detail = there ? r.detail : w->options.detail;
     }
     if (side != 0 || (w->options.persist && (awake(w, r.a) || awake(w, r.b)))) {

@@ -16,7 +16,7 @@
 #define WORLD_CELLS 2000  // enough for any two of the shapes
 
 typedef struct world_body {
-  gjk_body_id handle;  // its id; generation 0: there is no such body
+  gjk_body_id id;  // its id; generation 0: there is no such body
   gjk_body_setup setup;
   gjk_part parts[WORLD_PARTS];
   gjk_collider colliders[WORLD_PARTS];
