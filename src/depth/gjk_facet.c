@@ -34,7 +34,8 @@ static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, con
   const gjk_vec3 *d = &it->direction.d;
   const uint32_t height = height_along(normal, w);
   const uint32_t least = height > GJK_HEIGHT_ERROR ? height - GJK_HEIGHT_ERROR : 0, most = height + GJK_HEIGHT_ERROR;
-  gjk_q16 low = gjk_height_to_lsb(least, it->shift), high = gjk_height_to_lsb(most, it->shift);
+  gjk_q16 low = gjk_height_to_lsb(least, it->shift);
+  const gjk_q16 high = gjk_height_to_lsb(most, it->shift);
   //@ assert low >= 0 && low <= (INT32_C(1) << 30) + 4;
   //@ assert high >= 0 && high <= (INT32_C(1) << 30) + 4;
   if (low == high) {
@@ -49,15 +50,8 @@ static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, con
     gjk_u192_multiply(&numerator, &along, &along);
     gjk_u192_set(&denominator, (uint64_t)gjk_dot(d, d));
   }
-  while (low < high) {  // at most 11 apart, so 4 times
-    const gjk_q16 middle = low + (high - low) / 2;
-    //@ assert middle >= low && middle < high;
-    if (gjk_compare_distance(&numerator, &denominator, (uint64_t)middle << (it->shift + 1)) > 0) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
+  // At most 11 candidates, so 4 steps.
+  low = (gjk_q16)gjk_round_distance(&numerator, &denominator, (unsigned)it->shift, low, high, GJK_ROUND_UP);
   //@ assert low >= 0 && low <= (INT32_C(1) << 30) + 4;
   return low;
 }

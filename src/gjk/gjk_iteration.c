@@ -3,135 +3,19 @@
 // After   Gilbert, Johnson, Keerthi 1988; the early outs as in Gino van den Bergen, A Fast and Robust GJK
 //         Implementation, 1999. Departures: a vertex is added only when it is strictly nearer the origin along the
 //         exact direction, so every simplex is non-degenerate, each feature is nearer than the last and none returns.
-#include "gjk_iteration.h"
+#include "gjk_frame.h"
 
 // From here on a search of curved shapes is long. Random pairs take at most 51 iterations.
 #define LATE_ITERATIONS 64
 
-// Is v longer than r >= 0? Components at most 2^32, r below 2^33. From r = 2^31 on only single components are compared: the
-// answer may then be a wrong "no".
-static bool longer_than(const gjk_long3 *v, int64_t r) {
-  const uint64_t x = gjk_magnitude64(v->x), y = gjk_magnitude64(v->y), z = gjk_magnitude64(v->z);
-  const uint64_t limit = (uint64_t)r;
-  if (x > limit || y > limit || z > limit) {
-    return true;
-  }
-  if (limit >> 31 != 0) {
-    return false;
-  }
-  // Components below 2^31: each square below 2^62, their sum below 3 2^62 < 2^64.
-  return gjk_umul32((uint32_t)x, (uint32_t)x) + gjk_umul32((uint32_t)y, (uint32_t)y) +
-             gjk_umul32((uint32_t)z, (uint32_t)z) >
-         gjk_umul32((uint32_t)limit, (uint32_t)limit);
-}
-
-// The shift of a frame whose reach is 2^30 or more.
-GJK_OUT_OF_LINE static int far_shift(const gjk_long3 *delta) {
-  const int64_t unit = INT64_C(1) << 30;
-  gjk_long3 scaled = {delta->x, delta->y, delta->z};
-  int shift = 0;
-  while (shift > -3 && longer_than(&scaled, unit)) {
-    scaled.x = gjk_sar64(scaled.x, 1);
-    scaled.y = gjk_sar64(scaled.y, 1);
-    scaled.z = gjk_sar64(scaled.z, 1);
-    shift--;
-  }
-  return shift;
-}
-
-// A radius in the frame. One beyond the reach settles the question like the reach, and so does any of 2^31 or more.
-GJK_OUT_OF_LINE static int32_t frame_radius(int64_t radius, int shift) {
-  const int64_t framed = shift >= 0 ? gjk_shl64(radius, (unsigned)shift) : gjk_sar64(radius, (unsigned)-shift);
-  return framed < INT32_MAX ? (int32_t)framed : INT32_MAX;
-}
-
-// The frame of any pair. False: the bounding spheres are apart.
-GJK_OUT_OF_LINE static bool set_frame(gjk_iteration *it, bool spheres, int64_t radius) {
-  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
-  const gjk_long3 delta = {(int64_t)a->x - b->x, (int64_t)a->y - b->y, (int64_t)a->z - b->z};
-  const int64_t cores = (int64_t)it->a->core_radius + it->b->core_radius;
-  if (spheres && longer_than(&delta, cores + radius)) {
-    return false;
-  }
-  // |x| + |y| + |z| bounds the length from above; at most 3 2^32. Never 0: each core_radius has its slack.
-  const int64_t reach =
-      (int64_t)(gjk_magnitude64(delta.x) + gjk_magnitude64(delta.y) + gjk_magnitude64(delta.z)) + cores;
-  it->shift = (int8_t)(reach < INT64_C(1) << 30 ? (int)gjk_clz32((uint32_t)reach) - 2 : far_shift(&delta));
-  it->radius = radius > 0 ? frame_radius(radius < reach ? radius : reach, it->shift) : 0;
-  return true;
-}
-
-// Are all components of v below 2^28 in size?
-static inline bool is_small(const gjk_vec3 *v) {
-  return ((uint32_t)(v->x ^ gjk_sar32(v->x, 31)) | (uint32_t)(v->y ^ gjk_sar32(v->y, 31)) |
-          (uint32_t)(v->z ^ gjk_sar32(v->z, 31))) >>
-             28 ==
-         0;
-}
-
-// The same for centres within 4096 units of the origin and no radius, the usual case, in 32 bits.
-static bool set_usual_frame(gjk_iteration *it, bool spheres) {
-  //@ assert it->a->centre.x >= -(INT32_C(1) << 28) && it->a->centre.x < INT32_C(1) << 28;
-  //@ assert it->a->centre.y >= -(INT32_C(1) << 28) && it->a->centre.y < INT32_C(1) << 28;
-  //@ assert it->a->centre.z >= -(INT32_C(1) << 28) && it->a->centre.z < INT32_C(1) << 28;
-  //@ assert it->b->centre.x >= -(INT32_C(1) << 28) && it->b->centre.x < INT32_C(1) << 28;
-  //@ assert it->b->centre.y >= -(INT32_C(1) << 28) && it->b->centre.y < INT32_C(1) << 28;
-  //@ assert it->b->centre.z >= -(INT32_C(1) << 28) && it->b->centre.z < INT32_C(1) << 28;
-  const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);   // below 2^29
-  const int32_t cores = it->a->core_radius + it->b->core_radius;  // at most 2^29
-  if (spheres && gjk_dot(&delta, &delta) > gjk_mul32(cores, cores)) {
-    return false;
-  }
-  const uint32_t reach = gjk_norm1(delta) + (uint32_t)cores;  // below 2^31
-  const int shift = (int)gjk_clz32(reach) - 2;
-  it->shift = (int8_t)(shift < 0 ? 0 : shift);  // |delta| <= sqrt(3) 2^29 < 2^30: near
-  it->radius = 0;
-  return true;
-}
-
-// One component of w in a far frame: rounded to nearest.
-GJK_OUT_OF_LINE static int32_t far_component(int64_t difference, int shift) {
-  const unsigned n = (unsigned)-shift;
-  //@ assert n >= 1 && n <= 3;
-  const int64_t rounded = gjk_sar64(difference + (INT64_C(1) << (n - 1)), n);
-  //@ assert rounded >= -(INT32_C(3) << 29) && rounded <= INT32_C(3) << 29;
-  return (int32_t)rounded;
-}
-
-// Puts the frame's vector from B to A for points whose offsets from the centres differ by v into v.
-GJK_OUT_OF_LINE static void far_vector(const gjk_iteration *it, gjk_vec3 *v) {
-  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
-  v->x = far_component((int64_t)a->x - b->x + v->x, it->shift);
-  v->y = far_component((int64_t)a->y - b->y + v->y, it->shift);
-  v->z = far_component((int64_t)a->z - b->z + v->z, it->shift);
-}
-
-// The frame's vector from B's centre to A's. Near by it is at most 2^30 long.
-static void set_delta(gjk_iteration *it) {
-  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
-  if (it->shift < 0) {
-    it->delta.x = it->delta.y = it->delta.z = 0;
-    far_vector(it, &it->delta);
-    return;
-  }
-  const unsigned shift = (unsigned)it->shift;
-  it->delta.x = gjk_shl32(a->x - b->x, shift);
-  it->delta.y = gjk_shl32(a->y - b->y, shift);
-  it->delta.z = gjk_shl32(a->z - b->z, shift);
-}
-
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius) {
-  const bool spheres = gjk_goal_separates(goal);
   it->a = a;
   it->b = b;
-  it->iterations = 0;
-  // not reached: GJK_SMALL is a constant
-  const bool usual = !GJK_SMALL && radius == 0 && is_small(&a->centre) && is_small(&b->centre);
-  if (usual ? !set_usual_frame(it, spheres) : !set_frame(it, spheres, radius)) {
+  if (!gjk_frame_set(it, gjk_goal_separates(goal), radius)) {
     return false;
   }
-  set_delta(it);
+  it->iterations = 0;
   it->stalls = a->shape->type->stalls;
   if (!gjk_pair_is_curved(it)) {
     it->stalls = b->shape->type->stalls;
@@ -140,22 +24,12 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   return true;
 }
 
-// Completes the free slot, which has its vertex of A. Near by all sums are at most 3 2^29.
+// Completes the vertex in the free slot, which has its vertex of A, by that of B.
 GJK_ONCE static void complete_vertex(gjk_iteration *it, const gjk_support *b) {
   gjk_vertex *v = gjk_simplex_free(&it->simplex);
   v->b = b->vertex;
   v->w = gjk_sub(v->a.offset, b->offset);
-  if (it->shift < 0) {
-    far_vector(it, &v->w);
-    return;
-  }
-  const unsigned shift = (unsigned)it->shift;
-  v->w.x = it->delta.x + gjk_shl32(v->w.x, shift);
-  v->w.y = it->delta.y + gjk_shl32(v->w.y, shift);
-  v->w.z = it->delta.z + gjk_shl32(v->w.z, shift);
-  //@ assert v->w.x >= -(INT32_C(3) << 29) && v->w.x <= INT32_C(3) << 29;
-  //@ assert v->w.y >= -(INT32_C(3) << 29) && v->w.y <= INT32_C(3) << 29;
-  //@ assert v->w.z >= -(INT32_C(3) << 29) && v->w.z <= INT32_C(3) << 29;
+  gjk_frame_move(it, &v->w);
 }
 
 bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b) {

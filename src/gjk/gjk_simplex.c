@@ -311,6 +311,25 @@ int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator,
   return gjk_u192_compare(&x, &y);
 }
 
+int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, unsigned shift, int64_t low,
+                           int64_t high, gjk_round_to to) {
+  while (low < high) {  // halves what is left
+    const int64_t middle = gjk_sar64(low + high, 1);
+    //@ assert middle >= low && middle < high;
+    // The result exceeds middle when the distance, in units of 2^shift, is
+    //   to round up          > middle
+    //   to the nearest     >= middle + 1/2
+    //   to round down      >= middle + 1
+    const int sign = gjk_compare_distance(numerator, denominator, (uint64_t)(2 * middle + (int)to) << shift);
+    if (to == GJK_ROUND_UP ? sign > 0 : sign >= 0) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
 // The value of beyond_edge, where it is not negative: the weight of k times the square of twice the triangle's area. At
 // most 2^124.
 static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, gjk_u128 *out) {

@@ -72,8 +72,18 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out);
 // numerator <= 2^186, denominator <= 2^124.
 void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_u192 *numerator, gjk_u192 *denominator);
 
-// The sign of (2 distance)^2 - twice^2, from the above.
+// The sign of (2 distance)^2 - twice^2, where distance^2 = numerator / denominator.
 int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, uint64_t twice);
+
+typedef enum gjk_round_to {
+  GJK_ROUND_UP,
+  GJK_ROUND_NEAREST,  // a tie goes up
+  GJK_ROUND_DOWN
+} gjk_round_to;
+
+// distance / 2^shift, rounded to an integer. Pre: low <= the result <= high; 2 (high + 1) 2^shift < 2^64; low >= 0.
+int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, unsigned shift, int64_t low,
+                           int64_t high, gjk_round_to to);
 
 // Weights of the second and third vertex in the nearest point on the feature; the first has the rest. fine: see
 // gjk_barycentrics. Pre: 2 <= count <= 3 and the feature is nearest.

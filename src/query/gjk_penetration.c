@@ -126,20 +126,13 @@ static void measure_gap(overlap *o, int64_t plane) {
   const gjk_iteration *it = &o->it;
   const unsigned n = (unsigned)(30 + it->shift);
   int64_t low = plane > GJK_PLANE_ERROR ? gjk_sar64(plane - GJK_PLANE_ERROR, n) : 0;
-  int64_t high = gjk_sar64(plane + GJK_PLANE_ERROR, n);
+  const int64_t high = gjk_sar64(plane + GJK_PLANE_ERROR, n);
   //@ assert low >= 0 && low <= INT64_C(1) << 30 && high <= INT64_C(1) << 30;
   if (low < high) {
     gjk_u192 numerator, denominator;
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
-    while (low < high) {  // at most 17 apart, so 5 times
-      const int64_t middle = low + (high - low + 1) / 2;
-      //@ assert middle > low && middle <= high;
-      if (gjk_compare_distance(&numerator, &denominator, (uint64_t)middle << (it->shift + 1)) >= 0) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
-    }
+    // At most 17 candidates, so 5 steps.
+    low = gjk_round_distance(&numerator, &denominator, (unsigned)it->shift, low, high, GJK_ROUND_DOWN);
   }
   o->proof = GJK_PROOF_NEAREST;
   o->upper = -(gjk_q16)low + (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR : 0);
