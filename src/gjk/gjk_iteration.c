@@ -55,7 +55,7 @@ void gjk_iteration_next(gjk_iteration *it, gjk_support *b) {
   next_vertex(it, b);
 }
 
-GJK_OUT_OF_LINE bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_support *b) {
+bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_support *b) {
   bool moved = false;
   if (it->a->shape->type->refine != NULL) {
     moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, &gjk_simplex_free(&it->simplex)->a);
@@ -72,7 +72,7 @@ GJK_OUT_OF_LINE bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *dire
 }
 
 // Moves the vertex to the farthest along the feature's exact direction. Returns whether it moved.
-GJK_OUT_OF_LINE static bool refine_nearest(gjk_iteration *it, gjk_support *b) {
+static bool refine_nearest(gjk_iteration *it, gjk_support *b) {
   gjk_direction direction;
   if (it->direction.exact) {
     return false;
@@ -100,7 +100,7 @@ static bool clears(const gjk_iteration *it, const gjk_vec3 *w, int32_t radius) {
 
 // Is the feature near enough to settle the question? A vertex is measured; an edge or triangle is, when the plane
 // across the direction to it does not clear the radius.
-GJK_OUT_OF_LINE static bool settles_near(const gjk_iteration *it) {
+static bool settles_near(const gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *v = &s->slot[s->order[0]];
   if (s->count == 1) {
@@ -138,7 +138,7 @@ static bool cached_direction(gjk_iteration *it, const gjk_cache *cache) {
 }
 
 // The first direction: the cached one, or from A's centre to B's.
-GJK_OUT_OF_LINE static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
+static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
   gjk_vec3 *d = &it->direction.d;
   if (cache != NULL && cached_direction(it, cache)) {
     return;

@@ -159,7 +159,7 @@ static bool advance(const album *a, const album *b, uint16_t *of_a, uint16_t *of
 
 // Makes the feature the nearest over all differences of seen vertices by trying all: k and l of them have less than (k l)^4
 // chains.
-GJK_OUT_OF_LINE static gjk_step try_all(gjk_iteration *it, const album *a, const album *b) {
+static gjk_step try_all(gjk_iteration *it, const album *a, const album *b) {
   chain c;
   c.last = 0;
   c.a[1] = c.a[2] = c.a[3] = c.b[1] = c.b[2] = c.b[3] = 0;
@@ -225,7 +225,7 @@ GJK_OUT_OF_LINE static gjk_outcome remember(gjk_iteration *it) {
   return recall_all(it, &a, &b) == GJK_STEP_ENCLOSING ? GJK_OUTCOME_ENCLOSING : GJK_OUTCOME_LIMIT;
 }
 
-GJK_OUT_OF_LINE gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit) {
+gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit) {
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
   //@ dynamic_split it->simplex.count;
   while (outcome == GJK_OUTCOME_LIMIT && it->iterations < limit) {

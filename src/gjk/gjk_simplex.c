@@ -97,7 +97,7 @@ static gjk_step set_edge(gjk_simplex *s, unsigned x, unsigned y, unsigned w, boo
   return GJK_STEP_NEARER;
 }
 
-GJK_OUT_OF_LINE static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
+static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
   unsigned a = s->order[0], b = s->order[1];
   if (beyond_edge(s, a, b, w) <= 0) {
     return GJK_STEP_NONE;
@@ -149,7 +149,7 @@ GJK_OUT_OF_LINE static unsigned visible_faces(const gjk_simplex *s, unsigned w) 
          (gjk_dot_sign(&wa, c) > 0 ? 4u : 0u);
 }
 
-GJK_OUT_OF_LINE static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
+static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
   const gjk_vec3 step = gjk_sub(s->slot[w].w, s->slot[s->order[0]].w);
   if (gjk_dot_sign(&s->normal, &step) <= 0) {
     return GJK_STEP_NONE;
