@@ -183,13 +183,13 @@ static unsigned cut_shift(const zonotope *z) {
 // Cut normals shorter than this say nothing about a height.
 #define CUT_SHORTEST (INT64_C(1) << 16)
 
-static inline int64_t size_along(const gjk_vec3 *n, const gjk_vec3 *v) {
+static int64_t size_along(const gjk_vec3 *n, const gjk_vec3 *v) {
   const int64_t along = gjk_dot(n, v);
   return along < 0 ? -along : along;
 }
 
 // The number of the pair i < j.
-static inline unsigned pair_of(unsigned i, unsigned j) {
+static unsigned pair_of(unsigned i, unsigned j) {
   static const uint8_t before[AXES] = {0, 4, 7, 9, 10, 10};  // less i + 1
   return before[i] + j - 1;
 }

@@ -102,7 +102,7 @@ static unsigned edge_from(const gjk_epa_face *f, uint16_t vertex) {
   return f->corner[0] == vertex ? 0 : f->corner[1] == vertex ? 1 : 2;
 }
 
-static inline bool is_seen(const gjk_epa_hull *p, uint16_t face) {
+static bool is_seen(const gjk_epa_hull *p, uint16_t face) {
   return (gjk_epa_hull_face(p, face)->height_key & SEEN) != 0;
 }
 
@@ -135,7 +135,7 @@ typedef struct hull_edge {
   uint8_t number;
 } hull_edge;
 
-static inline bool on_horizon(const gjk_epa_hull *p, hull_edge e) {
+static bool on_horizon(const gjk_epa_hull *p, hull_edge e) {
   return !is_seen(p, gjk_epa_hull_face(p, e.face)->neighbour[e.number]);
 }
 

@@ -21,7 +21,7 @@ static album open_album(gjk_iteration *it, unsigned side) {
 }
 
 // The number of a vertex's mark.
-static inline unsigned number_of(const album *of, uint32_t vertex) {
+static unsigned number_of(const album *of, uint32_t vertex) {
   return vertex >> of->shift & (GJK_MARKS - 1);  // no more than GJK_MARKS - 1 as it is
 }
 

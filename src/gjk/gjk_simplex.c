@@ -114,7 +114,7 @@ static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
 // visible: see visible_faces. The origin's projection onto a visible face (x, y, w)
 // lies on w's side of edge (x, y): seen along that edge the origin stands above the old triangle at an angle below a
 // quarter turn, and at a larger one than the face.
-GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
+static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
   unsigned corner[4] = {s->order[0], s->order[1], s->order[2], s->order[0]};
   for (unsigned i = 0; i < 3; i++) {
     const unsigned x = corner[i], y = corner[i + 1];
