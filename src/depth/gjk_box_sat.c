@@ -1,7 +1,7 @@
 // Depth of boxes and segments in each other, from the directions across every two half axes.
 //
-// A - B holds the points delta + sum of s_i g_i with |s_i| <= 1, where delta leads from B's centre to A's and g_i are the
-// half axes of both. Across n = g_i x g_j its facet is at |n . g_k| summed over the others, plus n . delta.
+// A - B holds the points delta + sum of s_i g_i with |s_i| <= 1, where delta leads from B's centre to A's and g_i are
+// the half axes of both. Across n = g_i x g_j its facet is at |n . g_k| summed over the others, plus n . delta.
 // After   the separating axes of Gottschalk, Lin, Manocha, OBBTree, 1996. Departures: half axes need not be at right
 //         angles, as posing leaves them; exact signs; the nearest point of the facet as well.
 #include "gjk_box_sat.h"
@@ -55,8 +55,8 @@ static void place_patch(const zonotope *z, unsigned signs, gjk_vertex *out) {
   out->b = (uint16_t)(~signs >> z->of_a & mask_b);
 }
 
-// Which way e turns to v, both in a facet, seen against its normal: -1, 0 or 1. Their product is a multiple of the normal,
-// and so turned as the rounded one is.
+// Which way e turns to v, both in a facet, seen against its normal: -1, 0 or 1. Their product is a multiple of the
+// normal, and so turned as the rounded one is.
 static int turn(const gjk_vec3 *normal, const gjk_vec3 *e, const gjk_vec3 *v) {
   gjk_long3 product;
   gjk_cross(e, v, &product);
@@ -239,8 +239,9 @@ gjk_zonotope_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
   if (!rank_directions(&z, &d)) {
     return GJK_ZONOTOPE_APART;
   }
-  // If A - B does not hold the origin, one of its planes lies before it. Its key tells next to nothing of height, so that it
-  // is considered before the search can end: that takes a plane whose facet holds the origin, or others that are higher.
+  // If A - B does not hold the origin, one of its planes lies before it. Its key tells next to nothing of height, so
+  // that it is considered before the search can end: that takes a plane whose facet holds the origin, or others that
+  // are higher.
   while (d.count > 0) {  // at most DIRECTIONS times
     unsigned lowest = 0;
     for (unsigned k = 1; k < d.count; k++) {

@@ -4,7 +4,8 @@
 #include "../arith/gjk_unit.h"
 #include "gjk_epa_hull.h"
 
-// The bounds of a curved pair tell its depth when they are at most so far apart, LSB: those of a facet that is found are.
+// The bounds of a curved pair tell its depth when they are at most so far apart, LSB: those of a facet that is found
+// are.
 #define CURVED_WIDTH (2 * GJK_CURVED_ERROR + 2)
 
 // The turn after which they are first looked at, a power of two.
@@ -83,8 +84,8 @@ static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
   facet->covers = true;
 }
 
-// Adds vertices off what the simplex spans until it is a tetrahedron, with the origin still in it. Otherwise nothing lies
-// on one side of what it spans: the shapes touch.
+// Adds vertices off what the simplex spans until it is a tetrahedron, with the origin still in it. Otherwise nothing
+// lies on one side of what it spans: the shapes touch.
 static gjk_epa_outcome complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, bool *done, uint16_t *iterations) {
   static const gjk_vec3 x = {1, 0, 0};
   gjk_simplex *s = &it->simplex;
@@ -125,8 +126,8 @@ static gjk_q16 upper_bound(const gjk_iteration *it, const gjk_vec3 *w) {
   return gjk_depth_across(it, w) + curved_error(it);
 }
 
-// Considers a face of these corners, with the outward normal it->direction: exactly, or bound by how far a support has reached
-// across it.
+// Considers a face of these corners, with the outward normal it->direction: exactly, or bound by how far a support has
+// reached across it.
 static void consider_face(gjk_iteration *it, const gjk_epa_hull *p, const uint16_t corner[3], gjk_q16 bound,
                           gjk_facet *facet) {
   gjk_simplex *s = &it->simplex;
@@ -157,8 +158,8 @@ static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
   return !gjk_pair_is_curved(it) ? facet->depth : facet->depth - CURVED_WIDTH;
 }
 
-// Do the bounds of a curved pair tell its depth? That takes a look at every face, so it is asked when the turns have doubled,
-// and after the last. The facet must cover the origin's projection: else its points do not tell where.
+// Do the bounds of a curved pair tell its depth? That takes a look at every face, so it is asked when the turns have
+// doubled, and after the last. The facet must cover the origin's projection: else its points do not tell where.
 static bool told(const gjk_iteration *it, const gjk_epa_hull *p, const gjk_facet *facet, uint16_t turns,
                  gjk_q16 *lower) {
   if (!facet->found || !facet->covers || turns < FIRST_LOOK ||
@@ -273,7 +274,8 @@ gjk_epa_outcome gjk_epa(gjk_iteration *it, const gjk_workspace *workspace, gjk_f
   }
   expansion = expand(it, &p, facet, lower, iterations);
   //@ assert facet->found;
-  // not reached: lower > depth: the polytope lies within A - B, and the errors of curved supports are added on both sides
+  // not reached: lower > depth: the polytope lies within A - B, and the errors of curved supports are added on both
+  // sides
   if (*lower > facet->depth) {
     *lower = least_depth(it, facet);
   }

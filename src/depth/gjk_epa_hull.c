@@ -60,8 +60,8 @@ static bool sees(const gjk_epa_hull *p, const gjk_epa_face *f, const gjk_vec3 *w
 }
 
 bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const gjk_simplex *tetrahedron, bool curved) {
-  // Face i leaves out vertex i; across its edges lie the faces that leave out the third corner of each. They look outwards:
-  // vertex 3 was added strictly beyond the others, along their normal.
+  // Face i leaves out vertex i; across its edges lie the faces that leave out the third corner of each. They look
+  // outwards: vertex 3 was added strictly beyond the others, along their normal.
   static const uint8_t corner[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   p->stride = curved ? 2 : 1;
   p->vertices = 0;

@@ -1,6 +1,6 @@
 // The expanding polytope: a convex hull of vertices of A - B around the origin, with exact visibility, in the caller's
-// cells. Vertices grow from the first cell on, faces from the last one down; what lies between holds the horizon while a
-// vertex is added.
+// cells. Vertices grow from the first cell on, faces from the last one down; what lies between holds the horizon while
+// a vertex is added.
 #ifndef GJK_SRC_EPA_HULL_H
 #define GJK_SRC_EPA_HULL_H
 

@@ -28,8 +28,8 @@ bool gjk_facet_may_improve(const gjk_facet *best, int shift, uint32_t key) {
   return deepest >= 0 && key <= key_above((uint32_t)deepest << shift);
 }
 
-// The exact height in LSB, rounded up, of the plane through w whose normal is it->direction; or of the simplex's triangle,
-// of which that is the rounded normal.
+// The exact height in LSB, rounded up, of the plane through w whose normal is it->direction; or of the simplex's
+// triangle, of which that is the rounded normal.
 static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, const gjk_vec3 *w, bool triangle) {
   const gjk_vec3 *d = &it->direction.d;
   const uint32_t height = height_along(normal, w);

@@ -33,8 +33,8 @@ static inline gjk_q16 gjk_height_to_lsb(uint32_t height, int shift) {
   return (gjk_q16)((height + (UINT32_C(1) << shift) - 1) >> shift);
 }
 
-// Is a plane of this height key able to be nearer than the best, by a whole LSB, or to hold the nearest point that the best one
-// misses?
+// Is a plane of this height key able to be nearer than the best, by a whole LSB, or to hold the nearest point that the
+// best one misses?
 bool gjk_facet_may_improve(const gjk_facet *best, int shift, uint32_t key);
 
 // Takes the plane of the simplex's first three slots for the best if it is better. They are the feature, by

@@ -1,8 +1,8 @@
 // The frame of a pair; the bounds are in gjk_frame.h.
 #include "gjk_frame.h"
 
-// Is v longer than r? Below 2^31 the answer is exact; from r = 2^31 on single components alone are compared, and a "no" may be
-// wrong.
+// Is v longer than r? Below 2^31 the answer is exact; from r = 2^31 on single components alone are compared, and a "no"
+// may be wrong.
 // Pre: components of v at most 2^32 in size, 0 <= r < 2^33.
 static bool longer_than(const gjk_long3 *v, int64_t r) {
   const uint64_t x = gjk_magnitude64(v->x), y = gjk_magnitude64(v->y), z = gjk_magnitude64(v->z);

@@ -1,8 +1,8 @@
 // The frame of a pair: the integers that a query computes on.
 //
-// A vertex w of A - B stands in the frame as its distance from the origin of A - B, times 2^shift. The reach bounds |w| before
-// it is scaled: R = |x| + |y| + |z| + core_radius_a + core_radius_b, where (x, y, z) = centre_a - centre_b. The shift makes w
-// as large as it may be, so that the filters on high words settle nearly every sign.
+// A vertex w of A - B stands in the frame as 2^shift w. The reach R bounds |w| in LSB:
+//   R = |x| + |y| + |z| + core_radius_a + core_radius_b, where (x, y, z) = centre_a - centre_b.
+// The shift makes w as large as int32_t allows, so that the filters on high words settle nearly every sign.
 //
 //   frame                       shift       w in the frame                    |w|, length   |edge|, length
 //   R < 2^30                    0 to 29     exact: 2^shift R < 2^30           < 2^30        < 2^31
@@ -20,7 +20,7 @@
 // The same as gjk_frame_set. Pre: a component of centre_a - centre_b is at least 2^29 - 3 in size, so that shift <= 0.
 bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
 
-// Sets shift, delta and radius for the pair it->a, it->b. radius: in LSB, not negative, below 2^32 with both core radii.
+// Sets shift, delta and radius for the pair it->a, it->b. radius: in LSB, not negative; with both core radii below 2^32.
 // False: the bounding spheres are more than radius apart (asked only where spheres is set); then nothing is set.
 static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius) {
   const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
@@ -52,7 +52,8 @@ static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius
 // The same as below for shift < 0.
 void gjk_frame_move_far(const gjk_iteration *it, gjk_vec3 *v);
 
-// Makes *v a vertex of A - B in the frame. Before: the vertex of A, from A's centre, less that of B, from B's centre, in LSB.
+// Makes *v a vertex of A - B in the frame. Before: the vertex of A, from A's centre, less that of B, from B's centre,
+// in LSB.
 static inline void gjk_frame_move(const gjk_iteration *it, gjk_vec3 *v) {
   if (it->shift < 0) {
     gjk_frame_move_far(it, v);

@@ -1,11 +1,32 @@
-// The GJK iteration: support, exact progress, nearest feature.
+// GJK on one pair: the loop that every query runs.
 //
-// After   Gilbert, Johnson, Keerthi 1988; the early outs as in Gino van den Bergen, A Fast and Robust GJK
-//         Implementation, 1999. Departures: a vertex is added only when it is strictly nearer the origin along the
-//         exact direction, so every simplex is non-degenerate, each feature is nearer than the last and none returns.
+// The simplex holds the feature so far: the vertex, edge or triangle nearest to the origin of the vertices of A - B
+// that were added. Each iteration is one support scan of both shapes.
+//
+//   Step 1   Start: add the cached vertices to the simplex, as far as they still make a feature. Without any, the first
+//            direction is the cached one, or that from A's centre to B's.
+//   Then each iteration:
+//   Step 2   Take the search direction d, from the feature to the origin, rounded. It is zero: ENCLOSING.
+//   Step 3   If the goal allows it: the feature is within the radius: NEAR.
+//   Step 4   Support scan: w is the vertex of A - B farthest along d.
+//   Step 5   If the goal allows it: even w is more than the radius away, along d: SEPARATED.
+//   Step 6   w is a vertex of the feature: skip step 7, w cannot be nearer.
+//   Step 7   Add w if it is strictly nearer to the origin than the feature, along the exact direction. The feature
+//            becomes the nearest one with w. Next iteration; or the origin lies in the simplex: ENCLOSING.
+//   Step 8   No nearer: rounding d may have hidden a nearer vertex. Scan again along the exact direction; add what that
+//            finds as in step 7.
+//   Step 9   Still no nearer: nothing of A - B is nearer than the feature. NEAREST; where the goal is WITHIN and the
+//            exact distance is at most the radius: NEAR.
+//   Step 10  The limit on iterations is reached: LIMIT. A later call goes on at step 2.
+//
+// Each feature is strictly nearer than the last, so none returns, every simplex is non-degenerate, and the loop ends.
+//
+// After   Gilbert, Johnson, Keerthi 1988; steps 3 and 5 as in Gino van den Bergen, A Fast and Robust GJK
+//         Implementation, 1999. Departures: the signs in step 7 are exact, and the progress is strict; step 8.
 #include "gjk_frame.h"
 
-// From here on a search of curved shapes is long. Random pairs take at most 51 iterations.
+// From this iteration on a search of curved shapes counts as late: stalls then asks for more progress. Random pairs
+// take at most 51 iterations.
 #define LATE_ITERATIONS 64
 
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
@@ -24,7 +45,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   return true;
 }
 
-// Completes the vertex in the free slot, which has its vertex of A, by that of B.
+// Completes the vertex in the free slot, whose vertex of A is set, by the vertex b of B.
 GJK_ONCE static void complete_vertex(gjk_iteration *it, const gjk_support *b) {
   gjk_vertex *v = gjk_simplex_free(&it->simplex);
   v->b = b->vertex;
@@ -44,6 +65,7 @@ bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b) {
   return true;
 }
 
+// Step 4.
 GJK_ONCE static void next_vertex(gjk_iteration *it, gjk_support *b) {
   const gjk_vec3 opposite = gjk_negate(it->direction.d);
   it->a->shape->type->support(it->a, &it->direction.d, &gjk_simplex_free(&it->simplex)->a);
@@ -71,7 +93,8 @@ bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_suppo
   return moved;
 }
 
-// Moves the vertex to the farthest along the feature's exact direction. Returns whether it moved.
+// Step 8: replaces w by the vertex farthest along the feature's exact direction. Returns whether that is another
+// vertex.
 static bool refine_nearest(gjk_iteration *it, gjk_support *b) {
   gjk_direction direction;
   if (it->direction.exact) {
@@ -87,30 +110,32 @@ bool gjk_iteration_near(const gjk_iteration *it) {
   return gjk_compare_distance(&numerator, &denominator, (uint64_t)it->radius * 2) <= 0;
 }
 
-// Does the plane across the direction through w leave the origin more than radius behind? Its distance is along / |d|, so:
-// along^2 > radius^2 d^2. |along| <= sqrt(3) 2^30 3 2^29 < 2^62, radius^2 < 2^62, d^2 <= 3 2^60.
-static bool clears(const gjk_iteration *it, const gjk_vec3 *w, int32_t radius) {
+// Does the plane across d through w lie before the origin, by more than the radius? Its distance is -d . w / |d|:
+// (d . w)^2 > radius^2 |d|^2.
+static bool plane_clears_radius(const gjk_iteration *it, const gjk_vec3 *w) {
   const gjk_vec3 d = it->direction.d;
-  const int64_t along = gjk_dot(&d, w);
+  const int32_t radius = it->radius;
+  const int64_t along = gjk_dot(&d, w);  // |d| <= sqrt(3) 2^30, |w| <= 3 2^29:  |along| < 2^62
   if (radius == 0) {
     return along < 0;
   }
+  // radius^2 < 2^62, |d|^2 <= 3 2^60
   return along < 0 && gjk_sum_of_products_sign(along, along, -gjk_mul32(radius, radius), gjk_dot(&d, &d)) > 0;
 }
 
-// Is the feature near enough to settle the question? A vertex is measured; an edge or triangle is, when the plane
-// across the direction to it does not clear the radius.
+// Step 3: is the feature within the radius? Exact. The plane across d, a lower bound of the distance, spares most edges
+// and triangles from being measured.
 static bool settles_near(const gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *v = &s->slot[s->order[0]];
   if (s->count == 1) {
     return gjk_dot(&v->w, &v->w) <= gjk_mul32(it->radius, it->radius);
   }
-  return !clears(it, &v->w, it->radius) && gjk_iteration_near(it);
+  return !plane_clears_radius(it, &v->w) && gjk_iteration_near(it);
 }
 
-// Is the vertex of no use: does the feature have it already, or for a curved pair nearly? Then the signs need not be
-// computed to see it.
+// Step 6: is w a vertex of the feature? Of a curved pair: does w gain too little over the feature to go on? The signs
+// of step 7 would reject a vertex of the feature as well, at a higher cost.
 static bool is_duplicate(gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *added = gjk_simplex_free(&it->simplex);
@@ -127,7 +152,7 @@ static bool is_duplicate(gjk_iteration *it) {
   return false;
 }
 
-// Takes the cached direction; false when there is none.
+// Takes the direction of the cache. False: it has none.
 static bool cached_direction(gjk_iteration *it, const gjk_cache *cache) {
   gjk_vec3 *d = &it->direction.d;
   d->x = cache->direction[0];
@@ -137,7 +162,7 @@ static bool cached_direction(gjk_iteration *it, const gjk_cache *cache) {
   return (d->x | d->y | d->z) != 0;
 }
 
-// The first direction: the cached one, or from A's centre to B's.
+// Step 1: the first direction.
 static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
   gjk_vec3 *d = &it->direction.d;
   if (cache != NULL && cached_direction(it, cache)) {
@@ -150,7 +175,7 @@ static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
   }
 }
 
-// Starts from the cached feature, as far as it still is one. Does the origin lie in it?
+// Step 1: adds the cached vertices. Returns whether the origin lies in the simplex already.
 static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
   //@ dynamic_split it->simplex.count;
   for (unsigned i = 0; i < cache->count && i < 4; i++) {
@@ -164,7 +189,7 @@ static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
   return false;
 }
 
-// Adds the vertex of the last direction, or if that is no nearer the one that rounding has hidden.
+// Steps 6 to 8. NONE: nothing of A - B is nearer than the feature.
 static gjk_step add_vertex(gjk_iteration *it, gjk_support *b) {
   if (!is_duplicate(it)) {
     const gjk_step step = gjk_simplex_add(&it->simplex);
@@ -177,7 +202,8 @@ static gjk_step add_vertex(gjk_iteration *it, gjk_support *b) {
 
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   gjk_support b;
-  // Of rounded vertices, where the search ends, and whether it does in time, would depend on where it began.
+  // The vertices of far frames and of curved shapes are rounded: where the search ends would depend on where it began.
+  // So the cache does not count.
   if (it->shift < 0 || gjk_pair_is_curved(it)) {
     cache = NULL;
   }
@@ -186,6 +212,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   }
   //@ dynamic_split it->simplex.count;
   for (; it->iterations < it->limit; it->iterations++) {
+    // Steps 2 and 3
     if (it->simplex.count == 0) {
       first_direction(it, cache);
     } else if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
@@ -193,26 +220,29 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     } else if (it->radius > 0 && gjk_goal_nears(goal) && settles_near(it)) {
       return GJK_OUTCOME_NEAR;
     }
-    next_vertex(it, &b);
-    if (gjk_goal_separates(goal) && clears(it, &gjk_simplex_free(&it->simplex)->w, it->radius)) {
+    next_vertex(it, &b);  // Step 4
+    // Step 5
+    if (gjk_goal_separates(goal) && plane_clears_radius(it, &gjk_simplex_free(&it->simplex)->w)) {
       it->iterations++;
       return GJK_OUTCOME_SEPARATED;
     }
-    const gjk_step step = add_vertex(it, &b);
+    const gjk_step step = add_vertex(it, &b);  // Steps 6 to 8
     if (step != GJK_STEP_NEARER) {
       it->iterations++;
       if (step == GJK_STEP_ENCLOSING) {
         return GJK_OUTCOME_ENCLOSING;
       }
-      // Within the rounding of the direction clears and settles_near may both have left it open.
+      // Step 9. Steps 3 and 5 use the rounded direction, so a distance this close to the radius passes both. Compare it
+      // exactly.
       return goal == GJK_GOAL_WITHIN && it->radius > 0 && gjk_iteration_near(it) ? GJK_OUTCOME_NEAR
                                                                                  : GJK_OUTCOME_NEAREST;
     }
   }
-  return GJK_OUTCOME_LIMIT;
+  return GJK_OUTCOME_LIMIT;  // Step 10
 }
 
-// The vertices of the feature, when there are some to be named. Returns their number.
+// Writes the vertex numbers of the feature that proves the outcome. Returns how many: 0 for a curved pair, whose points
+// have no numbers, and for SEPARATED, which the direction proves.
 static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint16_t a[4], uint16_t b[4]) {
   const gjk_simplex *s = &it->simplex;
   const uint8_t count = gjk_pair_is_curved(it) || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
@@ -232,9 +262,9 @@ void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_cer
   out->direction = it->direction.d;
 }
 
-// The 15 leading bits of a direction.
+// The 15 leading bits of d.
 static void keep_direction(const gjk_vec3 *d, int16_t kept[3]) {
-  const uint32_t bits = gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z);
+  const uint32_t bits = gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z);  // below 2^32
   const unsigned shift = bits >> 15 == 0 ? 0 : 17 - gjk_clz32(bits);
   //@ assert shift <= 17;
   kept[0] = (int16_t)gjk_sar32(d->x, shift);

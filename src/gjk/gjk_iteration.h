@@ -1,5 +1,5 @@
-// The GJK iteration on one pair of colliders. Every query is made of it. The steps are told in gjk_iteration.c, the integers
-// that it computes on in gjk_frame.h.
+// The GJK iteration on one pair of colliders. Every query is made of it. The steps are told in gjk_iteration.c, the
+// integers that it computes on in gjk_frame.h.
 #ifndef GJK_SRC_ITERATION_H
 #define GJK_SRC_ITERATION_H
 
@@ -39,13 +39,13 @@ static inline bool gjk_goal_nears(gjk_goal goal) {
 
 typedef struct gjk_iteration {
   const gjk_collider *a, *b;
-  gjk_vec3 delta;      // frame: centre_a - centre_b
-  int32_t radius;      // frame: up to this distance of the cores the shapes count as near
-  int8_t shift;        // frame: 2^shift of its units are an LSB
-  uint8_t iterations;  // so far
-  uint8_t limit;       // on iterations
-  uint8_t recalls;     // the search's: steps among the seen vertices so far
-  uint64_t seen[2];    // the search's: marks of the seen vertices of A and of B
+  gjk_vec3 delta;                  // frame: centre_a - centre_b
+  int32_t radius;                  // frame: up to this distance of the cores the shapes count as near
+  int8_t shift;                    // frame: 2^shift of its units are an LSB
+  uint8_t iterations;              // so far
+  uint8_t limit;                   // on iterations
+  uint8_t recalls;                 // the search's: steps among the seen vertices so far
+  uint64_t seen[2];                // the search's: marks of the seen vertices of A and of B
   gjk_search_direction direction;  // of the last support scan
   // gjk_shape_class.stalls of a shape of the pair that is curved; NULL: both are polytopes.
   bool (*stalls)(const gjk_vec3 *, const gjk_vec3 *, const gjk_vec3 *, int, bool);
@@ -59,15 +59,17 @@ static inline bool gjk_pair_is_curved(const gjk_iteration *it) {
 
 // Starts cold: sets the frame, and no vertex is in the simplex.
 // radius: both convex radii and the distance asked about, Q16.16, not negative.
-// False: the bounding spheres are more than radius apart, tested where SEPARATED answers the goal. Only a and b are set then.
+// False: the bounding spheres are more than radius apart, tested where SEPARATED answers the goal. Only a and b are set
+// then.
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius);
 
-// Support scan: puts the vertex of A - B farthest along it->direction into the simplex's free slot. *b: its vertex of B.
+// Support scan: puts the vertex of A - B farthest along it->direction into the simplex's free slot. *b: its vertex of
+// B.
 void gjk_iteration_next(gjk_iteration *it, gjk_support *b);
 
-// Replaces the vertex of the last support scan by the one farthest along the exact direction, of which it->direction is the
-// rounded one. Returns whether that is another vertex. Marks the direction as opposite when B has been asked.
+// Replaces the vertex of the last support scan by the one farthest along the exact direction, of which it->direction is
+// the rounded one. Returns whether that is another vertex. Marks the direction as opposite when B has been asked.
 bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_support *b);
 
 // Puts the vertex number a of A less the vertex number b of B into the free slot. False: one of them does not exist.

@@ -15,8 +15,8 @@ GJK_OUT_OF_LINE static int64_t fine_part(const feature *f, int32_t v, int32_t w)
   return gjk_sar64(gjk_mac32(gjk_mul32(v, f->weight[0].low), w, f->weight[1].low), 16);
 }
 
-// u + (weight of v) (v - u) + (weight of w) (w - u) and half an LSB, Q31. Pre: coordinates at most 2^29, by which all partial
-// sums are at most 5 2^60.
+// u + (weight of v) (v - u) + (weight of w) (w - u) and half an LSB, Q31. Pre: coordinates at most 2^29, by which all
+// partial sums are at most 5 2^60.
 static inline int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t w) {
   //@ assert u >= -(INT32_C(1) << 29) && u <= INT32_C(1) << 29;
   //@ assert v >= -(INT32_C(1) << 29) && v <= INT32_C(1) << 29;
