@@ -20,7 +20,8 @@
 // The same as gjk_frame_set. Pre: a component of centre_a - centre_b is at least 2^29 - 3 in size, so that shift <= 0.
 bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
 
-// Sets shift, delta and radius for the pair it->a, it->b. radius: in LSB, not negative; with both core radii below 2^32.
+// Sets shift, delta and radius for the pair it->a, it->b. radius: in LSB, not negative; with both core radii below
+// 2^32.
 // False: the bounding spheres are more than radius apart (asked only where spheres is set); then nothing is set.
 static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius) {
   const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
