@@ -212,15 +212,15 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   gjk_cache direction;
   const gjk_cache *from = !gjk_pair_is_curved(it) && cache != NULL && cache->count < 4 ? cache : NULL;
   o->facet.found = false;
-  if (it->shift >= 0 && gjk_is_zonotope(it)) {
-    const gjk_zonotope_answer answer = gjk_box_sat(it, &o->facet);
-    if (answer == GJK_ZONOTOPE_FACET) {
+  if (it->shift >= 0 && gjk_is_box_pair(it)) {
+    const gjk_box_sat_answer answer = gjk_box_sat(it, &o->facet);
+    if (answer == GJK_BOX_SAT_FACET) {
       o->iterations = 0;
       return GJK_OUTCOME_ENCLOSING;
     }
     o->facet.found = false;
     gjk_simplex_clear(&it->simplex);
-    if (answer == GJK_ZONOTOPE_APART && (goal == GJK_GOAL_DEPTH || cache == NULL)) {
+    if (answer == GJK_BOX_SAT_APART && (goal == GJK_GOAL_DEPTH || cache == NULL)) {
       gjk_iteration_keep(it, GJK_OUTCOME_SEPARATED, &direction);
       from = &direction;
     }
