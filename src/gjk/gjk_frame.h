@@ -32,7 +32,10 @@ static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius
   if ((uint32_t)((x ^ gjk_sar32(x, 31)) | (y ^ gjk_sar32(y, 31)) | (z ^ gjk_sar32(z, 31))) >> 27 != 0) {
     return gjk_frame_set_far(it, spheres, radius);
   }
-  const gjk_vec3 delta = gjk_sub(*a, *b);                         // components at most 2^29 + 3: |delta| < 2^30
+  const gjk_vec3 delta = gjk_sub(*a, *b);  // components at most 2^29 + 3 in size: |delta| < 2^30
+  //@ assert delta.x >= -(INT32_C(1) << 29) - 3 && delta.x <= (INT32_C(1) << 29) - 1;
+  //@ assert delta.y >= -(INT32_C(1) << 29) - 3 && delta.y <= (INT32_C(1) << 29) - 1;
+  //@ assert delta.z >= -(INT32_C(1) << 29) - 3 && delta.z <= (INT32_C(1) << 29) - 1;
   const int32_t cores = it->a->core_radius + it->b->core_radius;  // below 2^29 - 2^16
   const int64_t limit = cores + radius;                           // from 2^31 on the spheres are not apart
   if (spheres && limit <= INT32_MAX && gjk_dot(&delta, &delta) > gjk_mul32((int32_t)limit, (int32_t)limit)) {
