@@ -20,8 +20,7 @@
 // The same as gjk_frame_set. Pre: a component of centre_a - centre_b is at least 2^29 - 3 in size, so that shift <= 0.
 bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
 
-// Sets shift, delta and radius for the pair it->a, it->b. radius: in LSB, not negative; with both core radii below
-// 2^32.
+// Sets shift, delta and radius for the pair it->a, it->b. radius: in LSB, from 0; below 2^32 with both core radii.
 // False: the bounding spheres are more than radius apart (asked only where spheres is set); then nothing is set.
 static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius) {
   const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
@@ -41,8 +40,8 @@ static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius
   if (spheres && limit <= INT32_MAX && gjk_dot(&delta, &delta) > gjk_mul32((int32_t)limit, (int32_t)limit)) {
     return false;
   }
-  const int32_t reach =
-      (int32_t)(gjk_norm1(delta) + (uint32_t)cores);  // below 2^31; not 0: a core radius has some slack
+  // Below 2^31; not 0, since core radii have slack.
+  const int32_t reach = (int32_t)(gjk_norm1(delta) + (uint32_t)cores);
   const unsigned zeros = gjk_clz32((uint32_t)reach), shift = zeros < 2 ? 0 : zeros - 2;
   it->shift = (int8_t)shift;
   it->delta.x = gjk_shl32(delta.x, shift);
@@ -53,11 +52,10 @@ static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius
   return true;
 }
 
-// The same as below for shift < 0.
+// The same as gjk_frame_move for shift < 0.
 void gjk_frame_move_far(const gjk_iteration *it, gjk_vec3 *v);
 
-// Makes *v a vertex of A - B in the frame. Before: the vertex of A, from A's centre, less that of B, from B's centre,
-// in LSB.
+// Makes *v a vertex of A - B in the frame. Before, *v is the offset of A's vertex less that of B's vertex, in LSB.
 static inline void gjk_frame_move(const gjk_iteration *it, gjk_vec3 *v) {
   if (it->shift < 0) {
     gjk_frame_move_far(it, v);

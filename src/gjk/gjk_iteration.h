@@ -59,13 +59,11 @@ static inline bool gjk_pair_is_curved(const gjk_iteration *it) {
 
 // Starts cold: sets the frame, and no vertex is in the simplex.
 // radius: both convex radii and the distance asked about, Q16.16, not negative.
-// False: the bounding spheres are more than radius apart, tested where SEPARATED answers the goal. Only a and b are set
-// then.
+// False: the bounding spheres are more than radius apart; tested where SEPARATED answers the goal. Only a, b are set.
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius);
 
-// Support scan: puts the vertex of A - B farthest along it->direction into the simplex's free slot. *b: its vertex of
-// B.
+// Support scan: puts the vertex of A - B farthest along it->direction into the free slot. *b: its vertex of B.
 void gjk_iteration_next(gjk_iteration *it, gjk_support *b);
 
 // Replaces the vertex of the last support scan by the one farthest along the exact direction, of which it->direction is

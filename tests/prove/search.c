@@ -1,4 +1,4 @@
-// src/gjk/gjk_search.h on any two colliders of vertices, from any feature of CASE vertices that src/gjk/gjk_iteration.c leaves, at any round.
+// src/gjk/gjk_search.h on any two colliders of vertices, from any feature of CASE vertices that src/gjk/gjk_iteration.c leaves, at any iteration.
 #include "colliders.h"
 #include "src/gjk/gjk_search.h"
 
