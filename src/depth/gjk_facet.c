@@ -53,7 +53,7 @@ static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, con
     gjk_u192_set(&denominator, (uint64_t)gjk_dot(d, d));
   }
   // high - low <= 11:  4 comparisons
-  low = (gjk_q16)gjk_round_distance(&numerator, &denominator, (unsigned)it->shift, low, high, GJK_ROUND_UP);
+  low = (gjk_q16)gjk_round_distance(&numerator, &denominator, low, high, (unsigned)it->shift, GJK_ROUND_UP);
   //@ assert low >= 0 && low <= (INT32_C(1) << 30) + 4;
   return low;
 }

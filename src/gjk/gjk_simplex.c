@@ -328,8 +328,8 @@ int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator,
   return gjk_u192_compare(&x, &y);
 }
 
-int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, unsigned shift, int64_t low,
-                           int64_t high, gjk_round_to to) {
+int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, int64_t low, int64_t high,
+                           unsigned shift, gjk_round_to to) {
   while (low < high) {  // half of the candidates stay
     const int64_t middle = gjk_sar64(low + high, 1);
     //@ assert middle >= low && middle < high;

@@ -84,8 +84,8 @@ typedef enum gjk_round_to {
 } gjk_round_to;
 
 // distance / 2^shift, rounded to an integer. Pre: low <= the result <= high; 2 (high + 1) 2^shift < 2^64; low >= 0.
-int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, unsigned shift, int64_t low,
-                           int64_t high, gjk_round_to to);
+int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, int64_t low, int64_t high,
+                           unsigned shift, gjk_round_to to);
 
 // Barycentric coordinates of the feature's nearest point: those of the second and the third vertex; the first has the
 // rest of 1. fine: see gjk_barycentrics. Pre: 2 <= count <= 3 and the feature is nearest.

@@ -13,8 +13,7 @@ static int64_t to_lsb(int64_t x, int shift) {
 
 // The exact search among the few candidates that the plane distance leaves. In a frame 2^n times as coarse as an LSB, n <= 3,
 // no edge exceeds 2^(30 - n), so 4^n times the numerator stays below 2^(184 - 2 n).
-GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high,
-                                               gjk_round_to to) {
+GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high, gjk_round_to to) {
   const unsigned finer = it->shift > 0 ? (unsigned)it->shift : 0;
   gjk_u192 numerator, denominator;
   gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
@@ -22,7 +21,7 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t 
     gjk_u192_add(&numerator, &numerator);
   }
   // At most 129 candidates, so 8 steps; 2 high + 2 < 2^35.
-  return gjk_round_distance(&numerator, &denominator, finer, low, high, to);
+  return gjk_round_distance(&numerator, &denominator, low, high, finer, to);
 }
 
 // The feature's distance in LSB, correctly rounded, a tie up; from the distance of its plane.

@@ -132,7 +132,7 @@ static void measure_gap(overlap *o, int64_t plane) {
     gjk_u192 numerator, denominator;
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
     // At most 17 candidates, so 5 steps.
-    low = gjk_round_distance(&numerator, &denominator, (unsigned)it->shift, low, high, GJK_ROUND_DOWN);
+    low = gjk_round_distance(&numerator, &denominator, low, high, (unsigned)it->shift, GJK_ROUND_DOWN);
   }
   o->proof = GJK_PROOF_NEAREST;
   o->upper = -(gjk_q16)low + (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR : 0);

@@ -112,8 +112,8 @@ int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator,
   return (int)any_between(-1, 1);
 }
 
-int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, unsigned shift, int64_t low,
-                           int64_t high, gjk_round_to to) {
+int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, int64_t low, int64_t high,
+                           unsigned shift, gjk_round_to to) {
   check_size(numerator->limb[0] & 1u, 1);
   check_size(denominator->limb[0] & 1u, 1);
   check_size(low, INT64_C(1) << 34);
