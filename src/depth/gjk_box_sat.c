@@ -1,5 +1,4 @@
-// SAT of boxes: the depth of points, segments and boxes in each other, by the separating directions across two half
-// axes.
+// SAT of boxes: the depth of points, segments and boxes in each other, by separating directions.
 //
 // A - B is the set of the sums  delta + s_1 g_1 + ... + s_n g_n  with |s_k| <= 1, where delta = centre_a - centre_b and
 // g_k are the half axes of A and B, at most six. Each facet is spanned by two half axes or more. So its normal is one
@@ -15,8 +14,7 @@
 //   Step 4   Take a triangle in the facet: the sums whose s_k is the sign of n . g_k, but for those in the plane.
 //   Step 5   Flip the triangle over the edge that the origin's projection lies beyond, until it holds the projection,
 //            or the facet ends.
-//   Step 6   The origin lies strictly beyond the plane: APART. Otherwise offer the triangle as a candidate. On from
-//            step 2.
+//   Step 6   The origin lies strictly beyond the plane: APART. Otherwise offer the triangle; on from step 2.
 //   Step 7   The candidate is the nearest facet: FACET. Without any: FLAT.
 //
 // After   the separating axes of Gottschalk, Lin, Manocha, OBBTree, 1996. Departures: half axes need not be at right
@@ -135,7 +133,7 @@ static bool reach_projection(facet_triangle *t) {
 
 // Steps 3 to 6 for half axes i and j. FACET: on from step 2.
 static gjk_box_sat_answer test_direction(const box_pair *pair, unsigned i, unsigned j, gjk_facet *facet) {
-  // Step 3
+  // Step 3: the normal of the plane across both half axes.
   gjk_long3 n;
   gjk_cross(&pair->axis[i], &pair->axis[j], &n);
   if ((n.x | n.y | n.z) == 0) {
@@ -149,7 +147,7 @@ static gjk_box_sat_answer test_direction(const box_pair *pair, unsigned i, unsig
     n.y = -n.y;
     n.z = -n.z;
   }
-  // Step 4
+  // Step 4: a triangle in the facet.
   facet_triangle t = {pair, 1u << i | 1u << j, {0, 0, 0}};
   for (unsigned k = 0; k < pair->count; k++) {
     const int side = k == i || k == j ? 0 : gjk_dot_sign(&n, &pair->axis[k]);
@@ -161,7 +159,7 @@ static gjk_box_sat_answer test_direction(const box_pair *pair, unsigned i, unsig
   if (t.in_plane + 1 == 1u << pair->count) {
     return GJK_BOX_SAT_FLAT;
   }
-  // Steps 5 and 6
+  // Step 5: towards the projection. Step 6: a candidate.
   gjk_search_direction_of(&n, &pair->it->direction);
   const bool covers = reach_projection(&t);
   if (gjk_dot_sign(&n, &pair->it->simplex.slot[0].w) < 0) {
@@ -271,7 +269,7 @@ gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
   // If the origin lies outside A - B, it lies beyond a plane, whose lower bound is below 0 and whose key is 0. Step 2
   // cannot end the search before that plane: only a facet that the origin lies on could.
   while (d.count > 0) {  // at most DIRECTIONS times
-    // Step 2
+    // Step 2: the lowest key.
     unsigned lowest = 0;
     for (unsigned k = 1; k < d.count; k++) {
       lowest = d.key[k] < d.key[lowest] ? k : lowest;
@@ -288,6 +286,6 @@ gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
     d.i[lowest] = d.i[d.count];
     d.j[lowest] = d.j[d.count];
   }
-  // Step 7
+  // Step 7: the best candidate.
   return facet->found ? GJK_BOX_SAT_FACET : GJK_BOX_SAT_FLAT;
 }

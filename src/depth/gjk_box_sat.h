@@ -1,5 +1,4 @@
-// SAT of boxes: finds the facet of A - B nearest to the origin for points, segments and boxes, by the separating
-// directions.
+// SAT of boxes: finds the facet of A - B nearest to the origin, for points, segments and boxes.
 #ifndef GJK_SRC_BOX_SAT_H
 #define GJK_SRC_BOX_SAT_H
 

@@ -99,8 +99,7 @@ static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
   facet->covers = true;
 }
 
-// Step 1. False: *outcome is the answer. The added vertices lie off what the others span, so the origin stays in the
-// simplex.
+// Step 1. False: *outcome is the answer. Each vertex added lies off what the others span: the simplex keeps the origin.
 static bool complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, uint16_t *iterations, gjk_epa_outcome *outcome) {
   static const gjk_vec3 x = {1, 0, 0};
   gjk_simplex *s = &it->simplex;
@@ -175,7 +174,7 @@ static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
 
 // Step 4: are the bounds of the depth close? The lower one takes the height of every face, so it is computed whenever
 // the iterations have doubled, and after the last. A candidate that does not cover the origin's projection has no
-// witness points.
+// witness points, so it does not count.
 static bool bounds_are_close(const gjk_iteration *it, const gjk_epa_hull *p, const gjk_facet *facet, uint16_t iteration,
                              gjk_q16 *lower) {
   if (!facet->found || !facet->covers || iteration < FIRST_BOUNDS ||
@@ -192,7 +191,7 @@ typedef struct bounding_face {
   uint16_t corner[3];
 } bounding_face;
 
-// Step 8.
+// Step 8: FULL, with the bounds.
 static gjk_epa_outcome bound_depth_by_hull(gjk_iteration *it, const gjk_epa_hull *p, const bounding_face *face,
                                            gjk_facet *facet, gjk_q16 *lower, uint16_t *iterations) {
   gjk_long3 n;
@@ -214,7 +213,7 @@ static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *fac
   bounding_face least;
   least.reached = UINT32_MAX;
   for (uint16_t iteration = 0;; iteration++) {
-    // Step 3
+    // Step 3: the lowest face.
     const uint16_t lowest = gjk_epa_hull_lowest(p);
     gjk_epa_face *face = gjk_epa_hull_face(p, lowest);
     const uint32_t key = face->height_key;
@@ -222,14 +221,14 @@ static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *fac
       *lower = least_depth(it, facet);
       return GJK_EPA_FACET;
     }
-    // Step 4
+    // Step 4: a curved pair may end.
     if (curved && bounds_are_close(it, p, facet, iteration, lower)) {
       return GJK_EPA_FACET;
     }
     if (curved && iteration == GJK_EPA_CURVED_ITERATIONS_MAX) {
       return bound_depth_by_hull(it, p, &least, facet, lower, iterations);
     }
-    // Step 5
+    // Step 5: the support scan.
     gjk_long3 n;
     const gjk_vec3 *w = gjk_epa_hull_vertex(p, face->corner[0]);
     gjk_epa_hull_normal(p, face->corner, &n);
@@ -244,7 +243,7 @@ static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *fac
         least.corner[i] = face->corner[i];
       }
     }
-    // Steps 6 and 7
+    // Step 6: the face is settled. Step 7: the vertex is added.
     if (!beyond || (curved && reached <= gjk_height(&it->direction.d, w) + CURVED_TOLERANCE(it->shift))) {
       offer_face(it, p, face->corner, curved ? upper_bound(it, &support->w) : -1, facet);
       face->height_key = GJK_HEIGHT_KEY_SETTLED;

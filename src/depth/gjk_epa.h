@@ -1,5 +1,4 @@
-// EPA, the expanding polytope algorithm: finds the facet of A - B nearest to the origin inside it, for shapes of any
-// kind.
+// EPA, the expanding polytope algorithm: finds the facet of A - B nearest to the origin, for shapes of any kind.
 #ifndef GJK_SRC_EPA_H
 #define GJK_SRC_EPA_H
 

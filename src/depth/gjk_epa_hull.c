@@ -3,8 +3,7 @@
 //   Step 1   Mark the faces that it sees, starting from one that is known, across their edges. They form a list.
 //   Step 2   Find an edge of the horizon: between a seen face and one that is not.
 //   Step 3   Walk the horizon once around. Write the corner and the unseen face of each edge into the free cells.
-//   Step 4   Make a face from each edge of the horizon to the vertex, in the cells of the seen faces and of two new
-//            ones.
+//   Step 4   Make a face from each edge of the horizon to the vertex, in the cells of the seen faces and two more.
 //
 // After   Gino van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001, and the
 //         incremental convex hull of Clarkson and Shor 1989. Departures: visibility is an exact sign. So the hull stays

@@ -67,8 +67,8 @@ void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16
   const gjk_unit3 normal = gjk_unit(&it->direction.d);
   const gjk_q16 depth = bound < 0 ? exact_depth(it, &normal, &it->simplex.slot[0].w, true) : bound;
   best->set = false;
-  // Supports of curved shapes along one direction may differ by 2 LSB. Each bound holds, so the least does.
-  const gjk_q16 slack = !gjk_pair_is_curved(it) ? 0 : 2,
+  // Supports of a curved pair along one direction may differ by GJK_CURVED_ERROR. Each bound holds, so the least does.
+  const gjk_q16 slack = !gjk_pair_is_curved(it) ? 0 : GJK_CURVED_ERROR,
                 least = best->found && best->depth < depth ? best->depth : depth;
   bool better = !best->found || depth < best->depth;
   if (best->found && covers != best->covers) {
@@ -108,8 +108,7 @@ void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
   if (gjk_simplex_beyond(s) == 3) {
     return;
   }
-  // The corners do not cover the projection. Add them until none makes the feature nearer; each added one does so
-  // strictly.
+  // The corners do not cover the projection. Add them until none makes the feature strictly nearer.
   gjk_vertex corner[3];
   for (int i = 0; i < 3; i++) {
     corner[i] = s->slot[i];

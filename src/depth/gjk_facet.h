@@ -23,12 +23,11 @@ typedef struct gjk_facet {
   gjk_unit3 normal;                // the same
   gjk_q16 depth;                   // or an upper bound of it
   bool found;
-  bool covers;  // the origin's projection lies in the triangle of the corners
+  bool covers;  // the origin's projection lies in the triangle of the corners, or counts as if it did
   bool set;     // the simplex still holds the corners
 } gjk_facet;
 
-// The height of the plane through w whose outward normal is d, within GJK_HEIGHT_ERROR. 0 where the origin is beyond
-// it.
+// The height of the plane through w with the outward normal d, within GJK_HEIGHT_ERROR. 0 where the origin is beyond.
 // Pre: |w| <= 2^30.
 uint32_t gjk_height(const gjk_vec3 *d, const gjk_vec3 *w);
 

@@ -65,7 +65,7 @@ bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b) {
   return true;
 }
 
-// Step 4.
+// Step 4: the support scan of both shapes.
 GJK_ONCE static void next_vertex(gjk_iteration *it, gjk_support *b) {
   const gjk_vec3 opposite = gjk_negate(it->direction.d);
   it->a->shape->type->support(it->a, &it->direction.d, &gjk_simplex_free(&it->simplex)->a);
@@ -93,8 +93,7 @@ bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_suppo
   return moved;
 }
 
-// Step 8: replaces w by the vertex farthest along the feature's exact direction. Returns whether that is another
-// vertex.
+// Step 8: replaces w by the vertex farthest along the exact direction. Returns whether that is another one.
 static bool refine_nearest(gjk_iteration *it, gjk_support *b) {
   gjk_direction direction;
   if (it->direction.exact) {
@@ -162,7 +161,7 @@ static bool cached_direction(gjk_iteration *it, const gjk_cache *cache) {
   return (d->x | d->y | d->z) != 0;
 }
 
-// Step 1: the first direction.
+// Step 1: the first direction, where no vertex was cached.
 static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
   gjk_vec3 *d = &it->direction.d;
   if (cache != NULL && cached_direction(it, cache)) {
@@ -212,7 +211,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   }
   //@ dynamic_split it->simplex.count;
   for (; it->iterations < it->limit; it->iterations++) {
-    // Steps 2 and 3
+    // Step 2: the search direction. Step 3: the feature is near.
     if (it->simplex.count == 0) {
       first_direction(it, cache);
     } else if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
@@ -220,25 +219,28 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     } else if (it->radius > 0 && gjk_goal_nears(goal) && settles_near(it)) {
       return GJK_OUTCOME_NEAR;
     }
-    next_vertex(it, &b);  // Step 4
-    // Step 5
+    // Step 4: the support scan.
+    next_vertex(it, &b);
+    // Step 5: the whole of A - B is beyond the radius.
     if (gjk_goal_separates(goal) && plane_clears_radius(it, &gjk_simplex_free(&it->simplex)->w)) {
       it->iterations++;
       return GJK_OUTCOME_SEPARATED;
     }
-    const gjk_step step = add_vertex(it, &b);  // Steps 6 to 8
+    // Steps 6 to 8: the vertex makes a nearer feature, or none does.
+    const gjk_step step = add_vertex(it, &b);
     if (step != GJK_STEP_NEARER) {
       it->iterations++;
       if (step == GJK_STEP_ENCLOSING) {
         return GJK_OUTCOME_ENCLOSING;
       }
-      // Step 9. Steps 3 and 5 use the rounded direction, so a distance this close to the radius passes both. Compare it
-      // exactly.
+      // Step 9: steps 3 and 5 use the rounded direction, so a distance this close to the radius passes both. Compare
+      // the exact one.
       return goal == GJK_GOAL_WITHIN && it->radius > 0 && gjk_iteration_near(it) ? GJK_OUTCOME_NEAR
                                                                                  : GJK_OUTCOME_NEAREST;
     }
   }
-  return GJK_OUTCOME_LIMIT;  // Step 10
+  // Step 10: the limit.
+  return GJK_OUTCOME_LIMIT;
 }
 
 // Writes the vertex numbers of the feature that proves the outcome. Returns how many: 0 for a curved pair, whose points

@@ -13,12 +13,10 @@
 // The bound: before the first step 3 a vertex of each shape is marked, and each iteration but the last brings a new
 // mark. So shapes of n and m vertices take at most
 //   GJK_PLAIN_ITERATIONS + n + m - 1   iterations.
-// A shape has GJK_MARKS marks. Where it has more vertices, neighbours share a mark and are seen together; n counts
-// marks.
+// A shape has GJK_MARKS marks. Where it has more vertices, neighbours share a mark; n counts marks then.
 //
-// Step 2 is a GJK as well, among the seen vertices, and has no bound either. After GJK_RECALLS_MAX of its steps in a
-//        query it
-// tries all features instead, which ends.
+// Within step 2 runs another GJK, among the seen vertices, which has no useful bound either. After GJK_RECALLS_MAX of
+// its steps in a query it tries all features instead, which ends.
 #ifndef GJK_SRC_SEARCH_H
 #define GJK_SRC_SEARCH_H
 

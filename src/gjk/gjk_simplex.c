@@ -125,9 +125,8 @@ static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
 }
 
 // Steps 2 and 3 where F is a triangle and the origin lies outside its tetrahedron with w. visible: see visible_faces.
-// On a visible face (x, y, w) the origin's projection lies on w's side of edge (x, y), so that side need not be tested.
-// Seen along that edge, the angle at which the origin stands above F is less than 90 degrees and more than that of the
-// face.
+// On a visible face (x, y, w) the origin's projection lies on w's side of edge (x, y), so that is not tested: Seen
+// along the edge, the origin stands above F at an angle below 90 degrees, and above that of the face.
 static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
   unsigned corner[4] = {s->order[0], s->order[1], s->order[2], s->order[0]};
   for (unsigned i = 0; i < 3; i++) {

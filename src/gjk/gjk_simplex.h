@@ -23,8 +23,7 @@ typedef struct gjk_simplex {
   gjk_vertex slot[4];
   // For slots i, j of the feature:
   //   [i][i] = w_i . w_i
-  //   [i][j] = w_i . (w_i - w_j), positive when the origin's projection onto the line through both lies on j's side of
-  //   i.
+  //   [i][j] = w_i . (w_i - w_j), positive when the origin's projection onto their line lies on j's side of i
   int64_t toward[4][4];
   gjk_long3 normal;  // of a triangle
   uint8_t order[4];  // slots: first those of the feature, then the others

@@ -8,12 +8,10 @@ typedef struct feature {
   gjk_barycentric weight[2];  // of v and w
 } feature;
 
-// At a smaller shift an edge may be so long that weights of 31 bits move the point by half an LSB. Take the low parts
-// as well.
+// At a smaller shift edges may be so long that weights of 31 bits move the point by half an LSB: low parts count too.
 #define FINE_SHIFT 4
 
-// What the low parts of the weights of v - u and w - u add, Q31. In line it costs 0.9 % of a distance query and 192
-// bytes.
+// What the low parts of the weights of v - u and w - u add, Q31. In line it costs 0.9 % of a distance query.
 GJK_OUT_OF_LINE static int64_t fine_part(const feature *f, int32_t v, int32_t w) {
   // |v|, |w| <= 2^30, weights < 2^16:  at most 2^31
   return gjk_sar64(gjk_mac32(gjk_mul32(v, f->weight[0].low), w, f->weight[1].low), 16);
