@@ -28,7 +28,10 @@ static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius
   const int32_t x = gjk_sar32(a->x, 2) - gjk_sar32(b->x, 2);
   const int32_t y = gjk_sar32(a->y, 2) - gjk_sar32(b->y, 2);
   const int32_t z = gjk_sar32(a->z, 2) - gjk_sar32(b->z, 2);
-  if ((uint32_t)((x ^ gjk_sar32(x, 31)) | (y ^ gjk_sar32(y, 31)) | (z ^ gjk_sar32(z, 31))) >> 27 != 0) {
+  // Bit 27 or a higher one differs from the sign: that component is not from -2^27 to below 2^27.
+  const uint32_t bits =
+      (uint32_t)(x ^ gjk_sar32(x, 31)) | (uint32_t)(y ^ gjk_sar32(y, 31)) | (uint32_t)(z ^ gjk_sar32(z, 31));
+  if (bits >> 27 != 0) {
     return gjk_frame_set_far(it, spheres, radius);
   }
   const gjk_vec3 delta = gjk_sub(*a, *b);  // components at most 2^29 + 3 in size: |delta| < 2^30
