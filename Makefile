@@ -6,6 +6,7 @@
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
 #                        (-m4-fpu and -m7-fpu: the same with floating point, for programs that have some)
 #   make demo-stack      lets a pile of crates, balls, capsules and drums fall and rest under the tests' solver: build/stack.svg
+#   make amalgamation    the library as two files: build/amalgamation/gjk.h and gjk.c
 #   make sizes           code by function group and stack by query, per target
 #   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv;
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
@@ -38,14 +39,14 @@ TARGET ?= host
 OPT ?= -O2
 
 # The targets: compiler and flags, archiver, and what a program for the target's emulated board is linked with.
-# GJK_NARROW_MULTIPLY is for cores without a multiplication of 32 x 32 to 64 bits; -fcallgraph-info for `make sizes`.
+# -fcallgraph-info is for `make sizes`.
 TOOLS_host := $(CC)
 AR_host := ar
 PORT_host := hosted
 
 ARM := arm-none-eabi-gcc -mthumb -fcallgraph-info=su
 MPS2 := -nostdlib -Tport/mps2/mps2.ld port/mps2/board.c port/board/memory.c
-TOOLS_cortex-m0 := $(ARM) -mcpu=cortex-m0 -DGJK_NARROW_MULTIPLY=1
+TOOLS_cortex-m0 := $(ARM) -mcpu=cortex-m0
 TOOLS_cortex-m3 := $(ARM) -mcpu=cortex-m3
 TOOLS_cortex-m4 := $(ARM) -mcpu=cortex-m4
 TOOLS_cortex-m7 := $(ARM) -mcpu=cortex-m7
@@ -71,7 +72,7 @@ TOOLS_rv32imc := riscv64-unknown-elf-gcc -march=rv32imc -mabi=ilp32 -fcallgraph-
 BOARD_rv32imc := -nostdlib -Tport/riscv-virt/riscv-virt.ld port/riscv-virt/board.c port/board/memory.c
 AR_rv32imc := riscv64-unknown-elf-ar
 
-TOOLS_avr := avr-gcc -mmcu=atmega2560 -DGJK_NARROW_MULTIPLY=1
+TOOLS_avr := avr-gcc -mmcu=atmega2560
 BOARD_avr := port/avr/board.c
 AR_avr := avr-ar
 
@@ -93,7 +94,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: all help lib setup test unit-tests demo demo-stack sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: all help lib setup test unit-tests demo demo-stack amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags keeps what the things that depend on it were built with: it is written only when that changes.
@@ -191,6 +192,10 @@ build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flag
 	@echo '  $@'
 	@$(if $(SCENE_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(SCENE_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
+build/gjk-decisions: $(filter-out %/bench/main.o,$(BENCH)) build/hosted/tests/measure/decisions/main.o $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
+	@echo '  $@'
+	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
+
 build/gjk-bench-report: $(BENCH_REPORT)
 	@echo '  $@'
 	@$(CC) $^ -lm -o $@
@@ -246,6 +251,10 @@ demo: build/gjk-demo
 
 demo-stack: build/gjk-demo-stack
 	build/gjk-demo-stack build/stack.svg
+
+amalgamation:
+	@sh tests/build/amalgamate.sh build
+	@echo '  build/amalgamation/gjk.h build/amalgamation/gjk.c'
 
 sizes:
 	@sh tests/build/sizes.sh build

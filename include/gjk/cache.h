@@ -4,16 +4,19 @@
 
 #include "gjk/format.h"
 
-// Zeroed is a cold start; so is NULL. Any content is safe, also that of another pair or of another query. It serves pairs of
-// polytopes and their rounded forms; others take nothing from it.
-// Status, decision, distance, depth and bounds never depend on it. Between polytopes and their rounded forms the witness
-// points, normal, certificate, and contacts that follow from them may, among equally near ones; iterations do. A lockstep
-// game that uses those saves caches with its state, or passes none; a scene's reports never depend on its own.
-// tests/check/unit/test_history.c holds it, with low ceilings and small workspaces as well.
+// A zeroed cache is a cold start; so is NULL. Any content is safe, also that of another pair or of another query. A
+// cache serves pairs of polytopes, with or without a convex radius; queries on other pairs take nothing from it.
+//
+// Never depend on the cache   status, decision, distance, depth and bounds; what a scene reports
+// May depend on it            iterations; and, between polytopes where several features are equally near, the witness
+//                             points, normal, certificate, and contacts that follow from them
+//
+// A lockstep game that uses the latter saves its caches with its state, or passes none. tests/check/unit/test_history.c
+// tests this, with low ceilings and small workspaces as well.
 typedef struct gjk_cache {
   int16_t direction[3];  // last direction from A to B; all zero: none
-  uint16_t count;        // pairs below
-  uint16_t a[4], b[4];   // vertices of the last feature or simplex
+  uint16_t count;        // pairs in use
+  uint16_t a[4], b[4];   // vertices of the last feature or simplex, in pairs
 } gjk_cache;
 
 #endif

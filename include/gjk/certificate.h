@@ -1,8 +1,8 @@
 // Certificates: why an answer is right, in integers that anyone can check.
 //
-// Vertices are numbered: a hull's or triangle's by its index; a box's, segment's or point's by the signs of
-// its half axes (bit 0, 1, 2 set: plus x, y, z; a segment has bit 0 along z). A pair (a[i], b[i]) stands for
-// the point a - b of the Minkowski difference of the two cores.
+// A vertex is named by a number. Of a hull or triangle it is the index; of a box, segment or point the signs of its
+// half axes: bit 0, 1, 2 set for plus x, y, z, and bit 0 of a segment for plus z. A pair (a[i], b[i]) stands for the
+// point a - b of the Minkowski difference of the two cores.
 #ifndef GJK_CERTIFICATE_H
 #define GJK_CERTIFICATE_H
 
@@ -13,7 +13,7 @@ extern "C" {
 #endif
 
 typedef enum gjk_proof {
-  GJK_PROOF_NONE = 0,   // curved or user's shapes: no vertices to name
+  GJK_PROOF_NONE = 0,   // curved shapes: no vertices to name
   GJK_PROOF_SPHERES,    // apart: the bounding spheres are
   GJK_PROOF_DIRECTION,  // apart: every a - b lies behind the plane across direction, at the asked distance
   GJK_PROOF_NEAREST,    // the pairs span the feature nearest to the origin: no vertex lies before its plane
@@ -24,7 +24,7 @@ typedef enum gjk_proof {
 } gjk_proof;
 
 typedef struct gjk_certificate {
-  gjk_vec3 direction;  // GJK_PROOF_DIRECTION, GJK_PROOF_PLANE: from A to B, no unit
+  gjk_vec3 direction;  // GJK_PROOF_DIRECTION, GJK_PROOF_PLANE: from A to B, of any length
   uint16_t a[4], b[4];
   uint8_t count;  // pairs in use
   uint8_t proof;  // a gjk_proof

@@ -1,14 +1,14 @@
 // Checks an answer in exact integer arithmetic, without looking at how it was found.
 //
-// OK means that every field that the query sets (gjk/intersect.h, gjk/distance.h, gjk/penetration.h) is as accurate as
-// stated there, but for:
+// OK means that every field that the query sets is as accurate as its header states (gjk/intersect.h, gjk/distance.h,
+// gjk/penetration.h), except:
 //
-// iterations     not checked.
-// certificate    not looked at where the bounding spheres are apart, which settles the answer; elsewhere the fields that
-//                its proof uses.
-// lower          of a penetration whose cores overlap: it equals depth, which is enough, exactly; that no other direction
-//                is shorter takes more than a certificate to prove.
-// cut off        where the nearest features reach the end of Q16.16, a point with a coordinate there is not checked.
+// iterations   not checked.
+// certificate  not looked at where the bounding spheres are apart, which settles the answer. Elsewhere the fields that
+//              its proof uses are.
+// lower        of cores that overlap: it equals depth, which is proven to be enough. That no other direction is shorter
+//              takes more than a certificate to prove.
+// saturated    a point with a coordinate at an end of Q16.16 is not checked where the nearest features reach that end.
 //
 // A right answer that no query gives, such as one with another nearest feature, may be UNPROVEN.
 #ifndef GJK_CHECK_H
@@ -22,26 +22,34 @@
 extern "C" {
 #endif
 
-// Is decision the answer to gjk_within(a, b, distance) (0: gjk_intersect)? The colliders stand as they did.
+// Is decision the answer to gjk_within(a, b, distance), or with distance 0 to gjk_intersect(a, b)?
 //
-// Statuses  OK: proven. UNPROVEN: not. UNSUPPORTED: a curved or user's shape, no exact proof exists; or centres more than
-//           16384 units apart. Either may be OK where the bounding spheres are apart. NULL, UNINITIALISED, NEGATIVE.
-// Cost      visits every vertex of both shapes once.
+// a, b       the colliders, read only, posed as they were for the query.
+// distance   Q16.16, at least 0.
+// decision   read only.
+// Cost       visits every vertex of both shapes once.
+//
+// OK                             proven.
+// UNPROVEN                       not proven.
+// UNSUPPORTED                    a curved shape, for which there is no exact proof, or centres more than 16384 units
+//                                apart. Where the bounding spheres are apart, OK or UNPROVEN is given instead.
+// NULL, UNINITIALISED, NEGATIVE  nothing was checked.
 gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance,
                               const gjk_decision *decision);
 
-// Is result the answer to gjk_distance(a, b), after GJK_OK? One of gjk_distance_until is while it is exact.
+// Is result the answer to gjk_distance(a, b) after GJK_OK, or an exact one of gjk_distance_until?
 //
-// Statuses  as above, without NEGATIVE.
+// Statuses  as of gjk_check_decision, without NEGATIVE; UNSUPPORTED also where the bounding spheres are apart.
 // Cost      visits every vertex of both shapes once; a few thousand instructions for points and normal.
 gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result);
 
-// Is result the answer to gjk_penetration(a, b), after GJK_OK? One with CAPACITY has no certificate.
+// Is result the answer to gjk_penetration(a, b) after GJK_OK? An answer with CAPACITY has no certificate.
 //
-// Overlap   a decision of the check's own proves it, whose certificate is checked like any other. So is that of shapes with
-//           roundings when B has moved by depth along normal; without, the certificate's plane tells that they are parted.
-// Statuses  as above.
-// Cost      of one decision more, or two.
+// Overlap   proven by a decision of the check's own, whose certificate is checked like any other.
+// Move      that B moved by depth along normal is apart from A: with convex radii proven by another such decision,
+//           without by the certificate's plane.
+// Statuses  as of gjk_check_decision, without NEGATIVE.
+// Cost      of gjk_check_decision, and of one gjk_within or two.
 gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result);
 
 #ifdef __cplusplus

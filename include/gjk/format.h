@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "gjk/version.h"
+
 // Length or coordinate in Q16.16: 1 LSB is 2^-16 unit.
 typedef int32_t gjk_q16;
 
@@ -39,8 +41,9 @@ typedef struct gjk_pose {
 #define GJK_Q16_ONE ((gjk_q16)65536)
 #define GJK_Q30_ONE ((gjk_q30)1073741824)
 
-// A literal in units, rounded to the nearest LSB; the compiler folds it, the program holds an integer. What leaves int32 does
-// not compile in C++11, nor in C where a constant is needed; within a function C compilers warn of a division by zero.
+// A literal in units, rounded to the nearest LSB; the compiler folds it, the program holds an integer. What leaves
+// int32 does not compile in C++11, nor in C where a constant is needed; within a function C compilers warn of a
+// division by zero.
 #define GJK_Q16(units) GJK_FIXED((units)*65536.0)
 #define GJK_Q30(value) GJK_FIXED((value)*1073741824.0)
 #define GJK_ANGLE(radians) GJK_FIXED((radians)*65536.0)
@@ -66,7 +69,7 @@ typedef struct gjk_pose {
     }                      \
   }
 
-// Largest radius of a shape about the centre of its bounding box, rounding included: 4095 units.
+// Largest radius of a shape about the centre of its core's bounding box, convex radius included: 4095 units.
 #define GJK_RADIUS_MAX ((gjk_q16)(4095 * (int32_t)65536))
 
 // Most vertices of one hull.
@@ -75,13 +78,13 @@ typedef struct gjk_pose {
 // Most corners of one face of a hull.
 #define GJK_FACE_CORNERS_MAX 12
 
-// The most iterations of a query on polytopes of n and m vertices or their rounded forms, proven in src/gjk/gjk_search.h. A box has 8
-// vertices, a triangle 3, a segment or capsule 2, a point or sphere 1. More than 64 count as 64.
+// The most iterations of gjk_intersect, gjk_within, gjk_distance and their _until forms on polytopes of n and m
+// vertices, with or without a convex radius: 15 + n + m. Of a shape 64 vertices count at most. The bound is proven in
+// src/gjk/gjk_search.h. A box has 8 vertices, a triangle 3, a segment or capsule 2, a point or sphere 1.
 #define GJK_ITERATIONS_OF(n, m) (15 + ((n) < 64 ? (n) : 64) + ((m) < 64 ? (m) : 64))
 
-// Ceiling on the iterations of a query with a cylinder, cone, ellipsoid or user's shape, for which there is no such bound. One that
-// reaches it says so and gives the bounds proven so far. Random pairs have needed at most 51, a search for the worst found
-// the figures of tests/data/worst.txt.
+// The ceiling on the iterations of a query with a cylinder, cone, ellipsoid or custom shape, for which no bound is
+// proven. A query that reaches it returns GJK_ERROR_ITERATION_LIMIT; its comment says what it reports then.
 #ifndef GJK_ITERATIONS_MAX
 #define GJK_ITERATIONS_MAX 128
 #endif

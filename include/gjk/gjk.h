@@ -1,4 +1,4 @@
-// Everything at once. A program may as well include only the headers of the capabilities that it uses.
+// All public headers. A program may include only those that it uses.
 #ifndef GJK_GJK_H
 #define GJK_GJK_H
 
@@ -13,5 +13,6 @@
 #include "gjk/scene.h"
 #include "gjk/shape.h"
 #include "gjk/status.h"
+#include "gjk/version.h"
 
 #endif

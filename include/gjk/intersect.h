@@ -1,4 +1,4 @@
-// Do two shapes touch? Nearer than a distance?
+// Do two shapes intersect? Are they within a distance of each other?
 #ifndef GJK_INTERSECT_H
 #define GJK_INTERSECT_H
 
@@ -11,33 +11,36 @@ extern "C" {
 
 // The answer to a yes-or-no question about a pair.
 typedef struct gjk_decision {
-  bool yes;            // intersect: they share a point; within: they are at most that far apart
-  uint8_t iterations;  // iterations used: support scans of both shapes
+  bool yes;            // gjk_intersect: the shapes share a point; gjk_within: they are at most distance apart
+  uint8_t iterations;  // support scans of both shapes that the answer took
   gjk_certificate certificate;
 } gjk_decision;
 
 // Do two convex shapes share a point? Shapes that touch in a single point do.
 //
 // a, b    posed colliders, read only; may be the same object.
-// cache   in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only. Kept after OK.
-// Exact   always for points, segments, triangles, boxes, hulls and their rounded forms; for cylinder, cone,
-//         ellipsoid: right unless the surfaces are within 2 LSB of touching.
-// Cost    stops at the first separating direction; at most GJK_ITERATIONS_OF(n, m) iterations, see gjk/format.h; stack: `make sizes`.
+// cache   in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only. Written after OK.
+// out     the caller's.
+// Exact   always for points, segments, triangles, boxes, hulls and their forms with a convex radius. For cylinder,
+//         cone, ellipsoid: right unless the surfaces are within 2 LSB of touching.
+// Cost    stops at the first separating direction. At most GJK_ITERATIONS_OF(n, m) iterations, with a curved shape
+//         GJK_ITERATIONS_MAX (gjk/format.h). Stack: `make sizes`.
 // After   Gilbert, Johnson, Keerthi 1988; exact signs instead of tolerances.
 //
-// What is valid in out after each status; after an error all else is as it was:
+// What is valid in out after each status; all else is as it was:
 //
 // OK                   everything; of the certificate what its proof uses.
-// ITERATION_LIMIT      iterations. Of cylinder, cone, ellipsoid and custom alone.
+// ITERATION_LIMIT      iterations. Only cylinder, cone, ellipsoid and custom can cause it.
 // NULL, UNINITIALISED  nothing.
 gjk_status gjk_intersect(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_decision *out);
 
-// Are two convex shapes at most distance apart (closed: exactly that far is within)?
+// Are two convex shapes at most distance apart? Exactly that far apart is within.
 //
-// distance  Q16.16, at least 0; 0 asks the same as gjk_intersect.
-// Statuses  as gjk_intersect; NEGATIVE, a distance below 0: nothing is valid.
-// The rest as gjk_intersect; stops as soon as a bound from either side settles it. Centres more than 16384
-// units apart: exact to 2^-28 of their distance.
+// a, b, cache, out  as of gjk_intersect.
+// distance          Q16.16, at least 0; 0 asks the same as gjk_intersect.
+// Exact             as gjk_intersect. Centres more than 16384 units apart: to 2^-28 of their distance.
+// Cost              as gjk_intersect; stops as soon as a bound from either side settles it.
+// Statuses          as of gjk_intersect. NEGATIVE: distance is below 0, and nothing is valid in out.
 gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, gjk_cache *cache,
                       gjk_decision *out);
 
@@ -50,18 +53,18 @@ typedef enum gjk_answer {
 
 typedef struct gjk_within_result {
   gjk_answer answer;
-  gjk_decision decision;  // as of gjk_within; while the answer is open its iterations alone
+  gjk_decision decision;  // as of gjk_within; of an open answer only its iterations are set
 } gjk_within_result;
 
-// As gjk_within, but stops after so many iterations.
+// As gjk_within, but stops after a number of iterations.
 //
-// iterations   at most so many, each of about the same cost; 0: no limit but that of gjk_within.
-// cache    as gjk_within, but with a limit it is only written: what so many iterations settle must not depend on it. An open answer
-//          leaves it as it is.
-// Exact    yes and no as of gjk_within; more iterations never change them.
+// iterations  the most iterations, each of about the same cost; 0: no limit but that of gjk_within.
+// cache       as of gjk_within. With a limit it is written but not read: what the iterations settle must not depend on
+//             it. An open answer leaves it as it is.
+// Exact       yes and no as of gjk_within; more iterations never change them.
 //
 // OK                             answer, and decision as stated there.
-// ITERATION_LIMIT                the same, open: GJK_ITERATIONS_MAX iterations have not settled it.
+// ITERATION_LIMIT                the same, with an open answer: GJK_ITERATIONS_MAX iterations have not settled it.
 // NULL, UNINITIALISED, NEGATIVE  nothing.
 gjk_status gjk_within_until(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t iterations,
                             gjk_cache *cache, gjk_within_result *out);

@@ -1,8 +1,8 @@
 // Rotations and poses in integers: make, normalise, compose, invert, apply.
 //
-// Quaternions are Q2.30, angles are a gjk_angle, Q16.16 radians. A quaternion counts as a unit while its squared length is
-// within GJK_ROTATION_TOLERANCE of 1, exactly. Inside that tolerance every call takes it for q / |q|, so the
-// drift of an integrator does no harm until it is reported.
+// Quaternions are Q2.30, angles Q16.16 radians (gjk_angle). A quaternion counts as a unit while its squared length is
+// within GJK_ROTATION_TOLERANCE of 1, exactly. Every call takes such a q for q / |q|, so an integrator's drift does no
+// harm until it is beyond the tolerance, which a status reports.
 //
 // Errors  against real arithmetic on the same integer input, the largest of any component, for every input;
 //         tests/check/unit/test_pose.c holds them.
@@ -22,14 +22,14 @@ extern "C" {
 // Accepted deviation of |q|^2 from 1, Q2.30: 2^-16.
 #define GJK_ROTATION_TOLERANCE ((gjk_q30)16384)
 
-// Rotation by an angle about an axis, by the right hand. axis: any vector but 0 (ROTATION), in any scale.
-// angle: any, whole turns included; 0 gives exactly the identity. out: within 2 LSB.
+// Rotation by an angle about an axis, by the right-hand rule. axis: of any length but 0 (ROTATION). angle: any, more
+// than a turn included; 0 gives exactly the identity. out: within 2 LSB.
 gjk_status gjk_quat_from_axis_angle(const gjk_vec3 *axis, gjk_angle angle, gjk_quat *out);
 
 // Rotation about fixed x, then fixed y, then fixed z (roll, pitch, yaw). out: within 3 LSB.
 gjk_status gjk_quat_from_euler(gjk_angle x, gjk_angle y, gjk_angle z, gjk_quat *out);
 
-// The unit quaternion along q, any length but 0 (ROTATION). Within 0.501 LSB.
+// The unit quaternion along q, which has any length but 0 (ROTATION). Within 0.501 LSB.
 gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out);
 
 // First b, then a: the product a b, normalised. Within 0.501 LSB, so the product of unit quaternions stays one.
@@ -39,17 +39,17 @@ gjk_status gjk_quat_compose(const gjk_quat *a, const gjk_quat *b, gjk_quat *out)
 gjk_status gjk_quat_invert(const gjk_quat *q, gjk_quat *out);
 
 // v rotated by q. Within 1 LSB for |v| up to 8192 units, 4 LSB for any v; the identity is exact. RANGE when a
-// component leaves int32.
+// component of the result leaves int32.
 gjk_status gjk_quat_apply(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 *out);
 
-// First b, then a. The rotation as gjk_quat_compose, the position as gjk_pose_apply.
+// First b, then a. The rotation is that of gjk_quat_compose, the position that of gjk_pose_apply.
 gjk_status gjk_pose_compose(const gjk_pose *a, const gjk_pose *b, gjk_pose *out);
 
-// The pose that undoes p. Its rotation is exact, its position as gjk_quat_apply.
+// The pose that undoes p. Its rotation is exact, its position as accurate as gjk_quat_apply.
 gjk_status gjk_pose_invert(const gjk_pose *p, gjk_pose *out);
 
-// The world position of point v of p's frame. As gjk_quat_apply; the position is added exactly, and RANGE is
-// about the sum.
+// The world position of point v of p's frame: as accurate as gjk_quat_apply, since p's position is added exactly.
+// RANGE when a component of the sum leaves int32.
 gjk_status gjk_pose_apply(const gjk_pose *p, const gjk_vec3 *v, gjk_vec3 *out);
 
 #ifdef __cplusplus

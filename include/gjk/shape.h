@@ -1,11 +1,11 @@
 // Shapes: convex geometry in its own frame, constant, fit for flash.
 //
-// A shape is a core and a convex radius around it: a sphere is a rounded point, a capsule a rounded
-// segment. Long axes lie along local z. Write one with the initialiser of its kind:
+// A shape is a core and a convex radius around it: a sphere is a point with a radius, a capsule a segment with one.
+// Long axes lie along local z. The initialiser of its kind makes a shape:
 //
 //     static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.25));
 //
-// An initialiser names the class of its kind, so a program links the kinds that it mentions and no others.
+// An initialiser names the class of its kind, so a program links those kinds that it mentions and no others.
 #ifndef GJK_SHAPE_H
 #define GJK_SHAPE_H
 
@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-// The functions behind a kind of shape; opaque. One constant per kind.
+// The functions behind a kind of shape, opaque: one constant per kind.
 typedef struct gjk_shape_class gjk_shape_class;
 
 extern const gjk_shape_class gjk_class_point;
@@ -28,17 +28,16 @@ extern const gjk_shape_class gjk_class_cone;
 extern const gjk_shape_class gjk_class_ellipsoid;
 extern const gjk_shape_class gjk_class_custom;
 
-// A user's own convex shape: write to out a point of it that is farthest along direction.
+// The support function of a custom shape: writes to out a point of the shape that is farthest along direction.
 //
 // user       the shape's user pointer.
-// direction  not zero, any length up to 2^31, local frame.
-// out        local frame, Q16.16, at most size.x from the local origin; the library pulls a point beyond that back onto the
-//            bound, towards the origin, and a port with asserts stops there. An answer that is e LSB from the true farthest
-//            point makes decision and distance right to within e LSB more. Unwritten, it is the local origin.
+// direction  not zero, of any length up to 2^31, local frame.
+// out        local frame, Q16.16; the local origin on entry. A point farther than size.x from the local origin is
+//            pulled back onto that bound, towards the origin; a port with asserts stops there. Where the point is e
+//            LSB from the true farthest one, decisions and distances are right to within e LSB more.
 typedef void gjk_support_function(const void *user, const gjk_vec3 *direction, gjk_vec3 *out);
 
-// The faces of a hull, for contact manifolds alone: convex polygons of 3 to
-// GJK_FACE_CORNERS_MAX corners.
+// The faces of a hull, convex polygons of 3 to GJK_FACE_CORNERS_MAX corners. Only contact manifolds need them.
 typedef struct gjk_hull_faces {
   const uint16_t *corner;  // vertices of all faces, one face after the other, each counterclockwise seen from outside
   const uint16_t *end;     // end[i]: where face i ends in corner
@@ -52,16 +51,17 @@ typedef struct gjk_shape {
   gjk_support_function *support;  // custom
   const void *user;               // custom
   gjk_vec3 size;                  // half extents or radii, Q16.16, by kind
-  gjk_q16 convex_radius;          // convex radius, at least 0
+  gjk_q16 convex_radius;          // at least 0
   uint16_t count;                 // vertices of the hull; of the triangle: 3
   const gjk_hull_faces *faces;    // hull: optional, the caller's
 } gjk_shape;
 
-// Size and convex radius of a shape, Q16.16. What is no integer does not compile: 0.5 is written GJK_Q16(0.5).
+// Size and convex radius of a shape, Q16.16. A floating-point literal does not compile: 0.5 is written GJK_Q16(0.5).
 #define GJK_LENGTHS(x, y, z, radius) {GJK_INTEGER(x), GJK_INTEGER(y), GJK_INTEGER(z)}, GJK_INTEGER(radius)
 
-// The same shapes with a convex radius. Hull vertices need no order, may repeat, lie in a line, in a plane
-// or inside the hull; their coordinates may be any int32_t within GJK_RADIUS_MAX of their box's centre.
+// Shapes with a convex radius. The vertices of a hull need no order; they may repeat, and may lie in a line, in a
+// plane or inside the hull. Their coordinates are any int32_t, within GJK_RADIUS_MAX of the centre of the vertices'
+// bounding box.
 #define GJK_ROUNDED_POINT(radius) \
   { &gjk_class_point, 0, 0, 0, GJK_LENGTHS(0, 0, 0, radius), 0, 0 }
 #define GJK_ROUNDED_SEGMENT(half, radius) \
@@ -88,7 +88,7 @@ typedef struct gjk_shape {
 #define GJK_SPHERE(radius) GJK_ROUNDED_POINT(radius)
 // From (0, 0, -half) to (0, 0, half).
 #define GJK_SEGMENT(half) GJK_ROUNDED_SEGMENT(half, 0)
-// half: of the straight part.
+// half: of the straight part's length.
 #define GJK_CAPSULE(radius, half) GJK_ROUNDED_SEGMENT(half, radius)
 #define GJK_TRIANGLE(vertices3) GJK_ROUNDED_TRIANGLE(vertices3, 0)
 #define GJK_BOX(half_x, half_y, half_z) GJK_ROUNDED_BOX(half_x, half_y, half_z, 0)

@@ -6,13 +6,20 @@
 extern "C" {
 #endif
 
-// GJK_OK is 0, every error is negative. An error leaves all outputs as they were. Two of them come with results, of which
-// each query's comment says what is valid: ITERATION_LIMIT, with the bounds proven so far, and CAPACITY of a workspace,
-// with an answer that is safe but not the least.
+// GJK_OK is 0, every error is negative. Two errors come with results. Each query's comment says which fields are valid
+// then; the others are as they were.
+//
+// ITERATION_LIMIT  gjk_distance, gjk_distance_until: bounds, points and a normal, as far as proven.
+//                  gjk_signed_distance: bounds. gjk_intersect, gjk_within, gjk_within_until: that it is open, and the
+//                  iterations. gjk_penetration, gjk_contacts: nothing.
+// CAPACITY         of a workspace, from gjk_penetration, gjk_signed_distance and gjk_contacts: an answer that is safe
+//                  to move by, but not the least.
+//
+// Every other error leaves all outputs as they were; so does CAPACITY of a buffer or of a scene.
 typedef enum gjk_status {
   GJK_OK = 0,
-  GJK_ERROR_NULL = -1,              // a required pointer is null
-  GJK_ERROR_SIZE = -2,              // a shape beyond GJK_RADIUS_MAX
+  GJK_ERROR_NULL = -1,              // a required pointer is NULL
+  GJK_ERROR_SIZE = -2,              // a shape whose radius exceeds GJK_RADIUS_MAX
   GJK_ERROR_NEGATIVE = -3,          // a negative radius, half extent or distance
   GJK_ERROR_EMPTY = -4,             // a hull without vertices
   GJK_ERROR_CAPACITY = -5,          // a buffer or workspace too small
@@ -20,12 +27,12 @@ typedef enum gjk_status {
   GJK_ERROR_ROTATION = -7,          // a quaternion or axis that is not a unit within the tolerance
   GJK_ERROR_RANGE = -8,             // a value outside its stated range, or a centre outside int32
   GJK_ERROR_UNINITIALISED = -9,     // a collider that was never initialised, or never posed
-  GJK_ERROR_ITERATION_LIMIT = -10,  // GJK_ITERATIONS_MAX iterations did not settle it; of curved or user's shapes alone
+  GJK_ERROR_ITERATION_LIMIT = -10,  // GJK_ITERATIONS_MAX iterations did not settle it; of curved shapes alone
   GJK_ERROR_UNPROVEN = -11,         // a certificate that does not hold
-  GJK_ERROR_UNSUPPORTED = -12,      // a certificate of a curved or user's shape, which has no vertices
-  GJK_ERROR_BODY_ID = -13,          // a scene's handle that is stale or was never given, or a slot that is taken
+  GJK_ERROR_UNSUPPORTED = -12,      // an answer that no exact check exists for; or what a scene does not do
+  GJK_ERROR_BODY_ID = -13,          // a body id that is stale or was never given, or a slot that is taken
   GJK_ERROR_BUSY = -14,             // a scene in the middle of an update
-  GJK_ERROR_CORRUPT = -15           // a block that is no scene, or not as it was when it was sealed
+  GJK_ERROR_CORRUPT = -15           // a block that is no scene, or is not as it was when it was sealed
 } gjk_status;
 
 // The enumerator's name, for example "GJK_ERROR_NULL"; "GJK_ERROR_UNKNOWN" for any other value.

@@ -13,8 +13,8 @@ void board_print(const char *text);
 void board_assert_failed(const char *condition);
 
 // A counter that runs with the emulator's virtual time, which is the number of executed instructions times a constant
-// (QEMU's -icount); tests/measure/target/count.h finds the constant. Read it at least once every 5 million instructions.
-// Not on AVR.
+// (QEMU's -icount); tests/measure/target/count.h finds the constant. Read it at least once every 5 million
+// instructions. Not on AVR.
 uint32_t board_ticks(void);
 
 // The stack, lowest address first, for painting. Not on AVR.

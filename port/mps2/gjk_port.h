@@ -6,9 +6,4 @@
 
 #define GJK_ASSERT(condition) ((condition) ? (void)0 : board_assert_failed(#condition))
 
-// ARMv6-M multiplies 32 bits to 32.
-#if __ARM_ARCH == 6 && !defined(GJK_NARROW_MULTIPLY)
-#define GJK_NARROW_MULTIPLY 1
-#endif
-
 #endif

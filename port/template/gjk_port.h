@@ -9,7 +9,8 @@
 // Leading zeros of a uint32_t that is not 0: an intrinsic of a compiler other than gcc and clang.
 // #define GJK_CLZ32(x) __CLZ(x)
 
-// 1 on a core without a multiplication of 32 x 32 to 64 bits: Cortex-M0, 8- and 16-bit cores.
+// 1 on a core without a multiplication of 32 x 32 to 64 bits. Found by itself for Cortex-M0, M0+, M1, M23, AVR and RV32
+// without M, where the compiler is gcc or clang; to be defined for other 8- and 16-bit cores.
 // #define GJK_NARROW_MULTIPLY 1
 
 // 1 where the compiler has a signed 128-bit integer, and its name.

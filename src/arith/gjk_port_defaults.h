@@ -1,8 +1,10 @@
 // What the core asks of its surroundings: an assert and a few optional primitives.
 //
-// A port is a header that defines some of the macros below, named by GJK_PORT_HEADER, for example
-// -DGJK_PORT_HEADER='"generic/gjk_port.h"' -Iport. Without one, the defaults here are complete, portable C. A port
-// changes speed and what a failed assert does, never an answer. port/README.md is the contract.
+// A port is a header that defines some of the macros below. GJK_PORT_HEADER names it, for example
+// -DGJK_PORT_HEADER='"generic/gjk_port.h"' -Iport. Without a port the defaults below are complete. A port changes
+// speed and what a failed assert does, never an answer. port/README.md is the contract.
+//
+// This file and gjk_wide.h are the only ones of the core that look at the compiler.
 #ifndef GJK_SRC_PORT_DEFAULTS_H
 #define GJK_SRC_PORT_DEFAULTS_H
 
@@ -24,18 +26,27 @@
 #define GJK_ASSERT(condition) ((void)0)
 #endif
 
-// GJK_CLZ32(x): leading zeros of a uint32_t that is not 0. Default: portable C in wide.h.
+// GJK_CLZ32(x): leading zeros of a uint32_t that is not 0. Default, in gjk_clz32 of gjk_wide.h: the builtin of gcc and
+// clang where the core has the instruction; portable C, five comparisons, on ARM before ARMv7, ARMv8-M baseline,
+// RISC-V, cores with a 16-bit int, and with other compilers.
 
-// GJK_NARROW_MULTIPLY: 1 on a core without a multiplication of 32 x 32 to 64 bits, which is better off with four
-// products of halves. Default 0: the language's own.
+// GJK_NARROW_MULTIPLY: 1 on a core without a multiplication of 32 x 32 to 64 bits. Four products of 16-bit halves are
+// faster there than the compiler's library call. Default: 1 on ARMv6-M (Cortex-M0, M0+, M1), ARMv8-M baseline
+// (Cortex-M23), AVR, and RISC-V without multiplication; else 0, the language's own product.
 #ifndef GJK_NARROW_MULTIPLY
+#if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__) || defined(__AVR__)
+#define GJK_NARROW_MULTIPLY 1
+#elif defined(__riscv) && !defined(__riscv_mul)
+#define GJK_NARROW_MULTIPLY 1
+#else
 #define GJK_NARROW_MULTIPLY 0
+#endif
 #endif
 #if GJK_NARROW_MULTIPLY != 0 && GJK_NARROW_MULTIPLY != 1
 #error "GJK_NARROW_MULTIPLY must be 0 or 1: set it to 1 in the port header for cores without 32 x 32 -> 64 bits"
 #endif
 
-// GJK_INT128: 1 where the compiler has a signed 128-bit integer named by GJK_INT128_TYPE. Default: two halves.
+// GJK_INT128: 1 where the compiler has a signed 128-bit integer named by GJK_INT128_TYPE. Default 0: two halves.
 #ifndef GJK_INT128
 #define GJK_INT128 0
 #endif

@@ -4,7 +4,7 @@
 
 #include "gjk_wide.h"
 
-// 2^46 / sqrt(x), from 1.5 below to 0.5 above it and below 2^31. Pre: x >= 2^30.
+// 2^46 / sqrt(x), at most 1.5 too small, at most 0.5 too large, and below 2^31. Pre: x >= 2^30.
 uint32_t gjk_reciprocal_root(uint32_t x);
 
 // floor(sqrt(x)).

@@ -5,7 +5,8 @@
 #include "gjk/pose.h"
 #include "gjk_vector.h"
 
-// |q|^2 - 1 exactly, Q60, at most 2^44 in size. False, and deviation not set, beyond GJK_ROTATION_TOLERANCE.
+// *deviation = |q|^2 - 1, exact, Q60, at most 2^44 in size. False, and *deviation not set, beyond
+// GJK_ROTATION_TOLERANCE.
 bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation);
 
 // x (1 - excess / 2^46), from Q60 to the nearest Q30: within 0.5 + 2^-14 LSB, and at most 2^30 in size when the
@@ -16,22 +17,21 @@ gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess);
 // identity is exact. False, and rows not set, when q is not a unit within GJK_ROTATION_TOLERANCE.
 bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]);
 
-// The matrix times v, to the nearest LSB, a half up. Against the real rotation: within
-// 0.501 (1 + (|v.x| + |v.y| + |v.z|) / 2^30), so within 1 LSB for |v| up to 2^29.
-// Pre: |v| <= 2^31 - 4, length; then the result fits.
+// The same, and v rotated without the rounding of the matrix, Q30: within 2^-42 (|v.x| + |v.y| + |v.z|), so within
+// 2^-9 LSB for any v, and at most 2^62 in size. The identity is exact.
+bool gjk_rotation_with_point(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 rows[3], int64_t rotated[3]);
+
+// The matrix times v, to the nearest LSB, a half up. It is within 0.501 (1 + (|v.x| + |v.y| + |v.z|) / 2^30) LSB of the
+// real rotation, so within 1 LSB for |v| up to 2^29. Pre: |v| <= 2^31 - 4, length; then the result fits.
 gjk_vec3 gjk_rotate(const gjk_vec3 rows[3], const gjk_vec3 *v);
 
-// The transposed matrix, the opposite rotation, times v; as gjk_rotate.
+// The transposed matrix, which is the opposite rotation, times v. Otherwise as gjk_rotate.
 gjk_vec3 gjk_rotate_back(const gjk_vec3 rows[3], const gjk_vec3 *v);
 
-// The same with a fraction of an LSB, Q8, added to each component before it is rounded.
+// As gjk_rotate, with a fraction of an LSB, Q8, added to each component before it is rounded.
 gjk_vec3 gjk_rotate_onto(const gjk_vec3 rows[3], const gjk_vec3 *v, const int8_t fraction[3]);
 
-// q / |q| times v in Q30, without the rounding of the matrix: within 2^-42 (|v.x| + |v.y| + |v.z|), so within 2^-9 LSB for
-// any v; the identity is exact. At most 2^62 in size. Pre: q is a unit within GJK_ROTATION_TOLERANCE.
-void gjk_rotate_fine(const gjk_quat *q, const gjk_vec3 *v, int64_t out[3]);
-
-// As gjk_rotate for any v: out is at most 2^32 in size.
+// As gjk_rotate, for any v: out is at most 2^32 in size.
 void gjk_rotate_wide(const gjk_vec3 rows[3], const gjk_vec3 *v, int64_t out[3]);
 
 #endif

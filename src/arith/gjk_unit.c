@@ -6,10 +6,10 @@
 gjk_unit3 gjk_unit(const gjk_vec3 *d) {
   const gjk_vec3 v = *d;
   const uint64_t squared = (uint64_t)gjk_dot(&v, &v);
-  // squared = 2^(32 - 2 z) x with 2^30 <= x < 2^32; |v| < 2^31, so z >= 1, and |v| < 2^(32 - z).
-  const unsigned z = gjk_clz64(squared) / 2;
+  const unsigned z = gjk_clz64(squared) / 2;  // |v| < 2^31:  squared < 2^62, z >= 1;  |v| < 2^(32 - z)
+  // With x, 2^30 <= x < 2^32, for the leading bits of squared = 2^(32 - 2 z) x: y = 2^46 / sqrt(x) = 2^(62 - z) / |v|.
   const int32_t y = (int32_t)gjk_reciprocal_root((uint32_t)((squared << (2 * z)) >> 32));
-  // 2^30 v / |v| = v y / 2^(32 - z)
+  // 2^30 v / |v| = v y / 2^(32 - z) = (2^(z - 1) v) y / 2^31
   const int64_t half = INT64_C(1) << 30;
   gjk_unit3 unit = {(gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.x, z - 1), y) + half, 31),
                     (gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.y, z - 1), y) + half, 31),

@@ -10,26 +10,24 @@ typedef struct gjk_long3 {
   int64_t x, y, z;
 } gjk_long3;
 
-// The corner of a triangle, or the axis, after i.
+// The corner of a triangle, or the axis, that follows number i.
 static inline unsigned gjk_next(unsigned i) {
   return i < 2 ? i + 1 : 0;
 }
 
+// a + b. Pre: each component of the sum fits.
 static inline gjk_vec3 gjk_add(gjk_vec3 a, gjk_vec3 b) {
   gjk_vec3 sum = {a.x + b.x, a.y + b.y, a.z + b.z};
   return sum;
 }
 
+// a - b. Pre: each component of the difference is below 2^31 in size, so that gjk_negate may take it.
 static inline gjk_vec3 gjk_sub(gjk_vec3 a, gjk_vec3 b) {
   gjk_vec3 difference = {a.x - b.x, a.y - b.y, a.z - b.z};
   return difference;
 }
 
-// a - b where it is shorter than 2^31, so that products of two such are below 2^62.
-static inline gjk_vec3 gjk_edge(gjk_vec3 a, gjk_vec3 b) {
-  return gjk_sub(a, b);
-}
-
+// -a. Pre: no component is INT32_MIN.
 static inline gjk_vec3 gjk_negate(gjk_vec3 a) {
   gjk_vec3 opposite = {-a.x, -a.y, -a.z};
   return opposite;
@@ -46,7 +44,7 @@ int64_t gjk_dot_exact(const gjk_long3 *n, const gjk_vec3 *v, uint32_t *low);
 // The sign of n . v. Pre: as above.
 int gjk_dot_sign_exact(const gjk_long3 *n, const gjk_vec3 *v);
 
-// a . b, a x b, the sign of n . v and of p q + r s: in line where speed counts, once where size does.
+// a . b, a x b, the sign of n . v and of p q + r s: in line in a build for speed, one copy in a build for size.
 #if GJK_SMALL
 int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b);
 void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out);
@@ -57,41 +55,41 @@ int gjk_sum_of_products_sign(int64_t p, int64_t q, int64_t r, int64_t s);
 #include "gjk_vector_inline.h"
 #endif
 
-// *out = (b - a) x (c - a), exact: the triangle's normal, outwards of what it bounds when a, b, c run counterclockwise.
-// Pre: edges as of gjk_edge.
+// *out = (b - a) x (c - a), exact: the triangle's normal, on the side from which a, b, c run counterclockwise.
+// Pre: both edges are shorter than 2^31; then products of their components are below 2^62. The proof asks at each call.
 static inline void gjk_triangle_normal(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, gjk_long3 *out) {
-  const gjk_vec3 ab = gjk_edge(*b, *a), ac = gjk_edge(*c, *a);
+  const gjk_vec3 ab = gjk_sub(*b, *a), ac = gjk_sub(*c, *a);
   gjk_cross(&ab, &ac, out);
 }
 
 // A vertex of a shape.
 typedef struct gjk_support {
   gjk_vec3 offset;  // from the collider's centre, Q16.16
-  uint16_t vertex;  // its number; 0 for curved shapes
+  uint16_t vertex;  // the vertex's number; 0 for curved shapes
 } gjk_support;
 
-// The exact direction from a feature to the origin, by what spans the feature:
-//   1 vertex   -a
-//   2 vertices -(a tb + b ta), where ta = a . (a - b) and tb = b . (b - a), at most 2^61 and positive
-//   3 vertices n
+// The exact direction from a feature to the origin, by the vertices that span the feature:
+//   1 vertex     -a
+//   2 vertices   -(a tb + b ta)     ta = a . (a - b), tb = b . (b - a):  0 < ta, tb <= 2^61
+//   3 vertices   n
 typedef struct gjk_direction {
   const gjk_vec3 *a, *b;
   const gjk_long3 *n;
   int64_t ta, tb;    // set for spanning == 2
   uint8_t spanning;  // 1, 2 or 3
-  bool opposite;     // the opposite of the above is meant
+  bool opposite;     // the direction meant is the opposite
 } gjk_direction;
 
 // The sign of v along the exact direction. Pre: |v| <= 2^30.
 int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v);
 
-// A direction as the support scans take it: the exact one / 2^k for some k, off by less than 1 in each component.
+// A direction as the support scans take it: the exact one / 2^k for some k. Each component is off by less than 1.
 typedef struct gjk_search_direction {
   gjk_vec3 d;  // components at most 2^30 in size, 3 2^29 for a vertex
   bool exact;  // d is a positive multiple of the exact direction
 } gjk_search_direction;
 
-// Rounds -(a tb + b ta). False when it is zero. Pre: |a|, |b| <= 3 2^29; 0 < ta, tb <= 2^61.
+// Rounds -(a tb + b ta). False when that is zero. Pre: |a|, |b| <= 3 2^29; 0 < ta, tb <= 2^61.
 bool gjk_search_direction_of_edge(const gjk_vec3 *a, int64_t tb, const gjk_vec3 *b, int64_t ta,
                                   gjk_search_direction *out);
 

@@ -1,13 +1,17 @@
-// The small exact operations at the bottom of every query. vector.h includes this in line, vector.c once for all when the
-// build is for size: GJK_HOT is the storage class.
+// The small exact operations that every query stands on.
+//
+// gjk_vector.h includes this file for functions in line; in a build for size gjk_vector.c includes it, for one copy.
+// GJK_HOT is their storage class.
 
-// a . b, exact. Pre: |a| |b| < 2^62, lengths; then each product and each partial sum is below 3 2^61.
+// a . b, exact. Pre: |a| |b| < 2^62, lengths.
 GJK_HOT int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b) {
+  // |each partial sum| <= |a| |b| < 2^62
   return gjk_mac32(gjk_mac32(gjk_mul32(a->x, b->x), a->y, b->y), a->z, b->z);
 }
 
-// *out = a x b, exact. Pre: |a| |b| < 2^62; then products and components are below 2^62 in size.
+// *out = a x b, exact. Pre: |a| |b| < 2^62, lengths.
 GJK_HOT void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
+  // |each product|, |each component| <= |a| |b| < 2^62
   out->x = gjk_mac32(gjk_mul32(a->y, b->z), -a->z, b->y);
   out->y = gjk_mac32(gjk_mul32(a->z, b->x), -a->x, b->z);
   out->z = gjk_mac32(gjk_mul32(a->x, b->y), -a->y, b->x);
@@ -16,9 +20,12 @@ GJK_HOT void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
   //@ assert out->z > -(INT64_C(1) << 62) && out->z < INT64_C(1) << 62;
 }
 
-// The sign of n . v, settled from the high words of n wherever they suffice: n . v / 2^32 differs from h by less than
-// |v.x| + |v.y| + |v.z| <= sqrt(3) 2^31 < 2^32. Each |high word| is at most 2^30, so |h| <= 3 2^61.
-// Pre: |n| < 2^62, |v| <= 2^31, lengths.
+// The sign of n . v. Pre: |n| < 2^62, |v| <= 2^31, lengths.
+//
+// The high words settle most signs. With n = 2^32 high + low, 0 <= low < 2^32 per component:
+//   |high . v|             <= 3 2^61                       since |high word| <= 2^30
+//   |low . v / 2^32|       <  |v.x| + |v.y| + |v.z|        <= sqrt(3) 2^31 < 2^32
+// So top >= 1 or top < -1 is the sign.
 GJK_HOT int gjk_dot_sign(const gjk_long3 *n, const gjk_vec3 *v) {
 #if GJK_INT128
   GJK_INT128_TYPE sum = (GJK_INT128_TYPE)n->x * v->x + (GJK_INT128_TYPE)n->y * v->y + (GJK_INT128_TYPE)n->z * v->z;
@@ -33,9 +40,12 @@ GJK_HOT int gjk_dot_sign(const gjk_long3 *n, const gjk_vec3 *v) {
 #endif
 }
 
-// The sign of p q + r s, settled from the high words wherever they suffice. With p = 2^32 ph + pl and so on, and
-// |ph| <= 2^30: (p q + r s) / 2^64 differs from h = ph qh + rh sh by less than |ph| + |qh| + |rh| + |sh| + 2, which is
-// at most 2^32 + 2 and so below 2^33. Pre: each below 2^62 in size.
+// The sign of p q + r s. Pre: each is below 2^62 in size.
+//
+// The high words settle most signs. With p = 2^32 ph + pl, 0 <= pl < 2^32, and so on:
+//   |ph qh + rh sh|                            <= 2^61         since |ph|, |qh|, |rh|, |sh| <= 2^30
+//   |(p q + r s) / 2^64 - (ph qh + rh sh)|     <  |ph| + |qh| + |rh| + |sh| + 2 <= 2^32 + 2 < 2^33
+// So top >= 2 or top < -2 is the sign.
 GJK_HOT int gjk_sum_of_products_sign(int64_t p, int64_t q, int64_t r, int64_t s) {
 #if GJK_INT128
   GJK_INT128_TYPE sum = (GJK_INT128_TYPE)p * q + (GJK_INT128_TYPE)r * s;

@@ -1,15 +1,20 @@
-// Exact signs and comparisons beyond 64 bits: the paths taken when the high words do not settle it.
+// Exact sums of products, comparisons and quotients beyond 64 bits: what runs when the high words do not settle a sign.
 #include "gjk_wide.h"
 
-// In digits of 31 bits, |high ones| <= 2^31: a product of two is at most 2^62 in size, one with a low digit at most
-// 2^62 - 2^31. So with the carry, below 2^32, middle and middle2 stay below 2^63; and the whole is below 2^125.
+// Long multiplication in digits of 31 bits: p = 2^31 ph + pl, 0 <= pl < 2^31, |ph| <= 2^31 since |p| < 2^62. q, r and s
+// alike.
+//
+//   lowest      pl ql, rl sl     <  2^62                            lowest   <  2^63
+//   middle      |ph ql|, |pl qh| <= 2^62 - 2^31, a carry < 2^32    |middle|  <  2^63
+//   middle2     |rh sl|, |rl sh| <= 2^62 - 2^31                    |middle2| <  2^63
+//   the whole   |p q|, |r s|     <  2^124                          |sum|     <  2^125
 void gjk_sum_of_products(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out) {
   const int32_t ph = gjk_high_digit(p), pl = gjk_low_digit(p), qh = gjk_high_digit(q), ql = gjk_low_digit(q);
   const int32_t rh = gjk_high_digit(r), rl = gjk_low_digit(r), sh = gjk_high_digit(s), sl = gjk_low_digit(s);
   const int64_t lowest = gjk_mac32(gjk_mul32(pl, ql), rl, sl);
   const int64_t middle = gjk_mac32(gjk_mac32(gjk_sar64(lowest, 31), ph, ql), pl, qh);
   const int64_t middle2 = gjk_mac32(gjk_mul32(rh, sl), rl, sh);
-  const uint32_t digit = (uint32_t)gjk_low_digit(middle) + (uint32_t)gjk_low_digit(middle2);
+  const uint32_t digit = (uint32_t)gjk_low_digit(middle) + (uint32_t)gjk_low_digit(middle2);  // < 2^32
   const int64_t carry = gjk_sar64(middle, 31) + gjk_sar64(middle2, 31) + (digit >> 31);
   const int64_t high = gjk_mac32(gjk_mac32(carry, ph, qh), rh, sh);
   out->high = (uint64_t)gjk_sar64(high, 2);
@@ -28,12 +33,12 @@ static gjk_u128 add128(gjk_u128 a, gjk_u128 b) {
   return sum;
 }
 
-// Bits of x, 1 for 0.
+// The number of bits of x; 1 where x is 0.
 static unsigned bit_length(const gjk_u128 *x) {
   return x->high != 0 ? 128 - gjk_clz64(x->high) : 64 - gjk_clz64(x->low | 1);
 }
 
-// The 32 bits of x that start at bit number bits - 1, where no higher one is set. 1 <= bits <= 127.
+// floor(x / 2^(bits - 32)): the leading 32 bits of a number of that many bits. Pre: x < 2^bits, 1 <= bits <= 127.
 static uint32_t leading(const gjk_u128 *x, unsigned bits) {
   uint64_t top;
   if (bits > 64) {
@@ -45,17 +50,18 @@ static uint32_t leading(const gjk_u128 *x, unsigned bits) {
   return (uint32_t)(top >> 32);
 }
 
-// About 2^63 / x for 2^31 <= x < 2^32, at most that, within 2. Newton's iteration from a line: relative errors at most
-// 2^-3, 2^-6, 2^-12, 2^-24, then rounding.
+// 2^63 / x for 2^31 <= x < 2^32, not too large and too small by less than 2, by Newton's iteration. With u = x / 2^32,
+// 1/2 <= u < 1, and Y = y / 2^31, which approaches 1 / u:
+//   1. Start from the line Y = 48/17 - 32/17 u, within 1/17 of 1 / u.
+//   2. Three times: Y += Y (1 - u Y). A relative error e becomes -e^2: 2^-4, 2^-8, 2^-16, 2^-32.
+// y fits: it starts at 32/17 2^31 or less, and later is at most 2^63 / x; for x = 2^31 it ends at 2^32 - 1.
 static uint32_t reciprocal(uint32_t x) {
-  // With x = 2^32 u and the result 2^31 y: y = 1 / u on 1/2 <= u < 1 is 48/17 - 32/17 u within 1/17.
-  // At most 2^63 / x, and for x = 2^31 it ends at 2^32 - 1: each y fits.
-  uint32_t y = (uint32_t)(UINT64_C(6063483241) - gjk_umulh32(x, UINT32_C(4042322161)));
-  for (int i = 0; i < 3; i++) {
-    // 2^63 - x y, scaled: positive or negative, at most 2^60 in size
-    int64_t rest = gjk_int64((UINT64_C(1) << 63) - gjk_umul32(x, y));
+  uint32_t y = (uint32_t)(UINT64_C(6063483241) - gjk_umulh32(x, UINT32_C(4042322161)));  // Step 1
+  for (int i = 0; i < 3; i++) {                                                          // Step 2
+    int64_t rest = gjk_int64((UINT64_C(1) << 63) - gjk_umul32(x, y));                    // |rest| <= 2^60
     //@ assert rest >= -(INT64_C(1) << 60) && rest <= INT64_C(1) << 60;
     int32_t e = (int32_t)gjk_sar64(rest, 31);
+    // (y / 2) (rest / 2^62)
     y = (uint32_t)((int64_t)y + gjk_sar64(gjk_mul32((int32_t)(y >> 1), e), 31));
   }
   return y;
@@ -65,8 +71,8 @@ static bool less128(const gjk_u128 *a, const gjk_u128 *b) {
   return a->high != b->high ? a->high < b->high : a->low < b->low;
 }
 
-// floor(2^47 part / sum), bit by bit. Pre: part <= sum < 2^127, so twice a rest below sum fits.
-GJK_OUT_OF_LINE static void fine_share(const gjk_u128 *part, const gjk_u128 *sum, gjk_barycentric *share) {
+// *weight = floor(2^47 part / sum), bit by bit. Pre: part <= sum < 2^127, so twice a rest below sum fits.
+static void fine_barycentric(const gjk_u128 *part, const gjk_u128 *sum, gjk_barycentric *weight) {
   uint64_t high = part->high, low = part->low, quotient = 0;
   for (int i = 0; i <= 47; i++) {
     const gjk_u128 rest = {high, low};
@@ -79,17 +85,17 @@ GJK_OUT_OF_LINE static void fine_share(const gjk_u128 *part, const gjk_u128 *sum
     high = (high << 1) | (low >> 63);
     low <<= 1;
   }
-  quotient -= quotient >> 47;  // where the part is the whole, the most that a share can hold
-  share->high = (int32_t)(quotient >> 16);
-  share->low = (int32_t)(quotient & 0xFFFFu);
+  quotient -= quotient >> 47;  // part == sum gives 2^47, which high cannot hold: 2^47 - 1 instead
+  weight->high = (int32_t)(quotient >> 16);
+  weight->low = (int32_t)(quotient & 0xFFFFu);
 }
 
 void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine,
-                      gjk_barycentric share[2]) {
+                      gjk_barycentric weight[2]) {
   const gjk_u128 sum = add128(add128(*rest, *part), *part2);
   if (fine) {
-    fine_share(part, &sum, &share[0]);
-    fine_share(part2, &sum, &share[1]);
+    fine_barycentric(part, &sum, &weight[0]);
+    fine_barycentric(part2, &sum, &weight[1]);
     return;
   }
   const unsigned bits = bit_length(&sum);
@@ -97,10 +103,10 @@ void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128
   const uint32_t one = INT32_MAX;
   const uint32_t first = gjk_umulh32(leading(part, bits), inverse);
   const uint32_t second = gjk_umulh32(leading(part2, bits), inverse);
-  share[0].high = (int32_t)(first < one ? first : one);
-  share[1].high = (int32_t)(second < one - first ? second : one - first);
-  share[0].low = 0;
-  share[1].low = 0;
+  weight[0].high = (int32_t)(first < one ? first : one);
+  weight[1].high = (int32_t)(second < one - first ? second : one - first);
+  weight[0].low = 0;
+  weight[1].low = 0;
 }
 
 void gjk_magnitude95(int64_t high, uint32_t low, gjk_u128 *out) {
@@ -123,10 +129,11 @@ int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale
   if ((x->high | x->low) == 0) {
     return 0;
   }
-  // With x = 2^(bits - 32) top and the divisor 2^(its bits - 32) bottom: top inverse / 2^33 is 2^30 top / bottom, from 2^29
-  // to 2^31, and low by less than 1 + 2 + 2: for the cuts of top, inverse and product. That of bottom makes it high.
+  // With x = 2^(bits - 32) top and the divisor = 2^(divisor->bits - 32) bottom, before truncation, quotient is
+  // 2^30 top / bottom, from 2^29 to 2^31. Truncating top, inverse and product lowers quotient by less than 1 + 2 + 2.
+  // Truncating bottom raises it.
   const uint32_t quotient = gjk_umulh32(leading(x, bits), divisor->inverse) >> 1;
-  const int exponent = (int)divisor->bits + 30 - (int)bits - (int)scale;  // quotient / 2^exponent
+  const int exponent = (int)divisor->bits + 30 - (int)bits - (int)scale;  // the result is quotient / 2^exponent
   if (exponent >= 0) {
     const unsigned cut = exponent > 32 ? (unsigned)exponent - 32 : 0;
     *k = (unsigned)exponent - cut;
@@ -155,8 +162,9 @@ void gjk_u192_add(gjk_u192 *x, const gjk_u192 *y) {
 void gjk_u192_multiply(gjk_u192 *out, const gjk_u192 *x, const gjk_u192 *y) {
   gjk_u192_set(out, 0);
   for (int i = 0; i < GJK_U192_LIMBS; i++) {
-    uint64_t carry = 0;  // below 2^32 before each step, so the sum stays below 2^64
+    uint64_t carry = 0;
     for (int j = 0; i + j < GJK_U192_LIMBS && x->limb[i] != 0; j++) {
+      // product <= (2^32 - 1)^2, limb <= 2^32 - 1, carry <= 2^32 - 1:  sum <= 2^64 - 1
       carry += gjk_umul32(x->limb[i], y->limb[j]) + out->limb[i + j];
       out->limb[i + j] = (uint32_t)(carry & UINT32_MAX);
       carry >>= 32;

@@ -1,13 +1,14 @@
 // Integers wider than the machine's: shifts that the standard defines, long products, exact signs.
 //
-// The one file of the core that may look at the compiler. Results are the same integers on every path.
+// Beside gjk_port_defaults.h the one file of the core that looks at the compiler. Every path gives the same integers.
 #ifndef GJK_SRC_WIDE_H
 #define GJK_SRC_WIDE_H
 
 #include "gjk_port_defaults.h"
 
-// Marks what is rarely run: kept out of line. GJK_SMALL: the compiler optimises for size, and so does the code, with
-// one copy of what GJK_ONCE marks; otherwise that goes in line.
+// GJK_OUT_OF_LINE marks a function that must not be inlined, mostly because it rarely runs.
+// GJK_SMALL is 1 where the compiler optimises for size; the code is then chosen for size as well.
+// GJK_ONCE marks a function that stays one copy where GJK_SMALL is 1, and goes in line elsewhere.
 #if defined(__GNUC__)
 #define GJK_OUT_OF_LINE __attribute__((noinline))
 #else
@@ -39,7 +40,7 @@ static inline int32_t gjk_saturate(int64_t x) {
   return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (int32_t)x;
 }
 
-// floor(x / 2^n), 0 <= n <= 31. A plain shift where the compiler's is arithmetic.
+// floor(x / 2^n), 0 <= n <= 31. A plain shift where the compiler's right shift is arithmetic.
 static inline int32_t gjk_sar32(int32_t x, unsigned n) {
   if ((-1 >> 1) == -1) {  // not reached: a constant has one outcome
     return x >> n;
@@ -62,6 +63,7 @@ static inline int32_t gjk_shl32(int32_t x, unsigned n) {
   return gjk_int32((uint32_t)x << n);
 }
 
+// x 2^n. Pre: the result fits.
 static inline int64_t gjk_shl64(int64_t x, unsigned n) {
   return gjk_int64((uint64_t)x << n);
 }
@@ -75,7 +77,7 @@ static inline uint32_t gjk_low32(int64_t x) {
   return (uint32_t)((uint64_t)x & UINT32_MAX);
 }
 
-// gjk_saturate(x). Sets *saturated when that is not x, and never clears it.
+// gjk_saturate(x). Sets *saturated when the result is not x, and never clears it.
 static inline int32_t gjk_saturate_noting(int64_t x, bool *saturated) {
   const int32_t low = gjk_int32(gjk_low32(x));
   if (low != x) {
@@ -85,11 +87,12 @@ static inline int32_t gjk_saturate_noting(int64_t x, bool *saturated) {
   return low;
 }
 
-// |x| as an unsigned number; exact for the most negative one too.
+// |x| as an unsigned number; exact for INT32_MIN too.
 static inline uint32_t gjk_magnitude32(int32_t x) {
   return x < 0 ? 0u - (uint32_t)x : (uint32_t)x;
 }
 
+// |x| as an unsigned number; exact for INT64_MIN too.
 static inline uint64_t gjk_magnitude64(int64_t x) {
   return x < 0 ? 0u - (uint64_t)x : (uint64_t)x;
 }
@@ -98,7 +101,8 @@ static inline uint64_t gjk_magnitude64(int64_t x) {
 static inline unsigned gjk_clz32(uint32_t x) {
 #if defined(GJK_CLZ32)
   return (unsigned)GJK_CLZ32(x);
-#elif defined(__GNUC__) && UINT_MAX == UINT32_MAX && !(defined(__ARM_ARCH) && __ARM_ARCH < 7) && !defined(__riscv)
+#elif defined(__GNUC__) && UINT_MAX == UINT32_MAX && !(defined(__ARM_ARCH) && __ARM_ARCH < 7) && \
+    !defined(__ARM_ARCH_8M_BASE__) && !defined(__riscv)
   return (unsigned)__builtin_clz(x);
 #else
   unsigned n = 0;
@@ -128,8 +132,8 @@ static inline unsigned gjk_clz64(uint64_t x) {
   return high != 0 ? gjk_clz32(high) : 32 + gjk_clz32((uint32_t)(x & UINT32_MAX));
 }
 
-// The long multiplications of ARMv7-M and up by name: gcc widens operands that are used twice ahead of time, and then
-// no longer sees that one instruction does; it spends eight.
+// ARMv7-M and up get their long multiplications by name. gcc widens an operand that is used twice ahead of time; then
+// it overlooks the one instruction that multiplies, and spends eight.
 #if defined(__GNUC__) && defined(__ARM_ARCH) && __ARM_ARCH >= 7 && defined(__thumb2__) && !GJK_NARROW_MULTIPLY
 #define GJK_ARM_LONG_MULTIPLY
 #endif
@@ -137,14 +141,14 @@ static inline unsigned gjk_clz64(uint64_t x) {
 // a b, exact.
 static inline int64_t gjk_mul32(int32_t a, int32_t b) {
 #if GJK_NARROW_MULTIPLY
-  // With a = 2^16 ah + al and b = 2^16 bh + bl, al and bl unsigned 16-bit: each product of halves is at most 2^31 in
-  // size and leaves room for the carry added to it: |ah bl| <= 2^15 (2^16 - 1), the carry below 2^16.
+  // a = 2^16 ah + al, b = 2^16 bh + bl, with 0 <= al, bl < 2^16 and -2^15 <= ah, bh < 2^15
   uint32_t al = (uint32_t)a & 0xFFFFu, bl = (uint32_t)b & 0xFFFFu;
   int32_t ah = gjk_sar32(a, 16), bh = gjk_sar32(b, 16);
-  uint32_t low = al * bl;
+  uint32_t low = al * bl;  // <= (2^16 - 1)^2 < 2^32
+  // The middle terms:  <= (2^15 - 1) (2^16 - 1) + (2^16 - 1) < 2^31,  >= -2^15 (2^16 - 1) > -2^31
   int32_t middle = ah * (int32_t)bl + (int32_t)(low >> 16);
   int32_t middle2 = (int32_t)al * bh + (int32_t)((uint32_t)middle & 0xFFFFu);
-  int32_t high = ah * bh + gjk_sar32(middle, 16) + gjk_sar32(middle2, 16);
+  int32_t high = ah * bh + gjk_sar32(middle, 16) + gjk_sar32(middle2, 16);  // floor(a b / 2^32):  |high| <= 2^30
   uint32_t bits = ((uint32_t)middle2 << 16) | (low & 0xFFFFu);
   return gjk_int64(((uint64_t)(uint32_t)high << 32) | bits);
 #elif defined(GJK_ARM_LONG_MULTIPLY)
@@ -156,7 +160,7 @@ static inline int64_t gjk_mul32(int32_t a, int32_t b) {
 #endif
 }
 
-// sum + a b. Pre: it fits.
+// sum + a b. Pre: the result fits.
 static inline int64_t gjk_mac32(int64_t sum, int32_t a, int32_t b) {
 #if defined(GJK_ARM_LONG_MULTIPLY)
   __asm__("smlal %Q0, %R0, %1, %2" : "+r"(sum) : "r"(a), "r"(b));
@@ -169,12 +173,11 @@ static inline int64_t gjk_mac32(int64_t sum, int32_t a, int32_t b) {
 // a b, exact, unsigned.
 static inline uint64_t gjk_umul32(uint32_t a, uint32_t b) {
 #if GJK_NARROW_MULTIPLY
-  // Products of 16-bit halves are at most (2^16 - 1)^2, so a carry below 2^16 twice added still fits 32 bits.
   uint32_t al = a & 0xFFFFu, bl = b & 0xFFFFu, ah = a >> 16, bh = b >> 16;
-  uint32_t low = al * bl;
-  uint32_t middle = ah * bl + (low >> 16);
-  uint32_t middle2 = al * bh + (middle & 0xFFFFu);
-  uint32_t high = ah * bh + (middle >> 16) + (middle2 >> 16);
+  uint32_t low = al * bl;                                      // <= (2^16 - 1)^2
+  uint32_t middle = ah * bl + (low >> 16);                     // <= (2^16 - 1)^2 + (2^16 - 1) < 2^32
+  uint32_t middle2 = al * bh + (middle & 0xFFFFu);             // <= (2^16 - 1)^2 + (2^16 - 1) < 2^32
+  uint32_t high = ah * bh + (middle >> 16) + (middle2 >> 16);  // floor(a b / 2^32)
   return ((uint64_t)high << 32) | (middle2 << 16) | (low & 0xFFFFu);
 #else
   return (uint64_t)a * b;
@@ -186,12 +189,12 @@ static inline uint32_t gjk_umulh32(uint32_t a, uint32_t b) {
   return (uint32_t)(gjk_umul32(a, b) >> 32);
 }
 
-// -1, 0 or 1.
+// The sign of x: -1, 0 or 1.
 static inline int gjk_sign64(int64_t x) {
   return (x > 0) - (x < 0);
 }
 
-// The digits of x = 2^31 high + low, 0 <= low < 2^31: signed, as their products. Pre: |x| < 2^62.
+// The digits of x = 2^31 high + low, 0 <= low < 2^31, both as int32_t so that gjk_mul32 takes them. Pre: |x| < 2^62.
 static inline int32_t gjk_high_digit(int64_t x) {
   //@ assert x > -(INT64_C(1) << 62) && x < INT64_C(1) << 62;
   return (int32_t)gjk_sar64(x, 31);
@@ -201,7 +204,7 @@ static inline int32_t gjk_low_digit(int64_t x) {
   return (int32_t)(gjk_low32(x) & INT32_MAX);
 }
 
-// The sign of p q + r s. Pre: each below 2^62 in size.
+// The sign of p q + r s. Pre: each is below 2^62 in size.
 int gjk_sum_of_products_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s);
 
 // Unsigned 128 bits.
@@ -209,42 +212,46 @@ typedef struct gjk_u128 {
   uint64_t high, low;
 } gjk_u128;
 
-// *out = p q + r s modulo 2^128: in two's complement, since it is below 2^125 in size. Pre: as above.
+// *out = p q + r s in two's complement; the sum is below 2^125 in size. Pre: each is below 2^62 in size.
 void gjk_sum_of_products(int64_t p, int64_t q, int64_t r, int64_t s, gjk_u128 *out);
 
-// A share of a whole: (2^16 high + low) / 2^47.
+// A barycentric coordinate: the weight, from 0 to 1, of one vertex in a point of an edge or triangle. The point is the
+// sum of its weighted vertices, and the weights sum to 1. Q47: (2^16 high + low) / 2^47.
 typedef struct gjk_barycentric {
-  int32_t high, low;  // from 0; low below 2^16
+  int32_t high, low;  // 0 <= high, 0 <= low < 2^16
 } gjk_barycentric;
 
-// The shares of part and part2 in rest + part + part2; together at most 1. fine: exact but for a floor; otherwise low is
-// 0 and high within 3, sixty times as fast. Pre: the sum is positive and below 2^127.
+// The barycentric coordinates in proportion to part and part2, of rest + part + part2 as the whole: weight[0] and
+// weight[1], together at most 1. What they leave of 1 is the coordinate in proportion to rest.
+// fine: each is exact but for a floor to Q47. Otherwise low is 0 and high within 3, sixty times as fast.
+// Pre: the sum is positive and below 2^127.
 void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine,
-                      gjk_barycentric share[2]);
+                      gjk_barycentric weight[2]);
 
 // *out = |x| for x = 2^31 high + low, low < 2^31.
 void gjk_magnitude95(int64_t high, uint32_t low, gjk_u128 *out);
 
-// What to divide by, prepared.
+// A divisor, prepared for several divisions.
 typedef struct gjk_divisor {
-  uint32_t inverse;  // 2^63 / its leading 32 bits
-  unsigned bits;
+  uint32_t inverse;  // 2^63 / the divisor's leading 32 bits
+  unsigned bits;     // of the divisor
 } gjk_divisor;
 
-// Pre: 0 < x < 2^127.
+// Prepares x as a divisor. Pre: 0 < x < 2^127.
 void gjk_divisor_set(gjk_divisor *divisor, const gjk_u128 *x);
 
-// 2^scale x / divisor as the returned number / 2^k, 0 <= k <= 32: within 2^-28 of itself, and 2^-32. Where it is 2^31 or
-// more, the largest number. Pre: scale <= 64, x < 2^127.
+// q = 2^scale x / divisor as (returned number) / 2^k, 0 <= k <= 32. The error is at most 2^-28 q + 2^-32. Where q is
+// 2^31 or more, returns INT32_MAX with k = 0. Pre: scale <= 64, x < 2^127.
 int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale, unsigned *k);
 
-// Unsigned integers of 192 bits, least significant limb first, for the rare comparisons of squares.
+// Unsigned integers of 192 bits, least significant limb first, for comparisons of squares, which are rare.
 #define GJK_U192_LIMBS 6
 
 typedef struct gjk_u192 {
   uint32_t limb[GJK_U192_LIMBS];
 } gjk_u192;
 
+// x = value.
 void gjk_u192_set(gjk_u192 *x, uint64_t value);
 // x += y modulo 2^192.
 void gjk_u192_add(gjk_u192 *x, const gjk_u192 *y);

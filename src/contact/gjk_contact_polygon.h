@@ -1,23 +1,26 @@
-// The face, edge or corner with which a shape meets a direction.
+// The polygon with which a shape meets a direction: a face, an edge or a corner.
 #ifndef GJK_SRC_CONTACT_POLYGON_H
 #define GJK_SRC_CONTACT_POLYGON_H
 
 #include "../shape/gjk_shape_class.h"
 
-// On the shape's surface, its rounding included, relative to a centre that both shapes of a pair share: components at
-// most 2^30 in size, edges at most 2^29 long.
+// On the shape's surface, its convex radius included, relative to an origin that both shapes of a pair share.
+//   components   at most 2^30 in size
+//   edges        at most 2^29 long
 typedef struct gjk_polygon {
   gjk_vec3 corner[GJK_FACE_CORNERS_MAX];  // of a face counterclockwise seen from outside, of an edge by vertex number
-  uint16_t vertex[GJK_FACE_CORNERS_MAX];  // their numbers
-  gjk_long3 normal;                       // of a face, outwards, below 2^62
-  gjk_vec3 direction;                     // that it meets, a unit vector in Q2.30
-  uint16_t feature;                       // its number, see gjk/contacts.h
-  gjk_q16 radius;                         // of an edge: of the side that it is the line of, 0: sharp
-  uint8_t count;  // 1: a corner, or none known, and nothing else is set; 2: an edge; more: a face
+  uint16_t vertex[GJK_FACE_CORNERS_MAX];  // the corners' vertex numbers
+  gjk_long3 normal;                       // of a face: outward, components below 2^62
+  gjk_vec3 direction;                     // the direction that the polygon meets: a unit vector, Q2.30
+  uint16_t feature;                       // the number that gjk/contacts.h gives the face, edge or corner
+  gjk_q16 radius;                         // of an edge: the radius of the surface around it; 0: sharp
+  uint8_t
+      count;  // 2: an edge; more: a face; 1: a corner, or nothing known, and then only direction and feature are set
 } gjk_polygon;
 
-// What c, its centre at position, meets the other shape with along direction, Q2.30, which leads out of it: a face within
-// 20 degrees of it, else the edge that reaches farthest if it is level within 20 degrees, else a corner.
+// Finds the polygon with which c meets another shape along direction, a unit vector in Q2.30 that leads out of c: a
+// face within 20 degrees of direction, else an edge at the farthest corner that is level within 20 degrees, else a
+// corner. position: where c's centre is, relative to the origin of the pair.
 // Pre: components of position at most 2^29.
 void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const gjk_vec3 *direction, gjk_polygon *out);
 

@@ -1,9 +1,9 @@
-// The axis-aligned box of a collider.
+// The AABB of a collider.
 #include "../shape/gjk_shape_class.h"
 #include "gjk/collider.h"
 
-// How far a curved shape reaches from its centre along one axis, direction = +1 or -1: its support, which may stop short
-// by 1.
+// A coordinate that a curved shape does not exceed along one axis, from its centre; direction is +1 or -1. The support
+// point may stop short of the surface by 1 LSB.
 static int32_t reach(const gjk_collider *c, int axis, int32_t direction) {
   const int32_t length = direction * (INT32_C(1) << 29);
   const gjk_vec3 d = {axis == 0 ? length : 0, axis == 1 ? length : 0, axis == 2 ? length : 0};
@@ -25,7 +25,7 @@ static int32_t size_of(int32_t x) {
   return x < 0 ? -x : x;
 }
 
-// Half axes: each reaches as far along an axis as it is long there. Their sums are at most core_radius.
+// Each half axis reaches as far along a coordinate axis as its component there. Pre: the sums are at most core_radius.
 static void bound_axes(const gjk_collider *c, gjk_aabb *out) {
   gjk_vec3 sum = {0, 0, 0};
   for (unsigned i = 0; i < c->count; i++) {
@@ -39,7 +39,7 @@ static void bound_axes(const gjk_collider *c, gjk_aabb *out) {
 
 static void bound_vertices(const gjk_collider *c, gjk_aabb *out) {
   gjk_vec3 v;
-  (void)c->shape->type->vertex(c, 0, &v);  // there is one
+  (void)c->shape->type->vertex(c, 0, &v);  // a triangle or hull has a vertex 0
   out->lower = v;
   out->upper = v;
   for (uint32_t i = 1; i < c->count; i++) {
@@ -53,8 +53,8 @@ static void bound_vertices(const gjk_collider *c, gjk_aabb *out) {
   }
 }
 
-// Pre: offset at most 2^29 in size, with the rounding.
-static gjk_q16 cut_off(gjk_q16 centre, int32_t offset) {
+// centre + offset, saturated. Comparisons of 32 bits take less code than gjk_saturate of a 64-bit sum.
+static gjk_q16 saturating_add(gjk_q16 centre, int32_t offset) {
   if (offset < 0) {
     return centre < INT32_MIN - offset ? INT32_MIN : centre + offset;
   }
@@ -71,7 +71,7 @@ gjk_status gjk_collider_aabb(const gjk_collider *c, gjk_aabb *out) {
   const gjk_q16 convex_radius = c->shape->convex_radius;
   if (gjk_is_curved(c->shape)) {
     bound_curved(c, out);
-  } else if (c->shape->vertices == NULL) {
+  } else if (c->shape->type->kind == GJK_KIND_AXES) {
     bound_axes(c, out);
   } else {
     bound_vertices(c, out);
@@ -79,11 +79,11 @@ gjk_status gjk_collider_aabb(const gjk_collider *c, gjk_aabb *out) {
   //@ assert convex_radius >= 0 && convex_radius <= GJK_RADIUS_MAX;
   //@ assert out->lower.x >= -(1L << 29) && out->lower.y >= -(1L << 29) && out->lower.z >= -(1L << 29);
   //@ assert out->upper.x <= 1L << 29 && out->upper.y <= 1L << 29 && out->upper.z <= 1L << 29;
-  out->lower.x = cut_off(c->centre.x, out->lower.x - convex_radius);
-  out->lower.y = cut_off(c->centre.y, out->lower.y - convex_radius);
-  out->lower.z = cut_off(c->centre.z, out->lower.z - convex_radius);
-  out->upper.x = cut_off(c->centre.x, out->upper.x + convex_radius);
-  out->upper.y = cut_off(c->centre.y, out->upper.y + convex_radius);
-  out->upper.z = cut_off(c->centre.z, out->upper.z + convex_radius);
+  out->lower.x = saturating_add(c->centre.x, out->lower.x - convex_radius);
+  out->lower.y = saturating_add(c->centre.y, out->lower.y - convex_radius);
+  out->lower.z = saturating_add(c->centre.z, out->lower.z - convex_radius);
+  out->upper.x = saturating_add(c->centre.x, out->upper.x + convex_radius);
+  out->upper.y = saturating_add(c->centre.y, out->upper.y + convex_radius);
+  out->upper.z = saturating_add(c->centre.z, out->upper.z + convex_radius);
   return GJK_OK;
 }

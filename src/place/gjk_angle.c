@@ -1,8 +1,16 @@
 // Quaternions from angles: sine and cosine in integers.
+//
+// Sine and cosine of half an angle:
+//   1. Multiply |angle| by 1 / (4 pi): half of it, counted in turns, with 64 bits of fraction. Whole turns drop out.
+//   2. Split the turn into the nearest quarter and the rest, r, from -pi/4 to pi/4 in radians.
+//   3. With h = r^2 / 2 sum the nested Taylor series, of TERMS divisors each:
+//        sin r = r (1 - h/3 (1 - h/10 (1 - h/21 (1 - h/36 (1 - h/55)))))         divisors k (2 k + 1), error < 2^-37
+//        cos r = 1 - h (1 - h/6 (1 - h/15 (1 - h/28 (1 - h/45 (1 - h/66)))))     divisors (k + 1) (2 k + 1), < 2^-41
+//   4. Turn (sine, cosine) by the quarter, and give the sine the sign of the angle.
 #include "../arith/gjk_wide.h"
 #include "gjk/pose.h"
 
-// 2^80 / (4 pi), in two words: half an angle of 1 LSB in units of 2^-96 turns.
+// 2^80 / (4 pi), in two words: what half an angle of 1 LSB is in units of 2^-96 turns.
 #define HALF_TURNS_HIGH UINT64_C(0x145F306DC9C8)
 #define HALF_TURNS_LOW UINT32_C(0x82A53F84)
 
@@ -11,13 +19,13 @@
 
 #define TERMS 5
 
-// a b / 2^33. Pre: the result fits, as it does for a, b < 2^32 that are numbers below 1/2 in Q33.
+// a b / 2^33. It fits, since a, b < 2^32: numbers below 1/2 in Q33.
 static uint32_t multiply_q33(uint32_t a, uint32_t b) {
   return (uint32_t)(gjk_umul32(a, b) >> 33);
 }
 
-// c0 h (1 - c1 h (1 - c2 h (...))), Q33. c: Q32, at most 1/3; h: Q33, at most pi^2 / 32. Within 1.3: in the
-// last round a floor each way, below 1, and c rounded; what the rounds before leave counts at most 1/9.
+// c0 h (1 - c1 h (1 - c2 h (...))), Q33. c: Q32, at most 1/3; h: Q33, at most pi^2 / 32. Within 1.3 LSB: the floors of
+// the last step, one each way, are below 1; c is rounded; of the error of earlier steps at most 1/9 remains.
 static uint32_t series(const uint32_t c[TERMS], uint32_t h) {
   uint32_t sum = 0;
   for (int i = TERMS - 1; i >= 0; i--) {
@@ -28,37 +36,32 @@ static uint32_t series(const uint32_t c[TERMS], uint32_t h) {
 }
 
 // Sine and cosine of half the angle, Q30, each within 1 LSB of the real one.
-//
-// Angle Q16.16. It is counted in turns, where whole turns drop out by themselves, and from the nearest quarter:
-// r from -pi/4 to pi/4. With h = r^2 / 2 the Taylor series nest as
-//   sin r = r (1 - h/3 (1 - h/10 (1 - h/21 (1 - h/36 (1 - h/55))))), divisors k (2 k + 1)
-//   cos r = 1 - h (1 - h/6 (1 - h/15 (1 - h/28 (1 - h/45 (1 - h/66))))), divisors (k + 1) (2 k + 1)
-// and end with errors below 2^-37 and 2^-41.
 static void half_angle(gjk_angle angle, gjk_q30 *sine, gjk_q30 *cosine) {
   static const uint32_t sine_terms[TERMS] = {UINT32_C(1431655765), UINT32_C(429496730), UINT32_C(204522252),
                                              UINT32_C(119304647), UINT32_C(78090314)};
   static const uint32_t cosine_terms[TERMS] = {UINT32_C(715827883), UINT32_C(286331153), UINT32_C(153391689),
                                                UINT32_C(95443718), UINT32_C(65075262)};
   const uint32_t size = gjk_magnitude32(angle);
-  // 2^64 is a turn; the error is below 1.
+  // Step 1: 2^64 is a turn; the error is below 1.
   const uint64_t turn = size * HALF_TURNS_HIGH + gjk_umulh32(size, HALF_TURNS_LOW);
+  // Step 2
   const uint64_t eighth = UINT64_C(1) << 61;
   const unsigned quarter = (unsigned)((turn + eighth) >> 62);
   const uint64_t rest = turn - ((uint64_t)quarter << 62);  // from -2^61 to below 2^61, modulo 2^64
   const bool below = rest >= eighth;
-  // |rest| as a part of an eighth, Q32; of a negative one, |rest| - 2^-64 turns.
+  // |rest| as a part of an eighth of a turn, Q32; of a negative rest, |rest| less 2^-64 turns.
   const uint32_t part = (uint32_t)((below ? ~rest : rest) >> 29);
-  // |r| in Q32, the middle of what part was cut from: within 0.9. The sum is below 2^64 pi / 4 + 2^32.
+  // |r|, Q32, within 0.9: the middle of all that part was truncated from. The sum is below 2^64 pi / 4 + 2^32.
   const uint32_t half = UINT32_C(1) << 31;
   const uint32_t r = (uint32_t)((gjk_umul32(part, EIGHTH_TURN) + EIGHTH_TURN / 2 + half) >> 32);
   const uint32_t h = gjk_umulh32(r, r);
-  // r (1 - series): Q64 to Q30. 1 - h (1 - series): Q33 to Q30.
+  // Step 3: sin = r (1 - series), Q64 to Q30; cos = 1 - h (1 - series), Q33 to Q30.
   const uint64_t s_wide = ((uint64_t)r << 32) - (gjk_umul32(r, series(sine_terms, h)) >> 1);
   const gjk_q30 s = (gjk_q30)((s_wide + (UINT64_C(1) << 33)) >> 34);
   const uint32_t drop = h - multiply_q33(h, series(cosine_terms, h));
   const gjk_q30 c = (gjk_q30)(((UINT64_C(1) << 33) - drop + 4) >> 3);
   const gjk_q30 s_rest = below ? -s : s;
-  // A quarter turn on takes (sine, cosine) to (cosine, -sine).
+  // Step 4: a quarter turn takes (sine, cosine) to (cosine, -sine), half a turn to their opposites.
   const gjk_q30 s_turned = (quarter & 1u) != 0 ? c : s_rest, c_turned = (quarter & 1u) != 0 ? -s_rest : c;
   const bool opposite = (quarter & 2u) != 0;
   *sine = opposite != (angle < 0) ? -s_turned : s_turned;
@@ -87,7 +90,7 @@ gjk_status gjk_quat_from_axis_angle(const gjk_vec3 *axis, gjk_angle angle, gjk_q
   return GJK_OK;
 }
 
-// a b c + d e f to the nearest Q30. Pre: each at most 2^30 in size.
+// ab c + de f to the nearest Q30. Pre: each is at most 2^30 in size.
 static gjk_q30 sum_of_q30_products(gjk_q30 ab, gjk_q30 c, gjk_q30 de, gjk_q30 f) {
   return (gjk_q30)gjk_sar64(gjk_mul32(ab, c) + gjk_mul32(de, f) + (INT64_C(1) << 29), 30);
 }
@@ -100,7 +103,7 @@ gjk_status gjk_quat_from_euler(gjk_angle x, gjk_angle y, gjk_angle z, gjk_quat *
   half_angle(x, &sx, &cx);
   half_angle(y, &sy, &cy);
   half_angle(z, &sz, &cz);
-  // The product of the three rotations about z, y and x.
+  // The quaternion product of the rotations about z, y and x, which turns about x first.
   const gjk_q30 cc = multiply(cy, cz), ss = multiply(sy, sz), sc = multiply(sy, cz), cs = multiply(cy, sz);
   out->x = sum_of_q30_products(cc, sx, -ss, cx);
   out->y = sum_of_q30_products(sc, cx, cs, sx);

@@ -5,8 +5,10 @@
 #include "../arith/gjk_rotation.h"
 #include "../shape/gjk_shape_class.h"
 
-// How much farther posing puts a vertex from the centre. Per component, a vertex is off by 3/4 at most, the centre by 0.51;
-// three half axes by 1/2 each, and together by 0.22 for the matrix. So less than 1.26 sqrt(3), and 1.72 sqrt(3) < 3.
+// How much farther from the centre posing may put a vertex. Errors per component:
+//   a vertex of a triangle or hull    < 0.75, and of the rounded centre 0.51: together < 1.26
+//   a corner of three half axes       < 3 / 2, and 0.22 for the matrix: together < 1.72
+// The distance grows by less than 1.72 sqrt(3) < 3.
 #define POSE_SLACK 3
 
 // Do [p, p + p_bytes) and [q, q + q_bytes) share a byte?
@@ -63,10 +65,10 @@ static bool fits(int64_t x) {
   return x >= INT32_MIN && x <= INT32_MAX;
 }
 
-// Rounds one coordinate of the rotated centre, Q30: returns it, and puts the rest, Q8, into fraction.
+// Rounds a coordinate of the rotated centre from Q30 to LSB. *fraction, Q8: what the rounding has left.
 static int64_t round_centre(int64_t rotated, int8_t *fraction) {
   const int64_t whole = gjk_sar64(rotated + (INT64_C(1) << 29), 30);
-  *fraction = (int8_t)gjk_sar64(rotated - gjk_shl64(whole, 30), 22);  // from -2^29 to below 2^29: from -128 to 127
+  *fraction = (int8_t)gjk_sar64(rotated - gjk_shl64(whole, 30), 22);  // -2^29 <= rest < 2^29:  -2^7 <= *fraction < 2^7
   return whole;
 }
 
@@ -78,12 +80,11 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
     return GJK_ERROR_UNINITIALISED;
   }
   gjk_vec3 rows[3];
-  if (!gjk_rotation_from_quat(&pose->rotation, rows)) {
-    return GJK_ERROR_ROTATION;
-  }
   int64_t centre[3];
   int8_t fraction[3];
-  gjk_rotate_fine(&pose->rotation, &c->local_centre, centre);
+  if (!gjk_rotation_with_point(&pose->rotation, &c->local_centre, rows, centre)) {
+    return GJK_ERROR_ROTATION;
+  }
   const gjk_vec3 *position = &pose->position;
   const int64_t x = round_centre(centre[0], &fraction[0]) + position->x;
   const int64_t y = round_centre(centre[1], &fraction[1]) + position->y;

@@ -4,10 +4,10 @@
 #include "../arith/gjk_root.h"
 #include "../arith/gjk_rotation.h"
 
-// |p|^2 - 1 in Q60 for p in Q60, from 0 to 5 below. Pre: |p|^2 is within 2^-28 of 1.
+// |p|^2 - 1, Q60, from 0 to 5 too small, for p in Q60. Pre: |p|^2 is within 2^-28 of 1.
 static int64_t excess_q60(const uint64_t p[4]) {
-  // With p = 2^30 h + l: p^2 / 2^60 = h^2 + 2 h l / 2^30 + l^2 / 2^60, the last below 1. Then |h| <= 2^30 + 8
-  // as a vector and l < 2^30, so squares < 2^61 and products < 2^62.
+  // p = 2^30 h + l, 0 <= l < 2^30, per component:  p^2 / 2^60 = h^2 + 2 h l / 2^30 + (less than 1)
+  //   |h| <= 2^30 + 8, length:  squares < 2^61, products < 2^62
   uint64_t squares = 0, products = 0;
   for (int i = 0; i < 4; i++) {
     const uint32_t h = (uint32_t)(p[i] >> 30), l = (uint32_t)(p[i] & 0x3FFFFFFFu);
@@ -30,7 +30,7 @@ gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out) {
     return GJK_ERROR_ROTATION;
   }
   const unsigned up = gjk_clz32(bits);
-  // A quarter of |q 2^up|^2: from 2^60 to below 2^64, as components are below 2^32 and one is at least 2^31.
+  // A quarter of |q 2^up|^2. One component >= 2^31, all < 2^32:  2^60 <= quarter < 2^64
   uint64_t quarter = 0;
   for (int i = 0; i < 4; i++) {
     const uint32_t size = gjk_magnitude32(component[i]) << up;
@@ -38,14 +38,14 @@ gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out) {
   }
   //@ assert quarter >= UINT64_C(1) << 60;
   const unsigned zeros = gjk_clz64(quarter) & ~1u;  // 0 or 2
-  // 2^46 sqrt(2^32) / sqrt(quarter 2^zeros) = 2^(63 - zeros / 2) / |q 2^up|, within 2^-29.4 of itself.
+  // root = 2^46 sqrt(2^32) / sqrt(quarter 2^zeros) = 2^(63 - zeros / 2) / |q 2^up|, relative error <= 2^-29.4
   const uint32_t root = gjk_reciprocal_root((uint32_t)((quarter << zeros) >> 32));
   const unsigned down = 3 - zeros / 2;
   uint64_t p[4];
   for (int i = 0; i < 4; i++) {
     p[i] = gjk_umul32(gjk_magnitude32(component[i]) << up, root) >> down;
   }
-  // p is a unit in Q60 but for that error, which goes here: 1 - 1 / sqrt(1 + e) = e / 2 - ..., Q46, below 2^18.
+  // p is a unit in Q60 but for the error of root. Correct it: 1 - 1 / sqrt(1 + e) = e / 2 - ..., Q46, below 2^18.
   const int64_t off = excess_q60(p);
   //@ assert off >= -(INT64_C(1) << 33) && off <= INT64_C(1) << 33;
   const int32_t excess = (int32_t)gjk_sar64(off, 15);
@@ -69,12 +69,12 @@ gjk_status gjk_quat_compose(const gjk_quat *a, const gjk_quat *b, gjk_quat *out)
   if (!gjk_quat_deviation(a, &off_a) || !gjk_quat_deviation(b, &off_b)) {
     return GJK_ERROR_ROTATION;
   }
-  // e = |a|^2 |b|^2 - 1 in Q45: |ea|, |eb| <= 2^29, |e| <= 2^30 + 2^13.
+  // e = |a|^2 |b|^2 - 1 in Q45:  |ea|, |eb| <= 2^29, |e| <= 2^30 + 2^13
   const int32_t ea = (int32_t)gjk_sar64(off_a, 15), eb = (int32_t)gjk_sar64(off_b, 15);
   const int32_t e = ea + eb + (int32_t)gjk_sar64(gjk_mul32(ea, eb), 45);
-  // 1 - 1 / sqrt(1 + e) = e / 2 - 3/8 e^2 + ..., in Q46: 3 e^2 < 2^62, the rest below 2^-46.
+  // 1 - 1 / sqrt(1 + e) = e / 2 - 3/8 e^2 + ..., in Q46:  3 e^2 < 2^62, the other terms together < 1
   const int32_t excess = e - (int32_t)gjk_sar64(3 * gjk_mul32(e, e), 47);
-  // Products and their partial sums are at most |a| |b| 2^60 <= 2^60 (1 + 2^-16) in size.
+  // |products|, |partial sums| <= |a| |b| <= 2^60 (1 + 2^-16)
   const int64_t x = gjk_mul32(a->w, b->x) + gjk_mul32(a->x, b->w) + gjk_mul32(a->y, b->z) - gjk_mul32(a->z, b->y);
   const int64_t y = gjk_mul32(a->w, b->y) + gjk_mul32(a->y, b->w) + gjk_mul32(a->z, b->x) - gjk_mul32(a->x, b->z);
   const int64_t z = gjk_mul32(a->w, b->z) + gjk_mul32(a->z, b->w) + gjk_mul32(a->x, b->y) - gjk_mul32(a->y, b->x);
@@ -93,13 +93,13 @@ gjk_status gjk_quat_invert(const gjk_quat *q, gjk_quat *out) {
   if (!gjk_quat_deviation(q, &deviation)) {
     return GJK_ERROR_ROTATION;
   }
-  // Components of a unit can be negated.
+  // No component of a unit is INT32_MIN, so all can be negated.
   const gjk_quat conjugate = {-q->x, -q->y, -q->z, q->w};
   *out = conjugate;
   return GJK_OK;
 }
 
-// RANGE, and out not set, when a component leaves int32.
+// *out = v. GJK_ERROR_RANGE, and *out not set, when a component leaves int32.
 static gjk_status store_point(const int64_t v[3], gjk_vec3 *out) {
   for (int i = 0; i < 3; i++) {
     if (v[i] < INT32_MIN || v[i] > INT32_MAX) {
@@ -112,14 +112,14 @@ static gjk_status store_point(const int64_t v[3], gjk_vec3 *out) {
   return GJK_OK;
 }
 
-// position + v rotated by q, into out. ROTATION or RANGE, and out not set.
+// *out = position + v rotated by q. GJK_ERROR_ROTATION or GJK_ERROR_RANGE: *out is not set.
 static gjk_status place_point(const gjk_quat *q, const gjk_vec3 *v, const gjk_vec3 *position, gjk_vec3 *out) {
   gjk_vec3 rows[3];
   int64_t p[3];
   if (!gjk_rotation_from_quat(q, rows)) {
     return GJK_ERROR_ROTATION;
   }
-  gjk_rotate_wide(rows, v, p);  // at most 2^32 in size
+  gjk_rotate_wide(rows, v, p);  // |p| <= 2^32
   p[0] += position->x;
   p[1] += position->y;
   p[2] += position->z;
@@ -162,7 +162,7 @@ gjk_status gjk_pose_invert(const gjk_pose *p, gjk_pose *out) {
   if (!gjk_rotation_from_quat(&p->rotation, rows)) {
     return GJK_ERROR_ROTATION;
   }
-  // The rows of the inverse are the columns.
+  // The rows of the inverse matrix are the columns of the matrix.
   const gjk_vec3 inverse[3] = {
       {rows[0].x, rows[1].x, rows[2].x}, {rows[0].y, rows[1].y, rows[2].y}, {rows[0].z, rows[1].z, rows[2].z}};
   gjk_rotate_wide(inverse, &p->position, back);

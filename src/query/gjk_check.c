@@ -1,12 +1,21 @@
-// Checks answers. What the certificate names settles the decision, the distance and the depth, with one visit to every vertex;
-// points, normals and moves are then compared with these.
+// Checks answers by exact integers alone.
+//
+//   1. Fill the simplex with the vertices that the certificate names.
+//   2. Prove the decision from them: a plane that no vertex of A - B lies before, or a feature that comes near enough.
+//      Each vertex is visited once.
+//   3. Prove the distance: the named feature's exact distance rounds to it. Or the depth: the named facet's exact
+//      height.
+//   4. Prove the normal, to 2^-28, and the points, to 1 LSB of their shapes (gjk_claim.c).
+//   5. Prove that moving B by the depth along the normal parts the shapes.
+// Where a step searches for a certificate of its own, it proves that certificate in the same way. It trusts no search.
 #include "gjk/check.h"
 
 #include "../gjk/gjk_search.h"
 #include "gjk_claim.h"
 #include "gjk_distance.h"
+#include "gjk_outward.h"
 
-// Fills the simplex with the named pairs. False when a vertex does not exist.
+// Step 1. False when a named vertex does not exist.
 static bool load(gjk_iteration *it, const gjk_certificate *certificate) {
   gjk_simplex *s = &it->simplex;
   gjk_simplex_clear(s);
@@ -20,7 +29,7 @@ static bool load(gjk_iteration *it, const gjk_certificate *certificate) {
   return true;
 }
 
-// The vertex number, from 0, in *offset; vertices are numbered without gaps, and none has the last number.
+// Visits all vertices of a collider. They are numbered from 0 without gaps, and none has the number UINT16_MAX.
 typedef struct visit {
   const gjk_collider *collider;
   uint16_t number;
@@ -30,8 +39,7 @@ static bool next(visit *v, gjk_vec3 *offset) {
   return v->collider->shape->type->vertex(v->collider, v->number++, offset);
 }
 
-// Does no vertex of the collider lie before vertex origin along the exact direction?
-// Pre: the vertex exists.
+// Does no vertex of the collider lie before vertex `origin` along the exact direction? Pre: vertex `origin` exists.
 static bool none_before(const gjk_collider *c, const gjk_direction *direction, uint16_t origin) {
   gjk_vec3 base, offset;
   visit v = {c, 0};
@@ -59,7 +67,7 @@ static int64_t farthest(const gjk_collider *c, const gjk_vec3 *d) {
   return largest;
 }
 
-// Does no vertex of A - B lie before the certificate's first along the direction?
+// Does no vertex of A - B lie before the certificate's first one along the direction?
 static bool is_support(const gjk_iteration *it, const gjk_certificate *certificate, gjk_direction *direction) {
   direction->opposite = false;
   if (!none_before(it->a, direction, certificate->a[0])) {
@@ -69,7 +77,7 @@ static bool is_support(const gjk_iteration *it, const gjk_certificate *certifica
   return none_before(it->b, direction, certificate->b[0]);
 }
 
-// Is the named feature the nearest of A - B to the origin, and apart from it?
+// Step 2: is the named feature the one of A - B nearest to the origin, and not at the origin?
 static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate) {
   gjk_direction direction;
   gjk_search_direction rounded;
@@ -85,18 +93,22 @@ static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate) {
   return is_support(it, certificate, &direction);
 }
 
+// Step 2: do the named vertices contain the origin?
 static bool is_enclosing(gjk_iteration *it, const gjk_certificate *certificate) {
   return certificate->count >= 1 && certificate->count <= 4 && load(it, certificate) &&
          gjk_simplex_encloses(&it->simplex, certificate->count);
 }
 
+// Step 2: does the named feature come within the radius?
 static bool proves_near(gjk_iteration *it, const gjk_certificate *certificate) {
   return certificate->count >= 1 && certificate->count <= 3 && load(it, certificate) &&
          gjk_simplex_set(&it->simplex, certificate->count) && gjk_iteration_near(it);
 }
 
-// Does the plane across direction keep all of A - B more than radius away? Directions beyond 3 2^29 per component are
-// never made; radii from 2^31 exceed every vertex of A - B. Products: at most sqrt(3) 3 2^29 times 3 2^29.
+// Step 2: does the plane across direction keep all of A - B more than radius away from the origin?
+//   direction   components beyond 3 2^29 are never reported
+//   radius      from 2^31 on it exceeds every vertex of A - B
+//   along       |d| <= sqrt(3) 3 2^29, |w| <= 3 2^29:            below 2^62
 static bool is_separating(const gjk_iteration *it, const gjk_vec3 *direction, int64_t radius) {
   const int64_t limit = INT64_C(3) << 29;
   const gjk_vec3 d = *direction;
@@ -143,11 +155,11 @@ gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_
   return proven ? GJK_OK : GJK_ERROR_UNPROVEN;
 }
 
-// Is the distance that of the feature, correctly rounded? 2 d - 1 <= 2 (exact distance of the cores) < 2 d + 1, the left
-// for d > 0.
+// Step 3: is the distance that of the feature, rounded to the nearest LSB, a tie up? With d = distance + radius:
+//   2 d - 1 <= 2 (exact distance of the cores) < 2 d + 1      the left inequality for d > 0
 static bool is_rounded(const gjk_iteration *it, gjk_q16 distance, int64_t radius) {
   const uint64_t twice = 2 * (uint64_t)((int64_t)distance + radius);
-  if (twice > UINT64_C(1) << (33 - it->shift)) {  // in the frame no distance exceeds 2^31
+  if (twice > UINT64_C(1) << (33 - it->shift)) {  // no distance in the frame exceeds 2^31
     return false;
   }
   gjk_u192 numerator, denominator;
@@ -156,8 +168,16 @@ static bool is_rounded(const gjk_iteration *it, gjk_q16 distance, int64_t radius
          (twice == 0 || gjk_compare_distance(&numerator, &denominator, (twice - 1) << it->shift) >= 0);
 }
 
-// Are the points where the named feature is nearest? Saturated: may a coordinate have been cut off? A point that was says
-// nothing of where it lay. Pre: the certificate's feature holds.
+// May saturation explain points that are not where the certificate has them? At least one must have a coordinate at an
+// end of Q16.16 that its named vertices reach. The other must be on its shape, or saturated too.
+static bool may_be_saturated(const gjk_iteration *it, const gjk_certificate *c, const gjk_vec3 *a, bool on_a,
+                             const gjk_vec3 *b, bool on_b) {
+  const bool saturated_a = gjk_claim_saturated(it->a, c->a, c->count, a),
+             saturated_b = gjk_claim_saturated(it->b, c->b, c->count, b);
+  return (saturated_a || saturated_b) && (on_a || saturated_a) && (on_b || saturated_b);
+}
+
+// Step 4: are the points on their shapes and as far apart as the distance, or saturated? Pre: the certificate holds.
 static bool are_nearest(const gjk_iteration *it, const gjk_distance_result *result, int64_t radius) {
   const gjk_certificate *c = &result->certificate;
   const bool on_a = gjk_claim_point(it->a, c->a, c->count, &result->point_a),
@@ -165,9 +185,7 @@ static bool are_nearest(const gjk_iteration *it, const gjk_distance_result *resu
   if (!result->saturated) {
     return on_a && on_b && gjk_claim_gap(it, result->distance, radius, &result->point_a, &result->point_b);
   }
-  const bool cut_a = gjk_claim_cut(it->a, c->a, c->count, &result->point_a),
-             cut_b = gjk_claim_cut(it->b, c->b, c->count, &result->point_b);
-  return (cut_a || cut_b) && (on_a || cut_a) && (on_b || cut_b);
+  return may_be_saturated(it, c, &result->point_a, on_a, &result->point_b, on_b);
 }
 
 gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result) {
@@ -199,10 +217,10 @@ gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, cons
                                                                                            : GJK_ERROR_UNPROVEN;
 }
 
-// The sign of the exact distance of the simplex's feature less d LSB.
+// The sign of (exact distance of the simplex's feature) - d, d in LSB.
 static int compare_to(const gjk_iteration *it, int64_t d) {
   gjk_u192 numerator, denominator;
-  // In the frame no distance exceeds 2^31.
+  // No distance in the frame exceeds 2^31.
   if (d < 0 || d > (int64_t)(UINT32_MAX >> it->shift)) {
     return d < 0 ? 1 : -1;
   }
@@ -210,7 +228,8 @@ static int compare_to(const gjk_iteration *it, int64_t d) {
   return gjk_compare_distance(&numerator, &denominator, (uint64_t)((uint32_t)d << it->shift) * 2);
 }
 
-// Do three pairs span a plane that no vertex of A - B lies beyond, depth (rounded up) over the origin? n: its outward normal.
+// Step 3: do three pairs span a plane that no vertex of A - B lies beyond, whose exact height over the origin rounds up
+// to depth? *n is its outward normal.
 static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int64_t depth, gjk_long3 *n) {
   const gjk_simplex *s = &it->simplex;
   if (certificate->count != 3 || !load(it, certificate)) {
@@ -223,7 +242,8 @@ static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int6
          compare_to(it, depth) <= 0 && compare_to(it, depth - 1) > 0;
 }
 
-// Does the plane across direction through the origin bound A - B, touching it? Products: at most sqrt(3) 2^31 times 2^30.
+// Step 3: does the plane across direction through the origin bound A - B and touch it?
+//   |d| <= sqrt(3) 2^31, |w| <= 2^30 in LSB:  products below 2^62
 static bool is_level(const gjk_iteration *it, const gjk_vec3 *direction) {
   const gjk_vec3 d = *direction;
   if ((d.x | d.y | d.z) == 0 || d.x < -INT32_MAX || d.y < -INT32_MAX || d.z < -INT32_MAX) {
@@ -233,7 +253,7 @@ static bool is_level(const gjk_iteration *it, const gjk_vec3 *direction) {
   return gjk_dot(&delta, &d) + farthest(it->a, &d) + farthest(it->b, &opposite) == 0;
 }
 
-// Does the certificate prove the depth of shapes that intersect? direction: the way out that it names.
+// Step 3: does the certificate prove the depth of shapes that intersect? *direction is the way out that it names.
 static bool is_depth(gjk_iteration *it, const gjk_penetration_result *result, gjk_long3 *direction) {
   const gjk_certificate *certificate = &result->certificate;
   const int64_t depth = result->depth - gjk_convex_radii(it);
@@ -247,7 +267,7 @@ static bool is_depth(gjk_iteration *it, const gjk_penetration_result *result, gj
     direction->z = d->z;
     return depth == 0 && certificate->count >= 1 && certificate->count <= 3 && is_level(it, d) && load(it, certificate);
   }
-  // Cores that are apart: as near as the roundings, less depth.
+  // Cores that are apart: -depth is their distance, rounded down.
   if (certificate->proof != GJK_PROOF_NEAREST || !is_nearest(it, certificate) || compare_to(it, -depth) < 0 ||
       compare_to(it, 1 - depth) >= 0) {
     return false;
@@ -256,11 +276,11 @@ static bool is_depth(gjk_iteration *it, const gjk_penetration_result *result, gj
   return true;
 }
 
-// Do the shapes intersect? An iteration of the check's own finds the certificate, and what that proves is what counts.
+// Step 2: do the shapes intersect? The check searches for a certificate of its own, and believes what that proves.
 static bool intersect(const gjk_collider *a, const gjk_collider *b, int64_t radius) {
   gjk_iteration it;
   gjk_certificate certificate;
-  if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {  // not reached: it was true for the depth
+  if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {  // not reached: the caller has asked the same
     return false;
   }
   const gjk_outcome outcome = gjk_search(&it, GJK_GOAL_WITHIN, NULL, GJK_NO_LIMIT);
@@ -268,8 +288,10 @@ static bool intersect(const gjk_collider *a, const gjk_collider *b, int64_t radi
   return is_together(&it, &certificate);
 }
 
-// Are the cores at least radius > 0 apart when B has moved by t? Found and proven in the same way. In an unscaled frame:
-// shapes that intersect have centres at most 2^29 - 2^17 + 8 apart, and t is hardly longer.
+// Step 5 for convex radii: are the cores at least radius > 0 apart when B has moved by t? Searched and proven as above,
+// in a frame of shift 0.
+//   centres   of shapes that intersect: at most 2^29 - 2^17 + 8 apart
+//   t         at most that, and 1 LSB per component:                     |delta| < 2^30
 static bool proves_apart_when_moved(const gjk_collider *a, const gjk_collider *b, int64_t radius, const gjk_vec3 *t) {
   gjk_iteration it;
   gjk_certificate certificate;
@@ -282,23 +304,20 @@ static bool proves_apart_when_moved(const gjk_collider *a, const gjk_collider *b
   return outcome == GJK_OUTCOME_NEAREST && is_nearest(&it, &certificate) && compare_to(&it, radius) >= 0;
 }
 
-// Does moving B by depth along the normal part the shapes? Cores without rounding may be left touching: there the facet's
-// plane tells. Pre: depth and normal hold, depth is at most 2^29 - 2^17 + 8, and the simplex is the certificate's.
+// Step 5: does moving B by depth along the normal part the shapes? Without convex radii they may be left touching,
+// which the facet's plane proves.
+// Pre: depth and normal are proven, depth <= 2^29 - 2^17 + 8, the simplex is the certificate's.
 static bool proves_parting(const gjk_iteration *it, const gjk_penetration_result *result, const gjk_long3 *direction) {
-  const gjk_unit3 *u = &result->normal;
-  const gjk_vec3 t = {gjk_move_along(result->depth, u->x), gjk_move_along(result->depth, u->y),
-                      gjk_move_along(result->depth, u->z)};
+  const gjk_vec3 t = gjk_outward_move(result->depth, &result->normal);
   const int64_t radius = gjk_convex_radii(it);
   if (radius > 0) {
     return proves_apart_when_moved(it->a, it->b, radius, &t);
   }
-  const gjk_vec3 *w = &it->simplex.slot[0].w;
-  const unsigned shift = (unsigned)it->shift;
-  const gjk_vec3 rest = {gjk_sar32(w->x, shift) - t.x, gjk_sar32(w->y, shift) - t.y, gjk_sar32(w->z, shift) - t.z};
-  return result->certificate.proof == GJK_PROOF_PLANE || gjk_dot_sign(direction, &rest) <= 0;
+  return result->certificate.proof == GJK_PROOF_PLANE ||
+         gjk_outward_clears(&it->simplex.slot[0].w, it->shift, direction, &t);
 }
 
-// Do the points coincide when B has moved? What is cut off at the end of Q16.16 says nothing.
+// Step 4: do the points coincide when B has moved by the depth, or are they saturated? Pre: the certificate holds.
 static bool coincide(const gjk_iteration *it, const gjk_penetration_result *result) {
   const gjk_certificate *c = &result->certificate;
   const bool on_a = gjk_claim_point(it->a, c->a, c->count, &result->point_a),
@@ -306,9 +325,7 @@ static bool coincide(const gjk_iteration *it, const gjk_penetration_result *resu
   if (on_a && on_b && gjk_claim_overlap(result->depth, &result->normal, &result->point_a, &result->point_b)) {
     return true;
   }
-  const bool cut_a = gjk_claim_cut(it->a, c->a, c->count, &result->point_a),
-             cut_b = gjk_claim_cut(it->b, c->b, c->count, &result->point_b);
-  return (cut_a || cut_b) && (on_a || cut_a) && (on_b || cut_b);
+  return may_be_saturated(it, c, &result->point_a, on_a, &result->point_b, on_b);
 }
 
 gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result) {
@@ -322,15 +339,16 @@ gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, c
   if (!gjk_iteration_start(&it, a, b, GJK_GOAL_DEPTH, radius)) {
     return result->intersecting ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
-  if (gjk_pair_is_curved(&it)) {  // near enough for the unscaled frame they are: the bounding spheres meet
+  if (gjk_pair_is_curved(&it)) {
     return GJK_ERROR_UNSUPPORTED;
   }
+  // The bounding spheres meet, so the centres are near enough for a frame of shift >= 0.
   //@ assert it.shift >= 0;
   bool proven = false;
   if (!result->intersecting) {
     proven = is_apart(&it, &result->certificate, radius);
   } else if (result->depth >= 0 && result->depth <= a->radius + b->radius && result->lower == result->depth &&
-             result->upper == result->depth) {  // no least depth is larger
+             result->upper == result->depth) {  // no least depth exceeds the sum of the radii
     proven = intersect(a, b, radius) && is_depth(&it, result, &direction) &&
              gjk_claim_normal(&direction, &result->normal) && coincide(&it, result) &&
              proves_parting(&it, result, &direction);

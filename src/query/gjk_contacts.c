@@ -1,15 +1,27 @@
-// The contact manifold: where the faces, edges or corners that two shapes turn to each other cover each other.
+// The contact manifold: the region that two shapes share where they meet, as a few pairs of points.
+//
+//   1. Ask gjk_signed_distance for the normal, the distance and the nearest points. Beyond margin there is no contact.
+//   2. Find the polygon with which each shape meets the normal: a face, an edge or a corner (gjk_contact_polygon.c).
+//   3. Clip the two polygons: the corners of the region that they share are the candidates (gjk_clip.c).
+//   4. Admit the nearest points of step 1 unless a candidate is as near.
+//   5. Keep at most `most` candidates (gjk_reduce.c).
+//
+// What is rounded:
+//   step 1   the points, each within 1 LSB of its shape; a depth, up to the next LSB
+//   step 2   the move of a face or edge by its convex radius: below 3 LSB
+//   step 3   points of edges, points across from a corner, and gaps: to the nearest LSB
+// Together a contact point is within 3 LSB of its shape, to which tests/check/unit/test_contacts.c holds it.
 #include "gjk/contacts.h"
 
 #include "../contact/gjk_clip.h"
 #include "../contact/gjk_reduce.h"
 
-// Centres farther apart than this along an axis: the one pair of nearest points has to do. Otherwise coordinates from
-// A's centre are below 2^29 + 2^28.
+// Centres farther apart than this along an axis skip steps 2 and 3: the nearest points are the one contact. Otherwise
+// coordinates relative to A's centre are below 2^29 + 2^28.
 #define REACH (INT32_C(1) << 29)
 
-// How much nearer the nearest points may be than all that clipping has found before they are taken in. That is only within
-// REACH, where no distance comes near the end of its range.
+// Step 4 admits the nearest points when every candidate is farther by more than this, LSB. There are candidates only
+// within REACH, so distance + SLACK fits.
 #define SLACK 2
 
 static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
@@ -17,9 +29,9 @@ static bool is_within_reach(const gjk_vec3 *a, const gjk_vec3 *b) {
   return x <= REACH && x >= -REACH && y <= REACH && y >= -REACH && z <= REACH && z >= -REACH;
 }
 
-// Where the faces cover each other; out's features.
-GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin,
-                                          gjk_touches *touches, gjk_manifold *out) {
+// Steps 2 and 3. Also sets out's features, and without candidates the id of the one that step 4 admits.
+static void clip_polygons(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, gjk_candidates *candidates,
+                          gjk_manifold *out) {
   const gjk_vec3 origin = {0, 0, 0}, to_b = {out->normal.x, out->normal.y, out->normal.z}, to_a = gjk_negate(to_b);
   const gjk_vec3 delta = gjk_sub(b->centre, a->centre);
   //@ assert delta.x >= -REACH && delta.x <= REACH;
@@ -31,61 +43,63 @@ GJK_OUT_OF_LINE static void clip_polygons(const gjk_collider *a, const gjk_colli
   out->feature_a = of_a.feature;
   out->feature_b = of_b.feature;
   if (of_a.count > 1 && of_b.count > 1) {
-    gjk_clip(&of_a, &of_b, &a->centre, margin, touches);
+    gjk_clip(&of_a, &of_b, &a->centre, margin, candidates);
   }
-  if (touches->count == 0) {
-    touches->touch[0].id = gjk_touch_id(gjk_part_of(&of_a), gjk_part_of(&of_b));
+  if (candidates->count == 0) {
+    candidates->candidate[0].id = gjk_contact_id(gjk_feature_of(&of_a), gjk_feature_of(&of_b));
   }
 }
 
-// Squared, in 2^-4 LSB^2, of points less than 2^31 apart: below 2^61.
+// The squared distance of two points, in units of 16 LSB^2.
+//   points   less than 2^31 apart:   |v| < 2^29 + 2, the square below 2^61
 static int64_t squared_between(const gjk_vec3 *p, const gjk_vec3 *q) {
   const int64_t x = (int64_t)p->x - q->x, y = (int64_t)p->y - q->y, z = (int64_t)p->z - q->z;
   const gjk_vec3 v = {(int32_t)gjk_sar64(x, 2), (int32_t)gjk_sar64(y, 2), (int32_t)gjk_sar64(z, 2)};
   return gjk_dot(&v, &v);
 }
 
-// Sees to it that the nearest points are among the touches: of rounded and curved shapes they may lie beside the flat parts,
-// and of crossing edges there is nothing else. They take the place of the touch next to them.
-static void admit_nearest(const gjk_distance_result *nearest, gjk_touches *touches) {
+// Step 4. The nearest points may lie beside the flat parts, where a shape is curved or has a convex radius. Those of
+// crossing edges are the only contact. They replace the candidate that is closest to them.
+static void admit_nearest(const gjk_distance_result *nearest, gjk_candidates *candidates) {
   unsigned next = 0;
   int64_t least = INT64_MAX;
-  for (unsigned i = 0; i < touches->count; i++) {
-    const gjk_contact *touch = &touches->touch[i];
-    if (touch->distance <= nearest->distance + SLACK) {
+  for (unsigned i = 0; i < candidates->count; i++) {
+    const gjk_contact *candidate = &candidates->candidate[i];
+    if (candidate->distance <= nearest->distance + SLACK) {
       return;
     }
-    const int64_t squared =
-        squared_between(&touch->point_a, &nearest->point_a) + squared_between(&touch->point_b, &nearest->point_b);
+    const int64_t squared = squared_between(&candidate->point_a, &nearest->point_a) +
+                            squared_between(&candidate->point_b, &nearest->point_b);
     if (squared < least) {
       least = squared;
       next = i;
     }
   }
-  gjk_contact *touch = &touches->touch[next];
-  touch->point_a = nearest->point_a;
-  touch->point_b = nearest->point_b;
-  touch->distance = nearest->distance;
-  touches->count = touches->count == 0 ? 1 : touches->count;
+  gjk_contact *candidate = &candidates->candidate[next];
+  candidate->point_a = nearest->point_a;
+  candidate->point_b = nearest->point_b;
+  candidate->distance = nearest->distance;
+  candidates->count = candidates->count == 0 ? 1 : candidates->count;
 }
 
+// Steps 2 to 5.
 GJK_OUT_OF_LINE static void find_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
                                           const gjk_distance_result *nearest, gjk_manifold *out) {
-  gjk_touches touches;
+  gjk_candidates candidates;
   uint8_t keep[GJK_CONTACTS_MAX];
-  touches.count = 0;
-  touches.touch[0].id = gjk_touch_id(GJK_PART_CORNER, GJK_PART_CORNER);
+  candidates.count = 0;
+  candidates.candidate[0].id = gjk_contact_id(GJK_FEATURE_CORNER, GJK_FEATURE_CORNER);
   if (is_within_reach(&a->centre, &b->centre)) {
-    clip_polygons(a, b, margin, &touches, out);
+    clip_polygons(a, b, margin, &candidates, out);
   }
-  admit_nearest(nearest, &touches);
-  const bool reduced = touches.count > most;
+  admit_nearest(nearest, &candidates);
+  const bool reduced = candidates.count > most;
   if (reduced) {
-    gjk_reduce(&touches, &out->normal, most, keep);
+    gjk_reduce(&candidates, &out->normal, most, keep);
   }
-  out->count = (uint8_t)(reduced ? most : touches.count);
+  out->count = (uint8_t)(reduced ? most : candidates.count);
   for (unsigned i = 0; i < out->count; i++) {
-    out->contact[i] = touches.touch[reduced ? keep[i] : i];
+    out->contact[i] = candidates.candidate[reduced ? keep[i] : i];
   }
 }
 

@@ -1,4 +1,20 @@
 // The distance query: how far apart, and where.
+//
+//   1. Search for the feature of A - B nearest to the origin (gjk_search.h).
+//   2. Find the distance of its plane along its unit normal.
+//   3. Decide exactly whether the cores come within the convex radii: then the shapes intersect.
+//   4. Round the distance of the feature: exactly, among the integers that step 2 leaves.
+//   5. Find the nearest points.
+// Out of iterations:
+//   6. Bound the distance by the planes of the last iteration, and measure the feature so far as in steps 2 to 5.
+//
+// What is rounded:
+//   normal     each component within 2^-30 of the rounded direction's unit vector: within 2^-28 of the exact one
+//   step 2     within GJK_PLANE_ERROR, which only narrows step 4
+//   step 4     to the nearest LSB, a tie up. Far pairs measure vertices that are rounded to 2^-shift LSB: 2^-28
+//              relative
+//   points     per component to the nearest LSB, within 1 LSB of the shape
+//   step 6     outwards: lower down and upper up, by the plane error and 1 LSB
 #include "gjk_distance.h"
 
 #include "../arith/gjk_unit.h"
@@ -52,8 +68,9 @@ bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane) {
   return radius > 0 && plane - GJK_PLANE_ERROR <= radius && gjk_iteration_near(it);
 }
 
-// The distance of the plane through the newest vertex across the direction, less the roundings, to the nearest LSB; error is
-// added, Q30. Negative when the plane has the origin behind it. Below 2^35 in size.
+// The distance of the plane through the newest vertex across the direction, plus error (Q30), less the convex radii, to
+// the nearest LSB. Negative when the origin lies behind the plane.
+//   |plane|    at most 2^61 + 2^33; shifted by 30 + shift >= 27:   result below 2^35
 static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
   const gjk_simplex *s = &it->simplex;
   const gjk_unit3 u = gjk_unit(&it->direction.d);
@@ -72,8 +89,8 @@ gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *uppe
   return *upper <= 0 ? GJK_OUTCOME_NEAR : GJK_OUTCOME_LIMIT;
 }
 
-// Narrows the bounds by what the last round has proven, which may settle the question.
-GJK_OUT_OF_LINE static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
+// Step 6: narrows the bounds by what the last iteration proves, which may settle the question.
+static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
   int64_t lower, upper;
   const gjk_outcome outcome = gjk_distance_bounds(it, &lower, &upper);
   if (outcome == GJK_OUTCOME_LIMIT) {
@@ -83,7 +100,7 @@ GJK_OUT_OF_LINE static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result
   return outcome;
 }
 
-// Runs up to so many iterations in all, and narrows the bounds when they do not suffice.
+// Step 1: runs at most limit iterations in all. Narrows the bounds when they do not suffice.
 static gjk_outcome run_and_narrow(gjk_iteration *it, unsigned limit, const gjk_cache *cache, gjk_distance_result *out) {
   const gjk_outcome outcome = gjk_search(it, GJK_GOAL_DISTANCE, cache, limit);
   out->iterations = it->iterations;
@@ -94,11 +111,13 @@ void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache
   int64_t gap = 0;
   out->saturated = false;
   if (outcome == GJK_OUTCOME_NEAREST) {
+    // Step 2.
     out->normal = gjk_unit(&it->direction.d);
     const int64_t plane = -gjk_along(&out->normal, &it->simplex.slot[it->simplex.order[0]].w);
-    if (gjk_convex_radii_touch(it, plane)) {
+    if (gjk_convex_radii_touch(it, plane)) {  // Step 3
       outcome = GJK_OUTCOME_NEAR;
     } else {
+      // Steps 4 and 5.
       gap = exact_distance(it, &out->normal, plane) - gjk_convex_radii(it);
       gjk_witness_points(it, &out->normal, &out->point_a, &out->point_b, &out->saturated);
     }
@@ -119,9 +138,10 @@ static void start_distance(gjk_iteration *it, const gjk_collider *a, const gjk_c
   out->upper = GJK_DISTANCE_MAX;
 }
 
-// Takes the exact distance of the feature for that of the points, and rounded up for the upper bound: its plane's is up to 17
-// units of the frame more, which far frames keep. False: the roundings reach across.
-GJK_OUT_OF_LINE static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
+// Step 6: out->distance becomes the exact distance of the feature to the nearest LSB, and out->upper the same rounded
+// up. Both are sharper than the plane's bound by up to 17 units of the frame, which a far frame keeps.
+// False: the feature is within the convex radii, so the shapes intersect.
+static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
   out->distance = out->upper;
   if (it->shift < 0) {
     return true;
@@ -136,8 +156,9 @@ GJK_OUT_OF_LINE static bool take_feature(const gjk_iteration *it, gjk_distance_r
   return upper > 0;
 }
 
-// Reports the bounds and the nearest points so far; the feature's direction is in place. False: those points prove that the
-// shapes intersect, and nothing that counts is reported.
+// Step 6: reports the bounds and the nearest points so far.
+// False: they prove that the shapes intersect; the caller reports that.
+// Pre: it->direction is the feature's.
 static bool stop_early(const gjk_iteration *it, gjk_distance_result *out) {
   out->normal = gjk_unit(&it->direction.d);
   if (!take_feature(it, out)) {
@@ -184,7 +205,7 @@ gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, cons
   const bool limited = effort->iterations > 0 && effort->iterations < ceiling;
   const unsigned most = limited ? effort->iterations : ceiling;
   bool spent;
-  // Every turn is a round, so there are at most as many as the ceiling.
+  // Each turn is one iteration, so there are at most `most` turns.
   do {
     const gjk_outcome outcome = run_and_narrow(&it, it.iterations + 1u, NULL, out);
     if (outcome != GJK_OUTCOME_LIMIT) {

@@ -1,36 +1,33 @@
-// What the distance and the penetration query share.
+// What the distance and the penetration queries share.
 #ifndef GJK_SRC_DISTANCE_H
 #define GJK_SRC_DISTANCE_H
 
 #include "../gjk/gjk_iteration.h"
 #include "gjk/distance.h"
 
-// How far the distance of a plane, Q30, may be off: the unit vector is within 2^-28 of the exact direction and
-// |w| <= 3 2^29.
+// How far off the distance of a plane along a rounded unit vector is, Q30.
+//   unit vector   within 2^-28 of the exact direction:   4 in Q30
+//   |w|           at most 3 2^29:                        4 3 2^29 < 2^33
 #define GJK_PLANE_ERROR (INT64_C(1) << 33)
 
+// The sum of both convex radii, LSB.
 static inline int64_t gjk_convex_radii(const gjk_iteration *it) {
   return (int64_t)it->a->shape->convex_radius + it->b->shape->convex_radius;
 }
 
-// depth u / 2^30 with each component rounded away from 0. Pre: 0 <= depth.
-static inline gjk_q16 gjk_move_along(gjk_q16 depth, gjk_q30 u) {
-  const uint64_t size = gjk_magnitude64(gjk_mul32(depth, u)) + ((UINT32_C(1) << 30) - 1);  // below 2^62
-  const gjk_q16 steps = (gjk_q16)(size >> 30);
-  return u < 0 ? -steps : steps;
-}
-
-// Do the cores come within the roundings of each other? plane: their distance in the frame, Q30. Pre: the feature is
-// nearest.
+// Do the cores come within the convex radii of each other? Exact. plane: their distance in the frame, Q30, within
+// GJK_PLANE_ERROR.
+// Pre: the feature is nearest.
 bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane);
 
-// What the last round of an outcome LIMIT has proven of the distance, negative for minus a depth, in LSB. The newest vertex
-// was the support along the direction, so nothing lies before its plane; and the feature's own plane, found from its own
-// direction, touches the feature. That may settle it after all: ENCLOSING or NEAR, when upper is not positive; or LIMIT.
-// Moves it->direction to the feature's.
+// Bounds of the distance, or of minus the depth, in LSB, that the last iteration of an outcome LIMIT proves.
+//   lower   the newest vertex is the support vertex along the direction: no vertex of A - B lies before its plane
+//   upper   the plane of the feature, across the feature's own direction, touches it
+// Returns ENCLOSING or NEAR when upper <= 0 settles the question after all, otherwise LIMIT. Sets it->direction to the
+// feature's.
 gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *upper);
 
-// Reports the answer and keeps the cache, which may be NULL. Pre: the outcome is not LIMIT; not SEPARATED.
+// Reports the answer and keeps the cache, which may be NULL. Pre: the outcome is NEAREST, ENCLOSING or NEAR.
 void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache, gjk_distance_result *out);
 
 #endif

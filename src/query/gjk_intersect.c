@@ -1,26 +1,27 @@
 // Yes-or-no queries: do two shapes touch, are they within a distance?
+//
+// Every decision is a sign computed exactly, on posed shapes. What is rounded before it: the centres of shapes more than
+// 16384 units apart, to 2^-28 of their distance (gjk_iteration.h), and the support points of curved shapes, to an LSB.
 #include "gjk/intersect.h"
 
 #include "../gjk/gjk_search.h"
 
-// Does the feature of the last round settle it, without another support?
-GJK_OUT_OF_LINE static gjk_outcome settle_decision(gjk_iteration *it) {
-  if (it->simplex.count == 0) {  // the cached direction was all there was
-    return GJK_OUTCOME_LIMIT;
-  }
+// Does the feature of the last iteration settle the decision without another support scan? Pre: at least one iteration.
+static gjk_outcome settle_decision(gjk_iteration *it) {
   if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
     return GJK_OUTCOME_ENCLOSING;
   }
   return it->radius > 0 && gjk_iteration_near(it) ? GJK_OUTCOME_NEAR : GJK_OUTCOME_LIMIT;
 }
 
-// Runs up to so many iterations, with a budget from a cold start, lest the cache decide what they settle. NO, YES, or OPEN: then
-// iterations alone are set, and the cache is as it was.
+// Runs at most `most` iterations. With a limit below GJK_NO_LIMIT the search starts cold, so that the cache does not
+// decide what the iterations settle.
+// OPEN: only out->iterations is set, and the cache is as it was.
 GJK_ONCE static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance, uint8_t most,
                                   gjk_cache *cache, gjk_decision *out) {
   gjk_iteration it;
   gjk_outcome outcome = GJK_OUTCOME_SEPARATED;
-  // At most 2^31 + 2^29.
+  // Convex radii are below 2^28 each, distance is below 2^31: radius < 2^31 + 2^29.
   const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius + distance;
   if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {
     out->yes = false;

@@ -1,13 +1,28 @@
 // The penetration and the signed distance queries.
+//
+//   1. Find out how the cores lie: points, segments and boxes by separating axes, which also give the nearest facet;
+//      others by GJK.
+//   2. Cores apart, by less than the convex radii: the depth is the radii less that distance.
+//   3. Cores that intersect: the depth is the radii plus the height of the facet of A - B nearest to the origin, from
+//      step 1 or by EPA.
+//   4. Find the point of each shape on that feature, and name its vertices in the certificate.
+//   5. Round the normal outwards (gjk_outward.h).
+//
+// What is rounded:
+//   posing   only there is geometry rounded; from then on shapes are integers
+//   depth    up to the next LSB: step 2 rounds the distance of the cores down, step 3 the height up, both exactly. The
+//            bounds of a curved pair are 2 LSB above the depth and 3 below, for the error of its support points
+//   points   per component to the nearest LSB, within 1 LSB of the shape
+//   normal   within 2^-28, then outward
 #include "gjk/penetration.h"
 
-#include "../arith/gjk_memory.h"
 #include "../arith/gjk_unit.h"
 #include "../depth/gjk_box_sat.h"
 #include "../depth/gjk_epa.h"
 #include "../gjk/gjk_search.h"
 #include "../gjk/gjk_witness.h"
 #include "gjk_distance.h"
+#include "gjk_outward.h"
 
 size_t gjk_workspace_bytes(uint16_t vertices) {
   return vertices < 4 ? 0 : GJK_EPA_CELLS((size_t)vertices) * sizeof(gjk_epa_cell);
@@ -16,91 +31,14 @@ size_t gjk_workspace_bytes(uint16_t vertices) {
 // An overlap while it is being measured.
 typedef struct overlap {
   gjk_iteration it;
-  gjk_facet facet;  // of the cores, when they overlap
-  gjk_q16 lower;    // bounds of the cores' depth or, negative, of minus their distance
+  gjk_facet facet;  // of the cores, when they intersect
+  gjk_q16 lower;    // bounds of the cores' depth, or of minus their distance; without the convex radii
   gjk_q16 upper;
-  uint16_t iterations;
-  uint8_t proof;
+  uint16_t iterations;  // support scans of all steps
+  uint8_t proof;        // a gjk_proof
 } overlap;
 
-// What rounding adds to the move along the normal, Q60: |u| (|t| 2^30 - depth |u|), at most 2^60.
-static int64_t surplus(gjk_q16 depth, gjk_q30 u, gjk_q16 t) {
-  const int32_t size = (int32_t)gjk_magnitude32(u), steps = (int32_t)gjk_magnitude32(t);
-  return gjk_mul32(size, (int32_t)(gjk_shl64(steps, 30) - gjk_mul32(depth, size)));
-}
-
-// With u within 9/2 2^-30 of the exact normal and its own length within 7/4 2^-30 of 1, a move by t leaves at least
-// depth + surplus - 8 (depth + 1) 2^-30 along the exact normal.
-static bool surely_suffices(gjk_q16 depth, const gjk_unit3 *u, const gjk_vec3 *t) {
-  return surplus(depth, u->x, t->x) + surplus(depth, u->y, t->y) + surplus(depth, u->z, t->z) >=
-         gjk_shl64((int64_t)depth + 1, 33);
-}
-
-// Are the shapes apart or touching when B has moved by t? Exact. Overwrites the iteration. Pre: t parts the cores.
-GJK_OUT_OF_LINE static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
-  const gjk_collider *a = it->a, *b = it->b;
-  // In the middle of the world, where there is room: they overlap, so their centres are at most 2^29 + 2^3 apart, and t is
-  // not much longer.
-  const gjk_vec3 origin = {0, 0, 0}, apart = gjk_sub(b->centre, a->centre);
-  gjk_collider moved_a, moved_b;
-  gjk_copy(&moved_a, a, sizeof moved_a);
-  gjk_copy(&moved_b, b, sizeof moved_b);
-  moved_a.centre = origin;
-  moved_b.centre = gjk_add(apart, *t);
-  const int64_t radius = gjk_convex_radii(it);
-  gjk_iteration_start(it, &moved_a, &moved_b, GJK_GOAL_SIGNED, radius);
-  //@ assert it->shift >= 0;
-  gjk_u192 numerator, denominator;
-  bool parted = false;
-  if (gjk_search(it, GJK_GOAL_SIGNED, NULL, GJK_NO_LIMIT) == GJK_OUTCOME_NEAREST) {  // not reached: else, see above
-    gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
-    parted = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
-  }
-  it->a = a;
-  it->b = b;
-  return parted;
-}
-
-// Does the move take A - B behind the facet's plane? Exact.
-static bool clears_facet(const overlap *o, const gjk_vec3 *t) {
-  const gjk_vec3 *w = &o->facet.corner[0].w;
-  const unsigned shift = (unsigned)o->it.shift;
-  gjk_long3 n;
-  gjk_triangle_normal(w, &o->facet.corner[1].w, &o->facet.corner[2].w, &n);
-  // In LSB, at most 2^30 + 2^29.
-  const gjk_vec3 rest = {gjk_sar32(w->x, shift) - t->x, gjk_sar32(w->y, shift) - t->y, gjk_sar32(w->z, shift) - t->z};
-  return gjk_dot_sign(&n, &rest) <= 0;
-}
-
-static void grow_component(gjk_q30 *u) {
-  if (*u != 0 && *u > -GJK_Q30_ONE && *u < GJK_Q30_ONE) {
-    *u += *u > 0 ? 1 : -1;
-  }
-}
-
-// Does the move part the shapes? Exact.
-static bool does_part(overlap *o, const gjk_vec3 *t) {
-  return o->proof == GJK_PROOF_FACET && gjk_convex_radii(&o->it) == 0 ? clears_facet(o, t)
-                                                                      : is_apart_when_moved(&o->it, t);
-}
-
-// Rounds the normal away from 0 as far as the move by depth needs it. Once no component is less than the exact one, it
-// suffices: 5 times. Too small a workspace leaves a bound, and no feature to ask.
-static void widen_normal(overlap *o, gjk_status status, gjk_penetration_result *out) {
-  for (int i = 0; i < 6 && out->depth > 0; i++) {  // not reached: 6, see above
-    const gjk_unit3 *u = &out->normal;
-    const gjk_vec3 t = {gjk_move_along(out->depth, u->x), gjk_move_along(out->depth, u->y),
-                        gjk_move_along(out->depth, u->z)};
-    if (surely_suffices(out->depth, u, &t) || (status == GJK_ERROR_CAPACITY ? i == 5 : does_part(o, &t))) {
-      return;
-    }
-    grow_component(&out->normal.x);
-    grow_component(&out->normal.y);
-    grow_component(&out->normal.z);
-  }
-}
-
-// Measures cores that intersect: the origin lies in the simplex.
+// Step 3. Pre: the origin lies in the simplex, or the facet is found.
 static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
   gjk_iteration *it = &o->it;
   gjk_facet *facet = &o->facet;
@@ -139,6 +77,7 @@ static void measure_gap(overlap *o, int64_t plane) {
   o->lower = -(gjk_q16)low - (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR + 1 : 0);
 }
 
+// Step 4: names the vertices of the feature, or of the facet.
 static void certify(const overlap *o, gjk_certificate *out) {
   gjk_iteration_certify(&o->it, GJK_OUTCOME_NEAREST, out);
   if (gjk_pair_is_curved(&o->it)) {
@@ -154,17 +93,17 @@ static void certify(const overlap *o, gjk_certificate *out) {
   }
 }
 
-// The distance of the cores' plane in the frame, Q30, and its normal.
+// The distance of the feature's plane in the frame, Q30, within GJK_PLANE_ERROR, and its unit normal.
 static int64_t plane_of(const gjk_iteration *it, gjk_unit3 *normal) {
   *normal = gjk_unit(&it->direction.d);
   return -gjk_along(normal, &it->simplex.slot[it->simplex.order[0]].w);
 }
 
-// Reports an overlap. plane and the normal: when the cores are apart.
+// Steps 2 to 5. When the outcome is NEAREST, plane and out->normal are those of plane_of.
 static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, const gjk_workspace *workspace,
                                gjk_penetration_result *out) {
   gjk_status status = GJK_OK;
-  const gjk_q16 rounding = (gjk_q16)gjk_convex_radii(&o->it);
+  const gjk_q16 radii = (gjk_q16)gjk_convex_radii(&o->it);
   bool saturated;
   if (outcome == GJK_OUTCOME_NEAREST) {
     measure_gap(o, plane);
@@ -173,25 +112,28 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
     out->normal = o->proof == GJK_PROOF_FACET ? o->facet.normal : gjk_unit(&o->it.direction.d);
   }
   out->intersecting = true;
-  out->upper = o->upper + rounding;
-  out->lower = o->lower + rounding > 0 ? o->lower + rounding : 0;
-  // A bound is as far off as curved supports may be; the depth itself is told by the supports as they are.
-  const gjk_q16 off = gjk_pair_is_curved(&o->it) && status == GJK_OK ? GJK_CURVED_ERROR : 0;
-  out->depth = out->upper - off;
+  out->upper = o->upper + radii;
+  out->lower = o->lower + radii > 0 ? o->lower + radii : 0;
+  // The bounds of a curved pair leave room for the error of its supports. The depth is in the middle of that room.
+  const gjk_q16 error = gjk_pair_is_curved(&o->it) && status == GJK_OK ? GJK_CURVED_ERROR : 0;
+  out->depth = out->upper - error;
   out->iterations = o->iterations;
+  // Step 4.
   gjk_witness_points(&o->it, &out->normal, &out->point_a, &out->point_b, &saturated);
   certify(o, &out->certificate);
   if (status == GJK_ERROR_CAPACITY) {
     out->certificate.proof = GJK_PROOF_NONE;
   }
   if (!gjk_pair_is_curved(&o->it)) {
-    widen_normal(o, status, out);
+    // Step 5. The facet's plane decides only where the shapes have no convex radii.
+    const gjk_facet *facet = o->proof == GJK_PROOF_FACET && radii == 0 ? &o->facet : NULL;
+    gjk_outward_normal(&o->it, facet, status != GJK_ERROR_CAPACITY, out->depth, &out->normal);
   }
   return status;
 }
 
-// Searches from the cache, and again without it where the cores intersect: what is measured of them then starts from a
-// simplex that depends on the pair alone.
+// Searches from the cache, and once more from a cold start where the cores intersect: step 3 continues from that
+// simplex, and may depend on the pair alone.
 static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *cache) {
   gjk_iteration *it = &o->it;
   const gjk_outcome outcome = gjk_search(it, goal, cache, GJK_NO_LIMIT);
@@ -205,8 +147,8 @@ static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *ca
   return cold;
 }
 
-// Finds out how the shapes lie: boxes and the like by their facets, which then are found as well, others by iteration. A
-// cached tetrahedron is of no use: it held the origin, and most likely still does.
+// Step 1. A cached tetrahedron is of no use: it contained the origin and likely still does, and then the search runs
+// cold anyway.
 static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   gjk_iteration *it = &o->it;
   gjk_cache direction;
@@ -221,6 +163,7 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
     o->facet.found = false;
     gjk_simplex_clear(&it->simplex);
     if (answer == GJK_BOX_SAT_APART && (goal == GJK_GOAL_DEPTH || cache == NULL)) {
+      // The search starts along the axis that separates the cores.
       gjk_iteration_keep(it, GJK_OUTCOME_SEPARATED, &direction);
       from = &direction;
     }
@@ -265,6 +208,7 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
   return report_depth(&o, outcome, plane, workspace, out);
 }
 
+// A depth as a distance: negative, its bounds exchanged. iterations stops counting at 255.
 static void report_signed(const gjk_penetration_result *overlapping, gjk_distance_result *out) {
   out->distance = -overlapping->depth;
   out->lower = -overlapping->upper;
@@ -278,6 +222,7 @@ static void report_signed(const gjk_penetration_result *overlapping, gjk_distanc
   out->certificate = overlapping->certificate;
 }
 
+// The bounds of the distance, or of minus the depth, that the last iteration proves.
 static void report_bounds(gjk_iteration *it, gjk_distance_result *out) {
   int64_t lower, upper;
   bool saturated;

@@ -1,23 +1,25 @@
 // Point, segment and box: a centre and up to three half axes; the farthest vertex is a sign per axis.
 //
-// A vertex's number has bit i set where half axis i counts plus.
+// The number of a vertex has bit i set where half axis i is added.
 #include "../arith/gjk_coarse.h"
 #include "../arith/gjk_rotation.h"
 #include "gjk_shape_class.h"
 
 #if GJK_NARROW_MULTIPLY
 
-// A direction, ready for signs along half axes.
+// A direction, prepared for the signs of half axes along it.
 typedef struct probe {
   const gjk_vec3 *d;
   gjk_coarse coarse;
 } probe;
 
+// Out of line: in line it costs queries on boxes 1 % more instructions on Cortex-M0, and 464 bytes.
 GJK_OUT_OF_LINE static bool lies_along_exactly(const gjk_vec3 *axis, const gjk_vec3 *d) {
   return gjk_dot(axis, d) >= 0;
 }
 
-static inline bool lies_along(const gjk_vec3 *axis, const probe *p) {
+// Is axis . d at least 0? The coarse product settles it unless it is within its own error of 0.
+static bool lies_along(const gjk_vec3 *axis, const probe *p) {
   const int32_t along = gjk_coarse_dot(&p->coarse, axis);
   if (along > GJK_COARSE_ERROR || along < -GJK_COARSE_ERROR) {
     return along > 0;
@@ -25,7 +27,7 @@ static inline bool lies_along(const gjk_vec3 *axis, const probe *p) {
   return lies_along_exactly(axis, p->d);
 }
 
-static inline probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
+static probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
   const probe p = {d, gjk_coarse_direction(d, c->bits)};
   return p;
 }
@@ -37,11 +39,11 @@ typedef struct probe {
 } probe;
 
 // Is axis . d at least 0?
-static inline bool lies_along(const gjk_vec3 *axis, const probe *p) {
+static bool lies_along(const gjk_vec3 *axis, const probe *p) {
   return gjk_mac32(gjk_mac32(gjk_mul32(axis->x, p->d.x), axis->y, p->d.y), axis->z, p->d.z) >= 0;
 }
 
-static inline probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
+static probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
   (void)c;
   const probe p = {*d};
   return p;
@@ -49,7 +51,9 @@ static inline probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
 
 #endif
 
-// Adds one half axis, or its opposite, whichever lies along the direction. Returns bit when it is added.
+// Adds the half axis to *sum where axis . d >= 0, and returns bit; subtracts it elsewhere, and returns 0.
+//
+// In line: out of line it costs queries on boxes 8 % more instructions on Cortex-M0.
 static inline unsigned add_axis(const gjk_vec3 *axis, const probe *p, unsigned bit, gjk_vec3 *sum) {
   if (lies_along(axis, p)) {
     sum->x += axis->x;
@@ -66,16 +70,16 @@ static inline unsigned add_axis(const gjk_vec3 *axis, const probe *p, unsigned b
 static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   const probe p = probe_of(c, d);
   gjk_vec3 sum = {0, 0, 0};
-  unsigned vertex_axes = 0;
+  unsigned number = 0;
   if (c->count > 0) {
-    vertex_axes = add_axis(&c->frame[0], &p, 1, &sum);
+    number = add_axis(&c->frame[0], &p, 1, &sum);
   }
   if (c->count > 1) {
-    vertex_axes |= add_axis(&c->frame[1], &p, 2, &sum);
-    vertex_axes |= add_axis(&c->frame[2], &p, 4, &sum);
+    number |= add_axis(&c->frame[1], &p, 2, &sum);
+    number |= add_axis(&c->frame[2], &p, 4, &sum);
   }
   out->offset = sum;
-  out->vertex = (uint16_t)vertex_axes;
+  out->vertex = (uint16_t)number;
 }
 
 static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
@@ -87,8 +91,8 @@ static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   return number >> c->count == 0;
 }
 
-// Rounding moves d . axis by less than |axis.x| + |axis.y| + |axis.z| <= sqrt(3) core_radius; only signs within that
-// are in doubt. An axis that is level along the exact direction keeps its sign.
+// d is off by less than 1 per component, so d . axis by less than |axis|_1 <= sqrt(3) core_radius. Only the signs of
+// products within slack are in doubt. An axis across the exact direction keeps its sign.
 static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
   const int64_t slack = 2 * (int64_t)c->core_radius;
   unsigned number = at->vertex;
@@ -115,7 +119,7 @@ static gjk_status measure_axes(const gjk_shape *shape, gjk_extent *out) {
     return GJK_ERROR_NEGATIVE;
   }
   out->centre = origin;
-  // At most 3 2^62.
+  // Each square <= 2^62:  squared <= 3 2^62
   out->squared = (uint64_t)gjk_mul32(size->x, size->x) + (uint64_t)gjk_mul32(size->y, size->y) +
                  (uint64_t)gjk_mul32(size->z, size->z);
   return GJK_OK;
@@ -139,9 +143,38 @@ static void pose_box(gjk_collider *c, const gjk_vec3 rows[3]) {
   c->frame[2] = gjk_rotate(rows, &z);
 }
 
-const gjk_shape_class gjk_class_point = {measure_axes, pose_point, support_axes, refine_axes, vertex_axes, NULL,
-                                         false,        0,          GJK_KIND_AXES};
+const gjk_shape_class gjk_class_point = {
+    .measure = measure_axes,
+    .pose = pose_point,
+    .support = support_axes,
+    .refine = refine_axes,
+    .vertex = vertex_axes,
+    .stalls = NULL,
+    .buffered = false,
+    .count = 0,
+    .kind = GJK_KIND_AXES,
+};
+
 const gjk_shape_class gjk_class_segment = {
-    measure_axes, pose_segment, support_axes, refine_axes, vertex_axes, NULL, false, 1, GJK_KIND_AXES};
-const gjk_shape_class gjk_class_box = {measure_axes, pose_box, support_axes, refine_axes, vertex_axes, NULL,
-                                       false,        3,        GJK_KIND_AXES};
+    .measure = measure_axes,
+    .pose = pose_segment,
+    .support = support_axes,
+    .refine = refine_axes,
+    .vertex = vertex_axes,
+    .stalls = NULL,
+    .buffered = false,
+    .count = 1,
+    .kind = GJK_KIND_AXES,
+};
+
+const gjk_shape_class gjk_class_box = {
+    .measure = measure_axes,
+    .pose = pose_box,
+    .support = support_axes,
+    .refine = refine_axes,
+    .vertex = vertex_axes,
+    .stalls = NULL,
+    .buffered = false,
+    .count = 3,
+    .kind = GJK_KIND_AXES,
+};

@@ -1,8 +1,9 @@
-// Cone along local z: apex above, base below.
+// Cone along local z: the apex above, the disc base below.
 #include "gjk_curved.h"
 #include "gjk_disc_base.h"
 
-// The apex is farther than the rim when 2 half d.z > radius |(d.x, d.y)|: squared, at most 2^120 either side.
+// Is the apex farther along d than the rim? It is where 2 half d.z > radius |(d.x, d.y)|. Both sides are squared: at
+// most 2^120.
 static bool apex_is_farther(const gjk_shape *shape, const gjk_vec3 *d) {
   const gjk_vec3 level = {d->x, d->y, 0};
   const int64_t rise = gjk_mul32(2 * shape->size.z, d->z);
@@ -22,4 +23,13 @@ static void support_cone(const gjk_collider *c, const gjk_vec3 *d, gjk_support *
 }
 
 const gjk_shape_class gjk_class_cone = {
-    gjk_disc_base_measure, gjk_curved_pose, support_cone, NULL, NULL, gjk_curved_stalls, false, 0, GJK_KIND_CONE};
+    .measure = gjk_disc_base_measure,
+    .pose = gjk_curved_pose,
+    .support = support_cone,
+    .refine = NULL,
+    .vertex = NULL,
+    .stalls = gjk_curved_stalls,
+    .buffered = false,
+    .count = 0,
+    .kind = GJK_KIND_CONE,
+};

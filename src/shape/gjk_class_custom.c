@@ -1,4 +1,4 @@
-// A user's own shape by its support function.
+// A user's own shape, by its support function.
 #include "gjk_curved.h"
 
 static gjk_status measure_custom(const gjk_shape *shape, gjk_extent *out) {
@@ -14,10 +14,10 @@ static gjk_status measure_custom(const gjk_shape *shape, gjk_extent *out) {
   return GJK_OK;
 }
 
-// The user's point; one beyond the bound is pulled back towards the local origin, onto the bound.
+// The user's point in fine units. A point beyond the bound is pulled back onto it, towards the local origin.
 static gjk_fine_point within_bound(const gjk_shape *shape, const gjk_vec3 *at) {
   const gjk_vec3 bound = {shape->size.x, shape->size.x, shape->size.x};
-  // At most 3 2^62.
+  // Each square <= 2^62:  squared <= 3 2^62
   const uint64_t squared =
       (uint64_t)gjk_mul32(at->x, at->x) + (uint64_t)gjk_mul32(at->y, at->y) + (uint64_t)gjk_mul32(at->z, at->z);
   const bool within = squared <= (uint64_t)gjk_mul32(bound.x, bound.x);
@@ -40,4 +40,13 @@ static void support_custom(const gjk_collider *c, const gjk_vec3 *d, gjk_support
 }
 
 const gjk_shape_class gjk_class_custom = {
-    measure_custom, gjk_curved_pose, support_custom, NULL, NULL, gjk_curved_stalls, false, 0, GJK_KIND_SMOOTH};
+    .measure = measure_custom,
+    .pose = gjk_curved_pose,
+    .support = support_custom,
+    .refine = NULL,
+    .vertex = NULL,
+    .stalls = gjk_curved_stalls,
+    .buffered = false,
+    .count = 0,
+    .kind = GJK_KIND_SMOOTH,
+};

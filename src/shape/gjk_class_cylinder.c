@@ -11,5 +11,13 @@ static void support_cylinder(const gjk_collider *c, const gjk_vec3 *d, gjk_suppo
 }
 
 const gjk_shape_class gjk_class_cylinder = {
-    gjk_disc_base_measure, gjk_curved_pose, support_cylinder, NULL, NULL, gjk_curved_stalls, false, 0,
-    GJK_KIND_CYLINDER};
+    .measure = gjk_disc_base_measure,
+    .pose = gjk_curved_pose,
+    .support = support_cylinder,
+    .refine = NULL,
+    .vertex = NULL,
+    .stalls = gjk_curved_stalls,
+    .buffered = false,
+    .count = 0,
+    .kind = GJK_KIND_CYLINDER,
+};

@@ -14,7 +14,7 @@ static gjk_status measure_ellipsoid(const gjk_shape *shape, gjk_extent *out) {
   return GJK_OK;
 }
 
-// The farthest point along d is radii * u where u is the unit vector along radii * d, both per component.
+// The farthest point along d is size * u, where u is the unit vector along size * d, both products per component.
 static void support_ellipsoid(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   const gjk_vec3 *size = &c->shape->size;
   const gjk_vec3 local = gjk_curved_direction(c, d);
@@ -27,4 +27,13 @@ static void support_ellipsoid(const gjk_collider *c, const gjk_vec3 *d, gjk_supp
 }
 
 const gjk_shape_class gjk_class_ellipsoid = {
-    measure_ellipsoid, gjk_curved_pose, support_ellipsoid, NULL, NULL, gjk_curved_stalls, false, 0, GJK_KIND_SMOOTH};
+    .measure = measure_ellipsoid,
+    .pose = gjk_curved_pose,
+    .support = support_ellipsoid,
+    .refine = NULL,
+    .vertex = NULL,
+    .stalls = gjk_curved_stalls,
+    .buffered = false,
+    .count = 0,
+    .kind = GJK_KIND_SMOOTH,
+};

@@ -1,4 +1,4 @@
-// Common ground of the kinds without vertices.
+// What the kinds without vertices share.
 #include "gjk_curved.h"
 
 #include "../arith/gjk_rotation.h"
@@ -40,7 +40,6 @@ int32_t gjk_fine(gjk_q16 size, gjk_q30 u) {
 }
 
 bool gjk_curved_stalls(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift, bool late) {
-  // d . step / |d| is the gain: below 2^62; |d|_1 <= sqrt(3) |d| is below 2^32. In a far frame, by its own unit.
-  const gjk_vec3 step = gjk_sub(*to, *from);
+  const gjk_vec3 step = gjk_sub(*to, *from);  // |d . step| < 2^62;  |d|_1 <= sqrt(3) |d| < 2^32, times 2^29 < 2^61
   return gjk_dot(d, &step) <= gjk_sar64(gjk_shl64(gjk_norm1(*d), shift > 0 ? (unsigned)shift : 0), late ? 1 : 3);
 }

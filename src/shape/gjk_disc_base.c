@@ -1,4 +1,4 @@
-// The round base that cylinder and cone share.
+// The disc base that cylinder and cone share.
 #include "gjk_disc_base.h"
 
 #include "../arith/gjk_unit.h"
@@ -10,6 +10,7 @@ gjk_status gjk_disc_base_measure(const gjk_shape *shape, gjk_extent *out) {
     return GJK_ERROR_NEGATIVE;
   }
   out->centre = origin;
+  // Each square <= 2^62:  squared <= 2^63
   out->squared = (uint64_t)gjk_mul32(size->x, size->x) + (uint64_t)gjk_mul32(size->z, size->z);
   return GJK_OK;
 }

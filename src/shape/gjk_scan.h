@@ -4,14 +4,15 @@
 
 #include "../arith/gjk_coarse.h"
 
-// The first of the vertices from first to before end, at least one, with the largest vertex . d < 2^63. Their components are
-// at most 2^bits in size, 1 <= bits <= 31.
+// The vertex with the largest product vertex . d, the first of equals, from first to before end. Pre: there is at least
+// one; products are below 2^63 in size, components of vertices at most 2^bits, 1 <= bits <= 31.
 const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bits, const gjk_vec3 *d);
 
-// Those of the vertices with vertex . d >= limit, one after the other. A component of d has 29 bits or more, and limit is the
-// product of one of the vertices less a slack of at most 2^33, and at most 2^(bits + 2) for vertices of fewer than 31 bits.
+// A scan for all vertices with vertex . d >= limit. Pre, for the coarse filter: the largest component of d has 29 bits
+// or more; limit is the product of one of the vertices, less a slack of at most 2^33, and of at most 2^(bits + 2)
+// where bits is below 31.
 typedef struct gjk_reach {
-  const gjk_vec3 *next, *end;  // the vertices to look at, as above
+  const gjk_vec3 *next, *end;  // the vertices still to be looked at
   const gjk_vec3 *d;
   int64_t limit;
 #if GJK_NARROW_MULTIPLY
@@ -20,7 +21,7 @@ typedef struct gjk_reach {
 #endif
 } gjk_reach;
 
-// Prepares the filter; the fields above are set.
+// Prepares the filter. Pre: next, end, d and limit are set.
 #if GJK_NARROW_MULTIPLY
 void gjk_reach_start(gjk_reach *reach, unsigned bits);
 #else
@@ -30,7 +31,7 @@ static inline void gjk_reach_start(gjk_reach *reach, unsigned bits) {
 }
 #endif
 
-// The next one; NULL: no more.
+// The next vertex that reaches the limit; NULL: there are no more.
 const gjk_vec3 *gjk_reach_next(gjk_reach *reach);
 
 #endif

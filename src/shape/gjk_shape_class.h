@@ -1,61 +1,63 @@
-// What a kind of shape provides. One constant table per kind, named by the initialisers of gjk/shape.h.
+// What a kind of shape provides: one constant table per kind, which the initialisers of gjk/shape.h name.
 #ifndef GJK_SRC_SHAPE_CLASS_H
 #define GJK_SRC_SHAPE_CLASS_H
 
 #include "../arith/gjk_vector.h"
 #include "gjk/collider.h"
 
-// The core of a shape in its own frame, without rounding.
+// The extent of a shape's core, shape frame.
 typedef struct gjk_extent {
-  gjk_vec3 centre;   // of the bounding box
-  uint64_t squared;  // of the largest distance from it, at most GJK_RADIUS_MAX^2
+  gjk_vec3 centre;   // of the core's bounding box
+  uint64_t squared;  // the square of the core's largest distance from centre; gjk_collider_init bounds it
 } gjk_extent;
 
-// What a collider of the class holds, for those that look at more than its supports.
+// What frame and buffer of a collider hold, for code that looks at faces and edges, not only at support points.
 typedef enum gjk_kind {
-  GJK_KIND_SMOOTH,    // nothing to look at
-  GJK_KIND_AXES,      // half axes: its vertices are the centre with each of them added or subtracted
+  GJK_KIND_SMOOTH,    // rotation rows; no faces or edges
+  GJK_KIND_AXES,      // half axes: a vertex is the centre with each half axis added or subtracted
   GJK_KIND_VERTICES,  // a list of vertices
   GJK_KIND_CYLINDER,  // rotation rows
   GJK_KIND_CONE       // rotation rows
 } gjk_kind;
 
 struct gjk_shape_class {
-  // Checks the shape's own fields and measures it; round is checked by the caller.
+  // Checks the shape's own fields and measures its core. gjk_collider_init checks the convex radius.
   gjk_status (*measure)(const gjk_shape *shape, gjk_extent *out);
 
-  // Fills frame and buffer of an initialised collider, its fraction set, for a rotation given by its rows, Q2.30.
+  // Fills frame and buffer of a collider for the rotation with these rows, Q2.30. Pre: initialised; fraction is set.
   void (*pose)(gjk_collider *collider, const gjk_vec3 rows[3]);
 
-  // The farthest vertex along d; among equals the one that the kind prefers, always the same.
+  // The vertex that is farthest along d. Among equally far ones the choice depends on shape, pose and d alone.
   // Pre: d != 0, |d| <= 2^31.
   void (*support)(const gjk_collider *collider, const gjk_vec3 *d, gjk_support *out);
 
-  // Moves *at, the support along d, to a vertex that is farthest along the exact direction, of which d is the rounded
-  // one. Returns whether it moved. NULL: curved, there are no vertices to choose from.
+  // Moves *at, the support along d, to a vertex that is farthest along *direction, which d approximates. Returns
+  // whether *at has moved. NULL for curved shapes, which have no vertices to choose from.
   bool (*refine)(const gjk_collider *collider, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at);
 
-  // The offset of a vertex by its number; false: there is none. NULL: curved.
+  // The offset of the vertex with a number; false where there is none. NULL for curved shapes.
   bool (*vertex)(const gjk_collider *collider, uint16_t number, gjk_vec3 *offset);
 
-  // Does a step of the search along d, from one vertex of the pair's frame to another, gain too little to go on for? late: the
-  // search is long. For kinds without vertices alone, NULL for the others, which run out of vertices. Pre: see gjk/iteration.h.
+  // Does an iteration that moves from one vertex of the pair's frame to another along d gain too little to go on for?
+  // late: the search is long. NULL for polytopes: their searches end, since they run out of vertices.
+  // Pre: see gjk_iteration.h.
   bool (*stalls)(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift, bool late);
 
-  bool buffered;  // takes a buffer for the vertices of the shape
-  uint8_t count;  // half axes or vertices; 0 with buffered: the shape's own count
+  bool buffered;  // a collider may have a buffer for posed vertices
+  uint8_t count;  // half axes or vertices; where buffered is set the shape's own count is taken
   uint8_t kind;   // a gjk_kind
 };
 
-// Has the shape no vertices: a cylinder, cone, ellipsoid or a user's own?
+// Is the shape a cylinder, cone, ellipsoid or custom shape, which have no vertices?
 static inline bool gjk_is_curved(const gjk_shape *shape) {
   return shape->type->stalls != NULL;
 }
 
+// The state of a collider. Other values are those of memory that was never initialised.
 #define GJK_STATE_INITIALISED UINT16_C(0x676A)
 #define GJK_STATE_POSED UINT16_C(0x676B)
 
-// NULL, UNINITIALISED or OK.
+// The arguments that all queries have: GJK_ERROR_NULL, GJK_ERROR_UNINITIALISED or GJK_OK.
 static inline gjk_status gjk_check_pair(const gjk_collider *a, const gjk_collider *b, const void *out) {
   if (a == NULL || b == NULL || out == NULL) {
     return GJK_ERROR_NULL;

@@ -1,7 +1,7 @@
 #!/bin/sh
 # What a query costs on the emulated cores, beside the reference in float and double: bench-target.sh BUILD [TARGET...]
 #
-# Instructions, cold, mean and worst of 50 random pairs; stack, painted and by the compiler's call graph; the workspace
+# Instructions, cold, mean and worst of 50 random pairs (1,000 of a skewed family); stack, painted and by the compiler's call graph; the workspace
 # that the pairs need at most; linked code.
 # All of it in BUILD/bench/target.csv, one figure a line: TARGET,SOLVER,SUBJECT,MEASURE,FIGURE
 . tests/build/count.sh

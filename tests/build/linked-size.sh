@@ -2,6 +2,7 @@
 # Bytes of code and constants that a program for TARGET links, built for size: linked-size.sh BUILD TARGET MACRO...
 # The macros choose the program, see tests/measure/target/size.c; its own bytes are not counted. 'float' or 'double' instead of
 # the macros is the reference in that type, see tests/measure/target/bench_reference.h, with the floating point that it needs.
+# LIBRARY: other objects than the library's; SECTIONS=--no-gc-sections keeps all of them.
 . tests/build/count.sh
 out=$1/linked
 variant=$(variant_of "$1")
@@ -21,7 +22,7 @@ compile() {
 link() {
   entry=$1
   shift
-  $tools -nostdlib -Wl,--no-warn-rwx-segments,--gc-sections "-Wl,-e$entry" "$@" "$out/$target-memory.o" -lgcc \
+  $tools -nostdlib -Wl,--no-warn-rwx-segments,${SECTIONS---gc-sections} "-Wl,-e$entry" "$@" "$out/$target-memory.o" -lgcc \
     -o "$name.elf"
 }
 
@@ -33,7 +34,7 @@ case $1 in
     ;;
   *)
     compile "$@" tests/measure/target/size.c -o "$name.o" &&
-      link size_main "$name.o" "build/$target$variant-linked/libgjk.a" || exit 1
+      link size_main "$name.o" ${LIBRARY:-build/$target$variant-linked/libgjk.a} || exit 1
     "$(tool_prefix "$target")size" "$name.o" "$name.elf" | awk 'NR == 2 { own = $1 } NR == 3 { print $1 - own }'
     ;;
 esac

@@ -6,7 +6,6 @@
 #   unreached          a function and how many of its statements no path reaches; all: one of src that is never called
 #
 # Numbers that Frama-C gives to copies are dropped; of copies of a function the one with the most places counts.
-# -v proved=1: instead what is proven wherever it stands, as it would be listed.
 BEGIN {
   FS = "\t"
   OFS = "\t"
@@ -20,8 +19,7 @@ function plain(name) {
 }
 
 FILENAME == ARGV[1] {
-  is_proven = $6 ~ /^(Valid|Considered valid|Dead)$/ || (proved && $6 == "Partially proven")
-  if (FNR == 1 || (is_proven && !proved) || $1 ~ /FRAMAC/ || ($2 == "contracts.h" && $5 ~ /condition$/)) next
+  if (FNR == 1 || $6 ~ /^(Valid|Considered valid|Dead)$/ || $1 ~ /FRAMAC/ || ($2 == "contracts.h" && $5 ~ /condition$/)) next
   property = $7
   gsub(/[a-z]_[0-9]+/, "&#", property)
   gsub(/_[0-9]+#/, "", property)
@@ -30,8 +28,6 @@ FILENAME == ARGV[1] {
   kind = plain($5)
   status = $6 ~ /^Invalid/ ? "refuted" : tolower($6)
   what = ($1 ~ /prove$/ ? driver "/" : "") $2 " " plain($4) ": " (kind ~ /precondition/ ? kind ": " : "") property
-  if (is_proven) proofs[what]
-  else refusals[what]
   rows++
   row_status[rows] = status
   row_what[rows] = what
@@ -67,10 +63,6 @@ listing && listed {
 }
 
 END {
-  if (proved) {
-    for (what in proofs) if (!(what in refusals)) print what
-    exit
-  }
   for (row = 1; row <= rows; row++) {
     status = row_status[row]
     fact = (status == "unknown" && row_place[row] in stopped ? "stopped" : status) OFS row_what[row]

@@ -14,7 +14,7 @@ dir=$build/prove
 shift
 
 # What has a contract instead of a body, but in the driver of the bodies.
-CONTRACTS=gjk_add,gjk_sub,gjk_edge,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,reciprocal,\
+CONTRACTS=gjk_add,gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,gjk_triangle_normal,reciprocal,\
 gjk_reciprocal_root,gjk_unit,gjk_copy,gjk_height_key
 
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
@@ -117,29 +117,6 @@ entries() {
   cat "$@" | grep -v '^#' | grep . | sort -u
 }
 
-# What tests/prove/proved.txt lists follows, function by function, from the contracts of what each calls: by WP's own
-# simplifier, no other prover. Leaves NAME.wrong.
-prove_consequences() {
-  name=$1
-  case $name in
-    *int16) set -- gcc_x86_16 -DGJK_NARROW_MULTIPLY=1 ;;
-    *) set -- gcc_x86_32 ;;
-  esac
-  entries tests/prove/proved.txt >"$dir/$name.listed"
-  start=$(date +%s)
-  # Each file by itself, so that no function is renamed.
-  sed 's/ .*//' "$dir/$name.listed" | sort -u | while read -r file; do
-    functions=$(sed -n "s/^$file \([^:]*\):.*/\1/p" "$dir/$name.listed" | sort -u | tr '\n' ',')
-    frama-c src/*/"$file" -wp -wp-fct "${functions%,}" -wp-prover qed -inline-calls gjk_epa_hull_vertex -machdep "$1" \
-      -cpp-extra-args="-Iinclude -I. $2 -include tests/prove/contracts.h -include src/depth/gjk_epa_hull.h" \
-      -then -report-csv "$dir/$name-$file.csv" >"$dir/$name-$file.txt" 2>&1 </dev/null
-    awk -v proved=1 -f tests/build/prove-facts.awk "$dir/$name-$file.csv" /dev/null
-  done | sort -u >"$dir/$name.proved"
-  comm -23 "$dir/$name.listed" "$dir/$name.proved" | sed 's/^/not proven: /' >"$dir/$name.wrong"
-  echo "$name: $(wc -l <"$dir/$name.wrong") unexpected, $(wc -l <"$dir/$name.listed") proven, $(($(date +%s) - start)) s"
-  sed "s/^/failed: $name: /" "$dir/$name.wrong"
-}
-
 # What the contracts say of vectors' lengths, by an SMT solver.
 prove_lengths() {
   WHY3CONFIG=$dir/why3.conf
@@ -152,10 +129,6 @@ prove_lengths() {
 
 prove_one() {
   driver=${1%%-*}
-  if [ "$driver" = wp ]; then
-    prove_consequences "$1"
-    return
-  fi
   variant=${1##*-}
   instance=${1#*-}
   instance=${instance%-*}
@@ -264,8 +237,8 @@ list() {
 # Each open property has its reason, each reason a run that needs it.
 is_explained() {
   grep -v '^#' tests/prove/open.txt | grep . | grep -v '^unreached' | cut -f 4 | sort -u >"$dir/needed"
-  entries tests/prove/assumed.txt tests/prove/proved.txt >"$dir/assumed"
-  comm -13 "$dir/assumed" "$dir/needed" | sed 's/^/without a reason or proof: /' >"$dir/explained"
+  entries tests/prove/assumed.txt >"$dir/assumed"
+  comm -13 "$dir/assumed" "$dir/needed" | sed 's/^/without a reason: /' >"$dir/explained"
   comm -23 "$dir/assumed" "$dir/needed" | sed 's/^/needed by no run: /' >>"$dir/explained"
   cat "$dir/explained"
   [ ! -s "$dir/explained" ]
@@ -295,7 +268,7 @@ rm -f "$dir"/*
 all=
 [ $# -gt 0 ] || all=1
 # shellcheck disable=SC2046
-[ $# -gt 0 ] || set -- $(runs) wp-int32 wp-int16
+[ $# -gt 0 ] || set -- $(runs)
 for run in "$@"; do
   echo "$run"
 done | nice xargs -P 2 -n 1 sh "$0" "$build" --one | tee "$dir/report"
@@ -311,5 +284,5 @@ if [ -n "$all" ]; then
   fi
   check 'what is assumed holds as it runs' nice sh tests/build/bounds.sh "$build" 20000 1
 fi
-echo "$(entries tests/prove/assumed.txt | wc -l) assumptions, $(entries tests/prove/proved.txt | wc -l) consequences"
+echo "$(entries tests/prove/assumed.txt | wc -l) assumptions"
 finish prove

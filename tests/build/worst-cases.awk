@@ -19,7 +19,7 @@ function numbers(    i, out) {
 }
 
 BEGIN {
-  print "// Written by worst-cases.awk.\n#include \"target/worst.h\"\n\nconst worst_case worst_cases[] = {"
+  print "// Written by worst-cases.awk.\n#include \"tests/measure/target/worst.h\"\n\nconst worst_case worst_cases[] = {"
 }
 
 /^[ \t]*(#|$)/ { next }

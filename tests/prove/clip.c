@@ -3,16 +3,16 @@
 #include "src/contact/gjk_clip.h"
 
 #include "polygons.h"
-#include "touches.h"
+#include "candidates.h"
 
 static void run(int32_t count_a, int32_t count_b) {
   gjk_polygon a, b;
-  gjk_touches touches;
+  gjk_candidates candidates;
   const gjk_vec3 centre = any_position();
   any_polygon(&a, count_a);
   any_polygon(&b, count_b);
-  gjk_clip(&a, &b, &centre, any_between(0, INT32_MAX), &touches);
-  check_touches(&touches);
+  gjk_clip(&a, &b, &centre, any_between(0, INT32_MAX), &candidates);
+  check_candidates(&candidates);
 }
 
 int main(void) {

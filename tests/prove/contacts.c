@@ -4,7 +4,7 @@
 #include <limits.h>
 
 #include "colliders.h"
-#include "touches.h"
+#include "candidates.h"
 
 static void check_manifold(const gjk_manifold *m) {
   //@ assert m->count <= GJK_CONTACTS_MAX;
@@ -14,7 +14,7 @@ static void check_manifold(const gjk_manifold *m) {
   check_size(m->feature_a, UINT16_MAX);
   check_size(m->feature_b, UINT16_MAX);
   for (unsigned i = 0; i < m->count; i++) {
-    check_touch(&m->contact[i]);
+    check_candidate(&m->contact[i]);
   }
 }
 

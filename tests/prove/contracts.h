@@ -25,14 +25,6 @@ static inline gjk_vec3 gjk_add(gjk_vec3 a, gjk_vec3 b);
     ensures \result.z == a.z - b.z && \result.z >= -0x7fffffff; */
 static inline gjk_vec3 gjk_sub(gjk_vec3 a, gjk_vec3 b);
 
-/*@ requires short: SHORT(a.x - b.x, a.y - b.y, a.z - b.z);
-    assigns \result \from a, b;
-    ensures \result.x == a.x - b.x && \result.x >= -0x7fffffff;
-    ensures \result.y == a.y - b.y && \result.y >= -0x7fffffff;
-    ensures \result.z == a.z - b.z && \result.z >= -0x7fffffff;
-    ensures SHORT(\result.x, \result.y, \result.z); */
-static inline gjk_vec3 gjk_edge(gjk_vec3 a, gjk_vec3 b);
-
 /*@ requires positive: x != 0;
     assigns \result \from x;
     ensures \result <= 31;
@@ -116,6 +108,14 @@ uint32_t gjk_reciprocal_root(uint32_t x);
     ensures -0x40000001 <= \result.y <= 0x40000001;
     ensures -0x40000001 <= \result.z <= 0x40000001; */
 gjk_unit3 gjk_unit(const gjk_vec3 *d);
+
+// The cross product of two edges shorter than 2^31.
+/*@ requires edges: SHORT(b->x - a->x, b->y - a->y, b->z - a->z) && SHORT(c->x - a->x, c->y - a->y, c->z - a->z);
+    assigns *out \from *a, *b, *c;
+    ensures -0x4000000000000000 < out->x < 0x4000000000000000;
+    ensures -0x4000000000000000 < out->y < 0x4000000000000000;
+    ensures -0x4000000000000000 < out->z < 0x4000000000000000; */
+static inline void gjk_triangle_normal(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, gjk_long3 *out);
 
 // Shown by tests/prove/facet.c.
 /*@ requires positive: along > 0 ==> squared > 0;

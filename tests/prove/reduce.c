@@ -1,15 +1,15 @@
 // src/contact/gjk_reduce.h with any contact points, one more than are to be kept or the most there are, of which any number is kept.
 #include "src/contact/gjk_reduce.h"
 
-#include "touches.h"
+#include "candidates.h"
 
 static void run(int32_t count, int32_t most) {
-  gjk_touches touches;
+  gjk_candidates candidates;
   uint8_t keep[GJK_CONTACTS_MAX];
   const gjk_vec3 u = any_vec3(ANY_UNIT);
   const gjk_unit3 normal = {u.x, u.y, u.z};
-  any_touches(&touches, count);
-  gjk_reduce(&touches, &normal, (unsigned)most, keep);
+  any_candidates(&candidates, count);
+  gjk_reduce(&candidates, &normal, (unsigned)most, keep);
   for (int i = 0; i < most; i++) {
     //@ assert keep[i] < count;
   }
@@ -18,7 +18,7 @@ static void run(int32_t count, int32_t most) {
 int main(void) {
   for (int32_t most = 1; most <= GJK_CONTACTS_MAX; most++) {
     run(most + 1, most);
-    run(GJK_TOUCHES_MAX, most);
+    run(GJK_CANDIDATES_MAX, most);
   }
   return 0;
 }

@@ -44,7 +44,8 @@ static inline gjk_pose turned(gjk_pose pose, const gjk_vec3 *axis, gjk_angle ang
 
 static inline void place(const gjk_shape *shape, const gjk_pose *pose, gjk_collider *out) {
   memset(out, 0, sizeof *out);
-  CHECK(gjk_collider_init(out, shape, NULL, 0) == GJK_OK && gjk_collider_pose(out, pose) == GJK_OK);
+  CHECK(gjk_collider_init(out, shape, NULL, 0) == GJK_OK);
+  CHECK(gjk_collider_pose(out, pose) == GJK_OK);
 }
 
 static inline gjk_manifold meet(const gjk_shape *a, gjk_pose pose_a, const gjk_shape *b, gjk_pose pose_b,

@@ -55,7 +55,8 @@ static void test_polytopes(void) {
     if (case_collider_build(&c, &shape, false) != GJK_OK) {
       continue;
     }
-    CHECK(c.collider.core_radius >> c.collider.bits == 0 && c.collider.core_radius >> (c.collider.bits - 1) == 1);
+    CHECK(c.collider.core_radius >> c.collider.bits == 0);
+    CHECK(c.collider.core_radius >> (c.collider.bits - 1) == 1);
     gjk_aabb box;
     const gjk_aabb expected = box_of_vertices(&c.collider);
     CHECK(gjk_collider_aabb(&c.collider, &box) == GJK_OK);
@@ -85,12 +86,14 @@ static void test_curved(void) {
     gjk_collider c;
     gjk_aabb box;
     memset(&c, 0, sizeof c);
-    CHECK(gjk_collider_init(&c, &known[i].shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+    CHECK(gjk_collider_init(&c, &known[i].shape, NULL, 0) == GJK_OK);
+    CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
     CHECK(gjk_collider_aabb(&c, &box) == GJK_OK);
     const gjk_q16 excess[6] = {p.x - h.x - box.lower.x, p.y - h.y - box.lower.y, p.z - h.z - box.lower.z,
                                box.upper.x - p.x - h.x, box.upper.y - p.y - h.y, box.upper.z - p.z - h.z};
     for (int k = 0; k < 6; k++) {
-      CHECK_MSG(excess[k] >= 0 && excess[k] <= 2, "shape %lu, side %d: %ld", (unsigned long)i, k, (long)excess[k]);
+      CHECK_MSG(excess[k] >= 0, "shape %lu, side %d: %ld", (unsigned long)i, k, (long)excess[k]);
+      CHECK_MSG(excess[k] <= 2, "shape %lu, side %d: %ld", (unsigned long)i, k, (long)excess[k]);
     }
   }
 }

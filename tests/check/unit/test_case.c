@@ -69,7 +69,8 @@ static void test_numbers(void) {
     const number_row *row = &numbers[i];
     int32_t value = 12345;
     bool good = case_number_parse(row->text, row->bits, &value);
-    CHECK_MSG(good == row->good && value == (good ? row->value : 12345), "'%s': %d %ld", row->text, good, (long)value);
+    CHECK_MSG(good == row->good, "'%s': %d %ld", row->text, good, (long)value);
+    CHECK_MSG(value == (good ? row->value : 12345), "'%s': %d %ld", row->text, good, (long)value);
   }
 }
 
@@ -79,8 +80,8 @@ static void test_decimals(random_state *random) {
     char text[64];
     int32_t number = (int32_t)(random_u32(random) - UINT32_C(0x80000000)) >> random_below(random, 31), value = 0;
     snprintf(text, sizeof text, "%.16f", number / 65536.0);
-    CHECK_MSG(case_number_parse(text, 16, &value) && value == number, "'%s': %ld for %ld", text, (long)value,
-              (long)number);
+    CHECK_MSG(case_number_parse(text, 16, &value), "'%s': %ld for %ld", text, (long)value, (long)number);
+    CHECK_MSG(value == number, "'%s': %ld for %ld", text, (long)value, (long)number);
   }
 }
 
@@ -171,10 +172,13 @@ static void test_round_trip(random_state *random) {
     random_case_shape(&again, &written.a);
     random_case_shape(&again, &written.b);
     bool found = case_reader_next(&reader, &read);
-    CHECK_MSG(found && strcmp(read.id, id) == 0 && same_shape(&written.a, &read.a) && same_shape(&written.b, &read.b),
-              "case %d", i);
+    CHECK_MSG(found, "case %d", i);
+    CHECK_MSG(strcmp(read.id, id) == 0, "case %d", i);
+    CHECK_MSG(same_shape(&written.a, &read.a), "case %d", i);
+    CHECK_MSG(same_shape(&written.b, &read.b), "case %d", i);
   }
-  CHECK(!case_reader_next(&reader, &read) && reader.errors == 0);
+  CHECK(!case_reader_next(&reader, &read));
+  CHECK(reader.errors == 0);
   case_pair_free(&written);
   case_pair_free(&read);
   fclose(file);
@@ -185,7 +189,8 @@ static void test_copy(random_state *random) {
   for (int i = 0; i < 100; i++) {
     random_case_shape(random, &from);
     case_shape_copy(&to, &from);
-    CHECK(same_shape(&from, &to) && (from.count == 0 || from.vertices != to.vertices));
+    CHECK(same_shape(&from, &to));
+    CHECK(from.count == 0 || from.vertices != to.vertices);
   }
   case_shape_free(&from);
   case_shape_free(&to);
@@ -198,8 +203,10 @@ static void test_build(void) {
   shape.kind = CASE_HULL;
   case_shape_set_count(&shape, GJK_HULL_VERTICES_MAX);
   memset(shape.vertices, 0, shape.count * sizeof shape.vertices[0]);
-  CHECK(case_collider_build(&collider, &shape, false) == GJK_OK && collider.collider.buffer != NULL);
-  CHECK(case_collider_build(&collider, &shape, true) == GJK_OK && collider.collider.buffer == NULL);
+  CHECK(case_collider_build(&collider, &shape, false) == GJK_OK);
+  CHECK(collider.collider.buffer != NULL);
+  CHECK(case_collider_build(&collider, &shape, true) == GJK_OK);
+  CHECK(collider.collider.buffer == NULL);
   case_shape_set_count(&shape, (size_t)GJK_HULL_VERTICES_MAX + 1);
   CHECK(case_collider_build(&collider, &shape, false) == GJK_ERROR_RANGE);
   case_shape_set_count(&shape, 0);

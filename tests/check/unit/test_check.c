@@ -107,9 +107,12 @@ static void test_largest(void) {
     gjk_decision decision;
     memset(&cache, 0, sizeof cache);
     for (int round = 0; round < 3; round++) {
-      CHECK(gjk_intersect(&a, &b, &cache, &decision) == GJK_OK && !decision.yes);
-      CHECK(gjk_within(&a, &b, INT32_MAX, &cache, &decision) == GJK_OK && decision.yes);
-      CHECK(gjk_within(&a, &b, away / 4, &cache, &decision) == GJK_OK && !decision.yes);
+      CHECK(gjk_intersect(&a, &b, &cache, &decision) == GJK_OK);
+      CHECK(!decision.yes);
+      CHECK(gjk_within(&a, &b, INT32_MAX, &cache, &decision) == GJK_OK);
+      CHECK(decision.yes);
+      CHECK(gjk_within(&a, &b, away / 4, &cache, &decision) == GJK_OK);
+      CHECK(!decision.yes);
     }
   }
 }
@@ -133,7 +136,8 @@ static void test_distances(void) {
   const gjk_collider a = placed(&dot, 0, 0, 0), b = placed(&dot, 3, 4, 0);
   gjk_distance_result result;
   memset(&result, 0, sizeof result);
-  CHECK(gjk_distance(&a, &b, NULL, &result) == GJK_OK && result.distance == 5);
+  CHECK(gjk_distance(&a, &b, NULL, &result) == GJK_OK);
+  CHECK(result.distance == 5);
   CHECK(gjk_check_distance(&a, &b, &result) == GJK_OK);
   static const gjk_q16 wrong[] = {0, 4, 6, 65536, GJK_DISTANCE_MAX - 1, GJK_DISTANCE_MAX, -1, -5};
   for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
@@ -158,18 +162,22 @@ static void test_penetrations(void) {
                      far = placed(&cube, 0, 9 * ONE, 0);
   gjk_penetration_result r;
   memset(&r, 0, sizeof r);
-  CHECK(gjk_check_penetration(NULL, &b, &r) == GJK_ERROR_NULL && gjk_check_penetration(&a, NULL, &r) == GJK_ERROR_NULL);
+  CHECK(gjk_check_penetration(NULL, &b, &r) == GJK_ERROR_NULL);
+  CHECK(gjk_check_penetration(&a, NULL, &r) == GJK_ERROR_NULL);
   CHECK(gjk_check_penetration(&a, &b, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_check_penetration(&a, &far, &r) == GJK_OK);
   r.intersecting = true;
   CHECK(gjk_check_penetration(&a, &far, &r) == GJK_ERROR_UNPROVEN);
   const gjk_collider curved = placed(&barrel, 0, 0, 2 * ONE - 10);
-  CHECK(gjk_penetration(&a, &curved, NULL, &workspace, &r) == GJK_OK && r.intersecting);
+  CHECK(gjk_penetration(&a, &curved, NULL, &workspace, &r) == GJK_OK);
+  CHECK(r.intersecting);
   CHECK(gjk_check_penetration(&a, &curved, &r) == GJK_ERROR_UNSUPPORTED);
   CHECK(gjk_check_penetration(&curved, &a, &r) == GJK_ERROR_UNSUPPORTED);
   // By a facet.
-  CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK && r.depth == 10);
-  CHECK(r.certificate.proof == GJK_PROOF_FACET && gjk_check_penetration(&a, &b, &r) == GJK_OK);
+  CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK);
+  CHECK(r.depth == 10);
+  CHECK(r.certificate.proof == GJK_PROOF_FACET);
+  CHECK(gjk_check_penetration(&a, &b, &r) == GJK_OK);
   static const gjk_q16 wrong[] = {-INT32_MAX, -1, 0, 9, 11, 20, 65536, INT32_MAX};
   for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
     CHECK(penetrates(&a, &b, &r, wrong[i]) == GJK_ERROR_UNPROVEN);
@@ -192,13 +200,17 @@ static void test_penetrations(void) {
   CHECK(gjk_check_penetration(&a, &b, &other) == GJK_ERROR_UNPROVEN);  // a vertex that there is not
   // Of rounded cores that overlap: what is less than the roundings is less than any.
   const gjk_collider p = placed(&soft, 0, 0, 0), q = placed(&soft, 0, 0, 2 * ONE - 10);
-  CHECK(gjk_penetration(&p, &q, NULL, &workspace, &r) == GJK_OK && r.depth == 2 * ONE + 10);
+  CHECK(gjk_penetration(&p, &q, NULL, &workspace, &r) == GJK_OK);
+  CHECK(r.depth == 2 * ONE + 10);
   CHECK(gjk_check_penetration(&p, &q, &r) == GJK_OK);
-  CHECK(penetrates(&p, &q, &r, 2 * ONE + 9) == GJK_ERROR_UNPROVEN && penetrates(&p, &q, &r, 3) == GJK_ERROR_UNPROVEN);
+  CHECK(penetrates(&p, &q, &r, 2 * ONE + 9) == GJK_ERROR_UNPROVEN);
+  CHECK(penetrates(&p, &q, &r, 3) == GJK_ERROR_UNPROVEN);
   // By the nearest feature of cores that are apart.
   const gjk_collider s = placed(&soft, 0, 0, 2 * ONE + 10);
-  CHECK(gjk_penetration(&p, &s, NULL, &workspace, &r) == GJK_OK && r.depth == 2 * ONE - 10);
-  CHECK(r.certificate.proof == GJK_PROOF_NEAREST && gjk_check_penetration(&p, &s, &r) == GJK_OK);
+  CHECK(gjk_penetration(&p, &s, NULL, &workspace, &r) == GJK_OK);
+  CHECK(r.depth == 2 * ONE - 10);
+  CHECK(r.certificate.proof == GJK_PROOF_NEAREST);
+  CHECK(gjk_check_penetration(&p, &s, &r) == GJK_OK);
   static const gjk_q16 beside[] = {-1, 0, 2 * ONE - 11, 2 * ONE - 9, 2 * ONE, 2 * ONE + 1};
   for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
     CHECK(penetrates(&p, &s, &r, beside[i]) == GJK_ERROR_UNPROVEN);
@@ -206,7 +218,8 @@ static void test_penetrations(void) {
   // Cores much nearer than the roundings are large, in a frame of high resolution.
   static const gjk_shape large = GJK_SPHERE(INT32_C(1) << 27);
   const gjk_collider u = placed(&large, 0, 0, 0), v = placed(&large, 0, 3, 4);
-  CHECK(gjk_penetration(&u, &v, NULL, &workspace, &r) == GJK_OK && r.depth == (INT32_C(1) << 28) - 5);
+  CHECK(gjk_penetration(&u, &v, NULL, &workspace, &r) == GJK_OK);
+  CHECK(r.depth == (INT32_C(1) << 28) - 5);
   CHECK(gjk_check_penetration(&u, &v, &r) == GJK_OK);
   for (int i = 0; i < 29; i++) {
     CHECK(penetrates(&u, &v, &r, r.depth - (INT32_C(1) << i)) == GJK_ERROR_UNPROVEN);
@@ -252,7 +265,8 @@ static void test_planes(void) {
       for (int i = 0; i < 3; i++) {
         *along = sign * size[i];
         CHECK(gjk_check_penetration(&a, &b, &r) == GJK_OK);
-        CHECK(penetrates(&a, &b, &r, 1) == GJK_ERROR_UNPROVEN && penetrates(&a, &b, &r, -1) == GJK_ERROR_UNPROVEN);
+        CHECK(penetrates(&a, &b, &r, 1) == GJK_ERROR_UNPROVEN);
+        CHECK(penetrates(&a, &b, &r, -1) == GJK_ERROR_UNPROVEN);
         CHECK(gjk_check_penetration(&b, &a, &r) == GJK_ERROR_UNPROVEN);
         CHECK(gjk_check_penetration(&a, &deep, &r) == GJK_ERROR_UNPROVEN);
         CHECK(gjk_check_penetration(&a, &apart, &r) == GJK_ERROR_UNPROVEN);
@@ -344,20 +358,24 @@ static void test_cut_off(void) {
     const gjk_collider near = placed(&ball, end, 0, 0), inner = placed(&ball, end + 3 * inwards, 3, 0);
     gjk_distance_result r;
     // The points are not where the shapes leave the world.
-    CHECK(gjk_distance(&a, &b, NULL, &r) == GJK_OK && !r.saturated && gjk_check_distance(&a, &b, &r) == GJK_OK);
+    CHECK(gjk_distance(&a, &b, NULL, &r) == GJK_OK);
+    CHECK(!r.saturated);
+    CHECK(gjk_check_distance(&a, &b, &r) == GJK_OK);
     r.point_a.x = r.point_b.x = ends[i];
     r.saturated = true;
     CHECK(gjk_check_distance(&a, &b, &r) == GJK_OK);  // what is at the end is not checked
     r.saturated = false;
     CHECK(gjk_check_distance(&a, &b, &r) == GJK_ERROR_UNPROVEN);
-    CHECK(gjk_distance(&inner, &near, NULL, &r) == GJK_OK && gjk_check_distance(&inner, &near, &r) == GJK_OK);
+    CHECK(gjk_distance(&inner, &near, NULL, &r) == GJK_OK);
+    CHECK(gjk_check_distance(&inner, &near, &r) == GJK_OK);
     r.saturated = true;
     CHECK(gjk_check_distance(&inner, &near, &r) == GJK_ERROR_UNPROVEN);
     r.point_a.x = ends[i];
     CHECK(gjk_check_distance(&inner, &near, &r) == GJK_ERROR_UNPROVEN);
     // Beyond its end: cut off in earnest.
     const gjk_collider edge = placed(&ball, ends[i], 0, 0), over = placed(&ball, ends[i] + 3 * inwards, 0, 0);
-    CHECK(gjk_distance(&over, &edge, NULL, &r) == GJK_OK && gjk_check_distance(&over, &edge, &r) == GJK_OK);
+    CHECK(gjk_distance(&over, &edge, NULL, &r) == GJK_OK);
+    CHECK(gjk_check_distance(&over, &edge, &r) == GJK_OK);
   }
 }
 

@@ -32,5 +32,48 @@ for port in generic hosted template; do
     check "$source with the $port port" compiles "-DGJK_PORT_HEADER=\"$port/gjk_port.h\"" "$source"
   done
 done
+
+# takes VALUE COMPILER FLAGS...: the multiplication that the library settles on
+takes() {
+  value=$1
+  shift
+  settled=$(printf '#include "src/arith/gjk_port_defaults.h"\nsettled: GJK_NARROW_MULTIPLY\n' |
+    "$@" -std=c99 -ffreestanding -I. -Iport -I"$scratch" -E -P -x c -)
+  printf '%s\n' "$settled" | grep -qx "settled: $value" || { printf '%s\n' "$settled" | tail -n 1; return 1; }
+}
+
+# What the compiler predefines says whether the core has a long multiplication; a definition from outside overrides it.
+printf '#define GJK_NARROW_MULTIPLY 0\n' >"$scratch/long_port.h"
+printf '#define GJK_NARROW_MULTIPLY 1\n' >"$scratch/narrow_port.h"
+check 'a long multiplication is the default' takes 0 "$compiler"
+for core in '-D__ARM_ARCH_6M__' '-D__ARM_ARCH_8M_BASE__' '-D__AVR__' '-D__riscv'; do
+  check "$core: narrow" takes 1 "$compiler" "$core"
+  check "$core: overridden" takes 0 "$compiler" "$core" -DGJK_NARROW_MULTIPLY=0
+  check "$core: overridden by the port" takes 0 "$compiler" "$core" '-DGJK_PORT_HEADER="long_port.h"'
+done
+check '-D__riscv_mul: long' takes 0 "$compiler" -D__riscv -D__riscv_mul
+check 'narrow by definition' takes 1 "$compiler" -DGJK_NARROW_MULTIPLY=1
+check 'narrow by the port' takes 1 "$compiler" '-DGJK_PORT_HEADER="narrow_port.h"'
+
+# core VALUE FLAGS... with the cross compiler CROSS, where there is one
+core() {
+  if ! have "$cross"; then
+    skip "what $cross predefines" "$cross"
+    return
+  fi
+  value=$1
+  shift
+  check "$cross $*" takes "$value" "$cross" "$@"
+}
+
+cross=arm-none-eabi-gcc
+for cpu in m0 m0plus m1 m23; do core 1 -mthumb -mcpu=cortex-$cpu; done
+for cpu in m3 m4 m7 m33; do core 0 -mthumb -mcpu=cortex-$cpu; done
+cross=riscv64-unknown-elf-gcc
+core 1 -march=rv32ic -mabi=ilp32
+core 0 -march=rv32imc -mabi=ilp32
+cross=avr-gcc
+core 1 -mmcu=atmega2560
+
 check 'the template of allocation' compiles port/template/gjk_template.c
 finish config

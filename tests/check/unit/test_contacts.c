@@ -11,7 +11,10 @@
 
 static void test_boxes(void) {
   gjk_manifold m = meet(&box, origin, &box, at(0, 0, 2 * ONE - 100), 4);
-  CHECK(has_corners(&m, ONE, -100) && m.feature_a == 4 && m.feature_b == 5 && m.normal.z == GJK_Q30_ONE);
+  CHECK(has_corners(&m, ONE, -100));
+  CHECK(m.feature_a == 4);
+  CHECK(m.feature_b == 5);
+  CHECK(m.normal.z == GJK_Q30_ONE);
   m = meet(&box, origin, &box, at(0, 0, 2 * ONE + 300), 4);
   CHECK(has_corners(&m, ONE, 300));
   m = meet(&box, origin, &box, at(0, 0, 2 * ONE + MARGIN + 1), 4);
@@ -20,12 +23,17 @@ static void test_boxes(void) {
   CHECK(has_corners(&m, ONE, MARGIN));
   // Moved aside by half: what the faces share.
   m = meet(&box, origin, &box, at(ONE, 0, 2 * ONE - 7), 4);
-  CHECK(m.count == 4 && has_point(&m, 0, ONE, -7) && has_point(&m, ONE, -ONE, -7) && has_point(&m, ONE, ONE, -7));
+  CHECK(m.count == 4);
+  CHECK(has_point(&m, 0, ONE, -7));
+  CHECK(has_point(&m, ONE, -ONE, -7));
+  CHECK(has_point(&m, ONE, ONE, -7));
   // Turned by an eighth: an octagon, of which four points far apart are kept on demand.
   const gjk_pose eighth = turned(at(0, 0, 2 * ONE - 50), &axis_z, EIGHTH_TURN);
   const gjk_q16 corner = 27146;  // tan 22.5 degrees
   m = meet(&box, origin, &box, eighth, 8);
-  CHECK(m.count == 8 && has_point(&m, corner, ONE, -50) && has_point(&m, -ONE, -corner, -50));
+  CHECK(m.count == 8);
+  CHECK(has_point(&m, corner, ONE, -50));
+  CHECK(has_point(&m, -ONE, -corner, -50));
   m = meet(&box, origin, &box, eighth, 4);
   CHECK(m.count == 4);
   gjk_q16 low = ONE, high = -ONE;
@@ -33,30 +41,40 @@ static void test_boxes(void) {
     low = m.contact[i].point_a.x < low ? m.contact[i].point_a.x : low;
     high = m.contact[i].point_a.x > high ? m.contact[i].point_a.x : high;
   }
-  CHECK(is_near(low, -ONE, 3) && is_near(high, ONE, 3));
+  CHECK(is_near(low, -ONE, 3));
+  CHECK(is_near(high, ONE, 3));
   m = meet(&box, origin, &box, eighth, 1);
-  CHECK(m.count == 1 && is_near(m.contact[0].distance, -50, 2));
+  CHECK(m.count == 1);
+  CHECK(is_near(m.contact[0].distance, -50, 2));
 }
 
 // The same scenes with a hull for the box; without faces it has one point.
 static void test_hulls(void) {
   gjk_manifold m = meet(&cube, origin, &box, at(0, 0, 2 * ONE - 100), 4);
-  CHECK(has_corners(&m, ONE, -100) && m.feature_a == 1 && m.feature_b == 5);
+  CHECK(has_corners(&m, ONE, -100));
+  CHECK(m.feature_a == 1);
+  CHECK(m.feature_b == 5);
   m = meet(&cube, turned(origin, &axis_x, QUARTER_TURN), &cube, at(0, 0, 2 * ONE - 100), 4);
   CHECK(has_corners(&m, ONE, -100));
   m = meet(&bare_cube, origin, &box, at(0, 0, 2 * ONE - 100), 4);
-  CHECK(m.count == 1 && m.contact[0].distance == -100);
+  CHECK(m.count == 1);
+  CHECK(m.contact[0].distance == -100);
 }
 
 static void test_edges(void) {
   const gjk_q16 height = 92682;  // sqrt(2)
   const gjk_pose edge_up = turned(origin, &axis_x, EIGHTH_TURN);
   gjk_manifold m = meet(&box, origin, &box, turned(at(0, 0, ONE + height - 40), &axis_x, EIGHTH_TURN), 4);
-  CHECK(m.count == 2 && has_point(&m, -ONE, 0, -40) && has_point(&m, ONE, 0, -40));
+  CHECK(m.count == 2);
+  CHECK(has_point(&m, -ONE, 0, -40));
+  CHECK(has_point(&m, ONE, 0, -40));
   m = meet(&box, edge_up, &box, turned(at(HALF, 0, 2 * height + 40), &axis_x, EIGHTH_TURN), 4);
-  CHECK(m.count == 2 && has_point(&m, -HALF, 0, 40) && has_point(&m, ONE, 0, 40));
+  CHECK(m.count == 2);
+  CHECK(has_point(&m, -HALF, 0, 40));
+  CHECK(has_point(&m, ONE, 0, 40));
   m = meet(&box, edge_up, &box, turned(at(0, 0, 2 * height - 40), &axis_y, EIGHTH_TURN), 4);
-  CHECK(m.count == 1 && has_point(&m, 0, 0, -39));
+  CHECK(m.count == 1);
+  CHECK(has_point(&m, 0, 0, -39));
 }
 
 static void test_round_shapes(void) {
@@ -64,25 +82,40 @@ static void test_round_shapes(void) {
                          rounded = GJK_ROUNDED_BOX(HALF, HALF, HALF, HALF / 2), cylinder = GJK_CYLINDER(HALF, ONE),
                          cone = GJK_CONE(HALF, ONE), ellipsoid = GJK_ELLIPSOID(HALF, ONE, HALF);
   gjk_manifold m = meet(&box, origin, &ball, at(100, 200, ONE + HALF - 9), 4);
-  CHECK(m.count == 1 && has_point(&m, 100, 200, -9));
+  CHECK(m.count == 1);
+  CHECK(has_point(&m, 100, 200, -9));
   m = meet(&box, origin, &capsule, turned(at(0, 0, ONE + HALF / 2 - 9), &axis_y, QUARTER_TURN), 4);
-  CHECK(m.count == 2 && has_point(&m, HALF, 0, -9) && has_point(&m, -HALF, 0, -9));
+  CHECK(m.count == 2);
+  CHECK(has_point(&m, HALF, 0, -9));
+  CHECK(has_point(&m, -HALF, 0, -9));
   m = meet(&capsule, turned(origin, &axis_y, QUARTER_TURN), &capsule,
            turned(at(HALF, 0, HALF - 9), &axis_y, QUARTER_TURN), 4);
-  CHECK(m.count == 2 && has_point(&m, HALF, 0, -9) && has_point(&m, 0, 0, -9));
+  CHECK(m.count == 2);
+  CHECK(has_point(&m, HALF, 0, -9));
+  CHECK(has_point(&m, 0, 0, -9));
   m = meet(&capsule, turned(origin, &axis_y, QUARTER_TURN), &capsule, turned(at(0, 0, HALF - 9), &axis_x, QUARTER_TURN),
            4);
-  CHECK(m.count == 1 && has_point(&m, 0, 0, -9));
+  CHECK(m.count == 1);
+  CHECK(has_point(&m, 0, 0, -9));
   m = meet(&rounded, origin, &box, at(0, 0, HALF + HALF / 2 + ONE - 77), 4);
   CHECK(has_corners(&m, HALF, -77));
   m = meet(&box, origin, &cylinder, at(0, 0, 2 * ONE - 36), 4);
-  CHECK(m.count == 4 && has_point(&m, HALF, 0, -36) && has_point(&m, 0, -HALF, -36) && m.feature_b == 1);
+  CHECK(m.count == 4);
+  CHECK(has_point(&m, HALF, 0, -36));
+  CHECK(has_point(&m, 0, -HALF, -36));
+  CHECK(m.feature_b == 1);
   m = meet(&box, origin, &cylinder, turned(at(0, 0, ONE + HALF - 36), &axis_y, QUARTER_TURN), 4);
-  CHECK(m.count == 2 && has_point(&m, ONE, 0, -36) && has_point(&m, -ONE, 0, -36) && m.feature_b == 2);
+  CHECK(m.count == 2);
+  CHECK(has_point(&m, ONE, 0, -36));
+  CHECK(has_point(&m, -ONE, 0, -36));
+  CHECK(m.feature_b == 2);
   m = meet(&box, origin, &cone, at(0, 0, 2 * ONE - 36), 4);
-  CHECK(m.count == 4 && has_point(&m, -HALF, 0, -36) && has_point(&m, 0, HALF, -36));
+  CHECK(m.count == 4);
+  CHECK(has_point(&m, -HALF, 0, -36));
+  CHECK(has_point(&m, 0, HALF, -36));
   m = meet(&box, origin, &ellipsoid, at(7, 8, ONE + HALF - 36), 4);
-  CHECK(m.count == 1 && is_near(m.contact[0].distance, -36, 4));
+  CHECK(m.count == 1);
+  CHECK(is_near(m.contact[0].distance, -36, 4));
 }
 
 // Of points that are about as deep as the deepest one is kept, within 4 LSB of it: the ends of a tilted disc in a coin.
@@ -96,8 +129,9 @@ static void test_reduced_deepest(void) {
   CHECK(gjk_signed_distance(&a, &b, NULL, &workspace, &d) == GJK_OK);
   for (unsigned most = 1; most <= GJK_CONTACTS_MAX; most++) {
     const gjk_manifold m = meet(&disc, tilted, &coin, beside, most);
-    CHECK_MSG(m.count <= most && is_near(least_of(&m), d.distance, m.count < most ? 2 : 6), "%ld of %ld",
-              (long)least_of(&m), (long)d.distance);
+    CHECK_MSG(m.count <= most, "%ld of %ld", (long)least_of(&m), (long)d.distance);
+    CHECK_MSG(is_near(least_of(&m), d.distance, m.count < most ? 2 : 6), "%ld of %ld", (long)least_of(&m),
+              (long)d.distance);
   }
 }
 
@@ -114,7 +148,8 @@ static void test_large_balls(void) {
   const gjk_manifold m = meet(&ball, at(-radius, -radius, -radius), &ball, origin, 4);
   CHECK(m.count == 1);
   const double off = fabs(along_normal(&m, &m.contact[0]) - m.contact[0].distance);
-  CHECK_MSG(off > 2 && off < 3 + ldexp(fabs((double)m.contact[0].distance), -28), "%.3f LSB", off);
+  CHECK_MSG(off > 2, "%.3f LSB", off);
+  CHECK_MSG(off < 3 + ldexp(fabs((double)m.contact[0].distance), -28), "%.3f LSB", off);
 }
 
 static void test_statuses(void) {
@@ -133,7 +168,8 @@ static void test_statuses(void) {
   CHECK(gjk_contacts(&a, &b, 0, 0, NULL, NULL, &m) == GJK_ERROR_RANGE);
   CHECK(gjk_contacts(&a, &b, 0, 9, NULL, NULL, &m) == GJK_ERROR_RANGE);
   CHECK(memcmp(&m, &poison, sizeof m) == 0);
-  CHECK(gjk_contacts(&a, &b, 0, 4, NULL, NULL, &m) == GJK_ERROR_CAPACITY && m.count == 1);
+  CHECK(gjk_contacts(&a, &b, 0, 4, NULL, NULL, &m) == GJK_ERROR_CAPACITY);
+  CHECK(m.count == 1);
 }
 
 static void test_faces(void) {
@@ -214,10 +250,10 @@ static gjk_q16 room_of(const gjk_manifold *m, unsigned most) {
 static void check_pair(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most, tally *t, int n) {
   gjk_manifold m, mirrored;
   gjk_distance_result d;
-  CHECK_MSG(gjk_contacts(a, b, margin, most, NULL, &workspace, &m) == GJK_OK &&
-                gjk_signed_distance(a, b, NULL, &workspace, &d) == GJK_OK,
-            "pair %d", n);
-  CHECK_MSG((m.count > 0) == (d.distance <= margin) && m.count <= most, "pair %d: %d contacts", n, m.count);
+  CHECK_MSG(gjk_contacts(a, b, margin, most, NULL, &workspace, &m) == GJK_OK, "pair %d", n);
+  CHECK_MSG(gjk_signed_distance(a, b, NULL, &workspace, &d) == GJK_OK, "pair %d", n);
+  CHECK_MSG((m.count > 0) == (d.distance <= margin), "pair %d: %d contacts", n, m.count);
+  CHECK_MSG(m.count <= most, "pair %d: %d contacts", n, m.count);
   t->apart += m.count == 0;
   t->deep += m.count > 0 && d.distance < 0;
   t->met[m.count]++;
@@ -227,10 +263,13 @@ static void check_pair(const gjk_collider *a, const gjk_collider *b, gjk_q16 mar
   const gjk_q16 least = least_of(&m);
   for (unsigned i = 0; i < m.count; i++) {
     const gjk_contact *c = &m.contact[i];
-    CHECK_MSG(c->distance <= margin && fabs(along_normal(&m, c) - c->distance) <= 3, "pair %d: %ld, %g", n,
-              (long)c->distance, along_normal(&m, c));
-    CHECK_MSG(outside_box(a, &c->point_a) <= 3 && outside_box(b, &c->point_b) <= 3, "pair %d: %g %g outside", n,
-              outside_box(a, &c->point_a), outside_box(b, &c->point_b));
+    CHECK_MSG(c->distance <= margin, "pair %d: %ld, %g", n, (long)c->distance, along_normal(&m, c));
+    CHECK_MSG(fabs(along_normal(&m, c) - c->distance) <= 3, "pair %d: %ld, %g", n, (long)c->distance,
+              along_normal(&m, c));
+    CHECK_MSG(outside_box(a, &c->point_a) <= 3, "pair %d: %g %g outside", n, outside_box(a, &c->point_a),
+              outside_box(b, &c->point_b));
+    CHECK_MSG(outside_box(b, &c->point_b) <= 3, "pair %d: %g %g outside", n, outside_box(a, &c->point_a),
+              outside_box(b, &c->point_b));
     for (unsigned k = 0; k < i; k++) {
       CHECK_MSG(m.contact[k].id != c->id, "pair %d: id twice", n);
     }
@@ -238,9 +277,9 @@ static void check_pair(const gjk_collider *a, const gjk_collider *b, gjk_q16 mar
   CHECK_MSG(is_near(least, d.distance, room_of(&m, most)), "pair %d: %ld instead of %ld", n, (long)least,
             (long)d.distance);
   // The other way around: as deep, whichever of two equally near ways out it takes.
-  CHECK_MSG(gjk_contacts(b, a, margin, most, NULL, &workspace, &mirrored) == GJK_OK && mirrored.count > 0 &&
-                is_near(least_of(&mirrored), least, room_of(&m, most)),
-            "pair %d mirrored", n);
+  CHECK_MSG(gjk_contacts(b, a, margin, most, NULL, &workspace, &mirrored) == GJK_OK, "pair %d mirrored", n);
+  CHECK_MSG(mirrored.count > 0, "pair %d mirrored", n);
+  CHECK_MSG(is_near(least_of(&mirrored), least, room_of(&m, most)), "pair %d mirrored", n);
 }
 
 static void test_random(void) {
@@ -269,8 +308,8 @@ static void test_random(void) {
       gjk_vec3 position = pose_b.position;
       position.x += random_range(&random, -3, 3);
       position.y += random_range(&random, -3, 3);
-      CHECK(gjk_collider_move(&b, &position) == GJK_OK &&
-            gjk_contacts(&a, &b, margin, 8, NULL, &workspace, &after) == GJK_OK);
+      CHECK(gjk_collider_move(&b, &position) == GJK_OK);
+      CHECK(gjk_contacts(&a, &b, margin, 8, NULL, &workspace, &after) == GJK_OK);
       moved++;
       t.kept += is_kept(&before, &after);
     }
@@ -279,8 +318,13 @@ static void test_random(void) {
          PAIRS, t.apart, t.deep, t.met[1], t.met[2], t.met[3], t.met[4], t.met[5] + t.met[6] + t.met[7] + t.met[8],
          t.kept, moved);
   const unsigned long few = (unsigned long)PAIRS / 600;
-  CHECK(t.apart * 20 > (unsigned long)PAIRS && t.deep * 5 > (unsigned long)PAIRS && t.met[1] > few && t.met[2] > few &&
-        t.met[3] > few && t.met[4] > few && t.met[5] + t.met[6] + t.met[7] + t.met[8] > few);
+  CHECK(t.apart * 20 > (unsigned long)PAIRS);
+  CHECK(t.deep * 5 > (unsigned long)PAIRS);
+  CHECK(t.met[1] > few);
+  CHECK(t.met[2] > few);
+  CHECK(t.met[3] > few);
+  CHECK(t.met[4] > few);
+  CHECK(t.met[5] + t.met[6] + t.met[7] + t.met[8] > few);
   // A point at the margin comes and goes now and then.
   CHECK(t.kept * 50 > moved * 49);
 }

@@ -46,15 +46,16 @@ static void test_small_integers(random_state *random) {
     const wide halves = (wide)(p / 2) * q + (wide)(r / 2) * r;
     const exact_int p2 = exact_from(p / 2), r2 = exact_from(r / 2);
     const exact_int first = exact_mul(&p2, &b), second = exact_mul(&r2, &c), both = exact_add(&first, &second);
-    CHECK_MSG(equals(&a, p) && equals(&product, (wide)p * q) && equals(&sum, (wide)p + q) &&
-                  equals(&difference, (wide)p - q) && equals(&both, halves),
-              "%lld %lld %lld", (long long)p, (long long)q, (long long)r);
+    CHECK_MSG(equals(&a, p), "%lld %lld %lld", (long long)p, (long long)q, (long long)r);
+    CHECK_MSG(equals(&product, (wide)p * q), "%lld %lld %lld", (long long)p, (long long)q, (long long)r);
+    CHECK_MSG(equals(&sum, (wide)p + q), "%lld %lld %lld", (long long)p, (long long)q, (long long)r);
+    CHECK_MSG(equals(&difference, (wide)p - q), "%lld %lld %lld", (long long)p, (long long)q, (long long)r);
+    CHECK_MSG(equals(&both, halves), "%lld %lld %lld", (long long)p, (long long)q, (long long)r);
     CHECK_MSG(exact_compare(&a, &b) == (p > q) - (p < q), "%lld %lld", (long long)p, (long long)q);
     const exact_int opposite = exact_negate(product);
-    CHECK_MSG(
-        exact_compare(&product, &first) == ((wide)p * q > (wide)(p / 2) * q) - ((wide)p * q < (wide)(p / 2) * q) &&
-            equals(&opposite, -((wide)p * q)),
-        "%lld %lld", (long long)p, (long long)q);
+    CHECK_MSG(exact_compare(&product, &first) == ((wide)p * q > (wide)(p / 2) * q) - ((wide)p * q < (wide)(p / 2) * q),
+              "%lld %lld", (long long)p, (long long)q);
+    CHECK_MSG(equals(&opposite, -((wide)p * q)), "%lld %lld", (long long)p, (long long)q);
   }
 }
 
@@ -73,10 +74,15 @@ static void test_large_integers(random_state *random) {
     const exact_int aa = exact_mul(a, a), bb = exact_mul(b, b), squares = exact_sub(&aa, &bb);
     const exact_int ac = exact_mul(a, c), bc = exact_mul(b, c), separate = exact_add(&ac, &bc);
     const exact_int together = exact_mul(&sum, c), back = exact_sub(&sum, b), reversed = exact_mul(c, a);
-    CHECK(same(&product, &squares) && same(&separate, &together) && same(&back, a) && same(&ac, &reversed));
-    CHECK(exact_compare(&sum, a) == b->sign && exact_compare(a, &sum) == -b->sign);
+    CHECK(same(&product, &squares));
+    CHECK(same(&separate, &together));
+    CHECK(same(&back, a));
+    CHECK(same(&ac, &reversed));
+    CHECK(exact_compare(&sum, a) == b->sign);
+    CHECK(exact_compare(a, &sum) == -b->sign);
     const double quotient = aa.sign == 0 ? 1 : exact_to_double(&aa) / (exact_to_double(a) * exact_to_double(a));
-    CHECK(quotient > 1 - 1e-14 && quotient < 1 + 1e-14);
+    CHECK(quotient > 1 - 1e-14);
+    CHECK(quotient < 1 + 1e-14);
   }
 }
 
@@ -181,13 +187,16 @@ static void test_proofs_by_hand(void) {
   make_hull(&a, triangle, 4, 2);
   make_hull(&b, point, 1, 3);
   gjk_certificate c = name_pairs(GJK_PROOF_NEAREST, first_three, all_first, 3);
-  CHECK(decision_holds(&a, &b, 1, false, &c) && !decision_holds(&a, &b, 2, false, &c));
+  CHECK(decision_holds(&a, &b, 1, false, &c));
+  CHECK(!decision_holds(&a, &b, 2, false, &c));
   c.proof = GJK_PROOF_NEAR;
-  CHECK(decision_holds(&a, &b, 2, true, &c) && !decision_holds(&a, &b, 1, true, &c));
+  CHECK(decision_holds(&a, &b, 2, true, &c));
+  CHECK(!decision_holds(&a, &b, 1, true, &c));
   CHECK(!decision_holds(&a, &b, 2, false, &c));
   c.proof = GJK_PROOF_DIRECTION;
   c.direction.z = 5;
-  CHECK(decision_holds(&a, &b, 1, false, &c) && !decision_holds(&a, &b, 2, false, &c));
+  CHECK(decision_holds(&a, &b, 1, false, &c));
+  CHECK(!decision_holds(&a, &b, 2, false, &c));
   c.direction.z = -5;
   CHECK(!decision_holds(&a, &b, 1, false, &c));
   c.proof = GJK_PROOF_SPHERES;
@@ -201,11 +210,13 @@ static void test_proofs_by_hand(void) {
   b.vertices[0].y = 2;
   CHECK(!decision_holds(&a, &b, 0, false, &c));
   b.collider.centre.x = 27;
-  CHECK(decision_holds(&a, &b, 0, false, &c) && !decision_holds(&a, &b, 1, false, &c));
+  CHECK(decision_holds(&a, &b, 0, false, &c));
+  CHECK(!decision_holds(&a, &b, 1, false, &c));
   b.collider.centre.x = 0;
   c = name_pairs(GJK_PROOF_ENCLOSING, first_three, all_first, 4);
   make_hull(&b, inside, 1, 0);
-  CHECK(decision_holds(&a, &b, 0, true, &c) && !decision_holds(&a, &b, 0, false, &c));
+  CHECK(decision_holds(&a, &b, 0, true, &c));
+  CHECK(!decision_holds(&a, &b, 0, false, &c));
   c.count = 3;
   CHECK(!decision_holds(&a, &b, 0, true, &c));
   c.count = 4;
@@ -247,14 +258,17 @@ static void test_features(void) {
   static const exact_point corner[3] = {{{1, 2, 2}}, {{5, 5, 5}}, {{7, 2, 9}}}, line[3] = {{{1, 2, 2}}, {{1, 2, 2}}};
   exact_feature f;
   exact_feature_nearest(edge, 2, &f);
-  CHECK(exact_feature_compare(&f, 1) > 0 && exact_feature_compare(&f, 2) < 0);  // sqrt(1/2)
+  CHECK(exact_feature_compare(&f, 1) > 0);
+  CHECK(exact_feature_compare(&f, 2) < 0);  // sqrt(1/2)
   exact_feature_nearest(face, 3, &f);
   CHECK(exact_feature_contains(&f, 3, true));
-  CHECK(exact_feature_compare(&f, 5) > 0 && exact_feature_compare(&f, 6) < 0);  // 2.887
+  CHECK(exact_feature_compare(&f, 5) > 0);
+  CHECK(exact_feature_compare(&f, 6) < 0);  // 2.887
   exact_feature_nearest(corner, 3, &f);
   CHECK(exact_feature_compare(&f, 6) == 0);
   CHECK(!exact_feature_make(line, 2, &f));
-  CHECK(exact_feature_make(corner, 3, &f) && !exact_feature_contains(&f, 3, false));
+  CHECK(exact_feature_make(corner, 3, &f));
+  CHECK(!exact_feature_contains(&f, 3, false));
 }
 
 static void test_brute(void) {
@@ -265,12 +279,14 @@ static void test_brute(void) {
   make_hull(&a, triangle, 4, 1);
   make_hull(&b, point, 1, 2);
   exact_brute(&a.collider, &b.collider, &truth);
-  CHECK(!truth.enclosing && exact_truth_distance(&truth, &a.collider, &b.collider) == 4);
-  CHECK(exact_truth_within(&truth, &a.collider, &b.collider, 4) &&
-        !exact_truth_within(&truth, &a.collider, &b.collider, 3));
+  CHECK(!truth.enclosing);
+  CHECK(exact_truth_distance(&truth, &a.collider, &b.collider) == 4);
+  CHECK(exact_truth_within(&truth, &a.collider, &b.collider, 4));
+  CHECK(!exact_truth_within(&truth, &a.collider, &b.collider, 3));
   make_hull(&b, inside, 1, 0);
   exact_brute(&a.collider, &b.collider, &truth);
-  CHECK(truth.enclosing && exact_truth_distance(&truth, &a.collider, &b.collider) == 0);
+  CHECK(truth.enclosing);
+  CHECK(exact_truth_distance(&truth, &a.collider, &b.collider) == 0);
   make_hull(&b, touching, 2, 0);  // crosses z = 0 at x = 10, y = 5: outside of x + y <= 10 by 5 / sqrt(2) in the plane
   exact_brute(&a.collider, &b.collider, &truth);
   CHECK(!truth.enclosing);
@@ -288,7 +304,8 @@ static void test_far(void) {
   b.collider.centre.x = INT32_C(1) << 30;
   CHECK(!exact_is_far(&a.collider, &b.collider));
   b.collider.centre.z = 2;
-  CHECK(exact_is_far(&a.collider, &b.collider) && exact_is_far(&b.collider, &a.collider));
+  CHECK(exact_is_far(&a.collider, &b.collider));
+  CHECK(exact_is_far(&b.collider, &a.collider));
   b.collider.centre.x--;
   CHECK(!exact_is_far(&a.collider, &b.collider));
 }

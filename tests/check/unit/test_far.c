@@ -19,7 +19,8 @@ static gjk_collider placed(const gjk_shape *shape, gjk_vec3 at) {
   gjk_collider c;
   memset(&c, 0, sizeof c);
   pose.position = at;
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK);
+  CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
   return c;
 }
 
@@ -55,7 +56,8 @@ static void test_balls(void) {
     const long double x = v.x, y = v.y, z = v.z;
     const long double gap = sqrtl(x * x + y * y + z * z) - 2.0L * GJK_RADIUS_MAX;
     gjk_distance_result r;
-    CHECK(gjk_distance(&a, &b, NULL, &r) == GJK_OK && !r.intersecting);
+    CHECK(gjk_distance(&a, &b, NULL, &r) == GJK_OK);
+    CHECK(!r.intersecting);
     const long double error = fabsl((long double)r.distance - gap) / gap;
     worst = fmaxl(worst, error);
     CHECK_MSG(error <= ldexpl(1, -28), "%.3Lf 2^-28", ldexpl(error, 28));
@@ -96,7 +98,9 @@ static void test_polytopes(void) {
   }
   printf("polytopes: largest error %.3f 2^-28 of the gap; %u, %u, %u pairs\n", ldexp(worst, 28), far[1], far[2],
          far[3]);
-  CHECK(far[1] > 0 && far[2] > 0 && far[3] > 0);
+  CHECK(far[1] > 0);
+  CHECK(far[2] > 0);
+  CHECK(far[3] > 0);
   case_pair_free(&pair);
   case_collider_free(&a);
   case_collider_free(&b);

@@ -5,10 +5,10 @@
 . tests/build/count.sh
 dir=$1/flags-test
 rm -rf "$dir"
-mkdir -p "$dir/src" "$dir/tests/check/unit" "$dir/tests/measure/target"
+mkdir -p "$dir/src/query" "$dir/tests/check/unit" "$dir/tests/measure/target"
 cp Makefile "$dir"
 cp -r include port "$dir"
-cp src/query/gjk_status.c "$dir/src"
+cp src/query/gjk_status.c "$dir/src/query"
 cat >"$dir/tests/check/unit/test_tiny.c" <<'END'
 int main(void) {
   return 0;

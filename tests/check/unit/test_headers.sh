@@ -53,13 +53,15 @@ all_initialisers_used() {
 }
 
 check 'every initialiser is in the test' all_initialisers_used
+# C wants a declaration, which a header of macros alone does not have.
+echo 'extern int declaration;' >"$scratch/declaration.c"
 for compiler in gcc clang; do
   if ! have $compiler; then
     skip "headers with $compiler" $compiler
     continue
   fi
   for header in include/gjk/*.h; do
-    check "$header as C99, $compiler" compile $compiler -std=c99 -x c "$header"
+    check "$header as C99, $compiler" compile $compiler -std=c99 -include "$header" -x c "$scratch/declaration.c"
   done
   check "initialisers as C99, $compiler" compile $compiler -std=c99 -x c "$scratch/initialisers.c"
 done

@@ -99,12 +99,18 @@ static bool same_depth(const gjk_penetration_result *a, const gjk_penetration_re
 }
 
 static void expect_same(unsigned pair, const char *cache, const answers *cold, const answers *warm) {
-  CHECK_MSG(cold->touched == warm->touched && cold->touch.yes == warm->touch.yes, "%s, pair %u", cache, pair);
-  CHECK_MSG(cold->near == warm->near && cold->within.yes == warm->within.yes, "%s, pair %u", cache, pair);
-  CHECK_MSG(cold->measured == warm->measured && same_distance(&cold->gap, &warm->gap), "%s, pair %u", cache, pair);
-  CHECK_MSG(cold->stopped == warm->stopped && same_distance(&cold->until, &warm->until), "%s, pair %u", cache, pair);
-  CHECK_MSG(cold->pierced == warm->pierced && same_depth(&cold->depth, &warm->depth), "%s, pair %u", cache, pair);
-  CHECK_MSG(cold->parted == warm->parted && same_distance(&cold->apart, &warm->apart), "%s, pair %u", cache, pair);
+  CHECK_MSG(cold->touched == warm->touched, "%s, pair %u", cache, pair);
+  CHECK_MSG(cold->touch.yes == warm->touch.yes, "%s, pair %u", cache, pair);
+  CHECK_MSG(cold->near == warm->near, "%s, pair %u", cache, pair);
+  CHECK_MSG(cold->within.yes == warm->within.yes, "%s, pair %u", cache, pair);
+  CHECK_MSG(cold->measured == warm->measured, "%s, pair %u", cache, pair);
+  CHECK_MSG(same_distance(&cold->gap, &warm->gap), "%s, pair %u", cache, pair);
+  CHECK_MSG(cold->stopped == warm->stopped, "%s, pair %u", cache, pair);
+  CHECK_MSG(same_distance(&cold->until, &warm->until), "%s, pair %u", cache, pair);
+  CHECK_MSG(cold->pierced == warm->pierced, "%s, pair %u", cache, pair);
+  CHECK_MSG(same_depth(&cold->depth, &warm->depth), "%s, pair %u", cache, pair);
+  CHECK_MSG(cold->parted == warm->parted, "%s, pair %u", cache, pair);
+  CHECK_MSG(same_distance(&cold->apart, &warm->apart), "%s, pair %u", cache, pair);
 }
 
 static gjk_cache make_rubbish(random_state *random) {

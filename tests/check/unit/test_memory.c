@@ -65,7 +65,8 @@ static void ask(const gjk_shape *a, const gjk_pose *at_a, const gjk_shape *b, co
   fill(stack);
   CHECK(gjk_collider_pose(&out->a, at_a) == GJK_OK);
   fill(stack);
-  CHECK(gjk_collider_init(&out->b, b, NULL, 0) == GJK_OK && gjk_collider_pose(&out->b, at_b) == GJK_OK);
+  CHECK(gjk_collider_init(&out->b, b, NULL, 0) == GJK_OK);
+  CHECK(gjk_collider_pose(&out->b, at_b) == GJK_OK);
   fill(stack);
   out->status[0] = gjk_intersect(&out->a, &out->b, &out->cache, &out->touch);
   fill(stack);
@@ -218,10 +219,12 @@ static void play(uint32_t *block, size_t bytes, uint8_t stack) {
       CHECK(gjk_scene_set_shape(&scene, body, 0, (uint16_t)random_below(&random, (uint32_t)SHAPES)) == GJK_OK);
     }
     fill(stack);
-    CHECK(gjk_scene_update(&scene, reports, 200, &progress) == GJK_OK && progress.reports_left == 0);
+    CHECK(gjk_scene_update(&scene, reports, 200, &progress) == GJK_OK);
+    CHECK(progress.reports_left == 0);
   }
   fill(stack);
-  CHECK(gjk_scene_check(&scene) == GJK_OK && gjk_scene_seal(&scene) == GJK_OK);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  CHECK(gjk_scene_seal(&scene) == GJK_OK);
 }
 
 static void test_scenes(void) {
@@ -230,7 +233,8 @@ static void test_scenes(void) {
   play(first, sizeof first, 0);
   play(second, sizeof second, 0xA5);
   const gjk_scene_config config = {16, 24, 20, 200, GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 1, 0, 0, 0};
-  CHECK(gjk_scene_bytes(&config) <= sizeof first && memcmp(first, second, gjk_scene_bytes(&config)) == 0);
+  CHECK(gjk_scene_bytes(&config) <= sizeof first);
+  CHECK(memcmp(first, second, gjk_scene_bytes(&config)) == 0);
 }
 
 int main(void) {

@@ -73,7 +73,8 @@ static bool check_points(const subject *s, const gjk_penetration_result *r, bool
   const long double off = sqrtl(x * x + y * y + z * z);
   raise(&t->point, off_a);
   raise(&t->point, off_b);
-  CHECK_MSG(off_a <= TOLERANCE && off_b <= TOLERANCE, "points %.2Lf and %.2Lf LSB outside", off_a, off_b);
+  CHECK_MSG(off_a <= TOLERANCE, "points %.2Lf and %.2Lf LSB outside", off_a, off_b);
+  CHECK_MSG(off_b <= TOLERANCE, "points %.2Lf and %.2Lf LSB outside", off_a, off_b);
   CHECK_MSG(full || off <= 2 * TOLERANCE, "points %.2Lf LSB off depth times normal", off);
   return off_a <= TOLERANCE && off_b <= TOLERANCE && (full || off <= 2 * TOLERANCE);
 }
@@ -108,7 +109,8 @@ static bool check_depth(const subject *s, const gjk_penetration_result *r, gjk_s
     right = right && high <= TOLERANCE && low <= TOLERANCE;
     raise(&t->depth, high);
     raise(&t->depth, low);
-    CHECK_MSG(high <= TOLERANCE && low <= TOLERANCE, "depth %ld, truth %.2Lf to %.2Lf", (long)r->depth, least, most);
+    CHECK_MSG(high <= TOLERANCE, "depth %ld, truth %.2Lf to %.2Lf", (long)r->depth, least, most);
+    CHECK_MSG(low <= TOLERANCE, "depth %ld, truth %.2Lf to %.2Lf", (long)r->depth, least, most);
   }
   right = check_parting(s, r, t) && right;
   return check_points(s, r, status != GJK_OK, t) && right;

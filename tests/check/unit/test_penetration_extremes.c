@@ -24,7 +24,8 @@ static gjk_collider placed(const gjk_shape *shape, gjk_vec3 position, const gjk_
   gjk_pose pose = {position, *rotation};
   gjk_collider c;
   memset(&c, 0, sizeof c);
-  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK);
+  CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
   return c;
 }
 
@@ -108,8 +109,11 @@ static void test_walls(void) {
         const gjk_unit3 normal = {axis == 0 ? sign * GJK_Q30_ONE : 0, axis == 1 ? sign * GJK_Q30_ONE : 0,
                                   axis == 2 ? sign * GJK_Q30_ONE : 0};
         gjk_penetration_result r;
-        CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK && r.intersecting && r.depth == 2 * ONE - 9);
-        CHECK(memcmp(&r.normal, &normal, sizeof normal) == 0 && gjk_check_penetration(&a, &b, &r) == GJK_OK);
+        CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK);
+        CHECK(r.intersecting);
+        CHECK(r.depth == 2 * ONE - 9);
+        CHECK(memcmp(&r.normal, &normal, sizeof normal) == 0);
+        CHECK(gjk_check_penetration(&a, &b, &r) == GJK_OK);
       }
     }
   }
@@ -133,7 +137,8 @@ static void test_thin_rounding(void) {
     const gjk_collider a = placed(&a_shape, origin, &turn_a);
     gjk_collider b = placed(&b_shape, at, &turn_b);
     gjk_penetration_result r;
-    CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK && r.intersecting);
+    CHECK(gjk_penetration(&a, &b, NULL, &workspace, &r) == GJK_OK);
+    CHECK(r.intersecting);
     CHECK(gjk_check_penetration(&a, &b, &r) == GJK_OK);
     gjk_vec3 to = at;
     gjk_q16 *const along[3] = {&to.x, &to.y, &to.z};
@@ -145,9 +150,11 @@ static void test_thin_rounding(void) {
     }
     gjk_decision d;
     gjk_distance_result gap;
-    CHECK(gjk_collider_move(&b, &to) == GJK_OK && gjk_distance(&a, &b, NULL, &gap) == GJK_OK);
+    CHECK(gjk_collider_move(&b, &to) == GJK_OK);
+    CHECK(gjk_distance(&a, &b, NULL, &gap) == GJK_OK);
     CHECK(gjk_intersect(&a, &b, NULL, &d) == GJK_OK);
-    CHECK_MSG(gap.distance <= 3 && (!d.yes || gap.certificate.proof != GJK_PROOF_ENCLOSING), "pair %d", i);
+    CHECK_MSG(gap.distance <= 3, "pair %d", i);
+    CHECK_MSG(!d.yes || gap.certificate.proof != GJK_PROOF_ENCLOSING, "pair %d", i);
   }
 }
 
@@ -194,13 +201,15 @@ static void test_widened_normals(void) {
     const gjk_collider a = placed(&a_shape, start, &turn), b = placed(&b_shape, end, &none);
     gjk_penetration_result r;
     char why[200] = "";
-    CHECK(gjk_penetration(&a, &b, NULL, NULL, &r) == GJK_OK && r.intersecting);
+    CHECK(gjk_penetration(&a, &b, NULL, NULL, &r) == GJK_OK);
+    CHECK(r.intersecting);
     CHECK_MSG(exact_check_penetration(&a, &b, &r, why, sizeof why), "pair %d: %s", i, why);
     CHECK_MSG(gjk_check_penetration(&a, &b, &r) == GJK_OK, "pair %d", i);
     refused[i % 2] += i % 8 < 2 ? narrow(&a, &b, &r, i) : 0;
   }
   printf("narrower normals refused: %lu, rounded %lu\n", refused[0], refused[1]);
-  CHECK(refused[0] > 20 && refused[1] > 20);
+  CHECK(refused[0] > 20);
+  CHECK(refused[1] > 20);
 }
 
 // Boxes that are apart: with a cache or without, the distance.
@@ -213,8 +222,12 @@ static void test_signed_apart(void) {
     const gjk_vec3 origin = {0, 0, 0}, at = {0, 2 * ONE + 3 + round, ONE / 2};
     const gjk_collider a = placed(&box, origin, &none), b = placed(&box, at, &none);
     gjk_distance_result r;
-    CHECK(gjk_signed_distance(&a, &b, &cache, NULL, &r) == GJK_OK && !r.intersecting && r.distance == 3 + round);
-    CHECK(gjk_signed_distance(&a, &b, NULL, NULL, &r) == GJK_OK && !r.intersecting && r.distance == 3 + round);
+    CHECK(gjk_signed_distance(&a, &b, &cache, NULL, &r) == GJK_OK);
+    CHECK(!r.intersecting);
+    CHECK(r.distance == 3 + round);
+    CHECK(gjk_signed_distance(&a, &b, NULL, NULL, &r) == GJK_OK);
+    CHECK(!r.intersecting);
+    CHECK(r.distance == 3 + round);
     CHECK(cache.count > 0);
   }
 }
@@ -248,12 +261,18 @@ static void test_workspaces(void) {
   CHECK(gjk_penetration(&a, &b, NULL, &workspace, &whole) == GJK_OK);
   // The least of (1 + v . at) / sqrt(3) over the corners v, 37606.3 LSB, and the ball's radius.
   CHECK(whole.depth == 37607 + ONE / 4);
-  CHECK(gjk_penetration(&a, &b, NULL, &least, &r) == GJK_OK && r.depth == whole.depth);
+  CHECK(gjk_penetration(&a, &b, NULL, &least, &r) == GJK_OK);
+  CHECK(r.depth == whole.depth);
   for (unsigned i = 0; i < 4; i++) {
     memset(&r, 0, sizeof r);
-    CHECK(gjk_penetration(&a, &b, NULL, bad[i], &r) == GJK_ERROR_CAPACITY && r.intersecting);
-    CHECK(r.lower <= whole.depth && r.depth >= whole.depth && r.depth == r.upper);
-    CHECK(r.certificate.proof == GJK_PROOF_NONE && r.iterations > 0 && is_across(&r));
+    CHECK(gjk_penetration(&a, &b, NULL, bad[i], &r) == GJK_ERROR_CAPACITY);
+    CHECK(r.intersecting);
+    CHECK(r.lower <= whole.depth);
+    CHECK(r.depth >= whole.depth);
+    CHECK(r.depth == r.upper);
+    CHECK(r.certificate.proof == GJK_PROOF_NONE);
+    CHECK(r.iterations > 0);
+    CHECK(is_across(&r));
   }
 }
 
@@ -274,9 +293,13 @@ static void test_many_faces(void) {
   const gjk_vec3 origin = {0, 0, 0};
   const gjk_collider a = placed(&hull, origin, &turn), b = placed(&point, origin, &turn);
   gjk_penetration_result r;
-  CHECK(gjk_penetration(&a, &b, NULL, &large, &r) == GJK_ERROR_CAPACITY && r.intersecting);
+  CHECK(gjk_penetration(&a, &b, NULL, &large, &r) == GJK_ERROR_CAPACITY);
+  CHECK(r.intersecting);
   printf("%u supports, depth %ld to %ld\n", r.iterations, (long)r.lower, (long)r.upper);
-  CHECK(r.lower > radius - radius / 2000 && r.upper < radius && r.lower <= r.upper && r.iterations > 16000);
+  CHECK(r.lower > radius - radius / 2000);
+  CHECK(r.upper < radius);
+  CHECK(r.lower <= r.upper);
+  CHECK(r.iterations > 16000);
   free(large.cells);
 }
 

@@ -315,7 +315,8 @@ static void test_poses(random_state *random) {
     const gjk_pose a = {random_within(random, GJK_RADIUS_MAX), random_unit(random)};
     const gjk_pose b = {random_within(random, GJK_RADIUS_MAX), random_unit(random)};
     gjk_pose ab, inverse, into_a = a, into_b = b;
-    CHECK(gjk_pose_compose(&a, &b, &ab) == GJK_OK && gjk_pose_invert(&a, &inverse) == GJK_OK);
+    CHECK(gjk_pose_compose(&a, &b, &ab) == GJK_OK);
+    CHECK(gjk_pose_invert(&a, &inverse) == GJK_OK);
     gjk_quat product, conjugate;
     gjk_quat_compose(&a.rotation, &b.rotation, &product);
     gjk_quat_invert(&a.rotation, &conjugate);
@@ -357,21 +358,28 @@ static void test_directions(void) {
   gjk_quat_from_axis_angle(&x, quarter, &about_x);
   gjk_quat_from_axis_angle(&y, quarter, &about_y);
   gjk_quat_from_axis_angle(&z, quarter, &about_z);
-  CHECK(gjk_quat_apply(&about_x, &y, &turned) == GJK_OK && same_vec3(&turned, &z));
-  CHECK(gjk_quat_apply(&about_y, &z, &turned) == GJK_OK && same_vec3(&turned, &x));
-  CHECK(gjk_quat_apply(&about_z, &x, &turned) == GJK_OK && same_vec3(&turned, &y));
+  CHECK(gjk_quat_apply(&about_x, &y, &turned) == GJK_OK);
+  CHECK(same_vec3(&turned, &z));
+  CHECK(gjk_quat_apply(&about_y, &z, &turned) == GJK_OK);
+  CHECK(same_vec3(&turned, &x));
+  CHECK(gjk_quat_apply(&about_z, &x, &turned) == GJK_OK);
+  CHECK(same_vec3(&turned, &y));
   // First about x, then about z: y goes to z and stays there.
   CHECK(gjk_quat_compose(&about_z, &about_x, &both) == GJK_OK);
-  CHECK(gjk_quat_apply(&both, &y, &turned) == GJK_OK && same_vec3(&turned, &z));
+  CHECK(gjk_quat_apply(&both, &y, &turned) == GJK_OK);
+  CHECK(same_vec3(&turned, &z));
   CHECK(gjk_quat_from_euler(quarter, 0, quarter, &euler) == GJK_OK);
-  CHECK(gjk_quat_apply(&euler, &y, &turned) == GJK_OK && same_vec3(&turned, &z));
+  CHECK(gjk_quat_apply(&euler, &y, &turned) == GJK_OK);
+  CHECK(same_vec3(&turned, &z));
   CHECK(gjk_quat_from_euler(quarter, quarter, 0, &euler) == GJK_OK);
-  CHECK(gjk_quat_apply(&euler, &y, &turned) == GJK_OK && same_vec3(&turned, &x));
+  CHECK(gjk_quat_apply(&euler, &y, &turned) == GJK_OK);
+  CHECK(same_vec3(&turned, &x));
   // First b: turned about z, then moved along x by a.
   const gjk_pose a = {{GJK_Q16_ONE, 0, 0}, {0, 0, 0, ONE}}, b = {{0, GJK_Q16_ONE, 0}, about_z};
   gjk_pose ab;
   const gjk_vec3 expected = {GJK_Q16_ONE, 2 * GJK_Q16_ONE, 0};
-  CHECK(gjk_pose_compose(&a, &b, &ab) == GJK_OK && gjk_pose_apply(&ab, &x, &turned) == GJK_OK);
+  CHECK(gjk_pose_compose(&a, &b, &ab) == GJK_OK);
+  CHECK(gjk_pose_apply(&ab, &x, &turned) == GJK_OK);
   CHECK(same_vec3(&turned, &expected));
 }
 
@@ -380,24 +388,31 @@ static void test_exact(random_state *random) {
   const gjk_quat identity = {0, 0, 0, ONE}, turn_z = {0, 0, -ONE, 0};
   const gjk_vec3 up = {0, 0, -7};
   gjk_quat q;
-  CHECK(gjk_quat_from_axis_angle(&up, 0, &q) == GJK_OK && same_quat(&q, &identity));
-  CHECK(gjk_quat_from_euler(0, 0, 0, &q) == GJK_OK && same_quat(&q, &identity));
-  CHECK(gjk_quat_compose(&turn_z, &identity, &q) == GJK_OK && same_quat(&q, &turn_z));
+  CHECK(gjk_quat_from_axis_angle(&up, 0, &q) == GJK_OK);
+  CHECK(same_quat(&q, &identity));
+  CHECK(gjk_quat_from_euler(0, 0, 0, &q) == GJK_OK);
+  CHECK(same_quat(&q, &identity));
+  CHECK(gjk_quat_compose(&turn_z, &identity, &q) == GJK_OK);
+  CHECK(same_quat(&q, &turn_z));
   const gjk_quat along[4] = {{INT32_MIN, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -3, 0}, {0, 0, 0, INT32_MAX}};
   const gjk_quat units[4] = {{-ONE, 0, 0, 0}, {0, ONE, 0, 0}, {0, 0, -ONE, 0}, {0, 0, 0, ONE}};
   for (int i = 0; i < 4; i++) {
-    CHECK_MSG(gjk_quat_normalize(&along[i], &q) == GJK_OK && same_quat(&q, &units[i]), "%d", i);
+    CHECK_MSG(gjk_quat_normalize(&along[i], &q) == GJK_OK, "%d", i);
+    CHECK_MSG(same_quat(&q, &units[i]), "%d", i);
   }
   const gjk_quat corner = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
   const gjk_quat diagonal = {-ONE / 2, -ONE / 2, -ONE / 2, -ONE / 2};
-  CHECK(gjk_quat_normalize(&corner, &q) == GJK_OK && same_quat(&q, &diagonal));
+  CHECK(gjk_quat_normalize(&corner, &q) == GJK_OK);
+  CHECK(same_quat(&q, &diagonal));
   for (int i = 0; i < 1000; i++) {
     const gjk_vec3 v = random_vec3(random);
     gjk_vec3 same;
-    CHECK(gjk_quat_apply(&identity, &v, &same) == GJK_OK && same_vec3(&same, &v));
+    CHECK(gjk_quat_apply(&identity, &v, &same) == GJK_OK);
+    CHECK(same_vec3(&same, &v));
     if (v.x != INT32_MIN && v.y != INT32_MIN) {
       const gjk_vec3 half_turned = {-v.x, -v.y, v.z};
-      CHECK(gjk_quat_apply(&turn_z, &v, &same) == GJK_OK && same_vec3(&same, &half_turned));
+      CHECK(gjk_quat_apply(&turn_z, &v, &same) == GJK_OK);
+      CHECK(same_vec3(&same, &half_turned));
     }
   }
 }

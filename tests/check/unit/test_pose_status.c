@@ -57,7 +57,9 @@ static void test_bad_rotations(void) {
     CHECK_MSG(gjk_pose_compose(&good_pose, &bad_pose, &p) == GJK_ERROR_ROTATION, "%d", i);
     CHECK_MSG(gjk_pose_invert(&bad_pose, &p) == GJK_ERROR_ROTATION, "%d", i);
     CHECK_MSG(gjk_pose_apply(&bad_pose, &v, &u) == GJK_ERROR_ROTATION, "%d", i);
-    CHECK_MSG(same_quat(&q, &old_q) && same_vec3(&u, &old_u) && same_pose(&p, &old_p), "%d", i);
+    CHECK_MSG(same_quat(&q, &old_q), "%d", i);
+    CHECK_MSG(same_vec3(&u, &old_u), "%d", i);
+    CHECK_MSG(same_pose(&p, &old_p), "%d", i);
   }
   gjk_quat q = {7, 8, 9, 10};
   const gjk_quat old_q = q, zero = {0, 0, 0, 0};
@@ -77,20 +79,27 @@ static void test_nulls(void) {
   CHECK(gjk_quat_from_axis_angle(NULL, 1, &q) == GJK_ERROR_NULL);
   CHECK(gjk_quat_from_axis_angle(&v, 1, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_quat_from_euler(1, 2, 3, NULL) == GJK_ERROR_NULL);
-  CHECK(gjk_quat_normalize(NULL, &q) == GJK_ERROR_NULL && gjk_quat_normalize(&q, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_quat_normalize(NULL, &q) == GJK_ERROR_NULL);
+  CHECK(gjk_quat_normalize(&q, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_quat_compose(NULL, &old_q, &q) == GJK_ERROR_NULL);
   CHECK(gjk_quat_compose(&old_q, NULL, &q) == GJK_ERROR_NULL);
   CHECK(gjk_quat_compose(&q, &q, NULL) == GJK_ERROR_NULL);
-  CHECK(gjk_quat_invert(NULL, &q) == GJK_ERROR_NULL && gjk_quat_invert(&q, NULL) == GJK_ERROR_NULL);
-  CHECK(gjk_quat_apply(NULL, &old_v, &v) == GJK_ERROR_NULL && gjk_quat_apply(&q, NULL, &v) == GJK_ERROR_NULL);
+  CHECK(gjk_quat_invert(NULL, &q) == GJK_ERROR_NULL);
+  CHECK(gjk_quat_invert(&q, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_quat_apply(NULL, &old_v, &v) == GJK_ERROR_NULL);
+  CHECK(gjk_quat_apply(&q, NULL, &v) == GJK_ERROR_NULL);
   CHECK(gjk_quat_apply(&q, &v, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_pose_compose(NULL, &old_p, &p) == GJK_ERROR_NULL);
   CHECK(gjk_pose_compose(&old_p, NULL, &p) == GJK_ERROR_NULL);
   CHECK(gjk_pose_compose(&p, &p, NULL) == GJK_ERROR_NULL);
-  CHECK(gjk_pose_invert(NULL, &p) == GJK_ERROR_NULL && gjk_pose_invert(&p, NULL) == GJK_ERROR_NULL);
-  CHECK(gjk_pose_apply(NULL, &old_v, &v) == GJK_ERROR_NULL && gjk_pose_apply(&p, NULL, &v) == GJK_ERROR_NULL);
+  CHECK(gjk_pose_invert(NULL, &p) == GJK_ERROR_NULL);
+  CHECK(gjk_pose_invert(&p, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_pose_apply(NULL, &old_v, &v) == GJK_ERROR_NULL);
+  CHECK(gjk_pose_apply(&p, NULL, &v) == GJK_ERROR_NULL);
   CHECK(gjk_pose_apply(&p, &v, NULL) == GJK_ERROR_NULL);
-  CHECK(same_quat(&q, &old_q) && same_vec3(&v, &old_v) && same_pose(&p, &old_p));
+  CHECK(same_quat(&q, &old_q));
+  CHECK(same_vec3(&v, &old_v));
+  CHECK(same_pose(&p, &old_p));
 }
 
 // Positions at the ends of int32.
@@ -100,13 +109,19 @@ static void test_range(void) {
   const gjk_vec3 most = {INT32_MIN, 0, 0}, one = {-1, 0, 0}, none = {0, 0, 0};
   gjk_pose p = step;
   gjk_vec3 v = none;
-  CHECK(gjk_pose_invert(&low, &p) == GJK_ERROR_RANGE && same_pose(&p, &step));
-  CHECK(gjk_pose_invert(&turned, &p) == GJK_OK && p.position.x == INT32_MIN);
+  CHECK(gjk_pose_invert(&low, &p) == GJK_ERROR_RANGE);
+  CHECK(same_pose(&p, &step));
+  CHECK(gjk_pose_invert(&turned, &p) == GJK_OK);
+  CHECK(p.position.x == INT32_MIN);
   p = step;
-  CHECK(gjk_pose_compose(&high, &step, &p) == GJK_ERROR_RANGE && same_pose(&p, &step));
-  CHECK(gjk_pose_apply(&low, &one, &v) == GJK_ERROR_RANGE && same_vec3(&v, &none));
-  CHECK(gjk_quat_apply(&turned.rotation, &most, &v) == GJK_ERROR_RANGE && same_vec3(&v, &none));
-  CHECK(gjk_pose_apply(&high, &most, &v) == GJK_OK && v.x == -1);
+  CHECK(gjk_pose_compose(&high, &step, &p) == GJK_ERROR_RANGE);
+  CHECK(same_pose(&p, &step));
+  CHECK(gjk_pose_apply(&low, &one, &v) == GJK_ERROR_RANGE);
+  CHECK(same_vec3(&v, &none));
+  CHECK(gjk_quat_apply(&turned.rotation, &most, &v) == GJK_ERROR_RANGE);
+  CHECK(same_vec3(&v, &none));
+  CHECK(gjk_pose_apply(&high, &most, &v) == GJK_OK);
+  CHECK(v.x == -1);
 }
 
 int main(void) {

@@ -51,7 +51,7 @@ END
 sed 's/^   3159, /   3158, /' "$dir/demo_scene.c" >"$dir/wrong_scene.c"
 for scene in demo wrong; do
   check "the C compiles: $scene" ${CC:-cc} -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iinclude \
-    -Itests/demo "$dir/main.c" "$dir/${scene}_scene.c" tests/programs/demo/firmware.c "$build/host/libgjk.a" \
+    -Itests/programs/demo "$dir/main.c" "$dir/${scene}_scene.c" tests/programs/demo/firmware.c "$build/host/libgjk.a" \
     "-o$dir/$scene"
 done
 check 'the same bits from the tables' status 0 "$dir/demo"

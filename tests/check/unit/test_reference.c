@@ -76,8 +76,8 @@ int main(int argc, char **argv) {
         "%-22s %5.1f %% intersect; double decides %5.2f %% wrongly, measures %5.2f %% wrongly, off by up to %.3g LSB\n",
         family->name, 100.0 * t.together / t.pairs, 100.0 * t.decisions / t.pairs, 100.0 * t.distances / t.pairs,
         t.error);
-    CHECK_MSG(100 * t.together >= family->least * t.pairs && 100 * t.together <= family->most * t.pairs, "%s",
-              family->name);
+    CHECK_MSG(100 * t.together >= family->least * t.pairs, "%s", family->name);
+    CHECK_MSG(100 * t.together <= family->most * t.pairs, "%s", family->name);
     tally *sums[2] = {&all, family->near > 0 ? &near : NULL};
     for (int k = 0; k < 2; k++) {
       if (sums[k] != NULL) {
@@ -90,7 +90,8 @@ int main(int argc, char **argv) {
   printf("all families: double decides %u of %u wrongly; near touching %u of %u\n", all.decisions, all.pairs,
          near.decisions, near.pairs);
   // A reference that is mostly wrong would be no check.
-  CHECK(near.pairs > 0 && near.pairs < all.pairs);
+  CHECK(near.pairs > 0);
+  CHECK(near.pairs < all.pairs);
   CHECK(all.decisions + all.distances < all.pairs / 4);
   CHECK(all.decisions - near.decisions + all.distances - near.distances < (all.pairs - near.pairs) / 10);
   case_pair_free(&pair);

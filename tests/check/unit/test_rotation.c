@@ -116,7 +116,8 @@ static void test_transposed(void) {
     const gjk_quat q = random_unit(&random, i % 3 - 1), conjugate = {-q.x, -q.y, -q.z, q.w};
     const gjk_vec3 v = random_vector(&random, 30);
     gjk_vec3 rows[3], columns[3];
-    CHECK(gjk_rotation_from_quat(&q, rows) && gjk_rotation_from_quat(&conjugate, columns));
+    CHECK(gjk_rotation_from_quat(&q, rows));
+    CHECK(gjk_rotation_from_quat(&conjugate, columns));
     const gjk_vec3 back = gjk_rotate_back(rows, &v), turned = gjk_rotate(columns, &v);
     different += back.x != turned.x || back.y != turned.y || back.z != turned.z;
   }
@@ -130,12 +131,17 @@ static bool is_root(uint64_t x) {
 
 static void test_root(void) {
   random_state random = random_seed(check_seed(SEED) + 2);
-  CHECK(gjk_isqrt64(0) == 0 && is_root(1) && is_root(2) && is_root(3) && is_root(UINT64_MAX));
+  CHECK(gjk_isqrt64(0) == 0);
+  CHECK(is_root(1));
+  CHECK(is_root(2));
+  CHECK(is_root(3));
+  CHECK(is_root(UINT64_MAX));
   for (int i = 0; i < ITERATIONS; i++) {
     const uint64_t x = random_u64(&random) >> random_below(&random, 64);
     const uint64_t r = random_u32(&random) >> random_below(&random, 32);
     CHECK_MSG(is_root(x), "%llu", (unsigned long long)x);
-    CHECK_MSG(is_root(r * r) && is_root(r * r - (r > 0)), "%llu squared", (unsigned long long)r);
+    CHECK_MSG(is_root(r * r), "%llu squared", (unsigned long long)r);
+    CHECK_MSG(is_root(r * r - (r > 0)), "%llu squared", (unsigned long long)r);
   }
 }
 
@@ -153,7 +159,8 @@ static void test_reciprocal_root(void) {
     CHECK_MSG(y <= INT32_MAX, "%lu", (unsigned long)x);
   }
   printf("reciprocal root: from %.3Lf to %.3Lf\n", low, high);
-  CHECK_MSG(low > -1.5L && high < 0.5L, "from %.3Lf to %.3Lf", low, high);
+  CHECK_MSG(low > -1.5L, "from %.3Lf to %.3Lf", low, high);
+  CHECK_MSG(high < 0.5L, "from %.3Lf to %.3Lf", low, high);
 }
 
 int main(void) {

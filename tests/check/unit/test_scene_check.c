@@ -32,7 +32,8 @@ static gjk_body_id add(gjk_q16 x, uint16_t parts) {
 static void update(void) {
   gjk_report reports[30];
   gjk_progress progress;
-  CHECK(gjk_scene_update(&scene, reports, 30, &progress) == GJK_OK && progress.reports_left == 0);
+  CHECK(gjk_scene_update(&scene, reports, 30, &progress) == GJK_OK);
+  CHECK(progress.reports_left == 0);
 }
 
 // Bodies in slots 0 to 35: three that touch, one of three parts, the others alone; every pool has a record that was given
@@ -49,7 +50,8 @@ static void build(void) {
   CHECK(gjk_scene_teleport(&scene, bodies[35], &away) == GJK_OK);  // a pair for one update
   update();
   away.position.x = -99 * ONE;
-  CHECK(gjk_scene_teleport(&scene, bodies[35], &away) == GJK_OK && gjk_scene_remove(&scene, bodies[34]) == GJK_OK);
+  CHECK(gjk_scene_teleport(&scene, bodies[35], &away) == GJK_OK);
+  CHECK(gjk_scene_remove(&scene, bodies[34]) == GJK_OK);
   update();
   CHECK(gjk_scene_check(&scene) == GJK_OK);
   memcpy(sound, block, sizeof block);
@@ -134,8 +136,10 @@ static void test_free_lists(void) {
   gjk_scene_header *h = v.header;
   gjk_scene_pool *const pools[] = {&h->parts, &h->nodes, &h->placed, &h->pairs};
   for (unsigned i = 0; i < 4; i++) {
-    CHECK_MSG(pools[i]->free != GJK_SCENE_NONE && pools[i]->count < pools[i]->fresh, "pool %u: %lu of %lu", i,
-              (unsigned long)pools[i]->count, (unsigned long)pools[i]->fresh);
+    CHECK_MSG(pools[i]->free != GJK_SCENE_NONE, "pool %u: %lu of %lu", i, (unsigned long)pools[i]->count,
+              (unsigned long)pools[i]->fresh);
+    CHECK_MSG(pools[i]->count < pools[i]->fresh, "pool %u: %lu of %lu", i, (unsigned long)pools[i]->count,
+              (unsigned long)pools[i]->fresh);
     REFUSED(pools[i]->free = GJK_SCENE_NONE);
     REFUSED(pools[i]->free = pools[i]->fresh);
   }
@@ -144,7 +148,9 @@ static void test_free_lists(void) {
   REFUSED(h->pairs.free = pair_of(0, 1));
   // In use, in the place of another.
   const uint32_t third = v.parts[part_of(3)->next].next;
-  CHECK(v.parts[third].number == 2 && third < h->placed.fresh && v.placed[third].next != part_of(3)->next);
+  CHECK(v.parts[third].number == 2);
+  CHECK(third < h->placed.fresh);
+  CHECK(v.placed[third].next != part_of(3)->next);
   REFUSED(v.placed[third].next = GJK_SCENE_NONE; h->placed.free = v.parts[third].placed);
   // One too many, or in a ring.
   REFUSED(v.parts[h->parts.free].next = h->parts.free);
@@ -264,7 +270,8 @@ static void test_poses(void) {
     gjk_body_setup setup = {GJK_POSE_IDENTITY, &part[i], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
     CHECK(gjk_scene_add(&small, &setup, &body[i]) == GJK_OK);
   }
-  CHECK(gjk_scene_view_of(&small, &view) == GJK_OK && gjk_scene_check(&small) == GJK_OK);
+  CHECK(gjk_scene_view_of(&small, &view) == GJK_OK);
+  CHECK(gjk_scene_check(&small) == GJK_OK);
   for (int i = 0; i < 2; i++) {
     view.bodies[body[i].slot].position.y = INT32_MAX;
     CHECK(gjk_scene_check(&small) == GJK_ERROR_CORRUPT);
@@ -347,7 +354,8 @@ static void test_deep_tree(void) {
   for (int i = 0; i < 100; i++) {
     add(10 * i * ONE, 1);
   }
-  CHECK(gjk_scene_view_of(&scene, &v) == GJK_OK && gjk_scene_check(&scene) == GJK_OK);
+  CHECK(gjk_scene_view_of(&scene, &v) == GJK_OK);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
   CHECK(v.header->nodes.fresh == 99);
   const gjk_aabb box = v.nodes[v.header->root].box;
   for (uint32_t i = 0; i < 99; i++) {
@@ -431,11 +439,13 @@ static void test_pairs(void) {
 static void test_gone(void) {
   restore();
   const gjk_body_id first = gjk_scene_id_of(&v, 0);
-  CHECK(gjk_scene_remove(&scene, first) == GJK_OK && gjk_scene_check(&scene) == GJK_OK);
+  CHECK(gjk_scene_remove(&scene, first) == GJK_OK);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
   gjk_scene_header *h = v.header;
   memcpy(sound, block, sizeof block);
   const uint32_t gone = h->gone, second = v.pairs[gone].previous[0], other = pair_of(1, 2);
-  CHECK(second != GJK_SCENE_NONE && v.pairs[second].previous[0] == GJK_SCENE_NONE);
+  CHECK(second != GJK_SCENE_NONE);
+  CHECK(v.pairs[second].previous[0] == GJK_SCENE_NONE);
   REFUSED(h->gone = second);
   REFUSED(h->gone = GJK_SCENE_NONE);
   REFUSED(h->gone = other);
@@ -462,7 +472,8 @@ static uint32_t begin_update(void) {
   REFUSED(v.header->phase = GJK_SCENE_REPORTING + 1);
   REFUSED(v.header->queued = 1);
   restore();
-  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && gjk_scene_check(&scene) == GJK_OK);
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
   memcpy(sound, block, sizeof block);
   return pairs;
 }
@@ -498,7 +509,8 @@ static void test_testing(void) {
   restore();
   v.queue[2] = v.queue[0];
   memcpy(sound, block, sizeof block);
-  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT && memcmp(sound, block, sizeof block) == 0);
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+  CHECK(memcmp(sound, block, sizeof block) == 0);
 }
 
 // An update of no pairs.
@@ -506,13 +518,17 @@ static void test_testing_none(void) {
   static const gjk_scene_config empty = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
   uint32_t pairs = 1;
   CHECK(gjk_scene_init(&scene, &empty, block, sizeof block, shapes, 2) == GJK_OK);
-  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 0 && gjk_scene_check(&scene) == GJK_OK);
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
+  CHECK(pairs == 0);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
 }
 
 static void test_reporting(void) {
   gjk_report report;
   gjk_progress progress;
-  CHECK(begin_update() == 3 && gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports_left == 2);
+  CHECK(begin_update() == 3);
+  CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK);
+  CHECK(progress.reports_left == 2);
   gjk_scene_header *h = v.header;
   memcpy(sound, block, sizeof block);
   ACCEPTED((void)0);
@@ -537,7 +553,8 @@ static void test_reporting_gone(void) {
   gjk_progress progress;
   build();
   CHECK(gjk_scene_remove(&scene, gjk_scene_id_of(&v, 0)) == GJK_OK);
-  CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports_left == 1);
+  CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK);
+  CHECK(progress.reports_left == 1);
   memcpy(sound, block, sizeof block);
   gjk_scene_header *h = v.header;
   gjk_scene_pair *const gone = &v.pairs[v.queue[1]];

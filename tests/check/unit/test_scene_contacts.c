@@ -37,7 +37,8 @@ static void check_report(const gjk_report *r, tally *t) {
   gjk_collider a, b;
   gjk_manifold expected, single;
   if (r->event == GJK_EVENT_END) {
-    CHECK(r->manifold == NULL && r->distance == 0);
+    CHECK(r->manifold == NULL);
+    CHECK(r->distance == 0);
     return;
   }
   t->negative += r->distance < 0;
@@ -46,13 +47,14 @@ static void check_report(const gjk_report *r, tally *t) {
     t->others++;
     return;
   }
-  CHECK(gjk_scene_collider(&w.scene, r->a, r->part_a, &a) == GJK_OK &&
-        gjk_scene_collider(&w.scene, r->b, r->part_b, &b) == GJK_OK);
+  CHECK(gjk_scene_collider(&w.scene, r->a, r->part_a, &a) == GJK_OK);
+  CHECK(gjk_scene_collider(&w.scene, r->b, r->part_b, &b) == GJK_OK);
   const gjk_q16 margin = margin_of(r->a) + margin_of(r->b);
   memset(&expected, 0, sizeof expected);  // as it is reported where the ceiling on iterations is reached
   const gjk_status status = gjk_contacts(&a, &b, margin, 4, NULL, &of_worlds, &expected);
   CHECK(status == GJK_OK || world_is_tight());
-  CHECK(r->manifold != NULL && same_manifold(r->manifold, &expected));
+  CHECK(r->manifold != NULL);
+  CHECK(same_manifold(r->manifold, &expected));
   CHECK(gjk_scene_manifold(&w.scene, r, 4, &single) == status);
   CHECK(status == GJK_ERROR_ITERATION_LIMIT || same_manifold(&single, &expected));
   CHECK(expected.count == 0 || r->distance <= margin + 2);
@@ -120,7 +122,9 @@ static void start(gjk_detail least, gjk_detail of_body, uint32_t workspace_cells
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, (uint8_t)of_body, 1, 1, 0, 0};
   gjk_body_id body;
   CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2) == GJK_OK);
-  CHECK(scene.details == NULL && scene.workspace == NULL && scene.manifolds == NULL);
+  CHECK(scene.details == NULL);
+  CHECK(scene.workspace == NULL);
+  CHECK(scene.manifolds == NULL);
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
   setup.pose.position.x = 9000;
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
@@ -132,17 +136,24 @@ static void check_unsupported(void) {
   uint32_t pairs;
   start(GJK_DETAIL_TOUCH, GJK_DETAIL_CONTACTS, 0);
   CHECK(gjk_scene_hash(&scene, &before) == GJK_OK);
-  CHECK(update() == GJK_ERROR_UNSUPPORTED && gjk_scene_update_begin(&scene, &pairs) == GJK_ERROR_UNSUPPORTED);
+  CHECK(update() == GJK_ERROR_UNSUPPORTED);
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_ERROR_UNSUPPORTED);
   scene.details = &gjk_scene_depth;
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
-  CHECK(gjk_scene_hash(&scene, &after) == GJK_OK && after == before);
+  CHECK(gjk_scene_hash(&scene, &after) == GJK_OK);
+  CHECK(after == before);
   scene.details = &gjk_scene_contacts;
-  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
+  CHECK(pairs == 1);
   scene.details = NULL;
-  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_ERROR_UNSUPPORTED && update() == GJK_ERROR_UNSUPPORTED);
+  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_ERROR_UNSUPPORTED);
+  CHECK(update() == GJK_ERROR_UNSUPPORTED);
   scene.details = &gjk_scene_contacts;
-  CHECK(update() == GJK_OK && progress.reports == 1 && report.detail == GJK_DETAIL_CONTACTS);
-  CHECK(report.manifold == NULL && report.distance == 0);  // no room was given
+  CHECK(update() == GJK_OK);
+  CHECK(progress.reports == 1);
+  CHECK(report.detail == GJK_DETAIL_CONTACTS);
+  CHECK(report.manifold == NULL);
+  CHECK(report.distance == 0);  // no room was given
   CHECK(gjk_scene_check(&scene) == GJK_OK);
 }
 
@@ -152,7 +163,8 @@ static void check_lacking(void) {
   gjk_manifold out;
   uint32_t pairs;
   start(GJK_DETAIL_DISTANCE, GJK_DETAIL_TOUCH, 100);
-  CHECK(update() == GJK_OK && progress.reports == 1);
+  CHECK(update() == GJK_OK);
+  CHECK(progress.reports == 1);
   CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_ERROR_UNSUPPORTED);
   start(GJK_DETAIL_TOUCH, GJK_DETAIL_DEPTH, 100);
   scene.details = &gjk_scene_depth;
@@ -162,11 +174,14 @@ static void check_lacking(void) {
   scene.workspace = &none;
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
   scene.workspace = &enough;
-  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
+  CHECK(pairs == 1);
   scene.workspace = &small;
   CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_ERROR_UNSUPPORTED);
   scene.workspace = &enough;
-  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_OK && update() == GJK_OK && progress.reports == 1);
+  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_OK);
+  CHECK(update() == GJK_OK);
+  CHECK(progress.reports == 1);
   CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_OK);
 }
 
@@ -176,19 +191,28 @@ static void check_bounds(void) {
   gjk_q16 enough;
   start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH, 0);
   scene.details = &gjk_scene_depth;
-  CHECK(update() == GJK_OK && report.event == GJK_EVENT_BEGIN && report.distance < 0);
-  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 1);
+  CHECK(update() == GJK_OK);
+  CHECK(report.event == GJK_EVENT_BEGIN);
+  CHECK(report.distance < 0);
+  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
+  CHECK(stats.unsettled == 1);
   enough = report.distance;
   start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH, WORLD_CELLS);
   scene.details = &gjk_scene_depth;
   scene.workspace = &workspace;
-  CHECK(update() == GJK_OK && report.distance < 0 && report.distance >= enough);
-  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 0);
+  CHECK(update() == GJK_OK);
+  CHECK(report.distance < 0);
+  CHECK(report.distance >= enough);
+  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
+  CHECK(stats.unsettled == 0);
   start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH, 0);
   scene.details = &gjk_scene_contacts;
   scene.manifolds = manifolds;
-  CHECK(update() == GJK_OK && report.manifold == manifolds && report.distance < 0);
-  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.unsettled == 1);
+  CHECK(update() == GJK_OK);
+  CHECK(report.manifold == manifolds);
+  CHECK(report.distance < 0);
+  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
+  CHECK(stats.unsettled == 1);
 }
 
 // Resting pairs are reported with the manifold that they had.
@@ -197,10 +221,14 @@ static void check_rest(void) {
   scene.details = &gjk_scene_contacts;
   scene.workspace = &workspace;
   scene.manifolds = manifolds;
-  CHECK(update() == GJK_OK && report.event == GJK_EVENT_BEGIN && report.manifold == manifolds);
+  CHECK(update() == GJK_OK);
+  CHECK(report.event == GJK_EVENT_BEGIN);
+  CHECK(report.manifold == manifolds);
   const gjk_manifold first = manifolds[0];
   const gjk_q16 distance = report.distance;
-  CHECK(update() == GJK_OK && report.event == GJK_EVENT_PERSIST && report.distance == distance);
+  CHECK(update() == GJK_OK);
+  CHECK(report.event == GJK_EVENT_PERSIST);
+  CHECK(report.distance == distance);
   CHECK(same_manifold(&first, report.manifold));
 }
 
@@ -208,8 +236,10 @@ static void check_manifold_statuses(void) {
   gjk_manifold out;
   start(GJK_DETAIL_TOUCH, GJK_DETAIL_TOUCH, WORLD_CELLS);
   scene.workspace = &workspace;
-  CHECK(update() == GJK_OK && progress.reports == 1);
-  CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_OK && out.count > 0);
+  CHECK(update() == GJK_OK);
+  CHECK(progress.reports == 1);
+  CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_OK);
+  CHECK(out.count > 0);
   CHECK(gjk_scene_manifold(NULL, &report, 4, &out) == GJK_ERROR_NULL);
   CHECK(gjk_scene_manifold(&scene, NULL, 4, &out) == GJK_ERROR_NULL);
   CHECK(gjk_scene_manifold(&scene, &report, 4, NULL) == GJK_ERROR_NULL);

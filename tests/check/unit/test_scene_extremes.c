@@ -58,7 +58,8 @@ static void move(gjk_body_id body, gjk_q16 x, gjk_q16 y) {
 static gjk_scene_stats update(gjk_report *reports, uint32_t *count) {
   gjk_progress progress;
   gjk_scene_stats stats = {0};
-  CHECK(gjk_scene_update(&scene, reports, 8, &progress) == GJK_OK && progress.reports_left == 0);
+  CHECK(gjk_scene_update(&scene, reports, 8, &progress) == GJK_OK);
+  CHECK(progress.reports_left == 0);
   CHECK(gjk_scene_check(&scene) == GJK_OK);
   CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
   *count = progress.reports;
@@ -76,17 +77,23 @@ static void test_used_up_slot(void) {
   CHECK(gjk_scene_remove(&scene, body) == GJK_ERROR_BODY_ID);
   body.generation = UINT32_MAX;
   uint64_t before, after;
-  CHECK(gjk_scene_remove(&scene, body) == GJK_OK && record->generation == 0 && gjk_scene_check(&scene) == GJK_OK);
+  CHECK(gjk_scene_remove(&scene, body) == GJK_OK);
+  CHECK(record->generation == 0);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
   CHECK(gjk_scene_hash(&scene, &before) == GJK_OK);
   CHECK(gjk_scene_remove(&scene, body) == GJK_ERROR_BODY_ID);
   const gjk_body_id next = add(0, 0, 0, 0);
-  CHECK(next.slot == 1 && next.generation == 1);
+  CHECK(next.slot == 1);
+  CHECK(next.generation == 1);
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   const gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
   CHECK(gjk_scene_add_at(&scene, 0, &setup, &body) == GJK_ERROR_BODY_ID);
-  CHECK(gjk_scene_hash(&scene, &after) == GJK_OK && before != after);
-  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK && body.slot == 2);
-  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK && body.slot == 3);
+  CHECK(gjk_scene_hash(&scene, &after) == GJK_OK);
+  CHECK(before != after);
+  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
+  CHECK(body.slot == 2);
+  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
+  CHECK(body.slot == 3);
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_ERROR_CAPACITY);
 }
 
@@ -121,11 +128,17 @@ static void test_many_parts(void) {
     setup.pose.position.z = parts[near].pose.position.z;
     CHECK(gjk_scene_add(&scene, &setup, &one) == GJK_OK);
     update(reports, &count);
-    CHECK(count == 1 && reports[0].event == GJK_EVENT_BEGIN && reports[0].part_a == near && reports[0].part_b == 0);
+    CHECK(count == 1);
+    CHECK(reports[0].event == GJK_EVENT_BEGIN);
+    CHECK(reports[0].part_a == near);
+    CHECK(reports[0].part_b == 0);
     CHECK(gjk_scene_remove(&scene, one) == GJK_OK);
     update(reports, &count);
-    CHECK(count == 1 && reports[0].event == GJK_EVENT_END && reports[0].part_a == near && reports[0].part_b == 0 &&
-          reports[0].b.generation == one.generation);
+    CHECK(count == 1);
+    CHECK(reports[0].event == GJK_EVENT_END);
+    CHECK(reports[0].part_a == near);
+    CHECK(reports[0].part_b == 0);
+    CHECK(reports[0].b.generation == one.generation);
   }
   free(parts);
   free(memory);
@@ -152,12 +165,15 @@ static void test_large_hulls(void) {
     for (int step = 0; step < 40; step++) {
       move(b, 8 * ONE - step * 7001, step * 100);
       update(reports, &count);
-      CHECK(gjk_scene_collider(&scene, a, 0, &one) == GJK_OK && gjk_scene_collider(&scene, b, 0, &two) == GJK_OK);
-      CHECK(gjk_distance(&one, &two, NULL, &r) == GJK_OK && gjk_within(&one, &two, 2 * ONE, NULL, &d) == GJK_OK);
+      CHECK(gjk_scene_collider(&scene, a, 0, &one) == GJK_OK);
+      CHECK(gjk_scene_collider(&scene, b, 0, &two) == GJK_OK);
+      CHECK(gjk_distance(&one, &two, NULL, &r) == GJK_OK);
+      CHECK(gjk_within(&one, &two, 2 * ONE, NULL, &d) == GJK_OK);
       uint32_t cursor = 0;
       gjk_report near;
       bool found;
-      CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK && found == d.yes);
+      CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK);
+      CHECK(found == d.yes);
       CHECK(!found || near.distance == r.distance);
     }
   }
@@ -178,20 +194,25 @@ static void test_far_apart(void) {
     const uint16_t wall = (uint16_t)(first_axis == 0 ? 2 : 3 + first_axis);
     const gjk_body_id a = add(wall, left, low, GJK_RADIUS_MAX), b = add(wall, left + x - n, low + y, GJK_RADIUS_MAX);
     gjk_scene_stats stats = update(reports, &count);
-    CHECK(count == 0 && stats.cold == 1);
+    CHECK(count == 0);
+    CHECK(stats.cold == 1);
     move(b, left + x - n, low + y - 1);
     stats = update(reports, &count);
-    CHECK(count == 0 && stats.warm == 1);  // no gap is known
+    CHECK(count == 0);
+    CHECK(stats.warm == 1);  // no gap is known
     move(a, left + 2, low);
     stats = update(reports, &count);
-    CHECK(count == 0 && stats.direction == 1);  // now the last direction settles it
+    CHECK(count == 0);
+    CHECK(stats.direction == 1);  // now the last direction settles it
     move(b, left + x + n, low);
     update(reports, &count);
-    CHECK(count == 1 && reports[0].event == GJK_EVENT_BEGIN);
+    CHECK(count == 1);
+    CHECK(reports[0].event == GJK_EVENT_BEGIN);
     // Near by about 2^17: that is known, unless the centres are too far apart.
     move(b, left + x + n, low + 1);
     stats = update(reports, &count);
-    CHECK(count == 0 && (n == 0 ? stats.motion : stats.warm) == 1);
+    CHECK(count == 0);
+    CHECK((n == 0 ? stats.motion : stats.warm) == 1);
   }
   first_axis = 0;
 }
@@ -217,9 +238,11 @@ static void test_turns(void) {
     start(&usual);
     add(0, 0, GJK_Q16(2.675), 2 * ONE);
     const gjk_body_id b = add(1, 0, 0, 0);  // 2.05 below a box with a margin of 2
-    CHECK(update(reports, &count).boxes == 1 && count == 0);
+    CHECK(update(reports, &count).boxes == 1);
+    CHECK(count == 0);
     turn(b, *turns[i]);
-    CHECK(update(reports, &count).motion == 1 && count == 0);
+    CHECK(update(reports, &count).motion == 1);
+    CHECK(count == 0);
   }
   // About any axis, from any rotation.
   const gjk_quat generic[2] = {{GJK_Q30_ONE / 2, GJK_Q30_ONE / 2, GJK_Q30_ONE / 2, GJK_Q30_ONE / 2},
@@ -229,13 +252,15 @@ static void test_turns(void) {
     add(0, 0, 6 * ONE, GJK_Q16(1.4));
     const gjk_body_id b = add(1, 0, 0, 0);  // at most 4.01 long
     turn(b, generic[i % 2]);
-    CHECK(update(reports, &count).boxes == 1 && count == 0);
+    CHECK(update(reports, &count).boxes == 1);
+    CHECK(count == 0);
     gjk_quat next = generic[i % 2];
     gjk_q30 *const component[4] = {&next.x, &next.y, &next.z, &next.w};
     *component[i / 2] += 300;
     *component[(i / 2 + 1) % 4] += (*component[i / 2] > 0) == (*component[(i / 2 + 1) % 4] > 0) ? -300 : 300;
     turn(b, next);
-    CHECK(update(reports, &count).motion == 1 && count == 0);
+    CHECK(update(reports, &count).motion == 1);
+    CHECK(count == 0);
   }
   // The opposite of nearly the same rotation is nearly the same, whatever the signs of its components.
   static const gjk_scene_config roomy = {4, 4, 0, 6, 8 * ONE, GJK_DETAIL_DISTANCE, 0, 0, 0, 0};
@@ -251,14 +276,17 @@ static void test_turns(void) {
     add(0, 0, 6 * ONE, GJK_Q16(1.4));
     const gjk_body_id b = add(1, 0, 0, 0);
     turn(b, q);
-    CHECK(update(reports, &count).boxes == 1 && count == 0);
+    CHECK(update(reports, &count).boxes == 1);
+    CHECK(count == 0);
     const gjk_quat near = {q.x + 50, q.y - 40, q.z + 30, q.w - 20}, far = {-near.x, -near.y, -near.z, -near.w};
     turn(b, i % 2 != 0 ? near : far);
-    CHECK(update(reports, &count).motion == 1 && count == 0);
+    CHECK(update(reports, &count).motion == 1);
+    CHECK(count == 0);
     // Other than by a turn of more than the gap.
     gjk_quat other = {q.w, q.z, -q.y, -q.x};  // at a right angle to q: a half turn from it
     turn(b, other);
-    CHECK(update(reports, &count).motion == 0 && count == 0);
+    CHECK(update(reports, &count).motion == 0);
+    CHECK(count == 0);
   }
   // The bar reaches across the crate's margin when it stands upright, and does not when it has turned by a half.
   start(&usual);
@@ -267,10 +295,12 @@ static void test_turns(void) {
   update(reports, &count);
   turn(b, half);
   gjk_scene_stats stats = update(reports, &count);
-  CHECK(count == 0 && stats.boxes == 1);
+  CHECK(count == 0);
+  CHECK(stats.boxes == 1);
   turn(b, quarter);
   update(reports, &count);
-  CHECK(count == 1 && reports[0].event == GJK_EVENT_BEGIN);
+  CHECK(count == 1);
+  CHECK(reports[0].event == GJK_EVENT_BEGIN);
 }
 
 // A body that moves along one axis alone has moved.
@@ -283,7 +313,8 @@ static void test_one_axis(void) {
   for (int i = 0; i < 7; i++) {
     gjk_body_state state;
     *field[i] += i < 3 ? 5 : 1;
-    CHECK(gjk_scene_move(&scene, body, &pose) == GJK_OK && gjk_scene_get(&scene, body, &state) == GJK_OK);
+    CHECK(gjk_scene_move(&scene, body, &pose) == GJK_OK);
+    CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK);
     CHECK(memcmp(&state.pose, &pose, sizeof pose) == 0);
   }
 }
@@ -296,19 +327,33 @@ static void test_gone(void) {
   start(&usual);
   const gjk_body_id a = add(0, 0, 0, ONE), b = add(0, 2 * ONE, 0, 0);
   update(reports, &count);
-  CHECK(count == 1 && reports[0].event == GJK_EVENT_BEGIN && reports[0].distance == ONE);
-  CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK && found && near.event == GJK_EVENT_PERSIST &&
-        near.distance == ONE);
-  CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK && !found);
+  CHECK(count == 1);
+  CHECK(reports[0].event == GJK_EVENT_BEGIN);
+  CHECK(reports[0].distance == ONE);
+  CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK);
+  CHECK(found);
+  CHECK(near.event == GJK_EVENT_PERSIST);
+  CHECK(near.distance == ONE);
+  CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK);
+  CHECK(!found);
   CHECK(gjk_scene_remove(&scene, b) == GJK_OK);
   cursor = 0;
-  CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK && found && near.event == GJK_EVENT_END &&
-        near.distance == 0 && near.a.slot == a.slot && near.a.generation == a.generation && near.b.slot == b.slot &&
-        near.b.generation == b.generation && near.detail == GJK_DETAIL_DISTANCE);
+  CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK);
+  CHECK(found);
+  CHECK(near.event == GJK_EVENT_END);
+  CHECK(near.distance == 0);
+  CHECK(near.a.slot == a.slot);
+  CHECK(near.a.generation == a.generation);
+  CHECK(near.b.slot == b.slot);
+  CHECK(near.b.generation == b.generation);
+  CHECK(near.detail == GJK_DETAIL_DISTANCE);
   update(reports, &count);
-  CHECK(count == 1 && reports[0].event == GJK_EVENT_END && reports[0].distance == 0);
+  CHECK(count == 1);
+  CHECK(reports[0].event == GJK_EVENT_END);
+  CHECK(reports[0].distance == 0);
   cursor = 0;
-  CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK && !found);
+  CHECK(gjk_scene_next_near(&scene, &cursor, &near, &found) == GJK_OK);
+  CHECK(!found);
 }
 
 // Near pairs are looked for among the records there are: what lies beyond the last one is none, whatever it holds.
@@ -322,7 +367,8 @@ static void test_near_pairs_alone(void) {
   add(0, 0, 0, 0);
   add(0, ONE / 2, 0, 0);
   update(reports, &count);
-  CHECK(gjk_scene_next_near(&scene, &cursor, reports, &found) == GJK_OK && found);
+  CHECK(gjk_scene_next_near(&scene, &cursor, reports, &found) == GJK_OK);
+  CHECK(found);
   CHECK(gjk_scene_next_near(&scene, &cursor, reports, &found) == GJK_OK);
   CHECK(!found);
 }
@@ -348,12 +394,15 @@ static void count_report(void *user, const gjk_report *report) {
 static void test_each(void) {
   int calls = 0;
   start(&usual);
-  CHECK(gjk_scene_update_each(&scene, count_report, &calls) == GJK_OK && calls == 0);
+  CHECK(gjk_scene_update_each(&scene, count_report, &calls) == GJK_OK);
+  CHECK(calls == 0);
   for (int i = 0; i < 4; i++) {
     add(0, 0, 0, 0);
   }
-  CHECK(gjk_scene_update_each(&scene, count_report, &calls) == GJK_OK && calls == 6);
-  CHECK(gjk_scene_update_each(&scene, count_report, &calls) == GJK_OK && calls == 6);
+  CHECK(gjk_scene_update_each(&scene, count_report, &calls) == GJK_OK);
+  CHECK(calls == 6);
+  CHECK(gjk_scene_update_each(&scene, count_report, &calls) == GJK_OK);
+  CHECK(calls == 6);
 }
 
 // Pairs that were tested are not tested again.
@@ -372,11 +421,15 @@ static void test_tested_once(void) {
   scene.user = &calls;
   add(0, 0, 0, 0);
   add(0, 0, 0, 0);
-  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
-  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_OK && calls == 1);
-  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_OK && calls == 1);
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
+  CHECK(pairs == 1);
+  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_OK);
+  CHECK(calls == 1);
+  CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_OK);
+  CHECK(calls == 1);
   update(reports, &count);
-  CHECK(calls == 1 && count == 1);
+  CHECK(calls == 1);
+  CHECK(count == 1);
 }
 
 int main(void) {

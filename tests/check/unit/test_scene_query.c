@@ -108,12 +108,15 @@ static void check_hits(bool way, const gjk_aabb *box, unsigned *total) {
   uint32_t count, part;
   const uint32_t wanted = search(way, box->lower, box->upper, expected);
   CHECK(ask(way, box, NULL, hits, HITS, &count) == GJK_OK);
-  CHECK_MSG(count == wanted && same_hits(hits, expected, wanted), "%u found, %u expected", count, wanted);
-  CHECK(ask(way, box, NULL, NULL, 0, &count) == GJK_OK && count == wanted);
+  CHECK_MSG(count == wanted, "%u found, %u expected", count, wanted);
+  CHECK_MSG(same_hits(hits, expected, wanted), "%u found, %u expected", count, wanted);
+  CHECK(ask(way, box, NULL, NULL, 0, &count) == GJK_OK);
+  CHECK(count == wanted);
   for (uint32_t at = 0; at < wanted; at += 3) {
     const uint32_t here = wanted - at < 3 ? wanted - at : 3;
     CHECK(ask(way, box, at == 0 ? NULL : &expected[at - 1], few, 3, &part) == GJK_OK);
-    CHECK(part == wanted - at && same_hits(few, &expected[at], here));
+    CHECK(part == wanted - at);
+    CHECK(same_hits(few, &expected[at], here));
   }
   *total += wanted;
 }
@@ -203,8 +206,8 @@ static void check_nearest(random_state *random, int32_t reach) {
   CHECK(gjk_scene_query_nearest(&w.scene, &c, limit, ignore.generation != 0 ? &ignore : NULL, &hit, &distance,
                                 &found) == GJK_OK);
   if (ignore.generation != 0) {
-    CHECK_MSG(found == any && (!any || (distance == best && order(&hit, &expected) == 0)), "%d, %d expected",
-              (int)distance, (int)best);
+    CHECK_MSG(found == any, "%d, %d expected", (int)distance, (int)best);
+    CHECK_MSG(!any || (distance == best && order(&hit, &expected) == 0), "%d, %d expected", (int)distance, (int)best);
     nearest_hits += any;
   }
 }
@@ -254,7 +257,8 @@ static void check_equals(void) {
   bool found;
   gjk_collider c;
   const gjk_pose identity = GJK_POSE_IDENTITY;
-  CHECK(gjk_collider_init(&c, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &identity) == GJK_OK);
+  CHECK(gjk_collider_init(&c, &ball, NULL, 0) == GJK_OK);
+  CHECK(gjk_collider_pose(&c, &identity) == GJK_OK);
   for (uint32_t first = 0; first < 8; first++) {  // slots from there on, in either order
     gjk_body_id bodies[8];
     CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
@@ -271,19 +275,28 @@ static void check_equals(void) {
       CHECK(gjk_scene_add_at(&scene, slot, &setup, &bodies[slot]) == GJK_OK);
     }
     for (uint32_t slot = first; slot < 8; slot++) {
-      CHECK(gjk_scene_query_nearest(&scene, &c, GJK_DISTANCE_MAX, NULL, &hit, &distance, &found) == GJK_OK && found);
-      CHECK(hit.body.slot == slot && hit.part == 0 && distance == 161487);  // 2 sqrt(3) - 1
-      CHECK(gjk_scene_query_nearest(&scene, &c, 161487, NULL, &hit, &distance, &found) == GJK_OK && found);
-      CHECK(gjk_scene_query_nearest(&scene, &c, 161486, NULL, &hit, &distance, &found) == GJK_OK && !found);
-      CHECK(gjk_scene_query_nearest(&scene, &c, 0, NULL, &hit, &distance, &found) == GJK_OK && !found);
+      CHECK(gjk_scene_query_nearest(&scene, &c, GJK_DISTANCE_MAX, NULL, &hit, &distance, &found) == GJK_OK);
+      CHECK(found);
+      CHECK(hit.body.slot == slot);
+      CHECK(hit.part == 0);
+      CHECK(distance == 161487);  // 2 sqrt(3) - 1
+      CHECK(gjk_scene_query_nearest(&scene, &c, 161487, NULL, &hit, &distance, &found) == GJK_OK);
+      CHECK(found);
+      CHECK(gjk_scene_query_nearest(&scene, &c, 161486, NULL, &hit, &distance, &found) == GJK_OK);
+      CHECK(!found);
+      CHECK(gjk_scene_query_nearest(&scene, &c, 0, NULL, &hit, &distance, &found) == GJK_OK);
+      CHECK(!found);
       CHECK(gjk_scene_query_nearest(&scene, &c, 161487, &bodies[slot], &hit, &distance, &found) == GJK_OK);
-      CHECK(found == (slot < 7) && (!found || hit.body.slot == slot + 1));
+      CHECK(found == (slot < 7));
+      CHECK(!found || hit.body.slot == slot + 1);
       const gjk_body_id stale = {slot, bodies[slot].generation + 2};
-      CHECK(gjk_scene_query_nearest(&scene, &c, 161487, &stale, &hit, &distance, &found) == GJK_OK && found &&
-            hit.body.slot == slot);
+      CHECK(gjk_scene_query_nearest(&scene, &c, 161487, &stale, &hit, &distance, &found) == GJK_OK);
+      CHECK(found);
+      CHECK(hit.body.slot == slot);
       CHECK(gjk_scene_remove(&scene, bodies[slot]) == GJK_OK);
     }
-    CHECK(gjk_scene_query_nearest(&scene, &c, GJK_DISTANCE_MAX, NULL, &hit, &distance, &found) == GJK_OK && !found);
+    CHECK(gjk_scene_query_nearest(&scene, &c, GJK_DISTANCE_MAX, NULL, &hit, &distance, &found) == GJK_OK);
+    CHECK(!found);
   }
 }
 
@@ -311,7 +324,8 @@ static void check_far(random_state *random) {
     const int32_t sign = random_below(random, 2) == 0 ? 1 : -1,
                   away = random_range(random, 1 << 30, (1 << 30) + (1 << 27) - 5);
     pose.position.x = -sign * away;
-    CHECK(gjk_collider_init(&c, &slab, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+    CHECK(gjk_collider_init(&c, &slab, NULL, 0) == GJK_OK);
+    CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
     CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
     for (unsigned k = 0; k < 3; k++) {
       setup.pose.position.x = sign * (away + random_range(random, 0, 4));
@@ -324,7 +338,8 @@ static void check_far(random_state *random) {
       nearest = r.distance < best ? k : nearest;
       best = r.distance < best ? r.distance : best;
     }
-    CHECK(gjk_scene_query_nearest(&scene, &c, GJK_DISTANCE_MAX, NULL, &hit, &distance, &found) == GJK_OK && found);
+    CHECK(gjk_scene_query_nearest(&scene, &c, GJK_DISTANCE_MAX, NULL, &hit, &distance, &found) == GJK_OK);
+    CHECK(found);
     CHECK(distance == best);
     CHECK(hit.body.slot == nearest);
   }
@@ -346,8 +361,11 @@ static void check_borders(void) {
   gjk_aabb box;
   uint32_t count;
   CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
-  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK && gjk_scene_collider(&scene, body, 0, &c) == GJK_OK);
-  CHECK(gjk_collider_aabb(&c, &box) == GJK_OK && box.lower.x == -100 && box.upper.z == 100);
+  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
+  CHECK(gjk_scene_collider(&scene, body, 0, &c) == GJK_OK);
+  CHECK(gjk_collider_aabb(&c, &box) == GJK_OK);
+  CHECK(box.lower.x == -100);
+  CHECK(box.upper.z == 100);
   for (int axis = 0; axis < 3; axis++) {
     for (gjk_q16 s = -101; s <= 101; s += s == -101 || s == 100 ? 1 : 200) {
       for (gjk_q16 t = -101; t <= 101; t += t == -101 || t == 100 ? 1 : 200) {
@@ -365,7 +383,8 @@ static void check_borders(void) {
           CHECK(count == (inside && end >= -100 ? 1 : 0));
           CHECK(count == 0 || hit.fraction == (end <= 100 ? 0 : (uint32_t)((UINT64_C(1) << 30) / 401)));
           CHECK(gjk_scene_query_ray(&scene, &point, &point, NULL, &hit, 1, &count) == GJK_OK);
-          CHECK(count == (inside && end >= -100 && end <= 100 ? 1 : 0) && (count == 0 || hit.fraction == 0));
+          CHECK(count == (inside && end >= -100 && end <= 100 ? 1 : 0));
+          CHECK(count == 0 || hit.fraction == 0);
           const gjk_aabb dot = {point, point};
           CHECK(gjk_scene_query_box(&scene, &dot, NULL, &hit, 1, &count) == GJK_OK);
           CHECK(count == (inside && end >= -100 && end <= 100 ? 1 : 0));
@@ -381,7 +400,8 @@ int main(void) {
   const size_t bytes = gjk_scene_bytes(&config);
   void *block = malloc(bytes);
   random_state random = random_seed(check_seed(31));
-  CHECK(block != NULL && world_start(&w, &options, block, bytes));
+  CHECK(block != NULL);
+  CHECK(world_start(&w, &options, block, bytes));
   for (int i = 0; i < ITERATIONS; i++) {
     check_trial((unsigned long)i, NULL, NULL);
     for (int k = 0; k < 20; k++) {

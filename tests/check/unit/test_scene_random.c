@@ -46,7 +46,8 @@ static void run(unsigned family) {
   void *block = malloc(bytes);
   random_state random = random_seed(check_seed(SEED) + family / 2);
   gjk_scene_stats all = {0}, stats;
-  CHECK(block != NULL && world_start(&w, options, block, bytes));
+  CHECK(block != NULL);
+  CHECK(world_start(&w, options, block, bytes));
   for (int i = 0; i < UPDATES; i++) {
     bool fine = true;
     check_trial((unsigned long)i, NULL, NULL);
@@ -89,7 +90,11 @@ static void run(unsigned family) {
   if (options->retest_all) {
     CHECK(all.resting + all.motion + all.direction + all.warm == 0);
   } else if (options->bodies == WORLD_BODIES) {
-    CHECK(all.resting > 100 && all.motion > 100 && all.boxes > 100 && all.direction > 100 && all.warm > 100);
+    CHECK(all.resting > 100);
+    CHECK(all.motion > 100);
+    CHECK(all.boxes > 100);
+    CHECK(all.direction > 100);
+    CHECK(all.warm > 100);
   }
   free(block);
 }
@@ -104,7 +109,8 @@ static gjk_body_setup add_crates(gjk_scene *scene, uint8_t kind, gjk_body_id *fi
   static const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   const gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, kind, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
   CHECK(gjk_scene_init(scene, &two_bodies, small_block, sizeof small_block, shapes, 1) == GJK_OK);
-  CHECK(gjk_scene_add(scene, &setup, fixed) == GJK_OK && gjk_scene_add(scene, &setup, moving) == GJK_OK);
+  CHECK(gjk_scene_add(scene, &setup, fixed) == GJK_OK);
+  CHECK(gjk_scene_add(scene, &setup, moving) == GJK_OK);
   return setup;
 }
 
@@ -134,7 +140,8 @@ static void check_counters(void) {
       CHECK(gjk_quat_from_axis_angle(&up[turn], GJK_ANGLE(0.7853982), &setup.pose.rotation) == GJK_OK);
       setup.pose.position = far;
       CHECK(gjk_scene_teleport(&scene, moving, &setup.pose) == GJK_OK);
-      CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports_left == 0);
+      CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK);
+      CHECK(progress.reports_left == 0);
       setup.pose.position = origin;
       CHECK(gjk_scene_teleport(&scene, fixed, &setup.pose) == GJK_OK);
     }
@@ -142,9 +149,16 @@ static void check_counters(void) {
     CHECK(i == 4 || gjk_scene_move(&scene, moving, &setup.pose) == GJK_OK);
     CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK);
     CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
-    CHECK_MSG(stats.motion == steps[i].motion && stats.direction == steps[i].direction && stats.warm == steps[i].warm &&
-                  stats.cold == steps[i].cold && stats.resting == steps[i].resting,
-              "step %u: %u %u %u %u %u", n, stats.motion, stats.direction, stats.warm, stats.cold, stats.resting);
+    CHECK_MSG(stats.motion == steps[i].motion, "step %u: %u %u %u %u %u", n, stats.motion, stats.direction, stats.warm,
+              stats.cold, stats.resting);
+    CHECK_MSG(stats.direction == steps[i].direction, "step %u: %u %u %u %u %u", n, stats.motion, stats.direction,
+              stats.warm, stats.cold, stats.resting);
+    CHECK_MSG(stats.warm == steps[i].warm, "step %u: %u %u %u %u %u", n, stats.motion, stats.direction, stats.warm,
+              stats.cold, stats.resting);
+    CHECK_MSG(stats.cold == steps[i].cold, "step %u: %u %u %u %u %u", n, stats.motion, stats.direction, stats.warm,
+              stats.cold, stats.resting);
+    CHECK_MSG(stats.resting == steps[i].resting, "step %u: %u %u %u %u %u", n, stats.motion, stats.direction,
+              stats.warm, stats.cold, stats.resting);
     CHECK_MSG(progress.reports == (i == 5 ? 1 : 0), "step %u", n);
   }
 }
@@ -159,8 +173,10 @@ static void check_refused(void) {
   for (uint32_t i = 0; i < 4; i++) {
     setup.pose.position.x = i < 2 ? 0 : GJK_Q16_ONE / 4;
     CHECK(i % 2 != 0 || gjk_scene_teleport(&scene, moving, &setup.pose) == GJK_OK);
-    CHECK(gjk_scene_update(&scene, NULL, 0, &progress) == GJK_OK && progress.reports_left == 0);
-    CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK && stats.pairs == 0);
+    CHECK(gjk_scene_update(&scene, NULL, 0, &progress) == GJK_OK);
+    CHECK(progress.reports_left == 0);
+    CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
+    CHECK(stats.pairs == 0);
     CHECK_MSG((stats.refused != 0) == (i % 2 == 0), "update %u: %u", i, stats.refused);
   }
 }
@@ -203,7 +219,8 @@ static void check_threshold(void) {
     setup.pose.position.x = random_range(&random, -300000, 300000);
     setup.pose.position.y = random_range(&random, -300000, 300000);
     setup.pose.position.z = 300000;
-    CHECK(gjk_scene_add(&scene, &setup, &moving) == GJK_OK && gjk_scene_collider(&scene, fixed, 0, &a) == GJK_OK);
+    CHECK(gjk_scene_add(&scene, &setup, &moving) == GJK_OK);
+    CHECK(gjk_scene_collider(&scene, fixed, 0, &a) == GJK_OK);
     for (unsigned step = 0; step < 12; step++) {
       gjk_report report;
       gjk_progress progress;
@@ -217,7 +234,8 @@ static void check_threshold(void) {
         break;
       }
       push(&scene, moving, &r.normal, 2 * (int64_t)margin - r.distance + random_range(&random, -30, 30));
-      CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK && gjk_scene_get_stats(&scene, &stats) == GJK_OK);
+      CHECK(gjk_scene_update(&scene, &report, 1, &progress) == GJK_OK);
+      CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
       CHECK(gjk_scene_collider(&scene, moving, 0, &b) == GJK_OK);
       const gjk_status decided = gjk_within(&a, &b, 2 * margin, NULL, &decision);
       CHECK(decided == GJK_OK || world_is_tight());
@@ -230,7 +248,8 @@ static void check_threshold(void) {
     }
   }
   printf("%u near, %u skipped\n", near_count, skipped);
-  CHECK(near_count > THRESHOLDS && skipped > THRESHOLDS / 4);
+  CHECK(near_count > THRESHOLDS);
+  CHECK(skipped > THRESHOLDS / 4);
 }
 
 int main(void) {

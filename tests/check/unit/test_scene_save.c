@@ -26,7 +26,8 @@ static void tick(world *w, int number) {
   for (int k = 0; k < 15; k++) {
     CHECK(world_change(w, &random));
   }
-  CHECK(gjk_scene_update(&w->scene, list.report, WORLD_REPORTS, &progress) == GJK_OK && progress.reports_left == 0);
+  CHECK(gjk_scene_update(&w->scene, list.report, WORLD_REPORTS, &progress) == GJK_OK);
+  CHECK(progress.reports_left == 0);
 }
 
 // Moves the scene to another block, by a copy or through a sealed save.
@@ -85,7 +86,8 @@ static void check_rollback(void) {
   }
   free(other.scene.block);
   free(save);
-  CHECK(rollbacks > 10 && transplants > 20);
+  CHECK(rollbacks > 10);
+  CHECK(transplants > 20);
 
   world_options plain = options;
   plain.retest_all = 1;
@@ -134,13 +136,15 @@ static void check_order(void) {
       gjk_progress progress;
       random_state same = random_seed(check_seed(SEED) + (uint64_t)(round * 100 + i)), again = same;
       for (int k = 0; k < 10; k++) {
-        CHECK(world_change(&first, &same) && world_change(&second, &again));
+        CHECK(world_change(&first, &same));
+        CHECK(world_change(&second, &again));
       }
       CHECK(gjk_scene_update(&first.scene, a.report, WORLD_REPORTS, &progress) == GJK_OK);
       a.count = progress.reports;
       CHECK(gjk_scene_update(&second.scene, b.report, WORLD_REPORTS, &progress) == GJK_OK);
       b.count = progress.reports;
-      CHECK_MSG(world_same(&a, &b) && hash_of(&first.scene) == hash_of(&second.scene), "round %d, tick %d", round, i);
+      CHECK_MSG(world_same(&a, &b), "round %d, tick %d", round, i);
+      CHECK_MSG(hash_of(&first.scene) == hash_of(&second.scene), "round %d, tick %d", round, i);
     }
     free(first.scene.block);
     free(second.scene.block);
@@ -158,7 +162,9 @@ static void check_checksum(const void *block) {
       sum ^= sum >> 32;
     }
   }
-  CHECK(h->sealed == 1 && h->checksum[0] == (uint32_t)sum && h->checksum[1] == (uint32_t)(sum >> 32));
+  CHECK(h->sealed == 1);
+  CHECK(h->checksum[0] == (uint32_t)sum);
+  CHECK(h->checksum[1] == (uint32_t)(sum >> 32));
 }
 
 // A block of another version, or of a build with another ceiling on iterations, is refused; that ceiling is in the hash.
@@ -169,7 +175,9 @@ static void check_builds(void) {
   void *block = malloc(bytes);
   gjk_scene_header *h = block;
   gjk_scene opened;
-  CHECK(world_start(&w, &options, block, bytes) && h->version == 2 && h->iterations == GJK_ITERATIONS_MAX);
+  CHECK(world_start(&w, &options, block, bytes));
+  CHECK(h->version == 2);
+  CHECK(h->iterations == GJK_ITERATIONS_MAX);
   const uint64_t before = hash_of(&w.scene);
   h->version = 1;
   CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);

@@ -45,7 +45,8 @@ static size_t bytes_of(uint32_t bodies) {
 
 static void check_configurations(void) {
   gjk_scene_config c = usual;
-  CHECK(gjk_scene_bytes(&c) > 0 && gjk_scene_bytes(&c) <= sizeof block);
+  CHECK(gjk_scene_bytes(&c) > 0);
+  CHECK(gjk_scene_bytes(&c) <= sizeof block);
   CHECK(gjk_scene_bytes(NULL) == 0);
 #define REFUSED(field, value, status)                                              \
   do {                                                                             \
@@ -79,7 +80,8 @@ static void check_configurations(void) {
                                         0,
                                         0};
   static const gjk_scene_config least = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
-  CHECK(gjk_scene_bytes(&most) > 0 && gjk_scene_bytes(&least) > 0);
+  CHECK(gjk_scene_bytes(&most) > 0);
+  CHECK(gjk_scene_bytes(&least) > 0);
   c = usual;
   const size_t bytes = gjk_scene_bytes(&c);
   CHECK(gjk_scene_init(&scene, &c, block, bytes - 1, shapes, 4) == GJK_ERROR_CAPACITY);
@@ -97,7 +99,8 @@ static void check_configurations(void) {
   more.pairs += 1;
   const size_t per_pair = gjk_scene_bytes(&more) - bytes;
   printf("%u bytes a body with one shape, %u a pair\n", (unsigned)per_body, (unsigned)per_pair);
-  CHECK(per_body <= 256 && per_pair <= 48);
+  CHECK(per_body <= 256);
+  CHECK(per_pair <= 48);
   // A word tells which of 32 slots are free.
   for (uint32_t n = 2; n < 100; n++) {
     CHECK(bytes_of(n + 1) - bytes_of(n) == bytes_of(2) - bytes_of(1) + (n % 32 == 0 ? 4 : 0));
@@ -138,10 +141,15 @@ static void check_bad_setups(void) {
   REFUSED(user, 0, GJK_ERROR_ROTATION);
   parts[1].pose = identity;
 #undef REFUSED
-  CHECK(gjk_scene_add(&scene, NULL, &body) == GJK_ERROR_NULL && gjk_scene_add(&scene, &good, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_add(&scene, NULL, &body) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_add(&scene, &good, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_scene_add_at(&scene, 4, &good, &body) == GJK_ERROR_CAPACITY);
-  CHECK(hash() == before && gjk_scene_check(&scene) == GJK_OK && body.generation == 0);
-  CHECK(gjk_scene_add(&scene, &good, &body) == GJK_OK && body.slot == 0 && hash() != before);
+  CHECK(hash() == before);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  CHECK(body.generation == 0);
+  CHECK(gjk_scene_add(&scene, &good, &body) == GJK_OK);
+  CHECK(body.slot == 0);
+  CHECK(hash() != before);
   CHECK(gjk_scene_add_at(&scene, 0, &good, &body) == GJK_ERROR_BODY_ID);
 }
 
@@ -168,9 +176,13 @@ static void check_bad_changes(void) {
   CHECK(gjk_scene_set_shape(&scene, body, 0, 2) == GJK_ERROR_NEGATIVE);
   CHECK(gjk_scene_collider(&scene, body, 2, &collider) == GJK_ERROR_RANGE);
   CHECK(gjk_scene_get(&scene, body, NULL) == GJK_ERROR_NULL);
-  CHECK(hash() == before && gjk_scene_check(&scene) == GJK_OK);
-  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK && state.part_count == 2 && state.pose.position.x == 0);
-  CHECK(gjk_scene_collider(&scene, body, 1, &collider) == GJK_OK && collider.centre.x == 65536);
+  CHECK(hash() == before);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK);
+  CHECK(state.part_count == 2);
+  CHECK(state.pose.position.x == 0);
+  CHECK(gjk_scene_collider(&scene, body, 1, &collider) == GJK_OK);
+  CHECK(collider.centre.x == 65536);
 }
 
 // Handles that were never given, or are no more, are refused; a slot that comes back has another generation.
@@ -184,13 +196,17 @@ static void check_handles(void) {
   for (unsigned i = 0; i < sizeof forged / sizeof forged[0]; i++) {
     CHECK(gjk_scene_remove(&scene, forged[i]) == GJK_ERROR_BODY_ID);
   }
-  CHECK(gjk_scene_remove(&scene, first) == GJK_OK && gjk_scene_remove(&scene, first) == GJK_ERROR_BODY_ID);
-  CHECK(gjk_scene_add(&scene, &s, &second) == GJK_OK && second.slot == first.slot);
+  CHECK(gjk_scene_remove(&scene, first) == GJK_OK);
+  CHECK(gjk_scene_remove(&scene, first) == GJK_ERROR_BODY_ID);
+  CHECK(gjk_scene_add(&scene, &s, &second) == GJK_OK);
+  CHECK(second.slot == first.slot);
   CHECK(gjk_scene_move(&scene, first, &identity) == GJK_ERROR_BODY_ID);
   CHECK(gjk_scene_move(&scene, second, &identity) == GJK_OK);
   gjk_body_id at;
-  CHECK(gjk_scene_body_at(&scene, 0, &at) == GJK_OK && at.generation == second.generation);
-  CHECK(gjk_scene_body_at(&scene, 1, &at) == GJK_OK && at.generation == 0);
+  CHECK(gjk_scene_body_at(&scene, 0, &at) == GJK_OK);
+  CHECK(at.generation == second.generation);
+  CHECK(gjk_scene_body_at(&scene, 1, &at) == GJK_OK);
+  CHECK(at.generation == 0);
   CHECK(gjk_scene_body_at(&scene, 4, &at) == GJK_ERROR_RANGE);
 }
 
@@ -207,10 +223,14 @@ static void check_pools(void) {
       CHECK(gjk_scene_add(&scene, &s, &bodies[i]) == GJK_OK);
     }
     const uint64_t before = hash();
-    CHECK(gjk_scene_add(&scene, &s, &extra) == GJK_ERROR_CAPACITY && extra.generation == 0);
-    CHECK(hash() == before && gjk_scene_check(&scene) == GJK_OK);
-    CHECK(gjk_scene_remove(&scene, bodies[1]) == GJK_OK && gjk_scene_add(&scene, &s, &extra) == GJK_OK);
-    CHECK(extra.slot == 1 && gjk_scene_check(&scene) == GJK_OK);
+    CHECK(gjk_scene_add(&scene, &s, &extra) == GJK_ERROR_CAPACITY);
+    CHECK(extra.generation == 0);
+    CHECK(hash() == before);
+    CHECK(gjk_scene_check(&scene) == GJK_OK);
+    CHECK(gjk_scene_remove(&scene, bodies[1]) == GJK_OK);
+    CHECK(gjk_scene_add(&scene, &s, &extra) == GJK_OK);
+    CHECK(extra.slot == 1);
+    CHECK(gjk_scene_check(&scene) == GJK_OK);
   }
 }
 
@@ -228,26 +248,37 @@ static void check_pair_pool(void) {
   const uint64_t before = hash();
   for (int i = 0; i < 3; i++) {
     CHECK(update(reports, 8, &progress) == GJK_ERROR_CAPACITY);
-    CHECK(hash() == before && gjk_scene_check(&scene) == GJK_OK);
+    CHECK(hash() == before);
+    CHECK(gjk_scene_check(&scene) == GJK_OK);
   }
   gjk_pose away = identity;
   away.position.x = GJK_Q16(9);
   CHECK(gjk_scene_move(&scene, bodies[3], &away) == GJK_OK);
-  CHECK(update(reports, 8, &progress) == GJK_OK && progress.reports == 3);
+  CHECK(update(reports, 8, &progress) == GJK_OK);
+  CHECK(progress.reports == 3);
   // All move on together: as many pairs as before, and none of them begins or ends.
   for (int i = 0; i < 3; i++) {
     away.position.x = GJK_Q16(-9);
     CHECK(gjk_scene_move(&scene, bodies[i], &away) == GJK_OK);
   }
-  CHECK(update(reports, 8, &progress) == GJK_OK && progress.reports == 0);
+  CHECK(update(reports, 8, &progress) == GJK_OK);
+  CHECK(progress.reports == 0);
   // Ends of removed bodies keep their records until they are reported.
-  CHECK(gjk_scene_remove(&scene, bodies[0]) == GJK_OK && gjk_scene_check(&scene) == GJK_OK);
-  CHECK(update(reports, 1, &progress) == GJK_OK && progress.reports == 1 && progress.reports_left == 1);
-  CHECK(reports[0].event == GJK_EVENT_END && reports[0].a.slot == 0 && reports[0].a.generation == 1 &&
-        reports[0].b.slot == 1);
+  CHECK(gjk_scene_remove(&scene, bodies[0]) == GJK_OK);
   CHECK(gjk_scene_check(&scene) == GJK_OK);
-  CHECK(update(reports, 1, &progress) == GJK_OK && progress.reports == 1 && progress.reports_left == 0);
-  CHECK(reports[0].event == GJK_EVENT_END && reports[0].b.slot == 2);
+  CHECK(update(reports, 1, &progress) == GJK_OK);
+  CHECK(progress.reports == 1);
+  CHECK(progress.reports_left == 1);
+  CHECK(reports[0].event == GJK_EVENT_END);
+  CHECK(reports[0].a.slot == 0);
+  CHECK(reports[0].a.generation == 1);
+  CHECK(reports[0].b.slot == 1);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  CHECK(update(reports, 1, &progress) == GJK_OK);
+  CHECK(progress.reports == 1);
+  CHECK(progress.reports_left == 0);
+  CHECK(reports[0].event == GJK_EVENT_END);
+  CHECK(reports[0].b.slot == 2);
 }
 
 static void check_busy(void) {
@@ -259,31 +290,43 @@ static void check_busy(void) {
   uint32_t pairs;
   uint64_t value;
   start(&usual);
-  CHECK(gjk_scene_add(&scene, &s, &a) == GJK_OK && gjk_scene_add(&scene, &s, &b) == GJK_OK);
+  CHECK(gjk_scene_add(&scene, &s, &a) == GJK_OK);
+  CHECK(gjk_scene_add(&scene, &s, &b) == GJK_OK);
   CHECK(gjk_scene_test_pairs(&scene, 0, 0) == GJK_ERROR_RANGE);
   for (int phase = 0; phase < 2; phase++) {  // testing, reporting
     if (phase == 0) {
-      CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
-      CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK && pairs == 1);
+      CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
+      CHECK(pairs == 1);
+      CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
+      CHECK(pairs == 1);
       CHECK(gjk_scene_test_pairs(&scene, 0, 2) == GJK_ERROR_RANGE);
       CHECK(gjk_scene_test_pairs(&scene, 1, 0) == GJK_ERROR_RANGE);
-      CHECK(gjk_scene_test_pairs(&scene, 0, 0) == GJK_OK && gjk_scene_test_pairs(&scene, 1, 1) == GJK_OK);
+      CHECK(gjk_scene_test_pairs(&scene, 0, 0) == GJK_OK);
+      CHECK(gjk_scene_test_pairs(&scene, 1, 1) == GJK_OK);
     } else {
       for (int again = 0; again < 2; again++) {
         memset(&progress, 0xA5, sizeof progress);
-        CHECK(update(NULL, 0, &progress) == GJK_OK && progress.reports == 0 && progress.reports_left == 1 &&
-              progress.pairs_left == 0);
+        CHECK(update(NULL, 0, &progress) == GJK_OK);
+        CHECK(progress.reports == 0);
+        CHECK(progress.reports_left == 1);
+        CHECK(progress.pairs_left == 0);
       }
       CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_ERROR_BUSY);
     }
-    CHECK(gjk_scene_add(&scene, &s, &c) == GJK_ERROR_BUSY && gjk_scene_remove(&scene, a) == GJK_ERROR_BUSY);
-    CHECK(gjk_scene_move(&scene, a, &identity) == GJK_ERROR_BUSY && gjk_scene_sleep(&scene, a) == GJK_ERROR_BUSY);
-    CHECK(gjk_scene_set_shape(&scene, a, 0, 1) == GJK_ERROR_BUSY && gjk_scene_refilter(&scene, a) == GJK_ERROR_BUSY);
+    CHECK(gjk_scene_add(&scene, &s, &c) == GJK_ERROR_BUSY);
+    CHECK(gjk_scene_remove(&scene, a) == GJK_ERROR_BUSY);
+    CHECK(gjk_scene_move(&scene, a, &identity) == GJK_ERROR_BUSY);
+    CHECK(gjk_scene_sleep(&scene, a) == GJK_ERROR_BUSY);
+    CHECK(gjk_scene_set_shape(&scene, a, 0, 1) == GJK_ERROR_BUSY);
+    CHECK(gjk_scene_refilter(&scene, a) == GJK_ERROR_BUSY);
     CHECK(gjk_scene_hash(&scene, &value) == GJK_ERROR_BUSY);
     CHECK(gjk_scene_check(&scene) == GJK_OK);
   }
-  CHECK(update(NULL, 1, &progress) == GJK_ERROR_NULL && update(&report, 1, NULL) == GJK_ERROR_NULL);
-  CHECK(update(&report, 1, &progress) == GJK_OK && progress.reports == 1 && report.event == GJK_EVENT_BEGIN);
+  CHECK(update(NULL, 1, &progress) == GJK_ERROR_NULL);
+  CHECK(update(&report, 1, NULL) == GJK_ERROR_NULL);
+  CHECK(update(&report, 1, &progress) == GJK_OK);
+  CHECK(progress.reports == 1);
+  CHECK(report.event == GJK_EVENT_BEGIN);
   CHECK(gjk_scene_remove(&scene, a) == GJK_OK);
 }
 
@@ -291,9 +334,11 @@ static void check_foreign(void) {
   const gjk_scene nothing = {NULL, NULL, 0, NULL, NULL, NULL, NULL, NULL};
   gjk_scene_stats stats;
   start(&usual);
-  CHECK(gjk_scene_get_stats(&nothing, &stats) == GJK_ERROR_NULL && gjk_scene_get_stats(&scene, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_get_stats(&nothing, &stats) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_get_stats(&scene, NULL) == GJK_ERROR_NULL);
   block[0] ^= 1;
-  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_ERROR_CORRUPT && gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
   block[0] ^= 1;
   CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
 }
@@ -306,24 +351,46 @@ static void check_state(void) {
   gjk_body_state state;
   start(&usual);
   memset(&state, 0x5A, sizeof state);
-  CHECK(gjk_scene_add(&scene, &s, &body) == GJK_OK && gjk_scene_get(&scene, body, &state) == GJK_OK);
-  CHECK(memcmp(&state.pose, &s.pose, sizeof s.pose) == 0 && state.category == 4 && state.mask == 5 && state.user == 6);
-  CHECK(state.margin == 7 && state.part_count == 2 && state.kind == GJK_BODY_DYNAMIC && !state.asleep);
+  CHECK(gjk_scene_add(&scene, &s, &body) == GJK_OK);
+  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK);
+  CHECK(memcmp(&state.pose, &s.pose, sizeof s.pose) == 0);
+  CHECK(state.category == 4);
+  CHECK(state.mask == 5);
+  CHECK(state.user == 6);
+  CHECK(state.margin == 7);
+  CHECK(state.part_count == 2);
+  CHECK(state.kind == GJK_BODY_DYNAMIC);
+  CHECK(!state.asleep);
   CHECK(state.detail == GJK_DETAIL_DISTANCE);
-  CHECK(gjk_scene_set_filter(&scene, body, 8, 9) == GJK_OK && gjk_scene_set_user(&scene, body, 10) == GJK_OK);
-  CHECK(gjk_scene_sleep(&scene, body) == GJK_OK && gjk_scene_get(&scene, body, &state) == GJK_OK);
-  CHECK(state.category == 8 && state.mask == 9 && state.user == 10 && state.asleep);
-  CHECK(gjk_scene_wake(&scene, body) == GJK_OK && gjk_scene_get(&scene, body, &state) == GJK_OK && !state.asleep);
-  CHECK(gjk_scene_sleep(&scene, body) == GJK_OK && gjk_scene_move(&scene, body, &s.pose) == GJK_OK);
-  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK && !state.asleep);  // moved to where it is
+  CHECK(gjk_scene_set_filter(&scene, body, 8, 9) == GJK_OK);
+  CHECK(gjk_scene_set_user(&scene, body, 10) == GJK_OK);
+  CHECK(gjk_scene_sleep(&scene, body) == GJK_OK);
+  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK);
+  CHECK(state.category == 8);
+  CHECK(state.mask == 9);
+  CHECK(state.user == 10);
+  CHECK(state.asleep);
+  CHECK(gjk_scene_wake(&scene, body) == GJK_OK);
+  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK);
+  CHECK(!state.asleep);
+  CHECK(gjk_scene_sleep(&scene, body) == GJK_OK);
+  CHECK(gjk_scene_move(&scene, body, &s.pose) == GJK_OK);
+  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK);
+  CHECK(!state.asleep);  // moved to where it is
   s.pose.position.y++;
-  CHECK(gjk_scene_sleep(&scene, body) == GJK_OK && gjk_scene_move(&scene, body, &s.pose) == GJK_OK);
-  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK && !state.asleep && state.pose.position.y == 3);
+  CHECK(gjk_scene_sleep(&scene, body) == GJK_OK);
+  CHECK(gjk_scene_move(&scene, body, &s.pose) == GJK_OK);
+  CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK);
+  CHECK(!state.asleep);
+  CHECK(state.pose.position.y == 3);
   for (uint8_t kind = GJK_BODY_STATIC; kind < GJK_BODY_DYNAMIC; kind++) {
     s.kind = kind;
     start(&usual);
-    CHECK(gjk_scene_add(&scene, &s, &body) == GJK_OK && gjk_scene_sleep(&scene, body) == GJK_ERROR_RANGE);
-    CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK && state.kind == kind && !state.asleep);
+    CHECK(gjk_scene_add(&scene, &s, &body) == GJK_OK);
+    CHECK(gjk_scene_sleep(&scene, body) == GJK_ERROR_RANGE);
+    CHECK(gjk_scene_get(&scene, body, &state) == GJK_OK);
+    CHECK(state.kind == kind);
+    CHECK(!state.asleep);
   }
 }
 
@@ -362,17 +429,29 @@ static void check_missing(void) {
     if (i >= 3) {
       block[i - 3] ^= wrong[i - 3];
     }
-    CHECK(gjk_scene_add(bad, &s, &out) == status && gjk_scene_add_at(bad, 1, &s, &out) == status);
-    CHECK(gjk_scene_remove(bad, body) == status && gjk_scene_move(bad, body, &identity) == status);
-    CHECK(gjk_scene_teleport(bad, body, &identity) == status && gjk_scene_sleep(bad, body) == status);
-    CHECK(gjk_scene_wake(bad, body) == status && gjk_scene_set_shape(bad, body, 0, 1) == status);
-    CHECK(gjk_scene_set_filter(bad, body, 5, 5) == status && gjk_scene_set_user(bad, body, 5) == status);
-    CHECK(gjk_scene_refilter(bad, body) == status && gjk_scene_get(bad, body, &state) == status);
-    CHECK(gjk_scene_body_at(bad, 0, &out) == status && gjk_scene_collider(bad, body, 0, &collider) == status);
-    CHECK(gjk_scene_update(bad, &report, 1, &progress) == status && gjk_scene_update_begin(bad, &n) == status);
-    CHECK(gjk_scene_update_each(bad, count_report, &calls) == status && gjk_scene_test_pairs(bad, 0, 0) == status);
-    CHECK(gjk_scene_next_near(bad, &n, &report, &found) == status && gjk_scene_get_stats(bad, &stats) == status);
-    CHECK(gjk_scene_hash(bad, &value) == status && gjk_scene_seal(bad) == status && gjk_scene_check(bad) == status);
+    CHECK(gjk_scene_add(bad, &s, &out) == status);
+    CHECK(gjk_scene_add_at(bad, 1, &s, &out) == status);
+    CHECK(gjk_scene_remove(bad, body) == status);
+    CHECK(gjk_scene_move(bad, body, &identity) == status);
+    CHECK(gjk_scene_teleport(bad, body, &identity) == status);
+    CHECK(gjk_scene_sleep(bad, body) == status);
+    CHECK(gjk_scene_wake(bad, body) == status);
+    CHECK(gjk_scene_set_shape(bad, body, 0, 1) == status);
+    CHECK(gjk_scene_set_filter(bad, body, 5, 5) == status);
+    CHECK(gjk_scene_set_user(bad, body, 5) == status);
+    CHECK(gjk_scene_refilter(bad, body) == status);
+    CHECK(gjk_scene_get(bad, body, &state) == status);
+    CHECK(gjk_scene_body_at(bad, 0, &out) == status);
+    CHECK(gjk_scene_collider(bad, body, 0, &collider) == status);
+    CHECK(gjk_scene_update(bad, &report, 1, &progress) == status);
+    CHECK(gjk_scene_update_begin(bad, &n) == status);
+    CHECK(gjk_scene_update_each(bad, count_report, &calls) == status);
+    CHECK(gjk_scene_test_pairs(bad, 0, 0) == status);
+    CHECK(gjk_scene_next_near(bad, &n, &report, &found) == status);
+    CHECK(gjk_scene_get_stats(bad, &stats) == status);
+    CHECK(gjk_scene_hash(bad, &value) == status);
+    CHECK(gjk_scene_seal(bad) == status);
+    CHECK(gjk_scene_check(bad) == status);
     if (i >= 3) {
       block[i - 3] ^= wrong[i - 3];
     }
@@ -383,7 +462,8 @@ static void check_missing(void) {
   CHECK(gjk_scene_collider(&scene, body, 0, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_scene_collider(&scene, nobody, 0, &collider) == GJK_ERROR_BODY_ID);
   CHECK(gjk_scene_get(&scene, nobody, &state) == GJK_ERROR_BODY_ID);
-  CHECK(gjk_scene_sleep(&scene, nobody) == GJK_ERROR_BODY_ID && gjk_scene_wake(&scene, nobody) == GJK_ERROR_BODY_ID);
+  CHECK(gjk_scene_sleep(&scene, nobody) == GJK_ERROR_BODY_ID);
+  CHECK(gjk_scene_wake(&scene, nobody) == GJK_ERROR_BODY_ID);
   CHECK(gjk_scene_set_user(&scene, nobody, 1) == GJK_ERROR_BODY_ID);
   CHECK(gjk_scene_set_filter(&scene, nobody, 1, 1) == GJK_ERROR_BODY_ID);
   CHECK(gjk_scene_refilter(&scene, nobody) == GJK_ERROR_BODY_ID);
@@ -393,7 +473,9 @@ static void check_missing(void) {
   CHECK(gjk_scene_next_near(&scene, NULL, &report, &found) == GJK_ERROR_NULL);
   CHECK(gjk_scene_next_near(&scene, &n, NULL, &found) == GJK_ERROR_NULL);
   CHECK(gjk_scene_next_near(&scene, &n, &report, NULL) == GJK_ERROR_NULL);
-  CHECK(gjk_scene_hash(&scene, NULL) == GJK_ERROR_NULL && hash() == before && calls == 0);
+  CHECK(gjk_scene_hash(&scene, NULL) == GJK_ERROR_NULL);
+  CHECK(hash() == before);
+  CHECK(calls == 0);
   // Attaching.
   const size_t bytes = gjk_scene_bytes(&usual);
   gjk_scene other = bare;
@@ -401,8 +483,12 @@ static void check_missing(void) {
   CHECK(gjk_scene_attach(&other, NULL, bytes, shapes, 4) == GJK_ERROR_NULL);
   CHECK(gjk_scene_attach(&other, block, bytes, NULL, 4) == GJK_ERROR_NULL);
   CHECK(gjk_scene_attach(&other, (char *)block + 2, bytes, shapes, 4) == GJK_ERROR_RANGE);
-  CHECK(other.shapes == NULL && gjk_scene_attach(&other, block, bytes, shapes, 4) == GJK_OK);
-  CHECK(other.shapes == shapes && other.block == block && other.shape_count == 4 && other.predicate == NULL);
+  CHECK(other.shapes == NULL);
+  CHECK(gjk_scene_attach(&other, block, bytes, shapes, 4) == GJK_OK);
+  CHECK(other.shapes == shapes);
+  CHECK(other.block == block);
+  CHECK(other.shape_count == 4);
+  CHECK(other.predicate == NULL);
   CHECK(gjk_scene_open(NULL, block, bytes, shapes, 4) == GJK_ERROR_NULL);
 }
 
@@ -410,7 +496,8 @@ static void check_missing(void) {
 static void check_allocated(void) {
   const size_t bytes = gjk_scene_bytes(&usual);
   void *memory = gjk_port_allocate(bytes);
-  CHECK(memory != NULL && gjk_scene_init(&scene, &usual, memory, bytes, shapes, 4) == GJK_OK);
+  CHECK(memory != NULL);
+  CHECK(gjk_scene_init(&scene, &usual, memory, bytes, shapes, 4) == GJK_OK);
   CHECK(gjk_scene_check(&scene) == GJK_OK);
   gjk_port_release(memory);
 }

@@ -113,7 +113,9 @@ static bool add(gjk_simplex *s, gjk_vec3 w, unsigned long *counts) {
   const bool nearer = count == 0 || (nearest(v, count, &p, &scale) && is_before(v[count], p, scale));
   const gjk_step step = gjk_simplex_add(s);
   if (!nearer) {
-    CHECK(step == GJK_STEP_NONE && s->count == count && memcmp(s->order, before.order, sizeof s->order) == 0);
+    CHECK(step == GJK_STEP_NONE);
+    CHECK(s->count == count);
+    CHECK(memcmp(s->order, before.order, sizeof s->order) == 0);
     return true;
   }
   const unsigned set = nearest_set(v, count + 1);
@@ -127,7 +129,9 @@ static bool add(gjk_simplex *s, gjk_vec3 w, unsigned long *counts) {
   for (unsigned i = set; i != 0; i &= i - 1) {
     n++;
   }
-  CHECK_MSG(found == set && s->count == n && is_permutation(s), "%u vertices: %u instead of %u", count, found, set);
+  CHECK_MSG(found == set, "%u vertices: %u instead of %u", count, found, set);
+  CHECK_MSG(s->count == n, "%u vertices: %u instead of %u", count, found, set);
+  CHECK_MSG(is_permutation(s), "%u vertices: %u instead of %u", count, found, set);
   const bool triangle = s->count == 3;
   CHECK(!triangle || has_normal(s));
   const bool on_triangle = triangle && gjk_dot_sign(&s->normal, &w) == 0;
@@ -149,7 +153,8 @@ int main(void) {
     gjk_simplex s;
     memset(&s, 0x55, sizeof s);
     gjk_simplex_clear(&s);
-    CHECK(s.count == 0 && is_permutation(&s));
+    CHECK(s.count == 0);
+    CHECK(is_permutation(&s));
     for (int i = 0; i < VERTICES; i++) {
       const gjk_vec3 w = {middle.x + random_range(&random, -size, size), middle.y + random_range(&random, -size, size),
                           middle.z + random_range(&random, -size, size)};

@@ -9,12 +9,23 @@ at_most() {
   size=$(sh tests/build/linked-size.sh "$build" cortex-m3 "$@") && echo "$size bytes, at most $limit" && [ "$size" -le "$limit" ]
 }
 
+not_at_most() {
+  ! at_most "$@"
+}
+
 build=$1
 if [ -z "$(missing_package cortex-m3)" ]; then
   check 'the library for Cortex-M3 at -Os' make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked
   check 'gjk_intersect on boxes alone' at_most 8576 -DSIZE_BOXES
   check 'gjk_distance on hulls, boxes and rounded forms' at_most 13440
   check 'gjk_penetration as well, with posing' at_most 22912 -DSIZE_POSED -DSIZE_DEPTH
+  # What the README says of a build that keeps unused sections.
+  objects=$(echo build/cortex-m3-linked/*.o)
+  export LIBRARY="$objects"
+  check 'all objects, unused sections dropped' at_most 8576 -DSIZE_BOXES
+  export SECTIONS=--no-gc-sections
+  check 'all objects, all sections: about 60 KB' at_most 64000 -DSIZE_BOXES
+  check 'and not much less' not_at_most 56000 -DSIZE_BOXES
 else
   skip 'linked sizes' "$(missing_package cortex-m3)"
 fi

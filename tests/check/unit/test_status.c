@@ -63,11 +63,25 @@ static void test_names(void) {
                {GJK_ERROR_CORRUPT, "GJK_ERROR_CORRUPT"}};
   const int count = (int)(sizeof names / sizeof names[0]);
   for (int i = 0; i < count; i++) {
-    CHECK_MSG((int)names[i].status == -i && strcmp(gjk_status_name(names[i].status), names[i].name) == 0, "%s",
-              names[i].name);
+    CHECK_MSG((int)names[i].status == -i, "%s", names[i].name);
+    CHECK_MSG(strcmp(gjk_status_name(names[i].status), names[i].name) == 0, "%s", names[i].name);
   }
   CHECK(strcmp(gjk_status_name((gjk_status)-count), "GJK_ERROR_UNKNOWN") == 0);
   CHECK(strcmp(gjk_status_name((gjk_status)1), "GJK_ERROR_UNKNOWN") == 0);
+}
+
+// The preprocessor can compare versions.
+static void test_versions(void) {
+#if GJK_VERSION_MAJOR < 0 || GJK_VERSION_MINOR < 0 || GJK_VERSION_PATCH < 0 || GJK_BITS_VERSION < 1
+  CHECK(false);
+#endif
+  const int32_t part[3] = {GJK_VERSION_MAJOR, GJK_VERSION_MINOR, GJK_VERSION_PATCH};
+  for (int i = 0; i < 3; i++) {
+    CHECK_MSG(part[i] >= 0 && part[i] < 1000, "part %d", i);
+  }
+  // Release 0.0.0 is none, and neither is version 0 of the bits.
+  CHECK(part[0] + part[1] + part[2] > 0);
+  CHECK(GJK_BITS_VERSION >= 1);
 }
 
 static void test_null_shapes(void) {
@@ -117,7 +131,9 @@ static void test_empty(void) {
   CHECK(shape_status(single) == GJK_OK);
   // A shape of size 0 is a point.
   const gjk_shape ellipsoid = GJK_ELLIPSOID(0, 0, 0), cylinder = GJK_CYLINDER(0, 0), box = GJK_BOX(0, 0, 0);
-  CHECK(shape_status(ellipsoid) == GJK_OK && shape_status(cylinder) == GJK_OK && shape_status(box) == GJK_OK);
+  CHECK(shape_status(ellipsoid) == GJK_OK);
+  CHECK(shape_status(cylinder) == GJK_OK);
+  CHECK(shape_status(box) == GJK_OK);
 }
 
 // A triangle of any other count was read to that count when measured and to 3 when posed.
@@ -232,17 +248,22 @@ static void test_poses(void) {
   CHECK(gjk_collider_move(&collider, &below.position) == GJK_ERROR_RANGE);
   CHECK(gjk_collider_move(&collider, &sideways.position) == GJK_ERROR_RANGE);
   CHECK(same(&collider, &before));
-  CHECK(gjk_collider_move(&collider, &at_most.position) == GJK_OK && collider.centre.x == INT32_MAX &&
-        collider.centre.z == INT32_MIN);
-  CHECK(gjk_collider_pose(&collider, &at_most) == GJK_OK && collider.centre.x == INT32_MAX);
+  CHECK(gjk_collider_move(&collider, &at_most.position) == GJK_OK);
+  CHECK(collider.centre.x == INT32_MAX);
+  CHECK(collider.centre.z == INT32_MIN);
+  CHECK(gjk_collider_pose(&collider, &at_most) == GJK_OK);
+  CHECK(collider.centre.x == INT32_MAX);
 }
 
 // Every move counts from the last one.
 static void test_moves(void) {
   const gjk_vec3 there = {100, -200, 300}, on = {-7, 8, -9};
   gjk_collider collider = posed(&cube);
-  CHECK(gjk_collider_move(&collider, &there) == GJK_OK && gjk_collider_move(&collider, &on) == GJK_OK);
-  CHECK(collider.centre.x == -7 && collider.centre.y == 8 && collider.centre.z == -9);
+  CHECK(gjk_collider_move(&collider, &there) == GJK_OK);
+  CHECK(gjk_collider_move(&collider, &on) == GJK_OK);
+  CHECK(collider.centre.x == -7);
+  CHECK(collider.centre.y == 8);
+  CHECK(collider.centre.z == -9);
 }
 
 // Only hulls take a buffer.
@@ -255,7 +276,8 @@ static void test_unused_buffer(void) {
   for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
     gjk_collider collider;
     memset(&collider, POISON, sizeof collider);
-    CHECK(gjk_collider_init(&collider, &shapes[i], memory, 0) == GJK_OK && collider.buffer == NULL);
+    CHECK(gjk_collider_init(&collider, &shapes[i], memory, 0) == GJK_OK);
+    CHECK(collider.buffer == NULL);
     CHECK(gjk_collider_pose(&collider, &origin) == GJK_OK);
   }
 }
@@ -323,7 +345,8 @@ static void test_query_arguments(void) {
   CHECK(gjk_within(&good, &good, -1, &out.cache, &out.decision) == GJK_ERROR_NEGATIVE);
   CHECK(gjk_within(&good, &good, INT32_MIN, &out.cache, &out.decision) == GJK_ERROR_NEGATIVE);
   CHECK(is_untouched(&out, sizeof out));
-  CHECK(gjk_intersect(&good, &good, NULL, &decision) == GJK_OK && decision.yes);
+  CHECK(gjk_intersect(&good, &good, NULL, &decision) == GJK_OK);
+  CHECK(decision.yes);
   CHECK(gjk_check_decision(&good, &good, 0, &decision) == GJK_OK);
   CHECK(gjk_check_decision(&good, &good, -1, &decision) == GJK_ERROR_NEGATIVE);
   decision.yes = false;
@@ -349,6 +372,7 @@ static void test_unsupported(void) {
 
 int main(void) {
   test_names();
+  test_versions();
   test_null_shapes();
   test_negative_sizes();
   test_empty();

@@ -56,10 +56,13 @@ static void check_iterations(const gjk_collider *a, const gjk_collider *b, const
     const gjk_effort effort = {iterations, 0};
     memset(&part, 1, sizeof part);
     const gjk_status status = gjk_distance_until(a, b, &effort, NULL, &part);
-    CHECK_MSG(status == GJK_OK && (!part.saturated || is_cut(&part)) && part.iterations <= iterations &&
-                  is_honest(full, &part, slack) && points_fit(&part),
-              "%s after %d", id, iterations);
-    CHECK_MSG(part.lower >= before.lower && part.upper <= before.upper, "%s after %d: wider", id, iterations);
+    CHECK_MSG(status == GJK_OK, "%s after %d", id, iterations);
+    CHECK_MSG(!part.saturated || is_cut(&part), "%s after %d", id, iterations);
+    CHECK_MSG(part.iterations <= iterations, "%s after %d", id, iterations);
+    CHECK_MSG(is_honest(full, &part, slack), "%s after %d", id, iterations);
+    CHECK_MSG(points_fit(&part), "%s after %d", id, iterations);
+    CHECK_MSG(part.lower >= before.lower, "%s after %d: wider", id, iterations);
+    CHECK_MSG(part.upper <= before.upper, "%s after %d: wider", id, iterations);
     const bool done = part.iterations < iterations || part.certificate.proof != GJK_PROOF_NONE;
     t->open += !done;
     t->exact += done;
@@ -68,25 +71,29 @@ static void check_iterations(const gjk_collider *a, const gjk_collider *b, const
     before.lower -= slack;
     before.upper = before.upper > GJK_DISTANCE_MAX - slack ? before.upper : before.upper + slack;
   }
-  CHECK_MSG(part.intersecting == full->intersecting && part.distance == full->distance &&
-                memcmp(&part.point_a, &full->point_a, sizeof part.point_a) * !full->intersecting == 0,
-            "%s: all iterations", id);
+  CHECK_MSG(part.intersecting == full->intersecting, "%s: all iterations", id);
+  CHECK_MSG(part.distance == full->distance, "%s: all iterations", id);
+  CHECK_MSG(memcmp(&part.point_a, &full->point_a, sizeof part.point_a) * !full->intersecting == 0, "%s: all iterations",
+            id);
 }
 
 static void check_errors(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *full, int32_t slack,
                          const char *id, tally *t) {
   const gjk_effort unlimited = {0, 0};
   gjk_distance_result whole;
-  CHECK_MSG(gjk_distance_until(a, b, &unlimited, NULL, &whole) == GJK_OK && whole.distance == full->distance &&
-                whole.iterations == full->iterations && whole.certificate.proof == full->certificate.proof,
-            "%s, no limit", id);
+  CHECK_MSG(gjk_distance_until(a, b, &unlimited, NULL, &whole) == GJK_OK, "%s, no limit", id);
+  CHECK_MSG(whole.distance == full->distance, "%s, no limit", id);
+  CHECK_MSG(whole.iterations == full->iterations, "%s, no limit", id);
+  CHECK_MSG(whole.certificate.proof == full->certificate.proof, "%s, no limit", id);
   for (unsigned bits = 0; bits < 29; bits += 4) {
     const gjk_q16 error = INT32_C(1) << bits;
     const gjk_effort effort = {0, error};
     gjk_distance_result part;
-    CHECK_MSG(gjk_distance_until(a, b, &effort, NULL, &part) == GJK_OK && is_honest(full, &part, slack) &&
-                  points_fit(&part) && part.upper - part.lower <= error && part.iterations <= full->iterations,
-              "%s, error %ld", id, (long)error);
+    CHECK_MSG(gjk_distance_until(a, b, &effort, NULL, &part) == GJK_OK, "%s, error %ld", id, (long)error);
+    CHECK_MSG(is_honest(full, &part, slack), "%s, error %ld", id, (long)error);
+    CHECK_MSG(points_fit(&part), "%s, error %ld", id, (long)error);
+    CHECK_MSG(part.upper - part.lower <= error, "%s, error %ld", id, (long)error);
+    CHECK_MSG(part.iterations <= full->iterations, "%s, error %ld", id, (long)error);
     t->by_error += part.upper > part.lower;
   }
 }
@@ -191,10 +198,13 @@ static void test_statuses(void) {
   CHECK(memcmp(&out, &poison, sizeof out) == 0);
   effort.error = 0;
   effort.iterations = 1;
-  CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK && out.intersecting && out.distance == 0);
+  CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK);
+  CHECK(out.intersecting);
+  CHECK(out.distance == 0);
   // As many iterations as ever, or more, is no limit.
   effort.iterations = UINT8_MAX;
-  CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK && out.intersecting);
+  CHECK(gjk_distance_until(&a, &a, &effort, NULL, &out) == GJK_OK);
+  CHECK(out.intersecting);
 }
 
 int main(void) {
@@ -223,8 +233,12 @@ int main(void) {
   }
   printf("iterations that leave the gap open: %lu and %lu, exact %lu and %lu; stopped by the error %lu and %lu\n",
          t.open, curved.open, t.exact, curved.exact, t.by_error, curved.by_error);
-  CHECK(t.open > 2000 && t.exact > 2000 && t.by_error > 1000);
-  CHECK(curved.open > 2000 && curved.exact > 1000 && curved.by_error > 1000);
+  CHECK(t.open > 2000);
+  CHECK(t.exact > 2000);
+  CHECK(t.by_error > 1000);
+  CHECK(curved.open > 2000);
+  CHECK(curved.exact > 1000);
+  CHECK(curved.by_error > 1000);
   case_pair_free(&pair);
   case_collider_free(&a);
   case_collider_free(&b);

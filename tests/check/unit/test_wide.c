@@ -37,7 +37,9 @@ static void check_shares(const gjk_u128 part[3], const char *what) {
       const long double error = found - real;
       CHECK_MSG(fine == 1 ? error <= 0.01L && error > -1.01L : fabsl(error) <= 3 * 65536.0L, "%s, fine %d: %.3Lf off",
                 what, fine, error);
-      CHECK(share[i].high >= 0 && share[i].low >= 0 && share[i].low < 65536);
+      CHECK(share[i].high >= 0);
+      CHECK(share[i].low >= 0);
+      CHECK(share[i].low < 65536);
     }
     CHECK((int64_t)share[0].high + share[1].high <= INT32_MAX);
   }
@@ -83,7 +85,8 @@ static void test_sums(void) {
     CHECK(gjk_sum_of_products_sign_exact(x, y, -(x + a), y + b) == -sign);
     gjk_u128 sum;
     gjk_sum_of_products(x, y, -x, y - 1, &sum);
-    CHECK(sum.high == 0 && sum.low == (uint64_t)x);
+    CHECK(sum.high == 0);
+    CHECK(sum.low == (uint64_t)x);
   }
 }
 
@@ -169,7 +172,8 @@ static void check_quotient(const gjk_u128 *x, const gjk_u128 *by, unsigned scale
   gjk_divisor_set(&divisor, by);
   const int32_t m = gjk_divide(x, &divisor, scale, &k);
   const long double real = ldexpl(value(x) / value(by), (int)scale), found = ldexpl(m, -(int)k);
-  CHECK(m >= 0 && k <= 32);
+  CHECK(m >= 0);
+  CHECK(k <= 32);
   CHECK_MSG(real >= 2147483648.0L ? found > 2147483000.0L : fabsl(found - real) <= ldexpl(real, -28) + ldexpl(1, -32),
             "%.10Lg instead of %.10Lg", found, real);
 }

@@ -46,7 +46,8 @@ static void check_iterations(campaign *c, gjk_q16 distance, uint8_t iterations, 
   memset(&again, POISON, sizeof again);
   const gjk_status status = gjk_within_until(a, b, distance, iterations, NULL, &r);
   CHECK_MSG(status == GJK_OK, "%s, %d iterations: %s", c->pair.id, iterations, gjk_status_name(status));
-  CHECK(gjk_within_until(a, b, distance, iterations, NULL, &again) == GJK_OK && memcmp(&r, &again, sizeof r) == 0);
+  CHECK(gjk_within_until(a, b, distance, iterations, NULL, &again) == GJK_OK);
+  CHECK(memcmp(&r, &again, sizeof r) == 0);
   const bool settled = r.answer != GJK_ANSWER_OPEN, enough = iterations == 0 || full->iterations <= iterations;
   CHECK_MSG(settled || !enough, "%s, %d iterations", c->pair.id, iterations);
   CHECK_MSG(!settled || enough || (full->yes && full->iterations == iterations + 1), "%s, %d iterations", c->pair.id,
@@ -125,14 +126,17 @@ static void test_statuses(void) {
   gjk_within_result out, poison;
   memset(&poison, POISON, sizeof poison);
   out = poison;
-  CHECK(gjk_collider_init(&a, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&a, &pose) == GJK_OK);
+  CHECK(gjk_collider_init(&a, &ball, NULL, 0) == GJK_OK);
+  CHECK(gjk_collider_pose(&a, &pose) == GJK_OK);
   CHECK(gjk_within_until(NULL, &a, 0, 1, NULL, &out) == GJK_ERROR_NULL);
   CHECK(gjk_within_until(&a, NULL, 0, 1, NULL, &out) == GJK_ERROR_NULL);
   CHECK(gjk_within_until(&a, &a, 0, 1, NULL, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_within_until(&a, &b, 0, 1, NULL, &out) == GJK_ERROR_UNINITIALISED);
   CHECK(gjk_within_until(&a, &a, -1, 1, NULL, &out) == GJK_ERROR_NEGATIVE);
   CHECK(memcmp(&out, &poison, sizeof out) == 0);
-  CHECK(gjk_within_until(&a, &a, 0, 0, NULL, &out) == GJK_OK && out.answer == GJK_ANSWER_YES && out.decision.yes);
+  CHECK(gjk_within_until(&a, &a, 0, 0, NULL, &out) == GJK_OK);
+  CHECK(out.answer == GJK_ANSWER_YES);
+  CHECK(out.decision.yes);
 }
 
 int main(int argc, char **argv) {
@@ -163,7 +167,9 @@ int main(int argc, char **argv) {
   for (int iterations = 1; iterations < 4; iterations++) {
     const tally *t = &c.few[iterations];
     printf("%d iterations: %lu open, %lu yes, %lu no\n", iterations, t->open, t->yes, t->no);
-    CHECK(t->open > 100 && t->no > 100 && (iterations == 1 || t->yes > 100));
+    CHECK(t->open > 100);
+    CHECK(t->no > 100);
+    CHECK(iterations == 1 || t->yes > 100);
   }
   case_pair_free(&c.pair);
   case_collider_free(&c.a);

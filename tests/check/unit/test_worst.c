@@ -26,8 +26,10 @@ static void check_limit(const case_pair *pair, const case_collider *a, const cas
                         const gjk_distance_result *result) {
   accurate_result truth;
   accurate_distance(pair, a, b, &truth);
-  CHECK_MSG(result->lower - 2 <= truth.upper && result->upper + 2 >= truth.lower, "%s: %ld to %ld, but %.2Lf to %.2Lf",
-            pair->id, (long)result->lower, (long)result->upper, truth.lower, truth.upper);
+  CHECK_MSG(result->lower - 2 <= truth.upper, "%s: %ld to %ld, but %.2Lf to %.2Lf", pair->id, (long)result->lower,
+            (long)result->upper, truth.lower, truth.upper);
+  CHECK_MSG(result->upper + 2 >= truth.lower, "%s: %ld to %ld, but %.2Lf to %.2Lf", pair->id, (long)result->lower,
+            (long)result->upper, truth.lower, truth.upper);
 }
 
 // The steps among seen vertices that the search takes.
@@ -84,7 +86,9 @@ static void run(FILE *file, const char *name) {
     count++;
   }
   printf("%lu cases, %u at the ceiling of %d iterations\n", (unsigned long)count, limits, GJK_ITERATIONS_MAX);
-  CHECK(known == CASES && count == CASES && reader.errors == 0);
+  CHECK(known == CASES);
+  CHECK(count == CASES);
+  CHECK(reader.errors == 0);
   case_pair_free(&pair);
   case_collider_free(&a);
   case_collider_free(&b);

@@ -99,6 +99,20 @@ static void make_generated(const generate_family *families, unsigned count, cons
   abort();
 }
 
+static void make_touching(const bench_family *family, random_state *random, case_pair *pair, int *placed) {
+  static const char *const names[] = {"near-boxes", "near-hulls"};
+  (void)family;
+  (void)placed;
+  make_generated(generate_families, generate_family_count, names[random_below(random, 2)], random, pair);
+}
+
+static void make_stacked(const bench_family *family, random_state *random, case_pair *pair, int *placed) {
+  static const char *const names[] = {"stacked", "stacked-hulls"};
+  (void)family;
+  (void)placed;
+  make_generated(generate_families, generate_family_count, names[random_below(random, 2)], random, pair);
+}
+
 static void make_slivers(const bench_family *family, random_state *random, case_pair *pair, int *placed) {
   (void)family;
   (void)placed;
@@ -213,6 +227,9 @@ const bench_family bench_families[] = {
     {"hulls-512", "the same with 512 points", GAP, 512, make_hulls},
     {"near", "such boxes and hulls (8 to 32 points) placed at gaps of -1000 to 1000 LSB", GAP, 0, make_near},
     {"far", "the same 16000 to 30000 units from the origin along each axis", GAP, 0, make_far},
+    {"touching", "boxes and hulls of all sizes within 3 LSB of touching", BENCH_ASK(BENCH_INTERSECT), 0, make_touching},
+    {"stacked", "boxes and hulls face to face; apart or overlapping by up to 2 LSB", BENCH_ASK(BENCH_INTERSECT), 0,
+     make_stacked},
     {"slivers", "boxes and hulls 10000 times longer than thick; 1 to 4000 units; within 3 LSB of touching", GAP, 0,
      make_slivers},
     {"smallest", "contacts of hulls of up to 4000 units whose deciding determinant is -1 or 0 or 1", GAP, 0,

@@ -43,8 +43,9 @@ static bool agrees(const bench_family *family, const bench_answer *answer) {
 // Returns whether every answer was right.
 static bool measure(const bench_solver *solver, const bench_family *family, uint32_t calibration) {
   uint32_t sum = 0, worst = 0, iterations = 0, most_iterations = 0, stack = 0, cells = 0, wrong = 0;
+  const unsigned pairs = bench_pair_count(family);
   bench_start();
-  for (int i = 0; i < BENCH_PAIRS; i++) {
+  for (unsigned i = 0; i < pairs; i++) {
     wrong += !bench_next(family);
     solver->pose(bench_pair[0], bench_pair[1]);
     bench_answer answer;
@@ -65,9 +66,9 @@ static bool measure(const bench_solver *solver, const bench_family *family, uint
   board_print(solver->name);
   board_print("|");
   board_print(family->name);
-  field(sum / BENCH_PAIRS);
+  field(sum / pairs);
   field(worst);
-  field(iterations * 100 / BENCH_PAIRS);
+  field(iterations * 100 / pairs);
   field(most_iterations);
   field(stack);
   field(cells * (uint32_t)sizeof(gjk_epa_cell));

@@ -86,7 +86,7 @@ void random_shape(random_state *random, case_kind kind, gjk_q16 reach, case_shap
   const bool sliver = random_below(random, 2) == 0;
   const gjk_q16 x = random_length(random, core, sliver), y = random_length(random, core, sliver),
                 z = random_length(random, core, sliver);
-  const gjk_vec3 extent = {x, y, z}, round_base = {x, x, z}, along = {0, 0, z}, none = {0, 0, 0};
+  const gjk_vec3 extent = {x, y, z}, disc_base = {x, x, z}, along = {0, 0, z}, none = {0, 0, 0};
   out->kind = kind;
   out->pose.rotation = random_rotation(random);
   switch (kind) {
@@ -95,7 +95,7 @@ void random_shape(random_state *random, case_kind kind, gjk_q16 reach, case_shap
     case CASE_TRIANGLE: random_vertices(random, &extent, 3, out); break;
     case CASE_HULL: random_vertices(random, &extent, 4 + random_below(random, 61), out); break;
     case CASE_CYLINDER:
-    case CASE_CONE: out->size = round_base; break;
+    case CASE_CONE: out->size = disc_base; break;
     default: out->size = extent; break;
   }
 }

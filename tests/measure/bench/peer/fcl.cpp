@@ -33,7 +33,7 @@ template <typename Solver>
 struct Prepared {
   std::shared_ptr<Shape> a, b;
   fcl::Transform3d at_a, at_b;
-  double round;
+  double convex_radius;
   Solver solver;
 };
 

@@ -1,0 +1,84 @@
+#!/bin/sh
+# The library as two files: complete by themselves, the same bits, the same size to 2 %. test_amalgamation.sh BUILD
+. tests/build/count.sh
+build=$1
+dir=$build/amalgamation-test
+rm -rf "$dir"
+mkdir -p "$dir"
+strict='-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wno-unused-function -Werror'
+golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
+scene_golden=$(sed -n 's/^#define SCENE_GOLDEN_FEW_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/scene_golden.h)
+
+# The two files alone, in a folder with nothing else.
+copied() {
+  cp "$build/amalgamation/gjk.h" "$build/amalgamation/gjk.c" "$dir"
+}
+
+# compiles NAME COMPILER FLAGS...: in that folder, with no include path
+compiles() {
+  name=$1
+  shift
+  # shellcheck disable=SC2086
+  (cd "$dir" && "$@" -c -o "$name.o" gjk.c)
+}
+
+# The README's example, with the one header.
+sed -n '/^```c$/,/^```$/{/^```/d;p;}' README.md | awk '/^#include <stdio.h>/ { n++ } n == 1 { print }' |
+  sed 's|#include "gjk/gjk.h"|#include "gjk.h"|' >"$dir/example.c"
+example() {
+  (cd "$dir" && "$@" -c example.c -o example.o && "$1" example.o "$object.o" -o example && ./example) >"$dir/printed" &&
+    sed -n 's|.*// prints: ||p' "$dir/example.c" | head -n 1 | diff - "$dir/printed"
+}
+
+# same_bits OBJECT LINKER: the golden hash with that object in the place of the library
+same_bits() {
+  gcc -std=c99 -O2 -Iinclude -I. -Itests/support -c tests/check/target/golden.c -o "$dir/golden.o" &&
+    gcc -std=c99 -O2 -Iinclude -I. -Itests/support -c tests/check/target/golden_host.c -o "$dir/host.o" &&
+    gcc -std=c99 -O2 -Iinclude -I. -Itests/support -c tests/support/scene/match.c -o "$dir/match.o" &&
+    gcc -std=c99 -O2 -Iinclude -I. -Itests/support -c tests/check/target/scene_golden.c -o "$dir/scene.o" &&
+    gcc -std=c99 -O2 -Iinclude -I. -Iport -c port/hosted/gjk_hosted.c -o "$dir/hosted.o" &&
+    "$2" "$dir/golden.o" "$dir/host.o" "$dir/match.o" "$dir/scene.o" "$dir/hosted.o" "$dir/$1.o" -o "$dir/$1.golden" &&
+    "$dir/$1.golden"
+}
+
+# within_two_percent MACROS...: what a program links of the one file, against what it links of the library
+within_two_percent() {
+  whole=$(sh tests/build/linked-size.sh "$build" cortex-m3 "$@") &&
+    one=$(LIBRARY=$dir/m3.o sh tests/build/linked-size.sh "$build" cortex-m3 "$@") &&
+    echo "$one bytes, $whole of the library" && [ $((one * 100)) -le $((whole * 102)) ]
+}
+
+check 'two files' make -s amalgamation
+check 'copied' copied
+check 'no include of a file of its own' sh -c "! grep -nE '^ *#include \"' '$dir/gjk.h' && [ \$(grep -cE '^ *#include \"' '$dir/gjk.c') = 1 ]"
+for compiler in gcc clang g++ clang++; do
+  if ! have $compiler; then
+    skip "one file with $compiler" $compiler
+    continue
+  fi
+  case $compiler in
+    *++) flags='-std=c++17 -x c++ -O2 -Wall -Wextra -Wno-unused-function -Werror' ;;
+    *) flags="-std=c99 -O2 $strict" ;;
+  esac
+  object=$(echo $compiler | tr + p)
+  # shellcheck disable=SC2086
+  check "one file compiles, $compiler" compiles $object $compiler $flags
+  check "the same bits, $compiler" same_bits $object $compiler
+  case $compiler in
+    *++) check "the README's example, $compiler" example $compiler -std=c++17 -x c++ ;;
+    *) check "the README's example, $compiler" example $compiler -std=c99 ;;
+  esac
+done
+missing=$(missing_package cortex-m3)
+if [ -z "$missing" ]; then
+  tools=$(make -s print-TOOLS_cortex-m3 | sed 's/-fcallgraph-info=su//')
+  # shellcheck disable=SC2086
+  check 'one file for Cortex-M3' compiles m3 $tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections
+  check 'the library for Cortex-M3' make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked
+  check 'as small: boxes' within_two_percent -DSIZE_BOXES
+  check 'as small: distance, with posing' within_two_percent -DSIZE_POSED
+  check 'as small: contacts' within_two_percent -DSIZE_POSED -DSIZE_CONTACTS
+else
+  skip 'one file for Cortex-M3' "$missing"
+fi
+finish amalgamation
