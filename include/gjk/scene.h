@@ -1,20 +1,23 @@
-// Many bodies, asked the same question every tick: who touches whom, or is nearer than a margin?
+// Many bodies, asked the same question every tick: which of them touch, or are nearer than a margin?
 //
-// A scene is one block of the caller's memory with indices instead of pointers inside: a plain copy of the block is a
-// save, at any address. Beside the block stands a gjk_scene, a small handle with the pointers. What a scene answers
-// depends on its contents alone: not on addresses, caches, capacities, how bodies came to where they are, or the order in
-// which they were added to stated slots; so it is the same on every platform. tests/check/unit/test_scene_*.c and
-// test_history.c hold each statement of this header.
+// A scene is one block of the caller's memory. The block holds indices instead of pointers, so a plain copy of it is a
+// save, and works at any address. A gjk_scene is the handle of a block: a small struct with the pointers.
 //
-// Everything that is reported of a pair is a function of shapes, poses, margins and configuration, as the queries answer
-// from a cold start: where no answer is found, too. Skips and caches never change it. Of a pair with a curved or custom
-// shape, exact boxes that are farther apart than the margins along an axis are the answer, before any query. Lockstep peers
-// need the same shapes, builds with the same GJK_ITERATIONS_MAX, and the same configuration but for box_margin, retest_all,
-// and capacities that do not run out.
+// A scene's answers depend on its contents alone, so they are the same on every platform. They do not depend on
+// addresses, caches or capacities, nor on the way that bodies took to where they are. Bodies that are added to stated
+// slots may be added in any order. tests/check/unit/test_scene_*.c and test_history.c hold each statement of this
+// header.
+//
+// What is reported of a pair is a function of shapes, poses, margins and configuration: what the queries answer from a
+// cold start, even where they find no answer. Skips and caches never change it. One case needs no query: a pair with a
+// curved or custom shape is apart when its exact boxes are farther apart along an axis than the margins.
+//
+// Lockstep peers need the same shapes, builds with the same GJK_ITERATIONS_MAX, and the same configuration. Only
+// box_margin and retest_all may differ, and capacities that do not run out.
 //
 // Threads  calls for one scene may not overlap, but for gjk_scene_test_pairs and several queries at once.
 // Cost     a call that changes one body: O(log bodies + its parts). An update: the pairs of the bodies that moved.
-// Statuses of every call: NULL for a pointer that is missing; CORRUPT for a handle whose block is none.
+// Statuses of every call: NULL for a pointer that is missing; CORRUPT for a handle whose block is not a scene's.
 #ifndef GJK_SCENE_H
 #define GJK_SCENE_H
 
@@ -28,10 +31,14 @@ extern "C" {
 #define GJK_SCENE_BODIES_MAX UINT32_C(1048576)
 #define GJK_SCENE_PAIRS_MAX UINT32_C(4194304)
 
-// A body by its slot and how often the slot was taken. Zeroed: no body. A handle of a removed body is never that of
-// another: a slot that was taken 2^31 times is not taken again.
+// The version of a block's format. gjk_scene_open and gjk_scene_attach refuse a block of another version.
+#define GJK_SCENE_BLOCK_VERSION UINT32_C(2)
+
+// Names a body. A zeroed id names none. The id of a removed body never names another one: generation differs, and a
+// slot that was taken 2^31 times is not taken again.
 typedef struct gjk_body_id {
-  uint32_t slot, generation;
+  uint32_t slot;        // the body's place in the scene, below config.bodies
+  uint32_t generation;  // counts how often the slot was taken and freed; odd while a body is in it
 } gjk_body_id;
 
 typedef enum gjk_body_kind {
@@ -40,7 +47,7 @@ typedef enum gjk_body_kind {
   GJK_BODY_DYNAMIC      // may fall asleep
 } gjk_body_kind;
 
-// What is wanted of a pair. Depth and contacts are there for a handle whose field details says so.
+// What is wanted of a pair. DEPTH and CONTACTS need gjk_scene_bindings.details.
 typedef enum gjk_detail {
   GJK_DETAIL_TOUCH = 0,  // near or not
   GJK_DETAIL_DISTANCE,   // and the distance
@@ -51,8 +58,8 @@ typedef enum gjk_detail {
 // One shape of a body.
 typedef struct gjk_part {
   uint16_t shape;  // index into the table of shapes
-  bool placed;     // false: at the body's own pose, which takes less memory
-  gjk_pose pose;   // in the body's frame, if placed
+  bool own_pose;   // false: the part is at the body's pose, which takes less memory
+  gjk_pose pose;   // in the body's frame; read only if own_pose
 } gjk_part;
 
 // A body to be added.
@@ -61,95 +68,108 @@ typedef struct gjk_body_setup {
   const gjk_part *parts;    // read during the call alone
   uint16_t part_count;      // at least 1
   uint8_t kind;             // a gjk_body_kind
-  uint8_t detail;           // a gjk_detail; a pair takes the most that the scene or one of its bodies asks
-  uint32_t category, mask;  // a pair is tested when each one's category has a bit of the other's mask
+  uint8_t detail;           // a gjk_detail; a pair gets the largest of the configuration's and its two bodies'
+  uint32_t category, mask;  // a pair is tested when each body's category shares a bit with the other's mask
   uint32_t user;            // the caller's own word
   gjk_q16 margin;           // two parts are near when at most the sum of their margins apart; 0: touching
 } gjk_body_setup;
 
+// What a scene holds and does.
+//
+// pairs            an update needs room for the pairs of parts that were near at the last update, and for those whose
+//                  boxes meet: the exact ones, each enlarged by its body's margin. Room for all that meet within
+//                  box_margin saves work.
+// workspace_cells  where they are too few for a depth, what is reported depends on their number: see gjk/penetration.h.
 typedef struct gjk_scene_config {
-  uint32_t bodies;  // capacity, from 1 to GJK_SCENE_BODIES_MAX
-  uint32_t parts;   // capacity, shapes of all bodies together; same ceiling
-  uint32_t placed;  // capacity, parts with a pose of their own; same ceiling, may be 0
-  uint32_t pairs;  // capacity, pairs of parts whose boxes meet, margins included, or that were near at the last update;
-                   // from 1 to GJK_SCENE_PAIRS_MAX. Room for those that meet within box_margin saves work
-  gjk_q16 box_margin;  // boxes in the tree are larger by this, so that small moves leave it alone; 0 to GJK_RADIUS_MAX
+  uint32_t bodies;     // capacity, from 1 to GJK_SCENE_BODIES_MAX
+  uint32_t parts;      // capacity: parts of all bodies together, from 1 to GJK_SCENE_BODIES_MAX
+  uint32_t own_poses;  // capacity: parts with a pose of their own, from 0 to GJK_SCENE_BODIES_MAX
+  uint32_t pairs;      // capacity, from 1 to GJK_SCENE_PAIRS_MAX, see above
+  gjk_q16 box_margin;  // enlarges the boxes in the tree, so that small moves do not change it; 0 to GJK_RADIUS_MAX
   uint8_t detail;      // a gjk_detail: the least for every pair
   uint8_t persist;     // 1: pairs that stay near are reported in every update
-  uint8_t
-      retest_all;    // 1: every pair is tested anew in every update, from a cold start; for tests. Answers are the same
-  uint8_t reserved;  // 0
-  uint32_t
-      workspace_cells;  // of the handle's workspace, as many as depth and contacts use; 0: none is needed. Where they
-                        // are too few, what is reported depends on their number: see gjk/penetration.h
+  uint8_t retest_all;  // 1: every update tests every pair anew from a cold start. For tests: the answers are the same
+  uint8_t reserved;    // 0
+  uint32_t workspace_cells;  // how many cells of bindings.workspace depths and contacts use, see above; 0: none
 } gjk_scene_config;
 
-// Should this pair be tested? Called at most once per test, perhaps from several threads: it may depend on its arguments
-// and on what does not change during an update. A pair whose last answer outlasts its motion is not asked about again
-// unless a user word changes, or gjk_scene_refilter says so, which every other change of mind needs.
+// Should this pair be tested? Called at most once per test, perhaps from several threads. The answer may depend on the
+// arguments, and on what does not change during an update. An update asks only about pairs whose last answer their
+// motion may have changed. After any other change of mind call gjk_scene_refilter.
 typedef bool gjk_scene_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b);
 
-// What depth and contacts need, one constant each, so that a program links them only if it mentions them.
+// The code behind depths and contacts, one constant each: a program links only what it mentions.
 typedef struct gjk_scene_details gjk_scene_details;
 extern const gjk_scene_details gjk_scene_depth, gjk_scene_contacts;
 
-// The handle. gjk_scene_init, gjk_scene_open and gjk_scene_attach set the first three fields, and the others to zero; these
-// are the caller's.
+// What a program binds to a scene besides its block and shapes. Each field is optional: zeroed, it binds nothing.
+typedef struct gjk_scene_bindings {
+  gjk_scene_predicate *predicate;    // NULL: every pair that category and mask let through is tested
+  void *user;                        // the predicate's first argument
+  const gjk_scene_details *details;  // &gjk_scene_depth; &gjk_scene_contacts: both; NULL: neither
+  const gjk_workspace *workspace;    // at least config.workspace_cells cells, no more are used; NULL: none
+  gjk_manifold *manifolds;           // room for a manifold per report of a call, see gjk_report; NULL: none are wanted
+} gjk_scene_bindings;
+
+// The handle of a scene. gjk_scene_init, gjk_scene_open and gjk_scene_attach write all of it when they return GJK_OK,
+// and nothing of it otherwise. It may be copied: all copies are handles of the same scene. Of a copy, bindings may be
+// changed: a thread that tests pairs takes a copy with a workspace of its own.
 typedef struct gjk_scene {
   void *block;
   const gjk_shape *const *shapes;  // the same shapes, in the same order, wherever a block goes
   uint16_t shape_count;
-  gjk_scene_predicate *predicate;    // NULL: all pairs
-  void *user;                        // of the predicate
-  const gjk_scene_details *details;  // &gjk_scene_depth; &gjk_scene_contacts: both; NULL: neither
-  const gjk_workspace *workspace;    // at least config.workspace_cells; no more are used; NULL: none
-  gjk_manifold *manifolds;           // room for as many manifolds as reports, see gjk_report; NULL: none are wanted
+  gjk_scene_bindings bindings;
 } gjk_scene;
 
-// Bytes of a block; 0 for a configuration outside its ranges, or more than size_t can say.
+// Bytes of a block. 0: the configuration is outside its ranges, or size_t cannot hold the number.
 size_t gjk_scene_bytes(const gjk_scene_config *config);
 
 // Makes an empty scene.
 //
-// scene   written whole but for predicate and user, which become NULL.
-// block   the caller's, aligned for uint32_t, at least gjk_scene_bytes; may come from gjk_port_allocate.
-// shapes  the caller's, must stay as it is; may hold NULLs that no body names.
-// Statuses  RANGE (config, or a block that is not aligned), UNSUPPORTED (detail), CAPACITY (bytes).
+// scene     written whole.
+// block     the caller's, aligned for uint32_t, at least gjk_scene_bytes; may come from gjk_port_allocate.
+// shapes    the caller's, must stay as it is while the scene is used; may hold NULLs that no body names.
+// bindings  copied into the handle, whose own bindings they may be; NULL: none.
+// Statuses  RANGE (config, or a block that is not aligned), CAPACITY (bytes).
 gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,
-                          const gjk_shape *const *shapes, uint16_t shape_count);
+                          const gjk_shape *const *shapes, uint16_t shape_count, const gjk_scene_bindings *bindings);
 
-// Bodies. A call that fails changes nothing. Statuses: HANDLE for a handle that is stale or was never given; BUSY from
-// the first slice of an update to its last report, when bodies must stay as they are.
+// Bodies. A call that fails changes nothing. Statuses: BODY_ID for an id that is stale or was never given; BUSY for a
+// change between the first slice of an update and its last report.
 
-// Adds a body to the lowest free slot. Statuses: CAPACITY (bodies, parts or placed parts are used up), RANGE (a field,
-// or a part that leaves int32), EMPTY (no parts), ROTATION, UNSUPPORTED (detail), and those of gjk_collider_init.
+// Adds a body to the lowest free slot. Statuses: CAPACITY (bodies, parts or own poses are used up), RANGE (a field, or
+// a part that leaves int32), EMPTY (no parts), ROTATION, and those of gjk_collider_init.
 gjk_status gjk_scene_add(gjk_scene *scene, const gjk_body_setup *setup, gjk_body_id *out);
 
-// The same with the slot named, so that bodies may be added in any order: the scene is the same. HANDLE: taken.
+// Adds a body to a stated slot. The scene does not depend on the order of such calls. BODY_ID: the slot is taken or
+// used up. CAPACITY: there is no such slot.
 gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setup *setup, gjk_body_id *out);
 
-// Pairs that were near are reported as ended by the next update.
-gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id handle);
+// Removes a body. The next update reports the end of its pairs that were near.
+gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id id);
 
 // Takes a body to its next pose, and wakes it. Statuses as gjk_collider_pose.
-gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pose);
+gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose);
 
-// The same without an expectation that the motion goes on. Answers do not differ; boxes in the tree do.
-gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pose);
+// As gjk_scene_move, for a body that will not go on moving the same way. Only boxes in the tree differ, never answers.
+gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose);
 
-// A sleeping body stands still. Pairs without an awake body are not reported as persisting. Sleep: RANGE unless dynamic.
-gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id handle);
-gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id handle);
+// A sleeping body stands still. A pair is reported as persisting only if a body of it is awake and not static.
+// Sleep: RANGE unless the body is dynamic.
+gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id id);
+gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id);
 
-// Gives part number part another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
-gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id handle, uint16_t part, uint16_t shape);
-gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body_id handle, uint32_t category, uint32_t mask);
+// Gives a part of a body another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
+gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape);
 
-// Gives the body another word; one that differs refilters, as the predicate is given it.
-gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body_id handle, uint32_t user);
+// Gives a body another category and mask.
+gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body_id id, uint32_t category, uint32_t mask);
 
-// Has the next update ask the predicate about the body's pairs again.
-gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body_id handle);
+// Gives a body another user word. If it differs, gjk_scene_refilter follows, because the predicate is given that word.
+gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body_id id, uint32_t user);
+
+// Makes the next update ask the predicate about all pairs of the body again.
+gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body_id id);
 
 // What a scene holds about a body.
 typedef struct gjk_body_state {
@@ -161,154 +181,163 @@ typedef struct gjk_body_state {
   bool asleep;
 } gjk_body_state;
 
-gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id handle, gjk_body_state *out);
+gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id id, gjk_body_state *out);
 
-// The body in a slot, generation 0 when it is free. RANGE: no such slot.
+// The id of the body in a slot. Its generation is 0 when the slot is free. RANGE: no such slot.
 gjk_status gjk_scene_body_at(const gjk_scene *scene, uint32_t slot, gjk_body_id *out);
 
 // A part as a posed collider, for any query of the library. RANGE: no such part.
-gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id handle, uint16_t part, gjk_collider *out);
+gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t part, gjk_collider *out);
 
 // Updates.
 
 typedef enum gjk_event {
-  GJK_EVENT_BEGIN = 1,  // near now, not at the last update
-  GJK_EVENT_PERSIST,    // near both times; with config.persist
-  GJK_EVENT_END         // no longer near; removed bodies included, whose handles are stale
+  GJK_EVENT_BEGIN = 1,  // near at this update, not at the last one
+  GJK_EVENT_PERSIST,    // near at both; reported only with config.persist
+  GJK_EVENT_END         // near at the last update, not at this one, or a body was removed, whose id is stale
 } gjk_event;
 
 // One pair of parts. a has the lower slot.
+//
+// distance  of BEGIN and PERSIST, by detail. DISTANCE: as gjk_distance; DEPTH: as gjk_signed_distance, negative for a
+//           depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
+// manifold  of BEGIN and PERSIST with CONTACTS: up to 4 contacts, found without a cache. The i-th report of a call has
+//           &bindings.manifolds[i]. Otherwise NULL.
 typedef struct gjk_report {
   gjk_body_id a, b;
   uint16_t part_a, part_b;
   uint8_t event;   // a gjk_event
-  uint8_t detail;  // what was asked of the pair
-  gjk_q16
-      distance;  // begin and persist; DISTANCE: as gjk_distance says; DEPTH: as gjk_signed_distance says, negative for a
-                 // depth; CONTACTS: the least of the manifold's; otherwise 0
-  const gjk_manifold
-      *manifold;  // begin and persist, CONTACTS: the scene's manifolds hold it, that of the i-th report of
-                  // a call at i, with up to 4 contacts, without a cache; otherwise NULL
+  uint8_t detail;  // a gjk_detail: the pair's; the configuration's if a body was removed
+  gjk_q16 distance;
+  const gjk_manifold *manifold;
 } gjk_report;
 
-// How far an update has come. Both zero: done.
+// How far an update has come. Both numbers left are 0: it is done.
 typedef struct gjk_progress {
   uint32_t reports;       // written by this call
   uint32_t pairs_left;    // not yet tested
   uint32_t reports_left;  // not yet written
 } gjk_progress;
 
-// Finds which pairs are near now. Reports are in the order of (slot, generation, part) of a, then of b.
+// Finds which pairs are near. Reports are in the order of (slot, generation, part) of a, then of b.
 //
 // reports   room for capacity reports; NULL when that is 0. A buffer that fills up loses nothing: call again.
-// Statuses  CAPACITY: more pairs of parts than config.pairs have exact boxes that meet, each with its body's margin all round,
-//           or were near at the last update. The update has not begun, and does once bodies are moved or removed so that
-//           they fit. UNSUPPORTED: some body or the configuration asks for a detail that the
-//           handle's details lack, or for depths and the handle's workspace has fewer cells than config.workspace_cells;
-//           nothing is done.
-// Unsettled  A query that reaches the ceiling on its iterations, which is of curved or custom shapes, counts the pair as near, at
-//           the proven lower bound, and in unsettled; its manifold is zero. So does a depth whose workspace is too small,
-//           with the depth that is enough.
+// Statuses  CAPACITY: config.pairs is too small, see there. The update has not begun; it begins once bodies are moved
+//           or removed so that their pairs fit.
+//           UNSUPPORTED: the configuration or a body asks for a detail that bindings.details lacks, or for depths while
+//           bindings.workspace has fewer cells than config.workspace_cells. Nothing is done.
+// Unsettled  A query may reach its ceiling on iterations: of curved or custom shapes alone. Then the pair counts as
+//           near, at the proven lower bound, and its manifold is zero. A workspace may be too small for a depth: then
+//           the distance is minus a depth that is enough. gjk_scene_stats.unsettled counts both.
 gjk_status gjk_scene_update(gjk_scene *scene, gjk_report *reports, uint32_t capacity, gjk_progress *progress);
 
-// The same with at most tests tests of pairs in this call, for firmware with a deadline. Boxes are matched by the first.
+// As gjk_scene_update, but this call tests at most tests pairs, for firmware with a deadline. The first slice
+// matches all boxes.
 gjk_status gjk_scene_update_slice(gjk_scene *scene, uint32_t tests, gjk_report *reports, uint32_t capacity,
                                   gjk_progress *progress);
 
 typedef void gjk_report_function(void *user, const gjk_report *report);
 
-// The same with each report handed to a function, which may not change the scene; manifolds need room for one.
+// As gjk_scene_update, with each report handed to a function, which may not change the scene. bindings.manifolds needs
+// room for one.
 gjk_status gjk_scene_update_each(gjk_scene *scene, gjk_report_function *function, void *user);
 
-// Spreads an update over threads: begin says how many pairs are to be tested; disjoint ranges of them are tested at the
-// same time, without locks, each call writing to the records of its own pairs alone; a gjk_scene_update then tests what
-// is left and reports. Threads that ask for depth each need a handle of their own, a copy with another workspace.
-// RANGE: first > end, or end beyond the pairs; or no update has begun.
+// Spread an update over threads. gjk_scene_update_begin says how many pairs are to be tested. Then threads test
+// disjoint ranges of them at the same time, without locks: each call writes only to its own pairs' records. Last, a
+// gjk_scene_update tests what is left and reports. Where depths are asked for, each thread needs a copy of the handle
+// with a workspace of its own. Statuses as gjk_scene_update, and: begin: BUSY while reports are left. Test: RANGE:
+// first > end, or end beyond the pairs, or no update has begun.
 gjk_status gjk_scene_update_begin(gjk_scene *scene, uint32_t *pairs);
 gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t first, uint32_t end);
 
-// Goes through the pairs that were near at the last update, in no stated order: start with *cursor 0; found is false
-// at the end. event is PERSIST, or END when a body was removed since.
+// Goes through the pairs that were near at the last update, in no stated order. Start with *cursor 0; *found is false
+// at the end. The event is PERSIST, or END when a body was removed since.
 gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_report *out, bool *found);
 
-// The manifold of a reported pair at its bodies' poses of now, at most their margins apart, without a cache; for those who
-// ask of some pairs alone, or share the work among threads. most and out as of gjk_contacts; statuses, too, and HANDLE,
-// RANGE for a part that is not there, UNSUPPORTED for a workspace of fewer cells than config.workspace_cells.
+// The manifold of a reported pair at its bodies' current poses, at most the sum of their margins apart, without a
+// cache. For programs that ask of some pairs alone, or share the work among threads. most, out and statuses as of
+// gjk_contacts; and BODY_ID, RANGE for a part that is not there, UNSUPPORTED for a workspace of fewer cells than
+// config.workspace_cells.
 gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out);
 
-// What the last update whose tests are done did. Each of its pairs is counted in resting or in one of filtered to cold. These
-// tell of work, not of answers: they depend on skips, on caches, and on how bodies came to where they are.
+// What the last update that tested all its pairs did. Each of its pairs is counted once: in resting, or in one of
+// filtered to cold. These numbers tell of work, not of answers: they depend on skips, caches, and the way that bodies
+// took.
 typedef struct gjk_scene_stats {
-  uint32_t bodies, parts;  // there now
-  uint32_t pairs;          // whose boxes met
-  uint32_t refused;        // boxes came together, but both are static or the filter refuses: not made a pair
-  uint32_t resting;        // neither side moved - asleep, static or still: the last answer stands
-  uint32_t filtered;       // the predicate, or a changed filter
-  uint32_t motion;         // what the last test left, apart or near, exceeds the motion since
-  uint32_t boxes;          // exact boxes or, without curves, bounding spheres apart
+  uint32_t bodies, parts;  // currently in the scene
+  uint32_t pairs;          // tested or resting
+  uint32_t refused;        // boxes that came to meet and were not made a pair: both static, or category and mask
+  uint32_t resting;        // neither body moved - asleep, static or still: the last answer stands
+  uint32_t filtered;       // refused by the predicate, or by a changed category or mask
+  uint32_t motion;         // the motion since the last test is too small to change its answer
+  uint32_t boxes;          // exact boxes or, of a pair without curved shapes, bounding spheres are apart
   uint32_t direction;      // the last separating direction still separates: one support scan
   uint32_t warm, cold;     // queries, started from the cache or not
   uint32_t begun, persisting, ended;
-  uint32_t unsettled;  // queries that reached their ceiling
+  uint32_t unsettled;  // queries that reached a ceiling, see gjk_scene_update
   uint32_t updates;    // completed so far, modulo 2^32
 } gjk_scene_stats;
 
 gjk_status gjk_scene_get_stats(const gjk_scene *scene, gjk_scene_stats *out);
 
-// Queries. They see the poses of now, also between updates.
+// Queries. They see the current poses, also between updates.
 
 // A part that a query found.
 typedef struct gjk_scene_hit {
   gjk_body_id body;
   uint16_t part;
-  uint32_t fraction;  // ray: where it enters the part's box, in 2^-30 of the way, rounded down; otherwise 0
+  uint32_t fraction;  // of a ray's way, in 2^-30, where it enters the part's box, rounded down; of other queries 0
 } gjk_scene_hit;
 
-// Parts whose exact boxes share a point with box, in the order of (slot, part).
+// Finds the parts whose exact boxes share a point with box, in the order of (slot, part).
 //
-// after   NULL, or the last hit of the call before: only what follows it is found. So any buffer will do.
-// hits    room for capacity; *count is how many were found in all, of which the first are written.
-// Statuses  RANGE: lower > upper somewhere.
+// after   NULL, or the last hit of the call before: then only what follows it is found. So any buffer will do.
+// hits    room for capacity hits, NULL when that is 0.
+// count   how many were found. The first of them, as many as fit, are in hits.
+// Statuses  RANGE: lower > upper along an axis.
 gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, const gjk_scene_hit *after,
                                gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
 
-// Parts whose exact boxes the way from from to to meets, in the order of (fraction, slot, part); decided exactly. The
-// rest as above.
+// Finds the parts whose exact boxes the segment between two points meets, in the order of (fraction, slot, part).
+// Meeting is decided exactly. after, hits and count as in gjk_scene_query_box.
 gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, const gjk_vec3 *to,
                                const gjk_scene_hit *after, gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
 
-// The part nearest to a posed collider, at most reach away by gjk_distance; among equals the lowest (slot, part). A part
-// whose query reaches the ceiling on iterations counts at the larger of the lower bounds that it and the boxes prove.
+// Finds the part nearest to a posed collider, at most reach away by gjk_distance; among equals the lowest (slot, part).
+// Where a query reaches its ceiling on iterations, the larger of two lower bounds counts as the distance: the query's
+// and the boxes'.
 //
 // ignore  NULL, or a body to leave out, for example the one that asks.
-// found   whether there is one; hit and distance are set only then.
+// found   whether there is one. hit and distance are written only then.
 // Statuses  NEGATIVE (reach), UNINITIALISED.
 gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *collider, gjk_q16 reach,
                                    const gjk_body_id *ignore, gjk_scene_hit *hit, gjk_q16 *distance, bool *found);
 
 // Lockstep and saving.
 
-// 64 bits over what decides all further answers: configuration but for capacities, box_margin and retest_all; the build's
-// GJK_ITERATIONS_MAX; bodies, pairs near at the last update, updates. Not over tree and caches. BUSY during an update.
+// 64 bits over all that decides further answers: the configuration without capacities, box_margin and retest_all; the
+// build's GJK_ITERATIONS_MAX; bodies; pairs near at the last update; updates. Tree and caches do not count. BUSY during
+// an update.
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 
-// Enters a checksum into the block, which holds until a call that changes the scene. For saves that leave the program.
+// Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.
 gjk_status gjk_scene_seal(gjk_scene *scene);
 
-// Opens a sealed block that may come from anywhere: checks its header, byte order, checksum, and all that
-// gjk_scene_check does, so that no call reads or writes outside of it afterwards. scene is written as by gjk_scene_init.
-// Statuses: CORRUPT, also for a block of another version of the library or of a build with another GJK_ITERATIONS_MAX;
-// CAPACITY (bytes); RANGE (not aligned, or a shape index beyond shape_count). That the shapes are the same is the caller's
-// promise; CORRUPT where a part's box or pose tells that they are not.
+// Opens a sealed block that may come from anywhere. Checks its header, byte order and checksum, and all that
+// gjk_scene_check does, so no later call reads or writes outside of the block. scene and bindings as in gjk_scene_init.
+// Statuses: CORRUPT, also for a block of another GJK_SCENE_BLOCK_VERSION or of a build with another GJK_ITERATIONS_MAX;
+// CAPACITY (bytes); RANGE (not aligned, or a shape index that the table lacks). The caller promises that the shapes are
+// the same; CORRUPT where a part's box or pose shows that they are not.
 gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
-                          uint16_t shape_count);
+                          uint16_t shape_count, const gjk_scene_bindings *bindings);
 
-// Opens a copy of a block that this program made itself, sealed or not: only the header is looked at.
+// Opens a copy of a block that this program made itself, sealed or not. Checks only the header. scene and bindings as
+// in gjk_scene_init; statuses as gjk_scene_open.
 gjk_status gjk_scene_attach(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
-                            uint16_t shape_count);
+                            uint16_t shape_count, const gjk_scene_bindings *bindings);
 
-// Checks every index and invariant in the block, and poses every part anew: OK or CORRUPT; RANGE as above. Visits all of
-// it, and may not overlap with queries.
+// Checks every index and invariant in the block, and poses every part anew: OK or CORRUPT; RANGE for a shape index that
+// the table lacks. Visits all of the block. May not overlap with queries, because it marks and restores records.
 gjk_status gjk_scene_check(const gjk_scene *scene);
 
 #ifdef __cplusplus

@@ -1,4 +1,5 @@
-// Bodies: added, removed, moved, changed. Each call checks everything first, then changes the scene.
+// Bodies: added, removed, moved, changed. Each call checks everything first and then changes the scene, so a call that
+// fails changes nothing.
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
@@ -13,14 +14,16 @@ static void put_in_moved_list(gjk_scene_view *v, uint32_t slot) {
   }
 }
 
+// Makes the collider of a part that is to be added to a body at a pose.
 static gjk_status build_part(const gjk_scene_view *v, const gjk_pose *pose, const gjk_part *part, gjk_collider *c) {
-  return gjk_scene_part_build(v, part->shape, pose, part->placed ? &part->pose : NULL, c);
+  return gjk_scene_part_build(v, part->shape, pose, part->own_pose ? &part->pose : NULL, c);
 }
 
+// Can the body be added?
 static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) {
   const gjk_scene_header *h = v->header;
   gjk_collider c;
-  uint32_t placed = 0;
+  uint32_t own_poses = 0;
   if (s->parts == NULL) {
     return GJK_ERROR_NULL;
   }
@@ -35,31 +38,31 @@ static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) 
     if (status != GJK_OK) {
       return status;
     }
-    placed += s->parts[i].placed;
+    own_poses += s->parts[i].own_pose;
   }
-  return s->part_count > h->parts.capacity - h->parts.count || placed > h->placed.capacity - h->placed.count
+  return s->part_count > h->parts.capacity - h->parts.count || own_poses > h->own_poses.capacity - h->own_poses.count
              ? GJK_ERROR_CAPACITY
              : GJK_OK;
 }
 
-// Pre: check_setup.
+// Adds a part at the front of its body's list, to the tree too. Pre: check_setup.
 static void add_part(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, const gjk_part *part, uint16_t number) {
   gjk_scene_header *h = v->header;
   gjk_scene_body *body = &v->bodies[slot];
-  const uint32_t index = gjk_scene_take(v, &h->parts, sizeof(gjk_scene_part));
+  const uint32_t index = gjk_scene_pool_take(v, &h->parts, sizeof(gjk_scene_part));
   gjk_scene_part *p = &v->parts[index];
   gjk_collider c;
-  (void)build_part(v, pose, part, &c);  // checked
+  (void)build_part(v, pose, part, &c);  // cannot fail: check_setup built it
   p->next = body->first;
   body->first = index;
   p->body = slot;
   p->pairs = GJK_SCENE_NONE;
-  p->placed = GJK_SCENE_NONE;
-  if (part->placed) {
-    const uint32_t at = gjk_scene_take(v, &h->placed, sizeof(gjk_scene_placed));
-    v->placed[at].next = index;  // its owner
-    v->placed[at].pose = part->pose;
-    p->placed = at;
+  p->own_pose = GJK_SCENE_NONE;
+  if (part->own_pose) {
+    const uint32_t at = gjk_scene_pool_take(v, &h->own_poses, sizeof(gjk_scene_own_pose));
+    v->own_poses[at].next = index;
+    v->own_poses[at].pose = part->pose;
+    p->own_pose = at;
   }
   p->shape = part->shape;
   p->number = number;
@@ -76,8 +79,8 @@ static bool is_free(const gjk_scene_view *v, uint32_t slot) {
   return (v->slots[slot / 32] >> slot % 32 & 1u) != 0;
 }
 
-// Pre: the slot is free.
-static gjk_status add_to(gjk_scene_view *v, uint32_t slot, const gjk_body_setup *s, gjk_body_id *out) {
+// Adds a body to a slot. Pre: the slot is free.
+static gjk_status add_to_slot(gjk_scene_view *v, uint32_t slot, const gjk_body_setup *s, gjk_body_id *out) {
   //@ assert slot < v->header->config.bodies;
   gjk_scene_header *h = v->header;
   gjk_scene_body *body = &v->bodies[slot];
@@ -99,8 +102,8 @@ static gjk_status add_to(gjk_scene_view *v, uint32_t slot, const gjk_body_setup 
   body->parts = s->part_count;
   body->kind_detail = (uint8_t)(s->kind | s->detail << 4);
   h->most_detail = s->detail > h->most_detail ? s->detail : h->most_detail;
-  body->flags &= GJK_SCENE_MOVED;                 // left by the body before
-  for (uint16_t i = s->part_count; i > 0; i--) {  // backwards: the list then runs upwards
+  body->flags &= GJK_SCENE_MOVED;                 // the slot stays in the list of moved bodies
+  for (uint16_t i = s->part_count; i > 0; i--) {  // backwards, so that the list is in order
     add_part(v, slot, &s->pose, &s->parts[i - 1], (uint16_t)(i - 1));
   }
   put_in_moved_list(v, slot);
@@ -122,7 +125,7 @@ gjk_status gjk_scene_add(gjk_scene *scene, const gjk_body_setup *setup, gjk_body
   if (h->lowest == words) {
     return GJK_ERROR_CAPACITY;
   }
-  return add_to(&v, 32 * h->lowest + lowest_bit(v.slots[h->lowest]), setup, out);
+  return add_to_slot(&v, 32 * h->lowest + lowest_bit(v.slots[h->lowest]), setup, out);
 }
 
 gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setup *setup, gjk_body_id *out) {
@@ -134,19 +137,19 @@ gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setu
   if (slot >= v.header->config.bodies) {
     return GJK_ERROR_CAPACITY;
   }
-  return is_free(&v, slot) ? add_to(&v, slot, setup, out) : GJK_ERROR_BODY_ID;
+  return is_free(&v, slot) ? add_to_slot(&v, slot, setup, out) : GJK_ERROR_BODY_ID;
 }
 
-// Opens a scene for a change of one body.
-static gjk_status edit_body(gjk_scene *scene, gjk_body_id handle, gjk_scene_view *v, gjk_scene_body **body) {
+// Opens a scene to change one body.
+static gjk_status edit_body(gjk_scene *scene, gjk_body_id id, gjk_scene_view *v, gjk_scene_body **body) {
   const gjk_status status = gjk_scene_edit(scene, v);
-  return status == GJK_OK ? gjk_scene_body_of(v, handle, body) : status;
+  return status == GJK_OK ? gjk_scene_body_of(v, id, body) : status;
 }
 
-gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id handle) {
+gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id id) {
   gjk_scene_view v;
   gjk_scene_body *body;
-  const gjk_status status = edit_body(scene, handle, &v, &body);
+  const gjk_status status = edit_body(scene, id, &v, &body);
   if (status != GJK_OK) {
     return status;
   }
@@ -156,35 +159,36 @@ gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id handle) {
     next = v.parts[i].next;
     gjk_scene_pairs_forget(&v, i);
     gjk_scene_tree_remove(&v, i);
-    if (v.parts[i].placed != GJK_SCENE_NONE) {
-      gjk_scene_give(&v, &h->placed, sizeof(gjk_scene_placed), v.parts[i].placed);
+    if (v.parts[i].own_pose != GJK_SCENE_NONE) {
+      gjk_scene_pool_give(&v, &h->own_poses, sizeof(gjk_scene_own_pose), v.parts[i].own_pose);
     }
     v.parts[i].state = 0;
-    gjk_scene_give(&v, &h->parts, sizeof(gjk_scene_part), i);
+    gjk_scene_pool_give(&v, &h->parts, sizeof(gjk_scene_part), i);
   }
-  //@ assert handle.slot < v.header->config.bodies;
-  body->first = GJK_SCENE_NONE;  // it stays in the list of the moved, if it is there
+  //@ assert id.slot < v.header->config.bodies;
+  body->first = GJK_SCENE_NONE;  // the slot may be in the list of moved bodies, and stays there
   body->generation++;
   h->bodies.count--;
-  if (body->generation != 0) {  // else the slot is used up
-    v.slots[handle.slot / 32] |= UINT32_C(1) << handle.slot % 32;
-    h->lowest = handle.slot / 32 < h->lowest ? handle.slot / 32 : h->lowest;
+  if (body->generation != 0) {  // otherwise the slot is used up
+    v.slots[id.slot / 32] |= UINT32_C(1) << id.slot % 32;
+    h->lowest = id.slot / 32 < h->lowest ? id.slot / 32 : h->lowest;
   }
   return GJK_OK;
 }
 
-static const gjk_pose *placed_pose(const gjk_scene_view *v, const gjk_scene_part *p) {
-  const uint32_t at = p->placed;
-  return at == GJK_SCENE_NONE ? NULL : &v->placed[at].pose;
+static const gjk_pose *own_pose_of(const gjk_scene_view *v, const gjk_scene_part *p) {
+  const uint32_t at = p->own_pose;
+  return at == GJK_SCENE_NONE ? NULL : &v->own_poses[at].pose;
 }
 
 // The part's collider at another pose of its body.
 static gjk_status move_part(const gjk_scene_view *v, const gjk_scene_part *p, const gjk_pose *pose, gjk_collider *c) {
   gjk_scene_part_collider(v, p, c);
-  return gjk_scene_part_pose(c, pose, placed_pose(v, p));
+  return gjk_scene_part_pose(c, pose, own_pose_of(v, p));
 }
 
-static void replant(gjk_scene_view *v, uint32_t index) {
+// Inserts a part into the tree anew, after its box changed.
+static void reinsert_part(gjk_scene_view *v, uint32_t index) {
   gjk_scene_tree_remove(v, index);
   gjk_scene_tree_insert(v, index);
   v->parts[index].state |= GJK_SCENE_PAIRS_STALE;
@@ -196,13 +200,15 @@ static bool same_pose(const gjk_scene_body *body, const gjk_pose *pose) {
          body->rotation.y == q->y && body->rotation.z == q->z && body->rotation.w == q->w;
 }
 
-// What is in the tree must hold the part's old box until it is taken out, so the new one is set after that; nothing in
-// the tree looks at it meanwhile.
-static gjk_status move(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pose, bool ahead) {
+// Moves a body. ahead: its parts' boxes may expect the motion to go on.
+//
+// A part's new box is set while the part is in the tree, where nodes above do not hold that box. That is safe: taking
+// the part out does not look at its box, and inserting it comes after.
+static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, bool ahead) {
   gjk_scene_view v;
   gjk_scene_body *body;
   gjk_collider c;
-  gjk_status status = pose == NULL ? GJK_ERROR_NULL : edit_body(scene, handle, &v, &body);
+  gjk_status status = pose == NULL ? GJK_ERROR_NULL : edit_body(scene, id, &v, &body);
   if (status != GJK_OK) {
     return status;
   }
@@ -222,30 +228,30 @@ static gjk_status move(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pos
   body->position = pose->position;
   body->rotation = pose->rotation;
   body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
-  put_in_moved_list(&v, handle.slot);
+  put_in_moved_list(&v, id.slot);
   for (uint32_t i = first; i != GJK_SCENE_NONE; i = v.parts[i].next) {
-    if (body->parts > 1) {  // of a single part the collider is still there
+    if (body->parts > 1) {  // of a single part c still holds the collider
       (void)move_part(&v, &v.parts[i], pose, &c);
     }
     if (gjk_scene_part_moved(&v, i, &c, turn, ahead)) {
-      replant(&v, i);
+      reinsert_part(&v, i);
     }
   }
   return GJK_OK;
 }
 
-gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pose) {
-  return move(scene, handle, pose, true);
+gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose) {
+  return move(scene, id, pose, true);
 }
 
-gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id handle, const gjk_pose *pose) {
-  return move(scene, handle, pose, false);
+gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose) {
+  return move(scene, id, pose, false);
 }
 
-gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id handle) {
+gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id id) {
   gjk_scene_view v;
   gjk_scene_body *body;
-  const gjk_status status = edit_body(scene, handle, &v, &body);
+  const gjk_status status = edit_body(scene, id, &v, &body);
   if (status != GJK_OK) {
     return status;
   }
@@ -256,16 +262,17 @@ gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id handle) {
   return GJK_OK;
 }
 
-gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id handle) {
+gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id) {
   gjk_scene_view v;
   gjk_scene_body *body;
-  const gjk_status status = edit_body(scene, handle, &v, &body);
+  const gjk_status status = edit_body(scene, id, &v, &body);
   if (status == GJK_OK) {
     body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
   }
   return status;
 }
 
+// The index of a part by its number, or none.
 static uint32_t find_part(const gjk_scene_view *v, const gjk_scene_body *body, uint16_t number) {
   uint32_t index = body->first;
   while (index != GJK_SCENE_NONE && v->parts[index].number != number) {
@@ -281,11 +288,11 @@ static gjk_pose body_pose(const gjk_scene_body *body) {
   return pose;
 }
 
-gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id handle, uint16_t part, uint16_t shape) {
+gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape) {
   gjk_scene_view v;
   gjk_scene_body *body;
   gjk_collider c;
-  gjk_status status = edit_body(scene, handle, &v, &body);
+  gjk_status status = edit_body(scene, id, &v, &body);
   if (status != GJK_OK) {
     return status;
   }
@@ -294,66 +301,66 @@ gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id handle, uint16_t pa
     return GJK_ERROR_RANGE;
   }
   const gjk_pose pose = body_pose(body);
-  status = gjk_scene_part_build(&v, shape, &pose, placed_pose(&v, &v.parts[index]), &c);
+  status = gjk_scene_part_build(&v, shape, &pose, own_pose_of(&v, &v.parts[index]), &c);
   if (status != GJK_OK) {
     return status;
   }
   v.parts[index].shape = shape;
   gjk_scene_part_reset(&v, index, &c);
-  put_in_moved_list(&v, handle.slot);
-  replant(&v, index);
+  put_in_moved_list(&v, id.slot);
+  reinsert_part(&v, index);
   return GJK_OK;
 }
 
-gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body_id handle) {
+gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body_id id) {
   gjk_scene_view v;
   gjk_scene_body *body;
-  const gjk_status status = edit_body(scene, handle, &v, &body);
+  const gjk_status status = edit_body(scene, id, &v, &body);
   if (status != GJK_OK) {
     return status;
   }
   for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v.parts[i].next) {
     v.parts[i].state |= GJK_SCENE_PAIRS_STALE;
-    v.parts[i].motion = GJK_SCENE_UNBOUNDED;  // lest a test that motion saves not ask
+    v.parts[i].motion = GJK_SCENE_UNBOUNDED;  // so no pair is settled by motion, and the filters are asked
   }
-  put_in_moved_list(&v, handle.slot);
+  put_in_moved_list(&v, id.slot);
   return GJK_OK;
 }
 
-gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body_id handle, uint32_t category, uint32_t mask) {
+gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body_id id, uint32_t category, uint32_t mask) {
   gjk_scene_view v;
   gjk_scene_body *body;
-  const gjk_status status = edit_body(scene, handle, &v, &body);
+  const gjk_status status = edit_body(scene, id, &v, &body);
   if (status != GJK_OK) {
     return status;
   }
   body->category = category;
   body->mask = mask;
-  return gjk_scene_refilter(scene, handle);
+  return gjk_scene_refilter(scene, id);
 }
 
-gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body_id handle, uint32_t user) {
+gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body_id id, uint32_t user) {
   gjk_scene_view v;
   gjk_scene_body *body;
-  const gjk_status status = edit_body(scene, handle, &v, &body);
+  const gjk_status status = edit_body(scene, id, &v, &body);
   if (status != GJK_OK || body->user == user) {
     return status;
   }
   body->user = user;
-  return gjk_scene_refilter(scene, handle);  // the predicate is given the word
+  return gjk_scene_refilter(scene, id);  // the predicate's arguments changed
 }
 
-// Opens a scene to look at one body.
-static gjk_status look_at_body(const gjk_scene *scene, gjk_body_id handle, const void *out, gjk_scene_view *v,
-                               gjk_scene_body **body) {
+// Opens a scene to read one body.
+static gjk_status read_body(const gjk_scene *scene, gjk_body_id id, const void *out, gjk_scene_view *v,
+                            gjk_scene_body **body) {
   const gjk_status status = out == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, v);
-  return status == GJK_OK ? gjk_scene_body_of(v, handle, body) : status;
+  return status == GJK_OK ? gjk_scene_body_of(v, id, body) : status;
 }
 
-gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id handle, gjk_body_state *out) {
+gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id id, gjk_body_state *out) {
   gjk_scene_view v;
   gjk_scene_body *body;
-  const gjk_status status = look_at_body(scene, handle, out, &v, &body);
+  const gjk_status status = read_body(scene, id, out, &v, &body);
   if (status != GJK_OK) {
     return status;
   }
@@ -383,10 +390,10 @@ gjk_status gjk_scene_body_at(const gjk_scene *scene, uint32_t slot, gjk_body_id 
   return GJK_OK;
 }
 
-gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id handle, uint16_t part, gjk_collider *out) {
+gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t part, gjk_collider *out) {
   gjk_scene_view v;
   gjk_scene_body *body;
-  const gjk_status status = look_at_body(scene, handle, out, &v, &body);
+  const gjk_status status = read_body(scene, id, out, &v, &body);
   if (status != GJK_OK) {
     return status;
   }
@@ -395,5 +402,5 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id handle, uint16
     return GJK_ERROR_RANGE;
   }
   const gjk_pose pose = body_pose(body);
-  return move_part(&v, &v.parts[index], &pose, out);  // where it is: posing repeats bit for bit
+  return move_part(&v, &v.parts[index], &pose, out);  // the pose that the part has: posing repeats bit for bit
 }

@@ -1,4 +1,7 @@
-// Checks a block's every index and invariant, in passes that end whatever the block holds.
+// Checks every index and invariant of a block, which may hold anything.
+//
+// Each pass ends whatever the block holds: it visits each record once, or follows a list no longer than there are
+// records. A pass reads a record through an index only after it or an earlier pass has checked that index.
 #include "gjk/pose.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
@@ -12,23 +15,24 @@ static bool live_pair(const gjk_scene_view *v, uint32_t index) {
   return index < v->header->pairs.fresh && (v->pairs[index].state & GJK_SCENE_PAIR_LIVE) != 0;
 }
 
-static bool gone(const gjk_scene_pair *pair) {
+static bool is_gone(const gjk_scene_pair *pair) {
   return (pair->state & GJK_SCENE_PAIR_GONE) != 0;
 }
 
-// A part's pose that is free has the next free one where one in use has its part, which names it.
-static bool placed_is_used(const gjk_scene_view *v, uint32_t index) {
-  const uint32_t part = v->placed[index].next;
-  return live_part(v, part) && v->parts[part].placed == index;
+// Is a record of own_poses in use? Then its next is the part that has it, and that part names it. The next of a free
+// one is a free one or none.
+static bool own_pose_is_used(const gjk_scene_view *v, uint32_t index) {
+  const uint32_t part = v->own_poses[index].next;
+  return live_part(v, part) && v->parts[part].own_pose == index;
 }
 
-// The free list of a pool names fresh - count records, none of them in use.
+// The list of free records has fresh - count members, none of them in use, and then ends.
 static bool check_free(const gjk_scene_view *v, const gjk_scene_pool *pool, uint32_t size) {
   const gjk_scene_header *h = v->header;
   uint32_t at = pool->free;
   for (uint32_t left = pool->fresh - pool->count; left > 0; left--) {
     if (at >= pool->fresh || (pool == &h->parts && live_part(v, at)) || (pool == &h->pairs && live_pair(v, at)) ||
-        (pool == &h->nodes && v->nodes[at].height != 0) || (pool == &h->placed && placed_is_used(v, at))) {
+        (pool == &h->nodes && v->nodes[at].height != 0) || (pool == &h->own_poses && own_pose_is_used(v, at))) {
       return false;
     }
     const void *record = (const unsigned char *)(const void *)h + (size_t)(pool->at + at * size);
@@ -37,28 +41,28 @@ static bool check_free(const gjk_scene_view *v, const gjk_scene_pool *pool, uint
   return at == GJK_SCENE_NONE;
 }
 
-static bool check_placed(const gjk_scene_view *v, uint32_t index, uint32_t *placed) {
-  const uint32_t at = v->parts[index].placed;
+static bool check_own_pose(const gjk_scene_view *v, uint32_t index, uint32_t *own_poses) {
+  const uint32_t at = v->parts[index].own_pose;
   gjk_quat opposite;
   if (at == GJK_SCENE_NONE) {
     return true;
   }
-  (*placed)++;
-  return at < v->header->placed.fresh && v->placed[at].next == index &&
-         gjk_quat_invert(&v->placed[at].pose.rotation, &opposite) == GJK_OK;
+  (*own_poses)++;
+  return at < v->header->own_poses.fresh && v->own_poses[at].next == index &&
+         gjk_quat_invert(&v->own_poses[at].pose.rotation, &opposite) == GJK_OK;
 }
 
-// A part holds what its shape is at the pose of its body: posing repeats bit for bit. So all that a query assumes of a
-// collider is true of it.
+// Does a part hold exactly what posing its shape gives? Posing repeats bit for bit. Then all that queries assume of a
+// collider holds for the part.
 static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p) {
-  const uint32_t placed = p->placed;
+  const uint32_t own_pose = p->own_pose;
   gjk_pose pose;
   gjk_aabb box;
   gjk_collider c;
   pose.position = body->position;
   pose.rotation = body->rotation;
-  //@ assert placed == GJK_SCENE_NONE || placed < v->header->placed.fresh;
-  if (gjk_scene_part_build(v, p->shape, &pose, placed == GJK_SCENE_NONE ? NULL : &v->placed[placed].pose, &c) !=
+  //@ assert own_pose == GJK_SCENE_NONE || own_pose < v->header->own_poses.fresh;
+  if (gjk_scene_part_build(v, p->shape, &pose, own_pose == GJK_SCENE_NONE ? NULL : &v->own_poses[own_pose].pose, &c) !=
       GJK_OK) {
     return false;
   }
@@ -70,8 +74,8 @@ static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, cons
          gjk_scene_same_vec3(&p->exact.lower, &box.lower) && gjk_scene_same_vec3(&p->exact.upper, &box.upper);
 }
 
-// The parts of a body: as many as it says, numbered upwards. Counts them and their poses.
-static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts, uint32_t *placed) {
+// Does a body have as many parts as it says, numbered in order? Adds up its parts and their own poses.
+static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts, uint32_t *own_poses) {
   uint32_t number = 0;
   for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
     if (!live_part(v, i)) {
@@ -79,7 +83,7 @@ static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts,
     }
     const gjk_scene_part *p = &v->parts[i];
     if (p->body != slot || p->number != number || (p->state & GJK_SCENE_MARK) != 0 ||
-        !gjk_aabb_inside(&p->exact, &p->enlarged) || !check_placed(v, i, placed) ||
+        !gjk_aabb_inside(&p->exact, &p->enlarged) || !check_own_pose(v, i, own_poses) ||
         !check_pose(v, &v->bodies[slot], p)) {
       return false;
     }
@@ -98,7 +102,7 @@ static bool check_body(const gjk_scene_view *v, uint32_t slot) {
 
 static bool check_bodies(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
-  uint32_t bodies = 0, parts = 0, placed = 0;
+  uint32_t bodies = 0, parts = 0, own_poses = 0;
   for (uint32_t slot = 0; slot < h->config.bodies; slot++) {
     const gjk_scene_body *body = &v->bodies[slot];
     const bool free = (v->slots[slot / 32] >> slot % 32 & 1u) != 0, live = body->generation % 2 != 0;
@@ -108,21 +112,21 @@ static bool check_bodies(const gjk_scene_view *v) {
     }
     if (live) {
       bodies++;
-      if (!check_body(v, slot) || !check_parts(v, slot, &parts, &placed)) {
+      if (!check_body(v, slot) || !check_parts(v, slot, &parts, &own_poses)) {
         return false;
       }
     } else if ((body->generation != 0 || (body->flags & GJK_SCENE_MOVED) != 0) && body->first != GJK_SCENE_NONE) {
-      return false;  // zeroed, it holds no list, but is in none either
+      return false;  // a slot that was never used has first 0, but is in no list
     }
   }
-  const uint32_t last = h->config.bodies % 32;  // bits of no slot
+  const uint32_t last = h->config.bodies % 32;  // bits beyond the last slot must be 0
   if (last != 0 && v->slots[h->config.bodies / 32] >> last != 0) {
     return false;
   }
-  return bodies == h->bodies.count && parts == h->parts.count && placed == h->placed.count;
+  return bodies == h->bodies.count && parts == h->parts.count && own_poses == h->own_poses.count;
 }
 
-// The list of bodies that changed names each flagged one once.
+// Does the list of moved bodies have each flagged body once?
 static bool check_moved(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
   uint32_t flagged = 0, listed = 0;
@@ -150,6 +154,7 @@ static bool is_node(const gjk_scene_view *v, uint32_t node) {
                                       : node < v->header->nodes.fresh && v->nodes[node].height != 0;
 }
 
+// Do the children of an inner node name it as their parent, lie in its box, and differ in height by at most 1?
 static bool check_inner(const gjk_scene_view *v, uint32_t node) {
   const gjk_scene_node *n = &v->nodes[node];
   if (n->child[0] == n->child[1]) {
@@ -167,7 +172,7 @@ static bool check_inner(const gjk_scene_view *v, uint32_t node) {
   return a <= b + 1 && b <= a + 1 && n->height == (a > b ? a : b) + 1;
 }
 
-// Every node is reached from its one parent, so once at most.
+// Is all of the tree sound? A walk reaches each node at most once, because a node has one parent.
 static bool check_tree(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
   gjk_scene_walk walk;
@@ -182,7 +187,7 @@ static bool check_tree(const gjk_scene_view *v) {
       continue;
     }
     //@ assert node < h->nodes.fresh;
-    // not reached: more than count: other than the free ones there are no more, and each is reached once
+    // not reached: more than count: all others are free, and each is reached at most once
     if (!check_inner(v, node) || inner++ == h->nodes.count || walk.count > GJK_SCENE_DEPTH - 2) {
       return false;
     }
@@ -191,22 +196,23 @@ static bool check_tree(const gjk_scene_view *v) {
   return leaves == h->parts.count && inner == h->nodes.count;
 }
 
-// A pair's place in the lists of its parts: both neighbours point back. Pre: part, of that side, is there.
+// Do both neighbours of a link in its list point back to it? Pre: part is the live part of that side.
 static bool check_link(const gjk_scene_view *v, uint32_t link, uint32_t part) {
   const gjk_scene_pair *pair = &v->pairs[link / 2];
-  const uint32_t next = pair->next[link % 2], previous = pair->previous[link % 2];
+  const uint32_t next = pair->ends.linked.next[link % 2], previous = pair->ends.linked.previous[link % 2];
   const uint32_t after = next / 2, before = previous / 2;
-  if (previous == GJK_SCENE_NONE
-          ? v->parts[part].pairs != link
-          : !live_pair(v, before) || gone(&v->pairs[before]) || v->pairs[before].next[previous % 2] != link ||
-                v->pairs[before].part[previous % 2] != part) {
+  if (previous == GJK_SCENE_NONE ? v->parts[part].pairs != link
+                                 : !live_pair(v, before) || is_gone(&v->pairs[before]) ||
+                                       v->pairs[before].ends.linked.next[previous % 2] != link ||
+                                       v->pairs[before].ends.linked.part[previous % 2] != part) {
     return false;
   }
   return next == GJK_SCENE_NONE ||
-         (live_pair(v, after) && !gone(&v->pairs[after]) && v->pairs[after].previous[next % 2] == link);
+         (live_pair(v, after) && !is_gone(&v->pairs[after]) && v->pairs[after].ends.linked.previous[next % 2] == link);
 }
 
-// May gap be minus a depth? Of a pair that is near, by this update's test if that was done.
+// May gap be negative? It may be minus the depth of a near pair: near in this update, if it was tested, or in the last
+// one.
 static bool may_be_deep(const gjk_scene_view *v, const gjk_scene_pair *pair, uint32_t slot_a, uint32_t slot_b) {
   const bool tested = (pair->state & GJK_SCENE_PAIR_QUEUED) != 0 && pair->outcome != GJK_SCENE_PENDING;
   return gjk_scene_detail(v, &v->bodies[slot_a], &v->bodies[slot_b]) == GJK_DETAIL_DEPTH &&
@@ -215,13 +221,13 @@ static bool may_be_deep(const gjk_scene_view *v, const gjk_scene_pair *pair, uin
 
 static bool check_pair(const gjk_scene_view *v, uint32_t index) {
   const gjk_scene_pair *pair = &v->pairs[index];
-  const uint32_t a = pair->part[0], b = pair->part[1];
+  const uint32_t a = pair->ends.linked.part[0], b = pair->ends.linked.part[1];
   const unsigned outcome = pair->outcome & (GJK_SCENE_UNSETTLED - 1u);
   if (pair->state >> GJK_SCENE_PAIR_CACHED > 4 || outcome >= GJK_SCENE_OUTCOMES ||
       (outcome == GJK_SCENE_PENDING && pair->outcome != GJK_SCENE_PENDING)) {
     return false;
   }
-  if (gone(pair)) {
+  if (is_gone(pair)) {
     return (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
   }
   if (!live_part(v, a) || !live_part(v, b)) {
@@ -240,7 +246,7 @@ static bool check_pairs(const gjk_scene_view *v) {
     if (live_pair(v, i)) {
       pairs++;
       queued += (v->pairs[i].state & GJK_SCENE_PAIR_QUEUED) != 0 ? 1 : 0;
-      missing += gone(&v->pairs[i]);
+      missing += is_gone(&v->pairs[i]);
       if (!check_pair(v, i)) {
         return false;
       }
@@ -248,43 +254,44 @@ static bool check_pairs(const gjk_scene_view *v) {
       return false;
     }
   }
-  // No ring without a head: the lists together hold every link.
+  // The lists of all parts together have every link, so no links form a ring outside of the lists.
   for (uint32_t i = 0; i < h->parts.fresh; i++) {
     uint32_t link = live_part(v, i) ? v->parts[i].pairs : GJK_SCENE_NONE;
     while (link != GJK_SCENE_NONE) {
       const uint32_t index = link / 2;
-      if (!live_pair(v, index) || v->pairs[index].part[link % 2] != i || linked++ == 2 * pairs) {
+      if (!live_pair(v, index) || v->pairs[index].ends.linked.part[link % 2] != i || linked++ == 2 * pairs) {
         return false;
       }
-      link = v->pairs[index].next[link % 2];
+      link = v->pairs[index].ends.linked.next[link % 2];
     }
   }
-  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].previous[0]) {
-    if (!live_pair(v, i) || !gone(&v->pairs[i]) || listed++ == missing) {
+  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].ends.gone.next) {
+    if (!live_pair(v, i) || !is_gone(&v->pairs[i]) || listed++ == missing) {
       return false;
     }
   }
   for (uint32_t i = h->next_report; h->phase == GJK_SCENE_REPORTING && i < h->queued; i++) {
     const uint32_t index = v->queue[i];
     //@ assert index < h->pairs.fresh;
-    listed += gone(&v->pairs[index]) ? 1 : 0;
+    listed += is_gone(&v->pairs[index]) ? 1 : 0;
   }
   return pairs == h->pairs.count && linked == 2 * (pairs - missing) && listed == missing &&
          queued == (h->phase == GJK_SCENE_TESTING ? h->queued : 0);
 }
 
-// Is this an entry as the phase has them?
+// May the queue have this pair at this place, in this phase?
 static bool check_entry(const gjk_scene_view *v, uint32_t at, const gjk_scene_pair *pair) {
   const gjk_scene_header *h = v->header;
   const bool queued = (pair->state & GJK_SCENE_PAIR_QUEUED) != 0;
   if (h->phase == GJK_SCENE_TESTING) {
-    return queued && !gone(pair) && (at >= h->next_test || pair->outcome != GJK_SCENE_PENDING);
+    return queued && !is_gone(pair) && (at >= h->next_test || pair->outcome != GJK_SCENE_PENDING);
   }
-  return !queued && pair->outcome >= (gone(pair) ? GJK_EVENT_END : GJK_EVENT_BEGIN) && pair->outcome <= GJK_EVENT_END;
+  return !queued && pair->outcome >= (is_gone(pair) ? GJK_EVENT_END : GJK_EVENT_BEGIN) &&
+         pair->outcome <= GJK_EVENT_END;
 }
 
-// No pair is in the queue twice: each entry flips the flag of the pair that it names, which must not have been flipped
-// yet. Afterwards all are as they were.
+// Does the queue have each pair at most once? The first loop flips QUEUED of each pair in it, so check_entry refuses a
+// pair that comes again. The second loop flips them back.
 static bool check_entries(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
   const uint32_t first = h->phase == GJK_SCENE_REPORTING ? h->next_report : 0;
@@ -333,7 +340,7 @@ gjk_status gjk_scene_check(const gjk_scene *scene) {
   }
   const bool sound =
       check_free(&v, &h->parts, sizeof(gjk_scene_part)) && check_free(&v, &h->nodes, sizeof(gjk_scene_node)) &&
-      check_free(&v, &h->placed, sizeof(gjk_scene_placed)) && check_free(&v, &h->pairs, sizeof(gjk_scene_pair)) &&
+      check_free(&v, &h->own_poses, sizeof(gjk_scene_own_pose)) && check_free(&v, &h->pairs, sizeof(gjk_scene_pair)) &&
       check_bodies(&v) && check_moved(&v) && check_tree(&v) && check_queue(&v) && check_pairs(&v);
   return sound ? GJK_OK : GJK_ERROR_CORRUPT;
 }

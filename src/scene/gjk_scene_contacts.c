@@ -1,4 +1,4 @@
-// What a scene needs for manifolds: those of its pairs.
+// The manifold of a pair, and the constant that binds contacts to a scene.
 #include "gjk/contacts.h"
 #include "gjk_scene_block.h"
 
@@ -19,9 +19,9 @@ gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, 
   if (!gjk_scene_workspace(scene, &workspace)) {
     return GJK_ERROR_UNSUPPORTED;
   }
-  (void)gjk_scene_get(scene, report->a, &of_a);  // both are there
+  (void)gjk_scene_get(scene, report->a, &of_a);  // cannot fail: gjk_scene_collider found both
   (void)gjk_scene_get(scene, report->b, &of_b);
   return gjk_contacts(&a, &b, of_a.margin + of_b.margin, most, NULL, &workspace, out);
 }
 
-const gjk_scene_details gjk_scene_contacts = {gjk_signed_distance, gjk_scene_manifold};
+const gjk_scene_details gjk_scene_contacts = {.signed_distance = gjk_signed_distance, .manifold = gjk_scene_manifold};

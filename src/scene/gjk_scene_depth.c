@@ -1,5 +1,5 @@
-// What a scene needs for depths.
+// The constant that binds depths to a scene.
 #include "gjk/penetration.h"
 #include "gjk_scene_block.h"
 
-const gjk_scene_details gjk_scene_depth = {gjk_signed_distance, NULL};
+const gjk_scene_details gjk_scene_depth = {.signed_distance = gjk_signed_distance, .manifold = NULL};

@@ -1,13 +1,13 @@
-// The block of a scene: its layout, its pools, and how a handle finds them.
+// The block of a scene: its layout, its pools, and how a handle finds its arrays.
+#include "../arith/gjk_memory.h"
 #include "gjk_scene_block.h"
 
-#define MAGIC UINT32_C(0x736B6A67)
-#define VERSION UINT32_C(2)
-#define ORDER UINT32_C(0x01020304)
+#define MAGIC UINT32_C(0x736B6A67)  // "gjks" in a little-endian block
+#define ORDER UINT32_C(0x01020304)  // another byte order reads another number
 
-// The layout that every build must share.
+// Every build must lay the records out alike: a block may come from another one.
 typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_part) == 144 &&
-                                     sizeof(gjk_scene_node) == 40 && sizeof(gjk_scene_placed) == 32 &&
+                                     sizeof(gjk_scene_node) == 40 && sizeof(gjk_scene_own_pose) == 32 &&
                                      sizeof(gjk_scene_pair) == 44 && sizeof(gjk_scene_config) == 28 &&
                                      sizeof(gjk_scene_header) == 276
                                  ? 1
@@ -15,7 +15,7 @@ typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_pa
 
 static gjk_status check_config(const gjk_scene_config *c) {
   if (c->bodies < 1 || c->bodies > GJK_SCENE_BODIES_MAX || c->parts < 1 || c->parts > GJK_SCENE_BODIES_MAX ||
-      c->placed > GJK_SCENE_BODIES_MAX || c->pairs < 1 || c->pairs > GJK_SCENE_PAIRS_MAX || c->box_margin < 0 ||
+      c->own_poses > GJK_SCENE_BODIES_MAX || c->pairs < 1 || c->pairs > GJK_SCENE_PAIRS_MAX || c->box_margin < 0 ||
       c->box_margin > GJK_RADIUS_MAX || c->persist > 1 || c->retest_all > 1 || c->reserved != 0 ||
       c->detail > GJK_DETAIL_CONTACTS) {
     return GJK_ERROR_RANGE;
@@ -32,13 +32,15 @@ static void set_pool(gjk_scene_pool *pool, uint32_t capacity, uint32_t size, uin
   *at += capacity * size;
 }
 
-// The sections of a block for this configuration. At most 2^20 (60 + 144 + 40 + 32 + 1) + 2^22 48 + 400 < 2^30 bytes.
+// Lays out the arrays of a block for this configuration.
+//
+// at <= 2^20 (60 + 144 + 40 + 32 + 1) + 2^22 (44 + 4) + 400 < 2^30
 static void lay_out(const gjk_scene_config *c, gjk_scene_header *h) {
   uint32_t at = sizeof *h;
   set_pool(&h->bodies, c->bodies, sizeof(gjk_scene_body), &at);
   set_pool(&h->parts, c->parts, sizeof(gjk_scene_part), &at);
-  set_pool(&h->nodes, c->parts, sizeof(gjk_scene_node), &at);  // one less than leaves
-  set_pool(&h->placed, c->placed, sizeof(gjk_scene_placed), &at);
+  set_pool(&h->nodes, c->parts, sizeof(gjk_scene_node), &at);  // inner nodes are one less than leaves
+  set_pool(&h->own_poses, c->own_poses, sizeof(gjk_scene_own_pose), &at);
   set_pool(&h->pairs, c->pairs, sizeof(gjk_scene_pair), &at);
   h->queue_at = at;
   at += c->pairs * (uint32_t)sizeof(uint32_t);
@@ -65,19 +67,21 @@ static bool aligned(const void *block) {
   return (uintptr_t)block % sizeof(uint32_t) == 0;
 }
 
-static void set_handle(gjk_scene *scene, void *block, const gjk_shape *const *shapes, uint16_t shape_count) {
+// Writes the whole handle.
+static void set_handle(gjk_scene *scene, void *block, const gjk_shape *const *shapes, uint16_t shape_count,
+                       const gjk_scene_bindings *bindings) {
   scene->block = block;
   scene->shapes = shapes;
   scene->shape_count = shape_count;
-  scene->predicate = NULL;
-  scene->user = NULL;
-  scene->details = NULL;
-  scene->workspace = NULL;
-  scene->manifolds = NULL;
+  scene->bindings.predicate = bindings != NULL ? bindings->predicate : NULL;
+  scene->bindings.user = bindings != NULL ? bindings->user : NULL;
+  scene->bindings.details = bindings != NULL ? bindings->details : NULL;
+  scene->bindings.workspace = bindings != NULL ? bindings->workspace : NULL;
+  scene->bindings.manifolds = bindings != NULL ? bindings->manifolds : NULL;
 }
 
 gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,
-                          const gjk_shape *const *shapes, uint16_t shape_count) {
+                          const gjk_shape *const *shapes, uint16_t shape_count, const gjk_scene_bindings *bindings) {
   if (scene == NULL || config == NULL || block == NULL || shapes == NULL) {
     return GJK_ERROR_NULL;
   }
@@ -86,17 +90,14 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   if (status != GJK_OK) {
     return status;
   }
-  // not reached: 0: as above
+  // not reached: needed == 0: a size_t of 16 bits, which no host has
   if (needed == 0 || bytes < needed) {
     return GJK_ERROR_CAPACITY;
   }
-  // Volatile, lest the compiler make it a call of memset.
-  for (volatile uint32_t *p = block, *end = at(block, (uint32_t)needed); p < end; p++) {
-    *p = 0;
-  }
-  gjk_scene_header *h = block;
+  gjk_zero(block, needed);
+  gjk_scene_header *h = (gjk_scene_header *)block;
   h->magic = MAGIC;
-  h->version = VERSION;
+  h->version = GJK_SCENE_BLOCK_VERSION;
   h->order = ORDER;
   h->iterations = GJK_ITERATIONS_MAX;
   h->config = *config;
@@ -105,11 +106,11 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   h->root = GJK_SCENE_NONE;
   h->moved = GJK_SCENE_NONE;
   h->gone = GJK_SCENE_NONE;
-  uint32_t *slots = at(block, h->slots_at);
+  uint32_t *slots = (uint32_t *)at(block, h->slots_at);
   for (uint32_t i = 0; i < config->bodies; i++) {
     slots[i / 32] |= UINT32_C(1) << i % 32;
   }
-  set_handle(scene, block, shapes, shape_count);
+  set_handle(scene, block, shapes, shape_count, bindings);
   return GJK_OK;
 }
 
@@ -118,19 +119,19 @@ static bool same_pool(const gjk_scene_pool *a, const gjk_scene_pool *b) {
 }
 
 gjk_status gjk_scene_check_header(const void *block, size_t bytes) {
-  const gjk_scene_header *h = block;
+  const gjk_scene_header *h = (const gjk_scene_header *)block;
   gjk_scene_header expected;
   if (bytes < sizeof *h) {
     return GJK_ERROR_CAPACITY;
   }
-  if (h->magic != MAGIC || h->version != VERSION || h->order != ORDER || h->iterations != GJK_ITERATIONS_MAX ||
-      check_config(&h->config) != GJK_OK) {
+  if (h->magic != MAGIC || h->version != GJK_SCENE_BLOCK_VERSION || h->order != ORDER ||
+      h->iterations != GJK_ITERATIONS_MAX || check_config(&h->config) != GJK_OK) {
     return GJK_ERROR_CORRUPT;
   }
   lay_out(&h->config, &expected);
   if (h->bytes != expected.bytes || h->queue_at != expected.queue_at || h->slots_at != expected.slots_at ||
       !same_pool(&expected.bodies, &h->bodies) || !same_pool(&expected.parts, &h->parts) ||
-      !same_pool(&expected.nodes, &h->nodes) || !same_pool(&expected.placed, &h->placed) ||
+      !same_pool(&expected.nodes, &h->nodes) || !same_pool(&expected.own_poses, &h->own_poses) ||
       !same_pool(&expected.pairs, &h->pairs)) {
     return GJK_ERROR_CORRUPT;
   }
@@ -138,7 +139,7 @@ gjk_status gjk_scene_check_header(const void *block, size_t bytes) {
 }
 
 gjk_status gjk_scene_attach(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
-                            uint16_t shape_count) {
+                            uint16_t shape_count, const gjk_scene_bindings *bindings) {
   if (scene == NULL || block == NULL || shapes == NULL) {
     return GJK_ERROR_NULL;
   }
@@ -146,7 +147,7 @@ gjk_status gjk_scene_attach(gjk_scene *scene, void *block, size_t bytes, const g
   if (status != GJK_OK) {
     return status;
   }
-  set_handle(scene, block, shapes, shape_count);
+  set_handle(scene, block, shapes, shape_count, bindings);
   return GJK_OK;
 }
 
@@ -154,19 +155,19 @@ gjk_status gjk_scene_view_of(const gjk_scene *scene, gjk_scene_view *out) {
   if (scene == NULL || scene->block == NULL || scene->shapes == NULL) {
     return GJK_ERROR_NULL;
   }
-  gjk_scene_header *h = scene->block;
-  if (h->magic != MAGIC || h->version != VERSION || h->order != ORDER) {
+  gjk_scene_header *h = (gjk_scene_header *)scene->block;
+  if (h->magic != MAGIC || h->version != GJK_SCENE_BLOCK_VERSION || h->order != ORDER) {
     return GJK_ERROR_CORRUPT;
   }
   out->scene = scene;
   out->header = h;
-  out->bodies = at(h, h->bodies.at);
-  out->parts = at(h, h->parts.at);
-  out->nodes = at(h, h->nodes.at);
-  out->placed = at(h, h->placed.at);
-  out->pairs = at(h, h->pairs.at);
-  out->queue = at(h, h->queue_at);
-  out->slots = at(h, h->slots_at);
+  out->bodies = (gjk_scene_body *)at(h, h->bodies.at);
+  out->parts = (gjk_scene_part *)at(h, h->parts.at);
+  out->nodes = (gjk_scene_node *)at(h, h->nodes.at);
+  out->own_poses = (gjk_scene_own_pose *)at(h, h->own_poses.at);
+  out->pairs = (gjk_scene_pair *)at(h, h->pairs.at);
+  out->queue = (uint32_t *)at(h, h->queue_at);
+  out->slots = (uint32_t *)at(h, h->slots_at);
   return GJK_OK;
 }
 
@@ -183,14 +184,14 @@ gjk_status gjk_scene_edit(gjk_scene *scene, gjk_scene_view *out) {
 }
 
 bool gjk_scene_workspace(const gjk_scene *scene, gjk_workspace *out) {
-  const gjk_scene_header *h = scene->block;
-  const gjk_workspace *given = scene->workspace;
+  const gjk_scene_header *h = (const gjk_scene_header *)scene->block;
+  const gjk_workspace *given = scene->bindings.workspace;
   out->count = h->config.workspace_cells;
   out->cells = given != NULL ? given->cells : NULL;
   return out->count == 0 || (out->cells != NULL && given->count >= out->count);
 }
 
-uint32_t gjk_scene_take(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size) {
+uint32_t gjk_scene_pool_take(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size) {
   pool->count++;
   const uint32_t index = pool->free;
   if (index == GJK_SCENE_NONE) {
@@ -198,23 +199,22 @@ uint32_t gjk_scene_take(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size) 
     return pool->fresh++;
   }
   //@ assert index < pool->fresh;
-  const uint32_t *record = at(v->header, pool->at + index * size);
+  const uint32_t *record = (const uint32_t *)at(v->header, pool->at + index * size);
   pool->free = *record;
   return index;
 }
 
-void gjk_scene_give(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size, uint32_t index) {
-  uint32_t *record = at(v->header, pool->at + index * size);
+void gjk_scene_pool_give(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size, uint32_t index) {
+  uint32_t *record = (uint32_t *)at(v->header, pool->at + index * size);
   *record = pool->free;
   pool->free = index;
   pool->count--;
 }
 
-gjk_status gjk_scene_body_of(const gjk_scene_view *v, gjk_body_id handle, gjk_scene_body **out) {
-  if (handle.slot >= v->header->config.bodies || handle.generation % 2 == 0 ||
-      v->bodies[handle.slot].generation != handle.generation) {
+gjk_status gjk_scene_body_of(const gjk_scene_view *v, gjk_body_id id, gjk_scene_body **out) {
+  if (id.slot >= v->header->config.bodies || id.generation % 2 == 0 || v->bodies[id.slot].generation != id.generation) {
     return GJK_ERROR_BODY_ID;
   }
-  *out = &v->bodies[handle.slot];
+  *out = &v->bodies[id.slot];
   return GJK_OK;
 }

@@ -1,4 +1,23 @@
-// The test of one pair, and what saves it: in the order of cost.
+// The narrow phase: is one pair near? Skips answer without a query where they can. In the order of their cost:
+//
+// 1. Motion. The last test proved the pair apart, or near, by some gap more than its margins. If both parts together
+//    have moved by less since, the answer stands. What they moved is taken off the gap. Parts of a body whose filter
+//    changed count as moved without bound, so step 2 is not left out.
+// 2. Filters. Kinds, categories, masks or the predicate refuse the pair: it counts as apart.
+// 3. Boxes. Each exact box holds its part. If the boxes are farther apart along an axis than the margins, so are the
+//    parts.
+// 4. Spheres. Each bounding sphere holds its part, too.
+// 5. Direction. Each part lies behind its support plane across the last separating direction. If the planes are still
+//    farther apart than the margins, so are the parts. That takes one support scan of each.
+// 6. The query, warm from the pair's cache. What its answer proves beyond yes or no becomes the gap of step 1.
+//
+// Why it is safe: what a skip answers, a query from a cold start would answer, too. Polytopes and their rounded forms
+// have exact queries, and each skip proves its answer, so both agree. A query of curved or custom shapes decides
+// within 2 LSB, or may reach its ceiling on iterations. So no proof says what it would answer. Such pairs take steps 2,
+// 3 and 6 alone, cold. Step 3 is then the answer itself, not a skip of it. For whether such a pair has a record at all
+// depends on its larger boxes in the tree, and so on history.
+//
+// With retest_all, pairs without curves take steps 2 and 6 alone, cold.
 #include "../arith/gjk_root.h"
 #include "../arith/gjk_unit.h"
 #include "../shape/gjk_shape_class.h"
@@ -7,17 +26,24 @@
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 
-// How far pieces of the plane distance are off: the unit vector by sqrt(3) 2^-30 of at most sqrt(3) 2^30, and the floor.
+// A distance along a unit vector errs by less than this:
+//
+// the vector   sqrt(3) 2^-30 of at most sqrt(3) 2^30 LSB: 3
+// the floor    1
 #define PLANE_SLACK 4
 
-// How far the distance along a feature's rounded direction is off: each component by less than 1 of at least 2^29 unless
-// it is exact, so the unit vectors by less than 2 sqrt(3) 2^-29 of at most 3 2^29, which is 10.4; and PLANE_SLACK.
+// A distance along a feature's rounded direction errs by less than this:
+//
+// the direction   it is exact, or its components err by less than 1, the largest of at least 2^29. So the unit vectors
+//                 differ by less than 2 sqrt(3) 2^-29, of at most 3 2^29 LSB: 10.4
+// the rest        PLANE_SLACK
 #define NEAR_SLACK 16
 
 typedef struct pair_question {
   const gjk_scene_view *v;
   const gjk_scene_part *a, *b;
   int32_t margin;  // of both bodies together: below 2^29
+  bool curved;     // has one of the parts a curved or custom shape?
 } pair_question;
 
 static uint8_t detail(const pair_question *q) {
@@ -28,30 +54,23 @@ static const gjk_shape *shape_of(const pair_question *q, const gjk_scene_part *p
   return q->v->scene->shapes[p->shape];
 }
 
-// Has one of them no vertices? A query may then end at the ceiling on iterations, or decide within 2 LSB, so that nothing but
-// asking tells what it answers: poses alone count, and nothing that was found before.
-static bool is_curved(const pair_question *q) {
-  return gjk_is_curved(shape_of(q, q->a)) || gjk_is_curved(shape_of(q, q->b));
-}
-
 static void set_near(gjk_scene_pair *pair, bool near) {
   pair->state = (uint8_t)(pair->state | (near ? GJK_SCENE_PAIR_NEAR_NOW : 0u));
 }
 
-// What a proven lower bound of the distance leaves beyond the margins, as gap keeps it: 0 when the bound settles nothing.
-static int32_t spare(const pair_question *q, int64_t bound) {
+// By how much a proven lower bound of the distance exceeds the margins, for gap; 0: it does not.
+static int32_t beyond_margins(const pair_question *q, int64_t bound) {
   const int64_t left = bound - q->margin;
   return left > 0 ? gjk_saturate(left) : 0;
 }
 
-// Does what was proven at the last test, apart or near, exceed the motion since? Then that much less remains. A distance
-// that is asked for has to be found anew.
+// Step 1. A distance that is asked for has to be found anew.
 static bool outlasts_motion(const pair_question *q, gjk_scene_pair *pair) {
   const uint32_t a = q->a->motion, b = q->b->motion;
   const uint32_t motion = a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
   const bool near = (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
   const int32_t gap = pair->gap;
-  if (motion >= (uint32_t)gap || (near && gjk_scene_measures(detail(q))) || is_curved(q)) {
+  if (motion >= (uint32_t)gap || (near && gjk_scene_wants_distance(detail(q))) || q->curved) {
     return false;
   }
   //@ assert gap >= 0 && motion <= INT32_MAX;
@@ -60,7 +79,8 @@ static bool outlasts_motion(const pair_question *q, gjk_scene_pair *pair) {
   return true;
 }
 
-static bool settle_far(gjk_scene_pair *pair, int32_t gap, gjk_scene_outcome outcome) {
+// Settles a pair as apart when gap proves it. Returns whether it does.
+static bool settle_apart(gjk_scene_pair *pair, int32_t gap, gjk_scene_outcome outcome) {
   if (gap > 0) {
     pair->gap = gap;
     pair->outcome = (uint8_t)outcome;
@@ -68,13 +88,13 @@ static bool settle_far(gjk_scene_pair *pair, int32_t gap, gjk_scene_outcome outc
   return gap > 0;
 }
 
-// v along d, in the units of v, rounded down: less than PLANE_SLACK off for |v| <= 2^31.
+// The length of v along d, rounded down: less than PLANE_SLACK off for |v| <= 2^30 + 2^4 per axis.
 static int64_t along_unit(const gjk_vec3 *d, const gjk_vec3 *v) {
   const gjk_unit3 u = gjk_unit(d);
   return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(u.x, v->x), u.y, v->y), u.z, v->z), 30);
 }
 
-// From the centre of A to that of B; false when they are 2^29 or more apart along an axis.
+// Writes the vector from the centre of A to that of B. False: they are 2^29 or more apart along an axis.
 static bool between_centres(const gjk_collider *a, const gjk_collider *b, gjk_vec3 *out) {
   const int64_t x = (int64_t)b->centre.x - a->centre.x, y = (int64_t)b->centre.y - a->centre.y;
   const int64_t z = (int64_t)b->centre.z - a->centre.z;
@@ -90,15 +110,16 @@ static bool between_centres(const gjk_collider *a, const gjk_collider *b, gjk_ve
   return true;
 }
 
-// What lies from a point of A to one of B along d, for centres that far apart and offsets from them: these are below
-// 2^28 + 2^3, so the sums are at most 2^30 + 2^4.
+// The length along d from a point of A to one of B, which are given as offsets from their centres.
+//
+// |centres| < 2^29, |on_a| < 2^28 + 2^3, |on_b| < 2^28 + 2^3 per axis:  |apart| < 2^30 + 2^4
 static int64_t along(const gjk_vec3 *d, const gjk_vec3 *centres, const gjk_vec3 *on_a, const gjk_vec3 *on_b) {
   const gjk_vec3 apart = {centres->x + on_b->x - on_a->x, centres->y + on_b->y - on_a->y,
                           centres->z + on_b->z - on_a->z};
   return along_unit(d, &apart);
 }
 
-// A lower bound of the distance: that of the planes across direction, from A to B, which both shapes lie behind.
+// A lower bound of the distance: how far the support planes of A and B across direction, from A to B, are apart; or 0.
 static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const int16_t direction[3]) {
   const gjk_vec3 d = {direction[0], direction[1], direction[2]}, opposite = gjk_negate(d);
   gjk_vec3 centres;
@@ -113,8 +134,10 @@ static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const i
 }
 
 // A lower bound of the distance from the bounding spheres, where it exceeds the margins; otherwise 0.
-// Pre: the boxes do not tell. Radii are at most 2^28 + 4, with their roundings, and margins less than 2^29, so the reach is
-// below 2^31, and so is each component from centre to centre.
+//
+// Pre  the boxes are not farther apart than the margins.
+//      core_radius + convex_radius <= 2^28 + 4 each, margin < 2^29:   reach < 2^30 + 2^4
+//      boxes hold the spheres' centres, not farther apart than that:  x, y, z < 2^31
 static int64_t sphere_bound(const pair_question *q) {
   const uint32_t x = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.x - q->b->centre.x);
   const uint32_t y = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.y - q->b->centre.y);
@@ -126,11 +149,11 @@ static int64_t sphere_bound(const pair_question *q) {
   return squared > gjk_umul32(reach, reach) ? (int64_t)gjk_isqrt64(squared) - radii : 0;
 }
 
-// A pair keeps vertices whose numbers fit a byte; others are found anew.
+// A pair keeps vertices whose numbers fit a byte. A query finds others anew.
 static void load_cache(const gjk_scene_pair *pair, gjk_cache *cache) {
   cache->count = (uint16_t)(pair->state >> GJK_SCENE_PAIR_CACHED);
   for (int i = 0; i < 3; i++) {
-    cache->direction[i] = pair->direction[i];
+    cache->direction[i] = pair->hint.direction[i];
   }
   for (int i = 0; i < 4; i++) {
     cache->a[i] = pair->a[i];
@@ -148,14 +171,14 @@ static void store_cache(const gjk_cache *cache, gjk_scene_pair *pair) {
     }
   }
   for (int i = 0; i < 3; i++) {
-    pair->direction[i] = cache->direction[i];
+    pair->hint.direction[i] = cache->direction[i];
   }
   const unsigned flags = pair->state & ((1u << GJK_SCENE_PAIR_CACHED) - 1);
   pair->state = (uint8_t)(flags | count << GJK_SCENE_PAIR_CACHED);
 }
 
-// The distance of a pair that is near, or minus its depth where that is asked; a bound of it where a query reaches its
-// ceiling or the workspace is too small.
+// The distance of a near pair, or minus its depth for GJK_DETAIL_DEPTH. Where a query reaches its ceiling or the
+// workspace is too small: a proven bound.
 static int32_t measure_pair(const pair_question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                             gjk_scene_pair *pair) {
   const gjk_scene *scene = q->v->scene;
@@ -165,7 +188,7 @@ static int32_t measure_pair(const pair_question *q, const gjk_collider *a, const
   result.lower = 0;
   if (detail(q) == GJK_DETAIL_DEPTH) {
     gjk_scene_workspace(scene, &workspace);
-    status = scene->details->signed_distance(a, b, cache, &workspace, &result);
+    status = scene->bindings.details->signed_distance(a, b, cache, &workspace, &result);
   } else {
     status = gjk_distance(a, b, cache, &result);
   }
@@ -175,13 +198,15 @@ static int32_t measure_pair(const pair_question *q, const gjk_collider *a, const
   return status == GJK_ERROR_ITERATION_LIMIT ? result.lower : result.distance;
 }
 
-// By how much nearer than the margins a decision proves the pair, as gap keeps it. The cores' distance is 0, or that of the
-// feature, which is across the direction.
-static int32_t near_spare(const pair_question *q, const gjk_collider *a, const gjk_collider *b,
-                          const gjk_decision *decision) {
+// By how much a decision proves the pair nearer than its margins, for gap; 0: it does not.
+//
+// The distance of the cores is 0 for GJK_PROOF_ENCLOSING. For GJK_PROOF_NEAR it is that of the decision's feature,
+// which the direction is perpendicular to, so any two of its vertices tell it.
+static int32_t within_margins(const pair_question *q, const gjk_collider *a, const gjk_collider *b,
+                              const gjk_decision *decision) {
   const gjk_certificate *c = &decision->certificate;
-  const int64_t within =
-      (int64_t)q->margin + a->shape->convex_radius + b->shape->convex_radius - NEAR_SLACK;  // below 2^31
+  // margin < 2^29, convex_radius <= 2^28 each:  |within| < 2^31
+  const int64_t within = (int64_t)q->margin + a->shape->convex_radius + b->shape->convex_radius - NEAR_SLACK;
   gjk_vec3 centres, on_a, on_b;
   if (within <= 0 || c->proof == GJK_PROOF_ENCLOSING) {
     return within <= 0 ? 0 : gjk_saturate(within);
@@ -189,93 +214,99 @@ static int32_t near_spare(const pair_question *q, const gjk_collider *a, const g
   if (c->proof != GJK_PROOF_NEAR || !between_centres(a, b, &centres)) {
     return 0;
   }
-  a->shape->type->vertex(a, c->a[0], &on_a);  // named by the query, so they are there
+  a->shape->type->vertex(a, c->a[0], &on_a);  // the query named these vertices, so they exist
   b->shape->type->vertex(b, c->b[0], &on_b);
   const int64_t left = within - (int64_t)gjk_magnitude64(along(&c->direction, &centres, &on_a, &on_b));
   return left > 0 ? gjk_saturate(left) : 0;
 }
 
-// Is the pair near? Sets gap.
-static bool ask(const pair_question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
-                gjk_scene_pair *pair) {
+// Asks the queries whether the pair is near, and sets gap.
+static bool query_near(const pair_question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                       gjk_scene_pair *pair) {
   gjk_decision decision;
   const gjk_status status = gjk_within(a, b, q->margin, cache, &decision);
   if (status != GJK_OK) {
     pair->outcome |= GJK_SCENE_UNSETTLED;
   } else if (!decision.yes) {
-    pair->gap = cache != NULL ? spare(q, plane_bound(a, b, cache->direction)) : 0;
+    pair->gap = cache != NULL ? beyond_margins(q, plane_bound(a, b, cache->direction)) : 0;
     return false;
   }
-  if (gjk_scene_measures(detail(q))) {
+  if (gjk_scene_wants_distance(detail(q))) {
     pair->gap = measure_pair(q, a, b, cache, pair);
   } else {
-    pair->gap = status == GJK_OK ? near_spare(q, a, b, &decision) : 0;
+    pair->gap = status == GJK_OK ? within_margins(q, a, b, &decision) : 0;
   }
   return true;
 }
 
-static void query(const pair_question *q, bool cold, gjk_scene_pair *pair) {
+// Steps 5 and 6; cold: step 6 alone, without the cache.
+static void query_pair(const pair_question *q, bool cold, gjk_scene_pair *pair) {
   gjk_collider a, b;
   gjk_cache cache;
   gjk_scene_part_collider(q->v, q->a, &a);
   gjk_scene_part_collider(q->v, q->b, &b);
   if (cold) {
     pair->outcome = GJK_SCENE_COLD;
-    set_near(pair, ask(q, &a, &b, NULL, pair));
+    set_near(pair, query_near(q, &a, &b, NULL, pair));
     return;
   }
-  // What was near last time had no such direction.
+  // The last query of a near pair left no separating direction.
   if ((pair->state & GJK_SCENE_PAIR_NEAR) == 0 &&
-      settle_far(pair, spare(q, plane_bound(&a, &b, pair->direction)), GJK_SCENE_DIRECTION)) {
+      settle_apart(pair, beyond_margins(q, plane_bound(&a, &b, pair->hint.direction)), GJK_SCENE_DIRECTION)) {
     return;
   }
   load_cache(pair, &cache);
   pair->outcome = cache.count != 0 || (cache.direction[0] | cache.direction[1] | cache.direction[2]) != 0
                       ? GJK_SCENE_WARM
                       : GJK_SCENE_COLD;
-  const bool near = ask(q, &a, &b, &cache, pair);
+  const bool near = query_near(q, &a, &b, &cache, pair);
   store_cache(&cache, pair);
   set_near(pair, near);
 }
 
-static bool refused(const pair_question *q) {
-  const gjk_scene *scene = q->v->scene;
+// Step 2.
+static bool is_refused(const pair_question *q) {
+  const gjk_scene_bindings *bindings = &q->v->scene->bindings;
   const gjk_body_id a = gjk_scene_id_of(q->v, q->a->body), b = gjk_scene_id_of(q->v, q->b->body);
-  return !gjk_scene_wanted(q->v, q->a, q->b) ||
-         (scene->predicate != NULL &&
-          !scene->predicate(scene->user, a, q->v->bodies[a.slot].user, b, q->v->bodies[b.slot].user));
+  return !gjk_scene_may_pair(q->v, q->a, q->b) ||
+         (bindings->predicate != NULL &&
+          !bindings->predicate(bindings->user, a, q->v->bodies[a.slot].user, b, q->v->bodies[b.slot].user));
 }
 
-static bool boxes_tell(const pair_question *q, gjk_scene_pair *pair) {
-  return settle_far(pair, spare(q, gjk_aabb_gap(&q->a->exact, &q->b->exact)), GJK_SCENE_BOXES);
+// Step 3.
+static bool boxes_apart(const pair_question *q, gjk_scene_pair *pair) {
+  return settle_apart(pair, beyond_margins(q, gjk_aabb_gap(&q->a->exact, &q->b->exact)), GJK_SCENE_BOXES);
 }
 
-// Unless the pair was near, do the bounding spheres tell?
-static bool spheres_tell(const pair_question *q, gjk_scene_pair *pair) {
-  return (pair->state & GJK_SCENE_PAIR_NEAR) == 0 && settle_far(pair, spare(q, sphere_bound(q)), GJK_SCENE_BOXES);
+// Step 4. Spheres of a pair that was near seldom part before its boxes do, so they are not looked at.
+static bool spheres_apart(const pair_question *q, gjk_scene_pair *pair) {
+  return (pair->state & GJK_SCENE_PAIR_NEAR) == 0 &&
+         settle_apart(pair, beyond_margins(q, sphere_bound(q)), GJK_SCENE_BOXES);
 }
 
-// What a skip answers, a query from a cold start would answer, too. Without curves both are exact. With curves, boxes that
-// are apart are the answer, not a skip of it: whether there is a record to ask depends on larger boxes, and so on history.
 void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair) {
   if (pair->outcome != GJK_SCENE_PENDING) {
     return;
   }
-  const gjk_scene_part *part_a = &v->parts[pair->part[0]], *part_b = &v->parts[pair->part[1]];
-  pair_question q = {v, part_a, part_b, 0};
+  const gjk_scene_part *part_a = &v->parts[pair->ends.linked.part[0]], *part_b = &v->parts[pair->ends.linked.part[1]];
+  pair_question q = {v, part_a, part_b, 0, false};
   const bool skips = v->header->config.retest_all == 0;
+  q.curved = gjk_is_curved(shape_of(&q, part_a)) || gjk_is_curved(shape_of(&q, part_b));
   if (skips && outlasts_motion(&q, pair)) {
     pair->outcome = GJK_SCENE_MOTION;
     return;
   }
   q.margin = v->bodies[part_a->body].margin + v->bodies[part_b->body].margin;
-  if (refused(&q)) {
+  if (is_refused(&q)) {
     pair->gap = 0;
     pair->outcome = GJK_SCENE_FILTERED;
-  } else if (!((skips || is_curved(&q)) && boxes_tell(&q, pair))) {
-    const bool cold = !skips || is_curved(&q);
-    if (cold || !spheres_tell(&q, pair)) {
-      query(&q, cold, pair);
-    }
+    return;
+  }
+  if ((skips || q.curved) && boxes_apart(&q, pair)) {
+    return;
+  }
+  const bool cold = !skips || q.curved;
+  if (cold || !spheres_apart(&q, pair)) {
+    query_pair(&q, cold, pair);
   }
 }

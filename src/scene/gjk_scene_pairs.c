@@ -1,16 +1,18 @@
 // The pairs of a scene: made, matched to the boxes, dropped.
+//
+// Each part has a list of its pairs, and each pair is in the lists of its two parts. See gjk_scene_linked_pair.
 #include "gjk_scene_pairs.h"
 
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
 
-// A link: the pair's index times two, plus the side whose part the list belongs to.
 static uint32_t *next_of(gjk_scene_view *v, uint32_t link) {
-  return &v->pairs[link / 2].next[link % 2];
+  return &v->pairs[link / 2].ends.linked.next[link % 2];
 }
 
+// Puts one side of a pair at the front of its part's list.
 static void link_side(gjk_scene_view *v, uint32_t link) {
-  gjk_scene_pair *pair = &v->pairs[link / 2];
+  gjk_scene_linked_pair *pair = &v->pairs[link / 2].ends.linked;
   const uint32_t at = pair->part[link % 2];
   //@ assert at < v->header->parts.capacity;
   gjk_scene_part *part = &v->parts[at];
@@ -18,13 +20,13 @@ static void link_side(gjk_scene_view *v, uint32_t link) {
   pair->next[link % 2] = next;
   pair->previous[link % 2] = GJK_SCENE_NONE;
   if (next != GJK_SCENE_NONE) {
-    v->pairs[next / 2].previous[next % 2] = link;
+    v->pairs[next / 2].ends.linked.previous[next % 2] = link;
   }
   part->pairs = link;
 }
 
 static void unlink_side(gjk_scene_view *v, uint32_t link) {
-  const gjk_scene_pair *pair = &v->pairs[link / 2];
+  const gjk_scene_linked_pair *pair = &v->pairs[link / 2].ends.linked;
   const uint32_t next = pair->next[link % 2], previous = pair->previous[link % 2], part = pair->part[link % 2];
   //@ assert next == GJK_SCENE_NONE || next < 2 * v->header->pairs.capacity;
   //@ assert previous == GJK_SCENE_NONE || previous < 2 * v->header->pairs.capacity;
@@ -35,7 +37,7 @@ static void unlink_side(gjk_scene_view *v, uint32_t link) {
     *next_of(v, previous) = next;
   }
   if (next != GJK_SCENE_NONE) {
-    v->pairs[next / 2].previous[next % 2] = previous;
+    v->pairs[next / 2].ends.linked.previous[next % 2] = previous;
   }
 }
 
@@ -45,23 +47,24 @@ static void unlink(gjk_scene_view *v, uint32_t index) {
 }
 
 bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  const uint32_t at_a = pair->part[0], at_b = pair->part[1];
+  const uint32_t at_a = pair->ends.linked.part[0], at_b = pair->ends.linked.part[1];
   //@ assert at_a < v->header->parts.capacity && at_b < v->header->parts.capacity;
   const gjk_scene_part *a = &v->parts[at_a], *b = &v->parts[at_b];
   return (pair->state & GJK_SCENE_PAIR_NEAR) != 0 ||
-         (gjk_aabb_meet(&a->enlarged, &b->enlarged) && gjk_scene_wanted(v, a, b));
+         (gjk_aabb_meet(&a->enlarged, &b->enlarged) && gjk_scene_may_pair(v, a, b));
 }
 
-static void make(gjk_scene_view *v, uint32_t a, uint32_t b) {
-  const uint32_t index = gjk_scene_take(v, &v->header->pairs, sizeof(gjk_scene_pair));
+// Makes a pair of two parts of different bodies, about which nothing is known. Pre: there is room for it.
+static void make_pair(gjk_scene_view *v, uint32_t a, uint32_t b) {
+  const uint32_t index = gjk_scene_pool_take(v, &v->header->pairs, sizeof(gjk_scene_pair));
   gjk_scene_pair *pair = &v->pairs[index];
   const unsigned side = v->parts[a].body > v->parts[b].body ? 1 : 0;
-  pair->part[side] = a;
-  pair->part[1 - side] = b;
+  pair->ends.linked.part[side] = a;
+  pair->ends.linked.part[1 - side] = b;
   pair->gap = 0;
-  pair->direction[0] = 0;
-  pair->direction[1] = 0;
-  pair->direction[2] = 0;
+  pair->hint.direction[0] = 0;
+  pair->hint.direction[1] = 0;
+  pair->hint.direction[2] = 0;
   pair->state = GJK_SCENE_PAIR_LIVE;
   pair->outcome = GJK_SCENE_PENDING;
   link_side(v, 2 * index);
@@ -71,29 +74,29 @@ static void make(gjk_scene_view *v, uint32_t a, uint32_t b) {
 void gjk_scene_pair_drop(gjk_scene_view *v, uint32_t index) {
   unlink(v, index);
   v->pairs[index].state = 0;
-  gjk_scene_give(v, &v->header->pairs, sizeof(gjk_scene_pair), index);
+  gjk_scene_pool_give(v, &v->header->pairs, sizeof(gjk_scene_pair), index);
 }
 
-// Replaces what a near pair says of its parts by what remains to be reported.
+// Makes a linked pair that is near one that is gone. Each part index is read before the slot that overwrites it is
+// written.
 static void make_gone(gjk_scene_view *v, uint32_t index) {
   gjk_scene_pair *pair = &v->pairs[index];
   unlink(v, index);
   for (int i = 0; i < 2; i++) {
-    const uint32_t at = pair->part[i];
+    const uint32_t at = pair->ends.linked.part[i];
     //@ assert at < v->header->parts.capacity;
     const gjk_scene_part *part = &v->parts[at];
-    const uint32_t number = part->number;
-    pair->direction[i] = (int16_t)gjk_int32(number >= 32768u ? number - UINT32_C(65536) : number);
-    pair->part[i] = part->body;
-    pair->next[i] = v->bodies[part->body].generation;
+    pair->hint.gone_part[i] = part->number;
+    pair->ends.gone.slot[i] = part->body;
+    pair->ends.gone.generation[i] = v->bodies[part->body].generation;
   }
   pair->state = GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_GONE;
-  pair->previous[0] = v->header->gone;
+  pair->ends.gone.next = v->header->gone;
   v->header->gone = index;
 }
 
 void gjk_scene_pairs_forget(gjk_scene_view *v, uint32_t part) {
-  // Ends: each round takes one pair out of the list.
+  // Ends: each turn takes one pair out of the list.
   for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = v->parts[part].pairs) {
     const uint32_t index = link / 2;
     if ((v->pairs[index].state & GJK_SCENE_PAIR_NEAR) != 0) {
@@ -104,6 +107,7 @@ void gjk_scene_pairs_forget(gjk_scene_view *v, uint32_t part) {
   }
 }
 
+// Drops the pairs of a part that need not be there.
 static void drop_stale(gjk_scene_view *v, uint32_t part) {
   uint32_t next;
   for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = next) {
@@ -114,16 +118,18 @@ static void drop_stale(gjk_scene_view *v, uint32_t part) {
   }
 }
 
+// Marks the parts that a part has pairs with, or removes the marks.
 static void mark_partners(gjk_scene_view *v, uint32_t part, bool set) {
   for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = *next_of(v, link)) {
-    const uint32_t at = v->pairs[link / 2].part[1 - link % 2];
+    const uint32_t at = v->pairs[link / 2].ends.linked.part[1 - link % 2];
     //@ assert at < v->header->parts.capacity;
     gjk_scene_part *partner = &v->parts[at];
     partner->state = (uint8_t)(set ? partner->state | GJK_SCENE_MARK : partner->state & ~GJK_SCENE_MARK);
   }
 }
 
-static gjk_status make_missing(gjk_scene_view *v, uint32_t part) {
+// Makes the pairs of a part that must be there and are not. CAPACITY: some of them do not fit.
+static gjk_status make_pairs_of(gjk_scene_view *v, uint32_t part) {
   const gjk_scene_part *p = &v->parts[part];
   gjk_scene_header *h = v->header;
   gjk_scene_walk walk;
@@ -131,15 +137,15 @@ static gjk_status make_missing(gjk_scene_view *v, uint32_t part) {
   mark_partners(v, part, true);
   gjk_scene_walk_start(v, &walk);
   uint32_t other = gjk_scene_walk_meeting(v, &walk, &p->enlarged);
-  while (other != GJK_SCENE_NONE && status == GJK_OK) {  // ends: as the walk
+  while (other != GJK_SCENE_NONE && status == GJK_OK) {  // ends: the walk takes each node once
     const gjk_scene_part *q = &v->parts[other];
     const bool partner = q->body == p->body || (q->state & GJK_SCENE_MARK) != 0;
-    if (!partner && !gjk_scene_wanted(v, p, q)) {
+    if (!partner && !gjk_scene_may_pair(v, p, q)) {
       h->refused++;
     } else if (!partner && h->pairs.count == h->pairs.capacity) {
       status = GJK_ERROR_CAPACITY;
     } else if (!partner) {
-      make(v, part, other);
+      make_pair(v, part, other);
     }
     other = gjk_scene_walk_meeting(v, &walk, &p->enlarged);
   }
@@ -147,11 +153,12 @@ static gjk_status make_missing(gjk_scene_view *v, uint32_t part) {
   return status;
 }
 
-static gjk_status make_all_missing(gjk_scene_view *v) {
+// Makes the pairs that must be there and are not. Only parts with stale pairs can lack one.
+static gjk_status make_missing_pairs(gjk_scene_view *v) {
   for (uint32_t slot = v->header->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
     for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
       if ((v->parts[i].state & GJK_SCENE_PAIRS_STALE) != 0) {
-        const gjk_status status = make_missing(v, i);
+        const gjk_status status = make_pairs_of(v, i);
         if (status != GJK_OK) {
           return status;
         }
@@ -162,8 +169,8 @@ static gjk_status make_all_missing(gjk_scene_view *v) {
   return GJK_OK;
 }
 
-// Takes all boxes back to what they must hold, and drops the pairs that met in the rest alone.
-static void tighten(gjk_scene_view *v) {
+// Shrinks all boxes to what they must hold, and drops the pairs that need not be there then.
+static void shrink_all_boxes(gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
   for (uint32_t i = 0; i < h->parts.fresh; i++) {
     if ((v->parts[i].state & GJK_SCENE_LIVE) != 0) {
@@ -179,8 +186,8 @@ static void tighten(gjk_scene_view *v) {
   }
 }
 
-// How much larger the boxes in the tree are depends on how bodies came to where they are. Whether there is room must not:
-// where it lacks, the boxes as they are at these poses decide.
+// Boxes in the tree are larger than needed, by an amount that depends on how bodies came to where they are. Whether
+// there is room must not depend on that. So where pairs do not fit, the least boxes at these poses decide.
 gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
   gjk_scene_header *h = v->header;
   h->refused = 0;
@@ -191,9 +198,9 @@ gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
       }
     }
   }
-  if (make_all_missing(v) == GJK_OK) {
+  if (make_missing_pairs(v) == GJK_OK) {
     return GJK_OK;
   }
-  tighten(v);
-  return make_all_missing(v);
+  shrink_all_boxes(v);
+  return make_missing_pairs(v);
 }

@@ -1,33 +1,36 @@
-// The pairs of a scene: made, matched to the boxes, dropped; and tested.
+// The pairs of a scene: made, matched to the boxes, dropped, and tested.
 #ifndef GJK_SRC_SCENE_PAIRS_H
 #define GJK_SRC_SCENE_PAIRS_H
 
 #include "gjk_scene_block.h"
 
-// Do kinds and filters of the bodies of two parts let them be a pair?
-static inline bool gjk_scene_wanted(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b) {
+// Do kind, category and mask of their bodies let two parts be a pair?
+static inline bool gjk_scene_may_pair(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b) {
   const gjk_scene_body *body_a = &v->bodies[a->body], *body_b = &v->bodies[b->body];
   const bool both_static =
       (body_a->kind_detail & 15u) == GJK_BODY_STATIC && (body_b->kind_detail & 15u) == GJK_BODY_STATIC;
   return !both_static && (body_a->category & body_b->mask) != 0 && (body_b->category & body_a->mask) != 0;
 }
 
-// Must there be a record of this pair, near or not? Pre: not gone.
+// Must this pair be there? It must if it was near at the last update. It must if it may be a pair and its enlarged
+// boxes meet. Pre: it is not gone.
 bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair);
 
+// Removes a pair that is not gone.
 void gjk_scene_pair_drop(gjk_scene_view *v, uint32_t index);
 
-// Drops the pairs of a part that is about to go; those that were near become gone, until their end is reported.
+// Drops the pairs of a part that is about to be removed. Those that were near become gone, until their end is reported.
 void gjk_scene_pairs_forget(gjk_scene_view *v, uint32_t part);
 
-// Makes the pairs those whose enlarged boxes meet, and those that were near. CAPACITY: there is no room even for those that
-// meet without box_margin and look-ahead; then some are still to be made, and the next call goes on.
+// Step 2 of an update: makes and drops pairs, so that exactly those that must be there are. CAPACITY: they do not fit
+// even with the least boxes. Some are then still to be made, and the next call goes on.
 gjk_status gjk_scene_pairs_match(gjk_scene_view *v);
 
-// Tests a pair that is queued, unless that was done: sets NEAR_NOW, gap and outcome. Writes to its record alone.
+// Step 4 of an update: tests a pair that is queued, unless it is tested. Sets NEAR_NOW, gap and outcome. Writes only to
+// the pair's record, so threads may test different pairs at the same time.
 void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair);
 
-// What is asked of a pair: a gjk_detail.
+// The detail of a pair: the largest of the configuration's and its two bodies'.
 static inline uint8_t gjk_scene_detail(const gjk_scene_view *v, const gjk_scene_body *a, const gjk_scene_body *b) {
   const uint8_t least = v->header->config.detail;
   const uint8_t first = a->kind_detail >> 4, second = b->kind_detail >> 4;
@@ -35,8 +38,8 @@ static inline uint8_t gjk_scene_detail(const gjk_scene_view *v, const gjk_scene_
   return more > least ? more : least;
 }
 
-// Is gap the distance of a pair that is near, or minus its depth?
-static inline bool gjk_scene_measures(uint8_t detail) {
+// Does a near pair of this detail have its distance, or minus its depth, in gap?
+static inline bool gjk_scene_wants_distance(uint8_t detail) {
   return detail == GJK_DETAIL_DISTANCE || detail == GJK_DETAIL_DEPTH;
 }
 

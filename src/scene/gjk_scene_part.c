@@ -1,11 +1,13 @@
-// One shape of a body: as a collider, and its boxes.
+// One shape of a body: as a collider, its boxes, and how far it moved.
 #include "gjk_scene_part.h"
 
 #include "../shape/gjk_shape_class.h"
 #include "gjk/pose.h"
 
-// Posing moves vertices by roundings, before and after: offsets by less than 3 (collider.c), so by less than 6 against each
-// other; and the rotation of a placed part is rounded, by less than 2^-29, which is less than 1 for both poses.
+// By how much rounding may move a point of a posed part between two poses, LSB:
+//
+// offsets from the centre  less than 3 at each of the two (gjk_collider.c)        < 6
+// a composed rotation      less than 2^-29 of at most 2^28 LSB at each of the two  < 1
 #define POSE_ROUNDING 8
 
 void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out) {
@@ -28,16 +30,16 @@ void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part
   out->bits = (uint8_t)(32 - gjk_clz32((uint32_t)part->core_radius));
 }
 
-gjk_status gjk_scene_part_pose(gjk_collider *c, const gjk_pose *body, const gjk_pose *placed) {
+gjk_status gjk_scene_part_pose(gjk_collider *c, const gjk_pose *body, const gjk_pose *own_pose) {
   gjk_pose pose;
-  if (placed == NULL) {
+  if (own_pose == NULL) {
     return gjk_collider_pose(c, body);
   }
-  const gjk_status status = gjk_pose_compose(body, placed, &pose);
+  const gjk_status status = gjk_pose_compose(body, own_pose, &pose);
   return status == GJK_OK ? gjk_collider_pose(c, &pose) : status;
 }
 
-gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const gjk_pose *body, const gjk_pose *placed,
+gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const gjk_pose *body, const gjk_pose *own_pose,
                                 gjk_collider *out) {
   if (shape >= v->scene->shape_count) {
     return GJK_ERROR_RANGE;
@@ -47,11 +49,13 @@ gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const g
   out->frame[1] = out->frame[0];
   out->frame[2] = out->frame[0];
   const gjk_status status = gjk_collider_init(out, v->scene->shapes[shape], NULL, 0);
-  return status == GJK_OK ? gjk_scene_part_pose(out, body, placed) : status;
+  return status == GJK_OK ? gjk_scene_part_pose(out, body, own_pose) : status;
 }
 
-// At least the length of a vector whose components have this sum and maximum: with the others b, ... at most the maximum a,
-// (a + b/2 + ...)^2 >= a^2 + a b + ... >= a^2 + b^2 + ... At most a fifth too long in three dimensions. Pre: sum < 2^32.
+// An upper bound of the length of a vector, from the sum of its components and the largest one, a.
+//
+// With the other components b, c <= a:  (a + b/2 + c/2)^2 >= a^2 + a b + a c >= a^2 + b^2 + c^2
+// In three dimensions the bound is at most a fifth too long. Pre: sum < 2^32.
 static uint32_t length_bound(uint32_t sum, uint32_t largest) {
   return sum / 2 + largest / 2 + 1;
 }
@@ -65,9 +69,10 @@ static uint32_t difference(int32_t a, int32_t b) {
   return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
 }
 
-// Unit quaternions d apart turn points by at most 2 d times their distance: with t = angle / 4, d = 2 sin t, and a point
-// moves by 2 sin 2t = 4 sin t cos t. q and -q are the same rotation. Lengths within 2^-17 of 1 change d by less than
-// 2^-16 of itself.
+// If unit quaternions are d apart, the rotation between them moves a point by at most 2 d times its distance from the
+// axis: with t = angle / 4, d = 2 sin t, and the point moves by 2 sin 2t = 4 sin t cos t. q and -q are the same
+// rotation, so the nearer one counts. Quaternions of lengths within 2^-17 of 1 change d by less than 2^-16 of itself,
+// which d + d / 2^15 + 1 covers.
 uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b) {
   //@ assert a->x >= -0x40002000L && a->y >= -0x40002000L && a->z >= -0x40002000L && a->w >= -0x40002000L;
   //@ assert a->x <= 0x40002000L && a->y <= 0x40002000L && a->z <= 0x40002000L && a->w <= 0x40002000L;
@@ -75,18 +80,18 @@ uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b) {
   //@ assert b->x <= 0x40002000L && b->y <= 0x40002000L && b->z <= 0x40002000L && b->w <= 0x40002000L;
   const int64_t dot = gjk_mac32(gjk_mac32(gjk_mac32(gjk_mul32(a->x, b->x), a->y, b->y), a->z, b->z), a->w, b->w);
   const int32_t sign = dot < 0 ? -1 : 1;
-  // The length of the difference is at most sqrt(2) 2^30 (1 + 2^-17), so the sum of its components at most 2^31.5.
+  // |a - b| <= sqrt(2) 2^30 (1 + 2^-17):  sum < 2^31.6
   const uint32_t x = difference(a->x, sign * b->x), y = difference(a->y, sign * b->y);
   const uint32_t z = difference(a->z, sign * b->z), w = difference(a->w, sign * b->w);
   const uint32_t sum = x + y + z + w;
   if (sum == 0) {
     return 0;
   }
-  const uint32_t distance = length_bound(sum, larger(larger(x, y), larger(z, w)));  // below 2^31.2
+  const uint32_t distance = length_bound(sum, larger(larger(x, y), larger(z, w)));  // distance < 2^31.2
   return distance < UINT32_C(1) << 30 ? 2 * (distance + (distance >> 15) + 1) : UINT32_MAX;
 }
 
-// How far it is from a to b, or a little more; UNBOUNDED from 2^30 along an axis.
+// An upper bound of the distance from a to b. UNBOUNDED when they are 2^30 or more apart along an axis.
 static uint32_t distance_moved(const gjk_vec3 *a, const gjk_vec3 *b) {
   const uint32_t x = difference(a->x, b->x), y = difference(a->y, b->y), z = difference(a->z, b->z);
   if ((x | y | z) >> 30 != 0) {
@@ -99,26 +104,26 @@ static uint32_t add_motion(uint32_t a, uint32_t b) {
   return a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
 }
 
-// Bounds how far points of the part move when the collider replaces it. The same frame leaves offsets from the centre as
-// they are, bit for bit.
+// Bounds how far any point of the part moves when the collider replaces it. With the same frame all move as the centre
+// does, because offsets from it are the same bit for bit.
 static uint32_t motion_to(const gjk_scene_part *p, const gjk_collider *c, uint32_t turn) {
   uint32_t motion = distance_moved(&p->centre, &c->centre);
   if (!gjk_scene_same_vec3(&p->frame[0], &c->frame[0]) || !gjk_scene_same_vec3(&p->frame[1], &c->frame[1]) ||
       !gjk_scene_same_vec3(&p->frame[2], &c->frame[2])) {
-    // core_radius <= 2^28 + 4 and turn < 2^32: below 2^61.
-    const uint64_t turned = gjk_umul32((uint32_t)c->core_radius, turn) >> 30;
+    const uint64_t turned = gjk_umul32((uint32_t)c->core_radius, turn) >> 30;  // (2^28 + 4) 2^32 >> 30:  < 2^31
     motion = add_motion(motion, (uint32_t)turned + 1 + POSE_ROUNDING);
   }
   return motion;
 }
 
-// Grows one side of a box by margin, and by step more if that is the side it points to.
+// Grows a box along one axis: by margin at both sides, and by step on the side that step points to.
 static void grow_side(gjk_q16 *lower, gjk_q16 *upper, int64_t margin, int64_t step) {
   *lower = gjk_saturate(*lower - margin + (step < 0 ? step : 0));
   *upper = gjk_saturate(*upper + margin + (step > 0 ? step : 0));
 }
 
-// Boxes that are larger by the margins of their bodies meet whenever the parts are near.
+// Sets the box in the tree: the exact one, grown by the margins all round, and by (x, y, z) on the sides it points to.
+// Parts that are near have enlarged boxes that meet, because each is grown by its body's margin.
 static void enlarge(gjk_scene_view *v, gjk_scene_part *p, int64_t x, int64_t y, int64_t z) {
   const int64_t margin = (int64_t)v->header->config.box_margin + v->bodies[p->body].margin;
   p->enlarged = p->exact;
@@ -127,7 +132,7 @@ static void enlarge(gjk_scene_view *v, gjk_scene_part *p, int64_t x, int64_t y, 
   grow_side(&p->enlarged.lower.z, &p->enlarged.upper.z, margin, z);
 }
 
-// What the box in the tree must hold: the exact one, with the body's margin all round.
+// The least box that the tree may have: the exact one, grown by the body's margin all round.
 static gjk_aabb needed_box(const gjk_scene_view *v, const gjk_scene_part *p) {
   gjk_aabb needed = p->exact;
   const int64_t margin = v->bodies[p->body].margin;
@@ -139,12 +144,12 @@ static gjk_aabb needed_box(const gjk_scene_view *v, const gjk_scene_part *p) {
   return needed;
 }
 
-static bool has_room(const gjk_scene_view *v, const gjk_scene_part *p) {
+static bool still_fits(const gjk_scene_view *v, const gjk_scene_part *p) {
   const gjk_aabb needed = needed_box(v, p);
   return gjk_aabb_inside(&needed, &p->enlarged);
 }
 
-static void take_over(gjk_scene_part *p, const gjk_collider *c) {
+static void store_collider(gjk_scene_part *p, const gjk_collider *c) {
   p->centre = c->centre;
   p->frame[0] = c->frame[0];
   p->frame[1] = c->frame[1];
@@ -159,11 +164,11 @@ bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider 
   gjk_scene_part *p = &v->parts[index];
   const gjk_vec3 before = p->centre;
   p->motion = add_motion(p->motion, motion_to(p, collider, turn));
-  take_over(p, collider);
-  if (has_room(v, p)) {
+  store_collider(p, collider);
+  if (still_fits(v, p)) {
     return false;
   }
-  // For four more such steps, at most 2^34.
+  // Four more such steps fit:  |x|, |y|, |z| < 2^34
   const int64_t x = 4 * ((int64_t)p->centre.x - before.x), y = 4 * ((int64_t)p->centre.y - before.y);
   const int64_t z = 4 * ((int64_t)p->centre.z - before.z);
   enlarge(v, p, ahead ? x : 0, ahead ? y : 0, ahead ? z : 0);
@@ -175,7 +180,7 @@ void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider 
   p->motion = GJK_SCENE_UNBOUNDED;
   p->local_centre = collider->local_centre;
   p->core_radius = collider->core_radius;
-  take_over(p, collider);
+  store_collider(p, collider);
   enlarge(v, p, 0, 0, 0);
 }
 

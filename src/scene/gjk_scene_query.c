@@ -1,10 +1,14 @@
 // Queries: boxes, rays, the nearest part.
+//
+// A query of boxes or rays keeps the first hits in order, as many as fit. While there is room, hits are appended. When
+// it is full, hits are made a heap with the last one on top, which every hit that comes before it replaces. In the end
+// they are sorted.
 #include "../arith/gjk_vector.h"
 #include "gjk/distance.h"
 #include "gjk_scene_part.h"
+#include "gjk_scene_sort.h"
 #include "gjk_scene_tree.h"
 
-// Hits in order: a heap with the last on top while there are more than fit, sorted in the end.
 typedef struct collection {
   gjk_scene_hit *hits;
   uint32_t capacity, kept, found;
@@ -19,60 +23,43 @@ static gjk_scene_hit hit_of(const gjk_scene_view *v, const gjk_scene_part *p, ui
   return hit;
 }
 
-// Does a come before b?
-static bool before(const gjk_scene_hit *a, const gjk_scene_hit *b) {
+// Does hit a come before hit b?
+static bool comes_before(const gjk_scene_hit *a, const gjk_scene_hit *b) {
   if (a->fraction != b->fraction) {
     return a->fraction < b->fraction;
   }
   return a->body.slot != b->body.slot ? a->body.slot < b->body.slot : a->part < b->part;
 }
 
-static void sift_hit(gjk_scene_hit *hits, uint32_t at, uint32_t count) {
-  const gjk_scene_hit sinking = hits[at];
-  for (uint32_t child = 2 * at + 1; child < count; child = 2 * at + 1) {  // at most log2 count iterations
-    if (child + 1 < count && before(&hits[child], &hits[child + 1])) {
-      child++;
-    }
-    if (!before(&sinking, &hits[child])) {
-      break;
-    }
-    hits[at] = hits[child];
-    at = child;
-  }
-  hits[at] = sinking;
+static bool hit_before(const void *hits, uint32_t i, uint32_t j) {
+  const gjk_scene_hit *all = (const gjk_scene_hit *)hits;
+  return comes_before(&all[i], &all[j]);
 }
 
-static void make_heap(collection *c) {
-  for (uint32_t i = c->kept / 2; i > 0; i--) {
-    sift_hit(c->hits, i - 1, c->kept);
-  }
+static void exchange_hits(void *hits, uint32_t i, uint32_t j) {
+  gjk_scene_hit *all = (gjk_scene_hit *)hits;
+  const gjk_scene_hit hit = all[i];
+  all[i] = all[j];
+  all[j] = hit;
 }
+
+static const gjk_scene_order order_of_hits = {.before = hit_before, .exchange = exchange_hits};
 
 static void collect(collection *c, const gjk_scene_view *v, uint32_t part, uint32_t fraction) {
   const gjk_scene_part *p = &v->parts[part];
   const gjk_scene_hit hit = hit_of(v, p, fraction);
-  if (c->after != NULL && !before(c->after, &hit)) {
+  if (c->after != NULL && !comes_before(c->after, &hit)) {
     return;
   }
   c->found++;
   if (c->kept < c->capacity) {
     c->hits[c->kept++] = hit;
     if (c->kept == c->capacity) {
-      make_heap(c);
+      gjk_scene_make_heap(&order_of_hits, c->hits, c->kept);
     }
-  } else if (c->capacity > 0 && before(&hit, &c->hits[0])) {
+  } else if (c->capacity > 0 && comes_before(&hit, &c->hits[0])) {
     c->hits[0] = hit;
-    sift_hit(c->hits, 0, c->kept);
-  }
-}
-
-static void sort_hits(collection *c) {
-  make_heap(c);
-  for (uint32_t end = c->kept; end > 1; end--) {
-    const gjk_scene_hit last = c->hits[0];
-    c->hits[0] = c->hits[end - 1];
-    c->hits[end - 1] = last;
-    sift_hit(c->hits, 0, end - 1);
+    gjk_scene_sink(&order_of_hits, c->hits, 0, c->kept);
   }
 }
 
@@ -95,7 +82,7 @@ gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, cons
   }
   collection c = {hits, capacity, 0, 0, after};
   gjk_scene_walk_start(&v, &walk);
-  for (;;) {  // ends: as the walk
+  for (;;) {  // ends: the walk takes each node once
     const uint32_t part = gjk_scene_walk_meeting(&v, &walk, box);
     if (part == GJK_SCENE_NONE) {
       break;
@@ -104,66 +91,71 @@ gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, cons
       collect(&c, &v, part, 0);
     }
   }
-  sort_hits(&c);
+  gjk_scene_sort(&order_of_hits, c.hits, c.kept);
   *count = c.found;
   return GJK_OK;
 }
 
-// A share of the way: over / under, 0 < under <= 2^32, |over| <= 2^32.
-typedef struct share {
+// An exact fraction of a ray's way: over / under.
+//
+// |over| <= 2^32, 0 < under <= 2^32
+typedef struct way_fraction {
   int64_t over, under;
-} share;
+} way_fraction;
 
-static bool less(const share *a, const share *b) {
+static bool is_less(const way_fraction *a, const way_fraction *b) {
   return gjk_sum_of_products_sign(a->over, b->under, -b->over, a->under) < 0;
 }
 
-static void set_share(share *s, int64_t over, int64_t under) {
-  s->over = over;
-  s->under = under;
+static void set_fraction(way_fraction *f, int64_t over, int64_t under) {
+  f->over = over;
+  f->under = under;
 }
 
-// Narrows [enter, leave] to where the way is between the two planes of one axis. False: nowhere.
-static bool clip_axis(gjk_q16 from, gjk_q16 to, gjk_q16 lower, gjk_q16 upper, share *enter, share *leave) {
+// Narrows the part [enter, leave] of the way to what lies between the two planes of a box across one axis. False:
+// nothing is left.
+static bool clip_axis(gjk_q16 from, gjk_q16 to, gjk_q16 lower, gjk_q16 upper, way_fraction *enter,
+                      way_fraction *leave) {
   if (from == to) {
     return lower <= from && from <= upper;
   }
   const bool up = to > from;
   const int64_t length = up ? (int64_t)to - from : (int64_t)from - to;
-  share in, out;
-  set_share(&in, up ? (int64_t)lower - from : (int64_t)from - upper, length);
-  set_share(&out, up ? (int64_t)upper - from : (int64_t)from - lower, length);
-  if (less(enter, &in)) {
-    set_share(enter, in.over, length);
+  way_fraction in, out;
+  set_fraction(&in, up ? (int64_t)lower - from : (int64_t)from - upper, length);
+  set_fraction(&out, up ? (int64_t)upper - from : (int64_t)from - lower, length);
+  if (is_less(enter, &in)) {
+    set_fraction(enter, in.over, length);
   }
-  if (less(&out, leave)) {
-    set_share(leave, out.over, length);
+  if (is_less(&out, leave)) {
+    set_fraction(leave, out.over, length);
   }
-  return !less(leave, enter);
+  return !is_less(leave, enter);
 }
 
-static bool cross_box(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_aabb *box, share *enter) {
-  share leave;
-  set_share(enter, 0, 1);
-  set_share(&leave, 1, 1);
+// Does the segment between two points meet a box? Sets where it enters.
+static bool cross_box(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_aabb *box, way_fraction *enter) {
+  way_fraction leave;
+  set_fraction(enter, 0, 1);
+  set_fraction(&leave, 1, 1);
   return clip_axis(from->x, to->x, box->lower.x, box->upper.x, enter, &leave) &&
          clip_axis(from->y, to->y, box->lower.y, box->upper.y, enter, &leave) &&
          clip_axis(from->z, to->z, box->lower.z, box->upper.z, enter, &leave);
 }
 
 // floor(2^30 over / under), bit by bit. Pre: 0 <= over <= under.
-static uint32_t fraction_of(const share *s) {
-  int64_t rest = s->over;
+static uint32_t in_q30(const way_fraction *f) {
+  int64_t rest = f->over;
   uint32_t fraction = 0;
-  if (rest == s->under) {
+  if (rest == f->under) {
     return (uint32_t)GJK_Q30_ONE;
   }
   for (int i = 0; i < 30; i++) {
     //@ assert rest >= 0 && rest < 1LL << 32;
     rest *= 2;
     fraction *= 2;
-    if (rest >= s->under) {
-      rest -= s->under;
+    if (rest >= f->under) {
+      rest -= f->under;
       fraction++;
     }
   }
@@ -181,39 +173,44 @@ gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, con
   collection c = {hits, capacity, 0, 0, after};
   gjk_scene_walk_start(&v, &walk);
   for (uint32_t node = gjk_scene_walk_next(&walk); node != GJK_SCENE_NONE; node = gjk_scene_walk_next(&walk)) {
-    share enter;
+    way_fraction enter;
     const gjk_aabb *box = (node & GJK_SCENE_LEAF) != 0 ? &v.parts[node & ~GJK_SCENE_LEAF].exact : &v.nodes[node].box;
     if (cross_box(from, to, box, &enter)) {
       if ((node & GJK_SCENE_LEAF) != 0) {
-        collect(&c, &v, node & ~GJK_SCENE_LEAF, fraction_of(&enter));
+        collect(&c, &v, node & ~GJK_SCENE_LEAF, in_q30(&enter));
       } else {
         gjk_scene_walk_descend(&v, &walk, node);
       }
     }
   }
-  sort_hits(&c);
+  gjk_scene_sort(&order_of_hits, c.hits, c.kept);
   *count = c.found;
   return GJK_OK;
 }
 
-// A distance may be reported less than that of the boxes: of two curved shapes by up to 4 LSB, of shapes far apart by up to
-// 2^-27 of itself. A box beyond best + BOX_SLACK + 2^-26 best holds nothing that counts, in whatever order the tree is gone
-// through.
+// By how much a reported distance may be less than the gap of the boxes, besides 2^-26 of it:
+//
+// two curved shapes   4
+// shapes far apart    2^-27 of the distance, which grows by the 2^-26 above
+//
+// So a box beyond best + BOX_SLACK + 2^-26 best holds no part that counts. The answer does not depend on the order in
+// which the tree is searched.
 #define BOX_SLACK 6
 
 typedef struct nearest_search {
   const gjk_collider *collider;
   gjk_aabb box;
-  gjk_q16 best;  // what is farther is of no interest
+  gjk_q16 best;  // the least distance found, or reach; parts farther away do not count
   bool found;
   gjk_scene_hit hit;
 } nearest_search;
 
-static bool beyond(const nearest_search *s, const gjk_aabb *box) {
+// Is all that a box holds too far away to count?
+static bool is_beyond(const nearest_search *s, const gjk_aabb *box) {
   return gjk_aabb_gap(&s->box, box) > (int64_t)s->best + s->best / (INT32_C(1) << 26) + BOX_SLACK;
 }
 
-// Where the query reaches its ceiling, the larger of the bounds that it and the boxes prove.
+// The distance that counts for a part: where the query reaches its ceiling, the larger of two lower bounds.
 static gjk_q16 distance_of(const nearest_search *s, const gjk_collider *c, const gjk_aabb *box) {
   gjk_distance_result result;
   if (gjk_distance(s->collider, c, NULL, &result) == GJK_OK) {
@@ -226,13 +223,13 @@ static gjk_q16 distance_of(const nearest_search *s, const gjk_collider *c, const
 static void try_part(const gjk_scene_view *v, uint32_t part, nearest_search *s) {
   const gjk_scene_part *p = &v->parts[part];
   gjk_collider c;
-  if (beyond(s, &p->exact)) {
+  if (is_beyond(s, &p->exact)) {
     return;
   }
   gjk_scene_part_collider(v, p, &c);
   const gjk_q16 distance = distance_of(s, &c, &p->exact);
   const gjk_scene_hit hit = hit_of(v, p, 0);
-  if (distance < s->best || (distance == s->best && (!s->found || before(&hit, &s->hit)))) {
+  if (distance < s->best || (distance == s->best && (!s->found || comes_before(&hit, &s->hit)))) {
     s->best = distance;
     s->found = true;
     s->hit = hit;
@@ -259,12 +256,12 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
   }
   gjk_scene_walk_start(&v, &walk);
   for (uint32_t node = gjk_scene_walk_next(&walk); node != GJK_SCENE_NONE; node = gjk_scene_walk_next(&walk)) {
-    if (beyond(&s, gjk_scene_node_box(&v, node))) {
+    if (is_beyond(&s, gjk_scene_node_box(&v, node))) {
       continue;
     }
     if ((node & GJK_SCENE_LEAF) == 0) {
       gjk_scene_walk_descend(&v, &walk, node);
-      // The nearer child first.
+      // The nearer child is searched first, which lowers best sooner.
       uint32_t *next = &walk.waiting[walk.count - 2];
       if (gjk_aabb_gap(&s.box, gjk_scene_node_box(&v, next[0])) <
           gjk_aabb_gap(&s.box, gjk_scene_node_box(&v, next[1]))) {

@@ -1,7 +1,7 @@
-// Hash, seal and opening.
+// The hash of a scene, its seal, and the opening of a block that may come from anywhere.
 #include "gjk_scene_block.h"
 
-// One step of a hash. For a fixed word it is one to one in the hash, and the other way round.
+// One step of a hash. With one argument fixed, the result is one to one in the other one.
 static uint64_t mix(uint64_t hash, uint32_t word) {
   hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
   return hash ^ hash >> 32;
@@ -29,9 +29,9 @@ static uint64_t mix_body(uint64_t hash, const gjk_scene_view *v, uint32_t slot) 
   for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
     const gjk_scene_part *p = &v->parts[i];
     hash = mix(hash, p->shape);
-    const uint32_t placed = p->placed;
-    if (placed != GJK_SCENE_NONE) {
-      const gjk_pose *pose = &v->placed[placed].pose;
+    const uint32_t own_pose = p->own_pose;
+    if (own_pose != GJK_SCENE_NONE) {
+      const gjk_pose *pose = &v->own_poses[own_pose].pose;
       hash = mix_pose(mix(hash, 1), &pose->position, &pose->rotation);
     }
   }
@@ -61,7 +61,7 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
       hash = mix_body(hash, &v, slot);
     }
   }
-  // Pairs are in no order, so their hashes are added.
+  // The sum does not depend on the order of pairs, which depends on history.
   uint64_t pairs = 0;
   uint32_t cursor = 0;
   bool found;
@@ -74,9 +74,9 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
   return GJK_OK;
 }
 
-// Over every word of the block but for the seal itself.
+// A hash over every word of the block but sealed and checksum.
 static uint64_t checksum(const gjk_scene_header *h) {
-  const uint32_t *word = (const void *)h, *seal = &h->sealed, *end = word + h->bytes / sizeof *word;
+  const uint32_t *word = (const uint32_t *)(const void *)h, *seal = &h->sealed, *end = word + h->bytes / sizeof *word;
   uint64_t hash = 0;
   for (; word < end; word++) {
     if (word < seal || word > &h->checksum[1]) {
@@ -99,13 +99,14 @@ gjk_status gjk_scene_seal(gjk_scene *scene) {
 }
 
 gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,
-                          uint16_t shape_count) {
+                          uint16_t shape_count, const gjk_scene_bindings *bindings) {
   gjk_scene opened;
-  gjk_status status = scene == NULL ? GJK_ERROR_NULL : gjk_scene_attach(&opened, block, bytes, shapes, shape_count);
+  gjk_status status =
+      scene == NULL ? GJK_ERROR_NULL : gjk_scene_attach(&opened, block, bytes, shapes, shape_count, bindings);
   if (status != GJK_OK) {
     return status;
   }
-  const gjk_scene_header *h = block;
+  const gjk_scene_header *h = (const gjk_scene_header *)block;
   const uint64_t sum = checksum(h);
   if (h->sealed != 1 || h->checksum[0] != (uint32_t)(sum & UINT32_MAX) || h->checksum[1] != (uint32_t)(sum >> 32)) {
     return GJK_ERROR_CORRUPT;

@@ -1,8 +1,25 @@
-// The tree of enlarged boxes: leaves are parts, inner nodes the box of their two children.
+// The tree of enlarged boxes (BVH): leaves are parts, and the box of an inner node holds those of its two children.
 //
-// Insertion goes where the sum of sides grows least; heights of siblings differ by at most 1 always (Adelson-Velsky,
-// Landis 1962; leaves have no order, so one kind of rotation does), which bounds every walk. The shape of the tree decides
-// no answer.
+// The heights of siblings differ by at most 1 always, which bounds every walk (Adelson-Velsky, Landis 1962). Leaves
+// have no order, so one kind of rotation is enough. The shape of the tree decides no answer.
+//
+// Insertion of a leaf:
+//
+// 1. Go down from the root to a sibling for the leaf: always to the child that the leaf makes costlier by less. A box
+//    costs the sum of its sides. Stop at a leaf, or at the parent of two leaves where that is cheaper. Higher up
+//    the new node's children could differ in height by more than one rotation mends.
+// 2. Put a new node in the place of the sibling, with the sibling and the leaf as its children.
+// 3. From the new node up, refit each node: its box and height follow from its children. Then rotate, if their heights
+//    differ by 2. Stop where nothing changes.
+//
+// Removal of a leaf puts its sibling in the place of their parent, and goes on at 3 above it.
+//
+// Rotation of a node N, whose taller child R is 2 higher than the other one, S:
+//
+// a. R takes the place of N.
+// b. One child of R moves into N, where R was: the lower one, or else the one whose box with S costs less. N takes that
+//    child's place in R.
+// c. Refit N, then R.
 #include "gjk_scene_tree.h"
 
 static uint32_t height(const gjk_scene_view *v, uint32_t node) {
@@ -17,6 +34,7 @@ static void set_parent(gjk_scene_view *v, uint32_t node, uint32_t parent) {
   }
 }
 
+// The least box that holds both.
 static gjk_aabb hull_of(const gjk_aabb *a, const gjk_aabb *b) {
   gjk_aabb box = *a;
   box.lower.x = b->lower.x < box.lower.x ? b->lower.x : box.lower.x;
@@ -28,12 +46,12 @@ static gjk_aabb hull_of(const gjk_aabb *a, const gjk_aabb *b) {
   return box;
 }
 
-// One side of a box, over 8: below 2^29.
+// An eighth of one side of a box:  < 2^29
 static uint32_t side(int32_t lower, int32_t upper) {
   return ((uint32_t)upper - (uint32_t)lower) >> 3;
 }
 
-// The cost of a box: the sum of its sides over 8, below 3 2^29.
+// The cost of a box, an eighth of the sum of its sides:  < 3 2^29
 static uint32_t cost_of(const gjk_aabb *box) {
   return side(box->lower.x, box->upper.x) + side(box->lower.y, box->upper.y) + side(box->lower.z, box->upper.z);
 }
@@ -43,7 +61,7 @@ static uint32_t cost_of_hull(const gjk_aabb *a, const gjk_aabb *b) {
   return cost_of(&box);
 }
 
-// Recomputes a node from its children. Returns whether anything changed.
+// Sets the box and height of a node from its children. Returns whether anything changed.
 static bool refit(gjk_scene_view *v, uint32_t index) {
   gjk_scene_node *n = &v->nodes[index];
   const uint32_t a = height(v, n->child[0]), b = height(v, n->child[1]);
@@ -55,18 +73,18 @@ static bool refit(gjk_scene_view *v, uint32_t index) {
   return changed;
 }
 
-// Puts what in the place of node below parent.
-static void replace_child(gjk_scene_view *v, uint32_t parent, uint32_t node, uint32_t what) {
+// Puts another node in the place of a child of parent, or of the root when parent is none.
+static void replace_child(gjk_scene_view *v, uint32_t parent, uint32_t child, uint32_t other) {
   if (parent == GJK_SCENE_NONE) {
-    v->header->root = what;
+    v->header->root = other;
   } else {
-    v->nodes[parent].child[v->nodes[parent].child[1] == node] = what;
+    v->nodes[parent].child[v->nodes[parent].child[1] == child] = other;
   }
-  set_parent(v, what, parent);
+  set_parent(v, other, parent);
 }
 
-// Rotates when the heights of the children differ by 2: the taller child rises, and its own lower child takes its place.
-// Returns the top of the subtree. Pre: they differ by at most 2.
+// Rotates a node if the heights of its children differ by 2. Returns the node that is in its place then. Pre: they do
+// not differ by more.
 static uint32_t balance(gjk_scene_view *v, uint32_t index) {
   gjk_scene_node *n = &v->nodes[index];
   const uint32_t left = height(v, n->child[0]), right = height(v, n->child[1]);
@@ -78,24 +96,24 @@ static uint32_t balance(gjk_scene_view *v, uint32_t index) {
   //@ assert rising < v->header->nodes.capacity;
   gjk_scene_node *r = &v->nodes[rising];
   const uint32_t first = height(v, r->child[0]), second = height(v, r->child[1]);
-  unsigned low = second < first ? 1 : 0;  // which child of the rising node goes down
+  unsigned low = second < first ? 1 : 0;  // the child of the rising node whose place index takes
   if (first == second) {
     const gjk_aabb *stays = gjk_scene_node_box(v, n->child[1 - tall]);
     const uint32_t a = cost_of_hull(stays, gjk_scene_node_box(v, r->child[0]));
     const uint32_t b = cost_of_hull(stays, gjk_scene_node_box(v, r->child[1]));
     low = b < a ? 1 : 0;
   }
-  replace_child(v, n->parent, index, rising);
-  n->child[tall] = r->child[low];
+  replace_child(v, n->parent, index, rising);  // Step a
+  n->child[tall] = r->child[low];              // Step b
   set_parent(v, n->child[tall], index);
   r->child[low] = index;
   n->parent = rising;
-  refit(v, index);
+  refit(v, index);  // Step c
   refit(v, rising);
   return rising;
 }
 
-// Refits and balances from index up to the root, or to where nothing changes any more.
+// Step 3 from a node up.
 static void restore(gjk_scene_view *v, uint32_t index) {
   // not reached: the ceiling
   for (unsigned level = 0; index != GJK_SCENE_NONE && level < GJK_SCENE_DEPTH; level++) {
@@ -108,14 +126,13 @@ static void restore(gjk_scene_view *v, uint32_t index) {
   }
 }
 
-// The node that a leaf of this box becomes the sibling of: a leaf, or the parent of two where that costs less. Higher up
-// the new node's children would differ in height by more than one rotation mends.
+// Step 1. Returns a leaf, or the parent of two.
 static uint32_t best_sibling(const gjk_scene_view *v, const gjk_aabb *box) {
   uint32_t node = v->header->root;
   // not reached: the ceiling
   for (unsigned level = 0; (node & GJK_SCENE_LEAF) == 0 && level < GJK_SCENE_DEPTH; level++) {
     const gjk_scene_node *n = &v->nodes[node];
-    uint32_t cost[2];  // of what grows or is made below the node
+    uint32_t cost[2];  // of what is made below the node, or what grows there
     for (int i = 0; i < 2; i++) {
       const gjk_aabb *child = gjk_scene_node_box(v, n->child[i]);
       const uint32_t hull = cost_of_hull(child, box);
@@ -143,11 +160,12 @@ void gjk_scene_tree_insert(gjk_scene_view *v, uint32_t part) {
   const uint32_t sibling = best_sibling(v, &v->parts[part].enlarged);
   const uint32_t parent =
       (sibling & GJK_SCENE_LEAF) != 0 ? v->parts[sibling & ~GJK_SCENE_LEAF].parent : v->nodes[sibling].parent;
-  const uint32_t index = gjk_scene_take(v, &h->nodes, sizeof(gjk_scene_node));
+  // Step 2
+  const uint32_t index = gjk_scene_pool_take(v, &h->nodes, sizeof(gjk_scene_node));
   replace_child(v, parent, sibling, index);
   v->nodes[index].child[0] = sibling;
   v->nodes[index].child[1] = leaf;
-  v->nodes[index].height = 0;  // not yet known
+  v->nodes[index].height = 0;  // set by refit, which sees that it changes
   set_parent(v, sibling, index);
   v->parts[part].parent = index;
   restore(v, index);
@@ -164,7 +182,7 @@ void gjk_scene_tree_remove(gjk_scene_view *v, uint32_t part) {
   const uint32_t sibling = n->child[n->child[0] == (part | GJK_SCENE_LEAF)], parent = n->parent;
   replace_child(v, parent, index, sibling);
   v->nodes[index].height = 0;  // free
-  gjk_scene_give(v, &h->nodes, sizeof(gjk_scene_node), index);
+  gjk_scene_pool_give(v, &h->nodes, sizeof(gjk_scene_node), index);
   restore(v, parent);
 }
 

@@ -31,7 +31,7 @@ SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_trian
 # The outcomes of a call kept apart by its last branch, so that what a check found of an index is known after it.
 SCENE_LEVELS=main:100,any_shapes:50,any_scene:100,gjk_scene_init:100,gjk_scene_attach:100,gjk_scene_view_of:100,\
 gjk_scene_check_header:100,gjk_scene_check:100,check_pair:50,check_link:50,check_inner:50,check_entry:50,check_pose:30,\
-gjk_collider_init:30,ask:50,near_spare:50
+gjk_collider_init:30,query_near:50,within_margins:50
 
 cases() {
   echo primitives-x

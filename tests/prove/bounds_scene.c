@@ -42,7 +42,7 @@ static void add(gjk_scene *scene, random_state *random) {
   gjk_body_setup setup = {some_pose(random), parts, 1, 0, 0, UINT32_MAX, UINT32_MAX, 0, 0};
   for (int i = 0; i < 3; i++) {
     parts[i].shape = (uint16_t)random_below(random, WORLD_SHAPES);
-    parts[i].placed = random_below(random, 2) == 0;
+    parts[i].own_pose = random_below(random, 2) == 0;
     parts[i].pose = some_pose(random);
   }
   setup.part_count = (uint16_t)(1 + random_below(random, 3));
@@ -169,7 +169,8 @@ static gjk_scene_config some_config(random_state *random) {
 
 int main(int count, char **arguments) {
   const uint64_t blocks = count > 1 ? strtoull(arguments[1], NULL, 10) : 1000;
-  world equipment = {0};
+  const world_options usual = {0};
+  const gjk_scene_bindings bindings = world_bindings(&usual);
   uint64_t opened = 0;
   for (uint64_t i = 0; i < blocks / 50; i++) {
     random_state random = random_seed(i);
@@ -177,10 +178,9 @@ int main(int count, char **arguments) {
     const size_t bytes = gjk_scene_bytes(&config);
     uint32_t *block = malloc(bytes);
     gjk_scene scene;
-    if (gjk_scene_init(&scene, &config, block, bytes, world_shapes, WORLD_SHAPES) != GJK_OK) {
+    if (gjk_scene_init(&scene, &config, block, bytes, world_shapes, WORLD_SHAPES, &bindings) != GJK_OK) {
       return 1;
     }
-    world_equip(&equipment, &scene);
     for (int k = 0; k < 50; k++) {
       uint32_t *copy = malloc(bytes);
       gjk_scene other;
@@ -189,11 +189,10 @@ int main(int count, char **arguments) {
       }
       memcpy(copy, block, bytes);
       forge(copy, (uint32_t)(bytes / 4), &random);
-      if (gjk_scene_attach(&other, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_OK &&
+      if (gjk_scene_attach(&other, copy, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_OK &&
           gjk_scene_seal(&other) == GJK_OK &&
-          gjk_scene_open(&other, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_OK) {
+          gjk_scene_open(&other, copy, bytes, world_shapes, WORLD_SHAPES, &bindings) == GJK_OK) {
         opened++;
-        world_equip(&equipment, &other);
         if (!go_on(&other, &random, 5)) {
           return 1;
         }

@@ -7,7 +7,7 @@
 
 #define BODIES 3
 #define PARTS 3
-#define PLACED 2
+#define OWN_POSES 2
 #define PAIRS 4
 #define SHAPES 2
 #define UNIT 0x40002000L  // of a rotation's component
@@ -20,7 +20,7 @@ typedef struct any_block {
   gjk_scene_body bodies[BODIES];
   gjk_scene_part parts[PARTS];
   gjk_scene_node nodes[PARTS];
-  gjk_scene_placed placed[PLACED];
+  gjk_scene_own_pose own_poses[OWN_POSES];
   gjk_scene_pair pairs[PAIRS];
   uint32_t queue[PAIRS];
   uint32_t slots[1];
@@ -36,7 +36,7 @@ typedef struct apart_block {
   uint32_t gap_c[GAP];
   gjk_scene_node nodes[PARTS];
   uint32_t gap_d[GAP];
-  gjk_scene_placed placed[PLACED];
+  gjk_scene_own_pose own_poses[OWN_POSES];
   uint32_t gap_e[GAP];
   gjk_scene_pair pairs[PAIRS];
   uint32_t gap_f[GAP];
@@ -118,7 +118,7 @@ static void any_part(gjk_scene_part *part) {
   part->body = any_below(BODIES);
   part->parent = any_index(PARTS);
   part->pairs = any_index(2 * PAIRS);
-  part->placed = any_index(PLACED);
+  part->own_pose = any_index(OWN_POSES);
   part->motion = any_uint32();
   part->centre = any_position();
   part->local_centre = any_position();
@@ -142,20 +142,20 @@ static void any_inner(gjk_scene_node *node) {
   node->box = any_box();
 }
 
-static void any_placed(gjk_scene_placed *placed) {
-  placed->next = any_index(PARTS > PLACED ? PARTS : PLACED);
-  placed->pose = any_pose();
+static void any_own_pose(gjk_scene_own_pose *own_pose) {
+  own_pose->next = any_index(PARTS > OWN_POSES ? PARTS : OWN_POSES);
+  own_pose->pose = any_pose();
 }
 
 static void any_pair(gjk_scene_pair *pair) {
   for (int i = 0; i < 2; i++) {
-    pair->part[i] = any_below(PARTS);
-    pair->next[i] = any_index(2 * PAIRS);
-    pair->previous[i] = any_index(2 * PAIRS);
+    pair->ends.linked.part[i] = any_below(PARTS);
+    pair->ends.linked.next[i] = any_index(2 * PAIRS);
+    pair->ends.linked.previous[i] = any_index(2 * PAIRS);
   }
   pair->gap = any_int32();
   for (int i = 0; i < 3; i++) {
-    pair->direction[i] = (int16_t)any_between(INT16_MIN, INT16_MAX);
+    pair->hint.direction[i] = (int16_t)any_between(INT16_MIN, INT16_MAX);
   }
   for (int i = 0; i < 4; i++) {
     pair->a[i] = (uint8_t)any_between(0, UINT8_MAX);
@@ -180,7 +180,7 @@ static void any_header(gjk_scene_header *h) {
   any_pool(&h->bodies, BODIES);
   any_pool(&h->parts, PARTS);
   any_pool(&h->nodes, PARTS);
-  any_pool(&h->placed, PLACED);
+  any_pool(&h->own_poses, OWN_POSES);
   any_pool(&h->pairs, PAIRS);
   h->lowest = any_below(2);
   h->moved = any_index(BODIES);
@@ -209,27 +209,29 @@ static void any_tree(gjk_scene_header *h) {
   h->root = empty != 0 ? GJK_SCENE_NONE : any_node();
 }
 
-static void any_handle(gjk_scene *scene) {
+static void any_bindings(gjk_scene_bindings *bindings) {
   const int32_t able = any_between(0, 2);
   //@ split able;
-  scene->predicate = any_bool() ? any_answer : NULL;
-  scene->details = able == 0 ? NULL : able == 1 ? &gjk_scene_depth : &gjk_scene_contacts;
-  scene->workspace = any_bool() ? &workspace : NULL;
-  scene->manifolds = any_bool() ? manifolds : NULL;
+  bindings->predicate = any_bool() ? any_answer : NULL;
+  bindings->user = NULL;
+  bindings->details = able == 0 ? NULL : able == 1 ? &gjk_scene_depth : &gjk_scene_contacts;
+  bindings->workspace = any_bool() ? &workspace : NULL;
+  bindings->manifolds = any_bool() ? manifolds : NULL;
 }
 
 // Every field of a block holds what gjk_scene_check lets it hold by itself.
 static bool any_scene(gjk_scene *scene, apart_block *b) {
-  const gjk_scene_config config = {BODIES, PARTS, PLACED, PAIRS, 0, 0, 0, 0, 0, 1};
+  const gjk_scene_config config = {BODIES, PARTS, OWN_POSES, PAIRS, 0, 0, 0, 0, 0, 1};
   any_shapes();
-  if (gjk_scene_init(scene, &config, &block, sizeof block, shapes, SHAPES) != GJK_OK) {
+  const gjk_scene_bindings none = {0};
+  if (gjk_scene_init(scene, &config, &block, sizeof block, shapes, SHAPES, any_bool() ? &none : NULL) != GJK_OK) {
     return false;
   }
   b->header = block.header;
   b->header.bodies.at = offsetof(apart_block, bodies);
   b->header.parts.at = offsetof(apart_block, parts);
   b->header.nodes.at = offsetof(apart_block, nodes);
-  b->header.placed.at = offsetof(apart_block, placed);
+  b->header.own_poses.at = offsetof(apart_block, own_poses);
   b->header.pairs.at = offsetof(apart_block, pairs);
   b->header.queue_at = offsetof(apart_block, queue);
   b->header.slots_at = offsetof(apart_block, slots);
@@ -241,15 +243,15 @@ static bool any_scene(gjk_scene *scene, apart_block *b) {
     any_part(&b->parts[i]);
     any_inner(&b->nodes[i]);
   }
-  for (int i = 0; i < PLACED; i++) {
-    any_placed(&b->placed[i]);
+  for (int i = 0; i < OWN_POSES; i++) {
+    any_own_pose(&b->own_poses[i]);
   }
   for (int i = 0; i < PAIRS; i++) {
     any_pair(&b->pairs[i]);
     b->queue[i] = any_below(PAIRS);
   }
   b->slots[0] = any_below(1u << BODIES);
-  any_handle(scene);
+  any_bindings(&scene->bindings);
   return true;
 }
 

@@ -28,7 +28,7 @@ static void add(gjk_scene *scene) {
                           any_int32()};
   for (int i = 0; i < 2; i++) {
     parts[i].shape = any_uint16();
-    parts[i].placed = any_bool();
+    parts[i].own_pose = any_bool();
     parts[i].pose = any_pose();
   }
   if (any_bool()) {

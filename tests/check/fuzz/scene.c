@@ -46,13 +46,13 @@ static void damage(fuzz_bytes *bytes) {
     const uint32_t at = (uint32_t)fuzz_i32(bytes) % (uint32_t)(s.bytes / sizeof *block);
     block[at] = fuzz_u8(bytes) % 2 == 0 ? block[at] + fuzz_u8(bytes) : (uint32_t)fuzz_i32(bytes);
   }
-  if (gjk_scene_attach(&scene, block, s.bytes, world_shapes, WORLD_SHAPES) == GJK_OK &&
+  if (gjk_scene_attach(&scene, block, s.bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_OK &&
       gjk_scene_check(&scene) == GJK_OK) {
     (void)gjk_scene_update(&scene, reports, REPORTS, &progress);
     uint64_t value;
     (void)gjk_scene_hash(&scene, &value);
     if (gjk_scene_seal(&scene) == GJK_OK) {
-      (void)gjk_scene_open(&scene, block, s.bytes, world_shapes, WORLD_SHAPES);
+      (void)gjk_scene_open(&scene, block, s.bytes, world_shapes, WORLD_SHAPES, NULL);
     }
   }
   free(block);

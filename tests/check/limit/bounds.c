@@ -58,13 +58,12 @@ static bool update(const gjk_shape *shape, gjk_q16 margin, uint8_t detail, uint8
   static const gjk_shape *table[2];
   const gjk_scene_config config = {2, 2, 0, 1, GJK_RADIUS_MAX, detail, 0, retest_all, 0, CELLS};
   const gjk_part parts[2] = {{0, false, GJK_POSE_IDENTITY}, {1, false, GJK_POSE_IDENTITY}};
+  const gjk_scene_bindings bindings = {
+      .details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = &out->manifold};
   gjk_scene *scene = &out->scene;
   table[0] = &shape[0];
   table[1] = &shape[1];
-  bool right = gjk_scene_init(scene, &config, block, sizeof block, table, 2) == GJK_OK;
-  scene->details = &gjk_scene_contacts;
-  scene->workspace = &workspace;
-  scene->manifolds = &out->manifold;
+  bool right = gjk_scene_init(scene, &config, block, sizeof block, table, 2, &bindings) == GJK_OK;
   for (int i = 0; i < 2; i++) {
     const gjk_body_setup setup = {poses[i], &parts[i], 1, GJK_BODY_DYNAMIC,   GJK_DETAIL_TOUCH,
                                   1,        1,         0, i == 0 ? margin : 0};

@@ -185,11 +185,11 @@ typedef struct story {
   uint32_t cells;
 } story;
 
-static void equip(history *h) {
-  static gjk_workspace workspace = {cells, CELLS + 10};
-  h->scene.details = &gjk_scene_contacts;
-  h->scene.workspace = &workspace;
-  h->scene.manifolds = &h->manifold;
+static gjk_scene_bindings bindings_of(history *h) {
+  static const gjk_workspace workspace = {cells, CELLS + 10};
+  const gjk_scene_bindings bindings = {
+      .details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = &h->manifold};
+  return bindings;
 }
 
 // What the room for reports holds before is never the same.
@@ -202,8 +202,8 @@ static bool update(history *h) {
 
 static bool start(history *h, const story *s, const gjk_pose *at, uint8_t retest_all) {
   const gjk_scene_config config = {2, 2, 0, 1, s->box_margin, s->detail, 1, retest_all, 0, s->cells};
-  bool fine = gjk_scene_init(&h->scene, &config, h->block, sizeof h->block, s->table, 2) == GJK_OK;
-  equip(h);
+  const gjk_scene_bindings bindings = bindings_of(h);
+  bool fine = gjk_scene_init(&h->scene, &config, h->block, sizeof h->block, s->table, 2, &bindings) == GJK_OK;
   for (uint16_t i = 0; i < 2; i++) {
     const gjk_part part = {i, false, GJK_POSE_IDENTITY};
     gjk_body_setup setup = {GJK_POSE_IDENTITY,     &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0,
@@ -232,10 +232,9 @@ static bool carry(history *to, history *from, const story *s, bool seal) {
   *to = *from;
   bool fine = !seal || gjk_scene_seal(&from->scene) == GJK_OK;
   memcpy(to->block, from->block, sizeof to->block);
-  fine = fine &&
-         (seal ? gjk_scene_open : gjk_scene_attach)(&to->scene, to->block, sizeof to->block, s->table, 2) == GJK_OK;
-  equip(to);
-  return fine;
+  const gjk_scene_bindings bindings = bindings_of(to);
+  return fine && (seal ? gjk_scene_open : gjk_scene_attach)(&to->scene, to->block, sizeof to->block, s->table, 2,
+                                                            &bindings) == GJK_OK;
 }
 
 static uint64_t hash_of(const gjk_scene *scene) {
@@ -335,7 +334,7 @@ static void start_crowd(crowd *c, gjk_q16 box_margin, gjk_q16 margin, uint32_t p
   static const gjk_shape crate = GJK_BOX(GJK_Q16_ONE, GJK_Q16_ONE, GJK_Q16_ONE);
   static const gjk_shape *const table[1] = {&crate};
   const gjk_scene_config config = {CROWD, CROWD, 0, pairs, box_margin, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
-  CHECK(gjk_scene_init(&c->scene, &config, c->block, sizeof c->block, table, 1) == GJK_OK);
+  CHECK(gjk_scene_init(&c->scene, &config, c->block, sizeof c->block, table, 1, NULL) == GJK_OK);
   for (int i = 0; i < CROWD; i++) {
     const gjk_part part = {0, false, GJK_POSE_IDENTITY};
     gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, margin};
@@ -427,7 +426,7 @@ static void check_nearest(void) {
     CHECK(gjk_collider_init(&from, table[random_below(&random, 4)], NULL, 0) == GJK_OK);
     pose.position.x = -GJK_Q16(16000);
     CHECK(gjk_collider_pose(&from, &pose) == GJK_OK);
-    CHECK(gjk_scene_init(&c.scene, &config, c.block, sizeof c.block, table, 4) == GJK_OK);
+    CHECK(gjk_scene_init(&c.scene, &config, c.block, sizeof c.block, table, 4, NULL) == GJK_OK);
     for (uint32_t k = 0; k < CROWD; k++) {
       const gjk_part part = {(uint16_t)random_below(&random, 4), false, GJK_POSE_IDENTITY};
       gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};

@@ -199,7 +199,7 @@ static void play(uint32_t *block, size_t bytes, uint8_t stack) {
     table[i] = &shapes[i];
   }
   fill(stack);
-  CHECK(gjk_scene_init(&scene, &config, block, bytes, table, (uint16_t)SHAPES) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &config, block, bytes, table, (uint16_t)SHAPES, NULL) == GJK_OK);
   for (int i = 0; i < SHAPES; i++) {
     const gjk_part parts[2] = {{(uint16_t)i, i % 2 != 0, GJK_POSE_IDENTITY},
                                {(uint16_t)(SHAPES - 1 - i), true, GJK_POSE_IDENTITY}};

@@ -40,7 +40,7 @@ static void update(void) {
 // back. Slot 34 is free again, slots from 36 on never were taken.
 static void build(void) {
   gjk_body_id bodies[36];
-  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   for (int i = 0; i < 36; i++) {
     const gjk_q16 x = i < 3 ? i * (ONE / 2) : 10 * i * ONE;
     bodies[i] = add(x, i == 3 || i == 34 ? 3 : 1);
@@ -66,7 +66,7 @@ static void restore(void) {
 static bool opens(void) {
   gjk_scene opened;
   return gjk_scene_seal(&scene) == GJK_OK &&
-         gjk_scene_open(&opened, block, sizeof block, shapes, 2) != GJK_ERROR_CORRUPT;
+         gjk_scene_open(&opened, block, sizeof block, shapes, 2, NULL) != GJK_ERROR_CORRUPT;
 }
 
 // The check refuses it; and so does opening it, sealed afresh, wherever it comes so far.
@@ -92,8 +92,8 @@ static gjk_scene_part *part_of(uint32_t slot) {
 
 static uint32_t pair_of(uint32_t a, uint32_t b) {
   for (uint32_t i = 0; i < v.header->pairs.fresh; i++) {
-    if ((v.pairs[i].state & GJK_SCENE_PAIR_LIVE) != 0 && v.parts[v.pairs[i].part[0]].body == a &&
-        v.parts[v.pairs[i].part[1]].body == b) {
+    if ((v.pairs[i].state & GJK_SCENE_PAIR_LIVE) != 0 && v.parts[v.pairs[i].ends.linked.part[0]].body == a &&
+        v.parts[v.pairs[i].ends.linked.part[1]].body == b) {
       return i;
     }
   }
@@ -113,28 +113,28 @@ static void test_header(void) {
   REFUSED(h->queue_at += 4);
   REFUSED(h->slots_at += 4);
   gjk_scene attached;
-  gjk_scene_pool *const pools[] = {&h->bodies, &h->parts, &h->nodes, &h->placed, &h->pairs};
+  gjk_scene_pool *const pools[] = {&h->bodies, &h->parts, &h->nodes, &h->own_poses, &h->pairs};
   for (unsigned i = 0; i < 5; i++) {
     REFUSED(pools[i]->at += 4);
     REFUSED(pools[i]->capacity++);
     REFUSED(pools[i]->count = pools[i]->fresh + 1);
-    CHECK(gjk_scene_attach(&attached, block, sizeof block, shapes, 2) == GJK_ERROR_CORRUPT);
+    CHECK(gjk_scene_attach(&attached, block, sizeof block, shapes, 2, NULL) == GJK_ERROR_CORRUPT);
     REFUSED(pools[i]->fresh = pools[i]->capacity + 1);
-    CHECK(gjk_scene_attach(&attached, block, sizeof block, shapes, 2) == GJK_ERROR_CORRUPT);
+    CHECK(gjk_scene_attach(&attached, block, sizeof block, shapes, 2, NULL) == GJK_ERROR_CORRUPT);
   }
   // The block must hold what its header says.
   restore();
   gjk_scene opened;
-  CHECK(gjk_scene_attach(&opened, block, h->bytes, shapes, 2) == GJK_OK);
-  CHECK(gjk_scene_attach(&opened, block, h->bytes - 1, shapes, 2) == GJK_ERROR_CAPACITY);
-  CHECK(gjk_scene_attach(&opened, block, sizeof *h, shapes, 2) == GJK_ERROR_CAPACITY);
-  CHECK(gjk_scene_attach(&opened, block, sizeof *h - 1, shapes, 2) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_attach(&opened, block, h->bytes, shapes, 2, NULL) == GJK_OK);
+  CHECK(gjk_scene_attach(&opened, block, h->bytes - 1, shapes, 2, NULL) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_attach(&opened, block, sizeof *h, shapes, 2, NULL) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_attach(&opened, block, sizeof *h - 1, shapes, 2, NULL) == GJK_ERROR_CAPACITY);
 }
 
 static void test_free_lists(void) {
   restore();
   gjk_scene_header *h = v.header;
-  gjk_scene_pool *const pools[] = {&h->parts, &h->nodes, &h->placed, &h->pairs};
+  gjk_scene_pool *const pools[] = {&h->parts, &h->nodes, &h->own_poses, &h->pairs};
   for (unsigned i = 0; i < 4; i++) {
     CHECK_MSG(pools[i]->free != GJK_SCENE_NONE, "pool %u: %lu of %lu", i, (unsigned long)pools[i]->count,
               (unsigned long)pools[i]->fresh);
@@ -149,9 +149,9 @@ static void test_free_lists(void) {
   // In use, in the place of another.
   const uint32_t third = v.parts[part_of(3)->next].next;
   CHECK(v.parts[third].number == 2);
-  CHECK(third < h->placed.fresh);
-  CHECK(v.placed[third].next != part_of(3)->next);
-  REFUSED(v.placed[third].next = GJK_SCENE_NONE; h->placed.free = v.parts[third].placed);
+  CHECK(third < h->own_poses.fresh);
+  CHECK(v.own_poses[third].next != part_of(3)->next);
+  REFUSED(v.own_poses[third].next = GJK_SCENE_NONE; h->own_poses.free = v.parts[third].own_pose);
   // One too many, or in a ring.
   REFUSED(v.parts[h->parts.free].next = h->parts.free);
   REFUSED(*(uint32_t *)&v.nodes[h->nodes.free] = h->nodes.free);
@@ -159,8 +159,8 @@ static void test_free_lists(void) {
   REFUSED(h->parts.free = v.parts[h->parts.free].next; h->parts.count++);
   REFUSED(v.parts[h->parts.free].state = GJK_SCENE_LIVE; h->parts.free = v.parts[h->parts.free].next; h->parts.count++);
   REFUSED(h->nodes.free = v.nodes[h->nodes.free].child[0]; h->nodes.count++);
-  REFUSED(h->placed.free = v.placed[h->placed.free].next; h->placed.count++);
-  REFUSED(h->pairs.free = v.pairs[h->pairs.free].part[0]; h->pairs.count++);
+  REFUSED(h->own_poses.free = v.own_poses[h->own_poses.free].next; h->own_poses.count++);
+  REFUSED(h->pairs.free = v.pairs[h->pairs.free].ends.linked.part[0]; h->pairs.count++);
 }
 
 static void test_bodies(void) {
@@ -227,14 +227,14 @@ static void test_parts(void) {
   }
   REFUSED(v.bodies[4].position.y++);
   gjk_scene_part *const second = &v.parts[part_of(3)->next];
-  CHECK(second->placed != GJK_SCENE_NONE);
-  REFUSED(second->placed = v.header->placed.fresh);
-  REFUSED(second->placed = v.header->placed.free);
-  REFUSED(second->placed = v.parts[second->next].placed);
-  REFUSED(second->placed = GJK_SCENE_NONE);
-  REFUSED(v.placed[second->placed].pose.position.y = INT32_MAX);  // still a pose, but not of the part
-  REFUSED(v.bodies[3].position.y = INT32_MAX);                    // placed parts leave int32
-  REFUSED(v.placed[second->placed].pose.rotation.w = 5);
+  CHECK(second->own_pose != GJK_SCENE_NONE);
+  REFUSED(second->own_pose = v.header->own_poses.fresh);
+  REFUSED(second->own_pose = v.header->own_poses.free);
+  REFUSED(second->own_pose = v.parts[second->next].own_pose);
+  REFUSED(second->own_pose = GJK_SCENE_NONE);
+  REFUSED(v.own_poses[second->own_pose].pose.position.y = INT32_MAX);  // still a pose, but not of the part
+  REFUSED(v.bodies[3].position.y = INT32_MAX);                         // parts with a pose of their own leave int32
+  REFUSED(v.own_poses[second->own_pose].pose.rotation.w = 5);
   // The exact box sticks out of the enlarged one, on each side.
   gjk_aabb *const exact = &part_of(4)->exact, *const enlarged = &part_of(4)->enlarged;
   REFUSED(exact->lower.x = enlarged->lower.x - 1);
@@ -265,7 +265,7 @@ static void test_poses(void) {
   gjk_scene small;
   gjk_body_id body[2];
   gjk_scene_view view;
-  CHECK(gjk_scene_init(&small, &few, memory, sizeof memory, rocks, 1) == GJK_OK);
+  CHECK(gjk_scene_init(&small, &few, memory, sizeof memory, rocks, 1, NULL) == GJK_OK);
   for (int i = 0; i < 2; i++) {
     gjk_body_setup setup = {GJK_POSE_IDENTITY, &part[i], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
     CHECK(gjk_scene_add(&small, &setup, &body[i]) == GJK_OK);
@@ -278,7 +278,7 @@ static void test_poses(void) {
     view.bodies[body[i].slot].position.y = 0;
     CHECK(gjk_scene_check(&small) == GJK_OK);
   }
-  CHECK(gjk_scene_attach(&small, memory, sizeof memory, wrongs, 1) == GJK_OK);
+  CHECK(gjk_scene_attach(&small, memory, sizeof memory, wrongs, 1, NULL) == GJK_OK);
   CHECK(gjk_scene_check(&small) == GJK_ERROR_CORRUPT);
 }
 
@@ -350,7 +350,7 @@ static void test_tree(void) {
 // Heights that promise a deeper tree than any: the check ends before its list of waiting nodes does.
 static void test_deep_tree(void) {
   static const gjk_scene_config large = {100, 100, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
-  CHECK(gjk_scene_init(&scene, &large, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &large, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   for (int i = 0; i < 100; i++) {
     add(10 * i * ONE, 1);
   }
@@ -396,16 +396,18 @@ static void test_pairs(void) {
   REFUSED(p->outcome = GJK_SCENE_PENDING | GJK_SCENE_UNSETTLED);
   REFUSED(p->state = (uint8_t)(p->state | GJK_SCENE_PAIR_QUEUED));
   REFUSED(v.pairs[h->pairs.free].state = GJK_SCENE_PAIR_NEAR);  // near, but not there
-  REFUSED(p->part[0] = h->parts.free);
-  REFUSED(p->part[1] = h->parts.fresh);
-  REFUSED(p->part[0] = p->part[1]);
-  REFUSED(const uint32_t a = p->part[0]; p->part[0] = p->part[1]; p->part[1] = a);
+  REFUSED(p->ends.linked.part[0] = h->parts.free);
+  REFUSED(p->ends.linked.part[1] = h->parts.fresh);
+  REFUSED(p->ends.linked.part[0] = p->ends.linked.part[1]);
+  REFUSED(const uint32_t a = p->ends.linked.part[0]; p->ends.linked.part[0] = p->ends.linked.part[1];
+          p->ends.linked.part[1] = a);
   // Lists that do not lead back.
   for (int i = 0; i < 2; i++) {
-    REFUSED(p->next[i] = p->next[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
-    REFUSED(p->previous[i] = p->previous[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
-    REFUSED(p->next[i] = 2 * h->pairs.free);
-    REFUSED(p->previous[i] = 2 * h->pairs.free);
+    REFUSED(p->ends.linked.next[i] = p->ends.linked.next[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
+    REFUSED(p->ends.linked.previous[i] =
+                p->ends.linked.previous[i] == GJK_SCENE_NONE ? 2 * pair_of(0, 2) + 1 : GJK_SCENE_NONE);
+    REFUSED(p->ends.linked.next[i] = 2 * h->pairs.free);
+    REFUSED(p->ends.linked.previous[i] = 2 * h->pairs.free);
   }
   REFUSED(part_of(0)->pairs = GJK_SCENE_NONE);
   REFUSED(part_of(0)->pairs = 2 * h->pairs.free);
@@ -418,17 +420,17 @@ static void test_pairs(void) {
     restore();
     const uint32_t index = h->pairs.free, link = 2 * index;
     gjk_scene_pair *const s = &v.pairs[index];
-    h->pairs.free = s->part[0];
+    h->pairs.free = s->ends.linked.part[0];
     h->pairs.count++;
     *s = *p;
-    s->part[0] = part;
-    s->part[1] = v.bodies[10].first;
-    s->next[0] = s->previous[0] = headed != 0 ? link : GJK_SCENE_NONE;
-    s->next[1] = s->previous[1] = GJK_SCENE_NONE;
+    s->ends.linked.part[0] = part;
+    s->ends.linked.part[1] = v.bodies[10].first;
+    s->ends.linked.next[0] = s->ends.linked.previous[0] = headed != 0 ? link : GJK_SCENE_NONE;
+    s->ends.linked.next[1] = s->ends.linked.previous[1] = GJK_SCENE_NONE;
     v.parts[part].pairs = link;
-    v.parts[s->part[1]].pairs = link + 1;
+    v.parts[s->ends.linked.part[1]].pairs = link + 1;
     CHECK(gjk_scene_check(&scene) == (headed != 0 ? GJK_ERROR_CORRUPT : GJK_OK));
-    s->next[0] = s->previous[0] = link;
+    s->ends.linked.next[0] = s->ends.linked.previous[0] = link;
     v.parts[part].pairs = GJK_SCENE_NONE;
     CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
   }
@@ -443,19 +445,19 @@ static void test_gone(void) {
   CHECK(gjk_scene_check(&scene) == GJK_OK);
   gjk_scene_header *h = v.header;
   memcpy(sound, block, sizeof block);
-  const uint32_t gone = h->gone, second = v.pairs[gone].previous[0], other = pair_of(1, 2);
+  const uint32_t gone = h->gone, second = v.pairs[gone].ends.linked.previous[0], other = pair_of(1, 2);
   CHECK(second != GJK_SCENE_NONE);
-  CHECK(v.pairs[second].previous[0] == GJK_SCENE_NONE);
+  CHECK(v.pairs[second].ends.linked.previous[0] == GJK_SCENE_NONE);
   REFUSED(h->gone = second);
   REFUSED(h->gone = GJK_SCENE_NONE);
   REFUSED(h->gone = other);
   REFUSED(h->gone = h->pairs.fresh);
-  REFUSED(v.pairs[second].previous[0] = gone);
+  REFUSED(v.pairs[second].ends.linked.previous[0] = gone);
   REFUSED(v.pairs[gone].state = GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_GONE);
-  REFUSED(v.pairs[other].next[0] = 2 * gone);
-  REFUSED(v.pairs[other].next[1] = 2 * gone);
-  REFUSED(v.pairs[other].previous[0] = 2 * gone);
-  REFUSED(v.pairs[other].previous[1] = 2 * gone);
+  REFUSED(v.pairs[other].ends.linked.next[0] = 2 * gone);
+  REFUSED(v.pairs[other].ends.linked.next[1] = 2 * gone);
+  REFUSED(v.pairs[other].ends.linked.previous[0] = 2 * gone);
+  REFUSED(v.pairs[other].ends.linked.previous[1] = 2 * gone);
 }
 
 // A sound block in which slots 0 to 2 have moved apart, and their update has begun. Returns how many pairs it tests.
@@ -517,7 +519,7 @@ static void test_testing(void) {
 static void test_testing_none(void) {
   static const gjk_scene_config empty = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
   uint32_t pairs = 1;
-  CHECK(gjk_scene_init(&scene, &empty, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &empty, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
   CHECK(pairs == 0);
   CHECK(gjk_scene_check(&scene) == GJK_OK);
@@ -559,22 +561,22 @@ static void test_reporting_gone(void) {
   gjk_scene_header *h = v.header;
   gjk_scene_pair *const gone = &v.pairs[v.queue[1]];
   ACCEPTED((void)0);
-  REFUSED(h->gone = v.queue[1]; gone->previous[0] = GJK_SCENE_NONE);
-  REFUSED(h->gone = v.queue[1]; gone->previous[0] = GJK_SCENE_NONE; h->next_report = 2);
+  REFUSED(h->gone = v.queue[1]; gone->ends.linked.previous[0] = GJK_SCENE_NONE);
+  REFUSED(h->gone = v.queue[1]; gone->ends.linked.previous[0] = GJK_SCENE_NONE; h->next_report = 2);
   REFUSED(h->next_report = 2);  // never reported
   REFUSED(gone->outcome = GJK_EVENT_BEGIN);
   // Tested, as if it had parts.
   const uint32_t other = pair_of(1, 2);
   REFUSED(h->phase = GJK_SCENE_TESTING; h->next_test = 0; h->gone = v.queue[1]; h->queued = 1; v.queue[0] = h->gone;
-          gone->previous[0] = GJK_SCENE_NONE; gone->state |= GJK_SCENE_PAIR_QUEUED);
+          gone->ends.linked.previous[0] = GJK_SCENE_NONE; gone->state |= GJK_SCENE_PAIR_QUEUED);
   ACCEPTED(h->phase = GJK_SCENE_TESTING; h->next_test = 0; h->gone = v.queue[1]; h->queued = 1; v.queue[0] = other;
-           gone->previous[0] = GJK_SCENE_NONE; v.pairs[other].state |= GJK_SCENE_PAIR_QUEUED);
+           gone->ends.linked.previous[0] = GJK_SCENE_NONE; v.pairs[other].state |= GJK_SCENE_PAIR_QUEUED);
 }
 
 // As many slots as bits.
 static void test_full_word(void) {
   static const gjk_scene_config whole = {32, 32, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
-  CHECK(gjk_scene_init(&scene, &whole, block, sizeof block, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &whole, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   CHECK(gjk_scene_check(&scene) == GJK_OK);
   block[gjk_scene_bytes(&whole) / 4] = UINT32_MAX;  // what follows the block is no part of it
   CHECK(gjk_scene_check(&scene) == GJK_OK);
@@ -587,7 +589,7 @@ static void test_no_slot(void) {
   gjk_body_id body;
   for (uint32_t n = 1; n <= 32; n += 31) {
     const gjk_scene_config full = {n, n, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
-    CHECK(gjk_scene_init(&scene, &full, block, sizeof block, shapes, 2) == GJK_OK);
+    CHECK(gjk_scene_init(&scene, &full, block, sizeof block, shapes, 2, NULL) == GJK_OK);
     for (uint32_t i = 0; i < n; i++) {
       add((gjk_q16)i * 10 * ONE, 1);
     }

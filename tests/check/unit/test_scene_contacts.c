@@ -115,16 +115,22 @@ static gjk_status update(void) {
   return gjk_scene_update(&scene, &report, 1, &progress);
 }
 
+// Binds these to the scene.
+static void rebind(const gjk_scene_details *details, const gjk_workspace *given, gjk_manifold *room) {
+  const gjk_scene_bindings bindings = {.details = details, .workspace = given, .manifolds = room};
+  CHECK(gjk_scene_attach(&scene, block, sizeof block, shapes, 2, &bindings) == GJK_OK);
+}
+
 // Two solids, the second beside the first, that overlap deeply.
 static void start(gjk_detail least, gjk_detail of_body, uint32_t workspace_cells) {
   const gjk_scene_config config = {2, 2, 0, 4, 0, (uint8_t)least, 1, 0, 0, workspace_cells};
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, (uint8_t)of_body, 1, 1, 0, 0};
   gjk_body_id body;
-  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2) == GJK_OK);
-  CHECK(scene.details == NULL);
-  CHECK(scene.workspace == NULL);
-  CHECK(scene.manifolds == NULL);
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2, NULL) == GJK_OK);
+  CHECK(scene.bindings.details == NULL);
+  CHECK(scene.bindings.workspace == NULL);
+  CHECK(scene.bindings.manifolds == NULL);
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
   setup.pose.position.x = 9000;
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
@@ -138,17 +144,17 @@ static void check_unsupported(void) {
   CHECK(gjk_scene_hash(&scene, &before) == GJK_OK);
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
   CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_ERROR_UNSUPPORTED);
-  scene.details = &gjk_scene_depth;
+  rebind(&gjk_scene_depth, NULL, NULL);
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
   CHECK(gjk_scene_hash(&scene, &after) == GJK_OK);
   CHECK(after == before);
-  scene.details = &gjk_scene_contacts;
+  rebind(&gjk_scene_contacts, NULL, NULL);
   CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
   CHECK(pairs == 1);
-  scene.details = NULL;
+  rebind(NULL, NULL, NULL);
   CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_ERROR_UNSUPPORTED);
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
-  scene.details = &gjk_scene_contacts;
+  rebind(&gjk_scene_contacts, NULL, NULL);
   CHECK(update() == GJK_OK);
   CHECK(progress.reports == 1);
   CHECK(report.detail == GJK_DETAIL_CONTACTS);
@@ -167,18 +173,18 @@ static void check_lacking(void) {
   CHECK(progress.reports == 1);
   CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_ERROR_UNSUPPORTED);
   start(GJK_DETAIL_TOUCH, GJK_DETAIL_DEPTH, 100);
-  scene.details = &gjk_scene_depth;
+  rebind(&gjk_scene_depth, NULL, NULL);
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
-  scene.workspace = &small;
+  rebind(&gjk_scene_depth, &small, NULL);
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
-  scene.workspace = &none;
+  rebind(&gjk_scene_depth, &none, NULL);
   CHECK(update() == GJK_ERROR_UNSUPPORTED);
-  scene.workspace = &enough;
+  rebind(&gjk_scene_depth, &enough, NULL);
   CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
   CHECK(pairs == 1);
-  scene.workspace = &small;
+  rebind(&gjk_scene_depth, &small, NULL);
   CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_ERROR_UNSUPPORTED);
-  scene.workspace = &enough;
+  rebind(&gjk_scene_depth, &enough, NULL);
   CHECK(gjk_scene_test_pairs(&scene, 0, 1) == GJK_OK);
   CHECK(update() == GJK_OK);
   CHECK(progress.reports == 1);
@@ -190,7 +196,7 @@ static void check_bounds(void) {
   gjk_scene_stats stats;
   gjk_q16 enough;
   start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH, 0);
-  scene.details = &gjk_scene_depth;
+  rebind(&gjk_scene_depth, NULL, NULL);
   CHECK(update() == GJK_OK);
   CHECK(report.event == GJK_EVENT_BEGIN);
   CHECK(report.distance < 0);
@@ -198,16 +204,14 @@ static void check_bounds(void) {
   CHECK(stats.unsettled == 1);
   enough = report.distance;
   start(GJK_DETAIL_DEPTH, GJK_DETAIL_TOUCH, WORLD_CELLS);
-  scene.details = &gjk_scene_depth;
-  scene.workspace = &workspace;
+  rebind(&gjk_scene_depth, &workspace, NULL);
   CHECK(update() == GJK_OK);
   CHECK(report.distance < 0);
   CHECK(report.distance >= enough);
   CHECK(gjk_scene_get_stats(&scene, &stats) == GJK_OK);
   CHECK(stats.unsettled == 0);
   start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH, 0);
-  scene.details = &gjk_scene_contacts;
-  scene.manifolds = manifolds;
+  rebind(&gjk_scene_contacts, NULL, manifolds);
   CHECK(update() == GJK_OK);
   CHECK(report.manifold == manifolds);
   CHECK(report.distance < 0);
@@ -218,9 +222,7 @@ static void check_bounds(void) {
 // Resting pairs are reported with the manifold that they had.
 static void check_rest(void) {
   start(GJK_DETAIL_CONTACTS, GJK_DETAIL_TOUCH, WORLD_CELLS);
-  scene.details = &gjk_scene_contacts;
-  scene.workspace = &workspace;
-  scene.manifolds = manifolds;
+  rebind(&gjk_scene_contacts, &workspace, manifolds);
   CHECK(update() == GJK_OK);
   CHECK(report.event == GJK_EVENT_BEGIN);
   CHECK(report.manifold == manifolds);
@@ -235,7 +237,7 @@ static void check_rest(void) {
 static void check_manifold_statuses(void) {
   gjk_manifold out;
   start(GJK_DETAIL_TOUCH, GJK_DETAIL_TOUCH, WORLD_CELLS);
-  scene.workspace = &workspace;
+  rebind(NULL, &workspace, NULL);
   CHECK(update() == GJK_OK);
   CHECK(progress.reports == 1);
   CHECK(gjk_scene_manifold(&scene, &report, 4, &out) == GJK_OK);

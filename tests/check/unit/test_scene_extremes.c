@@ -27,7 +27,7 @@ static uint32_t block[WORDS];
 static gjk_scene scene;
 
 static void start(const gjk_scene_config *config) {
-  CHECK(gjk_scene_init(&scene, config, block, sizeof block, shapes, 7) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, config, block, sizeof block, shapes, 7, NULL) == GJK_OK);
 }
 
 // The axis that bodies are put along; the next one is y.
@@ -114,7 +114,7 @@ static void test_many_parts(void) {
   }
   parts[32767].pose.position.z = 10 * ONE;
   parts[32768].pose.position.z = 20 * ONE;
-  CHECK(gjk_scene_init(&scene, &large, memory, bytes, shapes, 4) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &large, memory, bytes, shapes, 4, NULL) == GJK_OK);
   gjk_body_setup setup = {GJK_POSE_IDENTITY, parts, PARTS, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
   CHECK(gjk_scene_add(&scene, &setup, &many) == GJK_OK);
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
@@ -416,9 +416,9 @@ static void test_tested_once(void) {
   gjk_report reports[8];
   uint32_t count, pairs;
   int calls = 0;
+  const gjk_scene_bindings counting = {.predicate = count_call, .user = &calls};
   start(&usual);
-  scene.predicate = count_call;
-  scene.user = &calls;
+  CHECK(gjk_scene_attach(&scene, block, sizeof block, shapes, 7, &counting) == GJK_OK);
   add(0, 0, 0, 0);
   add(0, 0, 0, 0);
   CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);

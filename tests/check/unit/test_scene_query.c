@@ -261,7 +261,7 @@ static void check_equals(void) {
   CHECK(gjk_collider_pose(&c, &identity) == GJK_OK);
   for (uint32_t first = 0; first < 8; first++) {  // slots from there on, in either order
     gjk_body_id bodies[8];
-    CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
+    CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1, NULL) == GJK_OK);
     for (uint32_t i = first; i < 8; i++) {
       gjk_part parts[2] = {{0, true, GJK_POSE_IDENTITY}, {0, true, GJK_POSE_IDENTITY}};
       for (int k = 0; k < 2; k++) {  // the second across the middle
@@ -326,7 +326,7 @@ static void check_far(random_state *random) {
     pose.position.x = -sign * away;
     CHECK(gjk_collider_init(&c, &slab, NULL, 0) == GJK_OK);
     CHECK(gjk_collider_pose(&c, &pose) == GJK_OK);
-    CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
+    CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1, NULL) == GJK_OK);
     for (unsigned k = 0; k < 3; k++) {
       setup.pose.position.x = sign * (away + random_range(random, 0, 4));
       setup.pose.position.y = random_range(random, -9000, 9000);
@@ -360,7 +360,7 @@ static void check_borders(void) {
   gjk_collider c;
   gjk_aabb box;
   uint32_t count;
-  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 1, NULL) == GJK_OK);
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
   CHECK(gjk_scene_collider(&scene, body, 0, &c) == GJK_OK);
   CHECK(gjk_collider_aabb(&c, &box) == GJK_OK);

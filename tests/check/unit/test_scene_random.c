@@ -108,7 +108,7 @@ static gjk_body_setup add_crates(gjk_scene *scene, uint8_t kind, gjk_body_id *fi
   static const gjk_shape *const shapes[] = {&crate};
   static const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   const gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, kind, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
-  CHECK(gjk_scene_init(scene, &two_bodies, small_block, sizeof small_block, shapes, 1) == GJK_OK);
+  CHECK(gjk_scene_init(scene, &two_bodies, small_block, sizeof small_block, shapes, 1, NULL) == GJK_OK);
   CHECK(gjk_scene_add(scene, &setup, fixed) == GJK_OK);
   CHECK(gjk_scene_add(scene, &setup, moving) == GJK_OK);
   return setup;
@@ -211,7 +211,7 @@ static void check_threshold(void) {
     gjk_body_id fixed, moving;
     gjk_collider a, b;
     gjk_distance_result r = {0};
-    CHECK(gjk_scene_init(&scene, &two_bodies, small_block, sizeof small_block, shapes, 5) == GJK_OK);
+    CHECK(gjk_scene_init(&scene, &two_bodies, small_block, sizeof small_block, shapes, 5, NULL) == GJK_OK);
     setup.pose.rotation = generate_rotation(&random);
     CHECK(gjk_scene_add(&scene, &setup, &fixed) == GJK_OK);
     setup.parts = &part[1];

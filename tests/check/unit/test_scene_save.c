@@ -32,13 +32,14 @@ static void tick(world *w, int number) {
 
 // Moves the scene to another block, by a copy or through a sealed save.
 static void transplant(world *w, size_t bytes, bool seal) {
+  const gjk_scene_bindings bindings = world_bindings(&w->options);
   void *old = w->scene.block, *block = malloc(bytes);
   gjk_scene scene;
   CHECK(!seal || gjk_scene_seal(&w->scene) == GJK_OK);
   memcpy(block, old, bytes);
   memset(old, 0xA5, bytes);
-  CHECK((seal ? gjk_scene_open : gjk_scene_attach)(&scene, block, bytes, world_shapes, WORLD_SHAPES) == GJK_OK);
-  world_equip(w, &scene);
+  CHECK((seal ? gjk_scene_open : gjk_scene_attach)(&scene, block, bytes, world_shapes, WORLD_SHAPES, &bindings) ==
+        GJK_OK);
   w->scene = scene;
   free(old);
 }
@@ -97,8 +98,9 @@ static void check_rollback(void) {
   config.parts += 5;
   const size_t more = gjk_scene_bytes(&config);
   CHECK(world_start(&other, &plain, malloc(more), more));
-  CHECK(gjk_scene_init(&other.scene, &config, other.scene.block, more, world_shapes, WORLD_SHAPES) == GJK_OK);
-  world_equip(&other, &other.scene);
+  const gjk_scene_bindings bindings = world_bindings(&plain);
+  CHECK(gjk_scene_init(&other.scene, &config, other.scene.block, more, world_shapes, WORLD_SHAPES, &bindings) ==
+        GJK_OK);
   for (int i = 0; i < TICKS; i++) {
     tick(&other, i);
     CHECK_MSG(hash_of(&other.scene) == hashes[i], "without skips, tick %d", i);
@@ -180,14 +182,14 @@ static void check_builds(void) {
   CHECK(h->iterations == GJK_ITERATIONS_MAX);
   const uint64_t before = hash_of(&w.scene);
   h->version = 1;
-  CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   h->version = 2;
-  CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_OK);
+  CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_OK);
   h->iterations++;
   CHECK(hash_of(&w.scene) != before);
-  CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   CHECK(gjk_scene_seal(&w.scene) == GJK_OK);
-  CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   free(block);
 }
 
@@ -203,7 +205,7 @@ static void check_refused(void) {
   unsigned char *block = malloc(bytes), *copy = malloc(bytes);
   gjk_scene opened;
   CHECK(!world_start(&w, &small, block, 0));  // no room, but the world is set up
-  CHECK(gjk_scene_init(&w.scene, &config, block, bytes, world_shapes, WORLD_SHAPES) == GJK_OK);
+  CHECK(gjk_scene_init(&w.scene, &config, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_OK);
   random_state random = random_seed(check_seed(SEED) + 7);
   for (int i = 0; i < 40; i++) {
     gjk_report report[20];
@@ -212,21 +214,21 @@ static void check_refused(void) {
     CHECK(gjk_scene_update(&w.scene, report, 20, &progress) == GJK_OK);
   }
   memcpy(copy, block, bytes);
-  CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);  // not sealed
+  CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);  // not sealed
   CHECK(gjk_scene_seal(&w.scene) == GJK_OK);
   check_checksum(block);
   memcpy(copy, block, bytes);
-  CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_OK);
-  CHECK(gjk_scene_open(&opened, copy, bytes - 1, world_shapes, WORLD_SHAPES) == GJK_ERROR_CAPACITY);
-  CHECK(gjk_scene_open(&opened, copy, 3, world_shapes, WORLD_SHAPES) == GJK_ERROR_CAPACITY);
-  CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, 1) == GJK_ERROR_RANGE);
-  CHECK(gjk_scene_open(&opened, NULL, bytes, world_shapes, 1) == GJK_ERROR_NULL);
-  CHECK(gjk_scene_open(NULL, copy, bytes, world_shapes, 1) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_OK);
+  CHECK(gjk_scene_open(&opened, copy, bytes - 1, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_open(&opened, copy, 3, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, 1, NULL) == GJK_ERROR_RANGE);
+  CHECK(gjk_scene_open(&opened, NULL, bytes, world_shapes, 1, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_open(NULL, copy, bytes, world_shapes, 1, NULL) == GJK_ERROR_NULL);
   unsigned accepted = 0;
   for (size_t i = 0; i < bytes; i++) {
     for (unsigned bit = 1; bit < 256; bit <<= 1) {
       copy[i] = (unsigned char)(copy[i] ^ bit);
-      accepted += gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_OK;
+      accepted += gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_OK;
       copy[i] = (unsigned char)(copy[i] ^ bit);
     }
   }
@@ -236,13 +238,13 @@ static void check_refused(void) {
     const unsigned char word[4] = {copy[i + 3], copy[i + 2], copy[i + 1], copy[i]};
     memcpy(copy + i, word, 4);
   }
-  CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   // A whole header tells that it is none.
-  CHECK(gjk_scene_open(&opened, copy, 276, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
-  CHECK(gjk_scene_open(&opened, copy, 275, world_shapes, WORLD_SHAPES) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_open(&opened, copy, 276, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_open(&opened, copy, 275, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CAPACITY);
   // A change breaks the seal.
   CHECK(gjk_scene_wake(&w.scene, w.bodies[0].handle) == GJK_OK);
-  CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   free(block);
   free(copy);
 }
@@ -266,12 +268,12 @@ static void check_forged(void) {
     const size_t at =
         random_below(&random, 2) == 0 ? random_below(&random, 272) : random_below(&random, (uint32_t)bytes / 4);
     copy[at] = (unsigned char)random_u32(&random);
-    if (gjk_scene_attach(&forged, copy, bytes, world_shapes, WORLD_SHAPES) != GJK_OK) {
+    if (gjk_scene_attach(&forged, copy, bytes, world_shapes, WORLD_SHAPES, NULL) != GJK_OK) {
       refused++;
       continue;
     }
     CHECK(gjk_scene_seal(&forged) == GJK_OK);
-    refused += gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES) != GJK_OK;
+    refused += gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES, NULL) != GJK_OK;
   }
   printf("%u of 3000 forged blocks refused\n", refused);
   CHECK(refused > 1000);

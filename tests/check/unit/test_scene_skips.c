@@ -18,17 +18,17 @@ static uint64_t seed;
 static uint32_t quick_block[300], plain_block[300];
 static gjk_scene quick, plain;  // with all skips, with none
 static const gjk_shape *shapes[2];
-static gjk_pose pose[2], offset;  // of the bodies; of both parts in them, if placed
-static bool placed;
+static gjk_pose pose[2], offset;  // of the bodies; of both parts in them, if own_pose
+static bool own_pose;
 static gjk_body_id body[2];
 static gjk_q16 margin;  // of both together
 static unsigned motion_count, boxes_count, direction_count, near_count, far_count, edge_count;
 
 static void start_scene(gjk_scene *scene, uint32_t *block, size_t bytes, gjk_q16 box_margin, uint8_t retest_all) {
   const gjk_scene_config config = {2, 2, 2, 1, box_margin, GJK_DETAIL_TOUCH, 0, retest_all, 0, 0};
-  CHECK(gjk_scene_init(scene, &config, block, bytes, shapes, 2) == GJK_OK);
+  CHECK(gjk_scene_init(scene, &config, block, bytes, shapes, 2, NULL) == GJK_OK);
   for (uint16_t i = 0; i < 2; i++) {
-    const gjk_part part = {i, placed, offset};
+    const gjk_part part = {i, own_pose, offset};
     gjk_body_setup setup = {pose[i], &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
     setup.margin = i == 0 ? margin / 2 : margin - margin / 2;
     CHECK(gjk_scene_add(scene, &setup, &body[i]) == GJK_OK);
@@ -266,7 +266,7 @@ static void make_pair(random_state *random, bool level) {
     const gjk_vec3 place = generate_vector(random, 1 << 27);
     pose[i].position = place;
   }
-  placed = !level && random_below(random, 3) == 0;
+  own_pose = !level && random_below(random, 3) == 0;
   offset.position = generate_vector(random, reach);
   offset.rotation = generate_rotation(random);
   if (level) {
@@ -407,7 +407,7 @@ static gjk_vec3 cycled(const gjk_vec3 *v, unsigned places) {
 }
 
 static void make_faces(random_state *random, faces *f) {
-  placed = false;
+  own_pose = false;
   const unsigned places = random_below(random, 3);
   const int32_t p = 1 << random_below(random, 15), c = random_range(random, 1, 1 << 14);
   const gjk_vec3 n = {p, p, c}, across = {1, -1, 0}, up = {-c, -c, 2 * p};

@@ -63,7 +63,7 @@ static bool in_ranges(world *w, world_list *list) {
     r->scene = w->scene;
     r->workspace.cells = r->cells;
     r->workspace.count = world_cells();
-    r->scene.workspace = &r->workspace;
+    r->scene.bindings.workspace = &r->workspace;
     r->begin = i * share;
     r->end = (i + 1) * share;
     fine = pthread_create(&threads[i], NULL, test_range, &ranges[i]) == 0;

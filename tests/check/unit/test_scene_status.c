@@ -18,7 +18,7 @@ static uint32_t block[2000];
 static gjk_scene scene;
 
 static void start(const gjk_scene_config *config) {
-  CHECK(gjk_scene_init(&scene, config, block, sizeof block, shapes, 4) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, config, block, sizeof block, shapes, 4, NULL) == GJK_OK);
 }
 
 static gjk_body_setup setup_of(const gjk_part *parts, uint16_t count, int32_t x) {
@@ -48,18 +48,18 @@ static void check_configurations(void) {
   CHECK(gjk_scene_bytes(&c) > 0);
   CHECK(gjk_scene_bytes(&c) <= sizeof block);
   CHECK(gjk_scene_bytes(NULL) == 0);
-#define REFUSED(field, value, status)                                              \
-  do {                                                                             \
-    c = usual;                                                                     \
-    c.field = (value);                                                             \
-    CHECK(gjk_scene_bytes(&c) == 0);                                               \
-    CHECK(gjk_scene_init(&scene, &c, block, sizeof block, shapes, 4) == (status)); \
+#define REFUSED(field, value, status)                                                    \
+  do {                                                                                   \
+    c = usual;                                                                           \
+    c.field = (value);                                                                   \
+    CHECK(gjk_scene_bytes(&c) == 0);                                                     \
+    CHECK(gjk_scene_init(&scene, &c, block, sizeof block, shapes, 4, NULL) == (status)); \
   } while (0)
   REFUSED(bodies, 0, GJK_ERROR_RANGE);
   REFUSED(bodies, GJK_SCENE_BODIES_MAX + 1, GJK_ERROR_RANGE);
   REFUSED(parts, 0, GJK_ERROR_RANGE);
   REFUSED(parts, UINT32_MAX, GJK_ERROR_RANGE);
-  REFUSED(placed, GJK_SCENE_BODIES_MAX + 1, GJK_ERROR_RANGE);
+  REFUSED(own_poses, GJK_SCENE_BODIES_MAX + 1, GJK_ERROR_RANGE);
   REFUSED(pairs, 0, GJK_ERROR_RANGE);
   REFUSED(pairs, GJK_SCENE_PAIRS_MAX + 1, GJK_ERROR_RANGE);
   REFUSED(box_margin, -1, GJK_ERROR_RANGE);
@@ -84,12 +84,12 @@ static void check_configurations(void) {
   CHECK(gjk_scene_bytes(&least) > 0);
   c = usual;
   const size_t bytes = gjk_scene_bytes(&c);
-  CHECK(gjk_scene_init(&scene, &c, block, bytes - 1, shapes, 4) == GJK_ERROR_CAPACITY);
-  CHECK(gjk_scene_init(&scene, &c, (char *)block + 1, sizeof block - 4, shapes, 4) == GJK_ERROR_RANGE);
-  CHECK(gjk_scene_init(NULL, &c, block, bytes, shapes, 4) == GJK_ERROR_NULL);
-  CHECK(gjk_scene_init(&scene, NULL, block, bytes, shapes, 4) == GJK_ERROR_NULL);
-  CHECK(gjk_scene_init(&scene, &c, NULL, bytes, shapes, 4) == GJK_ERROR_NULL);
-  CHECK(gjk_scene_init(&scene, &c, block, bytes, NULL, 4) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_init(&scene, &c, block, bytes - 1, shapes, 4, NULL) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_init(&scene, &c, (char *)block + 1, sizeof block - 4, shapes, 4, NULL) == GJK_ERROR_RANGE);
+  CHECK(gjk_scene_init(NULL, &c, block, bytes, shapes, 4, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_init(&scene, NULL, block, bytes, shapes, 4, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_init(&scene, &c, NULL, bytes, shapes, 4, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_init(&scene, &c, block, bytes, NULL, 4, NULL) == GJK_ERROR_NULL);
   // The figures to keep: bytes of a body with one shape, and of a pair.
   gjk_scene_config more = usual;
   more.bodies += 32;
@@ -214,7 +214,7 @@ static void check_pools(void) {
   const gjk_part plain = {0, false, GJK_POSE_IDENTITY}, placed = {1, true, GJK_POSE_IDENTITY};
   const gjk_part three[3] = {plain, plain, plain};
   gjk_body_id bodies[4], extra = nobody;
-  for (int pool = 0; pool < 3; pool++) {  // bodies, parts, placed parts
+  for (int pool = 0; pool < 3; pool++) {  // bodies, parts, own poses
     start(&usual);
     const int fit = pool == 0 ? 4 : 2;
     extra = nobody;
@@ -331,7 +331,7 @@ static void check_busy(void) {
 }
 
 static void check_foreign(void) {
-  const gjk_scene nothing = {NULL, NULL, 0, NULL, NULL, NULL, NULL, NULL};
+  const gjk_scene nothing = {0};
   gjk_scene_stats stats;
   start(&usual);
   CHECK(gjk_scene_get_stats(&nothing, &stats) == GJK_ERROR_NULL);
@@ -479,17 +479,30 @@ static void check_missing(void) {
   // Attaching.
   const size_t bytes = gjk_scene_bytes(&usual);
   gjk_scene other = bare;
-  CHECK(gjk_scene_attach(NULL, block, bytes, shapes, 4) == GJK_ERROR_NULL);
-  CHECK(gjk_scene_attach(&other, NULL, bytes, shapes, 4) == GJK_ERROR_NULL);
-  CHECK(gjk_scene_attach(&other, block, bytes, NULL, 4) == GJK_ERROR_NULL);
-  CHECK(gjk_scene_attach(&other, (char *)block + 2, bytes, shapes, 4) == GJK_ERROR_RANGE);
+  CHECK(gjk_scene_attach(NULL, block, bytes, shapes, 4, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_attach(&other, NULL, bytes, shapes, 4, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_attach(&other, block, bytes, NULL, 4, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_attach(&other, (char *)block + 2, bytes, shapes, 4, NULL) == GJK_ERROR_RANGE);
   CHECK(other.shapes == NULL);
-  CHECK(gjk_scene_attach(&other, block, bytes, shapes, 4) == GJK_OK);
+  CHECK(gjk_scene_attach(&other, block, bytes, shapes, 4, NULL) == GJK_OK);
   CHECK(other.shapes == shapes);
   CHECK(other.block == block);
   CHECK(other.shape_count == 4);
-  CHECK(other.predicate == NULL);
-  CHECK(gjk_scene_open(NULL, block, bytes, shapes, 4) == GJK_ERROR_NULL);
+  CHECK(other.bindings.predicate == NULL);
+  CHECK(other.bindings.details == NULL);
+  CHECK(other.bindings.manifolds == NULL);
+  CHECK(block[1] == GJK_SCENE_BLOCK_VERSION);
+  // Bindings are copied, also from the handle itself.
+  const gjk_scene_bindings given = {.user = &n, .details = &gjk_scene_contacts};
+  CHECK(gjk_scene_attach(&other, block, bytes, shapes, 4, &given) == GJK_OK);
+  CHECK(other.bindings.user == &n);
+  CHECK(other.bindings.details == &gjk_scene_contacts);
+  CHECK(gjk_scene_attach(&other, block, bytes, shapes, 4, &other.bindings) == GJK_OK);
+  CHECK(other.bindings.user == &n);
+  CHECK(other.bindings.details == &gjk_scene_contacts);
+  CHECK(gjk_scene_attach(&other, block, bytes, shapes, 4, NULL) == GJK_OK);
+  CHECK(other.bindings.user == NULL);
+  CHECK(gjk_scene_open(NULL, block, bytes, shapes, 4, NULL) == GJK_ERROR_NULL);
 }
 
 // The block may come from the port's allocator.
@@ -497,7 +510,7 @@ static void check_allocated(void) {
   const size_t bytes = gjk_scene_bytes(&usual);
   void *memory = gjk_port_allocate(bytes);
   CHECK(memory != NULL);
-  CHECK(gjk_scene_init(&scene, &usual, memory, bytes, shapes, 4) == GJK_OK);
+  CHECK(gjk_scene_init(&scene, &usual, memory, bytes, shapes, 4, NULL) == GJK_OK);
   CHECK(gjk_scene_check(&scene) == GJK_OK);
   gjk_port_release(memory);
 }

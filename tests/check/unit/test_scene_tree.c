@@ -55,7 +55,7 @@ static double grow(random_state *random, unsigned axis, gjk_scene *scene, const 
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
   gjk_body_id bodies[BODIES];
   uint32_t order[BODIES];
-  CHECK(gjk_scene_init(scene, config, block, bytes, shapes, 1) == GJK_OK);
+  CHECK(gjk_scene_init(scene, config, block, bytes, shapes, 1, NULL) == GJK_OK);
   for (uint32_t i = 0; i < BODIES; i++) {
     const uint32_t k = random_below(random, i + 1);
     order[i] = order[k];

@@ -77,7 +77,8 @@ static void test_versions(void) {
 #endif
   const int32_t part[3] = {GJK_VERSION_MAJOR, GJK_VERSION_MINOR, GJK_VERSION_PATCH};
   for (int i = 0; i < 3; i++) {
-    CHECK_MSG(part[i] >= 0 && part[i] < 1000, "part %d", i);
+    CHECK_MSG(part[i] >= 0, "part %d", i);
+    CHECK_MSG(part[i] < 1000, "part %d", i);
   }
   // Release 0.0.0 is none, and neither is version 0 of the bits.
   CHECK(part[0] + part[1] + part[2] > 0);

@@ -47,13 +47,14 @@ static void stop(void *world) {
   free(w);
 }
 
-static void *start(const scene_tick *all) {
+static void *start_bound(const scene_tick *all, gjk_scene_predicate *predicate) {
   const gjk_scene_config config = traffic_config(TRAFFIC_CROWDED, all->count);
   const size_t bytes = gjk_scene_bytes(&config);
   gjk_world *w = calloc(1, sizeof *w + all->count * sizeof w->bodies[0]);
   void *block = malloc(bytes);
+  const gjk_scene_bindings bindings = {.predicate = predicate, .user = w};
   if (w == NULL || block == NULL ||
-      gjk_scene_init(&w->scene, &config, block, bytes, traffic_shapes, TRAFFIC_SHAPES) != GJK_OK) {
+      gjk_scene_init(&w->scene, &config, block, bytes, traffic_shapes, TRAFFIC_SHAPES, &bindings) != GJK_OK) {
     free(block);
     free(w);
     return NULL;
@@ -69,13 +70,12 @@ static void *start(const scene_tick *all) {
   return w;
 }
 
+static void *start(const scene_tick *all) {
+  return start_bound(all, NULL);
+}
+
 static void *start_broad(const scene_tick *all) {
-  gjk_world *w = start(all);
-  if (w != NULL) {
-    w->scene.predicate = refuse;
-    w->scene.user = w;
-  }
-  return w;
+  return start_bound(all, refuse);
 }
 
 static bool replace(gjk_world *w, uint32_t slot, const traffic_body *body) {

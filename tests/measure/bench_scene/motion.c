@@ -46,7 +46,7 @@ bool motion_start(motion *m, traffic_kind kind, uint32_t count, uint32_t percent
   m->states = malloc((size_t)count * MOTION_TICKS * sizeof *m->states);
   return block != NULL && m->bodies != NULL && m->exact != NULL && m->fixed != NULL && m->boxes != NULL &&
          m->states != NULL &&
-         gjk_scene_init(&m->scene, &config, block, bytes, traffic_shapes, TRAFFIC_SHAPES) == GJK_OK &&
+         gjk_scene_init(&m->scene, &config, block, bytes, traffic_shapes, TRAFFIC_SHAPES, NULL) == GJK_OK &&
          traffic_start(&m->traffic, &m->scene, kind, count, percent, m->bodies) == GJK_OK;
 }
 

@@ -39,7 +39,7 @@ bool scene_bench_tick(void) {
 
 bool scene_bench_start(const scene_bench_case *c) {
   const gjk_scene_config config = traffic_config(c->kind, c->bodies);
-  bool fine = gjk_scene_init(&scene, &config, block, sizeof block, traffic_shapes, TRAFFIC_SHAPES) == GJK_OK &&
+  bool fine = gjk_scene_init(&scene, &config, block, sizeof block, traffic_shapes, TRAFFIC_SHAPES, NULL) == GJK_OK &&
               traffic_start(&state, &scene, c->kind, c->bodies, c->percent, bodies) == GJK_OK;
   for (int i = 0; i < WARM_UP && fine; i++) {
     scene_bench_plan();

@@ -32,16 +32,11 @@ static gjk_epa_cell cells[CELLS];
 static const gjk_workspace workspace = {cells, CELLS};
 static gjk_manifold manifold;
 
-static void equip(gjk_scene *scene) {
-  scene->details = &gjk_scene_contacts;
-  scene->workspace = &workspace;
-  scene->manifolds = &manifold;
-}
+static const gjk_scene_bindings bindings = {
+    .details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = &manifold};
 
 bool match_scene(match *m, gjk_scene *out) {
-  const bool fine = gjk_scene_attach(out, m->block, sizeof m->block, shapes, SHAPES) == GJK_OK;
-  equip(out);
-  return fine;
+  return gjk_scene_attach(out, m->block, sizeof m->block, shapes, SHAPES, &bindings) == GJK_OK;
 }
 
 static const uint8_t details[6] = {GJK_DETAIL_DISTANCE, GJK_DETAIL_TOUCH, GJK_DETAIL_TOUCH,
@@ -79,7 +74,7 @@ bool match_start(match *m) {
       MATCH_BODIES, 2 * MATCH_BODIES, MATCH_BODIES, MATCH_PAIRS, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 1, 0, 0, CELLS};
   gjk_scene scene;
   m->tick = 0;
-  bool fine = gjk_scene_init(&scene, &config, m->block, sizeof m->block, shapes, SHAPES) == GJK_OK;
+  bool fine = gjk_scene_init(&scene, &config, m->block, sizeof m->block, shapes, SHAPES, &bindings) == GJK_OK;
   for (uint32_t i = 0; i < MATCH_BODIES && fine; i++) {
     fine = add(m, &scene, i);
   }

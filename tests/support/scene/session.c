@@ -59,19 +59,19 @@ void session_keep(session *s) {
 }
 
 bool session_move(session *s, bool back) {
+  const gjk_scene_bindings bindings = world_bindings(&s->now.options);
   void *block = malloc(s->bytes);
   gjk_scene scene;
   if (block == NULL || (!back && gjk_scene_seal(&s->now.scene) != GJK_OK)) {
     return false;
   }
   memcpy(block, back ? s->save : s->now.scene.block, s->bytes);
-  const gjk_status status = back ? gjk_scene_attach(&scene, block, s->bytes, world_shapes, WORLD_SHAPES)
-                                 : gjk_scene_open(&scene, block, s->bytes, world_shapes, WORLD_SHAPES);
+  const gjk_status status = back ? gjk_scene_attach(&scene, block, s->bytes, world_shapes, WORLD_SHAPES, &bindings)
+                                 : gjk_scene_open(&scene, block, s->bytes, world_shapes, WORLD_SHAPES, &bindings);
   free(s->now.scene.block);
   if (back) {
     s->now = s->saved;
   }
-  world_equip(&s->now, &scene);
   s->now.scene = scene;
   s->restores++;
   return status == GJK_OK;

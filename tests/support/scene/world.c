@@ -56,20 +56,18 @@ bool world_start(world *w, const world_options *options, void *block, size_t byt
   memset(w, 0, sizeof *w);
   w->options = *options;
   const gjk_scene_config config = world_config(options);
-  if (gjk_scene_init(&w->scene, &config, block, bytes, world_shapes, WORLD_SHAPES) != GJK_OK) {
-    return false;
-  }
-  world_equip(w, &w->scene);
-  return true;
+  const gjk_scene_bindings bindings = world_bindings(options);
+  return gjk_scene_init(&w->scene, &config, block, bytes, world_shapes, WORLD_SHAPES, &bindings) == GJK_OK;
 }
 
-void world_equip(const world *w, gjk_scene *scene) {
+gjk_scene_bindings world_bindings(const world_options *options) {
   static gjk_epa_cell cells[WORLD_CELLS + 100];  // more than are configured make no difference
   static const gjk_workspace workspace = {cells, WORLD_CELLS + 100};
-  scene->predicate = w->options.predicate ? world_predicate : NULL;
-  scene->details = &gjk_scene_contacts;
-  scene->workspace = &workspace;
-  scene->manifolds = world_manifolds;
+  const gjk_scene_bindings bindings = {.predicate = options->predicate ? world_predicate : NULL,
+                                       .details = &gjk_scene_contacts,
+                                       .workspace = &workspace,
+                                       .manifolds = world_manifolds};
+  return bindings;
 }
 
 static gjk_vec3 random_point(random_state *random, int32_t reach) {
@@ -117,7 +115,7 @@ void world_random_setup(const world *w, random_state *random, world_body *body) 
   s->part_count = (uint16_t)(random_below(random, 5) == 0 ? 2 + random_below(random, 2) : 1);
   for (int i = 0; i < s->part_count; i++) {
     body->parts[i].shape = (uint16_t)random_below(random, WORLD_SHAPES);
-    body->parts[i].placed = s->part_count > 1 ? i > 0 : random_below(random, 8) == 0;
+    body->parts[i].own_pose = s->part_count > 1 ? i > 0 : random_below(random, 8) == 0;
     body->parts[i].pose.position = random_point(random, GJK_Q16(1.0));
     body->parts[i].pose.rotation = random_rotation(random, 2000);
   }
@@ -135,7 +133,7 @@ static gjk_status pose_parts(world_body *b) {
   gjk_status status = GJK_OK;
   for (int i = 0; i < b->setup.part_count && status == GJK_OK; i++) {
     gjk_pose pose = b->setup.pose;
-    if (b->parts[i].placed) {
+    if (b->parts[i].own_pose) {
       status = gjk_pose_compose(&b->setup.pose, &b->parts[i].pose, &pose);
     }
     gjk_collider_init(&b->colliders[i], world_shapes[b->parts[i].shape], NULL, 0);
@@ -170,17 +168,17 @@ gjk_status world_add_at(world *w, uint32_t slot, const world_body *body) {
 static bool add(world *w, random_state *random) {
   world_body body;
   gjk_body_id handle = {0, 0};
-  uint32_t placed = 0, lowest = 0;
+  uint32_t own_poses = 0, lowest = 0;
   world_random_setup(w, random, &body);
   body.setup.parts = body.parts;
   for (uint32_t i = 0; i < w->options.bodies; i++) {
     const world_body *b = &w->bodies[i];
     for (int k = 0; b->handle.generation != 0 && k < b->setup.part_count; k++) {
-      placed += b->parts[k].placed;
+      own_poses += b->parts[k].own_pose;
     }
   }
   for (int i = 0; i < body.setup.part_count; i++) {
-    placed += body.parts[i].placed;
+    own_poses += body.parts[i].own_pose;
   }
   while (lowest < w->options.bodies && w->bodies[lowest].handle.generation != 0) {
     lowest++;
@@ -190,7 +188,7 @@ static bool add(world *w, random_state *random) {
     w->failures++;
     return status == posed;
   }
-  if (lowest == w->options.bodies || placed > w->options.bodies) {
+  if (lowest == w->options.bodies || own_poses > w->options.bodies) {
     w->failures++;
     return status == GJK_ERROR_CAPACITY;
   }

@@ -63,8 +63,8 @@ gjk_scene_config world_config(const world_options *options);
 // An empty world in a block of gjk_scene_bytes(world_config(options)). Returns whether the scene could be made.
 bool world_start(world *w, const world_options *options, void *block, size_t bytes);
 
-// Sets the fields of a handle that are the caller's: the predicate of the world's options, depth and contacts.
-void world_equip(const world *w, gjk_scene *scene);
+// What is bound to the scene of a world with these options: depth and contacts, and perhaps world_predicate.
+gjk_scene_bindings world_bindings(const world_options *options);
 
 // One random change to both. Returns false when the scene's status is not the expected one.
 bool world_change(world *w, random_state *random);

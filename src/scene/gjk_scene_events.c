@@ -1,0 +1,159 @@
+// The events of an update: which of its pairs began to be near, stayed near, or ended, in the order of reports.
+#include "gjk_scene_sort.h"
+#include "gjk_scene_update.h"
+
+static bool is_awake(const gjk_scene_view *v, uint32_t part) {
+  const gjk_scene_body *body = &v->bodies[v->parts[part].body];
+  return (body->kind_detail & 15u) != GJK_BODY_STATIC && (body->flags & GJK_SCENE_ASLEEP) == 0;
+}
+
+// Is a pair that stays near to be reported?
+static bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  const gjk_scene_linked_pair *linked = &pair->ends.linked;
+  return v->header->config.persist != 0 && (is_awake(v, linked->part[0]) || is_awake(v, linked->part[1]));
+}
+
+// The counter of an outcome: gjk_scene_stats has them in the order of outcomes.
+static uint32_t *counter_of(gjk_scene_stats *s, unsigned outcome) {
+  uint32_t *words = (uint32_t *)(void *)s;
+  return words + offsetof(gjk_scene_stats, filtered) / sizeof *words + (outcome - GJK_SCENE_FILTERED);
+}
+
+// Step 5. Pairs that are gone are no pairs of this update.
+static void start_stats(gjk_scene_view *v) {
+  gjk_scene_header *h = v->header;
+  gjk_scene_stats *s = &h->stats;
+  s->refused = h->refused;
+  s->pairs = h->pairs.count;
+  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].ends.gone.next) {
+    //@ assert i < h->pairs.fresh;
+    s->pairs--;
+  }
+  s->resting = s->pairs - h->queued;
+  s->filtered = s->motion = s->boxes = s->direction = s->warm = s->cold = 0;
+  s->begun = s->persisting = s->ended = s->unsettled = 0;
+}
+
+// Adds a pair with its event to the events kept, which overwrite the queue from its start.
+static void keep_event(gjk_scene_view *v, uint32_t index, gjk_event event, uint32_t *kept) {
+  gjk_scene_stats *s = &v->header->stats;
+  uint32_t *counter = event == GJK_EVENT_BEGIN ? &s->begun : event == GJK_EVENT_END ? &s->ended : &s->persisting;
+  (*counter)++;
+  //@ assert *kept < v->header->pairs.capacity;
+  v->pairs[index].outcome = (uint8_t)event;
+  v->queue[(*kept)++] = index;
+}
+
+// Step 6, pairs that were tested. Each makes at most one event, so no entry is overwritten before it is read.
+//
+// With persist, those that are near keep QUEUED, so that keep_resting does not find them again.
+static void keep_tested(gjk_scene_view *v, uint32_t *kept) {
+  gjk_scene_header *h = v->header;
+  for (uint32_t i = 0; i < h->queued; i++) {
+    const uint32_t index = v->queue[i];
+    gjk_scene_pair *pair = &v->pairs[index];
+    const unsigned state = pair->state, outcome = pair->outcome;
+    const bool was = (state & GJK_SCENE_PAIR_NEAR) != 0, now = (state & GJK_SCENE_PAIR_NEAR_NOW) != 0;
+    const unsigned kind = outcome & (GJK_SCENE_UNSETTLED - 1u);
+    //@ assert kind >= GJK_SCENE_FILTERED && kind <= GJK_SCENE_COLD;
+    (*counter_of(&h->stats, kind))++;
+    h->stats.unsettled += (outcome & GJK_SCENE_UNSETTLED) != 0;
+    pair->state = (uint8_t)((state & ~(GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_QUEUED | GJK_SCENE_PAIR_NEAR_NOW)) |
+                            (now ? GJK_SCENE_PAIR_NEAR : 0u));
+    if (was != now) {
+      keep_event(v, index, now ? GJK_EVENT_BEGIN : GJK_EVENT_END, kept);
+    } else if (now && persists(v, pair)) {
+      keep_event(v, index, GJK_EVENT_PERSIST, kept);
+    }
+    if (now && h->config.persist != 0) {
+      pair->state |= GJK_SCENE_PAIR_QUEUED;
+    }
+  }
+}
+
+// Step 6, with persist: pairs that rest near.
+static void keep_resting(gjk_scene_view *v, uint32_t *kept) {
+  const gjk_scene_header *h = v->header;
+  for (uint32_t i = 0; h->config.persist != 0 && i < h->pairs.fresh; i++) {
+    gjk_scene_pair *pair = &v->pairs[i];
+    const unsigned flags = pair->state & (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_GONE);
+    if (flags == (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR) && (pair->state & GJK_SCENE_PAIR_QUEUED) == 0 &&
+        persists(v, pair)) {
+      keep_event(v, i, GJK_EVENT_PERSIST, kept);
+    }
+    pair->state = (uint8_t)(pair->state & ~GJK_SCENE_PAIR_QUEUED);
+  }
+}
+
+// Step 6, pairs that are gone: all of them were near.
+static void keep_gone(gjk_scene_view *v, uint32_t *kept) {
+  gjk_scene_header *h = v->header;
+  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].ends.gone.next) {
+    //@ assert i < h->pairs.fresh;
+    keep_event(v, i, GJK_EVENT_END, kept);
+  }
+  h->gone = GJK_SCENE_NONE;
+}
+
+// Step 7. Every pair of a moved body is tested, so motion counts from these poses on.
+static void forget_motion(gjk_scene_view *v) {
+  gjk_scene_header *h = v->header;
+  for (uint32_t slot = h->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
+    gjk_scene_body *body = &v->bodies[slot];
+    body->flags = (uint8_t)(body->flags & ~GJK_SCENE_MOVED);
+    for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+      v->parts[i].motion = 0;
+    }
+  }
+  h->moved = GJK_SCENE_NONE;
+}
+
+// The slot of a pair's first body.
+static uint32_t first_slot(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? pair->ends.gone.slot[0] : v->parts[pair->ends.linked.part[0]].body;
+}
+
+// Does the report of the pair at place i of the queue come before that at place j? The first slots decide most.
+static bool reported_before(const void *view, uint32_t i, uint32_t j) {
+  const gjk_scene_view *v = (const gjk_scene_view *)view;
+  const gjk_scene_pair *pair_i = &v->pairs[v->queue[i]], *pair_j = &v->pairs[v->queue[j]];
+  const uint32_t slot_i = first_slot(v, pair_i), slot_j = first_slot(v, pair_j);
+  if (slot_i != slot_j) {
+    return slot_i < slot_j;
+  }
+  for (unsigned side = 0; side < 2; side++) {
+    const gjk_scene_side a = gjk_scene_side_of(v, pair_i, side), b = gjk_scene_side_of(v, pair_j, side);
+    if (a.slot != b.slot) {
+      return a.slot < b.slot;
+    }
+    if (a.generation != b.generation) {
+      return a.generation < b.generation;
+    }
+    if (a.part != b.part) {
+      return a.part < b.part;
+    }
+  }
+  return false;
+}
+
+static void exchange_events(void *view, uint32_t i, uint32_t j) {
+  const gjk_scene_view *v = (const gjk_scene_view *)view;
+  const uint32_t index = v->queue[i];
+  v->queue[i] = v->queue[j];
+  v->queue[j] = index;
+}
+
+void gjk_scene_make_events(gjk_scene_view *v) {
+  static const gjk_scene_order order = {.before = reported_before, .exchange = exchange_events};
+  gjk_scene_header *h = v->header;
+  uint32_t kept = 0;
+  start_stats(v);
+  keep_tested(v, &kept);
+  keep_resting(v, &kept);
+  keep_gone(v, &kept);
+  h->queued = kept;
+  h->next_report = 0;
+  forget_motion(v);
+  gjk_scene_sort(&order, v, kept);  // Step 8
+  h->phase = GJK_SCENE_REPORTING;
+}

@@ -1,0 +1,91 @@
+// The reports of an update, and the pairs that were near at the last one.
+#include "gjk_scene_update.h"
+
+// Fills a report but for event, distance and manifold.
+static void describe(const gjk_scene_view *v, const gjk_scene_pair *pair, gjk_report *out) {
+  const gjk_scene_side a = gjk_scene_side_of(v, pair, 0), b = gjk_scene_side_of(v, pair, 1);
+  out->a.slot = a.slot;
+  out->a.generation = a.generation;
+  out->b.slot = b.slot;
+  out->b.generation = b.generation;
+  out->part_a = a.part;
+  out->part_b = b.part;
+  out->detail = (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? v->header->config.detail
+                                                         : gjk_scene_detail(v, &v->bodies[a.slot], &v->bodies[b.slot]);
+}
+
+// Reports one pair, and drops it if its report was all that it was kept for.
+static void report_pair(gjk_scene_view *v, uint32_t index, gjk_report *out) {
+  gjk_scene_pair *pair = &v->pairs[index];
+  describe(v, pair, out);
+  out->event = pair->outcome;
+  out->distance = 0;
+  out->manifold = NULL;
+  if (out->event != GJK_EVENT_END) {
+    out->distance = gjk_scene_wants_distance(out->detail) ? pair->gap : 0;
+  } else if ((pair->state & GJK_SCENE_PAIR_GONE) != 0) {
+    pair->state = 0;
+    gjk_scene_pool_give(v, &v->header->pairs, sizeof *pair, index);
+  } else if (!gjk_scene_pair_stays(v, pair)) {
+    gjk_scene_pair_drop(v, index);
+  }
+}
+
+// Adds the manifold to a report, and its least distance. Without an answer the manifold is zero.
+static void add_manifold(const gjk_scene_view *v, gjk_manifold *room, gjk_report *out) {
+  const gjk_status status = v->scene->bindings.details->manifold(v->scene, out, 4, room);
+  if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
+    room->normal.x = room->normal.y = room->normal.z = 0;
+    room->count = 0;
+    room->feature_a = room->feature_b = 0;
+  }
+  v->header->stats.unsettled += status != GJK_OK;
+  out->manifold = room;
+  out->distance = room->count > 0 ? room->contact[0].distance : 0;
+  for (unsigned i = 1; i < room->count; i++) {
+    out->distance = room->contact[i].distance < out->distance ? room->contact[i].distance : out->distance;
+  }
+}
+
+void gjk_scene_write_reports(gjk_scene_view *v, gjk_report *reports, uint32_t capacity, gjk_progress *progress) {
+  gjk_scene_header *h = v->header;
+  gjk_manifold *manifolds = v->scene->bindings.manifolds;
+  while (h->next_report < h->queued && progress->reports < capacity) {
+    gjk_report *out = &reports[progress->reports];
+    report_pair(v, v->queue[h->next_report++], out);
+    if (out->detail == GJK_DETAIL_CONTACTS && out->event != GJK_EVENT_END && manifolds != NULL) {
+      add_manifold(v, &manifolds[progress->reports], out);
+    }
+    progress->reports++;
+  }
+  progress->reports_left = h->queued - h->next_report;
+  if (h->next_report >= h->queued) {
+    h->updates++;
+    h->queued = 0;
+    h->phase = GJK_SCENE_IDLE;
+  }
+}
+
+gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_report *out, bool *found) {
+  gjk_scene_view v;
+  gjk_status status = gjk_scene_view_of(scene, &v);
+  if (status == GJK_OK && (cursor == NULL || out == NULL || found == NULL)) {
+    status = GJK_ERROR_NULL;
+  }
+  if (status != GJK_OK) {
+    return status;
+  }
+  *found = false;
+  while (*cursor < v.header->pairs.fresh && !*found) {
+    const gjk_scene_pair *pair = &v.pairs[(*cursor)++];
+    if ((pair->state & GJK_SCENE_PAIR_NEAR) != 0) {
+      const bool gone = (pair->state & GJK_SCENE_PAIR_GONE) != 0;
+      describe(&v, pair, out);
+      out->event = gone ? GJK_EVENT_END : GJK_EVENT_PERSIST;
+      out->distance = !gone && gjk_scene_wants_distance(out->detail) ? pair->gap : 0;
+      out->manifold = NULL;
+      *found = true;
+    }
+  }
+  return GJK_OK;
+}
