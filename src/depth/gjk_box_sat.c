@@ -1,26 +1,43 @@
-// Depth of boxes and segments in each other, from the directions across every two half axes.
+// SAT of boxes: the depth of points, segments and boxes in each other, by separating directions.
 //
-// A - B holds the points delta + sum of s_i g_i with |s_i| <= 1, where delta leads from B's centre to A's and g_i are the
-// half axes of both. Across n = g_i x g_j its facet is at |n . g_k| summed over the others, plus n . delta.
+// A - B is the set of the sums  delta + s_1 g_1 + ... + s_n g_n  with |s_k| <= 1, where delta = centre_a - centre_b and
+// g_k are the half axes of A and B, at most six. Each facet is spanned by two half axes or more. So its normal is one
+// of the at most 15
+//   n = g_i x g_j,
+// and the plane of the nearer one of the two facets across n is at the height
+//   (sum of |n . g_k| over all k  -  |n . delta|) / |n|.
+//
+//   Step 1   For each n, rounded, compute a lower bound of the height, and its height key. Each triple product
+//            g_i x g_j . g_k serves three of the n. A height is surely below 0: APART.
+//   Step 2   Take the n with the lowest key. None is left, or the plane cannot be better than the candidate: step 7.
+//   Step 3   The half axes are parallel: n = 0, on from step 2. All half axes lie in the plane: FLAT.
+//   Step 4   Take a triangle in the facet: the sums whose s_k is the sign of n . g_k, but for those in the plane.
+//   Step 5   Flip the triangle over the edge that the origin's projection lies beyond, until it holds the projection,
+//            or the facet ends.
+//   Step 6   The origin lies strictly beyond the plane: APART. Otherwise offer the triangle; on from step 2.
+//   Step 7   The candidate is the nearest facet: FACET. Without any: FLAT.
+//
 // After   the separating axes of Gottschalk, Lin, Manocha, OBBTree, 1996. Departures: half axes need not be at right
-//         angles, as posing leaves them; exact signs; the nearest point of the facet as well.
+//         angles, since posing rounds them; exact signs; the nearest point of the facet as well.
 #include "gjk_box_sat.h"
 
 // Three half axes of each.
 #define AXES 6
 #define DIRECTIONS 15
 
-typedef struct zonotope {
+// Two boxes, segments or points, in the frame of the pair.
+typedef struct box_pair {
   gjk_iteration *it;
-  gjk_vec3 axis[AXES];  // in the frame
+  gjk_vec3 axis[AXES];  // half axes: first those of A, then those of B
   gjk_vec3 delta;
-  unsigned count, of_a;  // axes, the first of them A's
-} zonotope;
+  unsigned count, of_a;  // of half axes, and how many of them are A's
+} box_pair;
 
-bool gjk_is_zonotope(const gjk_iteration *it) {
+bool gjk_is_box_pair(const gjk_iteration *it) {
   return it->a->shape->type->kind == GJK_KIND_AXES && it->b->shape->type->kind == GJK_KIND_AXES;
 }
 
+// A half axis in the frame.
 static gjk_vec3 in_frame(const gjk_vec3 *v, int shift) {
   const gjk_vec3 scaled = {gjk_shl32(v->x, (unsigned)shift), gjk_shl32(v->y, (unsigned)shift),
                            gjk_shl32(v->z, (unsigned)shift)};
@@ -30,201 +47,211 @@ static gjk_vec3 in_frame(const gjk_vec3 *v, int shift) {
   return scaled;
 }
 
-static void open(zonotope *z, gjk_iteration *it) {
-  z->it = it;
-  z->of_a = it->a->count;
-  z->count = z->of_a + it->b->count;
-  for (unsigned i = 0; i < z->count; i++) {
-    z->axis[i] = in_frame(i < z->of_a ? &it->a->frame[i] : &it->b->frame[i - z->of_a], it->shift);
+static void set_box_pair(box_pair *pair, gjk_iteration *it) {
+  pair->it = it;
+  pair->of_a = it->a->count;
+  pair->count = pair->of_a + it->b->count;
+  for (unsigned i = 0; i < pair->count; i++) {
+    pair->axis[i] = in_frame(i < pair->of_a ? &it->a->frame[i] : &it->b->frame[i - pair->of_a], it->shift);
   }
-  z->delta = it->delta;
+  pair->delta = it->delta;
 }
 
-// A vertex of A - B by the signs of the axes: bit k is set for plus.
-static void place_patch(const zonotope *z, unsigned signs, gjk_vertex *out) {
-  const unsigned mask_a = (1u << z->of_a) - 1, mask_b = (1u << (z->count - z->of_a)) - 1;
-  gjk_vec3 w = z->delta;
-  for (unsigned k = 0; k < z->count; k++) {
-    w = (signs >> k & 1u) != 0 ? gjk_add(w, z->axis[k]) : gjk_sub(w, z->axis[k]);
+// The vertex of A - B whose s_k are signs. Bit k is set: s_k = 1; otherwise -1.
+static void vertex_of_signs(const box_pair *pair, unsigned signs, gjk_vertex *out) {
+  const unsigned mask_a = (1u << pair->of_a) - 1, mask_b = (1u << (pair->count - pair->of_a)) - 1;
+  gjk_vec3 w = pair->delta;
+  for (unsigned k = 0; k < pair->count; k++) {
+    w = (signs >> k & 1u) != 0 ? gjk_add(w, pair->axis[k]) : gjk_sub(w, pair->axis[k]);
   }
   //@ assert w.x >= -(INT32_C(3) << 29) && w.x <= INT32_C(3) << 29;
   //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
   //@ assert w.z >= -(INT32_C(3) << 29) && w.z <= INT32_C(3) << 29;
   out->w = w;
   out->a.vertex = (uint16_t)(signs & mask_a);
-  out->b = (uint16_t)(~signs >> z->of_a & mask_b);
+  out->b = (uint16_t)(~signs >> pair->of_a & mask_b);
 }
 
-// Which way e turns to v, both in a facet, seen against its normal: -1, 0 or 1. Their product is a multiple of the normal,
-// and so turned as the rounded one is.
-static int turn(const gjk_vec3 *normal, const gjk_vec3 *e, const gjk_vec3 *v) {
+// On which side of the edge e does v point, both in a facet seen against its normal? 1: left, 0: along e, -1: right.
+// The rounded normal suffices, since e x v is 0 or parallel to the exact one.
+static int side_of_edge(const gjk_vec3 *normal, const gjk_vec3 *e, const gjk_vec3 *v) {
   gjk_long3 product;
   gjk_cross(e, v, &product);
   return gjk_dot_sign(&product, normal);
 }
 
-// A triangle of a facet with the outward normal it->direction, on its way to the origin's projection.
-typedef struct patch {
-  const zonotope *z;
-  unsigned level;     // the axes in the plane, bit k for axis k
-  unsigned signs[3];  // of the corners, counterclockwise seen against n
-} patch;
+// A triangle of vertices of the facet with the outward normal it->direction, on its way to the origin's projection.
+typedef struct facet_triangle {
+  const box_pair *pair;
+  unsigned in_plane;  // bit k: half axis k lies in the plane
+  unsigned signs[3];  // the corners as of vertex_of_signs, counterclockwise seen against the normal
+} facet_triangle;
 
-// Turns the triangle over its edge from corner i, onto the vertex of the facet that is farthest beyond it. False: there
-// is none.
-static bool turn_over(patch *p, unsigned i) {
-  const gjk_simplex *s = &p->z->it->simplex;
-  const unsigned j = gjk_next(i), start = p->signs[i], end = p->signs[j];
+// Replaces the corner opposite to the edge from corner i by the vertex of the facet farthest beyond that edge. False:
+// no vertex lies beyond.
+static bool flip_over_edge(facet_triangle *t, unsigned i) {
+  const gjk_simplex *s = &t->pair->it->simplex;
+  const unsigned j = gjk_next(i), start = t->signs[i], end = t->signs[j];
   const gjk_vec3 edge = gjk_sub(s->slot[j].w, s->slot[i].w);
   unsigned signs = start;
   bool beyond = false;
-  for (unsigned k = 0; k < p->z->count; k++) {
+  for (unsigned k = 0; k < t->pair->count; k++) {
     const unsigned bit = 1u << k;
-    const int side = (p->level & bit) != 0 ? turn(&p->z->it->direction.d, &edge, &p->z->axis[k]) : 0;
+    const int side = (t->in_plane & bit) != 0 ? side_of_edge(&t->pair->it->direction.d, &edge, &t->pair->axis[k]) : 0;
     if (side != 0) {
       signs = side < 0 ? signs | bit : signs & ~bit;
       beyond = beyond || ((signs ^ start) & bit) != 0;
     }
   }
   if (beyond) {
-    p->signs[0] = start;
-    p->signs[1] = signs;
-    p->signs[2] = end;
+    t->signs[0] = start;
+    t->signs[1] = signs;
+    t->signs[2] = end;
   }
   return beyond;
 }
 
-// Moves the triangle until it holds the origin's projection. False: the facet doesn't.
-static bool find_projection(patch *p) {
-  gjk_simplex *s = &p->z->it->simplex;
-  // A facet has at most twice as many vertices as there are axes, and none is left behind twice.
-  for (int round = 0; round < 2 * AXES; round++) {  // not reached: the ceiling
+// Step 5. Returns whether the triangle holds the origin's projection.
+static bool reach_projection(facet_triangle *t) {
+  gjk_simplex *s = &t->pair->it->simplex;
+  // A facet has at most 2 AXES vertices, and no vertex is left behind twice.
+  for (int flips = 0; flips < 2 * AXES; flips++) {  // not reached: the ceiling
     for (int i = 0; i < 3; i++) {
-      place_patch(p->z, p->signs[i], &s->slot[i]);
+      vertex_of_signs(t->pair, t->signs[i], &s->slot[i]);
     }
     gjk_simplex_set(s, 3);
     const unsigned edge = gjk_simplex_beyond(s);
     if (edge == 3) {
       return true;
     }
-    if (!turn_over(p, edge)) {
+    if (!flip_over_edge(t, edge)) {
       break;
     }
   }
   return false;
 }
 
-// Considers the nearer facet across axes i and j, if these are not parallel.
-static gjk_zonotope_answer consider_axis(const zonotope *z, unsigned i, unsigned j, gjk_facet *facet) {
+// Steps 3 to 6 for half axes i and j. FACET: on from step 2.
+static gjk_box_sat_answer test_direction(const box_pair *pair, unsigned i, unsigned j, gjk_facet *facet) {
+  // Step 3: the normal of the plane across both half axes.
   gjk_long3 n;
-  gjk_cross(&z->axis[i], &z->axis[j], &n);
+  gjk_cross(&pair->axis[i], &pair->axis[j], &n);
   if ((n.x | n.y | n.z) == 0) {
-    return GJK_ZONOTOPE_FACET;
+    return GJK_BOX_SAT_FACET;
   }
-  const bool opposite = gjk_dot_sign(&n, &z->delta) > 0;
+  // The nearer facet is on the side opposite to delta.
+  const bool opposite = gjk_dot_sign(&n, &pair->delta) > 0;
   const unsigned first = opposite ? j : i, second = opposite ? i : j;
   if (opposite) {
     n.x = -n.x;
     n.y = -n.y;
     n.z = -n.z;
   }
-  patch p = {z, 1u << i | 1u << j, {0, 0, 0}};
-  for (unsigned k = 0; k < z->count; k++) {
-    const int side = k == i || k == j ? 0 : gjk_dot_sign(&n, &z->axis[k]);
-    p.signs[0] |= side > 0 ? 1u << k : 0;
-    p.level |= side == 0 ? 1u << k : 0;
+  // Step 4: a triangle in the facet.
+  facet_triangle t = {pair, 1u << i | 1u << j, {0, 0, 0}};
+  for (unsigned k = 0; k < pair->count; k++) {
+    const int side = k == i || k == j ? 0 : gjk_dot_sign(&n, &pair->axis[k]);
+    t.signs[0] |= side > 0 ? 1u << k : 0;
+    t.in_plane |= side == 0 ? 1u << k : 0;
   }
-  p.signs[1] = p.signs[0] | 1u << first;
-  p.signs[2] = p.signs[0] | 1u << second;
-  if (p.level + 1 == 1u << z->count) {
-    return GJK_ZONOTOPE_FLAT;
+  t.signs[1] = t.signs[0] | 1u << first;
+  t.signs[2] = t.signs[0] | 1u << second;
+  if (t.in_plane + 1 == 1u << pair->count) {
+    return GJK_BOX_SAT_FLAT;
   }
-  gjk_search_direction_of(&n, &z->it->direction);
-  const bool covers = find_projection(&p);
-  if (gjk_dot_sign(&n, &z->it->simplex.slot[0].w) < 0) {
-    return GJK_ZONOTOPE_APART;
+  // Step 5: towards the projection. Step 6: a candidate.
+  gjk_search_direction_of(&n, &pair->it->direction);
+  const bool covers = reach_projection(&t);
+  if (gjk_dot_sign(&n, &pair->it->simplex.slot[0].w) < 0) {
+    return GJK_BOX_SAT_APART;
   }
-  gjk_facet_consider(facet, z->it, covers, -1);
-  return GJK_ZONOTOPE_FACET;
+  gjk_facet_consider(facet, pair->it, covers, -1);
+  return GJK_BOX_SAT_FACET;
 }
 
-// The directions across every two axes, with lower bounds of the ranks of their facets.
-typedef struct directions {
+// The directions g_i x g_j, i < j, that are left, with lower bounds of the height keys.
+typedef struct separating_directions {
   uint32_t key[DIRECTIONS];
   uint8_t i[DIRECTIONS], j[DIRECTIONS];
   unsigned count;
-} directions;
+} separating_directions;
 
-// Cut normals: components at most 2^30 in size and less than 1 below n / 2^shift, the same shift for all.
-static gjk_vec3 cut_normal(const zonotope *z, unsigned i, unsigned j, unsigned shift) {
+// g_i x g_j / 2^shift, rounded down: each component off by less than 1.
+static gjk_vec3 truncated_normal(const box_pair *pair, unsigned i, unsigned j, unsigned shift) {
   gjk_long3 n;
-  gjk_cross(&z->axis[i], &z->axis[j], &n);
+  gjk_cross(&pair->axis[i], &pair->axis[j], &n);
   const gjk_long3 low = {gjk_sar64(n.x, shift), gjk_sar64(n.y, shift), gjk_sar64(n.z, shift)};
   //@ assert low.x >= -(INT32_C(1) << 30) && low.x <= INT32_C(1) << 30;
   //@ assert low.y >= -(INT32_C(1) << 30) && low.y <= INT32_C(1) << 30;
   //@ assert low.z >= -(INT32_C(1) << 30) && low.z <= INT32_C(1) << 30;
-  const gjk_vec3 cut = {(int32_t)low.x, (int32_t)low.y, (int32_t)low.z};
-  return cut;
+  const gjk_vec3 truncated = {(int32_t)low.x, (int32_t)low.y, (int32_t)low.z};
+  return truncated;
 }
 
-static unsigned cut_shift(const zonotope *z) {
+// The shift that leaves the components of every g_i x g_j at most 2^30 in size.
+static unsigned truncation_of(const box_pair *pair) {
   uint32_t bits = 1;
-  for (unsigned k = 0; k < z->count; k++) {
-    bits |= gjk_magnitude32(z->axis[k].x) | gjk_magnitude32(z->axis[k].y) | gjk_magnitude32(z->axis[k].z);
+  for (unsigned k = 0; k < pair->count; k++) {
+    bits |= gjk_magnitude32(pair->axis[k].x) | gjk_magnitude32(pair->axis[k].y) | gjk_magnitude32(pair->axis[k].z);
   }
-  const unsigned b = 32 - gjk_clz32(bits);  // components of n are below 2^(2 b + 1)
+  const unsigned b = 32 - gjk_clz32(bits);  // |g_k| components < 2^b, of n < 2^(2 b + 1)
   return b > 14 ? 2 * b - 29 : 0;
 }
 
-// A sum of products with cut normals is off by less than 2^34: delta and the half axes are sqrt(3) 2^30 long together,
-// so |x| + |y| + |z| adds up to at most 3 2^30 for delta and each of four half axes.
-#define CUT_ERROR (INT64_C(1) << 34)
+// How far rounding the normal may move the sum of step 1:
+//   |x| + |y| + |z| of delta and of each of four half axes   <= 3 2^30
+//   all five together                                         < 2^34
+#define SUM_ERROR (INT64_C(1) << 34)
 
-// Cut normals shorter than this say nothing about a height.
-#define CUT_SHORTEST (INT64_C(1) << 16)
+// The height by a rounded normal shorter than this says nothing; its bound is 0.
+#define SHORTEST_NORMAL (INT64_C(1) << 16)
 
-static inline int64_t size_along(const gjk_vec3 *n, const gjk_vec3 *v) {
+// |n . v|
+static int64_t size_along(const gjk_vec3 *n, const gjk_vec3 *v) {
   const int64_t along = gjk_dot(n, v);
   return along < 0 ? -along : along;
 }
 
-// The number of the pair i < j.
-static inline unsigned pair_of(unsigned i, unsigned j) {
-  static const uint8_t before[AXES] = {0, 4, 7, 9, 10, 10};  // less i + 1
+// The pairs i < j counted from 0: (0, 1), (0, 2) ... (4, 5).
+static unsigned direction_number(unsigned i, unsigned j) {
+  static const uint8_t before[AXES] = {0, 4, 7, 9, 10, 10};  // pairs before (i, i + 1), less i
   return before[i] + j - 1;
 }
 
-// False: one of the directions, it->direction, separates A from B. The height across i, j is the sum of
-// |g_i x g_j . g_k| over all k, less |g_i x g_j . delta|; each triple serves three directions.
-static bool rank_directions(const zonotope *z, directions *out) {
+// Step 1. False: it->direction separates A from B.
+// Any sum of |n . g_k| and |n . delta| is at most |n . w| for a vertex w of A - B, up to the sign of delta:
+//   |n| <= sqrt(3) 2^30,  |w| <= 3 2^29:  |n . w| < 2^62
+static bool key_directions(const box_pair *pair, separating_directions *out) {
   int64_t sum[DIRECTIONS], squared[DIRECTIONS];
-  const unsigned shift = cut_shift(z);
-  sum[0] = 0;  // the others are set by the first triple that they are in: all at once would call memset
-  for (unsigned i = 0; i < z->count; i++) {
-    for (unsigned j = i + 1; j < z->count; j++) {
-      const gjk_vec3 n = cut_normal(z, i, j, shift);
-      const unsigned ij = pair_of(i, j);
+  const unsigned shift = truncation_of(pair);
+  // The first triple product of a sum sets it. GCC would turn a loop that sets all to 0 into a call of memset.
+  sum[0] = 0;
+  for (unsigned i = 0; i < pair->count; i++) {
+    for (unsigned j = i + 1; j < pair->count; j++) {
+      const gjk_vec3 n = truncated_normal(pair, i, j, shift);
+      const unsigned ij = direction_number(i, j);
       squared[ij] = gjk_dot(&n, &n);
-      int64_t rest = sum[ij] - size_along(&n, &z->delta);
-      for (unsigned k = j + 1; k < z->count; k++) {
-        const int64_t volume = size_along(&n, &z->axis[k]);
+      int64_t rest = sum[ij] - size_along(&n, &pair->delta);
+      for (unsigned k = j + 1; k < pair->count; k++) {
+        const int64_t volume = size_along(&n, &pair->axis[k]);
         rest += volume;
-        sum[pair_of(i, k)] = volume + (i == 0 && j == 1 ? 0 : sum[pair_of(i, k)]);
-        sum[pair_of(j, k)] = volume + (i == 0 ? 0 : sum[pair_of(j, k)]);
+        sum[direction_number(i, k)] = volume + (i == 0 && j == 1 ? 0 : sum[direction_number(i, k)]);
+        sum[direction_number(j, k)] = volume + (i == 0 ? 0 : sum[direction_number(j, k)]);
       }
       sum[ij] = rest;
     }
   }
   out->count = 0;
-  for (unsigned i = 0; i < z->count; i++) {
-    for (unsigned j = i + 1; j < z->count; j++) {
-      const unsigned ij = pair_of(i, j), n = out->count++;
-      if (squared[ij] >= CUT_SHORTEST * CUT_SHORTEST && sum[ij] < -CUT_ERROR) {
-        const gjk_vec3 normal = cut_normal(z, i, j, shift);
-        z->it->direction.d = gjk_dot(&normal, &z->delta) > 0 ? gjk_negate(normal) : normal;
+  for (unsigned i = 0; i < pair->count; i++) {
+    for (unsigned j = i + 1; j < pair->count; j++) {
+      const unsigned ij = direction_number(i, j), n = out->count++;
+      if (squared[ij] >= SHORTEST_NORMAL * SHORTEST_NORMAL && sum[ij] < -SUM_ERROR) {
+        const gjk_vec3 normal = truncated_normal(pair, i, j, shift);
+        pair->it->direction.d = gjk_dot(&normal, &pair->delta) > 0 ? gjk_negate(normal) : normal;
         return false;
       }
-      out->key[n] = squared[ij] < CUT_SHORTEST * CUT_SHORTEST ? 0 : gjk_height_key(sum[ij] - CUT_ERROR, squared[ij]);
+      out->key[n] =
+          squared[ij] < SHORTEST_NORMAL * SHORTEST_NORMAL ? 0 : gjk_height_key(sum[ij] - SUM_ERROR, squared[ij]);
       out->i[n] = (uint8_t)i;
       out->j[n] = (uint8_t)j;
     }
@@ -232,16 +259,17 @@ static bool rank_directions(const zonotope *z, directions *out) {
   return true;
 }
 
-gjk_zonotope_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
-  directions d;
-  zonotope z;
-  open(&z, it);
-  if (!rank_directions(&z, &d)) {
-    return GJK_ZONOTOPE_APART;
+gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
+  separating_directions d;
+  box_pair pair;
+  set_box_pair(&pair, it);
+  if (!key_directions(&pair, &d)) {
+    return GJK_BOX_SAT_APART;
   }
-  // If A - B does not hold the origin, one of its planes lies before it. Its key tells next to nothing of height, so that it
-  // is considered before the search can end: that takes a plane whose facet holds the origin, or others that are higher.
+  // If the origin lies outside A - B, it lies beyond a plane, whose lower bound is below 0 and whose key is 0. Step 2
+  // cannot end the search before that plane: only a facet that the origin lies on could.
   while (d.count > 0) {  // at most DIRECTIONS times
+    // Step 2: the lowest key.
     unsigned lowest = 0;
     for (unsigned k = 1; k < d.count; k++) {
       lowest = d.key[k] < d.key[lowest] ? k : lowest;
@@ -249,8 +277,8 @@ gjk_zonotope_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
     if (!gjk_facet_may_improve(facet, it->shift, d.key[lowest])) {
       break;
     }
-    const gjk_zonotope_answer answer = consider_axis(&z, d.i[lowest], d.j[lowest], facet);
-    if (answer != GJK_ZONOTOPE_FACET) {
+    const gjk_box_sat_answer answer = test_direction(&pair, d.i[lowest], d.j[lowest], facet);
+    if (answer != GJK_BOX_SAT_FACET) {
       return answer;
     }
     d.count--;
@@ -258,5 +286,6 @@ gjk_zonotope_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
     d.i[lowest] = d.i[d.count];
     d.j[lowest] = d.j[d.count];
   }
-  return facet->found ? GJK_ZONOTOPE_FACET : GJK_ZONOTOPE_FLAT;
+  // Step 7: the best candidate.
+  return facet->found ? GJK_BOX_SAT_FACET : GJK_BOX_SAT_FLAT;
 }

@@ -1,21 +1,20 @@
-// The facet nearest to the origin for points, segments and boxes: A - B is then a zonotope, whose facets are spanned by
-// pairs of half axes.
+// SAT of boxes: finds the facet of A - B nearest to the origin, for points, segments and boxes.
 #ifndef GJK_SRC_BOX_SAT_H
 #define GJK_SRC_BOX_SAT_H
 
 #include "gjk_facet.h"
 
-// Are both shapes spanned by half axes?
-bool gjk_is_zonotope(const gjk_iteration *it);
+// Are both shapes boxes, segments or points, which are given by half axes?
+bool gjk_is_box_pair(const gjk_iteration *it);
 
-typedef enum gjk_zonotope_answer {
-  GJK_ZONOTOPE_FACET,  // found
-  GJK_ZONOTOPE_APART,  // the cores are apart
-  GJK_ZONOTOPE_FLAT    // all half axes lie in a plane: there is no facet
-} gjk_zonotope_answer;
+typedef enum gjk_box_sat_answer {
+  GJK_BOX_SAT_FACET,  // found: the cores overlap
+  GJK_BOX_SAT_APART,  // the cores are apart
+  GJK_BOX_SAT_FLAT    // open: all half axes lie in a plane, A - B has no facet
+} gjk_box_sat_answer;
 
-// Finds the facet, or that there is none. APART: it->direction, from A to B, is where to begin to prove it.
-// Pre: a frame of shift >= 0; facet: not found yet.
-gjk_zonotope_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet);
+// Finds the facet, or that there is none. APART: it->direction, from A to B, separates them up to its rounding; a
+// search that starts there proves it. Pre: gjk_is_box_pair, it->shift >= 0, no facet is found yet.
+gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet);
 
 #endif

@@ -1,22 +1,37 @@
-// The expanding polytope's loop: support across the lowest face, until that is a facet.
+// EPA: a polytope inside A - B, around the origin, expands until its lowest face is the nearest facet of A - B.
+//
+//   Step 1   Complete the simplex, which holds the origin, to a tetrahedron, by support scans off what it spans.
+//            Nothing lies there: of a vertex or edge TOUCHES; of a triangle FACET, of depth 0.
+//   Step 2   Start the hull from the tetrahedron. There is no room: FULL, with a bound of the depth from one face.
+//   Then each iteration:
+//   Step 3   Take the lowest face that is not settled, by its height key. There is none, or it cannot be better than
+//            the candidate: the candidate is the nearest facet. FACET.
+//   Step 4   A curved pair: the bounds of the depth are close: FACET. The limit on iterations is reached: step 8.
+//   Step 5   Support scan: w is the vertex of A - B farthest along the outward normal of the face.
+//   Step 6   w is not strictly beyond the face (of a curved pair not a quarter of an LSB): the face lies in the surface
+//            of A - B. Settle the face and offer it as a candidate.
+//   Step 7   w is beyond the face: add w to the hull in place of all faces that see it. There is no room: step 8.
+//   Step 8   FULL. The lowest face bounds the depth from below, the support that reached least from above.
+//
+// Each iteration settles a face or adds a vertex, so there are fewer than there are cells.
 #include "gjk_epa.h"
 
 #include "../arith/gjk_unit.h"
 #include "gjk_epa_hull.h"
 
-// The bounds of a curved pair tell its depth when they are at most so far apart, LSB: those of a facet that is found are.
+// A curved pair's bounds of the depth are close at this width, LSB. Those of a candidate that is found are.
 #define CURVED_WIDTH (2 * GJK_CURVED_ERROR + 2)
 
-// The turn after which they are first looked at, a power of two.
-#define FIRST_LOOK 32
+// The bounds are computed from this iteration on, a power of two.
+#define FIRST_BOUNDS 32
 
-// For curved shapes a face counts as a facet when their support lies no more than a quarter of an LSB beyond it.
+// Step 6: a quarter of an LSB in the frame.
 #define CURVED_TOLERANCE(shift) ((UINT32_C(1) << (shift)) / 4)
 
-// Places the support along the exact direction d. Is it beyond the origin there?
+// Scans along the exact direction d into the free slot. Is the support strictly beyond the origin?
 static bool support_beyond_origin(gjk_iteration *it, const gjk_vec3 *d) {
   gjk_support b;
-  it->direction.d.x = d->x;  // one by one: GCC makes a copy of three on ARMv6-M a call of memcpy
+  it->direction.d.x = d->x;  // one by one: on ARMv6-M GCC turns the copy of three into a call of memcpy
   it->direction.d.y = d->y;
   it->direction.d.z = d->z;
   it->direction.exact = true;
@@ -24,7 +39,7 @@ static bool support_beyond_origin(gjk_iteration *it, const gjk_vec3 *d) {
   return gjk_dot(d, &gjk_simplex_free(&it->simplex)->w) > 0;
 }
 
-// Places the support along n. Is it strictly beyond the plane across n through w?
+// Scans along n, exactly, into the free slot. Is the support strictly beyond the plane across n through w?
 static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3 *w) {
   gjk_support b;
   const gjk_vertex *v = gjk_simplex_free(&it->simplex);
@@ -45,8 +60,8 @@ static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3
   return gjk_dot_sign(n, &step) > 0;
 }
 
-// A vector across e, of the same size or less. Pre: e != 0.
-static gjk_vec3 across(const gjk_vec3 *e) {
+// A vector at right angles to e, no longer than e and not 0. Pre: e != 0.
+static gjk_vec3 vector_across(const gjk_vec3 *e) {
   const uint32_t x = gjk_magnitude32(e->x), y = gjk_magnitude32(e->y), z = gjk_magnitude32(e->z);
   gjk_vec3 d = {0, e->z, -e->y};
   if (z <= x && z <= y) {
@@ -61,15 +76,16 @@ static gjk_vec3 across(const gjk_vec3 *e) {
   return d;
 }
 
-static void normal_of(const gjk_simplex *s, gjk_long3 *n) {
+static void simplex_normal(const gjk_simplex *s, gjk_long3 *n) {
   gjk_triangle_normal(&s->slot[s->order[0]].w, &s->slot[s->order[1]].w, &s->slot[s->order[2]].w, n);
 }
 
+// How far a support of the pair may be off, LSB.
 static gjk_q16 curved_error(const gjk_iteration *it) {
   return gjk_pair_is_curved(it) ? GJK_CURVED_ERROR : 0;
 }
 
-// The triangle that holds the origin is a facet: the depth is 0.
+// Takes the simplex, a triangle that holds the origin, for the facet: the depth is 0.
 static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
   gjk_simplex *s = &it->simplex;
   for (int i = 0; i < 3; i++) {
@@ -83,52 +99,50 @@ static void take_triangle(gjk_iteration *it, gjk_facet *facet) {
   facet->covers = true;
 }
 
-// Adds vertices off what the simplex spans until it is a tetrahedron, with the origin still in it. Otherwise nothing lies
-// on one side of what it spans: the shapes touch.
-static gjk_epa_outcome complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, bool *done, uint16_t *iterations) {
+// Step 1. False: *outcome is the answer. Each vertex added lies off what the others span: the simplex keeps the origin.
+static bool complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, uint16_t *iterations, gjk_epa_outcome *outcome) {
   static const gjk_vec3 x = {1, 0, 0};
   gjk_simplex *s = &it->simplex;
   const uint8_t count = s->count;
-  *done = true;
+  *outcome = GJK_EPA_TOUCHES;
   if (s->count == 1) {
     ++*iterations;
     if (!support_beyond_origin(it, &x)) {
-      return GJK_EPA_TOUCHES;
+      return false;
     }
     s->count = 2;
   }
   if (s->count == 2) {
-    const gjk_vec3 edge = gjk_sub(gjk_simplex_vertex(s, 1)->w, gjk_simplex_vertex(s, 0)->w), d = across(&edge);
+    const gjk_vec3 edge = gjk_sub(gjk_simplex_vertex(s, 1)->w, gjk_simplex_vertex(s, 0)->w), d = vector_across(&edge);
     ++*iterations;
     if (!support_beyond_origin(it, &d)) {
       s->count = count;
-      return GJK_EPA_TOUCHES;
+      return false;
     }
     s->count = 3;
   }
   if (s->count == 3) {
     gjk_long3 n;
-    normal_of(s, &n);
+    simplex_normal(s, &n);
     ++*iterations;
     if (!support_beyond(it, &n, &gjk_simplex_vertex(s, 0)->w)) {
       take_triangle(it, facet);
-      return GJK_EPA_FACET;
+      *outcome = GJK_EPA_FACET;
+      return false;
     }
     s->count = 4;
   }
-  *done = false;
-  return GJK_EPA_FACET;
+  return true;
 }
 
-// How far a support along it->direction bounds the depth from above.
+// An upper bound of the depth, by the support w along it->direction.
 static gjk_q16 upper_bound(const gjk_iteration *it, const gjk_vec3 *w) {
   return gjk_depth_across(it, w) + curved_error(it);
 }
 
-// Considers a face of these corners, with the outward normal it->direction: exactly, or bound by how far a support has reached
-// across it.
-static void consider_face(gjk_iteration *it, const gjk_epa_hull *p, const uint16_t corner[3], gjk_q16 bound,
-                          gjk_facet *facet) {
+// Offers the face of these corners as a candidate; it->direction is its outward normal. bound: see gjk_facet_consider.
+static void offer_face(gjk_iteration *it, const gjk_epa_hull *p, const uint16_t corner[3], gjk_q16 bound,
+                       gjk_facet *facet) {
   gjk_simplex *s = &it->simplex;
   for (int i = 0; i < 3; i++) {
     gjk_epa_hull_load(p, corner[i], &s->slot[i]);
@@ -137,7 +151,7 @@ static void consider_face(gjk_iteration *it, const gjk_epa_hull *p, const uint16
   gjk_facet_consider(facet, it, gjk_simplex_beyond(s) == 3, bound);
 }
 
-// The least height of a face, in LSB, rounded down: a lower bound of the depth.
+// A lower bound of the depth, in LSB: the height of the lowest face, less all errors.
 static gjk_q16 lower_bound(const gjk_iteration *it, const gjk_epa_hull *p) {
   uint32_t least = GJK_HEIGHT_MAX;
   for (uint16_t i = 0; i < p->faces; i++) {
@@ -152,32 +166,34 @@ static gjk_q16 lower_bound(const gjk_iteration *it, const gjk_epa_hull *p) {
   return (gjk_q16)((least > GJK_HEIGHT_ERROR ? least - GJK_HEIGHT_ERROR : 0) >> it->shift) - curved_error(it);
 }
 
-// The facet's plane is exact, or for curved shapes known to within the tolerance and the error of their supports.
+// A lower bound of the depth by the nearest facet. Of polytopes its depth is exact; of a curved pair within
+// CURVED_WIDTH: the error of the supports on both sides, the tolerance of step 6 and rounding.
 static gjk_q16 least_depth(const gjk_iteration *it, const gjk_facet *facet) {
   return !gjk_pair_is_curved(it) ? facet->depth : facet->depth - CURVED_WIDTH;
 }
 
-// Do the bounds of a curved pair tell its depth? That takes a look at every face, so it is asked when the turns have doubled,
-// and after the last. The facet must cover the origin's projection: else its points do not tell where.
-static bool told(const gjk_iteration *it, const gjk_epa_hull *p, const gjk_facet *facet, uint16_t turns,
-                 gjk_q16 *lower) {
-  if (!facet->found || !facet->covers || turns < FIRST_LOOK ||
-      ((turns & (turns - 1u)) != 0 && turns < GJK_EPA_CURVED_ITERATIONS_MAX)) {
+// Step 4: are the bounds of the depth close? The lower one takes the height of every face, so it is computed whenever
+// the iterations have doubled, and after the last. A candidate that does not cover the origin's projection has no
+// witness points, so it does not count.
+static bool bounds_are_close(const gjk_iteration *it, const gjk_epa_hull *p, const gjk_facet *facet, uint16_t iteration,
+                             gjk_q16 *lower) {
+  if (!facet->found || !facet->covers || iteration < FIRST_BOUNDS ||
+      ((iteration & (iteration - 1u)) != 0 && iteration < GJK_EPA_CURVED_ITERATIONS_MAX)) {
     return false;
   }
   *lower = lower_bound(it, p);
   return facet->depth - *lower <= CURVED_WIDTH;
 }
 
-// The face across which a support has reached least: a bound of the depth.
+// The face beyond which a support reached least: an upper bound of the depth.
 typedef struct bounding_face {
-  uint32_t reached;  // in the frame; 0 for polytopes, whose last face counts
+  uint32_t reached;  // height of the support; 0 for polytopes, of which the last face counts
   uint16_t corner[3];
 } bounding_face;
 
-// Bounds the depth where the search ends without a facet.
-static gjk_epa_outcome bound_by(gjk_iteration *it, const gjk_epa_hull *p, const bounding_face *face, gjk_facet *facet,
-                                gjk_q16 *lower, uint16_t *iterations) {
+// Step 8: FULL, with the bounds.
+static gjk_epa_outcome bound_depth_by_hull(gjk_iteration *it, const gjk_epa_hull *p, const bounding_face *face,
+                                           gjk_facet *facet, gjk_q16 *lower, uint16_t *iterations) {
   gjk_long3 n;
   *lower = lower_bound(it, p);
   gjk_epa_hull_normal(p, face->corner, &n);
@@ -185,19 +201,19 @@ static gjk_epa_outcome bound_by(gjk_iteration *it, const gjk_epa_hull *p, const 
   facet->set = false;
   ++*iterations;
   support_beyond(it, &n, gjk_epa_hull_vertex(p, face->corner[0]));
-  consider_face(it, p, face->corner, upper_bound(it, &it->simplex.slot[0].w), facet);
+  offer_face(it, p, face->corner, upper_bound(it, &it->simplex.slot[0].w), facet);
   return GJK_EPA_FULL;
 }
 
+// Steps 3 to 8.
 static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *facet, gjk_q16 *lower,
                               uint16_t *iterations) {
   const gjk_vertex *support = &it->simplex.slot[0];
   const bool curved = gjk_pair_is_curved(it);
   bounding_face least;
   least.reached = UINT32_MAX;
-  // Each turn settles a face or adds a vertex, so there are fewer than there are cells, and of a curved pair at most
-  // GJK_EPA_CURVED_ITERATIONS_MAX.
-  for (uint16_t turns = 0;; turns++) {
+  for (uint16_t iteration = 0;; iteration++) {
+    // Step 3: the lowest face.
     const uint16_t lowest = gjk_epa_hull_lowest(p);
     gjk_epa_face *face = gjk_epa_hull_face(p, lowest);
     const uint32_t key = face->height_key;
@@ -205,12 +221,14 @@ static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *fac
       *lower = least_depth(it, facet);
       return GJK_EPA_FACET;
     }
-    if (curved && told(it, p, facet, turns, lower)) {
+    // Step 4: a curved pair may end.
+    if (curved && bounds_are_close(it, p, facet, iteration, lower)) {
       return GJK_EPA_FACET;
     }
-    if (curved && turns == GJK_EPA_CURVED_ITERATIONS_MAX) {
-      return bound_by(it, p, &least, facet, lower, iterations);
+    if (curved && iteration == GJK_EPA_CURVED_ITERATIONS_MAX) {
+      return bound_depth_by_hull(it, p, &least, facet, lower, iterations);
     }
+    // Step 5: the support scan.
     gjk_long3 n;
     const gjk_vec3 *w = gjk_epa_hull_vertex(p, face->corner[0]);
     gjk_epa_hull_normal(p, face->corner, &n);
@@ -225,25 +243,26 @@ static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *fac
         least.corner[i] = face->corner[i];
       }
     }
+    // Step 6: the face is settled. Step 7: the vertex is added.
     if (!beyond || (curved && reached <= gjk_height(&it->direction.d, w) + CURVED_TOLERANCE(it->shift))) {
-      consider_face(it, p, face->corner, curved ? upper_bound(it, &support->w) : -1, facet);
+      offer_face(it, p, face->corner, curved ? upper_bound(it, &support->w) : -1, facet);
       face->height_key = GJK_HEIGHT_KEY_SETTLED;
     } else if (!gjk_epa_hull_add(p, lowest, support)) {
-      return bound_by(it, p, &least, facet, lower, iterations);
+      return bound_depth_by_hull(it, p, &least, facet, lower, iterations);
     }
   }
 }
 
-// Without room for a polytope: one face of the tetrahedron, and how far A - B reaches beyond it.
-static void bound_by_face(gjk_iteration *it, gjk_facet *facet) {
+// Step 2 without room for a hull: bounds the depth by the support beyond one face of the tetrahedron.
+static void bound_depth_by_tetrahedron(gjk_iteration *it, gjk_facet *facet) {
   gjk_simplex *s = &it->simplex;
   gjk_vertex corner[3];
   gjk_long3 n;
-  // The fourth vertex was added strictly beyond the others, along their normal: outwards is the other way.
+  // The fourth vertex lies strictly beyond the others, along their normal; outwards of their face is the opposite.
   for (int i = 0; i < 3; i++) {
     corner[i] = *gjk_simplex_vertex(s, i == 0 ? 0 : 3 - i);
   }
-  normal_of(s, &n);
+  simplex_normal(s, &n);
   n.x = -n.x;
   n.y = -n.y;
   n.z = -n.z;
@@ -259,23 +278,22 @@ static void bound_by_face(gjk_iteration *it, gjk_facet *facet) {
 
 gjk_epa_outcome gjk_epa(gjk_iteration *it, const gjk_workspace *workspace, gjk_facet *facet, gjk_q16 *lower,
                         uint16_t *iterations) {
-  bool done;
   gjk_epa_hull p;
-  gjk_epa_outcome expansion = complete_tetrahedron(it, facet, &done, iterations);
+  gjk_epa_outcome outcome;
   *lower = -curved_error(it);
-  if (done) {
-    return expansion;
+  if (!complete_tetrahedron(it, facet, iterations, &outcome)) {
+    return outcome;
   }
   if (!gjk_epa_hull_start(&p, workspace, &it->simplex, gjk_pair_is_curved(it))) {
     ++*iterations;
-    bound_by_face(it, facet);
+    bound_depth_by_tetrahedron(it, facet);
     return GJK_EPA_FULL;
   }
-  expansion = expand(it, &p, facet, lower, iterations);
+  outcome = expand(it, &p, facet, lower, iterations);
   //@ assert facet->found;
-  // not reached: lower > depth: the polytope lies within A - B, and the errors of curved supports are added on both sides
+  // not reached: lower > depth: the hull lies within A - B, and both bounds allow for the errors of curved supports
   if (*lower > facet->depth) {
     *lower = least_depth(it, facet);
   }
-  return *lower == facet->depth ? GJK_EPA_FACET : expansion;
+  return *lower == facet->depth ? GJK_EPA_FACET : outcome;
 }

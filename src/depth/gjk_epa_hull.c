@@ -1,12 +1,17 @@
-// The expanding polytope.
+// The hull of EPA. A face is seen by a vertex that lies strictly beyond its plane. To add a vertex:
+//
+//   Step 1   Mark the faces that it sees, starting from one that is known, across their edges. They form a list.
+//   Step 2   Find an edge of the horizon: between a seen face and one that is not.
+//   Step 3   Walk the horizon once around. Write the corner and the unseen face of each edge into the free cells.
+//   Step 4   Make a face from each edge of the horizon to the vertex, in the cells of the seen faces and two more.
 //
 // After   Gino van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001, and the
-//         incremental convex hull of Clarkson and Shor 1989. Departures: visibility is an exact sign, so the hull stays
-//         convex and closed, no face is degenerate, and the seen faces always form one patch with one cycle of edges
-//         around it: a vertex in the plane of a face does not see it, and all faces of one plane agree.
+//         incremental convex hull of Clarkson and Shor 1989. Departures: visibility is an exact sign. So the hull stays
+//         convex and closed, no face is degenerate, and the seen faces form one patch with one cycle of edges around
+//         it. A vertex in the plane of a face does not see the face, so that all faces of one plane agree.
 #include "gjk_epa_hull.h"
 
-// Marks a face that a new vertex sees; the low 16 bits then name the next such face.
+// In height_key: marks a face that the new vertex sees. The low 16 bits are then the next face of the list, or NONE.
 #define SEEN (UINT32_C(1) << 31)
 #define NONE UINT16_C(0xFFFF)
 
@@ -51,8 +56,8 @@ static void set_face(gjk_epa_hull *p, uint16_t face, uint16_t u, uint16_t v, uin
   f->height_key = gjk_height_key(gjk_dot(&d.d, gjk_epa_hull_vertex(p, u)), gjk_dot(&d.d, &d.d));
 }
 
-// Does w lie strictly beyond the face?
-static bool sees(const gjk_epa_hull *p, const gjk_epa_face *f, const gjk_vec3 *w) {
+// Does w see the face?
+static bool is_beyond_face(const gjk_epa_hull *p, const gjk_epa_face *f, const gjk_vec3 *w) {
   gjk_long3 n;
   const gjk_vec3 step = gjk_sub(*w, *gjk_epa_hull_vertex(p, f->corner[0]));
   gjk_epa_hull_normal(p, f->corner, &n);
@@ -60,8 +65,8 @@ static bool sees(const gjk_epa_hull *p, const gjk_epa_face *f, const gjk_vec3 *w
 }
 
 bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const gjk_simplex *tetrahedron, bool curved) {
-  // Face i leaves out vertex i; across its edges lie the faces that leave out the third corner of each. They look outwards:
-  // vertex 3 was added strictly beyond the others, along their normal.
+  // Face i is opposite to vertex i. Across each of its edges lies the face opposite to its third corner. These orders
+  // make the normals point outwards, since vertex 3 lies strictly beyond the others, along their normal.
   static const uint8_t corner[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   p->stride = curved ? 2 : 1;
   p->vertices = 0;
@@ -97,17 +102,17 @@ uint16_t gjk_epa_hull_lowest(const gjk_epa_hull *p) {
   return (uint16_t)(&p->cells[p->count - 1] - lowest);
 }
 
-// Which edge of the face starts at the vertex, that being a corner of it?
+// Which edge of the face starts at the vertex? Pre: the vertex is a corner of the face.
 static unsigned edge_from(const gjk_epa_face *f, uint16_t vertex) {
   return f->corner[0] == vertex ? 0 : f->corner[1] == vertex ? 1 : 2;
 }
 
-static inline bool is_seen(const gjk_epa_hull *p, uint16_t face) {
+static bool is_seen(const gjk_epa_hull *p, uint16_t face) {
   return (gjk_epa_hull_face(p, face)->height_key & SEEN) != 0;
 }
 
-// Marks all faces that w sees, from the first on, and links them. Returns their number, which is below FACES_MAX.
-static uint32_t mark_seen(gjk_epa_hull *p, uint16_t first, const gjk_vec3 *w) {
+// Step 1. first: a face that w sees. Returns the number of the seen faces, below FACES_MAX.
+static uint32_t mark_seen_faces(gjk_epa_hull *p, uint16_t first, const gjk_vec3 *w) {
   uint16_t last = first;
   uint32_t seen = 1;
   gjk_epa_hull_face(p, first)->height_key = SEEN | NONE;
@@ -116,7 +121,7 @@ static uint32_t mark_seen(gjk_epa_hull *p, uint16_t first, const gjk_vec3 *w) {
     for (int i = 0; i < 3; i++) {
       const uint16_t next = f->neighbour[i];
       gjk_epa_face *g = gjk_epa_hull_face(p, next);
-      if ((g->height_key & SEEN) == 0 && sees(p, g, w)) {
+      if ((g->height_key & SEEN) == 0 && is_beyond_face(p, g, w)) {
         g->height_key = SEEN | NONE;
         gjk_epa_hull_face(p, last)->height_key = SEEN | next;
         last = next;
@@ -129,18 +134,18 @@ static uint32_t mark_seen(gjk_epa_hull *p, uint16_t first, const gjk_vec3 *w) {
   return seen;
 }
 
-// An edge of a seen face, from its corner to the next.
+// An edge of a seen face, from corner[number] to the next corner.
 typedef struct hull_edge {
   uint16_t face;
   uint8_t number;
 } hull_edge;
 
-static inline bool on_horizon(const gjk_epa_hull *p, hull_edge e) {
+static bool on_horizon(const gjk_epa_hull *p, hull_edge e) {
   return !is_seen(p, gjk_epa_hull_face(p, e.face)->neighbour[e.number]);
 }
 
-// Any edge between the seen faces and the rest. At least one face is unseen: the origin lies behind all of them or on
-// some, and the vertex beyond; so there is one.
+// Step 2. There is such an edge, since a face is unseen: the origin lies behind or on all faces, so the vertex is not
+// beyond all of them.
 static hull_edge first_horizon(const gjk_epa_hull *p, uint16_t first) {
   hull_edge e = {first, 0};
   while (!on_horizon(p, e)) {  // at most three edges of each seen face
@@ -155,7 +160,7 @@ static hull_edge first_horizon(const gjk_epa_hull *p, uint16_t first) {
   return e;
 }
 
-// The horizon's edge that starts where e ends: around that vertex from seen face to seen face.
+// The horizon's edge that starts where e ends. Turns around that vertex from seen face to seen face.
 static hull_edge next_horizon(const gjk_epa_hull *p, hull_edge e) {
   e.number = (uint8_t)gjk_next(e.number);
   const uint16_t vertex = gjk_epa_hull_face(p, e.face)->corner[e.number];
@@ -166,8 +171,7 @@ static hull_edge next_horizon(const gjk_epa_hull *p, hull_edge e) {
   return e;
 }
 
-// Writes the corner and the unseen face of each edge of the horizon, in order, into the cells. Returns their number, at
-// most seen + 2: the seen faces form a disc.
+// Step 3. Returns the number of edges, at most seen faces + 2: the seen faces form a disc.
 static uint32_t write_horizon(const gjk_epa_hull *p, uint16_t first, gjk_epa_cell *cells) {
   const hull_edge start = first_horizon(p, first);
   hull_edge e = start;
@@ -183,9 +187,9 @@ static uint32_t write_horizon(const gjk_epa_hull *p, uint16_t first, gjk_epa_cel
   return edges;
 }
 
-// Faces from each edge of the horizon to the newest vertex. They take the place of the seen ones and of two more; of
-// fewer only when a vertex among the seen faces is left inside, and then a seen one may stay behind, unused.
-static void close(gjk_epa_hull *p, uint16_t seen, uint32_t edges, const gjk_epa_cell *cells) {
+// Step 4. seen: the first of the seen faces. A vertex all of whose faces were seen is left inside the hull; the new
+// faces are then fewer, and seen faces may stay behind: they count as settled.
+static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, const gjk_epa_cell *cells) {
   const uint16_t top = (uint16_t)(p->vertices - 1), first = seen;
   uint16_t before = NONE;
   for (uint32_t i = 0; i < edges; i++) {
@@ -221,17 +225,18 @@ static void close(gjk_epa_hull *p, uint16_t seen, uint32_t edges, const gjk_epa_
 }
 
 bool gjk_epa_hull_add(gjk_epa_hull *p, uint16_t face, const gjk_vertex *vertex) {
-  const uint32_t used = (uint32_t)(p->vertices + 1u) * p->stride, most = used + p->faces + 2u;
+  const uint32_t used = (uint32_t)(p->vertices + 1u) * p->stride;  // cells of vertices
+  const uint32_t most = used + p->faces + 2u;                      // and of faces
   if (most > p->count || p->faces + 2u > FACES_MAX) {
     return false;
   }
-  const uint32_t seen = mark_seen(p, face, &vertex->w);
-  if (most + (seen + 5) / 4 > p->count) {
+  const uint32_t seen = mark_seen_faces(p, face, &vertex->w);
+  if (most + (seen + 5) / 4 > p->count) {  // four of at most seen + 2 edges in a cell, rounded up
     return false;
   }
   gjk_epa_cell *horizon = &p->cells[used];
   const uint32_t edges = write_horizon(p, face, horizon);
   store_vertex(p, vertex);
-  close(p, face, edges, horizon);
+  connect_horizon(p, face, edges, horizon);
   return true;
 }

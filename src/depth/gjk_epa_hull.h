@@ -1,6 +1,6 @@
-// The expanding polytope: a convex hull of vertices of A - B around the origin, with exact visibility, in the caller's
-// cells. Vertices grow from the first cell on, faces from the last one down; what lies between holds the horizon while a
-// vertex is added.
+// The hull of EPA: a closed convex polytope of vertices of A - B around the origin, with triangles for faces. It lives
+// in the cells of the caller's workspace: vertices from the first cell on, faces from the last one down. The cells
+// between them hold the horizon while a vertex is added.
 #ifndef GJK_SRC_EPA_HULL_H
 #define GJK_SRC_EPA_HULL_H
 
@@ -11,16 +11,17 @@ typedef struct gjk_epa_hull {
   gjk_epa_cell *cells;
   uint32_t count;  // of cells
   uint16_t vertices, faces;
-  uint8_t stride;  // cells per vertex: 2 with its offset in A's frame, for shapes without vertex numbers
+  uint8_t stride;  // cells per vertex: 1; of a curved pair 2, the second with the offset of A's point
 } gjk_epa_hull;
 
-// The height key of settled and of unused faces.
+// The height key of a face that is settled, or left inside the hull.
 #define GJK_HEIGHT_KEY_SETTLED (GJK_HEIGHT_KEY_MAX + 1)
 
-// Starts from the four vertices of a tetrahedron with the origin in it. False: too few cells.
+// Starts from a tetrahedron that holds the origin; its fourth vertex lies beyond the others along their normal. False:
+// too few cells.
 bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const gjk_simplex *tetrahedron, bool curved);
 
-// The lowest face; if all are settled, any.
+// The face with the lowest height key; if all are settled, any.
 uint16_t gjk_epa_hull_lowest(const gjk_epa_hull *p);
 
 static inline gjk_epa_face *gjk_epa_hull_face(const gjk_epa_hull *p, uint16_t face) {
@@ -31,14 +32,14 @@ static inline const gjk_vec3 *gjk_epa_hull_vertex(const gjk_epa_hull *p, uint16_
   return &p->cells[(uint32_t)vertex * p->stride].vertex.w;
 }
 
-// Fills in a vertex; its offset only when the stride is 2.
+// Fills in a vertex; a.offset only when the stride is 2.
 void gjk_epa_hull_load(const gjk_epa_hull *p, uint16_t vertex, gjk_vertex *out);
 
-// The outward normal, at most 2^62 in size.
+// The outward normal of a face with these corners, at most 2^62 in size.
 void gjk_epa_hull_normal(const gjk_epa_hull *p, const uint16_t corner[3], gjk_long3 *n);
 
-// Adds a vertex that lies strictly beyond face; whatever faces it sees make way. False: too few cells, and the faces
-// must not be used any more.
+// Adds a vertex that lies strictly beyond face, in place of all faces that it sees. False: too few cells; height keys
+// are not valid then.
 bool gjk_epa_hull_add(gjk_epa_hull *p, uint16_t face, const gjk_vertex *vertex);
 
 #endif

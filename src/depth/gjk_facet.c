@@ -1,11 +1,12 @@
-// Candidates for the nearest facet.
+// The best candidate for the nearest facet.
 #include "gjk_facet.h"
 
 #include "../arith/gjk_unit.h"
 
+// The height of the plane through w with the outward unit normal u.
 static uint32_t height_along(const gjk_unit3 *u, const gjk_vec3 *w) {
   const int64_t along = gjk_sar64(gjk_along(u, w), 30);
-  // not reached: the most: the frame's reach is below 2^30, and by its slack at least 8 more than any vertex is long
+  // not reached: GJK_HEIGHT_MAX: the reach is below 2^30, and at least 8 more than |w|, since core radii have slack
   return along <= 0 ? 0 : along < GJK_HEIGHT_MAX ? (uint32_t)along : GJK_HEIGHT_MAX;
 }
 
@@ -14,8 +15,8 @@ uint32_t gjk_height(const gjk_vec3 *d, const gjk_vec3 *w) {
   return height_along(&u, w);
 }
 
-// The lowest key of a plane that may be higher than height.
-static uint32_t key_above(uint32_t height) {
+// The highest key that a plane of at most this height may have.
+static uint32_t highest_key(uint32_t height) {
   return gjk_height_key(height + GJK_HEIGHT_ERROR, 1) + GJK_HEIGHT_KEY_ERROR;
 }
 
@@ -23,18 +24,20 @@ bool gjk_facet_may_improve(const gjk_facet *best, int shift, uint32_t key) {
   if (!best->found) {
     return true;
   }
-  // The plane whose facet holds the nearest point is as deep at most, whatever keys say of small heights.
+  // A better plane has at most this depth: less than a candidate that covers, no more than one that does not.
   const gjk_q16 deepest = best->covers ? best->depth - 1 : best->depth;
-  return deepest >= 0 && key <= key_above((uint32_t)deepest << shift);
+  return deepest >= 0 && key <= highest_key((uint32_t)deepest << shift);
 }
 
-// The exact height in LSB, rounded up, of the plane through w whose normal is it->direction; or of the simplex's triangle,
-// of which that is the rounded normal.
+// The depth of the plane through w. triangle: of the simplex's triangle, whose rounded normal is it->direction;
+// otherwise of the plane across it->direction. normal: it->direction as a unit vector. The height
+// settles most depths, even with its error.
 static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, const gjk_vec3 *w, bool triangle) {
   const gjk_vec3 *d = &it->direction.d;
-  const uint32_t height = height_along(normal, w);
+  const uint32_t height = height_along(normal, w);  // at most 2^30 - 1
   const uint32_t least = height > GJK_HEIGHT_ERROR ? height - GJK_HEIGHT_ERROR : 0, most = height + GJK_HEIGHT_ERROR;
-  gjk_q16 low = gjk_height_to_lsb(least, it->shift), high = gjk_height_to_lsb(most, it->shift);
+  gjk_q16 low = gjk_height_to_lsb(least, it->shift);
+  const gjk_q16 high = gjk_height_to_lsb(most, it->shift);
   //@ assert low >= 0 && low <= (INT32_C(1) << 30) + 4;
   //@ assert high >= 0 && high <= (INT32_C(1) << 30) + 4;
   if (low == high) {
@@ -45,19 +48,12 @@ static gjk_q16 exact_depth(const gjk_iteration *it, const gjk_unit3 *normal, con
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
   } else {
     gjk_u192 along;
-    gjk_u192_set(&along, gjk_magnitude64(gjk_dot(d, w)));  // not negative but for a height of 0
+    gjk_u192_set(&along, gjk_magnitude64(gjk_dot(d, w)));  // not negative, or the height is 0
     gjk_u192_multiply(&numerator, &along, &along);
     gjk_u192_set(&denominator, (uint64_t)gjk_dot(d, d));
   }
-  while (low < high) {  // at most 11 apart, so 4 times
-    const gjk_q16 middle = low + (high - low) / 2;
-    //@ assert middle >= low && middle < high;
-    if (gjk_compare_distance(&numerator, &denominator, (uint64_t)middle << (it->shift + 1)) > 0) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
+  // high - low <= 11:  4 comparisons
+  low = (gjk_q16)gjk_round_distance(&numerator, &denominator, low, high, (unsigned)it->shift, GJK_ROUND_UP);
   //@ assert low >= 0 && low <= (INT32_C(1) << 30) + 4;
   return low;
 }
@@ -71,8 +67,8 @@ void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16
   const gjk_unit3 normal = gjk_unit(&it->direction.d);
   const gjk_q16 depth = bound < 0 ? exact_depth(it, &normal, &it->simplex.slot[0].w, true) : bound;
   best->set = false;
-  // Curved supports may be 2 LSB apart across the same plane: the least of the bounds holds.
-  const gjk_q16 slack = !gjk_pair_is_curved(it) ? 0 : 2,
+  // Supports of a curved pair along one direction may differ by GJK_CURVED_ERROR. Each bound holds, so the least does.
+  const gjk_q16 slack = !gjk_pair_is_curved(it) ? 0 : GJK_CURVED_ERROR,
                 least = best->found && best->depth < depth ? best->depth : depth;
   bool better = !best->found || depth < best->depth;
   if (best->found && covers != best->covers) {
@@ -112,18 +108,18 @@ void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
   if (gjk_simplex_beyond(s) == 3) {
     return;
   }
-  // The nearest of its features: each vertex that is added makes the feature strictly nearer.
+  // The corners do not cover the projection. Add them until none makes the feature strictly nearer.
   gjk_vertex corner[3];
   for (int i = 0; i < 3; i++) {
     corner[i] = s->slot[i];
   }
   gjk_simplex_clear(s);
   bool nearer = true;
-  for (int round = 0; round < 4 && nearer; round++) {  // not reached: 4: the last of three corners that is added stays
+  for (int pass = 0; pass < 4 && nearer; pass++) {  // not reached: 4: of three corners, the last that is added stays
     nearer = false;
     for (int i = 0; i < 3; i++) {
       *gjk_simplex_free(s) = corner[i];
-      // not reached: 3: the projection is not in the triangle, so the nearest feature has two corners at most
+      // not reached: 3: the projection is outside the triangle, so the nearest feature has two corners at most
       nearer = (s->count < 3 && gjk_simplex_add(s) == GJK_STEP_NEARER) || nearer;
     }
   }

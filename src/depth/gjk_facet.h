@@ -1,4 +1,8 @@
-// The facet of A - B that is nearest to the origin inside: which of the candidates it is, and how far away exactly.
+// The facet of A - B nearest to the origin inside it: the best of the candidates so far, and its exact depth.
+//
+//   height       the distance of a plane from the origin, in the frame
+//   height key   orders planes by height, rounded (arith/gjk_height_key.h)
+//   depth        height in LSB, exact and rounded up
 #ifndef GJK_SRC_FACET_H
 #define GJK_SRC_FACET_H
 
@@ -6,43 +10,46 @@
 #include "../gjk/gjk_iteration.h"
 #include "gjk/certificate.h"
 
-// Heights by unit vectors are below 2^30 and within so many units of the exact ones: the unit vector is within
-// 7/2 2^-30 of the normal, and a vertex is at most 2^30 away; the fraction is cut off.
+// The largest error of a height that is computed with a unit vector, in units of the frame:
+//   the unit vector is within 7/2 2^-30 of the normal, |w| <= 2^30    7/2
+//   the fraction is dropped                                           1
 #define GJK_HEIGHT_ERROR 5
 #define GJK_HEIGHT_MAX ((UINT32_C(1) << 30) - 1)
 
-// The best candidate so far.
+// The best candidate so far. Valid where found is set.
 typedef struct gjk_facet {
-  gjk_vertex corner[3];  // span the plane, outwards by (w1 - w0) x (w2 - w0); A's offset only for curved shapes
+  gjk_vertex corner[3];  // span its plane; (w1 - w0) x (w2 - w0) is outwards. a.offset is set for curved shapes alone
   gjk_search_direction direction;  // outward normal
   gjk_unit3 normal;                // the same
-  gjk_q16 depth;                   // exact height in LSB, rounded up, or an upper bound of it
+  gjk_q16 depth;                   // or an upper bound of it
   bool found;
-  bool covers;  // the origin's projection lies in the corners' triangle, or as near as matters
-  bool set;     // the simplex is still as it was when this was taken
+  bool covers;  // the origin's projection lies in the triangle of the corners, or counts as if it did
+  bool set;     // the simplex still holds the corners
 } gjk_facet;
 
-// The height of a plane with an outward normal, rounded to *d, through w. Pre: not below the origin; |w| <= 2^30.
+// The height of the plane through w with the outward normal d, within GJK_HEIGHT_ERROR. 0 where the origin is beyond.
+// Pre: |w| <= 2^30.
 uint32_t gjk_height(const gjk_vec3 *d, const gjk_vec3 *w);
 
-// The exact height over the origin, in LSB and rounded up, of the plane across it->direction through w.
+// The depth of the plane through w across it->direction. 0 where the origin is beyond it.
 gjk_q16 gjk_depth_across(const gjk_iteration *it, const gjk_vec3 *w);
 
-// ceil(height / 2^shift): from the frame to LSB.
+// ceil(height / 2^shift): a height in LSB.
 static inline gjk_q16 gjk_height_to_lsb(uint32_t height, int shift) {
   return (gjk_q16)((height + (UINT32_C(1) << shift) - 1) >> shift);
 }
 
-// Is a plane of this height key able to be nearer than the best, by a whole LSB, or to hold the nearest point that the best one
-// misses?
+// May a plane of this height key be better than the best candidate? It is, if it is nearer by an LSB, or as near and
+// its facet holds the nearest point, which the best candidate's does not.
 bool gjk_facet_may_improve(const gjk_facet *best, int shift, uint32_t key);
 
-// Takes the plane of the simplex's first three slots for the best if it is better. They are the feature, by
-// gjk_simplex_set; covers: the projection lies in their triangle. it->direction: the outward normal.
-// bound: the depth, when it isn't the exact height of the slots that counts but that of a parallel plane; otherwise -1.
+// Offers the plane of the simplex's first three slots as a candidate. Pre: gjk_simplex_set has made them the feature;
+// it->direction is the outward normal.
+// covers: the origin's projection lies in their triangle.
+// bound: the depth of a parallel plane that counts instead of the slots' own; -1: their own counts.
 void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16 bound);
 
-// Makes the corners the feature, or what of them is nearest to the origin.
+// Makes the corners the feature; where they do not cover the origin's projection, the nearest of their features.
 void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it);
 
 #endif

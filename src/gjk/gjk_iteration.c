@@ -1,137 +1,42 @@
-// The GJK iteration: support, exact progress, nearest feature.
+// GJK on one pair: the loop that every query runs.
 //
-// After   Gilbert, Johnson, Keerthi 1988; the early outs as in Gino van den Bergen, A Fast and Robust GJK
-//         Implementation, 1999. Departures: a vertex is added only when it is strictly nearer the origin along the
-//         exact direction, so every simplex is non-degenerate, each feature is nearer than the last and none returns.
-#include "gjk_iteration.h"
+// The simplex holds the feature so far: the vertex, edge or triangle nearest to the origin of the vertices of A - B
+// that were added. Each iteration is one support scan of both shapes.
+//
+//   Step 1   Start: add the cached vertices to the simplex, as far as they still make a feature. Without any, the first
+//            direction is the cached one, or that from A's centre to B's.
+//   Then each iteration:
+//   Step 2   Take the search direction d, from the feature to the origin, rounded. It is zero: ENCLOSING.
+//   Step 3   If the goal allows it: the feature is within the radius: NEAR.
+//   Step 4   Support scan: w is the vertex of A - B farthest along d.
+//   Step 5   If the goal allows it: even w is more than the radius away, along d: SEPARATED.
+//   Step 6   w is a vertex of the feature: skip step 7, w cannot be nearer.
+//   Step 7   Add w if it is strictly nearer to the origin than the feature, along the exact direction. The feature
+//            becomes the nearest one with w. Next iteration; or the origin lies in the simplex: ENCLOSING.
+//   Step 8   No nearer: rounding d may have hidden a nearer vertex. Scan again along the exact direction; add what that
+//            finds as in step 7.
+//   Step 9   Still no nearer: nothing of A - B is nearer than the feature. NEAREST; where the goal is WITHIN and the
+//            exact distance is at most the radius: NEAR.
+//   Step 10  The limit on iterations is reached: LIMIT. A later call goes on at step 2.
+//
+// Each feature is strictly nearer than the last, so none returns, every simplex is non-degenerate, and the loop ends.
+//
+// After   Gilbert, Johnson, Keerthi 1988; steps 3 and 5 as in Gino van den Bergen, A Fast and Robust GJK
+//         Implementation, 1999. Departures: the signs in step 7 are exact, and the progress is strict; step 8.
+#include "gjk_frame.h"
 
-// From here on a search of curved shapes is long. Random pairs take at most 51 iterations.
+// From this iteration on a search of curved shapes counts as late: stalls then asks for more progress. Random pairs
+// take at most 51 iterations.
 #define LATE_ITERATIONS 64
-
-// Is v longer than r >= 0? Components at most 2^32, r below 2^33. From r = 2^31 on only single components are compared: the
-// answer may then be a wrong "no".
-static bool longer_than(const gjk_long3 *v, int64_t r) {
-  const uint64_t x = gjk_magnitude64(v->x), y = gjk_magnitude64(v->y), z = gjk_magnitude64(v->z);
-  const uint64_t limit = (uint64_t)r;
-  if (x > limit || y > limit || z > limit) {
-    return true;
-  }
-  if (limit >> 31 != 0) {
-    return false;
-  }
-  // Components below 2^31: each square below 2^62, their sum below 3 2^62 < 2^64.
-  return gjk_umul32((uint32_t)x, (uint32_t)x) + gjk_umul32((uint32_t)y, (uint32_t)y) +
-             gjk_umul32((uint32_t)z, (uint32_t)z) >
-         gjk_umul32((uint32_t)limit, (uint32_t)limit);
-}
-
-// The shift of a frame whose reach is 2^30 or more.
-GJK_OUT_OF_LINE static int far_shift(const gjk_long3 *delta) {
-  const int64_t unit = INT64_C(1) << 30;
-  gjk_long3 scaled = {delta->x, delta->y, delta->z};
-  int shift = 0;
-  while (shift > -3 && longer_than(&scaled, unit)) {
-    scaled.x = gjk_sar64(scaled.x, 1);
-    scaled.y = gjk_sar64(scaled.y, 1);
-    scaled.z = gjk_sar64(scaled.z, 1);
-    shift--;
-  }
-  return shift;
-}
-
-// A radius in the frame. One beyond the reach settles the question like the reach, and so does any of 2^31 or more.
-GJK_OUT_OF_LINE static int32_t frame_radius(int64_t radius, int shift) {
-  const int64_t framed = shift >= 0 ? gjk_shl64(radius, (unsigned)shift) : gjk_sar64(radius, (unsigned)-shift);
-  return framed < INT32_MAX ? (int32_t)framed : INT32_MAX;
-}
-
-// The frame of any pair. False: the bounding spheres are apart.
-GJK_OUT_OF_LINE static bool set_frame(gjk_iteration *it, bool spheres, int64_t radius) {
-  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
-  const gjk_long3 delta = {(int64_t)a->x - b->x, (int64_t)a->y - b->y, (int64_t)a->z - b->z};
-  const int64_t cores = (int64_t)it->a->core_radius + it->b->core_radius;
-  if (spheres && longer_than(&delta, cores + radius)) {
-    return false;
-  }
-  // |x| + |y| + |z| bounds the length from above; at most 3 2^32. Never 0: each core_radius has its slack.
-  const int64_t reach =
-      (int64_t)(gjk_magnitude64(delta.x) + gjk_magnitude64(delta.y) + gjk_magnitude64(delta.z)) + cores;
-  it->shift = (int8_t)(reach < INT64_C(1) << 30 ? (int)gjk_clz32((uint32_t)reach) - 2 : far_shift(&delta));
-  it->radius = radius > 0 ? frame_radius(radius < reach ? radius : reach, it->shift) : 0;
-  return true;
-}
-
-// Are all components of v below 2^28 in size?
-static inline bool is_small(const gjk_vec3 *v) {
-  return ((uint32_t)(v->x ^ gjk_sar32(v->x, 31)) | (uint32_t)(v->y ^ gjk_sar32(v->y, 31)) |
-          (uint32_t)(v->z ^ gjk_sar32(v->z, 31))) >>
-             28 ==
-         0;
-}
-
-// The same for centres within 4096 units of the origin and no radius, the usual case, in 32 bits.
-static bool set_usual_frame(gjk_iteration *it, bool spheres) {
-  //@ assert it->a->centre.x >= -(INT32_C(1) << 28) && it->a->centre.x < INT32_C(1) << 28;
-  //@ assert it->a->centre.y >= -(INT32_C(1) << 28) && it->a->centre.y < INT32_C(1) << 28;
-  //@ assert it->a->centre.z >= -(INT32_C(1) << 28) && it->a->centre.z < INT32_C(1) << 28;
-  //@ assert it->b->centre.x >= -(INT32_C(1) << 28) && it->b->centre.x < INT32_C(1) << 28;
-  //@ assert it->b->centre.y >= -(INT32_C(1) << 28) && it->b->centre.y < INT32_C(1) << 28;
-  //@ assert it->b->centre.z >= -(INT32_C(1) << 28) && it->b->centre.z < INT32_C(1) << 28;
-  const gjk_vec3 delta = gjk_sub(it->a->centre, it->b->centre);   // below 2^29
-  const int32_t cores = it->a->core_radius + it->b->core_radius;  // at most 2^29
-  if (spheres && gjk_dot(&delta, &delta) > gjk_mul32(cores, cores)) {
-    return false;
-  }
-  const uint32_t reach = gjk_norm1(delta) + (uint32_t)cores;  // below 2^31
-  const int shift = (int)gjk_clz32(reach) - 2;
-  it->shift = (int8_t)(shift < 0 ? 0 : shift);  // |delta| <= sqrt(3) 2^29 < 2^30: near
-  it->radius = 0;
-  return true;
-}
-
-// One component of w in a far frame: rounded to nearest.
-GJK_OUT_OF_LINE static int32_t far_component(int64_t difference, int shift) {
-  const unsigned n = (unsigned)-shift;
-  //@ assert n >= 1 && n <= 3;
-  const int64_t rounded = gjk_sar64(difference + (INT64_C(1) << (n - 1)), n);
-  //@ assert rounded >= -(INT32_C(3) << 29) && rounded <= INT32_C(3) << 29;
-  return (int32_t)rounded;
-}
-
-// Puts the frame's vector from B to A for points whose offsets from the centres differ by v into v.
-GJK_OUT_OF_LINE static void far_vector(const gjk_iteration *it, gjk_vec3 *v) {
-  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
-  v->x = far_component((int64_t)a->x - b->x + v->x, it->shift);
-  v->y = far_component((int64_t)a->y - b->y + v->y, it->shift);
-  v->z = far_component((int64_t)a->z - b->z + v->z, it->shift);
-}
-
-// The frame's vector from B's centre to A's. Near by it is at most 2^30 long.
-static void set_delta(gjk_iteration *it) {
-  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
-  if (it->shift < 0) {
-    it->delta.x = it->delta.y = it->delta.z = 0;
-    far_vector(it, &it->delta);
-    return;
-  }
-  const unsigned shift = (unsigned)it->shift;
-  it->delta.x = gjk_shl32(a->x - b->x, shift);
-  it->delta.y = gjk_shl32(a->y - b->y, shift);
-  it->delta.z = gjk_shl32(a->z - b->z, shift);
-}
 
 bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_collider *b, gjk_goal goal,
                          int64_t radius) {
-  const bool spheres = gjk_goal_separates(goal);
   it->a = a;
   it->b = b;
-  it->iterations = 0;
-  // not reached: GJK_SMALL is a constant
-  const bool usual = !GJK_SMALL && radius == 0 && is_small(&a->centre) && is_small(&b->centre);
-  if (usual ? !set_usual_frame(it, spheres) : !set_frame(it, spheres, radius)) {
+  if (!gjk_frame_set(it, gjk_goal_separates(goal), radius)) {
     return false;
   }
-  set_delta(it);
+  it->iterations = 0;
   it->stalls = a->shape->type->stalls;
   if (!gjk_pair_is_curved(it)) {
     it->stalls = b->shape->type->stalls;
@@ -140,22 +45,12 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   return true;
 }
 
-// Completes the free slot, which has its vertex of A. Near by all sums are at most 3 2^29.
+// Completes the vertex in the free slot, whose vertex of A is set, by the vertex b of B.
 GJK_ONCE static void complete_vertex(gjk_iteration *it, const gjk_support *b) {
   gjk_vertex *v = gjk_simplex_free(&it->simplex);
   v->b = b->vertex;
   v->w = gjk_sub(v->a.offset, b->offset);
-  if (it->shift < 0) {
-    far_vector(it, &v->w);
-    return;
-  }
-  const unsigned shift = (unsigned)it->shift;
-  v->w.x = it->delta.x + gjk_shl32(v->w.x, shift);
-  v->w.y = it->delta.y + gjk_shl32(v->w.y, shift);
-  v->w.z = it->delta.z + gjk_shl32(v->w.z, shift);
-  //@ assert v->w.x >= -(INT32_C(3) << 29) && v->w.x <= INT32_C(3) << 29;
-  //@ assert v->w.y >= -(INT32_C(3) << 29) && v->w.y <= INT32_C(3) << 29;
-  //@ assert v->w.z >= -(INT32_C(3) << 29) && v->w.z <= INT32_C(3) << 29;
+  gjk_frame_move(it, &v->w);
 }
 
 bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b) {
@@ -170,6 +65,7 @@ bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b) {
   return true;
 }
 
+// Step 4: the support scan of both shapes.
 GJK_ONCE static void next_vertex(gjk_iteration *it, gjk_support *b) {
   const gjk_vec3 opposite = gjk_negate(it->direction.d);
   it->a->shape->type->support(it->a, &it->direction.d, &gjk_simplex_free(&it->simplex)->a);
@@ -181,7 +77,7 @@ void gjk_iteration_next(gjk_iteration *it, gjk_support *b) {
   next_vertex(it, b);
 }
 
-GJK_OUT_OF_LINE bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_support *b) {
+bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_support *b) {
   bool moved = false;
   if (it->a->shape->type->refine != NULL) {
     moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, &gjk_simplex_free(&it->simplex)->a);
@@ -197,8 +93,8 @@ GJK_OUT_OF_LINE bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *dire
   return moved;
 }
 
-// Moves the vertex to the farthest along the feature's exact direction. Returns whether it moved.
-GJK_OUT_OF_LINE static bool refine_nearest(gjk_iteration *it, gjk_support *b) {
+// Step 8: replaces w by the vertex farthest along the exact direction. Returns whether that is another one.
+static bool refine_nearest(gjk_iteration *it, gjk_support *b) {
   gjk_direction direction;
   if (it->direction.exact) {
     return false;
@@ -213,30 +109,32 @@ bool gjk_iteration_near(const gjk_iteration *it) {
   return gjk_compare_distance(&numerator, &denominator, (uint64_t)it->radius * 2) <= 0;
 }
 
-// Does the plane across the direction through w leave the origin more than radius behind? Its distance is along / |d|, so:
-// along^2 > radius^2 d^2. |along| <= sqrt(3) 2^30 3 2^29 < 2^62, radius^2 < 2^62, d^2 <= 3 2^60.
-static bool clears(const gjk_iteration *it, const gjk_vec3 *w, int32_t radius) {
+// Does the plane across d through w lie before the origin, by more than the radius? Its distance is -d . w / |d|:
+// (d . w)^2 > radius^2 |d|^2.
+static bool plane_clears_radius(const gjk_iteration *it, const gjk_vec3 *w) {
   const gjk_vec3 d = it->direction.d;
-  const int64_t along = gjk_dot(&d, w);
+  const int32_t radius = it->radius;
+  const int64_t along = gjk_dot(&d, w);  // |d| <= sqrt(3) 2^30, |w| <= 3 2^29:  |along| < 2^62
   if (radius == 0) {
     return along < 0;
   }
+  // radius^2 < 2^62, |d|^2 <= 3 2^60
   return along < 0 && gjk_sum_of_products_sign(along, along, -gjk_mul32(radius, radius), gjk_dot(&d, &d)) > 0;
 }
 
-// Is the feature near enough to settle the question? A vertex is measured; an edge or triangle is, when the plane
-// across the direction to it does not clear the radius.
-GJK_OUT_OF_LINE static bool settles_near(const gjk_iteration *it) {
+// Step 3: is the feature within the radius? Exact. The plane across d, a lower bound of the distance, spares most edges
+// and triangles from being measured.
+static bool settles_near(const gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *v = &s->slot[s->order[0]];
   if (s->count == 1) {
     return gjk_dot(&v->w, &v->w) <= gjk_mul32(it->radius, it->radius);
   }
-  return !clears(it, &v->w, it->radius) && gjk_iteration_near(it);
+  return !plane_clears_radius(it, &v->w) && gjk_iteration_near(it);
 }
 
-// Is the vertex of no use: does the feature have it already, or for a curved pair nearly? Then the signs need not be
-// computed to see it.
+// Step 6: is w a vertex of the feature? Of a curved pair: does w gain too little over the feature to go on? The signs
+// of step 7 would reject a vertex of the feature as well, at a higher cost.
 static bool is_duplicate(gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *added = gjk_simplex_free(&it->simplex);
@@ -253,7 +151,7 @@ static bool is_duplicate(gjk_iteration *it) {
   return false;
 }
 
-// Takes the cached direction; false when there is none.
+// Takes the direction of the cache. False: it has none.
 static bool cached_direction(gjk_iteration *it, const gjk_cache *cache) {
   gjk_vec3 *d = &it->direction.d;
   d->x = cache->direction[0];
@@ -263,8 +161,8 @@ static bool cached_direction(gjk_iteration *it, const gjk_cache *cache) {
   return (d->x | d->y | d->z) != 0;
 }
 
-// The first direction: the cached one, or from A's centre to B's.
-GJK_OUT_OF_LINE static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
+// Step 1: the first direction, where no vertex was cached.
+static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
   gjk_vec3 *d = &it->direction.d;
   if (cache != NULL && cached_direction(it, cache)) {
     return;
@@ -276,7 +174,7 @@ GJK_OUT_OF_LINE static void first_direction(gjk_iteration *it, const gjk_cache *
   }
 }
 
-// Starts from the cached feature, as far as it still is one. Does the origin lie in it?
+// Step 1: adds the cached vertices. Returns whether the origin lies in the simplex already.
 static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
   //@ dynamic_split it->simplex.count;
   for (unsigned i = 0; i < cache->count && i < 4; i++) {
@@ -290,7 +188,7 @@ static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
   return false;
 }
 
-// Adds the vertex of the last direction, or if that is no nearer the one that rounding has hidden.
+// Steps 6 to 8. NONE: nothing of A - B is nearer than the feature.
 static gjk_step add_vertex(gjk_iteration *it, gjk_support *b) {
   if (!is_duplicate(it)) {
     const gjk_step step = gjk_simplex_add(&it->simplex);
@@ -303,7 +201,8 @@ static gjk_step add_vertex(gjk_iteration *it, gjk_support *b) {
 
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   gjk_support b;
-  // Of rounded vertices, where the search ends, and whether it does in time, would depend on where it began.
+  // The vertices of far frames and of curved shapes are rounded: where the search ends would depend on where it began.
+  // So the cache does not count.
   if (it->shift < 0 || gjk_pair_is_curved(it)) {
     cache = NULL;
   }
@@ -312,6 +211,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   }
   //@ dynamic_split it->simplex.count;
   for (; it->iterations < it->limit; it->iterations++) {
+    // Step 2: the search direction. Step 3: the feature is near.
     if (it->simplex.count == 0) {
       first_direction(it, cache);
     } else if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
@@ -319,26 +219,32 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
     } else if (it->radius > 0 && gjk_goal_nears(goal) && settles_near(it)) {
       return GJK_OUTCOME_NEAR;
     }
+    // Step 4: the support scan.
     next_vertex(it, &b);
-    if (gjk_goal_separates(goal) && clears(it, &gjk_simplex_free(&it->simplex)->w, it->radius)) {
+    // Step 5: the whole of A - B is beyond the radius.
+    if (gjk_goal_separates(goal) && plane_clears_radius(it, &gjk_simplex_free(&it->simplex)->w)) {
       it->iterations++;
       return GJK_OUTCOME_SEPARATED;
     }
+    // Steps 6 to 8: the vertex makes a nearer feature, or none does.
     const gjk_step step = add_vertex(it, &b);
     if (step != GJK_STEP_NEARER) {
       it->iterations++;
       if (step == GJK_STEP_ENCLOSING) {
         return GJK_OUTCOME_ENCLOSING;
       }
-      // Within the rounding of the direction clears and settles_near may both have left it open.
+      // Step 9: steps 3 and 5 use the rounded direction, so a distance this close to the radius passes both. Compare
+      // the exact one.
       return goal == GJK_GOAL_WITHIN && it->radius > 0 && gjk_iteration_near(it) ? GJK_OUTCOME_NEAR
                                                                                  : GJK_OUTCOME_NEAREST;
     }
   }
+  // Step 10: the limit.
   return GJK_OUTCOME_LIMIT;
 }
 
-// The vertices of the feature, when there are some to be named. Returns their number.
+// Writes the vertex numbers of the feature that proves the outcome. Returns how many: 0 for a curved pair, whose points
+// have no numbers, and for SEPARATED, which the direction proves.
 static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint16_t a[4], uint16_t b[4]) {
   const gjk_simplex *s = &it->simplex;
   const uint8_t count = gjk_pair_is_curved(it) || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
@@ -358,9 +264,9 @@ void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_cer
   out->direction = it->direction.d;
 }
 
-// The 15 leading bits of a direction.
+// The 15 leading bits of d.
 static void keep_direction(const gjk_vec3 *d, int16_t kept[3]) {
-  const uint32_t bits = gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z);
+  const uint32_t bits = gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z);  // below 2^32
   const unsigned shift = bits >> 15 == 0 ? 0 : 17 - gjk_clz32(bits);
   //@ assert shift <= 17;
   kept[0] = (int16_t)gjk_sar32(d->x, shift);

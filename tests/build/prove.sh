@@ -22,10 +22,10 @@ gjk_reciprocal_root,gjk_unit,gjk_copy,gjk_height_key
 QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report_depth:100,\
 ask_penetration:500,ask_signed:500,gjk_distance:200,run_and_narrow:200,narrow:200,\
 gjk_distance_until:100,gjk_distance_report:100,stop_early:100,load:100,is_nearest:100,is_facet:100,none_before:100
-ITERATION_LEVELS=gjk_iteration_run:4,add_vertex:100,warm_start:1000,gjk_iteration_start:500,set_frame:500,set_usual_frame:500,main:500,\
-longer_than:100,far_shift:100,run:500
-ITERATION_RETURNS=gjk_iteration_start:0,set_frame:0,set_usual_frame:0,longer_than:0
-EPA_HULL_LEVELS=write_horizon:200,gjk_epa_hull_add:500,close:1000,add:1000,check_polytope:100,gjk_epa_hull_lowest:50
+ITERATION_LEVELS=gjk_iteration_run:4,add_vertex:100,warm_start:1000,gjk_iteration_start:500,gjk_frame_set:500,gjk_frame_set_far:500,\
+main:500,longer_than:100,far_shift:100,run:500
+ITERATION_RETURNS=gjk_iteration_start:0,gjk_frame_set:0,gjk_frame_set_far:0,longer_than:0
+EPA_HULL_LEVELS=write_horizon:200,gjk_epa_hull_add:500,connect_horizon:1000,add:1000,check_polytope:100,gjk_epa_hull_lowest:50
 BOX_SAT_LEVELS=gjk_box_sat:1000,run:100
 SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
 

@@ -31,12 +31,12 @@ static void run(uint16_t count_a, uint16_t count_b) {
   gjk_simplex_clear(&it.simplex);
   facet.found = false;
   facet_is_found = 0;
-  if (gjk_is_zonotope(&it)) {
-    const gjk_zonotope_answer answer = gjk_box_sat(&it, &facet);
+  if (gjk_is_box_pair(&it)) {
+    const gjk_box_sat_answer answer = gjk_box_sat(&it, &facet);
     //@ split answer;
-    if (answer == GJK_ZONOTOPE_FACET) {
+    if (answer == GJK_BOX_SAT_FACET) {
       check_facet(&facet, false);
-    } else if (answer == GJK_ZONOTOPE_APART) {
+    } else if (answer == GJK_BOX_SAT_APART) {
       check_direction(&it.direction.d);
     }
   }

@@ -5,12 +5,12 @@
 
 extern int facet_is_found;  // by the model of the facet
 
-bool gjk_is_zonotope(const gjk_iteration *it) {
+bool gjk_is_box_pair(const gjk_iteration *it) {
   return !gjk_pair_is_curved(it) && any_bool();
 }
 
-gjk_zonotope_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
-  const int32_t answer = any_between(GJK_ZONOTOPE_FACET, GJK_ZONOTOPE_FLAT);
+gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
+  const int32_t answer = any_between(GJK_BOX_SAT_FACET, GJK_BOX_SAT_FLAT);
   //@ assert it->shift >= 0;
   it->direction.d = any_direction(3);
   it->direction.exact = any_bool();
@@ -19,9 +19,9 @@ gjk_zonotope_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
     any_corner(&it->simplex.slot[i], false);
   }
   any_normal(&it->simplex.normal);
-  if (answer == GJK_ZONOTOPE_FACET) {
+  if (answer == GJK_BOX_SAT_FACET) {
     any_facet(facet, false);
     facet_is_found = 1;
   }
-  return (gjk_zonotope_answer)answer;
+  return (gjk_box_sat_answer)answer;
 }

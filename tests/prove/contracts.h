@@ -112,7 +112,8 @@ gjk_unit3 gjk_unit(const gjk_vec3 *d);
 
 // The cross product of two edges shorter than 2^31.
 /*@ requires edges: SHORT(b->x - a->x, b->y - a->y, b->z - a->z) && SHORT(c->x - a->x, c->y - a->y, c->z - a->z);
-    assigns *out \from *a, *b, *c;
+    assigns out->x, out->y, out->z \from *a, *b, *c;
+    ensures \initialized(&out->x) && \initialized(&out->y) && \initialized(&out->z);
     ensures -0x4000000000000000 < out->x < 0x4000000000000000;
     ensures -0x4000000000000000 < out->y < 0x4000000000000000;
     ensures -0x4000000000000000 < out->z < 0x4000000000000000; */

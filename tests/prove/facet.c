@@ -31,17 +31,17 @@ static void any_triangle(gjk_iteration *it) {
 static void measure(const gjk_iteration *it) {
   const gjk_vec3 w = any_vec3(ANY_W);
   gjk_facet facet;
-  const uint32_t rank =
+  const uint32_t key =
       gjk_height_key(Frama_C_long_long_interval(INT64_MIN, INT64_MAX), Frama_C_long_long_interval(1, INT64_MAX));
-  //@ assert rank <= GJK_HEIGHT_KEY_MAX;
+  //@ assert key <= GJK_HEIGHT_KEY_MAX;
   const uint32_t height = gjk_height(&it->direction.d, &w);
   //@ assert height <= GJK_HEIGHT_MAX;
   const gjk_q16 depth = gjk_depth_across(it, &w);
   //@ assert depth >= 0 && depth <= ANY_DEPTH - 4;
   facet.found = false;
-  (void)gjk_facet_may_improve(&facet, it->shift, rank);
+  (void)gjk_facet_may_improve(&facet, it->shift, key);
   any_facet(&facet, false);
-  (void)gjk_facet_may_improve(&facet, it->shift, rank);
+  (void)gjk_facet_may_improve(&facet, it->shift, key);
 }
 
 static void consider(gjk_iteration *it, gjk_q16 bound, bool found) {

@@ -58,6 +58,10 @@ static void look(const gjk_simplex *s) {
   (void)gjk_direction_sign(&direction, &v);
   gjk_simplex_squared_distance(s, &numerator, &denominator);
   (void)gjk_compare_distance(&numerator, &denominator, (uint64_t)any_long(INT64_MAX));
+  const int64_t low = any_between(0, INT32_MAX), high = low + any_between(0, 128);
+  const int64_t distance = gjk_round_distance(&numerator, &denominator, low, high, (unsigned)any_between(0, 29),
+                                              (gjk_round_to)any_between(GJK_ROUND_UP, GJK_ROUND_DOWN));
+  check_size(distance, INT64_C(1) << 32);
   if (s->count > 1) {
     gjk_simplex_weights(s, any_bool(), weight);
     check_size(weight[0].high, INT32_MAX);

@@ -113,6 +113,18 @@ int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator,
   return (int)any_between(-1, 1);
 }
 
+int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, int64_t low, int64_t high,
+                           unsigned shift, gjk_round_to to) {
+  check_size(numerator->limb[0] & 1u, 1);
+  check_size(denominator->limb[0] & 1u, 1);
+  check_size(low, INT64_C(1) << 34);
+  check_size(high, INT64_C(1) << 34);
+  check_size(to, GJK_ROUND_DOWN);
+  //@ assert shift <= 29;
+  const int64_t rounded = Frama_C_long_long_interval(0, INT64_C(1) << 34);
+  return rounded >= low && rounded <= high ? rounded : low;
+}
+
 void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_barycentric weight[2]) {
   //@ assert s->count >= 2 && s->count <= 3;
   for (int i = 0; i < 2; i++) {
