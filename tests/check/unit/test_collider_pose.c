@@ -157,6 +157,6 @@ int main(void) {
     most = worst[i] > most ? worst[i] : most;
     printf("within 2^%d LSB of the origin: vertices at most %.3Lf LSB off\n", i, worst[i]);
   }
-  CHECK_MSG(most > SEEN, "%.3Lf", most);
+  CHECK_MSG(ITERATIONS < 20000 || most > SEEN, "%.3Lf", most);
   return check_done("collider_pose");
 }

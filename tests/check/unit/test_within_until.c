@@ -169,9 +169,9 @@ int main(int argc, char **argv) {
   for (int iterations = 1; iterations < 4; iterations++) {
     const tally *t = &c.few[iterations];
     printf("%d iterations: %lu open, %lu yes, %lu no\n", iterations, t->open, t->yes, t->no);
-    CHECK(t->open > 100);
-    CHECK(t->no > 100);
-    CHECK(iterations == 1 || t->yes > 100);
+    CHECK(CURVED_PAIRS < 2000 || t->open > 100);
+    CHECK(CURVED_PAIRS < 2000 || t->no > 100);
+    CHECK(CURVED_PAIRS < 2000 || iterations == 1 || t->yes > 100);
   }
   case_pair_free(&c.pair);
   case_collider_free(&c.a);
