@@ -27,8 +27,8 @@ static int64_t to_lsb(int64_t x, int shift) {
   return x <= 0 ? 0 : gjk_sar64(x + (INT64_C(1) << (n - 1)), n);
 }
 
-// The exact search among the few candidates that the plane distance leaves. In a frame 2^n times as coarse as an LSB, n <= 3,
-// no edge exceeds 2^(30 - n), so 4^n times the numerator stays below 2^(184 - 2 n).
+// The exact distance, rounded: the one of low to high, in LSB, that an exact comparison of squares finds.
+//   frame 2^n times as coarse as an LSB, n <= 3: no edge exceeds 2^(30 - n), and 4^n numerator stays below 2^186
 GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high, gjk_round_to to) {
   const unsigned finer = it->shift > 0 ? (unsigned)it->shift : 0;
   gjk_u192 numerator, denominator;
@@ -44,7 +44,7 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t 
 static int64_t exact_distance(const gjk_iteration *it, const gjk_unit3 *normal, int64_t plane) {
   // not reached: GJK_SMALL is a constant
   if (it->shift >= 4 && !GJK_SMALL) {
-    // In steps of 2^32: the error and the bits cut off are less than 3.
+    // In units of 2^32 the plane's error and the bits dropped are below 3, so a fraction from 3 on is certain.
     const unsigned n = (unsigned)it->shift - 2;
     const uint32_t mask = (UINT32_C(1) << n) - 1;
     const uint32_t steps = gjk_low32(gjk_sar64(plane, 32)) + (UINT32_C(1) << (n - 1));
@@ -56,8 +56,8 @@ static int64_t exact_distance(const gjk_iteration *it, const gjk_unit3 *normal, 
   int64_t distance = settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift),
                                      to_lsb(plane + GJK_PLANE_ERROR, it->shift), GJK_ROUND_NEAREST);
   if (it->shift == -1) {
-    // Rounding has moved each coordinate of a vertex by 0 or 1 LSB, by half of one on average. In coarser frames the error
-    // is less than 2^-28 of the distance as it is.
+    // Rounding raised each coordinate of w by 0 or 1 LSB, 1/2 on average. Remove that bias along the normal. Coarser
+    // frames need not: there the error is below 2^-28 of the distance in any case.
     distance += gjk_sar64((int64_t)normal->x + normal->y + normal->z + (INT64_C(1) << 30), 31);
   }
   return distance;

@@ -1,7 +1,7 @@
 // Yes-or-no queries: do two shapes touch, are they within a distance?
 //
-// Every decision is a sign computed exactly, on posed shapes. What is rounded before it: the centres of shapes more than
-// 16384 units apart, to 2^-28 of their distance (gjk_iteration.h), and the support points of curved shapes, to an LSB.
+// Every decision is a sign computed exactly, on posed shapes. Rounded before it are the centres of shapes more than
+// 16384 units apart, to 2^-28 of their distance (gjk_frame.h), and support points of curved shapes, to an LSB.
 #include "gjk/intersect.h"
 
 #include "../gjk/gjk_search.h"

@@ -23,8 +23,8 @@ bool gjk_outward_clears(const gjk_vec3 *w, int shift, const gjk_long3 *n, const 
 
 // Steps 2 to 4: rounds the normal outwards for the depth. Overwrites the iteration, unless facet is given.
 //   facet   of the cores, for shapes without convex radii whose cores intersect; otherwise NULL
-//   exact   false: the depth is an upper bound, and there is no test to ask. The normal grows until step 2 stops it, or 5
-//           times
+//   exact   false: the depth is an upper bound, and there is no test to ask. The normal grows until step 2 stops it,
+//           or 5 times
 void gjk_outward_normal(gjk_iteration *it, const gjk_facet *facet, bool exact, gjk_q16 depth, gjk_unit3 *normal);
 
 #endif

@@ -100,7 +100,7 @@ END {
   print ""
   print "Beside it the same algorithm in floating point: mean instructions on the same pairs, in software but where the"
   print "head says FPU. It is plain C (`tests/support/reference`), its vertices are in its own type already, and it stops as early."
-  print "Its depths are an expanding polytope\47s, which does not fit in Cortex-M0\47s 16 KB."
+  print "Its depths are EPA\47s, which does not fit in Cortex-M0\47s 16 KB."
   print ""
   header("| query | in |", beside, others)
   compare("boxes apart: distance")
