@@ -64,7 +64,7 @@ typedef struct gjk_manifold {
 //           a crossing of faces' edges near a line between other points is left out, unless it is deeper
 //
 // Exact   The shared polygon is exact but for what ids leave out. In LSB:
-//           points           within 3 of their shapes, and within 2 of straight across from each other
+//           points           within 4 of their shapes (tests hold 3), and within 2 of straight across from each other
 //           distance         within 2 of the points' gap along the normal
 //           least distance   within 2 of that of gjk_signed_distance; 6 where most leaves points out
 //         The distance of the points of gjk_signed_distance is within 3 LSB and 2^-28 of their gap along the normal,
