@@ -19,6 +19,9 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   check 'gjk_intersect on boxes alone' at_most 8576 -DSIZE_BOXES
   check 'gjk_distance on hulls, boxes and rounded forms' at_most 13440
   check 'gjk_penetration as well, with posing' at_most 22912 -DSIZE_POSED -DSIZE_DEPTH
+  # What the README says of programs.
+  check 'gjk_intersect on boxes, with posing' at_most 10496 -DSIZE_BOXES -DSIZE_POSED
+  check 'a scene with contacts' at_most 43520 -DSIZE_SCENE
   # What the README says of a build that keeps unused sections.
   objects=$(echo build/cortex-m3-linked/*.o)
   export LIBRARY="$objects"

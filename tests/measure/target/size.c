@@ -3,9 +3,34 @@
 //   SIZE_DEPTH, SIZE_CONTACTS  gjk_penetration, gjk_contacts on these as well
 //   SIZE_CURVED  gjk_distance on cylinders, cones and ellipsoids as well
 //   SIZE_POSED   initialises and poses the colliders, too
+//   SIZE_SCENE   instead of all that: a scene with contacts, of boxes and spheres
 #include "gjk/gjk.h"
+#include "gjk/scene.h"
 
 void size_main(void);
+
+#ifdef SIZE_SCENE
+uint32_t size_block[1000];
+gjk_manifold size_manifold;
+gjk_report_function *size_report;
+
+void size_main(void) {
+  static const gjk_shape box = GJK_BOX(3, 4, 5), ball = GJK_SPHERE(6);
+  static const gjk_shape *const shapes[] = {&box, &ball};
+  static const gjk_part part = {.shape = 0};
+  static const gjk_scene_config config = {.bodies = 8, .parts = 8, .pairs = 16, .detail = GJK_DETAIL_CONTACTS};
+  static const gjk_body_setup setup = {.pose = GJK_POSE_IDENTITY, .parts = &part, .part_count = 1};
+  static gjk_scene_bindings bindings;
+  gjk_scene scene;
+  gjk_body_id body;
+  bindings.details = &gjk_scene_contacts;
+  bindings.manifolds = &size_manifold;
+  gjk_scene_init(&scene, &config, size_block, sizeof size_block, shapes, 2, &bindings);
+  gjk_scene_add(&scene, &setup, &body);
+  gjk_scene_move(&scene, body, &setup.pose);
+  gjk_scene_update_each(&scene, size_report, NULL);
+}
+#else
 
 gjk_collider size_a, size_b;
 
@@ -66,3 +91,5 @@ void size_main(void) {
   gjk_contacts(&size_a, &size_b, 1, 4, NULL, &size_workspace, &size_manifold);
 #endif
 }
+
+#endif
