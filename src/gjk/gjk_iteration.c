@@ -256,20 +256,16 @@ static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint1
   return count;
 }
 
-// What proves an outcome for polytopes.
-static gjk_proof proof_of(gjk_outcome outcome) {
-  switch (outcome) {
-    case GJK_OUTCOME_NEAREST: return GJK_PROOF_NEAREST;
-    case GJK_OUTCOME_ENCLOSING: return GJK_PROOF_ENCLOSING;
-    case GJK_OUTCOME_SEPARATED: return GJK_PROOF_DIRECTION;
-    case GJK_OUTCOME_NEAR: return GJK_PROOF_NEAR;
-    case GJK_OUTCOME_LIMIT: break;
-  }
-  return GJK_PROOF_NONE;
-}
-
 void gjk_iteration_certify(const gjk_iteration *it, gjk_outcome outcome, gjk_certificate *out) {
-  out->proof = (uint8_t)(gjk_pair_is_curved(it) ? GJK_PROOF_NONE : proof_of(outcome));
+  // Not by designators, which C++ lacks for arrays.
+  static const uint8_t proof[] = {
+      GJK_PROOF_NEAREST,    // GJK_OUTCOME_NEAREST
+      GJK_PROOF_ENCLOSING,  // GJK_OUTCOME_ENCLOSING
+      GJK_PROOF_DIRECTION,  // GJK_OUTCOME_SEPARATED
+      GJK_PROOF_NEAR,       // GJK_OUTCOME_NEAR
+      GJK_PROOF_NONE,       // GJK_OUTCOME_LIMIT
+  };
+  out->proof = gjk_pair_is_curved(it) ? (uint8_t)GJK_PROOF_NONE : proof[outcome];
   out->count = name_vertices(it, outcome, out->a, out->b);
   out->direction = it->direction.d;
 }

@@ -2,8 +2,8 @@
 // faces, 3, each of three or the most corners.
 #include "src/contact/gjk_clip.h"
 
-#include "polygons.h"
 #include "candidates.h"
+#include "polygons.h"
 
 static void run(int32_t count_a, int32_t count_b) {
   gjk_polygon a, b;

@@ -3,8 +3,8 @@
 
 #include <limits.h>
 
-#include "colliders.h"
 #include "candidates.h"
+#include "colliders.h"
 
 static void check_manifold(const gjk_manifold *m) {
   //@ assert m->count <= GJK_CONTACTS_MAX;

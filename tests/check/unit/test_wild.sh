@@ -8,7 +8,7 @@ mkdir -p "$dir"
 wild() {
   name=$1
   shift
-  "${CC:-cc}" -std=c99 -O1 -g "$@" -fsanitize=undefined,address -fno-sanitize-recover=all -Iinclude -I. -Iport \
+  "${CC:-cc}" -std=c99 -O1 -g "$@" -fsanitize=undefined,address -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support \
     '-DGJK_PORT_HEADER="generic/gjk_port.h"' tests/check/unit/wild.c src/*/*.c -o "$dir/$name" || return 1
   "$dir/$name"
 }
