@@ -97,6 +97,18 @@ static void test_used_up_slot(void) {
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_ERROR_CAPACITY);
 }
 
+// The README's figures: a body with one shape takes 244 bytes and a bit of its slot, a pair 48.
+static void test_sizes(void) {
+  const gjk_scene_config few = {.bodies = 1000, .parts = 1000, .pairs = 1000};
+  gjk_scene_config more = few;
+  more.bodies = more.parts = 2000;
+  CHECK(gjk_scene_bytes(&more) - gjk_scene_bytes(&few) > 244000);
+  CHECK(gjk_scene_bytes(&more) - gjk_scene_bytes(&few) <= 245000);
+  more = few;
+  more.pairs = 2000;
+  CHECK(gjk_scene_bytes(&more) - gjk_scene_bytes(&few) == 48000);
+}
+
 // Part numbers go up to 65535, also in the report of a pair that is gone.
 static void test_many_parts(void) {
   static const gjk_scene_config large = {2, PARTS + 1, PARTS, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
@@ -434,6 +446,7 @@ static void test_tested_once(void) {
 
 int main(void) {
   test_used_up_slot();
+  test_sizes();
   test_many_parts();
   test_large_hulls();
   test_far_apart();
