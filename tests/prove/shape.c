@@ -16,16 +16,16 @@ static void any_support(const void *user, const gjk_vec3 *direction, gjk_vec3 *o
 }
 
 static void any_shape(gjk_shape *shape, const gjk_q16 *bound) {
-  const gjk_shape kinds[] = {GJK_POINT,
-                             GJK_SEGMENT(0),
-                             GJK_TRIANGLE(vertices),
-                             GJK_BOX(0, 0, 0),
-                             GJK_HULL(vertices, VERTICES),
-                             GJK_HULL(vertices, VERTICES),
-                             GJK_CYLINDER(0, 0),
-                             GJK_CONE(0, 0),
-                             GJK_ELLIPSOID(0, 0, 0),
-                             GJK_CUSTOM(any_support, bound, 0)};
+  const gjk_shape kinds[] = {[POINT] = GJK_POINT,
+                             [SEGMENT] = GJK_SEGMENT(0),
+                             [TRIANGLE] = GJK_TRIANGLE(vertices),
+                             [BOX] = GJK_BOX(0, 0, 0),
+                             [BAKED] = GJK_HULL(vertices, VERTICES),
+                             [LAZY] = GJK_HULL(vertices, VERTICES),
+                             [CYLINDER] = GJK_CYLINDER(0, 0),
+                             [CONE] = GJK_CONE(0, 0),
+                             [ELLIPSOID] = GJK_ELLIPSOID(0, 0, 0),
+                             [CUSTOM] = GJK_CUSTOM(any_support, bound, 0)};
   *shape = kinds[CASE];
   shape->size = any_position();
   shape->convex_radius = any_int32();
