@@ -144,7 +144,7 @@ static gjk_aabb needed_box(const gjk_scene_view *v, const gjk_scene_part *p) {
   return needed;
 }
 
-static bool still_fits(const gjk_scene_view *v, const gjk_scene_part *p) {
+bool gjk_scene_part_fits(const gjk_scene_view *v, const gjk_scene_part *p) {
   const gjk_aabb needed = needed_box(v, p);
   return gjk_aabb_inside(&needed, &p->enlarged);
 }
@@ -165,7 +165,7 @@ bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider 
   const gjk_vec3 before = p->centre;
   p->motion = add_motion(p->motion, motion_to(p, collider, turn));
   store_collider(p, collider);
-  if (still_fits(v, p)) {
+  if (gjk_scene_part_fits(v, p)) {
     return false;
   }
   // Four more such steps fit:  |x|, |y|, |z| < 2^34

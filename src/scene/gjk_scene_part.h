@@ -28,6 +28,9 @@ bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider 
 // Stores where a part is that is new or has another shape. Nothing bounds its motion. Sets its box in the tree.
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider);
 
+// Does the part's box in the tree hold what it must: the exact one, grown by the body's margin all round?
+bool gjk_scene_part_fits(const gjk_scene_view *v, const gjk_scene_part *p);
+
 // Shrinks the part's box in the tree to the least one. The boxes of nodes above it stay as they are, and hold it still.
 void gjk_scene_part_shrink_box(gjk_scene_view *v, uint32_t index);
 

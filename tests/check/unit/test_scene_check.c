@@ -94,8 +94,12 @@ static void test_bodies(void) {
   REFUSED(h->config.detail = GJK_DETAIL_DISTANCE);
   REFUSED(v.bodies[4].kind_detail = GJK_DETAIL_DEPTH << 4);
   REFUSED(v.bodies[4].margin = -1);
-  ACCEPTED(v.bodies[4].margin = GJK_RADIUS_MAX);
   REFUSED(v.bodies[4].margin = GJK_RADIUS_MAX + 1);
+  // The box in the tree holds the exact one with the margin all round: that is all that box_margin left room for.
+  const gjk_q16 room = part_of(4)->exact.lower.x - part_of(4)->enlarged.lower.x;
+  CHECK(room > 0);
+  ACCEPTED(v.bodies[4].margin = room);
+  REFUSED(v.bodies[4].margin = room + 1);
   REFUSED(v.bodies[4].rotation.w = 5);
 }
 
@@ -145,6 +149,7 @@ static void test_parts(void) {
   REFUSED(exact->upper.y = enlarged->upper.y + 1);
   REFUSED(exact->upper.z = enlarged->upper.z + 1);
   ACCEPTED(*enlarged = *exact);
+  REFUSED(*enlarged = *exact; v.bodies[4].margin = 1);
   // A shape that the table doesn't have is the caller's mistake.
   restore();
   part_of(4)->shape = 2;
