@@ -14,6 +14,25 @@
 #else
 #define GJK_OUT_OF_LINE
 #endif
+// 1 on processors that run far ahead of their branches, so that a wrong guess costs more than work done in vain.
+#if defined(__GNUC__) && defined(__LP64__) && (defined(__x86_64__) || defined(__aarch64__))
+#define GJK_CONDITIONAL_MOVES 1
+#else
+#define GJK_CONDITIONAL_MOVES 0
+#endif
+
+// Sets the int64_t most to x and the pointer best to place where x > most, without a branch; GCC makes one of C code.
+#if GJK_CONDITIONAL_MOVES && defined(__x86_64__)
+#define GJK_KEEP_LARGER(most, best, x, place) \
+  __asm__("cmpq %2, %0\n\tcmovlq %2, %0\n\tcmovlq %3, %1" : "+&r"(most), "+&r"(best) : "r"(x), "r"(place) : "cc")
+#elif GJK_CONDITIONAL_MOVES
+#define GJK_KEEP_LARGER(most, best, x, place)                        \
+  __asm__("cmp %0, %2\n\tcsel %0, %2, %0, lt\n\tcsel %1, %3, %1, lt" \
+          : "+&r"(most), "+&r"(best)                                 \
+          : "r"(x), "r"(place)                                       \
+          : "cc")
+#endif
+
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define GJK_SMALL 1
 #define GJK_ONCE GJK_OUT_OF_LINE

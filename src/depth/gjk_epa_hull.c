@@ -92,6 +92,13 @@ bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const g
 
 uint16_t gjk_epa_hull_lowest(const gjk_epa_hull *p) {
   const gjk_epa_cell *cell = &p->cells[p->count - 1], *end = cell - p->faces, *lowest = cell;
+#if GJK_CONDITIONAL_MOVES
+  int64_t most = -(int64_t)cell->face.height_key;
+  while (--cell != end) {
+    const int64_t key = -(int64_t)cell->face.height_key;
+    GJK_KEEP_LARGER(most, lowest, key, cell);
+  }
+#else
   uint32_t key = cell->face.height_key;
   while (--cell != end) {
     if (cell->face.height_key < key) {
@@ -99,12 +106,18 @@ uint16_t gjk_epa_hull_lowest(const gjk_epa_hull *p) {
       lowest = cell;
     }
   }
+#endif
   return (uint16_t)(&p->cells[p->count - 1] - lowest);
 }
 
 // Which edge of the face starts at the vertex? Pre: the vertex is a corner of the face.
 static unsigned edge_from(const gjk_epa_face *f, uint16_t vertex) {
+#if GJK_CONDITIONAL_MOVES
+  const unsigned not_first = f->corner[0] != vertex;
+  return not_first + (not_first & (unsigned)(f->corner[1] != vertex));
+#else
   return f->corner[0] == vertex ? 0 : f->corner[1] == vertex ? 1 : 2;
+#endif
 }
 
 static bool is_seen(const gjk_epa_hull *p, uint16_t face) {

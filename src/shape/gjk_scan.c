@@ -77,11 +77,27 @@ const gjk_vec3 *gjk_reach_next(gjk_reach *reach) {
 
 #else
 
+#if GJK_CONDITIONAL_MOVES
+
+// So many vertices are compared without branches. Of later ones few are farther than all before: one in 48 and less.
+#define WITHOUT_BRANCHES 48
+
+#endif
+
 const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bits, const gjk_vec3 *d) {
   (void)bits;
   const int32_t x = d->x, y = d->y, z = d->z;
   const gjk_vec3 *v = first + 1, *after = v;  // one past the farthest so far
   int64_t most = gjk_dot(first, d);
+#if GJK_CONDITIONAL_MOVES
+  const gjk_vec3 *const turn = end - v > WITHOUT_BRANCHES ? v + WITHOUT_BRANCHES : end;
+  while (v != turn) {
+    const int32_t vx = v->x, vy = v->y, vz = v->z;
+    v++;
+    const int64_t along = gjk_mac32(gjk_mac32(gjk_mul32(vx, x), vy, y), vz, z);
+    GJK_KEEP_LARGER(most, after, along, v);
+  }
+#endif
   while (v != end) {
     const int32_t vx = v->x, vy = v->y, vz = v->z;
     v++;
