@@ -82,9 +82,8 @@ static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts,
       return false;
     }
     const gjk_scene_part *p = &v->parts[i];
-    if (p->body != slot || p->number != number || (p->state & GJK_SCENE_MARK) != 0 ||
-        !gjk_scene_part_fits(v, p) || !check_own_pose(v, i, own_poses) ||
-        !check_pose(v, &v->bodies[slot], p)) {
+    if (p->body != slot || p->number != number || (p->state & GJK_SCENE_MARK) != 0 || !gjk_scene_part_fits(v, p) ||
+        !check_own_pose(v, i, own_poses) || !check_pose(v, &v->bodies[slot], p)) {
       return false;
     }
     number++;
