@@ -175,9 +175,11 @@ build/hosted/tests/measure/bench/peer/%.o: tests/measure/bench/peer/%.cpp build/
 	@echo '  $<'
 	@$(PEER_COMPILE) -c $< -o $@
 
-build/gjk-bench: $(BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
+build/gjk-bench: $(BENCH)
+build/gjk-decisions: $(filter-out %/bench/main.o,$(BENCH)) build/hosted/tests/measure/decisions/main.o
+build/gjk-bench build/gjk-decisions: $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
 	@echo '  $@'
-	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
+	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $(filter %.o,$^) $(HOST_LIB) $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
 # The benchmark of scenes. Of the other libraries only bullet and fcl have a broad phase.
 SCENE_PEERS := $(filter bullet fcl,$(BENCH_PEERS))
@@ -192,10 +194,6 @@ build/hosted/tests/measure/bench_scene/peer/%.o: tests/measure/bench_scene/peer/
 build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
 	@echo '  $@'
 	@$(if $(SCENE_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(SCENE_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
-
-build/gjk-decisions: $(filter-out %/bench/main.o,$(BENCH)) build/hosted/tests/measure/decisions/main.o $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
-	@echo '  $@'
-	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
 build/gjk-bench-report: $(BENCH_REPORT)
 	@echo '  $@'

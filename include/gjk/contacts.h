@@ -44,10 +44,10 @@ typedef struct gjk_manifold {
 // Faces   Boxes, triangles, hulls with faces and the flat ends of cylinders and cones (as octagons) share a polygon,
 //         seen along the normal. Its corners are the contacts. A face of a hull with a convex radius counts only if it
 //         is wider than about 6 sqrt(convex radius), both in LSB, since posing turns a narrower one.
-// Edges   A shape with no face within 20 degrees of the normal meets with its edge, or with the line of its curved
-//         side, if that is level within 20 degrees. Two edges share two points where they lie across from each other
-//         all along: to 2 LSB, curved sides to where a point between them is within 1/2 LSB of both. Other edges meet
-//         where they cross.
+// Edges   A shape may have no face within 20 degrees of the normal. It meets with its edge then, or with the line of
+//         its curved side, if that is level within 20 degrees. Two edges share two points where they lie across from
+//         each other all along: to 2 LSB, curved sides to where a point between them is within 1/2 LSB of both. Other
+//         edges meet where they cross.
 // Others  Everything else, such as a hull without faces, meets in the one pair of points of gjk_signed_distance. So do
 //         shapes whose centres are more than 8192 units apart along an axis.
 // Least   The pair of points of gjk_signed_distance is among the contacts wherever it is nearer than the others.

@@ -14,7 +14,18 @@
 #else
 #define GJK_OUT_OF_LINE
 #endif
-// 1 on processors that run far ahead of their branches, so that a wrong guess costs more than work done in vain.
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define GJK_SMALL 1
+#define GJK_ONCE GJK_OUT_OF_LINE
+#elif defined(__GNUC__)
+#define GJK_SMALL 0
+#define GJK_ONCE __attribute__((always_inline)) inline
+#else
+#define GJK_SMALL 0
+#define GJK_ONCE inline
+#endif
+
+// GJK_CONDITIONAL_MOVES is 1 on processors that guess branches far ahead: there a wrong guess costs more than a product.
 #if defined(__GNUC__) && defined(__LP64__) && (defined(__x86_64__) || defined(__aarch64__))
 #define GJK_CONDITIONAL_MOVES 1
 #else
@@ -31,17 +42,6 @@
           : "+&r"(most), "+&r"(best)                                 \
           : "r"(x), "r"(place)                                       \
           : "cc")
-#endif
-
-#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
-#define GJK_SMALL 1
-#define GJK_ONCE GJK_OUT_OF_LINE
-#elif defined(__GNUC__)
-#define GJK_SMALL 0
-#define GJK_ONCE __attribute__((always_inline)) inline
-#else
-#define GJK_SMALL 0
-#define GJK_ONCE inline
 #endif
 
 // The int32_t with the bits of u.

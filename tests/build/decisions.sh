@@ -30,9 +30,9 @@ build/gjk-decisions "$pairs" | awk -F, '
     what["smallest"] = "hulls of up to 4,000 units whose deciding determinant is -1, 0 or 1"
   }
   {
-    name = $3 ~ /^Bullet/ ? "Bullet" : $3
+    name = $2 ~ /^Bullet/ ? "Bullet" : $2
     if (!(($1, "seen") in wrong)) { wrong[$1, "seen"]; family[++families] = $1 }
-    share = 100 * $5 / $4
+    share = 100 * $4 / $3
     if (!(($1, name) in wrong) || share < wrong[$1, name]) wrong[$1, name] = share
     known[name]
   }

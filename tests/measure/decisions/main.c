@@ -1,5 +1,5 @@
 // gjk-decisions PAIRS: how often each method is wrong about whether two polytopes touch, by family. Writes CSV:
-// family,what,method,pairs,wrong. The truth of each pair is proven first.
+// family,method,pairs,wrong. The truth of each pair is proven first.
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -9,7 +9,7 @@ static const char *const families[] = {"near", "touching", "stacked", "slivers",
 
 // The methods in the table: each library's own decision.
 static bool is_shown(const bench_method *method) {
-  static const char *const shown[] = {"gjk cold",  "reference double",     "reference float", "libccd GJK",
+  static const char *const shown[] = {"gjk cold",  "reference double",     "libccd GJK",
                                       "FCL indep", "Bullet pair detector", "Bullet EPA2"};
   bool found = false;
   for (size_t i = 0; i < sizeof shown / sizeof shown[0]; i++) {
@@ -33,7 +33,7 @@ static void decide(const bench_family *family, const bench_method *method, const
   bench_tally tally;
   bench_subject_make(method, pairs, count, &subject);
   bench_measure_errors(&subject, BENCH_INTERSECT, pairs, &tally);
-  printf("%s,%s,%s,%lu,%lu\n", family->name, family->what, method->name, tally.asked, tally.wrong + tally.undecided);
+  printf("%s,%s,%lu,%lu\n", family->name, method->name, tally.asked, tally.wrong + tally.undecided);
   bench_subject_free(&subject);
 }
 
