@@ -208,6 +208,92 @@ static inline uint32_t gjk_umulh32(uint32_t a, uint32_t b) {
   return (uint32_t)(gjk_umul32(a, b) >> 32);
 }
 
+#if GJK_VECTORS
+
+// Vectors of the compiler: a shift, sum or comparison is one of each component.
+typedef int32_t gjk_4x32 __attribute__((vector_size(16)));
+typedef int16_t gjk_8x16 __attribute__((vector_size(16)));
+
+// The four numbers from p on.
+static inline gjk_4x32 gjk_load_4x32(const int32_t *p) {
+  typedef int32_t unaligned __attribute__((vector_size(16), aligned(4), may_alias));
+  return *(const unaligned *)p;
+}
+
+// Components of a and b by number, a's first.
+#if defined(__clang__)
+#define GJK_PICK(type, a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#else
+#define GJK_PICK(type, a, b, ...) __builtin_shuffle(a, b, (type){__VA_ARGS__})
+#endif
+
+// a0 + a1, a2 + a3, b0 + b1, b2 + b3
+static inline gjk_4x32 gjk_add_neighbours(gjk_4x32 a, gjk_4x32 b) {
+  return GJK_PICK(gjk_4x32, a, b, 0, 2, 4, 6) + GJK_PICK(gjk_4x32, a, b, 1, 3, 5, 7);
+}
+
+#if defined(__SSE2__)
+
+typedef char gjk_16x8 __attribute__((vector_size(16)));
+
+// Components of a, then those of b. Pre: each fits.
+static inline gjk_8x16 gjk_narrow(gjk_4x32 a, gjk_4x32 b) {
+  return (gjk_8x16)__builtin_ia32_packssdw128(a, b);
+}
+
+// a0 p0 + a1 p1, a2 p2 + a3 p3, b0 q0 + b1 q1, b2 q2 + b3 q3. Pre: each component fits int16_t.
+static inline gjk_4x32 gjk_add_products(gjk_4x32 a, gjk_4x32 b, gjk_4x32 p, gjk_4x32 q) {
+  return (gjk_4x32)__builtin_ia32_pmaddwd128(gjk_narrow(a, b), gjk_narrow(p, q));
+}
+
+// Bit i is set where component i of the comparison c holds.
+static inline unsigned gjk_bits_of(gjk_8x16 c) {
+  const gjk_16x8 bytes = (gjk_16x8)__builtin_ia32_packsswb128(c, c);
+  return (unsigned)__builtin_ia32_pmovmskb128(bytes) & 0xFFu;
+}
+
+#else
+
+static inline gjk_8x16 gjk_narrow(gjk_4x32 a, gjk_4x32 b) {
+  return GJK_PICK(gjk_8x16, (gjk_8x16)a, (gjk_8x16)b, 0, 2, 4, 6, 8, 10, 12, 14);
+}
+
+static inline gjk_4x32 gjk_add_products(gjk_4x32 a, gjk_4x32 b, gjk_4x32 p, gjk_4x32 q) {
+  return gjk_add_neighbours(a * p, b * q);
+}
+
+static inline unsigned gjk_bits_of(gjk_8x16 c) {
+  const gjk_8x16 bits = c & (gjk_8x16){1, 2, 4, 8, 16, 32, 64, 128};
+  const gjk_4x32 sums = (gjk_4x32)(bits | (gjk_8x16)((gjk_4x32)bits >> 16));
+  return (unsigned)((sums[0] | sums[1] | sums[2] | sums[3]) & 0xFF);
+}
+
+#endif
+
+// The larger of each component.
+static inline gjk_8x16 gjk_larger(gjk_8x16 a, gjk_8x16 b) {
+#if defined(__SSE2__) && !defined(__clang__)
+  return (gjk_8x16)__builtin_ia32_pmaxsw128(a, b);
+#else
+  const gjk_8x16 is = a > b;
+  return (a & is) | (b & ~is);
+#endif
+}
+
+// The largest component, as each component.
+static inline gjk_8x16 gjk_largest(gjk_8x16 a) {
+  a = gjk_larger(a, GJK_PICK(gjk_8x16, a, a, 4, 5, 6, 7, 0, 1, 2, 3));
+  a = gjk_larger(a, GJK_PICK(gjk_8x16, a, a, 2, 3, 0, 1, 6, 7, 4, 5));
+  return gjk_larger(a, GJK_PICK(gjk_8x16, a, a, 1, 0, 3, 2, 5, 4, 7, 6));
+}
+
+// The number of the lowest bit that is set. Pre: x != 0.
+static inline unsigned gjk_lowest_bit(uint64_t x) {
+  return (unsigned)__builtin_ctzll(x);
+}
+
+#endif
+
 // The sign of x: -1, 0 or 1.
 static inline int gjk_sign64(int64_t x) {
   return (x > 0) - (x < 0);

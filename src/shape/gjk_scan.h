@@ -18,16 +18,43 @@ typedef struct gjk_reach {
 #if GJK_NARROW_MULTIPLY
   gjk_coarse coarse;
   int32_t coarse_limit;
+#elif GJK_VECTORS
+  unsigned bits;          // 0: vertices are looked at one by one
+  const gjk_vec3 *first;  // bit i of marked: first[i] is yet to be looked at
+  uint64_t marked;
 #endif
 } gjk_reach;
+
+#if GJK_VECTORS
+// Vectors are faster from so many vertices on. At least eight.
+#ifndef GJK_SCAN_VECTORS_FROM
+#define GJK_SCAN_VECTORS_FROM 12
+#endif
+
+// Whether these vertices are looked at in vectors. Of 31 bits is what a shape's own vertices may have; they rarely do,
+// and then 14 of these bits tell nothing.
+static inline bool gjk_scan_in_vectors(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bits) {
+  return end - first >= GJK_SCAN_VECTORS_FROM && bits < 31;
+}
+
+// gjk_scan and gjk_reach_next for such vertices.
+const gjk_vec3 *gjk_scan_vectors(const gjk_vec3 *first, size_t count, unsigned bits, const gjk_vec3 *d);
+const gjk_vec3 *gjk_reach_next_vectors(gjk_reach *reach);
+#endif
 
 // Prepares the filter. Pre: next, end, d and limit are set.
 #if GJK_NARROW_MULTIPLY
 void gjk_reach_start(gjk_reach *reach, unsigned bits);
 #else
 static inline void gjk_reach_start(gjk_reach *reach, unsigned bits) {
+#if GJK_VECTORS
+  reach->bits = gjk_scan_in_vectors(reach->next, reach->end, bits) ? bits : 0;
+  reach->first = NULL;
+  reach->marked = 0;
+#else
   (void)reach;
   (void)bits;
+#endif
 }
 #endif
 
