@@ -32,6 +32,20 @@ static int64_t rounding_slack(const gjk_collider *c) {
   return 4 * (int64_t)c->core_radius;
 }
 
+// Components of the shape's own vertices are at most 2^own_bits in size: they lie within core_radius of local_centre.
+// Only vectors gain by less than an int32_t has.
+static unsigned own_bits(const gjk_collider *c) {
+#if GJK_VECTORS
+  const uint32_t x = gjk_magnitude32(c->local_centre.x), y = gjk_magnitude32(c->local_centre.y);
+  const uint32_t z = gjk_magnitude32(c->local_centre.z);
+  const unsigned bits = 32 - gjk_clz32((x | y | z | (uint32_t)c->core_radius) | 1);  // each below 2^bits
+  return bits < 31 ? bits + 1 : 31;
+#else
+  (void)c;
+  return 31;
+#endif
+}
+
 // Starts a scan for all v of vertices with v . d >= one . d - slack. shape->vertices is not recentred; that shifts
 // every product equally.
 static void reach_within(gjk_reach *reach, const gjk_collider *c, const gjk_vec3 *vertices, const gjk_vec3 *d,
@@ -40,7 +54,7 @@ static void reach_within(gjk_reach *reach, const gjk_collider *c, const gjk_vec3
   reach->end = vertices + c->count;
   reach->d = d;
   reach->limit = gjk_dot(one, d) - slack;
-  gjk_reach_start(reach, vertices == c->shape->vertices ? 31 : c->bits);
+  gjk_reach_start(reach, vertices == c->shape->vertices ? own_bits(c) : c->bits);
 }
 
 // Steps 5 and 6. Pre: offsets are at most core_radius long; *at is among the farthest vertices along d.
@@ -88,8 +102,8 @@ GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *
   gjk_vec3 local;
   gjk_reach reach;
   const int64_t slack = local_direction(c, &d, &local);
-  // Steps 2 and 3. A vertex of the shape's own may be any int32_t: 31 bits.
-  reach_within(&reach, c, vertices, &local, gjk_scan(vertices, vertices + c->count, 31, &local), slack);
+  // Steps 2 and 3
+  reach_within(&reach, c, vertices, &local, gjk_scan(vertices, vertices + c->count, own_bits(c), &local), slack);
   const gjk_vec3 *v = gjk_reach_next(&reach);
   int64_t farthest = 0;
   //@ assert v != 0;

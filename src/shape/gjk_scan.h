@@ -31,13 +31,7 @@ typedef struct gjk_reach {
 #define GJK_SCAN_VECTORS_FROM 12
 #endif
 
-// Whether these vertices are looked at in vectors. Of 31 bits is what a shape's own vertices may have; they rarely do,
-// and then 14 of these bits tell nothing.
-static inline bool gjk_scan_in_vectors(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bits) {
-  return end - first >= GJK_SCAN_VECTORS_FROM && bits < 31;
-}
-
-// gjk_scan and gjk_reach_next for such vertices.
+// gjk_scan and gjk_reach_next for so many vertices.
 const gjk_vec3 *gjk_scan_vectors(const gjk_vec3 *first, size_t count, unsigned bits, const gjk_vec3 *d);
 const gjk_vec3 *gjk_reach_next_vectors(gjk_reach *reach);
 #endif
@@ -48,7 +42,7 @@ void gjk_reach_start(gjk_reach *reach, unsigned bits);
 #else
 static inline void gjk_reach_start(gjk_reach *reach, unsigned bits) {
 #if GJK_VECTORS
-  reach->bits = gjk_scan_in_vectors(reach->next, reach->end, bits) ? bits : 0;
+  reach->bits = reach->end - reach->next >= GJK_SCAN_VECTORS_FROM ? bits : 0;
   reach->first = NULL;
   reach->marked = 0;
 #else
