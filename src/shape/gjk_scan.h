@@ -27,9 +27,7 @@ typedef struct gjk_reach {
 
 #if GJK_VECTORS
 // Vectors are faster from so many vertices on. At least eight.
-#ifndef GJK_SCAN_VECTORS_FROM
 #define GJK_SCAN_VECTORS_FROM 12
-#endif
 
 // gjk_scan and gjk_reach_next for so many vertices.
 const gjk_vec3 *gjk_scan_vectors(const gjk_vec3 *first, size_t count, unsigned bits, const gjk_vec3 *d);
