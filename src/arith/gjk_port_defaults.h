@@ -54,6 +54,13 @@
 #else
 #define GJK_HAS_VECTORS 0
 #endif
+#if GJK_HAS_VECTORS && defined(__SSE2__) && defined(__has_builtin)
+#if !__has_builtin(__builtin_ia32_packssdw128) || !__has_builtin(__builtin_ia32_packsswb128) || \
+    !__has_builtin(__builtin_ia32_pmaddwd128) || !__has_builtin(__builtin_ia32_pmovmskb128)
+#undef GJK_HAS_VECTORS
+#define GJK_HAS_VECTORS 0
+#endif
+#endif
 #ifndef GJK_VECTORS
 #if GJK_HAS_VECTORS && !defined(__OPTIMIZE_SIZE__)
 #define GJK_VECTORS 1

@@ -220,10 +220,19 @@ static inline gjk_4x32 gjk_load_4x32(const int32_t *p) {
   return *(const unaligned *)p;
 }
 
-// Components of a and b by number, a's first.
-#if defined(__clang__)
+// x as each component.
+static inline gjk_8x16 gjk_all_8x16(int16_t x) {
+  const gjk_8x16 zero = {0};
+  return zero + x;
+}
+
+// Components of a and b by number, a's first. GCC knows Clang's builtin from version 12 on.
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
 #define GJK_PICK(type, a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
-#else
+#endif
+#endif
+#if !defined(GJK_PICK)
 #define GJK_PICK(type, a, b, ...) __builtin_shuffle(a, b, (type){__VA_ARGS__})
 #endif
 
@@ -263,7 +272,7 @@ static inline gjk_4x32 gjk_add_products(gjk_4x32 a, gjk_4x32 b, gjk_4x32 p, gjk_
 }
 
 static inline unsigned gjk_bits_of(gjk_8x16 c) {
-  const gjk_8x16 bits = c & (gjk_8x16){1, 2, 4, 8, 16, 32, 64, 128};
+  const gjk_8x16 bit = {1, 2, 4, 8, 16, 32, 64, 128}, bits = c & bit;
   const gjk_4x32 sums = (gjk_4x32)(bits | (gjk_8x16)((gjk_4x32)bits >> 16));
   return (unsigned)((sums[0] | sums[1] | sums[2] | sums[3]) & 0xFF);
 }

@@ -72,7 +72,7 @@ GJK_OUT_OF_LINE static const gjk_vec3 *farthest_marked(const gjk_vec3 *first, ui
 const gjk_vec3 *gjk_scan_vectors(const gjk_vec3 *first, size_t count, unsigned bits, const gjk_vec3 *d) {
   const coarse c = coarse_direction(d, bits);
   const gjk_vec3 *best = NULL;
-  gjk_8x16 products[CHUNK / BLOCK], largest = (gjk_8x16){0} + INT16_MIN;
+  gjk_8x16 products[CHUNK / BLOCK], largest = gjk_all_8x16(INT16_MIN);
   for (;;) {  // a chunk
     const size_t last = (count > CHUNK ? CHUNK : count) - BLOCK;
     for (size_t i = 0; i < last; i += BLOCK) {  // Step 1
@@ -104,7 +104,7 @@ static void mark_next(gjk_reach *reach) {
   const size_t left = (size_t)(reach->end - reach->next), fresh = left < CHUNK ? left : CHUNK;
   const size_t seen = fresh < BLOCK ? BLOCK - fresh : 0, last = fresh + seen - BLOCK;
   // limit >= the least product - 2^33, or - 2^(bits + 2):  |limit| / 2^(shift + 32) <= 3 2^13 + 2
-  const gjk_8x16 limit = (gjk_8x16){0} + (int16_t)(gjk_sar64(reach->limit, (unsigned)c.shift + 32) - (MARGIN + 1));
+  const gjk_8x16 limit = gjk_all_8x16((int16_t)(gjk_sar64(reach->limit, (unsigned)c.shift + 32) - (MARGIN + 1)));
   reach->first = reach->next - seen;
   reach->marked = (uint64_t)gjk_bits_of(block_products(reach->first + last, &c) > limit) << last;
   for (size_t i = 0; i < last; i += BLOCK) {
