@@ -8,9 +8,9 @@
 // one; products are below 2^63 in size, components of vertices at most 2^bits, 1 <= bits <= 31.
 const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bits, const gjk_vec3 *d);
 
-// A scan for all vertices with vertex . d >= limit. Pre, for the coarse filter: the largest component of d has 29 bits
-// or more; limit is the product of one of the vertices, less a slack of at most 2^33, and of at most 2^(bits + 2)
-// where bits is below 31.
+// A scan for all vertices with vertex . d >= limit. Pre: limit is the product of one of the vertices, less a slack of at
+// most 2^33. For the filter of GJK_NARROW_MULTIPLY also: the largest component of d has 29 bits or more; the slack is at
+// most 2^(bits + 2) where bits is below 31.
 typedef struct gjk_reach {
   const gjk_vec3 *next, *end;  // the vertices still to be looked at
   const gjk_vec3 *d;

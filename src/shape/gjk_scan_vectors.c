@@ -91,7 +91,7 @@ const gjk_vec3 *gjk_scan_vectors(const gjk_vec3 *first, size_t count, unsigned b
                                                           : farthest_marked(first, marked, d, best);
     }
     best = farthest_marked(first, marked, d, best);
-    const size_t step = count - CHUNK < BLOCK ? count - CHUNK : CHUNK;
+    const size_t step = count - CHUNK < BLOCK ? count - BLOCK : CHUNK;
     first += step;
     count -= step;
   }
@@ -103,7 +103,7 @@ static void mark_next(gjk_reach *reach) {
   const coarse c = coarse_direction(reach->d, reach->bits);
   const size_t left = (size_t)(reach->end - reach->next), fresh = left < CHUNK ? left : CHUNK;
   const size_t seen = fresh < BLOCK ? BLOCK - fresh : 0, last = fresh + seen - BLOCK;
-  // limit >= the least product - 2^33, or - 2^(bits + 2):  |limit| / 2^(shift + 32) <= 3 2^13 + 2
+  // |limit| <= 3 2^(bits + 31) + 2^33,  shift >= bits - 14:  |limit| / 2^(shift + 32) <= 3 2^13 + 2
   const gjk_8x16 limit = gjk_all_8x16((int16_t)(gjk_sar64(reach->limit, (unsigned)c.shift + 32) - (MARGIN + 1)));
   reach->first = reach->next - seen;
   reach->marked = (uint64_t)gjk_bits_of(block_products(reach->first + last, &c) > limit) << last;
