@@ -12,14 +12,16 @@
 #include "gjk_epa_hull.h"
 
 // In height_key: marks a face that the new vertex sees. The low 16 bits are then the next face of the list, or NONE.
+// ON_HORIZON marks its edges that are on the horizon.
 #define SEEN (UINT32_C(1) << 31)
+#define ON_HORIZON(edge) (UINT32_C(1) << 16 << (edge))
 #define NONE UINT16_C(0xFFFF)
 
 // Faces are numbered below this.
 #define FACES_MAX 32764
 
 void gjk_epa_hull_load(const gjk_epa_hull *p, uint16_t vertex, gjk_vertex *out) {
-  const gjk_epa_cell *cell = &p->cells[(uint32_t)vertex * p->stride];
+  const gjk_epa_cell *cell = &p->cells[vertex * p->stride];
   out->w = cell->vertex.w;
   out->a.vertex = cell->vertex.a;
   out->b = cell->vertex.b;
@@ -29,7 +31,7 @@ void gjk_epa_hull_load(const gjk_epa_hull *p, uint16_t vertex, gjk_vertex *out) 
 }
 
 static void store_vertex(gjk_epa_hull *p, const gjk_vertex *v) {
-  gjk_epa_cell *cell = &p->cells[(uint32_t)p->vertices * p->stride];
+  gjk_epa_cell *cell = &p->cells[p->vertices * p->stride];
   cell->vertex.w = v->w;
   cell->vertex.a = v->a.vertex;
   cell->vertex.b = v->b;
@@ -44,15 +46,14 @@ void gjk_epa_hull_normal(const gjk_epa_hull *p, const uint16_t corner[3], gjk_lo
                       gjk_epa_hull_vertex(p, corner[2]), n);
 }
 
-static void set_face(gjk_epa_hull *p, uint16_t face, uint16_t u, uint16_t v, uint16_t w) {
+// Makes a face of these corners; n is its outward normal.
+static void set_face(gjk_epa_hull *p, uint16_t face, uint16_t u, uint16_t v, uint16_t w, const gjk_long3 *n) {
   gjk_epa_face *f = gjk_epa_hull_face(p, face);
-  gjk_long3 n;
   gjk_search_direction d;
   f->corner[0] = u;
   f->corner[1] = v;
   f->corner[2] = w;
-  gjk_epa_hull_normal(p, f->corner, &n);
-  gjk_search_direction_of(&n, &d);
+  gjk_search_direction_of(n, &d);
   f->height_key = gjk_height_key(gjk_dot(&d.d, gjk_epa_hull_vertex(p, u)), gjk_dot(&d.d, &d.d));
 }
 
@@ -62,6 +63,11 @@ static bool is_beyond_face(const gjk_epa_hull *p, const gjk_epa_face *f, const g
   const gjk_vec3 step = gjk_sub(*w, *gjk_epa_hull_vertex(p, f->corner[0]));
   gjk_epa_hull_normal(p, f->corner, &n);
   return gjk_dot_sign(&n, &step) > 0;
+}
+
+// The vector from w to a vertex of the hull.
+static gjk_vec3 vector_from(const gjk_vec3 *w, const gjk_epa_hull *p, uint16_t vertex) {
+  return gjk_sub(*gjk_epa_hull_vertex(p, vertex), *w);
 }
 
 bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const gjk_simplex *tetrahedron, bool curved) {
@@ -76,13 +82,16 @@ bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const g
   }
   p->cells = workspace->cells;
   p->count = workspace->count;
+  p->last = &p->cells[p->count - 1];
   for (int i = 0; i < 4; i++) {
     store_vertex(p, &tetrahedron->slot[tetrahedron->order[i]]);
   }
   for (uint16_t i = 0; i < 4; i++) {
     const uint8_t *c = corner[i];
     gjk_epa_face *f = gjk_epa_hull_face(p, i);
-    set_face(p, i, c[0], c[1], c[2]);
+    gjk_long3 n;
+    gjk_triangle_normal(gjk_epa_hull_vertex(p, c[0]), gjk_epa_hull_vertex(p, c[1]), gjk_epa_hull_vertex(p, c[2]), &n);
+    set_face(p, i, c[0], c[1], c[2], &n);
     f->neighbour[0] = f->corner[2];
     f->neighbour[1] = f->corner[0];
     f->neighbour[2] = f->corner[1];
@@ -91,7 +100,7 @@ bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const g
 }
 
 uint16_t gjk_epa_hull_lowest(const gjk_epa_hull *p) {
-  const gjk_epa_cell *cell = &p->cells[p->count - 1], *end = cell - p->faces, *lowest = cell;
+  const gjk_epa_cell *cell = p->last, *end = cell - p->faces, *lowest = cell;
 #if GJK_CONDITIONAL_MOVES
   int64_t most = -(int64_t)cell->face.height_key;
   while (--cell != end) {
@@ -107,7 +116,7 @@ uint16_t gjk_epa_hull_lowest(const gjk_epa_hull *p) {
     }
   }
 #endif
-  return (uint16_t)(&p->cells[p->count - 1] - lowest);
+  return (uint16_t)(p->last - lowest);
 }
 
 // Which edge of the face starts at the vertex? Pre: the vertex is a corner of the face.
@@ -120,25 +129,25 @@ static unsigned edge_from(const gjk_epa_face *f, uint16_t vertex) {
 #endif
 }
 
-static bool is_seen(const gjk_epa_hull *p, uint16_t face) {
-  return (gjk_epa_hull_face(p, face)->height_key & SEEN) != 0;
-}
-
 // Step 1. first: a face that w sees. Returns the number of the seen faces, below FACES_MAX.
 static uint32_t mark_seen_faces(gjk_epa_hull *p, uint16_t first, const gjk_vec3 *w) {
-  uint16_t last = first;
+  gjk_epa_face *last = gjk_epa_hull_face(p, first);
   uint32_t seen = 1;
-  gjk_epa_hull_face(p, first)->height_key = SEEN | NONE;
+  last->height_key = SEEN | NONE;
   for (uint16_t face = first; face != NONE;) {  // each face joins the list once
     gjk_epa_face *f = gjk_epa_hull_face(p, face);
-    for (int i = 0; i < 3; i++) {
+    for (unsigned i = 0; i < 3; i++) {
       const uint16_t next = f->neighbour[i];
       gjk_epa_face *g = gjk_epa_hull_face(p, next);
-      if ((g->height_key & SEEN) == 0 && is_beyond_face(p, g, w)) {
-        g->height_key = SEEN | NONE;
-        gjk_epa_hull_face(p, last)->height_key = SEEN | next;
-        last = next;
-        seen++;
+      if ((g->height_key & SEEN) == 0) {
+        if (is_beyond_face(p, g, w)) {
+          g->height_key = SEEN | NONE;
+          last->height_key = (last->height_key & ~(uint32_t)NONE) | next;
+          last = g;
+          seen++;
+        } else {
+          f->height_key |= ON_HORIZON(i);
+        }
       }
     }
     face = (uint16_t)(f->height_key & NONE);
@@ -154,7 +163,7 @@ typedef struct hull_edge {
 } hull_edge;
 
 static bool on_horizon(const gjk_epa_hull *p, hull_edge e) {
-  return !is_seen(p, gjk_epa_hull_face(p, e.face)->neighbour[e.number]);
+  return (gjk_epa_hull_face(p, e.face)->height_key & ON_HORIZON(e.number)) != 0;
 }
 
 // Step 2. There is such an edge, since a face is unseen: the origin lies behind or on all faces, so the vertex is not
@@ -204,6 +213,8 @@ static uint32_t write_horizon(const gjk_epa_hull *p, uint16_t first, gjk_epa_cel
 // faces are then fewer, and seen faces may stay behind: they count as settled.
 static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, const gjk_epa_cell *cells) {
   const uint16_t top = (uint16_t)(p->vertices - 1), first = seen;
+  const gjk_vec3 *w = gjk_epa_hull_vertex(p, top);
+  gjk_vec3 start = vector_from(w, p, cells[0].horizon.corner[0]);
   uint16_t before = NONE;
   for (uint32_t i = 0; i < edges; i++) {
     const uint32_t next = i + 1 < edges ? i + 1 : 0;
@@ -224,7 +235,11 @@ static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, cons
     if (before != NONE) {
       gjk_epa_hull_face(p, before)->neighbour[1] = face;
     }
-    set_face(p, face, corner, end, top);
+    gjk_long3 n;
+    const gjk_vec3 stop = vector_from(w, p, end);
+    gjk_cross(&start, &stop, &n);
+    set_face(p, face, corner, end, top, &n);
+    start = stop;
     before = face;
   }
   gjk_epa_hull_face(p, first)->neighbour[2] = before;

@@ -8,10 +8,10 @@
 #include "gjk_facet.h"
 
 typedef struct gjk_epa_hull {
-  gjk_epa_cell *cells;
+  gjk_epa_cell *cells, *last;
+  size_t stride;   // cells per vertex: 1; of a curved pair 2, the second with the offset of A's point
   uint32_t count;  // of cells
   uint16_t vertices, faces;
-  uint8_t stride;  // cells per vertex: 1; of a curved pair 2, the second with the offset of A's point
 } gjk_epa_hull;
 
 // The height key of a face that is settled, or left inside the hull.
@@ -25,11 +25,11 @@ bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const g
 uint16_t gjk_epa_hull_lowest(const gjk_epa_hull *p);
 
 static inline gjk_epa_face *gjk_epa_hull_face(const gjk_epa_hull *p, uint16_t face) {
-  return &p->cells[p->count - 1 - face].face;
+  return &(p->last - face)->face;
 }
 
 static inline const gjk_vec3 *gjk_epa_hull_vertex(const gjk_epa_hull *p, uint16_t vertex) {
-  return &p->cells[(uint32_t)vertex * p->stride].vertex.w;
+  return &p->cells[vertex * p->stride].vertex.w;
 }
 
 // Fills in a vertex; a.offset only when the stride is 2.
