@@ -37,14 +37,6 @@ int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v) {
   return direction->opposite ? side : -side;
 }
 
-// x / 2^k to the nearest integer, 1 <= k <= 32. Pre: the result is at most 2^30 in size.
-static int32_t round_down(int64_t x, unsigned k) {
-  const uint32_t twice = gjk_low32(x) >> (k - 1);
-  const int32_t rounded = gjk_int32((((uint32_t)gjk_high32(x) << (32 - k)) | twice >> 1) + (twice & 1u));
-  //@ assert rounded >= -(INT32_C(1) << 30) && rounded <= INT32_C(1) << 30;
-  return rounded;
-}
-
 // The high words of v's components, joined by or, with -1 - x for a negative component x. Its leading bit tells how
 // many bits the largest component has, beyond 32.
 static uint32_t high_bits(const gjk_long3 *v) {
@@ -55,6 +47,33 @@ static uint32_t high_bits(const gjk_long3 *v) {
 // The same of the low words, for components whose high words are 0 or -1.
 static uint32_t low_bits(const gjk_long3 *v) {
   return gjk_low32((v->x ^ gjk_sar64(v->x, 63)) | (v->y ^ gjk_sar64(v->y, 63)) | (v->z ^ gjk_sar64(v->z, 63)));
+}
+
+#if GJK_64_BIT
+void gjk_search_direction_of(const gjk_long3 *n, gjk_search_direction *out) {
+  // The largest component decides; x ^ (x >> 63) is x, or -1 - x for a negative one.
+  const int64_t bits = (n->x ^ gjk_sar64(n->x, 63)) | (n->y ^ gjk_sar64(n->y, 63)) | (n->z ^ gjk_sar64(n->z, 63));
+  out->exact = true;
+  if (bits >> 30 == 0) {
+    out->d.x = (int32_t)n->x;
+    out->d.y = (int32_t)n->y;
+    out->d.z = (int32_t)n->z;
+    return;
+  }
+  // bits < 2^62 has 64 - clz bits, 30 + k of them:  1 <= k <= 32
+  const unsigned k = 34 - gjk_clz64((uint64_t)bits);
+  out->d.x = (int32_t)gjk_sar64(gjk_sar64(n->x, k - 1) + 1, 1);
+  out->d.y = (int32_t)gjk_sar64(gjk_sar64(n->y, k - 1) + 1, 1);
+  out->d.z = (int32_t)gjk_sar64(gjk_sar64(n->z, k - 1) + 1, 1);
+  out->exact = (uint64_t)(n->x | n->y | n->z) << (64 - k) == 0;
+}
+#else
+// x / 2^k to the nearest integer, 1 <= k <= 32. Pre: the result is at most 2^30 in size.
+static int32_t round_down(int64_t x, unsigned k) {
+  const uint32_t twice = gjk_low32(x) >> (k - 1);
+  const int32_t rounded = gjk_int32((((uint32_t)gjk_high32(x) << (32 - k)) | twice >> 1) + (twice & 1u));
+  //@ assert rounded >= -(INT32_C(1) << 30) && rounded <= INT32_C(1) << 30;
+  return rounded;
 }
 
 void gjk_search_direction_of(const gjk_long3 *n, gjk_search_direction *out) {
@@ -81,6 +100,7 @@ void gjk_search_direction_of(const gjk_long3 *n, gjk_search_direction *out) {
   out->d.z = round_down(n->z, k);
   out->exact = (gjk_low32(n->x) | gjk_low32(n->y) | gjk_low32(n->z)) << (32 - k) == 0;
 }
+#endif
 
 // One component of -(a tb + b ta) = 2^31 *high + low. Returns low, 0 <= low < 2^31.
 //

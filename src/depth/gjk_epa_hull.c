@@ -46,28 +46,52 @@ void gjk_epa_hull_normal(const gjk_epa_hull *p, const uint16_t corner[3], gjk_lo
                       gjk_epa_hull_vertex(p, corner[2]), n);
 }
 
-// Makes a face of these corners; n is its outward normal.
-static void set_face(gjk_epa_hull *p, uint16_t face, uint16_t u, uint16_t v, uint16_t w, const gjk_long3 *n) {
-  gjk_epa_face *f = gjk_epa_hull_face(p, face);
-  gjk_search_direction d;
-  f->corner[0] = u;
-  f->corner[1] = v;
-  f->corner[2] = w;
-  gjk_search_direction_of(n, &d);
-  f->height_key = gjk_height_key(gjk_dot(&d.d, gjk_epa_hull_vertex(p, u)), gjk_dot(&d.d, &d.d));
+// The outward normal of a face: the one that is kept, or computed in room.
+static const gjk_long3 *face_normal(const gjk_epa_hull *p, uint16_t face, gjk_long3 *room) {
+#if GJK_EPA_PLANES
+  if (face < GJK_EPA_PLANES) {
+    return &p->plane[face].normal;
+  }
+#endif
+  gjk_epa_hull_normal(p, gjk_epa_hull_face(p, face)->corner, room);
+  return room;
+}
+
+void gjk_epa_hull_plane(const gjk_epa_hull *p, uint16_t face, gjk_long3 *normal, gjk_search_direction *direction) {
+#if GJK_EPA_PLANES
+  if (face < GJK_EPA_PLANES) {
+    *normal = p->plane[face].normal;
+    *direction = p->plane[face].direction;
+    return;
+  }
+#endif
+  gjk_epa_hull_normal(p, gjk_epa_hull_face(p, face)->corner, normal);
+  gjk_search_direction_of(normal, direction);
+}
+
+// Where the plane of a face goes: where it is kept, or to room.
+static gjk_epa_plane *place_of_plane(gjk_epa_hull *p, uint16_t face, gjk_epa_plane *room) {
+#if GJK_EPA_PLANES
+  return face < GJK_EPA_PLANES ? &p->plane[face] : room;
+#else
+  (void)p;
+  (void)face;
+  return room;
+#endif
+}
+
+// Rounds the normal of a plane through w. Returns its height key.
+static uint32_t measure_plane(gjk_epa_plane *plane, const gjk_vec3 *w) {
+  const gjk_vec3 *d = &plane->direction.d;
+  gjk_search_direction_of(&plane->normal, &plane->direction);
+  return gjk_height_key(gjk_dot(d, w), gjk_dot(d, d));
 }
 
 // Does w see the face?
-static bool is_beyond_face(const gjk_epa_hull *p, const gjk_epa_face *f, const gjk_vec3 *w) {
-  gjk_long3 n;
-  const gjk_vec3 step = gjk_sub(*w, *gjk_epa_hull_vertex(p, f->corner[0]));
-  gjk_epa_hull_normal(p, f->corner, &n);
-  return gjk_dot_sign(&n, &step) > 0;
-}
-
-// The vector from w to a vertex of the hull.
-static gjk_vec3 vector_from(const gjk_vec3 *w, const gjk_epa_hull *p, uint16_t vertex) {
-  return gjk_sub(*gjk_epa_hull_vertex(p, vertex), *w);
+static bool is_beyond_face(const gjk_epa_hull *p, uint16_t face, const gjk_vec3 *w) {
+  gjk_long3 room;
+  const gjk_vec3 step = gjk_sub(*w, *gjk_epa_hull_vertex(p, gjk_epa_hull_face(p, face)->corner[0]));
+  return gjk_dot_sign(face_normal(p, face, &room), &step) > 0;
 }
 
 bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const gjk_simplex *tetrahedron, bool curved) {
@@ -89,12 +113,12 @@ bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const g
   for (uint16_t i = 0; i < 4; i++) {
     const uint8_t *c = corner[i];
     gjk_epa_face *f = gjk_epa_hull_face(p, i);
-    gjk_long3 n;
-    gjk_triangle_normal(gjk_epa_hull_vertex(p, c[0]), gjk_epa_hull_vertex(p, c[1]), gjk_epa_hull_vertex(p, c[2]), &n);
-    set_face(p, i, c[0], c[1], c[2], &n);
-    f->neighbour[0] = f->corner[2];
-    f->neighbour[1] = f->corner[0];
-    f->neighbour[2] = f->corner[1];
+    gjk_epa_plane room, *plane = place_of_plane(p, i, &room);
+    f->corner[0] = f->neighbour[1] = c[0];
+    f->corner[1] = f->neighbour[2] = c[1];
+    f->corner[2] = f->neighbour[0] = c[2];
+    gjk_epa_hull_normal(p, f->corner, &plane->normal);
+    f->height_key = measure_plane(plane, gjk_epa_hull_vertex(p, c[0]));
   }
   return true;
 }
@@ -140,7 +164,7 @@ static uint32_t mark_seen_faces(gjk_epa_hull *p, uint16_t first, const gjk_vec3 
       const uint16_t next = f->neighbour[i];
       gjk_epa_face *g = gjk_epa_hull_face(p, next);
       if ((g->height_key & SEEN) == 0) {
-        if (is_beyond_face(p, g, w)) {
+        if (is_beyond_face(p, next, w)) {
           g->height_key = SEEN | NONE;
           last->height_key = (last->height_key & ~(uint32_t)NONE) | next;
           last = g;
@@ -158,37 +182,27 @@ static uint32_t mark_seen_faces(gjk_epa_hull *p, uint16_t first, const gjk_vec3 
 
 // An edge of a seen face, from corner[number] to the next corner.
 typedef struct hull_edge {
-  uint16_t face;
-  uint8_t number;
+  const gjk_epa_face *face;
+  unsigned number;
 } hull_edge;
 
-static bool on_horizon(const gjk_epa_hull *p, hull_edge e) {
-  return (gjk_epa_hull_face(p, e.face)->height_key & ON_HORIZON(e.number)) != 0;
+static bool on_horizon(hull_edge e) {
+  return (e.face->height_key & ON_HORIZON(e.number)) != 0;
 }
 
 // Step 2. There is such an edge, since a face is unseen: the origin lies behind or on all faces, so the vertex is not
 // beyond all of them.
 static hull_edge first_horizon(const gjk_epa_hull *p, uint16_t first) {
-  hull_edge e = {first, 0};
-  while (!on_horizon(p, e)) {  // at most three edges of each seen face
+  hull_edge e = {gjk_epa_hull_face(p, first), 0};
+  while (!on_horizon(e)) {  // at most three edges of each seen face
     if (e.number < 2) {
       e.number++;
     } else {
-      e.face = (uint16_t)(gjk_epa_hull_face(p, e.face)->height_key & NONE);
-      //@ assert e.face < p->faces;
+      const uint16_t next = (uint16_t)(e.face->height_key & NONE);
+      //@ assert next < p->faces;
+      e.face = gjk_epa_hull_face(p, next);
       e.number = 0;
     }
-  }
-  return e;
-}
-
-// The horizon's edge that starts where e ends. Turns around that vertex from seen face to seen face.
-static hull_edge next_horizon(const gjk_epa_hull *p, hull_edge e) {
-  e.number = (uint8_t)gjk_next(e.number);
-  const uint16_t vertex = gjk_epa_hull_face(p, e.face)->corner[e.number];
-  while (!on_horizon(p, e)) {  // at most once for each seen face
-    e.face = gjk_epa_hull_face(p, e.face)->neighbour[e.number];
-    e.number = (uint8_t)edge_from(gjk_epa_hull_face(p, e.face), vertex);
   }
   return e;
 }
@@ -199,47 +213,63 @@ static uint32_t write_horizon(const gjk_epa_hull *p, uint16_t first, gjk_epa_cel
   hull_edge e = start;
   uint32_t edges = 0;
   do {
-    const gjk_epa_face *f = gjk_epa_hull_face(p, e.face);
+    const unsigned end = gjk_next(e.number);
+    const uint16_t corner = e.face->corner[end];
     //@ assert edges < 4 * (p->count - p->faces - 2 - (p->vertices + (uint32_t)1) * p->stride);
-    cells[edges / 4].horizon.corner[edges % 4] = f->corner[e.number];
-    cells[edges / 4].horizon.face[edges % 4] = f->neighbour[e.number];
+    cells[edges / 4].horizon.corner[edges % 4] = corner;
+    cells[edges / 4].horizon.face[edges % 4] = e.face->neighbour[e.number];
     edges++;
-    e = next_horizon(p, e);
+    // The next edge starts where this one ends: turn around that corner from seen face to seen face.
+    e.number = end;
+    while (!on_horizon(e)) {  // at most once for each seen face
+      e.face = gjk_epa_hull_face(p, e.face->neighbour[e.number]);
+      e.number = edge_from(e.face, corner);
+    }
   } while (e.face != start.face || e.number != start.number);
   return edges;
+}
+
+// The cell of the next new face: of *seen, the first of the seen faces, or behind the last face.
+static uint16_t take_face(gjk_epa_hull *p, uint16_t *seen) {
+  const uint16_t face = *seen;
+  if (face == NONE) {
+    return p->faces++;
+  }
+  *seen = (uint16_t)(gjk_epa_hull_face(p, face)->height_key & NONE);
+  //@ assert *seen == NONE || *seen < p->faces;
+  return face;
 }
 
 // Step 4. seen: the first of the seen faces. A vertex all of whose faces were seen is left inside the hull; the new
 // faces are then fewer, and seen faces may stay behind: they count as settled.
 static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, const gjk_epa_cell *cells) {
   const uint16_t top = (uint16_t)(p->vertices - 1), first = seen;
-  const gjk_vec3 *w = gjk_epa_hull_vertex(p, top);
-  gjk_vec3 start = vector_from(w, p, cells[0].horizon.corner[0]);
-  uint16_t before = NONE;
+  const gjk_vec3 w = *gjk_epa_hull_vertex(p, top);
+  uint16_t before = NONE, start = cells[(edges - 1) / 4].horizon.corner[(edges - 1) % 4];
+  const gjk_vec3 *u = gjk_epa_hull_vertex(p, start);
+  gjk_vec3 a = gjk_sub(*u, w);
   for (uint32_t i = 0; i < edges; i++) {
-    const uint32_t next = i + 1 < edges ? i + 1 : 0;
-    const uint16_t corner = cells[i / 4].horizon.corner[i % 4], outer = cells[i / 4].horizon.face[i % 4];
-    const uint16_t end = cells[next / 4].horizon.corner[next % 4];
-    uint16_t face = seen;
-    if (seen != NONE) {
-      seen = (uint16_t)(gjk_epa_hull_face(p, seen)->height_key & NONE);
-      //@ assert seen == NONE || seen < p->faces;
-    } else {
-      face = p->faces++;
-      //@ assert p->faces <= p->count - (uint32_t)p->vertices * p->stride - (edges + 3) / 4;
-    }
+    const uint16_t end = cells[i / 4].horizon.corner[i % 4], outer = cells[i / 4].horizon.face[i % 4];
+    const uint16_t face = take_face(p, &seen);
+    //@ assert p->faces <= p->count - (uint32_t)p->vertices * p->stride - (edges + 3) / 4;
     gjk_epa_face *f = gjk_epa_hull_face(p, face), *g = gjk_epa_hull_face(p, outer);
     g->neighbour[edge_from(g, end)] = face;
+    f->corner[0] = start;
+    f->corner[1] = end;
+    f->corner[2] = top;
     f->neighbour[0] = outer;
     f->neighbour[2] = before;
     if (before != NONE) {
       gjk_epa_hull_face(p, before)->neighbour[1] = face;
     }
-    gjk_long3 n;
-    const gjk_vec3 stop = vector_from(w, p, end);
-    gjk_cross(&start, &stop, &n);
-    set_face(p, face, corner, end, top, &n);
-    start = stop;
+    // Relative to w, the normal is the product of the two other corners.
+    gjk_epa_plane room, *plane = place_of_plane(p, face, &room);
+    const gjk_vec3 *v = gjk_epa_hull_vertex(p, end), b = gjk_sub(*v, w);
+    gjk_cross(&a, &b, &plane->normal);
+    f->height_key = measure_plane(plane, u);
+    start = end;
+    u = v;
+    a = b;
     before = face;
   }
   gjk_epa_hull_face(p, first)->neighbour[2] = before;

@@ -7,11 +7,27 @@
 #include "gjk/penetration.h"
 #include "gjk_facet.h"
 
+// The plane of a face: its outward normal, at most 2^62 in size, exact and rounded.
+typedef struct gjk_epa_plane {
+  gjk_long3 normal;
+  gjk_search_direction direction;
+} gjk_epa_plane;
+
+// The planes of so many faces are kept where memory is plentiful; others are computed again. 0: none are.
+#if GJK_64_BIT
+#define GJK_EPA_PLANES 64
+#else
+#define GJK_EPA_PLANES 0
+#endif
+
 typedef struct gjk_epa_hull {
   gjk_epa_cell *cells, *last;
   size_t stride;   // cells per vertex: 1; of a curved pair 2, the second with the offset of A's point
   uint32_t count;  // of cells
   uint16_t vertices, faces;
+#if GJK_EPA_PLANES
+  gjk_epa_plane plane[GJK_EPA_PLANES];
+#endif
 } gjk_epa_hull;
 
 // The height key of a face that is settled, or left inside the hull.
@@ -37,6 +53,9 @@ void gjk_epa_hull_load(const gjk_epa_hull *p, uint16_t vertex, gjk_vertex *out);
 
 // The outward normal of a face with these corners, at most 2^62 in size.
 void gjk_epa_hull_normal(const gjk_epa_hull *p, const uint16_t corner[3], gjk_long3 *n);
+
+// The plane of a face.
+void gjk_epa_hull_plane(const gjk_epa_hull *p, uint16_t face, gjk_long3 *normal, gjk_search_direction *direction);
 
 // Adds a vertex that lies strictly beyond face, in place of all faces that it sees. False: too few cells; height keys
 // are not valid then.
