@@ -21,7 +21,7 @@
 #define FACES_MAX 32764
 
 void gjk_epa_hull_load(const gjk_epa_hull *p, uint16_t vertex, gjk_vertex *out) {
-  const gjk_epa_cell *cell = &p->cells[vertex * p->stride];
+  const gjk_epa_cell *cell = &p->cells[vertex];
   out->w = cell->vertex.w;
   out->a.vertex = cell->vertex.a;
   out->b = cell->vertex.b;
@@ -31,14 +31,14 @@ void gjk_epa_hull_load(const gjk_epa_hull *p, uint16_t vertex, gjk_vertex *out) 
 }
 
 static void store_vertex(gjk_epa_hull *p, const gjk_vertex *v) {
-  gjk_epa_cell *cell = &p->cells[p->vertices * p->stride];
+  gjk_epa_cell *cell = &p->cells[p->used];
   cell->vertex.w = v->w;
   cell->vertex.a = v->a.vertex;
   cell->vertex.b = v->b;
   if (p->stride == 2) {
     cell[1].vertex.w = v->a.offset;
   }
-  p->vertices++;
+  p->used = (uint16_t)(p->used + p->stride);
 }
 
 void gjk_epa_hull_normal(const gjk_epa_hull *p, const uint16_t corner[3], gjk_long3 *n) {
@@ -99,7 +99,7 @@ bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const g
   // make the normals point outwards, since vertex 3 lies strictly beyond the others, along their normal.
   static const uint8_t corner[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   p->stride = curved ? 2 : 1;
-  p->vertices = 0;
+  p->used = 0;
   p->faces = 4;
   if (workspace == NULL || workspace->cells == NULL || workspace->count < (uint32_t)4 * p->stride + 4) {
     return false;
@@ -114,11 +114,12 @@ bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const g
     const uint8_t *c = corner[i];
     gjk_epa_face *f = gjk_epa_hull_face(p, i);
     gjk_epa_plane room, *plane = place_of_plane(p, i, &room);
-    f->corner[0] = f->neighbour[1] = c[0];
-    f->corner[1] = f->neighbour[2] = c[1];
-    f->corner[2] = f->neighbour[0] = c[2];
+    for (unsigned k = 0; k < 3; k++) {
+      f->corner[k] = (uint16_t)(c[k] * p->stride);
+      f->neighbour[gjk_next(k)] = c[k];
+    }
     gjk_epa_hull_normal(p, f->corner, &plane->normal);
-    f->height_key = measure_plane(plane, gjk_epa_hull_vertex(p, c[0]));
+    f->height_key = measure_plane(plane, gjk_epa_hull_vertex(p, f->corner[0]));
   }
   return true;
 }
@@ -215,7 +216,7 @@ static uint32_t write_horizon(const gjk_epa_hull *p, uint16_t first, gjk_epa_cel
   do {
     const unsigned end = gjk_next(e.number);
     const uint16_t corner = e.face->corner[end];
-    //@ assert edges < 4 * (p->count - p->faces - 2 - (p->vertices + (uint32_t)1) * p->stride);
+    //@ assert edges < 4 * (p->count - p->faces - 2 - (uint32_t)p->used - p->stride);
     cells[edges / 4].horizon.corner[edges % 4] = corner;
     cells[edges / 4].horizon.face[edges % 4] = e.face->neighbour[e.number];
     edges++;
@@ -243,7 +244,7 @@ static uint16_t take_face(gjk_epa_hull *p, uint16_t *seen) {
 // Step 4. seen: the first of the seen faces. A vertex all of whose faces were seen is left inside the hull; the new
 // faces are then fewer, and seen faces may stay behind: they count as settled.
 static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, const gjk_epa_cell *cells) {
-  const uint16_t top = (uint16_t)(p->vertices - 1), first = seen;
+  const uint16_t top = (uint16_t)(p->used - p->stride), first = seen;
   const gjk_vec3 w = *gjk_epa_hull_vertex(p, top);
   uint16_t before = NONE, start = cells[(edges - 1) / 4].horizon.corner[(edges - 1) % 4];
   const gjk_vec3 *u = gjk_epa_hull_vertex(p, start);
@@ -251,7 +252,7 @@ static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, cons
   for (uint32_t i = 0; i < edges; i++) {
     const uint16_t end = cells[i / 4].horizon.corner[i % 4], outer = cells[i / 4].horizon.face[i % 4];
     const uint16_t face = take_face(p, &seen);
-    //@ assert p->faces <= p->count - (uint32_t)p->vertices * p->stride - (edges + 3) / 4;
+    //@ assert p->faces <= p->count - p->used - (edges + 3) / 4;
     gjk_epa_face *f = gjk_epa_hull_face(p, face), *g = gjk_epa_hull_face(p, outer);
     g->neighbour[edge_from(g, end)] = face;
     f->corner[0] = start;
@@ -283,8 +284,8 @@ static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, cons
 }
 
 bool gjk_epa_hull_add(gjk_epa_hull *p, uint16_t face, const gjk_vertex *vertex) {
-  const uint32_t used = (uint32_t)(p->vertices + 1u) * p->stride;  // cells of vertices
-  const uint32_t most = used + p->faces + 2u;                      // and of faces
+  const uint32_t used = (uint32_t)p->used + p->stride;  // cells of vertices
+  const uint32_t most = used + p->faces + 2u;           // and of faces
   if (most > p->count || p->faces + 2u > FACES_MAX) {
     return false;
   }

@@ -1,6 +1,6 @@
 // The hull of EPA: a closed convex polytope of vertices of A - B around the origin, with triangles for faces. It lives
 // in the cells of the caller's workspace: vertices from the first cell on, faces from the last one down. The cells
-// between them hold the horizon while a vertex is added.
+// between them hold the horizon while a vertex is added. A vertex's number is that of its first cell.
 #ifndef GJK_SRC_EPA_HULL_H
 #define GJK_SRC_EPA_HULL_H
 
@@ -22,9 +22,10 @@ typedef struct gjk_epa_plane {
 
 typedef struct gjk_epa_hull {
   gjk_epa_cell *cells, *last;
-  size_t stride;   // cells per vertex: 1; of a curved pair 2, the second with the offset of A's point
   uint32_t count;  // of cells
-  uint16_t vertices, faces;
+  uint16_t used;   // cells of vertices
+  uint16_t faces;
+  uint8_t stride;  // cells per vertex: 1; of a curved pair 2, the second with the offset of A's point
 #if GJK_EPA_PLANES
   gjk_epa_plane plane[GJK_EPA_PLANES];
 #endif
@@ -45,7 +46,7 @@ static inline gjk_epa_face *gjk_epa_hull_face(const gjk_epa_hull *p, uint16_t fa
 }
 
 static inline const gjk_vec3 *gjk_epa_hull_vertex(const gjk_epa_hull *p, uint16_t vertex) {
-  return &p->cells[vertex * p->stride].vertex.w;
+  return &p->cells[vertex].vertex.w;
 }
 
 // Fills in a vertex; a.offset only when the stride is 2.
