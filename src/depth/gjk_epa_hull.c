@@ -81,7 +81,7 @@ static gjk_epa_plane *place_of_plane(gjk_epa_hull *p, uint16_t face, gjk_epa_pla
 }
 
 // Rounds the normal of a plane through w. Returns its height key.
-static uint32_t measure_plane(gjk_epa_plane *plane, const gjk_vec3 *w) {
+GJK_ONCE static uint32_t measure_plane(gjk_epa_plane *plane, const gjk_vec3 *w) {
   const gjk_vec3 *d = &plane->direction.d;
   gjk_search_direction_of(&plane->normal, &plane->direction);
   return gjk_height_key(gjk_dot(d, w), gjk_dot(d, d));
@@ -241,14 +241,11 @@ static uint16_t take_face(gjk_epa_hull *p, uint16_t *seen) {
   return face;
 }
 
-// Step 4. seen: the first of the seen faces. A vertex all of whose faces were seen is left inside the hull; the new
-// faces are then fewer, and seen faces may stay behind: they count as settled.
+// Step 4: the faces, each between its neighbours. seen: the first of the seen faces. A vertex all of whose faces were
+// seen is left inside the hull; the new faces are then fewer, and seen faces may stay behind: they count as settled.
 static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, const gjk_epa_cell *cells) {
   const uint16_t top = (uint16_t)(p->used - p->stride), first = seen;
-  const gjk_vec3 w = *gjk_epa_hull_vertex(p, top);
   uint16_t before = NONE, start = cells[(edges - 1) / 4].horizon.corner[(edges - 1) % 4];
-  const gjk_vec3 *u = gjk_epa_hull_vertex(p, start);
-  gjk_vec3 a = gjk_sub(*u, w);
   for (uint32_t i = 0; i < edges; i++) {
     const uint16_t end = cells[i / 4].horizon.corner[i % 4], outer = cells[i / 4].horizon.face[i % 4];
     const uint16_t face = take_face(p, &seen);
@@ -263,14 +260,7 @@ static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, cons
     if (before != NONE) {
       gjk_epa_hull_face(p, before)->neighbour[1] = face;
     }
-    // Relative to w, the normal is the product of the two other corners.
-    gjk_epa_plane room, *plane = place_of_plane(p, face, &room);
-    const gjk_vec3 *v = gjk_epa_hull_vertex(p, end), b = gjk_sub(*v, w);
-    gjk_cross(&a, &b, &plane->normal);
-    f->height_key = measure_plane(plane, u);
     start = end;
-    u = v;
-    a = b;
     before = face;
   }
   gjk_epa_hull_face(p, first)->neighbour[2] = before;
@@ -280,6 +270,24 @@ static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, cons
     seen = (uint16_t)(unused->height_key & NONE);
     //@ assert seen == NONE || seen < p->faces;
     unused->height_key = GJK_HEIGHT_KEY_SETTLED;
+  }
+}
+
+// Step 4: their planes. Relative to the new vertex w, which all of them share, a face's normal is the product of its
+// other corners, and the second of these is the first of the next face.
+static void measure_new_faces(gjk_epa_hull *p, uint16_t face, uint32_t edges, const gjk_vec3 *w) {
+  const gjk_vec3 *u = gjk_epa_hull_vertex(p, gjk_epa_hull_face(p, face)->corner[0]);
+  gjk_vec3 a = gjk_sub(*u, *w);
+  for (uint32_t i = 0; i < edges; i++) {
+    gjk_epa_plane room, *plane = place_of_plane(p, face, &room);
+    gjk_epa_face *f = gjk_epa_hull_face(p, face);
+    const gjk_vec3 *v = gjk_epa_hull_vertex(p, f->corner[1]), b = gjk_sub(*v, *w);
+    gjk_cross(&a, &b, &plane->normal);
+    f->height_key = measure_plane(plane, u);
+    u = v;
+    a = b;
+    face = f->neighbour[1];
+    //@ assert face < p->faces;
   }
 }
 
@@ -297,5 +305,6 @@ bool gjk_epa_hull_add(gjk_epa_hull *p, uint16_t face, const gjk_vertex *vertex) 
   const uint32_t edges = write_horizon(p, face, horizon);
   store_vertex(p, vertex);
   connect_horizon(p, face, edges, horizon);
+  measure_new_faces(p, face, edges, &vertex->w);
   return true;
 }
