@@ -119,8 +119,7 @@ static bool reach_projection(facet_triangle *t) {
     for (int i = 0; i < 3; i++) {
       vertex_of_signs(t->pair, t->signs[i], &s->slot[i]);
     }
-    gjk_simplex_set(s, 3);
-    const unsigned edge = gjk_simplex_beyond(s);
+    const unsigned edge = gjk_simplex_set(s, 3) ? 3 : gjk_simplex_beyond(s);
     if (edge == 3) {
       return true;
     }

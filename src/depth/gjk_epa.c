@@ -147,8 +147,8 @@ static void offer_face(gjk_iteration *it, const gjk_epa_hull *p, const uint16_t 
   for (int i = 0; i < 3; i++) {
     gjk_epa_hull_load(p, corner[i], &s->slot[i]);
   }
-  gjk_simplex_set(s, 3);
-  gjk_facet_consider(facet, it, gjk_simplex_beyond(s) == 3, bound);
+  // Mostly the projection lies strictly inside.
+  gjk_facet_consider(facet, it, gjk_simplex_set(s, 3) || gjk_simplex_beyond(s) == 3, bound);
 }
 
 // A lower bound of the depth, in LSB: the height of the lowest face, less all errors.
