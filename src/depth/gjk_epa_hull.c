@@ -80,11 +80,19 @@ static gjk_epa_plane *place_of_plane(gjk_epa_hull *p, uint16_t face, gjk_epa_pla
 #endif
 }
 
-// Rounds the normal of a plane through w. Returns its height key.
-GJK_ONCE static uint32_t measure_plane(gjk_epa_plane *plane, const gjk_vec3 *w) {
+// Rounds the normal of the face's plane, which goes through v, and sets its height key.
+GJK_ONCE static void measure_plane(gjk_epa_face *f, gjk_epa_plane *plane, const gjk_vec3 *v) {
   const gjk_vec3 *d = &plane->direction.d;
   gjk_search_direction_of(&plane->normal, &plane->direction);
-  return gjk_height_key(gjk_dot(d, w), gjk_dot(d, d));
+  f->height_key = gjk_height_key(gjk_dot(d, v), gjk_dot(d, d));
+}
+
+// Sets the plane and the height key of a face by its corners.
+static void measure_face(gjk_epa_hull *p, uint16_t face) {
+  gjk_epa_face *f = gjk_epa_hull_face(p, face);
+  gjk_epa_plane room, *plane = place_of_plane(p, face, &room);
+  gjk_epa_hull_normal(p, f->corner, &plane->normal);
+  measure_plane(f, plane, gjk_epa_hull_vertex(p, f->corner[0]));
 }
 
 // Does w see the face?
@@ -113,13 +121,13 @@ bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const g
   for (uint16_t i = 0; i < 4; i++) {
     const uint8_t *c = corner[i];
     gjk_epa_face *f = gjk_epa_hull_face(p, i);
-    gjk_epa_plane room, *plane = place_of_plane(p, i, &room);
-    for (unsigned k = 0; k < 3; k++) {
-      f->corner[k] = (uint16_t)(c[k] * p->stride);
-      f->neighbour[gjk_next(k)] = c[k];
-    }
-    gjk_epa_hull_normal(p, f->corner, &plane->normal);
-    f->height_key = measure_plane(plane, gjk_epa_hull_vertex(p, f->corner[0]));
+    f->neighbour[1] = c[0];
+    f->neighbour[2] = c[1];
+    f->neighbour[0] = c[2];
+    f->corner[0] = (uint16_t)(c[0] * p->stride);
+    f->corner[1] = (uint16_t)(c[1] * p->stride);
+    f->corner[2] = (uint16_t)(c[2] * p->stride);
+    measure_face(p, i);
   }
   return true;
 }
@@ -276,6 +284,14 @@ static void connect_horizon(gjk_epa_hull *p, uint16_t seen, uint32_t edges, cons
 // Step 4: their planes. Relative to the new vertex w, which all of them share, a face's normal is the product of its
 // other corners, and the second of these is the first of the next face.
 static void measure_new_faces(gjk_epa_hull *p, uint16_t face, uint32_t edges, const gjk_vec3 *w) {
+#if GJK_SMALL
+  (void)w;
+  for (uint32_t i = 0; i < edges; i++) {
+    measure_face(p, face);
+    face = gjk_epa_hull_face(p, face)->neighbour[1];
+    //@ assert face < p->faces;
+  }
+#else
   const gjk_vec3 *u = gjk_epa_hull_vertex(p, gjk_epa_hull_face(p, face)->corner[0]);
   gjk_vec3 a = gjk_sub(*u, *w);
   for (uint32_t i = 0; i < edges; i++) {
@@ -283,12 +299,13 @@ static void measure_new_faces(gjk_epa_hull *p, uint16_t face, uint32_t edges, co
     gjk_epa_face *f = gjk_epa_hull_face(p, face);
     const gjk_vec3 *v = gjk_epa_hull_vertex(p, f->corner[1]), b = gjk_sub(*v, *w);
     gjk_cross(&a, &b, &plane->normal);
-    f->height_key = measure_plane(plane, u);
+    measure_plane(f, plane, u);
     u = v;
     a = b;
     face = f->neighbour[1];
     //@ assert face < p->faces;
   }
+#endif
 }
 
 bool gjk_epa_hull_add(gjk_epa_hull *p, uint16_t face, const gjk_vertex *vertex) {
