@@ -61,11 +61,6 @@ static inline int64_t gjk_int64(uint64_t u) {
   return u <= INT64_MAX ? (int64_t)u : -(int64_t)(UINT64_MAX - u) - 1;
 }
 
-// The int32_t nearest to x.
-static inline int32_t gjk_saturate(int64_t x) {
-  return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (int32_t)x;
-}
-
 // floor(x / 2^n), 0 <= n <= 31. A plain shift where the compiler's right shift is arithmetic.
 static inline int32_t gjk_sar32(int32_t x, unsigned n) {
   if ((-1 >> 1) == -1) {  // not reached: a constant has one outcome
@@ -101,6 +96,12 @@ static inline int32_t gjk_high32(int64_t x) {
 
 static inline uint32_t gjk_low32(int64_t x) {
   return (uint32_t)((uint64_t)x & UINT32_MAX);
+}
+
+// The int32_t nearest to x.
+static inline int32_t gjk_saturate(int64_t x) {
+  const int32_t low = gjk_int32(gjk_low32(x));
+  return low == x ? low : x < 0 ? INT32_MIN : INT32_MAX;
 }
 
 // gjk_saturate(x). Sets *saturated when the result is not x, and never clears it.
