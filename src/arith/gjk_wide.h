@@ -32,6 +32,13 @@
 #define GJK_CONDITIONAL_MOVES 0
 #endif
 
+// GJK_64_BIT is 1 where a register holds 64 bits. There shifts by any number of bits are cheap, and memory is plentiful.
+#if SIZE_MAX > UINT32_MAX
+#define GJK_64_BIT 1
+#else
+#define GJK_64_BIT 0
+#endif
+
 // Sets the int64_t most to x and the pointer best to place where x > most, without a branch; GCC makes one of C code.
 #if GJK_CONDITIONAL_MOVES && defined(__x86_64__)
 #define GJK_KEEP_LARGER(most, best, x, place) \
@@ -52,11 +59,6 @@ static inline int32_t gjk_int32(uint32_t u) {
 // The int64_t with the bits of u.
 static inline int64_t gjk_int64(uint64_t u) {
   return u <= INT64_MAX ? (int64_t)u : -(int64_t)(UINT64_MAX - u) - 1;
-}
-
-// The int32_t nearest to x.
-static inline int32_t gjk_saturate(int64_t x) {
-  return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (int32_t)x;
 }
 
 // floor(x / 2^n), 0 <= n <= 31. A plain shift where the compiler's right shift is arithmetic.
@@ -94,6 +96,12 @@ static inline int32_t gjk_high32(int64_t x) {
 
 static inline uint32_t gjk_low32(int64_t x) {
   return (uint32_t)((uint64_t)x & UINT32_MAX);
+}
+
+// The int32_t nearest to x.
+static inline int32_t gjk_saturate(int64_t x) {
+  const int32_t low = gjk_int32(gjk_low32(x));
+  return low == x ? low : x < 0 ? INT32_MIN : INT32_MAX;
 }
 
 // gjk_saturate(x). Sets *saturated when the result is not x, and never clears it.
@@ -147,8 +155,12 @@ static inline unsigned gjk_clz32(uint32_t x) {
 
 // Leading zeros of x. Pre: x != 0.
 static inline unsigned gjk_clz64(uint64_t x) {
+#if defined(__GNUC__) && GJK_64_BIT && !defined(__riscv)
+  return (unsigned)__builtin_clzll(x);
+#else
   uint32_t high = (uint32_t)(x >> 32);
   return high != 0 ? gjk_clz32(high) : 32 + gjk_clz32((uint32_t)(x & UINT32_MAX));
+#endif
 }
 
 // ARMv7-M and up get their long multiplications by name. gcc widens an operand that is used twice ahead of time; then
