@@ -194,50 +194,93 @@ static void reinsert_part(gjk_scene_view *v, uint32_t index) {
   v->parts[index].state |= GJK_SCENE_PAIRS_STALE;
 }
 
-static bool same_pose(const gjk_scene_body *body, const gjk_pose *pose) {
-  const gjk_quat *q = &pose->rotation;
-  return gjk_scene_same_vec3(&body->position, &pose->position) && body->rotation.x == q->x &&
-         body->rotation.y == q->y && body->rotation.z == q->z && body->rotation.w == q->w;
+static bool same_rotation(const gjk_quat *a, const gjk_quat *b) {
+  return a->x == b->x && a->y == b->y && a->z == b->z && a->w == b->w;
 }
 
-// Moves a body. ahead: its parts' boxes may expect the motion to go on.
-//
+// Can the step to a position be added to what is stored of a body's parts?
+static bool shifts(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_vec3 *position) {
+  if (!gjk_scene_is_central(&body->position) || !gjk_scene_is_central(position)) {
+    return false;
+  }
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+    if (!gjk_scene_part_shifts(&v->parts[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Stores a body's next pose.
+static void set_pose(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose) {
+  gjk_scene_body *body = &v->bodies[slot];
+  body->position = pose->position;
+  body->rotation = pose->rotation;
+  put_in_moved_list(v, slot);
+}
+
 // A part's new box is set while the part is in the tree, where nodes above do not hold that box. That is safe: taking
 // the part out does not look at its box, and inserting it comes after.
-static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, bool ahead) {
-  gjk_scene_view v;
-  gjk_scene_body *body;
-  gjk_collider c;
-  gjk_status status = pose == NULL ? GJK_ERROR_NULL : edit_body(scene, id, &v, &body);
-  if (status != GJK_OK) {
-    return status;
+
+// Moves a body to a pose of the same rotation. ahead: its parts' boxes may expect the motion to go on. Pre: shifts.
+static void shift_body(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, bool ahead) {
+  const gjk_scene_body *body = &v->bodies[slot];
+  const gjk_vec3 step = {pose->position.x - body->position.x, pose->position.y - body->position.y,
+                         pose->position.z - body->position.z};
+  const uint32_t motion = gjk_scene_distance_moved(&body->position, &pose->position);
+  set_pose(v, slot, pose);
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+    if (gjk_scene_part_shift(v, i, &step, motion, ahead)) {
+      reinsert_part(v, i);
+    }
   }
-  if (same_pose(body, pose)) {
-    body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
-    return GJK_OK;
-  }
+}
+
+// Moves a body to any pose. ahead as in shift_body.
+static gjk_status pose_body(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, bool ahead) {
+  const gjk_scene_body *body = &v->bodies[slot];
   const uint32_t first = body->first;
+  gjk_status status = GJK_OK;
+  gjk_collider c;
   //@ assert first != GJK_SCENE_NONE;
-  for (uint32_t i = first; i != GJK_SCENE_NONE && status == GJK_OK; i = v.parts[i].next) {
-    status = move_part(&v, &v.parts[i], pose, &c);
+  for (uint32_t i = first; i != GJK_SCENE_NONE && status == GJK_OK; i = v->parts[i].next) {
+    status = move_part(v, &v->parts[i], pose, &c);
   }
   if (status != GJK_OK) {
     return status;
   }
   const uint32_t turn = gjk_scene_rotation_bound(&body->rotation, &pose->rotation);
-  body->position = pose->position;
-  body->rotation = pose->rotation;
-  body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
-  put_in_moved_list(&v, id.slot);
-  for (uint32_t i = first; i != GJK_SCENE_NONE; i = v.parts[i].next) {
+  set_pose(v, slot, pose);
+  for (uint32_t i = first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
     if (body->parts > 1) {  // of a single part c still holds the collider
-      (void)move_part(&v, &v.parts[i], pose, &c);
+      (void)move_part(v, &v->parts[i], pose, &c);
     }
-    if (gjk_scene_part_moved(&v, i, &c, turn, ahead)) {
-      reinsert_part(&v, i);
+    if (gjk_scene_part_moved(v, i, &c, turn, ahead)) {
+      reinsert_part(v, i);
     }
   }
   return GJK_OK;
+}
+
+static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, bool ahead) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  gjk_status status = pose == NULL ? GJK_ERROR_NULL : edit_body(scene, id, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const bool turns = !same_rotation(&body->rotation, &pose->rotation);
+  if (turns || !gjk_scene_same_vec3(&body->position, &pose->position)) {
+    if (!turns && shifts(&v, body, &pose->position)) {
+      shift_body(&v, id.slot, pose, ahead);
+    } else {
+      status = pose_body(&v, id.slot, pose, ahead);
+    }
+  }
+  if (status == GJK_OK) {
+    body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
+  }
+  return status;
 }
 
 gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose) {

@@ -91,8 +91,7 @@ uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b) {
   return distance < UINT32_C(1) << 30 ? 2 * (distance + (distance >> 15) + 1) : UINT32_MAX;
 }
 
-// An upper bound of the distance from a to b. UNBOUNDED when they are 2^30 or more apart along an axis.
-static uint32_t distance_moved(const gjk_vec3 *a, const gjk_vec3 *b) {
+uint32_t gjk_scene_distance_moved(const gjk_vec3 *a, const gjk_vec3 *b) {
   const uint32_t x = difference(a->x, b->x), y = difference(a->y, b->y), z = difference(a->z, b->z);
   if ((x | y | z) >> 30 != 0) {
     return GJK_SCENE_UNBOUNDED;
@@ -107,7 +106,7 @@ static uint32_t add_motion(uint32_t a, uint32_t b) {
 // Bounds how far any point of the part moves when the collider replaces it. With the same frame all move as the centre
 // does, because offsets from it are the same bit for bit.
 static uint32_t motion_to(const gjk_scene_part *p, const gjk_collider *c, uint32_t turn) {
-  uint32_t motion = distance_moved(&p->centre, &c->centre);
+  uint32_t motion = gjk_scene_distance_moved(&p->centre, &c->centre);
   if (!gjk_scene_same_vec3(&p->frame[0], &c->frame[0]) || !gjk_scene_same_vec3(&p->frame[1], &c->frame[1]) ||
       !gjk_scene_same_vec3(&p->frame[2], &c->frame[2])) {
     const uint64_t turned = gjk_umul32((uint32_t)c->core_radius, turn) >> 30;  // (2^28 + 4) 2^32 >> 30:  < 2^31
@@ -124,7 +123,7 @@ static void grow_side(gjk_q16 *lower, gjk_q16 *upper, int64_t margin, int64_t st
 
 // Sets the box in the tree: the exact one, grown by the margins all round, and by (x, y, z) on the sides it points to.
 // Parts that are near have enlarged boxes that meet, because each is grown by its body's margin.
-static void enlarge(gjk_scene_view *v, gjk_scene_part *p, int64_t x, int64_t y, int64_t z) {
+static void enlarge(const gjk_scene_view *v, gjk_scene_part *p, int64_t x, int64_t y, int64_t z) {
   const int64_t margin = (int64_t)v->header->config.box_margin + v->bodies[p->body].margin;
   p->enlarged = p->exact;
   grow_side(&p->enlarged.lower.x, &p->enlarged.upper.x, margin, x);
@@ -149,6 +148,25 @@ bool gjk_scene_part_fits(const gjk_scene_view *v, const gjk_scene_part *p) {
   return gjk_aabb_inside(&needed, &p->enlarged);
 }
 
+bool gjk_scene_is_central(const gjk_vec3 *v) {
+  const uint32_t half = UINT32_C(1) << 29;
+  return (((uint32_t)v->x + half) | ((uint32_t)v->y + half) | ((uint32_t)v->z + half)) >> 30 == 0;
+}
+
+// A composed position lies at most |local_centre| <= sqrt(3) 2^29 from the centre, so it stays in int32, too.
+bool gjk_scene_part_shifts(const gjk_scene_part *p) {
+  return gjk_scene_is_central(&p->centre) && gjk_scene_is_central(&p->exact.lower) &&
+         gjk_scene_is_central(&p->exact.upper) &&
+         (p->own_pose == GJK_SCENE_NONE || gjk_scene_is_central(&p->local_centre));
+}
+
+// v + step, which fits: gjk_scene_part_shifts
+static void shift(gjk_vec3 *v, const gjk_vec3 *step) {
+  v->x = gjk_int32((uint32_t)v->x + (uint32_t)step->x);
+  v->y = gjk_int32((uint32_t)v->y + (uint32_t)step->y);
+  v->z = gjk_int32((uint32_t)v->z + (uint32_t)step->z);
+}
+
 static void store_collider(gjk_scene_part *p, const gjk_collider *c) {
   p->centre = c->centre;
   p->frame[0] = c->frame[0];
@@ -160,19 +178,34 @@ static void store_collider(gjk_scene_part *p, const gjk_collider *c) {
   (void)gjk_collider_aabb(c, &p->exact);  // posed, so it cannot fail
 }
 
+// If the box in the tree is too small for a part whose centre was elsewhere before, sets another one and returns true.
+static bool leaves_box(const gjk_scene_view *v, gjk_scene_part *p, const gjk_vec3 *before, bool ahead) {
+  if (gjk_scene_part_fits(v, p)) {
+    return false;
+  }
+  // Four more such steps fit:  |x|, |y|, |z| < 2^34
+  const int64_t x = 4 * ((int64_t)p->centre.x - before->x), y = 4 * ((int64_t)p->centre.y - before->y);
+  const int64_t z = 4 * ((int64_t)p->centre.z - before->z);
+  enlarge(v, p, ahead ? x : 0, ahead ? y : 0, ahead ? z : 0);
+  return true;
+}
+
 bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn, bool ahead) {
   gjk_scene_part *p = &v->parts[index];
   const gjk_vec3 before = p->centre;
   p->motion = add_motion(p->motion, motion_to(p, collider, turn));
   store_collider(p, collider);
-  if (gjk_scene_part_fits(v, p)) {
-    return false;
-  }
-  // Four more such steps fit:  |x|, |y|, |z| < 2^34
-  const int64_t x = 4 * ((int64_t)p->centre.x - before.x), y = 4 * ((int64_t)p->centre.y - before.y);
-  const int64_t z = 4 * ((int64_t)p->centre.z - before.z);
-  enlarge(v, p, ahead ? x : 0, ahead ? y : 0, ahead ? z : 0);
-  return true;
+  return leaves_box(v, p, &before, ahead);
+}
+
+bool gjk_scene_part_shift(gjk_scene_view *v, uint32_t index, const gjk_vec3 *step, uint32_t motion, bool ahead) {
+  gjk_scene_part *p = &v->parts[index];
+  const gjk_vec3 before = p->centre;
+  p->motion = add_motion(p->motion, motion);
+  shift(&p->centre, step);
+  shift(&p->exact.lower, step);
+  shift(&p->exact.upper, step);
+  return leaves_box(v, p, &before, ahead);
 }
 
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider) {

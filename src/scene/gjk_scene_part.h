@@ -25,6 +25,19 @@ uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b);
 // motion to go on, and returns true.
 bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn, bool ahead);
 
+// May gjk_scene_part_shift move this part by a step of less than 2^30 per axis, as far as its place goes?
+bool gjk_scene_part_shifts(const gjk_scene_part *part);
+
+// As gjk_scene_part_moved, for a body that keeps its rotation bit for bit: all of the part moves by step. That is what
+// posing it would store. motion bounds the length of step. Pre: gjk_scene_part_shifts.
+bool gjk_scene_part_shift(gjk_scene_view *v, uint32_t index, const gjk_vec3 *step, uint32_t motion, bool ahead);
+
+// An upper bound of the distance from a to b. UNBOUNDED when they are 2^30 or more apart along an axis.
+uint32_t gjk_scene_distance_moved(const gjk_vec3 *a, const gjk_vec3 *b);
+
+// Are all coordinates below 2^29 in size, so that two of them and a margin can be added?
+bool gjk_scene_is_central(const gjk_vec3 *v);
+
 // Stores where a part is that is new or has another shape. Nothing bounds its motion. Sets its box in the tree.
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider);
 
