@@ -1,5 +1,6 @@
 // Bodies: added, removed, moved, changed. Each call checks everything first and then changes the scene, so a call that
 // fails changes nothing.
+#include "../arith/gjk_vector.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
@@ -200,35 +201,21 @@ static bool same_rotation(const gjk_quat *a, const gjk_quat *b) {
 
 // Can the step to a position be added to what is stored of a body's parts?
 static bool shifts(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_vec3 *position) {
-  if (!gjk_scene_is_central(&body->position) || !gjk_scene_is_central(position)) {
-    return false;
+  bool all = (gjk_scene_beyond_centre(&body->position) | gjk_scene_beyond_centre(position)) >> 30 == 0;
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE && all; i = v->parts[i].next) {
+    all = gjk_scene_part_shifts(&v->parts[i]);
   }
-  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
-    if (!gjk_scene_part_shifts(&v->parts[i])) {
-      return false;
-    }
-  }
-  return true;
-}
-
-// Stores a body's next pose.
-static void set_pose(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose) {
-  gjk_scene_body *body = &v->bodies[slot];
-  body->position = pose->position;
-  body->rotation = pose->rotation;
-  put_in_moved_list(v, slot);
+  return all;
 }
 
 // A part's new box is set while the part is in the tree, where nodes above do not hold that box. That is safe: taking
 // the part out does not look at its box, and inserting it comes after.
 
-// Moves a body to a pose of the same rotation. ahead: its parts' boxes may expect the motion to go on. Pre: shifts.
-static void shift_body(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, bool ahead) {
-  const gjk_scene_body *body = &v->bodies[slot];
-  const gjk_vec3 step = {pose->position.x - body->position.x, pose->position.y - body->position.y,
-                         pose->position.z - body->position.z};
-  const uint32_t motion = gjk_scene_distance_moved(&body->position, &pose->position);
-  set_pose(v, slot, pose);
+// Moves a body to a position. ahead: its parts' boxes may expect the motion to go on. Pre: shifts; the step is not 0.
+static void shift_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_vec3 *position, bool ahead) {
+  const gjk_vec3 step = gjk_sub(*position, body->position);
+  const uint32_t motion = gjk_scene_step_bound(&step);
+  body->position = *position;
   for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
     if (gjk_scene_part_shift(v, i, &step, motion, ahead)) {
       reinsert_part(v, i);
@@ -237,8 +224,7 @@ static void shift_body(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, b
 }
 
 // Moves a body to any pose. ahead as in shift_body.
-static gjk_status pose_body(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, bool ahead) {
-  const gjk_scene_body *body = &v->bodies[slot];
+static gjk_status pose_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool ahead) {
   const uint32_t first = body->first;
   gjk_status status = GJK_OK;
   gjk_collider c;
@@ -250,7 +236,8 @@ static gjk_status pose_body(gjk_scene_view *v, uint32_t slot, const gjk_pose *po
     return status;
   }
   const uint32_t turn = gjk_scene_rotation_bound(&body->rotation, &pose->rotation);
-  set_pose(v, slot, pose);
+  body->position = pose->position;
+  body->rotation = pose->rotation;
   for (uint32_t i = first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
     if (body->parts > 1) {  // of a single part c still holds the collider
       (void)move_part(v, &v->parts[i], pose, &c);
@@ -272,9 +259,12 @@ static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, b
   const bool turns = !same_rotation(&body->rotation, &pose->rotation);
   if (turns || !gjk_scene_same_vec3(&body->position, &pose->position)) {
     if (!turns && shifts(&v, body, &pose->position)) {
-      shift_body(&v, id.slot, pose, ahead);
+      shift_body(&v, body, &pose->position, ahead);
     } else {
-      status = pose_body(&v, id.slot, pose, ahead);
+      status = pose_body(&v, body, pose, ahead);
+    }
+    if (status == GJK_OK) {
+      put_in_moved_list(&v, id.slot);
     }
   }
   if (status == GJK_OK) {

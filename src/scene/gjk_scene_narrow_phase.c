@@ -43,7 +43,6 @@ typedef struct pair_question {
   const gjk_scene_view *v;
   const gjk_scene_part *a, *b;
   int32_t margin;  // of both bodies together: below 2^29
-  bool curved;     // has one of the parts a curved or custom shape?
 } pair_question;
 
 static uint8_t detail(const pair_question *q) {
@@ -64,13 +63,18 @@ static int32_t beyond_margins(const pair_question *q, int64_t bound) {
   return left > 0 ? gjk_saturate(left) : 0;
 }
 
+static bool is_curved(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b) {
+  return gjk_is_curved(v->scene->shapes[a->shape]) || gjk_is_curved(v->scene->shapes[b->shape]);
+}
+
 // Step 1. A distance that is asked for has to be found anew.
-static bool outlasts_motion(const pair_question *q, gjk_scene_pair *pair) {
-  const uint32_t a = q->a->motion, b = q->b->motion;
-  const uint32_t motion = a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
+static bool outlasts_motion(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                            gjk_scene_pair *pair) {
+  const uint32_t motion = a->motion > GJK_SCENE_UNBOUNDED - b->motion ? GJK_SCENE_UNBOUNDED : a->motion + b->motion;
   const bool near = (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
   const int32_t gap = pair->gap;
-  if (motion >= (uint32_t)gap || (near && gjk_scene_wants_distance(detail(q))) || q->curved) {
+  if (motion >= (uint32_t)gap || is_curved(v, a, b) ||
+      (near && gjk_scene_wants_distance(gjk_scene_detail(v, &v->bodies[a->body], &v->bodies[b->body])))) {
     return false;
   }
   //@ assert gap >= 0 && motion <= INT32_MAX;
@@ -265,12 +269,12 @@ static void query_pair(const pair_question *q, bool cold, gjk_scene_pair *pair) 
 }
 
 // Step 2.
-static bool is_refused(const pair_question *q) {
-  const gjk_scene_bindings *bindings = &q->v->scene->bindings;
-  const gjk_body_id a = gjk_scene_id_of(q->v, q->a->body), b = gjk_scene_id_of(q->v, q->b->body);
-  return !gjk_scene_may_pair(q->v, q->a, q->b) ||
-         (bindings->predicate != NULL &&
-          !bindings->predicate(bindings->user, a, q->v->bodies[a.slot].user, b, q->v->bodies[b.slot].user));
+static bool is_refused(const gjk_scene_view *v, uint32_t slot_a, uint32_t slot_b) {
+  const gjk_scene_bindings *bindings = &v->scene->bindings;
+  const gjk_scene_body *a = &v->bodies[slot_a], *b = &v->bodies[slot_b];
+  return !gjk_scene_may_pair(a, b) ||
+         (bindings->predicate != NULL && !bindings->predicate(bindings->user, gjk_scene_id_of(v, slot_a), a->user,
+                                                              gjk_scene_id_of(v, slot_b), b->user));
 }
 
 // Step 3.
@@ -284,29 +288,32 @@ static bool spheres_apart(const pair_question *q, gjk_scene_pair *pair) {
          settle_apart(pair, beyond_margins(q, sphere_bound(q)), GJK_SCENE_BOXES);
 }
 
+// Steps 3 to 6.
+static void test_geometry(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                          gjk_scene_pair *pair) {
+  const int32_t margin = v->bodies[a->body].margin + v->bodies[b->body].margin;
+  const pair_question q = {v, a, b, margin};
+  const bool skips = v->header->config.retest_all == 0, curved = is_curved(v, a, b);
+  if ((skips || curved) && boxes_apart(&q, pair)) {
+    return;
+  }
+  const bool cold = !skips || curved;
+  if (cold || !spheres_apart(&q, pair)) {
+    query_pair(&q, cold, pair);
+  }
+}
+
 void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair) {
   if (pair->outcome != GJK_SCENE_PENDING) {
     return;
   }
-  const gjk_scene_part *part_a = &v->parts[pair->ends.linked.part[0]], *part_b = &v->parts[pair->ends.linked.part[1]];
-  pair_question q = {v, part_a, part_b, 0, false};
-  const bool skips = v->header->config.retest_all == 0;
-  q.curved = gjk_is_curved(shape_of(&q, part_a)) || gjk_is_curved(shape_of(&q, part_b));
-  if (skips && outlasts_motion(&q, pair)) {
+  const gjk_scene_part *a = &v->parts[pair->ends.linked.part[0]], *b = &v->parts[pair->ends.linked.part[1]];
+  if (v->header->config.retest_all == 0 && outlasts_motion(v, a, b, pair)) {
     pair->outcome = GJK_SCENE_MOTION;
-    return;
-  }
-  q.margin = v->bodies[part_a->body].margin + v->bodies[part_b->body].margin;
-  if (is_refused(&q)) {
+  } else if (is_refused(v, a->body, b->body)) {
     pair->gap = 0;
     pair->outcome = GJK_SCENE_FILTERED;
-    return;
-  }
-  if ((skips || q.curved) && boxes_apart(&q, pair)) {
-    return;
-  }
-  const bool cold = !skips || q.curved;
-  if (cold || !spheres_apart(&q, pair)) {
-    query_pair(&q, cold, pair);
+  } else {
+    test_geometry(v, a, b, pair);
   }
 }

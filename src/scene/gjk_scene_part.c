@@ -91,12 +91,18 @@ uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b) {
   return distance < UINT32_C(1) << 30 ? 2 * (distance + (distance >> 15) + 1) : UINT32_MAX;
 }
 
-uint32_t gjk_scene_distance_moved(const gjk_vec3 *a, const gjk_vec3 *b) {
+// An upper bound of the distance from a to b. UNBOUNDED when they are 2^30 or more apart along an axis.
+static uint32_t distance_moved(const gjk_vec3 *a, const gjk_vec3 *b) {
   const uint32_t x = difference(a->x, b->x), y = difference(a->y, b->y), z = difference(a->z, b->z);
   if ((x | y | z) >> 30 != 0) {
     return GJK_SCENE_UNBOUNDED;
   }
   return (x | y | z) == 0 ? 0 : length_bound(x + y + z, larger(x, larger(y, z)));
+}
+
+uint32_t gjk_scene_step_bound(const gjk_vec3 *step) {
+  const uint32_t x = gjk_magnitude32(step->x), y = gjk_magnitude32(step->y), z = gjk_magnitude32(step->z);
+  return length_bound(x + y + z, larger(x, larger(y, z)));
 }
 
 static uint32_t add_motion(uint32_t a, uint32_t b) {
@@ -106,7 +112,7 @@ static uint32_t add_motion(uint32_t a, uint32_t b) {
 // Bounds how far any point of the part moves when the collider replaces it. With the same frame all move as the centre
 // does, because offsets from it are the same bit for bit.
 static uint32_t motion_to(const gjk_scene_part *p, const gjk_collider *c, uint32_t turn) {
-  uint32_t motion = gjk_scene_distance_moved(&p->centre, &c->centre);
+  uint32_t motion = distance_moved(&p->centre, &c->centre);
   if (!gjk_scene_same_vec3(&p->frame[0], &c->frame[0]) || !gjk_scene_same_vec3(&p->frame[1], &c->frame[1]) ||
       !gjk_scene_same_vec3(&p->frame[2], &c->frame[2])) {
     const uint64_t turned = gjk_umul32((uint32_t)c->core_radius, turn) >> 30;  // (2^28 + 4) 2^32 >> 30:  < 2^31
@@ -148,23 +154,21 @@ bool gjk_scene_part_fits(const gjk_scene_view *v, const gjk_scene_part *p) {
   return gjk_aabb_inside(&needed, &p->enlarged);
 }
 
-bool gjk_scene_is_central(const gjk_vec3 *v) {
-  const uint32_t half = UINT32_C(1) << 29;
-  return (((uint32_t)v->x + half) | ((uint32_t)v->y + half) | ((uint32_t)v->z + half)) >> 30 == 0;
+// x + step, which fits: gjk_scene_part_shifts
+static int32_t plus(int32_t x, int32_t step) {
+  return gjk_int32((uint32_t)x + (uint32_t)step);
 }
 
-// A composed position lies at most |local_centre| <= sqrt(3) 2^29 from the centre, so it stays in int32, too.
-bool gjk_scene_part_shifts(const gjk_scene_part *p) {
-  return gjk_scene_is_central(&p->centre) && gjk_scene_is_central(&p->exact.lower) &&
-         gjk_scene_is_central(&p->exact.upper) &&
-         (p->own_pose == GJK_SCENE_NONE || gjk_scene_is_central(&p->local_centre));
+static gjk_vec3 shifted(const gjk_vec3 *v, const gjk_vec3 *step) {
+  const gjk_vec3 sum = {plus(v->x, step->x), plus(v->y, step->y), plus(v->z, step->z)};
+  return sum;
 }
 
-// v + step, which fits: gjk_scene_part_shifts
-static void shift(gjk_vec3 *v, const gjk_vec3 *step) {
-  v->x = gjk_int32((uint32_t)v->x + (uint32_t)step->x);
-  v->y = gjk_int32((uint32_t)v->y + (uint32_t)step->y);
-  v->z = gjk_int32((uint32_t)v->z + (uint32_t)step->z);
+// Is a box inside another one, with a margin all round? Pre: no coordinate of the inner one exceeds 3 2^29 in size.
+static bool is_well_inside(const gjk_vec3 *lower, const gjk_vec3 *upper, gjk_q16 margin, const gjk_aabb *outer) {
+  return plus(lower->x, -margin) >= outer->lower.x && plus(upper->x, margin) <= outer->upper.x &&
+         plus(lower->y, -margin) >= outer->lower.y && plus(upper->y, margin) <= outer->upper.y &&
+         plus(lower->z, -margin) >= outer->lower.z && plus(upper->z, margin) <= outer->upper.z;
 }
 
 static void store_collider(gjk_scene_part *p, const gjk_collider *c) {
@@ -178,16 +182,12 @@ static void store_collider(gjk_scene_part *p, const gjk_collider *c) {
   (void)gjk_collider_aabb(c, &p->exact);  // posed, so it cannot fail
 }
 
-// If the box in the tree is too small for a part whose centre was elsewhere before, sets another one and returns true.
-static bool leaves_box(const gjk_scene_view *v, gjk_scene_part *p, const gjk_vec3 *before, bool ahead) {
-  if (gjk_scene_part_fits(v, p)) {
-    return false;
-  }
+// Sets another box in the tree for a part whose centre was elsewhere before.
+static void enlarge_along(const gjk_scene_view *v, gjk_scene_part *p, const gjk_vec3 *before, bool ahead) {
   // Four more such steps fit:  |x|, |y|, |z| < 2^34
   const int64_t x = 4 * ((int64_t)p->centre.x - before->x), y = 4 * ((int64_t)p->centre.y - before->y);
   const int64_t z = 4 * ((int64_t)p->centre.z - before->z);
   enlarge(v, p, ahead ? x : 0, ahead ? y : 0, ahead ? z : 0);
-  return true;
 }
 
 bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn, bool ahead) {
@@ -195,17 +195,25 @@ bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider 
   const gjk_vec3 before = p->centre;
   p->motion = add_motion(p->motion, motion_to(p, collider, turn));
   store_collider(p, collider);
-  return leaves_box(v, p, &before, ahead);
+  if (gjk_scene_part_fits(v, p)) {
+    return false;
+  }
+  enlarge_along(v, p, &before, ahead);
+  return true;
 }
 
-bool gjk_scene_part_shift(gjk_scene_view *v, uint32_t index, const gjk_vec3 *step, uint32_t motion, bool ahead) {
+bool gjk_scene_part_shift(const gjk_scene_view *v, uint32_t index, const gjk_vec3 *step, uint32_t motion, bool ahead) {
   gjk_scene_part *p = &v->parts[index];
-  const gjk_vec3 before = p->centre;
+  const gjk_vec3 before = p->centre, lower = shifted(&p->exact.lower, step), upper = shifted(&p->exact.upper, step);
   p->motion = add_motion(p->motion, motion);
-  shift(&p->centre, step);
-  shift(&p->exact.lower, step);
-  shift(&p->exact.upper, step);
-  return leaves_box(v, p, &before, ahead);
+  p->centre = shifted(&before, step);
+  p->exact.lower = lower;
+  p->exact.upper = upper;
+  if (is_well_inside(&lower, &upper, v->bodies[p->body].margin, &p->enlarged)) {
+    return false;
+  }
+  enlarge_along(v, p, &before, ahead);
+  return true;
 }
 
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider) {

@@ -25,18 +25,27 @@ uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b);
 // motion to go on, and returns true.
 bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn, bool ahead);
 
-// May gjk_scene_part_shift move this part by a step of less than 2^30 per axis, as far as its place goes?
-bool gjk_scene_part_shifts(const gjk_scene_part *part);
+// Bits from bit 30 on are set when a coordinate is 2^29 or more in size. Below that, two of them and a margin add up.
+static inline uint32_t gjk_scene_beyond_centre(const gjk_vec3 *v) {
+  const uint32_t half = UINT32_C(1) << 29;
+  return ((uint32_t)v->x + half) | ((uint32_t)v->y + half) | ((uint32_t)v->z + half);
+}
 
-// As gjk_scene_part_moved, for a body that keeps its rotation bit for bit: all of the part moves by step. That is what
-// posing it would store. motion bounds the length of step. Pre: gjk_scene_part_shifts.
-bool gjk_scene_part_shift(gjk_scene_view *v, uint32_t index, const gjk_vec3 *step, uint32_t motion, bool ahead);
+// Can a step of less than 2^30 per axis be added to the place of a part, so that nothing leaves int32?
+//
+// The centre is at most 2^28 + 4 outside of the exact box. So is, of a composed pose, its position beyond the centre,
+// by at most |local_centre| <= sqrt(3) 2^29.
+static inline bool gjk_scene_part_shifts(const gjk_scene_part *p) {
+  const uint32_t beyond = gjk_scene_beyond_centre(&p->exact.lower) | gjk_scene_beyond_centre(&p->exact.upper);
+  return beyond >> 30 == 0 && (p->own_pose == GJK_SCENE_NONE || gjk_scene_beyond_centre(&p->local_centre) >> 30 == 0);
+}
 
-// An upper bound of the distance from a to b. UNBOUNDED when they are 2^30 or more apart along an axis.
-uint32_t gjk_scene_distance_moved(const gjk_vec3 *a, const gjk_vec3 *b);
+// An upper bound of the length of a step of less than 2^30 per axis.
+uint32_t gjk_scene_step_bound(const gjk_vec3 *step);
 
-// Are all coordinates below 2^29 in size, so that two of them and a margin can be added?
-bool gjk_scene_is_central(const gjk_vec3 *v);
+// As gjk_scene_part_moved, for a body that keeps its rotation bit for bit, so that all of the part moves by step: stores
+// what posing it would give. motion is the step's bound. Pre: gjk_scene_part_shifts.
+bool gjk_scene_part_shift(const gjk_scene_view *v, uint32_t index, const gjk_vec3 *step, uint32_t motion, bool ahead);
 
 // Stores where a part is that is new or has another shape. Nothing bounds its motion. Sets its box in the tree.
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider);
