@@ -6,7 +6,8 @@
 // 2. Filters. Kinds, categories, masks or the predicate refuse the pair: it counts as apart.
 // 3. Boxes. Each exact box holds its part. If the boxes are farther apart along an axis than the margins, so are the
 //    parts.
-// 4. Spheres. Each bounding sphere holds its part, too.
+// 4. Spheres. Each bounding sphere holds its part, too. If the pair was near: a part like a box, segment or point holds
+//    a sphere. If those spheres are nearer than the margins, so are the parts, unless a distance is asked for.
 // 5. Direction. Each part lies behind its support plane across the last separating direction. If the planes are still
 //    farther apart than the margins, so are the parts. That takes one support scan of each.
 // 6. The query, warm from the pair's cache. What its answer proves beyond yes or no becomes the gap of step 1.
@@ -158,23 +159,34 @@ static int64_t sphere_bound(const pair_question *q) {
   return squared > gjk_umul32(reach, reach) ? (int64_t)gjk_isqrt64(squared) - radii : 0;
 }
 
-// The radius of a sphere about the centre that a part holds whole, at any rotation; negative: it holds none.
+// The radius of a sphere about the centre that a part holds whole, at any rotation; -2^30: none is known, because the
+// centre of a hull's box may be outside of the hull.
 //
 // A posed half axis of a box is off by less than 5/4 LSB, so a support plane comes nearer by less than 15/4.
 static int32_t inner_radius(const gjk_shape *shape) {
   const gjk_vec3 *size = &shape->size;
-  if (shape->type->kind != GJK_KIND_AXES || shape->type->count < 3) {
+  if (shape->type->kind != GJK_KIND_AXES) {
+    return -(INT32_C(1) << 30);
+  }
+  if (shape->type->count < 3) {
     return shape->convex_radius;
   }
   const int32_t least = size->x < size->y ? size->x : size->y;
   return (least < size->z ? least : size->z) - 4 + shape->convex_radius;
 }
 
-// By how much the spheres inside prove the parts nearer than the margins, for gap; 0: they do not.
-static int32_t inside_margins(const pair_question *q) {
+// By how much the spheres inside prove a pair nearer than its margins, for gap; 0: they do not, or a distance is asked
+// for, which has to be found.
+//
+// Pre  as sphere_bound: -2^31 <= reach < 2^30; the root is less than reach.
+static int32_t inner_bound(const pair_question *q) {
   const int32_t reach = inner_radius(shape_of(q, q->a)) + inner_radius(shape_of(q, q->b)) + q->margin;
+  if (reach <= 0 || gjk_scene_wants_distance(detail(q))) {
+    return 0;
+  }
   const uint64_t squared = centres_squared(q);
-  return reach > 0 && squared < gjk_umul32((uint32_t)reach, (uint32_t)reach) ? reach - (int32_t)gjk_isqrt64(squared)-1 : 0;
+  const uint32_t whole = (uint32_t)reach;
+  return squared < gjk_umul32(whole, whole) ? reach - (int32_t)gjk_isqrt64(squared) - 1 : 0;
 }
 
 // A pair keeps vertices whose numbers fit a byte. A query finds others anew.
@@ -306,10 +318,18 @@ static bool boxes_apart(const pair_question *q, gjk_scene_pair *pair) {
   return settle_apart(pair, beyond_margins(q, gjk_aabb_gap(&q->a->exact, &q->b->exact)), GJK_SCENE_BOXES);
 }
 
-// Step 4. Spheres of a pair that was near seldom part before its boxes do, so they are not looked at.
-static bool spheres_apart(const pair_question *q, gjk_scene_pair *pair) {
-  return (pair->state & GJK_SCENE_PAIR_NEAR) == 0 &&
-         settle_apart(pair, beyond_margins(q, sphere_bound(q)), GJK_SCENE_BOXES);
+// Step 4. Spheres around a pair that was near seldom part before its boxes do, so they are not looked at.
+static bool spheres_settle(const pair_question *q, gjk_scene_pair *pair) {
+  if ((pair->state & GJK_SCENE_PAIR_NEAR) == 0) {
+    return settle_apart(pair, beyond_margins(q, sphere_bound(q)), GJK_SCENE_BOXES);
+  }
+  const int32_t gap = inner_bound(q);
+  if (gap > 0) {
+    pair->gap = gap;
+    pair->outcome = GJK_SCENE_BOXES;
+    set_near(pair, true);
+  }
+  return gap > 0;
 }
 
 // Steps 3 to 6.
@@ -318,20 +338,11 @@ static void test_geometry(const gjk_scene_view *v, const gjk_scene_part *a, cons
   const int32_t margin = v->bodies[a->body].margin + v->bodies[b->body].margin;
   const pair_question q = {v, a, b, margin};
   const bool skips = v->header->config.retest_all == 0, curved = is_curved(v, a, b);
-  if (skips && !curved && (pair->state & GJK_SCENE_PAIR_NEAR) != 0 && !gjk_scene_wants_distance(detail(&q))) {
-    int32_t in = inside_margins(&q);
-    if (in > 0) {
-      pair->gap = in;
-      pair->outcome = GJK_SCENE_BOXES;
-      set_near(pair, true);
-      return;
-    }
-  }
   if ((skips || curved) && boxes_apart(&q, pair)) {
     return;
   }
   const bool cold = !skips || curved;
-  if (cold || !spheres_apart(&q, pair)) {
+  if (cold || !spheres_settle(&q, pair)) {
     query_pair(&q, cold, pair);
   }
 }
