@@ -1,6 +1,6 @@
 // Bodies: added, removed, moved, changed. Each call checks everything first and then changes the scene, so a call that
 // fails changes nothing.
-#include "../arith/gjk_vector.h"
+#include "gjk/pose.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
@@ -182,12 +182,6 @@ static const gjk_pose *own_pose_of(const gjk_scene_view *v, const gjk_scene_part
   return at == GJK_SCENE_NONE ? NULL : &v->own_poses[at].pose;
 }
 
-// The part's collider at another pose of its body.
-static gjk_status move_part(const gjk_scene_view *v, const gjk_scene_part *p, const gjk_pose *pose, gjk_collider *c) {
-  gjk_scene_part_collider(v, p, c);
-  return gjk_scene_part_pose(c, pose, own_pose_of(v, p));
-}
-
 // Inserts a part into the tree anew, after its box changed.
 static void reinsert_part(gjk_scene_view *v, uint32_t index) {
   gjk_scene_tree_remove(v, index);
@@ -195,15 +189,11 @@ static void reinsert_part(gjk_scene_view *v, uint32_t index) {
   v->parts[index].state |= GJK_SCENE_PAIRS_STALE;
 }
 
-static bool same_rotation(const gjk_quat *a, const gjk_quat *b) {
-  return a->x == b->x && a->y == b->y && a->z == b->z && a->w == b->w;
-}
-
-// Can the step to a position be added to what is stored of a body's parts?
-static bool shifts(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_vec3 *position) {
-  bool all = (gjk_scene_beyond_centre(&body->position) | gjk_scene_beyond_centre(position)) >> 30 == 0;
+// May all parts of a body be carried to a position?
+static bool carries(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_vec3 *position, bool turns) {
+  bool all = gjk_scene_is_below(&body->position, 29) && gjk_scene_is_below(position, 29);
   for (uint32_t i = body->first; i != GJK_SCENE_NONE && all; i = v->parts[i].next) {
-    all = gjk_scene_part_shifts(&v->parts[i]);
+    all = gjk_scene_part_carries(v, &v->parts[i], turns);
   }
   return all;
 }
@@ -211,26 +201,35 @@ static bool shifts(const gjk_scene_view *v, const gjk_scene_body *body, const gj
 // A part's new box is set while the part is in the tree, where nodes above do not hold that box. That is safe: taking
 // the part out does not look at its box, and inserting it comes after.
 
-// Moves a body to a position. ahead: its parts' boxes may expect the motion to go on. Pre: shifts; the step is not 0.
-static void shift_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_vec3 *position, bool ahead) {
-  const gjk_vec3 step = gjk_sub(*position, body->position);
-  const uint32_t motion = gjk_scene_step_bound(&step);
-  body->position = *position;
+// Moves a body, and poses those of its parts alone that leave their boxes in the tree. ahead: the new boxes may expect
+// the motion to go on. turns: the rotations differ. Pre: carries.
+static gjk_status carry_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool turns, bool ahead) {
+  gjk_scene_step step;
+  gjk_quat opposite;
+  gjk_scene_step_between(body, pose, turns, &step);
+  if (turns && gjk_quat_invert(&pose->rotation, &opposite) != GJK_OK) {
+    return GJK_ERROR_ROTATION;
+  }
+  step.ahead = ahead;
+  body->position = pose->position;
+  body->rotation = pose->rotation;
   for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
-    if (gjk_scene_part_shift(v, i, &step, motion, ahead)) {
+    if (gjk_scene_part_carry(v, i, &step)) {
       reinsert_part(v, i);
     }
   }
+  return GJK_OK;
 }
 
-// Moves a body to any pose. ahead as in shift_body.
+// Moves a body and poses all of its parts. ahead as in carry_body.
 static gjk_status pose_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool ahead) {
   const uint32_t first = body->first;
   gjk_status status = GJK_OK;
   gjk_collider c;
   //@ assert first != GJK_SCENE_NONE;
   for (uint32_t i = first; i != GJK_SCENE_NONE && status == GJK_OK; i = v->parts[i].next) {
-    status = move_part(v, &v->parts[i], pose, &c);
+    gjk_scene_part_settle(v, i);
+    status = gjk_scene_part_at(v, &v->parts[i], pose, &c);
   }
   if (status != GJK_OK) {
     return status;
@@ -240,7 +239,7 @@ static gjk_status pose_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_p
   body->rotation = pose->rotation;
   for (uint32_t i = first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
     if (body->parts > 1) {  // of a single part c still holds the collider
-      (void)move_part(v, &v->parts[i], pose, &c);
+      (void)gjk_scene_part_at(v, &v->parts[i], pose, &c);
     }
     if (gjk_scene_part_moved(v, i, &c, turn, ahead)) {
       reinsert_part(v, i);
@@ -256,21 +255,17 @@ static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, b
   if (status != GJK_OK) {
     return status;
   }
-  const bool turns = !same_rotation(&body->rotation, &pose->rotation);
+  const bool turns = !gjk_scene_same_rotation(&body->rotation, &pose->rotation);
   if (turns || !gjk_scene_same_vec3(&body->position, &pose->position)) {
-    if (!turns && shifts(&v, body, &pose->position)) {
-      shift_body(&v, body, &pose->position, ahead);
-    } else {
-      status = pose_body(&v, body, pose, ahead);
+    status = carries(&v, body, &pose->position, turns) ? carry_body(&v, body, pose, turns, ahead)
+                                                       : pose_body(&v, body, pose, ahead);
+    if (status != GJK_OK) {
+      return status;
     }
-    if (status == GJK_OK) {
-      put_in_moved_list(&v, id.slot);
-    }
+    put_in_moved_list(&v, id.slot);
   }
-  if (status == GJK_OK) {
-    body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
-  }
-  return status;
+  body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
+  return GJK_OK;
 }
 
 gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose) {
@@ -435,5 +430,5 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
     return GJK_ERROR_RANGE;
   }
   const gjk_pose pose = body_pose(body);
-  return move_part(&v, &v.parts[index], &pose, out);  // the pose that the part has: posing repeats bit for bit
+  return gjk_scene_part_at(&v, &v.parts[index], &pose, out);
 }

@@ -54,8 +54,10 @@ bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair) {
          (gjk_aabb_meet(&a->enlarged, &b->enlarged) && gjk_scene_may_pair(&v->bodies[a->body], &v->bodies[b->body]));
 }
 
-// Makes a pair of two parts of different bodies, about which nothing is known. Pre: there is room for it.
+// Makes a pair of two parts of different bodies, about which nothing is known. Poses both. Pre: there is room for it.
 static void make_pair(gjk_scene_view *v, uint32_t a, uint32_t b) {
+  gjk_scene_part_settle(v, a);
+  gjk_scene_part_settle(v, b);
   const uint32_t index = gjk_scene_pool_take(v, &v->header->pairs, sizeof(gjk_scene_pair));
   gjk_scene_pair *pair = &v->pairs[index];
   const unsigned side = v->parts[a].body > v->parts[b].body ? 1 : 0;
@@ -187,14 +189,18 @@ static void shrink_all_boxes(gjk_scene_view *v) {
   }
 }
 
-// Drops the pairs that need not be there. Only parts with stale pairs can have one. Is there such a part?
-static bool drop_stale_pairs(gjk_scene_view *v) {
+// Poses the parts with pairs that moved. Drops the pairs that need not be there: only parts with stale pairs can have
+// one. Is there such a part?
+static bool settle_moved_parts(gjk_scene_view *v) {
   bool stale = false;
   for (uint32_t slot = v->header->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
     for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
       if ((v->parts[i].state & GJK_SCENE_PAIRS_STALE) != 0) {
         drop_pairs_of(v, i);
         stale = true;
+      }
+      if (v->parts[i].pairs != GJK_SCENE_NONE) {
+        gjk_scene_part_settle(v, i);
       }
     }
   }
@@ -205,7 +211,7 @@ static bool drop_stale_pairs(gjk_scene_view *v) {
 // there is room must not depend on that. So where pairs do not fit, the least boxes at these poses decide.
 gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
   v->header->refused = 0;
-  if (!drop_stale_pairs(v) || make_missing_pairs(v) == GJK_OK) {
+  if (!settle_moved_parts(v) || make_missing_pairs(v) == GJK_OK) {
     return GJK_OK;
   }
   shrink_all_boxes(v);

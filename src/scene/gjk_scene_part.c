@@ -39,6 +39,41 @@ gjk_status gjk_scene_part_pose(gjk_collider *c, const gjk_pose *body, const gjk_
   return status == GJK_OK ? gjk_collider_pose(c, &pose) : status;
 }
 
+gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,
+                             gjk_collider *out) {
+  const uint32_t own_pose = part->own_pose;
+  gjk_scene_part_collider(v, part, out);
+  //@ assert own_pose == GJK_SCENE_NONE || own_pose < v->header->config.own_poses;
+  return gjk_scene_part_pose(out, body, own_pose == GJK_SCENE_NONE ? NULL : &v->own_poses[own_pose].pose);
+}
+
+static void pose_part(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out) {
+  const gjk_scene_body *body = &v->bodies[part->body];
+  gjk_pose pose;
+  pose.position = body->position;
+  pose.rotation = body->rotation;
+  (void)gjk_scene_part_at(v, part, &pose, out);  // cannot fail: the body was taken there
+}
+
+void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out, gjk_aabb *box) {
+  if ((part->state & GJK_SCENE_UNPOSED) == 0) {
+    gjk_scene_part_collider(v, part, out);
+    *box = part->exact;
+  } else {
+    pose_part(v, part, out);
+    (void)gjk_collider_aabb(out, box);  // posed, so it cannot fail
+  }
+}
+
+const gjk_aabb *gjk_scene_part_box(const gjk_scene_view *v, const gjk_scene_part *part, gjk_aabb *room) {
+  gjk_collider c;
+  if ((part->state & GJK_SCENE_UNPOSED) == 0) {
+    return &part->exact;
+  }
+  gjk_scene_part_now(v, part, &c, room);
+  return room;
+}
+
 gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const gjk_pose *body, const gjk_pose *own_pose,
                                 gjk_collider *out) {
   if (shape >= v->scene->shape_count) {
@@ -100,11 +135,6 @@ static uint32_t distance_moved(const gjk_vec3 *a, const gjk_vec3 *b) {
   return (x | y | z) == 0 ? 0 : length_bound(x + y + z, larger(x, larger(y, z)));
 }
 
-uint32_t gjk_scene_step_bound(const gjk_vec3 *step) {
-  const uint32_t x = gjk_magnitude32(step->x), y = gjk_magnitude32(step->y), z = gjk_magnitude32(step->z);
-  return length_bound(x + y + z, larger(x, larger(y, z)));
-}
-
 static uint32_t add_motion(uint32_t a, uint32_t b) {
   return a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
 }
@@ -164,6 +194,12 @@ static gjk_vec3 shifted(const gjk_vec3 *v, const gjk_vec3 *step) {
   return sum;
 }
 
+static gjk_vec3 difference_of(const gjk_vec3 *a, const gjk_vec3 *b) {
+  const gjk_vec3 d = {gjk_int32((uint32_t)a->x - (uint32_t)b->x), gjk_int32((uint32_t)a->y - (uint32_t)b->y),
+                      gjk_int32((uint32_t)a->z - (uint32_t)b->z)};
+  return d;
+}
+
 // Is a box inside another one, with a margin all round? Pre: no coordinate of the inner one exceeds 3 2^29 in size.
 static bool is_well_inside(const gjk_vec3 *lower, const gjk_vec3 *upper, gjk_q16 margin, const gjk_aabb *outer) {
   return plus(lower->x, -margin) >= outer->lower.x && plus(upper->x, margin) <= outer->upper.x &&
@@ -190,7 +226,8 @@ static void enlarge_along(const gjk_scene_view *v, gjk_scene_part *p, const gjk_
   enlarge(v, p, ahead ? x : 0, ahead ? y : 0, ahead ? z : 0);
 }
 
-bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn, bool ahead) {
+bool gjk_scene_part_moved(const gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn,
+                          bool ahead) {
   gjk_scene_part *p = &v->parts[index];
   const gjk_vec3 before = p->centre;
   p->motion = add_motion(p->motion, motion_to(p, collider, turn));
@@ -202,18 +239,97 @@ bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider 
   return true;
 }
 
-bool gjk_scene_part_shift(const gjk_scene_view *v, uint32_t index, const gjk_vec3 *step, uint32_t motion, bool ahead) {
+void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index) {
   gjk_scene_part *p = &v->parts[index];
-  const gjk_vec3 before = p->centre, lower = shifted(&p->exact.lower, step), upper = shifted(&p->exact.upper, step);
-  p->motion = add_motion(p->motion, motion);
-  p->centre = shifted(&before, step);
+  gjk_collider c;
+  if ((p->state & GJK_SCENE_UNPOSED) != 0) {
+    pose_part(v, p, &c);
+    store_collider(p, &c);
+    p->state = (uint8_t)(p->state & ~GJK_SCENE_UNPOSED);
+  }
+}
+
+// An upper bound of the length of a vector below 2^30 per axis.
+static uint32_t way_bound(const gjk_vec3 *way) {
+  const uint32_t x = gjk_magnitude32(way->x), y = gjk_magnitude32(way->y), z = gjk_magnitude32(way->z);
+  return (x | y | z) == 0 ? 0 : length_bound(x + y + z, larger(x, larger(y, z)));
+}
+
+void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bool turns, gjk_scene_step *out) {
+  out->way = difference_of(&pose->position, &body->position);
+  out->length = way_bound(&out->way);
+  out->turn = 0;
+  if (turns) {
+    const uint32_t turn = gjk_scene_rotation_bound(&body->rotation, &pose->rotation);
+    out->turn = turn > 0 ? turn : 1;  // opposite quaternions may round differently
+  }
+}
+
+// Bounds how far the rotation of its body moves a point of a part. A point at the origin of its body stays.
+//
+// Rounding where the centre is not the origin moves it by less than 7 more: the centre by 0.51 and a composed position by
+// 0.9 per component, each at both poses, and a composed rotation by 2.
+static uint64_t turned_by(const gjk_scene_view *v, const gjk_scene_part *p, uint32_t turn) {
+  const uint32_t own_pose = p->own_pose;
+  const gjk_shape_class *type = v->scene->shapes[p->shape]->type;
+  uint32_t away = way_bound(&p->local_centre);
+  if (own_pose != GJK_SCENE_NONE) {
+    away += way_bound(&v->own_poses[own_pose].pose.position);
+  }
+  if (away == 0 && own_pose == GJK_SCENE_NONE && type->kind == GJK_KIND_AXES && type->count == 0) {
+    return 0;
+  }
+  // core_radius <= 2^28 + 4, away <= 2^30:  the product < 2^63
+  return (gjk_umul32((uint32_t)p->core_radius + away, turn) >> 30) + 1 + POSE_ROUNDING + (away > 0 ? 8 : 0);
+}
+
+// Adds the rotation of a step to what is stored of a part. Returns by how much exact has to grow; more than 2^28: too
+// much.
+static uint32_t turn_part(const gjk_scene_view *v, gjk_scene_part *p, uint32_t turn) {
+  const uint64_t wide = turned_by(v, p, turn);
+  const uint32_t turned = wide > UINT32_MAX ? UINT32_MAX : (uint32_t)wide;
+  if (turned != 0) {
+    p->motion = add_motion(p->motion, turned);
+    p->state |= GJK_SCENE_UNPOSED;
+  }
+  return turned;
+}
+
+// Poses a part where its box in the tree may be too small. If it is, sets another one and returns true. centre: where the
+// part's was, if it was posed.
+GJK_OUT_OF_LINE static bool leave_box(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step,
+                                      bool was_posed, gjk_vec3 centre) {
+  gjk_scene_part *p = &v->parts[index];
+  if ((p->state & GJK_SCENE_UNPOSED) != 0) {
+    gjk_scene_part_settle(v, index);
+    if (gjk_scene_part_fits(v, p)) {
+      return false;
+    }
+  }
+  const gjk_vec3 before = was_posed ? centre : difference_of(&p->centre, &step->way);
+  enlarge_along(v, p, &before, step->ahead);
+  return true;
+}
+
+bool gjk_scene_part_carry(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step) {
+  gjk_scene_part *p = &v->parts[index];
+  const bool was_posed = (p->state & GJK_SCENE_UNPOSED) == 0;
+  const gjk_vec3 centre = p->centre;
+  gjk_vec3 lower = shifted(&p->exact.lower, &step->way), upper = shifted(&p->exact.upper, &step->way);
+  uint32_t grow = 0;
+  p->motion = add_motion(p->motion, step->length);
+  if (step->turn != 0) {
+    grow = turn_part(v, p, step->turn);
+    const int32_t by = grow >> 28 == 0 ? (int32_t)grow : 0;
+    const gjk_vec3 all = {by, by, by};
+    lower = difference_of(&lower, &all);
+    upper = shifted(&upper, &all);
+  }
+  p->centre = shifted(&centre, &step->way);
   p->exact.lower = lower;
   p->exact.upper = upper;
-  if (is_well_inside(&lower, &upper, v->bodies[p->body].margin, &p->enlarged)) {
-    return false;
-  }
-  enlarge_along(v, p, &before, ahead);
-  return true;
+  return (grow >> 28 != 0 || !is_well_inside(&lower, &upper, v->bodies[p->body].margin, &p->enlarged)) &&
+         leave_box(v, index, step, was_posed, centre);
 }
 
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider) {
@@ -221,10 +337,12 @@ void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider 
   p->motion = GJK_SCENE_UNBOUNDED;
   p->local_centre = collider->local_centre;
   p->core_radius = collider->core_radius;
+  p->state = (uint8_t)(p->state & ~GJK_SCENE_UNPOSED);
   store_collider(p, collider);
   enlarge(v, p, 0, 0, 0);
 }
 
 void gjk_scene_part_shrink_box(gjk_scene_view *v, uint32_t index) {
+  gjk_scene_part_settle(v, index);
   v->parts[index].enlarged = needed_box(v, &v->parts[index]);
 }

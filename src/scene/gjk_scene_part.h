@@ -4,12 +4,21 @@
 
 #include "gjk_scene_block.h"
 
-// Writes the part as a posed collider with lazy hulls, for queries and gjk_collider_pose, not for gjk_collider_move.
+// Writes the part as a posed collider with lazy hulls, for queries alone. Pre: it is posed.
 void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out);
 
-// Poses an initialised collider as a part of a body is: at the body's pose, or at own_pose in the body's frame unless
-// that is NULL.
-gjk_status gjk_scene_part_pose(gjk_collider *c, const gjk_pose *body, const gjk_pose *own_pose);
+// Writes the part's collider at another pose of its body. Statuses as gjk_collider_pose.
+gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,
+                             gjk_collider *out);
+
+// The same at its body's pose, and its exact box, posed or not.
+void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out, gjk_aabb *box);
+
+// The exact box of a part, posed or not; room is where it may be written.
+const gjk_aabb *gjk_scene_part_box(const gjk_scene_view *v, const gjk_scene_part *part, gjk_aabb *room);
+
+// Poses a part, unless it is posed.
+void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index);
 
 // Makes the collider of a part from a shape of the table. Unused frames are 0, so what is stored repeats bit for bit.
 // RANGE: no such shape.
@@ -20,40 +29,48 @@ gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const g
 // Pre: both are unit quaternions within the tolerance of gjk/pose.h.
 uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b);
 
-// Stores where a part is after its body moved: the collider of its shape at the new pose. Adds to its motion; turn
-// bounds the body's rotation. If the box in the tree is too small, sets another one, which with ahead expects the
-// motion to go on, and returns true.
-bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn, bool ahead);
-
-// Bits from bit 30 on are set when a coordinate is 2^29 or more in size. Below that, two of them and a margin add up.
-static inline uint32_t gjk_scene_beyond_centre(const gjk_vec3 *v) {
-  const uint32_t half = UINT32_C(1) << 29;
-  return ((uint32_t)v->x + half) | ((uint32_t)v->y + half) | ((uint32_t)v->z + half);
+// Are all coordinates below 2^bits in size? Pre: bits < 31.
+static inline bool gjk_scene_is_below(const gjk_vec3 *v, unsigned bits) {
+  const uint32_t half = UINT32_C(1) << bits;
+  return (((uint32_t)v->x + half) | ((uint32_t)v->y + half) | ((uint32_t)v->z + half)) >> (bits + 1) == 0;
 }
 
-// Can a step of less than 2^30 per axis be added to the place of a part, so that nothing leaves int32?
-//
-// The centre is at most 2^28 + 4 outside of the exact box. So is, of a composed pose, its position beyond the centre,
-// by at most |local_centre| <= sqrt(3) 2^29.
-static inline bool gjk_scene_part_shifts(const gjk_scene_part *p) {
-  const uint32_t beyond = gjk_scene_beyond_centre(&p->exact.lower) | gjk_scene_beyond_centre(&p->exact.upper);
-  return beyond >> 30 == 0 && (p->own_pose == GJK_SCENE_NONE || gjk_scene_beyond_centre(&p->local_centre) >> 30 == 0);
+// How a body moves from one pose to the next.
+typedef struct gjk_scene_step {
+  gjk_vec3 way;     // of its position
+  uint32_t length;  // bounds the length of way
+  uint32_t turn;    // bounds the rotation, see gjk_scene_rotation_bound; 0: it is the same bit for bit
+  bool ahead;       // boxes in the tree may expect the motion to go on
+} gjk_scene_step;
+
+// Sets a step, but for ahead. turns: the rotations differ. Pre: both positions are below 2^29.
+void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bool turns, gjk_scene_step *out);
+
+// May gjk_scene_part_carry move this part between positions of its body below 2^29? Then no pose of it there leaves
+// int32: what turns is at most sqrt(3) 2^28 long, twice.
+static inline bool gjk_scene_part_carries(const gjk_scene_view *v, const gjk_scene_part *part, bool turns) {
+  const uint32_t own_pose = part->own_pose;
+  //@ assert own_pose == GJK_SCENE_NONE || own_pose < v->header->config.own_poses;
+  return gjk_scene_is_below(&part->exact.lower, 29) && gjk_scene_is_below(&part->exact.upper, 29) &&
+         ((!turns && own_pose == GJK_SCENE_NONE) || gjk_scene_is_below(&part->local_centre, 28)) &&
+         (own_pose == GJK_SCENE_NONE || gjk_scene_is_below(&v->own_poses[own_pose].pose.position, 28));
 }
 
-// An upper bound of the length of a step of less than 2^30 per axis.
-uint32_t gjk_scene_step_bound(const gjk_vec3 *step);
+// Moves a part as its body did, whose pose is stored. Adds to its motion. Poses it only if it may have left its box in
+// the tree. If it has, sets another box and returns true. Pre: gjk_scene_part_carries.
+bool gjk_scene_part_carry(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step);
 
-// As gjk_scene_part_moved, for a body that keeps its rotation bit for bit, so that all of the part moves by step: stores
-// what posing it would give. motion is the step's bound. Pre: gjk_scene_part_shifts.
-bool gjk_scene_part_shift(const gjk_scene_view *v, uint32_t index, const gjk_vec3 *step, uint32_t motion, bool ahead);
+// The same for any pose of the body: collider is the part there. Pre: the part was posed before the body moved.
+bool gjk_scene_part_moved(const gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn,
+                          bool ahead);
 
 // Stores where a part is that is new or has another shape. Nothing bounds its motion. Sets its box in the tree.
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider);
 
-// Does the part's box in the tree hold what it must: the exact one, grown by the body's margin all round?
+// Does the part's box in the tree hold what it must: exact, grown by the body's margin all round?
 bool gjk_scene_part_fits(const gjk_scene_view *v, const gjk_scene_part *p);
 
-// Shrinks the part's box in the tree to the least one. The boxes of nodes above it stay as they are, and hold it still.
+// Shrinks the part's box in the tree to the least one, and poses the part for that. The boxes of nodes above it stay as they are, and hold it still.
 void gjk_scene_part_shrink_box(gjk_scene_view *v, uint32_t index);
 
 #endif
