@@ -1,6 +1,6 @@
 // Bodies: added, removed, moved, changed. Each call checks everything first and then changes the scene, so a call that
 // fails changes nothing.
-#include "gjk/pose.h"
+#include "../arith/gjk_rotation.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
@@ -205,11 +205,11 @@ static bool carries(const gjk_scene_view *v, const gjk_scene_body *body, const g
 // the motion to go on. turns: the rotations differ. Pre: carries.
 static gjk_status carry_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool turns, bool ahead) {
   gjk_scene_step step;
-  gjk_quat opposite;
-  gjk_scene_step_between(body, pose, turns, &step);
-  if (turns && gjk_quat_invert(&pose->rotation, &opposite) != GJK_OK) {
+  int64_t deviation;
+  if (turns && !gjk_quat_deviation(&pose->rotation, &deviation)) {
     return GJK_ERROR_ROTATION;
   }
+  gjk_scene_step_between(body, pose, turns, &step);
   step.ahead = ahead;
   body->position = pose->position;
   body->rotation = pose->rotation;

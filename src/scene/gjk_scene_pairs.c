@@ -195,11 +195,12 @@ static bool settle_moved_parts(gjk_scene_view *v) {
   bool stale = false;
   for (uint32_t slot = v->header->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
     for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
-      if ((v->parts[i].state & GJK_SCENE_PAIRS_STALE) != 0) {
+      const unsigned state = v->parts[i].state;
+      if ((state & GJK_SCENE_PAIRS_STALE) != 0) {
         drop_pairs_of(v, i);
         stale = true;
       }
-      if (v->parts[i].pairs != GJK_SCENE_NONE) {
+      if ((state & GJK_SCENE_UNPOSED) != 0 && v->parts[i].pairs != GJK_SCENE_NONE) {
         gjk_scene_part_settle(v, i);
       }
     }

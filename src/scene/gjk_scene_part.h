@@ -17,8 +17,16 @@ void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk
 // The exact box of a part, posed or not; room is where it may be written.
 const gjk_aabb *gjk_scene_part_box(const gjk_scene_view *v, const gjk_scene_part *part, gjk_aabb *room);
 
+// Stores where a part is now that is not posed.
+void gjk_scene_part_pose_now(const gjk_scene_view *v, gjk_scene_part *part);
+
 // Poses a part, unless it is posed.
-void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index);
+static inline void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index) {
+  gjk_scene_part *part = &v->parts[index];
+  if ((part->state & GJK_SCENE_UNPOSED) != 0) {
+    gjk_scene_part_pose_now(v, part);
+  }
+}
 
 // Makes the collider of a part from a shape of the table. Unused frames are 0, so what is stored repeats bit for bit.
 // RANGE: no such shape.
