@@ -238,6 +238,11 @@ static inline uint32_t gjk_aabb_gap(const gjk_aabb *a, const gjk_aabb *b) {
   return gjk_larger_gap(y, a->lower.z, a->upper.z, b->lower.z, b->upper.z);
 }
 
+// |a - b|, below 2^32.
+static inline uint32_t gjk_scene_difference(int32_t a, int32_t b) {
+  return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
+}
+
 static inline bool gjk_scene_same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
   return a->x == b->x && a->y == b->y && a->z == b->z;
 }

@@ -1,6 +1,7 @@
 // Bodies: added, removed, moved, changed. Each call checks everything first and then changes the scene, so a call that
 // fails changes nothing.
 #include "../arith/gjk_rotation.h"
+#include "../arith/gjk_vector.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
@@ -189,59 +190,57 @@ static void reinsert_part(gjk_scene_view *v, uint32_t index) {
   v->parts[index].state |= GJK_SCENE_PAIRS_STALE;
 }
 
-// May all parts of a body be carried to a position?
-static bool carries(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_vec3 *position, bool turns) {
-  bool all = gjk_scene_is_below(&body->position, 29) && gjk_scene_is_below(position, 29);
-  for (uint32_t i = body->first; i != GJK_SCENE_NONE && all; i = v->parts[i].next) {
-    all = gjk_scene_part_carries(v, &v->parts[i], turns);
+// Is the way to a pose a small step for all parts of a body? Sets way if positions are not too far for that.
+static bool is_small_step(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_pose *pose, bool turns,
+                          gjk_vec3 *way) {
+  if (!gjk_scene_is_below(&body->position, 30) || !gjk_scene_is_below(&pose->position, 30)) {
+    return false;
   }
-  return all;
+  *way = gjk_sub(pose->position, body->position);
+  bool small = gjk_scene_is_below(way, 28);
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE && small; i = v->parts[i].next) {
+    small = gjk_scene_part_carries(v, &v->parts[i], turns);
+  }
+  return small;
 }
 
 // A part's new box is set while the part is in the tree, where nodes above do not hold that box. That is safe: taking
 // the part out does not look at its box, and inserting it comes after.
 
-// Moves a body, and poses those of its parts alone that leave their boxes in the tree. ahead: the new boxes may expect
-// the motion to go on. turns: the rotations differ. Pre: carries.
-static gjk_status carry_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool turns, bool ahead) {
-  gjk_scene_step step;
+// Moves a body by a small step, whose way and ahead are set. Statuses as gjk_collider_pose.
+static gjk_status step_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool turns,
+                            gjk_scene_step *step) {
   int64_t deviation;
   if (turns && !gjk_quat_deviation(&pose->rotation, &deviation)) {
     return GJK_ERROR_ROTATION;
   }
-  gjk_scene_step_between(body, pose, turns, &step);
-  step.ahead = ahead;
+  gjk_scene_step_between(body, pose, turns, step);
   body->position = pose->position;
   body->rotation = pose->rotation;
   for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
-    if (gjk_scene_part_carry(v, i, &step)) {
+    if (gjk_scene_part_carry(v, i, step)) {
       reinsert_part(v, i);
     }
   }
   return GJK_OK;
 }
 
-// Moves a body and poses all of its parts. ahead as in carry_body.
-static gjk_status pose_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool ahead) {
-  const uint32_t first = body->first;
+// Moves a body to any pose. Statuses as gjk_collider_pose.
+GJK_OUT_OF_LINE static gjk_status leap_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool turns) {
   gjk_status status = GJK_OK;
+  gjk_scene_step step = {{0, 0, 0}, 0, 0, false};
   gjk_collider c;
-  //@ assert first != GJK_SCENE_NONE;
-  for (uint32_t i = first; i != GJK_SCENE_NONE && status == GJK_OK; i = v->parts[i].next) {
-    gjk_scene_part_settle(v, i);
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE && status == GJK_OK; i = v->parts[i].next) {
     status = gjk_scene_part_at(v, &v->parts[i], pose, &c);
   }
   if (status != GJK_OK) {
     return status;
   }
-  const uint32_t turn = gjk_scene_rotation_bound(&body->rotation, &pose->rotation);
+  gjk_scene_step_between(body, pose, turns, &step);
   body->position = pose->position;
   body->rotation = pose->rotation;
-  for (uint32_t i = first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
-    if (body->parts > 1) {  // of a single part c still holds the collider
-      (void)gjk_scene_part_at(v, &v->parts[i], pose, &c);
-    }
-    if (gjk_scene_part_moved(v, i, &c, turn, ahead)) {
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+    if (gjk_scene_part_leap(v, i, &step)) {
       reinsert_part(v, i);
     }
   }
@@ -257,8 +256,10 @@ static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, b
   }
   const bool turns = !gjk_scene_same_rotation(&body->rotation, &pose->rotation);
   if (turns || !gjk_scene_same_vec3(&body->position, &pose->position)) {
-    status = carries(&v, body, &pose->position, turns) ? carry_body(&v, body, pose, turns, ahead)
-                                                       : pose_body(&v, body, pose, ahead);
+    gjk_scene_step step;
+    step.ahead = ahead;
+    status = is_small_step(&v, body, pose, turns, &step.way) ? step_body(&v, body, pose, turns, &step)
+                                                             : leap_body(&v, body, pose, turns);
     if (status != GJK_OK) {
       return status;
     }

@@ -113,18 +113,13 @@ static uint32_t first_slot(const gjk_scene_view *v, const gjk_scene_pair *pair) 
   return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? pair->ends.gone.slot[0] : v->parts[pair->ends.linked.part[0]].body;
 }
 
-// The queue while it is sorted. An entry has its pair's index in the lower bits. Above them it has the slot of the pair's
-// first body, or as much of its upper bits as fits.
+// The queue while it is sorted. The lower bits of an entry are its pair's index. The upper ones are those of the slot of
+// the pair's first body, as many as fit.
 typedef struct sorted_queue {
   const gjk_scene_view *v;
   uint32_t *entries;
-  uint32_t index_mask;  // at most 22 bits
+  uint32_t index_mask;
 } sorted_queue;
-
-// How many bits the numbers below count have. Pre: count > 0.
-static unsigned bits_below(uint32_t count) {
-  return count > 1 ? 32 - gjk_clz32(count - 1) : 0;
-}
 
 // Does the report of one pair come before that of another one?
 GJK_OUT_OF_LINE static bool is_before(const gjk_scene_view *v, uint32_t i, uint32_t j) {
@@ -162,15 +157,15 @@ static void exchange_events(void *queue, uint32_t i, uint32_t j) {
 static void sort_events(const gjk_scene_view *v, uint32_t count) {
   static const gjk_scene_order order = {.before = reported_before, .exchange = exchange_events};
   const gjk_scene_header *h = v->header;
-  const unsigned index_bits = bits_below(h->pairs.capacity), slot_bits = bits_below(h->config.bodies);
-  const unsigned left_out = index_bits + slot_bits > 32 ? index_bits + slot_bits - 32 : 0;  // at most 10
-  sorted_queue q = {v, v->queue, (UINT32_C(1) << index_bits) - 1};
+  // Slots are below bodies <= 2^20, indices below capacity <= 2^22.
+  const unsigned shift = gjk_clz32(h->config.bodies);
+  sorted_queue q = {v, v->queue, UINT32_MAX >> gjk_clz32(h->pairs.capacity)};
   for (uint32_t i = 0; i < count; i++) {
-    v->queue[i] |= first_slot(v, &v->pairs[v->queue[i]]) >> left_out << index_bits;
+    q.entries[i] |= first_slot(v, &v->pairs[q.entries[i]]) << shift & ~q.index_mask;
   }
   gjk_scene_sort(&order, &q, count);
   for (uint32_t i = 0; i < count; i++) {
-    v->queue[i] &= q.index_mask;
+    q.entries[i] &= q.index_mask;
   }
 }
 

@@ -140,9 +140,9 @@ static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const i
 
 // The square of the distance of the centres. Pre: below 2^31 along each axis.
 static uint64_t centres_squared(const pair_question *q) {
-  const uint32_t x = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.x - q->b->centre.x);
-  const uint32_t y = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.y - q->b->centre.y);
-  const uint32_t z = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.z - q->b->centre.z);
+  const uint32_t x = gjk_scene_difference(q->a->centre.x, q->b->centre.x);
+  const uint32_t y = gjk_scene_difference(q->a->centre.y, q->b->centre.y);
+  const uint32_t z = gjk_scene_difference(q->a->centre.z, q->b->centre.z);
   return gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z);
 }
 

@@ -104,11 +104,6 @@ static uint32_t larger(uint32_t a, uint32_t b) {
   return a > b ? a : b;
 }
 
-// |a - b|, below 2^32.
-static uint32_t difference(int32_t a, int32_t b) {
-  return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
-}
-
 // If unit quaternions are d apart, the rotation between them moves a point by at most 2 d times its distance from the
 // axis: with t = angle / 4, d = 2 sin t, and the point moves by 2 sin 2t = 4 sin t cos t. q and -q are the same
 // rotation, so the nearer one counts. Quaternions of lengths within 2^-17 of 1 change d by less than 2^-16 of itself,
@@ -121,8 +116,8 @@ uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b) {
   const int64_t dot = gjk_mac32(gjk_mac32(gjk_mac32(gjk_mul32(a->x, b->x), a->y, b->y), a->z, b->z), a->w, b->w);
   const int32_t sign = dot < 0 ? -1 : 1;
   // |a - b| <= sqrt(2) 2^30 (1 + 2^-17):  sum < 2^31.6
-  const uint32_t x = difference(a->x, sign * b->x), y = difference(a->y, sign * b->y);
-  const uint32_t z = difference(a->z, sign * b->z), w = difference(a->w, sign * b->w);
+  const uint32_t x = gjk_scene_difference(a->x, sign * b->x), y = gjk_scene_difference(a->y, sign * b->y);
+  const uint32_t z = gjk_scene_difference(a->z, sign * b->z), w = gjk_scene_difference(a->w, sign * b->w);
   const uint32_t sum = x + y + z + w;
   if (sum == 0) {
     return 0;
@@ -131,62 +126,8 @@ uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b) {
   return distance < UINT32_C(1) << 30 ? 2 * (distance + (distance >> 15) + 1) : UINT32_MAX;
 }
 
-// An upper bound of the distance from a to b. UNBOUNDED when they are 2^30 or more apart along an axis.
-static uint32_t distance_moved(const gjk_vec3 *a, const gjk_vec3 *b) {
-  const uint32_t x = difference(a->x, b->x), y = difference(a->y, b->y), z = difference(a->z, b->z);
-  if ((x | y | z) >> 30 != 0) {
-    return GJK_SCENE_UNBOUNDED;
-  }
-  return (x | y | z) == 0 ? 0 : length_bound(x + y + z, larger(x, larger(y, z)));
-}
-
 static uint32_t add_motion(uint32_t a, uint32_t b) {
   return a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
-}
-
-// Bounds how far any point of the part moves when the collider replaces it. With the same frame all move as the centre
-// does, because offsets from it are the same bit for bit.
-static uint32_t motion_to(const gjk_scene_part *p, const gjk_collider *c, uint32_t turn) {
-  uint32_t motion = distance_moved(&p->centre, &c->centre);
-  if (!gjk_scene_same_vec3(&p->frame[0], &c->frame[0]) || !gjk_scene_same_vec3(&p->frame[1], &c->frame[1]) ||
-      !gjk_scene_same_vec3(&p->frame[2], &c->frame[2])) {
-    const uint64_t turned = gjk_umul32((uint32_t)c->core_radius, turn) >> 30;  // (2^28 + 4) 2^32 >> 30:  < 2^31
-    motion = add_motion(motion, (uint32_t)turned + 1 + POSE_ROUNDING);
-  }
-  return motion;
-}
-
-// Grows a box along one axis: by margin at both sides, and by step on the side that step points to.
-static void grow_side(gjk_q16 *lower, gjk_q16 *upper, int64_t margin, int64_t step) {
-  *lower = gjk_saturate(*lower - margin + (step < 0 ? step : 0));
-  *upper = gjk_saturate(*upper + margin + (step > 0 ? step : 0));
-}
-
-// Sets the box in the tree: the exact one, grown by the margins all round, and by (x, y, z) on the sides it points to.
-// Parts that are near have enlarged boxes that meet, because each is grown by its body's margin.
-static void enlarge(const gjk_scene_view *v, gjk_scene_part *p, int64_t x, int64_t y, int64_t z) {
-  const int64_t margin = (int64_t)v->header->config.box_margin + v->bodies[p->body].margin;
-  p->enlarged = p->exact;
-  grow_side(&p->enlarged.lower.x, &p->enlarged.upper.x, margin, x);
-  grow_side(&p->enlarged.lower.y, &p->enlarged.upper.y, margin, y);
-  grow_side(&p->enlarged.lower.z, &p->enlarged.upper.z, margin, z);
-}
-
-// The least box that the tree may have: the exact one, grown by the body's margin all round.
-static gjk_aabb needed_box(const gjk_scene_view *v, const gjk_scene_part *p) {
-  gjk_aabb needed = p->exact;
-  const int64_t margin = v->bodies[p->body].margin;
-  if (margin != 0) {
-    grow_side(&needed.lower.x, &needed.upper.x, margin, 0);
-    grow_side(&needed.lower.y, &needed.upper.y, margin, 0);
-    grow_side(&needed.lower.z, &needed.upper.z, margin, 0);
-  }
-  return needed;
-}
-
-bool gjk_scene_part_fits(const gjk_scene_view *v, const gjk_scene_part *p) {
-  const gjk_aabb needed = needed_box(v, p);
-  return gjk_aabb_inside(&needed, &p->enlarged);
 }
 
 // x + step, which fits: gjk_scene_part_shifts
@@ -194,22 +135,52 @@ static int32_t plus(int32_t x, int32_t step) {
   return gjk_int32((uint32_t)x + (uint32_t)step);
 }
 
-static gjk_vec3 shifted(const gjk_vec3 *v, const gjk_vec3 *step) {
-  const gjk_vec3 sum = {plus(v->x, step->x), plus(v->y, step->y), plus(v->z, step->z)};
-  return sum;
+// One copy in a build for size, as the next one.
+GJK_ONCE static void shift(gjk_vec3 *v, const gjk_vec3 *step) {
+  v->x = plus(v->x, step->x);
+  v->y = plus(v->y, step->y);
+  v->z = plus(v->z, step->z);
 }
 
-static gjk_vec3 difference_of(const gjk_vec3 *a, const gjk_vec3 *b) {
-  const gjk_vec3 d = {gjk_int32((uint32_t)a->x - (uint32_t)b->x), gjk_int32((uint32_t)a->y - (uint32_t)b->y),
-                      gjk_int32((uint32_t)a->z - (uint32_t)b->z)};
-  return d;
+static int32_t lower_by(int32_t x, gjk_q16 margin) {
+  return x < INT32_MIN + margin ? INT32_MIN : x - margin;
 }
 
-// Is a box inside another one, with a margin all round? Pre: no coordinate of the inner one exceeds 3 2^29 in size.
-static bool is_well_inside(const gjk_vec3 *lower, const gjk_vec3 *upper, gjk_q16 margin, const gjk_aabb *outer) {
-  return plus(lower->x, -margin) >= outer->lower.x && plus(upper->x, margin) <= outer->upper.x &&
-         plus(lower->y, -margin) >= outer->lower.y && plus(upper->y, margin) <= outer->upper.y &&
-         plus(lower->z, -margin) >= outer->lower.z && plus(upper->z, margin) <= outer->upper.z;
+static int32_t higher_by(int32_t x, gjk_q16 margin) {
+  return x > INT32_MAX - margin ? INT32_MAX : x + margin;
+}
+
+// Grows a box along one axis: by margin at both sides, and by step on the side that step points to.
+GJK_ONCE static void grow_side(gjk_q16 *lower, gjk_q16 *upper, int32_t margin, int32_t step) {
+  *lower = lower_by(lower_by(*lower, margin), step < 0 ? -step : 0);
+  *upper = higher_by(higher_by(*upper, margin), step > 0 ? step : 0);
+}
+
+// The exact box of a part, grown by margin all round, and by steps times way on the sides it points to.
+//
+// |way| < 2^28, steps <= 8:  |steps way| < 2^31
+static gjk_aabb grown(const gjk_scene_part *p, int32_t margin, const gjk_vec3 *way, int32_t steps) {
+  gjk_aabb box = p->exact;
+  grow_side(&box.lower.x, &box.upper.x, margin, steps * way->x);
+  grow_side(&box.lower.y, &box.upper.y, margin, steps * way->y);
+  grow_side(&box.lower.z, &box.upper.z, margin, steps * way->z);
+  return box;
+}
+
+// Sets the box in the tree. Parts that are near have boxes there that meet, because each is grown by its body's margin.
+static void enlarge(const gjk_scene_view *v, gjk_scene_part *p, const gjk_vec3 *way, int32_t steps) {
+  p->enlarged = grown(p, v->header->config.box_margin + v->bodies[p->body].margin, way, steps);
+}
+
+// The least box that the tree may have: the exact one, grown by the body's margin all round. Few bodies have a margin.
+static gjk_aabb needed_box(const gjk_scene_view *v, const gjk_scene_part *p) {
+  const gjk_q16 margin = v->bodies[p->body].margin;
+  return margin != 0 ? grown(p, margin, &p->centre, 0) : p->exact;
+}
+
+bool gjk_scene_part_fits(const gjk_scene_view *v, const gjk_scene_part *p) {
+  const gjk_aabb needed = needed_box(v, p);
+  return gjk_aabb_inside(&needed, &p->enlarged);
 }
 
 static void store_collider(gjk_scene_part *p, const gjk_collider *c) {
@@ -223,27 +194,6 @@ static void store_collider(gjk_scene_part *p, const gjk_collider *c) {
   (void)gjk_collider_aabb(c, &p->exact);  // posed, so it cannot fail
 }
 
-// Sets another box in the tree for a part whose centre was elsewhere before.
-static void enlarge_along(const gjk_scene_view *v, gjk_scene_part *p, const gjk_vec3 *before, bool ahead) {
-  // |x|, |y|, |z| < 2^35
-  const int64_t x = AHEAD * ((int64_t)p->centre.x - before->x), y = AHEAD * ((int64_t)p->centre.y - before->y);
-  const int64_t z = AHEAD * ((int64_t)p->centre.z - before->z);
-  enlarge(v, p, ahead ? x : 0, ahead ? y : 0, ahead ? z : 0);
-}
-
-bool gjk_scene_part_moved(const gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn,
-                          bool ahead) {
-  gjk_scene_part *p = &v->parts[index];
-  const gjk_vec3 before = p->centre;
-  p->motion = add_motion(p->motion, motion_to(p, collider, turn));
-  store_collider(p, collider);
-  if (gjk_scene_part_fits(v, p)) {
-    return false;
-  }
-  enlarge_along(v, p, &before, ahead);
-  return true;
-}
-
 void gjk_scene_part_pose_now(const gjk_scene_view *v, gjk_scene_part *p) {
   gjk_collider c;
   pose_part(v, p, &c);
@@ -251,19 +201,27 @@ void gjk_scene_part_pose_now(const gjk_scene_view *v, gjk_scene_part *p) {
   p->state = (uint8_t)(p->state & ~GJK_SCENE_UNPOSED);
 }
 
-// An upper bound of the length of a vector below 2^30 per axis.
-static uint32_t way_bound(const gjk_vec3 *way) {
-  const uint32_t x = gjk_magnitude32(way->x), y = gjk_magnitude32(way->y), z = gjk_magnitude32(way->z);
+// An upper bound of the distance from a to b. UNBOUNDED when they are 2^30 or more apart along an axis.
+static uint32_t distance_bound(const gjk_vec3 *a, const gjk_vec3 *b) {
+  const uint32_t x = gjk_scene_difference(a->x, b->x), y = gjk_scene_difference(a->y, b->y);
+  const uint32_t z = gjk_scene_difference(a->z, b->z);
+  if ((x | y | z) >> 30 != 0) {
+    return GJK_SCENE_UNBOUNDED;
+  }
   return (x | y | z) == 0 ? 0 : length_bound(x + y + z, larger(x, larger(y, z)));
 }
 
-void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bool turns, gjk_scene_step *out) {
-  out->way = difference_of(&pose->position, &body->position);
-  out->length = way_bound(&out->way);
-  out->turn = 0;
+static uint32_t offset_bound(const gjk_vec3 *offset) {
+  static const gjk_vec3 origin = {0, 0, 0};
+  return distance_bound(offset, &origin);
+}
+
+void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bool turns, gjk_scene_step *step) {
+  step->length = distance_bound(&body->position, &pose->position);
+  step->turn = 0;
   if (turns) {
     const uint32_t turn = gjk_scene_rotation_bound(&body->rotation, &pose->rotation);
-    out->turn = turn > 0 ? turn : 1;  // opposite quaternions may round differently
+    step->turn = turn > 0 ? turn : 1;  // opposite quaternions may round differently
   }
 }
 
@@ -274,14 +232,13 @@ void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bo
 static uint64_t turned_by(const gjk_scene_view *v, const gjk_scene_part *p, uint32_t turn) {
   const uint32_t own_pose = p->own_pose;
   const gjk_shape_class *type = v->scene->shapes[p->shape]->type;
-  uint32_t away = way_bound(&p->local_centre);
+  uint32_t away = offset_bound(&p->local_centre);
   if (own_pose != GJK_SCENE_NONE) {
-    away += way_bound(&v->own_poses[own_pose].pose.position);
-  }
-  if (away == 0 && own_pose == GJK_SCENE_NONE && type->kind == GJK_KIND_AXES && type->count == 0) {
+    away += offset_bound(&v->own_poses[own_pose].pose.position);
+  } else if (away == 0 && type->kind == GJK_KIND_AXES && type->count == 0) {
     return 0;
   }
-  // core_radius <= 2^28 + 4, away <= 2^30:  the product < 2^63
+  // core_radius <= 2^28 + 4, away < 2^30:  the product < 2^63
   return (gjk_umul32((uint32_t)p->core_radius + away, turn) >> 30) + 1 + POSE_ROUNDING + (away > 0 ? 8 : 0);
 }
 
@@ -297,8 +254,8 @@ static bool turn_part(const gjk_scene_view *v, gjk_scene_part *p, uint32_t turn)
     return false;
   }
   const gjk_vec3 outwards = {(int32_t)turned, (int32_t)turned, (int32_t)turned}, inwards = gjk_negate(outwards);
-  p->exact.lower = shifted(&p->exact.lower, &inwards);
-  p->exact.upper = shifted(&p->exact.upper, &outwards);
+  shift(&p->exact.lower, &inwards);
+  shift(&p->exact.upper, &outwards);
   return true;
 }
 
@@ -311,21 +268,28 @@ GJK_OUT_OF_LINE static bool leave_box(const gjk_scene_view *v, uint32_t index, c
       return false;
     }
   }
-  const int64_t steps = step->ahead ? AHEAD : 0;
-  enlarge(v, p, steps * step->way.x, steps * step->way.y, steps * step->way.z);
+  enlarge(v, p, &step->way, step->ahead ? AHEAD : 0);
   return true;
 }
 
 bool gjk_scene_part_carry(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step) {
   gjk_scene_part *p = &v->parts[index];
   const bool little = step->turn == 0 || turn_part(v, p, step->turn);
-  const gjk_vec3 lower = shifted(&p->exact.lower, &step->way), upper = shifted(&p->exact.upper, &step->way);
   p->motion = add_motion(p->motion, step->length);
-  p->centre = shifted(&p->centre, &step->way);
-  p->exact.lower = lower;
-  p->exact.upper = upper;
-  return (!little || !is_well_inside(&lower, &upper, v->bodies[p->body].margin, &p->enlarged)) &&
-         leave_box(v, index, step);
+  shift(&p->centre, &step->way);
+  shift(&p->exact.lower, &step->way);
+  shift(&p->exact.upper, &step->way);
+  return (!little || !gjk_scene_part_fits(v, p)) && leave_box(v, index, step);
+}
+
+bool gjk_scene_part_leap(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step) {
+  gjk_scene_part *p = &v->parts[index];
+  p->motion = add_motion(p->motion, step->length);
+  if (step->turn != 0 && !(gjk_scene_part_turns(v, p) && turn_part(v, p, step->turn))) {
+    p->motion = GJK_SCENE_UNBOUNDED;
+  }
+  p->state |= GJK_SCENE_UNPOSED;
+  return leave_box(v, index, step);
 }
 
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider) {
@@ -335,7 +299,7 @@ void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider 
   p->core_radius = collider->core_radius;
   p->state = (uint8_t)(p->state & ~GJK_SCENE_UNPOSED);
   store_collider(p, collider);
-  enlarge(v, p, 0, 0, 0);
+  enlarge(v, p, &p->centre, 0);
 }
 
 void gjk_scene_part_shrink_box(gjk_scene_view *v, uint32_t index) {

@@ -45,32 +45,36 @@ static inline bool gjk_scene_is_below(const gjk_vec3 *v, unsigned bits) {
 
 // How a body moves from one pose to the next.
 typedef struct gjk_scene_step {
-  gjk_vec3 way;     // of its position
-  uint32_t length;  // bounds the length of way
+  gjk_vec3 way;     // of its position, below 2^28; 0 where it is not so small
+  uint32_t length;  // bounds the motion of its position
   uint32_t turn;    // bounds the rotation, see gjk_scene_rotation_bound; 0: it is the same bit for bit
   bool ahead;       // boxes in the tree may expect the motion to go on
 } gjk_scene_step;
 
-// Sets a step, but for ahead. turns: the rotations differ. Pre: both positions are below 2^29.
-void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bool turns, gjk_scene_step *out);
+// Sets length and turn of a step. turns: the rotations differ.
+void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bool turns, gjk_scene_step *step);
 
-// May gjk_scene_part_carry move this part between positions of its body below 2^29? Then no pose of it there leaves
-// int32: what turns is at most sqrt(3) 2^28 long, twice.
-static inline bool gjk_scene_part_carries(const gjk_scene_view *v, const gjk_scene_part *part, bool turns) {
+// Is what of a part turns about its body's position within 2^28 per axis?
+static inline bool gjk_scene_part_turns(const gjk_scene_view *v, const gjk_scene_part *part) {
   const uint32_t own_pose = part->own_pose;
   //@ assert own_pose == GJK_SCENE_NONE || own_pose < v->header->config.own_poses;
-  return gjk_scene_is_below(&part->exact.lower, 29) && gjk_scene_is_below(&part->exact.upper, 29) &&
-         ((!turns && own_pose == GJK_SCENE_NONE) || gjk_scene_is_below(&part->local_centre, 28)) &&
+  return gjk_scene_is_below(&part->local_centre, 28) &&
          (own_pose == GJK_SCENE_NONE || gjk_scene_is_below(&v->own_poses[own_pose].pose.position, 28));
+}
+
+// Can a step of less than 2^28 be added to what is stored of this part? Both positions of its body are below 2^30. Then
+// no pose of the part there leaves int32: its centre is at most twice sqrt(3) 2^28 away from the position.
+static inline bool gjk_scene_part_carries(const gjk_scene_view *v, const gjk_scene_part *part, bool turns) {
+  return gjk_scene_is_below(&part->exact.lower, 30) && gjk_scene_is_below(&part->exact.upper, 30) &&
+         ((!turns && part->own_pose == GJK_SCENE_NONE) || gjk_scene_part_turns(v, part));
 }
 
 // Moves a part as its body did, whose pose is stored. Adds to its motion. Poses it only if it may have left its box in
 // the tree. If it has, sets another box and returns true. Pre: gjk_scene_part_carries.
 bool gjk_scene_part_carry(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step);
 
-// The same for any pose of the body: collider is the part there. Pre: the part was posed before the body moved.
-bool gjk_scene_part_moved(const gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn,
-                          bool ahead);
+// The same for any motion. Poses the part. Pre: way is 0.
+bool gjk_scene_part_leap(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step);
 
 // Stores where a part is that is new or has another shape. Nothing bounds its motion. Sets its box in the tree.
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider);
