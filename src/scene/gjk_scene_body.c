@@ -1,7 +1,6 @@
 // Bodies: added, removed, moved, changed. Each call checks everything first and then changes the scene, so a call that
 // fails changes nothing.
 #include "../arith/gjk_rotation.h"
-#include "../arith/gjk_vector.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
@@ -190,14 +189,15 @@ static void reinsert_part(gjk_scene_view *v, uint32_t index) {
   v->parts[index].state |= GJK_SCENE_PAIRS_STALE;
 }
 
-// Is the way to a pose a small step for all parts of a body? Sets way if positions are not too far for that.
+// Is the way to a pose a small step for all parts of a body? Sets way modulo 2^32. From a position below 2^30 no other way
+// below 2^28 leads back to the same position, so a small way is the true one.
 static bool is_small_step(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_pose *pose, bool turns,
                           gjk_vec3 *way) {
-  if (!gjk_scene_is_below(&body->position, 30) || !gjk_scene_is_below(&pose->position, 30)) {
-    return false;
-  }
-  *way = gjk_sub(pose->position, body->position);
-  bool small = gjk_scene_is_below(way, 28);
+  const gjk_vec3 *from = &body->position, *to = &pose->position;
+  way->x = gjk_int32((uint32_t)to->x - (uint32_t)from->x);
+  way->y = gjk_int32((uint32_t)to->y - (uint32_t)from->y);
+  way->z = gjk_int32((uint32_t)to->z - (uint32_t)from->z);
+  bool small = gjk_scene_is_below(to, 30) && gjk_scene_is_below(way, 28);
   for (uint32_t i = body->first; i != GJK_SCENE_NONE && small; i = v->parts[i].next) {
     small = gjk_scene_part_carries(v, &v->parts[i], turns);
   }
@@ -207,40 +207,38 @@ static bool is_small_step(const gjk_scene_view *v, const gjk_scene_body *body, c
 // A part's new box is set while the part is in the tree, where nodes above do not hold that box. That is safe: taking
 // the part out does not look at its box, and inserting it comes after.
 
-// Moves a body by a small step, whose way and ahead are set. Statuses as gjk_collider_pose.
-static gjk_status step_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool turns,
-                            gjk_scene_step *step) {
-  int64_t deviation;
-  if (turns && !gjk_quat_deviation(&pose->rotation, &deviation)) {
-    return GJK_ERROR_ROTATION;
-  }
-  gjk_scene_step_between(body, pose, turns, step);
-  body->position = pose->position;
-  body->rotation = pose->rotation;
-  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
-    if (gjk_scene_part_carry(v, i, step)) {
-      reinsert_part(v, i);
-    }
-  }
-  return GJK_OK;
-}
-
-// Moves a body to any pose. Statuses as gjk_collider_pose.
-GJK_OUT_OF_LINE static gjk_status leap_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool turns) {
+// Can all parts of a body be posed there? Statuses as gjk_collider_pose.
+GJK_OUT_OF_LINE static gjk_status check_leap(const gjk_scene_view *v, const gjk_scene_body *body,
+                                             const gjk_pose *pose) {
   gjk_status status = GJK_OK;
-  gjk_scene_step step = {{0, 0, 0}, 0, 0, false};
   gjk_collider c;
   for (uint32_t i = body->first; i != GJK_SCENE_NONE && status == GJK_OK; i = v->parts[i].next) {
     status = gjk_scene_part_at(v, &v->parts[i], pose, &c);
   }
-  if (status != GJK_OK) {
-    return status;
+  return status;
+}
+
+// Moves a body to another pose. turns: it has another rotation. ahead: its parts' boxes may expect the motion to go on.
+static gjk_status take_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool turns, bool ahead) {
+  gjk_scene_step step;
+  int64_t deviation;
+  if (turns && !gjk_quat_deviation(&pose->rotation, &deviation)) {
+    return GJK_ERROR_ROTATION;
+  }
+  step.ahead = ahead;
+  step.leap = !is_small_step(v, body, pose, turns, &step.way);
+  if (step.leap) {
+    const gjk_status status = check_leap(v, body, pose);
+    if (status != GJK_OK) {
+      return status;
+    }
+    step.way.x = step.way.y = step.way.z = 0;
   }
   gjk_scene_step_between(body, pose, turns, &step);
   body->position = pose->position;
   body->rotation = pose->rotation;
   for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
-    if (gjk_scene_part_leap(v, i, &step)) {
+    if (gjk_scene_part_carry(v, i, &step)) {
       reinsert_part(v, i);
     }
   }
@@ -256,10 +254,7 @@ static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, b
   }
   const bool turns = !gjk_scene_same_rotation(&body->rotation, &pose->rotation);
   if (turns || !gjk_scene_same_vec3(&body->position, &pose->position)) {
-    gjk_scene_step step;
-    step.ahead = ahead;
-    status = is_small_step(&v, body, pose, turns, &step.way) ? step_body(&v, body, pose, turns, &step)
-                                                             : leap_body(&v, body, pose, turns);
+    status = take_body(&v, body, pose, turns, ahead);
     if (status != GJK_OK) {
       return status;
     }

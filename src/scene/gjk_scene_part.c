@@ -183,7 +183,7 @@ bool gjk_scene_part_fits(const gjk_scene_view *v, const gjk_scene_part *p) {
   return gjk_aabb_inside(&needed, &p->enlarged);
 }
 
-static void store_collider(gjk_scene_part *p, const gjk_collider *c) {
+GJK_ONCE static void store_collider(gjk_scene_part *p, const gjk_collider *c) {
   p->centre = c->centre;
   p->frame[0] = c->frame[0];
   p->frame[1] = c->frame[1];
@@ -194,11 +194,14 @@ static void store_collider(gjk_scene_part *p, const gjk_collider *c) {
   (void)gjk_collider_aabb(c, &p->exact);  // posed, so it cannot fail
 }
 
-void gjk_scene_part_pose_now(const gjk_scene_view *v, gjk_scene_part *p) {
+void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index) {
+  gjk_scene_part *p = &v->parts[index];
   gjk_collider c;
-  pose_part(v, p, &c);
-  store_collider(p, &c);
-  p->state = (uint8_t)(p->state & ~GJK_SCENE_UNPOSED);
+  if ((p->state & GJK_SCENE_UNPOSED) != 0) {
+    pose_part(v, p, &c);
+    store_collider(p, &c);
+    p->state = (uint8_t)(p->state & ~GJK_SCENE_UNPOSED);
+  }
 }
 
 // An upper bound of the distance from a to b. UNBOUNDED when they are 2^30 or more apart along an axis.
@@ -213,25 +216,29 @@ static uint32_t distance_bound(const gjk_vec3 *a, const gjk_vec3 *b) {
 
 static uint32_t offset_bound(const gjk_vec3 *offset) {
   static const gjk_vec3 origin = {0, 0, 0};
-  return distance_bound(offset, &origin);
+  return (offset->x | offset->y | offset->z) == 0 ? 0 : distance_bound(offset, &origin);
 }
 
 void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bool turns, gjk_scene_step *step) {
   step->length = distance_bound(&body->position, &pose->position);
   step->turn = 0;
   if (turns) {
-    const uint32_t turn = gjk_scene_rotation_bound(&body->rotation, &pose->rotation);
-    step->turn = turn > 0 ? turn : 1;  // opposite quaternions may round differently
+    // Not 0, because opposite quaternions may round differently.
+    step->turn = gjk_scene_rotation_bound(&body->rotation, &pose->rotation) | 1u;
   }
 }
 
-// Bounds how far the rotation of its body moves a point of a part. A point at the origin of its body stays.
+// Bounds how far the rotation of its body moves a point of a part. A point at the origin of its body stays. Beyond 2^28
+// from there nothing bounds it.
 //
 // Rounding where the centre is not the origin moves it by less than 7 more: the centre by 0.51 and a composed position by
 // 0.9 per component, each at both poses, and a composed rotation by 2.
 static uint64_t turned_by(const gjk_scene_view *v, const gjk_scene_part *p, uint32_t turn) {
   const uint32_t own_pose = p->own_pose;
   const gjk_shape_class *type = v->scene->shapes[p->shape]->type;
+  if (!gjk_scene_part_turns(v, p)) {
+    return UINT64_MAX;
+  }
   uint32_t away = offset_bound(&p->local_centre);
   if (own_pose != GJK_SCENE_NONE) {
     away += offset_bound(&v->own_poses[own_pose].pose.position);
@@ -262,11 +269,9 @@ static bool turn_part(const gjk_scene_view *v, gjk_scene_part *p, uint32_t turn)
 // Poses a part whose box in the tree may be too small. If it is, sets another one and returns true.
 GJK_OUT_OF_LINE static bool leave_box(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step) {
   gjk_scene_part *p = &v->parts[index];
-  if ((p->state & GJK_SCENE_UNPOSED) != 0) {
-    gjk_scene_part_pose_now(v, p);
-    if (gjk_scene_part_fits(v, p)) {
-      return false;
-    }
+  gjk_scene_part_settle(v, index);
+  if (gjk_scene_part_fits(v, p)) {
+    return false;
   }
   enlarge(v, p, &step->way, step->ahead ? AHEAD : 0);
   return true;
@@ -274,22 +279,16 @@ GJK_OUT_OF_LINE static bool leave_box(const gjk_scene_view *v, uint32_t index, c
 
 bool gjk_scene_part_carry(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step) {
   gjk_scene_part *p = &v->parts[index];
-  const bool little = step->turn == 0 || turn_part(v, p, step->turn);
+  bool little = step->turn == 0 || turn_part(v, p, step->turn);
   p->motion = add_motion(p->motion, step->length);
   shift(&p->centre, &step->way);
   shift(&p->exact.lower, &step->way);
   shift(&p->exact.upper, &step->way);
-  return (!little || !gjk_scene_part_fits(v, p)) && leave_box(v, index, step);
-}
-
-bool gjk_scene_part_leap(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step) {
-  gjk_scene_part *p = &v->parts[index];
-  p->motion = add_motion(p->motion, step->length);
-  if (step->turn != 0 && !(gjk_scene_part_turns(v, p) && turn_part(v, p, step->turn))) {
-    p->motion = GJK_SCENE_UNBOUNDED;
+  if (step->leap) {
+    p->state |= GJK_SCENE_UNPOSED;
+    little = false;
   }
-  p->state |= GJK_SCENE_UNPOSED;
-  return leave_box(v, index, step);
+  return !(little && gjk_scene_part_fits(v, p)) && leave_box(v, index, step);
 }
 
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider) {

@@ -17,16 +17,8 @@ void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk
 // The exact box of a part, posed or not; room is where it may be written.
 const gjk_aabb *gjk_scene_part_box(const gjk_scene_view *v, const gjk_scene_part *part, gjk_aabb *room);
 
-// Stores where a part is now that is not posed.
-void gjk_scene_part_pose_now(const gjk_scene_view *v, gjk_scene_part *part);
-
 // Poses a part, unless it is posed.
-static inline void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index) {
-  gjk_scene_part *part = &v->parts[index];
-  if ((part->state & GJK_SCENE_UNPOSED) != 0) {
-    gjk_scene_part_pose_now(v, part);
-  }
-}
+void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index);
 
 // Makes the collider of a part from a shape of the table. Unused frames are 0, so what is stored repeats bit for bit.
 // RANGE: no such shape.
@@ -48,6 +40,7 @@ typedef struct gjk_scene_step {
   gjk_vec3 way;     // of its position, below 2^28; 0 where it is not so small
   uint32_t length;  // bounds the motion of its position
   uint32_t turn;    // bounds the rotation, see gjk_scene_rotation_bound; 0: it is the same bit for bit
+  bool leap;        // it is no small step: parts have to be posed
   bool ahead;       // boxes in the tree may expect the motion to go on
 } gjk_scene_step;
 
@@ -62,7 +55,7 @@ static inline bool gjk_scene_part_turns(const gjk_scene_view *v, const gjk_scene
          (own_pose == GJK_SCENE_NONE || gjk_scene_is_below(&v->own_poses[own_pose].pose.position, 28));
 }
 
-// Can a step of less than 2^28 be added to what is stored of this part? Both positions of its body are below 2^30. Then
+// Can a step of less than 2^28 be added to what is stored of this part? The next position of its body is below 2^30. Then
 // no pose of the part there leaves int32: its centre is at most twice sqrt(3) 2^28 away from the position.
 static inline bool gjk_scene_part_carries(const gjk_scene_view *v, const gjk_scene_part *part, bool turns) {
   return gjk_scene_is_below(&part->exact.lower, 30) && gjk_scene_is_below(&part->exact.upper, 30) &&
@@ -70,11 +63,8 @@ static inline bool gjk_scene_part_carries(const gjk_scene_view *v, const gjk_sce
 }
 
 // Moves a part as its body did, whose pose is stored. Adds to its motion. Poses it only if it may have left its box in
-// the tree. If it has, sets another box and returns true. Pre: gjk_scene_part_carries.
+// the tree, or leaps. If it has, sets another box and returns true. Pre: gjk_scene_part_carries, or it leaps.
 bool gjk_scene_part_carry(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step);
-
-// The same for any motion. Poses the part. Pre: way is 0.
-bool gjk_scene_part_leap(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step);
 
 // Stores where a part is that is new or has another shape. Nothing bounds its motion. Sets its box in the tree.
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider);
