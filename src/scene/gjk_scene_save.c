@@ -1,5 +1,5 @@
 // The hash of a scene, its seal, and the opening of a block that may come from anywhere.
-#include "gjk_scene_part.h"
+#include "gjk_scene_block.h"
 
 // One step of a hash. With one argument fixed, the result is one to one in the other one.
 static uint64_t mix(uint64_t hash, uint32_t word) {
@@ -90,11 +90,6 @@ gjk_status gjk_scene_seal(gjk_scene *scene) {
   gjk_scene_view v;
   const gjk_status status = gjk_scene_view_of(scene, &v);
   if (status == GJK_OK) {
-    for (uint32_t i = 0; i < v.header->parts.fresh; i++) {
-      if ((v.parts[i].state & GJK_SCENE_LIVE) != 0) {
-        gjk_scene_part_settle(&v, i);
-      }
-    }
     const uint64_t sum = checksum(v.header);
     v.header->checksum[0] = (uint32_t)(sum & UINT32_MAX);
     v.header->checksum[1] = (uint32_t)(sum >> 32);
