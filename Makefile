@@ -158,10 +158,12 @@ build/gjk-query build/gjk-demo build/gjk-demo-stack build/lockstep $(UNIT_TESTS)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
-# The benchmark, and the report on its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet and fcl.
+# The benchmark, and the report on its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet, fcl and ode.
 
 BENCH_PEERS ?=
-BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/*.c)) $(BENCH_PEERS:%=build/hosted/tests/measure/bench/peer/%.o)
+BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/*.c)) \
+  $(patsubst %,build/hosted/tests/measure/bench/peer/%.o,$(filter-out ode,$(BENCH_PEERS)))
+COST := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/cost/*.c)) $(BENCH_PEERS:%=build/hosted/tests/measure/cost/peer/%.o)
 BENCH_REPORT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/report/*.c) tests/programs/demo/svg.c tests/programs/demo/labels.c)
 PEER_FLAGS = $(shell pkg-config $(1) $(BENCH_PEERS))
 PEER_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(patsubst -I%,-isystem%,$(filter -I%,$(call PEER_FLAGS,--cflags))) \
@@ -175,9 +177,15 @@ build/hosted/tests/measure/bench/peer/%.o: tests/measure/bench/peer/%.cpp build/
 	@echo '  $<'
 	@$(PEER_COMPILE) -c $< -o $@
 
+build/hosted/tests/measure/cost/peer/%.o: tests/measure/cost/peer/%.cpp build/hosted/peers.flags Makefile
+	@mkdir -p $(@D)
+	@echo '  $<'
+	@$(PEER_COMPILE) -c $< -o $@
+
 build/gjk-bench: $(BENCH)
 build/gjk-decisions: $(filter-out %/bench/main.o,$(BENCH)) build/hosted/tests/measure/decisions/main.o
-build/gjk-bench build/gjk-decisions: $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
+build/gjk-cost: $(COST)
+build/gjk-bench build/gjk-decisions build/gjk-cost: $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
 	@echo '  $@'
 	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $(filter %.o,$^) $(HOST_LIB) $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
