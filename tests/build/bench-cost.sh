@@ -43,7 +43,7 @@ for peer in $peers; do
 done
 if [ -n "$peers" ]; then
   cat <<'END'
-settings: scans over all vertices, but FCL, whose hulls have faces and no inner points; boxes, capsules and spheres are
+settings: scans over all vertices, or (FCL) climbing along the edges of corners with faces; boxes, capsules and spheres are
 each library's own; Bullet: margins 0, yes-or-no questions end once apart, warm by the last axis; FCL: warm by its guess,
 no closed form left out; libccd: support functions written for it, vertices posed beforehand where posing is apart;
 tolerances as each sets them. Of several methods of a library the cheapest that answers right counts.

@@ -1,6 +1,6 @@
 // FCL, in double: its two GJK solvers with the tolerances that they set themselves, on its own shapes, for which it has
-// closed forms (two boxes, two capsules). Hulls keep their corners alone and get faces, so that FCL climbs along edges
-// where that is faster. Warm: the guess of the solver that has one.
+// closed forms (two boxes, two capsules). Hulls in two forms: all points, which FCL scans; or corners alone and faces,
+// along whose edges FCL climbs from 33 corners on. Warm: the guess of the solver that has one.
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/convex.h>
@@ -85,34 +85,37 @@ void prune(Points *points, std::vector<int> *faces) {
   *points = kept;
 }
 
-fcl::Convexd make_convex(const cost_solid &solid) {
+fcl::Convexd make_convex(const cost_solid &solid, bool with_faces) {
   Points points;
+  std::vector<int> faces;
   for (size_t i = 0; i < solid.count; i++) {
     points.emplace_back(solid.vertices[i][0], solid.vertices[i][1], solid.vertices[i][2]);
   }
-  std::vector<int> faces = wrap(points);
-  prune(&points, &faces);
+  if (with_faces) {
+    faces = wrap(points);
+    prune(&points, &faces);
+  }
   const int count = static_cast<int>(faces.size() / 4);
   return fcl::Convexd(std::make_shared<const Points>(points), count, std::make_shared<const std::vector<int>>(faces));
 }
 
 template <typename Shape>
-Shape make_shape(const cost_solid &solid);
+Shape make_shape(const cost_solid &solid, bool with_faces);
 template <>
-fcl::Boxd make_shape<fcl::Boxd>(const cost_solid &solid) {
+fcl::Boxd make_shape<fcl::Boxd>(const cost_solid &solid, bool) {
   return fcl::Boxd(2 * solid.half[0], 2 * solid.half[1], 2 * solid.half[2]);
 }
 template <>
-fcl::Capsuled make_shape<fcl::Capsuled>(const cost_solid &solid) {
+fcl::Capsuled make_shape<fcl::Capsuled>(const cost_solid &solid, bool) {
   return fcl::Capsuled(solid.radius, 2 * solid.half[2]);
 }
 template <>
-fcl::Sphered make_shape<fcl::Sphered>(const cost_solid &solid) {
+fcl::Sphered make_shape<fcl::Sphered>(const cost_solid &solid, bool) {
   return fcl::Sphered(solid.radius);
 }
 template <>
-fcl::Convexd make_shape<fcl::Convexd>(const cost_solid &solid) {
-  return make_convex(solid);
+fcl::Convexd make_shape<fcl::Convexd>(const cost_solid &solid, bool with_faces) {
+  return make_convex(solid, with_faces);
 }
 
 fcl::Transform3d place(const cost_place &place) {
@@ -136,9 +139,9 @@ struct Prepared : Released {
   fcl::Vector3d guess;
   Solver cold, warm;
 
-  explicit Prepared(const cost_pair *pair)
-      : a(make_shape<A>(pair->solid[0])),
-        b(make_shape<B>(pair->solid[1])),
+  Prepared(const cost_pair *pair, bool with_faces)
+      : a(make_shape<A>(pair->solid[0], with_faces)),
+        b(make_shape<B>(pair->solid[1], with_faces)),
         place_a(pair->solid[0].at),
         place_b(pair->solid[1].at),
         at_a(place(place_a)),
@@ -185,9 +188,9 @@ double run(void *prepared) {
   }
 }
 
-template <typename Solver, typename A, typename B>
+template <typename Solver, bool with_faces, typename A, typename B>
 void *prepare_as(const cost_pair *pair, cost_query query) {
-  auto *p = new Prepared<Solver, A, B>(pair);
+  auto *p = new Prepared<Solver, A, B>(pair, with_faces);
   const fcl::Transform3d at_a = place(pair->solid[0].before), at_b = place(pair->solid[1].before);
   p->warm.enableCachedGuess(true);
   p->warm.setCachedGuess(p->guess);
@@ -203,13 +206,13 @@ void *prepare_as(const cost_pair *pair, cost_query query) {
   return static_cast<Released *>(p);
 }
 
-template <typename Solver>
+template <typename Solver, bool with_faces>
 void *prepare(const cost_pair *pair, cost_query query) {
   switch (pair->solid[0].kind) {
-    case COST_BOX: return prepare_as<Solver, fcl::Boxd, fcl::Boxd>(pair, query);
-    case COST_CAPSULE: return prepare_as<Solver, fcl::Capsuled, fcl::Capsuled>(pair, query);
-    case COST_SPHERE: return prepare_as<Solver, fcl::Sphered, fcl::Convexd>(pair, query);
-    default: return prepare_as<Solver, fcl::Convexd, fcl::Convexd>(pair, query);
+    case COST_BOX: return prepare_as<Solver, with_faces, fcl::Boxd, fcl::Boxd>(pair, query);
+    case COST_CAPSULE: return prepare_as<Solver, with_faces, fcl::Capsuled, fcl::Capsuled>(pair, query);
+    case COST_SPHERE: return prepare_as<Solver, with_faces, fcl::Sphered, fcl::Convexd>(pair, query);
+    default: return prepare_as<Solver, with_faces, fcl::Convexd, fcl::Convexd>(pair, query);
   }
 }
 
@@ -250,13 +253,23 @@ cost_run *choose_ccd(cost_kind a, cost_kind, cost_query query, cost_mode mode) {
                                    : nullptr;
 }
 
+cost_run *choose_indep_faces(cost_kind a, cost_kind b, cost_query query, cost_mode mode) {
+  return b == COST_HULL ? choose_indep(a, b, query, mode) : nullptr;
+}
+
+cost_run *choose_ccd_faces(cost_kind a, cost_kind b, cost_query query, cost_mode mode) {
+  return b == COST_HULL ? choose_ccd(a, b, query, mode) : nullptr;
+}
+
 void release(void *prepared) {
   delete static_cast<Released *>(prepared);
 }
 
-const cost_method ccd = {"FCL", "FCL libccd", choose_ccd, prepare<Ccd>, release};
-const cost_method indep = {"FCL", "FCL indep", choose_indep, prepare<Indep>, release};
+const cost_method ccd = {"FCL", "FCL libccd", choose_ccd, prepare<Ccd, false>, release};
+const cost_method ccd_faces = {"FCL", "FCL libccd faces", choose_ccd_faces, prepare<Ccd, true>, release};
+const cost_method indep = {"FCL", "FCL indep", choose_indep, prepare<Indep, false>, release};
+const cost_method indep_faces = {"FCL", "FCL indep faces", choose_indep_faces, prepare<Indep, true>, release};
 
 }  // namespace
 
-cost_method_list cost_fcl_methods = {&ccd, &indep, nullptr};
+cost_method_list cost_fcl_methods = {&ccd, &ccd_faces, &indep, &indep_faces, nullptr};
