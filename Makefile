@@ -8,8 +8,9 @@
 #   make demo-stack      lets a pile of crates, balls, capsules and drums fall and rest under the tests' solver: build/stack.svg
 #   make amalgamation    the library as two files: build/amalgamation/gjk.h and gjk.c
 #   make sizes           code by function group and stack by query, per target
-#   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv;
-#                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
+#   make bench           on the host, other libraries beside it: what queries cost by family, in instructions (valgrind), ns
+#                        and branch mispredictions; then run time against error: tables, build/bench.html and .csv;
+#                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more; CC=clang for clang's
 #   make bench-target    instructions, stack and code per query on the emulated cores, beside floating point
 #   make readme-figures  counts them afresh and writes the README's tables
 #   make worst-case      searches for the most expensive pairs and writes them to tests/data/worst.txt; SEED=1,

@@ -13,8 +13,8 @@ dir=$build/bench
 mkdir -p "$dir"
 find_cost_peers >&2
 
-make -s build/gjk-cost BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 || { cat "$dir/make.log"; exit 1; }
-program=build/gjk-cost
+make -s "$build/gjk-cost" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 || { cat "$dir/make.log"; exit 1; }
+program=$build/gjk-cost
 
 # Callgrind writes a dump for each family, method and mode.
 count() {
