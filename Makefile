@@ -170,7 +170,7 @@ PEER_FLAGS = $(shell pkg-config $(1) $(BENCH_PEERS))
 PEER_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(patsubst -I%,-isystem%,$(filter -I%,$(call PEER_FLAGS,--cflags))) \
   $(DEPENDENCIES)
 
-build/hosted/peers.flags: FORCE
+build/hosted/peers.flags build/hosted/cost-peers.flags: FORCE
 	$(call FLAGS,$(CC) $(BENCH_PEERS) $(if $(BENCH_PEERS),$(PEER_COMPILE) $(call PEER_FLAGS,--libs)))
 
 build/hosted/tests/measure/bench/peer/%.o: tests/measure/bench/peer/%.cpp build/hosted/peers.flags Makefile
@@ -178,15 +178,16 @@ build/hosted/tests/measure/bench/peer/%.o: tests/measure/bench/peer/%.cpp build/
 	@echo '  $<'
 	@$(PEER_COMPILE) -c $< -o $@
 
-build/hosted/tests/measure/cost/peer/%.o: tests/measure/cost/peer/%.cpp build/hosted/peers.flags Makefile
+build/hosted/tests/measure/cost/peer/%.o: tests/measure/cost/peer/%.cpp build/hosted/cost-peers.flags Makefile
 	@mkdir -p $(@D)
 	@echo '  $<'
 	@$(PEER_COMPILE) -c $< -o $@
 
 build/gjk-bench: $(BENCH)
 build/gjk-decisions: $(filter-out %/bench/main.o,$(BENCH)) build/hosted/tests/measure/decisions/main.o
-build/gjk-cost: $(COST)
-build/gjk-bench build/gjk-decisions build/gjk-cost: $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
+build/gjk-cost: $(COST) build/hosted/cost-peers.flags
+build/gjk-bench build/gjk-decisions: build/hosted/peers.flags
+build/gjk-bench build/gjk-decisions build/gjk-cost: $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $(filter %.o,$^) $(HOST_LIB) $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 

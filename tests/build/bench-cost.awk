@@ -1,4 +1,6 @@
-# Prints what queries cost as tables: awk -F, -f bench-cost.awk COST.csv
+# Prints what queries cost as tables: awk -F, [-v markdown=1] -f bench-cost.awk COST.csv
+#
+# markdown: the README's table alone.
 #
 # The rows are family,library,method,mode,measure,value, as bench-cost.sh collects them. A library answers by several
 # methods; the cheapest of those that answer right stands for it. A method answers right if the sum of its answers is
@@ -161,12 +163,42 @@ function behind(title, mode, measure,    f, l, i, by, own, count) {
   if (!count) printf "\n%s\n  nowhere\n", title
 }
 
+# A row for each family: this library's costs, cold and warm, then the times of others, cold, in parts of this library's.
+function markdown_table(    f, i, of, own) {
+  printf "| query | instructions | mispredictions | ns | warm: instructions | ns |"
+  for (i = 1; i <= libraries; i++) printf " %s |", library[i]
+  printf "\n|---|---|---|---|---|---|"
+  for (i = 1; i <= libraries; i++) printf "---|"
+  printf "\n"
+  for (f = 1; f <= families; f++) {
+    of = family[f]
+    if (!is_in(of, "cold", "ns")) continue
+    own = cost(of, "gjk", "cold", "ns")
+    printf "| %s | %s | %s | %s | %s | %s |", of, figure(of, "cold", "instructions"), figure(of, "cold", "mispredictions"), \
+      figure(of, "cold", "ns"), figure(of, "warm", "instructions"), figure(of, "warm", "ns")
+    for (i = 1; i <= libraries; i++) printf " %s |", in_parts(own, least(of, library[i], "cold", "ns"))
+    printf "\n"
+  }
+}
+
+function figure(of, mode, measure) {
+  return (of, "gjk", mode, measure) in value ? number(cost(of, "gjk", mode, measure), measure) : ""
+}
+
+function in_parts(own, here) {
+  return here == "" ? "" : sprintf("%.1f", here / own)
+}
+
 function has(measure,    f) {
   for (f = 1; f <= families; f++) if ((family[f], "gjk", "cold", measure) in value) return 1
   return 0
 }
 
 END {
+  if (markdown) {
+    markdown_table()
+    exit
+  }
   split("cold,warm,posed,posed warm", mode_name, ",")
   mark = "<: less than this library takes"
   if (has("instructions")) {

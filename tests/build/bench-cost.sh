@@ -1,15 +1,16 @@
 #!/bin/sh
-# What a query costs on the host, by family of pairs: bench-cost.sh BUILD [PAIRS [REPETITIONS]]; 1000 and 15 by default.
+# What a query costs on the host, by family of pairs: bench-cost.sh BUILD [PAIRS [REPETITIONS [DIR]]]; 1000, 15 and
+# BUILD/bench by default.
 #
 # Instructions and branch mispredictions by callgrind, which repeat exactly, if valgrind is installed; then times, all
 # methods in turn in one process, the least of the repetitions. Warm and cold, posing included and apart. Other libraries
-# are measured too if their Debian packages are installed (WITHOUT_PEERS=1: not even then). Writes BUILD/bench/cost.csv.
+# are measured too if their Debian packages are installed (WITHOUT_PEERS=1: not even then). Writes DIR/cost.csv.
 . tests/build/count.sh
 . tests/build/peers.sh
 build=$1
 pairs=${2:-1000}
 repetitions=${3:-15}
-dir=$build/bench
+dir=${4:-$build/bench}
 mkdir -p "$dir"
 find_cost_peers >&2
 

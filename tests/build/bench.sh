@@ -16,7 +16,10 @@ sh tests/build/bench-cost.sh "$build" "$pairs" || exit 1
 
 echo
 echo 'run time against error'
-find_cost_peers >"$dir/peers.log"
+find_peer ccd libccd libccd-dev
+find_peer bullet Bullet libbullet-dev
+find_peer fcl FCL libfcl-dev
+
 rm -f "$build/gjk-bench"
 make -s "$build/gjk-bench" "$build/gjk-bench-report" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 ||
   { cat "$dir/make.log"; exit 1; }
@@ -44,7 +47,7 @@ about() {
   echo ",,,about,,$pairs pairs a family; 100 of them timed; medians of interleaved repetitions for $seconds s; each method warmed up by a pass of its own"
   echo ",,,about,,$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)"
   echo ",,,about,,$(${CC:-cc} --version | head -n 1) -O2; other libraries as Debian builds them"
-  for peer in $(echo "$peers" | sed 's/ *ode//'); do  # ODE is measured by bench-cost.sh alone
+  for peer in $peers; do
     echo ",,,about,,$peer $(pkg-config --modversion "$peer")"
   done
   echo ",,,about,,Every method gets the same posed integers: gjk and the reference as they are; the others in" \

@@ -4,6 +4,7 @@
 # CALLGRIND_DUMP_STATS_AT was given.
 /^desc: Trigger: Client Request: / { name = substr($0, index($0, "Request: ") + 9) }
 /^events: / {
+  split("", column)
   count = split($0, event, " ")
   for (i = 2; i <= count; i++) column[event[i]] = i
 }
