@@ -3,8 +3,9 @@
 # BUILD/bench by default.
 #
 # Instructions and branch mispredictions by callgrind, which repeat exactly, if valgrind is installed; then times, all
-# methods in turn in one process, the least of the repetitions. Warm and cold, posing included and apart. Other libraries
-# are measured too if their Debian packages are installed (WITHOUT_PEERS=1: not even then). Writes DIR/cost.csv.
+# methods in turn in one process, of each 50 pairs the least of the repetitions. Warm and cold, posing included and
+# apart. Other libraries are measured too if their Debian packages are installed (WITHOUT_PEERS=1: not even then).
+# Writes DIR/cost.csv.
 . tests/build/count.sh
 . tests/build/peers.sh
 build=$1
@@ -17,14 +18,15 @@ find_cost_peers >&2
 make -s "$build/gjk-cost" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 || { cat "$dir/make.log"; exit 1; }
 program=$build/gjk-cost
 
-# Callgrind writes a dump for each family, method and mode.
+# Callgrind writes a dump for each family, method and mode. It cannot read the debug information of every compiler.
 count() {
   echo "instructions: $pairs pairs of each family under callgrind" >&2
   rm -f "$dir"/cost.callgrind.*
+  strip -g -o "$dir/gjk-cost" "$program" || return 1
   valgrind --tool=callgrind --branch-sim=yes --instr-atstart=no --callgrind-out-file="$dir/cost.callgrind" \
-    "$program" --pairs "$pairs" --count 1 2>"$dir/valgrind.log" || { cat "$dir/valgrind.log" >&2; return 1; }
+    "$dir/gjk-cost" --pairs "$pairs" --count 1 2>"$dir/valgrind.log" || { cat "$dir/valgrind.log" >&2; return 1; }
   find "$dir" -name 'cost.callgrind.*' -exec awk -v pairs="$pairs" -f tests/build/callgrind.awk {} +
-  rm -f "$dir"/cost.callgrind*
+  rm -f "$dir"/cost.callgrind* "$dir/gjk-cost"
 }
 : >"$dir/counted.csv"
 if have valgrind; then

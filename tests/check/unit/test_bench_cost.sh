@@ -125,8 +125,9 @@ check 'the tables say so' grep -q '^  all methods in the tables give the sum of 
 
 count() {
   rm -f "$dir"/again.*
+  strip -g -o "$dir/gjk-cost" "$build/gjk-cost"
   valgrind --tool=callgrind --branch-sim=yes --instr-atstart=no --callgrind-out-file="$dir/again" \
-    "$build/gjk-cost" --pairs $pairs --count 1 2>"$dir/valgrind.log" &&
+    "$dir/gjk-cost" --pairs $pairs --count 1 2>"$dir/valgrind.log" &&
     awk -v pairs=$pairs -f tests/build/callgrind.awk "$dir"/again.* | sort >"$dir/again.csv"
 }
 repeats() {
