@@ -27,7 +27,7 @@ FNR == 1 { comment = "" }
   sub(/.*[ *]/, "", called)
   if (called in wanted) {
     if (says[called] == "" && comment != "") says[called] = first(comment)
-    if (/\{$|,$/ && (FILENAME ~ /\.c$/ || /inline/)) file[called] = FILENAME
+    if (/\{$/ || (/,$/ && (FILENAME ~ /\.c$/ || /inline/))) file[called] = FILENAME
   }
 }
 { comment = "" }
