@@ -85,6 +85,9 @@ bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_suppo
   if (it->b->shape->type->refine != NULL) {
     const gjk_vec3 opposite = gjk_negate(it->direction.d);
     direction->opposite = true;
+    if (!GJK_SMALL && direction->level != NULL) {
+      direction->level += 3;
+    }
     moved = it->b->shape->type->refine(it->b, &opposite, direction, b) || moved;
   }
   if (moved) {
@@ -93,13 +96,39 @@ bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_suppo
   return moved;
 }
 
+// Do two vertices of A - B share their vertex of A or of B?
+static inline bool share_vertex(const gjk_vertex *v, const gjk_vertex *w) {
+  return v->a.vertex == w->a.vertex || v->b == w->b;
+}
+
+// The vertices of A and then of B in an edge or a triangle, if all of A are equally far along its exact direction, and
+// all of B. The differences are. Where two of them share a vertex of one shape, so are their vertices of the other.
+// False: two of three, or the two of an edge, share none; or differences are rounded, or have no numbers.
+static bool level_vertices(const gjk_iteration *it, uint16_t level[6]) {
+  const gjk_simplex *s = &it->simplex;
+  const gjk_vertex *u = &s->slot[s->order[0]], *v = &s->slot[s->order[1]];
+  const gjk_vertex *w = s->count == 3 ? &s->slot[s->order[2]] : v;
+  level[0] = u->a.vertex;
+  level[1] = v->a.vertex;
+  level[2] = w->a.vertex;
+  level[3] = u->b;
+  level[4] = v->b;
+  level[5] = w->b;
+  return it->shift >= 0 && !gjk_pair_is_curved(it) &&
+         (share_vertex(u, v) ? share_vertex(v, w) || share_vertex(u, w) : share_vertex(v, w) && share_vertex(u, w));
+}
+
 // Step 8: replaces w by the vertex farthest along the exact direction. Returns whether that is another one.
 static bool refine_nearest(gjk_iteration *it, gjk_support *b) {
   gjk_direction direction;
+  uint16_t level[6];
   if (it->direction.exact) {
     return false;
   }
   gjk_simplex_exact_direction(&it->simplex, &direction);
+  if (!GJK_SMALL && level_vertices(it, level)) {
+    direction.level = level;
+  }
   return gjk_iteration_refine(it, &direction, b);
 }
 

@@ -268,6 +268,7 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
   }
   out->spanning = s->count;
   out->opposite = false;
+  out->level = NULL;
 }
 
 static void set_limbs(gjk_u192 *out, const gjk_u128 *x) {

@@ -98,6 +98,13 @@ static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   return number >> c->count == 0;
 }
 
+// Does the half axis lie across the exact direction for sure? Two vertices that differ by it alone are equally far.
+static inline bool is_across(const gjk_direction *direction, unsigned bit) {
+  const uint16_t *level = direction->level;
+  return !GJK_SMALL && level != NULL &&
+         ((level[0] ^ level[1]) == bit || (level[1] ^ level[2]) == bit || (level[0] ^ level[2]) == bit);
+}
+
 // d is off by less than 1 per component, so d . axis by less than |axis|_1 <= sqrt(3) core_radius. Only the signs of
 // products within slack are in doubt. An axis across the exact direction keeps its sign.
 static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
@@ -105,7 +112,7 @@ static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, const gjk_dire
   unsigned number = at->vertex;
   for (unsigned i = 0; i < c->count; i++) {
     const int64_t along = gjk_dot(&c->frame[i], d);
-    if (along < slack && along > -slack) {
+    if (along < slack && along > -slack && !is_across(direction, 1u << i)) {
       const int side = gjk_direction_sign(direction, &c->frame[i]);
       if (side != 0) {
         number = side > 0 ? number | 1u << i : number & ~(1u << i);

@@ -43,13 +43,22 @@ static void reach_within(gjk_reach *reach, const gjk_collider *c, const gjk_vec3
   gjk_reach_start(reach, vertices == c->shape->vertices ? 31 : c->bits);
 }
 
+// Is the vertex known not to be farther along the exact direction than the one that the refinement began with?
+static inline bool is_behind(const gjk_direction *direction, uint16_t vertex, uint16_t before, bool known) {
+  return !GJK_SMALL && (vertex == before || (known && gjk_direction_knows(direction, vertex)));
+}
+
 // Steps 5 and 6. Pre: offsets are at most core_radius long; *at is among the farthest vertices along d.
 static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
   const gjk_vec3 *vertices = posed(c), *v;
   const uint16_t before = at->vertex;
+  const bool known = gjk_direction_knows(direction, before);
   gjk_reach reach;
   reach_within(&reach, c, vertices, d, &at->offset, rounding_slack(c));
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
+    if (is_behind(direction, (uint16_t)(v - vertices), before, known)) {
+      continue;
+    }
     const gjk_vec3 step = gjk_sub(*v, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
       at->offset = *v;
@@ -111,11 +120,15 @@ GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d
                                         gjk_support *at) {
   const gjk_vec3 *vertices = c->shape->vertices, *v;
   const uint16_t before = at->vertex;
+  const bool known = gjk_direction_knows(direction, before);
   gjk_vec3 local;
   gjk_reach reach;
   const int64_t slack = local_direction(c, d, &local) + rounding_slack(c);
   reach_within(&reach, c, vertices, &local, &vertices[before], slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
+    if (is_behind(direction, (uint16_t)(v - vertices), before, known)) {
+      continue;
+    }
     const gjk_vec3 offset = pose_vertex(c, c->frame, v);
     const gjk_vec3 step = gjk_sub(offset, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
