@@ -39,10 +39,16 @@ int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v) {
 
 // x / 2^k to the nearest integer, 1 <= k <= 32. Pre: the result is at most 2^30 in size.
 static int32_t round_down(int64_t x, unsigned k) {
+#if GJK_64_BIT
+  const int64_t rounded = gjk_sar64(x + (INT64_C(1) << (k - 1)), k);  // |x| < 2^62
+  //@ assert rounded >= -(INT32_C(1) << 30) && rounded <= INT32_C(1) << 30;
+  return (int32_t)rounded;
+#else
   const uint32_t twice = gjk_low32(x) >> (k - 1);
   const int32_t rounded = gjk_int32((((uint32_t)gjk_high32(x) << (32 - k)) | twice >> 1) + (twice & 1u));
   //@ assert rounded >= -(INT32_C(1) << 30) && rounded <= INT32_C(1) << 30;
   return rounded;
+#endif
 }
 
 // The high words of v's components, joined by or, with -1 - x for a negative component x. Its leading bit tells how

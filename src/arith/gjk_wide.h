@@ -32,6 +32,13 @@
 #define GJK_CONDITIONAL_MOVES 0
 #endif
 
+// GJK_64_BIT is 1 where a register holds 64 bits. There shifts by any number of bits are cheap, and memory is plentiful.
+#if SIZE_MAX > UINT32_MAX
+#define GJK_64_BIT 1
+#else
+#define GJK_64_BIT 0
+#endif
+
 // Sets the int64_t most to x and the pointer best to place where x > most, without a branch; GCC makes one of C code.
 #if GJK_CONDITIONAL_MOVES && defined(__x86_64__)
 #define GJK_KEEP_LARGER(most, best, x, place) \
@@ -147,8 +154,12 @@ static inline unsigned gjk_clz32(uint32_t x) {
 
 // Leading zeros of x. Pre: x != 0.
 static inline unsigned gjk_clz64(uint64_t x) {
+#if defined(__GNUC__) && GJK_64_BIT && !defined(__riscv)
+  return (unsigned)__builtin_clzll(x);
+#else
   uint32_t high = (uint32_t)(x >> 32);
   return high != 0 ? gjk_clz32(high) : 32 + gjk_clz32((uint32_t)(x & UINT32_MAX));
+#endif
 }
 
 // ARMv7-M and up get their long multiplications by name. gcc widens an operand that is used twice ahead of time; then

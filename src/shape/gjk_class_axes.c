@@ -5,6 +5,40 @@
 #include "../arith/gjk_rotation.h"
 #include "gjk_shape_class.h"
 
+#if GJK_CONDITIONAL_MOVES && !GJK_NARROW_MULTIPLY
+
+// -1 where the half axis points against d, otherwise 0.
+static inline int64_t opposes(const gjk_vec3 *axis, const gjk_vec3 *d) {
+  return gjk_sar64(gjk_dot(axis, d), 63);
+}
+
+// Signs are masks, without a branch: x is added or subtracted as (x ^ mask) - mask, and the masks are subtracted last.
+// In 64 bits: for 32 GCC keeps two components in a vector, from which it takes them again for the products.
+static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
+  const gjk_vec3 *axis = c->frame;
+  if (c->count == 0) {
+    out->offset.x = out->offset.y = out->offset.z = 0;
+    out->vertex = 0;
+    return;
+  }
+  const int64_t i = opposes(&axis[0], d);
+  int64_t x = axis[0].x ^ i, y = axis[0].y ^ i, z = axis[0].z ^ i, masks = i, number = 1 + i;
+  if (c->count > 1) {
+    const int64_t j = opposes(&axis[1], d), k = opposes(&axis[2], d);
+    x += (axis[1].x ^ j) + (axis[2].x ^ k);
+    y += (axis[1].y ^ j) + (axis[2].y ^ k);
+    z += (axis[1].z ^ j) + (axis[2].z ^ k);
+    masks += j + k;
+    number += 6 + 2 * j + 4 * k;
+  }
+  out->offset.x = (int32_t)(x - masks);
+  out->offset.y = (int32_t)(y - masks);
+  out->offset.z = (int32_t)(z - masks);
+  out->vertex = (uint16_t)number;
+}
+
+#else
+
 #if GJK_NARROW_MULTIPLY
 
 // A direction, prepared for the signs of half axes along it.
@@ -55,13 +89,6 @@ static probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
 //
 // In line: out of line it costs queries on boxes 8 % more instructions on Cortex-M0.
 static inline unsigned add_axis(const gjk_vec3 *axis, const probe *p, unsigned bit, gjk_vec3 *sum) {
-#if GJK_CONDITIONAL_MOVES && !GJK_NARROW_MULTIPLY
-  const int32_t minus = gjk_sar32(gjk_high32(gjk_dot(axis, &p->d)), 31);  // -1 or 0
-  sum->x += (axis->x ^ minus) - minus;
-  sum->y += (axis->y ^ minus) - minus;
-  sum->z += (axis->z ^ minus) - minus;
-  return bit & ~(unsigned)minus;
-#endif
   if (lies_along(axis, p)) {
     sum->x += axis->x;
     sum->y += axis->y;
@@ -88,6 +115,8 @@ static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *
   out->offset = sum;
   out->vertex = (uint16_t)number;
 }
+
+#endif
 
 static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
   gjk_vec3 sum = {0, 0, 0};
