@@ -69,17 +69,17 @@ static probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
 #else
 
 typedef struct probe {
-  gjk_vec3 d;
+  int32_t x, y, z;
 } probe;
 
 // Is axis . d at least 0?
 static bool lies_along(const gjk_vec3 *axis, const probe *p) {
-  return gjk_mac32(gjk_mac32(gjk_mul32(axis->x, p->d.x), axis->y, p->d.y), axis->z, p->d.z) >= 0;
+  return gjk_mac32(gjk_mac32(gjk_mul32(axis->x, p->x), axis->y, p->y), axis->z, p->z) >= 0;
 }
 
 static probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
   (void)c;
-  const probe p = {*d};
+  const probe p = {d->x, d->y, d->z};
   return p;
 }
 
