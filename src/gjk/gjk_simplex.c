@@ -37,7 +37,7 @@ GJK_ONCE static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigne
 //   the point of the line nearest to the origin   p = w_i toward(j, i) + w_j toward(i, j)
 //   k's coordinate                                p . (w_i - w_k)
 //   where                                         w_j . (w_i - w_k) = toward(j, k) - toward(j, i)
-static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
+GJK_ONCE static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
   const int64_t *at_i = s->toward[i], *at_j = s->toward[j];  // each <= 2^61, their differences < 2^62
   return gjk_sum_of_products_sign(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i]);
 }
