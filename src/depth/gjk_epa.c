@@ -52,6 +52,7 @@ static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3
   direction.n = n;
   direction.spanning = 3;
   direction.opposite = false;
+  direction.level = NULL;
   if (it->direction.exact || !gjk_iteration_refine(it, &direction, &b)) {
     return false;
   }

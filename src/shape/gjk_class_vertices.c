@@ -57,13 +57,62 @@ static void reach_within(gjk_reach *reach, const gjk_collider *c, const gjk_vec3
   gjk_reach_start(reach, vertices == c->shape->vertices ? own_bits(c) : c->bits);
 }
 
+// Is the vertex known not to be farther along the exact direction than the one that the refinement began with?
+static inline bool is_behind(const gjk_direction *direction, uint16_t vertex, uint16_t before, bool known) {
+  return !GJK_SMALL && (vertex == before || (known && gjk_direction_knows(direction, vertex)));
+}
+
+#if GJK_CONDITIONAL_MOVES
+
+// Up to so many vertices a branch for each costs more than a bit. At 64 it does not: few come within the slack there.
+#define FEW_VERTICES 32
+
+// Steps 5 and 6 for at most FEW_VERTICES vertices, without a branch for each. Bit 63 - i of open stands for vertex i: it comes
+// within the slack of step 5, and is not known to be behind.
+static bool refine_few(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+  const gjk_vec3 *vertices = posed(c);
+  const uint16_t before = at->vertex;
+  const int64_t limit = gjk_dot(&at->offset, d) - rounding_slack(c);
+  const uint64_t first = UINT64_C(1) << 63;
+  uint64_t open = 0;
+  for (unsigned i = 0; i < c->count; i++) {
+    open = 2 * open + (gjk_dot(&vertices[i], d) >= limit ? 1u : 0u);
+  }
+  open = open << (64u - c->count) & ~(first >> before);
+  if (gjk_direction_knows(direction, before)) {
+    const uint16_t *level = direction->level;
+    open &= ~(first >> level[0] | first >> level[1] | first >> level[2]);
+  }
+  while (open != 0) {  // at most FEW_VERTICES times
+    const unsigned i = gjk_clz64(open);
+    const gjk_vec3 step = gjk_sub(vertices[i], at->offset);
+    open &= ~(first >> i);
+    if (gjk_direction_sign(direction, &step) > 0) {
+      at->offset = vertices[i];
+      at->vertex = (uint16_t)i;
+    }
+  }
+  return at->vertex != before;
+}
+
+#endif
+
 // Steps 5 and 6. Pre: offsets are at most core_radius long; *at is among the farthest vertices along d.
 static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+#if GJK_CONDITIONAL_MOVES
+  if (c->count <= FEW_VERTICES) {
+    return refine_few(c, d, direction, at);
+  }
+#endif
   const gjk_vec3 *vertices = posed(c), *v;
   const uint16_t before = at->vertex;
+  const bool known = gjk_direction_knows(direction, before);
   gjk_reach reach;
   reach_within(&reach, c, vertices, d, &at->offset, rounding_slack(c));
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
+    if (is_behind(direction, (uint16_t)(v - vertices), before, known)) {
+      continue;
+    }
     const gjk_vec3 step = gjk_sub(*v, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
       at->offset = *v;
@@ -125,11 +174,15 @@ GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d
                                         gjk_support *at) {
   const gjk_vec3 *vertices = c->shape->vertices, *v;
   const uint16_t before = at->vertex;
+  const bool known = gjk_direction_knows(direction, before);
   gjk_vec3 local;
   gjk_reach reach;
   const int64_t slack = local_direction(c, d, &local) + rounding_slack(c);
   reach_within(&reach, c, vertices, &local, &vertices[before], slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
+    if (is_behind(direction, (uint16_t)(v - vertices), before, known)) {
+      continue;
+    }
     const gjk_vec3 offset = pose_vertex(c, c->frame, v);
     const gjk_vec3 step = gjk_sub(offset, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {

@@ -50,7 +50,11 @@ static int64_t any_long(int64_t most) {
   return Frama_C_long_long_interval(-most, most);
 }
 
-static void any_direction(gjk_direction *direction, const gjk_vec3 ends[2], gjk_long3 *n) {
+static void any_direction(gjk_direction *direction, const gjk_vec3 ends[2], gjk_long3 *n, uint16_t level[3]) {
+  for (int i = 0; i < 3; i++) {
+    level[i] = (uint16_t)any_between(0, 7);
+  }
+  direction->level = any_bool() ? level : NULL;
   direction->spanning = (uint8_t)any_between(1, 3);
   direction->a = &ends[0];
   direction->b = &ends[1];
@@ -70,7 +74,8 @@ static void use(const gjk_collider *c) {
   gjk_long3 n;
   gjk_direction direction;
   gjk_support found;
-  any_direction(&direction, ends, &n);
+  uint16_t level[3];
+  any_direction(&direction, ends, &n, level);
   if (d.x != 0 || d.y != 0 || d.z != 0) {
     c->shape->type->support(c, &d, &found);
     check_offset(&found.offset);
