@@ -154,6 +154,53 @@ static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   return true;
 }
 
+// *out = the vertices, posed as by pose_vertex.
+#if GJK_SMALL || GJK_NARROW_MULTIPLY
+
+static void pose_vertices(const gjk_collider *c, const gjk_vec3 rows[3], gjk_vec3 *out) {
+  const gjk_vec3 *v = c->shape->vertices, *const end = v + c->count;
+  for (; v != end; v++, out++) {
+    *out = pose_vertex(c, rows, v);
+  }
+}
+
+#else
+
+// A row of the matrix and what is added to its product, in registers while vertices pass.
+typedef struct pose_row {
+  int32_t x, y, z, start;
+} pose_row;
+
+static inline pose_row pose_row_of(const gjk_vec3 *row, int8_t fraction) {
+  const pose_row of = {row->x, row->y, row->z, gjk_rotation_start(fraction)};
+  return of;
+}
+
+// A component of gjk_rotate_onto.
+static inline int32_t pose_component(pose_row row, gjk_vec3 v) {
+  // |row| <= 2^30 + 1, |v| <= GJK_RADIUS_MAX < 2^28:  |sum| < 2^59
+  const int64_t sum = gjk_mac32(gjk_mac32(gjk_mac32(row.start, row.x, v.x), row.y, v.y), row.z, v.z);
+  const int64_t rotated = gjk_sar64(sum, 30);
+  //@ assert rotated >= -GJK_RADIUS_MAX - 1 && rotated <= GJK_RADIUS_MAX + 1;
+  return (int32_t)rotated;
+}
+
+static void pose_vertices(const gjk_collider *c, const gjk_vec3 rows[3], gjk_vec3 *out) {
+  const pose_row x = pose_row_of(&rows[0], c->fraction[0]);
+  const pose_row y = pose_row_of(&rows[1], c->fraction[1]);
+  const pose_row z = pose_row_of(&rows[2], c->fraction[2]);
+  const gjk_vec3 centre = c->local_centre;
+  const gjk_vec3 *v = c->shape->vertices, *const end = v + c->count;
+  for (; v != end; v++, out++) {
+    const gjk_vec3 local = gjk_sub(*v, centre);  // gjk_collider_init:  |local| <= GJK_RADIUS_MAX
+    out->x = pose_component(x, local);
+    out->y = pose_component(y, local);
+    out->z = pose_component(z, local);
+  }
+}
+
+#endif
+
 static void pose_hull(gjk_collider *c, const gjk_vec3 rows[3]) {
   if (c->buffer == NULL) {
     for (int i = 0; i < 3; i++) {
@@ -161,15 +208,11 @@ static void pose_hull(gjk_collider *c, const gjk_vec3 rows[3]) {
     }
     return;
   }
-  for (uint32_t i = 0; i < c->count; i++) {
-    c->buffer[i] = pose_vertex(c, rows, &c->shape->vertices[i]);
-  }
+  pose_vertices(c, rows, c->buffer);
 }
 
 static void pose_triangle(gjk_collider *c, const gjk_vec3 rows[3]) {
-  for (uint32_t i = 0; i < 3; i++) {
-    c->frame[i] = pose_vertex(c, rows, &c->shape->vertices[i]);
-  }
+  pose_vertices(c, rows, c->frame);
 }
 
 // *middle = the middle of a coordinate from low to high. Returns half of the width, rounded up.
