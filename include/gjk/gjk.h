@@ -7,6 +7,7 @@
 #include "gjk/contacts.h"
 #include "gjk/distance.h"
 #include "gjk/format.h"
+#include "gjk/hull_table.h"
 #include "gjk/intersect.h"
 #include "gjk/penetration.h"
 #include "gjk/pose.h"

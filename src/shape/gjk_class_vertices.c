@@ -10,9 +10,9 @@
 // d itself is rounded. Refinement finds a vertex that is farthest along the exact direction:
 //   5. Scan for all vertices within slack of the support along d. slack bounds what the rounding of d can hide, too.
 //   6. Move to each vertex that is strictly farther along the exact direction.
-#include "../arith/gjk_rotation.h"
+#include "gjk_hull.h"
+
 #include "gjk_scan.h"
-#include "gjk_shape_class.h"
 
 // The posed vertices of a triangle or a baked hull.
 static const gjk_vec3 *posed(const gjk_collider *c) {
@@ -23,13 +23,6 @@ static void support_posed(const gjk_collider *c, const gjk_vec3 *d, gjk_support 
   const gjk_vec3 *vertices = posed(c), *farthest = gjk_scan(vertices, vertices + c->count, c->bits, d);
   out->offset = *farthest;
   out->vertex = (uint16_t)(farthest - vertices);
-}
-
-// How far behind along a rounded direction the vertex may be that is farthest along the exact one. Each component of
-// the rounded direction is off by less than 1. With u for the difference of two vertices:
-//   its product is off by less than |u.x| + |u.y| + |u.z| <= sqrt(3) 2 core_radius < 4 core_radius
-static int64_t rounding_slack(const gjk_collider *c) {
-  return 4 * (int64_t)c->core_radius;
 }
 
 // Starts a scan for all v of vertices with v . d >= one . d - slack. shape->vertices is not recentred; that shifts
@@ -48,7 +41,7 @@ static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_dir
   const gjk_vec3 *vertices = posed(c), *v;
   const uint16_t before = at->vertex;
   gjk_reach reach;
-  reach_within(&reach, c, vertices, d, &at->offset, rounding_slack(c));
+  reach_within(&reach, c, vertices, d, &at->offset, gjk_hull_rounding_slack(c));
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
     const gjk_vec3 step = gjk_sub(*v, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
@@ -59,27 +52,6 @@ static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_dir
   return at->vertex != before;
 }
 
-// The vertex's offset from the rounded centre. It is rounded once, with the fraction of an LSB that the centre's
-// rounding has left. Errors per component:
-//   rounding the result       <= 1/2
-//   rounding the matrix       <= 2^-31 (|x| + |y| + |z|) < 0.22
-//   truncating the fraction   <  2^-8
-//   the centre's own error    <  2^-9
-//   together                  <  3/4 LSB
-static gjk_vec3 pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], const gjk_vec3 *v) {
-  const gjk_vec3 local = gjk_sub(*v, c->local_centre);  // gjk_collider_init:  |local| <= GJK_RADIUS_MAX
-  return gjk_rotate_onto(rows, &local, c->fraction);
-}
-
-// Step 1: *local = d in the shape's frame. Returns how far behind along *local a vertex may be that is farther along d
-// when posed. With u for the difference of two vertices:
-//   rounding *local, 1/2 per component               |u.x| / 2 + |u.y| / 2 + |u.z| / 2 <= sqrt(3) core_radius
-//   rounding both posed vertices, 1/2 per component  |d.x| + |d.y| + |d.z| < 2^32
-static int64_t local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec3 *local) {
-  *local = gjk_rotate_back(c->frame, d);
-  return 2 * (int64_t)c->core_radius + gjk_norm1(*d) + 8;
-}
-
 // Out of line, as refine_lazy: in line it costs queries on baked hulls 1 % more instructions on Cortex-M3, and
 // refine_lazy 40 bytes of stack.
 GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, gjk_support *out) {
@@ -87,14 +59,14 @@ GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *
   const gjk_vec3 d = gjk_scale_direction(direction);
   gjk_vec3 local;
   gjk_reach reach;
-  const int64_t slack = local_direction(c, &d, &local);
+  const int64_t slack = gjk_hull_local_direction(c, &d, &local);
   // Steps 2 and 3. A vertex of the shape's own may be any int32_t: 31 bits.
   reach_within(&reach, c, vertices, &local, gjk_scan(vertices, vertices + c->count, 31, &local), slack);
   const gjk_vec3 *v = gjk_reach_next(&reach);
   int64_t farthest = 0;
   //@ assert v != 0;
   do {  // Step 4: for at least the vertex of step 2, at most GJK_HULL_VERTICES_MAX
-    const gjk_vec3 offset = pose_vertex(c, c->frame, v);
+    const gjk_vec3 offset = gjk_hull_pose_vertex(c, c->frame, v);
     const int64_t along = gjk_dot(&offset, &d);
     if (best == NULL || along > farthest) {
       best = v;
@@ -113,10 +85,10 @@ GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d
   const uint16_t before = at->vertex;
   gjk_vec3 local;
   gjk_reach reach;
-  const int64_t slack = local_direction(c, d, &local) + rounding_slack(c);
+  const int64_t slack = gjk_hull_local_direction(c, d, &local) + gjk_hull_rounding_slack(c);
   reach_within(&reach, c, vertices, &local, &vertices[before], slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
-    const gjk_vec3 offset = pose_vertex(c, c->frame, v);
+    const gjk_vec3 offset = gjk_hull_pose_vertex(c, c->frame, v);
     const gjk_vec3 step = gjk_sub(offset, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
       at->offset = offset;
@@ -150,7 +122,7 @@ static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   if (c->buffer != NULL || number >= c->count) {
     return vertex_posed(c, number, offset);
   }
-  *offset = pose_vertex(c, c->frame, &c->shape->vertices[number]);
+  *offset = gjk_hull_pose_vertex(c, c->frame, &c->shape->vertices[number]);
   return true;
 }
 
@@ -160,7 +132,7 @@ static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
 static void pose_vertices(const gjk_collider *c, const gjk_vec3 rows[3], gjk_vec3 *out) {
   const gjk_vec3 *v = c->shape->vertices, *const end = v + c->count;
   for (; v != end; v++, out++) {
-    *out = pose_vertex(c, rows, v);
+    *out = gjk_hull_pose_vertex(c, rows, v);
   }
 }
 
@@ -275,6 +247,26 @@ static gjk_status measure_vertices(const gjk_shape *shape, gjk_extent *out) {
     out->squared = squared > out->squared ? squared : out->squared;
   }
   return GJK_OK;
+}
+
+gjk_status gjk_hull_measure(const gjk_shape *shape, gjk_extent *out) {
+  return measure_vertices(shape, out);
+}
+
+void gjk_hull_pose(gjk_collider *c, const gjk_vec3 rows[3]) {
+  pose_hull(c, rows);
+}
+
+void gjk_hull_support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
+  support_hull(c, d, out);
+}
+
+bool gjk_hull_refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+  return refine_hull(c, d, direction, at);
+}
+
+bool gjk_hull_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
+  return vertex_hull(c, number, offset);
 }
 
 static gjk_status measure_triangle(const gjk_shape *shape, gjk_extent *out) {
