@@ -7,13 +7,13 @@
 #include "gjk/contacts.h"
 #include "gjk/distance.h"
 #include "gjk/format.h"
-#include "gjk/hull_table.h"
 #include "gjk/intersect.h"
 #include "gjk/penetration.h"
 #include "gjk/pose.h"
 #include "gjk/scene.h"
 #include "gjk/shape.h"
 #include "gjk/status.h"
+#include "gjk/table.h"
 #include "gjk/version.h"
 
 #endif

@@ -46,7 +46,7 @@ typedef struct gjk_hull_faces {
 } gjk_hull_faces;
 
 // A table of a hull: for each cell of directions the vertices that may be farthest along one of them, so that only these
-// are looked at. gjk/hull_table.h makes one. Only hulls of some 32 vertices and more gain.
+// are looked at. gjk/table.h makes one. Only hulls of some 32 vertices and more gain.
 //
 // gjk_collider_init checks that every list can be read, no more: with vertices missing from a cell, answers are wrong as
 // if the hull lacked them along those directions. gjk_hull_table_check proves that none is missing.
@@ -55,9 +55,6 @@ typedef struct gjk_hull_table {
   const uint16_t *end;     // end[i]: where cell i ends in vertex; an empty cell: all vertices are looked at
   uint8_t level;           // 0 to GJK_TABLE_LEVEL_MAX: there are GJK_TABLE_CELLS(level) cells
 } gjk_hull_table;
-
-#define GJK_TABLE_LEVEL_MAX 4
-#define GJK_TABLE_CELLS(level) (24 << 2 * (level))
 
 // Fields are set by the initialisers below; gjk_collider_init checks them.
 typedef struct gjk_shape {

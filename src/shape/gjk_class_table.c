@@ -20,7 +20,7 @@
 
 // The vertices of a cell.
 typedef struct table_list {
-  const uint16_t *next, *end;
+  const uint16_t *next, *end;  // numbers that gjk_collider_init found to be below the hull's count
 } table_list;
 
 // Step 2
@@ -39,7 +39,7 @@ static const uint16_t *farthest_listed(table_list list, const gjk_vec3 *vertices
   const gjk_vec3 *v = &vertices[*list.next];
   const uint16_t *next = list.next + 1, *after = next;  // one past the farthest so far
   int64_t most = gjk_mac32(gjk_mac32(gjk_mul32(v->x, x), v->y, y), v->z, z);
-  while (next != list.end) {  // at most GJK_HULL_VERTICES_MAX
+  while (next < list.end) {  // at most GJK_HULL_VERTICES_MAX
     v = &vertices[*next++];
     const int64_t along = gjk_mac32(gjk_mac32(gjk_mul32(v->x, x), v->y, y), v->z, z);
 #if GJK_CONDITIONAL_MOVES
@@ -63,7 +63,7 @@ GJK_OUT_OF_LINE static void find_lazy(const gjk_collider *c, const gjk_vec3 *d, 
   bool found = false;
   (void)farthest_listed(list, vertices, local, &limit);
   limit -= slack;
-  for (; list.next != list.end; list.next++) {  // at most GJK_HULL_VERTICES_MAX
+  for (; list.next < list.end; list.next++) {  // at most GJK_HULL_VERTICES_MAX
     const gjk_vec3 *v = &vertices[*list.next];
     if (gjk_dot(v, local) >= limit) {
       const gjk_vec3 offset = gjk_hull_pose_vertex(c, c->frame, v);
@@ -83,7 +83,7 @@ static void support_table(const gjk_collider *c, const gjk_vec3 *d, gjk_support 
   const gjk_vec3 scaled = gjk_scale_direction(d);
   const int64_t slack = gjk_hull_local_direction(c, &scaled, &local);
   const table_list list = list_of(c, &local);
-  if (list.next == list.end) {
+  if (list.next >= list.end) {
     gjk_hull_support(c, d, out);
   } else if (c->buffer != NULL) {
     int64_t farthest;
@@ -98,14 +98,14 @@ static bool refine_table(const gjk_collider *c, const gjk_vec3 *d, const gjk_dir
   gjk_vec3 local;
   const int64_t rotation_slack = gjk_hull_local_direction(c, d, &local), slack = gjk_hull_rounding_slack(c);
   table_list list = list_of(c, &local);
-  if (list.next == list.end) {
+  if (list.next >= list.end) {
     return gjk_hull_refine(c, d, direction, at);
   }
   const uint16_t before = at->vertex;
   const gjk_vec3 *vertices = c->buffer != NULL ? c->buffer : c->shape->vertices;
   const gjk_vec3 along = c->buffer != NULL ? *d : local;
   const int64_t limit = gjk_dot(&vertices[before], &along) - slack - (c->buffer != NULL ? 0 : rotation_slack);
-  for (; list.next != list.end; list.next++) {  // at most GJK_HULL_VERTICES_MAX
+  for (; list.next < list.end; list.next++) {  // at most GJK_HULL_VERTICES_MAX
     const gjk_vec3 *v = &vertices[*list.next];
     if (gjk_dot(v, &along) >= limit) {
       const gjk_vec3 offset = c->buffer != NULL ? *v : gjk_hull_pose_vertex(c, c->frame, v);

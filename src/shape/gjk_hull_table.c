@@ -8,7 +8,7 @@
 //   2. Go through the vertices in order. One that is kept out, by the vertex of step 1 or one kept so far, is left.
 //   3. Otherwise it takes the places of those that it keeps out, and comes last.
 // The vertices that step 3 removes are not missed: what keeps one of these out keeps out all that it kept out.
-#include "gjk/hull_table.h"
+#include "gjk/table.h"
 
 #include "gjk_hull_table.h"
 

@@ -37,9 +37,11 @@ gjk_collider_init:30,query_near:50,within_margins:50
 cases() {
   echo primitives-x
   echo pose-x
-  for kind in POINT SEGMENT TRIANGLE BOX BAKED LAZY CYLINDER CONE ELLIPSOID CUSTOM; do
+  for kind in POINT SEGMENT TRIANGLE BOX BAKED LAZY TABLE TABLE_LAZY CYLINDER CONE ELLIPSOID CUSTOM; do
     echo shape-$kind
   done
+  echo hull_table-MAKE
+  echo hull_table-CHECK
   for count in 0 1 2 3 4; do
     echo simplex-$count
   done

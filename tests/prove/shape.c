@@ -4,15 +4,31 @@
 #include "src/shape/gjk_shape_class.h"
 
 #define VERTICES 5
+#define ENTRIES 8
 
-enum { POINT, SEGMENT, TRIANGLE, BOX, BAKED, LAZY, CYLINDER, CONE, ELLIPSOID, CUSTOM };
+enum { POINT, SEGMENT, TRIANGLE, BOX, BAKED, LAZY, TABLE, TABLE_LAZY, CYLINDER, CONE, ELLIPSOID, CUSTOM };
 
 static gjk_vec3 vertices[VERTICES], buffer[VERTICES];
+static uint16_t entries[ENTRIES], ends[GJK_TABLE_CELLS(1)];
+static gjk_hull_table table;
 
 static void any_support(const void *user, const gjk_vec3 *direction, gjk_vec3 *out) {
   const gjk_q16 bound = *(const gjk_q16 *)user;
   (void)direction;
   *out = any_vec3(bound);
+}
+
+// Any table whose lists lie in entries.
+static void any_table(void) {
+  table.vertex = any_bool() ? entries : NULL;
+  table.end = any_bool() ? ends : NULL;
+  table.level = (uint8_t)(any_bool() ? any_between(0, 1) : any_between(GJK_TABLE_LEVEL_MAX + 1, UINT8_MAX));
+  for (int i = 0; i < ENTRIES; i++) {
+    entries[i] = any_uint16();
+  }
+  for (int i = 0; i < GJK_TABLE_CELLS(1); i++) {
+    ends[i] = (uint16_t)any_between(0, ENTRIES);
+  }
 }
 
 static void any_shape(gjk_shape *shape, const gjk_q16 *bound) {
@@ -22,10 +38,13 @@ static void any_shape(gjk_shape *shape, const gjk_q16 *bound) {
                              [BOX] = GJK_BOX(0, 0, 0),
                              [BAKED] = GJK_HULL(vertices, VERTICES),
                              [LAZY] = GJK_HULL(vertices, VERTICES),
+                             [TABLE] = GJK_HULL_WITH_TABLE(vertices, VERTICES, &table),
+                             [TABLE_LAZY] = GJK_HULL_WITH_TABLE(vertices, VERTICES, &table),
                              [CYLINDER] = GJK_CYLINDER(0, 0),
                              [CONE] = GJK_CONE(0, 0),
                              [ELLIPSOID] = GJK_ELLIPSOID(0, 0, 0),
                              [CUSTOM] = GJK_CUSTOM(any_support, bound, 0)};
+  any_table();
   *shape = kinds[CASE];
   shape->size = any_position();
   shape->convex_radius = any_int32();
@@ -94,8 +113,8 @@ int main(void) {
   gjk_collider c = {0};
   gjk_aabb box;
   any_shape(&shape, &bound);
-  if (gjk_collider_init(&c, &shape, CASE == BAKED ? buffer : NULL, any_uint16()) == GJK_OK) {
-    if (CASE != POINT && CASE != TRIANGLE && CASE != BAKED && CASE != LAZY) {
+  if (gjk_collider_init(&c, &shape, CASE == BAKED || CASE == TABLE ? buffer : NULL, any_uint16()) == GJK_OK) {
+    if (CASE != POINT && CASE != TRIANGLE && CASE != BAKED && CASE != LAZY && CASE != TABLE && CASE != TABLE_LAZY) {
       //@ assert shape.size.x <= GJK_RADIUS_MAX && shape.size.y <= GJK_RADIUS_MAX && shape.size.z <= GJK_RADIUS_MAX;
     }
     if (gjk_collider_pose(&c, &pose) == GJK_OK) {

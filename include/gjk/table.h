@@ -8,8 +8,8 @@
 //     gjk_hull_table_make(points, 256, 1, vertex, 2000, end);
 //     const gjk_hull_table table = {vertex, end, 1};
 //     const gjk_shape rock = GJK_HULL_WITH_TABLE(points, 256, &table);
-#ifndef GJK_HULL_TABLE_H
-#define GJK_HULL_TABLE_H
+#ifndef GJK_TABLE_H
+#define GJK_TABLE_H
 
 #include "gjk/shape.h"
 #include "gjk/status.h"
