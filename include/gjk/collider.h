@@ -28,7 +28,8 @@ typedef struct gjk_collider {
   gjk_vec3 position;      // of the pose
   gjk_vec3 centre;        // world
   gjk_vec3 local_centre;  // of the bounding box, shape frame
-  gjk_vec3 frame[3];      // half axes, or posed triangle, both relative to centre; or rotation rows, Q2.30
+  gjk_vec3 frame[3];      // half axes, or posed triangle, both relative to centre; or rotation rows, Q2.30, which a
+                          // baked hull has if it has a table
   gjk_q16 core_radius;    // bounds |vertex - centre| after posing
   gjk_q16 radius;         // core_radius plus the shape's convex radius
   uint16_t state;         // tells an initialised and a posed collider from other memory

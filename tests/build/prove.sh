@@ -168,6 +168,8 @@ prove_one() {
       set -- "$1" -eva-slevel 12 -eva-slevel-function "$SCENE_LEVELS" -eva-partition-history 1 \
         -eva-interprocedural-history -eva-interprocedural-splits -eva-ilevel 64 -eva-auto-loop-unroll 8
       ;;
+    shape) models=hull_table && set -- "$1" -eva-slevel 200 ;;
+    hull_table) set -- "$1" -eva-slevel 5 ;;
     facet) models=simplex contracts=${contracts%,gjk_height_key} && set -- "$1" -eva-slevel 200 -eva-interprocedural-splits ;;
     box_sat)
       models='simplex facet'

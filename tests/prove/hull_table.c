@@ -1,6 +1,6 @@
 // gjk_hull_table_make and gjk_hull_table_check on any vertices, capacity, table and level, null pointers too.
-#include "gjk/table.h"
 #include "any.h"
+#include "gjk/table.h"
 
 #define VERTICES 5
 #define ENTRIES 8

@@ -9,7 +9,7 @@
 enum { POINT, SEGMENT, TRIANGLE, BOX, BAKED, LAZY, TABLE, TABLE_LAZY, CYLINDER, CONE, ELLIPSOID, CUSTOM };
 
 static gjk_vec3 vertices[VERTICES], buffer[VERTICES];
-static uint16_t entries[ENTRIES], ends[GJK_TABLE_CELLS(1)];
+static uint16_t entries[ENTRIES], ends[GJK_TABLE_CELLS(GJK_TABLE_LEVEL_MAX)];
 static gjk_hull_table table;
 
 static void any_support(const void *user, const gjk_vec3 *direction, gjk_vec3 *out) {
@@ -18,15 +18,15 @@ static void any_support(const void *user, const gjk_vec3 *direction, gjk_vec3 *o
   *out = any_vec3(bound);
 }
 
-// Any table whose lists lie in entries.
+// Any table that gjk_table_measure may let pass for VERTICES vertices, its lists within entries.
 static void any_table(void) {
-  table.vertex = any_bool() ? entries : NULL;
-  table.end = any_bool() ? ends : NULL;
-  table.level = (uint8_t)(any_bool() ? any_between(0, 1) : any_between(GJK_TABLE_LEVEL_MAX + 1, UINT8_MAX));
+  table.vertex = entries;
+  table.end = ends;
+  table.level = (uint8_t)any_between(0, GJK_TABLE_LEVEL_MAX);
   for (int i = 0; i < ENTRIES; i++) {
-    entries[i] = any_uint16();
+    entries[i] = (uint16_t)any_between(0, VERTICES - 1);
   }
-  for (int i = 0; i < GJK_TABLE_CELLS(1); i++) {
+  for (int i = 0; i < GJK_TABLE_CELLS(GJK_TABLE_LEVEL_MAX); i++) {
     ends[i] = (uint16_t)any_between(0, ENTRIES);
   }
 }
@@ -44,8 +44,10 @@ static void any_shape(gjk_shape *shape, const gjk_q16 *bound) {
                              [CONE] = GJK_CONE(0, 0),
                              [ELLIPSOID] = GJK_ELLIPSOID(0, 0, 0),
                              [CUSTOM] = GJK_CUSTOM(any_support, bound, 0)};
-  any_table();
   *shape = kinds[CASE];
+  if (CASE == TABLE || CASE == TABLE_LAZY) {
+    any_table();
+  }
   shape->size = any_position();
   shape->convex_radius = any_int32();
   if (CASE == CUSTOM) {

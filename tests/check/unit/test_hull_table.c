@@ -242,19 +242,19 @@ static bool check_query(random_state *random, four *a, four *b) {
 static void check_answers(random_state *random) {
   static const unsigned counts[] = {1, 2, 4, 7, 20, 64, 256, 1024, 4096};
   unsigned long ties = 0, moved = 0, apart = 0, queries = 0, directions = 0, listed = 0, empty = 0;
-  for (unsigned i = 0; i < check_trials(1800); i++) {
+  for (unsigned i = 0; i < check_trials(1080); i++) {
     check_trial(i, NULL, NULL);
     const family of = (family)(i % FAMILIES);
     const unsigned size = counts[i / FAMILIES % (sizeof counts / sizeof counts[0])];
     if (size >= 1024 && (i / FAMILIES / 9 % 6 != 0 || (of != BALL && of != BLOCK && of != PRISM))) {
       continue;
     }
-    uint8_t level = (uint8_t)random_below(random, size >= 1024 ? 4 : 5);
+    uint8_t level = (uint8_t)random_below(random, size > 64 ? 4 : 5);
     four a, b;
     memset(&a, 0, sizeof a);
     memset(&b, 0, sizeof b);
     make_hull(random, of, size, level, 0);
-    make_hull(random, (family)random_below(random, HUGE_BALL), 64, 1, 1);
+    make_hull(random, (family)random_below(random, TINY), 64, 1, 1);
     CHECK(gjk_hull_table_check(vertices[0], (uint16_t)size, &tables[0]) == GJK_OK);
     level = tables[0].level;
     for (unsigned cell = 0; cell < (unsigned)GJK_TABLE_CELLS(level); cell++) {
