@@ -52,7 +52,7 @@ typedef struct gjk_hull_faces {
 // if the hull lacked them along those directions. gjk_hull_table_check proves that none is missing.
 typedef struct gjk_hull_table {
   const uint16_t *vertex;  // numbers of vertices of all cells, one cell after the other, rising within each
-  const uint16_t *end;     // end[i]: where cell i ends in vertex; an empty cell: all vertices are looked at
+  const uint16_t *end;     // end[i]: where cell i ends in vertex; no cell is empty
   uint8_t level;           // 0 to GJK_TABLE_LEVEL_MAX: there are GJK_TABLE_CELLS(level) cells
 } gjk_hull_table;
 

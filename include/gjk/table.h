@@ -23,8 +23,7 @@ extern "C" {
 // level     0 to GJK_TABLE_LEVEL_MAX. Good choices: 0 up to 48 vertices, 1 up to 256, 2 up to 1,024, 3 beyond.
 // vertex    room for capacity numbers; end[GJK_TABLE_CELLS(level) - 1] of them are the table's.
 // end       room for GJK_TABLE_CELLS(level) numbers.
-// A cell for which more than half of the vertices would be listed is left empty: there all are looked at. Such are many
-// cells of hulls of a few LSB.
+// Hulls of a few LSB, and cells that face a polygon of many corners, are listed whole.
 // Statuses  NULL, EMPTY, RANGE (level), CAPACITY: vertex was too small, and what vertex and end hold is no table.
 // Cost      each cell takes a pass over the vertices, and for each vertex a look at those listed so far. Of use on a
 //           host; on a microcontroller once.

@@ -1,7 +1,7 @@
 // Hull with a table: only the vertices of the direction's cell are looked at, and the same one is found.
 //
 //   1. Scale d up, so that rotating it loses little, and rotate it into the shape's frame: local.
-//   2. Find local's cell. One that is empty says nothing: go on as a hull without a table.
+//   2. Find local's cell.
 //   3. Baked: take the farthest of the cell's posed vertices, the first of equals.
 //   4. Lazy: find the farthest of the cell's own vertices along local. Pose all within slack of it, and take the farthest
 //      of those along d, the first of equals.
@@ -18,9 +18,9 @@
 #include "gjk_hull.h"
 #include "gjk_hull_table.h"
 
-// The vertices of a cell.
+// The vertices of a cell, at least one. gjk_collider_init has found that their numbers are below the hull's count.
 typedef struct table_list {
-  const uint16_t *next, *end;  // numbers that gjk_collider_init found to be below the hull's count
+  const uint16_t *next, *end;
 } table_list;
 
 // Step 2
@@ -28,13 +28,14 @@ static table_list list_of(const gjk_collider *c, const gjk_vec3 *local) {
   const gjk_hull_table *table = (const gjk_hull_table *)c->shape->user;
   const unsigned cell = gjk_table_cell(local, table->level);
   const table_list list = {&table->vertex[cell == 0 ? 0 : table->end[cell - 1]], &table->vertex[table->end[cell]]};
+  //@ assert list.next < list.end;
   return list;
 }
 
 // The entry of the list whose vertex is farthest along d, the first of equals; *farthest = its product with d.
-// Pre: the list is not empty, products are below 2^63 in size.
-static const uint16_t *farthest_listed(table_list list, const gjk_vec3 *vertices, const gjk_vec3 *d,
-                                       int64_t *farthest) {
+// Pre: products are below 2^63 in size.
+static inline const uint16_t *farthest_listed(table_list list, const gjk_vec3 *vertices, const gjk_vec3 *d,
+                                              int64_t *farthest) {
   const int32_t x = d->x, y = d->y, z = d->z;
   const gjk_vec3 *v = &vertices[*list.next];
   const uint16_t *next = list.next + 1, *after = next;  // one past the farthest so far
@@ -55,19 +56,32 @@ static const uint16_t *farthest_listed(table_list list, const gjk_vec3 *vertices
   return after - 1;
 }
 
+// Step 3. Out of line, as the three below, so that none of them takes the stack of another.
+GJK_OUT_OF_LINE static void find_posed(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
+  const gjk_vec3 scaled = gjk_scale_direction(d);
+  gjk_vec3 local;
+  int64_t farthest;
+  (void)gjk_hull_local_direction(c, &scaled, &local);
+  out->vertex = *farthest_listed(list_of(c, &local), c->buffer, d, &farthest);
+  out->offset = c->buffer[out->vertex];
+}
+
 // Step 4
-GJK_OUT_OF_LINE static void find_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_vec3 *local, int64_t slack,
-                                      table_list list, gjk_support *out) {
+GJK_OUT_OF_LINE static void find_lazy(const gjk_collider *c, const gjk_vec3 *direction, gjk_support *out) {
   const gjk_vec3 *vertices = c->shape->vertices;
+  const gjk_vec3 d = gjk_scale_direction(direction);
+  gjk_vec3 local;
   int64_t limit, farthest = 0;
   bool found = false;
-  (void)farthest_listed(list, vertices, local, &limit);
+  const int64_t slack = gjk_hull_local_direction(c, &d, &local);
+  table_list list = list_of(c, &local);
+  (void)farthest_listed(list, vertices, &local, &limit);
   limit -= slack;
   for (; list.next < list.end; list.next++) {  // at most GJK_HULL_VERTICES_MAX
     const gjk_vec3 *v = &vertices[*list.next];
-    if (gjk_dot(v, local) >= limit) {
+    if (gjk_dot(v, &local) >= limit) {
       const gjk_vec3 offset = gjk_hull_pose_vertex(c, c->frame, v);
-      const int64_t along = gjk_dot(&offset, d);
+      const int64_t along = gjk_dot(&offset, &d);
       if (!found || along > farthest) {
         found = true;
         farthest = along;
@@ -78,37 +92,38 @@ GJK_OUT_OF_LINE static void find_lazy(const gjk_collider *c, const gjk_vec3 *d, 
   }
 }
 
-static void support_table(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
+// Refinement of a baked hull.
+GJK_OUT_OF_LINE static bool move_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
+                                       gjk_support *at) {
+  const uint16_t before = at->vertex;
+  const int64_t limit = gjk_dot(&at->offset, d) - gjk_hull_rounding_slack(c);
   gjk_vec3 local;
-  const gjk_vec3 scaled = gjk_scale_direction(d);
-  const int64_t slack = gjk_hull_local_direction(c, &scaled, &local);
-  const table_list list = list_of(c, &local);
-  if (list.next >= list.end) {
-    gjk_hull_support(c, d, out);
-  } else if (c->buffer != NULL) {
-    int64_t farthest;
-    out->vertex = *farthest_listed(list, c->buffer, d, &farthest);
-    out->offset = c->buffer[out->vertex];
-  } else {
-    find_lazy(c, &scaled, &local, slack, list, out);
+  (void)gjk_hull_local_direction(c, d, &local);
+  for (table_list list = list_of(c, &local); list.next < list.end; list.next++) {  // at most GJK_HULL_VERTICES_MAX
+    const gjk_vec3 *v = &c->buffer[*list.next];
+    if (gjk_dot(v, d) >= limit) {
+      const gjk_vec3 step = gjk_sub(*v, at->offset);
+      if (gjk_direction_sign(direction, &step) > 0) {
+        at->offset = *v;
+        at->vertex = *list.next;
+      }
+    }
   }
+  return at->vertex != before;
 }
 
-static bool refine_table(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
-  gjk_vec3 local;
-  const int64_t rotation_slack = gjk_hull_local_direction(c, d, &local), slack = gjk_hull_rounding_slack(c);
-  table_list list = list_of(c, &local);
-  if (list.next >= list.end) {
-    return gjk_hull_refine(c, d, direction, at);
-  }
+// Refinement of a lazy hull.
+GJK_OUT_OF_LINE static bool move_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
+                                      gjk_support *at) {
+  const gjk_vec3 *vertices = c->shape->vertices;
   const uint16_t before = at->vertex;
-  const gjk_vec3 *vertices = c->buffer != NULL ? c->buffer : c->shape->vertices;
-  const gjk_vec3 along = c->buffer != NULL ? *d : local;
-  const int64_t limit = gjk_dot(&vertices[before], &along) - slack - (c->buffer != NULL ? 0 : rotation_slack);
-  for (; list.next < list.end; list.next++) {  // at most GJK_HULL_VERTICES_MAX
+  gjk_vec3 local;
+  const int64_t slack = gjk_hull_local_direction(c, d, &local) + gjk_hull_rounding_slack(c);
+  const int64_t limit = gjk_dot(&vertices[before], &local) - slack;
+  for (table_list list = list_of(c, &local); list.next < list.end; list.next++) {  // at most GJK_HULL_VERTICES_MAX
     const gjk_vec3 *v = &vertices[*list.next];
-    if (gjk_dot(v, &along) >= limit) {
-      const gjk_vec3 offset = c->buffer != NULL ? *v : gjk_hull_pose_vertex(c, c->frame, v);
+    if (gjk_dot(v, &local) >= limit) {
+      const gjk_vec3 offset = gjk_hull_pose_vertex(c, c->frame, v);
       const gjk_vec3 step = gjk_sub(offset, at->offset);
       if (gjk_direction_sign(direction, &step) > 0) {
         at->offset = offset;
@@ -117,6 +132,18 @@ static bool refine_table(const gjk_collider *c, const gjk_vec3 *d, const gjk_dir
     }
   }
   return at->vertex != before;
+}
+
+static void support_table(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
+  if (c->buffer != NULL) {
+    find_posed(c, d, out);
+  } else {
+    find_lazy(c, d, out);
+  }
+}
+
+static bool refine_table(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+  return c->buffer != NULL ? move_posed(c, d, direction, at) : move_lazy(c, d, direction, at);
 }
 
 static bool vertex_table(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {

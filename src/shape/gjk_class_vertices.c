@@ -257,14 +257,6 @@ void gjk_hull_pose(gjk_collider *c, const gjk_vec3 rows[3]) {
   pose_hull(c, rows);
 }
 
-void gjk_hull_support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
-  support_hull(c, d, out);
-}
-
-bool gjk_hull_refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
-  return refine_hull(c, d, direction, at);
-}
-
 bool gjk_hull_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
   return vertex_hull(c, number, offset);
 }

@@ -33,11 +33,9 @@ static inline int64_t gjk_hull_local_direction(const gjk_collider *c, const gjk_
   return 2 * (int64_t)c->core_radius + gjk_norm1(*d) + 8;
 }
 
-// The functions of gjk_class_hull, which look at all vertices.
+// Functions of gjk_class_hull that both classes have.
 gjk_status gjk_hull_measure(const gjk_shape *shape, gjk_extent *out);
 void gjk_hull_pose(gjk_collider *c, const gjk_vec3 rows[3]);
-void gjk_hull_support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out);
-bool gjk_hull_refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at);
 bool gjk_hull_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset);
 
 #endif

@@ -44,6 +44,7 @@ static corner_products products_of(const table_cell *cell, const gjk_vec3 *verte
   // |component| <= 2^31, so that each is negated as int64_t; scale <= 2^4, u and v below:  |first| < 2^37
   corner_products products = {0, (int64_t)along[j] * cell->sign[j], (int64_t)along[k] * cell->sign[k]};
   products.first = (int64_t)along[i] * cell->sign[i] * cell->scale + products.u * cell->u + products.v * cell->v;
+  //@ assert products.first >= -(INT64_C(1) << 37) && products.first <= INT64_C(1) << 37;
   return products;
 }
 
@@ -127,7 +128,7 @@ gjk_status gjk_hull_table_make(const gjk_vec3 *vertices, uint16_t count, uint8_t
     if (!fill_cell(&cell, vertices, count, &vertex[used], capacity - used, &kept)) {
       return GJK_ERROR_CAPACITY;
     }
-    used += kept > count / 2u ? 0 : kept;  // so long a list gains nothing
+    used += kept;
     end[i] = (uint16_t)used;
   }
   return GJK_OK;
@@ -144,7 +145,7 @@ gjk_status gjk_table_measure(const gjk_hull_table *table, uint16_t count) {
   for (unsigned i = 0; i < (unsigned)GJK_TABLE_CELLS(table->level); i++) {
     const uint16_t end = table->end[i];
     uint32_t least = 0;  // the vertex that may come next
-    if (end < first) {
+    if (end <= first) {
       return GJK_ERROR_RANGE;
     }
     for (; first < end; first++) {
@@ -186,7 +187,7 @@ gjk_status gjk_hull_table_check(const gjk_vec3 *vertices, uint16_t count, const 
   for (unsigned i = 0; i < (unsigned)GJK_TABLE_CELLS(table->level); i++) {
     const table_cell cell = cell_of(i, table->level);
     const uint16_t end = table->end[i];
-    if (end > first && !is_complete(&cell, vertices, count, &table->vertex[first], (uint32_t)(end - first))) {
+    if (!is_complete(&cell, vertices, count, &table->vertex[first], (uint32_t)(end - first))) {
       return GJK_ERROR_UNPROVEN;
     }
     first = end;

@@ -51,7 +51,7 @@ static inline unsigned gjk_table_cell(const gjk_vec3 *d, unsigned level) {
   return cell;
 }
 
-// Is the table one for count vertices? Every cell lies in the list, and its numbers rise and are below count.
+// Is the table one for count vertices? Every cell has vertices, whose numbers rise and are below count.
 gjk_status gjk_table_measure(const gjk_hull_table *table, uint16_t count);
 
 #endif
