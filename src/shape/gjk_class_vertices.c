@@ -52,6 +52,28 @@ static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_dir
   return at->vertex != before;
 }
 
+// The vertex's offset from the rounded centre. It is rounded once, with the fraction of an LSB that the centre's
+// rounding has left. Errors per component:
+//   rounding the result       <= 1/2
+//   rounding the matrix       <= 2^-31 (|x| + |y| + |z|) < 0.22
+//   truncating the fraction   <  2^-8
+//   the centre's own error    <  2^-9
+//   together                  <  3/4 LSB
+// Out of line: in line it costs refine_lazy up to 24 bytes of stack.
+GJK_OUT_OF_LINE static gjk_vec3 pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], const gjk_vec3 *v) {
+  const gjk_vec3 local = gjk_sub(*v, c->local_centre);  // gjk_collider_init:  |local| <= GJK_RADIUS_MAX
+  return gjk_rotate_onto(rows, &local, c->fraction);
+}
+
+// Step 1: *local = d in the shape's frame. Returns how far behind along *local a vertex may be that is farther along d
+// when posed. With u for the difference of two vertices:
+//   rounding *local, 1/2 per component               |u.x| / 2 + |u.y| / 2 + |u.z| / 2 <= sqrt(3) core_radius
+//   rounding both posed vertices, 1/2 per component  |d.x| + |d.y| + |d.z| < 2^32
+static int64_t local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec3 *local) {
+  *local = gjk_rotate_back(c->frame, d);
+  return 2 * (int64_t)c->core_radius + gjk_norm1(*d) + 8;
+}
+
 // Out of line, as refine_lazy: in line it costs queries on baked hulls 1 % more instructions on Cortex-M3, and
 // refine_lazy 40 bytes of stack.
 GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *direction, gjk_support *out) {
@@ -59,14 +81,14 @@ GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *
   const gjk_vec3 d = gjk_scale_direction(direction);
   gjk_vec3 local;
   gjk_reach reach;
-  const int64_t slack = gjk_hull_local_direction(c, &d, &local);
+  const int64_t slack = local_direction(c, &d, &local);
   // Steps 2 and 3. A vertex of the shape's own may be any int32_t: 31 bits.
   reach_within(&reach, c, vertices, &local, gjk_scan(vertices, vertices + c->count, 31, &local), slack);
   const gjk_vec3 *v = gjk_reach_next(&reach);
   int64_t farthest = 0;
   //@ assert v != 0;
   do {  // Step 4: for at least the vertex of step 2, at most GJK_HULL_VERTICES_MAX
-    const gjk_vec3 offset = gjk_hull_pose_vertex(c, c->frame, v);
+    const gjk_vec3 offset = pose_vertex(c, c->frame, v);
     const int64_t along = gjk_dot(&offset, &d);
     if (best == NULL || along > farthest) {
       best = v;
@@ -85,10 +107,10 @@ GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d
   const uint16_t before = at->vertex;
   gjk_vec3 local;
   gjk_reach reach;
-  const int64_t slack = gjk_hull_local_direction(c, d, &local) + gjk_hull_rounding_slack(c);
+  const int64_t slack = local_direction(c, d, &local) + gjk_hull_rounding_slack(c);
   reach_within(&reach, c, vertices, &local, &vertices[before], slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
-    const gjk_vec3 offset = gjk_hull_pose_vertex(c, c->frame, v);
+    const gjk_vec3 offset = pose_vertex(c, c->frame, v);
     const gjk_vec3 step = gjk_sub(offset, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
       at->offset = offset;
@@ -122,7 +144,7 @@ static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   if (c->buffer != NULL || number >= c->count) {
     return vertex_posed(c, number, offset);
   }
-  *offset = gjk_hull_pose_vertex(c, c->frame, &c->shape->vertices[number]);
+  *offset = pose_vertex(c, c->frame, &c->shape->vertices[number]);
   return true;
 }
 
@@ -132,7 +154,8 @@ static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
 static void pose_vertices(const gjk_collider *c, const gjk_vec3 rows[3], gjk_vec3 *out) {
   const gjk_vec3 *v = c->shape->vertices, *const end = v + c->count;
   for (; v != end; v++, out++) {
-    *out = gjk_hull_pose_vertex(c, rows, v);
+    const gjk_vec3 local = gjk_sub(*v, c->local_centre);
+    *out = gjk_rotate_onto(rows, &local, c->fraction);
   }
 }
 
@@ -255,6 +278,14 @@ gjk_status gjk_hull_measure(const gjk_shape *shape, gjk_extent *out) {
 
 void gjk_hull_pose(gjk_collider *c, const gjk_vec3 rows[3]) {
   pose_hull(c, rows);
+}
+
+int64_t gjk_hull_local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec3 *local) {
+  return local_direction(c, d, local);
+}
+
+gjk_vec3 gjk_hull_pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], const gjk_vec3 *v) {
+  return pose_vertex(c, rows, v);
 }
 
 bool gjk_hull_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {

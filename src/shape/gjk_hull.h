@@ -12,26 +12,11 @@ static inline int64_t gjk_hull_rounding_slack(const gjk_collider *c) {
   return 4 * (int64_t)c->core_radius;
 }
 
-// The vertex's offset from the rounded centre. It is rounded once, with the fraction of an LSB that the centre's
-// rounding has left. Errors per component:
-//   rounding the result       <= 1/2
-//   rounding the matrix       <= 2^-31 (|x| + |y| + |z|) < 0.22
-//   truncating the fraction   <  2^-8
-//   the centre's own error    <  2^-9
-//   together                  <  3/4 LSB
-static inline gjk_vec3 gjk_hull_pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], const gjk_vec3 *v) {
-  const gjk_vec3 local = gjk_sub(*v, c->local_centre);  // gjk_collider_init:  |local| <= GJK_RADIUS_MAX
-  return gjk_rotate_onto(rows, &local, c->fraction);
-}
+// *local = d in the shape's frame. Returns how far behind along *local a vertex may be that is farther along d when posed.
+int64_t gjk_hull_local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec3 *local);
 
-// *local = d in the shape's frame. Returns how far behind along *local a vertex may be that is farther along d
-// when posed. With u for the difference of two vertices:
-//   rounding *local, 1/2 per component               |u.x| / 2 + |u.y| / 2 + |u.z| / 2 <= sqrt(3) core_radius
-//   rounding both posed vertices, 1/2 per component  |d.x| + |d.y| + |d.z| < 2^32
-static inline int64_t gjk_hull_local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec3 *local) {
-  *local = gjk_rotate_back(c->frame, d);
-  return 2 * (int64_t)c->core_radius + gjk_norm1(*d) + 8;
-}
+// The offset of a vertex v of the shape from the rounded centre, posed by rows.
+gjk_vec3 gjk_hull_pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], const gjk_vec3 *v);
 
 // Functions of gjk_class_hull that both classes have.
 gjk_status gjk_hull_measure(const gjk_shape *shape, gjk_extent *out);
