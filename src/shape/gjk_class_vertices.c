@@ -59,8 +59,7 @@ static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_dir
 //   truncating the fraction   <  2^-8
 //   the centre's own error    <  2^-9
 //   together                  <  3/4 LSB
-// Out of line: in line it costs refine_lazy up to 24 bytes of stack.
-GJK_OUT_OF_LINE static gjk_vec3 pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], const gjk_vec3 *v) {
+static gjk_vec3 pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], const gjk_vec3 *v) {
   const gjk_vec3 local = gjk_sub(*v, c->local_centre);  // gjk_collider_init:  |local| <= GJK_RADIUS_MAX
   return gjk_rotate_onto(rows, &local, c->fraction);
 }
