@@ -137,7 +137,7 @@ SUPPORT_SOURCES := $(wildcard tests/support/case/*.c tests/support/reference/*.c
 SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
 TEST_SCRIPTS := $(wildcard tests/check/unit/test_*.sh)
 UNIT_TESTS := $(patsubst tests/check/unit/%.c,build/%,$(wildcard tests/check/unit/test_*.c))
-QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/query/*.c))
+QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/query/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c labels.c svg.c))
 DEMO_STACK := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/demo_stack/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c svg.c))
 DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo/*.c)))
 

@@ -7,6 +7,7 @@
 #include "case/certify.h"
 #include "case/number.h"
 #include "case/parse.h"
+#include "trace.h"
 
 enum { EXIT_ANSWERED = 0, EXIT_UNPROVEN = 1, EXIT_INPUT = 2 };
 
@@ -58,6 +59,7 @@ static const char help[] =
 typedef struct tool {
   case_question question;
   bool certify;  // each answer is checked
+  bool trace;    // what the search did is printed below each answer
   case_reader reader;
   case_pair pair;
   case_collider a, b;
@@ -75,6 +77,15 @@ static void print_verdict(tool *t, const case_answer *answer) {
   }
 }
 
+// Traces the search of an answered case. The reference's is not traced.
+static void trace_case(tool *t, const case_answer *answer) {
+  static trace steps;
+  if (t->trace && answer->refused == 0) {
+    trace_space(&t->question, &t->a.collider, &t->b.collider, &steps);
+    trace_print(stdout, &steps);
+  }
+}
+
 static void run_stream(tool *t, FILE *file, const char *name) {
   case_answer answer;
   case_reader_open(&t->reader, file, name);
@@ -86,6 +97,7 @@ static void run_stream(tool *t, FILE *file, const char *name) {
     }
     putchar('\n');
     case_contacts_print(stdout, &answer);
+    trace_case(t, &answer);
   }
   if (t->reader.errors > 0) {
     t->bad_input = true;
@@ -170,6 +182,8 @@ static int read_options(int argc, char **argv, tool *t) {
       t->question.reference = true;
     } else if (strcmp(word, "--certify") == 0) {
       t->certify = true;
+    } else if (strcmp(word, "--trace") == 0) {
+      t->trace = true;
     } else {
       refuse("unknown option", word);
     }
