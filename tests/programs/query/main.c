@@ -7,7 +7,7 @@
 #include "case/certify.h"
 #include "case/number.h"
 #include "case/parse.h"
-#include "trace.h"
+#include "trace_picture.h"
 
 enum { EXIT_ANSWERED = 0, EXIT_UNPROVEN = 1, EXIT_INPUT = 2 };
 
@@ -58,8 +58,10 @@ static const char help[] =
 
 typedef struct tool {
   case_question question;
-  bool certify;  // each answer is checked
-  bool trace;    // what the search did is printed below each answer
+  bool certify;              // each answer is checked
+  bool trace;                // what the search did is printed below each answer
+  const char *picture_name;  // the file in which it is drawn; NULL: none
+  trace_picture picture;
   case_reader reader;
   case_pair pair;
   case_collider a, b;
@@ -80,9 +82,17 @@ static void print_verdict(tool *t, const case_answer *answer) {
 // Traces the search of an answered case. The reference's is not traced.
 static void trace_case(tool *t, const case_answer *answer) {
   static trace steps;
-  if (t->trace && answer->refused == 0) {
-    trace_space(&t->question, &t->a.collider, &t->b.collider, &steps);
+  static trace_bodies bodies;
+  if ((!t->trace && t->picture_name == NULL) || answer->refused != 0) {
+    return;
+  }
+  trace_space(&t->question, &t->a.collider, &t->b.collider, &steps);
+  if (t->trace) {
     trace_print(stdout, &steps);
+  }
+  if (t->picture_name != NULL) {
+    trace_bodies_space(&t->pair, &bodies);
+    trace_picture_add(&t->picture, t->pair.id, &steps, &bodies);
   }
 }
 
@@ -184,6 +194,11 @@ static int read_options(int argc, char **argv, tool *t) {
       t->certify = true;
     } else if (strcmp(word, "--trace") == 0) {
       t->trace = true;
+    } else if (strcmp(word, "--trace-svg") == 0) {
+      t->picture_name = i + 1 < argc ? argv[++i] : "";
+      if (t->picture_name[0] == '\0') {
+        refuse("expected the name of a file after", word);
+      }
     } else {
       refuse("unknown option", word);
     }
@@ -194,6 +209,9 @@ static int read_options(int argc, char **argv, tool *t) {
 int main(int argc, char **argv) {
   static tool t;
   int files = read_options(argc, argv, &t);
+  if (t.picture_name != NULL && !trace_picture_open(&t.picture)) {
+    refuse("cannot draw", t.picture_name);
+  }
   if (files == 0) {
     run_stream(&t, stdin, "standard input");
   }
@@ -203,6 +221,10 @@ int main(int argc, char **argv) {
   if (t.certify) {
     fprintf(stderr, "certify: %lu certified, %lu uncertified, %lu wrong\n", t.verdicts[CERTIFY_PROVEN],
             t.verdicts[CERTIFY_UNCERTIFIED], t.verdicts[CERTIFY_WRONG]);
+  }
+  if (t.picture_name != NULL && !trace_picture_close(&t.picture, t.picture_name)) {
+    fprintf(stderr, "gjk-query: cannot write %s: %s\n", t.picture_name, strerror(errno));
+    t.bad_input = true;
   }
   case_pair_free(&t.pair);
   case_collider_free(&t.a);

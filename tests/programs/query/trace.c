@@ -23,9 +23,9 @@ void trace_simplex_text(const trace_simplex *simplex, char *text, size_t size) {
   for (unsigned i = 0; i < simplex->count && length < size; i++) {
     const trace_vertex *v = &simplex->vertex[i];
     const char *comma = i > 0 ? "," : "";
-    length += (size_t)(v->name > 0
-                           ? snprintf(text + length, size - length, "%sw%u", comma, v->name)
-                           : snprintf(text + length, size - length, "%sA%u-B%u", comma, v->number_a, v->number_b));
+    length +=
+        (size_t)(v->name > 0 ? snprintf(text + length, size - length, "%sw%u", comma, v->name)
+                             : snprintf(text + length, size - length, "%sA%u-B%u", comma, v->number_a, v->number_b));
   }
 }
 

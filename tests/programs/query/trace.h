@@ -9,7 +9,7 @@
 
 #include "case/answer.h"
 
-enum { TRACE_ITERATIONS_MAX = 256, TRACE_STOP_MAX = 200 };
+enum { TRACE_ITERATIONS_MAX = 256 };
 
 // A point, or a vector, in LSB; in the plane z is 0.
 typedef struct trace_point {
@@ -41,10 +41,10 @@ typedef struct trace_iteration {
 typedef struct trace {
   unsigned dimensions;  // 2 or 3
   const char *reason;   // why the search stopped, in a word
-  char stop[TRACE_STOP_MAX];
-  int64_t radius;  // what the cores are compared with: the convex radii and the distance asked about, LSB
-  bool curved;     // vertices have no numbers
-  bool enclosing;  // the origin lies in the last simplex
+  const char *stop;     // and in a sentence
+  int64_t radius;       // what the cores are compared with: the convex radii and the distance asked about, LSB
+  bool curved;          // vertices have no numbers
+  bool enclosing;       // the origin lies in the last simplex
   unsigned count;
   trace_iteration iteration[TRACE_ITERATIONS_MAX];
 } trace;

@@ -69,36 +69,15 @@ static void add_iteration(trace *t, const gjk_iteration *it, gjk_outcome outcome
 }
 
 static void say_why(trace *t, gjk_outcome outcome) {
-  char last[64] = "-";
-  const char *reason = "", *text = "";
-  if (t->count > 0) {
-    trace_simplex_text(&t->iteration[t->count - 1].after, last, sizeof last);
-  }
-  switch (outcome) {
-    case GJK_OUTCOME_NEAREST:
-      reason = "nearest";
-      text = "no vertex of A - B is nearer to the origin than the simplex";
-      break;
-    case GJK_OUTCOME_ENCLOSING:
-      reason = "enclosing";
-      text = "the origin lies in the simplex, so A and B share a point";
-      break;
-    case GJK_OUTCOME_SEPARATED:
-      reason = "separated";
-      text = "the plane across the direction parts the origin from all of A - B";
-      break;
-    case GJK_OUTCOME_NEAR:
-      reason = "near";
-      text = "the simplex comes as near to the origin as was asked";
-      break;
-    case GJK_OUTCOME_LIMIT:
-      reason = "limit";
-      text = "the iterations did not settle it";
-      break;
-  }
-  t->reason = reason;
+  static const char *const why[][2] = {
+      [GJK_OUTCOME_NEAREST] = {"nearest", "no vertex of A - B is nearer to the origin than the simplex"},
+      [GJK_OUTCOME_ENCLOSING] = {"enclosing", "the origin lies in the simplex, so A and B share a point"},
+      [GJK_OUTCOME_SEPARATED] = {"separated", "all of A - B lies beyond the origin, along the direction"},
+      [GJK_OUTCOME_NEAR] = {"near", "the simplex is as near to the origin as was asked"},
+      [GJK_OUTCOME_LIMIT] = {"limit", "the iterations did not settle it"}};
+  t->reason = why[outcome][0];
+  t->stop = why[outcome][1];
   t->enclosing = outcome == GJK_OUTCOME_ENCLOSING;
-  snprintf(t->stop, sizeof t->stop, "%s; simplex %s", text, last);
 }
 
 // The goal that the query of the question searches for, and the radius that it adds.
@@ -121,7 +100,7 @@ void trace_space(const case_question *question, const gjk_collider *a, const gjk
   const gjk_goal goal = goal_of(question, &out->radius);
   if (!gjk_iteration_start(&it, a, b, goal, out->radius)) {
     out->reason = "spheres";
-    snprintf(out->stop, sizeof out->stop, "the bounding spheres are apart");
+    out->stop = "the bounding spheres are apart";
     return;
   }
   out->curved = gjk_pair_is_curved(&it);

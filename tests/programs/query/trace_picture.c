@@ -1,0 +1,482 @@
+// Draws traces.
+//
+// A panel has a heading, two plots, and two lines of text:
+//   left     the shapes, the support points of the iteration, and the directions in which they are farthest
+//   right    A - B, the origin, the simplex before (dashed) and after, the vertex found; in the plane the line across
+//            the direction through that vertex, beyond which A - B does not reach
+#include "trace_picture.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../demo/labels.h"
+
+#define WIDTH 1240.0
+#define MARGIN 20.0
+#define GAP 16.0
+#define COLUMNS 2u
+#define PANEL_WIDTH ((WIDTH - 2 * MARGIN - GAP) / COLUMNS)
+#define PANEL_HEIGHT 352.0
+#define PLOT_TOP 44.0
+#define PLOT_HEIGHT 244.0
+#define PLOT_WIDTH (PANEL_WIDTH / 2 - 12)
+#define TITLE_HEIGHT 56.0
+#define ARROW 44.0
+#define FONT 18.0
+enum { TEXT_MAX = 200 };
+
+#define CHARACTER 10.4
+
+// librsvg and old viewers know no variables in style sheets: each colour is written out, twice where dark differs.
+static const char style[] =
+    "<style>"
+    ".page{fill:#eef1f5}.panel{fill:#fff;stroke:#cdd5dd}.ink,.tl{fill:#1d2733}.faint{fill:#56616e}"
+    ".sa{fill:#cfe1f8;stroke:#1f66b5}.sb{fill:#fbdcb6;stroke:#a85d00}.sd{fill:#e3e7ec;stroke:#6a7684}"
+    ".core,.hid,.edge{fill:none}.hid{stroke-width:1;stroke-dasharray:2 4;stroke-opacity:.7}"
+    ".la{fill:#124a8c}.lb{fill:#7a4300}.ld{fill:#4d5864}"
+    ".before{fill:none;stroke:#8a5bb5;stroke-width:2;stroke-dasharray:7 5}"
+    ".after{fill:#7b1fa2;fill-opacity:.22;stroke:#7b1fa2;stroke-width:3.5;stroke-linejoin:round}"
+    ".vertex{fill:#7b1fa2}.old{fill:#fff;stroke:#8a5bb5;stroke-width:1.6}"
+    ".found{fill:none;stroke:#c4151c;stroke-width:2.4}.fl{fill:#b0121a}"
+    ".way{stroke:#0a7a45;stroke-width:2.4}.tip{fill:#0a7a45}.line{stroke:#0a7a45;stroke-width:1.6;stroke-dasharray:4 4}"
+    ".gap{stroke:#1d2733;stroke-width:1.5;stroke-dasharray:2 4}.origin{stroke:#1d2733;stroke-width:2.2}"
+    ".disc{fill:#1d2733;fill-opacity:.08;stroke:#1d2733;stroke-dasharray:5 4}.dot{fill:#1d2733}"
+    ".halo{stroke:#fff;stroke-width:4;stroke-opacity:.85;paint-order:stroke;stroke-linejoin:round}"
+    ".stop{fill:#b0121a}"
+    "@media(prefers-color-scheme:dark){"
+    ".page{fill:#11161b}.panel{fill:#1a2027;stroke:#39434e}.ink,.tl{fill:#e8edf2}.faint{fill:#a3afbb}"
+    ".sa{fill:#1e3a5c;stroke:#6fb1ff}.sb{fill:#55391a;stroke:#f0a850}.sd{fill:#2d353e;stroke:#97a4b1}"
+    ".la{fill:#a9d0ff}.lb{fill:#ffcf94}.ld{fill:#c3ccd6}"
+    ".before{stroke:#b48ade}.after{fill:#c77dff;stroke:#c77dff}.vertex{fill:#c77dff}.old{fill:#1a2027;stroke:#b48ade}"
+    ".found{stroke:#ff6b70}.fl,.stop{fill:#ff8a8e}.way,.line{stroke:#43cf8a}.tip{fill:#43cf8a}"
+    ".gap,.origin,.disc{stroke:#e8edf2}.disc,.dot{fill:#e8edf2}.halo{stroke:#1a2027}}"
+    "</style>\n";
+
+// One of the two plots of a panel.
+typedef struct plot {
+  FILE *file;
+  view camera;
+  label_page page;
+} plot;
+
+static const real3 zero = {0, 0, 0};
+
+static real3 to_real(const trace_point *p) {
+  const real3 out = {(double)p->x[0] / 65536, (double)p->x[1] / 65536, (double)p->x[2] / 65536};
+  return out;
+}
+
+// Fitting.
+
+typedef struct extent2 {
+  point2 low, high;
+} extent2;
+
+static void extend(extent2 *e, point2 p) {
+  e->low.x = fmin(e->low.x, p.x);
+  e->low.y = fmin(e->low.y, p.y);
+  e->high.x = fmax(e->high.x, p.x);
+  e->high.y = fmax(e->high.y, p.y);
+}
+
+static void extend_body(extent2 *e, const view *v, const trace_body *body) {
+  for (size_t i = 0; i < body->outlines; i++) {
+    extend(e, view_project(v, body->outline[i]));
+  }
+}
+
+// Scales and moves the view of a plot so that the extent, taken at scale 1, fills it.
+static void fit(plot *p, const extent2 *e) {
+  const double border = 30, width = e->high.x - e->low.x, height = e->high.y - e->low.y;
+  const label_rectangle *area = &p->page.area;
+  view *v = &p->camera;
+  v->scale = fmin((area->width - 2 * border) / fmax(width, 1e-9), (area->height - 2 * border) / fmax(height, 1e-9));
+  v->left = area->left + area->width / 2 - v->scale * (e->low.x + width / 2);
+  v->top = area->top + area->height / 2 - v->scale * (e->low.y + height / 2);
+}
+
+static void open_plot(plot *p, FILE *file, const trace_bodies *bodies, double left, double top) {
+  const label_rectangle area = {left, top, PLOT_WIDTH, PLOT_HEIGHT};
+  memset(p, 0, sizeof *p);
+  p->file = file;
+  p->camera = bodies->camera;
+  p->camera.scale = 1;
+  p->page.area = area;
+}
+
+static void take(plot *p, point2 at, double size) {
+  const label_rectangle r = {at.x - size / 2, at.y - size / 2, size, size};
+  label_take(&p->page, r, 12);
+}
+
+// Keeps labels off a line.
+static void take_line(plot *p, point2 a, point2 b) {
+  const int steps = 8;
+  for (int i = 0; i <= steps; i++) {
+    const point2 at = {a.x + (b.x - a.x) * i / steps, a.y + (b.y - a.y) * i / steps};
+    take(p, at, 5);
+  }
+}
+
+// Pieces.
+
+static void put_polygon(plot *p, const char *class, const point2 *point, size_t n) {
+  fprintf(p->file, "<polygon class=\"%s\" points=\"", class);
+  svg_points(p->file, point, n);
+  fprintf(p->file, "\"/>\n");
+}
+
+static void put_line(plot *p, const char *class, point2 a, point2 b) {
+  fprintf(p->file, "<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n", class, a.x, a.y, b.x, b.y);
+}
+
+static void put_dot(plot *p, const char *class, point2 at, double radius) {
+  fprintf(p->file, "<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"/>\n", class, at.x, at.y, radius);
+}
+
+// A label near a point, out of the way of what is there.
+static void put_label(plot *p, const char *class, point2 at, const char *text, double nearest) {
+  const double width = CHARACTER * (double)strlen(text);
+  const label_rectangle r = label_place(&p->page, at, width, FONT, nearest);
+  fprintf(p->file, "<text class=\"%s halo\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">", class, r.left + width / 2,
+          r.top + FONT - 3.5);
+  svg_text(p->file, text);
+  fprintf(p->file, "</text>\n");
+}
+
+// An arrow from a point along a direction of the page; its length says how much of the direction lies in the page.
+static void put_arrow(plot *p, point2 from, real3 direction) {
+  const view *v = &p->camera;
+  const double length = sqrt(real_dot(direction, direction));
+  const double x = real_dot(direction, v->right) / length, y = -real_dot(direction, v->up) / length, size = hypot(x, y);
+  if (length <= 0 || size < 0.2) {
+    return;  // towards the camera or away from it
+  }
+  const point2 tip = {from.x + ARROW * x, from.y + ARROW * y};
+  const double u = x / size, w = y / size;
+  const point2 end = {tip.x - 9 * u, tip.y - 9 * w};
+  const point2 head[3] = {
+      tip, {tip.x - 12 * u + 5 * w, tip.y - 12 * w - 5 * u}, {tip.x - 12 * u - 5 * w, tip.y - 12 * w + 5 * u}};
+  put_line(p, "way", from, end);
+  put_polygon(p, "tip", head, 3);
+  take_line(p, from, tip);
+}
+
+static void put_faces(plot *p, const char *class, const trace_body *body, bool front) {
+  point2 corner[FACE_VERTICES_MAX];
+  for (size_t i = 0; i < body->face_count; i++) {
+    const real_face *face = &body->faces[i];
+    for (size_t k = 0; k < face->count; k++) {
+      corner[k] = view_project(&p->camera, face->vertex[k]);
+    }
+    if ((real_dot(face->normal, p->camera.toward) > 1e-9) == front) {
+      put_polygon(p, class, corner, face->count);
+    }
+  }
+}
+
+// class: of the fill and outline, sa, sb or sd.
+static void put_body(plot *p, const char *class, const trace_body *body) {
+  point2 line[OUTLINE_POINTS];
+  char inner[16];
+  for (size_t i = 0; i < body->outlines; i++) {
+    line[i] = view_project(&p->camera, body->outline[i]);
+  }
+  fprintf(p->file, "<g stroke-width=\"1.6\" stroke-linejoin=\"round\">\n");
+  put_polygon(p, class, line, body->outlines);
+  snprintf(inner, sizeof inner, "%s hid", class);
+  if (body->round) {
+    for (size_t i = 0; i < body->outlines; i++) {
+      line[i] = view_project(&p->camera, body->core[i]);
+    }
+    fprintf(p->file, "<g fill-opacity=\"0\">");
+    put_polygon(p, inner, line, body->outlines);
+    fprintf(p->file, "</g>");
+  }
+  fprintf(p->file, "<g fill-opacity=\"0\">\n");
+  put_faces(p, inner, body, false);
+  if (!body->round) {
+    put_faces(p, class, body, true);
+  }
+  fprintf(p->file, "</g></g>\n");
+}
+
+static point2 middle_of(const plot *p, const trace_body *body) {
+  point2 sum = {0, 0};
+  for (size_t i = 0; i < body->outlines; i++) {
+    const point2 at = view_project(&p->camera, body->outline[i]);
+    sum.x += at.x / (double)body->outlines;
+    sum.y += at.y / (double)body->outlines;
+  }
+  return sum;
+}
+
+// The left plot.
+
+static void number_text(char text[24], const char *letter, unsigned number, bool curved) {
+  if (curved) {
+    snprintf(text, 24, "%s", letter);
+  } else {
+    snprintf(text, 24, "%s%u", letter, number);
+  }
+}
+
+static void put_shapes(FILE *file, const trace *t, const trace_bodies *bodies, unsigned i, double left, double top) {
+  static plot p;
+  const trace_vertex *found = &t->iteration[i].found;
+  const real3 way = to_real(&t->iteration[i].direction);
+  extent2 e = {{1e30, 1e30}, {-1e30, -1e30}};
+  char text[24];
+  open_plot(&p, file, bodies, left, top);
+  extend_body(&e, &p.camera, &bodies->a);
+  extend_body(&e, &p.camera, &bodies->b);
+  fit(&p, &e);
+  put_body(&p, "sa", &bodies->a);
+  put_body(&p, "sb", &bodies->b);
+  const point2 a = view_project(&p.camera, to_real(&found->a)), b = view_project(&p.camera, to_real(&found->b));
+  put_arrow(&p, a, way);
+  put_arrow(&p, b, real_scale(-1, way));
+  put_dot(&p, "la", a, 5);
+  put_dot(&p, "lb", b, 5);
+  take(&p, a, 12);
+  take(&p, b, 12);
+  number_text(text, "a", found->number_a, t->curved);
+  put_label(&p, "la", a, text, 18);
+  number_text(text, "b", found->number_b, t->curved);
+  put_label(&p, "lb", b, text, 18);
+  put_label(&p, "la", middle_of(&p, &bodies->a), "A", 0);
+  put_label(&p, "lb", middle_of(&p, &bodies->b), "B", 0);
+}
+
+// The right plot.
+
+// The point of a simplex of 1 to 3 vertices that is nearest to the origin; its projection lies inside.
+static real3 nearest_point(const trace_simplex *s) {
+  const real3 a = to_real(&s->vertex[0].w);
+  if (s->count == 1) {
+    return a;
+  }
+  const real3 ab = real_sub(to_real(&s->vertex[1].w), a);
+  if (s->count == 2) {
+    return real_sub(a, real_scale(real_dot(a, ab) / real_dot(ab, ab), ab));
+  }
+  const real3 normal = real_cross(ab, real_sub(to_real(&s->vertex[2].w), a));
+  return real_scale(real_dot(a, normal) / fmax(real_dot(normal, normal), 1e-300), normal);
+}
+
+static void put_simplex(plot *p, const char *class, const trace_simplex *s) {
+  point2 corner[4];
+  for (unsigned i = 0; i < s->count; i++) {
+    corner[i] = view_project(&p->camera, to_real(&s->vertex[i].w));
+  }
+  for (unsigned i = 0; i < s->count; i++) {
+    for (unsigned k = 0; k < i; k++) {
+      take_line(p, corner[i], corner[k]);
+      put_line(p, class, corner[i], corner[k]);
+    }
+  }
+  for (unsigned skip = 0; skip < 4 && s->count >= 3; skip++) {  // the triangle, or the faces of the tetrahedron
+    point2 face[3];
+    unsigned n = 0;
+    for (unsigned i = 0; i < s->count && n < 3; i++) {
+      if (i != skip || s->count == 3) {
+        face[n++] = corner[i];
+      }
+    }
+    if (s->count == 4 || skip == 0) {
+      put_polygon(p, class, face, 3);
+    }
+  }
+}
+
+static void put_vertices(plot *p, const trace_iteration *it) {
+  const point2 found = view_project(&p->camera, to_real(&it->found.w));
+  for (unsigned i = 0; i < it->before.count; i++) {
+    const point2 at = view_project(&p->camera, to_real(&it->before.vertex[i].w));
+    put_dot(p, "old", at, 5);
+    take(p, at, 12);
+  }
+  for (unsigned i = 0; i < it->after.count; i++) {
+    const point2 at = view_project(&p->camera, to_real(&it->after.vertex[i].w));
+    put_dot(p, "vertex", at, 5);
+    take(p, at, 12);
+  }
+  put_dot(p, "found", found, 9);
+  take(p, found, 18);
+}
+
+static void name_vertices(plot *p, const trace_iteration *it) {
+  unsigned named[9], names = 0;
+  for (unsigned i = 0; i < 1 + it->before.count + it->after.count; i++) {
+    const trace_vertex *v = i == 0                     ? &it->found
+                            : i - 1 < it->before.count ? &it->before.vertex[i - 1]
+                                                       : &it->after.vertex[i - 1 - it->before.count];
+    bool known = v->name == 0;
+    for (unsigned k = 0; k < names; k++) {
+      known = known || named[k] == v->name;
+    }
+    if (!known) {
+      char text[16];
+      snprintf(text, sizeof text, "w%u", v->name);
+      named[names++] = v->name;
+      put_label(p, i == 0 ? "fl" : "ink", view_project(&p->camera, to_real(&v->w)), text, 20);
+    }
+  }
+}
+
+// In the plane: the line across the direction through the vertex found, from border to border.
+static void put_support_line(plot *p, const trace_iteration *it) {
+  const real3 way = to_real(&it->direction);
+  const point2 at = view_project(&p->camera, to_real(&it->found.w));
+  const double length = hypot(way.x, way.y), x = way.y / length, y = way.x / length;
+  const label_rectangle *area = &p->page.area;
+  double low = -1e9, high = 1e9;
+  const double slope[2] = {x, y}, from[2] = {area->left - at.x, area->top - at.y};
+  const double size[2] = {area->width, area->height};
+  for (int k = 0; k < 2; k++) {
+    if (fabs(slope[k]) > 1e-9) {
+      const double s = from[k] / slope[k], e = (from[k] + size[k]) / slope[k];
+      low = fmax(low, fmin(s, e));
+      high = fmin(high, fmax(s, e));
+    }
+  }
+  const point2 a = {at.x + low * x, at.y + low * y}, b = {at.x + high * x, at.y + high * y};
+  put_line(p, "line", a, b);
+}
+
+static void put_origin(plot *p, const trace *t) {
+  const point2 o = view_project(&p->camera, zero);
+  const point2 left = {o.x - 9, o.y}, right = {o.x + 9, o.y}, up = {o.x, o.y - 9}, down = {o.x, o.y + 9};
+  const double radius = (double)t->radius / 65536 * p->camera.scale;
+  if (radius > 3 && radius < 2000) {
+    put_dot(p, "disc", o, radius);
+  }
+  put_line(p, "origin", left, right);
+  put_line(p, "origin", up, down);
+  take(p, o, 20);
+}
+
+static void put_difference(FILE *file, const trace *t, const trace_bodies *bodies, unsigned i, double left,
+                           double top) {
+  static plot p;
+  const trace_iteration *it = &t->iteration[i];
+  extent2 e = {{0, 0}, {0, 0}};
+  open_plot(&p, file, bodies, left, top);
+  extend_body(&e, &p.camera, &bodies->difference);
+  fit(&p, &e);
+  fprintf(file, "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" viewBox=\"%.1f %.1f %.1f %.1f\">\n", left,
+          top, PLOT_WIDTH, PLOT_HEIGHT, left, top, PLOT_WIDTH, PLOT_HEIGHT);
+  put_body(&p, "sd", &bodies->difference);
+  if (t->dimensions == 2) {
+    put_support_line(&p, it);
+  }
+  const real3 start = it->before.count > 0 && it->before.count < 4 ? nearest_point(&it->before) : zero;
+  const point2 from = it->before.count > 0 ? view_project(&p.camera, start) : middle_of(&p, &bodies->difference);
+  put_origin(&p, t);
+  put_simplex(&p, "before", &it->before);
+  put_simplex(&p, "after", &it->after);
+  if (it->after.count > 0 && it->after.count < (t->enclosing && i + 1 == t->count ? 0u : 4u)) {
+    put_line(&p, "gap", view_project(&p.camera, nearest_point(&it->after)), view_project(&p.camera, zero));
+  }
+  put_arrow(&p, from, to_real(&it->direction));
+  put_vertices(&p, it);
+  name_vertices(&p, it);
+  put_label(&p, "ink", view_project(&p.camera, zero), "O", 18);
+  put_label(&p, "ld", middle_of(&p, &bodies->difference), "A \xE2\x88\x92 B", 0);
+  fprintf(file, "</svg>\n");
+}
+
+// Text.
+
+// Writes text in at most two lines, at most so many characters in the first.
+static void put_wrapped(FILE *file, const char *class, double x, double y, const char *text) {
+  const size_t most = (size_t)((PANEL_WIDTH - 28) / CHARACTER);
+  size_t cut = strlen(text);
+  if (cut > most) {
+    cut = most;
+    while (cut > 0 && text[cut] != ' ') {
+      cut--;
+    }
+  }
+  char first[TEXT_MAX];
+  snprintf(first, sizeof first, "%.*s", (int)cut, text);
+  fprintf(file, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\">", class, x, y);
+  svg_text(file, first);
+  fprintf(file, "</text>\n");
+  if (text[cut] == ' ') {
+    fprintf(file, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\">", class, x, y + 23);
+    svg_text(file, text + cut + 1);
+    fprintf(file, "</text>\n");
+  }
+}
+
+static void put_words(FILE *file, const trace *t, unsigned i, double left, double top) {
+  const trace_iteration *it = &t->iteration[i];
+  char before[64], after[64], a[24], b[24];
+  number_text(a, "a", it->found.number_a, t->curved);
+  number_text(b, "b", it->found.number_b, t->curved);
+  trace_simplex_text(&it->before, before, sizeof before);
+  trace_simplex_text(&it->after, after, sizeof after);
+  fprintf(file,
+          "<text class=\"ink\" x=\"%.1f\" y=\"%.1f\"><tspan font-weight=\"bold\">Iteration %u</tspan> finds w%u%s = %s "
+          "\xE2\x88\x92 %s</text>\n",
+          left + 14, top + 30, i + 1, it->found.name, it->found.name <= i ? " again" : "", a, b);
+  if (i + 1 < t->count) {
+    fprintf(file, "<text class=\"ink\" x=\"%.1f\" y=\"%.1f\">simplex: %s \xE2\x86\x92 %s</text>\n", left + 14,
+            top + PANEL_HEIGHT - 42, strcmp(before, "-") == 0 ? "none" : before, after);
+  } else {
+    char stop[TEXT_MAX + 16];
+    snprintf(stop, sizeof stop, "Stop: %s", t->stop);
+    put_wrapped(file, "stop", left + 14, top + PANEL_HEIGHT - 42, stop);
+  }
+}
+
+bool trace_picture_open(trace_picture *p) {
+  p->panels = tmpfile();
+  p->height = MARGIN;
+  return p->panels != NULL;
+}
+
+void trace_picture_add(trace_picture *p, const char *answer, const trace *t, const trace_bodies *bodies) {
+  const unsigned rows = (t->count + COLUMNS - 1) / COLUMNS;
+  fprintf(p->panels, "<text class=\"ink\" x=\"%.1f\" y=\"%.1f\" font-size=\"20\" font-weight=\"bold\">", MARGIN,
+          p->height + 24);
+  svg_text(p->panels, answer);
+  fprintf(p->panels, "</text>\n");
+  if (t->count == 0) {
+    put_wrapped(p->panels, "stop", MARGIN, p->height + TITLE_HEIGHT, t->stop);
+  }
+  p->height += t->count == 0 ? TITLE_HEIGHT + 20 : TITLE_HEIGHT - 12;
+  for (unsigned i = 0; i < t->count; i++) {
+    const double left = MARGIN + (i % COLUMNS) * (PANEL_WIDTH + GAP);
+    const double top = p->height + (i / COLUMNS) * (PANEL_HEIGHT + GAP);
+    fprintf(p->panels, "<rect class=\"panel\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"8\"/>\n", left,
+            top, PANEL_WIDTH, PANEL_HEIGHT);
+    put_shapes(p->panels, t, bodies, i, left + 6, top + PLOT_TOP);
+    put_difference(p->panels, t, bodies, i, left + PANEL_WIDTH / 2 + 6, top + PLOT_TOP);
+    put_words(p->panels, t, i, left, top);
+  }
+  p->height += rows * (PANEL_HEIGHT + GAP) + 4;
+}
+
+bool trace_picture_close(trace_picture *p, const char *name) {
+  FILE *file = fopen(name, "w");
+  int c;
+  bool written = file != NULL;
+  if (written) {
+    fprintf(file,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" "
+            "font-size=\"%.0f\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n%s"
+            "<rect class=\"page\" width=\"100%%\" height=\"100%%\"/>\n",
+            WIDTH, p->height, WIDTH, p->height, FONT, style);
+    rewind(p->panels);
+    while ((c = getc(p->panels)) != EOF) {
+      putc(c, file);
+    }
+    fprintf(file, "</svg>\n");
+    written = ferror(file) == 0;
+    written = fclose(file) == 0 && written;
+  }
+  fclose(p->panels);
+  return written;
+}
