@@ -3,16 +3,14 @@
 
 #include <stdlib.h>
 
-#define ONE (INT32_C(1) << 30)
-
 void case2_shape_reset(case2_shape *shape) {
-  static const case2_vec zero = {0, 0}, unturned = {ONE, 0};
+  static const gjk2_vec zero = {0, 0};
+  static const gjk2_pose identity = GJK2_POSE_IDENTITY;
   shape->kind = CASE2_POINT;
   shape->size = zero;
   shape->count = 0;
   shape->convex_radius = 0;
-  shape->at = zero;
-  shape->turn = unturned;
+  shape->pose = identity;
 }
 
 static void free_shape(case2_shape *shape) {
@@ -28,7 +26,7 @@ void case2_pair_free(case2_pair *pair) {
 
 void case2_shape_set_count(case2_shape *shape, size_t count) {
   if (count > shape->capacity) {
-    void *grown = count > SIZE_MAX / sizeof(case2_vec) ? NULL : realloc(shape->vertices, count * sizeof(case2_vec));
+    void *grown = count > SIZE_MAX / sizeof(gjk2_vec) ? NULL : realloc(shape->vertices, count * sizeof(gjk2_vec));
     if (grown == NULL) {
       fprintf(stderr, "out of memory for %lu vertices\n", (unsigned long)count);
       exit(2);
@@ -39,7 +37,7 @@ void case2_shape_set_count(case2_shape *shape, size_t count) {
   shape->count = count;
 }
 
-static void print_vec(FILE *file, case2_vec v) {
+static void print_vec(FILE *file, gjk2_vec v) {
   fprintf(file, "%ld %ld\n", (long)v.x, (long)v.y);
 }
 
@@ -48,6 +46,7 @@ static void print_shape(FILE *file, char name, const case2_shape *shape) {
   switch (shape->kind) {
     case CASE2_POINT: fprintf(file, "point\n"); break;
     case CASE2_SEGMENT: fprintf(file, "segment %ld\n", (long)shape->size.x); break;
+    case CASE2_TRIANGLE: fprintf(file, "triangle\n"); break;
     case CASE2_BOX: fprintf(file, "box "); break;
     case CASE2_POLYGON: fprintf(file, "polygon %lu\n", (unsigned long)shape->count); break;
     case CASE2_ELLIPSE: fprintf(file, "ellipse "); break;
@@ -55,16 +54,15 @@ static void print_shape(FILE *file, char name, const case2_shape *shape) {
   if (shape->kind == CASE2_BOX || shape->kind == CASE2_ELLIPSE) {
     print_vec(file, shape->size);
   }
-  for (size_t i = 0; shape->kind == CASE2_POLYGON && i < shape->count; i++) {
+  for (size_t i = 0; i < shape->count; i++) {
     print_vec(file, shape->vertices[i]);
   }
   if (shape->convex_radius != 0) {
     fprintf(file, "%c round %ld\n", name, (long)shape->convex_radius);
   }
   fprintf(file, "%c at ", name);
-  print_vec(file, shape->at);
-  fprintf(file, "%c turn ", name);
-  print_vec(file, shape->turn);
+  print_vec(file, shape->pose.position);
+  fprintf(file, "%c turn %ld %ld\n", name, (long)shape->pose.rotation.c, (long)shape->pose.rotation.s);
 }
 
 void case2_print(FILE *file, const case2_pair *pair) {

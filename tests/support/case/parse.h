@@ -14,8 +14,8 @@
 // and of a pair in the plane:
 //
 //     case2 ID [free text]
-//     A KIND ...               point | segment h | box hx hy | polygon n (n lines of x y) | circle r | capsule r h
-//                              | ellipse rx ry; the axis of a segment or capsule is local x
+//     A KIND ...               point | segment h | triangle (3 lines of x y) | box hx hy
+//                              | polygon n (n lines of x y) | circle r | capsule r h | ellipse rx ry; the axis of a segment or capsule is local x
 //     A round r                optional convex radius, adds to that of a circle or capsule
 //     A at x y                 optional, default 0 0
 //     A turn c s               optional cosine and sine, default 1.0 0.0

@@ -23,6 +23,7 @@ typedef struct kind2_name {
 static const kind2_name kind_names[] = {
     {.word = "point", .numbers = "nothing", .kind = CASE2_POINT},
     {.word = "segment", .numbers = "h after 'segment'", .kind = CASE2_SEGMENT, .count = 1},
+    {.word = "triangle", .numbers = "nothing", .kind = CASE2_TRIANGLE},
     {.word = "box", .numbers = "hx hy after 'box'", .kind = CASE2_BOX, .count = 2},
     {.word = "circle", .numbers = "r after 'circle'", .kind = CASE2_POINT, .count = 1, .first_is_radius = true},
     {.word = "capsule", .numbers = "r h after 'capsule'", .kind = CASE2_SEGMENT, .count = 2, .first_is_radius = true},
@@ -30,18 +31,20 @@ static const kind2_name kind_names[] = {
 };
 
 static void set_vertex(void *shape, size_t i, const int32_t *number) {
-  const case2_vec v = {number[0], number[1]};
+  const gjk2_vec v = {number[0], number[1]};
   ((case2_shape *)shape)->vertices[i] = v;
+}
+
+static bool read_vertices(case_reader *reader, case2_shape *shape, size_t count) {
+  case2_shape_set_count(shape, count);
+  return case_read_points(reader, "x y", count, 2, set_vertex, shape);
 }
 
 static bool read_polygon(case_reader *reader, char *cursor, case2_shape *shape) {
   int32_t count;
   shape->kind = CASE2_POLYGON;
-  if (!case_read_count(reader, cursor, "vertices", "polygon", CASE2_VERTICES_MAX, &count)) {
-    return false;
-  }
-  case2_shape_set_count(shape, (size_t)count);
-  return case_read_points(reader, "x y", shape->count, 2, set_vertex, shape);
+  return case_read_count(reader, cursor, "vertices", "polygon", GJK2_POLYGON_VERTICES_MAX, &count) &&
+         read_vertices(reader, shape, (size_t)count);
 }
 
 static bool read_kind(case_reader *reader, char *cursor, side2 *into, const char *word) {
@@ -64,32 +67,20 @@ static bool read_kind(case_reader *reader, char *cursor, side2 *into, const char
       into->own_radius = name->first_is_radius ? number[0] : 0;
       into->shape->size.x = name->first_is_radius ? number[1] : number[0];
       into->shape->size.y = name->first_is_radius ? 0 : number[1];
-      return true;
+      return name->kind != CASE2_TRIANGLE || read_vertices(reader, into->shape, 3);
     }
   }
-  case_complain(reader,
-                "expected point, segment, box, polygon, circle, capsule, ellipse, round, at or turn after '%c', "
-                "found '%s'",
-                into->letter, word);
+  case_complain(
+      reader,
+      "expected point, segment, triangle, box, polygon, circle, capsule, ellipse, round, at or turn after '%c', "
+      "found '%s'",
+      into->letter, word);
   return false;
-}
-
-// Reads two numbers of a property that may stand only once.
-static bool read_pair(case_reader *reader, char *cursor, side2 *into, bool *seen, const char *word, int bits,
-                      case2_vec *out) {
-  int32_t n[2];
-  char names[32];
-  snprintf(names, sizeof names, "%s after '%s'", bits == CASE_ROTATION_BITS ? "c s" : "x y", word);
-  if (!case_once(reader, seen, into->letter, word) || !case_read_numbers(reader, cursor, names, bits, 2, n)) {
-    return false;
-  }
-  out->x = n[0];
-  out->y = n[1];
-  return true;
 }
 
 static bool read_property(case_reader *reader, char *cursor, void *of) {
   side2 *into = of;
+  int32_t n[2];
   const char *word = case_next_word(&cursor);
   word = word == NULL ? "" : word;
   if (strcmp(word, "round") == 0) {
@@ -97,10 +88,22 @@ static bool read_property(case_reader *reader, char *cursor, void *of) {
            case_read_numbers(reader, cursor, "r after 'round'", CASE_LENGTH_BITS, 1, &into->round_radius);
   }
   if (strcmp(word, "at") == 0) {
-    return read_pair(reader, cursor, into, &into->at, word, CASE_LENGTH_BITS, &into->shape->at);
+    if (!case_once(reader, &into->at, into->letter, word) ||
+        !case_read_numbers(reader, cursor, "x y after 'at'", CASE_LENGTH_BITS, 2, n)) {
+      return false;
+    }
+    into->shape->pose.position.x = n[0];
+    into->shape->pose.position.y = n[1];
+    return true;
   }
   if (strcmp(word, "turn") == 0) {
-    return read_pair(reader, cursor, into, &into->turn, word, CASE_ROTATION_BITS, &into->shape->turn);
+    if (!case_once(reader, &into->turn, into->letter, word) ||
+        !case_read_numbers(reader, cursor, "c s after 'turn'", CASE_ROTATION_BITS, 2, n)) {
+      return false;
+    }
+    into->shape->pose.rotation.c = n[0];
+    into->shape->pose.rotation.s = n[1];
+    return true;
   }
   return read_kind(reader, cursor, into, word);
 }

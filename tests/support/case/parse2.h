@@ -4,9 +4,6 @@
 
 #include "parse.h"
 
-// Most lines of x y of a polygon.
-#define CASE2_VERTICES_MAX 65535
-
 // Reads a case whose first line is in text. False: it is malformed, and was named.
 bool case2_read(case_reader *reader, case2_pair *pair);
 

@@ -136,8 +136,9 @@ typedef struct gap {
   exact2_point direction;
 } gap;
 
-static long double value(const gap *g) {
-  return sqrtl((long double)g->numerator / (long double)g->denominator);
+// Its square, within 2^-62 of itself.
+static long double squared(const gap *g) {
+  return (long double)g->numerator / (long double)g->denominator;
 }
 
 // The sign of the distance - twice / 2. Pre: 0 <= twice < 2^35.
@@ -148,9 +149,9 @@ static int compare_half(const gap *g, uint64_t twice) {
 
 // The largest integer that is at most the distance less half an LSB (half), or the distance.
 static int64_t rounded_down(const gap *g, bool half) {
-  int64_t d = (int64_t)value(g);
+  int64_t d = (int64_t)sqrtl(squared(g));
   const int64_t more = half ? 1 : 0;
-  while (compare_half(g, (uint64_t)(2 * d + more)) < 0 && d >= 0) {
+  while (d >= 0 && compare_half(g, (uint64_t)(2 * d + more)) < 0) {
     d--;
   }
   while (compare_half(g, (uint64_t)(2 * d + 2 + more)) >= 0) {
@@ -181,7 +182,7 @@ static gap gap_to_edge(exact2_point p, exact2_point q, exact2_point e) {
 // Takes the nearer gap for the best. Two whose values differ by less than rounding point almost the same way; what is
 // decided and rounded looks at all of them.
 static void take_nearer(gap *best, const gap *g) {
-  if (best->denominator == 0 || value(g) < value(best)) {
+  if (best->denominator == 0 || squared(g) < squared(best)) {
     *best = *g;
   }
 }
@@ -213,7 +214,7 @@ typedef struct measure {
 
 static void look_to_measure(void *state, const gap *g) {
   measure *m = state;
-  if (value(g) <= m->limit) {
+  if (squared(g) <= m->limit) {
     const int64_t nearest = rounded_down(g, true) + 1, floored = rounded_down(g, false);
     m->within = m->within || compare_half(g, 2 * (uint64_t)m->radius) <= 0;
     m->nearest = nearest < m->nearest ? nearest : m->nearest;
@@ -225,7 +226,7 @@ static void measure_gap(const exact2_hull *a, const exact2_hull *b, int64_t radi
   best->denominator = 0;
   each_gap(a, b, false, look_for_nearest, best);
   each_gap(b, a, true, look_for_nearest, best);
-  out->limit = value(best) * (1 + 1e-15L);
+  out->limit = squared(best) * (1 + 1e-15L);
   out->radius = radius;
   out->within = false;
   out->nearest = out->floored = INT64_MAX;
@@ -320,13 +321,4 @@ bool exact2_within(const exact2_shape *a, const exact2_shape *b, int64_t distanc
   }
   free(h);
   return meet || found.within;
-}
-
-long double exact2_farthest(const exact2_shape *shape, exact2_point n) {
-  wide best = dot(n, shape->point[0]);
-  for (unsigned i = 1; i < shape->count; i++) {
-    const wide along = dot(n, shape->point[i]);
-    best = along > best ? along : best;
-  }
-  return (long double)best;
 }

@@ -48,8 +48,4 @@ void exact2_find(const exact2_shape *a, const exact2_shape *b, exact2_truth *out
 // Are the shapes at most distance apart? Pre: 0 <= distance < 2^31.
 bool exact2_within(const exact2_shape *a, const exact2_shape *b, int64_t distance);
 
-// How far the farthest point of the core along n is, n . p. Pre: |n| <= 2^31.
-// The result is exact: below 2^65.
-long double exact2_farthest(const exact2_shape *shape, exact2_point n);
-
 #endif
