@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../demo/labels.h"
+#include "trace_plot.h"
 
 #define WIDTH 1240.0
 #define MARGIN 20.0
@@ -21,11 +21,7 @@
 #define PLOT_HEIGHT 244.0
 #define PLOT_WIDTH (PANEL_WIDTH / 2 - 12)
 #define TITLE_HEIGHT 56.0
-#define ARROW 44.0
-#define FONT 18.0
 enum { TEXT_MAX = 200 };
-
-#define CHARACTER 10.4
 
 // librsvg and old viewers know no variables in style sheets: each colour is written out, twice where dark differs.
 static const char style[] =
@@ -42,7 +38,7 @@ static const char style[] =
     ".gap{stroke:#1d2733;stroke-width:1.5;stroke-dasharray:2 4}.origin{stroke:#1d2733;stroke-width:2.2}"
     ".disc{fill:#1d2733;fill-opacity:.08;stroke:#1d2733;stroke-dasharray:5 4}.dot{fill:#1d2733}"
     ".halo{stroke:#fff;stroke-width:4;stroke-opacity:.85;paint-order:stroke;stroke-linejoin:round}"
-    ".stop{fill:#b0121a}"
+    ".stop{fill:#b0121a}.lattice{fill:#8a96a3}"
     "@media(prefers-color-scheme:dark){"
     ".page{fill:#11161b}.panel{fill:#1a2027;stroke:#39434e}.ink,.tl{fill:#e8edf2}.faint{fill:#a3afbb}"
     ".sa{fill:#1e3a5c;stroke:#6fb1ff}.sb{fill:#55391a;stroke:#f0a850}.sd{fill:#2d353e;stroke:#97a4b1}"
@@ -52,163 +48,11 @@ static const char style[] =
     ".gap,.origin,.disc{stroke:#e8edf2}.disc,.dot{fill:#e8edf2}.halo{stroke:#1a2027}}"
     "</style>\n";
 
-// One of the two plots of a panel.
-typedef struct plot {
-  FILE *file;
-  view camera;
-  label_page page;
-} plot;
-
 static const real3 zero = {0, 0, 0};
 
-static real3 to_real(const trace_point *p) {
-  const real3 out = {(double)p->x[0] / 65536, (double)p->x[1] / 65536, (double)p->x[2] / 65536};
-  return out;
-}
-
-// Fitting.
-
-typedef struct extent2 {
-  point2 low, high;
-} extent2;
-
-static void extend(extent2 *e, point2 p) {
-  e->low.x = fmin(e->low.x, p.x);
-  e->low.y = fmin(e->low.y, p.y);
-  e->high.x = fmax(e->high.x, p.x);
-  e->high.y = fmax(e->high.y, p.y);
-}
-
-static void extend_body(extent2 *e, const view *v, const trace_body *body) {
-  for (size_t i = 0; i < body->outlines; i++) {
-    extend(e, view_project(v, body->outline[i]));
-  }
-}
-
-// Scales and moves the view of a plot so that the extent, taken at scale 1, fills it.
-static void fit(plot *p, const extent2 *e) {
-  const double border = 30, width = e->high.x - e->low.x, height = e->high.y - e->low.y;
-  const label_rectangle *area = &p->page.area;
-  view *v = &p->camera;
-  v->scale = fmin((area->width - 2 * border) / fmax(width, 1e-9), (area->height - 2 * border) / fmax(height, 1e-9));
-  v->left = area->left + area->width / 2 - v->scale * (e->low.x + width / 2);
-  v->top = area->top + area->height / 2 - v->scale * (e->low.y + height / 2);
-}
-
-static void open_plot(plot *p, FILE *file, const trace_bodies *bodies, double left, double top) {
+static label_rectangle area_at(double left, double top) {
   const label_rectangle area = {left, top, PLOT_WIDTH, PLOT_HEIGHT};
-  memset(p, 0, sizeof *p);
-  p->file = file;
-  p->camera = bodies->camera;
-  p->camera.scale = 1;
-  p->page.area = area;
-}
-
-static void take(plot *p, point2 at, double size) {
-  const label_rectangle r = {at.x - size / 2, at.y - size / 2, size, size};
-  label_take(&p->page, r, 12);
-}
-
-// Keeps labels off a line.
-static void take_line(plot *p, point2 a, point2 b) {
-  const int steps = 8;
-  for (int i = 0; i <= steps; i++) {
-    const point2 at = {a.x + (b.x - a.x) * i / steps, a.y + (b.y - a.y) * i / steps};
-    take(p, at, 5);
-  }
-}
-
-// Pieces.
-
-static void put_polygon(plot *p, const char *class, const point2 *point, size_t n) {
-  fprintf(p->file, "<polygon class=\"%s\" points=\"", class);
-  svg_points(p->file, point, n);
-  fprintf(p->file, "\"/>\n");
-}
-
-static void put_line(plot *p, const char *class, point2 a, point2 b) {
-  fprintf(p->file, "<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n", class, a.x, a.y, b.x, b.y);
-}
-
-static void put_dot(plot *p, const char *class, point2 at, double radius) {
-  fprintf(p->file, "<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"/>\n", class, at.x, at.y, radius);
-}
-
-// A label near a point, out of the way of what is there.
-static void put_label(plot *p, const char *class, point2 at, const char *text, double nearest) {
-  const double width = CHARACTER * (double)strlen(text);
-  const label_rectangle r = label_place(&p->page, at, width, FONT, nearest);
-  fprintf(p->file, "<text class=\"%s halo\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">", class, r.left + width / 2,
-          r.top + FONT - 3.5);
-  svg_text(p->file, text);
-  fprintf(p->file, "</text>\n");
-}
-
-// An arrow from a point along a direction of the page; its length says how much of the direction lies in the page.
-static void put_arrow(plot *p, point2 from, real3 direction) {
-  const view *v = &p->camera;
-  const double length = sqrt(real_dot(direction, direction));
-  const double x = real_dot(direction, v->right) / length, y = -real_dot(direction, v->up) / length, size = hypot(x, y);
-  if (length <= 0 || size < 0.2) {
-    return;  // towards the camera or away from it
-  }
-  const point2 tip = {from.x + ARROW * x, from.y + ARROW * y};
-  const double u = x / size, w = y / size;
-  const point2 end = {tip.x - 9 * u, tip.y - 9 * w};
-  const point2 head[3] = {
-      tip, {tip.x - 12 * u + 5 * w, tip.y - 12 * w - 5 * u}, {tip.x - 12 * u - 5 * w, tip.y - 12 * w + 5 * u}};
-  put_line(p, "way", from, end);
-  put_polygon(p, "tip", head, 3);
-  take_line(p, from, tip);
-}
-
-static void put_faces(plot *p, const char *class, const trace_body *body, bool front) {
-  point2 corner[FACE_VERTICES_MAX];
-  for (size_t i = 0; i < body->face_count; i++) {
-    const real_face *face = &body->faces[i];
-    for (size_t k = 0; k < face->count; k++) {
-      corner[k] = view_project(&p->camera, face->vertex[k]);
-    }
-    if ((real_dot(face->normal, p->camera.toward) > 1e-9) == front) {
-      put_polygon(p, class, corner, face->count);
-    }
-  }
-}
-
-// class: of the fill and outline, sa, sb or sd.
-static void put_body(plot *p, const char *class, const trace_body *body) {
-  point2 line[OUTLINE_POINTS];
-  char inner[16];
-  for (size_t i = 0; i < body->outlines; i++) {
-    line[i] = view_project(&p->camera, body->outline[i]);
-  }
-  fprintf(p->file, "<g stroke-width=\"1.6\" stroke-linejoin=\"round\">\n");
-  put_polygon(p, class, line, body->outlines);
-  snprintf(inner, sizeof inner, "%s hid", class);
-  if (body->round) {
-    for (size_t i = 0; i < body->outlines; i++) {
-      line[i] = view_project(&p->camera, body->core[i]);
-    }
-    fprintf(p->file, "<g fill-opacity=\"0\">");
-    put_polygon(p, inner, line, body->outlines);
-    fprintf(p->file, "</g>");
-  }
-  fprintf(p->file, "<g fill-opacity=\"0\">\n");
-  put_faces(p, inner, body, false);
-  if (!body->round) {
-    put_faces(p, class, body, true);
-  }
-  fprintf(p->file, "</g></g>\n");
-}
-
-static point2 middle_of(const plot *p, const trace_body *body) {
-  point2 sum = {0, 0};
-  for (size_t i = 0; i < body->outlines; i++) {
-    const point2 at = view_project(&p->camera, body->outline[i]);
-    sum.x += at.x / (double)body->outlines;
-    sum.y += at.y / (double)body->outlines;
-  }
-  return sum;
+  return area;
 }
 
 // The left plot.
@@ -224,55 +68,41 @@ static void number_text(char text[24], const char *letter, unsigned number, bool
 static void put_shapes(FILE *file, const trace *t, const trace_bodies *bodies, unsigned i, double left, double top) {
   static plot p;
   const trace_vertex *found = &t->iteration[i].found;
-  const real3 way = to_real(&t->iteration[i].direction);
+  const real3 way = plot_real(&t->iteration[i].direction);
   extent2 e = {{1e30, 1e30}, {-1e30, -1e30}};
   char text[24];
-  open_plot(&p, file, bodies, left, top);
-  extend_body(&e, &p.camera, &bodies->a);
-  extend_body(&e, &p.camera, &bodies->b);
-  fit(&p, &e);
-  put_body(&p, "sa", &bodies->a);
-  put_body(&p, "sb", &bodies->b);
-  const point2 a = view_project(&p.camera, to_real(&found->a)), b = view_project(&p.camera, to_real(&found->b));
-  put_arrow(&p, a, way);
-  put_arrow(&p, b, real_scale(-1, way));
-  put_dot(&p, "la", a, 5);
-  put_dot(&p, "lb", b, 5);
-  take(&p, a, 12);
-  take(&p, b, 12);
+  plot_open(&p, file, bodies, area_at(left, top));
+  plot_extend(&e, &p.camera, &bodies->a);
+  plot_extend(&e, &p.camera, &bodies->b);
+  plot_fit(&p, &e);
+  plot_body(&p, "sa", &bodies->a);
+  plot_body(&p, "sb", &bodies->b);
+  const point2 a = view_project(&p.camera, plot_real(&found->a)), b = view_project(&p.camera, plot_real(&found->b));
+  plot_arrow(&p, a, way);
+  plot_arrow(&p, b, real_scale(-1, way));
+  plot_dot(&p, "la", a, 5);
+  plot_dot(&p, "lb", b, 5);
+  plot_take(&p, a, 12);
+  plot_take(&p, b, 12);
   number_text(text, "a", found->number_a, t->curved);
-  put_label(&p, "la", a, text, 18);
+  plot_label(&p, "la", a, text, 18);
   number_text(text, "b", found->number_b, t->curved);
-  put_label(&p, "lb", b, text, 18);
-  put_label(&p, "la", middle_of(&p, &bodies->a), "A", 0);
-  put_label(&p, "lb", middle_of(&p, &bodies->b), "B", 0);
+  plot_label(&p, "lb", b, text, 18);
+  plot_label(&p, "la", plot_middle(&p, &bodies->a), "A", 0);
+  plot_label(&p, "lb", plot_middle(&p, &bodies->b), "B", 0);
 }
 
 // The right plot.
 
-// The point of a simplex of 1 to 3 vertices that is nearest to the origin; its projection lies inside.
-static real3 nearest_point(const trace_simplex *s) {
-  const real3 a = to_real(&s->vertex[0].w);
-  if (s->count == 1) {
-    return a;
-  }
-  const real3 ab = real_sub(to_real(&s->vertex[1].w), a);
-  if (s->count == 2) {
-    return real_sub(a, real_scale(real_dot(a, ab) / real_dot(ab, ab), ab));
-  }
-  const real3 normal = real_cross(ab, real_sub(to_real(&s->vertex[2].w), a));
-  return real_scale(real_dot(a, normal) / fmax(real_dot(normal, normal), 1e-300), normal);
-}
-
 static void put_simplex(plot *p, const char *class, const trace_simplex *s) {
   point2 corner[4];
   for (unsigned i = 0; i < s->count; i++) {
-    corner[i] = view_project(&p->camera, to_real(&s->vertex[i].w));
+    corner[i] = view_project(&p->camera, plot_real(&s->vertex[i].w));
   }
   for (unsigned i = 0; i < s->count; i++) {
     for (unsigned k = 0; k < i; k++) {
-      take_line(p, corner[i], corner[k]);
-      put_line(p, class, corner[i], corner[k]);
+      plot_take_line(p, corner[i], corner[k]);
+      plot_line(p, class, corner[i], corner[k]);
     }
   }
   for (unsigned skip = 0; skip < 4 && s->count >= 3; skip++) {  // the triangle, or the faces of the tetrahedron
@@ -284,25 +114,25 @@ static void put_simplex(plot *p, const char *class, const trace_simplex *s) {
       }
     }
     if (s->count == 4 || skip == 0) {
-      put_polygon(p, class, face, 3);
+      plot_polygon(p, class, face, 3);
     }
   }
 }
 
 static void put_vertices(plot *p, const trace_iteration *it) {
-  const point2 found = view_project(&p->camera, to_real(&it->found.w));
+  const point2 found = view_project(&p->camera, plot_real(&it->found.w));
   for (unsigned i = 0; i < it->before.count; i++) {
-    const point2 at = view_project(&p->camera, to_real(&it->before.vertex[i].w));
-    put_dot(p, "old", at, 5);
-    take(p, at, 12);
+    const point2 at = view_project(&p->camera, plot_real(&it->before.vertex[i].w));
+    plot_dot(p, "old", at, 5);
+    plot_take(p, at, 12);
   }
   for (unsigned i = 0; i < it->after.count; i++) {
-    const point2 at = view_project(&p->camera, to_real(&it->after.vertex[i].w));
-    put_dot(p, "vertex", at, 5);
-    take(p, at, 12);
+    const point2 at = view_project(&p->camera, plot_real(&it->after.vertex[i].w));
+    plot_dot(p, "vertex", at, 5);
+    plot_take(p, at, 12);
   }
-  put_dot(p, "found", found, 9);
-  take(p, found, 18);
+  plot_dot(p, "found", found, 9);
+  plot_take(p, found, 18);
 }
 
 static void name_vertices(plot *p, const trace_iteration *it) {
@@ -319,15 +149,15 @@ static void name_vertices(plot *p, const trace_iteration *it) {
       char text[16];
       snprintf(text, sizeof text, "w%u", v->name);
       named[names++] = v->name;
-      put_label(p, i == 0 ? "fl" : "ink", view_project(&p->camera, to_real(&v->w)), text, 20);
+      plot_label(p, i == 0 ? "fl" : "ink", view_project(&p->camera, plot_real(&v->w)), text, 20);
     }
   }
 }
 
 // In the plane: the line across the direction through the vertex found, from border to border.
 static void put_support_line(plot *p, const trace_iteration *it) {
-  const real3 way = to_real(&it->direction);
-  const point2 at = view_project(&p->camera, to_real(&it->found.w));
+  const real3 way = plot_real(&it->direction);
+  const point2 at = view_project(&p->camera, plot_real(&it->found.w));
   const double length = hypot(way.x, way.y), x = way.y / length, y = way.x / length;
   const label_rectangle *area = &p->page.area;
   double low = -1e9, high = 1e9;
@@ -341,19 +171,7 @@ static void put_support_line(plot *p, const trace_iteration *it) {
     }
   }
   const point2 a = {at.x + low * x, at.y + low * y}, b = {at.x + high * x, at.y + high * y};
-  put_line(p, "line", a, b);
-}
-
-static void put_origin(plot *p, const trace *t) {
-  const point2 o = view_project(&p->camera, zero);
-  const point2 left = {o.x - 9, o.y}, right = {o.x + 9, o.y}, up = {o.x, o.y - 9}, down = {o.x, o.y + 9};
-  const double radius = (double)t->radius / 65536 * p->camera.scale;
-  if (radius > 3 && radius < 2000) {
-    put_dot(p, "disc", o, radius);
-  }
-  put_line(p, "origin", left, right);
-  put_line(p, "origin", up, down);
-  take(p, o, 20);
+  plot_line(p, "line", a, b);
 }
 
 static void put_difference(FILE *file, const trace *t, const trace_bodies *bodies, unsigned i, double left,
@@ -361,28 +179,28 @@ static void put_difference(FILE *file, const trace *t, const trace_bodies *bodie
   static plot p;
   const trace_iteration *it = &t->iteration[i];
   extent2 e = {{0, 0}, {0, 0}};
-  open_plot(&p, file, bodies, left, top);
-  extend_body(&e, &p.camera, &bodies->difference);
-  fit(&p, &e);
+  plot_open(&p, file, bodies, area_at(left, top));
+  plot_extend(&e, &p.camera, &bodies->difference);
+  plot_fit(&p, &e);
   fprintf(file, "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" viewBox=\"%.1f %.1f %.1f %.1f\">\n", left,
           top, PLOT_WIDTH, PLOT_HEIGHT, left, top, PLOT_WIDTH, PLOT_HEIGHT);
-  put_body(&p, "sd", &bodies->difference);
+  plot_body(&p, "sd", &bodies->difference);
   if (t->dimensions == 2) {
     put_support_line(&p, it);
   }
-  const real3 start = it->before.count > 0 && it->before.count < 4 ? nearest_point(&it->before) : zero;
-  const point2 from = it->before.count > 0 ? view_project(&p.camera, start) : middle_of(&p, &bodies->difference);
-  put_origin(&p, t);
+  const real3 start = it->before.count > 0 && it->before.count < 4 ? plot_nearest_point(&it->before) : zero;
+  const point2 from = it->before.count > 0 ? view_project(&p.camera, start) : plot_middle(&p, &bodies->difference);
+  plot_origin(&p, t);
   put_simplex(&p, "before", &it->before);
   put_simplex(&p, "after", &it->after);
   if (it->after.count > 0 && it->after.count < (t->enclosing && i + 1 == t->count ? 0u : 4u)) {
-    put_line(&p, "gap", view_project(&p.camera, nearest_point(&it->after)), view_project(&p.camera, zero));
+    plot_line(&p, "gap", view_project(&p.camera, plot_nearest_point(&it->after)), view_project(&p.camera, zero));
   }
-  put_arrow(&p, from, to_real(&it->direction));
+  plot_arrow(&p, from, plot_real(&it->direction));
   put_vertices(&p, it);
   name_vertices(&p, it);
-  put_label(&p, "ink", view_project(&p.camera, zero), "O", 18);
-  put_label(&p, "ld", middle_of(&p, &bodies->difference), "A \xE2\x88\x92 B", 0);
+  plot_label(&p, "ink", view_project(&p.camera, zero), "O", 18);
+  plot_label(&p, "ld", plot_middle(&p, &bodies->difference), "A \xE2\x88\x92 B", 0);
   fprintf(file, "</svg>\n");
 }
 
@@ -390,7 +208,7 @@ static void put_difference(FILE *file, const trace *t, const trace_bodies *bodie
 
 // Writes text in at most two lines, at most so many characters in the first.
 static void put_wrapped(FILE *file, const char *class, double x, double y, const char *text) {
-  const size_t most = (size_t)((PANEL_WIDTH - 28) / CHARACTER);
+  const size_t most = (size_t)((PANEL_WIDTH - 28) / PLOT_CHARACTER);
   size_t cut = strlen(text);
   if (cut > most) {
     cut = most;
@@ -437,24 +255,38 @@ bool trace_picture_open(trace_picture *p) {
   return p->panels != NULL;
 }
 
+static void put_panel(trace_picture *p, const trace *t, const trace_bodies *bodies, unsigned i) {
+  const double left = MARGIN + (i % COLUMNS) * (PANEL_WIDTH + GAP);
+  const double top = p->height + (i / COLUMNS) * (PANEL_HEIGHT + GAP);
+  fprintf(p->panels, "<rect class=\"panel\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"8\"/>\n", left,
+          top, PANEL_WIDTH, PANEL_HEIGHT);
+  if (i < t->count) {
+    put_shapes(p->panels, t, bodies, i, left + 6, top + PLOT_TOP);
+    put_difference(p->panels, t, bodies, i, left + PANEL_WIDTH / 2 + 6, top + PLOT_TOP);
+    put_words(p->panels, t, i, left, top);
+    return;
+  }
+  const label_rectangle area = {left + 14, top + PLOT_TOP, PANEL_WIDTH - 28, PLOT_HEIGHT};
+  const double larger = plot_magnified(p->panels, t, bodies, area);
+  fprintf(p->panels,
+          "<text class=\"ink\" x=\"%.1f\" y=\"%.1f\"><tspan font-weight=\"bold\">Around the origin</tspan>, %.0f times "
+          "larger</text>\n<text class=\"ink\" x=\"%.1f\" y=\"%.1f\">A point for each pair of integers: they are an LSB "
+          "apart</text>\n",
+          left + 14, top + 30, larger, left + 14, top + PANEL_HEIGHT - 42);
+}
+
 void trace_picture_add(trace_picture *p, const char *answer, const trace *t, const trace_bodies *bodies) {
-  const unsigned rows = (t->count + COLUMNS - 1) / COLUMNS;
+  const unsigned panels = t->count + (plot_magnifies(t, bodies) ? 1 : 0), rows = (panels + COLUMNS - 1) / COLUMNS;
   fprintf(p->panels, "<text class=\"ink\" x=\"%.1f\" y=\"%.1f\" font-size=\"20\" font-weight=\"bold\">", MARGIN,
           p->height + 24);
   svg_text(p->panels, answer);
   fprintf(p->panels, "</text>\n");
-  if (t->count == 0) {
+  if (panels == 0) {
     put_wrapped(p->panels, "stop", MARGIN, p->height + TITLE_HEIGHT, t->stop);
   }
-  p->height += t->count == 0 ? TITLE_HEIGHT + 20 : TITLE_HEIGHT - 12;
-  for (unsigned i = 0; i < t->count; i++) {
-    const double left = MARGIN + (i % COLUMNS) * (PANEL_WIDTH + GAP);
-    const double top = p->height + (i / COLUMNS) * (PANEL_HEIGHT + GAP);
-    fprintf(p->panels, "<rect class=\"panel\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"8\"/>\n", left,
-            top, PANEL_WIDTH, PANEL_HEIGHT);
-    put_shapes(p->panels, t, bodies, i, left + 6, top + PLOT_TOP);
-    put_difference(p->panels, t, bodies, i, left + PANEL_WIDTH / 2 + 6, top + PLOT_TOP);
-    put_words(p->panels, t, i, left, top);
+  p->height += panels == 0 ? TITLE_HEIGHT + 20 : TITLE_HEIGHT - 12;
+  for (unsigned i = 0; i < panels; i++) {
+    put_panel(p, t, bodies, i);
   }
   p->height += rows * (PANEL_HEIGHT + GAP) + 4;
 }
@@ -468,7 +300,7 @@ bool trace_picture_close(trace_picture *p, const char *name) {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" "
             "font-size=\"%.0f\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n%s"
             "<rect class=\"page\" width=\"100%%\" height=\"100%%\"/>\n",
-            WIDTH, p->height, WIDTH, p->height, FONT, style);
+            WIDTH, p->height, WIDTH, p->height, PLOT_FONT, style);
     rewind(p->panels);
     while ((c = getc(p->panels)) != EOF) {
       putc(c, file);
