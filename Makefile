@@ -6,6 +6,7 @@
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
 #                        (-m4-fpu and -m7-fpu: the same with floating point, for programs that have some)
 #   make demo-stack      lets a pile of crates, balls, capsules and drums fall and rest under the tests' solver: build/stack.svg
+#   make demo-trace      draws what each iteration of GJK does on some pairs: build/trace.html
 #   make amalgamation    the library as two files: build/amalgamation/gjk.h and gjk.c
 #   make sizes           code by function group and stack by query, per target
 #   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv;
@@ -94,7 +95,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: all help lib setup test unit-tests demo demo-stack amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: all help lib setup test unit-tests demo demo-stack demo-trace amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
@@ -251,6 +252,10 @@ demo: build/gjk-demo
 
 demo-stack: build/gjk-demo-stack
 	build/gjk-demo-stack build/stack.svg
+
+demo-trace: build/gjk-query
+	@sh tests/build/demo-trace.sh build tests/data/trace.txt
+	@echo '  build/trace.html'
 
 amalgamation:
 	@sh tests/build/amalgamate.sh build

@@ -9,6 +9,8 @@
 #include "case/parse.h"
 #include "trace_picture.h"
 
+enum { TITLE_MAX = 160 };
+
 enum { EXIT_ANSWERED = 0, EXIT_UNPROVEN = 1, EXIT_INPUT = 2 };
 
 static const char help[] =
@@ -24,6 +26,9 @@ static const char help[] =
     "                as --penetration, and the points where they touch, or are at most MARGIN (default 0) apart\n"
     "  --reference   the double-precision reference answers instead of the library\n"
     "  --certify     check each answer in exact integers; says so where it can't or where an answer is wrong\n"
+    "  --trace       below each answer a line for each iteration of the search, and why it stopped\n"
+    "  --trace-svg FILE\n"
+    "                draws that: a panel for each iteration, the shapes and their Minkowski difference\n"
     "  --help        this text\n"
     "\n"
     "A case, lengths in Q16.16 and quaternions in Q2.30; with a decimal point a number is in units instead:\n"
@@ -48,6 +53,10 @@ static const char help[] =
     "  ID intersecting iterations=N\n"
     "  ID intersecting depth=D a=x,y,z b=x,y,z normal=x,y,z iterations=N     (--penetration)\n"
     "    contact a=x,y,z b=x,y,z distance=D id=N     (--contacts) a line per point below; D negative: its depth\n"
+    "  iteration N d=x,y,z An=x,y,z Bn=x,y,z wN=x,y,z before=w1,... after=w1,...     (--trace) the direction\n"
+    "    ('rounded' if it is), the vertices of A and B farthest along it and against it, their difference, named\n"
+    "    by the iteration that found it first, and the simplex before and after\n"
+    "  stop REASON: TEXT\n"
     "  ID within iterations=N        (--within; or 'beyond'; with --iterations 'open', where they do not settle it)\n"
     "  ID error STATUS_NAME detail   a pair that the library refuses\n"
     "  ... uncertified: WHY          (--certify) curved: no exact check exists, but accurate bounds agree\n"
@@ -79,6 +88,23 @@ static void print_verdict(tool *t, const case_answer *answer) {
   }
 }
 
+// Writes the answer as the title of its picture.
+static void write_title(const tool *t, const case_answer *answer, char title[TITLE_MAX]) {
+  const char *id = t->pair.id;
+  if (answer->status != GJK_OK) {
+    snprintf(title, TITLE_MAX, "%s: %s", id, gjk_status_name(answer->status));
+  } else if (t->question.ask == CASE_INTERSECT || t->question.ask == CASE_WITHIN) {
+    const char *no = answer->open ? "open" : t->question.ask == CASE_WITHIN ? "beyond" : "separated";
+    const char *yes = t->question.ask == CASE_WITHIN ? "within" : "intersecting";
+    snprintf(title, TITLE_MAX, "%s: %s", id, answer->decision.yes ? yes : no);
+  } else if (answer->distance.intersecting) {
+    snprintf(title, TITLE_MAX, "%s: intersecting", id);
+  } else {
+    const long gap = (long)answer->distance.distance;
+    snprintf(title, TITLE_MAX, "%s: separated, distance %ld LSB = %.5g units", id, gap, (double)gap / 65536);
+  }
+}
+
 // Traces the search of an answered case. The reference's is not traced.
 static void trace_case(tool *t, const case_answer *answer) {
   static trace steps;
@@ -92,7 +118,9 @@ static void trace_case(tool *t, const case_answer *answer) {
   }
   if (t->picture_name != NULL) {
     trace_bodies_space(&t->pair, &bodies);
-    trace_picture_add(&t->picture, t->pair.id, &steps, &bodies);
+    char title[TITLE_MAX];
+    write_title(t, answer, title);
+    trace_picture_add(&t->picture, title, &steps, &bodies);
   }
 }
 

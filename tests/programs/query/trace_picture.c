@@ -21,17 +21,17 @@
 #define PLOT_HEIGHT 244.0
 #define PLOT_WIDTH (PANEL_WIDTH / 2 - 12)
 #define TITLE_HEIGHT 56.0
-enum { TEXT_MAX = 200 };
+enum { TEXT_MAX = 200, NAMES_MAX = 96 };
 
 // librsvg and old viewers know no variables in style sheets: each colour is written out, twice where dark differs.
 static const char style[] =
     "<style>"
     ".page{fill:#eef1f5}.panel{fill:#fff;stroke:#cdd5dd}.ink,.tl{fill:#1d2733}.faint{fill:#56616e}"
-    ".sa{fill:#cfe1f8;stroke:#1f66b5}.sb{fill:#fbdcb6;stroke:#a85d00}.sd{fill:#e3e7ec;stroke:#6a7684}"
+    ".sa{fill:#cfe1f8;stroke:#1f66b5}.sb{fill:#fbdcb6;fill-opacity:.75;stroke:#a85d00}.sd{fill:#e3e7ec;stroke:#6a7684}"
     ".core,.hid,.edge{fill:none}.hid{stroke-width:1;stroke-dasharray:2 4;stroke-opacity:.7}"
     ".la{fill:#124a8c}.lb{fill:#7a4300}.ld{fill:#4d5864}"
     ".before{fill:none;stroke:#8a5bb5;stroke-width:2;stroke-dasharray:7 5}"
-    ".after{fill:#7b1fa2;fill-opacity:.22;stroke:#7b1fa2;stroke-width:3.5;stroke-linejoin:round}"
+    ".after{stroke:#7b1fa2;stroke-width:3.5;stroke-linecap:round}.face{fill:#7b1fa2;fill-opacity:.2}"
     ".vertex{fill:#7b1fa2}.old{fill:#fff;stroke:#8a5bb5;stroke-width:1.6}"
     ".found{fill:none;stroke:#c4151c;stroke-width:2.4}.fl{fill:#b0121a}"
     ".way{stroke:#0a7a45;stroke-width:2.4}.tip{fill:#0a7a45}.line{stroke:#0a7a45;stroke-width:1.6;stroke-dasharray:4 4}"
@@ -43,7 +43,8 @@ static const char style[] =
     ".page{fill:#11161b}.panel{fill:#1a2027;stroke:#39434e}.ink,.tl{fill:#e8edf2}.faint{fill:#a3afbb}"
     ".sa{fill:#1e3a5c;stroke:#6fb1ff}.sb{fill:#55391a;stroke:#f0a850}.sd{fill:#2d353e;stroke:#97a4b1}"
     ".la{fill:#a9d0ff}.lb{fill:#ffcf94}.ld{fill:#c3ccd6}"
-    ".before{stroke:#b48ade}.after{fill:#c77dff;stroke:#c77dff}.vertex{fill:#c77dff}.old{fill:#1a2027;stroke:#b48ade}"
+    ".before{stroke:#b48ade}.after{stroke:#c77dff}.face{fill:#c77dff}.vertex{fill:#c77dff}.old{fill:#1a2027;stroke:#"
+    "b48ade}"
     ".found{stroke:#ff6b70}.fl,.stop{fill:#ff8a8e}.way,.line{stroke:#43cf8a}.tip{fill:#43cf8a}"
     ".gap,.origin,.disc{stroke:#e8edf2}.disc,.dot{fill:#e8edf2}.halo{stroke:#1a2027}}"
     "</style>\n";
@@ -94,18 +95,13 @@ static void put_shapes(FILE *file, const trace *t, const trace_bodies *bodies, u
 
 // The right plot.
 
-static void put_simplex(plot *p, const char *class, const trace_simplex *s) {
+// class: before, dashed lines; after, lines and the faces between them.
+static void put_simplex(plot *p, const char *class, const trace_simplex *s, bool faces) {
   point2 corner[4];
   for (unsigned i = 0; i < s->count; i++) {
     corner[i] = view_project(&p->camera, plot_real(&s->vertex[i].w));
   }
-  for (unsigned i = 0; i < s->count; i++) {
-    for (unsigned k = 0; k < i; k++) {
-      plot_take_line(p, corner[i], corner[k]);
-      plot_line(p, class, corner[i], corner[k]);
-    }
-  }
-  for (unsigned skip = 0; skip < 4 && s->count >= 3; skip++) {  // the triangle, or the faces of the tetrahedron
+  for (unsigned skip = 0; skip < 4 && s->count >= 3 && faces; skip++) {  // the triangle, or those of the tetrahedron
     point2 face[3];
     unsigned n = 0;
     for (unsigned i = 0; i < s->count && n < 3; i++) {
@@ -114,7 +110,13 @@ static void put_simplex(plot *p, const char *class, const trace_simplex *s) {
       }
     }
     if (s->count == 4 || skip == 0) {
-      plot_polygon(p, class, face, 3);
+      plot_polygon(p, "face", face, 3);
+    }
+  }
+  for (unsigned i = 0; i < s->count; i++) {
+    for (unsigned k = 0; k < i; k++) {
+      plot_take_line(p, corner[i], corner[k]);
+      plot_line(p, class, corner[i], corner[k]);
     }
   }
 }
@@ -191,8 +193,8 @@ static void put_difference(FILE *file, const trace *t, const trace_bodies *bodie
   const real3 start = it->before.count > 0 && it->before.count < 4 ? plot_nearest_point(&it->before) : zero;
   const point2 from = it->before.count > 0 ? view_project(&p.camera, start) : plot_middle(&p, &bodies->difference);
   plot_origin(&p, t);
-  put_simplex(&p, "before", &it->before);
-  put_simplex(&p, "after", &it->after);
+  put_simplex(&p, "before", &it->before, false);
+  put_simplex(&p, "after", &it->after, true);
   if (it->after.count > 0 && it->after.count < (t->enclosing && i + 1 == t->count ? 0u : 4u)) {
     plot_line(&p, "gap", view_project(&p.camera, plot_nearest_point(&it->after)), view_project(&p.camera, zero));
   }
@@ -228,20 +230,31 @@ static void put_wrapped(FILE *file, const char *class, double x, double y, const
   }
 }
 
+// The names of the vertices, with blanks between them.
+static void simplex_words(const trace_simplex *s, char text[NAMES_MAX]) {
+  trace_simplex_text(s, text, NAMES_MAX);
+  for (char *c = text; *c != '\0'; c++) {
+    *c = *c == ',' ? ' ' : *c;
+  }
+  if (s->count == 0) {
+    snprintf(text, NAMES_MAX, "none");
+  }
+}
+
 static void put_words(FILE *file, const trace *t, unsigned i, double left, double top) {
   const trace_iteration *it = &t->iteration[i];
-  char before[64], after[64], a[24], b[24];
+  char before[NAMES_MAX], after[NAMES_MAX], a[24], b[24];
   number_text(a, "a", it->found.number_a, t->curved);
   number_text(b, "b", it->found.number_b, t->curved);
-  trace_simplex_text(&it->before, before, sizeof before);
-  trace_simplex_text(&it->after, after, sizeof after);
+  simplex_words(&it->before, before);
+  simplex_words(&it->after, after);
   fprintf(file,
           "<text class=\"ink\" x=\"%.1f\" y=\"%.1f\"><tspan font-weight=\"bold\">Iteration %u</tspan> finds w%u%s = %s "
           "\xE2\x88\x92 %s</text>\n",
           left + 14, top + 30, i + 1, it->found.name, it->found.name <= i ? " again" : "", a, b);
   if (i + 1 < t->count) {
     fprintf(file, "<text class=\"ink\" x=\"%.1f\" y=\"%.1f\">simplex: %s \xE2\x86\x92 %s</text>\n", left + 14,
-            top + PANEL_HEIGHT - 42, strcmp(before, "-") == 0 ? "none" : before, after);
+            top + PANEL_HEIGHT - 42, before, after);
   } else {
     char stop[TEXT_MAX + 16];
     snprintf(stop, sizeof stop, "Stop: %s", t->stop);
