@@ -3,6 +3,26 @@
 
 #include <string.h>
 
+// A word, and a sentence.
+static const char *const reasons[][2] = {
+    [TRACE_NEAREST] = {"nearest", "no vertex of A - B is nearer to the origin than the simplex"},
+    [TRACE_ENCLOSING] = {"enclosing", "the origin lies in the simplex, so A and B share a point"},
+    [TRACE_SEPARATED] = {"separated", "all of A - B lies beyond the origin, along the direction"},
+    [TRACE_NEAR] = {"near", "the simplex is as near to the origin as was asked"},
+    [TRACE_LIMIT] = {"limit", "the iterations did not settle it"},
+    [TRACE_SPHERES] = {"spheres", "the bounding spheres are apart"},
+    [TRACE_CIRCLES] = {"circles", "the bounding circles are apart"}};
+
+void trace_start(trace *t, unsigned dimensions, int64_t radius) {
+  memset(t, 0, sizeof *t);
+  t->dimensions = dimensions;
+  t->radius = radius;
+}
+
+const char *trace_reason_text(const trace *t) {
+  return reasons[t->reason][1];
+}
+
 void trace_complete_vertex(const trace *t, trace_vertex *vertex) {
   for (int k = 0; k < 3; k++) {
     vertex->w.x[k] = vertex->a.x[k] - vertex->b.x[k];
@@ -58,5 +78,5 @@ void trace_print(FILE *file, const trace *t) {
     print_point(file, t, name, &it->found.w);
     fprintf(file, " before=%s after=%s%s\n", before, after, it->recalled ? " recalled" : "");
   }
-  fprintf(file, "  stop %s: %s\n", t->reason, t->stop);
+  fprintf(file, "  stop %s: %s\n", reasons[t->reason][0], reasons[t->reason][1]);
 }

@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "case/answer.h"
+#include "case/case2.h"
 
 enum { TRACE_ITERATIONS_MAX = 256 };
 
@@ -38,16 +39,32 @@ typedef struct trace_iteration {
   trace_simplex before, after;
 } trace_iteration;
 
+// Why the search stopped.
+typedef enum trace_reason {
+  TRACE_NEAREST,
+  TRACE_ENCLOSING,
+  TRACE_SEPARATED,
+  TRACE_NEAR,
+  TRACE_LIMIT,
+  TRACE_SPHERES,  // bounding spheres
+  TRACE_CIRCLES   // or in the plane circles
+} trace_reason;
+
 typedef struct trace {
   unsigned dimensions;  // 2 or 3
-  const char *reason;   // why the search stopped, in a word
-  const char *stop;     // and in a sentence
-  int64_t radius;       // what the cores are compared with: the convex radii and the distance asked about, LSB
-  bool curved;          // vertices have no numbers
-  bool enclosing;       // the origin lies in the last simplex
+  trace_reason reason;
+  int64_t radius;  // what the cores are compared with: the convex radii and the distance asked about, LSB
+  bool curved;     // vertices have no numbers
+  bool enclosing;  // the origin lies in the last simplex
   unsigned count;
   trace_iteration iteration[TRACE_ITERATIONS_MAX];
 } trace;
+
+// Begins a trace without iterations.
+void trace_start(trace *t, unsigned dimensions, int64_t radius);
+
+// Why it stopped, in a sentence.
+const char *trace_reason_text(const trace *t);
 
 // Completes a vertex whose numbers and support points are set: sets w, and the name of the iteration that found it.
 void trace_complete_vertex(const trace *t, trace_vertex *vertex);
@@ -57,6 +74,9 @@ void trace_simplex_text(const trace_simplex *simplex, char *text, size_t size);
 
 // Runs the search of the question. Pre: a and b were built, and posed.
 void trace_space(const case_question *question, const gjk_collider *a, const gjk_collider *b, trace *out);
+
+// The same in the plane.
+void trace_plane(const case_question *question, const gjk2_collider *a, const gjk2_collider *b, trace *out);
 
 // Prints a line for each iteration, and one for the reason.
 void trace_print(FILE *file, const trace *t);

@@ -195,7 +195,7 @@ static void put_difference(FILE *file, const trace *t, const trace_bodies *bodie
   plot_origin(&p, t);
   put_simplex(&p, "before", &it->before, false);
   put_simplex(&p, "after", &it->after, true);
-  if (it->after.count > 0 && it->after.count < (t->enclosing && i + 1 == t->count ? 0u : 4u)) {
+  if (it->after.count > 0 && it->after.count < (t->reason == TRACE_ENCLOSING && i + 1 == t->count ? 0u : 4u)) {
     plot_line(&p, "gap", view_project(&p.camera, plot_nearest_point(&it->after)), view_project(&p.camera, zero));
   }
   plot_arrow(&p, from, plot_real(&it->direction));
@@ -257,7 +257,7 @@ static void put_words(FILE *file, const trace *t, unsigned i, double left, doubl
             top + PANEL_HEIGHT - 42, before, after);
   } else {
     char stop[TEXT_MAX + 16];
-    snprintf(stop, sizeof stop, "Stop: %s", t->stop);
+    snprintf(stop, sizeof stop, "Stop: %s", trace_reason_text(t));
     put_wrapped(file, "stop", left + 14, top + PANEL_HEIGHT - 42, stop);
   }
 }
@@ -295,7 +295,7 @@ void trace_picture_add(trace_picture *p, const char *answer, const trace *t, con
   svg_text(p->panels, answer);
   fprintf(p->panels, "</text>\n");
   if (panels == 0) {
-    put_wrapped(p->panels, "stop", MARGIN, p->height + TITLE_HEIGHT, t->stop);
+    put_wrapped(p->panels, "stop", MARGIN, p->height + TITLE_HEIGHT, trace_reason_text(t));
   }
   p->height += panels == 0 ? TITLE_HEIGHT + 20 : TITLE_HEIGHT - 12;
   for (unsigned i = 0; i < panels; i++) {

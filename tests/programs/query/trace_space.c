@@ -5,8 +5,6 @@
 //   ENCLOSING              the same, if the call scanned for a vertex at all; else the feature alone told it
 //   NEAREST, SEPARATED     the vertex found stands in the free slot, and the feature is as it was
 //   NEAR                   the same, if the call scanned
-#include <string.h>
-
 #include "src/gjk/gjk_search.h"
 #include "trace.h"
 
@@ -68,16 +66,15 @@ static void add_iteration(trace *t, const gjk_iteration *it, gjk_outcome outcome
   set_simplex(t, it, &out->after);
 }
 
-static void say_why(trace *t, gjk_outcome outcome) {
-  static const char *const why[][2] = {
-      [GJK_OUTCOME_NEAREST] = {"nearest", "no vertex of A - B is nearer to the origin than the simplex"},
-      [GJK_OUTCOME_ENCLOSING] = {"enclosing", "the origin lies in the simplex, so A and B share a point"},
-      [GJK_OUTCOME_SEPARATED] = {"separated", "all of A - B lies beyond the origin, along the direction"},
-      [GJK_OUTCOME_NEAR] = {"near", "the simplex is as near to the origin as was asked"},
-      [GJK_OUTCOME_LIMIT] = {"limit", "the iterations did not settle it"}};
-  t->reason = why[outcome][0];
-  t->stop = why[outcome][1];
-  t->enclosing = outcome == GJK_OUTCOME_ENCLOSING;
+static trace_reason reason_of(gjk_outcome outcome) {
+  switch (outcome) {
+    case GJK_OUTCOME_NEAREST: return TRACE_NEAREST;
+    case GJK_OUTCOME_ENCLOSING: return TRACE_ENCLOSING;
+    case GJK_OUTCOME_SEPARATED: return TRACE_SEPARATED;
+    case GJK_OUTCOME_NEAR: return TRACE_NEAR;
+    case GJK_OUTCOME_LIMIT: break;
+  }
+  return TRACE_LIMIT;
 }
 
 // The goal that the query of the question searches for, and the radius that it adds.
@@ -94,13 +91,10 @@ static gjk_goal goal_of(const case_question *question, int64_t *radius) {
 void trace_space(const case_question *question, const gjk_collider *a, const gjk_collider *b, trace *out) {
   static gjk_iteration it;
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
-  memset(out, 0, sizeof *out);
-  out->dimensions = 3;
-  out->radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius;
+  trace_start(out, 3, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
   const gjk_goal goal = goal_of(question, &out->radius);
   if (!gjk_iteration_start(&it, a, b, goal, out->radius)) {
-    out->reason = "spheres";
-    out->stop = "the bounding spheres are apart";
+    out->reason = TRACE_SPHERES;
     return;
   }
   out->curved = gjk_pair_is_curved(&it);
@@ -115,5 +109,5 @@ void trace_space(const case_question *question, const gjk_collider *a, const gjk
       add_iteration(out, &it, outcome, &simplex);
     }
   }
-  say_why(out, outcome);
+  out->reason = reason_of(outcome);
 }
