@@ -23,4 +23,7 @@ typedef struct trace_bodies {
 // Builds the bodies of a pair in space, seen in a fixed parallel projection.
 void trace_bodies_space(const case_pair *pair, trace_bodies *out);
 
+// The same in the plane. a and b: the posed colliders of the pair.
+void trace_bodies_plane(const case2_pair *pair, const gjk2_collider *a, const gjk2_collider *b, trace_bodies *out);
+
 #endif
