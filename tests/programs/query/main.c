@@ -5,6 +5,7 @@
 
 #include "case/answer.h"
 #include "case/certify.h"
+#include "case/certify2.h"
 #include "case/number.h"
 #include "case/parse.h"
 #include "trace_picture.h"
@@ -31,7 +32,8 @@ static const char help[] =
     "                draws that: a panel for each iteration, the shapes and their Minkowski difference\n"
     "  --help        this text\n"
     "\n"
-    "A case, lengths in Q16.16 and quaternions in Q2.30; with a decimal point a number is in units instead:\n"
+    "A case, lengths in Q16.16, quaternions, cosines and sines in Q2.30; with a decimal point a\n"
+    "number is in units instead:\n"
     "\n"
     "  # comment\n"
     "  case ID [free text]\n"
@@ -44,6 +46,16 @@ static const char help[] =
     "                  counterclockwise seen from outside\n"
     "  A at x y z      optional, default 0 0 0\n"
     "  A turn x y z w  optional quaternion, default 0.0 0.0 0.0 1.0\n"
+    "  B KIND ...      and so on\n"
+    "\n"
+    "A case of the plane; its answers have two coordinates:\n"
+    "\n"
+    "  case2 ID [free text]\n"
+    "  A KIND ...      point | segment h | triangle (3 lines of x y) | box hx hy | polygon n (n lines of x y)\n"
+    "                  | circle r | capsule r h | ellipse rx ry (long axes along local x)\n"
+    "  A round r       optional convex radius\n"
+    "  A at x y        optional, default 0 0\n"
+    "  A turn c s      optional cosine and sine, default 1.0 0.0\n"
     "  B KIND ...      and so on\n"
     "\n"
     "Answers, in the order of the cases, in raw integers:\n"
@@ -74,68 +86,129 @@ typedef struct tool {
   case_reader reader;
   case_pair pair;
   case_collider a, b;
+  case2_pair pair2;  // of the plane
+  case2_collider a2, b2;
   unsigned long verdicts[3];  // by certify_verdict
   bool bad_input;
 } tool;
 
 // Writes nothing if the answer is proven.
-static void print_verdict(tool *t, const case_answer *answer) {
-  char why[CERTIFY_WHY_MAX];
-  certify_verdict verdict = certify_answer(&t->question, &t->pair, &t->a, &t->b, answer, why);
+static void print_verdict(tool *t, certify_verdict verdict, const char *why) {
   t->verdicts[verdict]++;
   if (verdict != CERTIFY_PROVEN) {
     printf(" %s: %s", verdict == CERTIFY_WRONG ? "WRONG" : "uncertified", why);
   }
 }
 
-// Writes the answer as the title of its picture.
-static void write_title(const tool *t, const case_answer *answer, char title[TITLE_MAX]) {
-  const char *id = t->pair.id;
-  if (answer->status != GJK_OK) {
-    snprintf(title, TITLE_MAX, "%s: %s", id, gjk_status_name(answer->status));
-  } else if (t->question.ask == CASE_INTERSECT || t->question.ask == CASE_WITHIN) {
-    const char *no = answer->open ? "open" : t->question.ask == CASE_WITHIN ? "beyond" : "separated";
-    const char *yes = t->question.ask == CASE_WITHIN ? "within" : "intersecting";
-    snprintf(title, TITLE_MAX, "%s: %s", id, answer->decision.yes ? yes : no);
-  } else if (answer->distance.intersecting) {
-    snprintf(title, TITLE_MAX, "%s: intersecting", id);
+// An answer in space or in the plane, as a picture's title needs it.
+typedef struct summary {
+  const char *id;
+  gjk_status status;
+  bool yes, open;     // of a decision
+  bool intersecting;  // of a distance
+  gjk_q16 distance;
+} summary;
+
+static void write_title(const tool *t, const summary *s, char title[TITLE_MAX]) {
+  const bool within = t->question.ask == CASE_WITHIN;
+  const char *yes = within ? "within" : "intersecting", *no = s->open ? "open" : within ? "beyond" : "separated";
+  if (s->status != GJK_OK) {
+    snprintf(title, TITLE_MAX, "%s: %s", s->id, gjk_status_name(s->status));
+  } else if (within || t->question.ask == CASE_INTERSECT) {
+    snprintf(title, TITLE_MAX, "%s: %s", s->id, s->yes ? yes : no);
+  } else if (s->intersecting) {
+    snprintf(title, TITLE_MAX, "%s: intersecting", s->id);
   } else {
-    const long gap = (long)answer->distance.distance;
-    snprintf(title, TITLE_MAX, "%s: separated, distance %ld LSB = %.5g units", id, gap, (double)gap / 65536);
+    snprintf(title, TITLE_MAX, "%s: separated, distance %ld LSB = %.5g units", s->id, (long)s->distance,
+             s->distance / 65536.0);
   }
 }
 
-// Traces the search of an answered case. The reference's is not traced.
-static void trace_case(tool *t, const case_answer *answer) {
-  static trace steps;
-  static trace_bodies bodies;
-  if ((!t->trace && t->picture_name == NULL) || answer->refused != 0) {
-    return;
-  }
-  trace_space(&t->question, &t->a.collider, &t->b.collider, &steps);
+// Prints and draws what the search did.
+static void show_trace(tool *t, const trace *steps, const trace_bodies *bodies, const char *title) {
   if (t->trace) {
-    trace_print(stdout, &steps);
+    trace_print(stdout, steps);
   }
   if (t->picture_name != NULL) {
-    trace_bodies_space(&t->pair, &bodies);
-    char title[TITLE_MAX];
-    write_title(t, answer, title);
-    trace_picture_add(&t->picture, title, &steps, &bodies);
+    trace_picture_add(&t->picture, title, steps, bodies);
+  }
+}
+
+static void trace_pair(tool *t, const case_answer *answer) {
+  static trace steps;
+  static trace_bodies bodies;
+  char title[TITLE_MAX];
+  const summary said = {.id = t->pair.id,
+                        .status = answer->status,
+                        .yes = answer->decision.yes,
+                        .open = answer->open,
+                        .intersecting = answer->distance.intersecting,
+                        .distance = answer->distance.distance};
+  write_title(t, &said, title);
+  trace_space(&t->question, &t->a.collider, &t->b.collider, &steps);
+  trace_bodies_space(&t->pair, &bodies);
+  show_trace(t, &steps, &bodies, title);
+}
+
+static void trace_pair2(tool *t, const case2_answer *answer) {
+  static trace steps;
+  static trace_bodies bodies;
+  char title[TITLE_MAX];
+  const summary said = {.id = t->pair2.id,
+                        .status = answer->status,
+                        .yes = answer->decision.yes,
+                        .open = answer->open,
+                        .intersecting = answer->distance.intersecting,
+                        .distance = answer->distance.distance};
+  write_title(t, &said, title);
+  trace_plane(&t->question, &t->a2.collider, &t->b2.collider, &steps);
+  trace_bodies_plane(&t->pair2, &t->a2.collider, &t->b2.collider, &bodies);
+  show_trace(t, &steps, &bodies, title);
+}
+
+static bool is_traced(const tool *t) {
+  return t->trace || t->picture_name != NULL;
+}
+
+static void answer_pair(tool *t) {
+  case_answer answer;
+  char why[CERTIFY_WHY_MAX];
+  case_answer_find(&t->question, &t->pair, &t->a, &t->b, &answer);
+  case_answer_print(stdout, &t->question, &t->pair, &answer);
+  if (t->certify && answer.refused == 0) {
+    print_verdict(t, certify_answer(&t->question, &t->pair, &t->a, &t->b, &answer, why), why);
+  }
+  putchar('\n');
+  case_contacts_print(stdout, &answer);
+  if (is_traced(t) && answer.refused == 0) {
+    trace_pair(t, &answer);
+  }
+}
+
+static void answer_pair2(tool *t) {
+  case2_answer answer;
+  char why[CERTIFY_WHY_MAX];
+  case2_answer_find(&t->question, &t->pair2, &t->a2, &t->b2, &answer);
+  case2_answer_print(stdout, &t->question, &t->pair2, &answer);
+  if (t->certify && answer.refused == 0) {
+    print_verdict(t, certify2_answer(&t->question, &t->pair2, &t->a2, &t->b2, &answer, why), why);
+  }
+  putchar('\n');
+  case2_contacts_print(stdout, &answer);
+  if (is_traced(t) && answer.refused == 0) {
+    trace_pair2(t, &answer);
   }
 }
 
 static void run_stream(tool *t, FILE *file, const char *name) {
-  case_answer answer;
+  case_found found;
   case_reader_open(&t->reader, file, name);
-  while (case_reader_next(&t->reader, &t->pair)) {
-    case_answer_find(&t->question, &t->pair, &t->a, &t->b, &answer);
-    case_answer_print(stdout, &t->question, &t->pair, &answer);
-    if (t->certify && answer.refused == 0) {
-      print_verdict(t, &answer);
+  while ((found = case_reader_next_any(&t->reader, &t->pair, &t->pair2)) != CASE_FOUND_NONE) {
+    if (found == CASE_FOUND_PLANE) {
+      answer_pair2(t);
+    } else {
+      answer_pair(t);
     }
-    putchar('\n');
-    case_contacts_print(stdout, &answer);
-    trace_case(t, &answer);
   }
   if (t->reader.errors > 0) {
     t->bad_input = true;
@@ -257,5 +330,8 @@ int main(int argc, char **argv) {
   case_pair_free(&t.pair);
   case_collider_free(&t.a);
   case_collider_free(&t.b);
+  case2_pair_free(&t.pair2);
+  case2_collider_free(&t.a2);
+  case2_collider_free(&t.b2);
   return written(t.bad_input ? EXIT_INPUT : t.verdicts[CERTIFY_WRONG] > 0 ? EXIT_UNPROVEN : EXIT_ANSWERED);
 }

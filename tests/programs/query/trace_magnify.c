@@ -50,7 +50,8 @@ bool plot_magnifies(const trace *t, const trace_bodies *bodies) {
 }
 
 static size_t clip(plot *p, const trace_body *body, point2 piece[2][OUTLINE_POINTS + 8]) {
-  const label_rectangle *area = &p->page.area;
+  const label_rectangle *own = &p->page.area;
+  const label_rectangle wide = {own->left - 9, own->top - 9, own->width + 18, own->height + 18}, *area = &wide;
   size_t n = body->outlines;
   for (size_t i = 0; i < n; i++) {
     piece[0][i] = view_project(&p->camera, body->outline[i]);
@@ -67,14 +68,17 @@ double plot_magnified(FILE *file, const trace *t, const trace_bodies *bodies, la
   extent2 all = {{0, 0}, {0, 0}};
   plot_open(&p, file, bodies, area);
   plot_extend(&all, &p.camera, &bodies->difference);
-  plot_fit(&p, &all);
+  plot_fit(&p, &all, 30);
   const double reach = fmax(3, 2 * ceil(last_gap(t))), step = area.height / (2 * reach + 1);
   const double larger = 65536 * step / p.camera.scale;
   p.camera.scale = 65536 * step;
   p.camera.left = area.left + area.width / 2;
   p.camera.top = area.top + area.height / 2;
   const size_t n = clip(&p, &bodies->difference, piece);
-  fprintf(file, "<g stroke-width=\"2\">");
+  fprintf(file,
+          "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" viewBox=\"%.1f %.1f %.1f %.1f\">\n<g "
+          "stroke-width=\"2\">",
+          area.left, area.top, area.width, area.height, area.left, area.top, area.width, area.height);
   plot_polygon(&p, "sd", piece[0], n);
   fprintf(file, "</g>\n");
   const int rows = (int)reach, columns = (int)(area.width / step / 2);
@@ -86,5 +90,6 @@ double plot_magnified(FILE *file, const trace *t, const trace_bodies *bodies, la
   }
   plot_origin(&p, t);
   plot_label(&p, "ink", view_project(&p.camera, zero), "O", 18);
+  fprintf(file, "</svg>\n");
   return larger;
 }

@@ -75,7 +75,7 @@ static void put_shapes(FILE *file, const trace *t, const trace_bodies *bodies, u
   plot_open(&p, file, bodies, area_at(left, top));
   plot_extend(&e, &p.camera, &bodies->a);
   plot_extend(&e, &p.camera, &bodies->b);
-  plot_fit(&p, &e);
+  plot_fit(&p, &e, 42);
   plot_body(&p, "sa", &bodies->a);
   plot_body(&p, "sb", &bodies->b);
   const point2 a = view_project(&p.camera, plot_real(&found->a)), b = view_project(&p.camera, plot_real(&found->b));
@@ -174,6 +174,7 @@ static void put_support_line(plot *p, const trace_iteration *it) {
   }
   const point2 a = {at.x + low * x, at.y + low * y}, b = {at.x + high * x, at.y + high * y};
   plot_line(p, "line", a, b);
+  plot_take_line(p, a, b);
 }
 
 static void put_difference(FILE *file, const trace *t, const trace_bodies *bodies, unsigned i, double left,
@@ -183,7 +184,7 @@ static void put_difference(FILE *file, const trace *t, const trace_bodies *bodie
   extent2 e = {{0, 0}, {0, 0}};
   plot_open(&p, file, bodies, area_at(left, top));
   plot_extend(&e, &p.camera, &bodies->difference);
-  plot_fit(&p, &e);
+  plot_fit(&p, &e, 30);
   fprintf(file, "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" viewBox=\"%.1f %.1f %.1f %.1f\">\n", left,
           top, PLOT_WIDTH, PLOT_HEIGHT, left, top, PLOT_WIDTH, PLOT_HEIGHT);
   plot_body(&p, "sd", &bodies->difference);
@@ -196,7 +197,9 @@ static void put_difference(FILE *file, const trace *t, const trace_bodies *bodie
   put_simplex(&p, "before", &it->before, false);
   put_simplex(&p, "after", &it->after, true);
   if (it->after.count > 0 && it->after.count < (t->reason == TRACE_ENCLOSING && i + 1 == t->count ? 0u : 4u)) {
-    plot_line(&p, "gap", view_project(&p.camera, plot_nearest_point(&it->after)), view_project(&p.camera, zero));
+    const point2 nearest = view_project(&p.camera, plot_nearest_point(&it->after));
+    plot_line(&p, "gap", nearest, view_project(&p.camera, zero));
+    plot_take_line(&p, nearest, view_project(&p.camera, zero));
   }
   plot_arrow(&p, from, plot_real(&it->direction));
   put_vertices(&p, it);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#define ARROW 44.0
+#define ARROW 38.0
 
 static const real3 zero = {0, 0, 0};
 
@@ -43,8 +43,8 @@ void plot_extend(extent2 *e, const view *v, const trace_body *body) {
 }
 
 // Scales and moves the view of a plot so that the extent, taken at scale 1, fills it.
-void plot_fit(plot *p, const extent2 *e) {
-  const double border = 30, width = e->high.x - e->low.x, height = e->high.y - e->low.y;
+void plot_fit(plot *p, const extent2 *e, double border) {
+  const double width = e->high.x - e->low.x, height = e->high.y - e->low.y;
   const label_rectangle *area = &p->page.area;
   view *v = &p->camera;
   v->scale = fmin((area->width - 2 * border) / fmax(width, 1e-9), (area->height - 2 * border) / fmax(height, 1e-9));
@@ -67,7 +67,7 @@ void plot_take(plot *p, point2 at, double size) {
 
 // Keeps labels off a line.
 void plot_take_line(plot *p, point2 a, point2 b) {
-  const int steps = 8;
+  const int steps = 1 + (int)(fmin(hypot(b.x - a.x, b.y - a.y), 1000) / 10);
   for (int i = 0; i <= steps; i++) {
     const point2 at = {a.x + (b.x - a.x) * i / steps, a.y + (b.y - a.y) * i / steps};
     plot_take(p, at, 5);
@@ -132,6 +132,22 @@ static void put_faces(plot *p, const char *class, const trace_body *body, bool f
 }
 
 // class: of the fill and outline, sa, sb or sd.
+// Keeps labels off an outline: round ones have many short lines.
+static void take_outline(plot *p, const point2 *line, size_t n) {
+  const double spacing = 14;
+  double left = 0;
+  for (size_t i = 0; i < n; i++) {
+    const point2 a = line[i], b = line[(i + 1) % n];
+    const double length = hypot(b.x - a.x, b.y - a.y);
+    for (; left < length; left += spacing) {
+      const point2 at = {a.x + (b.x - a.x) * left / length, a.y + (b.y - a.y) * left / length};
+      const label_rectangle r = {at.x - 4, at.y - 4, 8, 8};
+      label_take(&p->page, r, 4);
+    }
+    left -= length;
+  }
+}
+
 void plot_body(plot *p, const char *class, const trace_body *body) {
   point2 line[OUTLINE_POINTS];
   char inner[16];
@@ -140,6 +156,7 @@ void plot_body(plot *p, const char *class, const trace_body *body) {
   }
   fprintf(p->file, "<g stroke-width=\"1.6\" stroke-linejoin=\"round\">\n");
   plot_polygon(p, class, line, body->outlines);
+  take_outline(p, line, body->outlines);
   snprintf(inner, sizeof inner, "%s hid", class);
   if (body->round) {
     for (size_t i = 0; i < body->outlines; i++) {

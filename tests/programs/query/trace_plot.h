@@ -30,8 +30,8 @@ void plot_open(plot *p, FILE *file, const trace_bodies *bodies, label_rectangle 
 
 void plot_extend(extent2 *e, const view *v, const trace_body *body);
 
-// Scales and moves the view so that the extent, taken at scale 1, fills the plot.
-void plot_fit(plot *p, const extent2 *e);
+// Scales and moves the view so that the extent, taken at scale 1, fills the plot but for a border.
+void plot_fit(plot *p, const extent2 *e, double border);
 
 // Keep labels off a point, or a line.
 void plot_take(plot *p, point2 at, double size);

@@ -17,7 +17,6 @@
 #include <stdlib.h>
 
 __extension__ typedef __int128 wide;
-__extension__ typedef unsigned __int128 unsigned_wide;
 
 static exact2_point minus(exact2_point a, exact2_point b) {
   const exact2_point out = {a.x - b.x, a.y - b.y};
@@ -132,7 +131,7 @@ static bool hulls_meet(const exact2_hull *a, const exact2_hull *b) {
 
 // A squared distance, and the vector that has it, times a positive number.
 typedef struct gap {
-  unsigned_wide numerator, denominator;
+  exact2_wide numerator, denominator;
   exact2_point direction;
 } gap;
 
@@ -143,7 +142,7 @@ static long double squared(const gap *g) {
 
 // The sign of the distance - twice / 2. Pre: 0 <= twice < 2^35.
 static int compare_half(const gap *g, uint64_t twice) {
-  const unsigned_wide left = 4 * g->numerator, right = (unsigned_wide)twice * twice * g->denominator;
+  const exact2_wide left = 4 * g->numerator, right = (exact2_wide)twice * twice * g->denominator;
   return left < right ? -1 : left > right;
 }
 
@@ -167,71 +166,49 @@ static gap gap_to_edge(exact2_point p, exact2_point q, exact2_point e) {
   gap out = {0, 1, {0, 0}};
   if (square > 0 && along > 0 && along < square) {
     const wide area = cross(e, from);
-    out.numerator = (unsigned_wide)(area * (area < 0 ? -1 : 1));
+    out.numerator = (exact2_wide)(area * (area < 0 ? -1 : 1));
     out.numerator *= out.numerator;
-    out.denominator = (unsigned_wide)square;
+    out.denominator = (exact2_wide)square;
     out.direction = area > 0 ? outward(e) : negated(outward(e));
     return out;
   }
   const exact2_point end = {q.x + (along > 0 ? e.x : 0), q.y + (along > 0 ? e.y : 0)};
   out.direction = minus(end, p);
-  out.numerator = (unsigned_wide)dot(out.direction, out.direction);
+  out.numerator = (exact2_wide)dot(out.direction, out.direction);
   return out;
 }
 
-// Takes the nearer gap for the best. Two whose values differ by less than rounding point almost the same way; what is
-// decided and rounded looks at all of them.
-static void take_nearer(gap *best, const gap *g) {
-  if (best->denominator == 0 || squared(g) < squared(best)) {
-    *best = *g;
-  }
+// *high 2^128 + *low = a b.
+static void multiply(exact2_wide a, exact2_wide b, exact2_wide *high, exact2_wide *low) {
+  const exact2_wide a0 = (uint64_t)a, a1 = a >> 64, b0 = (uint64_t)b, b1 = b >> 64;
+  const exact2_wide middle = a1 * b0 + (a0 * b0 >> 64), other = a0 * b1 + (uint64_t)middle;
+  *high = a1 * b1 + (middle >> 64) + (other >> 64);
+  *low = (other << 64) + (uint64_t)(a0 * b0);
 }
 
-typedef void visit(void *state, const gap *g);
+// Is a less than b? Where their quotients differ by more than rounding they tell it.
+static bool is_nearer(const gap *a, const gap *b) {
+  const long double x = squared(a), y = squared(b);
+  if (x < y * (1 - 1e-17L) || y < x * (1 - 1e-17L)) {
+    return x < y;
+  }
+  exact2_wide high_a, low_a, high_b, low_b;
+  multiply(a->numerator, b->denominator, &high_a, &low_a);
+  multiply(b->numerator, a->denominator, &high_b, &low_b);
+  return high_a != high_b ? high_a < high_b : low_a < low_b;
+}
 
-// Visits the gap from each corner to each edge. swapped: from B's corners to A's edges; directions lead from A to B.
-static void each_gap(const exact2_hull *from, const exact2_hull *to, bool swapped, visit *look, void *state) {
+// The gaps from each corner to each edge. swapped: from B's corners to A's edges; directions lead from A to B.
+static void take_gaps(const exact2_hull *from, const exact2_hull *to, bool swapped, gap *best) {
   for (unsigned i = 0; i < from->count; i++) {
     for (unsigned k = 0; k < to->count; k++) {
       gap g = gap_to_edge(from->vertex[i], to->vertex[k], edge(to, k));
       g.direction = swapped ? negated(g.direction) : g.direction;
-      look(state, &g);
+      if (best->denominator == 0 || is_nearer(&g, best)) {
+        *best = g;
+      }
     }
   }
-}
-
-static void look_for_nearest(void *state, const gap *g) {
-  take_nearer(state, g);
-}
-
-// What all gaps next to the least say.
-typedef struct measure {
-  long double limit;         // gaps up to this
-  int64_t radius;            // both radii and the distance asked about
-  bool within;               // a gap is at most the radius
-  int64_t nearest, floored;  // the least gap, to the nearest LSB and rounded down
-} measure;
-
-static void look_to_measure(void *state, const gap *g) {
-  measure *m = state;
-  if (squared(g) <= m->limit) {
-    const int64_t nearest = rounded_down(g, true) + 1, floored = rounded_down(g, false);
-    m->within = m->within || compare_half(g, 2 * (uint64_t)m->radius) <= 0;
-    m->nearest = nearest < m->nearest ? nearest : m->nearest;
-    m->floored = floored < m->floored ? floored : m->floored;
-  }
-}
-
-static void measure_gap(const exact2_hull *a, const exact2_hull *b, int64_t radius, gap *best, measure *out) {
-  best->denominator = 0;
-  each_gap(a, b, false, look_for_nearest, best);
-  each_gap(b, a, true, look_for_nearest, best);
-  out->limit = squared(best) * (1 + 1e-15L);
-  out->radius = radius;
-  out->within = false;
-  out->nearest = out->floored = INT64_MAX;
-  each_gap(a, b, false, look_to_measure, out);
-  each_gap(b, a, true, look_to_measure, out);
 }
 
 // Step 4.
@@ -290,35 +267,39 @@ static both_hulls *find_hulls(const exact2_shape *a, const exact2_shape *b) {
   return h;
 }
 
+bool exact2_truth_within(const exact2_truth *truth, int64_t radii, int64_t distance) {
+  const gap least = {truth->numerator, truth->denominator, {0, 0}};
+  return truth->cores_meet || compare_half(&least, 2 * (uint64_t)(radii + distance)) <= 0;
+}
+
 void exact2_find(const exact2_shape *a, const exact2_shape *b, exact2_truth *out) {
   static const exact2_truth empty;
-  const int64_t radius = a->radius + b->radius;
+  const int64_t radii = a->radius + b->radius;
   both_hulls *h = find_hulls(a, b);
-  gap best;
-  measure found;
+  gap least = {0, 0, {0, 0}};
   *out = empty;
-  out->cores_meet = out->intersecting = hulls_meet(&h->a, &h->b);
+  out->denominator = 1;
+  out->cores_meet = hulls_meet(&h->a, &h->b);
   if (out->cores_meet) {
     find_depth(&h->a, &h->b, out);
-    out->depth += radius;
+    out->depth += radii;
   } else {
-    measure_gap(&h->a, &h->b, radius, &best, &found);
-    out->direction = best.direction;
-    out->intersecting = found.within;
-    out->distance = found.within ? 0 : found.nearest - radius;
-    out->depth = found.within ? radius - found.floored : 0;
+    take_gaps(&h->a, &h->b, false, &least);
+    take_gaps(&h->b, &h->a, true, &least);
+    out->direction = least.direction;
+    out->numerator = least.numerator;
+    out->denominator = least.denominator;
+  }
+  out->intersecting = exact2_truth_within(out, radii, 0);
+  if (!out->cores_meet) {
+    out->distance = out->intersecting ? 0 : rounded_down(&least, true) + 1 - radii;
+    out->depth = out->intersecting ? radii - rounded_down(&least, false) : 0;
   }
   free(h);
 }
 
 bool exact2_within(const exact2_shape *a, const exact2_shape *b, int64_t distance) {
-  both_hulls *h = find_hulls(a, b);
-  gap best;
-  measure found = {0, 0, false, 0, 0};
-  const bool meet = hulls_meet(&h->a, &h->b);
-  if (!meet) {
-    measure_gap(&h->a, &h->b, a->radius + b->radius + distance, &best, &found);
-  }
-  free(h);
-  return meet || found.within;
+  exact2_truth truth;
+  exact2_find(a, b, &truth);
+  return exact2_truth_within(&truth, a->radius + b->radius, distance);
 }

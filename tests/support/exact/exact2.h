@@ -33,6 +33,8 @@ typedef struct exact2_hull {
 // Pre: the hull has at most EXACT2_VERTICES_MAX corners.
 void exact2_hull_find(const exact2_point *point, unsigned count, exact2_hull *out);
 
+__extension__ typedef unsigned __int128 exact2_wide;
+
 typedef struct exact2_truth {
   bool cores_meet;    // without the radii the shapes share a point
   bool intersecting;  // the shapes share a point
@@ -41,11 +43,13 @@ typedef struct exact2_truth {
   // Where the cores do not meet: the vector from the point of A's core to that of B's nearest to it, times a positive
   // number. Where they meet: the outward normal of an edge of A - B that is nearest to the origin; it may be 0.
   exact2_point direction;
+  exact2_wide numerator, denominator;  // of the squared distance of the cores, exact
 } exact2_truth;
 
 void exact2_find(const exact2_shape *a, const exact2_shape *b, exact2_truth *out);
 
-// Are the shapes at most distance apart? Pre: 0 <= distance < 2^31.
+// Are the shapes, whose radii add up to radii, at most distance apart? Pre: 0 <= distance < 2^31.
+bool exact2_truth_within(const exact2_truth *truth, int64_t radii, int64_t distance);
 bool exact2_within(const exact2_shape *a, const exact2_shape *b, int64_t distance);
 
 #endif

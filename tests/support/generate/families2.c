@@ -173,10 +173,11 @@ static void lattice(random_state *random, case2_pair *pair) {
 static void flat(random_state *random, case2_pair *pair) {
   const gjk_q16 reach = generate2_reach(random);
   const gjk2_vec along = generate2_vector(random, reach / 16.0 + 1);
+  const size_t most = random_below(random, 8) == 0 ? 1 : 4;  // one in eight pairs: two points
   for (int side = 0; side < 2; side++) {
     case2_shape *shape = side == 0 ? &pair->a : &pair->b;
     shape->kind = CASE2_POLYGON;
-    case2_shape_set_count(shape, 1 + random_below(random, 4));
+    case2_shape_set_count(shape, 1 + random_below(random, (uint32_t)most));
     for (size_t i = 0; i < shape->count; i++) {
       const int32_t k = random_range(random, -5, 5);
       shape->vertices[i].x = k * along.x;
