@@ -111,6 +111,7 @@ lib: $(LIB)
 
 LIB_OBJECTS := $(patsubst %.c,$(OUT)/%.o,$(notdir $(wildcard src/*/*.c)))
 vpath gjk_%.c $(wildcard src/*)
+vpath gjk2_%.c $(wildcard src/*)
 
 $(LIB): $(LIB_OBJECTS)
 	@rm -f $@
