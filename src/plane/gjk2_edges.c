@@ -62,12 +62,16 @@ static void square_times(gjk_u192 *out, uint64_t x, uint64_t y) {
   gjk_u192_multiply(out, &square, &factor);
 }
 
-// Is height / |length| < that of the edge? By squares: (2^61)^2 2^60 < 2^182.
-GJK_OUT_OF_LINE static bool is_lower_exactly(uint64_t height, const gjk2_length *length, const gjk2_edge *edge) {
+// Compares height / |length| with that of the edge. By squares: (2^61)^2 2^60 < 2^182.
+GJK_OUT_OF_LINE static int compare_exactly(const gjk2_edge *edge, uint64_t height, const gjk2_length *length) {
   gjk_u192 x, y;
   square_times(&x, height, edge->length.squared);
   square_times(&y, (uint64_t)edge->height, length->squared);
-  return gjk_u192_compare(&x, &y) < 0;
+  return gjk_u192_compare(&x, &y);
+}
+
+bool gjk2_edge_is_lower(const gjk2_edge *edge, uint64_t height, const gjk2_length *length) {
+  return compare_exactly(edge, height, length) > 0;
 }
 
 // The nearest edge so far.
@@ -103,7 +107,7 @@ static bool keep_lower(nearest *n, gjk2_vec step, uint64_t height) {
   }
   gjk2_length_set(&length, step);
   bound_height(&length, height, &low, &high);
-  if (n->found && (low > n->high || (high >= n->low && !is_lower_exactly(height, &length, n->edge)))) {
+  if (n->found && (low > n->high || (high >= n->low && compare_exactly(n->edge, height, &length) >= 0))) {
     return false;
   }
   n->found = true;

@@ -30,4 +30,7 @@ typedef struct gjk2_edge {
 // How do the cores lie? Sets edge where they overlap. Pre: polygons in a near frame.
 gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge);
 
+// Is the edge's distance below height / length? Exact.
+bool gjk2_edge_is_lower(const gjk2_edge *edge, uint64_t height, const gjk2_length *length);
+
 #endif

@@ -52,27 +52,40 @@ static bool is_beyond(const gjk2_length *length, uint64_t h, uint64_t d, gjk2_ro
   return gjk2_reaches(h, squared, (d + 1) * (d + 1), 0);
 }
 
-int64_t gjk2_round_distance(const gjk2_length *length, uint64_t h, gjk2_round_to to) {
-  unsigned shift;
-  const uint64_t quotient = gjk2_quotient(length, h, &shift);
+// The general case.
+GJK_OUT_OF_LINE static int64_t settle_distance(const gjk2_length *length, uint64_t h, uint64_t quotient, unsigned shift,
+                                               gjk2_round_to to) {
   if (shift >= 64) {
     return to == GJK2_ROUND_UP && h > 0 ? 1 : 0;  // below 1/2
   }
-  // The distances that the error leaves, before any rounding: at most 2^31 2^-28 apart.
-  const uint64_t error = (quotient >> 28) + 1;
-  const uint64_t bias = to == GJK2_ROUND_UP     ? (shift > 0 ? (UINT64_C(1) << shift) - 1 : 0)
-                        : to == GJK2_ROUND_DOWN ? 0
-                        : shift > 0             ? UINT64_C(1) << (shift - 1)
-                                                : 0;
-  // quotient < 2^63, error < 2^36; bias < 2^63:  the sum wraps only where quotient + bias + error >= 2^64, and then
-  // shift is 63, so both ends are taken apart below.
-  const uint64_t low_sum = quotient > error ? quotient - error : 0, high_sum = quotient + error;
-  uint64_t low = (low_sum >> shift) + (((low_sum & ((UINT64_C(1) << shift) - 1)) + bias) >> shift);
-  const uint64_t high = (high_sum >> shift) + (((high_sum & ((UINT64_C(1) << shift) - 1)) + bias) >> shift);
-  while (low < high && is_beyond(length, h, low, to)) {  // at most 2^31 2^-27 + 1 steps
+  // The integers that the error leaves: at most 2^31 2^-27 + 2. Of each end whole and fraction apart, so that no sum
+  // wraps.
+  const uint64_t error = (quotient >> 28) + 1, mask = (UINT64_C(1) << shift) - 1;
+  const uint64_t bias = to == GJK2_ROUND_UP ? mask : to == GJK2_ROUND_NEAREST ? (mask >> 1) + (shift > 0) : 0;
+  const uint64_t bottom = quotient > error ? quotient - error : 0, top = quotient + error;
+  uint64_t low = (bottom >> shift) + (((bottom & mask) + bias) >> shift);
+  const uint64_t high = (top >> shift) + (((top & mask) + bias) >> shift);
+  while (low < high && is_beyond(length, h, low, to)) {  // at most 18 steps
     low++;
   }
   return (int64_t)low;
+}
+
+// Mostly the leading 31 bits of the quotient tell: those below the last LSB are far enough from a change.
+int64_t gjk2_round_distance(const gjk2_length *length, uint64_t h, gjk2_round_to to) {
+  unsigned shift;
+  const uint64_t quotient = gjk2_quotient(length, h, &shift);
+  const uint32_t leading = (uint32_t)(quotient >> 32);  // below 2^31, and off by less than 2^3 + 1
+  if (shift >= 38 && shift <= 62) {
+    const unsigned n = shift - 32;
+    const uint32_t mask = (UINT32_C(1) << n) - 1;
+    const uint32_t biased = leading + (to == GJK2_ROUND_UP ? mask : to == GJK2_ROUND_NEAREST ? (mask >> 1) + 1 : 0);
+    const uint32_t fraction = biased & mask;
+    if (fraction > 10 && fraction < mask - 10) {
+      return biased >> n;
+    }
+  }
+  return settle_distance(length, h, quotient, shift, to);
 }
 
 bool gjk2_is_within(int64_t h, gjk2_vec n, int32_t radius) {

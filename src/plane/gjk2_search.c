@@ -83,6 +83,7 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
     s->far = 0;
   }
   s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
+  s->exact = s->far == 0 && !s->curved;
   s->iterations = 0;
   s->count = 0;
   s->warm = false;
@@ -108,7 +109,7 @@ static inline gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
 }
 
 // Step 3.
-void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
+static inline void scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
   gjk2_support of_a, of_b;
   s->a->shape->type->support(s->a, d, &of_a);
   s->b->shape->type->support(s->b, gjk2_negate(d), &of_b);
@@ -116,6 +117,10 @@ void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
   out->of_a = of_a.offset;
   out->a = of_a.vertex;
   out->b = of_b.vertex;
+}
+
+void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
+  scan(s, d, out);
 }
 
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
@@ -154,14 +159,20 @@ static bool is_ahead(gjk2_vec x, gjk2_vec p, int64_t x_squared) {
   return x_squared > gjk2_dot(x, p);
 }
 
+// The vertex apex, without neighbours.
+static void make_apex(gjk2_search *s) {
+  s->alone = true;
+  s->count = 1;
+  s->base = -gjk2_dot(s->apex->w, s->apex->w);
+}
+
 // Loads the cached vertices as far as they make a feature that O's foot lies on.
 static void load(gjk2_search *s, const gjk2_cache *cache) {
   if (cache->count < 1 || cache->count > 2 || !gjk2_search_place(s, cache->a[0], cache->b[0], s->apex)) {
     return;
   }
   s->warm = true;
-  s->alone = true;
-  s->count = 1;
+  make_apex(s);
   if (cache->count == 2 && gjk2_search_place(s, cache->a[1], cache->b[1], s->spare)) {
     const gjk2_vec p = s->apex->w, q = s->spare->w;
     const int64_t turn = gjk2_cross(p, q);
@@ -185,21 +196,11 @@ void gjk2_search_aim(gjk2_search *s, const gjk2_cache *cache) {
   }
 }
 
-void gjk2_search_direct(gjk2_search *s) {
-  if (s->count == 2) {
-    const gjk2_vec p = s->first->w, q = s->last->w;
-    s->d = gjk2_outward(gjk2_sub(q, p));
-    s->base = gjk2_cross(p, q);
-  } else {
-    s->d = gjk2_negate(s->apex->w);
-    s->base = -gjk2_dot(s->d, s->d);
-  }
-}
-
 // Step 7 where only one vertex is in hand: with x, which is strictly nearer to O along the direction from apex.
 static bool add_second(gjk2_search *s) {
   const gjk2_vec p = s->apex->w, x = s->spare->w;
-  if (is_ahead(x, p, gjk2_dot(x, x))) {
+  const int64_t x_squared = gjk2_dot(x, x);
+  if (is_ahead(x, p, x_squared)) {
     const int64_t turn = gjk2_cross(p, x);
     make_edge(s, turn);
     return turn == 0 && s->far == 0;
@@ -208,55 +209,52 @@ static bool add_second(gjk2_search *s) {
   exchange(&s->apex, &s->spare);
   *s->last = *s->first;  // both neighbours are the same
   s->alone = false;
+  s->base = -x_squared;
   return false;
 }
 
-// Steps 6 and 7: adds x, the spare vertex. True: the origin lies in the simplex.
-//   sides   first x x and x x last are base of the new edges; O lies outside of those below 0
-static bool add_vertex(gjk2_search *s) {
-  if (s->count == 1) {
-    if (s->alone) {
-      return add_second(s);
-    }
-    // Step 6: right of the edge from first to apex lies the arc between them.
-    const gjk2_vec p = s->first->w;
-    if (gjk2_cross(gjk2_sub(s->apex->w, p), gjk2_sub(s->spare->w, p)) < 0) {
-      exchange(&s->last, &s->apex);
-    } else {
-      exchange(&s->first, &s->apex);
-    }
+// Step 6 for a vertex: makes the two neighbours in hand between which x lies first and last.
+static void choose_arc(gjk2_search *s) {
+  const gjk2_vec p = s->first->w;  // right of the way from first to apex lies the arc between them
+  if (gjk2_cross(gjk2_sub(s->apex->w, p), gjk2_sub(s->spare->w, p)) < 0) {
+    exchange(&s->last, &s->apex);
+  } else {
+    exchange(&s->first, &s->apex);
   }
+}
+
+// Step 7: adds x, the spare vertex, between first and last. before = first x x and after = x x last are base of the new
+// edges; O lies outside of those below 0. True: the origin lies in the simplex.
+static inline bool add_vertex(gjk2_search *s, int64_t before, int64_t after) {
   const gjk2_vec p = s->first->w, x = s->spare->w, q = s->last->w;
-  const int64_t before = gjk2_cross(p, x), after = gjk2_cross(x, q), x_squared = gjk2_dot(x, x);
-  s->count = 2;
+  const int64_t x_squared = gjk2_dot(x, x);
   if (before < 0 && is_ahead(x, p, x_squared)) {
     exchange(&s->last, &s->spare);
+    s->count = 2;
     s->base = before;
     return false;
   }
   if (after < 0 && is_ahead(x, q, x_squared)) {
     exchange(&s->first, &s->spare);
+    s->count = 2;
     s->base = after;
     return false;
   }
   exchange(&s->apex, &s->spare);
   s->alone = false;
-  s->count = 1;
+  s->base = -x_squared;
   if (before >= 0 && after >= 0 && gjk2_cross(q, p) >= 0) {
     s->count = 3;
     return true;
   }
+  s->count = 1;
   return false;
 }
 
 // Step 5. Does x gain too little along d to go on? Exact of polygons in a near frame. Elsewhere the gain,
 // (along - base) / |d|, must exceed |d|_1 / |d| / 8 units of the frame, or / 2 where the search is late.
-static bool gains_nothing(const gjk2_search *s) {
-  const int64_t gain = s->along - s->base;
-  if (!s->curved && s->far == 0) {
-    return gain <= 0;
-  }
-  return gain <= (int64_t)(gjk2_norm1(s->d) >> (s->iterations > LATE ? 1 : 3));
+static inline bool gains_nothing(const gjk2_search *s, int64_t gain) {
+  return gain <= (s->exact ? 0 : (int64_t)(gjk2_norm1(s->d) >> (s->iterations > LATE ? 1 : 3)));
 }
 
 // Step 4. along < 0: is the line through x more than radius away from O?
@@ -266,6 +264,7 @@ static bool is_separating(const gjk2_search *s) {
 
 gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
   for (;;) {  // at most limit iterations
+    int64_t before = 0, after = 0;
     if (s->iterations >= limit) {
       return GJK2_OUTCOME_LIMIT;
     }
@@ -279,28 +278,38 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       }
     }
     s->iterations = (uint16_t)(s->iterations + (s->iterations < UINT16_MAX));
-    gjk2_search_scan(s, s->d, s->spare);  // Step 3
-    s->along = gjk2_dot(s->d, s->spare->w);
+    scan(s, s->d, s->spare);  // Step 3
+    if (s->count == 2) {
+      before = gjk2_cross(s->first->w, s->spare->w);
+      after = gjk2_cross(s->spare->w, s->last->w);
+      s->along = before + after;  // d . x, with d = last - first turned by a quarter
+    } else {
+      s->along = gjk2_dot(s->d, s->spare->w);
+    }
     if (s->along < 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH) && is_separating(s)) {  // Step 4
       return GJK2_OUTCOME_SEPARATED;
     }
-    if (s->count == 0) {
-      exchange(&s->apex, &s->spare);
-      s->alone = true;
-      s->count = 1;
-      continue;
-    }
-    if (gains_nothing(s)) {  // Step 5
+    if (s->count != 0 && gains_nothing(s, s->along - s->base)) {  // Step 5
       return GJK2_OUTCOME_NEAREST;
     }
-    if (s->warm) {  // the cached vertices need not lie on the boundary: begin anew with x, which does
+    if (s->count == 0 || s->warm) {  // what the cache holds need not lie on the boundary: begin anew with x, which does
       exchange(&s->apex, &s->spare);
+      make_apex(s);
       s->warm = false;
-      s->alone = true;
-      s->count = 1;
       continue;
     }
-    if (add_vertex(s)) {
+    bool encloses;
+    if (s->count == 1 && s->alone) {
+      encloses = add_second(s);
+    } else {
+      if (s->count == 1) {
+        choose_arc(s);  // Step 6
+        before = gjk2_cross(s->first->w, s->spare->w);
+        after = gjk2_cross(s->spare->w, s->last->w);
+      }
+      encloses = add_vertex(s, before, after);  // Step 7
+    }
+    if (encloses) {
       return GJK2_OUTCOME_ENCLOSING;
     }
   }

@@ -45,14 +45,15 @@ typedef struct gjk2_search {
   const gjk2_collider *a, *b;
   gjk2_vec delta;       // near frame: centre_a - centre_b
   gjk2_vec d;           // direction of the last support scan; after NEAREST and NEAR, from the feature to the origin
-  int64_t base;         // d . w of the feature's vertices
+  int64_t base;         // of the feature: w . w2 for w2 turned by a quarter, or -w . w: d . w of its vertices
   int64_t along;        // d . w of the last support scan
   int32_t radius;       // frame: up to this distance of the cores the shapes count as near
   uint16_t iterations;  // so far
   uint8_t far;
   uint8_t count;  // vertices that span the feature, or with ENCLOSING the simplex
   bool curved;
-  bool warm;  // the feature is the cache's, and not yet tried
+  bool exact;  // polygons in a near frame
+  bool warm;   // the feature is the cache's, and not yet tried
   // Of one vertex: the feature is apex, and first and last bracket it, or are not set (alone). Of two: first and last.
   // Of three: first, apex and last. The fourth is spare.
   bool alone;
@@ -83,8 +84,10 @@ void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out);
 // The difference of the vertices with these numbers. False: one of them does not exist.
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out);
 
-// The direction from the feature to the origin and its base. Pre: count is 1 or 2.
-void gjk2_search_direct(gjk2_search *s);
+// Sets d to the direction from the feature to the origin, of which base is known. Pre: count is 1 or 2.
+static inline void gjk2_search_direct(gjk2_search *s) {
+  s->d = s->count == 2 ? gjk2_outward(gjk2_sub(s->last->w, s->first->w)) : gjk2_negate(s->apex->w);
+}
 
 // The feature's vertices: one or two, or after ENCLOSING three.
 static inline const gjk2_vertex *gjk2_search_vertex(const gjk2_search *s, unsigned i) {
