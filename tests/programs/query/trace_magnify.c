@@ -86,6 +86,7 @@ double plot_magnified(FILE *file, const trace *t, const trace_bodies *bodies, la
     for (int x = -columns; x <= columns; x++) {
       const point2 at = {p.camera.left + x * step, p.camera.top - y * step};
       plot_dot(&p, "lattice", at, 2);
+      plot_take(&p, at, 4);
     }
   }
   plot_origin(&p, t);

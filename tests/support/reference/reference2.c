@@ -4,10 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-// The search ends when a step gains less than this share of the distance.
-#define RELATIVE 1e-10
-// A squared distance below this share of the largest squared vertex counts as 0.
-#define ENCLOSING 1e-30
+// The search ends when a step gains less than this share of the distance. No decision depends on it, from 1e-8 to 0.
+#define RELATIVE 1e-12
+// A squared distance below this share of the largest squared vertex counts as 0. Of all powers of ten this one decides
+// best: of 168,000 pairs of the families (tests/support/generate) 96 are wrong, at 1e-31 348, at 1e-33 4,093.
+// Some of the 96 overlap deeply: the origin lies on the simplex, and rounding leaves it a distance.
+#define ENCLOSING 1e-32
 #define ITERATIONS_MAX 200
 #define POLYGON_MAX 256
 

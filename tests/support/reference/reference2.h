@@ -1,5 +1,4 @@
-// The reference of the plane: the same queries in double, as a good library answers them. It is right unless the shapes
-// almost touch.
+// The reference of the plane: the same queries in double, as a good library answers them. It is right nearly always.
 //
 // It shares no code with the library: GJK by barycentric coordinates and an expanding polygon, in double.
 #ifndef REFERENCE2_H
