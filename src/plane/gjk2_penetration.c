@@ -11,7 +11,7 @@
 // What is rounded:
 //   posing   only there is geometry rounded; from then on shapes are integers
 //   depth    up to the next LSB: step 2 rounds the distance of the cores down, step 3 the height up, both exactly. The
-//            bounds of a curved pair are 2 LSB above the depth and 3 below, for the error of its support points
+//            bounds of a curved pair leave 2 LSB above and below for the error of its support points
 //   points   per component to the nearest LSB, within 1 LSB of the shape
 //   normal   within 2^-29, then outward
 #include "gjk2/penetration.h"
@@ -109,7 +109,7 @@ static gjk_status report_curved(overlap *o, gjk2_penetration_result *out) {
   const bool settled = gjk2_curved_depth(s, &o->edge, &lower, &s->iterations);
   const int64_t core = gjk2_round_distance(&o->edge.length, (uint64_t)o->edge.height, GJK2_ROUND_UP);
   report(o, &o->edge.p, &o->edge.q, &o->edge.length, s->d, o->edge.height, core, out);
-  const int64_t least = lower + gjk2_convex_radii(s) - (GJK2_CURVED_ERROR + 1);
+  const int64_t least = lower + gjk2_convex_radii(s) - GJK2_CURVED_ERROR;
   out->lower = least > 0 ? (gjk_q16)least : 0;
   out->upper = out->depth + GJK2_CURVED_ERROR;
   out->depth = settled ? out->depth : out->upper;
