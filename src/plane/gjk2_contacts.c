@@ -44,7 +44,8 @@ static void widen(side *of, gjk2_vec edge, gjk2_vec towards, gjk_q16 convex_radi
   gjk2_vec n = gjk2_outward(edge);
   n = gjk2_dot(n, towards) < 0 ? gjk2_negate(n) : n;
   gjk2_length_set(&length, n);
-  const gjk2_unit u = gjk2_unit_of(&length, n);
+  gjk2_unit u;
+  gjk2_unit_set(&u, &length, n);
   const int64_t half = INT64_C(1) << 29;
   const gjk2_vec move = {(int32_t)gjk_sar64(gjk_mac32(half, u.x, convex_radius), 30),
                          (int32_t)gjk_sar64(gjk_mac32(half, u.y, convex_radius), 30)};

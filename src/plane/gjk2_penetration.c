@@ -41,7 +41,7 @@ static void report(overlap *o, const gjk2_vertex *p, const gjk2_vertex *q, const
   out->depth = out->depth > 0 ? out->depth : 0;
   out->lower = out->depth;
   out->upper = out->depth;
-  out->normal = gjk2_unit_of(length, n);
+  gjk2_unit_set(&out->normal, length, n);
   gjk2_length edge = *length;  // of polygons n is the edge turned by a quarter
   if (s->curved && q != NULL) {
     const gjk2_vec across = gjk2_sub(q->w, p->w);
@@ -51,7 +51,7 @@ static void report(overlap *o, const gjk2_vertex *p, const gjk2_vertex *q, const
       q = NULL;
     }
   }
-  gjk2_witness_points(s, p, q, &edge, out->normal, &out->point_a, &out->point_b, &saturated);
+  gjk2_witness_points(s, p, q, &edge, &out->normal, &out->point_a, &out->point_b, &saturated);
   out->certificate.count = 0;
   if (s->curved) {
     out->certificate.proof = GJK2_PROOF_NONE;

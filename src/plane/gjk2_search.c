@@ -124,6 +124,7 @@ static inline void scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
   s->b->shape->type->support(s->b, gjk2_negate(d), &of_b);
   out->w = framed(s, gjk2_sub(of_a.offset, of_b.offset));
   out->of_a = of_a.offset;
+  out->of_b = of_b.offset;
   out->a = of_a.vertex;
   out->b = of_b.vertex;
 }
@@ -133,11 +134,10 @@ void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
 }
 
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
-  gjk2_vec of_b;
-  if (!s->a->shape->type->vertex(s->a, a, &out->of_a) || !s->b->shape->type->vertex(s->b, b, &of_b)) {
+  if (!s->a->shape->type->vertex(s->a, a, &out->of_a) || !s->b->shape->type->vertex(s->b, b, &out->of_b)) {
     return false;
   }
-  out->w = framed(s, gjk2_sub(out->of_a, of_b));
+  out->w = framed(s, gjk2_sub(out->of_a, out->of_b));
   out->a = a;
   out->b = b;
   return true;
@@ -166,6 +166,15 @@ static void make_edge(gjk2_search *s, int64_t turn) {
 // Does the origin's foot on the line through x and p lie on p's side of x?
 static bool is_ahead(gjk2_vec x, gjk2_vec p, int64_t x_squared) {
   return x_squared > gjk2_dot(x, p);
+}
+
+// By parts: GCC makes a copy of the whole a call of memcpy on ARMv6-M.
+static void copy_vertex(gjk2_vertex *to, const gjk2_vertex *from) {
+  to->w = from->w;
+  to->of_a = from->of_a;
+  to->of_b = from->of_b;
+  to->a = from->a;
+  to->b = from->b;
 }
 
 // The vertex apex, without neighbours.
@@ -216,7 +225,7 @@ static bool add_second(gjk2_search *s) {
   }
   exchange(&s->first, &s->apex);
   exchange(&s->apex, &s->spare);
-  *s->last = *s->first;  // both neighbours are the same
+  copy_vertex(s->last, s->first);  // both neighbours are the same
   s->alone = false;
   s->base = -x_squared;
   return false;
@@ -291,6 +300,7 @@ static void step_of_b(const gjk2_search *s, bool following, walk *k) {
 static void set_vertex(const walk *k, gjk2_vec w, gjk2_vertex *out) {
   out->w = w;
   out->of_a = k->a.offset;
+  out->of_b = k->b.offset;
   out->a = k->a.vertex;
   out->b = k->b.vertex;
 }
@@ -301,7 +311,7 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
   gjk2_vertex *const here = s->apex;
   k.a.offset = here->of_a;
   k.a.vertex = here->a;
-  k.b.offset = gjk2_sub(gjk2_add(s->delta, here->of_a), here->w);
+  k.b.offset = here->of_b;
   k.b.vertex = here->b;
   step_of_a(s, following, &k);
   step_of_b(s, following, &k);
@@ -335,10 +345,12 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
       set_vertex(&k, w, following ? s->first : s->last);
     }
     if (turn >= 0) {
-      k.a = k.next_a;
+      k.a.offset = k.next_a.offset;
+      k.a.vertex = k.next_a.vertex;
     }
     if (turn <= 0) {
-      k.b = k.next_b;
+      k.b.offset = k.next_b.offset;
+      k.b.vertex = k.next_b.vertex;
     }
     if (inside) {
       set_vertex(&k, ahead, following ? s->last : s->first);

@@ -38,6 +38,7 @@ typedef enum gjk2_goal {
 typedef struct gjk2_vertex {
   gjk2_vec w;     // frame
   gjk2_vec of_a;  // the vertex of A, from A's centre
+  gjk2_vec of_b;  // the vertex of B, from B's centre
   uint16_t a, b;  // numbers
 } gjk2_vertex;
 
