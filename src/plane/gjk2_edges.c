@@ -6,53 +6,52 @@
 // The boundary of one shape, from a corner to the next; of B with every edge taken negative.
 typedef struct rim {
   const gjk2_collider *c;
-  const gjk2_vec *corner;  // all corners counterclockwise; NULL where the vertices are in no order, or lazy
-  gjk2_vec own[4];         // those of a box
-  gjk2_support at, next;
-  gjk2_vec step;   // from at to next; of B its negative
-  gjk2_vec first;  // where the rim began, without corner
-  uint16_t index;  // of next in corner
-  uint16_t left;   // edges to come; without corner 0 once round, else 1
-  bool opposite;   // of B
+  const gjk2_vec *at, *next;     // two corners
+  const gjk2_vec *corner, *end;  // the list of all, counterclockwise; NULL: the vertices are in no order, or lazy
+  gjk2_vec step;                 // from at to next; of B its negative
+  uint16_t left;                 // edges to come; without a list 0 once round, else 1
+  uint16_t first;                // without a list: the number of the first corner
+  gjk2_vec own[4];               // the list of a box's corners
+  gjk2_support corner_at, corner_next;  // without a list: what at and next point to
 } rim;
 
 // The numbers of a box's corners, counterclockwise, and the way back.
 static const uint8_t box_number[4] = {3, 2, 0, 1}, box_index[4] = {2, 3, 1, 0};
 
-static inline uint16_t number_of(const rim *r, uint16_t index) {
+static uint16_t number_at(const rim *r) {
+  if (r->corner == NULL) {
+    return r->corner_at.vertex;
+  }
+  const uint16_t index = (uint16_t)(r->at - r->corner);
   return r->corner == r->own ? box_number[index] : index;
 }
 
-static void set_step(rim *r) {
-  const gjk2_vec p = r->at.offset, q = r->next.offset;
-  r->step = r->opposite ? gjk2_sub(p, q) : gjk2_sub(q, p);
+static inline void set_step(rim *r, bool opposite) {
+  r->step = opposite ? gjk2_sub(*r->at, *r->next) : gjk2_sub(*r->next, *r->at);
 }
 
-// Sets next where there is no list of corners. Vertices may repeat, so a rim ends where its place is the first one's.
-GJK_OUT_OF_LINE static void find_next(rim *r, bool round) {
-  const bool more = !(round && gjk2_equal(r->at.offset, r->first)) && gjk2_hull_neighbour(r->c, &r->at, true, &r->next);
-  r->left = more ? 1 : 0;
-  if (more) {
-    set_step(r);
-  }
+// Moves to next where there is no list. Vertices may repeat, so a rim ends where its place is the first one's.
+GJK_OUT_OF_LINE static void advance_unlisted(rim *r, bool opposite) {
+  r->corner_at.offset = r->corner_next.offset;
+  r->corner_at.vertex = r->corner_next.vertex;
+  r->left = gjk2_hull_neighbour(r->c, &r->corner_at, true, &r->corner_next) ? 1 : 0;
+  set_step(r, opposite);
 }
 
-// Moves to next.
-static inline void advance(rim *r) {
-  r->at.offset = r->next.offset;
-  r->at.vertex = r->next.vertex;
+// Moves to next. of_b, a constant, lets the compiler choose once.
+static inline void advance(rim *r, bool of_b) {
   if (r->corner == NULL) {
-    find_next(r, true);
+    advance_unlisted(r, of_b);
+    if (r->corner_at.vertex == r->first) {
+      r->left = 0;
+    }
     return;
   }
+  const gjk2_vec *next = r->next + 1;
+  r->at = r->next;
+  r->next = next != r->end ? next : r->corner;
   r->left--;
-  r->index++;
-  if (r->index == r->c->count) {
-    r->index = 0;
-  }
-  r->next.offset = r->corner[r->index];
-  r->next.vertex = number_of(r, r->index);
-  set_step(r);
+  set_step(r, of_b);
 }
 
 // The list of corners, where the collider has one.
@@ -77,18 +76,19 @@ static const gjk2_vec *corners_of(const gjk2_collider *c, gjk2_vec own[4]) {
 // Step 1
 static void start_rim(rim *r, const gjk2_collider *c, bool opposite, gjk2_vec d) {
   r->c = c;
-  r->opposite = opposite;
   r->corner = corners_of(c, r->own);
-  gjk2_hull_corner(c, opposite ? gjk2_negate(d) : d, &r->at);
+  gjk2_hull_corner(c, opposite ? gjk2_negate(d) : d, &r->corner_next);
   if (r->corner == NULL) {
-    r->first = r->at.offset;
-    find_next(r, false);
+    r->at = &r->corner_at.offset;
+    r->next = &r->corner_next.offset;
+    r->first = r->corner_next.vertex;
+    advance_unlisted(r, opposite);
     return;
   }
-  r->index = r->corner == r->own ? box_index[r->at.vertex] : r->at.vertex;
-  r->next.offset = r->at.offset;
-  r->next.vertex = r->at.vertex;
-  advance(r);
+  const uint16_t number = r->corner_next.vertex;
+  r->end = r->corner + c->count;
+  r->next = r->corner + (r->corner == r->own ? box_index[number] : number);
+  advance(r, opposite);
   r->left = c->count;
 }
 
@@ -174,10 +174,10 @@ GJK_OUT_OF_LINE static bool keep_lower(nearest *n, gjk2_vec step, uint64_t heigh
 
 static void set_vertex(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out) {
   out->w = w;
-  out->of_a = a->at.offset;
-  out->of_b = b->at.offset;
-  out->a = a->at.vertex;
-  out->b = b->at.vertex;
+  out->of_a = *a->at;
+  out->of_b = *b->at;
+  out->a = number_at(a);
+  out->b = number_at(b);
 }
 
 gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
@@ -191,7 +191,7 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
   rim a, b;
   start_rim(&a, s->a, false, begin);
   start_rim(&b, s->b, true, begin);
-  gjk2_vec step = {-begin.y, begin.x}, w = gjk2_add(s->delta, gjk2_sub(a.at.offset, b.at.offset));
+  gjk2_vec step = {-begin.y, begin.x}, w = gjk2_add(s->delta, gjk2_sub(*a.at, *b.at));
   nearest n = {edge, 0, 0, 0, false};
   while ((a.left | b.left) != 0) {  // at most once for each edge of A and of B
     const int comes = order(&a, &b, step);
@@ -210,10 +210,10 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
     }
     w = gjk2_add(w, step);
     if (comes >= 0) {
-      advance(&a);
+      advance(&a, false);
     }
     if (comes <= 0) {
-      advance(&b);
+      advance(&b, true);
     }
     if (lower) {
       set_vertex(&a, &b, w, &edge->q);
