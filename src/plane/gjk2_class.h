@@ -18,6 +18,11 @@ typedef struct gjk2_support {
   uint16_t vertex;  // the vertex's number; 0 for curved shapes
 } gjk2_support;
 
+static inline void gjk2_copy_support(gjk2_support *to, const gjk2_support *from) {
+  gjk2_copy(&to->offset, &from->offset);
+  to->vertex = from->vertex;
+}
+
 struct gjk2_shape_class {
   // Checks the shape's own fields and measures its core. gjk2_collider_init checks the convex radius.
   gjk_status (*measure)(const gjk2_shape *shape, gjk2_extent *out);

@@ -32,8 +32,7 @@ static inline void set_step(rim *r, bool opposite) {
 
 // Moves to next where there is no list. Vertices may repeat, so a rim ends where its place is the first one's.
 GJK_OUT_OF_LINE static void advance_unlisted(rim *r, bool opposite) {
-  r->corner_at.offset = r->corner_next.offset;
-  r->corner_at.vertex = r->corner_next.vertex;
+  gjk2_copy_support(&r->corner_at, &r->corner_next);
   r->left = gjk2_hull_neighbour(r->c, &r->corner_at, true, &r->corner_next) ? 1 : 0;
   set_step(r, opposite);
 }
@@ -167,15 +166,15 @@ GJK_OUT_OF_LINE static bool keep_lower(nearest *n, gjk2_vec step, uint64_t heigh
   n->low = low;
   n->high = high;
   n->above = (uint32_t)(high >> 32) + 1;
-  n->edge->length = length;
+  gjk2_copy_length(&n->edge->length, &length);
   n->edge->height = (int64_t)height;
   return true;
 }
 
 static void set_vertex(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out) {
-  out->w = w;
-  out->of_a = *a->at;
-  out->of_b = *b->at;
+  gjk2_copy(&out->w, &w);
+  gjk2_copy(&out->of_a, a->at);
+  gjk2_copy(&out->of_b, b->at);
   out->a = number_at(a);
   out->b = number_at(b);
 }

@@ -15,6 +15,12 @@ typedef struct gjk2_length {
   unsigned zeros;    // half the leading zeros of squared, rounded down
 } gjk2_length;
 
+static inline void gjk2_copy_length(gjk2_length *to, const gjk2_length *from) {
+  to->squared = from->squared;
+  to->inverse = from->inverse;
+  to->zeros = from->zeros;
+}
+
 // Pre: n != 0, |n| < 2^31.
 void gjk2_length_set(gjk2_length *length, gjk2_vec n);
 

@@ -16,6 +16,7 @@
 //   normal   within 2^-29, then outward
 #include "gjk2/penetration.h"
 
+#include "../arith/gjk_memory.h"
 #include "gjk2_curved_depth.h"
 #include "gjk2_edges.h"
 #include "gjk2_outward.h"
@@ -42,16 +43,18 @@ static void report(overlap *o, const gjk2_vertex *p, const gjk2_vertex *q, const
   out->lower = out->depth;
   out->upper = out->depth;
   gjk2_unit_set(&out->normal, length, n);
-  gjk2_length edge = *length;  // of polygons n is the edge turned by a quarter
+  gjk2_length own;
+  const gjk2_length *edge = length;  // of polygons n is the edge turned by a quarter
   if (s->curved && q != NULL) {
     const gjk2_vec across = gjk2_sub(q->w, p->w);
     if (gjk2_norm1(across) != 0) {
-      gjk2_length_set(&edge, across);
+      gjk2_length_set(&own, across);
+      edge = &own;
     } else {
       q = NULL;
     }
   }
-  gjk2_witness_points(s, p, q, &edge, &out->normal, &out->point_a, &out->point_b, &saturated);
+  gjk2_witness_points(s, p, q, edge, &out->normal, &out->point_a, &out->point_b, &saturated);
   out->certificate.count = 0;
   if (s->curved) {
     out->certificate.proof = GJK2_PROOF_NONE;
@@ -226,13 +229,14 @@ static void report_signed(const gjk2_penetration_result *overlapping, gjk2_dista
   out->distance = -overlapping->depth;
   out->lower = -overlapping->upper;
   out->upper = -overlapping->lower;
-  out->point_a = overlapping->point_a;
-  out->point_b = overlapping->point_b;
-  out->normal = overlapping->normal;
+  gjk2_copy(&out->point_a, &overlapping->point_a);
+  gjk2_copy(&out->point_b, &overlapping->point_b);
+  out->normal.x = overlapping->normal.x;
+  out->normal.y = overlapping->normal.y;
   out->intersecting = true;
   out->saturated = false;
   out->iterations = overlapping->iterations;
-  out->certificate = overlapping->certificate;
+  gjk_copy(&out->certificate, &overlapping->certificate, sizeof out->certificate);
 }
 
 static gjk_status report_limit(gjk2_search *s, gjk2_distance_result *out) {

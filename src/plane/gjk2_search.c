@@ -123,8 +123,8 @@ static inline void scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
   s->a->shape->type->support(s->a, d, &of_a);
   s->b->shape->type->support(s->b, gjk2_negate(d), &of_b);
   out->w = framed(s, gjk2_sub(of_a.offset, of_b.offset));
-  out->of_a = of_a.offset;
-  out->of_b = of_b.offset;
+  gjk2_copy(&out->of_a, &of_a.offset);
+  gjk2_copy(&out->of_b, &of_b.offset);
   out->a = of_a.vertex;
   out->b = of_b.vertex;
 }
@@ -166,15 +166,6 @@ static void make_edge(gjk2_search *s, int64_t turn) {
 // Does the origin's foot on the line through x and p lie on p's side of x?
 static bool is_ahead(gjk2_vec x, gjk2_vec p, int64_t x_squared) {
   return x_squared > gjk2_dot(x, p);
-}
-
-// By parts: GCC makes a copy of the whole a call of memcpy on ARMv6-M.
-static void copy_vertex(gjk2_vertex *to, const gjk2_vertex *from) {
-  to->w = from->w;
-  to->of_a = from->of_a;
-  to->of_b = from->of_b;
-  to->a = from->a;
-  to->b = from->b;
 }
 
 // The vertex apex, without neighbours.
@@ -225,7 +216,7 @@ static bool add_second(gjk2_search *s) {
   }
   exchange(&s->first, &s->apex);
   exchange(&s->apex, &s->spare);
-  copy_vertex(s->last, s->first);  // both neighbours are the same
+  gjk2_copy_vertex(s->last, s->first);  // both neighbours are the same
   s->alone = false;
   s->base = -x_squared;
   return false;
@@ -298,9 +289,9 @@ static void step_of_b(const gjk2_search *s, bool following, walk *k) {
 }
 
 static void set_vertex(const walk *k, gjk2_vec w, gjk2_vertex *out) {
-  out->w = w;
-  out->of_a = k->a.offset;
-  out->of_b = k->b.offset;
+  gjk2_copy(&out->w, &w);
+  gjk2_copy(&out->of_a, &k->a.offset);
+  gjk2_copy(&out->of_b, &k->b.offset);
   out->a = k->a.vertex;
   out->b = k->b.vertex;
 }
@@ -309,9 +300,9 @@ static void set_vertex(const walk *k, gjk2_vec w, gjk2_vertex *out) {
 static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
   walk k;
   gjk2_vertex *const here = s->apex;
-  k.a.offset = here->of_a;
+  gjk2_copy(&k.a.offset, &here->of_a);
   k.a.vertex = here->a;
-  k.b.offset = here->of_b;
+  gjk2_copy(&k.b.offset, &here->of_b);
   k.b.vertex = here->b;
   step_of_a(s, following, &k);
   step_of_b(s, following, &k);
@@ -345,12 +336,10 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
       set_vertex(&k, w, following ? s->first : s->last);
     }
     if (turn >= 0) {
-      k.a.offset = k.next_a.offset;
-      k.a.vertex = k.next_a.vertex;
+      gjk2_copy_support(&k.a, &k.next_a);
     }
     if (turn <= 0) {
-      k.b.offset = k.next_b.offset;
-      k.b.vertex = k.next_b.vertex;
+      gjk2_copy_support(&k.b, &k.next_b);
     }
     if (inside) {
       set_vertex(&k, ahead, following ? s->last : s->first);

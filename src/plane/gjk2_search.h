@@ -42,6 +42,14 @@ typedef struct gjk2_vertex {
   uint16_t a, b;  // numbers
 } gjk2_vertex;
 
+static inline void gjk2_copy_vertex(gjk2_vertex *to, const gjk2_vertex *from) {
+  gjk2_copy(&to->w, &from->w);
+  gjk2_copy(&to->of_a, &from->of_a);
+  gjk2_copy(&to->of_b, &from->of_b);
+  to->a = from->a;
+  to->b = from->b;
+}
+
 typedef struct gjk2_search {
   const gjk2_collider *a, *b;
   gjk2_vec delta;       // near frame: centre_a - centre_b
