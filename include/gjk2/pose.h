@@ -36,7 +36,7 @@ gjk_status gjk2_rotation_compose(const gjk2_rotation *a, const gjk2_rotation *b,
 // The opposite rotation: the conjugate, exact.
 gjk_status gjk2_rotation_invert(const gjk2_rotation *r, gjk2_rotation *out);
 
-// v rotated by r. Within 1 LSB for |v| up to 8192 units, 3 LSB for any v; the identity is exact. RANGE when a component
+// v rotated by r. Within 0.51 LSB; the identity is exact. RANGE when a component
 // of the result leaves int32.
 gjk_status gjk2_rotation_apply(const gjk2_rotation *r, const gjk2_vec *v, gjk2_vec *out);
 

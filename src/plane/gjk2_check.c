@@ -97,9 +97,9 @@ static bool proves_near(gjk2_search *s, const gjk2_certificate *certificate) {
     return false;
   }
   if (certificate->count == 2 && gjk2_cross(s->slot[0].w, s->slot[1].w) > 0) {
-    const gjk2_vertex kept = s->slot[0];
-    s->slot[0] = s->slot[1];
-    s->slot[1] = kept;
+    gjk2_copy_vertex(&s->slot[2], &s->slot[0]);
+    gjk2_copy_vertex(&s->slot[0], &s->slot[1]);
+    gjk2_copy_vertex(&s->slot[1], &s->slot[2]);
   }
   const gjk2_vec p = s->slot[0].w, q = s->slot[1].w;
   if (certificate->count == 1) {
@@ -228,12 +228,12 @@ static bool is_depth(gjk2_search *s, const gjk2_penetration_result *result, gjk2
       if (!is_nearest(s, c) || !gjk2_is_within(-s->base, s->d, s->radius)) {
         return false;
       }
-      *n = s->d;
+      gjk2_copy(n, &s->d);
       *height = s->base;
       gjk2_length_set(&length, *n);
       return -core == gjk2_round_distance(&length, (uint64_t)-s->base, GJK2_ROUND_DOWN);
     case GJK2_PROOF_LINE:
-      *n = c->direction;
+      gjk2_copy(n, &c->direction);
       *height = 0;
       return core == 0 && load(s, c, 1) && gjk2_norm1(s->slot[0].w) == 0 && gjk2_norm1(*n) != 0 &&
              gjk_magnitude32(n->x) <= UINT32_C(1) << 30 && gjk_magnitude32(n->y) <= UINT32_C(1) << 30 &&

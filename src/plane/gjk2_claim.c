@@ -71,7 +71,8 @@ static bool from_point(gjk_q16 centre, gjk_q16 offset, gjk_q16 point, int32_t *o
 }
 
 bool gjk2_claim_point(const gjk2_collider *c, const uint16_t *named, unsigned count, const gjk2_vec *point) {
-  gjk2_vec from[2] = {{0, 0}, {0, 0}};
+  gjk2_vec from[2];
+  from[1].x = from[1].y = 0;
   const int32_t reach = c->shape->convex_radius + 1;
   for (unsigned i = 0; i < count; i++) {
     gjk2_vec offset;

@@ -18,6 +18,11 @@ typedef struct gjk2_support {
   uint16_t vertex;  // the vertex's number; 0 for curved shapes
 } gjk2_support;
 
+static inline void gjk2_copy_support(gjk2_support *to, const gjk2_support *from) {
+  gjk2_copy(&to->offset, &from->offset);
+  to->vertex = from->vertex;
+}
+
 struct gjk2_shape_class {
   // Checks the shape's own fields and measures its core. gjk2_collider_init checks the convex radius.
   gjk_status (*measure)(const gjk2_shape *shape, gjk2_extent *out);
@@ -33,9 +38,9 @@ struct gjk2_shape_class {
   // The offset of the vertex with a number; false where there is none. NULL for curved shapes.
   bool (*vertex)(const gjk2_collider *collider, uint16_t number, gjk2_vec *offset);
 
-  // The numbers of the vertices that follow and precede one counterclockwise where the collider's vertices are ordered.
-  // NULL for curved shapes.
-  uint16_t (*neighbour)(const gjk2_collider *collider, uint16_t number, bool following);
+  // The vertex that follows another counterclockwise, or precedes it, where the collider's vertices are ordered. NULL for
+  // curved shapes.
+  void (*adjacent)(const gjk2_collider *collider, uint16_t number, bool following, gjk2_support *out);
 
   bool buffered;  // a collider may have a buffer for posed vertices
   uint8_t count;  // vertices; where buffered is set the shape's own count is taken

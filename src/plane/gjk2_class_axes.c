@@ -59,10 +59,10 @@ static bool vertex_axes(const gjk2_collider *c, uint16_t number, gjk2_vec *offse
 }
 
 // Counterclockwise: 3, 2, 0, 1.
-static uint16_t neighbour_axes(const gjk2_collider *c, uint16_t number, bool following) {
+static void adjacent_axes(const gjk2_collider *c, uint16_t number, bool following, gjk2_support *out) {
   static const uint8_t after[4] = {1, 3, 0, 2}, before[4] = {2, 0, 3, 1};
-  (void)c;
-  return following ? after[number & 3u] : before[number & 3u];
+  out->vertex = following ? after[number & 3u] : before[number & 3u];
+  (void)vertex_axes(c, out->vertex, &out->offset);
 }
 
 const gjk2_shape_class gjk2_class_point = {
@@ -70,7 +70,7 @@ const gjk2_shape_class gjk2_class_point = {
     .pose = pose_axes,
     .support = support_point,
     .vertex = vertex_axes,
-    .neighbour = neighbour_axes,
+    .adjacent = adjacent_axes,
     .buffered = false,
     .count = 1,
 };
@@ -80,7 +80,7 @@ const gjk2_shape_class gjk2_class_segment = {
     .pose = pose_axes,
     .support = support_segment,
     .vertex = vertex_axes,
-    .neighbour = neighbour_axes,
+    .adjacent = adjacent_axes,
     .buffered = false,
     .count = 2,
 };
@@ -90,7 +90,7 @@ const gjk2_shape_class gjk2_class_box = {
     .pose = pose_axes,
     .support = support_box,
     .vertex = vertex_axes,
-    .neighbour = neighbour_axes,
+    .adjacent = adjacent_axes,
     .buffered = false,
     .count = 4,
 };

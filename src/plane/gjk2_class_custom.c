@@ -41,7 +41,7 @@ const gjk2_shape_class gjk2_class_custom = {
     .pose = gjk2_curved_pose,
     .support = support_custom,
     .vertex = NULL,
-    .neighbour = NULL,
+    .adjacent = NULL,
     .buffered = false,
     .count = 0,
 };

@@ -30,7 +30,7 @@ const gjk2_shape_class gjk2_class_ellipse = {
     .pose = gjk2_curved_pose,
     .support = support_ellipse,
     .vertex = NULL,
-    .neighbour = NULL,
+    .adjacent = NULL,
     .buffered = false,
     .count = 0,
 };

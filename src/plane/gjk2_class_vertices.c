@@ -177,12 +177,19 @@ static bool vertex_polygon(const gjk2_collider *c, uint16_t number, gjk2_vec *of
   return true;
 }
 
-static uint16_t neighbour_vertices(const gjk2_collider *c, uint16_t number, bool following) {
+static void adjacent_vertices(const gjk2_collider *c, uint16_t number, bool following, gjk2_support *out) {
   const uint16_t last = (uint16_t)(c->count - 1);
   if (following) {
-    return number < last ? (uint16_t)(number + 1) : 0;
+    number = number < last ? (uint16_t)(number + 1) : 0;
+  } else {
+    number = number > 0 ? (uint16_t)(number - 1) : last;
   }
-  return number > 0 ? (uint16_t)(number - 1) : last;
+  out->vertex = number;
+  if (c->buffer != NULL) {
+    out->offset = c->buffer[number];
+  } else {
+    (void)c->shape->type->vertex(c, number, &out->offset);
+  }
 }
 
 const gjk2_shape_class gjk2_class_triangle = {
@@ -190,7 +197,7 @@ const gjk2_shape_class gjk2_class_triangle = {
     .pose = pose_triangle,
     .support = support_triangle,
     .vertex = vertex_triangle,
-    .neighbour = neighbour_vertices,
+    .adjacent = adjacent_vertices,
     .buffered = false,
     .count = 3,
 };
@@ -200,7 +207,7 @@ const gjk2_shape_class gjk2_class_polygon = {
     .pose = pose_polygon,
     .support = support_polygon,
     .vertex = vertex_polygon,
-    .neighbour = neighbour_vertices,
+    .adjacent = adjacent_vertices,
     .buffered = true,
     .count = 0,
 };

@@ -22,8 +22,9 @@
 // Step 4 admits the nearest points when every candidate is farther by more than this, LSB.
 #define SLACK 2
 
-// The byte that stands for an edge in an id; a corner's is its number modulo this.
+// The byte that stands for an edge in an id; a corner's is its number modulo 128.
 #define ID_EDGE 255
+#define ID_CORNERS 127
 
 // What a shape meets the normal with. Of two ends the first has the lower place.
 typedef struct side {
@@ -44,7 +45,8 @@ static void widen(side *of, gjk2_vec edge, gjk2_vec towards, gjk_q16 convex_radi
   gjk2_vec n = gjk2_outward(edge);
   n = gjk2_dot(n, towards) < 0 ? gjk2_negate(n) : n;
   gjk2_length_set(&length, n);
-  const gjk2_unit u = gjk2_unit_of(&length, n);
+  gjk2_unit u;
+  gjk2_unit_set(&u, &length, n);
   const int64_t half = INT64_C(1) << 29;
   const gjk2_vec move = {(int32_t)gjk_sar64(gjk_mac32(half, u.x, convex_radius), 30),
                          (int32_t)gjk_sar64(gjk_mac32(half, u.y, convex_radius), 30)};
@@ -117,9 +119,9 @@ static unsigned id_byte(const side *of, int64_t place, int64_t slack) {
     if (!at_first && of->place[1] - place > slack) {
       return ID_EDGE;
     }
-    return of->number[at_first ? 0 : 1] % ID_EDGE;
+    return of->number[at_first ? 0 : 1] & ID_CORNERS;
   }
-  return of->number[0] % ID_EDGE;
+  return of->number[0] & ID_CORNERS;
 }
 
 // Step 3: the edge's point at a place, to the nearest LSB.
@@ -169,6 +171,16 @@ static bool is_better(const gjk2_contact *p, const gjk2_contact *q) {
   return p->distance != q->distance ? p->distance < q->distance : p->id < q->id;
 }
 
+// Makes the first of two contacts the one to be kept.
+static void keep_better(gjk2_contact c[2]) {
+  if (is_better(&c[1], &c[0])) {
+    gjk2_copy(&c[0].point_a, &c[1].point_a);
+    gjk2_copy(&c[0].point_b, &c[1].point_b);
+    c[0].distance = c[1].distance;
+    c[0].id = c[1].id;
+  }
+}
+
 // Step 3
 static void clip(const side *of_a, const side *of_b, gjk2_vec origin, gjk_q16 margin, gjk2_manifold *out) {
   const int64_t low = of_a->place[0] > of_b->place[0] ? of_a->place[0] : of_b->place[0];
@@ -185,7 +197,7 @@ static void clip(const side *of_a, const side *of_b, gjk2_vec origin, gjk_q16 ma
   out->count =
       (uint8_t)(out->count + candidate_at(of_a, of_b, high, slack, origin, margin, &out->normal, &c[out->count]));
   if (out->count == 2 && c[0].id == c[1].id) {
-    c[0] = is_better(&c[1], &c[0]) ? c[1] : c[0];
+    keep_better(c);
     out->count = 1;
   }
 }
@@ -200,8 +212,8 @@ static void admit_nearest(const gjk2_distance_result *nearest, uint16_t id, gjk2
   }
   const unsigned i = out->count == 2 && is_better(&c[0], &c[1]) ? 1 : 0;
   out->count = out->count == 0 ? 1 : out->count;
-  c[i].point_a = nearest->point_a;
-  c[i].point_b = nearest->point_b;
+  gjk2_copy(&c[i].point_a, &nearest->point_a);
+  gjk2_copy(&c[i].point_b, &nearest->point_b);
   c[i].distance = nearest->distance;
   c[i].id = id;
 }
@@ -218,15 +230,15 @@ GJK_OUT_OF_LINE static void find_contacts(const gjk2_collider *a, const gjk2_col
     find_side(b, gjk2_sub(b->centre, a->centre), towards_a, left, &of_b);
     out->feature_a = feature_of(&of_a);
     out->feature_b = feature_of(&of_b);
-    id = (uint16_t)((of_a.count == 2 ? ID_EDGE : of_a.number[0] % ID_EDGE) << 8 |
-                    (of_b.count == 2 ? ID_EDGE : of_b.number[0] % ID_EDGE));
+    id = (uint16_t)((of_a.count == 2 ? ID_EDGE : of_a.number[0] & ID_CORNERS) << 8 |
+                    (of_b.count == 2 ? ID_EDGE : of_b.number[0] & ID_CORNERS));
     if (of_a.count == 2 && of_b.count == 2) {
       clip(&of_a, &of_b, a->centre, margin, out);
     }
   }
   admit_nearest(nearest, id, out);
   if (out->count > most) {
-    out->contact[0] = is_better(&out->contact[1], &out->contact[0]) ? out->contact[1] : out->contact[0];
+    keep_better(out->contact);
     out->count = 1;
   }
 }

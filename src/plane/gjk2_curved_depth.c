@@ -25,10 +25,10 @@ static void compare_line(bounds *o, gjk2_vec n, const gjk2_vertex *w, const gjk2
   const int64_t distance = height > 0 ? gjk2_round_distance(&length, (uint64_t)height, GJK2_ROUND_UP) : 0;
   if (distance < o->best) {
     o->best = distance;
-    o->edge->length = length;
+    gjk2_copy_length(&o->edge->length, &length);
     o->edge->height = height > 0 ? height : 0;
-    o->edge->p = *p;
-    o->edge->q = *q;
+    gjk2_copy_vertex(&o->edge->p, p);
+    gjk2_copy_vertex(&o->edge->q, q);
     o->s->d = n;
   }
 }
@@ -64,21 +64,22 @@ static settled settle(bounds *o, const gjk2_vertex *p, const gjk2_vertex *q, int
   return SETTLED;
 }
 
-// Steps 1 to 3 for the arc from p to end. False: out of iterations.
-static bool settle_arc(bounds *o, gjk2_vertex p, const gjk2_vertex *end, int64_t tolerance) {
-  gjk2_vertex waiting[WAITING], x;
+// Steps 1 to 3 for the arc from start to end. False: out of iterations.
+static bool settle_arc(bounds *o, const gjk2_vertex *start, const gjk2_vertex *end, int64_t tolerance) {
+  gjk2_vertex waiting[WAITING], p, x;
   unsigned count = 1;
-  waiting[0] = *end;
+  gjk2_copy_vertex(&p, start);
+  gjk2_copy_vertex(&waiting[0], end);
   while (count > 0) {  // each turn settles a chord or takes an iteration
     const settled found = settle(o, &p, &waiting[count - 1], tolerance, &x);
     if (found == SPENT) {
       return false;
     }
     if (found == SETTLED) {
-      p = waiting[--count];
+      gjk2_copy_vertex(&p, &waiting[--count]);
     } else {
       count -= count == WAITING;
-      waiting[count++] = x;
+      gjk2_copy_vertex(&waiting[count++], &x);
     }
   }
   return true;
@@ -98,9 +99,9 @@ static void approach_foot(bounds *o) {
       return;
     }
     if (gjk2_cross(o->s->d, x.w) > 0) {
-      edge->q = x;
+      gjk2_copy_vertex(&edge->q, &x);
     } else {
-      edge->p = x;
+      gjk2_copy_vertex(&edge->p, &x);
     }
   }
 }
@@ -125,7 +126,7 @@ bool gjk2_curved_depth(gjk2_search *s, gjk2_edge *edge, int64_t *lower, uint16_t
   for (;;) {  // at most 16 passes
     o.lower = o.best;
     for (int i = 0; i < 4 && settled_all; i++) {
-      settled_all = settle_arc(&o, corner[i], &corner[(i + 1) & 3], tolerance);
+      settled_all = settle_arc(&o, &corner[i], &corner[(i + 1) & 3], tolerance);
     }
     if (!settled_all) {
       break;

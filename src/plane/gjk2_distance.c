@@ -54,8 +54,8 @@ gjk2_outcome gjk2_distance_bounds(gjk2_search *s, int64_t *lower, int64_t *neare
 // Step 3. The points of the feature. Returns whether a coordinate has saturated.
 static bool report_points(const gjk2_search *s, const gjk2_length *length, gjk2_distance_result *out) {
   bool saturated = false;
-  gjk2_witness_points(s, gjk2_search_vertex(s, 0), s->count == 2 ? gjk2_search_vertex(s, 1) : NULL, length, out->normal,
-                      &out->point_a, &out->point_b, &saturated);
+  gjk2_witness_points(s, gjk2_search_vertex(s, 0), s->count == 2 ? gjk2_search_vertex(s, 1) : NULL, length,
+                      &out->normal, &out->point_a, &out->point_b, &saturated);
   return saturated;
 }
 
@@ -67,7 +67,7 @@ void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache
   if (outcome == GJK2_OUTCOME_NEAREST) {
     gjk2_length length;
     gjk2_length_set(&length, s->d);
-    out->normal = gjk2_unit_of(&length, s->d);
+    gjk2_unit_set(&out->normal, &length, s->d);
     gap = in_lsb(s, &length, -s->base, GJK2_ROUND_NEAREST) - gjk2_convex_radii(s);  // Step 2
     gap = gap > 0 ? gap : 0;
     out->saturated = report_points(s, &length, out);
@@ -108,7 +108,7 @@ static gjk2_outcome run_and_narrow(gjk2_search *s, uint32_t limit, gjk2_distance
 static void stop_early(const gjk2_search *s, gjk2_distance_result *out) {
   gjk2_length length;
   gjk2_length_set(&length, s->d);
-  out->normal = gjk2_unit_of(&length, s->d);
+  gjk2_unit_set(&out->normal, &length, s->d);
   out->saturated = report_points(s, &length, out);
   out->intersecting = false;
   out->iterations = s->iterations;

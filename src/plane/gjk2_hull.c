@@ -7,18 +7,13 @@ static gjk2_vec offset_of(const gjk2_collider *c, uint16_t number) {
   return offset;
 }
 
-static void ordered_neighbour(const gjk2_collider *c, uint16_t number, bool following, gjk2_support *out) {
-  out->vertex = c->shape->type->neighbour(c, number, following);
-  out->offset = offset_of(c, out->vertex);
-}
-
 void gjk2_hull_corner(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
   if (c->ordered) {
     gjk2_support next;
     c->shape->type->support(c, d, out);
-    ordered_neighbour(c, out->vertex, true, &next);
+    c->shape->type->adjacent(c, out->vertex, true, &next);
     if (gjk2_dot(gjk2_sub(next.offset, out->offset), d) == 0) {
-      *out = next;
+      gjk2_copy_support(out, &next);
     }
     return;
   }
@@ -37,7 +32,7 @@ void gjk2_hull_corner(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
 
 bool gjk2_hull_neighbour(const gjk2_collider *c, const gjk2_support *corner, bool following, gjk2_support *out) {
   if (c->ordered) {
-    ordered_neighbour(c, corner->vertex, following, out);
+    c->shape->type->adjacent(c, corner->vertex, following, out);
     return true;
   }
   gjk2_vec best = {0, 0};

@@ -12,14 +12,13 @@ void gjk2_length_set(gjk2_length *length, gjk2_vec n) {
   length->inverse = gjk_reciprocal_root((uint32_t)((squared << (2 * z)) >> 32));
 }
 
-gjk2_unit gjk2_unit_of(const gjk2_length *length, gjk2_vec n) {
+void gjk2_unit_set(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
   // 2^30 n / |n| = n y / 2^(32 - z) = (2^(z - 1) n) y / 2^31
   const unsigned up = length->zeros - 1;
   const int32_t y = (int32_t)length->inverse;  // < 2^31
   const int64_t half = INT64_C(1) << 30;
-  const gjk2_unit unit = {(gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.x, up), y), 31),
-                          (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.y, up), y), 31)};
-  return unit;
+  unit->x = (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.x, up), y), 31);
+  unit->y = (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.y, up), y), 31);
 }
 
 // h = 2^(32 - hz) top, before truncation; 1 / |n| = y 2^(z - 62):  h / |n| = top y / 2^(30 + hz - z)

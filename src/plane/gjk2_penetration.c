@@ -11,11 +11,12 @@
 // What is rounded:
 //   posing   only there is geometry rounded; from then on shapes are integers
 //   depth    up to the next LSB: step 2 rounds the distance of the cores down, step 3 the height up, both exactly. The
-//            bounds of a curved pair are 2 LSB above the depth and 3 below, for the error of its support points
+//            bounds of a curved pair leave 2 LSB above and below for the error of its support points
 //   points   per component to the nearest LSB, within 1 LSB of the shape
 //   normal   within 2^-29, then outward
 #include "gjk2/penetration.h"
 
+#include "../arith/gjk_memory.h"
 #include "gjk2_curved_depth.h"
 #include "gjk2_edges.h"
 #include "gjk2_outward.h"
@@ -41,17 +42,19 @@ static void report(overlap *o, const gjk2_vertex *p, const gjk2_vertex *q, const
   out->depth = out->depth > 0 ? out->depth : 0;
   out->lower = out->depth;
   out->upper = out->depth;
-  out->normal = gjk2_unit_of(length, n);
-  gjk2_length edge = *length;  // of polygons n is the edge turned by a quarter
+  gjk2_unit_set(&out->normal, length, n);
+  gjk2_length own;
+  const gjk2_length *edge = length;  // of polygons n is the edge turned by a quarter
   if (s->curved && q != NULL) {
     const gjk2_vec across = gjk2_sub(q->w, p->w);
     if (gjk2_norm1(across) != 0) {
-      gjk2_length_set(&edge, across);
+      gjk2_length_set(&own, across);
+      edge = &own;
     } else {
       q = NULL;
     }
   }
-  gjk2_witness_points(s, p, q, &edge, out->normal, &out->point_a, &out->point_b, &saturated);
+  gjk2_witness_points(s, p, q, edge, &out->normal, &out->point_a, &out->point_b, &saturated);
   out->certificate.count = 0;
   if (s->curved) {
     out->certificate.proof = GJK2_PROOF_NONE;
@@ -109,7 +112,7 @@ static gjk_status report_curved(overlap *o, gjk2_penetration_result *out) {
   const bool settled = gjk2_curved_depth(s, &o->edge, &lower, &s->iterations);
   const int64_t core = gjk2_round_distance(&o->edge.length, (uint64_t)o->edge.height, GJK2_ROUND_UP);
   report(o, &o->edge.p, &o->edge.q, &o->edge.length, s->d, o->edge.height, core, out);
-  const int64_t least = lower + gjk2_convex_radii(s) - (GJK2_CURVED_ERROR + 1);
+  const int64_t least = lower + gjk2_convex_radii(s) - GJK2_CURVED_ERROR;
   out->lower = least > 0 ? (gjk_q16)least : 0;
   out->upper = out->depth + GJK2_CURVED_ERROR;
   out->depth = settled ? out->depth : out->upper;
@@ -226,13 +229,14 @@ static void report_signed(const gjk2_penetration_result *overlapping, gjk2_dista
   out->distance = -overlapping->depth;
   out->lower = -overlapping->upper;
   out->upper = -overlapping->lower;
-  out->point_a = overlapping->point_a;
-  out->point_b = overlapping->point_b;
-  out->normal = overlapping->normal;
+  gjk2_copy(&out->point_a, &overlapping->point_a);
+  gjk2_copy(&out->point_b, &overlapping->point_b);
+  out->normal.x = overlapping->normal.x;
+  out->normal.y = overlapping->normal.y;
   out->intersecting = true;
   out->saturated = false;
   out->iterations = overlapping->iterations;
-  out->certificate = overlapping->certificate;
+  gjk_copy(&out->certificate, &overlapping->certificate, sizeof out->certificate);
 }
 
 static gjk_status report_limit(gjk2_search *s, gjk2_distance_result *out) {

@@ -23,6 +23,14 @@
 // are at most as many x as A - B has corners, which is at most n + m for polygons of n and m vertices. One more
 // iteration finds no x, and one may be spent on what the cache holds:  n + m + 2 < GJK2_ITERATIONS_OF(n, m).
 //
+// The walk. Where the vertices of both shapes are in order, the first x is followed by a walk along the boundary of A - B
+// instead. Its next edge is the next one of A or of -B, whichever turns less. It goes on while the next vertex is nearer
+// to O, and ends
+//   at an edge that holds O's foot, with O on its right: no other vertex lies right of it, so it is the nearest
+//   at a vertex from which neither edge leads nearer: all of A - B lies between them, so it is the nearest
+//   where O lies on the left of the edge that leads nearer: mostly the shapes overlap. On with step 1 from x
+// Distances along it fall, so it visits no vertex twice: it takes as many iterations as edges, which the bound covers.
+//
 // In a far frame, and with curved shapes, vertices are rounded. There an iteration must gain a part of a frame's unit,
 // the ceiling counts, and a triangle that does not hold the origin by all three signs is none.
 #include "gjk2_search.h"
@@ -84,6 +92,7 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   }
   s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
   s->exact = s->far == 0 && !s->curved;
+  s->walks = s->far == 0 && a->ordered && b->ordered;
   s->iterations = 0;
   s->count = 0;
   s->warm = false;
@@ -114,7 +123,8 @@ static inline void scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
   s->a->shape->type->support(s->a, d, &of_a);
   s->b->shape->type->support(s->b, gjk2_negate(d), &of_b);
   out->w = framed(s, gjk2_sub(of_a.offset, of_b.offset));
-  out->of_a = of_a.offset;
+  gjk2_copy(&out->of_a, &of_a.offset);
+  gjk2_copy(&out->of_b, &of_b.offset);
   out->a = of_a.vertex;
   out->b = of_b.vertex;
 }
@@ -124,11 +134,10 @@ void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
 }
 
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
-  gjk2_vec of_b;
-  if (!s->a->shape->type->vertex(s->a, a, &out->of_a) || !s->b->shape->type->vertex(s->b, b, &of_b)) {
+  if (!s->a->shape->type->vertex(s->a, a, &out->of_a) || !s->b->shape->type->vertex(s->b, b, &out->of_b)) {
     return false;
   }
-  out->w = framed(s, gjk2_sub(out->of_a, of_b));
+  out->w = framed(s, gjk2_sub(out->of_a, out->of_b));
   out->a = a;
   out->b = b;
   return true;
@@ -207,7 +216,7 @@ static bool add_second(gjk2_search *s) {
   }
   exchange(&s->first, &s->apex);
   exchange(&s->apex, &s->spare);
-  *s->last = *s->first;  // both neighbours are the same
+  gjk2_copy_vertex(s->last, s->first);  // both neighbours are the same
   s->alone = false;
   s->base = -x_squared;
   return false;
@@ -262,6 +271,120 @@ static bool is_separating(const gjk2_search *s) {
   return s->radius == 0 || !gjk2_is_within(-s->along, s->d, s->radius);
 }
 
+// The walk, from the first vertex: see the head of this file. LIMIT: it cannot tell.
+typedef struct walk {
+  gjk2_support a, b;            // of the vertex
+  gjk2_support next_a, next_b;  // those that follow, or precede
+  gjk2_vec step_a, step_b;      // the edges of A and of -B that lead there
+} walk;
+
+static void step_of_a(const gjk2_search *s, bool following, walk *k) {
+  s->a->shape->type->adjacent(s->a, k->a.vertex, following, &k->next_a);
+  k->step_a = gjk2_sub(k->next_a.offset, k->a.offset);
+}
+
+static void step_of_b(const gjk2_search *s, bool following, walk *k) {
+  s->b->shape->type->adjacent(s->b, k->b.vertex, following, &k->next_b);
+  k->step_b = gjk2_sub(k->b.offset, k->next_b.offset);
+}
+
+static void set_vertex(const walk *k, gjk2_vec w, gjk2_vertex *out) {
+  gjk2_copy(&out->w, &w);
+  gjk2_copy(&out->of_a, &k->a.offset);
+  gjk2_copy(&out->of_b, &k->b.offset);
+  out->a = k->a.vertex;
+  out->b = k->b.vertex;
+}
+
+// The walk one way round. LIMIT: the first step leads no nearer (s->base >= 0), or O lies inside of its line.
+static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
+  walk k;
+  gjk2_vertex *const here = s->apex;
+  gjk2_copy(&k.a.offset, &here->of_a);
+  k.a.vertex = here->a;
+  gjk2_copy(&k.b.offset, &here->of_b);
+  k.b.vertex = here->b;
+  step_of_a(s, following, &k);
+  step_of_b(s, following, &k);
+  gjk2_vec w = here->w;
+  for (bool first = true;; first = false) {  // at most once for each edge of A and of B
+    const int64_t turn = following ? gjk2_cross(k.step_a, k.step_b) : gjk2_cross(k.step_b, k.step_a);
+    const gjk2_vec step = turn > 0 ? k.step_a : turn < 0 ? k.step_b : gjk2_add(k.step_a, k.step_b);
+    s->base = gjk2_dot(w, step);
+    if (s->base >= 0) {
+      if (first) {
+        return GJK2_OUTCOME_LIMIT;
+      }
+      set_vertex(&k, w, s->apex);
+      make_apex(s);
+      return GJK2_OUTCOME_NEAREST;
+    }
+    const int64_t side = gjk2_cross(w, step), height = following ? side : -side;
+    if (height >= 0) {
+      return GJK2_OUTCOME_LIMIT;
+    }
+    const gjk2_vec ahead = gjk2_add(w, step);
+    s->iterations++;
+    if (goal != GJK2_GOAL_DISTANCE && goal != GJK2_GOAL_SIGNED && s->radius == 0) {
+      s->along = height;
+      s->d = gjk2_outward(step);
+      s->d = following ? s->d : gjk2_negate(s->d);
+      return GJK2_OUTCOME_SEPARATED;
+    }
+    const bool inside = gjk2_dot(ahead, step) > 0;
+    if (inside) {
+      set_vertex(&k, w, following ? s->first : s->last);
+    }
+    if (turn >= 0) {
+      gjk2_copy_support(&k.a, &k.next_a);
+    }
+    if (turn <= 0) {
+      gjk2_copy_support(&k.b, &k.next_b);
+    }
+    if (inside) {
+      set_vertex(&k, ahead, following ? s->last : s->first);
+      s->count = 2;
+      s->base = height;
+      return GJK2_OUTCOME_NEAREST;
+    }
+    w = ahead;
+    if (turn >= 0) {
+      step_of_a(s, following, &k);
+    }
+    if (turn <= 0) {
+      step_of_b(s, following, &k);
+    }
+  }
+}
+
+static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal) {
+  const gjk2_vec w = s->apex->w;
+  if (gjk2_norm1(w) == 0) {
+    return GJK2_OUTCOME_ENCLOSING;
+  }
+  gjk2_outcome outcome = walk_round(s, goal, true);
+  if (outcome == GJK2_OUTCOME_LIMIT) {
+    const int64_t ahead = s->base;
+    outcome = walk_round(s, goal, false);
+    // No way leads nearer. Where w lies within an edge, straight across from O, O may be on its inside.
+    if (outcome == GJK2_OUTCOME_LIMIT && ahead >= 0 && s->base >= 0 && (ahead | s->base) != 0) {
+      outcome = GJK2_OUTCOME_NEAREST;
+      make_apex(s);
+    }
+  }
+  if (outcome == GJK2_OUTCOME_LIMIT) {
+    make_apex(s);
+    return outcome;
+  }
+  if (outcome == GJK2_OUTCOME_NEAREST) {
+    gjk2_search_direct(s);
+    if (goal <= GJK2_GOAL_WITHIN && s->radius > 0 && gjk2_is_within(-s->base, s->d, s->radius)) {
+      return GJK2_OUTCOME_NEAR;
+    }
+  }
+  return outcome;
+}
+
 gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
   for (;;) {  // at most limit iterations
     int64_t before = 0, after = 0;
@@ -296,6 +419,13 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       exchange(&s->apex, &s->spare);
       make_apex(s);
       s->warm = false;
+      if (s->walks && limit == gjk2_search_limit(s)) {
+        const gjk2_outcome outcome = walk_on(s, goal);
+        if (outcome != GJK2_OUTCOME_LIMIT) {
+          return outcome;
+        }
+        s->walks = false;
+      }
       continue;
     }
     bool encloses;

@@ -38,8 +38,17 @@ typedef enum gjk2_goal {
 typedef struct gjk2_vertex {
   gjk2_vec w;     // frame
   gjk2_vec of_a;  // the vertex of A, from A's centre
+  gjk2_vec of_b;  // the vertex of B, from B's centre
   uint16_t a, b;  // numbers
 } gjk2_vertex;
+
+static inline void gjk2_copy_vertex(gjk2_vertex *to, const gjk2_vertex *from) {
+  gjk2_copy(&to->w, &from->w);
+  gjk2_copy(&to->of_a, &from->of_a);
+  gjk2_copy(&to->of_b, &from->of_b);
+  to->a = from->a;
+  to->b = from->b;
+}
 
 typedef struct gjk2_search {
   const gjk2_collider *a, *b;
@@ -53,6 +62,7 @@ typedef struct gjk2_search {
   uint8_t count;  // vertices that span the feature, or with ENCLOSING the simplex
   bool curved;
   bool exact;  // polygons in a near frame
+  bool walks;  // in order as well: the first vertex is followed by a walk
   bool warm;   // the feature is the cache's, and not yet tried
   // Of one vertex: the feature is apex, and first and last bracket it, or are not set (alone). Of two: first and last.
   // Of three: first, apex and last. The fourth is spare.
