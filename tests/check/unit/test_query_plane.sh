@@ -115,6 +115,8 @@ traced() {
       lines = stops = 0
     }
     /^  iteration / { if ($2 != ++lines) { print id, "iteration", $2; bad = 1 } }
+    # The query took another way: it says how many iterations that took.
+    /^  walk / { if ($2 + 0 != wanted) { print id, "walk", $2; bad = 1 } wanted = lines; walks++ }
     /^  stop / {
       stops++
       stop = $2; sub(/:$/, "", stop)
@@ -138,6 +140,7 @@ check 'a trace does not change the answers' is "$("$tool" $data/plane.txt | cksu
 step='d=[-0-9,]+ A[0-9]+=[-0-9,]+ B[0-9]+=[-0-9,]+ w[0-9]+=[-0-9,]+ before=[w0-9,-]+ after=[w0-9,-]+'
 check 'the form of an iteration' is 4 "$("$tool" --trace $data/trace.txt | sed -n '2,5p' | grep -cE "^  iteration [1-4] $step\$")"
 check 'the reason' grep -q '^  stop nearest: no vertex of A - B is nearer' "$dir/traced"
+check 'pairs of the page are not walked' sh -c "! \"$tool\" --trace $data/trace.txt | grep '^  walk'"
 # w is the difference of the support points.
 check 'a vertex is a difference' sh -c "\"$tool\" --trace $data/plane.txt | awk '
   /^  iteration/ {

@@ -1,7 +1,8 @@
 // What the library's search did on one pair: each iteration, and why it stopped.
 //
 // The search is the library's own. It is run one iteration at a time, as gjk_distance_until runs it, and looked at in
-// between. So a trace has the bits and the number of iterations of the query.
+// between. So a trace has the bits and the number of iterations of the query. One exception: in the plane a query that
+// may run to its end walks along the border of A - B where it can, which gjk2_distance_until does not.
 #ifndef QUERY_TRACE_H
 #define QUERY_TRACE_H
 
@@ -55,6 +56,7 @@ typedef struct trace {
   trace_reason reason;
   int64_t radius;  // what the cores are compared with: the convex radii and the distance asked about, LSB
   bool curved;     // vertices have no numbers
+  unsigned walk;   // iterations of the query where it walks; 0: it runs the search that is traced
   bool enclosing;  // the origin lies in the last simplex
   unsigned count;
   trace_iteration iteration[TRACE_ITERATIONS_MAX];

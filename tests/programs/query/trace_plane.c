@@ -94,6 +94,16 @@ static trace_reason reason_of(gjk2_outcome outcome) {
   return TRACE_LIMIT;
 }
 
+// The iterations of the query itself, which runs to the limit in one go.
+static unsigned whole_search(const gjk2_collider *a, const gjk2_collider *b, gjk2_goal goal, int64_t radius,
+                             uint32_t limit) {
+  static gjk2_search s;
+  (void)gjk2_search_start(&s, a, b, false, radius);
+  gjk2_search_aim(&s, NULL);
+  (void)gjk2_search_run(&s, goal, limit);
+  return s.iterations;
+}
+
 void trace_plane(const case_question *question, const gjk2_collider *a, const gjk2_collider *b, trace *out) {
   static gjk2_search s;
   gjk2_outcome outcome = GJK2_OUTCOME_LIMIT;
@@ -118,4 +128,6 @@ void trace_plane(const case_question *question, const gjk2_collider *a, const gj
     }
   }
   out->reason = reason_of(outcome);
+  const unsigned whole = whole_search(a, b, goal, out->radius, limit);
+  out->walk = whole != s.iterations ? whole : 0;
 }
