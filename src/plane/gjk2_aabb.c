@@ -7,7 +7,7 @@
 static int32_t reach(const gjk2_collider *c, bool along_y, int32_t direction) {
   const gjk2_vec d = {along_y ? 0 : direction * (INT32_C(1) << 29), along_y ? direction * (INT32_C(1) << 29) : 0};
   gjk2_support found;
-  c->shape->type->support(c, d, &found);
+  c->shape->type->support(c, &d, &found);
   return (along_y ? found.offset.y : found.offset.x) + direction * (gjk2_is_curved(c->shape) + c->shape->convex_radius);
 }
 

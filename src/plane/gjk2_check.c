@@ -73,8 +73,8 @@ static bool is_nearest(gjk2_search *s, const gjk2_certificate *certificate) {
 }
 
 // Does the segment from p to q hold the origin?
-static bool holds_origin(gjk2_vec p, gjk2_vec q) {
-  return gjk2_cross(p, q) == 0 && gjk2_dot(p, q) <= 0;
+static bool holds_origin(const gjk2_vec *p, const gjk2_vec *q) {
+  return gjk2_cross(*p, *q) == 0 && gjk2_dot(*p, *q) <= 0;
 }
 
 // Step 2: do the named vertices contain the origin?
@@ -82,12 +82,12 @@ static bool is_enclosing(gjk2_search *s, const gjk2_certificate *certificate) {
   if (!load(s, certificate, 3)) {
     return false;
   }
-  const gjk2_vec p = s->slot[0].w;
-  const gjk2_vec q = certificate->count > 1 ? s->slot[1].w : p, r = certificate->count > 2 ? s->slot[2].w : p;
+  const gjk2_vec *p = &s->slot[0].w;
+  const gjk2_vec *q = certificate->count > 1 ? &s->slot[1].w : p, *r = certificate->count > 2 ? &s->slot[2].w : p;
   if (holds_origin(p, q) || holds_origin(q, r) || holds_origin(r, p)) {
     return true;
   }
-  const int a = gjk_sign64(gjk2_cross(p, q)), b = gjk_sign64(gjk2_cross(q, r)), c = gjk_sign64(gjk2_cross(r, p));
+  const int a = gjk_sign64(gjk2_cross(*p, *q)), b = gjk_sign64(gjk2_cross(*q, *r)), c = gjk_sign64(gjk2_cross(*r, *p));
   return a != 0 && a == b && b == c;
 }
 

@@ -33,7 +33,7 @@ struct gjk2_shape_class {
 
   // The vertex that is farthest along d. Among equally far ones the choice depends on shape, pose and d alone.
   // Pre: d != 0, |d| <= 3 2^29.
-  void (*support)(const gjk2_collider *collider, gjk2_vec d, gjk2_support *out);
+  void (*support)(const gjk2_collider *collider, const gjk2_vec *d, gjk2_support *out);
 
   // The offset of the vertex with a number; false where there is none. NULL for curved shapes.
   bool (*vertex)(const gjk2_collider *collider, uint16_t number, gjk2_vec *offset);

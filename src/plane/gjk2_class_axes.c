@@ -23,7 +23,7 @@ static void pose_axes(gjk2_collider *c, const gjk2_vec *rotation) {
   c->ordered = gjk2_cross(c->frame[0], c->frame[1]) > 0;
 }
 
-static void support_point(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
+static void support_point(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
   (void)c;
   (void)d;
   out->offset.x = 0;
@@ -31,16 +31,16 @@ static void support_point(const gjk2_collider *c, gjk2_vec d, gjk2_support *out)
   out->vertex = 0;
 }
 
-static void support_segment(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
+static void support_segment(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
   const gjk2_vec axis = c->frame[0];
-  const bool plus = gjk2_dot(axis, d) >= 0;
+  const bool plus = gjk2_dot(axis, *d) >= 0;
   out->offset = plus ? axis : gjk2_negate(axis);
   out->vertex = plus ? 1 : 0;
 }
 
-static void support_box(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
+static void support_box(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
   const gjk2_vec x = c->frame[0], y = c->frame[1];
-  const bool plus_x = gjk2_dot(x, d) >= 0, plus_y = gjk2_dot(y, d) >= 0;
+  const bool plus_x = gjk2_dot(x, *d) >= 0, plus_y = gjk2_dot(y, *d) >= 0;
   out->offset.x = (plus_x ? x.x : -x.x) + (plus_y ? y.x : -y.x);
   out->offset.y = (plus_x ? x.y : -x.y) + (plus_y ? y.y : -y.y);
   out->vertex = (uint16_t)((plus_x ? 1u : 0u) | (plus_y ? 2u : 0u));

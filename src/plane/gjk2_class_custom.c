@@ -29,8 +29,8 @@ static gjk2_vec within_bound(const gjk2_shape *shape, gjk2_vec at) {
   return point;
 }
 
-static void support_custom(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
-  const gjk2_vec local = gjk2_curved_direction(c, d);
+static void support_custom(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+  const gjk2_vec local = gjk2_curved_direction(c, *d);
   gjk2_vec at = {0, 0};
   c->shape->support(c->shape->user, &local, &at);
   gjk2_curved_support(c, within_bound(c->shape, at), out);

@@ -26,14 +26,20 @@ static uint16_t number_at(const rim *r) {
   return r->corner == r->own ? box_number[index] : index;
 }
 
+// Sets the step to next; 0 once round.
 static inline void set_step(rim *r, bool opposite) {
   r->step = opposite ? gjk2_sub(*r->at, *r->next) : gjk2_sub(*r->next, *r->at);
+  if (r->left == 0) {
+    r->step.x = 0;
+    r->step.y = 0;
+  }
 }
 
 // Moves to next where there is no list. Vertices may repeat, so a rim ends where its place is the first one's.
 GJK_OUT_OF_LINE static void advance_unlisted(rim *r, bool opposite) {
   gjk2_copy_support(&r->corner_at, &r->corner_next);
-  r->left = gjk2_hull_neighbour(r->c, &r->corner_at, true, &r->corner_next) ? 1 : 0;
+  const bool round = r->left != 0 && r->corner_at.vertex == r->first;
+  r->left = !round && gjk2_hull_neighbour(r->c, &r->corner_at, true, &r->corner_next) ? 1 : 0;
   set_step(r, opposite);
 }
 
@@ -41,9 +47,6 @@ GJK_OUT_OF_LINE static void advance_unlisted(rim *r, bool opposite) {
 static inline void advance(rim *r, bool of_b) {
   if (r->corner == NULL) {
     advance_unlisted(r, of_b);
-    if (r->corner_at.vertex == r->first) {
-      r->left = 0;
-    }
     return;
   }
   const gjk2_vec *next = r->next + 1;
@@ -81,26 +84,23 @@ static void start_rim(rim *r, const gjk2_collider *c, bool opposite, gjk2_vec d)
     r->at = &r->corner_at.offset;
     r->next = &r->corner_next.offset;
     r->first = r->corner_next.vertex;
+    r->left = 0;
     advance_unlisted(r, opposite);
     return;
   }
   const uint16_t number = r->corner_next.vertex;
+  r->left = (uint16_t)(c->count + 1);
   r->end = r->corner + c->count;
   r->next = r->corner + (r->corner == r->own ? box_index[number] : number);
   advance(r, opposite);
-  r->left = c->count;
 }
 
-// Step 2: which edge comes first? Above 0 that of a, below 0 that of b, 0 both. last: the edge before.
-// Both turn from last by less than half a turn, or one of them by exactly that where its shape is a segment; then the
-// other may be parallel to last, and comes first.
-static int order(const rim *a, const rim *b, gjk2_vec last) {
+// Step 2 where the edges are parallel, or one rim is done, whose step is 0. Above 0: the edge of a comes first; below 0:
+// that of b; 0: they make one edge. last: the edge before. Both turn from it by less than half a turn, or one of them by
+// exactly that where its shape is a segment; then the other may be parallel to last, and comes first.
+static int order_parallel(const rim *a, const rim *b, gjk2_vec last) {
   if (a->left == 0 || b->left == 0) {
     return a->left == 0 ? -1 : 1;
-  }
-  const int64_t turn = gjk2_cross(a->step, b->step);
-  if (turn != 0) {
-    return turn > 0 ? 1 : -1;
   }
   if (gjk2_dot(a->step, b->step) > 0) {
     return 0;
@@ -191,9 +191,16 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
   start_rim(&a, s->a, false, begin);
   start_rim(&b, s->b, true, begin);
   gjk2_vec step = {-begin.y, begin.x}, w = gjk2_add(s->delta, gjk2_sub(*a.at, *b.at));
-  nearest n = {edge, 0, 0, 0, false};
-  while ((a.left | b.left) != 0) {  // at most once for each edge of A and of B
-    const int comes = order(&a, &b, step);
+  nearest n = {edge, 0, 0, UINT32_MAX, false};
+  for (;;) {  // at most once for each edge of A and of B
+    const int64_t turn = gjk2_cross(a.step, b.step);
+    int comes = turn > 0 ? 1 : -1;
+    if (turn == 0) {
+      if ((a.left | b.left) == 0) {
+        break;
+      }
+      comes = order_parallel(&a, &b, step);
+    }
     step = comes > 0 ? a.step : comes < 0 ? b.step : gjk2_add(a.step, b.step);
     const int64_t height = gjk2_cross(w, step);
     if (height < 0) {  // Step 3
@@ -202,8 +209,8 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
       return GJK2_LIE_APART;
     }
     // Most edges are farther by a rough bound.
-    const bool lower = (!n.found || (uint64_t)height < gjk_umul32(n.above, gjk2_length_bound(step))) &&
-                       keep_lower(&n, step, (uint64_t)height);
+    const bool lower =
+        (uint64_t)height < gjk_umul32(n.above, gjk2_length_bound(step)) && keep_lower(&n, step, (uint64_t)height);
     if (lower) {
       set_vertex(&a, &b, w, &edge->p);
     }

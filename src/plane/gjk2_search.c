@@ -118,10 +118,11 @@ static inline gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
 }
 
 // Step 3.
-static inline void scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
+static inline void scan(const gjk2_search *s, const gjk2_vec *d, gjk2_vertex *out) {
   gjk2_support of_a, of_b;
+  const gjk2_vec opposite = {-d->x, -d->y};
   s->a->shape->type->support(s->a, d, &of_a);
-  s->b->shape->type->support(s->b, gjk2_negate(d), &of_b);
+  s->b->shape->type->support(s->b, &opposite, &of_b);
   out->w = framed(s, gjk2_sub(of_a.offset, of_b.offset));
   gjk2_copy(&out->of_a, &of_a.offset);
   gjk2_copy(&out->of_b, &of_b.offset);
@@ -130,7 +131,7 @@ static inline void scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
 }
 
 void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
-  scan(s, d, out);
+  scan(s, &d, out);
 }
 
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
@@ -401,7 +402,7 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       }
     }
     s->iterations = (uint16_t)(s->iterations + (s->iterations < UINT16_MAX));
-    scan(s, s->d, s->spare);  // Step 3
+    scan(s, &s->d, s->spare);  // Step 3
     if (s->count == 2) {
       before = gjk2_cross(s->first->w, s->spare->w);
       after = gjk2_cross(s->spare->w, s->last->w);
