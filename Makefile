@@ -9,8 +9,9 @@
 #   make demo-trace      draws what each iteration of GJK does on some pairs: build/trace.html
 #   make amalgamation    the library as two files: build/amalgamation/gjk.h and gjk.c
 #   make sizes           code by function group and stack by query, per target
-#   make bench           run time against error on the host, other libraries beside it: a table, build/bench.html and .csv;
-#                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more
+#   make bench           on the host, other libraries beside it: what queries cost by family, in instructions (valgrind), ns
+#                        and branch mispredictions; then run time against error: tables, build/bench.html and .csv;
+#                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more; CC=clang for clang's
 #   make bench-target    instructions, stack and code per query on the emulated cores, beside floating point
 #   make readme-figures  counts them afresh and writes the README's tables
 #   make worst-case      searches for the most expensive pairs and writes them to tests/data/worst.txt; SEED=1,
@@ -160,16 +161,18 @@ build/gjk-query build/gjk-demo build/gjk-demo-stack build/lockstep $(UNIT_TESTS)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
-# The benchmark, and the report on its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet and fcl.
+# The benchmark, and the report on its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet, fcl and ode.
 
 BENCH_PEERS ?=
-BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/*.c)) $(BENCH_PEERS:%=build/hosted/tests/measure/bench/peer/%.o)
+BENCH := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/*.c)) \
+  $(patsubst %,build/hosted/tests/measure/bench/peer/%.o,$(filter-out ode,$(BENCH_PEERS)))
+COST := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/cost/*.c)) $(BENCH_PEERS:%=build/hosted/tests/measure/cost/peer/%.o)
 BENCH_REPORT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench/report/*.c) tests/programs/demo/svg.c tests/programs/demo/labels.c)
 PEER_FLAGS = $(shell pkg-config $(1) $(BENCH_PEERS))
 PEER_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(patsubst -I%,-isystem%,$(filter -I%,$(call PEER_FLAGS,--cflags))) \
   $(DEPENDENCIES)
 
-build/hosted/peers.flags: FORCE
+build/hosted/peers.flags build/hosted/cost-peers.flags: FORCE
 	$(call FLAGS,$(CC) $(BENCH_PEERS) $(if $(BENCH_PEERS),$(PEER_COMPILE) $(call PEER_FLAGS,--libs)))
 
 build/hosted/tests/measure/bench/peer/%.o: tests/measure/bench/peer/%.cpp build/hosted/peers.flags Makefile
@@ -177,9 +180,16 @@ build/hosted/tests/measure/bench/peer/%.o: tests/measure/bench/peer/%.cpp build/
 	@echo '  $<'
 	@$(PEER_COMPILE) -c $< -o $@
 
+build/hosted/tests/measure/cost/peer/%.o: tests/measure/cost/peer/%.cpp build/hosted/cost-peers.flags Makefile
+	@mkdir -p $(@D)
+	@echo '  $<'
+	@$(PEER_COMPILE) -c $< -o $@
+
 build/gjk-bench: $(BENCH)
 build/gjk-decisions: $(filter-out %/bench/main.o,$(BENCH)) build/hosted/tests/measure/decisions/main.o
-build/gjk-bench build/gjk-decisions: $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
+build/gjk-cost: $(COST) build/hosted/cost-peers.flags
+build/gjk-bench build/gjk-decisions: build/hosted/peers.flags
+build/gjk-bench build/gjk-decisions build/gjk-cost: $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(if $(BENCH_PEERS),$(CXX),$(CC)) $(filter %.o,$^) $(HOST_LIB) $(if $(BENCH_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 

@@ -270,7 +270,8 @@ typedef struct gjk_scene_stats {
   uint32_t resting;        // neither body moved - asleep, static or still: the last answer stands
   uint32_t filtered;       // refused by the predicate, or by a changed category or mask
   uint32_t motion;         // the motion since the last test is too small to change its answer
-  uint32_t boxes;          // exact boxes or, of a pair without curved shapes, bounding spheres are apart
+  uint32_t boxes;          // exact boxes or, of a pair without curved shapes, bounding spheres are apart, or spheres
+                           // inside of it near
   uint32_t direction;      // the last separating direction still separates: one support scan
   uint32_t warm, cold;     // queries, started from the cache or not
   uint32_t begun, persisting, ended;

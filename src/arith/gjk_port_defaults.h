@@ -46,6 +46,32 @@
 #error "GJK_NARROW_MULTIPLY must be 0 or 1: set it to 1 in the port header for cores without 32 x 32 -> 64 bits"
 #endif
 
+// GJK_VECTORS: 1 on a core with vectors of 128 bits: x86 with SSE2, which is all x86-64, and AArch64. Scans over many
+// vertices then look at eight at a time. Default: 1 there with gcc and clang, unless they optimise for size; else 0.
+#if defined(__GNUC__) && (defined(__SSE2__) || (defined(__aarch64__) && !defined(__AARCH64EB__))) && \
+    !GJK_NARROW_MULTIPLY
+#define GJK_HAS_VECTORS 1
+#else
+#define GJK_HAS_VECTORS 0
+#endif
+#if GJK_HAS_VECTORS && defined(__SSE2__) && defined(__has_builtin)
+#if !__has_builtin(__builtin_ia32_packssdw128) || !__has_builtin(__builtin_ia32_packsswb128) || \
+    !__has_builtin(__builtin_ia32_pmaddwd128) || !__has_builtin(__builtin_ia32_pmovmskb128)
+#undef GJK_HAS_VECTORS
+#define GJK_HAS_VECTORS 0
+#endif
+#endif
+#ifndef GJK_VECTORS
+#if GJK_HAS_VECTORS && !defined(__OPTIMIZE_SIZE__)
+#define GJK_VECTORS 1
+#else
+#define GJK_VECTORS 0
+#endif
+#endif
+#if GJK_VECTORS != 0 && (GJK_VECTORS != 1 || !GJK_HAS_VECTORS)
+#error "GJK_VECTORS must be 0 or 1, and 0 without SSE2 or AArch64, gcc or clang: set it to 0 in the port header"
+#endif
+
 // GJK_INT128: 1 where the compiler has a signed 128-bit integer named by GJK_INT128_TYPE. Default 0: two halves.
 #ifndef GJK_INT128
 #define GJK_INT128 0

@@ -39,10 +39,16 @@ int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v) {
 
 // x / 2^k to the nearest integer, 1 <= k <= 32. Pre: the result is at most 2^30 in size.
 static int32_t round_down(int64_t x, unsigned k) {
+#if GJK_64_BIT
+  const int64_t rounded = gjk_sar64(x + (INT64_C(1) << (k - 1)), k);  // |x| < 2^62
+  //@ assert rounded >= -(INT32_C(1) << 30) && rounded <= INT32_C(1) << 30;
+  return (int32_t)rounded;
+#else
   const uint32_t twice = gjk_low32(x) >> (k - 1);
   const int32_t rounded = gjk_int32((((uint32_t)gjk_high32(x) << (32 - k)) | twice >> 1) + (twice & 1u));
   //@ assert rounded >= -(INT32_C(1) << 30) && rounded <= INT32_C(1) << 30;
   return rounded;
+#endif
 }
 
 // The high words of v's components, joined by or, with -1 - x for a negative component x. Its leading bit tells how
@@ -57,6 +63,24 @@ static uint32_t low_bits(const gjk_long3 *v) {
   return gjk_low32((v->x ^ gjk_sar64(v->x, 63)) | (v->y ^ gjk_sar64(v->y, 63)) | (v->z ^ gjk_sar64(v->z, 63)));
 }
 
+#if GJK_64_BIT
+void gjk_search_direction_of(const gjk_long3 *n, gjk_search_direction *out) {
+  // x ^ (x >> 63) is x, or -1 - x for a negative one. Joined by or, they have as many bits as the largest of them.
+  const int64_t bits = (n->x ^ gjk_sar64(n->x, 63)) | (n->y ^ gjk_sar64(n->y, 63)) | (n->z ^ gjk_sar64(n->z, 63));
+  out->exact = true;
+  if (bits >> 30 == 0) {
+    out->d.x = (int32_t)n->x;
+    out->d.y = (int32_t)n->y;
+    out->d.z = (int32_t)n->z;
+    return;
+  }
+  const unsigned k = 34 - gjk_clz64((uint64_t)bits);  // 2^30 <= bits < 2^62:  30 + k bits, 1 <= k <= 32
+  out->d.x = round_down(n->x, k);
+  out->d.y = round_down(n->y, k);
+  out->d.z = round_down(n->z, k);
+  out->exact = (uint64_t)(n->x | n->y | n->z) << (64 - k) == 0;
+}
+#else
 void gjk_search_direction_of(const gjk_long3 *n, gjk_search_direction *out) {
   uint32_t bits = high_bits(n);
   unsigned k = 34;
@@ -81,6 +105,7 @@ void gjk_search_direction_of(const gjk_long3 *n, gjk_search_direction *out) {
   out->d.z = round_down(n->z, k);
   out->exact = (gjk_low32(n->x) | gjk_low32(n->y) | gjk_low32(n->z)) << (32 - k) == 0;
 }
+#endif
 
 // One component of -(a tb + b ta) = 2^31 *high + low. Returns low, 0 <= low < 2^31.
 //

@@ -78,7 +78,16 @@ typedef struct gjk_direction {
   int64_t ta, tb;    // set for spanning == 2
   uint8_t spanning;  // 1, 2 or 3
   bool opposite;     // the direction meant is the opposite
+  // Numbers of three vertices of the shape at hand, some of them perhaps the same, that are equally far along the
+  // direction. NULL: none are known; a build for size knows none.
+  const uint16_t *level;
 } gjk_direction;
+
+// Is the vertex one of those known to be equally far along the direction?
+static inline bool gjk_direction_knows(const gjk_direction *direction, unsigned vertex) {
+  const uint16_t *level = direction->level;
+  return !GJK_SMALL && level != NULL && (level[0] == vertex || level[1] == vertex || level[2] == vertex);
+}
 
 // The sign of v along the exact direction. Pre: |v| <= 2^30.
 int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v);

@@ -12,9 +12,15 @@ GJK_HOT int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b) {
 // *out = a x b, exact. Pre: |a| |b| < 2^62, lengths.
 GJK_HOT void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
   // |each product|, |each component| <= |a| |b| < 2^62
+#if GJK_64_BIT
+  out->x = gjk_mul32(a->y, b->z) - gjk_mul32(a->z, b->y);
+  out->y = gjk_mul32(a->z, b->x) - gjk_mul32(a->x, b->z);
+  out->z = gjk_mul32(a->x, b->y) - gjk_mul32(a->y, b->x);
+#else
   out->x = gjk_mac32(gjk_mul32(a->y, b->z), -a->z, b->y);
   out->y = gjk_mac32(gjk_mul32(a->z, b->x), -a->x, b->z);
   out->z = gjk_mac32(gjk_mul32(a->x, b->y), -a->y, b->x);
+#endif
   //@ assert out->x > -(INT64_C(1) << 62) && out->x < INT64_C(1) << 62;
   //@ assert out->y > -(INT64_C(1) << 62) && out->y < INT64_C(1) << 62;
   //@ assert out->z > -(INT64_C(1) << 62) && out->z < INT64_C(1) << 62;
@@ -29,7 +35,7 @@ GJK_HOT void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
 GJK_HOT int gjk_dot_sign(const gjk_long3 *n, const gjk_vec3 *v) {
 #if GJK_INT128
   GJK_INT128_TYPE sum = (GJK_INT128_TYPE)n->x * v->x + (GJK_INT128_TYPE)n->y * v->y + (GJK_INT128_TYPE)n->z * v->z;
-  return (sum > 0) - (sum < 0);
+  return sum > 0 ? 1 : -(sum < 0);
 #else
   const gjk_vec3 high = {gjk_high32(n->x), gjk_high32(n->y), gjk_high32(n->z)};
   const int32_t top = gjk_high32(gjk_dot(&high, v));

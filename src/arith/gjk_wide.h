@@ -32,6 +32,13 @@
 #define GJK_CONDITIONAL_MOVES 0
 #endif
 
+// GJK_64_BIT is 1 where a register holds 64 bits. There shifts by any number of bits are cheap, and memory is plentiful.
+#if SIZE_MAX > UINT32_MAX
+#define GJK_64_BIT 1
+#else
+#define GJK_64_BIT 0
+#endif
+
 // Sets the int64_t most to x and the pointer best to place where x > most, without a branch; GCC makes one of C code.
 #if GJK_CONDITIONAL_MOVES && defined(__x86_64__)
 #define GJK_KEEP_LARGER(most, best, x, place) \
@@ -52,11 +59,6 @@ static inline int32_t gjk_int32(uint32_t u) {
 // The int64_t with the bits of u.
 static inline int64_t gjk_int64(uint64_t u) {
   return u <= INT64_MAX ? (int64_t)u : -(int64_t)(UINT64_MAX - u) - 1;
-}
-
-// The int32_t nearest to x.
-static inline int32_t gjk_saturate(int64_t x) {
-  return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (int32_t)x;
 }
 
 // floor(x / 2^n), 0 <= n <= 31. A plain shift where the compiler's right shift is arithmetic.
@@ -94,6 +96,12 @@ static inline int32_t gjk_high32(int64_t x) {
 
 static inline uint32_t gjk_low32(int64_t x) {
   return (uint32_t)((uint64_t)x & UINT32_MAX);
+}
+
+// The int32_t nearest to x.
+static inline int32_t gjk_saturate(int64_t x) {
+  const int32_t low = gjk_int32(gjk_low32(x));
+  return low == x ? low : x < 0 ? INT32_MIN : INT32_MAX;
 }
 
 // gjk_saturate(x). Sets *saturated when the result is not x, and never clears it.
@@ -147,8 +155,12 @@ static inline unsigned gjk_clz32(uint32_t x) {
 
 // Leading zeros of x. Pre: x != 0.
 static inline unsigned gjk_clz64(uint64_t x) {
+#if defined(__GNUC__) && GJK_64_BIT && !defined(__riscv)
+  return (unsigned)__builtin_clzll(x);
+#else
   uint32_t high = (uint32_t)(x >> 32);
   return high != 0 ? gjk_clz32(high) : 32 + gjk_clz32((uint32_t)(x & UINT32_MAX));
+#endif
 }
 
 // ARMv7-M and up get their long multiplications by name. gcc widens an operand that is used twice ahead of time; then
@@ -207,6 +219,101 @@ static inline uint64_t gjk_umul32(uint32_t a, uint32_t b) {
 static inline uint32_t gjk_umulh32(uint32_t a, uint32_t b) {
   return (uint32_t)(gjk_umul32(a, b) >> 32);
 }
+
+#if GJK_VECTORS
+
+// Vectors of the compiler: a shift, sum or comparison is one of each component.
+typedef int32_t gjk_4x32 __attribute__((vector_size(16)));
+typedef int16_t gjk_8x16 __attribute__((vector_size(16)));
+
+// The four numbers from p on.
+static inline gjk_4x32 gjk_load_4x32(const int32_t *p) {
+  typedef int32_t unaligned __attribute__((vector_size(16), aligned(4), may_alias));
+  return *(const unaligned *)p;
+}
+
+// x as each component.
+static inline gjk_8x16 gjk_all_8x16(int16_t x) {
+  const gjk_8x16 zero = {0};
+  return zero + x;
+}
+
+// Components of a and b by number, a's first. GCC knows Clang's builtin from version 12 on.
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define GJK_PICK(type, a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#endif
+#endif
+#if !defined(GJK_PICK)
+#define GJK_PICK(type, a, b, ...) __builtin_shuffle(a, b, (type){__VA_ARGS__})
+#endif
+
+// a0 + a1, a2 + a3, b0 + b1, b2 + b3
+static inline gjk_4x32 gjk_add_neighbours(gjk_4x32 a, gjk_4x32 b) {
+  return GJK_PICK(gjk_4x32, a, b, 0, 2, 4, 6) + GJK_PICK(gjk_4x32, a, b, 1, 3, 5, 7);
+}
+
+#if defined(__SSE2__)
+
+typedef char gjk_16x8 __attribute__((vector_size(16)));
+
+// Components of a, then those of b. Pre: each fits.
+static inline gjk_8x16 gjk_narrow(gjk_4x32 a, gjk_4x32 b) {
+  return (gjk_8x16)__builtin_ia32_packssdw128(a, b);
+}
+
+// a0 p0 + a1 p1, a2 p2 + a3 p3, b0 q0 + b1 q1, b2 q2 + b3 q3. Pre: each component fits int16_t.
+static inline gjk_4x32 gjk_add_products(gjk_4x32 a, gjk_4x32 b, gjk_4x32 p, gjk_4x32 q) {
+  return (gjk_4x32)__builtin_ia32_pmaddwd128(gjk_narrow(a, b), gjk_narrow(p, q));
+}
+
+// Bit i is set where component i of the comparison c holds.
+static inline unsigned gjk_bits_of(gjk_8x16 c) {
+  const gjk_16x8 bytes = (gjk_16x8)__builtin_ia32_packsswb128(c, c);
+  return (unsigned)__builtin_ia32_pmovmskb128(bytes) & 0xFFu;
+}
+
+#else
+
+static inline gjk_8x16 gjk_narrow(gjk_4x32 a, gjk_4x32 b) {
+  return GJK_PICK(gjk_8x16, (gjk_8x16)a, (gjk_8x16)b, 0, 2, 4, 6, 8, 10, 12, 14);
+}
+
+static inline gjk_4x32 gjk_add_products(gjk_4x32 a, gjk_4x32 b, gjk_4x32 p, gjk_4x32 q) {
+  return gjk_add_neighbours(a * p, b * q);
+}
+
+static inline unsigned gjk_bits_of(gjk_8x16 c) {
+  const gjk_8x16 bit = {1, 2, 4, 8, 16, 32, 64, 128}, bits = c & bit;
+  const gjk_4x32 sums = (gjk_4x32)(bits | (gjk_8x16)((gjk_4x32)bits >> 16));
+  return (unsigned)((sums[0] | sums[1] | sums[2] | sums[3]) & 0xFF);
+}
+
+#endif
+
+// The larger of each component.
+static inline gjk_8x16 gjk_larger(gjk_8x16 a, gjk_8x16 b) {
+#if defined(__SSE2__) && !defined(__clang__)
+  return (gjk_8x16)__builtin_ia32_pmaxsw128(a, b);
+#else
+  const gjk_8x16 is = a > b;
+  return (a & is) | (b & ~is);
+#endif
+}
+
+// The largest component, as each component.
+static inline gjk_8x16 gjk_largest(gjk_8x16 a) {
+  a = gjk_larger(a, GJK_PICK(gjk_8x16, a, a, 4, 5, 6, 7, 0, 1, 2, 3));
+  a = gjk_larger(a, GJK_PICK(gjk_8x16, a, a, 2, 3, 0, 1, 6, 7, 4, 5));
+  return gjk_larger(a, GJK_PICK(gjk_8x16, a, a, 1, 0, 3, 2, 5, 4, 7, 6));
+}
+
+// The number of the lowest bit that is set. Pre: x != 0.
+static inline unsigned gjk_lowest_bit(uint64_t x) {
+  return (unsigned)__builtin_ctzll(x);
+}
+
+#endif
 
 // The sign of x: -1, 0 or 1.
 static inline int gjk_sign64(int64_t x) {

@@ -62,7 +62,14 @@ static void vertex_of_signs(const box_pair *pair, unsigned signs, gjk_vertex *ou
   const unsigned mask_a = (1u << pair->of_a) - 1, mask_b = (1u << (pair->count - pair->of_a)) - 1;
   gjk_vec3 w = pair->delta;
   for (unsigned k = 0; k < pair->count; k++) {
+#if GJK_CONDITIONAL_MOVES
+    const int32_t minus = (int32_t)(signs >> k & 1u) - 1;  // -1 where it is subtracted
+    w.x += (pair->axis[k].x ^ minus) - minus;
+    w.y += (pair->axis[k].y ^ minus) - minus;
+    w.z += (pair->axis[k].z ^ minus) - minus;
+#else
     w = (signs >> k & 1u) != 0 ? gjk_add(w, pair->axis[k]) : gjk_sub(w, pair->axis[k]);
+#endif
   }
   //@ assert w.x >= -(INT32_C(3) << 29) && w.x <= INT32_C(3) << 29;
   //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
@@ -119,8 +126,7 @@ static bool reach_projection(facet_triangle *t) {
     for (int i = 0; i < 3; i++) {
       vertex_of_signs(t->pair, t->signs[i], &s->slot[i]);
     }
-    gjk_simplex_set(s, 3);
-    const unsigned edge = gjk_simplex_beyond(s);
+    const unsigned edge = gjk_simplex_set(s, 3) ? 3 : gjk_simplex_beyond(s);
     if (edge == 3) {
       return true;
     }

@@ -39,11 +39,10 @@ static bool support_beyond_origin(gjk_iteration *it, const gjk_vec3 *d) {
   return gjk_dot(d, &gjk_simplex_free(&it->simplex)->w) > 0;
 }
 
-// Scans along n, exactly, into the free slot. Is the support strictly beyond the plane across n through w?
+// Scans along n, exactly, into the free slot. it->direction is n, rounded. Is the support strictly beyond the plane across n through w?
 static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3 *w) {
   gjk_support b;
   const gjk_vertex *v = gjk_simplex_free(&it->simplex);
-  gjk_search_direction_of(n, &it->direction);
   gjk_iteration_next(it, &b);
   gjk_vec3 step = gjk_sub(v->w, *w);
   if (gjk_dot_sign(n, &step) > 0) {
@@ -53,6 +52,7 @@ static bool support_beyond(gjk_iteration *it, const gjk_long3 *n, const gjk_vec3
   direction.n = n;
   direction.spanning = 3;
   direction.opposite = false;
+  direction.level = NULL;
   if (it->direction.exact || !gjk_iteration_refine(it, &direction, &b)) {
     return false;
   }
@@ -124,6 +124,7 @@ static bool complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, uint16_t *
   if (s->count == 3) {
     gjk_long3 n;
     simplex_normal(s, &n);
+    gjk_search_direction_of(&n, &it->direction);
     ++*iterations;
     if (!support_beyond(it, &n, &gjk_simplex_vertex(s, 0)->w)) {
       take_triangle(it, facet);
@@ -147,8 +148,8 @@ static void offer_face(gjk_iteration *it, const gjk_epa_hull *p, const uint16_t 
   for (int i = 0; i < 3; i++) {
     gjk_epa_hull_load(p, corner[i], &s->slot[i]);
   }
-  gjk_simplex_set(s, 3);
-  gjk_facet_consider(facet, it, gjk_simplex_beyond(s) == 3, bound);
+  // Mostly the projection lies strictly inside.
+  gjk_facet_consider(facet, it, gjk_simplex_set(s, 3) || gjk_simplex_beyond(s) == 3, bound);
 }
 
 // A lower bound of the depth, in LSB: the height of the lowest face, less all errors.
@@ -157,10 +158,8 @@ static gjk_q16 lower_bound(const gjk_iteration *it, const gjk_epa_hull *p) {
   for (uint16_t i = 0; i < p->faces; i++) {
     gjk_long3 n;
     gjk_search_direction d;
-    const uint16_t *corner = gjk_epa_hull_face(p, i)->corner;
-    gjk_epa_hull_normal(p, corner, &n);
-    gjk_search_direction_of(&n, &d);
-    const uint32_t height = gjk_height(&d.d, gjk_epa_hull_vertex(p, corner[0]));
+    gjk_epa_hull_plane(p, i, &n, &d);
+    const uint32_t height = gjk_height(&d.d, gjk_epa_hull_vertex(p, gjk_epa_hull_face(p, i)->corner[0]));
     least = height < least ? height : least;
   }
   return (gjk_q16)((least > GJK_HEIGHT_ERROR ? least - GJK_HEIGHT_ERROR : 0) >> it->shift) - curved_error(it);
@@ -197,6 +196,7 @@ static gjk_epa_outcome bound_depth_by_hull(gjk_iteration *it, const gjk_epa_hull
   gjk_long3 n;
   *lower = lower_bound(it, p);
   gjk_epa_hull_normal(p, face->corner, &n);
+  gjk_search_direction_of(&n, &it->direction);
   gjk_simplex_clear(&it->simplex);
   facet->set = false;
   ++*iterations;
@@ -231,7 +231,7 @@ static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *fac
     // Step 5: the support scan.
     gjk_long3 n;
     const gjk_vec3 *w = gjk_epa_hull_vertex(p, face->corner[0]);
-    gjk_epa_hull_normal(p, face->corner, &n);
+    gjk_epa_hull_plane(p, lowest, &n, &it->direction);
     gjk_simplex_clear(&it->simplex);
     facet->set = false;
     ++*iterations;
@@ -267,6 +267,7 @@ static void bound_depth_by_tetrahedron(gjk_iteration *it, gjk_facet *facet) {
   n.y = -n.y;
   n.z = -n.z;
   s->count = 3;
+  gjk_search_direction_of(&n, &it->direction);
   support_beyond(it, &n, &corner[0].w);
   const gjk_q16 reached = upper_bound(it, &gjk_simplex_free(s)->w);
   for (int i = 0; i < 3; i++) {

@@ -55,22 +55,24 @@ static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius
   return true;
 }
 
-// The same as gjk_frame_move for shift < 0.
+// Makes *v a vertex of A - B in the frame. Before, *v is the offset of A's vertex less that of B's vertex, in LSB.
+// Pre: shift < 0.
 void gjk_frame_move_far(const gjk_iteration *it, gjk_vec3 *v);
 
-// Makes *v a vertex of A - B in the frame. Before, *v is the offset of A's vertex less that of B's vertex, in LSB.
-static inline void gjk_frame_move(const gjk_iteration *it, gjk_vec3 *v) {
+// Sets *w to a vertex of A - B in the frame. offset: that of A's vertex less that of B's vertex, in LSB.
+static inline void gjk_frame_move(const gjk_iteration *it, gjk_vec3 offset, gjk_vec3 *w) {
   if (it->shift < 0) {
-    gjk_frame_move_far(it, v);
+    *w = offset;
+    gjk_frame_move_far(it, w);
     return;
   }
   const unsigned shift = (unsigned)it->shift;
-  v->x = it->delta.x + gjk_shl32(v->x, shift);
-  v->y = it->delta.y + gjk_shl32(v->y, shift);
-  v->z = it->delta.z + gjk_shl32(v->z, shift);
-  //@ assert v->x >= -(INT32_C(3) << 29) && v->x <= INT32_C(3) << 29;
-  //@ assert v->y >= -(INT32_C(3) << 29) && v->y <= INT32_C(3) << 29;
-  //@ assert v->z >= -(INT32_C(3) << 29) && v->z <= INT32_C(3) << 29;
+  w->x = it->delta.x + gjk_shl32(offset.x, shift);
+  w->y = it->delta.y + gjk_shl32(offset.y, shift);
+  w->z = it->delta.z + gjk_shl32(offset.z, shift);
+  //@ assert w->x >= -(INT32_C(3) << 29) && w->x <= INT32_C(3) << 29;
+  //@ assert w->y >= -(INT32_C(3) << 29) && w->y <= INT32_C(3) << 29;
+  //@ assert w->z >= -(INT32_C(3) << 29) && w->z <= INT32_C(3) << 29;
 }
 
 #endif

@@ -45,12 +45,10 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   return true;
 }
 
-// Completes the vertex in the free slot, whose vertex of A is set, by the vertex b of B.
-GJK_ONCE static void complete_vertex(gjk_iteration *it, const gjk_support *b) {
-  gjk_vertex *v = gjk_simplex_free(&it->simplex);
+// Completes a vertex of A - B, whose vertex of A is set, by the vertex b of B.
+GJK_ONCE static void complete_vertex(const gjk_iteration *it, gjk_vertex *v, const gjk_support *b) {
   v->b = b->vertex;
-  v->w = gjk_sub(v->a.offset, b->offset);
-  gjk_frame_move(it, &v->w);
+  gjk_frame_move(it, gjk_sub(v->a.offset, b->offset), &v->w);
 }
 
 bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b) {
@@ -61,16 +59,18 @@ bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b) {
   if (!it->a->shape->type->vertex(it->a, a, &v->a.offset) || !it->b->shape->type->vertex(it->b, b, &of_b.offset)) {
     return false;
   }
-  complete_vertex(it, &of_b);
+  complete_vertex(it, v, &of_b);
   return true;
 }
 
-// Step 4: the support scan of both shapes.
-GJK_ONCE static void next_vertex(gjk_iteration *it, gjk_support *b) {
+// Step 4: the support scan of both shapes. Returns the vertex in the free slot.
+GJK_ONCE static const gjk_vertex *next_vertex(gjk_iteration *it, gjk_support *b) {
   const gjk_vec3 opposite = gjk_negate(it->direction.d);
-  it->a->shape->type->support(it->a, &it->direction.d, &gjk_simplex_free(&it->simplex)->a);
+  gjk_vertex *added = gjk_simplex_free(&it->simplex);
+  it->a->shape->type->support(it->a, &it->direction.d, &added->a);
   it->b->shape->type->support(it->b, &opposite, b);
-  complete_vertex(it, b);
+  complete_vertex(it, added, b);
+  return added;
 }
 
 void gjk_iteration_next(gjk_iteration *it, gjk_support *b) {
@@ -79,27 +79,57 @@ void gjk_iteration_next(gjk_iteration *it, gjk_support *b) {
 
 bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_support *b) {
   bool moved = false;
+  gjk_vertex *added = gjk_simplex_free(&it->simplex);
   if (it->a->shape->type->refine != NULL) {
-    moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, &gjk_simplex_free(&it->simplex)->a);
+    moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, &added->a);
   }
   if (it->b->shape->type->refine != NULL) {
     const gjk_vec3 opposite = gjk_negate(it->direction.d);
     direction->opposite = true;
+    if (!GJK_SMALL && direction->level != NULL) {
+      direction->level += 3;
+    }
     moved = it->b->shape->type->refine(it->b, &opposite, direction, b) || moved;
   }
   if (moved) {
-    complete_vertex(it, b);
+    complete_vertex(it, added, b);
   }
   return moved;
+}
+
+// Do two vertices of A - B share their vertex of A or of B?
+static inline bool share_vertex(const gjk_vertex *v, const gjk_vertex *w) {
+  return v->a.vertex == w->a.vertex || v->b == w->b;
+}
+
+// The vertices of A and then of B in an edge or a triangle, if all of A are equally far along its exact direction, and
+// all of B. The differences are. Where two of them share a vertex of one shape, so are their vertices of the other.
+// False: two of three, or the two of an edge, share none; or differences are rounded, or have no numbers.
+static bool level_vertices(const gjk_iteration *it, uint16_t level[6]) {
+  const gjk_simplex *s = &it->simplex;
+  const gjk_vertex *u = &s->slot[s->order[0]], *v = &s->slot[s->order[1]];
+  const gjk_vertex *w = s->count == 3 ? &s->slot[s->order[2]] : v;
+  level[0] = u->a.vertex;
+  level[1] = v->a.vertex;
+  level[2] = w->a.vertex;
+  level[3] = u->b;
+  level[4] = v->b;
+  level[5] = w->b;
+  return it->shift >= 0 && !gjk_pair_is_curved(it) &&
+         (share_vertex(u, v) ? share_vertex(v, w) || share_vertex(u, w) : share_vertex(v, w) && share_vertex(u, w));
 }
 
 // Step 8: replaces w by the vertex farthest along the exact direction. Returns whether that is another one.
 static bool refine_nearest(gjk_iteration *it, gjk_support *b) {
   gjk_direction direction;
+  uint16_t level[6];
   if (it->direction.exact) {
     return false;
   }
   gjk_simplex_exact_direction(&it->simplex, &direction);
+  if (!GJK_SMALL && level_vertices(it, level)) {
+    direction.level = level;
+  }
   return gjk_iteration_refine(it, &direction, b);
 }
 
@@ -135,9 +165,8 @@ static bool settles_near(const gjk_iteration *it) {
 
 // Step 6: is w a vertex of the feature? Of a curved pair: does w gain too little over the feature to go on? The signs
 // of step 7 would reject a vertex of the feature as well, at a higher cost.
-static bool is_duplicate(gjk_iteration *it) {
+static bool is_duplicate(const gjk_iteration *it, const gjk_vertex *added) {
   const gjk_simplex *s = &it->simplex;
-  const gjk_vertex *added = gjk_simplex_free(&it->simplex);
   if (gjk_pair_is_curved(it) && s->count > 0) {
     return it->stalls(&it->direction.d, &s->slot[s->order[0]].w, &added->w, it->shift,
                       it->iterations >= LATE_ITERATIONS);
@@ -189,8 +218,8 @@ static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
 }
 
 // Steps 6 to 8. NONE: nothing of A - B is nearer than the feature.
-static gjk_step add_vertex(gjk_iteration *it, gjk_support *b) {
-  if (!is_duplicate(it)) {
+static gjk_step add_vertex(gjk_iteration *it, const gjk_vertex *added, gjk_support *b) {
+  if (!is_duplicate(it, added)) {
     const gjk_step step = gjk_simplex_add(&it->simplex);
     if (step != GJK_STEP_NONE) {
       return step;
@@ -220,14 +249,14 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
       return GJK_OUTCOME_NEAR;
     }
     // Step 4: the support scan.
-    next_vertex(it, &b);
+    const gjk_vertex *added = next_vertex(it, &b);
     // Step 5: the whole of A - B is beyond the radius.
-    if (gjk_goal_separates(goal) && plane_clears_radius(it, &gjk_simplex_free(&it->simplex)->w)) {
+    if (gjk_goal_separates(goal) && plane_clears_radius(it, &added->w)) {
       it->iterations++;
       return GJK_OUTCOME_SEPARATED;
     }
     // Steps 6 to 8: the vertex makes a nearer feature, or none does.
-    const gjk_step step = add_vertex(it, &b);
+    const gjk_step step = add_vertex(it, added, &b);
     if (step != GJK_STEP_NEARER) {
       it->iterations++;
       if (step == GJK_STEP_ENCLOSING) {

@@ -37,31 +37,49 @@ GJK_ONCE static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigne
 //   the point of the line nearest to the origin   p = w_i toward(j, i) + w_j toward(i, j)
 //   k's coordinate                                p . (w_i - w_k)
 //   where                                         w_j . (w_i - w_k) = toward(j, k) - toward(j, i)
-static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
+GJK_ONCE static int beyond_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
   const int64_t *at_i = s->toward[i], *at_j = s->toward[j];  // each <= 2^61, their differences < 2^62
   return gjk_sum_of_products_sign(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i]);
 }
 
-// Sets toward of slot w with itself and with the slots of the feature.
-static void set_products(gjk_simplex *s, unsigned w) {
+// Sets toward of slot w, whose square is given, and another slot.
+GJK_ONCE static void set_product(gjk_simplex *s, unsigned w, int64_t square, const gjk_vec3 *v, unsigned slot) {
+  const int64_t dot = gjk_dot(v, &s->slot[slot].w);
+  //@ assert dot >= -(INT64_C(9) << 58) && dot <= INT64_C(9) << 58;
+  s->toward[w][slot] = square - dot;
+  s->toward[slot][w] = s->toward[slot][slot] - dot;
+  //@ assert s->toward[w][slot] >= -(INT64_C(1) << 61) && s->toward[w][slot] <= INT64_C(1) << 61;
+  //@ assert s->toward[slot][w] >= -(INT64_C(1) << 61) && s->toward[slot][w] <= INT64_C(1) << 61;
+}
+
+// Sets toward of slot w with itself and with the slots of the feature, of which there are n.
+GJK_ONCE static void set_products(gjk_simplex *s, unsigned w, unsigned n) {
   const gjk_vec3 v = s->slot[w].w;
   const int64_t square = gjk_dot(&v, &v);
   //@ assert square >= 0 && square <= INT64_C(9) << 58;
   s->toward[w][w] = square;
-  for (unsigned n = s->count, i = 0; i < n; i++) {
-    const unsigned slot = s->order[i];
-    const int64_t dot = gjk_dot(&v, &s->slot[slot].w);
-    //@ assert dot >= -(INT64_C(9) << 58) && dot <= INT64_C(9) << 58;
-    s->toward[w][slot] = square - dot;
-    s->toward[slot][w] = s->toward[slot][slot] - dot;
-    //@ assert s->toward[w][slot] >= -(INT64_C(1) << 61) && s->toward[w][slot] <= INT64_C(1) << 61;
-    //@ assert s->toward[slot][w] >= -(INT64_C(1) << 61) && s->toward[slot][w] <= INT64_C(1) << 61;
+  if (n > 0) {
+    set_product(s, w, square, &v, s->order[0]);
+  }
+  if (n > 1) {
+    set_product(s, w, square, &v, s->order[1]);
+  }
+  if (n > 2) {
+    set_product(s, w, square, &v, s->order[2]);
   }
 }
 
+// Makes w the feature where there is none yet. Out of line, as the next three: one frame on the stack at a time.
+GJK_OUT_OF_LINE static gjk_step add_first(gjk_simplex *s, unsigned w) {
+  set_products(s, w, 0);
+  s->count = 1;
+  return GJK_STEP_NEARER;
+}
+
 // Steps 1 to 3 where F is a vertex.
-static gjk_step add_to_vertex(gjk_simplex *s, unsigned w) {
+GJK_OUT_OF_LINE static gjk_step add_to_vertex(gjk_simplex *s, unsigned w) {
   unsigned a = s->order[0];
+  set_products(s, w, 1);
   if (s->toward[a][w] <= 0) {
     return GJK_STEP_NONE;
   }
@@ -111,8 +129,9 @@ static gjk_step set_edge(gjk_simplex *s, unsigned x, unsigned y, unsigned w, boo
 }
 
 // Steps 1 to 3 where F is an edge.
-static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
+GJK_OUT_OF_LINE static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
   unsigned a = s->order[0], b = s->order[1];
+  set_products(s, w, 2);
   if (beyond_edge(s, a, b, w) <= 0) {
     return GJK_STEP_NONE;
   }
@@ -124,14 +143,25 @@ static gjk_step add_to_edge(gjk_simplex *s, unsigned w) {
   return set_edge(s, a, b, w, a_edge, b_edge);
 }
 
+// Does the origin's projection lie on the line of edge (i, j), or on the side that k is not on?
+//
+// Out of line, as set_all_products: in line they would add to the deepest stack what add_to_edge alone gains by.
+GJK_OUT_OF_LINE static bool is_within_edge(const gjk_simplex *s, unsigned i, unsigned j, unsigned k) {
+  return beyond_edge(s, i, j, k) <= 0;
+}
+
+GJK_OUT_OF_LINE static void set_all_products(gjk_simplex *s, unsigned w) {
+  set_products(s, w, s->count);
+}
+
 // Steps 2 and 3 where F is a triangle and the origin lies outside its tetrahedron with w. visible: see visible_faces.
 // On a visible face (x, y, w) the origin's projection lies on w's side of edge (x, y), so that is not tested: Seen
 // along the edge, the origin stands above F at an angle below 90 degrees, and above that of the face.
-static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
+GJK_OUT_OF_LINE static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
   unsigned corner[4] = {s->order[0], s->order[1], s->order[2], s->order[0]};
   for (unsigned i = 0; i < 3; i++) {
     const unsigned x = corner[i], y = corner[i + 1];
-    if ((visible >> i & 1u) != 0 && beyond_edge(s, x, w, y) > 0 && beyond_edge(s, y, w, x) > 0) {
+    if ((visible >> i & 1u) != 0 && !is_within_edge(s, x, w, y) && !is_within_edge(s, y, w, x)) {
       set_triangle_normal(s, x, y, w);
       set_feature(s, 3, x, y, w);
       return GJK_STEP_NEARER;
@@ -139,7 +169,7 @@ static gjk_step set_visible(gjk_simplex *s, unsigned w, unsigned visible) {
   }
   for (unsigned i = 0; i < 3; i++) {
     const unsigned x = corner[i], y = corner[i + 1], z = corner[i == 0 ? 2 : i - 1];
-    if (s->toward[w][x] > 0 && s->toward[x][w] > 0 && beyond_edge(s, x, w, y) <= 0 && beyond_edge(s, x, w, z) <= 0) {
+    if (s->toward[w][x] > 0 && s->toward[x][w] > 0 && is_within_edge(s, x, w, y) && is_within_edge(s, x, w, z)) {
       set_feature(s, 2, x, w, y);
       return GJK_STEP_NEARER;
     }
@@ -165,7 +195,7 @@ GJK_OUT_OF_LINE static unsigned visible_faces(const gjk_simplex *s, unsigned w) 
 }
 
 // Steps 1 to 3 where F is a triangle.
-static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
+GJK_OUT_OF_LINE static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
   const gjk_vec3 step = gjk_sub(s->slot[w].w, s->slot[s->order[0]].w);
   if (gjk_dot_sign(&s->normal, &step) <= 0) {
     return GJK_STEP_NONE;
@@ -175,27 +205,25 @@ static gjk_step add_to_triangle(gjk_simplex *s, unsigned w) {
     s->count = 4;
     return GJK_STEP_ENCLOSING;
   }
-  set_products(s, w);
+  set_all_products(s, w);
   return set_visible(s, w, visible);
 }
 
 gjk_step gjk_simplex_add(gjk_simplex *s) {
-  unsigned w = s->order[s->count];
-  if (s->count == 3) {
-    return add_to_triangle(s, w);
+  const unsigned w = s->order[s->count];
+  switch (s->count) {
+    case 3: return add_to_triangle(s, w);
+    case 2: return add_to_edge(s, w);
+    case 1: return add_to_vertex(s, w);
+    default: break;
   }
-  set_products(s, w);
-  if (s->count == 0) {
-    s->count = 1;
-    return GJK_STEP_NEARER;
-  }
-  return s->count == 1 ? add_to_vertex(s, w) : add_to_edge(s, w);
+  return add_first(s, w);
 }
 
 bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
   gjk_simplex_clear(s);
   for (unsigned i = 0; i < n; i++) {
-    set_products(s, i);
+    set_all_products(s, i);
     s->count++;
   }
   if (n == 2) {
@@ -203,7 +231,7 @@ bool gjk_simplex_set(gjk_simplex *s, unsigned n) {
   }
   if (n == 3) {
     set_triangle(s, 0, 1, 2);
-    return beyond_edge(s, 0, 1, 2) > 0 && beyond_edge(s, 1, 2, 0) > 0 && beyond_edge(s, 2, 0, 1) > 0;
+    return !is_within_edge(s, 0, 1, 2) && !is_within_edge(s, 1, 2, 0) && !is_within_edge(s, 2, 0, 1);
   }
   return true;
 }
@@ -268,6 +296,7 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
   }
   out->spanning = s->count;
   out->opposite = false;
+  out->level = NULL;
 }
 
 static void set_limbs(gjk_u192 *out, const gjk_u128 *x) {

@@ -58,8 +58,9 @@ GJK_ONCE static void report_axis(const gjk_iteration *it, const feature *f, gjk_
                  centre_b, normal, -it->b->shape->convex_radius, saturated);
 }
 
-static void nearest_points(const gjk_iteration *it, const feature *f, const gjk_unit3 *normal, gjk_vec3 *point_a,
-                           gjk_vec3 *point_b, bool *saturated) {
+// Out of line: a fine frame, the usual one, goes past it.
+GJK_OUT_OF_LINE static void nearest_points(const gjk_iteration *it, const feature *f, const gjk_unit3 *normal,
+                                           gjk_vec3 *point_a, gjk_vec3 *point_b, bool *saturated) {
   const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
   const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
   const int32_t ax[3] = {u->a.offset.x, v->a.offset.x, w->a.offset.x}, wx[3] = {u->w.x, v->w.x, w->w.x};
@@ -68,6 +69,63 @@ static void nearest_points(const gjk_iteration *it, const feature *f, const gjk_
   report_axis(it, f, a->y, b->y, ay, wy, normal->y, &point_a->y, &point_b->y, saturated);
   const int32_t az[3] = {u->a.offset.z, v->a.offset.z, w->a.offset.z}, wz[3] = {u->w.z, v->w.z, w->w.z};
   report_axis(it, f, a->z, b->z, az, wz, normal->z, &point_a->z, &point_b->z, saturated);
+}
+
+// What all coordinates of both points share in a frame of FINE_SHIFT or more.
+typedef struct move {
+  int32_t v, w;                // the weights of v and w, Q31
+  int32_t radius_a, radius_b;  // 2 convex_radius of A, -2 convex_radius of B
+  unsigned shift;              // of the frame
+} move;
+
+// start + radius normal, floored from Q31. Pre: the result fits.
+static inline int32_t along_normal(int64_t start, gjk_q30 normal, int32_t radius) {
+  return (int32_t)gjk_sar64(gjk_mac32(start, normal, radius), 31);
+}
+
+// One coordinate of both points, as report_axis. a0, a1, a2: of the vertices u, v, w of A; w0, w1, w2: of their
+// differences, all multiples of 2^shift. With w0 / 2^shift = centre_a + a0 - centre_b - b0 and so on, and o for A's
+// core point, Q31, from A's centre, B's core point from B's centre is
+//   o + (centre_a - centre_b - w0 / 2^shift) + (weight of v) (w0 - w1) / 2^shift + (weight of w) (w0 - w2) / 2^shift.
+// So B's point takes centre_a as well: no coordinate of B's vertices is needed. Pre: |centre_a| <= 2^30.
+//   |a| < 2^28 + 2^16, |w| / 2^shift < 2^26 since the reach is below 2^30; weights together <= 2^31
+//   partial sums:   A's core point within 2^59 + 2^47, twice that on the way; 2^58 for the differences, 2^59 for the radius
+//   results:        at most 2^30 + 2^28 + 2^28 + 2^27
+static inline void report_coarse_axis(const move *m, gjk_q16 centre_a, int32_t a0, int32_t a1, int32_t a2, int32_t w0,
+                                      int32_t w1, int32_t w2, gjk_q30 normal, gjk_q16 *point_a, gjk_q16 *point_b) {
+  const int64_t start = gjk_int64((uint64_t)a0 << 31 | UINT64_C(1) << 30);  // and half an LSB
+  const int64_t core = gjk_mac32(gjk_mac32(start, a1 - a0, m->v), a2 - a0, m->w);
+  const int64_t of_b =
+      gjk_mac32(gjk_mac32(core, gjk_sar32(w0 - w1, m->shift), m->v), gjk_sar32(w0 - w2, m->shift), m->w);
+  *point_a = centre_a + along_normal(core, normal, m->radius_a);
+  *point_b = centre_a - gjk_sar32(w0, m->shift) + along_normal(of_b, normal, m->radius_b);
+}
+
+// The same as nearest_points. Pre: is_coarse.
+static inline void coarse_points(const gjk_iteration *it, const feature *f, const gjk_unit3 *normal, gjk_vec3 *point_a,
+                                 gjk_vec3 *point_b) {
+  const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
+  const gjk_vec3 *centre = &it->a->centre;
+  const move m = {f->weight[0].high, f->weight[1].high, 2 * it->a->shape->convex_radius,
+                  -2 * it->b->shape->convex_radius, (unsigned)it->shift};
+  report_coarse_axis(&m, centre->x, u->a.offset.x, v->a.offset.x, w->a.offset.x, u->w.x, v->w.x, w->w.x, normal->x,
+                     &point_a->x, &point_b->x);
+  report_coarse_axis(&m, centre->y, u->a.offset.y, v->a.offset.y, w->a.offset.y, u->w.y, v->w.y, w->w.y, normal->y,
+                     &point_a->y, &point_b->y);
+  report_coarse_axis(&m, centre->z, u->a.offset.z, v->a.offset.z, w->a.offset.z, u->w.z, v->w.z, w->w.z, normal->z,
+                     &point_a->z, &point_b->z);
+}
+
+// Have the weights no low parts, and does every coordinate fit Q16.16? A is at most 2^30 LSB from the world's origin
+// along each axis, and B's points are within 2^27 + 2^28 + 2^28 of its centre.
+static inline bool is_coarse(const gjk_iteration *it) {
+  const gjk_vec3 *c = &it->a->centre;
+  // not reached: GJK_SMALL is a constant
+  return !GJK_SMALL && it->shift >= FINE_SHIFT &&
+         ((uint32_t)(c->x ^ gjk_sar32(c->x, 31)) | (uint32_t)(c->y ^ gjk_sar32(c->y, 31)) |
+          (uint32_t)(c->z ^ gjk_sar32(c->z, 31))) >>
+                 30 ==
+             0;
 }
 
 void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_vec3 *point_a, gjk_vec3 *point_b,
@@ -83,5 +141,9 @@ void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_ve
   } else {
     f.weight[0].high = f.weight[0].low = f.weight[1].high = f.weight[1].low = 0;
   }
-  nearest_points(it, &f, normal, point_a, point_b, saturated);
+  if (is_coarse(it)) {
+    coarse_points(it, &f, normal, point_a, point_b);
+  } else {
+    nearest_points(it, &f, normal, point_a, point_b, saturated);
+  }
 }

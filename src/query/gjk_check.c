@@ -236,7 +236,7 @@ static bool is_facet(gjk_iteration *it, const gjk_certificate *certificate, int6
     return false;
   }
   gjk_triangle_normal(&s->slot[0].w, &s->slot[1].w, &s->slot[2].w, n);
-  gjk_direction outwards = {NULL, NULL, n, 0, 0, 3, false};
+  gjk_direction outwards = {NULL, NULL, n, 0, 0, 3, false, NULL};
   gjk_simplex_set(&it->simplex, 3);
   return (n->x | n->y | n->z) != 0 && gjk_dot_sign(n, &s->slot[0].w) >= 0 && is_support(it, certificate, &outwards) &&
          compare_to(it, depth) <= 0 && compare_to(it, depth - 1) > 0;

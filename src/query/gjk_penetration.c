@@ -225,10 +225,9 @@ static void report_signed(const gjk_penetration_result *overlapping, gjk_distanc
 // The bounds of the distance, or of minus the depth, that the last iteration proves.
 static void report_bounds(gjk_iteration *it, gjk_distance_result *out) {
   int64_t lower, upper;
-  bool saturated;
   (void)gjk_distance_bounds(it, &lower, &upper);
-  out->lower = gjk_saturate_noting(lower, &saturated);
-  out->upper = gjk_saturate_noting(upper, &saturated);
+  out->lower = gjk_saturate(lower);
+  out->upper = gjk_saturate(upper);
   out->iterations = it->iterations;
 }
 

@@ -45,6 +45,10 @@ typedef struct gjk_scene_body {
 #define GJK_SCENE_PAIRS_STALE 2u  // pairs may be missing whose enlarged boxes meet, or be there whose boxes do not
 #define GJK_SCENE_MARK 4u         // has a pair with the part whose pairs are being made
 
+// The body turned since the part was posed: centre, fraction and frame are of an earlier rotation. exact holds the part,
+// but need not be its least box. Parts with pairs are posed again when an update begins.
+#define GJK_SCENE_UNPOSED 8u
+
 typedef struct gjk_scene_part {
   uint32_t next;      // part of the body, or none
   uint32_t body;      // slot
@@ -234,8 +238,17 @@ static inline uint32_t gjk_aabb_gap(const gjk_aabb *a, const gjk_aabb *b) {
   return gjk_larger_gap(y, a->lower.z, a->upper.z, b->lower.z, b->upper.z);
 }
 
+// |a - b|, below 2^32.
+static inline uint32_t gjk_scene_difference(int32_t a, int32_t b) {
+  return a > b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
+}
+
 static inline bool gjk_scene_same_vec3(const gjk_vec3 *a, const gjk_vec3 *b) {
   return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+static inline bool gjk_scene_same_rotation(const gjk_quat *a, const gjk_quat *b) {
+  return a->x == b->x && a->y == b->y && a->z == b->z && a->w == b->w;
 }
 
 #endif

@@ -1,5 +1,6 @@
 // Bodies: added, removed, moved, changed. Each call checks everything first and then changes the scene, so a call that
 // fails changes nothing.
+#include "../arith/gjk_rotation.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
@@ -181,12 +182,6 @@ static const gjk_pose *own_pose_of(const gjk_scene_view *v, const gjk_scene_part
   return at == GJK_SCENE_NONE ? NULL : &v->own_poses[at].pose;
 }
 
-// The part's collider at another pose of its body.
-static gjk_status move_part(const gjk_scene_view *v, const gjk_scene_part *p, const gjk_pose *pose, gjk_collider *c) {
-  gjk_scene_part_collider(v, p, c);
-  return gjk_scene_part_pose(c, pose, own_pose_of(v, p));
-}
-
 // Inserts a part into the tree anew, after its box changed.
 static void reinsert_part(gjk_scene_view *v, uint32_t index) {
   gjk_scene_tree_remove(v, index);
@@ -194,49 +189,78 @@ static void reinsert_part(gjk_scene_view *v, uint32_t index) {
   v->parts[index].state |= GJK_SCENE_PAIRS_STALE;
 }
 
-static bool same_pose(const gjk_scene_body *body, const gjk_pose *pose) {
-  const gjk_quat *q = &pose->rotation;
-  return gjk_scene_same_vec3(&body->position, &pose->position) && body->rotation.x == q->x &&
-         body->rotation.y == q->y && body->rotation.z == q->z && body->rotation.w == q->w;
+// Is the way to a pose a small step for all parts of a body? Sets way modulo 2^32. From a position below 2^30 no other way
+// below 2^28 leads back to the same position, so a small way is the true one.
+static bool is_small_step(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_pose *pose, bool turns,
+                          gjk_vec3 *way) {
+  const gjk_vec3 *from = &body->position, *to = &pose->position;
+  way->x = gjk_int32((uint32_t)to->x - (uint32_t)from->x);
+  way->y = gjk_int32((uint32_t)to->y - (uint32_t)from->y);
+  way->z = gjk_int32((uint32_t)to->z - (uint32_t)from->z);
+  bool small = gjk_scene_is_below(to, 30) && gjk_scene_is_below(way, 28);
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE && small; i = v->parts[i].next) {
+    small = gjk_scene_part_carries(v, &v->parts[i], turns);
+  }
+  return small;
 }
 
-// Moves a body. ahead: its parts' boxes may expect the motion to go on.
-//
 // A part's new box is set while the part is in the tree, where nodes above do not hold that box. That is safe: taking
 // the part out does not look at its box, and inserting it comes after.
+
+// Can all parts of a body be posed there? Statuses as gjk_collider_pose.
+GJK_OUT_OF_LINE static gjk_status check_leap(const gjk_scene_view *v, const gjk_scene_body *body,
+                                             const gjk_pose *pose) {
+  gjk_status status = GJK_OK;
+  gjk_collider c;
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE && status == GJK_OK; i = v->parts[i].next) {
+    status = gjk_scene_part_at(v, &v->parts[i], pose, &c);
+  }
+  return status;
+}
+
+// Moves a body to another pose. turns: it has another rotation. ahead: its parts' boxes may expect the motion to go on.
+static gjk_status take_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool turns, bool ahead) {
+  gjk_scene_step step;
+  int64_t deviation;
+  if (turns && !gjk_quat_deviation(&pose->rotation, &deviation)) {
+    return GJK_ERROR_ROTATION;
+  }
+  step.ahead = ahead;
+  step.leap = !is_small_step(v, body, pose, turns, &step.way);
+  if (step.leap) {
+    const gjk_status status = check_leap(v, body, pose);
+    if (status != GJK_OK) {
+      return status;
+    }
+    step.way.x = step.way.y = step.way.z = 0;
+  }
+  gjk_scene_step_between(body, pose, turns, &step);
+  body->position = pose->position;
+  body->rotation = pose->rotation;
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+    if (gjk_scene_part_carry(v, i, &step)) {
+      reinsert_part(v, i);
+    }
+  }
+  return GJK_OK;
+}
+
 static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, bool ahead) {
   gjk_scene_view v;
   gjk_scene_body *body;
-  gjk_collider c;
   gjk_status status = pose == NULL ? GJK_ERROR_NULL : edit_body(scene, id, &v, &body);
   if (status != GJK_OK) {
     return status;
   }
-  if (same_pose(body, pose)) {
-    body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
-    return GJK_OK;
+  const bool turns = !gjk_scene_same_rotation(&body->rotation, &pose->rotation);
+  if (turns || !gjk_scene_same_vec3(&body->position, &pose->position)) {
+    status = take_body(&v, body, pose, turns, ahead);
+    if (status != GJK_OK) {
+      return status;
+    }
+    put_in_moved_list(&v, id.slot);
   }
-  const uint32_t first = body->first;
-  //@ assert first != GJK_SCENE_NONE;
-  for (uint32_t i = first; i != GJK_SCENE_NONE && status == GJK_OK; i = v.parts[i].next) {
-    status = move_part(&v, &v.parts[i], pose, &c);
-  }
-  if (status != GJK_OK) {
-    return status;
-  }
-  const uint32_t turn = gjk_scene_rotation_bound(&body->rotation, &pose->rotation);
-  body->position = pose->position;
-  body->rotation = pose->rotation;
   body->flags = (uint8_t)(body->flags & ~GJK_SCENE_ASLEEP);
-  put_in_moved_list(&v, id.slot);
-  for (uint32_t i = first; i != GJK_SCENE_NONE; i = v.parts[i].next) {
-    if (body->parts > 1) {  // of a single part c still holds the collider
-      (void)move_part(&v, &v.parts[i], pose, &c);
-    }
-    if (gjk_scene_part_moved(&v, i, &c, turn, ahead)) {
-      reinsert_part(&v, i);
-    }
-  }
   return GJK_OK;
 }
 
@@ -402,5 +426,5 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
     return GJK_ERROR_RANGE;
   }
   const gjk_pose pose = body_pose(body);
-  return move_part(&v, &v.parts[index], &pose, out);  // the pose that the part has: posing repeats bit for bit
+  return gjk_scene_part_at(&v, &v.parts[index], &pose, out);
 }

@@ -2,6 +2,7 @@
 //
 // Each pass ends whatever the block holds: it visits each record once, or follows a list no longer than there are
 // records. A pass reads a record through an index only after it or an earlier pass has checked that index.
+#include "../shape/gjk_shape_class.h"
 #include "gjk/pose.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
@@ -52,8 +53,34 @@ static bool check_own_pose(const gjk_scene_view *v, uint32_t index, uint32_t *ow
          gjk_quat_invert(&v->own_poses[at].pose.rotation, &opposite) == GJK_OK;
 }
 
-// Does a part hold exactly what posing its shape gives? Posing repeats bit for bit. Then all that queries assume of a
-// collider holds for the part.
+static bool same_box(const gjk_aabb *a, const gjk_aabb *b) {
+  return gjk_scene_same_vec3(&a->lower, &b->lower) && gjk_scene_same_vec3(&a->upper, &b->upper);
+}
+
+// Does a part hold exactly what posing its shape gave? Posing repeats bit for bit.
+static bool check_posed(const gjk_scene_part *p, const gjk_collider *c, const gjk_aabb *box) {
+  return gjk_scene_same_vec3(&p->centre, &c->centre) && gjk_scene_same_vec3(&p->frame[0], &c->frame[0]) &&
+         gjk_scene_same_vec3(&p->frame[1], &c->frame[1]) && gjk_scene_same_vec3(&p->frame[2], &c->frame[2]) &&
+         p->fraction[0] == c->fraction[0] && p->fraction[1] == c->fraction[1] && p->fraction[2] == c->fraction[2] &&
+         same_box(&p->exact, box);
+}
+
+// Is a part that is not posed one that nothing takes for posed? An update poses parts with pairs before it tests any,
+// but only those of bodies that moved. What posing leaves as it is must be 0, and exact must hold the part.
+static bool check_unposed(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p,
+                          const gjk_aabb *box) {
+  static const gjk_vec3 origin = {0, 0, 0};
+  const gjk_shape_class *type = v->scene->shapes[p->shape]->type;
+  for (unsigned i = type->count; i < 3 && type->kind == GJK_KIND_AXES; i++) {
+    if (!gjk_scene_same_vec3(&p->frame[i], &origin)) {
+      return false;
+    }
+  }
+  return gjk_aabb_inside(box, &p->exact) &&
+         (p->pairs == GJK_SCENE_NONE || (v->header->phase == GJK_SCENE_IDLE && (body->flags & GJK_SCENE_MOVED) != 0));
+}
+
+// Is a part where posing its shape puts it? Then all that queries assume of a collider holds for the part.
 static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p) {
   const uint32_t own_pose = p->own_pose;
   gjk_pose pose;
@@ -67,11 +94,8 @@ static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, cons
     return false;
   }
   (void)gjk_collider_aabb(&c, &box);  // posed, so it cannot fail
-  return gjk_scene_same_vec3(&p->centre, &c.centre) && gjk_scene_same_vec3(&p->local_centre, &c.local_centre) &&
-         gjk_scene_same_vec3(&p->frame[0], &c.frame[0]) && gjk_scene_same_vec3(&p->frame[1], &c.frame[1]) &&
-         gjk_scene_same_vec3(&p->frame[2], &c.frame[2]) && p->core_radius == c.core_radius &&
-         p->fraction[0] == c.fraction[0] && p->fraction[1] == c.fraction[1] && p->fraction[2] == c.fraction[2] &&
-         gjk_scene_same_vec3(&p->exact.lower, &box.lower) && gjk_scene_same_vec3(&p->exact.upper, &box.upper);
+  return gjk_scene_same_vec3(&p->local_centre, &c.local_centre) && p->core_radius == c.core_radius &&
+         ((p->state & GJK_SCENE_UNPOSED) != 0 ? check_unposed(v, body, p, &box) : check_posed(p, &c, &box));
 }
 
 // Does a body have as many parts as it says, numbered in order? Adds up its parts and their own poses.

@@ -113,14 +113,17 @@ static uint32_t first_slot(const gjk_scene_view *v, const gjk_scene_pair *pair) 
   return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? pair->ends.gone.slot[0] : v->parts[pair->ends.linked.part[0]].body;
 }
 
-// Does the report of the pair at place i of the queue come before that at place j? The first slots decide most.
-static bool reported_before(const void *view, uint32_t i, uint32_t j) {
-  const gjk_scene_view *v = (const gjk_scene_view *)view;
-  const gjk_scene_pair *pair_i = &v->pairs[v->queue[i]], *pair_j = &v->pairs[v->queue[j]];
-  const uint32_t slot_i = first_slot(v, pair_i), slot_j = first_slot(v, pair_j);
-  if (slot_i != slot_j) {
-    return slot_i < slot_j;
-  }
+// The queue while it is sorted. The lower bits of an entry are its pair's index. The upper ones are those of the slot of
+// the pair's first body, as many as fit.
+typedef struct sorted_queue {
+  const gjk_scene_view *v;
+  uint32_t *entries;
+  uint32_t index_mask;
+} sorted_queue;
+
+// Does the report of one pair come before that of another one?
+GJK_OUT_OF_LINE static bool is_before(const gjk_scene_view *v, uint32_t i, uint32_t j) {
+  const gjk_scene_pair *pair_i = &v->pairs[i], *pair_j = &v->pairs[j];
   for (unsigned side = 0; side < 2; side++) {
     const gjk_scene_side a = gjk_scene_side_of(v, pair_i, side), b = gjk_scene_side_of(v, pair_j, side);
     if (a.slot != b.slot) {
@@ -136,15 +139,37 @@ static bool reported_before(const void *view, uint32_t i, uint32_t j) {
   return false;
 }
 
-static void exchange_events(void *view, uint32_t i, uint32_t j) {
-  const gjk_scene_view *v = (const gjk_scene_view *)view;
-  const uint32_t index = v->queue[i];
-  v->queue[i] = v->queue[j];
-  v->queue[j] = index;
+// Does the report at place i of the queue come before that at place j? What the entries have of slots decides most.
+static bool reported_before(const void *queue, uint32_t i, uint32_t j) {
+  const sorted_queue *q = (const sorted_queue *)queue;
+  const uint32_t a = q->entries[i], b = q->entries[j], mask = q->index_mask;
+  return (a ^ b) > mask ? a < b : is_before(q->v, a & mask, b & mask);
+}
+
+static void exchange_events(void *queue, uint32_t i, uint32_t j) {
+  uint32_t *entries = ((const sorted_queue *)queue)->entries;
+  const uint32_t entry = entries[i];
+  entries[i] = entries[j];
+  entries[j] = entry;
+}
+
+// Step 8. Sorts the first count entries of the queue.
+static void sort_events(const gjk_scene_view *v, uint32_t count) {
+  static const gjk_scene_order order = {.before = reported_before, .exchange = exchange_events};
+  const gjk_scene_header *h = v->header;
+  // Slots are below bodies <= 2^20, indices below capacity <= 2^22.
+  const unsigned shift = gjk_clz32(h->config.bodies);
+  sorted_queue q = {v, v->queue, UINT32_MAX >> gjk_clz32(h->pairs.capacity)};
+  for (uint32_t i = 0; i < count; i++) {
+    q.entries[i] |= first_slot(v, &v->pairs[q.entries[i]]) << shift & ~q.index_mask;
+  }
+  gjk_scene_sort(&order, &q, count);
+  for (uint32_t i = 0; i < count; i++) {
+    q.entries[i] &= q.index_mask;
+  }
 }
 
 void gjk_scene_make_events(gjk_scene_view *v) {
-  static const gjk_scene_order order = {.before = reported_before, .exchange = exchange_events};
   gjk_scene_header *h = v->header;
   uint32_t kept = 0;
   start_stats(v);
@@ -154,6 +179,6 @@ void gjk_scene_make_events(gjk_scene_view *v) {
   h->queued = kept;
   h->next_report = 0;
   forget_motion(v);
-  gjk_scene_sort(&order, v, kept);  // Step 8
+  sort_events(v, kept);
   h->phase = GJK_SCENE_REPORTING;
 }

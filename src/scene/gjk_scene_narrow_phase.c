@@ -6,7 +6,8 @@
 // 2. Filters. Kinds, categories, masks or the predicate refuse the pair: it counts as apart.
 // 3. Boxes. Each exact box holds its part. If the boxes are farther apart along an axis than the margins, so are the
 //    parts.
-// 4. Spheres. Each bounding sphere holds its part, too.
+// 4. Spheres. Each bounding sphere holds its part, too. If the pair was near: a part like a box, segment or point holds
+//    a sphere. If those spheres are nearer than the margins, so are the parts, unless a distance is asked for.
 // 5. Direction. Each part lies behind its support plane across the last separating direction. If the planes are still
 //    farther apart than the margins, so are the parts. That takes one support scan of each.
 // 6. The query, warm from the pair's cache. What its answer proves beyond yes or no becomes the gap of step 1.
@@ -43,7 +44,6 @@ typedef struct pair_question {
   const gjk_scene_view *v;
   const gjk_scene_part *a, *b;
   int32_t margin;  // of both bodies together: below 2^29
-  bool curved;     // has one of the parts a curved or custom shape?
 } pair_question;
 
 static uint8_t detail(const pair_question *q) {
@@ -64,13 +64,18 @@ static int32_t beyond_margins(const pair_question *q, int64_t bound) {
   return left > 0 ? gjk_saturate(left) : 0;
 }
 
+static bool is_curved(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b) {
+  return gjk_is_curved(v->scene->shapes[a->shape]) || gjk_is_curved(v->scene->shapes[b->shape]);
+}
+
 // Step 1. A distance that is asked for has to be found anew.
-static bool outlasts_motion(const pair_question *q, gjk_scene_pair *pair) {
-  const uint32_t a = q->a->motion, b = q->b->motion;
-  const uint32_t motion = a > GJK_SCENE_UNBOUNDED - b ? GJK_SCENE_UNBOUNDED : a + b;
+static bool outlasts_motion(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                            gjk_scene_pair *pair) {
+  const uint32_t motion = a->motion > GJK_SCENE_UNBOUNDED - b->motion ? GJK_SCENE_UNBOUNDED : a->motion + b->motion;
   const bool near = (pair->state & GJK_SCENE_PAIR_NEAR) != 0;
   const int32_t gap = pair->gap;
-  if (motion >= (uint32_t)gap || (near && gjk_scene_wants_distance(detail(q))) || q->curved) {
+  if (motion >= (uint32_t)gap || is_curved(v, a, b) ||
+      (near && gjk_scene_wants_distance(gjk_scene_detail(v, &v->bodies[a->body], &v->bodies[b->body])))) {
     return false;
   }
   //@ assert gap >= 0 && motion <= INT32_MAX;
@@ -133,20 +138,55 @@ static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const i
          b->shape->convex_radius;
 }
 
+// The square of the distance of the centres. Pre: below 2^31 along each axis.
+static uint64_t centres_squared(const pair_question *q) {
+  const uint32_t x = gjk_scene_difference(q->a->centre.x, q->b->centre.x);
+  const uint32_t y = gjk_scene_difference(q->a->centre.y, q->b->centre.y);
+  const uint32_t z = gjk_scene_difference(q->a->centre.z, q->b->centre.z);
+  return gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z);
+}
+
 // A lower bound of the distance from the bounding spheres, where it exceeds the margins; otherwise 0.
 //
 // Pre  the boxes are not farther apart than the margins.
 //      core_radius + convex_radius <= 2^28 + 4 each, margin < 2^29:   reach < 2^30 + 2^4
 //      boxes hold the spheres' centres, not farther apart than that:  x, y, z < 2^31
 static int64_t sphere_bound(const pair_question *q) {
-  const uint32_t x = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.x - q->b->centre.x);
-  const uint32_t y = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.y - q->b->centre.y);
-  const uint32_t z = (uint32_t)gjk_magnitude64((int64_t)q->a->centre.z - q->b->centre.z);
   const int32_t radii =
       q->a->core_radius + q->b->core_radius + shape_of(q, q->a)->convex_radius + shape_of(q, q->b)->convex_radius;
   const uint32_t reach = (uint32_t)radii + (uint32_t)q->margin;
-  const uint64_t squared = gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z);
+  const uint64_t squared = centres_squared(q);
   return squared > gjk_umul32(reach, reach) ? (int64_t)gjk_isqrt64(squared) - radii : 0;
+}
+
+// The radius of a sphere about the centre that a part holds whole, at any rotation; -2^30: none is known, because the
+// centre of a hull's box may be outside of the hull.
+//
+// A posed half axis of a box is off by less than 5/4 LSB, so a support plane comes nearer by less than 15/4.
+static int32_t inner_radius(const gjk_shape *shape) {
+  const gjk_vec3 *size = &shape->size;
+  if (shape->type->kind != GJK_KIND_AXES) {
+    return -(INT32_C(1) << 30);
+  }
+  if (shape->type->count < 3) {
+    return shape->convex_radius;
+  }
+  const int32_t least = size->x < size->y ? size->x : size->y;
+  return (least < size->z ? least : size->z) - 4 + shape->convex_radius;
+}
+
+// By how much the spheres inside prove a pair nearer than its margins, for gap; 0: they do not, or a distance is asked
+// for, which has to be found.
+//
+// Pre  as sphere_bound: -2^31 <= reach < 2^30; the root is less than reach.
+static int32_t inner_bound(const pair_question *q) {
+  const int32_t reach = inner_radius(shape_of(q, q->a)) + inner_radius(shape_of(q, q->b)) + q->margin;
+  if (reach <= 0 || gjk_scene_wants_distance(detail(q))) {
+    return 0;
+  }
+  const uint64_t squared = centres_squared(q);
+  const uint32_t whole = (uint32_t)reach;
+  return squared < gjk_umul32(whole, whole) ? reach - (int32_t)gjk_isqrt64(squared) - 1 : 0;
 }
 
 // A pair keeps vertices whose numbers fit a byte. A query finds others anew.
@@ -265,12 +305,12 @@ static void query_pair(const pair_question *q, bool cold, gjk_scene_pair *pair) 
 }
 
 // Step 2.
-static bool is_refused(const pair_question *q) {
-  const gjk_scene_bindings *bindings = &q->v->scene->bindings;
-  const gjk_body_id a = gjk_scene_id_of(q->v, q->a->body), b = gjk_scene_id_of(q->v, q->b->body);
-  return !gjk_scene_may_pair(q->v, q->a, q->b) ||
-         (bindings->predicate != NULL &&
-          !bindings->predicate(bindings->user, a, q->v->bodies[a.slot].user, b, q->v->bodies[b.slot].user));
+static bool is_refused(const gjk_scene_view *v, uint32_t slot_a, uint32_t slot_b) {
+  const gjk_scene_bindings *bindings = &v->scene->bindings;
+  const gjk_scene_body *a = &v->bodies[slot_a], *b = &v->bodies[slot_b];
+  return !gjk_scene_may_pair(a, b) ||
+         (bindings->predicate != NULL && !bindings->predicate(bindings->user, gjk_scene_id_of(v, slot_a), a->user,
+                                                              gjk_scene_id_of(v, slot_b), b->user));
 }
 
 // Step 3.
@@ -278,35 +318,46 @@ static bool boxes_apart(const pair_question *q, gjk_scene_pair *pair) {
   return settle_apart(pair, beyond_margins(q, gjk_aabb_gap(&q->a->exact, &q->b->exact)), GJK_SCENE_BOXES);
 }
 
-// Step 4. Spheres of a pair that was near seldom part before its boxes do, so they are not looked at.
-static bool spheres_apart(const pair_question *q, gjk_scene_pair *pair) {
-  return (pair->state & GJK_SCENE_PAIR_NEAR) == 0 &&
-         settle_apart(pair, beyond_margins(q, sphere_bound(q)), GJK_SCENE_BOXES);
+// Step 4. Spheres around a pair that was near seldom part before its boxes do, so they are not looked at.
+static bool spheres_settle(const pair_question *q, gjk_scene_pair *pair) {
+  if ((pair->state & GJK_SCENE_PAIR_NEAR) == 0) {
+    return settle_apart(pair, beyond_margins(q, sphere_bound(q)), GJK_SCENE_BOXES);
+  }
+  const int32_t gap = inner_bound(q);
+  if (gap > 0) {
+    pair->gap = gap;
+    pair->outcome = GJK_SCENE_BOXES;
+    set_near(pair, true);
+  }
+  return gap > 0;
+}
+
+// Steps 3 to 6.
+static void test_geometry(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                          gjk_scene_pair *pair) {
+  const int32_t margin = v->bodies[a->body].margin + v->bodies[b->body].margin;
+  const pair_question q = {v, a, b, margin};
+  const bool skips = v->header->config.retest_all == 0, curved = is_curved(v, a, b);
+  if ((skips || curved) && boxes_apart(&q, pair)) {
+    return;
+  }
+  const bool cold = !skips || curved;
+  if (cold || !spheres_settle(&q, pair)) {
+    query_pair(&q, cold, pair);
+  }
 }
 
 void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair) {
   if (pair->outcome != GJK_SCENE_PENDING) {
     return;
   }
-  const gjk_scene_part *part_a = &v->parts[pair->ends.linked.part[0]], *part_b = &v->parts[pair->ends.linked.part[1]];
-  pair_question q = {v, part_a, part_b, 0, false};
-  const bool skips = v->header->config.retest_all == 0;
-  q.curved = gjk_is_curved(shape_of(&q, part_a)) || gjk_is_curved(shape_of(&q, part_b));
-  if (skips && outlasts_motion(&q, pair)) {
+  const gjk_scene_part *a = &v->parts[pair->ends.linked.part[0]], *b = &v->parts[pair->ends.linked.part[1]];
+  if (v->header->config.retest_all == 0 && outlasts_motion(v, a, b, pair)) {
     pair->outcome = GJK_SCENE_MOTION;
-    return;
-  }
-  q.margin = v->bodies[part_a->body].margin + v->bodies[part_b->body].margin;
-  if (is_refused(&q)) {
+  } else if (is_refused(v, a->body, b->body)) {
     pair->gap = 0;
     pair->outcome = GJK_SCENE_FILTERED;
-    return;
-  }
-  if ((skips || q.curved) && boxes_apart(&q, pair)) {
-    return;
-  }
-  const bool cold = !skips || q.curved;
-  if (cold || !spheres_apart(&q, pair)) {
-    query_pair(&q, cold, pair);
+  } else {
+    test_geometry(v, a, b, pair);
   }
 }

@@ -51,11 +51,13 @@ bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair) {
   //@ assert at_a < v->header->parts.capacity && at_b < v->header->parts.capacity;
   const gjk_scene_part *a = &v->parts[at_a], *b = &v->parts[at_b];
   return (pair->state & GJK_SCENE_PAIR_NEAR) != 0 ||
-         (gjk_aabb_meet(&a->enlarged, &b->enlarged) && gjk_scene_may_pair(v, a, b));
+         (gjk_aabb_meet(&a->enlarged, &b->enlarged) && gjk_scene_may_pair(&v->bodies[a->body], &v->bodies[b->body]));
 }
 
-// Makes a pair of two parts of different bodies, about which nothing is known. Pre: there is room for it.
+// Makes a pair of two parts of different bodies, about which nothing is known. Poses both. Pre: there is room for it.
 static void make_pair(gjk_scene_view *v, uint32_t a, uint32_t b) {
+  gjk_scene_part_settle(v, a);
+  gjk_scene_part_settle(v, b);
   const uint32_t index = gjk_scene_pool_take(v, &v->header->pairs, sizeof(gjk_scene_pair));
   gjk_scene_pair *pair = &v->pairs[index];
   const unsigned side = v->parts[a].body > v->parts[b].body ? 1 : 0;
@@ -108,7 +110,7 @@ void gjk_scene_pairs_forget(gjk_scene_view *v, uint32_t part) {
 }
 
 // Drops the pairs of a part that need not be there.
-static void drop_stale(gjk_scene_view *v, uint32_t part) {
+static void drop_pairs_of(gjk_scene_view *v, uint32_t part) {
   uint32_t next;
   for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = next) {
     next = *next_of(v, link);
@@ -131,6 +133,7 @@ static void mark_partners(gjk_scene_view *v, uint32_t part, bool set) {
 // Makes the pairs of a part that must be there and are not. CAPACITY: some of them do not fit.
 static gjk_status make_pairs_of(gjk_scene_view *v, uint32_t part) {
   const gjk_scene_part *p = &v->parts[part];
+  const gjk_scene_body *body = &v->bodies[p->body];
   gjk_scene_header *h = v->header;
   gjk_scene_walk walk;
   gjk_status status = GJK_OK;
@@ -140,7 +143,7 @@ static gjk_status make_pairs_of(gjk_scene_view *v, uint32_t part) {
   while (other != GJK_SCENE_NONE && status == GJK_OK) {  // ends: the walk takes each node once
     const gjk_scene_part *q = &v->parts[other];
     const bool partner = q->body == p->body || (q->state & GJK_SCENE_MARK) != 0;
-    if (!partner && !gjk_scene_may_pair(v, p, q)) {
+    if (!partner && !gjk_scene_may_pair(body, &v->bodies[q->body])) {
       h->refused++;
     } else if (!partner && h->pairs.count == h->pairs.capacity) {
       status = GJK_ERROR_CAPACITY;
@@ -186,19 +189,30 @@ static void shrink_all_boxes(gjk_scene_view *v) {
   }
 }
 
-// Boxes in the tree are larger than needed, by an amount that depends on how bodies came to where they are. Whether
-// there is room must not depend on that. So where pairs do not fit, the least boxes at these poses decide.
-gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
-  gjk_scene_header *h = v->header;
-  h->refused = 0;
-  for (uint32_t slot = h->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
+// Poses the parts with pairs that moved. Drops the pairs that need not be there: only parts with stale pairs can have
+// one. Is there such a part?
+static bool settle_moved_parts(gjk_scene_view *v) {
+  bool stale = false;
+  for (uint32_t slot = v->header->moved; slot != GJK_SCENE_NONE; slot = v->bodies[slot].next_moved) {
     for (uint32_t i = v->bodies[slot].first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
-      if ((v->parts[i].state & GJK_SCENE_PAIRS_STALE) != 0) {
-        drop_stale(v, i);
+      const unsigned state = v->parts[i].state;
+      if ((state & GJK_SCENE_PAIRS_STALE) != 0) {
+        drop_pairs_of(v, i);
+        stale = true;
+      }
+      if ((state & GJK_SCENE_UNPOSED) != 0 && v->parts[i].pairs != GJK_SCENE_NONE) {
+        gjk_scene_part_settle(v, i);
       }
     }
   }
-  if (make_missing_pairs(v) == GJK_OK) {
+  return stale;
+}
+
+// Boxes in the tree are larger than needed, by an amount that depends on how bodies came to where they are. Whether
+// there is room must not depend on that. So where pairs do not fit, the least boxes at these poses decide.
+gjk_status gjk_scene_pairs_match(gjk_scene_view *v) {
+  v->header->refused = 0;
+  if (!settle_moved_parts(v) || make_missing_pairs(v) == GJK_OK) {
     return GJK_OK;
   }
   shrink_all_boxes(v);

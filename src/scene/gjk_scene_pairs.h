@@ -4,12 +4,10 @@
 
 #include "gjk_scene_block.h"
 
-// Do kind, category and mask of their bodies let two parts be a pair?
-static inline bool gjk_scene_may_pair(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b) {
-  const gjk_scene_body *body_a = &v->bodies[a->body], *body_b = &v->bodies[b->body];
-  const bool both_static =
-      (body_a->kind_detail & 15u) == GJK_BODY_STATIC && (body_b->kind_detail & 15u) == GJK_BODY_STATIC;
-  return !both_static && (body_a->category & body_b->mask) != 0 && (body_b->category & body_a->mask) != 0;
+// Do kind, category and mask of two bodies let their parts be pairs?
+static inline bool gjk_scene_may_pair(const gjk_scene_body *a, const gjk_scene_body *b) {
+  const bool both_static = (a->kind_detail & 15u) == GJK_BODY_STATIC && (b->kind_detail & 15u) == GJK_BODY_STATIC;
+  return !both_static && (a->category & b->mask) != 0 && (b->category & a->mask) != 0;
 }
 
 // Must this pair be there? It must if it was near at the last update. It must if it may be a pair and its enlarged

@@ -4,12 +4,21 @@
 
 #include "gjk_scene_block.h"
 
-// Writes the part as a posed collider with lazy hulls, for queries and gjk_collider_pose, not for gjk_collider_move.
+// Writes the part as a posed collider with lazy hulls, for queries alone. Pre: it is posed.
 void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out);
 
-// Poses an initialised collider as a part of a body is: at the body's pose, or at own_pose in the body's frame unless
-// that is NULL.
-gjk_status gjk_scene_part_pose(gjk_collider *c, const gjk_pose *body, const gjk_pose *own_pose);
+// Writes the part's collider at another pose of its body. Statuses as gjk_collider_pose.
+gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,
+                             gjk_collider *out);
+
+// The same at its body's pose, and its exact box, posed or not.
+void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out, gjk_aabb *box);
+
+// The exact box of a part, posed or not; room is where it may be written.
+const gjk_aabb *gjk_scene_part_box(const gjk_scene_view *v, const gjk_scene_part *part, gjk_aabb *room);
+
+// Poses a part, unless it is posed.
+void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index);
 
 // Makes the collider of a part from a shape of the table. Unused frames are 0, so what is stored repeats bit for bit.
 // RANGE: no such shape.
@@ -20,18 +29,50 @@ gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const g
 // Pre: both are unit quaternions within the tolerance of gjk/pose.h.
 uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b);
 
-// Stores where a part is after its body moved: the collider of its shape at the new pose. Adds to its motion; turn
-// bounds the body's rotation. If the box in the tree is too small, sets another one, which with ahead expects the
-// motion to go on, and returns true.
-bool gjk_scene_part_moved(gjk_scene_view *v, uint32_t index, const gjk_collider *collider, uint32_t turn, bool ahead);
+// Are all coordinates below 2^bits in size? Pre: bits < 31.
+static inline bool gjk_scene_is_below(const gjk_vec3 *v, unsigned bits) {
+  const uint32_t half = UINT32_C(1) << bits;
+  return (((uint32_t)v->x + half) | ((uint32_t)v->y + half) | ((uint32_t)v->z + half)) >> (bits + 1) == 0;
+}
+
+// How a body moves from one pose to the next.
+typedef struct gjk_scene_step {
+  gjk_vec3 way;     // of its position, below 2^28; 0 where it is not so small
+  uint32_t length;  // bounds the motion of its position
+  uint32_t turn;    // bounds the rotation, see gjk_scene_rotation_bound; 0: it is the same bit for bit
+  bool leap;        // it is no small step: parts have to be posed
+  bool ahead;       // boxes in the tree may expect the motion to go on
+} gjk_scene_step;
+
+// Sets length and turn of a step. turns: the rotations differ.
+void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bool turns, gjk_scene_step *step);
+
+// Is what of a part turns about its body's position within 2^28 per axis?
+static inline bool gjk_scene_part_turns(const gjk_scene_view *v, const gjk_scene_part *part) {
+  const uint32_t own_pose = part->own_pose;
+  //@ assert own_pose == GJK_SCENE_NONE || own_pose < v->header->config.own_poses;
+  return gjk_scene_is_below(&part->local_centre, 28) &&
+         (own_pose == GJK_SCENE_NONE || gjk_scene_is_below(&v->own_poses[own_pose].pose.position, 28));
+}
+
+// Can a step of less than 2^28 be added to what is stored of this part? The next position of its body is below 2^30. Then
+// no pose of the part there leaves int32: its centre is at most twice sqrt(3) 2^28 away from the position.
+static inline bool gjk_scene_part_carries(const gjk_scene_view *v, const gjk_scene_part *part, bool turns) {
+  return gjk_scene_is_below(&part->exact.lower, 30) && gjk_scene_is_below(&part->exact.upper, 30) &&
+         ((!turns && part->own_pose == GJK_SCENE_NONE) || gjk_scene_part_turns(v, part));
+}
+
+// Moves a part as its body did, whose pose is stored. Adds to its motion. Poses it only if it may have left its box in
+// the tree, or leaps. If it has, sets another box and returns true. Pre: gjk_scene_part_carries, or it leaps.
+bool gjk_scene_part_carry(const gjk_scene_view *v, uint32_t index, const gjk_scene_step *step);
 
 // Stores where a part is that is new or has another shape. Nothing bounds its motion. Sets its box in the tree.
 void gjk_scene_part_reset(gjk_scene_view *v, uint32_t index, const gjk_collider *collider);
 
-// Does the part's box in the tree hold what it must: the exact one, grown by the body's margin all round?
+// Does the part's box in the tree hold what it must: exact, grown by the body's margin all round?
 bool gjk_scene_part_fits(const gjk_scene_view *v, const gjk_scene_part *p);
 
-// Shrinks the part's box in the tree to the least one. The boxes of nodes above it stay as they are, and hold it still.
+// Shrinks the part's box in the tree to the least one, and poses the part for that. The boxes of nodes above it stay as they are, and hold it still.
 void gjk_scene_part_shrink_box(gjk_scene_view *v, uint32_t index);
 
 #endif

@@ -73,6 +73,7 @@ gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, cons
                                gjk_scene_hit *hits, uint32_t capacity, uint32_t *count) {
   gjk_scene_view v;
   gjk_scene_walk walk;
+  gjk_aabb room;
   const gjk_status status = open_query(scene, box, hits, capacity, count, &v);
   if (status != GJK_OK) {
     return status;
@@ -87,7 +88,8 @@ gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, cons
     if (part == GJK_SCENE_NONE) {
       break;
     }
-    if (gjk_aabb_meet(box, &v.parts[part].exact)) {
+    const gjk_scene_part *p = &v.parts[part];
+    if (gjk_aabb_meet(box, &p->exact) && gjk_aabb_meet(box, gjk_scene_part_box(&v, p, &room))) {
       collect(&c, &v, part, 0);
     }
   }
@@ -174,7 +176,9 @@ gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, con
   gjk_scene_walk_start(&v, &walk);
   for (uint32_t node = gjk_scene_walk_next(&walk); node != GJK_SCENE_NONE; node = gjk_scene_walk_next(&walk)) {
     way_fraction enter;
-    const gjk_aabb *box = (node & GJK_SCENE_LEAF) != 0 ? &v.parts[node & ~GJK_SCENE_LEAF].exact : &v.nodes[node].box;
+    gjk_aabb room;
+    const gjk_aabb *box = (node & GJK_SCENE_LEAF) != 0 ? gjk_scene_part_box(&v, &v.parts[node & ~GJK_SCENE_LEAF], &room)
+                                                       : &v.nodes[node].box;
     if (cross_box(from, to, box, &enter)) {
       if ((node & GJK_SCENE_LEAF) != 0) {
         collect(&c, &v, node & ~GJK_SCENE_LEAF, in_q30(&enter));
@@ -223,11 +227,15 @@ static gjk_q16 distance_of(const nearest_search *s, const gjk_collider *c, const
 static void try_part(const gjk_scene_view *v, uint32_t part, nearest_search *s) {
   const gjk_scene_part *p = &v->parts[part];
   gjk_collider c;
+  gjk_aabb box;
   if (is_beyond(s, &p->exact)) {
     return;
   }
-  gjk_scene_part_collider(v, p, &c);
-  const gjk_q16 distance = distance_of(s, &c, &p->exact);
+  gjk_scene_part_now(v, p, &c, &box);
+  if (is_beyond(s, &box)) {
+    return;
+  }
+  const gjk_q16 distance = distance_of(s, &c, &box);
   const gjk_scene_hit hit = hit_of(v, p, 0);
   if (distance < s->best || (distance == s->best && (!s->found || comes_before(&hit, &s->hit)))) {
     s->best = distance;

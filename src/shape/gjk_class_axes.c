@@ -2,8 +2,41 @@
 //
 // The number of a vertex has bit i set where half axis i is added.
 #include "../arith/gjk_coarse.h"
-#include "../arith/gjk_rotation.h"
 #include "gjk_shape_class.h"
+
+#if GJK_CONDITIONAL_MOVES && !GJK_NARROW_MULTIPLY
+
+// -1 where the half axis points against d, otherwise 0.
+static inline int64_t opposes(const gjk_vec3 *axis, const gjk_vec3 *d) {
+  return gjk_sar64(gjk_dot(axis, d), 63);
+}
+
+// Signs are masks, without a branch: x is added or subtracted as (x ^ mask) - mask, and the masks are subtracted last.
+// In 64 bits: for 32 GCC keeps two components in a vector, from which it takes them again for the products.
+static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
+  const gjk_vec3 *axis = c->frame;
+  if (c->count == 0) {
+    out->offset.x = out->offset.y = out->offset.z = 0;
+    out->vertex = 0;
+    return;
+  }
+  const int64_t i = opposes(&axis[0], d);
+  int64_t x = axis[0].x ^ i, y = axis[0].y ^ i, z = axis[0].z ^ i, masks = i, number = 1 + i;
+  if (c->count > 1) {
+    const int64_t j = opposes(&axis[1], d), k = opposes(&axis[2], d);
+    x += (axis[1].x ^ j) + (axis[2].x ^ k);
+    y += (axis[1].y ^ j) + (axis[2].y ^ k);
+    z += (axis[1].z ^ j) + (axis[2].z ^ k);
+    masks += j + k;
+    number += 6 + 2 * j + 4 * k;
+  }
+  out->offset.x = (int32_t)(x - masks);
+  out->offset.y = (int32_t)(y - masks);
+  out->offset.z = (int32_t)(z - masks);
+  out->vertex = (uint16_t)number;
+}
+
+#else
 
 #if GJK_NARROW_MULTIPLY
 
@@ -35,17 +68,17 @@ static probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
 #else
 
 typedef struct probe {
-  gjk_vec3 d;
+  int32_t x, y, z;
 } probe;
 
 // Is axis . d at least 0?
 static bool lies_along(const gjk_vec3 *axis, const probe *p) {
-  return gjk_mac32(gjk_mac32(gjk_mul32(axis->x, p->d.x), axis->y, p->d.y), axis->z, p->d.z) >= 0;
+  return gjk_mac32(gjk_mac32(gjk_mul32(axis->x, p->x), axis->y, p->y), axis->z, p->z) >= 0;
 }
 
 static probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
   (void)c;
-  const probe p = {*d};
+  const probe p = {d->x, d->y, d->z};
   return p;
 }
 
@@ -55,13 +88,6 @@ static probe probe_of(const gjk_collider *c, const gjk_vec3 *d) {
 //
 // In line: out of line it costs queries on boxes 8 % more instructions on Cortex-M0.
 static inline unsigned add_axis(const gjk_vec3 *axis, const probe *p, unsigned bit, gjk_vec3 *sum) {
-#if GJK_CONDITIONAL_MOVES && !GJK_NARROW_MULTIPLY
-  const int32_t minus = gjk_sar32(gjk_high32(gjk_dot(axis, &p->d)), 31);  // -1 or 0
-  sum->x += (axis->x ^ minus) - minus;
-  sum->y += (axis->y ^ minus) - minus;
-  sum->z += (axis->z ^ minus) - minus;
-  return bit & ~(unsigned)minus;
-#endif
   if (lies_along(axis, p)) {
     sum->x += axis->x;
     sum->y += axis->y;
@@ -89,6 +115,8 @@ static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *
   out->vertex = (uint16_t)number;
 }
 
+#endif
+
 static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
   gjk_vec3 sum = {0, 0, 0};
   for (unsigned i = 0; i < c->count; i++) {
@@ -98,6 +126,13 @@ static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   return number >> c->count == 0;
 }
 
+// Does the half axis lie across the exact direction for sure? Two vertices that differ by it alone are equally far.
+static inline bool is_across(const gjk_direction *direction, unsigned bit) {
+  const uint16_t *level = direction->level;
+  return !GJK_SMALL && level != NULL &&
+         ((level[0] ^ level[1]) == bit || (level[1] ^ level[2]) == bit || (level[0] ^ level[2]) == bit);
+}
+
 // d is off by less than 1 per component, so d . axis by less than |axis|_1 <= sqrt(3) core_radius. Only the signs of
 // products within slack are in doubt. An axis across the exact direction keeps its sign.
 static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
@@ -105,7 +140,7 @@ static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, const gjk_dire
   unsigned number = at->vertex;
   for (unsigned i = 0; i < c->count; i++) {
     const int64_t along = gjk_dot(&c->frame[i], d);
-    if (along < slack && along > -slack) {
+    if (along < slack && along > -slack && !is_across(direction, 1u << i)) {
       const int side = gjk_direction_sign(direction, &c->frame[i]);
       if (side != 0) {
         number = side > 0 ? number | 1u << i : number & ~(1u << i);
@@ -137,17 +172,33 @@ static void pose_point(gjk_collider *c, const gjk_vec3 rows[3]) {
   (void)rows;
 }
 
+// *out = a half axis along a local axis: the column x, y, z of the matrix times half, to the nearest LSB, as gjk_rotate
+// has it.
+#if GJK_NARROW_MULTIPLY
+GJK_OUT_OF_LINE
+#else
+GJK_ONCE
+#endif
+static void scale_column(gjk_q30 x, gjk_q30 y, gjk_q30 z, gjk_q16 half, gjk_vec3 *out) {
+  const int64_t start = INT64_C(1) << 29;
+  // 0 <= half <= GJK_RADIUS_MAX < 2^28, |column| <= 2^30 + 1:  |each component| <= half
+  out->x = (int32_t)gjk_sar64(gjk_mac32(start, x, half), 30);
+  out->y = (int32_t)gjk_sar64(gjk_mac32(start, y, half), 30);
+  out->z = (int32_t)gjk_sar64(gjk_mac32(start, z, half), 30);
+  //@ assert out->x >= -GJK_RADIUS_MAX && out->x <= GJK_RADIUS_MAX;
+  //@ assert out->y >= -GJK_RADIUS_MAX && out->y <= GJK_RADIUS_MAX;
+  //@ assert out->z >= -GJK_RADIUS_MAX && out->z <= GJK_RADIUS_MAX;
+}
+
 static void pose_segment(gjk_collider *c, const gjk_vec3 rows[3]) {
-  const gjk_vec3 along = {0, 0, c->shape->size.z};
-  c->frame[0] = gjk_rotate(rows, &along);
+  scale_column(rows[0].z, rows[1].z, rows[2].z, c->shape->size.z, &c->frame[0]);
 }
 
 static void pose_box(gjk_collider *c, const gjk_vec3 rows[3]) {
   const gjk_vec3 *size = &c->shape->size;
-  const gjk_vec3 x = {size->x, 0, 0}, y = {0, size->y, 0}, z = {0, 0, size->z};
-  c->frame[0] = gjk_rotate(rows, &x);
-  c->frame[1] = gjk_rotate(rows, &y);
-  c->frame[2] = gjk_rotate(rows, &z);
+  scale_column(rows[0].x, rows[1].x, rows[2].x, size->x, &c->frame[0]);
+  scale_column(rows[0].y, rows[1].y, rows[2].y, size->y, &c->frame[1]);
+  scale_column(rows[0].z, rows[1].z, rows[2].z, size->z, &c->frame[2]);
 }
 
 const gjk_shape_class gjk_class_point = {

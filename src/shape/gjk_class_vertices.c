@@ -10,9 +10,9 @@
 // d itself is rounded. Refinement finds a vertex that is farthest along the exact direction:
 //   5. Scan for all vertices within slack of the support along d. slack bounds what the rounding of d can hide, too.
 //   6. Move to each vertex that is strictly farther along the exact direction.
-#include "../arith/gjk_rotation.h"
+#include "gjk_hull.h"
+
 #include "gjk_scan.h"
-#include "gjk_shape_class.h"
 
 // The posed vertices of a triangle or a baked hull.
 static const gjk_vec3 *posed(const gjk_collider *c) {
@@ -25,11 +25,18 @@ static void support_posed(const gjk_collider *c, const gjk_vec3 *d, gjk_support 
   out->vertex = (uint16_t)(farthest - vertices);
 }
 
-// How far behind along a rounded direction the vertex may be that is farthest along the exact one. Each component of
-// the rounded direction is off by less than 1. With u for the difference of two vertices:
-//   its product is off by less than |u.x| + |u.y| + |u.z| <= sqrt(3) 2 core_radius < 4 core_radius
-static int64_t rounding_slack(const gjk_collider *c) {
-  return 4 * (int64_t)c->core_radius;
+// Components of the shape's own vertices are at most 2^own_bits in size: they lie within core_radius of local_centre.
+// Only vectors gain by less than an int32_t has.
+static unsigned own_bits(const gjk_collider *c) {
+#if GJK_VECTORS
+  const uint32_t x = gjk_magnitude32(c->local_centre.x), y = gjk_magnitude32(c->local_centre.y);
+  const uint32_t z = gjk_magnitude32(c->local_centre.z);
+  const unsigned bits = 32 - gjk_clz32((x | y | z | (uint32_t)c->core_radius) | 1);  // each below 2^bits
+  return bits < 31 ? bits + 1 : 31;
+#else
+  (void)c;
+  return 31;
+#endif
 }
 
 // Starts a scan for all v of vertices with v . d >= one . d - slack. shape->vertices is not recentred; that shifts
@@ -40,16 +47,65 @@ static void reach_within(gjk_reach *reach, const gjk_collider *c, const gjk_vec3
   reach->end = vertices + c->count;
   reach->d = d;
   reach->limit = gjk_dot(one, d) - slack;
-  gjk_reach_start(reach, vertices == c->shape->vertices ? 31 : c->bits);
+  gjk_reach_start(reach, vertices == c->shape->vertices ? own_bits(c) : c->bits);
 }
+
+// Is the vertex known not to be farther along the exact direction than the one that the refinement began with?
+static inline bool is_behind(const gjk_direction *direction, uint16_t vertex, uint16_t before, bool known) {
+  return !GJK_SMALL && (vertex == before || (known && gjk_direction_knows(direction, vertex)));
+}
+
+#if GJK_CONDITIONAL_MOVES
+
+// Up to so many vertices a branch for each costs more than a bit. At 64 it does not: few come within the slack there.
+#define FEW_VERTICES 32
+
+// Steps 5 and 6 for at most FEW_VERTICES vertices, without a branch for each. Bit 63 - i of open stands for vertex i: it comes
+// within the slack of step 5, and is not known to be behind.
+static bool refine_few(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+  const gjk_vec3 *vertices = posed(c);
+  const uint16_t before = at->vertex;
+  const int64_t limit = gjk_dot(&at->offset, d) - gjk_hull_rounding_slack(c);
+  const uint64_t first = UINT64_C(1) << 63;
+  uint64_t open = 0;
+  for (unsigned i = 0; i < c->count; i++) {
+    open = 2 * open + (gjk_dot(&vertices[i], d) >= limit ? 1u : 0u);
+  }
+  open = open << (64u - c->count) & ~(first >> before);
+  if (gjk_direction_knows(direction, before)) {
+    const uint16_t *level = direction->level;
+    open &= ~(first >> level[0] | first >> level[1] | first >> level[2]);
+  }
+  while (open != 0) {  // at most FEW_VERTICES times
+    const unsigned i = gjk_clz64(open);
+    const gjk_vec3 step = gjk_sub(vertices[i], at->offset);
+    open &= ~(first >> i);
+    if (gjk_direction_sign(direction, &step) > 0) {
+      at->offset = vertices[i];
+      at->vertex = (uint16_t)i;
+    }
+  }
+  return at->vertex != before;
+}
+
+#endif
 
 // Steps 5 and 6. Pre: offsets are at most core_radius long; *at is among the farthest vertices along d.
 static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+#if GJK_CONDITIONAL_MOVES
+  if (c->count <= FEW_VERTICES) {
+    return refine_few(c, d, direction, at);
+  }
+#endif
   const gjk_vec3 *vertices = posed(c), *v;
   const uint16_t before = at->vertex;
+  const bool known = gjk_direction_knows(direction, before);
   gjk_reach reach;
-  reach_within(&reach, c, vertices, d, &at->offset, rounding_slack(c));
+  reach_within(&reach, c, vertices, d, &at->offset, gjk_hull_rounding_slack(c));
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
+    if (is_behind(direction, (uint16_t)(v - vertices), before, known)) {
+      continue;
+    }
     const gjk_vec3 step = gjk_sub(*v, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
       at->offset = *v;
@@ -88,8 +144,8 @@ GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *
   gjk_vec3 local;
   gjk_reach reach;
   const int64_t slack = local_direction(c, &d, &local);
-  // Steps 2 and 3. A vertex of the shape's own may be any int32_t: 31 bits.
-  reach_within(&reach, c, vertices, &local, gjk_scan(vertices, vertices + c->count, 31, &local), slack);
+  // Steps 2 and 3
+  reach_within(&reach, c, vertices, &local, gjk_scan(vertices, vertices + c->count, own_bits(c), &local), slack);
   const gjk_vec3 *v = gjk_reach_next(&reach);
   int64_t farthest = 0;
   //@ assert v != 0;
@@ -111,11 +167,15 @@ GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d
                                         gjk_support *at) {
   const gjk_vec3 *vertices = c->shape->vertices, *v;
   const uint16_t before = at->vertex;
+  const bool known = gjk_direction_knows(direction, before);
   gjk_vec3 local;
   gjk_reach reach;
-  const int64_t slack = local_direction(c, d, &local) + rounding_slack(c);
+  const int64_t slack = local_direction(c, d, &local) + gjk_hull_rounding_slack(c);
   reach_within(&reach, c, vertices, &local, &vertices[before], slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
+    if (is_behind(direction, (uint16_t)(v - vertices), before, known)) {
+      continue;
+    }
     const gjk_vec3 offset = pose_vertex(c, c->frame, v);
     const gjk_vec3 step = gjk_sub(offset, at->offset);
     if (gjk_direction_sign(direction, &step) > 0) {
@@ -154,6 +214,54 @@ static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   return true;
 }
 
+// *out = the vertices, posed as by pose_vertex.
+#if GJK_SMALL || GJK_NARROW_MULTIPLY
+
+static void pose_vertices(const gjk_collider *c, const gjk_vec3 rows[3], gjk_vec3 *out) {
+  const gjk_vec3 *v = c->shape->vertices, *const end = v + c->count;
+  for (; v != end; v++, out++) {
+    const gjk_vec3 local = gjk_sub(*v, c->local_centre);
+    *out = gjk_rotate_onto(rows, &local, c->fraction);
+  }
+}
+
+#else
+
+// A row of the matrix and what is added to its product, in registers while vertices pass.
+typedef struct pose_row {
+  int32_t x, y, z, start;
+} pose_row;
+
+static inline pose_row pose_row_of(const gjk_vec3 *row, int8_t fraction) {
+  const pose_row of = {row->x, row->y, row->z, gjk_rotation_start(fraction)};
+  return of;
+}
+
+// A component of gjk_rotate_onto.
+static inline int32_t pose_component(pose_row row, gjk_vec3 v) {
+  // |row| <= 2^30 + 1, |v| <= GJK_RADIUS_MAX < 2^28:  |sum| < 2^59
+  const int64_t sum = gjk_mac32(gjk_mac32(gjk_mac32(row.start, row.x, v.x), row.y, v.y), row.z, v.z);
+  const int64_t rotated = gjk_sar64(sum, 30);
+  //@ assert rotated >= -GJK_RADIUS_MAX - 1 && rotated <= GJK_RADIUS_MAX + 1;
+  return (int32_t)rotated;
+}
+
+static void pose_vertices(const gjk_collider *c, const gjk_vec3 rows[3], gjk_vec3 *out) {
+  const pose_row x = pose_row_of(&rows[0], c->fraction[0]);
+  const pose_row y = pose_row_of(&rows[1], c->fraction[1]);
+  const pose_row z = pose_row_of(&rows[2], c->fraction[2]);
+  const gjk_vec3 centre = c->local_centre;
+  const gjk_vec3 *v = c->shape->vertices, *const end = v + c->count;
+  for (; v != end; v++, out++) {
+    const gjk_vec3 local = gjk_sub(*v, centre);  // gjk_collider_init:  |local| <= GJK_RADIUS_MAX
+    out->x = pose_component(x, local);
+    out->y = pose_component(y, local);
+    out->z = pose_component(z, local);
+  }
+}
+
+#endif
+
 static void pose_hull(gjk_collider *c, const gjk_vec3 rows[3]) {
   if (c->buffer == NULL) {
     for (int i = 0; i < 3; i++) {
@@ -161,15 +269,11 @@ static void pose_hull(gjk_collider *c, const gjk_vec3 rows[3]) {
     }
     return;
   }
-  for (uint32_t i = 0; i < c->count; i++) {
-    c->buffer[i] = pose_vertex(c, rows, &c->shape->vertices[i]);
-  }
+  pose_vertices(c, rows, c->buffer);
 }
 
 static void pose_triangle(gjk_collider *c, const gjk_vec3 rows[3]) {
-  for (uint32_t i = 0; i < 3; i++) {
-    c->frame[i] = pose_vertex(c, rows, &c->shape->vertices[i]);
-  }
+  pose_vertices(c, rows, c->frame);
 }
 
 // *middle = the middle of a coordinate from low to high. Returns half of the width, rounded up.
@@ -232,6 +336,26 @@ static gjk_status measure_vertices(const gjk_shape *shape, gjk_extent *out) {
     out->squared = squared > out->squared ? squared : out->squared;
   }
   return GJK_OK;
+}
+
+gjk_status gjk_hull_measure(const gjk_shape *shape, gjk_extent *out) {
+  return measure_vertices(shape, out);
+}
+
+void gjk_hull_pose(gjk_collider *c, const gjk_vec3 rows[3]) {
+  pose_hull(c, rows);
+}
+
+int64_t gjk_hull_local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec3 *local) {
+  return local_direction(c, d, local);
+}
+
+gjk_vec3 gjk_hull_pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], const gjk_vec3 *v) {
+  return pose_vertex(c, rows, v);
+}
+
+bool gjk_hull_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
+  return vertex_hull(c, number, offset);
 }
 
 static gjk_status measure_triangle(const gjk_shape *shape, gjk_extent *out) {

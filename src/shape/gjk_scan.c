@@ -85,12 +85,18 @@ const gjk_vec3 *gjk_reach_next(gjk_reach *reach) {
 #endif
 
 const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bits, const gjk_vec3 *d) {
+#if GJK_VECTORS
+  if (end - first >= GJK_SCAN_VECTORS_FROM) {
+    return gjk_scan_vectors(first, (size_t)(end - first), bits, d);
+  }
+#else
   (void)bits;
+#endif
   const int32_t x = d->x, y = d->y, z = d->z;
   const gjk_vec3 *v = first + 1, *after = v;  // one past the farthest so far
   int64_t most = gjk_dot(first, d);
 #if GJK_CONDITIONAL_MOVES
-  const gjk_vec3 *const turn = end - v > WITHOUT_BRANCHES ? v + WITHOUT_BRANCHES : end;
+  const gjk_vec3 *const turn = !GJK_VECTORS && end - v > WITHOUT_BRANCHES ? v + WITHOUT_BRANCHES : end;
   while (v != turn) {
     const int32_t vx = v->x, vy = v->y, vz = v->z;
     v++;
@@ -111,6 +117,11 @@ const gjk_vec3 *gjk_scan(const gjk_vec3 *first, const gjk_vec3 *end, unsigned bi
 }
 
 const gjk_vec3 *gjk_reach_next(gjk_reach *reach) {
+#if GJK_VECTORS
+  if (reach->bits != 0) {
+    return gjk_reach_next_vectors(reach);
+  }
+#endif
   const int32_t x = reach->d->x, y = reach->d->y, z = reach->d->z;
   const int64_t limit = reach->limit;
   const gjk_vec3 *const end = reach->end, *v = reach->next;

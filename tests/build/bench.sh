@@ -1,8 +1,9 @@
 #!/bin/sh
-# Run time against error on the host: bench.sh BUILD [SECONDS [PAIRS]]; 60 seconds and 1000 pairs by default.
+# Cost, and run time against error, on the host: bench.sh BUILD [SECONDS [PAIRS]]; 60 seconds and 1000 pairs by default.
 #
-# Other libraries are measured too if their Debian packages are installed, and instructions are counted if valgrind is.
-# Writes BUILD/bench.csv and BUILD/bench.html, and prints the same figures.
+# First what queries cost (bench-cost.sh); then each method's error and time on families that are easy and hard, for
+# SECONDS. Other libraries are measured too if their Debian packages are installed, and instructions are counted if
+# valgrind is. Writes BUILD/bench.csv and BUILD/bench.html, and prints the same figures.
 . tests/build/count.sh
 . tests/build/peers.sh
 build=$1
@@ -11,6 +12,10 @@ pairs=${3:-1000}
 dir=$build/bench
 mkdir -p "$dir"
 
+sh tests/build/bench-cost.sh "$build" "$pairs" || exit 1
+
+echo
+echo 'run time against error'
 find_peer ccd libccd libccd-dev
 find_peer bullet Bullet libbullet-dev
 find_peer fcl FCL libfcl-dev
@@ -19,17 +24,17 @@ rm -f "$build/gjk-bench"
 make -s "$build/gjk-bench" "$build/gjk-bench-report" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 ||
   { cat "$dir/make.log"; exit 1; }
 
-# Callgrind writes a dump for each family, query and method, on so many pairs.
+# Callgrind writes a dump for each family, query and method, on so many pairs. It cannot read the debug information of
+# every compiler.
 counted=20
 count_instructions() {
   echo "instructions: one pass over $counted pairs of each family under callgrind" >&2
   rm -f "$dir"/callgrind.*
+  strip -g -o "$dir/gjk-bench" "$build/gjk-bench" || exit 1
   valgrind --tool=callgrind --instr-atstart=no --callgrind-out-file="$dir/callgrind" \
-    "$build/gjk-bench" --pairs $counted --instructions 1 2>"$dir/valgrind.log" || { cat "$dir/valgrind.log"; exit 1; }
-  awk -v pairs=$counted '
-    /^desc: Trigger: Client Request: / { name = substr($0, index($0, "Request: ") + 9) }
-    /^totals: / && name != "" { printf "%s,instructions,,%.0f\n", name, $2 / pairs; name = "" }' "$dir"/callgrind.*
-  rm -f "$dir"/callgrind.*
+    "$dir/gjk-bench" --pairs $counted --instructions 1 2>"$dir/valgrind.log" || { cat "$dir/valgrind.log"; exit 1; }
+  awk -v pairs=$counted -f tests/build/callgrind.awk "$dir"/callgrind.* | sed 's/,instructions,/&,/'
+  rm -f "$dir"/callgrind.* "$dir/gjk-bench"
 }
 : >"$dir/instructions.csv"
 if have valgrind; then

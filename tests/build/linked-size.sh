@@ -2,6 +2,7 @@
 # Bytes of code and constants that a program for TARGET links, built for size: linked-size.sh BUILD TARGET MACRO...
 # The macros choose the program, see tests/measure/target/size.c; its own bytes are not counted. 'float' or 'double' instead of
 # the macros is the reference in that type, see tests/measure/target/bench_reference.h, with the floating point that it needs.
+# What comes from which object is in the linker's map beside the program, BUILD/linked/TARGETMACROS.map.
 # LIBRARY: other objects than the library's; SECTIONS=--no-gc-sections keeps all of them.
 . tests/build/count.sh
 out=$1/linked
@@ -23,7 +24,7 @@ link() {
   entry=$1
   shift
   $tools -nostdlib -Wl,--no-warn-rwx-segments,${SECTIONS---gc-sections} "-Wl,-e$entry" "$@" "$out/$target-memory.o" -lgcc \
-    -o "$name.elf"
+    "-Wl,-Map=$name.map" -o "$name.elf"
 }
 
 compile port/board/memory.c -o "$out/$target-memory.o" || exit 1

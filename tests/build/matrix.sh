@@ -1,12 +1,13 @@
 #!/bin/sh
 # The golden hash from every compiler and level on every architecture, two builds at a time: matrix.sh BUILD
 #
-# One bit that differs fails. So does undefined behaviour, which traps in the last column (-fsanitize=undefined,
-# without -fwrapv). '-' stands for what Debian's tools do not have.
+# One bit that differs fails. So does undefined behaviour, which traps in the column 'sanitized' (-fsanitize=undefined,
+# without -fwrapv). 'scalar' is -O2 without GJK_VECTORS, where that is the default. '-' stands for what Debian's tools, or
+# this processor, do not have.
 . tests/build/count.sh
 . tests/build/golden.sh
 dir=$1/matrix
-levels='-O0 -O1 -O2 -O3 -Os lto sanitized'
+levels='-O0 -O1 -O2 -O3 -Os lto sanitized avx2 scalar'
 
 flags() {
   case $2 in
@@ -15,6 +16,8 @@ flags() {
       [ "$1" = gcc ] && echo '-O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error' ||
         echo '-O1 -fsanitize=undefined -fsanitize-trap=undefined'
       ;;
+    avx2) echo '-O2 -mavx2' ;;
+    scalar) echo '-O2 -DGJK_VECTORS=0' ;;
     *) echo "$2" ;;
   esac
 }
@@ -24,6 +27,9 @@ flags() {
 carried() {
   case $2-$1-$3 in
     clang-avr-* | gcc-avr--O[123] | gcc-avr-sanitized | clang-s390x-lto | clang-rv64-lto) return 1 ;;
+    *-host-avx2) grep -qw avx2 /proc/cpuinfo 2>/dev/null || return 1 ;;
+    *-host-scalar | *-aarch64-scalar) ;;
+    *-avx2 | *-scalar) return 1 ;;
   esac
 }
 
@@ -62,7 +68,7 @@ done | xargs -P 2 -L 1 sh "$0" "$1" --one
 
 same=0 failed=0 skipped=0
 # shellcheck disable=SC2086
-printf '%-18s%10s%10s%10s%10s%10s%10s%11s\n' 'golden hash' $levels
+printf '%-18s%10s%10s%10s%10s%10s%10s%11s%10s%10s\n' 'golden hash' $levels
 for architecture in host $golden_linux $golden_cores; do
   for compiler in gcc clang; do
     printf '%-12s%-6s' "$architecture" $compiler

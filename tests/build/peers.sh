@@ -9,3 +9,13 @@ find_peer() {
     skip "bench of $2" "g++ pkg-config $3"
   fi
 }
+
+# Those that costs are compared with; WITHOUT_PEERS=1: none.
+find_cost_peers() {
+  if [ -z "$WITHOUT_PEERS" ]; then
+    find_peer ccd libccd libccd-dev
+    find_peer bullet Bullet libbullet-dev
+    find_peer fcl FCL libfcl-dev
+    find_peer ode ODE libode-dev
+  fi
+}

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Code by function group and stack by query, per target: sizes.sh BUILD
+# Code by function group and stack by query, per target; then, for Cortex-M3, what the code and the stack consist of:
+# sizes.sh BUILD
 . tests/build/count.sh
 build=$1
 targets=
@@ -50,12 +51,33 @@ for level in -O2 -Os; do
   done | table "stack, bytes, $level" 0
 done
 
-if [ -z "$(missing_package cortex-m3)" ]; then
-  make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked >/dev/null || exit 1
+[ -z "$(missing_package cortex-m3)" ] || exit 0
+make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked >/dev/null || exit 1
+
+# linked TITLE MACROS...: links a program and prints 'TITLE: the map of what it is made of'.
+linked() {
+  title=$1
+  shift
+  sh tests/build/linked-size.sh "$build" cortex-m3 "$@" >/dev/null || exit 1
+  echo "$title:$build/linked/cortex-m3$(echo "$*" | tr -d ' ').map"
+}
+echo
+echo 'what a program links for Cortex-M3 at -Os, bytes by room and file; what is in a file, as its first line says:'
+{
+  linked 'intersect' -DSIZE_BOXES
+  linked '+ posing' -DSIZE_BOXES -DSIZE_POSED
+  linked 'distance' -DSIZE_POSED
+  linked '+ depth' -DSIZE_POSED -DSIZE_DEPTH
+  linked 'scene' -DSIZE_SCENE
+} >"$build/linked/programs"
+awk -f tests/build/sizes-parts.awk src/README.md src/*/*.c "$build/linked/programs"
+echo
+echo '  intersect  gjk_intersect on boxes and rounded boxes; + posing: gjk_collider_init and gjk_collider_pose as well'
+echo '  distance   gjk_distance on boxes, hulls and their rounded forms, with posing; + depth: gjk_penetration as well'
+echo '  scene      a scene of boxes and spheres with contacts'
+
+for query in gjk_intersect gjk_distance gjk_penetration; do
   echo
-  echo 'linked for Cortex-M3 at -Os, bytes:     query   with posing'
-  printf '%-36s%9d%14d\n' 'gjk_intersect on boxes' "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_BOXES)" \
-    "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_BOXES -DSIZE_POSED)"
-  printf '%-36s%9d%14d\n' 'gjk_distance on hulls and boxes' "$(sh tests/build/linked-size.sh "$build" cortex-m3)" \
-    "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_POSED)"
-fi
+  awk -v roots=$query -f tests/build/stack.awk tests/build/indirect-calls.txt build/cortex-m3-O2/*.ci >"$build/linked/stack" || exit 1
+  awk -f tests/build/sizes-stack.awk "$build/linked/stack" src/*/*.[ch] include/gjk/*.h
+done

@@ -22,7 +22,7 @@ static void any_cells(gjk_epa_hull *p) {
   for (uint16_t i = 0; i < FACES; i++) {
     gjk_epa_face *face = gjk_epa_hull_face(p, i);
     for (int k = 0; k < 3; k++) {
-      face->corner[k] = (uint16_t)any_between(0, VERTICES - 1);
+      face->corner[k] = (uint16_t)(p->stride * any_between(0, VERTICES - 1));
       face->neighbour[k] = (uint16_t)any_between(0, FACES - 1);
     }
     face->height_key = (uint32_t)any_int32();
@@ -34,17 +34,19 @@ static void check_polytope(const gjk_epa_hull *p, bool curved) {
   const uint16_t lowest = gjk_epa_hull_lowest(p);
   gjk_vertex v;
   gjk_long3 n;
-  //@ assert p->vertices >= 4 && p->faces >= 4;
+  gjk_search_direction d;
+  //@ assert p->used >= 4 && p->faces >= 4;
   //@ assert lowest < p->faces;
   for (uint16_t i = 0; i < p->faces; i++) {
     const gjk_epa_face *face = gjk_epa_hull_face(p, i);
     check_size(face->height_key, UINT32_MAX);
     for (int k = 0; k < 3; k++) {
-      //@ assert face->corner[k] < p->vertices && face->neighbour[k] < p->faces;
+      //@ assert face->corner[k] < p->used && face->neighbour[k] < p->faces;
     }
     gjk_epa_hull_normal(p, face->corner, &n);
+    gjk_epa_hull_plane(p, i, &n, &d);
   }
-  for (uint16_t i = 0; i < p->vertices; i++) {
+  for (uint16_t i = 0; i < p->used; i = (uint16_t)(i + p->stride)) {
     gjk_epa_hull_load(p, i, &v);
     check_corner(&v, curved);
   }
@@ -67,7 +69,8 @@ static void start(bool curved, uint32_t count) {
 
 static void add(bool curved, uint32_t count) {
   gjk_epa_cell cells[CELLS];
-  gjk_epa_hull p = {cells, count, VERTICES, FACES, curved ? 2 : 1};
+  const uint8_t stride = curved ? 2 : 1;
+  gjk_epa_hull p = {cells, &cells[count - 1], count, (uint16_t)(VERTICES * stride), FACES, stride};
   gjk_vertex v;
   any_cells(&p);
   check_polytope(&p, curved);

@@ -16,7 +16,7 @@ static void any_cells(gjk_epa_hull *p) {
   for (uint16_t i = 0; i < FACES; i++) {
     gjk_epa_face *face = gjk_epa_hull_face(p, i);
     for (int k = 0; k < 3; k++) {
-      face->corner[k] = (uint16_t)any_between(0, VERTICES - 1);
+      face->corner[k] = (uint16_t)(p->stride * any_between(0, VERTICES - 1));
     }
     face->height_key = (uint32_t)any_int32();
   }
@@ -29,8 +29,9 @@ bool gjk_epa_hull_start(gjk_epa_hull *p, const gjk_workspace *workspace, const g
   }
   p->cells = cells;
   p->count = 2 * VERTICES + FACES;
+  p->last = &cells[p->count - 1];
   p->stride = curved ? 2 : 1;
-  p->vertices = VERTICES;
+  p->used = (uint16_t)(VERTICES * p->stride);
   p->faces = FACES;
   any_cells(p);
   return any_bool();
@@ -41,15 +42,22 @@ uint16_t gjk_epa_hull_lowest(const gjk_epa_hull *p) {
 }
 
 void gjk_epa_hull_load(const gjk_epa_hull *p, uint16_t vertex, gjk_vertex *out) {
-  //@ assert vertex < p->vertices;
+  //@ assert vertex < p->used;
   any_vertex(out);
 }
 
 void gjk_epa_hull_normal(const gjk_epa_hull *p, const uint16_t corner[3], gjk_long3 *n) {
   for (int i = 0; i < 3; i++) {
-    check_size(corner[i], p->vertices - 1);
+    check_size(corner[i], p->used - 1);
   }
   any_normal(n);
+}
+
+void gjk_epa_hull_plane(const gjk_epa_hull *p, uint16_t face, gjk_long3 *normal, gjk_search_direction *direction) {
+  //@ assert face < p->faces;
+  any_normal(normal);
+  direction->d = any_direction(3);
+  direction->exact = any_bool();
 }
 
 bool gjk_epa_hull_add(gjk_epa_hull *p, uint16_t face, const gjk_vertex *vertex) {

@@ -93,6 +93,7 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out) {
   }
   out->spanning = s->count;
   out->opposite = false;
+  out->level = NULL;
 }
 
 static void any_limbs(gjk_u192 *x) {

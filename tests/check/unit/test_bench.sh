@@ -73,6 +73,9 @@ check 'wrong decisions are seen' holds '$1 == "smallest" && $3 ~ /^reference/ &&
 check 'the report' report "$dir/run.csv"
 check 'the table' grep -q '^gjk cold  *1\.00 ' "$dir/table.txt"
 check 'the table of depths' grep -q '^overlap-boxes, depth: ' "$dir/table.txt"
+check 'it opens with one chart' test "$(grep -c '<figure class="opening">' "$dir/page.html")" -eq 1
+check 'and one table' test "$(grep -c '<div class="wide opening">' "$dir/page.html")" -eq 1
+check 'in which this library is never wrong' grep -q '<tr class="own"><td>gjk cold</td><td>1.00</td><td>0 %</td><td>1.00</td><td>0 %</td>' "$dir/page.html"
 check 'plots' test "$(grep -c '<figure ' "$dir/page.html")" -gt 30
 check 'plots of depths and contacts' grep -q 'figcaption>shallow: depth<' "$dir/page.html"
 check 'a map of depths' grep -q 'figcaption>all families: depth<' "$dir/page.html"

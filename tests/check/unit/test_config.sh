@@ -21,6 +21,9 @@ compiles() {
 }
 
 check 'GJK_NARROW_MULTIPLY is 0 or 1' stops 'set it to 1 in the port header' -DGJK_NARROW_MULTIPLY=2 src/arith/gjk_wide.c
+check 'GJK_VECTORS is 0 or 1' stops 'set it to 0 in the port header' -DGJK_VECTORS=2 src/arith/gjk_wide.c
+check 'GJK_VECTORS needs vectors' stops 'set it to 0 in the port header' -DGJK_VECTORS=1 -DGJK_NARROW_MULTIPLY=1 \
+  src/arith/gjk_wide.c
 check 'GJK_INT128 is 0 or 1' stops 'set it to 1 in the port header' -DGJK_INT128=2 src/arith/gjk_wide.c
 check 'GJK_INT128 comes with a type' stops 'define GJK_INT128_TYPE' -DGJK_INT128=1 src/arith/gjk_wide.c
 check 'the arena has a size' stops 'say -DGJK_ARENA_BYTES=' -DGJK_ARENA_BYTES=32 port/generic/gjk_arena.c
@@ -33,13 +36,17 @@ for port in generic hosted template; do
   done
 done
 
-# takes VALUE COMPILER FLAGS...: the multiplication that the library settles on
-takes() {
-  value=$1
-  shift
-  settled=$(printf '#include "src/arith/gjk_port_defaults.h"\nsettled: GJK_NARROW_MULTIPLY\n' |
+# settles MACRO VALUE COMPILER FLAGS...: the value that the library settles on
+settles() {
+  macro=$1 value=$2
+  shift 2
+  settled=$(printf '#include "src/arith/gjk_port_defaults.h"\nsettled: %s\n' "$macro" |
     "$@" -std=c99 -ffreestanding -I. -Iport -I"$scratch" -E -P -x c -)
   printf '%s\n' "$settled" | grep -qx "settled: $value" || { printf '%s\n' "$settled" | tail -n 1; return 1; }
+}
+
+takes() {
+  settles GJK_NARROW_MULTIPLY "$@"
 }
 
 # What the compiler predefines says whether the core has a long multiplication; a definition from outside overrides it.
@@ -74,6 +81,22 @@ core 1 -march=rv32ic -mabi=ilp32
 core 0 -march=rv32imc -mabi=ilp32
 cross=avr-gcc
 core 1 -mmcu=atmega2560
+
+# Vectors where the core has them, unless the port says no or code is to be small.
+printf '#define GJK_VECTORS 0\n' >"$scratch/scalar_port.h"
+case $(uname -m) in
+  x86_64 | aarch64)
+    check 'vectors' settles GJK_VECTORS 1 "$compiler" -O2
+    check 'vectors: not where code is to be small' settles GJK_VECTORS 0 "$compiler" -Os
+    check 'vectors: small, but asked for' settles GJK_VECTORS 1 "$compiler" -Os -DGJK_VECTORS=1
+    check 'vectors: overridden by the port' settles GJK_VECTORS 0 "$compiler" '-DGJK_PORT_HEADER="scalar_port.h"'
+    check 'vectors: none with a narrow multiplication' settles GJK_VECTORS 0 "$compiler" -DGJK_NARROW_MULTIPLY=1
+    check 'vectors: none with another compiler' settles GJK_VECTORS 0 "$compiler" -U__GNUC__
+    ;;
+esac
+for cross in arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc; do
+  if have $cross; then check "vectors: none with $cross" settles GJK_VECTORS 0 $cross; fi
+done
 
 check 'the template of allocation' compiles port/template/gjk_template.c
 finish config

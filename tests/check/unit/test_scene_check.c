@@ -303,6 +303,58 @@ static void test_no_slot(void) {
   }
 }
 
+// A part that its body turned and that nothing posed since.
+static void test_unposed(void) {
+  const gjk_vec3 axis = {0, 0, ONE};
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  build();
+  restore();
+  CHECK(gjk_quat_from_axis_angle(&axis, GJK_ANGLE(0.01), &pose.rotation) == GJK_OK);
+  for (uint32_t slot = 2; slot < 6; slot++) {
+    pose.position = v.bodies[slot].position;
+    CHECK(gjk_scene_move(&scene, gjk_scene_id_of(&v, slot), &pose) == GJK_OK);
+    CHECK((part_of(slot)->state & GJK_SCENE_UNPOSED) != 0);
+    CHECK(gjk_scene_check(&scene) == GJK_OK);
+  }
+  CHECK(part_of(2)->pairs != GJK_SCENE_NONE);
+  CHECK(part_of(5)->pairs == GJK_SCENE_NONE);
+  memcpy(sound, block, sizeof block);
+  // Its box must hold the part as it is now, and be held by the one in the tree.
+  restore();
+  part_of(5)->exact.upper.x = part_of(5)->centre.x;
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+  restore();
+  part_of(5)->exact.upper.x = part_of(5)->enlarged.upper.x + 1;
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+  restore();
+  part_of(5)->exact = part_of(5)->enlarged;
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  // With pairs it must be posed before any is tested: its body is in the list of those that moved.
+  restore();
+  part_of(0)->state |= GJK_SCENE_UNPOSED;
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+  restore();
+  part_of(9)->state |= GJK_SCENE_UNPOSED;
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  // Posed it is posed.
+  restore();
+  part_of(5)->state = (uint8_t)(part_of(5)->state & ~GJK_SCENE_UNPOSED);
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+  // An update poses those with pairs. The others are saved as they are.
+  restore();
+  uint32_t pairs = 0;
+  CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);
+  CHECK(pairs > 0);
+  CHECK((part_of(2)->state & GJK_SCENE_UNPOSED) == 0);
+  CHECK((part_of(5)->state & GJK_SCENE_UNPOSED) != 0);
+  part_of(2)->state |= GJK_SCENE_UNPOSED;
+  CHECK(gjk_scene_check(&scene) == GJK_ERROR_CORRUPT);
+  part_of(2)->state = (uint8_t)(part_of(2)->state & ~GJK_SCENE_UNPOSED);
+  CHECK(gjk_scene_check(&scene) == GJK_OK);
+  CHECK(opens());
+  CHECK((part_of(5)->state & GJK_SCENE_UNPOSED) != 0);
+}
+
 int main(void) {
   build();
   test_header();
@@ -315,5 +367,6 @@ int main(void) {
   test_full_word();
   test_no_slot();
   test_deep_tree();
+  test_unposed();
   return check_done("scene_check");
 }

@@ -100,7 +100,7 @@ static uint32_t begin_update(void) {
   pose.position.y = 1;
   for (uint32_t slot = 0; slot < 3; slot++) {
     pose.position.x = (gjk_q16)slot * (3 * ONE);
-    CHECK(gjk_scene_move(&scene, gjk_scene_id_of(&v, slot), &pose) == GJK_OK);
+    CHECK(gjk_scene_teleport(&scene, gjk_scene_id_of(&v, slot), &pose) == GJK_OK);
   }
   memcpy(sound, block, sizeof block);
   REFUSED(v.header->phase = GJK_SCENE_REPORTING + 1);

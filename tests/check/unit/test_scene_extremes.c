@@ -220,11 +220,11 @@ static void test_far_apart(void) {
     update(reports, &count);
     CHECK(count == 1);
     CHECK(reports[0].event == GJK_EVENT_BEGIN);
-    // Near by about 2^17: that is known, unless the centres are too far apart.
+    // Near by about 2^17: the query tells that, unless the centres are too far apart. Then the spheres inside tell it.
     move(b, left + x + n, low + 1);
     stats = update(reports, &count);
     CHECK(count == 0);
-    CHECK((n == 0 ? stats.motion : stats.warm) == 1);
+    CHECK((n == 0 ? stats.motion : stats.boxes) == 1);
   }
   first_axis = 0;
 }

@@ -22,7 +22,7 @@ static gjk_pose pose[2], offset;  // of the bodies; of both parts in them, if ow
 static bool own_pose;
 static gjk_body_id body[2];
 static gjk_q16 margin;  // of both together
-static unsigned motion_count, boxes_count, direction_count, near_count, far_count, edge_count;
+static unsigned motion_count, boxes_count, direction_count, near_count, far_count, edge_count, deep_count;
 
 static void start_scene(gjk_scene *scene, uint32_t *block, size_t bytes, gjk_q16 box_margin, uint8_t retest_all) {
   const gjk_scene_config config = {2, 2, 2, 1, box_margin, GJK_DETAIL_TOUCH, 0, retest_all, 0, 0};
@@ -60,6 +60,10 @@ static const gjk_scene_pair *record(void) {
   return v.header->pairs.count == 0 ? NULL : &v.pairs[0];
 }
 
+static bool is_near(void) {
+  return record() != NULL && (record()->state & GJK_SCENE_PAIR_NEAR) != 0;
+}
+
 static bool is_curved(const gjk_shape *shape) {
   return shape->type->vertex == NULL;
 }
@@ -80,8 +84,10 @@ static void move(unsigned i) {
   CHECK(gjk_scene_move(&plain, body[i], &pose[i]) == GJK_OK);
 }
 
-// The distance of the cores, to the nearest LSB.
-static int64_t core_distance(void) {
+// The distance of the cores, to the nearest LSB; with deep, of those that overlap, minus their depth, rounded up. Only
+// pairs of points, segments and boxes have depths without a workspace.
+static int64_t core_distance(bool deep) {
+  static const gjk_workspace none;
   gjk_collider c[2];
   gjk_shape core[2];
   gjk_distance_result r = {0};
@@ -92,7 +98,7 @@ static int64_t core_distance(void) {
     c[i].shape = &core[i];
     c[i].radius = c[i].core_radius;
   }
-  CHECK(gjk_distance(&c[0], &c[1], NULL, &r) == GJK_OK);
+  CHECK((deep ? gjk_signed_distance(&c[0], &c[1], NULL, &none, &r) : gjk_distance(&c[0], &c[1], NULL, &r)) == GJK_OK);
   return r.distance;
 }
 
@@ -102,8 +108,10 @@ static bool claim_holds(void) {
   if (pair == NULL || pair->gap == 0 || is_curved(shapes[0]) || is_curved(shapes[1])) {
     return true;
   }
-  const int64_t limit = (int64_t)margin + shapes[0]->convex_radius + shapes[1]->convex_radius,
-                distance = core_distance();
+  const int64_t limit = (int64_t)margin + shapes[0]->convex_radius + shapes[1]->convex_radius;
+  const bool deep = (pair->state & GJK_SCENE_PAIR_NEAR) != 0 && pair->gap > limit;
+  const int64_t distance = core_distance(deep);
+  deep_count += deep;
   return (pair->state & GJK_SCENE_PAIR_NEAR) != 0 ? distance <= limit - pair->gap : distance >= limit + pair->gap;
 }
 
@@ -334,6 +342,47 @@ static void check_edges(void) {
   }
 }
 
+// Spheres inside of two shapes prove them near, and how deep at least.
+static void check_deep(void) {
+  random_state random = random_seed(seed + 4);
+  unsigned settled = 0, asked = 0;
+  for (unsigned i = 0; i < check_trials(PATHS); i++) {
+    check_trial(i, NULL, NULL);
+    make_pair(&random, false);
+    own_pose = false;
+    gjk_shape boxes[2];
+    int32_t reach = 0;
+    for (unsigned k = 0; k < 2; k++) {
+      const int32_t size = 1 << random_below(&random, 24);
+      const gjk_shape box =
+          GJK_ROUNDED_BOX(random_range(&random, size / 2, size), random_range(&random, size / 2, size),
+                          random_range(&random, size / 2, size), 0);
+      boxes[k] = box;
+      boxes[k].convex_radius = random_below(&random, 3) == 0 ? size / 4 : 0;
+      shapes[k] = random_below(&random, 8) != 0 ? &boxes[k] : shapes[k];
+      reach += size;
+    }
+    const gjk_vec3 way = generate_vector(&random, (double)reach / 2);
+    pose[1].position = gjk_add(pose[0].position, way);
+    start(0);
+    bool fine = tick();
+    for (unsigned k = 0; k < 4 && fine; k++) {
+      gjk_scene_stats stats;
+      const bool was = is_near();
+      turn(&random, k % 2, 1 + (int64_t)random_below(&random, (uint32_t)reach));
+      move(k % 2);
+      fine = tick();
+      CHECK_MSG(fine, "tick %u", k);
+      CHECK(gjk_scene_get_stats(&quick, &stats) == GJK_OK);
+      settled += was && stats.boxes == 1 && is_near();
+      asked += was && stats.warm == 1;
+    }
+  }
+  CHECK(settled > check_trials(PATHS) / 8);
+  CHECK(asked > check_trials(PATHS) / 8);
+  printf("%u near by spheres inside, %u by a query\n", settled, asked);
+}
+
 // The farthest that a point has moved, squared, from colliders of polytopes; below 2^63.
 static uint64_t farthest_moved(const gjk_collider *from, const gjk_collider *to) {
   uint64_t farthest = 0;
@@ -460,8 +509,10 @@ int main(void) {
   check_faces();
   check_edges();
   check_paths();
-  printf("%u near, %u far; %u skipped by motion, %u by boxes, %u by direction; %u edges\n", near_count, far_count,
-         motion_count, boxes_count, direction_count, edge_count);
+  check_deep();
+  printf("%u near, %u far; %u skipped by motion, %u by boxes, %u by direction; %u edges; %u deep\n", near_count,
+         far_count, motion_count, boxes_count, direction_count, edge_count, deep_count);
+  CHECK(deep_count > check_trials(PATHS) / 8);
   for (unsigned i = 0; i < 2; i++) {
     case_collider_free(&built[i]);
     case_shape_free(&cases[i]);

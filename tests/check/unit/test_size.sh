@@ -13,6 +13,32 @@ not_at_most() {
   ! at_most "$@"
 }
 
+# What make sizes tells of a program: the parts, all told in words, add up to the program, but for its alignment.
+parts() {
+  size=$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_BOXES) &&
+    echo "boxes:$build/linked/cortex-m3-DSIZE_BOXES.map" >"$build/linked/boxes" &&
+    awk -f tests/build/sizes-parts.awk src/README.md src/*/*.c "$build/linked/boxes" >"$build/linked/parts" &&
+    awk -v size="$size" '
+      NR > 1 && $1 != "all" && NF < 4 { print "without words: " $0; bad = 1 }
+      /^  / { sum += $2 }
+      $1 == "gjk_intersect" || $1 == "gjk_simplex" { found++ }
+      $1 == "all" { all = $2 }
+      END {
+        print sum " of files, " all " in all, " size " linked"
+        exit bad || found != 2 || sum != all || all > size || all < size - 32
+      }' "$build/linked/parts"
+}
+
+# The frames of a stack add up to it, and each but those of inlined names has its file.
+frames() {
+  awk -v roots=gjk_distance -f tests/build/stack.awk tests/build/indirect-calls.txt "build/cortex-m3-linked"/*.ci \
+    >"$build/linked/stack" &&
+    awk -f tests/build/sizes-stack.awk "$build/linked/stack" src/*/*.[ch] include/gjk/*.h | awk '
+      NR == 1 { sub(/.*bytes: /, ""); all = $1 + 0; next }
+      { sum += $1; if ($3 !~ /^src\// || NF < 4) { print "without words: " $0; bad = 1 } }
+      END { print sum " in frames, " all " in all"; exit bad || sum != all || NR < 4 }'
+}
+
 build=$1
 if [ -z "$(missing_package cortex-m3)" ]; then
   check 'the library for Cortex-M3 at -Os' make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked
@@ -22,6 +48,8 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   # What the README says of programs.
   check 'gjk_intersect on boxes, with posing' at_most 10496 -DSIZE_BOXES -DSIZE_POSED
   check 'a scene with contacts' at_most 43520 -DSIZE_SCENE
+  check 'the parts of a program' parts
+  check 'the frames of a stack' frames
   # What the README says of a build that keeps unused sections.
   objects=$(echo build/cortex-m3-linked/*.o)
   export LIBRARY="$objects"

@@ -4,7 +4,7 @@
 #include "check.h"
 #include "exact/integer.h"
 #include "random.h"
-#include "src/arith/gjk_wide.h"
+#include "src/arith/gjk_vector.h"
 
 #define SEED 4096
 #define TRIALS ((int)check_trials(200000))
@@ -211,6 +211,117 @@ static void test_magnitudes(void) {
   }
 }
 
+static void test_leading_zeros(void) {
+  for (unsigned n = 0; n < 64; n++) {
+    const uint64_t lowest = (UINT64_MAX >> n >> 1) + 1, highest = UINT64_MAX >> n;
+    CHECK(gjk_clz64(lowest) == n && gjk_clz64(highest) == n);
+    CHECK(n < 32 || (gjk_clz32((uint32_t)lowest) == n - 32 && gjk_clz32((uint32_t)highest) == n - 32));
+  }
+}
+
+static void test_saturation(void) {
+  static const struct {
+    int64_t x;
+    int32_t saturated;
+  } cases[] = {{0, 0},
+               {-1, -1},
+               {INT32_MAX, INT32_MAX},
+               {INT32_MIN, INT32_MIN},
+               {(int64_t)INT32_MAX + 1, INT32_MAX},
+               {(int64_t)INT32_MIN - 1, INT32_MIN},
+               {INT64_C(1) << 32, INT32_MAX},
+               {-(INT64_C(1) << 32), INT32_MIN},
+               {INT64_MAX, INT32_MAX},
+               {INT64_MIN, INT32_MIN}};
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    bool noted = false;
+    CHECK(gjk_saturate(cases[i].x) == cases[i].saturated);
+    CHECK(gjk_saturate_noting(cases[i].x, &noted) == cases[i].saturated);
+    CHECK(noted == (cases[i].saturated != cases[i].x));
+  }
+}
+
+// x / 2^k to the nearest integer, a tie up.
+static int64_t nearest(int64_t x, unsigned k) {
+  return k == 0 ? x : gjk_sar64(gjk_sar64(x, k - 1) + 1, 1);
+}
+
+// A direction is its normal / 2^k, rounded, with the least k that brings x and -1 - x below 2^30 for each component x.
+static void check_direction(const gjk_long3 *n, unsigned long *halved, unsigned long *inexact) {
+  const int64_t component[3] = {n->x, n->y, n->z};
+  unsigned k = 0;
+  gjk_search_direction d;
+  for (int i = 0; i < 3; i++) {
+    while (gjk_sar64(component[i], k + 30) != 0 && gjk_sar64(component[i], k + 30) != -1) {
+      k++;
+    }
+  }
+  bool exact = true;
+  for (int i = 0; i < 3; i++) {
+    exact = exact && gjk_shl64(gjk_sar64(component[i], k), k) == component[i];
+  }
+  gjk_search_direction_of(n, &d);
+  CHECK(d.d.x == nearest(n->x, k) && d.d.y == nearest(n->y, k) && d.d.z == nearest(n->z, k));
+  CHECK(d.exact == exact);
+  *halved += k > 0;
+  *inexact += !exact;
+}
+
+static void test_directions(void) {
+  random_state random = random_seed(check_seed(SEED) + 3);
+  unsigned long halved = 0, inexact = 0;
+  const unsigned long trials = (unsigned long)TRIALS;
+  for (unsigned long i = 0; i < trials; i++) {
+    check_trial(i, NULL, NULL);
+    // |component| < 2^62; zeros at the low end in every other trial.
+    const unsigned size = 2 + random_below(&random, 62), zeros = i % 2 == 0 ? 0 : random_below(&random, 62);
+    const gjk_long3 n = {gjk_shl64(gjk_sar64(gjk_int64(random_u64(&random)), size + (zeros < 62 - size ? zeros : 0)),
+                                   zeros < 62 - size ? zeros : 0),
+                         gjk_sar64(gjk_int64(random_u64(&random)), size), 0};
+    check_direction(&n, &halved, &inexact);
+  }
+  for (unsigned k = 28; k < 62; k++) {  // at the ends of a size
+    const int64_t most = INT64_C(1) << k;
+    for (int64_t off = -1; off <= 1; off++) {
+      const gjk_long3 n = {most + (k < 61 ? off : -1), -most - (k < 61 ? off : -1), off};
+      check_direction(&n, &halved, &inexact);
+    }
+  }
+  CHECK(halved > trials / 4 && halved < trials * 3 / 4);
+  CHECK(inexact > trials / 8 && inexact < halved);
+}
+
+// Products of the largest vectors, against wider integers.
+static void test_products(void) {
+  random_state random = random_seed(check_seed(SEED) + 4);
+  unsigned long signs[3] = {0, 0, 0};
+  const int trials = TRIALS / 10;
+  for (int i = 0; i < trials; i++) {
+    check_trial((unsigned long)i, NULL, NULL);
+    const int32_t size = (INT32_C(1) << 30) / (i % 3 == 0 ? 1 : 1 << random_below(&random, 28));
+    const gjk_vec3 a = {random_range(&random, -size, size), random_range(&random, -size, size),
+                        random_range(&random, -size, size)},
+                   b = {random_range(&random, -size, size), random_range(&random, -size, size), 1},
+                   v = i % 4 == 0 ? a : b;
+    gjk_long3 n;
+    gjk_cross(&a, &b, &n);
+    CHECK(n.x == (int64_t)a.y * b.z - (int64_t)a.z * b.y);
+    CHECK(n.y == (int64_t)a.z * b.x - (int64_t)a.x * b.z);
+    CHECK(n.z == (int64_t)a.x * b.y - (int64_t)a.y * b.x);
+    n.x += i % 2 == 0 ? 0 : (int64_t)random_below(&random, 3) - 1;
+    const int64_t of_n[3] = {n.x, n.y, n.z}, of_v[3] = {v.x, v.y, v.z};
+    exact_int sum = exact_from(0);
+    for (int k = 0; k < 3; k++) {
+      const exact_int left = exact_from(of_n[k]), right = exact_from(of_v[k]), product = exact_mul(&left, &right);
+      sum = exact_add(&sum, &product);
+    }
+    CHECK(gjk_dot_sign(&n, &v) == sum.sign);
+    signs[sum.sign + 1]++;
+  }
+  CHECK(signs[0] > (unsigned long)trials / 20 && signs[1] > (unsigned long)trials / 4 &&
+        signs[2] > (unsigned long)trials / 20);
+}
+
 int main(void) {
   test_shares();
   test_sums();
@@ -219,5 +330,9 @@ int main(void) {
   test_limbs();
   test_quotients();
   test_magnitudes();
+  test_leading_zeros();
+  test_saturation();
+  test_directions();
+  test_products();
   return check_done("wide");
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../../../programs/demo/svg.h"
+#include "opening.h"
 #include "plot.h"
 #include "style.h"
 #include "text.h"
@@ -295,12 +296,17 @@ static void open_section(FILE *file, const char *heading, const char *text) {
   fprintf(file, "<h2>%s</h2>\n<p>%s</p>\n<div class=\"plots\">\n", heading, text);
 }
 
-static void put_head(FILE *file, const table *t) {
+static void put_head(FILE *file) {
   fprintf(file,
           "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>gjk: time against error</title>\n"
           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<style>%s</style></head>\n"
-          "<body>\n<h1>gjk: time against error</h1>\n<ul>\n",
+          "<body>\n<h1>gjk: time against error</h1>\n",
           page_style);
+}
+
+// What was measured, and how.
+static void put_about(FILE *file, const table *t) {
+  fprintf(file, "<h2>What was measured</h2>\n<ul>\n");
   for (size_t i = 0; i < t->count; i++) {
     if (strcmp(t->rows[i].measure, "about") == 0) {
       fprintf(file, "<li>");
@@ -378,7 +384,9 @@ static void put_error_sections(FILE *file, const table *t) {
 }
 
 void page_write(FILE *file, const table *t, const scene_table *scenes) {
-  put_head(file, t);
+  put_head(file);
+  opening_write(file, t);
+  put_about(file, t);
   put_error_sections(file, t);
   for (size_t q = 0; q < t->queries.count; q++) {
     char heading[80];

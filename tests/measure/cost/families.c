@@ -1,0 +1,278 @@
+// Makes the families of pairs that costs are measured on.
+#include "families.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "case/case.h"
+#include "generate/generate.h"
+#include "generate/polytope.h"
+#include "random.h"
+
+const cost_family cost_families[] = {
+    {.name = "distance: boxes apart", .query = COST_DISTANCE, .a = COST_BOX, .b = COST_BOX, .gap = COST_APART},
+    {.name = "distance: 8-point hulls apart",
+     .query = COST_DISTANCE,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 8,
+     .gap = COST_APART},
+    {.name = "distance: 8-point hulls close",
+     .query = COST_DISTANCE,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 8,
+     .gap = COST_CLOSE},
+    {.name = "distance: 64-point hulls apart",
+     .query = COST_DISTANCE,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 64,
+     .gap = COST_APART},
+    {.name = "distance: 64-point hulls close",
+     .query = COST_DISTANCE,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 64,
+     .gap = COST_CLOSE},
+    {.name = "distance: 256-point hulls apart",
+     .query = COST_DISTANCE,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 256,
+     .gap = COST_APART},
+    {.name = "distance: capsules apart",
+     .query = COST_DISTANCE,
+     .a = COST_CAPSULE,
+     .b = COST_CAPSULE,
+     .vertices = 0,
+     .gap = COST_APART},
+    {.name = "distance: sphere to 8-point hull",
+     .query = COST_DISTANCE,
+     .a = COST_SPHERE,
+     .b = COST_HULL,
+     .vertices = 8,
+     .gap = COST_APART},
+    {.name = "intersect: boxes close",
+     .query = COST_INTERSECT,
+     .a = COST_BOX,
+     .b = COST_BOX,
+     .vertices = 0,
+     .gap = COST_EITHER_SIDE},
+    {.name = "intersect: 8-point hulls close",
+     .query = COST_INTERSECT,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 8,
+     .gap = COST_EITHER_SIDE},
+    {.name = "intersect: 64-point hulls close",
+     .query = COST_INTERSECT,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 64,
+     .gap = COST_EITHER_SIDE},
+    {.name = "depth: boxes", .query = COST_DEPTH, .a = COST_BOX, .b = COST_BOX, .vertices = 0, .gap = COST_OVERLAPPING},
+    {.name = "depth: 8-point hulls",
+     .query = COST_DEPTH,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 8,
+     .gap = COST_OVERLAPPING},
+    {.name = "depth: 32-point hulls",
+     .query = COST_DEPTH,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 32,
+     .gap = COST_OVERLAPPING},
+    {.name = "depth: 64-point hulls",
+     .query = COST_DEPTH,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 64,
+     .gap = COST_OVERLAPPING},
+    {.name = "posing: box", .query = COST_POSE, .a = COST_BOX, .b = COST_BOX, .vertices = 0, .gap = COST_APART},
+    {.name = "posing: 8-point hull",
+     .query = COST_POSE,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 8,
+     .gap = COST_APART},
+    {.name = "posing: 64-point hull",
+     .query = COST_POSE,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 64,
+     .gap = COST_APART},
+    {.name = "posing: 256-point hull",
+     .query = COST_POSE,
+     .a = COST_HULL,
+     .b = COST_HULL,
+     .vertices = 256,
+     .gap = COST_APART},
+};
+const size_t cost_family_count = sizeof cost_families / sizeof cost_families[0];
+
+// Cells enough for the depths of these families.
+#define CELLS GJK_EPA_CELLS(1024)
+
+#define REACH GJK_Q16(3.0)  // a pair's positions lie within this, along each axis
+#define CLOSE GJK_Q16(0.1)  // closer is close
+#define FARTHEST GJK_Q16(2.0)
+#define STEP_PARTS 100  // one step moves B by its size over this, and turns it by up to a degree
+
+static void *allocate(size_t count, size_t size) {
+  void *memory = calloc(count, size);
+  if (memory == NULL) {
+    fprintf(stderr, "cost: out of memory\n");
+    exit(2);
+  }
+  return memory;
+}
+
+static gjk_vec3 random_vector(random_state *random, int32_t size) {
+  const gjk_vec3 v = {random_range(random, -size, size), random_range(random, -size, size),
+                      random_range(random, -size, size)};
+  return v;
+}
+
+static gjk_quat random_rotation(random_state *random, int32_t xyz, int32_t least_w) {
+  const gjk_quat q = {random_range(random, -xyz, xyz), random_range(random, -xyz, xyz), random_range(random, -xyz, xyz),
+                      random_range(random, least_w, 1001)};
+  gjk_quat unit = {0, 0, 0, GJK_Q30_ONE};
+  gjk_quat_normalize(&q, &unit);
+  return unit;
+}
+
+static void make_vertices(random_state *random, unsigned count, case_shape *out) {
+  case_shape_set_count(out, count);
+  for (unsigned i = 0; i < count; i++) {
+    out->vertices[i] = generate_vector(random, (0.8 + 0.2 * generate_unit(random)) * GJK_Q16_ONE);
+  }
+}
+
+static void make_shape(random_state *random, cost_kind kind, unsigned vertices, case_shape *out) {
+  static const case_kind kinds[] = {
+      [COST_BOX] = CASE_BOX, [COST_HULL] = CASE_HULL, [COST_CAPSULE] = CASE_SEGMENT, [COST_SPHERE] = CASE_POINT};
+  case_shape_reset(out);
+  out->kind = kinds[kind];
+  if (kind == COST_BOX) {
+    out->size.x = random_range(random, GJK_Q16(0.2), GJK_Q16(1.0));
+    out->size.y = random_range(random, GJK_Q16(0.2), GJK_Q16(1.0));
+  }
+  if (kind == COST_BOX || kind == COST_CAPSULE) {
+    out->size.z = random_range(random, GJK_Q16(0.2), GJK_Q16(1.0));
+  }
+  if (kind == COST_HULL) {
+    make_vertices(random, vertices, out);
+  }
+  if (kind == COST_CAPSULE || kind == COST_SPHERE) {
+    out->convex_radius = random_range(random, GJK_Q16(0.1), GJK_Q16(0.5));
+  }
+  out->pose.rotation = random_rotation(random, 1000, -1000);
+  out->pose.position = random_vector(random, REACH);
+}
+
+static void fail(gjk_status status) {
+  fprintf(stderr, "cost: a pair cannot be made: %s\n", gjk_status_name(status));
+  exit(1);
+}
+
+// The distance, or minus the depth.
+static gjk_q16 signed_distance(const case_pair *pair) {
+  static gjk_epa_cell cells[CELLS];
+  static const gjk_workspace workspace = {cells, CELLS};
+  static case_collider a, b;
+  gjk_distance_result gap;
+  gjk_status status = case_collider_build(&a, &pair->a, false);
+  status = status == GJK_OK ? case_collider_build(&b, &pair->b, false) : status;
+  status = status == GJK_OK ? gjk_signed_distance(&a.collider, &b.collider, NULL, &workspace, &gap) : status;
+  if (status != GJK_OK) {
+    fail(status);
+  }
+  return gap.intersecting && gap.distance == 0 ? -1 : gap.distance;
+}
+
+static bool is_in_family(cost_gap gap, size_t index, gjk_q16 distance) {
+  switch (gap) {
+    case COST_APART: return distance >= CLOSE && distance <= FARTHEST;
+    case COST_CLOSE: return distance > 0 && distance < CLOSE;
+    case COST_EITHER_SIDE: return index % 2 == 0 ? distance > 0 && distance < CLOSE : distance < 0 && distance > -CLOSE;
+    case COST_OVERLAPPING: return distance < 0;
+  }
+  return 0;
+}
+
+// Where B was one step ago.
+static void step_back(random_state *random, case_shape *b) {
+  const gjk_vec3 by = generate_vector(random, GJK_Q16(1.0) / STEP_PARTS);
+  const gjk_quat turn = random_rotation(random, 5, 1000);
+  b->pose.position.x += by.x;
+  b->pose.position.y += by.y;
+  b->pose.position.z += by.z;
+  gjk_quat_compose(&b->pose.rotation, &turn, &b->pose.rotation);
+  gjk_quat_normalize(&b->pose.rotation, &b->pose.rotation);
+}
+
+static void set_vector(gjk_vec3 v, double out[3]) {
+  out[0] = (double)v.x / COST_LSB_PER_UNIT;
+  out[1] = (double)v.y / COST_LSB_PER_UNIT;
+  out[2] = (double)v.z / COST_LSB_PER_UNIT;
+}
+
+static void set_place(const gjk_pose *pose, cost_place *out) {
+  const gjk_quat q = pose->rotation;
+  set_vector(pose->position, out->position);
+  out->rotation[0] = (double)q.x / GJK_Q30_ONE;
+  out->rotation[1] = (double)q.y / GJK_Q30_ONE;
+  out->rotation[2] = (double)q.z / GJK_Q30_ONE;
+  out->rotation[3] = (double)q.w / GJK_Q30_ONE;
+}
+
+static void set_solid(const case_shape *shape, const case_shape *before, cost_kind kind, cost_solid *out) {
+  out->kind = kind;
+  set_vector(shape->size, out->half);
+  out->radius = (double)shape->convex_radius / COST_LSB_PER_UNIT;
+  out->count = shape->count;
+  out->vertices = shape->count > 0 ? allocate(shape->count, sizeof *out->vertices) : NULL;
+  for (size_t i = 0; i < shape->count; i++) {
+    set_vector(shape->vertices[i], out->vertices[i]);
+  }
+  set_place(&shape->pose, &out->at);
+  set_place(&before->pose, &out->before);
+}
+
+static void make_pair(const cost_family *family, random_state *random, size_t index, cost_pair *out) {
+  out->shapes = allocate(1, sizeof *out->shapes);
+  out->before = allocate(1, sizeof *out->before);
+  do {
+    make_shape(random, family->a, family->vertices, &out->shapes->a);
+    make_shape(random, family->b, family->vertices, &out->shapes->b);
+  } while (!is_in_family(family->gap, index, signed_distance(out->shapes)));
+  case_shape_copy(&out->before->a, &out->shapes->a);
+  case_shape_copy(&out->before->b, &out->shapes->b);
+  step_back(random, &out->before->b);
+  set_solid(&out->shapes->a, &out->before->a, family->a, &out->solid[0]);
+  set_solid(&out->shapes->b, &out->before->b, family->b, &out->solid[1]);
+}
+
+cost_pair *cost_pairs_make(const cost_family *family, uint64_t seed, size_t count) {
+  cost_pair *pairs = allocate(count, sizeof *pairs);
+  for (size_t i = 0; i < count; i++) {
+    random_state random = random_seed((seed << 32) + i);
+    make_pair(family, &random, i, &pairs[i]);
+  }
+  return pairs;
+}
+
+void cost_pairs_free(cost_pair *pairs, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    case_pair_free(pairs[i].shapes);
+    case_pair_free(pairs[i].before);
+    free(pairs[i].shapes);
+    free(pairs[i].before);
+    free(pairs[i].solid[0].vertices);
+    free(pairs[i].solid[1].vertices);
+  }
+  free(pairs);
+}
