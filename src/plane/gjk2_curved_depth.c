@@ -33,7 +33,7 @@ static void compare_line(bounds *o, gjk2_vec n, const gjk2_vertex *w, const gjk2
   }
 }
 
-static bool gains_nothing(gjk2_vec n, const gjk2_vertex *p, const gjk2_vertex *x) {
+static bool chord_gains_nothing(gjk2_vec n, const gjk2_vertex *p, const gjk2_vertex *x) {
   return gjk2_dot(n, gjk2_sub(x->w, p->w)) <= (int64_t)(gjk2_norm1(n) >> 3);
 }
 
@@ -56,7 +56,7 @@ static settled settle(bounds *o, const gjk2_vertex *p, const gjk2_vertex *q, int
     o->iterations++;
     gjk2_search_scan(o->s, n, x);
     compare_line(o, n, x, p, q);
-    if (!gains_nothing(n, p, x) && distance + tolerance < o->best) {
+    if (!chord_gains_nothing(n, p, x) && distance + tolerance < o->best) {
       return OPEN;
     }
   }
@@ -95,7 +95,7 @@ static void approach_foot(bounds *o) {
       return;
     }
     gjk2_search_scan(o->s, n, &x);
-    if (gains_nothing(n, &edge->p, &x)) {
+    if (chord_gains_nothing(n, &edge->p, &x)) {
       return;
     }
     if (gjk2_cross(o->s->d, x.w) > 0) {

@@ -171,7 +171,7 @@ GJK_OUT_OF_LINE static bool keep_lower(nearest *n, gjk2_vec step, uint64_t heigh
   return true;
 }
 
-static void set_vertex(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out) {
+static void set_corner(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out) {
   gjk2_copy(&out->w, &w);
   gjk2_copy(&out->of_a, a->at);
   gjk2_copy(&out->of_b, b->at);
@@ -212,7 +212,7 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
     const bool lower =
         (uint64_t)height < gjk_umul32(n.above, gjk2_length_bound(step)) && keep_lower(&n, step, (uint64_t)height);
     if (lower) {
-      set_vertex(&a, &b, w, &edge->p);
+      set_corner(&a, &b, w, &edge->p);
     }
     w = gjk2_add(w, step);
     if (comes >= 0) {
@@ -222,7 +222,7 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
       advance(&b, true);
     }
     if (lower) {
-      set_vertex(&a, &b, w, &edge->q);
+      set_corner(&a, &b, w, &edge->q);
     }
   }
   // A hull with area that has no edge with the origin on its right holds it, and its foot on the nearest edge's line is

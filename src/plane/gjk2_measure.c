@@ -41,7 +41,7 @@ bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest) {
 
 // Is h / |n| at least d + 1/2 (nearest), above d (up), or at least d + 1 (down)?
 //   (d + 1/2)^2 = d (d + 1) + 1/4
-static bool is_beyond(const gjk2_length *length, uint64_t h, uint64_t d, gjk2_round_to to) {
+static bool plane_is_beyond(const gjk2_length *length, uint64_t h, uint64_t d, gjk2_round_to to) {
   const uint64_t squared = length->squared;
   switch (to) {
     case GJK2_ROUND_NEAREST: return gjk2_reaches(h, squared, d * (d + 1), (squared + 3) >> 2);
@@ -52,8 +52,8 @@ static bool is_beyond(const gjk2_length *length, uint64_t h, uint64_t d, gjk2_ro
 }
 
 // The general case.
-GJK_OUT_OF_LINE static int64_t settle_distance(const gjk2_length *length, uint64_t h, uint64_t quotient, unsigned shift,
-                                               gjk2_round_to to) {
+GJK_OUT_OF_LINE static int64_t plane_settle_distance(const gjk2_length *length, uint64_t h, uint64_t quotient,
+                                                     unsigned shift, gjk2_round_to to) {
   if (shift >= 64) {
     return to == GJK2_ROUND_UP && h > 0 ? 1 : 0;  // below 1/2
   }
@@ -64,7 +64,7 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk2_length *length, uint64
   const uint64_t bottom = quotient > error ? quotient - error : 0, top = quotient + error;
   uint64_t low = (bottom >> shift) + (((bottom & mask) + bias) >> shift);
   const uint64_t high = (top >> shift) + (((top & mask) + bias) >> shift);
-  while (low < high && is_beyond(length, h, low, to)) {  // at most 18 steps
+  while (low < high && plane_is_beyond(length, h, low, to)) {  // at most 18 steps
     low++;
   }
   return (int64_t)low;
@@ -84,7 +84,7 @@ int64_t gjk2_round_distance(const gjk2_length *length, uint64_t h, gjk2_round_to
       return biased >> n;
     }
   }
-  return settle_distance(length, h, quotient, shift, to);
+  return plane_settle_distance(length, h, quotient, shift, to);
 }
 
 bool gjk2_is_within(int64_t h, gjk2_vec n, int32_t radius) {

@@ -5,7 +5,7 @@
 //
 //   1. Take the direction d from the feature to O: an integer vector, exact. If it is 0, the origin is a vertex.
 //   2. Where a distance is asked about: stop if the feature is within it, exactly.
-//   3. Support scan: x is the vertex of A - B farthest along d.
+//   3. Support scan_both: x is the vertex of A - B farthest along d.
 //   4. For a yes or no: stop if the line through x across d separates O from A - B.
 //   5. If x is not strictly beyond the feature along d, the feature is the nearest of A - B.
 //   6. Find between which two neighbours in hand x lies: P and Q, counterclockwise P, x, Q.
@@ -45,7 +45,7 @@ static bool is_long(uint64_t x, uint64_t y, unsigned far) {
 }
 
 // A radius of the frame's whole reach settles the question like a larger one.
-#define REACH (INT32_C(3) << 29)
+#define FRAME_REACH (INT32_C(3) << 29)
 
 // The start for centres that may be more than 2^30 apart.
 GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, int64_t radius) {
@@ -63,7 +63,7 @@ GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, int64_t radi
     s->far++;
   }
   const int64_t framed = gjk_sar64(radius, s->far);
-  s->radius = framed < REACH ? (int32_t)framed : REACH;
+  s->radius = framed < FRAME_REACH ? (int32_t)framed : FRAME_REACH;
   s->delta.x = (int32_t)gjk_sar64(x, s->far);
   s->delta.y = (int32_t)gjk_sar64(y, s->far);
   return true;
@@ -87,7 +87,7 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
       return false;
     }
     s->delta = delta;
-    s->radius = radius < REACH ? (int32_t)radius : REACH;
+    s->radius = radius < FRAME_REACH ? (int32_t)radius : FRAME_REACH;
     s->far = 0;
   }
   s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
@@ -103,22 +103,22 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   return true;
 }
 
-static int32_t far_component(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
+static int32_t frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
   return (int32_t)gjk_sar64((int64_t)a - b + offset + ((INT64_C(1) << far) >> 1), far);
 }
 
 // Makes a difference of offsets a vertex of A - B in the frame.
 static inline gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
   if (s->far != 0) {
-    const gjk2_vec w = {far_component(s->a->centre.x, s->b->centre.x, offset.x, s->far),
-                        far_component(s->a->centre.y, s->b->centre.y, offset.y, s->far)};
+    const gjk2_vec w = {frame_far(s->a->centre.x, s->b->centre.x, offset.x, s->far),
+                        frame_far(s->a->centre.y, s->b->centre.y, offset.y, s->far)};
     return w;
   }
   return gjk2_add(s->delta, offset);
 }
 
 // Step 3.
-static inline void scan(const gjk2_search *s, const gjk2_vec *d, gjk2_vertex *out) {
+static inline void scan_both(const gjk2_search *s, const gjk2_vec *d, gjk2_vertex *out) {
   gjk2_support of_a, of_b;
   const gjk2_vec opposite = {-d->x, -d->y};
   s->a->shape->type->support(s->a, d, &of_a);
@@ -131,7 +131,7 @@ static inline void scan(const gjk2_search *s, const gjk2_vec *d, gjk2_vertex *ou
 }
 
 void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
-  scan(s, &d, out);
+  scan_both(s, &d, out);
 }
 
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
@@ -144,7 +144,7 @@ bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex
   return true;
 }
 
-static void exchange(gjk2_vertex **p, gjk2_vertex **q) {
+static void exchange_vertices(gjk2_vertex **p, gjk2_vertex **q) {
   gjk2_vertex *const kept = *p;
   *p = *q;
   *q = kept;
@@ -154,12 +154,12 @@ static void exchange(gjk2_vertex **p, gjk2_vertex **q) {
 static void make_edge(gjk2_search *s, int64_t turn) {
   s->count = 2;
   if (turn < 0) {
-    exchange(&s->first, &s->apex);
-    exchange(&s->last, &s->spare);
+    exchange_vertices(&s->first, &s->apex);
+    exchange_vertices(&s->last, &s->spare);
     s->base = turn;
   } else {
-    exchange(&s->last, &s->apex);
-    exchange(&s->first, &s->spare);
+    exchange_vertices(&s->last, &s->apex);
+    exchange_vertices(&s->first, &s->spare);
     s->base = -turn;
   }
 }
@@ -177,7 +177,7 @@ static void make_apex(gjk2_search *s) {
 }
 
 // Loads the cached vertices as far as they make a feature that O's foot lies on.
-static void load(gjk2_search *s, const gjk2_cache *cache) {
+static void load_cached(gjk2_search *s, const gjk2_cache *cache) {
   if (cache->count < 1 || cache->count > 2 || !gjk2_search_place(s, cache->a[0], cache->b[0], s->apex)) {
     return;
   }
@@ -199,7 +199,7 @@ void gjk2_search_aim(gjk2_search *s, const gjk2_cache *cache) {
       s->d.x = cache->direction[0];
       s->d.y = cache->direction[1];
     }
-    load(s, cache);
+    load_cached(s, cache);
   }
   if ((s->d.x | s->d.y) == 0) {
     s->d.x = 1;
@@ -215,8 +215,8 @@ static bool add_second(gjk2_search *s) {
     make_edge(s, turn);
     return turn == 0 && s->far == 0;
   }
-  exchange(&s->first, &s->apex);
-  exchange(&s->apex, &s->spare);
+  exchange_vertices(&s->first, &s->apex);
+  exchange_vertices(&s->apex, &s->spare);
   gjk2_copy_vertex(s->last, s->first);  // both neighbours are the same
   s->alone = false;
   s->base = -x_squared;
@@ -227,30 +227,30 @@ static bool add_second(gjk2_search *s) {
 static void choose_arc(gjk2_search *s) {
   const gjk2_vec p = s->first->w;  // right of the way from first to apex lies the arc between them
   if (gjk2_cross(gjk2_sub(s->apex->w, p), gjk2_sub(s->spare->w, p)) < 0) {
-    exchange(&s->last, &s->apex);
+    exchange_vertices(&s->last, &s->apex);
   } else {
-    exchange(&s->first, &s->apex);
+    exchange_vertices(&s->first, &s->apex);
   }
 }
 
 // Step 7: adds x, the spare vertex, between first and last. before = first x x and after = x x last are base of the new
 // edges; O lies outside of those below 0. True: the origin lies in the simplex.
-static inline bool add_vertex(gjk2_search *s, int64_t before, int64_t after) {
+static inline bool add_support(gjk2_search *s, int64_t before, int64_t after) {
   const gjk2_vec p = s->first->w, x = s->spare->w, q = s->last->w;
   const int64_t x_squared = gjk2_dot(x, x);
   if (before < 0 && is_ahead(x, p, x_squared)) {
-    exchange(&s->last, &s->spare);
+    exchange_vertices(&s->last, &s->spare);
     s->count = 2;
     s->base = before;
     return false;
   }
   if (after < 0 && is_ahead(x, q, x_squared)) {
-    exchange(&s->first, &s->spare);
+    exchange_vertices(&s->first, &s->spare);
     s->count = 2;
     s->base = after;
     return false;
   }
-  exchange(&s->apex, &s->spare);
+  exchange_vertices(&s->apex, &s->spare);
   s->alone = false;
   s->base = -x_squared;
   if (before >= 0 && after >= 0 && gjk2_cross(q, p) >= 0) {
@@ -268,7 +268,7 @@ static inline bool gains_nothing(const gjk2_search *s, int64_t gain) {
 }
 
 // Step 4. along < 0: is the line through x more than radius away from O?
-static bool is_separating(const gjk2_search *s) {
+static bool line_separates(const gjk2_search *s) {
   return s->radius == 0 || !gjk2_is_within(-s->along, s->d, s->radius);
 }
 
@@ -402,7 +402,7 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       }
     }
     s->iterations = (uint16_t)(s->iterations + (s->iterations < UINT16_MAX));
-    scan(s, &s->d, s->spare);  // Step 3
+    scan_both(s, &s->d, s->spare);  // Step 3
     if (s->count == 2) {
       before = gjk2_cross(s->first->w, s->spare->w);
       after = gjk2_cross(s->spare->w, s->last->w);
@@ -410,14 +410,14 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
     } else {
       s->along = gjk2_dot(s->d, s->spare->w);
     }
-    if (s->along < 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH) && is_separating(s)) {  // Step 4
+    if (s->along < 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH) && line_separates(s)) {  // Step 4
       return GJK2_OUTCOME_SEPARATED;
     }
     if (s->count != 0 && gains_nothing(s, s->along - s->base)) {  // Step 5
       return GJK2_OUTCOME_NEAREST;
     }
     if (s->count == 0 || s->warm) {  // what the cache holds need not lie on the boundary: begin anew with x, which does
-      exchange(&s->apex, &s->spare);
+      exchange_vertices(&s->apex, &s->spare);
       make_apex(s);
       s->warm = false;
       if (s->walks && limit == gjk2_search_limit(s)) {
@@ -438,7 +438,7 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
         before = gjk2_cross(s->first->w, s->spare->w);
         after = gjk2_cross(s->spare->w, s->last->w);
       }
-      encloses = add_vertex(s, before, after);  // Step 7
+      encloses = add_support(s, before, after);  // Step 7
     }
     if (encloses) {
       return GJK2_OUTCOME_ENCLOSING;
