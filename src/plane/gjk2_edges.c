@@ -130,12 +130,12 @@ bool gjk2_edge_is_lower(const gjk2_edge *edge, uint64_t height, const gjk2_lengt
 }
 
 // The nearest edge so far.
-typedef struct nearest {
+typedef struct nearest_so_far {
   gjk2_edge *edge;
   uint64_t low, high;  // bounds of its distance, 2^-32 LSB
   uint32_t above;      // LSB, not below its distance
   bool found;
-} nearest;
+} nearest_so_far;
 
 // Bounds of height / |length| in 2^-32 LSB. Pre: it is below 2^31.
 static void bound_height(const gjk2_length *length, uint64_t height, uint64_t *low, uint64_t *high) {
@@ -154,7 +154,7 @@ static void bound_height(const gjk2_length *length, uint64_t height, uint64_t *l
 }
 
 // Step 4 for the edge by step from w, the vertex of A - B at a and b. Returns whether it is the nearest so far.
-GJK_OUT_OF_LINE static bool keep_lower(nearest *n, gjk2_vec step, uint64_t height) {
+GJK_OUT_OF_LINE static bool keep_lower(nearest_so_far *n, gjk2_vec step, uint64_t height) {
   gjk2_length length;
   uint64_t low, high;
   gjk2_length_set(&length, step);
@@ -191,7 +191,7 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
   start_rim(&a, s->a, false, begin);
   start_rim(&b, s->b, true, begin);
   gjk2_vec step = {-begin.y, begin.x}, w = gjk2_add(s->delta, gjk2_sub(*a.at, *b.at));
-  nearest n = {edge, 0, 0, UINT32_MAX, false};
+  nearest_so_far n = {edge, 0, 0, UINT32_MAX, false};
   for (;;) {  // at most once for each edge of A and of B
     const int64_t turn = gjk2_cross(a.step, b.step);
     int comes = turn > 0 ? 1 : -1;

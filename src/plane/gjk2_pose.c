@@ -38,12 +38,14 @@ gjk_status gjk2_rotation_normalize(const gjk2_rotation *r, gjk2_rotation *out) {
   const uint32_t root = gjk_reciprocal_root((uint32_t)((half << zeros) >> 32));
   const unsigned down = 2 - zeros / 2;
   // c root = 2^62.5 2^(-zeros/2) c / |r|; times 1 / sqrt(2), Q32, it is 2^62 2^(-zeros / 2) c / |r|.
-  const uint32_t diagonal = UINT32_C(3037000500);  // 2^32 / sqrt(2)
+  const uint32_t half_root = UINT32_C(3037000500);  // 2^32 / sqrt(2)
   const uint64_t high_c = gjk_umul32(c, root), high_s = gjk_umul32(s, root);
   const uint64_t pc =
-      (gjk_umul32((uint32_t)(high_c >> 32), diagonal) + gjk_umulh32((uint32_t)(high_c & UINT32_MAX), diagonal)) >> down;
+      (gjk_umul32((uint32_t)(high_c >> 32), half_root) + gjk_umulh32((uint32_t)(high_c & UINT32_MAX), half_root)) >>
+      down;
   const uint64_t ps =
-      (gjk_umul32((uint32_t)(high_s >> 32), diagonal) + gjk_umulh32((uint32_t)(high_s & UINT32_MAX), diagonal)) >> down;
+      (gjk_umul32((uint32_t)(high_s >> 32), half_root) + gjk_umulh32((uint32_t)(high_s & UINT32_MAX), half_root)) >>
+      down;
   // (pc, ps) is a unit in Q60 but for the errors of root and diagonal, below 2^-29: |off| below 2^32.
   const int32_t excess = gjk2_excess(plane_excess_q60(pc, ps));
   out->c = signed_like((int64_t)pc, excess, r->c);

@@ -273,23 +273,23 @@ static bool line_separates(const gjk2_search *s) {
 }
 
 // The walk, from the first vertex: see the head of this file. LIMIT: it cannot tell.
-typedef struct walk {
+typedef struct boundary_walk {
   gjk2_support a, b;            // of the vertex
   gjk2_support next_a, next_b;  // those that follow, or precede
   gjk2_vec step_a, step_b;      // the edges of A and of -B that lead there
-} walk;
+} boundary_walk;
 
-static void step_of_a(const gjk2_search *s, bool following, walk *k) {
+static void step_of_a(const gjk2_search *s, bool following, boundary_walk *k) {
   s->a->shape->type->adjacent(s->a, k->a.vertex, following, &k->next_a);
   k->step_a = gjk2_sub(k->next_a.offset, k->a.offset);
 }
 
-static void step_of_b(const gjk2_search *s, bool following, walk *k) {
+static void step_of_b(const gjk2_search *s, bool following, boundary_walk *k) {
   s->b->shape->type->adjacent(s->b, k->b.vertex, following, &k->next_b);
   k->step_b = gjk2_sub(k->b.offset, k->next_b.offset);
 }
 
-static void set_vertex(const walk *k, gjk2_vec w, gjk2_vertex *out) {
+static void set_vertex(const boundary_walk *k, gjk2_vec w, gjk2_vertex *out) {
   gjk2_copy(&out->w, &w);
   gjk2_copy(&out->of_a, &k->a.offset);
   gjk2_copy(&out->of_b, &k->b.offset);
@@ -299,7 +299,7 @@ static void set_vertex(const walk *k, gjk2_vec w, gjk2_vertex *out) {
 
 // The walk one way round. LIMIT: the first step leads no nearer (s->base >= 0), or O lies inside of its line.
 static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
-  walk k;
+  boundary_walk k;
   gjk2_vertex *const here = s->apex;
   gjk2_copy(&k.a.offset, &here->of_a);
   k.a.vertex = here->a;
