@@ -71,6 +71,7 @@ const gjk2_shape_class gjk2_class_point = {
     .support = support_point,
     .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
+    .depth = NULL,
     .buffered = false,
     .count = 1,
 };
@@ -81,6 +82,7 @@ const gjk2_shape_class gjk2_class_segment = {
     .support = support_segment,
     .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
+    .depth = NULL,
     .buffered = false,
     .count = 2,
 };
@@ -91,6 +93,7 @@ const gjk2_shape_class gjk2_class_box = {
     .support = support_box,
     .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
+    .depth = NULL,
     .buffered = false,
     .count = 4,
 };

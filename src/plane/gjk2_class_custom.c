@@ -1,5 +1,6 @@
 // A user's own shape of the plane, by its support function.
 #include "gjk2_curved.h"
+#include "gjk2_curved_depth.h"
 
 static gjk_status measure_plane_custom(const gjk2_shape *shape, gjk2_extent *out) {
   const gjk2_vec origin = {0, 0};
@@ -42,6 +43,7 @@ const gjk2_shape_class gjk2_class_custom = {
     .support = support_plane_custom,
     .vertex = NULL,
     .adjacent = NULL,
+    .depth = gjk2_curved_depth,
     .buffered = false,
     .count = 0,
 };

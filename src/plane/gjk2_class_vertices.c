@@ -230,6 +230,7 @@ const gjk2_shape_class gjk2_class_triangle = {
     .support = support_triangle,
     .vertex = vertex_triangle,
     .adjacent = adjacent_vertices,
+    .depth = NULL,
     .buffered = false,
     .count = 3,
 };
@@ -240,6 +241,7 @@ const gjk2_shape_class gjk2_class_polygon = {
     .support = support_polygon,
     .vertex = vertex_polygon,
     .adjacent = adjacent_vertices,
+    .depth = NULL,
     .buffered = true,
     .count = 0,
 };

@@ -17,7 +17,6 @@
 #include "gjk2/penetration.h"
 
 #include "../arith/gjk_memory.h"
-#include "gjk2_curved_depth.h"
 #include "gjk2_edges.h"
 #include "gjk2_outward.h"
 #include "gjk2_report.h"
@@ -109,7 +108,8 @@ static void report_anywhere(plane_overlap *o, gjk2_penetration_result *out) {
 static gjk_status report_curved(plane_overlap *o, gjk2_penetration_result *out) {
   gjk2_search *s = &o->s;
   int64_t lower;
-  const bool settled = gjk2_curved_depth(s, &o->edge, &lower, &s->iterations);
+  const gjk2_shape_class *of_a = s->a->shape->type, *of_b = s->b->shape->type;
+  const bool settled = (of_a->depth != NULL ? of_a : of_b)->depth(s, &o->edge, &lower, &s->iterations);
   const int64_t core = gjk2_round_distance(&o->edge.length, (uint64_t)o->edge.height, GJK2_ROUND_UP);
   report(o, &o->edge.p, &o->edge.q, &o->edge.length, s->d, o->edge.height, core, out);
   const int64_t least = lower + gjk2_convex_radii(s) - GJK2_CURVED_ERROR;

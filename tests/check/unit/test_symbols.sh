@@ -54,8 +54,8 @@ little_stack() {
 }
 
 # Most bytes of stack of a distance and of contacts in the plane.
-PLANE_DISTANCE_LIMIT=608
-PLANE_CONTACTS_LIMIT=1024
+PLANE_DISTANCE_LIMIT=672
+PLANE_CONTACTS_LIMIT=1440
 
 little_plane_stack() {
   stack "$1" 'gjk2_intersect gjk2_within gjk2_distance' |
