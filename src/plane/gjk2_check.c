@@ -44,9 +44,9 @@ static bool load_named(gjk2_search *s, const gjk2_certificate *certificate, unsi
 }
 
 // Does the origin's foot on the edge from p to q lie between them?
-static bool has_foot(gjk2_vec p, gjk2_vec q) {
-  const gjk2_vec edge = gjk2_sub(q, p);
-  return gjk2_dot(p, edge) < 0 && gjk2_dot(q, edge) > 0;
+static bool has_foot(const gjk2_vec *p, const gjk2_vec *q) {
+  const gjk2_vec edge = gjk2_sub(*q, *p);
+  return gjk2_dot(*p, edge) < 0 && gjk2_dot(*q, edge) > 0;
 }
 
 // Makes one or two named vertices the feature: its direction d and base. False: they are no feature, or at the origin.
@@ -54,16 +54,16 @@ static bool plane_set_feature(gjk2_search *s, const gjk2_certificate *certificat
   if (!load_named(s, certificate, 2)) {
     return false;
   }
-  const gjk2_vec p = s->slot[0].w;
+  const gjk2_vec *p = &s->slot[0].w;
   s->count = certificate->count;
   if (s->count == 1) {
-    s->d = gjk2_negate(p);
-    s->base = -gjk2_dot(p, p);
+    s->d = gjk2_negate(*p);
+    s->base = -gjk2_dot(*p, *p);
     return s->base < 0;
   }
-  const gjk2_vec q = s->slot[1].w;
-  s->d = gjk2_outward(gjk2_sub(q, p));
-  s->base = gjk2_cross(p, q);
+  const gjk2_vec *q = &s->slot[1].w;
+  s->d = gjk2_outward(gjk2_sub(*q, *p));
+  s->base = gjk2_cross(*p, *q);
   return s->base < 0 && has_foot(p, q);
 }
 
@@ -101,18 +101,19 @@ static bool plane_proves_near(gjk2_search *s, const gjk2_certificate *certificat
     gjk2_copy_vertex(&s->slot[0], &s->slot[1]);
     gjk2_copy_vertex(&s->slot[1], &s->slot[2]);
   }
-  const gjk2_vec p = s->slot[0].w, q = s->slot[1].w;
+  const gjk2_vec *p = &s->slot[0].w, *q = &s->slot[1].w;
   if (certificate->count == 1) {
-    const gjk2_vec d = gjk2_negate(p);
-    return gjk2_norm1(p) == 0 || gjk2_is_within(gjk2_dot(d, d), d, s->radius);
+    const gjk2_vec d = gjk2_negate(*p);
+    return gjk2_norm1(*p) == 0 || gjk2_is_within(gjk2_dot(d, d), d, s->radius);
   }
-  return has_foot(p, q) && gjk2_is_within(-gjk2_cross(p, q), gjk2_outward(gjk2_sub(q, p)), s->radius);
+  return has_foot(p, q) && gjk2_is_within(-gjk2_cross(*p, *q), gjk2_outward(gjk2_sub(*q, *p)), s->radius);
 }
 
 // Step 2: does the line across direction keep all of A - B more than radius away from the origin?
 //   direction   components beyond 3 2^29 and lengths from 2^31 on are never reported
 //   along       |d| < 2^31, |w| <= 3 2^29:   below 2^62
-static bool direction_separates(const gjk2_search *s, gjk2_vec d, int64_t radius) {
+static bool direction_separates(const gjk2_search *s, const gjk2_vec *direction, int64_t radius) {
+  const gjk2_vec d = {direction->x, direction->y};
   const uint32_t limit = UINT32_C(3) << 29;
   if (gjk_magnitude32(d.x) > limit || gjk_magnitude32(d.y) > limit || (uint64_t)gjk2_dot(d, d) >= UINT64_C(1) << 62 ||
       radius > INT32_MAX) {
@@ -124,7 +125,7 @@ static bool direction_separates(const gjk2_search *s, gjk2_vec d, int64_t radius
 
 static bool plane_is_apart(gjk2_search *s, const gjk2_certificate *certificate, int64_t radius) {
   if (certificate->proof == GJK2_PROOF_DIRECTION) {
-    return direction_separates(s, certificate->direction, radius);
+    return direction_separates(s, &certificate->direction, radius);
   }
   return certificate->proof == GJK2_PROOF_NEAREST && plane_is_nearest(s, certificate) &&
          !gjk2_is_within(-s->base, s->d, s->radius);
@@ -244,9 +245,9 @@ static bool plane_is_depth(gjk2_search *s, const gjk2_penetration_result *result
   if (c->count != 2 || !load_named(s, c, 2)) {
     return false;
   }
-  const gjk2_vec p = s->slot[0].w, q = s->slot[1].w;
-  *n = gjk2_outward(gjk2_sub(q, p));
-  *height = gjk2_cross(p, q);
+  const gjk2_vec *p = &s->slot[0].w, *q = &s->slot[1].w;
+  *n = gjk2_outward(gjk2_sub(*q, *p));
+  *height = gjk2_cross(*p, *q);
   if (gjk2_norm1(*n) == 0 || *height < 0 || support(s, *n) != *height || !cores_intersect(s)) {
     return false;
   }

@@ -165,8 +165,8 @@ static void make_edge(gjk2_search *s, int64_t turn) {
 }
 
 // Does the origin's foot on the line through x and p lie on p's side of x?
-static bool is_ahead(gjk2_vec x, gjk2_vec p, int64_t x_squared) {
-  return x_squared > gjk2_dot(x, p);
+static bool is_ahead(const gjk2_vec *x, const gjk2_vec *p, int64_t x_squared) {
+  return x_squared > gjk2_dot(*x, *p);
 }
 
 // The vertex apex, without neighbours.
@@ -186,7 +186,7 @@ static void load_cached(gjk2_search *s, const gjk2_cache *cache) {
   if (cache->count == 2 && gjk2_search_place(s, cache->a[1], cache->b[1], s->spare)) {
     const gjk2_vec p = s->apex->w, q = s->spare->w;
     const int64_t turn = gjk2_cross(p, q);
-    if (turn != 0 && is_ahead(p, q, gjk2_dot(p, p)) && is_ahead(q, p, gjk2_dot(q, q))) {
+    if (turn != 0 && is_ahead(&p, &q, gjk2_dot(p, p)) && is_ahead(&q, &p, gjk2_dot(q, q))) {
       make_edge(s, turn);
     }
   }
@@ -210,7 +210,7 @@ void gjk2_search_aim(gjk2_search *s, const gjk2_cache *cache) {
 static bool add_second(gjk2_search *s) {
   const gjk2_vec p = s->apex->w, x = s->spare->w;
   const int64_t x_squared = gjk2_dot(x, x);
-  if (is_ahead(x, p, x_squared)) {
+  if (is_ahead(&x, &p, x_squared)) {
     const int64_t turn = gjk2_cross(p, x);
     make_edge(s, turn);
     return turn == 0 && s->far == 0;
@@ -238,13 +238,13 @@ static void choose_arc(gjk2_search *s) {
 static inline bool add_support(gjk2_search *s, int64_t before, int64_t after) {
   const gjk2_vec p = s->first->w, x = s->spare->w, q = s->last->w;
   const int64_t x_squared = gjk2_dot(x, x);
-  if (before < 0 && is_ahead(x, p, x_squared)) {
+  if (before < 0 && is_ahead(&x, &p, x_squared)) {
     exchange_vertices(&s->last, &s->spare);
     s->count = 2;
     s->base = before;
     return false;
   }
-  if (after < 0 && is_ahead(x, q, x_squared)) {
+  if (after < 0 && is_ahead(&x, &q, x_squared)) {
     exchange_vertices(&s->first, &s->spare);
     s->count = 2;
     s->base = after;
@@ -363,10 +363,12 @@ static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal) {
   if (gjk2_norm1(w) == 0) {
     return GJK2_OUTCOME_ENCLOSING;
   }
-  gjk2_outcome outcome = walk_round(s, goal, true);
+  // The way to O's side is likely the shorter one.
+  const bool following = gjk2_cross(s->d, w) <= 0;
+  gjk2_outcome outcome = walk_round(s, goal, following);
   if (outcome == GJK2_OUTCOME_LIMIT) {
     const int64_t ahead = s->base;
-    outcome = walk_round(s, goal, false);
+    outcome = walk_round(s, goal, !following);
     // No way leads nearer. Where w lies within an edge, straight across from O, O may be on its inside.
     if (outcome == GJK2_OUTCOME_LIMIT && ahead >= 0 && s->base >= 0 && (ahead | s->base) != 0) {
       outcome = GJK2_OUTCOME_NEAREST;
