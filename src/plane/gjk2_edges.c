@@ -9,7 +9,7 @@ typedef struct rim {
   const gjk2_vec *at, *next;     // two corners
   const gjk2_vec *corner, *end;  // the list of all, counterclockwise; NULL: the vertices are in no order, or lazy
   gjk2_vec step;                 // from at to next; of B its negative
-  uint16_t left;                 // edges to come; without a list 0 once round, else 1
+  uint32_t left;                 // edges to come; without a list 0 once round, else 1
   uint16_t first;                // without a list: the number of the first corner
   gjk2_vec own[4];               // the list of a box's corners
   gjk2_support corner_at, corner_next;  // without a list: what at and next point to
@@ -89,7 +89,7 @@ static void start_rim(rim *r, const gjk2_collider *c, bool opposite, gjk2_vec d)
     return;
   }
   const uint16_t number = r->corner_next.vertex;
-  r->left = (uint16_t)(c->count + 1);
+  r->left = c->count + UINT32_C(1);
   r->end = r->corner + c->count;
   r->next = r->corner + (r->corner == r->own ? box_index[number] : number);
   advance(r, opposite);
@@ -201,7 +201,8 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
       }
       comes = order_parallel(&a, &b, step);
     }
-    step = comes > 0 ? a.step : comes < 0 ? b.step : gjk2_add(a.step, b.step);
+    step.x = (comes >= 0 ? a.step.x : 0) + (comes <= 0 ? b.step.x : 0);
+    step.y = (comes >= 0 ? a.step.y : 0) + (comes <= 0 ? b.step.y : 0);
     const int64_t height = gjk2_cross(w, step);
     if (height < 0) {  // Step 3
       s->d = gjk2_outward(step);
