@@ -180,10 +180,10 @@ static void set_corner(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out)
 }
 
 gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
-  // Step 1. The nearest edge mostly lies towards the other centre. Start an eighth of a turn before it: an edge that
+  // Step 1. The nearest edge mostly lies towards the other centre. Start 27 degrees before it: an edge that
   // separates comes soon then, and few edges lie lower than those before them.
   const gjk2_vec d = gjk2_negate(s->delta);
-  gjk2_vec begin = {d.x + d.y, d.y - d.x};
+  gjk2_vec begin = {d.x + gjk_sar32(d.y, 1), d.y - gjk_sar32(d.x, 1)};
   if ((begin.x | begin.y) == 0) {
     begin.x = 1;
   }

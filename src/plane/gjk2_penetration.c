@@ -16,7 +16,6 @@
 //   normal   within 2^-29, then outward
 #include "gjk2/penetration.h"
 
-#include "../arith/gjk_memory.h"
 #include "gjk2_edges.h"
 #include "gjk2_outward.h"
 #include "gjk2_report.h"
@@ -236,7 +235,14 @@ static void plane_report_signed(const gjk2_penetration_result *overlapping, gjk2
   out->intersecting = true;
   out->saturated = false;
   out->iterations = overlapping->iterations;
-  gjk_copy(&out->certificate, &overlapping->certificate, sizeof out->certificate);
+  const gjk2_certificate *c = &overlapping->certificate;
+  gjk2_copy(&out->certificate.direction, &c->direction);
+  out->certificate.count = c->count;
+  out->certificate.proof = c->proof;
+  for (unsigned i = 0; i < c->count; i++) {
+    out->certificate.a[i] = c->a[i];
+    out->certificate.b[i] = c->b[i];
+  }
 }
 
 static gjk_status report_limit(gjk2_search *s, gjk2_distance_result *out) {
