@@ -361,6 +361,7 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
 static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal) {
   const gjk2_vec w = s->apex->w;
   if (gjk2_norm1(w) == 0) {
+    make_apex(s);
     return GJK2_OUTCOME_ENCLOSING;
   }
   // The way to O's side is likely the shorter one.
@@ -420,14 +421,15 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
     }
     if (s->count == 0 || s->warm) {  // what the cache holds need not lie on the boundary: begin anew with x, which does
       exchange_vertices(&s->apex, &s->spare);
-      make_apex(s);
       s->warm = false;
       if (s->walks && limit == gjk2_search_limit(s)) {
+        s->walks = false;
         const gjk2_outcome outcome = walk_on(s, goal);
         if (outcome != GJK2_OUTCOME_LIMIT) {
           return outcome;
         }
-        s->walks = false;
+      } else {
+        make_apex(s);
       }
       continue;
     }

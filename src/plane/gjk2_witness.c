@@ -18,8 +18,8 @@ static inline gjk_q16 plane_coordinate(int32_t u, int32_t v, int32_t weight, gjk
 }
 
 // A point of one shape. toward: 1 for A, which the normal leads away from, -1 for B.
-GJK_OUT_OF_LINE static void report_point(const gjk2_collider *c, const gjk2_vec *p, const gjk2_vec *q, int32_t weight,
-                                         const gjk2_unit *normal, int toward, gjk2_vec *point, bool *saturated) {
+GJK_ONCE static void report_point(const gjk2_collider *c, const gjk2_vec *p, const gjk2_vec *q, int32_t weight,
+                                  const gjk2_unit *normal, int toward, gjk2_vec *point, bool *saturated) {
   const gjk_q16 convex_radius = toward * c->shape->convex_radius;
   point->x = plane_coordinate(p->x, q->x, weight, c->centre.x, normal->x, convex_radius, saturated);
   point->y = plane_coordinate(p->y, q->y, weight, c->centre.y, normal->y, convex_radius, saturated);
