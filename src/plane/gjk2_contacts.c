@@ -194,9 +194,10 @@ static void plane_clip(const plane_side *of_a, const plane_side *of_b, gjk2_vec 
     return;
   }
   gjk2_contact *c = out->contact;
-  out->count = candidate_at(of_a, of_b, low, slack, origin, margin, &out->normal, &c[0]);
-  out->count =
-      (uint8_t)(out->count + candidate_at(of_a, of_b, high, slack, origin, margin, &out->normal, &c[out->count]));
+  // avr-gcc 5.4 at -Os spoils the pointer to the normal where the call itself holds &c[out->count].
+  out->count = candidate_at(of_a, of_b, low, slack, origin, margin, &out->normal, c);
+  gjk2_contact *const free_place = out->count == 0 ? c : c + 1;
+  out->count = (uint8_t)(out->count + candidate_at(of_a, of_b, high, slack, origin, margin, &out->normal, free_place));
   if (out->count == 2 && c[0].id == c[1].id) {
     keep_better(c);
     out->count = 1;
