@@ -207,6 +207,23 @@ build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flag
 	@echo '  $@'
 	@$(if $(SCENE_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(SCENE_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
+# Decisions and costs in the plane. PLANE_PEERS: other libraries to measure, out of box2d and chipmunk.
+PLANE_PEERS ?=
+PLANE := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/plane/*.c)) $(PLANE_PEERS:%=build/hosted/tests/measure/plane/peer/%.o)
+PLANE_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(DEPENDENCIES)
+
+build/hosted/plane-peers.flags: FORCE
+	$(call FLAGS,$(CC) $(PLANE_PEERS) $(if $(PLANE_PEERS),$(PLANE_COMPILE)))
+
+build/hosted/tests/measure/plane/peer/%.o: tests/measure/plane/peer/%.cpp build/hosted/plane-peers.flags Makefile
+	@mkdir -p $(@D)
+	@echo '  $<'
+	@$(PLANE_COMPILE) -c $< -o $@
+
+build/gjk-plane: $(PLANE) $(SUPPORT) $(HOST_LIB) build/hosted/plane-peers.flags
+	@echo '  $@'
+	@$(if $(PLANE_PEERS),$(CXX),$(CC)) $(filter %.o,$^) $(HOST_LIB) $(PLANE_PEERS:%=-l%) -lm -o $@
+
 build/gjk-bench-report: $(BENCH_REPORT)
 	@echo '  $@'
 	@$(CC) $^ -lm -o $@

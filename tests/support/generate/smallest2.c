@@ -136,7 +136,11 @@ static void make(random_state *random, unsigned bits, int64_t radius, bool acros
 }
 
 void generate2_smallest(random_state *random, case2_pair *pair) {
-  make(random, 14 + random_below(random, 14), 0, false, pair);
+  generate2_smallest_bits(random, 14 + random_below(random, 14), pair);
+}
+
+void generate2_smallest_bits(random_state *random, unsigned bits, case2_pair *pair) {
+  make(random, bits, 0, false, pair);
 }
 
 void generate2_smallest_edges(random_state *random, case2_pair *pair) {

@@ -7,6 +7,9 @@
 // A vertex against an edge.
 void generate2_smallest(random_state *random, case2_pair *pair);
 
+// The same, edges of about so many bits, 14 to 27.
+void generate2_smallest_bits(random_state *random, unsigned bits, case2_pair *pair);
+
 // Parallel edges.
 void generate2_smallest_edges(random_state *random, case2_pair *pair);
 
