@@ -207,9 +207,10 @@ build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flag
 	@echo '  $@'
 	@$(if $(SCENE_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(SCENE_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
-# Decisions and costs in the plane. PLANE_PEERS: other libraries to measure, out of box2d and chipmunk.
+# Decisions and costs in the plane. PLANE_PEERS: other libraries to measure, out of box2d and chipmunk; -alone: none.
 PLANE_PEERS ?=
-PLANE := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/plane/*.c)) $(PLANE_PEERS:%=build/hosted/tests/measure/plane/peer/%.o)
+PLANE := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/plane/*.c))
+PLANE_PEER_OBJECTS := $(PLANE_PEERS:%=build/hosted/tests/measure/plane/peer/%.o)
 PLANE_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(DEPENDENCIES)
 
 build/hosted/plane-peers.flags: FORCE
@@ -220,9 +221,13 @@ build/hosted/tests/measure/plane/peer/%.o: tests/measure/plane/peer/%.cpp build/
 	@echo '  $<'
 	@$(PLANE_COMPILE) -c $< -o $@
 
-build/gjk-plane: $(PLANE) $(SUPPORT) $(HOST_LIB) build/hosted/plane-peers.flags
+build/gjk-plane: $(PLANE) $(PLANE_PEER_OBJECTS) $(SUPPORT) $(HOST_LIB) build/hosted/plane-peers.flags
 	@echo '  $@'
 	@$(if $(PLANE_PEERS),$(CXX),$(CC)) $(filter %.o,$^) $(HOST_LIB) $(PLANE_PEERS:%=-l%) -lm -o $@
+
+build/gjk-plane-alone: $(PLANE) $(SUPPORT) $(HOST_LIB)
+	@echo '  $@'
+	@$(CC) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
 build/gjk-bench-report: $(BENCH_REPORT)
 	@echo '  $@'
@@ -271,7 +276,7 @@ setup:
 
 unit-tests: $(UNIT_TESTS)
 
-test: all unit-tests build/scene-bench build/lockstep build/gjk-demo-stack $(filter setup,$(MAKECMDGOALS))
+test: all unit-tests build/scene-bench build/gjk-plane-alone build/lockstep build/gjk-demo-stack $(filter setup,$(MAKECMDGOALS))
 	@sh tests/build/run-tests.sh build $(UNIT_TESTS) $(TEST_SCRIPTS)
 
 demo: build/gjk-demo

@@ -14,13 +14,26 @@ static gjk_status measure_plane_axes(const gjk2_shape *shape, gjk2_extent *out) 
   return GJK_OK;
 }
 
-static void pose_axes(gjk2_collider *c, const gjk2_vec *rotation) {
+static inline void pose_axes(gjk2_collider *c, const gjk2_vec *rotation, gjk_q16 half_x, gjk_q16 half_y) {
   static const int8_t none[2] = {0, 0};
-  const gjk2_vec x = {c->shape->size.x, 0}, y = {0, c->shape->size.y};
+  const gjk2_vec x = {half_x, 0}, y = {0, half_y};
   c->frame[0] = gjk2_rotate_onto(rotation, x, none);
   c->frame[1] = gjk2_rotate_onto(rotation, y, none);
   // Rounding may turn the axes of a box of a few LSB over, or into one line.
   c->ordered = gjk2_cross(c->frame[0], c->frame[1]) > 0;
+}
+
+static void pose_plane_box(gjk2_collider *c, const gjk2_vec *rotation) {
+  pose_axes(c, rotation, c->shape->size.x, c->shape->size.y);
+}
+
+// A segment has no size.y and a point no size, whatever the fields hold.
+static void pose_plane_segment(gjk2_collider *c, const gjk2_vec *rotation) {
+  pose_axes(c, rotation, c->shape->size.x, 0);
+}
+
+static void pose_plane_point(gjk2_collider *c, const gjk2_vec *rotation) {
+  pose_axes(c, rotation, 0, 0);
 }
 
 static void support_point(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
@@ -67,7 +80,7 @@ static void adjacent_axes(const gjk2_collider *c, uint16_t number, bool followin
 
 const gjk2_shape_class gjk2_class_point = {
     .measure = measure_plane_axes,
-    .pose = pose_axes,
+    .pose = pose_plane_point,
     .support = support_point,
     .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
@@ -78,7 +91,7 @@ const gjk2_shape_class gjk2_class_point = {
 
 const gjk2_shape_class gjk2_class_segment = {
     .measure = measure_plane_axes,
-    .pose = pose_axes,
+    .pose = pose_plane_segment,
     .support = support_segment,
     .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
@@ -89,7 +102,7 @@ const gjk2_shape_class gjk2_class_segment = {
 
 const gjk2_shape_class gjk2_class_box = {
     .measure = measure_plane_axes,
-    .pose = pose_axes,
+    .pose = pose_plane_box,
     .support = support_box,
     .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,

@@ -9,9 +9,11 @@ build=$1
 pairs=${2:-20000}
 mkdir -p "$build/bench"
 find_plane_peers >&2
-make -s build/gjk-plane PLANE_PEERS="$plane_peers" >"$build/bench/plane.log" 2>&1 ||
+program=build/gjk-plane
+[ -z "$WITHOUT_PEERS" ] || program=build/gjk-plane-alone
+make -s $program PLANE_PEERS="$plane_peers" >"$build/bench/plane.log" 2>&1 ||
   { cat "$build/bench/plane.log" >&2; exit 1; }
-build/gjk-plane decisions "$pairs" | awk -F, '
+$program decisions "$pairs" | awk -F, '
   BEGIN {
     columns = split("gjk;double;Box2D;Chipmunk", method, ";")
     title["gjk"] = "gjk2"

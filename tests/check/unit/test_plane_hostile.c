@@ -248,11 +248,38 @@ static void check_ties(plane_body *pair) {
   CHECK(out.intersecting && out.depth == 0);
 }
 
+// Sizes that a segment or a point does not have, in a shape that no initialiser made, are not looked at.
+static void check_stray_sizes(plane_body pair[2]) {
+  const gjk2_shape shapes[2] = {GJK2_SEGMENT(5000), GJK2_CIRCLE(700)};
+  for (int kind = 0; kind < 2; kind++) {
+    gjk2_penetration_result out[2];
+    gjk2_aabb box[2];
+    for (int stray = 0; stray < 2; stray++) {
+      const gjk2_shape segment = GJK2_SEGMENT(3000);
+      pair[0].shape = shapes[kind];
+      pair[0].shape.size.y = stray * 900;
+      pair[0].shape.size.x += kind == 1 ? stray * 900 : 0;
+      pair[1].shape = segment;
+      const gjk2_pose at[2] = {{{0, 0}, {GJK_Q30_ONE, 0}}, {{100, 200}, {0, GJK_Q30_ONE}}};
+      for (int i = 0; i < 2; i++) {
+        pair[i].pose = at[i];
+        plane_place(&pair[i], false);
+      }
+      CHECK(gjk2_collider_aabb(&pair[0].collider, &box[stray]) == GJK_OK);
+      CHECK(gjk2_penetration(&pair[0].collider, &pair[1].collider, NULL, &out[stray]) == GJK_OK);
+      CHECK(gjk2_check_penetration(&pair[0].collider, &pair[1].collider, &out[stray]) == GJK_OK);
+    }
+    CHECK(out[0].intersecting && out[0].depth > 0 && out[1].depth == out[0].depth);
+    CHECK(box[0].lower.x == box[1].lower.x && box[0].lower.y == box[1].lower.y);
+  }
+}
+
 int main(void) {
   static plane_body pair[2];
   const int32_t sizes[] = {1, 2, 3, 8, 40, 1000, 65536, 1 << 22, 1 << 26};
   const uint64_t seed = check_seed(SEED);
   check_ties(pair);
+  check_stray_sizes(pair);
   check_refused(&pair[0].collider, &pair[1].collider);
   for (unsigned long i = 0; i < TRIALS; i++) {
     random_state r = random_seed(seed + i);
