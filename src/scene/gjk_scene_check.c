@@ -68,9 +68,8 @@ static bool check_posed(const gjk_scene_part *p, const gjk_collider *c, const gj
 // Is a part that is not posed one that nothing takes for posed? An update poses parts with pairs before it tests any,
 // but only those of bodies that moved. What posing leaves as it is must be 0, and exact must hold the part.
 static bool check_unposed(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p,
-                          const gjk_aabb *box) {
+                          const gjk_shape_class *type, const gjk_aabb *box) {
   static const gjk_vec3 origin = {0, 0, 0};
-  const gjk_shape_class *type = v->scene->shapes[p->shape]->type;
   for (unsigned i = type->count; i < 3 && type->kind == GJK_KIND_AXES; i++) {
     if (!gjk_scene_same_vec3(&p->frame[i], &origin)) {
       return false;
@@ -95,7 +94,8 @@ static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, cons
   }
   (void)gjk_collider_aabb(&c, &box);  // posed, so it cannot fail
   return gjk_scene_same_vec3(&p->local_centre, &c.local_centre) && p->core_radius == c.core_radius &&
-         ((p->state & GJK_SCENE_UNPOSED) != 0 ? check_unposed(v, body, p, &box) : check_posed(p, &c, &box));
+         ((p->state & GJK_SCENE_UNPOSED) != 0 ? check_unposed(v, body, p, c.shape->type, &box)
+                                              : check_posed(p, &c, &box));
 }
 
 // Does a body have as many parts as it says, numbered in order? Adds up its parts and their own poses.
