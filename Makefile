@@ -6,6 +6,7 @@
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
 #                        (-m4-fpu and -m7-fpu: the same with floating point, for programs that have some)
 #   make demo-stack      lets a pile of crates, balls, capsules and drums fall and rest under the tests' solver: build/stack.svg
+#   make demo-trace      draws what each iteration of GJK does on some pairs: build/trace.html
 #   make amalgamation    the library as two files: build/amalgamation/gjk.h and gjk.c
 #   make sizes           code by function group and stack by query, per target
 #   make bench           on the host, other libraries beside it: what queries cost by family, in instructions (valgrind), ns
@@ -95,7 +96,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: all help lib setup test unit-tests demo demo-stack amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: all help lib setup test unit-tests demo demo-stack demo-trace amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
@@ -112,6 +113,7 @@ lib: $(LIB)
 
 LIB_OBJECTS := $(patsubst %.c,$(OUT)/%.o,$(notdir $(wildcard src/*/*.c)))
 vpath gjk_%.c $(wildcard src/*)
+vpath gjk2_%.c $(wildcard src/*)
 
 $(LIB): $(LIB_OBJECTS)
 	@rm -f $@
@@ -138,7 +140,7 @@ SUPPORT_SOURCES := $(wildcard tests/support/case/*.c tests/support/reference/*.c
 SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
 TEST_SCRIPTS := $(wildcard tests/check/unit/test_*.sh)
 UNIT_TESTS := $(patsubst tests/check/unit/%.c,build/%,$(wildcard tests/check/unit/test_*.c))
-QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/query/*.c))
+QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/query/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c labels.c svg.c))
 DEMO_STACK := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/demo_stack/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c svg.c))
 DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo/*.c)))
 
@@ -205,6 +207,28 @@ build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flag
 	@echo '  $@'
 	@$(if $(SCENE_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(SCENE_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
+# Decisions and costs in the plane. PLANE_PEERS: other libraries to measure, out of box2d and chipmunk; -alone: none.
+PLANE_PEERS ?=
+PLANE := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/plane/*.c))
+PLANE_PEER_OBJECTS := $(PLANE_PEERS:%=build/hosted/tests/measure/plane/peer/%.o)
+PLANE_COMPILE = $(CXX) -std=c++17 -O2 -Wall -Wextra $(DEPENDENCIES)
+
+build/hosted/plane-peers.flags: FORCE
+	$(call FLAGS,$(CC) $(PLANE_PEERS) $(if $(PLANE_PEERS),$(PLANE_COMPILE)))
+
+build/hosted/tests/measure/plane/peer/%.o: tests/measure/plane/peer/%.cpp build/hosted/plane-peers.flags Makefile
+	@mkdir -p $(@D)
+	@echo '  $<'
+	@$(PLANE_COMPILE) -c $< -o $@
+
+build/gjk-plane: $(PLANE) $(PLANE_PEER_OBJECTS) $(SUPPORT) $(HOST_LIB) build/hosted/plane-peers.flags
+	@echo '  $@'
+	@$(if $(PLANE_PEERS),$(CXX),$(CC)) $(filter %.o,$^) $(HOST_LIB) $(PLANE_PEERS:%=-l%) -lm -o $@
+
+build/gjk-plane-alone: $(PLANE) $(SUPPORT) $(HOST_LIB)
+	@echo '  $@'
+	@$(CC) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
+
 build/gjk-bench-report: $(BENCH_REPORT)
 	@echo '  $@'
 	@$(CC) $^ -lm -o $@
@@ -214,7 +238,7 @@ build/gjk-bench-report: $(BENCH_REPORT)
 # must not turn into calls of memset.
 
 BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
-FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/support/scene/*.h tests/programs/lockstep/*.h include/gjk/*.h) Makefile
+FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/support/scene/*.h tests/programs/lockstep/*.h include/gjk/*.h include/gjk2/*.h) Makefile
 FIRMWARE = $(FREESTANDING) -I. -Itests/support -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
   $(filter-out $(FIRMWARE_NEEDS) %.flags,$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 
@@ -231,7 +255,7 @@ $(OUT)/%.elf: tests/measure/target/%.c tests/measure/target/%_firmware.c $(OUT)/
 
 $(OUT)/bench.elf: tests/measure/target/bench_gjk.c tests/measure/target/bench_float.c tests/measure/target/bench_double.c
 $(OUT)/bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),,-DBENCH_REFERENCE_DEPTH)
-$(OUT)/bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
+$(OUT)/bench.elf $(OUT)/plane_bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
 $(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/scene_bench.elf: tests/support/scene/traffic.c
 $(OUT)/scene_golden.elf: tests/support/scene/match.c
@@ -252,7 +276,7 @@ setup:
 
 unit-tests: $(UNIT_TESTS)
 
-test: all unit-tests build/scene-bench build/lockstep build/gjk-demo-stack $(filter setup,$(MAKECMDGOALS))
+test: all unit-tests build/scene-bench build/gjk-plane-alone build/lockstep build/gjk-demo-stack $(filter setup,$(MAKECMDGOALS))
 	@sh tests/build/run-tests.sh build $(UNIT_TESTS) $(TEST_SCRIPTS)
 
 demo: build/gjk-demo
@@ -261,6 +285,10 @@ demo: build/gjk-demo
 
 demo-stack: build/gjk-demo-stack
 	build/gjk-demo-stack build/stack.svg
+
+demo-trace: build/gjk-query
+	@sh tests/build/demo-trace.sh build tests/data/trace.txt
+	@echo '  build/trace.html'
 
 amalgamation:
 	@sh tests/build/amalgamate.sh build

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Cost, and run time against error, on the host: bench.sh BUILD [SECONDS [PAIRS]]; 60 seconds and 1000 pairs by default.
 #
-# First what queries cost (bench-cost.sh); then each method's error and time on families that are easy and hard, for
+# First what queries cost (bench-cost.sh), in the plane too (bench-plane.sh); then each method's error and time on families that are easy and hard, for
 # SECONDS. Other libraries are measured too if their Debian packages are installed, and instructions are counted if
 # valgrind is. Writes BUILD/bench.csv and BUILD/bench.html, and prints the same figures.
 . tests/build/count.sh
@@ -13,6 +13,8 @@ dir=$build/bench
 mkdir -p "$dir"
 
 sh tests/build/bench-cost.sh "$build" "$pairs" || exit 1
+echo
+sh tests/build/bench-plane.sh "$build" "$pairs" || exit 1
 
 echo
 echo 'run time against error'

@@ -9,7 +9,7 @@ cp -r src "$dir/src"
 for file in src/*/*.[ch]; do
   sed 's|//@ assert \(.*\);$|if (!(\1)) __builtin_trap();|; s|//@ .*||' "$file" >"$dir/$file"
 done
-support="$(echo "$dir"/src/*/*.c) tests/support/generate/*.c tests/support/exact/*.c tests/support/case/case.c tests/prove/bounds.c"
+support="$(echo "$dir"/src/*/*.c) tests/support/generate/*.c tests/support/exact/*.c tests/support/case/case.c tests/support/case/case2.c tests/support/case/case2_collider.c tests/prove/bounds.c"
 
 # build NAME SANITIZERS SOURCES...
 build() {

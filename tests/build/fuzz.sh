@@ -60,7 +60,8 @@ fuzz() {
 # What the targets share, compiled once. The fuzzer looks at what the library and the reader of cases do, not at the
 # oracles.
 mkdir -p "$build/objects"
-for source in tests/check/fuzz/bytes.c tests/check/fuzz/overlap.c tests/support/case/case.c tests/support/case/number.c tests/support/case/parse.c \
+for source in tests/check/fuzz/bytes.c tests/check/fuzz/overlap.c tests/support/case/case.c tests/support/case/case2.c \
+  tests/support/case/case2_collider.c tests/support/case/lines.c tests/support/case/number.c tests/support/case/parse.c tests/support/case/parse2.c \
   tests/support/exact/*.c tests/support/generate/*.c tests/support/scene/world.c tests/support/scene/session.c src/*/*.c; do
   case $source in
     src/* | tests/support/case/*) seen=-fsanitize=fuzzer-no-link ;;

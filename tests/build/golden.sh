@@ -90,7 +90,8 @@ golden() {
   fi
   # shellcheck disable=SC2086
   (cd "$folder" && $core -std=c99 -ffreestanding -ffunction-sections -fdata-sections "-I$root/include" \
-    "-I$root" "-I$root/port" "-I$root/tests/support" "$@" -c "$root"/src/*/*.c "$root/tests/check/target/golden.c" $scene) || return 1
+    "-I$root" "-I$root/port" "-I$root/tests/support" "$@" -c "$root"/src/*/*.c "$root/tests/check/target/golden.c" \
+    "$root/tests/check/target/plane_golden.c" $scene) || return 1
   case "$compiler $*" in
     clang*-flto*)
       ld.lld -r "$folder"/*.o -o "$folder/all.lto" && rm "$folder"/*.o && mv "$folder/all.lto" "$folder/all.o" || return 1

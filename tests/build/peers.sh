@@ -19,3 +19,18 @@ find_cost_peers() {
     find_peer ode ODE libode-dev
   fi
 }
+
+# Those of the plane, in $plane_peers; WITHOUT_PEERS=1: none. Chipmunk2D has no file for pkg-config.
+plane_peers=
+find_plane_peers() {
+  [ -z "$WITHOUT_PEERS" ] || return 0
+  for peer in 'box2d Box2D libbox2d-dev box2d/box2d.h' 'chipmunk Chipmunk2D libchipmunk-dev chipmunk/chipmunk.h'; do
+    # shellcheck disable=SC2086
+    set -- $peer
+    if have g++ && echo "#include <$4>" | g++ -E -x c++ - >/dev/null 2>&1; then
+      plane_peers="$plane_peers${plane_peers:+ }$1"
+    else
+      skip "bench of $2" "g++ $3"
+    fi
+  done
+}

@@ -3,7 +3,8 @@
 #
 # Writes the tables between the marks '<!-- figures: NAME -->' and '<!-- end -->' of README.md from a fresh count on
 # every target. With a TARGET it counts on that one alone, compares the README's column for it, the table of the most
-# expensive pairs, and this library's and the reference's columns of wrong decisions, and changes nothing.
+# expensive pairs, and this library's and the reference's columns of wrong decisions in space and in the plane, and changes
+# nothing.
 build=$1
 target=$2
 figures=$build/figures
@@ -20,11 +21,21 @@ awk -f tests/build/grouped.awk -f tests/build/readme-ceiling.awk "$figures/repla
 
 # Wrong decisions, without other libraries where only those of Cortex-M3 are compared.
 WITHOUT_PEERS=$target sh tests/build/decisions.sh "$build" >"$figures/decisions" || exit 1
+WITHOUT_PEERS=$target sh tests/build/plane-decisions.sh "$build" >"$figures/plane" || exit 1
+
+# shown NAME: the table of that name in the README.
+shown() {
+  sed -n "/^<!-- figures: $1 -->\$/,/^<!-- end -->\$/{/^|/p;}" README.md
+}
 
 if [ -z "$target" ]; then
   if [ "$(head -n 1 "$figures/decisions" | tr -cd '|' | wc -c)" -lt 7 ]; then
     echo 'the table of decisions stays: libccd-dev, libfcl-dev and libbullet-dev are needed' >&2
-    sed -n '/^<!-- figures: decisions -->$/,/^<!-- end -->$/{/^|/p;}' README.md >"$figures/decisions"
+    shown decisions >"$figures/decisions"
+  fi
+  if [ "$(head -n 1 "$figures/plane" | tr -cd '|' | wc -c)" -lt 6 ]; then
+    echo 'the table of decisions in the plane stays: libbox2d-dev and libchipmunk-dev are needed' >&2
+    shown plane >"$figures/plane"
   fi
   awk -v folder="$figures" '
     /^<!-- end -->$/ { inside = 0 }
@@ -52,6 +63,8 @@ awk -F'|' -v heads="$heads" '
   }
   /^<!-- figures: cost -->$/ { inside = 1 }' README.md >"$figures/readme-cost"
 diff "$figures/readme-cost" "$figures/cost" || exit 1
-sed -n '/^<!-- figures: ceiling -->$/,/^<!-- end -->$/{/^|/p;}' README.md | diff - "$figures/ceiling" || exit 1
-sed -n '/^<!-- figures: decisions -->$/,/^<!-- end -->$/{/^|/p;}' README.md | cut -d '|' -f 1-4 |
-  diff - "$(cut -d '|' -f 1-4 "$figures/decisions" >"$figures/own-decisions"; echo "$figures/own-decisions")"
+shown ceiling | diff - "$figures/ceiling" || exit 1
+for table in decisions plane; do
+  cut -d '|' -f 1-4 "$figures/$table" >"$figures/own-$table"
+  shown $table | cut -d '|' -f 1-4 | diff - "$figures/own-$table" || exit 1
+done

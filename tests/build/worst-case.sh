@@ -3,6 +3,7 @@
 #
 # For each family it makes so many measurements on the host, of iterations and of the work between them, then of
 # instructions on an emulated Cortex-M3. A pair that costs more than one of tests/data/worst.txt replaces it there.
+# Then it searches the plane: all pairs of polygons on a lattice, of which it prints the most iterations.
 # With 'replay' instead of a SEED it only counts the known pairs afresh, prints 'ID|iterations|instructions' and
 # changes nothing.
 . tests/build/count.sh
@@ -75,4 +76,6 @@ while [ $family -lt "$families" ]; do
   cp "$dir/merged.txt" "$dir/found.txt"
   family=$((family + 1))
 done
-annotate "$dir/found.txt" && cat "$dir/head" "$dir/found.txt" >$data
+annotate "$dir/found.txt" && cat "$dir/head" "$dir/found.txt" >$data || exit 1
+
+make -s build/test_plane_lattice >/dev/null && build/test_plane_lattice 4 1 8

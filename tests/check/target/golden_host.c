@@ -1,14 +1,29 @@
-// Host program: prints the golden hashes of this build.
+// Host program: prints the golden hashes of this build, and what to write into the headers for those that are others.
 #include "golden.h"
 
 #include <inttypes.h>
+#include <stdbool.h>
 #include <stdio.h>
 
+#include "plane_golden.h"
 #include "scene_golden.h"
 
+// Prints the hash; and if it is not the expected one, the header's line.
+static bool is_golden(const char *name, uint64_t hash, uint64_t expected) {
+  printf("%016" PRIx64 " ", hash);
+  if (hash != expected) {
+    fprintf(stderr, "#define %s UINT64_C(0x%016" PRIx64 ")\n", name, hash);
+  }
+  return hash == expected;
+}
+
 int main(void) {
-  const uint64_t few = golden_hash(GOLDEN_FEW_PAIRS), all = golden_hash(GOLDEN_PAIRS);
-  const uint64_t scene = scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1);
-  printf("%016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", few, all, scene);
-  return few == GOLDEN_FEW_HASH && all == GOLDEN_HASH && scene == SCENE_GOLDEN_FEW_HASH ? 0 : 1;
+  bool same = is_golden("GOLDEN_FEW_HASH", golden_hash(GOLDEN_FEW_PAIRS), GOLDEN_FEW_HASH);
+  same = is_golden("GOLDEN_HASH", golden_hash(GOLDEN_PAIRS), GOLDEN_HASH) && same;
+  same =
+      is_golden("SCENE_GOLDEN_FEW_HASH", scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1), SCENE_GOLDEN_FEW_HASH) && same;
+  same = is_golden("PLANE_GOLDEN_FEW_HASH", plane_golden_hash(PLANE_GOLDEN_FEW_PAIRS), PLANE_GOLDEN_FEW_HASH) && same;
+  same = is_golden("PLANE_GOLDEN_HASH", plane_golden_hash(PLANE_GOLDEN_PAIRS), PLANE_GOLDEN_HASH) && same;
+  printf("\n");
+  return same ? 0 : 1;
 }

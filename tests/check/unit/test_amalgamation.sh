@@ -35,10 +35,11 @@ example() {
 same_bits() {
   gcc -std=c99 -O2 -Iinclude -I. -Itests/support -c tests/check/target/golden.c -o "$dir/golden.o" &&
     gcc -std=c99 -O2 -Iinclude -I. -Itests/support -c tests/check/target/golden_host.c -o "$dir/host.o" &&
+    gcc -std=c99 -O2 -Iinclude -I. -Itests/support -c tests/check/target/plane_golden.c -o "$dir/plane.o" &&
     gcc -std=c99 -O2 -Iinclude -I. -Itests/support -c tests/support/scene/match.c -o "$dir/match.o" &&
     gcc -std=c99 -O2 -Iinclude -I. -Itests/support -c tests/check/target/scene_golden.c -o "$dir/scene.o" &&
     gcc -std=c99 -O2 -Iinclude -I. -Iport -c port/hosted/gjk_hosted.c -o "$dir/hosted.o" &&
-    "$2" "$dir/golden.o" "$dir/host.o" "$dir/match.o" "$dir/scene.o" "$dir/hosted.o" "$dir/$1.o" -o "$dir/$1.golden" &&
+    "$2" "$dir/golden.o" "$dir/host.o" "$dir/plane.o" "$dir/match.o" "$dir/scene.o" "$dir/hosted.o" "$dir/$1.o" -o "$dir/$1.golden" &&
     "$dir/$1.golden"
 }
 

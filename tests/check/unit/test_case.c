@@ -184,6 +184,89 @@ static void test_round_trip(random_state *random) {
   fclose(file);
 }
 
+static void random_case2_shape(random_state *random, case2_shape *shape) {
+  case2_shape_reset(shape);
+  shape->kind = (case2_kind)random_below(random, CASE2_ELLIPSE + 1);
+  switch (shape->kind) {
+    case CASE2_BOX:
+    case CASE2_ELLIPSE: shape->size.y = any_number(random);  // fall through
+    case CASE2_SEGMENT: shape->size.x = any_number(random); break;
+    case CASE2_TRIANGLE:
+    case CASE2_POLYGON:
+      case2_shape_set_count(shape, shape->kind == CASE2_TRIANGLE ? 3 : 1 + random_below(random, 40));
+      for (size_t i = 0; i < shape->count; i++) {
+        shape->vertices[i].x = any_number(random);
+        shape->vertices[i].y = any_number(random);
+      }
+      break;
+    default: break;
+  }
+  shape->convex_radius = random_below(random, 2) == 0 ? 0 : any_number(random);
+  shape->pose.position.x = any_number(random);
+  shape->pose.position.y = any_number(random);
+  shape->pose.rotation.c = any_number(random);
+  shape->pose.rotation.s = any_number(random);
+}
+
+static bool same_vec(gjk2_vec a, gjk2_vec b) {
+  return a.x == b.x && a.y == b.y;
+}
+
+static bool same_shape2(const case2_shape *a, const case2_shape *b) {
+  bool same = a->kind == b->kind && same_vec(a->size, b->size) && a->convex_radius == b->convex_radius &&
+              a->count == b->count && same_vec(a->pose.position, b->pose.position) &&
+              a->pose.rotation.c == b->pose.rotation.c && a->pose.rotation.s == b->pose.rotation.s;
+  for (size_t i = 0; same && i < a->count; i++) {
+    same = same_vec(a->vertices[i], b->vertices[i]);
+  }
+  return same;
+}
+
+// The same of cases of the plane, every second one in a file with cases in space.
+static void test_round_trip_of_plane(random_state *random) {
+  enum { CASES = 500 };
+  random_state again = *random;
+  case2_pair written = {0}, read = {0};
+  case_pair space = {.id = "space"}, space_read = {0};
+  case_reader reader;
+  FILE *file = tmpfile();
+  CHECK(file != NULL);
+  if (file == NULL) {
+    return;
+  }
+  case_shape_reset(&space.a);
+  case_shape_reset(&space.b);
+  for (int i = 0; i < CASES; i++) {
+    snprintf(written.id, sizeof written.id, "n%d", i);
+    random_case2_shape(random, &written.a);
+    random_case2_shape(random, &written.b);
+    case2_print(file, &written);
+    case_print(file, &space);
+  }
+  rewind(file);
+  case_reader_open(&reader, file, "round trip");
+  for (int i = 0; i < CASES; i++) {
+    char id[16];
+    snprintf(id, sizeof id, "n%d", i);
+    random_case2_shape(&again, &written.a);
+    random_case2_shape(&again, &written.b);
+    CHECK_MSG(case_reader_next_any(&reader, &space_read, &read) == CASE_FOUND_PLANE, "case %d", i);
+    CHECK_MSG(strcmp(read.id, id) == 0, "case %d", i);
+    CHECK_MSG(same_shape2(&written.a, &read.a) && same_shape2(&written.b, &read.b), "case %d", i);
+    CHECK_MSG(case_reader_next_any(&reader, &space_read, &read) == CASE_FOUND_SPACE, "case %d", i);
+    CHECK(strcmp(space_read.id, "space") == 0);
+  }
+  CHECK(case_reader_next_any(&reader, &space_read, &read) == CASE_FOUND_NONE && reader.errors == 0);
+  rewind(file);
+  case_reader_open(&reader, file, "in space alone");
+  CHECK(case_reader_next(&reader, &space_read) && reader.errors == 1);  // the first case, of the plane, is named
+  case2_pair_free(&written);
+  case2_pair_free(&read);
+  case_pair_free(&space);
+  case_pair_free(&space_read);
+  fclose(file);
+}
+
 static void test_copy(random_state *random) {
   case_shape from = {0}, to = {0};
   for (int i = 0; i < 100; i++) {
@@ -226,6 +309,7 @@ int main(void) {
   test_numbers();
   test_decimals(&random);
   test_round_trip(&random);
+  test_round_trip_of_plane(&random);
   test_copy(&random);
   test_build();
   return check_done("case");

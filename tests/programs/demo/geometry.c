@@ -3,9 +3,6 @@
 
 #include <math.h>
 
-// Most vertices of a hull for which faces are found; larger hulls are drawn as outlines.
-#define FACETED_HULL_MAX 64
-
 // Vertices at most this far from a plane, in units, lie in it.
 #define PLANE_TOLERANCE 1e-5
 
@@ -134,18 +131,17 @@ static void sort_vertices(real_face *face) {
   }
 }
 
-// Takes all vertices in the plane through p across normal. False: a vertex lies before the plane.
-static bool collect_face(const case_shape *shape, real3 p, real3 normal, real_face *face) {
+// Takes all points in the plane through p across normal. False: a point lies before the plane.
+static bool collect_face(const real3 *point, size_t n, double tolerance, real3 p, real3 normal, real_face *face) {
   face->normal = normal;
   face->count = 0;
-  for (size_t i = 0; i < shape->count; i++) {
-    real3 v = real_from_q16(shape->vertices[i]);
-    double height = real_dot(real_sub(v, p), normal);
-    if (height > PLANE_TOLERANCE) {
+  for (size_t i = 0; i < n; i++) {
+    double height = real_dot(real_sub(point[i], p), normal);
+    if (height > tolerance) {
       return false;
     }
-    if (height > -PLANE_TOLERANCE && face->count < FACE_VERTICES_MAX) {
-      face->vertex[face->count++] = v;
+    if (height > -tolerance && face->count < FACE_VERTICES_MAX) {
+      face->vertex[face->count++] = point[i];
     }
   }
   return true;
@@ -160,20 +156,30 @@ static bool is_known(const real_face *faces, size_t count, real3 normal) {
   return false;
 }
 
-// Takes every plane through three vertices that has no vertex before it.
-static size_t hull_faces(const case_shape *shape, real_face *faces) {
-  size_t n = shape->count <= FACETED_HULL_MAX ? shape->count : 0, found = 0;
+// Takes every plane through three points that has no point before it.
+size_t geometry_hull_faces(const real3 *point, size_t n, double tolerance, real_face faces[FACES_MAX]) {
+  size_t found = 0;
+  n = n <= GEOMETRY_POINTS_MAX ? n : 0;
   for (size_t i = 0; i < n * n * n * 2 && found < FACES_MAX; i++) {
-    const gjk_vec3 *v = shape->vertices;
-    real3 p = real_from_q16(v[i / 2 % n]), q = real_from_q16(v[i / 2 / n % n]), r = real_from_q16(v[i / 2 / n / n]);
+    real3 p = point[i / 2 % n], q = point[i / 2 / n % n], r = point[i / 2 / n / n];
     real3 across = real_cross(real_sub(q, p), real_sub(r, p));
     real3 normal = real_unit(real_scale(i % 2 == 0 ? 1 : -1, across));
-    if (real_dot(across, across) < PLANE_TOLERANCE * PLANE_TOLERANCE * PLANE_TOLERANCE ||
-        is_known(faces, found, normal) || !collect_face(shape, p, normal, &faces[found])) {
+    if (real_dot(across, across) < tolerance * tolerance * tolerance || is_known(faces, found, normal) ||
+        !collect_face(point, n, tolerance, p, normal, &faces[found])) {
       continue;
     }
     sort_vertices(&faces[found++]);
   }
+  return found;
+}
+
+static size_t hull_faces(const case_shape *shape, real_face *faces) {
+  real3 point[GEOMETRY_POINTS_MAX];
+  const size_t n = shape->count <= GEOMETRY_POINTS_MAX ? shape->count : 0;
+  for (size_t i = 0; i < n; i++) {
+    point[i] = real_from_q16(shape->vertices[i]);
+  }
+  const size_t found = geometry_hull_faces(point, n, PLANE_TOLERANCE, faces);
   for (size_t i = 0; i < found; i++) {
     faces[i].normal = geometry_turn(shape, faces[i].normal);
     for (size_t k = 0; k < faces[i].count; k++) {

@@ -50,6 +50,13 @@ real3 geometry_turn_back(const case_shape *shape, real3 world);
 // The support point of the shape along direction.
 real3 geometry_support(const case_shape *shape, real3 direction);
 
+// Most points of which faces are found.
+#define GEOMETRY_POINTS_MAX 64
+
+// Finds the faces of the convex hull of n points; none of more than GEOMETRY_POINTS_MAX. Points at most
+// tolerance from a plane lie in it. Returns their number, at most FACES_MAX.
+size_t geometry_hull_faces(const real3 *point, size_t n, double tolerance, real_face faces[FACES_MAX]);
+
 // Finds the faces of a box, triangle or hull; other kinds have none. Returns their number, at most FACES_MAX.
 size_t geometry_faces(const case_shape *shape, real_face faces[FACES_MAX]);
 

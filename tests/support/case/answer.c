@@ -111,7 +111,7 @@ void case_answer_find(const case_question *question, const case_pair *pair, case
   }
 }
 
-static const char *detail(gjk_status status) {
+const char *case_status_detail(gjk_status status) {
   switch (status) {
     case GJK_ERROR_SIZE: return "larger than 4095 units about the centre of its bounding box";
     case GJK_ERROR_NEGATIVE: return "a negative radius or half extent";
@@ -130,7 +130,7 @@ static void print_error(FILE *file, const case_pair *pair, const case_answer *an
   if (answer->refused != 0) {
     fprintf(file, "%c: ", answer->refused);
   }
-  fprintf(file, "%s", detail(answer->status));
+  fprintf(file, "%s", case_status_detail(answer->status));
 }
 
 void case_answer_print(FILE *file, const case_question *question, const case_pair *pair, const case_answer *answer) {

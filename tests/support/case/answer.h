@@ -33,6 +33,9 @@ void case_answer_find(const case_question *question, const case_pair *pair, case
 // Prints an answer as the query tool does: one line, without its line feed.
 void case_answer_print(FILE *file, const case_question *question, const case_pair *pair, const case_answer *answer);
 
+// What a status says about a case, in words.
+const char *case_status_detail(gjk_status status);
+
 // Prints the contacts of an answer, one line each.
 void case_contacts_print(FILE *file, const case_answer *answer);
 

@@ -1,0 +1,268 @@
+// Makes pairs of the plane. Each decision is proven by the exact oracle, from the same posed integers that all methods get.
+#include "families.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "exact/claim2.h"
+#include "generate/shape2.h"
+#include "generate/smallest2.h"
+
+#define UNIT GJK_Q16_ONE
+#define CLOSE (UNIT / 10)
+
+static void *allocate(size_t count, size_t size) {
+  void *memory = calloc(count, size);
+  if (memory == NULL) {
+    fprintf(stderr, "gjk-plane: out of memory\n");
+    exit(2);
+  }
+  return memory;
+}
+
+// Corners of an ellipse within reach, in order, each in its share of the turn.
+static void make_polygon(random_state *random, unsigned count, gjk_q16 reach, case2_shape *out) {
+  const double x = random_range(random, reach / 5, reach), y = random_range(random, reach / 5, reach);
+  case2_shape_reset(out);
+  out->kind = CASE2_POLYGON;
+  case2_shape_set_count(out, count);
+  for (unsigned i = 0; i < count; i++) {
+    const double angle = (i + 0.67 * generate2_unit(random)) * 2 * acos(-1) / count;
+    out->vertices[i].x = (gjk_q16)lrint(x * cos(angle));
+    out->vertices[i].y = (gjk_q16)lrint(y * sin(angle));
+  }
+}
+
+static void make_box(random_state *random, gjk_q16 reach, case2_shape *out) {
+  case2_shape_reset(out);
+  out->kind = CASE2_BOX;
+  out->size.x = random_range(random, reach / 5, reach);
+  out->size.y = random_range(random, reach / 5, reach);
+}
+
+// Boxes, and polygons of 3 to 8 corners.
+static void make_shapes(random_state *random, gjk_q16 least, gjk_q16 most, case2_pair *pair) {
+  for (int i = 0; i < 2; i++) {
+    case2_shape *shape = i == 0 ? &pair->a : &pair->b;
+    const gjk_q16 reach = random_range(random, least, most);
+    if (random_below(random, 2) == 0) {
+      make_box(random, reach, shape);
+    } else {
+      make_polygon(random, 3 + random_below(random, 6), reach, shape);
+    }
+  }
+}
+
+static void of_game_size(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  make_shapes(random, UNIT / 2, 2 * UNIT, pair);
+  generate2_apart(random, 1.15 * generate2_unit(random), pair);
+}
+
+static void touching(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  make_shapes(random, UNIT / 2, 2 * UNIT, pair);
+  generate2_near(random, random_range(random, -3, 3), pair);
+}
+
+static void large_touching(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  make_shapes(random, 20 * UNIT, 1000 * UNIT, pair);
+  generate2_near(random, random_range(random, -3, 3), pair);
+}
+
+static void by_name(const char *name, random_state *random, case2_pair *pair) {
+  for (unsigned i = 0; i < generate2_family_count; i++) {
+    if (strcmp(generate2_families[i].name, name) == 0) {
+      generate2_families[i].generate(random, pair);
+    }
+  }
+}
+
+static void edge_to_edge(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  by_name("edge-to-edge", random, pair);
+}
+
+static void slivers(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  by_name("slivers", random, pair);
+}
+
+static void smallest_14(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  generate2_smallest_bits(random, 14, pair);
+}
+
+static void smallest_20(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  generate2_smallest_bits(random, 20, pair);
+}
+
+static void smallest_26(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  generate2_smallest_bits(random, 26, pair);
+}
+
+const plane_family plane_decision_families[] = {
+    {"game", PLANE_INTERSECT, of_game_size},       {"touching", PLANE_INTERSECT, touching},
+    {"large", PLANE_INTERSECT, large_touching},    {"edges", PLANE_INTERSECT, edge_to_edge},
+    {"slivers", PLANE_INTERSECT, slivers},         {"smallest-14", PLANE_INTERSECT, smallest_14},
+    {"smallest-20", PLANE_INTERSECT, smallest_20}, {"smallest-26", PLANE_INTERSECT, smallest_26},
+};
+const size_t plane_decision_family_count = sizeof plane_decision_families / sizeof plane_decision_families[0];
+
+// The distance, or minus the depth.
+static gjk_q16 gap_of(const case2_pair *pair) {
+  static case2_collider a, b;
+  gjk2_distance_result out;
+  gjk_status status = case2_collider_build(&a, &pair->a, false);
+  status = status == GJK_OK ? case2_collider_build(&b, &pair->b, false) : status;
+  status = status == GJK_OK ? gjk2_signed_distance(&a.collider, &b.collider, NULL, &out) : status;
+  if (status != GJK_OK) {
+    fprintf(stderr, "gjk-plane: a pair cannot be made: %s\n", gjk_status_name(status));
+    exit(1);
+  }
+  return out.distance;
+}
+
+// Boxes or 8-gons of 0.2 to 1 unit whose gap is from least to most.
+static void place(random_state *random, bool boxes, gjk_q16 least, gjk_q16 most, case2_pair *pair) {
+  gjk_q16 gap;
+  do {
+    for (int i = 0; i < 2; i++) {
+      case2_shape *shape = i == 0 ? &pair->a : &pair->b;
+      if (boxes) {
+        make_box(random, UNIT, shape);
+      } else {
+        make_polygon(random, 8, UNIT, shape);
+      }
+      (void)gjk2_rotation_from_angle(random_range(random, -205887, 205887), &shape->pose.rotation);
+      shape->pose.position = generate2_vector(random, 3.0 * UNIT * generate2_unit(random));
+    }
+    gap = gap_of(pair);
+  } while (gap < least || gap > most);
+}
+
+static void boxes_apart(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  place(random, true, CLOSE, 2 * UNIT, pair);
+}
+
+static void polygons_apart(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  place(random, false, CLOSE, 2 * UNIT, pair);
+}
+
+// In turn apart and overlapping.
+static void polygons_close(random_state *random, size_t index, case2_pair *pair) {
+  const bool apart = index % 2 == 0;
+  place(random, false, apart ? 1 : -CLOSE, apart ? CLOSE : -1, pair);
+}
+
+static void polygons_overlapping(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  place(random, false, -2 * UNIT, -1000, pair);
+}
+
+// B is A turned half around the middle of an edge; then tilted by up to a degree, moved aside by up to 0.1 unit and
+// 300 to 3,276 LSB into A.
+static void polygons_face_to_face(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  make_polygon(random, 8, UNIT, &pair->a);
+  make_polygon(random, 8, UNIT, &pair->b);
+  const gjk2_vec *v = pair->a.vertices, p = v[0], q = v[1];
+  const double x = (p.x + q.x) / 2.0, y = (p.y + q.y) / 2.0, ex = q.x - p.x, ey = q.y - p.y, e = hypot(ex, ey);
+  const double tilt = (generate2_unit(random) - 0.5) * 0.035, deep = random_range(random, 300, 3276);
+  const double aside = (2 * generate2_unit(random) - 1) * CLOSE;
+  for (int i = 0; i < 8; i++) {
+    const double u = x - v[i].x, w = y - v[i].y;
+    pair->b.vertices[i].x = (gjk_q16)lrint(x + u * cos(tilt) - w * sin(tilt) + (aside * ex - deep * ey) / e);
+    pair->b.vertices[i].y = (gjk_q16)lrint(y + u * sin(tilt) + w * cos(tilt) + (aside * ey + deep * ex) / e);
+  }
+  (void)gjk2_rotation_from_angle(random_range(random, -205887, 205887), &pair->a.pose.rotation);
+  pair->b.pose.rotation = pair->a.pose.rotation;
+}
+
+const plane_family plane_cost_families[] = {
+    {"distance: boxes apart", PLANE_DISTANCE, boxes_apart},
+    {"distance: 8-gons apart", PLANE_DISTANCE, polygons_apart},
+    {"intersect: 8-gons close", PLANE_INTERSECT, polygons_close},
+    {"depth: 8-gons", PLANE_DEPTH, polygons_overlapping},
+    {"contacts: 8-gons face to face", PLANE_CONTACTS, polygons_face_to_face},
+};
+const size_t plane_cost_family_count = sizeof plane_cost_families / sizeof plane_cost_families[0];
+
+static void set_solid(const exact2_posed *posed, const gjk2_collider *c, const gjk2_collider *a, plane_solid *out) {
+  out->count = posed->hull.count;
+  out->corner = allocate(out->count, sizeof *out->corner);
+  out->centre[0] = (double)((int64_t)c->centre.x - a->centre.x) / PLANE_LSB_PER_UNIT;
+  out->centre[1] = (double)((int64_t)c->centre.y - a->centre.y) / PLANE_LSB_PER_UNIT;
+  for (size_t i = 0; i < out->count; i++) {
+    out->corner[i][0] = (double)(posed->hull.point[i].x - c->centre.x) / PLANE_LSB_PER_UNIT;
+    out->corner[i][1] = (double)(posed->hull.point[i].y - c->centre.y) / PLANE_LSB_PER_UNIT;
+  }
+}
+
+// False: one of the shapes is flat or has more corners than other libraries take.
+static bool set_pair(case2_pair *shapes, plane_pair *out) {
+  exact2_pair exact;
+  for (int i = 0; i < 2; i++) {
+    out->collider[i] = allocate(1, sizeof **out->collider);
+    if (case2_collider_build(out->collider[i], i == 0 ? &shapes->a : &shapes->b, false) != GJK_OK) {
+      exit(1);
+    }
+  }
+  const gjk2_collider *a = &out->collider[0]->collider, *b = &out->collider[1]->collider;
+  if (!exact2_pair_set(a, b, &exact)) {
+    exit(1);
+  }
+  const unsigned n = exact.a.hull.count, m = exact.b.hull.count;
+  const bool fits = n >= 3 && m >= 3 && n <= 8 && m <= 8;
+  if (fits) {
+    out->intersecting = exact.truth.intersecting;
+    set_solid(&exact.a, a, a, &out->solid[0]);
+    set_solid(&exact.b, b, a, &out->solid[1]);
+  } else {
+    case2_collider_free(out->collider[0]);
+    case2_collider_free(out->collider[1]);
+    free(out->collider[0]);
+    free(out->collider[1]);
+  }
+  exact2_pair_free(&exact);
+  return fits;
+}
+
+plane_pair *plane_pairs_make(const plane_family *family, uint64_t seed, size_t count) {
+  plane_pair *pairs = allocate(count, sizeof *pairs);
+  random_state random = random_seed(seed);
+  for (size_t i = 0; i < count; i++) {
+    bool made = false;
+    while (!made) {
+      // A collider points into its case, which stays until the end of the program.
+      case2_pair *shapes = allocate(1, sizeof *shapes);
+      case2_shape_reset(&shapes->a);
+      case2_shape_reset(&shapes->b);
+      family->generate(&random, i, shapes);
+      made = set_pair(shapes, &pairs[i]);
+      if (!made) {
+        case2_pair_free(shapes);
+        free(shapes);
+      }
+    }
+  }
+  return pairs;
+}
+
+void plane_pairs_free(plane_pair *pairs, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    for (int k = 0; k < 2; k++) {
+      case2_collider_free(pairs[i].collider[k]);
+      free(pairs[i].collider[k]);
+      free(pairs[i].solid[k].corner);
+    }
+  }
+  free(pairs);
+}
