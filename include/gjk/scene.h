@@ -32,7 +32,7 @@ extern "C" {
 #define GJK_SCENE_PAIRS_MAX UINT32_C(4194304)
 
 // The version of a block's format. gjk_scene_open and gjk_scene_attach refuse a block of another version.
-#define GJK_SCENE_BLOCK_VERSION UINT32_C(2)
+#define GJK_SCENE_BLOCK_VERSION UINT32_C(3)
 
 // Names a body. A zeroed id names none. The id of a removed body never names another one: generation differs, and a
 // slot that was taken 2^31 times is not taken again.
