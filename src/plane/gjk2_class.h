@@ -23,6 +23,9 @@ static inline void gjk2_copy_support(gjk2_support *to, const gjk2_support *from)
   to->vertex = from->vertex;
 }
 
+struct gjk2_search;
+struct gjk2_edge;
+
 struct gjk2_shape_class {
   // Checks the shape's own fields and measures its core. gjk2_collider_init checks the convex radius.
   gjk_status (*measure)(const gjk2_shape *shape, gjk2_extent *out);
@@ -41,6 +44,9 @@ struct gjk2_shape_class {
   // The vertex that follows another counterclockwise, or precedes it, where the collider's vertices are ordered. NULL for
   // curved shapes.
   void (*adjacent)(const gjk2_collider *collider, uint16_t number, bool following, gjk2_support *out);
+
+  // gjk2_curved_depth of gjk2_curved_depth.h for curved shapes, so that programs without any do not link it; else NULL.
+  bool (*depth)(struct gjk2_search *s, struct gjk2_edge *edge, int64_t *lower, uint16_t *iterations);
 
   bool buffered;  // a collider may have a buffer for posed vertices
   uint8_t count;  // vertices; where buffered is set the shape's own count is taken

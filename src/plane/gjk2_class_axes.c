@@ -2,7 +2,7 @@
 #include "gjk2_class.h"
 #include "gjk2_rotation.h"
 
-static gjk_status measure_axes(const gjk2_shape *shape, gjk2_extent *out) {
+static gjk_status measure_plane_axes(const gjk2_shape *shape, gjk2_extent *out) {
   const gjk2_vec *size = &shape->size;
   const gjk2_vec origin = {0, 0};
   if (size->x < 0 || size->y < 0) {
@@ -47,7 +47,7 @@ static void support_box(const gjk2_collider *c, const gjk2_vec *d, gjk2_support 
 }
 
 // Bit 0 and 1 of a number: the signs of the half axes, of which frame[1] is 0 but for a box.
-static bool vertex_axes(const gjk2_collider *c, uint16_t number, gjk2_vec *offset) {
+static bool vertex_plane_axes(const gjk2_collider *c, uint16_t number, gjk2_vec *offset) {
   const gjk2_vec x = c->frame[0], y = c->frame[1];
   if (number >= c->count) {
     return false;
@@ -62,35 +62,38 @@ static bool vertex_axes(const gjk2_collider *c, uint16_t number, gjk2_vec *offse
 static void adjacent_axes(const gjk2_collider *c, uint16_t number, bool following, gjk2_support *out) {
   static const uint8_t after[4] = {1, 3, 0, 2}, before[4] = {2, 0, 3, 1};
   out->vertex = following ? after[number & 3u] : before[number & 3u];
-  (void)vertex_axes(c, out->vertex, &out->offset);
+  (void)vertex_plane_axes(c, out->vertex, &out->offset);
 }
 
 const gjk2_shape_class gjk2_class_point = {
-    .measure = measure_axes,
+    .measure = measure_plane_axes,
     .pose = pose_axes,
     .support = support_point,
-    .vertex = vertex_axes,
+    .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
+    .depth = NULL,
     .buffered = false,
     .count = 1,
 };
 
 const gjk2_shape_class gjk2_class_segment = {
-    .measure = measure_axes,
+    .measure = measure_plane_axes,
     .pose = pose_axes,
     .support = support_segment,
-    .vertex = vertex_axes,
+    .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
+    .depth = NULL,
     .buffered = false,
     .count = 2,
 };
 
 const gjk2_shape_class gjk2_class_box = {
-    .measure = measure_axes,
+    .measure = measure_plane_axes,
     .pose = pose_axes,
     .support = support_box,
-    .vertex = vertex_axes,
+    .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
+    .depth = NULL,
     .buffered = false,
     .count = 4,
 };

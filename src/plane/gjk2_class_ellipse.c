@@ -1,5 +1,6 @@
 // Ellipse with its axes along the local axes.
 #include "gjk2_curved.h"
+#include "gjk2_curved_depth.h"
 
 static gjk_status measure_ellipse(const gjk2_shape *shape, gjk2_extent *out) {
   const gjk2_vec *size = &shape->size;
@@ -31,6 +32,7 @@ const gjk2_shape_class gjk2_class_ellipse = {
     .support = support_ellipse,
     .vertex = NULL,
     .adjacent = NULL,
+    .depth = gjk2_curved_depth,
     .buffered = false,
     .count = 0,
 };

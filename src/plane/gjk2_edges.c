@@ -9,7 +9,7 @@ typedef struct rim {
   const gjk2_vec *at, *next;     // two corners
   const gjk2_vec *corner, *end;  // the list of all, counterclockwise; NULL: the vertices are in no order, or lazy
   gjk2_vec step;                 // from at to next; of B its negative
-  uint16_t left;                 // edges to come; without a list 0 once round, else 1
+  uint32_t left;                 // edges to come; without a list 0 once round, else 1
   uint16_t first;                // without a list: the number of the first corner
   gjk2_vec own[4];               // the list of a box's corners
   gjk2_support corner_at, corner_next;  // without a list: what at and next point to
@@ -89,7 +89,7 @@ static void start_rim(rim *r, const gjk2_collider *c, bool opposite, gjk2_vec d)
     return;
   }
   const uint16_t number = r->corner_next.vertex;
-  r->left = (uint16_t)(c->count + 1);
+  r->left = c->count + UINT32_C(1);
   r->end = r->corner + c->count;
   r->next = r->corner + (r->corner == r->own ? box_index[number] : number);
   advance(r, opposite);
@@ -130,12 +130,12 @@ bool gjk2_edge_is_lower(const gjk2_edge *edge, uint64_t height, const gjk2_lengt
 }
 
 // The nearest edge so far.
-typedef struct nearest {
+typedef struct nearest_so_far {
   gjk2_edge *edge;
   uint64_t low, high;  // bounds of its distance, 2^-32 LSB
   uint32_t above;      // LSB, not below its distance
   bool found;
-} nearest;
+} nearest_so_far;
 
 // Bounds of height / |length| in 2^-32 LSB. Pre: it is below 2^31.
 static void bound_height(const gjk2_length *length, uint64_t height, uint64_t *low, uint64_t *high) {
@@ -154,7 +154,7 @@ static void bound_height(const gjk2_length *length, uint64_t height, uint64_t *l
 }
 
 // Step 4 for the edge by step from w, the vertex of A - B at a and b. Returns whether it is the nearest so far.
-GJK_OUT_OF_LINE static bool keep_lower(nearest *n, gjk2_vec step, uint64_t height) {
+GJK_OUT_OF_LINE static bool keep_lower(nearest_so_far *n, gjk2_vec step, uint64_t height) {
   gjk2_length length;
   uint64_t low, high;
   gjk2_length_set(&length, step);
@@ -171,7 +171,7 @@ GJK_OUT_OF_LINE static bool keep_lower(nearest *n, gjk2_vec step, uint64_t heigh
   return true;
 }
 
-static void set_vertex(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out) {
+static void set_corner(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out) {
   gjk2_copy(&out->w, &w);
   gjk2_copy(&out->of_a, a->at);
   gjk2_copy(&out->of_b, b->at);
@@ -180,10 +180,10 @@ static void set_vertex(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out)
 }
 
 gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
-  // Step 1. The nearest edge mostly lies towards the other centre. Start an eighth of a turn before it: an edge that
+  // Step 1. The nearest edge mostly lies towards the other centre. Start 27 degrees before it: an edge that
   // separates comes soon then, and few edges lie lower than those before them.
   const gjk2_vec d = gjk2_negate(s->delta);
-  gjk2_vec begin = {d.x + d.y, d.y - d.x};
+  gjk2_vec begin = {d.x + gjk_sar32(d.y, 1), d.y - gjk_sar32(d.x, 1)};
   if ((begin.x | begin.y) == 0) {
     begin.x = 1;
   }
@@ -191,7 +191,7 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
   start_rim(&a, s->a, false, begin);
   start_rim(&b, s->b, true, begin);
   gjk2_vec step = {-begin.y, begin.x}, w = gjk2_add(s->delta, gjk2_sub(*a.at, *b.at));
-  nearest n = {edge, 0, 0, UINT32_MAX, false};
+  nearest_so_far n = {edge, 0, 0, UINT32_MAX, false};
   for (;;) {  // at most once for each edge of A and of B
     const int64_t turn = gjk2_cross(a.step, b.step);
     int comes = turn > 0 ? 1 : -1;
@@ -201,7 +201,8 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
       }
       comes = order_parallel(&a, &b, step);
     }
-    step = comes > 0 ? a.step : comes < 0 ? b.step : gjk2_add(a.step, b.step);
+    step.x = (comes >= 0 ? a.step.x : 0) + (comes <= 0 ? b.step.x : 0);
+    step.y = (comes >= 0 ? a.step.y : 0) + (comes <= 0 ? b.step.y : 0);
     const int64_t height = gjk2_cross(w, step);
     if (height < 0) {  // Step 3
       s->d = gjk2_outward(step);
@@ -212,7 +213,7 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
     const bool lower =
         (uint64_t)height < gjk_umul32(n.above, gjk2_length_bound(step)) && keep_lower(&n, step, (uint64_t)height);
     if (lower) {
-      set_vertex(&a, &b, w, &edge->p);
+      set_corner(&a, &b, w, &edge->p);
     }
     w = gjk2_add(w, step);
     if (comes >= 0) {
@@ -222,7 +223,7 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
       advance(&b, true);
     }
     if (lower) {
-      set_vertex(&a, &b, w, &edge->q);
+      set_corner(&a, &b, w, &edge->q);
     }
   }
   // A hull with area that has no edge with the origin on its right holds it, and its foot on the nearest edge's line is

@@ -7,8 +7,8 @@
 // One coordinate: core = u + weight (v - u) from the centre, in Q31, moved by convex_radius along the normal.
 //   u, v      at most 2^28:        2^31 u and weight (v - u) at most 2^60
 //   normal    at most 2^30 + 2:    times twice the convex radius at most 2^59 + 2^30
-static inline gjk_q16 coordinate(int32_t u, int32_t v, int32_t weight, gjk_q16 centre, gjk_q30 normal,
-                                 gjk_q16 convex_radius, bool *saturated) {
+static inline gjk_q16 plane_coordinate(int32_t u, int32_t v, int32_t weight, gjk_q16 centre, gjk_q30 normal,
+                                       gjk_q16 convex_radius, bool *saturated) {
   int32_t offset = u;
   if (u != v || convex_radius != 0) {
     const int64_t sum = gjk_mac32(gjk_shl64(2 * u + 1, 30), v - u, weight);
@@ -18,11 +18,11 @@ static inline gjk_q16 coordinate(int32_t u, int32_t v, int32_t weight, gjk_q16 c
 }
 
 // A point of one shape. toward: 1 for A, which the normal leads away from, -1 for B.
-GJK_OUT_OF_LINE static void report_point(const gjk2_collider *c, const gjk2_vec *p, const gjk2_vec *q, int32_t weight,
-                                         const gjk2_unit *normal, int toward, gjk2_vec *point, bool *saturated) {
+GJK_ONCE static void report_point(const gjk2_collider *c, const gjk2_vec *p, const gjk2_vec *q, int32_t weight,
+                                  const gjk2_unit *normal, int toward, gjk2_vec *point, bool *saturated) {
   const gjk_q16 convex_radius = toward * c->shape->convex_radius;
-  point->x = coordinate(p->x, q->x, weight, c->centre.x, normal->x, convex_radius, saturated);
-  point->y = coordinate(p->y, q->y, weight, c->centre.y, normal->y, convex_radius, saturated);
+  point->x = plane_coordinate(p->x, q->x, weight, c->centre.x, normal->x, convex_radius, saturated);
+  point->y = plane_coordinate(p->y, q->y, weight, c->centre.y, normal->y, convex_radius, saturated);
 }
 
 void gjk2_witness_points(const gjk2_search *s, const gjk2_vertex *p, const gjk2_vertex *q, const gjk2_length *length,
