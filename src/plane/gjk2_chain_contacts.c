@@ -1,0 +1,458 @@
+// The contacts of a body with a chain, from the outside.
+//
+// For each segment whose box meets the body's, by margin:
+//   1. Find the joints at its ends: convex ones and open ends have directions of their own, a wedge.
+//   2. Its own contacts: the body's deepest corner along the segment's normal, and the edge with which it faces it.
+//      They stand unless a way out along a wedge or along a convex neighbour's normal is shorter.
+//   3. The contact of the joint where it begins, and of an open end: along the direction strictly within the wedge with
+//      the shortest way out, where that is shorter than along both normals.
+//
+// How far the body reaches along a direction d from a vertex v: the least d . (b - v) / |d| over its points b. Over a
+// wedge it is largest at the wedge's ends, at an edge of the body that faces v, or where v is nearest to a corner.
+//
+// Everything is relative to the body's centre. The body's radius, margin and a segment are each at most 2^28 along an
+// axis, so the ends of a segment are below 3 2^28, and less than 2^30 from every point of the body:
+//   |segment| <= 2^28.5, |b - v| <= 2^30.5:   products below 2^59, (b - v)^2 <= 2^61
+#include "../arith/gjk_wide.h"
+#include "gjk2_chain.h"
+#include "gjk2_facing.h"
+#include "gjk2_hull.h"
+#include "gjk2_measure.h"
+
+#define EDGE_BYTE 255
+#define CORNER_BYTES 127
+
+// The body, and what has been found.
+typedef struct chain_query {
+  const gjk2_chain *chain;
+  const gjk2_collider *body;
+  gjk_q16 margin;
+  int32_t reach;       // margin plus the body's convex radius
+  gjk2_vec low, high;  // the body's box, enlarged by margin, relative to its centre
+  gjk2_chain_contact *out;
+  uint16_t capacity;
+  uint16_t count;
+  bool overflows;
+} chain_query;
+
+// A direction, and how far the body's core reaches along it: height / |d|.
+typedef struct chain_aim {
+  gjk2_vec d;
+  int64_t height;
+  uint64_t squared;  // |d|^2
+  gjk2_vec at;       // a farthest point of the core
+  uint16_t feature;  // as of gjk2_manifold, and its byte of an id
+  uint8_t id;
+} chain_aim;
+
+// The joint at one end of a segment.
+typedef struct chain_joint {
+  gjk2_vec at;
+  bool convex;                 // it has a wedge
+  bool concave;                // strictly; others are straight
+  bool open;                   // an end of the chain; neighbour is where the surface would turn back
+  gjk2_vec neighbour;          // the neighbour's normal
+  gjk2_vec neighbour_segment;  // from its first vertex to its last
+} chain_joint;
+
+typedef struct chain_segment {
+  uint16_t number;
+  gjk2_vec p, q, along, normal;
+  chain_joint before, after;
+  bool last;  // of an open chain
+} chain_segment;
+
+static gjk2_vec relative_vertex(const chain_query *query, uint32_t i) {
+  return gjk2_sub(gjk2_chain_vertex(query->chain, i), query->body->centre);
+}
+
+// The segment with a length that comes before segment i, or after it. False: there is none.
+static bool find_neighbour(const gjk2_chain *chain, uint32_t i, bool following, gjk2_vec *segment) {
+  const uint32_t segments = chain->count - UINT32_C(1);
+  for (uint32_t k = 1; k < segments; k++) {  // once round
+    if (!chain->closed && (following ? i + 1 >= segments : i == 0)) {
+      return false;
+    }
+    i = following ? (i + 1 < segments ? i + 1 : 0) : (i > 0 ? i : segments) - 1;
+    *segment = gjk2_sub(chain->vertices[i + 1], chain->vertices[i]);
+    if ((segment->x | segment->y) != 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Step 1. The chain turns left at a convex joint. Where it turns back in the same line it counts as convex, a tip.
+static void find_joint(const gjk2_chain *chain, const chain_segment *s, bool at_end, chain_joint *out) {
+  out->at = at_end ? s->q : s->p;
+  out->open = !find_neighbour(chain, s->number, at_end, &out->neighbour_segment);
+  if (out->open) {
+    out->convex = true;
+    out->concave = false;
+    out->neighbour = at_end ? s->along : gjk2_negate(s->along);
+    return;
+  }
+  const int64_t turn =
+      at_end ? gjk2_cross(s->along, out->neighbour_segment) : gjk2_cross(out->neighbour_segment, s->along);
+  out->convex = turn > 0 || (turn == 0 && gjk2_dot(s->along, out->neighbour_segment) < 0);
+  out->concave = turn < 0;
+  out->neighbour = gjk2_outward(out->neighbour_segment);
+}
+
+static void find_segment(const chain_query *query, uint16_t number, chain_segment *out) {
+  out->number = number;
+  out->p = relative_vertex(query, number);
+  out->q = relative_vertex(query, number + UINT32_C(1));
+  out->along = gjk2_sub(out->q, out->p);
+  out->normal = gjk2_outward(out->along);
+  find_joint(query->chain, out, false, &out->before);
+  find_joint(query->chain, out, true, &out->after);
+}
+
+// The body's reach along d from v, by its corner deepest along d.
+static void aim_along(const chain_query *query, gjk2_vec d, gjk2_vec v, chain_aim *out) {
+  const gjk2_vec back = gjk2_negate(d);
+  gjk2_support found;
+  if (gjk2_is_curved(query->body->shape)) {
+    query->body->shape->type->support(query->body, &back, &found);
+  } else {
+    gjk2_hull_corner(query->body, back, &found);
+  }
+  out->d = d;
+  out->at = found.offset;
+  out->height = gjk2_dot(d, gjk2_sub(found.offset, v));
+  out->squared = (uint64_t)gjk2_dot(d, d);
+  out->feature = found.vertex;
+  out->id = (uint8_t)(found.vertex & CORNER_BYTES);
+}
+
+// out = height^2 squared, 192 bits: below 2^61^2 2^61.
+static void square_of_reach(int64_t height, uint64_t squared, gjk_u192 *out) {
+  gjk_u192 factor, product;
+  gjk_u192_set(&factor, gjk_magnitude64(height));
+  gjk_u192_multiply(&product, &factor, &factor);
+  gjk_u192_set(&factor, squared);
+  gjk_u192_multiply(out, &product, &factor);
+}
+
+// Does the body reach farther along a than along b? Exact.
+static bool is_farther(const chain_aim *a, const chain_aim *b) {
+  if ((a->height < 0) != (b->height < 0)) {
+    return b->height < 0;
+  }
+  gjk_u192 x, y;
+  square_of_reach(a->height, b->squared, &x);
+  square_of_reach(b->height, a->squared, &y);
+  const int sign = gjk_u192_compare(&x, &y);
+  return a->height < 0 ? sign < 0 : sign > 0;
+}
+
+static bool is_in_reach(const chain_query *query, const chain_aim *aim) {
+  return aim->height <= 0 || gjk2_is_within(aim->height, aim->d, query->reach);
+}
+
+// Is d strictly within the wedge that turns left from one direction to another, by at most half a turn?
+static bool is_in_wedge(gjk2_vec from, gjk2_vec to, gjk2_vec d) {
+  return gjk2_cross(from, d) > 0 && gjk2_cross(d, to) > 0;
+}
+
+static void keep_farther(const chain_aim *aim, bool *found, chain_aim *best) {
+  if (!*found || is_farther(aim, best)) {
+    *best = *aim;
+  }
+  *found = true;
+}
+
+// The direction strictly within the wedge at v along which the body, a polygon, reaches farthest. False: there is none.
+static bool find_in_wedge(const chain_query *query, gjk2_vec v, gjk2_vec from, gjk2_vec to, chain_aim *best) {
+  const gjk2_collider *body = query->body;
+  gjk2_support corner, next, previous;
+  bool found = false;
+  gjk2_hull_corner(body, gjk2_negate(from), &corner);
+  gjk2_copy_support(&previous, &corner);
+  (void)gjk2_hull_neighbour(body, &corner, false, &previous);
+  for (uint32_t i = 0; i <= body->count; i++) {  // at most once round
+    const bool more = gjk2_hull_neighbour(body, &corner, true, &next);
+    const gjk2_vec d = gjk2_sub(corner.offset, v);
+    const gjk2_vec edge = more ? gjk2_sub(next.offset, corner.offset) : d;
+    // v is nearest to this corner.
+    if (is_in_wedge(from, to, d) &&
+        (!more || (gjk2_dot(edge, d) >= 0 && gjk2_dot(gjk2_sub(corner.offset, previous.offset), d) <= 0))) {
+      const uint64_t squared = (uint64_t)gjk2_dot(d, d);
+      const chain_aim aim = {
+          d, (int64_t)squared, squared, corner.offset, corner.vertex, (uint8_t)(corner.vertex & CORNER_BYTES)};
+      keep_farther(&aim, &found, best);
+    }
+    const gjk2_vec inward = gjk2_negate(gjk2_outward(edge));
+    if (!more || !is_in_wedge(from, to, inward)) {
+      break;
+    }
+    const uint16_t low = corner.vertex < next.vertex ? corner.vertex : next.vertex;
+    const uint16_t high = corner.vertex < next.vertex ? next.vertex : corner.vertex;
+    const chain_aim aim = {inward,
+                           gjk2_dot(inward, d),
+                           (uint64_t)gjk2_dot(edge, edge),
+                           corner.offset,
+                           (uint16_t)((low + 256 * (uint32_t)high) & UINT16_MAX),
+                           EDGE_BYTE};
+    keep_farther(&aim, &found, best);
+    gjk2_copy_support(&previous, &corner);
+    gjk2_copy_support(&corner, &next);
+  }
+  return found;
+}
+
+// The wedge at one end of a segment: from one normal to the other, counterclockwise.
+static void wedge_of(const chain_segment *s, bool at_end, gjk2_vec *from, gjk2_vec *to) {
+  *from = at_end ? s->normal : s->before.neighbour;
+  *to = at_end ? s->after.neighbour : s->normal;
+}
+
+// Is d within 20 degrees of the normal?
+static bool is_near_normal(gjk2_vec d, gjk2_vec normal) {
+  const int64_t along = gjk2_dot(d, normal);
+  return along > 0 && gjk_magnitude64(gjk2_cross(d, normal)) <= ((uint64_t)along >> 10) * 373;
+}
+
+// Step 2. Is a way out at one end of the segment shorter than along its own normal? level: the segment faces an edge.
+static bool yields_at(const chain_query *query, const chain_segment *s, bool at_end, const chain_aim *own, bool level) {
+  const chain_joint *joint = at_end ? &s->after : &s->before;
+  chain_aim other;
+  if (!joint->convex) {
+    return false;
+  }
+  if (!gjk2_is_curved(query->body->shape)) {
+    gjk2_vec from, to;
+    wedge_of(s, at_end, &from, &to);
+    if (find_in_wedge(query, joint->at, from, to, &other) && is_farther(&other, own) &&
+        !(level && is_near_normal(other.d, s->normal))) {
+      return true;
+    }
+  }
+  if (joint->open || (level && is_near_normal(joint->neighbour, s->normal))) {
+    return false;
+  }
+  aim_along(query, joint->neighbour, joint->at, &other);
+  return is_farther(&other, own);
+}
+
+// Does a point of the body lie across from the segment, or behind a concave joint across from neither?
+static bool is_across(const chain_segment *s, gjk2_vec b) {
+  const gjk2_vec from_p = gjk2_sub(b, s->p), from_q = gjk2_sub(b, s->q);
+  if (gjk2_dot(s->along, from_p) < 0) {
+    return s->before.concave && gjk2_dot(s->before.neighbour_segment, from_p) > 0;
+  }
+  if (gjk2_dot(s->along, from_q) > 0) {
+    return s->after.concave && gjk2_dot(s->after.neighbour_segment, from_q) < 0;
+  }
+  return true;
+}
+
+// v moved along a unit by a length, in the world.
+static gjk2_vec moved(const chain_query *query, gjk2_vec v, const gjk2_unit *unit, int64_t by) {
+  const int64_t half = INT64_C(1) << 29;
+  const gjk2_vec *centre = &query->body->centre;
+  const int32_t length = (int32_t)by;  // |by| < 2^31
+  const gjk2_vec to = {
+      gjk_saturate((int64_t)centre->x + v.x + gjk_sar64(gjk_mac32(half, unit->x, length), 30)),
+      gjk_saturate((int64_t)centre->y + v.y + gjk_sar64(gjk_mac32(half, unit->y, length), 30)),
+  };
+  return to;
+}
+
+// The reach to the nearest LSB. Sets the unit of its direction.
+static int64_t measure_aim(const chain_aim *aim, gjk2_unit *unit) {
+  gjk2_length length;
+  gjk2_length_set(&length, aim->d);
+  gjk2_unit_set(unit, &length, aim->d);
+  const int64_t size = gjk2_round_distance(&length, gjk_magnitude64(aim->height), GJK2_ROUND_NEAREST);
+  return aim->height < 0 ? -size : size;
+}
+
+static gjk_q16 least_distance(const gjk2_manifold *m) {
+  const gjk_q16 first = m->contact[0].distance;
+  return m->count < 2 || first < m->contact[1].distance ? first : m->contact[1].distance;
+}
+
+static void copy_manifold(gjk2_manifold *to, const gjk2_manifold *from) {
+  to->normal.x = from->normal.x;
+  to->normal.y = from->normal.y;
+  to->count = from->count;
+  to->feature_a = from->feature_a;
+  to->feature_b = from->feature_b;
+  for (unsigned i = 0; i < from->count; i++) {
+    gjk2_copy(&to->contact[i].point_a, &from->contact[i].point_a);
+    gjk2_copy(&to->contact[i].point_b, &from->contact[i].point_b);
+    to->contact[i].distance = from->contact[i].distance;
+    to->contact[i].id = from->contact[i].id;
+  }
+}
+
+// Appends the contacts. When there is no room the least deep ones go, of equals the last.
+static void append(chain_query *query, uint16_t segment, const gjk2_manifold *m) {
+  gjk2_chain_contact *out = query->out;
+  if (query->count == query->capacity) {
+    uint16_t least = 0;
+    query->overflows = true;
+    for (uint16_t i = 1; i < query->count; i++) {
+      least = least_distance(&out[i].manifold) >= least_distance(&out[least].manifold) ? i : least;
+    }
+    if (query->capacity == 0 || least_distance(m) >= least_distance(&out[least].manifold)) {
+      return;
+    }
+    query->count--;
+    for (uint16_t i = least; i < query->count; i++) {
+      out[i].segment = out[i + 1].segment;
+      copy_manifold(&out[i].manifold, &out[i + 1].manifold);
+    }
+  }
+  out[query->count].segment = segment;
+  copy_manifold(&out[query->count].manifold, m);
+  query->count++;
+}
+
+// Step 2
+static void add_segment(chain_query *query, const chain_segment *s) {
+  const gjk2_collider *body = query->body;
+  chain_aim own;
+  gjk2_manifold m;
+  gjk2_distance_result nearest;
+  gjk2_collider line;
+  aim_along(query, s->normal, s->p, &own);
+  if (gjk2_dot(s->normal, s->p) > 0 || !is_in_reach(query, &own)) {  // the centre is behind
+    return;
+  }
+  const int64_t core = measure_aim(&own, &m.normal);
+  nearest.distance = (gjk_q16)(core - body->shape->convex_radius);
+  nearest.point_b = moved(query, own.at, &m.normal, -(int64_t)body->shape->convex_radius);
+  nearest.point_a = moved(query, own.at, &m.normal, -core);
+  m.feature_a = 0;
+  m.feature_b = 0;
+  m.count = 0;
+  gjk2_chain_collider(gjk2_chain_vertex(query->chain, s->number),
+                      gjk2_chain_vertex(query->chain, s->number + UINT32_C(1)), &line);
+  const bool level =
+      gjk2_facing_contacts(&line, body, query->margin, GJK2_CONTACTS_MAX, is_across(s, own.at) ? &nearest : NULL, &m);
+  if (m.count > 0 && !yields_at(query, s, false, &own, level) && !yields_at(query, s, true, &own, level)) {
+    append(query, s->number, &m);
+  }
+}
+
+// Is a vertex within the box?
+static bool is_in_box(const chain_query *query, gjk2_vec v) {
+  return v.x >= query->low.x && v.x <= query->high.x && v.y >= query->low.y && v.y <= query->high.y;
+}
+
+// Step 3 for a polygon. False: no contact.
+static bool meet_joint(const chain_query *query, gjk2_vec v, gjk2_vec from, gjk2_vec to, gjk2_manifold *m) {
+  chain_aim best, end;
+  if (!find_in_wedge(query, v, from, to, &best) || !is_in_reach(query, &best)) {
+    return false;
+  }
+  aim_along(query, from, v, &end);
+  if (!is_farther(&best, &end)) {
+    return false;
+  }
+  aim_along(query, to, v, &end);
+  if (!is_farther(&best, &end)) {
+    return false;
+  }
+  const int64_t distance = measure_aim(&best, &m->normal) - query->body->shape->convex_radius;
+  m->feature_b = best.feature;
+  m->contact[0].id = best.id;
+  m->contact[0].distance = (gjk_q16)distance;
+  m->contact[0].point_b = moved(query, v, &m->normal, distance);
+  return true;
+}
+
+// The same for a curved body, by its distance from v.
+static gjk_status meet_joint_curved(const chain_query *query, gjk2_vec v, gjk2_vec from, gjk2_vec to, bool *meets,
+                                    gjk2_manifold *m) {
+  const gjk2_vec world = gjk2_add(v, query->body->centre);
+  gjk2_collider vertex;
+  gjk2_distance_result nearest;
+  gjk2_chain_collider(world, world, &vertex);
+  const gjk_status status = gjk2_signed_distance(&vertex, query->body, NULL, &nearest);
+  *meets = false;
+  if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
+    return status;
+  }
+  const gjk2_vec d = {nearest.normal.x, nearest.normal.y};
+  if (nearest.distance <= query->margin && is_in_wedge(from, to, d)) {
+    *meets = true;
+    m->normal = nearest.normal;
+    m->feature_b = 0;
+    m->contact[0].id = 0;
+    m->contact[0].distance = nearest.distance;
+    m->contact[0].point_b = nearest.point_b;
+  }
+  return GJK_OK;
+}
+
+// Step 3
+static gjk_status add_joint(chain_query *query, const chain_segment *s, bool at_end) {
+  const chain_joint *joint = at_end ? &s->after : &s->before;
+  gjk2_vec from, to;
+  gjk2_manifold m;
+  wedge_of(s, at_end, &from, &to);
+  const bool in_front =
+      gjk2_dot(s->normal, joint->at) <= 0 || (!joint->open && gjk2_dot(joint->neighbour, joint->at) <= 0);
+  if (!joint->convex || !in_front || !is_in_box(query, joint->at)) {
+    return GJK_OK;
+  }
+  bool meets;
+  gjk_status status = GJK_OK;
+  if (gjk2_is_curved(query->body->shape)) {
+    status = meet_joint_curved(query, joint->at, from, to, &meets, &m);
+  } else {
+    meets = meet_joint(query, joint->at, from, to, &m);
+  }
+  if (meets) {
+    m.count = 1;
+    m.feature_a = at_end ? 1 : 0;
+    m.contact[0].id = (uint16_t)(m.contact[0].id | (at_end ? 256u : 0u));
+    m.contact[0].point_a = gjk2_add(joint->at, query->body->centre);
+    append(query, s->number, &m);
+  }
+  return status;
+}
+
+// Sets the box of the body: its components are below 2^30.
+static void set_box(chain_query *query) {
+  const gjk2_vec *centre = &query->body->centre;
+  const gjk_q16 margin = query->margin;
+  gjk2_aabb box;
+  (void)gjk2_collider_aabb(query->body, &box);
+  query->low.x = box.lower.x - centre->x - margin;
+  query->low.y = box.lower.y - centre->y - margin;
+  query->high.x = box.upper.x - centre->x + margin;
+  query->high.y = box.upper.y - centre->y + margin;
+}
+
+gjk_status gjk2_chain_contacts(const gjk2_chain *chain, const gjk2_collider *body, const gjk2_chain_range *range,
+                               gjk_q16 margin, gjk2_chain_contact *out, uint16_t capacity, uint16_t *count) {
+  gjk_status status = out == NULL || count == NULL ? GJK_ERROR_NULL : gjk2_chain_check(chain, body, range);
+  if (status != GJK_OK || margin < 0 || margin > GJK2_RADIUS_MAX) {
+    return status != GJK_OK ? status : margin < 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_RANGE;
+  }
+  chain_query query = {chain,    body, margin, margin + body->shape->convex_radius, {0, 0}, {0, 0}, out,
+                       capacity, 0,    false};
+  gjk2_chain_walk walk;
+  set_box(&query);
+  gjk2_chain_start(&walk, chain, body, range, margin);
+  uint16_t number;
+  while (status == GJK_OK && gjk2_chain_next(&walk, &number)) {
+    chain_segment s;
+    find_segment(&query, number, &s);
+    add_segment(&query, &s);
+    status = add_joint(&query, &s, false);
+    if (status == GJK_OK && s.after.open) {
+      status = add_joint(&query, &s, true);
+    }
+  }
+  if (status == GJK_OK) {
+    *count = query.count;
+    status = query.overflows ? GJK_ERROR_CAPACITY : GJK_OK;
+  }
+  return status;
+}
