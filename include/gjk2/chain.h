@@ -77,11 +77,12 @@ typedef struct gjk2_chain_contact {
 //               lies across from either, a corner counts for both.
 // Which normal  Each segment and joint compares how far the body reaches along its directions, exactly: the direction
 //               of the shortest way out wins. A segment yields to a convex neighbour's normal, or to one between the two,
-//               along which the way out is shorter. A joint yields unless a direction strictly between is the shortest.
+//               along which the way out is shorter, if the body's box meets that neighbour's or holds the joint, and the
+//               centre is in front of the neighbour. A joint yields unless a direction strictly between is the shortest.
 //               A segment that faces an edge of the body yields only to normals more than 20 degrees from its own.
 // Exact         all of these signs, for points, segments, triangles, boxes, polygons and their forms with a convex
-//               radius. Of an ellipse or custom shape points are within 2 LSB, and a segment yields to its neighbours'
-//               normals alone.
+//               radius. Of an ellipse or custom shape points are within 2 LSB; a segment yields to its neighbours'
+//               normals alone, if they are more than 20 degrees off, and a joint to normals that reach farther.
 //                 normal    within 2^-28 of that of the segment, or of the direction
 //                 distance  of the deepest point to the nearest LSB; others as of gjk2_contacts
 //                 points    within 4 LSB of the surfaces. A joint's point on the body is straight across from it, and

@@ -214,14 +214,33 @@ static bool is_near_normal(gjk2_vec d, gjk2_vec normal) {
   return along > 0 && gjk_magnitude64(gjk2_cross(d, normal)) <= ((uint64_t)along >> 10) * 373;
 }
 
-// Step 2. Is a way out at one end of the segment shorter than along its own normal? level: the segment faces an edge.
+// Is a vertex within the box?
+static bool is_in_box(const chain_query *query, gjk2_vec v) {
+  return v.x >= query->low.x && v.x <= query->high.x && v.y >= query->low.y && v.y <= query->high.y;
+}
+
+// May the body meet the neighbour at a joint? Its box must meet the neighbour's; of a convex one its centre must be in
+// front as well.
+static bool may_meet_neighbour(const chain_query *query, const chain_segment *s, bool at_end) {
+  const chain_joint *joint = at_end ? &s->after : &s->before;
+  const gjk2_vec v = joint->at, low = query->low, high = query->high;
+  if (joint->open || (joint->convex && gjk2_dot(joint->neighbour, v) > 0)) {
+    return false;
+  }
+  const gjk2_vec w = at_end ? gjk2_add(v, joint->neighbour_segment) : gjk2_sub(v, joint->neighbour_segment);
+  return (v.x <= high.x || w.x <= high.x) && (v.x >= low.x || w.x >= low.x) && (v.y <= high.y || w.y <= high.y) &&
+         (v.y >= low.y || w.y >= low.y);
+}
+
+// Step 2. Is a way out at one end of the segment shorter than along its own normal? level: normals within 20 degrees
+// don't count, since the segment faces an edge, or the body is curved and what it reaches along them differs by little.
 static bool yields_at(const chain_query *query, const chain_segment *s, bool at_end, const chain_aim *own, bool level) {
   const chain_joint *joint = at_end ? &s->after : &s->before;
   chain_aim other;
   if (!joint->convex) {
     return false;
   }
-  if (!gjk2_is_curved(query->body->shape)) {
+  if (!gjk2_is_curved(query->body->shape) && is_in_box(query, joint->at)) {
     gjk2_vec from, to;
     wedge_of(s, at_end, &from, &to);
     if (find_in_wedge(query, joint->at, from, to, &other) && is_farther(&other, own) &&
@@ -229,35 +248,31 @@ static bool yields_at(const chain_query *query, const chain_segment *s, bool at_
       return true;
     }
   }
-  if (joint->open || (level && is_near_normal(joint->neighbour, s->normal))) {
+  if (!may_meet_neighbour(query, s, at_end) || (level && is_near_normal(joint->neighbour, s->normal))) {
     return false;
   }
   aim_along(query, joint->neighbour, joint->at, &other);
   return is_farther(&other, own);
 }
 
-// Does a point of the body lie across from the segment, or behind a concave joint across from neither?
-static bool is_across(const chain_segment *s, gjk2_vec b) {
-  const gjk2_vec from_p = gjk2_sub(b, s->p), from_q = gjk2_sub(b, s->q);
-  if (gjk2_dot(s->along, from_p) < 0) {
-    return s->before.concave && gjk2_dot(s->before.neighbour_segment, from_p) > 0;
-  }
-  if (gjk2_dot(s->along, from_q) > 0) {
-    return s->after.concave && gjk2_dot(s->after.neighbour_segment, from_q) < 0;
-  }
-  return true;
+// Is a point of the body that lies beyond one end of the segment the segment's? It is where the neighbour cannot meet the
+// body; and behind a concave joint where it lies across from neither. along: of the neighbour, how far the point lies on
+// its side of the joint.
+static bool is_own_beyond(const chain_query *query, const chain_segment *s, bool at_end, int64_t along) {
+  const chain_joint *joint = at_end ? &s->after : &s->before;
+  return !joint->open && ((joint->concave && along < 0) || !may_meet_neighbour(query, s, at_end));
 }
 
-// v moved along a unit by a length, in the world.
-static gjk2_vec moved(const chain_query *query, gjk2_vec v, const gjk2_unit *unit, int64_t by) {
-  const int64_t half = INT64_C(1) << 29;
-  const gjk2_vec *centre = &query->body->centre;
-  const int32_t length = (int32_t)by;  // |by| < 2^31
-  const gjk2_vec to = {
-      gjk_saturate((int64_t)centre->x + v.x + gjk_sar64(gjk_mac32(half, unit->x, length), 30)),
-      gjk_saturate((int64_t)centre->y + v.y + gjk_sar64(gjk_mac32(half, unit->y, length), 30)),
-  };
-  return to;
+// Does a point of the body lie across from the segment, or is it the segment's beyond an end?
+static bool is_across(const chain_query *query, const chain_segment *s, gjk2_vec b) {
+  const gjk2_vec from_p = gjk2_sub(b, s->p), from_q = gjk2_sub(b, s->q);
+  if (gjk2_dot(s->along, from_p) < 0) {
+    return is_own_beyond(query, s, false, s->before.open ? 0 : -gjk2_dot(s->before.neighbour_segment, from_p));
+  }
+  if (gjk2_dot(s->along, from_q) > 0) {
+    return is_own_beyond(query, s, true, s->after.open ? 0 : gjk2_dot(s->after.neighbour_segment, from_q));
+  }
+  return true;
 }
 
 // The reach to the nearest LSB. Sets the unit of its direction.
@@ -267,6 +282,46 @@ static int64_t measure_aim(const chain_aim *aim, gjk2_unit *unit) {
   gjk2_unit_set(unit, &length, aim->d);
   const int64_t size = gjk2_round_distance(&length, gjk_magnitude64(aim->height), GJK2_ROUND_NEAREST);
   return aim->height < 0 ? -size : size;
+}
+
+// v moved along a unit by a length. Pre: |by| < 2^31, and it arrives within int32.
+static gjk2_vec relative_moved(gjk2_vec v, const gjk2_unit *unit, int64_t by) {
+  const int64_t half = INT64_C(1) << 29;
+  const int32_t length = (int32_t)by;
+  const gjk2_vec to = {v.x + (int32_t)gjk_sar64(gjk_mac32(half, unit->x, length), 30),
+                       v.y + (int32_t)gjk_sar64(gjk_mac32(half, unit->y, length), 30)};
+  return to;
+}
+
+// Moves a deepest corner that is not across from the segment to where the body's edge spans the segment, if it is
+// parallel to it. False: it is not, or lies beyond one end.
+static bool move_across(const chain_query *query, const chain_segment *s, chain_aim *own) {
+  const gjk2_collider *body = query->body;
+  gjk2_support corner, other;
+  if (gjk2_is_curved(body->shape)) {
+    return false;
+  }
+  gjk2_hull_corner(body, gjk2_negate(s->normal), &corner);  // the last of equals counterclockwise: that towards p
+  if (!gjk2_hull_neighbour(body, &corner, false, &other)) {
+    return false;
+  }
+  const gjk2_vec edge = gjk2_sub(corner.offset, other.offset);
+  if (gjk2_dot(edge, s->normal) != 0 || gjk2_dot(s->along, gjk2_sub(corner.offset, s->q)) > 0 ||
+      gjk2_dot(s->along, gjk2_sub(other.offset, s->p)) < 0) {
+    return false;
+  }
+  // Across from p: the height is the same all along the edge.
+  gjk2_unit unit;
+  const int64_t core = measure_aim(own, &unit);
+  own->at = relative_moved(s->p, &unit, core);
+  return true;
+}
+
+// v moved along a unit by a length, in the world.
+static gjk2_vec moved(const chain_query *query, gjk2_vec v, const gjk2_unit *unit, int64_t by) {
+  const gjk2_vec *centre = &query->body->centre, to = relative_moved(v, unit, by);
+  const gjk2_vec world = {gjk_saturate((int64_t)centre->x + to.x), gjk_saturate((int64_t)centre->y + to.y)};
+  return world;
 }
 
 static gjk_q16 least_distance(const gjk2_manifold *m) {
@@ -322,6 +377,7 @@ static void add_segment(chain_query *query, const chain_segment *s) {
   if (gjk2_dot(s->normal, s->p) > 0 || !is_in_reach(query, &own)) {  // the centre is behind
     return;
   }
+  const bool across = is_across(query, s, own.at) || move_across(query, s, &own);
   const int64_t core = measure_aim(&own, &m.normal);
   nearest.distance = (gjk_q16)(core - body->shape->convex_radius);
   nearest.point_b = moved(query, own.at, &m.normal, -(int64_t)body->shape->convex_radius);
@@ -331,31 +387,34 @@ static void add_segment(chain_query *query, const chain_segment *s) {
   m.count = 0;
   gjk2_chain_collider(gjk2_chain_vertex(query->chain, s->number),
                       gjk2_chain_vertex(query->chain, s->number + UINT32_C(1)), &line);
-  const bool level =
-      gjk2_facing_contacts(&line, body, query->margin, GJK2_CONTACTS_MAX, is_across(s, own.at) ? &nearest : NULL, &m);
+  bool level = gjk2_facing_contacts(&line, body, query->margin, GJK2_CONTACTS_MAX, across ? &nearest : NULL, &m);
+  level = level || gjk2_is_curved(body->shape);
   if (m.count > 0 && !yields_at(query, s, false, &own, level) && !yields_at(query, s, true, &own, level)) {
     append(query, s->number, &m);
   }
 }
 
-// Is a vertex within the box?
-static bool is_in_box(const chain_query *query, gjk2_vec v) {
-  return v.x >= query->low.x && v.x <= query->high.x && v.y >= query->low.y && v.y <= query->high.y;
-}
-
 // Step 3 for a polygon. False: no contact.
-static bool meet_joint(const chain_query *query, gjk2_vec v, gjk2_vec from, gjk2_vec to, gjk2_manifold *m) {
+static bool meet_joint(const chain_query *query, const chain_segment *s, bool at_end, gjk2_manifold *m) {
+  const chain_joint *joint = at_end ? &s->after : &s->before;
+  const gjk2_vec v = joint->at;
+  gjk2_vec from, to;
   chain_aim best, end;
+  wedge_of(s, at_end, &from, &to);
   if (!find_in_wedge(query, v, from, to, &best) || !is_in_reach(query, &best)) {
     return false;
   }
-  aim_along(query, from, v, &end);
-  if (!is_farther(&best, &end)) {
-    return false;
+  if (gjk2_dot(s->normal, v) <= 0) {  // the centre is in front
+    aim_along(query, s->normal, v, &end);
+    if (!is_farther(&best, &end)) {
+      return false;
+    }
   }
-  aim_along(query, to, v, &end);
-  if (!is_farther(&best, &end)) {
-    return false;
+  if (may_meet_neighbour(query, s, at_end)) {
+    aim_along(query, joint->neighbour, v, &end);
+    if (!is_farther(&best, &end)) {
+      return false;
+    }
   }
   const int64_t distance = measure_aim(&best, &m->normal) - query->body->shape->convex_radius;
   m->feature_b = best.feature;
@@ -365,27 +424,37 @@ static bool meet_joint(const chain_query *query, gjk2_vec v, gjk2_vec from, gjk2
   return true;
 }
 
-// The same for a curved body, by its distance from v.
+// The same for a curved body: it meets the joint where turning either normal into the wedge lets it reach farther. The
+// direction is that of its distance from v, or the normal next to it: it may err by more than a flat wedge is wide.
 static gjk_status meet_joint_curved(const chain_query *query, gjk2_vec v, gjk2_vec from, gjk2_vec to, bool *meets,
                                     gjk2_manifold *m) {
   const gjk2_vec world = gjk2_add(v, query->body->centre);
   gjk2_collider vertex;
   gjk2_distance_result nearest;
+  chain_aim first, last;
+  aim_along(query, from, v, &first);
+  aim_along(query, to, v, &last);
+  *meets = gjk2_cross(from, gjk2_sub(first.at, v)) > 0 && gjk2_cross(gjk2_sub(last.at, v), to) > 0;
+  if (!*meets) {
+    return GJK_OK;
+  }
   gjk2_chain_collider(world, world, &vertex);
   const gjk_status status = gjk2_signed_distance(&vertex, query->body, NULL, &nearest);
-  *meets = false;
   if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
     return status;
   }
   const gjk2_vec d = {nearest.normal.x, nearest.normal.y};
-  if (nearest.distance <= query->margin && is_in_wedge(from, to, d)) {
-    *meets = true;
-    m->normal = nearest.normal;
-    m->feature_b = 0;
-    m->contact[0].id = 0;
-    m->contact[0].distance = nearest.distance;
-    m->contact[0].point_b = nearest.point_b;
+  int64_t distance = nearest.distance;
+  m->normal = nearest.normal;
+  if (!is_in_wedge(from, to, d)) {
+    const bool behind_first = gjk2_cross(from, d) <= 0 && gjk2_dot(from, d) > 0;
+    distance = measure_aim(behind_first ? &first : &last, &m->normal) - query->body->shape->convex_radius;
   }
+  *meets = distance <= query->margin;
+  m->feature_b = 0;
+  m->contact[0].id = 0;
+  m->contact[0].distance = (gjk_q16)distance;
+  m->contact[0].point_b = moved(query, v, &m->normal, distance);
   return GJK_OK;
 }
 
@@ -405,7 +474,7 @@ static gjk_status add_joint(chain_query *query, const chain_segment *s, bool at_
   if (gjk2_is_curved(query->body->shape)) {
     status = meet_joint_curved(query, joint->at, from, to, &meets, &m);
   } else {
-    meets = meet_joint(query, joint->at, from, to, &m);
+    meets = meet_joint(query, s, at_end, &m);
   }
   if (meets) {
     m.count = 1;
