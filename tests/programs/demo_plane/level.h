@@ -6,7 +6,7 @@
 #include "flat_solver.h"
 
 #define LEVEL_WIDTH 32
-#define LEVEL_HEIGHT 11
+#define LEVEL_HEIGHT 8
 #define LEVEL_PLAYERS 2
 
 // The keys of a player's input.
