@@ -153,8 +153,9 @@ gjk_status gjk2_chain_intersect(const gjk2_chain *chain, const gjk2_collider *bo
     return status;
   }
   gjk2_chain_walk walk;
-  gjk2_decision decision = {.yes = false};
+  gjk2_decision decision;
   uint16_t i = 0;
+  decision.yes = false;
   gjk2_chain_start(&walk, chain, body, range, 0);
   while (!decision.yes && gjk2_chain_next(&walk, &i)) {
     gjk2_collider line;

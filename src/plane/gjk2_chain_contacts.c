@@ -84,7 +84,7 @@ static bool find_neighbour(const gjk2_chain *chain, uint32_t i, bool following, 
 
 // Step 1. The chain turns left at a convex joint. Where it turns back in the same line it counts as convex, a tip.
 static void find_joint(const gjk2_chain *chain, const chain_segment *s, bool at_end, chain_joint *out) {
-  out->at = at_end ? s->q : s->p;
+  gjk2_copy(&out->at, at_end ? &s->q : &s->p);
   out->open = !find_neighbour(chain, s->number, at_end, &out->neighbour_segment);
   if (out->open) {
     out->convex = true;
@@ -158,7 +158,12 @@ static bool is_in_wedge(gjk2_vec from, gjk2_vec to, gjk2_vec d) {
 
 static void keep_farther(const chain_aim *aim, bool *found, chain_aim *best) {
   if (!*found || is_farther(aim, best)) {
-    *best = *aim;
+    gjk2_copy(&best->d, &aim->d);
+    gjk2_copy(&best->at, &aim->at);
+    best->height = aim->height;
+    best->squared = aim->squared;
+    best->feature = aim->feature;
+    best->id = aim->id;
   }
   *found = true;
 }
@@ -167,6 +172,7 @@ static void keep_farther(const chain_aim *aim, bool *found, chain_aim *best) {
 static bool find_in_wedge(const chain_query *query, gjk2_vec v, gjk2_vec from, gjk2_vec to, chain_aim *best) {
   const gjk2_collider *body = query->body;
   gjk2_support corner, next, previous;
+  chain_aim aim;
   bool found = false;
   gjk2_hull_corner(body, gjk2_negate(from), &corner);
   gjk2_copy_support(&previous, &corner);
@@ -178,9 +184,12 @@ static bool find_in_wedge(const chain_query *query, gjk2_vec v, gjk2_vec from, g
     // v is nearest to this corner.
     if (is_in_wedge(from, to, d) &&
         (!more || (gjk2_dot(edge, d) >= 0 && gjk2_dot(gjk2_sub(corner.offset, previous.offset), d) <= 0))) {
-      const uint64_t squared = (uint64_t)gjk2_dot(d, d);
-      const chain_aim aim = {
-          d, (int64_t)squared, squared, corner.offset, corner.vertex, (uint8_t)(corner.vertex & CORNER_BYTES)};
+      aim.d = d;
+      aim.squared = (uint64_t)gjk2_dot(d, d);
+      aim.height = (int64_t)aim.squared;
+      aim.at = corner.offset;
+      aim.feature = corner.vertex;
+      aim.id = (uint8_t)(corner.vertex & CORNER_BYTES);
       keep_farther(&aim, &found, best);
     }
     const gjk2_vec inward = gjk2_negate(gjk2_outward(edge));
@@ -189,12 +198,12 @@ static bool find_in_wedge(const chain_query *query, gjk2_vec v, gjk2_vec from, g
     }
     const uint16_t low = corner.vertex < next.vertex ? corner.vertex : next.vertex;
     const uint16_t high = corner.vertex < next.vertex ? next.vertex : corner.vertex;
-    const chain_aim aim = {inward,
-                           gjk2_dot(inward, d),
-                           (uint64_t)gjk2_dot(edge, edge),
-                           corner.offset,
-                           (uint16_t)((low + 256 * (uint32_t)high) & UINT16_MAX),
-                           EDGE_BYTE};
+    aim.d = inward;
+    aim.height = gjk2_dot(inward, d);
+    aim.squared = (uint64_t)gjk2_dot(edge, edge);
+    aim.at = corner.offset;
+    aim.feature = (uint16_t)((low + 256 * (uint32_t)high) & UINT16_MAX);
+    aim.id = EDGE_BYTE;
     keep_farther(&aim, &found, best);
     gjk2_copy_support(&previous, &corner);
     gjk2_copy_support(&corner, &next);
@@ -204,8 +213,8 @@ static bool find_in_wedge(const chain_query *query, gjk2_vec v, gjk2_vec from, g
 
 // The wedge at one end of a segment: from one normal to the other, counterclockwise.
 static void wedge_of(const chain_segment *s, bool at_end, gjk2_vec *from, gjk2_vec *to) {
-  *from = at_end ? s->normal : s->before.neighbour;
-  *to = at_end ? s->after.neighbour : s->normal;
+  gjk2_copy(from, at_end ? &s->normal : &s->before.neighbour);
+  gjk2_copy(to, at_end ? &s->after.neighbour : &s->normal);
 }
 
 // Is d within 20 degrees of the normal?
@@ -504,8 +513,15 @@ gjk_status gjk2_chain_contacts(const gjk2_chain *chain, const gjk2_collider *bod
   if (status != GJK_OK || margin < 0 || margin > GJK2_RADIUS_MAX) {
     return status != GJK_OK ? status : margin < 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_RANGE;
   }
-  chain_query query = {chain,    body, margin, margin + body->shape->convex_radius, {0, 0}, {0, 0}, out,
-                       capacity, 0,    false};
+  chain_query query;
+  query.chain = chain;
+  query.body = body;
+  query.margin = margin;
+  query.reach = margin + body->shape->convex_radius;
+  query.out = out;
+  query.capacity = capacity;
+  query.count = 0;
+  query.overflows = false;
   gjk2_chain_walk walk;
   set_box(&query);
   gjk2_chain_start(&walk, chain, body, range, margin);
