@@ -110,18 +110,18 @@ static void find_segment(const chain_query *query, uint16_t number, chain_segmen
 }
 
 // The body's reach along d from v, by its corner deepest along d.
-static void aim_along(const chain_query *query, gjk2_vec d, gjk2_vec v, chain_aim *out) {
-  const gjk2_vec back = gjk2_negate(d);
+static void aim_along(const chain_query *query, const gjk2_vec *d, const gjk2_vec *v, chain_aim *out) {
+  const gjk2_vec back = gjk2_negate(*d);
   gjk2_support found;
   if (gjk2_is_curved(query->body->shape)) {
     query->body->shape->type->support(query->body, &back, &found);
   } else {
     gjk2_hull_corner(query->body, back, &found);
   }
-  out->d = d;
+  out->d = *d;
   out->at = found.offset;
-  out->height = gjk2_dot(d, gjk2_sub(found.offset, v));
-  out->squared = (uint64_t)gjk2_dot(d, d);
+  out->height = gjk2_dot(*d, gjk2_sub(found.offset, *v));
+  out->squared = (uint64_t)gjk2_dot(*d, *d);
   out->feature = found.vertex;
   out->id = (uint8_t)(found.vertex & CORNER_BYTES);
 }
@@ -168,18 +168,27 @@ static void keep_farther(const chain_aim *aim, bool *found, chain_aim *best) {
   *found = true;
 }
 
-// The direction strictly within the wedge at v along which the body, a polygon, reaches farthest. False: there is none.
-static bool find_in_wedge(const chain_query *query, gjk2_vec v, gjk2_vec from, gjk2_vec to, chain_aim *best) {
+// The wedge at one end of a segment: from one normal to the other, counterclockwise.
+static void wedge_of(const chain_segment *s, bool at_end, gjk2_vec *from, gjk2_vec *to) {
+  gjk2_copy(from, at_end ? &s->normal : &s->before.neighbour);
+  gjk2_copy(to, at_end ? &s->after.neighbour : &s->normal);
+}
+
+// The direction strictly within a joint's wedge along which the body, a polygon, reaches farthest. False: there is none.
+static bool find_in_wedge(const chain_query *query, const chain_segment *s, bool at_end, chain_aim *best) {
   const gjk2_collider *body = query->body;
   gjk2_support corner, next, previous;
+  const gjk2_vec *v = at_end ? &s->after.at : &s->before.at;
+  gjk2_vec from, to;
   chain_aim aim;
   bool found = false;
+  wedge_of(s, at_end, &from, &to);
   gjk2_hull_corner(body, gjk2_negate(from), &corner);
   gjk2_copy_support(&previous, &corner);
   (void)gjk2_hull_neighbour(body, &corner, false, &previous);
   for (uint32_t i = 0; i <= body->count; i++) {  // at most once round
     const bool more = gjk2_hull_neighbour(body, &corner, true, &next);
-    const gjk2_vec d = gjk2_sub(corner.offset, v);
+    const gjk2_vec d = gjk2_sub(corner.offset, *v);
     const gjk2_vec edge = more ? gjk2_sub(next.offset, corner.offset) : d;
     // v is nearest to this corner.
     if (is_in_wedge(from, to, d) &&
@@ -211,16 +220,10 @@ static bool find_in_wedge(const chain_query *query, gjk2_vec v, gjk2_vec from, g
   return found;
 }
 
-// The wedge at one end of a segment: from one normal to the other, counterclockwise.
-static void wedge_of(const chain_segment *s, bool at_end, gjk2_vec *from, gjk2_vec *to) {
-  gjk2_copy(from, at_end ? &s->normal : &s->before.neighbour);
-  gjk2_copy(to, at_end ? &s->after.neighbour : &s->normal);
-}
-
 // Is d within 20 degrees of the normal?
-static bool is_near_normal(gjk2_vec d, gjk2_vec normal) {
-  const int64_t along = gjk2_dot(d, normal);
-  return along > 0 && gjk_magnitude64(gjk2_cross(d, normal)) <= ((uint64_t)along >> 10) * 373;
+static bool is_near_normal(const gjk2_vec *d, const gjk2_vec *normal) {
+  const int64_t along = gjk2_dot(*d, *normal);
+  return along > 0 && gjk_magnitude64(gjk2_cross(*d, *normal)) <= ((uint64_t)along >> 10) * 373;
 }
 
 // Is a vertex within the box?
@@ -250,17 +253,15 @@ static bool yields_at(const chain_query *query, const chain_segment *s, bool at_
     return false;
   }
   if (!gjk2_is_curved(query->body->shape) && is_in_box(query, joint->at)) {
-    gjk2_vec from, to;
-    wedge_of(s, at_end, &from, &to);
-    if (find_in_wedge(query, joint->at, from, to, &other) && is_farther(&other, own) &&
-        !(level && is_near_normal(other.d, s->normal))) {
+    if (find_in_wedge(query, s, at_end, &other) && is_farther(&other, own) &&
+        !(level && is_near_normal(&other.d, &s->normal))) {
       return true;
     }
   }
-  if (!may_meet_neighbour(query, s, at_end) || (level && is_near_normal(joint->neighbour, s->normal))) {
+  if (!may_meet_neighbour(query, s, at_end) || (level && is_near_normal(&joint->neighbour, &s->normal))) {
     return false;
   }
-  aim_along(query, joint->neighbour, joint->at, &other);
+  aim_along(query, &joint->neighbour, &joint->at, &other);
   return is_farther(&other, own);
 }
 
@@ -382,7 +383,7 @@ static void add_segment(chain_query *query, const chain_segment *s) {
   gjk2_manifold m;
   gjk2_distance_result nearest;
   gjk2_collider line;
-  aim_along(query, s->normal, s->p, &own);
+  aim_along(query, &s->normal, &s->p, &own);
   if (gjk2_dot(s->normal, s->p) > 0 || !is_in_reach(query, &own)) {  // the centre is behind
     return;
   }
@@ -407,20 +408,18 @@ static void add_segment(chain_query *query, const chain_segment *s) {
 static bool meet_joint(const chain_query *query, const chain_segment *s, bool at_end, gjk2_manifold *m) {
   const chain_joint *joint = at_end ? &s->after : &s->before;
   const gjk2_vec v = joint->at;
-  gjk2_vec from, to;
   chain_aim best, end;
-  wedge_of(s, at_end, &from, &to);
-  if (!find_in_wedge(query, v, from, to, &best) || !is_in_reach(query, &best)) {
+  if (!find_in_wedge(query, s, at_end, &best) || !is_in_reach(query, &best)) {
     return false;
   }
   if (gjk2_dot(s->normal, v) <= 0) {  // the centre is in front
-    aim_along(query, s->normal, v, &end);
+    aim_along(query, &s->normal, &v, &end);
     if (!is_farther(&best, &end)) {
       return false;
     }
   }
   if (may_meet_neighbour(query, s, at_end)) {
-    aim_along(query, joint->neighbour, v, &end);
+    aim_along(query, &joint->neighbour, &v, &end);
     if (!is_farther(&best, &end)) {
       return false;
     }
@@ -441,8 +440,8 @@ static gjk_status meet_joint_curved(const chain_query *query, gjk2_vec v, gjk2_v
   gjk2_collider vertex;
   gjk2_distance_result nearest;
   chain_aim first, last;
-  aim_along(query, from, v, &first);
-  aim_along(query, to, v, &last);
+  aim_along(query, &from, &v, &first);
+  aim_along(query, &to, &v, &last);
   *meets = gjk2_cross(from, gjk2_sub(first.at, v)) > 0 && gjk2_cross(gjk2_sub(last.at, v), to) > 0;
   if (!*meets) {
     return GJK_OK;
