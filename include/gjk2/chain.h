@@ -74,7 +74,8 @@ typedef struct gjk2_chain_contact {
 //               through what comes from behind, and lets go of a body whose centre is in it.
 // A segment     The body's corner that is deepest along the segment's normal must lie across from the segment, or with
 //               its edge (gjk2_contacts) share a stretch with it. Behind both segments of a concave joint, where nothing
-//               lies across from either, a corner counts for both.
+//               lies across from either, a corner counts for both. Beyond an end where the body's box does not meet the
+//               neighbour's, or the centre is behind a convex neighbour, it counts for the segment.
 // Which normal  Each segment and joint compares how far the body reaches along its directions, exactly: the direction
 //               of the shortest way out wins. A segment yields to a convex neighbour's normal, or to one between the two,
 //               along which the way out is shorter, if the body's box meets that neighbour's or holds the joint, and the
@@ -87,7 +88,7 @@ typedef struct gjk2_chain_contact {
 //                 distance  of the deepest point to the nearest LSB; others as of gjk2_contacts
 //                 points    within 4 LSB of the surfaces. A joint's point on the body is straight across from it, and
 //                           lies on the body's surface unless a nearer edge faces no direction of the joint
-// Cost          a look at each segment of the range; for those whose box meets the body's, some 2,000 instructions.
+// Cost          a look at each segment of the range; for those whose box meets the body's, some 3,000 instructions.
 //
 // What is valid after each status; out beyond count may be overwritten:
 //

@@ -274,7 +274,7 @@ static bool is_own_beyond(const chain_query *query, const chain_segment *s, bool
 }
 
 // Does a point of the body lie across from the segment, or is it the segment's beyond an end?
-static bool is_across(const chain_query *query, const chain_segment *s, gjk2_vec b) {
+static bool lies_across(const chain_query *query, const chain_segment *s, gjk2_vec b) {
   const gjk2_vec from_p = gjk2_sub(b, s->p), from_q = gjk2_sub(b, s->q);
   if (gjk2_dot(s->along, from_p) < 0) {
     return is_own_beyond(query, s, false, s->before.open ? 0 : -gjk2_dot(s->before.neighbour_segment, from_p));
@@ -334,7 +334,7 @@ static gjk2_vec moved(const chain_query *query, gjk2_vec v, const gjk2_unit *uni
   return world;
 }
 
-static gjk_q16 least_distance(const gjk2_manifold *m) {
+static gjk_q16 least_contact_distance(const gjk2_manifold *m) {
   const gjk_q16 first = m->contact[0].distance;
   return m->count < 2 || first < m->contact[1].distance ? first : m->contact[1].distance;
 }
@@ -360,9 +360,9 @@ static void append(chain_query *query, uint16_t segment, const gjk2_manifold *m)
     uint16_t least = 0;
     query->overflows = true;
     for (uint16_t i = 1; i < query->count; i++) {
-      least = least_distance(&out[i].manifold) >= least_distance(&out[least].manifold) ? i : least;
+      least = least_contact_distance(&out[i].manifold) >= least_contact_distance(&out[least].manifold) ? i : least;
     }
-    if (query->capacity == 0 || least_distance(m) >= least_distance(&out[least].manifold)) {
+    if (query->capacity == 0 || least_contact_distance(m) >= least_contact_distance(&out[least].manifold)) {
       return;
     }
     query->count--;
@@ -387,7 +387,7 @@ static void add_segment(chain_query *query, const chain_segment *s) {
   if (gjk2_dot(s->normal, s->p) > 0 || !is_in_reach(query, &own)) {  // the centre is behind
     return;
   }
-  const bool across = is_across(query, s, own.at) || move_across(query, s, &own);
+  const bool across = lies_across(query, s, own.at) || move_across(query, s, &own);
   const int64_t core = measure_aim(&own, &m.normal);
   nearest.distance = (gjk_q16)(core - body->shape->convex_radius);
   nearest.point_b = moved(query, own.at, &m.normal, -(int64_t)body->shape->convex_radius);
