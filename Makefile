@@ -6,6 +6,9 @@
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
 #                        (-m4-fpu and -m7-fpu: the same with floating point, for programs that have some)
 #   make demo-stack      lets a pile of crates, balls, capsules and drums fall and rest under the tests' solver: build/stack.svg
+#   make demo-plane      two players run, jump and push things over a level of the plane, in two processes that exchange only
+#                        keys; then one of them is firmware on an emulated Cortex-M3, then on a big-endian machine:
+#                        build/plane.svg
 #   make demo-trace      draws what each iteration of GJK does on some pairs: build/trace.html
 #   make amalgamation    the library as two files: build/amalgamation/gjk.h and gjk.c
 #   make sizes           code by function group and stack by query, per target
@@ -96,7 +99,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: all help lib setup test unit-tests demo demo-stack demo-trace amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: all help lib setup test unit-tests demo demo-stack demo-plane demo-trace amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
@@ -142,6 +145,7 @@ TEST_SCRIPTS := $(wildcard tests/check/unit/test_*.sh)
 UNIT_TESTS := $(patsubst tests/check/unit/%.c,build/%,$(wildcard tests/check/unit/test_*.c))
 QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/query/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c labels.c svg.c))
 DEMO_STACK := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/demo_stack/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c svg.c))
+DEMO_PLANE := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo_plane/*.c)))
 DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo/*.c)))
 
 build/hosted/programs.flags: FORCE
@@ -155,9 +159,10 @@ build/hosted/%.o: %.c build/hosted/programs.flags Makefile
 build/gjk-query: $(QUERY)
 build/gjk-demo: $(DEMO)
 build/gjk-demo-stack: $(DEMO_STACK)
+build/gjk-demo-plane: $(DEMO_PLANE)
 build/lockstep: build/hosted/tests/programs/lockstep/main.o build/hosted/tests/programs/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
-build/gjk-query build/gjk-demo build/gjk-demo-stack build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
+build/gjk-query build/gjk-demo build/gjk-demo-stack build/gjk-demo-plane build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
@@ -238,7 +243,7 @@ build/gjk-bench-report: $(BENCH_REPORT)
 # must not turn into calls of memset.
 
 BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
-FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/support/scene/*.h tests/programs/lockstep/*.h include/gjk/*.h include/gjk2/*.h) Makefile
+FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/programs/demo_plane/*.h tests/support/scene/*.h tests/programs/lockstep/*.h include/gjk/*.h include/gjk2/*.h) Makefile
 FIRMWARE = $(FREESTANDING) -I. -Itests/support -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
   $(filter-out $(FIRMWARE_NEEDS) %.flags,$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 
@@ -269,6 +274,10 @@ $(OUT)/lockstep.elf: tests/programs/lockstep/firmware.c tests/programs/lockstep/
 	@echo '  $@'
 	@$(FIRMWARE)
 
+$(OUT)/demo_plane.elf: $(addprefix tests/programs/demo_plane/,firmware.c play.c level.c flat_solver.c) $(OUT)/demo_plane.elf.flags $(FIRMWARE_NEEDS)
+	@echo '  $@'
+	@$(FIRMWARE)
+
 # The other goals.
 
 setup:
@@ -276,7 +285,7 @@ setup:
 
 unit-tests: $(UNIT_TESTS)
 
-test: all unit-tests build/scene-bench build/gjk-plane-alone build/lockstep build/gjk-demo-stack $(filter setup,$(MAKECMDGOALS))
+test: all unit-tests build/scene-bench build/gjk-plane-alone build/lockstep build/gjk-demo-stack build/gjk-demo-plane $(filter setup,$(MAKECMDGOALS))
 	@sh tests/build/run-tests.sh build $(UNIT_TESTS) $(TEST_SCRIPTS)
 
 demo: build/gjk-demo
@@ -285,6 +294,10 @@ demo: build/gjk-demo
 
 demo-stack: build/gjk-demo-stack
 	build/gjk-demo-stack build/stack.svg
+
+demo-plane: build/gjk-demo-plane
+	@sh tests/build/demo-plane.sh build 900
+	@echo '  build/plane.svg'
 
 demo-trace: build/gjk-query
 	@sh tests/build/demo-trace.sh build tests/data/trace.txt

@@ -6,6 +6,7 @@
 #include "gjk/version.h"
 #include "gjk2/cache.h"
 #include "gjk2/certificate.h"
+#include "gjk2/chain.h"
 #include "gjk2/check.h"
 #include "gjk2/collider.h"
 #include "gjk2/contacts.h"

@@ -12,6 +12,7 @@
 //   step 3   points of edges, points across from a corner, and gaps: to the nearest LSB
 #include "gjk2/contacts.h"
 
+#include "gjk2_facing.h"
 #include "gjk2_hull.h"
 #include "gjk2_measure.h"
 
@@ -220,11 +221,10 @@ static void plane_admit_nearest(const gjk2_distance_result *nearest, uint16_t id
   c[i].id = id;
 }
 
-// Steps 2 to 5.
-GJK_OUT_OF_LINE static void plane_find_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin,
-                                                unsigned most, const gjk2_distance_result *nearest,
-                                                gjk2_manifold *out) {
+GJK_OUT_OF_LINE bool gjk2_facing_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, unsigned most,
+                                          const gjk2_distance_result *nearest, gjk2_manifold *out) {
   uint16_t id = 0;
+  bool level = false;
   if (plane_is_within_reach(a, b)) {
     const gjk2_vec towards_b = {out->normal.x, out->normal.y}, towards_a = gjk2_negate(towards_b);
     const gjk2_vec left = {-towards_b.y, towards_b.x}, origin = {0, 0};
@@ -235,15 +235,19 @@ GJK_OUT_OF_LINE static void plane_find_contacts(const gjk2_collider *a, const gj
     out->feature_b = feature_of(&of_b);
     id = (uint16_t)((of_a.count == 2 ? ID_EDGE : of_a.number[0] & ID_CORNERS) << 8 |
                     (of_b.count == 2 ? ID_EDGE : of_b.number[0] & ID_CORNERS));
-    if (of_a.count == 2 && of_b.count == 2) {
+    level = of_a.count == 2 && of_b.count == 2;
+    if (level) {
       plane_clip(&of_a, &of_b, a->centre, margin, out);
     }
   }
-  plane_admit_nearest(nearest, id, out);
+  if (nearest != NULL) {
+    plane_admit_nearest(nearest, id, out);
+  }
   if (out->count > most) {
     keep_better(out->contact);
     out->count = 1;
   }
+  return level;
 }
 
 gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, unsigned most,
@@ -262,7 +266,7 @@ gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16
   out->feature_b = 0;
   out->count = 0;
   if (nearest.distance <= margin) {
-    plane_find_contacts(a, b, margin, most, &nearest, out);
+    (void)gjk2_facing_contacts(a, b, margin, most, &nearest, out);
   }
   return status;
 }
