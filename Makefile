@@ -112,6 +112,7 @@ lib: $(LIB)
 
 LIB_OBJECTS := $(patsubst %.c,$(OUT)/%.o,$(notdir $(wildcard src/*/*.c)))
 vpath gjk_%.c $(wildcard src/*)
+vpath gjk2_%.c $(wildcard src/*)
 
 $(LIB): $(LIB_OBJECTS)
 	@rm -f $@
@@ -214,7 +215,7 @@ build/gjk-bench-report: $(BENCH_REPORT)
 # must not turn into calls of memset.
 
 BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
-FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/support/scene/*.h tests/programs/lockstep/*.h include/gjk/*.h) Makefile
+FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/support/scene/*.h tests/programs/lockstep/*.h include/gjk/*.h include/gjk2/*.h) Makefile
 FIRMWARE = $(FREESTANDING) -I. -Itests/support -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
   $(filter-out $(FIRMWARE_NEEDS) %.flags,$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 
@@ -231,7 +232,7 @@ $(OUT)/%.elf: tests/measure/target/%.c tests/measure/target/%_firmware.c $(OUT)/
 
 $(OUT)/bench.elf: tests/measure/target/bench_gjk.c tests/measure/target/bench_float.c tests/measure/target/bench_double.c
 $(OUT)/bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),,-DBENCH_REFERENCE_DEPTH)
-$(OUT)/bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
+$(OUT)/bench.elf $(OUT)/plane_bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
 $(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/scene_bench.elf: tests/support/scene/traffic.c
 $(OUT)/scene_golden.elf: tests/support/scene/match.c

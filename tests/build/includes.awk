@@ -11,7 +11,7 @@ FNR == NR { next }
 
 FNR == 1 {
   parts = split(FILENAME, part, "/")
-  room = FILENAME ~ /(^|\/)include\/gjk\// ? "public" : part[parts - 1]
+  room = FILENAME ~ /(^|\/)include\/gjk\// ? "public" : FILENAME ~ /(^|\/)include\/gjk2\// ? "planar" : part[parts - 1]
   if (!(room in known)) { print FILENAME ": in no room of layers.txt"; bad = 1; exit }
 }
 
@@ -22,8 +22,10 @@ FNR == 1 {
   if (name ~ /^GJK_PORT_HEADER/ && FILENAME ~ /src\/arith\/gjk_port_defaults\.h$/) next
   to = ""
   if (name ~ /^"gjk\/[a-z]+\.h"/) to = "public"
-  else if (name ~ /^"gjk_[a-z_0-9]+\.h"/) to = room
-  else if (name ~ /^"\.\.\/[a-z]+\/gjk_[a-z_0-9]+\.h"/) { split(name, folder, "/"); to = folder[2] }
+  else if (name ~ /^"gjk2\/[a-z0-9]+\.h"/) to = "planar"
+  else if (name ~ /^"gjk2?_[a-z_0-9]+\.h"/) to = room
+  else if (name ~ /^"\.\.\/[a-z]+\/gjk2?_[a-z_0-9]+\.h"/) { split(name, folder, "/"); to = folder[2] }
+  if (to == "public" && room ~ /^plan/ && name !~ /^"gjk\/(format|status|version)\.h"/) to = "space"
   if (!((room, to) in allowed)) {
     print FILENAME ":" FNR ": room '" room "' may not include " name
     bad = 1

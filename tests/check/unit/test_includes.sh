@@ -19,20 +19,20 @@ table_is_ordered() {
 }
 
 table_has_all_rooms() {
-  sed -n 's/^\([a-z]*\):.*/\1/p' tests/build/layers.txt | grep -v '^public$' | sort >"$1/rooms"
+  sed -n 's/^\([a-z]*\):.*/\1/p' tests/build/layers.txt | grep -v -e '^public$' -e '^planar$' | sort >"$1/rooms"
   find src -mindepth 1 -maxdepth 1 -type d | sed 's|src/||' | sort | diff "$1/rooms" -
 }
 
 # A flat build, and a user's include path, may hold other files of every name that has no prefix.
 files_have_own_names() {
-  ! find src -name '*.[ch]' | sed 's|.*/||' | grep -v '^gjk_' || return 1
+  ! find src -name '*.[ch]' | sed 's|.*/||' | grep -v -e '^gjk_' -e '^gjk2_' || return 1
   [ -z "$(find src -name '*.c' | sed 's|.*/||' | sort | uniq -d)" ] && [ -z "$(find src -name '*.h' | sed 's|.*/||' | sort | uniq -d)" ]
 }
 
 # circles DIR: the headers below it that include each other in a circle
 no_circle() {
   find "$1" -name '*.h' | while read -r header; do
-    sed -n 's|^ *# *include "\(.*/\)*\(gjk_[a-z_0-9]*\)\.h".*|\2|p' "$header" | sed "s|^|$(basename "$header" .h) |"
+    sed -n 's|^ *# *include "\(.*/\)*\(gjk2\{0,1\}_[a-z_0-9]*\)\.h".*|\2|p' "$header" | sed "s|^|$(basename "$header" .h) |"
   done | tsort >/dev/null
 }
 
@@ -56,12 +56,12 @@ no_compiler() {
 
 scratch=$1/includes/src
 rm -rf "$scratch"
-mkdir -p "$scratch/shape" "$scratch/arith" "$scratch/attic" "$scratch/circle"
+mkdir -p "$scratch/shape" "$scratch/plane" "$scratch/arith" "$scratch/attic" "$scratch/circle"
 check 'layers.txt: rooms point down' table_is_ordered
 check 'layers.txt: the rooms there are' table_has_all_rooms "$scratch"
 check 'every file of src has a name of its own, with the prefix' files_have_own_names
 check 'no headers include each other in a circle' no_circle src
-for file in src/*/*.[ch] include/gjk/*.h; do
+for file in src/*/*.[ch] include/gjk/*.h include/gjk2/*.h; do
   check "$file includes what its room may" layered "$file"
   check "$file has no floating point" no_floating_point "$file"
   case $file in
@@ -75,6 +75,8 @@ refused() {
   ! "$@"
 }
 printf '#include "../gjk/gjk_iteration.h"\n' >"$scratch/shape/gjk_upward.c"
+printf '#include "gjk/shape.h"\n' >"$scratch/plane/gjk2_space.c"
+printf '#include "gjk2/shape.h"\n' >"$scratch/shape/gjk_plane.c"
 printf '#include <string.h>\n' >"$scratch/arith/gjk_library.c"
 printf '#include "../arith/../shape/gjk_scan.h"\n' >"$scratch/arith/gjk_around.h"
 printf '#include "gjk_scan.h"\n' >"$scratch/attic/gjk_attic.c"
@@ -84,6 +86,8 @@ printf '#include "../circle/gjk_one.h"\n' >"$scratch/circle/gjk_two.h"
 check 'an include upward is refused' refused layered "$scratch/shape/gjk_upward.c"
 check 'a fifth header is refused' refused layered "$scratch/arith/gjk_library.c"
 check 'a path around the rooms is refused' refused layered "$scratch/arith/gjk_around.h"
+check 'space is refused in the plane' refused layered "$scratch/plane/gjk2_space.c"
+check 'the plane is refused in space' refused layered "$scratch/shape/gjk_plane.c"
 check 'a file in no room is refused' refused layered "$scratch/attic/gjk_attic.c"
 check 'a circle is refused' refused no_circle "$scratch/circle"
 check 'floating point is refused' refused no_floating_point "$scratch/arith/gjk_double.c"

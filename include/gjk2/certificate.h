@@ -1,0 +1,37 @@
+// Certificates of the plane: why an answer is right, in integers that anyone can check.
+//
+// A vertex is named by a number. Of a polygon or triangle it is the index; of a box, segment or point the signs of its
+// half axes: bit 0 and 1 set for plus x and y. A pair (a[i], b[i]) stands for the point a - b of the Minkowski
+// difference of the two cores.
+#ifndef GJK2_CERTIFICATE_H
+#define GJK2_CERTIFICATE_H
+
+#include "gjk2/collider.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum gjk2_proof {
+  GJK2_PROOF_NONE = 0,   // curved shapes: no vertices to name
+  GJK2_PROOF_CIRCLES,    // apart: the bounding circles are
+  GJK2_PROOF_DIRECTION,  // apart: every a - b lies behind the line across direction, at the asked distance
+  GJK2_PROOF_NEAREST,    // one pair or two span the feature nearest to the origin: no vertex lies before its line
+  GJK2_PROOF_NEAR,       // together: one pair or two span a feature that comes within the asked distance
+  GJK2_PROOF_ENCLOSING,  // together: the pairs span a point, segment or triangle with the origin in it
+  GJK2_PROOF_EDGE,       // depth: two pairs span a line that no a - b lies beyond, outwards to the right of w0 -> w1
+  GJK2_PROOF_LINE        // depth 0 of the cores: across direction, no a - b lies beyond the origin
+} gjk2_proof;
+
+typedef struct gjk2_certificate {
+  gjk2_vec direction;  // GJK2_PROOF_DIRECTION, GJK2_PROOF_LINE: from A to B, of any length
+  uint16_t a[3], b[3];
+  uint8_t count;  // pairs in use
+  uint8_t proof;  // a gjk2_proof
+} gjk2_certificate;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

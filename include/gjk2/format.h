@@ -1,0 +1,54 @@
+// Number formats, vectors and limits of the plane.
+//
+// Lengths, angles, statuses and versions are those of gjk/format.h, gjk/status.h and gjk/version.h; nothing else of
+// space is needed in the plane.
+#ifndef GJK2_FORMAT_H
+#define GJK2_FORMAT_H
+
+#include "gjk/format.h"
+
+// Position, offset or half extents, Q16.16.
+typedef struct gjk2_vec {
+  gjk_q16 x, y;
+} gjk2_vec;
+
+// Unit vector, Q2.30.
+typedef struct gjk2_unit {
+  gjk_q30 x, y;
+} gjk2_unit;
+
+// Rotation as the unit complex number c + i s, Q2.30: the cosine and sine of an angle, counterclockwise from x to y.
+// The identity is {GJK_Q30_ONE, 0}.
+typedef struct gjk2_rotation {
+  gjk_q30 c, s;
+} gjk2_rotation;
+
+// Where a shape stands: first rotated about its own origin, then moved by position.
+typedef struct gjk2_pose {
+  gjk2_vec position;
+  gjk2_rotation rotation;
+} gjk2_pose;
+
+#define GJK2_POSE_IDENTITY \
+  {                        \
+    {0, 0}, {              \
+      GJK_Q30_ONE, 0       \
+    }                      \
+  }
+
+// Largest radius of a shape about the centre of its core's bounding box, convex radius included: 4095 units.
+#define GJK2_RADIUS_MAX GJK_RADIUS_MAX
+
+// Most vertices of one polygon.
+#define GJK2_POLYGON_VERTICES_MAX 65535
+
+// The most iterations of gjk2_intersect, gjk2_within, gjk2_distance and their _until forms on polygons of n and m
+// vertices, with or without a convex radius. The bound is proven in src/plane/gjk2_search.h. A box has 4 vertices, a
+// triangle 3, a segment or capsule 2, a point or circle 1.
+#define GJK2_ITERATIONS_OF(n, m) (3 + (n) + (m))
+
+// An ellipse or custom shape has no vertices to count: the ceiling on the iterations of a query with one is
+// GJK_ITERATIONS_MAX of gjk/format.h. A query that reaches it returns GJK_ERROR_ITERATION_LIMIT; its comment says what
+// it reports then.
+
+#endif

@@ -1,0 +1,20 @@
+// All public headers of the plane. A program may include only those that it uses.
+#ifndef GJK2_GJK2_H
+#define GJK2_GJK2_H
+
+#include "gjk/status.h"
+#include "gjk/version.h"
+#include "gjk2/cache.h"
+#include "gjk2/certificate.h"
+#include "gjk2/check.h"
+#include "gjk2/collider.h"
+#include "gjk2/contacts.h"
+#include "gjk2/distance.h"
+#include "gjk2/format.h"
+#include "gjk2/intersect.h"
+#include "gjk2/penetration.h"
+#include "gjk2/polygon.h"
+#include "gjk2/pose.h"
+#include "gjk2/shape.h"
+
+#endif

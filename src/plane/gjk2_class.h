@@ -1,0 +1,61 @@
+// What a kind of shape of the plane provides: one constant table per kind, which the initialisers of gjk2/shape.h name.
+#ifndef GJK2_SRC_CLASS_H
+#define GJK2_SRC_CLASS_H
+
+#include "gjk2/collider.h"
+#include "gjk2_vector.h"
+
+// The extent of a shape's core, shape frame.
+typedef struct gjk2_extent {
+  gjk2_vec centre;   // of the core's bounding box
+  uint64_t squared;  // the square of the core's largest distance from centre; gjk2_collider_init bounds it
+  bool ordered;      // see gjk2_collider
+} gjk2_extent;
+
+// A vertex of a shape.
+typedef struct gjk2_support {
+  gjk2_vec offset;  // from the collider's centre, Q16.16; at most core_radius long
+  uint16_t vertex;  // the vertex's number; 0 for curved shapes
+} gjk2_support;
+
+struct gjk2_shape_class {
+  // Checks the shape's own fields and measures its core. gjk2_collider_init checks the convex radius.
+  gjk_status (*measure)(const gjk2_shape *shape, gjk2_extent *out);
+
+  // Fills frame and buffer of a collider for a rotation, and ordered where it depends on the pose.
+  // Pre: initialised; fraction is set.
+  void (*pose)(gjk2_collider *collider, const gjk2_vec *rotation);
+
+  // The vertex that is farthest along d. Among equally far ones the choice depends on shape, pose and d alone.
+  // Pre: d != 0, |d| <= 3 2^29.
+  void (*support)(const gjk2_collider *collider, gjk2_vec d, gjk2_support *out);
+
+  // The offset of the vertex with a number; false where there is none. NULL for curved shapes.
+  bool (*vertex)(const gjk2_collider *collider, uint16_t number, gjk2_vec *offset);
+
+  // The vertex that follows another counterclockwise, or precedes it, where the collider's vertices are ordered. NULL for
+  // curved shapes.
+  void (*adjacent)(const gjk2_collider *collider, uint16_t number, bool following, gjk2_support *out);
+
+  bool buffered;  // a collider may have a buffer for posed vertices
+  uint8_t count;  // vertices; where buffered is set the shape's own count is taken
+};
+
+// Is the shape an ellipse or a custom shape, which have no vertices?
+static inline bool gjk2_is_curved(const gjk2_shape *shape) {
+  return shape->type->vertex == NULL;
+}
+
+// The state of a collider. Other values are those of memory that was never initialised.
+#define GJK2_STATE_INITIALISED UINT16_C(0x3267)
+#define GJK2_STATE_POSED UINT16_C(0x3268)
+
+// The arguments that all queries have: GJK_ERROR_NULL, GJK_ERROR_UNINITIALISED or GJK_OK.
+static inline gjk_status gjk2_check_pair(const gjk2_collider *a, const gjk2_collider *b, const void *out) {
+  if (a == NULL || b == NULL || out == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  return a->state == GJK2_STATE_POSED && b->state == GJK2_STATE_POSED ? GJK_OK : GJK_ERROR_UNINITIALISED;
+}
+
+#endif

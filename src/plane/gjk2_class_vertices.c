@@ -1,0 +1,213 @@
+// Triangle and polygon: lists of vertices.
+//
+// Whether a polygon's vertices are its corners in counterclockwise order, at whatever pose, is found once, from the
+// shape (is_ordered). Posing rounds each vertex by at most 1/2 LSB per component beside a common rotation, so an edge
+// is off by less than sqrt(2) LSB, and the cross product of two successive edges e and f by less than
+//   sqrt(2) (|e| + |f|) + 2
+// and 2^-28 of itself. A corner counts if its cross product is larger. If all do, and the edges turn once round, then
+// they do so at every pose: while the vertices move continuously from exact to rounded places no corner becomes
+// straight, so the sum of all turns, a multiple of a whole one, cannot change.
+#include "gjk2_class.h"
+#include "gjk2_rotation.h"
+
+// Is a corner between two edges convex at every pose?
+//   edges     components below 2^29:                 cross product below 2^60
+//   (3/2) |x| + |y| is at least sqrt(2) times the length
+static bool is_corner(gjk2_vec e, gjk2_vec f) {
+  const int64_t turn = gjk2_cross(e, f);
+  const int64_t slack = ((int64_t)gjk2_norm1(e) + gjk2_norm1(f)) * 3 / 2 + 3;
+  return turn > slack + gjk_sar64(turn, 24);
+}
+
+// Does the edge point into the upper half of directions, from 0 to below pi?
+static bool points_up(gjk2_vec e) {
+  return e.y > 0 || (e.y == 0 && e.x > 0);
+}
+
+// Pre: coordinates are within GJK2_RADIUS_MAX of the centre of their bounding box.
+static bool is_ordered(const gjk2_vec *v, uint32_t count) {
+  if (count < 3) {
+    return false;
+  }
+  unsigned changes = 0;
+  gjk2_vec e = gjk2_sub(v[0], v[count - 1]);
+  for (uint32_t i = 0; i < count; i++) {
+    const gjk2_vec f = gjk2_sub(v[i + 1 < count ? i + 1 : 0], v[i]);
+    if (!is_corner(e, f)) {
+      return false;
+    }
+    changes += points_up(e) != points_up(f);
+    e = f;
+  }
+  return changes == 2;
+}
+
+// |low - high| / 2 rounded down, and the middle, for any int32_t.
+static int32_t middle(int32_t low, int32_t high) {
+  return (int32_t)gjk_sar64((int64_t)low + high, 1);
+}
+
+static gjk_status measure_vertices(const gjk2_shape *shape, gjk2_extent *out) {
+  const gjk2_vec *v = shape->vertices;
+  if (v == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (shape->count == 0) {
+    return GJK_ERROR_EMPTY;
+  }
+  gjk2_vec low = v[0], high = v[0];
+  for (uint32_t i = 1; i < shape->count; i++) {
+    low.x = v[i].x < low.x ? v[i].x : low.x;
+    low.y = v[i].y < low.y ? v[i].y : low.y;
+    high.x = v[i].x > high.x ? v[i].x : high.x;
+    high.y = v[i].y > high.y ? v[i].y : high.y;
+  }
+  const int64_t most = 2 * (int64_t)GJK2_RADIUS_MAX;
+  if ((int64_t)high.x - low.x > most || (int64_t)high.y - low.y > most) {
+    return GJK_ERROR_SIZE;
+  }
+  out->centre.x = middle(low.x, high.x);
+  out->centre.y = middle(low.y, high.y);
+  out->squared = 0;
+  for (uint32_t i = 0; i < shape->count; i++) {
+    const gjk2_vec from = gjk2_sub(v[i], out->centre);
+    const uint64_t squared = (uint64_t)gjk2_dot(from, from);
+    out->squared = squared > out->squared ? squared : out->squared;
+  }
+  out->ordered = is_ordered(v, shape->count);
+  return GJK_OK;
+}
+
+static gjk_status measure_triangle(const gjk2_shape *shape, gjk2_extent *out) {
+  return shape->count == 3 ? measure_vertices(shape, out) : GJK_ERROR_RANGE;
+}
+
+static gjk2_vec posed(const gjk2_collider *c, const gjk2_vec *rotation, uint32_t i) {
+  return gjk2_rotate_onto(rotation, gjk2_sub(c->shape->vertices[i], c->local_centre), c->fraction);
+}
+
+static void pose_triangle(gjk2_collider *c, const gjk2_vec *rotation) {
+  for (uint32_t i = 0; i < 3; i++) {
+    c->frame[i] = posed(c, rotation, i);
+  }
+  const gjk2_vec e = gjk2_sub(c->frame[1], c->frame[0]), f = gjk2_sub(c->frame[2], c->frame[0]);
+  c->ordered = gjk2_cross(e, f) > 0;
+}
+
+static void pose_polygon(gjk2_collider *c, const gjk2_vec *rotation) {
+  c->frame[0] = *rotation;
+  for (uint32_t i = 0; c->buffer != NULL && i < c->count; i++) {
+    c->buffer[i] = posed(c, rotation, i);
+  }
+}
+
+// The first of count vertices that is farthest along d. Pre: count >= 1.
+static void scan(const gjk2_vec *v, uint32_t count, gjk2_vec d, gjk2_support *out) {
+  const gjk2_vec *best = v, *const end = v + count;
+  int64_t most = gjk2_dot(*v, d);  // |v| < 2^28, |d| <= 3 2^29:  below 2^59
+  for (const gjk2_vec *p = v + 1; p < end; p++) {
+    const int64_t along = gjk2_dot(*p, d);
+    if (along > most) {
+      most = along;
+      best = p;
+    }
+  }
+  out->offset = *best;
+  out->vertex = (uint16_t)(best - v);
+}
+
+static void support_triangle(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
+  scan(c->frame, 3, d, out);
+}
+
+// The vertex that the scan of posed vertices would find, by one of the shape's own vertices along d rotated back.
+//   rotated back, d is off by less than 1 in each component:             |v| 2 < 2^30, off by less than 2 core_radius
+//   a posed vertex is off by less than 3/4 and 1/2 per component:        5/4 (|d.x| + |d.y|)
+// Two vertices are ordered wrongly only within twice that; there posed ones are compared.
+static void support_lazy(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
+  const gjk2_vec local = gjk2_rotate_back(&c->frame[0], d);
+  const int64_t slack = 4 * (int64_t)c->core_radius + 3 * (int64_t)gjk2_norm1(d);
+  uint32_t best = 0;
+  int64_t most = INT64_MIN / 2, exact = 0;
+  bool known = false;  // is exact that of the best posed vertex along d?
+  for (uint32_t i = 0; i < c->count; i++) {
+    const int64_t along = gjk2_dot(gjk2_sub(c->shape->vertices[i], c->local_centre), local);
+    if (along < most - slack) {
+      continue;
+    }
+    if (along <= most + slack) {
+      exact = known ? exact : gjk2_dot(posed(c, &c->frame[0], best), d);
+      known = true;
+      const int64_t other = gjk2_dot(posed(c, &c->frame[0], i), d);
+      if (other <= exact) {
+        continue;
+      }
+      exact = other;
+    } else {
+      known = false;
+    }
+    most = along;
+    best = i;
+  }
+  out->offset = posed(c, &c->frame[0], best);
+  out->vertex = (uint16_t)best;
+}
+
+static void support_polygon(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
+  if (c->buffer != NULL) {
+    scan(c->buffer, c->count, d, out);
+  } else {
+    support_lazy(c, d, out);
+  }
+}
+
+static bool vertex_triangle(const gjk2_collider *c, uint16_t number, gjk2_vec *offset) {
+  if (number >= 3) {
+    return false;
+  }
+  *offset = c->frame[number];
+  return true;
+}
+
+static bool vertex_polygon(const gjk2_collider *c, uint16_t number, gjk2_vec *offset) {
+  if (number >= c->count) {
+    return false;
+  }
+  *offset = c->buffer != NULL ? c->buffer[number] : posed(c, &c->frame[0], number);
+  return true;
+}
+
+static void adjacent_vertices(const gjk2_collider *c, uint16_t number, bool following, gjk2_support *out) {
+  const uint16_t last = (uint16_t)(c->count - 1);
+  if (following) {
+    number = number < last ? (uint16_t)(number + 1) : 0;
+  } else {
+    number = number > 0 ? (uint16_t)(number - 1) : last;
+  }
+  out->vertex = number;
+  if (c->buffer != NULL) {
+    out->offset = c->buffer[number];
+  } else {
+    (void)c->shape->type->vertex(c, number, &out->offset);
+  }
+}
+
+const gjk2_shape_class gjk2_class_triangle = {
+    .measure = measure_triangle,
+    .pose = pose_triangle,
+    .support = support_triangle,
+    .vertex = vertex_triangle,
+    .adjacent = adjacent_vertices,
+    .buffered = false,
+    .count = 3,
+};
+
+const gjk2_shape_class gjk2_class_polygon = {
+    .measure = measure_vertices,
+    .pose = pose_polygon,
+    .support = support_polygon,
+    .vertex = vertex_polygon,
+    .adjacent = adjacent_vertices,
+    .buffered = true,
+    .count = 0,
+};

@@ -1,0 +1,253 @@
+// The contact manifold of the plane: the stretch along which two shapes lie across from each other.
+//
+//   1. Ask gjk2_signed_distance for the normal, the distance and the nearest points. Beyond margin there is no contact.
+//   2. Find the edge with which each shape meets the normal, moved outwards by the convex radius; or a corner.
+//   3. Of two edges: the ends of the stretch that they share, measured along the normal's left, are the candidates.
+//   4. Admit the nearest points of step 1 unless a candidate is as near.
+//   5. Keep at most `most` candidates.
+//
+// What is rounded:
+//   step 1   the points, each within 1 LSB of its shape; a depth, up to the next LSB
+//   step 2   the move of an edge by its convex radius: below 2 LSB for edges that are long enough
+//   step 3   points of edges, points across from a corner, and gaps: to the nearest LSB
+#include "gjk2/contacts.h"
+
+#include "gjk2_hull.h"
+#include "gjk2_measure.h"
+
+// Centres farther apart than this along an axis skip steps 2 and 3: the nearest points are the one contact. Otherwise
+// coordinates relative to A's centre are below 2^29 + 2^28.
+#define REACH (INT32_C(1) << 29)
+
+// Step 4 admits the nearest points when every candidate is farther by more than this, LSB.
+#define SLACK 2
+
+// The byte that stands for an edge in an id; a corner's is its number modulo this.
+#define ID_EDGE 255
+
+// What a shape meets the normal with. Of two ends the first has the lower place.
+typedef struct side {
+  gjk2_vec end[2];   // relative to A's centre
+  int64_t place[2];  // along the normal's left, Q30
+  uint16_t number[2];
+  uint8_t count;  // 0: a curved shape; 1: a corner; 2: an edge
+} side;
+
+static bool is_within_reach(const gjk2_collider *a, const gjk2_collider *b) {
+  const int64_t x = (int64_t)a->centre.x - b->centre.x, y = (int64_t)a->centre.y - b->centre.y;
+  return x <= REACH && x >= -REACH && y <= REACH && y >= -REACH;
+}
+
+// Moves the edge outwards, to the side where towards points, by the convex radius.
+static void widen(side *of, gjk2_vec edge, gjk2_vec towards, gjk_q16 convex_radius) {
+  gjk2_length length;
+  gjk2_vec n = gjk2_outward(edge);
+  n = gjk2_dot(n, towards) < 0 ? gjk2_negate(n) : n;
+  gjk2_length_set(&length, n);
+  const gjk2_unit u = gjk2_unit_of(&length, n);
+  const int64_t half = INT64_C(1) << 29;
+  const gjk2_vec move = {(int32_t)gjk_sar64(gjk_mac32(half, u.x, convex_radius), 30),
+                         (int32_t)gjk_sar64(gjk_mac32(half, u.y, convex_radius), 30)};
+  of->end[0] = gjk2_add(of->end[0], move);
+  of->end[1] = gjk2_add(of->end[1], move);
+}
+
+// Does the edge e lie nearer to straight across the direction than f? e and f lead away from the same corner.
+//   |e|, |f| < 2^30, directions are units in Q30:   products below 2^60
+static bool is_flatter(gjk2_vec e, gjk2_vec f, gjk2_vec towards, gjk2_vec left) {
+  return gjk_sum_of_products_sign_exact(gjk2_dot(e, towards), gjk_int64(gjk_magnitude64(gjk2_dot(f, left))),
+                                        -gjk2_dot(f, towards), gjk_int64(gjk_magnitude64(gjk2_dot(e, left)))) > 0;
+}
+
+// Is the edge within 20 degrees of straight across the direction, and long enough for its convex radius?
+//   posing turns an edge by up to 2 / |e|, which moves the surface by convex_radius 2 / |e|^2 along the normal, and the
+//   ends by twice convex_radius / |e| along the edge
+static bool is_level(gjk2_vec e, gjk2_vec towards, gjk2_vec left, gjk_q16 convex_radius) {
+  const uint64_t across = gjk_magnitude64(gjk2_dot(e, towards)), along = gjk_magnitude64(gjk2_dot(e, left));
+  return across <= (along >> 10) * 373 && gjk2_dot(e, e) >= 36 * (int64_t)convex_radius;  // tan 20 = 372.7 / 1024
+}
+
+// Step 2. towards: the normal, from this shape to the other; left: the normal's left, the same for both.
+static void find_side(const gjk2_collider *c, gjk2_vec origin, gjk2_vec towards, gjk2_vec left, side *out) {
+  gjk2_support corner, after, before;
+  out->count = 0;
+  if (gjk2_is_curved(c->shape)) {
+    out->number[0] = 0;
+    return;
+  }
+  gjk2_hull_corner(c, towards, &corner);
+  out->count = 1;
+  out->number[0] = corner.vertex;
+  out->end[0] = gjk2_add(origin, corner.offset);
+  if (!gjk2_hull_neighbour(c, &corner, true, &after) || !gjk2_hull_neighbour(c, &corner, false, &before)) {
+    return;
+  }
+  const gjk2_vec ahead = gjk2_sub(after.offset, corner.offset), back = gjk2_sub(before.offset, corner.offset);
+  const bool follows = !is_flatter(back, ahead, towards, left);
+  const gjk2_vec edge = follows ? ahead : back;
+  if (!is_level(edge, towards, left, c->shape->convex_radius)) {
+    return;
+  }
+  const unsigned other = gjk2_dot(edge, left) > 0 ? 1 : 0;
+  out->count = 2;
+  out->end[1 - other] = gjk2_add(origin, corner.offset);
+  out->number[1 - other] = corner.vertex;
+  out->end[other] = gjk2_add(out->end[1 - other], edge);
+  out->number[other] = follows ? after.vertex : before.vertex;
+  if (c->shape->convex_radius != 0) {
+    widen(out, edge, towards, c->shape->convex_radius);
+  }
+  out->place[0] = gjk2_dot(out->end[0], left);  // |end| < 2^30.2:  below 2^61
+  out->place[1] = gjk2_dot(out->end[1], left);
+}
+
+static uint16_t feature_of(const side *of) {
+  if (of->count < 2) {
+    return of->number[0];
+  }
+  const uint16_t low = of->number[0] < of->number[1] ? of->number[0] : of->number[1];
+  const uint16_t high = of->number[0] < of->number[1] ? of->number[1] : of->number[0];
+  return (uint16_t)((low + 256 * (uint32_t)high) & UINT16_MAX);
+}
+
+// The byte of an id. slack: how near to a corner a place counts as the corner, Q30.
+static unsigned id_byte(const side *of, int64_t place, int64_t slack) {
+  if (of->count == 2) {
+    const bool at_first = place - of->place[0] <= slack;
+    if (!at_first && of->place[1] - place > slack) {
+      return ID_EDGE;
+    }
+    return of->number[at_first ? 0 : 1] % ID_EDGE;
+  }
+  return of->number[0] % ID_EDGE;
+}
+
+// Step 3: the edge's point at a place, to the nearest LSB.
+static gjk2_vec point_at(const side *of, int64_t place) {
+  if (place <= of->place[0]) {
+    return of->end[0];
+  }
+  if (place >= of->place[1]) {
+    return of->end[1];
+  }
+  const gjk_u128 part = {0, (uint64_t)(place - of->place[0])}, whole = {0, (uint64_t)(of->place[1] - of->place[0])};
+  gjk_divisor divisor;
+  unsigned k;
+  gjk_divisor_set(&divisor, &whole);
+  const int32_t weight = gjk_divide(&part, &divisor, 31, &k);  // below 1 in Q31, so k <= 32 shifts nothing out
+  const gjk2_vec edge = gjk2_sub(of->end[1], of->end[0]);
+  const int64_t q31 = k <= 31 ? gjk_sar64(weight, k) : 0;
+  const int32_t w = (int32_t)(q31 < INT32_MAX ? q31 : INT32_MAX);
+  const int64_t half = INT64_C(1) << 30;
+  const gjk2_vec point = {of->end[0].x + (int32_t)gjk_sar64(gjk_mac32(half, edge.x, w), 31),
+                          of->end[0].y + (int32_t)gjk_sar64(gjk_mac32(half, edge.y, w), 31)};
+  return point;
+}
+
+static gjk2_vec in_world(gjk2_vec origin, gjk2_vec p) {
+  const gjk2_vec world = {gjk_saturate((int64_t)origin.x + p.x), gjk_saturate((int64_t)origin.y + p.y)};
+  return world;
+}
+
+// The candidate at a place of the shared stretch. False: it is farther than margin.
+static bool candidate_at(const side *of_a, const side *of_b, int64_t place, int64_t slack, gjk2_vec origin,
+                         gjk_q16 margin, const gjk2_unit *normal, gjk2_contact *out) {
+  const gjk2_vec a = point_at(of_a, place), b = point_at(of_b, place), n = {normal->x, normal->y};
+  const int64_t gap = gjk_sar64(gjk2_dot(gjk2_sub(b, a), n) + (INT64_C(1) << 29), 30);
+  if (gap > margin) {
+    return false;
+  }
+  out->point_a = in_world(origin, a);
+  out->point_b = in_world(origin, b);
+  out->distance = (gjk_q16)gap;  // |b - a| < 2^31
+  out->id = (uint16_t)(id_byte(of_a, place, slack) << 8 | id_byte(of_b, place, slack));
+  return true;
+}
+
+// Is p to be kept before q?
+static bool is_better(const gjk2_contact *p, const gjk2_contact *q) {
+  return p->distance != q->distance ? p->distance < q->distance : p->id < q->id;
+}
+
+// Step 3
+static void clip(const side *of_a, const side *of_b, gjk2_vec origin, gjk_q16 margin, gjk2_manifold *out) {
+  const int64_t low = of_a->place[0] > of_b->place[0] ? of_a->place[0] : of_b->place[0];
+  const int64_t high = of_a->place[1] < of_b->place[1] ? of_a->place[1] : of_b->place[1];
+  const int64_t length_a = of_a->place[1] - of_a->place[0], length_b = of_b->place[1] - of_b->place[0];
+  const int64_t shorter = length_a < length_b ? length_a : length_b, least = gjk_shl64(8, 30);
+  int64_t slack = shorter >> 6 > least ? shorter >> 6 : least;
+  slack = slack < shorter >> 2 ? slack : shorter >> 2;
+  if (low > high) {
+    return;
+  }
+  gjk2_contact *c = out->contact;
+  out->count = candidate_at(of_a, of_b, low, slack, origin, margin, &out->normal, &c[0]);
+  out->count =
+      (uint8_t)(out->count + candidate_at(of_a, of_b, high, slack, origin, margin, &out->normal, &c[out->count]));
+  if (out->count == 2 && c[0].id == c[1].id) {
+    c[0] = is_better(&c[1], &c[0]) ? c[1] : c[0];
+    out->count = 1;
+  }
+}
+
+// Step 4. They replace the candidate that is farther.
+static void admit_nearest(const gjk2_distance_result *nearest, uint16_t id, gjk2_manifold *out) {
+  gjk2_contact *c = out->contact;
+  for (unsigned i = 0; i < out->count; i++) {
+    if (c[i].distance <= nearest->distance + SLACK) {
+      return;
+    }
+  }
+  const unsigned i = out->count == 2 && is_better(&c[0], &c[1]) ? 1 : 0;
+  out->count = out->count == 0 ? 1 : out->count;
+  c[i].point_a = nearest->point_a;
+  c[i].point_b = nearest->point_b;
+  c[i].distance = nearest->distance;
+  c[i].id = id;
+}
+
+// Steps 2 to 5.
+GJK_OUT_OF_LINE static void find_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, unsigned most,
+                                          const gjk2_distance_result *nearest, gjk2_manifold *out) {
+  uint16_t id = 0;
+  if (is_within_reach(a, b)) {
+    const gjk2_vec towards_b = {out->normal.x, out->normal.y}, towards_a = gjk2_negate(towards_b);
+    const gjk2_vec left = {-towards_b.y, towards_b.x}, origin = {0, 0};
+    side of_a, of_b;
+    find_side(a, origin, towards_b, left, &of_a);
+    find_side(b, gjk2_sub(b->centre, a->centre), towards_a, left, &of_b);
+    out->feature_a = feature_of(&of_a);
+    out->feature_b = feature_of(&of_b);
+    id = (uint16_t)((of_a.count == 2 ? ID_EDGE : of_a.number[0] % ID_EDGE) << 8 |
+                    (of_b.count == 2 ? ID_EDGE : of_b.number[0] % ID_EDGE));
+    if (of_a.count == 2 && of_b.count == 2) {
+      clip(&of_a, &of_b, a->centre, margin, out);
+    }
+  }
+  admit_nearest(nearest, id, out);
+  if (out->count > most) {
+    out->contact[0] = is_better(&out->contact[1], &out->contact[0]) ? out->contact[1] : out->contact[0];
+    out->count = 1;
+  }
+}
+
+gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, unsigned most,
+                         gjk2_cache *cache, gjk2_manifold *out) {
+  gjk_status status = gjk2_check_pair(a, b, out);
+  if (status != GJK_OK || margin < 0 || most < 1 || most > GJK2_CONTACTS_MAX) {
+    return status != GJK_OK ? status : margin < 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_RANGE;
+  }
+  gjk2_distance_result nearest;
+  status = gjk2_signed_distance(a, b, cache, &nearest);
+  if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
+    return status;
+  }
+  out->normal = nearest.normal;
+  out->feature_a = 0;
+  out->feature_b = 0;
+  out->count = 0;
+  if (nearest.distance <= margin) {
+    find_contacts(a, b, margin, most, &nearest, out);
+  }
+  return status;
+}

@@ -1,0 +1,169 @@
+// The distance query of the plane: how far apart, and where.
+//
+//   1. Search for the feature of A - B nearest to the origin (gjk2_search.h). The search stops where the cores come
+//      within the convex radii, exactly: then the shapes intersect.
+//   2. Round the feature's distance, exactly.
+//   3. Find the nearest points.
+// Out of iterations:
+//   4. Bound the distance by the last support line and by the feature so far, and report the feature as in 2 and 3.
+//
+// What is rounded:
+//   normal     each component within 2 LSB of Q2.30
+//   step 2     to the nearest LSB, a tie up. Far pairs measure vertices that are rounded to 2^far LSB: 2^-28 relative
+//   points     per component to the nearest LSB, within 1 LSB of the shape
+//   step 4     outwards
+#include "gjk2/distance.h"
+
+#include "gjk2_report.h"
+#include "gjk2_witness.h"
+
+// h / |n| in LSB. Of a far frame not exactly: the quotient's error is below 2^-28 of it.
+static int64_t in_lsb(const gjk2_search *s, const gjk2_length *length, int64_t h, gjk2_round_to to) {
+  unsigned shift;
+  if (s->far == 0) {
+    return gjk2_round_distance(length, (uint64_t)h, to);
+  }
+  const uint64_t quotient = gjk2_quotient(length, (uint64_t)h, &shift);
+  if (shift >= 62) {
+    return 0;  // below 4 units of the frame
+  }
+  // Distances in far frames are 2^27 units at least, so shift is more than 4.
+  const unsigned n = shift > s->far ? shift - s->far : 1;
+  const int64_t nearest = (int64_t)((quotient + (UINT64_C(1) << (n - 1))) >> n);
+  return nearest + (to == GJK2_ROUND_NEAREST ? 0 : to == GJK2_ROUND_UP ? gjk_shl64(8, s->far) : -gjk_shl64(8, s->far));
+}
+
+gjk2_outcome gjk2_distance_bounds(gjk2_search *s, int64_t *lower, int64_t *nearest, int64_t *upper) {
+  const int64_t radii = gjk2_convex_radii(s);
+  gjk2_length length;
+  gjk2_length_set(&length, s->d);
+  *lower = s->along < 0 ? in_lsb(s, &length, -s->along, GJK2_ROUND_DOWN) : -in_lsb(s, &length, s->along, GJK2_ROUND_UP);
+  *lower -= radii + (s->curved ? GJK2_CURVED_ERROR : 0);
+  gjk2_search_direct(s);
+  if ((s->d.x | s->d.y) == 0) {
+    *nearest = -radii;
+    *upper = -radii;
+    return GJK2_OUTCOME_ENCLOSING;
+  }
+  gjk2_length_set(&length, s->d);
+  *nearest = in_lsb(s, &length, -s->base, GJK2_ROUND_NEAREST) - radii;
+  *upper = in_lsb(s, &length, -s->base, GJK2_ROUND_UP) - radii;
+  return *upper <= 0 ? GJK2_OUTCOME_NEAR : GJK2_OUTCOME_LIMIT;
+}
+
+// Step 3. The points of the feature. Returns whether a coordinate has saturated.
+static bool report_points(const gjk2_search *s, const gjk2_length *length, gjk2_distance_result *out) {
+  bool saturated = false;
+  gjk2_witness_points(s, gjk2_search_vertex(s, 0), s->count == 2 ? gjk2_search_vertex(s, 1) : NULL, length, out->normal,
+                      &out->point_a, &out->point_b, &saturated);
+  return saturated;
+}
+
+void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache, gjk2_distance_result *out) {
+  int64_t gap = 0;
+  out->saturated = false;
+  out->intersecting = outcome != GJK2_OUTCOME_NEAREST;
+  out->iterations = s->iterations;
+  if (outcome == GJK2_OUTCOME_NEAREST) {
+    gjk2_length length;
+    gjk2_length_set(&length, s->d);
+    out->normal = gjk2_unit_of(&length, s->d);
+    gap = in_lsb(s, &length, -s->base, GJK2_ROUND_NEAREST) - gjk2_convex_radii(s);  // Step 2
+    gap = gap > 0 ? gap : 0;
+    out->saturated = report_points(s, &length, out);
+  }
+  out->distance = gjk_saturate_noting(gap, &out->saturated);
+  out->lower = out->distance;
+  out->upper = out->distance;
+  gjk2_search_certify(s, outcome, &out->certificate);
+  if (cache != NULL) {
+    gjk2_search_keep(s, outcome, cache);
+  }
+}
+
+// Step 4: narrows the bounds by what the last iteration proves, which may settle the question.
+static gjk2_outcome narrow(gjk2_search *s, gjk2_distance_result *out) {
+  int64_t lower, nearest, upper;
+  const gjk2_outcome outcome = gjk2_distance_bounds(s, &lower, &nearest, &upper);
+  if (outcome == GJK2_OUTCOME_LIMIT) {
+    out->lower = lower > out->lower ? gjk_saturate(lower) : out->lower;
+    out->upper = gjk_saturate(upper);
+    out->distance = s->far == 0 ? gjk_saturate(nearest > 0 ? nearest : 0) : out->upper;
+  }
+  return outcome;
+}
+
+// Step 1: runs at most limit iterations in all. Narrows the bounds when they do not suffice.
+static gjk2_outcome run_and_narrow(gjk2_search *s, uint32_t limit, gjk2_distance_result *out) {
+  const gjk2_outcome outcome = gjk2_search_run(s, GJK2_GOAL_DISTANCE, limit);
+  if (outcome != GJK2_OUTCOME_LIMIT) {
+    return outcome;
+  }
+  const gjk2_outcome narrowed = narrow(s, out);
+  const bool exhausted = !s->curved && s->iterations >= gjk2_search_limit(s);  // a far frame alone
+  return narrowed == GJK2_OUTCOME_LIMIT && exhausted ? GJK2_OUTCOME_NEAREST : narrowed;
+}
+
+// Step 4: reports the nearest points so far, beside the bounds.
+static void stop_early(const gjk2_search *s, gjk2_distance_result *out) {
+  gjk2_length length;
+  gjk2_length_set(&length, s->d);
+  out->normal = gjk2_unit_of(&length, s->d);
+  out->saturated = report_points(s, &length, out);
+  out->intersecting = false;
+  out->iterations = s->iterations;
+  out->certificate.proof = GJK2_PROOF_NONE;
+  out->certificate.count = 0;
+}
+
+static void start_distance(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, const gjk2_cache *cache,
+                           gjk2_distance_result *out) {
+  (void)gjk2_search_start(s, a, b, false, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
+  gjk2_search_aim(s, cache);
+  out->lower = 0;
+  out->upper = GJK2_DISTANCE_MAX;
+}
+
+gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache, gjk2_distance_result *out) {
+  const gjk_status status = gjk2_check_pair(a, b, out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  gjk2_search s;
+  start_distance(&s, a, b, cache, out);
+  const gjk2_outcome outcome = run_and_narrow(&s, gjk2_search_limit(&s), out);
+  if (outcome == GJK2_OUTCOME_LIMIT) {
+    stop_early(&s, out);
+    return GJK_ERROR_ITERATION_LIMIT;
+  }
+  gjk2_distance_report(&s, outcome, cache, out);
+  return GJK_OK;
+}
+
+gjk_status gjk2_distance_until(const gjk2_collider *a, const gjk2_collider *b, const gjk2_effort *effort,
+                               gjk2_cache *cache, gjk2_distance_result *out) {
+  const gjk_status status = gjk2_check_pair(a, b, out);
+  if (status != GJK_OK || effort == NULL) {
+    return status != GJK_OK ? status : GJK_ERROR_NULL;
+  }
+  if (effort->error < 0) {
+    return GJK_ERROR_NEGATIVE;
+  }
+  gjk2_search s;
+  start_distance(&s, a, b, NULL, out);
+  const uint32_t ceiling = gjk2_search_limit(&s);
+  const bool limited = effort->iterations > 0 && effort->iterations < ceiling;
+  const uint32_t most = limited ? effort->iterations : ceiling;
+  bool spent;
+  // Each turn is one iteration, so there are at most `most` turns.
+  do {
+    const gjk2_outcome outcome = run_and_narrow(&s, s.iterations + UINT32_C(1), out);
+    if (outcome != GJK2_OUTCOME_LIMIT) {
+      gjk2_distance_report(&s, outcome, cache, out);
+      return GJK_OK;
+    }
+    spent = effort->error > 0 && out->upper - out->lower <= effort->error;
+  } while (!spent && s.iterations < most);
+  stop_early(&s, out);
+  return spent || limited ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
+}

@@ -1,0 +1,129 @@
+// Lengths, unit vectors, distances and weights.
+#include "gjk2_measure.h"
+
+#include "../arith/gjk_root.h"
+
+void gjk2_length_set(gjk2_length *length, gjk2_vec n) {
+  const uint64_t squared = (uint64_t)gjk2_dot(n, n);
+  const unsigned z = gjk_clz64(squared) / 2;  // squared < 2^62:  z >= 1
+  length->squared = squared;
+  length->zeros = z;
+  // With x, 2^30 <= x < 2^32, for the leading bits of squared = 2^(32 - 2 z) x: 2^46 / sqrt(x) = 2^(62 - z) / |n|.
+  length->inverse = gjk_reciprocal_root((uint32_t)((squared << (2 * z)) >> 32));
+}
+
+gjk2_unit gjk2_unit_of(const gjk2_length *length, gjk2_vec n) {
+  // 2^30 n / |n| = n y / 2^(32 - z) = (2^(z - 1) n) y / 2^31
+  const unsigned up = length->zeros - 1;
+  const int32_t y = (int32_t)length->inverse;  // < 2^31
+  const int64_t half = INT64_C(1) << 30;
+  const gjk2_unit unit = {(gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.x, up), y), 31),
+                          (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.y, up), y), 31)};
+  return unit;
+}
+
+// h = 2^(32 - hz) top, before truncation; 1 / |n| = y 2^(z - 62):  h / |n| = top y / 2^(30 + hz - z)
+uint64_t gjk2_quotient(const gjk2_length *length, uint64_t h, unsigned *shift) {
+  *shift = 0;
+  if (h == 0) {
+    return 0;
+  }
+  const unsigned hz = gjk_clz64(h);
+  *shift = 30 + hz - length->zeros;  // |n| < 2^31, so z <= 31 and this is from 0 to 92
+  return gjk_umul32((uint32_t)((h << hz) >> 32), length->inverse);
+}
+
+bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest) {
+  gjk_u128 sum;
+  gjk_sum_of_products((int64_t)h, (int64_t)h, -(int64_t)x, (int64_t)squared, &sum);
+  // sum - rest, in two's complement: it is below 2^126 in size
+  return (sum.high - (sum.low < rest)) <= INT64_MAX;
+}
+
+// Is h / |n| at least d + 1/2 (nearest), above d (up), or at least d + 1 (down)?
+//   (d + 1/2)^2 = d (d + 1) + 1/4
+static bool is_beyond(const gjk2_length *length, uint64_t h, uint64_t d, gjk2_round_to to) {
+  const uint64_t squared = length->squared;
+  switch (to) {
+    case GJK2_ROUND_NEAREST: return gjk2_reaches(h, squared, d * (d + 1), (squared + 3) >> 2);
+    case GJK2_ROUND_UP: return gjk2_reaches(h, squared, d * d, 1);
+    case GJK2_ROUND_DOWN: break;
+  }
+  return gjk2_reaches(h, squared, (d + 1) * (d + 1), 0);
+}
+
+// The general case.
+GJK_OUT_OF_LINE static int64_t settle_distance(const gjk2_length *length, uint64_t h, uint64_t quotient, unsigned shift,
+                                               gjk2_round_to to) {
+  if (shift >= 64) {
+    return to == GJK2_ROUND_UP && h > 0 ? 1 : 0;  // below 1/2
+  }
+  // The integers that the error leaves: at most 2^31 2^-27 + 2. Of each end whole and fraction apart, so that no sum
+  // wraps.
+  const uint64_t error = (quotient >> 28) + 1, mask = (UINT64_C(1) << shift) - 1;
+  const uint64_t bias = to == GJK2_ROUND_UP ? mask : to == GJK2_ROUND_NEAREST ? (mask >> 1) + (shift > 0) : 0;
+  const uint64_t bottom = quotient > error ? quotient - error : 0, top = quotient + error;
+  uint64_t low = (bottom >> shift) + (((bottom & mask) + bias) >> shift);
+  const uint64_t high = (top >> shift) + (((top & mask) + bias) >> shift);
+  while (low < high && is_beyond(length, h, low, to)) {  // at most 18 steps
+    low++;
+  }
+  return (int64_t)low;
+}
+
+// Mostly the leading 31 bits of the quotient tell: those below the last LSB are far enough from a change.
+int64_t gjk2_round_distance(const gjk2_length *length, uint64_t h, gjk2_round_to to) {
+  unsigned shift;
+  const uint64_t quotient = gjk2_quotient(length, h, &shift);
+  const uint32_t leading = (uint32_t)(quotient >> 32);  // below 2^31, and off by less than 2^3 + 1
+  if (shift >= 38 && shift <= 62) {
+    const unsigned n = shift - 32;
+    const uint32_t mask = (UINT32_C(1) << n) - 1;
+    const uint32_t biased = leading + (to == GJK2_ROUND_UP ? mask : to == GJK2_ROUND_NEAREST ? (mask >> 1) + 1 : 0);
+    const uint32_t fraction = biased & mask;
+    if (fraction > 10 && fraction < mask - 10) {
+      return biased >> n;
+    }
+  }
+  return settle_distance(length, h, quotient, shift, to);
+}
+
+bool gjk2_is_within(int64_t h, gjk2_vec n, int32_t radius) {
+  const uint32_t x = gjk_magnitude32(n.x), y = gjk_magnitude32(n.y), r = (uint32_t)radius;
+  const uint64_t size = (uint64_t)h;
+  if (size > gjk_umul32(gjk2_length_bound(n), r)) {
+    return false;
+  }
+  if (size <= gjk_umul32(x > y ? x : y, r)) {
+    return true;
+  }
+  return !gjk2_reaches(size, (uint64_t)gjk2_dot(n, n), gjk_umul32(r, r), 1);
+}
+
+int32_t gjk2_weight(const gjk2_length *length, int64_t part, bool fine) {
+  if (part <= 0) {
+    return 0;
+  }
+  // 1 / whole = y^2 2^(2 z - 124), and y^2 2^-30 = square < 2^32:  1 / whole = square 2^(2 z - 94).
+  const uint32_t square = (uint32_t)(gjk_umul32(length->inverse, length->inverse) >> 30);
+  const unsigned pz = gjk_clz64((uint64_t)part);
+  const uint64_t product = gjk_umul32((uint32_t)(((uint64_t)part << pz) >> 32), square);
+  const unsigned shift = 31 + pz - 2 * length->zeros;  // part <= whole, so pz >= 2 z
+  uint32_t weight = shift < 64 ? (uint32_t)(product >> shift) : 0;
+  weight = weight < INT32_MAX ? weight : INT32_MAX;
+  if (fine) {
+    // With both below 2^50, the remainder part 2^31 - weight whole is below 2^50 2^4: it survives modulo 2^64.
+    const unsigned cut = length->zeros < 7 ? 14 - 2 * length->zeros : 0;
+    const int64_t whole = (int64_t)(length->squared >> cut);
+    int64_t rest = gjk_int64(((uint64_t)(part >> cut) << 31) - (uint64_t)weight * (uint64_t)whole);
+    for (int i = 0; i < 24 && rest >= whole && weight < INT32_MAX; i++) {  // the error is below 2^31 2^-27 = 16
+      rest -= whole;
+      weight++;
+    }
+    for (int i = 0; i < 24 && rest < 0 && weight > 0; i++) {
+      rest += whole;
+      weight--;
+    }
+  }
+  return (int32_t)weight;
+}

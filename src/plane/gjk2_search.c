@@ -1,0 +1,491 @@
+// The GJK iteration of the plane.
+//
+// The feature is the vertex or edge of the vertices in hand that is nearest to the origin O. Its edge runs from first to
+// last with O strictly on its right; the boundary of A - B runs counterclockwise.
+//
+//   1. Take the direction d from the feature to O: an integer vector, exact. If it is 0, the origin is a vertex.
+//   2. Where a distance is asked about: stop if the feature is within it, exactly.
+//   3. Support scan: x is the vertex of A - B farthest along d.
+//   4. For a yes or no: stop if the line through x across d separates O from A - B.
+//   5. If x is not strictly beyond the feature along d, the feature is the nearest of A - B.
+//   6. Find between which two neighbours in hand x lies: P and Q, counterclockwise P, x, Q.
+//   7. The new feature is the edge P x, the edge x Q or the vertex x, by the signs of O's sides and feet. If O lies in
+//      the triangle, the shapes overlap. On from 1.
+//
+// Why step 6 is enough. All vertices in hand lie on the boundary of A - B, and the nearest point f lies on the open arc
+// between first and last, on O's side:
+//   edge     O's foot is inside the edge, so points beyond its line are farther from O than the foot, and f is not there
+//   vertex   f and x lie strictly beyond the line through the vertex v across d. The boundary beyond that line is one
+//            arc, and v is one of its ends. So f and x lie on the same side of v, before the next vertex in hand, which
+//            is not beyond the line
+// Hence each x is new, on the arc that holds f, and the arcs that are left never hold it again. x is a corner of A - B,
+// or a point within an edge of A - B to which d is normal; of such an edge at least one end is cut off unseen. So there
+// are at most as many x as A - B has corners, which is at most n + m for polygons of n and m vertices. One more
+// iteration finds no x, and one may be spent on what the cache holds:  n + m + 2 < GJK2_ITERATIONS_OF(n, m).
+//
+// The walk. Where the vertices of both shapes are in order, the first x is followed by a walk along the boundary of A - B
+// instead. Its next edge is the next one of A or of -B, whichever turns less. It goes on while the next vertex is nearer
+// to O, and ends
+//   at an edge that holds O's foot, with O on its right: no other vertex lies right of it, so it is the nearest
+//   at a vertex from which neither edge leads nearer: all of A - B lies between them, so it is the nearest
+//   where O lies on the left of the edge that leads nearer: mostly the shapes overlap. On with step 1 from x
+// Distances along it fall, so it visits no vertex twice: it takes as many iterations as edges, which the bound covers.
+//
+// In a far frame, and with curved shapes, vertices are rounded. There an iteration must gain a part of a frame's unit,
+// the ceiling counts, and a triangle that does not hold the origin by all three signs is none.
+#include "gjk2_search.h"
+
+// From this iteration on a curved pair's search is late: smaller gains end it.
+#define LATE 32
+
+// Is (x, y) / 2^far longer than 2^30? Pre: x, y <= 2^32, and far >= 1 where one of them is above 2^31.
+static bool is_long(uint64_t x, uint64_t y, unsigned far) {
+  const uint32_t u = (uint32_t)(x >> far), v = (uint32_t)(y >> far);  // each square <= 2^62
+  return gjk_umul32(u, u) + gjk_umul32(v, v) > UINT64_C(1) << 60;
+}
+
+// A radius of the frame's whole reach settles the question like a larger one.
+#define REACH (INT32_C(3) << 29)
+
+// The start for centres that may be more than 2^30 apart.
+GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, int64_t radius) {
+  const int64_t x = (int64_t)s->a->centre.x - s->b->centre.x, y = (int64_t)s->a->centre.y - s->b->centre.y;
+  const int64_t cores = (int64_t)s->a->core_radius + s->b->core_radius;
+  const uint64_t ux = gjk_magnitude64(x), uy = gjk_magnitude64(y), limit = (uint64_t)(cores + radius);
+  // From 2^31 on single components alone are compared, so circles that are apart may count as near.
+  if (circles && (ux > limit || uy > limit ||
+                  (limit >> 31 == 0 && gjk_umul32((uint32_t)ux, (uint32_t)ux) + gjk_umul32((uint32_t)uy, (uint32_t)uy) >
+                                           gjk_umul32((uint32_t)limit, (uint32_t)limit)))) {
+    return false;
+  }
+  s->far = (ux | uy) >> 31 != 0;
+  while (is_long(ux, uy, s->far)) {  // at most 3 times: then both are below 2^29 + 1
+    s->far++;
+  }
+  const int64_t framed = gjk_sar64(radius, s->far);
+  s->radius = framed < REACH ? (int32_t)framed : REACH;
+  s->delta.x = (int32_t)gjk_sar64(x, s->far);
+  s->delta.y = (int32_t)gjk_sar64(y, s->far);
+  return true;
+}
+
+bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, int64_t radius) {
+  s->a = a;
+  s->b = b;
+  // A quarter of centre_a - centre_b: each component below 2^30, and off by less than 1.
+  const int32_t x = gjk_sar32(a->centre.x, 2) - gjk_sar32(b->centre.x, 2);
+  const int32_t y = gjk_sar32(a->centre.y, 2) - gjk_sar32(b->centre.y, 2);
+  // Bit 27 or a higher one differs from the sign: that component is not from -2^27 to below 2^27.
+  if (((uint32_t)(x ^ gjk_sar32(x, 31)) | (uint32_t)(y ^ gjk_sar32(y, 31))) >> 27 != 0) {
+    if (!start_far(s, circles, radius)) {
+      return false;
+    }
+  } else {
+    const gjk2_vec delta = gjk2_sub(a->centre, b->centre);  // components at most 2^29 + 3 in size: |delta| < 2^30
+    const int64_t limit = a->core_radius + b->core_radius + radius;  // from 2^31 on the circles are not apart
+    if (circles && limit <= INT32_MAX && gjk2_dot(delta, delta) > gjk_mul32((int32_t)limit, (int32_t)limit)) {
+      return false;
+    }
+    s->delta = delta;
+    s->radius = radius < REACH ? (int32_t)radius : REACH;
+    s->far = 0;
+  }
+  s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
+  s->exact = s->far == 0 && !s->curved;
+  s->walks = s->far == 0 && a->ordered && b->ordered;
+  s->iterations = 0;
+  s->count = 0;
+  s->warm = false;
+  s->first = &s->slot[0];
+  s->apex = &s->slot[1];
+  s->last = &s->slot[2];
+  s->spare = &s->slot[3];
+  return true;
+}
+
+static int32_t far_component(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
+  return (int32_t)gjk_sar64((int64_t)a - b + offset + ((INT64_C(1) << far) >> 1), far);
+}
+
+// Makes a difference of offsets a vertex of A - B in the frame.
+static inline gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
+  if (s->far != 0) {
+    const gjk2_vec w = {far_component(s->a->centre.x, s->b->centre.x, offset.x, s->far),
+                        far_component(s->a->centre.y, s->b->centre.y, offset.y, s->far)};
+    return w;
+  }
+  return gjk2_add(s->delta, offset);
+}
+
+// Step 3.
+static inline void scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
+  gjk2_support of_a, of_b;
+  s->a->shape->type->support(s->a, d, &of_a);
+  s->b->shape->type->support(s->b, gjk2_negate(d), &of_b);
+  out->w = framed(s, gjk2_sub(of_a.offset, of_b.offset));
+  out->of_a = of_a.offset;
+  out->a = of_a.vertex;
+  out->b = of_b.vertex;
+}
+
+void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
+  scan(s, d, out);
+}
+
+bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
+  gjk2_vec of_b;
+  if (!s->a->shape->type->vertex(s->a, a, &out->of_a) || !s->b->shape->type->vertex(s->b, b, &of_b)) {
+    return false;
+  }
+  out->w = framed(s, gjk2_sub(out->of_a, of_b));
+  out->a = a;
+  out->b = b;
+  return true;
+}
+
+static void exchange(gjk2_vertex **p, gjk2_vertex **q) {
+  gjk2_vertex *const kept = *p;
+  *p = *q;
+  *q = kept;
+}
+
+// The edge from apex to spare, or from spare to apex: O on its right, turn = apex x spare.
+static void make_edge(gjk2_search *s, int64_t turn) {
+  s->count = 2;
+  if (turn < 0) {
+    exchange(&s->first, &s->apex);
+    exchange(&s->last, &s->spare);
+    s->base = turn;
+  } else {
+    exchange(&s->last, &s->apex);
+    exchange(&s->first, &s->spare);
+    s->base = -turn;
+  }
+}
+
+// Does the origin's foot on the line through x and p lie on p's side of x?
+static bool is_ahead(gjk2_vec x, gjk2_vec p, int64_t x_squared) {
+  return x_squared > gjk2_dot(x, p);
+}
+
+// The vertex apex, without neighbours.
+static void make_apex(gjk2_search *s) {
+  s->alone = true;
+  s->count = 1;
+  s->base = -gjk2_dot(s->apex->w, s->apex->w);
+}
+
+// Loads the cached vertices as far as they make a feature that O's foot lies on.
+static void load(gjk2_search *s, const gjk2_cache *cache) {
+  if (cache->count < 1 || cache->count > 2 || !gjk2_search_place(s, cache->a[0], cache->b[0], s->apex)) {
+    return;
+  }
+  s->warm = true;
+  make_apex(s);
+  if (cache->count == 2 && gjk2_search_place(s, cache->a[1], cache->b[1], s->spare)) {
+    const gjk2_vec p = s->apex->w, q = s->spare->w;
+    const int64_t turn = gjk2_cross(p, q);
+    if (turn != 0 && is_ahead(p, q, gjk2_dot(p, p)) && is_ahead(q, p, gjk2_dot(q, q))) {
+      make_edge(s, turn);
+    }
+  }
+}
+
+void gjk2_search_aim(gjk2_search *s, const gjk2_cache *cache) {
+  s->d = gjk2_negate(s->delta);
+  if (cache != NULL && !s->curved && s->far == 0) {
+    if ((cache->direction[0] | cache->direction[1]) != 0) {
+      s->d.x = cache->direction[0];
+      s->d.y = cache->direction[1];
+    }
+    load(s, cache);
+  }
+  if ((s->d.x | s->d.y) == 0) {
+    s->d.x = 1;
+  }
+}
+
+// Step 7 where only one vertex is in hand: with x, which is strictly nearer to O along the direction from apex.
+static bool add_second(gjk2_search *s) {
+  const gjk2_vec p = s->apex->w, x = s->spare->w;
+  const int64_t x_squared = gjk2_dot(x, x);
+  if (is_ahead(x, p, x_squared)) {
+    const int64_t turn = gjk2_cross(p, x);
+    make_edge(s, turn);
+    return turn == 0 && s->far == 0;
+  }
+  exchange(&s->first, &s->apex);
+  exchange(&s->apex, &s->spare);
+  *s->last = *s->first;  // both neighbours are the same
+  s->alone = false;
+  s->base = -x_squared;
+  return false;
+}
+
+// Step 6 for a vertex: makes the two neighbours in hand between which x lies first and last.
+static void choose_arc(gjk2_search *s) {
+  const gjk2_vec p = s->first->w;  // right of the way from first to apex lies the arc between them
+  if (gjk2_cross(gjk2_sub(s->apex->w, p), gjk2_sub(s->spare->w, p)) < 0) {
+    exchange(&s->last, &s->apex);
+  } else {
+    exchange(&s->first, &s->apex);
+  }
+}
+
+// Step 7: adds x, the spare vertex, between first and last. before = first x x and after = x x last are base of the new
+// edges; O lies outside of those below 0. True: the origin lies in the simplex.
+static inline bool add_vertex(gjk2_search *s, int64_t before, int64_t after) {
+  const gjk2_vec p = s->first->w, x = s->spare->w, q = s->last->w;
+  const int64_t x_squared = gjk2_dot(x, x);
+  if (before < 0 && is_ahead(x, p, x_squared)) {
+    exchange(&s->last, &s->spare);
+    s->count = 2;
+    s->base = before;
+    return false;
+  }
+  if (after < 0 && is_ahead(x, q, x_squared)) {
+    exchange(&s->first, &s->spare);
+    s->count = 2;
+    s->base = after;
+    return false;
+  }
+  exchange(&s->apex, &s->spare);
+  s->alone = false;
+  s->base = -x_squared;
+  if (before >= 0 && after >= 0 && gjk2_cross(q, p) >= 0) {
+    s->count = 3;
+    return true;
+  }
+  s->count = 1;
+  return false;
+}
+
+// Step 5. Does x gain too little along d to go on? Exact of polygons in a near frame. Elsewhere the gain,
+// (along - base) / |d|, must exceed |d|_1 / |d| / 8 units of the frame, or / 2 where the search is late.
+static inline bool gains_nothing(const gjk2_search *s, int64_t gain) {
+  return gain <= (s->exact ? 0 : (int64_t)(gjk2_norm1(s->d) >> (s->iterations > LATE ? 1 : 3)));
+}
+
+// Step 4. along < 0: is the line through x more than radius away from O?
+static bool is_separating(const gjk2_search *s) {
+  return s->radius == 0 || !gjk2_is_within(-s->along, s->d, s->radius);
+}
+
+// The walk, from the first vertex: see the head of this file. LIMIT: it cannot tell.
+typedef struct walk {
+  gjk2_support a, b;            // of the vertex
+  gjk2_support next_a, next_b;  // those that follow, or precede
+  gjk2_vec step_a, step_b;      // the edges of A and of -B that lead there
+} walk;
+
+static void step_of_a(const gjk2_search *s, bool following, walk *k) {
+  s->a->shape->type->adjacent(s->a, k->a.vertex, following, &k->next_a);
+  k->step_a = gjk2_sub(k->next_a.offset, k->a.offset);
+}
+
+static void step_of_b(const gjk2_search *s, bool following, walk *k) {
+  s->b->shape->type->adjacent(s->b, k->b.vertex, following, &k->next_b);
+  k->step_b = gjk2_sub(k->b.offset, k->next_b.offset);
+}
+
+static void set_vertex(const walk *k, gjk2_vec w, gjk2_vertex *out) {
+  out->w = w;
+  out->of_a = k->a.offset;
+  out->a = k->a.vertex;
+  out->b = k->b.vertex;
+}
+
+// The walk one way round. LIMIT: the first step leads no nearer (s->base >= 0), or O lies inside of its line.
+static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
+  walk k;
+  gjk2_vertex *const here = s->apex;
+  k.a.offset = here->of_a;
+  k.a.vertex = here->a;
+  k.b.offset = gjk2_sub(gjk2_add(s->delta, here->of_a), here->w);
+  k.b.vertex = here->b;
+  step_of_a(s, following, &k);
+  step_of_b(s, following, &k);
+  gjk2_vec w = here->w;
+  for (bool first = true;; first = false) {  // at most once for each edge of A and of B
+    const int64_t turn = following ? gjk2_cross(k.step_a, k.step_b) : gjk2_cross(k.step_b, k.step_a);
+    const gjk2_vec step = turn > 0 ? k.step_a : turn < 0 ? k.step_b : gjk2_add(k.step_a, k.step_b);
+    s->base = gjk2_dot(w, step);
+    if (s->base >= 0) {
+      if (first) {
+        return GJK2_OUTCOME_LIMIT;
+      }
+      set_vertex(&k, w, s->apex);
+      make_apex(s);
+      return GJK2_OUTCOME_NEAREST;
+    }
+    const int64_t side = gjk2_cross(w, step), height = following ? side : -side;
+    if (height >= 0) {
+      return GJK2_OUTCOME_LIMIT;
+    }
+    const gjk2_vec ahead = gjk2_add(w, step);
+    s->iterations++;
+    if (goal != GJK2_GOAL_DISTANCE && goal != GJK2_GOAL_SIGNED && s->radius == 0) {
+      s->along = height;
+      s->d = gjk2_outward(step);
+      s->d = following ? s->d : gjk2_negate(s->d);
+      return GJK2_OUTCOME_SEPARATED;
+    }
+    const bool inside = gjk2_dot(ahead, step) > 0;
+    if (inside) {
+      set_vertex(&k, w, following ? s->first : s->last);
+    }
+    if (turn >= 0) {
+      k.a = k.next_a;
+    }
+    if (turn <= 0) {
+      k.b = k.next_b;
+    }
+    if (inside) {
+      set_vertex(&k, ahead, following ? s->last : s->first);
+      s->count = 2;
+      s->base = height;
+      return GJK2_OUTCOME_NEAREST;
+    }
+    w = ahead;
+    if (turn >= 0) {
+      step_of_a(s, following, &k);
+    }
+    if (turn <= 0) {
+      step_of_b(s, following, &k);
+    }
+  }
+}
+
+static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal) {
+  const gjk2_vec w = s->apex->w;
+  if (gjk2_norm1(w) == 0) {
+    return GJK2_OUTCOME_ENCLOSING;
+  }
+  gjk2_outcome outcome = walk_round(s, goal, true);
+  if (outcome == GJK2_OUTCOME_LIMIT) {
+    const int64_t ahead = s->base;
+    outcome = walk_round(s, goal, false);
+    // No way leads nearer. Where w lies within an edge, straight across from O, O may be on its inside.
+    if (outcome == GJK2_OUTCOME_LIMIT && ahead >= 0 && s->base >= 0 && (ahead | s->base) != 0) {
+      outcome = GJK2_OUTCOME_NEAREST;
+      make_apex(s);
+    }
+  }
+  if (outcome == GJK2_OUTCOME_LIMIT) {
+    make_apex(s);
+    return outcome;
+  }
+  if (outcome == GJK2_OUTCOME_NEAREST) {
+    gjk2_search_direct(s);
+    if (goal <= GJK2_GOAL_WITHIN && s->radius > 0 && gjk2_is_within(-s->base, s->d, s->radius)) {
+      return GJK2_OUTCOME_NEAR;
+    }
+  }
+  return outcome;
+}
+
+gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
+  for (;;) {  // at most limit iterations
+    int64_t before = 0, after = 0;
+    if (s->iterations >= limit) {
+      return GJK2_OUTCOME_LIMIT;
+    }
+    if (s->count != 0) {
+      gjk2_search_direct(s);  // Step 1
+      if ((s->d.x | s->d.y) == 0) {
+        return GJK2_OUTCOME_ENCLOSING;
+      }
+      if (goal <= GJK2_GOAL_WITHIN && s->radius > 0 && gjk2_is_within(-s->base, s->d, s->radius)) {  // Step 2
+        return GJK2_OUTCOME_NEAR;
+      }
+    }
+    s->iterations = (uint16_t)(s->iterations + (s->iterations < UINT16_MAX));
+    scan(s, s->d, s->spare);  // Step 3
+    if (s->count == 2) {
+      before = gjk2_cross(s->first->w, s->spare->w);
+      after = gjk2_cross(s->spare->w, s->last->w);
+      s->along = before + after;  // d . x, with d = last - first turned by a quarter
+    } else {
+      s->along = gjk2_dot(s->d, s->spare->w);
+    }
+    if (s->along < 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH) && is_separating(s)) {  // Step 4
+      return GJK2_OUTCOME_SEPARATED;
+    }
+    if (s->count != 0 && gains_nothing(s, s->along - s->base)) {  // Step 5
+      return GJK2_OUTCOME_NEAREST;
+    }
+    if (s->count == 0 || s->warm) {  // what the cache holds need not lie on the boundary: begin anew with x, which does
+      exchange(&s->apex, &s->spare);
+      make_apex(s);
+      s->warm = false;
+      if (s->walks && limit == gjk2_search_limit(s)) {
+        const gjk2_outcome outcome = walk_on(s, goal);
+        if (outcome != GJK2_OUTCOME_LIMIT) {
+          return outcome;
+        }
+        s->walks = false;
+      }
+      continue;
+    }
+    bool encloses;
+    if (s->count == 1 && s->alone) {
+      encloses = add_second(s);
+    } else {
+      if (s->count == 1) {
+        choose_arc(s);  // Step 6
+        before = gjk2_cross(s->first->w, s->spare->w);
+        after = gjk2_cross(s->spare->w, s->last->w);
+      }
+      encloses = add_vertex(s, before, after);  // Step 7
+    }
+    if (encloses) {
+      return GJK2_OUTCOME_ENCLOSING;
+    }
+  }
+}
+
+void gjk2_search_certify(const gjk2_search *s, gjk2_outcome outcome, gjk2_certificate *out) {
+  static const uint8_t proofs[] = {GJK2_PROOF_NEAREST, GJK2_PROOF_ENCLOSING, GJK2_PROOF_DIRECTION, GJK2_PROOF_NEAR,
+                                   GJK2_PROOF_NONE};
+  out->count = 0;
+  out->proof = GJK2_PROOF_NONE;
+  if (s->curved) {
+    return;
+  }
+  out->proof = proofs[outcome];
+  out->direction = s->d;
+  if (outcome == GJK2_OUTCOME_SEPARATED) {
+    return;
+  }
+  out->count = s->count;
+  for (unsigned i = 0; i < s->count; i++) {
+    const gjk2_vertex *v = gjk2_search_vertex(s, i);
+    out->a[i] = v->a;
+    out->b[i] = v->b;
+  }
+}
+
+void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache) {
+  if (s->curved || s->far != 0) {
+    return;
+  }
+  cache->count = 0;
+  cache->direction[0] = 0;
+  cache->direction[1] = 0;
+  if (outcome == GJK2_OUTCOME_ENCLOSING) {
+    return;
+  }
+  const uint32_t bits = gjk_magnitude32(s->d.x) | gjk_magnitude32(s->d.y), zeros = gjk_clz32(bits | 1);
+  const unsigned down = zeros < 17 ? 17 - zeros : 0;
+  cache->direction[0] = (int16_t)gjk_sar32(s->d.x, down);
+  cache->direction[1] = (int16_t)gjk_sar32(s->d.y, down);
+  if (outcome == GJK2_OUTCOME_SEPARATED) {
+    return;
+  }
+  cache->count = s->count;
+  for (unsigned i = 0; i < s->count && i < 2; i++) {
+    const gjk2_vertex *v = gjk2_search_vertex(s, i);
+    cache->a[i] = v->a;
+    cache->b[i] = v->b;
+  }
+}
