@@ -37,7 +37,8 @@ typedef enum gjk_detail {
 
 // Should this pair be tested? Called at most once per test, perhaps from several threads. The answer may depend on the
 // arguments, and on what does not change during an update. An update asks only about pairs whose last answer their
-// motion may have changed. After any other change of mind call gjk_scene_refilter.
+// motion may have changed. After any other change of mind call gjk_scene_refilter, in the plane
+// gjk2_scene_refilter.
 typedef bool gjk_scene_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b);
 
 typedef enum gjk_event {
@@ -68,7 +69,7 @@ typedef struct gjk_scene_stats {
   uint32_t direction;      // the last separating direction still separates: one support scan
   uint32_t warm, cold;     // queries, started from the cache or not
   uint32_t begun, persisting, ended;
-  uint32_t unsettled;  // queries that reached a ceiling, see gjk_scene_update
+  uint32_t unsettled;  // queries that reached a ceiling, see gjk_scene_update and gjk2_scene_update
   uint32_t updates;    // completed so far, modulo 2^32
 } gjk_scene_stats;
 

@@ -9,23 +9,27 @@
 //
 // the vector   sqrt(3) 2^-30 of at most sqrt(3) 2^30 LSB: 3
 // the floor    1
-#define PLANE_SLACK 4
+#define GJK_SCENE_PLANE_SLACK 4
 
 // A distance along a feature's rounded direction errs by less than this:
 //
 // the direction   it is exact, or its components err by less than 1, the largest of at least 2^29. So the unit vectors
 //                 differ by less than 2 sqrt(3) 2^-29, of at most 3 2^29 LSB: 10.4
-// the rest        PLANE_SLACK
-#define NEAR_SLACK 16
+// the rest        GJK_SCENE_PLANE_SLACK
+#define GJK_SCENE_NEAR_SLACK 16
 
-// The length of v along d, rounded down: less than PLANE_SLACK off for |v| <= 2^30 + 2^4 per axis.
-static int64_t along_unit(const gjk_vec3 *d, const gjk_vec3 *v) {
+// The length of v along d, rounded down: less than GJK_SCENE_PLANE_SLACK off for |v| <= 2^30 + 2^4 per axis.
+static int64_t gjk_scene_along_unit(const gjk_vec3 *d, const gjk_vec3 *v) {
   const gjk_unit3 u = gjk_unit(d);
   return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(u.x, v->x), u.y, v->y), u.z, v->z), 30);
 }
 
+static inline void gjk_scene_support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
+  c->shape->type->support(c, d, out);
+}
+
 // Writes the vector from the centre of A to that of B. False: they are 2^29 or more apart along an axis.
-static bool between_centres(const gjk_collider *a, const gjk_collider *b, gjk_vec3 *out) {
+static bool gjk_scene_between_centres(const gjk_collider *a, const gjk_collider *b, gjk_vec3 *out) {
   const int64_t x = (int64_t)b->centre.x - a->centre.x, y = (int64_t)b->centre.y - a->centre.y;
   const int64_t z = (int64_t)b->centre.z - a->centre.z;
   if ((gjk_magnitude64(x) | gjk_magnitude64(y) | gjk_magnitude64(z)) >> 29 != 0) {
@@ -43,14 +47,14 @@ static bool between_centres(const gjk_collider *a, const gjk_collider *b, gjk_ve
 // The length along d from a point of A to one of B, which are given as offsets from their centres.
 //
 // |centres| < 2^29, |on_a| < 2^28 + 2^3, |on_b| < 2^28 + 2^3 per axis:  |apart| < 2^30 + 2^4
-static int64_t along(const gjk_vec3 *d, const gjk_vec3 *centres, const gjk_vec3 *on_a, const gjk_vec3 *on_b) {
+static int64_t gjk_scene_along(const gjk_vec3 *d, const gjk_vec3 *centres, const gjk_vec3 *on_a, const gjk_vec3 *on_b) {
   const gjk_vec3 apart = {centres->x + on_b->x - on_a->x, centres->y + on_b->y - on_a->y,
                           centres->z + on_b->z - on_a->z};
-  return along_unit(d, &apart);
+  return gjk_scene_along_unit(d, &apart);
 }
 
 // The square of the distance of the centres. Pre: below 2^31 along each axis.
-static uint64_t centres_squared(const gjk_scene_part *a, const gjk_scene_part *b) {
+static uint64_t gjk_scene_centres_squared(const gjk_scene_part *a, const gjk_scene_part *b) {
   const uint32_t x = gjk_scene_difference(a->centre.x, b->centre.x);
   const uint32_t y = gjk_scene_difference(a->centre.y, b->centre.y);
   const uint32_t z = gjk_scene_difference(a->centre.z, b->centre.z);
@@ -61,7 +65,7 @@ static uint64_t centres_squared(const gjk_scene_part *a, const gjk_scene_part *b
 // centre of a hull's box may be outside of the hull.
 //
 // A posed half axis of a box is off by less than 5/4 LSB, so a support plane comes nearer by less than 15/4.
-static int32_t inner_radius(const gjk_shape *shape) {
+static int32_t gjk_scene_inner_radius(const gjk_shape *shape) {
   const gjk_vec3 *size = &shape->size;
   if (shape->type->kind != GJK_KIND_AXES) {
     return -(INT32_C(1) << 30);
@@ -74,7 +78,7 @@ static int32_t inner_radius(const gjk_shape *shape) {
 }
 
 // A pair keeps vertices whose numbers fit a byte. A query finds others anew.
-static void load_cache(const gjk_scene_pair *pair, gjk_cache *cache) {
+static void gjk_scene_load_cache(const gjk_scene_pair *pair, gjk_cache *cache) {
   cache->count = (uint16_t)(pair->state >> GJK_SCENE_PAIR_CACHED);
   for (int i = 0; i < 3; i++) {
     cache->direction[i] = pair->hint.direction[i];
@@ -85,7 +89,7 @@ static void load_cache(const gjk_scene_pair *pair, gjk_cache *cache) {
   }
 }
 
-static void store_cache(const gjk_cache *cache, bool near, gjk_scene_pair *pair) {
+static void gjk_scene_store_cache(const gjk_cache *cache, bool near, gjk_scene_pair *pair) {
   (void)near;
   unsigned count = 0;
   for (unsigned i = 0; i < cache->count && i < 4; i++) {  // not reached: 4: what a query keeps has no more

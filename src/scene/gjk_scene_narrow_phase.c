@@ -84,13 +84,13 @@ static bool settle_apart(gjk_scene_pair *pair, int32_t gap, gjk_scene_outcome ou
 static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const gjk_vec3 *d) {
   const gjk_vec3 opposite = gjk_negate(*d);
   gjk_vec3 centres;
-  if (gjk_scene_is_zero(d) || !between_centres(a, b, &centres)) {
+  if (gjk_scene_is_zero(d) || !gjk_scene_between_centres(a, b, &centres)) {
     return 0;
   }
   gjk_support far_a, far_b;
-  a->shape->type->support(a, d, &far_a);
-  b->shape->type->support(b, &opposite, &far_b);
-  return along(d, &centres, &far_a.offset, &far_b.offset) - PLANE_SLACK - a->shape->convex_radius -
+  gjk_scene_support(a, d, &far_a);
+  gjk_scene_support(b, &opposite, &far_b);
+  return gjk_scene_along(d, &centres, &far_a.offset, &far_b.offset) - GJK_SCENE_PLANE_SLACK - a->shape->convex_radius -
          b->shape->convex_radius;
 }
 
@@ -103,7 +103,7 @@ static int64_t sphere_bound(const pair_question *q) {
   const int32_t radii =
       q->a->core_radius + q->b->core_radius + shape_of(q, q->a)->convex_radius + shape_of(q, q->b)->convex_radius;
   const uint32_t reach = (uint32_t)radii + (uint32_t)q->margin;
-  const uint64_t squared = centres_squared(q->a, q->b);
+  const uint64_t squared = gjk_scene_centres_squared(q->a, q->b);
   return squared > gjk_umul32(reach, reach) ? (int64_t)gjk_isqrt64(squared) - radii : 0;
 }
 
@@ -112,11 +112,12 @@ static int64_t sphere_bound(const pair_question *q) {
 //
 // Pre  as sphere_bound: -2^31 <= reach < 2^30; the root is less than reach.
 static int32_t inner_bound(const pair_question *q) {
-  const int32_t reach = inner_radius(shape_of(q, q->a)) + inner_radius(shape_of(q, q->b)) + q->margin;
+  const int32_t reach =
+      gjk_scene_inner_radius(shape_of(q, q->a)) + gjk_scene_inner_radius(shape_of(q, q->b)) + q->margin;
   if (reach <= 0 || gjk_scene_wants_distance(detail(q))) {
     return 0;
   }
-  const uint64_t squared = centres_squared(q->a, q->b);
+  const uint64_t squared = gjk_scene_centres_squared(q->a, q->b);
   const uint32_t whole = (uint32_t)reach;
   return squared < gjk_umul32(whole, whole) ? reach - (int32_t)gjk_isqrt64(squared) - 1 : 0;
 }
@@ -148,17 +149,17 @@ static int32_t within_margins(const pair_question *q, const gjk_collider *a, con
                               const gjk_decision *decision) {
   const gjk_certificate *c = &decision->certificate;
   // margin < 2^29, convex_radius <= 2^28 each:  |within| < 2^31
-  const int64_t within = (int64_t)q->margin + a->shape->convex_radius + b->shape->convex_radius - NEAR_SLACK;
+  const int64_t within = (int64_t)q->margin + a->shape->convex_radius + b->shape->convex_radius - GJK_SCENE_NEAR_SLACK;
   gjk_vec3 centres, on_a, on_b;
   if (within <= 0 || c->proof == GJK_PROOF_ENCLOSING) {
     return within <= 0 ? 0 : gjk_saturate(within);
   }
-  if (c->proof != GJK_PROOF_NEAR || !between_centres(a, b, &centres)) {
+  if (c->proof != GJK_PROOF_NEAR || !gjk_scene_between_centres(a, b, &centres)) {
     return 0;
   }
   a->shape->type->vertex(a, c->a[0], &on_a);  // the query named these vertices, so they exist
   b->shape->type->vertex(b, c->b[0], &on_b);
-  const int64_t left = within - (int64_t)gjk_magnitude64(along(&c->direction, &centres, &on_a, &on_b));
+  const int64_t left = within - (int64_t)gjk_magnitude64(gjk_scene_along(&c->direction, &centres, &on_a, &on_b));
   return left > 0 ? gjk_saturate(left) : 0;
 }
 
@@ -209,10 +210,10 @@ static void query_pair(const pair_question *q, bool cold, gjk_scene_pair *pair) 
   if ((pair->state & GJK_SCENE_PAIR_NEAR) == 0 && hint_settles(q, &a, &b, pair)) {
     return;
   }
-  load_cache(pair, &cache);
+  gjk_scene_load_cache(pair, &cache);
   pair->outcome = cache.count != 0 || !gjk_scene_is_zero_direction(cache.direction) ? GJK_SCENE_WARM : GJK_SCENE_COLD;
   const bool near = query_near(q, &a, &b, &cache, pair);
-  store_cache(&cache, near, pair);
+  gjk_scene_store_cache(&cache, near, pair);
   set_near(pair, near);
 }
 
