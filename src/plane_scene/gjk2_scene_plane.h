@@ -19,6 +19,12 @@
 // The first word of a block: "gjs2" in a little-endian one.
 #define GJK2_SCENE_MAGIC UINT32_C(0x32736A67)
 
+// The version of the block's format.
+#define GJK2_SCENE_VERSION GJK2_SCENE_BLOCK_VERSION
+
+// How many contacts a report has at most.
+#define GJK2_SCENE_CONTACTS GJK2_CONTACTS_MAX
+
 // How many coordinates a vector has.
 #define GJK2_SCENE_AXES 2
 

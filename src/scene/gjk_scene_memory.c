@@ -87,7 +87,7 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   gjk_zero(block, needed);
   gjk_scene_header *h = (gjk_scene_header *)block;
   h->magic = GJK_SCENE_MAGIC;
-  h->version = GJK_SCENE_BLOCK_VERSION;
+  h->version = GJK_SCENE_VERSION;
   h->order = ORDER;
   h->iterations = GJK_ITERATIONS_MAX;
   h->config = *config;
@@ -114,7 +114,7 @@ gjk_status gjk_scene_check_header(const void *block, size_t bytes) {
   if (bytes < sizeof *h) {
     return GJK_ERROR_CAPACITY;
   }
-  if (h->magic != GJK_SCENE_MAGIC || h->version != GJK_SCENE_BLOCK_VERSION || h->order != ORDER ||
+  if (h->magic != GJK_SCENE_MAGIC || h->version != GJK_SCENE_VERSION || h->order != ORDER ||
       h->iterations != GJK_ITERATIONS_MAX || check_config(&h->config) != GJK_OK) {
     return GJK_ERROR_CORRUPT;
   }
@@ -146,7 +146,7 @@ gjk_status gjk_scene_view_of(const gjk_scene *scene, gjk_scene_view *out) {
     return GJK_ERROR_NULL;
   }
   gjk_scene_header *h = (gjk_scene_header *)scene->block;
-  if (h->magic != GJK_SCENE_MAGIC || h->version != GJK_SCENE_BLOCK_VERSION || h->order != ORDER) {
+  if (h->magic != GJK_SCENE_MAGIC || h->version != GJK_SCENE_VERSION || h->order != ORDER) {
     return GJK_ERROR_CORRUPT;
   }
   out->scene = scene;

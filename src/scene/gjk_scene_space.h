@@ -18,6 +18,12 @@
 // The first word of a block: "gjks" in a little-endian one.
 #define GJK_SCENE_MAGIC UINT32_C(0x736B6A67)
 
+// The version of the block's format.
+#define GJK_SCENE_VERSION GJK_SCENE_BLOCK_VERSION
+
+// How many contacts a report has at most.
+#define GJK_SCENE_CONTACTS 4
+
 // How many coordinates a vector has.
 #define GJK_SCENE_AXES 3
 
