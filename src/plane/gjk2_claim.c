@@ -2,7 +2,7 @@
 #include "gjk2_claim.h"
 
 // sum += x^2
-static void add_square(gjk_u192 *sum, int64_t x) {
+static void plane_add_square(gjk_u192 *sum, int64_t x) {
   gjk_u192 size, square;
   gjk_u192_set(&size, gjk_magnitude64(x));
   gjk_u192_multiply(&square, &size, &size);
@@ -13,13 +13,13 @@ static void add_square(gjk_u192 *sum, int64_t x) {
 static void add_square_times(gjk_u192 *sum, int64_t x, uint64_t y) {
   gjk_u192 square, factor, product;
   gjk_u192_set(&square, 0);
-  add_square(&square, x);
+  plane_add_square(&square, x);
   gjk_u192_set(&factor, y);
   gjk_u192_multiply(&product, &square, &factor);
   gjk_u192_add(sum, &product);
 }
 
-static bool same_sign(int32_t direction, gjk_q30 u) {
+static bool plane_same_sign(int32_t direction, gjk_q30 u) {
   return direction == 0 ? u == 0 : (direction > 0 ? u >= 0 : u <= 0);
 }
 
@@ -31,7 +31,8 @@ static bool same_sign(int32_t direction, gjk_q30 u) {
 bool gjk2_claim_normal(gjk2_vec n, const gjk2_unit *normal) {
   const gjk2_vec u = {normal->x, normal->y};
   const gjk_q30 most = GJK_Q30_ONE + 4;
-  if (u.x < -most || u.x > most || u.y < -most || u.y > most || !same_sign(n.x, u.x) || !same_sign(n.y, u.y)) {
+  if (u.x < -most || u.x > most || u.y < -most || u.y > most || !plane_same_sign(n.x, u.x) ||
+      !plane_same_sign(n.y, u.y)) {
     return false;
   }
   // |u| <= sqrt(2) (2^30 + 4), |n| <= sqrt(2) 3 2^29:   along below 2^62, across below 2^62
@@ -58,12 +59,12 @@ bool gjk2_claim_normal(gjk2_vec n, const gjk2_unit *normal) {
 
 // A point within 1 LSB of a shape has all of the shape's vertices within this, per component: a shape is below 2^29
 // across.
-#define POINT_REACH (INT64_C(3) << 28)
+#define PLANE_POINT_REACH (INT64_C(3) << 28)
 
-// *out = centre + offset - point. False when that is beyond POINT_REACH.
-static bool from_point(gjk_q16 centre, gjk_q16 offset, gjk_q16 point, int32_t *out) {
+// *out = centre + offset - point. False when that is beyond PLANE_POINT_REACH.
+static bool plane_from_point(gjk_q16 centre, gjk_q16 offset, gjk_q16 point, int32_t *out) {
   const int64_t difference = (int64_t)centre + offset - point;
-  if (difference < -POINT_REACH || difference > POINT_REACH) {
+  if (difference < -PLANE_POINT_REACH || difference > PLANE_POINT_REACH) {
     return false;
   }
   *out = (int32_t)difference;
@@ -71,12 +72,14 @@ static bool from_point(gjk_q16 centre, gjk_q16 offset, gjk_q16 point, int32_t *o
 }
 
 bool gjk2_claim_point(const gjk2_collider *c, const uint16_t *named, unsigned count, const gjk2_vec *point) {
-  gjk2_vec from[2] = {{0, 0}, {0, 0}};
+  gjk2_vec from[2];
+  from[1].x = from[1].y = 0;
   const int32_t reach = c->shape->convex_radius + 1;
   for (unsigned i = 0; i < count; i++) {
     gjk2_vec offset;
-    if (!c->shape->type->vertex(c, named[i], &offset) || !from_point(c->centre.x, offset.x, point->x, &from[i].x) ||
-        !from_point(c->centre.y, offset.y, point->y, &from[i].y)) {
+    if (!c->shape->type->vertex(c, named[i], &offset) ||
+        !plane_from_point(c->centre.x, offset.x, point->x, &from[i].x) ||
+        !plane_from_point(c->centre.y, offset.y, point->y, &from[i].y)) {
       return false;
     }
     // |from| <= sqrt(2) 3 2^28:  the square below 2^60
@@ -90,7 +93,7 @@ bool gjk2_claim_point(const gjk2_collider *c, const uint16_t *named, unsigned co
 }
 
 // Is the coordinate at an end of its range, which the vertex reaches with the convex radius and 1 LSB?
-static bool at_end(gjk_q16 coordinate, gjk_q16 centre, gjk_q16 offset, gjk_q16 convex_radius) {
+static bool plane_at_end(gjk_q16 coordinate, gjk_q16 centre, gjk_q16 offset, gjk_q16 convex_radius) {
   const int64_t vertex = (int64_t)centre + offset, reach = (int64_t)convex_radius + 1;
   return (coordinate == INT32_MAX && vertex + reach >= INT32_MAX) ||
          (coordinate == INT32_MIN && vertex - reach <= INT32_MIN);
@@ -100,8 +103,9 @@ bool gjk2_claim_saturated(const gjk2_collider *c, const uint16_t *named, unsigne
   const gjk_q16 convex_radius = c->shape->convex_radius;
   for (unsigned i = 0; i < count; i++) {
     gjk2_vec offset;
-    if (c->shape->type->vertex(c, named[i], &offset) && (at_end(point->x, c->centre.x, offset.x, convex_radius) ||
-                                                         at_end(point->y, c->centre.y, offset.y, convex_radius))) {
+    if (c->shape->type->vertex(c, named[i], &offset) &&
+        (plane_at_end(point->x, c->centre.x, offset.x, convex_radius) ||
+         plane_at_end(point->y, c->centre.y, offset.y, convex_radius))) {
       return true;
     }
   }
@@ -154,8 +158,8 @@ bool gjk2_claim_overlap(gjk_q16 depth, const gjk2_unit *normal, const gjk2_vec *
       return false;
     }
     // |apart| 2^30 <= 2^61, |depth unit| <= 2^61: their difference is halved, rounded to the nearest, to fit.
-    add_square(&squared, gjk_sar64(gjk_shl64(apart[i], 30) - gjk_mul32(depth, unit[i]) + 1, 1));
+    plane_add_square(&squared, gjk_sar64(gjk_shl64(apart[i], 30) - gjk_mul32(depth, unit[i]) + 1, 1));
   }
-  add_square(&limit, slack);
+  plane_add_square(&limit, slack);
   return gjk_u192_compare(&squared, &limit) <= 0;
 }

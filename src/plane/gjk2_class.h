@@ -18,6 +18,14 @@ typedef struct gjk2_support {
   uint16_t vertex;  // the vertex's number; 0 for curved shapes
 } gjk2_support;
 
+static inline void gjk2_copy_support(gjk2_support *to, const gjk2_support *from) {
+  gjk2_copy(&to->offset, &from->offset);
+  to->vertex = from->vertex;
+}
+
+struct gjk2_search;
+struct gjk2_edge;
+
 struct gjk2_shape_class {
   // Checks the shape's own fields and measures its core. gjk2_collider_init checks the convex radius.
   gjk_status (*measure)(const gjk2_shape *shape, gjk2_extent *out);
@@ -28,7 +36,7 @@ struct gjk2_shape_class {
 
   // The vertex that is farthest along d. Among equally far ones the choice depends on shape, pose and d alone.
   // Pre: d != 0, |d| <= 3 2^29.
-  void (*support)(const gjk2_collider *collider, gjk2_vec d, gjk2_support *out);
+  void (*support)(const gjk2_collider *collider, const gjk2_vec *d, gjk2_support *out);
 
   // The offset of the vertex with a number; false where there is none. NULL for curved shapes.
   bool (*vertex)(const gjk2_collider *collider, uint16_t number, gjk2_vec *offset);
@@ -36,6 +44,9 @@ struct gjk2_shape_class {
   // The vertex that follows another counterclockwise, or precedes it, where the collider's vertices are ordered. NULL for
   // curved shapes.
   void (*adjacent)(const gjk2_collider *collider, uint16_t number, bool following, gjk2_support *out);
+
+  // gjk2_curved_depth of gjk2_curved_depth.h for curved shapes, so that programs without any do not link it; else NULL.
+  bool (*depth)(struct gjk2_search *s, struct gjk2_edge *edge, int64_t *lower, uint16_t *iterations);
 
   bool buffered;  // a collider may have a buffer for posed vertices
   uint8_t count;  // vertices; where buffered is set the shape's own count is taken

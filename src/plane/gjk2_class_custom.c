@@ -1,7 +1,8 @@
 // A user's own shape of the plane, by its support function.
 #include "gjk2_curved.h"
+#include "gjk2_curved_depth.h"
 
-static gjk_status measure_custom(const gjk2_shape *shape, gjk2_extent *out) {
+static gjk_status measure_plane_custom(const gjk2_shape *shape, gjk2_extent *out) {
   const gjk2_vec origin = {0, 0};
   if (shape->support == NULL) {
     return GJK_ERROR_NULL;
@@ -16,7 +17,7 @@ static gjk_status measure_custom(const gjk2_shape *shape, gjk2_extent *out) {
 }
 
 // The user's point in fine units. A point beyond the bound is pulled back onto it, towards the local origin.
-static gjk2_vec within_bound(const gjk2_shape *shape, gjk2_vec at) {
+static gjk2_vec plane_within_bound(const gjk2_shape *shape, gjk2_vec at) {
   const gjk2_vec bound = {shape->size.x, shape->size.x};
   // Each square <= 2^62:  squared <= 2^63
   const uint64_t squared = (uint64_t)gjk_mul32(at.x, at.x) + (uint64_t)gjk_mul32(at.y, at.y);
@@ -29,19 +30,20 @@ static gjk2_vec within_bound(const gjk2_shape *shape, gjk2_vec at) {
   return point;
 }
 
-static void support_custom(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
-  const gjk2_vec local = gjk2_curved_direction(c, d);
+static void support_plane_custom(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+  const gjk2_vec local = gjk2_curved_direction(c, *d);
   gjk2_vec at = {0, 0};
   c->shape->support(c->shape->user, &local, &at);
-  gjk2_curved_support(c, within_bound(c->shape, at), out);
+  gjk2_curved_support(c, plane_within_bound(c->shape, at), out);
 }
 
 const gjk2_shape_class gjk2_class_custom = {
-    .measure = measure_custom,
+    .measure = measure_plane_custom,
     .pose = gjk2_curved_pose,
-    .support = support_custom,
+    .support = support_plane_custom,
     .vertex = NULL,
     .adjacent = NULL,
+    .depth = gjk2_curved_depth,
     .buffered = false,
     .count = 0,
 };

@@ -1,5 +1,6 @@
 // Ellipse with its axes along the local axes.
 #include "gjk2_curved.h"
+#include "gjk2_curved_depth.h"
 
 static gjk_status measure_ellipse(const gjk2_shape *shape, gjk2_extent *out) {
   const gjk2_vec *size = &shape->size;
@@ -15,8 +16,8 @@ static gjk_status measure_ellipse(const gjk2_shape *shape, gjk2_extent *out) {
 }
 
 // The farthest point along d is size * u, where u is the unit vector along size * d, both products per component.
-static void support_ellipse(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
-  const gjk2_vec size = c->shape->size, local = gjk2_curved_direction(c, d);
+static void support_ellipse(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+  const gjk2_vec size = c->shape->size, local = gjk2_curved_direction(c, *d);
   const int64_t x = gjk_mul32(size.x, local.x), y = gjk_mul32(size.y, local.y);
   gjk2_vec point = {0, 0};
   if ((x | y) != 0) {
@@ -31,6 +32,7 @@ const gjk2_shape_class gjk2_class_ellipse = {
     .support = support_ellipse,
     .vertex = NULL,
     .adjacent = NULL,
+    .depth = gjk2_curved_depth,
     .buffered = false,
     .count = 0,
 };

@@ -47,7 +47,7 @@ static int32_t middle(int32_t low, int32_t high) {
   return (int32_t)gjk_sar64((int64_t)low + high, 1);
 }
 
-static gjk_status measure_vertices(const gjk2_shape *shape, gjk2_extent *out) {
+static gjk_status measure_plane_vertices(const gjk2_shape *shape, gjk2_extent *out) {
   const gjk2_vec *v = shape->vertices;
   if (v == NULL) {
     return GJK_ERROR_NULL;
@@ -78,17 +78,17 @@ static gjk_status measure_vertices(const gjk2_shape *shape, gjk2_extent *out) {
   return GJK_OK;
 }
 
-static gjk_status measure_triangle(const gjk2_shape *shape, gjk2_extent *out) {
-  return shape->count == 3 ? measure_vertices(shape, out) : GJK_ERROR_RANGE;
+static gjk_status measure_plane_triangle(const gjk2_shape *shape, gjk2_extent *out) {
+  return shape->count == 3 ? measure_plane_vertices(shape, out) : GJK_ERROR_RANGE;
 }
 
-static gjk2_vec posed(const gjk2_collider *c, const gjk2_vec *rotation, uint32_t i) {
+static gjk2_vec plane_posed(const gjk2_collider *c, const gjk2_vec *rotation, uint32_t i) {
   return gjk2_rotate_onto(rotation, gjk2_sub(c->shape->vertices[i], c->local_centre), c->fraction);
 }
 
-static void pose_triangle(gjk2_collider *c, const gjk2_vec *rotation) {
+static void pose_plane_triangle(gjk2_collider *c, const gjk2_vec *rotation) {
   for (uint32_t i = 0; i < 3; i++) {
-    c->frame[i] = posed(c, rotation, i);
+    c->frame[i] = plane_posed(c, rotation, i);
   }
   const gjk2_vec e = gjk2_sub(c->frame[1], c->frame[0]), f = gjk2_sub(c->frame[2], c->frame[0]);
   c->ordered = gjk2_cross(e, f) > 0;
@@ -97,36 +97,68 @@ static void pose_triangle(gjk2_collider *c, const gjk2_vec *rotation) {
 static void pose_polygon(gjk2_collider *c, const gjk2_vec *rotation) {
   c->frame[0] = *rotation;
   for (uint32_t i = 0; c->buffer != NULL && i < c->count; i++) {
-    c->buffer[i] = posed(c, rotation, i);
+    c->buffer[i] = plane_posed(c, rotation, i);
   }
 }
 
-// The first of count vertices that is farthest along d. Pre: count >= 1.
-static void scan(const gjk2_vec *v, uint32_t count, gjk2_vec d, gjk2_support *out) {
+#if GJK_NARROW_MULTIPLY
+// Products of directions and vertices truncated to 15 bits cost a fifth of exact ones on cores without a long
+// multiplication. They tell which vertices can be the farthest:
+//   v = 2^vs vc + r,  0 <= r < 2^vs,  |vc| <= 2^14        d = 2^ds dc + q,  0 <= q < 2^ds,  |dc| <= 2^15
+//   v . d / 2^(vs + ds) - vc . dc = vc . q / 2^ds + r . d / 2^(vs + ds), at most 2 2^14 + 2 2^15 in size
+//   |vc . dc| <= 2^30
+#define COARSE_ERROR (2 * INT32_C(16384) + 2 * INT32_C(32768))
+
+// The first of count vertices that is farthest along d. Pre: count >= 1, |v| <= radius.
+static void scan_list(const gjk2_vec *v, uint32_t count, gjk_q16 radius, const gjk2_vec *d, gjk2_support *out) {
+  const unsigned v_bits = 32 - gjk_clz32((uint32_t)radius), vs = v_bits > 14 ? v_bits - 14 : 0;
+  const unsigned d_bits = 32 - gjk_clz32(gjk_magnitude32(d->x) | gjk_magnitude32(d->y)),
+                 ds = d_bits > 15 ? d_bits - 15 : 0;
+  const int32_t x = gjk_sar32(d->x, ds), y = gjk_sar32(d->y, ds);
   const gjk2_vec *best = v, *const end = v + count;
-  int64_t most = gjk2_dot(*v, d);  // |v| < 2^28, |d| <= 3 2^29:  below 2^59
+  int32_t most = INT32_MIN / 2;
+  for (const gjk2_vec *p = v; p < end; p++) {
+    const int32_t along = gjk_sar32(p->x, vs) * x + gjk_sar32(p->y, vs) * y;
+    if (along < most - 2 * COARSE_ERROR) {
+      continue;
+    }
+    if (along > most + 2 * COARSE_ERROR || gjk2_dot(*p, *d) > gjk2_dot(*best, *d)) {
+      most = along;
+      best = p;
+    }
+  }
+  gjk2_copy(&out->offset, best);
+  out->vertex = (uint16_t)(best - v);
+}
+#else
+// The first of count vertices that is farthest along d. Pre: count >= 1, |v| <= radius.
+static void scan_list(const gjk2_vec *v, uint32_t count, gjk_q16 radius, const gjk2_vec *d, gjk2_support *out) {
+  const gjk2_vec towards = *d, *best = v, *const end = v + count;
+  int64_t most = gjk2_dot(*v, towards);  // |v| < 2^28, |d| <= 3 2^29:  below 2^59
+  (void)radius;
   for (const gjk2_vec *p = v + 1; p < end; p++) {
-    const int64_t along = gjk2_dot(*p, d);
+    const int64_t along = gjk2_dot(*p, towards);
     if (along > most) {
       most = along;
       best = p;
     }
   }
-  out->offset = *best;
+  gjk2_copy(&out->offset, best);
   out->vertex = (uint16_t)(best - v);
 }
+#endif
 
-static void support_triangle(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
-  scan(c->frame, 3, d, out);
+static void support_triangle(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+  scan_list(c->frame, 3, c->core_radius, d, out);
 }
 
-// The vertex that the scan of posed vertices would find, by one of the shape's own vertices along d rotated back.
+// The vertex that the scan_list of posed vertices would find, by one of the shape's own vertices along d rotated back.
 //   rotated back, d is off by less than 1 in each component:             |v| 2 < 2^30, off by less than 2 core_radius
 //   a posed vertex is off by less than 3/4 and 1/2 per component:        5/4 (|d.x| + |d.y|)
 // Two vertices are ordered wrongly only within twice that; there posed ones are compared.
-static void support_lazy(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
-  const gjk2_vec local = gjk2_rotate_back(&c->frame[0], d);
-  const int64_t slack = 4 * (int64_t)c->core_radius + 3 * (int64_t)gjk2_norm1(d);
+static void support_plane_lazy(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+  const gjk2_vec local = gjk2_rotate_back(&c->frame[0], *d);
+  const int64_t slack = 4 * (int64_t)c->core_radius + 3 * (int64_t)gjk2_norm1(*d);
   uint32_t best = 0;
   int64_t most = INT64_MIN / 2, exact = 0;
   bool known = false;  // is exact that of the best posed vertex along d?
@@ -136,9 +168,9 @@ static void support_lazy(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) 
       continue;
     }
     if (along <= most + slack) {
-      exact = known ? exact : gjk2_dot(posed(c, &c->frame[0], best), d);
+      exact = known ? exact : gjk2_dot(plane_posed(c, &c->frame[0], best), *d);
       known = true;
-      const int64_t other = gjk2_dot(posed(c, &c->frame[0], i), d);
+      const int64_t other = gjk2_dot(plane_posed(c, &c->frame[0], i), *d);
       if (other <= exact) {
         continue;
       }
@@ -149,15 +181,15 @@ static void support_lazy(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) 
     most = along;
     best = i;
   }
-  out->offset = posed(c, &c->frame[0], best);
+  out->offset = plane_posed(c, &c->frame[0], best);
   out->vertex = (uint16_t)best;
 }
 
-static void support_polygon(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
+static void support_polygon(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
   if (c->buffer != NULL) {
-    scan(c->buffer, c->count, d, out);
+    scan_list(c->buffer, c->count, c->core_radius, d, out);
   } else {
-    support_lazy(c, d, out);
+    support_plane_lazy(c, d, out);
   }
 }
 
@@ -173,7 +205,7 @@ static bool vertex_polygon(const gjk2_collider *c, uint16_t number, gjk2_vec *of
   if (number >= c->count) {
     return false;
   }
-  *offset = c->buffer != NULL ? c->buffer[number] : posed(c, &c->frame[0], number);
+  *offset = c->buffer != NULL ? c->buffer[number] : plane_posed(c, &c->frame[0], number);
   return true;
 }
 
@@ -193,21 +225,23 @@ static void adjacent_vertices(const gjk2_collider *c, uint16_t number, bool foll
 }
 
 const gjk2_shape_class gjk2_class_triangle = {
-    .measure = measure_triangle,
-    .pose = pose_triangle,
+    .measure = measure_plane_triangle,
+    .pose = pose_plane_triangle,
     .support = support_triangle,
     .vertex = vertex_triangle,
     .adjacent = adjacent_vertices,
+    .depth = NULL,
     .buffered = false,
     .count = 3,
 };
 
 const gjk2_shape_class gjk2_class_polygon = {
-    .measure = measure_vertices,
+    .measure = measure_plane_vertices,
     .pose = pose_polygon,
     .support = support_polygon,
     .vertex = vertex_polygon,
     .adjacent = adjacent_vertices,
+    .depth = NULL,
     .buffered = true,
     .count = 0,
 };

@@ -9,21 +9,22 @@
 //   a vertex of a triangle or polygon  < 0.75, and of the rounded centre 0.51: together < 1.26
 //   a corner of two half axes          < 2 / 2, and 0.22 for the rotation: together < 1.22
 // The distance grows by less than 1.26 sqrt(2) < 2.
-#define POSE_SLACK 2
+#define PLANE_POSE_SLACK 2
 
 // Do [p, p + p_bytes) and [q, q + q_bytes) share a byte?
-static bool regions_overlap(const void *p, size_t p_bytes, const void *q, size_t q_bytes) {
+static bool plane_regions_overlap(const void *p, size_t p_bytes, const void *q, size_t q_bytes) {
   uintptr_t a = (uintptr_t)p, b = (uintptr_t)q;
   return a < b ? b - a < p_bytes : a - b < q_bytes;
 }
 
-static gjk_status check_buffer(const gjk2_collider *c, const gjk2_shape *shape, const gjk2_vec *buffer,
-                               uint16_t capacity) {
+static gjk_status plane_check_buffer(const gjk2_collider *c, const gjk2_shape *shape, const gjk2_vec *buffer,
+                                     uint16_t capacity) {
   const size_t bytes = shape->count * sizeof *buffer;
   if (capacity < shape->count) {
     return GJK_ERROR_CAPACITY;
   }
-  return regions_overlap(buffer, bytes, shape->vertices, bytes) || regions_overlap(buffer, bytes, c, sizeof *c)
+  return plane_regions_overlap(buffer, bytes, shape->vertices, bytes) ||
+                 plane_regions_overlap(buffer, bytes, c, sizeof *c)
              ? GJK_ERROR_OVERLAP
              : GJK_OK;
 }
@@ -43,7 +44,7 @@ gjk_status gjk2_collider_init(gjk2_collider *c, const gjk2_shape *shape, gjk2_ve
     return GJK_ERROR_SIZE;
   }
   if (type->buffered && buffer != NULL) {
-    status = check_buffer(c, shape, buffer, capacity);
+    status = plane_check_buffer(c, shape, buffer, capacity);
     if (status != GJK_OK) {
       return status;
     }
@@ -51,7 +52,7 @@ gjk_status gjk2_collider_init(gjk2_collider *c, const gjk2_shape *shape, gjk2_ve
   c->shape = shape;
   c->buffer = type->buffered ? buffer : NULL;
   c->local_centre = extent.centre;
-  c->core_radius = (gjk_q16)gjk_isqrt64(extent.squared) + 1 + POSE_SLACK;
+  c->core_radius = (gjk_q16)gjk_isqrt64(extent.squared) + 1 + PLANE_POSE_SLACK;
   c->radius = c->core_radius + shape->convex_radius;
   c->count = type->buffered ? shape->count : type->count;
   c->ordered = extent.ordered;
@@ -59,12 +60,12 @@ gjk_status gjk2_collider_init(gjk2_collider *c, const gjk2_shape *shape, gjk2_ve
   return GJK_OK;
 }
 
-static bool fits(int64_t x) {
+static bool plane_fits(int64_t x) {
   return x >= INT32_MIN && x <= INT32_MAX;
 }
 
 // Rounds a coordinate of the rotated centre from Q30 to LSB. *fraction, Q8: what the rounding has left.
-static int64_t round_centre(int64_t rotated, int8_t *fraction) {
+static int64_t plane_round_centre(int64_t rotated, int8_t *fraction) {
   const int64_t whole = gjk_sar64(rotated + (INT64_C(1) << 29), 30);
   *fraction = (int8_t)gjk_sar64(rotated - gjk_shl64(whole, 30), 22);  // -2^29 <= rest < 2^29:  -2^7 <= *fraction < 2^7
   return whole;
@@ -83,9 +84,9 @@ gjk_status gjk2_collider_pose(gjk2_collider *c, const gjk2_pose *pose) {
   if (!gjk2_rotation_with_point(&pose->rotation, &c->local_centre, &rotation, centre)) {
     return GJK_ERROR_ROTATION;
   }
-  const int64_t x = round_centre(centre[0], &fraction[0]) + pose->position.x;
-  const int64_t y = round_centre(centre[1], &fraction[1]) + pose->position.y;
-  if (!fits(x) || !fits(y)) {
+  const int64_t x = plane_round_centre(centre[0], &fraction[0]) + pose->position.x;
+  const int64_t y = plane_round_centre(centre[1], &fraction[1]) + pose->position.y;
+  if (!plane_fits(x) || !plane_fits(y)) {
     return GJK_ERROR_RANGE;
   }
   c->centre.x = (int32_t)x;
@@ -107,7 +108,7 @@ gjk_status gjk2_collider_move(gjk2_collider *c, const gjk2_vec *position) {
   }
   const int64_t x = (int64_t)c->centre.x - c->position.x + position->x;
   const int64_t y = (int64_t)c->centre.y - c->position.y + position->y;
-  if (!fits(x) || !fits(y)) {
+  if (!plane_fits(x) || !plane_fits(y)) {
     return GJK_ERROR_RANGE;
   }
   c->centre.x = (int32_t)x;

@@ -17,34 +17,36 @@
 
 // Centres farther apart than this along an axis skip steps 2 and 3: the nearest points are the one contact. Otherwise
 // coordinates relative to A's centre are below 2^29 + 2^28.
-#define REACH (INT32_C(1) << 29)
+#define STRETCH_REACH (INT32_C(1) << 29)
 
 // Step 4 admits the nearest points when every candidate is farther by more than this, LSB.
-#define SLACK 2
+#define NEAREST_SLACK 2
 
-// The byte that stands for an edge in an id; a corner's is its number modulo this.
+// The byte that stands for an edge in an id; a corner's is its number modulo 128.
 #define ID_EDGE 255
+#define ID_CORNERS 127
 
 // What a shape meets the normal with. Of two ends the first has the lower place.
-typedef struct side {
+typedef struct plane_side {
   gjk2_vec end[2];   // relative to A's centre
   int64_t place[2];  // along the normal's left, Q30
   uint16_t number[2];
   uint8_t count;  // 0: a curved shape; 1: a corner; 2: an edge
-} side;
+} plane_side;
 
-static bool is_within_reach(const gjk2_collider *a, const gjk2_collider *b) {
+static bool plane_is_within_reach(const gjk2_collider *a, const gjk2_collider *b) {
   const int64_t x = (int64_t)a->centre.x - b->centre.x, y = (int64_t)a->centre.y - b->centre.y;
-  return x <= REACH && x >= -REACH && y <= REACH && y >= -REACH;
+  return x <= STRETCH_REACH && x >= -STRETCH_REACH && y <= STRETCH_REACH && y >= -STRETCH_REACH;
 }
 
 // Moves the edge outwards, to the side where towards points, by the convex radius.
-static void widen(side *of, gjk2_vec edge, gjk2_vec towards, gjk_q16 convex_radius) {
+static void widen(plane_side *of, gjk2_vec edge, gjk2_vec towards, gjk_q16 convex_radius) {
   gjk2_length length;
   gjk2_vec n = gjk2_outward(edge);
   n = gjk2_dot(n, towards) < 0 ? gjk2_negate(n) : n;
   gjk2_length_set(&length, n);
-  const gjk2_unit u = gjk2_unit_of(&length, n);
+  gjk2_unit u;
+  gjk2_unit_set(&u, &length, n);
   const int64_t half = INT64_C(1) << 29;
   const gjk2_vec move = {(int32_t)gjk_sar64(gjk_mac32(half, u.x, convex_radius), 30),
                          (int32_t)gjk_sar64(gjk_mac32(half, u.y, convex_radius), 30)};
@@ -62,13 +64,13 @@ static bool is_flatter(gjk2_vec e, gjk2_vec f, gjk2_vec towards, gjk2_vec left) 
 // Is the edge within 20 degrees of straight across the direction, and long enough for its convex radius?
 //   posing turns an edge by up to 2 / |e|, which moves the surface by convex_radius 2 / |e|^2 along the normal, and the
 //   ends by twice convex_radius / |e| along the edge
-static bool is_level(gjk2_vec e, gjk2_vec towards, gjk2_vec left, gjk_q16 convex_radius) {
+static bool plane_is_level(gjk2_vec e, gjk2_vec towards, gjk2_vec left, gjk_q16 convex_radius) {
   const uint64_t across = gjk_magnitude64(gjk2_dot(e, towards)), along = gjk_magnitude64(gjk2_dot(e, left));
   return across <= (along >> 10) * 373 && gjk2_dot(e, e) >= 36 * (int64_t)convex_radius;  // tan 20 = 372.7 / 1024
 }
 
 // Step 2. towards: the normal, from this shape to the other; left: the normal's left, the same for both.
-static void find_side(const gjk2_collider *c, gjk2_vec origin, gjk2_vec towards, gjk2_vec left, side *out) {
+static void find_side(const gjk2_collider *c, gjk2_vec origin, gjk2_vec towards, gjk2_vec left, plane_side *out) {
   gjk2_support corner, after, before;
   out->count = 0;
   if (gjk2_is_curved(c->shape)) {
@@ -85,7 +87,7 @@ static void find_side(const gjk2_collider *c, gjk2_vec origin, gjk2_vec towards,
   const gjk2_vec ahead = gjk2_sub(after.offset, corner.offset), back = gjk2_sub(before.offset, corner.offset);
   const bool follows = !is_flatter(back, ahead, towards, left);
   const gjk2_vec edge = follows ? ahead : back;
-  if (!is_level(edge, towards, left, c->shape->convex_radius)) {
+  if (!plane_is_level(edge, towards, left, c->shape->convex_radius)) {
     return;
   }
   const unsigned other = gjk2_dot(edge, left) > 0 ? 1 : 0;
@@ -101,7 +103,7 @@ static void find_side(const gjk2_collider *c, gjk2_vec origin, gjk2_vec towards,
   out->place[1] = gjk2_dot(out->end[1], left);
 }
 
-static uint16_t feature_of(const side *of) {
+static uint16_t feature_of(const plane_side *of) {
   if (of->count < 2) {
     return of->number[0];
   }
@@ -111,19 +113,19 @@ static uint16_t feature_of(const side *of) {
 }
 
 // The byte of an id. slack: how near to a corner a place counts as the corner, Q30.
-static unsigned id_byte(const side *of, int64_t place, int64_t slack) {
+static unsigned id_byte(const plane_side *of, int64_t place, int64_t slack) {
   if (of->count == 2) {
     const bool at_first = place - of->place[0] <= slack;
     if (!at_first && of->place[1] - place > slack) {
       return ID_EDGE;
     }
-    return of->number[at_first ? 0 : 1] % ID_EDGE;
+    return of->number[at_first ? 0 : 1] & ID_CORNERS;
   }
-  return of->number[0] % ID_EDGE;
+  return of->number[0] & ID_CORNERS;
 }
 
 // Step 3: the edge's point at a place, to the nearest LSB.
-static gjk2_vec point_at(const side *of, int64_t place) {
+static gjk2_vec plane_point_at(const plane_side *of, int64_t place) {
   if (place <= of->place[0]) {
     return of->end[0];
   }
@@ -150,9 +152,9 @@ static gjk2_vec in_world(gjk2_vec origin, gjk2_vec p) {
 }
 
 // The candidate at a place of the shared stretch. False: it is farther than margin.
-static bool candidate_at(const side *of_a, const side *of_b, int64_t place, int64_t slack, gjk2_vec origin,
+static bool candidate_at(const plane_side *of_a, const plane_side *of_b, int64_t place, int64_t slack, gjk2_vec origin,
                          gjk_q16 margin, const gjk2_unit *normal, gjk2_contact *out) {
-  const gjk2_vec a = point_at(of_a, place), b = point_at(of_b, place), n = {normal->x, normal->y};
+  const gjk2_vec a = plane_point_at(of_a, place), b = plane_point_at(of_b, place), n = {normal->x, normal->y};
   const int64_t gap = gjk_sar64(gjk2_dot(gjk2_sub(b, a), n) + (INT64_C(1) << 29), 30);
   if (gap > margin) {
     return false;
@@ -169,8 +171,19 @@ static bool is_better(const gjk2_contact *p, const gjk2_contact *q) {
   return p->distance != q->distance ? p->distance < q->distance : p->id < q->id;
 }
 
+// Makes the first of two contacts the one to be kept.
+static void keep_better(gjk2_contact c[2]) {
+  if (is_better(&c[1], &c[0])) {
+    gjk2_copy(&c[0].point_a, &c[1].point_a);
+    gjk2_copy(&c[0].point_b, &c[1].point_b);
+    c[0].distance = c[1].distance;
+    c[0].id = c[1].id;
+  }
+}
+
 // Step 3
-static void clip(const side *of_a, const side *of_b, gjk2_vec origin, gjk_q16 margin, gjk2_manifold *out) {
+static void plane_clip(const plane_side *of_a, const plane_side *of_b, gjk2_vec origin, gjk_q16 margin,
+                       gjk2_manifold *out) {
   const int64_t low = of_a->place[0] > of_b->place[0] ? of_a->place[0] : of_b->place[0];
   const int64_t high = of_a->place[1] < of_b->place[1] ? of_a->place[1] : of_b->place[1];
   const int64_t length_a = of_a->place[1] - of_a->place[0], length_b = of_b->place[1] - of_b->place[0];
@@ -185,48 +198,49 @@ static void clip(const side *of_a, const side *of_b, gjk2_vec origin, gjk_q16 ma
   out->count =
       (uint8_t)(out->count + candidate_at(of_a, of_b, high, slack, origin, margin, &out->normal, &c[out->count]));
   if (out->count == 2 && c[0].id == c[1].id) {
-    c[0] = is_better(&c[1], &c[0]) ? c[1] : c[0];
+    keep_better(c);
     out->count = 1;
   }
 }
 
 // Step 4. They replace the candidate that is farther.
-static void admit_nearest(const gjk2_distance_result *nearest, uint16_t id, gjk2_manifold *out) {
+static void plane_admit_nearest(const gjk2_distance_result *nearest, uint16_t id, gjk2_manifold *out) {
   gjk2_contact *c = out->contact;
   for (unsigned i = 0; i < out->count; i++) {
-    if (c[i].distance <= nearest->distance + SLACK) {
+    if (c[i].distance <= nearest->distance + NEAREST_SLACK) {
       return;
     }
   }
   const unsigned i = out->count == 2 && is_better(&c[0], &c[1]) ? 1 : 0;
   out->count = out->count == 0 ? 1 : out->count;
-  c[i].point_a = nearest->point_a;
-  c[i].point_b = nearest->point_b;
+  gjk2_copy(&c[i].point_a, &nearest->point_a);
+  gjk2_copy(&c[i].point_b, &nearest->point_b);
   c[i].distance = nearest->distance;
   c[i].id = id;
 }
 
 // Steps 2 to 5.
-GJK_OUT_OF_LINE static void find_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, unsigned most,
-                                          const gjk2_distance_result *nearest, gjk2_manifold *out) {
+GJK_OUT_OF_LINE static void plane_find_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin,
+                                                unsigned most, const gjk2_distance_result *nearest,
+                                                gjk2_manifold *out) {
   uint16_t id = 0;
-  if (is_within_reach(a, b)) {
+  if (plane_is_within_reach(a, b)) {
     const gjk2_vec towards_b = {out->normal.x, out->normal.y}, towards_a = gjk2_negate(towards_b);
     const gjk2_vec left = {-towards_b.y, towards_b.x}, origin = {0, 0};
-    side of_a, of_b;
+    plane_side of_a, of_b;
     find_side(a, origin, towards_b, left, &of_a);
     find_side(b, gjk2_sub(b->centre, a->centre), towards_a, left, &of_b);
     out->feature_a = feature_of(&of_a);
     out->feature_b = feature_of(&of_b);
-    id = (uint16_t)((of_a.count == 2 ? ID_EDGE : of_a.number[0] % ID_EDGE) << 8 |
-                    (of_b.count == 2 ? ID_EDGE : of_b.number[0] % ID_EDGE));
+    id = (uint16_t)((of_a.count == 2 ? ID_EDGE : of_a.number[0] & ID_CORNERS) << 8 |
+                    (of_b.count == 2 ? ID_EDGE : of_b.number[0] & ID_CORNERS));
     if (of_a.count == 2 && of_b.count == 2) {
-      clip(&of_a, &of_b, a->centre, margin, out);
+      plane_clip(&of_a, &of_b, a->centre, margin, out);
     }
   }
-  admit_nearest(nearest, id, out);
+  plane_admit_nearest(nearest, id, out);
   if (out->count > most) {
-    out->contact[0] = is_better(&out->contact[1], &out->contact[0]) ? out->contact[1] : out->contact[0];
+    keep_better(out->contact);
     out->count = 1;
   }
 }
@@ -247,7 +261,7 @@ gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16
   out->feature_b = 0;
   out->count = 0;
   if (nearest.distance <= margin) {
-    find_contacts(a, b, margin, most, &nearest, out);
+    plane_find_contacts(a, b, margin, most, &nearest, out);
   }
   return status;
 }

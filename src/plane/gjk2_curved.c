@@ -43,7 +43,8 @@ gjk2_vec gjk2_fine_stretch(gjk2_vec size, int64_t x, int64_t y) {
   }
   gjk2_length length;
   gjk2_length_set(&length, d);
-  const gjk2_unit u = gjk2_unit_of(&length, d);
+  gjk2_unit u;
+  gjk2_unit_set(&u, &length, d);
   const gjk2_vec point = {fine(size.x, u.x), fine(size.y, u.y)};
   return point;
 }

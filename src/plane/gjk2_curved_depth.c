@@ -9,41 +9,41 @@
 // How often the vertices around the foot are brought nearer to each other.
 #define FOOT_STEPS 24
 
-typedef struct bounds {
+typedef struct arc_bounds {
   gjk2_search *s;
   gjk2_edge *edge;
   int64_t best;   // the least distance of a line, LSB, rounded up
   int64_t lower;  // of this pass's settled chords
   uint16_t iterations;
-} bounds;
+} arc_bounds;
 
 // Step 2: the line through w across n, beside the chord's ends, is a candidate.
-static void compare_line(bounds *o, gjk2_vec n, const gjk2_vertex *w, const gjk2_vertex *p, const gjk2_vertex *q) {
+static void compare_line(arc_bounds *o, gjk2_vec n, const gjk2_vertex *w, const gjk2_vertex *p, const gjk2_vertex *q) {
   gjk2_length length;
   const int64_t height = gjk2_dot(n, w->w);
   gjk2_length_set(&length, n);
   const int64_t distance = height > 0 ? gjk2_round_distance(&length, (uint64_t)height, GJK2_ROUND_UP) : 0;
   if (distance < o->best) {
     o->best = distance;
-    o->edge->length = length;
+    gjk2_copy_length(&o->edge->length, &length);
     o->edge->height = height > 0 ? height : 0;
-    o->edge->p = *p;
-    o->edge->q = *q;
+    gjk2_copy_vertex(&o->edge->p, p);
+    gjk2_copy_vertex(&o->edge->q, q);
     o->s->d = n;
   }
 }
 
-static bool gains_nothing(gjk2_vec n, const gjk2_vertex *p, const gjk2_vertex *x) {
+static bool chord_gains_nothing(gjk2_vec n, const gjk2_vertex *p, const gjk2_vertex *x) {
   return gjk2_dot(n, gjk2_sub(x->w, p->w)) <= (int64_t)(gjk2_norm1(n) >> 3);
 }
 
 // Settles the chord if it can be: step 1, and step 3 for x, the farthest point across it.
-typedef enum settled { SETTLED, OPEN, SPENT } settled;
+typedef enum arc_state { ARC_SETTLED, ARC_OPEN, ARC_SPENT } arc_state;
 
-static settled settle(bounds *o, const gjk2_vertex *p, const gjk2_vertex *q, int64_t tolerance, gjk2_vertex *x) {
+static arc_state settle(arc_bounds *o, const gjk2_vertex *p, const gjk2_vertex *q, int64_t tolerance, gjk2_vertex *x) {
   const gjk2_vec n = gjk2_outward(gjk2_sub(q->w, p->w));
   if ((n.x | n.y) == 0) {
-    return SETTLED;
+    return ARC_SETTLED;
   }
   const int64_t height = gjk2_cross(p->w, q->w);
   gjk2_length length;
@@ -51,41 +51,42 @@ static settled settle(bounds *o, const gjk2_vertex *p, const gjk2_vertex *q, int
   const int64_t distance = height > 0 ? gjk2_round_distance(&length, (uint64_t)height, GJK2_ROUND_DOWN) : 0;
   if (distance + tolerance < o->best) {
     if (o->iterations >= GJK2_DEPTH_ITERATIONS_MAX) {
-      return SPENT;
+      return ARC_SPENT;
     }
     o->iterations++;
     gjk2_search_scan(o->s, n, x);
     compare_line(o, n, x, p, q);
-    if (!gains_nothing(n, p, x) && distance + tolerance < o->best) {
-      return OPEN;
+    if (!chord_gains_nothing(n, p, x) && distance + tolerance < o->best) {
+      return ARC_OPEN;
     }
   }
   o->lower = distance < o->lower ? distance : o->lower;
-  return SETTLED;
+  return ARC_SETTLED;
 }
 
-// Steps 1 to 3 for the arc from p to end. False: out of iterations.
-static bool settle_arc(bounds *o, gjk2_vertex p, const gjk2_vertex *end, int64_t tolerance) {
-  gjk2_vertex waiting[WAITING], x;
+// Steps 1 to 3 for the arc from start to end. False: out of iterations.
+static bool settle_arc(arc_bounds *o, const gjk2_vertex *start, const gjk2_vertex *end, int64_t tolerance) {
+  gjk2_vertex waiting[WAITING], p, x;
   unsigned count = 1;
-  waiting[0] = *end;
+  gjk2_copy_vertex(&p, start);
+  gjk2_copy_vertex(&waiting[0], end);
   while (count > 0) {  // each turn settles a chord or takes an iteration
-    const settled found = settle(o, &p, &waiting[count - 1], tolerance, &x);
-    if (found == SPENT) {
+    const arc_state found = settle(o, &p, &waiting[count - 1], tolerance, &x);
+    if (found == ARC_SPENT) {
       return false;
     }
-    if (found == SETTLED) {
-      p = waiting[--count];
+    if (found == ARC_SETTLED) {
+      gjk2_copy_vertex(&p, &waiting[--count]);
     } else {
       count -= count == WAITING;
-      waiting[count++] = x;
+      gjk2_copy_vertex(&waiting[count++], &x);
     }
   }
   return true;
 }
 
 // Brings p and q, on both sides of the origin's foot along d, nearer to each other and to the surface.
-static void approach_foot(bounds *o) {
+static void approach_foot(arc_bounds *o) {
   gjk2_edge *edge = o->edge;
   gjk2_vertex x;
   for (int i = 0; i < FOOT_STEPS; i++) {
@@ -94,13 +95,13 @@ static void approach_foot(bounds *o) {
       return;
     }
     gjk2_search_scan(o->s, n, &x);
-    if (gains_nothing(n, &edge->p, &x)) {
+    if (chord_gains_nothing(n, &edge->p, &x)) {
       return;
     }
     if (gjk2_cross(o->s->d, x.w) > 0) {
-      edge->q = x;
+      gjk2_copy_vertex(&edge->q, &x);
     } else {
-      edge->p = x;
+      gjk2_copy_vertex(&edge->p, &x);
     }
   }
 }
@@ -108,7 +109,7 @@ static void approach_foot(bounds *o) {
 bool gjk2_curved_depth(gjk2_search *s, gjk2_edge *edge, int64_t *lower, uint16_t *iterations) {
   static const int8_t axis[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   const int32_t unit = INT32_C(1) << 29;
-  bounds o = {s, edge, INT64_MAX, 0, *iterations};
+  arc_bounds o = {s, edge, INT64_MAX, 0, *iterations};
   gjk2_vertex corner[4];
   for (int i = 0; i < 4; i++) {
     const gjk2_vec d = {axis[i][0] * unit, axis[i][1] * unit};
@@ -125,7 +126,7 @@ bool gjk2_curved_depth(gjk2_search *s, gjk2_edge *edge, int64_t *lower, uint16_t
   for (;;) {  // at most 16 passes
     o.lower = o.best;
     for (int i = 0; i < 4 && settled_all; i++) {
-      settled_all = settle_arc(&o, corner[i], &corner[(i + 1) & 3], tolerance);
+      settled_all = settle_arc(&o, &corner[i], &corner[(i + 1) & 3], tolerance);
     }
     if (!settled_all) {
       break;

@@ -54,8 +54,8 @@ gjk2_outcome gjk2_distance_bounds(gjk2_search *s, int64_t *lower, int64_t *neare
 // Step 3. The points of the feature. Returns whether a coordinate has saturated.
 static bool report_points(const gjk2_search *s, const gjk2_length *length, gjk2_distance_result *out) {
   bool saturated = false;
-  gjk2_witness_points(s, gjk2_search_vertex(s, 0), s->count == 2 ? gjk2_search_vertex(s, 1) : NULL, length, out->normal,
-                      &out->point_a, &out->point_b, &saturated);
+  gjk2_witness_points(s, gjk2_search_vertex(s, 0), s->count == 2 ? gjk2_search_vertex(s, 1) : NULL, length,
+                      &out->normal, &out->point_a, &out->point_b, &saturated);
   return saturated;
 }
 
@@ -67,7 +67,7 @@ void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache
   if (outcome == GJK2_OUTCOME_NEAREST) {
     gjk2_length length;
     gjk2_length_set(&length, s->d);
-    out->normal = gjk2_unit_of(&length, s->d);
+    gjk2_unit_set(&out->normal, &length, s->d);
     gap = in_lsb(s, &length, -s->base, GJK2_ROUND_NEAREST) - gjk2_convex_radii(s);  // Step 2
     gap = gap > 0 ? gap : 0;
     out->saturated = report_points(s, &length, out);
@@ -82,7 +82,7 @@ void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache
 }
 
 // Step 4: narrows the bounds by what the last iteration proves, which may settle the question.
-static gjk2_outcome narrow(gjk2_search *s, gjk2_distance_result *out) {
+static gjk2_outcome plane_narrow(gjk2_search *s, gjk2_distance_result *out) {
   int64_t lower, nearest, upper;
   const gjk2_outcome outcome = gjk2_distance_bounds(s, &lower, &nearest, &upper);
   if (outcome == GJK2_OUTCOME_LIMIT) {
@@ -94,21 +94,21 @@ static gjk2_outcome narrow(gjk2_search *s, gjk2_distance_result *out) {
 }
 
 // Step 1: runs at most limit iterations in all. Narrows the bounds when they do not suffice.
-static gjk2_outcome run_and_narrow(gjk2_search *s, uint32_t limit, gjk2_distance_result *out) {
+static gjk2_outcome plane_run_and_narrow(gjk2_search *s, uint32_t limit, gjk2_distance_result *out) {
   const gjk2_outcome outcome = gjk2_search_run(s, GJK2_GOAL_DISTANCE, limit);
   if (outcome != GJK2_OUTCOME_LIMIT) {
     return outcome;
   }
-  const gjk2_outcome narrowed = narrow(s, out);
+  const gjk2_outcome narrowed = plane_narrow(s, out);
   const bool exhausted = !s->curved && s->iterations >= gjk2_search_limit(s);  // a far frame alone
   return narrowed == GJK2_OUTCOME_LIMIT && exhausted ? GJK2_OUTCOME_NEAREST : narrowed;
 }
 
 // Step 4: reports the nearest points so far, beside the bounds.
-static void stop_early(const gjk2_search *s, gjk2_distance_result *out) {
+static void plane_stop_early(const gjk2_search *s, gjk2_distance_result *out) {
   gjk2_length length;
   gjk2_length_set(&length, s->d);
-  out->normal = gjk2_unit_of(&length, s->d);
+  gjk2_unit_set(&out->normal, &length, s->d);
   out->saturated = report_points(s, &length, out);
   out->intersecting = false;
   out->iterations = s->iterations;
@@ -116,8 +116,8 @@ static void stop_early(const gjk2_search *s, gjk2_distance_result *out) {
   out->certificate.count = 0;
 }
 
-static void start_distance(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, const gjk2_cache *cache,
-                           gjk2_distance_result *out) {
+static void plane_start_distance(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b,
+                                 const gjk2_cache *cache, gjk2_distance_result *out) {
   (void)gjk2_search_start(s, a, b, false, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
   gjk2_search_aim(s, cache);
   out->lower = 0;
@@ -130,10 +130,10 @@ gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_ca
     return status;
   }
   gjk2_search s;
-  start_distance(&s, a, b, cache, out);
-  const gjk2_outcome outcome = run_and_narrow(&s, gjk2_search_limit(&s), out);
+  plane_start_distance(&s, a, b, cache, out);
+  const gjk2_outcome outcome = plane_run_and_narrow(&s, gjk2_search_limit(&s), out);
   if (outcome == GJK2_OUTCOME_LIMIT) {
-    stop_early(&s, out);
+    plane_stop_early(&s, out);
     return GJK_ERROR_ITERATION_LIMIT;
   }
   gjk2_distance_report(&s, outcome, cache, out);
@@ -150,20 +150,20 @@ gjk_status gjk2_distance_until(const gjk2_collider *a, const gjk2_collider *b, c
     return GJK_ERROR_NEGATIVE;
   }
   gjk2_search s;
-  start_distance(&s, a, b, NULL, out);
+  plane_start_distance(&s, a, b, NULL, out);
   const uint32_t ceiling = gjk2_search_limit(&s);
   const bool limited = effort->iterations > 0 && effort->iterations < ceiling;
   const uint32_t most = limited ? effort->iterations : ceiling;
   bool spent;
   // Each turn is one iteration, so there are at most `most` turns.
   do {
-    const gjk2_outcome outcome = run_and_narrow(&s, s.iterations + UINT32_C(1), out);
+    const gjk2_outcome outcome = plane_run_and_narrow(&s, s.iterations + UINT32_C(1), out);
     if (outcome != GJK2_OUTCOME_LIMIT) {
       gjk2_distance_report(&s, outcome, cache, out);
       return GJK_OK;
     }
     spent = effort->error > 0 && out->upper - out->lower <= effort->error;
   } while (!spent && s.iterations < most);
-  stop_early(&s, out);
+  plane_stop_early(&s, out);
   return spent || limited ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
 }

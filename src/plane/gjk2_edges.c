@@ -3,49 +3,104 @@
 
 #include "gjk2_hull.h"
 
-// The boundary of one shape, from a corner to the next; of B with every offset taken negative.
+// The boundary of one shape, from a corner to the next; of B with every edge taken negative.
 typedef struct rim {
   const gjk2_collider *c;
-  bool opposite;  // of B
-  bool done;      // once round
-  gjk2_support at, next;
-  gjk2_vec step;  // from at to next; of B its negative
+  const gjk2_vec *at, *next;     // two corners
+  const gjk2_vec *corner, *end;  // the list of all, counterclockwise; NULL: the vertices are in no order, or lazy
+  gjk2_vec step;                 // from at to next; of B its negative
+  uint32_t left;                 // edges to come; without a list 0 once round, else 1
+  uint16_t first;                // without a list: the number of the first corner
+  gjk2_vec own[4];               // the list of a box's corners
+  gjk2_support corner_at, corner_next;  // without a list: what at and next point to
 } rim;
 
-static void find_next(rim *r) {
-  r->done = !gjk2_hull_neighbour(r->c, &r->at, true, &r->next);
-  r->step = r->opposite ? gjk2_sub(r->at.offset, r->next.offset) : gjk2_sub(r->next.offset, r->at.offset);
+// The numbers of a box's corners, counterclockwise, and the way back.
+static const uint8_t box_number[4] = {3, 2, 0, 1}, box_index[4] = {2, 3, 1, 0};
+
+static uint16_t number_at(const rim *r) {
+  if (r->corner == NULL) {
+    return r->corner_at.vertex;
+  }
+  const uint16_t index = (uint16_t)(r->at - r->corner);
+  return r->corner == r->own ? box_number[index] : index;
 }
 
-// Moves to next. Vertices may repeat, so a rim ends where its place is the first one's.
-static void advance(rim *r, gjk2_vec first) {
-  r->at = r->next;
-  if (gjk2_equal(r->at.offset, first)) {
-    r->done = true;
+// Sets the step to next; 0 once round.
+static inline void set_step(rim *r, bool opposite) {
+  r->step = opposite ? gjk2_sub(*r->at, *r->next) : gjk2_sub(*r->next, *r->at);
+  if (r->left == 0) {
+    r->step.x = 0;
+    r->step.y = 0;
+  }
+}
+
+// Moves to next where there is no list. Vertices may repeat, so a rim ends where its place is the first one's.
+GJK_OUT_OF_LINE static void advance_unlisted(rim *r, bool opposite) {
+  gjk2_copy_support(&r->corner_at, &r->corner_next);
+  const bool round = r->left != 0 && r->corner_at.vertex == r->first;
+  r->left = !round && gjk2_hull_neighbour(r->c, &r->corner_at, true, &r->corner_next) ? 1 : 0;
+  set_step(r, opposite);
+}
+
+// Moves to next. of_b, a constant, lets the compiler choose once.
+static inline void advance(rim *r, bool of_b) {
+  if (r->corner == NULL) {
+    advance_unlisted(r, of_b);
     return;
   }
-  find_next(r);
+  const gjk2_vec *next = r->next + 1;
+  r->at = r->next;
+  r->next = next != r->end ? next : r->corner;
+  r->left--;
+  set_step(r, of_b);
+}
+
+// The list of corners, where the collider has one.
+static const gjk2_vec *corners_of(const gjk2_collider *c, gjk2_vec own[4]) {
+  if (!c->ordered) {
+    return NULL;
+  }
+  if (c->shape->type->buffered) {
+    return c->buffer;
+  }
+  if (c->count == 3) {
+    return c->frame;
+  }
+  const gjk2_vec x = c->frame[0], y = c->frame[1];
+  own[0] = gjk2_add(x, y);
+  own[1] = gjk2_sub(y, x);
+  own[2] = gjk2_negate(own[0]);
+  own[3] = gjk2_negate(own[1]);
+  return own;
 }
 
 // Step 1
 static void start_rim(rim *r, const gjk2_collider *c, bool opposite, gjk2_vec d) {
   r->c = c;
-  r->opposite = opposite;
-  gjk2_hull_corner(c, opposite ? gjk2_negate(d) : d, &r->at);
-  r->next = r->at;
-  find_next(r);
+  r->corner = corners_of(c, r->own);
+  gjk2_hull_corner(c, opposite ? gjk2_negate(d) : d, &r->corner_next);
+  if (r->corner == NULL) {
+    r->at = &r->corner_at.offset;
+    r->next = &r->corner_next.offset;
+    r->first = r->corner_next.vertex;
+    r->left = 0;
+    advance_unlisted(r, opposite);
+    return;
+  }
+  const uint16_t number = r->corner_next.vertex;
+  r->left = c->count + UINT32_C(1);
+  r->end = r->corner + c->count;
+  r->next = r->corner + (r->corner == r->own ? box_index[number] : number);
+  advance(r, opposite);
 }
 
-// Step 2: which edge comes first? Above 0 that of a, below 0 that of b, 0 both. last: the edge before.
-// Both turn from last by less than half a turn, or one of them by exactly that where its shape is a segment; then the
-// other may be parallel to last, and comes first.
-static int order(const rim *a, const rim *b, gjk2_vec last) {
-  if (a->done || b->done) {
-    return a->done ? -1 : 1;
-  }
-  const int64_t turn = gjk2_cross(a->step, b->step);
-  if (turn != 0) {
-    return turn > 0 ? 1 : -1;
+// Step 2 where the edges are parallel, or one rim is done, whose step is 0. Above 0: the edge of a comes first; below 0:
+// that of b; 0: they make one edge. last: the edge before. Both turn from it by less than half a turn, or one of them by
+// exactly that where its shape is a segment; then the other may be parallel to last, and comes first.
+static int order_parallel(const rim *a, const rim *b, gjk2_vec last) {
+  if (a->left == 0 || b->left == 0) {
+    return a->left == 0 ? -1 : 1;
   }
   if (gjk2_dot(a->step, b->step) > 0) {
     return 0;
@@ -75,12 +130,12 @@ bool gjk2_edge_is_lower(const gjk2_edge *edge, uint64_t height, const gjk2_lengt
 }
 
 // The nearest edge so far.
-typedef struct nearest {
+typedef struct nearest_so_far {
   gjk2_edge *edge;
   uint64_t low, high;  // bounds of its distance, 2^-32 LSB
   uint32_t above;      // LSB, not below its distance
   bool found;
-} nearest;
+} nearest_so_far;
 
 // Bounds of height / |length| in 2^-32 LSB. Pre: it is below 2^31.
 static void bound_height(const gjk2_length *length, uint64_t height, uint64_t *low, uint64_t *high) {
@@ -99,12 +154,9 @@ static void bound_height(const gjk2_length *length, uint64_t height, uint64_t *l
 }
 
 // Step 4 for the edge by step from w, the vertex of A - B at a and b. Returns whether it is the nearest so far.
-static bool keep_lower(nearest *n, gjk2_vec step, uint64_t height) {
+GJK_OUT_OF_LINE static bool keep_lower(nearest_so_far *n, gjk2_vec step, uint64_t height) {
   gjk2_length length;
   uint64_t low, high;
-  if (n->found && height >= gjk_umul32(n->above, gjk2_length_bound(step))) {
-    return false;
-  }
   gjk2_length_set(&length, step);
   bound_height(&length, height, &low, &high);
   if (n->found && (low > n->high || (high >= n->low && compare_exactly(n->edge, height, &length) >= 0))) {
@@ -114,55 +166,64 @@ static bool keep_lower(nearest *n, gjk2_vec step, uint64_t height) {
   n->low = low;
   n->high = high;
   n->above = (uint32_t)(high >> 32) + 1;
-  n->edge->length = length;
+  gjk2_copy_length(&n->edge->length, &length);
   n->edge->height = (int64_t)height;
   return true;
 }
 
-static void set_vertex(const gjk2_search *s, const rim *a, const rim *b, gjk2_vertex *out) {
-  out->w = gjk2_add(s->delta, gjk2_sub(a->at.offset, b->at.offset));
-  out->of_a = a->at.offset;
-  out->a = a->at.vertex;
-  out->b = b->at.vertex;
+static void set_corner(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out) {
+  gjk2_copy(&out->w, &w);
+  gjk2_copy(&out->of_a, a->at);
+  gjk2_copy(&out->of_b, b->at);
+  out->a = number_at(a);
+  out->b = number_at(b);
 }
 
 gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
-  // Step 1. The nearest edge mostly lies towards the other centre. Start an eighth of a turn before it: an edge that
+  // Step 1. The nearest edge mostly lies towards the other centre. Start 27 degrees before it: an edge that
   // separates comes soon then, and few edges lie lower than those before them.
   const gjk2_vec d = gjk2_negate(s->delta);
-  gjk2_vec begin = {d.x + d.y, d.y - d.x};
+  gjk2_vec begin = {d.x + gjk_sar32(d.y, 1), d.y - gjk_sar32(d.x, 1)};
   if ((begin.x | begin.y) == 0) {
     begin.x = 1;
   }
   rim a, b;
   start_rim(&a, s->a, false, begin);
   start_rim(&b, s->b, true, begin);
-  const gjk2_vec first_a = a.at.offset, first_b = b.at.offset;
-  gjk2_vec last = {-begin.y, begin.x};
-  nearest n = {edge, 0, 0, 0, false};
-  while (!a.done || !b.done) {  // at most once for each edge of A and of B
-    const int comes = order(&a, &b, last);
-    const bool of_a = comes >= 0, of_b = comes <= 0;
-    last = !of_b ? a.step : !of_a ? b.step : gjk2_add(a.step, b.step);
-    const gjk2_vec w = gjk2_add(s->delta, gjk2_sub(a.at.offset, b.at.offset));
-    const int64_t height = gjk2_cross(w, last);
+  gjk2_vec step = {-begin.y, begin.x}, w = gjk2_add(s->delta, gjk2_sub(*a.at, *b.at));
+  nearest_so_far n = {edge, 0, 0, UINT32_MAX, false};
+  for (;;) {  // at most once for each edge of A and of B
+    const int64_t turn = gjk2_cross(a.step, b.step);
+    int comes = turn > 0 ? 1 : -1;
+    if (turn == 0) {
+      if ((a.left | b.left) == 0) {
+        break;
+      }
+      comes = order_parallel(&a, &b, step);
+    }
+    step.x = (comes >= 0 ? a.step.x : 0) + (comes <= 0 ? b.step.x : 0);
+    step.y = (comes >= 0 ? a.step.y : 0) + (comes <= 0 ? b.step.y : 0);
+    const int64_t height = gjk2_cross(w, step);
     if (height < 0) {  // Step 3
-      s->d = gjk2_outward(last);
+      s->d = gjk2_outward(step);
       s->along = height;
       return GJK2_LIE_APART;
     }
-    const bool lower = keep_lower(&n, last, (uint64_t)height);
+    // Most edges are farther by a rough bound.
+    const bool lower =
+        (uint64_t)height < gjk_umul32(n.above, gjk2_length_bound(step)) && keep_lower(&n, step, (uint64_t)height);
     if (lower) {
-      set_vertex(s, &a, &b, &edge->p);
+      set_corner(&a, &b, w, &edge->p);
     }
-    if (of_a) {
-      advance(&a, first_a);
+    w = gjk2_add(w, step);
+    if (comes >= 0) {
+      advance(&a, false);
     }
-    if (of_b) {
-      advance(&b, first_b);
+    if (comes <= 0) {
+      advance(&b, true);
     }
     if (lower) {
-      set_vertex(s, &a, &b, &edge->q);
+      set_corner(&a, &b, w, &edge->q);
     }
   }
   // A hull with area that has no edge with the origin on its right holds it, and its foot on the nearest edge's line is

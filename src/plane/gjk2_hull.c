@@ -10,10 +10,10 @@ static gjk2_vec offset_of(const gjk2_collider *c, uint16_t number) {
 void gjk2_hull_corner(const gjk2_collider *c, gjk2_vec d, gjk2_support *out) {
   if (c->ordered) {
     gjk2_support next;
-    c->shape->type->support(c, d, out);
+    c->shape->type->support(c, &d, out);
     c->shape->type->adjacent(c, out->vertex, true, &next);
     if (gjk2_dot(gjk2_sub(next.offset, out->offset), d) == 0) {
-      *out = next;
+      gjk2_copy_support(out, &next);
     }
     return;
   }

@@ -7,7 +7,7 @@
 #include "gjk2_search.h"
 
 // Does the feature of the last iteration settle the decision without another support scan? Pre: at least one iteration.
-static gjk2_outcome settle_decision(gjk2_search *s) {
+static gjk2_outcome plane_settle_decision(gjk2_search *s) {
   gjk2_search_direct(s);
   if ((s->d.x | s->d.y) == 0) {
     return GJK2_OUTCOME_ENCLOSING;
@@ -18,8 +18,8 @@ static gjk2_outcome settle_decision(gjk2_search *s) {
 // Runs at most `most` iterations; 0: as many as it takes. With a limit the search starts cold, so that the cache does
 // not decide what the iterations settle.
 // OPEN: only out->iterations is set, and the cache is as it was.
-static gjk2_answer decide(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 distance, uint8_t most,
-                          gjk2_cache *cache, gjk2_decision *out) {
+static gjk2_answer plane_decide(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 distance, uint8_t most,
+                                gjk2_cache *cache, gjk2_decision *out) {
   gjk2_search s;
   // Convex radii are below 2^28 each, distance is below 2^31: radius < 2^31 + 2^29.
   const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius + distance;
@@ -34,7 +34,7 @@ static gjk2_answer decide(const gjk2_collider *a, const gjk2_collider *b, gjk_q1
   gjk2_search_aim(&s, most == 0 ? cache : NULL);
   gjk2_outcome outcome = gjk2_search_run(&s, GJK2_GOAL_WITHIN, most > 0 && most < ceiling ? most : ceiling);
   if (outcome == GJK2_OUTCOME_LIMIT) {
-    outcome = settle_decision(&s);
+    outcome = plane_settle_decision(&s);
   }
   if (outcome == GJK2_OUTCOME_LIMIT && !s.curved && s.iterations >= ceiling) {
     outcome = GJK2_OUTCOME_NEAREST;  // a far frame alone
@@ -51,27 +51,27 @@ static gjk2_answer decide(const gjk2_collider *a, const gjk2_collider *b, gjk_q1
   return out->yes ? GJK2_ANSWER_YES : GJK2_ANSWER_NO;
 }
 
-static gjk_status check(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 distance, const void *out) {
+static gjk_status plane_check(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 distance, const void *out) {
   const gjk_status status = gjk2_check_pair(a, b, out);
   return status == GJK_OK && distance < 0 ? GJK_ERROR_NEGATIVE : status;
 }
 
 gjk_status gjk2_within(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 distance, gjk2_cache *cache,
                        gjk2_decision *out) {
-  const gjk_status status = check(a, b, distance, out);
+  const gjk_status status = plane_check(a, b, distance, out);
   if (status != GJK_OK) {
     return status;
   }
-  return decide(a, b, distance, 0, cache, out) == GJK2_ANSWER_OPEN ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
+  return plane_decide(a, b, distance, 0, cache, out) == GJK2_ANSWER_OPEN ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
 }
 
 gjk_status gjk2_within_until(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 distance, uint8_t iterations,
                              gjk2_cache *cache, gjk2_within_result *out) {
-  const gjk_status status = check(a, b, distance, out);
+  const gjk_status status = plane_check(a, b, distance, out);
   if (status != GJK_OK) {
     return status;
   }
-  out->answer = decide(a, b, distance, iterations, cache, &out->decision);
+  out->answer = plane_decide(a, b, distance, iterations, cache, &out->decision);
   const bool spent = iterations > 0 && out->decision.iterations == iterations;
   return out->answer == GJK2_ANSWER_OPEN && !spent ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
 }

@@ -1,7 +1,28 @@
 // Lengths, unit vectors, distances and weights.
 #include "gjk2_measure.h"
 
-#include "../arith/gjk_root.h"
+// 2^46 / sqrt(x), within 2^-29 of itself and below 2^31, by Newton's iteration: with u = x / 2^32, 1/4 <= u < 1,
+//   1. Start from the line Y = 2.16 - 1.25 u, within 10 % of 1 / sqrt(u).
+//   2. Twice in 16 bits: Y += Y (1 - u Y^2) / 2. A relative error e becomes -3/2 e^2: 1.5 %, 2^-11; rounding, 2^-12.
+//   3. Twice in 32 bits: 2^-22, 2^-43; rounding leaves 1.5 in 2^30.
+// Pre: x >= 2^30.
+static uint32_t inverse_root(uint32_t x) {
+  const uint32_t u = x >> 16;         // Q16, from 2^14
+  uint32_t y = 35389 - (u * 5 >> 4);  // Q14, from 2^13 to 2^15
+  for (int i = 0; i < 2; i++) {
+    const uint32_t square = y * y >> 14;                                   // below 2^16
+    const int32_t rest = (int32_t)(UINT32_C(65536) - (u * square >> 14));  // Q16, |rest| < 2^15
+    y = (uint32_t)((int32_t)y + gjk_sar32((int32_t)y * rest, 17));
+  }
+  y <<= 16;
+  for (int i = 0; i < 2; i++) {
+    const uint32_t square = (uint32_t)(gjk_umul32(y, y) >> 30);                   // y < 2^31:  square < 2^32
+    const int64_t rest = gjk_int64((UINT64_C(1) << 62) - gjk_umul32(x, square));  // |rest| < 2^52
+    // (y / 2) (rest / 2^62)
+    y = (uint32_t)((int64_t)y + gjk_sar64(gjk_mul32((int32_t)(y >> 1), (int32_t)gjk_sar64(rest, 31)), 31));
+  }
+  return y;
+}
 
 void gjk2_length_set(gjk2_length *length, gjk2_vec n) {
   const uint64_t squared = (uint64_t)gjk2_dot(n, n);
@@ -9,17 +30,16 @@ void gjk2_length_set(gjk2_length *length, gjk2_vec n) {
   length->squared = squared;
   length->zeros = z;
   // With x, 2^30 <= x < 2^32, for the leading bits of squared = 2^(32 - 2 z) x: 2^46 / sqrt(x) = 2^(62 - z) / |n|.
-  length->inverse = gjk_reciprocal_root((uint32_t)((squared << (2 * z)) >> 32));
+  length->inverse = inverse_root((uint32_t)((squared << (2 * z)) >> 32));
 }
 
-gjk2_unit gjk2_unit_of(const gjk2_length *length, gjk2_vec n) {
+void gjk2_unit_set(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
   // 2^30 n / |n| = n y / 2^(32 - z) = (2^(z - 1) n) y / 2^31
   const unsigned up = length->zeros - 1;
   const int32_t y = (int32_t)length->inverse;  // < 2^31
   const int64_t half = INT64_C(1) << 30;
-  const gjk2_unit unit = {(gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.x, up), y), 31),
-                          (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.y, up), y), 31)};
-  return unit;
+  unit->x = (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.x, up), y), 31);
+  unit->y = (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.y, up), y), 31);
 }
 
 // h = 2^(32 - hz) top, before truncation; 1 / |n| = y 2^(z - 62):  h / |n| = top y / 2^(30 + hz - z)
@@ -42,7 +62,7 @@ bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest) {
 
 // Is h / |n| at least d + 1/2 (nearest), above d (up), or at least d + 1 (down)?
 //   (d + 1/2)^2 = d (d + 1) + 1/4
-static bool is_beyond(const gjk2_length *length, uint64_t h, uint64_t d, gjk2_round_to to) {
+static bool plane_is_beyond(const gjk2_length *length, uint64_t h, uint64_t d, gjk2_round_to to) {
   const uint64_t squared = length->squared;
   switch (to) {
     case GJK2_ROUND_NEAREST: return gjk2_reaches(h, squared, d * (d + 1), (squared + 3) >> 2);
@@ -53,8 +73,8 @@ static bool is_beyond(const gjk2_length *length, uint64_t h, uint64_t d, gjk2_ro
 }
 
 // The general case.
-GJK_OUT_OF_LINE static int64_t settle_distance(const gjk2_length *length, uint64_t h, uint64_t quotient, unsigned shift,
-                                               gjk2_round_to to) {
+GJK_OUT_OF_LINE static int64_t plane_settle_distance(const gjk2_length *length, uint64_t h, uint64_t quotient,
+                                                     unsigned shift, gjk2_round_to to) {
   if (shift >= 64) {
     return to == GJK2_ROUND_UP && h > 0 ? 1 : 0;  // below 1/2
   }
@@ -65,7 +85,7 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk2_length *length, uint64
   const uint64_t bottom = quotient > error ? quotient - error : 0, top = quotient + error;
   uint64_t low = (bottom >> shift) + (((bottom & mask) + bias) >> shift);
   const uint64_t high = (top >> shift) + (((top & mask) + bias) >> shift);
-  while (low < high && is_beyond(length, h, low, to)) {  // at most 18 steps
+  while (low < high && plane_is_beyond(length, h, low, to)) {  // at most 18 steps
     low++;
   }
   return (int64_t)low;
@@ -85,7 +105,7 @@ int64_t gjk2_round_distance(const gjk2_length *length, uint64_t h, gjk2_round_to
       return biased >> n;
     }
   }
-  return settle_distance(length, h, quotient, shift, to);
+  return plane_settle_distance(length, h, quotient, shift, to);
 }
 
 bool gjk2_is_within(int64_t h, gjk2_vec n, int32_t radius) {

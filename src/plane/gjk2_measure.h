@@ -15,11 +15,17 @@ typedef struct gjk2_length {
   unsigned zeros;    // half the leading zeros of squared, rounded down
 } gjk2_length;
 
+static inline void gjk2_copy_length(gjk2_length *to, const gjk2_length *from) {
+  to->squared = from->squared;
+  to->inverse = from->inverse;
+  to->zeros = from->zeros;
+}
+
 // Pre: n != 0, |n| < 2^31.
 void gjk2_length_set(gjk2_length *length, gjk2_vec n);
 
-// n / |n|, Q2.30, each component within 2 LSB.
-gjk2_unit gjk2_unit_of(const gjk2_length *length, gjk2_vec n);
+// *unit = n / |n|, Q2.30, each component within 2 LSB.
+void gjk2_unit_set(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n);
 
 // The leading 63 bits of h / |n|: (returned) / 2^*shift. Its error is below 2^-28 of it, and 1.
 uint64_t gjk2_quotient(const gjk2_length *length, uint64_t h, unsigned *shift);

@@ -3,14 +3,14 @@
 
 // depth u / 2^30, rounded away from 0.
 //   |depth u| <= 2^60, and 2^30 - 1 more: size < 2^61
-static gjk_q16 move_outward(gjk_q16 depth, gjk_q30 u) {
+static gjk_q16 plane_move_outward(gjk_q16 depth, gjk_q30 u) {
   const uint64_t size = gjk_magnitude64(gjk_mul32(depth, u)) + ((UINT32_C(1) << 30) - 1);
   const gjk_q16 steps = (gjk_q16)(size >> 30);
   return u < 0 ? -steps : steps;
 }
 
 gjk2_vec gjk2_outward_move(gjk_q16 depth, gjk2_unit normal) {
-  const gjk2_vec t = {move_outward(depth, normal.x), move_outward(depth, normal.y)};
+  const gjk2_vec t = {plane_move_outward(depth, normal.x), plane_move_outward(depth, normal.y)};
   return t;
 }
 
@@ -23,7 +23,7 @@ bool gjk2_outward_clears(gjk2_vec n, int64_t height, int32_t radius, gjk2_vec t)
 }
 
 // A component of 0 is exact to half an LSB, and none exceeds 1.
-static void grow_component(gjk_q30 *u) {
+static void plane_grow_component(gjk_q30 *u) {
   if (*u != 0 && *u > -GJK_Q30_ONE && *u < GJK_Q30_ONE) {
     *u += *u > 0 ? 1 : -1;
   }
@@ -34,7 +34,7 @@ void gjk2_outward_normal(gjk2_vec n, int64_t height, int32_t radius, gjk_q16 dep
     if (gjk2_outward_clears(n, height, radius, gjk2_outward_move(depth, *normal))) {
       return;
     }
-    grow_component(&normal->x);
-    grow_component(&normal->y);
+    plane_grow_component(&normal->x);
+    plane_grow_component(&normal->y);
   }
 }

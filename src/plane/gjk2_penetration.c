@@ -16,21 +16,20 @@
 //   normal   within 2^-29, then outward
 #include "gjk2/penetration.h"
 
-#include "gjk2_curved_depth.h"
 #include "gjk2_edges.h"
 #include "gjk2_outward.h"
 #include "gjk2_report.h"
 #include "gjk2_witness.h"
 
 // An overlap while it is being measured.
-typedef struct overlap {
+typedef struct plane_overlap {
   gjk2_search s;
   gjk2_edge edge;  // of the cores, when they intersect
-} overlap;
+} plane_overlap;
 
 // Steps 4 and 5, for the feature from p to q, or p alone, whose line n . w = height bounds A - B. core: the depth of the
 // cores, rounded up.
-static void report(overlap *o, const gjk2_vertex *p, const gjk2_vertex *q, const gjk2_length *length, gjk2_vec n,
+static void report(plane_overlap *o, const gjk2_vertex *p, const gjk2_vertex *q, const gjk2_length *length, gjk2_vec n,
                    int64_t height, int64_t core, gjk2_penetration_result *out) {
   const gjk2_search *s = &o->s;
   const int32_t radii = gjk2_convex_radii(s);
@@ -41,17 +40,19 @@ static void report(overlap *o, const gjk2_vertex *p, const gjk2_vertex *q, const
   out->depth = out->depth > 0 ? out->depth : 0;
   out->lower = out->depth;
   out->upper = out->depth;
-  out->normal = gjk2_unit_of(length, n);
-  gjk2_length edge = *length;  // of polygons n is the edge turned by a quarter
+  gjk2_unit_set(&out->normal, length, n);
+  gjk2_length own;
+  const gjk2_length *edge = length;  // of polygons n is the edge turned by a quarter
   if (s->curved && q != NULL) {
     const gjk2_vec across = gjk2_sub(q->w, p->w);
     if (gjk2_norm1(across) != 0) {
-      gjk2_length_set(&edge, across);
+      gjk2_length_set(&own, across);
+      edge = &own;
     } else {
       q = NULL;
     }
   }
-  gjk2_witness_points(s, p, q, &edge, out->normal, &out->point_a, &out->point_b, &saturated);
+  gjk2_witness_points(s, p, q, edge, &out->normal, &out->point_a, &out->point_b, &saturated);
   out->certificate.count = 0;
   if (s->curved) {
     out->certificate.proof = GJK2_PROOF_NONE;
@@ -69,7 +70,7 @@ static void report(overlap *o, const gjk2_vertex *p, const gjk2_vertex *q, const
 }
 
 // Step 2. Pre: the feature is nearest, within the convex radii.
-static void report_gap(overlap *o, gjk2_penetration_result *out) {
+static void report_gap(plane_overlap *o, gjk2_penetration_result *out) {
   const gjk2_search *s = &o->s;
   gjk2_length length;
   gjk2_length_set(&length, s->d);
@@ -85,7 +86,7 @@ static void report_gap(overlap *o, gjk2_penetration_result *out) {
 }
 
 // Step 3 of polygons.
-static void report_edge(overlap *o, gjk2_penetration_result *out) {
+static void report_edge(plane_overlap *o, gjk2_penetration_result *out) {
   const gjk2_edge *edge = &o->edge;
   const gjk2_vec n = gjk2_outward(gjk2_sub(edge->q.w, edge->p.w));
   const int64_t core = gjk2_round_distance(&edge->length, (uint64_t)edge->height, GJK2_ROUND_UP);
@@ -94,7 +95,7 @@ static void report_edge(overlap *o, gjk2_penetration_result *out) {
 }
 
 // Step 3 where A - B is a point, the origin: every direction is as good.
-static void report_point(overlap *o, gjk2_penetration_result *out) {
+static void report_anywhere(plane_overlap *o, gjk2_penetration_result *out) {
   const gjk2_vec n = {1, 0};
   gjk2_length length;
   gjk2_length_set(&length, n);
@@ -103,10 +104,11 @@ static void report_point(overlap *o, gjk2_penetration_result *out) {
 }
 
 // Step 3 of a curved pair.
-static gjk_status report_curved(overlap *o, gjk2_penetration_result *out) {
+static gjk_status report_curved(plane_overlap *o, gjk2_penetration_result *out) {
   gjk2_search *s = &o->s;
   int64_t lower;
-  const bool settled = gjk2_curved_depth(s, &o->edge, &lower, &s->iterations);
+  const gjk2_shape_class *of_a = s->a->shape->type, *of_b = s->b->shape->type;
+  const bool settled = (of_a->depth != NULL ? of_a : of_b)->depth(s, &o->edge, &lower, &s->iterations);
   const int64_t core = gjk2_round_distance(&o->edge.length, (uint64_t)o->edge.height, GJK2_ROUND_UP);
   report(o, &o->edge.p, &o->edge.q, &o->edge.length, s->d, o->edge.height, core, out);
   const int64_t least = lower + gjk2_convex_radii(s) - GJK2_CURVED_ERROR;
@@ -118,25 +120,25 @@ static gjk_status report_curved(overlap *o, gjk2_penetration_result *out) {
 
 // Reports the overlap that step 1 has found. Pre: NEAREST: the feature is within the convex radii. ENCLOSING: of
 // polygons A - B is a point.
-static gjk_status report_overlap(overlap *o, gjk2_outcome outcome, gjk2_penetration_result *out) {
+static gjk_status report_overlap(plane_overlap *o, gjk2_outcome outcome, gjk2_penetration_result *out) {
   if (outcome == GJK2_OUTCOME_NEAREST) {
     report_gap(o, out);
   } else if (o->s.curved) {
     return report_curved(o, out);
   } else {
-    report_point(o, out);
+    report_anywhere(o, out);
   }
   return GJK_OK;
 }
 
 // Step 1 by the edges of A - B. OVERLAP: edge is set. APART: s->d separates the cores. OPEN: not known, s->d is 0.
-static gjk2_lie measure_edges(overlap *o) {
+static gjk2_lie measure_edges(plane_overlap *o) {
   gjk2_search *s = &o->s;
   return s->curved ? GJK2_LIE_OPEN : gjk2_nearest_edge(s, &o->edge);
 }
 
 // Step 1 by GJK, from a direction that separates where the edges have found one.
-static gjk2_outcome search_on(overlap *o, gjk2_goal goal, gjk2_lie lie, const gjk2_cache *cache) {
+static gjk2_outcome search_on(plane_overlap *o, gjk2_goal goal, gjk2_lie lie, const gjk2_cache *cache) {
   gjk2_search *s = &o->s;
   const gjk2_vec d = s->d;
   gjk2_search_aim(s, cache);
@@ -182,7 +184,7 @@ gjk_status gjk2_penetration(const gjk2_collider *a, const gjk2_collider *b, gjk2
   if (status != GJK_OK) {
     return status;
   }
-  overlap o;
+  plane_overlap o;
   gjk2_search *s = &o.s;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
   if (!gjk2_search_start(s, a, b, true, radius)) {
@@ -222,17 +224,25 @@ gjk_status gjk2_penetration(const gjk2_collider *a, const gjk2_collider *b, gjk2
 }
 
 // A depth as a distance: negative, its bounds exchanged.
-static void report_signed(const gjk2_penetration_result *overlapping, gjk2_distance_result *out) {
+static void plane_report_signed(const gjk2_penetration_result *overlapping, gjk2_distance_result *out) {
   out->distance = -overlapping->depth;
   out->lower = -overlapping->upper;
   out->upper = -overlapping->lower;
-  out->point_a = overlapping->point_a;
-  out->point_b = overlapping->point_b;
-  out->normal = overlapping->normal;
+  gjk2_copy(&out->point_a, &overlapping->point_a);
+  gjk2_copy(&out->point_b, &overlapping->point_b);
+  out->normal.x = overlapping->normal.x;
+  out->normal.y = overlapping->normal.y;
   out->intersecting = true;
   out->saturated = false;
   out->iterations = overlapping->iterations;
-  out->certificate = overlapping->certificate;
+  const gjk2_certificate *c = &overlapping->certificate;
+  gjk2_copy(&out->certificate.direction, &c->direction);
+  out->certificate.count = c->count;
+  out->certificate.proof = c->proof;
+  for (unsigned i = 0; i < c->count; i++) {
+    out->certificate.a[i] = c->a[i];
+    out->certificate.b[i] = c->b[i];
+  }
 }
 
 static gjk_status report_limit(gjk2_search *s, gjk2_distance_result *out) {
@@ -250,7 +260,7 @@ gjk_status gjk2_signed_distance(const gjk2_collider *a, const gjk2_collider *b, 
   if (status != GJK_OK) {
     return status;
   }
-  overlap o;
+  plane_overlap o;
   gjk2_search *s = &o.s;
   gjk2_penetration_result overlapping;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
@@ -286,6 +296,6 @@ gjk_status gjk2_signed_distance(const gjk2_collider *a, const gjk2_collider *b, 
   if (cache != NULL) {
     gjk2_search_keep(s, outcome, cache);
   }
-  report_signed(&overlapping, out);
+  plane_report_signed(&overlapping, out);
   return status;
 }

@@ -10,7 +10,7 @@
 #include "gjk2_vector.h"
 
 // Step 3: does p come before q, seen from origin? Of p = q neither does.
-static bool comes_before(gjk2_vec origin, gjk2_vec p, gjk2_vec q) {
+static bool has_smaller_angle(gjk2_vec origin, gjk2_vec p, gjk2_vec q) {
   const gjk2_vec from_p = gjk2_sub(p, origin), from_q = gjk2_sub(q, origin);
   const int64_t turn = gjk2_cross(from_p, from_q);
   // Both lie in the upper half, so equal angles are equal directions; origin itself comes first of all.
@@ -20,7 +20,7 @@ static bool comes_before(gjk2_vec origin, gjk2_vec p, gjk2_vec q) {
   return turn != 0 ? turn > 0 : gjk2_norm1(from_p) < gjk2_norm1(from_q);
 }
 
-static void exchange(gjk2_vec *p, gjk2_vec *q) {
+static void exchange_points(gjk2_vec *p, gjk2_vec *q) {
   const gjk2_vec kept = *p;
   *p = *q;
   *q = kept;
@@ -29,13 +29,13 @@ static void exchange(gjk2_vec *p, gjk2_vec *q) {
 // Restores the heap below item i of the first count items: no item comes after its parent.
 static void sift_down(gjk2_vec origin, gjk2_vec *items, uint32_t i, uint32_t count) {
   for (uint32_t child = 2 * i + 1; child < count; child = 2 * i + 1) {  // at most 16 levels
-    if (child + 1 < count && comes_before(origin, items[child], items[child + 1])) {
+    if (child + 1 < count && has_smaller_angle(origin, items[child], items[child + 1])) {
       child++;
     }
-    if (!comes_before(origin, items[i], items[child])) {
+    if (!has_smaller_angle(origin, items[i], items[child])) {
       return;
     }
-    exchange(&items[i], &items[child]);
+    exchange_points(&items[i], &items[child]);
     i = child;
   }
 }
@@ -45,7 +45,7 @@ static void sort_by_angle(gjk2_vec origin, gjk2_vec *items, uint32_t count) {
     sift_down(origin, items, i - 1, count);
   }
   for (uint32_t end = count; end > 1; end--) {
-    exchange(&items[0], &items[end - 1]);
+    exchange_points(&items[0], &items[end - 1]);
     sift_down(origin, items, 0, end - 1);
   }
 }
@@ -98,7 +98,7 @@ gjk_status gjk2_polygon_order(const gjk2_vec *points, uint16_t count, gjk2_vec *
       lowest = i;
     }
   }
-  exchange(&out[0], &out[lowest]);                      // Step 2
+  exchange_points(&out[0], &out[lowest]);               // Step 2
   sort_by_angle(out[0], out + 1, count - UINT32_C(1));  // Step 3
   *out_count = (uint16_t)keep_corners(out, count);
   return GJK_OK;

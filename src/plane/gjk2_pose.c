@@ -5,7 +5,7 @@
 #include "gjk2_rotation.h"
 
 // |p|^2 - 1, Q60, from 0 to 3 too small, for p in Q60. Pre: |p|^2 is within 2^-28 of 1.
-static int64_t excess_q60(uint64_t c, uint64_t s) {
+static int64_t plane_excess_q60(uint64_t c, uint64_t s) {
   // p = 2^30 h + l, 0 <= l < 2^30, per component:  p^2 / 2^60 = h^2 + 2 h l / 2^30 + (less than 1)
   const uint32_t hc = (uint32_t)(c >> 30), lc = (uint32_t)(c & 0x3FFFFFFFu);
   const uint32_t hs = (uint32_t)(s >> 30), ls = (uint32_t)(s & 0x3FFFFFFFu);
@@ -38,14 +38,16 @@ gjk_status gjk2_rotation_normalize(const gjk2_rotation *r, gjk2_rotation *out) {
   const uint32_t root = gjk_reciprocal_root((uint32_t)((half << zeros) >> 32));
   const unsigned down = 2 - zeros / 2;
   // c root = 2^62.5 2^(-zeros/2) c / |r|; times 1 / sqrt(2), Q32, it is 2^62 2^(-zeros / 2) c / |r|.
-  const uint32_t diagonal = UINT32_C(3037000500);  // 2^32 / sqrt(2)
+  const uint32_t half_root = UINT32_C(3037000500);  // 2^32 / sqrt(2)
   const uint64_t high_c = gjk_umul32(c, root), high_s = gjk_umul32(s, root);
   const uint64_t pc =
-      (gjk_umul32((uint32_t)(high_c >> 32), diagonal) + gjk_umulh32((uint32_t)(high_c & UINT32_MAX), diagonal)) >> down;
+      (gjk_umul32((uint32_t)(high_c >> 32), half_root) + gjk_umulh32((uint32_t)(high_c & UINT32_MAX), half_root)) >>
+      down;
   const uint64_t ps =
-      (gjk_umul32((uint32_t)(high_s >> 32), diagonal) + gjk_umulh32((uint32_t)(high_s & UINT32_MAX), diagonal)) >> down;
+      (gjk_umul32((uint32_t)(high_s >> 32), half_root) + gjk_umulh32((uint32_t)(high_s & UINT32_MAX), half_root)) >>
+      down;
   // (pc, ps) is a unit in Q60 but for the errors of root and diagonal, below 2^-29: |off| below 2^32.
-  const int32_t excess = gjk2_excess(excess_q60(pc, ps));
+  const int32_t excess = gjk2_excess(plane_excess_q60(pc, ps));
   out->c = signed_like((int64_t)pc, excess, r->c);
   out->s = signed_like((int64_t)ps, excess, r->s);
   return GJK_OK;
@@ -84,7 +86,8 @@ gjk_status gjk2_rotation_invert(const gjk2_rotation *r, gjk2_rotation *out) {
 }
 
 // *out = position + v rotated by r. GJK_ERROR_ROTATION or GJK_ERROR_RANGE: *out is not set.
-static gjk_status place_point(const gjk2_rotation *r, const gjk2_vec *v, const gjk2_vec *position, gjk2_vec *out) {
+static gjk_status plane_place_point(const gjk2_rotation *r, const gjk2_vec *v, const gjk2_vec *position,
+                                    gjk2_vec *out) {
   gjk2_vec unit;
   int64_t p[2];
   if (!gjk2_rotation_with_point(r, v, &unit, p)) {
@@ -105,14 +108,14 @@ gjk_status gjk2_rotation_apply(const gjk2_rotation *r, const gjk2_vec *v, gjk2_v
   if (r == NULL || v == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
-  return place_point(r, v, &origin, out);
+  return plane_place_point(r, v, &origin, out);
 }
 
 gjk_status gjk2_pose_apply(const gjk2_pose *p, const gjk2_vec *v, gjk2_vec *out) {
   if (p == NULL || v == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
-  return place_point(&p->rotation, v, &p->position, out);
+  return plane_place_point(&p->rotation, v, &p->position, out);
 }
 
 gjk_status gjk2_pose_compose(const gjk2_pose *a, const gjk2_pose *b, gjk2_pose *out) {
@@ -122,7 +125,7 @@ gjk_status gjk2_pose_compose(const gjk2_pose *a, const gjk2_pose *b, gjk2_pose *
   gjk2_rotation rotation;
   gjk_status status = gjk2_rotation_compose(&a->rotation, &b->rotation, &rotation);
   if (status == GJK_OK) {
-    status = place_point(&a->rotation, &b->position, &a->position, &out->position);
+    status = plane_place_point(&a->rotation, &b->position, &a->position, &out->position);
   }
   if (status == GJK_OK) {
     out->rotation = rotation;

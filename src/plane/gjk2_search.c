@@ -5,7 +5,7 @@
 //
 //   1. Take the direction d from the feature to O: an integer vector, exact. If it is 0, the origin is a vertex.
 //   2. Where a distance is asked about: stop if the feature is within it, exactly.
-//   3. Support scan: x is the vertex of A - B farthest along d.
+//   3. Support scan_both: x is the vertex of A - B farthest along d.
 //   4. For a yes or no: stop if the line through x across d separates O from A - B.
 //   5. If x is not strictly beyond the feature along d, the feature is the nearest of A - B.
 //   6. Find between which two neighbours in hand x lies: P and Q, counterclockwise P, x, Q.
@@ -45,7 +45,7 @@ static bool is_long(uint64_t x, uint64_t y, unsigned far) {
 }
 
 // A radius of the frame's whole reach settles the question like a larger one.
-#define REACH (INT32_C(3) << 29)
+#define FRAME_REACH (INT32_C(3) << 29)
 
 // The start for centres that may be more than 2^30 apart.
 GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, int64_t radius) {
@@ -63,7 +63,7 @@ GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, int64_t radi
     s->far++;
   }
   const int64_t framed = gjk_sar64(radius, s->far);
-  s->radius = framed < REACH ? (int32_t)framed : REACH;
+  s->radius = framed < FRAME_REACH ? (int32_t)framed : FRAME_REACH;
   s->delta.x = (int32_t)gjk_sar64(x, s->far);
   s->delta.y = (int32_t)gjk_sar64(y, s->far);
   return true;
@@ -87,7 +87,7 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
       return false;
     }
     s->delta = delta;
-    s->radius = radius < REACH ? (int32_t)radius : REACH;
+    s->radius = radius < FRAME_REACH ? (int32_t)radius : FRAME_REACH;
     s->far = 0;
   }
   s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
@@ -103,47 +103,48 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   return true;
 }
 
-static int32_t far_component(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
+static int32_t frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
   return (int32_t)gjk_sar64((int64_t)a - b + offset + ((INT64_C(1) << far) >> 1), far);
 }
 
 // Makes a difference of offsets a vertex of A - B in the frame.
 static inline gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
   if (s->far != 0) {
-    const gjk2_vec w = {far_component(s->a->centre.x, s->b->centre.x, offset.x, s->far),
-                        far_component(s->a->centre.y, s->b->centre.y, offset.y, s->far)};
+    const gjk2_vec w = {frame_far(s->a->centre.x, s->b->centre.x, offset.x, s->far),
+                        frame_far(s->a->centre.y, s->b->centre.y, offset.y, s->far)};
     return w;
   }
   return gjk2_add(s->delta, offset);
 }
 
 // Step 3.
-static inline void scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
+static inline void scan_both(const gjk2_search *s, const gjk2_vec *d, gjk2_vertex *out) {
   gjk2_support of_a, of_b;
+  const gjk2_vec opposite = {-d->x, -d->y};
   s->a->shape->type->support(s->a, d, &of_a);
-  s->b->shape->type->support(s->b, gjk2_negate(d), &of_b);
+  s->b->shape->type->support(s->b, &opposite, &of_b);
   out->w = framed(s, gjk2_sub(of_a.offset, of_b.offset));
-  out->of_a = of_a.offset;
+  gjk2_copy(&out->of_a, &of_a.offset);
+  gjk2_copy(&out->of_b, &of_b.offset);
   out->a = of_a.vertex;
   out->b = of_b.vertex;
 }
 
 void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
-  scan(s, d, out);
+  scan_both(s, &d, out);
 }
 
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
-  gjk2_vec of_b;
-  if (!s->a->shape->type->vertex(s->a, a, &out->of_a) || !s->b->shape->type->vertex(s->b, b, &of_b)) {
+  if (!s->a->shape->type->vertex(s->a, a, &out->of_a) || !s->b->shape->type->vertex(s->b, b, &out->of_b)) {
     return false;
   }
-  out->w = framed(s, gjk2_sub(out->of_a, of_b));
+  out->w = framed(s, gjk2_sub(out->of_a, out->of_b));
   out->a = a;
   out->b = b;
   return true;
 }
 
-static void exchange(gjk2_vertex **p, gjk2_vertex **q) {
+static void exchange_vertices(gjk2_vertex **p, gjk2_vertex **q) {
   gjk2_vertex *const kept = *p;
   *p = *q;
   *q = kept;
@@ -153,19 +154,19 @@ static void exchange(gjk2_vertex **p, gjk2_vertex **q) {
 static void make_edge(gjk2_search *s, int64_t turn) {
   s->count = 2;
   if (turn < 0) {
-    exchange(&s->first, &s->apex);
-    exchange(&s->last, &s->spare);
+    exchange_vertices(&s->first, &s->apex);
+    exchange_vertices(&s->last, &s->spare);
     s->base = turn;
   } else {
-    exchange(&s->last, &s->apex);
-    exchange(&s->first, &s->spare);
+    exchange_vertices(&s->last, &s->apex);
+    exchange_vertices(&s->first, &s->spare);
     s->base = -turn;
   }
 }
 
 // Does the origin's foot on the line through x and p lie on p's side of x?
-static bool is_ahead(gjk2_vec x, gjk2_vec p, int64_t x_squared) {
-  return x_squared > gjk2_dot(x, p);
+static bool is_ahead(const gjk2_vec *x, const gjk2_vec *p, int64_t x_squared) {
+  return x_squared > gjk2_dot(*x, *p);
 }
 
 // The vertex apex, without neighbours.
@@ -176,7 +177,7 @@ static void make_apex(gjk2_search *s) {
 }
 
 // Loads the cached vertices as far as they make a feature that O's foot lies on.
-static void load(gjk2_search *s, const gjk2_cache *cache) {
+static void load_cached(gjk2_search *s, const gjk2_cache *cache) {
   if (cache->count < 1 || cache->count > 2 || !gjk2_search_place(s, cache->a[0], cache->b[0], s->apex)) {
     return;
   }
@@ -185,7 +186,7 @@ static void load(gjk2_search *s, const gjk2_cache *cache) {
   if (cache->count == 2 && gjk2_search_place(s, cache->a[1], cache->b[1], s->spare)) {
     const gjk2_vec p = s->apex->w, q = s->spare->w;
     const int64_t turn = gjk2_cross(p, q);
-    if (turn != 0 && is_ahead(p, q, gjk2_dot(p, p)) && is_ahead(q, p, gjk2_dot(q, q))) {
+    if (turn != 0 && is_ahead(&p, &q, gjk2_dot(p, p)) && is_ahead(&q, &p, gjk2_dot(q, q))) {
       make_edge(s, turn);
     }
   }
@@ -198,7 +199,7 @@ void gjk2_search_aim(gjk2_search *s, const gjk2_cache *cache) {
       s->d.x = cache->direction[0];
       s->d.y = cache->direction[1];
     }
-    load(s, cache);
+    load_cached(s, cache);
   }
   if ((s->d.x | s->d.y) == 0) {
     s->d.x = 1;
@@ -209,14 +210,14 @@ void gjk2_search_aim(gjk2_search *s, const gjk2_cache *cache) {
 static bool add_second(gjk2_search *s) {
   const gjk2_vec p = s->apex->w, x = s->spare->w;
   const int64_t x_squared = gjk2_dot(x, x);
-  if (is_ahead(x, p, x_squared)) {
+  if (is_ahead(&x, &p, x_squared)) {
     const int64_t turn = gjk2_cross(p, x);
     make_edge(s, turn);
     return turn == 0 && s->far == 0;
   }
-  exchange(&s->first, &s->apex);
-  exchange(&s->apex, &s->spare);
-  *s->last = *s->first;  // both neighbours are the same
+  exchange_vertices(&s->first, &s->apex);
+  exchange_vertices(&s->apex, &s->spare);
+  gjk2_copy_vertex(s->last, s->first);  // both neighbours are the same
   s->alone = false;
   s->base = -x_squared;
   return false;
@@ -226,30 +227,30 @@ static bool add_second(gjk2_search *s) {
 static void choose_arc(gjk2_search *s) {
   const gjk2_vec p = s->first->w;  // right of the way from first to apex lies the arc between them
   if (gjk2_cross(gjk2_sub(s->apex->w, p), gjk2_sub(s->spare->w, p)) < 0) {
-    exchange(&s->last, &s->apex);
+    exchange_vertices(&s->last, &s->apex);
   } else {
-    exchange(&s->first, &s->apex);
+    exchange_vertices(&s->first, &s->apex);
   }
 }
 
 // Step 7: adds x, the spare vertex, between first and last. before = first x x and after = x x last are base of the new
 // edges; O lies outside of those below 0. True: the origin lies in the simplex.
-static inline bool add_vertex(gjk2_search *s, int64_t before, int64_t after) {
+static inline bool add_support(gjk2_search *s, int64_t before, int64_t after) {
   const gjk2_vec p = s->first->w, x = s->spare->w, q = s->last->w;
   const int64_t x_squared = gjk2_dot(x, x);
-  if (before < 0 && is_ahead(x, p, x_squared)) {
-    exchange(&s->last, &s->spare);
+  if (before < 0 && is_ahead(&x, &p, x_squared)) {
+    exchange_vertices(&s->last, &s->spare);
     s->count = 2;
     s->base = before;
     return false;
   }
-  if (after < 0 && is_ahead(x, q, x_squared)) {
-    exchange(&s->first, &s->spare);
+  if (after < 0 && is_ahead(&x, &q, x_squared)) {
+    exchange_vertices(&s->first, &s->spare);
     s->count = 2;
     s->base = after;
     return false;
   }
-  exchange(&s->apex, &s->spare);
+  exchange_vertices(&s->apex, &s->spare);
   s->alone = false;
   s->base = -x_squared;
   if (before >= 0 && after >= 0 && gjk2_cross(q, p) >= 0) {
@@ -267,41 +268,42 @@ static inline bool gains_nothing(const gjk2_search *s, int64_t gain) {
 }
 
 // Step 4. along < 0: is the line through x more than radius away from O?
-static bool is_separating(const gjk2_search *s) {
+static bool line_separates(const gjk2_search *s) {
   return s->radius == 0 || !gjk2_is_within(-s->along, s->d, s->radius);
 }
 
 // The walk, from the first vertex: see the head of this file. LIMIT: it cannot tell.
-typedef struct walk {
+typedef struct boundary_walk {
   gjk2_support a, b;            // of the vertex
   gjk2_support next_a, next_b;  // those that follow, or precede
   gjk2_vec step_a, step_b;      // the edges of A and of -B that lead there
-} walk;
+} boundary_walk;
 
-static void step_of_a(const gjk2_search *s, bool following, walk *k) {
+static void step_of_a(const gjk2_search *s, bool following, boundary_walk *k) {
   s->a->shape->type->adjacent(s->a, k->a.vertex, following, &k->next_a);
   k->step_a = gjk2_sub(k->next_a.offset, k->a.offset);
 }
 
-static void step_of_b(const gjk2_search *s, bool following, walk *k) {
+static void step_of_b(const gjk2_search *s, bool following, boundary_walk *k) {
   s->b->shape->type->adjacent(s->b, k->b.vertex, following, &k->next_b);
   k->step_b = gjk2_sub(k->b.offset, k->next_b.offset);
 }
 
-static void set_vertex(const walk *k, gjk2_vec w, gjk2_vertex *out) {
-  out->w = w;
-  out->of_a = k->a.offset;
+static void set_vertex(const boundary_walk *k, gjk2_vec w, gjk2_vertex *out) {
+  gjk2_copy(&out->w, &w);
+  gjk2_copy(&out->of_a, &k->a.offset);
+  gjk2_copy(&out->of_b, &k->b.offset);
   out->a = k->a.vertex;
   out->b = k->b.vertex;
 }
 
 // The walk one way round. LIMIT: the first step leads no nearer (s->base >= 0), or O lies inside of its line.
 static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
-  walk k;
+  boundary_walk k;
   gjk2_vertex *const here = s->apex;
-  k.a.offset = here->of_a;
+  gjk2_copy(&k.a.offset, &here->of_a);
   k.a.vertex = here->a;
-  k.b.offset = gjk2_sub(gjk2_add(s->delta, here->of_a), here->w);
+  gjk2_copy(&k.b.offset, &here->of_b);
   k.b.vertex = here->b;
   step_of_a(s, following, &k);
   step_of_b(s, following, &k);
@@ -335,10 +337,10 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
       set_vertex(&k, w, following ? s->first : s->last);
     }
     if (turn >= 0) {
-      k.a = k.next_a;
+      gjk2_copy_support(&k.a, &k.next_a);
     }
     if (turn <= 0) {
-      k.b = k.next_b;
+      gjk2_copy_support(&k.b, &k.next_b);
     }
     if (inside) {
       set_vertex(&k, ahead, following ? s->last : s->first);
@@ -359,12 +361,15 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
 static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal) {
   const gjk2_vec w = s->apex->w;
   if (gjk2_norm1(w) == 0) {
+    make_apex(s);
     return GJK2_OUTCOME_ENCLOSING;
   }
-  gjk2_outcome outcome = walk_round(s, goal, true);
+  // The way to O's side is likely the shorter one.
+  const bool following = gjk2_cross(s->d, w) <= 0;
+  gjk2_outcome outcome = walk_round(s, goal, following);
   if (outcome == GJK2_OUTCOME_LIMIT) {
     const int64_t ahead = s->base;
-    outcome = walk_round(s, goal, false);
+    outcome = walk_round(s, goal, !following);
     // No way leads nearer. Where w lies within an edge, straight across from O, O may be on its inside.
     if (outcome == GJK2_OUTCOME_LIMIT && ahead >= 0 && s->base >= 0 && (ahead | s->base) != 0) {
       outcome = GJK2_OUTCOME_NEAREST;
@@ -400,7 +405,7 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       }
     }
     s->iterations = (uint16_t)(s->iterations + (s->iterations < UINT16_MAX));
-    scan(s, s->d, s->spare);  // Step 3
+    scan_both(s, &s->d, s->spare);  // Step 3
     if (s->count == 2) {
       before = gjk2_cross(s->first->w, s->spare->w);
       after = gjk2_cross(s->spare->w, s->last->w);
@@ -408,22 +413,23 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
     } else {
       s->along = gjk2_dot(s->d, s->spare->w);
     }
-    if (s->along < 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH) && is_separating(s)) {  // Step 4
+    if (s->along < 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH) && line_separates(s)) {  // Step 4
       return GJK2_OUTCOME_SEPARATED;
     }
     if (s->count != 0 && gains_nothing(s, s->along - s->base)) {  // Step 5
       return GJK2_OUTCOME_NEAREST;
     }
     if (s->count == 0 || s->warm) {  // what the cache holds need not lie on the boundary: begin anew with x, which does
-      exchange(&s->apex, &s->spare);
-      make_apex(s);
+      exchange_vertices(&s->apex, &s->spare);
       s->warm = false;
       if (s->walks && limit == gjk2_search_limit(s)) {
+        s->walks = false;
         const gjk2_outcome outcome = walk_on(s, goal);
         if (outcome != GJK2_OUTCOME_LIMIT) {
           return outcome;
         }
-        s->walks = false;
+      } else {
+        make_apex(s);
       }
       continue;
     }
@@ -436,7 +442,7 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
         before = gjk2_cross(s->first->w, s->spare->w);
         after = gjk2_cross(s->spare->w, s->last->w);
       }
-      encloses = add_vertex(s, before, after);  // Step 7
+      encloses = add_support(s, before, after);  // Step 7
     }
     if (encloses) {
       return GJK2_OUTCOME_ENCLOSING;
@@ -475,7 +481,7 @@ void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *ca
   if (outcome == GJK2_OUTCOME_ENCLOSING) {
     return;
   }
-  const uint32_t bits = gjk_magnitude32(s->d.x) | gjk_magnitude32(s->d.y), zeros = gjk_clz32(bits | 1);
+  const unsigned zeros = gjk_clz32(gjk_magnitude32(s->d.x) | gjk_magnitude32(s->d.y) | 1);
   const unsigned down = zeros < 17 ? 17 - zeros : 0;
   cache->direction[0] = (int16_t)gjk_sar32(s->d.x, down);
   cache->direction[1] = (int16_t)gjk_sar32(s->d.y, down);

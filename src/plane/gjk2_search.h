@@ -38,8 +38,17 @@ typedef enum gjk2_goal {
 typedef struct gjk2_vertex {
   gjk2_vec w;     // frame
   gjk2_vec of_a;  // the vertex of A, from A's centre
+  gjk2_vec of_b;  // the vertex of B, from B's centre
   uint16_t a, b;  // numbers
 } gjk2_vertex;
+
+static inline void gjk2_copy_vertex(gjk2_vertex *to, const gjk2_vertex *from) {
+  gjk2_copy(&to->w, &from->w);
+  gjk2_copy(&to->of_a, &from->of_a);
+  gjk2_copy(&to->of_b, &from->of_b);
+  to->a = from->a;
+  to->b = from->b;
+}
 
 typedef struct gjk2_search {
   const gjk2_collider *a, *b;

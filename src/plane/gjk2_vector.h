@@ -38,6 +38,12 @@ static inline uint32_t gjk2_norm1(gjk2_vec v) {
   return gjk_magnitude32(v.x) + gjk_magnitude32(v.y);
 }
 
+// *to = *from. Copies of more than a word go by parts: GCC makes others calls of memcpy on ARMv6-M and RISC-V.
+static inline void gjk2_copy(gjk2_vec *to, const gjk2_vec *from) {
+  to->x = from->x;
+  to->y = from->y;
+}
+
 static inline bool gjk2_equal(gjk2_vec a, gjk2_vec b) {
   return a.x == b.x && a.y == b.y;
 }

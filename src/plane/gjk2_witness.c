@@ -7,8 +7,8 @@
 // One coordinate: core = u + weight (v - u) from the centre, in Q31, moved by convex_radius along the normal.
 //   u, v      at most 2^28:        2^31 u and weight (v - u) at most 2^60
 //   normal    at most 2^30 + 2:    times twice the convex radius at most 2^59 + 2^30
-static inline gjk_q16 coordinate(int32_t u, int32_t v, int32_t weight, gjk_q16 centre, gjk_q30 normal,
-                                 gjk_q16 convex_radius, bool *saturated) {
+static inline gjk_q16 plane_coordinate(int32_t u, int32_t v, int32_t weight, gjk_q16 centre, gjk_q30 normal,
+                                       gjk_q16 convex_radius, bool *saturated) {
   int32_t offset = u;
   if (u != v || convex_radius != 0) {
     const int64_t sum = gjk_mac32(gjk_shl64(2 * u + 1, 30), v - u, weight);
@@ -17,36 +17,23 @@ static inline gjk_q16 coordinate(int32_t u, int32_t v, int32_t weight, gjk_q16 c
   return gjk_saturate_noting((int64_t)centre + offset, saturated);
 }
 
-// A point of one shape.
-GJK_OUT_OF_LINE static void report_point(const gjk2_collider *c, gjk2_vec p, gjk2_vec q, int32_t weight,
-                                         gjk2_unit normal, gjk_q16 convex_radius, gjk2_vec *point, bool *saturated) {
-  point->x = coordinate(p.x, q.x, weight, c->centre.x, normal.x, convex_radius, saturated);
-  point->y = coordinate(p.y, q.y, weight, c->centre.y, normal.y, convex_radius, saturated);
-}
-
-// The vertex of B, from B's centre.
-static gjk2_vec offset_of_b(const gjk2_search *s, const gjk2_vertex *v) {
-  const gjk2_vec *a = &s->a->centre, *b = &s->b->centre;
-  gjk2_vec offset;
-  if (s->far == 0) {
-    return gjk2_sub(gjk2_add(s->delta, v->of_a), v->w);
-  }
-  offset.x = (int32_t)((int64_t)a->x - b->x + v->of_a.x - gjk_shl64(v->w.x, s->far));
-  offset.y = (int32_t)((int64_t)a->y - b->y + v->of_a.y - gjk_shl64(v->w.y, s->far));
-  return offset;
+// A point of one shape. toward: 1 for A, which the normal leads away from, -1 for B.
+GJK_ONCE static void report_point(const gjk2_collider *c, const gjk2_vec *p, const gjk2_vec *q, int32_t weight,
+                                  const gjk2_unit *normal, int toward, gjk2_vec *point, bool *saturated) {
+  const gjk_q16 convex_radius = toward * c->shape->convex_radius;
+  point->x = plane_coordinate(p->x, q->x, weight, c->centre.x, normal->x, convex_radius, saturated);
+  point->y = plane_coordinate(p->y, q->y, weight, c->centre.y, normal->y, convex_radius, saturated);
 }
 
 void gjk2_witness_points(const gjk2_search *s, const gjk2_vertex *p, const gjk2_vertex *q, const gjk2_length *length,
-                         gjk2_unit normal, gjk2_vec *point_a, gjk2_vec *point_b, bool *saturated) {
+                         const gjk2_unit *normal, gjk2_vec *point_a, gjk2_vec *point_b, bool *saturated) {
   int32_t weight = 0;  // of q
-  const gjk2_vec pb = offset_of_b(s, p);
-  gjk2_vec qb = pb, qa = p->of_a;
   if (q != NULL) {
     const int64_t part = gjk2_dot(p->w, gjk2_sub(p->w, q->w)), whole = (int64_t)length->squared;
     weight = gjk2_weight(length, part < whole ? part : whole, whole >> (2 * FINE_LENGTH) != 0);
-    qb = offset_of_b(s, q);
-    qa = q->of_a;
+  } else {
+    q = p;
   }
-  report_point(s->a, p->of_a, qa, weight, normal, s->a->shape->convex_radius, point_a, saturated);
-  report_point(s->b, pb, qb, weight, normal, -s->b->shape->convex_radius, point_b, saturated);
+  report_point(s->a, &p->of_a, &q->of_a, weight, normal, 1, point_a, saturated);
+  report_point(s->b, &p->of_b, &q->of_b, weight, normal, -1, point_b, saturated);
 }

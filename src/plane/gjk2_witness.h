@@ -8,6 +8,6 @@
 // by the convex radius along the normal (A) and against it (B) and then rounded once. World frame. Sets *saturated when
 // a coordinate does not fit Q16.16 and is saturated; never clears it. length: of the edge, or of a vector across it.
 void gjk2_witness_points(const gjk2_search *s, const gjk2_vertex *p, const gjk2_vertex *q, const gjk2_length *length,
-                         gjk2_unit normal, gjk2_vec *point_a, gjk2_vec *point_b, bool *saturated);
+                         const gjk2_unit *normal, gjk2_vec *point_a, gjk2_vec *point_b, bool *saturated);
 
 #endif

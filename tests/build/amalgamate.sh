@@ -15,7 +15,7 @@ expand() {
   awk -v with_public="$public" '
     # The file that a line of from includes.
     function target(name, from) {
-      if (name ~ /^gjk\//) return "include/" name
+      if (name ~ /^gjk2?\//) return "include/" name
       sub(/[^\/]*$/, "", from)
       name = from name
       while (sub(/[^\/]+\/\.\.\//, "", name)) { }
@@ -27,7 +27,7 @@ expand() {
       while ((getline line < file) > 0) { lines[++count] = line; text = text line "\n" }
       close(file)
       if (count == 0) { print file ": empty or missing" >"/dev/stderr"; exit 1 }
-      guarded = file ~ /\.h$/ && text ~ /\n#define GJK_[A-Z0-9_]+_H\n/
+      guarded = file ~ /\.h$/ && text ~ /\n#define GJK2?_[A-Z0-9_]+_H\n/
       if (guarded) done[file]
       print "\n// ---- " file
       for (i = 1; i <= count; i++) {
@@ -37,7 +37,7 @@ expand() {
           name = target(name, file)
           if (name ~ /^include\// && !with_public) continue
           expand(name, depth + 1)
-        } else if (lines[i] !~ /^#(ifndef|define) GJK_[A-Z0-9_]+_H$/ || !guarded) {
+        } else if (lines[i] !~ /^#(ifndef|define) GJK2?_[A-Z0-9_]+_H$/ || !guarded) {
           if (guarded && i == last_endif(lines, count)) continue
           print lines[i]
         }
@@ -56,7 +56,7 @@ expand() {
   echo '// gjk: exact collision queries in Q16.16, all public headers in one. Made by `make amalgamation`; its sources tell more.'
   echo '#ifndef GJK_AMALGAMATION_H'
   echo '#define GJK_AMALGAMATION_H'
-  expand 1 include/gjk/gjk.h include/gjk/scene.h
+  expand 1 include/gjk/gjk.h include/gjk/scene.h include/gjk2/gjk2.h
   echo
   echo '#endif'
 } >"$dir/gjk.h.part" || exit 1

@@ -15,7 +15,7 @@ tools=$(make -s "print-TOOLS_$target")
 
 # compile FLAGS... FILE OBJECT
 compile() {
-  $tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Iinclude -I. -Itests/support \
+  $tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Iinclude -I. -Itests/support -Itests/measure/target \
     -c "$@"
 }
 

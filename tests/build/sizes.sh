@@ -46,7 +46,9 @@ for level in -O2 -Os; do
   for target in $targets; do
     awk -v roots='gjk_intersect gjk_within gjk_within_until gjk_distance gjk_distance_until gjk_penetration gjk_signed_distance
       gjk_contacts gjk_check_decision gjk_check_distance gjk_check_penetration gjk_collider_init gjk_collider_pose
-      gjk_collider_move gjk_collider_aabb' -f tests/build/stack.awk tests/build/indirect-calls.txt \
+      gjk_collider_move gjk_collider_aabb
+      gjk2_intersect gjk2_distance gjk2_distance_until gjk2_penetration gjk2_signed_distance gjk2_contacts gjk2_check_decision
+      gjk2_check_distance gjk2_check_penetration gjk2_collider_pose' -f tests/build/stack.awk tests/build/indirect-calls.txt \
       "$build/$target$level"/*.ci | awk -v target="$target" '{ print target, $1, $2 }'
   done | table "stack, bytes, $level" 0
 done
@@ -81,3 +83,12 @@ for query in gjk_intersect gjk_distance gjk_penetration; do
   awk -v roots=$query -f tests/build/stack.awk tests/build/indirect-calls.txt build/cortex-m3-O2/*.ci >"$build/linked/stack" || exit 1
   awk -f tests/build/sizes-stack.awk "$build/linked/stack" src/*/*.[ch] include/gjk/*.h
 done
+
+echo
+echo 'in the plane, linked for Cortex-M3 at -Os, bytes:'
+printf '%-28s%9s%14s\n' '' query 'with posing'
+for query in INTERSECT DISTANCE ALL; do
+  printf '%-28s%9d%14d\n' $query "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_PLANE_$query)" \
+    "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_PLANE_$query -DSIZE_POSED)"
+done
+printf '%-28s%23d\n' SCENE "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_PLANE_SCENE)"

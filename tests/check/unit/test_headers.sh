@@ -6,9 +6,11 @@ mkdir -p "$scratch"
 warnings='-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror'
 
 # Every macro of shape.h that makes a shape is used once, with as many arguments as it has. vertices is for the macros
-# whose first argument is an array, support for those whose first is a function.
+# whose first argument is an array, support for those whose first is a function. uses GJK or GJK2, in space or in the plane
 uses() {
-  sed -n 's/^#define GJK_\([A-Z_]*\)\(([^)]*)\)\{0,1\} .*/\1\2/p' include/gjk/shape.h | awk '
+  upper=$1
+  lower=$(echo "$upper" | tr GJK gjk)
+  sed -n "s/^#define ${upper}_\([A-Z_]*\)\(([^)]*)\)\{0,1\} .*/\1\2/p" "include/$lower/shape.h" | awk -v upper="$upper" -v lower="$lower" '
     /^SHAPE_H|^LENGTHS/ { next }
     {
       macro = $0; sub(/\(.*/, "", macro)
@@ -25,7 +27,8 @@ uses() {
         }
         arguments = "(" arguments ")"
       }
-      printf "extern const gjk_shape shape_%s;\nconst gjk_shape shape_%s = GJK_%s%s;\n", macro, macro, macro, arguments
+      type = lower "_shape shape_" macro
+      printf "extern const %s;\nconst %s = %s_%s%s;\n", type, type, upper, macro, arguments
     }'
 }
 
@@ -38,8 +41,20 @@ uses() {
   echo '}'
   echo 'extern const gjk_pose pose;'
   echo 'const gjk_pose pose = GJK_POSE_IDENTITY;'
-  uses
+  uses GJK
 } >"$scratch/initialisers.c"
+
+{
+  echo '#include "gjk2/gjk2.h"'
+  echo 'static const gjk2_vec vertices[3] = {{0, 0}, {1, 0}, {0, GJK_Q16(-1.5)}};'
+  echo 'static void support(const void *user, const gjk2_vec *direction, gjk2_vec *out) {'
+  echo '  (void)user;'
+  echo '  *out = *direction;'
+  echo '}'
+  echo 'extern const gjk2_pose pose;'
+  echo 'const gjk2_pose pose = GJK2_POSE_IDENTITY;'
+  uses GJK2
+} >"$scratch/initialisers2.c"
 
 # compile COMPILER FLAGS... FILE
 compile() {
@@ -49,7 +64,9 @@ compile() {
 
 all_initialisers_used() {
   used=$(grep -c '^const gjk_shape ' "$scratch/initialisers.c")
-  [ "$used" = "$(grep -E '^#define GJK_[A-Z_]+(\(.*\))? ' include/gjk/shape.h | grep -vc GJK_LENGTHS\()" ]
+  [ "$used" = "$(grep -E '^#define GJK_[A-Z_]+(\(.*\))? ' include/gjk/shape.h | grep -vc GJK_LENGTHS\()" ] || return 1
+  used=$(grep -c '^const gjk2_shape ' "$scratch/initialisers2.c")
+  [ "$used" = "$(grep -E '^#define GJK2_[A-Z_]+(\(.*\))? ' include/gjk2/shape.h | grep -vc GJK2_LENGTHS\()" ]
 }
 
 check 'every initialiser is in the test' all_initialisers_used
@@ -60,21 +77,23 @@ for compiler in gcc clang; do
     skip "headers with $compiler" $compiler
     continue
   fi
-  for header in include/gjk/*.h; do
+  for header in include/gjk/*.h include/gjk2/*.h; do
     check "$header as C99, $compiler" compile $compiler -std=c99 -include "$header" -x c "$scratch/declaration.c"
   done
   check "initialisers as C99, $compiler" compile $compiler -std=c99 -x c "$scratch/initialisers.c"
+  check "initialisers of the plane as C99, $compiler" compile $compiler -std=c99 -x c "$scratch/initialisers2.c"
 done
 for compiler in g++ clang++; do
   if ! have $compiler; then
     skip "headers with $compiler" $compiler
     continue
   fi
-  for header in include/gjk/*.h; do
+  for header in include/gjk/*.h include/gjk2/*.h; do
     check "$header as C++98, $compiler" compile $compiler -std=c++98 -Wno-long-long -x c++ "$header"
     check "$header as C++11, $compiler" compile $compiler -std=c++11 -x c++ "$header"
   done
   check "initialisers as C++11, $compiler" compile $compiler -std=c++11 -x c++ "$scratch/initialisers.c"
+  check "initialisers of the plane as C++11, $compiler" compile $compiler -std=c++11 -x c++ "$scratch/initialisers2.c"
 done
 
 # Lengths that are no integers and numbers that leave their format do not compile, even where warnings are off.

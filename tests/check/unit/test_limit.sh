@@ -30,6 +30,11 @@ fields() {
   run fields "$1" || { cat "$dir/fields-$1.txt"; return 1; }
 }
 
+# plane MAX
+plane() {
+  run plane "$1" || { cat "$dir/plane-$1.txt"; return 1; }
+}
+
 # holds MAX: wherever MAX iterations do not settle it, the bounds hold the distance (2 LSB of curved shapes apart) and MAX
 # iterations were used; elsewhere nothing changes. Other queries say so, too, or answer as usual.
 holds() {
@@ -57,10 +62,12 @@ check 'no pair reaches it' awk '$2 != 0 || $6 != 0 || $5 >= 64 { print; bad = 1 
 check 'valid fields' fields 128
 check 'all queries answer' reported GJK_OK 128 8
 check 'three run out of memory' reported GJK_ERROR_CAPACITY 128 3
+check 'the usual ceiling in the plane' plane 128
 for max in 1 2 3 4; do
   check "a ceiling of $max" library $max
   check "a ceiling of $max: valid fields" fields $max
   check "a ceiling of $max: all queries report it" reported GJK_ERROR_ITERATION_LIMIT $max 8
+  check "a ceiling of $max in the plane" plane $max
   [ $max = 1 ] && continue
   check "a ceiling of $max: bounds" run bounds $max
   check "a ceiling of $max holds its bounds" holds $max

@@ -138,8 +138,8 @@ static void check_collider(random_state *r, plane_body *body) {
     const gjk2_vec d = {random_range(r, -(1 << (4 * i + 2)), 1 << (4 * i + 2)), random_range(r, -5, 5)};
     gjk2_support x, y;
     if (d.x != 0 || d.y != 0) {
-      body->shape.type->support(&body->collider, d, &x);
-      lazy.shape.type->support(&lazy.collider, d, &y);
+      body->shape.type->support(&body->collider, &d, &x);
+      lazy.shape.type->support(&lazy.collider, &d, &y);
       CHECK(x.vertex == y.vertex);
     }
   }

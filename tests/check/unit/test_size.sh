@@ -50,8 +50,11 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   check 'a scene with contacts' at_most 43520 -DSIZE_SCENE
   check 'the parts of a program' parts
   check 'the frames of a stack' frames
+  check 'in the plane: gjk2_intersect on boxes and polygons' at_most 6016 -DSIZE_PLANE_INTERSECT
+  check 'in the plane: gjk2_distance, rounded forms as well' at_most 8448 -DSIZE_PLANE_DISTANCE
+  check 'in the plane: every query' at_most 16000 -DSIZE_PLANE_ALL
   # What the README says of a build that keeps unused sections.
-  objects=$(echo build/cortex-m3-linked/*.o)
+  objects=$(echo build/cortex-m3-linked/gjk_*.o)
   export LIBRARY="$objects"
   check 'all objects, unused sections dropped' at_most 8576 -DSIZE_BOXES
   export SECTIONS=--no-gc-sections

@@ -53,6 +53,33 @@ little_stack() {
     awk -v limit=$STACK_LIMIT '$2 > limit { print; bad = 1 } END { exit bad || NR != 4 }'
 }
 
+# Most bytes of stack of a distance and of contacts in the plane.
+PLANE_DISTANCE_LIMIT=672
+PLANE_CONTACTS_LIMIT=1440
+
+little_plane_stack() {
+  stack "$1" 'gjk2_intersect gjk2_within gjk2_distance' |
+    awk -v limit=$PLANE_DISTANCE_LIMIT '$2 > limit { print; bad = 1 } END { exit bad || NR != 3 }' &&
+    stack "$1" 'gjk2_penetration gjk2_contacts' |
+    awk -v limit=$PLANE_CONTACTS_LIMIT '$2 > limit { print; bad = 1 } END { exit bad || NR != 2 }'
+}
+
+# apart NM DIR: what the plane needs of the library is of the plane or of src/arith, and nothing else needs the plane.
+apart() {
+  arith=$(find src/arith -name '*.c' | sed 's|.*/||; s|c$|o|')
+  (
+    cd "$2" || exit 1
+    own=$("$1" gjk2_*.o | awk '$2 == "T" || $2 == "R" { print $3 }')
+    shared=$(for object in $arith; do "$1" "$object"; done | awk '$2 == "T" || $2 == "R" { print $3 }')
+    "$1" gjk2_*.o | awk '$1 == "U" && $2 ~ /^gjk/ { print $2 }' | sort -u >plane.wanted
+    "$1" gjk_*.o | awk '$1 == "U" && $2 ~ /^gjk/ { print $2 }' | sort -u >space.wanted
+    printf '%s\n' "$own" "$shared" | sort -u >plane.given
+    printf '%s\n' "$own" | sort -u >plane.own
+    bad=$(comm -23 plane.wanted plane.given; comm -12 space.wanted plane.own)
+    [ -z "$bad" ] && [ -s plane.wanted ] && [ -s space.wanted ] || { echo "$bad"; exit 1; }
+  )
+}
+
 for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
   prefix=$(tool_prefix $target)
   if [ -n "$(missing_package $target)" ]; then
@@ -65,10 +92,14 @@ for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
     check "$target $level needs nothing unlisted" only_allowed $target $level ${prefix}nm
     check "$target $level has no mutable data" no_mutable_data ${prefix}size "$objects"
     functions=$(${prefix}nm "$objects"/*.o | awk '$2 == "T" { print $3 }')
+    check "$target $level: the plane and space need nothing of each other" apart ${prefix}nm "$objects"
     check "$target $level calls in no circle" stack "$objects" "$functions"
     case $target in
       cortex-m0 | rv32imc) ;;
-      *) check "$target $level: a query needs at most $STACK_LIMIT bytes of stack" little_stack "$objects" ;;
+      *)
+        check "$target $level: a query needs at most $STACK_LIMIT bytes of stack" little_stack "$objects"
+        check "$target $level: a query of the plane needs little stack" little_plane_stack "$objects"
+        ;;
     esac
   done
 done

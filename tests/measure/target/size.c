@@ -4,6 +4,12 @@
 //   SIZE_CURVED  gjk_distance on cylinders, cones and ellipsoids as well
 //   SIZE_POSED   initialises and poses the colliders, too
 //   SIZE_SCENE   instead of all that: a scene with contacts, of boxes and spheres
+//   SIZE_PLANE_INTERSECT  instead: gjk2_intersect on boxes and polygons
+//   SIZE_PLANE_DISTANCE   instead: gjk2_distance on these, segments, points and their rounded forms
+//   SIZE_PLANE_ALL        instead: every query of the plane but the checks, on these
+#if defined(SIZE_PLANE_INTERSECT) || defined(SIZE_PLANE_DISTANCE) || defined(SIZE_PLANE_ALL)
+#include "size_plane.h"
+#else
 #include "gjk/gjk.h"
 #include "gjk/scene.h"
 
@@ -92,4 +98,5 @@ void size_main(void) {
 #endif
 }
 
+#endif
 #endif

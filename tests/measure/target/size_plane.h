@@ -1,0 +1,47 @@
+// The smallest programs of the plane, see size.c.
+#ifndef SIZE_PLANE_H
+#define SIZE_PLANE_H
+
+#include "gjk2/gjk2.h"
+
+void size_main(void);
+
+gjk2_collider size_a, size_b, size_c;
+gjk2_decision size_yes;
+gjk2_distance_result size_gap;
+gjk2_penetration_result size_depth;
+gjk2_manifold size_manifold;
+
+void size_main(void) {
+  static const gjk2_vec vertices[] = {{0, 0}, {9, 0}, {0, 9}};
+#ifdef SIZE_PLANE_INTERSECT
+  static const gjk2_shape box = GJK2_BOX(3, 4), polygon = GJK2_POLYGON(vertices, 3);
+#else
+  static const gjk2_shape box = GJK2_ROUNDED_BOX(3, 4, 5), polygon = GJK2_ROUNDED_POLYGON(vertices, 3, 1);
+  static const gjk2_shape capsule = GJK2_CAPSULE(1, 2);
+  size_c.shape = &capsule;
+#endif
+#ifdef SIZE_POSED
+  static const gjk2_pose pose = GJK2_POSE_IDENTITY;
+  gjk2_collider_init(&size_a, &box, NULL, 0);
+  gjk2_collider_init(&size_b, &polygon, NULL, 0);
+  gjk2_collider_pose(&size_a, &pose);
+  gjk2_collider_pose(&size_b, &pose);
+#else
+  size_a.shape = &box;
+  size_b.shape = &polygon;
+#endif
+#if defined(SIZE_PLANE_INTERSECT)
+  gjk2_intersect(&size_a, &size_b, NULL, &size_yes);
+#elif defined(SIZE_PLANE_DISTANCE)
+  gjk2_distance(&size_a, &size_b, NULL, &size_gap);
+#else
+  gjk2_within(&size_a, &size_b, 1, NULL, &size_yes);
+  gjk2_distance(&size_a, &size_b, NULL, &size_gap);
+  gjk2_penetration(&size_a, &size_b, NULL, &size_depth);
+  gjk2_signed_distance(&size_a, &size_b, NULL, &size_gap);
+  gjk2_contacts(&size_a, &size_b, 1, 2, NULL, &size_manifold);
+#endif
+}
+
+#endif
