@@ -14,7 +14,7 @@
 #define GJK2_SCENE_NEAR_SLACK GJK2_SCENE_LINE_SLACK
 
 static inline void gjk2_scene_support(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
-  c->shape->type->support(c, *d, out);
+  c->shape->type->support(c, d, out);
 }
 
 // Writes the vector from the centre of A to that of B. False: they are 2^29 or more apart along an axis.
@@ -37,8 +37,9 @@ static inline int64_t gjk2_scene_along(const gjk2_vec *d, const gjk2_vec *centre
                                        const gjk2_vec *on_b) {
   const gjk2_vec apart = {centres->x + on_b->x - on_a->x, centres->y + on_b->y - on_a->y};
   gjk2_length length;
+  gjk2_unit u;
   gjk2_length_set(&length, *d);
-  const gjk2_unit u = gjk2_unit_of(&length, *d);
+  gjk2_unit_set(&u, &length, *d);
   return gjk_sar64(gjk_mac32(gjk_mul32(u.x, apart.x), u.y, apart.y), 30);
 }
 

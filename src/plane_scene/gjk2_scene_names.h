@@ -65,6 +65,7 @@
 #define gjk_scene_config gjk2_scene_config
 #define gjk_scene_details gjk2_scene_details
 #define gjk_scene_header gjk2_scene_header
+#define gjk_scene_header_is_fixed gjk2_scene_header_is_fixed
 #define gjk_scene_node gjk2_scene_node
 #define gjk_scene_own_pose gjk2_scene_own_pose
 #define gjk_scene_pair gjk2_scene_pair

@@ -241,7 +241,7 @@ static gjk_status take_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_p
   return GJK_OK;
 }
 
-static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, bool ahead) {
+static gjk_status move_body(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, bool ahead) {
   gjk_scene_view v;
   gjk_scene_body *body;
   gjk_status status = pose == NULL ? GJK_ERROR_NULL : edit_body(scene, id, &v, &body);
@@ -261,11 +261,11 @@ static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, b
 }
 
 gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose) {
-  return move(scene, id, pose, true);
+  return move_body(scene, id, pose, true);
 }
 
 gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose) {
-  return move(scene, id, pose, false);
+  return move_body(scene, id, pose, false);
 }
 
 gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id id) {

@@ -5,7 +5,7 @@
 #define ORDER UINT32_C(0x01020304)  // another byte order reads another number
 
 // Every build must lay the header out alike: a block may come from another one.
-typedef char size_of_header_is_fixed[sizeof(gjk_scene_header) == GJK_SCENE_HEADER_BYTES ? 1 : -1];
+typedef char gjk_scene_header_is_fixed[sizeof(gjk_scene_header) == GJK_SCENE_HEADER_BYTES ? 1 : -1];
 
 static gjk_status check_config(const gjk_scene_config *c) {
   if (c->bodies < 1 || c->bodies > GJK_SCENE_BODIES_MAX || c->parts < 1 || c->parts > GJK_SCENE_BODIES_MAX ||

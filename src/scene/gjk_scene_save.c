@@ -68,7 +68,7 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
 }
 
 // A hash over every word of the block but sealed and checksum.
-static uint64_t checksum(const gjk_scene_header *h) {
+static uint64_t checksum_of(const gjk_scene_header *h) {
   const uint32_t *word = (const uint32_t *)(const void *)h, *seal = &h->sealed, *end = word + h->bytes / sizeof *word;
   uint64_t hash = 0;
   for (; word < end; word++) {
@@ -83,7 +83,7 @@ gjk_status gjk_scene_seal(gjk_scene *scene) {
   gjk_scene_view v;
   const gjk_status status = gjk_scene_view_of(scene, &v);
   if (status == GJK_OK) {
-    const uint64_t sum = checksum(v.header);
+    const uint64_t sum = checksum_of(v.header);
     v.header->checksum[0] = (uint32_t)(sum & UINT32_MAX);
     v.header->checksum[1] = (uint32_t)(sum >> 32);
     v.header->sealed = 1;
@@ -100,7 +100,7 @@ gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk
     return status;
   }
   const gjk_scene_header *h = (const gjk_scene_header *)block;
-  const uint64_t sum = checksum(h);
+  const uint64_t sum = checksum_of(h);
   if (h->sealed != 1 || h->checksum[0] != (uint32_t)(sum & UINT32_MAX) || h->checksum[1] != (uint32_t)(sum >> 32)) {
     return GJK_ERROR_CORRUPT;
   }
