@@ -420,11 +420,12 @@ static inline bool gjk2_scene_holds_shape(const gjk2_scene_part *p, const gjk2_c
 
 // Does a part hold what gjk2_scene_store stored?
 static inline bool gjk2_scene_holds(const gjk2_scene_part *p, const gjk2_collider *c) {
-  gjk2_scene_part stored = *p;
-  gjk2_scene_store(c, &stored);
-  return gjk2_scene_same_vec(&p->centre, &c->centre) && gjk2_scene_same_vec(&p->frame[0], &stored.frame[0]) &&
-         gjk2_scene_same_vec(&p->frame[1], &stored.frame[1]) && p->fraction_x == c->fraction[0] &&
-         p->fraction_y == c->fraction[1] && p->state == stored.state;
+  static const gjk2_vec origin = {0, 0};
+  const gjk2_vec *frame = gjk2_scene_is_to_pose(c->shape) ? &origin : &c->frame[0];
+  return gjk2_scene_same_vec(&p->centre, &c->centre) && gjk2_scene_same_vec(&p->frame[0], frame) &&
+         (!gjk2_scene_has_axes(c->shape) || gjk2_scene_same_vec(&p->frame[1], &c->frame[1])) &&
+         p->fraction_x == c->fraction[0] && p->fraction_y == c->fraction[1] &&
+         ((p->state & GJK2_SCENE_ORDERED) != 0) == c->ordered;
 }
 
 // Of a part that is to be posed: is what posing leaves as it is sound? The vertices of a polygon are ordered or not at
