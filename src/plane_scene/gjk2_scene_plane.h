@@ -428,12 +428,11 @@ static inline bool gjk2_scene_holds(const gjk2_scene_part *p, const gjk2_collide
          ((p->state & GJK2_SCENE_ORDERED) != 0) == c->ordered;
 }
 
-// Of a part that is to be posed: is what posing leaves as it is sound? The vertices of a polygon are ordered or not at
-// every pose.
-static inline bool gjk2_scene_holds_unposed(const gjk2_scene_part *p, const gjk2_shape *shape) {
-  gjk2_collider c;
-  return !shape->type->buffered ||
-         (gjk2_collider_init(&c, shape, NULL, 0) == GJK_OK && c.ordered == ((p->state & GJK2_SCENE_ORDERED) != 0));
+// Does a part that is to be posed hold what posing leaves as it is? Other vertices than those of half axes and triangles
+// are ordered or not at every pose.
+static inline bool gjk2_scene_holds_unposed(const gjk2_scene_part *p, const gjk2_collider *c) {
+  return gjk2_scene_has_axes(c->shape) || gjk2_scene_is_to_pose(c->shape) ||
+         ((p->state & GJK2_SCENE_ORDERED) != 0) == c->ordered;
 }
 
 // The direction of a cache.

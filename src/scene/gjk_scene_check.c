@@ -62,8 +62,8 @@ static bool check_posed(const gjk_scene_part *p, const gjk_collider *c, const gj
 // Is a part that is not posed one that nothing takes for posed? An update poses parts with pairs before it tests any,
 // but only those of bodies that moved. What posing leaves as it is must be 0, and exact must hold the part.
 static bool check_unposed(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p,
-                          const gjk_aabb *box) {
-  return gjk_scene_holds_unposed(p, v->scene->shapes[p->shape]) && gjk_aabb_inside(box, &p->exact) &&
+                          const gjk_collider *c, const gjk_aabb *box) {
+  return gjk_scene_holds_unposed(p, c) && gjk_aabb_inside(box, &p->exact) &&
          (p->pairs == GJK_SCENE_NONE || (v->header->phase == GJK_SCENE_IDLE && (body->flags & GJK_SCENE_MOVED) != 0));
 }
 
@@ -82,7 +82,7 @@ static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, cons
   }
   (void)gjk_collider_aabb(&c, &box);  // posed, so it cannot fail
   return gjk_scene_holds_shape(p, &c) &&
-         ((p->state & GJK_SCENE_UNPOSED) != 0 ? check_unposed(v, body, p, &box) : check_posed(p, &c, &box));
+         ((p->state & GJK_SCENE_UNPOSED) != 0 ? check_unposed(v, body, p, &c, &box) : check_posed(p, &c, &box));
 }
 
 // Does a body have as many parts as it says, numbered in order? Adds up its parts and their own poses.

@@ -407,10 +407,11 @@ static inline bool gjk_scene_holds(const gjk_scene_part *p, const gjk_collider *
          p->fraction[0] == c->fraction[0] && p->fraction[1] == c->fraction[1] && p->fraction[2] == c->fraction[2];
 }
 
-// Is what posing leaves as it is 0?
-static inline bool gjk_scene_holds_unposed(const gjk_scene_part *p, const gjk_shape *shape) {
+// Does a part that is to be posed hold what posing leaves as it is: 0?
+static inline bool gjk_scene_holds_unposed(const gjk_scene_part *p, const gjk_collider *c) {
   static const gjk_vec3 origin = {0, 0, 0};
-  for (unsigned i = shape->type->count; i < 3 && shape->type->kind == GJK_KIND_AXES; i++) {
+  const gjk_shape_class *type = c->shape->type;
+  for (unsigned i = type->count; i < 3 && type->kind == GJK_KIND_AXES; i++) {
     if (!gjk_scene_same_vec3(&p->frame[i], &origin)) {
       return false;
     }
