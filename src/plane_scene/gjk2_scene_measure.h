@@ -13,10 +13,6 @@
 // The direction of a feature is exact.
 #define GJK2_SCENE_NEAR_SLACK GJK2_SCENE_LINE_SLACK
 
-static inline void gjk2_scene_support(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
-  c->shape->type->support(c, d, out);
-}
-
 // Writes the vector from the centre of A to that of B. False: they are 2^29 or more apart along an axis.
 static inline bool gjk2_scene_between_centres(const gjk2_collider *a, const gjk2_collider *b, gjk2_vec *out) {
   const int64_t x = (int64_t)b->centre.x - a->centre.x, y = (int64_t)b->centre.y - a->centre.y;

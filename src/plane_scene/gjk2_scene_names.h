@@ -58,6 +58,7 @@
 #define GJK_SCENE_NEAR_SLACK GJK2_SCENE_NEAR_SLACK
 #define GJK_SCENE_NONE GJK2_SCENE_NONE
 #define GJK_SCENE_PLANE_SLACK GJK2_SCENE_LINE_SLACK
+#define GJK_SCENE_POSES_AGAIN GJK2_SCENE_POSES_AGAIN
 #define GJK_SCENE_VERSION GJK2_SCENE_VERSION
 #define gjk_scene gjk2_scene
 #define gjk_scene_bindings gjk2_scene_bindings
@@ -179,7 +180,6 @@
 #define gjk_scene_store gjk2_scene_store
 #define gjk_scene_store_cache gjk2_scene_store_cache
 #define gjk_scene_store_shape gjk2_scene_store_shape
-#define gjk_scene_support gjk2_scene_support
 #define gjk_scene_teleport gjk2_scene_teleport
 #define gjk_scene_test_pairs gjk2_scene_test_pairs
 #define gjk_scene_test_queue gjk2_scene_test_queue

@@ -25,6 +25,9 @@
 // How many contacts a report has at most.
 #define GJK2_SCENE_CONTACTS GJK2_CONTACTS_MAX
 
+// There are shapes that gjk2_scene_is_to_pose tells of.
+#define GJK2_SCENE_POSES_AGAIN true
+
 // How many coordinates a vector has.
 #define GJK2_SCENE_AXES 2
 
@@ -456,11 +459,13 @@ static inline void gjk2_scene_load_cache(const gjk2_scene_pair *pair, gjk2_cache
   }
 }
 
-// The direction that a pair keeps of its last query; 0: none.
-static inline gjk2_vec gjk2_scene_hint(const gjk2_scene_pair *pair) {
+// The direction that a pair keeps of its last query; 0: none. room is where it may be written.
+static inline const int16_t *gjk2_scene_hint(const gjk2_scene_pair *pair, int16_t room[2]) {
   gjk2_cache cache;
   gjk2_scene_load_cache(pair, &cache);
-  return gjk2_scene_direction(cache.direction);
+  room[0] = cache.direction[0];
+  room[1] = cache.direction[1];
+  return room;
 }
 
 // Can all vertices of a cache be kept? Their numbers have to fit a byte.

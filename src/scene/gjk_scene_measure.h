@@ -24,10 +24,6 @@ static int64_t gjk_scene_along_unit(const gjk_vec3 *d, const gjk_vec3 *v) {
   return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(u.x, v->x), u.y, v->y), u.z, v->z), 30);
 }
 
-static inline void gjk_scene_support(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
-  c->shape->type->support(c, d, out);
-}
-
 // Writes the vector from the centre of A to that of B. False: they are 2^29 or more apart along an axis.
 static bool gjk_scene_between_centres(const gjk_collider *a, const gjk_collider *b, gjk_vec3 *out) {
   const int64_t x = (int64_t)b->centre.x - a->centre.x, y = (int64_t)b->centre.y - a->centre.y;

@@ -80,17 +80,17 @@ static bool settle_apart(gjk_scene_pair *pair, int32_t gap, gjk_scene_outcome ou
   return gap > 0;
 }
 
-// A lower bound of the distance: how far the support planes of A and B across d, from A to B, are apart; or 0.
-static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const gjk_vec3 *d) {
-  const gjk_vec3 opposite = gjk_negate(*d);
+// A lower bound of the distance: how far the support planes of A and B across direction, from A to B, are apart; or 0.
+static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const int16_t *direction) {
+  const gjk_vec3 d = gjk_scene_direction(direction), opposite = gjk_negate(d);
   gjk_vec3 centres;
-  if (gjk_scene_is_zero(d) || !gjk_scene_between_centres(a, b, &centres)) {
+  if (gjk_scene_is_zero(&d) || !gjk_scene_between_centres(a, b, &centres)) {
     return 0;
   }
   gjk_support far_a, far_b;
-  gjk_scene_support(a, d, &far_a);
-  gjk_scene_support(b, &opposite, &far_b);
-  return gjk_scene_along(d, &centres, &far_a.offset, &far_b.offset) - GJK_SCENE_PLANE_SLACK - a->shape->convex_radius -
+  a->shape->type->support(a, &d, &far_a);
+  b->shape->type->support(b, &opposite, &far_b);
+  return gjk_scene_along(&d, &centres, &far_a.offset, &far_b.offset) - GJK_SCENE_PLANE_SLACK - a->shape->convex_radius -
          b->shape->convex_radius;
 }
 
@@ -163,13 +163,6 @@ static int32_t within_margins(const pair_question *q, const gjk_collider *a, con
   return left > 0 ? gjk_saturate(left) : 0;
 }
 
-// By how much the direction that a query left in the cache proves the pair apart, for gap.
-static int32_t beyond_last_direction(const pair_question *q, const gjk_collider *a, const gjk_collider *b,
-                                     const gjk_cache *cache) {
-  const gjk_vec3 d = gjk_scene_direction(cache->direction);
-  return beyond_margins(q, plane_bound(a, b, &d));
-}
-
 // Asks the queries whether the pair is near, and sets gap.
 static bool query_near(const pair_question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                        gjk_scene_pair *pair) {
@@ -178,7 +171,7 @@ static bool query_near(const pair_question *q, const gjk_collider *a, const gjk_
   if (status != GJK_OK) {
     pair->outcome |= GJK_SCENE_UNSETTLED;
   } else if (!decision.yes) {
-    pair->gap = cache != NULL ? beyond_last_direction(q, a, b, cache) : 0;
+    pair->gap = cache != NULL ? beyond_margins(q, plane_bound(a, b, cache->direction)) : 0;
     return false;
   }
   if (gjk_scene_wants_distance(detail(q))) {
@@ -191,8 +184,8 @@ static bool query_near(const pair_question *q, const gjk_collider *a, const gjk_
 
 // Step 5.
 static bool hint_settles(const pair_question *q, const gjk_collider *a, const gjk_collider *b, gjk_scene_pair *pair) {
-  const gjk_vec3 d = gjk_scene_hint(pair);
-  return settle_apart(pair, beyond_margins(q, plane_bound(a, b, &d)), GJK_SCENE_DIRECTION);
+  int16_t room[GJK_SCENE_AXES];
+  return settle_apart(pair, beyond_margins(q, plane_bound(a, b, gjk_scene_hint(pair, room))), GJK_SCENE_DIRECTION);
 }
 
 // Steps 5 and 6; cold: step 6 alone, without the cache.

@@ -23,7 +23,11 @@ static gjk_status pose_at(gjk_collider *c, const gjk_pose *body, const gjk_pose 
 gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,
                              gjk_collider *out) {
   const uint32_t own_pose = part->own_pose;
-  gjk_scene_load(part, v->scene->shapes[part->shape], out);
+  if (GJK_SCENE_POSES_AGAIN) {
+    gjk_scene_load(part, v->scene->shapes[part->shape], out);
+  } else {
+    gjk_scene_part_collider(v, part, out);  // the same, which saves a second copy
+  }
   //@ assert own_pose == GJK_SCENE_NONE || own_pose < v->header->config.own_poses;
   return pose_at(out, body, own_pose == GJK_SCENE_NONE ? NULL : &v->own_poses[own_pose].pose);
 }
@@ -38,7 +42,7 @@ static void pose_part(const gjk_scene_view *v, const gjk_scene_part *part, gjk_c
 
 void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out) {
   const gjk_shape *shape = v->scene->shapes[part->shape];
-  if (gjk_scene_is_to_pose(shape)) {
+  if (GJK_SCENE_POSES_AGAIN && gjk_scene_is_to_pose(shape)) {
     pose_part(v, part, out);
   } else {
     gjk_scene_load(part, shape, out);

@@ -24,6 +24,10 @@
 // How many contacts a report has at most.
 #define GJK_SCENE_CONTACTS 4
 
+// Are there shapes that gjk_scene_is_to_pose tells of? In space parts store all that posing sets.
+#define GJK_SCENE_POSES_AGAIN false
+#define gjk_scene_is_to_pose(shape) false
+
 // How many coordinates a vector has.
 #define GJK_SCENE_AXES 3
 
@@ -372,12 +376,6 @@ static inline void gjk_scene_load(const gjk_scene_part *part, const gjk_shape *s
   out->bits = (uint8_t)(32 - gjk_clz32((uint32_t)part->core_radius));
 }
 
-// Is what gjk_scene_load writes of a shape to be posed again? Space stores all of it.
-static inline bool gjk_scene_is_to_pose(const gjk_shape *shape) {
-  (void)shape;
-  return false;
-}
-
 // Stores what posing sets.
 static inline void gjk_scene_store(const gjk_collider *c, gjk_scene_part *part) {
   part->centre = c->centre;
@@ -433,9 +431,10 @@ static inline bool gjk_scene_is_zero_direction(const int16_t direction[3]) {
   return (direction[0] | direction[1] | direction[2]) == 0;
 }
 
-// The direction that a pair keeps of its last query; 0: none.
-static inline gjk_vec3 gjk_scene_hint(const gjk_scene_pair *pair) {
-  return gjk_scene_direction(pair->hint.direction);
+// The direction that a pair keeps of its last query; 0: none. room is where it may be written.
+static inline const int16_t *gjk_scene_hint(const gjk_scene_pair *pair, int16_t room[3]) {
+  (void)room;
+  return pair->hint.direction;
 }
 
 // Makes the normal of a manifold 0.
