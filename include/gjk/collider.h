@@ -28,7 +28,8 @@ typedef struct gjk_collider {
   gjk_vec3 position;      // of the pose
   gjk_vec3 centre;        // world
   gjk_vec3 local_centre;  // of the bounding box, shape frame
-  gjk_vec3 frame[3];      // half axes, or posed triangle, both relative to centre; or rotation rows, Q2.30
+  gjk_vec3 frame[3];      // half axes, or posed triangle, both relative to centre; or rotation rows, Q2.30, which a
+                          // baked hull has if it has a table
   gjk_q16 core_radius;    // bounds |vertex - centre| after posing
   gjk_q16 radius;         // core_radius plus the shape's convex radius
   uint16_t state;         // tells an initialised and a posed collider from other memory
@@ -46,8 +47,9 @@ typedef struct gjk_collider {
 //           scan costs about the same, and each vertex used costs a rotation. Shapes of other kinds ignore the buffer.
 // Statuses  NULL, SIZE, NEGATIVE, EMPTY, CAPACITY, OVERLAP (of the buffer with the shape's vertices or with the
 //           collider), RANGE (a triangle whose count is not 3; a face of a hull with less than 3 or more than
-//           GJK_FACE_CORNERS_MAX corners, or with a corner that is no vertex of the hull).
-// Cost      one pass over a hull's vertices.
+//           GJK_FACE_CORNERS_MAX corners, or with a corner that is no vertex of the hull; a table
+//           whose level, list of ends or numbers are not as gjk/shape.h has them).
+// Cost      one pass over a hull's vertices, and over its faces and table.
 gjk_status gjk_collider_init(gjk_collider *collider, const gjk_shape *shape, gjk_vec3 *buffer, uint16_t capacity);
 
 // Places the collider.

@@ -78,6 +78,10 @@ typedef struct gjk_pose {
 // Most corners of one face of a hull.
 #define GJK_FACE_CORNERS_MAX 12
 
+// The levels of a hull's table (gjk/table.h), and how many cells of directions a table of a level has.
+#define GJK_TABLE_LEVEL_MAX 4
+#define GJK_TABLE_CELLS(level) (24 << 2 * (level))
+
 // The most iterations of gjk_intersect, gjk_within, gjk_distance and their _until forms on polytopes of n and m
 // vertices, with or without a convex radius: 15 + n + m. Of a shape 64 vertices count at most. The bound is proven in
 // src/gjk/gjk_search.h. A box has 8 vertices, a triangle 3, a segment or capsule 2, a point or sphere 1.

@@ -13,6 +13,7 @@
 #include "gjk/scene.h"
 #include "gjk/shape.h"
 #include "gjk/status.h"
+#include "gjk/table.h"
 #include "gjk/version.h"
 
 #endif

@@ -23,6 +23,7 @@ extern const gjk_shape_class gjk_class_segment;
 extern const gjk_shape_class gjk_class_box;
 extern const gjk_shape_class gjk_class_triangle;
 extern const gjk_shape_class gjk_class_hull;
+extern const gjk_shape_class gjk_class_table;
 extern const gjk_shape_class gjk_class_cylinder;
 extern const gjk_shape_class gjk_class_cone;
 extern const gjk_shape_class gjk_class_ellipsoid;
@@ -44,12 +45,23 @@ typedef struct gjk_hull_faces {
   uint16_t count;          // faces
 } gjk_hull_faces;
 
+// A table of a hull: for each cell of directions the vertices that may be farthest along one of them, so that only these
+// are looked at. gjk/table.h makes one. Only hulls of some 32 vertices and more gain.
+//
+// gjk_collider_init checks that every list can be read, no more: with vertices missing from a cell, answers are wrong as
+// if the hull lacked them along those directions. gjk_hull_table_check proves that none is missing.
+typedef struct gjk_hull_table {
+  const uint16_t *vertex;  // numbers of vertices of all cells, one cell after the other, rising within each
+  const uint16_t *end;     // end[i]: where cell i ends in vertex; no cell is empty
+  uint8_t level;           // 0 to GJK_TABLE_LEVEL_MAX: there are GJK_TABLE_CELLS(level) cells
+} gjk_hull_table;
+
 // Fields are set by the initialisers below; gjk_collider_init checks them.
 typedef struct gjk_shape {
   const gjk_shape_class *type;
   const gjk_vec3 *vertices;       // triangle, hull: local, Q16.16, the caller's, must outlive the shape
   gjk_support_function *support;  // custom
-  const void *user;               // custom
+  const void *user;               // custom; of a hull with a table: the gjk_hull_table, the caller's
   gjk_vec3 size;                  // half extents or radii, Q16.16, by kind
   gjk_q16 convex_radius;          // at least 0
   uint16_t count;                 // vertices of the hull; of the triangle: 3
@@ -84,6 +96,13 @@ typedef struct gjk_shape {
 #define GJK_ROUNDED_HULL_WITH_FACES(vertices_n, n, faces_pointer, radius) \
   { &gjk_class_hull, (vertices_n), 0, 0, GJK_LENGTHS(0, 0, 0, radius), (n), (faces_pointer) }
 
+// faces_pointer may be 0.
+#define GJK_ROUNDED_HULL_WITH_TABLE(vertices_n, n, faces_pointer, table_pointer, radius)                              \
+  {                                                                                                                   \
+    &gjk_class_table, (vertices_n), 0, 1 ? (table_pointer) : (const gjk_hull_table *)0, GJK_LENGTHS(0, 0, 0, radius), \
+        (n), (faces_pointer)                                                                                          \
+  }
+
 #define GJK_POINT GJK_ROUNDED_POINT(0)
 #define GJK_SPHERE(radius) GJK_ROUNDED_POINT(radius)
 // From (0, 0, -half) to (0, 0, half).
@@ -94,6 +113,8 @@ typedef struct gjk_shape {
 #define GJK_BOX(half_x, half_y, half_z) GJK_ROUNDED_BOX(half_x, half_y, half_z, 0)
 #define GJK_HULL(vertices_n, n) GJK_ROUNDED_HULL(vertices_n, n, 0)
 #define GJK_HULL_WITH_FACES(vertices_n, n, faces_pointer) GJK_ROUNDED_HULL_WITH_FACES(vertices_n, n, faces_pointer, 0)
+#define GJK_HULL_WITH_TABLE(vertices_n, n, table_pointer) \
+  GJK_ROUNDED_HULL_WITH_TABLE(vertices_n, n, 0, table_pointer, 0)
 // From z = -half to z = half.
 #define GJK_CYLINDER(base_radius, half) GJK_ROUNDED_CYLINDER(base_radius, half, 0)
 // Apex at z = half, base at z = -half.

@@ -119,7 +119,7 @@ bool gjk_rotation_with_point(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 rows
   return true;
 }
 
-#define HALF (INT32_C(1) << 29)
+#define HALF GJK_ROTATION_HALF
 
 // floor(row . v + start), from Q30 to LSB.
 static int64_t component(int32_t x, int32_t y, int32_t z, const gjk_vec3 *v, int32_t start) {
@@ -134,15 +134,10 @@ GJK_ONCE static int32_t narrow_component(int32_t x, int32_t y, int32_t z, const 
   return (int32_t)rotated;
 }
 
-// Half an LSB and a fraction in Q8, both in Q30.
-static int32_t start_at(int8_t fraction) {
-  return HALF + fraction * (INT32_C(1) << 22);  // -2^7 <= fraction < 2^7:  0 <= result < 2^30
-}
-
 gjk_vec3 gjk_rotate_onto(const gjk_vec3 rows[3], const gjk_vec3 *v, const int8_t fraction[3]) {
-  const gjk_vec3 rotated = {narrow_component(rows[0].x, rows[0].y, rows[0].z, v, start_at(fraction[0])),
-                            narrow_component(rows[1].x, rows[1].y, rows[1].z, v, start_at(fraction[1])),
-                            narrow_component(rows[2].x, rows[2].y, rows[2].z, v, start_at(fraction[2]))};
+  const gjk_vec3 rotated = {narrow_component(rows[0].x, rows[0].y, rows[0].z, v, gjk_rotation_start(fraction[0])),
+                            narrow_component(rows[1].x, rows[1].y, rows[1].z, v, gjk_rotation_start(fraction[1])),
+                            narrow_component(rows[2].x, rows[2].y, rows[2].z, v, gjk_rotation_start(fraction[2]))};
   return rotated;
 }
 

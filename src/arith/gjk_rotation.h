@@ -28,6 +28,14 @@ gjk_vec3 gjk_rotate(const gjk_vec3 rows[3], const gjk_vec3 *v);
 // The transposed matrix, which is the opposite rotation, times v. Otherwise as gjk_rotate.
 gjk_vec3 gjk_rotate_back(const gjk_vec3 rows[3], const gjk_vec3 *v);
 
+// Half an LSB, Q30: what is added to a product before it is shifted.
+#define GJK_ROTATION_HALF (INT32_C(1) << 29)
+
+// Half an LSB and a fraction in Q8, both in Q30.
+static inline int32_t gjk_rotation_start(int8_t fraction) {
+  return GJK_ROTATION_HALF + fraction * (INT32_C(1) << 22);  // -2^7 <= fraction < 2^7:  0 <= result < 2^30
+}
+
 // As gjk_rotate, with a fraction of an LSB, Q8, added to each component before it is rounded.
 gjk_vec3 gjk_rotate_onto(const gjk_vec3 rows[3], const gjk_vec3 *v, const int8_t fraction[3]);
 

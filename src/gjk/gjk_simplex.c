@@ -58,14 +58,8 @@ GJK_ONCE static void set_products(gjk_simplex *s, unsigned w, unsigned n) {
   const int64_t square = gjk_dot(&v, &v);
   //@ assert square >= 0 && square <= INT64_C(9) << 58;
   s->toward[w][w] = square;
-  if (n > 0) {
-    set_product(s, w, square, &v, s->order[0]);
-  }
-  if (n > 1) {
-    set_product(s, w, square, &v, s->order[1]);
-  }
-  if (n > 2) {
-    set_product(s, w, square, &v, s->order[2]);
+  for (unsigned i = 0; i < n; i++) {
+    set_product(s, w, square, &v, s->order[i]);
   }
 }
 

@@ -16,6 +16,7 @@
 // What the library offers in each dimension.
 #define GJK_PROOF_ENCLOSING GJK2_PROOF_ENCLOSING
 #define GJK_PROOF_NEAR GJK2_PROOF_NEAR
+#define GJK_STATE_POSED GJK2_STATE_POSED
 #define gjk_aabb gjk2_aabb
 #define gjk_aabb_gap gjk2_aabb_gap
 #define gjk_aabb_hull gjk2_aabb_hull

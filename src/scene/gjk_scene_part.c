@@ -38,6 +38,7 @@ static void pose_part(const gjk_scene_view *v, const gjk_scene_part *part, gjk_c
   pose.position = body->position;
   pose.rotation = body->rotation;
   (void)gjk_scene_part_at(v, part, &pose, out);  // cannot fail: the body was taken there
+  //@ assert out->state == GJK_STATE_POSED;
 }
 
 void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out) {

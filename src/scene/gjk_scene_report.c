@@ -16,6 +16,7 @@ static void describe(const gjk_scene_view *v, const gjk_scene_pair *pair, gjk_re
 
 // Reports one pair, and drops it if its report was all that it was kept for.
 static void report_pair(gjk_scene_view *v, uint32_t index, gjk_report *out) {
+  //@ assert index < v->header->pairs.capacity;
   gjk_scene_pair *pair = &v->pairs[index];
   describe(v, pair, out);
   out->event = pair->outcome;

@@ -2,7 +2,6 @@
 //
 // The number of a vertex has bit i set where half axis i is added.
 #include "../arith/gjk_coarse.h"
-#include "../arith/gjk_rotation.h"
 #include "gjk_shape_class.h"
 
 #if GJK_CONDITIONAL_MOVES && !GJK_NARROW_MULTIPLY
@@ -173,17 +172,33 @@ static void pose_point(gjk_collider *c, const gjk_vec3 rows[3]) {
   (void)rows;
 }
 
+// *out = a half axis along a local axis: the column x, y, z of the matrix times half, to the nearest LSB, as gjk_rotate
+// has it.
+#if GJK_NARROW_MULTIPLY
+GJK_OUT_OF_LINE
+#else
+GJK_ONCE
+#endif
+static void scale_column(gjk_q30 x, gjk_q30 y, gjk_q30 z, gjk_q16 half, gjk_vec3 *out) {
+  const int64_t start = INT64_C(1) << 29;
+  // 0 <= half <= GJK_RADIUS_MAX < 2^28, |column| <= 2^30 + 1:  |each component| <= half
+  out->x = (int32_t)gjk_sar64(gjk_mac32(start, x, half), 30);
+  out->y = (int32_t)gjk_sar64(gjk_mac32(start, y, half), 30);
+  out->z = (int32_t)gjk_sar64(gjk_mac32(start, z, half), 30);
+  //@ assert out->x >= -GJK_RADIUS_MAX && out->x <= GJK_RADIUS_MAX;
+  //@ assert out->y >= -GJK_RADIUS_MAX && out->y <= GJK_RADIUS_MAX;
+  //@ assert out->z >= -GJK_RADIUS_MAX && out->z <= GJK_RADIUS_MAX;
+}
+
 static void pose_segment(gjk_collider *c, const gjk_vec3 rows[3]) {
-  const gjk_vec3 along = {0, 0, c->shape->size.z};
-  c->frame[0] = gjk_rotate(rows, &along);
+  scale_column(rows[0].z, rows[1].z, rows[2].z, c->shape->size.z, &c->frame[0]);
 }
 
 static void pose_box(gjk_collider *c, const gjk_vec3 rows[3]) {
   const gjk_vec3 *size = &c->shape->size;
-  const gjk_vec3 x = {size->x, 0, 0}, y = {0, size->y, 0}, z = {0, 0, size->z};
-  c->frame[0] = gjk_rotate(rows, &x);
-  c->frame[1] = gjk_rotate(rows, &y);
-  c->frame[2] = gjk_rotate(rows, &z);
+  scale_column(rows[0].x, rows[1].x, rows[2].x, size->x, &c->frame[0]);
+  scale_column(rows[0].y, rows[1].y, rows[2].y, size->y, &c->frame[1]);
+  scale_column(rows[0].z, rows[1].z, rows[2].z, size->z, &c->frame[2]);
 }
 
 const gjk_shape_class gjk_class_point = {

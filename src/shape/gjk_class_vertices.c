@@ -10,9 +10,9 @@
 // d itself is rounded. Refinement finds a vertex that is farthest along the exact direction:
 //   5. Scan for all vertices within slack of the support along d. slack bounds what the rounding of d can hide, too.
 //   6. Move to each vertex that is strictly farther along the exact direction.
-#include "../arith/gjk_rotation.h"
+#include "gjk_hull.h"
+
 #include "gjk_scan.h"
-#include "gjk_shape_class.h"
 
 // The posed vertices of a triangle or a baked hull.
 static const gjk_vec3 *posed(const gjk_collider *c) {
@@ -23,13 +23,6 @@ static void support_posed(const gjk_collider *c, const gjk_vec3 *d, gjk_support 
   const gjk_vec3 *vertices = posed(c), *farthest = gjk_scan(vertices, vertices + c->count, c->bits, d);
   out->offset = *farthest;
   out->vertex = (uint16_t)(farthest - vertices);
-}
-
-// How far behind along a rounded direction the vertex may be that is farthest along the exact one. Each component of
-// the rounded direction is off by less than 1. With u for the difference of two vertices:
-//   its product is off by less than |u.x| + |u.y| + |u.z| <= sqrt(3) 2 core_radius < 4 core_radius
-static int64_t rounding_slack(const gjk_collider *c) {
-  return 4 * (int64_t)c->core_radius;
 }
 
 // Components of the shape's own vertices are at most 2^own_bits in size: they lie within core_radius of local_centre.
@@ -72,7 +65,7 @@ static inline bool is_behind(const gjk_direction *direction, uint16_t vertex, ui
 static bool refine_few(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
   const gjk_vec3 *vertices = posed(c);
   const uint16_t before = at->vertex;
-  const int64_t limit = gjk_dot(&at->offset, d) - rounding_slack(c);
+  const int64_t limit = gjk_dot(&at->offset, d) - gjk_hull_rounding_slack(c);
   const uint64_t first = UINT64_C(1) << 63;
   uint64_t open = 0;
   for (unsigned i = 0; i < c->count; i++) {
@@ -108,7 +101,7 @@ static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_dir
   const uint16_t before = at->vertex;
   const bool known = gjk_direction_knows(direction, before);
   gjk_reach reach;
-  reach_within(&reach, c, vertices, d, &at->offset, rounding_slack(c));
+  reach_within(&reach, c, vertices, d, &at->offset, gjk_hull_rounding_slack(c));
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
     if (is_behind(direction, (uint16_t)(v - vertices), before, known)) {
       continue;
@@ -177,7 +170,7 @@ GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d
   const bool known = gjk_direction_knows(direction, before);
   gjk_vec3 local;
   gjk_reach reach;
-  const int64_t slack = local_direction(c, d, &local) + rounding_slack(c);
+  const int64_t slack = local_direction(c, d, &local) + gjk_hull_rounding_slack(c);
   reach_within(&reach, c, vertices, &local, &vertices[before], slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
     if (is_behind(direction, (uint16_t)(v - vertices), before, known)) {
@@ -221,6 +214,54 @@ static bool vertex_hull(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   return true;
 }
 
+// *out = the vertices, posed as by pose_vertex.
+#if GJK_SMALL || GJK_NARROW_MULTIPLY
+
+static void pose_vertices(const gjk_collider *c, const gjk_vec3 rows[3], gjk_vec3 *out) {
+  const gjk_vec3 *v = c->shape->vertices, *const end = v + c->count;
+  for (; v != end; v++, out++) {
+    const gjk_vec3 local = gjk_sub(*v, c->local_centre);
+    *out = gjk_rotate_onto(rows, &local, c->fraction);
+  }
+}
+
+#else
+
+// A row of the matrix and what is added to its product, in registers while vertices pass.
+typedef struct pose_row {
+  int32_t x, y, z, start;
+} pose_row;
+
+static inline pose_row pose_row_of(const gjk_vec3 *row, int8_t fraction) {
+  const pose_row of = {row->x, row->y, row->z, gjk_rotation_start(fraction)};
+  return of;
+}
+
+// A component of gjk_rotate_onto.
+static inline int32_t pose_component(pose_row row, gjk_vec3 v) {
+  // |row| <= 2^30 + 1, |v| <= GJK_RADIUS_MAX < 2^28:  |sum| < 2^59
+  const int64_t sum = gjk_mac32(gjk_mac32(gjk_mac32(row.start, row.x, v.x), row.y, v.y), row.z, v.z);
+  const int64_t rotated = gjk_sar64(sum, 30);
+  //@ assert rotated >= -GJK_RADIUS_MAX - 1 && rotated <= GJK_RADIUS_MAX + 1;
+  return (int32_t)rotated;
+}
+
+static void pose_vertices(const gjk_collider *c, const gjk_vec3 rows[3], gjk_vec3 *out) {
+  const pose_row x = pose_row_of(&rows[0], c->fraction[0]);
+  const pose_row y = pose_row_of(&rows[1], c->fraction[1]);
+  const pose_row z = pose_row_of(&rows[2], c->fraction[2]);
+  const gjk_vec3 centre = c->local_centre;
+  const gjk_vec3 *v = c->shape->vertices, *const end = v + c->count;
+  for (; v != end; v++, out++) {
+    const gjk_vec3 local = gjk_sub(*v, centre);  // gjk_collider_init:  |local| <= GJK_RADIUS_MAX
+    out->x = pose_component(x, local);
+    out->y = pose_component(y, local);
+    out->z = pose_component(z, local);
+  }
+}
+
+#endif
+
 static void pose_hull(gjk_collider *c, const gjk_vec3 rows[3]) {
   if (c->buffer == NULL) {
     for (int i = 0; i < 3; i++) {
@@ -228,15 +269,11 @@ static void pose_hull(gjk_collider *c, const gjk_vec3 rows[3]) {
     }
     return;
   }
-  for (uint32_t i = 0; i < c->count; i++) {
-    c->buffer[i] = pose_vertex(c, rows, &c->shape->vertices[i]);
-  }
+  pose_vertices(c, rows, c->buffer);
 }
 
 static void pose_triangle(gjk_collider *c, const gjk_vec3 rows[3]) {
-  for (uint32_t i = 0; i < 3; i++) {
-    c->frame[i] = pose_vertex(c, rows, &c->shape->vertices[i]);
-  }
+  pose_vertices(c, rows, c->frame);
 }
 
 // *middle = the middle of a coordinate from low to high. Returns half of the width, rounded up.
@@ -299,6 +336,26 @@ static gjk_status measure_vertices(const gjk_shape *shape, gjk_extent *out) {
     out->squared = squared > out->squared ? squared : out->squared;
   }
   return GJK_OK;
+}
+
+gjk_status gjk_hull_measure(const gjk_shape *shape, gjk_extent *out) {
+  return measure_vertices(shape, out);
+}
+
+void gjk_hull_pose(gjk_collider *c, const gjk_vec3 rows[3]) {
+  pose_hull(c, rows);
+}
+
+int64_t gjk_hull_local_direction(const gjk_collider *c, const gjk_vec3 *d, gjk_vec3 *local) {
+  return local_direction(c, d, local);
+}
+
+gjk_vec3 gjk_hull_pose_vertex(const gjk_collider *c, const gjk_vec3 rows[3], const gjk_vec3 *v) {
+  return pose_vertex(c, rows, v);
+}
+
+bool gjk_hull_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
+  return vertex_hull(c, number, offset);
 }
 
 static gjk_status measure_triangle(const gjk_shape *shape, gjk_extent *out) {

@@ -26,6 +26,7 @@ ITERATION_LEVELS=gjk_iteration_run:4,add_vertex:100,warm_start:1000,gjk_iteratio
 main:500,longer_than:100,far_shift:100,run:500
 ITERATION_RETURNS=gjk_iteration_start:0,gjk_frame_set:0,gjk_frame_set_far:0,longer_than:0
 EPA_HULL_LEVELS=write_horizon:200,gjk_epa_hull_add:500,connect_horizon:1000,add:1000,check_polytope:100,gjk_epa_hull_lowest:50
+TABLE_LEVELS=main:50,gjk_hull_table_check:20,gjk_hull_table_make:20,gjk_table_measure:20
 BOX_SAT_LEVELS=gjk_box_sat:1000,run:100
 SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
 
@@ -37,8 +38,11 @@ gjk_collider_init:30,query_near:50,within_margins:50
 cases() {
   echo primitives-x
   echo pose-x
-  for kind in POINT SEGMENT TRIANGLE BOX BAKED LAZY CYLINDER CONE ELLIPSOID CUSTOM; do
+  for kind in POINT SEGMENT TRIANGLE BOX BAKED LAZY TABLE TABLE_LAZY CYLINDER CONE ELLIPSOID CUSTOM; do
     echo shape-$kind
+  done
+  for level in 0 1 4; do
+    echo hull_table-$level
   done
   for count in 0 1 2 3 4; do
     echo simplex-$count
@@ -165,6 +169,10 @@ prove_one() {
       [ "$driver" != scene_ops ] || models='scene scene_tree'
       set -- "$1" -eva-slevel 12 -eva-slevel-function "$SCENE_LEVELS" -eva-partition-history 1 \
         -eva-interprocedural-history -eva-interprocedural-splits -eva-ilevel 64 -eva-auto-loop-unroll 8
+      ;;
+    shape) models=hull_table && set -- "$1" -eva-slevel 200 ;;
+    hull_table)
+      set -- "$1" -eva-slevel 2 -eva-slevel-function "$TABLE_LEVELS" -eva-min-loop-unroll 0 -eva-auto-loop-unroll 8
       ;;
     facet) models=simplex contracts=${contracts%,gjk_height_key} && set -- "$1" -eva-slevel 200 -eva-interprocedural-splits ;;
     box_sat)

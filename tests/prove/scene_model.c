@@ -4,6 +4,7 @@
 #include "gjk/intersect.h"
 #include "gjk/pose.h"
 #include "scene_any.h"
+#include "src/arith/gjk_rotation.h"
 #include "src/shape/gjk_shape_class.h"
 
 static gjk_status any_status(void) {
@@ -12,6 +13,15 @@ static gjk_status any_status(void) {
 
 static void read_quat(const gjk_quat *q) {
   (void)(q->x ^ q->y ^ q->z ^ q->w);
+}
+
+bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation) {
+  read_quat(q);
+  if (any_bool()) {
+    return false;
+  }
+  *deviation = any_int32();
+  return true;
 }
 
 static void read_pose(const gjk_pose *pose) {

@@ -4,15 +4,31 @@
 #include "src/shape/gjk_shape_class.h"
 
 #define VERTICES 5
+#define ENTRIES 8
 
-enum { POINT, SEGMENT, TRIANGLE, BOX, BAKED, LAZY, CYLINDER, CONE, ELLIPSOID, CUSTOM };
+enum { POINT, SEGMENT, TRIANGLE, BOX, BAKED, LAZY, TABLE, TABLE_LAZY, CYLINDER, CONE, ELLIPSOID, CUSTOM };
 
 static gjk_vec3 vertices[VERTICES], buffer[VERTICES];
+static uint16_t entries[ENTRIES], ends[GJK_TABLE_CELLS(GJK_TABLE_LEVEL_MAX)];
+static gjk_hull_table table;
 
 static void any_support(const void *user, const gjk_vec3 *direction, gjk_vec3 *out) {
   const gjk_q16 bound = *(const gjk_q16 *)user;
   (void)direction;
   *out = any_vec3(bound);
+}
+
+// Any table that gjk_table_measure may let pass for VERTICES vertices, its lists within entries.
+static void any_table(void) {
+  table.vertex = entries;
+  table.end = ends;
+  table.level = (uint8_t)any_between(0, GJK_TABLE_LEVEL_MAX);
+  for (int i = 0; i < ENTRIES; i++) {
+    entries[i] = (uint16_t)any_between(0, VERTICES - 1);
+  }
+  for (int i = 0; i < GJK_TABLE_CELLS(GJK_TABLE_LEVEL_MAX); i++) {
+    ends[i] = (uint16_t)any_between(0, ENTRIES);
+  }
 }
 
 static void any_shape(gjk_shape *shape, const gjk_q16 *bound) {
@@ -22,11 +38,16 @@ static void any_shape(gjk_shape *shape, const gjk_q16 *bound) {
                              [BOX] = GJK_BOX(0, 0, 0),
                              [BAKED] = GJK_HULL(vertices, VERTICES),
                              [LAZY] = GJK_HULL(vertices, VERTICES),
+                             [TABLE] = GJK_HULL_WITH_TABLE(vertices, VERTICES, &table),
+                             [TABLE_LAZY] = GJK_HULL_WITH_TABLE(vertices, VERTICES, &table),
                              [CYLINDER] = GJK_CYLINDER(0, 0),
                              [CONE] = GJK_CONE(0, 0),
                              [ELLIPSOID] = GJK_ELLIPSOID(0, 0, 0),
                              [CUSTOM] = GJK_CUSTOM(any_support, bound, 0)};
   *shape = kinds[CASE];
+  if (CASE == TABLE || CASE == TABLE_LAZY) {
+    any_table();
+  }
   shape->size = any_position();
   shape->convex_radius = any_int32();
   if (CASE == CUSTOM) {
@@ -99,8 +120,8 @@ int main(void) {
   gjk_collider c = {0};
   gjk_aabb box;
   any_shape(&shape, &bound);
-  if (gjk_collider_init(&c, &shape, CASE == BAKED ? buffer : NULL, any_uint16()) == GJK_OK) {
-    if (CASE != POINT && CASE != TRIANGLE && CASE != BAKED && CASE != LAZY) {
+  if (gjk_collider_init(&c, &shape, CASE == BAKED || CASE == TABLE ? buffer : NULL, any_uint16()) == GJK_OK) {
+    if (CASE != POINT && CASE != TRIANGLE && CASE != BAKED && CASE != LAZY && CASE != TABLE && CASE != TABLE_LAZY) {
       //@ assert shape.size.x <= GJK_RADIUS_MAX && shape.size.y <= GJK_RADIUS_MAX && shape.size.z <= GJK_RADIUS_MAX;
     }
     if (gjk_collider_pose(&c, &pose) == GJK_OK) {

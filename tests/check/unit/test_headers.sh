@@ -22,7 +22,7 @@ uses() {
           if (name[i] ~ /^vertices/ || name[i] == "user_pointer") value = "vertices"
           if (name[i] == "n") value = "2"
           if (name[i] == "function") value = "support"
-          if (name[i] == "faces_pointer") value = "0"
+          if (name[i] == "faces_pointer" || name[i] == "table_pointer") value = "0"
           arguments = arguments (i > 1 ? ", " : "") value
         }
         arguments = "(" arguments ")"

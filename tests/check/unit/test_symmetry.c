@@ -12,17 +12,18 @@
 #define SHUFFLES 4
 #define PERMUTED_MAX 5  // vertices: all orders of them are tried, 120
 
-// The decisions and the distance of a pair.
+// The decisions and the distance of a pair, and the points where it is apart.
 typedef struct answer {
-  bool posed, far, intersecting, touch, within, beyond;
+  bool posed, far, intersecting, touch, within, beyond, saturated;
   gjk_q16 distance;
+  gjk_vec3 centre, point_a, point_b;  // centre: of A
 } answer;
 
 typedef struct subject {
   case_pair original, changed;
   case_collider a, b;
   answer expected;
-  unsigned long changes, out_of_range;
+  unsigned long changes, out_of_range, points[2];  // points: with the centre of A beyond 2^30 along an axis, and not
 } subject;
 
 static answer find_answer(subject *s, const case_shape *shape_a, const case_shape *shape_b, gjk_q16 distance) {
@@ -42,6 +43,12 @@ static answer find_answer(subject *s, const case_shape *shape_a, const case_shap
   CHECK(gjk_within(a, b, distance > 0 ? distance - 1 : 0, NULL, &beyond) == GJK_OK);
   found.intersecting = r.intersecting;
   found.distance = r.distance;
+  found.centre = a->centre;
+  if (!r.intersecting) {
+    found.saturated = r.saturated;
+    found.point_a = r.point_a;
+    found.point_b = r.point_b;
+  }
   found.touch = touch.yes;
   found.within = within.yes;
   found.beyond = beyond.yes;
@@ -58,13 +65,35 @@ static bool same(const answer *a, const answer *b) {
          a->within == b->within && a->beyond == b->beyond;
 }
 
+// Are v - w and v0 - w0 the same?
+static bool moved_alike(const gjk_vec3 *v, const gjk_vec3 *w, const gjk_vec3 *v0, const gjk_vec3 *w0) {
+  return (int64_t)v->x - w->x == (int64_t)v0->x - w0->x && (int64_t)v->y - w->y == (int64_t)v0->y - w0->y &&
+         (int64_t)v->z - w->z == (int64_t)v0->z - w0->z;
+}
+
+static bool is_beyond(gjk_q16 x) {
+  return x > INT32_C(1) << 30 || x < -(INT32_C(1) << 30);
+}
+
+// Both shapes were moved by the same way, so a query takes the same steps: the points move by that way, bit for bit.
+static void compare_points(subject *s, const answer *found) {
+  const answer *was = &s->expected;
+  if (found->intersecting || found->saturated || was->saturated) {
+    return;
+  }
+  s->points[is_beyond(found->centre.x) || is_beyond(found->centre.y) || is_beyond(found->centre.z) ? 0 : 1]++;
+  CHECK_MSG(moved_alike(&found->point_a, &found->centre, &was->point_a, &was->centre) &&
+                moved_alike(&found->point_b, &found->centre, &was->point_b, &was->centre),
+            "%s: the points have not moved as the shapes have", s->original.id);
+}
+
 // Asks about the changed pair, or about swapped shapes. A change may move a centre out of int32_t.
-static void compare(subject *s, bool swapped, const char *what) {
+static answer compare(subject *s, bool swapped, const char *what) {
   const case_shape *a = swapped ? &s->changed.b : &s->changed.a, *b = swapped ? &s->changed.a : &s->changed.b;
   const answer found = find_answer(s, a, b, s->expected.distance);
   if (!found.posed) {
     s->out_of_range++;
-    return;
+    return found;
   }
   const bool equal = same(&found, &s->expected);
   CHECK_MSG(equal, "%s: %s: distance %ld, was %ld", s->original.id, what, (long)found.distance,
@@ -74,6 +103,7 @@ static void compare(subject *s, bool swapped, const char *what) {
     case_print(stdout, &s->changed);
   }
   s->changes++;
+  return found;
 }
 
 static void restore(subject *s) {
@@ -122,11 +152,18 @@ static void test_orders(random_state *random, subject *s) {
 }
 
 // Adds as much of `by` as keeps both positions within int32_t.
-static void shift(gjk_q16 *a, gjk_q16 *b, int32_t by) {
-  const int64_t low = (*a < *b ? *a : *b) + (int64_t)by, high = (*a > *b ? *a : *b) + (int64_t)by;
+static void shift(gjk_q16 *a, gjk_q16 *b, int64_t by) {
+  const int64_t low = (*a < *b ? *a : *b) + by, high = (*a > *b ? *a : *b) + by;
   const int64_t moved = high > INT32_MAX ? by - (high - INT32_MAX) : low < INT32_MIN ? by + (INT32_MIN - low) : by;
   *a = (gjk_q16)(*a + moved);
   *b = (gjk_q16)(*b + moved);
+}
+
+static void compare_moved(subject *s) {
+  const answer found = compare(s, false, "both moved");
+  if (found.posed) {
+    compare_points(s, &found);
+  }
 }
 
 static void test_translations(random_state *random, subject *s) {
@@ -136,7 +173,11 @@ static void test_translations(random_state *random, subject *s) {
     shift(&a->x, &b->x, (int32_t)random_u32(random));
     shift(&a->y, &b->y, (int32_t)random_u32(random));
     shift(&a->z, &b->z, (int32_t)random_u32(random));
-    compare(s, false, "both moved");
+    compare_moved(s);
+    restore(s);  // A's centre to within 2 LSB of 2^30 or -2^30 along x
+    const int64_t by = (i % 2 == 0 ? INT64_C(1) << 30 : -(INT64_C(1) << 30)) - s->expected.centre.x;
+    shift(&a->x, &b->x, by + (int64_t)random_below(random, 5) - 2);
+    compare_moved(s);
   }
 }
 
@@ -197,9 +238,11 @@ int main(void) {
       pairs++;
     }
   }
-  printf("%lu pairs, %lu changes, %lu out of range\n", pairs, s.changes, s.out_of_range);
+  printf("%lu pairs, %lu changes, %lu out of range; points of %lu far out, %lu others\n", pairs, s.changes,
+         s.out_of_range, s.points[0], s.points[1]);
   CHECK(s.out_of_range < s.changes / 20);
   CHECK(s.changes > 50 * pairs);
+  CHECK(s.points[0] > pairs && s.points[1] > pairs);
   case_pair_free(&s.original);
   case_pair_free(&s.changed);
   case_collider_free(&s.a);

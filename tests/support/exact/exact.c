@@ -21,7 +21,7 @@ unsigned exact_vertex_count(const gjk_collider *collider) {
   if (type == &gjk_class_box) {
     return 8;
   }
-  return type == &gjk_class_hull && collider->buffer != NULL ? collider->shape->count : 0;
+  return (type == &gjk_class_hull || type == &gjk_class_table) && collider->buffer != NULL ? collider->shape->count : 0;
 }
 
 static void add_multiple(exact_point *p, int factor, const gjk_vec3 *v) {
@@ -33,7 +33,7 @@ static void add_multiple(exact_point *p, int factor, const gjk_vec3 *v) {
 exact_point exact_vertex(const gjk_collider *collider, unsigned number) {
   const gjk_shape_class *type = collider->shape->type;
   exact_point p = {{collider->centre.x, collider->centre.y, collider->centre.z}};
-  if (type == &gjk_class_hull) {
+  if (type == &gjk_class_hull || type == &gjk_class_table) {
     add_multiple(&p, 1, &collider->buffer[number]);
   } else if (type == &gjk_class_triangle) {
     add_multiple(&p, 1, &collider->frame[number]);
