@@ -73,7 +73,7 @@ static bool plane_from_point(gjk_q16 centre, gjk_q16 offset, gjk_q16 point, int3
 
 bool gjk2_claim_point(const gjk2_collider *c, const uint16_t *named, unsigned count, const gjk2_vec *point) {
   gjk2_vec from[2];
-  from[1].x = from[1].y = 0;
+  from[0].x = from[0].y = from[1].x = from[1].y = 0;
   const int32_t reach = c->shape->convex_radius + 1;
   for (unsigned i = 0; i < count; i++) {
     gjk2_vec offset;
@@ -131,7 +131,7 @@ bool gjk2_claim_gap(const gjk2_length *length, uint64_t height, int32_t radius, 
   // Find the integer `eighths` with eighths <= 8 height / length < eighths + 1.
   int64_t eighths = 8 * exact;
   for (int i = 0; i < 7; i++) {
-    eighths += compare_eighths(length, height, eighths + 1) >= 0;
+    eighths += compare_eighths(length, height, eighths + 1) >= 0 ? 1 : 0;
   }
   eighths -= 8 * (int64_t)radius;
   const gjk2_length one = {1, 0, 0};

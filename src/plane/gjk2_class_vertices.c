@@ -36,7 +36,7 @@ static bool is_ordered(const gjk2_vec *v, uint32_t count) {
     if (!is_corner(e, f)) {
       return false;
     }
-    changes += points_up(e) != points_up(f);
+    changes += points_up(e) != points_up(f) ? 1u : 0u;
     e = f;
   }
   return changes == 2;

@@ -78,7 +78,7 @@ static bool settle_arc(arc_bounds *o, const gjk2_vertex *start, const gjk2_verte
     if (found == ARC_SETTLED) {
       gjk2_copy_vertex(&p, &waiting[--count]);
     } else {
-      count -= count == WAITING;
+      count -= count == WAITING ? 1u : 0u;
       gjk2_copy_vertex(&waiting[count++], &x);
     }
   }
@@ -122,20 +122,14 @@ bool gjk2_curved_depth(gjk2_search *s, gjk2_edge *edge, int64_t *lower, uint16_t
   o.iterations = (uint16_t)(o.iterations + 4);
   *lower = 0;
   bool settled_all = true;
-  int64_t tolerance = (o.best >> 2) + 1;
-  for (;;) {  // at most 16 passes
+  // At most 16 passes, the last with a tolerance of 1.
+  for (int64_t tolerance = (o.best >> 2) + 1; tolerance > 0 && settled_all;
+       tolerance = tolerance > 4 ? tolerance >> 2 : (tolerance > 1 ? 1 : 0)) {
     o.lower = o.best;
     for (int i = 0; i < 4 && settled_all; i++) {
       settled_all = settle_arc(&o, &corner[i], &corner[(i + 1) & 3], tolerance);
     }
-    if (!settled_all) {
-      break;
-    }
-    *lower = o.lower;
-    if (tolerance == 1) {
-      break;
-    }
-    tolerance = tolerance > 4 ? tolerance >> 2 : 1;
+    *lower = settled_all ? o.lower : *lower;
   }
   *iterations = o.iterations;
   approach_foot(&o);

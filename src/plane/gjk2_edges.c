@@ -15,10 +15,8 @@ typedef struct rim {
   gjk2_support corner_at, corner_next;  // without a list: what at and next point to
 } rim;
 
-// The numbers of a box's corners, counterclockwise, and the way back.
-static const uint8_t box_number[4] = {3, 2, 0, 1}, box_index[4] = {2, 3, 1, 0};
-
 static uint16_t number_at(const rim *r) {
+  static const uint8_t box_number[4] = {3, 2, 0, 1};  // of a box's corners, counterclockwise
   if (r->corner == NULL) {
     return r->corner_at.vertex;
   }
@@ -77,6 +75,7 @@ static const gjk2_vec *corners_of(const gjk2_collider *c, gjk2_vec own[4]) {
 
 // Step 1
 static void start_rim(rim *r, const gjk2_collider *c, bool opposite, gjk2_vec d) {
+  static const uint8_t box_index[4] = {2, 3, 1, 0};  // the place of a box's numbers in the list
   r->c = c;
   r->corner = corners_of(c, r->own);
   gjk2_hull_corner(c, opposite ? gjk2_negate(d) : d, &r->corner_next);

@@ -72,23 +72,17 @@ static bool plane_is_beyond(const gjk2_length *length, uint64_t h, uint64_t d, g
   return gjk2_reaches(h, squared, (d + 1) * (d + 1), 0);
 }
 
-// The general case.
-GJK_OUT_OF_LINE static int64_t plane_settle_distance(const gjk2_length *length, uint64_t h, uint64_t quotient,
+// The least integer that the distance is not beyond, from the leading bits of the quotient, which tell it within 10.
+GJK_OUT_OF_LINE static int64_t plane_settle_distance(const gjk2_length *length, uint64_t h, uint32_t leading,
                                                      unsigned shift, gjk2_round_to to) {
-  if (shift >= 64) {
-    return to == GJK2_ROUND_UP && h > 0 ? 1 : 0;  // below 1/2
+  uint64_t d = shift < 32 ? (uint64_t)leading << (32 - shift) : shift < 64 ? leading >> (shift - 32) : 0;
+  while (d > 0 && !plane_is_beyond(length, h, d - 1, to)) {  // at most 10 steps
+    d--;
   }
-  // The integers that the error leaves: at most 2^31 2^-27 + 2. Of each end whole and fraction apart, so that no sum
-  // wraps.
-  const uint64_t error = (quotient >> 28) + 1, mask = (UINT64_C(1) << shift) - 1;
-  const uint64_t bias = to == GJK2_ROUND_UP ? mask : to == GJK2_ROUND_NEAREST ? (mask >> 1) + (shift > 0) : 0;
-  const uint64_t bottom = quotient > error ? quotient - error : 0, top = quotient + error;
-  uint64_t low = (bottom >> shift) + (((bottom & mask) + bias) >> shift);
-  const uint64_t high = (top >> shift) + (((top & mask) + bias) >> shift);
-  while (low < high && plane_is_beyond(length, h, low, to)) {  // at most 18 steps
-    low++;
+  while (plane_is_beyond(length, h, d, to)) {  // at most 10 steps
+    d++;
   }
-  return (int64_t)low;
+  return (int64_t)d;
 }
 
 // Mostly the leading 31 bits of the quotient tell: those below the last LSB are far enough from a change.
@@ -105,7 +99,7 @@ int64_t gjk2_round_distance(const gjk2_length *length, uint64_t h, gjk2_round_to
       return biased >> n;
     }
   }
-  return plane_settle_distance(length, h, quotient, shift, to);
+  return plane_settle_distance(length, h, leading, shift, to);
 }
 
 bool gjk2_is_within(int64_t h, gjk2_vec n, int32_t radius) {

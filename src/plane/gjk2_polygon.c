@@ -77,6 +77,12 @@ static bool is_within_size(const gjk2_vec *v, uint32_t count) {
   return (int64_t)high.x - low.x <= most && (int64_t)high.y - low.y <= most;
 }
 
+// Do two regions of as many bytes share a byte without being the same?
+static bool overlap_partly(const void *p, const void *q, size_t bytes) {
+  const uintptr_t a = (uintptr_t)p, b = (uintptr_t)q;
+  return a != b && (a < b ? b - a : a - b) < bytes;
+}
+
 gjk_status gjk2_polygon_order(const gjk2_vec *points, uint16_t count, gjk2_vec *out, uint16_t *out_count) {
   if (points == NULL || out == NULL || out_count == NULL) {
     return GJK_ERROR_NULL;
@@ -84,8 +90,7 @@ gjk_status gjk2_polygon_order(const gjk2_vec *points, uint16_t count, gjk2_vec *
   if (count == 0) {
     return GJK_ERROR_EMPTY;
   }
-  const uintptr_t from = (uintptr_t)points, to = (uintptr_t)out;
-  if (from != to && (from < to ? to - from : from - to) < count * sizeof *out) {
+  if (overlap_partly(points, out, count * sizeof *out)) {
     return GJK_ERROR_OVERLAP;
   }
   if (!is_within_size(points, count)) {  // Step 1

@@ -38,9 +38,17 @@
 // From this iteration on a curved pair's search is late: smaller gains end it.
 #define LATE 32
 
-// Is (x, y) / 2^far longer than 2^30? Pre: x, y <= 2^32, and far >= 1 where one of them is above 2^31.
-static bool is_long(uint64_t x, uint64_t y, unsigned far) {
-  const uint32_t u = (uint32_t)(x >> far), v = (uint32_t)(y >> far);  // each square <= 2^62
+// floor(x / 2^n), n <= 3, by single steps: less code than a shift of 64 bits by a variable.
+GJK_OUT_OF_LINE static int64_t shift_far(int64_t x, unsigned n) {
+  for (; n > 0; n--) {
+    x = gjk_sar64(x, 1);
+  }
+  return x;
+}
+
+// Is (x, y) / 2^far longer than 2^30? Pre: 0 <= x, y <= 2^32, and far >= 1 where one of them is above 2^31.
+static bool is_long(int64_t x, int64_t y, unsigned far) {
+  const uint32_t u = (uint32_t)shift_far(x, far), v = (uint32_t)shift_far(y, far);  // each square <= 2^62
   return gjk_umul32(u, u) + gjk_umul32(v, v) > UINT64_C(1) << 60;
 }
 
@@ -59,13 +67,13 @@ GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, int64_t radi
     return false;
   }
   s->far = (ux | uy) >> 31 != 0;
-  while (is_long(ux, uy, s->far)) {  // at most 3 times: then both are below 2^29 + 1
+  while (is_long((int64_t)ux, (int64_t)uy, s->far)) {  // at most 3 times: then both are below 2^29 + 1
     s->far++;
   }
-  const int64_t framed = gjk_sar64(radius, s->far);
+  const int64_t framed = shift_far(radius, s->far);
   s->radius = framed < FRAME_REACH ? (int32_t)framed : FRAME_REACH;
-  s->delta.x = (int32_t)gjk_sar64(x, s->far);
-  s->delta.y = (int32_t)gjk_sar64(y, s->far);
+  s->delta.x = (int32_t)shift_far(x, s->far);
+  s->delta.y = (int32_t)shift_far(y, s->far);
   return true;
 }
 
@@ -104,7 +112,7 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
 }
 
 static int32_t frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
-  return (int32_t)gjk_sar64((int64_t)a - b + offset + ((INT64_C(1) << far) >> 1), far);
+  return (int32_t)shift_far((int64_t)a - b + offset + (INT32_C(1) << (far - 1)), far);
 }
 
 // Makes a difference of offsets a vertex of A - B in the frame.
