@@ -146,6 +146,7 @@
 #define gjk_scene_part_collider gjk2_scene_part_collider
 #define gjk_scene_part_count gjk2_scene_part_count
 #define gjk_scene_part_fits gjk2_scene_part_fits
+#define gjk_scene_part_load gjk2_scene_part_load
 #define gjk_scene_part_now gjk2_scene_part_now
 #define gjk_scene_part_reset gjk2_scene_part_reset
 #define gjk_scene_part_settle gjk2_scene_part_settle

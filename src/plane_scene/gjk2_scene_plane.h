@@ -25,8 +25,8 @@
 // How many contacts a report has at most.
 #define GJK2_SCENE_CONTACTS GJK2_CONTACTS_MAX
 
-// There are shapes that gjk2_scene_is_to_pose tells of.
-#define GJK2_SCENE_POSES_AGAIN true
+// There are shapes of which parts do not store all that posing sets: gjk2_scene_is_to_pose.
+#define GJK2_SCENE_POSES_AGAIN 1
 
 // How many coordinates a vector has.
 #define GJK2_SCENE_AXES 2

@@ -11,6 +11,10 @@
 // 12 % more instructions, because more boxes are left; with 12 there are 17 % more pairs in a crowd.
 #define AHEAD 8
 
+void gjk_scene_part_load(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out) {
+  gjk_scene_load(part, v->scene->shapes[part->shape], out);
+}
+
 static gjk_status pose_at(gjk_collider *c, const gjk_pose *body, const gjk_pose *own_pose) {
   gjk_pose pose;
   if (own_pose == NULL) {
@@ -23,11 +27,7 @@ static gjk_status pose_at(gjk_collider *c, const gjk_pose *body, const gjk_pose 
 gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,
                              gjk_collider *out) {
   const uint32_t own_pose = part->own_pose;
-  if (GJK_SCENE_POSES_AGAIN) {
-    gjk_scene_load(part, v->scene->shapes[part->shape], out);
-  } else {
-    gjk_scene_part_collider(v, part, out);  // the same, which saves a second copy
-  }
+  gjk_scene_part_load(v, part, out);
   //@ assert own_pose == GJK_SCENE_NONE || own_pose < v->header->config.own_poses;
   return pose_at(out, body, own_pose == GJK_SCENE_NONE ? NULL : &v->own_poses[own_pose].pose);
 }
@@ -41,14 +41,15 @@ static void pose_part(const gjk_scene_view *v, const gjk_scene_part *part, gjk_c
   //@ assert out->state == GJK_STATE_POSED;
 }
 
+#if GJK_SCENE_POSES_AGAIN
 void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out) {
-  const gjk_shape *shape = v->scene->shapes[part->shape];
-  if (GJK_SCENE_POSES_AGAIN && gjk_scene_is_to_pose(shape)) {
+  if (gjk_scene_is_to_pose(v->scene->shapes[part->shape])) {
     pose_part(v, part, out);
   } else {
-    gjk_scene_load(part, shape, out);
+    gjk_scene_part_load(v, part, out);
   }
 }
+#endif
 
 void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out, gjk_aabb *box) {
   if ((part->state & GJK_SCENE_UNPOSED) == 0) {

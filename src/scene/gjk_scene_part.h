@@ -4,8 +4,15 @@
 
 #include "gjk_scene_block.h"
 
-// Writes the part as a posed collider with lazy hulls, for queries alone. Pre: it is posed.
+// Writes what is stored of a part as a posed collider with lazy hulls, to be posed.
+void gjk_scene_part_load(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out);
+
+// The same for queries alone. Pre: it is posed.
+#if GJK_SCENE_POSES_AGAIN
 void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out);
+#else
+#define gjk_scene_part_collider gjk_scene_part_load
+#endif
 
 // Writes the part's collider at another pose of its body. Statuses as gjk_collider_pose.
 gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,

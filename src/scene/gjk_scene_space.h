@@ -24,9 +24,8 @@
 // How many contacts a report has at most.
 #define GJK_SCENE_CONTACTS 4
 
-// Are there shapes that gjk_scene_is_to_pose tells of? In space parts store all that posing sets.
-#define GJK_SCENE_POSES_AGAIN false
-#define gjk_scene_is_to_pose(shape) false
+// Are there shapes of which parts do not store all that posing sets? Not in space.
+#define GJK_SCENE_POSES_AGAIN 0
 
 // How many coordinates a vector has.
 #define GJK_SCENE_AXES 3
