@@ -264,6 +264,7 @@ $(OUT)/bench.elf $(OUT)/plane_bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_S
 $(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/scene_bench.elf: tests/support/scene/traffic.c
 $(OUT)/scene_golden.elf: tests/support/scene/match.c
+$(OUT)/plane_scene_golden.elf: tests/support/scene/plane_match.c
 $(OUT)/port.elf: tests/check/target/port_allocation.c port/generic/gjk_arena.c
 
 $(OUT)/demo.elf: build/demo_scene.c tests/programs/demo/firmware.c tests/programs/demo/demo_firmware.c $(OUT)/demo.elf.flags $(FIRMWARE_NEEDS)

@@ -21,39 +21,15 @@
 #ifndef GJK_SCENE_H
 #define GJK_SCENE_H
 
+#include "gjk/body.h"
 #include "gjk/contacts.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-// Ceilings on capacities.
-#define GJK_SCENE_BODIES_MAX UINT32_C(1048576)
-#define GJK_SCENE_PAIRS_MAX UINT32_C(4194304)
-
 // The version of a block's format. gjk_scene_open and gjk_scene_attach refuse a block of another version.
 #define GJK_SCENE_BLOCK_VERSION UINT32_C(3)
-
-// Names a body. A zeroed id names none. The id of a removed body never names another one: generation differs, and a
-// slot that was taken 2^31 times is not taken again.
-typedef struct gjk_body_id {
-  uint32_t slot;        // the body's place in the scene, below config.bodies
-  uint32_t generation;  // counts how often the slot was taken and freed; odd while a body is in it
-} gjk_body_id;
-
-typedef enum gjk_body_kind {
-  GJK_BODY_STATIC = 0,  // scenery: never tested against other statics
-  GJK_BODY_KINEMATIC,   // moved by its own plan
-  GJK_BODY_DYNAMIC      // may fall asleep
-} gjk_body_kind;
-
-// What is wanted of a pair. DEPTH and CONTACTS need gjk_scene_bindings.details.
-typedef enum gjk_detail {
-  GJK_DETAIL_TOUCH = 0,  // near or not
-  GJK_DETAIL_DISTANCE,   // and the distance
-  GJK_DETAIL_DEPTH,      // and the depth
-  GJK_DETAIL_CONTACTS    // and the manifold
-} gjk_detail;
 
 // One shape of a body.
 typedef struct gjk_part {
@@ -92,11 +68,6 @@ typedef struct gjk_scene_config {
   uint8_t reserved;    // 0
   uint32_t workspace_cells;  // how many cells of bindings.workspace depths and contacts use, see above; 0: none
 } gjk_scene_config;
-
-// Should this pair be tested? Called at most once per test, perhaps from several threads. The answer may depend on the
-// arguments, and on what does not change during an update. An update asks only about pairs whose last answer their
-// motion may have changed. After any other change of mind call gjk_scene_refilter.
-typedef bool gjk_scene_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b);
 
 // The code behind depths and contacts, one constant each: a program links only what it mentions.
 typedef struct gjk_scene_details gjk_scene_details;
@@ -191,12 +162,6 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
 
 // Updates.
 
-typedef enum gjk_event {
-  GJK_EVENT_BEGIN = 1,  // near at this update, not at the last one
-  GJK_EVENT_PERSIST,    // near at both; reported only with config.persist
-  GJK_EVENT_END         // near at the last update, not at this one, or a body was removed, whose id is stale
-} gjk_event;
-
 // One pair of parts. a has the lower slot.
 //
 // distance  of BEGIN and PERSIST, by detail. DISTANCE: as gjk_distance; DEPTH: as gjk_signed_distance, negative for a
@@ -211,13 +176,6 @@ typedef struct gjk_report {
   gjk_q16 distance;
   const gjk_manifold *manifold;
 } gjk_report;
-
-// How far an update has come. Both numbers left are 0: it is done.
-typedef struct gjk_progress {
-  uint32_t reports;       // written by this call
-  uint32_t pairs_left;    // not yet tested
-  uint32_t reports_left;  // not yet written
-} gjk_progress;
 
 // Finds which pairs are near. Reports are in the order of (slot, generation, part) of a, then of b.
 //
@@ -260,35 +218,9 @@ gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_rep
 // config.workspace_cells.
 gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out);
 
-// What the last update that tested all its pairs did. Each of its pairs is counted once: in resting, or in one of
-// filtered to cold. These numbers tell of work, not of answers: they depend on skips, caches, and the way that bodies
-// took.
-typedef struct gjk_scene_stats {
-  uint32_t bodies, parts;  // currently in the scene
-  uint32_t pairs;          // tested or resting
-  uint32_t refused;        // boxes that came to meet and were not made a pair: both static, or category and mask
-  uint32_t resting;        // neither body moved - asleep, static or still: the last answer stands
-  uint32_t filtered;       // refused by the predicate, or by a changed category or mask
-  uint32_t motion;         // the motion since the last test is too small to change its answer
-  uint32_t boxes;          // exact boxes or, of a pair without curved shapes, bounding spheres are apart, or spheres
-                           // inside of it near
-  uint32_t direction;      // the last separating direction still separates: one support scan
-  uint32_t warm, cold;     // queries, started from the cache or not
-  uint32_t begun, persisting, ended;
-  uint32_t unsettled;  // queries that reached a ceiling, see gjk_scene_update
-  uint32_t updates;    // completed so far, modulo 2^32
-} gjk_scene_stats;
-
 gjk_status gjk_scene_get_stats(const gjk_scene *scene, gjk_scene_stats *out);
 
 // Queries. They see the current poses, also between updates.
-
-// A part that a query found.
-typedef struct gjk_scene_hit {
-  gjk_body_id body;
-  uint16_t part;
-  uint32_t fraction;  // of a ray's way, in 2^-30, where it enters the part's box, rounded down; of other queries 0
-} gjk_scene_hit;
 
 // Finds the parts whose exact boxes share a point with box, in the order of (slot, part).
 //

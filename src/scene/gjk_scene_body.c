@@ -1,6 +1,5 @@
 // Bodies: added, removed, moved, changed. Each call checks everything first and then changes the scene, so a call that
 // fails changes nothing.
-#include "../arith/gjk_rotation.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
@@ -10,7 +9,7 @@ static void put_in_moved_list(gjk_scene_view *v, uint32_t slot) {
   gjk_scene_body *body = &v->bodies[slot];
   if ((body->flags & GJK_SCENE_MOVED) == 0) {
     body->flags |= GJK_SCENE_MOVED;
-    body->next_moved = v->header->moved;
+    body->next_moved = GJK_SCENE_INDEX(v->header->moved);
     v->header->moved = slot;
   }
 }
@@ -55,7 +54,7 @@ static void add_part(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, con
   gjk_collider c;
   (void)build_part(v, pose, part, &c);  // cannot fail: check_setup built it
   p->next = body->first;
-  body->first = index;
+  body->first = GJK_SCENE_INDEX(index);
   p->body = slot;
   p->pairs = GJK_SCENE_NONE;
   p->own_pose = GJK_SCENE_NONE;
@@ -63,7 +62,7 @@ static void add_part(gjk_scene_view *v, uint32_t slot, const gjk_pose *pose, con
     const uint32_t at = gjk_scene_pool_take(v, &h->own_poses, sizeof(gjk_scene_own_pose));
     v->own_poses[at].next = index;
     v->own_poses[at].pose = part->pose;
-    p->own_pose = at;
+    p->own_pose = GJK_SCENE_INDEX(at);
   }
   p->shape = part->shape;
   p->number = number;
@@ -100,7 +99,7 @@ static gjk_status add_to_slot(gjk_scene_view *v, uint32_t slot, const gjk_body_s
   body->user = s->user;
   body->margin = s->margin;
   body->first = GJK_SCENE_NONE;
-  body->parts = s->part_count;
+  gjk_scene_set_part_count(body, s->part_count);
   body->kind_detail = (uint8_t)(s->kind | s->detail << 4);
   h->most_detail = s->detail > h->most_detail ? s->detail : h->most_detail;
   body->flags &= GJK_SCENE_MOVED;                 // the slot stays in the list of moved bodies
@@ -194,9 +193,7 @@ static void reinsert_part(gjk_scene_view *v, uint32_t index) {
 static bool is_small_step(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_pose *pose, bool turns,
                           gjk_vec3 *way) {
   const gjk_vec3 *from = &body->position, *to = &pose->position;
-  way->x = gjk_int32((uint32_t)to->x - (uint32_t)from->x);
-  way->y = gjk_int32((uint32_t)to->y - (uint32_t)from->y);
-  way->z = gjk_int32((uint32_t)to->z - (uint32_t)from->z);
+  gjk_scene_way(from, to, way);
   bool small = gjk_scene_is_below(to, 30) && gjk_scene_is_below(way, 28);
   for (uint32_t i = body->first; i != GJK_SCENE_NONE && small; i = v->parts[i].next) {
     small = gjk_scene_part_carries(v, &v->parts[i], turns);
@@ -221,8 +218,7 @@ GJK_OUT_OF_LINE static gjk_status check_leap(const gjk_scene_view *v, const gjk_
 // Moves a body to another pose. turns: it has another rotation. ahead: its parts' boxes may expect the motion to go on.
 static gjk_status take_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_pose *pose, bool turns, bool ahead) {
   gjk_scene_step step;
-  int64_t deviation;
-  if (turns && !gjk_quat_deviation(&pose->rotation, &deviation)) {
+  if (turns && !gjk_scene_is_rotation(&pose->rotation)) {
     return GJK_ERROR_ROTATION;
   }
   step.ahead = ahead;
@@ -232,7 +228,7 @@ static gjk_status take_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_p
     if (status != GJK_OK) {
       return status;
     }
-    step.way.x = step.way.y = step.way.z = 0;
+    gjk_scene_set_zero(&step.way);
   }
   gjk_scene_step_between(body, pose, turns, &step);
   body->position = pose->position;
@@ -245,7 +241,7 @@ static gjk_status take_body(gjk_scene_view *v, gjk_scene_body *body, const gjk_p
   return GJK_OK;
 }
 
-static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, bool ahead) {
+static gjk_status move_body(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, bool ahead) {
   gjk_scene_view v;
   gjk_scene_body *body;
   gjk_status status = pose == NULL ? GJK_ERROR_NULL : edit_body(scene, id, &v, &body);
@@ -265,11 +261,11 @@ static gjk_status move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose, b
 }
 
 gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose) {
-  return move(scene, id, pose, true);
+  return move_body(scene, id, pose, true);
 }
 
 gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose) {
-  return move(scene, id, pose, false);
+  return move_body(scene, id, pose, false);
 }
 
 gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id id) {
@@ -393,7 +389,7 @@ gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id id, gjk_body_state 
   out->mask = body->mask;
   out->user = body->user;
   out->margin = body->margin;
-  out->part_count = body->parts;
+  out->part_count = (uint16_t)gjk_scene_part_count(body, v.parts);
   out->kind = body->kind_detail & 15u;
   out->detail = body->kind_detail >> 4;
   out->asleep = (body->flags & GJK_SCENE_ASLEEP) != 0;

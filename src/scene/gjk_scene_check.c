@@ -2,8 +2,6 @@
 //
 // Each pass ends whatever the block holds: it visits each record once, or follows a list no longer than there are
 // records. A pass reads a record through an index only after it or an earlier pass has checked that index.
-#include "../shape/gjk_shape_class.h"
-#include "gjk/pose.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
@@ -44,13 +42,12 @@ static bool check_free(const gjk_scene_view *v, const gjk_scene_pool *pool, uint
 
 static bool check_own_pose(const gjk_scene_view *v, uint32_t index, uint32_t *own_poses) {
   const uint32_t at = v->parts[index].own_pose;
-  gjk_quat opposite;
   if (at == GJK_SCENE_NONE) {
     return true;
   }
   (*own_poses)++;
   return at < v->header->own_poses.fresh && v->own_poses[at].next == index &&
-         gjk_quat_invert(&v->own_poses[at].pose.rotation, &opposite) == GJK_OK;
+         gjk_scene_is_rotation(&v->own_poses[at].pose.rotation);
 }
 
 static bool same_box(const gjk_aabb *a, const gjk_aabb *b) {
@@ -59,23 +56,14 @@ static bool same_box(const gjk_aabb *a, const gjk_aabb *b) {
 
 // Does a part hold exactly what posing its shape gave? Posing repeats bit for bit.
 static bool check_posed(const gjk_scene_part *p, const gjk_collider *c, const gjk_aabb *box) {
-  return gjk_scene_same_vec3(&p->centre, &c->centre) && gjk_scene_same_vec3(&p->frame[0], &c->frame[0]) &&
-         gjk_scene_same_vec3(&p->frame[1], &c->frame[1]) && gjk_scene_same_vec3(&p->frame[2], &c->frame[2]) &&
-         p->fraction[0] == c->fraction[0] && p->fraction[1] == c->fraction[1] && p->fraction[2] == c->fraction[2] &&
-         same_box(&p->exact, box);
+  return gjk_scene_holds(p, c) && same_box(&p->exact, box);
 }
 
 // Is a part that is not posed one that nothing takes for posed? An update poses parts with pairs before it tests any,
 // but only those of bodies that moved. What posing leaves as it is must be 0, and exact must hold the part.
 static bool check_unposed(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_scene_part *p,
-                          const gjk_shape_class *type, const gjk_aabb *box) {
-  static const gjk_vec3 origin = {0, 0, 0};
-  for (unsigned i = type->count; i < 3 && type->kind == GJK_KIND_AXES; i++) {
-    if (!gjk_scene_same_vec3(&p->frame[i], &origin)) {
-      return false;
-    }
-  }
-  return gjk_aabb_inside(box, &p->exact) &&
+                          const gjk_collider *c, const gjk_aabb *box) {
+  return gjk_scene_holds_unposed(p, c) && gjk_aabb_inside(box, &p->exact) &&
          (p->pairs == GJK_SCENE_NONE || (v->header->phase == GJK_SCENE_IDLE && (body->flags & GJK_SCENE_MOVED) != 0));
 }
 
@@ -93,9 +81,8 @@ static bool check_pose(const gjk_scene_view *v, const gjk_scene_body *body, cons
     return false;
   }
   (void)gjk_collider_aabb(&c, &box);  // posed, so it cannot fail
-  return gjk_scene_same_vec3(&p->local_centre, &c.local_centre) && p->core_radius == c.core_radius &&
-         ((p->state & GJK_SCENE_UNPOSED) != 0 ? check_unposed(v, body, p, c.shape->type, &box)
-                                              : check_posed(p, &c, &box));
+  return gjk_scene_holds_shape(p, &c) &&
+         ((p->state & GJK_SCENE_UNPOSED) != 0 ? check_unposed(v, body, p, &c, &box) : check_posed(p, &c, &box));
 }
 
 // Does a body have as many parts as it says, numbered in order? Adds up its parts and their own poses.
@@ -113,14 +100,13 @@ static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts,
     number++;
   }
   *parts += number;
-  return number == v->bodies[slot].parts && number > 0;
+  return number == gjk_scene_part_count(&v->bodies[slot], v->parts) && number > 0;
 }
 
 static bool check_body(const gjk_scene_view *v, uint32_t slot) {
   const gjk_scene_body *body = &v->bodies[slot];
-  gjk_quat opposite;
   return (body->kind_detail & 15u) <= GJK_BODY_DYNAMIC && (uint32_t)body->kind_detail >> 4 <= v->header->most_detail &&
-         body->margin >= 0 && body->margin <= GJK_RADIUS_MAX && gjk_quat_invert(&body->rotation, &opposite) == GJK_OK;
+         body->margin >= 0 && body->margin <= GJK_RADIUS_MAX && gjk_scene_is_rotation(&body->rotation);
 }
 
 static bool check_bodies(const gjk_scene_view *v) {
@@ -222,16 +208,16 @@ static bool check_tree(const gjk_scene_view *v) {
 // Do both neighbours of a link in its list point back to it? Pre: part is the live part of that side.
 static bool check_link(const gjk_scene_view *v, uint32_t link, uint32_t part) {
   const gjk_scene_pair *pair = &v->pairs[link / 2];
-  const uint32_t next = pair->ends.linked.next[link % 2], previous = pair->ends.linked.previous[link % 2];
+  const uint32_t next = gjk_scene_next(pair, link % 2), previous = gjk_scene_previous(pair, link % 2);
   const uint32_t after = next / 2, before = previous / 2;
   if (previous == GJK_SCENE_NONE ? v->parts[part].pairs != link
                                  : !live_pair(v, before) || is_gone(&v->pairs[before]) ||
-                                       v->pairs[before].ends.linked.next[previous % 2] != link ||
-                                       v->pairs[before].ends.linked.part[previous % 2] != part) {
+                                       gjk_scene_next(&v->pairs[before], previous % 2) != link ||
+                                       gjk_scene_end(&v->pairs[before], previous % 2) != part) {
     return false;
   }
   return next == GJK_SCENE_NONE ||
-         (live_pair(v, after) && !is_gone(&v->pairs[after]) && v->pairs[after].ends.linked.previous[next % 2] == link);
+         (live_pair(v, after) && !is_gone(&v->pairs[after]) && gjk_scene_previous(&v->pairs[after], next % 2) == link);
 }
 
 // May gap be negative? It may be minus the depth of a near pair: near in this update, if it was tested, or in the last
@@ -244,7 +230,7 @@ static bool may_be_deep(const gjk_scene_view *v, const gjk_scene_pair *pair, uin
 
 static bool check_pair(const gjk_scene_view *v, uint32_t index) {
   const gjk_scene_pair *pair = &v->pairs[index];
-  const uint32_t a = pair->ends.linked.part[0], b = pair->ends.linked.part[1];
+  const uint32_t a = gjk_scene_end(pair, 0), b = gjk_scene_end(pair, 1);
   const unsigned outcome = pair->outcome & (GJK_SCENE_UNSETTLED - 1u);
   if (pair->state >> GJK_SCENE_PAIR_CACHED > 4 || outcome >= GJK_SCENE_OUTCOMES ||
       (outcome == GJK_SCENE_PENDING && pair->outcome != GJK_SCENE_PENDING)) {
@@ -282,13 +268,13 @@ static bool check_pairs(const gjk_scene_view *v) {
     uint32_t link = live_part(v, i) ? v->parts[i].pairs : GJK_SCENE_NONE;
     while (link != GJK_SCENE_NONE) {
       const uint32_t index = link / 2;
-      if (!live_pair(v, index) || v->pairs[index].ends.linked.part[link % 2] != i || linked++ == 2 * pairs) {
+      if (!live_pair(v, index) || gjk_scene_end(&v->pairs[index], link % 2) != i || linked++ == 2 * pairs) {
         return false;
       }
-      link = v->pairs[index].ends.linked.next[link % 2];
+      link = gjk_scene_next(&v->pairs[index], link % 2);
     }
   }
-  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].ends.gone.next) {
+  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = gjk_scene_gone_next(&v->pairs[i])) {
     if (!live_pair(v, i) || !is_gone(&v->pairs[i]) || listed++ == missing) {
       return false;
     }

@@ -9,8 +9,7 @@ static bool is_awake(const gjk_scene_view *v, uint32_t part) {
 
 // Is a pair that stays near to be reported?
 static bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  const gjk_scene_linked_pair *linked = &pair->ends.linked;
-  return v->header->config.persist != 0 && (is_awake(v, linked->part[0]) || is_awake(v, linked->part[1]));
+  return v->header->config.persist != 0 && (is_awake(v, gjk_scene_end(pair, 0)) || is_awake(v, gjk_scene_end(pair, 1)));
 }
 
 // The counter of an outcome: gjk_scene_stats has them in the order of outcomes.
@@ -25,7 +24,7 @@ static void start_stats(gjk_scene_view *v) {
   gjk_scene_stats *s = &h->stats;
   s->refused = h->refused;
   s->pairs = h->pairs.count;
-  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].ends.gone.next) {
+  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = gjk_scene_gone_next(&v->pairs[i])) {
     //@ assert i < h->pairs.fresh;
     s->pairs--;
   }
@@ -88,7 +87,7 @@ static void keep_resting(gjk_scene_view *v, uint32_t *kept) {
 // Step 6, pairs that are gone: all of them were near.
 static void keep_gone(gjk_scene_view *v, uint32_t *kept) {
   gjk_scene_header *h = v->header;
-  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = v->pairs[i].ends.gone.next) {
+  for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = gjk_scene_gone_next(&v->pairs[i])) {
     //@ assert i < h->pairs.fresh;
     keep_event(v, i, GJK_EVENT_END, kept);
   }
@@ -110,7 +109,8 @@ static void forget_motion(gjk_scene_view *v) {
 
 // The slot of a pair's first body.
 static uint32_t first_slot(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? pair->ends.gone.slot[0] : v->parts[pair->ends.linked.part[0]].body;
+  return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? gjk_scene_gone_side(pair, 0).slot
+                                                  : v->parts[gjk_scene_end(pair, 0)].body;
 }
 
 // The queue while it is sorted. The lower bits of an entry are its pair's index. The upper ones are those of the slot of

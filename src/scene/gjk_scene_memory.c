@@ -2,16 +2,10 @@
 #include "../arith/gjk_memory.h"
 #include "gjk_scene_block.h"
 
-#define MAGIC UINT32_C(0x736B6A67)  // "gjks" in a little-endian block
 #define ORDER UINT32_C(0x01020304)  // another byte order reads another number
 
-// Every build must lay the records out alike: a block may come from another one.
-typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_part) == 144 &&
-                                     sizeof(gjk_scene_node) == 40 && sizeof(gjk_scene_own_pose) == 32 &&
-                                     sizeof(gjk_scene_pair) == 44 && sizeof(gjk_scene_config) == 28 &&
-                                     sizeof(gjk_scene_header) == 276
-                                 ? 1
-                                 : -1];
+// Every build must lay the header out alike: a block may come from another one.
+typedef char gjk_scene_header_is_fixed[sizeof(gjk_scene_header) == GJK_SCENE_HEADER_BYTES ? 1 : -1];
 
 static gjk_status check_config(const gjk_scene_config *c) {
   if (c->bodies < 1 || c->bodies > GJK_SCENE_BODIES_MAX || c->parts < 1 || c->parts > GJK_SCENE_BODIES_MAX ||
@@ -73,11 +67,7 @@ static void set_handle(gjk_scene *scene, void *block, const gjk_shape *const *sh
   scene->block = block;
   scene->shapes = shapes;
   scene->shape_count = shape_count;
-  scene->bindings.predicate = bindings != NULL ? bindings->predicate : NULL;
-  scene->bindings.user = bindings != NULL ? bindings->user : NULL;
-  scene->bindings.details = bindings != NULL ? bindings->details : NULL;
-  scene->bindings.workspace = bindings != NULL ? bindings->workspace : NULL;
-  scene->bindings.manifolds = bindings != NULL ? bindings->manifolds : NULL;
+  gjk_scene_set_bindings(scene, bindings);
 }
 
 gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,
@@ -96,8 +86,8 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   }
   gjk_zero(block, needed);
   gjk_scene_header *h = (gjk_scene_header *)block;
-  h->magic = MAGIC;
-  h->version = GJK_SCENE_BLOCK_VERSION;
+  h->magic = GJK_SCENE_MAGIC;
+  h->version = GJK_SCENE_VERSION;
   h->order = ORDER;
   h->iterations = GJK_ITERATIONS_MAX;
   h->config = *config;
@@ -124,7 +114,7 @@ gjk_status gjk_scene_check_header(const void *block, size_t bytes) {
   if (bytes < sizeof *h) {
     return GJK_ERROR_CAPACITY;
   }
-  if (h->magic != MAGIC || h->version != GJK_SCENE_BLOCK_VERSION || h->order != ORDER ||
+  if (h->magic != GJK_SCENE_MAGIC || h->version != GJK_SCENE_VERSION || h->order != ORDER ||
       h->iterations != GJK_ITERATIONS_MAX || check_config(&h->config) != GJK_OK) {
     return GJK_ERROR_CORRUPT;
   }
@@ -156,7 +146,7 @@ gjk_status gjk_scene_view_of(const gjk_scene *scene, gjk_scene_view *out) {
     return GJK_ERROR_NULL;
   }
   gjk_scene_header *h = (gjk_scene_header *)scene->block;
-  if (h->magic != MAGIC || h->version != GJK_SCENE_BLOCK_VERSION || h->order != ORDER) {
+  if (h->magic != GJK_SCENE_MAGIC || h->version != GJK_SCENE_VERSION || h->order != ORDER) {
     return GJK_ERROR_CORRUPT;
   }
   out->scene = scene;
@@ -181,14 +171,6 @@ gjk_status gjk_scene_edit(gjk_scene *scene, gjk_scene_view *out) {
   }
   out->header->sealed = 0;
   return GJK_OK;
-}
-
-bool gjk_scene_workspace(const gjk_scene *scene, gjk_workspace *out) {
-  const gjk_scene_header *h = (const gjk_scene_header *)scene->block;
-  const gjk_workspace *given = scene->bindings.workspace;
-  out->count = h->config.workspace_cells;
-  out->cells = given != NULL ? given->cells : NULL;
-  return out->count == 0 || (out->cells != NULL && given->count >= out->count);
 }
 
 uint32_t gjk_scene_pool_take(gjk_scene_view *v, gjk_scene_pool *pool, uint32_t size) {

@@ -20,25 +20,12 @@
 //
 // With retest_all, pairs without curves take steps 2 and 6 alone, cold.
 #include "../arith/gjk_root.h"
-#include "../arith/gjk_unit.h"
-#include "../shape/gjk_shape_class.h"
-#include "gjk/distance.h"
-#include "gjk/intersect.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 
-// A distance along a unit vector errs by less than this:
-//
-// the vector   sqrt(3) 2^-30 of at most sqrt(3) 2^30 LSB: 3
-// the floor    1
-#define PLANE_SLACK 4
-
-// A distance along a feature's rounded direction errs by less than this:
-//
-// the direction   it is exact, or its components err by less than 1, the largest of at least 2^29. So the unit vectors
-//                 differ by less than 2 sqrt(3) 2^-29, of at most 3 2^29 LSB: 10.4
-// the rest        PLANE_SLACK
-#define NEAR_SLACK 16
+#ifndef GJK_SCENE_OF_PLANE
+#include "gjk_scene_measure.h"
+#endif
 
 typedef struct pair_question {
   const gjk_scene_view *v;
@@ -93,57 +80,18 @@ static bool settle_apart(gjk_scene_pair *pair, int32_t gap, gjk_scene_outcome ou
   return gap > 0;
 }
 
-// The length of v along d, rounded down: less than PLANE_SLACK off for |v| <= 2^30 + 2^4 per axis.
-static int64_t along_unit(const gjk_vec3 *d, const gjk_vec3 *v) {
-  const gjk_unit3 u = gjk_unit(d);
-  return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(u.x, v->x), u.y, v->y), u.z, v->z), 30);
-}
-
-// Writes the vector from the centre of A to that of B. False: they are 2^29 or more apart along an axis.
-static bool between_centres(const gjk_collider *a, const gjk_collider *b, gjk_vec3 *out) {
-  const int64_t x = (int64_t)b->centre.x - a->centre.x, y = (int64_t)b->centre.y - a->centre.y;
-  const int64_t z = (int64_t)b->centre.z - a->centre.z;
-  if ((gjk_magnitude64(x) | gjk_magnitude64(y) | gjk_magnitude64(z)) >> 29 != 0) {
-    return false;
-  }
-  //@ assert x > -(1L << 29) && x < 1L << 29;
-  //@ assert y > -(1L << 29) && y < 1L << 29;
-  //@ assert z > -(1L << 29) && z < 1L << 29;
-  out->x = (int32_t)x;
-  out->y = (int32_t)y;
-  out->z = (int32_t)z;
-  return true;
-}
-
-// The length along d from a point of A to one of B, which are given as offsets from their centres.
-//
-// |centres| < 2^29, |on_a| < 2^28 + 2^3, |on_b| < 2^28 + 2^3 per axis:  |apart| < 2^30 + 2^4
-static int64_t along(const gjk_vec3 *d, const gjk_vec3 *centres, const gjk_vec3 *on_a, const gjk_vec3 *on_b) {
-  const gjk_vec3 apart = {centres->x + on_b->x - on_a->x, centres->y + on_b->y - on_a->y,
-                          centres->z + on_b->z - on_a->z};
-  return along_unit(d, &apart);
-}
-
 // A lower bound of the distance: how far the support planes of A and B across direction, from A to B, are apart; or 0.
-static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const int16_t direction[3]) {
-  const gjk_vec3 d = {direction[0], direction[1], direction[2]}, opposite = gjk_negate(d);
+static int64_t plane_bound(const gjk_collider *a, const gjk_collider *b, const int16_t *direction) {
+  const gjk_vec3 d = gjk_scene_direction(direction), opposite = gjk_negate(d);
   gjk_vec3 centres;
-  if ((d.x | d.y | d.z) == 0 || !between_centres(a, b, &centres)) {
+  if (gjk_scene_is_zero(&d) || !gjk_scene_between_centres(a, b, &centres)) {
     return 0;
   }
   gjk_support far_a, far_b;
   a->shape->type->support(a, &d, &far_a);
   b->shape->type->support(b, &opposite, &far_b);
-  return along(&d, &centres, &far_a.offset, &far_b.offset) - PLANE_SLACK - a->shape->convex_radius -
+  return gjk_scene_along(&d, &centres, &far_a.offset, &far_b.offset) - GJK_SCENE_PLANE_SLACK - a->shape->convex_radius -
          b->shape->convex_radius;
-}
-
-// The square of the distance of the centres. Pre: below 2^31 along each axis.
-static uint64_t centres_squared(const pair_question *q) {
-  const uint32_t x = gjk_scene_difference(q->a->centre.x, q->b->centre.x);
-  const uint32_t y = gjk_scene_difference(q->a->centre.y, q->b->centre.y);
-  const uint32_t z = gjk_scene_difference(q->a->centre.z, q->b->centre.z);
-  return gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z);
 }
 
 // A lower bound of the distance from the bounding spheres, where it exceeds the margins; otherwise 0.
@@ -155,24 +103,8 @@ static int64_t sphere_bound(const pair_question *q) {
   const int32_t radii =
       q->a->core_radius + q->b->core_radius + shape_of(q, q->a)->convex_radius + shape_of(q, q->b)->convex_radius;
   const uint32_t reach = (uint32_t)radii + (uint32_t)q->margin;
-  const uint64_t squared = centres_squared(q);
+  const uint64_t squared = gjk_scene_centres_squared(q->a, q->b);
   return squared > gjk_umul32(reach, reach) ? (int64_t)gjk_isqrt64(squared) - radii : 0;
-}
-
-// The radius of a sphere about the centre that a part holds whole, at any rotation; -2^30: none is known, because the
-// centre of a hull's box may be outside of the hull.
-//
-// A posed half axis of a box is off by less than 5/4 LSB, so a support plane comes nearer by less than 15/4.
-static int32_t inner_radius(const gjk_shape *shape) {
-  const gjk_vec3 *size = &shape->size;
-  if (shape->type->kind != GJK_KIND_AXES) {
-    return -(INT32_C(1) << 30);
-  }
-  if (shape->type->count < 3) {
-    return shape->convex_radius;
-  }
-  const int32_t least = size->x < size->y ? size->x : size->y;
-  return (least < size->z ? least : size->z) - 4 + shape->convex_radius;
 }
 
 // By how much the spheres inside prove a pair nearer than its margins, for gap; 0: they do not, or a distance is asked
@@ -180,41 +112,14 @@ static int32_t inner_radius(const gjk_shape *shape) {
 //
 // Pre  as sphere_bound: -2^31 <= reach < 2^30; the root is less than reach.
 static int32_t inner_bound(const pair_question *q) {
-  const int32_t reach = inner_radius(shape_of(q, q->a)) + inner_radius(shape_of(q, q->b)) + q->margin;
+  const int32_t reach =
+      gjk_scene_inner_radius(shape_of(q, q->a)) + gjk_scene_inner_radius(shape_of(q, q->b)) + q->margin;
   if (reach <= 0 || gjk_scene_wants_distance(detail(q))) {
     return 0;
   }
-  const uint64_t squared = centres_squared(q);
+  const uint64_t squared = gjk_scene_centres_squared(q->a, q->b);
   const uint32_t whole = (uint32_t)reach;
   return squared < gjk_umul32(whole, whole) ? reach - (int32_t)gjk_isqrt64(squared) - 1 : 0;
-}
-
-// A pair keeps vertices whose numbers fit a byte. A query finds others anew.
-static void load_cache(const gjk_scene_pair *pair, gjk_cache *cache) {
-  cache->count = (uint16_t)(pair->state >> GJK_SCENE_PAIR_CACHED);
-  for (int i = 0; i < 3; i++) {
-    cache->direction[i] = pair->hint.direction[i];
-  }
-  for (int i = 0; i < 4; i++) {
-    cache->a[i] = pair->a[i];
-    cache->b[i] = pair->b[i];
-  }
-}
-
-static void store_cache(const gjk_cache *cache, gjk_scene_pair *pair) {
-  unsigned count = 0;
-  for (unsigned i = 0; i < cache->count && i < 4; i++) {  // not reached: 4: what a query keeps has no more
-    if (cache->a[i] < 256 && cache->b[i] < 256) {
-      pair->a[count] = (uint8_t)cache->a[i];
-      pair->b[count] = (uint8_t)cache->b[i];
-      count++;
-    }
-  }
-  for (int i = 0; i < 3; i++) {
-    pair->hint.direction[i] = cache->direction[i];
-  }
-  const unsigned flags = pair->state & ((1u << GJK_SCENE_PAIR_CACHED) - 1);
-  pair->state = (uint8_t)(flags | count << GJK_SCENE_PAIR_CACHED);
 }
 
 // The distance of a near pair, or minus its depth for GJK_DETAIL_DEPTH. Where a query reaches its ceiling or the
@@ -223,12 +128,10 @@ static int32_t measure_pair(const pair_question *q, const gjk_collider *a, const
                             gjk_scene_pair *pair) {
   const gjk_scene *scene = q->v->scene;
   gjk_distance_result result;
-  gjk_workspace workspace;
   gjk_status status;
   result.lower = 0;
   if (detail(q) == GJK_DETAIL_DEPTH) {
-    gjk_scene_workspace(scene, &workspace);
-    status = scene->bindings.details->signed_distance(a, b, cache, &workspace, &result);
+    status = gjk_scene_signed_distance(scene, a, b, cache, &result);
   } else {
     status = gjk_distance(a, b, cache, &result);
   }
@@ -246,17 +149,17 @@ static int32_t within_margins(const pair_question *q, const gjk_collider *a, con
                               const gjk_decision *decision) {
   const gjk_certificate *c = &decision->certificate;
   // margin < 2^29, convex_radius <= 2^28 each:  |within| < 2^31
-  const int64_t within = (int64_t)q->margin + a->shape->convex_radius + b->shape->convex_radius - NEAR_SLACK;
+  const int64_t within = (int64_t)q->margin + a->shape->convex_radius + b->shape->convex_radius - GJK_SCENE_NEAR_SLACK;
   gjk_vec3 centres, on_a, on_b;
   if (within <= 0 || c->proof == GJK_PROOF_ENCLOSING) {
     return within <= 0 ? 0 : gjk_saturate(within);
   }
-  if (c->proof != GJK_PROOF_NEAR || !between_centres(a, b, &centres)) {
+  if (c->proof != GJK_PROOF_NEAR || !gjk_scene_between_centres(a, b, &centres)) {
     return 0;
   }
   a->shape->type->vertex(a, c->a[0], &on_a);  // the query named these vertices, so they exist
   b->shape->type->vertex(b, c->b[0], &on_b);
-  const int64_t left = within - (int64_t)gjk_magnitude64(along(&c->direction, &centres, &on_a, &on_b));
+  const int64_t left = within - (int64_t)gjk_magnitude64(gjk_scene_along(&c->direction, &centres, &on_a, &on_b));
   return left > 0 ? gjk_saturate(left) : 0;
 }
 
@@ -279,6 +182,12 @@ static bool query_near(const pair_question *q, const gjk_collider *a, const gjk_
   return true;
 }
 
+// Step 5.
+static bool hint_settles(const pair_question *q, const gjk_collider *a, const gjk_collider *b, gjk_scene_pair *pair) {
+  int16_t room[GJK_SCENE_AXES];
+  return settle_apart(pair, beyond_margins(q, plane_bound(a, b, gjk_scene_hint(pair, room))), GJK_SCENE_DIRECTION);
+}
+
 // Steps 5 and 6; cold: step 6 alone, without the cache.
 static void query_pair(const pair_question *q, bool cold, gjk_scene_pair *pair) {
   gjk_collider a, b;
@@ -291,16 +200,13 @@ static void query_pair(const pair_question *q, bool cold, gjk_scene_pair *pair) 
     return;
   }
   // The last query of a near pair left no separating direction.
-  if ((pair->state & GJK_SCENE_PAIR_NEAR) == 0 &&
-      settle_apart(pair, beyond_margins(q, plane_bound(&a, &b, pair->hint.direction)), GJK_SCENE_DIRECTION)) {
+  if ((pair->state & GJK_SCENE_PAIR_NEAR) == 0 && hint_settles(q, &a, &b, pair)) {
     return;
   }
-  load_cache(pair, &cache);
-  pair->outcome = cache.count != 0 || (cache.direction[0] | cache.direction[1] | cache.direction[2]) != 0
-                      ? GJK_SCENE_WARM
-                      : GJK_SCENE_COLD;
+  gjk_scene_load_cache(pair, &cache);
+  pair->outcome = cache.count != 0 || !gjk_scene_is_zero_direction(cache.direction) ? GJK_SCENE_WARM : GJK_SCENE_COLD;
   const bool near = query_near(q, &a, &b, &cache, pair);
-  store_cache(&cache, pair);
+  gjk_scene_store_cache(&cache, near, pair);
   set_near(pair, near);
 }
 
@@ -351,7 +257,7 @@ void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair) {
   if (pair->outcome != GJK_SCENE_PENDING) {
     return;
   }
-  const gjk_scene_part *a = &v->parts[pair->ends.linked.part[0]], *b = &v->parts[pair->ends.linked.part[1]];
+  const gjk_scene_part *a = &v->parts[gjk_scene_end(pair, 0)], *b = &v->parts[gjk_scene_end(pair, 1)];
   if (v->header->config.retest_all == 0 && outlasts_motion(v, a, b, pair)) {
     pair->outcome = GJK_SCENE_MOTION;
   } else if (is_refused(v, a->body, b->body)) {

@@ -6,38 +6,39 @@
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
 
-static uint32_t *next_of(gjk_scene_view *v, uint32_t link) {
-  return &v->pairs[link / 2].ends.linked.next[link % 2];
+static uint32_t next_of(const gjk_scene_view *v, uint32_t link) {
+  return gjk_scene_next(&v->pairs[link / 2], link % 2);
 }
 
 // Puts one side of a pair at the front of its part's list.
 static void link_side(gjk_scene_view *v, uint32_t link) {
-  gjk_scene_linked_pair *pair = &v->pairs[link / 2].ends.linked;
-  const uint32_t at = pair->part[link % 2];
+  gjk_scene_pair *pair = &v->pairs[link / 2];
+  const uint32_t at = gjk_scene_end(pair, link % 2);
   //@ assert at < v->header->parts.capacity;
   gjk_scene_part *part = &v->parts[at];
   const uint32_t next = part->pairs;
-  pair->next[link % 2] = next;
-  pair->previous[link % 2] = GJK_SCENE_NONE;
+  gjk_scene_set_next(pair, link % 2, next);
+  gjk_scene_set_previous(pair, link % 2, GJK_SCENE_NONE);
   if (next != GJK_SCENE_NONE) {
-    v->pairs[next / 2].ends.linked.previous[next % 2] = link;
+    gjk_scene_set_previous(&v->pairs[next / 2], next % 2, link);
   }
-  part->pairs = link;
+  part->pairs = GJK_SCENE_INDEX(link);
 }
 
 static void unlink_side(gjk_scene_view *v, uint32_t link) {
-  const gjk_scene_linked_pair *pair = &v->pairs[link / 2].ends.linked;
-  const uint32_t next = pair->next[link % 2], previous = pair->previous[link % 2], part = pair->part[link % 2];
+  const gjk_scene_pair *pair = &v->pairs[link / 2];
+  const uint32_t next = gjk_scene_next(pair, link % 2), previous = gjk_scene_previous(pair, link % 2);
+  const uint32_t part = gjk_scene_end(pair, link % 2);
   //@ assert next == GJK_SCENE_NONE || next < 2 * v->header->pairs.capacity;
   //@ assert previous == GJK_SCENE_NONE || previous < 2 * v->header->pairs.capacity;
   //@ assert part < v->header->parts.capacity;
   if (previous == GJK_SCENE_NONE) {
-    v->parts[part].pairs = next;
+    v->parts[part].pairs = GJK_SCENE_INDEX(next);
   } else {
-    *next_of(v, previous) = next;
+    gjk_scene_set_next(&v->pairs[previous / 2], previous % 2, next);
   }
   if (next != GJK_SCENE_NONE) {
-    v->pairs[next / 2].ends.linked.previous[next % 2] = previous;
+    gjk_scene_set_previous(&v->pairs[next / 2], next % 2, previous);
   }
 }
 
@@ -47,7 +48,7 @@ static void unlink(gjk_scene_view *v, uint32_t index) {
 }
 
 bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  const uint32_t at_a = pair->ends.linked.part[0], at_b = pair->ends.linked.part[1];
+  const uint32_t at_a = gjk_scene_end(pair, 0), at_b = gjk_scene_end(pair, 1);
   //@ assert at_a < v->header->parts.capacity && at_b < v->header->parts.capacity;
   const gjk_scene_part *a = &v->parts[at_a], *b = &v->parts[at_b];
   return (pair->state & GJK_SCENE_PAIR_NEAR) != 0 ||
@@ -61,12 +62,10 @@ static void make_pair(gjk_scene_view *v, uint32_t a, uint32_t b) {
   const uint32_t index = gjk_scene_pool_take(v, &v->header->pairs, sizeof(gjk_scene_pair));
   gjk_scene_pair *pair = &v->pairs[index];
   const unsigned side = v->parts[a].body > v->parts[b].body ? 1 : 0;
-  pair->ends.linked.part[side] = a;
-  pair->ends.linked.part[1 - side] = b;
+  gjk_scene_set_end(pair, side, a);
+  gjk_scene_set_end(pair, 1 - side, b);
   pair->gap = 0;
-  pair->hint.direction[0] = 0;
-  pair->hint.direction[1] = 0;
-  pair->hint.direction[2] = 0;
+  gjk_scene_clear_hint(pair);
   pair->state = GJK_SCENE_PAIR_LIVE;
   pair->outcome = GJK_SCENE_PENDING;
   link_side(v, 2 * index);
@@ -79,21 +78,16 @@ void gjk_scene_pair_drop(gjk_scene_view *v, uint32_t index) {
   gjk_scene_pool_give(v, &v->header->pairs, sizeof(gjk_scene_pair), index);
 }
 
-// Makes a linked pair that is near one that is gone. Each part index is read before the slot that overwrites it is
-// written.
+// Makes a linked pair that is near one that is gone.
 static void make_gone(gjk_scene_view *v, uint32_t index) {
   gjk_scene_pair *pair = &v->pairs[index];
   unlink(v, index);
-  for (int i = 0; i < 2; i++) {
-    const uint32_t at = pair->ends.linked.part[i];
-    //@ assert at < v->header->parts.capacity;
-    const gjk_scene_part *part = &v->parts[at];
-    pair->hint.gone_part[i] = part->number;
-    pair->ends.gone.slot[i] = part->body;
-    pair->ends.gone.generation[i] = v->bodies[part->body].generation;
+  gjk_scene_side side[2];
+  for (unsigned i = 0; i < 2; i++) {
+    side[i] = gjk_scene_linked_side(v, pair, i);
   }
+  gjk_scene_set_gone(pair, side, v->header->gone);
   pair->state = GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_GONE;
-  pair->ends.gone.next = v->header->gone;
   v->header->gone = index;
 }
 
@@ -113,7 +107,7 @@ void gjk_scene_pairs_forget(gjk_scene_view *v, uint32_t part) {
 static void drop_pairs_of(gjk_scene_view *v, uint32_t part) {
   uint32_t next;
   for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = next) {
-    next = *next_of(v, link);
+    next = next_of(v, link);
     if (!gjk_scene_pair_stays(v, &v->pairs[link / 2])) {
       gjk_scene_pair_drop(v, link / 2);
     }
@@ -122,8 +116,8 @@ static void drop_pairs_of(gjk_scene_view *v, uint32_t part) {
 
 // Marks the parts that a part has pairs with, or removes the marks.
 static void mark_partners(gjk_scene_view *v, uint32_t part, bool set) {
-  for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = *next_of(v, link)) {
-    const uint32_t at = v->pairs[link / 2].ends.linked.part[1 - link % 2];
+  for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = next_of(v, link)) {
+    const uint32_t at = gjk_scene_end(&v->pairs[link / 2], 1 - link % 2);
     //@ assert at < v->header->parts.capacity;
     gjk_scene_part *partner = &v->parts[at];
     partner->state = (uint8_t)(set ? partner->state | GJK_SCENE_MARK : partner->state & ~GJK_SCENE_MARK);

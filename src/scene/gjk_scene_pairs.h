@@ -41,4 +41,19 @@ static inline bool gjk_scene_wants_distance(uint8_t detail) {
   return detail == GJK_DETAIL_DISTANCE || detail == GJK_DETAIL_DEPTH;
 }
 
+// What a report says of one side of a linked pair.
+static inline gjk_scene_side gjk_scene_linked_side(const gjk_scene_view *v, const gjk_scene_pair *pair, unsigned side) {
+  const uint32_t at = gjk_scene_end(pair, side);
+  //@ assert at < v->header->parts.capacity;
+  const gjk_scene_part *part = &v->parts[at];
+  const gjk_scene_side result = {part->body, v->bodies[part->body].generation, part->number};
+  return result;
+}
+
+// The same, gone or not.
+static inline gjk_scene_side gjk_scene_side_of(const gjk_scene_view *v, const gjk_scene_pair *pair, unsigned side) {
+  return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? gjk_scene_gone_side(pair, side)
+                                                  : gjk_scene_linked_side(v, pair, side);
+}
+
 #endif

@@ -4,8 +4,15 @@
 
 #include "gjk_scene_block.h"
 
-// Writes the part as a posed collider with lazy hulls, for queries alone. Pre: it is posed.
+// Writes what is stored of a part as a posed collider with lazy hulls, to be posed.
+void gjk_scene_part_load(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out);
+
+// The same for queries alone. Pre: it is posed.
+#if GJK_SCENE_POSES_AGAIN
 void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out);
+#else
+#define gjk_scene_part_collider gjk_scene_part_load
+#endif
 
 // Writes the part's collider at another pose of its body. Statuses as gjk_collider_pose.
 gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,
@@ -25,16 +32,6 @@ void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index);
 gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const gjk_pose *body, const gjk_pose *own_pose,
                                 gjk_collider *out);
 
-// How far the rotation from a to b moves points, Q30: at most by this times their distance from the axis.
-// Pre: both are unit quaternions within the tolerance of gjk/pose.h.
-uint32_t gjk_scene_rotation_bound(const gjk_quat *a, const gjk_quat *b);
-
-// Are all coordinates below 2^bits in size? Pre: bits < 31.
-static inline bool gjk_scene_is_below(const gjk_vec3 *v, unsigned bits) {
-  const uint32_t half = UINT32_C(1) << bits;
-  return (((uint32_t)v->x + half) | ((uint32_t)v->y + half) | ((uint32_t)v->z + half)) >> (bits + 1) == 0;
-}
-
 // How a body moves from one pose to the next.
 typedef struct gjk_scene_step {
   gjk_vec3 way;     // of its position, below 2^28; 0 where it is not so small
@@ -51,7 +48,7 @@ void gjk_scene_step_between(const gjk_scene_body *body, const gjk_pose *pose, bo
 static inline bool gjk_scene_part_turns(const gjk_scene_view *v, const gjk_scene_part *part) {
   const uint32_t own_pose = part->own_pose;
   //@ assert own_pose == GJK_SCENE_NONE || own_pose < v->header->config.own_poses;
-  return gjk_scene_is_below(&part->local_centre, 28) &&
+  return gjk_scene_is_below(gjk_scene_local_centre(part, v->scene->shapes[part->shape]), 28) &&
          (own_pose == GJK_SCENE_NONE || gjk_scene_is_below(&v->own_poses[own_pose].pose.position, 28));
 }
 

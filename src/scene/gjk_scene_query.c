@@ -3,8 +3,6 @@
 // A query of boxes or rays keeps the first hits in order, as many as fit. While there is room, hits are appended. When
 // it is full, hits are made a heap with the last one on top, which every hit that comes before it replaces. In the end
 // they are sorted.
-#include "../arith/gjk_vector.h"
-#include "gjk/distance.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_sort.h"
 #include "gjk_scene_tree.h"
@@ -78,7 +76,7 @@ gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, cons
   if (status != GJK_OK) {
     return status;
   }
-  if (box->lower.x > box->upper.x || box->lower.y > box->upper.y || box->lower.z > box->upper.z) {
+  if (gjk_aabb_is_empty(box)) {
     return GJK_ERROR_RANGE;
   }
   collection c = {hits, capacity, 0, 0, after};
@@ -141,8 +139,11 @@ static bool cross_box(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_aabb *
   set_fraction(enter, 0, 1);
   set_fraction(&leave, 1, 1);
   return clip_axis(from->x, to->x, box->lower.x, box->upper.x, enter, &leave) &&
-         clip_axis(from->y, to->y, box->lower.y, box->upper.y, enter, &leave) &&
-         clip_axis(from->z, to->z, box->lower.z, box->upper.z, enter, &leave);
+         clip_axis(from->y, to->y, box->lower.y, box->upper.y, enter, &leave)
+#if GJK_SCENE_AXES == 3
+         && clip_axis(from->z, to->z, box->lower.z, box->upper.z, enter, &leave)
+#endif
+      ;
 }
 
 // floor(2^30 over / under), bit by bit. Pre: 0 <= over <= under.

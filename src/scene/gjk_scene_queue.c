@@ -32,7 +32,7 @@ static uint32_t queue_moved(gjk_scene_view *v) {
       uint32_t link = v->parts[i].pairs;
       while (link != GJK_SCENE_NONE) {
         queued = queue_pair(v, link / 2, queued);
-        link = v->pairs[link / 2].ends.linked.next[link % 2];
+        link = gjk_scene_next(&v->pairs[link / 2], link % 2);
       }
     }
   }

@@ -34,9 +34,9 @@ static void report_pair(gjk_scene_view *v, uint32_t index, gjk_report *out) {
 
 // Adds the manifold to a report, and its least distance. Without an answer the manifold is zero.
 static void add_manifold(const gjk_scene_view *v, gjk_manifold *room, gjk_report *out) {
-  const gjk_status status = v->scene->bindings.details->manifold(v->scene, out, 4, room);
+  const gjk_status status = v->scene->bindings.details->manifold(v->scene, out, GJK_SCENE_CONTACTS, room);
   if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
-    room->normal.x = room->normal.y = room->normal.z = 0;
+    gjk_scene_no_normal(room);
     room->count = 0;
     room->feature_a = room->feature_b = 0;
   }

@@ -1,19 +1,12 @@
 // The hash of a scene, its seal, and the opening of a block that may come from anywhere.
 #include "gjk_scene_block.h"
 
-// One step of a hash. With one argument fixed, the result is one to one in the other one.
 static uint64_t mix(uint64_t hash, uint32_t word) {
-  hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
-  return hash ^ hash >> 32;
-}
-
-static uint64_t mix_vec3(uint64_t hash, const gjk_vec3 *v) {
-  return mix(mix(mix(hash, (uint32_t)v->x), (uint32_t)v->y), (uint32_t)v->z);
+  return gjk_scene_mix(hash, word);
 }
 
 static uint64_t mix_pose(uint64_t hash, const gjk_vec3 *position, const gjk_quat *rotation) {
-  hash = mix(mix(mix_vec3(hash, position), (uint32_t)rotation->x), (uint32_t)rotation->y);
-  return mix(mix(hash, (uint32_t)rotation->z), (uint32_t)rotation->w);
+  return gjk_scene_mix_rotation(gjk_scene_mix_vec3(hash, position), rotation);
 }
 
 static uint64_t mix_body(uint64_t hash, const gjk_scene_view *v, uint32_t slot) {
@@ -24,7 +17,7 @@ static uint64_t mix_body(uint64_t hash, const gjk_scene_view *v, uint32_t slot) 
   }
   hash = mix_pose(hash, &body->position, &body->rotation);
   hash = mix(mix(mix(mix(hash, body->category), body->mask), body->user), (uint32_t)body->margin);
-  hash = mix(hash, (uint32_t)body->kind_detail << 16 | body->parts);
+  hash = mix(hash, (uint32_t)body->kind_detail << 16 | gjk_scene_part_count(body, v->parts));
   hash = mix(hash, body->flags & GJK_SCENE_ASLEEP);
   for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
     const gjk_scene_part *p = &v->parts[i];
@@ -55,7 +48,7 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
     return GJK_ERROR_BUSY;
   }
   uint64_t hash = mix(mix(0, (uint32_t)h->config.detail << 16 | h->config.persist), h->updates);
-  hash = mix(mix(hash, h->config.workspace_cells), h->iterations);
+  hash = mix(mix(hash, gjk_scene_cells(&h->config)), h->iterations);
   for (uint32_t slot = 0; slot < h->bodies.fresh; slot++) {
     if (v.bodies[slot].generation != 0) {
       hash = mix_body(hash, &v, slot);
@@ -75,7 +68,7 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
 }
 
 // A hash over every word of the block but sealed and checksum.
-static uint64_t checksum(const gjk_scene_header *h) {
+static uint64_t checksum_of(const gjk_scene_header *h) {
   const uint32_t *word = (const uint32_t *)(const void *)h, *seal = &h->sealed, *end = word + h->bytes / sizeof *word;
   uint64_t hash = 0;
   for (; word < end; word++) {
@@ -90,7 +83,7 @@ gjk_status gjk_scene_seal(gjk_scene *scene) {
   gjk_scene_view v;
   const gjk_status status = gjk_scene_view_of(scene, &v);
   if (status == GJK_OK) {
-    const uint64_t sum = checksum(v.header);
+    const uint64_t sum = checksum_of(v.header);
     v.header->checksum[0] = (uint32_t)(sum & UINT32_MAX);
     v.header->checksum[1] = (uint32_t)(sum >> 32);
     v.header->sealed = 1;
@@ -107,7 +100,7 @@ gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk
     return status;
   }
   const gjk_scene_header *h = (const gjk_scene_header *)block;
-  const uint64_t sum = checksum(h);
+  const uint64_t sum = checksum_of(h);
   if (h->sealed != 1 || h->checksum[0] != (uint32_t)(sum & UINT32_MAX) || h->checksum[1] != (uint32_t)(sum >> 32)) {
     return GJK_ERROR_CORRUPT;
   }

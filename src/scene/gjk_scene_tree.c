@@ -28,37 +28,15 @@ static uint32_t height(const gjk_scene_view *v, uint32_t node) {
 
 static void set_parent(gjk_scene_view *v, uint32_t node, uint32_t parent) {
   if ((node & GJK_SCENE_LEAF) != 0) {
-    v->parts[node & ~GJK_SCENE_LEAF].parent = parent;
+    v->parts[node & ~GJK_SCENE_LEAF].parent = GJK_SCENE_INDEX(parent);
   } else {
-    v->nodes[node].parent = parent;
+    v->nodes[node].parent = GJK_SCENE_INDEX(parent);
   }
 }
 
-// The least box that holds both.
-static gjk_aabb hull_of(const gjk_aabb *a, const gjk_aabb *b) {
-  gjk_aabb box = *a;
-  box.lower.x = b->lower.x < box.lower.x ? b->lower.x : box.lower.x;
-  box.lower.y = b->lower.y < box.lower.y ? b->lower.y : box.lower.y;
-  box.lower.z = b->lower.z < box.lower.z ? b->lower.z : box.lower.z;
-  box.upper.x = b->upper.x > box.upper.x ? b->upper.x : box.upper.x;
-  box.upper.y = b->upper.y > box.upper.y ? b->upper.y : box.upper.y;
-  box.upper.z = b->upper.z > box.upper.z ? b->upper.z : box.upper.z;
-  return box;
-}
-
-// An eighth of one side of a box:  < 2^29
-static uint32_t side(int32_t lower, int32_t upper) {
-  return ((uint32_t)upper - (uint32_t)lower) >> 3;
-}
-
-// The cost of a box, an eighth of the sum of its sides:  < 3 2^29
-static uint32_t cost_of(const gjk_aabb *box) {
-  return side(box->lower.x, box->upper.x) + side(box->lower.y, box->upper.y) + side(box->lower.z, box->upper.z);
-}
-
 static uint32_t cost_of_hull(const gjk_aabb *a, const gjk_aabb *b) {
-  const gjk_aabb box = hull_of(a, b);
-  return cost_of(&box);
+  const gjk_aabb box = gjk_aabb_hull(a, b);
+  return gjk_scene_cost(&box);
 }
 
 // Sets the box and height of a node from its children. Returns whether anything changed.
@@ -66,9 +44,9 @@ static bool refit(gjk_scene_view *v, uint32_t index) {
   gjk_scene_node *n = &v->nodes[index];
   const uint32_t a = height(v, n->child[0]), b = height(v, n->child[1]);
   const uint32_t taller = (a > b ? a : b) + 1;
-  const gjk_aabb box = hull_of(gjk_scene_node_box(v, n->child[0]), gjk_scene_node_box(v, n->child[1]));
+  const gjk_aabb box = gjk_aabb_hull(gjk_scene_node_box(v, n->child[0]), gjk_scene_node_box(v, n->child[1]));
   const bool changed = taller != n->height || !gjk_aabb_inside(&box, &n->box) || !gjk_aabb_inside(&n->box, &box);
-  n->height = taller;
+  n->height = GJK_SCENE_HEIGHT(taller);
   n->box = box;
   return changed;
 }
@@ -107,7 +85,7 @@ static uint32_t balance(gjk_scene_view *v, uint32_t index) {
   n->child[tall] = r->child[low];              // Step b
   set_parent(v, n->child[tall], index);
   r->child[low] = index;
-  n->parent = rising;
+  n->parent = GJK_SCENE_INDEX(rising);
   refit(v, index);  // Step c
   refit(v, rising);
   return rising;
@@ -136,10 +114,10 @@ static uint32_t best_sibling(const gjk_scene_view *v, const gjk_aabb *box) {
     for (int i = 0; i < 2; i++) {
       const gjk_aabb *child = gjk_scene_node_box(v, n->child[i]);
       const uint32_t hull = cost_of_hull(child, box);
-      cost[i] = (n->child[i] & GJK_SCENE_LEAF) != 0 ? hull : hull - cost_of(child);
+      cost[i] = (n->child[i] & GJK_SCENE_LEAF) != 0 ? hull : hull - gjk_scene_cost(child);
     }
     if (n->height == 1) {
-      const uint32_t whole = cost_of_hull(&n->box, box), grows = whole - cost_of(&n->box);  // sums < 3 2^30
+      const uint32_t whole = cost_of_hull(&n->box, box), grows = whole - gjk_scene_cost(&n->box);  // sums < 3 2^30
       if (whole <= grows + cost[0] && whole <= grows + cost[1]) {
         return node;
       }
@@ -167,7 +145,7 @@ void gjk_scene_tree_insert(gjk_scene_view *v, uint32_t part) {
   v->nodes[index].child[1] = leaf;
   v->nodes[index].height = 0;  // set by refit, which sees that it changes
   set_parent(v, sibling, index);
-  v->parts[part].parent = index;
+  v->parts[part].parent = GJK_SCENE_INDEX(index);
   restore(v, index);
 }
 

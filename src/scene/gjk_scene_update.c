@@ -20,10 +20,9 @@
 static gjk_status check_details(const gjk_scene_view *v) {
   const gjk_scene_details *details = v->scene->bindings.details;
   const uint32_t most = v->header->most_detail;
-  gjk_workspace workspace;
   const bool lacking =
       most > GJK_DETAIL_DISTANCE && (details == NULL || (most == GJK_DETAIL_CONTACTS && details->manifold == NULL) ||
-                                     !gjk_scene_workspace(v->scene, &workspace));
+                                     !gjk_scene_has_workspace(v->scene));
   return lacking ? GJK_ERROR_UNSUPPORTED : GJK_OK;
 }
 

@@ -16,27 +16,4 @@ void gjk_scene_make_events(gjk_scene_view *v);
 // Step 9: writes at most capacity reports, and sets progress. The last report ends the update.
 void gjk_scene_write_reports(gjk_scene_view *v, gjk_report *reports, uint32_t capacity, gjk_progress *progress);
 
-// What a report says of one side of a pair, and what orders reports.
-typedef struct gjk_scene_side {
-  uint32_t slot, generation;
-  uint16_t part;
-} gjk_scene_side;
-
-static inline gjk_scene_side gjk_scene_side_of(const gjk_scene_view *v, const gjk_scene_pair *pair, unsigned side) {
-  gjk_scene_side result;
-  if ((pair->state & GJK_SCENE_PAIR_GONE) != 0) {
-    result.slot = pair->ends.gone.slot[side];
-    result.generation = pair->ends.gone.generation[side];
-    result.part = pair->hint.gone_part[side];
-  } else {
-    const uint32_t at = pair->ends.linked.part[side];
-    //@ assert at < v->header->parts.capacity;
-    const gjk_scene_part *part = &v->parts[at];
-    result.slot = part->body;
-    result.generation = v->bodies[part->body].generation;
-    result.part = part->number;
-  }
-  return result;
-}
-
 #endif

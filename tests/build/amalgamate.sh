@@ -2,7 +2,8 @@
 # Writes the library as two files: amalgamate.sh BUILD leaves BUILD/amalgamation/gjk.h and gjk.c.
 #
 # gjk.h holds every public header, gjk.c every file of src, each header where it is first included. Includes of the standard
-# and of the port stay.
+# and of the port stay. The source of scenes, which src/plane_scene compiles once more for the plane, is written out a second
+# time under the names of the plane: those of gjk2_scene_names.h, and names of the file's own with plane_scene_ before them.
 build=$1
 dir=$build/amalgamation
 mkdir -p "$dir"
@@ -12,7 +13,7 @@ mkdir -p "$dir"
 expand() {
   public=$1
   shift
-  awk -v with_public="$public" '
+  awk -v with_public="$public" -v shared_files="$(echo src/scene/*)" '
     # The file that a line of from includes.
     function target(name, from) {
       if (name ~ /^gjk2?\//) return "include/" name
@@ -21,33 +22,82 @@ expand() {
       while (sub(/[^\/]+\/\.\.\//, "", name)) { }
       return name
     }
-    function expand(file, depth,   line, name, text, guarded, count, lines, i) {
-      if (file in done) return
+    # Is the file one that the plane has under other names?
+    function is_shared(file) {
+      return file ~ /^src\/scene\// && file !~ /gjk_scene_(common|sort)\.h$/
+    }
+    # The names of the plane: reads those of gjk2_scene_names.h, and those at the left margin of the shared files.
+    function read_names(   file, line, word, n, files) {
+      while ((getline line < "src/plane_scene/gjk2_scene_names.h") > 0) {
+        n = split(line, word, " ")
+        if (word[1] == "#define" && n == 3) planar[word[2]] = word[3]
+      }
+      n = split(shared_files, files, " ")
+      for (; n > 0; n--) if (is_shared(files[n])) {
+        while ((getline line < files[n]) > 0) {
+          if (line ~ /^typedef (struct|enum) /) sub(/ \{$/, "", line)
+          else if (line ~ /^} [a-z_0-9]+;$/) gsub(/[};]/, "", line)
+          else if (line ~ /^([A-Z_]+ )?static /) sub(/(\[| =|\().*$/, "", line)
+          else continue
+          sub(/ *$/, "", line)
+          sub(/^.*[^A-Za-z0-9_]/, "", line)
+          if (!(line in planar) && line !~ /^gjk2?_/) planar[line] = "plane_scene_" line
+        }
+        close(files[n])
+      }
+    }
+    # A line with the names of the plane. What follows a dot or an arrow is a field.
+    function in_plane(line,   out, word, before) {
+      out = ""
+      while (match(line, /[A-Za-z_][A-Za-z0-9_]*/)) {
+        word = substr(line, RSTART, RLENGTH)
+        before = substr(out substr(line, 1, RSTART - 1), length(out) + RSTART - 2, 2)
+        out = out substr(line, 1, RSTART - 1) (word in planar && before !~ /(\.|->)$/ ? planar[word] : word)
+        line = substr(line, RSTART + RLENGTH)
+      }
+      return out line
+    }
+    function expand(file, depth,   line, name, text, guarded, count, lines, i, second, key) {
+      second = of_plane && is_shared(file)
+      key = second ? "plane " file : file
+      if (key in done) return
       count = 0
       while ((getline line < file) > 0) { lines[++count] = line; text = text line "\n" }
       close(file)
       if (count == 0) { print file ": empty or missing" >"/dev/stderr"; exit 1 }
       guarded = file ~ /\.h$/ && text ~ /\n#define GJK2?_[A-Z0-9_]+_H\n/
-      if (guarded) done[file]
-      print "\n// ---- " file
+      if (guarded) done[key]
+      print "\n// ---- " file (second ? ", of the plane" : "")
       for (i = 1; i <= count; i++) {
-        if (lines[i] ~ /^ *#include "/) {
-          name = lines[i]
-          gsub(/^[^"]*"|".*$/, "", name)
-          name = target(name, file)
+        if (lines[i] == "#ifndef GJK_SCENE_OF_PLANE") {  # up to its #endif: what only space includes
+          if (!second) expand(target(included(lines[i + 1]), file), depth + 1)
+          i += 2
+        } else if (lines[i] ~ /^ *#include "/) {
+          name = target(included(lines[i]), file)
           if (name ~ /^include\// && !with_public) continue
+          if (name ~ /gjk2_scene_names\.h$/) {
+            expand("src/plane_scene/gjk2_scene_measure.h", depth + 1)
+            continue
+          }
+          of_plane += name ~ /^src\/scene\/.*\.c$/
           expand(name, depth + 1)
+          of_plane -= name ~ /^src\/scene\/.*\.c$/
         } else if (lines[i] !~ /^#(ifndef|define) GJK2?_[A-Z0-9_]+_H$/ || !guarded) {
           if (guarded && i == last_endif(lines, count)) continue
-          print lines[i]
+          print second ? in_plane(lines[i]) : lines[i]
         }
       }
       delete lines
+    }
+    function included(line) {
+      gsub(/^[^"]*"|".*$/, "", line)
+      return line
     }
     function last_endif(lines, count,   i) {
       for (i = count; i > 0; i--) if (lines[i] ~ /^#endif/) return i
     }
     BEGIN {
+      read_names()
       for (n = 1; n < ARGC; n++) expand(ARGV[n], 0)
     }' "$@"
 }
@@ -56,7 +106,7 @@ expand() {
   echo '// gjk: exact collision queries in Q16.16, all public headers in one. Made by `make amalgamation`; its sources tell more.'
   echo '#ifndef GJK_AMALGAMATION_H'
   echo '#define GJK_AMALGAMATION_H'
-  expand 1 include/gjk/gjk.h include/gjk/scene.h include/gjk2/gjk2.h
+  expand 1 include/gjk/gjk.h include/gjk/scene.h include/gjk2/gjk2.h include/gjk2/scene.h
   echo
   echo '#endif'
 } >"$dir/gjk.h.part" || exit 1

@@ -1,5 +1,5 @@
 # Checks one source file against layers.txt: awk -f includes.awk tests/build/layers.txt src/ROOM/FILE
-FNR == NR && /^[a-z]+:/ {
+FNR == NR && /^[a-z_]+:/ {
   room = substr($1, 1, length($1) - 1)
   known[room]
   allowed[room, room]
@@ -25,7 +25,8 @@ FNR == 1 {
   else if (name ~ /^"gjk2\/[a-z0-9]+\.h"/) to = "planar"
   else if (name ~ /^"gjk2?_[a-z_0-9]+\.h"/) to = room
   else if (name ~ /^"\.\.\/[a-z]+\/gjk2?_[a-z_0-9]+\.h"/) { split(name, folder, "/"); to = folder[2] }
-  if (to == "public" && room ~ /^plan/ && name !~ /^"gjk\/(format|status|version)\.h"/) to = "space"
+  else if (name ~ /^"\.\.\/scene\/gjk_scene_[a-z_]+\.c"/ && room == "plane_scene") to = "scene"
+  if (to == "public" && room ~ /^plan/ && name !~ /^"gjk\/(body|format|status|version)\.h"/) to = "space"
   if (!((room, to) in allowed)) {
     print FILENAME ":" FNR ": room '" room "' may not include " name
     bad = 1

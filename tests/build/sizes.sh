@@ -83,9 +83,12 @@ for query in gjk_intersect gjk_distance gjk_penetration; do
   awk -v roots=$query -f tests/build/stack.awk tests/build/indirect-calls.txt build/cortex-m3-O2/*.ci >"$build/linked/stack" || exit 1
   awk -f tests/build/sizes-stack.awk "$build/linked/stack" src/*/*.[ch] include/gjk/*.h
 done
+
 echo
-printf '%-36s%9s%14s\n' 'linked for Cortex-M3 at -Os, bytes' query 'with posing'
+echo 'in the plane, linked for Cortex-M3 at -Os, bytes:'
+printf '%-28s%9s%14s\n' '' query 'with posing'
 for query in INTERSECT DISTANCE ALL; do
-  printf 'in the plane: %-22s%9d%14d\n' $query "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_PLANE_$query)" \
+  printf '%-28s%9d%14d\n' $query "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_PLANE_$query)" \
     "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_PLANE_$query -DSIZE_POSED)"
 done
+printf '%-28s%23d\n' SCENE "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_PLANE_SCENE)"

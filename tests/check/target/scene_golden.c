@@ -1,8 +1,10 @@
-// A long match with random inputs, and its hash.
-#include "scene_golden.h"
-
+// A long match with random inputs, and its hash. plane_scene_golden.c has the same of the plane.
 #include "random.h"
+
+#ifndef MATCH_OF_PLANE
 #include "scene/match.h"
+#include "scene_golden.h"
+#endif
 
 static match playing, saved;
 

@@ -4,7 +4,7 @@
 
 # The table must be right before it can judge: every room exists, and each includes only rooms further down.
 table_is_ordered() {
-  awk '/^[a-z]+:/ { at[$1] = NR; line[NR] = $0 }
+  awk '/^[a-z_]+:/ { at[$1] = NR; line[NR] = $0 }
     END {
       for (n in line) {
         split(line[n], side, "->")
@@ -19,7 +19,7 @@ table_is_ordered() {
 }
 
 table_has_all_rooms() {
-  sed -n 's/^\([a-z]*\):.*/\1/p' tests/build/layers.txt | grep -v -e '^public$' -e '^planar$' | sort >"$1/rooms"
+  sed -n 's/^\([a-z_]*\):.*/\1/p' tests/build/layers.txt | grep -v -e '^public$' -e '^planar$' | sort >"$1/rooms"
   find src -mindepth 1 -maxdepth 1 -type d | sed 's|src/||' | sort | diff "$1/rooms" -
 }
 
@@ -54,9 +54,18 @@ no_compiler() {
   ! code "$1" | sed 's/__cplusplus//g' | grep -nE '(^|[^A-Za-z0-9_])_[_A-Z][A-Za-z]'
 }
 
+# shared FILES: the files that the plane shares include nothing with a dimension but through gjk_scene_space.h and
+# gjk_scene_measure.h.
+shared() {
+  ! grep -n '#include' "$@" | grep -v -e '"\.\./arith/gjk_[a-z]*\.h"' -e '"gjk_scene_[a-z]*\.h"'
+}
+
 scratch=$1/includes/src
 rm -rf "$scratch"
 mkdir -p "$scratch/shape" "$scratch/plane" "$scratch/arith" "$scratch/attic" "$scratch/circle"
+# shellcheck disable=SC2046
+check 'sources of scenes that the plane shares name no dimension' \
+  shared $(sed -n 's|#include "../scene/\(.*\.c\)"|src/scene/\1|p' src/plane_scene/*.c)
 check 'layers.txt: rooms point down' table_is_ordered
 check 'layers.txt: the rooms there are' table_has_all_rooms "$scratch"
 check 'every file of src has a name of its own, with the prefix' files_have_own_names
@@ -77,6 +86,8 @@ refused() {
 printf '#include "../gjk/gjk_iteration.h"\n' >"$scratch/shape/gjk_upward.c"
 printf '#include "gjk/shape.h"\n' >"$scratch/plane/gjk2_space.c"
 printf '#include "gjk2/shape.h"\n' >"$scratch/shape/gjk_plane.c"
+printf '#include "../scene/gjk_scene_tree.c"\n' >"$scratch/plane/gjk2_source.c"
+printf '#include "gjk_scene_tree.h"\n#include "gjk/pose.h"\n' >"$scratch/plane/gjk_shared.c"
 printf '#include <string.h>\n' >"$scratch/arith/gjk_library.c"
 printf '#include "../arith/../shape/gjk_scan.h"\n' >"$scratch/arith/gjk_around.h"
 printf '#include "gjk_scan.h"\n' >"$scratch/attic/gjk_attic.c"
@@ -87,6 +98,8 @@ check 'an include upward is refused' refused layered "$scratch/shape/gjk_upward.
 check 'a fifth header is refused' refused layered "$scratch/arith/gjk_library.c"
 check 'a path around the rooms is refused' refused layered "$scratch/arith/gjk_around.h"
 check 'space is refused in the plane' refused layered "$scratch/plane/gjk2_space.c"
+check 'a source of scenes is refused in the plane without scenes' refused layered "$scratch/plane/gjk2_source.c"
+check 'a dimension is refused in a shared source' refused shared "$scratch/plane/gjk_shared.c"
 check 'the plane is refused in space' refused layered "$scratch/shape/gjk_plane.c"
 check 'a file in no room is refused' refused layered "$scratch/attic/gjk_attic.c"
 check 'a circle is refused' refused no_circle "$scratch/circle"

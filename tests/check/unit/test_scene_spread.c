@@ -6,6 +6,15 @@
 #include "check.h"
 #include "scene/world.h"
 
+// The test of the plane has included the plane's.
+#ifndef WORLD_OF_PLANE
+#include "scene/workspace_space.h"
+#endif
+
+#ifndef TEST_NAME
+#define TEST_NAME "scene_spread"
+#endif
+
 #define SEED 4
 #define UPDATES 150
 #define THREADS 3
@@ -38,8 +47,7 @@ static void take_report(void *user, const gjk_report *report) {
 
 typedef struct range {
   gjk_scene scene;  // a copy with a workspace of its own
-  gjk_workspace workspace;
-  gjk_epa_cell cells[WORLD_CELLS];
+  world_workspace workspace;
   uint32_t begin, end;
   gjk_status status;
 } range;
@@ -61,9 +69,7 @@ static bool in_ranges(world *w, world_list *list) {
   for (uint32_t i = 0; i < THREADS && fine; i++) {
     range *r = &ranges[i];
     r->scene = w->scene;
-    r->workspace.cells = r->cells;
-    r->workspace.count = world_cells();
-    r->scene.bindings.workspace = &r->workspace;
+    world_bind_workspace(&r->workspace, &r->scene.bindings);
     r->begin = i * share;
     r->end = (i + 1) * share;
     fine = pthread_create(&threads[i], NULL, test_range, &ranges[i]) == 0;
@@ -131,5 +137,5 @@ int main(void) {
   for (int i = 0; i < 2; i++) {
     check_manners(i == 0 ? GJK_DETAIL_DISTANCE : GJK_DETAIL_DEPTH);
   }
-  return check_done("scene_spread");
+  return check_done(TEST_NAME);
 }

@@ -48,11 +48,12 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   # What the README says of programs.
   check 'gjk_intersect on boxes, with posing' at_most 10496 -DSIZE_BOXES -DSIZE_POSED
   check 'a scene with contacts' at_most 43520 -DSIZE_SCENE
+  check 'the parts of a program' parts
+  check 'the frames of a stack' frames
   check 'in the plane: gjk2_intersect on boxes and polygons' at_most 6016 -DSIZE_PLANE_INTERSECT
   check 'in the plane: gjk2_distance, rounded forms as well' at_most 8448 -DSIZE_PLANE_DISTANCE
   check 'in the plane: every query' at_most 16000 -DSIZE_PLANE_ALL
-  check 'the parts of a program' parts
-  check 'the frames of a stack' frames
+  check 'in the plane: a scene with contacts' at_most 26880 -DSIZE_PLANE_SCENE
   # What the README says of a build that keeps unused sections.
   objects=$(echo build/cortex-m3-linked/gjk_*.o)
   export LIBRARY="$objects"

@@ -7,7 +7,9 @@
 //   SIZE_PLANE_INTERSECT  instead: gjk2_intersect on boxes and polygons
 //   SIZE_PLANE_DISTANCE   instead: gjk2_distance on these, segments, points and their rounded forms
 //   SIZE_PLANE_ALL        instead: every query of the plane but the checks, on these
-#if defined(SIZE_PLANE_INTERSECT) || defined(SIZE_PLANE_DISTANCE) || defined(SIZE_PLANE_ALL)
+//   SIZE_PLANE_SCENE      instead: a scene of the plane with contacts, of boxes and circles
+#if defined(SIZE_PLANE_INTERSECT) || defined(SIZE_PLANE_DISTANCE) || defined(SIZE_PLANE_ALL) || \
+    defined(SIZE_PLANE_SCENE)
 #include "size_plane.h"
 #else
 #include "gjk/gjk.h"

@@ -3,8 +3,32 @@
 #define SIZE_PLANE_H
 
 #include "gjk2/gjk2.h"
+#include "gjk2/scene.h"
 
 void size_main(void);
+
+#ifdef SIZE_PLANE_SCENE
+uint32_t size_block[700];
+gjk2_manifold size_manifold;
+gjk2_report_function *size_report;
+
+void size_main(void) {
+  static const gjk2_shape box = GJK2_BOX(3, 4), ball = GJK2_CIRCLE(6);
+  static const gjk2_shape *const shapes[] = {&box, &ball};
+  static const gjk2_part part = {.shape = 0};
+  static const gjk2_scene_config config = {.bodies = 8, .parts = 8, .pairs = 16, .detail = GJK_DETAIL_CONTACTS};
+  static const gjk2_body_setup setup = {.pose = GJK2_POSE_IDENTITY, .parts = &part, .part_count = 1};
+  static gjk2_scene_bindings bindings;
+  gjk2_scene scene;
+  gjk_body_id body;
+  bindings.details = &gjk2_scene_contacts;
+  bindings.manifolds = &size_manifold;
+  gjk2_scene_init(&scene, &config, size_block, sizeof size_block, shapes, 2, &bindings);
+  gjk2_scene_add(&scene, &setup, &body);
+  gjk2_scene_move(&scene, body, &setup.pose);
+  gjk2_scene_update_each(&scene, size_report, NULL);
+}
+#else
 
 gjk2_collider size_a, size_b, size_c;
 gjk2_decision size_yes;
@@ -44,4 +68,5 @@ void size_main(void) {
 #endif
 }
 
+#endif
 #endif

@@ -4,44 +4,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const gjk_vec3 wedge[6] = {{-30000, -30000, -30000}, {30000, -30000, -30000}, {-30000, 30000, -30000},
-                                  {30000, 30000, -30000},   {0, -30000, 30000},      {0, 30000, 30000}};
-static const gjk_vec3 pebble[10] = {
-    {40000, 0, 1000},    {-38000, 5000, 0},    {0, 41000, 3000},      {2000, -39000, 0},      {100, 200, 36000},
-    {-300, 900, -37000}, {25000, 25000, 9000}, {-24000, 22000, 8000}, {21000, -26000, -7000}, {-22000, -23000, -9000}};
-static const gjk_vec3 sail[3] = {{-50000, 0, 0}, {50000, 10000, 0}, {0, 60000, 20000}};
-
-static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5)), speck = GJK_POINT, stick = GJK_SEGMENT(GJK_Q16(0.75));
-static const gjk_shape capsule = GJK_CAPSULE(GJK_Q16(0.25), GJK_Q16(0.5));
-static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
-static const gjk_shape plank = GJK_BOX(GJK_Q16(1.0), GJK_Q16(0.25), GJK_Q16(0.125));
-static const gjk_shape soap = GJK_ROUNDED_BOX(GJK_Q16(0.25), GJK_Q16(0.5), GJK_Q16(0.375), GJK_Q16(0.125));
-static const gjk_shape roof = GJK_HULL(wedge, 6), stone = GJK_ROUNDED_HULL(pebble, 10, GJK_Q16(0.0625));
-static const gjk_shape flag = GJK_TRIANGLE(sail), drum = GJK_CYLINDER(GJK_Q16(0.5), GJK_Q16(0.375));
-static const gjk_shape egg = GJK_ELLIPSOID(GJK_Q16(0.5), GJK_Q16(0.375), GJK_Q16(0.625));
-
-const gjk_shape *const world_shapes[WORLD_SHAPES] = {&crate, &ball,  &plank, &roof,  &capsule, &stone,
-                                                     &soap,  &stick, &flag,  &speck, &drum,    &egg};
+// A file of the plane has included the plane's.
+#ifndef WORLD_OF_PLANE
+#include "world_space.h"
+#endif
 
 gjk_manifold world_manifolds[WORLD_REPORTS];
-
-uint32_t world_cells(void) {
-  const char *cells = getenv("GJK_TEST_CELLS");
-  const unsigned long count = cells == NULL ? WORLD_CELLS : strtoul(cells, NULL, 10);
-  return count < WORLD_CELLS ? (uint32_t)count : WORLD_CELLS;
-}
 
 bool world_is_tight(void) {
   return GJK_ITERATIONS_MAX < 100 || world_cells() < WORLD_CELLS;
 }
 
 gjk_scene_config world_config(const world_options *options) {
-  gjk_scene_config config = {options->bodies, WORLD_PARTS * options->bodies, options->bodies, 4000, 0, 0, 0, 0, 0, 0};
+  gjk_scene_config config = {
+      .bodies = options->bodies, .parts = WORLD_PARTS * options->bodies, .own_poses = options->bodies, .pairs = 4000};
   config.box_margin = options->box_margin;
   config.detail = options->detail;
   config.persist = options->persist;
   config.retest_all = options->retest_all;
-  config.workspace_cells = world_cells();
+  world_set_cells(&config);
   return config;
 }
 
@@ -60,24 +41,6 @@ bool world_start(world *w, const world_options *options, void *block, size_t byt
   return gjk_scene_init(&w->scene, &config, block, bytes, world_shapes, WORLD_SHAPES, &bindings) == GJK_OK;
 }
 
-gjk_scene_bindings world_bindings(const world_options *options) {
-  static gjk_epa_cell cells[WORLD_CELLS + 100];  // more than are configured make no difference
-  static const gjk_workspace workspace = {cells, WORLD_CELLS + 100};
-  const gjk_scene_bindings bindings = {.predicate = options->predicate ? world_predicate : NULL,
-                                       .details = &gjk_scene_contacts,
-                                       .workspace = &workspace,
-                                       .manifolds = world_manifolds};
-  return bindings;
-}
-
-static gjk_vec3 random_point(random_state *random, int32_t reach) {
-  gjk_vec3 p;
-  p.x = random_range(random, -reach, reach);
-  p.y = random_range(random, -reach, reach);
-  p.z = random_range(random, -reach, reach);
-  return p;
-}
-
 // A place as far inside a corner of the range of int32_t as p is from the origin.
 static int32_t at_edge(random_state *random, int32_t p) {
   return random_below(random, 2) == 0 ? INT32_MIN + abs(p) : INT32_MAX - abs(p);
@@ -90,21 +53,6 @@ static gjk_vec3 random_position(const world *w, random_state *random) {
     p.y = at_edge(random, p.y);
   }
   return p;
-}
-
-static int32_t add_cut(int32_t a, int32_t b) {
-  const int64_t sum = (int64_t)a + b;
-  return sum > INT32_MAX ? INT32_MAX : sum < INT32_MIN ? INT32_MIN : (int32_t)sum;
-}
-
-static gjk_quat random_rotation(random_state *random, int32_t turn) {
-  gjk_quat q = {0, 0, 0, GJK_Q30_ONE};
-  if (random_below(random, 4) != 0) {
-    const gjk_quat any = {random_range(random, -turn, turn), random_range(random, -turn, turn),
-                          random_range(random, -turn, turn), 1000};
-    gjk_quat_normalize(&any, &q);
-  }
-  return q;
 }
 
 void world_random_setup(const world *w, random_state *random, world_body *body) {
@@ -214,9 +162,7 @@ static bool move(world *w, random_state *random, world_body *b) {
     pose.position = random_position(w, random);
   } else if (how != 0) {
     const gjk_vec3 step = random_point(random, random_below(random, 2) == 0 ? 300 : GJK_Q16(0.125));
-    pose.position.x = add_cut(pose.position.x, step.x);
-    pose.position.y = add_cut(pose.position.y, step.y);
-    pose.position.z = add_cut(pose.position.z, step.z);
+    pose.position = add_cut_all(pose.position, step);
   }
   if (how < 2) {
     const gjk_quat turn = random_rotation(random, random_below(random, 2) == 0 ? 3 : 60);
@@ -307,26 +253,6 @@ bool world_change(world *w, random_state *random) {
                      : add(w, random);
 }
 
-static bool spheres_apart(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
-  const int64_t x = (int64_t)a->centre.x - b->centre.x, y = (int64_t)a->centre.y - b->centre.y;
-  const int64_t z = (int64_t)a->centre.z - b->centre.z, r = (int64_t)a->radius + b->radius + margin + 8;
-  const bool far = x > r || x < -r || y > r || y < -r || z > r || z < -r;
-  return far || x * x + y * y + z * z > r * r;
-}
-
-static bool is_curved(const gjk_collider *c) {
-  return c->shape == &drum || c->shape == &egg;
-}
-
-// Are the boxes farther apart than the margin along an axis?
-static bool boxes_apart(const gjk_collider *a, const gjk_collider *b, int64_t margin) {
-  gjk_aabb x, y;
-  gjk_collider_aabb(a, &x);
-  gjk_collider_aabb(b, &y);
-  return x.lower.x - margin > y.upper.x || y.lower.x - margin > x.upper.x || x.lower.y - margin > y.upper.y ||
-         y.lower.y - margin > x.upper.y || x.lower.z - margin > y.upper.z || y.lower.z - margin > x.upper.z;
-}
-
 // Is the pair near, as the scene must report it? A pair that the ceiling on iterations leaves open counts as near. Of a
 // pair with a curved shape, boxes farther apart than the margins are the answer.
 static bool is_near(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin) {
@@ -345,15 +271,13 @@ static bool tested(const world *w, const world_body *a, const world_body *b) {
 
 // The distance that a report gives.
 static gjk_q16 report_distance(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned detail) {
-  static gjk_epa_cell cells[WORLD_CELLS];
-  const gjk_workspace workspace = {cells, world_cells()};
   gjk_distance_result gap = {0};
   gjk_manifold manifold = {0};
   gjk_status status = GJK_OK;
   switch (detail) {
     case GJK_DETAIL_DISTANCE: status = gjk_distance(a, b, NULL, &gap); break;
-    case GJK_DETAIL_DEPTH: status = gjk_signed_distance(a, b, NULL, &workspace, &gap); break;
-    case GJK_DETAIL_CONTACTS: gjk_contacts(a, b, margin, 4, NULL, &workspace, &manifold); break;
+    case GJK_DETAIL_DEPTH: status = signed_distance(a, b, &gap); break;
+    case GJK_DETAIL_CONTACTS: contacts(a, b, margin, &manifold); break;
     default: break;
   }
   if (detail == GJK_DETAIL_DISTANCE || detail == GJK_DETAIL_DEPTH) {

@@ -1,0 +1,281 @@
+// Many bodies of the plane, asked the same question every tick: which of them touch, or are nearer than a margin?
+//
+// A scene is one block of the caller's memory. The block holds indices instead of pointers, so a plain copy of it is a
+// save, and works at any address. A gjk2_scene is the handle of a block: a small struct with the pointers.
+//
+// All is as in gjk/scene.h, for shapes of gjk2/shape.h, without a workspace. One source serves both, so a statement of
+// that header holds here too. gjk/body.h has ids, kinds, details, events, statistics and hits of both.
+//
+// A scene's answers depend on its contents alone, so they are the same on every platform. They do not depend on
+// addresses, caches or capacities, nor on the way that bodies took to where they are. Bodies that are added to stated
+// slots may be added in any order. tests/check/unit/test_plane_scene_*.c hold each statement of this header.
+//
+// What is reported of a pair is a function of shapes, poses, margins and configuration: what the queries answer from a
+// cold start, even where they find no answer. Skips and caches never change it. One case needs no query: a pair with an
+// ellipse or custom shape is apart when its exact boxes are farther apart along an axis than the margins.
+//
+// Lockstep peers need the same shapes, builds with the same GJK_ITERATIONS_MAX, and the same configuration. Only
+// box_margin and retest_all may differ, and capacities that do not run out.
+//
+// Threads  calls for one scene may not overlap, but for gjk2_scene_test_pairs and several queries at once.
+// Cost     a call that changes one body: O(log bodies + its parts). An update: the pairs of the bodies that moved.
+// RAM      a block has 272 bytes, and for each of its capacities, beside what a scene of space takes:
+//            body       44.125 (60.125)
+//            part      116     (184), its node in the tree included
+//            own pose   20     (32)
+//            pair       32     (48)
+//          A body of one part with its share of the tree takes 160 bytes (244).
+// Statuses of every call: NULL for a pointer that is missing; CORRUPT for a handle whose block is not a scene's.
+#ifndef GJK2_SCENE_H
+#define GJK2_SCENE_H
+
+#include "gjk/body.h"
+#include "gjk2/contacts.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// The version of a block's format. gjk2_scene_open and gjk2_scene_attach refuse a block of another version.
+#define GJK2_SCENE_BLOCK_VERSION UINT32_C(1)
+
+// One shape of a body.
+typedef struct gjk2_part {
+  uint16_t shape;  // index into the table of shapes
+  bool own_pose;   // false: the part is at the body's pose, which takes less memory
+  gjk2_pose pose;  // in the body's frame; read only if own_pose
+} gjk2_part;
+
+// A body to be added.
+typedef struct gjk2_body_setup {
+  gjk2_pose pose;
+  const gjk2_part *parts;   // read during the call alone
+  uint16_t part_count;      // at least 1
+  uint8_t kind;             // a gjk_body_kind
+  uint8_t detail;           // a gjk_detail; a pair gets the largest of the configuration's and its two bodies'
+  uint32_t category, mask;  // a pair is tested when each body's category shares a bit with the other's mask
+  uint32_t user;            // the caller's own word
+  gjk_q16 margin;           // two parts are near when at most the sum of their margins apart; 0: touching
+} gjk2_body_setup;
+
+// What a scene holds and does.
+//
+// pairs  an update needs room for the pairs of parts that were near at the last update, and for those whose boxes meet:
+//        the exact ones, each enlarged by its body's margin. Room for all that meet within box_margin saves work.
+typedef struct gjk2_scene_config {
+  uint32_t bodies;     // capacity, from 1 to GJK_SCENE_BODIES_MAX
+  uint32_t parts;      // capacity: parts of all bodies together, from 1 to GJK_SCENE_BODIES_MAX
+  uint32_t own_poses;  // capacity: parts with a pose of their own, from 0 to GJK_SCENE_BODIES_MAX
+  uint32_t pairs;      // capacity, from 1 to GJK_SCENE_PAIRS_MAX, see above
+  gjk_q16 box_margin;  // enlarges the boxes in the tree, so that small moves do not change it; 0 to GJK2_RADIUS_MAX
+  uint8_t detail;      // a gjk_detail: the least for every pair
+  uint8_t persist;     // 1: pairs that stay near are reported in every update
+  uint8_t retest_all;  // 1: every update tests every pair anew from a cold start. For tests: the answers are the same
+  uint8_t reserved;    // 0
+} gjk2_scene_config;
+
+// The code behind depths and contacts, one constant each: a program links only what it mentions.
+typedef struct gjk2_scene_details gjk2_scene_details;
+extern const gjk2_scene_details gjk2_scene_depth, gjk2_scene_contacts;
+
+// What a program binds to a scene besides its block and shapes. Each field is optional: zeroed, it binds nothing.
+typedef struct gjk2_scene_bindings {
+  gjk_scene_predicate *predicate;     // NULL: every pair that category and mask let through is tested
+  void *user;                         // the predicate's first argument
+  const gjk2_scene_details *details;  // &gjk2_scene_depth; &gjk2_scene_contacts: both; NULL: neither
+  gjk2_manifold *manifolds;  // room for a manifold per report of a call, see gjk2_report; NULL: none are wanted
+} gjk2_scene_bindings;
+
+// The handle of a scene. gjk2_scene_init, gjk2_scene_open and gjk2_scene_attach write all of it when they return GJK_OK,
+// and nothing of it otherwise. It may be copied: all copies are handles of the same scene. Of a copy, bindings may be
+// changed.
+typedef struct gjk2_scene {
+  void *block;
+  const gjk2_shape *const *shapes;  // the same shapes, in the same order, wherever a block goes
+  uint16_t shape_count;
+  gjk2_scene_bindings bindings;
+} gjk2_scene;
+
+// Bytes of a block. 0: the configuration is outside its ranges, or size_t cannot hold the number.
+size_t gjk2_scene_bytes(const gjk2_scene_config *config);
+
+// Makes an empty scene.
+//
+// scene     written whole.
+// block     the caller's, aligned for uint32_t, at least gjk2_scene_bytes; may come from gjk_port_allocate.
+// shapes    the caller's, must stay as it is while the scene is used; may hold NULLs that no body names.
+// bindings  copied into the handle, whose own bindings they may be; NULL: none.
+// Statuses  RANGE (config, or a block that is not aligned), CAPACITY (bytes).
+gjk_status gjk2_scene_init(gjk2_scene *scene, const gjk2_scene_config *config, void *block, size_t bytes,
+                           const gjk2_shape *const *shapes, uint16_t shape_count, const gjk2_scene_bindings *bindings);
+
+// Bodies. A call that fails changes nothing. Statuses: BODY_ID for an id that is stale or was never given; BUSY for a
+// change between the first slice of an update and its last report.
+
+// Adds a body to the lowest free slot. Statuses: CAPACITY (bodies, parts or own poses are used up), RANGE (a field, or
+// a part that leaves int32), EMPTY (no parts), ROTATION, and those of gjk2_collider_init.
+gjk_status gjk2_scene_add(gjk2_scene *scene, const gjk2_body_setup *setup, gjk_body_id *out);
+
+// Adds a body to a stated slot. The scene does not depend on the order of such calls. BODY_ID: the slot is taken or
+// used up. CAPACITY: there is no such slot.
+gjk_status gjk2_scene_add_at(gjk2_scene *scene, uint32_t slot, const gjk2_body_setup *setup, gjk_body_id *out);
+
+// Removes a body. The next update reports the end of its pairs that were near.
+gjk_status gjk2_scene_remove(gjk2_scene *scene, gjk_body_id id);
+
+// Takes a body to its next pose, and wakes it. Statuses as gjk2_collider_pose.
+gjk_status gjk2_scene_move(gjk2_scene *scene, gjk_body_id id, const gjk2_pose *pose);
+
+// As gjk2_scene_move, for a body that will not go on moving the same way. Only boxes in the tree differ, never answers.
+gjk_status gjk2_scene_teleport(gjk2_scene *scene, gjk_body_id id, const gjk2_pose *pose);
+
+// A sleeping body stands still. A pair is reported as persisting only if a body of it is awake and not static.
+// Sleep: RANGE unless the body is dynamic.
+gjk_status gjk2_scene_sleep(gjk2_scene *scene, gjk_body_id id);
+gjk_status gjk2_scene_wake(gjk2_scene *scene, gjk_body_id id);
+
+// Gives a part of a body another shape. RANGE: no such part or shape; and the statuses of gjk2_collider_init.
+gjk_status gjk2_scene_set_shape(gjk2_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape);
+
+// Gives a body another category and mask.
+gjk_status gjk2_scene_set_filter(gjk2_scene *scene, gjk_body_id id, uint32_t category, uint32_t mask);
+
+// Gives a body another user word. If it differs, gjk2_scene_refilter follows, because the predicate is given that word.
+gjk_status gjk2_scene_set_user(gjk2_scene *scene, gjk_body_id id, uint32_t user);
+
+// Makes the next update ask the predicate about all pairs of the body again.
+gjk_status gjk2_scene_refilter(gjk2_scene *scene, gjk_body_id id);
+
+// What a scene holds about a body.
+typedef struct gjk2_body_state {
+  gjk2_pose pose;
+  uint32_t category, mask, user;
+  gjk_q16 margin;
+  uint16_t part_count;
+  uint8_t kind, detail;
+  bool asleep;
+} gjk2_body_state;
+
+gjk_status gjk2_scene_get(const gjk2_scene *scene, gjk_body_id id, gjk2_body_state *out);
+
+// The id of the body in a slot. Its generation is 0 when the slot is free. RANGE: no such slot.
+gjk_status gjk2_scene_body_at(const gjk2_scene *scene, uint32_t slot, gjk_body_id *out);
+
+// A part as a posed collider, for any query of the library. RANGE: no such part.
+gjk_status gjk2_scene_collider(const gjk2_scene *scene, gjk_body_id id, uint16_t part, gjk2_collider *out);
+
+// Updates.
+
+// One pair of parts. a has the lower slot.
+//
+// distance  of BEGIN and PERSIST, by detail. DISTANCE: as gjk2_distance; DEPTH: as gjk2_signed_distance, negative for a
+//           depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
+// manifold  of BEGIN and PERSIST with CONTACTS: up to 2 contacts, found without a cache. The i-th report of a call has
+//           &bindings.manifolds[i]. Otherwise NULL.
+typedef struct gjk2_report {
+  gjk_body_id a, b;
+  uint16_t part_a, part_b;
+  uint8_t event;   // a gjk_event
+  uint8_t detail;  // a gjk_detail: the pair's; the configuration's if a body was removed
+  gjk_q16 distance;
+  const gjk2_manifold *manifold;
+} gjk2_report;
+
+// Finds which pairs are near. Reports are in the order of (slot, generation, part) of a, then of b.
+//
+// reports   room for capacity reports; NULL when that is 0. A buffer that fills up loses nothing: call again.
+// Statuses  CAPACITY: config.pairs is too small, see there. The update has not begun; it begins once bodies are moved
+//           or removed so that their pairs fit.
+//           UNSUPPORTED: the configuration or a body asks for a detail that bindings.details lacks. Nothing is done.
+// Unsettled  A query may reach its ceiling on iterations: of ellipses or custom shapes alone. Then the pair counts
+//           as near, at the proven lower bound, and its manifold is zero. So may the depth of such a pair: then the
+//           distance is minus a depth that is enough. gjk_scene_stats.unsettled counts both.
+gjk_status gjk2_scene_update(gjk2_scene *scene, gjk2_report *reports, uint32_t capacity, gjk_progress *progress);
+
+// As gjk2_scene_update, but this call tests at most tests pairs, for firmware with a deadline. The first slice
+// matches all boxes.
+gjk_status gjk2_scene_update_slice(gjk2_scene *scene, uint32_t tests, gjk2_report *reports, uint32_t capacity,
+                                   gjk_progress *progress);
+
+typedef void gjk2_report_function(void *user, const gjk2_report *report);
+
+// As gjk2_scene_update, with each report handed to a function, which may not change the scene. bindings.manifolds needs
+// room for one.
+gjk_status gjk2_scene_update_each(gjk2_scene *scene, gjk2_report_function *function, void *user);
+
+// Spread an update over threads. gjk2_scene_update_begin says how many pairs are to be tested. Then threads test
+// disjoint ranges of them at the same time, without locks: each call writes only to its own pairs' records. Last, a
+// gjk2_scene_update tests what is left and reports. Statuses as gjk2_scene_update, and: begin: BUSY while reports are left. Test: RANGE:
+// first > end, or end beyond the pairs, or no update has begun.
+gjk_status gjk2_scene_update_begin(gjk2_scene *scene, uint32_t *pairs);
+gjk_status gjk2_scene_test_pairs(gjk2_scene *scene, uint32_t first, uint32_t end);
+
+// Goes through the pairs that were near at the last update, in no stated order. Start with *cursor 0; *found is false
+// at the end. The event is PERSIST, or END when a body was removed since.
+gjk_status gjk2_scene_next_near(const gjk2_scene *scene, uint32_t *cursor, gjk2_report *out, bool *found);
+
+// The manifold of a reported pair at its bodies' current poses, at most the sum of their margins apart, without a
+// cache. For programs that ask of some pairs alone, or share the work among threads. most, out and statuses as of
+// gjk2_contacts; and BODY_ID, RANGE for a part that is not there.
+gjk_status gjk2_scene_manifold(const gjk2_scene *scene, const gjk2_report *report, unsigned most, gjk2_manifold *out);
+
+gjk_status gjk2_scene_get_stats(const gjk2_scene *scene, gjk_scene_stats *out);
+
+// Queries. They see the current poses, also between updates.
+
+// Finds the parts whose exact boxes share a point with box, in the order of (slot, part).
+//
+// after   NULL, or the last hit of the call before: then only what follows it is found. So any buffer will do.
+// hits    room for capacity hits, NULL when that is 0.
+// count   how many were found. The first of them, as many as fit, are in hits.
+// Statuses  RANGE: lower > upper along an axis.
+gjk_status gjk2_scene_query_box(const gjk2_scene *scene, const gjk2_aabb *box, const gjk_scene_hit *after,
+                                gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
+
+// Finds the parts whose exact boxes the segment between two points meets, in the order of (fraction, slot, part).
+// Meeting is decided exactly. after, hits and count as in gjk2_scene_query_box.
+gjk_status gjk2_scene_query_ray(const gjk2_scene *scene, const gjk2_vec *from, const gjk2_vec *to,
+                                const gjk_scene_hit *after, gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
+
+// Finds the part nearest to a posed collider, at most reach away by gjk2_distance; among equals the lowest (slot, part).
+// Where a query reaches its ceiling on iterations, the larger of two lower bounds counts as the distance: the query's
+// and the boxes'.
+//
+// ignore  NULL, or a body to leave out, for example the one that asks.
+// found   whether there is one. hit and distance are written only then.
+// Statuses  NEGATIVE (reach), UNINITIALISED.
+gjk_status gjk2_scene_query_nearest(const gjk2_scene *scene, const gjk2_collider *collider, gjk_q16 reach,
+                                    const gjk_body_id *ignore, gjk_scene_hit *hit, gjk_q16 *distance, bool *found);
+
+// Lockstep and saving.
+
+// 64 bits over all that decides further answers: the configuration without capacities, box_margin and retest_all; the
+// build's GJK_ITERATIONS_MAX; bodies; pairs near at the last update; updates. Tree and caches do not count. BUSY during
+// an update.
+gjk_status gjk2_scene_hash(const gjk2_scene *scene, uint64_t *out);
+
+// Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.
+gjk_status gjk2_scene_seal(gjk2_scene *scene);
+
+// Opens a sealed block that may come from anywhere. Checks its header, byte order and checksum, and all that
+// gjk2_scene_check does, so no later call reads or writes outside of the block. scene and bindings as in gjk2_scene_init.
+// Statuses: CORRUPT, also for a block of another GJK2_SCENE_BLOCK_VERSION or of a build with another GJK_ITERATIONS_MAX;
+// CAPACITY (bytes); RANGE (not aligned, or a shape index that the table lacks). The caller promises that the shapes are
+// the same; CORRUPT where a part's box or pose shows that they are not.
+gjk_status gjk2_scene_open(gjk2_scene *scene, void *block, size_t bytes, const gjk2_shape *const *shapes,
+                           uint16_t shape_count, const gjk2_scene_bindings *bindings);
+
+// Opens a copy of a block that this program made itself, sealed or not. Checks only the header. scene and bindings as
+// in gjk2_scene_init; statuses as gjk2_scene_open.
+gjk_status gjk2_scene_attach(gjk2_scene *scene, void *block, size_t bytes, const gjk2_shape *const *shapes,
+                             uint16_t shape_count, const gjk2_scene_bindings *bindings);
+
+// Checks every index and invariant in the block, and poses every part anew: OK or CORRUPT; RANGE for a shape index that
+// the table lacks. Visits all of the block. May not overlap with queries, because it marks and restores records.
+gjk_status gjk2_scene_check(const gjk2_scene *scene);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

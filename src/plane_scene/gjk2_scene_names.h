@@ -1,0 +1,204 @@
+// The names under which the source of scenes, src/scene, is compiled for the plane.
+//
+// A file gjk2_scene_NAME.c of this room includes this and then src/scene/gjk_scene_NAME.c, so one source serves space and
+// plane: to read the plane's, read that and think gjk2_ for gjk_. What depends on the dimension is in gjk2_scene_plane.h
+// and gjk2_scene_measure.h, which take the places of gjk_scene_space.h and gjk_scene_measure.h. Names without a
+// dimension, those of gjk/body.h and gjk_scene_common.h, stay as they are.
+#ifndef GJK2_SRC_SCENE_NAMES_H
+#define GJK2_SRC_SCENE_NAMES_H
+
+#include "gjk2_scene_measure.h"
+#include "gjk2_scene_plane.h"
+
+// Tells the files of src/scene that they are the plane's.
+#define GJK_SCENE_OF_PLANE
+
+// What the library offers in each dimension.
+#define GJK_PROOF_ENCLOSING GJK2_PROOF_ENCLOSING
+#define GJK_PROOF_NEAR GJK2_PROOF_NEAR
+#define GJK_STATE_POSED GJK2_STATE_POSED
+#define gjk_aabb gjk2_aabb
+#define gjk_aabb_gap gjk2_aabb_gap
+#define gjk_aabb_hull gjk2_aabb_hull
+#define gjk_aabb_inside gjk2_aabb_inside
+#define gjk_aabb_is_empty gjk2_aabb_is_empty
+#define gjk_aabb_meet gjk2_aabb_meet
+#define gjk_body_setup gjk2_body_setup
+#define gjk_body_state gjk2_body_state
+#define gjk_cache gjk2_cache
+#define gjk_certificate gjk2_certificate
+#define gjk_collider gjk2_collider
+#define gjk_collider_aabb gjk2_collider_aabb
+#define gjk_collider_init gjk2_collider_init
+#define gjk_collider_pose gjk2_collider_pose
+#define gjk_decision gjk2_decision
+#define gjk_distance gjk2_distance
+#define gjk_distance_result gjk2_distance_result
+#define gjk_is_curved gjk2_is_curved
+#define gjk_manifold gjk2_manifold
+#define gjk_negate gjk2_negate
+#define gjk_part gjk2_part
+#define gjk_pose gjk2_pose
+#define gjk_pose_compose gjk2_pose_compose
+#define gjk_quat gjk2_rotation
+#define gjk_report gjk2_report
+#define gjk_report_function gjk2_report_function
+#define gjk_shape gjk2_shape
+#define gjk_sum_of_products_sign gjk_sum_of_products_sign_exact
+#define gjk_support gjk2_support
+#define gjk_vec3 gjk2_vec
+#define gjk_within gjk2_within
+
+// Types and constants of scenes.
+#define GJK_SCENE_AXES GJK2_SCENE_AXES
+#define GJK_SCENE_CONTACTS GJK2_SCENE_CONTACTS
+#define GJK_SCENE_HEADER_BYTES GJK2_SCENE_HEADER_BYTES
+#define GJK_SCENE_HEIGHT GJK2_SCENE_HEIGHT
+#define GJK_SCENE_INDEX GJK2_SCENE_INDEX
+#define GJK_SCENE_MAGIC GJK2_SCENE_MAGIC
+#define GJK_SCENE_NEAR_SLACK GJK2_SCENE_NEAR_SLACK
+#define GJK_SCENE_NONE GJK2_SCENE_NONE
+#define GJK_SCENE_PLANE_SLACK GJK2_SCENE_LINE_SLACK
+#define GJK_SCENE_POSES_AGAIN GJK2_SCENE_POSES_AGAIN
+#define GJK_SCENE_VERSION GJK2_SCENE_VERSION
+#define gjk_scene gjk2_scene
+#define gjk_scene_bindings gjk2_scene_bindings
+#define gjk_scene_body gjk2_scene_body
+#define gjk_scene_config gjk2_scene_config
+#define gjk_scene_details gjk2_scene_details
+#define gjk_scene_header gjk2_scene_header
+#define gjk_scene_header_is_fixed gjk2_scene_header_is_fixed
+#define gjk_scene_node gjk2_scene_node
+#define gjk_scene_own_pose gjk2_scene_own_pose
+#define gjk_scene_pair gjk2_scene_pair
+#define gjk_scene_part gjk2_scene_part
+#define gjk_scene_step gjk2_scene_step
+#define gjk_scene_view gjk2_scene_view
+#define gjk_scene_walk gjk2_scene_walk
+
+// Functions of scenes.
+#define gjk_scene_add gjk2_scene_add
+#define gjk_scene_add_at gjk2_scene_add_at
+#define gjk_scene_along gjk2_scene_along
+#define gjk_scene_attach gjk2_scene_attach
+#define gjk_scene_between_centres gjk2_scene_between_centres
+#define gjk_scene_body_at gjk2_scene_body_at
+#define gjk_scene_body_of gjk2_scene_body_of
+#define gjk_scene_bytes gjk2_scene_bytes
+#define gjk_scene_cells gjk2_scene_cells
+#define gjk_scene_centres_squared gjk2_scene_centres_squared
+#define gjk_scene_check gjk2_scene_check
+#define gjk_scene_check_header gjk2_scene_check_header
+#define gjk_scene_clear_hint gjk2_scene_clear_hint
+#define gjk_scene_collider gjk2_scene_collider
+#define gjk_scene_cost gjk2_scene_cost
+#define gjk_scene_detail gjk2_scene_detail
+#define gjk_scene_direction gjk2_scene_direction
+#define gjk_scene_distance_bound gjk2_scene_distance_bound
+#define gjk_scene_edit gjk2_scene_edit
+#define gjk_scene_end gjk2_scene_end
+#define gjk_scene_equal_vec3 gjk2_scene_equal_vec
+#define gjk_scene_fill_queue gjk2_scene_fill_queue
+#define gjk_scene_get gjk2_scene_get
+#define gjk_scene_get_stats gjk2_scene_get_stats
+#define gjk_scene_gone_next gjk2_scene_gone_next
+#define gjk_scene_gone_side gjk2_scene_gone_side
+#define gjk_scene_grow gjk2_scene_grow
+#define gjk_scene_has_workspace gjk2_scene_has_workspace
+#define gjk_scene_hash gjk2_scene_hash
+#define gjk_scene_hint gjk2_scene_hint
+#define gjk_scene_holds gjk2_scene_holds
+#define gjk_scene_holds_shape gjk2_scene_holds_shape
+#define gjk_scene_holds_unposed gjk2_scene_holds_unposed
+#define gjk_scene_id_of gjk2_scene_id_of
+#define gjk_scene_init gjk2_scene_init
+#define gjk_scene_inner_radius gjk2_scene_inner_radius
+#define gjk_scene_is_below gjk2_scene_is_below
+#define gjk_scene_is_point gjk2_scene_is_point
+#define gjk_scene_is_rotation gjk2_scene_is_rotation
+#define gjk_scene_is_to_pose gjk2_scene_is_to_pose
+#define gjk_scene_is_zero gjk2_scene_is_zero
+#define gjk_scene_is_zero_direction gjk2_scene_is_zero_direction
+#define gjk_scene_linked_side gjk2_scene_linked_side
+#define gjk_scene_load gjk2_scene_load
+#define gjk_scene_load_cache gjk2_scene_load_cache
+#define gjk_scene_local_centre gjk2_scene_local_centre
+#define gjk_scene_make_events gjk2_scene_make_events
+#define gjk_scene_may_pair gjk2_scene_may_pair
+#define gjk_scene_mix_rotation gjk2_scene_mix_rotation
+#define gjk_scene_mix_vec3 gjk2_scene_mix_vec
+#define gjk_scene_move gjk2_scene_move
+#define gjk_scene_narrow_phase gjk2_scene_narrow_phase
+#define gjk_scene_next gjk2_scene_next
+#define gjk_scene_next_near gjk2_scene_next_near
+#define gjk_scene_no_normal gjk2_scene_no_normal
+#define gjk_scene_node_box gjk2_scene_node_box
+#define gjk_scene_open gjk2_scene_open
+#define gjk_scene_pair_drop gjk2_scene_pair_drop
+#define gjk_scene_pair_stays gjk2_scene_pair_stays
+#define gjk_scene_pairs_forget gjk2_scene_pairs_forget
+#define gjk_scene_pairs_match gjk2_scene_pairs_match
+#define gjk_scene_part_at gjk2_scene_part_at
+#define gjk_scene_part_box gjk2_scene_part_box
+#define gjk_scene_part_build gjk2_scene_part_build
+#define gjk_scene_part_carries gjk2_scene_part_carries
+#define gjk_scene_part_carry gjk2_scene_part_carry
+#define gjk_scene_part_collider gjk2_scene_part_collider
+#define gjk_scene_part_count gjk2_scene_part_count
+#define gjk_scene_part_fits gjk2_scene_part_fits
+#define gjk_scene_part_load gjk2_scene_part_load
+#define gjk_scene_part_now gjk2_scene_part_now
+#define gjk_scene_part_reset gjk2_scene_part_reset
+#define gjk_scene_part_settle gjk2_scene_part_settle
+#define gjk_scene_part_shrink_box gjk2_scene_part_shrink_box
+#define gjk_scene_part_turns gjk2_scene_part_turns
+#define gjk_scene_pool_give gjk2_scene_pool_give
+#define gjk_scene_pool_take gjk2_scene_pool_take
+#define gjk_scene_previous gjk2_scene_previous
+#define gjk_scene_query_box gjk2_scene_query_box
+#define gjk_scene_query_nearest gjk2_scene_query_nearest
+#define gjk_scene_query_ray gjk2_scene_query_ray
+#define gjk_scene_refilter gjk2_scene_refilter
+#define gjk_scene_remove gjk2_scene_remove
+#define gjk_scene_rotation_bound gjk2_scene_rotation_bound
+#define gjk_scene_same_rotation gjk2_scene_same_rotation
+#define gjk_scene_same_vec3 gjk2_scene_same_vec
+#define gjk_scene_seal gjk2_scene_seal
+#define gjk_scene_set_bindings gjk2_scene_set_bindings
+#define gjk_scene_set_end gjk2_scene_set_end
+#define gjk_scene_set_filter gjk2_scene_set_filter
+#define gjk_scene_set_gone gjk2_scene_set_gone
+#define gjk_scene_set_next gjk2_scene_set_next
+#define gjk_scene_set_part_count gjk2_scene_set_part_count
+#define gjk_scene_set_previous gjk2_scene_set_previous
+#define gjk_scene_set_shape gjk2_scene_set_shape
+#define gjk_scene_set_user gjk2_scene_set_user
+#define gjk_scene_set_zero gjk2_scene_set_zero
+#define gjk_scene_shift gjk2_scene_shift
+#define gjk_scene_side_of gjk2_scene_side_of
+#define gjk_scene_signed_distance gjk2_scene_signed_distance
+#define gjk_scene_sleep gjk2_scene_sleep
+#define gjk_scene_step_between gjk2_scene_step_between
+#define gjk_scene_store gjk2_scene_store
+#define gjk_scene_store_cache gjk2_scene_store_cache
+#define gjk_scene_store_shape gjk2_scene_store_shape
+#define gjk_scene_teleport gjk2_scene_teleport
+#define gjk_scene_test_pairs gjk2_scene_test_pairs
+#define gjk_scene_test_queue gjk2_scene_test_queue
+#define gjk_scene_tree_insert gjk2_scene_tree_insert
+#define gjk_scene_tree_remove gjk2_scene_tree_remove
+#define gjk_scene_update gjk2_scene_update
+#define gjk_scene_update_begin gjk2_scene_update_begin
+#define gjk_scene_update_each gjk2_scene_update_each
+#define gjk_scene_update_slice gjk2_scene_update_slice
+#define gjk_scene_view_of gjk2_scene_view_of
+#define gjk_scene_wake gjk2_scene_wake
+#define gjk_scene_walk_descend gjk2_scene_walk_descend
+#define gjk_scene_walk_meeting gjk2_scene_walk_meeting
+#define gjk_scene_walk_next gjk2_scene_walk_next
+#define gjk_scene_walk_start gjk2_scene_walk_start
+#define gjk_scene_wants_distance gjk2_scene_wants_distance
+#define gjk_scene_way gjk2_scene_way
+#define gjk_scene_write_reports gjk2_scene_write_reports
+
+#endif

@@ -1,0 +1,4 @@
+// The hash of a scene, its seal, and the opening of a block, in the plane: the source that space has, under the plane's names.
+#include "gjk2_scene_names.h"
+
+#include "../scene/gjk_scene_save.c"

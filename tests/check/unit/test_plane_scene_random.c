@@ -1,0 +1,52 @@
+// Scenes of the plane under random changes against a search of all pairs, with all skips and with none; and while they
+// are saved, restored, moved to other memory and updated in slices.
+
+// Depths of smooth shapes in the middle of each other, which GJK2_DEPTH_ITERATIONS_MAX need not settle.
+#define FAMILY_MAY_STAY_OPEN(options) ((options)->detail == GJK_DETAIL_DEPTH)
+
+#include "scene/plane_names.h"
+#include "scene/session.h"
+#include "scene_families.h"
+
+#define SEED 7700
+#define SESSIONS check_trials(60)
+#define CHANGES 400u
+
+static void check_session(random_state *random, session *s) {
+  const world_options options = session_options(random);
+  CHECK(session_start(s, &options));
+  for (unsigned i = 0; i < CHANGES; i++) {
+    const uint32_t what = random_below(random, 100);
+    bool fine = true;
+    if (what < 86) {
+      fine = world_change(&s->now, random);
+    } else if (what < 94) {
+      fine = session_update(s, random);
+    } else if (what < 96) {
+      session_keep(s);
+    } else {
+      fine = session_move(s, what < 98);
+    }
+    CHECK_MSG(fine, "change %u: %u", i, what);
+    if (!fine) {
+      break;
+    }
+  }
+  session_end(s);
+}
+
+int main(void) {
+  static session s;
+  random_state random = random_seed(check_seed(SEED) + 100);
+  for (unsigned i = 0; i < SESSIONS; i++) {
+    check_trial(i, NULL, NULL);
+    check_session(&random, &s);
+  }
+  printf("sessions: %lu updates, %lu restores, %lu begun\n", s.updates, s.restores, s.begun);
+  CHECK(s.updates > 1000 && s.restores > 300 && s.begun > 1000);
+  for (unsigned i = 0; i < FAMILIES; i++) {
+    run_family(i, check_seed(SEED));
+  }
+  CHECK(unsettled < 100);
+  return check_done("plane_scene_random");
+}

@@ -1,0 +1,4 @@
+// Sessions of the plane.
+#include "plane_names.h"
+
+#include "session.c"

@@ -1,0 +1,4 @@
+// Worlds of the plane.
+#include "world_plane.h"
+
+#include "world.c"
