@@ -72,11 +72,11 @@ GJK_OUT_OF_LINE static void nearest_points(const gjk_iteration *it, const featur
 }
 
 // What all coordinates of both points share in a frame of FINE_SHIFT or more.
-typedef struct move {
+typedef struct point_move {
   int32_t v, w;                // the weights of v and w, Q31
   int32_t radius_a, radius_b;  // 2 convex_radius of A, -2 convex_radius of B
   unsigned shift;              // of the frame
-} move;
+} point_move;
 
 // start + radius normal, floored from Q31. Pre: the result fits.
 static inline int32_t along_normal(int64_t start, gjk_q30 normal, int32_t radius) {
@@ -91,8 +91,9 @@ static inline int32_t along_normal(int64_t start, gjk_q30 normal, int32_t radius
 //   |a| < 2^28 + 2^16, |w| / 2^shift < 2^26 since the reach is below 2^30; weights together <= 2^31
 //   partial sums:   A's core point within 2^59 + 2^47, twice that on the way; 2^58 for the differences, 2^59 for the radius
 //   results:        at most 2^30 + 2^28 + 2^28 + 2^27
-static inline void report_coarse_axis(const move *m, gjk_q16 centre_a, int32_t a0, int32_t a1, int32_t a2, int32_t w0,
-                                      int32_t w1, int32_t w2, gjk_q30 normal, gjk_q16 *point_a, gjk_q16 *point_b) {
+static inline void report_coarse_axis(const point_move *m, gjk_q16 centre_a, int32_t a0, int32_t a1, int32_t a2,
+                                      int32_t w0, int32_t w1, int32_t w2, gjk_q30 normal, gjk_q16 *point_a,
+                                      gjk_q16 *point_b) {
   const int64_t start = gjk_int64((uint64_t)a0 << 31 | UINT64_C(1) << 30);  // and half an LSB
   const int64_t core = gjk_mac32(gjk_mac32(start, a1 - a0, m->v), a2 - a0, m->w);
   const int64_t of_b =
@@ -106,8 +107,8 @@ static inline void coarse_points(const gjk_iteration *it, const feature *f, cons
                                  gjk_vec3 *point_b) {
   const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
   const gjk_vec3 *centre = &it->a->centre;
-  const move m = {f->weight[0].high, f->weight[1].high, 2 * it->a->shape->convex_radius,
-                  -2 * it->b->shape->convex_radius, (unsigned)it->shift};
+  const point_move m = {f->weight[0].high, f->weight[1].high, 2 * it->a->shape->convex_radius,
+                        -2 * it->b->shape->convex_radius, (unsigned)it->shift};
   report_coarse_axis(&m, centre->x, u->a.offset.x, v->a.offset.x, w->a.offset.x, u->w.x, v->w.x, w->w.x, normal->x,
                      &point_a->x, &point_b->x);
   report_coarse_axis(&m, centre->y, u->a.offset.y, v->a.offset.y, w->a.offset.y, u->w.y, v->w.y, w->w.y, normal->y,
