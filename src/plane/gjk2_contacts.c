@@ -49,10 +49,10 @@ static void widen(plane_side *of, gjk2_vec edge, gjk2_vec towards, gjk_q16 conve
   gjk2_unit u;
   gjk2_unit_set(&u, &length, n);
   const int64_t half = INT64_C(1) << 29;
-  const gjk2_vec move = {(int32_t)gjk_sar64(gjk_mac32(half, u.x, convex_radius), 30),
-                         (int32_t)gjk_sar64(gjk_mac32(half, u.y, convex_radius), 30)};
-  of->end[0] = gjk2_add(of->end[0], move);
-  of->end[1] = gjk2_add(of->end[1], move);
+  const gjk2_vec outwards = {(int32_t)gjk_sar64(gjk_mac32(half, u.x, convex_radius), 30),
+                             (int32_t)gjk_sar64(gjk_mac32(half, u.y, convex_radius), 30)};
+  of->end[0] = gjk2_add(of->end[0], outwards);
+  of->end[1] = gjk2_add(of->end[1], outwards);
 }
 
 // Does the edge e lie nearer to straight across the direction than f? e and f lead away from the same corner.
