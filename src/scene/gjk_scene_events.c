@@ -123,6 +123,7 @@ typedef struct sorted_queue {
 
 // Does the report of one pair come before that of another one?
 GJK_OUT_OF_LINE static bool is_before(const gjk_scene_view *v, uint32_t i, uint32_t j) {
+  //@ assert i < v->header->pairs.capacity && j < v->header->pairs.capacity;
   const gjk_scene_pair *pair_i = &v->pairs[i], *pair_j = &v->pairs[j];
   for (unsigned side = 0; side < 2; side++) {
     const gjk_scene_side a = gjk_scene_side_of(v, pair_i, side), b = gjk_scene_side_of(v, pair_j, side);
