@@ -26,8 +26,7 @@ typedef enum gjk_body_kind {
   GJK_BODY_DYNAMIC      // may fall asleep
 } gjk_body_kind;
 
-// What is wanted of a pair. DEPTH and CONTACTS need the details of a scene's
-// bindings.
+// What is wanted of a pair. DEPTH and CONTACTS need the details of a scene's bindings.
 typedef enum gjk_detail {
   GJK_DETAIL_TOUCH = 0,  // near or not
   GJK_DETAIL_DISTANCE,   // and the distance

@@ -205,8 +205,8 @@ gjk_status gjk2_scene_update_each(gjk2_scene *scene, gjk2_report_function *funct
 
 // Spread an update over threads. gjk2_scene_update_begin says how many pairs are to be tested. Then threads test
 // disjoint ranges of them at the same time, without locks: each call writes only to its own pairs' records. Last, a
-// gjk2_scene_update tests what is left and reports. Statuses as gjk2_scene_update, and: begin: BUSY while reports are left. Test: RANGE:
-// first > end, or end beyond the pairs, or no update has begun.
+// gjk2_scene_update tests what is left and reports. Statuses as gjk2_scene_update, and: begin: BUSY while reports are
+// left. Test: RANGE: first > end, or end beyond the pairs, or no update has begun.
 gjk_status gjk2_scene_update_begin(gjk2_scene *scene, uint32_t *pairs);
 gjk_status gjk2_scene_test_pairs(gjk2_scene *scene, uint32_t first, uint32_t end);
 

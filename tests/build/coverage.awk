@@ -3,6 +3,7 @@
 
 function place(file) {
   sub(root, "", file)
+  sub(/[a-z_]+\/\.\.\//, "", file)  # a file that is included from another room
   return file
 }
 

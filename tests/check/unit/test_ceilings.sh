@@ -37,7 +37,7 @@ for iterations in 1 2 3 10; do
   check "matches, $iterations iterations" run $iterations 60 tests/check/limit/match.c
 done
 for setting in 1:0 2:20 3:40 10:60; do
-  for source in tests/check/unit/test_scene_*.c; do
+  for source in tests/check/unit/test_scene_*.c tests/check/unit/test_plane_scene_random.c tests/check/unit/test_plane_scene_spread.c; do
     check "$(basename "$source" .c), iterations and cells $setting" run ${setting%:*} ${setting#*:} "$source"
   done
   check "saves and restores, iterations and cells $setting" run ${setting%:*} ${setting#*:} tests/check/soak_scene/main.c 8000
