@@ -62,7 +62,7 @@ typedef struct gjk2_search {
   uint8_t count;  // vertices that span the feature, or with ENCLOSING the simplex
   bool curved;
   bool exact;  // polygons in a near frame
-  bool walks;  // in order as well: the first vertex is followed by a walk
+  bool walks;  // in order as well: the first vertex is followed by a walk, of as many iterations as it takes
   bool warm;   // the feature is the cache's, and not yet tried
   // Of one vertex: the feature is apex, and first and last bracket it, or are not set (alone). Of two: first and last.
   // Of three: first, apex and last. The fourth is spare.
