@@ -28,8 +28,17 @@
 // to O, and ends
 //   at an edge that holds O's foot, with O on its right: no other vertex lies right of it, so it is the nearest
 //   at a vertex from which neither edge leads nearer: all of A - B lies between them, so it is the nearest
-//   where O lies on the left of the edge that leads nearer: mostly the shapes overlap. On with step 1 from x
+//   where O does not lie strictly right of the edge that leads nearer: mostly the shapes overlap. On with step 1 from x
 // Distances along it fall, so it visits no vertex twice: it takes as many iterations as edges, which the bound covers.
+//
+// The last of these ends it at its first step or never, so iterations of a walk and of steps 1 to 7 do not add up.
+// Counterclockwise (the other way round is its mirror image):
+//   after a step along an edge e that leads nearer and whose foot of O is not inside, O lies strictly right of e, and its
+//   direction makes an angle of 90 degrees or less with e: it points from 0 to 90 degrees to the right of e, without 0
+//   the next edge f turns left from e by more than 0 and less than 180 degrees, because the boundary is convex
+//   so O's direction points more than 0 and less than 270 degrees to the right of f
+//   if O is on the line of f or on its left, it points 180 degrees or more to the right of f, and less than 270
+//   then its angle with f is more than 90 degrees, and f does not lead nearer
 //
 // In a far frame, and with curved shapes, vertices are rounded. There an iteration must gain a part of a frame's unit,
 // the ceiling counts, and a triangle that does not hold the origin by all three signs is none.
@@ -98,9 +107,13 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
     s->radius = radius < FRAME_REACH ? (int32_t)radius : FRAME_REACH;
     s->far = 0;
   }
-  s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
-  s->exact = s->far == 0 && !s->curved;
-  s->walks = s->far == 0 && a->ordered && b->ordered;
+  if (a->ordered && b->ordered) {
+    s->curved = false;  // curved shapes have no vertices in order
+    s->walks = s->far == 0;
+  } else {
+    s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
+    s->walks = false;
+  }
   s->iterations = 0;
   s->count = 0;
   s->warm = false;
@@ -130,14 +143,15 @@ typedef struct boundary_walk {
   gjk2_support a, b;            // of the vertex
   gjk2_support next_a, next_b;  // those that follow, or precede
   gjk2_vec step_a, step_b;      // the edges of A and of -B that lead there
+  gjk2_vec w;                   // where the walk begins, frame
 } boundary_walk;
 
-// Step 3. Sets the vertex of the walk, and returns it in the frame.
-static inline gjk2_vec scan_both(const gjk2_search *s, const gjk2_vec *d, boundary_walk *k) {
+// Step 3. Sets the vertex with which a walk begins.
+static inline void scan_both(const gjk2_search *s, const gjk2_vec *d, boundary_walk *k) {
   const gjk2_vec opposite = {-d->x, -d->y};
   s->a->shape->type->support(s->a, d, &k->a);
   s->b->shape->type->support(s->b, &opposite, &k->b);
-  return framed(s, gjk2_sub(k->a.offset, k->b.offset));
+  k->w = framed(s, gjk2_sub(k->a.offset, k->b.offset));
 }
 
 static inline void set_vertex(const boundary_walk *k, gjk2_vec w, gjk2_vertex *out) {
@@ -150,8 +164,8 @@ static inline void set_vertex(const boundary_walk *k, gjk2_vec w, gjk2_vertex *o
 
 void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
   boundary_walk k;
-  const gjk2_vec w = scan_both(s, &d, &k);
-  set_vertex(&k, w, out);
+  scan_both(s, &d, &k);
+  set_vertex(&k, k.w, out);
 }
 
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
@@ -284,7 +298,7 @@ static inline bool add_support(gjk2_search *s, int64_t before, int64_t after) {
 // Step 5. Does x gain too little along d to go on? Exact of polygons in a near frame. Elsewhere the gain,
 // (along - base) / |d|, must exceed |d|_1 / |d| / 8 units of the frame, or / 2 where the search is late.
 static inline bool gains_nothing(const gjk2_search *s, int64_t gain) {
-  return gain <= (s->exact ? 0 : (int64_t)(gjk2_norm1(s->d) >> (s->iterations > LATE ? 1 : 3)));
+  return gain <= (gjk2_search_is_exact(s) ? 0 : (int64_t)(gjk2_norm1(s->d) >> (s->iterations > LATE ? 1 : 3)));
 }
 
 // Step 2. Is the feature within radius of O, and does that answer the goal?
@@ -307,9 +321,10 @@ static void step_of_b(const gjk2_search *s, bool following, boundary_walk *k) {
   k->step_b = gjk2_sub(k->b.offset, k->next_b.offset);
 }
 
-// The walk one way round, from w: see the head of this file. NEAREST: the feature and d are set. LIMIT: it is where it
+// The walk one way round: see the head of this file. NEAREST: the feature and d are set. LIMIT: it is where it
 // began; the first step leads no nearer (s->base >= 0), or O lies inside of its line.
-static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k, gjk2_vec w, bool following) {
+static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k, bool following) {
+  gjk2_vec w = k->w;
   const bool decides = s->radius == 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH);
   step_of_a(s, following, k);
   step_of_b(s, following, k);
@@ -326,11 +341,11 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k,
       s->d = gjk2_negate(w);
       return GJK2_OUTCOME_NEAREST;
     }
-    const gjk2_vec ahead = gjk2_add(w, step), d = gjk2_outward(following ? step : gjk2_negate(step));
-    const int64_t height = gjk2_dot(d, w);
+    const int64_t side = gjk2_cross(w, step), height = following ? side : -side;
     if (height >= 0) {
       return GJK2_OUTCOME_LIMIT;
     }
+    const gjk2_vec ahead = gjk2_add(w, step), d = gjk2_outward(following ? step : gjk2_negate(step));
     s->iterations++;
     if (decides) {
       s->along = height;
@@ -364,15 +379,16 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k,
   }
 }
 
-static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal, boundary_walk *k, gjk2_vec w) {
+static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal, boundary_walk *k) {
+  const gjk2_vec w = k->w;
   gjk2_outcome outcome = GJK2_OUTCOME_ENCLOSING;
   if ((w.x | w.y) != 0) {
     // The way to O's side is likely the shorter one.
     const bool following = gjk2_cross(s->d, w) <= 0;
-    outcome = walk_round(s, goal, k, w, following);
+    outcome = walk_round(s, goal, k, following);
     if (outcome == GJK2_OUTCOME_LIMIT) {
       const int64_t ahead = s->base;
-      outcome = walk_round(s, goal, k, w, !following);
+      outcome = walk_round(s, goal, k, !following);
       // No way leads nearer. Where w lies within an edge, straight across from O, O may be on its inside.
       if (outcome == GJK2_OUTCOME_LIMIT) {
         set_vertex(k, w, s->apex);
@@ -407,7 +423,8 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       }
     }
     s->iterations = (uint16_t)(s->iterations + (s->iterations < UINT16_MAX));
-    const gjk2_vec w = scan_both(s, &s->d, &k);  // Step 3
+    scan_both(s, &s->d, &k);  // Step 3
+    const gjk2_vec w = k.w;
     if (!s->walks) {
       set_vertex(&k, w, s->spare);
     }
@@ -428,7 +445,7 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       s->warm = false;
       if (s->walks) {
         s->walks = false;
-        const gjk2_outcome outcome = walk_on(s, goal, &k, w);
+        const gjk2_outcome outcome = walk_on(s, goal, &k);
         if (outcome != GJK2_OUTCOME_LIMIT) {
           return outcome;
         }
