@@ -146,26 +146,27 @@ typedef struct boundary_walk {
   gjk2_vec w;                   // where the walk begins, frame
 } boundary_walk;
 
-// Step 3. Sets the vertex with which a walk begins.
-static inline void scan_both(const gjk2_search *s, const gjk2_vec *d, boundary_walk *k) {
+// Step 3. Returns the vertex in the frame.
+static inline gjk2_vec scan_both(const gjk2_search *s, const gjk2_vec *d, gjk2_support *of_a, gjk2_support *of_b) {
   const gjk2_vec opposite = {-d->x, -d->y};
-  s->a->shape->type->support(s->a, d, &k->a);
-  s->b->shape->type->support(s->b, &opposite, &k->b);
-  k->w = framed(s, gjk2_sub(k->a.offset, k->b.offset));
+  s->a->shape->type->support(s->a, d, of_a);
+  s->b->shape->type->support(s->b, &opposite, of_b);
+  return framed(s, gjk2_sub(of_a->offset, of_b->offset));
 }
 
-static inline void set_vertex(const boundary_walk *k, gjk2_vec w, gjk2_vertex *out) {
-  gjk2_copy(&out->w, &w);
-  gjk2_copy(&out->of_a, &k->a.offset);
-  gjk2_copy(&out->of_b, &k->b.offset);
-  out->a = k->a.vertex;
-  out->b = k->b.vertex;
+GJK_ONCE static void set_vertex(const gjk2_support *of_a, const gjk2_support *of_b, const gjk2_vec *w,
+                                gjk2_vertex *out) {
+  gjk2_copy(&out->w, w);
+  gjk2_copy(&out->of_a, &of_a->offset);
+  gjk2_copy(&out->of_b, &of_b->offset);
+  out->a = of_a->vertex;
+  out->b = of_b->vertex;
 }
 
 void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
-  boundary_walk k;
-  scan_both(s, &d, &k);
-  set_vertex(&k, k.w, out);
+  gjk2_support of_a, of_b;
+  const gjk2_vec w = scan_both(s, &d, &of_a, &of_b);
+  set_vertex(&of_a, &of_b, &w, out);
 }
 
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
@@ -336,7 +337,7 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k,
       if (first) {
         return GJK2_OUTCOME_LIMIT;
       }
-      set_vertex(k, w, s->apex);
+      set_vertex(&k->a, &k->b, &w, s->apex);
       make_apex(s);
       s->d = gjk2_negate(w);
       return GJK2_OUTCOME_NEAREST;
@@ -354,7 +355,7 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k,
     }
     const bool inside = gjk2_dot(ahead, step) > 0;
     if (inside) {
-      set_vertex(k, w, following ? s->first : s->last);
+      set_vertex(&k->a, &k->b, &w, following ? s->first : s->last);
     }
     if (turn >= 0) {
       gjk2_copy_support(&k->a, &k->next_a);
@@ -363,7 +364,7 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k,
       gjk2_copy_support(&k->b, &k->next_b);
     }
     if (inside) {
-      set_vertex(k, ahead, following ? s->last : s->first);
+      set_vertex(&k->a, &k->b, &ahead, following ? s->last : s->first);
       s->count = 2;
       s->base = height;
       s->d = d;
@@ -391,7 +392,7 @@ static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal, boundary_walk *k) {
       outcome = walk_round(s, goal, k, !following);
       // No way leads nearer. Where w lies within an edge, straight across from O, O may be on its inside.
       if (outcome == GJK2_OUTCOME_LIMIT) {
-        set_vertex(k, w, s->apex);
+        set_vertex(&k->a, &k->b, &w, s->apex);
         if (ahead >= 0 && s->base >= 0 && (ahead | s->base) != 0) {
           outcome = GJK2_OUTCOME_NEAREST;
           s->d = gjk2_negate(w);
@@ -400,7 +401,7 @@ static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal, boundary_walk *k) {
       }
     }
   } else {
-    set_vertex(k, w, s->apex);
+    set_vertex(&k->a, &k->b, &w, s->apex);
     make_apex(s);
   }
   return outcome == GJK2_OUTCOME_NEAREST && is_near(s, goal) ? GJK2_OUTCOME_NEAR : outcome;
@@ -423,10 +424,9 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       }
     }
     s->iterations = (uint16_t)(s->iterations + (s->iterations < UINT16_MAX));
-    scan_both(s, &s->d, &k);  // Step 3
-    const gjk2_vec w = k.w;
+    const gjk2_vec w = scan_both(s, &s->d, &k.a, &k.b);  // Step 3
     if (!s->walks) {
-      set_vertex(&k, w, s->spare);
+      set_vertex(&k.a, &k.b, &w, s->spare);
     }
     if (s->count == 2) {
       before = gjk2_cross(s->first->w, w);
@@ -445,6 +445,7 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       s->warm = false;
       if (s->walks) {
         s->walks = false;
+        k.w = w;
         const gjk2_outcome outcome = walk_on(s, goal, &k);
         if (outcome != GJK2_OUTCOME_LIMIT) {
           return outcome;
