@@ -124,12 +124,12 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   return true;
 }
 
-static int32_t frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
+GJK_OUT_OF_LINE static int32_t frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
   return (int32_t)shift_far((int64_t)a - b + offset + (INT32_C(1) << (far - 1)), far);
 }
 
 // Makes a difference of offsets a vertex of A - B in the frame.
-static inline gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
+GJK_ONCE static gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
   if (s->far != 0) {
     const gjk2_vec w = {frame_far(s->a->centre.x, s->b->centre.x, offset.x, s->far),
                         frame_far(s->a->centre.y, s->b->centre.y, offset.y, s->far)};
