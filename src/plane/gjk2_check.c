@@ -150,7 +150,7 @@ gjk_status gjk2_check_decision(const gjk2_collider *a, const gjk2_collider *b, g
   if (!gjk2_search_start(&s, a, b, true, radius)) {
     return decision->yes ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
-  if (!s.exact) {
+  if (!gjk2_search_is_exact(&s)) {
     return GJK_ERROR_UNSUPPORTED;
   }
   const bool proven = decision->yes ? plane_is_together(&s, certificate) : plane_is_apart(&s, certificate, radius);
@@ -186,7 +186,7 @@ gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, c
   }
   const gjk2_certificate *certificate = &result->certificate;
   (void)gjk2_search_start(&s, a, b, false, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
-  if (!s.exact) {
+  if (!gjk2_search_is_exact(&s)) {
     return GJK_ERROR_UNSUPPORTED;
   }
   if (result->lower != result->distance || result->upper != result->distance) {
@@ -280,7 +280,7 @@ gjk_status gjk2_check_penetration(const gjk2_collider *a, const gjk2_collider *b
   if (!gjk2_search_start(&s, a, b, true, radius)) {
     return result->intersecting ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
-  if (!s.exact) {
+  if (!gjk2_search_is_exact(&s)) {
     return GJK_ERROR_UNSUPPORTED;
   }
   bool proven;

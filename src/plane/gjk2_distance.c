@@ -151,6 +151,7 @@ gjk_status gjk2_distance_until(const gjk2_collider *a, const gjk2_collider *b, c
   }
   gjk2_search s;
   plane_start_distance(&s, a, b, NULL, out);
+  s.walks = false;
   const uint32_t ceiling = gjk2_search_limit(&s);
   const bool limited = effort->iterations > 0 && effort->iterations < ceiling;
   const uint32_t most = limited ? effort->iterations : ceiling;

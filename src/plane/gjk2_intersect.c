@@ -32,7 +32,9 @@ static gjk2_answer plane_decide(const gjk2_collider *a, const gjk2_collider *b, 
   }
   const uint32_t ceiling = gjk2_search_limit(&s);
   gjk2_search_aim(&s, most == 0 ? cache : NULL);
-  gjk2_outcome outcome = gjk2_search_run(&s, GJK2_GOAL_WITHIN, most > 0 && most < ceiling ? most : ceiling);
+  const bool limited = most > 0 && most < ceiling;
+  s.walks = s.walks && !limited;
+  gjk2_outcome outcome = gjk2_search_run(&s, GJK2_GOAL_WITHIN, limited ? most : ceiling);
   if (outcome == GJK2_OUTCOME_LIMIT) {
     outcome = plane_settle_decision(&s);
   }

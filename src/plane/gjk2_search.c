@@ -28,8 +28,17 @@
 // to O, and ends
 //   at an edge that holds O's foot, with O on its right: no other vertex lies right of it, so it is the nearest
 //   at a vertex from which neither edge leads nearer: all of A - B lies between them, so it is the nearest
-//   where O lies on the left of the edge that leads nearer: mostly the shapes overlap. On with step 1 from x
+//   where O does not lie strictly right of the edge that leads nearer: mostly the shapes overlap. On with step 1 from x
 // Distances along it fall, so it visits no vertex twice: it takes as many iterations as edges, which the bound covers.
+//
+// The last of these ends it at its first step or never, so iterations of a walk and of steps 1 to 7 do not add up.
+// Counterclockwise (the other way round is its mirror image):
+//   after a step along an edge e that leads nearer and whose foot of O is not inside, O lies strictly right of e, and its
+//   direction makes an angle of 90 degrees or less with e: it points from 0 to 90 degrees to the right of e, without 0
+//   the next edge f turns left from e by more than 0 and less than 180 degrees, because the boundary is convex
+//   so O's direction points more than 0 and less than 270 degrees to the right of f
+//   if O is on the line of f or on its left, it points 180 degrees or more to the right of f, and less than 270
+//   then its angle with f is more than 90 degrees, and f does not lead nearer
 //
 // In a far frame, and with curved shapes, vertices are rounded. There an iteration must gain a part of a frame's unit,
 // the ceiling counts, and a triangle that does not hold the origin by all three signs is none.
@@ -98,9 +107,13 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
     s->radius = radius < FRAME_REACH ? (int32_t)radius : FRAME_REACH;
     s->far = 0;
   }
-  s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
-  s->exact = s->far == 0 && !s->curved;
-  s->walks = s->far == 0 && a->ordered && b->ordered;
+  if (a->ordered && b->ordered) {
+    s->curved = false;  // curved shapes have no vertices in order
+    s->walks = s->far == 0;
+  } else {
+    s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
+    s->walks = false;
+  }
   s->iterations = 0;
   s->count = 0;
   s->warm = false;
@@ -111,12 +124,12 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   return true;
 }
 
-static int32_t frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
+GJK_OUT_OF_LINE static int32_t frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
   return (int32_t)shift_far((int64_t)a - b + offset + (INT32_C(1) << (far - 1)), far);
 }
 
 // Makes a difference of offsets a vertex of A - B in the frame.
-static inline gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
+GJK_ONCE static gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
   if (s->far != 0) {
     const gjk2_vec w = {frame_far(s->a->centre.x, s->b->centre.x, offset.x, s->far),
                         frame_far(s->a->centre.y, s->b->centre.y, offset.y, s->far)};
@@ -125,21 +138,35 @@ static inline gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
   return gjk2_add(s->delta, offset);
 }
 
-// Step 3.
-static inline void scan_both(const gjk2_search *s, const gjk2_vec *d, gjk2_vertex *out) {
-  gjk2_support of_a, of_b;
+// A vertex of A - B, and the next ones along the boundary of A and of -B.
+typedef struct boundary_walk {
+  gjk2_support a, b;            // of the vertex
+  gjk2_support next_a, next_b;  // those that follow, or precede
+  gjk2_vec step_a, step_b;      // the edges of A and of -B that lead there
+  gjk2_vec w;                   // where the walk begins, frame
+} boundary_walk;
+
+// Step 3. Returns the vertex in the frame.
+static inline gjk2_vec scan_both(const gjk2_search *s, const gjk2_vec *d, gjk2_support *of_a, gjk2_support *of_b) {
   const gjk2_vec opposite = {-d->x, -d->y};
-  s->a->shape->type->support(s->a, d, &of_a);
-  s->b->shape->type->support(s->b, &opposite, &of_b);
-  out->w = framed(s, gjk2_sub(of_a.offset, of_b.offset));
-  gjk2_copy(&out->of_a, &of_a.offset);
-  gjk2_copy(&out->of_b, &of_b.offset);
-  out->a = of_a.vertex;
-  out->b = of_b.vertex;
+  s->a->shape->type->support(s->a, d, of_a);
+  s->b->shape->type->support(s->b, &opposite, of_b);
+  return framed(s, gjk2_sub(of_a->offset, of_b->offset));
+}
+
+GJK_ONCE static void set_vertex(const gjk2_support *of_a, const gjk2_support *of_b, const gjk2_vec *w,
+                                gjk2_vertex *out) {
+  gjk2_copy(&out->w, w);
+  gjk2_copy(&out->of_a, &of_a->offset);
+  gjk2_copy(&out->of_b, &of_b->offset);
+  out->a = of_a->vertex;
+  out->b = of_b->vertex;
 }
 
 void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
-  scan_both(s, &d, out);
+  gjk2_support of_a, of_b;
+  const gjk2_vec w = scan_both(s, &d, &of_a, &of_b);
+  set_vertex(&of_a, &of_b, &w, out);
 }
 
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
@@ -272,20 +299,18 @@ static inline bool add_support(gjk2_search *s, int64_t before, int64_t after) {
 // Step 5. Does x gain too little along d to go on? Exact of polygons in a near frame. Elsewhere the gain,
 // (along - base) / |d|, must exceed |d|_1 / |d| / 8 units of the frame, or / 2 where the search is late.
 static inline bool gains_nothing(const gjk2_search *s, int64_t gain) {
-  return gain <= (s->exact ? 0 : (int64_t)(gjk2_norm1(s->d) >> (s->iterations > LATE ? 1 : 3)));
+  return gain <= (gjk2_search_is_exact(s) ? 0 : (int64_t)(gjk2_norm1(s->d) >> (s->iterations > LATE ? 1 : 3)));
+}
+
+// Step 2. Is the feature within radius of O, and does that answer the goal?
+static bool is_near(const gjk2_search *s, gjk2_goal goal) {
+  return goal <= GJK2_GOAL_WITHIN && s->radius > 0 && gjk2_is_within(-s->base, s->d, s->radius);
 }
 
 // Step 4. along < 0: is the line through x more than radius away from O?
 static bool line_separates(const gjk2_search *s) {
   return s->radius == 0 || !gjk2_is_within(-s->along, s->d, s->radius);
 }
-
-// The walk, from the first vertex: see the head of this file. LIMIT: it cannot tell.
-typedef struct boundary_walk {
-  gjk2_support a, b;            // of the vertex
-  gjk2_support next_a, next_b;  // those that follow, or precede
-  gjk2_vec step_a, step_b;      // the edges of A and of -B that lead there
-} boundary_walk;
 
 static void step_of_a(const gjk2_search *s, bool following, boundary_walk *k) {
   s->a->shape->type->adjacent(s->a, k->a.vertex, following, &k->next_a);
@@ -297,109 +322,95 @@ static void step_of_b(const gjk2_search *s, bool following, boundary_walk *k) {
   k->step_b = gjk2_sub(k->b.offset, k->next_b.offset);
 }
 
-static void set_vertex(const boundary_walk *k, gjk2_vec w, gjk2_vertex *out) {
-  gjk2_copy(&out->w, &w);
-  gjk2_copy(&out->of_a, &k->a.offset);
-  gjk2_copy(&out->of_b, &k->b.offset);
-  out->a = k->a.vertex;
-  out->b = k->b.vertex;
-}
-
-// The walk one way round. LIMIT: the first step leads no nearer (s->base >= 0), or O lies inside of its line.
-static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, bool following) {
-  boundary_walk k;
-  gjk2_vertex *const here = s->apex;
-  gjk2_copy(&k.a.offset, &here->of_a);
-  k.a.vertex = here->a;
-  gjk2_copy(&k.b.offset, &here->of_b);
-  k.b.vertex = here->b;
-  step_of_a(s, following, &k);
-  step_of_b(s, following, &k);
-  gjk2_vec w = here->w;
+// The walk one way round: see the head of this file. NEAREST: the feature and d are set. LIMIT: it is where it
+// began; the first step leads no nearer (s->base >= 0), or O lies inside of its line.
+static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k, bool following) {
+  gjk2_vec w = k->w;
+  const bool decides = s->radius == 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH);
+  step_of_a(s, following, k);
+  step_of_b(s, following, k);
   for (bool first = true;; first = false) {  // at most once for each edge of A and of B
-    const int64_t turn = following ? gjk2_cross(k.step_a, k.step_b) : gjk2_cross(k.step_b, k.step_a);
-    const gjk2_vec step = turn > 0 ? k.step_a : turn < 0 ? k.step_b : gjk2_add(k.step_a, k.step_b);
+    const int64_t turn = following ? gjk2_cross(k->step_a, k->step_b) : gjk2_cross(k->step_b, k->step_a);
+    const gjk2_vec step = turn > 0 ? k->step_a : turn < 0 ? k->step_b : gjk2_add(k->step_a, k->step_b);
     s->base = gjk2_dot(w, step);
     if (s->base >= 0) {
       if (first) {
         return GJK2_OUTCOME_LIMIT;
       }
-      set_vertex(&k, w, s->apex);
+      set_vertex(&k->a, &k->b, &w, s->apex);
       make_apex(s);
+      s->d = gjk2_negate(w);
       return GJK2_OUTCOME_NEAREST;
     }
     const int64_t side = gjk2_cross(w, step), height = following ? side : -side;
     if (height >= 0) {
       return GJK2_OUTCOME_LIMIT;
     }
-    const gjk2_vec ahead = gjk2_add(w, step);
+    const gjk2_vec ahead = gjk2_add(w, step), d = gjk2_outward(following ? step : gjk2_negate(step));
     s->iterations++;
-    if (goal != GJK2_GOAL_DISTANCE && goal != GJK2_GOAL_SIGNED && s->radius == 0) {
+    if (decides) {
       s->along = height;
-      s->d = gjk2_outward(step);
-      s->d = following ? s->d : gjk2_negate(s->d);
+      s->d = d;
       return GJK2_OUTCOME_SEPARATED;
     }
     const bool inside = gjk2_dot(ahead, step) > 0;
     if (inside) {
-      set_vertex(&k, w, following ? s->first : s->last);
+      set_vertex(&k->a, &k->b, &w, following ? s->first : s->last);
     }
     if (turn >= 0) {
-      gjk2_copy_support(&k.a, &k.next_a);
+      gjk2_copy_support(&k->a, &k->next_a);
     }
     if (turn <= 0) {
-      gjk2_copy_support(&k.b, &k.next_b);
+      gjk2_copy_support(&k->b, &k->next_b);
     }
     if (inside) {
-      set_vertex(&k, ahead, following ? s->last : s->first);
+      set_vertex(&k->a, &k->b, &ahead, following ? s->last : s->first);
       s->count = 2;
       s->base = height;
+      s->d = d;
       return GJK2_OUTCOME_NEAREST;
     }
     w = ahead;
     if (turn >= 0) {
-      step_of_a(s, following, &k);
+      step_of_a(s, following, k);
     }
     if (turn <= 0) {
-      step_of_b(s, following, &k);
+      step_of_b(s, following, k);
     }
   }
 }
 
-static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal) {
-  const gjk2_vec w = s->apex->w;
-  if (gjk2_norm1(w) == 0) {
-    make_apex(s);
-    return GJK2_OUTCOME_ENCLOSING;
-  }
-  // The way to O's side is likely the shorter one.
-  const bool following = gjk2_cross(s->d, w) <= 0;
-  gjk2_outcome outcome = walk_round(s, goal, following);
-  if (outcome == GJK2_OUTCOME_LIMIT) {
-    const int64_t ahead = s->base;
-    outcome = walk_round(s, goal, !following);
-    // No way leads nearer. Where w lies within an edge, straight across from O, O may be on its inside.
-    if (outcome == GJK2_OUTCOME_LIMIT && ahead >= 0 && s->base >= 0 && (ahead | s->base) != 0) {
-      outcome = GJK2_OUTCOME_NEAREST;
-      make_apex(s);
+static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal, boundary_walk *k) {
+  const gjk2_vec w = k->w;
+  gjk2_outcome outcome = GJK2_OUTCOME_ENCLOSING;
+  if ((w.x | w.y) != 0) {
+    // The way to O's side is likely the shorter one.
+    const bool following = gjk2_cross(s->d, w) <= 0;
+    outcome = walk_round(s, goal, k, following);
+    if (outcome == GJK2_OUTCOME_LIMIT) {
+      const int64_t ahead = s->base;
+      outcome = walk_round(s, goal, k, !following);
+      // No way leads nearer. Where w lies within an edge, straight across from O, O may be on its inside.
+      if (outcome == GJK2_OUTCOME_LIMIT) {
+        set_vertex(&k->a, &k->b, &w, s->apex);
+        if (ahead >= 0 && s->base >= 0 && (ahead | s->base) != 0) {
+          outcome = GJK2_OUTCOME_NEAREST;
+          s->d = gjk2_negate(w);
+        }
+        make_apex(s);
+      }
     }
-  }
-  if (outcome == GJK2_OUTCOME_LIMIT) {
+  } else {
+    set_vertex(&k->a, &k->b, &w, s->apex);
     make_apex(s);
-    return outcome;
   }
-  if (outcome == GJK2_OUTCOME_NEAREST) {
-    gjk2_search_direct(s);
-    if (goal <= GJK2_GOAL_WITHIN && s->radius > 0 && gjk2_is_within(-s->base, s->d, s->radius)) {
-      return GJK2_OUTCOME_NEAR;
-    }
-  }
-  return outcome;
+  return outcome == GJK2_OUTCOME_NEAREST && is_near(s, goal) ? GJK2_OUTCOME_NEAR : outcome;
 }
 
 gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
   for (;;) {  // at most limit iterations
     int64_t before = 0, after = 0;
+    boundary_walk k;
     if (s->iterations >= limit) {
       return GJK2_OUTCOME_LIMIT;
     }
@@ -408,18 +419,21 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       if ((s->d.x | s->d.y) == 0) {
         return GJK2_OUTCOME_ENCLOSING;
       }
-      if (goal <= GJK2_GOAL_WITHIN && s->radius > 0 && gjk2_is_within(-s->base, s->d, s->radius)) {  // Step 2
+      if (is_near(s, goal)) {  // Step 2
         return GJK2_OUTCOME_NEAR;
       }
     }
     s->iterations = (uint16_t)(s->iterations + (s->iterations < UINT16_MAX));
-    scan_both(s, &s->d, s->spare);  // Step 3
+    const gjk2_vec w = scan_both(s, &s->d, &k.a, &k.b);  // Step 3
+    if (!s->walks) {
+      set_vertex(&k.a, &k.b, &w, s->spare);
+    }
     if (s->count == 2) {
-      before = gjk2_cross(s->first->w, s->spare->w);
-      after = gjk2_cross(s->spare->w, s->last->w);
+      before = gjk2_cross(s->first->w, w);
+      after = gjk2_cross(w, s->last->w);
       s->along = before + after;  // d . x, with d = last - first turned by a quarter
     } else {
-      s->along = gjk2_dot(s->d, s->spare->w);
+      s->along = gjk2_dot(s->d, w);
     }
     if (s->along < 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH) && line_separates(s)) {  // Step 4
       return GJK2_OUTCOME_SEPARATED;
@@ -428,15 +442,16 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       return GJK2_OUTCOME_NEAREST;
     }
     if (s->count == 0 || s->warm) {  // what the cache holds need not lie on the boundary: begin anew with x, which does
-      exchange_vertices(&s->apex, &s->spare);
       s->warm = false;
-      if (s->walks && limit == gjk2_search_limit(s)) {
+      if (s->walks) {
         s->walks = false;
-        const gjk2_outcome outcome = walk_on(s, goal);
+        k.w = w;
+        const gjk2_outcome outcome = walk_on(s, goal, &k);
         if (outcome != GJK2_OUTCOME_LIMIT) {
           return outcome;
         }
       } else {
+        exchange_vertices(&s->apex, &s->spare);
         make_apex(s);
       }
       continue;

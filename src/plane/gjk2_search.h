@@ -61,9 +61,9 @@ typedef struct gjk2_search {
   uint8_t far;
   uint8_t count;  // vertices that span the feature, or with ENCLOSING the simplex
   bool curved;
-  bool exact;  // polygons in a near frame
-  bool walks;  // in order as well: the first vertex is followed by a walk
-  bool warm;   // the feature is the cache's, and not yet tried
+  bool
+      walks;  // polygons in order, in a near frame: the first vertex is followed by a walk, of as many iterations as it takes
+  bool warm;  // the feature is the cache's, and not yet tried
   // Of one vertex: the feature is apex, and first and last bracket it, or are not set (alone). Of two: first and last.
   // Of three: first, apex and last. The fourth is spare.
   bool alone;
@@ -107,6 +107,11 @@ static inline const gjk2_vertex *gjk2_search_vertex(const gjk2_search *s, unsign
 // Writes the certificate of an outcome, and what the cache keeps of it for the next query.
 void gjk2_search_certify(const gjk2_search *s, gjk2_outcome outcome, gjk2_certificate *out);
 void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache);
+
+// Are both shapes polygons, in a near frame? Then nothing is rounded.
+static inline bool gjk2_search_is_exact(const gjk2_search *s) {
+  return s->far == 0 && !s->curved;
+}
 
 // The sum of both convex radii, LSB.
 static inline int32_t gjk2_convex_radii(const gjk2_search *s) {

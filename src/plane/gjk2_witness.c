@@ -4,15 +4,16 @@
 // Edges from this length on, in LSB, take weights that are right to the last bit: 2^-27 of 2^21 is 2^-6 LSB.
 #define FINE_LENGTH 21
 
-// One coordinate: core = u + weight (v - u) from the centre, in Q31, moved by convex_radius along the normal.
-//   u, v      at most 2^28:        2^31 u and weight (v - u) at most 2^60
+// One coordinate: core = u + weight (v - u) from the centre, weight in Q31, moved by convex_radius along the normal.
+//   u, v      at most 2^28:        weight (v - u) at most 2^60
 //   normal    at most 2^30 + 2:    times twice the convex radius at most 2^59 + 2^30
 static inline gjk_q16 plane_coordinate(int32_t u, int32_t v, int32_t weight, gjk_q16 centre, gjk_q30 normal,
                                        gjk_q16 convex_radius, bool *saturated) {
+  const int64_t half = INT64_C(1) << 30;
   int32_t offset = u;
   if (u != v || convex_radius != 0) {
-    const int64_t sum = gjk_mac32(gjk_shl64(2 * u + 1, 30), v - u, weight);
-    offset = (int32_t)gjk_sar64(gjk_mac32(sum, normal, 2 * convex_radius), 31);
+    const int64_t sum = gjk_mac32(half, v - u, weight);
+    offset += (int32_t)gjk_sar64(gjk_mac32(sum, normal, 2 * convex_radius), 31);
   }
   return gjk_saturate_noting((int64_t)centre + offset, saturated);
 }

@@ -100,6 +100,7 @@ static unsigned whole_search(const gjk2_collider *a, const gjk2_collider *b, gjk
   static gjk2_search s;
   (void)gjk2_search_start(&s, a, b, false, radius);
   gjk2_search_aim(&s, NULL);
+  s.walks = s.walks && limit == gjk2_search_limit(&s);
   (void)gjk2_search_run(&s, goal, limit);
   return s.iterations;
 }
@@ -114,6 +115,7 @@ void trace_plane(const case_question *question, const gjk2_collider *a, const gj
     return;
   }
   gjk2_search_aim(&s, NULL);
+  s.walks = false;
   out->curved = s.curved;
   const uint32_t ceiling = gjk2_search_limit(&s);
   const uint32_t asked = question->ask == CASE_WITHIN && question->iterations > 0 ? question->iterations : ceiling;
