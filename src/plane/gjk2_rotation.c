@@ -8,6 +8,9 @@ bool gjk2_rotation_deviation(const gjk2_rotation *r, int64_t *deviation) {
   if (gjk_magnitude64(off) > (uint64_t)GJK2_ROTATION_TOLERANCE << 30) {
     return false;
   }
+  //@ assert off >= -(INT64_C(1) << 44) && off <= INT64_C(1) << 44;
+  //@ assert r->c >= -GJK_Q30_ONE - GJK2_ROTATION_TOLERANCE && r->c <= GJK_Q30_ONE + GJK2_ROTATION_TOLERANCE;
+  //@ assert r->s >= -GJK_Q30_ONE - GJK2_ROTATION_TOLERANCE && r->s <= GJK_Q30_ONE + GJK2_ROTATION_TOLERANCE;
   *deviation = off;
   return true;
 }
