@@ -20,7 +20,7 @@ gjk_reciprocal_root,gjk_unit,gjk_copy,gjk_height_key
 
 # The same for the drivers of the plane.
 PLANE_CONTRACTS=gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,inverse_root,gjk_reciprocal_root
-PLANE_LEVELS=main:100
+PLANE_LEVELS=main:50,gjk2_search_start:100,start_far:100,frame_far:10,framed:10,gjk2_hull_neighbour:300,gjk2_hull_corner:300,gjk2_collider_init:100,gjk2_polygon_order:200
 
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
 QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report_depth:100,\
@@ -92,6 +92,18 @@ cases() {
   done
 }
 
+# The levels of those functions that the run's sources have.
+plane_levels() {
+  files=$sources
+  for model in $models; do
+    files=$(echo "$files" | sed "s|src/plane/gjk2_${model#plane_}\.c||")
+  done
+  for level in $(echo "$PLANE_LEVELS" | tr , ' '); do
+    # shellcheck disable=SC2086
+    ! grep -q "[ *]${level%:*}(.*{\$" $files "tests/prove/$driver.c" || echo "$level"
+  done | paste -sd, -
+}
+
 plane_cases() {
   echo plane_pose-x
   echo plane_measure-x
@@ -99,6 +111,13 @@ plane_cases() {
   echo plane_polygon-4
   for kind in POINT SEGMENT BOX TRIANGLE BAKED LAZY ELLIPSE CUSTOM; do
     echo plane_shape-$kind
+  done
+  for goal in GJK2_GOAL_DISTANCE GJK2_GOAL_WITHIN GJK2_GOAL_DEPTH GJK2_GOAL_SIGNED EDGES CURVED; do
+    echo plane_search-$goal
+  done
+  for query in WITHIN WITHIN_UNTIL DISTANCE UNTIL PENETRATION SIGNED CONTACTS CHECK_DECISION CHECK_DISTANCE \
+    CHECK_PENETRATION; do
+    echo plane_query-$query
   done
 }
 
@@ -188,7 +207,13 @@ prove_one() {
     plane_*)
       sources=$(echo src/plane/*.c src/arith/gjk_root.c src/arith/gjk_wide.c)
       contracts="-eva-use-spec $PLANE_CONTRACTS"
-      set -- "$1" -eva-slevel 50 -eva-slevel-function "$PLANE_LEVELS" -eva-interprocedural-splits
+      level=50
+      case $1 in
+        plane_search*) level=3 ;;
+        plane_query-CONTACTS*) models='plane_search plane_penetration' ;;
+        plane_query*) models='plane_search plane_edges' ;;
+      esac
+      set -- "$1" -eva-slevel $level -eva-slevel-function "$(plane_levels)" -eva-interprocedural-splits
       ;;
     shape) models=hull_table && set -- "$1" -eva-slevel 200 ;;
     hull_table)

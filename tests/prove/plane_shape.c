@@ -27,7 +27,7 @@ static void any_shape(gjk2_shape *shape) {
   *shape = kinds[CASE];
   shape->size = any_position2();
   shape->convex_radius = any_int32();
-  if (CASE == SEGMENT) {
+  if (CASE == SEGMENT || CASE == CUSTOM) {
     shape->size.y = 0;
   }
   if (CASE == POINT) {
@@ -75,8 +75,13 @@ int main(void) {
   gjk2_collider c = {0};
   gjk2_aabb box;
   any_shape(&shape);
-  if (gjk2_collider_init(&c, &shape, CASE == BAKED ? buffer : NULL, any_uint16()) == GJK_OK &&
-      gjk2_collider_pose(&c, &pose) == GJK_OK) {
+  if (gjk2_collider_init(&c, &shape, CASE == BAKED ? buffer : NULL, any_uint16()) != GJK_OK) {
+    return 0;
+  }
+  if (CASE == BOX || CASE == SEGMENT || CASE == ELLIPSE || CASE == CUSTOM) {
+    //@ assert shape.size.x <= GJK2_RADIUS_MAX && shape.size.y <= GJK2_RADIUS_MAX;
+  }
+  if (gjk2_collider_pose(&c, &pose) == GJK_OK) {
     (void)gjk2_collider_move(&c, &place);
     (void)gjk2_collider_aabb(&c, &box);
     use(&c);
