@@ -211,7 +211,7 @@ prove_one() {
       case $1 in
         plane_search*) level=3 ;;
         plane_query-CONTACTS*) models='plane_search plane_penetration' ;;
-        plane_query*) models='plane_search plane_edges' ;;
+        plane_query*) models='plane_search plane_edges' level=8 ;;
       esac
       set -- "$1" -eva-slevel $level -eva-slevel-function "$(plane_levels)" -eva-interprocedural-splits
       ;;
