@@ -27,7 +27,7 @@
 #   make coverage        which lines and branches of src the tests reach, over all variants of the code
 #   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400 (0: all) by
 #                        SEED=1, in files that match FILES=.; lists the survivors
-#   make fuzz            fuzzes pairs, the reader of cases, arguments, scenes and forged claims for SECONDS=60
+#   make fuzz            fuzzes pairs, the reader of cases, arguments, scenes, forged claims and the plane for SECONDS=60
 #   make soak            certifies PAIRS=100000000 random pairs on two cores; goes on where it was interrupted
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
 #                        the broad phases of Bullet and FCL where installed; make bench draws it, too

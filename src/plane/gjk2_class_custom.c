@@ -26,6 +26,8 @@ static gjk2_vec plane_within_bound(const gjk2_shape *shape, gjk2_vec at) {
   if (!within) {
     return gjk2_fine_stretch(bound, at.x, at.y);
   }
+  //@ assert at.x >= -GJK2_RADIUS_MAX && at.x <= GJK2_RADIUS_MAX;
+  //@ assert at.y >= -GJK2_RADIUS_MAX && at.y <= GJK2_RADIUS_MAX;
   const gjk2_vec point = {at.x * (1 << GJK2_FINE_BITS), at.y * (1 << GJK2_FINE_BITS)};
   return point;
 }

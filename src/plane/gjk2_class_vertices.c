@@ -14,6 +14,10 @@
 //   edges     components below 2^29:                 cross product below 2^60
 //   (3/2) |x| + |y| is at least sqrt(2) times the length
 static bool is_corner(gjk2_vec e, gjk2_vec f) {
+  //@ assert e.x >= -2 * GJK2_RADIUS_MAX && e.x <= 2 * GJK2_RADIUS_MAX;
+  //@ assert e.y >= -2 * GJK2_RADIUS_MAX && e.y <= 2 * GJK2_RADIUS_MAX;
+  //@ assert f.x >= -2 * GJK2_RADIUS_MAX && f.x <= 2 * GJK2_RADIUS_MAX;
+  //@ assert f.y >= -2 * GJK2_RADIUS_MAX && f.y <= 2 * GJK2_RADIUS_MAX;
   const int64_t turn = gjk2_cross(e, f);
   const int64_t slack = ((int64_t)gjk2_norm1(e) + gjk2_norm1(f)) * 3 / 2 + 3;
   return turn > slack + gjk_sar64(turn, 24);
@@ -71,6 +75,8 @@ static gjk_status measure_plane_vertices(const gjk2_shape *shape, gjk2_extent *o
   out->squared = 0;
   for (uint32_t i = 0; i < shape->count; i++) {
     const gjk2_vec from = gjk2_sub(v[i], out->centre);
+    //@ assert from.x >= -GJK2_RADIUS_MAX && from.x <= GJK2_RADIUS_MAX;
+    //@ assert from.y >= -GJK2_RADIUS_MAX && from.y <= GJK2_RADIUS_MAX;
     const uint64_t squared = (uint64_t)gjk2_dot(from, from);
     out->squared = squared > out->squared ? squared : out->squared;
   }
@@ -83,7 +89,10 @@ static gjk_status measure_plane_triangle(const gjk2_shape *shape, gjk2_extent *o
 }
 
 static gjk2_vec plane_posed(const gjk2_collider *c, const gjk2_vec *rotation, uint32_t i) {
-  return gjk2_rotate_onto(rotation, gjk2_sub(c->shape->vertices[i], c->local_centre), c->fraction);
+  const gjk2_vec from = gjk2_sub(c->shape->vertices[i], c->local_centre);
+  //@ assert from.x >= -GJK2_RADIUS_MAX && from.x <= GJK2_RADIUS_MAX;
+  //@ assert from.y >= -GJK2_RADIUS_MAX && from.y <= GJK2_RADIUS_MAX;
+  return gjk2_rotate_onto(rotation, from, c->fraction);
 }
 
 static void pose_plane_triangle(gjk2_collider *c, const gjk2_vec *rotation) {

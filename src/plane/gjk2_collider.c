@@ -52,7 +52,10 @@ gjk_status gjk2_collider_init(gjk2_collider *c, const gjk2_shape *shape, gjk2_ve
   c->shape = shape;
   c->buffer = type->buffered ? buffer : NULL;
   c->local_centre = extent.centre;
-  c->core_radius = (gjk_q16)gjk_isqrt64(extent.squared) + 1 + PLANE_POSE_SLACK;
+  const uint32_t reach = gjk_isqrt64(extent.squared);
+  //@ assert reach <= GJK2_RADIUS_MAX;
+  c->core_radius = (gjk_q16)reach + 1 + PLANE_POSE_SLACK;
+  //@ assert shape->convex_radius <= GJK2_RADIUS_MAX;
   c->radius = c->core_radius + shape->convex_radius;
   c->count = type->buffered ? shape->count : type->count;
   c->ordered = extent.ordered;

@@ -215,6 +215,8 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
       set_corner(&a, &b, w, &edge->p);
     }
     w = gjk2_add(w, step);
+    //@ assert w.x >= -(INT32_C(3) << 29) && w.x <= INT32_C(3) << 29;
+    //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
     if (comes >= 0) {
       advance(&a, false);
     }

@@ -26,7 +26,9 @@ static uint32_t inverse_root(uint32_t x) {
 
 void gjk2_length_set(gjk2_length *length, gjk2_vec n) {
   const uint64_t squared = (uint64_t)gjk2_dot(n, n);
+  //@ assert squared > 0 && squared < UINT64_C(1) << 62;
   const unsigned z = gjk_clz64(squared) / 2;  // squared < 2^62:  z >= 1
+  //@ assert z >= 1 && z <= 31;
   length->squared = squared;
   length->zeros = z;
   // With x, 2^30 <= x < 2^32, for the leading bits of squared = 2^(32 - 2 z) x: 2^46 / sqrt(x) = 2^(62 - z) / |n|.
@@ -40,6 +42,8 @@ void gjk2_unit_set(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
   const int64_t half = INT64_C(1) << 30;
   unit->x = (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.x, up), y), 31);
   unit->y = (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.y, up), y), 31);
+  //@ assert unit->x >= -GJK_Q30_ONE - 2 && unit->x <= GJK_Q30_ONE + 2;
+  //@ assert unit->y >= -GJK_Q30_ONE - 2 && unit->y <= GJK_Q30_ONE + 2;
 }
 
 // h = 2^(32 - hz) top, before truncation; 1 / |n| = y 2^(z - 62):  h / |n| = top y / 2^(30 + hz - z)
@@ -55,6 +59,7 @@ uint64_t gjk2_quotient(const gjk2_length *length, uint64_t h, unsigned *shift) {
 
 bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest) {
   gjk_u128 sum;
+  //@ assert h < UINT64_C(1) << 62 && x < UINT64_C(1) << 62 && squared < UINT64_C(1) << 62;
   gjk_sum_of_products((int64_t)h, (int64_t)h, -(int64_t)x, (int64_t)squared, &sum);
   // sum - rest, in two's complement: it is below 2^126 in size
   return (sum.high - (sum.low < rest)) <= INT64_MAX;
@@ -82,6 +87,7 @@ GJK_OUT_OF_LINE static int64_t plane_settle_distance(const gjk2_length *length, 
   while (plane_is_beyond(length, h, d, to)) {  // at most 10 steps
     d++;
   }
+  //@ assert d <= UINT32_MAX;
   return (int64_t)d;
 }
 

@@ -12,6 +12,10 @@
 // Step 3: does p come before q, seen from origin? Of p = q neither does.
 static bool has_smaller_angle(gjk2_vec origin, gjk2_vec p, gjk2_vec q) {
   const gjk2_vec from_p = gjk2_sub(p, origin), from_q = gjk2_sub(q, origin);
+  //@ assert from_p.x >= -2 * GJK2_RADIUS_MAX && from_p.x <= 2 * GJK2_RADIUS_MAX;
+  //@ assert from_p.y >= -2 * GJK2_RADIUS_MAX && from_p.y <= 2 * GJK2_RADIUS_MAX;
+  //@ assert from_q.x >= -2 * GJK2_RADIUS_MAX && from_q.x <= 2 * GJK2_RADIUS_MAX;
+  //@ assert from_q.y >= -2 * GJK2_RADIUS_MAX && from_q.y <= 2 * GJK2_RADIUS_MAX;
   const int64_t turn = gjk2_cross(from_p, from_q);
   // Both lie in the upper half, so equal angles are equal directions; origin itself comes first of all.
   if (gjk2_norm1(from_p) == 0 || gjk2_norm1(from_q) == 0) {

@@ -11,7 +11,9 @@ static int64_t plane_excess_q60(uint64_t c, uint64_t s) {
   const uint32_t hs = (uint32_t)(s >> 30), ls = (uint32_t)(s & 0x3FFFFFFFu);
   const uint64_t squares = gjk_umul32(hc, hc) + gjk_umul32(hs, hs);   // < 2^61
   const uint64_t products = gjk_umul32(hc, lc) + gjk_umul32(hs, ls);  // < 2^61
-  return gjk_int64(squares + (products >> 29) - (UINT64_C(1) << 60));
+  const int64_t excess = gjk_int64(squares + (products >> 29) - (UINT64_C(1) << 60));
+  //@ assert excess > -(INT64_C(1) << 32) && excess < INT64_C(1) << 32;
+  return excess;
 }
 
 // size with the sign of like.
@@ -32,6 +34,7 @@ gjk_status gjk2_rotation_normalize(const gjk2_rotation *r, gjk2_rotation *out) {
   // One component >= 2^31, both < 2^32:  2^61 <= half < 2^64
   const uint32_t c = gjk_magnitude32(r->c) << up, s = gjk_magnitude32(r->s) << up;
   const uint64_t half = (gjk_umul32(c, c) >> 1) + (gjk_umul32(s, s) >> 1);
+  //@ assert half >= UINT64_C(1) << 61;
   const unsigned zeros = gjk_clz64(half) & ~1u;  // 0 or 2
   // root = 2^46 2^16 / sqrt(half 2^zeros) = 2^(62.5 - zeros / 2) / |r 2^up|; half a power of two is left, so divide it
   // out of the components: they are multiplied by sqrt(2) / 2 below, by the correction's first term.
@@ -47,6 +50,8 @@ gjk_status gjk2_rotation_normalize(const gjk2_rotation *r, gjk2_rotation *out) {
       (gjk_umul32((uint32_t)(high_s >> 32), half_root) + gjk_umulh32((uint32_t)(high_s & UINT32_MAX), half_root)) >>
       down;
   // (pc, ps) is a unit in Q60 but for the errors of root and diagonal, below 2^-29: |off| below 2^32.
+  //@ assert pc <= (UINT64_C(1) << 60) + (UINT64_C(1) << 32);
+  //@ assert ps <= (UINT64_C(1) << 60) + (UINT64_C(1) << 32);
   const int32_t excess = gjk2_excess(plane_excess_q60(pc, ps));
   out->c = signed_like((int64_t)pc, excess, r->c);
   out->s = signed_like((int64_t)ps, excess, r->s);
@@ -67,6 +72,8 @@ gjk_status gjk2_rotation_compose(const gjk2_rotation *a, const gjk2_rotation *b,
   // |products|, |partial sums| <= |a| |b| <= 2^60 (1 + 2^-16)
   const int64_t c = gjk_mul32(a->c, b->c) - gjk_mul32(a->s, b->s);
   const int64_t s = gjk_mul32(a->c, b->s) + gjk_mul32(a->s, b->c);
+  //@ assert c >= -(INT64_C(1) << 60) - (INT64_C(1) << 44) && c <= (INT64_C(1) << 60) + (INT64_C(1) << 44);
+  //@ assert s >= -(INT64_C(1) << 60) - (INT64_C(1) << 44) && s <= (INT64_C(1) << 60) + (INT64_C(1) << 44);
   out->c = gjk2_to_q30(gjk2_corrected(c, excess));
   out->s = gjk2_to_q30(gjk2_corrected(s, excess));
   return GJK_OK;

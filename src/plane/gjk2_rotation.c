@@ -8,6 +8,9 @@ bool gjk2_rotation_deviation(const gjk2_rotation *r, int64_t *deviation) {
   if (gjk_magnitude64(off) > (uint64_t)GJK2_ROTATION_TOLERANCE << 30) {
     return false;
   }
+  //@ assert off >= -(INT64_C(1) << 44) && off <= INT64_C(1) << 44;
+  //@ assert r->c >= -GJK_Q30_ONE - GJK2_ROTATION_TOLERANCE && r->c <= GJK_Q30_ONE + GJK2_ROTATION_TOLERANCE;
+  //@ assert r->s >= -GJK_Q30_ONE - GJK2_ROTATION_TOLERANCE && r->s <= GJK_Q30_ONE + GJK2_ROTATION_TOLERANCE;
   *deviation = off;
   return true;
 }
@@ -26,6 +29,8 @@ bool gjk2_rotation_with_point(const gjk2_rotation *r, const gjk2_vec *v, gjk2_ve
   const int32_t excess = gjk2_excess(deviation);
   unit->x = gjk2_to_q30(gjk2_corrected(gjk_shl64(r->c, 30), excess));
   unit->y = gjk2_to_q30(gjk2_corrected(gjk_shl64(r->s, 30), excess));
+  //@ assert unit->x >= -GJK_Q30_ONE && unit->x <= GJK_Q30_ONE;
+  //@ assert unit->y >= -GJK_Q30_ONE && unit->y <= GJK_Q30_ONE;
   // |r| <= 2^30 (1 + 2^-17), |v| <= 2^31.5:  below 2^62
   rotated[0] = gjk2_corrected(gjk_mul32(r->c, v->x) - gjk_mul32(r->s, v->y), excess);
   rotated[1] = gjk2_corrected(gjk_mul32(r->s, v->x) + gjk_mul32(r->c, v->y), excess);

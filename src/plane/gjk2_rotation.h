@@ -15,6 +15,7 @@ int32_t gjk2_excess(int64_t deviation);
 // x (1 - excess / 2^46), within 1. Pre: |x| <= 2^62, |excess| < 2^31.
 static inline int64_t gjk2_corrected(int64_t x, int32_t excess) {
   // |x / 2^31| <= 2^31 - 1 but for x = 2^62, which is not reached: products of Q30 and coordinates are below it.
+  //@ assert x > -(INT64_C(1) << 62) && x < INT64_C(1) << 62;
   return x - gjk_sar64(gjk_mul32((int32_t)gjk_sar64(x, 31), excess), 15);
 }
 

@@ -83,6 +83,8 @@ GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, int64_t radi
   s->radius = framed < FRAME_REACH ? (int32_t)framed : FRAME_REACH;
   s->delta.x = (int32_t)shift_far(x, s->far);
   s->delta.y = (int32_t)shift_far(y, s->far);
+  //@ assert s->delta.x >= -(INT32_C(1) << 30) && s->delta.x <= INT32_C(1) << 30;
+  //@ assert s->delta.y >= -(INT32_C(1) << 30) && s->delta.y <= INT32_C(1) << 30;
   return true;
 }
 
@@ -99,6 +101,8 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
     }
   } else {
     const gjk2_vec delta = gjk2_sub(a->centre, b->centre);  // components at most 2^29 + 3 in size: |delta| < 2^30
+    //@ assert delta.x >= -(INT32_C(1) << 29) - 3 && delta.x <= (INT32_C(1) << 29) + 3;
+    //@ assert delta.y >= -(INT32_C(1) << 29) - 3 && delta.y <= (INT32_C(1) << 29) + 3;
     const int64_t limit = a->core_radius + b->core_radius + radius;  // from 2^31 on the circles are not apart
     if (circles && limit <= INT32_MAX && gjk2_dot(delta, delta) > gjk_mul32((int32_t)limit, (int32_t)limit)) {
       return false;
@@ -133,6 +137,8 @@ GJK_ONCE static gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
   if (s->far != 0) {
     const gjk2_vec w = {frame_far(s->a->centre.x, s->b->centre.x, offset.x, s->far),
                         frame_far(s->a->centre.y, s->b->centre.y, offset.y, s->far)};
+    //@ assert w.x >= -(INT32_C(3) << 29) && w.x <= INT32_C(3) << 29;
+    //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
     return w;
   }
   return gjk2_add(s->delta, offset);
@@ -347,6 +353,8 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k,
       return GJK2_OUTCOME_LIMIT;
     }
     const gjk2_vec ahead = gjk2_add(w, step), d = gjk2_outward(following ? step : gjk2_negate(step));
+    //@ assert ahead.x >= -(INT32_C(3) << 29) && ahead.x <= INT32_C(3) << 29;
+    //@ assert ahead.y >= -(INT32_C(3) << 29) && ahead.y <= INT32_C(3) << 29;
     s->iterations++;
     if (decides) {
       s->along = height;
@@ -416,6 +424,7 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
     }
     if (s->count != 0) {
       gjk2_search_direct(s);  // Step 1
+      //@ assert s->base >= -(INT64_C(9) << 58) && s->base <= INT64_C(9) << 58;
       if ((s->d.x | s->d.y) == 0) {
         return GJK2_OUTCOME_ENCLOSING;
       }
@@ -431,6 +440,8 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
     if (s->count == 2) {
       before = gjk2_cross(s->first->w, w);
       after = gjk2_cross(w, s->last->w);
+      //@ assert before >= -(INT64_C(9) << 58) && before <= INT64_C(9) << 58;
+      //@ assert after >= -(INT64_C(9) << 58) && after <= INT64_C(9) << 58;
       s->along = before + after;  // d . x, with d = last - first turned by a quarter
     } else {
       s->along = gjk2_dot(s->d, w);

@@ -97,6 +97,8 @@ bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex
 // Sets d to the direction from the feature to the origin, of which base is known. Pre: count is 1 or 2.
 static inline void gjk2_search_direct(gjk2_search *s) {
   s->d = s->count == 2 ? gjk2_outward(gjk2_sub(s->last->w, s->first->w)) : gjk2_negate(s->apex->w);
+  //@ assert s->d.x >= -(INT32_C(3) << 29) && s->d.x <= INT32_C(3) << 29;
+  //@ assert s->d.y >= -(INT32_C(3) << 29) && s->d.y <= INT32_C(3) << 29;
 }
 
 // The feature's vertices: one or two, or after ENCLOSING three.

@@ -58,7 +58,8 @@ measure() {
   case $variant in
     */ceiling)
       # shellcheck disable=SC2086
-      program bounds "$@" tests/check/limit/bounds.c $SUPPORT && run bounds || return 1
+      program bounds "$@" tests/check/limit/bounds.c $SUPPORT && run bounds &&
+        program plane "$@" tests/check/limit/plane.c $SUPPORT && run plane || return 1
       ;;
     *)
       program golden -DGOLDEN_RUN_PAIRS=GOLDEN_PAIRS tests/check/target/golden.c tests/check/target/golden_host.c \

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Fuzzes pairs, the reader of cases, hostile arguments, scenes and forged claims with libFuzzer:
+# Fuzzes pairs, the reader of cases, hostile arguments, scenes, forged claims and the plane with libFuzzer:
 # fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
 # The seconds are shared out evenly. SEED 0 is a new one each time. Runs begin with inputs that once failed
@@ -10,7 +10,7 @@ build=$1/fuzz
 seconds=$2
 seed=$3
 shift 3
-[ $# -gt 0 ] || set -- pairs cases arguments scene claims
+[ $# -gt 0 ] || set -- pairs cases arguments scene claims plane
 each=$((seconds / $#))
 mkdir -p "$build"
 
@@ -40,7 +40,7 @@ fuzz() {
     for input in "$build/$target"-crash-* "$build/$target"-timeout-*; do
       [ -e "$input" ] || continue
       case $target in
-        pairs | claims) GJK_FUZZ_PRINT=1 "$build/$target" "$input" 2>/dev/null | tee "$input.case" ;;
+        pairs | claims | plane) GJK_FUZZ_PRINT=1 "$build/$target" "$input" 2>/dev/null | tee "$input.case" ;;
       esac
       echo "the input $input, in base64:"
       base64 "$input"
@@ -72,7 +72,7 @@ for source in tests/check/fuzz/bytes.c tests/check/fuzz/overlap.c tests/support/
 done
 
 mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments" "$build/seeds-scene" \
-  "$build/seeds-claims"
+  "$build/seeds-claims" "$build/seeds-plane"
 # shellcheck disable=SC2086
 clang $flags tests/check/fuzz/seeds.c "$build"/objects/*.o -lm -o "$build/seeds" &&
   "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt || exit 1
@@ -85,6 +85,7 @@ for target in "$@"; do
   case $target in
     cases) fuzz cases -close_fd_mask=2 -max_len=4096 || status=1 ;;
     claims) fuzz claims -max_len=128 || status=1 ;;
+    plane) fuzz plane -max_len=512 || status=1 ;;
     scene) fuzz scene -max_len=192 -len_control=10 || status=1 ;;
     *) fuzz "$target" -max_len=2048 || status=1 ;;
   esac

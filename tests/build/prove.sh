@@ -18,6 +18,10 @@ shift
 CONTRACTS=gjk_add,gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,gjk_triangle_normal,reciprocal,\
 gjk_reciprocal_root,gjk_unit,gjk_copy,gjk_height_key
 
+# The same for the drivers of the plane.
+PLANE_CONTRACTS=gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,inverse_root,gjk_reciprocal_root
+PLANE_LEVELS=main:50,gjk2_search_start:100,start_far:100,frame_far:10,framed:10,gjk2_hull_neighbour:300,gjk2_hull_corner:300,gjk2_collider_init:100,gjk2_polygon_order:200
+
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
 QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report_depth:100,\
 ask_penetration:500,ask_signed:500,gjk_distance:200,run_and_narrow:200,narrow:200,\
@@ -76,6 +80,7 @@ cases() {
     CHECK_PENETRATION; do
     echo query-$query
   done
+  plane_cases
   for bytes in HEADER INIT OPEN; do
     echo scene_block-$bytes
   done
@@ -84,6 +89,35 @@ cases() {
   done
   for call in INSERT TAKE BOX RAY NEAREST; do
     echo scene_tree-$call
+  done
+}
+
+# The levels of those functions that the run's sources have.
+plane_levels() {
+  files=$sources
+  for model in $models; do
+    files=$(echo "$files" | sed "s|src/plane/gjk2_${model#plane_}\.c||")
+  done
+  for level in $(echo "$PLANE_LEVELS" | tr , ' '); do
+    # shellcheck disable=SC2086
+    ! grep -q "[ *]${level%:*}(.*{\$" $files "tests/prove/$driver.c" || echo "$level"
+  done | paste -sd, -
+}
+
+plane_cases() {
+  echo plane_pose-x
+  echo plane_measure-x
+  echo plane_polygon-1
+  echo plane_polygon-4
+  for kind in POINT SEGMENT BOX TRIANGLE BAKED LAZY ELLIPSE CUSTOM; do
+    echo plane_shape-$kind
+  done
+  for goal in GJK2_GOAL_DISTANCE GJK2_GOAL_WITHIN GJK2_GOAL_DEPTH GJK2_GOAL_SIGNED EDGES CURVED; do
+    echo plane_search-$goal
+  done
+  for query in WITHIN WITHIN_UNTIL DISTANCE UNTIL PENETRATION SIGNED CONTACTS CHECK_DECISION CHECK_DISTANCE \
+    CHECK_PENETRATION; do
+    echo plane_query-$query
   done
 }
 
@@ -139,7 +173,7 @@ prove_one() {
   instance=${instance%-*}
   defines="-DCASE=$instance"
   # Without what has no driver yet.
-  sources=$(echo src/*/*.c | tr ' ' '\n' | grep -v scene | tr '\n' ' ')
+  sources=$(echo src/*/*.c | tr ' ' '\n' | grep -vE 'scene|plane' | tr '\n' ' ')
   case $variant in
     int16) machine=gcc_x86_16 defines="$defines -DGJK_NARROW_MULTIPLY=1" ;;
     *) machine=gcc_x86_32 ;;
@@ -170,6 +204,17 @@ prove_one() {
       set -- "$1" -eva-slevel 12 -eva-slevel-function "$SCENE_LEVELS" -eva-partition-history 1 \
         -eva-interprocedural-history -eva-interprocedural-splits -eva-ilevel 64 -eva-auto-loop-unroll 8
       ;;
+    plane_*)
+      sources=$(echo src/plane/*.c src/arith/gjk_root.c src/arith/gjk_wide.c)
+      contracts="-eva-use-spec $PLANE_CONTRACTS"
+      level=50
+      case $1 in
+        plane_search*) level=3 ;;
+        plane_query-CONTACTS*) models='plane_search plane_penetration' ;;
+        plane_query*) models='plane_search plane_edges' level=8 ;;
+      esac
+      set -- "$1" -eva-slevel $level -eva-slevel-function "$(plane_levels)" -eva-interprocedural-splits
+      ;;
     shape) models=hull_table && set -- "$1" -eva-slevel 200 ;;
     hull_table)
       set -- "$1" -eva-slevel 2 -eva-slevel-function "$TABLE_LEVELS" -eva-min-loop-unroll 0 -eva-auto-loop-unroll 8
@@ -196,7 +241,8 @@ prove_one() {
     *) set -- "$1" -eva-slevel 200 ;;
   esac
   for model in $models; do
-    sources="$(echo "$sources" | sed "s|src/[a-z]*/gjk_$model\.c||") tests/prove/${model}_model.c"
+    source=$(echo "$model" | sed 's|^plane_|plane/gjk2_|; t; s|^|[a-z]*/gjk_|')
+    sources="$(echo "$sources" | sed "s|src/$source\.c||") tests/prove/${model}_model.c"
   done
   name=$1
   shift

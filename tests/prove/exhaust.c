@@ -5,6 +5,7 @@
 
 #include "src/arith/gjk_root.h"
 #include "src/arith/gjk_wide.c"
+#include "src/plane/gjk2_measure.c"
 
 int main(int count, char **arguments) {
   const uint64_t step = count > 1 ? strtoull(arguments[1], NULL, 10) : 1;
@@ -12,6 +13,11 @@ int main(int count, char **arguments) {
     const uint32_t y = gjk_reciprocal_root((uint32_t)x);
     if (y < 0x3FFFFFFF || y > 0x7FFFFFFF) {
       printf("root of %llu: %lu\n", (unsigned long long)x, (unsigned long)y);
+      return 1;
+    }
+    const uint32_t z = inverse_root((uint32_t)x);
+    if (z < 0x3FFFFFFF || z > 0x7FFFFFFF) {
+      printf("root of the plane of %llu: %lu\n", (unsigned long long)x, (unsigned long)z);
       return 1;
     }
   }
