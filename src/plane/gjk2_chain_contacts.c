@@ -59,7 +59,6 @@ typedef struct chain_segment {
   uint16_t number;
   gjk2_vec p, q, along, normal;
   chain_joint before, after;
-  bool last;  // of an open chain
 } chain_segment;
 
 static gjk2_vec relative_vertex(const chain_query *query, uint32_t i) {

@@ -178,12 +178,12 @@ static void check_builds(void) {
   gjk_scene_header *h = block;
   gjk_scene opened;
   CHECK(world_start(&w, &options, block, bytes));
-  CHECK(h->version == 2);
+  CHECK(h->version == GJK_SCENE_BLOCK_VERSION);
   CHECK(h->iterations == GJK_ITERATIONS_MAX);
   const uint64_t before = hash_of(&w.scene);
   h->version = 1;
   CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
-  h->version = 2;
+  h->version = GJK_SCENE_BLOCK_VERSION;
   CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_OK);
   h->iterations++;
   CHECK(hash_of(&w.scene) != before);

@@ -13,7 +13,7 @@ build() {
   test=$2
   shift 2
   # shellcheck disable=SC2086
-  ${CC:-cc} -std=c99 -O1 -DGJK_PORT_HEADER='"hosted/gjk_port.h"' -Iinclude -I. -Iport -Itests/support "$@" src/*/*.c "$test" \
+  ${CC:-cc} -std=c99 -O1 -DGJK_PORT_HEADER='"hosted/gjk_port.h"' -Iinclude -I. -Iport -Itests/support "$@" src/*/*.c $test \
     $support -lm -o "$program"
 }
 
@@ -25,7 +25,7 @@ certified() {
 
 # worst PLAIN RECALLS: the pairs of tests/data/worst.txt, whatever their iterations
 worst() {
-  build "query-$1-$2" tests/programs/query/main.c "-DGJK_PLAIN_ITERATIONS=$1" "-DGJK_RECALLS_MAX=$2" || return 1
+  build "query-$1-$2" "tests/programs/query/*.c tests/programs/demo/svg.c tests/programs/demo/draw.c tests/programs/demo/geometry.c tests/programs/demo/labels.c" "-DGJK_PLAIN_ITERATIONS=$1" "-DGJK_RECALLS_MAX=$2" || return 1
   for ask in --distance --intersect; do
     "$dir/query-$1-$2" --certify $ask tests/data/worst.txt 2>&1 >"$dir/worst.txt" | grep -q ' 0 wrong$' || return 1
     [ "$(wc -l <"$dir/worst.txt")" -ge 23 ] || return 1
