@@ -72,6 +72,7 @@ void gjk_epa_hull_plane(const gjk_epa_hull *p, uint16_t face, gjk_long3 *normal,
 // Where the plane of a face goes: where it is kept, or to room.
 static gjk_epa_plane *place_of_plane(gjk_epa_hull *p, uint16_t face, gjk_epa_plane *room) {
 #if GJK_EPA_PLANES
+  room->direction.d.x = room->direction.d.y = room->direction.d.z = 0;  // as an analyser sees it, they may stay unset
   return face < GJK_EPA_PLANES ? &p->plane[face] : room;
 #else
   (void)p;

@@ -476,8 +476,9 @@ static gjk_status add_joint(chain_query *query, const chain_segment *s, bool at_
   if (!joint->convex || !in_front || !is_in_box(query, joint->at)) {
     return GJK_OK;
   }
-  bool meets;
+  bool meets = false;
   gjk_status status = GJK_OK;
+  m.contact[0].id = 0;
   if (gjk2_is_curved(query->body->shape)) {
     status = meet_joint_curved(query, joint->at, from, to, &meets, &m);
   } else {
