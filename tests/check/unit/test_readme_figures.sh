@@ -3,7 +3,7 @@
 . tests/build/count.sh
 
 missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
-compiler=$(sed -n 's/.*, GCC \([0-9]*\.[0-9]*\) at -O2.*/\1/p' README.md)
+compiler=$(sed -n '/emulated cores, GCC /{s/.*, GCC \([0-9]*\.[0-9]*\) at -O2.*/\1/p;q;}' README.md)
 check 'the README names its compiler' test -n "$compiler"
 if [ -z "${missing# }" ]; then
   case $(arm-none-eabi-gcc -dumpversion) in
