@@ -331,13 +331,14 @@ static void step_of_b(const gjk2_search *s, bool following, boundary_walk *k) {
 // The walk one way round: see the head of this file. NEAREST: the feature and d are set. LIMIT: it is where it
 // began; the first step leads no nearer (s->base >= 0), or O lies inside of its line.
 static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k, bool following) {
-  gjk2_vec w = k->w;
+  gjk2_vec w = {k->w.x, k->w.y};
   const bool decides = s->radius == 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH);
   step_of_a(s, following, k);
   step_of_b(s, following, k);
   for (bool first = true;; first = false) {  // at most once for each edge of A and of B
     const int64_t turn = following ? gjk2_cross(k->step_a, k->step_b) : gjk2_cross(k->step_b, k->step_a);
-    const gjk2_vec step = turn > 0 ? k->step_a : turn < 0 ? k->step_b : gjk2_add(k->step_a, k->step_b);
+    const gjk2_vec step = {(turn >= 0 ? k->step_a.x : 0) + (turn <= 0 ? k->step_b.x : 0),
+                           (turn >= 0 ? k->step_a.y : 0) + (turn <= 0 ? k->step_b.y : 0)};
     s->base = gjk2_dot(w, step);
     if (s->base >= 0) {
       if (first) {
@@ -358,7 +359,7 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k,
     s->iterations++;
     if (decides) {
       s->along = height;
-      s->d = d;
+      gjk2_copy(&s->d, &d);
       return GJK2_OUTCOME_SEPARATED;
     }
     const bool inside = gjk2_dot(ahead, step) > 0;
@@ -375,10 +376,10 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k,
       set_vertex(&k->a, &k->b, &ahead, following ? s->last : s->first);
       s->count = 2;
       s->base = height;
-      s->d = d;
+      gjk2_copy(&s->d, &d);
       return GJK2_OUTCOME_NEAREST;
     }
-    w = ahead;
+    gjk2_copy(&w, &ahead);
     if (turn >= 0) {
       step_of_a(s, following, k);
     }
@@ -389,7 +390,7 @@ static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k,
 }
 
 static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal, boundary_walk *k) {
-  const gjk2_vec w = k->w;
+  const gjk2_vec w = {k->w.x, k->w.y};
   gjk2_outcome outcome = GJK2_OUTCOME_ENCLOSING;
   if ((w.x | w.y) != 0) {
     // The way to O's side is likely the shorter one.
@@ -456,7 +457,7 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       s->warm = false;
       if (s->walks) {
         s->walks = false;
-        k.w = w;
+        gjk2_copy(&k.w, &w);
         const gjk2_outcome outcome = walk_on(s, goal, &k);
         if (outcome != GJK2_OUTCOME_LIMIT) {
           return outcome;
