@@ -430,7 +430,8 @@ static inline bool gjk_scene_is_zero_direction(const int16_t direction[3]) {
   return (direction[0] | direction[1] | direction[2]) == 0;
 }
 
-// The direction that a pair keeps of its last query; 0: none. room is where it may be written.
+// The direction that a pair keeps of its last query; 0: none. room is where it may be written, as in the plane.
+// NOLINTNEXTLINE(readability-non-const-parameter)
 static inline const int16_t *gjk_scene_hint(const gjk_scene_pair *pair, int16_t room[3]) {
   (void)room;
   return pair->hint.direction;
