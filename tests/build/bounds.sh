@@ -31,9 +31,11 @@ build scene "$all" "$dir"/src/*/*.c tests/support/scene/world.c tests/prove/boun
 # The plane's own tests, with a percent of their trials for every 1,000 pairs.
 for test in check contacts curved distance hostile penetration polygon pose; do
   # shellcheck disable=SC2086
-  build plane "$all -Iport" "$dir"/src/plane/*.c "$dir"/src/arith/*.c "tests/check/unit/test_plane_$test.c" &&
-    GJK_TEST_PERCENT=$(($2 / 1000 + 1)) "$dir/plane" >"$dir/plane.log" 2>&1 ||
-    { echo "the assertions of the plane fail in test_plane_$test"; exit 1; }
+  if ! build plane "$all -Iport" "$dir"/src/plane/*.c "$dir"/src/arith/*.c "tests/check/unit/test_plane_$test.c" ||
+    ! GJK_TEST_PERCENT=$(($2 / 1000 + 1)) "$dir/plane" >"$dir/plane.log" 2>&1; then
+    echo "the assertions of the plane fail in test_plane_$test"
+    exit 1
+  fi
 done
 build exhaust '-fsanitize=undefined -fsanitize-undefined-trap-on-error' tests/prove/exhaust.c "$dir/src/arith/gjk_root.c" &&
   "$dir/exhaust" "$3"
