@@ -71,7 +71,7 @@ static bool refine_few(const gjk_collider *c, const gjk_vec3 *d, const gjk_direc
   for (unsigned i = 0; i < c->count; i++) {
     open = 2 * open + (gjk_dot(&vertices[i], d) >= limit ? 1u : 0u);
   }
-  open = open << (64u - c->count) & ~(first >> before);
+  open = open << ((64u - c->count) & 63u) & ~(first >> before);
   if (gjk_direction_knows(direction, before)) {
     const uint16_t *level = direction->level;
     open &= ~(first >> level[0] | first >> level[1] | first >> level[2]);
