@@ -119,8 +119,6 @@ bool gjk_rotation_with_point(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 rows
   return true;
 }
 
-#define HALF GJK_ROTATION_HALF
-
 // floor(row . v + start), from Q30 to LSB.
 static int64_t component(int32_t x, int32_t y, int32_t z, const gjk_vec3 *v, int32_t start) {
   const int64_t sum = gjk_mac32(gjk_mac32(gjk_mul32(x, v->x), y, v->y), z, v->z);  // |row| <= 2^30 + 1,
@@ -147,14 +145,14 @@ gjk_vec3 gjk_rotate(const gjk_vec3 rows[3], const gjk_vec3 *v) {
 }
 
 gjk_vec3 gjk_rotate_back(const gjk_vec3 rows[3], const gjk_vec3 *v) {
-  const gjk_vec3 rotated = {narrow_component(rows[0].x, rows[1].x, rows[2].x, v, HALF),
-                            narrow_component(rows[0].y, rows[1].y, rows[2].y, v, HALF),
-                            narrow_component(rows[0].z, rows[1].z, rows[2].z, v, HALF)};
+  const gjk_vec3 rotated = {narrow_component(rows[0].x, rows[1].x, rows[2].x, v, GJK_ROTATION_HALF),
+                            narrow_component(rows[0].y, rows[1].y, rows[2].y, v, GJK_ROTATION_HALF),
+                            narrow_component(rows[0].z, rows[1].z, rows[2].z, v, GJK_ROTATION_HALF)};
   return rotated;
 }
 
 void gjk_rotate_wide(const gjk_vec3 rows[3], const gjk_vec3 *v, int64_t out[3]) {
   for (int i = 0; i < 3; i++) {
-    out[i] = component(rows[i].x, rows[i].y, rows[i].z, v, HALF);
+    out[i] = component(rows[i].x, rows[i].y, rows[i].z, v, GJK_ROTATION_HALF);
   }
 }
