@@ -46,15 +46,15 @@ typedef struct gjk2_manifold {
 // Least   The pair of points of gjk2_signed_distance is among the contacts wherever it is nearer than the others.
 // most    Of two contacts the deeper is kept; of equally deep ones that with the lower id.
 //
-// Ids     depend on the shapes and poses alone. Shapes that rest keep them: a point within 1/64 of the shorter edge's
-//         length, or 8 LSB, of a corner has the corner's id, but at most 1/4 of that edge.
+// Ids     depend on the shapes and poses alone. Shapes that rest keep them: a point near a corner has the corner's id.
+//         Near is 1/64 of the shorter edge's length, or 8 LSB if that is more, but at most 1/4 of that edge.
 //
 // Exact   In LSB:
 //           points           within 4 of their shapes, and within 2 of straight across from each other
 //           distance         within 2 of the points' gap along the normal
 //           least distance   within 2 of that of gjk2_signed_distance
-//         The distance of the points of gjk2_signed_distance is within 3 LSB and 2^-28 of their gap along the normal,
-//         since a depth is rounded up; with a curved shape it is as exact as the depth.
+//         A depth is rounded up, so the distance of the points of gjk2_signed_distance is within 3 LSB and 2^-28 of
+//         their gap along the normal. With a curved shape it is as exact as the depth.
 // Cost    of gjk2_signed_distance, and 500 to 1,000 instructions for edges; stack: `make sizes`.
 //
 // What is valid in out after each status; all else is as it was:

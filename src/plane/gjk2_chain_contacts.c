@@ -176,22 +176,20 @@ static void wedge_of(const chain_segment *s, bool at_end, gjk2_vec *from, gjk2_v
 // The direction strictly within a joint's wedge along which the body, a polygon, reaches farthest. False: there is none.
 static bool find_in_wedge(const chain_query *query, const chain_segment *s, bool at_end, chain_aim *best) {
   const gjk2_collider *body = query->body;
-  gjk2_support corner, next, previous;
+  gjk2_support corner, next, previous;  // next and previous: the ways from corner
   const gjk2_vec *v = at_end ? &s->after.at : &s->before.at;
   gjk2_vec from, to;
   chain_aim aim;
   bool found = false;
   wedge_of(s, at_end, &from, &to);
   gjk2_hull_corner(body, gjk2_negate(from), &corner);
-  gjk2_copy_support(&previous, &corner);
-  (void)gjk2_hull_neighbour(body, &corner, false, &previous);
-  for (uint32_t i = 0; i <= body->count; i++) {  // at most once round
+  (void)gjk2_hull_neighbour(body, &corner, false, &previous);  // 0 where there is none
+  for (uint32_t i = 0; i <= body->count; i++) {                // at most once round
     const bool more = gjk2_hull_neighbour(body, &corner, true, &next);
     const gjk2_vec d = gjk2_sub(corner.offset, *v);
-    const gjk2_vec edge = more ? gjk2_sub(next.offset, corner.offset) : d;
+    const gjk2_vec edge = more ? next.offset : d;
     // v is nearest to this corner.
-    if (is_in_wedge(from, to, d) &&
-        (!more || (gjk2_dot(edge, d) >= 0 && gjk2_dot(gjk2_sub(corner.offset, previous.offset), d) <= 0))) {
+    if (is_in_wedge(from, to, d) && (!more || (gjk2_dot(edge, d) >= 0 && gjk2_dot(previous.offset, d) >= 0))) {
       aim.d = d;
       aim.squared = (uint64_t)gjk2_dot(d, d);
       aim.height = (int64_t)aim.squared;
@@ -213,8 +211,8 @@ static bool find_in_wedge(const chain_query *query, const chain_segment *s, bool
     aim.feature = (uint16_t)((low + 256 * (uint32_t)high) & UINT16_MAX);
     aim.id = EDGE_BYTE;
     keep_farther(&aim, &found, best);
-    gjk2_copy_support(&previous, &corner);
-    gjk2_copy_support(&corner, &next);
+    previous.offset = gjk2_negate(edge);
+    gjk2_follow(&corner, &next);
   }
   return found;
 }
@@ -287,9 +285,8 @@ static bool lies_across(const chain_query *query, const chain_segment *s, gjk2_v
 // The reach to the nearest LSB. Sets the unit of its direction.
 static int64_t measure_aim(const chain_aim *aim, gjk2_unit *unit) {
   gjk2_length length;
-  gjk2_length_set(&length, aim->d);
-  gjk2_unit_set(unit, &length, aim->d);
-  const int64_t size = gjk2_round_distance(&length, gjk_magnitude64(aim->height), GJK2_ROUND_NEAREST);
+  gjk2_normal_set(unit, &length, &aim->d);
+  const int64_t size = gjk2_round_distance(&length, GJK2_ROUND_NEAREST, gjk_magnitude64(aim->height));
   return aim->height < 0 ? -size : size;
 }
 
@@ -314,9 +311,9 @@ static bool move_across(const chain_query *query, const chain_segment *s, chain_
   if (!gjk2_hull_neighbour(body, &corner, false, &other)) {
     return false;
   }
-  const gjk2_vec edge = gjk2_sub(corner.offset, other.offset);
-  if (gjk2_dot(edge, s->normal) != 0 || gjk2_dot(s->along, gjk2_sub(corner.offset, s->q)) > 0 ||
-      gjk2_dot(s->along, gjk2_sub(other.offset, s->p)) < 0) {
+  const gjk2_vec at = gjk2_add(corner.offset, other.offset);
+  if (gjk2_dot(other.offset, s->normal) != 0 || gjk2_dot(s->along, gjk2_sub(corner.offset, s->q)) > 0 ||
+      gjk2_dot(s->along, gjk2_sub(at, s->p)) < 0) {
     return false;
   }
   // Across from p: the height is the same all along the edge.
@@ -396,7 +393,7 @@ static void add_segment(chain_query *query, const chain_segment *s) {
   m.count = 0;
   gjk2_chain_collider(gjk2_chain_vertex(query->chain, s->number),
                       gjk2_chain_vertex(query->chain, s->number + UINT32_C(1)), &line);
-  bool level = gjk2_facing_contacts(&line, body, query->margin, GJK2_CONTACTS_MAX, across ? &nearest : NULL, &m);
+  bool level = gjk2_facing_contacts(&line, body, query->margin, GJK2_CONTACTS_MAX, across ? &nearest : NULL, NULL, &m);
   level = level || gjk2_is_curved(body->shape);
   if (m.count > 0 && !yields_at(query, s, false, &own, level) && !yields_at(query, s, true, &own, level)) {
     append(query, s->number, &m);

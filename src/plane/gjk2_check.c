@@ -18,6 +18,7 @@
 static int64_t plane_farthest(const gjk2_collider *c, gjk2_vec d) {
   int64_t largest = INT64_MIN;
   gjk2_vec offset;
+  // not reached: no such vertex, since there are count
   for (uint32_t i = 0; i < c->count && c->shape->type->vertex(c, (uint16_t)i, &offset); i++) {
     const int64_t along = gjk2_dot(offset, d);
     largest = along > largest ? along : largest;
@@ -147,7 +148,7 @@ gjk_status gjk2_check_decision(const gjk2_collider *a, const gjk2_collider *b, g
   }
   const gjk2_certificate *certificate = &decision->certificate;
   const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius + distance;
-  if (!gjk2_search_start(&s, a, b, true, radius)) {
+  if (!gjk2_search_start(&s, a, b, true, (uint32_t)radius)) {
     return decision->yes ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
   if (!gjk2_search_is_exact(&s)) {
@@ -185,7 +186,7 @@ gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, c
     return status;
   }
   const gjk2_certificate *certificate = &result->certificate;
-  (void)gjk2_search_start(&s, a, b, false, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
+  (void)gjk2_search_start(&s, a, b, false, (uint32_t)(a->shape->convex_radius + b->shape->convex_radius));
   if (!gjk2_search_is_exact(&s)) {
     return GJK_ERROR_UNSUPPORTED;
   }
@@ -201,7 +202,7 @@ gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, c
              !gjk2_is_within(-s.base, s.d, s.radius);
     if (proven) {
       gjk2_length_set(&length, s.d);
-      proven = gjk2_round_distance(&length, (uint64_t)-s.base, GJK2_ROUND_NEAREST) - gjk2_convex_radii(&s) ==
+      proven = gjk2_round_distance(&length, GJK2_ROUND_NEAREST, (uint64_t)-s.base) - gjk2_convex_radii(&s) ==
                    result->distance &&
                gjk2_claim_normal(s.d, &result->normal) && plane_are_nearest(&s, &length, result);
     }
@@ -213,7 +214,7 @@ gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, c
 static bool cores_intersect(gjk2_search *s) {
   gjk2_certificate own;
   gjk2_search_aim(s, NULL);
-  const gjk2_outcome outcome = gjk2_search_run(s, GJK2_GOAL_SIGNED, gjk2_search_limit(s));
+  const gjk2_outcome outcome = gjk2_search_run(s, GJK2_GOAL_SIGNED, GJK2_NO_LIMIT);
   gjk2_search_certify(s, outcome, &own);
   return outcome == GJK2_OUTCOME_ENCLOSING && plane_is_enclosing(s, &own);
 }
@@ -232,7 +233,7 @@ static bool plane_is_depth(gjk2_search *s, const gjk2_penetration_result *result
       gjk2_copy(n, &s->d);
       *height = s->base;
       gjk2_length_set(&length, *n);
-      return -core == gjk2_round_distance(&length, (uint64_t)-s->base, GJK2_ROUND_DOWN);
+      return -core == gjk2_round_distance(&length, GJK2_ROUND_DOWN, (uint64_t)-s->base);
     case GJK2_PROOF_LINE:
       gjk2_copy(n, &c->direction);
       *height = 0;
@@ -252,7 +253,7 @@ static bool plane_is_depth(gjk2_search *s, const gjk2_penetration_result *result
     return false;
   }
   gjk2_length_set(&length, *n);
-  return core == gjk2_round_distance(&length, (uint64_t)*height, GJK2_ROUND_UP) &&
+  return core == gjk2_round_distance(&length, GJK2_ROUND_UP, (uint64_t)*height) &&
          gjk2_nearest_edge(s, &lowest) == GJK2_LIE_OVERLAP && !gjk2_edge_is_lower(&lowest, (uint64_t)*height, &length);
 }
 
@@ -277,7 +278,7 @@ gjk_status gjk2_check_penetration(const gjk2_collider *a, const gjk2_collider *b
     return status;
   }
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
-  if (!gjk2_search_start(&s, a, b, true, radius)) {
+  if (!gjk2_search_start(&s, a, b, true, (uint32_t)radius)) {
     return result->intersecting ? GJK_ERROR_UNPROVEN : GJK_OK;
   }
   if (!gjk2_search_is_exact(&s)) {

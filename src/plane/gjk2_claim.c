@@ -77,6 +77,7 @@ bool gjk2_claim_point(const gjk2_collider *c, const uint16_t *named, unsigned co
   const int32_t reach = c->shape->convex_radius + 1;
   for (unsigned i = 0; i < count; i++) {
     gjk2_vec offset;
+    // not reached: no such vertex, since the certificate holds
     if (!c->shape->type->vertex(c, named[i], &offset) ||
         !plane_from_point(c->centre.x, offset.x, point->x, &from[i].x) ||
         !plane_from_point(c->centre.y, offset.y, point->y, &from[i].y)) {
@@ -103,6 +104,7 @@ bool gjk2_claim_saturated(const gjk2_collider *c, const uint16_t *named, unsigne
   const gjk_q16 convex_radius = c->shape->convex_radius;
   for (unsigned i = 0; i < count; i++) {
     gjk2_vec offset;
+    // not reached: no such vertex, since the certificate holds
     if (c->shape->type->vertex(c, named[i], &offset) &&
         (plane_at_end(point->x, c->centre.x, offset.x, convex_radius) ||
          plane_at_end(point->y, c->centre.y, offset.y, convex_radius))) {
@@ -112,12 +114,9 @@ bool gjk2_claim_saturated(const gjk2_collider *c, const uint16_t *named, unsigne
   return false;
 }
 
-// The sign of 8 height / length - eighths. Pre: height < 2^62, eighths < 2^36.
+// The sign of 8 height / length - eighths. Pre: height < 2^62, 0 < eighths < 2^36.
 static int compare_eighths(const gjk2_length *length, uint64_t height, int64_t eighths) {
   gjk_u192 left, right;
-  if (eighths <= 0) {
-    return eighths < 0 || height > 0;
-  }
   gjk_u192_set(&left, 0);
   gjk_u192_set(&right, 0);
   add_square_times(&left, (int64_t)height, 64);
@@ -127,7 +126,7 @@ static int compare_eighths(const gjk2_length *length, uint64_t height, int64_t e
 
 bool gjk2_claim_gap(const gjk2_length *length, uint64_t height, int32_t radius, const gjk2_vec *a, const gjk2_vec *b) {
   const int64_t x = (int64_t)b->x - a->x, y = (int64_t)b->y - a->y;
-  const int64_t exact = gjk2_round_distance(length, height, GJK2_ROUND_DOWN);
+  const int64_t exact = gjk2_round_distance(length, GJK2_ROUND_DOWN, height);
   // Find the integer `eighths` with eighths <= 8 height / length < eighths + 1.
   int64_t eighths = 8 * exact;
   for (int i = 0; i < 7; i++) {
@@ -154,7 +153,7 @@ bool gjk2_claim_overlap(gjk_q16 depth, const gjk2_unit *normal, const gjk2_vec *
   gjk_u192_set(&squared, 0);
   gjk_u192_set(&limit, 0);
   for (int i = 0; i < 2; i++) {
-    if (apart[i] < -most || apart[i] > most) {
+    if (apart[i] < -most || apart[i] > most) {  // not reached: both points are on shapes that overlap
       return false;
     }
     // |apart| 2^30 <= 2^61, |depth unit| <= 2^61: their difference is halved, rounded to the nearest, to fit.

@@ -12,15 +12,21 @@ typedef struct gjk2_extent {
   bool ordered;      // see gjk2_collider
 } gjk2_extent;
 
-// A vertex of a shape.
+// A vertex of a shape, or the way to one.
 typedef struct gjk2_support {
-  gjk2_vec offset;  // from the collider's centre, Q16.16; at most core_radius long
+  gjk2_vec offset;  // from the collider's centre, Q16.16; at most core_radius long. Of a way: from another vertex
   uint16_t vertex;  // the vertex's number; 0 for curved shapes
 } gjk2_support;
 
 static inline void gjk2_copy_support(gjk2_support *to, const gjk2_support *from) {
   gjk2_copy(&to->offset, &from->offset);
   to->vertex = from->vertex;
+}
+
+// Goes the way to another vertex.
+static inline void gjk2_follow(gjk2_support *at, const gjk2_support *way) {
+  at->offset = gjk2_add(at->offset, way->offset);
+  at->vertex = way->vertex;
 }
 
 struct gjk2_search;
@@ -41,9 +47,9 @@ struct gjk2_shape_class {
   // The offset of the vertex with a number; false where there is none. NULL for curved shapes.
   bool (*vertex)(const gjk2_collider *collider, uint16_t number, gjk2_vec *offset);
 
-  // The vertex that follows another counterclockwise, or precedes it, where the collider's vertices are ordered. NULL for
-  // curved shapes.
-  void (*adjacent)(const gjk2_collider *collider, uint16_t number, bool following, gjk2_support *out);
+  // The way from a vertex to the one that follows counterclockwise, or precedes it, and that one's number, where the
+  // collider's vertices are ordered. NULL for curved shapes.
+  void (*adjacent)(const gjk2_collider *collider, const gjk2_support *from, bool following, gjk2_support *way);
 
   // gjk2_curved_depth of gjk2_curved_depth.h for curved shapes, so that programs without any do not link it; else NULL.
   bool (*depth)(struct gjk2_search *s, struct gjk2_edge *edge, int64_t *lower, uint16_t *iterations);

@@ -71,11 +71,16 @@ static bool vertex_plane_axes(const gjk2_collider *c, uint16_t number, gjk2_vec 
   return true;
 }
 
-// Counterclockwise: 3, 2, 0, 1.
-static void adjacent_axes(const gjk2_collider *c, uint16_t number, bool following, gjk2_support *out) {
-  static const uint8_t after[4] = {1, 3, 0, 2}, before[4] = {2, 0, 3, 1};
-  out->vertex = following ? after[number & 3u] : before[number & 3u];
-  (void)vertex_plane_axes(c, out->vertex, &out->offset);
+// Counterclockwise the corners are 3, 2, 0, 1. So ones with two equal signs change that of x next, the others that of y.
+static void adjacent_axes(const gjk2_collider *c, const gjk2_support *from, bool following, gjk2_support *way) {
+  const unsigned number = from->vertex, differ = (number ^ number >> 1) & 1u, axis = differ ^ (following ? 0u : 1u);
+  const unsigned other = number ^ (1u << axis);
+  gjk2_vec edge = {2 * c->frame[axis].x, 2 * c->frame[axis].y};  // half axes are below 2^28 long
+  if (other < number) {
+    edge = gjk2_negate(edge);
+  }
+  gjk2_copy(&way->offset, &edge);
+  way->vertex = (uint16_t)other;
 }
 
 const gjk2_shape_class gjk2_class_point = {

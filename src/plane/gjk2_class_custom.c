@@ -23,7 +23,7 @@ static gjk2_vec plane_within_bound(const gjk2_shape *shape, gjk2_vec at) {
   const uint64_t squared = (uint64_t)gjk_mul32(at.x, at.x) + (uint64_t)gjk_mul32(at.y, at.y);
   const bool within = squared <= (uint64_t)gjk_mul32(bound.x, bound.x);
   GJK_ASSERT(within);
-  if (!within) {
+  if (!within) {  // not reached: a shape that breaks its contract, which tests/check/unit/wild.c does
     return gjk2_fine_stretch(bound, at.x, at.y);
   }
   //@ assert at.x >= -GJK2_RADIUS_MAX && at.x <= GJK2_RADIUS_MAX;

@@ -110,46 +110,107 @@ static void pose_polygon(gjk2_collider *c, const gjk2_vec *rotation) {
   }
 }
 
-#if GJK_NARROW_MULTIPLY
-// Products of directions and vertices truncated to 15 bits cost a fifth of exact ones on cores without a long
-// multiplication. They tell which vertices can be the farthest:
+// How far vertices are along d: exactly; or on cores without a long multiplication by products of directions and vertices
+// truncated to 15 bits, which cost a fifth of exact ones. They tell which vertices can be the farther ones:
 //   v = 2^vs vc + r,  0 <= r < 2^vs,  |vc| <= 2^14        d = 2^ds dc + q,  0 <= q < 2^ds,  |dc| <= 2^15
 //   v . d / 2^(vs + ds) - vc . dc = vc . q / 2^ds + r . d / 2^(vs + ds), at most 2 2^14 + 2 2^15 in size
 //   |vc . dc| <= 2^30
+#if GJK_NARROW_MULTIPLY
 #define COARSE_ERROR (2 * INT32_C(16384) + 2 * INT32_C(32768))
+
+typedef int32_t plane_height;
+
+typedef struct plane_ruler {
+  gjk2_vec d, coarse;
+  unsigned shift;
+} plane_ruler;
+
+// Pre: |v| <= radius.
+static inline plane_ruler ruler_along(const gjk2_vec *d, gjk_q16 radius) {
+  const unsigned v_bits = 32 - gjk_clz32((uint32_t)radius);
+  const unsigned d_bits = 32 - gjk_clz32(gjk_magnitude32(d->x) | gjk_magnitude32(d->y)),
+                 ds = d_bits > 15 ? d_bits - 15 : 0;
+  const plane_ruler ruler = {*d, {gjk_sar32(d->x, ds), gjk_sar32(d->y, ds)}, v_bits > 14 ? v_bits - 14 : 0};
+  return ruler;
+}
+
+static inline plane_height ruler_height(const plane_ruler *r, const gjk2_vec *v) {
+  return gjk_sar32(v->x, r->shift) * r->coarse.x + gjk_sar32(v->y, r->shift) * r->coarse.y;
+}
+
+// Is p farther than q?
+static inline bool is_higher(const plane_ruler *r, plane_height of_p, plane_height of_q, const gjk2_vec *p,
+                             const gjk2_vec *q) {
+  const int32_t slack = 2 * COARSE_ERROR;
+  return of_p > of_q + slack || (of_p >= of_q - slack && gjk2_dot(gjk2_sub(*p, *q), r->d) > 0);
+}
+#else
+typedef int64_t plane_height;
+
+typedef struct plane_ruler {
+  gjk2_vec d;
+} plane_ruler;
+
+static inline plane_ruler ruler_along(const gjk2_vec *d, gjk_q16 radius) {
+  const plane_ruler ruler = {*d};
+  (void)radius;
+  return ruler;
+}
+
+static inline plane_height ruler_height(const plane_ruler *r, const gjk2_vec *v) {
+  return gjk2_dot(*v, r->d);  // |v| < 2^28, |d| <= 3 2^29:  below 2^59
+}
+
+static inline bool is_higher(const plane_ruler *r, plane_height of_p, plane_height of_q, const gjk2_vec *p,
+                             const gjk2_vec *q) {
+  (void)r;
+  (void)p;
+  (void)q;
+  return of_p > of_q;
+}
+#endif
 
 // The first of count vertices that is farthest along d. Pre: count >= 1, |v| <= radius.
 static void scan_list(const gjk2_vec *v, uint32_t count, gjk_q16 radius, const gjk2_vec *d, gjk2_support *out) {
-  const unsigned v_bits = 32 - gjk_clz32((uint32_t)radius), vs = v_bits > 14 ? v_bits - 14 : 0;
-  const unsigned d_bits = 32 - gjk_clz32(gjk_magnitude32(d->x) | gjk_magnitude32(d->y)),
-                 ds = d_bits > 15 ? d_bits - 15 : 0;
-  const int32_t x = gjk_sar32(d->x, ds), y = gjk_sar32(d->y, ds);
+  const plane_ruler ruler = ruler_along(d, radius);
   const gjk2_vec *best = v, *const end = v + count;
-  int32_t most = INT32_MIN / 2;
-  for (const gjk2_vec *p = v; p < end; p++) {
-    const int32_t along = gjk_sar32(p->x, vs) * x + gjk_sar32(p->y, vs) * y;
-    if (along < most - 2 * COARSE_ERROR) {
-      continue;
-    }
-    if (along > most + 2 * COARSE_ERROR || gjk2_dot(*p, *d) > gjk2_dot(*best, *d)) {
-      most = along;
+  plane_height most = ruler_height(&ruler, v);
+  for (const gjk2_vec *p = v + 1; p < end; p++) {
+    const plane_height height = ruler_height(&ruler, p);
+    if (is_higher(&ruler, height, most, p, best)) {
+      most = height;
       best = p;
     }
   }
   gjk2_copy(&out->offset, best);
   out->vertex = (uint16_t)(best - v);
 }
-#else
-// The first of count vertices that is farthest along d. Pre: count >= 1, |v| <= radius.
-static void scan_list(const gjk2_vec *v, uint32_t count, gjk_q16 radius, const gjk2_vec *d, gjk2_support *out) {
-  const gjk2_vec towards = *d, *best = v, *const end = v + count;
-  int64_t most = gjk2_dot(*v, towards);  // |v| < 2^28, |d| <= 3 2^29:  below 2^59
-  (void)radius;
-  for (const gjk2_vec *p = v + 1; p < end; p++) {
-    const int64_t along = gjk2_dot(*p, towards);
-    if (along > most) {
-      most = along;
-      best = p;
+
+#if !GJK_SMALL
+// The same where the vertices are corners in order. Along d they rise to the farthest one and fall again, and at most two
+// successive ones are equally far. So this climbs from the first vertex, the one way or the other.
+static void climb_list(const gjk2_vec *v, uint32_t count, gjk_q16 radius, const gjk2_vec *d, gjk2_support *out) {
+  const plane_ruler ruler = ruler_along(d, radius);
+  const gjk2_vec *best = v, *const end = v + count;
+  plane_height most = ruler_height(&ruler, v), height = ruler_height(&ruler, v + 1);
+  if (is_higher(&ruler, height, most, v + 1, v)) {
+    do {  // at most once for each vertex
+      most = height;
+      best++;
+      if (best + 1 == end) {
+        break;
+      }
+      height = ruler_height(&ruler, best + 1);
+    } while (is_higher(&ruler, height, most, best + 1, best));
+  } else {
+    height = ruler_height(&ruler, end - 1);
+    if (is_higher(&ruler, height, most, end - 1, v)) {
+      best = end;
+      do {  // at most once for each vertex: the first is less far
+        most = height;
+        best--;
+        height = ruler_height(&ruler, best - 1);
+      } while (!is_higher(&ruler, most, height, best, best - 1));
     }
   }
   gjk2_copy(&out->offset, best);
@@ -161,11 +222,29 @@ static void support_triangle(const gjk2_collider *c, const gjk2_vec *d, gjk2_sup
   scan_list(c->frame, 3, c->core_radius, d, out);
 }
 
+static gjk2_vec posed_vertex(const gjk2_collider *c, uint32_t i) {
+  return c->buffer != NULL ? c->buffer[i] : plane_posed(c, &c->frame[0], i);
+}
+
+#if GJK_SMALL
+static void support_polygon(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+  int64_t most = INT64_MIN;
+  for (uint32_t i = 0; i < c->count; i++) {
+    const gjk2_vec v = posed_vertex(c, i);
+    const int64_t along = gjk2_dot(v, *d);  // |v| < 2^28, |d| <= 3 2^29:  below 2^59
+    if (along > most) {
+      most = along;
+      gjk2_copy(&out->offset, &v);
+      out->vertex = (uint16_t)i;
+    }
+  }
+}
+#else
 // The vertex that the scan_list of posed vertices would find, by one of the shape's own vertices along d rotated back.
 //   rotated back, d is off by less than 1 in each component:             |v| 2 < 2^30, off by less than 2 core_radius
 //   a posed vertex is off by less than 3/4 and 1/2 per component:        5/4 (|d.x| + |d.y|)
 // Two vertices are ordered wrongly only within twice that; there posed ones are compared.
-static void support_plane_lazy(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+GJK_OUT_OF_LINE static void support_plane_lazy(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
   const gjk2_vec local = gjk2_rotate_back(&c->frame[0], *d);
   const int64_t slack = 4 * (int64_t)c->core_radius + 3 * (int64_t)gjk2_norm1(*d);
   uint32_t best = 0;
@@ -195,12 +274,15 @@ static void support_plane_lazy(const gjk2_collider *c, const gjk2_vec *d, gjk2_s
 }
 
 static void support_polygon(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
-  if (c->buffer != NULL) {
-    scan_list(c->buffer, c->count, c->core_radius, d, out);
-  } else {
+  if (c->buffer == NULL) {
     support_plane_lazy(c, d, out);
+  } else if (c->ordered) {
+    climb_list(c->buffer, c->count, c->core_radius, d, out);
+  } else {
+    scan_list(c->buffer, c->count, c->core_radius, d, out);
   }
 }
+#endif
 
 static bool vertex_triangle(const gjk2_collider *c, uint16_t number, gjk2_vec *offset) {
   if (number >= 3) {
@@ -214,22 +296,23 @@ static bool vertex_polygon(const gjk2_collider *c, uint16_t number, gjk2_vec *of
   if (number >= c->count) {
     return false;
   }
-  *offset = c->buffer != NULL ? c->buffer[number] : plane_posed(c, &c->frame[0], number);
+  *offset = posed_vertex(c, number);
   return true;
 }
 
-static void adjacent_vertices(const gjk2_collider *c, uint16_t number, bool following, gjk2_support *out) {
-  const uint16_t last = (uint16_t)(c->count - 1);
+static void adjacent_vertices(const gjk2_collider *c, const gjk2_support *from, bool following, gjk2_support *way) {
+  unsigned number = from->vertex;
   if (following) {
-    number = number < last ? (uint16_t)(number + 1) : 0;
+    number = number + 1 < c->count ? number + 1 : 0;
   } else {
-    number = number > 0 ? (uint16_t)(number - 1) : last;
+    number = (number > 0 ? number : c->count) - 1u;
   }
-  out->vertex = number;
+  way->vertex = (uint16_t)number;
   if (c->buffer != NULL) {
-    out->offset = c->buffer[number];
+    way->offset = gjk2_sub(c->buffer[number], from->offset);
   } else {
-    (void)c->shape->type->vertex(c, number, &out->offset);
+    (void)c->shape->type->vertex(c, (uint16_t)number, &way->offset);
+    way->offset = gjk2_sub(way->offset, from->offset);
   }
 }
 

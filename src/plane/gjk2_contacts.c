@@ -45,9 +45,8 @@ static void widen(plane_side *of, gjk2_vec edge, gjk2_vec towards, gjk_q16 conve
   gjk2_length length;
   gjk2_vec n = gjk2_outward(edge);
   n = gjk2_dot(n, towards) < 0 ? gjk2_negate(n) : n;
-  gjk2_length_set(&length, n);
   gjk2_unit u;
-  gjk2_unit_set(&u, &length, n);
+  gjk2_normal_set(&u, &length, &n);
   const int64_t half = INT64_C(1) << 29;
   const gjk2_vec outwards = {(int32_t)gjk_sar64(gjk_mac32(half, u.x, convex_radius), 30),
                              (int32_t)gjk_sar64(gjk_mac32(half, u.y, convex_radius), 30)};
@@ -55,53 +54,110 @@ static void widen(plane_side *of, gjk2_vec edge, gjk2_vec towards, gjk_q16 conve
   of->end[1] = gjk2_add(of->end[1], outwards);
 }
 
-// Does the edge e lie nearer to straight across the direction than f? e and f lead away from the same corner.
-//   |e|, |f| < 2^30, directions are units in Q30:   products below 2^60
-static bool is_flatter(gjk2_vec e, gjk2_vec f, gjk2_vec towards, gjk2_vec left) {
-  return gjk_sum_of_products_sign_exact(gjk2_dot(e, towards), gjk_int64(gjk_magnitude64(gjk2_dot(f, left))),
-                                        -gjk2_dot(f, towards), gjk_int64(gjk_magnitude64(gjk2_dot(e, left)))) > 0;
+// An edge, as the way from a corner that is farthest along the normal.
+typedef struct plane_edge {
+  gjk2_support way;
+  int64_t along;  // way . normal, not positive;  |way| < 2^30 and units of Q30:  products below 2^60
+  int64_t left;   // way . the normal's left
+} plane_edge;
+
+// Does the edge e lie nearer to straight across the normal than f? Both lead away from the same corner.
+static bool is_flatter(const plane_edge *e, const plane_edge *f) {
+  const int64_t p = e->along, q = gjk_int64(gjk_magnitude64(f->left));
+  const int64_t r = -f->along, s = gjk_int64(gjk_magnitude64(e->left));
+  // (p q + r s) / 2^64 is off by less than slack: the truncated parts are below 1 each.
+  const int32_t ph = gjk_high32(p), qh = gjk_high32(q), rh = gjk_high32(r), sh = gjk_high32(s);
+  const int64_t sum = gjk_mac32(gjk_mul32(ph, qh), rh, sh);
+  const int64_t slack = (int64_t)gjk_magnitude32(ph) + qh + gjk_magnitude32(rh) + sh + 2;
+  if (sum > slack || sum < -slack) {
+    return sum > 0;
+  }
+  return gjk_sum_of_products_sign_exact(p, q, r, s) > 0;
 }
 
-// Is the edge within 20 degrees of straight across the direction, and long enough for its convex radius?
+// Is the edge within 20 degrees of straight across the normal, and long enough for its convex radius?
 //   posing turns an edge by up to 2 / |e|, which moves the surface by convex_radius 2 / |e|^2 along the normal, and the
 //   ends by twice convex_radius / |e| along the edge
-static bool plane_is_level(gjk2_vec e, gjk2_vec towards, gjk2_vec left, gjk_q16 convex_radius) {
-  const uint64_t across = gjk_magnitude64(gjk2_dot(e, towards)), along = gjk_magnitude64(gjk2_dot(e, left));
-  return across <= (along >> 10) * 373 && gjk2_dot(e, e) >= 36 * (int64_t)convex_radius;  // tan 20 = 372.7 / 1024
+static bool plane_is_level(const plane_edge *e, gjk_q16 convex_radius) {
+  const uint64_t across = gjk_magnitude64(e->along), along = gjk_magnitude64(e->left);
+  return across <= (along >> 10) * 373 &&  // tan 20 = 372.7 / 1024
+         (convex_radius == 0 || gjk2_dot(e->way.offset, e->way.offset) >= 36 * (int64_t)convex_radius);
+}
+
+// The corner farthest along the normal, of several the last one counterclockwise, with the edges to the next one and to
+// the one before. False: it has no neighbours. guess: the number of a corner near it, or a negative one.
+static bool find_corner(const gjk2_collider *c, int32_t guess, const gjk2_vec *normal, gjk2_support *corner,
+                        plane_edge *after, plane_edge *before) {
+  if (guess < 0 || !c->ordered || GJK_SMALL) {
+    gjk2_hull_corner(c, *normal, corner);
+    if (!gjk2_hull_neighbour(c, corner, true, &after->way) || !gjk2_hull_neighbour(c, corner, false, &before->way)) {
+      return false;
+    }
+    after->along = gjk2_dot(after->way.offset, *normal);
+    before->along = gjk2_dot(before->way.offset, *normal);
+    return true;
+  }
+  const gjk2_shape_class *type = c->shape->type;
+  corner->vertex = (uint16_t)guess;
+  (void)type->vertex(c, corner->vertex, &corner->offset);
+  // Corners in order rise along the normal to the farthest one and fall again: at most as many steps as there are.
+  for (uint32_t i = 0; i <= c->count; i++) {
+    type->adjacent(c, corner, true, &after->way);
+    after->along = gjk2_dot(after->way.offset, *normal);
+    if (after->along < 0) {
+      break;
+    }
+    gjk2_follow(corner, &after->way);
+  }
+  for (uint32_t i = 0; i <= c->count; i++) {
+    type->adjacent(c, corner, false, &before->way);
+    before->along = gjk2_dot(before->way.offset, *normal);
+    if (before->along <= 0) {
+      break;
+    }
+    after->way.offset = gjk2_negate(before->way.offset);
+    after->way.vertex = corner->vertex;
+    after->along = -before->along;
+    gjk2_follow(corner, &before->way);
+  }
+  return true;
 }
 
 // Step 2. towards: the normal, from this shape to the other; left: the normal's left, the same for both.
-static void find_side(const gjk2_collider *c, gjk2_vec origin, gjk2_vec towards, gjk2_vec left, plane_side *out) {
-  gjk2_support corner, after, before;
+static void find_side(const gjk2_collider *c, int32_t guess, gjk2_vec origin, const gjk2_vec *towards,
+                      const gjk2_vec *left, plane_side *out) {
+  gjk2_support corner;
+  plane_edge after, before;
   out->count = 0;
   if (gjk2_is_curved(c->shape)) {
     out->number[0] = 0;
     return;
   }
-  gjk2_hull_corner(c, towards, &corner);
+  const bool has_edges = find_corner(c, guess, towards, &corner, &after, &before);
   out->count = 1;
   out->number[0] = corner.vertex;
   out->end[0] = gjk2_add(origin, corner.offset);
-  if (!gjk2_hull_neighbour(c, &corner, true, &after) || !gjk2_hull_neighbour(c, &corner, false, &before)) {
+  if (!has_edges) {
     return;
   }
-  const gjk2_vec ahead = gjk2_sub(after.offset, corner.offset), back = gjk2_sub(before.offset, corner.offset);
-  const bool follows = !is_flatter(back, ahead, towards, left);
-  const gjk2_vec edge = follows ? ahead : back;
-  if (!plane_is_level(edge, towards, left, c->shape->convex_radius)) {
+  after.left = gjk2_dot(after.way.offset, *left);
+  before.left = gjk2_dot(before.way.offset, *left);
+  const plane_edge *edge = is_flatter(&before, &after) ? &before : &after;
+  if (!plane_is_level(edge, c->shape->convex_radius)) {
     return;
   }
-  const unsigned other = gjk2_dot(edge, left) > 0 ? 1 : 0;
+  const gjk2_vec at = out->end[0];
+  const unsigned other = edge->left > 0 ? 1 : 0, same = 1 - other;
   out->count = 2;
-  out->end[1 - other] = gjk2_add(origin, corner.offset);
-  out->number[1 - other] = corner.vertex;
-  out->end[other] = gjk2_add(out->end[1 - other], edge);
-  out->number[other] = follows ? after.vertex : before.vertex;
+  out->end[same] = at;
+  out->number[same] = corner.vertex;
+  out->end[other] = gjk2_add(at, edge->way.offset);
+  out->number[other] = edge->way.vertex;
   if (c->shape->convex_radius != 0) {
-    widen(out, edge, towards, c->shape->convex_radius);
+    widen(out, edge->way.offset, *towards, c->shape->convex_radius);
   }
-  out->place[0] = gjk2_dot(out->end[0], left);  // |end| < 2^30.2:  below 2^61
-  out->place[1] = gjk2_dot(out->end[1], left);
+  out->place[same] = gjk2_dot(out->end[same], *left);  // |end| < 2^30.2:  below 2^61
+  out->place[other] = out->place[same] + edge->left;
 }
 
 static uint16_t feature_of(const plane_side *of) {
@@ -115,7 +171,7 @@ static uint16_t feature_of(const plane_side *of) {
 
 // The byte of an id. slack: how near to a corner a place counts as the corner, Q30.
 static unsigned id_byte(const plane_side *of, int64_t place, int64_t slack) {
-  if (of->count == 2) {
+  if (of->count == 2) {  // not reached: 1, since candidates are of edges
     const bool at_first = place - of->place[0] <= slack;
     if (!at_first && of->place[1] - place > slack) {
       return ID_EDGE;
@@ -123,6 +179,18 @@ static unsigned id_byte(const plane_side *of, int64_t place, int64_t slack) {
     return of->number[at_first ? 0 : 1] & ID_CORNERS;
   }
   return of->number[0] & ID_CORNERS;
+}
+
+// part / whole in Q31, at most INT32_MAX; within 2^-28 of itself. Pre: 0 < part < whole < 2^62.
+//   part = 2^(32 - n) top and whole = 2^(32 - m) bottom, before truncation, so quotient = 2^30 top / bottom is from 2^29 to
+//   2^31, and part / whole is quotient / 2^(30 + n - m)
+static int32_t share(uint64_t part, uint64_t whole) {
+  const unsigned n = gjk_clz64(part), m = gjk_clz64(whole);
+  const uint32_t quotient = gjk_umulh32(gjk_upper32(part, n), gjk_reciprocal(gjk_upper32(whole, m))) >> 1;
+  if (n == m) {
+    return quotient >> 30 == 0 ? (int32_t)(quotient << 1) : INT32_MAX;
+  }
+  return n - m <= 32 ? (int32_t)(quotient >> (n - m - 1)) : 0;
 }
 
 // Step 3: the edge's point at a place, to the nearest LSB.
@@ -133,14 +201,8 @@ static gjk2_vec plane_point_at(const plane_side *of, int64_t place) {
   if (place >= of->place[1]) {
     return of->end[1];
   }
-  const gjk_u128 part = {0, (uint64_t)(place - of->place[0])}, whole = {0, (uint64_t)(of->place[1] - of->place[0])};
-  gjk_divisor divisor;
-  unsigned k;
-  gjk_divisor_set(&divisor, &whole);
-  const int32_t weight = gjk_divide(&part, &divisor, 31, &k);  // below 1 in Q31, so k <= 32 shifts nothing out
+  const int32_t w = share((uint64_t)(place - of->place[0]), (uint64_t)(of->place[1] - of->place[0]));
   const gjk2_vec edge = gjk2_sub(of->end[1], of->end[0]);
-  const int64_t q31 = k <= 31 ? gjk_sar64(weight, k) : 0;
-  const int32_t w = (int32_t)(q31 < INT32_MAX ? q31 : INT32_MAX);
   const int64_t half = INT64_C(1) << 30;
   const gjk2_vec point = {of->end[0].x + (int32_t)gjk_sar64(gjk_mac32(half, edge.x, w), 31),
                           of->end[0].y + (int32_t)gjk_sar64(gjk_mac32(half, edge.y, w), 31)};
@@ -222,15 +284,17 @@ static void plane_admit_nearest(const gjk2_distance_result *nearest, uint16_t id
 }
 
 GJK_OUT_OF_LINE bool gjk2_facing_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, unsigned most,
-                                          const gjk2_distance_result *nearest, gjk2_manifold *out) {
+                                          const gjk2_distance_result *nearest, const gjk2_certificate *named,
+                                          gjk2_manifold *out) {
   uint16_t id = 0;
   bool level = false;
   if (plane_is_within_reach(a, b)) {
     const gjk2_vec towards_b = {out->normal.x, out->normal.y}, towards_a = gjk2_negate(towards_b);
     const gjk2_vec left = {-towards_b.y, towards_b.x}, origin = {0, 0};
     plane_side of_a, of_b;
-    find_side(a, origin, towards_b, left, &of_a);
-    find_side(b, gjk2_sub(b->centre, a->centre), towards_a, left, &of_b);
+    const bool guesses = named != NULL && named->count > 0;
+    find_side(a, guesses ? (int32_t)named->a[0] : -1, origin, &towards_b, &left, &of_a);
+    find_side(b, guesses ? (int32_t)named->b[0] : -1, gjk2_sub(b->centre, a->centre), &towards_a, &left, &of_b);
     out->feature_a = feature_of(&of_a);
     out->feature_b = feature_of(&of_b);
     id = (uint16_t)((of_a.count == 2 ? ID_EDGE : of_a.number[0] & ID_CORNERS) << 8 |
@@ -266,7 +330,7 @@ gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16
   out->feature_b = 0;
   out->count = 0;
   if (nearest.distance <= margin) {
-    (void)gjk2_facing_contacts(a, b, margin, most, &nearest, out);
+    (void)gjk2_facing_contacts(a, b, margin, most, &nearest, &nearest.certificate, out);
   }
   return status;
 }

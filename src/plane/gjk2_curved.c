@@ -42,9 +42,8 @@ gjk2_vec gjk2_fine_stretch(gjk2_vec size, int64_t x, int64_t y) {
     d.y = (int32_t)gjk_sar64(y, 34 - zeros);
   }
   gjk2_length length;
-  gjk2_length_set(&length, d);
   gjk2_unit u;
-  gjk2_unit_set(&u, &length, d);
+  gjk2_normal_set(&u, &length, &d);
   const gjk2_vec point = {fine(size.x, u.x), fine(size.y, u.y)};
   return point;
 }

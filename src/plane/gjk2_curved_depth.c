@@ -22,7 +22,7 @@ static void compare_line(arc_bounds *o, gjk2_vec n, const gjk2_vertex *w, const 
   gjk2_length length;
   const int64_t height = gjk2_dot(n, w->w);
   gjk2_length_set(&length, n);
-  const int64_t distance = height > 0 ? gjk2_round_distance(&length, (uint64_t)height, GJK2_ROUND_UP) : 0;
+  const int64_t distance = height > 0 ? gjk2_round_distance(&length, GJK2_ROUND_UP, (uint64_t)height) : 0;
   if (distance < o->best) {
     o->best = distance;
     gjk2_copy_length(&o->edge->length, &length);
@@ -48,7 +48,7 @@ static arc_state settle(arc_bounds *o, const gjk2_vertex *p, const gjk2_vertex *
   const int64_t height = gjk2_cross(p->w, q->w);
   gjk2_length length;
   gjk2_length_set(&length, n);
-  const int64_t distance = height > 0 ? gjk2_round_distance(&length, (uint64_t)height, GJK2_ROUND_DOWN) : 0;
+  const int64_t distance = height > 0 ? gjk2_round_distance(&length, GJK2_ROUND_DOWN, (uint64_t)height) : 0;
   if (distance + tolerance < o->best) {
     if (o->iterations >= GJK2_DEPTH_ITERATIONS_MAX) {
       return ARC_SPENT;
@@ -89,7 +89,7 @@ static bool settle_arc(arc_bounds *o, const gjk2_vertex *start, const gjk2_verte
 static void approach_foot(arc_bounds *o) {
   gjk2_edge *edge = o->edge;
   gjk2_vertex x;
-  for (int i = 0; i < FOOT_STEPS; i++) {
+  for (int i = 0; i < FOOT_STEPS; i++) {  // not reached: the ceiling
     const gjk2_vec n = gjk2_outward(gjk2_sub(edge->q.w, edge->p.w));
     if ((n.x | n.y) == 0) {
       return;
@@ -110,7 +110,7 @@ bool gjk2_curved_depth(gjk2_search *s, gjk2_edge *edge, int64_t *lower, uint16_t
   static const int8_t axis[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   const int32_t unit = INT32_C(1) << 29;
   arc_bounds o = {s, edge, INT64_MAX, 0, *iterations};
-  gjk2_vertex corner[4];
+  gjk2_vertex *corner = s->slot;  // the simplex is not needed any more
   for (int i = 0; i < 4; i++) {
     const gjk2_vec d = {axis[i][0] * unit, axis[i][1] * unit};
     gjk2_search_scan(s, d, &corner[i]);

@@ -17,13 +17,11 @@
 #include "gjk2_report.h"
 #include "gjk2_witness.h"
 
-// h / |n| in LSB. Of a far frame not exactly: the quotient's error is below 2^-28 of it.
-static int64_t in_lsb(const gjk2_search *s, const gjk2_length *length, int64_t h, gjk2_round_to to) {
+// h / |n| in LSB in a far frame, not exactly: the quotient's error is below 2^-28 of it.
+GJK_OUT_OF_LINE static int64_t far_in_lsb(const gjk2_search *s, const gjk2_length *length, int64_t h,
+                                          gjk2_round_to to) {
   unsigned shift;
-  if (s->far == 0) {
-    return gjk2_round_distance(length, (uint64_t)h, to);
-  }
-  const uint64_t quotient = gjk2_quotient(length, (uint64_t)h, &shift);
+  const uint64_t quotient = gjk2_quotient(length, &shift, (uint64_t)h);
   if (shift >= 62) {
     return 0;  // below 4 units of the frame
   }
@@ -31,6 +29,11 @@ static int64_t in_lsb(const gjk2_search *s, const gjk2_length *length, int64_t h
   const unsigned n = shift > s->far ? shift - s->far : 1;
   const int64_t nearest = (int64_t)((quotient + (UINT64_C(1) << (n - 1))) >> n);
   return nearest + (to == GJK2_ROUND_NEAREST ? 0 : to == GJK2_ROUND_UP ? gjk_shl64(8, s->far) : -gjk_shl64(8, s->far));
+}
+
+// h / |n| in LSB.
+static inline int64_t in_lsb(const gjk2_search *s, const gjk2_length *length, int64_t h, gjk2_round_to to) {
+  return s->far == 0 ? gjk2_round_distance(length, to, (uint64_t)h) : far_in_lsb(s, length, h, to);
 }
 
 gjk2_outcome gjk2_distance_bounds(gjk2_search *s, int64_t *lower, int64_t *nearest, int64_t *upper) {
@@ -51,30 +54,37 @@ gjk2_outcome gjk2_distance_bounds(gjk2_search *s, int64_t *lower, int64_t *neare
   return *upper <= 0 ? GJK2_OUTCOME_NEAR : GJK2_OUTCOME_LIMIT;
 }
 
-// Step 3. The points of the feature. Returns whether a coordinate has saturated.
-static bool report_points(const gjk2_search *s, const gjk2_length *length, gjk2_distance_result *out) {
-  bool saturated = false;
-  gjk2_witness_points(s, gjk2_search_vertex(s, 0), s->count == 2 ? gjk2_search_vertex(s, 1) : NULL, length,
-                      &out->normal, &out->point_a, &out->point_b, &saturated);
-  return saturated;
+// Step 3: normal and points of the feature. Returns whether a coordinate has saturated.
+GJK_ONCE static bool report_feature(const gjk2_search *s, gjk2_length *length, gjk2_distance_result *out) {
+  const gjk2_vertex *p = s->apex, *q = NULL;
+  if (s->count == 2) {
+    p = s->first;
+    q = s->last;
+  }
+  gjk2_normal_set(&out->normal, length, &s->d);
+  return gjk2_witness_points(s, p, q, length, &out->normal, &out->point_a, &out->point_b);
 }
 
 void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache, gjk2_distance_result *out) {
-  int64_t gap = 0;
-  out->saturated = false;
-  out->intersecting = outcome != GJK2_OUTCOME_NEAREST;
-  out->iterations = s->iterations;
+  gjk_q16 distance = 0;
+  bool saturated = false;
   if (outcome == GJK2_OUTCOME_NEAREST) {
     gjk2_length length;
-    gjk2_length_set(&length, s->d);
-    gjk2_unit_set(&out->normal, &length, s->d);
-    gap = in_lsb(s, &length, -s->base, GJK2_ROUND_NEAREST) - gjk2_convex_radii(s);  // Step 2
-    gap = gap > 0 ? gap : 0;
-    out->saturated = report_points(s, &length, out);
+    saturated = report_feature(s, &length, out);
+    const int64_t core = in_lsb(s, &length, -s->base, GJK2_ROUND_NEAREST);  // Step 2
+    if (s->far == 0) {
+      distance = (int32_t)core - s->radius;  // radius is that of both shapes;  0 <= core <= 3 2^29
+    } else {
+      distance = gjk_saturate_noting(core - gjk2_convex_radii(s), &saturated);
+    }
+    distance = distance > 0 ? distance : 0;
   }
-  out->distance = gjk_saturate_noting(gap, &out->saturated);
-  out->lower = out->distance;
-  out->upper = out->distance;
+  out->distance = distance;
+  out->lower = distance;
+  out->upper = distance;
+  out->intersecting = outcome != GJK2_OUTCOME_NEAREST;
+  out->saturated = saturated;
+  out->iterations = s->iterations;
   gjk2_search_certify(s, outcome, &out->certificate);
   if (cache != NULL) {
     gjk2_search_keep(s, outcome, cache);
@@ -93,12 +103,8 @@ static gjk2_outcome plane_narrow(gjk2_search *s, gjk2_distance_result *out) {
   return outcome;
 }
 
-// Step 1: runs at most limit iterations in all. Narrows the bounds when they do not suffice.
-static gjk2_outcome plane_run_and_narrow(gjk2_search *s, uint32_t limit, gjk2_distance_result *out) {
-  const gjk2_outcome outcome = gjk2_search_run(s, GJK2_GOAL_DISTANCE, limit);
-  if (outcome != GJK2_OUTCOME_LIMIT) {
-    return outcome;
-  }
+// Step 1: what follows from the outcome LIMIT. Narrows the bounds.
+GJK_OUT_OF_LINE static gjk2_outcome settle_limit(gjk2_search *s, gjk2_distance_result *out) {
   const gjk2_outcome narrowed = plane_narrow(s, out);
   const bool exhausted = !s->curved && s->iterations >= gjk2_search_limit(s);  // a far frame alone
   return narrowed == GJK2_OUTCOME_LIMIT && exhausted ? GJK2_OUTCOME_NEAREST : narrowed;
@@ -107,19 +113,18 @@ static gjk2_outcome plane_run_and_narrow(gjk2_search *s, uint32_t limit, gjk2_di
 // Step 4: reports the nearest points so far, beside the bounds.
 static void plane_stop_early(const gjk2_search *s, gjk2_distance_result *out) {
   gjk2_length length;
-  gjk2_length_set(&length, s->d);
-  gjk2_unit_set(&out->normal, &length, s->d);
-  out->saturated = report_points(s, &length, out);
+  out->saturated = report_feature(s, &length, out);
   out->intersecting = false;
   out->iterations = s->iterations;
   out->certificate.proof = GJK2_PROOF_NONE;
   out->certificate.count = 0;
 }
 
-static void plane_start_distance(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b,
-                                 const gjk2_cache *cache, gjk2_distance_result *out) {
-  (void)gjk2_search_start(s, a, b, false, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
-  gjk2_search_aim(s, cache);
+static void plane_start_distance(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b) {
+  (void)gjk2_search_start(s, a, b, false, (uint32_t)(a->shape->convex_radius + b->shape->convex_radius));
+}
+
+static void start_bounds(gjk2_distance_result *out) {
   out->lower = 0;
   out->upper = GJK2_DISTANCE_MAX;
 }
@@ -130,11 +135,18 @@ gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_ca
     return status;
   }
   gjk2_search s;
-  plane_start_distance(&s, a, b, cache, out);
-  const gjk2_outcome outcome = plane_run_and_narrow(&s, gjk2_search_limit(&s), out);
+  plane_start_distance(&s, a, b);
+  if (cache != NULL) {
+    gjk2_search_aim(&s, cache);
+  }
+  gjk2_outcome outcome = gjk2_search_run(&s, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
   if (outcome == GJK2_OUTCOME_LIMIT) {
-    plane_stop_early(&s, out);
-    return GJK_ERROR_ITERATION_LIMIT;
+    start_bounds(out);
+    outcome = settle_limit(&s, out);
+    if (outcome == GJK2_OUTCOME_LIMIT) {
+      plane_stop_early(&s, out);
+      return GJK_ERROR_ITERATION_LIMIT;
+    }
   }
   gjk2_distance_report(&s, outcome, cache, out);
   return GJK_OK;
@@ -150,7 +162,8 @@ gjk_status gjk2_distance_until(const gjk2_collider *a, const gjk2_collider *b, c
     return GJK_ERROR_NEGATIVE;
   }
   gjk2_search s;
-  plane_start_distance(&s, a, b, NULL, out);
+  plane_start_distance(&s, a, b);
+  start_bounds(out);
   s.walks = false;
   const uint32_t ceiling = gjk2_search_limit(&s);
   const bool limited = effort->iterations > 0 && effort->iterations < ceiling;
@@ -158,7 +171,8 @@ gjk_status gjk2_distance_until(const gjk2_collider *a, const gjk2_collider *b, c
   bool spent;
   // Each turn is one iteration, so there are at most `most` turns.
   do {
-    const gjk2_outcome outcome = plane_run_and_narrow(&s, s.iterations + UINT32_C(1), out);
+    gjk2_outcome outcome = gjk2_search_run(&s, GJK2_GOAL_DISTANCE, s.iterations + UINT32_C(1));
+    outcome = outcome == GJK2_OUTCOME_LIMIT ? settle_limit(&s, out) : outcome;
     if (outcome != GJK2_OUTCOME_LIMIT) {
       gjk2_distance_report(&s, outcome, cache, out);
       return GJK_OK;

@@ -38,6 +38,7 @@ GJK_OUT_OF_LINE static void advance_unlisted(rim *r, bool opposite) {
   gjk2_copy_support(&r->corner_at, &r->corner_next);
   const bool round = r->left != 0 && r->corner_at.vertex == r->first;
   r->left = !round && gjk2_hull_neighbour(r->c, &r->corner_at, true, &r->corner_next) ? 1 : 0;
+  r->corner_next.offset = gjk2_add(r->corner_at.offset, r->corner_next.offset);
   set_step(r, opposite);
 }
 
@@ -73,11 +74,15 @@ static const gjk2_vec *corners_of(const gjk2_collider *c, gjk2_vec own[4]) {
   return own;
 }
 
-// Step 1
-static void start_rim(rim *r, const gjk2_collider *c, bool opposite, gjk2_vec d) {
-  static const uint8_t box_index[4] = {2, 3, 1, 0};  // the place of a box's numbers in the list
+static inline void start_list(rim *r, const gjk2_collider *c) {
   r->c = c;
   r->corner = corners_of(c, r->own);
+}
+
+// Step 1
+static void start_rim(rim *r, bool opposite, gjk2_vec d) {
+  static const uint8_t box_index[4] = {2, 3, 1, 0};  // the place of a box's numbers in the list
+  const gjk2_collider *c = r->c;
   gjk2_hull_corner(c, opposite ? gjk2_negate(d) : d, &r->corner_next);
   if (r->corner == NULL) {
     r->at = &r->corner_at.offset;
@@ -139,7 +144,7 @@ typedef struct nearest_so_far {
 // Bounds of height / |length| in 2^-32 LSB. Pre: it is below 2^31.
 static void bound_height(const gjk2_length *length, uint64_t height, uint64_t *low, uint64_t *high) {
   unsigned shift;
-  const uint64_t quotient = gjk2_quotient(length, height, &shift);
+  const uint64_t quotient = gjk2_quotient(length, &shift, height);
   // quotient / 2^shift < 2^31, in 2^-32 LSB below 2^63
   uint64_t middle = 0;
   if (shift < 32) {
@@ -172,11 +177,164 @@ GJK_OUT_OF_LINE static bool keep_lower(nearest_so_far *n, gjk2_vec step, uint64_
 
 static void set_corner(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out) {
   gjk2_copy(&out->w, &w);
-  gjk2_copy(&out->of_a, a->at);
-  gjk2_copy(&out->of_b, b->at);
-  out->a = number_at(a);
-  out->b = number_at(b);
+  gjk2_copy(&out->a.offset, a->at);
+  gjk2_copy(&out->b.offset, b->at);
+  out->a.vertex = number_at(a);
+  out->b.vertex = number_at(b);
 }
+
+#if !GJK_SMALL
+// What the loop of gjk2_nearest_edge does where both shapes have lists of corners, which are hulls with area: without
+// an end of either list. The next edge of each shape turns by less than half a turn from the last edge of all, so the
+// sign of their cross product tells which one comes first, also where one shape begins anew.
+
+// The next edge of a shape.
+typedef struct listed_edge {
+  const gjk2_vec *from, *to;
+  gjk2_vec step;  // of B its negative
+} listed_edge;
+
+// *r has the list.
+static inline void next_listed(const rim *r, listed_edge *e, bool opposite) {
+  const gjk2_vec *from = e->to, *to = from + 1;
+  to = to != r->end ? to : r->corner;
+  e->from = from;
+  e->to = to;
+  e->step.x = opposite ? from->x - to->x : to->x - from->x;
+  e->step.y = opposite ? from->y - to->y : to->y - from->y;
+}
+
+static void start_listed(rim *r, bool opposite, gjk2_vec d, listed_edge *e) {
+  static const uint8_t box_index[4] = {2, 3, 1, 0};
+  const gjk2_collider *c = r->c;
+  gjk2_support corner;
+  d = opposite ? gjk2_negate(d) : d;
+  c->shape->type->support(c, &d, &corner);
+  r->end = r->corner + c->count;
+  e->to = r->corner + (r->corner == r->own ? box_index[corner.vertex] : corner.vertex);
+  next_listed(r, e, opposite);
+  if (gjk2_dot(e->step, d) == 0) {  // of two corners the last one counterclockwise
+    next_listed(r, e, opposite);
+  }
+}
+
+static void set_listed(const rim *r, const gjk2_vec *at, gjk2_support *out) {
+  static const uint8_t box_number[4] = {3, 2, 0, 1};
+  const uint16_t index = (uint16_t)(at - r->corner);
+  gjk2_copy(&out->offset, at);
+  out->vertex = r->corner == r->own ? box_number[index & 3u] : index;
+}
+
+// Sets the edge's ends, of which w of the first and the step to the other are known: where both shapes' edges begin, and
+// whether each moves.
+static void set_listed_edge(const rim *rim_a, const rim *rim_b, const gjk2_vec *a, const gjk2_vec *b, bool moves_a,
+                            bool moves_b, gjk2_edge *edge) {
+  edge->q.w = gjk2_add(edge->p.w, edge->q.w);
+  set_listed(rim_a, a, &edge->p.a);
+  set_listed(rim_b, b, &edge->p.b);
+  a = !moves_a ? a : a + 1 != rim_a->end ? a + 1 : rim_a->corner;
+  b = !moves_b ? b : b + 1 != rim_b->end ? b + 1 : rim_b->corner;
+  set_listed(rim_a, a, &edge->q.a);
+  set_listed(rim_b, b, &edge->q.b);
+}
+
+// Cross products of vectors truncated to 16 bits: on cores without a long multiplication they tell most signs. Core radii
+// are p and q, and W = |delta.x| + |delta.y| + p + q < 2^(k + 14):
+//   v = 2^k vc + r,  0 <= r < 2^k per component:  |w| <= W, |step| <= 2 W, so |wc| <= 2^14 and |stepc| <= 2^15
+//   v x u / 2^(2 k) - vc x uc  is at most |vc.x| + |vc.y| + |uc.x| + |uc.y| + 2 <= 4 2^15 + 2 in size
+//   |step of A| |step of B| <= 4 p q <= W^2:  products of their components are below 2^29, of w and a step 2^29 at most
+#if GJK_NARROW_MULTIPLY
+#define CROSS_ERROR (4 * INT32_C(32768) + 2)
+
+static unsigned ruler_of(const gjk2_search *s) {
+  const uint32_t reach = gjk2_norm1(s->delta) + (uint32_t)s->a->core_radius + (uint32_t)s->b->core_radius;
+  const unsigned bits = 32 - gjk_clz32(reach);
+  return bits > 14 ? bits - 14 : 0;
+}
+
+static inline int32_t coarse_cross(unsigned k, gjk2_vec a, gjk2_vec b) {
+  return gjk_sar32(a.x, k) * gjk_sar32(b.y, k) - gjk_sar32(a.y, k) * gjk_sar32(b.x, k);
+}
+
+// A number with the sign of a x b.
+static inline int32_t sign_of_turn(unsigned k, gjk2_vec a, gjk2_vec b) {
+  const int32_t coarse = coarse_cross(k, a, b);
+  if (coarse > CROSS_ERROR || coarse < -CROSS_ERROR) {
+    return coarse;
+  }
+  const int64_t turn = gjk2_cross(a, b);
+  return turn > 0 ? 1 : turn < 0 ? -1 : 0;
+}
+
+// Is the step's line surely above LSB or more from the origin, which lies on its left?
+static inline bool is_high(unsigned k, gjk2_vec w, gjk2_vec step, uint32_t above) {
+  const uint32_t rough = above >> k, length = (gjk2_norm1(step) >> k) + 1;  // length <= 2^16 + 1
+  const int32_t coarse = coarse_cross(k, w, step) - CROSS_ERROR;
+  return coarse > 0 && rough <= 16384 && (uint32_t)coarse >= (rough + 1) * length;
+}
+#endif
+
+static bool measure_listed(gjk2_search *s, rim *rim_a, rim *rim_b, gjk2_vec begin, nearest_so_far *n) {
+  listed_edge a, b;
+  start_listed(rim_a, false, begin, &a);
+  start_listed(rim_b, true, begin, &b);
+  gjk2_vec w = gjk2_add(s->delta, gjk2_sub(*a.from, *b.from));
+  const gjk2_vec *of_a = a.from, *of_b = b.from;  // where the nearest edge begins
+  int comes = 0;                                  // as below, of the nearest edge
+#if GJK_NARROW_MULTIPLY
+  const unsigned k = ruler_of(s);
+#endif
+  uint32_t left = s->a->count + (uint32_t)s->b->count;
+  while (left > 0) {
+#if GJK_NARROW_MULTIPLY
+    const int32_t turn = sign_of_turn(k, a.step, b.step);
+#else
+    const int64_t turn = gjk2_cross(a.step, b.step);
+#endif
+    int32_t x = b.step.x, y = b.step.y;
+    if (turn >= 0) {
+      x = turn > 0 ? a.step.x : x + a.step.x;
+      y = turn > 0 ? a.step.y : y + a.step.y;
+    }
+    const gjk2_vec step = {x, y};
+#if GJK_NARROW_MULTIPLY
+    const bool high = is_high(k, w, step, n->above);
+#else
+    const bool high = false;
+#endif
+    const int64_t height = high ? 0 : gjk2_cross(w, step);
+    if (height < 0) {  // Step 3
+      s->d = gjk2_outward(step);
+      s->along = height;
+      return false;
+    }
+    // Most edges are farther by a rough bound, and most others by a better one.
+    if (!high && (uint64_t)height < gjk_umul32(n->above, gjk2_norm1(step)) &&
+        (uint64_t)height < gjk_umul32(n->above, gjk2_length_bound(step)) && keep_lower(n, step, (uint64_t)height)) {
+      n->edge->p.w.x = w.x;
+      n->edge->p.w.y = w.y;
+      n->edge->q.w.x = x;
+      n->edge->q.w.y = y;
+      of_a = a.from;
+      of_b = b.from;
+      comes = turn > 0 ? 1 : turn < 0 ? -1 : 0;
+    }
+    w.x += x;
+    w.y += y;
+    //@ assert w.x >= -(INT32_C(3) << 29) && w.x <= INT32_C(3) << 29;
+    //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
+    if (turn >= 0) {
+      next_listed(rim_a, &a, false);
+    }
+    if (turn <= 0) {
+      next_listed(rim_b, &b, true);
+    }
+    left -= turn == 0 && left > 1 ? 2 : 1;
+  }
+  set_listed_edge(rim_a, rim_b, of_a, of_b, comes >= 0, comes <= 0, n->edge);
+  return true;
+}
+#endif
 
 gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
   // Step 1. The nearest edge mostly lies towards the other centre. Start 27 degrees before it: an edge that
@@ -187,10 +345,17 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
     begin.x = 1;
   }
   rim a, b;
-  start_rim(&a, s->a, false, begin);
-  start_rim(&b, s->b, true, begin);
-  gjk2_vec step = {-begin.y, begin.x}, w = gjk2_add(s->delta, gjk2_sub(*a.at, *b.at));
   nearest_so_far n = {edge, 0, 0, UINT32_MAX, false};
+  start_list(&a, s->a);
+  start_list(&b, s->b);
+#if !GJK_SMALL
+  if (a.corner != NULL && b.corner != NULL) {
+    return measure_listed(s, &a, &b, begin, &n) ? GJK2_LIE_OVERLAP : GJK2_LIE_APART;
+  }
+#endif
+  start_rim(&a, false, begin);
+  start_rim(&b, true, begin);
+  gjk2_vec step = {-begin.y, begin.x}, w = gjk2_add(s->delta, gjk2_sub(*a.at, *b.at));
   for (;;) {  // at most once for each edge of A and of B
     const int64_t turn = gjk2_cross(a.step, b.step);
     int comes = turn > 0 ? 1 : -1;

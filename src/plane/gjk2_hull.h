@@ -12,7 +12,7 @@
 // The corner farthest along d, of several the last one counterclockwise. Pre: a polygon; d != 0, |d| <= 3 2^29.
 void gjk2_hull_corner(const gjk2_collider *c, gjk2_vec d, gjk2_support *out);
 
-// The corner that follows another counterclockwise, or precedes it. False: there is no other.
-bool gjk2_hull_neighbour(const gjk2_collider *c, const gjk2_support *corner, bool following, gjk2_support *out);
+// The way to the corner that follows another counterclockwise, or precedes it. False: there is no other.
+bool gjk2_hull_neighbour(const gjk2_collider *c, const gjk2_support *corner, bool following, gjk2_support *way);
 
 #endif

@@ -22,7 +22,7 @@ static gjk2_answer plane_decide(const gjk2_collider *a, const gjk2_collider *b, 
                                 gjk2_cache *cache, gjk2_decision *out) {
   gjk2_search s;
   // Convex radii are below 2^28 each, distance is below 2^31: radius < 2^31 + 2^29.
-  const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius + distance;
+  const uint32_t radius = (uint32_t)a->shape->convex_radius + (uint32_t)b->shape->convex_radius + (uint32_t)distance;
   if (!gjk2_search_start(&s, a, b, true, radius)) {
     out->yes = false;
     out->iterations = 0;
@@ -30,15 +30,16 @@ static gjk2_answer plane_decide(const gjk2_collider *a, const gjk2_collider *b, 
     out->certificate.count = 0;
     return GJK2_ANSWER_NO;
   }
-  const uint32_t ceiling = gjk2_search_limit(&s);
-  gjk2_search_aim(&s, most == 0 ? cache : NULL);
-  const bool limited = most > 0 && most < ceiling;
+  if (cache != NULL && most == 0) {
+    gjk2_search_aim(&s, cache);
+  }
+  const bool limited = most > 0 && most < gjk2_search_limit(&s);
   s.walks = s.walks && !limited;
-  gjk2_outcome outcome = gjk2_search_run(&s, GJK2_GOAL_WITHIN, limited ? most : ceiling);
+  gjk2_outcome outcome = gjk2_search_run(&s, GJK2_GOAL_WITHIN, limited ? most : GJK2_NO_LIMIT);
   if (outcome == GJK2_OUTCOME_LIMIT) {
     outcome = plane_settle_decision(&s);
   }
-  if (outcome == GJK2_OUTCOME_LIMIT && !s.curved && s.iterations >= ceiling) {
+  if (outcome == GJK2_OUTCOME_LIMIT && !s.curved && s.iterations >= gjk2_search_limit(&s)) {
     outcome = GJK2_OUTCOME_NEAREST;  // a far frame alone
   }
   out->iterations = s.iterations;

@@ -1,12 +1,14 @@
 // Lengths, unit vectors, distances and weights.
 #include "gjk2_measure.h"
 
+#include "../arith/gjk_root.h"
+
 // 2^46 / sqrt(x), within 2^-29 of itself and below 2^31, by Newton's iteration: with u = x / 2^32, 1/4 <= u < 1,
 //   1. Start from the line Y = 2.16 - 1.25 u, within 10 % of 1 / sqrt(u).
 //   2. Twice in 16 bits: Y += Y (1 - u Y^2) / 2. A relative error e becomes -3/2 e^2: 1.5 %, 2^-11; rounding, 2^-12.
 //   3. Twice in 32 bits: 2^-22, 2^-43; rounding leaves 1.5 in 2^30.
 // Pre: x >= 2^30.
-static uint32_t inverse_root(uint32_t x) {
+static inline uint32_t inverse_root(uint32_t x) {
   const uint32_t u = x >> 16;         // Q16, from 2^14
   uint32_t y = 35389 - (u * 5 >> 4);  // Q14, from 2^13 to 2^15
   for (int i = 0; i < 2; i++) {
@@ -14,17 +16,18 @@ static uint32_t inverse_root(uint32_t x) {
     const int32_t rest = (int32_t)(UINT32_C(65536) - (u * square >> 14));  // Q16, |rest| < 2^15
     y = (uint32_t)((int32_t)y + gjk_sar32((int32_t)y * rest, 17));
   }
-  y <<= 16;
-  for (int i = 0; i < 2; i++) {
-    const uint32_t square = (uint32_t)(gjk_umul32(y, y) >> 30);                   // y < 2^31:  square < 2^32
-    const int64_t rest = gjk_int64((UINT64_C(1) << 62) - gjk_umul32(x, square));  // |rest| < 2^52
-    // (y / 2) (rest / 2^62)
-    y = (uint32_t)((int64_t)y + gjk_sar64(gjk_mul32((int32_t)(y >> 1), (int32_t)gjk_sar64(rest, 31)), 31));
-  }
-  return y;
+#if GJK_NARROW_MULTIPLY
+  // gjk_root_step(x, y << 16), of which 16 bits are 0.
+  const int64_t rest = gjk_int64((UINT64_C(1) << 62) - gjk_umul32(x, y * y << 2));  // |rest| < 2^52
+  const int32_t r = (int32_t)gjk_sar64(rest, 31);
+  y = (y << 16) + (uint32_t)((int32_t)y * gjk_sar32(r, 16) + (int32_t)(y * ((uint32_t)r & 0xFFFFu) >> 16));
+#else
+  y = gjk_root_step(x, y << 16);
+#endif
+  return gjk_root_step(x, y);
 }
 
-void gjk2_length_set(gjk2_length *length, gjk2_vec n) {
+GJK_ONCE static void measure_length(gjk2_length *length, gjk2_vec n) {
   const uint64_t squared = (uint64_t)gjk2_dot(n, n);
   //@ assert squared > 0 && squared < UINT64_C(1) << 62;
   const unsigned z = gjk_clz64(squared) / 2;  // squared < 2^62:  z >= 1
@@ -32,10 +35,14 @@ void gjk2_length_set(gjk2_length *length, gjk2_vec n) {
   length->squared = squared;
   length->zeros = z;
   // With x, 2^30 <= x < 2^32, for the leading bits of squared = 2^(32 - 2 z) x: 2^46 / sqrt(x) = 2^(62 - z) / |n|.
-  length->inverse = inverse_root((uint32_t)((squared << (2 * z)) >> 32));
+  length->inverse = inverse_root(gjk_upper32(squared, 2 * z));
 }
 
-void gjk2_unit_set(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
+void gjk2_length_set(gjk2_length *length, gjk2_vec n) {
+  measure_length(length, n);
+}
+
+GJK_ONCE static void measure_unit(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
   // 2^30 n / |n| = n y / 2^(32 - z) = (2^(z - 1) n) y / 2^31
   const unsigned up = length->zeros - 1;
   const int32_t y = (int32_t)length->inverse;  // < 2^31
@@ -46,15 +53,24 @@ void gjk2_unit_set(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
   //@ assert unit->y >= -GJK_Q30_ONE - 2 && unit->y <= GJK_Q30_ONE + 2;
 }
 
+void gjk2_unit_set(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
+  measure_unit(unit, length, n);
+}
+
+void gjk2_normal_set(gjk2_unit *unit, gjk2_length *length, const gjk2_vec *n) {
+  measure_length(length, *n);
+  measure_unit(unit, length, *n);
+}
+
 // h = 2^(32 - hz) top, before truncation; 1 / |n| = y 2^(z - 62):  h / |n| = top y / 2^(30 + hz - z)
-uint64_t gjk2_quotient(const gjk2_length *length, uint64_t h, unsigned *shift) {
+uint64_t gjk2_quotient(const gjk2_length *length, unsigned *shift, uint64_t h) {
   *shift = 0;
   if (h == 0) {
     return 0;
   }
   const unsigned hz = gjk_clz64(h);
   *shift = 30 + hz - length->zeros;  // |n| < 2^31, so z <= 31 and this is from 0 to 92
-  return gjk_umul32((uint32_t)((h << hz) >> 32), length->inverse);
+  return gjk_umul32(gjk_upper32(h, hz), length->inverse);
 }
 
 bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest) {
@@ -92,9 +108,9 @@ GJK_OUT_OF_LINE static int64_t plane_settle_distance(const gjk2_length *length, 
 }
 
 // Mostly the leading 31 bits of the quotient tell: those below the last LSB are far enough from a change.
-int64_t gjk2_round_distance(const gjk2_length *length, uint64_t h, gjk2_round_to to) {
+int64_t gjk2_round_distance(const gjk2_length *length, gjk2_round_to to, uint64_t h) {
   unsigned shift;
-  const uint64_t quotient = gjk2_quotient(length, h, &shift);
+  const uint64_t quotient = gjk2_quotient(length, &shift, h);
   const uint32_t leading = (uint32_t)(quotient >> 32);  // below 2^31, and off by less than 2^3 + 1
   if (shift >= 38 && shift <= 62) {
     const unsigned n = shift - 32;
@@ -120,14 +136,14 @@ bool gjk2_is_within(int64_t h, gjk2_vec n, int32_t radius) {
   return !gjk2_reaches(size, (uint64_t)gjk2_dot(n, n), gjk_umul32(r, r), 1);
 }
 
-int32_t gjk2_weight(const gjk2_length *length, int64_t part, bool fine) {
+int32_t gjk2_weight(const gjk2_length *length, bool fine, int64_t part) {
   if (part <= 0) {
     return 0;
   }
   // 1 / whole = y^2 2^(2 z - 124), and y^2 2^-30 = square < 2^32:  1 / whole = square 2^(2 z - 94).
   const uint32_t square = (uint32_t)(gjk_umul32(length->inverse, length->inverse) >> 30);
   const unsigned pz = gjk_clz64((uint64_t)part);
-  const uint64_t product = gjk_umul32((uint32_t)(((uint64_t)part << pz) >> 32), square);
+  const uint64_t product = gjk_umul32(gjk_upper32((uint64_t)part, pz), square);
   const unsigned shift = 31 + pz - 2 * length->zeros;  // part <= whole, so pz >= 2 z
   uint32_t weight = shift < 64 ? (uint32_t)(product >> shift) : 0;
   weight = weight < INT32_MAX ? weight : INT32_MAX;

@@ -27,13 +27,16 @@ void gjk2_length_set(gjk2_length *length, gjk2_vec n);
 // *unit = n / |n|, Q2.30, each component within 2 LSB.
 void gjk2_unit_set(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n);
 
+// Both: the length and the unit vector of n.
+void gjk2_normal_set(gjk2_unit *unit, gjk2_length *length, const gjk2_vec *n);
+
 // The leading 63 bits of h / |n|: (returned) / 2^*shift. Its error is below 2^-28 of it, and 1.
-uint64_t gjk2_quotient(const gjk2_length *length, uint64_t h, unsigned *shift);
+uint64_t gjk2_quotient(const gjk2_length *length, unsigned *shift, uint64_t h);
 
 typedef enum gjk2_round_to { GJK2_ROUND_DOWN, GJK2_ROUND_NEAREST, GJK2_ROUND_UP } gjk2_round_to;
 
 // h / |n| as an integer, exactly rounded; to the nearest: a tie up.
-int64_t gjk2_round_distance(const gjk2_length *length, uint64_t h, gjk2_round_to to);
+int64_t gjk2_round_distance(const gjk2_length *length, gjk2_round_to to, uint64_t h);
 
 // Is h^2 >= x squared + rest? Exact. Pre: h, x and squared are below 2^62, rest is below 2^63.
 bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest);
@@ -49,6 +52,6 @@ static inline uint32_t gjk2_length_bound(gjk2_vec n) {
 
 // part / whole in Q31, at most 2^31 - 1; within 2^-27 of itself. fine: within 1. Pre: 0 <= part <= whole < 2^62,
 // 0 < whole; length is that of a vector with squared = whole.
-int32_t gjk2_weight(const gjk2_length *length, int64_t part, bool fine);
+int32_t gjk2_weight(const gjk2_length *length, bool fine, int64_t part);
 
 #endif

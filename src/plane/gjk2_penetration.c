@@ -33,7 +33,6 @@ static void report(plane_overlap *o, const gjk2_vertex *p, const gjk2_vertex *q,
                    int64_t height, int64_t core, gjk2_penetration_result *out) {
   const gjk2_search *s = &o->s;
   const int32_t radii = gjk2_convex_radii(s);
-  bool saturated = false;
   out->intersecting = true;
   out->iterations = s->iterations;
   out->depth = (gjk_q16)(core + radii);
@@ -52,7 +51,7 @@ static void report(plane_overlap *o, const gjk2_vertex *p, const gjk2_vertex *q,
       q = NULL;
     }
   }
-  gjk2_witness_points(s, p, q, edge, &out->normal, &out->point_a, &out->point_b, &saturated);
+  (void)gjk2_witness_points(s, p, q, edge, &out->normal, &out->point_a, &out->point_b);
   out->certificate.count = 0;
   if (s->curved) {
     out->certificate.proof = GJK2_PROOF_NONE;
@@ -61,11 +60,11 @@ static void report(plane_overlap *o, const gjk2_vertex *p, const gjk2_vertex *q,
   gjk2_outward_normal(n, height, radii, out->depth, &out->normal);
   out->certificate.direction = n;
   out->certificate.count = q != NULL ? 2 : 1;
-  out->certificate.a[0] = p->a;
-  out->certificate.b[0] = p->b;
+  out->certificate.a[0] = p->a.vertex;
+  out->certificate.b[0] = p->b.vertex;
   if (q != NULL) {
-    out->certificate.a[1] = q->a;
-    out->certificate.b[1] = q->b;
+    out->certificate.a[1] = q->a.vertex;
+    out->certificate.b[1] = q->b.vertex;
   }
 }
 
@@ -74,7 +73,7 @@ static void report_gap(plane_overlap *o, gjk2_penetration_result *out) {
   const gjk2_search *s = &o->s;
   gjk2_length length;
   gjk2_length_set(&length, s->d);
-  const int64_t gap = gjk2_round_distance(&length, (uint64_t)-s->base, GJK2_ROUND_DOWN);
+  const int64_t gap = gjk2_round_distance(&length, GJK2_ROUND_DOWN, (uint64_t)-s->base);
   report(o, gjk2_search_vertex(s, 0), s->count == 2 ? gjk2_search_vertex(s, 1) : NULL, &length, s->d, s->base, -gap,
          out);
   if (s->curved) {
@@ -89,7 +88,7 @@ static void report_gap(plane_overlap *o, gjk2_penetration_result *out) {
 static void report_edge(plane_overlap *o, gjk2_penetration_result *out) {
   const gjk2_edge *edge = &o->edge;
   const gjk2_vec n = gjk2_outward(gjk2_sub(edge->q.w, edge->p.w));
-  const int64_t core = gjk2_round_distance(&edge->length, (uint64_t)edge->height, GJK2_ROUND_UP);
+  const int64_t core = gjk2_round_distance(&edge->length, GJK2_ROUND_UP, (uint64_t)edge->height);
   report(o, &edge->p, &edge->q, &edge->length, n, edge->height, core, out);
   out->certificate.proof = GJK2_PROOF_EDGE;
 }
@@ -109,7 +108,7 @@ static gjk_status report_curved(plane_overlap *o, gjk2_penetration_result *out) 
   int64_t lower;
   const gjk2_shape_class *of_a = s->a->shape->type, *of_b = s->b->shape->type;
   const bool settled = (of_a->depth != NULL ? of_a : of_b)->depth(s, &o->edge, &lower, &s->iterations);
-  const int64_t core = gjk2_round_distance(&o->edge.length, (uint64_t)o->edge.height, GJK2_ROUND_UP);
+  const int64_t core = gjk2_round_distance(&o->edge.length, GJK2_ROUND_UP, (uint64_t)o->edge.height);
   report(o, &o->edge.p, &o->edge.q, &o->edge.length, s->d, o->edge.height, core, out);
   const int64_t least = lower + gjk2_convex_radii(s) - GJK2_CURVED_ERROR;
   out->lower = least > 0 ? (gjk_q16)least : 0;
@@ -141,11 +140,13 @@ static gjk2_lie measure_edges(plane_overlap *o) {
 static gjk2_outcome search_on(plane_overlap *o, gjk2_goal goal, gjk2_lie lie, const gjk2_cache *cache) {
   gjk2_search *s = &o->s;
   const gjk2_vec d = s->d;
-  gjk2_search_aim(s, cache);
+  if (cache != NULL) {
+    gjk2_search_aim(s, cache);
+  }
   if (lie == GJK2_LIE_APART && s->count == 0) {
     s->d = d;
   }
-  gjk2_outcome outcome = gjk2_search_run(s, goal, gjk2_search_limit(s));
+  gjk2_outcome outcome = gjk2_search_run(s, goal, GJK2_NO_LIMIT);
   if (outcome == GJK2_OUTCOME_LIMIT && !s->curved) {  // a far frame alone
     gjk2_search_direct(s);
     outcome = GJK2_OUTCOME_NEAREST;
@@ -187,7 +188,7 @@ gjk_status gjk2_penetration(const gjk2_collider *a, const gjk2_collider *b, gjk2
   plane_overlap o;
   gjk2_search *s = &o.s;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
-  if (!gjk2_search_start(s, a, b, true, radius)) {
+  if (!gjk2_search_start(s, a, b, true, (uint32_t)radius)) {
     out->intersecting = false;
     out->iterations = 0;
     out->certificate.proof = GJK2_PROOF_CIRCLES;
@@ -266,9 +267,9 @@ gjk_status gjk2_signed_distance(const gjk2_collider *a, const gjk2_collider *b, 
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
   gjk2_lie lie = GJK2_LIE_OPEN;
   gjk2_outcome outcome = GJK2_OUTCOME_ENCLOSING;
-  const bool meet = gjk2_search_start(s, a, b, true, radius);
+  const bool meet = gjk2_search_start(s, a, b, true, (uint32_t)radius);
   if (!meet) {
-    (void)gjk2_search_start(s, a, b, false, radius);
+    (void)gjk2_search_start(s, a, b, false, (uint32_t)radius);
   }
   // A cached feature is likely to be the nearest still. Otherwise shapes that are near are likely to overlap.
   const bool warm = cache != NULL && cache->count > 0;

@@ -148,6 +148,7 @@ gjk_status gjk2_pose_invert(const gjk2_pose *p, gjk2_pose *out) {
   gjk2_vec unit;
   int64_t back[2];
   if (gjk2_rotation_invert(&p->rotation, &opposite) != GJK_OK ||
+      // not reached: false, since the opposite is as long as what is inverted
       !gjk2_rotation_with_point(&opposite, &p->position, &unit, back)) {
     return GJK_ERROR_ROTATION;
   }

@@ -62,10 +62,10 @@ static bool is_long(int64_t x, int64_t y, unsigned far) {
 }
 
 // A radius of the frame's whole reach settles the question like a larger one.
-#define FRAME_REACH (INT32_C(3) << 29)
+#define FRAME_REACH (UINT32_C(3) << 29)
 
 // The start for centres that may be more than 2^30 apart.
-GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, int64_t radius) {
+GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, uint32_t radius) {
   const int64_t x = (int64_t)s->a->centre.x - s->b->centre.x, y = (int64_t)s->a->centre.y - s->b->centre.y;
   const int64_t cores = (int64_t)s->a->core_radius + s->b->core_radius;
   const uint64_t ux = gjk_magnitude64(x), uy = gjk_magnitude64(y), limit = (uint64_t)(cores + radius);
@@ -79,8 +79,8 @@ GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, int64_t radi
   while (is_long((int64_t)ux, (int64_t)uy, s->far)) {  // at most 3 times: then both are below 2^29 + 1
     s->far++;
   }
-  const int64_t framed = shift_far(radius, s->far);
-  s->radius = framed < FRAME_REACH ? (int32_t)framed : FRAME_REACH;
+  const uint32_t framed = radius >> s->far;
+  s->radius = framed < FRAME_REACH ? (int32_t)framed : (int32_t)FRAME_REACH;
   s->delta.x = (int32_t)shift_far(x, s->far);
   s->delta.y = (int32_t)shift_far(y, s->far);
   //@ assert s->delta.x >= -(INT32_C(1) << 30) && s->delta.x <= INT32_C(1) << 30;
@@ -88,9 +88,25 @@ GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, int64_t radi
   return true;
 }
 
-bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, int64_t radius) {
+// Any direction serves where that between the centres is 0.
+static inline void set_first_direction(gjk2_search *s) {
+  if ((s->d.x | s->d.y) == 0) {
+    s->d.x = 1;
+  }
+}
+
+bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, uint32_t radius) {
   s->a = a;
   s->b = b;
+  s->iterations = 0;
+  s->far = 0;
+  s->count = 0;
+  s->curved = false;
+  s->warm = false;
+  s->first = &s->slot[0];
+  s->apex = &s->slot[1];
+  s->last = &s->slot[2];
+  s->spare = &s->slot[3];
   // A quarter of centre_a - centre_b: each component below 2^30, and off by less than 1.
   const int32_t x = gjk_sar32(a->centre.x, 2) - gjk_sar32(b->centre.x, 2);
   const int32_t y = gjk_sar32(a->centre.y, 2) - gjk_sar32(b->centre.y, 2);
@@ -100,31 +116,24 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
       return false;
     }
   } else {
-    const gjk2_vec delta = gjk2_sub(a->centre, b->centre);  // components at most 2^29 + 3 in size: |delta| < 2^30
-    //@ assert delta.x >= -(INT32_C(1) << 29) - 3 && delta.x <= (INT32_C(1) << 29) + 3;
-    //@ assert delta.y >= -(INT32_C(1) << 29) - 3 && delta.y <= (INT32_C(1) << 29) + 3;
-    const int64_t limit = a->core_radius + b->core_radius + radius;  // from 2^31 on the circles are not apart
-    if (circles && limit <= INT32_MAX && gjk2_dot(delta, delta) > gjk_mul32((int32_t)limit, (int32_t)limit)) {
-      return false;
+    s->delta = gjk2_sub(a->centre, b->centre);  // components at most 2^29 + 3 in size: |delta| < 2^30
+    //@ assert s->delta.x >= -(INT32_C(1) << 29) - 3 && s->delta.x <= (INT32_C(1) << 29) + 3;
+    //@ assert s->delta.y >= -(INT32_C(1) << 29) - 3 && s->delta.y <= (INT32_C(1) << 29) + 3;
+    // A radius of 2^30 or more exceeds |delta|. Core radii are below 2^28 + 4 each: limit < 2^31.
+    if (circles && radius >> 30 == 0) {
+      const int32_t limit = a->core_radius + b->core_radius + (int32_t)radius;
+      if (gjk2_dot(s->delta, s->delta) > gjk_mul32(limit, limit)) {
+        return false;
+      }
     }
-    s->delta = delta;
-    s->radius = radius < FRAME_REACH ? (int32_t)radius : FRAME_REACH;
-    s->far = 0;
+    s->radius = radius < FRAME_REACH ? (int32_t)radius : (int32_t)FRAME_REACH;
   }
-  if (a->ordered && b->ordered) {
-    s->curved = false;  // curved shapes have no vertices in order
-    s->walks = s->far == 0;
-  } else {
+  s->d = gjk2_negate(s->delta);
+  set_first_direction(s);
+  s->walks = s->far == 0 && a->ordered && b->ordered;
+  if (!s->walks) {  // curved shapes have no vertices in order
     s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
-    s->walks = false;
   }
-  s->iterations = 0;
-  s->count = 0;
-  s->warm = false;
-  s->first = &s->slot[0];
-  s->apex = &s->slot[1];
-  s->last = &s->slot[2];
-  s->spare = &s->slot[3];
   return true;
 }
 
@@ -144,44 +153,25 @@ GJK_ONCE static gjk2_vec framed(const gjk2_search *s, gjk2_vec offset) {
   return gjk2_add(s->delta, offset);
 }
 
-// A vertex of A - B, and the next ones along the boundary of A and of -B.
-typedef struct boundary_walk {
-  gjk2_support a, b;            // of the vertex
-  gjk2_support next_a, next_b;  // those that follow, or precede
-  gjk2_vec step_a, step_b;      // the edges of A and of -B that lead there
-  gjk2_vec w;                   // where the walk begins, frame
-} boundary_walk;
-
-// Step 3. Returns the vertex in the frame.
-static inline gjk2_vec scan_both(const gjk2_search *s, const gjk2_vec *d, gjk2_support *of_a, gjk2_support *of_b) {
+// Step 3
+GJK_ONCE static void scan_both(const gjk2_search *s, const gjk2_vec *d, gjk2_vertex *out) {
   const gjk2_vec opposite = {-d->x, -d->y};
-  s->a->shape->type->support(s->a, d, of_a);
-  s->b->shape->type->support(s->b, &opposite, of_b);
-  return framed(s, gjk2_sub(of_a->offset, of_b->offset));
-}
-
-GJK_ONCE static void set_vertex(const gjk2_support *of_a, const gjk2_support *of_b, const gjk2_vec *w,
-                                gjk2_vertex *out) {
-  gjk2_copy(&out->w, w);
-  gjk2_copy(&out->of_a, &of_a->offset);
-  gjk2_copy(&out->of_b, &of_b->offset);
-  out->a = of_a->vertex;
-  out->b = of_b->vertex;
+  s->a->shape->type->support(s->a, d, &out->a);
+  s->b->shape->type->support(s->b, &opposite, &out->b);
+  out->w = framed(s, gjk2_sub(out->a.offset, out->b.offset));
 }
 
 void gjk2_search_scan(const gjk2_search *s, gjk2_vec d, gjk2_vertex *out) {
-  gjk2_support of_a, of_b;
-  const gjk2_vec w = scan_both(s, &d, &of_a, &of_b);
-  set_vertex(&of_a, &of_b, &w, out);
+  scan_both(s, &d, out);
 }
 
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out) {
-  if (!s->a->shape->type->vertex(s->a, a, &out->of_a) || !s->b->shape->type->vertex(s->b, b, &out->of_b)) {
+  if (!s->a->shape->type->vertex(s->a, a, &out->a.offset) || !s->b->shape->type->vertex(s->b, b, &out->b.offset)) {
     return false;
   }
-  out->w = framed(s, gjk2_sub(out->of_a, out->of_b));
-  out->a = a;
-  out->b = b;
+  out->w = framed(s, gjk2_sub(out->a.offset, out->b.offset));
+  out->a.vertex = a;
+  out->b.vertex = b;
   return true;
 }
 
@@ -242,9 +232,7 @@ void gjk2_search_aim(gjk2_search *s, const gjk2_cache *cache) {
     }
     load_cached(s, cache);
   }
-  if ((s->d.x | s->d.y) == 0) {
-    s->d.x = 1;
-  }
+  set_first_direction(s);
 }
 
 // Step 7 where only one vertex is in hand: with x, which is strictly nearer to O along the direction from apex.
@@ -274,11 +262,11 @@ static void choose_arc(gjk2_search *s) {
   }
 }
 
-// Step 7: adds x, the spare vertex, between first and last. before = first x x and after = x x last are base of the new
-// edges; O lies outside of those below 0. True: the origin lies in the simplex.
-static inline bool add_support(gjk2_search *s, int64_t before, int64_t after) {
+// Step 7: adds x, the spare vertex, between first and last. True: the origin lies in the simplex.
+static inline bool add_support(gjk2_search *s) {
   const gjk2_vec p = s->first->w, x = s->spare->w, q = s->last->w;
   const int64_t x_squared = gjk2_dot(x, x);
+  const int64_t before = gjk2_cross(p, x), after = gjk2_cross(x, q);  // base of the new edges; below 0: O lies outside
   if (before < 0 && is_ahead(&x, &p, x_squared)) {
     exchange_vertices(&s->last, &s->spare);
     s->count = 2;
@@ -310,7 +298,7 @@ static inline bool gains_nothing(const gjk2_search *s, int64_t gain) {
 
 // Step 2. Is the feature within radius of O, and does that answer the goal?
 static bool is_near(const gjk2_search *s, gjk2_goal goal) {
-  return goal <= GJK2_GOAL_WITHIN && s->radius > 0 && gjk2_is_within(-s->base, s->d, s->radius);
+  return s->radius > 0 && goal <= GJK2_GOAL_WITHIN && gjk2_is_within(-s->base, s->d, s->radius);
 }
 
 // Step 4. along < 0: is the line through x more than radius away from O?
@@ -318,111 +306,124 @@ static bool line_separates(const gjk2_search *s) {
   return s->radius == 0 || !gjk2_is_within(-s->along, s->d, s->radius);
 }
 
-static void step_of_a(const gjk2_search *s, bool following, boundary_walk *k) {
-  s->a->shape->type->adjacent(s->a, k->a.vertex, following, &k->next_a);
-  k->step_a = gjk2_sub(k->next_a.offset, k->a.offset);
+// The way along the boundary of a shape.
+static inline void step_of(const gjk2_collider *c, const gjk2_support *from, bool following, gjk2_support *way) {
+  c->shape->type->adjacent(c, from, following, way);
 }
 
-static void step_of_b(const gjk2_search *s, bool following, boundary_walk *k) {
-  s->b->shape->type->adjacent(s->b, k->b.vertex, following, &k->next_b);
-  k->step_b = gjk2_sub(k->b.offset, k->next_b.offset);
+// A vertex of a shape: at, or the one that the way leads to from there.
+static inline void go_on(gjk2_support *out, const gjk2_support *at, const gjk2_support *way, bool moves) {
+  if (moves) {
+    out->offset = gjk2_add(at->offset, way->offset);
+    out->vertex = way->vertex;
+  } else {
+    gjk2_copy_support(out, at);
+  }
 }
 
-// The walk one way round: see the head of this file. NEAREST: the feature and d are set. LIMIT: it is where it
-// began; the first step leads no nearer (s->base >= 0), or O lies inside of its line.
-static gjk2_outcome walk_round(gjk2_search *s, gjk2_goal goal, boundary_walk *k, bool following) {
-  gjk2_vec w = {k->w.x, k->w.y};
-  const bool decides = s->radius == 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH);
-  step_of_a(s, following, k);
-  step_of_b(s, following, k);
-  for (bool first = true;; first = false) {  // at most once for each edge of A and of B
-    const int64_t turn = following ? gjk2_cross(k->step_a, k->step_b) : gjk2_cross(k->step_b, k->step_a);
-    const gjk2_vec step = {(turn >= 0 ? k->step_a.x : 0) + (turn <= 0 ? k->step_b.x : 0),
-                           (turn >= 0 ? k->step_a.y : 0) + (turn <= 0 ? k->step_b.y : 0)};
-    s->base = gjk2_dot(w, step);
-    if (s->base >= 0) {
-      if (first) {
+// The walk one way round: see the head of this file. It begins at spare. NEAREST: the feature and d are set. LIMIT: it
+// is where it began; the first step leads no nearer (s->base >= 0), or O lies inside of its line (s->base < 0).
+static gjk2_outcome walk_round(gjk2_search *s, bool decides, bool following) {
+  gjk2_vertex *at = s->spare, *ahead = s->first;
+  gjk2_support way_a, way_b;
+  step_of(s->a, &at->a, following, &way_a);
+  step_of(s->b, &at->b, following, &way_b);
+  for (;;) {  // at most once for each edge of A and of B
+    // Components one by one: GCC copies a vector by a call of memcpy at -Os on ARMv6-M.
+    const gjk2_vec of_a = {way_a.offset.x, way_a.offset.y}, of_b = {-way_b.offset.x, -way_b.offset.y};
+    const gjk2_vec w = {at->w.x, at->w.y};
+    const int64_t turn = following ? gjk2_cross(of_a, of_b) : gjk2_cross(of_b, of_a);
+    gjk2_vec step = of_a;
+    if (turn <= 0) {
+      step = turn < 0 ? of_b : gjk2_add(of_a, of_b);
+    }
+    const int64_t base = gjk2_dot(w, step);
+    if (base >= 0) {
+      s->base = base;
+      if (at == s->spare) {
         return GJK2_OUTCOME_LIMIT;
       }
-      set_vertex(&k->a, &k->b, &w, s->apex);
+      s->apex = at;
       make_apex(s);
       s->d = gjk2_negate(w);
       return GJK2_OUTCOME_NEAREST;
     }
-    const int64_t side = gjk2_cross(w, step), height = following ? side : -side;
-    if (height >= 0) {
+    const gjk2_vec edge = following ? step : gjk2_negate(step);
+    s->base = gjk2_cross(w, edge);
+    if (s->base >= 0) {
+      s->base = -1;
       return GJK2_OUTCOME_LIMIT;
     }
-    const gjk2_vec ahead = gjk2_add(w, step), d = gjk2_outward(following ? step : gjk2_negate(step));
-    //@ assert ahead.x >= -(INT32_C(3) << 29) && ahead.x <= INT32_C(3) << 29;
-    //@ assert ahead.y >= -(INT32_C(3) << 29) && ahead.y <= INT32_C(3) << 29;
     s->iterations++;
+    s->d = gjk2_outward(edge);
     if (decides) {
-      s->along = height;
-      gjk2_copy(&s->d, &d);
+      s->along = s->base;
       return GJK2_OUTCOME_SEPARATED;
     }
-    const bool inside = gjk2_dot(ahead, step) > 0;
-    if (inside) {
-      set_vertex(&k->a, &k->b, &w, following ? s->first : s->last);
-    }
-    if (turn >= 0) {
-      gjk2_copy_support(&k->a, &k->next_a);
-    }
-    if (turn <= 0) {
-      gjk2_copy_support(&k->b, &k->next_b);
-    }
-    if (inside) {
-      set_vertex(&k->a, &k->b, &ahead, following ? s->last : s->first);
+    ahead->w = gjk2_add(w, step);
+    go_on(&ahead->a, &at->a, &way_a, turn >= 0);
+    go_on(&ahead->b, &at->b, &way_b, turn <= 0);
+    //@ assert ahead->w.x >= -(INT32_C(3) << 29) && ahead->w.x <= INT32_C(3) << 29;
+    //@ assert ahead->w.y >= -(INT32_C(3) << 29) && ahead->w.y <= INT32_C(3) << 29;
+    if (gjk2_dot(ahead->w, step) > 0) {
+      s->first = following ? at : ahead;
+      s->last = following ? ahead : at;
       s->count = 2;
-      s->base = height;
-      gjk2_copy(&s->d, &d);
       return GJK2_OUTCOME_NEAREST;
     }
-    gjk2_copy(&w, &ahead);
     if (turn >= 0) {
-      step_of_a(s, following, k);
+      step_of(s->a, &ahead->a, following, &way_a);
     }
     if (turn <= 0) {
-      step_of_b(s, following, k);
+      step_of(s->b, &ahead->b, following, &way_b);
     }
+    gjk2_vertex *const left = at == s->spare ? s->last : at;
+    at = ahead;
+    ahead = left;
   }
 }
 
-static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal, boundary_walk *k) {
-  const gjk2_vec w = {k->w.x, k->w.y};
+// The walk from x, the spare vertex.
+GJK_ONCE static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal) {
+  const gjk2_vec w = s->spare->w;
   gjk2_outcome outcome = GJK2_OUTCOME_ENCLOSING;
+  bool nears = false;
+  s->walks = false;
   if ((w.x | w.y) != 0) {
+    const bool decides = s->radius == 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH);
     // The way to O's side is likely the shorter one.
     const bool following = gjk2_cross(s->d, w) <= 0;
-    outcome = walk_round(s, goal, k, following);
+    outcome = walk_round(s, decides, following);
     if (outcome == GJK2_OUTCOME_LIMIT) {
       const int64_t ahead = s->base;
-      outcome = walk_round(s, goal, k, !following);
+      outcome = walk_round(s, decides, !following);
       // No way leads nearer. Where w lies within an edge, straight across from O, O may be on its inside.
-      if (outcome == GJK2_OUTCOME_LIMIT) {
-        set_vertex(&k->a, &k->b, &w, s->apex);
-        if (ahead >= 0 && s->base >= 0 && (ahead | s->base) != 0) {
-          outcome = GJK2_OUTCOME_NEAREST;
-          s->d = gjk2_negate(w);
-        }
-        make_apex(s);
-      }
+      nears = outcome == GJK2_OUTCOME_LIMIT && ahead >= 0 && s->base >= 0 && (ahead | s->base) != 0;
     }
-  } else {
-    set_vertex(&k->a, &k->b, &w, s->apex);
+  }
+  if (outcome == GJK2_OUTCOME_LIMIT || outcome == GJK2_OUTCOME_ENCLOSING) {
+    exchange_vertices(&s->apex, &s->spare);
     make_apex(s);
+    if (nears) {
+      s->d = gjk2_negate(w);
+      outcome = GJK2_OUTCOME_NEAREST;
+    }
   }
   return outcome == GJK2_OUTCOME_NEAREST && is_near(s, goal) ? GJK2_OUTCOME_NEAR : outcome;
 }
 
-gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
-  for (;;) {  // at most limit iterations
-    int64_t before = 0, after = 0;
-    boundary_walk k;
-    if (s->iterations >= limit) {
-      return GJK2_OUTCOME_LIMIT;
-    }
+// Steps 3 and 4. True: the line through x separates, which answers the goal.
+GJK_ONCE static bool scan_separates(gjk2_search *s, gjk2_goal goal) {
+  scan_both(s, &s->d, s->spare);
+  s->along = gjk2_dot(s->d, s->spare->w);
+  //@ assert s->along >= -(INT64_C(9) << 59) && s->along <= INT64_C(9) << 59;
+  return s->along < 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH) && line_separates(s);
+}
+
+// Steps 1 to 7.
+GJK_OUT_OF_LINE static gjk2_outcome iterate(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
+  limit = limit != GJK2_NO_LIMIT ? limit : gjk2_search_limit(s);
+  while (s->iterations < limit) {
     if (s->count != 0) {
       gjk2_search_direct(s);  // Step 1
       //@ assert s->base >= -(INT64_C(9) << 58) && s->base <= INT64_C(9) << 58;
@@ -434,31 +435,17 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
       }
     }
     s->iterations = (uint16_t)(s->iterations + (s->iterations < UINT16_MAX));
-    const gjk2_vec w = scan_both(s, &s->d, &k.a, &k.b);  // Step 3
-    if (!s->walks) {
-      set_vertex(&k.a, &k.b, &w, s->spare);
-    }
-    if (s->count == 2) {
-      before = gjk2_cross(s->first->w, w);
-      after = gjk2_cross(w, s->last->w);
-      //@ assert before >= -(INT64_C(9) << 58) && before <= INT64_C(9) << 58;
-      //@ assert after >= -(INT64_C(9) << 58) && after <= INT64_C(9) << 58;
-      s->along = before + after;  // d . x, with d = last - first turned by a quarter
-    } else {
-      s->along = gjk2_dot(s->d, w);
-    }
-    if (s->along < 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH) && line_separates(s)) {  // Step 4
+    if (scan_separates(s, goal)) {  // Steps 3 and 4
       return GJK2_OUTCOME_SEPARATED;
     }
     if (s->count != 0 && gains_nothing(s, s->along - s->base)) {  // Step 5
       return GJK2_OUTCOME_NEAREST;
     }
+    bool encloses = false;
     if (s->count == 0 || s->warm) {  // what the cache holds need not lie on the boundary: begin anew with x, which does
       s->warm = false;
       if (s->walks) {
-        s->walks = false;
-        gjk2_copy(&k.w, &w);
-        const gjk2_outcome outcome = walk_on(s, goal, &k);
+        const gjk2_outcome outcome = walk_on(s, goal);
         if (outcome != GJK2_OUTCOME_LIMIT) {
           return outcome;
         }
@@ -466,23 +453,53 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
         exchange_vertices(&s->apex, &s->spare);
         make_apex(s);
       }
-      continue;
-    }
-    bool encloses;
-    if (s->count == 1 && s->alone) {
+    } else if (s->count == 1 && s->alone) {
       encloses = add_second(s);
     } else {
       if (s->count == 1) {
         choose_arc(s);  // Step 6
-        before = gjk2_cross(s->first->w, s->spare->w);
-        after = gjk2_cross(s->spare->w, s->last->w);
       }
-      encloses = add_support(s, before, after);  // Step 7
+      encloses = add_support(s);  // Step 7
     }
     if (encloses) {
       return GJK2_OUTCOME_ENCLOSING;
     }
   }
+  return GJK2_OUTCOME_LIMIT;
+}
+
+gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
+#if !GJK_SMALL
+  // What iterate does for a cold start, without its loop.
+  if (s->walks && s->count == 0) {
+    s->iterations++;
+    if (scan_separates(s, goal)) {
+      return GJK2_OUTCOME_SEPARATED;
+    }
+    const gjk2_outcome outcome = walk_on(s, goal);
+    if (outcome != GJK2_OUTCOME_LIMIT) {
+      return outcome;
+    }
+  }
+#endif
+  return iterate(s, goal, limit);
+}
+
+// The numbers of the feature's vertices. Of three only the cache has no room, and it takes no simplex.
+static inline void name_feature(const gjk2_search *s, uint16_t *a, uint16_t *b) {
+  if (s->count == 1) {
+    a[0] = s->apex->a.vertex;
+    b[0] = s->apex->b.vertex;
+    return;
+  }
+  a[0] = s->first->a.vertex;
+  b[0] = s->first->b.vertex;
+  if (s->count == 3) {
+    *++a = s->apex->a.vertex;
+    *++b = s->apex->b.vertex;
+  }
+  a[1] = s->last->a.vertex;
+  b[1] = s->last->b.vertex;
 }
 
 void gjk2_search_certify(const gjk2_search *s, gjk2_outcome outcome, gjk2_certificate *out) {
@@ -494,15 +511,10 @@ void gjk2_search_certify(const gjk2_search *s, gjk2_outcome outcome, gjk2_certif
     return;
   }
   out->proof = proofs[outcome];
-  out->direction = s->d;
-  if (outcome == GJK2_OUTCOME_SEPARATED) {
-    return;
-  }
-  out->count = s->count;
-  for (unsigned i = 0; i < s->count; i++) {
-    const gjk2_vertex *v = gjk2_search_vertex(s, i);
-    out->a[i] = v->a;
-    out->b[i] = v->b;
+  gjk2_copy(&out->direction, &s->d);
+  if (outcome != GJK2_OUTCOME_SEPARATED) {
+    out->count = s->count;
+    name_feature(s, out->a, out->b);
   }
 }
 
@@ -524,9 +536,5 @@ void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *ca
     return;
   }
   cache->count = s->count;
-  for (unsigned i = 0; i < s->count && i < 2; i++) {
-    const gjk2_vertex *v = gjk2_search_vertex(s, i);
-    cache->a[i] = v->a;
-    cache->b[i] = v->b;
-  }
+  name_feature(s, cache->a, cache->b);
 }

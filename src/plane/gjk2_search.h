@@ -36,18 +36,14 @@ typedef enum gjk2_goal {
 
 // A vertex of A - B.
 typedef struct gjk2_vertex {
-  gjk2_vec w;     // frame
-  gjk2_vec of_a;  // the vertex of A, from A's centre
-  gjk2_vec of_b;  // the vertex of B, from B's centre
-  uint16_t a, b;  // numbers
+  gjk2_vec w;         // frame
+  gjk2_support a, b;  // the vertices of A and of B
 } gjk2_vertex;
 
 static inline void gjk2_copy_vertex(gjk2_vertex *to, const gjk2_vertex *from) {
   gjk2_copy(&to->w, &from->w);
-  gjk2_copy(&to->of_a, &from->of_a);
-  gjk2_copy(&to->of_b, &from->of_b);
-  to->a = from->a;
-  to->b = from->b;
+  gjk2_copy_support(&to->a, &from->a);
+  gjk2_copy_support(&to->b, &from->b);
 }
 
 typedef struct gjk2_search {
@@ -61,9 +57,9 @@ typedef struct gjk2_search {
   uint8_t far;
   uint8_t count;  // vertices that span the feature, or with ENCLOSING the simplex
   bool curved;
-  bool
-      walks;  // polygons in order, in a near frame: the first vertex is followed by a walk, of as many iterations as it takes
   bool warm;  // the feature is the cache's, and not yet tried
+  // Polygons in order, in a near frame: the first vertex is followed by a walk, of as many iterations as it takes.
+  bool walks;
   // Of one vertex: the feature is apex, and first and last bracket it, or are not set (alone). Of two: first and last.
   // Of three: first, apex and last. The fourth is spare.
   bool alone;
@@ -71,16 +67,17 @@ typedef struct gjk2_search {
   gjk2_vertex slot[4];
 } gjk2_search;
 
-// Starts cold: sets the frame, and no vertex is in the feature.
-// radius: both convex radii and the distance asked about, Q16.16, not negative.
+// Starts cold: sets the frame, and no vertex is in the feature. The first direction is that between the centres.
+// radius: both convex radii and the distance asked about, Q16.16.
 // circles: False is returned where the bounding circles are more than radius apart; then only a and b are set.
-bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, int64_t radius);
+bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, uint32_t radius);
 
-// Sets the first direction, from the cache where it serves, else that between the centres.
+// Sets the first direction anew, from the cache where it serves.
 void gjk2_search_aim(gjk2_search *s, const gjk2_cache *cache);
 
 // Iterates until the goal is answered or the iterations of the query reach the limit; after LIMIT and with a higher
-// limit, on from there.
+// limit, on from there. GJK2_NO_LIMIT: none but gjk2_search_limit.
+#define GJK2_NO_LIMIT UINT32_MAX
 gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit);
 
 // The ceiling on iterations: polygons end before it, a curved pair may end there with LIMIT.

@@ -4,37 +4,37 @@
 // Edges from this length on, in LSB, take weights that are right to the last bit: 2^-27 of 2^21 is 2^-6 LSB.
 #define FINE_LENGTH 21
 
-// One coordinate: core = u + weight (v - u) from the centre, weight in Q31, moved by convex_radius along the normal.
+// One coordinate of u + weight (v - u), weight in Q31, moved by convex_radius along the normal; rounded once.
 //   u, v      at most 2^28:        weight (v - u) at most 2^60
 //   normal    at most 2^30 + 2:    times twice the convex radius at most 2^59 + 2^30
-static inline gjk_q16 plane_coordinate(int32_t u, int32_t v, int32_t weight, gjk_q16 centre, gjk_q30 normal,
-                                       gjk_q16 convex_radius, bool *saturated) {
-  const int64_t half = INT64_C(1) << 30;
-  int32_t offset = u;
-  if (u != v || convex_radius != 0) {
-    const int64_t sum = gjk_mac32(half, v - u, weight);
-    offset += (int32_t)gjk_sar64(gjk_mac32(sum, normal, 2 * convex_radius), 31);
-  }
-  return gjk_saturate_noting((int64_t)centre + offset, saturated);
+static inline int32_t plane_offset(int32_t u, int32_t v, int32_t weight, gjk_q30 normal, gjk_q16 convex_radius) {
+  const int64_t sum = gjk_mac32(INT64_C(1) << 30, v - u, weight);
+  return u + (int32_t)gjk_sar64(gjk_mac32(sum, normal, 2 * convex_radius), 31);
 }
 
-// A point of one shape. toward: 1 for A, which the normal leads away from, -1 for B.
-GJK_ONCE static void report_point(const gjk2_collider *c, const gjk2_vec *p, const gjk2_vec *q, int32_t weight,
-                                  const gjk2_unit *normal, int toward, gjk2_vec *point, bool *saturated) {
+// A point of one shape. toward: 1 for A, which the normal leads away from, -1 for B. Returns whether it has saturated.
+GJK_ONCE static bool report_point(const gjk2_collider *c, gjk2_vec p, const gjk2_vec *q, int32_t weight,
+                                  const gjk2_unit *normal, int toward, gjk2_vec *point) {
+  bool saturated = false;
   const gjk_q16 convex_radius = toward * c->shape->convex_radius;
-  point->x = plane_coordinate(p->x, q->x, weight, c->centre.x, normal->x, convex_radius, saturated);
-  point->y = plane_coordinate(p->y, q->y, weight, c->centre.y, normal->y, convex_radius, saturated);
+  if (p.x != q->x || p.y != q->y || convex_radius != 0) {
+    p.x = plane_offset(p.x, q->x, weight, normal->x, convex_radius);
+    p.y = plane_offset(p.y, q->y, weight, normal->y, convex_radius);
+  }
+  point->x = gjk_saturate_noting((int64_t)c->centre.x + p.x, &saturated);
+  point->y = gjk_saturate_noting((int64_t)c->centre.y + p.y, &saturated);
+  return saturated;
 }
 
-void gjk2_witness_points(const gjk2_search *s, const gjk2_vertex *p, const gjk2_vertex *q, const gjk2_length *length,
-                         const gjk2_unit *normal, gjk2_vec *point_a, gjk2_vec *point_b, bool *saturated) {
+bool gjk2_witness_points(const gjk2_search *s, const gjk2_vertex *p, const gjk2_vertex *q, const gjk2_length *length,
+                         const gjk2_unit *normal, gjk2_vec *point_a, gjk2_vec *point_b) {
   int32_t weight = 0;  // of q
   if (q != NULL) {
     const int64_t part = gjk2_dot(p->w, gjk2_sub(p->w, q->w)), whole = (int64_t)length->squared;
-    weight = gjk2_weight(length, part < whole ? part : whole, whole >> (2 * FINE_LENGTH) != 0);
+    weight = gjk2_weight(length, whole >> (2 * FINE_LENGTH) != 0, part < whole ? part : whole);
   } else {
     q = p;
   }
-  report_point(s->a, &p->of_a, &q->of_a, weight, normal, 1, point_a, saturated);
-  report_point(s->b, &p->of_b, &q->of_b, weight, normal, -1, point_b, saturated);
+  const bool saturated = report_point(s->a, p->a.offset, &q->a.offset, weight, normal, 1, point_a);
+  return report_point(s->b, p->b.offset, &q->b.offset, weight, normal, -1, point_b) || saturated;
 }

@@ -9,7 +9,7 @@
 #define PAIRS 6000
 #define UNTOUCHED 0x5A
 
-static unsigned long settled, limited, useful, deep, wrong;
+static unsigned long settled, limited, useful, deep, open_lines, open_gaps, open_contacts, wrong;
 
 static void expect(bool condition, const char *what) {
   if (!condition) {
@@ -71,6 +71,48 @@ static void ask(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 truth) {
   expect(met != GJK_ERROR_ITERATION_LIMIT || is_untouched(&manifold, sizeof manifold), "open contacts");
 }
 
+// Chains: what does not settle is not told, and what is told is as of the circle.
+static void ask_chain(random_state *random, int32_t size, const gjk2_collider *ellipse, const gjk2_collider *circle) {
+  const gjk2_vec origin = {0, 0};
+  gjk2_vec line[4];
+  gjk2_chain chain;
+  gjk2_chain_contact contacts[8];
+  gjk2_distance_result gap, truth;
+  bool yes[2];
+  uint16_t segment, count = 77;
+  memset(&chain, 0, sizeof chain);
+  memset(&gap, UNTOUCHED, sizeof gap);
+  memset(yes, UNTOUCHED, sizeof yes);
+  memset(&segment, UNTOUCHED, sizeof segment);
+  for (int i = 0; i < 4; i++) {
+    line[i].x = random_range(random, -2 * size, 2 * size);
+    line[i].y = random_range(random, -2 * size, 2 * size);
+  }
+  if (gjk2_chain_init(&chain, line, 4, &origin) != GJK_OK) {
+    return;
+  }
+  const gjk_status decided = gjk2_chain_intersect(&chain, ellipse, NULL, &yes[0], &segment);
+  if (decided != GJK_OK) {
+    expect(decided == GJK_ERROR_ITERATION_LIMIT && is_untouched(&yes[0], 1), "an open decision of a chain");
+    expect(is_untouched(&segment, sizeof segment), "its segment");
+    open_lines++;
+  }
+  expect(gjk2_chain_distance(&chain, circle, NULL, &truth, &segment) == GJK_OK, "the circle's distance from a chain");
+  memset(&segment, UNTOUCHED, sizeof segment);
+  const gjk_status measured = gjk2_chain_distance(&chain, ellipse, NULL, &gap, &segment);
+  if (measured == GJK_OK) {
+    expect(gap.distance - truth.distance <= 3 && truth.distance - gap.distance <= 3, "distance from a chain");
+    expect(decided != GJK_OK || yes[0] == (truth.distance == 0) || truth.distance <= 3, "decision of a chain");
+  } else {
+    expect(measured == GJK_ERROR_ITERATION_LIMIT && is_untouched(&gap, sizeof gap), "an open distance from a chain");
+    expect(is_untouched(&segment, sizeof segment), "its segment");
+    open_gaps++;
+  }
+  const gjk_status met = gjk2_chain_contacts(&chain, ellipse, NULL, size / 4, contacts, 8, &count);
+  expect(met == GJK_OK || (met == GJK_ERROR_ITERATION_LIMIT && count == 77), "contacts with a chain");
+  open_contacts += met != GJK_OK;
+}
+
 int main(void) {
   random_state random = random_seed(4711);
   for (int i = 0; i < PAIRS; i++) {
@@ -94,10 +136,13 @@ int main(void) {
     gjk2_collider_pose(&c, &pose);
     expect(gjk2_signed_distance(&a, &c, NULL, &truth) == GJK_OK, "the circle itself");
     ask(&a, &b, truth.distance);
+    ask_chain(&random, size, &b, &c);
   }
-  printf("settled %lu, limited %lu, bounded away %lu, proven deep %lu\n", settled, limited, useful, deep);
+  printf("settled %lu, limited %lu, bounded away %lu, proven deep %lu; chains: %lu, %lu, %lu\n", settled, limited,
+         useful, deep, open_lines, open_gaps, open_contacts);
   if (GJK_ITERATIONS_MAX <= 3) {
     expect(limited > PAIRS / 20 && useful > limited / 8, "the mix of pairs");
+    expect(open_lines > 0 && open_gaps > PAIRS / 20 && open_contacts > 0, "the mix of chains");
   }
   return wrong == 0 ? 0 : 1;
 }

@@ -424,6 +424,8 @@ static void check_any(random_state *r, int32_t size) {
     const long double slack = 4 + ldexpl(size, -26);
     CHECK_MSG(face ? least >= reach - slack : fabsl(least - reach) <= slack, "%Lf, %d", reach, least);
     CHECK(least <= margin);
+    // An edge of the body is named by its lower vertex, then its higher one.
+    CHECK(face || (m->contact[0].id & 255) != 255 || (m->feature_b & 255) < m->feature_b >> 8);
     tally.faces += face;
     tally.joints += !face;
   }
@@ -552,6 +554,67 @@ static void check_words(void) {
   CHECK(gjk2_chain_intersect(&chain, &box, NULL, &yes, &segment) == GJK_OK && yes && segment == 0);
 }
 
+// A chain that turns back on itself: its tip has all directions of half a turn.
+static void check_tip(void) {
+  static const gjk2_vec blade[] = {{0, 0}, {100000, 0}, {0, 0}};
+  const gjk2_shape ball = GJK2_CIRCLE(10000), box = GJK2_BOX(10000, 10000);
+  const gjk2_vec places[] = {{106000, 3000}, {106000, -3000}, {110000, 0}, {50000, 9000}, {50000, -9000}};
+  const struct {
+    uint16_t segment, feature;
+    gjk_q16 least;
+  } expected[] = {{1, 0, -3292}, {1, 0, -3292}, {1, 0, 0}, {1, 256, -1000}, {0, 256, -1000}};
+  gjk2_chain chain;
+  gjk2_collider body;
+  gjk2_chain_contact c[4];
+  const gjk2_pose pose = GJK2_POSE_IDENTITY;
+  memset(&chain, 0, sizeof chain);
+  memset(&body, 0, sizeof body);
+  CHECK(gjk2_chain_init(&chain, blade, 3, &origin) == GJK_OK);
+  for (int kind = 0; kind < 2; kind++) {
+    CHECK(gjk2_collider_init(&body, kind == 0 ? &ball : &box, NULL, 0) == GJK_OK);
+    CHECK(gjk2_collider_pose(&body, &pose) == GJK_OK);
+    for (int i = kind == 0 ? 0 : 3; i < 5; i++) {
+      uint16_t n = 0;
+      CHECK(gjk2_collider_move(&body, &places[i]) == GJK_OK);
+      CHECK(gjk2_chain_contacts(&chain, &body, NULL, 0, c, 4, &n) == GJK_OK);
+      CHECK_MSG(n == 1 && c[0].segment == expected[i].segment && c[0].manifold.feature_a == expected[i].feature &&
+                    least_of(&c[0]) == expected[i].least,
+                "kind %d, place %d: %d contacts, segment %d, feature %d, %d deep", kind, i, n, c[0].segment,
+                c[0].manifold.feature_a, (int)least_of(&c[0]));
+    }
+  }
+}
+
+// What just touches: a body whose box ends where a joint or the whole chain does; an ellipse beyond an open end.
+static void check_limits(void) {
+  static const gjk2_vec ridge[] = {{100000, 0}, {0, 50000}, {-100000, 0}};
+  const gjk2_shape point = GJK2_POINT, oval = GJK2_ELLIPSE(10000, 10000);
+  const gjk2_vec above = {0, 50100}, left = {-100000, 0}, right = {100000, 0}, beside = {100000 + 9000, 3000};
+  gjk2_chain chain;
+  gjk2_collider body;
+  gjk2_chain_contact c[4];
+  uint16_t n = 0, segment = 9;
+  bool yes = false;
+  const gjk2_pose pose = GJK2_POSE_IDENTITY;
+  memset(&chain, 0, sizeof chain);
+  memset(&body, 0, sizeof body);
+  CHECK(gjk2_chain_init(&chain, ridge, 3, &origin) == GJK_OK);
+  CHECK(gjk2_collider_init(&body, &point, NULL, 0) == GJK_OK && gjk2_collider_pose(&body, &pose) == GJK_OK);
+  CHECK(gjk2_collider_move(&body, &above) == GJK_OK);
+  CHECK(gjk2_chain_contacts(&chain, &body, NULL, 100, c, 4, &n) == GJK_OK);
+  CHECK(n == 1 && c[0].segment == 1 && c[0].manifold.feature_a == 0 && least_of(&c[0]) == 100);
+  CHECK(gjk2_chain_contacts(&chain, &body, NULL, 99, c, 4, &n) == GJK_OK && n == 0);
+  CHECK(gjk2_collider_move(&body, &left) == GJK_OK);
+  CHECK(gjk2_chain_intersect(&chain, &body, NULL, &yes, &segment) == GJK_OK && yes && segment == 1);
+  CHECK(gjk2_collider_move(&body, &right) == GJK_OK);
+  CHECK(gjk2_chain_intersect(&chain, &body, NULL, &yes, &segment) == GJK_OK && yes && segment == 0);
+  CHECK(gjk2_collider_init(&body, &oval, NULL, 0) == GJK_OK && gjk2_collider_pose(&body, &pose) == GJK_OK);
+  CHECK(gjk2_collider_move(&body, &beside) == GJK_OK);
+  CHECK(gjk2_chain_contacts(&chain, &body, NULL, 0, c, 4, &n) == GJK_OK);
+  CHECK(n == 1 && c[0].segment == 0 && c[0].manifold.feature_a == 0 && is_of_surface(&chain, &c[0]));
+  CHECK_MSG(abs(least_of(&c[0]) + 513) <= 3, "%d", (int)least_of(&c[0]));
+}
+
 static void check_arguments(void) {
   static const gjk2_vec line[] = {{100, 0}, {0, 0}, {0, 0}}, long_line[] = {{GJK2_RADIUS_MAX + 1, 0}, {0, 0}};
   const gjk2_shape ball = GJK2_CIRCLE(10);
@@ -577,6 +640,18 @@ static void check_arguments(void) {
   CHECK(gjk2_chain_init(&chain, line + 1, 2, &origin) == GJK_ERROR_EMPTY);
   CHECK(gjk2_chain_init(&chain, long_line, 2, &origin) == GJK_ERROR_SIZE);
   CHECK(gjk2_chain_init(&chain, line, 2, &far) == GJK_ERROR_RANGE);
+  static const gjk2_vec upright[] = {{0, 100}, {0, 0}}, tall[] = {{0, GJK2_RADIUS_MAX + 1}, {0, 0}};
+  static const gjk2_vec back[] = {{0, 0}, {GJK2_RADIUS_MAX + 1, 0}}, below[] = {{0, 0}, {-100, -100}};
+  const gjk2_vec high = {0, INT32_MAX - 99}, low = {0, INT32_MIN + 99}, left = {INT32_MIN + 99, 0};
+  CHECK(gjk2_chain_init(&chain, upright, 2, &high) == GJK_ERROR_RANGE);
+  CHECK(gjk2_chain_init(&chain, below, 2, &low) == GJK_ERROR_RANGE);
+  CHECK(gjk2_chain_init(&chain, below, 2, &left) == GJK_ERROR_RANGE);
+  CHECK(gjk2_chain_init(&chain, tall, 2, &origin) == GJK_ERROR_SIZE);
+  CHECK(gjk2_chain_init(&chain, back, 2, &origin) == GJK_ERROR_SIZE);
+  static const gjk2_vec longest[] = {{0, 0}, {GJK2_RADIUS_MAX, -GJK2_RADIUS_MAX}, {0, 0}};
+  gjk2_chain other;
+  memset(&other, 0, sizeof other);
+  CHECK(gjk2_chain_init(&other, longest, 3, &origin) == GJK_OK && other.closed);
   CHECK(memcmp(&chain, &raw, sizeof chain) == 0);
   CHECK(gjk2_chain_move(&chain, &origin) == GJK_ERROR_UNINITIALISED);
   CHECK(gjk2_chain_init(&chain, line, 3, &origin) == GJK_OK);
@@ -616,6 +691,8 @@ int main(void) {
   }
   const int32_t sizes[] = {3, 40, 1000, 65536, 1 << 22, 1 << 26};
   check_words();
+  check_tip();
+  check_limits();
   check_arguments();
   for (unsigned long i = 0; i < GROUNDS; i++) {
     random_state r = random_seed(~(seed + i) << 20);

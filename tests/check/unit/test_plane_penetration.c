@@ -106,6 +106,7 @@ int main(void) {
   }
   printf("apart %lu, deep %lu, shallow %lu, just touching %lu; points off by %Lf, normals by %Lf LSB\n", tally.apart,
          tally.deep, tally.shallow, tally.touching, tally.worst_point, tally.worst_normal);
-  CHECK(tally.apart > TRIALS / 8 && tally.deep > TRIALS / 5 && tally.shallow > TRIALS / 100 && tally.touching > 100);
+  CHECK(tally.apart > TRIALS / 8 && tally.deep > TRIALS / 5 && tally.shallow > TRIALS / 100 &&
+        tally.touching > TRIALS / 100);
   return check_done("plane_penetration");
 }
