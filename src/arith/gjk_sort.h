@@ -7,22 +7,22 @@
 // 3. Let item 0 sink. Go on at 2 until one item is left.
 //
 // The functions are in a header so that compilers see what order they are given, and inline its functions: called
-// through pointers, a query that sorts its hits takes 27 % more instructions. gjk_scene_sink stays out of line, once
+// through pointers, a query that sorts its hits takes 27 % more instructions. gjk_sort_sink stays out of line, once
 // per file: inlined it makes the library 1,000 bytes larger.
-#ifndef GJK_SRC_SCENE_SORT_H
-#define GJK_SRC_SCENE_SORT_H
+#ifndef GJK_SRC_SORT_H
+#define GJK_SRC_SORT_H
 
-#include "../arith/gjk_wide.h"
+#include "gjk_wide.h"
 
 // How to compare and exchange two items by their places. A file that sorts has one such constant.
-typedef struct gjk_scene_order {
+typedef struct gjk_sort_order {
   bool (*before)(const void *items, uint32_t i, uint32_t j);  // does item i come before item j?
   void (*exchange)(void *items, uint32_t i, uint32_t j);
-} gjk_scene_order;
+} gjk_sort_order;
 
 // Lets the item at a place sink in a heap of count items: it is exchanged with the later one of the two below it, while
 // that comes after it. Pre: the items below it are a heap.
-GJK_OUT_OF_LINE static void gjk_scene_sink(const gjk_scene_order *order, void *items, uint32_t at, uint32_t count) {
+GJK_OUT_OF_LINE static void gjk_sort_sink(const gjk_sort_order *order, void *items, uint32_t at, uint32_t count) {
   for (uint32_t child = 2 * at + 1; child < count; child = 2 * at + 1) {  // ends: at most log2 count iterations
     if (child + 1 < count && order->before(items, child, child + 1)) {
       child++;
@@ -36,18 +36,18 @@ GJK_OUT_OF_LINE static void gjk_scene_sink(const gjk_scene_order *order, void *i
 }
 
 // Makes count items a heap.
-static inline void gjk_scene_make_heap(const gjk_scene_order *order, void *items, uint32_t count) {
+static inline void gjk_sort_make_heap(const gjk_sort_order *order, void *items, uint32_t count) {
   for (uint32_t i = count / 2; i > 0; i--) {
-    gjk_scene_sink(order, items, i - 1, count);
+    gjk_sort_sink(order, items, i - 1, count);
   }
 }
 
 // Sorts count items.
-static inline void gjk_scene_sort(const gjk_scene_order *order, void *items, uint32_t count) {
-  gjk_scene_make_heap(order, items, count);  // Step 1
+static inline void gjk_sort(const gjk_sort_order *order, void *items, uint32_t count) {
+  gjk_sort_make_heap(order, items, count);  // Step 1
   for (uint32_t end = count; end > 1; end--) {
-    order->exchange(items, 0, end - 1);        // Step 2
-    gjk_scene_sink(order, items, 0, end - 1);  // Step 3
+    order->exchange(items, 0, end - 1);       // Step 2
+    gjk_sort_sink(order, items, 0, end - 1);  // Step 3
   }
 }
 

@@ -1,0 +1,102 @@
+// The convex hull of points, exactly: for shapes made of points, of meshes, of scans.
+//
+// Coordinates are integers, so whether a point lies above a plane is a sign of theirs. Points that are coplanar or
+// collinear are so by their integers, not by a tolerance: no hull is refused, folded or turned inside out.
+#ifndef GJK_HULL_H
+#define GJK_HULL_H
+
+#include "gjk/shape.h"
+#include "gjk/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// Most points of one hull.
+#define GJK_HULL_POINTS_MAX 65535
+
+// Bytes of workspace for so many points: 40 a point, and 40.
+#define GJK_HULL_WORKSPACE(points) (40 * (size_t)(points) + 40)
+
+// A hull in the caller's workspace. The first six fields may be read; the rest is the library's.
+typedef struct gjk_hull {
+  uint8_t dimension;      // of the points: 0 to 3
+  uint16_t vertices;      // extreme points, each counted once
+  uint32_t faces;         // facets: faces in one plane count once. Of points in a plane two, of fewer dimensions none
+  uint32_t edges;         // between facets
+  uint32_t corners;       // of all facets together: twice the edges
+  uint16_t most_corners;  // of one facet
+  const gjk_vec3 *points;
+  void *workspace;
+  uint32_t count, distinct, triangles;
+} gjk_hull;
+
+// Finds the hull.
+//
+// points     the caller's, in any order, repeated ones too, any int32_t; must stay until the hull is written out.
+// workspace  the caller's, aligned for uint32_t, at least GJK_HULL_WORKSPACE(count) bytes; may come from
+//            gjk_port_allocate. It holds the hull.
+// out        written when the result is GJK_OK.
+// Exact      vertices, facets and edges are those of the real hull. They are the same for any order of the points.
+// Statuses   NULL; EMPTY; SIZE: the points are more than 2 GJK_RADIUS_MAX apart along an axis; CAPACITY: bytes; RANGE:
+//            a workspace that is not aligned.
+// Cost       of the order of count log count for points spread over a surface, at worst count squared; no recursion.
+// After      Barber, Dobkin, Huhdanpaa, The quickhull algorithm for convex hulls, 1996; exact signs in place of its
+//            tolerances.
+gjk_status gjk_hull_build(const gjk_vec3 *points, uint16_t count, void *workspace, size_t bytes, gjk_hull *out);
+
+// Writes the vertices in their order by x, then y, then z. CAPACITY: fewer than hull->vertices.
+gjk_status gjk_hull_vertices(const gjk_hull *hull, gjk_vec3 *out, uint16_t capacity);
+
+// Writes the facets for a shape with faces (gjk/shape.h), by numbers of gjk_hull_vertices.
+//
+// A facet of more than GJK_FACE_CORNERS_MAX corners is cut into faces that share its first corner; so there may be more
+// faces than hull->faces, and two more corners for each.
+//
+// corner, end  room for corner_capacity and face_capacity numbers; they become the fields of out.
+// Statuses     NULL; CAPACITY: too little room, or more than 65535 corners in all, which gjk_hull_faces cannot hold.
+//              Then corner and end may have been written, out not.
+gjk_status gjk_hull_write_faces(const gjk_hull *hull, uint16_t *corner, uint16_t corner_capacity, uint16_t *end,
+                                uint16_t face_capacity, gjk_hull_faces *out);
+
+// Six times the volume, in cubic LSB, exact: 2^64 high + low. 0 for points in a plane.
+typedef struct gjk_hull_volume {
+  uint64_t high, low;
+} gjk_hull_volume;
+
+gjk_status gjk_hull_get_volume(const gjk_hull *hull, gjk_hull_volume *six_times);
+
+// What is wrong with the faces of a hull.
+typedef enum gjk_hull_fault {
+  GJK_HULL_SOUND = 0,
+  GJK_HULL_FEW,      // a face of less than 3 corners, or no faces
+  GJK_HULL_NUMBER,   // a corner that is no vertex
+  GJK_HULL_BENT,     // a face whose corners do not lie in one plane
+  GJK_HULL_TURN,     // a face that does not turn counterclockwise at each corner, exactly once around
+  GJK_HULL_BEYOND,   // a vertex beyond a face: the face is turned inwards, or does not bound the hull
+  GJK_HULL_OPEN,     // an edge that no other face has the opposite way
+  GJK_HULL_DOUBLED,  // an edge that two faces have the same way
+  GJK_HULL_LAYERS    // faces at a vertex that do not go once around it
+} gjk_hull_fault;
+
+// What gjk_hull_check found.
+typedef struct gjk_hull_report {
+  uint8_t fault;    // a gjk_hull_fault, the first in their order
+  uint16_t face;    // the first face that has it
+  uint16_t corner;  // and its corner, counted from 0; 0 where the fault is of the whole face
+  uint16_t vertex;  // BEYOND: the first vertex beyond it
+} gjk_hull_report;
+
+// Are the faces of a hull closed, convex, outward and complete, for contacts? Coplanar faces beside each other, and
+// vertices that are on no face, within the hull, are sound.
+//
+// vertices  count of them, no more than 2 GJK_RADIUS_MAX apart along an axis (SIZE).
+// Statuses  NULL; EMPTY. OK: out is written, whatever it says.
+// Cost      of the order of faces times vertices, and of corners squared. No workspace.
+gjk_status gjk_hull_check(const gjk_vec3 *vertices, uint16_t count, const gjk_hull_faces *faces, gjk_hull_report *out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,206 @@
+#!/bin/sh
+# gjk-convert: exact answers of point sets, each format, what it writes, and what it says about broken files.
+# usage: test_convert.sh BUILD
+set -u
+build=$1
+convert=$build/gjk-convert
+work=$build/convert
+passed=0
+failed=0
+rm -rf "$work"
+mkdir -p "$work"
+
+check() { # NAME EXPECTED FOUND
+  if [ "$2" = "$3" ]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf '%s: expected\n%s\nfound\n%s\n' "$1" "$2" "$3"
+  fi
+}
+
+# Sets that break hull builders with tolerances; their exact answers.
+while read -r name expected; do
+  check "$name" "$expected" "$("$convert" --hull --info "tests/data/hulls/$name.txt")"
+done <tests/data/hulls/expected
+check 'all samples are in the list' "$(find tests/data/hulls -name '*.txt' | wc -l)" "$(wc -l <tests/data/hulls/expected)"
+
+# One tetrahedron in each format.
+cat >"$work/t.obj" <<END
+# a tetrahedron
+v 0 0 0
+v 1 0 0 1.0
+v 0 2.5e-1 0
+v 0 0 -0.5
+vn 0 0 1
+f 1 2 3
+f 1//1 4/2/1 -3/1
+f 2 4 \\
+  3
+f 1 3 4
+END
+cat >"$work/t.off" <<END
+OFF 4 4 6 # counts
+0 0 0
+1 0 0
+
+0 0.25 0
+0 0 -0.5
+3 0 1 2 255 0 0
+3 0 3 1
+3 1 3 2
+3 0 2 3
+END
+cat >"$work/t.ply" <<END
+ply
+format ascii 1.0
+comment a tetrahedron
+element vertex 4
+property float x
+property float y
+property uchar red
+property float z
+element face 4
+property list uchar int vertex_indices
+end_header
+0 0 9 0
+1 0 9 0
+0 0.25 9 0
+0 0 9 -0.5
+3 0 1 2
+3 0 3 1
+3 1 3 2
+3 0 2 3
+END
+{
+  echo 'solid t'
+  for corners in '0 0 0,1 0 0,0 .25 0' '0 0 0,0 0 -.5,1 0 0' '1 0 0,0 0 -.5,0 .25 0' '0 0 0,0 .25 0,0 0 -.5'; do
+    echo 'facet normal 0 0 0'
+    echo '  outer loop'
+    echo "$corners" | tr ',' '\n' | sed 's/^/    vertex /'
+    echo '  endloop'
+    echo 'endfacet'
+  done
+  echo 'endsolid t'
+} >"$work/t.stl"
+
+# Bytes of floats: 0, 1, 0.25, -0.5, little-endian and big-endian.
+zero='\000\000\000\000'
+one='\000\000\200\077'
+quarter='\000\000\200\076'
+half='\000\000\000\277'
+point0=$zero$zero$zero
+point1=$one$zero$zero
+point2=$zero$quarter$zero
+point3=$zero$zero$half
+{
+  head -c 80 /dev/zero
+  printf '\004\000\000\000'
+  for points in "$point0$point1$point2" "$point0$point3$point1" "$point1$point3$point2" "$point0$point2$point3"; do
+    printf '%b' "$zero$zero$zero$points\\000\\000"
+  done
+} >"$work/bytes.stl"
+ply_header() { # FORMAT
+  printf 'ply\nformat %s 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n' "$1"
+  printf 'element face 4\nproperty list uchar ushort vertex_index\nend_header\n'
+}
+{
+  ply_header binary_little_endian
+  printf '%b' "$point0$point1$point2$point3"
+  printf '\003\000\000\001\000\002\000\003\000\000\003\000\001\000\003\001\000\003\000\002\000\003\000\000\002\000\003\000'
+} >"$work/little.ply"
+{
+  ply_header binary_big_endian
+  printf '\000\000\000\000\000\000\000\000\000\000\000\000\077\200\000\000\000\000\000\000\000\000\000\000'
+  printf '\000\000\000\000\076\200\000\000\000\000\000\000\000\000\000\000\000\000\000\000\277\000\000\000'
+  printf '\003\000\000\000\001\000\002\003\000\000\000\003\000\001\003\000\001\000\003\000\002\003\000\000\000\002\000\003'
+} >"$work/big.ply"
+
+# Six times its volume: 1 times 1/4 times 1/2 unit, in LSB.
+volume=35184372088832
+for file in t.obj t.off t.ply little.ply big.ply; do
+  check "$file" "points=4 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
+done
+for file in t.stl bytes.stl; do
+  check "$file" "points=12 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
+done
+sed '$d' "$work/t.obj" >"$work/open.obj"
+check 'open' "points=4 vertices=4 faces=4 volume6=$volume watertight=no" "$("$convert" --info "$work/open.obj")"
+for mesh in l_bracket torus u_channel; do
+  check "$mesh" 'watertight=yes' \
+    "$("$convert" --millimetres --info "tests/data/hulls/$mesh.obj" | sed 's/.* //')"
+done
+printf '0 0 0\n7 7 7\n3 3 3\n' >"$work/line.txt"
+check 'a line' 'points=3 vertices=2 faces=0 volume6=0 watertight=no' "$("$convert" --info "$work/line.txt")"
+
+# C that compiles, and a case that gjk-query answers: the hull touches itself moved by its own length.
+for name in cyl32 dup_cube4 ico2_20lsb; do
+  "$convert" "tests/data/hulls/$name.txt" >"$work/$name.c" 2>/dev/null
+  ${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude -c "$work/$name.c" -o "$work/$name.o"
+  check "$name.c compiles" 0 $?
+  check "$name as a case" "$name intersecting" \
+    "$("$convert" --case "tests/data/hulls/$name.txt" 2>/dev/null | "$build/gjk-query" - | sed "s/ iterations.*//")"
+done
+"$convert" --name 7-up "$work/line.txt" >"$work/line.c" 2>/dev/null
+${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude -c "$work/line.c" -o "$work/line.o"
+check 'a line compiles' 0 $?
+check 'its name' 1 "$(grep -c 'const gjk_shape _7_up = ' "$work/line.c")"
+
+# Broken files: the message names the line, nothing is written, the status is 2.
+broken() { # FILE MESSAGE
+  found=$("$convert" --info "$work/$1" 2>&1)
+  check "$1: status" 2 $?
+  check "$1" "$work/$1$2" "$found"
+}
+printf 'v 0 0 0\nv 1 x 0\n' >"$work/word.obj"
+broken word.obj ":2: 'x' is not a number"
+printf 'v 0 0\n' >"$work/short.obj"
+broken short.obj ':1: a vertex has three coordinates'
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 4\n' >"$work/corner.obj"
+broken corner.obj ':5: a face with a corner that is no vertex'
+printf 'v 0 0 0\nf 1 1\n' >"$work/two.obj"
+broken two.obj ':2: a face of less than 3 corners'
+printf 'v 0 0 0\nf 0 1 1\n' >"$work/zero.obj"
+broken zero.obj ":2: '0' is no corner of a face"
+printf 'v 40000 0 0\n' >"$work/far.obj"
+broken far.obj ':1: a coordinate is beyond Q16.16'
+printf '# nothing\n' >"$work/none.obj"
+broken none.obj ':2: no points'
+printf '1 2 3\n4 5\n' >"$work/two.txt"
+broken two.txt ':2: a line of points has three integers'
+printf '1 2 3 4\n' >"$work/four.txt"
+broken four.txt ':1: a line of points has three integers'
+printf '1 2 3.5\n' >"$work/real.txt"
+broken real.txt ":1: '3.5' is not an integer"
+printf 'OFF\n2 0 0\n0 0 0\n' >"$work/early.off"
+broken early.off ':4: the file ends early'
+printf '2 0 0\n' >"$work/head.off"
+broken head.off ':1: the file does not begin with OFF'
+printf 'solid\nvertex 0 0 0\nendloop\n' >"$work/loop.stl"
+broken loop.stl ':3: a loop of other than 3 corners'
+head -c 100 "$work/bytes.stl" >"$work/cut.stl"
+found=$("$convert" --info "$work/cut.stl" 2>&1)
+check 'cut.stl: status' 2 $?
+check 'cut.stl' 1 "$(echo "$found" | grep -c 'neither STL as text')"
+printf 'ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n' >"$work/cut.ply"
+broken cut.ply ':7: the file ends early'
+ply_header binary_little_endian >"$work/empty.ply"
+found=$("$convert" --info "$work/empty.ply" 2>&1)
+check 'empty.ply: status' 2 $?
+printf '0 0 0\n536739842 0 0\n' >"$work/wide.txt"
+found=$("$convert" --info "$work/wide.txt" 2>&1)
+check 'wide.txt: status' 2 $?
+check 'wide.txt' "$work/wide.txt: the points are more than 8190 units apart along an axis" "$found"
+for wrong in "$work/missing.obj" "$work" "$work/t.xyz"; do
+  "$convert" --info "$wrong" >/dev/null 2>&1
+  check "$wrong: status" 2 $?
+done
+for options in '--what' '' "$work/t.obj $work/t.off" '--name'; do
+  # shellcheck disable=SC2086 # words are wanted
+  "$convert" $options >/dev/null 2>&1
+  check "options $options: status" 2 $?
+done
+check 'help' 'usage: gjk-convert [OPTION]... FILE' "$("$convert" --help | head -1)"
+
+echo "convert: $passed passed, $failed failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -1,0 +1,169 @@
+// gjk-convert: makes hulls of files of points and meshes.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gjk/hull.h"
+#include "mesh.h"
+#include "write.h"
+
+enum { EXIT_DONE = 0, EXIT_INPUT = 2 };
+
+static const char help[] =
+    "usage: gjk-convert [OPTION]... FILE\n"
+    "Makes the convex hull of a file's points, exactly, and writes it to standard output.\n"
+    "\n"
+    "  --hull         the convex hull of all points (default)\n"
+    "  --info         one line about it instead of C:\n"
+    "                 points=N vertices=V faces=F volume6=K watertight=yes|no\n"
+    "                 N points of the file, V extreme ones, F faces after those in one plane are merged,\n"
+    "                 K six times the volume in cubic LSB; watertight: the file's own triangles close\n"
+    "  --case         a case for gjk-query instead of C: the hull against itself, moved by its own length\n"
+    "  --units        a number in the file is a unit, 65536 LSB (default)\n"
+    "  --millimetres  1000 of them are a unit\n"
+    "  --name NAME    of the C constants; the default is the file's own name\n"
+    "  --help         this text\n"
+    "\n"
+    "FILE ends in .obj, .stl (text or binary), .ply (text or binary), .off, or .txt: lines of three integers, LSB.\n"
+    "What it did goes to standard error. Exit status 2: the file cannot be read; the message says where and why.\n";
+
+typedef struct options {
+  const char *file, *name;
+  double scale;
+  bool info, cases;
+} options;
+
+static int usage(const char *problem, const char *subject) {
+  fprintf(stderr, "gjk-convert: %s%s; --help tells more\n", problem, subject);
+  return EXIT_INPUT;
+}
+
+// EXIT_DONE: go on; other values: stop with that status.
+static int read_options(int argc, char **argv, options *o) {
+  for (int i = 1; i < argc; i++) {
+    const char *word = argv[i];
+    if (strcmp(word, "--info") == 0) {
+      o->info = true;
+    } else if (strcmp(word, "--case") == 0) {
+      o->cases = true;
+    } else if (strcmp(word, "--units") == 0) {
+      o->scale = 65536;
+    } else if (strcmp(word, "--millimetres") == 0) {
+      o->scale = 65.536;
+    } else if (strcmp(word, "--name") == 0 && i + 1 < argc) {
+      o->name = argv[++i];
+    } else if (strcmp(word, "--hull") != 0 && word[0] == '-' && word[1] != '\0') {
+      return usage("unknown option ", word);
+    } else if (word[0] != '-') {
+      if (o->file != NULL) {
+        return usage("more than one file: ", word);
+      }
+      o->file = word;
+    }
+  }
+  return o->file == NULL ? usage("no file", "") : EXIT_DONE;
+}
+
+// The whole file, for free; NULL: it cannot be read.
+static char *read_file(const char *name, size_t *bytes) {
+  FILE *f = fopen(name, "rb");
+  if (f == NULL) {
+    return NULL;
+  }
+  size_t room = 0;
+  char *text = NULL;
+  *bytes = 0;
+  for (;;) {
+    if (*bytes == room) {
+      room = room == 0 ? 65536 : 2 * room;
+      char *grown = realloc(text, room);
+      if (grown == NULL) {
+        break;
+      }
+      text = grown;
+    }
+    const size_t got = fread(text + *bytes, 1, room - *bytes, f);
+    *bytes += got;
+    if (got == 0) {
+      break;
+    }
+  }
+  fclose(f);
+  return text;
+}
+
+static int report_problem(const mesh_file *file) {
+  fprintf(stderr, "%s:%lu: %s\n", file->name, file->line, file->problem);
+  return EXIT_INPUT;
+}
+
+// Builds the hull of m's points and writes what is asked for. points: how many the file has.
+static int convert(const options *o, mesh_file *file, const mesh *m, size_t points) {
+  gjk_hull hull;
+  if (m->points > GJK_HULL_POINTS_MAX) {
+    fprintf(stderr, "%s: %zu different points, and a hull takes %d\n", file->name, m->points, GJK_HULL_POINTS_MAX);
+    return EXIT_INPUT;
+  }
+  const size_t bytes = GJK_HULL_WORKSPACE(m->points);
+  void *workspace = malloc(bytes);
+  if (workspace == NULL) {
+    fprintf(stderr, "gjk-convert: out of memory\n");
+    return EXIT_INPUT;
+  }
+  const gjk_status status = gjk_hull_build(m->point, (uint16_t)m->points, workspace, bytes, &hull);
+  int result = EXIT_DONE;
+  if (status != GJK_OK) {
+    fprintf(stderr, "%s: the points are more than 8190 units apart along an axis\n", file->name);
+    result = EXIT_INPUT;
+  } else if (o->info) {
+    write_info(&hull, points, mesh_is_watertight(m));
+  } else if (o->cases) {
+    write_case(&hull, o->name);
+  } else {
+    result = write_source(&hull, o->name) ? EXIT_DONE : EXIT_INPUT;
+  }
+  if (result == EXIT_DONE && !o->info) {
+    fprintf(stderr, "%zu points, %zu different; %d vertices, %lu faces; rounded by at most %.2f LSB; %s\n", points,
+            m->points, hull.vertices, (unsigned long)hull.faces, m->most_rounding,
+            m->triangles == 0       ? "no triangles"
+            : mesh_is_watertight(m) ? "watertight"
+                                    : "not watertight");
+  }
+  free(workspace);
+  return result;
+}
+
+int main(int argc, char **argv) {
+  options o = {NULL, NULL, 65536, false, false};
+  char name[64];
+  mesh m = {NULL, NULL, 0, 0, 0, 0, 0};
+  for (int i = 1; i < argc; i++) {
+    if (strcmp(argv[i], "--help") == 0) {
+      fputs(help, stdout);
+      return EXIT_DONE;
+    }
+  }
+  int result = read_options(argc, argv, &o);
+  if (result != EXIT_DONE) {
+    return result;
+  }
+  write_name(name, sizeof name, o.name != NULL ? o.name : o.file, o.name == NULL);
+  o.name = name;
+  mesh_file file = {o.file, NULL, 0, o.scale, 0, ""};
+  char *text = read_file(o.file, &file.bytes);
+  if (text == NULL) {
+    fprintf(stderr, "%s: cannot be read\n", o.file);
+    return EXIT_INPUT;
+  }
+  file.text = text;
+  if (mesh_read(&m, &file)) {
+    const size_t points = m.points;
+    mesh_weld(&m);
+    result = convert(&o, &file, &m, points);
+  } else {
+    result = report_problem(&file);
+  }
+  mesh_free(&m);
+  free(text);
+  return result;
+}

@@ -1,0 +1,162 @@
+// What the readers of text share, and which reader a file gets.
+#include "read.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+// Is the rest of the line empty? A backslash before its end continues it on the next one. Moves to what comes next.
+static bool at_line_end(read_text *text) {
+  const mesh_file *f = text->file;
+  for (; text->at < f->bytes; text->at++) {
+    const char c = f->text[text->at];
+    if (c == '\\') {
+      size_t next = text->at + 1;
+      while (next < f->bytes && is_space(f->text[next])) {
+        next++;
+      }
+      if (next < f->bytes && f->text[next] == '\n') {
+        text->file->line++;
+        text->at = next;
+        continue;
+      }
+    }
+    if (c == '#') {
+      while (text->at < f->bytes && f->text[text->at] != '\n') {
+        text->at++;
+      }
+    }
+    if (text->at == f->bytes || f->text[text->at] == '\n') {
+      return true;
+    }
+    if (!is_space(c)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool read_next_line(read_text *text) {
+  const mesh_file *f = text->file;
+  if (text->at > 0 || f->line > 0) {
+    while (text->at < f->bytes && f->text[text->at] != '\n') {
+      text->at++;
+    }
+    text->at += text->at < f->bytes ? 1 : 0;
+  }
+  for (text->file->line++; at_line_end(text); text->file->line++) {
+    if (text->at >= f->bytes) {
+      return false;
+    }
+    text->at++;
+  }
+  return true;
+}
+
+static size_t word_length(const read_text *text) {
+  const mesh_file *f = text->file;
+  size_t end = text->at;
+  while (end < f->bytes && !is_space(f->text[end]) && f->text[end] != '\n') {
+    end++;
+  }
+  return end - text->at;
+}
+
+bool read_word(read_text *text, const char *word) {
+  if (at_line_end(text)) {
+    return false;
+  }
+  const size_t length = word_length(text);
+  if (length != strlen(word) || memcmp(text->file->text + text->at, word, length) != 0) {
+    return false;
+  }
+  text->at += length;
+  return true;
+}
+
+bool read_any_word(read_text *text, char *out, size_t room) {
+  if (at_line_end(text)) {
+    return false;
+  }
+  const size_t length = word_length(text), kept = length < room ? length : room - 1;
+  memcpy(out, text->file->text + text->at, kept);
+  out[kept] = '\0';
+  text->at += length;
+  return true;
+}
+
+bool read_double(read_text *text, double *out) {
+  char word[80], *end;
+  if (!read_any_word(text, word, sizeof word)) {
+    return false;
+  }
+  *out = strtod(word, &end);
+  return (*end == '\0' && isfinite(*out)) || mesh_fail(text->file, "'%s' is not a number", word);
+}
+
+bool read_integer(read_text *text, int64_t *out) {
+  char word[80], *end;
+  if (!read_any_word(text, word, sizeof word)) {
+    return false;
+  }
+  errno = 0;
+  *out = strtoll(word, &end, 10);
+  return (*end == '\0' && errno == 0) || mesh_fail(text->file, "'%s' is not an integer", word);
+}
+
+// Points: three integers a line, raw LSB. A line of a word and a number may head them, for example "hull 8".
+bool read_points(mesh *m, mesh_file *file) {
+  read_text text = {file, 0};
+  file->scale = 1;
+  while (read_next_line(&text)) {
+    char head[16];
+    const char c = file->text[text.at];
+    if (m->points == 0 && c >= 'a' && c <= 'z') {
+      int64_t count;
+      if (!read_any_word(&text, head, sizeof head) || !read_integer(&text, &count)) {
+        return mesh_fail(file, "a line of points has three integers");
+      }
+      continue;
+    }
+    int64_t lsb[3];
+    for (int i = 0; i < 3; i++) {
+      if (!read_integer(&text, &lsb[i])) {
+        return mesh_fail(file, "a line of points has three integers");
+      }
+    }
+    if (!at_line_end(&text)) {
+      return mesh_fail(file, "a line of points has three integers");
+    }
+    const double xyz[3] = {(double)lsb[0], (double)lsb[1], (double)lsb[2]};
+    if (!mesh_add_point(m, file, xyz)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool mesh_read(mesh *m, mesh_file *file) {
+  static const struct {
+    const char *end;
+    bool (*read)(mesh *m, mesh_file *file);
+  } formats[] = {{".obj", read_obj}, {".stl", read_stl}, {".ply", read_ply}, {".off", read_off}, {".txt", read_points}};
+  const size_t length = strlen(file->name);
+  file->line = 0;
+  for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+    bool same = length >= 4;
+    for (size_t j = 0; same && j < 4; j++) {
+      const char c = file->name[length - 4 + j];
+      same = (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == formats[i].end[j];
+    }
+    if (same) {
+      return formats[i].read(m, file) && (m->points > 0 || mesh_fail(file, "no points"));
+    }
+  }
+  return mesh_fail(file, "unknown kind of file: .obj, .stl, .ply, .off and .txt are known");
+}

@@ -1,0 +1,23 @@
+// What gjk-convert writes to standard output.
+#ifndef WRITE_H
+#define WRITE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "gjk/hull.h"
+
+// A C identifier of a name. file: of a file's name, without folders and ending.
+void write_name(char *out, size_t room, const char *name, bool file);
+
+// A line: points=N vertices=V faces=F volume6=K watertight=yes|no.
+void write_info(const gjk_hull *hull, size_t points, bool watertight);
+
+// Constants for flash: vertices, faces and a shape. False: the hull has more corners than gjk_hull_faces holds; a
+// message is written.
+bool write_source(const gjk_hull *hull, const char *name);
+
+// A case for gjk-query: the hull, and once more beside itself.
+void write_case(const gjk_hull *hull, const char *name);
+
+#endif
