@@ -10,18 +10,10 @@
 //   5. Count the root up until its remainder, x - root^2, is less than 2 root + 1.
 #include "gjk_root.h"
 
-// Rounding in the last step: square is too small by less than 1 in at least 2^30, which raises y by less than 1/2. The
-// shifts of rest and step lower y by less than 3/2.
 uint32_t gjk_reciprocal_root(uint32_t x) {
   uint32_t y = UINT32_C(2319282340) - gjk_umulh32(x, UINT32_C(1342177280));  // Step 1
   for (int i = 0; i < 4; i++) {                                              // Step 2
-    //@ assert y <= INT32_MAX;
-    const uint32_t square = (uint32_t)(gjk_umul32(y, y) >> 30);                   // y < 2^31:  square < 2^32
-    const int64_t rest = gjk_int64((UINT64_C(1) << 62) - gjk_umul32(x, square));  // |rest| <= 2^60
-    //@ assert rest >= -(INT64_C(1) << 60) && rest <= INT64_C(1) << 60;
-    // (y / 2) (rest / 2^62)
-    const int64_t step = gjk_sar64(gjk_mul32((int32_t)(y >> 1), (int32_t)gjk_sar64(rest, 31)), 31);  // |step| <= 2^29
-    y = (uint32_t)((int64_t)y + step);
+    y = gjk_root_step(x, y);
   }
   return y;
 }

@@ -44,8 +44,8 @@ static inline uint64_t gjk_half_turns(uint32_t size) {
   return size * GJK_HALF_TURNS_HIGH + gjk_umulh32(size, GJK_HALF_TURNS_LOW);
 }
 
-// Steps 2 to 4: sine and cosine of a turn in units of 2^-64 that has the sign of angle, Q30, each within 1 LSB of the
-// real one.
+// Steps 2 to 4: sine and cosine, Q30, of a turn in units of 2^-64. The turn has the sign of angle. Each result is within
+// 1 LSB of the real one.
 static void gjk_sine_cosine(gjk_angle angle, uint64_t turn, gjk_q30 *sine, gjk_q30 *cosine) {
   static const uint32_t sine_terms[GJK_SINE_TERMS] = {UINT32_C(1431655765), UINT32_C(429496730), UINT32_C(204522252),
                                                       UINT32_C(119304647), UINT32_C(78090314)};

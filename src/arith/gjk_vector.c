@@ -18,10 +18,16 @@ int64_t gjk_dot_exact(const gjk_long3 *n, const gjk_vec3 *v, uint32_t *low) {
                    gjk_high_digit(n->z), v->z);
 }
 
+// With n = 2^32 nh + nl, -2^31 <= nl < 2^31 per component, and |n| < 2^62.9, |v| <= 2^31:
+//   |nl . v|                   <= sqrt(3) 2^62
+//   |nh . v + nl . v / 2^32|   <= 2^61.9 + 2^31
 int gjk_dot_sign_exact(const gjk_long3 *n, const gjk_vec3 *v) {
-  uint32_t low;
-  const int64_t high = gjk_dot_exact(n, v, &low);
-  return high != 0 ? gjk_sign64(high) : low != 0;
+  const int64_t lowest = gjk_mac32(gjk_mac32(gjk_mul32(gjk_low_balanced(n->x), v->x), gjk_low_balanced(n->y), v->y),
+                                   gjk_low_balanced(n->z), v->z);
+  const int64_t high = gjk_mac32(
+      gjk_mac32(gjk_mac32(gjk_sar64(lowest, 32), gjk_high_balanced(n->x), v->x), gjk_high_balanced(n->y), v->y),
+      gjk_high_balanced(n->z), v->z);
+  return high != 0 ? gjk_sign64(high) : gjk_low32(lowest) != 0;
 }
 
 int gjk_direction_sign(const gjk_direction *direction, const gjk_vec3 *v) {

@@ -33,6 +33,13 @@ static inline gjk_vec3 gjk_negate(gjk_vec3 a) {
   return opposite;
 }
 
+// *to = *from, by parts: GCC makes some copies a call of memcpy on ARMv6-M.
+static inline void gjk_set(const gjk_vec3 *from, gjk_vec3 *to) {
+  to->x = from->x;
+  to->y = from->y;
+  to->z = from->z;
+}
+
 // |x| + |y| + |z|. Pre: at most 2^32 - 1.
 static inline uint32_t gjk_norm1(gjk_vec3 v) {
   return gjk_magnitude32(v.x) + gjk_magnitude32(v.y) + gjk_magnitude32(v.z);
@@ -41,7 +48,7 @@ static inline uint32_t gjk_norm1(gjk_vec3 v) {
 // n . v = 2^31 (returned) + *low, 0 <= *low < 2^31, exact. Pre: |n| < 2^62, |v| <= 2^31, lengths.
 int64_t gjk_dot_exact(const gjk_long3 *n, const gjk_vec3 *v, uint32_t *low);
 
-// The sign of n . v. Pre: as above.
+// The sign of n . v. Pre: |n| < 2^62.9, |v| <= 2^31, lengths.
 int gjk_dot_sign_exact(const gjk_long3 *n, const gjk_vec3 *v);
 
 // a . b, a x b, the sign of n . v and of p q + r s: in line in a build for speed, one copy in a build for size.

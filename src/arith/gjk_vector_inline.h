@@ -26,10 +26,10 @@ GJK_HOT void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
   //@ assert out->z > -(INT64_C(1) << 62) && out->z < INT64_C(1) << 62;
 }
 
-// The sign of n . v. Pre: |n| < 2^62, |v| <= 2^31, lengths.
+// The sign of n . v. Pre: |n| < 2^62.9, |v| <= 2^31, lengths.
 //
 // The high words settle most signs. With n = 2^32 high + low, 0 <= low < 2^32 per component:
-//   |high . v|             <= 3 2^61                       since |high word| <= 2^30
+//   |high . v|             <= 2^61.9 + 2^32                since |high| <= 2^30.9 + 2
 //   |low . v / 2^32|       <  |v.x| + |v.y| + |v.z|        <= sqrt(3) 2^31 < 2^32
 // So top >= 1 or top < -1 is the sign.
 GJK_HOT int gjk_dot_sign(const gjk_long3 *n, const gjk_vec3 *v) {

@@ -55,7 +55,7 @@ static uint32_t leading(const gjk_u128 *x, unsigned bits) {
 //   1. Start from the line Y = 48/17 - 32/17 u, within 1/17 of 1 / u.
 //   2. Three times: Y += Y (1 - u Y). A relative error e becomes -e^2: 2^-4, 2^-8, 2^-16, 2^-32.
 // y fits: it starts at 32/17 2^31 or less, and later is at most 2^63 / x; for x = 2^31 it ends at 2^32 - 1.
-static uint32_t reciprocal(uint32_t x) {
+uint32_t gjk_reciprocal(uint32_t x) {
   uint32_t y = (uint32_t)(UINT64_C(6063483241) - gjk_umulh32(x, UINT32_C(4042322161)));  // Step 1
   for (int i = 0; i < 3; i++) {                                                          // Step 2
     int64_t rest = gjk_int64((UINT64_C(1) << 63) - gjk_umul32(x, y));                    // |rest| <= 2^60
@@ -99,7 +99,7 @@ void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128
     return;
   }
   const unsigned bits = bit_length(&sum);
-  const uint32_t inverse = reciprocal(leading(&sum, bits));
+  const uint32_t inverse = gjk_reciprocal(leading(&sum, bits));
   const uint32_t one = INT32_MAX;
   const uint32_t first = gjk_umulh32(leading(part, bits), inverse);
   const uint32_t second = gjk_umulh32(leading(part2, bits), inverse);
@@ -120,7 +120,7 @@ void gjk_magnitude95(int64_t high, uint32_t low, gjk_u128 *out) {
 
 void gjk_divisor_set(gjk_divisor *divisor, const gjk_u128 *x) {
   divisor->bits = bit_length(x);
-  divisor->inverse = reciprocal(leading(x, divisor->bits));
+  divisor->inverse = gjk_reciprocal(leading(x, divisor->bits));
 }
 
 int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale, unsigned *k) {

@@ -163,6 +163,16 @@ static inline unsigned gjk_clz64(uint64_t x) {
 #endif
 }
 
+// The upper half of x 2^n. Pre: x 2^n < 2^64, n <= 63.
+static inline uint32_t gjk_upper32(uint64_t x, unsigned n) {
+#if GJK_64_BIT
+  return (uint32_t)((x << n) >> 32);
+#else
+  const uint32_t high = (uint32_t)(x >> 32), low = (uint32_t)(x & UINT32_MAX);
+  return n >= 32 ? low << (n - 32) : high << n | (low >> 1) >> (31 - n);
+#endif
+}
+
 // ARMv7-M and up get their long multiplications by name. gcc widens an operand that is used twice ahead of time; then
 // it overlooks the one instruction that multiplies, and spends eight.
 #if defined(__GNUC__) && defined(__ARM_ARCH) && __ARM_ARCH >= 7 && defined(__thumb2__) && !GJK_NARROW_MULTIPLY
@@ -330,6 +340,15 @@ static inline int32_t gjk_low_digit(int64_t x) {
   return (int32_t)(gjk_low32(x) & INT32_MAX);
 }
 
+// The digits of x = 2^32 high + low, -2^31 <= low < 2^31. Pre: |x| < 2^63 - 2^31.
+static inline int32_t gjk_low_balanced(int64_t x) {
+  return gjk_int32(gjk_low32(x));
+}
+
+static inline int32_t gjk_high_balanced(int64_t x) {
+  return gjk_high32(x) + (gjk_low_balanced(x) < 0 ? 1 : 0);
+}
+
 // The sign of p q + r s. Pre: each is below 2^62 in size.
 int gjk_sum_of_products_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s);
 
@@ -356,6 +375,9 @@ void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128
 
 // *out = |x| for x = 2^31 high + low, low < 2^31.
 void gjk_magnitude95(int64_t high, uint32_t low, gjk_u128 *out);
+
+// 2^63 / x, at most 1 too large and 2 too small. Pre: x >= 2^31.
+uint32_t gjk_reciprocal(uint32_t x);
 
 // A divisor, prepared for several divisions.
 typedef struct gjk_divisor {

@@ -1,4 +1,4 @@
-// Writes the cases of files as inputs of the fuzzer of pairs: seeds FOLDER FILE...
+// Writes the cases of files as inputs of the fuzzers of pairs and of casts: seeds FOLDER FILE...
 #include <stdlib.h>
 
 #include "case/parse.h"
@@ -35,6 +35,12 @@ static void write_shape(FILE *file, const case_shape *shape) {
   }
 }
 
+// As casts.c reads it. A shape that stands has no way, so that inputs for pairs stay as they are.
+static void write_way(FILE *file, const case_shape *shape) {
+  write_u8(file, shape->moves ? 2 : 0);
+  write_vec3(file, shape->end.position);
+}
+
 int main(int argc, char **argv) {
   static case_pair pair;
   static case_reader reader;
@@ -56,6 +62,11 @@ int main(int argc, char **argv) {
       }
       write_shape(out, &pair.a);
       write_shape(out, &pair.b);
+      if (pair.a.moves || pair.b.moves) {
+        write_way(out, &pair.a);
+        write_way(out, &pair.b);
+        write_u8(out, 1);
+      }
       fclose(out);
     }
     fclose(in);

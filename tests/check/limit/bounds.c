@@ -56,7 +56,7 @@ typedef struct two {
 static bool update(const gjk_shape *shape, gjk_q16 margin, uint8_t detail, uint8_t retest_all, two *out) {
   static uint32_t block[400];
   static const gjk_shape *table[2];
-  const gjk_scene_config config = {2, 2, 0, 1, GJK_RADIUS_MAX, detail, 0, retest_all, 0, CELLS};
+  const gjk_scene_config config = {2, 2, 0, 1, GJK_RADIUS_MAX, detail, 0, retest_all, 0, CELLS, 0};
   const gjk_part parts[2] = {{0, false, GJK_POSE_IDENTITY}, {1, false, GJK_POSE_IDENTITY}};
   const gjk_scene_bindings bindings = {
       .details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = &out->manifold};

@@ -49,19 +49,39 @@ static bool is_outside(const search *s) {
   return f->squared.sign > 0;
 }
 
-void exact_brute(const gjk_collider *a, const gjk_collider *b, exact_truth *out) {
-  const unsigned count_a = exact_vertex_count(a), count_b = exact_vertex_count(b);
-  search s;
-  assert(count_a * count_b > 0 && count_a * count_b <= EXACT_BRUTE_MAX);
-  s.count = 0;
-  s.found = false;
-  s.out = out;
-  for (unsigned i = 0; i < count_a; i++) {
-    for (unsigned k = 0; k < count_b; k++) {
-      const exact_point at_a = exact_vertex(a, i), at_b = exact_vertex(b, k);
-      s.w[s.count++] = exact_subtract(&at_a, &at_b);
+static void begin(search *s, exact_truth *out) {
+  s->count = 0;
+  s->found = false;
+  s->out = out;
+}
+
+static void add_vertices(search *s, const gjk_collider *a, const gjk_collider *b, const exact_point *moved) {
+  for (unsigned i = 0; i < exact_vertex_count(a); i++) {
+    for (unsigned k = 0; k < exact_vertex_count(b); k++) {
+      const exact_point at_a = exact_vertex(a, i), at_b = exact_vertex(b, k), w = exact_subtract(&at_a, &at_b);
+      assert(s->count < EXACT_BRUTE_MAX);
+      s->w[s->count++] = exact_subtract(&w, moved);
     }
   }
+}
+
+static const exact_point nowhere = {{0, 0, 0}};
+
+void exact_brute(const gjk_collider *a, const gjk_collider *b, exact_truth *out) {
+  search s;
+  begin(&s, out);
+  add_vertices(&s, a, b, &nowhere);
+  assert(s.count > 0);
+  try_features(&s);
+  out->enclosing = !is_outside(&s);
+}
+
+void exact_brute_way(const gjk_collider *a, const gjk_collider *b, const exact_point *way, exact_truth *out) {
+  search s;
+  begin(&s, out);
+  add_vertices(&s, a, b, &nowhere);
+  add_vertices(&s, a, b, way);
+  assert(s.count > 0);
   try_features(&s);
   out->enclosing = !is_outside(&s);
 }

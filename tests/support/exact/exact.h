@@ -57,6 +57,10 @@ typedef struct exact_truth {
 // Pre: the product of the vertex counts is at most EXACT_BRUTE_MAX, and not 0.
 void exact_brute(const gjk_collider *a, const gjk_collider *b, exact_truth *out);
 
+// The same of A - B and all places of B on a way against A: what it finds tells whether they come near on the way.
+// Pre: twice the product of the vertex counts is at most EXACT_BRUTE_MAX; |way| < 2^33 per axis.
+void exact_brute_way(const gjk_collider *a, const gjk_collider *b, const exact_point *way, exact_truth *out);
+
 // Are the shapes at most distance apart?
 bool exact_truth_within(const exact_truth *truth, const gjk_collider *a, const gjk_collider *b, gjk_q16 distance);
 

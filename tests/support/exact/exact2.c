@@ -88,18 +88,22 @@ static exact2_point outward(exact2_point e) {
 
 // Step 2.
 
-// The largest n . (a - b).
+// The largest n . (v - v0) of a hull, v0 being its first corner. Pre: n is an edge, turned by a quarter or not.
+//   |components| <= 2^29:  each product <= 2^58
+static int64_t reach(const exact2_hull *hull, exact2_point n) {
+  int64_t most = 0;
+  for (unsigned i = 1; i < hull->count; i++) {
+    const exact2_point v = minus(hull->vertex[i], hull->vertex[0]);
+    const int64_t along = n.x * v.x + n.y * v.y;
+    most = along > most ? along : most;
+  }
+  return most;
+}
+
+// The largest n . (a - b). Pre: as of reach.
 static wide height(const exact2_hull *a, const exact2_hull *b, exact2_point n) {
-  wide of_a = dot(n, a->vertex[0]), of_b = dot(n, b->vertex[0]);
-  for (unsigned i = 1; i < a->count; i++) {
-    const wide along = dot(n, a->vertex[i]);
-    of_a = along > of_a ? along : of_a;
-  }
-  for (unsigned i = 1; i < b->count; i++) {
-    const wide along = dot(n, b->vertex[i]);
-    of_b = along < of_b ? along : of_b;
-  }
-  return of_a - of_b;
+  const exact2_point opposite = {-n.x, -n.y};
+  return dot(n, minus(a->vertex[0], b->vertex[0])) + reach(a, n) + reach(b, opposite);
 }
 
 static exact2_point negated(exact2_point p) {
@@ -110,7 +114,8 @@ static exact2_point negated(exact2_point p) {
 // Does an edge of a hull part the two? sign: 1 for an edge of A, -1 for one of B.
 static bool parts(const exact2_hull *a, const exact2_hull *b, exact2_point e, int sign) {
   const exact2_point normal = sign > 0 ? outward(e) : negated(outward(e));
-  return height(a, b, normal) < 0 || height(a, b, e) < 0 || height(a, b, negated(e)) < 0;
+  const bool flat = a->count <= 2 && b->count <= 2;
+  return height(a, b, normal) < 0 || (flat && (height(a, b, e) < 0 || height(a, b, negated(e)) < 0));
 }
 
 static bool hulls_meet(const exact2_hull *a, const exact2_hull *b) {
@@ -135,9 +140,13 @@ typedef struct gap {
   exact2_point direction;
 } gap;
 
+static long double real(exact2_wide x) {
+  return 0x1p64L * (uint64_t)(x >> 64) + (uint64_t)x;
+}
+
 // Its square, within 2^-62 of itself.
 static long double squared(const gap *g) {
-  return (long double)g->numerator / (long double)g->denominator;
+  return real(g->numerator) / real(g->denominator);
 }
 
 // The sign of the distance - twice / 2. Pre: 0 <= twice < 2^35.
@@ -186,9 +195,9 @@ static void multiply(exact2_wide a, exact2_wide b, exact2_wide *high, exact2_wid
   *low = (other << 64) + (uint64_t)(a0 * b0);
 }
 
-// Is a less than b? Where their quotients differ by more than rounding they tell it.
-static bool is_nearer(const gap *a, const gap *b) {
-  const long double x = squared(a), y = squared(b);
+// Is a less than b? Where products with 64 bits differ by more than rounding they tell it.
+static bool is_nearer(const gap *a, const gap *b, long double numerator_b, long double denominator_b) {
+  const long double x = real(a->numerator) * denominator_b, y = numerator_b * real(a->denominator);
   if (x < y * (1 - 1e-17L) || y < x * (1 - 1e-17L)) {
     return x < y;
   }
@@ -200,12 +209,15 @@ static bool is_nearer(const gap *a, const gap *b) {
 
 // The gaps from each corner to each edge. swapped: from B's corners to A's edges; directions lead from A to B.
 static void take_gaps(const exact2_hull *from, const exact2_hull *to, bool swapped, gap *best) {
+  long double numerator = real(best->numerator), denominator = real(best->denominator);
   for (unsigned i = 0; i < from->count; i++) {
     for (unsigned k = 0; k < to->count; k++) {
       gap g = gap_to_edge(from->vertex[i], to->vertex[k], edge(to, k));
       g.direction = swapped ? negated(g.direction) : g.direction;
-      if (best->denominator == 0 || is_nearer(&g, best)) {
+      if (best->denominator == 0 || is_nearer(&g, best, numerator, denominator)) {
         *best = g;
+        numerator = real(g.numerator);
+        denominator = real(g.denominator);
       }
     }
   }

@@ -1,0 +1,33 @@
+// The bracket of the fraction of a cast where shapes are rounded or curved, or a margin is asked about.
+#ifndef GJK_SRC_ADVANCE_H
+#define GJK_SRC_ADVANCE_H
+
+#include "gjk_way.h"
+
+// The ceiling on the rounds of a cast: measurements of the gap. Polytopes end before it (gjk_advance.c); of a curved
+// pair GJK_ITERATIONS_MAX counts the iterations of all rounds as well. A build may define a lower one, for tests.
+#ifndef GJK_ADVANCE_ROUNDS_MAX
+#define GJK_ADVANCE_ROUNDS_MAX 64
+#endif
+#if GJK_ADVANCE_ROUNDS_MAX < 1 || GJK_ADVANCE_ROUNDS_MAX > 1000
+#error "GJK_ADVANCE_ROUNDS_MAX must be from 1 to 1000"
+#endif
+
+// What the rounds prove.
+typedef enum gjk_advance_answer {
+  GJK_ADVANCE_MISS,    // the gap stays above the margin on the whole way
+  GJK_ADVANCE_INSIDE,  // it is at most the margin at the start
+  GJK_ADVANCE_START,   // of polytopes alone: at the start it is the margin, to 2^-24 of a margin above 8000 units
+  GJK_ADVANCE_HIT,     // it is at most the margin somewhere; of curved pairs as gjk_cast decides
+  GJK_ADVANCE_OPEN,  // of polytopes alone: the way grazes, or ends, within 2 LSB of the margin. As of a hit, if it is one
+  GJK_ADVANCE_LIMIT  // a ceiling is reached: up to the fraction the gap is above the margin
+} gjk_advance_answer;
+
+// Brackets the fraction of a cast with a convex radius or a margin, or of which a shape is curved.
+//
+// out   HIT, START, OPEN, LIMIT: inside, fraction, points, normal, rests, saturated, as gjk_cast has them; of LIMIT the points
+//       and the normal are those of the last round. Always: iterations. All else is the caller's.
+gjk_advance_answer gjk_advance(const gjk_collider *a, const gjk_collider *b, const gjk_way *way, gjk_q16 margin,
+                               gjk_cast_result *out);
+
+#endif

@@ -1,0 +1,224 @@
+// The time of impact of two shapes that move and turn.
+//
+//   1. Pose both at x, 0 at first, and measure their distance, exactly. Within margin and tolerance: a hit.
+//   2. Take the normal as a direction. It turns with the shape that has more vertices in the nearest feature; else on as
+//      it has turned since the last x; or it stands still.
+//   3. The next x is where the separation along it is no more proven to be above the margin and the slack of roundings
+//      (gjk_impact_separation.h). At the end of the way: a miss. Otherwise on from 1.
+//
+// So until x no posed shapes come within the margin. A distance above margin and tolerance is a separation above margin
+// and slack, since the tolerance is larger than the slack: each round gets on.
+//
+// The slack, by body, from the shapes as posed at x by their motion in real numbers to those posed at any later
+// fraction, along any direction; lengths in LSB, with r for the distance of the farthest point, convex radius included,
+// from the pose's position:
+//   posing, twice            vertices sqrt(3) 3/4 each; of half axes sqrt(3)/2 for each; curved 0.89, and 2 of the distance
+//   position, once           sqrt(3)/2
+//   quaternion, twice        r 32 2^-30           gjk_motion.h
+//   matrix of half axes      r 3 2^-30
+//   directions               r 27 2^-30           gjk_turning_rotate, twice, and into the frame of a hull
+//   the same of |p_b - p_a|  r 48 2^-30           where the direction turns it is at most 4 times both r
+//   normal                   r 4 2^-30
+//   all with r               < 2^-23 r
+// and for the pair 1/2 of the distance, 1/8 of separations in Q8, and 2^-26 of the margin for the lengths of directions.
+#include "../arith/gjk_memory.h"
+#include "../arith/gjk_root.h"
+#include "../shape/gjk_shape_class.h"
+#include "gjk/distance.h"
+#include "gjk_impact_separation.h"
+
+// A query: both bodies, and how near is a hit.
+typedef struct impact_query {
+  gjk_mover mover[2];
+  int64_t wanted;   // the gap that is wanted, Q8: margin and slack
+  int64_t radii;    // both convex radii, LSB
+  int64_t touched;  // the gap of a hit: margin and tolerance, LSB
+  gjk_q30 x;
+} impact_query;
+
+// Is position within int32 with reach around it?
+static bool fits_around(gjk_q16 position, int64_t reach) {
+  return position - reach >= INT32_MIN && position + reach <= INT32_MAX;
+}
+
+// Does the centre stay within int32 on the way, whatever the rotation? away: its distance from the pose's position.
+static bool stays_in_range(const gjk_vec3 *from, const gjk_vec3 *to, int64_t away) {
+  return fits_around(from->x, away) && fits_around(from->y, away) && fits_around(from->z, away) &&
+         fits_around(to->x, away) && fits_around(to->y, away) && fits_around(to->z, away);
+}
+
+// Binds a body to its motion. The copy of its collider has no buffer, so that the caller's stays as it is.
+static gjk_status start_mover(gjk_mover *m, const gjk_collider *c, const gjk_motion *motion) {
+  if (c->state != GJK_STATE_INITIALISED && c->state != GJK_STATE_POSED) {
+    return GJK_ERROR_UNINITIALISED;
+  }
+  m->motion = motion;
+  m->collider.shape = c->shape;
+  m->collider.buffer = NULL;
+  m->collider.local_centre = c->local_centre;
+  m->collider.core_radius = c->core_radius;
+  m->collider.radius = c->radius;
+  m->collider.state = GJK_STATE_INITIALISED;
+  m->collider.count = c->count;
+  m->collider.bits = c->bits;
+  const gjk_vec3 *away = &c->local_centre;
+  // Each square at most 2^62, the root at most sqrt(3) 2^31; core_radius < 2^28:  reach < 2^32
+  const uint32_t root = gjk_isqrt64((uint64_t)gjk_mul32(away->x, away->x) + (uint64_t)gjk_mul32(away->y, away->y) +
+                                    (uint64_t)gjk_mul32(away->z, away->z));
+  const uint32_t far = root > 0 ? root + 2 : 0;
+  m->reach = far + (uint32_t)c->core_radius;
+  const gjk_status status = gjk_turning_start(motion, &m->turning);
+  return status == GJK_OK && !stays_in_range(&motion->from.position, &motion->to.position, far) ? GJK_ERROR_RANGE
+                                                                                                : status;
+}
+
+// sqrt(3)/2, Q8, rounded up.
+#define HALF_DIAGONAL 222
+
+// A body's part of the slack, Q8.
+static int64_t impact_slack(const gjk_mover *m) {
+  const gjk_shape *shape = m->collider.shape;
+  const int64_t r = (int64_t)m->reach + shape->convex_radius;
+  const int64_t posing = gjk_is_curved(shape)                 ? 228 + 2 * 256
+                         : shape->type->kind == GJK_KIND_AXES ? HALF_DIAGONAL * m->collider.count
+                                                              : HALF_DIAGONAL * 3 / 2;
+  return 2 * posing + HALF_DIAGONAL + gjk_sar64(r, 15) + 1;
+}
+
+static gjk_status start_impact(impact_query *of, const gjk_impact_setup *setup) {
+  if (setup->margin < 0) {
+    return GJK_ERROR_NEGATIVE;
+  }
+  const int64_t slack =
+      impact_slack(&of->mover[0]) + impact_slack(&of->mover[1]) + 128 + 32 + gjk_sar64(setup->margin, 18) + 1;
+  if (setup->tolerance < GJK_IMPACT_TOLERANCE_MIN || setup->margin > GJK_IMPACT_MARGIN_MAX ||
+      setup->tolerance * INT64_C(256) < slack + 256) {
+    return GJK_ERROR_RANGE;
+  }
+  of->radii = (int64_t)of->mover[0].collider.shape->convex_radius + of->mover[1].collider.shape->convex_radius;
+  of->wanted = (int64_t)setup->margin * 256 + slack;
+  of->touched = (int64_t)setup->margin + setup->tolerance;
+  of->x = 0;
+  return GJK_OK;
+}
+
+// Poses a body at a fraction. Out of line, as next_x, so that their stack is not that of distances too.
+GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, gjk_q30 fraction) {
+  gjk_pose pose;
+  gjk_turning_pose(m->motion, &m->turning, fraction, &pose);
+  (void)gjk_collider_pose(&m->collider, &pose);
+}
+
+// How many different vertices of one shape are in a feature. Those of curved shapes count as one.
+static unsigned vertices_in(const uint16_t *number, unsigned count) {
+  unsigned different = count > 0 ? 1 : 0;
+  for (unsigned i = 1; i < count; i++) {
+    bool seen = false;
+    for (unsigned j = 0; j < i; j++) {
+      seen = seen || number[i] == number[j];
+    }
+    different += seen ? 0 : 1;
+  }
+  return different;
+}
+
+// Step 2: with the shape that has more vertices in the nearest feature; else on as it has turned since x was `last` and
+// the normal `before`. out: room for that.
+static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_result *gap, const gjk_unit3 *before,
+                                     gjk_q30 last, gjk_turning *out) {
+  const gjk_turning *of_a = &of->mover[0].turning, *of_b = &of->mover[1].turning;
+  const gjk_certificate *nearest = &gap->certificate;
+  const unsigned a = vertices_in(nearest->a, nearest->count), b = vertices_in(nearest->b, nearest->count);
+  if (a != b) {
+    return a > b ? of_a : of_b;
+  }
+  const bool turns = (of_a->half_turns | of_b->half_turns) != 0;
+  return turns && gjk_turning_between(before, &gap->normal, of->x - last, out) ? out : NULL;
+}
+
+static void write_impact(const impact_query *of, gjk_impact_result *out, gjk_q30 upper) {
+  out->lower = of->x;
+  out->upper = upper;
+  gjk_turning_pose(of->mover[0].motion, &of->mover[0].turning, of->x, &out->pose_a);
+  gjk_turning_pose(of->mover[1].motion, &of->mover[1].turning, of->x, &out->pose_b);
+}
+
+// The shapes touch at x.
+static void write_impact_hit(const impact_query *of, gjk_q16 margin, const gjk_distance_result *gap,
+                             gjk_impact_result *out) {
+  out->hit = true;
+  out->overlap = of->x == 0 && gap->distance <= margin;
+  out->distance = gap->distance;
+  if (!gap->intersecting) {
+    out->point_a = gap->point_a;
+    out->point_b = gap->point_b;
+    out->normal = gap->normal;
+  }
+  write_impact(of, out, of->x);
+}
+
+// The last round's normal, and where it was.
+typedef struct round_before {
+  gjk_unit3 normal;
+  gjk_q30 x;
+} round_before;
+
+// Steps 2 and 3: the next x. exact: the gap is a distance, not only bounds of one.
+GJK_OUT_OF_LINE static gjk_q30 next_x(const impact_query *of, const gjk_distance_result *gap, bool exact,
+                                      const round_before *last) {
+  gjk_turning on;
+  gjk_separation along;
+  along.mover = of->mover;
+  along.n = gap->normal;
+  along.start = of->x;
+  along.carrier = carrier_of(of, gap, &last->normal, last->x, &on);
+  // A distance is off by at most 2^-26 of itself. The normal of bounds is not that of the lower one: then s is measured.
+  const int64_t lower = (int64_t)gap->lower * 256;
+  const int64_t above = exact ? lower - gjk_sar64(lower, 26) - of->wanted : -1;
+  return gjk_separation_holds(&along, above, of->wanted + of->radii * 256, (of->touched * 256 - of->wanted) / 4);
+}
+
+// Steps 1 to 3, at most `most` times.
+static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most, gjk_impact_result *out) {
+  gjk_cache cache;
+  round_before last;
+  gjk_zero(&cache, sizeof cache);
+  gjk_zero(&last, sizeof last);
+  out->hit = false;
+  out->overlap = false;
+  for (unsigned i = 1; i <= most; i++) {
+    gjk_distance_result gap;
+    pose_mover(&of->mover[0], of->x);
+    pose_mover(&of->mover[1], of->x);
+    const gjk_status status = gjk_distance(&of->mover[0].collider, &of->mover[1].collider, &cache, &gap);  // Step 1
+    out->iterations = (uint8_t)i;
+    if (gap.upper <= of->touched) {
+      write_impact_hit(of, margin, &gap, out);
+      return GJK_OK;
+    }
+    const gjk_q30 x = next_x(of, &gap, status == GJK_OK, &last);
+    last.normal = gap.normal;
+    last.x = of->x;
+    of->x = x;
+    if (x == GJK_Q30_ONE || x == last.x) {
+      break;
+    }
+  }
+  write_impact(of, out, GJK_Q30_ONE);
+  return of->x == GJK_Q30_ONE ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
+}
+
+gjk_status gjk_time_of_impact(const gjk_collider *a, const gjk_motion *motion_a, const gjk_collider *b,
+                              const gjk_motion *motion_b, const gjk_impact_setup *setup, gjk_impact_result *out) {
+  if (a == NULL || motion_a == NULL || b == NULL || motion_b == NULL || setup == NULL || out == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  impact_query of;
+  gjk_status status = start_mover(&of.mover[0], a, motion_a);
+  status = status == GJK_OK ? start_mover(&of.mover[1], b, motion_b) : status;
+  status = status == GJK_OK ? start_impact(&of, setup) : status;
+  if (status != GJK_OK) {
+    return status;
+  }
+  return advance_impact(&of, setup->margin, setup->iterations > 0 ? setup->iterations : GJK_ITERATIONS_MAX, out);
+}

@@ -1,0 +1,312 @@
+// The separation along a direction, and how long it holds.
+//
+//   1. Measure s at x, the start at first. It has to be above the target.
+//   2. Choose y, as far as the parabola leaves hope: c <= 4 (s(x) - target). Measure s there.
+//   3. The first root of chord less parabola is the next x; without a root it is y.
+//   4. On from 1 or 2, until x is the end, s is near the target, or STEPS_MAX are done.
+//
+// Units: separations are in LSB, Q8; angles in radians, Q16; parts of the way in Q30.
+#include "gjk_impact_separation.h"
+
+#include "../arith/gjk_root.h"
+#include "../arith/gjk_rotation.h"
+#include "../shape/gjk_scan.h"
+
+// The most steps along one direction, of one or two separations each.
+#define STEPS_MAX 16
+
+// Angles from here on, 8 radians, leave no hope.
+#define ANGLE_MAX (INT32_C(8) << 16)
+
+// A direction turns on as it has turned only where that was by an angle from 2^-20 to 1/4 radians, over a part of the way
+// of at least 2^-17: less is noise, more is another feature.
+#define SINE_MIN (UINT32_C(1) << 10)
+#define SINE_MAX (UINT32_C(1) << 28)
+#define PART_MIN (INT32_C(1) << 13)
+
+// A bound that leaves no hope.
+#define HOPELESS (INT64_C(1) << 50)
+
+// v . (b - a), Q8, rounded down. Pre: |v| <= 2^30 + 2^5; |b - a| <= sqrt(3) 2^32:  the product is below 2^63
+GJK_OUT_OF_LINE static int64_t along_q8(const gjk_unit3 *v, const gjk_vec3 *a, const gjk_vec3 *b) {
+  const int64_t x = (int64_t)b->x - a->x, y = (int64_t)b->y - a->y, z = (int64_t)b->z - a->z;
+  return gjk_sar64(v->x * x + v->y * y + v->z * z, 22);
+}
+
+// low + part / 2^30 (high - low), at most 2 too small. Pre: |high - low| < 2^45.
+static int64_t blend_q8(int64_t low, int64_t high, gjk_q30 part) {
+  const int64_t way = high - low;
+  const int32_t coarse = (int32_t)gjk_sar64(way, 15), fine = (int32_t)(way - gjk_shl64(coarse, 15));
+  return low + gjk_sar64(gjk_mul32(coarse, part), 15) + gjk_sar64(gjk_mul32(fine, part), 30);
+}
+
+// v . (p_b - p_a) at a fraction, Q8, at most 4 too small.
+static int64_t between_positions(const gjk_separation *of, const gjk_unit3 *v, gjk_q30 fraction) {
+  const gjk_motion *a = of->mover[0].motion, *b = of->mover[1].motion;
+  return blend_q8(along_q8(v, &a->from.position, &b->from.position), along_q8(v, &a->to.position, &b->to.position),
+                  fraction);
+}
+
+// How far a body's core reaches along d, from the position that it is posed at, Q8, rounded down. d: a unit vector.
+// Of a hull without a table it is that of the shape's own vertices, turned in real numbers: within what posing does.
+static int64_t extent_along(const gjk_collider *c, const gjk_unit3 *d) {
+  const gjk_vec3 along = {d->x, d->y, d->z};
+  const gjk_shape *shape = c->shape;
+  if (shape->type->buffered && shape->user == NULL) {
+    const gjk_vec3 local = gjk_rotate_back(c->frame, &along), *first = shape->vertices;
+    const gjk_vec3 *v = gjk_scan(first, first + shape->count, 31, &local);
+    return gjk_sar64(gjk_dot(&local, v), 22);
+  }
+  gjk_support at;
+  shape->type->support(c, &along, &at);
+  return along_q8(d, &c->position, &c->centre) + gjk_sar64(gjk_dot(&along, &at.offset), 22);
+}
+
+static gjk_unit3 opposite_unit(const gjk_unit3 *v) {
+  const gjk_unit3 negative = {-v->x, -v->y, -v->z};
+  return negative;
+}
+
+// s at a fraction from the start on, Q8, within 8.
+static int64_t separation_at(const gjk_separation *of, gjk_q30 fraction) {
+  const gjk_q30 part = fraction - of->start;
+  gjk_unit3 v = of->n;
+  if (of->carrier != NULL) {
+    gjk_turning_rotate(of->carrier, part, false, &v);
+  }
+  int64_t s = between_positions(of, &v, fraction);
+  for (int i = 0; i < 2; i++) {
+    gjk_unit3 d = v;
+    if (of->carrier == &of->mover[i].turning) {
+      d = of->n;
+    } else {
+      gjk_turning_rotate(&of->mover[i].turning, part, true, &d);
+    }
+    if (i == 1) {
+      d = opposite_unit(&d);
+    }
+    s -= extent_along(&of->mover[i].collider, &d) + 1;
+  }
+  return s;
+}
+
+// What of the bounds does not depend on the part of the way.
+typedef struct separation_bounds {
+  uint32_t angle[3];    // over the whole way, radians, Q16, rounded up; 0: nothing turns; [2]: the direction
+  uint32_t across;      // k of a direction that turns, Q16, rounded up
+  uint32_t arm[2];      // r of a body that turns, but not with the direction, LSB; k r where the direction stands still
+  uint64_t apart, way;  // |p_b - p_a| from the start on, and how far both go on the whole way; LSB
+} separation_bounds;
+
+// The angle over the whole way: 4 pi half_turns / 2^48 radians, Q16, rounded up.  half_turns / 2^29 < 2^32
+static uint32_t whole_angle(const gjk_turning *turning) {
+  if (turning->half_turns == 0) {
+    return 0;
+  }
+  const uint64_t turns = (turning->half_turns >> 29) + 1;
+  return (uint32_t)(gjk_umul32((uint32_t)turns, UINT32_C(3373259427)) >> 31) + 1;
+}
+
+// *cross = a x b, Q30, each component less than 1 off. Returns its length, rounded down.
+static uint32_t cross_q30(const gjk_unit3 *a, const gjk_unit3 *b, gjk_vec3 *cross) {
+  const gjk_vec3 u = {a->x, a->y, a->z}, v = {b->x, b->y, b->z};
+  gjk_long3 wide;
+  gjk_cross(&u, &v, &wide);
+  cross->x = (int32_t)gjk_sar64(wide.x, 30);
+  cross->y = (int32_t)gjk_sar64(wide.y, 30);
+  cross->z = (int32_t)gjk_sar64(wide.z, 30);
+  return gjk_isqrt64((uint64_t)gjk_dot(cross, cross));
+}
+
+// The sine of the angle between axis and n, Q16, rounded up.
+static uint32_t sine_between(const gjk_unit3 *axis, const gjk_unit3 *n) {
+  gjk_vec3 cross;
+  return (cross_q30(axis, n, &cross) >> 14) + 2;
+}
+
+// At least the distance between two points: its largest component and half of the others.
+GJK_OUT_OF_LINE static uint64_t distance_bound(const gjk_vec3 *p, const gjk_vec3 *q) {
+  const uint64_t a = gjk_magnitude64((int64_t)q->x - p->x), b = gjk_magnitude64((int64_t)q->y - p->y);
+  const uint64_t c = gjk_magnitude64((int64_t)q->z - p->z);
+  const uint64_t most = a > b ? (a > c ? a : c) : (b > c ? b : c);
+  return (most + a + b + c + 1) / 2;
+}
+
+// x y / 2^16, rounded up. Pre: the product is below 2^63.
+static uint64_t q16_product(uint64_t x, uint32_t y) {
+  return ((x * y) >> 16) + 1;
+}
+
+// False: the direction turns, and the bodies are so far apart that its rounding would count.
+static bool set_separation_bounds(separation_bounds *of, const gjk_separation *s) {
+  const gjk_motion *a = s->mover[0].motion, *b = s->mover[1].motion;
+  const uint64_t now = distance_bound(&s->mover[0].collider.position, &s->mover[1].collider.position) + 2;
+  const uint64_t end = distance_bound(&a->to.position, &b->to.position);
+  of->apart = now > end ? now : end;
+  of->way = distance_bound(&a->from.position, &a->to.position) + distance_bound(&b->from.position, &b->to.position);
+  for (int i = 0; i < 2; i++) {
+    const gjk_turning *turning = &s->mover[i].turning;
+    of->arm[i] = 0;
+    of->angle[i] = s->carrier == turning ? 0 : whole_angle(turning);
+    if (of->angle[i] != 0) {
+      of->arm[i] = s->carrier != NULL ? s->mover[i].reach
+                                      : (uint32_t)q16_product(s->mover[i].reach, sine_between(&turning->axis, &s->n));
+    }
+  }
+  of->angle[2] = s->carrier == NULL ? 0 : whole_angle(s->carrier);
+  of->across = s->carrier == NULL ? 0 : sine_between(&s->carrier->axis, &s->n);
+  return s->carrier == NULL || of->apart <= 4 * ((uint64_t)s->mover[0].reach + s->mover[1].reach);
+}
+
+// length w^2, Q16, rounded up, in two steps: the second factor alone keeps its fraction. Pre: length < 2^34, w < 2^19.
+static uint64_t times_square(uint64_t length, uint32_t w) {
+  return q16_product(length, w) * w;
+}
+
+// c over a part of the way, Q8, rounded up. HOPELESS where a body turns by ANGLE_MAX or more.
+static int64_t parabola(const separation_bounds *of, const gjk_separation *s, gjk_q30 part) {
+  uint32_t w[3];  // angles, Q16
+  for (int i = 0; i < 3; i++) {
+    w[i] = of->angle[i] == 0 ? 0 : (uint32_t)(gjk_umul32(of->angle[i], (uint32_t)part) >> 30) + 1;
+    if (w[i] >= ANGLE_MAX) {
+      return HOPELESS;
+    }
+  }
+  const uint64_t turned_a = q16_product(of->arm[0], w[0]), turned_b = q16_product(of->arm[1], w[1]);
+  uint64_t twice = turned_a * w[0] + turned_b * w[1];  // Q16, each term below 2^57
+  if (s->carrier != NULL) {
+    const uint64_t moved = ((of->way / 16 + 1) * (uint32_t)part >> 26) + 1;
+    twice += times_square(q16_product(of->apart + (s->carrier == &s->mover[0].turning ? 0 : s->mover[0].reach) +
+                                          (s->carrier == &s->mover[1].turning ? 0 : s->mover[1].reach),
+                                      of->across),
+                          w[2]) +
+             2 * q16_product(moved + turned_a + turned_b, of->across) * w[2];
+  }
+  return (int64_t)(twice >> 9) + 1;
+}
+
+// 2^(62 - k) / x, rounded down, at most 2^-28 of itself too small, below 2^31. k: the leading zeros of x. Pre: x > 0.
+static uint32_t reciprocal_of(uint32_t x, unsigned k) {
+  const uint32_t root = gjk_reciprocal_root(x << k) - 1;
+  return (uint32_t)(gjk_umul32(root, root) >> 30);
+}
+
+// The first root of g (1 - z) + h z - c z (1 - z) from 0 to 1, Q30, rounded down; GJK_Q30_ONE where there is none.
+// That is  2 g / (b + sqrt(b^2 - 4 c g))  with  b = g - h + c.  Pre: g > 0, c >= 0, all at most 2^51 in size.
+static gjk_q30 first_root(int64_t g, int64_t h, int64_t c) {
+  const unsigned zeros = gjk_clz64(gjk_magnitude64(g) | gjk_magnitude64(h) | gjk_magnitude64(c));
+  const unsigned down = zeros < 36 ? 36 - zeros : 0;  // to 28 bits
+  const int32_t gs = (int32_t)gjk_sar64(g, down), cs = (int32_t)gjk_sar64(c, down) + (down > 0 ? 1 : 0);
+  const int32_t hs = (int32_t)gjk_sar64(h, down), b = gs - hs + cs;  // |b| <= 3 2^28
+  const int64_t rest = gjk_mul32(b, b) - 4 * gjk_mul32(cs, gs);      // |rest| < 2^61
+  if (hs >= 0 && (b >= 2 * (int64_t)cs || b <= 0 || rest < 0)) {
+    return GJK_Q30_ONE;
+  }
+  const uint32_t whole = (uint32_t)b + gjk_isqrt64((uint64_t)rest) + 1;  // below 2^31
+  const unsigned k = gjk_clz32(whole);
+  const uint64_t z = gjk_umul32((uint32_t)gs, reciprocal_of(whole, k)) >> (31 - k);
+  return z < (uint64_t)GJK_Q30_ONE ? (gjk_q30)z : GJK_Q30_ONE;
+}
+
+// 2^34 / (2 pi), half of it for half an angle.
+#define TURNS_PER_RADIAN UINT32_C(2734261102)
+
+bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 part, gjk_turning *out) {
+  gjk_vec3 cross;
+  const uint32_t sine = cross_q30(from, to, &cross);
+  const gjk_quat direction = {cross.x, cross.y, cross.z, 0};
+  gjk_quat unit;
+  if (sine < SINE_MIN || sine > SINE_MAX || part < PART_MIN || gjk_quat_normalize(&direction, &unit) != GJK_OK) {
+    return false;
+  }
+  out->axis.x = unit.x;
+  out->axis.y = unit.y;
+  out->axis.z = unit.z;
+  // sine / part 2^48 / (4 pi), as (sine 2^(62 - k) / part / 2^30) 2^35 / (4 pi) 2^(k - 19); part >= 2^13:  k <= 18
+  const unsigned k = gjk_clz32((uint32_t)part);
+  const uint32_t ratio = (uint32_t)(gjk_umul32(sine, reciprocal_of((uint32_t)part, k)) >> 30);
+  out->half_turns = gjk_umul32(ratio, TURNS_PER_RADIAN) >> (19 - k);
+  return out->half_turns != 0;
+}
+
+// A step: how far above the target s is at x and at y, and what may lie between.
+typedef struct separation_step {
+  gjk_q30 x, y;
+  int64_t g, h;  // s - target at x and y, Q8
+  bool known;    // h is set
+} separation_step;
+
+// A lower bound of s - target at a fraction, whatever the rotations are there: bodies that turn count as spheres.
+static int64_t of_spheres(const gjk_separation *s, gjk_q30 fraction, int64_t target) {
+  int64_t bound = between_positions(s, &s->n, fraction) - target;
+  for (int i = 0; i < 2; i++) {
+    const gjk_mover *m = &s->mover[i];
+    const gjk_unit3 d = i == 0 ? s->n : opposite_unit(&s->n);
+    bound -= m->turning.half_turns != 0 ? m->reach * INT64_C(256) : extent_along(&m->collider, &d) + 1;
+  }
+  return bound;
+}
+
+// Step 2: y and h, and the root. With turns yet to come the spheres' bound, which is a chord, may reach farther.
+static gjk_q30 next_root(separation_step *at, const separation_bounds *of, const gjk_separation *s, int64_t target) {
+  int64_t c = parabola(of, s, at->y - at->x);
+  if (c == HOPELESS) {
+    const int64_t g = of_spheres(s, at->x, target);
+    if (g > 0) {
+      at->h = of_spheres(s, at->y, target);
+      return first_root(g, at->h, 0);
+    }
+  }
+  while (at->y - at->x > 1 && c > 4 * (at->known ? at->g - at->h : at->g)) {  // at most 30 times
+    at->y = at->x + (at->y - at->x) / 2;
+    at->known = false;
+    c = parabola(of, s, at->y - at->x);
+  }
+  if (!at->known) {
+    at->h = separation_at(s, at->y) - target;
+  }
+  return first_root(at->g, at->h, c);
+}
+
+// Step 3: on to the root. Returns whether to go on.
+static bool step_to_root(separation_step *at, const gjk_separation *s, gjk_q30 z, int64_t target, int64_t enough) {
+  const gjk_q30 part = at->y - at->x, forward = (gjk_q30)gjk_sar64(gjk_mul32(part, z), 30);
+  at->known = false;
+  if (forward == 0) {  // y is too far away to see
+    at->y = at->x + part / 16 + 1;
+    return part > 1;
+  }
+  at->x += forward;
+  at->g = separation_at(s, at->x) - target;
+  if (at->h < 0) {
+    at->known = true;
+  } else {
+    at->y = GJK_Q30_ONE;
+  }
+  return at->g > enough;
+}
+
+gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, int64_t enough) {
+  separation_bounds of;
+  if (!set_separation_bounds(&of, s)) {
+    s->carrier = NULL;
+    (void)set_separation_bounds(&of, s);
+  }
+  separation_step at = {s->start, GJK_Q30_ONE, above, 0, false};
+  if (above < 0) {
+    at.g = separation_at(s, s->start) - target;
+  }
+  const int64_t stop = at.g / 16 > enough ? at.g / 16 : enough;
+  for (unsigned i = 0; i < STEPS_MAX && at.g > 0 && at.x < GJK_Q30_ONE; i++) {
+    const gjk_q30 z = next_root(&at, &of, s, target);
+    if (z == GJK_Q30_ONE) {
+      at.x = at.y;
+      at.g = at.h;
+      at.y = GJK_Q30_ONE;
+      at.known = false;
+    } else if (!step_to_root(&at, s, z, target, stop)) {
+      break;
+    }
+  }
+  return at.x;
+}

@@ -1,0 +1,48 @@
+// How far two moving shapes are apart along a direction, and until when for sure.
+//
+// The cores are those posed at the start of a step, and from there they move and turn as their motions say, rigid and in
+// real numbers. The direction stands still, or turns steadily: with one of the shapes, whose extent along it then does
+// not change, or about an axis of its own. The separation at a fraction f is that of the cores' planes across the direction, B's less A's:
+//   s(f) = n . (p_b - p_a) + min of n . v over v of B - max of n . u over u of A,   u, v relative to the poses' positions
+// The gap of the cores is at least s. For each pair u, v what is minimised is smooth, so between two fractions x < y
+//   s(x + z (y - x)) >= (1 - z) s(x) + z s(y) - c z (1 - z)   with   c = (y - x)^2 / 2 times a bound of its second derivative
+// That is the chord less a parabola: where it is above the wanted separation, the shapes are farther apart.
+//
+// The bound times (y - x)^2, with the angle w by which a body turns between x and y, r for the distance of its farthest
+// point from its pose's position, and k for the sine of the angle between an axis and n:
+//   n stands still       k r w^2 of each body
+//   n turns by v         k v^2 (|p_b - p_a| + r + r') + 2 k v (|way of p_b - p_a| + r w + r' w') + r w^2 + r' w'^2
+//   n turns with a body  the same without its r
+#ifndef GJK_SRC_IMPACT_SEPARATION_H
+#define GJK_SRC_IMPACT_SEPARATION_H
+
+#include "../shape/gjk_shape_class.h"
+#include "gjk_motion.h"
+
+// A body of a query.
+typedef struct gjk_mover {
+  const gjk_motion *motion;
+  uint32_t reach;  // of the core's points from the pose's position, LSB, posing included
+  gjk_turning turning;
+  gjk_collider collider;
+} gjk_mover;
+
+// The direction and where from: both colliders are posed at start.
+typedef struct gjk_separation {
+  const gjk_mover *mover;  // A and B
+  gjk_unit3 n;             // from A to B
+  gjk_q30 start;
+  const gjk_turning *carrier;  // how the direction turns from there on; NULL: it stands still
+} gjk_separation;
+
+// The last fraction up to which s is proven to be above target all the way from the start. The start where s is not.
+// above   s - target at the start, or less; below 0: not known.
+// target  LSB, Q8, the errors of s included.
+// enough  Stops early once s - target is at most that.
+// Where the direction would turn too far away from the bodies, s->carrier becomes NULL.
+gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, int64_t enough);
+
+// How a direction turns that was from, and is to after part of the way. False: by too much or too little to tell.
+bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 part, gjk_turning *out);
+
+#endif

@@ -1,0 +1,620 @@
+// Where a line enters A - B, by exact signs alone.
+//
+//   Step 1   Look beside the line: a support scan towards the line from the centres. All of A - B lies on one side: BESIDE.
+//   Step 2   The vertex found is the apex. Look for a vertex beyond the line from there, and then for a portal: two vertices
+//            such that, seen along the line, the ray from the apex towards the line passes between them. Move the portal
+//            outwards until the line lies in its triangle with the apex, or A - B lies on one side.
+//   Step 3   Then the line passes through the triangle: that is a point of A - B. Take the triangle's plane, with the normal
+//            towards the way's start. The start lies on the plane: INSIDE.
+//   Step 4   Support scan along the normal. All of A - B lies behind both ends of the way: SHORT.
+//   Step 5   The vertex is strictly beyond the plane: put it in the place of one corner, so that the line still passes
+//            through the triangle. The plane has passed the start: INSIDE. On from step 4.
+//   Step 6   None is: the plane bounds A - B. FACET.
+//
+// Ties are the rule in games: a line through an edge or a corner, or along a face. Steps 4 to 6 decide them as if the line
+// were moved by e w_i + e^2 w_j, for an e smaller than any number, where w_i and w_j are vertices of the first triangle,
+// chosen so that it moves into the triangle. Then no sign is 0, each step strictly lowers where the moved line meets the
+// plane, and no triangle returns. The plane that bounds A - B where the moved line enters also does where the line does.
+//
+// A - B may have no area as seen along the line. Then the line's point lies on an edge or a vertex, and the same steps take
+// two or one corner.
+//
+// After   Snethen 2008, portals; van den Bergen 2004, ray casts by GJK. In other words it is the simplex method for "least s
+//         such that s t is in A - B", with columns found by support scans and ties broken in lexicographic order.
+#include "gjk_portal.h"
+
+// How much farther from the line than the core radii the bounding spheres may leave start, rounded up (gjk_spheres.h).
+#define LINE_SLACK 1024
+
+#ifndef GJK_CAST_ITERATIONS_MAX
+#define GJK_CAST_ITERATIONS_MAX 250
+#endif
+
+// sum + n . v, of the digits that the function takes.
+#define MAC_DIGITS(digit, sum, n, v) \
+  gjk_mac32(gjk_mac32(gjk_mac32((sum), digit((n)->x), (v)->x), digit((n)->y), (v)->y), digit((n)->z), (v)->z)
+
+// n . u + m . g = 2^32 (returned) + *low, exact.
+//   |n|, |m| < 2^62.9, |u|, |g| < 2^30 lengths:   low digits at most sqrt(3) 2^31, each sum below 2^62.8 in size
+static int64_t sum_of_dots(const gjk_long3 *n, const gjk_vec3 *u, const gjk_long3 *m, const gjk_vec3 *g,
+                           uint32_t *low) {
+  const int64_t lowest = MAC_DIGITS(gjk_low_balanced, MAC_DIGITS(gjk_low_balanced, 0, n, u), m, g);
+  *low = gjk_low32(lowest);
+  return MAC_DIGITS(gjk_high_balanced, MAC_DIGITS(gjk_high_balanced, gjk_sar64(lowest, 32), n, u), m, g);
+}
+
+// The sign of n . u + m . g. The high words settle most: with n = 2^32 high + low, 0 <= low < 2^32, and m alike,
+//   |low . u + low . g| / 2^32    <  |u|_1 + |g|_1 <= sqrt(3) (2^29 + 2^30) < 2^32
+// so top >= 1 or top < -1 is the sign.
+static int sum_of_dots_sign(const gjk_long3 *n, const gjk_vec3 *u, const gjk_long3 *m, const gjk_vec3 *g) {
+  const int32_t top = gjk_high32(MAC_DIGITS(gjk_high32, MAC_DIGITS(gjk_high32, 0, n, u), m, g));
+  if (top >= 1 || top < -1) {
+    return top >= 1 ? 1 : -1;
+  }
+  uint32_t low;
+  const int64_t high = sum_of_dots(n, u, m, g, &low);
+  return high != 0 ? gjk_sign64(high) : low != 0;
+}
+
+// v / 8, rounded down.
+static gjk_vec3 eighth(const gjk_long3 *v) {
+  const gjk_vec3 q = {(int32_t)gjk_sar64(v->x, 3), (int32_t)gjk_sar64(v->y, 3), (int32_t)gjk_sar64(v->z, 3)};
+  return q;
+}
+
+// (x, y, z), and u in LSB added to it. u may be NULL.
+static gjk_vec3 place(const gjk_portal *p, const gjk_vec3 *u, int32_t x, int32_t y, int32_t z) {
+  gjk_vec3 v = {x, y, z};
+  if (u != NULL) {
+    v.x += gjk_sar32(u->x, p->shift);
+    v.y += gjk_sar32(u->y, p->shift);
+    v.z += gjk_sar32(u->z, p->shift);
+  }
+  return v;
+}
+
+int64_t gjk_portal_dot(const gjk_portal *p, const gjk_vec3 *u, const gjk_long3 *at, uint32_t *low) {
+  // |at / 8| <= sqrt(3) 2^30:  |n . (at / 8)| < 2^91, 8 times its high part < 2^63
+  uint32_t low_of_q;
+  const gjk_vec3 q = eighth(at), rest = place(p, u, (int32_t)(at->x & 7), (int32_t)(at->y & 7), (int32_t)(at->z & 7));
+  const int64_t of_q = gjk_dot_exact(&p->n, &q, &low_of_q), of_rest = gjk_dot_exact(&p->n, &rest, low);
+  const uint64_t lows = 8 * (uint64_t)low_of_q + *low;
+  *low = (uint32_t)(lows & INT32_MAX);
+  return 8 * of_q + of_rest + (int64_t)(lows >> 31);
+}
+
+// Out of line: near pairs go past it.
+GJK_OUT_OF_LINE static int far_side(const gjk_portal *p, const gjk_vec3 *u, const gjk_long3 *at) {
+  uint32_t low;
+  const int64_t high = gjk_portal_dot(p, u, at, &low);
+  return high != 0 ? gjk_sign64(high) : low != 0;
+}
+
+int gjk_portal_side(const gjk_portal *p, const gjk_vec3 *u, const gjk_long3 *at) {
+  if (!p->near) {
+    return far_side(p, u, at);
+  }
+  const gjk_vec3 v = place(p, u, (int32_t)at->x, (int32_t)at->y, (int32_t)at->z);
+  return gjk_dot_sign(&p->n, &v);
+}
+
+// x y modulo 2^64, which is the product where that fits.
+static inline uint64_t product(int64_t x, int64_t y) {
+  return (uint64_t)x * (uint64_t)y;
+}
+
+// *out = t x v + *plus. Pre: it fits. Out of line: near pairs go past it.
+GJK_OUT_OF_LINE static void cross_plus(const gjk_long3 *t, const gjk_long3 *v, const gjk_long3 *plus, gjk_long3 *out) {
+  out->x = gjk_int64(product(t->y, v->z) - product(t->z, v->y) + (uint64_t)plus->x);
+  out->y = gjk_int64(product(t->z, v->x) - product(t->x, v->z) + (uint64_t)plus->y);
+  out->z = gjk_int64(product(t->x, v->y) - product(t->y, v->x) + (uint64_t)plus->z);
+}
+
+// *to = *from, by parts: GCC makes a copy a call of memcpy on ARMv6-M.
+static void copy_long(const gjk_long3 *from, gjk_long3 *to) {
+  to->x = from->x;
+  to->y = from->y;
+  to->z = from->z;
+}
+
+static void copy_corner(const gjk_corner *from, gjk_corner *to) {
+  gjk_set(&from->u, &to->u);
+  to->a = from->a;
+  to->b = from->b;
+}
+
+static const gjk_long3 nothing = {0, 0, 0};
+
+// *out = t x v + *plus.
+static void cross_way(const gjk_portal *p, const gjk_vec3 *v, const gjk_long3 *plus, gjk_long3 *out) {
+  if (!p->wide) {
+    gjk_cross(&p->t, v, out);
+    out->x += plus->x;
+    out->y += plus->y;
+    out->z += plus->z;
+    return;
+  }
+  const gjk_long3 wide = {v->x, v->y, v->z};
+  cross_plus(&p->way, &wide, plus, out);
+}
+
+// *out = t x w, for the vertex w with this u.
+static void lateral(const gjk_portal *p, const gjk_vec3 *u, gjk_long3 *out) {
+  cross_way(p, u, &p->m, out);
+}
+
+// The sign of det(t, w_i, w_j), for v = t x w_i.
+static int side_of(const gjk_portal *p, const gjk_long3 *v, const gjk_vec3 *i, const gjk_vec3 *j) {
+  const gjk_vec3 opposite = gjk_negate(*i);
+  return sum_of_dots_sign(v, j, &p->m, &opposite);
+}
+
+// The components' magnitudes, joined by or: as many bits as the largest has.
+static uint64_t bits_of(const gjk_long3 *v) {
+  return gjk_magnitude64(v->x) | gjk_magnitude64(v->y) | gjk_magnitude64(v->z);
+}
+
+static bool is_zero(const gjk_long3 *v) {
+  return (v->x | v->y | v->z) == 0;
+}
+
+// -v to 29 bits, so that a product with t fits; v is not zero, and neither is the result.
+static gjk_vec3 rounded_opposite(const gjk_long3 *v) {
+  const uint64_t size = bits_of(v);
+  const unsigned zeros = gjk_clz64(size), k = zeros < 36 ? 36 - zeros : 0;  // size < 2^(64 - zeros)
+  const gjk_vec3 g = {-(int32_t)gjk_sar64(v->x, k), -(int32_t)gjk_sar64(v->y, k), -(int32_t)gjk_sar64(v->z, k)};
+  return g;
+}
+
+// n, rounded to the direction of support scans. Components of n beyond 2^62 are halved first.
+static void set_direction(gjk_portal *p) {
+  const gjk_long3 *n = &p->n;
+  if (p->wide && bits_of(n) >> 62 != 0) {
+    const gjk_long3 half = {gjk_sar64(n->x, 1), gjk_sar64(n->y, 1), gjk_sar64(n->z, 1)};
+    gjk_search_direction_of(&half, &p->direction);
+    p->direction.exact = false;
+    return;
+  }
+  gjk_search_direction_of(n, &p->direction);
+}
+
+static void complete(gjk_portal *p) {
+  gjk_corner *c = &p->corner[3];
+  c->u.x = gjk_shl32(p->of_a.offset.x - p->of_b.offset.x, p->shift);
+  c->u.y = gjk_shl32(p->of_a.offset.y - p->of_b.offset.y, p->shift);
+  c->u.z = gjk_shl32(p->of_a.offset.z - p->of_b.offset.z, p->shift);
+  c->a = p->of_a.vertex;
+  c->b = p->of_b.vertex;
+}
+
+// Support scan of both shapes along n: the newest vertex.
+static void scan(gjk_portal *p) {
+  set_direction(p);
+  const gjk_vec3 opposite = gjk_negate(p->direction.d);
+  p->a->shape->type->support(p->a, &p->direction.d, &p->of_a);
+  p->b->shape->type->support(p->b, &opposite, &p->of_b);
+  complete(p);
+  p->iterations++;
+}
+
+// Makes the newest vertex one that is farthest along n exactly. Returns whether it is another one.
+static bool refine(gjk_portal *p) {
+  gjk_direction exact = {NULL, NULL, &p->n, 0, 0, 3, false, NULL};
+  if (p->direction.exact) {
+    return false;
+  }
+  const gjk_vec3 opposite = gjk_negate(p->direction.d);
+  bool moved = p->a->shape->type->refine(p->a, &p->direction.d, &exact, &p->of_a);
+  exact.opposite = true;
+  moved = p->b->shape->type->refine(p->b, &opposite, &exact, &p->of_b) || moved;
+  complete(p);
+  return moved;
+}
+
+// n = g x t, for which n . w = n . u + g . m.
+void gjk_portal_face(gjk_portal *p, const gjk_vec3 *g) {
+  const gjk_vec3 opposite = gjk_negate(*g);
+  gjk_set(g, &p->g);
+  cross_way(p, &opposite, &nothing, &p->n);
+}
+
+int gjk_portal_beside(const gjk_portal *p, const gjk_vec3 *u) {
+  return sum_of_dots_sign(&p->n, u, &p->m, &p->g);
+}
+
+// The sign of n . w for the newest vertex w of a support scan along n, which is farthest where the sign is below least.
+static int look(gjk_portal *p, int least) {
+  scan(p);
+  const int side = gjk_portal_beside(p, &p->corner[3].u);
+  return side < least && refine(p) ? gjk_portal_beside(p, &p->corner[3].u) : side;
+}
+
+static int look_along(gjk_portal *p, const gjk_vec3 *g, int least) {
+  gjk_portal_face(p, g);
+  return look(p, least);
+}
+
+// The axis of the largest component.
+static uint8_t main_axis(const gjk_long3 *v) {
+  const uint64_t x = gjk_magnitude64(v->x), y = gjk_magnitude64(v->y), z = gjk_magnitude64(v->z);
+  return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+}
+
+static gjk_vec3 unit_axis(unsigned axis, int32_t length) {
+  const gjk_vec3 v = {axis == 0 ? length : 0, axis == 1 ? length : 0, axis == 2 ? length : 0};
+  return v;
+}
+
+static int64_t component_along(const gjk_long3 *v, unsigned axis) {
+  return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
+}
+
+static void set_inward(gjk_portal *p, unsigned i, unsigned j) {
+  gjk_set(&p->corner[i].u, &p->inward[0]);
+  gjk_set(&p->corner[j].u, &p->inward[1]);
+}
+
+// The apex lies on the line: makes another vertex the apex. *v: t x w of the apex. False: all vertices lie on the line.
+static bool leave_line(gjk_portal *p, gjk_long3 *v) {
+  const unsigned along = main_axis(&p->way);
+  for (unsigned i = 0; i < 4; i++) {
+    const gjk_vec3 g = unit_axis(i < 2 ? gjk_next(along) : gjk_next(gjk_next(along)), (i & 1u) != 0 ? -1 : 1);
+    look_along(p, &g, 1);
+    lateral(p, &p->corner[3].u, v);
+    if (!is_zero(v)) {
+      copy_corner(&p->corner[3], &p->corner[0]);
+      return true;
+    }
+  }
+  p->count = 1;
+  p->axis = (uint8_t)along;
+  return false;
+}
+
+// The line passes through the edge of corners 0 and 1, seen along it: looks for a vertex on either side.
+static void widen_edge(gjk_portal *p, const gjk_long3 *v) {
+  const gjk_vec3 e = gjk_sub(p->corner[1].u, p->corner[0].u), opposite = gjk_negate(e);
+  gjk_long3 across;
+  p->count = 3;
+  if (look_along(p, &e, 1) > 0) {
+    set_inward(p, 3, 0);
+    copy_corner(&p->corner[0], &p->corner[2]);
+    copy_corner(&p->corner[1], &p->corner[0]);
+    copy_corner(&p->corner[2], &p->corner[1]);
+    copy_corner(&p->corner[3], &p->corner[2]);
+    return;
+  }
+  if (look_along(p, &opposite, 1) > 0) {
+    set_inward(p, 3, 0);
+    copy_corner(&p->corner[3], &p->corner[2]);
+    return;
+  }
+  p->count = 2;
+  cross_way(p, &e, &nothing, &across);
+  p->axis = main_axis(&across);
+  p->side = (int8_t)gjk_sign64(component_along(v, p->axis));
+}
+
+static bool same_corner(const gjk_corner *c, const gjk_corner *d) {
+  return c->a == d->a && c->b == d->b;
+}
+
+// Step 2. v: t x w of the apex, corner 0. Corner 1 lies left of the ray from the apex to the line, det(t, w_0, w_1) > 0, and
+// corner 2 right of it; where none is found yet, it is the apex itself.
+static gjk_passage grow_portal(gjk_portal *p, const gjk_long3 *v) {
+  gjk_corner *c = p->corner;
+  while (p->iterations < GJK_CAST_ITERATIONS_MAX) {
+    const gjk_vec3 g = gjk_sub(c[2].u, c[1].u);
+    gjk_portal_face(p, &g);
+    // Where one of them is the apex, the line lies beyond them for sure.
+    if (!same_corner(&c[0], &c[1]) && !same_corner(&c[0], &c[2]) && gjk_portal_beside(p, &c[1].u) >= 0) {
+      set_inward(p, 0, 1);
+      return GJK_PASSAGE_FACET;
+    }
+    if (look(p, 0) < 0) {
+      return GJK_PASSAGE_BESIDE;
+    }
+    const int side = side_of(p, v, &c[0].u, &c[3].u);
+    if (side > 0) {
+      copy_corner(&c[3], &c[1]);
+    } else if (side < 0) {
+      copy_corner(&c[3], &c[2]);
+    } else if (!same_corner(&c[0], &c[1])) {
+      set_inward(p, 1, 0);
+      copy_corner(&c[3], &c[2]);
+      return GJK_PASSAGE_FACET;
+    } else {
+      set_inward(p, 2, 0);
+      copy_corner(&c[3], &c[1]);
+      return GJK_PASSAGE_FACET;
+    }
+  }
+  return GJK_PASSAGE_LIMIT;
+}
+
+// Steps 1 and 2. FACET: the line passes through the corners; a triangle runs counterclockwise seen against t.
+static gjk_passage find_first(gjk_portal *p) {
+  gjk_corner *c = p->corner;
+  gjk_long3 v;
+  gjk_vec3 g = unit_axis(gjk_next(main_axis(&p->way)), 1);
+  if (!is_zero(&p->m)) {
+    g = rounded_opposite(&p->m);
+  }
+  if (look_along(p, &g, 0) < 0) {
+    return GJK_PASSAGE_BESIDE;
+  }
+  copy_corner(&c[3], &c[0]);
+  lateral(p, &c[0].u, &v);
+  if (is_zero(&v) && !leave_line(p, &v)) {
+    return GJK_PASSAGE_FACET;
+  }
+  g = rounded_opposite(&v);
+  if (look_along(p, &g, 0) < 0) {
+    return GJK_PASSAGE_BESIDE;
+  }
+  const int side = side_of(p, &v, &c[0].u, &c[3].u);
+  copy_corner(&c[side >= 0 ? 3 : 0], &c[1]);
+  if (side == 0) {
+    widen_edge(p, &v);
+    return GJK_PASSAGE_FACET;
+  }
+  copy_corner(&c[side < 0 ? 3 : 0], &c[2]);
+  p->count = 3;
+  return grow_portal(p, &v);
+}
+
+// n = the normal of the corners' plane, n . t < 0, or where the search looks for the exit n . t > 0.
+static void set_plane(gjk_portal *p) {
+  const gjk_corner *c = p->corner;
+  if (p->count == 3) {
+    const gjk_corner *second = p->leaving ? &c[1] : &c[2], *third = p->leaving ? &c[2] : &c[1];
+    gjk_triangle_normal(&c[0].u, &second->u, &third->u, &p->n);
+    return;
+  }
+  gjk_vec3 axis = unit_axis(p->axis, 1);
+  gjk_long3 across = {p->way.x, p->way.y, p->way.z};
+  p->n.x = axis.x;
+  p->n.y = axis.y;
+  p->n.z = axis.z;
+  if (p->count == 2) {
+    const gjk_vec3 e = gjk_sub(c[1].u, c[0].u);
+    cross_way(p, &e, &nothing, &across);  // (e x axis) . t = (t x e) . axis
+    gjk_cross(&e, &axis, &p->n);
+  }
+  if ((component_along(&across, p->axis) > 0) != p->leaving) {
+    p->n.x = -p->n.x;
+    p->n.y = -p->n.y;
+    p->n.z = -p->n.z;
+  }
+}
+
+// The sign of det(t, w_3, w_i) where the line is moved inward; v = t x w_3. 0: both vertices lie on a parallel to the line.
+static int moved_side(const gjk_portal *p, const gjk_long3 *v, unsigned i) {
+  const gjk_corner *c = p->corner;
+  int side = side_of(p, v, &c[3].u, &c[i].u);
+  const gjk_vec3 step = gjk_sub(c[3].u, c[i].u);
+  for (unsigned k = 0; k < 2 && side == 0; k++) {
+    // Moved by e w_k, the determinant grows by e det(t, w_k, w_3 - w_i).
+    gjk_long3 inward;
+    lateral(p, &p->inward[k], &inward);
+    side = gjk_dot_sign(&inward, &step);
+  }
+  return side;
+}
+
+// Which corner gives way to the newest vertex?
+static unsigned leaving_corner(const gjk_portal *p) {
+  gjk_long3 v;
+  if (p->count == 1) {
+    return 0;
+  }
+  lateral(p, &p->corner[3].u, &v);
+  if (p->count == 2) {
+    const int side = gjk_sign64(component_along(&v, p->axis));
+    return side == p->side ? 0 : 1;
+  }
+  const int side = moved_side(p, &v, 0);
+  if (side == 0) {
+    return 0;
+  }
+  if (side > 0) {
+    return moved_side(p, &v, 1) < 0 ? 2 : 0;
+  }
+  return moved_side(p, &v, 2) > 0 ? 1 : 0;
+}
+
+// Steps 4 and 6 for the plane across n: SHORT or FACET; INSIDE stands for a vertex strictly beyond it.
+static gjk_passage look_beyond(gjk_portal *p) {
+  const gjk_corner *c = p->corner;
+  bool below, stuck;
+  scan(p);
+  do {
+    const gjk_vec3 step = gjk_sub(c[3].u, c[0].u);
+    stuck = gjk_dot_sign(&p->n, &step) <= 0;
+    below = !p->arrives && gjk_portal_side(p, &c[3].u, &p->goal) < 0;
+  } while ((stuck || below) && refine(p));  // at most twice: what is refined is farthest
+  return below ? GJK_PASSAGE_SHORT : stuck ? GJK_PASSAGE_FACET : GJK_PASSAGE_INSIDE;
+}
+
+// Step 3: which way to look. True: the start lies on the plane.
+static bool face_start(gjk_portal *p) {
+  set_plane(p);
+  const int side = gjk_portal_side(p, &p->corner[0].u, &p->start);
+  if (side > 0) {
+    p->leaving = true;
+    copy_long(&p->start, &p->goal);
+    set_plane(p);
+  } else {
+    p->arrives = gjk_portal_side(p, &p->corner[0].u, &p->goal) >= 0;
+  }
+  return side == 0;
+}
+
+// Steps 3 to 6.
+static gjk_passage follow_line(gjk_portal *p) {
+  if (face_start(p)) {
+    return GJK_PASSAGE_INSIDE;
+  }
+  while (p->iterations < GJK_CAST_ITERATIONS_MAX) {
+    const gjk_passage passage = look_beyond(p);
+    if (passage != GJK_PASSAGE_INSIDE) {
+      return passage;
+    }
+    copy_corner(&p->corner[3], &p->corner[leaving_corner(p)]);
+    set_plane(p);
+    if (gjk_portal_side(p, &p->corner[0].u, &p->start) >= 0) {
+      return GJK_PASSAGE_INSIDE;
+    }
+  }
+  return GJK_PASSAGE_LIMIT;
+}
+
+// Is each component from -2^29 to below 2^29?
+static bool is_below_29(const gjk_long3 *v) {
+  const uint64_t half = UINT64_C(1) << 29;
+  return (((uint64_t)v->x + half) | ((uint64_t)v->y + half) | ((uint64_t)v->z + half)) >> 30 == 0;
+}
+
+// *v 2^shift, modulo 2^64.
+static void scale(gjk_long3 *v, unsigned shift) {
+  v->x = gjk_shl64(v->x, shift);
+  v->y = gjk_shl64(v->y, shift);
+  v->z = gjk_shl64(v->z, shift);
+}
+
+void gjk_portal_start(gjk_portal *p, const gjk_collider *a, const gjk_collider *b, const gjk_way *way) {
+  p->a = a;
+  p->b = b;
+  copy_long(&way->t, &p->way);
+  p->start.x = (int64_t)a->centre.x - b->centre.x;
+  p->start.y = (int64_t)a->centre.y - b->centre.y;
+  p->start.z = (int64_t)a->centre.z - b->centre.z;
+  p->goal.x = p->start.x - way->t.x;
+  p->goal.y = p->start.y - way->t.y;
+  p->goal.z = p->start.z - way->t.z;
+  if (is_zero(&p->way)) {
+    // Any axis serves for whether the origin lies in A - B.
+    p->way.x = 1;
+  }
+  // Both |u| and the part of start across the line are at most the core radii and LINE_SLACK.
+  p->shift = (uint8_t)(gjk_clz32((uint32_t)(a->core_radius + b->core_radius) + LINE_SLACK) - 3);
+  const uint64_t bits = bits_of(&p->way);
+  p->wide = bits >> 30 != 0;
+  p->near = !p->wide && is_below_29(&p->start) && is_below_29(&p->goal);
+  gjk_long3 t = {p->way.x, p->way.y, p->way.z};
+  if (!p->wide) {
+    const unsigned shift = gjk_clz32((uint32_t)bits) - 2;
+    p->t.x = gjk_shl32((int32_t)t.x, shift);
+    p->t.y = gjk_shl32((int32_t)t.y, shift);
+    p->t.z = gjk_shl32((int32_t)t.z, shift);
+    t.x = p->t.x;
+    t.y = p->t.y;
+    t.z = p->t.z;
+  }
+  if (p->near) {
+    const gjk_vec3 start = {(int32_t)p->start.x, (int32_t)p->start.y, (int32_t)p->start.z};
+    gjk_cross(&p->t, &start, &p->m);
+    scale(&p->m, p->shift);
+  } else {
+    gjk_long3 start = {p->start.x, p->start.y, p->start.z};
+    scale(&start, p->shift);
+    cross_plus(&t, &start, &nothing, &p->m);
+  }
+  p->iterations = 0;
+  p->leaving = false;
+  p->arrives = false;
+}
+
+gjk_passage gjk_portal_find(gjk_portal *p, const gjk_collider *a, const gjk_collider *b, const gjk_way *way) {
+  gjk_portal_start(p, a, b, way);
+  const gjk_passage first = find_first(p);
+  return first == GJK_PASSAGE_FACET ? follow_line(p) : first;
+}
+
+// Does the line pass through the corners? Pre: n . t != 0, so that three span no plane along the line.
+static bool holds_line(gjk_portal *p) {
+  const gjk_corner *c = p->corner;
+  gjk_long3 v;
+  lateral(p, &c[0].u, &v);
+  if (p->count == 1) {
+    return is_zero(&v);
+  }
+  if (p->count == 2) {
+    gjk_long3 across, other;
+    const gjk_vec3 e = gjk_sub(c[1].u, c[0].u);
+    cross_way(p, &e, &nothing, &across);
+    lateral(p, &c[1].u, &other);
+    p->axis = main_axis(&across);
+    const int64_t first = component_along(&v, p->axis), second = component_along(&other, p->axis);
+    return !is_zero(&across) && side_of(p, &v, &c[0].u, &c[1].u) == 0 && (first <= 0 || second <= 0) &&
+           (first >= 0 || second >= 0);
+  }
+  const int side = side_of(p, &v, &c[0].u, &c[1].u), side2 = side_of(p, &v, &c[0].u, &c[2].u);
+  lateral(p, &c[1].u, &v);
+  return side >= 0 && side2 <= 0 && side_of(p, &v, &c[1].u, &c[2].u) >= 0;
+}
+
+bool gjk_portal_load(gjk_portal *p, const gjk_cast_certificate *certificate) {
+  const unsigned count = certificate->count;
+  for (unsigned i = 0; i < count; i++) {
+    gjk_vec3 a, b;
+    gjk_corner *c = &p->corner[count == 3 && i > 0 ? 3 - i : i];
+    if (!p->a->shape->type->vertex(p->a, certificate->a[i], &a) ||
+        !p->b->shape->type->vertex(p->b, certificate->b[i], &b)) {
+      return false;
+    }
+    c->u.x = gjk_shl32(a.x - b.x, p->shift);
+    c->u.y = gjk_shl32(a.y - b.y, p->shift);
+    c->u.z = gjk_shl32(a.z - b.z, p->shift);
+    c->a = certificate->a[i];
+    c->b = certificate->b[i];
+  }
+  p->count = (uint8_t)count;
+  if (count == 3) {
+    set_plane(p);
+  } else {
+    p->n.x = certificate->direction.x;
+    p->n.y = certificate->direction.y;
+    p->n.z = certificate->direction.z;
+  }
+  set_direction(p);
+  return true;
+}
+
+bool gjk_portal_is_entry(gjk_portal *p) {
+  const gjk_corner *c = p->corner;
+  for (unsigned i = 1; i < p->count; i++) {
+    const gjk_vec3 step = gjk_sub(c[i].u, c[0].u);
+    if (gjk_dot_sign(&p->n, &step) != 0) {
+      return false;
+    }
+  }
+  return gjk_portal_side(p, NULL, &p->way) < 0 && gjk_portal_side(p, &c[0].u, &p->start) < 0 &&
+         gjk_portal_side(p, &c[0].u, &p->goal) >= 0 && holds_line(p);
+}
+
+void gjk_portal_weights(const gjk_portal *p, gjk_u128 weight[3]) {
+  const gjk_corner *c = p->corner;
+  gjk_long3 v;
+  for (unsigned i = 0; i < 3; i++) {
+    weight[i].high = weight[i].low = 0;
+  }
+  if (p->count == 3) {
+    for (unsigned i = 0; i < 3; i++) {
+      const unsigned j = gjk_next(i), k = gjk_next(j);
+      const gjk_vec3 opposite = gjk_negate(c[j].u);
+      uint32_t low;
+      lateral(p, &c[j].u, &v);
+      const int64_t high = sum_of_dots(&v, &c[k].u, &p->m, &opposite, &low);
+      weight[i].high = (uint64_t)gjk_sar64(high, 32);
+      weight[i].low = (uint64_t)high << 32 | low;
+    }
+  } else if (p->count == 2) {
+    for (unsigned i = 0; i < 2; i++) {
+      lateral(p, &c[1 - i].u, &v);
+      weight[i].low = gjk_magnitude64(component_along(&v, p->axis));
+    }
+  } else {
+    weight[0].low = 1;
+  }
+}

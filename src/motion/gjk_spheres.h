@@ -1,0 +1,12 @@
+// Do bounding spheres meet on a way? Cheap, and never wrong where it says no.
+#ifndef GJK_SRC_SPHERES_H
+#define GJK_SRC_SPHERES_H
+
+#include "gjk_way.h"
+
+// Are the colliders' bounding spheres more than radius apart on the whole way, for sure? Where it says false, the line of the
+// way passes their centres' difference within the sum of the spheres' radii, radius, and 2^-20 of that and 2^9 LSB.
+//   radius   added to core radii, LSB; from 0 to below 2^32
+bool gjk_spheres_part(const gjk_collider *a, const gjk_collider *b, const gjk_way *way, int64_t radius);
+
+#endif
