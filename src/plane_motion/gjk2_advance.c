@@ -1,0 +1,430 @@
+// Casts of rounded and curved shapes in the plane, and with a margin.
+//
+// Let gap(s) be the distance of the cores at fraction s less radius, the convex radii and the margin. It is convex.
+//
+//   1. Polygons: if the line of the way passes the cores farther away than radius, the shapes miss: exact.
+//   2. At the start, where the bounding circles meet: a gap of 0 or less is a hit. If it does not fall there, a miss.
+//   3. At the end, likewise: a gap of 0 or less is a hit. If it falls there, a miss. Otherwise its least is on the way,
+//      and after 1 that is 0 or less: a hit.
+//   4. Newton's iteration from below. The shapes' nearest points at a fraction give a direction n. No point of A - B lies
+//      beyond h, so there is no contact before the fraction at which n . (s t) = h + radius |n|: the next one.
+//   5. Stop when that is less than an LSB of gap ahead. Then the gap there is at most 2 LSB, of curved shapes 4.
+//
+// Steps 2 and 3 measure places that are integers. Places between are rounded to the nearest LSB to find n; that does not
+// matter, since any n gives a true bound.
+//
+// Two shortcuts spare the last round. An edge whose span holds the next place is what is touched there. Where a vertex is
+// nearest, the direction in which the line meets the circle around it is tried as n.
+//
+// Rounds: of a convex function each step of Newton's iteration halves the gap or the slope. The gap is below 2^33 LSB and
+// above 1, and the slope is not below the gap that is left, so 66 rounds are never reached.
+#include "../arith/gjk_root.h"
+#include "../plane/gjk2_measure.h"
+#include "gjk2/intersect.h"
+#include "gjk2_cast_report.h"
+
+#define PLANE_ADVANCE_ROUNDS 72
+
+// Supports of curved shapes are up to 2 LSB below the true ones.
+#define PLANE_CURVED_SLACK 2
+
+// The most gap at a hit of curved shapes.
+#define PLANE_CURVED_GAP 4
+
+// What is nearest at a place: a vertex p or an edge from p to q of A - B, and the direction from it.
+typedef struct plane_face {
+  gjk2_vec n;
+  gjk2_span p, q;
+  unsigned count;  // 1 or 2
+} plane_face;
+
+typedef struct plane_advance {
+  gjk2_way *way;
+  int64_t radius;  // convex radii and margin; of curved shapes and PLANE_CURVED_SLACK
+  gjk_q16 margin;
+  bool curved;
+  bool open;         // the last distance is but bounded
+  gjk_q30 fraction;  // no contact before
+  gjk_q30 step;      // of the fraction that changes the gap by 1 LSB
+  plane_face face;   // of the last gap measured
+  gjk2_distance_result gap;
+} plane_advance;
+
+// One coordinate of a way at a fraction, to the nearest LSB.
+static int64_t plane_part(int64_t way, gjk_q30 fraction) {
+  return gjk_sar64(way * fraction + (INT64_C(1) << 29), 30);
+}
+
+// *to = *from, word by word: see gjk2_copy.
+static void plane_copy_collider(gjk2_collider *to, const gjk2_collider *from) {
+  to->shape = from->shape;
+  to->buffer = from->buffer;
+  gjk2_copy(&to->position, &from->position);
+  gjk2_copy(&to->centre, &from->centre);
+  gjk2_copy(&to->local_centre, &from->local_centre);
+  for (int i = 0; i < 3; i++) {
+    gjk2_copy(&to->frame[i], &from->frame[i]);
+  }
+  to->core_radius = from->core_radius;
+  to->radius = from->radius;
+  to->state = from->state;
+  to->count = from->count;
+  to->fraction[0] = from->fraction[0];
+  to->fraction[1] = from->fraction[1];
+  to->ordered = from->ordered;
+}
+
+void gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b) {
+  const int64_t x = plane_part(way->of_a.x, fraction), y = plane_part(way->of_a.y, fraction);
+  plane_copy_collider(at_a, way->a);
+  plane_copy_collider(at_b, way->b);
+  at_a->centre.x = (int32_t)(way->a->centre.x + x);
+  at_a->centre.y = (int32_t)(way->a->centre.y + y);
+  at_b->centre.x = gjk_saturate(way->b->centre.x + x + plane_part(way->t.x, fraction));
+  at_b->centre.y = gjk_saturate(way->b->centre.y + y + plane_part(way->t.y, fraction));
+}
+
+// Measures the gap at a fraction. Returns whether it is at most the margin: exact of polygons.
+GJK_OUT_OF_LINE static bool plane_advance_is_near(plane_advance *s, gjk_q30 fraction) {
+  gjk2_collider at_a, at_b;
+  gjk2_cast_places(s->way, fraction, &at_a, &at_b);
+  s->open = gjk2_distance(&at_a, &at_b, NULL, &s->gap) != GJK_OK;
+  s->way->scans += s->gap.iterations;
+  if (s->gap.intersecting || s->gap.distance != s->margin || s->margin == 0) {
+    return s->gap.intersecting || s->gap.distance < s->margin;
+  }
+  gjk2_decision decision;
+  if (gjk2_within(&at_a, &at_b, s->margin, NULL, &decision) != GJK_OK) {
+    return true;
+  }
+  s->way->scans += decision.iterations;
+  return decision.yes;
+}
+
+// Loads a vertex of A - B by its numbers.
+static void plane_load_span(const gjk2_way *way, uint16_t a, uint16_t b, gjk2_span *out) {
+  const gjk2_vec none = {0, 0};
+  out->a.vertex = a;
+  out->b.vertex = b;
+  out->a.offset = none;
+  out->b.offset = none;
+  (void)way->a->shape->type->vertex(way->a, a, &out->a.offset);
+  (void)way->b->shape->type->vertex(way->b, b, &out->b.offset);
+  out->o = gjk2_sub(out->a.offset, out->b.offset);
+}
+
+// Where the origin is, seen from a vertex, when B has gone a fraction of its way.
+static gjk2_long plane_place_from(const gjk2_way *way, gjk2_vec o, gjk_q30 fraction) {
+  const gjk2_long from = {plane_part(way->t.x, fraction) - way->delta.x - o.x,
+                          plane_part(way->t.y, fraction) - way->delta.y - o.y};
+  return from;
+}
+
+// Makes the face the edge from p to q, unless they are the same, with its normal on the side of towards.
+static void plane_advance_across(plane_face *face, gjk2_vec towards) {
+  const gjk2_vec across = gjk2_outward(gjk2_sub(face->q.o, face->p.o));
+  if (gjk2_norm1(across) != 0) {
+    face->count = 2;
+    face->n = gjk2_dot(across, towards) < 0 ? gjk2_negate(across) : across;
+  }
+}
+
+// Takes the direction, and of polygons the feature, from the last gap. An edge's normal is exact.
+static void plane_advance_face(const plane_advance *s, plane_face *face) {
+  const gjk2_certificate *c = &s->gap.certificate;
+  face->n.x = s->gap.normal.x;
+  face->n.y = s->gap.normal.y;
+  face->p.o = gjk2_negate(face->n);  // not used: of polygons apart the proof is NEAREST
+  face->count = 1;
+  if (c->proof != GJK2_PROOF_NEAREST) {
+    return;
+  }
+  plane_load_span(s->way, c->a[0], c->b[0], &face->p);
+  if (c->count == 2) {
+    plane_load_span(s->way, c->a[1], c->b[1], &face->q);
+    plane_advance_across(face, face->n);
+  }
+}
+
+// The same where rounding the place of the fraction has closed a gap of less than an LSB: the feature is within radius.
+static void plane_advance_touch(plane_advance *s) {
+  const gjk2_certificate *c = &s->gap.certificate;
+  plane_face *face = &s->face;
+  if (c->proof != GJK2_PROOF_NEAR) {
+    return;
+  }
+  plane_load_span(s->way, c->a[0], c->b[0], &face->p);
+  const gjk2_long from = plane_place_from(s->way, face->p.o, s->fraction);
+  face->n.x = (int32_t)from.x;  // about radius long, which is below 2^29 where the margin is 0
+  face->n.y = (int32_t)from.y;
+  face->count = 1;
+  if (c->count == 2) {
+    plane_load_span(s->way, c->a[1], c->b[1], &face->q);
+    plane_advance_across(face, face->n);
+  }
+}
+
+// Does the gap fall along the way (-1), keep (0) or grow (1), by the last feature, at the start or the end? Exact of
+// polygons with centres at most 2^30 apart.
+static int plane_advance_slope(const plane_advance *s, const plane_face *face, bool at_end) {
+  if (face->count == 1 && !s->curved) {
+    return -gjk2_way_is_ahead(s->way, face->p.o, at_end);
+  }
+  return gjk_sign64(gjk2_way_ahead(s->way, face->n));
+}
+
+// |n| is scaled to 2^29 and above, so its rounding up to an integer costs at most radius / 2^29 of the gap.
+//   |n| < 2^30 + 4, |w|, |t| < 2^32.7:  below 2^63
+gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_t radius, gjk_q30 *fraction,
+                           gjk_q30 *step) {
+  const unsigned zeros = gjk_clz64((uint64_t)gjk2_dot(n, n)) / 2;  // 2^(31 - zeros) <= |n| < 2^(32 - zeros)
+  const unsigned up = zeros > 2 ? zeros - 2 : 0;
+  const gjk2_vec scaled = {gjk_shl32(n.x, up), gjk_shl32(n.y, up)};
+  const int64_t length = (int64_t)gjk_isqrt64((uint64_t)gjk2_dot(scaled, scaled)) + 1;
+  const int64_t closing = -gjk2_way_ahead(way, scaled), ahead = -gjk_shl64(most, up) - radius * length;
+  bool exact;
+  *fraction = 0;
+  if (closing <= 0) {
+    return GJK2_BOUND_AWAY;
+  }
+  *step = length < closing ? gjk2_ratio((uint64_t)length, (uint64_t)closing, &exact) : GJK_Q30_ONE;
+  if (ahead > closing) {
+    return GJK2_BOUND_BEYOND;
+  }
+  if (ahead > 0) {
+    *fraction = gjk2_ratio((uint64_t)ahead, (uint64_t)closing, &exact);
+  }
+  return GJK2_BOUND_AT;
+}
+
+static gjk2_bound plane_advance_bound(plane_advance *s, gjk2_vec n, gjk2_span *support, gjk_q30 *fraction) {
+  gjk2_way_scan(s->way, n, support);
+  return gjk2_cast_bound(s->way, n, gjk2_way_along(s->way, n, support->o), s->radius, fraction, &s->step);
+}
+
+int64_t gjk2_cast_foot(const gjk2_way *way, gjk2_vec p, gjk2_vec q, gjk_q30 fraction) {
+  const gjk2_vec edge = gjk2_sub(q, p);
+  const gjk2_long from = plane_place_from(way, p, fraction);
+  const int64_t part = from.x * edge.x + from.y * edge.y, whole = gjk2_dot(edge, edge);
+  bool exact;
+  if (part < 0 || part > whole) {
+    return part < 0 ? -1 : (int64_t)GJK_Q30_ONE + 1;
+  }
+  return gjk2_ratio((uint64_t)part, (uint64_t)whole, &exact);
+}
+
+// The direction in which the line meets the circle of radius around the vertex p. False: it does not, or one that is too
+// large for this.
+//   along a unit vector of the way: v = -sqrt(radius^2 - side^2), and side across it
+static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n) {
+  const gjk2_way *way = s->way;
+  const int64_t side = gjk2_way_side(way, s->face.p.o);
+  if (way->wide || s->radius >> 29 != 0 || s->radius == 0 || gjk2_way_is_beside(way, s->face.p.o, s->radius)) {
+    return false;
+  }
+  gjk2_length length;
+  gjk2_unit u;
+  gjk2_length_set(&length, way->d);
+  gjk2_unit_set(&u, &length, way->d);
+  // In parts of an LSB, as fine as 30 bits allow: a radius of an LSB has directions, too.
+  const uint64_t size = gjk_magnitude64(side);
+  const unsigned up = gjk_clz32((uint32_t)s->radius) - 2, room = gjk_clz64(size | 1) - 3;
+  const unsigned fine = up < room ? up : room;
+  const int64_t radius = gjk_shl64(s->radius, up);  // from 2^29 to below 2^30
+  const int64_t beside = gjk_shl64(gjk2_round_distance(&length, GJK2_ROUND_NEAREST, size << fine), up - fine);
+  if (beside > radius) {
+    return false;
+  }
+  const int32_t back = -(int32_t)gjk_isqrt64((uint64_t)(radius * radius - beside * beside));
+  const int32_t right = side > 0 ? (int32_t)beside : -(int32_t)beside;
+  //   n = back u + right (u turned to the right), both at most 2^30, |u| <= 2^30 + 3: below 2^61
+  n->x = (int32_t)gjk_sar64(gjk_mac32(gjk_mul32(back, u.x), right, u.y), 31);
+  n->y = (int32_t)gjk_sar64(gjk_mac32(gjk_mul32(back, u.y), -right, u.x), 31);
+  return gjk2_norm1(*n) != 0;
+}
+
+static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
+  const gjk2_portion portion = {0, 1, s->fraction, true};
+  gjk2_contact_place place = {&s->face.p, &s->face.p, 0, s->face.n};
+  if (s->face.count == 2) {
+    const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
+    place.q = &s->face.q;
+    place.weight = (gjk_q30)(foot < 0 ? 0 : foot > GJK_Q30_ONE ? GJK_Q30_ONE : foot);
+  }
+  gjk2_cast_hit(s->way, &place, &portion, out);
+}
+
+// Of two fractions without contact before, takes the one that n proves if it is at most half an LSB of the way earlier.
+static void plane_advance_settle(plane_advance *s, gjk_q30 proven) {
+  const uint64_t way = gjk_magnitude64(s->way->t.x) + gjk_magnitude64(s->way->t.y);  // below 2^33
+  if (proven < s->fraction && (uint64_t)(s->fraction - proven) * way <= UINT64_C(1) << 29) {
+    s->fraction = proven;
+  }
+}
+
+// Step 4 and 5, once. Returns whether the fraction is the answer. Pre: the gap at the fraction is measured, or at one
+// before it.
+static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
+  gjk_q30 next;
+  gjk2_span support;
+  *bound = plane_advance_bound(s, s->face.n, &support, &next);
+  if (s->curved) {
+    s->face.p = support;
+  }
+  if (*bound != GJK2_BOUND_AT) {
+    return true;
+  }
+  const gjk_q30 before = s->fraction;
+  const bool is_near = next <= before || next - before <= s->step + 1;  // step <= 2^30
+  s->fraction = next > before ? next : before;
+  if (s->curved) {
+    return is_near;
+  }
+  if (s->face.count == 2) {
+    const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
+    if (foot >= 0 && foot <= GJK_Q30_ONE) {
+      plane_advance_settle(s, next);
+      return true;
+    }
+  } else {
+    gjk2_vec n;
+    gjk_q30 closer;
+    if (plane_advance_disc(s, &n) && plane_advance_bound(s, n, &support, &closer) == GJK2_BOUND_AT && closer >= next &&
+        closer >= before && gjk2_equal(support.o, s->face.p.o)) {
+      s->fraction = closer;
+      s->face.n = n;
+      return true;
+    }
+  }
+  if (is_near) {  // at a grazing way the place ahead may be far from the face
+    s->fraction = before;
+    plane_advance_settle(s, next);
+  }
+  return is_near;
+}
+
+// A miss, by the direction that parts the shapes at the start or at the end. From a vertex the exact one is reported.
+static void plane_advance_short(const plane_advance *s, const plane_face *face, bool at_end, gjk2_cast_result *out) {
+  const gjk2_way *way = s->way;
+  gjk2_cast_miss(way, s->curved ? GJK2_CAST_PROOF_NONE : GJK2_CAST_PROOF_SHORT, out);
+  gjk2_copy(&out->certificate.direction, &face->n);
+  if (face->count == 1 && !s->curved) {
+    const int64_t x = (at_end ? way->t.x : 0) - way->delta.x - face->p.o.x;
+    const int64_t y = (at_end ? way->t.y : 0) - way->delta.y - face->p.o.y;
+    if ((gjk_magnitude64(x) | gjk_magnitude64(y)) >> 29 == 0) {
+      out->certificate.direction.x = (int32_t)x;
+      out->certificate.direction.y = (int32_t)y;
+    }
+  }
+}
+
+// Step 1. Pre: polygons. Without a way no line is there to be passed.
+static bool plane_advance_is_beside(plane_advance *s, gjk2_cast_result *out) {
+  for (int left = 0; left < 2 && (s->way->t.x | s->way->t.y) != 0; left++) {
+    gjk2_span nearest;
+    gjk2_way_outermost(s->way, left != 0, &nearest);
+    const int64_t side = gjk2_way_side(s->way, nearest.o);
+    if ((left != 0 ? side < 0 : side > 0) && gjk2_way_is_beside(s->way, nearest.o, s->radius)) {
+      gjk2_cast_miss(s->way, GJK2_CAST_PROOF_BESIDE, out);
+      out->certificate.count = 1;
+      out->certificate.a[0] = nearest.a.vertex;
+      out->certificate.b[0] = nearest.b.vertex;
+      return true;
+    }
+  }
+  return false;
+}
+
+// A fraction before which the bounding circles do not meet, where they do not at the start.
+static gjk_q30 plane_advance_reach(const plane_advance *s) {
+  const gjk2_way *way = s->way;
+  if (way->wide) {
+    return 0;
+  }
+  const gjk2_vec delta = {(int32_t)way->delta.x, (int32_t)way->delta.y};
+  const int64_t ahead = gjk2_dot(way->d, delta), squared = gjk2_dot(way->d, way->d);
+  const int64_t reach = s->radius + way->a->core_radius + way->b->core_radius;
+  // At most 1/8 too long, so that the bound is early.
+  const int64_t before = ahead - (int64_t)gjk2_length_bound(way->d) * reach;
+  bool exact;
+  return before <= 0 ? 0 : before >= squared ? GJK_Q30_ONE : gjk2_ratio((uint64_t)before, (uint64_t)squared, &exact);
+}
+
+// Steps 2 and 3. Returns whether out is written: a hit at the start, or a miss. Otherwise polygons hit. The direction of
+// the start is set where its gap is measured.
+static bool plane_advance_decide(plane_advance *s, bool early, bool late, gjk2_cast_result *out) {
+  if (early) {
+    if (plane_advance_is_near(s, 0)) {
+      gjk2_cast_inside(s->way, s->gap.intersecting ? NULL : &s->gap, out);
+      return true;
+    }
+    plane_advance_face(s, &s->face);
+    if (!s->open && plane_advance_slope(s, &s->face, false) >= 0) {
+      plane_advance_short(s, &s->face, false, out);
+      return true;
+    }
+  }
+  if (late && !s->curved && !plane_advance_is_near(s, GJK_Q30_ONE)) {
+    plane_face end;
+    plane_advance_face(s, &end);
+    if (plane_advance_slope(s, &end, true) < 0) {
+      plane_advance_short(s, &end, true, out);
+      return true;
+    }
+  }
+  return false;
+}
+
+gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out) {
+  plane_advance s;
+  bool early, late;
+  const int64_t radius = (int64_t)way->a->shape->convex_radius + way->b->shape->convex_radius + margin;
+  (void)gjk2_way_may_meet(way, radius, &early, &late);
+  s.way = way;
+  s.margin = margin;
+  s.curved = gjk2_is_curved(way->a->shape) || gjk2_is_curved(way->b->shape);
+  s.radius = radius + (s.curved ? PLANE_CURVED_SLACK : 0);
+  s.fraction = 0;
+  if (!s.curved && plane_advance_is_beside(&s, out)) {
+    return GJK_OK;
+  }
+  if (plane_advance_decide(&s, early, late, out)) {
+    return GJK_OK;
+  }
+  if (!early) {
+    s.fraction = plane_advance_reach(&s);
+  }
+  bool measured = early;
+  for (int i = 0; i < PLANE_ADVANCE_ROUNDS; i++) {
+    gjk2_bound bound;
+    if (!measured) {
+      (void)plane_advance_is_near(&s, s.fraction);
+      if (s.gap.intersecting) {
+        gjk_q30 next;
+        gjk2_span support;
+        plane_advance_touch(&s);
+        if (plane_advance_bound(&s, s.face.n, &support, &next) == GJK2_BOUND_AT) {
+          plane_advance_settle(&s, next);
+        }
+        plane_advance_hit(&s, out);
+        return GJK_OK;
+      }
+      plane_advance_face(&s, &s.face);
+    }
+    measured = false;
+    if (plane_advance_round(&s, &bound)) {
+      if (s.open && bound != GJK2_BOUND_BEYOND &&
+          (bound == GJK2_BOUND_AWAY || s.gap.upper > s.margin + PLANE_CURVED_GAP)) {
+        return GJK_ERROR_ITERATION_LIMIT;
+      }
+      // Polygons are known to hit: if the gap does not fall where the place is rounded to, the way but grazes them there.
+      if (bound != GJK2_BOUND_AT && s.curved) {
+        plane_advance_short(&s, &s.face, false, out);
+      } else {
+        plane_advance_hit(&s, out);
+      }
+      return GJK_OK;
+    }
+  }
+  return GJK_ERROR_ITERATION_LIMIT;
+}

@@ -1,0 +1,43 @@
+// What the parts of a cast in the plane share: reporting a hit, and casts that need a bracket.
+#ifndef GJK2_SRC_CAST_REPORT_H
+#define GJK2_SRC_CAST_REPORT_H
+
+#include "gjk2/distance.h"
+#include "gjk2_way.h"
+
+// What B meets of A at contact: the edge from p to q of A - B, or the vertex p alone.
+typedef struct gjk2_contact_place {
+  const gjk2_span *p, *q;  // the same where it is a vertex
+  gjk_q30 weight;          // of q
+  gjk2_vec n;              // from A to B, across the edge; |n| < 2^31
+} gjk2_contact_place;
+
+// Writes a miss.
+void gjk2_cast_miss(const gjk2_way *way, gjk2_cast_proof proof, gjk2_cast_result *out);
+
+// Writes a hit at the start. gap: the shapes' distance there, or NULL where they intersect.
+void gjk2_cast_inside(const gjk2_way *way, const gjk2_distance_result *gap, gjk2_cast_result *out);
+
+// Writes a hit later on the way.
+void gjk2_cast_hit(const gjk2_way *way, const gjk2_contact_place *place, const gjk2_portion *portion,
+                   gjk2_cast_result *out);
+
+// A cast of shapes of which one is rounded or curved, or with a margin. Statuses: OK or ITERATION_LIMIT.
+gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out);
+
+// Both colliders at a fraction, to the nearest LSB, so that B's place against A is off by at most half of one.
+void gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b);
+
+typedef enum gjk2_bound { GJK2_BOUND_AT, GJK2_BOUND_BEYOND, GJK2_BOUND_AWAY } gjk2_bound;
+
+// AT: the fraction before which no contact comes, since no vertex of A - B lies beyond n . w = most; *step: the part of the
+// way on which the gap along n changes by 1 LSB. BEYOND: not on the way. AWAY: the way does not lead against n.
+// Pre: n != 0, |n| < 2^30 + 4.
+gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_t radius, gjk_q30 *fraction,
+                           gjk_q30 *step);
+
+// The part of the edge from p to q at which the foot of the place at a fraction lies, Q30; before p: below 0, beyond q:
+// above GJK_Q30_ONE.
+int64_t gjk2_cast_foot(const gjk2_way *way, gjk2_vec p, gjk2_vec q, gjk_q30 fraction);
+
+#endif

@@ -1,0 +1,299 @@
+// The way of a cast in the plane: its numbers, what lies beside it, and parts of it.
+#include "gjk2_way.h"
+
+#include "../plane/gjk2_measure.h"
+
+// Is |x| below 2^32? Pre: |x| < 2^33.
+static bool plane_way_fits(int64_t x) {
+  return gjk_magnitude64(x) >> 32 == 0;
+}
+
+// One axis of a collider's way. *outside is set where its centre leaves int32.
+static int64_t plane_way_along(gjk_q16 position, gjk_q16 to, gjk_q16 centre, bool *outside) {
+  const int64_t way = (int64_t)to - position;
+  (void)gjk_saturate_noting(centre + way, outside);
+  return way;
+}
+
+static void plane_way_of(const gjk2_collider *c, const gjk2_vec *to, gjk2_long *way, bool *outside) {
+  way->x = 0;
+  way->y = 0;
+  if (to != NULL) {
+    way->x = plane_way_along(c->position.x, to->x, c->centre.x, outside);
+    way->y = plane_way_along(c->position.y, to->y, c->centre.y, outside);
+  }
+}
+
+// x = 2^16 high + low of p q + r s. Pre: each is below 2^33 in size.
+typedef struct plane_long_sum {
+  int64_t high;
+  uint32_t low;  // below 2^16
+} plane_long_sum;
+
+//   high digits   below 2^17, times 2^33: two of them below 2^51
+//   low digits    below 2^16, times 2^33: two of them below 2^50
+static plane_long_sum plane_sum_long(int64_t p, int64_t q, int64_t r, int64_t s) {
+  const int64_t digit = INT64_C(0xFFFF), low = (p & digit) * q + (r & digit) * s;
+  const plane_long_sum sum = {gjk_sar64(p, 16) * q + gjk_sar64(r, 16) * s + gjk_sar64(low, 16),
+                              (uint32_t)(low & digit)};
+  return sum;
+}
+
+// Is each component below 2^30 in size?
+static bool plane_is_short(const gjk2_long *v) {
+  return (gjk_magnitude64(v->x) | gjk_magnitude64(v->y)) >> 30 == 0;
+}
+
+// Sets d, base and wide from t and delta.
+static void plane_way_aim(gjk2_way *way) {
+  const gjk2_long *t = &way->t, *delta = &way->delta;
+  const bool is_short = plane_is_short(t);
+  way->d.x = (int32_t)(is_short ? t->x : gjk_sar64(t->x, 3));
+  way->d.y = (int32_t)(is_short ? t->y : gjk_sar64(t->y, 3));
+  way->wide = !is_short || !plane_is_short(delta);
+  if (!way->wide) {
+    const gjk2_vec near = {(int32_t)delta->x, (int32_t)delta->y};
+    way->base = gjk2_cross(way->d, near);
+    return;
+  }
+  const plane_long_sum cross = plane_sum_long(t->x, delta->y, -t->y, delta->x);
+  const int64_t most = INT64_C(1) << 46;
+  way->base = cross.high >= most    ? INT64_C(1) << 62
+              : cross.high <= -most ? -(INT64_C(1) << 62)
+                                    : gjk_shl64(cross.high, 16) + cross.low;
+}
+
+gjk_status gjk2_way_set(gjk2_way *way, const gjk2_collider *a, const gjk2_collider *b, const gjk2_cast_path *path,
+                        const void *out) {
+  const gjk_status status = gjk2_check_pair(a, b, path == NULL ? NULL : out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  if (path->margin < 0) {
+    return GJK_ERROR_NEGATIVE;
+  }
+  bool outside = false;
+  plane_way_of(a, path->to_a, &way->of_a, &outside);
+  plane_way_of(b, path->to_b, &way->of_b, &outside);
+  way->a = a;
+  way->b = b;
+  way->t.x = way->of_b.x - way->of_a.x;
+  way->t.y = way->of_b.y - way->of_a.y;
+  if (outside || !plane_way_fits(way->t.x) || !plane_way_fits(way->t.y)) {
+    return GJK_ERROR_RANGE;
+  }
+  way->delta.x = (int64_t)a->centre.x - b->centre.x;
+  way->delta.y = (int64_t)a->centre.y - b->centre.y;
+  way->scans = 0;
+  plane_way_aim(way);
+  return GJK_OK;
+}
+
+void gjk2_way_reverse(gjk2_way *way) {
+  way->t.x = -way->t.x;
+  way->t.y = -way->t.y;
+  way->d = gjk2_negate(way->d);
+  way->base = -way->base;
+}
+
+// Is |v| > reach? Pre: components below 2^31 in size, reach < 2^31.
+static bool plane_is_longer(int64_t x, int64_t y, int64_t reach) {
+  const uint32_t u = (uint32_t)gjk_magnitude64(x), v = (uint32_t)gjk_magnitude64(y), r = (uint32_t)reach;
+  return gjk_umul32(u, u) + gjk_umul32(v, v) > gjk_umul32(r, r);
+}
+
+// The same along each axis alone, for any numbers.
+static bool plane_is_outside(int64_t x, int64_t y, int64_t reach) {
+  return x > reach || -x > reach || y > reach || -y > reach;
+}
+
+// Is an axis' coordinate beyond reach, on one side, at both ends?
+static bool plane_stays_off(int64_t from, int64_t to, int64_t reach) {
+  return (from > reach && to > reach) || (from < -reach && to < -reach);
+}
+
+bool gjk2_way_may_meet(const gjk2_way *way, int64_t radius, bool *early, bool *late) {
+  const int64_t reach = (int64_t)way->a->core_radius + way->b->core_radius + radius;
+  const int64_t x = way->delta.x - way->t.x, y = way->delta.y - way->t.y;  // what delta is at the end; below 2^33
+  if (way->wide || reach > INT32_MAX) {
+    *early = !plane_is_outside(way->delta.x, way->delta.y, reach);
+    *late = !plane_is_outside(x, y, reach);
+    return !plane_stays_off(way->delta.x, x, reach) && !plane_stays_off(way->delta.y, y, reach);
+  }
+  const gjk2_vec delta = {(int32_t)way->delta.x, (int32_t)way->delta.y};
+  *early = !plane_is_longer(delta.x, delta.y, reach);
+  *late = !plane_is_longer(x, y, reach);
+  if (*early || *late) {
+    return true;
+  }
+  // Both ends are off the circle: the way meets it where the centre's foot is inside the way, and near enough.
+  const int64_t ahead = gjk2_dot(way->d, delta);  // each below 2^61
+  return ahead > 0 && ahead < gjk2_dot(way->d, way->d) &&
+         gjk2_is_within(gjk_int64(gjk_magnitude64(way->base)), way->d, (int32_t)reach);
+}
+
+void gjk2_way_scan(gjk2_way *way, gjk2_vec d, gjk2_span *out) {
+  const gjk2_vec opposite = gjk2_negate(d);
+  way->a->shape->type->support(way->a, &d, &out->a);
+  way->b->shape->type->support(way->b, &opposite, &out->b);
+  out->o = gjk2_sub(out->a.offset, out->b.offset);
+  way->scans++;
+}
+
+void gjk2_way_outermost_of(const gjk2_collider *c, const gjk2_long *t, bool left, gjk2_support *out) {
+  int64_t most = INT64_MIN;
+  gjk2_vec offset;
+  for (uint32_t i = 0; i < c->count && c->shape->type->vertex(c, (uint16_t)i, &offset); i++) {
+    const int64_t cross = t->x * offset.y - t->y * offset.x;  // |t| < 2^33, |offset| < 2^28: below 2^61
+    const int64_t side = left ? cross : -cross;
+    if (side > most) {
+      most = side;
+      gjk2_copy(&out->offset, &offset);
+      out->vertex = (uint16_t)i;
+    }
+  }
+}
+
+void gjk2_way_outermost(gjk2_way *way, bool left, gjk2_span *out) {
+  const gjk2_vec across = {-way->d.y, way->d.x};
+  const bool exact = plane_is_short(&way->t);
+  gjk2_way_scan(way, left ? across : gjk2_negate(across), out);
+  if (!exact && !gjk2_is_curved(way->a->shape) && !gjk2_is_curved(way->b->shape)) {
+    gjk2_way_outermost_of(way->a, &way->t, left, &out->a);
+    gjk2_way_outermost_of(way->b, &way->t, !left, &out->b);
+    out->o = gjk2_sub(out->a.offset, out->b.offset);
+  }
+}
+
+// Wide: |t| < 2^32.5 and |o| < 2^29, so t x o is below 2^61.5.
+int64_t gjk2_way_side(const gjk2_way *way, gjk2_vec o) {
+  if (way->wide) {
+    return way->base + way->t.x * o.y - way->t.y * o.x;
+  }
+  return gjk_mac32(gjk_mac32(way->base, way->d.x, o.y), -way->d.y, o.x);
+}
+
+static void plane_square(gjk_u192 *out, uint64_t x) {
+  gjk_u192 size;
+  gjk_u192_set(&size, x);
+  gjk_u192_multiply(out, &size, &size);
+}
+
+// Is (2^16 high + low)^2 > radius^2 |t|^2?  |t| < 2^33, radius < 2^32:  both below 2^132
+GJK_OUT_OF_LINE static bool plane_is_beside_wide(const gjk2_way *way, gjk2_vec o, int64_t radius) {
+  const gjk2_long w = {way->delta.x + o.x, way->delta.y + o.y};  // below 2^33
+  plane_long_sum side = plane_sum_long(way->t.x, w.y, -way->t.y, w.x);
+  if (side.high < 0) {
+    side = plane_sum_long(-way->t.x, w.y, way->t.y, w.x);
+  }
+  gjk_u192 size, digit, sum, left, right, y_squared;
+  gjk_u192_set(&digit, UINT64_C(1) << 16);
+  gjk_u192_set(&sum, gjk_magnitude64(side.high));
+  gjk_u192_multiply(&size, &sum, &digit);
+  gjk_u192_set(&digit, side.low);
+  gjk_u192_add(&size, &digit);
+  gjk_u192_multiply(&left, &size, &size);
+  plane_square(&sum, gjk_magnitude64(way->t.x));
+  plane_square(&y_squared, gjk_magnitude64(way->t.y));
+  gjk_u192_add(&sum, &y_squared);
+  plane_square(&size, (uint64_t)radius);
+  gjk_u192_multiply(&right, &size, &sum);
+  return gjk_u192_compare(&left, &right) > 0;
+}
+
+bool gjk2_way_is_beside(const gjk2_way *way, gjk2_vec o, int64_t radius) {
+  if (way->wide || radius > INT32_MAX) {
+    return plane_is_beside_wide(way, o, radius);
+  }
+  return !gjk2_is_within(gjk_int64(gjk_magnitude64(gjk2_way_side(way, o))), way->d, (int32_t)radius);
+}
+
+int64_t gjk2_way_along(const gjk2_way *way, gjk2_vec n, gjk2_vec o) {
+  if (way->wide) {
+    return n.x * (way->delta.x + o.x) + n.y * (way->delta.y + o.y);
+  }
+  const gjk2_vec w = {(int32_t)way->delta.x + o.x, (int32_t)way->delta.y + o.y};
+  return gjk2_dot(n, w);
+}
+
+int64_t gjk2_way_ahead(const gjk2_way *way, gjk2_vec n) {
+  return way->wide ? n.x * way->t.x + n.y * way->t.y : gjk2_dot(n, way->d);
+}
+
+int gjk2_way_is_ahead(const gjk2_way *way, gjk2_vec o, bool at_end) {
+  const gjk2_long *t = &way->t;
+  const int64_t x = way->delta.x + o.x - (at_end ? t->x : 0), y = way->delta.y + o.y - (at_end ? t->y : 0);
+  // Below 2^34, one bit more than plane_sum_long is stated for, which has ten to spare.
+  const plane_long_sum sum = plane_sum_long(t->x, x, t->y, y);
+  return sum.high < 0 ? -1 : (sum.high != 0 || sum.low != 0);
+}
+
+// With top and bottom for the leading 32 bits of num and den, at the same scale, 2^31 top / bottom is within 4 of the
+// quotient in units of 2^-31. So the estimate is within 3, and the remainder, in 96 bits, settles it.
+gjk_q30 gjk2_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t den, bool *exact) {
+  const unsigned up = 64 - divisor->bits;
+  uint32_t q = gjk_umulh32((uint32_t)((num << up) >> 32), divisor->inverse) >> 1;
+  // rest = 2^30 num - q den, as 2^32 high + low
+  const uint64_t low_product = gjk_umul32(q, (uint32_t)(den & UINT32_MAX));
+  const uint64_t high_product = gjk_umul32(q, (uint32_t)(den >> 32)) + (low_product >> 32);
+  const uint32_t num_low = (uint32_t)(num & 3u) << 30;
+  int64_t high = (int64_t)(num >> 2) - (int64_t)high_product;  // both below 2^62
+  uint32_t low = num_low - (uint32_t)(low_product & UINT32_MAX);
+  high -= low > num_low ? 1 : 0;
+  const int64_t den_high = (int64_t)(den >> 32);
+  const uint32_t den_low = (uint32_t)(den & UINT32_MAX);
+  for (int i = 0; i < 8 && high < 0; i++) {
+    low += den_low;
+    high += den_high + (low < den_low);
+    q--;
+  }
+  for (int i = 0; i < 8 && (high > den_high || (high == den_high && low >= den_low)); i++) {
+    high -= den_high + (low < den_low);
+    low -= den_low;
+    q++;
+  }
+  *exact = high == 0 && low == 0;
+  return (gjk_q30)q;
+}
+
+gjk_q30 gjk2_ratio(uint64_t num, uint64_t den, bool *exact) {
+  const gjk_u128 whole = {0, den};
+  gjk_divisor divisor;
+  gjk_divisor_set(&divisor, &whole);
+  return gjk2_ratio_by(&divisor, num, den, exact);
+}
+
+// The sign of p x - q y.
+GJK_OUT_OF_LINE static int plane_compare_products(uint64_t p, uint64_t x, uint64_t q, uint64_t y) {
+  gjk_u192 left, right, factor, factor2;
+  gjk_u192_set(&factor, p);
+  gjk_u192_set(&factor2, x);
+  gjk_u192_multiply(&left, &factor, &factor2);
+  gjk_u192_set(&factor, q);
+  gjk_u192_set(&factor2, y);
+  gjk_u192_multiply(&right, &factor, &factor2);
+  return gjk_u192_compare(&left, &right);
+}
+
+// 2^30 size num / den lies from size fraction to below size (fraction + 1), and is the former where exact.
+int64_t gjk2_portion_of(const gjk2_portion *portion, int64_t length, int64_t up) {
+  if (length == 0) {
+    return 0;
+  }
+  const uint64_t size = gjk_magnitude64(length), product = size * (uint32_t)portion->fraction;  // below 2^62
+  const uint64_t mask = (UINT32_C(1) << 30) - 1;
+  uint64_t whole = product >> 30;
+  bool more = (product & mask) != 0 || !portion->exact;
+  if (!portion->exact && (product & mask) + size > mask + 1) {
+    // An integer lies between: at most 5 of them, since size < 2^32.
+    int sign = plane_compare_products(size, portion->num, whole + 1, portion->den);
+    for (int i = 0; i < 6 && sign >= 0; i++) {
+      whole++;
+      more = sign > 0;
+      sign = plane_compare_products(size, portion->num, whole + 1, portion->den);
+    }
+  }
+  const bool outwards = more && (length < 0 ? up < 0 : up > 0);
+  const int64_t rounded = (int64_t)whole + (outwards ? 1 : 0);
+  return length < 0 ? -rounded : rounded;
+}
