@@ -43,13 +43,21 @@ typedef bool gjk_scene_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk
 typedef enum gjk_event {
   GJK_EVENT_BEGIN = 1,  // near at this update, not at the last one
   GJK_EVENT_PERSIST,    // near at both; reported only with config.persist
-  GJK_EVENT_END         // near at the last update, not at this one, or a body was removed, whose id is stale
+  GJK_EVENT_END,        // near at the last update, not at this one, or a body was removed, whose id is stale
+  GJK_EVENT_IMPACT      // a is fast, and b is what it touched first on its way since the last update
 } gjk_event;
+
+// Of which bodies a scene keeps where they were at the last update, see gjk_scene_set_motion.
+typedef enum gjk_body_motion {
+  GJK_MOTION_NOT_KEPT = 0,  // to fast bodies it stands where it is now
+  GJK_MOTION_KEPT,          // fast bodies meet it on its way
+  GJK_MOTION_FAST           // it is swept along its way, and what it touches first is reported
+} gjk_body_motion;
 
 // How far an update has come. Both numbers left are 0: it is done.
 typedef struct gjk_progress {
   uint32_t reports;       // written by this call
-  uint32_t pairs_left;    // not yet tested
+  uint32_t pairs_left;    // not yet tested, and bodies whose motion is kept and that are not yet swept
   uint32_t reports_left;  // not yet written
 } gjk_progress;
 
@@ -76,8 +84,24 @@ typedef struct gjk_scene_stats {
 typedef struct gjk_scene_hit {
   gjk_body_id body;
   uint16_t part;
-  uint32_t fraction;  // of a ray's way, in 2^-30, where it enters the part's box, rounded down; of other queries 0
+  uint32_t fraction;  // of a way, in 2^-30, where it enters the part's box or meets the part, rounded down; otherwise 0
 } gjk_scene_hit;
+
+// Does a query look at this part? May be called several times for a part, perhaps from several threads.
+typedef bool gjk_scene_accept(void *user, gjk_body_id body, uint32_t user_of_body, uint16_t part);
+
+// Which parts a query of shapes looks at. A NULL filter: all.
+typedef struct gjk_scene_filter {
+  uint32_t category, mask;   // as those of a body: each category has to share a bit with the other's mask
+  gjk_body_id ignore;        // a body to leave out, for example the one that asks; zeroed: none
+  gjk_scene_accept *accept;  // NULL: every part that the fields above let through
+  void *user;                // accept's first argument
+} gjk_scene_filter;
+
+// Of gjk_slide: the most planes that it slides along in one call, the least gap that it keeps, and the most casts.
+#define GJK_SLIDE_PLANES 4
+#define GJK_SLIDE_SKIN_MIN ((gjk_q16)16)
+#define GJK_SLIDE_CASTS 50
 
 #ifdef __cplusplus
 }

@@ -2,11 +2,14 @@
 #ifndef GJK_GJK_H
 #define GJK_GJK_H
 
+#include "gjk/cast.h"
 #include "gjk/check.h"
 #include "gjk/collider.h"
 #include "gjk/contacts.h"
 #include "gjk/distance.h"
 #include "gjk/format.h"
+#include "gjk/hull.h"
+#include "gjk/impact.h"
 #include "gjk/intersect.h"
 #include "gjk/penetration.h"
 #include "gjk/pose.h"

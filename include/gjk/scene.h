@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // The version of a block's format. gjk_scene_open and gjk_scene_attach refuse a block of another version.
-#define GJK_SCENE_BLOCK_VERSION UINT32_C(3)
+#define GJK_SCENE_BLOCK_VERSION UINT32_C(4)
 
 // One shape of a body.
 typedef struct gjk_part {
@@ -67,11 +67,16 @@ typedef struct gjk_scene_config {
   uint8_t retest_all;  // 1: every update tests every pair anew from a cold start. For tests: the answers are the same
   uint8_t reserved;    // 0
   uint32_t workspace_cells;  // how many cells of bindings.workspace depths and contacts use, see above; 0: none
+  uint32_t motions;  // capacity: bodies whose motion is kept, see gjk_scene_set_motion; 0 to GJK_SCENE_BODIES_MAX
 } gjk_scene_config;
 
 // The code behind depths and contacts, one constant each: a program links only what it mentions.
 typedef struct gjk_scene_details gjk_scene_details;
 extern const gjk_scene_details gjk_scene_depth, gjk_scene_contacts;
+
+// The code behind fast bodies.
+typedef struct gjk_scene_motions gjk_scene_motions;
+extern const gjk_scene_motions gjk_scene_motion;
 
 // What a program binds to a scene besides its block and shapes. Each field is optional: zeroed, it binds nothing.
 typedef struct gjk_scene_bindings {
@@ -80,6 +85,7 @@ typedef struct gjk_scene_bindings {
   const gjk_scene_details *details;  // &gjk_scene_depth; &gjk_scene_contacts: both; NULL: neither
   const gjk_workspace *workspace;    // at least config.workspace_cells cells, no more are used; NULL: none
   gjk_manifold *manifolds;           // room for a manifold per report of a call, see gjk_report; NULL: none are wanted
+  const gjk_scene_motions *motion;   // &gjk_scene_motion; NULL: no motion is kept
 } gjk_scene_bindings;
 
 // The handle of a scene. gjk_scene_init, gjk_scene_open and gjk_scene_attach write all of it when they return GJK_OK,
@@ -130,6 +136,23 @@ gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id id, const gjk_pose *
 gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id id);
 gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id);
 
+// Keeps where a body is at each update, so that fast bodies are swept against it along its way; or sweeps it, too.
+//
+// motion    a gjk_body_motion. What is kept starts at the pose that the body has now. A teleport starts it anew.
+// Way       from the pose at the last update to that at the next one: the position in a straight line, the rotation along
+//           the shortest arc. A body whose motion is not kept stands where it is at the next update.
+// Impact    of each fast body that moved, or is awake, the next update reports the part that it touches first, among
+//           equal fractions the lowest (slot, part) of b, then of a. Margins do not count. Kinds, category, mask and the
+//           predicate do. Parts that touch at the start are no impact if they were near at the last update, and those of
+//           bodies that both stand are none.
+// fraction  where neither part turns, that of gjk_cast from where both were; otherwise the lower one of
+//           gjk_time_of_impact with GJK_IMPACT_TOLERANCE_MIN. A sphere, circle or point at its body's origin does not turn.
+// Unsettled  A cast or time of impact may reach its ceiling, or a way of one against the other be 2^32 LSB or longer.
+//           Then the impact counts at a proven lower fraction.
+// Statuses  RANGE (motion, or a static body), CAPACITY (config.motions), UNSUPPORTED: bindings.motion is NULL. Once
+//           motions are kept, gjk_scene_remove and gjk_scene_teleport of such a body need it, too.
+gjk_status gjk_scene_set_motion(gjk_scene *scene, gjk_body_id id, uint8_t motion);
+
 // Gives a part of a body another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
 gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape);
 
@@ -150,6 +173,7 @@ typedef struct gjk_body_state {
   uint16_t part_count;
   uint8_t kind, detail;
   bool asleep;
+  uint8_t motion;  // a gjk_body_motion
 } gjk_body_state;
 
 gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id id, gjk_body_state *out);
@@ -162,7 +186,7 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
 
 // Updates.
 
-// One pair of parts. a has the lower slot.
+// One pair of parts. a has the lower slot; of an IMPACT it is the fast body.
 //
 // distance  of BEGIN and PERSIST, by detail. DISTANCE: as gjk_distance; DEPTH: as gjk_signed_distance, negative for a
 //           depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
@@ -175,21 +199,24 @@ typedef struct gjk_report {
   uint8_t detail;  // a gjk_detail: the pair's; the configuration's if a body was removed
   gjk_q16 distance;
   const gjk_manifold *manifold;
+  gjk_q30 fraction;  // of IMPACT, see gjk_scene_set_motion; otherwise 0
 } gjk_report;
 
-// Finds which pairs are near. Reports are in the order of (slot, generation, part) of a, then of b.
+// Finds which pairs are near, and what fast bodies touch. Reports are in the order of (slot, generation, part) of a,
+// then of b. Those of impacts follow all others, in the order of a.
 //
 // reports   room for capacity reports; NULL when that is 0. A buffer that fills up loses nothing: call again.
 // Statuses  CAPACITY: config.pairs is too small, see there. The update has not begun; it begins once bodies are moved
 //           or removed so that their pairs fit.
 //           UNSUPPORTED: the configuration or a body asks for a detail that bindings.details lacks, or for depths while
-//           bindings.workspace has fewer cells than config.workspace_cells. Nothing is done.
+//           bindings.workspace has fewer cells than config.workspace_cells. Or motions are kept and bindings.motion is
+//           NULL. Nothing is done.
 // Unsettled  A query may reach its ceiling on iterations: of curved or custom shapes alone. Then the pair counts as
 //           near, at the proven lower bound, and its manifold is zero. A workspace may be too small for a depth: then
 //           the distance is minus a depth that is enough. gjk_scene_stats.unsettled counts both.
 gjk_status gjk_scene_update(gjk_scene *scene, gjk_report *reports, uint32_t capacity, gjk_progress *progress);
 
-// As gjk_scene_update, but this call tests at most tests pairs, for firmware with a deadline. The first slice
+// As gjk_scene_update, but this call tests at most tests pairs and fast bodies, for firmware with a deadline. The first slice
 // matches all boxes.
 gjk_status gjk_scene_update_slice(gjk_scene *scene, uint32_t tests, gjk_report *reports, uint32_t capacity,
                                   gjk_progress *progress);
@@ -207,6 +234,11 @@ gjk_status gjk_scene_update_each(gjk_scene *scene, gjk_report_function *function
 // first > end, or end beyond the pairs, or no update has begun.
 gjk_status gjk_scene_update_begin(gjk_scene *scene, uint32_t *pairs);
 gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t first, uint32_t end);
+
+// Spread fast bodies over threads as well, once every pair is tested: count says of how many bodies motion is kept. Then
+// threads sweep disjoint ranges of them at the same time. Statuses as gjk_scene_test_pairs.
+gjk_status gjk_scene_sweep_count(const gjk_scene *scene, uint32_t *count);
+gjk_status gjk_scene_sweep(gjk_scene *scene, uint32_t first, uint32_t end);
 
 // Goes through the pairs that were near at the last update, in no stated order. Start with *cursor 0; *found is false
 // at the end. The event is PERSIST, or END when a body was removed since.
@@ -249,8 +281,8 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
 // Lockstep and saving.
 
 // 64 bits over all that decides further answers: the configuration without capacities, box_margin and retest_all; the
-// build's GJK_ITERATIONS_MAX; bodies; pairs near at the last update; updates. Tree and caches do not count. BUSY during
-// an update.
+// build's GJK_ITERATIONS_MAX; bodies and their kept motions; pairs near at the last update; updates. Tree and caches do
+// not count. BUSY during an update.
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 
 // Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.

@@ -10,9 +10,9 @@
 // addresses, caches or capacities, nor on the way that bodies took to where they are. Bodies that are added to stated
 // slots may be added in any order. tests/check/unit/test_plane_scene_*.c hold each statement of this header.
 //
-// What is reported of a pair is a function of shapes, poses, margins and configuration: what the queries answer from a
-// cold start, even where they find no answer. Skips and caches never change it. One case needs no query: a pair with an
-// ellipse or custom shape is apart when its exact boxes are farther apart along an axis than the margins.
+// What is reported of a pair is a function of shapes, poses, margins and configuration. It is what the queries answer
+// from a cold start, even where they find no answer. Skips and caches never change it. One case needs no query: a pair
+// with an ellipse or custom shape. It is apart when its exact boxes are farther apart along an axis than the margins.
 //
 // Lockstep peers need the same shapes, builds with the same GJK_ITERATIONS_MAX, and the same configuration. Only
 // box_margin and retest_all may differ, and capacities that do not run out.
@@ -23,6 +23,7 @@
 //            body       44.125 (60.125)
 //            part      116     (184), its node in the tree included
 //            own pose   20     (32)
+//            motion     32     (44)
 //            pair       32     (48)
 //          A body of one part with its share of the tree takes 160 bytes (244).
 // Statuses of every call: NULL for a pointer that is missing; CORRUPT for a handle whose block is not a scene's.
@@ -37,7 +38,7 @@ extern "C" {
 #endif
 
 // The version of a block's format. gjk2_scene_open and gjk2_scene_attach refuse a block of another version.
-#define GJK2_SCENE_BLOCK_VERSION UINT32_C(1)
+#define GJK2_SCENE_BLOCK_VERSION UINT32_C(2)
 
 // One shape of a body.
 typedef struct gjk2_part {
@@ -60,8 +61,9 @@ typedef struct gjk2_body_setup {
 
 // What a scene holds and does.
 //
-// pairs  an update needs room for the pairs of parts that were near at the last update, and for those whose boxes meet:
-//        the exact ones, each enlarged by its body's margin. Room for all that meet within box_margin saves work.
+// pairs  an update needs room for the pairs of parts that were near at the last update, and for those whose boxes meet.
+//        These are the exact boxes, each enlarged by its body's margin. Room for all that meet within box_margin saves
+//        work.
 typedef struct gjk2_scene_config {
   uint32_t bodies;     // capacity, from 1 to GJK_SCENE_BODIES_MAX
   uint32_t parts;      // capacity: parts of all bodies together, from 1 to GJK_SCENE_BODIES_MAX
@@ -72,18 +74,24 @@ typedef struct gjk2_scene_config {
   uint8_t persist;     // 1: pairs that stay near are reported in every update
   uint8_t retest_all;  // 1: every update tests every pair anew from a cold start. For tests: the answers are the same
   uint8_t reserved;    // 0
+  uint32_t motions;    // capacity: bodies whose motion is kept, see gjk2_scene_set_motion; 0 to GJK_SCENE_BODIES_MAX
 } gjk2_scene_config;
 
 // The code behind depths and contacts, one constant each: a program links only what it mentions.
 typedef struct gjk2_scene_details gjk2_scene_details;
 extern const gjk2_scene_details gjk2_scene_depth, gjk2_scene_contacts;
 
+// The code behind fast bodies.
+typedef struct gjk2_scene_motions gjk2_scene_motions;
+extern const gjk2_scene_motions gjk2_scene_motion;
+
 // What a program binds to a scene besides its block and shapes. Each field is optional: zeroed, it binds nothing.
 typedef struct gjk2_scene_bindings {
   gjk_scene_predicate *predicate;     // NULL: every pair that category and mask let through is tested
   void *user;                         // the predicate's first argument
   const gjk2_scene_details *details;  // &gjk2_scene_depth; &gjk2_scene_contacts: both; NULL: neither
-  gjk2_manifold *manifolds;  // room for a manifold per report of a call, see gjk2_report; NULL: none are wanted
+  gjk2_manifold *manifolds;          // room for a manifold per report of a call, see gjk2_report; NULL: none are wanted
+  const gjk2_scene_motions *motion;  // &gjk2_scene_motion; NULL: no motion is kept
 } gjk2_scene_bindings;
 
 // The handle of a scene. gjk2_scene_init, gjk2_scene_open and gjk2_scene_attach write all of it when they return GJK_OK,
@@ -134,6 +142,23 @@ gjk_status gjk2_scene_teleport(gjk2_scene *scene, gjk_body_id id, const gjk2_pos
 gjk_status gjk2_scene_sleep(gjk2_scene *scene, gjk_body_id id);
 gjk_status gjk2_scene_wake(gjk2_scene *scene, gjk_body_id id);
 
+// Keeps where a body is at each update, so that fast bodies are swept against it along its way; or sweeps it, too.
+//
+// motion    a gjk_body_motion. What is kept starts at the pose that the body has now. A teleport starts it anew.
+// Way       from the pose at the last update to that at the next one: the position in a straight line, the rotation along
+//           the shortest arc. A body whose motion is not kept stands where it is at the next update.
+// Impact    of each fast body that moved, or is awake, the next update reports the part that it touches first, among
+//           equal fractions the lowest (slot, part) of b, then of a. Margins do not count. Kinds, category, mask and the
+//           predicate do. Parts that touch at the start are no impact if they were near at the last update, and those of
+//           bodies that both stand are none.
+// fraction  where neither part turns, that of gjk2_cast from where both were; otherwise the lower one of
+//           gjk2_time_of_impact with GJK2_IMPACT_TOLERANCE_MIN. A sphere, circle or point at its body's origin does not turn.
+// Unsettled  A cast or time of impact may reach its ceiling, or a way of one against the other be 2^32 LSB or longer.
+//           Then the impact counts at a proven lower fraction.
+// Statuses  RANGE (motion, or a static body), CAPACITY (config.motions), UNSUPPORTED: bindings.motion is NULL. Once
+//           motions are kept, gjk2_scene_remove and gjk2_scene_teleport of such a body need it, too.
+gjk_status gjk2_scene_set_motion(gjk2_scene *scene, gjk_body_id id, uint8_t motion);
+
 // Gives a part of a body another shape. RANGE: no such part or shape; and the statuses of gjk2_collider_init.
 gjk_status gjk2_scene_set_shape(gjk2_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape);
 
@@ -154,6 +179,7 @@ typedef struct gjk2_body_state {
   uint16_t part_count;
   uint8_t kind, detail;
   bool asleep;
+  uint8_t motion;  // a gjk_body_motion
 } gjk2_body_state;
 
 gjk_status gjk2_scene_get(const gjk2_scene *scene, gjk_body_id id, gjk2_body_state *out);
@@ -166,7 +192,7 @@ gjk_status gjk2_scene_collider(const gjk2_scene *scene, gjk_body_id id, uint16_t
 
 // Updates.
 
-// One pair of parts. a has the lower slot.
+// One pair of parts. a has the lower slot; of an IMPACT it is the fast body.
 //
 // distance  of BEGIN and PERSIST, by detail. DISTANCE: as gjk2_distance; DEPTH: as gjk2_signed_distance, negative for a
 //           depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
@@ -179,20 +205,23 @@ typedef struct gjk2_report {
   uint8_t detail;  // a gjk_detail: the pair's; the configuration's if a body was removed
   gjk_q16 distance;
   const gjk2_manifold *manifold;
+  gjk_q30 fraction;  // of IMPACT, see gjk2_scene_set_motion; otherwise 0
 } gjk2_report;
 
-// Finds which pairs are near. Reports are in the order of (slot, generation, part) of a, then of b.
+// Finds which pairs are near, and what fast bodies touch. Reports are in the order of (slot, generation, part) of a,
+// then of b. Those of impacts follow all others, in the order of a.
 //
 // reports   room for capacity reports; NULL when that is 0. A buffer that fills up loses nothing: call again.
 // Statuses  CAPACITY: config.pairs is too small, see there. The update has not begun; it begins once bodies are moved
 //           or removed so that their pairs fit.
-//           UNSUPPORTED: the configuration or a body asks for a detail that bindings.details lacks. Nothing is done.
+//           UNSUPPORTED: the configuration or a body asks for a detail that bindings.details lacks. Or
+//           motions are kept and bindings.motion is NULL. Nothing is done.
 // Unsettled  A query may reach its ceiling on iterations: of ellipses or custom shapes alone. Then the pair counts
 //           as near, at the proven lower bound, and its manifold is zero. So may the depth of such a pair: then the
 //           distance is minus a depth that is enough. gjk_scene_stats.unsettled counts both.
 gjk_status gjk2_scene_update(gjk2_scene *scene, gjk2_report *reports, uint32_t capacity, gjk_progress *progress);
 
-// As gjk2_scene_update, but this call tests at most tests pairs, for firmware with a deadline. The first slice
+// As gjk2_scene_update, but this call tests at most tests pairs and fast bodies, for firmware with a deadline. The first slice
 // matches all boxes.
 gjk_status gjk2_scene_update_slice(gjk2_scene *scene, uint32_t tests, gjk2_report *reports, uint32_t capacity,
                                    gjk_progress *progress);
@@ -209,6 +238,11 @@ gjk_status gjk2_scene_update_each(gjk2_scene *scene, gjk2_report_function *funct
 // left. Test: RANGE: first > end, or end beyond the pairs, or no update has begun.
 gjk_status gjk2_scene_update_begin(gjk2_scene *scene, uint32_t *pairs);
 gjk_status gjk2_scene_test_pairs(gjk2_scene *scene, uint32_t first, uint32_t end);
+
+// Spread fast bodies over threads as well, once every pair is tested: count says of how many bodies motion is kept. Then
+// threads sweep disjoint ranges of them at the same time. Statuses as gjk2_scene_test_pairs.
+gjk_status gjk2_scene_sweep_count(const gjk2_scene *scene, uint32_t *count);
+gjk_status gjk2_scene_sweep(gjk2_scene *scene, uint32_t first, uint32_t end);
 
 // Goes through the pairs that were near at the last update, in no stated order. Start with *cursor 0; *found is false
 // at the end. The event is PERSIST, or END when a body was removed since.
@@ -250,15 +284,15 @@ gjk_status gjk2_scene_query_nearest(const gjk2_scene *scene, const gjk2_collider
 // Lockstep and saving.
 
 // 64 bits over all that decides further answers: the configuration without capacities, box_margin and retest_all; the
-// build's GJK_ITERATIONS_MAX; bodies; pairs near at the last update; updates. Tree and caches do not count. BUSY during
-// an update.
+// build's GJK_ITERATIONS_MAX; bodies and their kept motions; pairs near at the last update; updates. Tree and caches do
+// not count. BUSY during an update.
 gjk_status gjk2_scene_hash(const gjk2_scene *scene, uint64_t *out);
 
 // Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.
 gjk_status gjk2_scene_seal(gjk2_scene *scene);
 
 // Opens a sealed block that may come from anywhere. Checks its header, byte order and checksum, and all that
-// gjk2_scene_check does, so no later call reads or writes outside of the block. scene and bindings as in gjk2_scene_init.
+// gjk2_scene_check does. So no later call reads or writes outside of the block. scene and bindings as in gjk2_scene_init.
 // Statuses: CORRUPT, also for a block of another GJK2_SCENE_BLOCK_VERSION or of a build with another GJK_ITERATIONS_MAX;
 // CAPACITY (bytes); RANGE (not aligned, or a shape index that the table lacks). The caller promises that the shapes are
 // the same; CORRUPT where a part's box or pose shows that they are not.

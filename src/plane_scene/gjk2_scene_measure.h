@@ -34,8 +34,7 @@ static inline int64_t gjk2_scene_along(const gjk2_vec *d, const gjk2_vec *centre
   const gjk2_vec apart = {centres->x + on_b->x - on_a->x, centres->y + on_b->y - on_a->y};
   gjk2_length length;
   gjk2_unit u;
-  gjk2_length_set(&length, *d);
-  gjk2_unit_set(&u, &length, *d);
+  gjk2_normal_set(&u, &length, d);
   return gjk_sar64(gjk_mac32(gjk_mul32(u.x, apart.x), u.y, apart.y), 30);
 }
 

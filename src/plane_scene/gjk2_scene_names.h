@@ -7,6 +7,8 @@
 #ifndef GJK2_SRC_SCENE_NAMES_H
 #define GJK2_SRC_SCENE_NAMES_H
 
+#include "gjk2/impact.h"
+#include "gjk2/slide.h"
 #include "gjk2_scene_measure.h"
 #include "gjk2_scene_plane.h"
 
@@ -26,16 +28,25 @@
 #define gjk_body_setup gjk2_body_setup
 #define gjk_body_state gjk2_body_state
 #define gjk_cache gjk2_cache
+#define gjk_cast gjk2_cast
+#define gjk_cast_path gjk2_cast_path
+#define gjk_cast_ray gjk2_cast_ray
+#define gjk_cast_result gjk2_cast_result
 #define gjk_certificate gjk2_certificate
 #define gjk_collider gjk2_collider
 #define gjk_collider_aabb gjk2_collider_aabb
 #define gjk_collider_init gjk2_collider_init
+#define gjk_collider_move gjk2_collider_move
 #define gjk_collider_pose gjk2_collider_pose
 #define gjk_decision gjk2_decision
 #define gjk_distance gjk2_distance
 #define gjk_distance_result gjk2_distance_result
+#define gjk_impact_result gjk2_impact_result
+#define gjk_impact_setup gjk2_impact_setup
 #define gjk_is_curved gjk2_is_curved
 #define gjk_manifold gjk2_manifold
+#define gjk_motion gjk2_motion
+#define gjk_motion_pose gjk2_motion_pose
 #define gjk_negate gjk2_negate
 #define gjk_part gjk2_part
 #define gjk_pose gjk2_pose
@@ -45,7 +56,13 @@
 #define gjk_report_function gjk2_report_function
 #define gjk_shape gjk2_shape
 #define gjk_sum_of_products_sign gjk_sum_of_products_sign_exact
+#define gjk_slide gjk2_slide
+#define gjk_slide_plane gjk2_slide_plane
+#define gjk_slide_result gjk2_slide_result
+#define gjk_slide_setup gjk2_slide_setup
 #define gjk_support gjk2_support
+#define gjk_time_of_impact gjk2_time_of_impact
+#define gjk_unit3 gjk2_unit
 #define gjk_vec3 gjk2_vec
 #define gjk_within gjk2_within
 
@@ -60,23 +77,32 @@
 #define GJK_SCENE_NONE GJK2_SCENE_NONE
 #define GJK_SCENE_PLANE_SLACK GJK2_SCENE_LINE_SLACK
 #define GJK_SCENE_POSES_AGAIN GJK2_SCENE_POSES_AGAIN
+#define GJK_SCENE_TOLERANCE GJK2_SCENE_TOLERANCE
 #define GJK_SCENE_VERSION GJK2_SCENE_VERSION
 #define gjk_scene gjk2_scene
+#define gjk_scene_axis gjk2_scene_axis
 #define gjk_scene_bindings gjk2_scene_bindings
 #define gjk_scene_body gjk2_scene_body
 #define gjk_scene_config gjk2_scene_config
+#define gjk_scene_counters gjk2_scene_counters
 #define gjk_scene_details gjk2_scene_details
 #define gjk_scene_header gjk2_scene_header
 #define gjk_scene_header_is_fixed gjk2_scene_header_is_fixed
+#define gjk_scene_hits gjk2_scene_hits
+#define gjk_scene_inquiry gjk2_scene_inquiry
+#define gjk_scene_kept gjk2_scene_kept
+#define gjk_scene_motions gjk2_scene_motions
 #define gjk_scene_node gjk2_scene_node
 #define gjk_scene_own_pose gjk2_scene_own_pose
 #define gjk_scene_pair gjk2_scene_pair
 #define gjk_scene_part gjk2_scene_part
+#define gjk_scene_passage gjk2_scene_passage
 #define gjk_scene_step gjk2_scene_step
 #define gjk_scene_view gjk2_scene_view
 #define gjk_scene_walk gjk2_scene_walk
 
 // Functions of scenes.
+#define gjk_scene_accepts gjk2_scene_accepts
 #define gjk_scene_add gjk2_scene_add
 #define gjk_scene_add_at gjk2_scene_add_at
 #define gjk_scene_along gjk2_scene_along
@@ -85,12 +111,18 @@
 #define gjk_scene_body_at gjk2_scene_body_at
 #define gjk_scene_body_of gjk2_scene_body_of
 #define gjk_scene_bytes gjk2_scene_bytes
+#define gjk_scene_cast gjk2_scene_cast
+#define gjk_scene_cast_all gjk2_scene_cast_all
+#define gjk_scene_cast_ray gjk2_scene_cast_ray
+#define gjk_scene_cast_ray_all gjk2_scene_cast_ray_all
 #define gjk_scene_cells gjk2_scene_cells
 #define gjk_scene_centres_squared gjk2_scene_centres_squared
 #define gjk_scene_check gjk2_scene_check
 #define gjk_scene_check_header gjk2_scene_check_header
 #define gjk_scene_clear_hint gjk2_scene_clear_hint
+#define gjk_scene_collect gjk2_scene_collect
 #define gjk_scene_collider gjk2_scene_collider
+#define gjk_scene_comes_before gjk2_scene_comes_before
 #define gjk_scene_cost gjk2_scene_cost
 #define gjk_scene_detail gjk2_scene_detail
 #define gjk_scene_direction gjk2_scene_direction
@@ -99,6 +131,8 @@
 #define gjk_scene_end gjk2_scene_end
 #define gjk_scene_equal_vec3 gjk2_scene_equal_vec
 #define gjk_scene_fill_queue gjk2_scene_fill_queue
+#define gjk_scene_find_all gjk2_scene_find_all
+#define gjk_scene_find_first gjk2_scene_find_first
 #define gjk_scene_get gjk2_scene_get
 #define gjk_scene_get_stats gjk2_scene_get_stats
 #define gjk_scene_gone_next gjk2_scene_gone_next
@@ -107,6 +141,7 @@
 #define gjk_scene_has_workspace gjk2_scene_has_workspace
 #define gjk_scene_hash gjk2_scene_hash
 #define gjk_scene_hint gjk2_scene_hint
+#define gjk_scene_hit_of gjk2_scene_hit_of
 #define gjk_scene_holds gjk2_scene_holds
 #define gjk_scene_holds_shape gjk2_scene_holds_shape
 #define gjk_scene_holds_unposed gjk2_scene_holds_unposed
@@ -115,6 +150,7 @@
 #define gjk_scene_inner_radius gjk2_scene_inner_radius
 #define gjk_scene_is_below gjk2_scene_is_below
 #define gjk_scene_is_point gjk2_scene_is_point
+#define gjk_scene_is_refused gjk2_scene_is_refused
 #define gjk_scene_is_rotation gjk2_scene_is_rotation
 #define gjk_scene_is_to_pose gjk2_scene_is_to_pose
 #define gjk_scene_is_zero gjk2_scene_is_zero
@@ -127,13 +163,16 @@
 #define gjk_scene_may_pair gjk2_scene_may_pair
 #define gjk_scene_mix_rotation gjk2_scene_mix_rotation
 #define gjk_scene_mix_vec3 gjk2_scene_mix_vec
+#define gjk_scene_motion gjk2_scene_motion
 #define gjk_scene_move gjk2_scene_move
 #define gjk_scene_narrow_phase gjk2_scene_narrow_phase
 #define gjk_scene_next gjk2_scene_next
 #define gjk_scene_next_near gjk2_scene_next_near
 #define gjk_scene_no_normal gjk2_scene_no_normal
+#define gjk_scene_no_spin gjk2_scene_no_spin
 #define gjk_scene_node_box gjk2_scene_node_box
 #define gjk_scene_open gjk2_scene_open
+#define gjk_scene_open_query gjk2_scene_open_query
 #define gjk_scene_pair_drop gjk2_scene_pair_drop
 #define gjk_scene_pair_stays gjk2_scene_pair_stays
 #define gjk_scene_pairs_forget gjk2_scene_pairs_forget
@@ -152,22 +191,27 @@
 #define gjk_scene_part_settle gjk2_scene_part_settle
 #define gjk_scene_part_shrink_box gjk2_scene_part_shrink_box
 #define gjk_scene_part_turns gjk2_scene_part_turns
+#define gjk_scene_passage_next gjk2_scene_passage_next
+#define gjk_scene_passage_start gjk2_scene_passage_start
 #define gjk_scene_pool_give gjk2_scene_pool_give
 #define gjk_scene_pool_take gjk2_scene_pool_take
 #define gjk_scene_previous gjk2_scene_previous
 #define gjk_scene_query_box gjk2_scene_query_box
 #define gjk_scene_query_nearest gjk2_scene_query_nearest
 #define gjk_scene_query_ray gjk2_scene_query_ray
+#define gjk_scene_query_within gjk2_scene_query_within
 #define gjk_scene_refilter gjk2_scene_refilter
 #define gjk_scene_remove gjk2_scene_remove
 #define gjk_scene_rotation_bound gjk2_scene_rotation_bound
 #define gjk_scene_same_rotation gjk2_scene_same_rotation
+#define gjk_scene_pose_of gjk2_scene_pose_of
 #define gjk_scene_same_vec3 gjk2_scene_same_vec
 #define gjk_scene_seal gjk2_scene_seal
 #define gjk_scene_set_bindings gjk2_scene_set_bindings
 #define gjk_scene_set_end gjk2_scene_set_end
 #define gjk_scene_set_filter gjk2_scene_set_filter
 #define gjk_scene_set_gone gjk2_scene_set_gone
+#define gjk_scene_set_motion gjk2_scene_set_motion
 #define gjk_scene_set_next gjk2_scene_set_next
 #define gjk_scene_set_part_count gjk2_scene_set_part_count
 #define gjk_scene_set_previous gjk2_scene_set_previous
@@ -178,10 +222,13 @@
 #define gjk_scene_side_of gjk2_scene_side_of
 #define gjk_scene_signed_distance gjk2_scene_signed_distance
 #define gjk_scene_sleep gjk2_scene_sleep
+#define gjk_scene_sort_hits gjk2_scene_sort_hits
 #define gjk_scene_step_between gjk2_scene_step_between
 #define gjk_scene_store gjk2_scene_store
 #define gjk_scene_store_cache gjk2_scene_store_cache
 #define gjk_scene_store_shape gjk2_scene_store_shape
+#define gjk_scene_sweep gjk2_scene_sweep
+#define gjk_scene_sweep_count gjk2_scene_sweep_count
 #define gjk_scene_teleport gjk2_scene_teleport
 #define gjk_scene_test_pairs gjk2_scene_test_pairs
 #define gjk_scene_test_queue gjk2_scene_test_queue

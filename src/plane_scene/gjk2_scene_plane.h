@@ -28,6 +28,9 @@
 // There are shapes of which parts do not store all that posing sets: gjk2_scene_is_to_pose.
 #define GJK2_SCENE_POSES_AGAIN 1
 
+// The gap at which parts that turn count as touching.
+#define GJK2_SCENE_TOLERANCE GJK2_IMPACT_TOLERANCE_MIN
+
 // How many coordinates a vector has.
 #define GJK2_SCENE_AXES 2
 
@@ -86,6 +89,16 @@ typedef struct gjk2_scene_own_pose {
   gjk2_pose pose;  // in the body's frame
 } gjk2_scene_own_pose;
 
+// Where a body whose motion is kept was, and what it meets on its way.
+typedef struct gjk2_scene_kept {
+  uint32_t slot;
+  gjk2_pose last;     // at the last update, or where the body was put since then
+  uint32_t other;     // part that it meets first, or none
+  uint32_t fraction;  // where; before it is swept: bounds the ways of all others, LSB
+  uint16_t number;    // of its own part
+  uint16_t state;
+} gjk2_scene_kept;
+
 // Two parts whose enlarged boxes meet, or that were near at the last update; or a pair that is gone.
 //
 // gap   linked: the distance of a near pair, or minus its depth, if its detail asks for that. Otherwise by how much the
@@ -107,7 +120,8 @@ typedef struct gjk2_scene_pair {
 // Every build must lay the records out alike: a block may come from another one.
 typedef char gjk2_scene_sizes_are_fixed[sizeof(gjk2_scene_body) == 44 && sizeof(gjk2_scene_part) == 88 &&
                                                 sizeof(gjk2_scene_node) == 28 && sizeof(gjk2_scene_own_pose) == 20 &&
-                                                sizeof(gjk2_scene_pair) == 28 && sizeof(gjk2_scene_config) == 24
+                                                sizeof(gjk2_scene_pair) == 28 && sizeof(gjk2_scene_config) == 28 &&
+                                                sizeof(gjk2_scene_kept) == 32
                                             ? 1
                                             : -1];
 
@@ -127,6 +141,7 @@ static inline void gjk2_scene_set_bindings(gjk2_scene *scene, const gjk2_scene_b
   scene->bindings.user = bindings != NULL ? bindings->user : NULL;
   scene->bindings.details = bindings != NULL ? bindings->details : NULL;
   scene->bindings.manifolds = bindings != NULL ? bindings->manifolds : NULL;
+  scene->bindings.motion = bindings != NULL ? bindings->motion : NULL;
 }
 
 // One of the six indices of a pair.
@@ -226,6 +241,9 @@ static inline gjk_status gjk2_scene_signed_distance(const gjk2_scene *scene, con
                                                     gjk2_distance_result *out) {
   return scene->bindings.details->signed_distance(a, b, cache, out);
 }
+
+// The rotation of a motion is along the shortest arc.
+#define gjk2_scene_no_spin(motion) ((motion)->spin = 0)
 
 // Makes the normal of a manifold 0.
 static inline void gjk2_scene_no_normal(gjk2_manifold *manifold) {

@@ -13,6 +13,13 @@
 #include "gjk_scene_space.h"
 #endif
 
+// Counters of gjk_scene_stats: those that are counted nowhere else, in the same order.
+typedef struct gjk_scene_counters {
+  uint32_t pairs, refused, resting;
+  uint32_t filtered, motion, boxes, direction, warm, cold;  // in the order of gjk_scene_outcome
+  uint32_t begun, persisting, ended, unsettled;
+} gjk_scene_counters;
+
 typedef struct gjk_scene_header {
   uint32_t magic, version, order, bytes;
   uint32_t sealed, checksum[2];
@@ -27,11 +34,14 @@ typedef struct gjk_scene_header {
   uint32_t gone;                    // first pair in the list of those that are gone, or none
   uint32_t phase;                   // a gjk_scene_phase
   uint32_t queued;                  // length of the queue
-  uint32_t next_test, next_report;  // places in the queue
+  uint32_t next_test, next_report;  // places in the queue. With kept motions, next_test goes on to count
+                                    // them; next_report does when the queue is empty
   uint32_t updates;                 // completed, modulo 2^32
   uint32_t most_detail;             // the largest detail that the configuration or any body so far has asked for
   uint32_t refused;                 // counter of the update under way
-  gjk_scene_stats stats;            // of the last update whose tests are done; what is counted elsewhere is not in it
+  uint32_t kept_at;                 // of the array of kept motions
+  uint32_t kept;                    // how many there are
+  gjk_scene_counters stats;         // of the last update whose tests are done
 } gjk_scene_header;
 
 // A scene with the addresses of its arrays.
@@ -44,7 +54,18 @@ typedef struct gjk_scene_view {
   gjk_scene_own_pose *own_poses;
   gjk_scene_pair *pairs;
   uint32_t *queue, *slots;
+  gjk_scene_kept *kept;  // in the order of slots
 } gjk_scene_view;
+
+// The code of fast bodies, which bindings.motion binds.
+//
+// update  steps 4 to 9 of an update, in the place of gjk_scene_update.c, where motions are kept.
+struct gjk_scene_motions {
+  void (*prepare)(gjk_scene_view *v);  // an update begins: readies all records
+  void (*update)(gjk_scene_view *v, uint32_t tests, gjk_report *reports, uint32_t capacity, gjk_progress *progress);
+  void (*restart)(gjk_scene_view *v, uint32_t slot);  // a body's way starts at the pose that it has now
+  void (*forget)(gjk_scene_view *v, uint32_t slot);   // a body goes
+};
 
 // Finds the arrays of a scene. NULL, CORRUPT or OK.
 gjk_status gjk_scene_view_of(const gjk_scene *scene, gjk_scene_view *out);
@@ -67,6 +88,12 @@ gjk_status gjk_scene_body_of(const gjk_scene_view *v, gjk_body_id id, gjk_scene_
 static inline gjk_body_id gjk_scene_id_of(const gjk_scene_view *v, uint32_t slot) {
   const gjk_body_id id = {slot, v->bodies[slot].generation};
   return id;
+}
+
+// Where a body is.
+static inline void gjk_scene_pose_of(const gjk_scene_body *body, gjk_pose *out) {
+  out->position = body->position;
+  out->rotation = body->rotation;
 }
 
 #endif

@@ -146,12 +146,28 @@ static gjk_status edit_body(gjk_scene *scene, gjk_body_id id, gjk_scene_view *v,
   return status == GJK_OK ? gjk_scene_body_of(v, id, body) : status;
 }
 
+// Is the body one whose motion is kept?
+static bool is_kept(const gjk_scene_body *body) {
+  return (body->flags & GJK_SCENE_KEPT) != 0;
+}
+
+// Does the handle lack the code that a body with a kept motion needs?
+static bool lacks_motion(const gjk_scene_view *v, const gjk_scene_body *body) {
+  return is_kept(body) && v->scene->bindings.motion == NULL;
+}
+
 gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id id) {
   gjk_scene_view v;
   gjk_scene_body *body;
   const gjk_status status = edit_body(scene, id, &v, &body);
   if (status != GJK_OK) {
     return status;
+  }
+  if (lacks_motion(&v, body)) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  if (is_kept(body)) {
+    v.scene->bindings.motion->forget(&v, id.slot);
   }
   gjk_scene_header *h = v.header;
   uint32_t next;
@@ -265,7 +281,20 @@ gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose
 }
 
 gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose) {
-  return move_body(scene, id, pose, false);
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  gjk_status status = pose == NULL ? GJK_ERROR_NULL : edit_body(scene, id, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  if (lacks_motion(&v, body)) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  status = move_body(scene, id, pose, false);
+  if (status == GJK_OK && is_kept(body)) {
+    scene->bindings.motion->restart(&v, id.slot);
+  }
+  return status;
 }
 
 gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id id) {
@@ -301,13 +330,6 @@ static uint32_t find_part(const gjk_scene_view *v, const gjk_scene_body *body, u
   return index;
 }
 
-static gjk_pose body_pose(const gjk_scene_body *body) {
-  gjk_pose pose;
-  pose.position = body->position;
-  pose.rotation = body->rotation;
-  return pose;
-}
-
 gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape) {
   gjk_scene_view v;
   gjk_scene_body *body;
@@ -320,7 +342,8 @@ gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, 
   if (index == GJK_SCENE_NONE) {
     return GJK_ERROR_RANGE;
   }
-  const gjk_pose pose = body_pose(body);
+  gjk_pose pose;
+  gjk_scene_pose_of(body, &pose);
   status = gjk_scene_part_build(&v, shape, &pose, own_pose_of(&v, &v.parts[index]), &c);
   if (status != GJK_OK) {
     return status;
@@ -384,7 +407,7 @@ gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id id, gjk_body_state 
   if (status != GJK_OK) {
     return status;
   }
-  out->pose = body_pose(body);
+  gjk_scene_pose_of(body, &out->pose);
   out->category = body->category;
   out->mask = body->mask;
   out->user = body->user;
@@ -393,6 +416,9 @@ gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id id, gjk_body_state 
   out->kind = body->kind_detail & 15u;
   out->detail = body->kind_detail >> 4;
   out->asleep = (body->flags & GJK_SCENE_ASLEEP) != 0;
+  out->motion = (body->flags & GJK_SCENE_FAST) != 0 ? GJK_MOTION_FAST
+                : is_kept(body)                     ? GJK_MOTION_KEPT
+                                                    : GJK_MOTION_NOT_KEPT;
   return GJK_OK;
 }
 
@@ -421,6 +447,7 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
   if (index == GJK_SCENE_NONE) {
     return GJK_ERROR_RANGE;
   }
-  const gjk_pose pose = body_pose(body);
+  gjk_pose pose;
+  gjk_scene_pose_of(body, &pose);
   return gjk_scene_part_at(&v, &v.parts[index], &pose, out);
 }

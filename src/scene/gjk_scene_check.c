@@ -324,11 +324,52 @@ static bool check_queue(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
   if (h->most_detail > GJK_DETAIL_CONTACTS || h->most_detail < h->config.detail || h->phase > GJK_SCENE_REPORTING ||
       h->queued > h->pairs.capacity || h->lowest > (h->config.bodies + 31) / 32 ||
-      (h->phase == GJK_SCENE_IDLE && h->queued != 0) || (h->phase == GJK_SCENE_TESTING && h->next_test > h->queued) ||
-      (h->phase == GJK_SCENE_REPORTING && (h->next_report > h->queued || h->gone != GJK_SCENE_NONE))) {
+      (h->phase == GJK_SCENE_IDLE && h->queued != 0) ||
+      (h->phase == GJK_SCENE_TESTING && h->next_test > h->queued + h->kept) ||
+      (h->phase == GJK_SCENE_REPORTING && (h->next_report > h->queued + h->kept || h->gone != GJK_SCENE_NONE))) {
     return false;
   }
   return check_entries(v);
+}
+
+// Can each part of a body be posed where it was?
+static bool check_last(const gjk_scene_view *v, const gjk_scene_body *body, const gjk_pose *last) {
+  gjk_collider c;
+  for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+    if (gjk_scene_part_at(v, &v->parts[i], last, &c) != GJK_OK) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Do the kept motions name the flagged bodies, each once, in the order of slots? What a sweep found is read while it is
+// to be reported.
+static bool check_kept(const gjk_scene_view *v) {
+  const gjk_scene_header *h = v->header;
+  const bool swept = h->phase != GJK_SCENE_IDLE;
+  uint32_t flagged = 0;
+  for (uint32_t slot = 0; slot < h->config.bodies; slot++) {
+    const unsigned flags = v->bodies[slot].flags;
+    flagged += (flags & GJK_SCENE_KEPT) != 0 ? 1 : 0;
+    if ((flags & (GJK_SCENE_KEPT | GJK_SCENE_FAST)) == GJK_SCENE_FAST) {
+      return false;
+    }
+  }
+  for (uint32_t i = 0; i < h->kept; i++) {
+    const gjk_scene_kept *k = &v->kept[i];
+    if (k->slot >= h->config.bodies || (i > 0 && k->slot <= v->kept[i - 1].slot)) {
+      return false;
+    }
+    const gjk_scene_body *body = &v->bodies[k->slot];
+    const bool met = swept && (k->state & GJK_SCENE_SWEPT) != 0 && k->other != GJK_SCENE_NONE;
+    if (body->generation % 2 == 0 || (body->flags & GJK_SCENE_KEPT) == 0 ||
+        (body->kind_detail & 15u) == GJK_BODY_STATIC || !check_last(v, body, &k->last) ||
+        (met && !live_part(v, k->other))) {
+      return false;
+    }
+  }
+  return flagged == h->kept;
 }
 
 gjk_status gjk_scene_check(const gjk_scene *scene) {
@@ -350,6 +391,6 @@ gjk_status gjk_scene_check(const gjk_scene *scene) {
   const bool sound =
       check_free(&v, &h->parts, sizeof(gjk_scene_part)) && check_free(&v, &h->nodes, sizeof(gjk_scene_node)) &&
       check_free(&v, &h->own_poses, sizeof(gjk_scene_own_pose)) && check_free(&v, &h->pairs, sizeof(gjk_scene_pair)) &&
-      check_bodies(&v) && check_moved(&v) && check_tree(&v) && check_queue(&v) && check_pairs(&v);
+      check_bodies(&v) && check_moved(&v) && check_tree(&v) && check_queue(&v) && check_pairs(&v) && check_kept(&v);
   return sound ? GJK_OK : GJK_ERROR_CORRUPT;
 }

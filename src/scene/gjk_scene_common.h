@@ -27,6 +27,12 @@
 // gjk_scene_body.flags
 #define GJK_SCENE_ASLEEP 1u
 #define GJK_SCENE_MOVED 2u  // in the list of bodies that changed since the last update, header.moved
+#define GJK_SCENE_KEPT 4u   // has a record of its motion
+#define GJK_SCENE_FAST 8u   // and is swept
+
+// gjk_scene_kept.state
+#define GJK_SCENE_SWEPT 1u     // in the update under way
+#define GJK_SCENE_UNPROVEN 2u  // and a query did not settle
 
 // gjk_scene_part.state
 #define GJK_SCENE_LIVE 1u

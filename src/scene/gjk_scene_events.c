@@ -1,5 +1,5 @@
 // The events of an update: which of its pairs began to be near, stayed near, or ended, in the order of reports.
-#include "gjk_scene_sort.h"
+#include "../arith/gjk_sort.h"
 #include "gjk_scene_update.h"
 
 static bool is_awake(const gjk_scene_view *v, uint32_t part) {
@@ -12,16 +12,16 @@ static bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
   return v->header->config.persist != 0 && (is_awake(v, gjk_scene_end(pair, 0)) || is_awake(v, gjk_scene_end(pair, 1)));
 }
 
-// The counter of an outcome: gjk_scene_stats has them in the order of outcomes.
-static uint32_t *counter_of(gjk_scene_stats *s, unsigned outcome) {
+// The counter of an outcome: they are in the order of outcomes.
+static uint32_t *counter_of(gjk_scene_counters *s, unsigned outcome) {
   uint32_t *words = (uint32_t *)(void *)s;
-  return words + offsetof(gjk_scene_stats, filtered) / sizeof *words + (outcome - GJK_SCENE_FILTERED);
+  return words + offsetof(gjk_scene_counters, filtered) / sizeof *words + (outcome - GJK_SCENE_FILTERED);
 }
 
 // Step 5. Pairs that are gone are no pairs of this update.
 static void start_stats(gjk_scene_view *v) {
   gjk_scene_header *h = v->header;
-  gjk_scene_stats *s = &h->stats;
+  gjk_scene_counters *s = &h->stats;
   s->refused = h->refused;
   s->pairs = h->pairs.count;
   for (uint32_t i = h->gone; i != GJK_SCENE_NONE; i = gjk_scene_gone_next(&v->pairs[i])) {
@@ -35,7 +35,7 @@ static void start_stats(gjk_scene_view *v) {
 
 // Adds a pair with its event to the events kept, which overwrite the queue from its start.
 static void keep_event(gjk_scene_view *v, uint32_t index, gjk_event event, uint32_t *kept) {
-  gjk_scene_stats *s = &v->header->stats;
+  gjk_scene_counters *s = &v->header->stats;
   uint32_t *counter = event == GJK_EVENT_BEGIN ? &s->begun : event == GJK_EVENT_END ? &s->ended : &s->persisting;
   (*counter)++;
   //@ assert *kept < v->header->pairs.capacity;
@@ -156,7 +156,7 @@ static void exchange_events(void *queue, uint32_t i, uint32_t j) {
 
 // Step 8. Sorts the first count entries of the queue.
 static void sort_events(const gjk_scene_view *v, uint32_t count) {
-  static const gjk_scene_order order = {.before = reported_before, .exchange = exchange_events};
+  static const gjk_sort_order order = {.before = reported_before, .exchange = exchange_events};
   const gjk_scene_header *h = v->header;
   // Slots are below bodies <= 2^20, indices below capacity <= 2^22.
   const unsigned shift = gjk_clz32(h->config.bodies);
@@ -164,7 +164,7 @@ static void sort_events(const gjk_scene_view *v, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
     q.entries[i] |= first_slot(v, &v->pairs[q.entries[i]]) << shift & ~q.index_mask;
   }
-  gjk_scene_sort(&order, &q, count);
+  gjk_sort(&order, &q, count);
   for (uint32_t i = 0; i < count; i++) {
     q.entries[i] &= q.index_mask;
   }

@@ -11,7 +11,7 @@ static gjk_status check_config(const gjk_scene_config *c) {
   if (c->bodies < 1 || c->bodies > GJK_SCENE_BODIES_MAX || c->parts < 1 || c->parts > GJK_SCENE_BODIES_MAX ||
       c->own_poses > GJK_SCENE_BODIES_MAX || c->pairs < 1 || c->pairs > GJK_SCENE_PAIRS_MAX || c->box_margin < 0 ||
       c->box_margin > GJK_RADIUS_MAX || c->persist > 1 || c->retest_all > 1 || c->reserved != 0 ||
-      c->detail > GJK_DETAIL_CONTACTS) {
+      c->detail > GJK_DETAIL_CONTACTS || c->motions > GJK_SCENE_BODIES_MAX) {
     return GJK_ERROR_RANGE;
   }
   return GJK_OK;
@@ -28,7 +28,7 @@ static void set_pool(gjk_scene_pool *pool, uint32_t capacity, uint32_t size, uin
 
 // Lays out the arrays of a block for this configuration.
 //
-// at <= 2^20 (60 + 144 + 40 + 32 + 1) + 2^22 (44 + 4) + 400 < 2^30
+// at <= 2^20 (60 + 144 + 40 + 32 + 44 + 1) + 2^22 (44 + 4) + 400 < 2^30
 static void lay_out(const gjk_scene_config *c, gjk_scene_header *h) {
   uint32_t at = sizeof *h;
   set_pool(&h->bodies, c->bodies, sizeof(gjk_scene_body), &at);
@@ -40,6 +40,8 @@ static void lay_out(const gjk_scene_config *c, gjk_scene_header *h) {
   at += c->pairs * (uint32_t)sizeof(uint32_t);
   h->slots_at = at;
   at += (c->bodies + 31) / 32 * (uint32_t)sizeof(uint32_t);
+  h->kept_at = at;
+  at += c->motions * (uint32_t)sizeof(gjk_scene_kept);
   h->bytes = at;
 }
 
@@ -120,9 +122,9 @@ gjk_status gjk_scene_check_header(const void *block, size_t bytes) {
   }
   lay_out(&h->config, &expected);
   if (h->bytes != expected.bytes || h->queue_at != expected.queue_at || h->slots_at != expected.slots_at ||
-      !same_pool(&expected.bodies, &h->bodies) || !same_pool(&expected.parts, &h->parts) ||
-      !same_pool(&expected.nodes, &h->nodes) || !same_pool(&expected.own_poses, &h->own_poses) ||
-      !same_pool(&expected.pairs, &h->pairs)) {
+      h->kept_at != expected.kept_at || h->kept > h->config.motions || !same_pool(&expected.bodies, &h->bodies) ||
+      !same_pool(&expected.parts, &h->parts) || !same_pool(&expected.nodes, &h->nodes) ||
+      !same_pool(&expected.own_poses, &h->own_poses) || !same_pool(&expected.pairs, &h->pairs)) {
     return GJK_ERROR_CORRUPT;
   }
   return bytes < h->bytes ? GJK_ERROR_CAPACITY : GJK_OK;
@@ -158,6 +160,7 @@ gjk_status gjk_scene_view_of(const gjk_scene *scene, gjk_scene_view *out) {
   out->pairs = (gjk_scene_pair *)at(h, h->pairs.at);
   out->queue = (uint32_t *)at(h, h->queue_at);
   out->slots = (uint32_t *)at(h, h->slots_at);
+  out->kept = (gjk_scene_kept *)at(h, h->kept_at);
   return GJK_OK;
 }
 

@@ -210,15 +210,6 @@ static void query_pair(const pair_question *q, bool cold, gjk_scene_pair *pair) 
   set_near(pair, near);
 }
 
-// Step 2.
-static bool is_refused(const gjk_scene_view *v, uint32_t slot_a, uint32_t slot_b) {
-  const gjk_scene_bindings *bindings = &v->scene->bindings;
-  const gjk_scene_body *a = &v->bodies[slot_a], *b = &v->bodies[slot_b];
-  return !gjk_scene_may_pair(a, b) ||
-         (bindings->predicate != NULL && !bindings->predicate(bindings->user, gjk_scene_id_of(v, slot_a), a->user,
-                                                              gjk_scene_id_of(v, slot_b), b->user));
-}
-
 // Step 3.
 static bool boxes_apart(const pair_question *q, gjk_scene_pair *pair) {
   return settle_apart(pair, beyond_margins(q, gjk_aabb_gap(&q->a->exact, &q->b->exact)), GJK_SCENE_BOXES);
@@ -260,7 +251,7 @@ void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair) {
   const gjk_scene_part *a = &v->parts[gjk_scene_end(pair, 0)], *b = &v->parts[gjk_scene_end(pair, 1)];
   if (v->header->config.retest_all == 0 && outlasts_motion(v, a, b, pair)) {
     pair->outcome = GJK_SCENE_MOTION;
-  } else if (is_refused(v, a->body, b->body)) {
+  } else if (gjk_scene_is_refused(v, a->body, b->body)) {  // Step 2
     pair->gap = 0;
     pair->outcome = GJK_SCENE_FILTERED;
   } else {

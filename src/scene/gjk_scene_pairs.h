@@ -10,6 +10,15 @@ static inline bool gjk_scene_may_pair(const gjk_scene_body *a, const gjk_scene_b
   return !both_static && (a->category & b->mask) != 0 && (b->category & a->mask) != 0;
 }
 
+// Do kinds, category and mask, or the predicate, refuse a pair of two bodies, the lower slot first?
+static inline bool gjk_scene_is_refused(const gjk_scene_view *v, uint32_t slot_a, uint32_t slot_b) {
+  const gjk_scene_bindings *bindings = &v->scene->bindings;
+  const gjk_scene_body *a = &v->bodies[slot_a], *b = &v->bodies[slot_b];
+  return !gjk_scene_may_pair(a, b) ||
+         (bindings->predicate != NULL && !bindings->predicate(bindings->user, gjk_scene_id_of(v, slot_a), a->user,
+                                                              gjk_scene_id_of(v, slot_b), b->user));
+}
+
 // Must this pair be there? It must if it was near at the last update. It must if it may be a pair and its enlarged
 // boxes meet. Pre: it is not gone.
 bool gjk_scene_pair_stays(const gjk_scene_view *v, const gjk_scene_pair *pair);

@@ -1,85 +1,21 @@
 // Queries: boxes, rays, the nearest part.
-//
-// A query of boxes or rays keeps the first hits in order, as many as fit. While there is room, hits are appended. When
-// it is full, hits are made a heap with the last one on top, which every hit that comes before it replaces. In the end
-// they are sorted.
+#include "gjk_scene_hits.h"
 #include "gjk_scene_part.h"
-#include "gjk_scene_sort.h"
 #include "gjk_scene_tree.h"
-
-typedef struct collection {
-  gjk_scene_hit *hits;
-  uint32_t capacity, kept, found;
-  const gjk_scene_hit *after;
-} collection;
-
-static gjk_scene_hit hit_of(const gjk_scene_view *v, const gjk_scene_part *p, uint32_t fraction) {
-  gjk_scene_hit hit;
-  hit.body = gjk_scene_id_of(v, p->body);
-  hit.part = p->number;
-  hit.fraction = fraction;
-  return hit;
-}
-
-// Does hit a come before hit b?
-static bool comes_before(const gjk_scene_hit *a, const gjk_scene_hit *b) {
-  if (a->fraction != b->fraction) {
-    return a->fraction < b->fraction;
-  }
-  return a->body.slot != b->body.slot ? a->body.slot < b->body.slot : a->part < b->part;
-}
-
-static bool hit_before(const void *hits, uint32_t i, uint32_t j) {
-  const gjk_scene_hit *all = (const gjk_scene_hit *)hits;
-  return comes_before(&all[i], &all[j]);
-}
-
-static void exchange_hits(void *hits, uint32_t i, uint32_t j) {
-  gjk_scene_hit *all = (gjk_scene_hit *)hits;
-  const gjk_scene_hit hit = all[i];
-  all[i] = all[j];
-  all[j] = hit;
-}
-
-static const gjk_scene_order order_of_hits = {.before = hit_before, .exchange = exchange_hits};
-
-static void collect(collection *c, const gjk_scene_view *v, uint32_t part, uint32_t fraction) {
-  const gjk_scene_part *p = &v->parts[part];
-  const gjk_scene_hit hit = hit_of(v, p, fraction);
-  if (c->after != NULL && !comes_before(c->after, &hit)) {
-    return;
-  }
-  c->found++;
-  if (c->kept < c->capacity) {
-    c->hits[c->kept++] = hit;
-    if (c->kept == c->capacity) {
-      gjk_scene_make_heap(&order_of_hits, c->hits, c->kept);
-    }
-  } else if (c->capacity > 0 && comes_before(&hit, &c->hits[0])) {
-    c->hits[0] = hit;
-    gjk_scene_sink(&order_of_hits, c->hits, 0, c->kept);
-  }
-}
-
-static gjk_status open_query(const gjk_scene *scene, const void *question, const gjk_scene_hit *hits, uint32_t capacity,
-                             const uint32_t *count, gjk_scene_view *v) {
-  return question == NULL || count == NULL || (hits == NULL && capacity > 0) ? GJK_ERROR_NULL
-                                                                             : gjk_scene_view_of(scene, v);
-}
 
 gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, const gjk_scene_hit *after,
                                gjk_scene_hit *hits, uint32_t capacity, uint32_t *count) {
   gjk_scene_view v;
   gjk_scene_walk walk;
   gjk_aabb room;
-  const gjk_status status = open_query(scene, box, hits, capacity, count, &v);
+  const gjk_status status = gjk_scene_open_query(scene, box, hits, capacity, count, &v);
   if (status != GJK_OK) {
     return status;
   }
   if (gjk_aabb_is_empty(box)) {
     return GJK_ERROR_RANGE;
   }
-  collection c = {hits, capacity, 0, 0, after};
+  gjk_scene_hits c = {hits, capacity, 0, 0, after};
   gjk_scene_walk_start(&v, &walk);
   for (;;) {  // ends: the walk takes each node once
     const uint32_t part = gjk_scene_walk_meeting(&v, &walk, box);
@@ -88,11 +24,10 @@ gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, cons
     }
     const gjk_scene_part *p = &v.parts[part];
     if (gjk_aabb_meet(box, &p->exact) && gjk_aabb_meet(box, gjk_scene_part_box(&v, p, &room))) {
-      collect(&c, &v, part, 0);
+      gjk_scene_collect(&c, &v, part, 0);
     }
   }
-  gjk_scene_sort(&order_of_hits, c.hits, c.kept);
-  *count = c.found;
+  *count = gjk_scene_sort_hits(&c);
   return GJK_OK;
 }
 
@@ -169,11 +104,11 @@ gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, con
                                const gjk_scene_hit *after, gjk_scene_hit *hits, uint32_t capacity, uint32_t *count) {
   gjk_scene_view v;
   gjk_scene_walk walk;
-  const gjk_status status = to == NULL ? GJK_ERROR_NULL : open_query(scene, from, hits, capacity, count, &v);
+  const gjk_status status = to == NULL ? GJK_ERROR_NULL : gjk_scene_open_query(scene, from, hits, capacity, count, &v);
   if (status != GJK_OK) {
     return status;
   }
-  collection c = {hits, capacity, 0, 0, after};
+  gjk_scene_hits c = {hits, capacity, 0, 0, after};
   gjk_scene_walk_start(&v, &walk);
   for (uint32_t node = gjk_scene_walk_next(&walk); node != GJK_SCENE_NONE; node = gjk_scene_walk_next(&walk)) {
     way_fraction enter;
@@ -182,14 +117,13 @@ gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, con
                                                        : &v.nodes[node].box;
     if (cross_box(from, to, box, &enter)) {
       if ((node & GJK_SCENE_LEAF) != 0) {
-        collect(&c, &v, node & ~GJK_SCENE_LEAF, in_q30(&enter));
+        gjk_scene_collect(&c, &v, node & ~GJK_SCENE_LEAF, in_q30(&enter));
       } else {
         gjk_scene_walk_descend(&v, &walk, node);
       }
     }
   }
-  gjk_scene_sort(&order_of_hits, c.hits, c.kept);
-  *count = c.found;
+  *count = gjk_scene_sort_hits(&c);
   return GJK_OK;
 }
 
@@ -237,8 +171,8 @@ static void try_part(const gjk_scene_view *v, uint32_t part, nearest_search *s) 
     return;
   }
   const gjk_q16 distance = distance_of(s, &c, &box);
-  const gjk_scene_hit hit = hit_of(v, p, 0);
-  if (distance < s->best || (distance == s->best && (!s->found || comes_before(&hit, &s->hit)))) {
+  const gjk_scene_hit hit = gjk_scene_hit_of(v, p, 0);
+  if (distance < s->best || (distance == s->best && (!s->found || gjk_scene_comes_before(&hit, &s->hit)))) {
     s->best = distance;
     s->found = true;
     s->hit = hit;

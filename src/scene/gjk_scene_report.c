@@ -22,6 +22,7 @@ static void report_pair(gjk_scene_view *v, uint32_t index, gjk_report *out) {
   out->event = pair->outcome;
   out->distance = 0;
   out->manifold = NULL;
+  out->fraction = 0;
   if (out->event != GJK_EVENT_END) {
     out->distance = gjk_scene_wants_distance(out->detail) ? pair->gap : 0;
   } else if ((pair->state & GJK_SCENE_PAIR_GONE) != 0) {
@@ -85,6 +86,7 @@ gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_rep
       out->event = gone ? GJK_EVENT_END : GJK_EVENT_PERSIST;
       out->distance = !gone && gjk_scene_wants_distance(out->detail) ? pair->gap : 0;
       out->manifold = NULL;
+      out->fraction = 0;
       *found = true;
     }
   }

@@ -54,6 +54,11 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
       hash = mix_body(hash, &v, slot);
     }
   }
+  for (uint32_t i = 0; i < h->kept; i++) {
+    const gjk_scene_kept *k = &v.kept[i];
+    const bool fast = (v.bodies[k->slot].flags & GJK_SCENE_FAST) != 0;
+    hash = mix_pose(mix(mix(hash, k->slot), fast), &k->last.position, &k->last.rotation);
+  }
   // The sum does not depend on the order of pairs, which depends on history.
   uint64_t pairs = 0;
   uint32_t cursor = 0;

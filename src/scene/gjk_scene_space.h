@@ -27,6 +27,9 @@
 // Are there shapes of which parts do not store all that posing sets? Not in space.
 #define GJK_SCENE_POSES_AGAIN 0
 
+// The gap at which parts that turn count as touching.
+#define GJK_SCENE_TOLERANCE GJK_IMPACT_TOLERANCE_MIN
+
 // How many coordinates a vector has.
 #define GJK_SCENE_AXES 3
 
@@ -79,6 +82,16 @@ typedef struct gjk_scene_own_pose {
   uint32_t next;  // the part that has it
   gjk_pose pose;  // in the body's frame
 } gjk_scene_own_pose;
+
+// Where a body whose motion is kept was, and what it meets on its way.
+typedef struct gjk_scene_kept {
+  uint32_t slot;
+  gjk_pose last;      // at the last update, or where the body was put since then
+  uint32_t other;     // part that it meets first, or none
+  uint32_t fraction;  // where; before it is swept: bounds the ways of all others, LSB
+  uint16_t number;    // of its own part
+  uint16_t state;
+} gjk_scene_kept;
 
 // A pair that is in the lists of its two parts. A link names a place in such a list: the pair's index times two, plus
 // the side of the part whose list it is.
@@ -134,7 +147,8 @@ static inline bool gjk_aabb_inside(const gjk_aabb *a, const gjk_aabb *b) {
 // checked where they are known.
 typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_part) == 144 &&
                                      sizeof(gjk_scene_node) == 40 && sizeof(gjk_scene_own_pose) == 32 &&
-                                     sizeof(gjk_scene_pair) == 44 && sizeof(gjk_scene_config) == 28
+                                     sizeof(gjk_scene_pair) == 44 && sizeof(gjk_scene_config) == 32 &&
+                                     sizeof(gjk_scene_kept) == 44
                                  ? 1
                                  : -1];
 
@@ -148,6 +162,7 @@ static inline void gjk_scene_set_bindings(gjk_scene *scene, const gjk_scene_bind
   scene->bindings.details = bindings != NULL ? bindings->details : NULL;
   scene->bindings.workspace = bindings != NULL ? bindings->workspace : NULL;
   scene->bindings.manifolds = bindings != NULL ? bindings->manifolds : NULL;
+  scene->bindings.motion = bindings != NULL ? bindings->motion : NULL;
 }
 
 // The ends and links of a pair, which of two sides each.
@@ -436,6 +451,9 @@ static inline const int16_t *gjk_scene_hint(const gjk_scene_pair *pair, int16_t 
   (void)room;
   return pair->hint.direction;
 }
+
+// The rotation of a motion is along the shortest arc.
+#define gjk_scene_no_spin(motion) gjk_scene_set_zero(&(motion)->spin)
 
 // Makes the normal of a manifold 0.
 static inline void gjk_scene_no_normal(gjk_manifold *manifold) {

@@ -5,12 +5,14 @@
 //    (gjk_scene_pairs.c). Where there is no room for them, the update does not begin.
 // 3. Fill the queue with the pairs of the bodies that moved. No other pair can have changed (gjk_scene_queue.c).
 // 4. Test the pairs in the queue, in slices or by several threads (gjk_scene_narrow_phase.c).
+//    Then sweep the fast bodies (gjk_scene_motion.c).
 // 5. Start the statistics of this update (gjk_scene_events.c).
 // 6. Turn what the tests found into events: begin, persist, end. Pairs that rest near may persist, and pairs that are
 //    gone end. The pairs with an event replace the queue.
-// 7. Forget which bodies moved, and how far.
+// 7. Forget which bodies moved, and how far. Kept motions start from where their bodies are now.
 // 8. Sort the events into the order of reports.
 // 9. Report, as many as fit in each call. Pairs that were kept only for their report are dropped (gjk_scene_report.c).
+//    Impacts follow.
 //
 // header.phase says how far an update has come: IDLE before step 2, TESTING until all pairs are tested, REPORTING until
 // all events are reported.
@@ -23,7 +25,7 @@ static gjk_status check_details(const gjk_scene_view *v) {
   const bool lacking =
       most > GJK_DETAIL_DISTANCE && (details == NULL || (most == GJK_DETAIL_CONTACTS && details->manifold == NULL) ||
                                      !gjk_scene_has_workspace(v->scene));
-  return lacking ? GJK_ERROR_UNSUPPORTED : GJK_OK;
+  return lacking || (v->header->kept > 0 && v->scene->bindings.motion == NULL) ? GJK_ERROR_UNSUPPORTED : GJK_OK;
 }
 
 // Steps 1 to 3, unless an update is under way.
@@ -40,6 +42,9 @@ static gjk_status begin(gjk_scene_view *v) {
   const gjk_status status = gjk_scene_pairs_match(v);  // Step 2
   if (status == GJK_OK) {
     gjk_scene_fill_queue(v);  // Step 3
+    if (h->kept > 0) {
+      v->scene->bindings.motion->prepare(v);
+    }
     h->phase = GJK_SCENE_TESTING;
   }
   return status;
@@ -60,6 +65,10 @@ gjk_status gjk_scene_update_slice(gjk_scene *scene, uint32_t tests, gjk_report *
   }
   progress->reports = 0;
   progress->pairs_left = 0;
+  if (v.header->kept > 0) {
+    scene->bindings.motion->update(&v, tests, reports, capacity, progress);
+    return GJK_OK;
+  }
   if (v.header->phase == GJK_SCENE_TESTING) {
     gjk_scene_test_queue(&v, tests);  // Step 4
     progress->pairs_left = v.header->queued - v.header->next_test;
@@ -136,7 +145,7 @@ gjk_status gjk_scene_get_stats(const gjk_scene *scene, gjk_scene_stats *out) {
     status = GJK_ERROR_NULL;
   }
   if (status == GJK_OK) {
-    const gjk_scene_stats *s = &v.header->stats;
+    const gjk_scene_counters *s = &v.header->stats;
     out->bodies = v.header->bodies.count;
     out->parts = v.header->parts.count;
     out->pairs = s->pairs;

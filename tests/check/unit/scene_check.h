@@ -15,7 +15,7 @@
 
 static const gjk_shape crate = GJK_BOX(ONE / 2, ONE / 2, ONE / 2);
 static const gjk_shape *const shapes[] = {&crate, NULL};
-static const gjk_scene_config config = {40, 60, 5, 30, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+static const gjk_scene_config config = {40, 60, 5, 30, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
 
 static uint32_t sound[WORDS], block[WORDS];
 static gjk_scene scene;

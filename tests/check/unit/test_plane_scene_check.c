@@ -18,7 +18,7 @@ static const gjk2_vec corners[5] = {{-30000, -30000}, {30000, -30000}, {36000, 9
 static const gjk2_shape crate = GJK2_BOX(ONE / 2, ONE / 2), roof = GJK2_POLYGON(corners, 5);
 static const gjk2_shape flag = GJK2_TRIANGLE(corners), egg = GJK2_ELLIPSE(ONE / 2, ONE / 3);
 static const gjk2_shape *const shapes[] = {&crate, &roof, &flag, &egg, NULL};
-static const gjk2_scene_config config = {40, 60, 5, 30, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, 0};
+static const gjk2_scene_config config = {40, 60, 5, 30, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, 0, 0};
 
 static gjk2_scene scene;
 static uint32_t *block, *sound;  // of exactly the bytes that the scene needs

@@ -280,7 +280,8 @@ static void check_room(random_state *random) {
 }
 
 int main(void) {
-  const world_options options = {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 0, 0, false, true, false};
+  const world_options options = {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 0, 0, false,
+                                 true,         false,      false};
   const gjk2_scene_config config = world_config(&options);
   const size_t bytes = gjk2_scene_bytes(&config);
   void *block = malloc(bytes);

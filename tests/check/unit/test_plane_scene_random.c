@@ -43,7 +43,7 @@ int main(void) {
     check_session(&random, &s);
   }
   printf("sessions: %lu updates, %lu restores, %lu begun\n", s.updates, s.restores, s.begun);
-  CHECK(s.updates > 1000 && s.restores > 300 && s.begun > 1000);
+  CHECK(s.updates > 17 * SESSIONS && s.restores > 5 * SESSIONS && s.begun > 17 * SESSIONS);
   for (unsigned i = 0; i < FAMILIES; i++) {
     run_family(i, check_seed(SEED));
   }

@@ -13,8 +13,8 @@
 #define TICKS 40u
 #define TURNS check_trials(200000)
 
-static const gjk2_scene_config quick_config = {2, 2, 2, 1, GJK_Q16(0.125), GJK_DETAIL_TOUCH, 0, 0, 0};
-static const gjk2_scene_config plain_config = {2, 2, 2, 1, 0, GJK_DETAIL_TOUCH, 0, 1, 0};
+static const gjk2_scene_config quick_config = {2, 2, 2, 1, GJK_Q16(0.125), GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+static const gjk2_scene_config plain_config = {2, 2, 2, 1, 0, GJK_DETAIL_TOUCH, 0, 1, 0, 0};
 static uint32_t quick_block[300], plain_block[300];
 static gjk2_scene quick, plain;  // with all skips, with none
 static unsigned near_count, far_count, motion_count, boxes_count, direction_count, warm_count, claims[2];

@@ -165,7 +165,7 @@ static void test_poses(void) {
   static const gjk_vec3 corners[4] = {{0, 0, 0}, {ONE, 0, 0}, {0, ONE, 0}, {0, 0, ONE}};
   static const gjk_shape rock = GJK_HULL(corners, 4), wrong = GJK_BOX(-1, 1, 1);
   static const gjk_shape *const rocks[] = {&rock}, *const wrongs[] = {&wrong};
-  static const gjk_scene_config few = {2, 2, 1, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config few = {2, 2, 1, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   static const gjk_part part[2] = {{0, false, GJK_POSE_IDENTITY}, {0, true, {{0, 3 * ONE, 0}, {0, 0, 0, GJK_Q30_ONE}}}};
   static uint32_t memory[500];
   gjk_scene small;
@@ -255,7 +255,7 @@ static void test_tree(void) {
 
 // Heights that promise a deeper tree than any: the check ends before its list of waiting nodes does.
 static void test_deep_tree(void) {
-  static const gjk_scene_config large = {100, 100, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config large = {100, 100, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   CHECK(gjk_scene_init(&scene, &large, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   for (int i = 0; i < 100; i++) {
     add(10 * i * ONE, 1);
@@ -277,7 +277,7 @@ static void test_deep_tree(void) {
 
 // As many slots as bits.
 static void test_full_word(void) {
-  static const gjk_scene_config whole = {32, 32, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config whole = {32, 32, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   CHECK(gjk_scene_init(&scene, &whole, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   CHECK(gjk_scene_check(&scene) == GJK_OK);
   block[gjk_scene_bytes(&whole) / 4] = UINT32_MAX;  // what follows the block is no part of it
@@ -290,7 +290,7 @@ static void test_no_slot(void) {
   const gjk_body_setup more = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
   gjk_body_id body;
   for (uint32_t n = 1; n <= 32; n += 31) {
-    const gjk_scene_config full = {n, n, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+    const gjk_scene_config full = {n, n, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
     CHECK(gjk_scene_init(&scene, &full, block, sizeof block, shapes, 2, NULL) == GJK_OK);
     for (uint32_t i = 0; i < n; i++) {
       add((gjk_q16)i * 10 * ONE, 1);

@@ -149,7 +149,7 @@ static void test_testing(void) {
 
 // An update of no pairs.
 static void test_testing_none(void) {
-  static const gjk_scene_config empty = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config empty = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   uint32_t pairs = 1;
   CHECK(gjk_scene_init(&scene, &empty, block, sizeof block, shapes, 2, NULL) == GJK_OK);
   CHECK(gjk_scene_update_begin(&scene, &pairs) == GJK_OK);

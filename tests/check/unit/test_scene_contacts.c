@@ -69,7 +69,8 @@ static void take_report(void *user, const gjk_report *report) {
 
 static void check_world(void) {
   static gjk_report reports[WORLD_REPORTS];
-  const world_options options = {WORLD_BODIES, GJK_Q16(2), GJK_Q16(0.1), GJK_DETAIL_DEPTH, 1, 0, false, true, false};
+  const world_options options = {WORLD_BODIES, GJK_Q16(2), GJK_Q16(0.1), GJK_DETAIL_DEPTH, 1, 0, false,
+                                 true,         false,      false};
   const gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
   random_state random = random_seed(check_seed(31));
@@ -123,7 +124,7 @@ static void rebind(const gjk_scene_details *details, const gjk_workspace *given,
 
 // Two solids, the second beside the first, that overlap deeply.
 static void start(gjk_detail least, gjk_detail of_body, uint32_t workspace_cells) {
-  const gjk_scene_config config = {2, 2, 0, 4, 0, (uint8_t)least, 1, 0, 0, workspace_cells};
+  const gjk_scene_config config = {2, 2, 0, 4, 0, (uint8_t)least, 1, 0, 0, workspace_cells, 0};
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, (uint8_t)of_body, 1, 1, 0, 0};
   gjk_body_id body;

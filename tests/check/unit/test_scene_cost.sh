@@ -20,13 +20,15 @@ at_most_times() {
 
 missing="$(missing_package cortex-m4) $(missing_emulator cortex-m4)"
 if [ -z "${missing# }" ]; then
-  make -s build/cortex-m4/scene_bench.elf TARGET=cortex-m4 >/dev/null
+  library cortex-m4 '' OPT=-O2 && make -s build/cortex-m4/scene_bench.elf TARGET=cortex-m4 >/dev/null
   check 'the cases run' sh -c "sh tests/build/emulate.sh cortex-m4 build/cortex-m4/scene_bench.elf >$build/scene_cost.txt"
   check '64 bodies sparse' at_most 35000 '64 bodies sparse, 25 % moving'
   check '64 bodies in piles' at_most 70000 '64 bodies in piles, 25 % moving'
   check '64 bodies crowded, two pairs a body' at_most 80000 '64 bodies crowded, 25 % moving'
   check '64 bodies at rest' at_most 1000 '64 bodies crowded, at rest'
   check 'all moving against a quarter' at_most_times 4 '64 bodies crowded, all moving' '64 bodies crowded, 25 % moving'
+  check 'a ray through 256 bodies, sparse' at_most 15000 'ray through 256 bodies sparse'
+  check 'a ray through 256 bodies, crowded' at_most 22000 'ray through 256 bodies crowded'
   for kind in sparse crowded 'in piles'; do
     check "four times the bodies, $kind" at_most_times 5 "256 bodies $kind, 25 % moving" "64 bodies $kind, 25 % moving"
   done

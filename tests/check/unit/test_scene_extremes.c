@@ -21,7 +21,7 @@ static const gjk_shape walls[3] = {GJK_BOX(2 * ONE, INT32_C(1) << 27, 2 * ONE),
                                    GJK_BOX(INT32_C(1) << 27, 2 * ONE, 2 * ONE)};
 static const gjk_shape ball = GJK_SPHERE(ONE / 2);
 static const gjk_shape *const shapes[] = {&crate, &bar, &walls[0], &round_hull, &walls[1], &walls[2], &ball};
-static const gjk_scene_config usual = {4, 4, 0, 6, GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 0, 0, 0, 0};
+static const gjk_scene_config usual = {4, 4, 0, 6, GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 0, 0, 0, 0, 0};
 
 static uint32_t block[WORDS];
 static gjk_scene scene;
@@ -111,7 +111,7 @@ static void test_sizes(void) {
 
 // Part numbers go up to 65535, also in the report of a pair that is gone.
 static void test_many_parts(void) {
-  static const gjk_scene_config large = {2, PARTS + 1, PARTS, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config large = {2, PARTS + 1, PARTS, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   const size_t bytes = gjk_scene_bytes(&large);
   void *memory = malloc(bytes);
   gjk_part *parts = malloc(PARTS * sizeof *parts);
@@ -275,7 +275,7 @@ static void test_turns(void) {
     CHECK(count == 0);
   }
   // The opposite of nearly the same rotation is nearly the same, whatever the signs of its components.
-  static const gjk_scene_config roomy = {4, 4, 0, 6, 8 * ONE, GJK_DETAIL_DISTANCE, 0, 0, 0, 0};
+  static const gjk_scene_config roomy = {4, 4, 0, 6, 8 * ONE, GJK_DETAIL_DISTANCE, 0, 0, 0, 0, 0};
   random_state random = random_seed(check_seed(41));
   for (int i = 0; i < 500; i++) {
     check_trial((unsigned long)i, NULL, NULL);
@@ -370,7 +370,7 @@ static void test_gone(void) {
 
 // Near pairs are looked for among the records there are: what lies beyond the last one is none, whatever it holds.
 static void test_near_pairs_alone(void) {
-  static const gjk_scene_config one_pair = {2, 2, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config one_pair = {2, 2, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   gjk_report reports[8];
   uint32_t count, cursor = 0;
   bool found;

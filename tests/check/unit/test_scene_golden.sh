@@ -2,20 +2,28 @@
 # A match of 10,000 ticks in a scene, of space and of the plane, has the same hash from every build, through saves and
 # rollbacks, on the emulated cores and on a big-endian machine. test_scene_golden.sh BUILD
 . tests/build/count.sh
+. tests/build/golden.sh
 folder=$1
 
-# host NAME RUNNER COMPILER FLAGS...
+# host NAME RUNNER ARCHITECTURE COMPILER FLAGS...
 host() {
   program=$build/$1
   runner=$2
   shift 2
+  golden_library "$@" || return 1
+  case $1 in
+    host) linker=$2 ;;
+    *) linker="$(golden_triple "$1")-$2 -static" ;;
+  esac
+  shift 2
   # shellcheck disable=SC2086
-  "$@" -std=c99 -Iinclude -I. -Iport -Itests/support src/*/*.c $sources -o "$program" && $runner "$program"
+  $linker "$@" -std=c99 -Iinclude -I. -Iport -Itests/support $sources "$golden_objects"/gjk*.o port/hosted/gjk_hosted.c -o "$program" &&
+    $runner "$program"
 }
 
 # target NAME
 target() {
-  make -s "build/$1/$game.elf" TARGET="$1" && sh tests/build/emulate.sh "$1" "build/$1/$game.elf"
+  library "$1" '' OPT=-O2 && make -s "build/$1/$game.elf" TARGET="$1" && sh tests/build/emulate.sh "$1" "build/$1/$game.elf"
 }
 
 # match GAME MATCH: the match of that name has its hash from every build
@@ -24,24 +32,25 @@ match() {
   build=$folder/$game
   sources="tests/support/scene/$2.c tests/check/target/$game.c tests/check/target/${game}_host.c"
   mkdir -p "$build"
-  for compiler in gcc clang; do
-    if have $compiler; then
-      check "$game: $compiler -O2" host $compiler '' $compiler -O2
-      check "$game: $compiler -Os, narrow multiplication" host $compiler-narrow '' $compiler -Os -DGJK_NARROW_MULTIPLY=1
-    else
-      skip "$game with $compiler" $compiler
-    fi
-  done
+  # The builds are those of test_golden.sh and test_port.sh, so that each is made once.
   if have gcc; then
-    check "$game: undefined behaviour and addresses" host sanitized '' gcc -O1 -fsanitize=undefined,address \
+    check "$game: gcc -O2" host gcc '' host gcc -O2 '-DGJK_PORT_HEADER="hosted/gjk_port.h"'
+    check "$game: gcc -O2, narrow multiplication" host gcc-narrow '' host gcc -O2 -DGJK_NARROW_MULTIPLY=1
+    check "$game: undefined behaviour and addresses" host sanitized '' host gcc -O1 -fsanitize=undefined,address \
       -fno-sanitize-recover=all
+  fi
+  if have clang; then
+    check "$game: clang -Os" host clang '' host clang -Os '-DGJK_PORT_HEADER="hosted/gjk_port.h"'
+    check "$game: clang -O2, narrow multiplication" host clang-narrow '' host clang -O2 -DGJK_NARROW_MULTIPLY=1
+  else
+    skip "$game with clang" clang
   fi
   if ! have s390x-linux-gnu-gcc; then
     skip "$game on a big-endian machine" 'gcc-s390x-linux-gnu libc6-dev-s390x-cross'
   elif ! have qemu-s390x; then
     skip "$game on a big-endian machine" qemu-user
   else
-    check "$game: big-endian" host s390x qemu-s390x s390x-linux-gnu-gcc -O2 -static
+    check "$game: big-endian" host s390x qemu-s390x s390x gcc -O2
   fi
   for core in cortex-m3 cortex-m4 cortex-m33 rv32imc; do
     missing="$(missing_package $core) $(missing_emulator $core)"

@@ -247,7 +247,7 @@ static void check_refusals(void) {
 static void check_equals(void) {
   static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
   static const gjk_shape *const shapes[] = {&ball};
-  static const gjk_scene_config config = {8, 16, 16, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config config = {8, 16, 16, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   static uint32_t block[1400];
   static const gjk_vec3 corner[8] = {{1, 1, 1},  {1, 1, -1},  {1, -1, 1},  {1, -1, -1},
                                      {-1, 1, 1}, {-1, 1, -1}, {-1, -1, 1}, {-1, -1, -1}};
@@ -305,7 +305,7 @@ static void check_equals(void) {
 static void check_far(random_state *random) {
   static const gjk_shape slab = GJK_BOX(INT32_C(1) << 27, 9000, 9000);
   static const gjk_shape *const shapes[] = {&slab};
-  static const gjk_scene_config config = {3, 3, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config config = {3, 3, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   static uint32_t block[600];
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
@@ -350,7 +350,7 @@ static void check_far(random_state *random) {
 static void check_borders(void) {
   static const gjk_shape crate = GJK_BOX(100, 100, 100);
   static const gjk_shape *const shapes[] = {&crate};
-  static const gjk_scene_config config = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config config = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   static uint32_t block[400];
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   const gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
@@ -395,7 +395,8 @@ static void check_borders(void) {
 }
 
 int main(void) {
-  const world_options options = {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.2), GJK_DETAIL_TOUCH, 0, 0, false, false, false};
+  const world_options options = {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.2), GJK_DETAIL_TOUCH, 0, 0, false,
+                                 false,        false,      false};
   const gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
   void *block = malloc(bytes);

@@ -10,7 +10,7 @@
 #define SEED 700
 #define THRESHOLDS 300u
 
-static const gjk_scene_config two_bodies = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+static const gjk_scene_config two_bodies = {2, 2, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
 static uint32_t small_block[500];
 
 // A scene of two crates. Returns what both were added with.

@@ -10,7 +10,8 @@
 #define SEED 5
 #define TICKS 300
 
-static world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 1, 0, true, true, false};
+static world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 1, 0, true,
+                                true,         false,        false};
 
 static uint64_t hash_of(const gjk_scene *scene) {
   uint64_t hash = 0;

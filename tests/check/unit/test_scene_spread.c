@@ -58,24 +58,39 @@ static void *test_range(void *argument) {
   return NULL;
 }
 
-// Ranges that leave a few pairs to the final update.
-static bool in_ranges(world *w, world_list *list) {
+static void *sweep_range(void *argument) {
+  range *r = argument;
+  r->status = gjk_scene_sweep(&r->scene, r->begin, r->end);
+  return NULL;
+}
+
+// Runs a function on ranges of count things by threads. The last few are left out.
+static bool run_threads(world *w, void *(*function)(void *), uint32_t count) {
   static range ranges[THREADS];
   pthread_t threads[THREADS];
-  uint32_t pairs = 0;
-  gjk_progress progress;
-  bool fine = gjk_scene_update_begin(&w->scene, &pairs) == GJK_OK;
-  const uint32_t share = pairs / THREADS;
+  bool fine = true;
   for (uint32_t i = 0; i < THREADS && fine; i++) {
     range *r = &ranges[i];
     r->scene = w->scene;
     world_bind_workspace(&r->workspace, &r->scene.bindings);
-    r->begin = i * share;
-    r->end = (i + 1) * share;
-    fine = pthread_create(&threads[i], NULL, test_range, &ranges[i]) == 0;
+    r->begin = i * (count / THREADS);
+    r->end = (i + 1) * (count / THREADS);
+    fine = pthread_create(&threads[i], NULL, function, r) == 0;
   }
   for (uint32_t i = 0; i < THREADS && fine; i++) {
     fine = pthread_join(threads[i], NULL) == 0 && ranges[i].status == GJK_OK;
+  }
+  return fine;
+}
+
+// Ranges that leave a few pairs to the final update. Fast bodies are swept once all pairs are tested.
+static bool in_ranges(world *w, world_list *list) {
+  uint32_t pairs = 0, kept = 0;
+  gjk_progress progress;
+  bool fine = gjk_scene_update_begin(&w->scene, &pairs) == GJK_OK && run_threads(w, test_range, pairs);
+  if (fine && w->options.motions) {
+    fine = gjk_scene_test_pairs(&w->scene, 0, pairs) == GJK_OK && gjk_scene_sweep_count(&w->scene, &kept) == GJK_OK &&
+           gjk_scene_sweep(&w->scene, 0, kept + 1) == GJK_ERROR_RANGE && run_threads(w, sweep_range, kept);
   }
   fine = fine && gjk_scene_update(&w->scene, list->report, WORLD_REPORTS, &progress) == GJK_OK;
   list->count = progress.reports;
@@ -99,12 +114,13 @@ static bool update(manner how, random_state *random) {
   return fine;
 }
 
-static void check_manners(gjk_detail detail) {
-  const world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), (uint8_t)detail, 1, 0, true, true, false};
+static void check_manners(gjk_detail detail, bool motions) {
+  const world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), (uint8_t)detail, 1, 0,
+                                 true,         true,         false,        motions};
   const gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
   random_state random[MANNERS], slices = random_seed(check_seed(SEED));
-  unsigned reports = 0;
+  unsigned reports = 0, impacts = 0;
   for (int m = 0; m < MANNERS; m++) {
     random[m] = random_seed(check_seed(SEED) + 51);
     CHECK(world_start(&worlds[m], &options, malloc(bytes), bytes));
@@ -125,17 +141,20 @@ static void check_manners(gjk_detail detail) {
       CHECK_MSG(memcmp(&stats[m], &stats[0], sizeof stats[0]) == 0, "manner %d, update %d", m, i);
     }
     reports += lists[0].count;
+    for (uint32_t k = 0; k < lists[0].count; k++) {
+      impacts += lists[0].report[k].event == GJK_EVENT_IMPACT;
+    }
   }
-  printf("%u reports\n", reports);
-  CHECK(reports > 20 * UPDATES);
+  printf("%u reports, %u impacts\n", reports, impacts);
+  CHECK(reports > 20 * UPDATES && (impacts > UPDATES) == motions);
   for (int m = 0; m < MANNERS; m++) {
     free(worlds[m].scene.block);
   }
 }
 
 int main(void) {
-  for (int i = 0; i < 2; i++) {
-    check_manners(i == 0 ? GJK_DETAIL_DISTANCE : GJK_DETAIL_DEPTH);
-  }
+  check_manners(GJK_DETAIL_DISTANCE, false);
+  check_manners(GJK_DETAIL_DEPTH, false);
+  check_manners(GJK_DETAIL_TOUCH, true);
   return check_done(TEST_NAME);
 }

@@ -10,7 +10,7 @@
 static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5)), ball = GJK_SPHERE(GJK_Q16(0.5));
 static const gjk_shape broken = GJK_SPHERE(-1);
 static const gjk_shape *const shapes[] = {&crate, &ball, &broken, NULL};
-static const gjk_scene_config usual = {4, 6, 2, 3, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+static const gjk_scene_config usual = {4, 6, 2, 3, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
 static const gjk_pose identity = GJK_POSE_IDENTITY;
 static const gjk_body_id nobody = {0, 0};
 
@@ -78,8 +78,9 @@ static void check_configurations(void) {
                                         1,
                                         1,
                                         0,
-                                        0};
-  static const gjk_scene_config least = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+                                        0,
+                                        GJK_SCENE_BODIES_MAX};
+  static const gjk_scene_config least = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   CHECK(gjk_scene_bytes(&most) > 0);
   CHECK(gjk_scene_bytes(&least) > 0);
   c = usual;

@@ -78,7 +78,7 @@ static double grow(random_state *random, unsigned axis, gjk_scene *scene, const 
 // Halving all the way down costs 8 levels of 256 steps in a line. What is reached is less than half more on average, and
 // 1150 in the cube; a tree of neighbours by chance costs ten times that.
 int main(void) {
-  static const gjk_scene_config config = {BODIES, BODIES, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config config = {BODIES, BODIES, 0, 4, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   static const double most[4] = {3000 * SCENES, 3000 * SCENES, 3000 * SCENES, 1150 * SCENES};
   const size_t bytes = gjk_scene_bytes(&config);
   void *block = malloc(bytes);

@@ -1,0 +1,59 @@
+// Rays, casts and distances against the shapes of a scene.
+//
+// They see the current poses, also between updates. Each asks only the parts whose boxes the way, enlarged by a margin,
+// meets. What it answers does not depend on the tree.
+//
+// Threads  several queries of one scene may run at once.
+// Statuses of every call: NULL for a pointer that is missing; CORRUPT for a handle whose block is not a scene's.
+#ifndef GJK_PROBE_H
+#define GJK_PROBE_H
+
+#include "gjk/cast.h"
+#include "gjk/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// Finds the part that the segment between two points enters first: the least (fraction, slot, part).
+//
+// filter  which parts count; NULL: all.
+// found   whether there is one. hit and result are written only then; result is that of gjk_cast_ray of that part.
+// Statuses  ITERATION_LIMIT: the cast of the first hit has no answer. hit holds a fraction before which nothing is met, and
+//           the part that may be met there; result is not written.
+gjk_status gjk_scene_cast_ray(const gjk_scene *scene, const gjk_vec3 *from, const gjk_vec3 *to,
+                              const gjk_scene_filter *filter, gjk_scene_hit *hit, gjk_cast_result *result, bool *found);
+
+// Finds all parts that it meets, in the order of (fraction, slot, part), with the fractions of gjk_cast_ray. Where a cast
+// has no answer the part counts as met, at a fraction before which it is not. after, hits and count as in
+// gjk_scene_query_box.
+gjk_status gjk_scene_cast_ray_all(const gjk_scene *scene, const gjk_vec3 *from, const gjk_vec3 *to,
+                                  const gjk_scene_filter *filter, const gjk_scene_hit *after, gjk_scene_hit *hits,
+                                  uint32_t capacity, uint32_t *count);
+
+// As gjk_scene_cast_ray, for a collider whose pose's position goes straight to another place. Result is that of gjk_cast
+// with the part as A, which stands.
+//
+// collider  posed.
+// margin    the gap at which shapes count as touching.
+// Statuses  UNINITIALISED, NEGATIVE (margin), RANGE (the centre leaves int32), and those of gjk_scene_cast_ray.
+gjk_status gjk_scene_cast(const gjk_scene *scene, const gjk_collider *collider, const gjk_vec3 *to, gjk_q16 margin,
+                          const gjk_scene_filter *filter, gjk_scene_hit *hit, gjk_cast_result *result, bool *found);
+
+// As gjk_scene_cast_ray_all, for a collider.
+gjk_status gjk_scene_cast_all(const gjk_scene *scene, const gjk_collider *collider, const gjk_vec3 *to, gjk_q16 margin,
+                              const gjk_scene_filter *filter, const gjk_scene_hit *after, gjk_scene_hit *hits,
+                              uint32_t capacity, uint32_t *count);
+
+// Finds the parts that are at most reach away from a posed collider, in the order of (slot, part): those that share a
+// point with it where reach is 0. As gjk_within decides; where it reaches its ceiling, the part counts as near. after,
+// hits and count as in gjk_scene_query_box. Statuses: UNINITIALISED, NEGATIVE (reach).
+gjk_status gjk_scene_query_within(const gjk_scene *scene, const gjk_collider *collider, gjk_q16 reach,
+                                  const gjk_scene_filter *filter, const gjk_scene_hit *after, gjk_scene_hit *hits,
+                                  uint32_t capacity, uint32_t *count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,33 @@
+// A cast or ray against the shapes of a scene.
+//
+// The parts are taken in the order in which the way meets their boxes, as far as the tree knows it. Each is asked, and of
+// the first hits the nearest one, or all in order, are kept.
+#ifndef GJK_SRC_SCENE_INQUIRY_H
+#define GJK_SRC_SCENE_INQUIRY_H
+
+#include "gjk_scene_hits.h"
+#include "gjk_scene_passage.h"
+
+#ifndef GJK_SCENE_OF_PLANE
+#include "gjk_scene_travel.h"
+#endif
+
+// What is asked of each part.
+typedef struct gjk_scene_inquiry {
+  gjk_status (*ask)(const struct gjk_scene_inquiry *inquiry, const gjk_collider *part, gjk_cast_result *out);
+  const gjk_collider *collider;  // that is cast; of a ray NULL
+  const gjk_vec3 *from, *to;
+  gjk_q16 margin;
+  const gjk_scene_filter *filter;
+} gjk_scene_inquiry;
+
+// Finds the first hit in the order of (fraction, slot, part). ITERATION_LIMIT: its cast reached the ceiling; then result
+// is not written.
+gjk_status gjk_scene_find_first(const gjk_scene_view *v, const gjk_scene_inquiry *inquiry, gjk_scene_passage *passage,
+                                gjk_scene_hit *hit, gjk_cast_result *result, bool *found);
+
+// Collects all hits.
+void gjk_scene_find_all(const gjk_scene_view *v, const gjk_scene_inquiry *inquiry, gjk_scene_passage *passage,
+                        gjk_scene_hits *hits);
+
+#endif

@@ -1,0 +1,291 @@
+// Move and slide: floors, walls, corners, slopes, steps and gaps, capsules and boxes; at random, that it passes through
+// nothing, overlaps nothing, keeps its gap and ends where casts of its own steps end.
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "random.h"
+
+// The test of the plane has included the plane's.
+#ifndef TEST_NAME
+#include "gjk/gjk.h"
+#include "gjk/slide.h"
+#define TEST_NAME "scene_slide"
+#define SPACE 1
+#endif
+
+#define SEED 7790
+#define ROOMS check_trials(160)
+#define WALKS 60
+#define ONE GJK_Q16_ONE
+#define SKIN 328  // 0.005 units
+#define BODIES 24
+
+#if SPACE
+#define VECTOR(x, y, z) \
+  { x, y, z }
+static const gjk_shape ground = GJK_BOX(20 * ONE, ONE, 20 * ONE), crate = GJK_BOX(ONE / 2, ONE / 2, ONE / 2);
+static const gjk_shape tread = GJK_BOX(ONE, ONE / 8, 20 * ONE), pole = GJK_CYLINDER(ONE, ONE / 4);
+static const gjk_shape man = GJK_CAPSULE(GJK_Q16(0.3), GJK_Q16(0.5)), robot = GJK_BOX(ONE / 3, ONE / 2, ONE / 4);
+static const gjk_unit3 up = {0, GJK_Q30_ONE, 0};
+#else
+#define VECTOR(x, y, z) \
+  { x, y }
+static const gjk_shape ground = GJK2_BOX(20 * ONE, ONE), crate = GJK2_BOX(ONE / 2, ONE / 2);
+static const gjk_shape tread = GJK2_BOX(ONE, ONE / 8), pole = GJK2_ELLIPSE(ONE / 3, ONE);
+static const gjk_shape man = GJK2_CAPSULE(GJK_Q16(0.3), GJK_Q16(0.5)), robot = GJK2_BOX(ONE / 3, ONE / 2);
+static const gjk_unit3 up = {0, GJK_Q30_ONE};
+#endif
+
+static const gjk_shape *const shapes[] = {&ground, &crate, &tread, &pole};
+static gjk_scene scene;
+static uint32_t block[8000];
+static unsigned long slid, stood, climbed, stuck_count, blocked, free_walks;
+static unsigned most_casts;
+
+static void start_scene(void) {
+  const gjk_scene_config config = {.bodies = BODIES, .parts = BODIES, .pairs = 1};
+  CHECK(gjk_scene_bytes(&config) <= sizeof block);
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 4, NULL) == GJK_OK);
+}
+
+static gjk_body_id add(uint16_t shape, const gjk_pose *pose) {
+  const gjk_part part = {shape, false, GJK_POSE_IDENTITY};
+  gjk_body_setup setup;
+  gjk_body_id id = {0, 0};
+  memset(&setup, 0, sizeof setup);
+  setup.pose = *pose;
+  setup.parts = &part;
+  setup.part_count = 1;
+  setup.category = setup.mask = 1;
+  CHECK(gjk_scene_add(&scene, &setup, &id) == GJK_OK);
+  return id;
+}
+
+static gjk_body_id add_at(uint16_t shape, gjk_q16 x, gjk_q16 y, gjk_q16 z) {
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  const gjk_vec3 position = VECTOR(x, y, z);
+  (void)z;
+  pose.position = position;
+  return add(shape, &pose);
+}
+
+static void set_walker(gjk_collider *c, const gjk_shape *shape, gjk_vec3 position) {
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  pose.position = position;
+#if SPACE
+  if (shape == &man) {  // upright: its segment is along z
+    const gjk_quat upright = {-759250125, 0, 0, 759250125};
+    CHECK(gjk_quat_normalize(&upright, &pose.rotation) == GJK_OK);
+  }
+#else
+  if (shape == &man) {
+    const gjk_quat upright = {0, GJK_Q30_ONE};
+    pose.rotation = upright;
+  }
+#endif
+  memset(c, 0, sizeof *c);
+  CHECK(gjk_collider_init(c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(c, &pose) == GJK_OK);
+}
+
+static gjk_slide_setup usual(void) {
+  gjk_slide_setup s;
+  memset(&s, 0, sizeof s);
+  s.up = up;
+  s.slope = GJK_Q30_ONE / 2;  // 60 degrees
+  s.skin = SKIN;
+  s.step = ONE / 3;
+  s.reach = ONE / 8;
+  return s;
+}
+
+static gjk_slide_result walk(const gjk_collider *c, gjk_vec3 to, const gjk_slide_setup *setup) {
+  gjk_slide_result result;
+  CHECK(gjk_slide(&scene, c, &to, setup, &result) == GJK_OK);
+  most_casts = result.casts > most_casts ? result.casts : most_casts;
+  CHECK(result.casts <= GJK_SLIDE_CASTS);
+  return result;
+}
+
+// Is x within a few LSB of y, or of y and the skin?
+static bool is_near(gjk_q16 x, int64_t y, int64_t error) {
+  return x >= y - error && x <= y + error;
+}
+
+// On a floor, along it, into a wall, into a corner, up a step, and not up two.
+static void check_floor(const gjk_shape *shape, gjk_q16 half_width, gjk_q16 half_height) {
+  gjk_collider c;
+  gjk_slide_setup setup = usual();
+  start_scene();
+  add_at(0, 0, -ONE, 0);
+  add_at(1, 4 * ONE, ONE / 2, 0);
+  const gjk_vec3 start = VECTOR(0, half_height, 0), right = VECTOR(2 * ONE, half_height, 0);
+  set_walker(&c, shape, start);  // touches the floor
+  gjk_slide_result r = walk(&c, right, &setup);
+  CHECK(!r.stuck && r.on_ground && !r.stepped && r.ground.normal.y > GJK_Q30_ONE - 8);
+  CHECK(is_near(r.position.x, 2 * ONE, 8) && r.position.y > half_height && r.position.y <= half_height + SKIN + 8);
+  // Down into the floor and on: it slides.
+  const gjk_vec3 down = VECTOR(2 * ONE, -3 * ONE, 0);
+  r = walk(&c, down, &setup);
+  CHECK(r.on_ground && r.count >= 1 && is_near(r.position.x, 2 * ONE, 8));
+  CHECK(r.position.y > half_height + SKIN - 8 && r.position.y <= half_height + SKIN + 8);
+  // Into the crate: a wall, higher than a step.
+  const gjk_vec3 far = VECTOR(30 * ONE, half_height, 0);
+  r = walk(&c, far, &setup);
+  CHECK(r.on_ground && !r.stepped && is_near(r.position.x, 4 * ONE - ONE / 2 - half_width - SKIN, 8));
+  // With a step as high as the crate it climbs it.
+  setup.step = ONE + ONE / 4;
+  const gjk_vec3 onto = VECTOR(4 * ONE, half_height, 0);
+  r = walk(&c, onto, &setup);
+  CHECK(r.on_ground && r.stepped && is_near(r.position.x, 4 * ONE, 16));
+  CHECK(is_near(r.position.y, ONE + half_height + SKIN, 8));
+  // Up: off the ground.
+  const gjk_vec3 high = VECTOR(0, 5 * ONE, 0);
+  r = walk(&c, high, &setup);
+  CHECK(!r.on_ground && r.count == 0 && is_near(r.position.y, 5 * ONE, 0));
+  // With snap it comes down to ground in reach.
+  setup.snap = true;
+  const gjk_vec3 little = VECTOR(0, half_height + ONE / 10, 0);
+  r = walk(&c, little, &setup);
+  CHECK(r.on_ground && is_near(r.position.y, half_height + SKIN, 8));
+  // In the floor: stuck.
+  const gjk_vec3 below = VECTOR(0, -half_height / 2, 0);
+  set_walker(&c, shape, below);
+  r = walk(&c, right, &setup);
+  CHECK(r.stuck && r.position.x == 0 && r.position.y == -half_height / 2);
+  // Only what the filter lets through counts.
+  const gjk_scene_filter none = {.category = 2, .mask = 2};
+  setup.filter = &none;
+  r = walk(&c, down, &setup);
+  CHECK(!r.stuck && !r.on_ground && r.position.y == -3 * ONE);
+}
+
+static gjk_vec3 random_vector(random_state *random, int32_t size) {
+  const gjk_vec3 v =
+      VECTOR(random_range(random, -size, size), random_range(random, -size, size), random_range(random, -size, size));
+  return v;
+}
+
+static void build_room(random_state *random) {
+  start_scene();
+  add_at(0, 0, -ONE, 0);
+  for (int i = 1; i < BODIES; i++) {
+    gjk_pose pose = GJK_POSE_IDENTITY;
+    pose.position = random_vector(random, 4 * ONE);
+    pose.position.y = random_range(random, 0, 2 * ONE);
+    if (random_below(random, 2) == 0) {
+#if SPACE
+      const gjk_quat any = {random_range(random, -99, 99), random_range(random, -99, 99), random_range(random, -99, 99),
+                            100};
+#else
+      const gjk_quat any = {100, random_range(random, -99, 99)};
+#endif
+      CHECK(gjk_quat_normalize(&any, &pose.rotation) == GJK_OK);
+    }
+    // Casts against a curved shape may have no answer where the ceiling is low.
+    add((uint16_t)(1 + random_below(random, GJK_ITERATIONS_MAX < 100 ? 2 : 3)), &pose);
+  }
+}
+
+static bool touches(const gjk_collider *c, gjk_q16 reach) {
+  uint32_t count = 0;
+  CHECK(gjk_scene_query_within(&scene, c, reach, NULL, NULL, NULL, 0, &count) == GJK_OK);
+  return count > 0;
+}
+
+// A random walk in a random room, of several ticks: it starts free, so it is never stuck, and ends free. Where it met
+// nothing it got where it wanted.
+static void check_walks(random_state *random) {
+  gjk_collider c;
+  gjk_slide_setup setup = usual();
+  build_room(random);
+  setup.step = random_below(random, 2) == 0 ? 0 : ONE / 2;
+  setup.snap = random_below(random, 2) == 0;
+  gjk_vec3 at = random_vector(random, 4 * ONE);
+  at.y = random_range(random, ONE, 3 * ONE);
+  set_walker(&c, random_below(random, 2) == 0 ? &man : &robot, at);
+  if (touches(&c, 0)) {
+    stuck_count++;
+    return;
+  }
+  for (int i = 0; i < WALKS; i++) {
+    gjk_vec3 way = random_vector(random, random_below(random, 8) == 0 ? 8 * ONE : ONE / 3), to = at;
+    way.y = random_below(random, 4) == 0 ? way.y : -ONE / 20;
+    to.x += way.x;
+    to.y += way.y;
+    gjk_slide_result r, again;
+    const gjk_status status = gjk_slide(&scene, &c, &to, &setup, &r);
+    CHECK(status == GJK_OK);
+    CHECK(gjk_slide(&scene, &c, &to, &setup, &again) == GJK_OK);
+    CHECK(memcmp(&r.position, &again.position, sizeof r.position) == 0 && r.casts == again.casts);
+    CHECK(!r.stuck && r.casts <= GJK_SLIDE_CASTS && r.count <= GJK_SLIDE_PLANES);
+    most_casts = r.casts > most_casts ? r.casts : most_casts;
+    CHECK(gjk_collider_move(&c, &r.position) == GJK_OK);
+    CHECK_MSG(!touches(&c, 0), "walk %d ends in something", i);
+    if (r.count == 0 && !setup.snap && !touches(&c, SKIN)) {
+      free_walks++;
+    }
+    slid += r.count > 0;
+    stood += r.on_ground;
+    climbed += r.stepped;
+    blocked += r.count >= 2;
+    at = r.position;
+    if (abs(at.x) > 18 * ONE) {
+      break;
+    }
+  }
+}
+
+static void check_statuses(void) {
+  gjk_collider c, unposed;
+  gjk_slide_setup setup = usual();
+  gjk_slide_result r;
+  gjk_vec3 to = VECTOR(ONE, ONE, 0);
+  start_scene();
+  set_walker(&c, &robot, to);
+  memset(&unposed, 0, sizeof unposed);
+  memset(&r, 0x5A, sizeof r);
+  const gjk_slide_result untouched = r;
+  CHECK(gjk_slide(NULL, &c, &to, &setup, &r) == GJK_ERROR_NULL);
+  CHECK(gjk_slide(&scene, NULL, &to, &setup, &r) == GJK_ERROR_NULL);
+  CHECK(gjk_slide(&scene, &c, NULL, &setup, &r) == GJK_ERROR_NULL);
+  CHECK(gjk_slide(&scene, &c, &to, NULL, &r) == GJK_ERROR_NULL);
+  CHECK(gjk_slide(&scene, &c, &to, &setup, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_slide(&scene, &unposed, &to, &setup, &r) == GJK_ERROR_UNINITIALISED);
+#define REFUSED(field, value, status) \
+  setup = usual();                    \
+  setup.field = value;                \
+  CHECK(gjk_slide(&scene, &c, &to, &setup, &r) == status)
+  REFUSED(slope, -1, GJK_ERROR_RANGE);
+  REFUSED(slope, GJK_Q30_ONE + 1, GJK_ERROR_RANGE);
+  REFUSED(skin, GJK_SLIDE_SKIN_MIN - 1, GJK_ERROR_RANGE);
+  REFUSED(skin, ONE + 1, GJK_ERROR_RANGE);
+  REFUSED(step, -1, GJK_ERROR_RANGE);
+  REFUSED(step, GJK_RADIUS_MAX + 1, GJK_ERROR_RANGE);
+  REFUSED(reach, -1, GJK_ERROR_RANGE);
+  REFUSED(reach, GJK_RADIUS_MAX + 1, GJK_ERROR_RANGE);
+  REFUSED(up.y, GJK_Q30_ONE / 2, GJK_ERROR_ROTATION);
+  REFUSED(up.x, INT32_MIN, GJK_ERROR_ROTATION);
+#undef REFUSED
+  setup = usual();
+  to.x += 1 << 29;
+  CHECK(gjk_slide(&scene, &c, &to, &setup, &r) == GJK_ERROR_RANGE);
+  to.x = INT32_MAX;
+  CHECK(gjk_slide(&scene, &c, &to, &setup, &r) == GJK_ERROR_RANGE);
+  CHECK(memcmp(&r, &untouched, sizeof r) == 0);
+}
+
+int main(void) {
+  random_state random = random_seed(check_seed(SEED));
+  check_statuses();
+  check_floor(&robot, ONE / 3, ONE / 2);
+  check_floor(&man, GJK_Q16(0.3), GJK_Q16(0.8));
+  for (unsigned i = 0; i < ROOMS; i++) {
+    check_trial(i, NULL, NULL);
+    check_walks(&random);
+  }
+  printf("%lu slid, %lu along more than one, %lu stood, %lu climbed, %lu free, %lu rooms full; at most %u casts\n",
+         slid, blocked, stood, climbed, free_walks, stuck_count, most_casts);
+  CHECK(slid > 300 && blocked > 50 && stood > 200 && climbed > 5 && free_walks > 100);
+  return check_done(TEST_NAME);
+}
