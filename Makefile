@@ -24,11 +24,13 @@
 #   make prove           shows the absence of undefined behaviour (Frama-C)
 #   make prove-faults    puts faults into copies of the sources that the proof must notice
 #   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
-#   make coverage        which lines and branches of src the tests reach, over all variants of the code
+#   make coverage        which lines and branches of src the tests reach, over all variants of the code; FILES=. matches the
+#                        files that count
 #   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400 (0: all) by
 #                        SEED=1, in files that match FILES=.; lists the survivors
-#   make fuzz            fuzzes pairs, the reader of cases, arguments, scenes, forged claims and the plane for SECONDS=60
+#   make fuzz            fuzzes pairs, the reader of cases, arguments, scenes, forged claims, casts and the plane for SECONDS=60
 #   make soak            certifies PAIRS=100000000 random pairs on two cores; goes on where it was interrupted
+#   make soak-casts      the same for CASTS=1000000 random casts
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
 #                        the broad phases of Bullet and FCL where installed; make bench draws it, too
 #   make scene-soak      1,000,000 random operations on scenes under the sanitizers
@@ -99,7 +101,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: all help lib setup test unit-tests demo demo-stack demo-plane demo-trace amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: all help lib setup test unit-tests programs demo demo-stack demo-plane demo-trace amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
@@ -114,7 +116,9 @@ help:
 
 lib: $(LIB)
 
-LIB_OBJECTS := $(patsubst %.c,$(OUT)/%.o,$(notdir $(wildcard src/*/*.c)))
+# SOURCES: what the library is made of; part of it is enough for some tests.
+SOURCES ?= src/*/*.c
+LIB_OBJECTS := $(patsubst %.c,$(OUT)/%.o,$(notdir $(wildcard $(SOURCES))))
 vpath gjk_%.c $(wildcard src/*)
 vpath gjk2_%.c $(wildcard src/*)
 
@@ -144,6 +148,7 @@ SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
 TEST_SCRIPTS := $(wildcard tests/check/unit/test_*.sh)
 UNIT_TESTS := $(patsubst tests/check/unit/%.c,build/%,$(wildcard tests/check/unit/test_*.c))
 QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/query/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c labels.c svg.c))
+CONVERT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/convert/*.c))
 DEMO_STACK := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/demo_stack/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c svg.c))
 DEMO_PLANE := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo_plane/*.c)))
 DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo/*.c)))
@@ -157,12 +162,13 @@ build/hosted/%.o: %.c build/hosted/programs.flags Makefile
 	@$(HOSTED) $(DEPENDENCIES) -c $< -o $@
 
 build/gjk-query: $(QUERY)
+build/gjk-convert: $(CONVERT)
 build/gjk-demo: $(DEMO)
 build/gjk-demo-stack: $(DEMO_STACK)
 build/gjk-demo-plane: $(DEMO_PLANE)
 build/lockstep: build/hosted/tests/programs/lockstep/main.o build/hosted/tests/programs/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
-build/gjk-query build/gjk-demo build/gjk-demo-stack build/gjk-demo-plane build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
+build/gjk-query build/gjk-convert build/gjk-demo build/gjk-demo-stack build/gjk-demo-plane build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
@@ -212,6 +218,23 @@ build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flag
 	@echo '  $@'
 	@$(if $(SCENE_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(SCENE_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
+# Casts whose answer is known. CAST_PEERS, out of BENCH_PEERS: bullet and fcl have casts.
+CAST_PEERS := $(filter bullet fcl,$(BENCH_PEERS))
+CASTS := $(patsubst %.c,build/hosted/%.o,$(filter-out %/main.c,$(wildcard tests/measure/cast/*.c))) \
+  $(CAST_PEERS:%=build/hosted/tests/measure/cast/peer/%.o)
+
+build/hosted/tests/measure/cast/peer/%.o: tests/measure/cast/peer/%.cpp build/hosted/peers.flags Makefile
+	@mkdir -p $(@D)
+	@echo '  $<'
+	@$(PEER_COMPILE) -c $< -o $@
+
+build/gjk-casts: tests/measure/cast/main.c $(CASTS) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
+	@echo '  $@'
+	@$(HOSTED) $(if $(filter bullet,$(CAST_PEERS)),-DCAST_BULLET) $(if $(filter fcl,$(CAST_PEERS)),-DCAST_FCL) -c $< \
+	  -o build/hosted/tests/measure/cast/main.o
+	@$(if $(CAST_PEERS),$(CXX),$(CC)) build/hosted/tests/measure/cast/main.o $(filter %.o,$^) $(HOST_LIB) \
+	  $(if $(CAST_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
+
 # Decisions and costs in the plane. PLANE_PEERS: other libraries to measure, out of box2d and chipmunk; -alone: none.
 PLANE_PEERS ?=
 PLANE := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/plane/*.c))
@@ -260,7 +283,8 @@ $(OUT)/%.elf: tests/measure/target/%.c tests/measure/target/%_firmware.c $(OUT)/
 
 $(OUT)/bench.elf: tests/measure/target/bench_gjk.c tests/measure/target/bench_float.c tests/measure/target/bench_double.c
 $(OUT)/bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),,-DBENCH_REFERENCE_DEPTH)
-$(OUT)/bench.elf $(OUT)/plane_bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
+$(OUT)/bench.elf $(OUT)/plane_bench.elf $(OUT)/cast_bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
+$(OUT)/plane_bench.elf: tests/measure/target/plane_bench_chain.c
 $(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/scene_bench.elf: tests/support/scene/traffic.c
 $(OUT)/scene_golden.elf: tests/support/scene/match.c
@@ -286,8 +310,18 @@ setup:
 
 unit-tests: $(UNIT_TESTS)
 
-test: all unit-tests build/scene-bench build/gjk-plane-alone build/lockstep build/gjk-demo-stack build/gjk-demo-plane $(filter setup,$(MAKECMDGOALS))
-	@sh tests/build/run-tests.sh build $(UNIT_TESTS) $(TEST_SCRIPTS)
+# What takes longest is begun first; scripts that want the same libraries are not begun together.
+LONG_TESTS := $(patsubst %,tests/check/unit/test_%.sh,lint golden prove) build/test_plane_certificates \
+  $(patsubst %,tests/check/unit/test_%.sh,ceilings symbols) build/test_penetration build/test_certificates \
+  $(patsubst %,tests/check/unit/test_%.sh,amalgamation fuzz scene_golden bench_cost port limit)
+TESTS := $(LONG_TESTS) $(filter-out $(LONG_TESTS),$(UNIT_TESTS) $(TEST_SCRIPTS))
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+
+programs: all unit-tests build/scene-bench build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-plane
+
+test: $(filter setup,$(MAKECMDGOALS))
+	@$(MAKE) --no-print-directory $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS)) programs
+	@sh tests/build/run-tests.sh build $(TESTS)
 
 demo: build/gjk-demo
 	build/gjk-demo tests/data/arm.txt build/demo.svg
@@ -336,7 +370,7 @@ lint:
 	@sh tests/build/lint.sh build
 
 coverage: unit-tests
-	@SUPPORT='$(SUPPORT)' sh tests/build/coverage.sh build
+	@SUPPORT='$(SUPPORT)' FILES='$(FILES)' sh tests/build/coverage.sh build
 
 MUTANTS ?= 400
 SEED ?= 1
@@ -352,6 +386,10 @@ fuzz:
 PAIRS ?= 100000000
 soak: build/test_certificates
 	@sh tests/build/soak.sh build $(PAIRS)
+
+CASTS ?= 1000000
+soak-casts: build/test_cast_certificates
+	@sh tests/build/soak.sh build $(CASTS) test_cast_certificates
 
 bench-scene:
 	@sh tests/build/bench-scene.sh build

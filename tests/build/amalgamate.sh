@@ -106,7 +106,7 @@ expand() {
   echo '// gjk: exact collision queries in Q16.16, all public headers in one. Made by `make amalgamation`; its sources tell more.'
   echo '#ifndef GJK_AMALGAMATION_H'
   echo '#define GJK_AMALGAMATION_H'
-  expand 1 include/gjk/gjk.h include/gjk/scene.h include/gjk2/gjk2.h include/gjk2/scene.h
+  expand 1 include/gjk/gjk.h include/gjk/scene.h include/gjk/probe.h include/gjk/slide.h include/gjk2/gjk2.h include/gjk2/scene.h include/gjk2/probe.h include/gjk2/slide.h
   echo
   echo '#endif'
 } >"$dir/gjk.h.part" || exit 1

@@ -48,6 +48,7 @@ END {
   row("gjk_penetration", "gjk", "gjk_penetration", "stack bound", "painted stack")
   for (s = 2; s <= count; s++) row("", solver[s], "gjk_penetration", "painted stack")
   row("gjk_contacts", "gjk", "gjk_contacts", "stack bound", "painted stack")
+  row("gjk_time_of_impact", "gjk", "gjk_time_of_impact", "stack bound", "painted stack")
   title("workspace needed, bytes: the most of the pairs")
   for (n = 1; n <= lines; n++) if (measure[n] == "workspace") row(subject[n], "gjk", subject[n], "workspace")
   title("code linked at -Os, bytes")

@@ -20,12 +20,12 @@ count() {
   awk -F'|' -v target="$1" '
     function row(subject, measure, figure) { print target "," $1 "," subject "," measure "," figure }
     {
-      group = $2 ~ /: depth$/ ? "gjk_penetration" : $2 ~ /: contacts$/ ? "gjk_contacts" : "any query"
+      group = $2 ~ /: depth$/ ? "gjk_penetration" : $2 ~ /: contacts$/ ? "gjk_contacts" : $2 ~ /: impact$/ ? "gjk_time_of_impact" : "any query"
       row($2, "mean instructions", $3)
       row($2, "worst instructions", $4)
       row($2, group == "gjk_contacts" ? "mean contacts" : "mean iterations", sprintf("%.1f", $5 / 100))
       row($2, group == "gjk_contacts" ? "most contacts" : "most iterations", $6)
-      if (group != "any query" && $1 == "gjk") row($2, "workspace", $8)
+      if ((group == "gjk_penetration" || group == "gjk_contacts") && $1 == "gjk") row($2, "workspace", $8)
       if ($7 + 0 > deepest[$1 "," group] + 0) deepest[$1 "," group] = $7
     }
     END { for (group in deepest) print target "," group ",painted stack," deepest[group] }
@@ -34,9 +34,9 @@ count() {
 
 # What the queries need at most by the compiler's call graph.
 stack() {
-  awk -v roots='gjk_intersect gjk_within gjk_distance gjk_penetration gjk_contacts' -f tests/build/stack.awk \
+  awk -v roots='gjk_intersect gjk_within gjk_distance gjk_penetration gjk_contacts gjk_time_of_impact' -f tests/build/stack.awk \
     tests/build/indirect-calls.txt "build/$1$variant"/*.ci | awk -v target="$1" '
-    /^gjk_(penetration|contacts) / { print target ",gjk," $1 ",stack bound," $2; next }
+    /^gjk_(penetration|contacts|time_of_impact) / { print target ",gjk," $1 ",stack bound," $2; next }
     $2 > deepest { deepest = $2 }
     END { print target ",gjk,any query,stack bound," deepest }'
 }
@@ -48,7 +48,7 @@ code() {
 
 # For cores without floating point in hardware.
 codes() {
-  make -s lib TARGET="$1" OPT=-Os VARIANT="$variant-linked" >/dev/null &&
+  library "$1" "$variant-Os" OPT=-Os &&
     code "$1" gjk 'gjk_intersect: boxes' -DSIZE_BOXES &&
     code "$1" gjk 'gjk_intersect: boxes; with posing' -DSIZE_BOXES -DSIZE_POSED &&
     code "$1" gjk 'gjk_distance: boxes and hulls; rounded' -DSIZE_HULLS &&
@@ -58,6 +58,7 @@ codes() {
     code "$1" gjk 'gjk_penetration: boxes and hulls; rounded; with posing' -DSIZE_POSED -DSIZE_DEPTH &&
     code "$1" gjk 'gjk_contacts: boxes and hulls; rounded' -DSIZE_HULLS -DSIZE_CONTACTS &&
     code "$1" gjk 'gjk_contacts: boxes and hulls; rounded; with posing' -DSIZE_POSED -DSIZE_CONTACTS &&
+    code "$1" gjk 'gjk_time_of_impact: boxes and hulls; rounded' -DSIZE_POSED -DSIZE_IMPACT &&
     code "$1" float 'reference: boxes and hulls' float &&
     code "$1" double 'reference: boxes and hulls' double
 }

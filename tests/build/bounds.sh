@@ -1,15 +1,23 @@
 #!/bin/sh
 # Runs the assertions of the sources as checks, with the sanitizers for undefined behaviour and addresses: bounds.sh
-# BUILD PAIRS STEP. PAIRS: random pairs, and as many forged scenes, for each of two builds. STEP: Newton's iterations
+# BUILD PAIRS STEP. PAIRS: random pairs, as many that move, and as many forged scenes, for each of two builds. STEP: Newton's iterations
 # are run for every STEP-th number.
 dir=$1/bounds
+root=$(pwd)
 rm -rf "$dir"
 mkdir -p "$dir"
 cp -r src "$dir/src"
 for file in src/*/*.[ch]; do
   sed 's|//@ assert \(.*\);$|if (!(\1)) __builtin_trap();|; s|//@ .*||' "$file" >"$dir/$file"
 done
-support="$(echo "$dir"/src/*/*.c) tests/support/generate/*.c tests/support/exact/*.c tests/support/case/case.c tests/support/case/case2.c tests/support/case/case2_collider.c tests/prove/bounds.c"
+support="tests/support/generate/*.c tests/support/exact/*.c tests/support/case/case.c tests/support/case/case2.c tests/support/case/case2_collider.c"
+
+# library NAME SANITIZERS: NAME.a
+library() {
+  mkdir -p "$dir/$1"
+  # shellcheck disable=SC2086
+  (cd "$dir/$1" && ${CC:-cc} -std=c99 -O1 $2 "-I$root/include" -c "$root/$dir"/src/*/*.c && ar rcs "../$1.a" ./*.o)
+}
 
 # build NAME SANITIZERS SOURCES...
 build() {
@@ -21,17 +29,24 @@ build() {
 }
 
 all='-fsanitize=undefined,address -fno-sanitize-recover=all'
+library library "$all" && library narrow "$all -DGJK_NARROW_MULTIPLY=1" || exit 1
 # shellcheck disable=SC2086
-build pairs "$all" $support && [ "$("$dir/pairs" "$2")" = "$2" ] || exit 1
+build pairs "$all" $support tests/prove/bounds.c "$dir/library.a" && [ "$("$dir/pairs" "$2")" = "$2" ] || exit 1
 # shellcheck disable=SC2086
-build pairs-narrow "$all -DGJK_NARROW_MULTIPLY=1" $support && [ "$("$dir/pairs-narrow" "$2")" = "$2" ] || exit 1
+build pairs-narrow "$all -DGJK_NARROW_MULTIPLY=1" $support tests/prove/bounds.c "$dir/narrow.a" &&
+  [ "$("$dir/pairs-narrow" "$2")" = "$2" ] || exit 1
 # shellcheck disable=SC2086
-build scene "$all" "$dir"/src/*/*.c tests/support/scene/world.c tests/prove/bounds_scene.c &&
+build motion "$all" $support tests/prove/bounds_motion.c "$dir/library.a" && [ "$("$dir/motion" "$2")" = "$2" ] || exit 1
+# shellcheck disable=SC2086
+build motion-narrow "$all -DGJK_NARROW_MULTIPLY=1" $support tests/prove/bounds_motion.c "$dir/narrow.a" &&
+  [ "$("$dir/motion-narrow" "$2")" = "$2" ] || exit 1
+# shellcheck disable=SC2086
+build scene "$all" tests/support/scene/world.c tests/prove/bounds_scene.c "$dir/library.a" &&
   [ "$("$dir/scene" "$2")" = "$2" ] || exit 1
 # The plane's own tests, with a percent of their trials for every 1,000 pairs.
 for test in check contacts curved distance hostile penetration polygon pose; do
   # shellcheck disable=SC2086
-  if ! build plane "$all -Iport" "$dir"/src/plane/*.c "$dir"/src/arith/*.c "tests/check/unit/test_plane_$test.c" ||
+  if ! build plane "$all -Iport" "tests/check/unit/test_plane_$test.c" "$dir/library.a" ||
     ! GJK_TEST_PERCENT=$(($2 / 1000 + 1)) "$dir/plane" >"$dir/plane.log" 2>&1; then
     echo "the assertions of the plane fail in test_plane_$test"
     exit 1

@@ -58,6 +58,21 @@ tool_prefix() {
   esac
 }
 
+# library TARGET VARIANT NAME=VALUE...: makes the library with these variables of the Makefile in build/TARGETVARIANT.
+# Scripts that run at the same time and want the same one wait for each other.
+library() {
+  library_lock=build/.$1$2.lock
+  library_at="TARGET=$1 VARIANT=$2"
+  shift 2
+  mkdir -p build
+  # shellcheck disable=SC2086
+  if have flock; then
+    flock "$library_lock" make -s lib $library_at "$@" >/dev/null
+  else
+    make -s lib $library_at "$@" >/dev/null
+  fi
+}
+
 # The VARIANT of the Makefile for a script that works in BUILD: none for build, -x for build/x, so that scripts that run
 # at the same time build apart.
 variant_of() {

@@ -1,4 +1,5 @@
 # Adds up the counts of all variants and prints the table and the list: see coverage.sh.
+# only: a regular expression for the files that count.
 # Input: lines 'B FILE LINE COLUMN TRUE FALSE', then lcov files of all variants.
 
 function place(file) {
@@ -7,13 +8,20 @@ function place(file) {
   return file
 }
 
-# Reads a source file's arguments: argued[file, line] where a comment beside the line or just above stands.
-function read_source(file,   text, number, above) {
+# Reads a source file's arguments: argued[file, line] where a comment beside the line or just above stands. An argument
+# for a condition is one for the lines of its block, too: block[file, line] is where it stands.
+function read_source(file,   text, number, above, head, depth) {
   number = 0
   above = 0
+  head = 0
   while ((getline text < file) > 0) {
     number++
     code[file, number] = text
+    if (head > 0) {
+      block[file, number] = head
+      match(text, /^ */)
+      if (RLENGTH <= depth && text ~ /^ *}/) head = 0
+    }
     if (text ~ /^ *\/\/ not reached: ./) {
       above = 1
     } else if (text ~ /\/\/ not reached: ./) {
@@ -24,6 +32,11 @@ function read_source(file,   text, number, above) {
       arguments++
       above = 0
     }
+    if (((file, number) in argued) && text ~ /^ *(if|while|for) .*{( *\/\/.*)?$/) {
+      head = number
+      match(text, /^ */)
+      depth = RLENGTH
+    }
   }
   close(file)
 }
@@ -32,6 +45,8 @@ function miss(file, line, what) {
   if ((file, line) in argued) {
     used[file, line] = 1
     reasons[file]++
+  } else if (what == "line" && (file, line) in block) {
+    reasons[file]++
   } else {
     missing[++misses] = file ":" line ": " what ": " code[file, line]
   }
@@ -39,6 +54,7 @@ function miss(file, line, what) {
 
 $1 == "B" {
   file = place($2)
+  if (file !~ only) next
   key = file SUBSEP $3 SUBSEP $4
   if (!(key in is_true)) order[++branches] = key
   is_true[key] += $5
@@ -48,7 +64,7 @@ $1 == "B" {
 
 /^SF:/ {
   file = place(substr($0, 4))
-  if (!(file in known) && file ~ /^(src|include)\//) {
+  if (!(file in known) && file ~ /^(src|include)\// && file ~ only) {
     known[file] = ++files
     name[files] = file
     read_source(file)
@@ -56,7 +72,7 @@ $1 == "B" {
   next
 }
 
-/^DA:/ {
+/^DA:/ && file ~ only {
   split(substr($0, 4), field, ",")
   if (!((file, field[1]) in hits)) {
     line_of[++lines] = file SUBSEP field[1]

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Which lines and branches of src and include the tests reach: coverage.sh BUILD. SUPPORT names the objects that tests
-# share.
+# share. FILES: a regular expression for the paths of the files to count; unit tests that use no symbol of their
+# sources do not run.
 #
 # Every variant that compiles other code is built with clang's source coverage, and runs the unit tests, the golden
 # hash and the scenes; the counts are added up. A branch is one outcome of one condition. What is not reached is
@@ -10,6 +11,7 @@
 . tests/build/count.sh
 build=$1/coverage
 programs=$1
+files=${FILES:-.}
 percent=${GJK_TEST_PERCENT:-10}
 export GJK_TEST_PERCENT="$percent"
 
@@ -44,6 +46,19 @@ run() {
     { echo "$variant: $1 fails"; tail -n 3 "$variant/$1.log"; return 1; }
 }
 
+# The symbols of the sources to count.
+wanted() {
+  for source in src/*/*.c; do
+    echo "$source"
+  done | grep -E "$files" | while read -r source; do
+    nm "$programs/host/$(basename "$source" .c).o"
+  done | awk '$2 ~ /[TR]/ { print $3 }'
+}
+
+# calls TEST: does it use a symbol of those sources itself?
+calls() {
+  [ "$files" = . ] || nm "$programs/hosted/tests/check/unit/$1.o" | awk '$1 == "U" { print $2 }' | grep -qxF -f "$build/wanted"
+}
 
 # measure NAME FLAGS...: builds and runs a variant, and writes what llvm-cov has to say
 measure() {
@@ -63,9 +78,11 @@ measure() {
       ;;
     *)
       program golden -DGOLDEN_RUN_PAIRS=GOLDEN_PAIRS tests/check/target/golden.c tests/check/target/golden_host.c \
-        tests/check/target/plane_golden.c tests/check/target/scene_golden.c tests/support/scene/match.c port/hosted/gjk_hosted.c && run golden || return 1
+        tests/check/target/plane_golden.c tests/check/target/motion_golden.c tests/check/target/plane_motion_golden.c \
+        tests/check/target/scene_golden.c tests/support/scene/match.c port/hosted/gjk_hosted.c && run golden || return 1
       for test in tests/check/unit/test_*.c; do
         name=$(basename "$test" .c)
+        calls "$name" || continue
         # shellcheck disable=SC2086
         program "$name" "$programs/hosted/tests/check/unit/$name.o" $SUPPORT && run "$name" || return 1
       done
@@ -78,6 +95,8 @@ measure() {
       >"$variant/branches"
 }
 
+mkdir -p "$build"
+wanted >"$build/wanted"
 # Two variants at a time.
 measure default -O1 >"$build-default.log" 2>&1 &
 first=$!
@@ -107,4 +126,4 @@ for file in "$build"/*/branches; do
       }
     }'
 done >"$build/branches"
-awk -v root="$PWD/" -f tests/build/coverage.awk "$build/branches" "$build"/*/lines
+awk -v root="$PWD/" -v only="$files" -f tests/build/coverage.awk "$build/branches" "$build"/*/lines

@@ -4,6 +4,7 @@
 # emulated S390. With DIVERGE the side that judges goes wrong at that tick. Exit status 0: the hashes were the same, or
 # with DIVERGE they were not.
 . tests/build/count.sh
+. tests/build/golden.sh
 build=$1 ticks=$2 diverge=$3
 link=$build/lockstep-link
 rm -rf "$link"
@@ -27,6 +28,7 @@ missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
 if [ -n "${missing# }" ]; then
   echo "This machine against a Cortex-M3 needs $missing: \`make setup\` installs them." >&2
 else
+  library cortex-m3 '' OPT=-O2 || exit 1
   make -s build/cortex-m3/lockstep.elf TARGET=cortex-m3 FIRMWARE_DEFINES="-DLOCKSTEP_TICKS=$ticks" >/dev/null || exit 1
   echo 'This machine against firmware on an emulated Cortex-M3:' >&2
   play timeout 300 qemu-system-arm -M mps2-an385 -display none -monitor none -serial stdio \
@@ -36,7 +38,8 @@ if ! command -v s390x-linux-gnu-gcc >/dev/null || ! command -v qemu-s390x >/dev/
   echo 'This machine against a big-endian one needs gcc-s390x-linux-gnu, qemu-user: `make setup` installs them.' >&2
   exit 0
 fi
-s390x-linux-gnu-gcc -std=c99 -O2 -static -Iinclude -I. -Iport -Itests/support src/*/*.c tests/support/scene/match.c \
+golden_library s390x gcc -O2 || exit 1
+s390x-linux-gnu-gcc -std=c99 -O2 -static -Iinclude -I. -Iport -Itests/support "$golden_objects"/gjk*.o tests/support/scene/match.c \
   tests/programs/lockstep/main.c tests/programs/lockstep/peer.c \
   -o "$build/lockstep-s390x" || exit 1
 echo 'This machine against an emulated big-endian one:' >&2

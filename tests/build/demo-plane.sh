@@ -4,6 +4,7 @@
 # First both run on this machine, then player 1 is firmware on an emulated Cortex-M3, then it runs on an emulated S390.
 # The picture of the first match is BUILD/plane.svg. Exit status 0: the hashes were the same.
 . tests/build/count.sh
+. tests/build/golden.sh
 build=$1 ticks=$2 inputs=${3:-tests/data/platformer.txt}
 others=${4:-$inputs}
 link=$build/plane-link
@@ -35,6 +36,7 @@ else
       runs = runs (runs == "" ? "" : ", ") "{" $2 ", " keys "}"
     }
     END { print "#define DEMO_PLANE_RUNS " runs }' "$others" >"$link/runs.h"
+  library cortex-m3 '' OPT=-O2 || exit 1
   make -s build/cortex-m3/demo_plane.elf TARGET=cortex-m3 \
     FIRMWARE_DEFINES="-DDEMO_PLANE_TICKS=$ticks -include $link/runs.h" >/dev/null || exit 1
   echo 'This machine against firmware on an emulated Cortex-M3:' >&2
@@ -45,7 +47,8 @@ if ! command -v s390x-linux-gnu-gcc >/dev/null || ! command -v qemu-s390x >/dev/
   echo 'This machine against a big-endian one needs gcc-s390x-linux-gnu, qemu-user: `make setup` installs them.' >&2
   exit 0
 fi
-s390x-linux-gnu-gcc -std=c99 -O2 -static -Iinclude -Iport -Itests/support src/plane/*.c src/arith/*.c \
+golden_library s390x gcc -O2 || exit 1
+s390x-linux-gnu-gcc -std=c99 -O2 -static -Iinclude -Iport -Itests/support "$golden_objects"/gjk*.o \
   tests/programs/demo_plane/[!f]*.c tests/programs/demo_plane/flat_solver.c -lm -o "$build/demo-plane-s390x" || exit 1
 echo 'This machine against an emulated big-endian one:' >&2
 play qemu-s390x "$build/demo-plane-s390x" 1 "$others" "$ticks"

@@ -9,6 +9,7 @@ if [ -n "${missing# }" ]; then
   exit 0
 fi
 "$1/gjk-demo" --c-source "$2" >"$1/demo_scene.c" &&
+  library cortex-m3 '' OPT=-O2 &&
   make -s "$1/cortex-m3/demo.elf" TARGET=cortex-m3 >/dev/null || exit 1
 echo
 echo 'The same scene on an emulated Cortex-M3:'

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Fuzzes pairs, the reader of cases, hostile arguments, scenes, forged claims and the plane with libFuzzer:
+# Fuzzes pairs, the reader of cases, hostile arguments, scenes, forged claims, casts and the plane with libFuzzer:
 # fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
 # The seconds are shared out evenly. SEED 0 is a new one each time. Runs begin with inputs that once failed
@@ -10,7 +10,7 @@ build=$1/fuzz
 seconds=$2
 seed=$3
 shift 3
-[ $# -gt 0 ] || set -- pairs cases arguments scene claims plane
+[ $# -gt 0 ] || set -- pairs cases arguments scene claims casts plane
 each=$((seconds / $#))
 mkdir -p "$build"
 
@@ -40,7 +40,7 @@ fuzz() {
     for input in "$build/$target"-crash-* "$build/$target"-timeout-*; do
       [ -e "$input" ] || continue
       case $target in
-        pairs | claims | plane) GJK_FUZZ_PRINT=1 "$build/$target" "$input" 2>/dev/null | tee "$input.case" ;;
+        pairs | claims | casts | plane) GJK_FUZZ_PRINT=1 "$build/$target" "$input" 2>/dev/null | tee "$input.case" ;;
       esac
       echo "the input $input, in base64:"
       base64 "$input"
@@ -72,10 +72,11 @@ for source in tests/check/fuzz/bytes.c tests/check/fuzz/overlap.c tests/support/
 done
 
 mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments" "$build/seeds-scene" \
-  "$build/seeds-claims" "$build/seeds-plane"
+  "$build/seeds-claims" "$build/seeds-casts" "$build/seeds-plane"
 # shellcheck disable=SC2086
 clang $flags tests/check/fuzz/seeds.c "$build"/objects/*.o -lm -o "$build/seeds" &&
-  "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt || exit 1
+  "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt &&
+  "$build/seeds" "$build/seeds-casts" tests/data/cast.txt || exit 1
 cp tests/data/*.txt "$build/seeds-cases"
 cp "$build"/seeds-pairs/* "$build/seeds-arguments"
 cp tests/check/fuzz/once/pairs-* "$build/seeds-pairs"

@@ -49,7 +49,42 @@ golden_missing() {
   echo "${lacking# }"
 }
 
+# Makes the library of a build for all scripts that want the same one, and sets golden_objects to its objects:
+# golden_library ARCHITECTURE COMPILER FLAGS... Cores: gcc with one level of optimisation alone.
+golden_library() {
+  case $* in
+    *-DGJK_ITERATIONS_MAX=*)  # the usual library but for that
+      golden_objects=build/host-iterations-${4#*=}
+      library host '' || return 1
+      if have flock; then
+        flock "$(dirname "$golden_objects")/.${golden_objects#*/}.lock" sh tests/build/variant.sh "$golden_objects" "$4"
+      else
+        sh tests/build/variant.sh "$golden_objects" "$4"
+      fi
+      return
+      ;;
+  esac
+  golden_port=
+  case $* in
+    *hosted/gjk_port.h*) golden_port=hosted ;;
+  esac
+  golden_flags=$(shift 2; echo "$*" | sed 's/ *-DGJK_PORT_HEADER="[^ ]*//')
+  golden_name=$(echo "-$2 $golden_flags $golden_port" | sed 's/-fno-sanitize-recover=all//' | tr -cd 'A-Za-z0-9=-')
+  [ "$1" = host ] || golden_name=-$1$golden_name
+  case $1 in
+    host) library host "$golden_name" "CC=$2" "PORT=$golden_port" "OPT=$golden_flags -g0" ;;
+    cortex-* | rv32imc | avr)
+      library "$1" "${3#-O2}" "OPT=$3" || return 1
+      golden_objects=build/$1${3#-O2}
+      return
+      ;;
+    *) library host "$golden_name" "CC=$(golden_triple "$1")-$2" "PORT=$golden_port" "OPT=$golden_flags -g0" ;;
+  esac || return 1
+  golden_objects=build/host$golden_name
+}
+
 # Builds and runs: golden FOLDER ARCHITECTURE COMPILER FLAGS... Prints the hash; succeeds when it is the golden one.
+# With golden_shared=1 it takes the library from golden_library.
 golden() {
   folder=$1 architecture=$2 compiler=$3
   shift 3
@@ -78,6 +113,11 @@ golden() {
       glue="$glue -static tests/check/target/golden_host.c port/hosted/gjk_hosted.c"
       ;;
   esac
+  case $architecture in  # what fits the memory
+    avr) parts='1 2 4' ;;
+    cortex-m0) parts='1 6' ;;
+    *) parts=7 ;;
+  esac
   core=$linker
   if [ "$compiler" = clang ]; then
     case $architecture in
@@ -88,10 +128,16 @@ golden() {
     esac
     core="clang ${triple:+--target=$triple} $(echo "$linker" | sed 's/^[^ ]*//; s/-fcallgraph-info=su//')"
   fi
+  library="$root/src/*/*.c" golden_objects=
+  if [ -n "$golden_shared" ]; then
+    golden_library "$architecture" "$compiler" "$@" || return 1
+    library=
+  fi
   # shellcheck disable=SC2086
   (cd "$folder" && $core -std=c99 -ffreestanding -ffunction-sections -fdata-sections "-I$root/include" \
-    "-I$root" "-I$root/port" "-I$root/tests/support" "$@" -c "$root"/src/*/*.c "$root/tests/check/target/golden.c" \
-    "$root/tests/check/target/plane_golden.c" $scene) || return 1
+    "-I$root" "-I$root/port" "-I$root/tests/support" "$@" -c $library "$root/tests/check/target/golden.c" \
+    "$root/tests/check/target/plane_golden.c" "$root/tests/check/target/motion_golden.c" \
+    "$root/tests/check/target/plane_motion_golden.c" $scene) || return 1
   case "$compiler $*" in
     clang*-flto*)
       ld.lld -r "$folder"/*.o -o "$folder/all.lto" && rm "$folder"/*.o && mv "$folder/all.lto" "$folder/all.o" || return 1
@@ -101,11 +147,13 @@ golden() {
     *-fsanitize=*address*) glue="$glue -fsanitize=undefined,address" ;;
     gcc*-flto*) glue="$glue -flto" ;;
   esac
-  # shellcheck disable=SC2086
-  $linker $glue -O2 "$folder"/*.o -lgcc -o "$folder/golden.elf" || return 1
-  case $architecture in
-    host) "$folder/golden.elf" ;;
-    cortex-* | rv32imc | avr) sh tests/build/emulate.sh "$architecture" "$folder/golden.elf" ;;
-    *) "$(golden_emulator "$architecture")" "$folder/golden.elf" ;;
-  esac
+  for part in $parts; do
+    # shellcheck disable=SC2086
+    $linker $glue "-DGOLDEN_PARTS=$part" -O2 "$folder"/*.o ${golden_objects:+"$golden_objects"/gjk*.o} -lgcc -o "$folder/golden.elf" || return 1
+    case $architecture in
+      host) "$folder/golden.elf" ;;
+      cortex-* | rv32imc | avr) sh tests/build/emulate.sh "$architecture" "$folder/golden.elf" ;;
+      *) "$(golden_emulator "$architecture")" "$folder/golden.elf" ;;
+    esac || return 1
+  done
 }

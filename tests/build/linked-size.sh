@@ -35,7 +35,7 @@ case $1 in
     ;;
   *)
     compile "$@" tests/measure/target/size.c -o "$name.o" &&
-      link size_main "$name.o" ${LIBRARY:-build/$target$variant-linked/libgjk.a} || exit 1
+      link size_main "$name.o" ${LIBRARY:-build/$target$variant-Os/libgjk.a} || exit 1
     "$(tool_prefix "$target")size" "$name.o" "$name.elf" | awk 'NR == 2 { own = $1 } NR == 3 { print $1 - own }'
     ;;
 esac

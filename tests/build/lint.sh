@@ -10,12 +10,19 @@ c_files() {
   find src include port tests -name '*.[ch]' | sort
 }
 
+# The sources, without those of the plane that are sources of scenes in space under other names: the rules are about the
+# text, and there it is the same.
+texts() {
+  grep -L '"../scene/gjk_scene_[a-z_]*\.c"' src/*/*.c
+}
+
 # cppcheck has no headers of the compiler; what port.h and wide.h test is given here.
 analyse() {
+  # shellcheck disable=SC2046
   cppcheck --quiet --std=c99 --platform=unix32 --enable=warning,style,performance,portability --addon=misra \
     -UGJK_PORT_HEADER -DCHAR_BIT=8 -DUINT_MAX=4294967295U -DINT32_MAX=2147483647 -DUINT32_MAX=4294967295U \
     --suppress=shiftNegativeLHS --suppress=shiftTooManyBitsSigned --suppress=ctuuninitvar --suppress=shadowFunction \
-    -Iinclude --template='{file}:{line}: {id}: {message}' src/*/*.c 2>"$dir/cppcheck.txt"
+    -Iinclude --template='{file}:{line}: {id}: {message}' $(texts) 2>"$dir/cppcheck.txt"
 }
 
 misra_rules() {

@@ -115,7 +115,8 @@ plane_cases() {
   for goal in GJK2_GOAL_DISTANCE GJK2_GOAL_WITHIN GJK2_GOAL_DEPTH GJK2_GOAL_SIGNED EDGES CURVED; do
     echo plane_search-$goal
   done
-  for query in WITHIN WITHIN_UNTIL DISTANCE UNTIL PENETRATION SIGNED CONTACTS CHECK_DECISION CHECK_DISTANCE \
+  for query in WITHIN WITHIN_UNTIL DISTANCE_CURVED DISTANCE_MIXED DISTANCE_POLYGONS UNTIL PENETRATION SIGNED_CURVED SIGNED_MIXED \
+    SIGNED_POLYGONS CONTACTS CHECK_DECISION CHECK_DISTANCE \
     CHECK_PENETRATION; do
     echo plane_query-$query
   done
@@ -198,7 +199,7 @@ prove_one() {
       set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-interprocedural-splits
       ;;
     scene_*)
-      sources="$(echo src/scene/*.c) src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
+      sources="$(printf '%s ' src/scene/*.c | tr ' ' '\n' | grep -vE '_(motion|slide|ray|cast|inquiry|passage|within)[.]c' | tr '\n' ' ') src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
       models=scene contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
       [ "$driver" != scene_ops ] || models='scene scene_tree'
       set -- "$1" -eva-slevel 12 -eva-slevel-function "$SCENE_LEVELS" -eva-partition-history 1 \

@@ -22,6 +22,8 @@ awk -f tests/build/grouped.awk -f tests/build/readme-ceiling.awk "$figures/repla
 # Wrong decisions, without other libraries where only those of Cortex-M3 are compared.
 WITHOUT_PEERS=$target sh tests/build/decisions.sh "$build" >"$figures/decisions" || exit 1
 WITHOUT_PEERS=$target sh tests/build/plane-decisions.sh "$build" >"$figures/plane" || exit 1
+# shellcheck disable=SC2086
+sh tests/build/plane-cost.sh "$build" $target >"$figures/planecost" || exit 1
 
 # shown NAME: the table of that name in the README.
 shown() {
@@ -64,6 +66,7 @@ awk -F'|' -v heads="$heads" '
   /^<!-- figures: cost -->$/ { inside = 1 }' README.md >"$figures/readme-cost"
 diff "$figures/readme-cost" "$figures/cost" || exit 1
 shown ceiling | diff - "$figures/ceiling" || exit 1
+shown planecost | cut -d '|' -f 1,2,4,5 | diff - "$figures/planecost" || exit 1  # of Cortex-M3
 for table in decisions plane; do
   cut -d '|' -f 1-4 "$figures/$table" >"$figures/own-$table"
   shown $table | cut -d '|' -f 1-4 | diff - "$figures/own-$table" || exit 1

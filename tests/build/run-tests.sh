@@ -4,7 +4,8 @@
 # A test is a program, or a script that gets BUILD. Its last line is 'NAME: N passed, N failed', perhaps with ', N
 # skipped'. It counts as failed also if its exit status is bad, that line is missing, it counts nothing at all, or
 # there is no result: it was never started, or was killed with the shell that watched it. Its output is kept in
-# BUILD/log, and shown if it fails. With GJK_NO_SKIP=1 a skip is a failure.
+# BUILD/log, and shown if it fails. With GJK_NO_SKIP=1 a skip is a failure. BUILD/log/seconds says what processor time
+# each took.
 build=$1
 logs=$build/log
 shift
@@ -17,6 +18,7 @@ run_one() {
     *) "$1" >"$log" 2>&1 ;;
   esac
   status=$?
+  times >"$logs/$name.times"
   line=$(tail -n 1 "$log" | grep -E ': [0-9]+ passed, [0-9]+ failed(, [0-9]+ skipped)?$')
   case $status:$line in
     *:) line="$name: 0 passed, 1 failed: no result, exit status $status" ;;
@@ -64,6 +66,13 @@ for test in "$@"; do
   [ -s "$logs/$name.result" ] || echo "$name: 0 passed, 1 failed: not run to its end" | tee "$logs/$name.result"
 done
 
+for test in "$logs"/*.times; do
+  awk -v name="$(basename "$test" .times)" 'NR == 2 {
+      split($0, t, /[ms ]+/)
+      printf "%.1f %s\n", 60 * (t[1] + t[3]) + t[2] + t[4], name
+    }' "$test"
+  rm "$test"
+done | sort -rn >"$logs/seconds"
 cat "$logs"/*.result | awk -v no_skip="${GJK_NO_SKIP:-0}" '
   {
     sub(/^[^:]*: /, "")

@@ -37,24 +37,25 @@ table() {
 
 for level in -O2 -Os; do
   for target in $targets; do
-    make -s lib TARGET="$target" OPT=$level VARIANT=$level >/dev/null || exit 1
+    library "$target" "${level#-O2}" OPT=$level || exit 1
   done
   for target in $targets; do
-    "$(tool_prefix "$target")size" "$build/$target$level"/*.o | sed 's|\.o$||; s|[^ \t]*/||' |
+    "$(tool_prefix "$target")size" "$build/$target${level#-O2}"/gjk*.o | sed 's|\.o$||; s|[^ \t]*/||' |
       awk -v target="$target" 'NR > 1 { print target, $6, $1 }'
   done | table "text, bytes, $level" 1
   for target in $targets; do
     awk -v roots='gjk_intersect gjk_within gjk_within_until gjk_distance gjk_distance_until gjk_penetration gjk_signed_distance
       gjk_contacts gjk_check_decision gjk_check_distance gjk_check_penetration gjk_collider_init gjk_collider_pose
-      gjk_collider_move gjk_collider_aabb
+      gjk_collider_move gjk_collider_aabb gjk_cast gjk_cast_ray gjk_check_cast gjk_motion_pose gjk_time_of_impact
       gjk2_intersect gjk2_distance gjk2_distance_until gjk2_penetration gjk2_signed_distance gjk2_contacts gjk2_check_decision
-      gjk2_check_distance gjk2_check_penetration gjk2_collider_pose' -f tests/build/stack.awk tests/build/indirect-calls.txt \
-      "$build/$target$level"/*.ci | awk -v target="$target" '{ print target, $1, $2 }'
+      gjk2_check_distance gjk2_check_penetration gjk2_collider_pose gjk2_chain_contacts gjk2_cast gjk2_cast_ray gjk2_check_cast
+      gjk2_time_of_impact gjk2_motion_pose' -f tests/build/stack.awk tests/build/indirect-calls.txt \
+      "$build/$target${level#-O2}"/gjk*.ci | awk -v target="$target" '{ print target, $1, $2 }'
   done | table "stack, bytes, $level" 0
 done
 
 [ -z "$(missing_package cortex-m3)" ] || exit 0
-make -s lib TARGET=cortex-m3 OPT=-Os VARIANT=-linked >/dev/null || exit 1
+library cortex-m3 -Os OPT=-Os || exit 1
 
 # linked TITLE MACROS...: links a program and prints 'TITLE: the map of what it is made of'.
 linked() {
@@ -80,14 +81,14 @@ echo '  scene      a scene of boxes and spheres with contacts'
 
 for query in gjk_intersect gjk_distance gjk_penetration; do
   echo
-  awk -v roots=$query -f tests/build/stack.awk tests/build/indirect-calls.txt build/cortex-m3-O2/*.ci >"$build/linked/stack" || exit 1
+  awk -v roots=$query -f tests/build/stack.awk tests/build/indirect-calls.txt build/cortex-m3/gjk*.ci >"$build/linked/stack" || exit 1
   awk -f tests/build/sizes-stack.awk "$build/linked/stack" src/*/*.[ch] include/gjk/*.h
 done
 
 echo
 echo 'in the plane, linked for Cortex-M3 at -Os, bytes:'
 printf '%-28s%9s%14s\n' '' query 'with posing'
-for query in INTERSECT DISTANCE ALL; do
+for query in INTERSECT DISTANCE ALL CAST IMPACT; do
   printf '%-28s%9d%14d\n' $query "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_PLANE_$query)" \
     "$(sh tests/build/linked-size.sh "$build" cortex-m3 -DSIZE_PLANE_$query -DSIZE_POSED)"
 done

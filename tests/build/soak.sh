@@ -1,10 +1,10 @@
 #!/bin/sh
-# A long campaign of certified pairs over two cores: soak.sh BUILD PAIRS
+# A long campaign of certified pairs, or casts, over two cores: soak.sh BUILD PAIRS [TEST]
 #
-# Runs chunks of test_certificates, one seed each. The state of a campaign is a folder of BUILD/soak, one for each
-# version of that program. It holds the program, and in 'done' the seeds that are finished. So an interrupted campaign
-# goes on where it was, and a larger one after a smaller one does only the rest. A chunk that fails shows its pairs as
-# cases for build/gjk-query, keeps them in SEED.log, and runs again the next time.
+# Runs chunks of TEST, test_certificates or test_cast_certificates, one seed each. The state of a campaign is a folder of
+# BUILD/soak, one for each version of that program. It holds the program, and in 'done' the seeds that are finished. So
+# an interrupted campaign goes on where it was, and a larger one after a smaller one does only the rest. A chunk that
+# fails shows its pairs as cases for build/gjk-query, keeps them in SEED.log, and runs again the next time.
 CHUNK=100000
 FIRST_SEED=1000000
 
@@ -21,11 +21,12 @@ if [ "$1" = --chunk ]; then
   exit 0
 fi
 
+test=${3:-test_certificates}
 chunks=$((($2 + CHUNK - 1) / CHUNK))
-version=$(cksum <"$1/test_certificates")
+version=$(cksum <"$1/$test")
 state=$1/soak/${version%% *}
 mkdir -p "$state"
-[ -e "$state/program" ] || cp "$1/test_certificates" "$state/program"
+[ -e "$state/program" ] || cp "$1/$test" "$state/program"
 : >>"$state/done"
 awk -v first=$FIRST_SEED -v chunks=$chunks '
   { done[$1] }

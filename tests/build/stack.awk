@@ -11,7 +11,7 @@ function fail(text) {
 }
 
 FILENAME ~ /indirect-calls\.txt$/ {
-  if ($0 !~ /^#/) { rules++; caller[rules] = $1; callee[rules] = $3 }
+  if ($0 !~ /^#/) { rules++; caller[rules] = $1; callee[rules] = $3; needed[rules] = $4 == "if" ? $5 : "" }
   next
 }
 
@@ -37,6 +37,7 @@ function targets(name,    list, count, i, rule, other, out, covered) {
     covered = 0
     for (rule = 1; rule <= rules; rule++) if (name ~ caller[rule]) {
       covered = 1
+      if (needed[rule] != "" && !(needed[rule] in reached)) continue
       for (other in frame) if (other ~ callee[rule]) out = out " " other
     }
     if (!covered) fail("call through a pointer in " name ": not in indirect-calls.txt")
@@ -61,9 +62,20 @@ function depth(name,    list, count, i, below, deepest) {
   return known[name] = frame[name] + deepest
 }
 
+# What name may reach by calls that are not through a pointer.
+function reach(name,    list, count, i) {
+  if (name in reached) return
+  reached[name]
+  count = split(calls[name], list, " ")
+  for (i = 1; i <= count; i++) reach(list[i])
+}
+
 END {
   count = split(roots, root, " ")
   for (n = 1; n <= count; n++) {
+    split("", reached)
+    split("", known)
+    reach(root[n])
     if (!(root[n] in frame)) fail("no function " root[n])
     printf "%s %d ", root[n], depth(root[n])
     print path[root[n]]

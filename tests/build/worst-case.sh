@@ -13,8 +13,7 @@ on_host=${3:-2000000}
 on_target=${4:-20000}
 data=tests/data/worst.txt
 dir=$build/worst
-variant=$(variant_of "$build")
-elf=build/cortex-m3$variant/worst.elf
+elf=build/cortex-m3/worst.elf
 mkdir -p "$dir"
 
 missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
@@ -27,7 +26,8 @@ fi
 firmware() {
   awk -f tests/build/worst-cases.awk "$dir/known.txt" >"$build/worst_cases.c" || return 1
   rm -f "$elf"
-  make -s "$elf" TARGET=cortex-m3 VARIANT="$variant" WORST_CASES="$build/worst_cases.c" FIRMWARE_DEFINES="$*" \
+  library cortex-m3 '' OPT=-O2 || return 1
+  make -s "$elf" TARGET=cortex-m3 WORST_CASES="$build/worst_cases.c" FIRMWARE_DEFINES="$*" \
     >"$dir/log" 2>&1 || { cat "$dir/log" >&2; return 1; }
   sh tests/build/emulate.sh cortex-m3 "$elf"
 }

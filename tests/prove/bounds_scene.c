@@ -159,7 +159,7 @@ static void forge(uint32_t *block, uint32_t words, random_state *random) {
 }
 
 static gjk_scene_config some_config(random_state *random) {
-  gjk_scene_config config = {BODIES, PARTS, PARTS / 2, PAIRS, GJK_Q16(0.25), 0, 0, 0, 0, 0};
+  gjk_scene_config config = {BODIES, PARTS, PARTS / 2, PAIRS, GJK_Q16(0.25), 0, 0, 0, 0, 0, 0};
   config.detail = (uint8_t)(random_below(random, 3) == 0 ? random_below(random, 4) : 0);
   config.persist = (uint8_t)random_below(random, 2);
   config.retest_all = random_below(random, 4) == 0;

@@ -22,7 +22,7 @@ int main(int count, char **arguments) {
     }
   }
   for (uint64_t x = UINT64_C(1) << 31; x <= UINT32_MAX; x += step) {
-    const uint32_t y = reciprocal((uint32_t)x);
+    const uint32_t y = gjk_reciprocal((uint32_t)x);
     if (y < 0x7FFFFFFF) {
       printf("reciprocal of %llu: %lu\n", (unsigned long long)x, (unsigned long)y);
       return 1;

@@ -34,20 +34,21 @@ static bool any_vertex_of(const gjk2_collider *c, uint16_t number, gjk2_vec *off
   return true;
 }
 
-static void any_adjacent(const gjk2_collider *c, uint16_t number, bool following, gjk2_support *out) {
+static void any_adjacent(const gjk2_collider *c, const gjk2_support *from, bool following, gjk2_support *way) {
+  const gjk2_vec to = any_vec2(ANY_OFFSET);
   (void)c;
-  (void)number;
   (void)following;
-  out->offset = any_vec2(ANY_OFFSET);
-  out->vertex = (uint16_t)any_between(0, 3);
+  check_vec2(from->offset, ANY_OFFSET);
+  way->offset = gjk2_sub(to, from->offset);
+  way->vertex = (uint16_t)any_between(0, 3);
 }
 
 static void any_vertex(gjk2_vertex *v) {
   v->w = any_vec2(ANY_W);
-  v->of_a = any_vec2(ANY_OFFSET);
-  v->of_b = any_vec2(ANY_OFFSET);
-  v->a = any_uint16();
-  v->b = any_uint16();
+  v->a.offset = any_vec2(ANY_OFFSET);
+  v->b.offset = any_vec2(ANY_OFFSET);
+  v->a.vertex = any_uint16();
+  v->b.vertex = any_uint16();
 }
 
 // Stands for gjk2_curved_depth.

@@ -12,10 +12,10 @@ static void measure(gjk2_vec n) {
   gjk2_unit_set(&unit, &length, n);
   check_within(unit.x, ANY_UNIT);
   check_within(unit.y, ANY_UNIT);
-  (void)gjk2_quotient(&length, h, &shift);
-  (void)gjk2_round_distance(&length, h, (gjk2_round_to)any_between(GJK2_ROUND_DOWN, GJK2_ROUND_UP));
+  (void)gjk2_quotient(&length, &shift, h);
+  (void)gjk2_round_distance(&length, (gjk2_round_to)any_between(GJK2_ROUND_DOWN, GJK2_ROUND_UP), h);
   (void)gjk2_is_within((int64_t)h, n, any_between(0, INT32_MAX));
-  (void)gjk2_weight(&length, any_long(0, INT64_C(1) << 62), any_bool());
+  (void)gjk2_weight(&length, any_bool(), any_long(0, INT64_C(1) << 62));
 }
 
 static void move(gjk2_vec n) {

@@ -50,7 +50,7 @@ int main(void) {
   for (int i = 0; i < 4; i++) {
     any_vertex(&s.slot[i]);
   }
-  const int64_t radius = any_long(0, 2 * (int64_t)GJK2_RADIUS_MAX + INT32_MAX);
+  const uint32_t radius = (uint32_t)any_long(0, 2 * (int64_t)GJK2_RADIUS_MAX + INT32_MAX);
   (void)gjk2_search_start(&s, &a, &b, true, radius);
   (void)gjk2_search_start(&s, &a, &b, false, radius);  // sets all
   if (CASE < EDGES) {

@@ -2,8 +2,8 @@
 // shows.
 #include "plane_colliders.h"
 
-bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, int64_t radius) {
-  //@ assert radius >= 0 && radius <= 2 * GJK2_RADIUS_MAX + 0x7fffffff;
+bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, uint32_t radius) {
+  //@ assert radius <= 2 * GJK2_RADIUS_MAX + 0x7fffffff;
   s->a = a;
   s->b = b;
   if (circles && any_bool()) {
@@ -13,9 +13,9 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   s->radius = radius > 0 ? any_between(0, ANY_W) : 0;
   s->far = (uint8_t)any_between(0, 3);
   s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
-  s->exact = s->far == 0 && !s->curved;
   s->walks = any_bool();
   s->iterations = 0;
+  s->d = any_vec2(ANY_W);
   s->count = 0;
   s->warm = false;
   s->first = &s->slot[0];

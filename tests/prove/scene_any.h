@@ -221,7 +221,7 @@ static void any_bindings(gjk_scene_bindings *bindings) {
 
 // Every field of a block holds what gjk_scene_check lets it hold by itself.
 static bool any_scene(gjk_scene *scene, apart_block *b) {
-  const gjk_scene_config config = {BODIES, PARTS, OWN_POSES, PAIRS, 0, 0, 0, 0, 0, 1};
+  const gjk_scene_config config = {BODIES, PARTS, OWN_POSES, PAIRS, 0, 0, 0, 0, 0, 1, 0};
   any_shapes();
   const gjk_scene_bindings none = {0};
   if (gjk_scene_init(scene, &config, &block, sizeof block, shapes, SHAPES, any_bool() ? &none : NULL) != GJK_OK) {

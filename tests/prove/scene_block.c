@@ -22,6 +22,7 @@ static void any_config(gjk_scene_config *config) {
   config->retest_all = (uint8_t)any_uint16();
   config->reserved = (uint8_t)any_uint16();
   config->workspace_cells = any_uint32();
+  config->motions = any_uint32();
 }
 
 static void init(gjk_scene *scene) {

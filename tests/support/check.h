@@ -80,6 +80,12 @@ static inline unsigned long check_trials(unsigned long n) {
   return share > 0 ? share : 1;
 }
 
+// check_trials(n), but at least so many: for trials whose mix is asserted and needs them.
+static inline unsigned long check_trials_least(unsigned long n, unsigned long least) {
+  const unsigned long share = check_trials(n);
+  return share > least ? share : least;
+}
+
 // Prints the counts, which tests/build/run-tests.sh adds up, and returns the exit status of the test: 1 also without
 // any check.
 static inline int check_done(const char *name) {

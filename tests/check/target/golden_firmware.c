@@ -1,9 +1,10 @@
-// Firmware: the golden hashes of space and of the plane on an emulated core, and with GOLDEN_SCENE, for boards with 50 KB
-// of memory, that of a match in a scene. Exits with 0 if they are those of golden.h, plane_golden.h and scene_golden.h.
+// Firmware: the golden hashes of space, of the plane and of motion in both on an emulated core, and with GOLDEN_SCENE, for
+// boards with 50 KB of memory, that of a match in a scene. Exits with 0 if they are those of the headers.
 #include <stdbool.h>
 
 #include "board/board.h"
 #include "golden.h"
+#include "motion_golden.h"
 #include "plane_golden.h"
 #include "print.h"
 #include "scene_golden.h"
@@ -12,12 +13,26 @@
 #define GOLDEN_RUN_PAIRS GOLDEN_PAIRS
 #endif
 
+// Which hashes are found: the sum of AT_REST, MOVING and MOVING_IN_PLANE. Small memories take one after the other.
+#define AT_REST 1
+#define MOVING 2
+#define MOVING_IN_PLANE 4
+#ifndef GOLDEN_PARTS
+#define GOLDEN_PARTS 7
+#endif
+
+#define IS_FEW (GOLDEN_RUN_PAIRS != GOLDEN_PAIRS)
+
+// Prints a hash.
+static bool is_golden(uint64_t hash, uint64_t expected) {
+  print_hex(board_print, hash);
+  board_print(" ");
+  return hash == expected;
+}
+
 #ifdef GOLDEN_SCENE
 static bool scene_is_golden(void) {
-  const uint64_t hash = scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1);
-  board_print(" ");
-  print_hex(board_print, hash);
-  return hash == SCENE_GOLDEN_FEW_HASH;
+  return is_golden(scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1), SCENE_GOLDEN_FEW_HASH);
 }
 #else
 static bool scene_is_golden(void) {
@@ -25,20 +40,28 @@ static bool scene_is_golden(void) {
 }
 #endif
 
-static bool plane_is_golden(void) {
-  const bool few = GOLDEN_RUN_PAIRS != GOLDEN_PAIRS;
-  const uint64_t hash = plane_golden_hash(few ? PLANE_GOLDEN_FEW_PAIRS : PLANE_GOLDEN_PAIRS);
-  board_print(" ");
-  print_hex(board_print, hash);
-  return hash == (few ? PLANE_GOLDEN_FEW_HASH : PLANE_GOLDEN_HASH);
+static bool is_golden_at_rest(void) {
+  const bool space = is_golden(golden_hash(GOLDEN_RUN_PAIRS), IS_FEW ? GOLDEN_FEW_HASH : GOLDEN_HASH);
+  const bool plane = is_golden(plane_golden_hash(IS_FEW ? PLANE_GOLDEN_FEW_PAIRS : PLANE_GOLDEN_PAIRS),
+                               IS_FEW ? PLANE_GOLDEN_FEW_HASH : PLANE_GOLDEN_HASH);
+  const bool scene = scene_is_golden();
+  return space && plane && scene;
 }
 
 int firmware_main(void) {
-  const uint64_t expected = GOLDEN_RUN_PAIRS == GOLDEN_PAIRS ? GOLDEN_HASH : GOLDEN_FEW_HASH;
-  const uint64_t hash = golden_hash(GOLDEN_RUN_PAIRS);
-  print_hex(board_print, hash);
-  const bool plane = plane_is_golden();
-  const bool scene = scene_is_golden();
+  const uint32_t pairs = IS_FEW ? MOTION_GOLDEN_FEW_PAIRS : MOTION_GOLDEN_PAIRS;
+  bool same = true;
+  if ((GOLDEN_PARTS & AT_REST) != 0) {
+    same = is_golden_at_rest() && same;
+  }
+  if ((GOLDEN_PARTS & MOVING) != 0) {
+    same = is_golden(motion_golden_hash(pairs), IS_FEW ? MOTION_GOLDEN_FEW_HASH : MOTION_GOLDEN_HASH) && same;
+  }
+  if ((GOLDEN_PARTS & MOVING_IN_PLANE) != 0) {
+    same =
+        is_golden(plane_motion_golden_hash(pairs), IS_FEW ? PLANE_MOTION_GOLDEN_FEW_HASH : PLANE_MOTION_GOLDEN_HASH) &&
+        same;
+  }
   board_print("\n");
-  return hash == expected && plane && scene ? 0 : 1;
+  return same ? 0 : 1;
 }

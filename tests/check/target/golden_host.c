@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "motion_golden.h"
 #include "plane_golden.h"
 #include "scene_golden.h"
 
@@ -24,6 +25,15 @@ int main(void) {
       is_golden("SCENE_GOLDEN_FEW_HASH", scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1), SCENE_GOLDEN_FEW_HASH) && same;
   same = is_golden("PLANE_GOLDEN_FEW_HASH", plane_golden_hash(PLANE_GOLDEN_FEW_PAIRS), PLANE_GOLDEN_FEW_HASH) && same;
   same = is_golden("PLANE_GOLDEN_HASH", plane_golden_hash(PLANE_GOLDEN_PAIRS), PLANE_GOLDEN_HASH) && same;
+  same =
+      is_golden("MOTION_GOLDEN_FEW_HASH", motion_golden_hash(MOTION_GOLDEN_FEW_PAIRS), MOTION_GOLDEN_FEW_HASH) && same;
+  same = is_golden("MOTION_GOLDEN_HASH", motion_golden_hash(MOTION_GOLDEN_PAIRS), MOTION_GOLDEN_HASH) && same;
+  same = is_golden("PLANE_MOTION_GOLDEN_FEW_HASH", plane_motion_golden_hash(MOTION_GOLDEN_FEW_PAIRS),
+                   PLANE_MOTION_GOLDEN_FEW_HASH) &&
+         same;
+  same =
+      is_golden("PLANE_MOTION_GOLDEN_HASH", plane_motion_golden_hash(MOTION_GOLDEN_PAIRS), PLANE_MOTION_GOLDEN_HASH) &&
+      same;
   printf("\n");
   return same ? 0 : 1;
 }

@@ -127,6 +127,13 @@ static void random_case_shape(random_state *random, case_shape *shape) {
   shape->pose.position.z = any_number(random);
   shape->pose.rotation.x = any_number(random);
   shape->pose.rotation.w = any_number(random);
+  shape->end = shape->pose;
+  if (random_below(random, 2) == 0) {
+    const gjk_vec3 to = {any_number(random), any_number(random), any_number(random)};
+    case_shape_move_to(shape, &to);
+    shape->end.rotation.y = random_below(random, 2) == 0 ? any_number(random) : 0;
+  }
+  shape->spin.y = random_below(random, 2) == 0 ? any_number(random) : 0;
 }
 
 static bool same_vec3(gjk_vec3 a, gjk_vec3 b) {
@@ -137,6 +144,8 @@ static bool same_shape(const case_shape *a, const case_shape *b) {
   bool same = a->kind == b->kind && same_vec3(a->size, b->size) && a->convex_radius == b->convex_radius &&
               a->count == b->count && same_vec3(a->pose.position, b->pose.position) &&
               memcmp(&a->pose.rotation, &b->pose.rotation, sizeof a->pose.rotation) == 0;
+  same = same && a->moves == b->moves && same_vec3(a->end.position, b->end.position) && same_vec3(a->spin, b->spin) &&
+         memcmp(&a->end.rotation, &b->end.rotation, sizeof a->end.rotation) == 0;
   for (size_t i = 0; same && i < a->count; i++) {
     same = same_vec3(a->vertices[i], b->vertices[i]);
   }
@@ -206,6 +215,13 @@ static void random_case2_shape(random_state *random, case2_shape *shape) {
   shape->pose.position.y = any_number(random);
   shape->pose.rotation.c = any_number(random);
   shape->pose.rotation.s = any_number(random);
+  shape->end = shape->pose;
+  if (random_below(random, 2) == 0) {
+    const gjk2_vec to = {any_number(random), any_number(random)};
+    case2_shape_move_to(shape, &to);
+    shape->end.rotation.c = random_below(random, 2) == 0 ? any_number(random) : shape->pose.rotation.c;
+  }
+  shape->spin = random_below(random, 2) == 0 ? any_number(random) : 0;
 }
 
 static bool same_vec(gjk2_vec a, gjk2_vec b) {
@@ -216,6 +232,8 @@ static bool same_shape2(const case2_shape *a, const case2_shape *b) {
   bool same = a->kind == b->kind && same_vec(a->size, b->size) && a->convex_radius == b->convex_radius &&
               a->count == b->count && same_vec(a->pose.position, b->pose.position) &&
               a->pose.rotation.c == b->pose.rotation.c && a->pose.rotation.s == b->pose.rotation.s;
+  same = same && a->moves == b->moves && same_vec(a->end.position, b->end.position) && a->spin == b->spin &&
+         a->end.rotation.c == b->end.rotation.c && a->end.rotation.s == b->end.rotation.s;
   for (size_t i = 0; same && i < a->count; i++) {
     same = same_vec(a->vertices[i], b->vertices[i]);
   }

@@ -3,21 +3,22 @@
 # scenes, saves and lockstep with ceilings of 1, 2, 3 and 10 iterations, and in workspaces of 0 to 60 cells.
 # test_ceilings.sh BUILD
 . tests/build/count.sh
+. tests/build/golden.sh
 root=$(pwd)
 dir=$1/ceilings
 mkdir -p "$dir"
 
 flags="-std=c99 -O1 -I$root/include -I$root -I$root/port -I$root/tests/support"
 
-# compile ITERATIONS: the library and what the tests share, with that ceiling on iterations
+# compile ITERATIONS: the library, as test_limit.sh has it, and what the tests share, with that ceiling on iterations
 compile() {
   rm -rf "${dir:?}/$1"
   mkdir -p "$dir/$1/tests"
+  golden_library host "${CC:-cc}" -O2 "-DGJK_ITERATIONS_MAX=$1" '-DGJK_PORT_HEADER="hosted/gjk_port.h"' || return 1
   # shellcheck disable=SC2086
-  (cd "$dir/$1" && ${CC:-cc} $flags "-DGJK_ITERATIONS_MAX=$1" '-DGJK_PORT_HEADER="hosted/gjk_port.h"' -c \
-    "$root"/src/*/*.c && cd tests && ${CC:-cc} $flags "-DGJK_ITERATIONS_MAX=$1" -c "$root"/tests/support/scene/*.c \
+  (cd "$dir/$1/tests" && ${CC:-cc} $flags "-DGJK_ITERATIONS_MAX=$1" -c "$root"/tests/support/scene/*.c \
     "$root/tests/support/generate/polytope.c" "$root/tests/support/case/case.c" "$root/port/hosted/gjk_hosted.c" &&
-    ar rcs ../all.a ./*.o ../*.o)
+    ar rcs ../all.a ./*.o "$root/$golden_objects"/gjk*.o)
 }
 
 # run ITERATIONS CELLS SOURCE ARGUMENTS...: a test with that ceiling, its worlds in so many cells

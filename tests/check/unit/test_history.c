@@ -6,10 +6,13 @@
 
 #include "check.h"
 #include "generate/polytope.h"
+#include "gjk/cast.h"
 #include "gjk/gjk.h"
+#include "gjk/impact.h"
 #include "gjk/scene.h"
 
 #define PAIRS check_trials(6000)
+#define MOVES check_trials(2000)
 #define SCENES check_trials(4000)
 #define ROOMS check_trials(300)
 #define CELLS 60u
@@ -168,6 +171,96 @@ static void check_caches(void) {
   CHECK(limited > 0 || GJK_ITERATIONS_MAX > 10);
 }
 
+// What casts and impacts answer.
+typedef struct moves {
+  gjk_status cast, ray, impact;
+  gjk_cast_result hit, ray_hit;
+  gjk_impact_result meeting;
+} moves;
+
+typedef struct journey {
+  gjk_motion a, b;
+  gjk_q16 margin;
+} journey;
+
+static void ask_moves(const gjk_collider *a, const gjk_collider *b, const journey *j, moves *out) {
+  const gjk_cast_path path = {.to_a = &j->a.to.position, .to_b = &j->b.to.position, .margin = j->margin};
+  const gjk_impact_setup setup = {.margin = j->margin, .tolerance = GJK_IMPACT_TOLERANCE_MIN + j->margin / 64};
+  memset(out, 0, sizeof *out);
+  out->cast = gjk_cast(a, b, &path, &out->hit);
+  out->ray = gjk_cast_ray(a, &j->b.from.position, &j->b.to.position, &out->ray_hit);
+  out->impact = gjk_time_of_impact(a, &j->a, b, &j->b, &setup, &out->meeting);
+}
+
+static bool same_vectors(const gjk_vec3 *a, const gjk_vec3 *b) {
+  return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+static bool same_cast(gjk_status status, const gjk_cast_result *a, const gjk_cast_result *b) {
+  return status != GJK_OK ||
+         (a->hit == b->hit && a->iterations == b->iterations && a->certificate.proof == b->certificate.proof &&
+          (!a->hit || (a->inside == b->inside && a->fraction == b->fraction && same_vectors(&a->rest_a, &b->rest_a) &&
+                       same_vectors(&a->rest_b, &b->rest_b) && (a->inside || same_vectors(&a->point_a, &b->point_a)))));
+}
+
+static void expect_same_moves(unsigned pair, const char *what, const moves *a, const moves *b) {
+  CHECK_MSG(a->cast == b->cast && a->ray == b->ray && a->impact == b->impact, "%s, pair %u", what, pair);
+  CHECK_MSG(same_cast(a->cast, &a->hit, &b->hit), "%s, pair %u", what, pair);
+  CHECK_MSG(same_cast(a->ray, &a->ray_hit, &b->ray_hit), "%s, pair %u", what, pair);
+  const gjk_impact_result *p = &a->meeting, *q = &b->meeting;
+  CHECK_MSG(p->hit == q->hit && p->overlap == q->overlap && p->lower == q->lower && p->upper == q->upper &&
+                p->iterations == q->iterations && same_vectors(&p->pose_b.position, &q->pose_b.position),
+            "%s, pair %u", what, pair);
+}
+
+// Casts and impacts asked again after other questions, of colliders elsewhere in memory, and of hulls with a buffer;
+// impacts of colliders that were posed elsewhere.
+static void check_moves(void) {
+  static gjk_vec3 buffers[2][CORNERS];
+  unsigned hits = 0, meetings = 0, limited = 0;
+  for (unsigned i = 0; i < MOVES; i++) {
+    random_state random = random_seed(check_seed(SEED) + 3000000 + i);
+    const gjk_shape shapes[2] = {make_shape(&random, 0), make_shape(&random, 1)};
+    gjk_collider lazy[2], baked[2], copied[2];
+    moves first, other, again;
+    journey j = {.a = {.from = GJK_POSE_IDENTITY}};
+    for (int k = 0; k < 2; k++) {
+      CHECK(gjk_collider_init(&lazy[k], &shapes[k], NULL, 0) == GJK_OK);
+      CHECK(gjk_collider_init(&baked[k], &shapes[k], buffers[k], CORNERS) == GJK_OK);
+    }
+    const double reach = (double)lazy[0].radius + lazy[1].radius;
+    j.a.to = make_neighbour(&random, &j.a.from, reach / 4);
+    j.b.from = make_pose(&random, reach * (1 + generate_unit(&random)));
+    j.b.to = make_pose(&random, reach * generate_unit(&random));
+    j.margin = random_below(&random, 2) == 0 ? 0 : random_range(&random, 0, (int32_t)reach / 8);
+    for (int k = 0; k < 2; k++) {
+      const gjk_pose *pose = k == 0 ? &j.a.from : &j.b.from;
+      CHECK(gjk_collider_pose(&lazy[k], pose) == GJK_OK && gjk_collider_pose(&baked[k], pose) == GJK_OK);
+      copied[k] = lazy[k];
+    }
+    ask_moves(&lazy[0], &lazy[1], &j, &first);
+    ask_moves(&lazy[1], &lazy[0], &j, &other);
+    ask_moves(&copied[0], &copied[1], &j, &again);
+    expect_same_moves(i, "elsewhere, and after another question", &first, &again);
+    ask_moves(&baked[0], &baked[1], &j, &again);
+    expect_same_moves(i, "baked", &first, &again);
+    CHECK(gjk_collider_pose(&copied[0], &j.b.to) == GJK_OK && gjk_collider_pose(&copied[1], &j.a.to) == GJK_OK);
+    ask_moves(&copied[0], &copied[1], &j, &again);
+    again.cast = first.cast;
+    again.hit = first.hit;
+    again.ray = first.ray;
+    again.ray_hit = first.ray_hit;
+    expect_same_moves(i, "posed elsewhere", &first, &again);
+    hits += first.cast == GJK_OK && first.hit.hit;
+    meetings += first.impact == GJK_OK && first.meeting.hit;
+    limited += first.impact == GJK_ERROR_ITERATION_LIMIT;
+  }
+  printf("%u casts hit, %u impacts, %u beyond the ceiling\n", hits, meetings, limited);
+  CHECK(hits > MOVES / 8);
+  CHECK(meetings > MOVES / 8 || GJK_ITERATIONS_MAX <= 10);
+  CHECK(limited > 0 || GJK_ITERATIONS_MAX > 10);
+}
+
 // A history: one of several ways to the same scene.
 typedef struct history {
   gjk_scene scene;
@@ -202,7 +295,7 @@ static bool update(history *h) {
 }
 
 static bool start(history *h, const story *s, const gjk_pose *at, uint8_t retest_all) {
-  const gjk_scene_config config = {2, 2, 0, 1, s->box_margin, s->detail, 1, retest_all, 0, s->cells};
+  const gjk_scene_config config = {2, 2, 0, 1, s->box_margin, s->detail, 1, retest_all, 0, s->cells, 0};
   const gjk_scene_bindings bindings = bindings_of(h);
   bool fine = gjk_scene_init(&h->scene, &config, h->block, sizeof h->block, s->table, 2, &bindings) == GJK_OK;
   for (uint16_t i = 0; i < 2; i++) {
@@ -336,7 +429,7 @@ typedef struct crowd {
 static void start_crowd(crowd *c, gjk_q16 box_margin, gjk_q16 margin, uint32_t pairs) {
   static const gjk_shape crate = GJK_BOX(GJK_Q16_ONE, GJK_Q16_ONE, GJK_Q16_ONE);
   static const gjk_shape *const table[1] = {&crate};
-  const gjk_scene_config config = {CROWD, CROWD, 0, pairs, box_margin, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  const gjk_scene_config config = {CROWD, CROWD, 0, pairs, box_margin, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   CHECK(gjk_scene_init(&c->scene, &config, c->block, sizeof c->block, table, 1, NULL) == GJK_OK);
   for (int i = 0; i < CROWD; i++) {
     const gjk_part part = {0, false, GJK_POSE_IDENTITY};
@@ -416,7 +509,7 @@ static void check_nearest(void) {
   static const gjk_shape kinds[] = {GJK_BOX(40000, 40000, 40000), GJK_ELLIPSOID(30000, 40000, 50000),
                                     GJK_CYLINDER(40000, 30000), GJK_SPHERE(40000)};
   static const gjk_shape *const table[] = {&kinds[0], &kinds[1], &kinds[2], &kinds[3]};
-  static const gjk_scene_config config = {CROWD, CROWD, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  static const gjk_scene_config config = {CROWD, CROWD, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   static crowd c;
   for (unsigned i = 0; i < ROOMS; i++) {
     random_state random = random_seed(check_seed(SEED) + 3000000 + i);
@@ -472,6 +565,7 @@ static void check_configuration(void) {
 int main(void) {
   printf("ceiling %d\n", GJK_ITERATIONS_MAX);
   check_caches();
+  check_moves();
   check_scenes();
   check_room();
   check_nearest();

@@ -2,21 +2,19 @@
 # The ceiling on iterations. A build with a low one reports it, with bounds that hold. After each status the fields
 # that the headers name are valid. test_limit.sh BUILD
 . tests/build/count.sh
+. tests/build/golden.sh
 dir=$1/limit
 mkdir -p "$dir"
 
-# library MAX: the objects of the library with that ceiling
-library() {
-  mkdir -p "$dir/$1"
-  for source in src/*/*.c; do
-    ${CC:-cc} -std=c99 -O2 "-DGJK_ITERATIONS_MAX=$1" -Iinclude -c "$source" \
-      -o "$dir/$1/$(basename "$source" .c).o" || return 1
-  done
+# ceiling MAX: the library with that ceiling
+ceiling() {
+  golden_library host "${CC:-cc}" -O2 "-DGJK_ITERATIONS_MAX=$1" '-DGJK_PORT_HEADER="hosted/gjk_port.h"'
 }
 
 # run PROGRAM MAX: leaves what tests/check/limit/PROGRAM.c prints with that ceiling
 run() {
-  ${CC:-cc} -std=c99 -O2 "-DGJK_ITERATIONS_MAX=$2" -Iinclude -I. -Itests/support "tests/check/limit/$1.c" "$dir/$2"/*.o -o "$dir/$1" &&
+  ceiling "$2" && ${CC:-cc} -std=c99 -O2 "-DGJK_ITERATIONS_MAX=$2" -Iinclude -Iport -I. -Itests/support "tests/check/limit/$1.c" \
+    port/hosted/gjk_hosted.c "$golden_objects"/gjk*.o -o "$dir/$1" &&
     "$dir/$1" >"$dir/$1-$2.txt"
 }
 
@@ -33,6 +31,11 @@ fields() {
 # plane MAX
 plane() {
   run plane "$1" || { cat "$dir/plane-$1.txt"; return 1; }
+}
+
+# motion MAX
+motion() {
+  run motion "$1" || { cat "$dir/motion-$1.txt"; return 1; }
 }
 
 # holds MAX: wherever MAX iterations do not settle it, the bounds hold the distance (2 LSB of curved shapes apart) and MAX
@@ -56,18 +59,21 @@ holds() {
     }'
 }
 
-check 'the usual ceiling' library 128
+check 'the usual ceiling' ceiling 128
 check 'bounds' run bounds 128
 check 'no pair reaches it' awk '$2 != 0 || $6 != 0 || $5 >= 64 { print; bad = 1 } END { exit bad }' "$dir/bounds-128.txt"
 check 'valid fields' fields 128
 check 'all queries answer' reported GJK_OK 128 8
 check 'three run out of memory' reported GJK_ERROR_CAPACITY 128 3
 check 'the usual ceiling in the plane' plane 128
+check 'the usual ceiling of casts and impacts' motion 128
 for max in 1 2 3 4; do
-  check "a ceiling of $max" library $max
+  check "a ceiling of $max" ceiling $max
   check "a ceiling of $max: valid fields" fields $max
   check "a ceiling of $max: all queries report it" reported GJK_ERROR_ITERATION_LIMIT $max 8
   check "a ceiling of $max in the plane" plane $max
+  check "a ceiling of $max of casts and impacts" motion $max
+  check "a ceiling of $max: impacts report it" grep -q '^gjk_time_of_impact .* GJK_ERROR_ITERATION_LIMIT ' "$dir/motion-$max.txt"
   [ $max = 1 ] && continue
   check "a ceiling of $max: bounds" run bounds $max
   check "a ceiling of $max holds its bounds" holds $max

@@ -190,7 +190,7 @@ static void test_pairs(void) {
 // The same history makes the same block of a scene, bit for bit.
 static void play(uint32_t *block, size_t bytes, uint8_t stack) {
   static const gjk_shape *table[sizeof shapes / sizeof shapes[0]];
-  static const gjk_scene_config config = {16, 24, 20, 200, GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 1, 0, 0, 0};
+  static const gjk_scene_config config = {16, 24, 20, 200, GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 1, 0, 0, 0, 0};
   gjk_scene scene;
   gjk_body_id bodies[SHAPES];
   gjk_report reports[200];
@@ -233,7 +233,7 @@ static void test_scenes(void) {
   memset(second, 0xA5, sizeof second);
   play(first, sizeof first, 0);
   play(second, sizeof second, 0xA5);
-  const gjk_scene_config config = {16, 24, 20, 200, GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 1, 0, 0, 0};
+  const gjk_scene_config config = {16, 24, 20, 200, GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 1, 0, 0, 0, 0};
   CHECK(gjk_scene_bytes(&config) <= sizeof first);
   CHECK(memcmp(first, second, gjk_scene_bytes(&config)) == 0);
 }

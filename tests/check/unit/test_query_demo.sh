@@ -21,10 +21,11 @@ grep -E '^ *[0-9]+  ' "$dir/out" |
   sed -E 's/ +[0-9]+  (proven|curved|WRONG)$/ \1/; s/ +/ /g; s/^ //' >"$dir/table"
 check 'the table' diff tests/data/arm.expected "$dir/table"
 check 'the summary' grep -q '^29 pairs: 20 proven in exact integers, 9 curved and .*, 0 wrong$' "$dir/out"
+check 'the swing' grep -q '^swing: gripper-palm hits laser after 25.88[0-9] degrees, and not before: proven with 4 distances$' "$dir/out"
 
 bodies=$(awk '/^case/ {gsub(":", "\n", $2); print $2}' tests/data/arm.txt | sort -u | wc -l | tr -d ' ')
 check 'each body is drawn once' test "$(grep -c '<title>' "$dir/arm.svg")" = "$bodies"
-for text in '48.2 mm' '0.015 mm' '24.4 mm deep' 'overlapping' 'touching' 'arm-elbow'; do
+for text in '48.2 mm' '0.015 mm' '24.4 mm deep' 'overlapping' 'touching' 'arm-elbow' 'hit after 25.88 degrees'; do
   check "the picture says $text" grep -q "$text" "$dir/arm.svg"
 done
 check 'the picture has numbers only' sh -c "! grep -qE 'nan|inf[^o]' \"$dir/arm.svg\""

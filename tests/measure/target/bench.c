@@ -21,6 +21,8 @@ const bench_family bench_families[] = {
     {.name = "boxes face to face: contacts", .query = BENCH_CONTACTS, .gap = BENCH_PRESSED},
     {.name = "boxes face to face within the margin: contacts", .query = BENCH_CONTACTS, .gap = BENCH_HOVERING},
     {.name = "8-point hulls face to face: contacts", .query = BENCH_CONTACTS, .vertices = 8, .gap = BENCH_PRESSED},
+    {.name = "boxes that turn: impact", .query = BENCH_IMPACT, .gap = BENCH_MOVING},
+    {.name = "8-point hulls that turn: impact", .query = BENCH_IMPACT, .vertices = 8, .gap = BENCH_MOVING},
 };
 const unsigned bench_family_count = sizeof bench_families / sizeof bench_families[0];
 
@@ -37,6 +39,7 @@ static const uint16_t frustum_corners[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4,
 static const uint16_t frustum_ends[6] = {4, 8, 12, 16, 20, 24};
 static const gjk_hull_faces frustum_faces = {frustum_corners, frustum_ends, 6};
 
+gjk_motion bench_motion[2];
 const gjk_collider *const bench_pair[2] = {&colliders[0], &colliders[1]};
 bench_answer bench_expected;
 const gjk_workspace bench_workspace = {cells, BENCH_CELLS};
@@ -89,7 +92,38 @@ static void make_body(const bench_family *family, int i) {
   gjk_pose pose;
   pose.rotation = random_rotation(1000, 1000, -1000);
   pose.position = random_vector(GJK_Q16(3.0));
+  bench_motion[i].from = pose;
   place(i, &pose);
+}
+
+// A turns in place; B moves to within a unit of it, and turns, each by about half a turn.
+static void make_motion(void) {
+  const gjk_vec3 away = random_vector(GJK_Q16(0.57));
+  for (int i = 0; i < 2; i++) {
+    const gjk_vec3 axis = shell_vector();
+    gjk_motion *m = &bench_motion[i];
+    m->to = m->from;
+    m->spin.x = (int32_t)((int64_t)axis.x * 7 / 2);
+    m->spin.y = (int32_t)((int64_t)axis.y * 7 / 2);
+    m->spin.z = (int32_t)((int64_t)axis.z * 7 / 2);
+  }
+  bench_motion[1].to.position.x = bench_motion[0].from.position.x + away.x;
+  bench_motion[1].to.position.y = bench_motion[0].from.position.y + away.y;
+  bench_motion[1].to.position.z = bench_motion[0].from.position.z + away.z;
+}
+
+// Do the shapes share a point at a sixteenth of the way? Then they meet for sure.
+static bool meets(void) {
+  gjk_decision touch = {.yes = false};
+  for (int k = 0; k <= 16 && !touch.yes; k++) {
+    for (int i = 0; i < 2; i++) {
+      gjk_pose pose = GJK_POSE_IDENTITY;
+      gjk_motion_pose(&bench_motion[i], k * (GJK_Q30_ONE / 16), &pose);
+      gjk_collider_pose(&colliders[i], &pose);
+    }
+    gjk_intersect(&colliders[0], &colliders[1], NULL, &touch);
+  }
+  return touch.yes;
 }
 
 // The frustum of a pyramid that stands in the body's box. Its top is half as large to as large as its base.
@@ -137,7 +171,8 @@ void bench_start(void) {
 
 static bool is_in_family(const bench_family *family, const gjk_distance_result *gap) {
   switch (family->gap) {
-    case BENCH_APART: return gap->distance >= GJK_Q16(0.1) && gap->distance <= GJK_Q16(2.0);
+    case BENCH_APART:
+    case BENCH_MOVING: return gap->distance >= GJK_Q16(0.1) && gap->distance <= GJK_Q16(2.0);
     case BENCH_CLOSE: return gap->distance < GJK_Q16(0.1) && !gap->intersecting;
     case BENCH_OVERLAPPING: return gap->intersecting;
     case BENCH_PRESSED: return gap->distance <= 0 && gap->distance >= -GJK_Q16(0.05);
@@ -154,7 +189,7 @@ static bool is_depth_proven(void) {
 
 bool bench_next(const bench_family *family) {
   const bool stacked = family->gap == BENCH_PRESSED || family->gap == BENCH_HOVERING,
-             deep = family->query >= BENCH_DEPTH;
+             deep = family->query == BENCH_DEPTH || family->query == BENCH_CONTACTS;
   for (;;) {
     gjk_distance_result gap;
     if (stacked) {
@@ -168,9 +203,13 @@ bool bench_next(const bench_family *family) {
     } else {
       gjk_distance(&colliders[0], &colliders[1], NULL, &gap);
     }
-    if (is_in_family(family, &gap)) {
-      bench_expected.intersecting = gap.intersecting;
-      bench_expected.distance = gap.distance;
+    const bool moving = family->gap == BENCH_MOVING;
+    if (moving) {
+      make_motion();
+    }
+    if (is_in_family(family, &gap) && (!moving || meets())) {
+      bench_expected.intersecting = gap.intersecting || moving;  // of those that move: a hit, close to touching
+      bench_expected.distance = moving ? 0 : gap.distance;
       return !deep || is_depth_proven();
     }
   }
@@ -179,7 +218,7 @@ bool bench_next(const bench_family *family) {
 // Finds the number of cells by bisection: with fewer the query fails.
 uint32_t bench_cells_needed(const bench_family *family) {
   uint32_t low = 0, high = BENCH_CELLS;
-  while (low < high && family->query >= BENCH_DEPTH) {
+  while (low < high && (family->query == BENCH_DEPTH || family->query == BENCH_CONTACTS)) {
     const gjk_workspace tried = {cells, low + (high - low) / 2};
     gjk_distance_result gap;
     if (gjk_signed_distance(&colliders[0], &colliders[1], NULL, &tried, &gap) == GJK_OK) {

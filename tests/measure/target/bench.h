@@ -6,8 +6,9 @@
 
 #define BENCH_VERTICES 64
 
-// BENCH_CONTACTS: contact points at most BENCH_MARGIN apart, at most BENCH_CONTACTS_KEPT of them.
-typedef enum bench_query { BENCH_DISTANCE, BENCH_INTERSECT, BENCH_DEPTH, BENCH_CONTACTS } bench_query;
+// BENCH_CONTACTS: contact points at most BENCH_MARGIN apart, at most BENCH_CONTACTS_KEPT of them. BENCH_IMPACT: when
+// shapes touch that move by bench_motion.
+typedef enum bench_query { BENCH_DISTANCE, BENCH_INTERSECT, BENCH_DEPTH, BENCH_CONTACTS, BENCH_IMPACT } bench_query;
 
 #define BENCH_MARGIN GJK_Q16(0.02)
 #define BENCH_CONTACTS_KEPT 4
@@ -16,8 +17,9 @@ typedef enum bench_gap {
   BENCH_APART,  // 0.1 to 2 units
   BENCH_CLOSE,  // above 0, to 0.1 units; bounding spheres overlap
   BENCH_OVERLAPPING,
-  BENCH_PRESSED,  // face to face, spun and tilted by up to a degree, up to 0.05 units deep
-  BENCH_HOVERING  // the same, apart by no more than the margin
+  BENCH_PRESSED,   // face to face, spun and tilted by up to a degree, up to 0.05 units deep
+  BENCH_HOVERING,  // the same, apart by no more than the margin
+  BENCH_MOVING     // apart as BENCH_APART; B moves to within a unit of A, both turn by half a turn, and they meet
 } bench_gap;
 
 typedef struct bench_family {
@@ -54,6 +56,7 @@ extern const gjk_workspace bench_workspace;
 uint32_t bench_cells_needed(const bench_family *family);
 
 extern const gjk_collider *const bench_pair[2];
+extern gjk_motion bench_motion[2];
 extern bench_answer bench_expected;  // intersecting and distance
 
 // A solver answers the queries up to `last` about the present pair. run is what is measured.

@@ -41,9 +41,18 @@ static void run_contacts(bench_answer *out) {
   out->intersecting = out->distance <= 0;
 }
 
+static void run_impact(bench_answer *out) {
+  static const gjk_impact_setup setup = {0, GJK_IMPACT_TOLERANCE_MIN, 0};
+  static gjk_impact_result result;
+  gjk_time_of_impact(bench_pair[0], &bench_motion[0], bench_pair[1], &bench_motion[1], &setup, &result);
+  out->intersecting = result.hit;
+  out->distance = result.distance;
+  out->iterations = result.iterations;
+}
+
 static void run(bench_query query, bench_answer *out) {
-  static void (*const runs[])(bench_answer *) = {run_distance, run_intersect, run_depth, run_contacts};
+  static void (*const runs[])(bench_answer *) = {run_distance, run_intersect, run_depth, run_contacts, run_impact};
   runs[query](out);
 }
 
-const bench_solver bench_gjk = {.name = "gjk", .last = BENCH_CONTACTS, .pose = keep, .run = run};
+const bench_solver bench_gjk = {.name = "gjk", .last = BENCH_IMPACT, .pose = keep, .run = run};

@@ -1,5 +1,6 @@
 // Makes pairs of the plane: shapes of 0.2 to 1 unit, 0.1 to 2 units apart, less than 0.1 unit apart (close), overlapping,
-// or with two edges face to face, tilted by up to a degree and up to 0.05 units deep or 0.02 apart.
+// or with two edges face to face, tilted by up to a degree and up to 0.05 units deep or 0.02 apart. Or one of them on a
+// chain: a box tilted by up to a degree, a polygon turned any way.
 #include "plane_bench.h"
 
 #include "random.h"
@@ -22,6 +23,22 @@ const plane_family plane_families[] = {
     {"32-gons apart: distance", PLANE_DISTANCE, PLANE_APART, 32, 0},
     {"32-gons overlapping: depth", PLANE_DEPTH, PLANE_OVERLAPPING, 32, 0},
     {"rounded boxes apart: distance", PLANE_DISTANCE, PLANE_APART, 0, 6554},
+    {"8-gons apart: cast", PLANE_CAST, PLANE_APART, 8, 0},
+    {"boxes apart: cast", PLANE_CAST, PLANE_APART, 0, 0},
+    {"rounded boxes apart: cast", PLANE_CAST, PLANE_APART, 0, 6554},
+    {"8-gon: ray", PLANE_RAY, PLANE_APART, 8, 0},
+    {"8-gons apart: impact, straight", PLANE_STRAIGHT_IMPACT, PLANE_APART, 8, 0},
+    {"8-gons apart: impact, turning", PLANE_IMPACT, PLANE_APART, 8, 0},
+    {"boxes apart: impact, turning", PLANE_IMPACT, PLANE_APART, 0, 0},
+    {"box above 64 segments: chain", PLANE_CHAIN, PLANE_ABOVE, 0, 0},
+    {"box on a segment: chain", PLANE_CHAIN, PLANE_SEGMENT, 0, 0},
+    {"box on a level joint: chain", PLANE_CHAIN, PLANE_LEVEL, 0, 0},
+    {"box on a ridge: chain", PLANE_CHAIN, PLANE_RIDGE, 0, 0},
+    {"box in a ditch: chain", PLANE_CHAIN, PLANE_DITCH, 0, 0},
+    {"8-gon on a segment: chain", PLANE_CHAIN, PLANE_SEGMENT, 8, 0},
+    {"8-gon on a level joint: chain", PLANE_CHAIN, PLANE_LEVEL, 8, 0},
+    {"8-gon on a ridge: chain", PLANE_CHAIN, PLANE_RIDGE, 8, 0},
+    {"8-gon in a ditch: chain", PLANE_CHAIN, PLANE_DITCH, 8, 0},
 };
 const unsigned plane_family_count = sizeof plane_families / sizeof plane_families[0];
 
@@ -31,6 +48,7 @@ static random_state random;
 static gjk2_vec vertices[2][VERTICES], buffers[2][VERTICES];
 static gjk2_shape shapes[2];
 static gjk2_collider colliders[2];
+static gjk2_pose poses[2];  // of pairs at random places
 
 void plane_bench_start(void) {
   random = random_seed(13);
@@ -78,12 +96,12 @@ static gjk_q16 gap_now(void) {
 static void place_randomly(const plane_family *family) {
   for (;;) {
     for (int i = 0; i < 2; i++) {
-      gjk2_pose pose;
+      gjk2_pose *pose = &poses[i];
       make_body(family, i);
-      pose.rotation = random_turn(205887);
-      pose.position.x = i == 0 ? 0 : random_range(&random, -200000, 200000);
-      pose.position.y = i == 0 ? 0 : random_range(&random, -200000, 200000);
-      (void)gjk2_collider_pose(&colliders[i], &pose);
+      pose->rotation = random_turn(205887);
+      pose->position.x = i == 0 ? 0 : random_range(&random, -200000, 200000);
+      pose->position.y = i == 0 ? 0 : random_range(&random, -200000, 200000);
+      (void)gjk2_collider_pose(&colliders[i], pose);
     }
     const gjk_q16 gap = gap_now();
     if (family->gap == PLANE_APART   ? gap > 6553 && gap < 131072
@@ -149,12 +167,51 @@ static void place_face_to_face(const plane_family *family) {
   }
 }
 
+static gjk2_motion motions[2];
+
+// The way of B, beyond A's centre, and how both turn meanwhile.
+static void place_ways(const plane_family *family) {
+  for (int i = 0; i < 2; i++) {
+    motions[i].from = poses[i];
+    motions[i].to = poses[i];
+    motions[i].spin = 0;
+    if (family->query == PLANE_IMPACT) {
+      motions[i].to.rotation = random_turn(205887);
+    }
+  }
+  gjk2_vec *to = &motions[1].to.position;
+  to->x = -to->x + random_range(&random, -32768, 32768);
+  to->y = -to->y + random_range(&random, -32768, 32768);
+}
+
 void plane_bench_next(const plane_family *family) {
-  if (family->gap <= PLANE_OVERLAPPING) {
+  if (family->query == PLANE_CHAIN) {
+    make_body(family, 1);
+    const gjk2_rotation turn = random_turn(family->vertices == 0 ? 1144 : 205887);
+    plane_bench_ground(&random, family->gap, &colliders[1], &turn);
+  } else if (family->gap <= PLANE_OVERLAPPING) {
     place_randomly(family);
   } else {
     place_face_to_face(family);
   }
+  if (family->query >= PLANE_CAST) {
+    place_ways(family);
+  }
+}
+
+static uint32_t run_motion(const plane_family *family) {
+  static gjk2_cast_result cast;
+  static gjk2_impact_result impact;
+  static const gjk2_impact_setup setup = {.margin = 0, .tolerance = 327, .iterations = 0};  // 0.005 units
+  const gjk2_collider *a = &colliders[0], *b = &colliders[1];
+  const gjk2_cast_path path = {NULL, &motions[1].to.position, 0};
+  switch (family->query) {
+    case PLANE_CAST: (void)gjk2_cast(a, b, &path, &cast); return cast.iterations;
+    case PLANE_RAY: (void)gjk2_cast_ray(a, &b->position, path.to_b, &cast); return cast.iterations;
+    default: break;
+  }
+  (void)gjk2_time_of_impact(a, &motions[0], b, &motions[1], &setup, &impact);
+  return impact.iterations;
 }
 
 uint32_t plane_bench_run(const plane_family *family) {
@@ -167,7 +224,9 @@ uint32_t plane_bench_run(const plane_family *family) {
     case PLANE_INTERSECT: (void)gjk2_intersect(a, b, NULL, &decision); return decision.iterations;
     case PLANE_DISTANCE: (void)gjk2_distance(a, b, NULL, &distance); return distance.iterations;
     case PLANE_DEPTH: (void)gjk2_penetration(a, b, NULL, &depth); return depth.iterations;
+    case PLANE_CHAIN: return plane_bench_chain(b);
     case PLANE_CONTACTS: break;
+    default: return run_motion(family);
   }
   (void)gjk2_contacts(a, b, 1311, 2, NULL, &manifold);
   return manifold.count;

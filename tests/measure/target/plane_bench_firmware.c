@@ -1,28 +1,9 @@
 // Firmware: instructions and stack per query of the plane on an emulated core, one line per family:
 // NAME|mean|worst|iterations or contacts x 100|bytes of stack
 #include "count.h"
+#include "paint.h"
 #include "plane_bench.h"
 #include "print.h"
-
-#define PAINT 0x5AA5C33Cu
-
-// As in bench_firmware.c.
-__attribute__((noinline)) static uintptr_t paint_stack(void) {
-  volatile uint32_t here = 0;
-  const uintptr_t top = (uintptr_t)&here;
-  for (volatile uint32_t *p = board_stack_low; (uintptr_t)p < top - 64; p++) {
-    *p = PAINT;
-  }
-  return top;
-}
-
-static uint32_t painted_depth(uintptr_t top) {
-  const volatile uint32_t *p = board_stack_low;
-  while ((uintptr_t)p < top && *p == PAINT) {
-    p++;
-  }
-  return (uint32_t)(top - (uintptr_t)p);
-}
 
 static void field(uint32_t value) {
   board_print("|");

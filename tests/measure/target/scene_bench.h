@@ -2,12 +2,14 @@
 #ifndef SCENE_BENCH_H
 #define SCENE_BENCH_H
 
+#include "gjk/probe.h"
 #include "scene/traffic.h"
 
 typedef struct scene_bench_case {
   const char *name;
   traffic_kind kind;
   uint32_t bodies, percent;
+  bool ray;  // what is measured is a ray through them, not a tick
 } scene_bench_case;
 
 extern const scene_bench_case scene_bench_cases[];

@@ -1,15 +1,18 @@
 // The smallest programs with the library, whose linked sizes are figures to keep: what to link is chosen by macros.
 //   SIZE_BOXES   gjk_intersect on boxes; else gjk_distance on hulls, boxes and their rounded forms
 //   SIZE_DEPTH, SIZE_CONTACTS  gjk_penetration, gjk_contacts on these as well
+//   SIZE_IMPACT  gjk_time_of_impact on these as well
 //   SIZE_CURVED  gjk_distance on cylinders, cones and ellipsoids as well
 //   SIZE_POSED   initialises and poses the colliders, too
 //   SIZE_SCENE   instead of all that: a scene with contacts, of boxes and spheres
 //   SIZE_PLANE_INTERSECT  instead: gjk2_intersect on boxes and polygons
 //   SIZE_PLANE_DISTANCE   instead: gjk2_distance on these, segments, points and their rounded forms
 //   SIZE_PLANE_ALL        instead: every query of the plane but the checks, on these
+//   SIZE_PLANE_CAST       instead: gjk2_cast on these
+//   SIZE_PLANE_IMPACT     instead: gjk2_time_of_impact on these
 //   SIZE_PLANE_SCENE      instead: a scene of the plane with contacts, of boxes and circles
 #if defined(SIZE_PLANE_INTERSECT) || defined(SIZE_PLANE_DISTANCE) || defined(SIZE_PLANE_ALL) || \
-    defined(SIZE_PLANE_SCENE)
+    defined(SIZE_PLANE_CAST) || defined(SIZE_PLANE_IMPACT) || defined(SIZE_PLANE_SCENE)
 #include "size_plane.h"
 #else
 #include "gjk/gjk.h"
@@ -41,6 +44,12 @@ void size_main(void) {
 #else
 
 gjk_collider size_a, size_b;
+
+#ifdef SIZE_IMPACT
+gjk_motion size_motion;
+gjk_impact_setup size_setup;
+gjk_impact_result size_impact;
+#endif
 
 #if defined(SIZE_DEPTH) || defined(SIZE_CONTACTS)
 gjk_epa_cell size_cells[GJK_EPA_CELLS(20)];
@@ -97,6 +106,9 @@ void size_main(void) {
 #endif
 #ifdef SIZE_CONTACTS
   gjk_contacts(&size_a, &size_b, 1, 4, NULL, &size_workspace, &size_manifold);
+#endif
+#ifdef SIZE_IMPACT
+  gjk_time_of_impact(&size_a, &size_motion, &size_b, &size_motion, &size_setup, &size_impact);
 #endif
 }
 

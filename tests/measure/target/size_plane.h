@@ -35,6 +35,11 @@ gjk2_decision size_yes;
 gjk2_distance_result size_gap;
 gjk2_penetration_result size_depth;
 gjk2_manifold size_manifold;
+gjk2_cast_path size_path;
+gjk2_cast_result size_cast;
+gjk2_motion size_motion;
+gjk2_impact_setup size_setup;
+gjk2_impact_result size_impact;
 
 void size_main(void) {
   static const gjk2_vec vertices[] = {{0, 0}, {9, 0}, {0, 9}};
@@ -59,6 +64,10 @@ void size_main(void) {
   gjk2_intersect(&size_a, &size_b, NULL, &size_yes);
 #elif defined(SIZE_PLANE_DISTANCE)
   gjk2_distance(&size_a, &size_b, NULL, &size_gap);
+#elif defined(SIZE_PLANE_CAST)
+  gjk2_cast(&size_a, &size_b, &size_path, &size_cast);
+#elif defined(SIZE_PLANE_IMPACT)
+  gjk2_time_of_impact(&size_a, &size_motion, &size_b, &size_motion, &size_setup, &size_impact);
 #else
   gjk2_within(&size_a, &size_b, 1, NULL, &size_yes);
   gjk2_distance(&size_a, &size_b, NULL, &size_gap);

@@ -5,6 +5,7 @@
 #include "picture.h"
 #include "scene.h"
 #include "source.h"
+#include "swing.h"
 
 static const char usage[] =
     "usage: gjk-demo SCENE OUT.svg     answers and certifies the cases, prints a table, draws a picture\n"
@@ -45,13 +46,21 @@ static int put_table(const scene *s) {
   return verdicts[CERTIFY_WRONG] > 0 ? 1 : 0;
 }
 
-static int draw(const scene *s, const char *name, const char *title) {
+// The first impact of the arm's swing, where the scene has an arm.
+static void put_swing(const scene *s, const scene_swing *swing) {
+  if (swing->found) {
+    printf("swing: %s hits %s after %.3f degrees, and not before: proven with %u distances\n", s->body[swing->a].name,
+           s->body[swing->b].name, swing_degrees(swing), swing->impact.iterations);
+  }
+}
+
+static int draw(const scene *s, const scene_swing *swing, const char *name, const char *title) {
   FILE *file = fopen(name, "w");
   if (file == NULL) {
     fprintf(stderr, "%s: %s\n", name, strerror(errno));
     return 2;
   }
-  picture_write(file, s, title);
+  picture_write(file, s, swing, title);
   bool failed = ferror(file) != 0;
   if (fclose(file) != 0 || failed) {
     fprintf(stderr, "%s: cannot write the picture\n", name);
@@ -82,7 +91,10 @@ int main(int argc, char **argv) {
   } else if (good) {
     const char *slash = strrchr(name, '/');
     int wrong = put_table(&s);
-    int drawn = draw(&s, argv[2], slash == NULL ? name : slash + 1);
+    scene_swing swing;
+    swing_find(&s, &swing);
+    put_swing(&s, &swing);
+    int drawn = draw(&s, &swing, argv[2], slash == NULL ? name : slash + 1);
     result = drawn != 0 ? drawn : wrong;
   }
   scene_free(&s);

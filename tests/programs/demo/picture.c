@@ -18,6 +18,7 @@
 
 #define INK "#1d2733"
 #define FAINT "#6b7785"
+#define SWING "#8a2be2"
 
 static const char *const relation_colour[] = {"#0b6fc2", "#0a8a4b", "#d0202e"};
 
@@ -326,7 +327,7 @@ static void put_row(FILE *file, const scene *s, size_t i, double y, double step)
           scene_verdict_name(pair->verdict));
 }
 
-static void put_panel(const picture *p) {
+static void put_panel(const picture *p, const scene_swing *swing) {
   const scene *s = p->s;
   double step = fmin(24, (HEIGHT - TOP - 150) / (double)(s->pairs + 1));
   double y = TOP + 20;
@@ -343,6 +344,11 @@ static void put_panel(const picture *p) {
                                         "touching: contact points, depth 0 (curved: at most 3 LSB)",
                                         "overlapping: depth, and the way out (arrow)"};
   y = HEIGHT - 108;
+  if (swing->found) {
+    fprintf(p->file, "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"6\" fill=\"" SWING "\"/><text x=\"%.0f\" y=\"%.0f\">",
+            PANEL_LEFT + 16, y - 20, PANEL_LEFT + 32, y - 16);
+    fprintf(p->file, "the arm swings until %s hits %s</text>\n", s->body[swing->a].name, s->body[swing->b].name);
+  }
   for (int i = 0; i < 3; i++) {
     fprintf(p->file, "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"6\" fill=\"%s\"/><text x=\"%.0f\" y=\"%.0f\">%s</text>\n",
             PANEL_LEFT + 16, y + 20 * i, relation_colour[i], PANEL_LEFT + 32, y + 20 * i + 4, meaning[i]);
@@ -370,7 +376,50 @@ static void put_title(const picture *p, const char *title) {
           count[SCENE_TOUCHING], count[SCENE_OVERLAPPING]);
 }
 
-void picture_write(FILE *file, const scene *s, const char *title) {
+// Draws the arm where it hits something, as outlines, and the place where it does.
+static void put_swing(picture *p, const scene_swing *swing) {
+  const point2 at = view_project(&p->camera, real_from_q16(swing->impact.point_b));
+  fprintf(p->file, "<g fill=\"" SWING "\" fill-opacity=\"0.10\" stroke=\"" SWING
+                   "\" stroke-width=\"1.4\" stroke-dasharray=\"5 3\">\n");
+  for (size_t i = 0; i < p->s->bodies; i++) {
+    const scene_body *body = &p->s->body[i];
+    case_shape moved = body->shape;
+    point2 outline[OUTLINE_POINTS];
+    if (!swing_moves(body)) {
+      continue;
+    }
+    moved.pose = swing_pose(swing, &body->shape.pose);
+    draw_outline(&p->camera, &moved, outline);
+    fprintf(p->file, "<polygon points=\"");
+    svg_points(p->file, outline, OUTLINE_POINTS);
+    fprintf(p->file, "\"/>\n");
+  }
+  fprintf(p->file,
+          "</g>\n<circle cx=\"%.1f\" cy=\"%.1f\" r=\"9\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"5\"/>"
+          "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"9\" fill=\"none\" stroke=\"" SWING
+          "\" stroke-width=\"2.5\"/>"
+          "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"" SWING "\"/>\n",
+          at.x, at.y, at.x, at.y, at.x, at.y);
+  take_point(&p->page, at);
+}
+
+// What the swing hits, and after how many degrees.
+static void put_swing_label(picture *p, const scene_swing *swing) {
+  const point2 at = view_project(&p->camera, real_from_q16(swing->impact.point_b));
+  char text[40];
+  snprintf(text, sizeof text, "hit after %.2f degrees", swing_degrees(swing));
+  const double width = 7.0 * (double)strlen(text) + 12;
+  const label_rectangle r = label_place(&p->page, at, width, 18, 26);
+  fprintf(p->file,
+          "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"" SWING
+          "\" stroke-width=\"1\"/>"
+          "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"18\" rx=\"9\" fill=\"#ffffff\" stroke=\"" SWING
+          "\" stroke-width=\"1.2\"/><text x=\"%.1f\" y=\"%.1f\" font-size=\"12\" fill=\"" SWING "\">%s</text>\n",
+          at.x, at.y, fmin(fmax(at.x, r.left + 6), r.left + r.width - 6), r.top + 9, r.left, r.top, r.width, r.left + 6,
+          r.top + 13.2, text);
+}
+
+void picture_write(FILE *file, const scene *s, const scene_swing *swing, const char *title) {
   static picture p;
   p.file = file;
   p.s = s;
@@ -386,9 +435,15 @@ void picture_write(FILE *file, const scene *s, const char *title) {
   fprintf(file, "<rect width=\"100%%\" height=\"100%%\" fill=\"#e6ebf0\"/>\n");
   put_title(&p, title);
   put_bodies(&p);
+  if (swing->found) {
+    put_swing(&p, swing);
+  }
   put_marks(&p);
   put_names(&p);
   put_labels(&p);
-  put_panel(&p);
+  if (swing->found) {
+    put_swing_label(&p, swing);
+  }
+  put_panel(&p, swing);
   fprintf(file, "</svg>\n");
 }

@@ -2,11 +2,12 @@
 #ifndef PICTURE_H
 #define PICTURE_H
 
-#include "scene.h"
+#include "swing.h"
 
 // Text of a gap in millimetres, a unit being a metre.
 void picture_gap_text(char text[24], gjk_q16 gap);
 
-void picture_write(FILE *file, const scene *s, const char *title);
+// swing: drawn where something is found.
+void picture_write(FILE *file, const scene *s, const scene_swing *swing, const char *title);
 
 #endif

@@ -8,82 +8,17 @@
 #include "case/certify2.h"
 #include "case/number.h"
 #include "case/parse.h"
+#include "help.h"
+#include "motion.h"
 #include "trace_picture.h"
 
 enum { TITLE_MAX = 160 };
 
 enum { EXIT_ANSWERED = 0, EXIT_UNPROVEN = 1, EXIT_INPUT = 2 };
 
-static const char help[] =
-    "usage: gjk-query [OPTION]... [FILE]...\n"
-    "Answers cases about two convex shapes, one line each. Reads standard input without a FILE, or for '-'.\n"
-    "\n"
-    "  --distance    how far apart, and where (default)\n"
-    "  --intersect   do they share a point?\n"
-    "  --within R    are they at most R apart?\n"
-    "  --iterations N    with --within: after N iterations, 1 to 255, it may be open\n"
-    "  --penetration how deep they overlap, which way out, and where; else as --distance\n"
-    "  --contacts [MARGIN]\n"
-    "                as --penetration, and the points where they touch, or are at most MARGIN (default 0) apart\n"
-    "  --reference   the double-precision reference answers instead of the library\n"
-    "  --certify     check each answer in exact integers; says so where it can't or where an answer is wrong\n"
-    "  --trace       below each answer a line for each iteration of the search, and why it stopped; of a depth the\n"
-    "                search that finds the overlap\n"
-    "  --trace-svg FILE\n"
-    "                draws that: a panel for each iteration, the shapes and their Minkowski difference\n"
-    "  --help        this text\n"
-    "\n"
-    "A case, lengths in Q16.16, quaternions, cosines and sines in Q2.30; with a decimal point\n"
-    "a number is in units instead:\n"
-    "\n"
-    "  # comment\n"
-    "  case ID [free text]\n"
-    "  A KIND ...      point | segment h | triangle (3 lines of x y z) | box hx hy hz\n"
-    "                  | hull n (n lines of x y z) | sphere r | capsule r h\n"
-    "                  | cylinder r h | cone r h | ellipsoid rx ry rz\n"
-    "                  (long axes along local z, h the half length; a cone's apex at +h)\n"
-    "  A round r       optional convex radius\n"
-    "  A faces m       optional, of a hull, for --contacts: m lines of vertex numbers from 0, each face's\n"
-    "                  counterclockwise seen from outside\n"
-    "  A at x y z      optional, default 0 0 0\n"
-    "  A turn x y z w  optional quaternion, default 0.0 0.0 0.0 1.0\n"
-    "  B KIND ...      and so on\n"
-    "\n"
-    "A case of the plane; its answers have two coordinates:\n"
-    "\n"
-    "  case2 ID [free text]\n"
-    "  A KIND ...      point | segment h | triangle (3 lines of x y) | box hx hy | polygon n (n lines of x y)\n"
-    "                  | circle r | capsule r h | ellipse rx ry (long axes along local x)\n"
-    "  A round r       optional convex radius\n"
-    "  A at x y        optional, default 0 0\n"
-    "  A turn c s      optional cosine and sine, default 1.0 0.0\n"
-    "  B KIND ...      and so on\n"
-    "\n"
-    "Answers, in the order of the cases, in raw integers:\n"
-    "\n"
-    "  ID separated distance=D a=x,y,z b=x,y,z normal=x,y,z iterations=N [saturated]\n"
-    "  ID separated iterations=N     (--intersect)\n"
-    "  ID intersecting iterations=N\n"
-    "  ID intersecting depth=D a=x,y,z b=x,y,z normal=x,y,z iterations=N     (--penetration)\n"
-    "    contact a=x,y,z b=x,y,z distance=D id=N     (--contacts) a line per point below; D negative: its depth\n"
-    "  ID within iterations=N        (--within; or 'beyond'; with --iterations 'open', where they do not settle it)\n"
-    "  ID error STATUS_NAME detail   a pair that the library refuses\n"
-    "  ... uncertified: WHY          (--certify) curved: no exact check exists, but accurate bounds agree\n"
-    "  ... WRONG: WHY                (--certify) the check failed\n"
-    "\n"
-    "Below an answer, with --trace:\n"
-    "\n"
-    "  iteration N d=x,y,z An=x,y,z Bn=x,y,z wN=x,y,z before=w1,... after=w1,...\n"
-    "                  the direction ('rounded=' where it is), the vertices of A and B farthest along and against it,\n"
-    "                  their difference, named by the iteration that found it first, the simplex before and after\n"
-    "  walk N: TEXT    in the plane: the query itself walks along the border of A - B, N iterations in all\n"
-    "  stop REASON: TEXT\n"
-    "\n"
-    "Exit status: 0 all answered; 1 a check failed; 2 a malformed line (skipped with its case, and named on\n"
-    "standard error), a file that can't be read, a wrong option, or an output that can't be written.\n";
-
 typedef struct tool {
   case_question question;
+  motion_question motion;    // instead of question, if it asks
   bool certify;              // each answer is checked
   bool trace;                // what the search did is printed below each answer
   const char *picture_name;  // the file in which it is drawn; NULL: none
@@ -205,15 +140,36 @@ static void answer_pair2(tool *t) {
   }
 }
 
+static void answer_motion(tool *t) {
+  motion_answer answer;
+  char why[CERTIFY_WHY_MAX];
+  motion_find(&t->motion, &t->pair, &t->a, &t->b, &answer);
+  motion_print(stdout, &t->motion, &t->pair, &answer);
+  if (t->certify && answer.refused == 0) {
+    print_verdict(t, motion_certify(&t->motion, &t->pair, &t->a, &t->b, &answer, why), why);
+  }
+  putchar('\n');
+}
+
+static void answer_motion2(tool *t) {
+  motion2_answer answer;
+  char why[CERTIFY_WHY_MAX];
+  motion2_find(&t->motion, &t->pair2, &t->a2, &t->b2, &answer);
+  motion2_print(stdout, &t->motion, &t->pair2, &answer);
+  if (t->certify && answer.refused == 0) {
+    print_verdict(t, motion2_certify(&t->motion, &t->pair2, &t->a2, &t->b2, &answer, why), why);
+  }
+  putchar('\n');
+}
+
 static void run_stream(tool *t, FILE *file, const char *name) {
   case_found found;
   case_reader_open(&t->reader, file, name);
   while ((found = case_reader_next_any(&t->reader, &t->pair, &t->pair2)) != CASE_FOUND_NONE) {
-    if (found == CASE_FOUND_PLANE) {
-      answer_pair2(t);
-    } else {
-      answer_pair(t);
-    }
+    const bool plane = found == CASE_FOUND_PLANE, moves = t->motion.ask != MOTION_NONE;
+    void (*const answer)(tool *) =
+        plane ? (moves ? answer_motion2 : answer_pair2) : (moves ? answer_motion : answer_pair);
+    answer(t);
   }
   if (t->reader.errors > 0) {
     t->bad_input = true;
@@ -249,12 +205,53 @@ static void refuse(const char *what, const char *word) {
   exit(EXIT_INPUT);
 }
 
+// Takes the number after an option, if there is one. Returns the index of the last word taken.
+static int read_margin(int argc, char **argv, int i, gjk_q16 *margin) {
+  const char *option = argv[i];
+  if (i + 1 < argc && case_number_parse(argv[i + 1], 16, margin)) {
+    i++;
+  }
+  if (*margin < 0) {
+    fprintf(stderr, "gjk-query: expected a margin of 0 or more after %s, found '%s'; see gjk-query --help\n", option,
+            argv[i]);
+    exit(EXIT_INPUT);
+  }
+  return i;
+}
+
+// The options about motion. Returns the index of the last word taken; i - 1 if it is another option.
+static int read_motion(int argc, char **argv, int i, motion_question *motion) {
+  const char *word = argv[i];
+  if (strcmp(word, "--cast") == 0 || strcmp(word, "--impact") == 0) {
+    motion->ask = word[2] == 'c' ? MOTION_CAST : MOTION_IMPACT;
+    return read_margin(argc, argv, i, &motion->margin);
+  }
+  if (strcmp(word, "--ray") == 0) {
+    motion->ask = MOTION_RAY;
+    return i;
+  }
+  if (strcmp(word, "--tolerance") == 0) {
+    const char *number = i + 1 < argc ? argv[i + 1] : "";
+    if (!case_number_parse(number, 16, &motion->tolerance) || motion->tolerance <= 0) {
+      refuse("expected a tolerance above 0 after --tolerance, found", number);
+    }
+    return i + 1;
+  }
+  return i - 1;
+}
+
 static uint8_t read_iterations(const char *number) {
   int32_t iterations;
   if (!case_number_parse(number, 0, &iterations) || iterations < 1 || iterations > UINT8_MAX) {
     refuse("expected a number from 1 to 255 after --iterations, found", number);
   }
   return (uint8_t)iterations;
+}
+
+// The last question counts.
+static void ask_at_rest(tool *t, case_ask ask) {
+  t->question.ask = ask;
+  t->motion.ask = MOTION_NONE;
 }
 
 // Reads the options, and moves the names of the files to the front of argv. Returns their number.
@@ -268,26 +265,21 @@ static int read_options(int argc, char **argv, tool *t) {
     } else if (strcmp(word, "--") == 0) {
       only_files = true;
     } else if (strcmp(word, "--help") == 0) {
-      fputs(help, stdout);
+      help_print(stdout);
       exit(written(EXIT_ANSWERED));
     } else if (strcmp(word, "--distance") == 0) {
-      t->question.ask = CASE_DISTANCE;
+      ask_at_rest(t, CASE_DISTANCE);
     } else if (strcmp(word, "--intersect") == 0) {
-      t->question.ask = CASE_INTERSECT;
+      ask_at_rest(t, CASE_INTERSECT);
     } else if (strcmp(word, "--penetration") == 0) {
-      t->question.ask = CASE_PENETRATION;
+      ask_at_rest(t, CASE_PENETRATION);
     } else if (strcmp(word, "--contacts") == 0) {
-      t->question.ask = CASE_PENETRATION;
+      ask_at_rest(t, CASE_PENETRATION);
       t->question.contacts = true;
-      if (i + 1 < argc && case_number_parse(argv[i + 1], 16, &t->question.margin)) {
-        i++;
-      }
-      if (t->question.margin < 0) {
-        refuse("expected a margin of 0 or more after --contacts, found", argv[i]);
-      }
+      i = read_margin(argc, argv, i, &t->question.margin);
     } else if (strcmp(word, "--within") == 0) {
       const char *number = i + 1 < argc ? argv[++i] : "";
-      t->question.ask = CASE_WITHIN;
+      ask_at_rest(t, CASE_WITHIN);
       if (!case_number_parse(number, 16, &t->question.within) || t->question.within < 0) {
         refuse("expected a distance of 0 or more after --within, found", number);
       }
@@ -306,8 +298,15 @@ static int read_options(int argc, char **argv, tool *t) {
         refuse("expected the name of a file after", word);
       }
     } else {
-      refuse("unknown option", word);
+      const int last = read_motion(argc, argv, i, &t->motion);
+      if (last < i) {
+        refuse("unknown option", word);
+      }
+      i = last;
     }
+  }
+  if (t->motion.ask != MOTION_NONE && (t->question.reference || is_traced(t))) {
+    refuse("casts and impacts have no", t->question.reference ? "--reference" : "--trace");
   }
   return files;
 }

@@ -21,11 +21,11 @@ static void set_vertex(const trace *t, const gjk2_search *s, const gjk2_vertex *
   const gjk2_shape_class *type = s->b->shape->type;
   gjk2_vec b = {0, 0};
   memset(out, 0, sizeof *out);
-  out->number_a = from->a;
-  out->number_b = from->b;
-  out->a.x[0] = (int64_t)s->a->centre.x + from->of_a.x;
-  out->a.x[1] = (int64_t)s->a->centre.y + from->of_a.y;
-  if (type->vertex != NULL && type->vertex(s->b, from->b, &b)) {
+  out->number_a = from->a.vertex;
+  out->number_b = from->b.vertex;
+  out->a.x[0] = (int64_t)s->a->centre.x + from->a.offset.x;
+  out->a.x[1] = (int64_t)s->a->centre.y + from->a.offset.y;
+  if (type->vertex != NULL && type->vertex(s->b, from->b.vertex, &b)) {
     out->b.x[0] = (int64_t)s->b->centre.x + b.x;
     out->b.x[1] = (int64_t)s->b->centre.y + b.y;
   } else {
@@ -98,7 +98,7 @@ static trace_reason reason_of(gjk2_outcome outcome) {
 static unsigned whole_search(const gjk2_collider *a, const gjk2_collider *b, gjk2_goal goal, int64_t radius,
                              uint32_t limit) {
   static gjk2_search s;
-  (void)gjk2_search_start(&s, a, b, false, radius);
+  (void)gjk2_search_start(&s, a, b, false, (uint32_t)radius);
   gjk2_search_aim(&s, NULL);
   s.walks = s.walks && limit == gjk2_search_limit(&s);
   (void)gjk2_search_run(&s, goal, limit);
@@ -110,7 +110,7 @@ void trace_plane(const case_question *question, const gjk2_collider *a, const gj
   gjk2_outcome outcome = GJK2_OUTCOME_LIMIT;
   trace_start(out, 2, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
   const gjk2_goal goal = goal_of(question, &out->radius);
-  if (!gjk2_search_start(&s, a, b, goal == GJK2_GOAL_WITHIN, out->radius)) {
+  if (!gjk2_search_start(&s, a, b, goal == GJK2_GOAL_WITHIN, (uint32_t)out->radius)) {
     out->reason = TRACE_CIRCLES;
     return;
   }

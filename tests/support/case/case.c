@@ -20,7 +20,9 @@ void case_shape_reset(case_shape *shape) {
   shape->count = 0;
   shape->faces = 0;
   shape->convex_radius = 0;
-  shape->pose = identity;
+  shape->pose = shape->end = identity;
+  shape->moves = false;
+  shape->spin = zero;
 }
 
 void case_shape_free(case_shape *shape) {
@@ -55,11 +57,20 @@ void case_shape_set_faces(case_shape *shape, size_t faces) {
   shape->faces = faces;
 }
 
+void case_shape_move_to(case_shape *shape, const gjk_vec3 *to) {
+  shape->end.rotation = shape->moves ? shape->end.rotation : shape->pose.rotation;
+  shape->end.position = *to;
+  shape->moves = true;
+}
+
 void case_shape_copy(case_shape *to, const case_shape *from) {
   to->kind = from->kind;
   to->size = from->size;
   to->convex_radius = from->convex_radius;
   to->pose = from->pose;
+  to->end = from->end;
+  to->moves = from->moves;
+  to->spin = from->spin;
   case_shape_set_count(to, from->count);
   for (size_t i = 0; i < from->count; i++) {
     to->vertices[i] = from->vertices[i];
@@ -141,6 +152,18 @@ void case_collider_free(case_collider *collider) {
   collider->capacity = 0;
 }
 
+gjk_cast_path case_path(const case_pair *pair, gjk_q16 margin) {
+  const gjk_cast_path path = {.to_a = pair->a.moves ? &pair->a.end.position : NULL,
+                              .to_b = pair->b.moves ? &pair->b.end.position : NULL,
+                              .margin = margin};
+  return path;
+}
+
+gjk_motion case_motion(const case_shape *shape) {
+  const gjk_motion motion = {.from = shape->pose, .to = shape->moves ? shape->end : shape->pose, .spin = shape->spin};
+  return motion;
+}
+
 static void print_vec3(FILE *file, gjk_vec3 v) {
   fprintf(file, "%ld %ld %ld\n", (long)v.x, (long)v.y, (long)v.z);
 }
@@ -181,8 +204,26 @@ static void print_faces(FILE *file, char name, const case_shape *shape) {
   }
 }
 
+static void print_rotation(FILE *file, char name, const char *word, const gjk_quat *q) {
+  fprintf(file, "%c %s %ld %ld %ld %ld\n", name, word, (long)q->x, (long)q->y, (long)q->z, (long)q->w);
+}
+
+static void print_way(FILE *file, char name, const case_shape *shape) {
+  const gjk_quat *p = &shape->pose.rotation, *q = &shape->end.rotation;
+  if (shape->moves) {
+    fprintf(file, "%c to ", name);
+    print_vec3(file, shape->end.position);
+  }
+  if (shape->moves && (p->x != q->x || p->y != q->y || p->z != q->z || p->w != q->w)) {
+    print_rotation(file, name, "turn-to", q);
+  }
+  if ((shape->spin.x | shape->spin.y | shape->spin.z) != 0) {
+    fprintf(file, "%c spin ", name);
+    print_vec3(file, shape->spin);
+  }
+}
+
 static void print_shape(FILE *file, char name, const case_shape *shape) {
-  gjk_quat q = shape->pose.rotation;
   fprintf(file, "%c ", name);
   print_kind(file, shape);
   if (shape->faces > 0) {
@@ -193,7 +234,8 @@ static void print_shape(FILE *file, char name, const case_shape *shape) {
   }
   fprintf(file, "%c at ", name);
   print_vec3(file, shape->pose.position);
-  fprintf(file, "%c turn %ld %ld %ld %ld\n", name, (long)q.x, (long)q.y, (long)q.z, (long)q.w);
+  print_rotation(file, name, "turn", &shape->pose.rotation);
+  print_way(file, name, shape);
 }
 
 void case_print(FILE *file, const case_pair *pair) {
@@ -212,7 +254,12 @@ static case_shape borrow(const gjk_shape *shape, const gjk_pose *pose) {
       [CASE_POINT] = &gjk_class_point, [CASE_SEGMENT] = &gjk_class_segment,    [CASE_TRIANGLE] = &gjk_class_triangle,
       [CASE_BOX] = &gjk_class_box,     [CASE_HULL] = &gjk_class_hull,          [CASE_CYLINDER] = &gjk_class_cylinder,
       [CASE_CONE] = &gjk_class_cone,   [CASE_ELLIPSOID] = &gjk_class_ellipsoid};
-  case_shape s = {CASE_POINT, shape->size, NULL, shape->count, 0, NULL, NULL, 0, 0, shape->convex_radius, *pose};
+  case_shape s = {.kind = CASE_POINT,
+                  .size = shape->size,
+                  .count = shape->count,
+                  .convex_radius = shape->convex_radius,
+                  .pose = *pose,
+                  .end = *pose};
   while (s.kind < CASE_ELLIPSOID && kinds[s.kind] != shape->type) {
     s.kind = (case_kind)(s.kind + 1);
   }

@@ -5,7 +5,9 @@
 
 #include <stdio.h>
 
+#include "gjk/cast.h"
 #include "gjk/gjk.h"
+#include "gjk/impact.h"
 
 typedef enum case_kind {
   CASE_POINT,
@@ -18,10 +20,11 @@ typedef enum case_kind {
   CASE_ELLIPSOID
 } case_kind;  // a sphere is a point with a convex radius, a capsule a segment with one
 
-// One shape at its pose.
+// One shape at its pose, and the way that it goes in a cast or an impact.
 //
 // size      segment {0, 0, h}; box: half extents; cylinder and cone {r, r, h}; ellipsoid: radii; else unused.
 // vertices  of a triangle or hull. case_shape_set_count makes room; case_shape_reset keeps the room for the next case.
+// spin      as in gjk_motion.
 typedef struct case_shape {
   case_kind kind;
   gjk_vec3 size;
@@ -31,6 +34,9 @@ typedef struct case_shape {
   size_t faces, faces_capacity;
   gjk_q16 convex_radius;
   gjk_pose pose;
+  gjk_pose end;  // of its way: without 'to' the position is that of pose, without 'turn-to' so is the rotation
+  bool moves;    // it has an end
+  gjk_vec3 spin;
 } case_shape;
 
 typedef struct case_pair {
@@ -48,7 +54,8 @@ typedef struct case_collider {
   gjk_collider collider;
 } case_collider;
 
-// Makes shape a point at the origin with identity rotation and convex radius 0; keeps the room for vertices.
+// Makes shape a point at the origin with identity rotation and convex radius 0, which stands; keeps the room for
+// vertices.
 void case_shape_reset(case_shape *shape);
 void case_shape_free(case_shape *shape);
 void case_pair_free(case_pair *pair);
@@ -56,6 +63,8 @@ void case_pair_free(case_pair *pair);
 void case_shape_set_count(case_shape *shape, size_t count);
 // Makes room for so many faces of GJK_FACE_CORNERS_MAX corners each, and sets faces.
 void case_shape_set_faces(case_shape *shape, size_t faces);
+// Gives the shape a way: the position of its pose at the end.
+void case_shape_move_to(case_shape *shape, const gjk_vec3 *to);
 // Makes *to a deep copy of *from.
 void case_shape_copy(case_shape *to, const case_shape *from);
 
@@ -63,6 +72,10 @@ void case_shape_copy(case_shape *to, const case_shape *from);
 // collider.
 gjk_status case_collider_build(case_collider *collider, const case_shape *shape, bool lazy);
 void case_collider_free(case_collider *collider);
+
+// The ways of a pair, for a cast and for an impact. The pair must outlive the path.
+gjk_cast_path case_path(const case_pair *pair, gjk_q16 margin);
+gjk_motion case_motion(const case_shape *shape);
 
 // Prints the case in the format of parse.h, numbers as raw integers, so that the query tool can read it.
 void case_print(FILE *file, const case_pair *pair);

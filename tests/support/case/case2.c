@@ -10,7 +10,9 @@ void case2_shape_reset(case2_shape *shape) {
   shape->size = zero;
   shape->count = 0;
   shape->convex_radius = 0;
-  shape->pose = identity;
+  shape->pose = shape->end = identity;
+  shape->moves = false;
+  shape->spin = 0;
 }
 
 static void free_shape(case2_shape *shape) {
@@ -37,8 +39,40 @@ void case2_shape_set_count(case2_shape *shape, size_t count) {
   shape->count = count;
 }
 
+void case2_shape_move_to(case2_shape *shape, const gjk2_vec *to) {
+  shape->end.rotation = shape->moves ? shape->end.rotation : shape->pose.rotation;
+  shape->end.position = *to;
+  shape->moves = true;
+}
+
+gjk2_cast_path case2_path(const case2_pair *pair, gjk_q16 margin) {
+  const gjk2_cast_path path = {.to_a = pair->a.moves ? &pair->a.end.position : NULL,
+                               .to_b = pair->b.moves ? &pair->b.end.position : NULL,
+                               .margin = margin};
+  return path;
+}
+
+gjk2_motion case2_motion(const case2_shape *shape) {
+  const gjk2_motion motion = {.from = shape->pose, .to = shape->moves ? shape->end : shape->pose, .spin = shape->spin};
+  return motion;
+}
+
 static void print_vec(FILE *file, gjk2_vec v) {
   fprintf(file, "%ld %ld\n", (long)v.x, (long)v.y);
+}
+
+static void print_way(FILE *file, char name, const case2_shape *shape) {
+  const gjk2_rotation *p = &shape->pose.rotation, *q = &shape->end.rotation;
+  if (shape->moves) {
+    fprintf(file, "%c to ", name);
+    print_vec(file, shape->end.position);
+  }
+  if (shape->moves && (p->c != q->c || p->s != q->s)) {
+    fprintf(file, "%c turn-to %ld %ld\n", name, (long)q->c, (long)q->s);
+  }
+  if (shape->spin != 0) {
+    fprintf(file, "%c spin %ld\n", name, (long)shape->spin);
+  }
 }
 
 static void print_shape(FILE *file, char name, const case2_shape *shape) {
@@ -63,6 +97,7 @@ static void print_shape(FILE *file, char name, const case2_shape *shape) {
   fprintf(file, "%c at ", name);
   print_vec(file, shape->pose.position);
   fprintf(file, "%c turn %ld %ld\n", name, (long)shape->pose.rotation.c, (long)shape->pose.rotation.s);
+  print_way(file, name, shape);
 }
 
 void case2_print(FILE *file, const case2_pair *pair) {

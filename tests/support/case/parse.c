@@ -11,8 +11,8 @@
 typedef struct side {
   case_shape *shape;
   char letter;
-  bool kind, faces, convex_radius, at, turn;  // seen
-  gjk_q16 own_radius, round_radius;           // of a sphere or capsule; of 'round'
+  bool kind, faces, convex_radius, at, turn, to, turn_to, spin;  // seen
+  gjk_q16 own_radius, round_radius;                              // of a sphere or capsule; of 'round'
 } side;
 
 static void set_vertex(void *shape, size_t i, const int32_t *number) {
@@ -132,15 +132,44 @@ static bool read_kind(case_reader *reader, char *cursor, side *into, const char 
   }
   case_complain(reader,
                 "expected point, segment, triangle, box, hull, sphere, capsule, cylinder, cone, ellipsoid, "
-                "round, faces, at or turn after '%c', found '%s'",
+                "round, faces, at, turn, to, turn-to or spin after '%c', found '%s'",
                 into->letter, word);
   return false;
 }
 
+// Reads 'at', 'to' or 'spin', the rest of its line.
+static bool read_vec3(case_reader *reader, char *cursor, bool *seen, char letter, const char *word, gjk_vec3 *out) {
+  int32_t n[3];
+  char names[32];
+  snprintf(names, sizeof names, "x y z after '%s'", word);
+  if (!case_once(reader, seen, letter, word) || !case_read_numbers(reader, cursor, names, CASE_LENGTH_BITS, 3, n)) {
+    return false;
+  }
+  out->x = n[0];
+  out->y = n[1];
+  out->z = n[2];
+  return true;
+}
+
+// Reads 'turn' or 'turn-to'.
+static bool read_quat(case_reader *reader, char *cursor, bool *seen, char letter, const char *word, gjk_quat *out) {
+  int32_t n[4];
+  char names[32];
+  snprintf(names, sizeof names, "x y z w after '%s'", word);
+  if (!case_once(reader, seen, letter, word) || !case_read_numbers(reader, cursor, names, CASE_ROTATION_BITS, 4, n)) {
+    return false;
+  }
+  out->x = n[0];
+  out->y = n[1];
+  out->z = n[2];
+  out->w = n[3];
+  return true;
+}
+
 static bool read_property(case_reader *reader, char *cursor, void *of) {
   side *into = of;
+  case_shape *shape = into->shape;
   const char *word = case_next_word(&cursor);
-  int32_t n[4];
   if (word == NULL) {
     word = "";
   }
@@ -149,30 +178,22 @@ static bool read_property(case_reader *reader, char *cursor, void *of) {
            case_read_numbers(reader, cursor, "r after 'round'", CASE_LENGTH_BITS, 1, &into->round_radius);
   }
   if (strcmp(word, "faces") == 0) {
-    return case_once(reader, &into->faces, into->letter, word) && read_faces(reader, cursor, into->shape);
+    return case_once(reader, &into->faces, into->letter, word) && read_faces(reader, cursor, shape);
   }
   if (strcmp(word, "at") == 0) {
-    gjk_vec3 *position = &into->shape->pose.position;
-    if (!case_once(reader, &into->at, into->letter, word) ||
-        !case_read_numbers(reader, cursor, "x y z after 'at'", CASE_LENGTH_BITS, 3, n)) {
-      return false;
-    }
-    position->x = n[0];
-    position->y = n[1];
-    position->z = n[2];
-    return true;
+    return read_vec3(reader, cursor, &into->at, into->letter, word, &shape->pose.position);
   }
   if (strcmp(word, "turn") == 0) {
-    gjk_quat *rotation = &into->shape->pose.rotation;
-    if (!case_once(reader, &into->turn, into->letter, word) ||
-        !case_read_numbers(reader, cursor, "x y z w after 'turn'", CASE_ROTATION_BITS, 4, n)) {
-      return false;
-    }
-    rotation->x = n[0];
-    rotation->y = n[1];
-    rotation->z = n[2];
-    rotation->w = n[3];
-    return true;
+    return read_quat(reader, cursor, &into->turn, into->letter, word, &shape->pose.rotation);
+  }
+  if (strcmp(word, "to") == 0) {
+    return read_vec3(reader, cursor, &into->to, into->letter, word, &shape->end.position);
+  }
+  if (strcmp(word, "turn-to") == 0) {
+    return read_quat(reader, cursor, &into->turn_to, into->letter, word, &shape->end.rotation);
+  }
+  if (strcmp(word, "spin") == 0) {
+    return read_vec3(reader, cursor, &into->spin, into->letter, word, &shape->spin);
   }
   return read_kind(reader, cursor, into, word);
 }
@@ -186,7 +207,11 @@ static bool finish_side(case_reader *reader, const side *of, const char *id) {
     case_complain(reader, "expected '%c hull ...' with '%c faces' in case %s", of->letter, of->letter, id);
     return false;
   }
-  of->shape->convex_radius = sum;
+  case_shape *shape = of->shape;
+  shape->convex_radius = sum;
+  shape->end.position = of->to ? shape->end.position : shape->pose.position;
+  shape->end.rotation = of->turn_to ? shape->end.rotation : shape->pose.rotation;
+  shape->moves = of->to || of->turn_to;
   return true;
 }
 

@@ -9,6 +9,9 @@
 //     A faces m                optional, of a hull: m lines of vertex numbers from 0, up to GJK_FACE_CORNERS_MAX
 //     A at x y z               optional, default 0 0 0
 //     A turn x y z w           optional quaternion, default 0.0 0.0 0.0 1.0
+//     A to x y z               optional, of casts and impacts: where it moves to, default where it is
+//     A turn-to x y z w        optional, of impacts: how it is turned there, default as before
+//     A spin x y z             optional, of impacts: angle times axis over the whole way, Q16.16 radians
 //     B KIND ...               and so on
 //
 // and of a pair in the plane:
@@ -19,6 +22,9 @@
 //     A round r                optional convex radius, adds to that of a circle or capsule
 //     A at x y                 optional, default 0 0
 //     A turn c s               optional cosine and sine, default 1.0 0.0
+//     A to x y                 optional, of casts and impacts: where it moves to, default where it is
+//     A turn-to c s            optional, of impacts: how it is turned there, default as before
+//     A spin angle             optional, of impacts: over the whole way, Q16.16 radians
 //     B KIND ...               and so on
 //
 // Numbers are written as number.h says: lengths in Q16.16, quaternions, cosines and sines in Q2.30. Blank lines, tabs and CRLF are

@@ -9,8 +9,8 @@
 typedef struct side2 {
   case2_shape *shape;
   char letter;
-  bool kind, convex_radius, at, turn;  // seen
-  int32_t own_radius, round_radius;    // of a circle or capsule; of 'round'
+  bool kind, convex_radius, at, turn, to, turn_to, spin;  // seen
+  int32_t own_radius, round_radius;                       // of a circle or capsule; of 'round'
 } side2;
 
 typedef struct kind2_name {
@@ -72,15 +72,45 @@ static bool read_kind(case_reader *reader, char *cursor, side2 *into, const char
   }
   case_complain(
       reader,
-      "expected point, segment, triangle, box, polygon, circle, capsule, ellipse, round, at or turn after '%c', "
+      "expected point, segment, triangle, box, polygon, circle, capsule, ellipse, round, at, turn, to, turn-to or "
+      "spin after '%c', "
       "found '%s'",
       into->letter, word);
   return false;
 }
 
+// Reads 'at' or 'to', or with other names 'turn' or 'turn-to', the rest of its line.
+static bool read_two(case_reader *reader, char *cursor, bool *seen, char letter, const char *word, int bits,
+                     int32_t n[2]) {
+  char names[32];
+  snprintf(names, sizeof names, "%s after '%s'", bits == CASE_LENGTH_BITS ? "x y" : "c s", word);
+  return case_once(reader, seen, letter, word) && case_read_numbers(reader, cursor, names, bits, 2, n);
+}
+
+static bool read_vec(case_reader *reader, char *cursor, bool *seen, char letter, const char *word, gjk2_vec *out) {
+  int32_t n[2];
+  if (!read_two(reader, cursor, seen, letter, word, CASE_LENGTH_BITS, n)) {
+    return false;
+  }
+  out->x = n[0];
+  out->y = n[1];
+  return true;
+}
+
+static bool read_rotation(case_reader *reader, char *cursor, bool *seen, char letter, const char *word,
+                          gjk2_rotation *out) {
+  int32_t n[2];
+  if (!read_two(reader, cursor, seen, letter, word, CASE_ROTATION_BITS, n)) {
+    return false;
+  }
+  out->c = n[0];
+  out->s = n[1];
+  return true;
+}
+
 static bool read_property(case_reader *reader, char *cursor, void *of) {
   side2 *into = of;
-  int32_t n[2];
+  case2_shape *shape = into->shape;
   const char *word = case_next_word(&cursor);
   word = word == NULL ? "" : word;
   if (strcmp(word, "round") == 0) {
@@ -88,24 +118,31 @@ static bool read_property(case_reader *reader, char *cursor, void *of) {
            case_read_numbers(reader, cursor, "r after 'round'", CASE_LENGTH_BITS, 1, &into->round_radius);
   }
   if (strcmp(word, "at") == 0) {
-    if (!case_once(reader, &into->at, into->letter, word) ||
-        !case_read_numbers(reader, cursor, "x y after 'at'", CASE_LENGTH_BITS, 2, n)) {
-      return false;
-    }
-    into->shape->pose.position.x = n[0];
-    into->shape->pose.position.y = n[1];
-    return true;
+    return read_vec(reader, cursor, &into->at, into->letter, word, &shape->pose.position);
   }
   if (strcmp(word, "turn") == 0) {
-    if (!case_once(reader, &into->turn, into->letter, word) ||
-        !case_read_numbers(reader, cursor, "c s after 'turn'", CASE_ROTATION_BITS, 2, n)) {
-      return false;
-    }
-    into->shape->pose.rotation.c = n[0];
-    into->shape->pose.rotation.s = n[1];
-    return true;
+    return read_rotation(reader, cursor, &into->turn, into->letter, word, &shape->pose.rotation);
+  }
+  if (strcmp(word, "to") == 0) {
+    return read_vec(reader, cursor, &into->to, into->letter, word, &shape->end.position);
+  }
+  if (strcmp(word, "turn-to") == 0) {
+    return read_rotation(reader, cursor, &into->turn_to, into->letter, word, &shape->end.rotation);
+  }
+  if (strcmp(word, "spin") == 0) {
+    return case_once(reader, &into->spin, into->letter, word) &&
+           case_read_numbers(reader, cursor, "angle after 'spin'", CASE_LENGTH_BITS, 1, &shape->spin);
   }
   return read_kind(reader, cursor, into, word);
+}
+
+// Where no end of the way is given, it is the start.
+static bool finish_side(case_reader *reader, const side2 *of, const char *id) {
+  case2_shape *shape = of->shape;
+  shape->end.position = of->to ? shape->end.position : shape->pose.position;
+  shape->end.rotation = of->turn_to ? shape->end.rotation : shape->pose.rotation;
+  shape->moves = of->to || of->turn_to;
+  return case_add_radii(reader, of->kind, of->letter, id, of->own_radius, of->round_radius, &shape->convex_radius);
 }
 
 bool case2_read(case_reader *reader, case2_pair *pair) {
@@ -113,6 +150,5 @@ bool case2_read(case_reader *reader, case2_pair *pair) {
   case2_shape_reset(&pair->a);
   case2_shape_reset(&pair->b);
   return case_read_id(reader, pair->id) && case_read_sides(reader, read_property, &a, &b) &&
-         case_add_radii(reader, a.kind, 'A', pair->id, a.own_radius, a.round_radius, &pair->a.convex_radius) &&
-         case_add_radii(reader, b.kind, 'B', pair->id, b.own_radius, b.round_radius, &pair->b.convex_radius);
+         finish_side(reader, &a, pair->id) && finish_side(reader, &b, pair->id);
 }

@@ -35,8 +35,8 @@ static void make_shape(solver_shape *out, const case_shape *shape, const case_co
   }
 }
 
-static void find(const case_pair *pair, const case_collider *a, const case_collider *b, bool deep,
-                 accurate_result *out) {
+static void find(const case_pair *pair, const case_collider *a, const case_collider *b, const long double moved[3],
+                 bool deep, accurate_result *out) {
   static epa_hull hull;
   static const solver_limits deep_limits = {.absolute = SOLVER_LSB / 16, .apart = SOLVER_ANY, .iterations = 3000};
   // The bounds are to meet within 2^-12 LSB. A core distance below 2^-40 of the largest vertex, at most 2^-10 LSB,
@@ -48,6 +48,9 @@ static void find(const case_pair *pair, const case_collider *a, const case_colli
   solver_result core;
   make_shape(&shape_a, &pair->a, a, a->collider.centre);
   make_shape(&shape_b, &pair->b, b, a->collider.centre);
+  for (int k = 0; k < 3; k++) {
+    shape_b.centre[k] += (real)moved[k] * SOLVER_LSB;
+  }
   solve(&shape_a, &shape_b, &limits, &last, &core);
   real radius = shape_a.convex_radius + shape_b.convex_radius;
   out->enclosing = core.enclosing;
@@ -69,12 +72,19 @@ static void find(const case_pair *pair, const case_collider *a, const case_colli
   }
 }
 
+static const long double still[3] = {0, 0, 0};
+
 void accurate_distance(const case_pair *pair, const case_collider *a, const case_collider *b, accurate_result *out) {
-  find(pair, a, b, false, out);
+  find(pair, a, b, still, false, out);
+}
+
+void accurate_distance_moved(const case_pair *pair, const case_collider *a, const case_collider *b,
+                             const long double moved[3], accurate_result *out) {
+  find(pair, a, b, moved, false, out);
 }
 
 void accurate_signed(const case_pair *pair, const case_collider *a, const case_collider *b, accurate_result *out) {
-  find(pair, a, b, true, out);
+  find(pair, a, b, still, true, out);
 }
 
 long double accurate_separation(const case_pair *pair, const case_collider *a, const case_collider *b,

@@ -19,6 +19,10 @@ typedef struct accurate_result {
 // Bounds of the distance.
 void accurate_distance(const case_pair *pair, const case_collider *a, const case_collider *b, accurate_result *out);
 
+// Bounds of the distance once B has moved by so many LSB, which need not be whole.
+void accurate_distance_moved(const case_pair *pair, const case_collider *a, const case_collider *b,
+                             const long double moved[3], accurate_result *out);
+
 // Bounds of the distance, or if the shapes overlap, of minus the depth, found by EPA (epa.h) with at most 256 vertices.
 // EPA stops when its bounds are 1/16 LSB apart or it has no room. The normal is always set; a move of B by -lower along
 // it parts the shapes.

@@ -96,3 +96,51 @@ void REFERENCE_NAME(signed_posed)(const case_pair *pair, const case_collider *a,
                                   reference_result *out) {
   query_posed(pair, a, b, true, out);
 }
+
+// A gap below this counts as none, in units: 2^-20 LSB in double, which large shapes far apart do not reach.
+static real cast_tolerance(real size) {
+  const real share = sizeof(real) < sizeof(double) ? (real)1e-6 : (real)1e-14, least = SOLVER_LSB / 1048576;
+  return size * share > least ? size * share : least;
+}
+
+void REFERENCE_NAME(cast_posed)(const case_pair *pair, const case_collider *a, const case_collider *b,
+                                const double way[3], double margin, reference_cast_result *out) {
+  const gjk_vec3 origin = a->collider.centre;
+  const solver_limits chosen = limits();
+  solver_shape shape_a, shape_b;
+  solver_from_collider(&shape_a, a, pair->a.kind, origin);
+  solver_from_collider(&shape_b, b, pair->b.kind, origin);
+  const real radius = shape_a.convex_radius + shape_b.convex_radius + (real)margin * SOLVER_LSB;
+  real fraction = 0, start[3], t[3];
+  for (int k = 0; k < 3; k++) {
+    start[k] = shape_b.centre[k];
+    t[k] = (real)way[k] * SOLVER_LSB;
+  }
+  out->hit = false;
+  out->iterations = 0;
+  for (out->rounds = 1; out->rounds <= 100; out->rounds++) {
+    solver_simplex last;
+    solver_result core;
+    for (int k = 0; k < 3; k++) {
+      shape_b.centre[k] = start[k] + fraction * t[k];
+    }
+    solve(&shape_a, &shape_b, &chosen, &last, &core);
+    const real gap = (core.enclosing ? 0 : core.upper) - radius;
+    const real rate = core.enclosing ? 0 : -real_dot(core.normal, t);
+    out->iterations += core.iterations;
+    out->fraction = (double)fraction;
+    out->gap = (double)(gap / SOLVER_LSB);
+    for (int k = 0; k < 3; k++) {
+      out->normal[k] = core.enclosing ? 0 : (double)core.normal[k];
+    }
+    const real next = rate > 0 ? fraction + gap / rate : 2;
+    if (gap <= cast_tolerance(real_length(shape_b.centre)) || core.enclosing || next <= fraction) {
+      out->hit = true;
+      return;
+    }
+    if (next > 1) {
+      return;
+    }
+    fraction = next;
+  }
+}

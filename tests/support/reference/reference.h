@@ -36,4 +36,21 @@ void reference_signed_posed(const case_pair *pair, const case_collider *a, const
 void reference_float_signed_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
                                   reference_result *out);
 
+// What a cast finds. Lengths in LSB.
+typedef struct reference_cast_result {
+  bool hit;
+  double fraction;   // of the way, where the gap is the margin; of a miss where it is least, as far as is known
+  double gap;        // there, less the margin
+  double normal[3];  // unit, from A to B; 0 where the cores share a point
+  int rounds;        // distances measured
+  int iterations;
+} reference_cast_result;
+
+// B moves by way against A until the gap is the margin: Newton's iteration, a distance and its plane a round. Shapes as
+// posed by the library, as of reference_query_posed.
+void reference_cast_posed(const case_pair *pair, const case_collider *a, const case_collider *b, const double way[3],
+                          double margin, reference_cast_result *out);
+void reference_float_cast_posed(const case_pair *pair, const case_collider *a, const case_collider *b,
+                                const double way[3], double margin, reference_cast_result *out);
+
 #endif

@@ -71,7 +71,7 @@ static bool add(match *m, gjk_scene *scene, uint32_t slot) {
 
 bool match_start(match *m) {
   const gjk_scene_config config = {
-      MATCH_BODIES, 2 * MATCH_BODIES, MATCH_BODIES, MATCH_PAIRS, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 1, 0, 0, CELLS};
+      MATCH_BODIES, 2 * MATCH_BODIES, MATCH_BODIES, MATCH_PAIRS, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 1, 0, 0, CELLS, 0};
   gjk_scene scene;
   m->tick = 0;
   bool fine = gjk_scene_init(&scene, &config, m->block, sizeof m->block, shapes, SHAPES, &bindings) == GJK_OK;

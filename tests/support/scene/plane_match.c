@@ -65,7 +65,7 @@ static bool add(plane_match *m, gjk2_scene *scene, uint32_t slot) {
 
 bool plane_match_start(plane_match *m) {
   const gjk2_scene_config config = {
-      MATCH_BODIES, 2 * MATCH_BODIES, MATCH_BODIES, MATCH_PAIRS, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 1, 0, 0};
+      MATCH_BODIES, 2 * MATCH_BODIES, MATCH_BODIES, MATCH_PAIRS, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 1, 0, 0, 0};
   gjk2_scene scene;
   m->tick = 0;
   bool fine = gjk2_scene_init(&scene, &config, m->block, sizeof m->block, shapes, SHAPES, &bindings) == GJK_OK;

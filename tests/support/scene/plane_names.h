@@ -3,7 +3,9 @@
 #define PLANE_NAMES_H
 
 // What the names below must not change is included first.
+#include "gjk/cast.h"
 #include "gjk/gjk.h"
+#include "gjk/impact.h"
 #include "gjk/scene.h"
 #include "gjk2/gjk2.h"
 #include "src/plane_scene/gjk2_scene_names.h"
@@ -20,6 +22,8 @@
 #define world_body plane_world_body
 #define world_list plane_world_list
 #define world_options plane_world_options
+#define world_tally plane_world_tally
+#define world_expected plane_world_expected
 #define world_shapes plane_world_shapes
 #define world_manifolds plane_world_manifolds
 #define world_cells plane_world_cells

@@ -14,7 +14,7 @@ const gjk_shape *const traffic_shapes[TRAFFIC_SHAPES] = {&crate, &ball, &capsule
 #define COLUMN 8  // crates on a plate
 
 gjk_scene_config traffic_config(traffic_kind kind, uint32_t count) {
-  gjk_scene_config c = {count, count, 0, 0, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+  gjk_scene_config c = {count, count, 0, 0, GJK_Q16(0.1), GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
   c.pairs = kind == TRAFFIC_CROWDED ? 10 * count + 64 : 6 * count + 64;
   return c;
 }

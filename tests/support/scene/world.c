@@ -10,6 +10,7 @@
 #endif
 
 gjk_manifold world_manifolds[WORLD_REPORTS];
+world_tally world_expected;
 
 bool world_is_tight(void) {
   return GJK_ITERATIONS_MAX < 100 || world_cells() < WORLD_CELLS;
@@ -22,6 +23,7 @@ gjk_scene_config world_config(const world_options *options) {
   config.detail = options->detail;
   config.persist = options->persist;
   config.retest_all = options->retest_all;
+  config.motions = options->motions ? options->bodies / 2 : 0;
   world_set_cells(&config);
   return config;
 }
@@ -154,18 +156,30 @@ static bool remove_body(world *w, world_body *b) {
   return gjk_scene_remove(&w->scene, w->stale) == GJK_OK;
 }
 
+static bool has_own_pose(const world_body *b) {
+  bool own = false;
+  for (int i = 0; i < b->setup.part_count; i++) {
+    own = own || b->parts[i].own_pose;
+  }
+  return own;
+}
+
+// Bodies whose motion is kept go far and turn fast, some of them. Those of several parts do not turn, because the list
+// knows no arcs.
 static bool move(world *w, random_state *random, world_body *b) {
   gjk_pose pose = b->setup.pose;
-  const bool jump = random_below(random, 16) == 0;
-  const uint32_t how = random_below(random, 4);
+  const bool jump = random_below(random, 16) == 0, fast = b->motion != GJK_MOTION_NOT_KEPT;
+  const uint32_t how = fast && has_own_pose(b) ? 2 : random_below(random, 4);
   if (jump) {
     pose.position = random_position(w, random);
   } else if (how != 0) {
-    const gjk_vec3 step = random_point(random, random_below(random, 2) == 0 ? 300 : GJK_Q16(0.125));
+    const int32_t little = random_below(random, 2) == 0 ? 300 : GJK_Q16(0.125);
+    const gjk_vec3 step = random_point(random, fast && random_below(random, 4) != 0 ? w->options.reach : little);
     pose.position = add_cut_all(pose.position, step);
   }
   if (how < 2) {
-    const gjk_quat turn = random_rotation(random, random_below(random, 2) == 0 ? 3 : 60);
+    const int32_t little = random_below(random, 2) == 0 ? 3 : 60;
+    const gjk_quat turn = random_rotation(random, fast && random_below(random, 2) == 0 ? 2000 : little);
     gjk_quat_compose(&turn, &pose.rotation, &pose.rotation);
   }
   const gjk_status status =
@@ -178,6 +192,9 @@ static bool move(world *w, random_state *random, world_body *b) {
   }
   moved.asleep = false;
   moved.setup.parts = b->parts;
+  if (jump) {
+    moved.last = pose;
+  }
   *b = moved;
   w->moves++;
   return status == GJK_OK;
@@ -219,6 +236,27 @@ static bool doze(world *w, random_state *random, world_body *b) {
   return gjk_scene_sleep(&w->scene, b->id) == (may ? GJK_OK : GJK_ERROR_RANGE);
 }
 
+static bool set_motion(world *w, random_state *random, world_body *b) {
+  const uint32_t any = random_below(random, 8);
+  const uint8_t motion = (uint8_t)(any < 2 ? any : GJK_MOTION_FAST);
+  const gjk_status status = gjk_scene_set_motion(&w->scene, b->id, motion);
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < w->options.bodies; i++) {
+    kept += w->bodies[i].id.generation != 0 && w->bodies[i].motion != GJK_MOTION_NOT_KEPT;
+  }
+  if (b->setup.kind == GJK_BODY_STATIC) {
+    return status == GJK_ERROR_RANGE;
+  }
+  if (b->motion == GJK_MOTION_NOT_KEPT && motion != GJK_MOTION_NOT_KEPT && kept == w->options.bodies / 2) {
+    return status == GJK_ERROR_CAPACITY;
+  }
+  if (b->motion == GJK_MOTION_NOT_KEPT) {
+    b->last = b->setup.pose;
+  }
+  b->motion = motion;
+  return status == GJK_OK;
+}
+
 // Every call refuses the id of a removed body.
 static bool use_stale(world *w) {
   const gjk_body_id h = w->stale;
@@ -243,7 +281,7 @@ bool world_change(world *w, random_state *random) {
     return add(w, random);
   }
   if (what < 80) {
-    return move(w, random, b);
+    return w->options.motions && random_below(random, 5) == 0 ? set_motion(w, random, b) : move(w, random, b);
   }
   return what < 83   ? set_shape(w, random, b)
          : what < 86 ? set_filter(w, random, b)
@@ -346,6 +384,143 @@ static bool awake(const world *w, gjk_body_id id) {
   return b->setup.kind != GJK_BODY_STATIC && !b->asleep;
 }
 
+// Where the pose of a body that stands is, and where that of another one was.
+static gjk_pose start_of(const world_body *b) {
+  return b->motion != GJK_MOTION_NOT_KEPT ? b->last : b->setup.pose;
+}
+
+static bool turns(const world_body *b, int part) {
+  const gjk_pose start = start_of(b);
+  const gjk_shape *shape = world_shapes[b->parts[part].shape];
+  return memcmp(&start.rotation, &b->setup.pose.rotation, sizeof start.rotation) != 0 &&
+         (b->parts[part].own_pose || (shape != &ball && shape != &speck));
+}
+
+static void collider_at_start(const world_body *b, int part, gjk_collider *c, gjk_vec3 *to) {
+  const gjk_pose start = start_of(b), *own = b->parts[part].own_pose ? &b->parts[part].pose : NULL;
+  gjk_pose pose = start, end = b->setup.pose;
+  gjk_collider_init(c, world_shapes[b->parts[part].shape], NULL, 0);
+  if (own != NULL) {
+    gjk_pose_compose(&start, own, &pose);
+    gjk_pose_compose(&b->setup.pose, own, &end);
+  }
+  gjk_collider_pose(c, &pose);
+  *to = end.position;
+}
+
+static bool were_near(const world *w, const gjk_report *pair) {
+  for (uint32_t i = 0; i < w->near.count; i++) {
+    if (order(&w->near.report[i], pair) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Do two parts touch on their ways, and where? Pre: a has the lower slot.
+static bool touch(const world_body *a, int i, const world_body *b, int k, uint32_t *fraction, bool *at_start) {
+  gjk_collider x, y;
+  gjk_vec3 to_x, to_y;
+  collider_at_start(a, i, &x, &to_x);
+  collider_at_start(b, k, &y, &to_y);
+  if (!turns(a, i) && !turns(b, k)) {
+    const gjk_cast_path path = {&to_x, &to_y, 0};
+    gjk_cast_result result;
+    const bool hit = gjk_cast(&x, &y, &path, &result) == GJK_OK && result.hit;
+    *fraction = hit ? (uint32_t)result.fraction : 0;
+    *at_start = hit && result.inside;
+    return hit;
+  }
+  gjk_motion of_x, of_y;
+  memset(&of_x, 0, sizeof of_x);
+  of_y = of_x;
+  of_x.from = start_of(a);
+  of_x.to = a->setup.pose;
+  of_y.from = start_of(b);
+  of_y.to = b->setup.pose;
+  if (b->parts[k].own_pose) {
+    gjk_pose_compose(&of_y.from, &b->parts[k].pose, &of_y.from);
+    gjk_pose_compose(&of_y.to, &b->parts[k].pose, &of_y.to);
+  }
+  if (a->parts[i].own_pose) {
+    gjk_pose_compose(&of_x.from, &a->parts[i].pose, &of_x.from);
+    gjk_pose_compose(&of_x.to, &a->parts[i].pose, &of_x.to);
+  }
+  const gjk_impact_setup setup = {0, WORLD_TOLERANCE, 0};
+  gjk_impact_result result;
+  const gjk_status status = gjk_time_of_impact(&x, &of_x, &y, &of_y, &setup, &result);
+  *fraction = (uint32_t)result.lower;
+  *at_start = status == GJK_OK && *fraction == 0;
+  return status == GJK_ERROR_ITERATION_LIMIT || (status == GJK_OK && result.hit);
+}
+
+static bool stands(const world_body *b) {
+  const gjk_pose start = start_of(b);
+  return memcmp(&start, &b->setup.pose, sizeof start) == 0;
+}
+
+// The first impact of a fast body, by a search of all parts.
+static bool find_impact(world *w, const world_body *f, gjk_report *out) {
+  bool found = false;
+  for (uint32_t slot = 0; slot < w->options.bodies; slot++) {
+    const world_body *o = &w->bodies[slot];
+    const bool first = f->id.slot < slot;
+    const world_body *a = first ? f : o, *b = first ? o : f;
+    if (o == f || o->id.generation == 0 || (stands(f) && stands(o)) || !tested(w, a, b)) {
+      continue;
+    }
+    for (int k = 0; k < o->setup.part_count; k++) {
+      for (int i = 0; i < f->setup.part_count; i++) {
+        gjk_report pair;
+        uint32_t fraction;
+        bool at_start;
+        memset(&pair, 0, sizeof pair);
+        pair.a = a->id;
+        pair.b = b->id;
+        pair.part_a = (uint16_t)(first ? i : k);
+        pair.part_b = (uint16_t)(first ? k : i);
+        if (!touch(a, pair.part_a, b, pair.part_b, &fraction, &at_start)) {
+          continue;
+        }
+        if (at_start && were_near(w, &pair)) {
+          world_expected.starts++;
+        } else if (!found || (int32_t)fraction < out->fraction) {
+          found = true;
+          memset(out, 0, sizeof *out);
+          out->a = f->id;
+          out->b = o->id;
+          out->part_a = (uint16_t)i;
+          out->part_b = (uint16_t)k;
+          out->event = GJK_EVENT_IMPACT;
+          out->detail = f->setup.detail > o->setup.detail ? f->setup.detail : o->setup.detail;
+          out->detail = out->detail > w->options.detail ? out->detail : w->options.detail;
+          out->fraction = (gjk_q30)fraction;
+          world_expected.turning += turns(f, i) || turns(o, k);
+        }
+      }
+    }
+  }
+  return found;
+}
+
+// Adds the impacts of an update. With a low ceiling the first one may be open: then the list has none.
+static void add_impacts(world *w, world_list *out) {
+  for (uint32_t i = 0; i < w->options.bodies; i++) {
+    const world_body *b = &w->bodies[i];
+    if (b->id.generation == 0 || b->motion != GJK_MOTION_FAST || (stands(b) && b->asleep) || world_is_tight()) {
+      continue;
+    }
+    gjk_report impact;
+    if (find_impact(w, b, &impact)) {
+      out->report[out->count++] = impact;
+      world_expected.impacts++;
+    }
+  }
+  for (uint32_t i = 0; i < w->options.bodies; i++) {
+    w->bodies[i].last = w->bodies[i].setup.pose;
+  }
+}
+
 void world_expect(world *w, world_list *out) {
   static world_list now;
   find_near(w, &now);
@@ -368,11 +543,15 @@ void world_expect(world *w, world_list *out) {
     i += side <= 0;
     k += side >= 0;
   }
+  if (w->options.motions) {
+    add_impacts(w, out);
+  }
   w->near = now;
 }
 
 static bool same(const gjk_report *a, const gjk_report *b) {
-  return order(a, b) == 0 && a->event == b->event && a->detail == b->detail && a->distance == b->distance;
+  return order(a, b) == 0 && a->event == b->event && a->detail == b->detail && a->distance == b->distance &&
+         a->fraction == b->fraction;
 }
 
 bool world_same(const world_list *a, const world_list *b) {

@@ -5,7 +5,9 @@
 #ifndef WORLD_H
 #define WORLD_H
 
+#include "gjk/cast.h"
 #include "gjk/gjk.h"
+#include "gjk/impact.h"
 #include "gjk/scene.h"
 #include "random.h"
 
@@ -21,6 +23,8 @@ typedef struct world_body {
   gjk_part parts[WORLD_PARTS];
   gjk_collider colliders[WORLD_PARTS];
   bool asleep;
+  uint8_t motion;  // a gjk_body_motion
+  gjk_pose last;   // of a kept motion
 } world_body;
 
 typedef struct world_list {
@@ -36,7 +40,8 @@ typedef struct world_options {
       detail;  // of the configuration; bodies ask for more, for depth and contacts only if detail is DEPTH or CONTACTS
   uint8_t persist, retest_all;
   bool predicate, margins;
-  bool edges;  // positions are near the corners of int32_t, so that some parts leave it
+  bool edges;    // positions are near the corners of int32_t, so that some parts leave it
+  bool motions;  // bodies become fast
 } world_options;
 
 typedef struct world {
@@ -46,7 +51,18 @@ typedef struct world {
   world_list near;    // the pairs near at the last update, with GJK_EVENT_PERSIST
   gjk_body_id stale;  // the id of a removed body
   uint32_t adds, removes, moves, failures;
+  uint32_t impacts, turning_impacts,
+      starts;  // expected; of parts that turn; that touch from the start, and are left out
 } world;
+
+// What was expected of fast bodies so far, in all worlds.
+typedef struct world_tally {
+  unsigned long impacts;
+  unsigned long turning;  // of parts that turn
+  unsigned long starts;   // parts that touch from the start, and are left out
+} world_tally;
+
+extern world_tally world_expected;
 
 extern const gjk_shape *const world_shapes[WORLD_SHAPES];
 

@@ -5,6 +5,8 @@
 #include "plane_names.h"
 #include "world.h"
 
+#define WORLD_TOLERANCE GJK2_IMPACT_TOLERANCE_MIN
+
 // Tells world.c that it is the plane's.
 #define WORLD_OF_PLANE
 
@@ -35,7 +37,8 @@ static void world_set_cells(gjk2_scene_config *config) {
 gjk2_scene_bindings world_bindings(const world_options *options) {
   const gjk2_scene_bindings bindings = {.predicate = options->predicate ? world_predicate : NULL,
                                         .details = &gjk2_scene_contacts,
-                                        .manifolds = world_manifolds};
+                                        .manifolds = world_manifolds,
+                                        .motion = options->motions ? &gjk2_scene_motion : NULL};
   return bindings;
 }
 

@@ -6,6 +6,8 @@
 
 #include "world.h"
 
+#define WORLD_TOLERANCE GJK_IMPACT_TOLERANCE_MIN
+
 static const gjk_vec3 wedge[6] = {{-30000, -30000, -30000}, {30000, -30000, -30000}, {-30000, 30000, -30000},
                                   {30000, 30000, -30000},   {0, -30000, 30000},      {0, 30000, 30000}};
 static const gjk_vec3 pebble[10] = {
@@ -41,7 +43,8 @@ gjk_scene_bindings world_bindings(const world_options *options) {
   const gjk_scene_bindings bindings = {.predicate = options->predicate ? world_predicate : NULL,
                                        .details = &gjk_scene_contacts,
                                        .workspace = &workspace,
-                                       .manifolds = world_manifolds};
+                                       .manifolds = world_manifolds,
+                                       .motion = options->motions ? &gjk_scene_motion : NULL};
   return bindings;
 }
 

@@ -1,0 +1,27 @@
+#!/bin/sh
+# The host's library with another value of a macro: variant.sh FOLDER -DNAME=VALUE leaves its objects in FOLDER. Those of
+# sources that the macro does not change are those of build/host.
+folder=$1
+macro=$2
+compiler="${CC:-cc} -std=c99 -O2 -ffreestanding -Iinclude -Iport"
+port='-DGJK_PORT_HEADER="hosted/gjk_port.h"'
+
+key=$(cat build/host/library.flags tests/build/variant.sh src/*/*.[ch] include/*/*.h port/hosted/*.h | cksum)
+[ "$key" != "$(cat "$folder/key" 2>/dev/null)" ] || exit 0
+rm -rf "$folder"
+mkdir -p "$folder"
+
+# read_source SOURCE FLAGS...: a sum over what the compiler reads of it
+read_source() {
+  $compiler "$port" -E -P "$@" | cksum
+}
+
+for source in src/*/*.c; do
+  unit=$(basename "$source" .c)
+  if [ "$(read_source "$source")" = "$(read_source "$source" "$macro")" ]; then
+    cp "build/host/$unit.o" "$folder"
+  else
+    $compiler "$port" "$macro" -c "$source" -o "$folder/$unit.o" || exit 1
+  fi
+done
+echo "$key" >"$folder/key"

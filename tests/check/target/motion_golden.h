@@ -1,0 +1,28 @@
+// One number over every bit that fixed sets of casts, rays and times of impact answer, in space and in the plane: the
+// same on every target.
+#ifndef MOTION_GOLDEN_H
+#define MOTION_GOLDEN_H
+
+#include <stdint.h>
+
+#include "gjk/version.h"
+
+// Pairs in the full set, and in the start of it that small emulated cores have time for.
+#define MOTION_GOLDEN_PAIRS 1500
+#define MOTION_GOLDEN_FEW_PAIRS 60
+
+// A changed bit is a changed contract: raise GJK_BITS_VERSION with these, and say why in the commit. The host's golden
+// program prints the lines to put here.
+#if GJK_BITS_VERSION != 1
+#error "the golden hashes are those of GJK_BITS_VERSION 1: replace them"
+#endif
+#define MOTION_GOLDEN_HASH UINT64_C(0xbf253db6a347ebb3)
+#define MOTION_GOLDEN_FEW_HASH UINT64_C(0x5499cb804dc91701)
+#define PLANE_MOTION_GOLDEN_HASH UINT64_C(0x3a4c907bd7951f4b)
+#define PLANE_MOTION_GOLDEN_FEW_HASH UINT64_C(0x2305941e9a836995)
+
+// The hash over the first pairs of the set. Not reentrant: the colliders are static, to spare small stacks.
+uint64_t motion_golden_hash(uint32_t pairs);
+uint64_t plane_motion_golden_hash(uint32_t pairs);
+
+#endif

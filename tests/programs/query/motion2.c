@@ -1,0 +1,176 @@
+// Casts, rays and times of impact in the plane.
+#include "motion.h"
+
+#include <string.h>
+
+#include "exact/cast2.h"
+
+// How many poses on the way are looked at to check a time of impact.
+#define SAMPLES 64
+
+static bool is_ray(const case2_pair *pair) {
+  return pair->b.kind == CASE2_POINT && pair->b.convex_radius == 0 && !pair->a.moves;
+}
+
+static gjk_q16 tolerance_of(const motion_question *question) {
+  return question->tolerance > 0 ? question->tolerance : GJK2_IMPACT_TOLERANCE_MIN;
+}
+
+static gjk_status find_impact(const motion_question *question, const case2_pair *pair, const case2_collider *a,
+                              const case2_collider *b, gjk2_impact_result *out) {
+  const gjk2_motion motion_a = case2_motion(&pair->a), motion_b = case2_motion(&pair->b);
+  const gjk2_impact_setup setup = {.margin = question->margin, .tolerance = tolerance_of(question)};
+  return gjk2_time_of_impact(&a->collider, &motion_a, &b->collider, &motion_b, &setup, out);
+}
+
+void motion2_find(const motion_question *question, const case2_pair *pair, case2_collider *a, case2_collider *b,
+                  motion2_answer *answer) {
+  const gjk2_cast_path path = case2_path(pair, question->margin);
+  memset(answer, 0, sizeof *answer);
+  answer->refused = 'A';
+  answer->status = case2_collider_build(a, &pair->a, false);
+  if (answer->status == GJK_OK) {
+    answer->refused = 'B';
+    answer->status = case2_collider_build(b, &pair->b, false);
+  }
+  if (answer->status != GJK_OK) {
+    return;
+  }
+  answer->refused = 0;
+  switch (question->ask) {
+    case MOTION_RAY:
+      answer->is_no_ray = !is_ray(pair);
+      answer->status = answer->is_no_ray
+                           ? GJK_ERROR_UNSUPPORTED
+                           : gjk2_cast_ray(&a->collider, &pair->b.pose.position, &pair->b.end.position, &answer->cast);
+      break;
+    case MOTION_IMPACT: answer->status = find_impact(question, pair, a, b, &answer->impact); break;
+    default: answer->status = gjk2_cast(&a->collider, &b->collider, &path, &answer->cast); break;
+  }
+}
+
+static void print_vec(FILE *file, const char *name, const gjk2_vec *v) {
+  fprintf(file, " %s=%ld,%ld", name, (long)v->x, (long)v->y);
+}
+
+static void print_touch(FILE *file, const gjk2_vec *a, const gjk2_vec *b, const gjk2_unit *normal) {
+  print_vec(file, "a", a);
+  print_vec(file, "b", b);
+  fprintf(file, " normal=%ld,%ld", (long)normal->x, (long)normal->y);
+}
+
+static void print_cast(FILE *file, const case2_pair *pair, gjk_status status, const gjk2_cast_result *r) {
+  if (status == GJK_ERROR_ITERATION_LIMIT) {
+    fprintf(file, "%s open fraction=%ld", pair->id, (long)r->fraction);
+    print_vec(file, "at", &r->rest_b);
+  } else if (r->hit) {
+    fprintf(file, "%s hit fraction=%ld", pair->id, (long)r->fraction);
+    print_touch(file, &r->point_a, &r->point_b, &r->normal);
+    print_vec(file, "at", &r->rest_b);
+    if (pair->a.moves) {
+      print_vec(file, "a-at", &r->rest_a);
+    }
+  } else {
+    fprintf(file, "%s miss", pair->id);
+  }
+  fprintf(file, " iterations=%u%s", r->iterations, r->hit && r->saturated ? " saturated" : "");
+}
+
+static void print_impact(FILE *file, const case2_pair *pair, gjk_status status, const gjk2_impact_result *r) {
+  if (status == GJK_ERROR_ITERATION_LIMIT) {
+    fprintf(file, "%s open lower=%ld", pair->id, (long)r->lower);
+  } else if (r->hit) {
+    fprintf(file, "%s hit lower=%ld upper=%ld distance=%ld", pair->id, (long)r->lower, (long)r->upper,
+            (long)r->distance);
+    if (!r->overlap) {
+      print_touch(file, &r->point_a, &r->point_b, &r->normal);
+      print_vec(file, "at", &r->pose_b.position);
+    }
+  } else {
+    fprintf(file, "%s miss", pair->id);
+  }
+  fprintf(file, "%s iterations=%u", r->overlap ? " overlap" : "", r->iterations);
+}
+
+void motion2_print(FILE *file, const motion_question *question, const case2_pair *pair, const motion2_answer *answer) {
+  const bool open = answer->status == GJK_ERROR_ITERATION_LIMIT;
+  if (answer->refused != 0 || (answer->status != GJK_OK && !open)) {
+    motion_print_error(file, pair->id, answer->status, answer->refused, answer->is_no_ray);
+  } else if (question->ask == MOTION_IMPACT) {
+    print_impact(file, pair, answer->status, &answer->impact);
+  } else {
+    print_cast(file, pair, answer->status, &answer->cast);
+  }
+}
+
+// Proves a cast of polytopes by its certificate, and by the oracle where it has few enough vertices. A ray has the
+// certificate of its point's cast.
+static certify_verdict certify_cast(const motion_question *question, const case2_pair *pair, const gjk2_collider *a,
+                                    const gjk2_collider *b, const gjk2_cast_result *r, char why[CERTIFY_WHY_MAX]) {
+  static exact2_cast exact;
+  const gjk2_cast_path path = case2_path(pair, question->margin);
+  const gjk_status status = gjk2_check_cast(a, b, &path, r);
+  snprintf(why, CERTIFY_WHY_MAX, "the library's check: %s", gjk_status_name(status));
+  if (status != GJK_OK) {
+    return status == GJK_ERROR_UNSUPPORTED ? CERTIFY_UNCERTIFIED : CERTIFY_WRONG;
+  }
+  if (exact2_cast_set(a, b, &path, &exact)) {
+    return exact2_check_cast(&exact, r, why, CERTIFY_WHY_MAX) ? CERTIFY_PROVEN : CERTIFY_WRONG;
+  }
+  const bool round = a->shape->convex_radius != 0 || b->shape->convex_radius != 0 || path.margin != 0;
+  snprintf(why, CERTIFY_WHY_MAX, "a radius or margin: hit or miss is proven, the fraction is not");
+  return round && r->hit ? CERTIFY_UNCERTIFIED : CERTIFY_PROVEN;
+}
+
+// The gap at a fraction, by a distance query. False: there is none.
+static bool gap_at(const case2_pair *pair, case2_collider *a, case2_collider *b, gjk_q30 fraction,
+                   gjk2_distance_result *out) {
+  const gjk2_motion motion_a = case2_motion(&pair->a), motion_b = case2_motion(&pair->b);
+  gjk2_pose at_a, at_b;
+  return gjk2_motion_pose(&motion_a, fraction, &at_a) == GJK_OK &&
+         gjk2_motion_pose(&motion_b, fraction, &at_b) == GJK_OK && gjk2_collider_pose(&a->collider, &at_a) == GJK_OK &&
+         gjk2_collider_pose(&b->collider, &at_b) == GJK_OK &&
+         gjk2_distance(&a->collider, &b->collider, NULL, out) == GJK_OK;
+}
+
+// At upper the gap is as told; at fractions before lower it is above the margin, which it may equal when rounded.
+static certify_verdict certify_impact(const motion_question *question, const case2_pair *pair, case2_collider *a,
+                                      case2_collider *b, const gjk2_impact_result *r, char why[CERTIFY_WHY_MAX]) {
+  gjk2_distance_result gap;
+  if (r->lower < 0 || r->lower > r->upper || r->upper > GJK_Q30_ONE) {
+    snprintf(why, CERTIFY_WHY_MAX, "bounds out of order");
+    return CERTIFY_WRONG;
+  }
+  if (r->hit) {
+    const int64_t most = (int64_t)question->margin + (r->overlap ? 0 : tolerance_of(question));
+    if (!gap_at(pair, a, b, r->upper, &gap) || gap.distance != r->distance || gap.distance > most) {
+      snprintf(why, CERTIFY_WHY_MAX, "the gap at upper is %ld", (long)gap.distance);
+      return CERTIFY_WRONG;
+    }
+  }
+  for (int i = 0; i < SAMPLES; i++) {
+    const gjk_q30 fraction = (gjk_q30)((int64_t)r->lower * i / SAMPLES);
+    if (!r->overlap && r->lower > 0 &&
+        (!gap_at(pair, a, b, fraction, &gap) || gap.intersecting || gap.distance < question->margin)) {
+      snprintf(why, CERTIFY_WHY_MAX, "the gap at %ld, before lower, is %ld", (long)fraction, (long)gap.distance);
+      return CERTIFY_WRONG;
+    }
+  }
+  snprintf(why, CERTIFY_WHY_MAX, "times have no exact check; distances at %d fractions agree", SAMPLES);
+  return CERTIFY_UNCERTIFIED;
+}
+
+certify_verdict motion2_certify(const motion_question *question, const case2_pair *pair, case2_collider *a,
+                                case2_collider *b, const motion2_answer *answer, char why[CERTIFY_WHY_MAX]) {
+  const bool open = answer->status == GJK_ERROR_ITERATION_LIMIT;
+  if (answer->status != GJK_OK && !open) {
+    snprintf(why, CERTIFY_WHY_MAX, "no answer: %s", gjk_status_name(answer->status));
+    return answer->is_no_ray || answer->status == GJK_ERROR_RANGE ? CERTIFY_UNCERTIFIED : CERTIFY_WRONG;
+  }
+  if (open && question->ask != MOTION_IMPACT) {
+    snprintf(why, CERTIFY_WHY_MAX, "open");
+    return CERTIFY_UNCERTIFIED;
+  }
+  return question->ask == MOTION_IMPACT ? certify_impact(question, pair, a, b, &answer->impact, why)
+                                        : certify_cast(question, pair, &a->collider, &b->collider, &answer->cast, why);
+}
