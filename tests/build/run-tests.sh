@@ -73,6 +73,10 @@ for test in "$logs"/*.times; do
     }' "$test"
   rm "$test"
 done | sort -rn >"$logs/seconds"
+# What failed is said once more at the end, where a log that was cut short still shows it.
+for result in "$logs"/*.result; do
+  grep -q ' 0 failed' "$result" || { cat "$result"; tail -n 5 "${result%.result}.log" | sed 's/^/    /'; }
+done
 cat "$logs"/*.result | awk -v no_skip="${GJK_NO_SKIP:-0}" '
   {
     sub(/^[^:]*: /, "")
