@@ -220,7 +220,7 @@ build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flag
 
 # Casts whose answer is known. CAST_PEERS, out of BENCH_PEERS: bullet and fcl have casts.
 CAST_PEERS := $(filter bullet fcl,$(BENCH_PEERS))
-CASTS := $(patsubst %.c,build/hosted/%.o,$(filter-out %/main.c,$(wildcard tests/measure/cast/*.c))) \
+CAST_OBJECTS := $(patsubst %.c,build/hosted/%.o,$(filter-out %/main.c,$(wildcard tests/measure/cast/*.c))) \
   $(CAST_PEERS:%=build/hosted/tests/measure/cast/peer/%.o)
 
 build/hosted/tests/measure/cast/peer/%.o: tests/measure/cast/peer/%.cpp build/hosted/peers.flags Makefile
@@ -228,7 +228,7 @@ build/hosted/tests/measure/cast/peer/%.o: tests/measure/cast/peer/%.cpp build/ho
 	@echo '  $<'
 	@$(PEER_COMPILE) -c $< -o $@
 
-build/gjk-casts: tests/measure/cast/main.c $(CASTS) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
+build/gjk-casts: tests/measure/cast/main.c $(CAST_OBJECTS) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
 	@echo '  $@'
 	@$(HOSTED) $(if $(filter bullet,$(CAST_PEERS)),-DCAST_BULLET) $(if $(filter fcl,$(CAST_PEERS)),-DCAST_FCL) -c $< \
 	  -o build/hosted/tests/measure/cast/main.o

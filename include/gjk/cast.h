@@ -60,7 +60,8 @@ typedef struct gjk_cast_result {
 // Exact   points, segments, triangles, boxes, hulls and their forms with a convex radius: hit or miss.
 //           without radius and margin   always; the fraction is the exact quotient, rounded down
 //           with one                    where way and shapes together are shorter than 16380 units (|way| plus twice both
-//                                       core radii) and one has less than 32768 vertices; else at a gap within 2 LSB of the
+//                                       core radii), centres are at most 16384 units apart at the start and at the middle of
+//                                       the way, and one has less than 32768 vertices; else at a gap within 2 LSB of the
 //                                       margin. No contact before fraction; the gap there is at most 2 LSB above the margin
 //         Cylinder, cone, ellipsoid, custom: as gjk_within decides at a gap within 2 LSB of the margin; the gap at
 //         fraction at most 4 LSB above it.
@@ -92,8 +93,9 @@ gjk_status gjk_cast_ray(const gjk_collider *a, const gjk_vec3 *from, const gjk_v
 // With a radius or margin it proves hit or miss, and whether it is at the start, by decisions of its own; without, every
 // field but iterations, of an answer as gjk_cast gives it.
 //
-// Statuses  UNPROVEN: the certificate does not hold, or does not prove the result. UNSUPPORTED: curved shapes, and ways
-//           too long for an exact decision. NULL, UNINITIALISED, NEGATIVE, RANGE as of gjk_cast.
+// Statuses  UNPROVEN: the certificate does not hold, or does not prove the result. UNSUPPORTED: curved shapes; with a
+//           radius or margin, ways and centres for which no decision is exact, as above. NULL, UNINITIALISED, NEGATIVE,
+//           RANGE as of gjk_cast.
 // Cost      visits every vertex of both shapes once or twice.
 gjk_status gjk_check_cast(const gjk_collider *a, const gjk_collider *b, const gjk_cast_path *path,
                           const gjk_cast_result *result);

@@ -37,7 +37,7 @@ typedef struct gjk2_slide_result {
   bool on_ground;
   gjk2_slide_plane ground;  // set if on_ground
   bool stepped;             // it climbed a step
-  bool stuck;               // it overlaps something from the start, and was not moved
+  bool stuck;               // it overlaps something from the start, and was not moved; after ITERATION_LIMIT, or may
   uint8_t casts;            // how many it took
 } gjk2_slide_result;
 

@@ -73,18 +73,22 @@ static bool same_report(const gjk_cast_result *r, const gjk_cast_result *s) {
          (r->inside || (same_vector(&r->point_a, &s->point_a) && same_vector(&r->point_b, &s->point_b)));
 }
 
-// Is it proven that the shapes are within the margin of each other, or that they are not?
-static bool is_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, bool within) {
+// OK: it is proven that the shapes are within the margin of each other, or that they are not. UNSUPPORTED: they are too far
+// apart for an exact decision. Pre: both are polytopes, so that gjk_within has an answer.
+static gjk_status prove_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, bool within) {
   gjk_decision decision;
-  return gjk_within(a, b, margin, NULL, &decision) == GJK_OK && decision.yes == within &&
-         gjk_check_decision(a, b, margin, &decision) == GJK_OK;
+  (void)gjk_within(a, b, margin, NULL, &decision);
+  const gjk_status status = gjk_check_decision(a, b, margin, &decision);
+  return status == GJK_OK && decision.yes != within ? GJK_ERROR_UNPROVEN : status;
 }
 
-static bool is_start(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, const gjk_cast_result *result) {
+static gjk_status prove_start(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin,
+                              const gjk_cast_result *result) {
   gjk_cast_result start;
   gjk_cast_report_start(a, b, &start);
-  return result->certificate.proof != GJK_CAST_PROOF_NONE && same_report(result, &start) &&
-         is_within(a, b, margin, true);
+  return result->certificate.proof != GJK_CAST_PROOF_NONE && same_report(result, &start)
+             ? prove_within(a, b, margin, true)
+             : GJK_ERROR_UNPROVEN;
 }
 
 // Steps 2 and 3.
@@ -93,7 +97,7 @@ static bool is_proven(const gjk_collider *a, const gjk_collider *b, const gjk_wa
   gjk_portal p;
   gjk_cast_result entry;
   if (result->hit && result->inside) {
-    return c->proof == GJK_CAST_PROOF_INSIDE && is_start(a, b, 0, result);
+    return c->proof == GJK_CAST_PROOF_INSIDE && prove_start(a, b, 0, result) == GJK_OK;
   }
   gjk_portal_start(&p, a, b, way);
   if (c->count > 3 || ((c->proof == GJK_CAST_PROOF_BESIDE || c->count < 3) && !is_small(&c->direction))) {
@@ -122,14 +126,14 @@ static gjk_status check_rounded(const gjk_collider *a, const gjk_collider *b, co
   if (!gjk_swept_set(&swept, a, b, way)) {
     return GJK_ERROR_UNSUPPORTED;
   }
-  if (!is_within(&swept.still, &swept.swept, margin, result->hit)) {
+  if (result->hit && (result->fraction < 0 || result->fraction > GJK_Q30_ONE)) {
     return GJK_ERROR_UNPROVEN;
   }
-  if (result->hit) {
-    const bool proven = result->inside ? is_start(a, b, margin, result) : is_within(a, b, margin, false);
-    return proven && result->fraction >= 0 && result->fraction <= GJK_Q30_ONE ? GJK_OK : GJK_ERROR_UNPROVEN;
+  const gjk_status status = prove_within(&swept.still, &swept.swept, margin, result->hit);
+  if (status != GJK_OK || !result->hit) {
+    return status;
   }
-  return GJK_OK;
+  return result->inside ? prove_start(a, b, margin, result) : prove_within(a, b, margin, false);
 }
 
 gjk_status gjk_check_cast(const gjk_collider *a, const gjk_collider *b, const gjk_cast_path *path,

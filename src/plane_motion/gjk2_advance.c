@@ -23,7 +23,9 @@
 #include "gjk2/intersect.h"
 #include "gjk2_cast_report.h"
 
-#define PLANE_ADVANCE_ROUNDS 72
+#ifndef GJK2_ADVANCE_ROUNDS_MAX
+#define GJK2_ADVANCE_ROUNDS_MAX 72
+#endif
 
 // Supports of curved shapes are up to 2 LSB below the true ones.
 #define PLANE_CURVED_SLACK 2
@@ -395,7 +397,7 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out) {
     s.fraction = plane_advance_reach(&s);
   }
   bool measured = early;
-  for (int i = 0; i < PLANE_ADVANCE_ROUNDS; i++) {
+  for (int i = 0; i < GJK2_ADVANCE_ROUNDS_MAX; i++) {
     gjk2_bound bound;
     if (!measured) {
       (void)plane_advance_is_near(&s, s.fraction);

@@ -81,7 +81,7 @@ END {
   printf "%-24s", ""
   for (p = 1; p <= programs; p++) printf "%11s", title[p]
   printf "\n"
-  rooms = split("scene query contact depth gjk place shape arith", order, " ")
+  rooms = split("scene motion query contact depth gjk place shape arith", order, " ")
   for (r = 1; r <= rooms; r++) {
     used = 0
     for (p = 1; p <= programs; p++) used += numbers[p] = of_room[order[r], p]

@@ -71,12 +71,15 @@ echo 'what a program links for Cortex-M3 at -Os, bytes by room and file; what is
   linked '+ posing' -DSIZE_BOXES -DSIZE_POSED
   linked 'distance' -DSIZE_POSED
   linked '+ depth' -DSIZE_POSED -DSIZE_DEPTH
+  linked '+ cast' -DSIZE_POSED -DSIZE_CAST
+  linked '+ impact' -DSIZE_POSED -DSIZE_IMPACT
   linked 'scene' -DSIZE_SCENE
 } >"$build/linked/programs"
 awk -f tests/build/sizes-parts.awk src/README.md src/*/*.c "$build/linked/programs"
 echo
 echo '  intersect  gjk_intersect on boxes and rounded boxes; + posing: gjk_collider_init and gjk_collider_pose as well'
-echo '  distance   gjk_distance on boxes, hulls and their rounded forms, with posing; + depth: gjk_penetration as well'
+echo '  distance   gjk_distance on boxes, hulls and their rounded forms, with posing; + depth: gjk_penetration as well,'
+echo '             + cast, + impact: gjk_cast and gjk_time_of_impact instead'
 echo '  scene      a scene of boxes and spheres with contacts'
 
 for query in gjk_intersect gjk_distance gjk_penetration; do

@@ -1,8 +1,8 @@
 #!/bin/sh
-# The host's library with another value of a macro: variant.sh FOLDER -DNAME=VALUE leaves its objects in FOLDER. Those of
-# sources that the macro does not change are those of build/host.
+# The host's library with other values of macros: variant.sh FOLDER -DNAME=VALUE... leaves its objects in FOLDER. Those of
+# sources that the macros do not change are those of build/host.
 folder=$1
-macro=$2
+shift
 compiler="${CC:-cc} -std=c99 -O2 -ffreestanding -Iinclude -Iport"
 port='-DGJK_PORT_HEADER="hosted/gjk_port.h"'
 
@@ -18,10 +18,10 @@ read_source() {
 
 for source in src/*/*.c; do
   unit=$(basename "$source" .c)
-  if [ "$(read_source "$source")" = "$(read_source "$source" "$macro")" ]; then
+  if [ "$(read_source "$source")" = "$(read_source "$source" "$@")" ]; then
     cp "build/host/$unit.o" "$folder"
   else
-    $compiler "$port" "$macro" -c "$source" -o "$folder/$unit.o" || exit 1
+    $compiler "$port" "$@" -c "$source" -o "$folder/$unit.o" || exit 1
   fi
 done
 echo "$key" >"$folder/key"

@@ -342,7 +342,7 @@ static void test_lengths(void) {
 static void test_large_margins(void) {
   random_state random = random_seed(check_seed(SEED) + 3);
   const gjk_shape ball = GJK_SPHERE(1000), box = GJK_BOX(2000, 100000000, 3);
-  unsigned long hits = 0;
+  unsigned long hits = 0, proven = 0, unsupported = 0;
   long double worst = 0;
   const unsigned long trials = check_trials(5000);
   for (unsigned long i = 0; i < trials; i++) {
@@ -354,6 +354,14 @@ static void test_large_margins(void) {
     const gjk_cast_path path = {NULL, &to, margin};
     gjk_cast_result r;
     CHECK(gjk_cast(&a, &b, &path, &r) == GJK_OK);
+    const gjk_status checked = gjk_check_cast(&a, &b, &path, &r);
+    CHECK(checked == GJK_OK || checked == GJK_ERROR_UNSUPPORTED);
+    (*(checked == GJK_OK ? &proven : &unsupported))++;
+    gjk_cast_result wrong = r;
+    wrong.hit = !r.hit;
+    wrong.inside = false;
+    wrong.fraction = GJK_Q30_ONE / 2;
+    CHECK(gjk_check_cast(&a, &b, &path, &wrong) != GJK_OK);
     if (!r.hit || r.inside) {
       continue;
     }
@@ -372,6 +380,7 @@ static void test_large_margins(void) {
   }
   printf("large margins: %lu hits, at most 2 LSB and %.3Lf 2^-24 too far\n", hits, ldexpl(worst, 24));
   CHECK(hits > trials / 20 && worst <= ldexpl(1, -24));
+  CHECK_MSG(proven > trials / 10 && unsupported > trials / 10, "%lu proven, %lu unsupported", proven, unsupported);
 }
 
 // A pair of any shapes and a way towards each other.

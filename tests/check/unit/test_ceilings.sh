@@ -1,6 +1,7 @@
 #!/bin/sh
 # Caches, history, skipped tests and saves never change an answer, also where no answer is found. Runs all tests of
-# scenes, saves and lockstep with ceilings of 1, 2, 3 and 10 iterations, and in workspaces of 0 to 60 cells.
+# scenes, saves and lockstep with ceilings of 1, 2, 3 and 10 iterations, and in workspaces of 0 to 60 cells. Then with such
+# ceilings on casts alone: their scans and rounds.
 # test_ceilings.sh BUILD
 . tests/build/count.sh
 . tests/build/golden.sh
@@ -42,5 +43,46 @@ for setting in 1:0 2:20 3:40 10:60; do
     check "$(basename "$source" .c), iterations and cells $setting" run ${setting%:*} ${setting#*:} "$source"
   done
   check "saves and restores, iterations and cells $setting" run ${setting%:*} ${setting#*:} tests/check/soak_scene/main.c 8000
+done
+
+# casts CEILING: the library with that ceiling on scans and rounds of casts, and the test of casts under ceilings
+casts() {
+  objects=build/host-casts-$1
+  sh tests/build/variant.sh "$objects" "-DGJK_CAST_ITERATIONS_MAX=$1" "-DGJK_ADVANCE_ROUNDS_MAX=$1" "-DGJK2_ADVANCE_ROUNDS_MAX=$1" &&
+    answer_casts "$1" "$objects"
+}
+
+# answer_casts NAME FOLDER: leaves what the test of casts prints with the library there
+answer_casts() {
+  # shellcheck disable=SC2086
+  mkdir -p "$dir/casts-$1" && ${CC:-cc} $flags tests/check/limit/casts.c $support "$2"/gjk*.o -lm -lpthread -o "$dir/casts-$1/casts" &&
+    { "$dir/casts-$1/casts" >"$dir/casts-$1.txt" || { grep failed "$dir/casts-$1.txt"; return 1; }; }
+}
+
+# as_usual CEILING: its answers are the usual ones; open casts are bounded. 10 leave few kinds of casts open.
+as_usual() {
+  awk -v least=$(($1 < 10 ? 25 : 5)) -f tests/check/limit/casts.awk "$dir/casts-usual.txt" "$dir/casts-$1.txt"
+}
+
+# run_open CEILING SOURCE: a test of scenes with the library of casts
+run_open() {
+  program=$dir/casts-$1/$(basename "$2" .c)
+  # shellcheck disable=SC2086
+  ${CC:-cc} $flags -DCEILINGS_OPEN_CASTS=1 "$2" tests/support/scene/world.c tests/support/scene/plane_world.c \
+    $(echo "$support" | tr ' ' '\n' | grep -v world.o) "build/host-casts-$1"/gjk*.o -lm -lpthread -o "$program" && "$program"
+}
+
+support=$(make -s print-SUPPORT)
+check 'the usual ceilings of casts' answer_casts usual build/host
+for ceiling in 1 2 3 10; do
+  check "casts, $ceiling scans and rounds" casts $ceiling
+  check "casts, $ceiling scans and rounds: no other answer" as_usual $ceiling
+done
+for ceiling in 1 3; do
+  for name in motion fast bullets slide; do
+    check "test_scene_$name, $ceiling scans and rounds" run_open $ceiling "tests/check/unit/test_scene_$name.c"
+    check "test_plane_scene_$name, $ceiling scans and rounds" run_open $ceiling "tests/check/unit/test_plane_scene_$name.c"
+  done
+  check "histories, $ceiling scans and rounds" run_open $ceiling tests/check/unit/test_history.c
 done
 finish ceilings

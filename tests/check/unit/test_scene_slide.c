@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ceilings.h"
 #include "check.h"
 #include "random.h"
 
@@ -215,10 +216,11 @@ static void check_walks(random_state *random) {
     to.y += way.y;
     gjk_slide_result r, again;
     const gjk_status status = gjk_slide(&scene, &c, &to, &setup, &r);
-    CHECK(status == GJK_OK);
-    CHECK(gjk_slide(&scene, &c, &to, &setup, &again) == GJK_OK);
+    CHECK(status == GJK_OK || (status == GJK_ERROR_ITERATION_LIMIT && CEILINGS_OPEN_CASTS));
+    CHECK(gjk_slide(&scene, &c, &to, &setup, &again) == status);
     CHECK(memcmp(&r.position, &again.position, sizeof r.position) == 0 && r.casts == again.casts);
-    CHECK(!r.stuck && r.casts <= GJK_SLIDE_CASTS && r.count <= GJK_SLIDE_PLANES);
+    CHECK(!r.stuck || status != GJK_OK);
+    CHECK(r.casts <= GJK_SLIDE_CASTS && r.count <= GJK_SLIDE_PLANES);
     most_casts = r.casts > most_casts ? r.casts : most_casts;
     CHECK(gjk_collider_move(&c, &r.position) == GJK_OK);
     CHECK_MSG(!touches(&c, 0), "walk %d ends in something", i);
@@ -278,14 +280,16 @@ static void check_statuses(void) {
 int main(void) {
   random_state random = random_seed(check_seed(SEED));
   check_statuses();
-  check_floor(&robot, ONE / 3, ONE / 2);
-  check_floor(&man, GJK_Q16(0.3), GJK_Q16(0.8));
+  if (!CEILINGS_OPEN_CASTS) {
+    check_floor(&robot, ONE / 3, ONE / 2);
+    check_floor(&man, GJK_Q16(0.3), GJK_Q16(0.8));
+  }
   for (unsigned i = 0; i < ROOMS; i++) {
     check_trial(i, NULL, NULL);
     check_walks(&random);
   }
   printf("%lu slid, %lu along more than one, %lu stood, %lu climbed, %lu free, %lu rooms full; at most %u casts\n",
          slid, blocked, stood, climbed, free_walks, stuck_count, most_casts);
-  CHECK(slid > 300 && blocked > 50 && stood > 200 && climbed > 5 && free_walks > 100);
+  CHECK((slid > 300 && blocked > 50 && stood > 200 && climbed > 5 && free_walks > 100) || CEILINGS_OPEN_CASTS);
   return check_done(TEST_NAME);
 }

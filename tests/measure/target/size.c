@@ -1,7 +1,8 @@
 // The smallest programs with the library, whose linked sizes are figures to keep: what to link is chosen by macros.
 //   SIZE_BOXES   gjk_intersect on boxes; else gjk_distance on hulls, boxes and their rounded forms
 //   SIZE_DEPTH, SIZE_CONTACTS  gjk_penetration, gjk_contacts on these as well
-//   SIZE_IMPACT  gjk_time_of_impact on these as well
+//   SIZE_CAST, SIZE_IMPACT     gjk_cast, gjk_time_of_impact on these as well
+//   SIZE_RAY     gjk_cast_ray on these, without gjk_distance
 //   SIZE_CURVED  gjk_distance on cylinders, cones and ellipsoids as well
 //   SIZE_POSED   initialises and poses the colliders, too
 //   SIZE_SCENE   instead of all that: a scene with contacts, of boxes and spheres
@@ -44,6 +45,12 @@ void size_main(void) {
 #else
 
 gjk_collider size_a, size_b;
+
+#if defined(SIZE_CAST) || defined(SIZE_RAY)
+static const gjk_vec3 size_to;
+const gjk_cast_path size_path = {&size_to, &size_to, 0};
+gjk_cast_result size_cast;
+#endif
 
 #ifdef SIZE_IMPACT
 gjk_motion size_motion;
@@ -94,8 +101,13 @@ void size_main(void) {
 #endif
 #ifdef SIZE_BOXES
   gjk_intersect(&size_a, &size_b, NULL, &size_answer);
+#elif defined(SIZE_RAY)
+  gjk_cast_ray(&size_a, &size_to, &size_to, &size_cast);
 #else
   gjk_distance(&size_a, &size_b, NULL, &size_answer);
+#endif
+#ifdef SIZE_CAST
+  gjk_cast(&size_a, &size_b, &size_path, &size_cast);
 #endif
 #if defined(SIZE_DEPTH) || defined(SIZE_CONTACTS)
   size_workspace.cells = size_cells;

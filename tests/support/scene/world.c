@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ceilings.h"
+
 // A file of the plane has included the plane's.
 #ifndef WORLD_OF_PLANE
 #include "world_space.h"
@@ -13,7 +15,7 @@ gjk_manifold world_manifolds[WORLD_REPORTS];
 world_tally world_expected;
 
 bool world_is_tight(void) {
-  return GJK_ITERATIONS_MAX < 100 || world_cells() < WORLD_CELLS;
+  return GJK_ITERATIONS_MAX < 100 || CEILINGS_OPEN_CASTS || world_cells() < WORLD_CELLS;
 }
 
 gjk_scene_config world_config(const world_options *options) {

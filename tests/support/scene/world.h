@@ -72,7 +72,7 @@ extern gjk_manifold world_manifolds[WORLD_REPORTS];
 // How many cells of the workspace depths may use: WORLD_CELLS, or GJK_TEST_CELLS from the environment.
 uint32_t world_cells(void);
 
-// May queries stay unsettled, since GJK_ITERATIONS_MAX is lower than usual or the cells are few?
+// May queries stay unsettled, since a ceiling is lower than usual or the cells are few?
 bool world_is_tight(void);
 
 // The configuration of the scene for options.
