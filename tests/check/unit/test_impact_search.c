@@ -1,0 +1,326 @@
+// Times of impact of long thin bodies that graze, turn several times or move fast, against a search of the whole way with
+// proven bounds: between two fractions a gap can change by no more than the bodies' farthest points move.
+//
+//   test_impact_search [SEED [TRIALS]]
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "gjk/cast.h"
+#include "gjk/distance.h"
+#include "gjk/impact.h"
+#include "reference/random_shape.h"
+
+#define SEED 6120
+#define TRIALS 1500
+
+// The most distances of one search.
+#define MEASUREMENTS 20000
+
+#define ONE GJK_Q30_ONE
+
+typedef struct trial {
+  case_pair pair;
+  gjk_motion motion[2];
+  gjk_impact_setup setup;
+  unsigned family;
+} trial;
+
+static case_collider of_a, of_b;
+
+static void show(const void *subject) {
+  const trial *t = (const trial *)subject;
+  case_show(&t->pair);
+  for (int i = 0; i < 2; i++) {
+    const gjk_motion *m = &t->motion[i];
+    printf("%c to %d %d %d turn-to %d %d %d %d spin %d %d %d\n", 'A' + i, (int)m->to.position.x, (int)m->to.position.y,
+           (int)m->to.position.z, (int)m->to.rotation.x, (int)m->to.rotation.y, (int)m->to.rotation.z,
+           (int)m->to.rotation.w, (int)m->spin.x, (int)m->spin.y, (int)m->spin.z);
+  }
+  printf("family %u margin %d tolerance %d\n", t->family, (int)t->setup.margin, (int)t->setup.tolerance);
+}
+
+static double length_of(double x, double y, double z) {
+  return sqrt(x * x + y * y + z * z);
+}
+
+// Of the farthest point, from the pose's position, LSB.
+static double reach_of(const gjk_collider *c) {
+  return length_of(c->local_centre.x, c->local_centre.y, c->local_centre.z) + c->radius + 2;
+}
+
+// The angle over the whole way, radians, rounded up.
+static double angle_of(const gjk_motion *m) {
+  if ((m->spin.x | m->spin.y | m->spin.z) != 0) {
+    return length_of(m->spin.x, m->spin.y, m->spin.z) / 65536 * (1 + 1e-9);
+  }
+  const gjk_quat *p = &m->from.rotation, *q = &m->to.rotation;
+  const double dot = fabs((double)p->x * q->x + (double)p->y * q->y + (double)p->z * q->z + (double)p->w * q->w) /
+                     (double)(UINT64_C(1) << 60);
+  return 2 * acos(dot < 1 ? dot : 1) + 1e-4;
+}
+
+// How far the gap can change on the whole way, LSB.
+static double speed_of(const trial *t) {
+  const gjk_vec3 *p = &t->motion[0].from.position, *q = &t->motion[0].to.position, *u = &t->motion[1].from.position,
+                 *v = &t->motion[1].to.position;
+  return length_of(((double)v->x - u->x) - ((double)q->x - p->x), ((double)v->y - u->y) - ((double)q->y - p->y),
+                   ((double)v->z - u->z) - ((double)q->z - p->z)) +
+         angle_of(&t->motion[0]) * reach_of(&of_a.collider) + angle_of(&t->motion[1]) * reach_of(&of_b.collider);
+}
+
+// What posing may have added to a gap, LSB.
+static double rounding_of(void) {
+  return 5 + ldexp(reach_of(&of_a.collider) + reach_of(&of_b.collider), -24);
+}
+
+static gjk_distance_result gap_at(const trial *t, gjk_q30 fraction) {
+  gjk_collider *c[2] = {&of_a.collider, &of_b.collider};
+  gjk_distance_result gap = {0};
+  for (int i = 0; i < 2; i++) {
+    gjk_pose pose;
+    CHECK(gjk_motion_pose(&t->motion[i], fraction, &pose) == GJK_OK && gjk_collider_pose(c[i], &pose) == GJK_OK);
+  }
+  CHECK(gjk_distance(c[0], c[1], NULL, &gap) == GJK_OK);
+  return gap;
+}
+
+typedef enum outcome { CLEAR, OPEN, TOUCHED } outcome;
+
+typedef struct interval {
+  gjk_q30 from, to;
+  int64_t gap_from, gap_to;
+} interval;
+
+// Is the gap above margin at all fractions from 0 to limit? Measured ones must be exactly, before limit; others but for
+// what posing rounds. OPEN: too many distances.
+static outcome search(const trial *t, gjk_q30 limit, gjk_q16 margin, unsigned *measured) {
+  interval stack[40];
+  const double speed = speed_of(t) / ONE, rounding = rounding_of();
+  int depth = 1;
+  *measured = 2;
+  const interval whole = {0, limit, gap_at(t, 0).distance, gap_at(t, limit).distance};
+  if (limit == 0) {
+    return CLEAR;
+  }
+  if (whole.gap_from <= margin) {
+    return TOUCHED;
+  }
+  stack[0] = whole;
+  while (depth > 0) {
+    const interval now = stack[--depth];
+    const double least = ((double)(now.gap_from + now.gap_to) - speed * ((double)now.to - now.from)) / 2;
+    if (least > margin - rounding || now.to - now.from <= 1) {
+      continue;
+    }
+    if (++*measured > MEASUREMENTS) {
+      return OPEN;
+    }
+    const gjk_q30 middle = now.from + (now.to - now.from) / 2;
+    const int64_t gap = gap_at(t, middle).distance;
+    if (gap <= margin) {
+      return TOUCHED;
+    }
+    const interval left = {now.from, middle, now.gap_from, gap}, right = {middle, now.to, gap, now.gap_to};
+    stack[depth++] = right;  // at most 30 deep
+    stack[depth++] = left;
+  }
+  return CLEAR;
+}
+
+static gjk_vec3 scaled(gjk_vec3 v, int32_t times) {
+  const gjk_vec3 w = {v.x * times, v.y * times, v.z * times};
+  return w;
+}
+
+static gjk_vec3 sum(gjk_vec3 a, gjk_vec3 b) {
+  const gjk_vec3 v = {a.x + b.x, a.y + b.y, a.z + b.z};
+  return v;
+}
+
+// A long thin body: a segment, a box or a hull, up to 100,000 times as long as thick, with its middle or an end at the
+// pose's position.
+static void make_thin(random_state *random, gjk_q16 half, case_shape *out) {
+  const gjk_q16 thick = random_range(random, 1, 1 + (half >> (2 + random_below(random, 15))));
+  case_shape_reset(out);
+  switch (random_below(random, 3)) {
+    case 0:
+      out->kind = CASE_SEGMENT;
+      out->size.z = half;
+      out->convex_radius = random_below(random, 2) == 0 ? 0 : thick;
+      break;
+    case 1:
+      out->kind = CASE_BOX;
+      out->size.x = half;
+      out->size.y = thick;
+      out->size.z = random_below(random, 2) == 0 ? thick : half / 2;
+      break;
+    default:
+      out->kind = CASE_HULL;
+      case_shape_set_count(out, 6);
+      for (int i = 0; i < 6; i++) {
+        const gjk_vec3 end = {i < 3 ? 0 : 2 * half, random_range(random, -thick, thick),
+                              random_range(random, -thick, thick)};
+        out->vertices[i] = end;
+      }
+  }
+  out->pose.rotation = random_rotation(random);
+}
+
+enum { NEEDLES, GRAZING, TURNING, FAST, STRAIGHT, FAMILIES };
+
+static void make_motions(random_state *random, trial *t, gjk_q16 half) {
+  const gjk_vec3 none = {0, 0, 0};
+  const bool fast = t->family == FAST;
+  for (int i = 0; i < 2; i++) {
+    gjk_motion *m = &t->motion[i];
+    const case_shape *s = i == 0 ? &t->pair.a : &t->pair.b;
+    m->from = m->to = s->pose;
+    m->spin = none;
+    if (t->family == STRAIGHT) {
+      continue;
+    }
+    const uint32_t how = random_below(random, 4);
+    if (how == 0) {
+      m->to.rotation = random_rotation(random);
+    } else if (how < 3 || t->family == TURNING) {
+      m->spin = random_vector(random, 65536 * (how == 1 ? 3.0 : 40.0) * random_unit(random));
+    }
+  }
+  gjk_pose *from = &t->motion[1].from, *to = &t->motion[1].to;
+  const gjk_vec3 away = random_vector(random, half * (0.3 + 2.5 * random_unit(random)));
+  from->position = to->position = away;
+  if (t->family != TURNING) {
+    const gjk_vec3 aim = random_vector(random, half * random_unit(random));
+    const gjk_vec3 there = sum(aim, scaled(away, -1));
+    to->position = fast ? sum(aim, scaled(away, -(1 + (int32_t)random_below(random, 20)))) : there;
+  }
+  t->pair.b.pose.position = from->position;
+}
+
+// Of a grazing pair the margin is about the least gap on the way.
+static void choose_margin(random_state *random, trial *t) {
+  t->setup.iterations = 0;
+  t->setup.tolerance =
+      (gjk_q16)(GJK_IMPACT_TOLERANCE_MIN + ldexp(reach_of(&of_a.collider) + reach_of(&of_b.collider), -23));
+  t->setup.margin = random_below(random, 2) == 0 ? 0 : random_range(random, 0, 2000);
+  if (t->family == GRAZING) {
+    int64_t least = INT64_MAX;
+    for (int i = 0; i <= 400; i++) {
+      const int64_t gap = gap_at(t, (gjk_q30)((int64_t)ONE * i / 400)).distance;
+      least = gap < least ? gap : least;
+    }
+    least += random_range(random, -40, 10);
+    t->setup.margin = least < 0 ? 0 : least > GJK_IMPACT_MARGIN_MAX ? GJK_IMPACT_MARGIN_MAX : (gjk_q16)least;
+  }
+}
+
+static bool make(random_state *random, trial *t) {
+  const gjk_q16 half = 1 << (9 + random_below(random, 15));
+  const gjk_q16 other = random_below(random, 3) == 0 ? half / 64 + 1 : half;
+  t->family = random_below(random, FAMILIES);
+  make_thin(random, half, &t->pair.a);
+  make_thin(random, other, &t->pair.b);
+  make_motions(random, t, half);
+  if (case_collider_build(&of_a, &t->pair.a, true) != GJK_OK ||
+      case_collider_build(&of_b, &t->pair.b, true) != GJK_OK) {
+    return false;
+  }
+  choose_margin(random, t);
+  return true;
+}
+
+static struct {
+  unsigned long made[FAMILIES], hits[FAMILIES], misses[FAMILIES], limits[FAMILIES];
+  unsigned long overlaps, proven, open, measured, cut, useful, casts;
+} tally;
+
+// Without turns a cast knows whether they touch.
+static void check_cast(const trial *t, const gjk_impact_result *r, gjk_status status) {
+  const gjk_cast_path path = {&t->motion[0].to.position, &t->motion[1].to.position, t->setup.margin};
+  gjk_cast_result cast;
+  (void)gap_at(t, 0);
+  CHECK(gjk_cast(&of_a.collider, &of_b.collider, &path, &cast) == GJK_OK);
+  CHECK(!cast.hit || status != GJK_OK || r->hit);
+  tally.casts += cast.hit;
+}
+
+static void check_ceilings(const trial *t, const gjk_impact_result *full, gjk_status status) {
+  static const uint8_t ceilings[] = {1, 2, 3, 10};
+  gjk_q30 lower = 0;
+  for (unsigned i = 0; i < sizeof ceilings; i++) {
+    gjk_impact_setup setup = t->setup;
+    gjk_impact_result r;
+    setup.iterations = ceilings[i];
+    const gjk_status limited =
+        gjk_time_of_impact(&of_a.collider, &t->motion[0], &of_b.collider, &t->motion[1], &setup, &r);
+    if (full->iterations <= ceilings[i]) {
+      CHECK(limited == status && r.hit == full->hit && r.lower == full->lower && r.upper == full->upper);
+    } else {
+      tally.cut++;
+      tally.useful += r.lower > 0;
+      CHECK(limited == GJK_ERROR_ITERATION_LIMIT && !r.hit && !r.overlap && r.upper == ONE);
+      CHECK(r.lower >= lower && r.lower <= full->lower);
+    }
+    lower = r.lower;
+  }
+}
+
+static void check(const trial *t) {
+  gjk_impact_result r;
+  unsigned measured;
+  const gjk_status status =
+      gjk_time_of_impact(&of_a.collider, &t->motion[0], &of_b.collider, &t->motion[1], &t->setup, &r);
+  CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);
+  tally.made[t->family]++;
+  if (r.overlap) {
+    tally.overlaps++;
+    CHECK(r.hit && gap_at(t, 0).distance <= t->setup.margin);
+    return;
+  }
+  tally.hits[t->family] += r.hit;
+  tally.misses[t->family] += status == GJK_OK && !r.hit;
+  tally.limits[t->family] += status != GJK_OK;
+  CHECK(r.hit || r.upper == ONE);
+  CHECK(status != GJK_OK || r.hit || r.lower == ONE);
+  if (r.hit) {
+    const gjk_distance_result gap = gap_at(t, r.upper);
+    CHECK_MSG(gap.distance <= (int64_t)t->setup.margin + t->setup.tolerance, "gap %ld at upper", (long)gap.distance);
+  }
+  const outcome found = search(t, r.lower, t->setup.margin, &measured);
+  CHECK_MSG(found != TOUCHED, "contact before %ld", (long)r.lower);
+  tally.proven += found == CLEAR;
+  tally.open += found == OPEN;
+  tally.measured += measured;
+  check_ceilings(t, &r, status);
+  if (t->family == STRAIGHT) {
+    check_cast(t, &r, status);
+  }
+}
+
+int main(int argc, char **argv) {
+  random_state random = random_seed(argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(SEED));
+  const unsigned long trials = argc > 2 ? strtoul(argv[2], NULL, 10) : check_trials(TRIALS);
+  static const char *const names[FAMILIES] = {"needles", "grazing", "turning", "fast", "straight"};
+  static trial t;
+  for (unsigned long i = 0; i < trials; i++) {
+    check_trial(i, show, &t);
+    if (make(&random, &t)) {
+      check(&t);
+    }
+  }
+  check_trial(trials, NULL, NULL);
+  for (unsigned i = 0; i < FAMILIES; i++) {
+    printf("%-9s %lu: %lu hits, %lu misses, %lu at the ceiling\n", names[i], tally.made[i], tally.hits[i],
+           tally.misses[i], tally.limits[i]);
+    CHECK(trials < 500 || (tally.made[i] > trials / 10 && tally.hits[i] > 10 && tally.misses[i] > 10));
+  }
+  printf("%lu overlaps, %lu proven clear, %lu not, %lu distances; %lu cut short, %lu of them above 0\n", tally.overlaps,
+         tally.proven, tally.open, tally.measured, tally.cut, tally.useful);
+  CHECK(tally.proven > tally.open * 10);
+  CHECK(tally.useful > tally.cut / 2 && tally.casts > trials / 100);
+  case_pair_free(&t.pair);
+  case_collider_free(&of_a);
+  case_collider_free(&of_b);
+  return check_done("impact_search");
+}
