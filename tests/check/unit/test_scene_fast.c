@@ -51,8 +51,8 @@ int main(void) {
   }
   printf("%lu updates, %lu restores, %lu impacts, %lu of parts that turn, %lu touch at the start\n", s.updates,
          s.restores, world_expected.impacts, world_expected.turning, world_expected.starts);
-  CHECK(s.updates > 400 && s.restores > 100);
+  CHECK((s.updates > 400 && s.restores > 100) || !check_is_full());
   CHECK((world_expected.impacts > 500 && world_expected.turning > 100 && world_expected.starts > 100) ||
-        world_is_tight());
+        world_is_tight() || !check_is_full());
   return check_done(TEST_NAME);
 }

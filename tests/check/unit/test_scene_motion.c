@@ -306,8 +306,8 @@ int main(void) {
   }
   printf("rays %lu, casts %lu, within %lu; missed %lu, filtered %lu, open %lu\n", found_by_rays, found_by_casts,
          found_within, missed, filtered, open_queries);
-  CHECK(missed > 1000 && filtered > 100);
-  CHECK((found_by_rays > 100 && found_by_casts > 100 && found_within > 50) || world_is_tight());
+  CHECK((missed > 1000 && filtered > 100) || !check_is_full());
+  CHECK((found_by_rays > 100 && found_by_casts > 100 && found_within > 50) || world_is_tight() || !check_is_full());
   CHECK(open_queries == 0 || world_is_tight());
   return check_done(TEST_NAME);
 }
