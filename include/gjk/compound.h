@@ -1,0 +1,74 @@
+// Compounds: several convex shapes at poses as one body (gjk/parts.h), which may be concave.
+//
+//     static const gjk_compound_part parts[] = {{&seat, GJK_POSE_IDENTITY}, {&back, {{0, 0, GJK_Q16(0.5)}, {...}}}};
+//     static gjk_compound_node nodes[GJK_COMPOUND_NODES(2)];
+//     gjk_compound chair;
+//     gjk_compound_build(parts, 2, nodes, GJK_COMPOUND_NODES(2), &chair);
+//     gjk_parts body = GJK_PARTS_OF_COMPOUND(&chair);
+//     gjk_parts_distance(&body, &ball, &part, &result);
+#ifndef GJK_COMPOUND_H
+#define GJK_COMPOUND_H
+
+#include "gjk/parts.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+extern const gjk_parts_class gjk_parts_class_compound;
+
+// Most parts of one compound.
+#define GJK_COMPOUND_PARTS_MAX 32767
+
+// Up to so many parts the boxes are a plain list; beyond it they are the leaves of a tree.
+#define GJK_COMPOUND_LIST_MAX 8
+
+// Nodes for so many parts.
+#define GJK_COMPOUND_NODES(parts) ((parts) <= GJK_COMPOUND_LIST_MAX ? (parts) : 2 * (parts)-1)
+
+// One part: a shape, and where it is in the frame of the compound. Both are the caller's constants.
+typedef struct gjk_compound_part {
+  const gjk_shape *shape;
+  gjk_pose pose;
+} gjk_compound_part;
+
+// A box of the tree, in the frame of the compound. The nodes are in the order of a walk that goes on to the next node where
+// the box is met, and to skip where it is not; so a walk needs no stack.
+typedef struct gjk_compound_node {
+  gjk_aabb box;
+  uint16_t skip;
+  uint16_t part;  // number of the part; UINT16_MAX: not a leaf
+} gjk_compound_node;
+
+// A compound. Its contents are the library's; gjk_compound_build fills it. It may be copied.
+typedef struct gjk_compound {
+  const gjk_compound_part *parts;
+  const gjk_compound_node *nodes;
+  uint32_t reach;  // no part's position or centre is farther from the compound's origin, at any rotation
+  uint16_t count, node_count;
+} gjk_compound;
+
+// A body of this compound at the identity pose.
+#define GJK_PARTS_OF_COMPOUND(compound) \
+  { &gjk_parts_class_compound, 1 ? (compound) : (const gjk_compound *)0, GJK_POSE_IDENTITY }
+
+// Checks the parts, and builds the boxes of a compound.
+//
+// parts     count of them, the caller's; must stay as they are while the compound is used.
+// nodes     room for capacity nodes, at least GJK_COMPOUND_NODES(count); the caller's. They hold no pointers: nodes of the
+//           same parts are the same on every machine.
+// out       written when the result is GJK_OK; nodes may have been written in any case.
+// Rounding  A part is posed by gjk_pose_compose of the body's pose and its own, so its pose is rounded once: the position
+//           as by gjk_pose_apply, to 1 LSB where it is up to 8192 units from the body's and to 4 beyond, the rotation to
+//           0.501 LSB of Q2.30. The shape is then posed as any other.
+// Statuses  NULL; EMPTY; SIZE: more than GJK_COMPOUND_PARTS_MAX parts; CAPACITY; ROTATION of a part's pose; RANGE: a part
+//           leaves int32 in the frame of the compound; and those of gjk_collider_init for a part's shape.
+// Cost      of the order of count times the square of log count.
+gjk_status gjk_compound_build(const gjk_compound_part *parts, uint16_t count, gjk_compound_node *nodes,
+                              uint32_t capacity, gjk_compound *out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
