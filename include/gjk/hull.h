@@ -16,7 +16,7 @@ extern "C" {
 #define GJK_HULL_POINTS_MAX 65535
 
 // Bytes of workspace for so many points: 40 a point, and 40.
-#define GJK_HULL_WORKSPACE(points) (40 * (size_t)(points) + 40)
+#define GJK_HULL_WORKSPACE(points) (40 * (uint32_t)(points) + 40)
 
 // A hull in the caller's workspace. The first six fields may be read; the rest is the library's.
 typedef struct gjk_hull {

@@ -404,6 +404,7 @@ gjk_advance_answer gjk_advance(const gjk_collider *a, const gjk_collider *b, con
   r.contact.point.x = r.contact.point.y = r.contact.point.z = 0;
   gjk_search_direction_of(&way->t, &heading);
   r.plain = (heading.d.x | heading.d.y | heading.d.z) == 0;
+  r.heading.x = r.heading.y = r.heading.z = 0;
   if (!r.plain) {
     const gjk_unit3 unit = gjk_unit(&heading.d);
     r.heading.x = unit.x;

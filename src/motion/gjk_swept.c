@@ -38,9 +38,11 @@ static bool refine_swept(const gjk_collider *c, const gjk_vec3 *d, const gjk_dir
 static bool vertex_swept(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
   const gjk_swept *s = swept_of(c);
   const bool end = number >= s->count;
-  const bool exists = s->b->shape->type->vertex(s->b, (uint16_t)(number - (end ? s->count : 0)), offset);
+  if (!s->b->shape->type->vertex(s->b, (uint16_t)(number - (end ? s->count : 0)), offset)) {
+    return false;
+  }
   *offset = gjk_add(*offset, end ? s->ahead : s->back);
-  return exists;
+  return true;
 }
 
 // *to = *from, without a call of memcpy.
