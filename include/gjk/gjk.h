@@ -12,6 +12,7 @@
 #include "gjk/hull.h"
 #include "gjk/impact.h"
 #include "gjk/intersect.h"
+#include "gjk/mass.h"
 #include "gjk/parts.h"
 #include "gjk/penetration.h"
 #include "gjk/pose.h"

@@ -1,6 +1,18 @@
 // The facets of a hull: a walk along the outline of each, by edges that no coplanar triangle is across.
 #include "gjk_hull_facets.h"
 
+void gjk_hull_work_of_hull(const gjk_hull *hull, gjk_hull_work *out) {
+  const gjk_hull_work w = gjk_hull_work_of(hull->points, hull->workspace, hull->count);
+  out->points = w.points;
+  out->triangle = w.triangle;
+  out->of = w.of;
+  out->order = w.order;
+  out->next = w.next;
+  out->distinct = hull->distinct;
+  out->triangles = hull->triangles;
+  out->free = w.free;
+}
+
 static bool is_side_flat(const gjk_hull_triangle *t, unsigned i) {
   return (t->flags & (unsigned)GJK_HULL_FLAT << i) != 0;
 }

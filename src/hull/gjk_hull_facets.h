@@ -4,6 +4,9 @@
 
 #include "gjk_hull_grow.h"
 
+// The work of a hull that was built.
+void gjk_hull_work_of_hull(const gjk_hull *hull, gjk_hull_work *out);
+
 // Marks the edges between coplanar triangles. Sets next of each extreme point to its number, of others to
 // GJK_HULL_NO_POINT. Counts.
 void gjk_hull_join(gjk_hull_work *w, gjk_hull *out);

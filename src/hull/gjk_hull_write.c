@@ -1,14 +1,6 @@
 // What a hull gives: its vertices, its faces for a shape, its volume.
 #include "gjk_hull_facets.h"
 
-// The work of a hull that was built.
-static gjk_hull_work work_of_hull(const gjk_hull *hull) {
-  gjk_hull_work w = gjk_hull_work_of(hull->points, hull->workspace, hull->count);
-  w.distinct = hull->distinct;
-  w.triangles = hull->triangles;
-  return w;
-}
-
 gjk_status gjk_hull_vertices(const gjk_hull *hull, gjk_vec3 *out, uint16_t capacity) {
   if (hull == NULL || out == NULL) {
     return GJK_ERROR_NULL;
@@ -16,7 +8,8 @@ gjk_status gjk_hull_vertices(const gjk_hull *hull, gjk_vec3 *out, uint16_t capac
   if (capacity < hull->vertices) {
     return GJK_ERROR_CAPACITY;
   }
-  const gjk_hull_work w = work_of_hull(hull);
+  gjk_hull_work w;
+  gjk_hull_work_of_hull(hull, &w);
   if (hull->dimension < 2) {
     out[0] = *gjk_hull_point(&w, 0);
     out[hull->vertices - 1] = *gjk_hull_point(&w, w.distinct - 1);
@@ -103,7 +96,8 @@ gjk_status gjk_hull_write_faces(const gjk_hull *hull, uint16_t *corner, uint16_t
   if (hull == NULL || corner == NULL || end == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
-  gjk_hull_work w = work_of_hull(hull);
+  gjk_hull_work w;
+  gjk_hull_work_of_hull(hull, &w);
   face_list list = {NULL, NULL, corner_capacity, face_capacity, 0, 0, 0};
   list.corner = corner;
   list.end = end;
@@ -123,7 +117,8 @@ gjk_status gjk_hull_get_volume(const gjk_hull *hull, gjk_hull_volume *six_times)
   if (hull == NULL || six_times == NULL) {
     return GJK_ERROR_NULL;
   }
-  const gjk_hull_work w = work_of_hull(hull);
+  gjk_hull_work w;
+  gjk_hull_work_of_hull(hull, &w);
   uint64_t high = 0, low = 0;  // 2^31 high + low. All together are at most 6 times the box of the points, below 2^90
   for (uint32_t at = 0; at < w.triangles; at++) {
     if ((w.triangle[at].flags & GJK_HULL_SEEN) != 0) {
