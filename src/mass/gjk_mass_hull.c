@@ -10,11 +10,12 @@ static void add_outline(gjk_hull_work *w, uint32_t corners, gjk_moments *m) {
       w->triangle[w->next[point]].vertex[0] = (uint16_t)point;
     }
   }
+  const gjk_vec3 *corner[3];
   unsigned axis = 3;
   for (uint32_t i = 1; i + 1 < corners; i++) {
-    const gjk_vec3 *const corner[3] = {gjk_hull_point(w, w->triangle[w->of[0]].vertex[0]),
-                                       gjk_hull_point(w, w->triangle[w->of[i]].vertex[0]),
-                                       gjk_hull_point(w, w->triangle[w->of[i + 1]].vertex[0])};
+    corner[0] = gjk_hull_point(w, w->triangle[w->of[0]].vertex[0]);
+    corner[1] = gjk_hull_point(w, w->triangle[w->of[i]].vertex[0]);
+    corner[2] = gjk_hull_point(w, w->triangle[w->of[i + 1]].vertex[0]);
     axis = axis < 3 ? axis : gjk_longest_axis(corner[0], corner[1], corner[2]);
     gjk_moments_add_flat(m, axis, corner);  // corners of an outline are not in line
   }
@@ -24,8 +25,10 @@ static void add_triangles(const gjk_hull_work *w, gjk_moments *m) {
   for (uint32_t at = 0; at < w->triangles; at++) {
     const gjk_hull_triangle *t = &w->triangle[at];
     if ((t->flags & GJK_HULL_SEEN) == 0) {
-      const gjk_vec3 *const corner[3] = {gjk_hull_point(w, t->vertex[0]), gjk_hull_point(w, t->vertex[1]),
-                                         gjk_hull_point(w, t->vertex[2])};
+      const gjk_vec3 *corner[3];
+      for (int i = 0; i < 3; i++) {
+        corner[i] = gjk_hull_point(w, t->vertex[i]);
+      }
       (void)gjk_moments_add_tetrahedron(m, corner);  // no vertex is above a triangle
     }
   }

@@ -53,11 +53,6 @@ static const mass_term cylinder_along_pi[] = {{120, 0x122}, {30, 0x104}};
 #define MASS_POLYNOMIAL(name) \
   { name, name##_pi, TERMS(name), TERMS(name##_pi) }
 
-static const mass_polynomial volume_of_box = MASS_POLYNOMIAL(box_volume), square_in_box = MASS_POLYNOMIAL(box_square),
-                             volume_of_cylinder = MASS_POLYNOMIAL(cylinder_volume),
-                             square_across = MASS_POLYNOMIAL(cylinder_across),
-                             square_along = MASS_POLYNOMIAL(cylinder_along);
-
 // *out = the sum of terms.
 static void sum_terms(const mass_term *terms, unsigned count, const int32_t length[4], gjk_big *out) {
   gjk_big_set(out, 0);
@@ -128,6 +123,8 @@ static void set_pi_volume(uint16_t factor, int32_t a, int32_t b, int32_t c, gjk_
 
 void gjk_mass_of_axes(const int32_t half[3], int32_t radius, gjk_mass *out) {
   static const uint8_t thirds[3] = {20, 20, 20};
+  static const mass_polynomial volume_of_box = MASS_POLYNOMIAL(box_volume);
+  static const mass_polynomial square_in_box = MASS_POLYNOMIAL(box_square);
   gjk_big square[3], triple;
   for (unsigned i = 0; i < 3; i++) {
     const unsigned j = gjk_next(i);
@@ -148,6 +145,9 @@ void gjk_mass_of_axes(const int32_t half[3], int32_t radius, gjk_mass *out) {
 
 void gjk_mass_of_cylinder(int32_t base_radius, int32_t half, int32_t radius, gjk_mass *out) {
   static const uint8_t factors[3] = {15, 15, 20};
+  static const mass_polynomial volume_of_cylinder = MASS_POLYNOMIAL(cylinder_volume);
+  static const mass_polynomial square_across = MASS_POLYNOMIAL(cylinder_across);
+  static const mass_polynomial square_along = MASS_POLYNOMIAL(cylinder_along);
   const int32_t length[4] = {0, base_radius, half, radius}, simple[3] = {base_radius, base_radius, half};
   gjk_big square[3], triple, of_pi;
   evaluate(&volume_of_cylinder, length, &triple);

@@ -58,7 +58,10 @@ static bool comes_before(const gjk_vec3 *a, const gjk_vec3 *b) {
 // One to three vertices.
 static void mass_of_few(const gjk_shape *shape, gjk_mass *out) {
   const gjk_vec3 *v = shape->vertices;
-  const gjk_vec3 *const corner[3] = {&v[0], &v[shape->count - 1], &v[shape->count / 2]};
+  const gjk_vec3 *corner[3];
+  corner[0] = &v[0];
+  corner[1] = &v[shape->count - 1];
+  corner[2] = &v[shape->count / 2];
   const unsigned axis = gjk_longest_axis(corner[0], corner[1], corner[2]);
   if (axis < 3) {
     gjk_moments m;

@@ -167,9 +167,11 @@ void gjk_moments_finish(gjk_moments *m, unsigned k, gjk_mass *out) {
 }
 
 void gjk_moments_of_segment(const gjk_vec3 *a, const gjk_vec3 *b, gjk_mass *out) {
-  const gjk_vec3 *const corner[2] = {a, b};
+  const gjk_vec3 *corner[2];
   gjk_moments m;
   gjk_big one;
+  corner[0] = a;
+  corner[1] = b;
   gjk_moments_start(&m, a);
   gjk_big_set(&one, 1);
   gjk_moments_add(&m, &one, corner, 2);
