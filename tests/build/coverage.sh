@@ -73,8 +73,9 @@ measure() {
   case $variant in
     */ceiling)
       # shellcheck disable=SC2086
-      program bounds "$@" tests/check/limit/bounds.c $SUPPORT && run bounds &&
-        program plane "$@" tests/check/limit/plane.c $SUPPORT && run plane || return 1
+      for name in bounds plane motion casts; do
+        program $name "$@" tests/check/limit/$name.c $SUPPORT && run $name || return 1
+      done
       ;;
     *)
       program golden -DGOLDEN_RUN_PAIRS=GOLDEN_PAIRS tests/check/target/golden.c tests/check/target/golden_host.c \
@@ -105,7 +106,7 @@ status=0
 wait $first || { cat "$build-default.log"; status=1; }
 measure wide -O1 '-DGJK_PORT_HEADER="hosted/gjk_port.h"' >"$build-wide.log" 2>&1 &
 first=$!
-{ measure small -Os && measure ceiling -O1 -DGJK_ITERATIONS_MAX=3; } || status=1
+{ measure small -Os && measure ceiling -O1 -DGJK_ITERATIONS_MAX=3 -DGJK_CAST_ITERATIONS_MAX=3 -DGJK_ADVANCE_ROUNDS_MAX=2 -DGJK2_ADVANCE_ROUNDS_MAX=2; } || status=1
 wait $first || { cat "$build-wide.log"; status=1; }
 [ $status = 0 ] || exit 1
 
