@@ -40,7 +40,7 @@ typedef struct field {
 static const field fields[] = {OF(fraction, 1),  OF(point_a, AXES), OF(point_b, AXES),
                                OF(normal, AXES), OF(rest_a, AXES),  OF(rest_b, AXES)};
 
-static struct { unsigned long proven, hits, inside, rounded, fields, certificates, by_corners[4]; } tally;
+static struct { unsigned long proven, hits, inside, rounded, fields, certificates, ways, by_corners[4]; } tally;
 
 static int64_t size_of(int64_t x) {
   return x < 0 ? -x : x;
@@ -211,6 +211,35 @@ static void forge_certificate(random_state *random, const trial *t, bool rounded
   }
 }
 
+static gjk_vec3 part_of(const gjk_vec3 *from, const gjk_vec3 *to, int64_t numerator, int64_t denominator) {
+  gjk_vec3 v = *from;
+  v.x += (gjk_q16)(((int64_t)to->x - from->x) * numerator / denominator);
+  v.y += (gjk_q16)(((int64_t)to->y - from->y) * numerator / denominator);
+#if SPACE
+  v.z += (gjk_q16)(((int64_t)to->z - from->z) * numerator / denominator);
+#endif
+  return v;
+}
+
+// A true hit is not one of another way: of one that ends before, of one that leads away, and from a start beyond.
+static void forge_way(const trial *t) {
+  const gjk_cast_result *r = &t->result;
+  const gjk_vec3 *from = &t->collider[1].position, *to = t->path.to_b;
+  const gjk_vec3 early = part_of(from, to, r->fraction / 2, GJK_Q30_ONE), away = part_of(from, to, -1, 1);
+  const gjk_cast_path ends = {NULL, &early, t->path.margin}, leaves = {NULL, &away, t->path.margin};
+  const gjk_collider *a = &t->collider[0], *b = &t->collider[1];
+  gjk_collider later = *b;
+  gjk_cast_result there;
+  CHECK(gjk_check_cast(a, b, &ends, r) != GJK_OK);
+  CHECK(gjk_check_cast(a, b, &leaves, r) != GJK_OK);
+  const gjk_vec3 beyond = part_of(from, to, 3, 1), end = part_of(&beyond, to, 2, 1);
+  const gjk_cast_path on = {NULL, &end, t->path.margin};
+  CHECK(gjk_collider_move(&later, &beyond) == GJK_OK && gjk_cast(a, &later, &on, &there) == GJK_OK);
+  // The same fraction may be one there as well, of another facet.
+  CHECK(gjk_check_cast(a, &later, &on, r) != GJK_OK || (there.hit && !there.inside));
+  tally.ways++;
+}
+
 static void check(random_state *random, trial *t) {
   memset(&t->result, 0, sizeof t->result);
   CHECK(gjk_cast(&t->collider[0], &t->collider[1], &t->path, &t->result) == GJK_OK);
@@ -238,6 +267,9 @@ static void check(random_state *random, trial *t) {
     wrong.inside = !r->inside;
     refuse(t, &wrong, "inside");
     forge_fields(random, t, radius > 0);
+    if (!r->inside && r->fraction > 4 && t->path.to_a == NULL) {
+      forge_way(t);
+    }
   }
   forge_certificate(random, t, radius > 0, apart);
 }
@@ -257,7 +289,7 @@ int main(void) {
       tally.proven, tally.hits, tally.inside, tally.rounded, tally.fields, tally.certificates, tally.by_corners[1],
       tally.by_corners[2], tally.by_corners[3]);
   CHECK(tally.proven > trials * 9 / 10 && tally.hits > trials / 6 && tally.hits < trials * 5 / 6);
-  CHECK(tally.inside > trials / 50 && tally.rounded > trials / 10);
+  CHECK(tally.ways > trials / 20 && tally.inside > trials / 50 && tally.rounded > trials / 10);
   CHECK(trials < 1000 ||
         (tally.by_corners[1] > 10 && tally.by_corners[2] > 20 && (tally.by_corners[3] > 20 || !SPACE)));
   return check_done(TEST_NAME);
