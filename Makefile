@@ -11,6 +11,8 @@
 #                        build/plane.svg
 #   make demo-trace      draws what each iteration of GJK does on some pairs: build/trace.html
 #   make amalgamation    the library as two files: build/amalgamation/gjk.h and gjk.c
+#   make install PREFIX=/usr/local  headers, archive, shared library, pkg-config and CMake files; DESTDIR=D before all paths
+#   make package         the library as CMake, Zephyr, ESP-IDF, Arduino and PlatformIO expect it: build/package
 #   make sizes           code by function group and stack by query, per target
 #   make bench           on the host, other libraries beside it: what queries cost by family, in instructions (valgrind), ns
 #                        and branch mispredictions; then run time against error: tables, build/bench.html and .csv;
@@ -101,7 +103,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: all help lib setup test unit-tests programs demo demo-stack demo-plane demo-trace amalgamation sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: all help lib setup test unit-tests programs demo demo-stack demo-plane demo-trace amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
@@ -341,6 +343,14 @@ demo-trace: build/gjk-query
 amalgamation:
 	@sh tests/build/amalgamate.sh build
 	@echo '  build/amalgamation/gjk.h build/amalgamation/gjk.c'
+
+PREFIX ?= /usr/local
+install:
+	@sh tests/build/install.sh build $(PREFIX)
+
+package:
+	@sh tests/build/package.sh build
+	@echo '  build/package'
 
 sizes:
 	@sh tests/build/sizes.sh build

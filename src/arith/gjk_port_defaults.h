@@ -1,8 +1,9 @@
 // What the core asks of its surroundings: an assert and a few optional primitives.
 //
 // A port is a header that defines some of the macros below. GJK_PORT_HEADER names it, for example
-// -DGJK_PORT_HEADER='"generic/gjk_port.h"' -Iport. Without a port the defaults below are complete. A port changes
-// speed and what a failed assert does, never an answer. port/README.md is the contract.
+// -DGJK_PORT_HEADER='"generic/gjk_port.h"' -Iport. Where no macro names one, a gjk_port.h on the include path is taken
+// by compilers that can look for it. Without a port the defaults below are complete. A port changes speed and what a
+// failed assert does, never an answer. port/README.md is the contract.
 //
 // This file and gjk_wide.h are the only ones of the core that look at the compiler.
 #ifndef GJK_SRC_PORT_DEFAULTS_H
@@ -15,6 +16,10 @@
 
 #ifdef GJK_PORT_HEADER
 #include GJK_PORT_HEADER
+#elif defined(__has_include)
+#if __has_include(<gjk_port.h>)
+#include <gjk_port.h>
+#endif
 #endif
 
 #if CHAR_BIT != 8

@@ -19,7 +19,7 @@ FNR == 1 {
   name = $0
   sub(/^[^<"A-Z]*/, "", name)
   if (name ~ /^<(stdint|stddef|stdbool|limits)\.h>/) next
-  if (name ~ /^GJK_PORT_HEADER/ && FILENAME ~ /src\/arith\/gjk_port_defaults\.h$/) next
+  if (name ~ /^(GJK_PORT_HEADER|<gjk_port\.h>)/ && FILENAME ~ /src\/arith\/gjk_port_defaults\.h$/) next
   to = ""
   if (name ~ /^"gjk\/[a-z]+\.h"/) to = "public"
   else if (name ~ /^"gjk2\/[a-z0-9]+\.h"/) to = "planar"

@@ -1,0 +1,43 @@
+#!/bin/sh
+# Installs headers, archive, shared library, pkg-config and CMake files: install.sh BUILD PREFIX. `make install` runs it.
+#
+# Both libraries are built without a port, so nothing in them needs libc. The shared library shows only what the public
+# headers name. Its soname changes with each release that a program must be compiled anew for, as gjk/version.h promises:
+# while the major version is 0, with the minor one.
+. tests/build/count.sh
+build=$1
+prefix=${2:?install: needs a PREFIX}
+root=${DESTDIR:-}$prefix
+. tests/build/version.sh
+major=${version%%.*}
+minor=${version#*.}
+minor=${minor%.*}
+api=$major
+[ "$major" != 0 ] || api=$major.$minor
+work=$build/install
+mkdir -p "$work" "$root/lib/pkgconfig" "$root/lib/cmake/gjk" "$root/include/gjk" "$root/include/gjk2"
+
+library host -install 'OPT=-O2 -fPIC' PORT= || exit 1
+archive=build/host-install/libgjk.a
+${NM:-nm} -g --defined-only "$archive" | awk 'NF == 3 { print $3 }' | sort -u >"$work/defined"
+grep -ohE '\bgjk2?_[a-z0-9_]+\b' include/gjk/*.h include/gjk2/*.h | sort -u >"$work/named"
+{
+  echo '{ global:'
+  comm -12 "$work/defined" "$work/named" | sed 's/$/;/'
+  echo 'local: *; };'
+} >"$work/exports"
+${CC:-cc} -shared "-Wl,-soname,libgjk.so.$api" "-Wl,--version-script=$work/exports" -Wl,--whole-archive "$archive" \
+  -Wl,--no-whole-archive -o "$work/libgjk.so.$version" || exit 1
+
+cp include/gjk/*.h "$root/include/gjk"
+cp include/gjk2/*.h "$root/include/gjk2"
+cp "$archive" "$root/lib"
+cp "$work/libgjk.so.$version" "$root/lib"
+if [ "$api" != "$version" ]; then
+  ln -sf "libgjk.so.$version" "$root/lib/libgjk.so.$api"
+fi
+ln -sf "libgjk.so.$api" "$root/lib/libgjk.so"
+fill port/package/gjk.pc.in >"$root/lib/pkgconfig/gjk.pc"
+cp port/package/cmake/gjkConfig.cmake "$root/lib/cmake/gjk"
+fill port/package/cmake/gjkConfigVersion.cmake.in >"$root/lib/cmake/gjk/gjkConfigVersion.cmake"
+echo "  $root"

@@ -1,0 +1,44 @@
+#!/bin/sh
+# Writes the library as the packages that other build systems expect, each a folder of BUILD/package: package.sh BUILD
+#
+#   cmake     add_subdirectory, FetchContent
+#   zephyr    a module: west.yml, or ZEPHYR_EXTRA_MODULES
+#   esp-idf   a component, for the folder components of a project
+#   arduino   a library for the Arduino tools and PlatformIO: the two amalgamated files, with examples
+build=$1
+. tests/build/version.sh
+rm -rf "$build/package"
+sh tests/build/amalgamate.sh "$build" || exit 1
+
+# sources NAME: a folder with headers, sources, ports and the README
+sources() {
+  to=$build/package/$1
+  mkdir -p "$to"
+  cp -r include src port README.md "$to"
+  rm -r "$to/port/package"
+}
+
+sources cmake
+cp port/package/cmake/CMakeLists.txt "$build/package/cmake"
+
+sources zephyr
+mkdir "$build/package/zephyr/zephyr"
+cp port/package/zephyr/* "$build/package/zephyr/zephyr"
+
+sources esp-idf
+cp port/package/esp-idf/CMakeLists.txt "$build/package/esp-idf"
+fill port/package/esp-idf/idf_component.yml.in >"$build/package/esp-idf/idf_component.yml"
+
+to=$build/package/arduino
+mkdir -p "$to/src"
+cp "$build/amalgamation/gjk.h" "$build/amalgamation/gjk.c" "$to/src"
+cp -r port/package/arduino/examples "$to"
+cp README.md "$to"
+fill port/package/arduino/library.properties.in >"$to/library.properties"
+fill port/package/arduino/library.json.in >"$to/library.json"
+# A table of words for the editor: types, functions, constants.
+{
+  grep -ohE '^} gjk2?_[a-z0-9_]+;' include/gjk/*.h include/gjk2/*.h | sed 's/^} //; s/;$/\tKEYWORD1/'
+  grep -ohE '\bgjk2?_[a-z0-9_]+\(' include/gjk/*.h include/gjk2/*.h | sed 's/($/\tKEYWORD2/'
+  grep -ohE '^#define GJK2?_[A-Z0-9_]+' include/gjk/*.h include/gjk2/*.h | grep -v '_H$' | sed 's/^#define //; s/$/\tLITERAL1/'
+} | sort -u >"$to/keywords.txt"
