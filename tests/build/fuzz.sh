@@ -2,16 +2,19 @@
 # Fuzzes pairs, the reader of cases, hostile arguments, scenes, forged claims, casts and the plane with libFuzzer:
 # fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
-# The seconds are shared out evenly. SEED 0 is a new one each time. Runs begin with inputs that once failed
+# The seconds are shared out evenly. 3000x in their place: as many inputs for each target. SEED 0 is a new one each time. Runs begin with inputs that once failed
 # (tests/check/fuzz/once) and with those that reached new code before, which are kept in BUILD/fuzz/corpus. An input
 # that fails is kept in BUILD/fuzz and printed, a pair also as a case for build/gjk-query. The exit status is 1 then.
 . tests/build/count.sh
 build=$1/fuzz
-seconds=$2
+amount=$2
 seed=$3
 shift 3
 [ $# -gt 0 ] || set -- pairs cases arguments scene claims casts plane
-each=$((seconds / $#))
+case $amount in
+  *x) limit=-runs=${amount%x} ;;
+  *) limit=-max_total_time=$((amount / $#)) ;;
+esac
 mkdir -p "$build"
 
 flags='-std=c99 -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support'
@@ -33,7 +36,7 @@ fuzz() {
   mkdir -p "$build/corpus/$target"
   # shellcheck disable=SC2086
   clang $flags -fsanitize=fuzzer "tests/check/fuzz/$target.c" "$build"/objects/*.o -lm -o "$build/$target" || return 1
-  if ! nice "$build/$target" -max_total_time="$each" -seed="$seed" -timeout=20 -print_final_stats=1 \
+  if ! nice "$build/$target" "$limit" -seed="$seed" -timeout=20 -print_final_stats=1 \
     -artifact_prefix="$build/$target-" "$@" "$build/corpus/$target" "$build/seeds-$target" >"$build/$target.log" 2>&1; then
     echo "failed: $target: $(grep -a -m 1 '^fuzz: ' "$build/$target.log")"
     grep -a -E 'ERROR|runtime error|Seed:' "$build/$target.log"
