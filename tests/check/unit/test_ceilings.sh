@@ -67,7 +67,7 @@ as_usual() {
 # run_open CEILING SOURCE: a test of scenes with the library of casts
 run_open() {
   program=$dir/casts-$1/$(basename "$2" .c)
-  # shellcheck disable=SC2086
+  # shellcheck disable=SC2086,SC2046
   ${CC:-cc} $flags -DCEILINGS_OPEN_CASTS=1 "$2" tests/support/scene/world.c tests/support/scene/plane_world.c \
     $(echo "$support" | tr ' ' '\n' | grep -v world.o) "build/host-casts-$1"/gjk*.o -lm -lpthread -o "$program" && "$program"
 }

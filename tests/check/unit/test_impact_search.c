@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "exact/clearance.h"
 #include "gjk/cast.h"
 #include "gjk/distance.h"
 #include "gjk/impact.h"
@@ -18,6 +19,8 @@
 #define MEASUREMENTS 20000
 
 #define ONE GJK_Q30_ONE
+
+enum { NEEDLES, GRAZING, TURNING, FAST, STRAIGHT, FAMILIES };
 
 typedef struct trial {
   case_pair pair;
@@ -40,38 +43,9 @@ static void show(const void *subject) {
   printf("family %u margin %d tolerance %d\n", t->family, (int)t->setup.margin, (int)t->setup.tolerance);
 }
 
-static double length_of(double x, double y, double z) {
-  return sqrt(x * x + y * y + z * z);
-}
-
-// Of the farthest point, from the pose's position, LSB.
-static double reach_of(const gjk_collider *c) {
-  return length_of(c->local_centre.x, c->local_centre.y, c->local_centre.z) + c->radius + 2;
-}
-
-// The angle over the whole way, radians, rounded up.
-static double angle_of(const gjk_motion *m) {
-  if ((m->spin.x | m->spin.y | m->spin.z) != 0) {
-    return length_of(m->spin.x, m->spin.y, m->spin.z) / 65536 * (1 + 1e-9);
-  }
-  const gjk_quat *p = &m->from.rotation, *q = &m->to.rotation;
-  const double dot = fabs((double)p->x * q->x + (double)p->y * q->y + (double)p->z * q->z + (double)p->w * q->w) /
-                     (double)(UINT64_C(1) << 60);
-  return 2 * acos(dot < 1 ? dot : 1) + 1e-4;
-}
-
-// How far the gap can change on the whole way, LSB.
-static double speed_of(const trial *t) {
-  const gjk_vec3 *p = &t->motion[0].from.position, *q = &t->motion[0].to.position, *u = &t->motion[1].from.position,
-                 *v = &t->motion[1].to.position;
-  return length_of(((double)v->x - u->x) - ((double)q->x - p->x), ((double)v->y - u->y) - ((double)q->y - p->y),
-                   ((double)v->z - u->z) - ((double)q->z - p->z)) +
-         angle_of(&t->motion[0]) * reach_of(&of_a.collider) + angle_of(&t->motion[1]) * reach_of(&of_b.collider);
-}
-
 // What posing may have added to a gap, LSB.
 static double rounding_of(void) {
-  return 5 + ldexp(reach_of(&of_a.collider) + reach_of(&of_b.collider), -24);
+  return 5 + ldexp(clearance_reach(&of_a.collider) + clearance_reach(&of_b.collider), -24);
 }
 
 static gjk_distance_result gap_at(const trial *t, gjk_q30 fraction) {
@@ -85,47 +59,26 @@ static gjk_distance_result gap_at(const trial *t, gjk_q30 fraction) {
   return gap;
 }
 
-typedef enum outcome { CLEAR, OPEN, TOUCHED } outcome;
+static struct {
+  unsigned long made[FAMILIES], hits[FAMILIES], misses[FAMILIES], limits[FAMILIES];
+  unsigned long overlaps, proven, open, measured, cut, useful, casts;
+} tally;
 
-typedef struct interval {
-  gjk_q30 from, to;
-  int64_t gap_from, gap_to;
-} interval;
+static bool measure(void *user, gjk_q30 fraction, int64_t *out) {
+  *out = gap_at((const trial *)user, fraction).distance;
+  return true;
+}
 
-// Is the gap above margin at all fractions from 0 to limit? Measured ones must be exactly, before limit; others but for
-// what posing rounds. OPEN: too many distances.
-static outcome search(const trial *t, gjk_q30 limit, gjk_q16 margin, unsigned *measured) {
-  interval stack[40];
-  const double speed = speed_of(t) / ONE, rounding = rounding_of();
-  int depth = 1;
-  *measured = 2;
-  const interval whole = {0, limit, gap_at(t, 0).distance, gap_at(t, limit).distance};
-  if (limit == 0) {
-    return CLEAR;
-  }
-  if (whole.gap_from <= margin) {
-    return TOUCHED;
-  }
-  stack[0] = whole;
-  while (depth > 0) {
-    const interval now = stack[--depth];
-    const double least = ((double)(now.gap_from + now.gap_to) - speed * ((double)now.to - now.from)) / 2;
-    if (least > margin - rounding || now.to - now.from <= 1) {
-      continue;
-    }
-    if (++*measured > MEASUREMENTS) {
-      return OPEN;
-    }
-    const gjk_q30 middle = now.from + (now.to - now.from) / 2;
-    const int64_t gap = gap_at(t, middle).distance;
-    if (gap <= margin) {
-      return TOUCHED;
-    }
-    const interval left = {now.from, middle, now.gap_from, gap}, right = {middle, now.to, gap, now.gap_to};
-    stack[depth++] = right;  // at most 30 deep
-    stack[depth++] = left;
-  }
-  return CLEAR;
+// Is the gap above the margin at all fractions before limit? Measured ones exactly; others but for what posing rounds.
+static clearance_outcome search(trial *t, gjk_q30 limit) {
+  clearance c = {.gap = measure, .user = t, .most = MEASUREMENTS};
+  c.speed =
+      clearance_speed(&t->motion[0], clearance_reach(&of_a.collider), &t->motion[1], clearance_reach(&of_b.collider));
+  c.least = (double)t->setup.margin + 1;
+  c.between = t->setup.margin - rounding_of();
+  const clearance_outcome outcome = clearance_search(&c, limit);
+  tally.measured += c.measured;
+  return outcome;
 }
 
 static gjk_vec3 scaled(gjk_vec3 v, int32_t times) {
@@ -167,8 +120,6 @@ static void make_thin(random_state *random, gjk_q16 half, case_shape *out) {
   out->pose.rotation = random_rotation(random);
 }
 
-enum { NEEDLES, GRAZING, TURNING, FAST, STRAIGHT, FAMILIES };
-
 static void make_motions(random_state *random, trial *t, gjk_q16 half) {
   const gjk_vec3 none = {0, 0, 0};
   const bool fast = t->family == FAST;
@@ -201,8 +152,8 @@ static void make_motions(random_state *random, trial *t, gjk_q16 half) {
 // Of a grazing pair the margin is about the least gap on the way.
 static void choose_margin(random_state *random, trial *t) {
   t->setup.iterations = 0;
-  t->setup.tolerance =
-      (gjk_q16)(GJK_IMPACT_TOLERANCE_MIN + ldexp(reach_of(&of_a.collider) + reach_of(&of_b.collider), -23));
+  t->setup.tolerance = (gjk_q16)(GJK_IMPACT_TOLERANCE_MIN +
+                                 ldexp(clearance_reach(&of_a.collider) + clearance_reach(&of_b.collider), -23));
   t->setup.margin = random_below(random, 2) == 0 ? 0 : random_range(random, 0, 2000);
   if (t->family == GRAZING) {
     int64_t least = INT64_MAX;
@@ -229,11 +180,6 @@ static bool make(random_state *random, trial *t) {
   choose_margin(random, t);
   return true;
 }
-
-static struct {
-  unsigned long made[FAMILIES], hits[FAMILIES], misses[FAMILIES], limits[FAMILIES];
-  unsigned long overlaps, proven, open, measured, cut, useful, casts;
-} tally;
 
 // Without turns a cast knows whether they touch.
 static void check_cast(const trial *t, const gjk_impact_result *r, gjk_status status) {
@@ -266,9 +212,8 @@ static void check_ceilings(const trial *t, const gjk_impact_result *full, gjk_st
   }
 }
 
-static void check(const trial *t) {
+static void check(trial *t) {
   gjk_impact_result r;
-  unsigned measured;
   const gjk_status status =
       gjk_time_of_impact(&of_a.collider, &t->motion[0], &of_b.collider, &t->motion[1], &t->setup, &r);
   CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);
@@ -287,11 +232,10 @@ static void check(const trial *t) {
     const gjk_distance_result gap = gap_at(t, r.upper);
     CHECK_MSG(gap.distance <= (int64_t)t->setup.margin + t->setup.tolerance, "gap %ld at upper", (long)gap.distance);
   }
-  const outcome found = search(t, r.lower, t->setup.margin, &measured);
-  CHECK_MSG(found != TOUCHED, "contact before %ld", (long)r.lower);
-  tally.proven += found == CLEAR;
-  tally.open += found == OPEN;
-  tally.measured += measured;
+  const clearance_outcome found = search(t, r.lower);
+  CHECK_MSG(found != CLEARANCE_TOUCHED, "contact before %ld", (long)r.lower);
+  tally.proven += found == CLEARANCE_PROVEN;
+  tally.open += found == CLEARANCE_OPEN;
   check_ceilings(t, &r, status);
   if (t->family == STRAIGHT) {
     check_cast(t, &r, status);

@@ -2,6 +2,7 @@
 // whole way with proven bounds: between two fractions a gap can change by no more than the bodies' farthest points move.
 //
 //   test_plane_motion_search [SEED [TRIALS]]
+#include "exact/clearance.h"
 #include "plane.h"
 
 #define SEED 6220
@@ -33,33 +34,9 @@ static void show(const void *subject) {
   printf("  family %u margin %d tolerance %d\n", t->family, (int)t->setup.margin, (int)t->setup.tolerance);
 }
 
-// Of the farthest point, from the pose's position, LSB.
-static double reach_of(const gjk2_collider *c) {
-  return hypot(c->local_centre.x, c->local_centre.y) + c->radius + 2;
-}
-
-// The angle over the whole way, radians, rounded up.
-static double angle_of(const gjk2_motion *m) {
-  if (m->spin != 0) {
-    return fabs((double)m->spin) / 65536 * (1 + 1e-9);
-  }
-  const gjk2_rotation *p = &m->from.rotation, *q = &m->to.rotation;
-  const double sine = (double)p->c * q->s - (double)p->s * q->c, cosine = (double)p->c * q->c + (double)p->s * q->s;
-  return fabs(atan2(sine, cosine)) + 1e-6;
-}
-
-// How far the gap can change on the whole way, LSB.
-static double speed_of(const trial *t) {
-  const gjk2_vec *p = &t->motion[0].from.position, *q = &t->motion[0].to.position, *u = &t->motion[1].from.position,
-                 *v = &t->motion[1].to.position;
-  return hypot(((double)v->x - u->x) - ((double)q->x - p->x), ((double)v->y - u->y) - ((double)q->y - p->y)) +
-         angle_of(&t->motion[0]) * reach_of(&t->pair[0].collider) +
-         angle_of(&t->motion[1]) * reach_of(&t->pair[1].collider);
-}
-
 // What posing may have added to a gap, LSB: gjk2/impact.h says 8 of shapes within 4096 units.
 static double rounding_of(const trial *t) {
-  return 8 + ldexp(reach_of(&t->pair[0].collider) + reach_of(&t->pair[1].collider), -25);
+  return 8 + ldexp(clearance2_reach(&t->pair[0].collider) + clearance2_reach(&t->pair[1].collider), -25);
 }
 
 static gjk2_distance_result gap_at(const trial *t, gjk_q30 fraction) {
@@ -75,48 +52,26 @@ static gjk2_distance_result gap_at(const trial *t, gjk_q30 fraction) {
   return gap;
 }
 
-typedef enum outcome { CLEAR, OPEN, TOUCHED } outcome;
+static struct {
+  unsigned long made[FAMILIES], hits[FAMILIES], misses[FAMILIES], limits[FAMILIES];
+  unsigned long overlaps, proven, open, measured, cut, useful, casts;
+} tally;
 
-typedef struct interval {
-  gjk_q30 from, to;
-  int64_t gap_from, gap_to;
-} interval;
+static bool measure(void *user, gjk_q30 fraction, int64_t *out) {
+  *out = gap_at((const trial *)user, fraction).distance;
+  return true;
+}
 
-// Is the gap above margin at all fractions from 0 to limit, but for what posing rounds? OPEN: too many distances.
-static outcome search(const trial *t, gjk_q30 limit, gjk_q16 margin, unsigned long *measured) {
-  interval stack[40];
-  const double speed = speed_of(t) / ONE, rounding = rounding_of(t);
-  unsigned used = 2;
-  int depth = 1;
-  const interval whole = {0, limit, gap_at(t, 0).distance, gap_at(t, limit).distance};
-  if (limit == 0) {
-    return CLEAR;
-  }
-  if ((double)whole.gap_from < margin - rounding || (margin == 0 && whole.gap_from == 0)) {
-    return TOUCHED;
-  }
-  stack[0] = whole;
-  while (depth > 0) {
-    const interval now = stack[--depth];
-    const double least = ((double)(now.gap_from + now.gap_to) - speed * ((double)now.to - now.from)) / 2;
-    if (least > margin - 2 * rounding || now.to - now.from <= 1) {
-      continue;
-    }
-    if (++used > MEASUREMENTS) {
-      *measured += used;
-      return OPEN;
-    }
-    const gjk_q30 middle = now.from + (now.to - now.from) / 2;
-    const int64_t gap = gap_at(t, middle).distance;
-    if ((double)gap < margin - rounding) {
-      return TOUCHED;
-    }
-    const interval left = {now.from, middle, now.gap_from, gap}, right = {middle, now.to, gap, now.gap_to};
-    stack[depth++] = right;  // at most 30 deep
-    stack[depth++] = left;
-  }
-  *measured += used;
-  return CLEAR;
+// Is the gap above the margin at all fractions before limit, but for what posing rounds?
+static clearance_outcome search(trial *t, gjk_q30 limit) {
+  clearance c = {.gap = measure, .user = t, .most = MEASUREMENTS};
+  c.speed = clearance2_speed(&t->motion[0], clearance2_reach(&t->pair[0].collider), &t->motion[1],
+                             clearance2_reach(&t->pair[1].collider));
+  c.least = t->setup.margin == 0 ? 1 : t->setup.margin - rounding_of(t);
+  c.between = t->setup.margin - 2 * rounding_of(t);
+  const clearance_outcome outcome = clearance_search(&c, limit);
+  tally.measured += c.measured;
+  return outcome;
 }
 
 // A long thin body, up to 100,000 times as long as thick, with its middle or an end at the pose's position.
@@ -194,11 +149,6 @@ static void make(random_state *random, trial *t) {
   choose_margin(random, t);
 }
 
-static struct {
-  unsigned long made[FAMILIES], hits[FAMILIES], misses[FAMILIES], limits[FAMILIES];
-  unsigned long overlaps, proven, open, measured, cut, useful, casts;
-} tally;
-
 static gjk_status ask(const trial *t, uint8_t iterations, gjk2_impact_result *out) {
   gjk2_impact_setup setup = t->setup;
   setup.iterations = iterations;
@@ -232,7 +182,7 @@ static void check_ceilings(const trial *t, const gjk2_impact_result *full, gjk_s
   }
 }
 
-static void check(const trial *t) {
+static void check(trial *t) {
   gjk2_impact_result r;
   const gjk_status status = ask(t, 0, &r);
   CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);
@@ -253,10 +203,10 @@ static void check(const trial *t) {
     CHECK_MSG(gap.intersecting || gap.distance <= (int64_t)t->setup.margin + t->setup.tolerance, "gap %ld at upper",
               (long)gap.distance);
   }
-  const outcome found = search(t, r.lower, t->setup.margin, &tally.measured);
-  CHECK_MSG(found != TOUCHED, "contact before %ld", (long)r.lower);
-  tally.proven += found == CLEAR;
-  tally.open += found == OPEN;
+  const clearance_outcome found = search(t, r.lower);
+  CHECK_MSG(found != CLEARANCE_TOUCHED, "contact before %ld", (long)r.lower);
+  tally.proven += found == CLEARANCE_PROVEN;
+  tally.open += found == CLEARANCE_OPEN;
   check_ceilings(t, &r, status);
   if (t->family == STRAIGHT) {
     check_cast(t, &r, status);

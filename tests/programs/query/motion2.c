@@ -4,9 +4,13 @@
 #include <string.h>
 
 #include "exact/cast2.h"
+#include "exact/clearance.h"
 
-// How many poses on the way are looked at to check a time of impact.
-#define SAMPLES 64
+// The most poses on the way that are looked at to check a time of impact.
+#define POSES 20000
+
+// What posing and distances may round, LSB, but for what grows with the bodies.
+#define ROUNDING 8
 
 static bool is_ray(const case2_pair *pair) {
   return pair->b.kind == CASE2_POINT && pair->b.convex_radius == 0 && !pair->a.moves;
@@ -133,9 +137,27 @@ static bool gap_at(const case2_pair *pair, case2_collider *a, case2_collider *b,
          gjk2_distance(&a->collider, &b->collider, NULL, out) == GJK_OK;
 }
 
-// At upper the gap is as told; at fractions before lower it is above the margin, which it may equal when rounded.
+typedef struct moving {
+  const case2_pair *pair;
+  case2_collider *a, *b;
+} moving;
+
+static bool measure(void *user, gjk_q30 fraction, int64_t *out) {
+  const moving *m = user;
+  gjk2_distance_result gap;
+  const bool found = gap_at(m->pair, m->a, m->b, fraction, &gap);
+  *out = found ? gap.distance - (gap.intersecting ? 1 : 0) : 0;
+  return found;
+}
+
+// At upper the gap is as told. Before lower it is above the margin on the whole way, but for what posing and distances round.
 static certify_verdict certify_impact(const motion_question *question, const case2_pair *pair, case2_collider *a,
                                       case2_collider *b, const gjk2_impact_result *r, char why[CERTIFY_WHY_MAX]) {
+  const gjk2_motion motion_a = case2_motion(&pair->a), motion_b = case2_motion(&pair->b);
+  const double reach_a = clearance2_reach(&a->collider), reach_b = clearance2_reach(&b->collider);
+  const double rounding = ROUNDING + (reach_a + reach_b) / (1 << 24);
+  moving bodies = {pair, a, b};
+  clearance c = {.gap = measure, .user = &bodies, .most = POSES};
   gjk2_distance_result gap;
   if (r->lower < 0 || r->lower > r->upper || r->upper > GJK_Q30_ONE) {
     snprintf(why, CERTIFY_WHY_MAX, "bounds out of order");
@@ -148,15 +170,18 @@ static certify_verdict certify_impact(const motion_question *question, const cas
       return CERTIFY_WRONG;
     }
   }
-  for (int i = 0; i < SAMPLES; i++) {
-    const gjk_q30 fraction = (gjk_q30)((int64_t)r->lower * i / SAMPLES);
-    if (!r->overlap && r->lower > 0 &&
-        (!gap_at(pair, a, b, fraction, &gap) || gap.intersecting || gap.distance < question->margin)) {
-      snprintf(why, CERTIFY_WHY_MAX, "the gap at %ld, before lower, is %ld", (long)fraction, (long)gap.distance);
-      return CERTIFY_WRONG;
-    }
+  c.speed = clearance2_speed(&motion_a, reach_a, &motion_b, reach_b);
+  c.least = question->margin == 0 ? 0 : question->margin - rounding;
+  c.between = question->margin - rounding;
+  const clearance_outcome outcome = r->overlap ? CLEARANCE_PROVEN : clearance_search(&c, r->lower);
+  if (outcome == CLEARANCE_TOUCHED) {
+    snprintf(why, CERTIFY_WHY_MAX, "the gap at %ld, before lower, is %ld", (long)c.at, (long)c.last);
+    return CERTIFY_WRONG;
   }
-  snprintf(why, CERTIFY_WHY_MAX, "times have no exact check; distances at %d fractions agree", SAMPLES);
+  snprintf(why, CERTIFY_WHY_MAX,
+           outcome == CLEARANCE_PROVEN ? "%u distances bound the gap before lower, to what posing rounds"
+                                       : "%u distances agree, but do not bound the gap on the whole way",
+           c.measured);
   return CERTIFY_UNCERTIFIED;
 }
 
