@@ -54,11 +54,13 @@ little_stack() {
     awk -v limit=$STACK_LIMIT '$2 > limit { print; bad = 1 } END { exit bad || NR != 4 }'
 }
 
-# Most bytes of stack of a cast.
+# Most bytes of stack of a cast, and of a time of impact.
 CAST_LIMIT=1888
+IMPACT_LIMIT=1632
 
 little_cast_stack() {
-  stack "$1" 'gjk_cast gjk_cast_ray' | awk -v limit=$CAST_LIMIT '$2 > limit { print; bad = 1 } END { exit bad || NR != 2 }'
+  stack "$1" 'gjk_cast gjk_cast_ray' | awk -v limit=$CAST_LIMIT '$2 > limit { print; bad = 1 } END { exit bad || NR != 2 }' &&
+    stack "$1" gjk_time_of_impact | awk -v limit=$IMPACT_LIMIT '$2 > limit { print; bad = 1 } END { exit bad || NR != 1 }'
 }
 
 # Most bytes of stack in the plane: of a distance; of contacts; of casts and times of impact.
@@ -110,7 +112,7 @@ for target in cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc; do
       cortex-m0 | rv32imc) ;;
       *)
         check "$target $level: a query needs at most $STACK_LIMIT bytes of stack" little_stack "$objects"
-        check "$target $level: a cast needs little stack" little_cast_stack "$objects"
+        check "$target $level: a cast and an impact need little stack" little_cast_stack "$objects"
         check "$target $level: a query of the plane needs little stack" little_plane_stack "$objects"
         ;;
     esac
