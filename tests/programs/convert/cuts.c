@@ -114,13 +114,14 @@ static long double score_of(const piece *p, const piece_pool *pool, const piece_
 
 // The planes of the faces at notches, and those through two notches; the best ones first.
 static choices at_notches(const piece *p, const piece_pool *pool, const piece_notch *notch, size_t notches,
-                          long double slack) {
+                          const cuts_manner *manner) {
+  const long double slack = manner->slack;
   choices list = {NULL, 0, 0};
   for (size_t i = 0; i < notches; i++) {
     add_choice(&list, &notch[i].plane[0]);
     add_choice(&list, &notch[i].plane[1]);
   }
-  for (size_t i = 0; i < notches && notches <= 24; i++) {
+  for (size_t i = 0; i < notches && notches <= 24 && manner->pairs; i++) {
     for (size_t j = i + 1; j < notches; j++) {
       int32_t a[3], b[3], c[3], d[3];
       if (whole(pool->at[notch[i].from], a) && whole(pool->at[notch[i].to], b) && whole(pool->at[notch[j].from], c) &&
@@ -159,7 +160,7 @@ static unsigned cost_of(const piece *p, const piece_pool *pool) {
 }
 
 // Cuts greedily until there are no notches. Returns the cost.
-static unsigned finish(const piece *p, piece_pool *pool, long double slack, unsigned limit, piece_list *out) {
+static unsigned finish(const piece *p, piece_pool *pool, const cuts_manner *manner, unsigned limit) {
   piece_list work = {NULL, 0, 0};
   unsigned cost = 0;
   piece copy = {solid_allocate(p->edges, sizeof copy.edge[0]), solid_allocate(p->faces, sizeof copy.face[0]), p->edges,
@@ -170,18 +171,14 @@ static unsigned finish(const piece *p, piece_pool *pool, long double slack, unsi
   while (work.count > 0 && cost < limit) {
     piece one = work.item[--work.count];
     size_t notches;
-    piece_notch *notch = piece_notches(&one, pool, slack, &notches);
-    choices list = at_notches(&one, pool, notch, notches, slack);
+    piece_notch *notch = piece_notches(&one, pool, manner->slack, &notches);
+    choices list = at_notches(&one, pool, notch, notches, manner);
     if (notches > 0 && list.count > 0) {
-      piece_cut(&one, &list.item[0].plane, slack, pool, &work);
+      piece_cut(&one, &list.item[0].plane, manner->slack, pool, &work);
       piece_free(&one);
     } else {
       cost += cost_of(&one, pool);
-      if (out != NULL) {
-        piece_list_add(out, one);
-      } else {
-        piece_free(&one);
-      }
+      piece_free(&one);
     }
     free(list.item);
     free(notch);
@@ -192,17 +189,17 @@ static unsigned finish(const piece *p, piece_pool *pool, long double slack, unsi
 }
 
 // The first cut of a piece whose greedy continuation is the cheapest.
-static size_t look_ahead(const piece *p, const choices *list, size_t tries, piece_pool *pool, long double slack,
-                         unsigned limit) {
+static size_t look_ahead(const piece *p, const choices *list, size_t tries, piece_pool *pool,
+                         const cuts_manner *manner, unsigned limit) {
   unsigned least = limit;
   size_t best = 0;
   for (size_t i = 0; i < list->count && i < tries; i++) {
     const size_t known = pool->count;
     piece_list half = {NULL, 0, 0};
     unsigned cost = 0;
-    piece_cut(p, &list->item[i].plane, slack, pool, &half);
+    piece_cut(p, &list->item[i].plane, manner->slack, pool, &half);
     for (size_t j = 0; j < half.count && cost < least; j++) {
-      cost += finish(&half.item[j], pool, slack, least, NULL);
+      cost += finish(&half.item[j], pool, manner, least);
     }
     if (cost < least) {
       least = cost;
@@ -214,18 +211,18 @@ static size_t look_ahead(const piece *p, const choices *list, size_t tries, piec
   return best;
 }
 
-bool cuts_at_notches(const piece *p, piece_pool *pool, long double slack, size_t limit, piece_list *out) {
+bool cuts_at_notches(const piece *p, piece_pool *pool, const cuts_manner *manner, size_t limit, piece_list *out) {
   piece_list work = {NULL, 0, 0};
   piece_part(p, pool, &work);
   while (work.count > 0 && out->count + work.count <= limit) {
     piece one = work.item[--work.count];
     size_t notches;
-    piece_notch *notch = piece_notches(&one, pool, slack, &notches);
-    choices list = at_notches(&one, pool, notch, notches, slack);
+    piece_notch *notch = piece_notches(&one, pool, manner->slack, &notches);
+    choices list = at_notches(&one, pool, notch, notches, manner);
     if (notches > 0 && list.count > 0) {
       const size_t tries = notches == 1 ? 2 : notches <= 8 ? 24 : notches <= 16 ? 8 : notches <= 32 ? 3 : 1;
-      const size_t best = tries == 1 ? 0 : look_ahead(&one, &list, tries, pool, slack, 4 * (unsigned)limit);
-      piece_cut(&one, &list.item[best].plane, slack, pool, &work);
+      const size_t best = tries == 1 ? 0 : look_ahead(&one, &list, tries, pool, manner, 4 * (unsigned)limit);
+      piece_cut(&one, &list.item[best].plane, manner->slack, pool, &work);
       piece_free(&one);
     } else {
       piece_list_add(out, one);

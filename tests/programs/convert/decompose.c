@@ -8,7 +8,8 @@
 
 #include "cuts.h"
 
-enum { EXACT_NOTCHES = 96, PARTS_MAX = 1024, MEND_ROUNDS = 24, QUICK_CELLS = 3000, CAREFUL_CELLS = 20000 };
+enum { EXACT_NOTCHES = 96, PARTS_MAX = 1024, MEND_ROUNDS = 24, QUICK_CELLS = 3000, CAREFUL_CELLS = 10000,
+       ROUNDED_EXCESS = 16 };
 
 typedef struct part_list {
   part *item;
@@ -225,12 +226,19 @@ static void measure(const solid *s, const nearest_tree *tree, const part_list *l
   out->excess.at_least = out->excess.at_most = 0;
   for (size_t i = 0; i < list->count; i++) {
     if (!enclose_is_inside(s, &list->item[i])) {
-      // A rough look first: how finely the part is cut follows from what is found.
-      const excess_bounds rough = excess_of(tree, &list->item[i], widest / 1024, INFINITY, QUICK_CELLS);
-      const long double fine = fmaxl(0.125L, rough.at_least / 64);
-      excess_bounds one = excess_of(tree, &list->item[i], fine, INFINITY, CAREFUL_CELLS);
-      one.at_least = fmaxl(one.at_least, rough.at_least);
-      one.at_most = fminl(one.at_most, rough.at_most);
+      // A rough look first: how finely the part is cut follows from what is found. If that takes too many cells, less finely.
+      excess_bounds one = excess_of(tree, &list->item[i], widest / 1024, INFINITY, QUICK_CELLS);
+      if (one.at_least < 64) {
+        one.at_most = fminl(one.at_most, excess_by_shrinking(s, &list->item[i]));
+      }
+      for (long double fine = fmaxl(0.125L, one.at_least / 64); fine < widest / 1024 && one.at_most > 64; fine *= 8) {
+        const excess_bounds again = excess_of(tree, &list->item[i], fine, INFINITY, CAREFUL_CELLS);
+        one.at_least = fmaxl(one.at_least, again.at_least);
+        one.at_most = fminl(one.at_most, again.at_most);
+        if (one.at_most - one.at_least <= 2 * fine) {
+          break;
+        }
+      }
       out->excess.at_least = fmaxl(out->excess.at_least, one.at_least);
       out->excess.at_most = fmaxl(out->excess.at_most, one.at_most);
     }
@@ -238,12 +246,12 @@ static void measure(const solid *s, const nearest_tree *tree, const part_list *l
 }
 
 // Parts by cuts at notches alone.
-static bool exactly(const solid *s, const nearest_tree *tree, long double slack, part_list *out) {
+static bool at_notches(const solid *s, const nearest_tree *tree, cuts_manner manner, part_list *out) {
   piece_pool pool;
   piece_list pieces = {NULL, 0, 0};
   piece whole = piece_from(s);
   piece_pool_from(&pool, s);
-  const bool done = cuts_at_notches(&whole, &pool, slack, 4 * EXACT_NOTCHES, &pieces);
+  const bool done = cuts_at_notches(&whole, &pool, &manner, 4 * EXACT_NOTCHES, &pieces);
   if (done) {
     add_hulls(&pieces, &pool, out);
     merge(tree, out, 0, 0);
@@ -263,17 +271,36 @@ static solid_wide volume_of(const part_list *list) {
   return sum;
 }
 
-// Few notches: cut at them. What is no notch but by rounding, 3 LSB or less, may be left.
-static bool by_notches(const solid *s, const nearest_tree *tree, part_list *out) {
-  part_list coarse = {NULL, 0, 0};
-  if (exactly(s, tree, 0x1p-10L, out) && volume_of(out) == s->volume6) {
-    return true;
+static long double rough_excess(const solid *s, const nearest_tree *tree, const part_list *list) {
+  const long double widest = fmaxl(s->high[0], fmaxl(s->high[1], s->high[2]));
+  long double most = 0;
+  for (size_t i = 0; i < list->count; i++) {
+    most = fmaxl(most, excess_of(tree, &list->item[i], widest / 256, INFINITY, QUICK_CELLS).at_least);
   }
-  if (exactly(s, tree, 3, &coarse) && (out->count == 0 || coarse.count < out->count)) {
-    free_parts(out);
-    *out = coarse;
-  } else {
-    free_parts(&coarse);
+  return most;
+}
+
+// Few notches: cut at them, exactly if that gives integers. Else what is no notch but by rounding may be left, and parts are
+// merged that make little of a difference.
+static bool by_notches(const solid *s, const nearest_tree *tree, part_list *out) {
+  static const cuts_manner manners[] = {{0x1p-10L, true}, {0x1p-10L, false}, {3, true}, {24, true}};
+  for (size_t i = 0; i < sizeof manners / sizeof manners[0]; i++) {
+    part_list list = {NULL, 0, 0};
+    bool done = at_notches(s, tree, manners[i], &list);
+    const bool exact = done && volume_of(&list) == s->volume6;
+    if (done && !exact) {
+      merge(tree, &list, ROUNDED_EXCESS, 0);
+      done = rough_excess(s, tree, &list) <= 4 * ROUNDED_EXCESS;
+    }
+    if (exact || (done && (out->count == 0 || list.count < out->count))) {
+      free_parts(out);
+      *out = list;
+    } else {
+      free_parts(&list);
+    }
+    if (exact) {
+      break;
+    }
   }
   return out->count > 0;
 }
@@ -340,15 +367,6 @@ static void by_concavity(const solid *s, const nearest_tree *tree, long double b
   }
   free(work);
   free(pool.at);
-}
-
-static long double rough_excess(const solid *s, const nearest_tree *tree, const part_list *list) {
-  const long double widest = fmaxl(s->high[0], fmaxl(s->high[1], s->high[2]));
-  long double most = 0;
-  for (size_t i = 0; i < list->count; i++) {
-    most = fmaxl(most, excess_of(tree, &list->item[i], widest / 256, INFINITY, QUICK_CELLS).at_least);
-  }
-  return most;
 }
 
 // So many parts: by as many cuts, or by twice as many and merging. The better one counts.

@@ -21,4 +21,9 @@ typedef struct excess_bounds {
 excess_bounds excess_of(const nearest_tree *tree, const part *p, long double tolerance, long double limit,
                         unsigned cells);
 
+// An upper bound for parts that reach only a few LSB beyond, INFINITY for others: their points are moved inwards until
+// the hull of what they become is inside the solid, which is checked exactly. A point of the part, a mixture of its own, is no farther
+// from the same mixture of the moved ones than the farthest move.
+long double excess_by_shrinking(const solid *s, const part *p);
+
 #endif

@@ -129,6 +129,19 @@ static long double reach(const piece *p, const piece_pool *pool, const size_t *b
   return most;
 }
 
+// How deep the notch between two faces is, the lesser of how far each reaches beyond the other; 0: they bend outwards.
+static long double depth_of(const piece *p, const piece_pool *pool, const size_t *begin, const piece_edge *e,
+                            const piece_edge *back) {
+  const solid_plane *a = &p->face[e->face], *b = &p->face[back->face];
+  long double turn = 0;  // (a x b) . edge
+  for (int j = 0; j < 3; j++) {
+    const int k = (j + 1) % 3, l = (j + 2) % 3;
+    const long double across = (long double)a->n[k] * (long double)b->n[l] - (long double)a->n[l] * (long double)b->n[k];
+    turn += across * (pool->at[e->to][j] - pool->at[e->from][j]);
+  }
+  return turn < 0 ? fminl(reach(p, pool, begin, back->face, a), reach(p, pool, begin, e->face, b)) : 0;
+}
+
 piece_notch *piece_notches(const piece *p, const piece_pool *pool, long double slack, size_t *count) {
   edge_key *key = sorted_edges(p);
   size_t *begin = solid_allocate(p->faces + 1, sizeof begin[0]), room = 0;
@@ -140,30 +153,21 @@ piece_notch *piece_notches(const piece *p, const piece_pool *pool, long double s
   for (size_t f = 0; f < p->faces; f++) {
     begin[f + 1] = begin[f + 1] > begin[f] ? begin[f + 1] : begin[f];
   }
-  for (size_t i = 0; i + 1 < p->edges; i++) {
-    if (key[i].key != key[i + 1].key || (i > 0 && key[i - 1].key == key[i].key)) {
-      continue;
-    }
-    const piece_edge *e = &p->edge[key[i].edge];
-    const uint32_t f = e->face, g = p->edge[key[i + 1].edge].face;
-    const solid_plane *a = &p->face[f], *b = &p->face[g];
-    long double turn = 0;  // (a x b) . edge: negative where the faces bend inwards
-    for (int j = 0; j < 3; j++) {
-      const int k = (j + 1) % 3, l = (j + 2) % 3;
-      const long double across =
-          (long double)a->n[k] * (long double)b->n[l] - (long double)a->n[l] * (long double)b->n[k];
-      turn += across * (pool->at[e->to][j] - pool->at[e->from][j]);
-    }
-    if (!(turn < 0)) {
-      continue;
-    }
-    const long double depth = fminl(reach(p, pool, begin, g, a), reach(p, pool, begin, f, b));
-    if (depth > slack) {
-      if (*count == room) {
-        out = solid_grow(out, &room, sizeof out[0]);
+  for (size_t i = 0; i < p->edges; i++) {
+    // Two faces meet at most edges; where more do, all pairs that have the edge in opposite directions are looked at.
+    for (size_t j = i + 1; j < p->edges && key[j].key == key[i].key; j++) {
+      const piece_edge *e = &p->edge[key[i].edge], *back = &p->edge[key[j].edge];
+      if (e->from == back->from) {
+        continue;
       }
-      const piece_notch notch = {e->from, e->to, {*a, *b}, depth};
-      out[(*count)++] = notch;
+      const long double depth = depth_of(p, pool, begin, e, back);
+      if (depth > slack) {
+        if (*count == room) {
+          out = solid_grow(out, &room, sizeof out[0]);
+        }
+        const piece_notch notch = {e->from, e->to, {p->face[e->face], p->face[back->face]}, depth};
+        out[(*count)++] = notch;
+      }
     }
   }
   free(begin);

@@ -1,7 +1,8 @@
 // A piece parted into what is connected.
 //
 // Faces are connected that share an edge. But one face may be in several places, and a cut through a tube leaves a face with
-// a hole: so the edges of a face are first parted into loops, and holes are given to the loops around them.
+// a hole: so the edges of a face are first parted into loops, and holes are given to the loops around them. A bubble
+// shares no edge with what is around it, and is given to that at the end.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -159,6 +160,73 @@ static piece gather(const piece *p, uint32_t *up, const uint32_t *face, uint32_t
   return one;
 }
 
+static long double dot(const long double a[3], const long double b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// How often a piece winds around a point, about: the sum of its triangles' solid angles.
+static long double winding(const piece *p, const piece_pool *pool, const long double x[3]) {
+  long double sum = 0;
+  for (size_t i = 0, first = 0; i < p->edges; i++) {
+    first = p->edge[i].face == p->edge[first].face ? first : i;
+    const uint32_t corner[3] = {p->edge[first].from, p->edge[i].from, p->edge[i].to};
+    long double v[3][3], length[3];
+    for (int n = 0; n < 3; n++) {
+      for (int j = 0; j < 3; j++) {
+        v[n][j] = pool->at[corner[n]][j] - x[j];
+      }
+      length[n] = sqrtl(dot(v[n], v[n]));
+    }
+    const long double volume = v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
+                               v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
+                               v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
+    const long double rest = length[0] * length[1] * length[2] + dot(v[0], v[1]) * length[2] +
+                             dot(v[1], v[2]) * length[0] + dot(v[2], v[0]) * length[1];
+    sum += 2 * atan2l(volume, rest);
+  }
+  return sum / 12.566370614359172953L;
+}
+
+static void append(piece *to, piece *from) {
+  to->edge = realloc(to->edge, (to->edges + from->edges) * sizeof to->edge[0]);
+  to->face = realloc(to->face, (to->faces + from->faces) * sizeof to->face[0]);
+  if (to->edge == NULL || to->face == NULL) {
+    abort();
+  }
+  for (size_t i = 0; i < from->edges; i++) {
+    from->edge[i].face += (uint32_t)to->faces;
+  }
+  memcpy(to->edge + to->edges, from->edge, from->edges * sizeof to->edge[0]);
+  memcpy(to->face + to->faces, from->face, from->faces * sizeof to->face[0]);
+  to->edges += from->edges;
+  to->faces += from->faces;
+  piece_free(from);
+}
+
+// Puts bubbles, whose faces look inwards, into the least piece around them. first: where the pieces begin.
+static void place_bubbles(piece_list *out, size_t first, const piece_pool *pool) {
+  for (size_t i = first; i < out->count;) {
+    size_t around = out->count;
+    long double least = INFINITY;
+    if (out->count - first > 1 && piece_volume6(&out->item[i], pool) < 0) {
+      for (size_t j = first; j < out->count; j++) {
+        const long double volume = piece_volume6(&out->item[j], pool);
+        if (j != i && volume > 0 && volume < least &&
+            winding(&out->item[j], pool, pool->at[out->item[i].edge[0].from]) > 0.4L) {
+          least = volume;
+          around = j;
+        }
+      }
+    }
+    if (around < out->count) {
+      append(&out->item[around], &out->item[i]);
+      memmove(&out->item[i], &out->item[i + 1], (--out->count - i) * sizeof out->item[0]);
+    } else {
+      i++;
+    }
+  }
+}
+
 typedef struct by_face {
   uint32_t face;
   piece_edge edge;
@@ -170,6 +238,7 @@ static int in_face_order(const void *a, const void *b) {
 }
 
 void piece_part(const piece *p, const piece_pool *pool, piece_list *out) {
+  const size_t first = out->count;
   uint32_t *up = solid_allocate(p->edges, sizeof up[0]);
   for (size_t i = 0; i < p->edges; i++) {
     up[i] = (uint32_t)i;
@@ -206,6 +275,7 @@ void piece_part(const piece *p, const piece_pool *pool, piece_list *out) {
       piece_list_add(out, gather(&q, up, face, (uint32_t)i));
     }
   }
+  place_bubbles(out, first, pool);
   free(e);
   free(face);
   free(sorted);
