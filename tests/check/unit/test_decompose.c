@@ -63,7 +63,8 @@ static void check_cells(const boxes *b, const solid *s, const decomposition *d) 
       for (int z = 0; z < b->n[2]; z++) {
         const int low[3] = {x, y, z}, high[3] = {x + 1, y + 1, z + 1};
         const gjk_vec3 p = boxes_corner(b, low), q = boxes_corner(b, high);
-        const int32_t twice[3] = {p.x + q.x - 2 * s->origin.x, p.y + q.y - 2 * s->origin.y, p.z + q.z - 2 * s->origin.z};
+        const int32_t twice[3] = {p.x + q.x - 2 * s->origin.x, p.y + q.y - 2 * s->origin.y,
+                                  p.z + q.z - 2 * s->origin.z};
         const int32_t middle[3] = {twice[0] / 2, twice[1] / 2, twice[2] / 2};
         if (twice[0] % 2 == 0 && twice[1] % 2 == 0 && twice[2] % 2 == 0) {
           CHECK(is_in_parts(d, middle) == b->full[x][y][z]);
@@ -156,11 +157,8 @@ static void test_excess(void) {
     const char *name, *cells;
     long double excess;
   } known[] = {
-      {"U", "###/#.#/#.#", 600},
-      {"L", "###/#../#..", 1200},
-      {"bubble", "###/###/### ###/#.#/### ###/###/###", 600},
-      {"box", "##", 0},
-      {"apart", "#...#", 1800},
+      {"U", "###/#.#/#.#", 600}, {"L", "###/#../#..", 1200}, {"bubble", "###/###/### ###/#.#/### ###/###/###", 600},
+      {"box", "##", 0},          {"apart", "#...#", 1800},
   };
   const decompose_options one = {-1, 1};
   for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {

@@ -18,7 +18,8 @@ int32_t (*cuts_points(const piece *p, const piece_pool *pool, bool nearest, size
       high[j] = (int32_t)(nearest ? rintl(x[j]) : ceill(x[j]));
     }
     for (int n = 0; n < 8; n++) {
-      const bool again = ((n & 1) && low[0] == high[0]) || ((n & 2) && low[1] == high[1]) || ((n & 4) && low[2] == high[2]);
+      const bool again =
+          ((n & 1) && low[0] == high[0]) || ((n & 2) && low[1] == high[1]) || ((n & 4) && low[2] == high[2]);
       if (!again) {
         out[*count][0] = n & 1 ? high[0] : low[0];
         out[*count][1] = n & 2 ? high[1] : low[1];
@@ -137,7 +138,8 @@ static choices at_notches(const piece *p, const piece_pool *pool, const piece_no
   for (size_t i = 0; i < list.count; i++) {
     if (is_cutting(p, pool, &list.item[i].plane, slack)) {
       list.item[kept] = list.item[i];
-      list.item[kept].score = score_of(p, pool, notch, notches, &list.item[kept].plane, slack) - (long double)kept * 0x1p-20L;
+      list.item[kept].score =
+          score_of(p, pool, notch, notches, &list.item[kept].plane, slack) - (long double)kept * 0x1p-20L;
       kept++;
     }
   }
@@ -189,8 +191,8 @@ static unsigned finish(const piece *p, piece_pool *pool, const cuts_manner *mann
 }
 
 // The first cut of a piece whose greedy continuation is the cheapest.
-static size_t look_ahead(const piece *p, const choices *list, size_t tries, piece_pool *pool,
-                         const cuts_manner *manner, unsigned limit) {
+static size_t look_ahead(const piece *p, const choices *list, size_t tries, piece_pool *pool, const cuts_manner *manner,
+                         unsigned limit) {
   unsigned least = limit;
   size_t best = 0;
   for (size_t i = 0; i < list->count && i < tries; i++) {
@@ -327,7 +329,8 @@ static long double area_in(const piece *p, const piece_pool *pool, const solid_p
   for (size_t i = 0, first = 0; i < p->edges; i++) {
     first = p->edge[i].face == p->edge[first].face ? first : i;
     if (is_same_plane(&p->face[p->edge[i].face], plane)) {
-      const long double *o = pool->at[p->edge[first].from], *a = pool->at[p->edge[i].from], *b = pool->at[p->edge[i].to];
+      const long double *o = pool->at[p->edge[first].from], *a = pool->at[p->edge[i].from],
+                        *b = pool->at[p->edge[i].to];
       for (int j = 0; j < 3; j++) {
         const int k = (j + 1) % 3, l = (j + 2) % 3;
         sum[j] += (a[k] - o[k]) * (b[l] - o[l]) - (a[l] - o[l]) * (b[k] - o[k]);
@@ -384,7 +387,8 @@ bool cuts_once(const piece *p, long double hull_volume6, piece_pool *pool, piece
       const size_t known = pool->count;
       piece_list half = {NULL, 0, 0};
       piece_cut(p, &list.item[i].plane, slack, pool, &half);
-      const long double cost = half.count > 1 ? cost_of_cut(&half, pool, &list.item[i].plane, volume6, length) : INFINITY;
+      const long double cost =
+          half.count > 1 ? cost_of_cut(&half, pool, &list.item[i].plane, volume6, length) : INFINITY;
       if (cost < least) {
         least = cost;
         best = list.item[i].plane;

@@ -8,8 +8,14 @@
 
 #include "cuts.h"
 
-enum { EXACT_NOTCHES = 96, PARTS_MAX = 1024, MEND_ROUNDS = 24, QUICK_CELLS = 3000, CAREFUL_CELLS = 10000,
-       ROUNDED_EXCESS = 16 };
+enum {
+  EXACT_NOTCHES = 96,
+  PARTS_MAX = 1024,
+  MEND_ROUNDS = 24,
+  QUICK_CELLS = 3000,
+  CAREFUL_CELLS = 10000,
+  ROUNDED_EXCESS = 16
+};
 
 typedef struct part_list {
   part *item;
@@ -160,7 +166,8 @@ static long double beyond(const part *p, const enclose_gap *gap) {
   long double most = 0;
   for (unsigned i = 0; i < gap->corners; i++) {
     for (unsigned f = 0; f < p->faces; f++) {
-      const long double n[3] = {(long double)p->plane[f].n[0], (long double)p->plane[f].n[1], (long double)p->plane[f].n[2]};
+      const long double n[3] = {(long double)p->plane[f].n[0], (long double)p->plane[f].n[1],
+                                (long double)p->plane[f].n[2]};
       const long double *x = gap->corner[i];
       const long double h = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - (long double)p->plane[f].d;
       most = fmaxl(most, h / sqrtl(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
@@ -369,7 +376,7 @@ static void by_concavity(const solid *s, const nearest_tree *tree, long double b
   free(pool.at);
 }
 
-// So many parts: by as many cuts, or by twice as many and merging. The better one counts.
+// So many parts: by as many cuts, by twice as many and merging, or by excess. The best one counts.
 static void to_number(const solid *s, const nearest_tree *tree, unsigned parts, part_list *out) {
   part_list merged = {NULL, 0, 0};
   by_concavity(s, tree, -1, parts, out);
@@ -380,6 +387,22 @@ static void to_number(const solid *s, const nearest_tree *tree, unsigned parts, 
   free_parts(better ? out : &merged);
   if (better) {
     *out = merged;
+  }
+  // A lesser excess asked for may come out with no more parts.
+  static const long double factors[] = {1, 0.9L, 0.75L};
+  long double least = rough_excess(s, tree, out);
+  for (size_t i = 0; i < sizeof factors / sizeof factors[0] && least > 4; i++) {
+    part_list other = {NULL, 0, 0};
+    by_concavity(s, tree, factors[i] * least, 0, &other);
+    merge(tree, &other, factors[i] * least, 0);
+    const long double excess = other.count <= parts ? rough_excess(s, tree, &other) : INFINITY;
+    if (excess < least) {
+      free_parts(out);
+      *out = other;
+      least = excess;
+    } else {
+      free_parts(&other);
+    }
   }
 }
 

@@ -106,7 +106,8 @@ static void subtract(flat_polygon polygon, const flat_line *line, unsigned lines
 }
 
 // What of a triangle the parts leave. facet: only what they reach beyond that plane counts. The part 'own' is left out.
-static void leave(const flat_base *base, const part *p, size_t parts, const solid_plane *facet, size_t own, pile *rest) {
+static void leave(const flat_base *base, const part *p, size_t parts, const solid_plane *facet, size_t own,
+                  pile *rest) {
   put(rest, flat_triangle());
   for (size_t j = 0; j < parts && rest->count > 0; j++) {
     unsigned lines;
@@ -252,9 +253,9 @@ static void check_facet(const solid *s, const part *p, size_t parts, size_t own,
   const part *q = &p[own];
   const unsigned begin = face == 0 ? 0 : q->end[face - 1];
   for (unsigned i = begin + 1; i + 1 < q->end[face] && out->gaps < ENCLOSE_GAPS_MAX; i++) {
-    const flat_base base =
-        flat_base_of(q->point[q->corner[begin]], q->point[q->corner[i]], q->point[q->corner[i + 1]]);
-    const solid_plane flat = solid_plane_of(q->point[q->corner[begin]], q->point[q->corner[i]], q->point[q->corner[i + 1]]);
+    const flat_base base = flat_base_of(q->point[q->corner[begin]], q->point[q->corner[i]], q->point[q->corner[i + 1]]);
+    const solid_plane flat =
+        solid_plane_of(q->point[q->corner[begin]], q->point[q->corner[i]], q->point[q->corner[i + 1]]);
     pile rest = {NULL, 0, 0};
     if (flat.n[0] != 0 || flat.n[1] != 0 || flat.n[2] != 0) {
       leave(&base, p, parts, &q->plane[face], own, &rest);
@@ -304,8 +305,8 @@ static bool is_part_sound(const part *p) {
   }
   const gjk_hull_faces faces = {p->corner, p->end, (uint16_t)p->faces};
   gjk_hull_report report;
-  const bool sound = gjk_hull_check(vertex, (uint16_t)p->points, &faces, &report) == GJK_OK &&
-                     report.fault == GJK_HULL_SOUND;
+  const bool sound =
+      gjk_hull_check(vertex, (uint16_t)p->points, &faces, &report) == GJK_OK && report.fault == GJK_HULL_SOUND;
   free(vertex);
   return sound;
 }
@@ -370,8 +371,8 @@ bool enclose_is_inside(const solid *s, const part *p) {
         flat_base_of(s->point[s->triangle[t][0]], s->point[s->triangle[t][1]], s->point[s->triangle[t][2]]);
     const solid_plane *plane = &s->plane[t];
     unsigned lines = 0;
-    bool through = !is_apart(base.low, base.high, p->low, p->high) &&
-                   (plane->n[0] != 0 || plane->n[1] != 0 || plane->n[2] != 0);
+    bool through =
+        !is_apart(base.low, base.high, p->low, p->high) && (plane->n[0] != 0 || plane->n[1] != 0 || plane->n[2] != 0);
     for (unsigned f = 0; f < p->faces && through; f++) {
       line[lines] = flat_trace(&base, &p->plane[f], -1);
       if (line[lines].ks != 0 || line[lines].kt != 0) {

@@ -125,7 +125,8 @@ static int by_angle(const void *a, const void *b) {
 // Closes a cell by a face through points in a plane.
 static void close_cell(cell *c, const point n, long double d, const point *at, unsigned count) {
   point middle = {0, 0, 0}, u, v;
-  const int axis = fabsl(n[0]) < fabsl(n[1]) ? (fabsl(n[0]) < fabsl(n[2]) ? 0 : 2) : (fabsl(n[1]) < fabsl(n[2]) ? 1 : 2);
+  const int axis =
+      fabsl(n[0]) < fabsl(n[1]) ? (fabsl(n[0]) < fabsl(n[2]) ? 0 : 2) : (fabsl(n[1]) < fabsl(n[2]) ? 1 : 2);
   const int j = (axis + 1) % 3, k = (axis + 2) % 3;
   u[axis] = 0;  // n x axis, and n x that
   u[j] = n[k];
@@ -217,8 +218,8 @@ static bool look_at(void *user, size_t t) {
     }
   }
   for (unsigned f = 0; f < l->c->faces && corners > 0; f++, from = 1 - from) {
-    corners = clip((const point *)l->room[from], corners, l->c->face[f].n, l->c->face[f].d - l->graze, l->room[1 - from],
-                   l->c->faces + 4);
+    corners = clip((const point *)l->room[from], corners, l->c->face[f].n, l->c->face[f].d - l->graze,
+                   l->room[1 - from], l->c->faces + 4);
   }
   if (corners > 0) {
     l->best = t;
@@ -317,7 +318,8 @@ excess_bounds excess_of(const nearest_tree *tree, const part *p, long double tol
   long double slack = fmaxl(tolerance, out.at_least / 64);
   for (unsigned done = 0; heap.count > 0 && done < cells; done++) {
     slack = fmaxl(tolerance, out.at_least / 64);
-    if (heap.item[0].bound <= out.at_least + slack || out.at_least > limit || (isfinite(limit) && heap.item[0].bound <= limit)) {
+    if (heap.item[0].bound <= out.at_least + slack || out.at_least > limit ||
+        (isfinite(limit) && heap.item[0].bound <= limit)) {
       break;
     }
     cell top = pop(&heap);

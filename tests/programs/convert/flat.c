@@ -67,7 +67,8 @@ static int corner_side(const flat_line *p, const flat_line *q, const flat_line *
   const long double qk = (long double)q->k, qs = (long double)q->ks, qt = (long double)q->kt;
   const long double k = (long double)line->k, ks = (long double)line->ks, kt = (long double)line->kt;
   const long double sum = k * (ps * qt - pt * qs) + ks * (pt * qk - pk * qt) + kt * (pk * qs - ps * qk);
-  const long double most = fabsl(k) * (fabsl(ps * qt) + fabsl(pt * qs)) + fabsl(ks) * (fabsl(pt * qk) + fabsl(pk * qt)) +
+  const long double most = fabsl(k) * (fabsl(ps * qt) + fabsl(pt * qs)) +
+                           fabsl(ks) * (fabsl(pt * qk) + fabsl(pk * qt)) +
                            fabsl(kt) * (fabsl(pk * qs) + fabsl(ps * qk));
   if (fabsl(sum) > ldexpl(most, -59)) {
     return sum > 0 ? 1 : -1;

@@ -193,11 +193,12 @@ static int convert_to_parts(const options *o, mesh_file *file, const mesh *m) {
     fprintf(stderr, "%s: the parts do not enclose the solid: %s\n", file->name, d.problem);
   }
   if (!o->info) {
-    fprintf(stderr,
-            "%zu triangles, %zu edges where the solid is not convex; %zu parts, %s; excess between %.2Lf and %.2Lf LSB; "
-            "points rounded by at most %.2f LSB\n",
-            s.triangles, d.notches, d.parts, d.enclosed ? "enclosing it, proven" : "not enclosing it", d.excess.at_least,
-            d.excess.at_most, m->most_rounding);
+    fprintf(
+        stderr,
+        "%zu triangles, %zu edges where the solid is not convex; %zu parts, %s; excess between %.2Lf and %.2Lf LSB; "
+        "points rounded by at most %.2f LSB\n",
+        s.triangles, d.notches, d.parts, d.enclosed ? "enclosing it, proven" : "not enclosing it", d.excess.at_least,
+        d.excess.at_most, m->most_rounding);
   }
   decompose_free(&d);
   solid_free(&s);

@@ -136,7 +136,8 @@ static long double depth_of(const piece *p, const piece_pool *pool, const size_t
   long double turn = 0;  // (a x b) . edge
   for (int j = 0; j < 3; j++) {
     const int k = (j + 1) % 3, l = (j + 2) % 3;
-    const long double across = (long double)a->n[k] * (long double)b->n[l] - (long double)a->n[l] * (long double)b->n[k];
+    const long double across =
+        (long double)a->n[k] * (long double)b->n[l] - (long double)a->n[l] * (long double)b->n[k];
     turn += across * (pool->at[e->to][j] - pool->at[e->from][j]);
   }
   return turn < 0 ? fminl(reach(p, pool, begin, back->face, a), reach(p, pool, begin, e->face, b)) : 0;
@@ -174,7 +175,6 @@ piece_notch *piece_notches(const piece *p, const piece_pool *pool, long double s
   free(key);
   return out;
 }
-
 
 // Where a cut meets the edges: corners of the pool for each edge of the piece.
 typedef struct cut {
@@ -262,7 +262,8 @@ static void keep_side(const cut *c, int sign, piece_list *out) {
     kept.face[kept.faces] = p->face[face];
     for (; i < p->edges && p->edge[i].face == face; i++) {
       const uint32_t a = p->edge[i].from, b = p->edge[i].to;
-      const bool has_a = (long double)sign * c->height[a] > c->slack, has_b = (long double)sign * c->height[b] > c->slack;
+      const bool has_a = (long double)sign * c->height[a] > c->slack,
+                 has_b = (long double)sign * c->height[b] > c->slack;
       if (has_a && has_b) {
         add_edge(&kept, &room, a, b, kept.faces);
       } else if (has_a || has_b) {

@@ -9,7 +9,6 @@
 
 #include "piece.h"
 
-
 static uint32_t root_of(uint32_t *up, uint32_t i) {
   while (up[i] != i) {
     up[i] = up[up[i]];
@@ -82,8 +81,7 @@ static bool is_around(const face_view *v, uint32_t root, uint32_t edge) {
   for (size_t i = v->begin; i < v->end; i++) {
     if (root_of(v->up, (uint32_t)i) == root) {
       const long double *a = v->pool->at[v->p->edge[i].from], *b = v->pool->at[v->p->edge[i].to];
-      if ((a[v->y] > y) != (b[v->y] > y) &&
-          x < a[v->x] + (y - a[v->y]) / (b[v->y] - a[v->y]) * (b[v->x] - a[v->x])) {
+      if ((a[v->y] > y) != (b[v->y] > y) && x < a[v->x] + (y - a[v->y]) / (b[v->y] - a[v->y]) * (b[v->x] - a[v->x])) {
         in = !in;
       }
     }

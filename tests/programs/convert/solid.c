@@ -118,15 +118,15 @@ static int by_corners(const void *a, const void *b) {
 }
 
 static void sort_surface(solid *s) {
-  int32_t (*sorted)[3] = solid_allocate(s->points, sizeof sorted[0]);
+  int32_t(*sorted)[3] = solid_allocate(s->points, sizeof sorted[0]);
   memcpy(sorted, s->point, s->points * sizeof sorted[0]);
   qsort(sorted, s->points, sizeof sorted[0], by_place);
   for (size_t t = 0; t < s->triangles; t++) {
     uint32_t corner[3];
     int first = 0;
     for (int i = 0; i < 3; i++) {
-      const int32_t (*found)[3] = bsearch(s->point[s->triangle[t][i]], sorted, s->points, sizeof sorted[0], by_place);
-      corner[i] = (uint32_t)(found - (const int32_t (*)[3])sorted);
+      const int32_t(*found)[3] = bsearch(s->point[s->triangle[t][i]], sorted, s->points, sizeof sorted[0], by_place);
+      corner[i] = (uint32_t)(found - (const int32_t(*)[3])sorted);
       first = corner[i] < corner[first] ? i : first;
     }
     for (int i = 0; i < 3; i++) {
@@ -277,9 +277,10 @@ bool solid_winding(const solid *s, const solid_wide x[3], int shift, int axis, i
       continue;
     }
     const int side = side_of_plane(plane, x, shift), way = plane->n[axis] > 0 ? sign : -sign;
-    if (side == 0 && (within == NULL || within->n[0] * (solid_wide)plane->n[1] != within->n[1] * (solid_wide)plane->n[0] ||
-                      within->n[1] * (solid_wide)plane->n[2] != within->n[2] * (solid_wide)plane->n[1] ||
-                      within->n[2] * (solid_wide)plane->n[0] != within->n[0] * (solid_wide)plane->n[2])) {
+    if (side == 0 &&
+        (within == NULL || within->n[0] * (solid_wide)plane->n[1] != within->n[1] * (solid_wide)plane->n[0] ||
+         within->n[1] * (solid_wide)plane->n[2] != within->n[2] * (solid_wide)plane->n[1] ||
+         within->n[2] * (solid_wide)plane->n[0] != within->n[0] * (solid_wide)plane->n[2])) {
       return false;
     }
     *out += side == -way ? way : 0;

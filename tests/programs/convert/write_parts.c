@@ -23,8 +23,13 @@ static long coordinate(const solid *s, const part *p, unsigned point, int axis) 
 }
 
 void write_parts_source(const solid *s, const decomposition *d, const char *name) {
-  printf("// Made by gjk-convert: convex parts, Q16.16, in one frame. Excess at most %.0Lf LSB.\n#include \"gjk/shape.h\"\n\n",
-         ceill(d->excess.at_most));
+  printf(
+      "// Made by gjk-convert: convex parts, Q16.16, in one frame. They %s the solid, and reach beyond it by at most "
+      "%.0Lf LSB.\n",
+      d->enclosed ? "enclose" : "do not enclose", ceill(d->excess.at_most));
+  printf("// gjk_compound_build(%s, %zu, nodes, GJK_COMPOUND_NODES(%zu), &compound) makes them one body.\n", name,
+         d->parts, d->parts);
+  printf("#include \"gjk/compound.h\"\n\n");
   for (size_t i = 0; i < d->parts; i++) {
     const part *p = &d->part[i];
     printf("static const gjk_vec3 %s_%zu_vertices[%u] = {\n", name, i, p->points);
@@ -36,10 +41,12 @@ void write_parts_source(const solid *s, const decomposition *d, const char *name
     print_numbers(name, i, "ends", p->end, p->faces);
     printf("static const gjk_hull_faces %s_%zu_faces = {%s_%zu_corners, %s_%zu_ends, %u};\n", name, i, name, i, name, i,
            p->faces);
+    printf("static const gjk_shape %s_%zu = GJK_HULL_WITH_FACES(%s_%zu_vertices, %u, &%s_%zu_faces);\n", name, i, name,
+           i, p->points, name, i);
   }
-  printf("const gjk_shape %s[%zu] = {\n", name, d->parts);
+  printf("const gjk_compound_part %s[%zu] = {\n", name, d->parts);
   for (size_t i = 0; i < d->parts; i++) {
-    printf("    GJK_HULL_WITH_FACES(%s_%zu_vertices, %u, &%s_%zu_faces),\n", name, i, d->part[i].points, name, i);
+    printf("    {&%s_%zu, GJK_POSE_IDENTITY},\n", name, i);
   }
   printf("};\n");
 }
@@ -57,9 +64,4 @@ void write_parts_case(const solid *s, const decomposition *d, const char *name) 
     print_shape(s, &d->part[0], 'A');
     print_shape(s, &d->part[i], 'B');
   }
-}
-
-bool write_parts_picture(const solid *s, const decomposition *d, const char *file) {
-  (void)s; (void)d; (void)file;
-  return false;
 }
