@@ -1,11 +1,13 @@
-// gjk-convert: makes hulls of files of points and meshes.
+// gjk-convert: makes hulls, and convex parts, of files of points and meshes.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "decompose.h"
 #include "gjk/hull.h"
 #include "mesh.h"
 #include "write.h"
+#include "write_parts.h"
 
 enum { EXIT_DONE = 0, EXIT_INPUT = 2 };
 
@@ -14,10 +16,17 @@ static const char help[] =
     "Makes the convex hull of a file's points, exactly, and writes it to standard output.\n"
     "\n"
     "  --hull         the convex hull of all points (default)\n"
+    "  --decompose    convex parts that enclose the solid which the file's triangles bound\n"
+    "  --excess LSB   parts may reach beyond the solid by so much; the default is 0 where a solid has few edges\n"
+    "                 at which it is not convex, else a 64th of its longest side\n"
+    "  --parts N      no more than so many parts, whatever their excess\n"
+    "  --picture SVG  draws the parts into that file, too\n"
     "  --info         one line about it instead of C:\n"
     "                 points=N vertices=V faces=F volume6=K watertight=yes|no\n"
     "                 N points of the file, V extreme ones, F faces after those in one plane are merged,\n"
     "                 K six times the volume in cubic LSB; watertight: the file's own triangles close\n"
+    "                 with --decompose: parts=P excess=E enclosed=yes|no\n"
+    "                 E the farthest that a part reaches beyond the solid, LSB, rounded up; enclosed: checked exactly\n"
     "  --case         a case for gjk-query instead of C: the hull against itself, moved by its own length\n"
     "  --units        a number in the file is a unit, 65536 LSB (default)\n"
     "  --millimetres  1000 of them are a unit\n"
@@ -28,14 +37,22 @@ static const char help[] =
     "What it did goes to standard error. Exit status 2: the file cannot be read; the message says where and why.\n";
 
 typedef struct options {
-  const char *file, *name;
+  const char *file, *name, *picture;
   double scale;
-  bool info, cases;
+  bool info, cases, parts;
+  decompose_options how;
 } options;
 
 static int usage(const char *problem, const char *subject) {
   fprintf(stderr, "gjk-convert: %s%s; --help tells more\n", problem, subject);
   return EXIT_INPUT;
+}
+
+// A number from 0 to 'most'.
+static bool read_number(const char *word, double most, double *out) {
+  char *end;
+  *out = strtod(word, &end);
+  return end != word && *end == '\0' && *out >= 0 && *out <= most;
 }
 
 // EXIT_DONE: go on; other values: stop with that status.
@@ -52,6 +69,22 @@ static int read_options(int argc, char **argv, options *o) {
       o->scale = 65.536;
     } else if (strcmp(word, "--name") == 0 && i + 1 < argc) {
       o->name = argv[++i];
+    } else if (strcmp(word, "--decompose") == 0) {
+      o->parts = true;
+    } else if (strcmp(word, "--picture") == 0 && i + 1 < argc) {
+      o->picture = argv[++i];
+    } else if (strcmp(word, "--excess") == 0 && i + 1 < argc) {
+      double excess;
+      if (!read_number(argv[++i], SOLID_EXTENT, &excess)) {
+        return usage("no excess: ", argv[i]);
+      }
+      o->how.excess = excess;
+    } else if (strcmp(word, "--parts") == 0 && i + 1 < argc) {
+      double parts;
+      if (!read_number(argv[++i], 1000, &parts) || parts < 1 || parts != (unsigned)parts) {
+        return usage("no number of parts from 1 to 1000: ", argv[i]);
+      }
+      o->how.parts = (unsigned)parts;
     } else if (strcmp(word, "--hull") != 0 && word[0] == '-' && word[1] != '\0') {
       return usage("unknown option ", word);
     } else if (word[0] != '-') {
@@ -133,8 +166,47 @@ static int convert(const options *o, mesh_file *file, const mesh *m, size_t poin
   return result;
 }
 
+// Cuts the solid into convex parts and writes what is asked for.
+static int convert_to_parts(const options *o, mesh_file *file, const mesh *m) {
+  char problem[200];
+  solid s;
+  decomposition d;
+  if (!solid_from_mesh(&s, m, problem, sizeof problem)) {
+    fprintf(stderr, "%s: %s\n", file->name, problem);
+    solid_free(&s);
+    return EXIT_INPUT;
+  }
+  decompose(&s, &o->how, &d);
+  int result = EXIT_DONE;
+  if (o->info) {
+    write_parts_info(&d);
+  } else if (o->cases) {
+    write_parts_case(&s, &d, o->name);
+  } else {
+    write_parts_source(&s, &d, o->name);
+  }
+  if (o->picture != NULL && !write_parts_picture(&s, &d, o->picture)) {
+    fprintf(stderr, "%s: cannot be written\n", o->picture);
+    result = EXIT_INPUT;
+  }
+  if (!d.enclosed) {
+    fprintf(stderr, "%s: the parts do not enclose the solid: %s\n", file->name, d.problem);
+  }
+  if (!o->info) {
+    fprintf(
+        stderr,
+        "%zu triangles, %zu edges where the solid is not convex; %zu parts, %s; excess between %.2Lf and %.2Lf LSB; "
+        "points rounded by at most %.2f LSB\n",
+        s.triangles, d.notches, d.parts, d.enclosed ? "enclosing it, proven" : "not enclosing it", d.excess.at_least,
+        d.excess.at_most, m->most_rounding);
+  }
+  decompose_free(&d);
+  solid_free(&s);
+  return result;
+}
+
 int main(int argc, char **argv) {
-  options o = {NULL, NULL, 65536, false, false};
+  options o = {NULL, NULL, NULL, 65536, false, false, false, {-1, 0}};
   char name[64];
   mesh m = {NULL, NULL, 0, 0, 0, 0, 0};
   for (int i = 1; i < argc; i++) {
@@ -159,7 +231,7 @@ int main(int argc, char **argv) {
   if (mesh_read(&m, &file)) {
     const size_t points = m.points;
     mesh_weld(&m);
-    result = convert(&o, &file, &m, points);
+    result = o.parts ? convert_to_parts(&o, &file, &m) : convert(&o, &file, &m, points);
   } else {
     result = report_problem(&file);
   }

@@ -1,0 +1,103 @@
+#!/bin/sh
+# gjk-convert --decompose: samples with known answers, options, what it writes, what it says about files that bound no solid.
+# usage: test_decompose_tool.sh BUILD
+set -u
+build=$1
+convert=$build/gjk-convert
+work=$build/decompose
+meshes=tests/data/meshes
+passed=0
+failed=0
+rm -rf "$work"
+mkdir -p "$work"
+
+check() { # NAME EXPECTED FOUND
+  if [ "$2" = "$3" ]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf '%s: expected\n%s\nfound\n%s\n' "$1" "$2" "$3"
+  fi
+}
+
+info() {
+  "$convert" --decompose --info "$@" 2>&1
+}
+
+# Exact ones, in units and in millimetres.
+for scale in --units --millimetres; do
+  check "l_bracket $scale" 'parts=2 excess=0 enclosed=yes' "$(info $scale tests/data/hulls/l_bracket.obj)"
+  check "u_channel $scale" 'parts=3 excess=0 enclosed=yes' "$(info $scale tests/data/hulls/u_channel.obj)"
+  check "bracket $scale" 'parts=9 excess=0 enclosed=yes' "$(info $scale $meshes/bracket.obj)"
+done
+
+# Turned so that no coordinate is whole: as many parts, a few LSB.
+awk '/^v/ { x = $2 * .8 - $3 * .6; y = $2 * .6 + $3 * .8; printf "v %.6f %.6f %.6f\n", x, y * .28 - $4 * .96, y * .96 + $4 * .28 }
+  /^f/' tests/data/hulls/u_channel.obj >"$work/turned.obj"
+for scale in --units --millimetres; do
+  check "turned $scale" 'parts=3 enclosed=yes few' "$(info $scale "$work/turned.obj" |
+    awk '{ split($2, e, "="); print $1, $3, e[2] < 64 ? "few" : e[2] }')"
+done
+
+# A torus: a number of parts, an excess. 10 % above the best arrangement found by hand, which is so many equal sectors.
+limits() { # NAME PARTS EXCESS OPTIONS...
+  name=$1
+  parts=$2
+  excess=$3
+  shift 3
+  check "$name" 'enclosed=yes few near' "$(info --millimetres "$@" |
+    awk -v parts="$parts" -v excess="$excess" '{ split($1, p, "="); split($2, e, "=");
+      print $3, p[2] <= parts ? "few" : p[2], e[2] <= excess ? "near" : e[2] }')"
+}
+limits 'torus, 12 parts' 12 80 --parts 12 $meshes/torus.obj
+limits 'torus, one part' 1 1660 --parts 1 $meshes/torus.obj
+limits 'torus, 300 LSB' 8 300 --excess 300 $meshes/torus.obj
+limits 'rock, 400 LSB' 9 400 --excess 400 $meshes/rock.obj
+
+# C that compiles, and cases that gjk-query answers: the first part overlaps itself and touches its neighbour.
+"$convert" --decompose $meshes/bracket.obj >"$work/bracket.c" 2>"$work/told"
+${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude -c "$work/bracket.c" -o "$work/bracket.o"
+check 'bracket.c compiles' 0 $?
+check 'its parts' 1 "$(grep -c 'const gjk_compound_part bracket\[9\]' "$work/bracket.c")"
+check 'what is told' 1 "$(grep -c '9 parts, enclosing it, proven' "$work/told")"
+check 'as cases' 'intersecting intersecting' \
+  "$("$convert" --decompose --case tests/data/hulls/l_bracket.obj 2>/dev/null | "$build/gjk-query" - |
+    awk '{ printf "%s%s", (NR > 1 ? " " : ""), $2 }')"
+"$convert" --decompose --info --picture "$work/bracket.svg" $meshes/bracket.obj >/dev/null
+check 'a picture' '0 1' "$? $(grep -c '</svg>' "$work/bracket.svg")"
+"$convert" --decompose --info --picture "$work/none/bracket.svg" $meshes/bracket.obj >/dev/null 2>&1
+check 'a picture nowhere' 2 $?
+
+# The same with the triangles the other way round, and turned inside out.
+grep '^v' $meshes/bracket.obj >"$work/back.obj"
+grep '^f' $meshes/bracket.obj | sort -r >>"$work/back.obj"
+check 'another order' "$("$convert" --decompose --name b $meshes/bracket.obj 2>/dev/null | cksum)" \
+  "$("$convert" --decompose --name b "$work/back.obj" 2>/dev/null | cksum)"
+awk '/^f/ { print "f", $2, $4, $3; next } /^v/' $meshes/bracket.obj >"$work/inside.obj"
+check 'inside out' "$("$convert" --decompose --name b $meshes/bracket.obj 2>/dev/null | cksum)" \
+  "$("$convert" --decompose --name b "$work/inside.obj" 2>/dev/null | cksum)"
+
+# No solids: a message, status 2.
+refused() { # FILE MESSAGE
+  found=$(info "$work/$1")
+  check "$1: status" 2 $?
+  check "$1" "$work/$1$2" "$found"
+}
+sed '$d' tests/data/hulls/l_bracket.obj >"$work/open.obj"
+refused open.obj ': not watertight, so no solid: the edge from (0 0 1966080) to (0 3276800 0) LSB has no opposite'
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n' >"$work/flat.obj"
+refused flat.obj ': the surface encloses no volume'
+printf '0 0 0\n1 1 1\n' >"$work/points.txt"
+refused points.txt ': no triangles, and a solid is made of them'
+printf 'v 0 0 0\nv 8191 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n' >"$work/wide.obj"
+refused wide.obj ': the solid is 8191 units wide or more'
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 q\n' >"$work/word.obj"
+refused word.obj ":3: 'q' is not a number"
+for options in '--excess' '--excess -1' '--excess x' '--parts 0' '--parts 1.5' '--parts 1001' '--picture'; do
+  # shellcheck disable=SC2086 # words are wanted
+  "$convert" --decompose --info $options tests/data/hulls/l_bracket.obj >/dev/null 2>&1
+  check "options $options: status" 2 $?
+done
+
+echo "decompose_tool: $passed passed, $failed failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
