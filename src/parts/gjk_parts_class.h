@@ -54,6 +54,9 @@ struct gjk_parts_class {
   bool (*settle)(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_manifold *m);
 };
 
+// Does no part leave int32 where the body's position is this one, at any rotation?
+bool gjk_parts_has_room(const gjk_parts *parts, const gjk_vec3 *position);
+
 // The start of every query: checks A, and sets its frame.
 // Statuses: NULL, EMPTY, ROTATION, RANGE.
 gjk_status gjk_parts_frame_set(gjk_parts_frame *frame, const gjk_parts *a);
