@@ -139,8 +139,9 @@ gjk_status gjk_parts_cast(const gjk_parts *a, const gjk_collider *b, const gjk_c
 gjk_status gjk_parts_cast_ray(const gjk_parts *a, const gjk_vec3 *from, const gjk_vec3 *to, uint32_t *part,
                               gjk_cast_result *out);
 
-// The least tolerance of gjk_parts_time_of_impact. It pays for the rounding of composed poses too. Where a part's position is
-// more than 8192 units from that of its body, 22 LSB come on top.
+// The least tolerance of gjk_parts_time_of_impact, 24 LSB. It pays for the rounding of composed poses too. It is enough where
+// the farthest points of A and B are together at most 256 units from the positions of their poses. Beyond that 2^-23 of the
+// excess comes on top, 11 LSB for an A that reaches farther than 4096 units, and 2^-26 of the margin.
 #define GJK_PARTS_TOLERANCE_MIN ((gjk_q16)24)
 
 // When does a body that moves and turns first touch B? As gjk_time_of_impact of each part, which runs along an arc with its

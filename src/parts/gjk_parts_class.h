@@ -30,8 +30,8 @@ struct gjk_parts_class {
   // How many parts there are. 0: none.
   uint32_t (*count)(const void *data);
 
-  // How far from the body's origin positions and centres of colliders are at most, at any rotation, rounding included.
-  // Body positions nearer than that to an end of int32 are refused, so that place cannot leave it.
+  // How far from the body's origin the points of parts are at most, and the positions of their poses, at any rotation,
+  // rounding included. Body positions nearer than that to an end of int32 are refused, so that place cannot leave it.
   uint32_t (*reach)(const void *data);
 
   // A part that is likely to be near the region. Any number of a part is right; a good one saves work.

@@ -67,8 +67,7 @@ static gjk_status collect_contacts(const gjk_parts_frame *frame, gjk_region *reg
       return status;
     }
     if (status != GJK_ERROR_ITERATION_LIMIT &&
-        (found.manifold.count == 0 ||
-         (type->settle != NULL && !type->settle(frame, found.part, b, &found.manifold)))) {
+        (found.manifold.count == 0 || (type->settle != NULL && !type->settle(frame, found.part, b, &found.manifold)))) {
       continue;
     }
     note_status(out, status);
