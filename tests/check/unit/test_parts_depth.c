@@ -166,8 +166,8 @@ static void check_walls(void) {
   const gjk_parts body_of_walls = GJK_PARTS_OF_COMPOUND(&c);
   CHECK(gjk_collider_init(&b, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &pose) == GJK_OK);
   CHECK(gjk_parts_penetration(&body_of_walls, &b, NULL, &part, &result) == GJK_OK);
-  CHECK_MSG(part == 0 && result.depth == GJK_Q16(1) && result.normal.x == -GJK_Q30_ONE, "part %lu depth %ld normal %ld",
-            (unsigned long)part, (long)result.depth, (long)result.normal.x);
+  CHECK_MSG(part == 0 && result.depth == GJK_Q16(1) && result.normal.x <= -GJK_Q30_ONE + 4,
+            "part %lu depth %ld normal %ld", (unsigned long)part, (long)result.depth, (long)result.normal.x);
   CHECK(gjk_parts_contacts(&body_of_walls, &b, -1, 4, NULL, NULL, 0, &part) == GJK_ERROR_NEGATIVE);
   CHECK(gjk_parts_contacts(&body_of_walls, &b, 0, 0, NULL, NULL, 0, &part) == GJK_ERROR_RANGE);
   CHECK(gjk_parts_contacts(&body_of_walls, &b, 0, 9, NULL, NULL, 0, &part) == GJK_ERROR_RANGE);
