@@ -42,7 +42,7 @@ static int64_t least_tolerance(uint32_t reach, int64_t of_b, gjk_q16 margin) {
          (reach > UINT32_C(1) << 28 ? 11 * 256 : 0) + gjk_sar64(margin, 18);
 }
 
-static gjk_status check_setup(const impact_search *s) {
+static gjk_status check_impact_of_parts(const impact_search *s) {
   const gjk_impact_setup *setup = s->setup;
   if (s->b->state != GJK_STATE_INITIALISED && s->b->state != GJK_STATE_POSED) {
     return GJK_ERROR_UNINITIALISED;
@@ -182,7 +182,7 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
   s.status = GJK_OK;
   s.limited = false;
   gjk_status status = gjk_parts_frame_set(&s.frame, &s.body);
-  status = status == GJK_OK ? check_setup(&s) : status;
+  status = status == GJK_OK ? check_impact_of_parts(&s) : status;
   status = status == GJK_OK ? start_impact_region(&s) : status;
   if (status != GJK_OK) {
     return status;
