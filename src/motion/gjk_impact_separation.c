@@ -49,17 +49,19 @@ static int64_t between_positions(const gjk_separation *of, const gjk_unit3 *v, g
 
 // How far a body's core reaches along d, from the position that it is posed at, Q8, rounded down. d: a unit vector.
 // Of a hull without a table it is that of the shape's own vertices, turned in real numbers: within what posing does.
-static int64_t extent_along(const gjk_collider *c, const gjk_unit3 *d) {
+static int64_t extent_along(const gjk_mover *m, const gjk_unit3 *d) {
+  const gjk_collider *c = &m->collider;
   const gjk_vec3 along = {d->x, d->y, d->z};
   const gjk_shape *shape = c->shape;
   if (shape->type->buffered && shape->user == NULL) {
     const gjk_vec3 local = gjk_rotate_back(c->frame, &along), *first = shape->vertices;
     const gjk_vec3 *v = gjk_scan(first, first + shape->count, 31, &local);
-    return gjk_sar64(gjk_dot(&local, v), 22);
+    const int64_t carried = m->own != NULL ? along_q8(d, &m->place, &c->position) : 0;
+    return gjk_sar64(gjk_dot(&local, v), 22) + carried;
   }
   gjk_support at;
   shape->type->support(c, &along, &at);
-  return along_q8(d, &c->position, &c->centre) + gjk_sar64(gjk_dot(&along, &at.offset), 22);
+  return along_q8(d, &m->place, &c->centre) + gjk_sar64(gjk_dot(&along, &at.offset), 22);
 }
 
 static gjk_unit3 opposite_unit(const gjk_unit3 *v) {
@@ -85,7 +87,7 @@ static int64_t separation_at(const gjk_separation *of, gjk_q30 fraction) {
     if (i == 1) {
       d = opposite_unit(&d);
     }
-    s -= extent_along(&of->mover[i].collider, &d) + 1;
+    s -= extent_along(&of->mover[i], &d) + 1;
   }
   return s;
 }
@@ -242,7 +244,7 @@ static int64_t of_spheres(const gjk_separation *s, gjk_q30 fraction, int64_t tar
   for (int i = 0; i < 2; i++) {
     const gjk_mover *m = &s->mover[i];
     const gjk_unit3 d = i == 0 ? s->n : opposite_unit(&s->n);
-    bound -= m->turning.half_turns != 0 ? m->reach * INT64_C(256) : extent_along(&m->collider, &d) + 1;
+    bound -= m->turning.half_turns != 0 ? m->reach * INT64_C(256) : extent_along(m, &d) + 1;
   }
   return bound;
 }
