@@ -15,7 +15,7 @@ dir=$build/prove
 shift
 
 # What has a contract instead of a body, but in the driver of the bodies.
-CONTRACTS=gjk_add,gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,gjk_triangle_normal,reciprocal,\
+CONTRACTS=gjk_add,gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,gjk_triangle_normal,gjk_reciprocal,\
 gjk_reciprocal_root,gjk_unit,gjk_copy,gjk_height_key
 
 # The same for the drivers of the plane.
@@ -38,6 +38,8 @@ SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_trian
 SCENE_LEVELS=main:100,any_shapes:50,any_scene:100,gjk_scene_init:100,gjk_scene_attach:100,gjk_scene_view_of:100,\
 gjk_scene_check_header:100,gjk_scene_check:100,check_pair:50,check_link:50,check_inner:50,check_entry:50,check_pose:30,\
 gjk_collider_init:30,query_near:50,within_margins:50
+
+MOTION_LEVELS=main:20,any_scene:100,gjk_scene_init:20,gjk_copy:100
 
 cases() {
   echo primitives-x
@@ -198,8 +200,7 @@ prove_one() {
   instance=${1#*-}
   instance=${instance%-*}
   defines="-DCASE=$instance"
-  # Without what has no driver yet.
-  sources=$(echo src/*/*.c | tr ' ' '\n' | grep -vE 'scene|plane' | tr '\n' ' ')
+  sources=$(echo src/arith/*.c src/place/*.c src/shape/*.c src/gjk/*.c src/depth/*.c src/contact/*.c src/query/*.c)
   case $variant in
     int16) machine=gcc_x86_16 defines="$defines -DGJK_NARROW_MULTIPLY=1" ;;
     *) machine=gcc_x86_32 ;;
@@ -238,12 +239,15 @@ prove_one() {
       contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
       levels=$SCENE_LEVELS
       case $driver in
-        scene_motion) levels=$levels,gjk_copy:100 defines="$defines -DPROVE_COPY_BODY" ;;
+        scene_motion) defines="$defines -DPROVE_COPY_BODY" ;;
         scene_slide) levels=$levels,gjk_copy:400 defines="$defines -DPROVE_COPY_BODY" ;;
       esac
       set -- "$1" -eva-slevel 12 -eva-slevel-function "$levels" -eva-interprocedural-splits -eva-ilevel 64 \
-        -eva-auto-loop-unroll 8 -eva-warn-copy-indeterminate=-gjk_copy
+        -eva-auto-loop-unroll 8
+      [ "$driver" != scene_slide ] || set -- "$@" -eva-warn-copy-indeterminate=-gjk_copy
       # The outcomes of a sweep are too many to keep apart.
+      [ "$driver" != scene_motion ] || set -- "$1" -eva-slevel 2 -eva-slevel-function "$MOTION_LEVELS" \
+        -eva-auto-loop-unroll 4 -eva-warn-copy-indeterminate=-gjk_copy
       [ "$driver" = scene_motion ] || set -- "$@" -eva-partition-history 1 -eva-interprocedural-history
       ;;
     plane_*)

@@ -91,7 +91,7 @@ static inline void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *ou
 /*@ requires normal: x >= 0x80000000;
     assigns \result \from x;
     ensures 0x7fffffff <= \result; */
-static uint32_t reciprocal(uint32_t x);
+uint32_t gjk_reciprocal(uint32_t x);
 
 // Shown for every x by tests/prove/exhaust.c: 2^46 / sqrt(x).
 /*@ requires normal: x >= 0x40000000;

@@ -216,13 +216,17 @@ static gjk_manifold manifolds[1];
 
 static void any_tree(gjk_scene_header *h) {
   const int32_t empty = any_between(0, 1);
+#if MOTIONS == 0
   //@ split empty;
+#endif
   h->root = empty != 0 ? GJK_SCENE_NONE : any_node();
 }
 
 static void any_bindings(gjk_scene_bindings *bindings) {
   const int32_t able = any_between(0, 2);
+#if MOTIONS == 0
   //@ split able;
+#endif
   bindings->predicate = any_bool() ? any_answer : NULL;
   bindings->user = NULL;
   bindings->details = able == 0 ? NULL : able == 1 ? &gjk_scene_depth : &gjk_scene_contacts;
