@@ -1,0 +1,322 @@
+// The contacts of a body with one triangle of a surface, by normals that the surface has there.
+//
+//   1. Set the triangle's plane, seen from the side of the body. A triangle is behind its plane for a body of which more than
+//      half of the height, along the normal, is behind it. There it has no contacts, unless the surface has two sides.
+//   2. Clip triangle and body along the plane's normal. If a deepest point of the body lies over the triangle, the contacts
+//      found are the answer.
+//   3. Otherwise ask for the signed distance, and for the edge or corner with which the triangle meets its normal.
+//   4. The surface has that normal there if every triangle at the edge or corner lies behind the plane across it (the
+//      polar cone of the surface). Then the contacts along it are the answer.
+//   5. If not, and a triangle that is across the normal keeps the body farther out than this one does, that triangle
+//      answers for both. Otherwise the contacts of step 2 stay, if there are any: they have the triangle's own normal.
+//
+// Everything but the answer is relative to the body's centre. The body's radius, the margin and the triangle are each at most
+// 2^28 along an axis, so corners are below 3 2^28, and below sqrt(3) 3 2^28 < 2^30.4 long; edges are below 2^29 long.
+#include "../arith/gjk_unit.h"
+#include "../query/gjk_manifold.h"
+#include "gjk/mesh.h"
+#include "gjk_triangle.h"
+
+#define CORNER_MAX (INT32_C(3) << 28)
+
+// A plane of rounded unit normal is off by up to this at the body, LSB: step 2 takes points so near to the deepest for it.
+#define LEVEL 2
+
+// Reported normals are within 2^-28 of the exact ones, and rounded outward. A corner so far beyond the plane across one, by
+// its distance |x| + |y| + |z| and in Q30, lies in that plane.
+#define NORMAL_SLACK 8
+
+// A triangle, as the body sees it.
+typedef struct surface_face {
+  gjk_vec3 local[3], world[3];  // its corners
+  gjk_vec3 corner[3];           // counterclockwise seen from the body; relative to the body's centre
+  gjk_vec3 direction;           // of its normal, of 30 bits
+  gjk_unit3 unit;               // its normal
+  gjk_vec3 deepest;             // of the body's core along the normal, relative to its centre
+  gjk_q16 height;               // of the body above the plane, negative where it is deeper
+  unsigned edges;               // as of gjk_parts_class.edges, from the body's side
+} surface_face;
+
+typedef struct surface_query {
+  const gjk_parts_frame *frame;
+  const gjk_collider *body;
+  gjk_q16 margin;
+  unsigned most;
+  uint32_t number;
+} surface_query;
+
+static bool is_far(const gjk_vec3 *v) {
+  return v->x > CORNER_MAX || v->x < -CORNER_MAX || v->y > CORNER_MAX || v->y < -CORNER_MAX || v->z > CORNER_MAX ||
+         v->z < -CORNER_MAX;
+}
+
+// *out = world - centre; false: it is far.
+static bool relate(const gjk_vec3 *world, const gjk_vec3 *centre, gjk_vec3 *out) {
+  out->x = gjk_saturate((int64_t)world->x - centre->x);
+  out->y = gjk_saturate((int64_t)world->y - centre->y);
+  out->z = gjk_saturate((int64_t)world->z - centre->z);
+  return !is_far(out);
+}
+
+// The corners of a triangle; false: it is not as it should be.
+static bool set_corners_of(const surface_query *q, uint32_t number, surface_face *out) {
+  const gjk_parts_class *type = q->frame->parts->type;
+  gjk_parts_room room;
+  gjk_parts_local local;
+  type->local(q->frame->parts->data, number, &room, &local);
+  for (unsigned i = 0; i < 3; i++) {
+    gjk_set(&room.vertices[i], &out->local[i]);
+  }
+  return gjk_triangle_turn(q->frame, out->local, out->world) &&
+         relate(&out->world[0], &q->body->centre, &out->corner[0]) &&
+         relate(&out->world[1], &q->body->centre, &out->corner[1]) &&
+         relate(&out->world[2], &q->body->centre, &out->corner[2]);
+}
+
+// What is convex from one side is concave from the other.
+static unsigned edge_from_behind(unsigned edge) {
+  return edge == GJK_MESH_CONVEX ? GJK_MESH_CONCAVE : edge == GJK_MESH_CONCAVE ? GJK_MESH_CONVEX : edge;
+}
+
+// Turns a face to its other side: its first corner stays.
+static void turn_over(surface_face *f, gjk_long3 *n) {
+  const gjk_vec3 second = f->corner[1];
+  const unsigned a = GJK_TRIANGLE_EDGE(f->edges, 0), b = GJK_TRIANGLE_EDGE(f->edges, 1),
+                 c = GJK_TRIANGLE_EDGE(f->edges, 2);
+  gjk_set(&f->corner[2], &f->corner[1]);
+  gjk_set(&second, &f->corner[2]);
+  const gjk_vec3 local = f->local[1], world = f->world[1];
+  gjk_set(&f->local[2], &f->local[1]);
+  gjk_set(&local, &f->local[2]);
+  gjk_set(&f->world[2], &f->world[1]);
+  gjk_set(&world, &f->world[2]);
+  f->edges = (f->edges & (GJK_TRIANGLE_TWO_SIDED | GJK_TRIANGLE_UNKNOWN)) |
+             GJK_TRIANGLE_EDGES(edge_from_behind(c), edge_from_behind(b), edge_from_behind(a));
+  n->x = -n->x;
+  n->y = -n->y;
+  n->z = -n->z;
+}
+
+// Step 1. False: the triangle has no plane, or the body is behind it.
+static bool set_face(const surface_query *q, uint32_t number, surface_face *f) {
+  const gjk_shape_class *type = q->body->shape->type;
+  gjk_long3 n;
+  gjk_search_direction along;
+  gjk_support front, back;
+  if (!set_corners_of(q, number, f)) {
+    return false;
+  }
+  f->edges = q->frame->parts->type->edges(q->frame->parts->data, number);
+  gjk_triangle_normal(&f->corner[0], &f->corner[1], &f->corner[2], &n);
+  if (n.x == 0 && n.y == 0 && n.z == 0) {
+    return false;
+  }
+  gjk_search_direction_of(&n, &along);
+  const gjk_vec3 down = gjk_negate(along.d);
+  type->support(q->body, &down, &back);
+  gjk_vec3 middle = gjk_negate(f->corner[0]);
+  if (type->kind != GJK_KIND_AXES) {  // of those the middle is the centre
+    type->support(q->body, &along.d, &front);
+    const gjk_vec3 sum = gjk_add(front.offset, back.offset);
+    middle.x += gjk_sar32(sum.x, 1);
+    middle.y += gjk_sar32(sum.y, 1);
+    middle.z += gjk_sar32(sum.z, 1);
+  } else {
+    front.offset = gjk_negate(back.offset);
+  }
+  if (gjk_dot_sign(&n, &middle) < 0) {  // |middle| < 2^31
+    if ((f->edges & GJK_TRIANGLE_TWO_SIDED) == 0) {
+      return false;
+    }
+    turn_over(f, &n);
+    along.d = down;
+    gjk_set(&front.offset, &back.offset);
+  }
+  gjk_set(&along.d, &f->direction);
+  gjk_set(&back.offset, &f->deepest);
+  f->unit = gjk_unit(&along.d);
+  const gjk_vec3 above = gjk_sub(back.offset, f->corner[0]);  // below 2^31 long:  the product below 2^61
+  f->height = (gjk_q16)gjk_sar64(gjk_along(&f->unit, &above) + (INT64_C(1) << 29), 30) - q->body->shape->convex_radius;
+  return true;
+}
+
+// Does the body's deepest point lie over the triangle? Along the plane's direction of 30 bits, exact.
+static bool is_over(const surface_face *f) {
+  for (unsigned i = 0; i < 3; i++) {
+    const gjk_vec3 edge = gjk_sub(f->corner[gjk_next(i)], f->corner[i]), to = gjk_sub(f->deepest, f->corner[i]);
+    gjk_long3 inward;
+    gjk_cross(&f->direction, &edge, &inward);  // |direction| <= sqrt(3) 2^30, |edge| < 2^29
+    if (gjk_dot_sign(&inward, &to) < 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// A point of the core moved by a length along the normal, in the world.
+static void step_along(const surface_query *q, const surface_face *f, int64_t length, gjk_vec3 *out) {
+  const int64_t half = INT64_C(1) << 29;
+  const gjk_vec3 *at = &q->body->centre, *p = &f->deepest;
+  const gjk_q16 by = gjk_saturate(length);
+  out->x = gjk_saturate((int64_t)at->x + p->x + gjk_sar64(gjk_mul32(f->unit.x, by) + half, 30));
+  out->y = gjk_saturate((int64_t)at->y + p->y + gjk_sar64(gjk_mul32(f->unit.y, by) + half, 30));
+  out->z = gjk_saturate((int64_t)at->z + p->z + gjk_sar64(gjk_mul32(f->unit.z, by) + half, 30));
+}
+
+// Is one of the candidates as deep as the body is?
+static bool reaches(const gjk_candidates *candidates, gjk_q16 height) {
+  for (unsigned i = 0; i < candidates->count; i++) {
+    if (candidates->candidate[i].distance <= height + LEVEL) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Step 2. False: no deepest point of the body lies over the triangle.
+static bool meets_face(const surface_query *q, const surface_face *f, const gjk_collider *triangle,
+                       gjk_candidates *candidates, gjk_manifold *out) {
+  out->normal = f->unit;
+  gjk_manifold_find(triangle, q->body, q->margin, candidates, out);
+  const bool over = is_over(f), found = reaches(candidates, f->height);
+  if (!over && !found) {
+    return false;
+  }
+  out->count = 0;
+  if (over && !found && f->height > q->margin) {
+    return true;
+  }
+  if (over && !found) {
+    gjk_distance_result nearest;
+    const gjk_q16 radius = q->body->shape->convex_radius;
+    nearest.distance = f->height;
+    step_along(q, f, -(int64_t)radius, &nearest.point_b);
+    step_along(q, f, -(int64_t)radius - f->height, &nearest.point_a);
+    gjk_manifold_keep(candidates, &nearest, q->most, out);
+  } else {
+    gjk_manifold_keep(candidates, NULL, q->most, out);
+  }
+  return true;
+}
+
+// How far p is beyond the plane across the normal at v: above 0, at least by the slack.
+static bool is_beyond(const gjk_unit3 *normal, const gjk_vec3 *v, const gjk_vec3 *p) {
+  const gjk_vec3 step = gjk_sub(*p, *v);
+  return gjk_along(normal, &step) > (int64_t)gjk_norm1(step) * NORMAL_SLACK;
+}
+
+// Step 3: bit i is set if the triangle meets the normal with its corner i.
+static unsigned corners_that_meet(const surface_face *f, const gjk_unit3 *normal) {
+  unsigned top = 0, bits = 0;
+  for (unsigned i = 1; i < 3; i++) {
+    const gjk_vec3 step = gjk_sub(f->corner[i], f->corner[top]);
+    top = gjk_along(normal, &step) > 0 ? i : top;
+  }
+  for (unsigned i = 0; i < 3; i++) {
+    bits |= is_beyond(normal, &f->corner[i], &f->corner[top]) ? 0u : 1u << i;
+  }
+  return bits;
+}
+
+// Which of the triangle's edges has these two corners.
+static unsigned edge_with(unsigned bits) {
+  return bits == 3 ? 0 : bits == 6 ? 1 : 2;
+}
+
+static bool has_corner(const surface_face *f, const gjk_vec3 *local) {
+  return gjk_same_place(&f->local[0], local) || gjk_same_place(&f->local[1], local) ||
+         gjk_same_place(&f->local[2], local);
+}
+
+// Steps 4 and 5, at an edge from corner i to corner j, or a corner, i = j. *answered: a triangle across the normal answers.
+static bool has_normal(const surface_query *q, const surface_face *f, const gjk_unit3 *normal, unsigned i, unsigned j,
+                       bool *answered) {
+  const gjk_vec3 *p = &f->local[i], *r = &f->local[j];
+  gjk_region region;
+  gjk_parts_walk walk;
+  surface_face other;
+  uint32_t number;
+  bool has = true;
+  region.moves = false;
+  region.box.lower.x = region.box.upper.x = (int32_t)gjk_sar64((int64_t)p->x + r->x, 1);
+  region.box.lower.y = region.box.upper.y = (int32_t)gjk_sar64((int64_t)p->y + r->y, 1);
+  region.box.lower.z = region.box.upper.z = (int32_t)gjk_sar64((int64_t)p->z + r->z, 1);
+  *answered = false;
+  gjk_parts_walk_start(&walk);
+  while (gjk_parts_next(q->frame, &region, &walk, &number)) {  // ends: each triangle comes once
+    if (number == q->number || !set_corners_of(q, number, &other) || !has_corner(&other, p) || !has_corner(&other, r)) {
+      continue;
+    }
+    bool beyond = false;
+    for (unsigned k = 0; k < 3; k++) {
+      beyond = beyond || is_beyond(normal, &f->corner[i], &other.corner[k]);
+    }
+    if (beyond) {
+      has = false;
+      *answered = *answered || (set_face(q, number, &other) && other.height > f->height);
+    }
+  }
+  return has;
+}
+
+// Steps 3 to 5.
+static gjk_status meet_beside(const surface_query *q, const surface_face *f, const gjk_collider *triangle,
+                              const gjk_workspace *workspace, gjk_candidates *candidates, gjk_manifold *out) {
+  gjk_distance_result nearest;
+  const gjk_status status = gjk_signed_distance(triangle, q->body, NULL, workspace, &nearest);
+  if ((status != GJK_OK && status != GJK_ERROR_CAPACITY) || nearest.distance > q->margin) {
+    return status;
+  }
+  const gjk_vec3 normal = {nearest.normal.x, nearest.normal.y, nearest.normal.z};
+  const gjk_unit3 *n = &nearest.normal;
+  const unsigned bits = corners_that_meet(f, n);
+  const bool in_front = gjk_along(&f->unit, &normal) > 0;
+  bool answered = false, has = in_front;
+  if (bits == 7) {
+    nearest.normal = f->unit;
+  } else if (!in_front) {
+    has = false;
+  } else if (bits == 3 || bits == 5 || bits == 6) {
+    const unsigned i = edge_with(bits), edge = GJK_TRIANGLE_EDGE(f->edges, i);
+    const bool unknown = (f->edges & GJK_TRIANGLE_UNKNOWN) != 0;
+    if (unknown || edge == GJK_MESH_CONVEX) {
+      has = has_normal(q, f, n, i, gjk_next(i), &answered);
+    } else {
+      has = edge == GJK_MESH_OPEN;
+    }
+  } else {
+    const unsigned i = bits == 1 ? 0 : bits == 2 ? 1 : 2;
+    has = has_normal(q, f, n, i, i, &answered);
+  }
+  if (has) {
+    out->normal = *n;
+    gjk_manifold_find(triangle, q->body, q->margin, candidates, out);
+    gjk_manifold_keep(candidates, &nearest, q->most, out);
+  } else if (!answered && candidates->count > 0) {
+    gjk_manifold_keep(candidates, NULL, q->most, out);
+  }
+  return status;
+}
+
+gjk_status gjk_surface_contacts(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
+                                unsigned most, const gjk_workspace *workspace, gjk_manifold *out) {
+  const surface_query q = {frame, b, margin, most, number};
+  surface_face face;
+  gjk_parts_room room;
+  gjk_collider triangle;
+  gjk_candidates candidates;
+  out->count = 0;
+  out->feature_a = 0;
+  out->feature_b = 0;
+  if (margin > GJK_RADIUS_MAX) {
+    return GJK_ERROR_RANGE;
+  }
+  if (!set_face(&q, number, &face) || face.height > (int64_t)margin + LEVEL) {
+    return GJK_OK;
+  }
+  const gjk_status status = gjk_triangle_collider(face.world, &room, &triangle);
+  if (status != GJK_OK || meets_face(&q, &face, &triangle, &candidates, out)) {
+    return status;
+  }
+  return meet_beside(&q, &face, &triangle, workspace, &candidates, out);
+}

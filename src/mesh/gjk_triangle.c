@@ -1,0 +1,142 @@
+// Triangles as parts of a body.
+#include "gjk_triangle.h"
+
+#include "../arith/gjk_root.h"
+#include "../arith/gjk_rotation.h"
+#include "gjk/mesh.h"
+
+void gjk_triangle_widen(gjk_vec3 *lower, gjk_vec3 *upper, const gjk_vec3 *v) {
+  lower->x = v->x < lower->x ? v->x : lower->x;
+  lower->y = v->y < lower->y ? v->y : lower->y;
+  lower->z = v->z < lower->z ? v->z : lower->z;
+  upper->x = v->x > upper->x ? v->x : upper->x;
+  upper->y = v->y > upper->y ? v->y : upper->y;
+  upper->z = v->z > upper->z ? v->z : upper->z;
+}
+
+static void box_of(const gjk_vec3 corner[3], gjk_aabb *box) {
+  gjk_set(&corner[0], &box->lower);
+  gjk_set(&corner[0], &box->upper);
+  gjk_triangle_widen(&box->lower, &box->upper, &corner[1]);
+  gjk_triangle_widen(&box->lower, &box->upper, &corner[2]);
+}
+
+// Do all three lie beyond one end of a range?
+static bool is_beside(int32_t a, int32_t b, int32_t c, int32_t low, int32_t high) {
+  return (a < low && b < low && c < low) || (a > high && b > high && c > high);
+}
+
+bool gjk_triangle_meets(const gjk_region *region, const gjk_vec3 corner[3]) {
+  const gjk_vec3 *low = &region->box.lower, *high = &region->box.upper;
+  if (is_beside(corner[0].x, corner[1].x, corner[2].x, low->x, high->x) ||
+      is_beside(corner[0].y, corner[1].y, corner[2].y, low->y, high->y) ||
+      is_beside(corner[0].z, corner[1].z, corner[2].z, low->z, high->z)) {
+    return false;
+  }
+  if (!region->moves) {
+    return true;
+  }
+  gjk_aabb box;
+  box_of(corner, &box);
+  return gjk_region_meets_on_way(region, &box);
+}
+
+static bool is_in_range(int32_t x) {
+  return x <= GJK_MESH_COORDINATE_MAX && x >= -GJK_MESH_COORDINATE_MAX;
+}
+
+static bool fits_placed(int64_t x) {
+  return x >= INT32_MIN && x <= INT32_MAX;
+}
+
+// |v| <= sqrt(3) 2^30 < 2^31 - 4
+static bool turn_corner(const gjk_parts_frame *frame, const gjk_vec3 *v, gjk_vec3 *out) {
+  const gjk_vec3 *at = &frame->parts->pose.position;
+  if (!is_in_range(v->x) || !is_in_range(v->y) || !is_in_range(v->z)) {
+    return false;
+  }
+  const gjk_vec3 turned = gjk_rotate(frame->rows, v);
+  const int64_t x = (int64_t)at->x + turned.x, y = (int64_t)at->y + turned.y, z = (int64_t)at->z + turned.z;
+  out->x = gjk_saturate(x);
+  out->y = gjk_saturate(y);
+  out->z = gjk_saturate(z);
+  return fits_placed(x) && fits_placed(y) && fits_placed(z);
+}
+
+bool gjk_triangle_turn(const gjk_parts_frame *frame, const gjk_vec3 corner[3], gjk_vec3 world[3]) {
+  return turn_corner(frame, &corner[0], &world[0]) && turn_corner(frame, &corner[1], &world[1]) &&
+         turn_corner(frame, &corner[2], &world[2]);
+}
+
+static void make_shape(gjk_parts_room *room) {
+  const gjk_shape shape = GJK_TRIANGLE(0);
+  room->shape.type = shape.type;
+  room->shape.vertices = room->vertices;
+  room->shape.support = NULL;
+  room->shape.user = NULL;
+  room->shape.size.x = 0;
+  room->shape.size.y = 0;
+  room->shape.size.z = 0;
+  room->shape.convex_radius = 0;
+  room->shape.count = 3;
+  room->shape.faces = NULL;
+}
+
+static void set_corners(const gjk_vec3 from[3], gjk_parts_room *room) {
+  for (unsigned i = 0; i < 3; i++) {
+    gjk_set(&from[i], &room->vertices[i]);
+  }
+}
+
+gjk_status gjk_triangle_collider(const gjk_vec3 world[3], gjk_parts_room *room, gjk_collider *out) {
+  static const gjk_pose identity = GJK_POSE_IDENTITY;
+  make_shape(room);
+  set_corners(world, room);
+  const gjk_status status = gjk_collider_init(out, &room->shape, NULL, 0);
+  return status == GJK_OK ? gjk_collider_pose(out, &identity) : status;
+}
+
+gjk_status gjk_triangle_place(const gjk_parts_frame *frame, const gjk_vec3 corner[3], gjk_parts_room *room,
+                              gjk_collider *out) {
+  gjk_vec3 world[3];
+  return gjk_triangle_turn(frame, corner, world) ? gjk_triangle_collider(world, room, out) : GJK_ERROR_RANGE;
+}
+
+void gjk_triangle_local(const gjk_vec3 corner[3], gjk_parts_room *room, gjk_parts_local *out) {
+  make_shape(room);
+  set_corners(corner, room);
+  out->shape = &room->shape;
+  out->own = NULL;
+}
+
+// The larger end of a range, as a size.
+static uint32_t farther_end(int32_t low, int32_t high) {
+  const uint32_t a = gjk_magnitude32(low), b = gjk_magnitude32(high);
+  return a > b ? a : b;
+}
+
+uint32_t gjk_triangle_reach(const gjk_vec3 *lower, const gjk_vec3 *upper) {
+  const uint32_t x = farther_end(lower->x, upper->x), y = farther_end(lower->y, upper->y),
+                 z = farther_end(lower->z, upper->z);
+  if ((x | y | z) >> 31 != 0) {
+    return UINT32_MAX;
+  }
+  return gjk_isqrt64(gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z)) + 4;  // squares below 2^62 each
+}
+
+static int64_t axis_gap(int32_t low, int32_t high, int32_t own_low, int32_t own_high) {
+  return low > own_high ? (int64_t)low - own_high : own_low > high ? (int64_t)own_low - high : 0;
+}
+
+int64_t gjk_box_gap(const gjk_vec3 *lower, const gjk_vec3 *upper, const gjk_region *region) {
+  const gjk_aabb *own = &region->box;
+  return axis_gap(lower->x, upper->x, own->lower.x, own->upper.x) +
+         axis_gap(lower->y, upper->y, own->lower.y, own->upper.y) +
+         axis_gap(lower->z, upper->z, own->lower.z, own->upper.z);
+}
+
+int64_t gjk_triangle_gap(const gjk_vec3 corner[3], const gjk_region *region) {
+  gjk_aabb box;
+  box_of(corner, &box);
+  return gjk_box_gap(&box.lower, &box.upper, region);
+}

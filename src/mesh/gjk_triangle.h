@@ -1,0 +1,47 @@
+// What a mesh and a height field share: triangles as parts of a body.
+#ifndef GJK_SRC_TRIANGLE_H
+#define GJK_SRC_TRIANGLE_H
+
+#include "../parts/gjk_parts_class.h"
+
+static inline bool gjk_same_place(const gjk_vec3 *a, const gjk_vec3 *b) {
+  return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+// Makes a box hold a point as well.
+void gjk_triangle_widen(gjk_vec3 *lower, gjk_vec3 *upper, const gjk_vec3 *v);
+
+// Does the box of a triangle meet the region?
+bool gjk_triangle_meets(const gjk_region *region, const gjk_vec3 corner[3]);
+
+// The corners of a triangle where they stand in the world: each turned and rounded once, wherever it is used. So triangles
+// that share a corner share its place. False: a coordinate is beyond its range, of data that was never checked.
+bool gjk_triangle_turn(const gjk_parts_frame *frame, const gjk_vec3 corner[3], gjk_vec3 world[3]);
+
+// The collider of a triangle in the world. Statuses as gjk_collider_init.
+gjk_status gjk_triangle_collider(const gjk_vec3 world[3], gjk_parts_room *room, gjk_collider *out);
+
+// What gjk_parts_class.place and .local are for triangles.
+gjk_status gjk_triangle_place(const gjk_parts_frame *frame, const gjk_vec3 corner[3], gjk_parts_room *room,
+                              gjk_collider *out);
+void gjk_triangle_local(const gjk_vec3 corner[3], gjk_parts_room *room, gjk_parts_local *out);
+
+// The largest distance from the origin of a point of a box, and 4 for rounding; at most UINT32_MAX.
+uint32_t gjk_triangle_reach(const gjk_vec3 *lower, const gjk_vec3 *upper);
+
+// How far a box, or that of a triangle, lies from a region: the gaps along the axes together.
+int64_t gjk_box_gap(const gjk_vec3 *lower, const gjk_vec3 *upper, const gjk_region *region);
+int64_t gjk_triangle_gap(const gjk_vec3 corner[3], const gjk_region *region);
+
+// What gjk_parts_class.edges returns: the gjk_mesh_edge of each edge, two bits each, and whether there are contacts on both
+// sides.
+#define GJK_TRIANGLE_EDGES(a, b, c) ((unsigned)(a) | (unsigned)(b) << 2 | (unsigned)(c) << 4)
+#define GJK_TRIANGLE_EDGE(edges, i) ((edges) >> 2 * (i)&3u)
+#define GJK_TRIANGLE_TWO_SIDED 64u
+#define GJK_TRIANGLE_UNKNOWN 128u  // edges are not noted
+
+// gjk_parts_class.contacts of surfaces.
+gjk_status gjk_surface_contacts(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
+                                unsigned most, const gjk_workspace *workspace, gjk_manifold *out);
+
+#endif
