@@ -2,18 +2,22 @@
 //
 //   1. Set the triangle's plane, seen from the side of the body. A triangle is behind its plane for a body of which more than
 //      half of the height, along the normal, is behind it. There it has no contacts, unless the surface has two sides.
-//   2. Clip triangle and body along the plane's normal. If a deepest point of the body lies over the triangle, the contacts
-//      found are the answer.
+//   2. Clip triangle and body along the plane's normal. If a deepest point of the body lies over the triangle, and the body
+//      has not come around it, the contacts found are the answer.
 //   3. Otherwise ask for the signed distance, and for the edge or corner with which the triangle meets its normal.
 //   4. The surface has that normal there if every triangle at the edge or corner lies behind the plane across it (the
 //      polar cone of the surface). Then the contacts along it are the answer.
 //   5. If not, and a triangle that is across the normal keeps the body farther out than this one does, that triangle
 //      answers for both. Otherwise the contacts of step 2 stay, if there are any: they have the triangle's own normal.
+//   6. If there are none, a body that overlaps the triangle, or whose normals are rough since it is curved, may have none at
+//      all: in the groove of a concave edge it lies over neither side. Unless it lies over a triangle at that edge or corner,
+//      the nearest points of step 3 are taken with the triangle's normal.
 //
 // Everything but the answer is relative to the body's centre. The body's radius, the margin and the triangle are each at most
 // 2^28 along an axis, so corners are below 3 2^28, and below sqrt(3) 3 2^28 < 2^30.4 long; edges are below 2^29 long.
 #include "../arith/gjk_unit.h"
 #include "../query/gjk_manifold.h"
+#include "gjk/intersect.h"
 #include "gjk/mesh.h"
 #include "gjk_triangle.h"
 
@@ -22,9 +26,10 @@
 // A plane of rounded unit normal is off by up to this at the body, LSB: step 2 takes points so near to the deepest for it.
 #define LEVEL 2
 
-// Reported normals are within 2^-28 of the exact ones, and rounded outward. A corner so far beyond the plane across one, by
-// its distance |x| + |y| + |z| and in Q30, lies in that plane.
+// A corner so far beyond the plane across a normal, for each LSB of its distance |x| + |y| + |z| and in Q30, counts as in that
+// plane. Normals are reported within 2^-28, and rounded outward; those of curved shapes are rough.
 #define NORMAL_SLACK 8
+#define NORMAL_SLACK_CURVED (INT32_C(1) << 20)
 
 // A triangle, as the body sees it.
 typedef struct surface_face {
@@ -43,6 +48,7 @@ typedef struct surface_query {
   gjk_q16 margin;
   unsigned most;
   uint32_t number;
+  int32_t slack;  // of normals
 } surface_query;
 
 static bool is_far(const gjk_vec3 *v) {
@@ -173,16 +179,22 @@ static bool reaches(const gjk_candidates *candidates, gjk_q16 height) {
   return false;
 }
 
+// A body that is behind the plane in part may have come around the triangle, and not touch it.
+static bool touches(const surface_query *q, const gjk_collider *triangle) {
+  gjk_decision decision;
+  return gjk_intersect(triangle, q->body, NULL, &decision) != GJK_OK || decision.yes;
+}
+
 // Step 2. False: no deepest point of the body lies over the triangle.
 static bool meets_face(const surface_query *q, const surface_face *f, const gjk_collider *triangle,
                        gjk_candidates *candidates, gjk_manifold *out) {
   out->normal = f->unit;
   gjk_manifold_find(triangle, q->body, q->margin, candidates, out);
   const bool over = is_over(f), found = reaches(candidates, f->height);
-  if (!over && !found) {
+  out->count = 0;
+  if ((!over && !found) || (f->height < 0 && !touches(q, triangle))) {
     return false;
   }
-  out->count = 0;
   if (over && !found && f->height > q->margin) {
     return true;
   }
@@ -200,20 +212,20 @@ static bool meets_face(const surface_query *q, const surface_face *f, const gjk_
 }
 
 // How far p is beyond the plane across the normal at v: above 0, at least by the slack.
-static bool is_beyond(const gjk_unit3 *normal, const gjk_vec3 *v, const gjk_vec3 *p) {
+static bool is_beyond(const surface_query *q, const gjk_unit3 *normal, const gjk_vec3 *v, const gjk_vec3 *p) {
   const gjk_vec3 step = gjk_sub(*p, *v);
-  return gjk_along(normal, &step) > (int64_t)gjk_norm1(step) * NORMAL_SLACK;
+  return gjk_along(normal, &step) > (int64_t)gjk_norm1(step) * q->slack;  // below 2^33 2^20
 }
 
 // Step 3: bit i is set if the triangle meets the normal with its corner i.
-static unsigned corners_that_meet(const surface_face *f, const gjk_unit3 *normal) {
+static unsigned corners_that_meet(const surface_query *q, const surface_face *f, const gjk_unit3 *normal) {
   unsigned top = 0, bits = 0;
   for (unsigned i = 1; i < 3; i++) {
     const gjk_vec3 step = gjk_sub(f->corner[i], f->corner[top]);
     top = gjk_along(normal, &step) > 0 ? i : top;
   }
   for (unsigned i = 0; i < 3; i++) {
-    bits |= is_beyond(normal, &f->corner[i], &f->corner[top]) ? 0u : 1u << i;
+    bits |= is_beyond(q, normal, &f->corner[i], &f->corner[top]) ? 0u : 1u << i;
   }
   return bits;
 }
@@ -228,38 +240,88 @@ static bool has_corner(const surface_face *f, const gjk_vec3 *local) {
          gjk_same_place(&f->local[2], local);
 }
 
-// Steps 4 and 5, at an edge from corner i to corner j, or a corner, i = j. *answered: a triangle across the normal answers.
-static bool has_normal(const surface_query *q, const surface_face *f, const gjk_unit3 *normal, unsigned i, unsigned j,
-                       bool *answered) {
-  const gjk_vec3 *p = &f->local[i], *r = &f->local[j];
+// The triangles at an edge or corner of a face, one after the other.
+typedef struct ring_walk {
   gjk_region region;
   gjk_parts_walk walk;
+  const gjk_vec3 *p, *r;  // the edge's ends, or the corner twice
+} ring_walk;
+
+static void ring_start(ring_walk *ring, const gjk_vec3 *p, const gjk_vec3 *r) {
+  gjk_aabb *box = &ring->region.box;
+  ring->region.moves = false;
+  ring->p = p;
+  ring->r = r;
+  box->lower.x = (int32_t)gjk_sar64((int64_t)p->x + r->x, 1);
+  box->lower.y = (int32_t)gjk_sar64((int64_t)p->y + r->y, 1);
+  box->lower.z = (int32_t)gjk_sar64((int64_t)p->z + r->z, 1);
+  gjk_set(&box->lower, &box->upper);
+  gjk_parts_walk_start(&ring->walk);
+}
+
+// Ends: each triangle comes once.
+static bool ring_next(const surface_query *q, ring_walk *ring, uint32_t *number, surface_face *other) {
+  while (gjk_parts_next(q->frame, &ring->region, &ring->walk, number)) {
+    if (*number != q->number && set_corners_of(q, *number, other) && has_corner(other, ring->p) &&
+        has_corner(other, ring->r)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// For a body that overlaps a triangle only one that it overlaps as well can answer.
+static bool answers(const surface_query *q, const surface_face *other, bool together) {
+  gjk_parts_room room;
+  gjk_collider triangle;
+  return !together || (gjk_triangle_collider(other->world, &room, &triangle) == GJK_OK && touches(q, &triangle));
+}
+
+// Steps 4 and 5, at the edge from corner i to corner j, or at a corner, i = j. *answered: a triangle across the normal
+// answers.
+static bool has_normal(const surface_query *q, const surface_face *f, const gjk_unit3 *normal, unsigned i, unsigned j,
+                       bool together, bool *answered) {
+  ring_walk ring;
   surface_face other;
   uint32_t number;
   bool has = true;
-  region.moves = false;
-  region.box.lower.x = region.box.upper.x = (int32_t)gjk_sar64((int64_t)p->x + r->x, 1);
-  region.box.lower.y = region.box.upper.y = (int32_t)gjk_sar64((int64_t)p->y + r->y, 1);
-  region.box.lower.z = region.box.upper.z = (int32_t)gjk_sar64((int64_t)p->z + r->z, 1);
-  *answered = false;
-  gjk_parts_walk_start(&walk);
-  while (gjk_parts_next(q->frame, &region, &walk, &number)) {  // ends: each triangle comes once
-    if (number == q->number || !set_corners_of(q, number, &other) || !has_corner(&other, p) || !has_corner(&other, r)) {
-      continue;
-    }
-    bool beyond = false;
-    for (unsigned k = 0; k < 3; k++) {
-      beyond = beyond || is_beyond(normal, &f->corner[i], &other.corner[k]);
-    }
-    if (beyond) {
+  ring_start(&ring, &f->local[i], &f->local[j]);
+  while (ring_next(q, &ring, &number, &other)) {
+    if (is_beyond(q, normal, &f->corner[i], &other.corner[0]) ||
+        is_beyond(q, normal, &f->corner[i], &other.corner[1]) ||
+        is_beyond(q, normal, &f->corner[i], &other.corner[2])) {
       has = false;
-      *answered = *answered || (set_face(q, number, &other) && other.height > f->height);
+      *answered =
+          *answered || (set_face(q, number, &other) && other.height > f->height && answers(q, &other, together));
     }
   }
   return has;
 }
 
-// Steps 3 to 5.
+// Does the deepest point lie over some triangle at the edge or corner?
+static bool is_over_ring(const surface_query *q, const surface_face *f, unsigned i, unsigned j, bool together) {
+  ring_walk ring;
+  surface_face other;
+  uint32_t number;
+  ring_start(&ring, &f->local[i], &f->local[j]);
+  while (ring_next(q, &ring, &number, &other)) {
+    if (set_face(q, number, &other) && is_over(&other) && answers(q, &other, together)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Step 6: the nearest points of both, with the triangle's normal.
+static void keep_nearest(const surface_query *q, const surface_face *f, gjk_distance_result *nearest,
+                         gjk_candidates *candidates, gjk_manifold *out) {
+  nearest->distance = f->height > nearest->distance ? f->height : nearest->distance;
+  if (nearest->distance <= q->margin) {
+    gjk_manifold_keep(candidates, nearest, q->most, out);
+  }
+}
+
+// Steps 3 to 6.
 static gjk_status meet_beside(const surface_query *q, const surface_face *f, const gjk_collider *triangle,
                               const gjk_workspace *workspace, gjk_candidates *candidates, gjk_manifold *out) {
   gjk_distance_result nearest;
@@ -268,39 +330,44 @@ static gjk_status meet_beside(const surface_query *q, const surface_face *f, con
     return status;
   }
   const gjk_vec3 normal = {nearest.normal.x, nearest.normal.y, nearest.normal.z};
-  const gjk_unit3 *n = &nearest.normal;
-  const unsigned bits = corners_that_meet(f, n);
+  const unsigned bits = corners_that_meet(q, f, &nearest.normal);
   const bool in_front = gjk_along(&f->unit, &normal) > 0;
+  const bool may = in_front || (f->edges & GJK_TRIANGLE_TWO_SIDED) != 0;
   bool answered = false, has = in_front;
-  if (bits == 7) {
+  unsigned i = 0, j = 0;
+  if (bits == 7 && in_front) {
     nearest.normal = f->unit;
-  } else if (!in_front) {
-    has = false;
   } else if (bits == 3 || bits == 5 || bits == 6) {
-    const unsigned i = edge_with(bits), edge = GJK_TRIANGLE_EDGE(f->edges, i);
-    const bool unknown = (f->edges & GJK_TRIANGLE_UNKNOWN) != 0;
-    if (unknown || edge == GJK_MESH_CONVEX) {
-      has = has_normal(q, f, n, i, gjk_next(i), &answered);
+    i = edge_with(bits);
+    j = gjk_next(i);
+    const unsigned edge = GJK_TRIANGLE_EDGE(f->edges, i);
+    const bool noted = (f->edges & GJK_TRIANGLE_UNKNOWN) == 0 && in_front;
+    if (may && (!noted || edge == GJK_MESH_CONVEX)) {
+      has = has_normal(q, f, &nearest.normal, i, j, nearest.distance < 0, &answered);
     } else {
-      has = edge == GJK_MESH_OPEN;
+      has = may && edge == GJK_MESH_OPEN;
     }
   } else {
-    const unsigned i = bits == 1 ? 0 : bits == 2 ? 1 : 2;
-    has = has_normal(q, f, n, i, i, &answered);
+    i = j = bits == 1 ? 0 : bits == 2 ? 1 : 2;
+    has = may && has_normal(q, f, &nearest.normal, i, j, nearest.distance < 0, &answered);
   }
   if (has) {
-    out->normal = *n;
+    out->normal = nearest.normal;
     gjk_manifold_find(triangle, q->body, q->margin, candidates, out);
     gjk_manifold_keep(candidates, &nearest, q->most, out);
-  } else if (!answered && candidates->count > 0) {
+  } else if (!answered && candidates->count > 0 && (nearest.distance <= 0 || f->height >= 0)) {
     gjk_manifold_keep(candidates, NULL, q->most, out);
+  } else if (!answered && (nearest.distance < 0 || gjk_is_curved(q->body->shape)) &&
+             !is_over_ring(q, f, i, j, nearest.distance < 0)) {
+    keep_nearest(q, f, &nearest, candidates, out);
   }
   return status;
 }
 
 gjk_status gjk_surface_contacts(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
                                 unsigned most, const gjk_workspace *workspace, gjk_manifold *out) {
-  const surface_query q = {frame, b, margin, most, number};
+  const surface_query q = {frame, b,      margin,
+                           most,  number, gjk_is_curved(b->shape) ? NORMAL_SLACK_CURVED : NORMAL_SLACK};
   surface_face face;
   gjk_parts_room room;
   gjk_collider triangle;
@@ -308,6 +375,7 @@ gjk_status gjk_surface_contacts(const gjk_parts_frame *frame, uint32_t number, c
   out->count = 0;
   out->feature_a = 0;
   out->feature_b = 0;
+  candidates.count = 0;
   if (margin > GJK_RADIUS_MAX) {
     return GJK_ERROR_RANGE;
   }
