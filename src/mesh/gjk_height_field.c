@@ -188,6 +188,6 @@ const gjk_parts_class gjk_parts_class_height_field = {
     .next = next_in_field,
     .place = place_in_field,
     .local = local_in_field,
-    .contacts = gjk_surface_contacts,
+    .settle = gjk_surface_settle,
     .edges = edges_in_field,
 };

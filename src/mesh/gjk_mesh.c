@@ -16,29 +16,47 @@ static uint32_t reach_of_mesh(const void *data) {
   return gjk_triangle_reach(&mesh_of(data)->lower, &mesh_of(data)->upper);
 }
 
-// Down to a leaf, always to the nearer one of two nodes; there the first triangle whose box is nearest.
+static int32_t moved(int32_t x, int64_t by) {
+  return gjk_saturate((int64_t)x + by);
+}
+
+// The region's box, grown.
+static void grow_box(const gjk_region *region, int64_t by, gjk_region *out) {
+  const gjk_aabb *box = &region->box;
+  out->moves = false;
+  out->box.lower.x = moved(box->lower.x, -by);
+  out->box.lower.y = moved(box->lower.y, -by);
+  out->box.lower.z = moved(box->lower.z, -by);
+  out->box.upper.x = moved(box->upper.x, by);
+  out->box.upper.y = moved(box->upper.y, by);
+  out->box.upper.z = moved(box->upper.z, by);
+}
+
+// The most triangles that a guess looks at.
+#define GUESS_MAX 16
+
+// Of the triangles whose boxes meet that of the region, grown until there are some, the one that is nearest to it. It grows
+// by a quarter of its own size first, or by what lies between it and the mesh, then by twice as much each time. Nodes of
+// the tree do not lead there: those that a step of the Z-order curve crosses are large.
 static uint32_t guess_in_mesh(const void *data, const gjk_region *region) {
   const gjk_mesh *m = mesh_of(data);
-  const uint32_t leaves = gjk_mesh_leaves(m->triangle_count);
-  uint32_t leaf = 0, best = 0;
-  unsigned level = gjk_mesh_level(0, GJK_MESH_LEVEL_MAX, leaves);
-  while (level > 0) {
-    const uint32_t right = leaf + (UINT32_C(1) << (level - 1));
-    const unsigned right_level = gjk_mesh_level(right, level - 1, leaves);
-    level--;
-    if (gjk_mesh_node_gap(m, gjk_mesh_node_number(right, right_level), region) <
-        gjk_mesh_node_gap(m, gjk_mesh_node_number(leaf, level), region)) {
-      leaf = right;
-      level = right_level;
-    }
-  }
+  const gjk_aabb *box = &region->box;
+  const int64_t size = (int64_t)box->upper.x - box->lower.x + box->upper.y - box->lower.y + box->upper.z - box->lower.z;
+  gjk_region grown;
+  uint32_t best = 0, number;
   int64_t least = INT64_MAX;
-  for (uint32_t t = leaf * GJK_MESH_LEAF; t < m->triangle_count && t < (leaf + 1) * GJK_MESH_LEAF; t++) {
+  for (int64_t by = gjk_box_gap(&m->lower, &m->upper, region) + size / 12 + 1;
+       by < INT64_C(1) << 34 && least == INT64_MAX; by *= 2) {  // ends: at most 34 times
+    gjk_parts_walk walk;
     gjk_vec3 corner[3];
-    const int64_t gap = gjk_mesh_corners(m, t, corner) ? gjk_triangle_gap(corner, region) : INT64_MAX;
-    if (gap < least) {
-      least = gap;
-      best = t;
+    grow_box(region, by, &grown);
+    gjk_parts_walk_start(&walk);
+    for (unsigned i = 0; i < GUESS_MAX && gjk_mesh_next(m, &grown, &walk, &number, corner); i++) {
+      const int64_t distance = gjk_triangle_distance(corner, region);
+      if (distance < least) {
+        least = distance;
+        best = number;
+      }
     }
   }
   return best;
@@ -81,5 +99,5 @@ const gjk_parts_class gjk_parts_class_mesh = {
     .place = place_in_mesh,
     .local = local_in_mesh,
     .edges = edges_in_mesh,
-    .contacts = gjk_surface_contacts,
+    .settle = gjk_surface_settle,
 };

@@ -37,16 +37,26 @@ static void box_of_node(const gjk_mesh *mesh, uint32_t number, gjk_aabb *box) {
   box->upper.z = step_end(low->z, node->upper[2], mesh->shift[2]);
 }
 
-static bool node_meets(const gjk_mesh *mesh, uint32_t number, const gjk_region *region) {
+static bool steps_meet(const gjk_mesh_node *a, const gjk_mesh_node *b) {
+  return a->lower[0] <= b->upper[0] && b->lower[0] <= a->upper[0] && a->lower[1] <= b->upper[1] &&
+         b->lower[1] <= a->upper[1] && a->lower[2] <= b->upper[2] && b->lower[2] <= a->upper[2];
+}
+
+// steps: those of the region's box.
+static bool node_meets(const gjk_mesh *mesh, uint32_t number, const gjk_mesh_node *steps, const gjk_region *region) {
   gjk_aabb box;
+  if (!steps_meet(&mesh->nodes[number], steps)) {
+    return false;
+  }
+  if (!region->moves) {
+    return true;
+  }
   box_of_node(mesh, number, &box);
   return gjk_region_meets(region, &box);
 }
 
-int64_t gjk_mesh_node_gap(const gjk_mesh *mesh, uint32_t number, const gjk_region *region) {
-  gjk_aabb box;
-  box_of_node(mesh, number, &box);
-  return gjk_box_gap(&box.lower, &box.upper, region);
+static bool is_outside(const gjk_mesh *mesh, const gjk_region *region) {
+  return gjk_box_gap(&mesh->lower, &mesh->upper, region) > 0;
 }
 
 // Where a leaf's triangles end.
@@ -61,13 +71,16 @@ static bool next_leaf(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_
   uint32_t leaf = walk->node;
   unsigned level = 0;
   bool found = false;
+  gjk_mesh_node steps;
+  gjk_mesh_steps_of(mesh, &region->box.lower, &region->box.upper, &steps);
+  leaf = is_outside(mesh, region) ? leaves : leaf;
   while (leaf < leaves && !found) {
     // The highest level that begins here: after a node that was left out, or at the start.
     while (level < GJK_MESH_LEVEL_MAX && (leaf >> level & 1u) == 0) {
       level++;
     }
     level = gjk_mesh_level(leaf, level, leaves);
-    while (node_meets(mesh, gjk_mesh_node_number(leaf, level), region)) {
+    while (node_meets(mesh, gjk_mesh_node_number(leaf, level), &steps, region)) {
       if (level == 0) {
         walk->item = leaf * GJK_MESH_LEAF;
         found = true;

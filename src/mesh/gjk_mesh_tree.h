@@ -40,9 +40,6 @@ static inline unsigned gjk_mesh_level(uint32_t leaf, unsigned level, uint32_t le
 bool gjk_mesh_next(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_walk *walk, uint32_t *triangle,
                    gjk_vec3 corner[3]);
 
-// How far the box of a node lies from a region.
-int64_t gjk_mesh_node_gap(const gjk_mesh *mesh, uint32_t number, const gjk_region *region);
-
 // The steps from the mesh's lower corner to a coordinate, which is pulled into the mesh's box before. Rounded down, so
 // whoever is below in LSB is not above in steps.
 uint16_t gjk_mesh_step(int32_t x, int32_t lower, int32_t upper, unsigned shift);

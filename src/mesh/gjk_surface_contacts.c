@@ -15,10 +15,12 @@
 //
 // Everything but the answer is relative to the body's centre. The body's radius, the margin and the triangle are each at most
 // 2^28 along an axis, so corners are below 3 2^28, and below sqrt(3) 3 2^28 < 2^30.4 long; edges are below 2^29 long.
+#include "../arith/gjk_memory.h"
 #include "../arith/gjk_unit.h"
 #include "../query/gjk_manifold.h"
 #include "gjk/intersect.h"
 #include "gjk/mesh.h"
+#include "gjk/surface.h"
 #include "gjk_triangle.h"
 
 #define CORNER_MAX (INT32_C(3) << 28)
@@ -48,7 +50,8 @@ typedef struct surface_query {
   gjk_q16 margin;
   unsigned most;
   uint32_t number;
-  int32_t slack;  // of normals
+  int32_t slack;     // of normals
+  gjk_cache *cache;  // of gjk_within for all triangles
 } surface_query;
 
 static bool is_far(const gjk_vec3 *v) {
@@ -183,6 +186,13 @@ static bool reaches(const gjk_candidates *candidates, gjk_q16 height) {
 static bool touches(const surface_query *q, const gjk_collider *triangle) {
   gjk_decision decision;
   return gjk_intersect(triangle, q->body, NULL, &decision) != GJK_OK || decision.yes;
+}
+
+// A limit of iterations is left to gjk_signed_distance.
+// A direction that keeps the body off one triangle is likely to keep it off the next.
+static bool is_near(const surface_query *q, const gjk_collider *triangle) {
+  gjk_decision decision;
+  return gjk_within(triangle, q->body, q->margin, q->cache, &decision) != GJK_OK || decision.yes;
 }
 
 // Step 2. False: no deepest point of the body lies over the triangle.
@@ -364,10 +374,10 @@ static gjk_status meet_beside(const surface_query *q, const surface_face *f, con
   return status;
 }
 
-gjk_status gjk_surface_contacts(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
-                                unsigned most, const gjk_workspace *workspace, gjk_manifold *out) {
-  const surface_query q = {frame, b,      margin,
-                           most,  number, gjk_is_curved(b->shape) ? NORMAL_SLACK_CURVED : NORMAL_SLACK};
+gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
+                            unsigned most, gjk_cache *cache, const gjk_workspace *workspace, gjk_manifold *out) {
+  const surface_query q = {frame, b, margin, most, number, gjk_is_curved(b->shape) ? NORMAL_SLACK_CURVED : NORMAL_SLACK,
+                           cache};
   surface_face face;
   gjk_parts_room room;
   gjk_collider triangle;
@@ -376,15 +386,69 @@ gjk_status gjk_surface_contacts(const gjk_parts_frame *frame, uint32_t number, c
   out->feature_a = 0;
   out->feature_b = 0;
   candidates.count = 0;
-  if (margin > GJK_RADIUS_MAX) {
-    return GJK_ERROR_RANGE;
-  }
   if (!set_face(&q, number, &face) || face.height > (int64_t)margin + LEVEL) {
     return GJK_OK;
   }
   const gjk_status status = gjk_triangle_collider(face.world, &room, &triangle);
-  if (status != GJK_OK || meets_face(&q, &face, &triangle, &candidates, out)) {
+  if (status != GJK_OK || !is_near(&q, &triangle) || meets_face(&q, &face, &triangle, &candidates, out)) {
     return status;
   }
   return meet_beside(&q, &face, &triangle, workspace, &candidates, out);
+}
+
+// The contacts that the triangle alone has tell how far apart they may be.
+bool gjk_surface_settle(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_manifold *m) {
+  gjk_q16 margin = 0;
+  for (unsigned i = 0; i < m->count; i++) {
+    margin = m->contact[i].distance > margin ? m->contact[i].distance : margin;
+  }
+  const unsigned most = m->count;
+  margin = margin < GJK_RADIUS_MAX ? margin : GJK_RADIUS_MAX;
+  const gjk_status status = most == 0 ? GJK_OK : gjk_surface_meet(frame, number, b, margin, most, NULL, NULL, m);
+  return (status == GJK_OK || status == GJK_ERROR_CAPACITY) && m->count > 0;
+}
+
+gjk_status gjk_surface_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
+                                const gjk_workspace *workspace, gjk_surface_contact *out, uint16_t capacity,
+                                uint16_t *count) {
+  gjk_parts_frame frame;
+  gjk_region region;
+  gjk_parts_walk walk;
+  gjk_surface_contact found;
+  gjk_cache cache;
+  uint16_t filled = 0;
+  bool overflows = false;
+  gjk_zero(&cache, sizeof cache);
+  if (b == NULL || count == NULL || (out == NULL && capacity != 0)) {
+    return GJK_ERROR_NULL;
+  }
+  gjk_status status = gjk_parts_open(&frame, &region, a, b), worst = GJK_OK;
+  if (status != GJK_OK) {
+    return status;
+  }
+  if (a->type->edges == NULL) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  if (margin < 0 || margin > GJK_RADIUS_MAX || most < 1 || most > GJK_CONTACTS_MAX) {
+    return margin < 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_RANGE;
+  }
+  gjk_region_grow(&region, margin);
+  gjk_parts_walk_start(&walk);
+  while (gjk_parts_next(&frame, &region, &walk, &found.triangle)) {  // ends: each triangle comes once
+    gjk_manifold *manifold = filled < capacity ? &out[filled].manifold : &found.manifold;
+    status = gjk_surface_meet(&frame, found.triangle, b, margin, most, &cache, workspace, manifold);
+    worst = status == GJK_OK || worst == GJK_ERROR_ITERATION_LIMIT ? worst : status;
+    if (status != GJK_OK && status != GJK_ERROR_CAPACITY && status != GJK_ERROR_ITERATION_LIMIT) {
+      return status;
+    }
+    if (manifold->count > 0) {
+      overflows = overflows || filled == capacity;
+      if (filled < capacity) {
+        out[filled].triangle = found.triangle;
+        filled++;
+      }
+    }
+  }
+  *count = filled;
+  return overflows ? GJK_ERROR_CAPACITY : worst;
 }

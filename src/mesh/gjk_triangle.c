@@ -88,12 +88,48 @@ static void set_corners(const gjk_vec3 from[3], gjk_parts_room *room) {
   }
 }
 
+// Half of a range, rounded up, and its middle, rounded down: as gjk_collider_init has them.
+static uint32_t half_of(int32_t low, int32_t high, int32_t *middle) {
+  *middle = (int32_t)gjk_sar64((int64_t)low + high, 1);
+  return (uint32_t)((int64_t)high - *middle);
+}
+
+// What gjk_collider_init and gjk_collider_pose at the identity make of these corners, at less cost.
 gjk_status gjk_triangle_collider(const gjk_vec3 world[3], gjk_parts_room *room, gjk_collider *out) {
-  static const gjk_pose identity = GJK_POSE_IDENTITY;
+  gjk_aabb box;
+  uint64_t most = 0;
   make_shape(room);
   set_corners(world, room);
-  const gjk_status status = gjk_collider_init(out, &room->shape, NULL, 0);
-  return status == GJK_OK ? gjk_collider_pose(out, &identity) : status;
+  box_of(world, &box);
+  if ((half_of(box.lower.x, box.upper.x, &out->centre.x) | half_of(box.lower.y, box.upper.y, &out->centre.y) |
+       half_of(box.lower.z, box.upper.z, &out->centre.z)) >>
+          28 !=
+      0) {
+    return GJK_ERROR_SIZE;
+  }
+  for (unsigned i = 0; i < 3; i++) {
+    const gjk_vec3 offset = gjk_sub(world[i], out->centre);  // below 2^28 along each axis
+    const uint64_t squared = (uint64_t)gjk_dot(&offset, &offset);
+    gjk_set(&offset, &out->frame[i]);
+    most = squared > most ? squared : most;
+    out->fraction[i] = 0;
+  }
+  const uint32_t reach = gjk_isqrt64(most);
+  if (most > (uint64_t)GJK_RADIUS_MAX * (uint64_t)GJK_RADIUS_MAX) {
+    return GJK_ERROR_SIZE;
+  }
+  out->shape = &room->shape;
+  out->buffer = NULL;
+  out->position.x = 0;
+  out->position.y = 0;
+  out->position.z = 0;
+  gjk_set(&out->centre, &out->local_centre);
+  out->core_radius = (gjk_q16)reach + 4;
+  out->radius = out->core_radius;
+  out->bits = (uint8_t)(32 - gjk_clz32((uint32_t)out->core_radius));
+  out->count = 3;
+  out->state = GJK_STATE_POSED;
+  return GJK_OK;
 }
 
 gjk_status gjk_triangle_place(const gjk_parts_frame *frame, const gjk_vec3 corner[3], gjk_parts_room *room,
@@ -135,8 +171,17 @@ int64_t gjk_box_gap(const gjk_vec3 *lower, const gjk_vec3 *upper, const gjk_regi
          axis_gap(lower->z, upper->z, own->lower.z, own->upper.z);
 }
 
-int64_t gjk_triangle_gap(const gjk_vec3 corner[3], const gjk_region *region) {
+static int64_t middles_apart(int32_t low, int32_t high, int32_t own_low, int32_t own_high) {
+  const int64_t doubled = (int64_t)low + high - own_low - own_high;
+  return doubled < 0 ? -doubled : doubled;
+}
+
+int64_t gjk_triangle_distance(const gjk_vec3 corner[3], const gjk_region *region) {
+  const gjk_aabb *own = &region->box;
   gjk_aabb box;
   box_of(corner, &box);
-  return gjk_box_gap(&box.lower, &box.upper, region);
+  return 16 * gjk_box_gap(&box.lower, &box.upper, region) +
+         middles_apart(box.lower.x, box.upper.x, own->lower.x, own->upper.x) +
+         middles_apart(box.lower.y, box.upper.y, own->lower.y, own->upper.y) +
+         middles_apart(box.lower.z, box.upper.z, own->lower.z, own->upper.z);
 }

@@ -29,9 +29,11 @@ void gjk_triangle_local(const gjk_vec3 corner[3], gjk_parts_room *room, gjk_part
 // The largest distance from the origin of a point of a box, and 4 for rounding; at most UINT32_MAX.
 uint32_t gjk_triangle_reach(const gjk_vec3 *lower, const gjk_vec3 *upper);
 
-// How far a box, or that of a triangle, lies from a region: the gaps along the axes together.
+// How far a box lies from a region: the gaps along the axes together.
 int64_t gjk_box_gap(const gjk_vec3 *lower, const gjk_vec3 *upper, const gjk_region *region);
-int64_t gjk_triangle_gap(const gjk_vec3 corner[3], const gjk_region *region);
+
+// What a guess goes by: the gaps, and of equals the distances of the middles, along the axes together.
+int64_t gjk_triangle_distance(const gjk_vec3 corner[3], const gjk_region *region);
 
 // What gjk_parts_class.edges returns: the gjk_mesh_edge of each edge, two bits each, and whether there are contacts on both
 // sides.
@@ -40,8 +42,13 @@ int64_t gjk_triangle_gap(const gjk_vec3 corner[3], const gjk_region *region);
 #define GJK_TRIANGLE_TWO_SIDED 64u
 #define GJK_TRIANGLE_UNKNOWN 128u  // edges are not noted
 
-// gjk_parts_class.contacts of surfaces.
-gjk_status gjk_surface_contacts(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
-                                unsigned most, const gjk_workspace *workspace, gjk_manifold *out);
+// The contacts of one triangle of a surface with a body, as gjk_surface_contacts; count 0: none. Of *out all but contacts may
+// be written in any case. cache: of any
+// triangles of the surface with b, or NULL. Pre: margin is 0 to GJK_RADIUS_MAX, most as of gjk_contacts.
+gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
+                            unsigned most, gjk_cache *cache, const gjk_workspace *workspace, gjk_manifold *out);
+
+// gjk_parts_class.settle of surfaces.
+bool gjk_surface_settle(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_manifold *m);
 
 #endif

@@ -6,15 +6,15 @@
 #include <string.h>
 
 #include "check.h"
+#include "gjk/surface.h"
 #include "src/mesh/gjk_triangle.h"
 
 #define FOUND_MAX 600
 #define NEAR_MAX 2000
 
 typedef struct found_contacts {
-  unsigned count;
-  uint32_t number[FOUND_MAX];
-  gjk_manifold manifold[FOUND_MAX];
+  uint16_t count;
+  gjk_surface_contact contact[FOUND_MAX];
 } found_contacts;
 
 typedef struct dvec {
@@ -59,25 +59,6 @@ static dvec cross_of(dvec a, dvec b) {
 
 static double length_of(dvec a) {
   return sqrt(dot_of(a, a));
-}
-
-// All contacts with parts whose boxes meet that of the body, enlarged by the margin.
-static void find_all(const gjk_parts *parts, const gjk_collider *body, gjk_q16 margin, const gjk_workspace *workspace,
-                     found_contacts *out) {
-  gjk_parts_frame frame;
-  gjk_region region;
-  gjk_parts_walk walk;
-  uint32_t number;
-  out->count = 0;
-  CHECK(gjk_parts_open(&frame, &region, parts, body) == GJK_OK);
-  gjk_region_grow(&region, margin);
-  gjk_parts_walk_start(&walk);
-  while (gjk_parts_next(&frame, &region, &walk, &number) && out->count < FOUND_MAX) {
-    gjk_manifold *m = &out->manifold[out->count];
-    CHECK(parts->type->contacts(&frame, number, body, margin, 4, workspace, m) == GJK_OK);
-    out->number[out->count] = number;
-    out->count += m->count > 0 ? 1 : 0;
-  }
 }
 
 // The triangles near the body.

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/mesh/gjk_mesh_tree.h"
 #include "check.h"
 #include "generate/surface.h"
+#include "src/mesh/gjk_mesh_tree.h"
 
 #define SEED UINT64_C(0x4D657368)
 
@@ -253,17 +253,27 @@ static void check_refusals(void) {
   CHECK(gjk_mesh_check(&empty, NULL) == GJK_ERROR_NULL);
 }
 
+static bool node_meets(const gjk_mesh_node *n, const gjk_mesh_node *steps) {
+  bool meets = true;
+  for (unsigned k = 0; k < 3; k++) {
+    meets = meets && n->lower[k] <= steps->upper[k] && steps->lower[k] <= n->upper[k];
+  }
+  return meets;
+}
+
 // Nodes that a walk near one place looks at, counted by its rule.
 static unsigned long count_visited(const gjk_mesh *mesh, const gjk_region *region) {
   const uint32_t leaves = gjk_mesh_leaves(mesh->triangle_count);
   unsigned long visited = 0;
+  gjk_mesh_node steps;
+  gjk_mesh_steps_of(mesh, &region->box.lower, &region->box.upper, &steps);
   for (uint32_t leaf = 0; leaf < leaves;) {
     unsigned level = 0;
     while (level < GJK_MESH_LEVEL_MAX && (leaf >> level & 1u) == 0) {
       level++;
     }
     level = gjk_mesh_level(leaf, level, leaves);
-    while (visited++, gjk_mesh_node_gap(mesh, gjk_mesh_node_number(leaf, level), region) == 0 && level > 0) {
+    while (visited++, node_meets(&mesh->nodes[gjk_mesh_node_number(leaf, level)], &steps) && level > 0) {
       level = gjk_mesh_level(leaf, level - 1, leaves);
     }
     leaf += UINT32_C(1) << level;

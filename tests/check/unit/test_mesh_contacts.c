@@ -73,18 +73,19 @@ static void check_body(trial *t) {
   static gjk_epa_cell cells[CELLS];
   const gjk_workspace workspace = {cells, CELLS};
   const gjk_collider *body = &t->body.collider;
-  find_all(&t->parts, body, t->margin, &workspace, &found);
+  CHECK(gjk_surface_contacts(&t->parts, body, t->margin, 4, &workspace, found.contact, FOUND_MAX, &found.count) ==
+        GJK_OK);
   find_near(&t->parts, body, t->margin, &near);
   CHECK(found.count < FOUND_MAX && near.count < NEAR_MAX);
   tally.bodies++;
   gjk_q16 least = INT32_MAX;
   for (unsigned i = 0; i < found.count; i++) {
-    const gjk_manifold *m = &found.manifold[i];
+    const gjk_manifold *m = &found.contact[i].manifold;
     const dvec n = {ldexp(m->normal.x, -30), ldexp(m->normal.y, -30), ldexp(m->normal.z, -30)};
     tally.manifolds++;
     bool of_face = false;
     for (unsigned k = 0; k < near.count; k++) {
-      of_face = of_face || (near.triangle[k].number == found.number[i] &&
+      of_face = of_face || (near.triangle[k].number == found.contact[i].triangle &&
                             is_normal_of(&near.triangle[k], n, t->ground.mesh.two_sided));
     }
     tally.of_faces += of_face ? 1 : 0;
@@ -92,12 +93,12 @@ static void check_body(trial *t) {
     bool any = false;
     for (unsigned k = 0; k < m->count; k++) {
       least = m->contact[k].distance < least ? m->contact[k].distance : least;
-      any = any || surface_has_near(&near, found.number[i], of_vec3(&m->contact[k].point_a), n,
+      any = any || surface_has_near(&near, found.contact[i].triangle, of_vec3(&m->contact[k].point_a), n,
                                     t->ground.mesh.two_sided, gjk_is_curved(body->shape) ? 0.004 : 1e-6);
       CHECK(m->contact[k].distance <= t->margin);
     }
     CHECK_MSG(any || of_face, "triangle %lu: normal (%d, %d, %d), %u points, distance %d",
-              (unsigned long)found.number[i], (int)m->normal.x, (int)m->normal.y, (int)m->normal.z, m->count,
+              (unsigned long)found.contact[i].triangle, (int)m->normal.x, (int)m->normal.y, (int)m->normal.z, m->count,
               (int)m->contact[0].distance);
   }
   // What is missing.
