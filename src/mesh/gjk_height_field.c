@@ -158,10 +158,29 @@ static void local_in_field(const void *data, uint32_t number, gjk_parts_room *ro
   gjk_triangle_local(corner, room, out);
 }
 
+// The third corner of the triangle across an edge, from the sample where the cell begins: of the first triangle of a cell
+// that across its edge 0, 1, 2, then of the second.
+static const int8_t across[6][2] = {{0, -1}, {2, 1}, {0, 1}, {1, 0}, {1, 2}, {-1, 0}};
+
 static unsigned edges_in_field(const void *data, uint32_t number) {
-  (void)data;
-  (void)number;
-  return GJK_TRIANGLE_UNKNOWN;
+  const gjk_height_field *f = field_of(data);
+  const uint32_t cells = f->columns - UINT32_C(1), first = number / 2 % cells, row = number / 2 / cells;
+  gjk_vec3 corner[3], far;
+  unsigned edges = 0;
+  if (!corners_of(f, number, corner)) {
+    return 0;  // not reached: a precondition
+  }
+  for (unsigned k = 0; k < 3; k++) {
+    const int8_t *to = across[number % 2 * 3 + k];
+    const int32_t i = (int32_t)first + to[0], j = (int32_t)row + to[1];
+    const bool there = i >= 0 && j >= 0 && i < (int32_t)f->columns && j < (int32_t)f->rows &&
+                       sample_of(f, (uint32_t)i, (uint32_t)j, &far);
+    const gjk_mesh_edge edge =
+        there ? gjk_triangle_edge_of(&corner[k], &corner[gjk_next(k)], &corner[gjk_next(gjk_next(k))], &far)
+              : GJK_MESH_OPEN;
+    edges |= (unsigned)edge << 2 * k;
+  }
+  return edges;
 }
 
 gjk_status gjk_height_field_check(const gjk_height_field *field) {

@@ -123,25 +123,6 @@ bool gjk_mesh_next(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_wal
   }
 }
 
-static int sign_of_first(const gjk_long3 *n) {
-  return gjk_sign64(n->x != 0 ? n->x : n->y != 0 ? n->y : n->z);
-}
-
-// Corners of a triangle are at most 2^28 apart along each axis, so edges are below 2^29 long: |n| < 2^58.
-gjk_mesh_edge gjk_mesh_edge_of(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, const gjk_vec3 *w) {
-  gjk_long3 n, beyond;
-  gjk_triangle_normal(a, b, c, &n);
-  const gjk_vec3 step = gjk_sub(*w, *a);
-  const int side = gjk_dot_sign(&n, &step);
-  if (side != 0) {
-    return side > 0 ? GJK_MESH_CONCAVE : GJK_MESH_CONVEX;
-  }
-  // In one plane the normals of a, b, c and a, b, w are parallel. They point alike where w is on the side of c.
-  gjk_triangle_normal(a, b, w, &beyond);
-  const int of_n = sign_of_first(&n);
-  return of_n != 0 && of_n == sign_of_first(&beyond) ? GJK_MESH_CONVEX : GJK_MESH_FLAT;
-}
-
 void gjk_mesh_look_across(const gjk_mesh *mesh, uint32_t triangle, unsigned i, gjk_mesh_across *out) {
   gjk_vec3 corner[3], other[3];
   gjk_parts_walk walk;
@@ -169,7 +150,7 @@ void gjk_mesh_look_across(const gjk_mesh *mesh, uint32_t triangle, unsigned i, g
       out->opposite += opposite ? 1u : 0u;
       out->same += same ? 1u : 0u;
       if (opposite || (same && mesh->two_sided)) {
-        const gjk_mesh_edge kind = gjk_mesh_edge_of(a, b, c, &other[gjk_next(gjk_next(k))]);
+        const gjk_mesh_edge kind = gjk_triangle_edge_of(a, b, c, &other[gjk_next(gjk_next(k))]);
         out->kind = kind < out->kind ? kind : out->kind;
       }
     }

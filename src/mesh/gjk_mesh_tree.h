@@ -59,9 +59,6 @@ typedef struct gjk_mesh_across {
 // Looks at the edge from a triangle's corner i to the next one. Pre: its numbers are those of vertices.
 void gjk_mesh_look_across(const gjk_mesh *mesh, uint32_t triangle, unsigned i, gjk_mesh_across *out);
 
-// The kind of the edge from a to b of the triangle a, b, c, where another triangle has its third corner at w.
-gjk_mesh_edge gjk_mesh_edge_of(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, const gjk_vec3 *w);
-
 // What gjk_mesh_build and gjk_mesh_check ask of a triangle: the first corner at fault and what it is, or GJK_MESH_SOUND.
 gjk_mesh_fault gjk_mesh_triangle_fault(const gjk_vec3 *vertices, uint32_t vertex_count,
                                        const gjk_mesh_triangle *triangle, unsigned *corner);

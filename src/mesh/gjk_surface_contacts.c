@@ -42,6 +42,7 @@ typedef struct surface_face {
   gjk_vec3 deepest;             // of the body's core along the normal, relative to its centre
   gjk_q16 height;               // of the body above the plane, negative where it is deeper
   unsigned edges;               // as of gjk_parts_class.edges, from the body's side
+  bool clipped;                 // the candidates of step 2 are known
 } surface_face;
 
 typedef struct surface_query {
@@ -99,22 +100,39 @@ static void turn_over(surface_face *f, gjk_long3 *n) {
   gjk_set(&local, &f->local[2]);
   gjk_set(&f->world[2], &f->world[1]);
   gjk_set(&world, &f->world[2]);
-  f->edges = (f->edges & (GJK_TRIANGLE_TWO_SIDED | GJK_TRIANGLE_UNKNOWN)) |
-             GJK_TRIANGLE_EDGES(edge_from_behind(c), edge_from_behind(b), edge_from_behind(a));
+  f->edges = GJK_TRIANGLE_TWO_SIDED | GJK_TRIANGLE_EDGES(edge_from_behind(c), edge_from_behind(b), edge_from_behind(a));
   n->x = -n->x;
   n->y = -n->y;
   n->z = -n->z;
 }
 
-// Step 1. False: the triangle has no plane, or the body is behind it.
+// Is the body, a sum of half axes, apart from the triangle along one of them, by more than the margin? False proves nothing.
+//   |half axis| <= 2^28, |corner| < 2^30.4:                          |along| < 2^59
+//   margin, convex radius <= 2^28 each, |half axis| <= 2^29.6 by its components:  |reach| < 2^61
+static bool is_aside(const surface_query *q, const surface_face *f) {
+  const gjk_collider *body = q->body;
+  const unsigned count = body->shape->type->kind == GJK_KIND_AXES ? body->count : 0;
+  for (unsigned i = 0; i < count; i++) {
+    const gjk_vec3 *axis = &body->frame[i];
+    int64_t reach = ((int64_t)q->margin + body->shape->convex_radius) * gjk_norm1(*axis);
+    for (unsigned k = 0; k < count; k++) {
+      const int64_t part = gjk_dot(axis, &body->frame[k]);
+      reach += part < 0 ? -part : part;
+    }
+    const int64_t a = gjk_dot(axis, &f->corner[0]), b = gjk_dot(axis, &f->corner[1]), c = gjk_dot(axis, &f->corner[2]);
+    if ((a > reach && b > reach && c > reach) || (a < -reach && b < -reach && c < -reach)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Step 1. False: the triangle has no plane, or the body is behind it. Pre: corners are set.
 static bool set_face(const surface_query *q, uint32_t number, surface_face *f) {
   const gjk_shape_class *type = q->body->shape->type;
   gjk_long3 n;
   gjk_search_direction along;
   gjk_support front, back;
-  if (!set_corners_of(q, number, f)) {
-    return false;
-  }
   f->edges = q->frame->parts->type->edges(q->frame->parts->data, number);
   gjk_triangle_normal(&f->corner[0], &f->corner[1], &f->corner[2], &n);
   if (n.x == 0 && n.y == 0 && n.z == 0) {
@@ -188,6 +206,31 @@ static bool touches(const surface_query *q, const gjk_collider *triangle) {
   return gjk_intersect(triangle, q->body, NULL, &decision) != GJK_OK || decision.yes;
 }
 
+// Is the body, a sum of half axes, so steep to the plane that it has one deepest point alone?
+static bool is_pointed(const surface_query *q, const surface_face *f) {
+  const gjk_collider *body = q->body;
+  if (body->shape->type->kind != GJK_KIND_AXES) {
+    return false;
+  }
+  for (unsigned i = 0; i < body->count; i++) {
+    const int64_t along = gjk_along(&f->unit, &body->frame[i]);
+    if (along <= INT64_C(LEVEL) << 30 && along >= -(INT64_C(LEVEL) << 30)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The candidates along the triangle's own normal, once.
+static void find_on_face(const surface_query *q, surface_face *f, const gjk_collider *triangle,
+                         gjk_candidates *candidates, gjk_manifold *out) {
+  if (!f->clipped) {
+    out->normal = f->unit;
+    gjk_manifold_find(triangle, q->body, q->margin, candidates, out);
+    f->clipped = true;
+  }
+}
+
 // A limit of iterations is left to gjk_signed_distance.
 // A direction that keeps the body off one triangle is likely to keep it off the next.
 static bool is_near(const surface_query *q, const gjk_collider *triangle) {
@@ -196,12 +239,14 @@ static bool is_near(const surface_query *q, const gjk_collider *triangle) {
 }
 
 // Step 2. False: no deepest point of the body lies over the triangle.
-static bool meets_face(const surface_query *q, const surface_face *f, const gjk_collider *triangle,
+static bool meets_face(const surface_query *q, surface_face *f, const gjk_collider *triangle,
                        gjk_candidates *candidates, gjk_manifold *out) {
-  out->normal = f->unit;
-  gjk_manifold_find(triangle, q->body, q->margin, candidates, out);
-  const bool over = is_over(f), found = reaches(candidates, f->height);
-  out->count = 0;
+  const bool over = is_over(f);
+  if (!over && is_pointed(q, f)) {
+    return false;
+  }
+  find_on_face(q, f, triangle, candidates, out);
+  const bool found = reaches(candidates, f->height);
   if ((!over && !found) || (f->height < 0 && !touches(q, triangle))) {
     return false;
   }
@@ -331,10 +376,41 @@ static void keep_nearest(const surface_query *q, const surface_face *f, gjk_dist
   }
 }
 
+// Has the triangle a convex or an open edge, so that it may have normals that are not its own? A corner alone does not
+// count: where it has a normal that none of this triangle's edges has, other triangles there have such edges.
+static bool has_ridge(const surface_face *f) {
+  for (unsigned i = 0; i < 3; i++) {
+    const unsigned edge = GJK_TRIANGLE_EDGE(f->edges, i);
+    if (edge == GJK_MESH_CONVEX || edge == GJK_MESH_OPEN) {
+      return true;
+    }
+  }
+  return (f->edges & GJK_TRIANGLE_TWO_SIDED) != 0;
+}
+
+// Steps 3 to 6 without a distance. False: it is needed.
+static bool is_settled(const surface_query *q, surface_face *f, const gjk_collider *triangle,
+                       gjk_candidates *candidates, gjk_manifold *out) {
+  if (has_ridge(f) || gjk_is_curved(q->body->shape)) {
+    return false;
+  }
+  find_on_face(q, f, triangle, candidates, out);
+  if (candidates->count == 0) {
+    return f->height >= 0;
+  }
+  if (f->height >= 0 || touches(q, triangle)) {
+    gjk_manifold_keep(candidates, NULL, q->most, out);
+  }
+  return true;
+}
+
 // Steps 3 to 6.
-static gjk_status meet_beside(const surface_query *q, const surface_face *f, const gjk_collider *triangle,
+static gjk_status meet_beside(const surface_query *q, surface_face *f, const gjk_collider *triangle,
                               const gjk_workspace *workspace, gjk_candidates *candidates, gjk_manifold *out) {
   gjk_distance_result nearest;
+  if (is_settled(q, f, triangle, candidates, out)) {
+    return GJK_OK;
+  }
   const gjk_status status = gjk_signed_distance(triangle, q->body, NULL, workspace, &nearest);
   if ((status != GJK_OK && status != GJK_ERROR_CAPACITY) || nearest.distance > q->margin) {
     return status;
@@ -351,8 +427,8 @@ static gjk_status meet_beside(const surface_query *q, const surface_face *f, con
     i = edge_with(bits);
     j = gjk_next(i);
     const unsigned edge = GJK_TRIANGLE_EDGE(f->edges, i);
-    const bool noted = (f->edges & GJK_TRIANGLE_UNKNOWN) == 0 && in_front;
-    if (may && (!noted || edge == GJK_MESH_CONVEX)) {
+    const gjk_mesh_edge ridge = in_front ? GJK_MESH_CONVEX : GJK_MESH_CONCAVE;
+    if (may && edge == (unsigned)ridge) {
       has = has_normal(q, f, &nearest.normal, i, j, nearest.distance < 0, &answered);
     } else {
       has = may && edge == GJK_MESH_OPEN;
@@ -365,9 +441,15 @@ static gjk_status meet_beside(const surface_query *q, const surface_face *f, con
     out->normal = nearest.normal;
     gjk_manifold_find(triangle, q->body, q->margin, candidates, out);
     gjk_manifold_keep(candidates, &nearest, q->most, out);
-  } else if (!answered && candidates->count > 0 && (nearest.distance <= 0 || f->height >= 0)) {
+    return status;
+  }
+  if (answered) {
+    return status;
+  }
+  find_on_face(q, f, triangle, candidates, out);
+  if (candidates->count > 0 && (nearest.distance <= 0 || f->height >= 0)) {
     gjk_manifold_keep(candidates, NULL, q->most, out);
-  } else if (!answered && (nearest.distance < 0 || gjk_is_curved(q->body->shape)) &&
+  } else if ((nearest.distance < 0 || gjk_is_curved(q->body->shape)) &&
              !is_over_ring(q, f, i, j, nearest.distance < 0)) {
     keep_nearest(q, f, &nearest, candidates, out);
   }
@@ -386,7 +468,9 @@ gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const
   out->feature_a = 0;
   out->feature_b = 0;
   candidates.count = 0;
-  if (!set_face(&q, number, &face) || face.height > (int64_t)margin + LEVEL) {
+  face.clipped = false;
+  if (!set_corners_of(&q, number, &face) || is_aside(&q, &face) || !set_face(&q, number, &face) ||
+      face.height > (int64_t)margin + LEVEL) {
     return GJK_OK;
   }
   const gjk_status status = gjk_triangle_collider(face.world, &room, &triangle);

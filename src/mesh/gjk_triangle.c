@@ -185,3 +185,22 @@ int64_t gjk_triangle_distance(const gjk_vec3 corner[3], const gjk_region *region
          middles_apart(box.lower.y, box.upper.y, own->lower.y, own->upper.y) +
          middles_apart(box.lower.z, box.upper.z, own->lower.z, own->upper.z);
 }
+
+static int sign_of_first(const gjk_long3 *n) {
+  return gjk_sign64(n->x != 0 ? n->x : n->y != 0 ? n->y : n->z);
+}
+
+// Corners of a triangle are at most 2^28 apart along each axis, so edges are below 2^29 long: |n| < 2^58.
+gjk_mesh_edge gjk_triangle_edge_of(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, const gjk_vec3 *w) {
+  gjk_long3 n, beyond;
+  gjk_triangle_normal(a, b, c, &n);
+  const gjk_vec3 step = gjk_sub(*w, *a);
+  const int side = gjk_dot_sign(&n, &step);
+  if (side != 0) {
+    return side > 0 ? GJK_MESH_CONCAVE : GJK_MESH_CONVEX;
+  }
+  // In one plane the normals of a, b, c and a, b, w are parallel. They point alike where w is on the side of c.
+  gjk_triangle_normal(a, b, w, &beyond);
+  const int of_n = sign_of_first(&n);
+  return of_n != 0 && of_n == sign_of_first(&beyond) ? GJK_MESH_CONVEX : GJK_MESH_FLAT;
+}

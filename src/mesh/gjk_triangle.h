@@ -3,6 +3,7 @@
 #define GJK_SRC_TRIANGLE_H
 
 #include "../parts/gjk_parts_class.h"
+#include "gjk/mesh.h"
 
 static inline bool gjk_same_place(const gjk_vec3 *a, const gjk_vec3 *b) {
   return a->x == b->x && a->y == b->y && a->z == b->z;
@@ -13,6 +14,9 @@ void gjk_triangle_widen(gjk_vec3 *lower, gjk_vec3 *upper, const gjk_vec3 *v);
 
 // Does the box of a triangle meet the region?
 bool gjk_triangle_meets(const gjk_region *region, const gjk_vec3 corner[3]);
+
+// The kind of the edge from a to b of the triangle a, b, c, where another triangle has its third corner at w.
+gjk_mesh_edge gjk_triangle_edge_of(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, const gjk_vec3 *w);
 
 // The corners of a triangle where they stand in the world: each turned and rounded once, wherever it is used. So triangles
 // that share a corner share its place. False: a coordinate is beyond its range, of data that was never checked.
@@ -40,7 +44,6 @@ int64_t gjk_triangle_distance(const gjk_vec3 corner[3], const gjk_region *region
 #define GJK_TRIANGLE_EDGES(a, b, c) ((unsigned)(a) | (unsigned)(b) << 2 | (unsigned)(c) << 4)
 #define GJK_TRIANGLE_EDGE(edges, i) ((edges) >> 2 * (i)&3u)
 #define GJK_TRIANGLE_TWO_SIDED 64u
-#define GJK_TRIANGLE_UNKNOWN 128u  // edges are not noted
 
 // The contacts of one triangle of a surface with a body, as gjk_surface_contacts; count 0: none. Of *out all but contacts may
 // be written in any case. cache: of any

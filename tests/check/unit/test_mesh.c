@@ -68,7 +68,7 @@ static int side_of(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, cons
   return (d > 0) - (d < 0);
 }
 
-// An edge's kind by all triangles. Folded ones are left to gjk_mesh_edge_of.
+// An edge's kind by all triangles. Folded ones are left to gjk_triangle_edge_of.
 static void check_edges(const surface *s) {
   const gjk_mesh *mesh = &s->mesh;
   for (uint32_t t = 0; t < s->triangle_count; t++) {
@@ -86,7 +86,7 @@ static void check_edges(const surface *s) {
             const int side = side_of(a, b, far, w);
             const unsigned kind = side > 0   ? GJK_MESH_CONCAVE
                                   : side < 0 ? GJK_MESH_CONVEX
-                                             : (unsigned)gjk_mesh_edge_of(a, b, far, w);
+                                             : (unsigned)gjk_triangle_edge_of(a, b, far, w);
             CHECK(side != 0 || kind == GJK_MESH_FLAT || kind == GJK_MESH_CONVEX);
             expected = kind < expected ? kind : expected;
           }
