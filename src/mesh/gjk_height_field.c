@@ -53,7 +53,7 @@ static bool corners_in_cell(const gjk_height_field *f, uint32_t i, uint32_t j, u
          sample_of(f, second != 0 ? i : i + 1, j + 1, &corner[2]);
 }
 
-static bool corners_of(const gjk_height_field *f, uint32_t number, gjk_vec3 corner[3]) {
+static bool corners_in_field(const gjk_height_field *f, uint32_t number, gjk_vec3 corner[3]) {
   const uint32_t cell = number / 2, cells = f->columns - UINT32_C(1);
   return corners_in_cell(f, cell % cells, cell / cells, number % 2, corner);
 }
@@ -138,7 +138,7 @@ static uint32_t guess_in_field(const void *data, const gjk_region *region) {
   for (uint32_t k = 0; k < count; k++) {
     const uint32_t number = first < count - k ? first + k : first - (count - k);
     gjk_vec3 corner[3];
-    if (corners_of(f, number, corner)) {
+    if (corners_in_field(f, number, corner)) {
       return number;
     }
   }
@@ -148,30 +148,30 @@ static uint32_t guess_in_field(const void *data, const gjk_region *region) {
 static gjk_status place_in_field(const gjk_parts_frame *frame, uint32_t number, gjk_parts_room *room,
                                  gjk_collider *out) {
   gjk_vec3 corner[3];
-  return corners_of(field_of(frame->parts->data), number, corner) ? gjk_triangle_place(frame, corner, room, out)
-                                                                  : GJK_ERROR_RANGE;
+  return corners_in_field(field_of(frame->parts->data), number, corner) ? gjk_triangle_place(frame, corner, room, out)
+                                                                        : GJK_ERROR_RANGE;
 }
 
 static void local_in_field(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out) {
   gjk_vec3 corner[3];
-  (void)corners_of(field_of(data), number, corner);
+  (void)corners_in_field(field_of(data), number, corner);
   gjk_triangle_local(corner, room, out);
 }
 
 // The third corner of the triangle across an edge, from the sample where the cell begins: of the first triangle of a cell
 // that across its edge 0, 1, 2, then of the second.
-static const int8_t across[6][2] = {{0, -1}, {2, 1}, {0, 1}, {1, 0}, {1, 2}, {-1, 0}};
+static const int8_t far_corner[6][2] = {{0, -1}, {2, 1}, {0, 1}, {1, 0}, {1, 2}, {-1, 0}};
 
 static unsigned edges_in_field(const void *data, uint32_t number) {
   const gjk_height_field *f = field_of(data);
   const uint32_t cells = f->columns - UINT32_C(1), first = number / 2 % cells, row = number / 2 / cells;
   gjk_vec3 corner[3], far;
   unsigned edges = 0;
-  if (!corners_of(f, number, corner)) {
+  if (!corners_in_field(f, number, corner)) {
     return 0;  // not reached: a precondition
   }
   for (unsigned k = 0; k < 3; k++) {
-    const int8_t *to = across[number % 2 * 3 + k];
+    const int8_t *to = far_corner[number % 2 * 3 + k];
     const int32_t i = (int32_t)first + to[0], j = (int32_t)row + to[1];
     const bool there = i >= 0 && j >= 0 && i < (int32_t)f->columns && j < (int32_t)f->rows &&
                        sample_of(f, (uint32_t)i, (uint32_t)j, &far);
@@ -193,7 +193,7 @@ gjk_status gjk_height_field_check(const gjk_height_field *field) {
   const uint32_t count = count_of_field(field);
   for (uint32_t number = 0; number < count; number++) {
     gjk_vec3 corner[3];
-    if (corners_of(field, number, corner)) {
+    if (corners_in_field(field, number, corner)) {
       return GJK_OK;
     }
   }

@@ -16,7 +16,7 @@ static uint32_t reach_of_mesh(const void *data) {
   return gjk_triangle_reach(&mesh_of(data)->lower, &mesh_of(data)->upper);
 }
 
-static int32_t moved(int32_t x, int64_t by) {
+static int32_t grown_end(int32_t x, int64_t by) {
   return gjk_saturate((int64_t)x + by);
 }
 
@@ -24,12 +24,12 @@ static int32_t moved(int32_t x, int64_t by) {
 static void grow_box(const gjk_region *region, int64_t by, gjk_region *out) {
   const gjk_aabb *box = &region->box;
   out->moves = false;
-  out->box.lower.x = moved(box->lower.x, -by);
-  out->box.lower.y = moved(box->lower.y, -by);
-  out->box.lower.z = moved(box->lower.z, -by);
-  out->box.upper.x = moved(box->upper.x, by);
-  out->box.upper.y = moved(box->upper.y, by);
-  out->box.upper.z = moved(box->upper.z, by);
+  out->box.lower.x = grown_end(box->lower.x, -by);
+  out->box.lower.y = grown_end(box->lower.y, -by);
+  out->box.lower.z = grown_end(box->lower.z, -by);
+  out->box.upper.x = grown_end(box->upper.x, by);
+  out->box.upper.y = grown_end(box->upper.y, by);
+  out->box.upper.z = grown_end(box->upper.z, by);
 }
 
 // The most triangles that a guess looks at.
@@ -98,6 +98,6 @@ const gjk_parts_class gjk_parts_class_mesh = {
     .next = next_in_mesh,
     .place = place_in_mesh,
     .local = local_in_mesh,
-    .edges = edges_in_mesh,
     .settle = gjk_surface_settle,
+    .edges = edges_in_mesh,
 };

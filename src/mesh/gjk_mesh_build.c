@@ -21,7 +21,7 @@ static uint32_t place_along(int32_t a, int32_t b, int32_t c, int32_t lower) {
   return (uint32_t)(sum >> 2);
 }
 
-static void place_of(const sort_items *items, uint32_t i, uint32_t place[3]) {
+static void place_on_curve(const sort_items *items, uint32_t i, uint32_t place[3]) {
   const uint32_t *corner = items->triangles[i].corner;
   const gjk_vec3 *a = &items->vertices[corner[0]], *b = &items->vertices[corner[1]], *c = &items->vertices[corner[2]];
   place[0] = place_along(a->x, b->x, c->x, items->lower.x);
@@ -31,12 +31,12 @@ static void place_of(const sort_items *items, uint32_t i, uint32_t place[3]) {
 
 // On the curve the axis decides in which two places differ by the highest bit, the first of equals (Chan 2002). The
 // numbers decide where all are equal, so the order is one of all triangles.
-static bool comes_before(const void *context, uint32_t i, uint32_t j) {
+static bool precedes_on_curve(const void *context, uint32_t i, uint32_t j) {
   const sort_items *items = (const sort_items *)context;
   uint32_t p[3], q[3], most = 0;
   unsigned axis = 3;
-  place_of(items, i, p);
-  place_of(items, j, q);
+  place_on_curve(items, i, p);
+  place_on_curve(items, j, q);
   for (unsigned k = 0; k < 3; k++) {
     const uint32_t bits = p[k] ^ q[k];
     if (bits > most && (bits ^ most) > most) {  // a higher highest bit
@@ -60,11 +60,12 @@ static void exchange_triangles(void *context, uint32_t i, uint32_t j) {
   }
 }
 
-static const gjk_sort_order curve_order = {.before = comes_before, .exchange = exchange_triangles};
+static const gjk_sort_order curve_order = {.before = precedes_on_curve, .exchange = exchange_triangles};
 
 // Step 1.
 static gjk_status check_triangles(const gjk_vec3 *vertices, uint32_t vertex_count, const gjk_mesh_triangle *triangles,
                                   uint32_t count, gjk_mesh *out) {
+  gjk_triangle_start_box(&out->lower, &out->upper);
   for (uint32_t i = 0; i < count; i++) {
     unsigned corner;
     const gjk_mesh_fault fault = gjk_mesh_triangle_fault(vertices, vertex_count, &triangles[i], &corner);
@@ -73,10 +74,6 @@ static gjk_status check_triangles(const gjk_vec3 *vertices, uint32_t vertex_coun
     }
     for (unsigned k = 0; k < 3; k++) {
       const gjk_vec3 *v = &vertices[GJK_MESH_NUMBER(triangles[i].corner[k])];
-      if (i == 0 && k == 0) {
-        gjk_set(v, &out->lower);
-        gjk_set(v, &out->upper);
-      }
       gjk_triangle_widen(&out->lower, &out->upper, v);
     }
   }
@@ -100,13 +97,10 @@ static void join_nodes(const gjk_mesh_node *a, const gjk_mesh_node *b, gjk_mesh_
 static void fill_leaf(const gjk_mesh *mesh, uint32_t leaf, gjk_mesh_node *out) {
   const uint32_t first = leaf * GJK_MESH_LEAF;
   gjk_vec3 lower, upper;
+  gjk_triangle_start_box(&lower, &upper);
   for (uint32_t t = first; t < mesh->triangle_count && t - first < GJK_MESH_LEAF; t++) {
     for (unsigned k = 0; k < 3; k++) {
       const gjk_vec3 *v = &mesh->vertices[GJK_MESH_NUMBER(mesh->triangles[t].corner[k])];
-      if (t == first && k == 0) {
-        gjk_set(v, &lower);
-        gjk_set(v, &upper);
-      }
       gjk_triangle_widen(&lower, &upper, v);
     }
   }

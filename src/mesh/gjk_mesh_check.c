@@ -29,12 +29,9 @@ static bool has_wrong_triangle(const gjk_mesh *mesh, gjk_mesh_report *report, gj
 // Pre: the box was found so far from the triangles.
 static bool has_wrong_steps(const gjk_mesh *mesh, gjk_mesh_report *report) {
   gjk_vec3 lower, upper, corner[3];
+  gjk_triangle_start_box(&lower, &upper);
   for (uint32_t t = 0; t < mesh->triangle_count; t++) {
     (void)gjk_mesh_corners(mesh, t, corner);
-    if (t == 0) {
-      gjk_set(&corner[0], &lower);
-      gjk_set(&corner[0], &upper);
-    }
     for (unsigned k = 0; k < 3; k++) {
       gjk_triangle_widen(&lower, &upper, &corner[k]);
     }

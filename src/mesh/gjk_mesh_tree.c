@@ -158,7 +158,7 @@ void gjk_mesh_look_across(const gjk_mesh *mesh, uint32_t triangle, unsigned i, g
 }
 
 // Pre: low <= high.
-static bool is_long(int32_t low, int32_t high) {
+static bool is_too_long(int32_t low, int32_t high) {
   return (uint32_t)high - (uint32_t)low > (uint32_t)GJK_RADIUS_MAX;
 }
 
@@ -166,6 +166,7 @@ gjk_mesh_fault gjk_mesh_triangle_fault(const gjk_vec3 *vertices, uint32_t vertex
                                        const gjk_mesh_triangle *triangle, unsigned *corner) {
   const int32_t most = GJK_MESH_COORDINATE_MAX;
   gjk_vec3 lower, upper;
+  gjk_triangle_start_box(&lower, &upper);
   for (unsigned i = 0; i < 3; i++) {
     const uint32_t number = GJK_MESH_NUMBER(triangle->corner[i]);
     *corner = i;
@@ -176,12 +177,8 @@ gjk_mesh_fault gjk_mesh_triangle_fault(const gjk_vec3 *vertices, uint32_t vertex
     if (v->x > most || v->x < -most || v->y > most || v->y < -most || v->z > most || v->z < -most) {
       return GJK_MESH_COORDINATE;
     }
-    if (i == 0) {
-      gjk_set(v, &lower);
-      gjk_set(v, &upper);
-    }
     gjk_triangle_widen(&lower, &upper, v);
-    if (is_long(lower.x, upper.x) || is_long(lower.y, upper.y) || is_long(lower.z, upper.z)) {
+    if (is_too_long(lower.x, upper.x) || is_too_long(lower.y, upper.y) || is_too_long(lower.z, upper.z)) {
       return GJK_MESH_SIZE;
     }
   }

@@ -85,7 +85,10 @@ static bool set_corners_of(const surface_query *q, uint32_t number, surface_face
 
 // What is convex from one side is concave from the other.
 static unsigned edge_from_behind(unsigned edge) {
-  return edge == GJK_MESH_CONVEX ? GJK_MESH_CONCAVE : edge == GJK_MESH_CONCAVE ? GJK_MESH_CONVEX : edge;
+  if (edge == GJK_MESH_CONVEX) {
+    return GJK_MESH_CONCAVE;
+  }
+  return edge == GJK_MESH_CONCAVE ? (unsigned)GJK_MESH_CONVEX : edge;
 }
 
 // Turns a face to its other side: its first corner stays.
@@ -181,7 +184,7 @@ static bool is_over(const surface_face *f) {
 }
 
 // A point of the core moved by a length along the normal, in the world.
-static void step_along(const surface_query *q, const surface_face *f, int64_t length, gjk_vec3 *out) {
+static void point_below(const surface_query *q, const surface_face *f, int64_t length, gjk_vec3 *out) {
   const int64_t half = INT64_C(1) << 29;
   const gjk_vec3 *at = &q->body->centre, *p = &f->deepest;
   const gjk_q16 by = gjk_saturate(length);
@@ -214,7 +217,7 @@ static bool is_pointed(const surface_query *q, const surface_face *f) {
   }
   for (unsigned i = 0; i < body->count; i++) {
     const int64_t along = gjk_along(&f->unit, &body->frame[i]);
-    if (along <= INT64_C(LEVEL) << 30 && along >= -(INT64_C(LEVEL) << 30)) {
+    if (along <= (int64_t)LEVEL << 30 && along >= -((int64_t)LEVEL << 30)) {
       return false;
     }
   }
@@ -233,7 +236,7 @@ static void find_on_face(const surface_query *q, surface_face *f, const gjk_coll
 
 // A limit of iterations is left to gjk_signed_distance.
 // A direction that keeps the body off one triangle is likely to keep it off the next.
-static bool is_near(const surface_query *q, const gjk_collider *triangle) {
+static bool is_within_margin(const surface_query *q, const gjk_collider *triangle) {
   gjk_decision decision;
   return gjk_within(triangle, q->body, q->margin, q->cache, &decision) != GJK_OK || decision.yes;
 }
@@ -257,8 +260,8 @@ static bool meets_face(const surface_query *q, surface_face *f, const gjk_collid
     gjk_distance_result nearest;
     const gjk_q16 radius = q->body->shape->convex_radius;
     nearest.distance = f->height;
-    step_along(q, f, -(int64_t)radius, &nearest.point_b);
-    step_along(q, f, -(int64_t)radius - f->height, &nearest.point_a);
+    point_below(q, f, -(int64_t)radius, &nearest.point_b);
+    point_below(q, f, -(int64_t)radius - f->height, &nearest.point_a);
     gjk_manifold_keep(candidates, &nearest, q->most, out);
   } else {
     gjk_manifold_keep(candidates, NULL, q->most, out);
@@ -267,7 +270,7 @@ static bool meets_face(const surface_query *q, surface_face *f, const gjk_collid
 }
 
 // How far p is beyond the plane across the normal at v: above 0, at least by the slack.
-static bool is_beyond(const surface_query *q, const gjk_unit3 *normal, const gjk_vec3 *v, const gjk_vec3 *p) {
+static bool is_beyond_plane(const surface_query *q, const gjk_unit3 *normal, const gjk_vec3 *v, const gjk_vec3 *p) {
   const gjk_vec3 step = gjk_sub(*p, *v);
   return gjk_along(normal, &step) > (int64_t)gjk_norm1(step) * q->slack;  // below 2^33 2^20
 }
@@ -280,7 +283,7 @@ static unsigned corners_that_meet(const surface_query *q, const surface_face *f,
     top = gjk_along(normal, &step) > 0 ? i : top;
   }
   for (unsigned i = 0; i < 3; i++) {
-    bits |= is_beyond(q, normal, &f->corner[i], &f->corner[top]) ? 0u : 1u << i;
+    bits |= is_beyond_plane(q, normal, &f->corner[i], &f->corner[top]) ? 0u : 1u << i;
   }
   return bits;
 }
@@ -342,9 +345,9 @@ static bool has_normal(const surface_query *q, const surface_face *f, const gjk_
   bool has = true;
   ring_start(&ring, &f->local[i], &f->local[j]);
   while (ring_next(q, &ring, &number, &other)) {
-    if (is_beyond(q, normal, &f->corner[i], &other.corner[0]) ||
-        is_beyond(q, normal, &f->corner[i], &other.corner[1]) ||
-        is_beyond(q, normal, &f->corner[i], &other.corner[2])) {
+    if (is_beyond_plane(q, normal, &f->corner[i], &other.corner[0]) ||
+        is_beyond_plane(q, normal, &f->corner[i], &other.corner[1]) ||
+        is_beyond_plane(q, normal, &f->corner[i], &other.corner[2])) {
       has = false;
       *answered =
           *answered || (set_face(q, number, &other) && other.height > f->height && answers(q, &other, together));
@@ -474,7 +477,7 @@ gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const
     return GJK_OK;
   }
   const gjk_status status = gjk_triangle_collider(face.world, &room, &triangle);
-  if (status != GJK_OK || !is_near(&q, &triangle) || meets_face(&q, &face, &triangle, &candidates, out)) {
+  if (status != GJK_OK || !is_within_margin(&q, &triangle) || meets_face(&q, &face, &triangle, &candidates, out)) {
     return status;
   }
   return meet_beside(&q, &face, &triangle, workspace, &candidates, out);

@@ -5,6 +5,11 @@
 #include "../arith/gjk_rotation.h"
 #include "gjk/mesh.h"
 
+void gjk_triangle_start_box(gjk_vec3 *lower, gjk_vec3 *upper) {
+  lower->x = lower->y = lower->z = INT32_MAX;
+  upper->x = upper->y = upper->z = INT32_MIN;
+}
+
 void gjk_triangle_widen(gjk_vec3 *lower, gjk_vec3 *upper, const gjk_vec3 *v) {
   lower->x = v->x < lower->x ? v->x : lower->x;
   lower->y = v->y < lower->y ? v->y : lower->y;
@@ -14,7 +19,7 @@ void gjk_triangle_widen(gjk_vec3 *lower, gjk_vec3 *upper, const gjk_vec3 *v) {
   upper->z = v->z > upper->z ? v->z : upper->z;
 }
 
-static void box_of(const gjk_vec3 corner[3], gjk_aabb *box) {
+static void box_of_triangle(const gjk_vec3 corner[3], gjk_aabb *box) {
   gjk_set(&corner[0], &box->lower);
   gjk_set(&corner[0], &box->upper);
   gjk_triangle_widen(&box->lower, &box->upper, &corner[1]);
@@ -22,37 +27,37 @@ static void box_of(const gjk_vec3 corner[3], gjk_aabb *box) {
 }
 
 // Do all three lie beyond one end of a range?
-static bool is_beside(int32_t a, int32_t b, int32_t c, int32_t low, int32_t high) {
+static bool is_beyond_range(int32_t a, int32_t b, int32_t c, int32_t low, int32_t high) {
   return (a < low && b < low && c < low) || (a > high && b > high && c > high);
 }
 
 bool gjk_triangle_meets(const gjk_region *region, const gjk_vec3 corner[3]) {
   const gjk_vec3 *low = &region->box.lower, *high = &region->box.upper;
-  if (is_beside(corner[0].x, corner[1].x, corner[2].x, low->x, high->x) ||
-      is_beside(corner[0].y, corner[1].y, corner[2].y, low->y, high->y) ||
-      is_beside(corner[0].z, corner[1].z, corner[2].z, low->z, high->z)) {
+  if (is_beyond_range(corner[0].x, corner[1].x, corner[2].x, low->x, high->x) ||
+      is_beyond_range(corner[0].y, corner[1].y, corner[2].y, low->y, high->y) ||
+      is_beyond_range(corner[0].z, corner[1].z, corner[2].z, low->z, high->z)) {
     return false;
   }
   if (!region->moves) {
     return true;
   }
   gjk_aabb box;
-  box_of(corner, &box);
+  box_of_triangle(corner, &box);
   return gjk_region_meets_on_way(region, &box);
 }
 
-static bool is_in_range(int32_t x) {
+static bool is_mesh_coordinate(int32_t x) {
   return x <= GJK_MESH_COORDINATE_MAX && x >= -GJK_MESH_COORDINATE_MAX;
 }
 
-static bool fits_placed(int64_t x) {
+static bool fits_in_world(int64_t x) {
   return x >= INT32_MIN && x <= INT32_MAX;
 }
 
 // |v| <= sqrt(3) 2^30 < 2^31 - 4
 static bool turn_corner(const gjk_parts_frame *frame, const gjk_vec3 *v, gjk_vec3 *out) {
   const gjk_vec3 *at = &frame->parts->pose.position;
-  if (!is_in_range(v->x) || !is_in_range(v->y) || !is_in_range(v->z)) {
+  if (!is_mesh_coordinate(v->x) || !is_mesh_coordinate(v->y) || !is_mesh_coordinate(v->z)) {
     return false;
   }
   const gjk_vec3 turned = gjk_rotate(frame->rows, v);
@@ -60,7 +65,7 @@ static bool turn_corner(const gjk_parts_frame *frame, const gjk_vec3 *v, gjk_vec
   out->x = gjk_saturate(x);
   out->y = gjk_saturate(y);
   out->z = gjk_saturate(z);
-  return fits_placed(x) && fits_placed(y) && fits_placed(z);
+  return fits_in_world(x) && fits_in_world(y) && fits_in_world(z);
 }
 
 bool gjk_triangle_turn(const gjk_parts_frame *frame, const gjk_vec3 corner[3], gjk_vec3 world[3]) {
@@ -100,7 +105,7 @@ gjk_status gjk_triangle_collider(const gjk_vec3 world[3], gjk_parts_room *room, 
   uint64_t most = 0;
   make_shape(room);
   set_corners(world, room);
-  box_of(world, &box);
+  box_of_triangle(world, &box);
   if ((half_of(box.lower.x, box.upper.x, &out->centre.x) | half_of(box.lower.y, box.upper.y, &out->centre.y) |
        half_of(box.lower.z, box.upper.z, &out->centre.z)) >>
           28 !=
@@ -160,15 +165,15 @@ uint32_t gjk_triangle_reach(const gjk_vec3 *lower, const gjk_vec3 *upper) {
   return gjk_isqrt64(gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z)) + 4;  // squares below 2^62 each
 }
 
-static int64_t axis_gap(int32_t low, int32_t high, int32_t own_low, int32_t own_high) {
+static int64_t gap_on_axis(int32_t low, int32_t high, int32_t own_low, int32_t own_high) {
   return low > own_high ? (int64_t)low - own_high : own_low > high ? (int64_t)own_low - high : 0;
 }
 
 int64_t gjk_box_gap(const gjk_vec3 *lower, const gjk_vec3 *upper, const gjk_region *region) {
   const gjk_aabb *own = &region->box;
-  return axis_gap(lower->x, upper->x, own->lower.x, own->upper.x) +
-         axis_gap(lower->y, upper->y, own->lower.y, own->upper.y) +
-         axis_gap(lower->z, upper->z, own->lower.z, own->upper.z);
+  return gap_on_axis(lower->x, upper->x, own->lower.x, own->upper.x) +
+         gap_on_axis(lower->y, upper->y, own->lower.y, own->upper.y) +
+         gap_on_axis(lower->z, upper->z, own->lower.z, own->upper.z);
 }
 
 static int64_t middles_apart(int32_t low, int32_t high, int32_t own_low, int32_t own_high) {
@@ -179,7 +184,7 @@ static int64_t middles_apart(int32_t low, int32_t high, int32_t own_low, int32_t
 int64_t gjk_triangle_distance(const gjk_vec3 corner[3], const gjk_region *region) {
   const gjk_aabb *own = &region->box;
   gjk_aabb box;
-  box_of(corner, &box);
+  box_of_triangle(corner, &box);
   return 16 * gjk_box_gap(&box.lower, &box.upper, region) +
          middles_apart(box.lower.x, box.upper.x, own->lower.x, own->upper.x) +
          middles_apart(box.lower.y, box.upper.y, own->lower.y, own->upper.y) +

@@ -9,7 +9,8 @@ static inline bool gjk_same_place(const gjk_vec3 *a, const gjk_vec3 *b) {
   return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
-// Makes a box hold a point as well.
+// Makes a box empty, and makes it hold a point as well.
+void gjk_triangle_start_box(gjk_vec3 *lower, gjk_vec3 *upper);
 void gjk_triangle_widen(gjk_vec3 *lower, gjk_vec3 *upper, const gjk_vec3 *v);
 
 // Does the box of a triangle meet the region?
