@@ -47,6 +47,11 @@ static bool sample_of(const gjk_height_field *f, uint32_t i, uint32_t j, gjk_vec
   return height != GJK_HEIGHT_HOLE;
 }
 
+// The row of a cell. Out of line, so that no compiler makes one call for quotient and remainder of it.
+GJK_OUT_OF_LINE static uint32_t row_of_cell(const gjk_height_field *f, uint32_t cell) {
+  return cell / (f->columns - UINT32_C(1));
+}
+
 // The corners of a triangle of a cell; false: there is a hole.
 static bool corners_in_cell(const gjk_height_field *f, uint32_t i, uint32_t j, unsigned second, gjk_vec3 corner[3]) {
   return sample_of(f, i, j, &corner[0]) && sample_of(f, i + 1, second != 0 ? j + 1 : j, &corner[1]) &&
@@ -54,8 +59,8 @@ static bool corners_in_cell(const gjk_height_field *f, uint32_t i, uint32_t j, u
 }
 
 static bool corners_in_field(const gjk_height_field *f, uint32_t number, gjk_vec3 corner[3]) {
-  const uint32_t cell = number / 2, cells = f->columns - UINT32_C(1);
-  return corners_in_cell(f, cell % cells, cell / cells, number % 2, corner);
+  const uint32_t cell = number / 2, cells = f->columns - UINT32_C(1), row = row_of_cell(f, cell);
+  return corners_in_cell(f, cell - row * cells, row, number % 2, corner);
 }
 
 // Every second bit of a number.
@@ -123,7 +128,7 @@ static bool next_in_field(const void *data, const gjk_region *region, gjk_parts_
 // The cell below the region's middle, from 0 to cells - 1.
 static uint32_t cell_below(int32_t lower, int32_t upper, int32_t step, uint32_t cells) {
   const int32_t middle = (int32_t)gjk_sar64((int64_t)lower + upper, 1);
-  const uint32_t cell = middle < 0 ? 0 : (uint32_t)(middle / step);
+  const uint32_t cell = middle < 0 ? 0 : (uint32_t)middle / (uint32_t)step;
   return cell < cells ? cell : cells - 1;
 }
 
@@ -164,7 +169,7 @@ static const int8_t far_corner[6][2] = {{0, -1}, {2, 1}, {0, 1}, {1, 0}, {1, 2},
 
 static unsigned edges_in_field(const void *data, uint32_t number) {
   const gjk_height_field *f = field_of(data);
-  const uint32_t cells = f->columns - UINT32_C(1), first = number / 2 % cells, row = number / 2 / cells;
+  const uint32_t cells = f->columns - UINT32_C(1), row = row_of_cell(f, number / 2), first = number / 2 - row * cells;
   gjk_vec3 corner[3], far;
   unsigned edges = 0;
   if (!corners_in_field(f, number, corner)) {

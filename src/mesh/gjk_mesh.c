@@ -36,7 +36,7 @@ static void grow_box(const gjk_region *region, int64_t by, gjk_region *out) {
 #define GUESS_MAX 16
 
 // Of the triangles whose boxes meet that of the region, grown until there are some, the one that is nearest to it. It grows
-// by a quarter of its own size first, or by what lies between it and the mesh, then by twice as much each time. Nodes of
+// by a fifth of its own size or so first, or by what lies between it and the mesh, then by twice as much each time. Nodes of
 // the tree do not lead there: those that a step of the Z-order curve crosses are large.
 static uint32_t guess_in_mesh(const void *data, const gjk_region *region) {
   const gjk_mesh *m = mesh_of(data);
@@ -45,7 +45,7 @@ static uint32_t guess_in_mesh(const void *data, const gjk_region *region) {
   gjk_region grown;
   uint32_t best = 0, number;
   int64_t least = INT64_MAX;
-  for (int64_t by = gjk_box_gap(&m->lower, &m->upper, region) + size / 12 + 1;
+  for (int64_t by = gjk_box_gap(&m->lower, &m->upper, region) + gjk_sar64(size, 4) + 1;
        by < INT64_C(1) << 34 && least == INT64_MAX; by *= 2) {  // ends: at most 34 times
     gjk_parts_walk walk;
     gjk_vec3 corner[3];

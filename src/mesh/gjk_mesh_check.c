@@ -1,4 +1,5 @@
 // Is a mesh sound? One fault after the other, each by integers alone.
+#include "../arith/gjk_memory.h"
 #include "gjk_mesh_tree.h"
 
 static bool note_fault(gjk_mesh_report *report, gjk_mesh_fault fault, uint32_t triangle, unsigned edge, uint32_t node) {
@@ -81,7 +82,8 @@ static bool is_flat_line(const gjk_vec3 corner[3]) {
 
 // The first of each fault that edges can have, in their order. Pre: boxes are right.
 static void check_edges(const gjk_mesh *mesh, gjk_mesh_report *report) {
-  uint32_t edges[4] = {0, 0, 0, 0};
+  uint32_t edges[4];
+  gjk_zero(edges, sizeof edges);
   for (uint32_t t = 0; t < mesh->triangle_count; t++) {
     gjk_vec3 corner[3];
     (void)gjk_mesh_corners(mesh, t, corner);

@@ -159,7 +159,7 @@ static bool set_face(const surface_query *q, uint32_t number, surface_face *f) {
       return false;
     }
     turn_over(f, &n);
-    along.d = down;
+    gjk_set(&down, &along.d);
     gjk_set(&front.offset, &back.offset);
   }
   gjk_set(&along.d, &f->direction);
@@ -426,7 +426,7 @@ static gjk_status meet_beside(const surface_query *q, surface_face *f, const gjk
   unsigned i = 0, j = 0;
   if (bits == 7 && in_front) {
     nearest.normal = f->unit;
-  } else if (bits == 3 || bits == 5 || bits == 6) {
+  } else if ((bits & (bits - 1)) != 0) {
     i = edge_with(bits);
     j = gjk_next(i);
     const unsigned edge = GJK_TRIANGLE_EDGE(f->edges, i);
@@ -437,7 +437,7 @@ static gjk_status meet_beside(const surface_query *q, surface_face *f, const gjk
       has = may && edge == GJK_MESH_OPEN;
     }
   } else {
-    i = j = bits == 1 ? 0 : bits == 2 ? 1 : 2;
+    i = j = bits >> 1;  // 0, 1 or 2
     has = may && has_normal(q, f, &nearest.normal, i, j, nearest.distance < 0, &answered);
   }
   if (has) {
