@@ -52,6 +52,9 @@ struct gjk_parts_class {
   // Drops or turns contacts of a part with B that the whole body does not have, such as those of an inner edge of a mesh:
   // changes *m. False: none is left. NULL: all are right.
   bool (*settle)(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_manifold *m);
+
+  // What is known of a triangle's edges, and its sides: src/mesh/gjk_triangle.h. Of surfaces of triangles; NULL for others.
+  unsigned (*edges)(const void *data, uint32_t number);
 };
 
 // Does no part leave int32 where the body's position is this one, at any rotation?
