@@ -151,6 +151,25 @@ static void test_many_vertices(void) {
   free(vertices);
 }
 
+// Ways that what B sweeps can be a shape of, and ways an LSB or few longer: 2^30 - 2^18 with twice both core radii.
+static void test_longest_sweep(void) {
+  const gjk_shape ball = GJK_SPHERE(100);
+  const int32_t longest = (INT32_C(1) << 30) - (INT32_C(1) << 18);
+  for (int32_t beside = 150; beside <= 250; beside += 100) {
+    for (int32_t less = 0; less <= 64; less += 32) {
+      const int32_t half = (longest - less) / 2;
+      const gjk_collider a = placed(&ball, vec(0, 0, 0)), b = placed(&ball, vec(-half, beside, 0));
+      const gjk_vec3 to = vec(half, beside, 0);
+      const gjk_cast_path path = {NULL, &to, 0};
+      gjk_cast_result r;
+      CHECK(gjk_cast(&a, &b, &path, &r) == GJK_OK && r.hit == (beside < 200));
+      const gjk_status checked = gjk_check_cast(&a, &b, &path, &r);
+      CHECK_MSG(checked == (less == 0 && r.hit ? GJK_ERROR_UNSUPPORTED : GJK_OK), "%ld less: %s", (long)less,
+                gjk_status_name(checked));
+    }
+  }
+}
+
 // The least arcs, and spins of INT32_MIN: poses are near the motion in real numbers, and impacts of balls do not mind.
 static void test_turns(void) {
   for (int axis = 0; axis < 3; axis++) {
@@ -185,6 +204,7 @@ int main(void) {
   test_ranges();
   test_far_starts();
   test_many_vertices();
+  test_longest_sweep();
   test_turns();
   return check_done("cast_extremes");
 }
