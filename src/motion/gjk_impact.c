@@ -172,6 +172,7 @@ GJK_OUT_OF_LINE static gjk_q30 next_x(const impact_query *of, const gjk_distance
   along.n = gap->normal;
   along.start = of->x;
   along.carrier = carrier_of(of, gap, &last->normal, last->x, &on);
+  along.fall = gjk_separation_fall(&along, &gap->point_a, &gap->point_b);
   // A distance is off by at most 2^-26 of itself. The normal of bounds is not that of the lower one: then s is measured.
   const int64_t lower = (int64_t)gap->lower * 256;
   const int64_t above = exact ? lower - gjk_sar64(lower, 26) - of->wanted : -1;

@@ -1,9 +1,13 @@
 // The separation along a direction, and how long it holds.
 //
 //   1. Measure s at x, the start at first. It has to be above the target.
-//   2. Choose y, as far as the parabola leaves hope: c <= 4 (s(x) - target). Measure s there.
-//   3. The first root of chord less parabola is the next x; without a root it is y.
+//   2. Choose y shortly before s is expected to meet the target, but so near that c <= s(x) - target: then chord less
+//      parabola has no root where s(y) is not below the target. Measure s there.
+//   3. Without a root the next x is y; else it is the first root.
 //   4. On from 1 or 2, until x is the end, s is near the target, or STEPS_MAX are done.
+//
+// What is expected follows from the last two measurements, at first from how fast the nearest points approach each other.
+// With turns yet to come the spheres' bound, which is a chord, may reach farther.
 //
 // Units: separations are in LSB, Q8; angles in radians, Q16; parts of the way in Q30.
 #include "gjk_impact_separation.h"
@@ -15,17 +19,14 @@
 // The most steps along one direction, of one or two separations each.
 #define STEPS_MAX 16
 
-// Angles from here on, 8 radians, leave no hope.
-#define ANGLE_MAX (INT32_C(8) << 16)
+// The parabola is taken over angles below this one, 8 radians.
+#define ANGLE_MAX (UINT32_C(8) << 16)
 
 // A direction turns on as it has turned only where that was by an angle from 2^-20 to 1/4 radians, over a part of the way
 // of at least 2^-17: less is noise, more is another feature.
 #define SINE_MIN (UINT32_C(1) << 10)
 #define SINE_MAX (UINT32_C(1) << 28)
 #define PART_MIN (INT32_C(1) << 13)
-
-// A bound that leaves no hope.
-#define HOPELESS (INT64_C(1) << 50)
 
 // v . (b - a), Q8, rounded down. Pre: |v| <= 2^30 + 2^5; |b - a| <= sqrt(3) 2^32:  the product is below 2^63
 GJK_OUT_OF_LINE static int64_t along_q8(const gjk_unit3 *v, const gjk_vec3 *a, const gjk_vec3 *b) {
@@ -163,14 +164,11 @@ static uint64_t times_square(uint64_t length, uint32_t w) {
   return q16_product(length, w) * w;
 }
 
-// c over a part of the way, Q8, rounded up. HOPELESS where a body turns by ANGLE_MAX or more.
-static int64_t parabola(const separation_bounds *of, const gjk_separation *s, gjk_q30 part) {
+// c over a part of the way, Q8, rounded up. Pre: no body turns by ANGLE_MAX there.
+static uint64_t parabola_over(const separation_bounds *of, const gjk_separation *s, gjk_q30 part) {
   uint32_t w[3];  // angles, Q16
   for (int i = 0; i < 3; i++) {
     w[i] = of->angle[i] == 0 ? 0 : (uint32_t)(gjk_umul32(of->angle[i], (uint32_t)part) >> 30) + 1;
-    if (w[i] >= ANGLE_MAX) {
-      return HOPELESS;
-    }
   }
   const uint64_t turned_a = q16_product(of->arm[0], w[0]), turned_b = q16_product(of->arm[1], w[1]);
   uint64_t twice = turned_a * w[0] + turned_b * w[1];  // Q16, each term below 2^57
@@ -182,7 +180,30 @@ static int64_t parabola(const separation_bounds *of, const gjk_separation *s, gj
                           w[2]) +
              2 * q16_product(moved + turned_a + turned_b, of->across) * w[2];
   }
-  return (int64_t)(twice >> 9) + 1;
+  return (twice >> 9) + 1;
+}
+
+// c over any part of the way, up to the longest in which no body turns by ANGLE_MAX: it grows with the part's square.
+typedef struct separation_parabola {
+  uint32_t leading;  // c over the longest part, Q8, is at most leading 2^scale
+  unsigned scale;
+  unsigned cut;  // the longest part is 2^-cut of the way
+} separation_parabola;
+
+static void set_parabola(separation_parabola *of, const separation_bounds *bounds, const gjk_separation *s) {
+  const uint32_t angle = bounds->angle[0] | bounds->angle[1] | bounds->angle[2];
+  of->cut = angle < ANGLE_MAX - 1 ? 0 : 14 - gjk_clz32(angle);
+  const uint64_t c = parabola_over(bounds, s, GJK_Q30_ONE >> of->cut);
+  const unsigned zeros = gjk_clz64(c);
+  of->scale = zeros < 33 ? 33 - zeros : 0;
+  of->leading = (uint32_t)(c >> of->scale) + 1;  // at most 2^31
+}
+
+// c over a part of the way, Q8, rounded up. Pre: it is not longer than the longest.
+static int64_t parabola(const separation_parabola *of, gjk_q30 part) {
+  const uint32_t share = (uint32_t)part << of->cut;                                 // of the longest part, Q30
+  const uint32_t square = (uint32_t)(gjk_umul32(share, share) >> 30) + 1;           // at most 2^30 + 1
+  return (int64_t)(((gjk_umul32(of->leading, square) >> 30) + 1) << of->scale);  // below 2^51
 }
 
 // 2^(62 - k) / x, rounded down, at most 2^-28 of itself too small, below 2^31. k: the leading zeros of x. Pre: x > 0.
@@ -229,13 +250,6 @@ bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 par
   return out->half_turns != 0;
 }
 
-// A step: how far above the target s is at x and at y, and what may lie between.
-typedef struct separation_step {
-  gjk_q30 x, y;
-  int64_t g, h;  // s - target at x and y, Q8
-  bool known;    // h is set
-} separation_step;
-
 // A lower bound of s - target at a fraction, whatever the rotations are there: bodies that turn count as spheres.
 static int64_t of_spheres(const gjk_separation *s, gjk_q30 fraction, int64_t target) {
   int64_t bound = between_positions(s, &s->n, fraction) - target;
@@ -247,65 +261,112 @@ static int64_t of_spheres(const gjk_separation *s, gjk_q30 fraction, int64_t tar
   return bound;
 }
 
-// Step 2: y and h, and the root. With turns yet to come the spheres' bound, which is a chord, may reach farther.
-static gjk_q30 next_root(separation_step *at, const separation_bounds *of, const gjk_separation *s, int64_t target) {
-  int64_t c = parabola(of, s, at->y - at->x);
-  if (c == HOPELESS) {
-    const int64_t g = of_spheres(s, at->x, target);
-    if (g > 0) {
-      at->h = of_spheres(s, at->y, target);
-      return first_root(g, at->h, 0);
-    }
+// How fast a point of a body moves along n at the start, over the whole way, Q8: n . way + angle axis . (r x n).
+//   |r| < 2^31, |n| <= 2^30 + 2^5:  below 2^61.1 and, times the axis, 2^62
+static int64_t rate_of_point(const gjk_mover *m, const gjk_unit3 *n, const gjk_vec3 *point) {
+  const gjk_motion *motion = m->motion;
+  const gjk_vec3 *at = &m->collider.position, along = {n->x, n->y, n->z};
+  const gjk_vec3 axis = {m->turning.axis.x, m->turning.axis.y, m->turning.axis.z};
+  const int64_t rate = along_q8(n, &motion->from.position, &motion->to.position);
+  const uint32_t angle = whole_angle(&m->turning);
+  if (angle == 0 || m->reach >> 30 != 0) {
+    return rate;
   }
-  while (at->y - at->x > 1 && c > 4 * (at->known ? at->g - at->h : at->g)) {  // at most 30 times
-    at->y = at->x + (at->y - at->x) / 2;
-    at->known = false;
-    c = parabola(of, s, at->y - at->x);
-  }
-  if (!at->known) {
-    at->h = separation_at(s, at->y) - target;
-  }
-  return first_root(at->g, at->h, c);
+  const gjk_vec3 r = {point->x - at->x, point->y - at->y, point->z - at->z};
+  gjk_long3 across;
+  gjk_cross(&r, &along, &across);
+  const gjk_vec3 lever = {(int32_t)gjk_sar64(across.x, 30), (int32_t)gjk_sar64(across.y, 30),
+                          (int32_t)gjk_sar64(across.z, 30)};
+  return rate + gjk_sar64(gjk_sar64(gjk_dot(&axis, &lever), 30) * (int64_t)angle, 8);
 }
 
-// Step 3: on to the root. Returns whether to go on.
-static bool step_to_root(separation_step *at, const gjk_separation *s, gjk_q30 z, int64_t target, int64_t enough) {
-  const gjk_q30 part = at->y - at->x, forward = (gjk_q30)gjk_sar64(gjk_mul32(part, z), 30);
-  at->known = false;
-  if (forward == 0) {  // y is too far away to see
-    at->y = at->x + part / 16 + 1;
-    return part > 1;
+int64_t gjk_separation_fall(const gjk_separation *s, const gjk_vec3 *point_a, const gjk_vec3 *point_b) {
+  return rate_of_point(&s->mover[0], &s->n, point_a) - rate_of_point(&s->mover[1], &s->n, point_b);
+}
+
+// Where a search along one direction stands.
+typedef struct separation_course {
+  gjk_q30 x;
+  int64_t g;     // s - target at x, Q8
+  int64_t fall;  // how much that falls, Q8,
+  gjk_q30 over;  // over this part of the way: an estimate of its slope
+} separation_course;
+
+// After which part of the way s meets the target, by the estimate: over g / fall, at most GJK_Q30_ONE. Pre: g > 0.
+static gjk_q30 expected_part(const separation_course *at) {
+  if (at->fall <= 0) {
+    return GJK_Q30_ONE;
   }
-  at->x += forward;
-  at->g = separation_at(s, at->x) - target;
-  if (at->h < 0) {
-    at->known = true;
-  } else {
-    at->y = GJK_Q30_ONE;
+  // g = 2^(32 - zeros) leading, and fall alike; 2^30 <= 2^62 / leading <= 2^31
+  const unsigned zeros = gjk_clz64((uint64_t)at->g), zeros2 = gjk_clz64((uint64_t)at->fall);
+  const uint32_t g = (uint32_t)((uint64_t)at->g << zeros >> 32), fall = (uint32_t)((uint64_t)at->fall << zeros2 >> 32);
+  const uint64_t product = gjk_umul32(gjk_umulh32(g, reciprocal_of(fall, 0)), (uint32_t)at->over);  // at most 2^61
+  if (30 + zeros <= zeros2) {
+    return GJK_Q30_ONE;
   }
-  return at->g > enough;
+  const unsigned down = 30 + zeros - zeros2;
+  const uint64_t part = down < 64 ? product >> down : 0;
+  return part < (uint64_t)GJK_Q30_ONE ? (gjk_q30)part : GJK_Q30_ONE;
+}
+
+// Step 2: y - x.
+static gjk_q30 choose_part(const separation_course *at, const separation_parabola *of, int64_t enough) {
+  const gjk_q30 left = GJK_Q30_ONE - at->x, longest = GJK_Q30_ONE >> of->cut, expected = expected_part(at);
+  gjk_q30 part = left < longest ? left : longest;
+  if (expected < part) {
+    // Before what is expected, by an eighth or by what the parabola allows the estimate to be off.
+    const int64_t off = parabola(of, expected) + 4 * enough;
+    unsigned k = 3;
+    while (k < 30 && off <= gjk_sar64(at->g, k - 2)) {
+      k++;
+    }
+    part = expected - (expected >> k);
+  }
+  for (int64_t c = parabola(of, part); part > 1 && c > at->g; c = parabola(of, part)) {  // at most 40 times
+    part -= (c > 4 * at->g ? part / 2 : part / 4) + (part < 4 ? 1 : 0);
+  }
+  return part > 0 ? part : 1;
 }
 
 gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, int64_t enough) {
-  separation_bounds of;
-  if (!set_separation_bounds(&of, s)) {
+  separation_bounds bounds;
+  separation_parabola of;
+  if (!set_separation_bounds(&bounds, s)) {
     s->carrier = NULL;
-    (void)set_separation_bounds(&of, s);
+    (void)set_separation_bounds(&bounds, s);
   }
-  separation_step at = {s->start, GJK_Q30_ONE, above, 0, false};
+  set_parabola(&of, &bounds, s);
+  separation_course at = {s->start, above, s->fall, GJK_Q30_ONE};
   if (above < 0) {
     at.g = separation_at(s, s->start) - target;
   }
-  const int64_t stop = at.g / 16 > enough ? at.g / 16 : enough;
-  for (unsigned i = 0; i < STEPS_MAX && at.g > 0 && at.x < GJK_Q30_ONE; i++) {
-    const gjk_q30 z = next_root(&at, &of, s, target);
-    if (z == GJK_Q30_ONE) {
-      at.x = at.y;
-      at.g = at.h;
-      at.y = GJK_Q30_ONE;
-      at.known = false;
-    } else if (!step_to_root(&at, s, z, target, stop)) {
+  const int64_t stop = at.g / 64 > enough ? at.g / 64 : enough;
+  for (unsigned i = 0; i < STEPS_MAX && at.g > stop && at.x < GJK_Q30_ONE; i++) {
+    gjk_q30 part = GJK_Q30_ONE - at.x;
+    int64_t c = 0, g = of.cut > 0 && part > GJK_Q30_ONE >> of.cut ? of_spheres(s, at.x, target) : 0, h;
+    if (g > 0) {
+      h = of_spheres(s, GJK_Q30_ONE, target);
+    } else {
+      part = choose_part(&at, &of, enough);
+      c = parabola(&of, part);
+      g = at.g;
+      h = separation_at(s, at.x + part) - target;
+    }
+    // Step 3
+    const gjk_q30 z = first_root(g, h, c);
+    const gjk_q30 forward = z == GJK_Q30_ONE ? part : (gjk_q30)gjk_sar64(gjk_mul32(part, z), 30);
+    if (forward == 0 && part == 1) {
       break;
+    }
+    at.x += forward;
+    at.over = part;
+    at.fall = g - h;
+    if (z == GJK_Q30_ONE) {
+      at.g = h;
+    } else if (forward > 0) {
+      at.g = separation_at(s, at.x) - target;
+      at.over = part - forward;
+      at.fall = at.g - h;
     }
   }
   return at.x;

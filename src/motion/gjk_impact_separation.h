@@ -33,14 +33,19 @@ typedef struct gjk_separation {
   gjk_unit3 n;             // from A to B
   gjk_q30 start;
   const gjk_turning *carrier;  // how the direction turns from there on; NULL: it stands still
+  int64_t fall;                // an estimate: how much s would fall over the whole way at the rate of the start, Q8
 } gjk_separation;
 
 // The last fraction up to which s is proven to be above target all the way from the start. The start where s is not.
 // above   s - target at the start, or less; below 0: not known.
 // target  LSB, Q8, the errors of s included.
 // enough  Stops early once s - target is at most that.
+// The estimate of s->fall changes the answer and its cost, not what it proves.
 // Where the direction would turn too far away from the bodies, s->carrier becomes NULL.
 gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, int64_t enough);
+
+// An estimate of s->fall for points of A and B that are nearest to each other at the start.
+int64_t gjk_separation_fall(const gjk_separation *s, const gjk_vec3 *point_a, const gjk_vec3 *point_b);
 
 // How a direction turns that was from, and is to after part of the way. False: by too much or too little to tell.
 bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 part, gjk_turning *out);
