@@ -47,14 +47,15 @@ static bool stays_in_range(const gjk_vec3 *from, const gjk_vec3 *to, int64_t awa
          fits_around(to->x, away) && fits_around(to->y, away) && fits_around(to->z, away);
 }
 
-// Binds a body to its motion. The copy of its collider has no buffer, so that the caller's stays as it is.
+// Binds a body to its motion. The copy of its collider has a buffer of its own or none: the caller's stays as it is. *m
+// must then stay where it is.
 static gjk_status start_mover(gjk_mover *m, const gjk_collider *c, const gjk_motion *motion) {
   if (c->state != GJK_STATE_INITIALISED && c->state != GJK_STATE_POSED) {
     return GJK_ERROR_UNINITIALISED;
   }
   m->motion = motion;
   m->collider.shape = c->shape;
-  m->collider.buffer = NULL;
+  m->collider.buffer = c->shape->type->buffered && c->count <= GJK_MOVER_VERTICES ? m->baked : NULL;
   m->collider.local_centre = c->local_centre;
   m->collider.core_radius = c->core_radius;
   m->collider.radius = c->radius;

@@ -49,11 +49,11 @@ static int64_t between_positions(const gjk_separation *of, const gjk_unit3 *v, g
 }
 
 // How far a body's core reaches along d, from the position that it is posed at, Q8, rounded down. d: a unit vector.
-// Of a hull without a table it is that of the shape's own vertices, turned in real numbers: within what posing does.
+// Of a lazy hull without a table it is that of the shape's own vertices, turned in real numbers: within what posing does.
 static int64_t extent_along(const gjk_collider *c, const gjk_unit3 *d) {
   const gjk_vec3 along = {d->x, d->y, d->z};
   const gjk_shape *shape = c->shape;
-  if (shape->type->buffered && shape->user == NULL) {
+  if (shape->type->buffered && shape->user == NULL && c->buffer == NULL) {
     const gjk_vec3 local = gjk_rotate_back(c->frame, &along), *first = shape->vertices;
     const gjk_vec3 *v = gjk_scan(first, first + shape->count, 31, &local);
     return gjk_sar64(gjk_dot(&local, v), 22);

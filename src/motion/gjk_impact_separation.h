@@ -19,12 +19,16 @@
 #include "../shape/gjk_shape_class.h"
 #include "gjk_motion.h"
 
+// Hulls of up to so many vertices are baked in each pose: the stack holds them.
+#define GJK_MOVER_VERTICES 8
+
 // A body of a query.
 typedef struct gjk_mover {
   const gjk_motion *motion;
   uint32_t reach;  // of the core's points from the pose's position, LSB, posing included
   gjk_turning turning;
   gjk_collider collider;
+  gjk_vec3 baked[GJK_MOVER_VERTICES];
 } gjk_mover;
 
 // The direction and where from: both colliders are posed at start.
