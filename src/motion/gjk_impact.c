@@ -104,10 +104,16 @@ static gjk_status start_impact(impact_query *of, const gjk_impact_setup *setup) 
 }
 
 // Poses a body at a fraction. Out of line, as next_x, so that their stack is not that of distances too.
-GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, gjk_q30 fraction) {
-  gjk_pose pose;
-  gjk_turning_pose(m->motion, &m->turning, fraction, &pose);
-  (void)gjk_collider_pose(&m->collider, &pose);
+GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, gjk_q30 fraction, gjk_pose *pose) {
+  gjk_turning_pose(m->motion, &m->turning, fraction, pose);
+  (void)gjk_collider_pose(&m->collider, pose);
+}
+
+// Has the body, once posed, the same pose at a fraction? At the end of the way it has that of the motion, to the bit.
+static bool stands(const gjk_mover *m, gjk_q30 fraction) {
+  const gjk_vec3 *from = &m->motion->from.position, *to = &m->motion->to.position;
+  return m->collider.state == GJK_STATE_POSED && fraction != GJK_Q30_ONE && m->turning.half_turns == 0 &&
+         from->x == to->x && from->y == to->y && from->z == to->z;
 }
 
 // How many different vertices of one shape are in a feature. Those of curved shapes count as one.
@@ -137,14 +143,17 @@ static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_
   return turns && gjk_turning_between(before, &gap->normal, of->x - last, out) ? out : NULL;
 }
 
-static void write_impact(const impact_query *of, gjk_impact_result *out, gjk_q30 upper) {
-  out->lower = of->x;
-  out->upper = upper;
-  gjk_turning_pose(of->mover[0].motion, &of->mover[0].turning, of->x, &out->pose_a);
-  gjk_turning_pose(of->mover[1].motion, &of->mover[1].turning, of->x, &out->pose_b);
+// Poses both bodies at x.
+static void pose_both(impact_query *of, gjk_impact_result *out) {
+  if (!stands(&of->mover[0], of->x)) {
+    pose_mover(&of->mover[0], of->x, &out->pose_a);
+  }
+  if (!stands(&of->mover[1], of->x)) {
+    pose_mover(&of->mover[1], of->x, &out->pose_b);
+  }
 }
 
-// The shapes touch at x.
+// The shapes touch at x, where they are posed.
 static void write_impact_hit(const impact_query *of, gjk_q16 margin, const gjk_distance_result *gap,
                              gjk_impact_result *out) {
   out->hit = true;
@@ -155,7 +164,8 @@ static void write_impact_hit(const impact_query *of, gjk_q16 margin, const gjk_d
     out->point_b = gap->point_b;
     out->normal = gap->normal;
   }
-  write_impact(of, out, of->x);
+  out->lower = of->x;
+  out->upper = of->x;
 }
 
 // The last round's normal, and where it was.
@@ -186,12 +196,12 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
   round_before last;
   gjk_zero(&cache, sizeof cache);
   gjk_zero(&last, sizeof last);
+  of->x = gjk_separation_of_spheres(of->mover, of->wanted + of->radii * 256);
   out->hit = false;
   out->overlap = false;
   for (unsigned i = 1; i <= most; i++) {
     gjk_distance_result gap;
-    pose_mover(&of->mover[0], of->x);
-    pose_mover(&of->mover[1], of->x);
+    pose_both(of, out);
     const gjk_status status = gjk_distance(&of->mover[0].collider, &of->mover[1].collider, &cache, &gap);  // Step 1
     out->iterations = (uint8_t)i;
     if (gap.upper <= of->touched) {
@@ -206,7 +216,9 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
       break;
     }
   }
-  write_impact(of, out, GJK_Q30_ONE);
+  pose_both(of, out);
+  out->lower = of->x;
+  out->upper = GJK_Q30_ONE;
   return of->x == GJK_Q30_ONE ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
 }
 

@@ -14,6 +14,7 @@
 
 #include "../arith/gjk_root.h"
 #include "../arith/gjk_rotation.h"
+#include "../arith/gjk_unit.h"
 #include "../shape/gjk_scan.h"
 
 // The most steps along one direction, of one or two separations each.
@@ -28,10 +29,14 @@
 #define SINE_MAX (UINT32_C(1) << 28)
 #define PART_MIN (INT32_C(1) << 13)
 
-// v . (b - a), Q8, rounded down. Pre: |v| <= 2^30 + 2^5; |b - a| <= sqrt(3) 2^32:  the product is below 2^63
-GJK_OUT_OF_LINE static int64_t along_q8(const gjk_unit3 *v, const gjk_vec3 *a, const gjk_vec3 *b) {
-  const int64_t x = (int64_t)b->x - a->x, y = (int64_t)b->y - a->y, z = (int64_t)b->z - a->z;
-  return gjk_sar64(v->x * x + v->y * y + v->z * z, 22);
+// v . d, Q8, rounded down. Pre: |v| <= 2^30 + 2^5; |d| <= sqrt(3) 2^32:  the product is below 2^63
+static int64_t along_q8(const gjk_unit3 *v, const gjk_long3 *d) {
+  return gjk_sar64(v->x * d->x + v->y * d->y + v->z * d->z, 22);
+}
+
+static gjk_long3 between(const gjk_vec3 *a, const gjk_vec3 *b) {
+  const gjk_long3 d = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
+  return d;
 }
 
 // low + part / 2^30 (high - low), at most 2 too small. Pre: |high - low| < 2^45.
@@ -41,11 +46,19 @@ static int64_t blend_q8(int64_t low, int64_t high, gjk_q30 part) {
   return low + gjk_sar64(gjk_mul32(coarse, part), 15) + gjk_sar64(gjk_mul32(fine, part), 30);
 }
 
+// s along one direction: what does not depend on the fraction.
+typedef struct separation_course {
+  const gjk_separation *of;
+  int64_t target;           // Q8
+  gjk_long3 from, to;       // p_b - p_a at the start and the end of the way
+  gjk_turned split;         // n as the carrier sees it
+  bool is_fixed[2];         // the body's extent does not change:
+  int64_t extent[2];        // this one, Q8
+} separation_course;
+
 // v . (p_b - p_a) at a fraction, Q8, at most 4 too small.
-static int64_t between_positions(const gjk_separation *of, const gjk_unit3 *v, gjk_q30 fraction) {
-  const gjk_motion *a = of->mover[0].motion, *b = of->mover[1].motion;
-  return blend_q8(along_q8(v, &a->from.position, &b->from.position), along_q8(v, &a->to.position, &b->to.position),
-                  fraction);
+static int64_t between_positions(const separation_course *of, const gjk_unit3 *v, gjk_q30 fraction) {
+  return blend_q8(along_q8(v, &of->from), along_q8(v, &of->to), fraction);
 }
 
 // How far a body's core reaches along d, from the position that it is posed at, Q8, rounded down. d: a unit vector.
@@ -60,7 +73,11 @@ static int64_t extent_along(const gjk_collider *c, const gjk_unit3 *d) {
   }
   gjk_support at;
   shape->type->support(c, &along, &at);
-  return along_q8(d, &c->position, &c->centre) + gjk_sar64(gjk_dot(&along, &at.offset), 22);
+  gjk_long3 reach = between(&c->position, &c->centre);
+  reach.x += at.offset.x;
+  reach.y += at.offset.y;
+  reach.z += at.offset.z;
+  return along_q8(d, &reach);
 }
 
 static gjk_unit3 opposite_unit(const gjk_unit3 *v) {
@@ -68,27 +85,47 @@ static gjk_unit3 opposite_unit(const gjk_unit3 *v) {
   return negative;
 }
 
-// s at a fraction from the start on, Q8, within 8.
-static int64_t separation_at(const gjk_separation *of, gjk_q30 fraction) {
-  const gjk_q30 part = fraction - of->start;
-  gjk_unit3 v = of->n;
-  if (of->carrier != NULL) {
-    gjk_turning_rotate(of->carrier, part, false, &v);
+// A body's extent towards the other one along d, Q8, rounded up.
+static int64_t extent_towards(const gjk_separation *s, int i, const gjk_unit3 *d) {
+  const gjk_unit3 opposite = opposite_unit(d);
+  return extent_along(&s->mover[i].collider, i == 0 ? d : &opposite) + 1;
+}
+
+static void start_course(separation_course *of, const gjk_separation *s, int64_t target) {
+  const gjk_motion *a = s->mover[0].motion, *b = s->mover[1].motion;
+  of->of = s;
+  of->target = target;
+  of->from = between(&a->from.position, &b->from.position);
+  of->to = between(&a->to.position, &b->to.position);
+  if (s->carrier != NULL) {
+    gjk_turning_split(s->carrier, &s->n, &of->split);
   }
-  int64_t s = between_positions(of, &v, fraction);
   for (int i = 0; i < 2; i++) {
-    gjk_unit3 d = v;
-    if (of->carrier == &of->mover[i].turning) {
-      d = of->n;
-    } else {
-      gjk_turning_rotate(&of->mover[i].turning, part, true, &d);
-    }
-    if (i == 1) {
-      d = opposite_unit(&d);
-    }
-    s -= extent_along(&of->mover[i].collider, &d) + 1;
+    const gjk_turning *turning = &s->mover[i].turning;
+    of->is_fixed[i] = s->carrier == turning || (s->carrier == NULL && turning->half_turns == 0);
+    of->extent[i] = of->is_fixed[i] ? extent_towards(s, i, &s->n) : 0;
   }
-  return s;
+}
+
+// s - target at a fraction from the start on, Q8, within 8.
+static int64_t separation_at(const separation_course *of, gjk_q30 fraction) {
+  const gjk_separation *s = of->of;
+  const gjk_q30 part = fraction - s->start;
+  gjk_unit3 v = s->n;
+  if (s->carrier != NULL) {
+    gjk_turning_join(s->carrier, part, false, &of->split, &v);
+  }
+  int64_t above = between_positions(of, &v, fraction) - of->target;
+  for (int i = 0; i < 2; i++) {
+    if (of->is_fixed[i]) {
+      above -= of->extent[i];
+    } else {
+      gjk_unit3 d = v;
+      gjk_turning_rotate(&s->mover[i].turning, part, true, &d);
+      above -= extent_towards(s, i, &d);
+    }
+  }
+  return above;
 }
 
 // What of the bounds does not depend on the part of the way.
@@ -108,29 +145,35 @@ static uint32_t whole_angle(const gjk_turning *turning) {
   return (uint32_t)(gjk_umul32((uint32_t)turns, UINT32_C(3373259427)) >> 31) + 1;
 }
 
-// *cross = a x b, Q30, each component less than 1 off. Returns its length, rounded down.
-static uint32_t cross_q30(const gjk_unit3 *a, const gjk_unit3 *b, gjk_vec3 *cross) {
+// *cross = a x b, Q30, each component less than 1 off.
+static void cross_q30(const gjk_unit3 *a, const gjk_unit3 *b, gjk_vec3 *cross) {
   const gjk_vec3 u = {a->x, a->y, a->z}, v = {b->x, b->y, b->z};
   gjk_long3 wide;
   gjk_cross(&u, &v, &wide);
   cross->x = (int32_t)gjk_sar64(wide.x, 30);
   cross->y = (int32_t)gjk_sar64(wide.y, 30);
   cross->z = (int32_t)gjk_sar64(wide.z, 30);
-  return gjk_isqrt64((uint64_t)gjk_dot(cross, cross));
 }
 
-// The sine of the angle between axis and n, Q16, rounded up.
-static uint32_t sine_between(const gjk_unit3 *axis, const gjk_unit3 *n) {
-  gjk_vec3 cross;
-  return (cross_q30(axis, n, &cross) >> 14) + 2;
-}
-
-// At least the distance between two points: its largest component and half of the others.
-GJK_OUT_OF_LINE static uint64_t distance_bound(const gjk_vec3 *p, const gjk_vec3 *q) {
-  const uint64_t a = gjk_magnitude64((int64_t)q->x - p->x), b = gjk_magnitude64((int64_t)q->y - p->y);
-  const uint64_t c = gjk_magnitude64((int64_t)q->z - p->z);
+// At least the length of a vector with such components: the largest and half of the others.
+static uint64_t length_bound(uint64_t a, uint64_t b, uint64_t c) {
   const uint64_t most = a > b ? (a > c ? a : c) : (b > c ? b : c);
   return (most + a + b + c + 1) / 2;
+}
+
+// The sine of the angle between axis and n, Q16, or more, at most by a quarter.
+static uint32_t sine_between(const gjk_unit3 *axis, const gjk_unit3 *n) {
+  gjk_vec3 cross;
+  cross_q30(axis, n, &cross);
+  const uint64_t length = length_bound(gjk_magnitude32(cross.x), gjk_magnitude32(cross.y), gjk_magnitude32(cross.z));
+  const uint32_t sine = (uint32_t)(length >> 14) + 2;
+  return sine < (UINT32_C(1) << 16) + 2 ? sine : (UINT32_C(1) << 16) + 2;
+}
+
+// At least the distance between two points.
+GJK_OUT_OF_LINE static uint64_t distance_bound(const gjk_vec3 *p, const gjk_vec3 *q) {
+  return length_bound(gjk_magnitude64((int64_t)q->x - p->x), gjk_magnitude64((int64_t)q->y - p->y),
+                      gjk_magnitude64((int64_t)q->z - p->z));
 }
 
 // x y / 2^16, rounded up. Pre: the product is below 2^63.
@@ -234,7 +277,8 @@ static gjk_q30 first_root(int64_t g, int64_t h, int64_t c) {
 
 bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 part, gjk_turning *out) {
   gjk_vec3 cross;
-  const uint32_t sine = cross_q30(from, to, &cross);
+  cross_q30(from, to, &cross);
+  const uint32_t sine = gjk_isqrt64((uint64_t)gjk_dot(&cross, &cross));
   const gjk_quat direction = {cross.x, cross.y, cross.z, 0};
   gjk_quat unit;
   if (sine < SINE_MIN || sine > SINE_MAX || part < PART_MIN || gjk_quat_normalize(&direction, &unit) != GJK_OK) {
@@ -251,12 +295,12 @@ bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 par
 }
 
 // A lower bound of s - target at a fraction, whatever the rotations are there: bodies that turn count as spheres.
-static int64_t of_spheres(const gjk_separation *s, gjk_q30 fraction, int64_t target) {
-  int64_t bound = between_positions(s, &s->n, fraction) - target;
+static int64_t of_spheres(const separation_course *of, gjk_q30 fraction) {
+  const gjk_separation *s = of->of;
+  int64_t bound = between_positions(of, &s->n, fraction) - of->target;
   for (int i = 0; i < 2; i++) {
     const gjk_mover *m = &s->mover[i];
-    const gjk_unit3 d = i == 0 ? s->n : opposite_unit(&s->n);
-    bound -= m->turning.half_turns != 0 ? m->reach * INT64_C(256) : extent_along(&m->collider, &d) + 1;
+    bound -= m->turning.half_turns != 0 ? m->reach * INT64_C(256) : extent_towards(s, i, &s->n);
   }
   return bound;
 }
@@ -267,7 +311,8 @@ static int64_t rate_of_point(const gjk_mover *m, const gjk_unit3 *n, const gjk_v
   const gjk_motion *motion = m->motion;
   const gjk_vec3 *at = &m->collider.position, along = {n->x, n->y, n->z};
   const gjk_vec3 axis = {m->turning.axis.x, m->turning.axis.y, m->turning.axis.z};
-  const int64_t rate = along_q8(n, &motion->from.position, &motion->to.position);
+  const gjk_long3 way = between(&motion->from.position, &motion->to.position);
+  const int64_t rate = along_q8(n, &way);
   const uint32_t angle = whole_angle(&m->turning);
   if (angle == 0 || m->reach >> 30 != 0) {
     return rate;
@@ -285,15 +330,15 @@ int64_t gjk_separation_fall(const gjk_separation *s, const gjk_vec3 *point_a, co
 }
 
 // Where a search along one direction stands.
-typedef struct separation_course {
+typedef struct separation_state {
   gjk_q30 x;
   int64_t g;     // s - target at x, Q8
   int64_t fall;  // how much that falls, Q8,
   gjk_q30 over;  // over this part of the way: an estimate of its slope
-} separation_course;
+} separation_state;
 
 // After which part of the way s meets the target, by the estimate: over g / fall, at most GJK_Q30_ONE. Pre: g > 0.
-static gjk_q30 expected_part(const separation_course *at) {
+static gjk_q30 expected_part(const separation_state *at) {
   if (at->fall <= 0) {
     return GJK_Q30_ONE;
   }
@@ -310,7 +355,7 @@ static gjk_q30 expected_part(const separation_course *at) {
 }
 
 // Step 2: y - x.
-static gjk_q30 choose_part(const separation_course *at, const separation_parabola *of, int64_t enough) {
+static gjk_q30 choose_part(const separation_state *at, const separation_parabola *of, int64_t enough) {
   const gjk_q30 left = GJK_Q30_ONE - at->x, longest = GJK_Q30_ONE >> of->cut, expected = expected_part(at);
   gjk_q30 part = left < longest ? left : longest;
   if (expected < part) {
@@ -328,6 +373,20 @@ static gjk_q30 choose_part(const separation_course *at, const separation_parabol
   return part > 0 ? part : 1;
 }
 
+gjk_q30 gjk_separation_of_spheres(const gjk_mover mover[2], int64_t target) {
+  const gjk_motion *a = mover[0].motion, *b = mover[1].motion;
+  const gjk_long3 from = between(&a->from.position, &b->from.position), to = between(&a->to.position, &b->to.position);
+  const int64_t apart = target + ((int64_t)mover[0].reach + mover[1].reach) * 256;
+  gjk_search_direction direction;
+  if ((from.x | from.y | from.z) == 0) {
+    return 0;
+  }
+  gjk_search_direction_of(&from, &direction);
+  const gjk_unit3 n = gjk_unit(&direction.d);
+  const int64_t g = along_q8(&n, &from) - apart;
+  return g > 0 ? first_root(g, along_q8(&n, &to) - apart, 0) : 0;
+}
+
 gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, int64_t enough) {
   separation_bounds bounds;
   separation_parabola of;
@@ -336,21 +395,23 @@ gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, i
     (void)set_separation_bounds(&bounds, s);
   }
   set_parabola(&of, &bounds, s);
-  separation_course at = {s->start, above, s->fall, GJK_Q30_ONE};
+  separation_course course;
+  start_course(&course, s, target);
+  separation_state at = {s->start, above, s->fall, GJK_Q30_ONE};
   if (above < 0) {
-    at.g = separation_at(s, s->start) - target;
+    at.g = separation_at(&course, s->start);
   }
   const int64_t stop = at.g / 64 > enough ? at.g / 64 : enough;
   for (unsigned i = 0; i < STEPS_MAX && at.g > stop && at.x < GJK_Q30_ONE; i++) {
     gjk_q30 part = GJK_Q30_ONE - at.x;
-    int64_t c = 0, g = of.cut > 0 && part > GJK_Q30_ONE >> of.cut ? of_spheres(s, at.x, target) : 0, h;
+    int64_t c = 0, g = of.cut > 0 && part > GJK_Q30_ONE >> of.cut ? of_spheres(&course, at.x) : 0, h;
     if (g > 0) {
-      h = of_spheres(s, GJK_Q30_ONE, target);
+      h = of_spheres(&course, GJK_Q30_ONE);
     } else {
       part = choose_part(&at, &of, enough);
       c = parabola(&of, part);
       g = at.g;
-      h = separation_at(s, at.x + part) - target;
+      h = separation_at(&course, at.x + part);
     }
     // Step 3
     const gjk_q30 z = first_root(g, h, c);
@@ -364,7 +425,7 @@ gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, i
     if (z == GJK_Q30_ONE) {
       at.g = h;
     } else if (forward > 0) {
-      at.g = separation_at(s, at.x) - target;
+      at.g = separation_at(&course, at.x);
       at.over = part - forward;
       at.fall = at.g - h;
     }

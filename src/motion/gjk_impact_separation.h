@@ -48,6 +48,10 @@ typedef struct gjk_separation {
 // Where the direction would turn too far away from the bodies, s->carrier becomes NULL.
 gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, int64_t enough);
 
+// The last fraction up to which the bodies' spheres, about the positions of their poses, are more than target apart along
+// the direction from A to B at the start of the way, for sure; 0 where they are not at the start. target as above.
+gjk_q30 gjk_separation_of_spheres(const gjk_mover mover[2], int64_t target);
+
 // An estimate of s->fall for points of A and B that are nearest to each other at the start.
 int64_t gjk_separation_fall(const gjk_separation *s, const gjk_vec3 *point_a, const gjk_vec3 *point_b);
 
