@@ -30,32 +30,6 @@
 #define GJK_CAST_ITERATIONS_MAX 250
 #endif
 
-// sum + n . v, of the digits that the function takes.
-#define MAC_DIGITS(digit, sum, n, v) \
-  gjk_mac32(gjk_mac32(gjk_mac32((sum), digit((n)->x), (v)->x), digit((n)->y), (v)->y), digit((n)->z), (v)->z)
-
-// n . u + m . g = 2^32 (returned) + *low, exact.
-//   |n|, |m| < 2^62.9, |u|, |g| < 2^30 lengths:   low digits at most sqrt(3) 2^31, each sum below 2^62.8 in size
-static int64_t sum_of_dots(const gjk_long3 *n, const gjk_vec3 *u, const gjk_long3 *m, const gjk_vec3 *g,
-                           uint32_t *low) {
-  const int64_t lowest = MAC_DIGITS(gjk_low_balanced, MAC_DIGITS(gjk_low_balanced, 0, n, u), m, g);
-  *low = gjk_low32(lowest);
-  return MAC_DIGITS(gjk_high_balanced, MAC_DIGITS(gjk_high_balanced, gjk_sar64(lowest, 32), n, u), m, g);
-}
-
-// The sign of n . u + m . g. The high words settle most: with n = 2^32 high + low, 0 <= low < 2^32, and m alike,
-//   |low . u + low . g| / 2^32    <  |u|_1 + |g|_1 <= sqrt(3) (2^29 + 2^30) < 2^32
-// so top >= 1 or top < -1 is the sign.
-static int sum_of_dots_sign(const gjk_long3 *n, const gjk_vec3 *u, const gjk_long3 *m, const gjk_vec3 *g) {
-  const int32_t top = gjk_high32(MAC_DIGITS(gjk_high32, MAC_DIGITS(gjk_high32, 0, n, u), m, g));
-  if (top >= 1 || top < -1) {
-    return top >= 1 ? 1 : -1;
-  }
-  uint32_t low;
-  const int64_t high = sum_of_dots(n, u, m, g, &low);
-  return high != 0 ? gjk_sign64(high) : low != 0;
-}
-
 // v / 8, rounded down.
 static gjk_vec3 eighth(const gjk_long3 *v) {
   const gjk_vec3 q = {(int32_t)gjk_sar64(v->x, 3), (int32_t)gjk_sar64(v->y, 3), (int32_t)gjk_sar64(v->z, 3)};
@@ -143,10 +117,10 @@ static void lateral(const gjk_portal *p, const gjk_vec3 *u, gjk_long3 *out) {
   cross_way(p, u, &p->m, out);
 }
 
-// The sign of det(t, w_i, w_j), for v = t x w_i.
-static int side_of(const gjk_portal *p, const gjk_long3 *v, const gjk_vec3 *i, const gjk_vec3 *j) {
-  const gjk_vec3 opposite = gjk_negate(*i);
-  return sum_of_dots_sign(v, j, &p->m, &opposite);
+// The sign of det(t, w_i, w_j) = (t x w_i) . (w_j - w_i), for v = t x w_i.
+static int side_of(const gjk_long3 *v, const gjk_vec3 *i, const gjk_vec3 *j) {
+  const gjk_vec3 step = gjk_sub(*j, *i);
+  return gjk_dot_sign(v, &step);
 }
 
 // The components' magnitudes, joined by or: as many bits as the largest has.
@@ -211,7 +185,7 @@ static bool refine(gjk_portal *p) {
   return moved;
 }
 
-// n = g x t, for which n . w = n . u + g . m.
+// n = g x t, for which n . w = g . (t x w).
 void gjk_portal_face(gjk_portal *p, const gjk_vec3 *g) {
   const gjk_vec3 opposite = gjk_negate(*g);
   gjk_set(g, &p->g);
@@ -219,7 +193,9 @@ void gjk_portal_face(gjk_portal *p, const gjk_vec3 *g) {
 }
 
 int gjk_portal_beside(const gjk_portal *p, const gjk_vec3 *u) {
-  return sum_of_dots_sign(&p->n, u, &p->m, &p->g);
+  gjk_long3 v;
+  lateral(p, u, &v);
+  return gjk_dot_sign(&v, &p->g);
 }
 
 // The sign of n . w for the newest vertex w of a support scan along n, which is farthest where the sign is below least.
@@ -314,7 +290,7 @@ static gjk_passage grow_portal(gjk_portal *p, const gjk_long3 *v) {
     if (look(p, 0) < 0) {
       return GJK_PASSAGE_BESIDE;
     }
-    const int side = side_of(p, v, &c[0].u, &c[3].u);
+    const int side = side_of(v, &c[0].u, &c[3].u);
     if (side > 0) {
       copy_corner(&c[3], &c[1]);
     } else if (side < 0) {
@@ -352,7 +328,7 @@ static gjk_passage find_first(gjk_portal *p) {
   if (look_along(p, &g, 0) < 0) {
     return GJK_PASSAGE_BESIDE;
   }
-  const int side = side_of(p, &v, &c[0].u, &c[3].u);
+  const int side = side_of(&v, &c[0].u, &c[3].u);
   copy_corner(&c[side >= 0 ? 3 : 0], &c[1]);
   if (side == 0) {
     widen_edge(p, &v);
@@ -391,13 +367,13 @@ static void set_plane(gjk_portal *p) {
 // The sign of det(t, w_3, w_i) where the line is moved inward; v = t x w_3. 0: both vertices lie on a parallel to the line.
 static int moved_side(const gjk_portal *p, const gjk_long3 *v, unsigned i) {
   const gjk_corner *c = p->corner;
-  int side = side_of(p, v, &c[3].u, &c[i].u);
-  const gjk_vec3 step = gjk_sub(c[3].u, c[i].u);
+  const gjk_vec3 step = gjk_sub(c[i].u, c[3].u);
+  int side = gjk_dot_sign(v, &step);
   for (unsigned k = 0; k < 2 && side == 0; k++) {
     // Moved by e w_k, the determinant grows by e det(t, w_k, w_3 - w_i).
     gjk_long3 inward;
     lateral(p, &p->inward[k], &inward);
-    side = gjk_dot_sign(&inward, &step);
+    side = -gjk_dot_sign(&inward, &step);
   }
   return side;
 }
@@ -546,12 +522,12 @@ static bool holds_line(gjk_portal *p) {
     lateral(p, &c[1].u, &other);
     p->axis = main_axis(&across);
     const int64_t first = component_along(&v, p->axis), second = component_along(&other, p->axis);
-    return !is_zero(&across) && side_of(p, &v, &c[0].u, &c[1].u) == 0 && (first <= 0 || second <= 0) &&
+    return !is_zero(&across) && side_of(&v, &c[0].u, &c[1].u) == 0 && (first <= 0 || second <= 0) &&
            (first >= 0 || second >= 0);
   }
-  const int side = side_of(p, &v, &c[0].u, &c[1].u), side2 = side_of(p, &v, &c[0].u, &c[2].u);
+  const int side = side_of(&v, &c[0].u, &c[1].u), side2 = side_of(&v, &c[0].u, &c[2].u);
   lateral(p, &c[1].u, &v);
-  return side >= 0 && side2 <= 0 && side_of(p, &v, &c[1].u, &c[2].u) >= 0;
+  return side >= 0 && side2 <= 0 && side_of(&v, &c[1].u, &c[2].u) >= 0;
 }
 
 bool gjk_portal_load(gjk_portal *p, const gjk_cast_certificate *certificate) {
@@ -593,6 +569,15 @@ bool gjk_portal_is_entry(gjk_portal *p) {
          gjk_portal_side(p, &c[0].u, &p->goal) >= 0 && holds_line(p);
 }
 
+// v . d = 2^32 (returned) + *low, exact. Pre: |v| < 2^62.9, |d| < 2^30, lengths: the low digits' sum is below 2^62.8
+static int64_t dot_wide(const gjk_long3 *v, const gjk_vec3 *d, uint32_t *low) {
+  const gjk_vec3 lowest = {gjk_low_balanced(v->x), gjk_low_balanced(v->y), gjk_low_balanced(v->z)};
+  const gjk_vec3 highest = {gjk_high_balanced(v->x), gjk_high_balanced(v->y), gjk_high_balanced(v->z)};
+  const int64_t sum = gjk_dot(&lowest, d);
+  *low = gjk_low32(sum);
+  return gjk_dot(&highest, d) + gjk_sar64(sum, 32);
+}
+
 void gjk_portal_weights(const gjk_portal *p, gjk_u128 weight[3]) {
   const gjk_corner *c = p->corner;
   gjk_long3 v;
@@ -602,10 +587,10 @@ void gjk_portal_weights(const gjk_portal *p, gjk_u128 weight[3]) {
   if (p->count == 3) {
     for (unsigned i = 0; i < 3; i++) {
       const unsigned j = gjk_next(i), k = gjk_next(j);
-      const gjk_vec3 opposite = gjk_negate(c[j].u);
+      const gjk_vec3 step = gjk_sub(c[k].u, c[j].u);
       uint32_t low;
       lateral(p, &c[j].u, &v);
-      const int64_t high = sum_of_dots(&v, &c[k].u, &p->m, &opposite, &low);
+      const int64_t high = dot_wide(&v, &step, &low);
       weight[i].high = (uint64_t)gjk_sar64(high, 32);
       weight[i].low = (uint64_t)high << 32 | low;
     }
