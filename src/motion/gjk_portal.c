@@ -48,6 +48,10 @@ static gjk_vec3 place(const gjk_portal *p, const gjk_vec3 *u, int32_t x, int32_t
 }
 
 int64_t gjk_portal_dot(const gjk_portal *p, const gjk_vec3 *u, const gjk_long3 *at, uint32_t *low) {
+  if (p->near) {
+    const gjk_vec3 v = place(p, u, (int32_t)at->x, (int32_t)at->y, (int32_t)at->z);
+    return gjk_dot_exact(&p->n, &v, low);
+  }
   // |at / 8| <= sqrt(3) 2^30:  |n . (at / 8)| < 2^91, 8 times its high part < 2^63
   uint32_t low_of_q;
   const gjk_vec3 q = eighth(at), rest = place(p, u, (int32_t)(at->x & 7), (int32_t)(at->y & 7), (int32_t)(at->z & 7));
@@ -308,23 +312,33 @@ static gjk_passage grow_portal(gjk_portal *p, const gjk_long3 *v) {
   return GJK_PASSAGE_LIMIT;
 }
 
-// Steps 1 and 2. FACET: the line passes through the corners; a triangle runs counterclockwise seen against t.
-static gjk_passage find_first(gjk_portal *p) {
-  gjk_corner *c = p->corner;
-  gjk_long3 v;
+// Step 1: the apex. n = g x t leads to the line. It is tilted to the start, since there A - B is entered.
+//   |g| < 2^30, |t| < 2^30.8:   |n| < 2^60.8, |t 2^30| < 2^60.8
+static void find_apex(gjk_portal *p) {
   gjk_vec3 g = unit_axis(gjk_next(main_axis(&p->way)), 1);
   if (!is_zero(&p->m)) {
     g = rounded_opposite(&p->m);
   }
-  if (look_along(p, &g, 0) < 0) {
-    return GJK_PASSAGE_BESIDE;
+  gjk_portal_face(p, &g);
+  if (!p->wide) {
+    p->n.x -= gjk_shl64(p->t.x, 30);
+    p->n.y -= gjk_shl64(p->t.y, 30);
+    p->n.z -= gjk_shl64(p->t.z, 30);
   }
-  copy_corner(&c[3], &c[0]);
+  scan(p);
+  copy_corner(&p->corner[3], &p->corner[0]);
+}
+
+// Steps 1 and 2. FACET: the line passes through the corners; a triangle runs counterclockwise seen against t.
+static gjk_passage find_first(gjk_portal *p) {
+  gjk_corner *c = p->corner;
+  gjk_long3 v;
+  find_apex(p);
   lateral(p, &c[0].u, &v);
   if (is_zero(&v) && !leave_line(p, &v)) {
     return GJK_PASSAGE_FACET;
   }
-  g = rounded_opposite(&v);
+  const gjk_vec3 g = rounded_opposite(&v);
   if (look_along(p, &g, 0) < 0) {
     return GJK_PASSAGE_BESIDE;
   }
