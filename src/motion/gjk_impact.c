@@ -1,6 +1,7 @@
 // The time of impact of two shapes that move and turn.
 //
-//   1. Pose both at x, 0 at first, and measure their distance, exactly. Within margin and tolerance: a hit.
+//   1. Pose both at x and measure their distance, exactly. Within margin and tolerance: a hit. The first x is where the
+//      bodies' spheres meet; they don't: a miss.
 //   2. Take the normal as a direction. It turns with the shape that has more vertices in the nearest feature; else on as
 //      it has turned since the last x; or it stands still.
 //   3. The next x is where the separation along it is no more proven to be above the margin and the slack of roundings

@@ -1,9 +1,10 @@
 // Where a line enters A - B, by exact signs alone.
 //
-//   Step 1   Look beside the line: a support scan towards the line from the centres. All of A - B lies on one side: BESIDE.
-//   Step 2   The vertex found is the apex. Look for a vertex beyond the line from there, and then for a portal: two vertices
-//            such that, seen along the line, the ray from the apex towards the line passes between them. Move the portal
-//            outwards until the line lies in its triangle with the apex, or A - B lies on one side.
+//   Step 1   A support scan towards the line from the centres and, as much, towards the way's start. The vertex found is the
+//            apex: the way enters near it, mostly.
+//   Step 2   Look for a vertex beyond the line from there, and then for a portal: two vertices such that, seen along the
+//            line, the ray from the apex towards the line passes between them. Move the portal outwards until the line lies
+//            in its triangle with the apex. All of A - B lies on one side of the line: BESIDE.
 //   Step 3   Then the line passes through the triangle: that is a point of A - B. Take the triangle's plane, with the normal
 //            towards the way's start. The start lies on the plane: INSIDE.
 //   Step 4   Support scan along the normal. All of A - B lies behind both ends of the way: SHORT.
@@ -312,7 +313,7 @@ static gjk_passage grow_portal(gjk_portal *p, const gjk_long3 *v) {
   return GJK_PASSAGE_LIMIT;
 }
 
-// Step 1: the apex. n = g x t leads to the line. It is tilted to the start, since there A - B is entered.
+// Step 1. n = g x t leads to the line. It is tilted towards the start, on ways below 2^30 LSB.
 //   |g| < 2^30, |t| < 2^30.8:   |n| < 2^60.8, |t 2^30| < 2^60.8
 static void find_apex(gjk_portal *p) {
   gjk_vec3 g = unit_axis(gjk_next(main_axis(&p->way)), 1);
