@@ -49,11 +49,11 @@ static int64_t blend_q8(int64_t low, int64_t high, gjk_q30 part) {
 // s along one direction: what does not depend on the fraction.
 typedef struct separation_course {
   const gjk_separation *of;
-  int64_t target;           // Q8
-  gjk_long3 from, to;       // p_b - p_a at the start and the end of the way
-  gjk_turned split;         // n as the carrier sees it
-  bool is_fixed[2];         // the body's extent does not change:
-  int64_t extent[2];        // this one, Q8
+  int64_t target;      // Q8
+  gjk_long3 from, to;  // p_b - p_a at the start and the end of the way
+  gjk_turned split;    // n as the carrier sees it
+  bool is_fixed[2];    // the body's extent does not change:
+  int64_t extent[2];   // this one, Q8
 } separation_course;
 
 // v . (p_b - p_a) at a fraction, Q8, at most 4 too small.
@@ -244,8 +244,8 @@ static void set_parabola(separation_parabola *of, const separation_bounds *bound
 
 // c over a part of the way, Q8, rounded up. Pre: it is not longer than the longest.
 static int64_t parabola(const separation_parabola *of, gjk_q30 part) {
-  const uint32_t share = (uint32_t)part << of->cut;                                 // of the longest part, Q30
-  const uint32_t square = (uint32_t)(gjk_umul32(share, share) >> 30) + 1;           // at most 2^30 + 1
+  const uint32_t share = (uint32_t)part << of->cut;                              // of the longest part, Q30
+  const uint32_t square = (uint32_t)(gjk_umul32(share, share) >> 30) + 1;        // at most 2^30 + 1
   return (int64_t)(((gjk_umul32(of->leading, square) >> 30) + 1) << of->scale);  // below 2^51
 }
 

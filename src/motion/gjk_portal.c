@@ -82,11 +82,11 @@ static inline uint64_t product(int64_t x, int64_t y) {
   return (uint64_t)x * (uint64_t)y;
 }
 
-// *out = t x v + *plus. Pre: it fits. Out of line: near pairs go past it.
-GJK_OUT_OF_LINE static void cross_plus(const gjk_long3 *t, const gjk_long3 *v, const gjk_long3 *plus, gjk_long3 *out) {
-  out->x = gjk_int64(product(t->y, v->z) - product(t->z, v->y) + (uint64_t)plus->x);
-  out->y = gjk_int64(product(t->z, v->x) - product(t->x, v->z) + (uint64_t)plus->y);
-  out->z = gjk_int64(product(t->x, v->y) - product(t->y, v->x) + (uint64_t)plus->z);
+// *out = t x v. Pre: it fits. Out of line: near pairs go past it.
+GJK_OUT_OF_LINE static void cross_wide(const gjk_long3 *t, const gjk_long3 *v, gjk_long3 *out) {
+  out->x = gjk_int64(product(t->y, v->z) - product(t->z, v->y));
+  out->y = gjk_int64(product(t->z, v->x) - product(t->x, v->z));
+  out->z = gjk_int64(product(t->x, v->y) - product(t->y, v->x));
 }
 
 // *to = *from, by parts: GCC makes a copy a call of memcpy on ARMv6-M.
@@ -102,24 +102,22 @@ static void copy_corner(const gjk_corner *from, gjk_corner *to) {
   to->b = from->b;
 }
 
-static const gjk_long3 nothing = {0, 0, 0};
-
-// *out = t x v + *plus.
-static void cross_way(const gjk_portal *p, const gjk_vec3 *v, const gjk_long3 *plus, gjk_long3 *out) {
+// *out = t x v.
+static void cross_way(const gjk_portal *p, const gjk_vec3 *v, gjk_long3 *out) {
   if (!p->wide) {
     gjk_cross(&p->t, v, out);
-    out->x += plus->x;
-    out->y += plus->y;
-    out->z += plus->z;
     return;
   }
   const gjk_long3 wide = {v->x, v->y, v->z};
-  cross_plus(&p->way, &wide, plus, out);
+  cross_wide(&p->way, &wide, out);
 }
 
 // *out = t x w, for the vertex w with this u.
 static void lateral(const gjk_portal *p, const gjk_vec3 *u, gjk_long3 *out) {
-  cross_way(p, u, &p->m, out);
+  cross_way(p, u, out);
+  out->x += p->m.x;
+  out->y += p->m.y;
+  out->z += p->m.z;
 }
 
 // The sign of det(t, w_i, w_j) = (t x w_i) . (w_j - w_i), for v = t x w_i.
@@ -194,7 +192,7 @@ static bool refine(gjk_portal *p) {
 void gjk_portal_face(gjk_portal *p, const gjk_vec3 *g) {
   const gjk_vec3 opposite = gjk_negate(*g);
   gjk_set(g, &p->g);
-  cross_way(p, &opposite, &nothing, &p->n);
+  cross_way(p, &opposite, &p->n);
 }
 
 int gjk_portal_beside(const gjk_portal *p, const gjk_vec3 *u) {
@@ -271,7 +269,7 @@ static void widen_edge(gjk_portal *p, const gjk_long3 *v) {
     return;
   }
   p->count = 2;
-  cross_way(p, &e, &nothing, &across);
+  cross_way(p, &e, &across);
   p->axis = main_axis(&across);
   p->side = (int8_t)gjk_sign64(component_along(v, p->axis));
 }
@@ -369,7 +367,7 @@ static void set_plane(gjk_portal *p) {
   p->n.z = axis.z;
   if (p->count == 2) {
     const gjk_vec3 e = gjk_sub(c[1].u, c[0].u);
-    cross_way(p, &e, &nothing, &across);  // (e x axis) . t = (t x e) . axis
+    cross_way(p, &e, &across);  // (e x axis) . t = (t x e) . axis
     gjk_cross(&e, &axis, &p->n);
   }
   if ((component_along(&across, p->axis) > 0) != p->leaving) {
@@ -509,7 +507,7 @@ void gjk_portal_start(gjk_portal *p, const gjk_collider *a, const gjk_collider *
   } else {
     gjk_long3 start = {p->start.x, p->start.y, p->start.z};
     scale(&start, p->shift);
-    cross_plus(&t, &start, &nothing, &p->m);
+    cross_wide(&t, &start, &p->m);
   }
   p->iterations = 0;
   p->leaving = false;
@@ -533,7 +531,7 @@ static bool holds_line(gjk_portal *p) {
   if (p->count == 2) {
     gjk_long3 across, other;
     const gjk_vec3 e = gjk_sub(c[1].u, c[0].u);
-    cross_way(p, &e, &nothing, &across);
+    cross_way(p, &e, &across);
     lateral(p, &c[1].u, &other);
     p->axis = main_axis(&across);
     const int64_t first = component_along(&v, p->axis), second = component_along(&other, p->axis);
