@@ -44,7 +44,8 @@ typedef struct gjk_compound_node {
 typedef struct gjk_compound {
   const gjk_compound_part *parts;
   const gjk_compound_node *nodes;
-  uint32_t reach;  // no part's position or centre is farther from the compound's origin, at any rotation
+  uint32_t
+      reach;  // no point of a part, nor its pose's position, is farther from the compound's origin, at any rotation
   uint16_t count, node_count;
 } gjk_compound;
 

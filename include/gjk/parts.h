@@ -81,17 +81,106 @@ gjk_status gjk_parts_within(const gjk_parts *a, const gjk_collider *b, gjk_q16 d
 //                  such parts. All else is as of gjk_distance with this status, of the part that is nearest so far.
 gjk_status gjk_parts_distance(const gjk_parts *a, const gjk_collider *b, uint32_t *part, gjk_distance_result *out);
 
-// Two bodies of many parts. The parts of B are asked one after the other, each against A, as above.
+// The depth of the deepest part, as gjk_penetration of it.
+//
+// That is the depth, the direction and the points of one part. B moved by depth normal is clear of that part. It may still
+// overlap others, which one move need not part it from: between two walls there is none. Ask again after the move, or take
+// the contacts of all parts.
+//
+// workspace  as of gjk_penetration, used for one part after the other; may be NULL.
+// part       the part with the largest depth, of equally deep ones the least number; GJK_PARTS_NONE: none overlaps.
+// out        of that part. lower is the largest lower bound of all parts. Where no part overlaps: not intersecting, with 0
+//            iterations and a certificate that names no proof.
+//
+// OK               everything, as of gjk_penetration.
+// CAPACITY         the same, where the depth of the reported part is an upper bound, as gjk_penetration has it.
+// ITERATION_LIMIT  of a curved part: part and out are as they were.
+gjk_status gjk_parts_penetration(const gjk_parts *a, const gjk_collider *b, const gjk_workspace *workspace,
+                                 uint32_t *part, gjk_penetration_result *out);
+
+// The manifold of one part.
+typedef struct gjk_parts_manifold {
+  uint32_t part;       // of A
+  uint32_t part_of_b;  // where B is a body of many parts; else 0
+  gjk_manifold manifold;
+} gjk_parts_manifold;
+
+// The contact manifolds of all parts that overlap B or are at most margin away from it, as gjk_contacts of each.
+//
+// margin, most, workspace  as of gjk_contacts.
+// manifolds                the caller's, room for capacity of them; may be NULL where capacity is 0. In the order of their
+//                          numbers: those with the least, as many as fit.
+// count                    how many there are, also those that do not fit.
+//
+// OK               manifolds and count.
+// CAPACITY         the same; either *count is above capacity, and the manifolds of the highest numbers are left out, or the
+//                  workspace is too small for some part, whose manifold is then as gjk_contacts gives it with this status.
+// ITERATION_LIMIT  the same, without curved parts that reached their ceiling.
+// NEGATIVE, RANGE  of margin and most: nothing.
+gjk_status gjk_parts_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
+                              const gjk_workspace *workspace, gjk_parts_manifold *manifolds, uint32_t capacity,
+                              uint32_t *count);
+
+// The part that is met first where both move straight, as gjk_cast of it.
+//
+// path  as of gjk_cast: path->to_a is where the position of A's pose goes.
+// part  the least fraction, of equal ones the least number; GJK_PARTS_NONE: no part is met. May be NULL.
+// out   of that part, but for rest_a, which is the position of A's own pose. A miss: hit alone, with 0 iterations and a
+//       certificate that names no proof.
+//
+// OK               as above.
+// ITERATION_LIMIT  everything, as of gjk_cast with this status: of a curved part that may be met before all others, at the
+//                  least fraction up to which such parts are known to be free.
+// NEGATIVE, RANGE  as of gjk_cast; nothing.
+gjk_status gjk_parts_cast(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
+                          gjk_cast_result *out);
+
+// The part that a segment from one point to another enters first, as gjk_cast_ray of it.
+gjk_status gjk_parts_cast_ray(const gjk_parts *a, const gjk_vec3 *from, const gjk_vec3 *to, uint32_t *part,
+                              gjk_cast_result *out);
+
+// The least tolerance of gjk_parts_time_of_impact, 24 LSB. It pays for the rounding of composed poses too. It is enough where
+// the farthest points of A and B are together at most 256 units from the positions of their poses. Beyond that 2^-23 of the
+// excess comes on top, 11 LSB for an A that reaches farther than 4096 units, and 2^-26 of the margin.
+#define GJK_PARTS_TOLERANCE_MIN ((gjk_q16)24)
+
+// When does a body that moves and turns first touch B? As gjk_time_of_impact of each part, which runs along an arc with its
+// body, exactly.
+//
+// a                   its pose is not read: motion_a has it.
+// b                   as of gjk_time_of_impact, posed or not.
+// motion_a, motion_b  of the pose of the body, and of B's.
+// part, out           of the part with the least lower among those that hit; of equal ones the least number. pose_a is the
+//                     pose of the body. A miss: lower is the end of the way, iterations are 0.
+// Cost                where A turns, every part within reach of B's way, at any rotation of A, is asked.
+//
+// OK               as above.
+// ITERATION_LIMIT  as of gjk_time_of_impact: lower is the least one of parts whose ceiling was reached, before all hits.
+// ROTATION, NEGATIVE, RANGE  as of gjk_time_of_impact, with the tolerance above; nothing.
+gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                    const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
+                                    gjk_impact_result *out);
+
+// Two bodies of many parts. The parts of B are asked one after the other, each against A, as above; so the one with fewer
+// parts is better B.
 typedef struct gjk_parts_pair {
   uint32_t a, b;  // numbers of the parts; GJK_PARTS_NONE: none
 } gjk_parts_pair;
 
 // As above, for two bodies. Of equally good pairs the one with the least number of B's part is reported, of those the one
-// with the least of A's. parts may be NULL.
+// with the least of A's. parts may be NULL. Of casts rest_b is the position of B's own pose; manifolds are in the order of
+// B's parts, then of A's.
 gjk_status gjk_parts_both_within(const gjk_parts *a, const gjk_parts *b, gjk_q16 distance, gjk_parts_pair *parts,
                                  gjk_decision *out);
 gjk_status gjk_parts_both_distance(const gjk_parts *a, const gjk_parts *b, gjk_parts_pair *parts,
                                    gjk_distance_result *out);
+gjk_status gjk_parts_both_penetration(const gjk_parts *a, const gjk_parts *b, const gjk_workspace *workspace,
+                                      gjk_parts_pair *parts, gjk_penetration_result *out);
+gjk_status gjk_parts_both_contacts(const gjk_parts *a, const gjk_parts *b, gjk_q16 margin, unsigned most,
+                                   const gjk_workspace *workspace, gjk_parts_manifold *manifolds, uint32_t capacity,
+                                   uint32_t *count);
+gjk_status gjk_parts_both_cast(const gjk_parts *a, const gjk_parts *b, const gjk_cast_path *path, gjk_parts_pair *parts,
+                               gjk_cast_result *out);
 
 #ifdef __cplusplus
 }

@@ -20,12 +20,16 @@
 //   directions               r 27 2^-30           gjk_turning_rotate, twice, and into the frame of a hull
 //   the same of |p_b - p_a|  r 48 2^-30           where the direction turns it is at most 4 times both r
 //   normal                   r 4 2^-30
+//   composed rotation, twice r 4 2^-30           where the body carries the shape at a pose of its own
+//   composed position, twice sqrt(3) each        the same; 4 sqrt(3) where that is more than 8192 units away (gjk/pose.h)
 //   all with r               < 2^-23 r
 // and for the pair 1/2 of the distance, 1/8 of separations in Q8, and 2^-26 of the margin for the lengths of directions.
+#include "gjk_impact.h"
 #include "../arith/gjk_memory.h"
 #include "../arith/gjk_root.h"
 #include "../shape/gjk_shape_class.h"
 #include "gjk/distance.h"
+#include "gjk/pose.h"
 #include "gjk_impact_separation.h"
 
 // A query: both bodies, and how near is a hit.
@@ -50,11 +54,14 @@ static bool stays_in_range(const gjk_vec3 *from, const gjk_vec3 *to, int64_t awa
 
 // Binds a body to its motion. The copy of its collider has a buffer of its own or none: the caller's stays as it is. *m
 // must then stay where it is.
-static gjk_status start_mover(gjk_mover *m, const gjk_collider *c, const gjk_motion *motion) {
+static gjk_status start_mover(gjk_mover *m, const gjk_carried *of) {
+  const gjk_collider *c = of->collider;
+  const gjk_motion *motion = of->motion;
   if (c->state != GJK_STATE_INITIALISED && c->state != GJK_STATE_POSED) {
     return GJK_ERROR_UNINITIALISED;
   }
   m->motion = motion;
+  m->own = of->own;
   m->collider.shape = c->shape;
   m->collider.buffer = c->shape->type->buffered && c->count <= GJK_MOVER_VERTICES ? m->baked : NULL;
   m->collider.local_centre = c->local_centre;
@@ -67,7 +74,7 @@ static gjk_status start_mover(gjk_mover *m, const gjk_collider *c, const gjk_mot
   // Each square at most 2^62, the root at most sqrt(3) 2^31; core_radius < 2^28:  reach < 2^32
   const uint32_t root = gjk_isqrt64((uint64_t)gjk_mul32(away->x, away->x) + (uint64_t)gjk_mul32(away->y, away->y) +
                                     (uint64_t)gjk_mul32(away->z, away->z));
-  const uint32_t far = root > 0 ? root + 2 : 0;
+  const uint32_t far = of->own != NULL ? of->arm : root > 0 ? root + 2 : 0;
   m->reach = far + (uint32_t)c->core_radius;
   const gjk_status status = gjk_turning_start(motion, &m->turning);
   return status == GJK_OK && !stays_in_range(&motion->from.position, &motion->to.position, far) ? GJK_ERROR_RANGE
@@ -77,6 +84,15 @@ static gjk_status start_mover(gjk_mover *m, const gjk_collider *c, const gjk_mot
 // sqrt(3)/2, Q8, rounded up.
 #define HALF_DIAGONAL 222
 
+// What a composed position may be off, twice, Q8; near: up to 8192 units from the body's.
+static int64_t composing_slack(const gjk_pose *own) {
+  const gjk_vec3 *at = &own->position;
+  const uint32_t near = UINT32_C(1) << 28;  // a length of at most sqrt(3) 4096 units
+  const bool is_near =
+      gjk_magnitude32(at->x) <= near && gjk_magnitude32(at->y) <= near && gjk_magnitude32(at->z) <= near;
+  return 2 * (is_near ? 1 : 4) * 2 * HALF_DIAGONAL;
+}
+
 // A body's part of the slack, Q8.
 static int64_t impact_slack(const gjk_mover *m) {
   const gjk_shape *shape = m->collider.shape;
@@ -84,7 +100,7 @@ static int64_t impact_slack(const gjk_mover *m) {
   const int64_t posing = gjk_is_curved(shape)                 ? 228 + 2 * 256
                          : shape->type->kind == GJK_KIND_AXES ? HALF_DIAGONAL * m->collider.count
                                                               : HALF_DIAGONAL * 3 / 2;
-  return 2 * posing + HALF_DIAGONAL + gjk_sar64(r, 15) + 1;
+  return 2 * posing + HALF_DIAGONAL + gjk_sar64(r, 15) + 1 + (m->own != NULL ? composing_slack(m->own) : 0);
 }
 
 static gjk_status start_impact(impact_query *of, const gjk_impact_setup *setup) {
@@ -105,9 +121,14 @@ static gjk_status start_impact(impact_query *of, const gjk_impact_setup *setup) 
 }
 
 // Poses a body at a fraction. Out of line, as next_x, so that their stack is not that of distances too.
-GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, gjk_q30 fraction, gjk_pose *pose) {
-  gjk_turning_pose(m->motion, &m->turning, fraction, pose);
-  (void)gjk_collider_pose(&m->collider, pose);
+GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, gjk_q30 fraction, gjk_pose *body) {
+  gjk_pose own;
+  gjk_turning_pose(m->motion, &m->turning, fraction, body);
+  gjk_set(&body->position, &m->place);
+  if (m->own != NULL) {
+    (void)gjk_pose_compose(body, m->own, &own);  // in range, since the arm is
+  }
+  (void)gjk_collider_pose(&m->collider, m->own != NULL ? &own : body);
 }
 
 // Has the body, once posed, the same pose at a fraction? At the end of the way it has that of the motion, to the bit.
@@ -200,7 +221,8 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
   of->x = gjk_separation_of_spheres(of->mover, of->wanted + of->radii * 256);
   out->hit = false;
   out->overlap = false;
-  for (unsigned i = 1; i <= most; i++) {
+  out->iterations = 0;
+  for (unsigned i = 1; i <= most && of->x < GJK_Q30_ONE; i++) {
     gjk_distance_result gap;
     pose_both(of, out);
     const gjk_status status = gjk_distance(&of->mover[0].collider, &of->mover[1].collider, &cache, &gap);  // Step 1
@@ -223,17 +245,22 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
   return of->x == GJK_Q30_ONE ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
 }
 
+gjk_status gjk_impact_of_carried(const gjk_carried of[2], const gjk_impact_setup *setup, gjk_impact_result *out) {
+  impact_query query;
+  gjk_status status = start_mover(&query.mover[0], &of[0]);
+  status = status == GJK_OK ? start_mover(&query.mover[1], &of[1]) : status;
+  status = status == GJK_OK ? start_impact(&query, setup) : status;
+  if (status != GJK_OK) {
+    return status;
+  }
+  return advance_impact(&query, setup->margin, setup->iterations > 0 ? setup->iterations : GJK_ITERATIONS_MAX, out);
+}
+
 gjk_status gjk_time_of_impact(const gjk_collider *a, const gjk_motion *motion_a, const gjk_collider *b,
                               const gjk_motion *motion_b, const gjk_impact_setup *setup, gjk_impact_result *out) {
   if (a == NULL || motion_a == NULL || b == NULL || motion_b == NULL || setup == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
-  impact_query of;
-  gjk_status status = start_mover(&of.mover[0], a, motion_a);
-  status = status == GJK_OK ? start_mover(&of.mover[1], b, motion_b) : status;
-  status = status == GJK_OK ? start_impact(&of, setup) : status;
-  if (status != GJK_OK) {
-    return status;
-  }
-  return advance_impact(&of, setup->margin, setup->iterations > 0 ? setup->iterations : GJK_ITERATIONS_MAX, out);
+  const gjk_carried of[2] = {{a, motion_a, NULL, 0}, {b, motion_b, NULL, 0}};
+  return gjk_impact_of_carried(of, setup, out);
 }

@@ -63,17 +63,19 @@ static int64_t between_positions(const separation_course *of, const gjk_unit3 *v
 
 // How far a body's core reaches along d, from the position that it is posed at, Q8, rounded down. d: a unit vector.
 // Of a lazy hull without a table it is that of the shape's own vertices, turned in real numbers: within what posing does.
-static int64_t extent_along(const gjk_collider *c, const gjk_unit3 *d) {
+static int64_t extent_along(const gjk_mover *m, const gjk_unit3 *d) {
+  const gjk_collider *c = &m->collider;
   const gjk_vec3 along = {d->x, d->y, d->z};
   const gjk_shape *shape = c->shape;
   if (shape->type->buffered && shape->user == NULL && c->buffer == NULL) {
     const gjk_vec3 local = gjk_rotate_back(c->frame, &along), *first = shape->vertices;
     const gjk_vec3 *v = gjk_scan(first, first + shape->count, 31, &local);
-    return gjk_sar64(gjk_dot(&local, v), 22);
+    const gjk_long3 carried = between(&m->place, &c->position);
+    return gjk_sar64(gjk_dot(&local, v), 22) + (m->own != NULL ? along_q8(d, &carried) : 0);
   }
   gjk_support at;
   shape->type->support(c, &along, &at);
-  gjk_long3 reach = between(&c->position, &c->centre);
+  gjk_long3 reach = between(&m->place, &c->centre);
   reach.x += at.offset.x;
   reach.y += at.offset.y;
   reach.z += at.offset.z;
@@ -88,7 +90,7 @@ static gjk_unit3 opposite_unit(const gjk_unit3 *v) {
 // A body's extent towards the other one along d, Q8, rounded up.
 static int64_t extent_towards(const gjk_separation *s, int i, const gjk_unit3 *d) {
   const gjk_unit3 opposite = opposite_unit(d);
-  return extent_along(&s->mover[i].collider, i == 0 ? d : &opposite) + 1;
+  return extent_along(&s->mover[i], i == 0 ? d : &opposite) + 1;
 }
 
 static void start_course(separation_course *of, const gjk_separation *s, int64_t target) {
@@ -184,7 +186,7 @@ static uint64_t q16_product(uint64_t x, uint32_t y) {
 // False: the direction turns, and the bodies are so far apart that its rounding would count.
 static bool set_separation_bounds(separation_bounds *of, const gjk_separation *s) {
   const gjk_motion *a = s->mover[0].motion, *b = s->mover[1].motion;
-  const uint64_t now = distance_bound(&s->mover[0].collider.position, &s->mover[1].collider.position) + 2;
+  const uint64_t now = distance_bound(&s->mover[0].place, &s->mover[1].place) + 2;
   const uint64_t end = distance_bound(&a->to.position, &b->to.position);
   of->apart = now > end ? now : end;
   of->way = distance_bound(&a->from.position, &a->to.position) + distance_bound(&b->from.position, &b->to.position);
@@ -309,7 +311,7 @@ static int64_t of_spheres(const separation_course *of, gjk_q30 fraction) {
 //   |r| < 2^31, |n| <= 2^30 + 2^5:  below 2^61.1 and, times the axis, 2^62
 static int64_t rate_of_point(const gjk_mover *m, const gjk_unit3 *n, const gjk_vec3 *point) {
   const gjk_motion *motion = m->motion;
-  const gjk_vec3 *at = &m->collider.position, along = {n->x, n->y, n->z};
+  const gjk_vec3 *at = &m->place, along = {n->x, n->y, n->z};
   const gjk_vec3 axis = {m->turning.axis.x, m->turning.axis.y, m->turning.axis.z};
   const gjk_long3 way = between(&motion->from.position, &motion->to.position);
   const int64_t rate = along_q8(n, &way);

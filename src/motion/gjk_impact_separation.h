@@ -25,7 +25,9 @@
 // A body of a query.
 typedef struct gjk_mover {
   const gjk_motion *motion;
-  uint32_t reach;  // of the core's points from the pose's position, LSB, posing included
+  const gjk_pose *own;  // the collider's pose in the frame of the body that moves; NULL: the body's own
+  gjk_vec3 place;       // the position of the body that the collider is posed for
+  uint32_t reach;       // of the core's points from the body's position, LSB, posing included
   gjk_turning turning;
   gjk_collider collider;
   gjk_vec3 baked[GJK_MOVER_VERTICES];

@@ -121,7 +121,7 @@ static void split_tree(gjk_compound_node *nodes, uint32_t at) {
 }
 
 // How far from the origin a point is at most, at any rotation, roundings included.
-//   each square at most 2^62, their root below 2^32 - 64
+//   each square at most 2^62, their root below 0.87 2^32, so that a radius may be added
 static uint32_t reach_of_point(const gjk_vec3 *v) {
   const uint64_t squared =
       (uint64_t)gjk_mul32(v->x, v->x) + (uint64_t)gjk_mul32(v->y, v->y) + (uint64_t)gjk_mul32(v->z, v->z);
@@ -135,7 +135,8 @@ static gjk_status set_leaf(const gjk_compound_part *part, uint16_t number, gjk_c
   status = status == GJK_OK ? gjk_collider_pose(&c, &part->pose) : status;
   status = status == GJK_OK ? gjk_collider_aabb(&c, &leaf->box) : status;
   if (status == GJK_OK) {
-    const uint32_t position = reach_of_point(&part->pose.position), centre = reach_of_point(&c.centre);
+    const uint32_t position = reach_of_point(&part->pose.position),
+                   centre = reach_of_point(&c.centre) + (uint32_t)c.radius;
     *reach = position > *reach ? position : *reach;
     *reach = centre > *reach ? centre : *reach;
     leaf->part = number;

@@ -20,7 +20,7 @@ gjk_status gjk_parts_both_part(const gjk_parts_frame frame[2], uint32_t number, 
   return status;
 }
 
-static void write_numbers(uint32_t a, uint32_t b, gjk_parts_pair *out) {
+void gjk_parts_write_numbers(uint32_t a, uint32_t b, gjk_parts_pair *out) {
   if (out != NULL) {
     out->a = a;
     out->b = b;
@@ -62,7 +62,7 @@ gjk_status gjk_parts_both_within(const gjk_parts *a, const gjk_parts *b, gjk_q16
     return GJK_ERROR_ITERATION_LIMIT;
   }
   gjk_parts_report_near(found, &decision, out);
-  write_numbers(found, found != GJK_PARTS_NONE ? i : GJK_PARTS_NONE, parts);
+  gjk_parts_write_numbers(found, found != GJK_PARTS_NONE ? i : GJK_PARTS_NONE, parts);
   return GJK_OK;
 }
 
@@ -93,6 +93,6 @@ gjk_status gjk_parts_both_distance(const gjk_parts *a, const gjk_parts *b, gjk_p
   if (status != GJK_OK) {
     return status;
   }
-  write_numbers(nearest.part, nearest.of_b, parts);
+  gjk_parts_write_numbers(nearest.part, nearest.of_b, parts);
   return gjk_parts_nearest_report(&nearest, out);
 }

@@ -11,4 +11,7 @@ gjk_status gjk_parts_both_open(gjk_parts_frame frame[2], const gjk_parts *a, con
 gjk_status gjk_parts_both_part(const gjk_parts_frame frame[2], uint32_t number, gjk_parts_room *room, gjk_collider *out,
                                gjk_region *region);
 
+// Writes the numbers of a pair where they are wanted.
+void gjk_parts_write_numbers(uint32_t a, uint32_t b, gjk_parts_pair *out);
+
 #endif

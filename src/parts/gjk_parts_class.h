@@ -30,8 +30,8 @@ struct gjk_parts_class {
   // How many parts there are. 0: none.
   uint32_t (*count)(const void *data);
 
-  // How far from the body's origin positions and centres of colliders are at most, at any rotation, rounding included.
-  // Body positions nearer than that to an end of int32 are refused, so that place cannot leave it.
+  // How far from the body's origin the points of parts are at most, and the positions of their poses, at any rotation,
+  // rounding included. Body positions nearer than that to an end of int32 are refused, so that place cannot leave it.
   uint32_t (*reach)(const void *data);
 
   // A part that is likely to be near the region. Any number of a part is right; a good one saves work.
@@ -52,7 +52,13 @@ struct gjk_parts_class {
   // Drops or turns contacts of a part with B that the whole body does not have, such as those of an inner edge of a mesh:
   // changes *m. False: none is left. NULL: all are right.
   bool (*settle)(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_manifold *m);
+
+  // What is known of a triangle's edges, and its sides: src/mesh/gjk_triangle.h. Of surfaces of triangles; NULL for others.
+  unsigned (*edges)(const void *data, uint32_t number);
 };
+
+// Does no part leave int32 where the body's position is this one, at any rotation?
+bool gjk_parts_has_room(const gjk_parts *parts, const gjk_vec3 *position);
 
 // The start of every query: checks A, and sets its frame.
 // Statuses: NULL, EMPTY, ROTATION, RANGE.

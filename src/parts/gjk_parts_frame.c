@@ -3,8 +3,13 @@
 #include "gjk_parts_class.h"
 
 // Is a position so far from both ends of int32 that nothing within reach of it is beyond them?
-static bool has_room(gjk_q16 position, uint32_t reach) {
+static bool is_inside(gjk_q16 position, uint32_t reach) {
   return (int64_t)position - reach >= INT32_MIN && (int64_t)position + reach <= INT32_MAX;
+}
+
+bool gjk_parts_has_room(const gjk_parts *parts, const gjk_vec3 *position) {
+  const uint32_t reach = parts->type->reach(parts->data);
+  return is_inside(position->x, reach) && is_inside(position->y, reach) && is_inside(position->z, reach);
 }
 
 gjk_status gjk_parts_frame_set(gjk_parts_frame *frame, const gjk_parts *a) {
@@ -18,9 +23,7 @@ gjk_status gjk_parts_frame_set(gjk_parts_frame *frame, const gjk_parts *a) {
   if (!gjk_rotation_from_quat(&a->pose.rotation, frame->rows)) {
     return GJK_ERROR_ROTATION;
   }
-  const gjk_vec3 *at = &a->pose.position;
-  const uint32_t reach = a->type->reach(a->data);
-  return has_room(at->x, reach) && has_room(at->y, reach) && has_room(at->z, reach) ? GJK_OK : GJK_ERROR_RANGE;
+  return gjk_parts_has_room(a, &a->pose.position) ? GJK_OK : GJK_ERROR_RANGE;
 }
 
 gjk_status gjk_parts_open(gjk_parts_frame *frame, gjk_region *region, const gjk_parts *a, const gjk_collider *b) {

@@ -13,8 +13,8 @@
 // Together a contact point is within 4 LSB of its shape; tests/check/unit/test_contacts.c finds none beyond 3.
 #include "gjk/contacts.h"
 
-#include "../contact/gjk_clip.h"
 #include "../contact/gjk_reduce.h"
+#include "gjk_manifold.h"
 
 // Centres farther apart than this along an axis skip steps 2 and 3: the nearest points are the one contact. Otherwise
 // coordinates relative to A's centre are below 2^29 + 2^28.
@@ -82,25 +82,37 @@ static void admit_nearest(const gjk_distance_result *nearest, gjk_candidates *ca
   candidates->count = candidates->count == 0 ? 1 : candidates->count;
 }
 
+void gjk_manifold_find(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, gjk_candidates *candidates,
+                       gjk_manifold *out) {
+  candidates->count = 0;
+  candidates->candidate[0].id = gjk_contact_id(GJK_FEATURE_CORNER, GJK_FEATURE_CORNER);
+  if (is_within_reach(&a->centre, &b->centre)) {
+    clip_polygons(a, b, margin, candidates, out);
+  }
+}
+
+void gjk_manifold_keep(gjk_candidates *candidates, const gjk_distance_result *nearest, unsigned most,
+                       gjk_manifold *out) {
+  uint8_t keep[GJK_CONTACTS_MAX];
+  if (nearest != NULL) {
+    admit_nearest(nearest, candidates);
+  }
+  const bool reduced = candidates->count > most;
+  if (reduced) {
+    gjk_reduce(candidates, &out->normal, most, keep);
+  }
+  out->count = (uint8_t)(reduced ? most : candidates->count);
+  for (unsigned i = 0; i < out->count; i++) {
+    out->contact[i] = candidates->candidate[reduced ? keep[i] : i];
+  }
+}
+
 // Steps 2 to 5.
 GJK_OUT_OF_LINE static void find_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
                                           const gjk_distance_result *nearest, gjk_manifold *out) {
   gjk_candidates candidates;
-  uint8_t keep[GJK_CONTACTS_MAX];
-  candidates.count = 0;
-  candidates.candidate[0].id = gjk_contact_id(GJK_FEATURE_CORNER, GJK_FEATURE_CORNER);
-  if (is_within_reach(&a->centre, &b->centre)) {
-    clip_polygons(a, b, margin, &candidates, out);
-  }
-  admit_nearest(nearest, &candidates);
-  const bool reduced = candidates.count > most;
-  if (reduced) {
-    gjk_reduce(&candidates, &out->normal, most, keep);
-  }
-  out->count = (uint8_t)(reduced ? most : candidates.count);
-  for (unsigned i = 0; i < out->count; i++) {
-    out->contact[i] = candidates.candidate[reduced ? keep[i] : i];
-  }
+  gjk_manifold_find(a, b, margin, &candidates, out);
+  gjk_manifold_keep(&candidates, nearest, most, out);
 }
 
 gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most, gjk_cache *cache,

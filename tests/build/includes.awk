@@ -21,7 +21,7 @@ FNR == 1 {
   if (name ~ /^<(stdint|stddef|stdbool|limits)\.h>/) next
   if (name ~ /^(GJK_PORT_HEADER|<gjk_port\.h>)/ && FILENAME ~ /src\/arith\/gjk_port_defaults\.h$/) next
   to = ""
-  if (name ~ /^"gjk\/[a-z]+\.h"/) to = "public"
+  if (name ~ /^"gjk\/[a-z_]+\.h"/) to = "public"
   else if (name ~ /^"gjk2\/[a-z0-9]+\.h"/) to = "planar"
   else if (name ~ /^"gjk2?_[a-z_0-9]+\.h"/) to = room
   else if (name ~ /^"\.\.\/[a-z]+\/gjk2?_[a-z_0-9]+\.h"/) { split(name, folder, "/"); to = folder[2] }

@@ -15,7 +15,7 @@ dir=$build/prove
 shift
 
 # What has a contract instead of a body, but in the driver of the bodies.
-CONTRACTS=gjk_add,gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,gjk_triangle_normal,reciprocal,\
+CONTRACTS=gjk_add,gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,gjk_triangle_normal,gjk_reciprocal,\
 gjk_reciprocal_root,gjk_unit,gjk_copy,gjk_height_key
 
 # The same for the drivers of the plane.
@@ -39,6 +39,8 @@ SCENE_LEVELS=main:100,any_shapes:50,any_scene:100,gjk_scene_init:100,gjk_scene_a
 gjk_scene_check_header:100,gjk_scene_check:100,check_pair:50,check_link:50,check_inner:50,check_entry:50,check_pose:30,\
 gjk_collider_init:30,query_near:50,within_margins:50
 
+MOTION_LEVELS=main:20,any_scene:100,gjk_scene_init:20,gjk_copy:100
+
 cases() {
   echo primitives-x
   echo pose-x
@@ -47,6 +49,24 @@ cases() {
   done
   for level in 0 1 4; do
     echo hull_table-$level
+  done
+  for count in 1 4 5; do
+    echo hull_build-$count
+  done
+  echo hull_grow-5
+  for dimension in 1 2 3; do
+    echo hull_facets-$dimension
+  done
+  for faces in 0 1; do
+    echo hull_check-$faces
+  done
+  echo quotient-x
+  echo way-x
+  echo swept-x
+  echo motion-x
+  for kinds in 0 1; do
+    echo gap-$kinds
+    echo advance-$kinds
   done
   for count in 0 1 2 3 4; do
     echo simplex-$count
@@ -87,9 +107,16 @@ cases() {
   for call in ADD REMOVE MOVE SHAPE FIELDS BEGIN TEST FINISH REPORT HASH READ; do
     echo scene_ops-$call
   done
-  for call in INSERT TAKE BOX RAY NEAREST; do
+  for call in INSERT TAKE BOX RAY NEAREST PASSAGE; do
     echo scene_tree-$call
   done
+  for call in CAST CASTS RAY RAYS WITHIN; do
+    echo scene_probe-$call
+  done
+  for call in SET SWEEP TESTING REPORTING; do
+    echo scene_motion-$call
+  done
+  echo scene_slide-x
 }
 
 # The levels of those functions that the run's sources have.
@@ -173,8 +200,7 @@ prove_one() {
   instance=${1#*-}
   instance=${instance%-*}
   defines="-DCASE=$instance"
-  # Without what has no driver yet.
-  sources=$(echo src/*/*.c | tr ' ' '\n' | grep -vE 'scene|plane' | tr '\n' ' ')
+  sources=$(echo src/arith/*.c src/place/*.c src/shape/*.c src/gjk/*.c src/depth/*.c src/contact/*.c src/query/*.c)
   case $variant in
     int16) machine=gcc_x86_16 defines="$defines -DGJK_NARROW_MULTIPLY=1" ;;
     *) machine=gcc_x86_32 ;;
@@ -199,11 +225,30 @@ prove_one() {
       set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-interprocedural-splits
       ;;
     scene_*)
-      sources="$(printf '%s ' src/scene/*.c | tr ' ' '\n' | grep -vE '_(motion|slide|ray|cast|inquiry|passage|within)[.]c' | tr '\n' ' ') src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
-      models=scene contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
-      [ "$driver" != scene_ops ] || models='scene scene_tree'
-      set -- "$1" -eva-slevel 12 -eva-slevel-function "$SCENE_LEVELS" -eva-partition-history 1 \
-        -eva-interprocedural-history -eva-interprocedural-splits -eva-ilevel 64 -eva-auto-loop-unroll 8
+      # Without what has drivers of its own.
+      others=motion,slide,ray,cast,inquiry,passage,within
+      models='scene scene_tree'
+      case $driver in
+        scene_block) models=scene ;;
+        scene_tree) models=scene others=$(echo $others | sed 's/passage,//') ;;
+        scene_probe) models="$models scene_passage scene_travel" others=motion,slide ;;
+        scene_motion) models="$models scene_passage scene_travel" others=${others#motion,} ;;
+        scene_slide) models="$models scene_cast scene_travel" others=$(echo $others | sed 's/slide,//') ;;
+      esac
+      sources="$(printf '%s ' src/scene/*.c | tr ' ' '\n' | grep -vE "_($(echo "$others" | tr , '|'))[.]c" | tr '\n' ' ') src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
+      contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
+      levels=$SCENE_LEVELS
+      case $driver in
+        scene_motion) defines="$defines -DPROVE_COPY_BODY" ;;
+        scene_slide) levels=$levels,gjk_copy:400 defines="$defines -DPROVE_COPY_BODY" ;;
+      esac
+      set -- "$1" -eva-slevel 12 -eva-slevel-function "$levels" -eva-interprocedural-splits -eva-ilevel 64 \
+        -eva-auto-loop-unroll 8
+      [ "$driver" != scene_slide ] || set -- "$@" -eva-warn-copy-indeterminate=-gjk_copy
+      # The outcomes of a sweep are too many to keep apart.
+      [ "$driver" != scene_motion ] || set -- "$1" -eva-slevel 2 -eva-slevel-function "$MOTION_LEVELS" \
+        -eva-auto-loop-unroll 4 -eva-warn-copy-indeterminate=-gjk_copy
+      [ "$driver" = scene_motion ] || set -- "$@" -eva-partition-history 1 -eva-interprocedural-history
       ;;
     plane_*)
       sources=$(echo src/plane/*.c src/arith/gjk_root.c src/arith/gjk_wide.c)
@@ -238,6 +283,31 @@ prove_one() {
       set -- "$1" -eva-slevel 300 -eva-min-loop-unroll 24 -eva-interprocedural-splits
       ;;
     clip | reduce) set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
+    hull_build | hull_grow | hull_facets | hull_check)
+      sources=$(echo src/hull/*.c src/arith/*.c)
+      level=50
+      case $driver in
+        hull_grow) level=2000 ;;
+        hull_facets) level=5 ;;
+        hull_build) models='hull_grow hull_facets' ;;
+      esac
+      set -- "$1" -eva-slevel $level -eva-interprocedural-splits
+      ;;
+    quotient | way | swept | motion)
+      sources=$(echo src/motion/*.c src/arith/*.c src/place/*.c src/query/gjk_status.c)
+      set -- "$1" -eva-slevel 200
+      ;;
+    gap)
+      models='simplex iteration search'
+      sources=$(echo src/motion/*.c src/gjk/*.c src/arith/*.c)
+      set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
+      ;;
+    advance)
+      sources=$(echo src/motion/*.c src/gjk/*.c src/arith/*.c)
+      models='simplex gap' defines="$defines -DPROVE_COPY_BODY"
+      contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
+      set -- "$1" -eva-slevel 30 -eva-interprocedural-splits -eva-warn-copy-indeterminate=-gjk_copy
+      ;;
     simplex) set -- "$1" -eva-slevel 12 -eva-slevel-function "$SIMPLEX_LEVELS" ;;
     *) set -- "$1" -eva-slevel 200 ;;
   esac

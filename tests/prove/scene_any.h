@@ -14,6 +14,14 @@
 #define GAP 40            // words, more than any record has
 #define NAMED 3           // vertices that queries name
 
+// A driver that keeps motions defines how many before it includes this file.
+#ifdef MOTIONS
+#define KEPT_MOTIONS gjk_scene_kept kept[MOTIONS];
+#else
+#define MOTIONS 0
+#define KEPT_MOTIONS
+#endif
+
 // As src/scene/gjk_scene_memory.c lays it out.
 typedef struct any_block {
   gjk_scene_header header;
@@ -24,6 +32,7 @@ typedef struct any_block {
   gjk_scene_pair pairs[PAIRS];
   uint32_t queue[PAIRS];
   uint32_t slots[1];
+  KEPT_MOTIONS
 } any_block;
 
 // The same with room between the sections that is never set, so that an index beyond one of them shows.
@@ -43,6 +52,8 @@ typedef struct apart_block {
   uint32_t queue[PAIRS];
   uint32_t gap_g[GAP];
   uint32_t slots[1];
+  uint32_t gap_h[GAP];
+  KEPT_MOTIONS
 } apart_block;
 
 static any_block block;
@@ -205,13 +216,17 @@ static gjk_manifold manifolds[1];
 
 static void any_tree(gjk_scene_header *h) {
   const int32_t empty = any_between(0, 1);
+#if MOTIONS == 0
   //@ split empty;
+#endif
   h->root = empty != 0 ? GJK_SCENE_NONE : any_node();
 }
 
 static void any_bindings(gjk_scene_bindings *bindings) {
   const int32_t able = any_between(0, 2);
+#if MOTIONS == 0
   //@ split able;
+#endif
   bindings->predicate = any_bool() ? any_answer : NULL;
   bindings->user = NULL;
   bindings->details = able == 0 ? NULL : able == 1 ? &gjk_scene_depth : &gjk_scene_contacts;
@@ -219,9 +234,32 @@ static void any_bindings(gjk_scene_bindings *bindings) {
   bindings->manifolds = any_bool() ? manifolds : NULL;
 }
 
+#if MOTIONS > 0
+static void any_motions(gjk_scene *scene, apart_block *b) {
+  scene->bindings.motion = &gjk_scene_motion;
+  b->header.kept_at = offsetof(apart_block, kept);
+  b->header.kept = any_below(MOTIONS + 1);
+  b->header.next_test = any_below(PAIRS + MOTIONS + 1);
+  b->header.next_report = any_below(PAIRS + MOTIONS + 1);
+  for (int i = 0; i < MOTIONS; i++) {
+    gjk_scene_kept *k = &b->kept[i];
+    k->slot = any_below(BODIES);
+    k->last = any_pose();
+    k->last.rotation.x = any_between(-UNIT, UNIT);
+    k->last.rotation.y = any_between(-UNIT, UNIT);
+    k->last.rotation.z = any_between(-UNIT, UNIT);
+    k->last.rotation.w = any_between(-UNIT, UNIT);
+    k->other = any_index(PARTS);
+    k->fraction = any_uint32();
+    k->number = any_uint16();
+    k->state = any_uint16();
+  }
+}
+#endif
+
 // Every field of a block holds what gjk_scene_check lets it hold by itself.
 static bool any_scene(gjk_scene *scene, apart_block *b) {
-  const gjk_scene_config config = {BODIES, PARTS, OWN_POSES, PAIRS, 0, 0, 0, 0, 0, 1, 0};
+  const gjk_scene_config config = {BODIES, PARTS, OWN_POSES, PAIRS, 0, 0, 0, 0, 0, 1, MOTIONS};
   any_shapes();
   const gjk_scene_bindings none = {0};
   if (gjk_scene_init(scene, &config, &block, sizeof block, shapes, SHAPES, any_bool() ? &none : NULL) != GJK_OK) {
@@ -252,6 +290,9 @@ static bool any_scene(gjk_scene *scene, apart_block *b) {
   }
   b->slots[0] = any_below(1u << BODIES);
   any_bindings(&scene->bindings);
+#if MOTIONS > 0
+  any_motions(scene, b);
+#endif
   return true;
 }
 

@@ -113,6 +113,10 @@ static gjk_status any_distance(const gjk_collider *a, const gjk_collider *b, gjk
     return GJK_ERROR_ITERATION_LIMIT;
   }
   out->distance = any_int32();
+  out->intersecting = any_bool();
+  out->normal.x = any_between(-ANY_UNIT, ANY_UNIT);
+  out->normal.y = any_between(-ANY_UNIT, ANY_UNIT);
+  out->normal.z = any_between(-ANY_UNIT, ANY_UNIT);
   if (cache != NULL) {
     Frama_C_make_unknown((char *)cache, sizeof *cache);
   }

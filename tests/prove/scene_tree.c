@@ -1,5 +1,6 @@
-// The tree of any scene that gjk_scene_check lets through: changed, and asked.
+// The tree of any scene that gjk_scene_check lets through: changed, asked, and passed through by a box.
 #include "scene_any.h"
+#include "src/scene/gjk_scene_passage.h"
 #include "src/scene/gjk_scene_tree.h"
 
 // Values of CASE.
@@ -8,6 +9,7 @@
 #define BOX 3
 #define RAY 4
 #define NEAREST 5
+#define PASSAGE 6
 
 #define HITS 3
 
@@ -43,6 +45,23 @@ static void find(const gjk_scene *scene) {
 #endif
 }
 
+static void pass(const gjk_scene_view *v) {
+  const gjk_aabb box = any_box();
+  const gjk_vec3 from = any_position(), to = any_position();
+  gjk_scene_passage passage;
+  gjk_scene_passage_start(v, &passage, &box, Frama_C_long_long_interval(0, (INT64_C(1) << 35) - 1), &from, &to);
+  for (int i = 0; i < 2; i++) {
+    uint32_t entered;
+    const uint32_t part = gjk_scene_passage_next(v, &passage, &entered);
+    if (part == GJK_SCENE_NONE) {
+      return;
+    }
+    //@ assert part < PARTS;
+    //@ assert entered <= 0x40000000;
+    passage.latest = Frama_C_unsigned_int_interval(0, (uint32_t)GJK_Q30_ONE);
+  }
+}
+
 int main(void) {
   apart_block apart;
   gjk_scene scene;
@@ -54,6 +73,8 @@ int main(void) {
   gjk_scene_tree_insert(&v, any_below(PARTS));
 #elif CASE == TAKE
   gjk_scene_tree_remove(&v, any_below(PARTS));
+#elif CASE == PASSAGE
+  pass(&v);
 #else
   find(&scene);
 #endif

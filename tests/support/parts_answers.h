@@ -35,4 +35,35 @@ static inline bool same_distance(const gjk_distance_result *a, const gjk_distanc
                               same_unit(&a->normal, &b->normal)));
 }
 
+static inline bool same_penetration(const gjk_penetration_result *a, const gjk_penetration_result *b) {
+  return a->intersecting == b->intersecting && a->iterations == b->iterations &&
+         same_certificate(&a->certificate, &b->certificate) &&
+         (!a->intersecting || (a->depth == b->depth && a->lower == b->lower && a->upper == b->upper &&
+                               same_place(&a->point_a, &b->point_a) && same_place(&a->point_b, &b->point_b) &&
+                               same_unit(&a->normal, &b->normal)));
+}
+
+static inline bool same_manifold(const gjk_manifold *a, const gjk_manifold *b) {
+  bool same = a->count == b->count && same_unit(&a->normal, &b->normal) && a->feature_a == b->feature_a &&
+              a->feature_b == b->feature_b;
+  for (unsigned i = 0; same && i < a->count; i++) {
+    const gjk_contact *p = &a->contact[i], *q = &b->contact[i];
+    same = same_place(&p->point_a, &q->point_a) && same_place(&p->point_b, &q->point_b) && p->distance == q->distance &&
+           p->id == q->id;
+  }
+  return same;
+}
+
+// But for rest_a and rest_b.
+static inline bool same_cast(const gjk_cast_result *a, const gjk_cast_result *b) {
+  return a->hit == b->hit && a->inside == b->inside && a->fraction == b->fraction && a->iterations == b->iterations &&
+         same_unit(&a->normal, &b->normal) && a->certificate.proof == b->certificate.proof &&
+         (a->inside || (same_place(&a->point_a, &b->point_a) && same_place(&a->point_b, &b->point_b)));
+}
+
+static inline bool same_impact(const gjk_impact_result *a, const gjk_impact_result *b) {
+  return a->hit == b->hit && a->overlap == b->overlap && a->lower == b->lower && a->upper == b->upper &&
+         a->iterations == b->iterations && (!a->hit || a->distance == b->distance);
+}
+
 #endif

@@ -1,0 +1,120 @@
+// Triangle meshes: surfaces of up to millions of triangles, as constants fit for flash.
+//
+// A mesh is the caller's vertices and, for each triangle, 15 bytes: three numbers of vertices with what is known of its
+// edges, and its share of a tree of boxes. gjk_mesh_build makes the latter, on the target or beforehand; gjk-convert
+// writes meshes as C source.
+#ifndef GJK_MESH_H
+#define GJK_MESH_H
+
+#include "gjk/parts.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+extern const gjk_parts_class gjk_parts_class_mesh;
+
+// Most triangles, and most vertices, of one mesh.
+#define GJK_MESH_TRIANGLES_MAX UINT32_C(0x0FFFFFFF)
+#define GJK_MESH_VERTICES_MAX UINT32_C(0x0FFFFFFF)
+
+// Largest coordinate of a vertex, positive or negative: 16384 units.
+#define GJK_MESH_COORDINATE_MAX (INT32_C(1) << 30)
+
+// Triangles of a leaf of the tree, and the nodes of a tree of at least one triangle.
+#define GJK_MESH_LEAF 8
+#define GJK_MESH_NODES(triangles) ((triangles) / 4 + ((triangles) % 8 == 0 ? 0 : (triangles) % 8 < 4 ? 2 : 1) - 1)
+
+// An edge, by the side of the triangle's plane on which the triangle across it lies.
+typedef enum gjk_mesh_edge {
+  GJK_MESH_CONCAVE = 0,  // in front, where the surface is seen counterclockwise
+  GJK_MESH_FLAT = 1,     // in the plane
+  GJK_MESH_CONVEX = 2,   // behind, or folded back onto the triangle
+  GJK_MESH_OPEN = 3      // there is none
+} gjk_mesh_edge;
+
+// A triangle. Corners run counterclockwise seen from its front.
+//
+// corner[i]: bits 0 to 27 the number of a vertex; bits 28 and 29 a gjk_mesh_edge, of the edge to the next corner; the
+// rest 0.
+typedef struct gjk_mesh_triangle {
+  uint32_t corner[3];
+} gjk_mesh_triangle;
+
+#define GJK_MESH_NUMBER(corner) ((corner)&UINT32_C(0x0FFFFFFF))
+#define GJK_MESH_EDGE(corner) ((corner) >> 28 & 3u)
+
+// A box of the tree, both ends inclusive: steps of 2^shift LSB from the mesh's lower corner.
+typedef struct gjk_mesh_node {
+  uint16_t lower[3], upper[3];
+} gjk_mesh_node;
+
+// A mesh in its own frame. gjk_mesh_build fills it; as a constant it may be in flash.
+typedef struct gjk_mesh {
+  const gjk_vec3 *vertices;            // Q16.16, at most GJK_MESH_COORDINATE_MAX in size
+  const gjk_mesh_triangle *triangles;  // each leaf's one after the other
+  const gjk_mesh_node *nodes;          // GJK_MESH_NODES(triangle_count): see src/mesh/gjk_mesh_tree.h
+  uint32_t vertex_count, triangle_count;
+  gjk_vec3 lower, upper;  // the box of all triangles
+  uint8_t shift[3];       // of the steps along x, y and z: (upper - lower) / 2^shift is below 2^16
+  bool two_sided;         // contacts on both sides; otherwise only in front
+} gjk_mesh;
+
+// A body of this mesh at the identity pose, for the queries of gjk/parts.h. Its parts are its triangles, as numbered in
+// mesh->triangles. A body turns each vertex once and rounds it once, so the surface has no gaps at any pose.
+#define GJK_PARTS_OF_MESH(mesh) \
+  { &gjk_parts_class_mesh, 1 ? (mesh) : (const gjk_mesh *)0, GJK_POSE_IDENTITY }
+
+// Makes a mesh of triangles.
+//
+// vertices   the caller's, must outlive the mesh. Vertices in the same place count as the same.
+// triangles  in: three numbers of vertices each, their other bits ignored. They are put in the tree's order and their
+//            edges are noted. They must outlive the mesh.
+// nodes      room for capacity nodes, at least GJK_MESH_NODES(triangle_count).
+// out        written when the result is GJK_OK; on any other status the triangles are as they were.
+// Exact      edges: the sign of a determinant of 87 bits. Same triangles in the same order: the same mesh everywhere.
+// Statuses   NULL; EMPTY: no triangles; RANGE: a number beyond vertex_count, a coordinate beyond
+//            GJK_MESH_COORDINATE_MAX, or too many triangles or vertices; SIZE: a triangle that is longer than
+//            GJK_RADIUS_MAX along an axis; CAPACITY: nodes.
+// Cost       of the order of n log n for n triangles, if few of them meet in one place. No recursion, no workspace.
+gjk_status gjk_mesh_build(const gjk_vec3 *vertices, uint32_t vertex_count, gjk_mesh_triangle *triangles,
+                          uint32_t triangle_count, bool two_sided, gjk_mesh_node *nodes, uint32_t capacity,
+                          gjk_mesh *out);
+
+// What is wrong with a mesh.
+typedef enum gjk_mesh_fault {
+  GJK_MESH_SOUND = 0,
+  GJK_MESH_NUMBER_FAULT,  // a corner that is no vertex, or bits that are not 0
+  GJK_MESH_COORDINATE,    // a vertex beyond GJK_MESH_COORDINATE_MAX
+  GJK_MESH_SIZE,          // a triangle longer than GJK_RADIUS_MAX along an axis
+  GJK_MESH_SHIFT,         // a box of the mesh that is not that of its triangles, or steps that do not fit
+  GJK_MESH_BOX,           // a node that does not hold its triangles
+  GJK_MESH_EDGES,         // an edge that is not as it is noted
+  GJK_MESH_DEGENERATE,    // a triangle whose corners lie in a line: it has no front, and contacts leave it out
+  GJK_MESH_CROWDED,       // an edge that more than two triangles share
+  GJK_MESH_TURNED         // an edge that two triangles have the same way: one is turned over
+} gjk_mesh_fault;
+
+// What gjk_mesh_check found. With a fault up to GJK_MESH_EDGES, a query may miss triangles; it reads nothing outside the
+// mesh's arrays. With the others every answer is right, for a surface that is no good one.
+typedef struct gjk_mesh_report {
+  uint8_t fault;      // a gjk_mesh_fault, the first in their order
+  uint8_t edge;       // of the triangle, where the fault is of one; for NUMBER_FAULT to SIZE the corner
+  uint32_t triangle;  // the first that has it
+  uint32_t node;      // BOX
+  uint32_t edges[4];  // how many there are by gjk_mesh_edge, each side of an edge counted; set when fault is SOUND or
+                      // from DEGENERATE on
+} gjk_mesh_report;
+
+// Is a mesh as gjk_mesh_build makes it, and a surface?
+//
+// mesh      its arrays are as long as it says.
+// Statuses  NULL; EMPTY; RANGE: more triangles or vertices than there may be. OK: out is written, whatever it says.
+// Cost      of the order of n log n, as gjk_mesh_build.
+gjk_status gjk_mesh_check(const gjk_mesh *mesh, gjk_mesh_report *out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,174 @@
+// Contacts of convex bodies with meshes: each normal is one that the surface has at the contact, and none is missing: bodies
+// apart have the least distance among their contacts, bodies that overlap have a contact.
+#include "mesh_contacts.h"
+
+#include "generate/surface.h"
+#include "gjk/intersect.h"
+#include "reference/random_shape.h"
+
+#define SEED UINT64_C(0x436F6E74)
+#define TRIALS 120
+#define BODIES 60
+#define CELLS 4000
+
+static struct { unsigned long bodies, apart, together, manifolds, of_faces, of_ridges, missing, behind; } tally;
+
+typedef struct trial {
+  surface ground;
+  gjk_parts parts;
+  case_shape source;
+  case_collider body;
+  gjk_q16 margin;
+} trial;
+
+static void show(const void *subject) {
+  const trial *t = (const trial *)subject;
+  const gjk_quat *q = &t->source.pose.rotation;
+  printf("  %s, %lu triangles, two_sided %d, margin %d, body kind %d at (%d, %d, %d) turned (%d, %d, %d, %d)\n",
+         surface_names[t->ground.kind], (unsigned long)t->ground.triangle_count, t->ground.mesh.two_sided,
+         (int)t->margin, (int)t->source.kind, (int)t->source.pose.position.x, (int)t->source.pose.position.y,
+         (int)t->source.pose.position.z, (int)q->x, (int)q->y, (int)q->z, (int)q->w);
+}
+
+// A body whose surface is near a random triangle's front: pushed off along its normal until it is about gap away.
+static void place_body(random_state *random, trial *t, int32_t step) {
+  static const case_kind kinds[] = {CASE_BOX, CASE_POINT, CASE_SEGMENT, CASE_HULL, CASE_BOX, CASE_CYLINDER};
+  const case_kind kind = kinds[random_below(random, 6)];
+  const gjk_q16 reach = (gjk_q16)(step * pow(8, random_unit(random)) / 2) + 3;
+  random_shape(random, kind, reach, &t->source);
+  if (kind == CASE_POINT) {
+    t->source.convex_radius = reach;
+  }
+  t->source.pose.rotation = random_below(random, 3) == 0 ? (gjk_quat){0, 0, 0, GJK_Q30_ONE} : random_rotation(random);
+  gjk_parts_room room;
+  gjk_collider triangle;
+  const uint32_t number = random_below(random, t->ground.triangle_count);
+  CHECK(gjk_parts_place(&t->parts, number, &room, &triangle) == GJK_OK);
+  const dvec a = of_vec3(&room.vertices[0]), b = of_vec3(&room.vertices[1]), c = of_vec3(&room.vertices[2]);
+  const dvec n = cross_of(minus(b, a), minus(c, a));
+  const double u = random_unit(random), v = random_unit(random) * (1 - u);
+  dvec at = add_scaled(add_scaled(add_scaled((dvec){0, 0, 0}, 1 - u - v, a), u, b), v, c);
+  const double side = t->ground.mesh.two_sided && random_below(random, 2) == 0 ? -1 : 1;
+  const double away = side * (reach + random_unit(random) * reach) / length_of(n);
+  at = add_scaled(at, away, n);
+  t->source.pose.position = (gjk_vec3){(int32_t)at.x, (int32_t)at.y, (int32_t)at.z};
+  case_collider_free(&t->body);
+  CHECK(case_collider_build(&t->body, &t->source, random_below(random, 2) == 0) == GJK_OK);
+  // Down onto the triangle, by the distance less what it is to sink in.
+  gjk_distance_result d;
+  if (gjk_distance(&triangle, &t->body.collider, NULL, &d) == GJK_OK && !d.intersecting) {
+    const double sink =
+        random_below(random, 2) == 0 ? random_range(random, -20, 20) : random_range(random, -step / 8, step / 8);
+    const dvec normal = {ldexp(d.normal.x, -30), ldexp(d.normal.y, -30), ldexp(d.normal.z, -30)};
+    at = add_scaled(at, -(d.distance - sink), normal);
+    const gjk_vec3 to = {(int32_t)at.x, (int32_t)at.y, (int32_t)at.z};
+    t->source.pose.position = to;
+    CHECK(gjk_collider_move(&t->body.collider, &to) == GJK_OK);
+  }
+}
+
+static void check_body(trial *t) {
+  static found_contacts found;
+  static near_surface near;
+  static gjk_epa_cell cells[CELLS];
+  const gjk_workspace workspace = {cells, CELLS};
+  const gjk_collider *body = &t->body.collider;
+  CHECK(gjk_surface_contacts(&t->parts, body, t->margin, 4, &workspace, found.contact, FOUND_MAX, &found.count) ==
+        GJK_OK);
+  find_near(&t->parts, body, t->margin, &near);
+  CHECK(found.count < FOUND_MAX && near.count < NEAR_MAX);
+  tally.bodies++;
+  gjk_q16 least = INT32_MAX;
+  for (unsigned i = 0; i < found.count; i++) {
+    const gjk_manifold *m = &found.contact[i].manifold;
+    const dvec n = {ldexp(m->normal.x, -30), ldexp(m->normal.y, -30), ldexp(m->normal.z, -30)};
+    tally.manifolds++;
+    bool of_face = false;
+    for (unsigned k = 0; k < near.count; k++) {
+      of_face = of_face || (near.triangle[k].number == found.contact[i].triangle &&
+                            is_normal_of(&near.triangle[k], n, t->ground.mesh.two_sided));
+    }
+    tally.of_faces += of_face ? 1 : 0;
+    tally.of_ridges += of_face ? 0 : 1;
+    bool any = false;
+    for (unsigned k = 0; k < m->count; k++) {
+      least = m->contact[k].distance < least ? m->contact[k].distance : least;
+      any = any || surface_has_near(&near, found.contact[i].triangle, of_vec3(&m->contact[k].point_a), n,
+                                    t->ground.mesh.two_sided, gjk_is_curved(body->shape) ? 0.004 : 1e-6);
+      CHECK(m->contact[k].distance <= t->margin);
+    }
+    CHECK_MSG(any || of_face, "triangle %lu: normal (%d, %d, %d), %u points, distance %d",
+              (unsigned long)found.contact[i].triangle, (int)m->normal.x, (int)m->normal.y, (int)m->normal.z, m->count,
+              (int)m->contact[0].distance);
+  }
+  // What is missing.
+  bool together = false, behind = false, in_front = false;
+  gjk_q16 nearest = INT32_MAX;
+  for (unsigned k = 0; k < near.count; k++) {
+    gjk_parts_room room;
+    gjk_collider triangle;
+    gjk_distance_result d;
+    CHECK(gjk_parts_place(&t->parts, near.triangle[k].number, &room, &triangle) == GJK_OK);
+    if (gjk_distance(&triangle, body, NULL, &d) != GJK_OK) {
+      continue;
+    }
+    together = together || d.intersecting;
+    const dvec from = minus(of_vec3(&body->centre), of_vec3(&near.triangle[k].world[0]));
+    in_front = in_front || (d.intersecting && dot_of(from, near.triangle[k].normal) > 0);
+    const bool nearer = !d.intersecting && d.distance < nearest;
+    nearest = d.intersecting ? 0 : nearer ? d.distance : nearest;
+    if (nearer) {  // from its back?
+      const dvec n = {d.normal.x, d.normal.y, d.normal.z};
+      behind = dot_of(n, near.triangle[k].normal) < 1e-3 * length_of(n) && !t->ground.mesh.two_sided;
+    }
+  }
+  if (together) {
+    tally.together++;
+    tally.missing += found.count == 0 && in_front ? 1 : 0;
+  } else if (nearest <= t->margin - 4) {
+    if (behind) {
+      tally.behind++;
+      return;
+    }
+    tally.apart++;
+    CHECK_MSG(least <= nearest + 4 && least >= nearest - 4, "distance %d, nearest contact %d", (int)nearest,
+              (int)least);
+  }
+}
+
+int main(void) {
+  static trial t;
+  const uint64_t seed = check_seed(SEED);
+  for (unsigned long i = 0; i < TRIALS; i++) {
+    random_state random = random_seed(seed + i);
+    const int32_t step = 1 << random_range(&random, 8, 18);
+    surface_make(&random, (surface_kind)(i % SURFACE_SOUP), 20 + random_below(&random, 2000), step,
+                 random_below(&random, 4) == 0, &t.ground);
+    t.parts = (gjk_parts)GJK_PARTS_OF_MESH(&t.ground.mesh);
+    t.parts.pose.position = random_vector(&random, 1000000);
+    if (random_below(&random, 2) == 0) {
+      t.parts.pose.rotation = random_rotation(&random);
+    }
+    t.margin = random_below(&random, 2) == 0 ? 40 : step / 4;
+    check_trial(i, show, &t);
+    for (unsigned k = 0; k < BODIES; k++) {
+      place_body(&random, &t, step);
+      check_trial(i, show, &t);
+      check_body(&t);
+    }
+    surface_free(&t.ground);
+  }
+  case_collider_free(&t.body);
+  case_shape_free(&t.source);
+  printf(
+      "%lu bodies, %lu apart, %lu from behind, %lu together, %lu of them in front of one and without a contact; %lu "
+      "manifolds, %lu along "
+      "normals "
+      "of triangles, %lu of edges and corners\n",
+      tally.bodies, tally.apart, tally.behind, tally.together, tally.missing, tally.manifolds, tally.of_faces,
+      tally.of_ridges);
+  CHECK(tally.apart > tally.bodies / 8 && tally.together > tally.bodies / 8);
+  CHECK(tally.missing * 200 <= tally.together);
+  CHECK(tally.of_ridges > 100 && tally.of_faces > 1000);
+  return check_done("mesh_contacts");
+}

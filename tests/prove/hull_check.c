@@ -1,0 +1,39 @@
+// gjk_hull_check on any vertices (4), corners of any number, null pointers too. CASE 0: up to two faces whose ends are any
+// that lie in the list of 12 corners. CASE 1: a face of 3 corners and one of 5.
+#include "any.h"
+#include "gjk/hull.h"
+
+#define VERTICES 4
+#define CORNERS 12
+
+int main(void) {
+  static gjk_vec3 vertices[VERTICES];
+  static uint16_t corner[CORNERS], end[2];
+  gjk_hull_report report;
+  uint16_t count;
+  for (int i = 0; i < VERTICES; i++) {
+    vertices[i] = any_position();
+  }
+  for (int i = 0; i < CORNERS; i++) {
+    corner[i] = any_uint16();
+  }
+#if CASE == 0
+  for (int i = 0; i < 2; i++) {
+    end[i] = (uint16_t)any_between(0, CORNERS);
+  }
+  count = (uint16_t)any_between(0, 2);
+#else
+  end[0] = 3;
+  end[1] = 8;
+  count = 2;
+#endif
+  const gjk_hull_faces faces = {any_bool() ? corner : NULL, any_bool() ? end : NULL, count};
+  const int status = gjk_hull_check(any_bool() ? vertices : NULL, (uint16_t)any_between(0, VERTICES),
+                                    any_bool() ? &faces : NULL, any_bool() ? &report : NULL);
+  //@ split status;
+  if (status == GJK_OK) {
+    //@ assert report.fault <= GJK_HULL_LAYERS;
+    //@ assert \initialized(&report.face) && \initialized(&report.corner) && \initialized(&report.vertex);
+  }
+  return 0;
+}
