@@ -204,9 +204,9 @@ static advance_end step_ahead(advance_rounds *r, const gjk_slope *slope, bool li
   return ADVANCE_ON;
 }
 
-// Steps 1 to 3: one round.
-static advance_end run_round(advance_rounds *r) {
-  const gjk_outcome outcome = gjk_gap_measure(&r->gap, r->at);
+// Steps 2 and 3, after a measurement. Out of line, as what is done before and after the rounds: the stack of measurements
+// is the deepest.
+GJK_OUT_OF_LINE static advance_end end_round(advance_rounds *r, gjk_outcome outcome) {
   const bool limited = outcome == GJK_OUTCOME_LIMIT;
   if (outcome == GJK_OUTCOME_ENCLOSING) {
     return r->at == r->proven ? ADVANCE_ENCLOSED : retreat(r);
@@ -229,7 +229,7 @@ static advance_end run_round(advance_rounds *r) {
 static advance_end run_rounds(advance_rounds *r) {
   advance_end end = ADVANCE_ON;
   for (unsigned round = 0; end == ADVANCE_ON && round < GJK_ADVANCE_ROUNDS_MAX; round++) {
-    end = run_round(r);
+    end = end_round(r, gjk_gap_measure(&r->gap, r->at));  // Step 1
   }
   return end == ADVANCE_ON ? ADVANCE_LIMIT : end;
 }
@@ -292,7 +292,7 @@ static uint8_t count_iterations(unsigned before, unsigned used) {
 }
 
 // Do the cores come within the radius at the start? Exact for near frames. Pre: fraction 0 is measured, in a near frame.
-static bool starts_inside(const advance_rounds *r) {
+GJK_OUT_OF_LINE static bool starts_inside(const advance_rounds *r) {
   const gjk_iteration *it = &r->gap.it;
   gjk_u192 numerator, denominator;
   if (r->gap.radius >> (31 - it->shift) != 0) {
@@ -366,7 +366,7 @@ static gjk_advance_answer bracket_curved(advance_rounds *r, gjk_q16 margin, gjk_
 
 // Sets the first fraction to measure at: where the bounding spheres meet, rounded by the radius. An estimate.
 //   centres   2^k times as coarse as an LSB, components below 2^30
-static void start_at_spheres(advance_rounds *r) {
+GJK_OUT_OF_LINE static void start_at_spheres(advance_rounds *r) {
   const gjk_gap *gap = &r->gap;
   const gjk_long3 *start = &gap->start, *t = &gap->way->t;
   const uint64_t bits = gjk_magnitude64(start->x) | gjk_magnitude64(start->y) | gjk_magnitude64(start->z);

@@ -23,7 +23,7 @@ static int64_t round_along(const gjk_quotient *q, int64_t x, int64_t n) {
 // One axis of both resting places. way: A's whole way; t: of B against A; n: of the plane.
 static void rest_along(const gjk_quotient *q, int64_t way, int64_t t, int64_t n, gjk_q16 a, gjk_q16 b, gjk_q16 *rest_a,
                        gjk_q16 *rest_b, bool *saturated) {
-  const int64_t of_a = gjk_quotient_nearest(q, way);
+  const int64_t of_a = way != 0 ? gjk_quotient_nearest(q, way) : 0;
   *rest_a = (gjk_q16)(a + of_a);
   *rest_b = gjk_saturate_noting(b + of_a + round_along(q, t, n), saturated);
 }

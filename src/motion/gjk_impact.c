@@ -1,6 +1,7 @@
 // The time of impact of two shapes that move and turn.
 //
-//   1. Pose both at x, 0 at first, and measure their distance, exactly. Within margin and tolerance: a hit.
+//   1. Pose both at x and measure their distance, exactly. Within margin and tolerance: a hit. The first x is where the
+//      bodies' spheres meet; they don't: a miss.
 //   2. Take the normal as a direction. It turns with the shape that has more vertices in the nearest feature; else on as
 //      it has turned since the last x; or it stands still.
 //   3. The next x is where the separation along it is no more proven to be above the margin and the slack of roundings
@@ -51,7 +52,8 @@ static bool stays_in_range(const gjk_vec3 *from, const gjk_vec3 *to, int64_t awa
          fits_around(to->x, away) && fits_around(to->y, away) && fits_around(to->z, away);
 }
 
-// Binds a body to its motion. The copy of its collider has no buffer, so that the caller's stays as it is.
+// Binds a body to its motion. The copy of its collider has a buffer of its own or none: the caller's stays as it is. *m
+// must then stay where it is.
 static gjk_status start_mover(gjk_mover *m, const gjk_carried *of) {
   const gjk_collider *c = of->collider;
   const gjk_motion *motion = of->motion;
@@ -61,7 +63,7 @@ static gjk_status start_mover(gjk_mover *m, const gjk_carried *of) {
   m->motion = motion;
   m->own = of->own;
   m->collider.shape = c->shape;
-  m->collider.buffer = NULL;
+  m->collider.buffer = c->shape->type->buffered && c->count <= GJK_MOVER_VERTICES ? m->baked : NULL;
   m->collider.local_centre = c->local_centre;
   m->collider.core_radius = c->core_radius;
   m->collider.radius = c->radius;
@@ -119,14 +121,21 @@ static gjk_status start_impact(impact_query *of, const gjk_impact_setup *setup) 
 }
 
 // Poses a body at a fraction. Out of line, as next_x, so that their stack is not that of distances too.
-GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, gjk_q30 fraction) {
-  gjk_pose pose;
-  gjk_turning_pose(m->motion, &m->turning, fraction, &pose);
-  gjk_set(&pose.position, &m->place);
+GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, gjk_q30 fraction, gjk_pose *body) {
+  gjk_pose own;
+  gjk_turning_pose(m->motion, &m->turning, fraction, body);
+  gjk_set(&body->position, &m->place);
   if (m->own != NULL) {
-    (void)gjk_pose_compose(&pose, m->own, &pose);  // in range, since the arm is
+    (void)gjk_pose_compose(body, m->own, &own);  // in range, since the arm is
   }
-  (void)gjk_collider_pose(&m->collider, &pose);
+  (void)gjk_collider_pose(&m->collider, m->own != NULL ? &own : body);
+}
+
+// Has the body, once posed, the same pose at a fraction? At the end of the way it has that of the motion, to the bit.
+static bool stands(const gjk_mover *m, gjk_q30 fraction) {
+  const gjk_vec3 *from = &m->motion->from.position, *to = &m->motion->to.position;
+  return m->collider.state == GJK_STATE_POSED && fraction != GJK_Q30_ONE && m->turning.half_turns == 0 &&
+         from->x == to->x && from->y == to->y && from->z == to->z;
 }
 
 // How many different vertices of one shape are in a feature. Those of curved shapes count as one.
@@ -156,14 +165,17 @@ static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_
   return turns && gjk_turning_between(before, &gap->normal, of->x - last, out) ? out : NULL;
 }
 
-static void write_impact(const impact_query *of, gjk_impact_result *out, gjk_q30 upper) {
-  out->lower = of->x;
-  out->upper = upper;
-  gjk_turning_pose(of->mover[0].motion, &of->mover[0].turning, of->x, &out->pose_a);
-  gjk_turning_pose(of->mover[1].motion, &of->mover[1].turning, of->x, &out->pose_b);
+// Poses both bodies at x.
+static void pose_both(impact_query *of, gjk_impact_result *out) {
+  if (!stands(&of->mover[0], of->x)) {
+    pose_mover(&of->mover[0], of->x, &out->pose_a);
+  }
+  if (!stands(&of->mover[1], of->x)) {
+    pose_mover(&of->mover[1], of->x, &out->pose_b);
+  }
 }
 
-// The shapes touch at x.
+// The shapes touch at x, where they are posed.
 static void write_impact_hit(const impact_query *of, gjk_q16 margin, const gjk_distance_result *gap,
                              gjk_impact_result *out) {
   out->hit = true;
@@ -174,7 +186,8 @@ static void write_impact_hit(const impact_query *of, gjk_q16 margin, const gjk_d
     out->point_b = gap->point_b;
     out->normal = gap->normal;
   }
-  write_impact(of, out, of->x);
+  out->lower = of->x;
+  out->upper = of->x;
 }
 
 // The last round's normal, and where it was.
@@ -192,6 +205,7 @@ GJK_OUT_OF_LINE static gjk_q30 next_x(const impact_query *of, const gjk_distance
   along.n = gap->normal;
   along.start = of->x;
   along.carrier = carrier_of(of, gap, &last->normal, last->x, &on);
+  along.fall = gjk_separation_fall(&along, &gap->point_a, &gap->point_b);
   // A distance is off by at most 2^-26 of itself. The normal of bounds is not that of the lower one: then s is measured.
   const int64_t lower = (int64_t)gap->lower * 256;
   const int64_t above = exact ? lower - gjk_sar64(lower, 26) - of->wanted : -1;
@@ -204,12 +218,13 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
   round_before last;
   gjk_zero(&cache, sizeof cache);
   gjk_zero(&last, sizeof last);
+  of->x = gjk_separation_of_spheres(of->mover, of->wanted + of->radii * 256);
   out->hit = false;
   out->overlap = false;
-  for (unsigned i = 1; i <= most; i++) {
+  out->iterations = 0;
+  for (unsigned i = 1; i <= most && of->x < GJK_Q30_ONE; i++) {
     gjk_distance_result gap;
-    pose_mover(&of->mover[0], of->x);
-    pose_mover(&of->mover[1], of->x);
+    pose_both(of, out);
     const gjk_status status = gjk_distance(&of->mover[0].collider, &of->mover[1].collider, &cache, &gap);  // Step 1
     out->iterations = (uint8_t)i;
     if (gap.upper <= of->touched) {
@@ -224,7 +239,9 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
       break;
     }
   }
-  write_impact(of, out, GJK_Q30_ONE);
+  pose_both(of, out);
+  out->lower = of->x;
+  out->upper = GJK_Q30_ONE;
   return of->x == GJK_Q30_ONE ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
 }
 

@@ -1,22 +1,27 @@
 // The separation along a direction, and how long it holds.
 //
 //   1. Measure s at x, the start at first. It has to be above the target.
-//   2. Choose y, as far as the parabola leaves hope: c <= 4 (s(x) - target). Measure s there.
-//   3. The first root of chord less parabola is the next x; without a root it is y.
+//   2. Choose y shortly before s is expected to meet the target, but so near that c <= s(x) - target: then chord less
+//      parabola has no root where s(y) is not below the target. Measure s there.
+//   3. Without a root the next x is y; else it is the first root.
 //   4. On from 1 or 2, until x is the end, s is near the target, or STEPS_MAX are done.
+//
+// What is expected follows from the last two measurements, at first from how fast the nearest points approach each other.
+// With turns yet to come the spheres' bound, which is a chord, may reach farther.
 //
 // Units: separations are in LSB, Q8; angles in radians, Q16; parts of the way in Q30.
 #include "gjk_impact_separation.h"
 
 #include "../arith/gjk_root.h"
 #include "../arith/gjk_rotation.h"
+#include "../arith/gjk_unit.h"
 #include "../shape/gjk_scan.h"
 
 // The most steps along one direction, of one or two separations each.
 #define STEPS_MAX 16
 
-// Angles from here on, 8 radians, leave no hope.
-#define ANGLE_MAX (INT32_C(8) << 16)
+// The parabola is taken over angles below this one, 8 radians.
+#define ANGLE_MAX (UINT32_C(8) << 16)
 
 // A direction turns on as it has turned only where that was by an angle from 2^-20 to 1/4 radians, over a part of the way
 // of at least 2^-17: less is noise, more is another feature.
@@ -24,13 +29,14 @@
 #define SINE_MAX (UINT32_C(1) << 28)
 #define PART_MIN (INT32_C(1) << 13)
 
-// A bound that leaves no hope.
-#define HOPELESS (INT64_C(1) << 50)
+// v . d, Q8, rounded down. Pre: |v| <= 2^30 + 2^5; |d| <= sqrt(3) 2^32:  the product is below 2^63
+static int64_t along_q8(const gjk_unit3 *v, const gjk_long3 *d) {
+  return gjk_sar64(v->x * d->x + v->y * d->y + v->z * d->z, 22);
+}
 
-// v . (b - a), Q8, rounded down. Pre: |v| <= 2^30 + 2^5; |b - a| <= sqrt(3) 2^32:  the product is below 2^63
-GJK_OUT_OF_LINE static int64_t along_q8(const gjk_unit3 *v, const gjk_vec3 *a, const gjk_vec3 *b) {
-  const int64_t x = (int64_t)b->x - a->x, y = (int64_t)b->y - a->y, z = (int64_t)b->z - a->z;
-  return gjk_sar64(v->x * x + v->y * y + v->z * z, 22);
+static gjk_long3 between(const gjk_vec3 *a, const gjk_vec3 *b) {
+  const gjk_long3 d = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
+  return d;
 }
 
 // low + part / 2^30 (high - low), at most 2 too small. Pre: |high - low| < 2^45.
@@ -40,28 +46,40 @@ static int64_t blend_q8(int64_t low, int64_t high, gjk_q30 part) {
   return low + gjk_sar64(gjk_mul32(coarse, part), 15) + gjk_sar64(gjk_mul32(fine, part), 30);
 }
 
+// s along one direction: what does not depend on the fraction.
+typedef struct separation_course {
+  const gjk_separation *of;
+  int64_t target;      // Q8
+  gjk_long3 from, to;  // p_b - p_a at the start and the end of the way
+  gjk_turned split;    // n as the carrier sees it
+  bool is_fixed[2];    // the body's extent does not change:
+  int64_t extent[2];   // this one, Q8
+} separation_course;
+
 // v . (p_b - p_a) at a fraction, Q8, at most 4 too small.
-static int64_t between_positions(const gjk_separation *of, const gjk_unit3 *v, gjk_q30 fraction) {
-  const gjk_motion *a = of->mover[0].motion, *b = of->mover[1].motion;
-  return blend_q8(along_q8(v, &a->from.position, &b->from.position), along_q8(v, &a->to.position, &b->to.position),
-                  fraction);
+static int64_t between_positions(const separation_course *of, const gjk_unit3 *v, gjk_q30 fraction) {
+  return blend_q8(along_q8(v, &of->from), along_q8(v, &of->to), fraction);
 }
 
 // How far a body's core reaches along d, from the position that it is posed at, Q8, rounded down. d: a unit vector.
-// Of a hull without a table it is that of the shape's own vertices, turned in real numbers: within what posing does.
+// Of a lazy hull without a table it is that of the shape's own vertices, turned in real numbers: within what posing does.
 static int64_t extent_along(const gjk_mover *m, const gjk_unit3 *d) {
   const gjk_collider *c = &m->collider;
   const gjk_vec3 along = {d->x, d->y, d->z};
   const gjk_shape *shape = c->shape;
-  if (shape->type->buffered && shape->user == NULL) {
+  if (shape->type->buffered && shape->user == NULL && c->buffer == NULL) {
     const gjk_vec3 local = gjk_rotate_back(c->frame, &along), *first = shape->vertices;
     const gjk_vec3 *v = gjk_scan(first, first + shape->count, 31, &local);
-    const int64_t carried = m->own != NULL ? along_q8(d, &m->place, &c->position) : 0;
-    return gjk_sar64(gjk_dot(&local, v), 22) + carried;
+    const gjk_long3 carried = between(&m->place, &c->position);
+    return gjk_sar64(gjk_dot(&local, v), 22) + (m->own != NULL ? along_q8(d, &carried) : 0);
   }
   gjk_support at;
   shape->type->support(c, &along, &at);
-  return along_q8(d, &m->place, &c->centre) + gjk_sar64(gjk_dot(&along, &at.offset), 22);
+  gjk_long3 reach = between(&m->place, &c->centre);
+  reach.x += at.offset.x;
+  reach.y += at.offset.y;
+  reach.z += at.offset.z;
+  return along_q8(d, &reach);
 }
 
 static gjk_unit3 opposite_unit(const gjk_unit3 *v) {
@@ -69,27 +87,47 @@ static gjk_unit3 opposite_unit(const gjk_unit3 *v) {
   return negative;
 }
 
-// s at a fraction from the start on, Q8, within 8.
-static int64_t separation_at(const gjk_separation *of, gjk_q30 fraction) {
-  const gjk_q30 part = fraction - of->start;
-  gjk_unit3 v = of->n;
-  if (of->carrier != NULL) {
-    gjk_turning_rotate(of->carrier, part, false, &v);
+// A body's extent towards the other one along d, Q8, rounded up.
+static int64_t extent_towards(const gjk_separation *s, int i, const gjk_unit3 *d) {
+  const gjk_unit3 opposite = opposite_unit(d);
+  return extent_along(&s->mover[i], i == 0 ? d : &opposite) + 1;
+}
+
+static void start_course(separation_course *of, const gjk_separation *s, int64_t target) {
+  const gjk_motion *a = s->mover[0].motion, *b = s->mover[1].motion;
+  of->of = s;
+  of->target = target;
+  of->from = between(&a->from.position, &b->from.position);
+  of->to = between(&a->to.position, &b->to.position);
+  if (s->carrier != NULL) {
+    gjk_turning_split(s->carrier, &s->n, &of->split);
   }
-  int64_t s = between_positions(of, &v, fraction);
   for (int i = 0; i < 2; i++) {
-    gjk_unit3 d = v;
-    if (of->carrier == &of->mover[i].turning) {
-      d = of->n;
-    } else {
-      gjk_turning_rotate(&of->mover[i].turning, part, true, &d);
-    }
-    if (i == 1) {
-      d = opposite_unit(&d);
-    }
-    s -= extent_along(&of->mover[i], &d) + 1;
+    const gjk_turning *turning = &s->mover[i].turning;
+    of->is_fixed[i] = s->carrier == turning || (s->carrier == NULL && turning->half_turns == 0);
+    of->extent[i] = of->is_fixed[i] ? extent_towards(s, i, &s->n) : 0;
   }
-  return s;
+}
+
+// s - target at a fraction from the start on, Q8, within 8.
+static int64_t separation_at(const separation_course *of, gjk_q30 fraction) {
+  const gjk_separation *s = of->of;
+  const gjk_q30 part = fraction - s->start;
+  gjk_unit3 v = s->n;
+  if (s->carrier != NULL) {
+    gjk_turning_join(s->carrier, part, false, &of->split, &v);
+  }
+  int64_t above = between_positions(of, &v, fraction) - of->target;
+  for (int i = 0; i < 2; i++) {
+    if (of->is_fixed[i]) {
+      above -= of->extent[i];
+    } else {
+      gjk_unit3 d = v;
+      gjk_turning_rotate(&s->mover[i].turning, part, true, &d);
+      above -= extent_towards(s, i, &d);
+    }
+  }
+  return above;
 }
 
 // What of the bounds does not depend on the part of the way.
@@ -109,29 +147,35 @@ static uint32_t whole_angle(const gjk_turning *turning) {
   return (uint32_t)(gjk_umul32((uint32_t)turns, UINT32_C(3373259427)) >> 31) + 1;
 }
 
-// *cross = a x b, Q30, each component less than 1 off. Returns its length, rounded down.
-static uint32_t cross_q30(const gjk_unit3 *a, const gjk_unit3 *b, gjk_vec3 *cross) {
+// *cross = a x b, Q30, each component less than 1 off.
+static void cross_q30(const gjk_unit3 *a, const gjk_unit3 *b, gjk_vec3 *cross) {
   const gjk_vec3 u = {a->x, a->y, a->z}, v = {b->x, b->y, b->z};
   gjk_long3 wide;
   gjk_cross(&u, &v, &wide);
   cross->x = (int32_t)gjk_sar64(wide.x, 30);
   cross->y = (int32_t)gjk_sar64(wide.y, 30);
   cross->z = (int32_t)gjk_sar64(wide.z, 30);
-  return gjk_isqrt64((uint64_t)gjk_dot(cross, cross));
 }
 
-// The sine of the angle between axis and n, Q16, rounded up.
-static uint32_t sine_between(const gjk_unit3 *axis, const gjk_unit3 *n) {
-  gjk_vec3 cross;
-  return (cross_q30(axis, n, &cross) >> 14) + 2;
-}
-
-// At least the distance between two points: its largest component and half of the others.
-GJK_OUT_OF_LINE static uint64_t distance_bound(const gjk_vec3 *p, const gjk_vec3 *q) {
-  const uint64_t a = gjk_magnitude64((int64_t)q->x - p->x), b = gjk_magnitude64((int64_t)q->y - p->y);
-  const uint64_t c = gjk_magnitude64((int64_t)q->z - p->z);
+// At least the length of a vector with such components: the largest and half of the others.
+static uint64_t length_bound(uint64_t a, uint64_t b, uint64_t c) {
   const uint64_t most = a > b ? (a > c ? a : c) : (b > c ? b : c);
   return (most + a + b + c + 1) / 2;
+}
+
+// The sine of the angle between axis and n, Q16, or more, at most by a quarter.
+static uint32_t sine_between(const gjk_unit3 *axis, const gjk_unit3 *n) {
+  gjk_vec3 cross;
+  cross_q30(axis, n, &cross);
+  const uint64_t length = length_bound(gjk_magnitude32(cross.x), gjk_magnitude32(cross.y), gjk_magnitude32(cross.z));
+  const uint32_t sine = (uint32_t)(length >> 14) + 2;
+  return sine < (UINT32_C(1) << 16) + 2 ? sine : (UINT32_C(1) << 16) + 2;
+}
+
+// At least the distance between two points.
+GJK_OUT_OF_LINE static uint64_t distance_bound(const gjk_vec3 *p, const gjk_vec3 *q) {
+  return length_bound(gjk_magnitude64((int64_t)q->x - p->x), gjk_magnitude64((int64_t)q->y - p->y),
+                      gjk_magnitude64((int64_t)q->z - p->z));
 }
 
 // x y / 2^16, rounded up. Pre: the product is below 2^63.
@@ -142,7 +186,7 @@ static uint64_t q16_product(uint64_t x, uint32_t y) {
 // False: the direction turns, and the bodies are so far apart that its rounding would count.
 static bool set_separation_bounds(separation_bounds *of, const gjk_separation *s) {
   const gjk_motion *a = s->mover[0].motion, *b = s->mover[1].motion;
-  const uint64_t now = distance_bound(&s->mover[0].collider.position, &s->mover[1].collider.position) + 2;
+  const uint64_t now = distance_bound(&s->mover[0].place, &s->mover[1].place) + 2;
   const uint64_t end = distance_bound(&a->to.position, &b->to.position);
   of->apart = now > end ? now : end;
   of->way = distance_bound(&a->from.position, &a->to.position) + distance_bound(&b->from.position, &b->to.position);
@@ -165,14 +209,11 @@ static uint64_t times_square(uint64_t length, uint32_t w) {
   return q16_product(length, w) * w;
 }
 
-// c over a part of the way, Q8, rounded up. HOPELESS where a body turns by ANGLE_MAX or more.
-static int64_t parabola(const separation_bounds *of, const gjk_separation *s, gjk_q30 part) {
+// c over a part of the way, Q8, rounded up. Pre: no body turns by ANGLE_MAX there.
+static uint64_t parabola_over(const separation_bounds *of, const gjk_separation *s, gjk_q30 part) {
   uint32_t w[3];  // angles, Q16
   for (int i = 0; i < 3; i++) {
     w[i] = of->angle[i] == 0 ? 0 : (uint32_t)(gjk_umul32(of->angle[i], (uint32_t)part) >> 30) + 1;
-    if (w[i] >= ANGLE_MAX) {
-      return HOPELESS;
-    }
   }
   const uint64_t turned_a = q16_product(of->arm[0], w[0]), turned_b = q16_product(of->arm[1], w[1]);
   uint64_t twice = turned_a * w[0] + turned_b * w[1];  // Q16, each term below 2^57
@@ -184,7 +225,30 @@ static int64_t parabola(const separation_bounds *of, const gjk_separation *s, gj
                           w[2]) +
              2 * q16_product(moved + turned_a + turned_b, of->across) * w[2];
   }
-  return (int64_t)(twice >> 9) + 1;
+  return (twice >> 9) + 1;
+}
+
+// c over any part of the way, up to the longest in which no body turns by ANGLE_MAX: it grows with the part's square.
+typedef struct separation_parabola {
+  uint32_t leading;  // c over the longest part, Q8, is at most leading 2^scale
+  unsigned scale;
+  unsigned cut;  // the longest part is 2^-cut of the way
+} separation_parabola;
+
+static void set_parabola(separation_parabola *of, const separation_bounds *bounds, const gjk_separation *s) {
+  const uint32_t angle = bounds->angle[0] | bounds->angle[1] | bounds->angle[2];
+  of->cut = angle < ANGLE_MAX - 1 ? 0 : 14 - gjk_clz32(angle);
+  const uint64_t c = parabola_over(bounds, s, GJK_Q30_ONE >> of->cut);
+  const unsigned zeros = gjk_clz64(c);
+  of->scale = zeros < 33 ? 33 - zeros : 0;
+  of->leading = (uint32_t)(c >> of->scale) + 1;  // at most 2^31
+}
+
+// c over a part of the way, Q8, rounded up. Pre: it is not longer than the longest.
+static int64_t parabola(const separation_parabola *of, gjk_q30 part) {
+  const uint32_t share = (uint32_t)part << of->cut;                              // of the longest part, Q30
+  const uint32_t square = (uint32_t)(gjk_umul32(share, share) >> 30) + 1;        // at most 2^30 + 1
+  return (int64_t)(((gjk_umul32(of->leading, square) >> 30) + 1) << of->scale);  // below 2^51
 }
 
 // 2^(62 - k) / x, rounded down, at most 2^-28 of itself too small, below 2^31. k: the leading zeros of x. Pre: x > 0.
@@ -215,7 +279,8 @@ static gjk_q30 first_root(int64_t g, int64_t h, int64_t c) {
 
 bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 part, gjk_turning *out) {
   gjk_vec3 cross;
-  const uint32_t sine = cross_q30(from, to, &cross);
+  cross_q30(from, to, &cross);
+  const uint32_t sine = gjk_isqrt64((uint64_t)gjk_dot(&cross, &cross));
   const gjk_quat direction = {cross.x, cross.y, cross.z, 0};
   gjk_quat unit;
   if (sine < SINE_MIN || sine > SINE_MAX || part < PART_MIN || gjk_quat_normalize(&direction, &unit) != GJK_OK) {
@@ -231,83 +296,140 @@ bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 par
   return out->half_turns != 0;
 }
 
-// A step: how far above the target s is at x and at y, and what may lie between.
-typedef struct separation_step {
-  gjk_q30 x, y;
-  int64_t g, h;  // s - target at x and y, Q8
-  bool known;    // h is set
-} separation_step;
-
 // A lower bound of s - target at a fraction, whatever the rotations are there: bodies that turn count as spheres.
-static int64_t of_spheres(const gjk_separation *s, gjk_q30 fraction, int64_t target) {
-  int64_t bound = between_positions(s, &s->n, fraction) - target;
+static int64_t of_spheres(const separation_course *of, gjk_q30 fraction) {
+  const gjk_separation *s = of->of;
+  int64_t bound = between_positions(of, &s->n, fraction) - of->target;
   for (int i = 0; i < 2; i++) {
     const gjk_mover *m = &s->mover[i];
-    const gjk_unit3 d = i == 0 ? s->n : opposite_unit(&s->n);
-    bound -= m->turning.half_turns != 0 ? m->reach * INT64_C(256) : extent_along(m, &d) + 1;
+    bound -= m->turning.half_turns != 0 ? m->reach * INT64_C(256) : extent_towards(s, i, &s->n);
   }
   return bound;
 }
 
-// Step 2: y and h, and the root. With turns yet to come the spheres' bound, which is a chord, may reach farther.
-static gjk_q30 next_root(separation_step *at, const separation_bounds *of, const gjk_separation *s, int64_t target) {
-  int64_t c = parabola(of, s, at->y - at->x);
-  if (c == HOPELESS) {
-    const int64_t g = of_spheres(s, at->x, target);
-    if (g > 0) {
-      at->h = of_spheres(s, at->y, target);
-      return first_root(g, at->h, 0);
-    }
+// How fast a point of a body moves along n at the start, over the whole way, Q8: n . way + angle axis . (r x n).
+//   |r| < 2^31, |n| <= 2^30 + 2^5:  below 2^61.1 and, times the axis, 2^62
+static int64_t rate_of_point(const gjk_mover *m, const gjk_unit3 *n, const gjk_vec3 *point) {
+  const gjk_motion *motion = m->motion;
+  const gjk_vec3 *at = &m->place, along = {n->x, n->y, n->z};
+  const gjk_vec3 axis = {m->turning.axis.x, m->turning.axis.y, m->turning.axis.z};
+  const gjk_long3 way = between(&motion->from.position, &motion->to.position);
+  const int64_t rate = along_q8(n, &way);
+  const uint32_t angle = whole_angle(&m->turning);
+  if (angle == 0 || m->reach >> 30 != 0) {
+    return rate;
   }
-  while (at->y - at->x > 1 && c > 4 * (at->known ? at->g - at->h : at->g)) {  // at most 30 times
-    at->y = at->x + (at->y - at->x) / 2;
-    at->known = false;
-    c = parabola(of, s, at->y - at->x);
-  }
-  if (!at->known) {
-    at->h = separation_at(s, at->y) - target;
-  }
-  return first_root(at->g, at->h, c);
+  const gjk_vec3 r = {point->x - at->x, point->y - at->y, point->z - at->z};
+  gjk_long3 across;
+  gjk_cross(&r, &along, &across);
+  const gjk_vec3 lever = {(int32_t)gjk_sar64(across.x, 30), (int32_t)gjk_sar64(across.y, 30),
+                          (int32_t)gjk_sar64(across.z, 30)};
+  return rate + gjk_sar64(gjk_sar64(gjk_dot(&axis, &lever), 30) * (int64_t)angle, 8);
 }
 
-// Step 3: on to the root. Returns whether to go on.
-static bool step_to_root(separation_step *at, const gjk_separation *s, gjk_q30 z, int64_t target, int64_t enough) {
-  const gjk_q30 part = at->y - at->x, forward = (gjk_q30)gjk_sar64(gjk_mul32(part, z), 30);
-  at->known = false;
-  if (forward == 0) {  // y is too far away to see
-    at->y = at->x + part / 16 + 1;
-    return part > 1;
+int64_t gjk_separation_fall(const gjk_separation *s, const gjk_vec3 *point_a, const gjk_vec3 *point_b) {
+  return rate_of_point(&s->mover[0], &s->n, point_a) - rate_of_point(&s->mover[1], &s->n, point_b);
+}
+
+// Where a search along one direction stands.
+typedef struct separation_state {
+  gjk_q30 x;
+  int64_t g;     // s - target at x, Q8
+  int64_t fall;  // how much that falls, Q8,
+  gjk_q30 over;  // over this part of the way: an estimate of its slope
+} separation_state;
+
+// After which part of the way s meets the target, by the estimate: over g / fall, at most GJK_Q30_ONE. Pre: g > 0.
+static gjk_q30 expected_part(const separation_state *at) {
+  if (at->fall <= 0) {
+    return GJK_Q30_ONE;
   }
-  at->x += forward;
-  at->g = separation_at(s, at->x) - target;
-  if (at->h < 0) {
-    at->known = true;
-  } else {
-    at->y = GJK_Q30_ONE;
+  // g = 2^(32 - zeros) leading, and fall alike; 2^30 <= 2^62 / leading <= 2^31
+  const unsigned zeros = gjk_clz64((uint64_t)at->g), zeros2 = gjk_clz64((uint64_t)at->fall);
+  const uint32_t g = (uint32_t)((uint64_t)at->g << zeros >> 32), fall = (uint32_t)((uint64_t)at->fall << zeros2 >> 32);
+  const uint64_t product = gjk_umul32(gjk_umulh32(g, reciprocal_of(fall, 0)), (uint32_t)at->over);  // at most 2^61
+  if (30 + zeros <= zeros2) {
+    return GJK_Q30_ONE;
   }
-  return at->g > enough;
+  const unsigned down = 30 + zeros - zeros2;
+  const uint64_t part = down < 64 ? product >> down : 0;
+  return part < (uint64_t)GJK_Q30_ONE ? (gjk_q30)part : GJK_Q30_ONE;
+}
+
+// Step 2: y - x.
+static gjk_q30 choose_part(const separation_state *at, const separation_parabola *of, int64_t enough) {
+  const gjk_q30 left = GJK_Q30_ONE - at->x, longest = GJK_Q30_ONE >> of->cut, expected = expected_part(at);
+  gjk_q30 part = left < longest ? left : longest;
+  if (expected < part) {
+    // Before what is expected, by an eighth or by what the parabola allows the estimate to be off.
+    const int64_t off = parabola(of, expected) + 4 * enough;
+    unsigned k = 3;
+    while (k < 30 && off <= gjk_sar64(at->g, k - 2)) {
+      k++;
+    }
+    part = expected - (expected >> k);
+  }
+  for (int64_t c = parabola(of, part); part > 1 && c > at->g; c = parabola(of, part)) {  // at most 40 times
+    part -= (c > 4 * at->g ? part / 2 : part / 4) + (part < 4 ? 1 : 0);
+  }
+  return part > 0 ? part : 1;
+}
+
+gjk_q30 gjk_separation_of_spheres(const gjk_mover mover[2], int64_t target) {
+  const gjk_motion *a = mover[0].motion, *b = mover[1].motion;
+  const gjk_long3 from = between(&a->from.position, &b->from.position), to = between(&a->to.position, &b->to.position);
+  const int64_t apart = target + ((int64_t)mover[0].reach + mover[1].reach) * 256;
+  gjk_search_direction direction;
+  if ((from.x | from.y | from.z) == 0) {
+    return 0;
+  }
+  gjk_search_direction_of(&from, &direction);
+  const gjk_unit3 n = gjk_unit(&direction.d);
+  const int64_t g = along_q8(&n, &from) - apart;
+  return g > 0 ? first_root(g, along_q8(&n, &to) - apart, 0) : 0;
 }
 
 gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, int64_t enough) {
-  separation_bounds of;
-  if (!set_separation_bounds(&of, s)) {
+  separation_bounds bounds;
+  separation_parabola of;
+  if (!set_separation_bounds(&bounds, s)) {
     s->carrier = NULL;
-    (void)set_separation_bounds(&of, s);
+    (void)set_separation_bounds(&bounds, s);
   }
-  separation_step at = {s->start, GJK_Q30_ONE, above, 0, false};
+  set_parabola(&of, &bounds, s);
+  separation_course course;
+  start_course(&course, s, target);
+  separation_state at = {s->start, above, s->fall, GJK_Q30_ONE};
   if (above < 0) {
-    at.g = separation_at(s, s->start) - target;
+    at.g = separation_at(&course, s->start);
   }
-  const int64_t stop = at.g / 16 > enough ? at.g / 16 : enough;
-  for (unsigned i = 0; i < STEPS_MAX && at.g > 0 && at.x < GJK_Q30_ONE; i++) {
-    const gjk_q30 z = next_root(&at, &of, s, target);
-    if (z == GJK_Q30_ONE) {
-      at.x = at.y;
-      at.g = at.h;
-      at.y = GJK_Q30_ONE;
-      at.known = false;
-    } else if (!step_to_root(&at, s, z, target, stop)) {
+  const int64_t stop = at.g / 64 > enough ? at.g / 64 : enough;
+  for (unsigned i = 0; i < STEPS_MAX && at.g > stop && at.x < GJK_Q30_ONE; i++) {
+    gjk_q30 part = GJK_Q30_ONE - at.x;
+    int64_t c = 0, g = of.cut > 0 && part > GJK_Q30_ONE >> of.cut ? of_spheres(&course, at.x) : 0, h;
+    if (g > 0) {
+      h = of_spheres(&course, GJK_Q30_ONE);
+    } else {
+      part = choose_part(&at, &of, enough);
+      c = parabola(&of, part);
+      g = at.g;
+      h = separation_at(&course, at.x + part);
+    }
+    // Step 3
+    const gjk_q30 z = first_root(g, h, c);
+    const gjk_q30 forward = z == GJK_Q30_ONE ? part : (gjk_q30)gjk_sar64(gjk_mul32(part, z), 30);
+    if (forward == 0 && part == 1) {
       break;
+    }
+    at.x += forward;
+    at.over = part;
+    at.fall = g - h;
+    if (z == GJK_Q30_ONE) {
+      at.g = h;
+    } else if (forward > 0) {
+      at.g = separation_at(&course, at.x);
+      at.over = part - forward;
+      at.fall = at.g - h;
     }
   }
   return at.x;

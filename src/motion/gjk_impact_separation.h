@@ -19,6 +19,9 @@
 #include "../shape/gjk_shape_class.h"
 #include "gjk_motion.h"
 
+// Hulls of up to so many vertices are baked in each pose: the stack holds them.
+#define GJK_MOVER_VERTICES 8
+
 // A body of a query.
 typedef struct gjk_mover {
   const gjk_motion *motion;
@@ -27,6 +30,7 @@ typedef struct gjk_mover {
   uint32_t reach;       // of the core's points from the body's position, LSB, posing included
   gjk_turning turning;
   gjk_collider collider;
+  gjk_vec3 baked[GJK_MOVER_VERTICES];
 } gjk_mover;
 
 // The direction and where from: both colliders are posed at start.
@@ -35,14 +39,23 @@ typedef struct gjk_separation {
   gjk_unit3 n;             // from A to B
   gjk_q30 start;
   const gjk_turning *carrier;  // how the direction turns from there on; NULL: it stands still
+  int64_t fall;                // an estimate: how much s would fall over the whole way at the rate of the start, Q8
 } gjk_separation;
 
 // The last fraction up to which s is proven to be above target all the way from the start. The start where s is not.
 // above   s - target at the start, or less; below 0: not known.
 // target  LSB, Q8, the errors of s included.
 // enough  Stops early once s - target is at most that.
+// The estimate of s->fall changes the answer and its cost, not what it proves.
 // Where the direction would turn too far away from the bodies, s->carrier becomes NULL.
 gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, int64_t enough);
+
+// The last fraction up to which the bodies' spheres, about the positions of their poses, are more than target apart along
+// the direction from A to B at the start of the way, for sure; 0 where they are not at the start. target as above.
+gjk_q30 gjk_separation_of_spheres(const gjk_mover mover[2], int64_t target);
+
+// An estimate of s->fall for points of A and B that are nearest to each other at the start.
+int64_t gjk_separation_fall(const gjk_separation *s, const gjk_vec3 *point_a, const gjk_vec3 *point_b);
 
 // How a direction turns that was from, and is to after part of the way. False: by too much or too little to tell.
 bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 part, gjk_turning *out);

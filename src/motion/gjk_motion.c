@@ -153,24 +153,41 @@ void gjk_turning_pose(const gjk_motion *motion, const gjk_turning *turning, gjk_
   }
 }
 
-void gjk_turning_rotate(const gjk_turning *turning, gjk_q30 part, bool back, gjk_unit3 *v) {
-  if (turning->half_turns == 0) {
-    return;
-  }
-  gjk_q30 sine, cosine;
-  gjk_sine_cosine(back ? -1 : 1, 2 * gjk_turning_after(turning, part), &sine, &cosine);
+// x / 2^30 to the nearest integer. Pre: that fits.
+static int32_t round_q60(int64_t x) {
+  return (int32_t)gjk_sar64(x + (INT64_C(1) << 29), 30);
+}
+
+void gjk_turning_split(const gjk_turning *turning, const gjk_unit3 *v, gjk_turned *out) {
   const gjk_vec3 axis = {turning->axis.x, turning->axis.y, turning->axis.z}, at = {v->x, v->y, v->z};
-  const int32_t along = (int32_t)gjk_sar64(gjk_dot(&axis, &at) + (INT64_C(1) << 29), 30);  // |along| < 2^30 + 2^5
+  const int32_t along = round_q60(gjk_dot(&axis, &at));  // |along| < 2^30 + 2^5
   gjk_long3 across;
   gjk_cross(&axis, &at, &across);
-  // v = p + (v - p), p along the axis:  p + cos (v - p) + sin axis x v, each at most 2^30 + 2^6 in size
-  const int64_t half = INT64_C(1) << 29;
-  const gjk_vec3 p = {times_q30(axis.x, along), times_q30(axis.y, along), times_q30(axis.z, along)};
-  const int32_t cx = (int32_t)gjk_sar64(across.x + half, 30), cy = (int32_t)gjk_sar64(across.y + half, 30);
-  const int32_t cz = (int32_t)gjk_sar64(across.z + half, 30);
-  v->x = p.x + (int32_t)gjk_sar64(gjk_mac32(gjk_mul32(cosine, at.x - p.x), sine, cx) + half, 30);
-  v->y = p.y + (int32_t)gjk_sar64(gjk_mac32(gjk_mul32(cosine, at.y - p.y), sine, cy) + half, 30);
-  v->z = p.z + (int32_t)gjk_sar64(gjk_mac32(gjk_mul32(cosine, at.z - p.z), sine, cz) + half, 30);
+  out->along.x = times_q30(axis.x, along);
+  out->along.y = times_q30(axis.y, along);
+  out->along.z = times_q30(axis.z, along);
+  out->off = gjk_sub(at, out->along);
+  out->across.x = round_q60(across.x);
+  out->across.y = round_q60(across.y);
+  out->across.z = round_q60(across.z);
+}
+
+// v = along + cos off + sin across, each at most 2^30 + 2^6 in size.
+void gjk_turning_join(const gjk_turning *turning, gjk_q30 part, bool back, const gjk_turned *split, gjk_unit3 *v) {
+  gjk_q30 sine, cosine;
+  gjk_sine_cosine(back ? -1 : 1, 2 * gjk_turning_after(turning, part), &sine, &cosine);
+  const gjk_vec3 *along = &split->along, *off = &split->off, *across = &split->across;
+  v->x = along->x + round_q60(gjk_mac32(gjk_mul32(cosine, off->x), sine, across->x));
+  v->y = along->y + round_q60(gjk_mac32(gjk_mul32(cosine, off->y), sine, across->y));
+  v->z = along->z + round_q60(gjk_mac32(gjk_mul32(cosine, off->z), sine, across->z));
+}
+
+void gjk_turning_rotate(const gjk_turning *turning, gjk_q30 part, bool back, gjk_unit3 *v) {
+  gjk_turned split;
+  if (turning->half_turns != 0) {
+    gjk_turning_split(turning, v, &split);
+    gjk_turning_join(turning, part, back, &split, v);
+  }
 }
 
 gjk_status gjk_motion_pose(const gjk_motion *motion, gjk_q30 fraction, gjk_pose *out) {

@@ -40,10 +40,22 @@ gjk_status gjk_turning_start(const gjk_motion *motion, gjk_turning *out);
 // The pose at a fraction of the way. Pre: 0 <= fraction <= GJK_Q30_ONE, gjk_turning_start has set turning.
 void gjk_turning_pose(const gjk_motion *motion, const gjk_turning *turning, gjk_q30 fraction, gjk_pose *out);
 
-// *v rotated by twice the half angle of a turning after part of the way, or back. Each component of *v is at most 2^30
-// in size, and its length 2^30 to within 2^-26.
+// A vector as a turning sees it.
+typedef struct gjk_turned {
+  gjk_vec3 along;   // its part along the axis
+  gjk_vec3 off;     // the rest of it
+  gjk_vec3 across;  // axis times vector
+} gjk_turned;
+
+// Splits v: each component is at most 2^30 in size, and the length 2^30 to within 2^-26.
+void gjk_turning_split(const gjk_turning *turning, const gjk_unit3 *v, gjk_turned *out);
+
+// *v = what was split, rotated by twice the half angle of a turning after part of the way, or back.
 // The result is within 12 2^-30, length:
 //   sine and cosine 1.42, what is along the axis 1.37 (1 - cos) <= 2.8, across 0.87, the result 0.87, the axis 5.3
+void gjk_turning_join(const gjk_turning *turning, gjk_q30 part, bool back, const gjk_turned *split, gjk_unit3 *v);
+
+// Both steps in one. Where nothing turns, *v stays as it is.
 void gjk_turning_rotate(const gjk_turning *turning, gjk_q30 part, bool back, gjk_unit3 *v);
 
 #endif

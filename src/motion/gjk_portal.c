@@ -1,9 +1,10 @@
 // Where a line enters A - B, by exact signs alone.
 //
-//   Step 1   Look beside the line: a support scan towards the line from the centres. All of A - B lies on one side: BESIDE.
-//   Step 2   The vertex found is the apex. Look for a vertex beyond the line from there, and then for a portal: two vertices
-//            such that, seen along the line, the ray from the apex towards the line passes between them. Move the portal
-//            outwards until the line lies in its triangle with the apex, or A - B lies on one side.
+//   Step 1   A support scan towards the line from the centres and, as much, towards the way's start. The vertex found is the
+//            apex: the way enters near it, mostly.
+//   Step 2   Look for a vertex beyond the line from there, and then for a portal: two vertices such that, seen along the
+//            line, the ray from the apex towards the line passes between them. Move the portal outwards until the line lies
+//            in its triangle with the apex. All of A - B lies on one side of the line: BESIDE.
 //   Step 3   Then the line passes through the triangle: that is a point of A - B. Take the triangle's plane, with the normal
 //            towards the way's start. The start lies on the plane: INSIDE.
 //   Step 4   Support scan along the normal. All of A - B lies behind both ends of the way: SHORT.
@@ -30,32 +31,6 @@
 #define GJK_CAST_ITERATIONS_MAX 250
 #endif
 
-// sum + n . v, of the digits that the function takes.
-#define MAC_DIGITS(digit, sum, n, v) \
-  gjk_mac32(gjk_mac32(gjk_mac32((sum), digit((n)->x), (v)->x), digit((n)->y), (v)->y), digit((n)->z), (v)->z)
-
-// n . u + m . g = 2^32 (returned) + *low, exact.
-//   |n|, |m| < 2^62.9, |u|, |g| < 2^30 lengths:   low digits at most sqrt(3) 2^31, each sum below 2^62.8 in size
-static int64_t sum_of_dots(const gjk_long3 *n, const gjk_vec3 *u, const gjk_long3 *m, const gjk_vec3 *g,
-                           uint32_t *low) {
-  const int64_t lowest = MAC_DIGITS(gjk_low_balanced, MAC_DIGITS(gjk_low_balanced, 0, n, u), m, g);
-  *low = gjk_low32(lowest);
-  return MAC_DIGITS(gjk_high_balanced, MAC_DIGITS(gjk_high_balanced, gjk_sar64(lowest, 32), n, u), m, g);
-}
-
-// The sign of n . u + m . g. The high words settle most: with n = 2^32 high + low, 0 <= low < 2^32, and m alike,
-//   |low . u + low . g| / 2^32    <  |u|_1 + |g|_1 <= sqrt(3) (2^29 + 2^30) < 2^32
-// so top >= 1 or top < -1 is the sign.
-static int sum_of_dots_sign(const gjk_long3 *n, const gjk_vec3 *u, const gjk_long3 *m, const gjk_vec3 *g) {
-  const int32_t top = gjk_high32(MAC_DIGITS(gjk_high32, MAC_DIGITS(gjk_high32, 0, n, u), m, g));
-  if (top >= 1 || top < -1) {
-    return top >= 1 ? 1 : -1;
-  }
-  uint32_t low;
-  const int64_t high = sum_of_dots(n, u, m, g, &low);
-  return high != 0 ? gjk_sign64(high) : low != 0;
-}
-
 // v / 8, rounded down.
 static gjk_vec3 eighth(const gjk_long3 *v) {
   const gjk_vec3 q = {(int32_t)gjk_sar64(v->x, 3), (int32_t)gjk_sar64(v->y, 3), (int32_t)gjk_sar64(v->z, 3)};
@@ -74,6 +49,10 @@ static gjk_vec3 place(const gjk_portal *p, const gjk_vec3 *u, int32_t x, int32_t
 }
 
 int64_t gjk_portal_dot(const gjk_portal *p, const gjk_vec3 *u, const gjk_long3 *at, uint32_t *low) {
+  if (p->near) {
+    const gjk_vec3 v = place(p, u, (int32_t)at->x, (int32_t)at->y, (int32_t)at->z);
+    return gjk_dot_exact(&p->n, &v, low);
+  }
   // |at / 8| <= sqrt(3) 2^30:  |n . (at / 8)| < 2^91, 8 times its high part < 2^63
   uint32_t low_of_q;
   const gjk_vec3 q = eighth(at), rest = place(p, u, (int32_t)(at->x & 7), (int32_t)(at->y & 7), (int32_t)(at->z & 7));
@@ -103,11 +82,11 @@ static inline uint64_t product(int64_t x, int64_t y) {
   return (uint64_t)x * (uint64_t)y;
 }
 
-// *out = t x v + *plus. Pre: it fits. Out of line: near pairs go past it.
-GJK_OUT_OF_LINE static void cross_plus(const gjk_long3 *t, const gjk_long3 *v, const gjk_long3 *plus, gjk_long3 *out) {
-  out->x = gjk_int64(product(t->y, v->z) - product(t->z, v->y) + (uint64_t)plus->x);
-  out->y = gjk_int64(product(t->z, v->x) - product(t->x, v->z) + (uint64_t)plus->y);
-  out->z = gjk_int64(product(t->x, v->y) - product(t->y, v->x) + (uint64_t)plus->z);
+// *out = t x v. Pre: it fits. Out of line: near pairs go past it.
+GJK_OUT_OF_LINE static void cross_wide(const gjk_long3 *t, const gjk_long3 *v, gjk_long3 *out) {
+  out->x = gjk_int64(product(t->y, v->z) - product(t->z, v->y));
+  out->y = gjk_int64(product(t->z, v->x) - product(t->x, v->z));
+  out->z = gjk_int64(product(t->x, v->y) - product(t->y, v->x));
 }
 
 // *to = *from, by parts: GCC makes a copy a call of memcpy on ARMv6-M.
@@ -123,30 +102,28 @@ static void copy_corner(const gjk_corner *from, gjk_corner *to) {
   to->b = from->b;
 }
 
-static const gjk_long3 nothing = {0, 0, 0};
-
-// *out = t x v + *plus.
-static void cross_way(const gjk_portal *p, const gjk_vec3 *v, const gjk_long3 *plus, gjk_long3 *out) {
+// *out = t x v.
+static void cross_way(const gjk_portal *p, const gjk_vec3 *v, gjk_long3 *out) {
   if (!p->wide) {
     gjk_cross(&p->t, v, out);
-    out->x += plus->x;
-    out->y += plus->y;
-    out->z += plus->z;
     return;
   }
   const gjk_long3 wide = {v->x, v->y, v->z};
-  cross_plus(&p->way, &wide, plus, out);
+  cross_wide(&p->way, &wide, out);
 }
 
 // *out = t x w, for the vertex w with this u.
 static void lateral(const gjk_portal *p, const gjk_vec3 *u, gjk_long3 *out) {
-  cross_way(p, u, &p->m, out);
+  cross_way(p, u, out);
+  out->x += p->m.x;
+  out->y += p->m.y;
+  out->z += p->m.z;
 }
 
-// The sign of det(t, w_i, w_j), for v = t x w_i.
-static int side_of(const gjk_portal *p, const gjk_long3 *v, const gjk_vec3 *i, const gjk_vec3 *j) {
-  const gjk_vec3 opposite = gjk_negate(*i);
-  return sum_of_dots_sign(v, j, &p->m, &opposite);
+// The sign of det(t, w_i, w_j) = (t x w_i) . (w_j - w_i), for v = t x w_i.
+static int side_of(const gjk_long3 *v, const gjk_vec3 *i, const gjk_vec3 *j) {
+  const gjk_vec3 step = gjk_sub(*j, *i);
+  return gjk_dot_sign(v, &step);
 }
 
 // The components' magnitudes, joined by or: as many bits as the largest has.
@@ -211,15 +188,17 @@ static bool refine(gjk_portal *p) {
   return moved;
 }
 
-// n = g x t, for which n . w = n . u + g . m.
+// n = g x t, for which n . w = g . (t x w).
 void gjk_portal_face(gjk_portal *p, const gjk_vec3 *g) {
   const gjk_vec3 opposite = gjk_negate(*g);
   gjk_set(g, &p->g);
-  cross_way(p, &opposite, &nothing, &p->n);
+  cross_way(p, &opposite, &p->n);
 }
 
 int gjk_portal_beside(const gjk_portal *p, const gjk_vec3 *u) {
-  return sum_of_dots_sign(&p->n, u, &p->m, &p->g);
+  gjk_long3 v;
+  lateral(p, u, &v);
+  return gjk_dot_sign(&v, &p->g);
 }
 
 // The sign of n . w for the newest vertex w of a support scan along n, which is farthest where the sign is below least.
@@ -290,7 +269,7 @@ static void widen_edge(gjk_portal *p, const gjk_long3 *v) {
     return;
   }
   p->count = 2;
-  cross_way(p, &e, &nothing, &across);
+  cross_way(p, &e, &across);
   p->axis = main_axis(&across);
   p->side = (int8_t)gjk_sign64(component_along(v, p->axis));
 }
@@ -314,7 +293,7 @@ static gjk_passage grow_portal(gjk_portal *p, const gjk_long3 *v) {
     if (look(p, 0) < 0) {
       return GJK_PASSAGE_BESIDE;
     }
-    const int side = side_of(p, v, &c[0].u, &c[3].u);
+    const int side = side_of(v, &c[0].u, &c[3].u);
     if (side > 0) {
       copy_corner(&c[3], &c[1]);
     } else if (side < 0) {
@@ -332,27 +311,37 @@ static gjk_passage grow_portal(gjk_portal *p, const gjk_long3 *v) {
   return GJK_PASSAGE_LIMIT;
 }
 
-// Steps 1 and 2. FACET: the line passes through the corners; a triangle runs counterclockwise seen against t.
-static gjk_passage find_first(gjk_portal *p) {
-  gjk_corner *c = p->corner;
-  gjk_long3 v;
+// Step 1. n = g x t leads to the line. It is tilted towards the start, on ways below 2^30 LSB.
+//   |g| < 2^30, |t| < 2^30.8:   |n| < 2^60.8, |t 2^30| < 2^60.8
+static void find_apex(gjk_portal *p) {
   gjk_vec3 g = unit_axis(gjk_next(main_axis(&p->way)), 1);
   if (!is_zero(&p->m)) {
     g = rounded_opposite(&p->m);
   }
-  if (look_along(p, &g, 0) < 0) {
-    return GJK_PASSAGE_BESIDE;
+  gjk_portal_face(p, &g);
+  if (!p->wide) {
+    p->n.x -= gjk_shl64(p->t.x, 30);
+    p->n.y -= gjk_shl64(p->t.y, 30);
+    p->n.z -= gjk_shl64(p->t.z, 30);
   }
-  copy_corner(&c[3], &c[0]);
+  scan(p);
+  copy_corner(&p->corner[3], &p->corner[0]);
+}
+
+// Steps 1 and 2. FACET: the line passes through the corners; a triangle runs counterclockwise seen against t.
+static gjk_passage find_first(gjk_portal *p) {
+  gjk_corner *c = p->corner;
+  gjk_long3 v;
+  find_apex(p);
   lateral(p, &c[0].u, &v);
   if (is_zero(&v) && !leave_line(p, &v)) {
     return GJK_PASSAGE_FACET;
   }
-  g = rounded_opposite(&v);
+  const gjk_vec3 g = rounded_opposite(&v);
   if (look_along(p, &g, 0) < 0) {
     return GJK_PASSAGE_BESIDE;
   }
-  const int side = side_of(p, &v, &c[0].u, &c[3].u);
+  const int side = side_of(&v, &c[0].u, &c[3].u);
   copy_corner(&c[side >= 0 ? 3 : 0], &c[1]);
   if (side == 0) {
     widen_edge(p, &v);
@@ -378,7 +367,7 @@ static void set_plane(gjk_portal *p) {
   p->n.z = axis.z;
   if (p->count == 2) {
     const gjk_vec3 e = gjk_sub(c[1].u, c[0].u);
-    cross_way(p, &e, &nothing, &across);  // (e x axis) . t = (t x e) . axis
+    cross_way(p, &e, &across);  // (e x axis) . t = (t x e) . axis
     gjk_cross(&e, &axis, &p->n);
   }
   if ((component_along(&across, p->axis) > 0) != p->leaving) {
@@ -391,13 +380,13 @@ static void set_plane(gjk_portal *p) {
 // The sign of det(t, w_3, w_i) where the line is moved inward; v = t x w_3. 0: both vertices lie on a parallel to the line.
 static int moved_side(const gjk_portal *p, const gjk_long3 *v, unsigned i) {
   const gjk_corner *c = p->corner;
-  int side = side_of(p, v, &c[3].u, &c[i].u);
-  const gjk_vec3 step = gjk_sub(c[3].u, c[i].u);
+  const gjk_vec3 step = gjk_sub(c[i].u, c[3].u);
+  int side = gjk_dot_sign(v, &step);
   for (unsigned k = 0; k < 2 && side == 0; k++) {
     // Moved by e w_k, the determinant grows by e det(t, w_k, w_3 - w_i).
     gjk_long3 inward;
     lateral(p, &p->inward[k], &inward);
-    side = gjk_dot_sign(&inward, &step);
+    side = -gjk_dot_sign(&inward, &step);
   }
   return side;
 }
@@ -518,7 +507,7 @@ void gjk_portal_start(gjk_portal *p, const gjk_collider *a, const gjk_collider *
   } else {
     gjk_long3 start = {p->start.x, p->start.y, p->start.z};
     scale(&start, p->shift);
-    cross_plus(&t, &start, &nothing, &p->m);
+    cross_wide(&t, &start, &p->m);
   }
   p->iterations = 0;
   p->leaving = false;
@@ -542,16 +531,16 @@ static bool holds_line(gjk_portal *p) {
   if (p->count == 2) {
     gjk_long3 across, other;
     const gjk_vec3 e = gjk_sub(c[1].u, c[0].u);
-    cross_way(p, &e, &nothing, &across);
+    cross_way(p, &e, &across);
     lateral(p, &c[1].u, &other);
     p->axis = main_axis(&across);
     const int64_t first = component_along(&v, p->axis), second = component_along(&other, p->axis);
-    return !is_zero(&across) && side_of(p, &v, &c[0].u, &c[1].u) == 0 && (first <= 0 || second <= 0) &&
+    return !is_zero(&across) && side_of(&v, &c[0].u, &c[1].u) == 0 && (first <= 0 || second <= 0) &&
            (first >= 0 || second >= 0);
   }
-  const int side = side_of(p, &v, &c[0].u, &c[1].u), side2 = side_of(p, &v, &c[0].u, &c[2].u);
+  const int side = side_of(&v, &c[0].u, &c[1].u), side2 = side_of(&v, &c[0].u, &c[2].u);
   lateral(p, &c[1].u, &v);
-  return side >= 0 && side2 <= 0 && side_of(p, &v, &c[1].u, &c[2].u) >= 0;
+  return side >= 0 && side2 <= 0 && side_of(&v, &c[1].u, &c[2].u) >= 0;
 }
 
 bool gjk_portal_load(gjk_portal *p, const gjk_cast_certificate *certificate) {
@@ -593,6 +582,15 @@ bool gjk_portal_is_entry(gjk_portal *p) {
          gjk_portal_side(p, &c[0].u, &p->goal) >= 0 && holds_line(p);
 }
 
+// v . d = 2^32 (returned) + *low, exact. Pre: |v| < 2^62.9, |d| < 2^30, lengths: the low digits' sum is below 2^62.8
+static int64_t dot_wide(const gjk_long3 *v, const gjk_vec3 *d, uint32_t *low) {
+  const gjk_vec3 lowest = {gjk_low_balanced(v->x), gjk_low_balanced(v->y), gjk_low_balanced(v->z)};
+  const gjk_vec3 highest = {gjk_high_balanced(v->x), gjk_high_balanced(v->y), gjk_high_balanced(v->z)};
+  const int64_t sum = gjk_dot(&lowest, d);
+  *low = gjk_low32(sum);
+  return gjk_dot(&highest, d) + gjk_sar64(sum, 32);
+}
+
 void gjk_portal_weights(const gjk_portal *p, gjk_u128 weight[3]) {
   const gjk_corner *c = p->corner;
   gjk_long3 v;
@@ -602,10 +600,10 @@ void gjk_portal_weights(const gjk_portal *p, gjk_u128 weight[3]) {
   if (p->count == 3) {
     for (unsigned i = 0; i < 3; i++) {
       const unsigned j = gjk_next(i), k = gjk_next(j);
-      const gjk_vec3 opposite = gjk_negate(c[j].u);
+      const gjk_vec3 step = gjk_sub(c[k].u, c[j].u);
       uint32_t low;
       lateral(p, &c[j].u, &v);
-      const int64_t high = sum_of_dots(&v, &c[k].u, &p->m, &opposite, &low);
+      const int64_t high = dot_wide(&v, &step, &low);
       weight[i].high = (uint64_t)gjk_sar64(high, 32);
       weight[i].low = (uint64_t)high << 32 | low;
     }

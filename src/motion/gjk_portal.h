@@ -12,7 +12,7 @@
 //   start, per component, in LSB                        < 2^32                     int64
 //   part of start across t, of w                        < 2^29, 2^30               by the bounding spheres
 //   m = t x start, t x w, g x t with |g| < 2^30         < 2^60.8; wide: < 2^62.8   int64
-//   det(t, w_i, w_j) = (t x w_i) . u_j - m . u_i        < 2^93                     96 bits
+//   det(t, w_i, w_j) = (t x w_i) . (u_j - u_i)          < 2^93                     96 bits
 //   n = (w_1 - w_0) x (w_2 - w_0)                       < 2^60                     int64
 //   n . w, n . t, with w and t in LSB                   < 2^93                     96 bits
 #ifndef GJK_SRC_PORTAL_H
@@ -72,7 +72,7 @@ bool gjk_portal_load(gjk_portal *p, const gjk_cast_certificate *certificate);
 // Does the way pass through the corners after its start, towards the back of their plane across n? count >= 1. Sets axis.
 bool gjk_portal_is_entry(gjk_portal *p);
 
-// Makes n = g x t, for which n . w = n . u + g . m, and the sign of that. Pre: |g| <= 2^30.
+// Makes n = g x t, for which n . w = g . (t x w), and the sign of that. Pre: |g| <= 2^30.
 void gjk_portal_face(gjk_portal *p, const gjk_vec3 *g);
 int gjk_portal_beside(const gjk_portal *p, const gjk_vec3 *u);
 

@@ -11,10 +11,15 @@ static int64_t way_along(gjk_q16 position, gjk_q16 to, gjk_q16 centre, gjk_q16 *
 }
 
 static gjk_long3 way_of(const gjk_collider *c, const gjk_vec3 *to, gjk_vec3 *end, bool *outside) {
-  const gjk_vec3 *from = &c->position, *at = to != NULL ? to : from;
-  const gjk_long3 way = {way_along(from->x, at->x, c->centre.x, &end->x, outside),
-                         way_along(from->y, at->y, c->centre.y, &end->y, outside),
-                         way_along(from->z, at->z, c->centre.z, &end->z, outside)};
+  gjk_long3 way = {0, 0, 0};
+  if (to == NULL) {
+    gjk_set(&c->centre, end);
+    return way;
+  }
+  const gjk_vec3 *from = &c->position;
+  way.x = way_along(from->x, to->x, c->centre.x, &end->x, outside);
+  way.y = way_along(from->y, to->y, c->centre.y, &end->y, outside);
+  way.z = way_along(from->z, to->z, c->centre.z, &end->z, outside);
   return way;
 }
 
