@@ -17,6 +17,7 @@
 #   make bench           on the host, other libraries beside it: what queries cost by family, in instructions (valgrind), ns
 #                        and branch mispredictions; then run time against error: tables, build/bench.html and .csv;
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more; CC=clang for clang's
+#   make bench-hull     hulls of points beside qhull and CGAL where installed: times, and answers on hard sets
 #   make bench-target    instructions, stack and code per query on the emulated cores, beside floating point
 #   make readme-figures  counts them afresh and writes the README's tables
 #   make worst-case      searches for the most expensive pairs and writes them to tests/data/worst.txt; SEED=1,
@@ -103,7 +104,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: all help lib setup test unit-tests programs demo demo-stack demo-plane demo-trace amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: bench-hull all help lib setup test unit-tests programs demo demo-stack demo-plane demo-trace amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
@@ -358,6 +359,9 @@ sizes:
 
 bench:
 	@sh tests/build/bench.sh build $(BENCH_SECONDS) $(BENCH_PAIRS)
+
+bench-hull:
+	@sh tests/build/bench-hull.sh build
 
 bench-target:
 	@sh tests/build/bench-target.sh build

@@ -31,24 +31,6 @@ typedef struct mass_polynomial {
   uint8_t plain_count, of_pi_count;
 } mass_polynomial;
 
-// Powers of a, b, c, r.
-static const mass_term box_volume[] = {{24, 0x1110}, {24, 0x1101}, {24, 0x0111}, {24, 0x1011}};
-static const mass_term box_volume_pi[] = {{6, 0x1002}, {6, 0x0102}, {6, 0x0012}, {4, 0x0003}};
-static const mass_term box_square[] = {{160, 0x3110}, {160, 0x3101}, {160, 0x3011}, {480, 0x2111},
-                                       {480, 0x1112}, {160, 0x0113}, {320, 0x1103}, {320, 0x1013}};
-static const mass_term box_square_pi[] = {{40, 0x3002}, {120, 0x2102}, {30, 0x0104}, {120, 0x2012},
-                                          {30, 0x0014}, {80, 0x2003},  {60, 0x1004}, {16, 0x0005}};
-
-// Powers of a, b, r.
-static const mass_term cylinder_volume[] = {{6, 0x210}, {6, 0x201}, {12, 0x111}, {6, 0x012}, {4, 0x003}};
-static const mass_term cylinder_volume_pi[] = {{3, 0x102}};
-static const mass_term cylinder_across[] = {{60, 0x410},  {60, 0x401}, {240, 0x311}, {360, 0x212},
-                                            {240, 0x113}, {60, 0x014}, {240, 0x203}, {32, 0x005}};
-static const mass_term cylinder_across_pi[] = {{60, 0x302}, {45, 0x104}};
-static const mass_term cylinder_along[] = {{80, 0x230},  {240, 0x221}, {240, 0x212}, {80, 0x203},  {160, 0x131},
-                                           {320, 0x113}, {80, 0x032},  {160, 0x023}, {120, 0x014}, {32, 0x005}};
-static const mass_term cylinder_along_pi[] = {{120, 0x122}, {30, 0x104}};
-
 #define TERMS(terms) ((uint8_t)(sizeof(terms) / sizeof(terms)[0]))
 #define MASS_POLYNOMIAL(name) \
   { name, name##_pi, TERMS(name), TERMS(name##_pi) }
@@ -123,6 +105,13 @@ static void set_pi_volume(uint16_t factor, int32_t a, int32_t b, int32_t c, gjk_
 
 void gjk_mass_of_axes(const int32_t half[3], int32_t radius, gjk_mass *out) {
   static const uint8_t thirds[3] = {20, 20, 20};
+  // Powers of a, b, c, r.
+  static const mass_term box_volume[] = {{24, 0x1110}, {24, 0x1101}, {24, 0x0111}, {24, 0x1011}};
+  static const mass_term box_volume_pi[] = {{6, 0x1002}, {6, 0x0102}, {6, 0x0012}, {4, 0x0003}};
+  static const mass_term box_square[] = {{160, 0x3110}, {160, 0x3101}, {160, 0x3011}, {480, 0x2111},
+                                         {480, 0x1112}, {160, 0x0113}, {320, 0x1103}, {320, 0x1013}};
+  static const mass_term box_square_pi[] = {{40, 0x3002}, {120, 0x2102}, {30, 0x0104}, {120, 0x2012},
+                                            {30, 0x0014}, {80, 0x2003},  {60, 0x1004}, {16, 0x0005}};
   static const mass_polynomial volume_of_box = MASS_POLYNOMIAL(box_volume);
   static const mass_polynomial square_in_box = MASS_POLYNOMIAL(box_square);
   gjk_big square[3], triple;
@@ -145,6 +134,15 @@ void gjk_mass_of_axes(const int32_t half[3], int32_t radius, gjk_mass *out) {
 
 void gjk_mass_of_cylinder(int32_t base_radius, int32_t half, int32_t radius, gjk_mass *out) {
   static const uint8_t factors[3] = {15, 15, 20};
+  // Powers of a, b, r.
+  static const mass_term cylinder_volume[] = {{6, 0x210}, {6, 0x201}, {12, 0x111}, {6, 0x012}, {4, 0x003}};
+  static const mass_term cylinder_volume_pi[] = {{3, 0x102}};
+  static const mass_term cylinder_across[] = {{60, 0x410},  {60, 0x401}, {240, 0x311}, {360, 0x212},
+                                              {240, 0x113}, {60, 0x014}, {240, 0x203}, {32, 0x005}};
+  static const mass_term cylinder_across_pi[] = {{60, 0x302}, {45, 0x104}};
+  static const mass_term cylinder_along[] = {{80, 0x230},  {240, 0x221}, {240, 0x212}, {80, 0x203},  {160, 0x131},
+                                             {320, 0x113}, {80, 0x032},  {160, 0x023}, {120, 0x014}, {32, 0x005}};
+  static const mass_term cylinder_along_pi[] = {{120, 0x122}, {30, 0x104}};
   static const mass_polynomial volume_of_cylinder = MASS_POLYNOMIAL(cylinder_volume);
   static const mass_polynomial square_across = MASS_POLYNOMIAL(cylinder_across);
   static const mass_polynomial square_along = MASS_POLYNOMIAL(cylinder_along);

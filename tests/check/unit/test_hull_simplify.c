@@ -1,0 +1,205 @@
+// Simple hulls: all points inside exactly, few enough vertices, and the stated excess never less than the true one.
+#include "gjk/collider.h"
+#include "gjk/distance.h"
+#include "hull_points.h"
+
+static hull_points p, simple;
+static hull_output out, full;
+static uint32_t workspace[GJK_HULL_SIMPLIFY_WORKSPACE(HULL_POINTS) / 4];
+
+// The largest distance of a vertex of the simple hull from the hull of all points, by GJK.
+static int64_t true_excess(void) {
+  const gjk_shape hull = GJK_HULL(full.vertex, full.hull.vertices), point = GJK_POINT;
+  static gjk_vec3 buffer[HULL_POINTS];
+  gjk_collider a = {0}, b = {0};
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  int64_t most = 0;
+  if (gjk_collider_init(&a, &hull, buffer, HULL_POINTS) != GJK_OK) {
+    return 0;  // beyond the size of shapes
+  }
+  CHECK(gjk_collider_pose(&a, &pose) == GJK_OK && gjk_collider_init(&b, &point, NULL, 0) == GJK_OK);
+  for (unsigned i = 0; i < simple.count; i++) {
+    gjk_distance_result gap;
+    pose.position = simple.point[i];
+    CHECK(gjk_collider_pose(&b, &pose) == GJK_OK && gjk_distance(&a, &b, NULL, &gap) == GJK_OK);
+    most = gap.distance > most ? gap.distance : most;
+  }
+  return most;
+}
+
+// Is every point within or on all planes of the simple hull? By gjk_hull_check, which looks at all vertices.
+static bool encloses(void) {
+  static gjk_vec3 all[2 * HULL_POINTS];
+  gjk_hull_report report;
+  if (out.hull.dimension < 3) {
+    return out.hull.vertices == full.hull.vertices &&
+           memcmp(out.vertex, full.vertex, out.hull.vertices * sizeof out.vertex[0]) == 0;
+  }
+  memcpy(all, out.vertex, out.hull.vertices * sizeof all[0]);
+  memcpy(all + out.hull.vertices, p.point, p.count * sizeof all[0]);
+  CHECK(gjk_hull_check(all, (uint16_t)(out.hull.vertices + p.count), &out.faces, &report) == GJK_OK);
+  return report.fault == GJK_HULL_SOUND;
+}
+
+// Simplifies and checks all that is promised. Returns the excess.
+static uint32_t check_simple(uint16_t most) {
+  gjk_hull_simple result;
+  const size_t bytes = GJK_HULL_SIMPLIFY_WORKSPACE(p.count);
+  memset(workspace, 0xA5, sizeof workspace);
+  const gjk_status status = gjk_hull_simplify(p.point, p.count, most, workspace, bytes, simple.point, &result);
+  CHECK_MSG(status == GJK_OK, "status %d of %u, at most %u", status, p.count, most);
+  size_t end = sizeof workspace / 4;
+  while (end > bytes / 4 && workspace[end - 1] == UINT32_C(0xA5A5A5A5)) {
+    end--;
+  }
+  CHECK(end == bytes / 4);
+  if (status != GJK_OK) {
+    return 0;
+  }
+  simple.count = result.vertices;
+  hull_output_make(&simple, &out);
+  CHECK_MSG(result.vertices <= most && result.vertices == out.hull.vertices, "%u of %u", result.vertices, most);
+  CHECK(encloses());
+  CHECK((result.excess == 0) == (full.hull.vertices <= most));
+  const int64_t excess = true_excess();
+  CHECK_MSG(excess <= (int64_t)result.excess, "excess %lld, not %lu", (long long)excess, (unsigned long)result.excess);
+  if (full.hull.vertices <= most) {
+    CHECK(result.vertices == full.hull.vertices &&
+          memcmp(simple.point, full.vertex, result.vertices * sizeof full.vertex[0]) == 0);
+  }
+  return result.excess;
+}
+
+static void make_sphere(random_state *random, uint16_t count, int32_t radius, int32_t flat) {
+  p.count = 0;
+  while (p.count < count) {
+    const int32_t x = random_range(random, -1000, 1000), y = random_range(random, -1000, 1000),
+                  z = random_range(random, -1000, 1000), squared = x * x + y * y + z * z;
+    if (squared <= 1000000 && squared >= 900000) {
+      hull_points_add(&p, x * (radius / 1000), y * (radius / 1000), z * (radius / 1000) / flat);
+    }
+  }
+}
+
+static void test_spheres(uint64_t seed) {
+  static const uint16_t most[] = {4, 5, 8, 12, 16, 32, 64, 200};
+  random_state random = random_seed(seed);
+  for (unsigned long trial = 0; trial < 6; trial++) {
+    make_sphere(&random, (uint16_t)(trial < 3 ? 100 : 300), trial == 1 ? 200000000 : 65536, trial == 2 ? 64 : 1);
+    check_trial(trial, NULL, NULL);
+    hull_output_make(&p, &full);
+    for (unsigned i = 0; i < sizeof most / sizeof most[0]; i++) {
+      if (trial == 1 && most[i] < 8) {
+        continue;  // a tetrahedron around a box of this size has no room
+      }
+      const uint32_t excess = check_simple(most[i]);
+      if (trial == 3 && most[i] != 5) {
+        printf("sphere of %u vertices, radius 65536: %u vertices, excess %lu, truly %lld\n", full.hull.vertices,
+               simple.count, (unsigned long)excess, (long long)true_excess());
+      }
+    }
+  }
+}
+
+static void test_random(uint64_t seed) {
+  random_state random = random_seed(seed + 1);
+  unsigned same = 0, fewer = 0, flat = 0, boxed = 0;
+  for (unsigned long trial = 0; trial < 1500; trial++) {
+    const int32_t size = INT32_C(2) << random_below(&random, 26), thick = size >> random_below(&random, 28);
+    const int32_t at = random_range(&random, -1000000000, 1000000000);
+    p.count = 0;
+    const uint32_t count = 1 + random_below(&random, 40);
+    for (uint32_t i = 0; i < count; i++) {
+      const int32_t x = random_range(&random, -size, size);
+      hull_points_add(&p, at + x, random_range(&random, -size, size) - at,
+                      at + random_range(&random, -thick, thick) + (trial % 3 == 0 ? x / 2 : 0));
+    }
+    check_trial(trial, hull_points_print, &p);
+    hull_output_make(&p, &full);
+    const uint16_t most = (uint16_t)(4 + random_below(&random, 16));
+    if (most < 8 && size > (INT32_C(1) << 25)) {
+      continue;
+    }
+    check_simple(most);
+    flat += full.hull.dimension < 3;
+    same += full.hull.vertices <= most;
+    fewer += full.hull.vertices > most;
+    boxed += full.hull.vertices > most && simple.count == 8;
+    const hull_points kept = simple;
+    hull_points_shuffle(&p, &random);
+    check_simple(most);
+    CHECK(kept.count == simple.count && memcmp(kept.point, simple.point, kept.count * sizeof kept.point[0]) == 0);
+  }
+  CHECK_MSG(same > 300 && fewer > 300 && flat > 30, "%u %u %u", same, fewer, flat);
+  printf("random: %u as they were, %u simplified, %u of these to 8 vertices\n", same, fewer, boxed);
+}
+
+// Grids, prisms, both ends of int32, points in a plane.
+static void test_cases(void) {
+  for (int corner = 0; corner < 2; corner++) {
+    const int32_t side = 2 * GJK_RADIUS_MAX, low = corner == 0 ? INT32_MIN : INT32_MAX - side;
+    p.count = 0;
+    for (unsigned i = 0; i < 8; i++) {
+      hull_points_add(&p, low + ((i & 1) != 0 ? side : 0), low + ((i & 2) != 0 ? side : 0),
+                      low + ((i & 4) != 0 ? side : 0));
+    }
+    for (int32_t i = 0; i < 6; i++) {  // one corner cut off
+      hull_points_add(&p, low + 9 - i, low + i * i, low);
+    }
+    p.point[0].x += 10;
+    hull_output_make(&p, &full);
+    check_trial((unsigned long)corner, hull_points_print, &p);
+    check_simple(8);
+    gjk_hull_simple result = {77, 88};
+    CHECK(gjk_hull_simplify(p.point, p.count, 4, workspace, sizeof workspace, simple.point, &result) ==
+              GJK_ERROR_RANGE &&
+          result.vertices == 77 && result.excess == 88);
+  }
+  p.count = 0;
+  for (int32_t i = 0; i < 30; i++) {  // a polygon in a plane
+    hull_points_add(&p, i * 100, i * i * 10, i * 300 - 7);
+  }
+  check_trial(2, hull_points_print, &p);
+  hull_output_make(&p, &full);
+  CHECK(full.hull.dimension == 2);
+  check_simple(4);
+  check_simple(8);
+  check_simple(30);
+  for (int32_t i = 0; i < 30; i++) {  // its prism
+    hull_points_add(&p, i * 100 + 5000, i * i * 10, i * 300 - 7);
+  }
+  check_trial(3, hull_points_print, &p);
+  hull_output_make(&p, &full);
+  for (uint16_t most = 4; most <= 61; most++) {
+    check_simple(most);
+  }
+}
+
+static void test_statuses(void) {
+  gjk_hull_simple result = {77, 88};
+  gjk_vec3 far[2] = {{0, 0, 0}, {INT32_MAX, 0, 0}};
+  const size_t bytes = sizeof workspace;
+  CHECK(gjk_hull_simplify(NULL, 1, 8, workspace, bytes, simple.point, &result) == GJK_ERROR_NULL);
+  CHECK(gjk_hull_simplify(far, 1, 8, NULL, bytes, simple.point, &result) == GJK_ERROR_NULL);
+  CHECK(gjk_hull_simplify(far, 1, 8, workspace, bytes, NULL, &result) == GJK_ERROR_NULL);
+  CHECK(gjk_hull_simplify(far, 1, 8, workspace, bytes, simple.point, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_hull_simplify(far, 0, 8, workspace, bytes, simple.point, &result) == GJK_ERROR_EMPTY);
+  CHECK(gjk_hull_simplify(far, 2, 8, workspace, bytes, simple.point, &result) == GJK_ERROR_SIZE);
+  CHECK(gjk_hull_simplify(far, 1, 3, workspace, bytes, simple.point, &result) == GJK_ERROR_RANGE);
+  CHECK(gjk_hull_simplify(far, 1, 8, (unsigned char *)workspace + 2, bytes - 2, simple.point, &result) ==
+        GJK_ERROR_RANGE);
+  CHECK(gjk_hull_simplify(far, 1, 8, workspace, GJK_HULL_SIMPLIFY_WORKSPACE(1) - 1, simple.point, &result) ==
+        GJK_ERROR_CAPACITY);
+  CHECK(result.vertices == 77 && result.excess == 88);
+  CHECK(gjk_hull_simplify(far, 1, 4, workspace, GJK_HULL_SIMPLIFY_WORKSPACE(1), simple.point, &result) == GJK_OK);
+  CHECK(result.vertices == 1 && result.excess == 0 && simple.point[0].x == 0);
+}
+
+int main(void) {
+  const uint64_t seed = check_seed(271828);
+  test_statuses();
+  test_cases();
+  test_spheres(seed);
+  test_random(seed);
+  return check_done("hull simplify");
+}
