@@ -291,7 +291,8 @@ prove_one() {
         hull_facets) level=5 ;;
         hull_build) models='hull_grow hull_facets' ;;
       esac
-      set -- "$1" -eva-slevel $level -eva-interprocedural-splits
+      set -- "$1" -eva-slevel $level
+      [ "$driver" = hull_check ] || set -- "$@" -eva-interprocedural-splits
       ;;
     quotient | way | swept | motion)
       sources=$(echo src/motion/*.c src/arith/*.c src/place/*.c src/query/gjk_status.c)

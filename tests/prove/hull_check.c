@@ -1,5 +1,5 @@
 // gjk_hull_check on any vertices (4), corners of any number, null pointers too. CASE 0: up to two faces whose ends are any
-// that lie in the list of 12 corners. CASE 1: a face of 3 corners and one of 5.
+// that lie in the list of 12 corners. CASE n: n faces of 3 corners, and one more of 5, or to the end of the list.
 #include "any.h"
 #include "gjk/hull.h"
 
@@ -8,7 +8,7 @@
 
 int main(void) {
   static gjk_vec3 vertices[VERTICES];
-  static uint16_t corner[CORNERS], end[2];
+  static uint16_t corner[CORNERS], end[4];
   gjk_hull_report report;
   uint16_t count;
   for (int i = 0; i < VERTICES; i++) {
@@ -23,9 +23,10 @@ int main(void) {
   }
   count = (uint16_t)any_between(0, 2);
 #else
-  end[0] = 3;
-  end[1] = 8;
-  count = 2;
+  for (int i = 0; i < 4; i++) {
+    end[i] = (uint16_t)(i < CASE ? 3 * i + 3 : CASE * 3 + 5 < CORNERS ? CASE * 3 + 5 : CORNERS);
+  }
+  count = CASE < 4 ? CASE + 1 : 4;
 #endif
   const gjk_hull_faces faces = {any_bool() ? corner : NULL, any_bool() ? end : NULL, count};
   const int status = gjk_hull_check(any_bool() ? vertices : NULL, (uint16_t)any_between(0, VERTICES),
