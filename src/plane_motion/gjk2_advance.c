@@ -148,21 +148,57 @@ static void plane_advance_face(const plane_advance *s, plane_face *face) {
   }
 }
 
-// The same where rounding the place of the fraction has closed a gap of less than an LSB: the feature is within radius.
+// One coordinate of the way at a fraction, exact, less from, Q30. Pre: it is below 2^30 in size.
+static int64_t plane_fine_part(int64_t way, gjk_q30 fraction, int64_t from) {
+  const int64_t exact = way * fraction, whole = gjk_sar64(exact, 30);  // below 2^62
+  return gjk_shl64(whole - from, 30) + (exact - gjk_shl64(whole, 30));
+}
+
+// From a vertex to the exact place of the fraction, as fine as 30 bits allow. Pre: it is at most 2^29 away along an axis.
+static gjk2_vec plane_advance_fine(const plane_advance *s, gjk2_vec o) {
+  const gjk2_way *way = s->way;
+  const int64_t x = plane_fine_part(way->t.x, s->fraction, way->delta.x + o.x);
+  const int64_t y = plane_fine_part(way->t.y, s->fraction, way->delta.y + o.y);
+  const unsigned zeros = gjk_clz64(gjk_magnitude64(x) | gjk_magnitude64(y) | 1);
+  const unsigned down = zeros < 35 ? 35 - zeros : 0;
+  const gjk2_vec n = {(int32_t)gjk_sar64(x, down), (int32_t)gjk_sar64(y, down)};  // below 2^29
+  return n;
+}
+
+// Is the foot of a place between the vertices x and p, and the place on the other side of their line than q? to: from x.
+static bool plane_advance_faces(gjk2_vec to, gjk2_vec x, gjk2_vec p, gjk2_vec q) {
+  const gjk2_vec edge = gjk2_sub(p, x);
+  const int64_t side = gjk2_cross(edge, to);
+  return gjk2_dot(to, edge) > 0 && (gjk2_cross(edge, gjk2_sub(q, x)) > 0 ? side < 0 : side > 0);
+}
+
+// Where rounding the place of the fraction has closed a gap of less than an LSB: the feature nearest to the exact place,
+// by GJK from one that is near. At the ceiling, which is not known to be reached, the result is not proven.
 static void plane_advance_touch(plane_advance *s) {
   const gjk2_certificate *c = &s->gap.certificate;
   plane_face *face = &s->face;
-  if (c->proof != GJK2_PROOF_NEAR) {
-    return;
-  }
   plane_load_span(s->way, c->a[0], c->b[0], &face->p);
-  const gjk2_long from = plane_place_from(s->way, face->p.o, s->fraction);
-  face->n.x = (int32_t)from.x;  // about radius long, which is below 2^29 where the margin is 0
-  face->n.y = (int32_t)from.y;
   face->count = 1;
-  if (c->count == 2) {
-    plane_load_span(s->way, c->a[1], c->b[1], &face->q);
-    plane_advance_across(face, face->n);
+  face->n = plane_advance_fine(s, face->p.o);
+  for (int i = 0; i < 16; i++) {
+    gjk2_span x;
+    gjk2_way_scan(s->way, face->n, &x);
+    if (gjk2_dot(face->n, gjk2_sub(x.o, face->p.o)) <= 0) {
+      break;
+    }
+    const gjk2_vec to = plane_advance_fine(s, x.o);
+    if (face->count == 1 ? gjk2_dot(to, gjk2_sub(face->p.o, x.o)) > 0
+                         : plane_advance_faces(to, x.o, face->p.o, face->q.o)) {
+      gjk2_copy_span(&face->q, &x);
+      plane_advance_across(face, to);
+    } else if (face->count == 2 && plane_advance_faces(to, x.o, face->q.o, face->p.o)) {
+      gjk2_copy_span(&face->p, &x);
+      plane_advance_across(face, to);
+    } else {
+      gjk2_copy_span(&face->p, &x);
+      face->count = 1;
+      face->n = to;
+    }
   }
 }
 
