@@ -83,9 +83,8 @@ gjk_status gjk2_cast_ray(const gjk2_collider *a, const gjk2_vec *from, const gjk
 // Points, normal and resting places are proven to follow from the certificate. Where the bounding circles do not meet on the
 // way the certificate is not looked at.
 //
-// Statuses  UNPROVEN: the certificate does not hold, or does not prove the result. A hit with a radius or margin that grazes
-//           within an LSB may be that, too: 1 in 2,000 random casts of shapes of a few LSB. UNSUPPORTED: a curved shape; or
-//           a radius or margin, and a way or centres that are 2^30 LSB or more apart along an axis.
+// Statuses  UNPROVEN: the certificate does not hold, or does not prove the result. UNSUPPORTED: a curved shape; or a radius
+//           or margin, and a way or centres that are 2^30 LSB or more apart along an axis.
 gjk_status gjk2_check_cast(const gjk2_collider *a, const gjk2_collider *b, const gjk2_cast_path *path,
                            const gjk2_cast_result *result);
 
