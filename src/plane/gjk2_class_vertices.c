@@ -244,7 +244,7 @@ static void support_polygon(const gjk2_collider *c, const gjk2_vec *d, gjk2_supp
 //   rotated back, d is off by less than 1 in each component:             |v| 2 < 2^30, off by less than 2 core_radius
 //   a posed vertex is off by less than 3/4 and 1/2 per component:        5/4 (|d.x| + |d.y|)
 // Two vertices are ordered wrongly only within twice that; there posed ones are compared.
-GJK_OUT_OF_LINE static void support_plane_lazy(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+GJK_OUT_OF_LINE static void scan_plane_lazy(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
   const gjk2_vec local = gjk2_rotate_back(&c->frame[0], *d);
   const int64_t slack = 4 * (int64_t)c->core_radius + 3 * (int64_t)gjk2_norm1(*d);
   uint32_t best = 0;
@@ -286,7 +286,7 @@ static inline bool is_farther_lazy(const gjk2_collider *c, const gjk2_vec *p, co
   return gjk2_dot(gjk2_sub(at_q, at_p), *d) > 0;
 }
 
-// climb_list for a lazy collider, with the bound of support_plane_lazy.
+// climb_list for a lazy collider, with the bound of scan_plane_lazy.
 GJK_OUT_OF_LINE static void climb_plane_lazy(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
   const gjk2_vec local = gjk2_rotate_back(&c->frame[0], *d);
   const int64_t slack = 4 * (int64_t)c->core_radius + 3 * (int64_t)gjk2_norm1(*d);
@@ -307,10 +307,12 @@ GJK_OUT_OF_LINE static void climb_plane_lazy(const gjk2_collider *c, const gjk2_
 }
 
 static void support_polygon(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
-  if (c->buffer == NULL && c->ordered) {
-    climb_plane_lazy(c, d, out);
-  } else if (c->buffer == NULL) {
-    support_plane_lazy(c, d, out);
+  if (c->buffer == NULL) {
+    if (c->ordered) {
+      climb_plane_lazy(c, d, out);
+    } else {
+      scan_plane_lazy(c, d, out);
+    }
   } else if (c->ordered) {
     climb_list(c->buffer, c->count, c->core_radius, d, out);
   } else {

@@ -284,7 +284,7 @@ static void plane_advance_touch(plane_advance *s) {
     } else {
       gjk2_copy_span(&face->p, &x);
       face->count = 1;
-      face->n = to;
+      gjk2_copy(&face->n, &to);
     }
   }
   gjk_q30 next;
@@ -321,7 +321,7 @@ static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
   gjk2_span support;
   *bound = plane_advance_bound(s, s->face.n, &support, &next);
   if (s->curved) {
-    s->face.p = support;
+    gjk2_copy_span(&s->face.p, &support);
   }
   if (*bound != GJK2_BOUND_AT) {
     return true;

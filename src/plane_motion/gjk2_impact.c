@@ -104,15 +104,18 @@ static void plane_impact_gap(plane_impact *s) {
   gjk2_search *search = &s->search;
   gjk2_distance_result *gap = &s->gap;
   (void)gjk2_search_start(search, a, b, false, (uint32_t)(a->shape->convex_radius + b->shape->convex_radius));
-  s->nearest = false;
-  s->open = false;
-  if (!gjk2_search_is_exact(search)) {
-    s->open = gjk2_distance(a, b, NULL, gap) != GJK_OK;
-    return;
+  gjk2_outcome outcome = gjk2_search_run(search, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
+  s->nearest = outcome == GJK2_OUTCOME_NEAREST && gjk2_search_is_exact(search);
+  if (outcome == GJK2_OUTCOME_LIMIT) {
+    outcome = gjk2_distance_settle(search, gap);
   }
-  if (gjk2_search_run(search, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT) != GJK2_OUTCOME_NEAREST) {
-    gap->intersecting = true;
-    gap->distance = 0;
+  s->open = outcome == GJK2_OUTCOME_LIMIT;
+  if (!s->nearest) {
+    if (s->open) {
+      gjk2_distance_stop(search, gap);
+    } else {
+      gjk2_distance_report(search, outcome, NULL, gap);
+    }
     return;
   }
   gjk2_length length;
@@ -124,7 +127,6 @@ static void plane_impact_gap(plane_impact *s) {
   gap->upper = gap->distance;
   gap->intersecting = false;
   gap->saturated = false;
-  s->nearest = true;
 }
 
 // Step 1. Statuses: OK, RANGE, ROTATION.
