@@ -41,8 +41,8 @@ typedef struct gjk2_cast_result {
   gjk2_vec point_a;    // where A is touched; zero, like the next two, where the shapes share a point at the start
   gjk2_vec point_b;    // where B is touched, margin away from point_a
   gjk2_unit normal;    // from A to B, Q2.30
-  gjk2_vec rest_a;     // positions of both poses at contact, in whole LSB: A's to the nearest, B's against A's away from
-  gjk2_vec rest_b;     // A. There the gap is at least the margin, and with margin 0 the shapes share no inner point
+  gjk2_vec rest_a;     // positions of both poses at contact, whole LSB: A's to the nearest, B's against it away from A.
+  gjk2_vec rest_b;     // There the gap is at least the margin, and with margin 0 the shapes share no inner point
   bool saturated;      // a coordinate of a point or of rest_b is beyond Q16.16, and has the end of that range
   uint8_t iterations;  // support scans of both shapes
   gjk2_cast_certificate certificate;
