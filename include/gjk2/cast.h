@@ -41,9 +41,9 @@ typedef struct gjk2_cast_result {
   gjk2_vec point_a;    // where A is touched; zero, like the next two, where the shapes share a point at the start
   gjk2_vec point_b;    // where B is touched, margin away from point_a
   gjk2_unit normal;    // from A to B, Q2.30
-  gjk2_vec rest_a;     // positions of both poses at contact, in whole LSB. B's is rounded away from A: with both there
-  gjk2_vec rest_b;     // the gap is at least the margin, and with margin 0 the shapes share no inner point
-  bool saturated;      // a coordinate of a point is beyond Q16.16, and has the end of that range
+  gjk2_vec rest_a;     // positions of both poses at contact, whole LSB: A's to the nearest, B's against it away from A.
+  gjk2_vec rest_b;     // There the gap is at least the margin, and with margin 0 the shapes share no inner point
+  bool saturated;      // a coordinate of a point or of rest_b is beyond Q16.16, and has the end of that range
   uint8_t iterations;  // support scans of both shapes
   gjk2_cast_certificate certificate;
 } gjk2_cast_result;
@@ -55,9 +55,9 @@ typedef struct gjk2_cast_result {
 //         one against the other is 2^32 LSB or longer along an axis; that takes two that move.
 // out     the caller's. After a miss only hit, iterations and certificate are set.
 // Exact   points, segments, triangles, boxes, polygons and their forms with a convex radius: hit or miss always.
-//           without radius and margin   the fraction is the exact quotient, rounded down; rest_a and rest_b are the exact
-//                                       places, each coordinate rounded away from the other shape, across the normal
-//                                       towards the start
+//           without radius and margin   the fraction is the exact quotient, rounded down. rest_a is the exact place to the
+//                                       nearest LSB. rest_b less rest_a is exact but rounded along the normal; a
+//                                       coordinate along which the normal has none, to the nearest LSB
 //           with one                    no contact before fraction; the gap there is at most 2 LSB above the margin.
 //                                       rest_a and rest_b are the places at fraction, rounded so
 //         Ellipse, custom: as gjk2_within decides at a gap within 2 LSB of the margin; the gap at fraction at most 4 LSB
@@ -83,9 +83,8 @@ gjk_status gjk2_cast_ray(const gjk2_collider *a, const gjk2_vec *from, const gjk
 // Points, normal and resting places are proven to follow from the certificate. Where the bounding circles do not meet on the
 // way the certificate is not looked at.
 //
-// Statuses  UNPROVEN: the certificate does not hold, or does not prove the result. A hit with a radius or margin that grazes
-//           within an LSB may be that, too: 1 in 2,000 random casts of shapes of a few LSB. UNSUPPORTED: a curved shape; or
-//           a radius or margin, and a way or centres that are 2^30 LSB or more apart along an axis.
+// Statuses  UNPROVEN: the certificate does not hold, or does not prove the result. UNSUPPORTED: a curved shape; or a radius
+//           or margin, and a way or centres that are 2^30 LSB or more apart along an axis.
 gjk_status gjk2_check_cast(const gjk2_collider *a, const gjk2_collider *b, const gjk2_cast_path *path,
                            const gjk2_cast_result *result);
 

@@ -244,7 +244,7 @@ static void support_polygon(const gjk2_collider *c, const gjk2_vec *d, gjk2_supp
 //   rotated back, d is off by less than 1 in each component:             |v| 2 < 2^30, off by less than 2 core_radius
 //   a posed vertex is off by less than 3/4 and 1/2 per component:        5/4 (|d.x| + |d.y|)
 // Two vertices are ordered wrongly only within twice that; there posed ones are compared.
-GJK_OUT_OF_LINE static void support_plane_lazy(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+GJK_OUT_OF_LINE static void scan_plane_lazy(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
   const gjk2_vec local = gjk2_rotate_back(&c->frame[0], *d);
   const int64_t slack = 4 * (int64_t)c->core_radius + 3 * (int64_t)gjk2_norm1(*d);
   uint32_t best = 0;
@@ -273,9 +273,46 @@ GJK_OUT_OF_LINE static void support_plane_lazy(const gjk2_collider *c, const gjk
   out->vertex = (uint16_t)best;
 }
 
+// Is the posed vertex q farther along d than p? local: d rotated back. Within slack the shape's own vertices do not tell.
+static inline bool is_farther_lazy(const gjk2_collider *c, const gjk2_vec *p, const gjk2_vec *q, const gjk2_vec *local,
+                                   int64_t slack, const gjk2_vec *d) {
+  const int64_t gain = gjk2_dot(gjk2_sub(*q, *p), *local);
+  if (gain > slack || gain < -slack) {
+    return gain > 0;
+  }
+  const gjk2_vec *v = c->shape->vertices;
+  const gjk2_vec at_p = plane_posed(c, &c->frame[0], (uint32_t)(p - v)),
+                 at_q = plane_posed(c, &c->frame[0], (uint32_t)(q - v));
+  return gjk2_dot(gjk2_sub(at_q, at_p), *d) > 0;
+}
+
+// climb_list for a lazy collider, with the bound of scan_plane_lazy.
+GJK_OUT_OF_LINE static void climb_plane_lazy(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+  const gjk2_vec local = gjk2_rotate_back(&c->frame[0], *d);
+  const int64_t slack = 4 * (int64_t)c->core_radius + 3 * (int64_t)gjk2_norm1(*d);
+  const gjk2_vec *const v = c->shape->vertices, *const end = v + c->count, *best = v;
+  if (is_farther_lazy(c, v, v + 1, &local, slack, d)) {
+    do {  // at most once for each vertex
+      best++;
+    } while (best + 1 != end && is_farther_lazy(c, best, best + 1, &local, slack, d));
+  } else if (is_farther_lazy(c, v, end - 1, &local, slack, d)) {
+    best = end;
+    do {  // at most once for each vertex: the first is less far
+      best--;
+    } while (!is_farther_lazy(c, best - 1, best, &local, slack, d));
+  }
+  const uint32_t index = (uint32_t)(best - v);
+  out->offset = plane_posed(c, &c->frame[0], index);
+  out->vertex = (uint16_t)index;
+}
+
 static void support_polygon(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
   if (c->buffer == NULL) {
-    support_plane_lazy(c, d, out);
+    if (c->ordered) {
+      climb_plane_lazy(c, d, out);
+    } else {
+      scan_plane_lazy(c, d, out);
+    }
   } else if (c->ordered) {
     climb_list(c->buffer, c->count, c->core_radius, d, out);
   } else {
@@ -308,11 +345,11 @@ static void adjacent_vertices(const gjk2_collider *c, const gjk2_support *from, 
     number = (number > 0 ? number : c->count) - 1u;
   }
   way->vertex = (uint16_t)number;
-  if (c->buffer != NULL) {
-    way->offset = gjk2_sub(c->buffer[number], from->offset);
+  const gjk2_vec *v = c->buffer != NULL ? c->buffer : c->frame;
+  if (c->buffer == NULL && c->shape->type->buffered) {
+    way->offset = gjk2_sub(plane_posed(c, v, number), from->offset);
   } else {
-    (void)c->shape->type->vertex(c, (uint16_t)number, &way->offset);
-    way->offset = gjk2_sub(way->offset, from->offset);
+    way->offset = gjk2_sub(v[number], from->offset);
   }
 }
 

@@ -111,7 +111,7 @@ GJK_OUT_OF_LINE static gjk2_outcome settle_limit(gjk2_search *s, gjk2_distance_r
 }
 
 // Step 4: reports the nearest points so far, beside the bounds.
-static void plane_stop_early(const gjk2_search *s, gjk2_distance_result *out) {
+void gjk2_distance_stop(const gjk2_search *s, gjk2_distance_result *out) {
   gjk2_length length;
   out->saturated = report_feature(s, &length, out);
   out->intersecting = false;
@@ -129,6 +129,11 @@ static void start_bounds(gjk2_distance_result *out) {
   out->upper = GJK2_DISTANCE_MAX;
 }
 
+gjk2_outcome gjk2_distance_settle(gjk2_search *s, gjk2_distance_result *out) {
+  start_bounds(out);
+  return settle_limit(s, out);
+}
+
 gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache, gjk2_distance_result *out) {
   const gjk_status status = gjk2_check_pair(a, b, out);
   if (status != GJK_OK) {
@@ -141,10 +146,9 @@ gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_ca
   }
   gjk2_outcome outcome = gjk2_search_run(&s, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
   if (outcome == GJK2_OUTCOME_LIMIT) {
-    start_bounds(out);
-    outcome = settle_limit(&s, out);
+    outcome = gjk2_distance_settle(&s, out);
     if (outcome == GJK2_OUTCOME_LIMIT) {
-      plane_stop_early(&s, out);
+      gjk2_distance_stop(&s, out);
       return GJK_ERROR_ITERATION_LIMIT;
     }
   }
@@ -179,6 +183,6 @@ gjk_status gjk2_distance_until(const gjk2_collider *a, const gjk2_collider *b, c
     }
     spent = effort->error > 0 && out->upper - out->lower <= effort->error;
   } while (!spent && s.iterations < most);
-  plane_stop_early(&s, out);
+  gjk2_distance_stop(&s, out);
   return spent || limited ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
 }

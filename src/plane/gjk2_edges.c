@@ -137,9 +137,15 @@ bool gjk2_edge_is_lower(const gjk2_edge *edge, uint64_t height, const gjk2_lengt
 typedef struct nearest_so_far {
   gjk2_edge *edge;
   uint64_t low, high;  // bounds of its distance, 2^-32 LSB
-  uint32_t above;      // LSB, not below its distance
+  uint32_t above;      // LSB, more than its distance and CENTRE_SLACK
   bool found;
+  bool back;  // it was found clockwise: an edge as near comes before it
 } nearest_so_far;
+
+// The centre of a shape, that of its vertices' bounding box, lies in their hull: a line p x + q y = 0 through the middle of
+// the box, p >= |q|, has the vertex that touches the box's left side on its left, or on it. Rounding moves a vertex against
+// it by less than 0.75 sqrt(2) LSB, and the middle by at most 0.5 sqrt(2). So two centres are off by less than this, LSB.
+#define CENTRE_SLACK 4
 
 // Bounds of height / |length| in 2^-32 LSB. Pre: it is below 2^31.
 static void bound_height(const gjk2_length *length, uint64_t height, uint64_t *low, uint64_t *high) {
@@ -157,19 +163,21 @@ static void bound_height(const gjk2_length *length, uint64_t height, uint64_t *l
   *high = middle + error;
 }
 
-// Step 4 for the edge by step from w, the vertex of A - B at a and b. Returns whether it is the nearest so far.
-GJK_OUT_OF_LINE static bool keep_lower(nearest_so_far *n, gjk2_vec step, uint64_t height) {
+// Step 4 for the edge by step. Returns whether it is the nearest so far. back: it is found clockwise.
+GJK_OUT_OF_LINE static bool keep_lower(nearest_so_far *n, gjk2_vec step, uint64_t height, bool back) {
   gjk2_length length;
   uint64_t low, high;
   gjk2_length_set(&length, step);
   bound_height(&length, height, &low, &high);
-  if (n->found && (low > n->high || (high >= n->low && compare_exactly(n->edge, height, &length) >= 0))) {
+  if (n->found &&
+      (low > n->high || (high >= n->low && compare_exactly(n->edge, height, &length) >= (n->back ? 1 : 0)))) {
     return false;
   }
   n->found = true;
+  n->back = back;
   n->low = low;
   n->high = high;
-  n->above = (uint32_t)(high >> 32) + 1;
+  n->above = (uint32_t)(high >> 32) + 1 + CENTRE_SLACK;
   gjk2_copy_length(&n->edge->length, &length);
   n->edge->height = (int64_t)height;
   return true;
@@ -187,17 +195,34 @@ static void set_corner(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out)
 // What the loop of gjk2_nearest_edge does where both shapes have lists of corners, which are hulls with area: without
 // an end of either list. The next edge of each shape turns by less than half a turn from the last edge of all, so the
 // sign of their cross product tells which one comes first, also where one shape begins anew.
+//
+// Edges on the far side are left out. The shapes' centres lie in them, up to CENTRE_SLACK, so delta lies in A - B. Then no
+// edge whose normal n points along or near delta is the nearest: its line is at least n . delta / |n| from the origin.
+// Edges are visited counterclockwise from the beginning, until one of them, with normal n and end w, shows that no normal
+// from n on to delta is one of a nearer edge; then clockwise from the beginning, likewise. The test of a vertex w:
+//   the line from w to delta passes the origin on its left side, at `above` or more. Let m be its unit normal
+//   directions m' with m' . w at least the distance so far make an arc around w, which holds n and m
+//   directions m' with m' . delta at least `above` make an arc around delta, which holds m and delta
+//   m lies up to half a turn after n, since delta is not beyond the edge, which is tested
+// So both arcs together hold all directions from n to delta, or n is past delta already.
+//
+// The answer is that of one round counterclockwise: of equally near edges the first one there, and of edges that
+// separate likewise. On the way back that is the last one.
 
-// The next edge of a shape.
+// The next edge of a shape, whichever way the walk goes.
 typedef struct listed_edge {
-  const gjk2_vec *from, *to;
-  gjk2_vec step;  // of B its negative
+  const gjk2_vec *from, *to;  // in the order of the walk
+  gjk2_vec step;              // of B its negative
 } listed_edge;
 
 // *r has the list.
-static inline void next_listed(const rim *r, listed_edge *e, bool opposite) {
-  const gjk2_vec *from = e->to, *to = from + 1;
-  to = to != r->end ? to : r->corner;
+static inline void next_listed(const rim *r, listed_edge *e, bool opposite, bool following) {
+  const gjk2_vec *from = e->to, *to;
+  if (following) {
+    to = from + 1 != r->end ? from + 1 : r->corner;
+  } else {
+    to = (from != r->corner ? from : r->end) - 1;
+  }
   e->from = from;
   e->to = to;
   e->step.x = opposite ? from->x - to->x : to->x - from->x;
@@ -212,9 +237,9 @@ static void start_listed(rim *r, bool opposite, gjk2_vec d, listed_edge *e) {
   c->shape->type->support(c, &d, &corner);
   r->end = r->corner + c->count;
   e->to = r->corner + (r->corner == r->own ? box_index[corner.vertex] : corner.vertex);
-  next_listed(r, e, opposite);
+  next_listed(r, e, opposite, true);
   if (gjk2_dot(e->step, d) == 0) {  // of two corners the last one counterclockwise
-    next_listed(r, e, opposite);
+    next_listed(r, e, opposite, true);
   }
 }
 
@@ -223,19 +248,6 @@ static void set_listed(const rim *r, const gjk2_vec *at, gjk2_support *out) {
   const uint16_t index = (uint16_t)(at - r->corner);
   gjk2_copy(&out->offset, at);
   out->vertex = r->corner == r->own ? box_number[index & 3u] : index;
-}
-
-// Sets the edge's ends, of which w of the first and the step to the other are known: where both shapes' edges begin, and
-// whether each moves.
-static void set_listed_edge(const rim *rim_a, const rim *rim_b, const gjk2_vec *a, const gjk2_vec *b, bool moves_a,
-                            bool moves_b, gjk2_edge *edge) {
-  edge->q.w = gjk2_add(edge->p.w, edge->q.w);
-  set_listed(rim_a, a, &edge->p.a);
-  set_listed(rim_b, b, &edge->p.b);
-  a = !moves_a ? a : a + 1 != rim_a->end ? a + 1 : rim_a->corner;
-  b = !moves_b ? b : b + 1 != rim_b->end ? b + 1 : rim_b->corner;
-  set_listed(rim_a, a, &edge->q.a);
-  set_listed(rim_b, b, &edge->q.b);
 }
 
 // Cross products of vectors truncated to 16 bits: on cores without a long multiplication they tell most signs. Core radii
@@ -266,7 +278,7 @@ static inline int32_t sign_of_turn(unsigned k, gjk2_vec a, gjk2_vec b) {
   return turn > 0 ? 1 : turn < 0 ? -1 : 0;
 }
 
-// Is the step's line surely above LSB or more from the origin, which lies on its left?
+// Is the line along step through w surely above LSB or more from the origin, which lies on its left?
 static inline bool is_high(unsigned k, gjk2_vec w, gjk2_vec step, uint32_t above) {
   const uint32_t rough = above >> k, length = (gjk2_norm1(step) >> k) + 1;  // length <= 2^16 + 1
   const int32_t coarse = coarse_cross(k, w, step) - CROSS_ERROR;
@@ -274,65 +286,138 @@ static inline bool is_high(unsigned k, gjk2_vec w, gjk2_vec step, uint32_t above
 }
 #endif
 
-static bool measure_listed(gjk2_search *s, rim *rim_a, rim *rim_b, gjk2_vec begin, nearest_so_far *n) {
-  listed_edge a, b;
-  start_listed(rim_a, false, begin, &a);
-  start_listed(rim_b, true, begin, &b);
-  gjk2_vec w = gjk2_add(s->delta, gjk2_sub(*a.from, *b.from));
-  const gjk2_vec *of_a = a.from, *of_b = b.from;  // where the nearest edge begins
-  int comes = 0;                                  // as below, of the nearest edge
+// The walk over both lists.
+typedef struct listed_walk {
+  gjk2_search *s;
+  const rim *a, *b;
+  listed_edge of_a, of_b;       // the next edges
+  gjk2_vec w;                   // where they begin
+  const gjk2_vec *at_a, *at_b;  // the corners where the nearest edge begins, counterclockwise
+  int comes;                    // 1: it is an edge of A; -1: of B; 0: of both
+  uint32_t left;                // edges to come
+  bool apart;                   // s->d separates
+} listed_walk;
+
+// Is no edge beyond the vertex w nearer than all so far? edge: the last one visited, counterclockwise; k: ruler_of.
+static inline bool ends_walk(const gjk2_search *s, unsigned k, gjk2_vec w, gjk2_vec edge, uint32_t above,
+                             bool following) {
+  const gjk2_vec on = following ? gjk2_sub(s->delta, w) : gjk2_sub(w, s->delta);
+#if GJK_NARROW_MULTIPLY
+  if (!is_high(k, w, on, above)) {
+    return false;
+  }
+#else
+  (void)k;
+  if (gjk2_cross(w, on) < gjk_int64(gjk_umul32(above, gjk2_norm1(on)))) {
+    return false;
+  }
+#endif
+  return gjk2_cross(gjk2_sub(w, s->delta), edge) >= 0;
+}
+
+// Visits edges counterclockwise, or clockwise, until none beyond is the nearest.
+GJK_ONCE static void walk_listed(listed_walk *l, nearest_so_far *n, bool following) {
+  gjk2_search *s = l->s;
+  listed_edge a = l->of_a, b = l->of_b;
+  gjk2_vec w = l->w;
+  uint32_t left = l->left;
 #if GJK_NARROW_MULTIPLY
   const unsigned k = ruler_of(s);
+#else
+  const unsigned k = 0;
 #endif
-  uint32_t left = s->a->count + (uint32_t)s->b->count;
   while (left > 0) {
 #if GJK_NARROW_MULTIPLY
-    const int32_t turn = sign_of_turn(k, a.step, b.step);
+    const int32_t turn = following ? sign_of_turn(k, a.step, b.step) : sign_of_turn(k, b.step, a.step);
 #else
-    const int64_t turn = gjk2_cross(a.step, b.step);
+    const int64_t turn = following ? gjk2_cross(a.step, b.step) : gjk2_cross(b.step, a.step);
 #endif
     int32_t x = b.step.x, y = b.step.y;
     if (turn >= 0) {
       x = turn > 0 ? a.step.x : x + a.step.x;
       y = turn > 0 ? a.step.y : y + a.step.y;
     }
-    const gjk2_vec step = {x, y};
-#if GJK_NARROW_MULTIPLY
-    const bool high = is_high(k, w, step, n->above);
-#else
-    const bool high = false;
-#endif
-    const int64_t height = high ? 0 : gjk2_cross(w, step);
-    if (height < 0) {  // Step 3
-      s->d = gjk2_outward(step);
-      s->along = height;
-      return false;
-    }
-    // Most edges are farther by a rough bound, and most others by a better one.
-    if (!high && (uint64_t)height < gjk_umul32(n->above, gjk2_norm1(step)) &&
-        (uint64_t)height < gjk_umul32(n->above, gjk2_length_bound(step)) && keep_lower(n, step, (uint64_t)height)) {
-      n->edge->p.w.x = w.x;
-      n->edge->p.w.y = w.y;
-      n->edge->q.w.x = x;
-      n->edge->q.w.y = y;
-      of_a = a.from;
-      of_b = b.from;
-      comes = turn > 0 ? 1 : turn < 0 ? -1 : 0;
-    }
+    const gjk2_vec edge = {following ? x : -x, following ? y : -y}, from = w;
     w.x += x;
     w.y += y;
     //@ assert w.x >= -(INT32_C(3) << 29) && w.x <= INT32_C(3) << 29;
     //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
+#if GJK_NARROW_MULTIPLY
+    const bool high = is_high(k, w, edge, n->above);
+#else
+    const bool high = false;
+#endif
+    const int64_t height = high ? 0 : gjk2_cross(from, edge);
+    if (height < 0) {  // Step 3
+      s->d = gjk2_outward(edge);
+      s->along = height;
+      l->apart = true;
+      if (following) {
+        break;
+      }
+    } else {
+      if (!following && l->apart) {
+        break;
+      }
+      // Most edges are farther by a rough bound, and most others by a better one.
+      if (!high && (uint64_t)height < gjk_umul32(n->above, gjk2_norm1(edge)) &&
+          (uint64_t)height < gjk_umul32(n->above, gjk2_length_bound(edge)) &&
+          keep_lower(n, edge, (uint64_t)height, !following)) {
+        gjk2_copy(&n->edge->p.w, following ? &from : &w);
+        gjk2_copy(&n->edge->q.w, &edge);
+        l->at_a = following || turn < 0 ? a.from : a.to;
+        l->at_b = following || turn > 0 ? b.from : b.to;
+        l->comes = turn > 0 ? 1 : turn < 0 ? -1 : 0;
+      }
+      if (ends_walk(s, k, w, edge, n->above, following)) {
+        break;
+      }
+    }
     if (turn >= 0) {
-      next_listed(rim_a, &a, false);
+      next_listed(l->a, &a, false, following);
     }
     if (turn <= 0) {
-      next_listed(rim_b, &b, true);
+      next_listed(l->b, &b, true, following);
     }
     left -= turn == 0 && left > 1 ? 2 : 1;
   }
-  set_listed_edge(rim_a, rim_b, of_a, of_b, comes >= 0, comes <= 0, n->edge);
-  return true;
+  l->left = left;
+}
+
+// Sets the edge's ends, of which w of the first and the step to the other are known.
+static void set_listed_edge(const listed_walk *l, gjk2_edge *edge) {
+  const gjk2_vec *a = l->at_a, *b = l->at_b;
+  edge->q.w = gjk2_add(edge->p.w, edge->q.w);
+  set_listed(l->a, a, &edge->p.a);
+  set_listed(l->b, b, &edge->p.b);
+  a = l->comes < 0 ? a : a + 1 != l->a->end ? a + 1 : l->a->corner;
+  b = l->comes > 0 ? b : b + 1 != l->b->end ? b + 1 : l->b->corner;
+  set_listed(l->a, a, &edge->q.a);
+  set_listed(l->b, b, &edge->q.b);
+}
+
+static bool measure_listed(gjk2_search *s, rim *rim_a, rim *rim_b, gjk2_vec begin, nearest_so_far *n) {
+  listed_walk l;
+  l.s = s;
+  l.a = rim_a;
+  l.b = rim_b;
+  start_listed(rim_a, false, begin, &l.of_a);
+  start_listed(rim_b, true, begin, &l.of_b);
+  l.w = gjk2_add(s->delta, gjk2_sub(*l.of_a.from, *l.of_b.from));
+  l.left = s->a->count + (uint32_t)s->b->count;
+  l.apart = false;
+  walk_listed(&l, n, true);
+  if (!l.apart && l.left > 0) {
+    l.of_a.to = l.of_a.from;
+    l.of_b.to = l.of_b.from;
+    next_listed(rim_a, &l.of_a, false, false);
+    next_listed(rim_b, &l.of_b, true, false);
+    walk_listed(&l, n, false);
+  }
+  if (!l.apart) {
+    set_listed_edge(&l, n->edge);
+  }
+  return !l.apart;
 }
 #endif
 
@@ -345,7 +430,7 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
     begin.x = 1;
   }
   rim a, b;
-  nearest_so_far n = {edge, 0, 0, UINT32_MAX, false};
+  nearest_so_far n = {edge, 0, 0, UINT32_MAX, false, false};
   start_list(&a, s->a);
   start_list(&b, s->b);
 #if !GJK_SMALL
@@ -374,8 +459,8 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
       return GJK2_LIE_APART;
     }
     // Most edges are farther by a rough bound.
-    const bool lower =
-        (uint64_t)height < gjk_umul32(n.above, gjk2_length_bound(step)) && keep_lower(&n, step, (uint64_t)height);
+    const bool lower = (uint64_t)height < gjk_umul32(n.above, gjk2_length_bound(step)) &&
+                       keep_lower(&n, step, (uint64_t)height, false);
     if (lower) {
       set_corner(&a, &b, w, &edge->p);
     }

@@ -15,4 +15,9 @@ gjk2_outcome gjk2_distance_bounds(gjk2_search *s, int64_t *lower, int64_t *neare
 // Reports the answer and keeps the cache, which may be NULL. Pre: the outcome is NEAREST, ENCLOSING or NEAR.
 void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache, gjk2_distance_result *out);
 
+// The outcome after LIMIT of a search for the distance: another one, which settles the question after all, or LIMIT; then
+// out has bounds, and gjk2_distance_stop writes the points so far.
+gjk2_outcome gjk2_distance_settle(gjk2_search *s, gjk2_distance_result *out);
+void gjk2_distance_stop(const gjk2_search *s, gjk2_distance_result *out);
+
 #endif

@@ -36,3 +36,17 @@ bool gjk2_rotation_with_point(const gjk2_rotation *r, const gjk2_vec *v, gjk2_ve
   rotated[1] = gjk2_corrected(gjk_mul32(r->s, v->x) + gjk_mul32(r->c, v->y), excess);
   return true;
 }
+
+void gjk2_rotation_product(const gjk2_rotation *a, int64_t off_a, const gjk2_rotation *b, int64_t off_b,
+                           gjk2_rotation *out) {
+  // |a|^2 |b|^2 - 1 in Q60:  |off| <= 2^44, the product of both / 2^60 <= 2^28
+  const int64_t both = gjk_mul32((int32_t)gjk_sar64(off_a, 15), (int32_t)gjk_sar64(off_b, 15));
+  const int32_t excess = gjk2_excess(off_a + off_b + gjk_sar64(both, 30));
+  // |products|, |partial sums| <= |a| |b| <= 2^60 (1 + 2^-16)
+  const int64_t c = gjk_mul32(a->c, b->c) - gjk_mul32(a->s, b->s);
+  const int64_t s = gjk_mul32(a->c, b->s) + gjk_mul32(a->s, b->c);
+  //@ assert c >= -(INT64_C(1) << 60) - (INT64_C(1) << 44) && c <= (INT64_C(1) << 60) + (INT64_C(1) << 44);
+  //@ assert s >= -(INT64_C(1) << 60) - (INT64_C(1) << 44) && s <= (INT64_C(1) << 60) + (INT64_C(1) << 44);
+  out->c = gjk2_to_q30(gjk2_corrected(c, excess));
+  out->s = gjk2_to_q30(gjk2_corrected(s, excess));
+}

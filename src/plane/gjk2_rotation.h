@@ -9,6 +9,10 @@
 // GJK2_ROTATION_TOLERANCE.
 bool gjk2_rotation_deviation(const gjk2_rotation *r, int64_t *deviation);
 
+// gjk2_rotation_compose of rotations with these deviations. out may be a or b.
+void gjk2_rotation_product(const gjk2_rotation *a, int64_t off_a, const gjk2_rotation *b, int64_t off_b,
+                           gjk2_rotation *out);
+
 // 1 - 1 / |r|, Q46, within 1, for |r|^2 - 1 = deviation / 2^60. Pre: |deviation| <= 2^45.
 int32_t gjk2_excess(int64_t deviation);
 

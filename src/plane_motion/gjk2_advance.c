@@ -148,24 +148,6 @@ static void plane_advance_face(const plane_advance *s, plane_face *face) {
   }
 }
 
-// The same where rounding the place of the fraction has closed a gap of less than an LSB: the feature is within radius.
-static void plane_advance_touch(plane_advance *s) {
-  const gjk2_certificate *c = &s->gap.certificate;
-  plane_face *face = &s->face;
-  if (c->proof != GJK2_PROOF_NEAR) {
-    return;
-  }
-  plane_load_span(s->way, c->a[0], c->b[0], &face->p);
-  const gjk2_long from = plane_place_from(s->way, face->p.o, s->fraction);
-  face->n.x = (int32_t)from.x;  // about radius long, which is below 2^29 where the margin is 0
-  face->n.y = (int32_t)from.y;
-  face->count = 1;
-  if (c->count == 2) {
-    plane_load_span(s->way, c->a[1], c->b[1], &face->q);
-    plane_advance_across(face, face->n);
-  }
-}
-
 // Does the gap fall along the way (-1), keep (0) or grow (1), by the last feature, at the start or the end? Exact of
 // polygons with centres at most 2^30 apart.
 static int plane_advance_slope(const plane_advance *s, const plane_face *face, bool at_end) {
@@ -245,6 +227,82 @@ static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n) {
   return gjk2_norm1(*n) != 0;
 }
 
+// Of two fractions without contact before, takes the one that n proves if it is at most half an LSB of the way earlier.
+static void plane_advance_settle(plane_advance *s, gjk_q30 proven) {
+  const uint64_t way = gjk_magnitude64(s->way->t.x) + gjk_magnitude64(s->way->t.y);  // below 2^33
+  if (proven < s->fraction && (uint64_t)(s->fraction - proven) * way <= UINT64_C(1) << 29) {
+    s->fraction = proven;
+  }
+}
+
+// One coordinate of the way at a fraction, exact, less from, Q30. Pre: it is below 2^30 in size.
+static int64_t plane_fine_part(int64_t way, gjk_q30 fraction, int64_t from) {
+  const int64_t exact = way * fraction, whole = gjk_sar64(exact, 30);  // below 2^62
+  return gjk_shl64(whole - from, 30) + (exact - gjk_shl64(whole, 30));
+}
+
+// From a vertex to the exact place of the fraction, as fine as 30 bits allow. Pre: it is at most 2^29 away along an axis.
+static gjk2_vec plane_advance_fine(const plane_advance *s, gjk2_vec o) {
+  const gjk2_way *way = s->way;
+  const int64_t x = plane_fine_part(way->t.x, s->fraction, way->delta.x + o.x);
+  const int64_t y = plane_fine_part(way->t.y, s->fraction, way->delta.y + o.y);
+  const unsigned zeros = gjk_clz64(gjk_magnitude64(x) | gjk_magnitude64(y) | 1);
+  const unsigned down = zeros < 35 ? 35 - zeros : 0;
+  const gjk2_vec n = {(int32_t)gjk_sar64(x, down), (int32_t)gjk_sar64(y, down)};  // below 2^29
+  return n;
+}
+
+// Is the foot of a place between the vertices x and p, and the place on the other side of their line than q? to: from x.
+static bool plane_advance_faces(gjk2_vec to, gjk2_vec x, gjk2_vec p, gjk2_vec q) {
+  const gjk2_vec edge = gjk2_sub(p, x);
+  const int64_t side = gjk2_cross(edge, to);
+  return gjk2_dot(to, edge) > 0 && (gjk2_cross(edge, gjk2_sub(q, x)) > 0 ? side < 0 : side > 0);
+}
+
+// Where rounding the place of the fraction has closed a gap of less than an LSB: the feature nearest to the exact place,
+// by GJK from one that is near. At the ceiling, which is not known to be reached, the result is not proven.
+static void plane_advance_touch(plane_advance *s) {
+  const gjk2_certificate *c = &s->gap.certificate;
+  plane_face *face = &s->face;
+  plane_load_span(s->way, c->a[0], c->b[0], &face->p);
+  face->count = 1;
+  face->n = plane_advance_fine(s, face->p.o);
+  for (int i = 0; i < 16; i++) {
+    gjk2_span x;
+    gjk2_way_scan(s->way, face->n, &x);
+    if (gjk2_dot(face->n, gjk2_sub(x.o, face->p.o)) <= 0) {
+      break;
+    }
+    const gjk2_vec to = plane_advance_fine(s, x.o);
+    if (face->count == 1 ? gjk2_dot(to, gjk2_sub(face->p.o, x.o)) > 0
+                         : plane_advance_faces(to, x.o, face->p.o, face->q.o)) {
+      gjk2_copy_span(&face->q, &x);
+      plane_advance_across(face, to);
+    } else if (face->count == 2 && plane_advance_faces(to, x.o, face->q.o, face->p.o)) {
+      gjk2_copy_span(&face->p, &x);
+      plane_advance_across(face, to);
+    } else {
+      gjk2_copy_span(&face->p, &x);
+      face->count = 1;
+      gjk2_copy(&face->n, &to);
+    }
+  }
+  gjk_q30 next;
+  gjk2_span support;
+  if (plane_advance_bound(s, face->n, &support, &next) == GJK2_BOUND_AT) {
+    plane_advance_settle(s, next);
+  }
+}
+
+// Polygons are known to hit, but the gap does not fall at the place: the way but grazes them, at a gap of at most 1.5 LSB.
+// Half an LSB of the way before the gap is at most 2 LSB, and it falls.
+static void plane_advance_graze(plane_advance *s) {
+  const uint64_t way = gjk_magnitude64(s->way->t.x) + gjk_magnitude64(s->way->t.y);
+  const gjk_q30 back = (gjk_q30)((UINT32_C(1) << 29) / (way < UINT32_MAX ? (uint32_t)way : UINT32_MAX));
+  s->fraction = s->fraction > back ? s->fraction - back : 0;
+  plane_advance_touch(s);
+}
+
 static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
   const gjk2_portion portion = {0, 1, s->fraction, true};
   gjk2_contact_place place = {&s->face.p, &s->face.p, 0, s->face.n};
@@ -256,14 +314,6 @@ static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
   gjk2_cast_hit(s->way, &place, &portion, out);
 }
 
-// Of two fractions without contact before, takes the one that n proves if it is at most half an LSB of the way earlier.
-static void plane_advance_settle(plane_advance *s, gjk_q30 proven) {
-  const uint64_t way = gjk_magnitude64(s->way->t.x) + gjk_magnitude64(s->way->t.y);  // below 2^33
-  if (proven < s->fraction && (uint64_t)(s->fraction - proven) * way <= UINT64_C(1) << 29) {
-    s->fraction = proven;
-  }
-}
-
 // Step 4 and 5, once. Returns whether the fraction is the answer. Pre: the gap at the fraction is measured, or at one
 // before it.
 static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
@@ -271,7 +321,7 @@ static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
   gjk2_span support;
   *bound = plane_advance_bound(s, s->face.n, &support, &next);
   if (s->curved) {
-    s->face.p = support;
+    gjk2_copy_span(&s->face.p, &support);
   }
   if (*bound != GJK2_BOUND_AT) {
     return true;
@@ -402,12 +452,7 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out) {
     if (!measured) {
       (void)plane_advance_is_near(&s, s.fraction);
       if (s.gap.intersecting) {
-        gjk_q30 next;
-        gjk2_span support;
         plane_advance_touch(&s);
-        if (plane_advance_bound(&s, s.face.n, &support, &next) == GJK2_BOUND_AT) {
-          plane_advance_settle(&s, next);
-        }
         plane_advance_hit(&s, out);
         return GJK_OK;
       }
@@ -419,12 +464,14 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out) {
           (bound == GJK2_BOUND_AWAY || s.gap.upper > s.margin + PLANE_CURVED_GAP)) {
         return GJK_ERROR_ITERATION_LIMIT;
       }
-      // Polygons are known to hit: if the gap does not fall where the place is rounded to, the way but grazes them there.
       if (bound != GJK2_BOUND_AT && s.curved) {
         plane_advance_short(&s, &s.face, false, out);
-      } else {
-        plane_advance_hit(&s, out);
+        return GJK_OK;
       }
+      if (bound != GJK2_BOUND_AT) {
+        plane_advance_graze(&s);
+      }
+      plane_advance_hit(&s, out);
       return GJK_OK;
     }
   }

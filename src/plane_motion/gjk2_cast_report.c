@@ -3,7 +3,8 @@
 // What is rounded:
 //   normal   each component within 2 LSB of Q2.30
 //   points   each coordinate once, to the nearest LSB: within 1 LSB of the shape at the fraction
-//   rest     each coordinate once: B's along the normal, A's against it, so that what lay across it lies apart still
+//   rest     A's place each coordinate to the nearest LSB, B's place against A's along the normal: what lay across it
+//            lies apart still
 #include "gjk2_cast_report.h"
 
 #include "../plane/gjk2_measure.h"
@@ -56,9 +57,19 @@ static void plane_cast_point(const gjk2_collider *c, const gjk2_support *p, cons
                                  saturated);
 }
 
-// Between two positions of int32, so it fits.
-static gjk_q16 plane_cast_rest(gjk_q16 position, int64_t way, const gjk2_portion *portion, int64_t up) {
-  return (gjk_q16)(position + gjk2_portion_of(portion, way, up));
+// length times the portion, rounded towards the side that n points to.
+static int64_t plane_round_along(const gjk2_portion *portion, int64_t length, int32_t n) {
+  return n > 0   ? -gjk2_portion_floor(portion, -length)
+         : n < 0 ? gjk2_portion_floor(portion, length)
+                 : gjk2_portion_nearest(portion, length);
+}
+
+// One axis of both resting places. of_a: A's way; t: B's against A. A's lies between two positions of int32, so it fits.
+static void plane_cast_rest(const gjk2_portion *portion, int64_t of_a, int64_t t, int32_t n, gjk_q16 a, gjk_q16 b,
+                            gjk_q16 *rest_a, gjk_q16 *rest_b, bool *saturated) {
+  const int64_t moved = gjk2_portion_nearest(portion, of_a);
+  *rest_a = (gjk_q16)(a + moved);
+  *rest_b = gjk_saturate_noting(b + moved + plane_round_along(portion, t, n), saturated);
 }
 
 void gjk2_cast_hit(const gjk2_way *way, const gjk2_contact_place *place, const gjk2_portion *portion,
@@ -77,10 +88,10 @@ void gjk2_cast_hit(const gjk2_way *way, const gjk2_contact_place *place, const g
                    portion->fraction, &out->point_a, &out->saturated);
   plane_cast_point(b, &place->p->b, &place->q->b, place->weight, &out->normal, -b->shape->convex_radius, &way->of_b,
                    portion->fraction, &out->point_b, &out->saturated);
-  out->rest_a.x = plane_cast_rest(a->position.x, way->of_a.x, portion, -(int64_t)n.x);
-  out->rest_a.y = plane_cast_rest(a->position.y, way->of_a.y, portion, -(int64_t)n.y);
-  out->rest_b.x = plane_cast_rest(b->position.x, way->of_b.x, portion, n.x);
-  out->rest_b.y = plane_cast_rest(b->position.y, way->of_b.y, portion, n.y);
+  plane_cast_rest(portion, way->of_a.x, way->t.x, n.x, a->position.x, b->position.x, &out->rest_a.x, &out->rest_b.x,
+                  &out->saturated);
+  plane_cast_rest(portion, way->of_a.y, way->t.y, n.y, a->position.y, b->position.y, &out->rest_a.y, &out->rest_b.y,
+                  &out->saturated);
   if (!gjk2_is_curved(a->shape) && !gjk2_is_curved(b->shape)) {
     gjk2_cast_certificate *c = &out->certificate;
     c->proof = GJK2_CAST_PROOF_FACET;

@@ -34,12 +34,6 @@ static void plane_entry_at(const gjk2_way *way, gjk2_entry *e) {
   e->count = 1;
 }
 
-static void plane_copy_span(gjk2_span *to, const gjk2_span *from) {
-  gjk2_copy_support(&to->a, &from->a);
-  gjk2_copy_support(&to->b, &from->b);
-  gjk2_copy(&to->o, &from->o);
-}
-
 // Step 2, where x on the line comes first of those that a truncated direction tells apart. Returns whether the portal
 // has two ends.
 static bool plane_entry_both_sides(gjk2_way *way, gjk2_entry *e) {
@@ -54,9 +48,9 @@ static bool plane_entry_both_sides(gjk2_way *way, gjk2_entry *e) {
   if (side == 0) {
     return false;
   }
-  plane_copy_span(&e->q, &e->p);
+  gjk2_copy_span(&e->q, &e->p);
   e->side_q = 0;
-  plane_copy_span(&e->p, &right);
+  gjk2_copy_span(&e->p, &right);
   e->side_p = side;
   return true;
 }
@@ -72,12 +66,12 @@ static unsigned plane_entry_start(gjk2_way *way, gjk2_entry *e) {
     gjk2_way_outermost(way, true, &e->q);
     e->side_q = gjk2_way_side(way, e->q.o);
     if (e->side_q < 0) {
-      plane_copy_span(&e->p, &e->q);
+      gjk2_copy_span(&e->p, &e->q);
       return 0;
     }
     return 2;
   }
-  plane_copy_span(&e->q, &e->p);
+  gjk2_copy_span(&e->q, &e->p);
   e->side_q = e->side_p;
   gjk2_way_outermost(way, false, &e->p);
   e->side_p = gjk2_way_side(way, e->p.o);
@@ -102,10 +96,10 @@ bool gjk2_entry_find(gjk2_way *way, gjk2_entry *e) {
     }
     const int64_t side = gjk2_way_side(way, x.o);  // Step 5
     if (side > 0 || (side == 0 && e->side_p < 0)) {
-      plane_copy_span(&e->q, &x);
+      gjk2_copy_span(&e->q, &x);
       e->side_q = side;
     } else {
-      plane_copy_span(&e->p, &x);
+      gjk2_copy_span(&e->p, &x);
       e->side_p = side;
     }
   }

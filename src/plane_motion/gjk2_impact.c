@@ -27,8 +27,7 @@
 #include "gjk2/impact.h"
 
 #include "../arith/gjk_root.h"
-#include "../plane/gjk2_class.h"
-#include "gjk2/distance.h"
+#include "../plane/gjk2_report.h"
 #include "gjk2_sweep.h"
 #include "gjk2_way.h"
 
@@ -46,30 +45,33 @@ typedef struct plane_mover {
   gjk2_sweep sweep;
   gjk2_pose pose;
   gjk2_collider posed;
-  int64_t reach;  // R
+  int64_t reach;  // not below R
+  int64_t arc;    // of the whole way, as far as the core reaches, LSB
 } plane_mover;
 
 typedef struct plane_impact {
   plane_mover a, b;
   const gjk2_impact_setup *setup;
-  gjk2_distance_result gap;
-  bool open;      // the gap is but bounded, and not along its normal
-  int64_t error;  // LSB Q8
+  gjk2_search search;
+  gjk2_distance_result gap;  // of nearest features distance, bounds and normal alone
+  bool nearest;              // the search has found the nearest feature of polygons, in a near frame
+  bool open;                 // the gap is but bounded, and not along its normal
+  int64_t error;             // LSB Q8
+  int64_t half;              // the part of the way on which both turn by half a radian together
 } plane_impact;
 
-// The core's reach from the pose's origin, LSB.
-static int64_t plane_reach_from(const gjk2_collider *c) {
-  const int64_t x = gjk_magnitude32(c->local_centre.x), y = gjk_magnitude32(c->local_centre.y);
-  if ((x | y) == 0) {
-    return c->core_radius;
+// angle length, rounded up, LSB. Pre: angle at most 2^40, length at most 2^32.
+static int64_t plane_arc(uint64_t angle, int64_t length) {
+  if (angle >> 30 == 0) {
+    return (int64_t)((angle * (uint64_t)length) >> 24) + 1;
   }
-  const gjk2_vec *v = c->shape->vertices;
-  uint64_t most = 0;
-  for (uint32_t i = 0; v != NULL && i < c->count; i++) {
-    const uint64_t squared = (uint64_t)gjk_mul32(v[i].x, v[i].x) + (uint64_t)gjk_mul32(v[i].y, v[i].y);  // <= 2^63
-    most = squared > most ? squared : most;
-  }
-  return (int64_t)gjk_isqrt64(most) + 1;
+  return (int64_t)((((angle >> 8) + 1) * (uint64_t)length) >> 16) + 1;
+}
+
+// |v|, at most 1/8 and 1 too long. Any components.
+static int64_t plane_length_above(const gjk2_vec *v) {
+  const int64_t x = gjk_magnitude32(v->x), y = gjk_magnitude32(v->y);
+  return x > y ? x + y / 2 + 1 : y + x / 2 + 1;  // sqrt(1 + t^2) <= 1 + t / 2 for 0 <= t <= 1
 }
 
 static gjk_status plane_mover_set(plane_mover *m, const gjk2_collider *c, const gjk2_motion *motion) {
@@ -85,7 +87,9 @@ static gjk_status plane_mover_set(plane_mover *m, const gjk2_collider *c, const 
   m->posed.count = c->count;
   m->posed.ordered = c->ordered;
   m->posed.state = GJK2_STATE_INITIALISED;
-  m->reach = plane_reach_from(c);
+  const gjk2_vec *centre = &m->posed.local_centre;
+  m->reach = (int64_t)c->core_radius + ((centre->x | centre->y) != 0 ? plane_length_above(centre) : 0);
+  m->arc = m->sweep.angle != 0 ? plane_arc(m->sweep.angle, m->reach) : 0;
   return GJK_OK;
 }
 
@@ -94,48 +98,101 @@ static gjk_status plane_mover_pose(plane_mover *m, gjk_q30 fraction) {
   return gjk2_collider_pose(&m->posed, &m->pose);
 }
 
+// Step 1 for posed shapes. Of nearest features the points are left for later.
+static void plane_impact_gap(plane_impact *s) {
+  const gjk2_collider *a = &s->a.posed, *b = &s->b.posed;
+  gjk2_search *search = &s->search;
+  gjk2_distance_result *gap = &s->gap;
+  (void)gjk2_search_start(search, a, b, false, (uint32_t)(a->shape->convex_radius + b->shape->convex_radius));
+  gjk2_outcome outcome = gjk2_search_run(search, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
+  s->nearest = outcome == GJK2_OUTCOME_NEAREST && gjk2_search_is_exact(search);
+  if (outcome == GJK2_OUTCOME_LIMIT) {
+    outcome = gjk2_distance_settle(search, gap);
+  }
+  s->open = outcome == GJK2_OUTCOME_LIMIT;
+  if (!s->nearest) {
+    if (s->open) {
+      gjk2_distance_stop(search, gap);
+    } else {
+      gjk2_distance_report(search, outcome, NULL, gap);
+    }
+    return;
+  }
+  gjk2_length length;
+  gjk2_normal_set(&gap->normal, &length, &search->d);
+  const int32_t distance =
+      (int32_t)gjk2_round_distance(&length, GJK2_ROUND_NEAREST, (uint64_t)-search->base) - search->radius;
+  gap->distance = distance > 0 ? distance : 0;
+  gap->lower = gap->distance;
+  gap->upper = gap->distance;
+  gap->intersecting = false;
+  gap->saturated = false;
+}
+
 // Step 1. Statuses: OK, RANGE, ROTATION.
 static gjk_status plane_impact_measure(plane_impact *s, gjk_q30 fraction) {
   gjk_status status = plane_mover_pose(&s->a, fraction);
   status = status == GJK_OK ? plane_mover_pose(&s->b, fraction) : status;
   if (status == GJK_OK) {
-    s->open = gjk2_distance(&s->a.posed, &s->b.posed, NULL, &s->gap) != GJK_OK;
+    plane_impact_gap(s);
   }
   return status;
 }
 
 // u . (x, y) for a unit vector u, rounded down by less than 16. Pre: components below 2^34 in size.
 static int64_t plane_unit_dot(const gjk2_unit *u, int64_t x, int64_t y) {
+  const uint64_t most = UINT64_C(1) << 30;
+  if (((uint64_t)x + most) >> 31 == 0 && ((uint64_t)y + most) >> 31 == 0) {
+    return gjk_sar64(gjk_mac32(gjk_mul32(u->x, (int32_t)x), u->y, (int32_t)y), 30);
+  }
   return 4 * (gjk_sar64(u->x * gjk_sar64(x, 2), 30) + gjk_sar64(u->y * gjk_sar64(y, 2), 30));
 }
 
-// How far the core reaches along u, from the pose's origin, rounded down; -R where the point is not known.
-static int64_t plane_mover_height(const plane_mover *m, const gjk2_unit *u, const gjk2_vec *point, bool known) {
-  const int64_t x = (int64_t)point->x - m->pose.position.x, y = (int64_t)point->y - m->pose.position.y;
-  const int64_t height = known ? plane_unit_dot(u, x, y) - m->posed.shape->convex_radius - 4 : -m->reach;
+// u . p for a vertex p of the core, from the pose's origin.
+static int64_t plane_mover_along(const plane_mover *m, const gjk2_unit *u, const gjk2_vec *offset) {
+  return plane_unit_dot(u, (int64_t)m->posed.centre.x - m->pose.position.x + offset->x,
+                        (int64_t)m->posed.centre.y - m->pose.position.y + offset->y);
+}
+
+// How far the core reaches along u, from the pose's origin, rounded down; -R where that is not known. nearest: a vertex
+// that is farthest along u, or NULL; then point is, where known is true.
+static int64_t plane_mover_height(const plane_mover *m, const gjk2_unit *u, const gjk2_support *nearest,
+                                  const gjk2_vec *point, bool known) {
+  int64_t height = -m->reach;
+  if (nearest != NULL) {
+    height = plane_mover_along(m, u, &nearest->offset) - 4;
+  } else if (known) {
+    height = plane_unit_dot(u, (int64_t)point->x - m->pose.position.x, (int64_t)point->y - m->pose.position.y) -
+             m->posed.shape->convex_radius - 4;
+  }
   return height < -m->reach ? -m->reach : height;
 }
 
 // The lever of a shape that turns against u, which leads away from its inside, by up to the angle whose tangent is
-// 9/8 tangent, Q30: counterclockwise, or clockwise. Rounded up by less than 32 LSB.
-static int64_t plane_lever(const plane_mover *m, const gjk2_unit *u, bool clockwise, int64_t tangent) {
+// 9/8 tangent, Q30: counterclockwise, or clockwise. Rounded up by less than 32 LSB. nearest: a vertex that is farthest
+// along u, or NULL.
+static int64_t plane_lever(const plane_mover *m, const gjk2_unit *u, bool clockwise, int64_t tangent,
+                           const gjk2_support *nearest) {
+  const gjk2_collider *c = &m->posed;
   const gjk2_unit w = {clockwise ? -u->y : u->y, clockwise ? u->x : -u->x};
   const int32_t part = (int32_t)(tangent + (tangent >> 3));  // below 2^30
   const gjk2_vec v = {(u->x >> 1) + (int32_t)gjk_sar64(gjk_mul32(w.x, part), 31),
                       (u->y >> 1) + (int32_t)gjk_sar64(gjk_mul32(w.y, part), 31)};
   gjk2_support farthest;
-  m->posed.shape->type->support(&m->posed, &v, &farthest);
-  return plane_unit_dot(&w, (int64_t)m->posed.centre.x - m->pose.position.x + farthest.offset.x,
-                        (int64_t)m->posed.centre.y - m->pose.position.y + farthest.offset.y) +
-         16;
-}
-
-// angle length, rounded up, LSB. Pre: angle at most 2^40, length at most 2^32.
-static int64_t plane_arc(uint64_t angle, int64_t length) {
-  if (angle >> 30 == 0) {
-    return (int64_t)((angle * (uint64_t)length) >> 24) + 1;
+  if (nearest != NULL && c->ordered) {  // few edges lie between both directions
+    gjk2_support way;
+    gjk2_copy_support(&farthest, nearest);
+    for (uint32_t i = 0; i < c->count; i++) {
+      c->shape->type->adjacent(c, &farthest, clockwise, &way);
+      if (gjk2_dot(way.offset, v) <= 0) {
+        break;
+      }
+      gjk2_follow(&farthest, &way);
+    }
+  } else {
+    c->shape->type->support(c, &v, &farthest);
   }
-  return (int64_t)((((angle >> 8) + 1) * (uint64_t)length) >> 16) + 1;
+  return plane_mover_along(m, &w, &farthest.offset) + 16;
 }
 
 // 2^31 / x, within 2^-14 of itself, for 2^15 <= x < 2^16 by Newton's iteration, with u = x / 2^16 and Y = y / 2^15:
@@ -158,9 +215,10 @@ static int64_t plane_step(int64_t room, int64_t rate) {
   }
   const uint64_t part = (uint64_t)room, whole = (uint64_t)rate << 8;
   const unsigned m = gjk_clz64(part), n = gjk_clz64(whole);  // part < whole: n <= m
-  const uint64_t product = gjk_umul32((uint32_t)((part << m) >> 32), plane_reciprocal((uint32_t)((whole << n) >> 48)));
-  const unsigned down = 17 + m - n;
-  const int64_t step = down < 64 ? (int64_t)(product >> down) : 0;
+  // top < 2^32, and the reciprocal is at most 2^16: below 2^31 after the shift
+  const uint32_t quotient =
+      (uint32_t)(gjk_umul32(gjk_upper32(part, m), plane_reciprocal(gjk_upper32(whole, n) >> 16)) >> 17);
+  const int32_t step = m - n < 32 ? (int32_t)(quotient >> (m - n)) : 0;
   return step - (step >> 12) - (step != 0);
 }
 
@@ -175,15 +233,13 @@ typedef struct plane_rates {
 
 // Step 4 without levers. Each shape's share of the room is bounded by its arc and by what it has to spare.
 static int64_t plane_step_at_rest(const plane_mover *a, const plane_mover *b, const plane_rates *r) {
-  const int64_t arc_a = a->sweep.angle != 0 ? plane_arc(a->sweep.angle, a->reach) : 0;
-  const int64_t arc_b = b->sweep.angle != 0 ? plane_arc(b->sweep.angle, b->reach) : 0;
-  int64_t best = plane_step(r->room, r->closing + arc_a + arc_b);
+  int64_t best = plane_step(r->room, r->closing + a->arc + b->arc);
   for (unsigned capped = 1; capped < 4 && best <= GJK_Q30_ONE; capped++) {
     const bool of_a = (capped & 1u) != 0, of_b = (capped & 2u) != 0;
     const int64_t spare = (of_a ? a->reach - r->height_a + 8 : 0) + (of_b ? b->reach - r->height_b + 8 : 0);
     const int64_t rest = r->room - gjk_shl64(spare, 8);
     if (rest > 0) {
-      const int64_t step = plane_step(rest, r->closing + (of_a ? 0 : arc_a) + (of_b ? 0 : arc_b));
+      const int64_t step = plane_step(rest, r->closing + (of_a ? 0 : a->arc) + (of_b ? 0 : b->arc));
       best = step > best ? step : best;
     }
   }
@@ -215,39 +271,41 @@ static uint64_t plane_third(int64_t length, int64_t tangent) {
 }
 
 // What a shape that turns by angle against u adds to the rate and, of second order, to the bend. angle: Q24, signed.
-static void plane_add_turn(const plane_mover *m, const gjk2_unit *u, int64_t angle, int64_t height, int64_t tangent,
-                           int64_t *rate, uint64_t *bend) {
+static void plane_add_turn(const plane_mover *m, const gjk2_unit *u, const gjk2_support *nearest, int64_t angle,
+                           int64_t height, int64_t tangent, int64_t *rate, uint64_t *bend) {
   if (angle != 0) {
     const uint64_t size = gjk_magnitude64(angle);
-    const int64_t lever = plane_lever(m, u, angle < 0, tangent);
+    const int64_t lever = plane_lever(m, u, angle < 0, tangent, nearest);
     *rate += plane_turn_rate(size, lever);
     *bend += plane_bend(size, (uint64_t)(height < 0 ? -height : 0) + plane_third(lever < 0 ? -lever : 0, tangent));
   }
 }
 
-// Step 4 with levers, in the frame of the shape that has the touched edge.
-static int64_t plane_step_turning(const plane_mover *a, const plane_mover *b, const gjk2_certificate *c,
+// Step 4 with levers, in the frame of the shape that has the touched edge. p, q: the nearest feature, of one vertex twice,
+// or NULL.
+static int64_t plane_step_turning(const plane_impact *s, const gjk2_vertex *p, const gjk2_vertex *q,
                                   const plane_rates *r) {
+  const plane_mover *a = &s->a, *b = &s->b;
   const int64_t angle_a = plane_signed_angle(a), angle_b = plane_signed_angle(b);
   const uint64_t sum = a->sweep.angle + b->sweep.angle + 2;
   if (sum >= PLANE_FAST) {
     return 0;
   }
-  // Try twice the way that a quarter of both reaches as levers would take, and at most half a radian.
-  const int64_t likely = (r->closing > 0 ? r->closing : 0) + plane_arc(a->sweep.angle, a->reach) / 4 +
-                         plane_arc(b->sweep.angle, b->reach) / 4;
-  const int64_t half = plane_step(INT64_C(1) << 23, (int64_t)(sum >> 8) + 1), twice = 2 * plane_step(r->room, likely);
-  const int64_t least = twice < half ? twice : half, most = least < GJK_Q30_ONE ? least : (int64_t)GJK_Q30_ONE + 1;
+  // Try 3/2 of the way that a quarter of both reaches as levers would take, and at most half a radian.
+  const int64_t likely = plane_step(r->room, (r->closing > 0 ? r->closing : 0) + (a->arc + b->arc) / 4);
+  const int64_t more_likely = likely + likely / 2, least = more_likely < s->half ? more_likely : s->half,
+                most = least < GJK_Q30_ONE ? least : (int64_t)GJK_Q30_ONE + 1;
   const int64_t tangent = gjk_sar64((int64_t)sum * (most < GJK_Q30_ONE ? most : GJK_Q30_ONE), 24);  // below 2^53, 2^29
   // The frame's angle: that of A where the edge is A's, of B where it is B's.
-  const bool edge = c->proof == GJK2_PROOF_NEAREST && c->count == 2;
-  const int64_t frame = edge && c->a[0] != c->a[1] && angle_a != 0   ? angle_a
-                        : edge && c->b[0] != c->b[1] && angle_b != 0 ? angle_b
-                                                                     : 0;
+  int64_t frame = 0;
+  if (p != q) {
+    frame = p->a.vertex != q->a.vertex ? angle_a : 0;
+    frame = frame == 0 && p->b.vertex != q->b.vertex ? angle_b : frame;
+  }
   int64_t rate = r->closing;
   uint64_t bend = 1;
-  plane_add_turn(a, &r->u, angle_a - frame, r->height_a, tangent, &rate, &bend);
-  plane_add_turn(b, &r->opposite, angle_b - frame, r->height_b, tangent, &rate, &bend);
+  plane_add_turn(a, &r->u, p != NULL ? &p->a : NULL, angle_a - frame, r->height_a, tangent, &rate, &bend);
+  plane_add_turn(b, &r->opposite, p != NULL ? &p->b : NULL, angle_b - frame, r->height_b, tangent, &rate, &bend);
   if (frame != 0) {
     const gjk2_unit left = {-r->u.y, r->u.x};
     const int64_t dx = (int64_t)b->pose.position.x - a->pose.position.x,
@@ -262,17 +320,18 @@ static int64_t plane_step_turning(const plane_mover *a, const plane_mover *b, co
                                  plane_third((int64_t)gjk_magnitude64(beside), tangent) + 64) +
             (uint64_t)plane_arc(size, (closer > 0 ? closer : 0) + 16);
   }
-  if (gjk_clz64(bend) + gjk_clz64((uint64_t)r->room) < 65) {
-    return 0;
+  const int64_t first = plane_step(r->room, rate);  // room / rate
+  uint64_t more = UINT64_MAX;
+  if (first <= GJK_Q30_ONE && bend >> 32 == 0) {
+    more = (bend * (uint64_t)(first + (first >> 11) + 2) >> 30) + 1;  // k room / rate
   }
-  // sqrt(room bend) in LSB: room is Q8, and its root Q4.
-  const int64_t root = (int64_t)(gjk_isqrt64(bend * (uint64_t)r->room) >> 4) + 1;
-  int64_t more = root;
-  if (root < rate) {  // k room / rate = root (root / rate)
-    const int64_t part = plane_step(gjk_shl64(root, 8), rate);
-    more = gjk_sar64(root * (part + (part >> 11) + 2), 30) + 1;  // root < 2^36, part <= 2^30
+  if (rate <= 0 || more > (uint64_t)rate) {  // sqrt(k room) is less; room is Q8, and its root Q4
+    if (gjk_clz64(bend) + gjk_clz64((uint64_t)r->room) < 65) {
+      return 0;
+    }
+    more = (gjk_isqrt64(bend * (uint64_t)r->room) >> 4) + UINT64_C(1);
   }
-  const int64_t step = plane_step(r->room, (rate > 0 ? rate : 0) + more);
+  const int64_t step = plane_step(r->room, (rate > 0 ? rate : 0) + (int64_t)more);
   return step < most ? step : most;
 }
 
@@ -296,9 +355,14 @@ static int64_t plane_impact_advance(const plane_impact *s) {
   }
   r.opposite.x = -r.u.x;
   r.opposite.y = -r.u.y;
-  r.height_a = plane_mover_height(a, &r.u, &gap->point_a, !gap->saturated);
-  r.height_b = plane_mover_height(b, &r.opposite, &gap->point_b, !gap->saturated);
-  const int64_t step = plane_step_turning(a, b, &gap->certificate, &r), room = r.room >> 8;
+  const gjk2_vertex *p = NULL, *q = NULL;
+  if (s->nearest) {
+    p = gjk2_search_vertex(&s->search, 0);
+    q = gjk2_search_vertex(&s->search, s->search.count - 1u);
+  }
+  r.height_a = plane_mover_height(a, &r.u, p != NULL ? &p->a : NULL, &gap->point_a, !gap->saturated);
+  r.height_b = plane_mover_height(b, &r.opposite, p != NULL ? &p->b : NULL, &gap->point_b, !gap->saturated);
+  const int64_t step = plane_step_turning(s, p, q, &r), room = r.room >> 8;
   if (step != 0 && room < a->reach - r.height_a && room < b->reach - r.height_b) {
     return step;
   }
@@ -312,13 +376,16 @@ static bool plane_is_at_margin(const plane_impact *s) {
   return s->gap.intersecting || (margin > 0 && s->gap.lower <= margin);
 }
 
-static void plane_impact_report(const plane_impact *s, gjk_q30 lower, gjk_q30 upper, gjk2_impact_result *out) {
+static void plane_impact_report(plane_impact *s, gjk_q30 lower, gjk_q30 upper, gjk2_impact_result *out) {
   out->hit = true;
   out->overlap = upper == 0 && plane_is_at_margin(s);
   out->lower = lower;
   out->upper = upper;
   out->distance = s->gap.distance;
   if (!s->gap.intersecting) {
+    if (s->nearest) {
+      gjk2_distance_report(&s->search, GJK2_OUTCOME_NEAREST, NULL, &s->gap);
+    }
     gjk2_copy(&out->point_a, &s->gap.point_a);
     gjk2_copy(&out->point_b, &s->gap.point_b);
     out->normal.x = s->gap.normal.x;
@@ -406,6 +473,7 @@ gjk_status gjk2_time_of_impact(const gjk2_collider *a, const gjk2_motion *motion
   s.setup = setup;
   s.error = PLANE_IMPACT_ERROR + ((s.a.reach + s.b.reach) * 11 >> 23) +
             ((int64_t)(a->core_radius + b->core_radius) * 3 >> 23);
+  s.half = plane_step(INT64_C(1) << 23, (int64_t)((s.a.sweep.angle + s.b.sweep.angle + 2) >> 8) + 1);
   s.error += gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape) ? PLANE_IMPACT_CURVED : 0;
   return plane_impact_run(&s, out);
 }

@@ -69,9 +69,8 @@ static void plane_sweep_spin(gjk2_sweep *sweep, gjk_angle spin) {
 }
 
 gjk_status gjk2_sweep_set(gjk2_sweep *sweep, const gjk2_motion *motion) {
-  int64_t deviation;
   gjk2_rotation back, between;
-  if (!gjk2_rotation_deviation(&motion->from.rotation, &deviation)) {
+  if (!gjk2_rotation_deviation(&motion->from.rotation, &sweep->deviation)) {
     return GJK_ERROR_ROTATION;
   }
   sweep->motion = motion;
@@ -112,7 +111,9 @@ void gjk2_sweep_pose(const gjk2_sweep *sweep, gjk_q30 fraction, gjk2_pose *out) 
     const uint64_t turn =
         sweep->rate_high * (uint32_t)fraction + (gjk_umul32(sweep->rate_low, (uint32_t)fraction) >> 32);
     gjk_sine_cosine(sweep->clockwise ? -1 : 1, turn, &turned.s, &turned.c);
-    (void)gjk2_rotation_compose(rotation, &turned, &out->rotation);
+    int64_t deviation;
+    (void)gjk2_rotation_deviation(&turned, &deviation);  // sine and cosine are within an LSB
+    gjk2_rotation_product(rotation, sweep->deviation, &turned, deviation, &out->rotation);
     return;
   }
   out->rotation.c = rotation->c;

@@ -13,6 +13,7 @@ typedef struct gjk2_sweep {
   uint32_t rate_low;
   uint64_t angle;  // the angle's size over the whole way, radians Q24, rounded up; at most 2^39 + 1
   bool clockwise;
+  int64_t deviation;  // of the rotation at the start: see gjk2_rotation.h
 } gjk2_sweep;
 
 // Statuses: ROTATION.

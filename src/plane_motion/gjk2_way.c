@@ -276,24 +276,22 @@ GJK_OUT_OF_LINE static int plane_compare_products(uint64_t p, uint64_t x, uint64
 }
 
 // 2^30 size num / den lies from size fraction to below size (fraction + 1), and is the former where exact.
-int64_t gjk2_portion_of(const gjk2_portion *portion, int64_t length, int64_t up) {
+int64_t gjk2_portion_floor(const gjk2_portion *portion, int64_t length) {
   if (length == 0) {
     return 0;
   }
-  const uint64_t size = gjk_magnitude64(length), product = size * (uint32_t)portion->fraction;  // below 2^62
+  const uint64_t size = gjk_magnitude64(length), product = size * (uint32_t)portion->fraction;  // below 2^63
   const uint64_t mask = (UINT32_C(1) << 30) - 1;
   uint64_t whole = product >> 30;
   bool more = (product & mask) != 0 || !portion->exact;
   if (!portion->exact && (product & mask) + size > mask + 1) {
-    // An integer lies between: at most 5 of them, since size < 2^32.
+    // An integer lies between: at most 9 of them, since size < 2^33.
     int sign = plane_compare_products(size, portion->num, whole + 1, portion->den);
-    for (int i = 0; i < 6 && sign >= 0; i++) {
+    for (int i = 0; i < 10 && sign >= 0; i++) {
       whole++;
       more = sign > 0;
       sign = plane_compare_products(size, portion->num, whole + 1, portion->den);
     }
   }
-  const bool outwards = more && (length < 0 ? up < 0 : up > 0);
-  const int64_t rounded = (int64_t)whole + (outwards ? 1 : 0);
-  return length < 0 ? -rounded : rounded;
+  return length > 0 ? (int64_t)whole : -(int64_t)whole - (more ? 1 : 0);
 }

@@ -32,6 +32,12 @@ typedef struct gjk2_span {
   gjk2_vec o;
 } gjk2_span;
 
+static inline void gjk2_copy_span(gjk2_span *to, const gjk2_span *from) {
+  gjk2_copy_support(&to->a, &from->a);
+  gjk2_copy_support(&to->b, &from->b);
+  gjk2_copy(&to->o, &from->o);
+}
+
 // Sets the way. Statuses: NULL, UNINITIALISED, NEGATIVE, RANGE as of gjk2_cast.
 gjk_status gjk2_way_set(gjk2_way *way, const gjk2_collider *a, const gjk2_collider *b, const gjk2_cast_path *path,
                         const void *out);
@@ -78,7 +84,12 @@ typedef struct gjk2_portion {
   bool exact;
 } gjk2_portion;
 
-// The length of a way along an axis times the portion. up > 0: rounded up, up < 0: down, 0: towards 0. Pre: |length| < 2^32.
-int64_t gjk2_portion_of(const gjk2_portion *portion, int64_t length, int64_t up);
+// The length of a way along an axis times the portion, rounded down, exactly. Pre: |length| < 2^33.
+int64_t gjk2_portion_floor(const gjk2_portion *portion, int64_t length);
+
+// The same to the nearest integer, a tie up. Pre: |length| < 2^32.
+static inline int64_t gjk2_portion_nearest(const gjk2_portion *portion, int64_t length) {
+  return gjk_sar64(gjk2_portion_floor(portion, 2 * length) + 1, 1);
+}
 
 #endif

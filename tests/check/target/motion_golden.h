@@ -18,8 +18,8 @@
 #endif
 #define MOTION_GOLDEN_HASH UINT64_C(0xf06d13ca47a0bb2c)
 #define MOTION_GOLDEN_FEW_HASH UINT64_C(0xb342903d12ee9379)
-#define PLANE_MOTION_GOLDEN_HASH UINT64_C(0x3a4c907bd7951f4b)
-#define PLANE_MOTION_GOLDEN_FEW_HASH UINT64_C(0x2305941e9a836995)
+#define PLANE_MOTION_GOLDEN_HASH UINT64_C(0xd0342f7c66adab45)
+#define PLANE_MOTION_GOLDEN_FEW_HASH UINT64_C(0xbb2c35d65e3218ca)
 
 // The hash over the first pairs of the set. Not reentrant: the colliders are static, to spare small stacks.
 uint64_t motion_golden_hash(uint32_t pairs);
