@@ -163,11 +163,10 @@ static void local_in_field(const void *data, uint32_t number, gjk_parts_room *ro
   gjk_triangle_local(corner, room, out);
 }
 
-// The third corner of the triangle across an edge, from the sample where the cell begins: of the first triangle of a cell
-// that across its edge 0, 1, 2, then of the second.
-static const int8_t far_corner[6][2] = {{0, -1}, {2, 1}, {0, 1}, {1, 0}, {1, 2}, {-1, 0}};
-
 static unsigned edges_in_field(const void *data, uint32_t number) {
+  // The third corner of the triangle across an edge, from the sample where the cell begins: of the first triangle of a cell
+  // that across its edge 0, 1, 2, then of the second.
+  static const int8_t far_corner[6][2] = {{0, -1}, {2, 1}, {0, 1}, {1, 0}, {1, 2}, {-1, 0}};
   const gjk_height_field *f = field_of(data);
   const uint32_t cells = f->columns - UINT32_C(1), row = row_of_cell(f, number / 2), first = number / 2 - row * cells;
   gjk_vec3 corner[3], far;

@@ -16,8 +16,9 @@ typedef struct sort_items {
 
 // A quarter of the sum of three coordinates from the lower corner: below 3 2^31 / 4, so the differences fit.
 static uint32_t place_along(int32_t a, int32_t b, int32_t c, int32_t lower) {
-  const uint64_t sum =
-      (uint64_t)((uint32_t)a - (uint32_t)lower) + ((uint32_t)b - (uint32_t)lower) + ((uint32_t)c - (uint32_t)lower);
+  const uint64_t x = (uint32_t)a - (uint32_t)lower, y = (uint32_t)b - (uint32_t)lower,
+                 z = (uint32_t)c - (uint32_t)lower;
+  const uint64_t sum = x + y + z;
   return (uint32_t)(sum >> 2);
 }
 
@@ -59,8 +60,6 @@ static void exchange_triangles(void *context, uint32_t i, uint32_t j) {
     triangles[j].corner[k] = corner;
   }
 }
-
-static const gjk_sort_order curve_order = {.before = precedes_on_curve, .exchange = exchange_triangles};
 
 // Step 1.
 static gjk_status check_triangles(const gjk_vec3 *vertices, uint32_t vertex_count, const gjk_mesh_triangle *triangles,
@@ -149,6 +148,7 @@ gjk_status gjk_mesh_build(const gjk_vec3 *vertices, uint32_t vertex_count, gjk_m
   if (capacity < GJK_MESH_NODES(triangle_count)) {
     return GJK_ERROR_CAPACITY;
   }
+  static const gjk_sort_order curve_order = {.before = precedes_on_curve, .exchange = exchange_triangles};
   gjk_mesh mesh;
   const gjk_status status = check_triangles(vertices, vertex_count, triangles, triangle_count, &mesh);
   if (status != GJK_OK) {
