@@ -14,6 +14,7 @@
 #include "gjk/impact.h"
 #include "gjk/intersect.h"
 #include "gjk/mass.h"
+#include "gjk/math.h"
 #include "gjk/mesh.h"
 #include "gjk/parts.h"
 #include "gjk/penetration.h"
