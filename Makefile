@@ -9,6 +9,7 @@
 #   make demo-plane      two players run, jump and push things over a level of the plane, in two processes that exchange only
 #                        keys; then one of them is firmware on an emulated Cortex-M3, then on a big-endian machine:
 #                        build/plane.svg
+#   make demo-parts      a bracket, a torus and a rock in convex parts that enclose them, and a gripper's contacts: build/parts.svg
 #   make demo-trace      draws what each iteration of GJK does on some pairs: build/trace.html
 #   make amalgamation    the library as two files: build/amalgamation/gjk.h and gjk.c
 #   make install PREFIX=/usr/local  headers, archive, shared library, pkg-config and CMake files; DESTDIR=D before all paths
@@ -31,7 +32,7 @@
 #                        files that count
 #   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400 (0: all) by
 #                        SEED=1, in files that match FILES=.; lists the survivors
-#   make fuzz            fuzzes pairs, the reader of cases, arguments, scenes, forged claims, casts and the plane for SECONDS=60
+#   make fuzz            fuzzes pairs, the reader of cases, arguments, scenes, forged claims, casts, the plane and gjk-convert for SECONDS=60
 #   make soak            certifies PAIRS=100000000 random pairs on two cores; goes on where it was interrupted
 #   make soak-casts      the same for CASTS=1000000 random casts
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
@@ -104,7 +105,11 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
+<<<<<<< HEAD
 .PHONY: bench-hull all help lib setup test unit-tests programs demo demo-stack demo-plane demo-trace amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+=======
+.PHONY: all help lib setup test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+>>>>>>> 7587c18 (A picture of convex parts with a gripper's contacts; gjk-convert is fuzzed and described)
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
@@ -168,11 +173,12 @@ build/gjk-query: $(QUERY)
 build/gjk-convert: $(CONVERT)
 build/gjk-demo: $(DEMO)
 build/gjk-demo-stack: $(DEMO_STACK)
+build/gjk-demo-parts: build/hosted/tests/programs/demo_parts/main.o $(filter-out %/main.o,$(CONVERT))
 build/gjk-demo-plane: $(DEMO_PLANE)
 build/lockstep: build/hosted/tests/programs/lockstep/main.o build/hosted/tests/programs/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
 build/test_decompose build/test_enclose: $(filter-out %/main.o,$(CONVERT))
-build/gjk-query build/gjk-convert build/gjk-demo build/gjk-demo-stack build/gjk-demo-plane build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
+build/gjk-query build/gjk-convert build/gjk-demo build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
@@ -321,7 +327,7 @@ LONG_TESTS := $(patsubst %,tests/check/unit/test_%.sh,lint golden prove) build/t
 TESTS := $(LONG_TESTS) $(filter-out $(LONG_TESTS),$(UNIT_TESTS) $(TEST_SCRIPTS))
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-programs: all unit-tests build/scene-bench build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-plane
+programs: all unit-tests build/scene-bench build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane
 
 test: $(filter setup,$(MAKECMDGOALS))
 	@$(MAKE) --no-print-directory $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS)) programs
@@ -333,6 +339,9 @@ demo: build/gjk-demo
 
 demo-stack: build/gjk-demo-stack
 	build/gjk-demo-stack build/stack.svg
+
+demo-parts: build/gjk-demo-parts
+	build/gjk-demo-parts tests/data/meshes build/parts.svg
 
 demo-plane: build/gjk-demo-plane
 	@sh tests/build/demo-plane.sh build 900

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Fuzzes pairs, the reader of cases, hostile arguments, scenes, forged claims, casts and the plane with libFuzzer:
+# Fuzzes pairs, the reader of cases, hostile arguments, scenes, forged claims, casts, the plane and gjk-convert with libFuzzer:
 # fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
 # The seconds are shared out evenly. 3000x in their place: as many inputs for each target. SEED 0 is a new one each time. Runs begin with inputs that once failed
@@ -10,7 +10,7 @@ build=$1/fuzz
 amount=$2
 seed=$3
 shift 3
-[ $# -gt 0 ] || set -- pairs cases arguments scene claims casts plane
+[ $# -gt 0 ] || set -- pairs cases arguments scene claims casts plane convert
 case $amount in
   *x) limit=-runs=${amount%x} ;;
   *) limit=-max_total_time=$((amount / $#)) ;;
@@ -65,9 +65,10 @@ fuzz() {
 mkdir -p "$build/objects"
 for source in tests/check/fuzz/bytes.c tests/check/fuzz/overlap.c tests/support/case/case.c tests/support/case/case2.c \
   tests/support/case/case2_collider.c tests/support/case/lines.c tests/support/case/number.c tests/support/case/parse.c tests/support/case/parse2.c \
-  tests/support/exact/*.c tests/support/generate/*.c tests/support/scene/world.c tests/support/scene/session.c src/*/*.c; do
+  tests/support/exact/*.c tests/support/generate/*.c tests/support/reference/random_shape.c tests/support/scene/world.c tests/support/scene/session.c tests/programs/convert/*.c src/*/*.c; do
   case $source in
-    src/* | tests/support/case/*) seen=-fsanitize=fuzzer-no-link ;;
+    */convert/main.c) continue ;;
+    src/* | tests/support/case/* | tests/programs/convert/*) seen=-fsanitize=fuzzer-no-link ;;
     *) seen= ;;
   esac
   # shellcheck disable=SC2086
@@ -75,13 +76,23 @@ for source in tests/check/fuzz/bytes.c tests/check/fuzz/overlap.c tests/support/
 done
 
 mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments" "$build/seeds-scene" \
-  "$build/seeds-claims" "$build/seeds-casts" "$build/seeds-plane"
+  "$build/seeds-claims" "$build/seeds-casts" "$build/seeds-plane" "$build/seeds-convert"
 # shellcheck disable=SC2086
 clang $flags tests/check/fuzz/seeds.c "$build"/objects/*.o -lm -o "$build/seeds" &&
   "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt &&
   "$build/seeds" "$build/seeds-casts" tests/data/cast.txt || exit 1
 cp tests/data/*.txt "$build/seeds-cases"
 cp "$build"/seeds-pairs/* "$build/seeds-arguments"
+# The first byte of a file for gjk-convert is its format. A tetrahedron in three of them and an STL of bytes.
+{ printf '\0' && printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n'; } >"$build/seeds-convert/obj"
+{ printf '\3OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n' && printf '3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n'; } >"$build/seeds-convert/off"
+{
+  printf '\2ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n'
+  printf 'property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n'
+} >"$build/seeds-convert/ply"
+{ printf '\1' && head -c 80 /dev/zero && printf '\1\0\0\0' && head -c 50 /dev/zero; } >"$build/seeds-convert/stl"
+{ printf '\1solid\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendsolid\n'; } >"$build/seeds-convert/text-stl"
+{ printf '\4 0 0 0\n7 7 7\n'; } >"$build/seeds-convert/points"
 cp tests/check/fuzz/once/pairs-* "$build/seeds-pairs"
 
 status=0
