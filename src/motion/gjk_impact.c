@@ -90,7 +90,7 @@ static int64_t composing_slack(const gjk_pose *own) {
   const uint32_t near = UINT32_C(1) << 28;  // a length of at most sqrt(3) 4096 units
   const bool is_near =
       gjk_magnitude32(at->x) <= near && gjk_magnitude32(at->y) <= near && gjk_magnitude32(at->z) <= near;
-  return 2 * (is_near ? 1 : 4) * 2 * HALF_DIAGONAL;
+  return is_near ? 4 * HALF_DIAGONAL : 16 * HALF_DIAGONAL;
 }
 
 // A body's part of the slack, Q8.

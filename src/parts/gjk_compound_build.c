@@ -53,8 +53,6 @@ static void exchange_leaves(void *items, uint32_t i, uint32_t j) {
   copy_leaf(&order->leaf[j], &leaf);
 }
 
-static const gjk_sort_order order_of_leaves = {.before = leaf_before, .exchange = exchange_leaves};
-
 static gjk_q16 least_of(gjk_q16 a, gjk_q16 b) {
   return a < b ? a : b;
 }
@@ -102,6 +100,7 @@ static void mark_root(gjk_compound_node *nodes, uint32_t at, uint32_t count) {
 
 // Steps 3 to 5.
 static void split_tree(gjk_compound_node *nodes, uint32_t at) {
+  static const gjk_sort_order order_of_leaves = {.before = leaf_before, .exchange = exchange_leaves};
   const uint32_t count = (nodes[at].skip - at + 1) / 2, first = count / 2;
   gjk_compound_node *leaf = &nodes[at + count - 1];
   leaf_order order;

@@ -73,9 +73,9 @@ static gjk_q16 as_body(gjk_q16 body, gjk_q16 from, gjk_q16 to, bool *saturated) 
   return gjk_saturate_noting((int64_t)body - from + to, saturated);
 }
 
-// One pass over the parts of B. rest[0], rest[1]: as that of the result.
+// One pass over the parts of B.
 static gjk_status pass_over_b(const gjk_parts_frame frame[2], const gjk_cast_path *path, gjk_parts_first *first,
-                              gjk_parts_cast_question *of, bool bound) {
+                              const gjk_parts_cast_question *of, bool bound) {
   const gjk_parts *b = frame[1].parts;
   const gjk_vec3 *at = &b->pose.position, *end = path->to_b != NULL ? path->to_b : at;
   const uint32_t count = gjk_parts_count(b);
@@ -90,10 +90,17 @@ static gjk_status pass_over_b(const gjk_parts_frame frame[2], const gjk_cast_pat
       to.x = as_body(end->x, at->x, c.position.x, &outside);  // B's reach allows it
       to.y = as_body(end->y, at->y, c.position.y, &outside);
       to.z = as_body(end->z, at->z, c.position.z, &outside);
-      of->b = &c;
-      of->to = path->to_b != NULL ? &to : NULL;
-      of->number = i;
-      status = gjk_parts_first_ask(first, &frame[0], of, bound);
+      gjk_parts_cast_question own;
+      own.b = &c;
+      own.from = NULL;
+      own.to = path->to_b != NULL ? &to : NULL;
+      own.way_a.x = of->way_a.x;
+      own.way_a.y = of->way_a.y;
+      own.way_a.z = of->way_a.z;
+      own.moves_a = of->moves_a;
+      own.margin = of->margin;
+      own.number = i;
+      status = gjk_parts_first_ask(first, &frame[0], &own, bound);
     }
     if (status != GJK_OK) {
       return status;
