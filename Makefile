@@ -105,11 +105,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-<<<<<<< HEAD
-.PHONY: bench-hull all help lib setup test unit-tests programs demo demo-stack demo-plane demo-trace amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
-=======
-.PHONY: all help lib setup test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
->>>>>>> 7587c18 (A picture of convex parts with a gripper's contacts; gjk-convert is fuzzed and described)
+.PHONY: bench-hull all help lib setup test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
