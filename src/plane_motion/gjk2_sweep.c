@@ -111,7 +111,7 @@ void gjk2_sweep_pose(const gjk2_sweep *sweep, gjk_q30 fraction, gjk2_pose *out) 
     const uint64_t turn =
         sweep->rate_high * (uint32_t)fraction + (gjk_umul32(sweep->rate_low, (uint32_t)fraction) >> 32);
     gjk_sine_cosine(sweep->clockwise ? -1 : 1, turn, &turned.s, &turned.c);
-    int64_t deviation;
+    int64_t deviation = 0;
     (void)gjk2_rotation_deviation(&turned, &deviation);  // sine and cosine are within an LSB
     gjk2_rotation_product(rotation, sweep->deviation, &turned, deviation, &out->rotation);
     return;
