@@ -32,8 +32,8 @@ typedef struct gjk_compound_part {
   gjk_pose pose;
 } gjk_compound_part;
 
-// A box of the tree, in the frame of the compound. The nodes are in the order of a walk that goes on to the next node where
-// the box is met, and to skip where it is not; so a walk needs no stack.
+// A box of the tree, in the frame of the compound. The nodes are in the order of a walk, which needs no
+// stack: where the box is met it goes on to the next node, else to skip.
 typedef struct gjk_compound_node {
   gjk_aabb box;
   uint16_t skip;
@@ -59,8 +59,8 @@ typedef struct gjk_compound {
 // nodes     room for capacity nodes, at least GJK_COMPOUND_NODES(count); the caller's. They hold no pointers: nodes of the
 //           same parts are the same on every machine.
 // out       written when the result is GJK_OK; nodes may have been written in any case.
-// Rounding  A part is posed by gjk_pose_compose of the body's pose and its own, so its pose is rounded once: the position
-//           as by gjk_pose_apply, to 1 LSB where it is up to 8192 units from the body's and to 4 beyond, the rotation to
+// Rounding  A part is posed by gjk_pose_compose of the body's pose and its own, so its pose is rounded once. The position
+//           is within 1 LSB where it is up to 8192 units from the body's, and within 4 beyond. The rotation is within
 //           0.501 LSB of Q2.30. The shape is then posed as any other.
 // Statuses  NULL; EMPTY; SIZE: more than GJK_COMPOUND_PARTS_MAX parts; CAPACITY; ROTATION of a part's pose; RANGE: a part
 //           leaves int32 in the frame of the compound; and those of gjk_collider_init for a part's shape.

@@ -91,8 +91,8 @@ typedef struct gjk_hull_simple {
 //            of 8 vertices, or of a tetrahedron around it.
 // Flat       of points in a plane with more corners than wanted: that box or tetrahedron. gjk2_polygon_order and a thin
 //            prism do better.
-// Statuses   NULL; EMPTY; SIZE: as gjk_hull_build; CAPACITY: bytes; RANGE: also a workspace that is not aligned, or no room
-//            within int32 for a tetrahedron, which is up to three times as wide as the points.
+// Statuses   NULL; EMPTY; SIZE: as gjk_hull_build; CAPACITY: bytes. RANGE: also a workspace that is not aligned. Or int32 has
+//            no room for a tetrahedron, which is up to three times as wide as the points.
 // Cost       rounds: each a hull of what is left, and for each edge a look at the planes around it; each leaves at least
 //            one vertex less. 1,000 points on a sphere take 200 times as long as gjk_hull_build. Then a test of all points
 //            against all planes of the result.

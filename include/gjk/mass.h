@@ -83,9 +83,9 @@ typedef struct gjk_principal {
 // Finds the principal axes. Those are chosen that are near x, y, z; a tensor that is diagonal already gives the
 // identity, so a cube's does.
 //
-// Accuracy  In the frame of rotation, as it is rounded, the products of inertia are at most 2^-26 of the largest entry
-//           of the tensor, or 8 square LSB; each moment is within 2^-27 of that entry, or 2 square LSB. Two moments
-//           nearer than that count as equal.
+// Accuracy  In the frame of the rounded rotation each product of inertia is at most 2^-26 of the tensor's largest entry,
+//           or 8 square LSB. Each moment is within 2^-27 of that entry, or 2 square LSB. Two moments nearer than that
+//           count as equal.
 // Statuses  NULL; RANGE: a tensor with entries above 2^60, a zero body included; ITERATION_LIMIT: more than 40
 //           rotations. Of 20,000 random tensors none took more than 10.
 // After     Jacobi 1846, with each rotation taken from the given tensor anew, so that errors do not add up.

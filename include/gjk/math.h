@@ -47,8 +47,8 @@ gjk_status gjk_vec3_normalize(const gjk_vec3 *a, gjk_unit3 *out);
 // Statuses: NULL; ROTATION for a zero vector, out is then as it was.
 gjk_status gjk_quat_between(const gjk_vec3 *from, const gjk_vec3 *to, gjk_quat *out);
 
-// The orientation after turning about the axis of velocity, by |velocity| radians per unit of time (Q16.16), for a time of
-// that unit, Q2.30 from 0 to 1. As accurate as gjk_motion_pose of gjk/impact.h: the angle is not rounded on the way, so
+// The orientation after turning about the axis of velocity for a time. |velocity| is in radians per unit of time, Q16.16;
+// time is of that unit, Q2.30 from 0 to 1. As accurate as gjk_motion_pose of gjk/impact.h: the angle is not rounded, so
 // small steps do not drift. Statuses: NULL; ROTATION; RANGE (time). out is written only after OK.
 gjk_status gjk_quat_integrate(const gjk_quat *rotation, const gjk_vec3 *velocity, gjk_q30 time, gjk_quat *out);
 

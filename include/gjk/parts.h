@@ -113,8 +113,8 @@ typedef struct gjk_parts_manifold {
 // count                    how many there are, also those that do not fit.
 //
 // OK               manifolds and count.
-// CAPACITY         the same; either *count is above capacity, and the manifolds of the highest numbers are left out, or the
-//                  workspace is too small for some part, whose manifold is then as gjk_contacts gives it with this status.
+// CAPACITY         the same. Where *count is above capacity, the manifolds of the highest numbers are left out. Where the
+//                  workspace is too small for a part, its manifold is as gjk_contacts gives it with this status.
 // ITERATION_LIMIT  the same, without curved parts that reached their ceiling.
 // NEGATIVE, RANGE  of margin and most: nothing.
 gjk_status gjk_parts_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16 margin, unsigned most,

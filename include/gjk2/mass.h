@@ -42,8 +42,8 @@ gjk_status gjk2_mass_set_density(gjk2_mass *body, uint32_t density);
 //
 // part      with its mass above 0 (RANGE); not body itself (OVERLAP).
 // pose      of the part's frame in the body's.
-// body      the centre is within 2^-8 LSB of the exact one for each part added, the inertia within 1 square LSB and 2^-7
-//           of the distance of the centres in LSB. Areas add up.
+// body      for each part added the centre is within 2^-8 LSB of the exact one. The inertia is within 1 square LSB and
+//           2^-7 of the distance of the centres in LSB. Areas add up.
 // Statuses  NULL; ROTATION; RANGE: masses together of 2^32 or more, a centre outside int32, centres more than 2^30 LSB
 //           apart along an axis, or a radius of gyration beyond 2^30 LSB.
 gjk_status gjk2_mass_add(gjk2_mass *body, const gjk2_mass *part, const gjk2_pose *pose);

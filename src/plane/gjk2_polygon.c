@@ -7,7 +7,7 @@
 // Cross products decide steps 3 and 4: of edges below 2^30 they are below 2^61, so every sign is exact.
 #include "gjk2/polygon.h"
 
-#include "gjk2_vector.h"
+#include "gjk2_outline.h"
 
 // Step 3: does p come before q, seen from origin? Of p = q neither does.
 static bool has_smaller_angle(gjk2_vec origin, gjk2_vec p, gjk2_vec q) {
@@ -69,18 +69,6 @@ static uint32_t keep_corners(gjk2_vec *v, uint32_t count) {
   return kept;
 }
 
-static bool is_within_size(const gjk2_vec *v, uint32_t count) {
-  gjk2_vec low = v[0], high = v[0];
-  for (uint32_t i = 1; i < count; i++) {
-    low.x = v[i].x < low.x ? v[i].x : low.x;
-    low.y = v[i].y < low.y ? v[i].y : low.y;
-    high.x = v[i].x > high.x ? v[i].x : high.x;
-    high.y = v[i].y > high.y ? v[i].y : high.y;
-  }
-  const int64_t most = 2 * (int64_t)GJK2_RADIUS_MAX;
-  return (int64_t)high.x - low.x <= most && (int64_t)high.y - low.y <= most;
-}
-
 // Do two regions of as many bytes share a byte without being the same?
 static bool overlap_partly(const void *p, const void *q, size_t bytes) {
   const uintptr_t a = (uintptr_t)p, b = (uintptr_t)q;
@@ -97,7 +85,7 @@ gjk_status gjk2_polygon_order(const gjk2_vec *points, uint16_t count, gjk2_vec *
   if (overlap_partly(points, out, count * sizeof *out)) {
     return GJK_ERROR_OVERLAP;
   }
-  if (!is_within_size(points, count)) {  // Step 1
+  if (!gjk2_outline_fits(points, count)) {  // Step 1
     return GJK_ERROR_SIZE;
   }
   uint32_t lowest = 0;
