@@ -67,7 +67,7 @@ typedef struct gjk_hull_volume {
 gjk_status gjk_hull_get_volume(const gjk_hull *hull, gjk_hull_volume *six_times);
 
 // Bytes of workspace for gjk_hull_simplify of so many points: 80 a point, and 720.
-#define GJK_HULL_SIMPLIFY_WORKSPACE(points) (80 * (size_t)(points) + 720)
+#define GJK_HULL_SIMPLIFY_WORKSPACE(points) (80 * (uint32_t)(points) + 720)
 
 // Fewest vertices that a hull can be simplified to.
 #define GJK_HULL_SIMPLE_MIN 4

@@ -378,7 +378,7 @@ static uint32_t largest_excess(const simple_work *s) {
 static void divide_workspace(simple_work *s, void *workspace, uint16_t count) {
   const size_t room = count < 8 ? 8 : count;
   s->hull = workspace;
-  s->bytes = GJK_HULL_WORKSPACE(room);
+  s->bytes = (size_t)GJK_HULL_WORKSPACE(room);  // it fits: the caller's bytes are at least as many
   s->vertex = (gjk_vec3 *)(void *)((unsigned char *)workspace + s->bytes);
   s->other = s->vertex + room;
   s->excess = (uint32_t *)(void *)(s->other + room);

@@ -76,6 +76,7 @@ static bool set_corners_of(const surface_query *q, uint32_t number, surface_face
   type->local(q->frame->parts->data, number, &room, &local);
   for (unsigned i = 0; i < 3; i++) {
     gjk_set(&room.vertices[i], &out->local[i]);
+    gjk_set(&room.vertices[i], &out->world[i]);  // until it is turned
   }
   return gjk_triangle_turn(q->frame, out->local, out->world) &&
          relate(&out->world[0], &q->body->centre, &out->corner[0]) &&

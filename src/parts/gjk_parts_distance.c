@@ -46,7 +46,10 @@ static gjk_status ask_part(gjk_parts_nearest *n, const gjk_parts_frame *frame, c
   gjk_distance_result *trial = &n->result[1 - n->best];
   *nearer = false;
   gjk_status status = gjk_parts_place_in(frame, number, &room, &c);
-  status = status == GJK_OK ? gjk_distance(&c, b, NULL, trial) : status;
+  if (status != GJK_OK) {
+    return status;
+  }
+  status = gjk_distance(&c, b, NULL, trial);
   if (status != GJK_OK && status != GJK_ERROR_ITERATION_LIMIT) {
     return status;
   }
@@ -62,14 +65,14 @@ static gjk_status ask_part(gjk_parts_nearest *n, const gjk_parts_frame *frame, c
 }
 
 gjk_status gjk_parts_nearest_ask(gjk_parts_nearest *n, const gjk_parts_frame *frame, gjk_region *region,
-                                 const gjk_collider *b, uint32_t number) {
+                                 const gjk_collider *b, uint32_t of_b) {
   gjk_parts_walk walk;
   gjk_status status = GJK_OK;
   uint32_t part, guess = GJK_PARTS_NONE;
   bool nearer;
   if (n->part == GJK_PARTS_NONE) {
     guess = frame->parts->type->guess(frame->parts->data, region);  // Step 1
-    status = ask_part(n, frame, b, guess, number, &nearer);
+    status = ask_part(n, frame, b, guess, of_b, &nearer);
   }
   if (status != GJK_OK) {
     return status;
@@ -77,10 +80,10 @@ gjk_status gjk_parts_nearest_ask(gjk_parts_nearest *n, const gjk_parts_frame *fr
   grow_to(region, n->result[n->best].distance);
   gjk_parts_walk_start(&walk);
   while (gjk_parts_next(frame, region, &walk, &part)) {  // Step 2; ends: each part comes once
-    if (part == guess || (n->result[n->best].intersecting && number == n->of_b && part > n->part)) {
+    if (part == guess || (n->result[n->best].intersecting && of_b == n->of_b && part > n->part)) {
       continue;
     }
-    status = ask_part(n, frame, b, part, number, &nearer);
+    status = ask_part(n, frame, b, part, of_b, &nearer);
     if (status != GJK_OK) {
       return status;
     }

@@ -406,6 +406,9 @@ static bool measure_listed(gjk2_search *s, rim *rim_a, rim *rim_b, gjk2_vec begi
   l.w = gjk2_add(s->delta, gjk2_sub(*l.of_a.from, *l.of_b.from));
   l.left = s->a->count + (uint32_t)s->b->count;
   l.apart = false;
+  l.at_a = l.of_a.from;
+  l.at_b = l.of_b.from;
+  l.comes = 0;
   walk_listed(&l, n, true);
   if (!l.apart && l.left > 0) {
     l.of_a.to = l.of_a.from;

@@ -10,7 +10,7 @@ cp -r src "$dir/src"
 for file in src/*/*.[ch]; do
   sed 's|//@ assert \(.*\);$|if (!(\1)) __builtin_trap();|; s|//@ .*||' "$file" >"$dir/$file"
 done
-support="tests/support/generate/*.c tests/support/exact/*.c tests/support/case/case.c tests/support/case/case2.c tests/support/case/case2_collider.c"
+support="tests/support/generate/*.c tests/support/reference/random_shape.c tests/support/exact/*.c tests/support/case/case.c tests/support/case/case2.c tests/support/case/case2_collider.c"
 
 # library NAME SANITIZERS: NAME.a
 library() {

@@ -147,6 +147,49 @@ check 'a line compiles' 0 $?
 check 'its name' 1 "$(grep -c 'const gjk_shape _7_up = ' "$work/line.c")"
 
 # Broken files: the message names the line, nothing is written, the status is 2.
+# Surfaces. An L in three dimensions has one edge that is concave, counted from both sides.
+mesh_info() { # FILE EXPECTED
+  check "surface of $1" "$2" "$("$convert" --mesh --info "$1")"
+}
+mesh_info tests/data/hulls/l_bracket.obj 'triangles=20 vertices=12 convex=34 flat=24 concave=2 open=0 fault=0 watertight=yes'
+mesh_info tests/data/hulls/u_channel.obj 'triangles=28 vertices=16 convex=44 flat=36 concave=4 open=0 fault=0 watertight=yes'
+mesh_info "$work/t.obj" 'triangles=4 vertices=4 convex=12 flat=0 concave=0 open=0 fault=0 watertight=yes'
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n' >"$work/turned.obj"
+mesh_info "$work/turned.obj" 'triangles=2 vertices=4 convex=0 flat=0 concave=0 open=6 fault=9 watertight=no'
+# Its C is sound where it is compiled, and answers: half a unit above the L's long side.
+"$convert" --mesh --two-sided --name ground tests/data/hulls/l_bracket.obj >"$work/ground.c" 2>"$work/ground.said"
+check 'surface: what it says' '20 triangles, watertight; faults: none; points rounded by at most 0.00 LSB' "$(cat "$work/ground.said")"
+cat >>"$work/ground.c" <<END
+#include <stdio.h>
+int main(void) {
+  static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
+  gjk_parts body = GJK_PARTS_OF_MESH(&ground);
+  gjk_collider b = {0};
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  gjk_mesh_report report;
+  gjk_distance_result gap;
+  pose.position.x = GJK_Q16(30.0);
+  pose.position.y = GJK_Q16(11.0);
+  pose.position.z = GJK_Q16(15.0);
+  if (gjk_mesh_check(&ground, &report) != GJK_OK || gjk_collider_init(&b, &ball, NULL, 0) != GJK_OK ||
+      gjk_collider_pose(&b, &pose) != GJK_OK || gjk_parts_distance(&body, &b, NULL, &gap) != GJK_OK) {
+    return 1;
+  }
+  printf("fault %d, two-sided %d, gap %ld\n", report.fault, ground.two_sided, (long)gap.distance);
+  return 0;
+}
+END
+${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude "$work/ground.c" "$build/host/libgjk.a" \
+  "$build/hosted/port/hosted/gjk_hosted.o" -o "$work/ground"
+check 'surface: its C' 'fault 0, two-sided 1, gap 32768' "$("$work/ground")"
+found=$("$convert" --mesh "tests/data/hulls/det1_1.txt" 2>&1)
+check 'surface of points: status' 2 $?
+check 'surface of points' 'tests/data/hulls/det1_1.txt: no triangles' "$found"
+printf 'v 0 0 0\nv 5000 0 0\nv 0 1 0\nf 1 2 3\n' >"$work/long.obj"
+found=$("$convert" --mesh "$work/long.obj" 2>&1)
+check 'a long triangle: status' 2 $?
+check 'a long triangle' "$work/long.obj: a triangle is longer than 4095 units along an axis" "$found"
+
 broken() { # FILE MESSAGE
   found=$("$convert" --info "$work/$1" 2>&1)
   check "$1: status" 2 $?
@@ -195,7 +238,7 @@ for wrong in "$work/missing.obj" "$work" "$work/t.xyz"; do
   "$convert" --info "$wrong" >/dev/null 2>&1
   check "$wrong: status" 2 $?
 done
-for options in '--what' '' "$work/t.obj $work/t.off" '--name'; do
+for options in '--what' '' "--mesh --case $work/t.obj" "--mesh --decompose $work/t.obj" "$work/t.obj $work/t.off" '--name'; do
   # shellcheck disable=SC2086 # words are wanted
   "$convert" $options >/dev/null 2>&1
   check "options $options: status" 2 $?

@@ -1,4 +1,4 @@
-// gjk-convert: makes hulls, and convex parts, of files of points and meshes.
+// gjk-convert: makes hulls, convex parts and surfaces of files of points and meshes.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,6 +7,7 @@
 #include "gjk/hull.h"
 #include "mesh.h"
 #include "write.h"
+#include "write_mesh.h"
 #include "write_parts.h"
 
 enum { EXIT_DONE = 0, EXIT_INPUT = 2 };
@@ -17,6 +18,8 @@ static const char help[] =
     "\n"
     "  --hull         the convex hull of all points (default)\n"
     "  --decompose    convex parts that enclose the solid which the file's triangles bound\n"
+    "  --mesh         the file's triangles as a surface for gjk/mesh.h, with what is known of their edges and a tree\n"
+    "  --two-sided    of a surface: bodies touch it from both sides\n"
     "  --excess LSB   parts may reach beyond the solid by so much; the default is 0 where a solid has few edges\n"
     "                 at which it is not convex, else a 64th of its longest side\n"
     "  --parts N      no more than so many parts, whatever their excess\n"
@@ -27,6 +30,8 @@ static const char help[] =
     "                 K six times the volume in cubic LSB; watertight: the file's own triangles close\n"
     "                 with --decompose: parts=P excess=E enclosed=yes|no\n"
     "                 E the farthest that a part reaches beyond the solid, LSB, rounded up; enclosed: checked exactly\n"
+    "                 with --mesh: triangles=T vertices=V convex=A flat=B concave=C open=D fault=F watertight=yes|no\n"
+    "                 the kinds of edges, each side counted; F is a gjk_mesh_fault, 0 for a sound surface\n"
     "  --case         a case for gjk-query instead of C: the hull against itself, moved by its own length\n"
     "  --units        a number in the file is a unit, 65536 LSB (default)\n"
     "  --millimetres  1000 of them are a unit\n"
@@ -39,7 +44,7 @@ static const char help[] =
 typedef struct options {
   const char *file, *name, *picture;
   double scale;
-  bool info, cases, parts;
+  bool info, cases, parts, mesh, two_sided;
   decompose_options how;
 } options;
 
@@ -71,6 +76,10 @@ static int read_options(int argc, char **argv, options *o) {
       o->name = argv[++i];
     } else if (strcmp(word, "--decompose") == 0) {
       o->parts = true;
+    } else if (strcmp(word, "--mesh") == 0) {
+      o->mesh = true;
+    } else if (strcmp(word, "--two-sided") == 0) {
+      o->two_sided = true;
     } else if (strcmp(word, "--picture") == 0 && i + 1 < argc) {
       o->picture = argv[++i];
     } else if (strcmp(word, "--excess") == 0 && i + 1 < argc) {
@@ -93,6 +102,9 @@ static int read_options(int argc, char **argv, options *o) {
       }
       o->file = word;
     }
+  }
+  if (o->mesh && (o->parts || o->cases)) {
+    return usage("--mesh goes with neither --decompose nor --case", "");
   }
   return o->file == NULL ? usage("no file", "") : EXIT_DONE;
 }
@@ -205,8 +217,28 @@ static int convert_to_parts(const options *o, mesh_file *file, const mesh *m) {
   return result;
 }
 
+// Makes a surface of the triangles and writes what is asked for.
+static int convert_to_surface(const options *o, mesh_file *file, const mesh *m) {
+  char problem[200];
+  built_mesh s;
+  if (!built_mesh_of(&s, m, o->two_sided, problem, sizeof problem)) {
+    fprintf(stderr, "%s: %s\n", file->name, problem);
+    return EXIT_INPUT;
+  }
+  if (o->info) {
+    write_mesh_info(&s, mesh_is_watertight(m));
+  } else {
+    write_mesh_source(&s, o->name);
+    fprintf(stderr, "%zu triangles, %s; faults: %s; points rounded by at most %.2f LSB\n", m->triangles,
+            mesh_is_watertight(m) ? "watertight" : "not watertight", built_mesh_fault(s.report.fault),
+            m->most_rounding);
+  }
+  built_mesh_free(&s);
+  return EXIT_DONE;
+}
+
 int main(int argc, char **argv) {
-  options o = {NULL, NULL, NULL, 65536, false, false, false, {-1, 0}};
+  options o = {NULL, NULL, NULL, 65536, false, false, false, false, false, {-1, 0}};
   char name[64];
   mesh m = {NULL, NULL, 0, 0, 0, 0, 0};
   for (int i = 1; i < argc; i++) {
@@ -231,7 +263,9 @@ int main(int argc, char **argv) {
   if (mesh_read(&m, &file)) {
     const size_t points = m.points;
     mesh_weld(&m);
-    result = o.parts ? convert_to_parts(&o, &file, &m) : convert(&o, &file, &m, points);
+    result = o.parts  ? convert_to_parts(&o, &file, &m)
+             : o.mesh ? convert_to_surface(&o, &file, &m)
+                      : convert(&o, &file, &m, points);
   } else {
     result = report_problem(&file);
   }
