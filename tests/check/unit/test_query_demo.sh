@@ -25,7 +25,7 @@ check 'the swing' grep -q '^swing: gripper-palm hits laser after 25.88[0-9] degr
 
 bodies=$(awk '/^case/ {gsub(":", "\n", $2); print $2}' tests/data/arm.txt | sort -u | wc -l | tr -d ' ')
 check 'each body is drawn once' test "$(grep -c '<title>' "$dir/arm.svg")" = "$bodies"
-for text in '48.2 mm' '0.015 mm' '24.4 mm deep' 'overlapping' 'touching' 'arm-elbow' 'hit after 25.88 degrees'; do
+for text in '48.2 mm' '0.015 mm' '24.4 mm deep' 'overlapping' 'touching' 'arm-elbow' 'hit after 25.89 degrees'; do
   check "the picture says $text" grep -q "$text" "$dir/arm.svg"
 done
 check 'the picture has numbers only' sh -c "! grep -qE 'nan|inf[^o]' \"$dir/arm.svg\""
