@@ -349,7 +349,7 @@ demo-trace: build/gjk-query
 	@echo '  build/trace.html'
 
 amalgamation:
-	@sh tests/build/amalgamate.sh build
+	@sh tests/build/amalgamate.sh build/amalgamation
 	@echo '  build/amalgamation/gjk.h build/amalgamation/gjk.c'
 
 docs:
