@@ -356,7 +356,7 @@ build/page/index.html: $(wildcard src/*/*.[ch] include/*/*.h port/wasm/* tests/p
 	@sh tests/build/page.sh build
 
 amalgamation:
-	@sh tests/build/amalgamate.sh build
+	@sh tests/build/amalgamate.sh build/amalgamation
 	@echo '  build/amalgamation/gjk.h build/amalgamation/gjk.c'
 
 PREFIX ?= /usr/local
