@@ -73,7 +73,7 @@ measure() {
   case $variant in
     */ceiling)
       # shellcheck disable=SC2086
-      for name in bounds plane motion casts; do
+      for name in bounds plane motion casts parts; do
         program $name "$@" tests/check/limit/$name.c $SUPPORT && run $name || return 1
       done
       ;;
