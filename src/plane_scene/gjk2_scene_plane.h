@@ -6,6 +6,7 @@
 #ifndef GJK2_SRC_SCENE_PLANE_H
 #define GJK2_SRC_SCENE_PLANE_H
 
+#include "../arith/gjk_ceilings.h"
 #include "../plane/gjk2_class.h"
 #include "../plane/gjk2_measure.h"
 #include "../plane/gjk2_rotation.h"
@@ -21,6 +22,9 @@
 
 // The version of the block's format.
 #define GJK2_SCENE_VERSION GJK2_SCENE_BLOCK_VERSION
+
+// The ceiling on casts of the build, as a block says it.
+#define GJK2_SCENE_CASTS (GJK2_ADVANCE_ROUNDS_MAX + UINT32_C(0))
 
 // How many contacts a report has at most.
 #define GJK2_SCENE_CONTACTS GJK2_CONTACTS_MAX
@@ -126,7 +130,7 @@ typedef char gjk2_scene_sizes_are_fixed[sizeof(gjk2_scene_body) == 44 && sizeof(
                                             : -1];
 
 // Bytes of a header.
-#define GJK2_SCENE_HEADER_BYTES 272
+#define GJK2_SCENE_HEADER_BYTES 288
 
 struct gjk2_scene_details {
   gjk_status (*signed_distance)(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache,

@@ -67,7 +67,8 @@ typedef enum gjk_scene_outcome {
   GJK_SCENE_WARM,
   GJK_SCENE_COLD,
   GJK_SCENE_OUTCOMES,
-  GJK_SCENE_UNSETTLED = 16  // flag
+  GJK_SCENE_UNSETTLED = 16,  // flag
+  GJK_SCENE_MEASURED = 32    // flag: the distance or depth was found
 } gjk_scene_outcome;
 
 // Records of one size. A pool hands out the record that was given back last, or else the next one that was never used.
