@@ -39,7 +39,7 @@ static long sinks(bool warm) {
   }
   for (int tick = 0; tick < 120; tick++) {
     (void)gjk_scene_update(&scene, reports, 16, &progress);  // in this scene no pair ends
-    for (uint32_t i = 0; i < 2 * progress.reports; i++) {  // first all start, then all are solved
+    for (uint32_t i = 0; i < 2 * progress.reports; i++) {    // first all start, then all are solved
       const gjk_report *r = &reports[i % progress.reports];
       i < progress.reports ? push(r, (int32_t)(r->words[0] *= warm)) : solve(r);
     }
