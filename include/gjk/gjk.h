@@ -2,6 +2,7 @@
 #ifndef GJK_GJK_H
 #define GJK_GJK_H
 
+#include "gjk/bind.h"
 #include "gjk/cast.h"
 #include "gjk/check.h"
 #include "gjk/collider.h"
@@ -9,6 +10,7 @@
 #include "gjk/contacts.h"
 #include "gjk/distance.h"
 #include "gjk/format.h"
+#include "gjk/hash.h"
 #include "gjk/height_field.h"
 #include "gjk/hull.h"
 #include "gjk/impact.h"
