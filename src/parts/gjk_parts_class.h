@@ -53,6 +53,10 @@ struct gjk_parts_class {
   // changes *m. False: none is left. NULL: all are right.
   bool (*settle)(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_manifold *m);
 
+  // The contacts of a part with B that the whole body has, in place of gjk_contacts: gjk_surface_meet. NULL: gjk_contacts.
+  gjk_status (*meet)(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin, unsigned most,
+                     gjk_cache *cache, const gjk_workspace *workspace, gjk_manifold *out);
+
   // What is known of a triangle's edges, and its sides: src/mesh/gjk_triangle.h. Of surfaces of triangles; NULL for others.
   unsigned (*edges)(const void *data, uint32_t number);
 };
