@@ -11,7 +11,9 @@
 #                        build/plane.svg
 #   make demo-parts      a bracket, a torus and a rock in convex parts that enclose them, and a gripper's contacts: build/parts.svg
 #   make demo-trace      draws what each iteration of GJK does on some pairs: build/trace.html
+#   make page            the page to touch: build/page/index.html, one file with the library as WebAssembly, opens from disk
 #   make amalgamation    the library as two files: build/amalgamation/gjk.h and gjk.c
+#   make docs            the API reference by doxygen, HTML and man pages: build/docs/html/index.html, build/docs/man
 #   make install PREFIX=/usr/local  headers, archive, shared library, pkg-config and CMake files; DESTDIR=D before all paths
 #   make package         the library as CMake, Zephyr, ESP-IDF, Arduino and PlatformIO expect it: build/package
 #   make sizes           code by function group and stack by query, per target
@@ -105,7 +107,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: bench-hull all help lib setup test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: bench-hull all help lib setup test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
@@ -347,9 +349,22 @@ demo-trace: build/gjk-query
 	@sh tests/build/demo-trace.sh build tests/data/trace.txt
 	@echo '  build/trace.html'
 
+page: build/page/index.html
+	@echo '  build/page/index.html'
+
+build/page/index.html: $(wildcard src/*/*.[ch] include/*/*.h port/wasm/* tests/programs/page/* tests/programs/page/libc/* \
+    tests/programs/query/*.[ch] tests/support/case/*.[ch] tests/support/reference/*.[ch]) tests/build/page.sh
+	@sh tests/build/page.sh build
+
 amalgamation:
-	@sh tests/build/amalgamate.sh build
+	@sh tests/build/amalgamate.sh build/amalgamation
 	@echo '  build/amalgamation/gjk.h build/amalgamation/gjk.c'
+
+.PHONY: docs
+docs:
+	@sh tests/build/docs.sh build
+	@cat build/docs/warnings
+	@echo '  build/docs/html/index.html build/docs/man'
 
 PREFIX ?= /usr/local
 install:

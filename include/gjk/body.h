@@ -20,6 +20,7 @@ typedef struct gjk_body_id {
   uint32_t generation;  // counts how often the slot was taken and freed; odd while a body is in it
 } gjk_body_id;
 
+// How a body moves.
 typedef enum gjk_body_kind {
   GJK_BODY_STATIC = 0,  // scenery: never tested against other statics
   GJK_BODY_KINEMATIC,   // moved by its own plan
@@ -40,6 +41,7 @@ typedef enum gjk_detail {
 // gjk2_scene_refilter.
 typedef bool gjk_scene_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b);
 
+// What a report tells of a pair.
 typedef enum gjk_event {
   GJK_EVENT_BEGIN = 1,  // near at this update, not at the last one
   GJK_EVENT_PERSIST,    // near at both; reported only with config.persist
@@ -75,15 +77,15 @@ typedef struct gjk_scene_stats {
                            // inside of it near
   uint32_t direction;      // the last separating direction still separates: one support scan
   uint32_t warm, cold;     // queries, started from the cache or not
-  uint32_t begun, persisting, ended;
-  uint32_t unsettled;  // queries that reached a ceiling, see gjk_scene_update and gjk2_scene_update
-  uint32_t updates;    // completed so far, modulo 2^32
+  uint32_t begun, persisting, ended;  // events of the update that tested all pairs
+  uint32_t unsettled;                 // queries that reached a ceiling, see gjk_scene_update and gjk2_scene_update
+  uint32_t updates;                   // completed so far, modulo 2^32
 } gjk_scene_stats;
 
 // A part that a query found.
 typedef struct gjk_scene_hit {
-  gjk_body_id body;
-  uint16_t part;
+  gjk_body_id body;   // the body that has it
+  uint16_t part;      // the part's number in its body
   uint32_t fraction;  // of a way, in 2^-30, where it enters the part's box or meets the part, rounded down; otherwise 0
 } gjk_scene_hit;
 

@@ -20,15 +20,15 @@ extern "C" {
 
 // A hull in the caller's workspace. The first six fields may be read; the rest is the library's.
 typedef struct gjk_hull {
-  uint8_t dimension;      // of the points: 0 to 3
-  uint16_t vertices;      // extreme points, each counted once
-  uint32_t faces;         // facets: faces in one plane count once. Of points in a plane two, of fewer dimensions none
-  uint32_t edges;         // between facets
-  uint32_t corners;       // of all facets together: twice the edges
-  uint16_t most_corners;  // of one facet
-  const gjk_vec3 *points;
-  void *workspace;
-  uint32_t count, distinct, triangles;
+  uint8_t dimension;       // of the points: 0 to 3
+  uint16_t vertices;       // extreme points, each counted once
+  uint32_t faces;          // facets: faces in one plane count once. Of points in a plane two, of fewer dimensions none
+  uint32_t edges;          // between facets
+  uint32_t corners;        // of all facets together: twice the edges
+  uint16_t most_corners;   // of one facet
+  const gjk_vec3 *points;  // that gjk_hull_build was given
+  void *workspace;         // the same
+  uint32_t count, distinct, triangles;  // of points, of those in different places, and of triangles
 } gjk_hull;
 
 // Finds the hull.
@@ -61,9 +61,10 @@ gjk_status gjk_hull_write_faces(const gjk_hull *hull, uint16_t *corner, uint16_t
 
 // Six times the volume, in cubic LSB, exact: 2^64 high + low. 0 for points in a plane.
 typedef struct gjk_hull_volume {
-  uint64_t high, low;
+  uint64_t high, low;  // halves of the number
 } gjk_hull_volume;
 
+// The volume of a hull that is built. Statuses: NULL.
 gjk_status gjk_hull_get_volume(const gjk_hull *hull, gjk_hull_volume *six_times);
 
 // Bytes of workspace for gjk_hull_simplify of so many points: 80 a point, and 720.
@@ -103,15 +104,15 @@ gjk_status gjk_hull_simplify(const gjk_vec3 *points, uint16_t count, uint16_t mo
 
 // What is wrong with the faces of a hull.
 typedef enum gjk_hull_fault {
-  GJK_HULL_SOUND = 0,
-  GJK_HULL_FEW,      // a face of less than 3 corners, or no faces
-  GJK_HULL_NUMBER,   // a corner that is no vertex
-  GJK_HULL_BENT,     // a face whose corners do not lie in one plane
-  GJK_HULL_TURN,     // a face that does not turn counterclockwise at each corner, exactly once around
-  GJK_HULL_BEYOND,   // a vertex beyond a face: the face is turned inwards, or does not bound the hull
-  GJK_HULL_OPEN,     // an edge that no other face has the opposite way
-  GJK_HULL_DOUBLED,  // an edge that two faces have the same way
-  GJK_HULL_LAYERS    // faces at a vertex that do not go once around it
+  GJK_HULL_SOUND = 0,  // nothing
+  GJK_HULL_FEW,        // a face of less than 3 corners, or no faces
+  GJK_HULL_NUMBER,     // a corner that is no vertex
+  GJK_HULL_BENT,       // a face whose corners do not lie in one plane
+  GJK_HULL_TURN,       // a face that does not turn counterclockwise at each corner, exactly once around
+  GJK_HULL_BEYOND,     // a vertex beyond a face: the face is turned inwards, or does not bound the hull
+  GJK_HULL_OPEN,       // an edge that no other face has the opposite way
+  GJK_HULL_DOUBLED,    // an edge that two faces have the same way
+  GJK_HULL_LAYERS      // faces at a vertex that do not go once around it
 } gjk_hull_fault;
 
 // What gjk_hull_check found.

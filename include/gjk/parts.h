@@ -32,9 +32,9 @@ typedef struct gjk_parts_class gjk_parts_class;
 
 // A body of many parts at a pose. The initialiser of its kind sets the first two fields; the pose may change at any time.
 typedef struct gjk_parts {
-  const gjk_parts_class *type;
-  const void *data;  // a gjk_compound, or what else the class takes; the caller's, read only
-  gjk_pose pose;
+  const gjk_parts_class *type;  // its kind
+  const void *data;             // a gjk_compound, or what else the class takes; the caller's, read only
+  gjk_pose pose;                // of the body's frame
 } gjk_parts;
 
 // No part.
@@ -42,8 +42,8 @@ typedef struct gjk_parts {
 
 // Room for the shape of a part that is made when it is asked, such as a triangle of a mesh.
 typedef struct gjk_parts_room {
-  gjk_shape shape;
-  gjk_vec3 vertices[4];
+  gjk_shape shape;       // the library's
+  gjk_vec3 vertices[4];  // of the shape
 } gjk_parts_room;
 
 // How many parts a body has; 0 for NULL.
@@ -100,9 +100,9 @@ gjk_status gjk_parts_penetration(const gjk_parts *a, const gjk_collider *b, cons
 
 // The manifold of one part.
 typedef struct gjk_parts_manifold {
-  uint32_t part;       // of A
-  uint32_t part_of_b;  // where B is a body of many parts; else 0
-  gjk_manifold manifold;
+  uint32_t part;          // of A
+  uint32_t part_of_b;     // where B is a body of many parts; else 0
+  gjk_manifold manifold;  // A is the part
 } gjk_parts_manifold;
 
 // The contact manifolds of all parts that overlap B or are at most margin away from it, as gjk_contacts of each.

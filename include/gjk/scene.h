@@ -40,7 +40,7 @@ typedef struct gjk_part {
 
 // A body to be added.
 typedef struct gjk_body_setup {
-  gjk_pose pose;
+  gjk_pose pose;            // where it stands
   const gjk_part *parts;    // read during the call alone
   uint16_t part_count;      // at least 1
   uint8_t kind;             // a gjk_body_kind
@@ -92,10 +92,10 @@ typedef struct gjk_scene_bindings {
 // and nothing of it otherwise. It may be copied: all copies are handles of the same scene. Of a copy, bindings may be
 // changed: a thread that tests pairs takes a copy with a workspace of its own.
 typedef struct gjk_scene {
-  void *block;
+  void *block;                     // the caller's memory
   const gjk_shape *const *shapes;  // the same shapes, in the same order, wherever a block goes
-  uint16_t shape_count;
-  gjk_scene_bindings bindings;
+  uint16_t shape_count;            // of shapes
+  gjk_scene_bindings bindings;     // what else the program binds to it
 } gjk_scene;
 
 // Bytes of a block. 0: the configuration is outside its ranges, or size_t cannot hold the number.
@@ -167,15 +167,16 @@ gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body_id id);
 
 // What a scene holds about a body.
 typedef struct gjk_body_state {
-  gjk_pose pose;
-  uint32_t category, mask, user;
-  gjk_q16 margin;
-  uint16_t part_count;
-  uint8_t kind, detail;
-  bool asleep;
-  uint8_t motion;  // a gjk_body_motion
+  gjk_pose pose;                  // where it stands now
+  uint32_t category, mask, user;  // as of gjk_body_setup
+  gjk_q16 margin;                 // the same
+  uint16_t part_count;            // of its parts
+  uint8_t kind, detail;           // a gjk_body_kind and a gjk_detail
+  bool asleep;                    // see gjk_scene_sleep
+  uint8_t motion;                 // a gjk_body_motion
 } gjk_body_state;
 
+// What a body is and where.
 gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id id, gjk_body_state *out);
 
 // The id of the body in a slot. Its generation is 0 when the slot is free. RANGE: no such slot.
@@ -193,10 +194,10 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
 // manifold  of BEGIN and PERSIST with CONTACTS: up to 4 contacts, found without a cache. The i-th report of a call has
 //           &bindings.manifolds[i]. Otherwise NULL.
 typedef struct gjk_report {
-  gjk_body_id a, b;
-  uint16_t part_a, part_b;
-  uint8_t event;   // a gjk_event
-  uint8_t detail;  // a gjk_detail: the pair's; the configuration's if a body was removed
+  gjk_body_id a, b;         // the bodies
+  uint16_t part_a, part_b;  // numbers of their parts
+  uint8_t event;            // a gjk_event
+  uint8_t detail;           // a gjk_detail: the pair's; the configuration's if a body was removed
   gjk_q16 distance;
   const gjk_manifold *manifold;
   gjk_q30 fraction;  // of IMPACT, see gjk_scene_set_motion; otherwise 0
@@ -221,6 +222,7 @@ gjk_status gjk_scene_update(gjk_scene *scene, gjk_report *reports, uint32_t capa
 gjk_status gjk_scene_update_slice(gjk_scene *scene, uint32_t tests, gjk_report *reports, uint32_t capacity,
                                   gjk_progress *progress);
 
+// Takes a report; it holds during the call alone.
 typedef void gjk_report_function(void *user, const gjk_report *report);
 
 // As gjk_scene_update, with each report handed to a function, which may not change the scene. bindings.manifolds needs
@@ -250,6 +252,7 @@ gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_rep
 // config.workspace_cells.
 gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out);
 
+// What the last update did, and what the scene holds.
 gjk_status gjk_scene_get_stats(const gjk_scene *scene, gjk_scene_stats *out);
 
 // Queries. They see the current poses, also between updates.

@@ -10,8 +10,8 @@ extern "C" {
 
 // The contacts of one triangle: its number, and the manifold. Its normal leads out of the surface, from A to B.
 typedef struct gjk_surface_contact {
-  uint32_t triangle;
-  gjk_manifold manifold;
+  uint32_t triangle;      // its number
+  gjk_manifold manifold;  // normal from A to B
 } gjk_surface_contact;
 
 // The contacts of a body with a mesh or height field: for each triangle that it overlaps, or is at most margin apart from,

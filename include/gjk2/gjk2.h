@@ -4,6 +4,7 @@
 
 #include "gjk/status.h"
 #include "gjk/version.h"
+#include "gjk2/bind.h"
 #include "gjk2/cache.h"
 #include "gjk2/cast.h"
 #include "gjk2/certificate.h"

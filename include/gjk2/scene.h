@@ -49,7 +49,7 @@ typedef struct gjk2_part {
 
 // A body to be added.
 typedef struct gjk2_body_setup {
-  gjk2_pose pose;
+  gjk2_pose pose;           // where it stands
   const gjk2_part *parts;   // read during the call alone
   uint16_t part_count;      // at least 1
   uint8_t kind;             // a gjk_body_kind
@@ -98,10 +98,10 @@ typedef struct gjk2_scene_bindings {
 // and nothing of it otherwise. It may be copied: all copies are handles of the same scene. Of a copy, bindings may be
 // changed.
 typedef struct gjk2_scene {
-  void *block;
+  void *block;                      // the caller's memory
   const gjk2_shape *const *shapes;  // the same shapes, in the same order, wherever a block goes
-  uint16_t shape_count;
-  gjk2_scene_bindings bindings;
+  uint16_t shape_count;             // of shapes
+  gjk2_scene_bindings bindings;     // what else the program binds to it
 } gjk2_scene;
 
 // Bytes of a block. 0: the configuration is outside its ranges, or size_t cannot hold the number.
@@ -173,15 +173,16 @@ gjk_status gjk2_scene_refilter(gjk2_scene *scene, gjk_body_id id);
 
 // What a scene holds about a body.
 typedef struct gjk2_body_state {
-  gjk2_pose pose;
-  uint32_t category, mask, user;
-  gjk_q16 margin;
-  uint16_t part_count;
-  uint8_t kind, detail;
-  bool asleep;
-  uint8_t motion;  // a gjk_body_motion
+  gjk2_pose pose;                 // where it stands now
+  uint32_t category, mask, user;  // as of gjk2_body_setup
+  gjk_q16 margin;                 // the same
+  uint16_t part_count;            // of its parts
+  uint8_t kind, detail;           // a gjk_body_kind and a gjk_detail
+  bool asleep;                    // see gjk2_scene_sleep
+  uint8_t motion;                 // a gjk_body_motion
 } gjk2_body_state;
 
+// What a body is and where.
 gjk_status gjk2_scene_get(const gjk2_scene *scene, gjk_body_id id, gjk2_body_state *out);
 
 // The id of the body in a slot. Its generation is 0 when the slot is free. RANGE: no such slot.
@@ -199,10 +200,10 @@ gjk_status gjk2_scene_collider(const gjk2_scene *scene, gjk_body_id id, uint16_t
 // manifold  of BEGIN and PERSIST with CONTACTS: up to 2 contacts, found without a cache. The i-th report of a call has
 //           &bindings.manifolds[i]. Otherwise NULL.
 typedef struct gjk2_report {
-  gjk_body_id a, b;
-  uint16_t part_a, part_b;
-  uint8_t event;   // a gjk_event
-  uint8_t detail;  // a gjk_detail: the pair's; the configuration's if a body was removed
+  gjk_body_id a, b;         // the bodies
+  uint16_t part_a, part_b;  // numbers of their parts
+  uint8_t event;            // a gjk_event
+  uint8_t detail;           // a gjk_detail: the pair's; the configuration's if a body was removed
   gjk_q16 distance;
   const gjk2_manifold *manifold;
   gjk_q30 fraction;  // of IMPACT, see gjk2_scene_set_motion; otherwise 0
@@ -226,6 +227,7 @@ gjk_status gjk2_scene_update(gjk2_scene *scene, gjk2_report *reports, uint32_t c
 gjk_status gjk2_scene_update_slice(gjk2_scene *scene, uint32_t tests, gjk2_report *reports, uint32_t capacity,
                                    gjk_progress *progress);
 
+// Takes a report; it holds during the call alone.
 typedef void gjk2_report_function(void *user, const gjk2_report *report);
 
 // As gjk2_scene_update, with each report handed to a function, which may not change the scene. bindings.manifolds needs
@@ -253,6 +255,7 @@ gjk_status gjk2_scene_next_near(const gjk2_scene *scene, uint32_t *cursor, gjk2_
 // gjk2_contacts; and BODY_ID, RANGE for a part that is not there.
 gjk_status gjk2_scene_manifold(const gjk2_scene *scene, const gjk2_report *report, unsigned most, gjk2_manifold *out);
 
+// What the last update did, and what the scene holds.
 gjk_status gjk2_scene_get_stats(const gjk2_scene *scene, gjk_scene_stats *out);
 
 // Queries. They see the current poses, also between updates.

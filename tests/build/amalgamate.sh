@@ -1,12 +1,32 @@
 #!/bin/sh
-# Writes the library as two files: amalgamate.sh BUILD leaves BUILD/amalgamation/gjk.h and gjk.c.
+# Writes the library as two files: amalgamate.sh FOLDER leaves FOLDER/gjk.h and gjk.c. Scripts that run at the same time
+# each name a folder of their own.
 #
 # gjk.h holds every public header, gjk.c every file of src, each header where it is first included. Includes of the standard
 # and of the port stay. The source of scenes, which src/plane_scene compiles once more for the plane, is written out a second
 # time under the names of the plane: those of gjk2_scene_names.h, and names of the file's own with plane_scene_ before them.
-build=$1
-dir=$build/amalgamation
+dir=$1
+. tests/build/version.sh
 mkdir -p "$dir"
+
+# heading WHAT: the comment that either file begins with
+heading() {
+  cat <<END
+// gjk $version: exact collision queries in Q16.16, $1.
+// Made by \`make amalgamation\`; its sources tell more.
+//
+// To build: compile gjk.c as C99 or C++17, with gjk.h beside it. Nothing must be configured. A build may define any of these
+// macros, with one value in all of its files. None but GJK_ITERATIONS_MAX changes an answer.
+//
+//   GJK_ITERATIONS_MAX   1 to 250: the ceiling on the iterations of a query with a curved shape; 128 by default
+//   GJK_PORT_HEADER      a header to include, in quotes, that defines any of those below; by default a gjk_port.h, if there is one
+//   GJK_ASSERT(x)        what happens where x is false, which it must not return from; by default nothing
+//   GJK_CLZ32(x)         the leading zeros of a uint32_t that is not 0; by default the compiler's, or portable C
+//   GJK_NARROW_MULTIPLY  1: no product of 32 x 32 to 64 bits is used; by default 1 on cores without one that are known
+//   GJK_VECTORS          1: scans take eight vertices at a time; by default 1 with SSE2 and AArch64 unless built for size
+//   GJK_INT128           1: GJK_INT128_TYPE names a signed integer of 128 bits; 0 by default
+END
+}
 
 # expand PUBLIC FILE...: the files with what they include in its place; a header with an include guard once. PUBLIC: 0 leaves the
 # public headers out.
@@ -46,16 +66,22 @@ expand() {
         close(files[n])
       }
     }
-    # A line with the names of the plane. What follows a dot or an arrow is a field.
-    function in_plane(line,   out, word, before) {
+    # A line with the names of the plane. What follows a dot or an arrow is a field. In a comment only names of more than a
+    # word are meant.
+    function in_plane(line,   out, word, before, comment) {
       out = ""
+      comment = match(line, /\/\/[^@]/) ? RSTART : length(line) + 1
+      comment = length(line) - comment  # what is left of the line there
       while (match(line, /[A-Za-z_][A-Za-z0-9_]*/)) {
         word = substr(line, RSTART, RLENGTH)
         before = substr(out substr(line, 1, RSTART - 1), length(out) + RSTART - 2, 2)
-        out = out substr(line, 1, RSTART - 1) (word in planar && before !~ /(\.|->)$/ ? planar[word] : word)
+        out = out substr(line, 1, RSTART - 1) (is_renamed(word, before, length(line) - RSTART < comment) ? planar[word] : word)
         line = substr(line, RSTART + RLENGTH)
       }
       return out line
+    }
+    function is_renamed(word, before, in_comment) {
+      return word in planar && before !~ /(\.|->)$/ && (!in_comment || word ~ /_/)
     }
     function expand(file, depth,   line, name, text, guarded, count, lines, i, second, key) {
       second = of_plane && is_shared(file)
@@ -103,7 +129,7 @@ expand() {
 }
 
 {
-  echo '// gjk: exact collision queries in Q16.16, all public headers in one. Made by `make amalgamation`; its sources tell more.'
+  heading 'all public headers in one'
   echo '#ifndef GJK_AMALGAMATION_H'
   echo '#define GJK_AMALGAMATION_H'
   expand 1 include/gjk/gjk.h include/gjk/scene.h include/gjk/probe.h include/gjk/slide.h include/gjk2/gjk2.h include/gjk2/scene.h include/gjk2/probe.h include/gjk2/slide.h
@@ -111,7 +137,7 @@ expand() {
   echo '#endif'
 } >"$dir/gjk.h.part" || exit 1
 {
-  echo '// gjk: exact collision queries in Q16.16, the whole library in one file. Compile it as C99 or C++17, with gjk.h beside it.'
+  heading 'the whole library in one file'
   echo '#include "gjk.h"'
   # shellcheck disable=SC2046
   expand 0 $(find src -name '*.c' | sort)

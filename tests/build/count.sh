@@ -14,6 +14,21 @@ check() {
   fi
 }
 
+# Commands for check.
+# status N command...: the exit status is N; its output is in $dir/out and $dir/err, where $dir is the script's folder.
+status() {
+  wanted=$1
+  shift
+  "$@" >"$dir/out" 2>"$dir/err"
+  found=$?
+  [ $found -eq "$wanted" ] || { echo "exit status $found instead of $wanted"; cat "$dir/err"; return 1; }
+}
+
+# is WANTED FOUND
+is() {
+  [ "$1" = "$2" ] || { echo "'$2' instead of '$1'"; return 1; }
+}
+
 # skip 'what' package
 skip() {
   skipped=$((skipped + 1))

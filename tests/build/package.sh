@@ -8,7 +8,6 @@
 build=$1
 . tests/build/version.sh
 rm -rf "$build/package"
-sh tests/build/amalgamate.sh "$build" || exit 1
 
 # sources NAME: a folder with headers, sources, ports and the README
 sources() {
@@ -30,8 +29,7 @@ cp port/package/esp-idf/CMakeLists.txt "$build/package/esp-idf"
 fill port/package/esp-idf/idf_component.yml.in >"$build/package/esp-idf/idf_component.yml"
 
 to=$build/package/arduino
-mkdir -p "$to/src"
-cp "$build/amalgamation/gjk.h" "$build/amalgamation/gjk.c" "$to/src"
+sh tests/build/amalgamate.sh "$to/src" || exit 1
 cp -r port/package/arduino/examples "$to"
 cp README.md "$to"
 fill port/package/arduino/library.properties.in >"$to/library.properties"

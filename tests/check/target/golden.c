@@ -1,6 +1,7 @@
 // The fixed set of queries and its hash, without libc and with little RAM, so that it also runs on an 8-bit core.
 #include "golden.h"
 
+#include "fnv.h"
 #include "gjk/gjk.h"
 #include "random.h"
 
@@ -18,12 +19,8 @@ static uint64_t hash;
 static gjk_epa_cell cells[GJK_EPA_CELLS(20)];
 static const gjk_workspace workspace = {cells, GJK_EPA_CELLS(20)};
 
-// FNV-1a over the bytes of a value, lowest first.
 static void mix(uint32_t value) {
-  for (int i = 0; i < 4; i++) {
-    hash = (hash ^ (value & 0xFFu)) * UINT64_C(0x100000001B3);
-    value >>= 8;
-  }
+  hash = fnv_word(hash, value);
 }
 
 static void mix_vector(int32_t x, int32_t y, int32_t z) {
@@ -208,7 +205,7 @@ static void query_pair(random_state *random) {
 
 uint64_t golden_hash(uint32_t pairs) {
   random_state random = random_seed(2026);
-  hash = UINT64_C(0xCBF29CE484222325);
+  hash = FNV_START;
   for (uint32_t i = 0; i < pairs; i++) {
     query_pair(&random);
   }

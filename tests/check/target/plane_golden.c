@@ -2,6 +2,7 @@
 // 8-bit core.
 #include "plane_golden.h"
 
+#include "fnv.h"
 #include "gjk2/gjk2.h"
 #include "random.h"
 
@@ -17,12 +18,8 @@ typedef struct body {
 static body bodies[2];
 static uint64_t hash;
 
-// FNV-1a over the bytes of a value, lowest first.
 static void mix(uint32_t value) {
-  for (int i = 0; i < 4; i++) {
-    hash = (hash ^ (value & 0xFFu)) * UINT64_C(0x100000001B3);
-    value >>= 8;
-  }
+  hash = fnv_word(hash, value);
 }
 
 static void mix_status(gjk_status status) {
@@ -335,7 +332,7 @@ static void refuse(void) {
 
 uint64_t plane_golden_hash(uint32_t pairs) {
   random_state random = random_seed(2027);
-  hash = UINT64_C(0xCBF29CE484222325);
+  hash = FNV_START;
   for (uint32_t i = 0; i < pairs; i++) {
     query_pair(&random);
   }

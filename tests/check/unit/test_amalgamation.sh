@@ -2,18 +2,29 @@
 # The library as two files: they are complete by themselves, give the same bits, and have the same size to within 2 %.
 # test_amalgamation.sh BUILD
 . tests/build/count.sh
+. tests/build/version.sh
 build=$1
 root=$(pwd)
 dir=$build/amalgamation-test
 rm -rf "$dir"
 mkdir -p "$dir"
 strict='-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wno-unused-function -Werror'
-golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
-scene_golden=$(sed -n 's/^#define SCENE_GOLDEN_FEW_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/scene_golden.h)
+# The comment that either file begins with says the version and every macro that a build may define: those with a default
+# in the public headers and in gjk_port_defaults.h, and the port's header.
+says_version_and_options() {
+  sed -n '/^\/\//!q;p' "$dir/$1" >"$dir/heading"
+  grep -q "^// gjk $version: " "$dir/heading" || return 1
+  sed -n 's/^#ifndef \(GJK2\{0,1\}_[A-Z0-9_]*\)$/\1/p; s/^\/\/ \(GJK_CLZ32\)(x): .*/\1/p; s/^#ifdef \(GJK_PORT_HEADER\)$/\1/p' \
+    src/arith/gjk_port_defaults.h include/*/*.h | grep -v '_H$' | sort -u >"$dir/options"
+  [ "$(wc -l <"$dir/options")" -ge 7 ] || return 1
+  while read -r option; do
+    grep -qE "^//   ${option}[( ]" "$dir/heading" || { echo "$option is not named"; return 1; }
+  done <"$dir/options"
+}
 
-# The two files alone, in a folder with nothing else.
-copied() {
-  cp "$build/amalgamation/gjk.h" "$build/amalgamation/gjk.c" "$dir"
+# `make amalgamation` leaves the same.
+the_same_by_make() {
+  make -s amalgamation && cmp build/amalgamation/gjk.h "$dir/gjk.h" && cmp build/amalgamation/gjk.c "$dir/gjk.c"
 }
 
 # compiles NAME COMPILER FLAGS...: in that folder, with no include path
@@ -54,8 +65,11 @@ within_two_percent() {
     echo "$one bytes, $whole of the library" && [ $((one * 100)) -le $((whole * 102)) ]
 }
 
-check 'two files' make -s amalgamation
-check 'copied' copied
+check 'two files' sh tests/build/amalgamate.sh "$dir"
+check 'the same by make' the_same_by_make
+for file in gjk.h gjk.c; do
+  check "$file says version and options" says_version_and_options $file
+done
 check 'no include of a file of its own' sh -c "! grep -nE '^ *#include \"' '$dir/gjk.h' && [ \$(grep -cE '^ *#include \"' '$dir/gjk.c') = 1 ]"
 check 'the queries of the golden hash' glue
 for compiler in gcc clang g++ clang++; do

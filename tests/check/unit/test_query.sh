@@ -8,53 +8,40 @@ dir=$build/query-test
 rm -rf "$dir"
 mkdir -p "$dir"
 
-# status N command...: the command's exit status is N.
-status() {
-  wanted=$1
-  shift
-  "$@" >"$dir/out" 2>"$dir/err"
-  found=$?
-  [ $found -eq "$wanted" ] || { echo "exit status $found instead of $wanted"; cat "$dir/err"; return 1; }
-}
-
 # Without what may change with the way to an answer.
 plain() {
   sed 's/ normal=[-0-9,]*//; s/ iterations=[0-9]*//'
-}
-
-same() {
-  diff "$1" "$2"
 }
 
 # The answers of a file, in units or raw, from a file or a pipe, with any end of line.
 
 check 'answers all kinds' status 0 "$tool" $data/query.txt
 plain <"$dir/out" >"$dir/plain"
-check 'answers known by hand' same $data/query.expected "$dir/plain"
+check 'answers known by hand' diff $data/query.expected "$dir/plain"
 mv "$dir/out" "$dir/answers"
 number='-?[0-9]+'
 triple="$number,$number,$number"
 grep -vE ' error GJK_ERROR_[A-Z]+ [AB]: ' "$dir/answers" >"$dir/lines"
 points="a=$triple b=$triple normal=$triple"
 grep -vE "^[^ ]+ separated distance=[0-9]+ $points iterations=[0-9]+( saturated)?\$" "$dir/lines" | grep -vE '^[^ ]+ intersecting iterations=[0-9]+$' >"$dir/strange"
-check 'the form of each line' same /dev/null "$dir/strange"
+check 'the form of each line' diff /dev/null "$dir/strange"
 
 sed 's/$/\r/' $data/query.txt >"$dir/crlf.txt"
 check 'CRLF' status 0 "$tool" "$dir/crlf.txt"
-check 'CRLF: the same answers' same "$dir/answers" "$dir/out"
+check 'CRLF: the same answers' diff "$dir/answers" "$dir/out"
 { printf '\357\273\277'; sed 's/ /\t  /g; s/$/ \t/' $data/query.txt; printf '\n\n'; } >"$dir/tabs.txt"
 check 'byte order mark, tabs, trailing blanks' status 0 "$tool" "$dir/tabs.txt"
-check 'tabs: the same answers' same "$dir/answers" "$dir/out"
+check 'tabs: the same answers' diff "$dir/answers" "$dir/out"
 check 'standard input' status 0 sh -c "\"$tool\" <$data/query.txt"
-check 'standard input: the same answers' same "$dir/answers" "$dir/out"
+check 'standard input: the same answers' diff "$dir/answers" "$dir/out"
 cat "$dir/answers" "$dir/answers" "$dir/answers" >"$dir/thrice"
 check 'several files' status 0 sh -c "\"$tool\" $data/query.txt - -- \"$dir/crlf.txt\" <$data/query.txt"
-check 'several files: the same answers' same "$dir/thrice" "$dir/out"
+check 'several files: the same answers' diff "$dir/thrice" "$dir/out"
 printf 'case a\nA point\nB point\nB at 1 0 0' >"$dir/no-newline.txt"
 check 'no newline at the end' status 0 "$tool" "$dir/no-newline.txt"
 check 'no newline: answered' grep -q '^a separated distance=1 ' "$dir/out"
 check 'empty input' status 0 "$tool" /dev/null
-check 'empty input: no answer' same /dev/null "$dir/out"
+check 'empty input: no answer' diff /dev/null "$dir/out"
 
 # Questions.
 
@@ -62,9 +49,6 @@ answer() {
   "$tool" "$@" | sed 's/ iterations=[0-9]*$//'
 }
 printf 'case gap\nA sphere 1.0\nB box 1.0 1.0 1.0\nB at 3.0 0.0 0.0\n' >"$dir/gap.txt"
-is() {
-  [ "$1" = "$2" ] || { echo "'$2' instead of '$1'"; return 1; }
-}
 printf 'case gap\nA box 1.0 2.0 0.5\nA turn 0.0 0.6 0.0 0.8\nB hull 4\n0 0 0\n9.0 0 0\n0 9.0 0\n0 0 9.0\nB at 1.5 -1.0 1.0\n' >"$dir/boxes.txt"
 check 'intersect' is 'gap separated' "$(answer --intersect "$dir/gap.txt")"
 check 'just not within' is 'gap beyond' "$(answer --within 65535 "$dir/gap.txt")"
@@ -143,7 +127,7 @@ for who in '' --reference; do
   check "depths certified $who" status 0 "$tool" --penetration --certify $who $data/query.txt
   check "depths proven $who" grep -q '^certify: 15 certified, 4 uncertified, 0 wrong$' "$dir/err"
   grep -v '^cylinder-in-box ' "$dir/out" | plain | sed 's/ uncertified.*//' >"$dir/plain"
-  check "depths $who" same $data/query.depths "$dir/plain"
+  check "depths $who" diff $data/query.depths "$dir/plain"
   check "depth of a curved pair $who" grep -qE '^cylinder-in-box intersecting depth=327(6[4-9]|7[0-2]) ' "$dir/out"
 done
 check 'depths of trackers' status 0 "$tool" --penetration --certify $data/trackers.txt
@@ -163,12 +147,12 @@ done
 check 'trackers certified' status 0 "$tool" --certify $data/trackers.txt
 cp "$dir/out" "$dir/certified"
 check 'trackers' status 0 "$tool" $data/trackers.txt
-check 'a proof adds nothing to the line' same "$dir/out" "$dir/certified"
+check 'a proof adds nothing to the line' diff "$dir/out" "$dir/certified"
 awk '/^case/ {id = $2} /^# exact/ {
   print id, ($3 == "separated" ? "separated distance=" sprintf("%d", $4 + 0.5) : "intersecting")
 }' $data/trackers.txt >"$dir/exact"
 sed 's/\( distance=[0-9]*\) .*/\1/; s/ iterations.*//' "$dir/certified" >"$dir/brief"
-check 'trackers as stated in the file' same "$dir/exact" "$dir/brief"
+check 'trackers as stated in the file' diff "$dir/exact" "$dir/brief"
 
 check 'the reference on trackers' status 1 "$tool" --reference --certify $data/trackers.txt
 check 'the reference is caught' \
@@ -177,7 +161,7 @@ check 'the reference is mostly right' \
   grep -qE '^certify: (2[89]|3[0-2]) certified, 0 uncertified, [1-5] wrong' "$dir/err"
 check 'the reference on plain cases' status 0 "$tool" --reference --certify $data/query.txt
 plain <"$dir/out" | sed 's/ uncertified.*//' >"$dir/plain"
-check 'the reference agrees' same $data/query.expected "$dir/plain"
+check 'the reference agrees' diff $data/query.expected "$dir/plain"
 check 'curved shapes' status 0 "$tool" --certify $data/query.txt
 check 'curved shapes say so' sh -c "[ \$(grep -c ' uncertified: curved; ' \"$dir/out\") = 4 ]"
 check 'the far pair is proven' grep -q '^certify: 15 certified, 4 uncertified, 0 wrong$' "$dir/err"
@@ -301,7 +285,7 @@ check '100,000 cases in constant memory' status 0 sh -c "ulimit -v 16384; \"$too
 check '100,000 answers' is 100000 "$(wc -l <"$dir/out" | tr -d ' ')"
 sort -u "$dir/out" >"$dir/unique"
 sort "$dir/hundred" >"$dir/sorted"
-check 'no answer depends on the cases before' same "$dir/sorted" "$dir/unique"
+check 'no answer depends on the cases before' diff "$dir/sorted" "$dir/unique"
 separated=$(grep -c ' separated ' "$dir/hundred")
 check 'the stream has both answers' test "$separated" -gt 20 -a "$separated" -lt 80
 rm -f "$dir/stream.txt" "$dir/out"

@@ -7,14 +7,6 @@ dir=$build/demo-test
 rm -rf "$dir"
 mkdir -p "$dir"
 
-status() {
-  wanted=$1
-  shift
-  "$@" >"$dir/out" 2>"$dir/err"
-  found=$?
-  [ $found -eq "$wanted" ] || { echo "exit status $found instead of $wanted"; cat "$dir/err"; return 1; }
-}
-
 check 'the demo runs' status 0 "$demo" tests/data/arm.txt "$dir/arm.svg"
 # Number, pair, answer, gap or minus the depth, way out and certificate; without the iterations.
 grep -E '^ *[0-9]+  ' "$dir/out" |

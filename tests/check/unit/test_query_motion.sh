@@ -8,23 +8,6 @@ dir=$build/query-motion-test
 rm -rf "$dir"
 mkdir -p "$dir"
 
-# status N command...: the command's exit status is N.
-status() {
-  wanted=$1
-  shift
-  "$@" >"$dir/out" 2>"$dir/err"
-  found=$?
-  [ $found -eq "$wanted" ] || { echo "exit status $found instead of $wanted"; cat "$dir/err"; return 1; }
-}
-
-same() {
-  diff "$1" "$2"
-}
-
-is() {
-  [ "$1" = "$2" ] || { echo "'$2' instead of '$1'"; return 1; }
-}
-
 # Without what may change with the way to an answer.
 plain() {
   sed 's/ a=[-0-9,]*//; s/ b=[-0-9,]*//; s/ normal=[-0-9,]*//; s/ iterations=[0-9]*//'
@@ -36,15 +19,15 @@ check 'casts' status 0 "$tool" --cast --certify $data/cast.txt
 check 'casts proven' grep -q '^certify: 48 certified, 0 uncertified, 0 wrong$' "$dir/err"
 plain <"$dir/out" | sed 's/ at=[-0-9,]*//' >"$dir/plain"
 sed 's/ dim=[0-9]*//' $data/cast.exact >"$dir/exact"
-check 'fractions known exactly' same "$dir/exact" "$dir/plain"
+check 'fractions known exactly' diff "$dir/exact" "$dir/plain"
 number='-?[0-9]+'
 triple="$number,$number,$number"
 grep -vE "^[^ ]+ hit fraction=[0-9]+ a=$triple b=$triple normal=$triple at=$triple iterations=[0-9]+\$" "$dir/out" |
   grep -vE '^[^ ]+ miss iterations=[0-9]+$' >"$dir/strange"
-check 'the form of each line' same /dev/null "$dir/strange"
+check 'the form of each line' diff /dev/null "$dir/strange"
 check 'casts known by hand' status 0 "$tool" --cast --certify $data/motion.txt
 plain <"$dir/out" >"$dir/plain"
-check 'fractions and places of rest' same $data/motion.casts "$dir/plain"
+check 'fractions and places of rest' diff $data/motion.casts "$dir/plain"
 check 'both dimensions proven' grep -q '^certify: 16 certified, 0 uncertified, 0 wrong$' "$dir/err"
 check 'the last question counts' is 'stands separated distance=131072' \
   "$("$tool" --cast --distance $data/motion.txt | sed -n 's/^\(stands separated distance=[0-9]*\).*/\1/p')"

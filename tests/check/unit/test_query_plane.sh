@@ -8,33 +8,16 @@ dir=$build/query-plane-test
 rm -rf "$dir"
 mkdir -p "$dir"
 
-# status N command...: the command's exit status is N.
-status() {
-  wanted=$1
-  shift
-  "$@" >"$dir/out" 2>"$dir/err"
-  found=$?
-  [ $found -eq "$wanted" ] || { echo "exit status $found instead of $wanted"; cat "$dir/err"; return 1; }
-}
-
-same() {
-  diff "$1" "$2"
-}
-
-is() {
-  [ "$1" = "$2" ] || { echo "'$2' instead of '$1'"; return 1; }
-}
-
 # Answers known exactly, and the form of each line.
 
 check 'answers all kinds' status 0 "$tool" --penetration $data/plane.txt
 sed 's/ a=.*//' "$dir/out" >"$dir/plain"
-check 'exact answers' same $data/plane.expected "$dir/plain"
+check 'exact answers' diff $data/plane.expected "$dir/plain"
 number='-?[0-9]+'
 pair="$number,$number"
 grep -vE " error GJK_ERROR_[A-Z]+ A: |^[^ ]+ (separated distance|intersecting depth)=[0-9]+ a=$pair b=$pair normal=$pair iterations=[0-9]+\$" \
   "$dir/out" >"$dir/strange"
-check 'the form of each line' same /dev/null "$dir/strange"
+check 'the form of each line' diff /dev/null "$dir/strange"
 for question in --distance --intersect --penetration '--within 0.5' '--within 3' '--within 0'; do
   # shellcheck disable=SC2086
   check "certified $question" status 0 "$tool" --certify $question $data/plane.txt

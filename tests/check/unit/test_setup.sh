@@ -51,10 +51,6 @@ calls() {
   sed 's/-o [^ ]* //' "$dir/calls" | tr '\n' ';'
 }
 
-is() {
-  [ "$1" = "$2" ] || { echo "'$2' instead of '$1'"; return 1; }
-}
-
 lists='E: Could not get lock /var/lib/apt/lists/lock. It is held by process 4242 (apt-get)'
 archives='E: Unable to lock directory /var/cache/apt/archives/'
 update='update;'

@@ -1,11 +1,10 @@
-// Casts, rays and times of impact in space.
-#include "motion.h"
-
+// Casts, rays and times of impact in space; motion2.c makes those of the plane of this source.
 #include <string.h>
 
 #include "case/answer.h"
 #include "exact/cast_claim.h"
 #include "exact/clearance.h"
+#include "motion.h"
 
 // The most poses on the way that are looked at to check a time of impact.
 #define POSES 20000
@@ -54,11 +53,12 @@ void motion_find(const motion_question *question, const case_pair *pair, case_co
   }
 }
 
-void motion_print_error(FILE *file, const char *id, gjk_status status, char refused, bool is_no_ray) {
+static void print_error(FILE *file, const char *id, const motion_answer *answer) {
+  const gjk_status status = answer->status;
   fprintf(file, "%s error %s ", id, gjk_status_name(status));
-  if (refused != 0) {
-    fprintf(file, "%c: %s", refused, case_status_detail(status));
-  } else if (is_no_ray) {
+  if (answer->refused != 0) {
+    fprintf(file, "%c: %s", answer->refused, case_status_detail(status));
+  } else if (answer->is_no_ray) {
     fprintf(file, "not a ray: B must be a point, and A must stand");
   } else if (status == GJK_ERROR_RANGE) {
     fprintf(file, "a centre leaves the world on its way, or the way of one against the other is too long");
@@ -67,26 +67,32 @@ void motion_print_error(FILE *file, const char *id, gjk_status status, char refu
   }
 }
 
-static void print_vec3(FILE *file, const char *name, const gjk_vec3 *v) {
+#ifndef MOTION_OF_PLANE
+static void print_vector(FILE *file, const char *name, const gjk_vec3 *v) {
   fprintf(file, " %s=%ld,%ld,%ld", name, (long)v->x, (long)v->y, (long)v->z);
 }
 
+static void print_normal(FILE *file, const gjk_unit3 *n) {
+  fprintf(file, " normal=%ld,%ld,%ld", (long)n->x, (long)n->y, (long)n->z);
+}
+#endif
+
 static void print_touch(FILE *file, const gjk_vec3 *a, const gjk_vec3 *b, const gjk_unit3 *normal) {
-  print_vec3(file, "a", a);
-  print_vec3(file, "b", b);
-  fprintf(file, " normal=%ld,%ld,%ld", (long)normal->x, (long)normal->y, (long)normal->z);
+  print_vector(file, "a", a);
+  print_vector(file, "b", b);
+  print_normal(file, normal);
 }
 
 static void print_cast(FILE *file, const case_pair *pair, gjk_status status, const gjk_cast_result *r) {
   if (status == GJK_ERROR_ITERATION_LIMIT) {
     fprintf(file, "%s open fraction=%ld", pair->id, (long)r->fraction);
-    print_vec3(file, "at", &r->rest_b);
+    print_vector(file, "at", &r->rest_b);
   } else if (r->hit) {
     fprintf(file, "%s hit fraction=%ld", pair->id, (long)r->fraction);
     print_touch(file, &r->point_a, &r->point_b, &r->normal);
-    print_vec3(file, "at", &r->rest_b);
+    print_vector(file, "at", &r->rest_b);
     if (pair->a.moves) {
-      print_vec3(file, "a-at", &r->rest_a);
+      print_vector(file, "a-at", &r->rest_a);
     }
   } else {
     fprintf(file, "%s miss", pair->id);
@@ -102,7 +108,7 @@ static void print_impact(FILE *file, const case_pair *pair, gjk_status status, c
             (long)r->distance);
     if (!r->overlap) {
       print_touch(file, &r->point_a, &r->point_b, &r->normal);
-      print_vec3(file, "at", &r->pose_b.position);
+      print_vector(file, "at", &r->pose_b.position);
     }
   } else {
     fprintf(file, "%s miss", pair->id);
@@ -113,7 +119,7 @@ static void print_impact(FILE *file, const case_pair *pair, gjk_status status, c
 void motion_print(FILE *file, const motion_question *question, const case_pair *pair, const motion_answer *answer) {
   const bool open = answer->status == GJK_ERROR_ITERATION_LIMIT;
   if (answer->refused != 0 || (answer->status != GJK_OK && !open)) {
-    motion_print_error(file, pair->id, answer->status, answer->refused, answer->is_no_ray);
+    print_error(file, pair->id, answer);
   } else if (question->ask == MOTION_IMPACT) {
     print_impact(file, pair, answer->status, &answer->impact);
   } else {

@@ -41,9 +41,6 @@ void motion2_find(const motion_question *question, const case2_pair *pair, case2
 void motion_print(FILE *file, const motion_question *question, const case_pair *pair, const motion_answer *answer);
 void motion2_print(FILE *file, const motion_question *question, const case2_pair *pair, const motion2_answer *answer);
 
-// Prints what is common to both: that a case is refused.
-void motion_print_error(FILE *file, const char *id, gjk_status status, char refused, bool is_no_ray);
-
 // Checks an answer. Of polytopes without radius and margin a hit and its fraction are proven; a time of impact is
 // compared with distances at many fractions.
 // Pre: answer->refused is 0; a and b were built from pair. why: as in certify.h.
