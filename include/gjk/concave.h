@@ -44,10 +44,10 @@ typedef struct gjk_concave {
 } gjk_concave;
 
 // The shape of a concave body whose gjk_concave and half extents are known, as a constant.
-#define GJK_CONCAVE(concave_pointer, half_x, half_y, half_z)                                             \
-  {                                                                                                      \
-    &gjk_class_concave, 0, 0, 1 ? (concave_pointer) : (const gjk_concave *)0,                            \
-        GJK_LENGTHS(half_x, half_y, half_z, 0), 0, 0                                                      \
+#define GJK_CONCAVE(concave_pointer, half_x, half_y, half_z)                                                          \
+  {                                                                                                                   \
+    &gjk_class_concave, 0, 0, 1 ? (concave_pointer) : (const gjk_concave *)0, GJK_LENGTHS(half_x, half_y, half_z, 0), \
+        0, 0                                                                                                          \
   }
 
 // Makes a shape of a body of many parts.

@@ -183,6 +183,19 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
                                     const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
                                     gjk_impact_result *out);
 
+// As gjk_parts_cast and gjk_parts_time_of_impact, of those parts alone that B is in front of at the start: what a body that
+// lies on the ground may still run into.
+//
+// In front  of a triangle: all of B is more than the margin beyond its plane; of two sides on that where most of B is. An
+//           impact meets a triangle that is no nearer than the tolerance, or one whose plane most of B goes through.
+//           Of other parts: B is farther than the margin from it.
+// Statuses  as of gjk_parts_cast and gjk_parts_time_of_impact; b has to be bound to its shape, no more, for an impact.
+gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
+                                gjk_cast_result *out);
+gjk_status gjk_parts_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                  const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
+                                  gjk_impact_result *out);
+
 // Two bodies of many parts. The parts of B are asked one after the other, each against A, as above; so the one with fewer
 // parts is better B.
 typedef struct gjk_parts_pair {

@@ -39,9 +39,12 @@ static int32_t turned_half(int32_t row, gjk_q16 size) {
 // The half axes of the box, as those of a box.
 static void pose_concave(gjk_collider *c, const gjk_vec3 rows[3]) {
   const gjk_vec3 *size = &c->shape->size;
-  const gjk_vec3 x = {turned_half(rows[0].x, size->x), turned_half(rows[1].x, size->x), turned_half(rows[2].x, size->x)};
-  const gjk_vec3 y = {turned_half(rows[0].y, size->y), turned_half(rows[1].y, size->y), turned_half(rows[2].y, size->y)};
-  const gjk_vec3 z = {turned_half(rows[0].z, size->z), turned_half(rows[1].z, size->z), turned_half(rows[2].z, size->z)};
+  const gjk_vec3 x = {turned_half(rows[0].x, size->x), turned_half(rows[1].x, size->x),
+                      turned_half(rows[2].x, size->x)};
+  const gjk_vec3 y = {turned_half(rows[0].y, size->y), turned_half(rows[1].y, size->y),
+                      turned_half(rows[2].y, size->y)};
+  const gjk_vec3 z = {turned_half(rows[0].z, size->z), turned_half(rows[1].z, size->z),
+                      turned_half(rows[2].z, size->z)};
   c->frame[0] = x;
   c->frame[1] = y;
   c->frame[2] = z;
@@ -154,8 +157,8 @@ static gjk_status concave_distance(const gjk_scene_solid *a, const gjk_scene_sol
       return status;
     }
   }
-  const gjk_status status = p.convex != NULL ? gjk_parts_distance(&p.a, p.convex, NULL, out)
-                                             : gjk_parts_both_distance(&p.a, &p.b, NULL, out);
+  const gjk_status status =
+      p.convex != NULL ? gjk_parts_distance(&p.a, p.convex, NULL, out) : gjk_parts_both_distance(&p.a, &p.b, NULL, out);
   return status;
 }
 
@@ -218,15 +221,49 @@ static gjk_status concave_manifolds(const gjk_scene_solid *a, const gjk_scene_so
   return status;
 }
 
+static gjk_status concave_way(const gjk_scene_solid *a, const gjk_scene_solid *b, const gjk_cast_path *path, bool ahead,
+                              gjk_cast_result *out) {
+  ordered_pair p;
+  order_pair(a, b, &p);
+  const gjk_cast_path of = {p.turned ? path->to_b : path->to_a, p.turned ? path->to_a : path->to_b, path->margin};
+  out->hit = false;
+  if (p.convex != NULL) {
+    return ahead ? gjk_parts_cast_ahead(&p.a, p.convex, &of, NULL, out)
+                 : gjk_parts_cast(&p.a, p.convex, &of, NULL, out);
+  }
+  return ahead ? GJK_OK : gjk_parts_both_cast(&p.a, &p.b, &of, NULL, out);
+}
+
+// The tolerances of impacts, in the order in which they are tried: the farther the parts reach, the more is needed. The last
+// one pays for parts 2^29 LSB away and a B that reaches 2^28 LSB.
+static const gjk_q16 tolerances[] = {GJK_PARTS_TOLERANCE_MIN, 48, 96, 144};
+#define TOLERANCES (sizeof tolerances / sizeof tolerances[0])
+
+static gjk_status concave_impact(const gjk_collider *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                 const gjk_motion *motion_b, gjk_q16 margin, bool ahead, gjk_impact_result *out) {
+  const bool turned = !gjk_scene_is_concave(a->shape);
+  const gjk_collider *other = turned ? a : b;
+  const gjk_motion *motion = turned ? motion_b : motion_a, *of_other = turned ? motion_a : motion_b;
+  gjk_parts parts = concave_of((turned ? b : a)->shape)->parts;
+  gjk_status status = GJK_ERROR_RANGE;
+  out->hit = false;
+  if (gjk_scene_is_concave(other->shape)) {
+    return GJK_OK;
+  }
+  parts.pose = motion->from;
+  for (unsigned i = 0; i < TOLERANCES && status == GJK_ERROR_RANGE; i++) {
+    const gjk_impact_setup setup = {margin, tolerances[i], 0};
+    status = ahead ? gjk_parts_impact_ahead(&parts, motion, other, of_other, &setup, NULL, out)
+                   : gjk_parts_time_of_impact(&parts, motion, other, of_other, &setup, NULL, out);
+  }
+  return status;
+}
+
 static gjk_status concave_cast(const gjk_scene_solid *a, const gjk_scene_solid *b, const gjk_cast_path *path,
                                gjk_cast_result *out) {
-  gjk_parts of_a, of_b;
+  gjk_parts of_a;
   set_parts(a, &of_a);
-  if (!is_solid_concave(b)) {
-    return gjk_parts_cast(&of_a, b->collider, path, NULL, out);
-  }
-  set_parts(b, &of_b);
-  return gjk_parts_both_cast(&of_a, &of_b, path, NULL, out);
+  return gjk_parts_cast(&of_a, b->collider, path, NULL, out);
 }
 
 static gjk_status concave_ray(const gjk_scene_solid *a, const gjk_vec3 *from, const gjk_vec3 *to,
@@ -241,6 +278,8 @@ static const struct gjk_scene_concave queries_of_concave = {
     .within = concave_within,
     .distance = concave_distance,
     .manifolds = concave_manifolds,
+    .way = concave_way,
+    .impact = concave_impact,
     .cast = concave_cast,
     .ray = concave_ray,
 };

@@ -28,7 +28,14 @@ struct gjk_scene_concave {
   gjk_status (*manifolds)(const gjk_scene_solid *a, const gjk_scene_solid *b, gjk_q16 margin, unsigned most,
                           const gjk_workspace *workspace, gjk_manifold *out, unsigned capacity, unsigned *count);
 
-  // As gjk_cast, and gjk_cast_ray: a is concave.
+  // Where two first touch on their way, in any order: hit, inside and fraction, and hit, overlap and lower are set. ahead:
+  // only parts count that the other one is in front of at the start. Two concave ones meet nothing then, nor in an impact.
+  gjk_status (*way)(const gjk_scene_solid *a, const gjk_scene_solid *b, const gjk_cast_path *path, bool ahead,
+                    gjk_cast_result *out);
+  gjk_status (*impact)(const gjk_collider *a, const gjk_motion *motion_a, const gjk_collider *b,
+                       const gjk_motion *motion_b, gjk_q16 margin, bool ahead, gjk_impact_result *out);
+
+  // As gjk_cast, and gjk_cast_ray: a is concave, b is not.
   gjk_status (*cast)(const gjk_scene_solid *a, const gjk_scene_solid *b, const gjk_cast_path *path,
                      gjk_cast_result *out);
   gjk_status (*ray)(const gjk_scene_solid *a, const gjk_vec3 *from, const gjk_vec3 *to, gjk_cast_result *out);

@@ -32,8 +32,7 @@ gjk_status gjk_scene_manifolds(const gjk_scene *scene, const gjk_report *report,
   gjk_scene_view v;
   reported_side a, b;
   gjk_workspace workspace;
-  gjk_status status =
-      report == NULL || out == NULL || count == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, &v);
+  gjk_status status = report == NULL || out == NULL || count == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, &v);
   status = status == GJK_OK ? set_reported_side(&v, report->a, report->part_a, &a) : status;
   status = status == GJK_OK ? set_reported_side(&v, report->b, report->part_b, &b) : status;
   if (status != GJK_OK) {

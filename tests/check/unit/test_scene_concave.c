@@ -50,8 +50,8 @@ static gjk_pose any_pose(random_state *random, int32_t size) {
 
 static void start(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes, uint16_t shape_count,
                   uint32_t bodies, uint8_t detail, uint8_t retest) {
-  const gjk_scene_config config = {bodies, bodies, 0, PAIRS / (bodies > 100 ? 1 : 50), 3000, detail, 1, retest, 0,
-                                   sizeof cells / sizeof cells[0], 0};
+  const gjk_scene_config config = {bodies, bodies, 0, PAIRS / (bodies > 100 ? 1 : 50), 3000, detail,
+                                   1,      retest, 0, sizeof cells / sizeof cells[0],  0};
   const gjk_scene_bindings bindings = {NULL, NULL, &gjk_scene_contacts, &workspace, NULL, NULL};
   CHECK(gjk_scene_bytes(&config) <= bytes);
   CHECK(gjk_scene_init(scene, &config, block, bytes, shapes, shape_count, &bindings) == GJK_OK);
@@ -77,7 +77,8 @@ static void build(random_state *random, int32_t size, uint8_t detail) {
   }
   start(&whole, whole_block, sizeof whole_block, whole_shapes, (uint16_t)bodies, bodies, detail, 0);
   start(&checked, checked_block, sizeof checked_block, whole_shapes, (uint16_t)bodies, bodies, detail, 1);
-  start(&pieces, piece_block, sizeof piece_block, piece_shapes, (uint16_t)(w.pieces + CONCAVE_MOVERS), BODIES, detail, 0);
+  start(&pieces, piece_block, sizeof piece_block, piece_shapes, (uint16_t)(w.pieces + CONCAVE_MOVERS), BODIES, detail,
+        0);
   for (uint32_t n = 0; n < bodies; n++) {
     for (unsigned turn = 0; turn < 2; turn++) {
       const uint32_t i = turn == 0 ? n : bodies - 1 - n;
@@ -94,7 +95,8 @@ static void build(random_state *random, int32_t size, uint8_t detail) {
     add_one(&pieces, i, (uint16_t)i, &w.piece[i].pose, GJK_BODY_STATIC, GROUND + w.piece[i].of, margin, &id);
   }
   for (uint32_t i = 0; i < CONCAVE_MOVERS; i++) {
-    add_one(&pieces, CONCAVE_PIECES + i, (uint16_t)(w.pieces + i), &place[i], GJK_BODY_DYNAMIC, i, margin, &mover[1][i]);
+    add_one(&pieces, CONCAVE_PIECES + i, (uint16_t)(w.pieces + i), &place[i], GJK_BODY_DYNAMIC, i, margin,
+            &mover[1][i]);
   }
 }
 
@@ -164,8 +166,8 @@ static void check_updates(random_state *random, int32_t size) {
       CHECK(gjk_scene_get(&whole, mover[0][i], &state) == GJK_OK);
       const uint32_t how = random_below(random, 4);
       const gjk_vec3 off = random_vector(random, size * (how == 0 ? 3.0 : 0.05));
-      state.pose.position = (gjk_vec3){state.pose.position.x + off.x, state.pose.position.y + off.y,
-                                       state.pose.position.z + off.z};
+      state.pose.position =
+          (gjk_vec3){state.pose.position.x + off.x, state.pose.position.y + off.y, state.pose.position.z + off.z};
       state.pose.rotation = how == 1 ? random_rotation(random) : state.pose.rotation;
       if (how != 2) {
         CHECK(gjk_scene_move(&whole, mover[0][i], &state.pose) == GJK_OK);
@@ -194,7 +196,8 @@ static void check_ways(random_state *random, int32_t size) {
     const gjk_scene *scene[2] = {&whole, &pieces};
     CHECK(gjk_collider_init(&c, &shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
     for (unsigned k = 0; k < 2; k++) {
-      CHECK(gjk_scene_cast_ray(scene[k], &pose.position, &end.position, NULL, &hit[k], &result[k], &found[k]) == GJK_OK);
+      CHECK(gjk_scene_cast_ray(scene[k], &pose.position, &end.position, NULL, &hit[k], &result[k], &found[k]) ==
+            GJK_OK);
     }
     CHECK(found[0] == found[1]);
     if (found[0] && found[1]) {
@@ -209,8 +212,8 @@ static void check_ways(random_state *random, int32_t size) {
     }
     CHECK(found[0] == found[1]);
     if (found[0] && found[1]) {
-      CHECK_MSG(hit[0].fraction == hit[1].fraction && result[0].inside == result[1].inside, "cast %u: %u, expected %u", n,
-                hit[0].fraction, hit[1].fraction);
+      CHECK_MSG(hit[0].fraction == hit[1].fraction && result[0].inside == result[1].inside, "cast %u: %u, expected %u",
+                n, hit[0].fraction, hit[1].fraction);
       tally.hits++;
     } else {
       tally.misses++;
@@ -295,7 +298,8 @@ int main(void) {
     concave_world_free(&w);
   }
   printf("%lu pairs, %lu near, %lu begun, %lu ended; %lu casts hit, %lu miss, %lu rays hit, %lu nearest, %lu within\n",
-         tally.pairs, tally.near, tally.begun, tally.ended, tally.hits, tally.misses, tally.rays, tally.found, tally.passed);
+         tally.pairs, tally.near, tally.begun, tally.ended, tally.hits, tally.misses, tally.rays, tally.found,
+         tally.passed);
   CHECK(tally.near > tally.pairs / 20 && tally.near < tally.pairs * 8 / 10);
   CHECK(tally.begun > 100 && tally.ended > 100 && tally.hits > 200 && tally.misses > 100 && tally.rays > 100);
   return check_done("scene_concave");

@@ -18,7 +18,10 @@
 #define SIDE 61
 #define STEP (ONE / 2)
 
-static struct { unsigned long contacts, manifolds, ticks, edges; double travelled; } tally;
+static struct {
+  unsigned long contacts, manifolds, ticks, edges;
+  double travelled;
+} tally;
 
 static solver_world world;
 static gjk_scene scene;
@@ -51,20 +54,21 @@ static bool has_normal(const gjk_vec3 *at, const gjk_unit3 *normal) {
     gjk_aabb box, own;
     CHECK(gjk_parts_place(&ground, i, &room, &t) == GJK_OK);
     CHECK(gjk_collider_aabb(&t, &box) == GJK_OK && gjk_collider_aabb(&ball, &own) == GJK_OK);
-    if (box.lower.x > own.upper.x || own.lower.x > box.upper.x || box.lower.y > own.upper.y || own.lower.y > box.upper.y ||
-        gjk_intersect(&t, &ball, NULL, &touch) != GJK_OK || !touch.yes) {
+    if (box.lower.x > own.upper.x || own.lower.x > box.upper.x || box.lower.y > own.upper.y ||
+        own.lower.y > box.upper.y || gjk_intersect(&t, &ball, NULL, &touch) != GJK_OK || !touch.yes) {
       continue;
     }
     const double ax = (double)t.frame[1].x - t.frame[0].x, ay = (double)t.frame[1].y - t.frame[0].y,
                  az = (double)t.frame[1].z - t.frame[0].z, bx = (double)t.frame[2].x - t.frame[0].x,
                  by = (double)t.frame[2].y - t.frame[0].y, bz = (double)t.frame[2].z - t.frame[0].z;
-    const double x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx, length = sqrt(x * x + y * y + z * z);
+    const double x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx,
+                 length = sqrt(x * x + y * y + z * z);
     normals[count][0] = x / length;
     normals[count][1] = y / length;
     normals[count][2] = z / length;
     for (unsigned k = 0; k < count; k++) {
-      const double cosine = normals[k][0] * normals[count][0] + normals[k][1] * normals[count][1] +
-                            normals[k][2] * normals[count][2];
+      const double cosine =
+          normals[k][0] * normals[count][0] + normals[k][1] * normals[count][1] + normals[k][2] * normals[count][2];
       low = cosine < low ? cosine : low;
     }
     const double cosine = normals[count][0] * component(normal->x) + normals[count][1] * component(normal->y) +
@@ -121,11 +125,12 @@ static void find_near(void) {
 static const gjk_vec3 half = {ONE / 2, ONE / 2, ONE / 2};
 
 // Six bodies on their way over a ground, each on a track of its own.
-static void build(random_state *random, const gjk_parts *parts, const gjk_shape *shape, const gjk_shape *movers, double speed) {
+static void build(random_state *random, const gjk_parts *parts, const gjk_shape *shape, const gjk_shape *movers,
+                  double speed) {
   static const gjk_shape bound = GJK_BOX(GJK_Q16(60), GJK_Q16(60), GJK_Q16(60));
   static const gjk_shape *shapes[MOVERS + 1];
-  const gjk_scene_config config = {MOVERS + 1, MOVERS + 1, 0, 100, ONE / 8, GJK_DETAIL_TOUCH, 1, 0, 0,
-                                   sizeof cells / sizeof cells[0], 0};
+  const gjk_scene_config config = {
+      MOVERS + 1, MOVERS + 1, 0, 100, ONE / 8, GJK_DETAIL_TOUCH, 1, 0, 0, sizeof cells / sizeof cells[0], 0};
   const gjk_scene_bindings bindings = {NULL, NULL, &gjk_scene_contacts, &workspace, NULL, NULL};
   shapes[0] = shape;
   for (unsigned i = 0; i < MOVERS; i++) {
@@ -138,14 +143,17 @@ static void build(random_state *random, const gjk_parts *parts, const gjk_shape 
   ground = *parts;
   for (uint16_t i = 0; i <= MOVERS; i++) {
     const gjk_part part = {i, false, GJK_POSE_IDENTITY};
-    gjk_body_setup setup = {parts->pose, &part, 1, i == 0 ? GJK_BODY_STATIC : GJK_BODY_DYNAMIC, 0, 1, 1, i, SOLVER_MARGIN / 2 + 1};
+    gjk_body_setup setup = {parts->pose,          &part, 1, i == 0 ? GJK_BODY_STATIC : GJK_BODY_DYNAMIC, 0, 1, 1, i,
+                            SOLVER_MARGIN / 2 + 1};
     if (i > 0) {
-      const gjk_vec3 from = {-8 * ONE, (5 - 2 * (int)i) * ONE * 2 + 3 * ONE, 20 * ONE}, to = {from.x, from.y, -20 * ONE};
+      const gjk_vec3 from = {-8 * ONE, (5 - 2 * (int)i) * ONE * 2 + 3 * ONE, 20 * ONE},
+                     to = {from.x, from.y, -20 * ONE};
       gjk_scene_hit hit;
       gjk_cast_result result;
       gjk_collider c = {0};
       bool found = false;
-      const gjk_pose start = {from, random_below(random, 2) ? random_rotation(random) : (gjk_quat){0, 0, 0, GJK_Q30_ONE}};
+      const gjk_pose start = {from,
+                              random_below(random, 2) ? random_rotation(random) : (gjk_quat){0, 0, 0, GJK_Q30_ONE}};
       CHECK(gjk_collider_init(&c, &movers[i - 1], NULL, 0) == GJK_OK && gjk_collider_pose(&c, &start) == GJK_OK);
       const gjk_scene_filter filter = {1, 1, {0, 0}, NULL, NULL};
       CHECK(gjk_scene_cast(&scene, &c, &to, 0, &filter, &hit, &result, &found) == GJK_OK && found);
@@ -178,8 +186,8 @@ static void play(unsigned ticks, bool flat) {
 }
 
 static void make_shape(random_state *random, gjk_shape *out) {
-  static const gjk_shape kinds[] = {GJK_BOX(ONE / 2, ONE / 2, ONE / 2), GJK_SPHERE(ONE / 2), GJK_CAPSULE(ONE / 3, ONE / 3),
-                                    GJK_ROUNDED_BOX(ONE / 3, ONE / 3, ONE / 3, ONE / 8)};
+  static const gjk_shape kinds[] = {GJK_BOX(ONE / 2, ONE / 2, ONE / 2), GJK_SPHERE(ONE / 2),
+                                    GJK_CAPSULE(ONE / 3, ONE / 3), GJK_ROUNDED_BOX(ONE / 3, ONE / 3, ONE / 3, ONE / 8)};
   *out = kinds[random_below(random, 4)];
 }
 

@@ -28,11 +28,13 @@ static void add_body(concave_world *w, unsigned i, gjk_parts parts, random_state
 }
 
 void concave_world_make(concave_world *w, random_state *random, int32_t size) {
-  static const surface_kind kinds[] = {SURFACE_FLAT, SURFACE_BENT, SURFACE_ROUGH, SURFACE_CUBE, SURFACE_BALL, SURFACE_SOUP};
-  surface_make(random, kinds[random_below(random, 6)], 1 + random_below(random, 300), size, random_below(random, 2) != 0,
-               &w->mesh);
+  static const surface_kind kinds[] = {SURFACE_FLAT, SURFACE_BENT, SURFACE_ROUGH,
+                                       SURFACE_CUBE, SURFACE_BALL, SURFACE_SOUP};
+  surface_make(random, kinds[random_below(random, 6)], 1 + random_below(random, 300), size,
+               random_below(random, 2) != 0, &w->mesh);
   add_body(w, 0, (gjk_parts)GJK_PARTS_OF_MESH(&w->mesh.mesh), random, size);
-  const uint16_t columns = (uint16_t)random_range(random, 2, CONCAVE_SIDE), rows = (uint16_t)random_range(random, 2, CONCAVE_SIDE);
+  const uint16_t columns = (uint16_t)random_range(random, 2, CONCAVE_SIDE),
+                 rows = (uint16_t)random_range(random, 2, CONCAVE_SIDE);
   for (unsigned k = 0; k < (unsigned)columns * rows; k++) {
     const bool hole = k > 4 && random_below(random, 12) == 0;
     w->heights[k] = hole ? GJK_HEIGHT_HOLE : (int16_t)random_range(random, -1000, 1000);
@@ -52,8 +54,8 @@ void concave_world_make(concave_world *w, random_state *random, int32_t size) {
     w->compound_parts[i].pose.position = random_vector(random, 3.0 * size);
     w->compound_parts[i].pose.rotation = random_rotation(random);
   }
-  CHECK(gjk_compound_build(w->compound_parts, (uint16_t)parts, w->compound_nodes, GJK_COMPOUND_NODES(16), &w->compound) ==
-        GJK_OK);
+  CHECK(gjk_compound_build(w->compound_parts, (uint16_t)parts, w->compound_nodes, GJK_COMPOUND_NODES(16),
+                           &w->compound) == GJK_OK);
   add_body(w, 2, (gjk_parts)GJK_PARTS_OF_COMPOUND(&w->compound), random, size);
   for (unsigned i = 0; i < CONCAVE_MOVERS; i++) {
     w->mover[i] = any_convex(random, size);

@@ -253,7 +253,7 @@ static unsigned find_manifolds(const solver_world *w, uint16_t a, uint16_t b, gj
     return w->manifolds(w->user, a, b, out, SOLVER_MANIFOLDS_MAX);
   }
   return gjk_contacts(&w->body[a].collider, &w->body[b].collider, MARGIN, SOLVER_POINTS_MAX, NULL, &workspace, out) ==
-                 GJK_OK &&
+             GJK_OK &&
          out->count > 0;
 }
 

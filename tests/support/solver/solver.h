@@ -65,8 +65,8 @@ typedef struct solver_world {
   unsigned bodies;
   solver_pair pair[2][SOLVER_PAIRS_MAX];  // of this tick, [now], and of the last, sorted by their bodies
   unsigned pairs[2], now;
-  unsigned iterations;   // how often a tick goes over all impulses
-  unsigned damping;      // bodies lose 1/2^damping of their spin each tick; 0: nothing
+  unsigned iterations;  // how often a tick goes over all impulses
+  unsigned damping;     // bodies lose 1/2^damping of their spin each tick; 0: nothing
   // Where the manifolds of two bodies come from, for example a scene: as many as there are. NULL: gjk_contacts.
   unsigned (*manifolds)(void *user, unsigned a, unsigned b, gjk_manifold *out, unsigned capacity);
   void *user;
