@@ -32,6 +32,7 @@
 extern "C" {
 #endif
 
+// The class of shapes of many parts, which GJK_CONCAVE and gjk_concave_init name.
 extern const gjk_shape_class gjk_class_concave;
 
 // No point of a concave part may be farther from its origin: 8191 units.
