@@ -70,16 +70,13 @@ static void move_origin(joint_frame *frame, const gjk_vec3 *v) {
   const int64_t ww = gjk_mul32(q->w, q->w), xy = gjk_mul32(q->x, q->y), xz = gjk_mul32(q->x, q->z);
   const int64_t yz = gjk_mul32(q->y, q->z), wx = gjk_mul32(q->w, q->x), wy = gjk_mul32(q->w, q->y);
   const int64_t wz = gjk_mul32(q->w, q->z);
-  int64_t *origin = frame->origin;
-  origin[0] =
-      gjk_mac32(gjk_mac32(gjk_mac32(origin[0], joint_round(ww + xx - yy - zz), v->x), joint_round(2 * (xy - wz)), v->y),
-                joint_round(2 * (xz + wy)), v->z);
-  origin[1] =
-      gjk_mac32(gjk_mac32(gjk_mac32(origin[1], joint_round(2 * (xy + wz)), v->x), joint_round(ww - xx + yy - zz), v->y),
-                joint_round(2 * (yz - wx)), v->z);
-  origin[2] =
-      gjk_mac32(gjk_mac32(gjk_mac32(origin[2], joint_round(2 * (xz - wy)), v->x), joint_round(2 * (yz + wx)), v->y),
-                joint_round(ww - xx - yy + zz), v->z);
+  const gjk_vec3 rows[3] = {{joint_round(ww + xx - yy - zz), joint_round(2 * (xy - wz)), joint_round(2 * (xz + wy))},
+                            {joint_round(2 * (xy + wz)), joint_round(ww - xx + yy - zz), joint_round(2 * (yz - wx))},
+                            {joint_round(2 * (xz - wy)), joint_round(2 * (yz + wx)), joint_round(ww - xx - yy + zz)}};
+  for (int i = 0; i < 3; i++) {
+    frame->origin[i] =
+        gjk_mac32(gjk_mac32(gjk_mac32(frame->origin[i], rows[i].x, v->x), rows[i].y, v->y), rows[i].z, v->z);
+  }
 }
 
 // Steps 2 and 3 for a joint with this rotation of its own; then its pose.
