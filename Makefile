@@ -14,7 +14,8 @@
 #   make page            the page to touch: build/page/index.html, one file with the library as WebAssembly, opens from disk
 #   make amalgamation    the library as two files: build/amalgamation/gjk.h and gjk.c
 #   make docs            the API reference by doxygen, HTML and man pages: build/docs/html/index.html, build/docs/man
-#   make install PREFIX=/usr/local  headers, archive, shared library, pkg-config and CMake files; DESTDIR=D before all paths
+#   make install PREFIX=/usr/local  headers, archive, shared library, pkg-config and CMake files, the C++ headers, the Python
+#                        module; DESTDIR=D before all paths
 #   make package         the library as CMake, Zephyr, ESP-IDF, Arduino and PlatformIO expect it: build/package
 #   make sizes           code by function group and stack by query, per target
 #   make bench           on the host, other libraries beside it: what queries cost by family, in instructions (valgrind), ns

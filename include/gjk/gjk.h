@@ -10,6 +10,7 @@
 #include "gjk/contacts.h"
 #include "gjk/distance.h"
 #include "gjk/format.h"
+#include "gjk/hash.h"
 #include "gjk/height_field.h"
 #include "gjk/hull.h"
 #include "gjk/impact.h"

@@ -53,6 +53,7 @@ typedef struct surface_query {
   uint32_t number;
   int32_t slack;     // of normals
   gjk_cache *cache;  // of gjk_within for all triangles
+  bool limited;      // a curved body reached its ceiling where the answer depends on it
 } surface_query;
 
 static bool is_far(const gjk_vec3 *v) {
@@ -69,7 +70,7 @@ static bool relate(const gjk_vec3 *world, const gjk_vec3 *centre, gjk_vec3 *out)
 }
 
 // The corners of a triangle; false: it is not as it should be.
-static bool set_corners_of(const surface_query *q, uint32_t number, surface_face *out) {
+static bool set_corners_of(surface_query *q, uint32_t number, surface_face *out) {
   const gjk_parts_class *type = q->frame->parts->type;
   gjk_parts_room room;
   gjk_parts_local local;
@@ -113,7 +114,7 @@ static void turn_over(surface_face *f, gjk_long3 *n) {
 // Is the body, a sum of half axes, apart from the triangle along one of them, by more than the margin? False proves nothing.
 //   |half axis| <= 2^28, |corner| < 2^30.4:                          |along| < 2^59
 //   margin, convex radius <= 2^28 each, |half axis| <= 2^29.6 by its components:  |reach| < 2^61
-static bool is_aside(const surface_query *q, const surface_face *f) {
+static bool is_aside(surface_query *q, const surface_face *f) {
   const gjk_collider *body = q->body;
   const unsigned count = body->shape->type->kind == GJK_KIND_AXES ? body->count : 0;
   for (unsigned i = 0; i < count; i++) {
@@ -132,7 +133,7 @@ static bool is_aside(const surface_query *q, const surface_face *f) {
 }
 
 // Step 1. False: the triangle has no plane, or the body is behind it. Pre: corners are set.
-static bool set_face(const surface_query *q, uint32_t number, surface_face *f) {
+static bool set_face(surface_query *q, uint32_t number, surface_face *f) {
   const gjk_shape_class *type = q->body->shape->type;
   gjk_long3 n;
   gjk_search_direction along;
@@ -185,7 +186,7 @@ static bool is_over(const surface_face *f) {
 }
 
 // A point of the core moved by a length along the normal, in the world.
-static void point_below(const surface_query *q, const surface_face *f, int64_t length, gjk_vec3 *out) {
+static void point_below(surface_query *q, const surface_face *f, int64_t length, gjk_vec3 *out) {
   const int64_t half = INT64_C(1) << 29;
   const gjk_vec3 *at = &q->body->centre, *p = &f->deepest;
   const gjk_q16 by = gjk_saturate(length);
@@ -205,13 +206,15 @@ static bool reaches(const gjk_candidates *candidates, gjk_q16 height) {
 }
 
 // A body that is behind the plane in part may have come around the triangle, and not touch it.
-static bool touches(const surface_query *q, const gjk_collider *triangle) {
+static bool touches(surface_query *q, const gjk_collider *triangle) {
   gjk_decision decision;
-  return gjk_intersect(triangle, q->body, NULL, &decision) != GJK_OK || decision.yes;
+  const gjk_status status = gjk_intersect(triangle, q->body, NULL, &decision);
+  q->limited = q->limited || status != GJK_OK;
+  return status != GJK_OK || decision.yes;
 }
 
 // Is the body, a sum of half axes, so steep to the plane that it has one deepest point alone?
-static bool is_pointed(const surface_query *q, const surface_face *f) {
+static bool is_pointed(surface_query *q, const surface_face *f) {
   const gjk_collider *body = q->body;
   if (body->shape->type->kind != GJK_KIND_AXES) {
     return false;
@@ -226,8 +229,8 @@ static bool is_pointed(const surface_query *q, const surface_face *f) {
 }
 
 // The candidates along the triangle's own normal, once.
-static void find_on_face(const surface_query *q, surface_face *f, const gjk_collider *triangle,
-                         gjk_candidates *candidates, gjk_manifold *out) {
+static void find_on_face(surface_query *q, surface_face *f, const gjk_collider *triangle, gjk_candidates *candidates,
+                         gjk_manifold *out) {
   if (!f->clipped) {
     out->normal = f->unit;
     gjk_manifold_find(triangle, q->body, q->margin, candidates, out);
@@ -237,14 +240,14 @@ static void find_on_face(const surface_query *q, surface_face *f, const gjk_coll
 
 // A limit of iterations is left to gjk_signed_distance.
 // A direction that keeps the body off one triangle is likely to keep it off the next.
-static bool is_within_margin(const surface_query *q, const gjk_collider *triangle) {
+static bool is_within_margin(surface_query *q, const gjk_collider *triangle) {
   gjk_decision decision;
   return gjk_within(triangle, q->body, q->margin, q->cache, &decision) != GJK_OK || decision.yes;
 }
 
 // Step 2. False: no deepest point of the body lies over the triangle.
-static bool meets_face(const surface_query *q, surface_face *f, const gjk_collider *triangle,
-                       gjk_candidates *candidates, gjk_manifold *out) {
+static bool meets_face(surface_query *q, surface_face *f, const gjk_collider *triangle, gjk_candidates *candidates,
+                       gjk_manifold *out) {
   const bool over = is_over(f);
   if (!over && is_pointed(q, f)) {
     return false;
@@ -271,13 +274,13 @@ static bool meets_face(const surface_query *q, surface_face *f, const gjk_collid
 }
 
 // How far p is beyond the plane across the normal at v: above 0, at least by the slack.
-static bool is_beyond_plane(const surface_query *q, const gjk_unit3 *normal, const gjk_vec3 *v, const gjk_vec3 *p) {
+static bool is_beyond_plane(surface_query *q, const gjk_unit3 *normal, const gjk_vec3 *v, const gjk_vec3 *p) {
   const gjk_vec3 step = gjk_sub(*p, *v);
   return gjk_along(normal, &step) > (int64_t)gjk_norm1(step) * q->slack;  // below 2^33 2^20
 }
 
 // Step 3: bit i is set if the triangle meets the normal with its corner i.
-static unsigned corners_that_meet(const surface_query *q, const surface_face *f, const gjk_unit3 *normal) {
+static unsigned corners_that_meet(surface_query *q, const surface_face *f, const gjk_unit3 *normal) {
   unsigned top = 0, bits = 0;
   for (unsigned i = 1; i < 3; i++) {
     const gjk_vec3 step = gjk_sub(f->corner[i], f->corner[top]);
@@ -319,7 +322,7 @@ static void ring_start(ring_walk *ring, const gjk_vec3 *p, const gjk_vec3 *r) {
 }
 
 // Ends: each triangle comes once.
-static bool ring_next(const surface_query *q, ring_walk *ring, uint32_t *number, surface_face *other) {
+static bool ring_next(surface_query *q, ring_walk *ring, uint32_t *number, surface_face *other) {
   while (gjk_parts_next(q->frame, &ring->region, &ring->walk, number)) {
     if (*number != q->number && set_corners_of(q, *number, other) && has_corner(other, ring->p) &&
         has_corner(other, ring->r)) {
@@ -330,7 +333,7 @@ static bool ring_next(const surface_query *q, ring_walk *ring, uint32_t *number,
 }
 
 // For a body that overlaps a triangle only one that it overlaps as well can answer.
-static bool answers(const surface_query *q, const surface_face *other, bool together) {
+static bool answers(surface_query *q, const surface_face *other, bool together) {
   gjk_parts_room room;
   gjk_collider triangle;
   return !together || (gjk_triangle_collider(other->world, &room, &triangle) == GJK_OK && touches(q, &triangle));
@@ -338,7 +341,7 @@ static bool answers(const surface_query *q, const surface_face *other, bool toge
 
 // Steps 4 and 5, at the edge from corner i to corner j, or at a corner, i = j. *answered: a triangle across the normal
 // answers.
-static bool has_normal(const surface_query *q, const surface_face *f, const gjk_unit3 *normal, unsigned i, unsigned j,
+static bool has_normal(surface_query *q, const surface_face *f, const gjk_unit3 *normal, unsigned i, unsigned j,
                        bool together, bool *answered) {
   ring_walk ring;
   surface_face other;
@@ -358,7 +361,7 @@ static bool has_normal(const surface_query *q, const surface_face *f, const gjk_
 }
 
 // Does the deepest point lie over some triangle at the edge or corner?
-static bool is_over_ring(const surface_query *q, const surface_face *f, unsigned i, unsigned j, bool together) {
+static bool is_over_ring(surface_query *q, const surface_face *f, unsigned i, unsigned j, bool together) {
   ring_walk ring;
   surface_face other;
   uint32_t number;
@@ -372,7 +375,7 @@ static bool is_over_ring(const surface_query *q, const surface_face *f, unsigned
 }
 
 // Step 6: the nearest points of both, with the triangle's normal.
-static void keep_nearest(const surface_query *q, const surface_face *f, gjk_distance_result *nearest,
+static void keep_nearest(surface_query *q, const surface_face *f, gjk_distance_result *nearest,
                          gjk_candidates *candidates, gjk_manifold *out) {
   nearest->distance = f->height > nearest->distance ? f->height : nearest->distance;
   if (nearest->distance <= q->margin) {
@@ -393,8 +396,8 @@ static bool has_ridge(const surface_face *f) {
 }
 
 // Steps 3 to 6 without a distance. False: it is needed.
-static bool is_settled(const surface_query *q, surface_face *f, const gjk_collider *triangle,
-                       gjk_candidates *candidates, gjk_manifold *out) {
+static bool is_settled(surface_query *q, surface_face *f, const gjk_collider *triangle, gjk_candidates *candidates,
+                       gjk_manifold *out) {
   if (has_ridge(f) || gjk_is_curved(q->body->shape)) {
     return false;
   }
@@ -409,7 +412,7 @@ static bool is_settled(const surface_query *q, surface_face *f, const gjk_collid
 }
 
 // Steps 3 to 6.
-static gjk_status meet_beside(const surface_query *q, surface_face *f, const gjk_collider *triangle,
+static gjk_status meet_beside(surface_query *q, surface_face *f, const gjk_collider *triangle,
                               const gjk_workspace *workspace, gjk_candidates *candidates, gjk_manifold *out) {
   gjk_distance_result nearest;
   if (is_settled(q, f, triangle, candidates, out)) {
@@ -462,8 +465,8 @@ static gjk_status meet_beside(const surface_query *q, surface_face *f, const gjk
 
 gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
                             unsigned most, gjk_cache *cache, const gjk_workspace *workspace, gjk_manifold *out) {
-  const surface_query q = {frame, b, margin, most, number, gjk_is_curved(b->shape) ? NORMAL_SLACK_CURVED : NORMAL_SLACK,
-                           cache};
+  surface_query q = {frame, b,    margin, most, number, gjk_is_curved(b->shape) ? NORMAL_SLACK_CURVED : NORMAL_SLACK,
+                     cache, false};
   surface_face face;
   gjk_parts_room room;
   gjk_collider triangle;
@@ -477,11 +480,18 @@ gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const
       face.height > (int64_t)margin + LEVEL) {
     return GJK_OK;
   }
-  const gjk_status status = gjk_triangle_collider(face.world, &room, &triangle);
-  if (status != GJK_OK || !is_within_margin(&q, &triangle) || meets_face(&q, &face, &triangle, &candidates, out)) {
+  gjk_status status = gjk_triangle_collider(face.world, &room, &triangle);
+  if (status != GJK_OK || !is_within_margin(&q, &triangle)) {
     return status;
   }
-  return meet_beside(&q, &face, &triangle, workspace, &candidates, out);
+  if (!meets_face(&q, &face, &triangle, &candidates, out)) {
+    status = meet_beside(&q, &face, &triangle, workspace, &candidates, out);
+  }
+  if (q.limited) {
+    out->count = 0;
+    status = GJK_ERROR_ITERATION_LIMIT;
+  }
+  return status;
 }
 
 // The contacts that the triangle alone has tell how far apart they may be.
