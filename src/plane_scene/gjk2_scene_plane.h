@@ -342,11 +342,11 @@ static inline void gjk2_scene_grow(gjk2_aabb *box, int32_t margin, const gjk2_ve
 
 // One word after another into a hash.
 static inline uint64_t gjk2_scene_mix_vec(uint64_t hash, const gjk2_vec *v) {
-  return gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)v->x), (uint32_t)v->y);
+  return gjk_hash_step(gjk_hash_step(hash, (uint32_t)v->x), (uint32_t)v->y);
 }
 
 static inline uint64_t gjk2_scene_mix_rotation(uint64_t hash, const gjk2_rotation *r) {
-  return gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)r->c), (uint32_t)r->s);
+  return gjk_hash_step(gjk_hash_step(hash, (uint32_t)r->c), (uint32_t)r->s);
 }
 
 // An upper bound of the distance from a to b. UNBOUNDED when they are 2^30 or more apart along an axis.

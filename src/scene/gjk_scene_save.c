@@ -2,7 +2,7 @@
 #include "gjk_scene_block.h"
 
 static uint64_t mix(uint64_t hash, uint32_t word) {
-  return gjk_scene_mix(hash, word);
+  return gjk_hash_step(hash, word);
 }
 
 static uint64_t mix_pose(uint64_t hash, const gjk_vec3 *position, const gjk_quat *rotation) {

@@ -300,12 +300,12 @@ static inline void gjk_scene_set_zero(gjk_vec3 *v) {
 
 // One word after another into a hash.
 static inline uint64_t gjk_scene_mix_vec3(uint64_t hash, const gjk_vec3 *v) {
-  return gjk_scene_mix(gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)v->x), (uint32_t)v->y), (uint32_t)v->z);
+  return gjk_hash_step(gjk_hash_step(gjk_hash_step(hash, (uint32_t)v->x), (uint32_t)v->y), (uint32_t)v->z);
 }
 
 static inline uint64_t gjk_scene_mix_rotation(uint64_t hash, const gjk_quat *q) {
-  hash = gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)q->x), (uint32_t)q->y);
-  return gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)q->z), (uint32_t)q->w);
+  hash = gjk_hash_step(gjk_hash_step(hash, (uint32_t)q->x), (uint32_t)q->y);
+  return gjk_hash_step(gjk_hash_step(hash, (uint32_t)q->z), (uint32_t)q->w);
 }
 
 // How far the rotation from a to b moves points, Q30: at most by this times their distance from the axis.
