@@ -12,6 +12,7 @@ extern "C" {
 // Ceilings on capacities.
 #define GJK_SCENE_BODIES_MAX UINT32_C(1048576)
 #define GJK_SCENE_PAIRS_MAX UINT32_C(4194304)
+#define GJK_SCENE_PAIR_WORDS_MAX 32
 
 // Names a body. A zeroed id names none. The id of a removed body never names another one: generation differs, and a
 // slot that was taken 2^31 times is not taken again.
@@ -28,11 +29,15 @@ typedef enum gjk_body_kind {
 } gjk_body_kind;
 
 // What is wanted of a pair. DEPTH and CONTACTS need the details of a scene's bindings.
+//
+// SENSOR  of a body alone: it makes each of its pairs a TOUCH, whatever is asked for besides. Such a pair is reported as
+//         begun and ended, never as persisting. Fast bodies pass a sensor; casts and slides do so by their filter.
 typedef enum gjk_detail {
   GJK_DETAIL_TOUCH = 0,  // near or not
   GJK_DETAIL_DISTANCE,   // and the distance
   GJK_DETAIL_DEPTH,      // and the depth
-  GJK_DETAIL_CONTACTS    // and the manifold
+  GJK_DETAIL_CONTACTS,   // and the manifold
+  GJK_DETAIL_SENSOR      // of a body, see above
 } gjk_detail;
 
 // Should this pair be tested? Called at most once per test, perhaps from several threads. The answer may depend on the
@@ -80,6 +85,8 @@ typedef struct gjk_scene_stats {
   uint32_t begun, persisting, ended;  // events of the update that tested all pairs
   uint32_t unsettled;                 // queries that reached a ceiling, see gjk_scene_update and gjk2_scene_update
   uint32_t updates;                   // completed so far, modulo 2^32
+  uint32_t measured;                  // distances and depths found, because details ask for them
+  uint32_t manifolds;                 // found for reports
 } gjk_scene_stats;
 
 // A part that a query found.

@@ -37,6 +37,8 @@ static const named_value structure_sizes[] = {
     SIZE_OF(gjk_manifold),
     SIZE_OF(gjk_distance_result),
     SIZE_OF(gjk_effort),
+    SIZE_OF(gjk_joint),
+    SIZE_OF(gjk2_joint),
     SIZE_OF(gjk_vec3),
     SIZE_OF(gjk_unit3),
     SIZE_OF(gjk_quat),
@@ -124,6 +126,8 @@ static const named_value structure_sizes[] = {
 };
 
 static const named_value constant_values[] = {
+    VALUE_OF(GJK_JOINTS_MAX),
+    VALUE_OF(GJK2_JOINTS_MAX),
     VALUE_OF(GJK_BODY_STATIC),
     VALUE_OF(GJK_BODY_KINEMATIC),
     VALUE_OF(GJK_BODY_DYNAMIC),
@@ -131,6 +135,7 @@ static const named_value constant_values[] = {
     VALUE_OF(GJK_DETAIL_DISTANCE),
     VALUE_OF(GJK_DETAIL_DEPTH),
     VALUE_OF(GJK_DETAIL_CONTACTS),
+    VALUE_OF(GJK_DETAIL_SENSOR),
     VALUE_OF(GJK_EVENT_BEGIN),
     VALUE_OF(GJK_EVENT_PERSIST),
     VALUE_OF(GJK_EVENT_END),
@@ -140,6 +145,7 @@ static const named_value constant_values[] = {
     VALUE_OF(GJK_MOTION_FAST),
     VALUE_OF(GJK_SCENE_BODIES_MAX),
     VALUE_OF(GJK_SCENE_PAIRS_MAX),
+    VALUE_OF(GJK_SCENE_PAIR_WORDS_MAX),
     VALUE_OF(GJK_SLIDE_PLANES),
     VALUE_OF(GJK_SLIDE_SKIN_MIN),
     VALUE_OF(GJK_SLIDE_CASTS),
@@ -169,6 +175,7 @@ static const named_value constant_values[] = {
     VALUE_OF(GJK_FACE_CORNERS_MAX),
     VALUE_OF(GJK_TABLE_LEVEL_MAX),
     VALUE_OF(GJK_ITERATIONS_MAX),
+    VALUE_OF(GJK_HASH_BEGIN),
     VALUE_OF(GJK_HEIGHT_FIELD_SIDE_MAX),
     VALUE_OF(GJK_HEIGHT_FIELD_STEP_MAX),
     VALUE_OF(GJK_HEIGHT_HOLE),

@@ -24,12 +24,10 @@
 //         such that s t is in A - B", with columns found by support scans and ties broken in lexicographic order.
 #include "gjk_portal.h"
 
+#include "../arith/gjk_ceilings.h"
+
 // How much farther from the line than the core radii the bounding spheres may leave start, rounded up (gjk_spheres.h).
 #define LINE_SLACK 1024
-
-#ifndef GJK_CAST_ITERATIONS_MAX
-#define GJK_CAST_ITERATIONS_MAX 250
-#endif
 
 // v / 8, rounded down.
 static gjk_vec3 eighth(const gjk_long3 *v) {

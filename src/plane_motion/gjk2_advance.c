@@ -18,14 +18,11 @@
 //
 // Rounds: of a convex function each step of Newton's iteration halves the gap or the slope. The gap is below 2^33 LSB and
 // above 1, and the slope is not below the gap that is left, so 66 rounds are never reached.
+#include "../arith/gjk_ceilings.h"
 #include "../arith/gjk_root.h"
 #include "../plane/gjk2_measure.h"
 #include "gjk2/intersect.h"
 #include "gjk2_cast_report.h"
-
-#ifndef GJK2_ADVANCE_ROUNDS_MAX
-#define GJK2_ADVANCE_ROUNDS_MAX 72
-#endif
 
 // Supports of curved shapes are up to 2 LSB below the true ones.
 #define PLANE_CURVED_SLACK 2

@@ -68,6 +68,7 @@
 
 // Types and constants of scenes.
 #define GJK_SCENE_AXES GJK2_SCENE_AXES
+#define GJK_SCENE_CASTS GJK2_SCENE_CASTS
 #define GJK_SCENE_CONTACTS GJK2_SCENE_CONTACTS
 #define GJK_SCENE_HEADER_BYTES GJK2_SCENE_HEADER_BYTES
 #define GJK_SCENE_HEIGHT GJK2_SCENE_HEIGHT
@@ -152,6 +153,7 @@
 #define gjk_scene_is_point gjk2_scene_is_point
 #define gjk_scene_is_refused gjk2_scene_is_refused
 #define gjk_scene_is_rotation gjk2_scene_is_rotation
+#define gjk_scene_is_sensor gjk2_scene_is_sensor
 #define gjk_scene_is_to_pose gjk2_scene_is_to_pose
 #define gjk_scene_is_zero gjk2_scene_is_zero
 #define gjk_scene_is_zero_direction gjk2_scene_is_zero_direction
@@ -246,6 +248,7 @@
 #define gjk_scene_walk_start gjk2_scene_walk_start
 #define gjk_scene_wants_distance gjk2_scene_wants_distance
 #define gjk_scene_way gjk2_scene_way
+#define gjk_scene_words_of gjk2_scene_words_of
 #define gjk_scene_write_reports gjk2_scene_write_reports
 
 #endif

@@ -30,7 +30,7 @@ static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) 
   if (s->part_count == 0) {
     return GJK_ERROR_EMPTY;
   }
-  if (s->kind > GJK_BODY_DYNAMIC || s->detail > GJK_DETAIL_CONTACTS || s->margin < 0 || s->margin > GJK_RADIUS_MAX) {
+  if (s->kind > GJK_BODY_DYNAMIC || s->detail > GJK_DETAIL_SENSOR || s->margin < 0 || s->margin > GJK_RADIUS_MAX) {
     return GJK_ERROR_RANGE;
   }
   for (uint32_t i = 0; i < s->part_count; i++) {
@@ -101,7 +101,9 @@ static gjk_status add_to_slot(gjk_scene_view *v, uint32_t slot, const gjk_body_s
   body->first = GJK_SCENE_NONE;
   gjk_scene_set_part_count(body, s->part_count);
   body->kind_detail = (uint8_t)(s->kind | s->detail << 4);
-  h->most_detail = s->detail > h->most_detail ? s->detail : h->most_detail;
+  if (s->detail > h->most_detail && s->detail != GJK_DETAIL_SENSOR) {
+    h->most_detail = s->detail;
+  }
   body->flags &= GJK_SCENE_MOVED;                 // the slot stays in the list of moved bodies
   for (uint16_t i = s->part_count; i > 0; i--) {  // backwards, so that the list is in order
     add_part(v, slot, &s->pose, &s->parts[i - 1], (uint16_t)(i - 1));

@@ -342,7 +342,7 @@ static void search_parts(body_sweep *s, bool moved, uint32_t reach) {
       return;
     }
     const uint32_t slot = v->parts[other].body;
-    if (slot != s->slot) {
+    if (slot != s->slot && !gjk_scene_is_sensor(&v->bodies[slot])) {
       set_mover(v, slot, &of_other);
       if (of_other.moves == moved) {
         meet_part(s, other, &of_other, entered);
@@ -410,6 +410,7 @@ static void report_impact(const gjk_scene_view *v, const gjk_scene_kept *k, gjk_
   out->detail = gjk_scene_detail(v, &v->bodies[k->slot], &v->bodies[other->body]);
   out->distance = 0;
   out->manifold = NULL;
+  out->words = NULL;
   out->fraction = (gjk_q30)k->fraction;
 }
 
@@ -510,7 +511,7 @@ gjk_status gjk_scene_set_motion(gjk_scene *scene, gjk_body_id id, uint8_t motion
   if (status != GJK_OK) {
     return status;
   }
-  if (motion > GJK_MOTION_FAST || (body->kind_detail & 15u) == GJK_BODY_STATIC) {
+  if (motion > GJK_MOTION_FAST || (body->kind_detail & 15u) == GJK_BODY_STATIC || gjk_scene_is_sensor(body)) {
     return GJK_ERROR_RANGE;
   }
   if (scene->bindings.motion == NULL) {

@@ -135,6 +135,7 @@ static int32_t measure_pair(const pair_question *q, const gjk_collider *a, const
   } else {
     status = gjk_distance(a, b, cache, &result);
   }
+  pair->outcome |= GJK_SCENE_MEASURED;
   if (status != GJK_OK) {
     pair->outcome |= GJK_SCENE_UNSETTLED;
   }

@@ -441,7 +441,7 @@ gjk_status gjk_slide(const gjk_scene *scene, const gjk_collider *collider, const
   result.stuck = !free_start(&s);
   if (result.stuck) {
     result.position = collider->position;
-    result.left = way;
+    gjk_copy(&result.left, &way, sizeof way);
   } else {
     gjk_vec3 start;
     bool steep = false;

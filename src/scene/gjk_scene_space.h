@@ -5,6 +5,7 @@
 #ifndef GJK_SRC_SCENE_SPACE_H
 #define GJK_SRC_SCENE_SPACE_H
 
+#include "../arith/gjk_ceilings.h"
 #include "../arith/gjk_rotation.h"
 #include "../arith/gjk_vector.h"
 #include "../shape/gjk_shape_class.h"
@@ -20,6 +21,9 @@
 
 // The version of the block's format.
 #define GJK_SCENE_VERSION GJK_SCENE_BLOCK_VERSION
+
+// The ceilings on casts of the build, as a block says them.
+#define GJK_SCENE_CASTS (GJK_CAST_ITERATIONS_MAX * UINT32_C(65536) + GJK_ADVANCE_ROUNDS_MAX)
 
 // How many contacts a report has at most.
 #define GJK_SCENE_CONTACTS 4
@@ -153,7 +157,7 @@ typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_pa
                                  : -1];
 
 // Bytes of a header.
-#define GJK_SCENE_HEADER_BYTES 276
+#define GJK_SCENE_HEADER_BYTES 292
 
 // Binds to a handle; NULL: nothing.
 static inline void gjk_scene_set_bindings(gjk_scene *scene, const gjk_scene_bindings *bindings) {
@@ -296,12 +300,12 @@ static inline void gjk_scene_set_zero(gjk_vec3 *v) {
 
 // One word after another into a hash.
 static inline uint64_t gjk_scene_mix_vec3(uint64_t hash, const gjk_vec3 *v) {
-  return gjk_scene_mix(gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)v->x), (uint32_t)v->y), (uint32_t)v->z);
+  return gjk_hash_step(gjk_hash_step(gjk_hash_step(hash, (uint32_t)v->x), (uint32_t)v->y), (uint32_t)v->z);
 }
 
 static inline uint64_t gjk_scene_mix_rotation(uint64_t hash, const gjk_quat *q) {
-  hash = gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)q->x), (uint32_t)q->y);
-  return gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)q->z), (uint32_t)q->w);
+  hash = gjk_hash_step(gjk_hash_step(hash, (uint32_t)q->x), (uint32_t)q->y);
+  return gjk_hash_step(gjk_hash_step(hash, (uint32_t)q->z), (uint32_t)q->w);
 }
 
 // How far the rotation from a to b moves points, Q30: at most by this times their distance from the axis.
