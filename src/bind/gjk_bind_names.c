@@ -41,6 +41,8 @@ static const named_value structure_sizes[] = {
     SIZE_OF(gjk_manifold),
     SIZE_OF(gjk_distance_result),
     SIZE_OF(gjk_effort),
+    SIZE_OF(gjk_joint),
+    SIZE_OF(gjk2_joint),
     SIZE_OF(gjk_vec3),
     SIZE_OF(gjk_unit3),
     SIZE_OF(gjk_quat),
@@ -128,6 +130,8 @@ static const named_value structure_sizes[] = {
 };
 
 static const named_value constant_values[] = {
+    VALUE_OF(GJK_JOINTS_MAX),
+    VALUE_OF(GJK2_JOINTS_MAX),
     VALUE_OF(GJK_BODY_STATIC),
     VALUE_OF(GJK_BODY_KINEMATIC),
     VALUE_OF(GJK_BODY_DYNAMIC),
