@@ -92,10 +92,12 @@ static void put_corner(void *user, const gjk2_vec *from, const gjk2_vec *to, gjk
 
 static void put_body(FILE *file, const flat_body *b, const char *kind) {
   const gjk2_draw draw = {.line = put_corner, .user = file};
+  gjk2_collider collider = b->collider;
   const double c = b->pose.rotation.c / 1073741824.0, s = b->pose.rotation.s / 1073741824.0;
   const double x = unit(b->pose.position.x), y = unit(b->pose.position.y), r = unit(b->shape.convex_radius);
   fprintf(file, "<g class=\"%s\" stroke-width=\"1.6\"><polygon points=\"", kind);
-  (void)gjk2_draw_collider(&draw, &b->collider, GJK_DRAW_MOVING);
+  (void)gjk2_collider_pose(&collider, &b->pose);  // before the first tick a player's is not
+  (void)gjk2_draw_collider(&draw, &collider, GJK_DRAW_MOVING);
   fprintf(file, "\"/>");
   if (b->inverse_inertia != 0 && b->shape.vertices == NULL && b->shape.size.x == 0) {  // a spoke shows how a ball rolls
     fprintf(file, "<polyline points=\"");
