@@ -7,6 +7,7 @@
 #ifndef GJK2_SRC_SCENE_NAMES_H
 #define GJK2_SRC_SCENE_NAMES_H
 
+#include "gjk2/draw.h"
 #include "gjk2/impact.h"
 #include "gjk2/slide.h"
 #include "gjk2_scene_measure.h"
@@ -43,6 +44,13 @@
 #define gjk_distance_result gjk2_distance_result
 #define gjk_impact_result gjk2_impact_result
 #define gjk_impact_setup gjk2_impact_setup
+#define gjk_draw gjk2_draw
+#define gjk_draw_box gjk2_draw_box
+#define gjk_draw_cast gjk2_draw_cast
+#define gjk_draw_collider gjk2_draw_collider
+#define gjk_draw_manifold gjk2_draw_manifold
+#define gjk_draw_ray gjk2_draw_ray
+#define gjk_draw_scene gjk2_draw_scene
 #define gjk_is_curved gjk2_is_curved
 #define gjk_manifold gjk2_manifold
 #define gjk_motion gjk2_motion
@@ -106,6 +114,7 @@
 #define gjk_scene_accepts gjk2_scene_accepts
 #define gjk_scene_add gjk2_scene_add
 #define gjk_scene_add_at gjk2_scene_add_at
+#define gjk_scene_ahead gjk2_scene_ahead
 #define gjk_scene_along gjk2_scene_along
 #define gjk_scene_ask_cast gjk2_scene_ask_cast
 #define gjk_scene_ask_depth gjk2_scene_ask_depth

@@ -299,6 +299,15 @@ static inline void gjk_scene_set_zero(gjk_vec3 *v) {
   v->x = v->y = v->z = 0;
 }
 
+// So far from a point along a unit vector, to the nearest LSB, saturated:  |length| * 2^30 <= 2^61
+static inline gjk_vec3 gjk_scene_ahead(const gjk_vec3 *from, const gjk_unit3 *n, gjk_q16 length) {
+  const int64_t half = INT64_C(1) << 29;
+  const gjk_vec3 at = {gjk_saturate(from->x + gjk_sar64(gjk_mul32(n->x, length) + half, 30)),
+                       gjk_saturate(from->y + gjk_sar64(gjk_mul32(n->y, length) + half, 30)),
+                       gjk_saturate(from->z + gjk_sar64(gjk_mul32(n->z, length) + half, 30))};
+  return at;
+}
+
 // One word after another into a hash.
 static inline uint64_t gjk_scene_mix_vec3(uint64_t hash, const gjk_vec3 *v) {
   return gjk_hash_step(gjk_hash_step(gjk_hash_step(hash, (uint32_t)v->x), (uint32_t)v->y), (uint32_t)v->z);
