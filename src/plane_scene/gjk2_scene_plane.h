@@ -521,4 +521,21 @@ static inline void gjk2_scene_store_cache(const gjk2_cache *cache, bool near, gj
   pair->state = (uint8_t)(flags | count << GJK_SCENE_PAIR_CACHED);
 }
 
+// No shape of the plane is concave.
+static inline bool gjk2_scene_is_concave(const gjk2_shape *shape) {
+  (void)shape;
+  return false;
+}
+
+// Binds a collider to a shape of a part. Statuses as gjk2_collider_init.
+static inline gjk_status gjk2_scene_bind(gjk2_collider *c, const gjk2_shape *shape) {
+  return gjk2_collider_init(c, shape, NULL, 0);
+}
+
+// Does a part stay in int32 at any rotation? Its collider tells.
+static inline bool gjk2_scene_has_room(const gjk2_shape *shape, const gjk2_vec *position) {
+  (void)shape, (void)position;
+  return true;
+}
+
 #endif

@@ -15,6 +15,7 @@
 #include "gjk/pose.h"
 #include "gjk/scene.h"
 #include "gjk_scene_common.h"
+#include "gjk_scene_concave.h"
 
 // The first word of a block: "gjks" in a little-endian one.
 #define GJK_SCENE_MAGIC UINT32_C(0x736B6A67)
@@ -463,6 +464,27 @@ static inline bool gjk_scene_is_zero_direction(const int16_t direction[3]) {
 static inline const int16_t *gjk_scene_hint(const gjk_scene_pair *pair, int16_t room[3]) {
   (void)room;
   return pair->hint.direction;
+}
+
+// Is the shape a body of many parts? Then its code is in the class.
+static inline bool gjk_scene_is_concave(const gjk_shape *shape) {
+  return shape->type->concave != NULL;
+}
+
+// Binds a collider to a shape of a part. Statuses as gjk_collider_init.
+static inline gjk_status gjk_scene_bind(gjk_collider *c, const gjk_shape *shape) {
+  return shape != NULL && shape->type != NULL && gjk_scene_is_concave(shape) ? shape->type->concave->bind(shape, c)
+                                                                             : gjk_collider_init(c, shape, NULL, 0);
+}
+
+static inline bool gjk_scene_is_amid(gjk_q16 x) {
+  return x <= INT32_MAX - GJK_CONCAVE_REACH && x >= -(INT32_MAX - GJK_CONCAVE_REACH);
+}
+
+// Does a part stay in int32 at any rotation? Of a convex one its collider tells.
+static inline bool gjk_scene_has_room(const gjk_shape *shape, const gjk_vec3 *position) {
+  return !gjk_scene_is_concave(shape) ||
+         (gjk_scene_is_amid(position->x) && gjk_scene_is_amid(position->y) && gjk_scene_is_amid(position->z));
 }
 
 // The rotation of a motion is along the shortest arc.
