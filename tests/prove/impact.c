@@ -23,7 +23,8 @@ int main(void) {
   gjk_shape shapes[2] = {0};
   gjk_collider a = {0}, b = {0};
   gjk_impact_result result;
-  const gjk_motion motion_a = {any_pose(), any_pose(), any_position()}, motion_b = {any_pose(), any_pose(), any_position()};
+  const gjk_motion motion_a = {any_pose(), any_pose(), any_position()},
+                   motion_b = {any_pose(), any_pose(), any_position()};
   const gjk_impact_setup setup = {any_int32(), any_int32(), (uint8_t)any_between(0, UINT8_MAX)};
   any_collider(&a, &shapes[0], CASE == 0 ? &polytope : &curved);
   any_collider(&b, &shapes[1], CASE == 0 || any_bool() ? &polytope : &curved);
@@ -31,9 +32,9 @@ int main(void) {
   b.count = any_uint16();
   a.local_centre = any_position();
   b.local_centre = any_position();
-  const int status = gjk_time_of_impact(any_bool() ? &a : NULL, any_bool() ? &motion_a : NULL, any_bool() ? &b : NULL,
-                                        any_bool() ? &motion_b : NULL, any_bool() ? &setup : NULL,
-                                        any_bool() ? &result : NULL);
+  const int status =
+      gjk_time_of_impact(any_bool() ? &a : NULL, any_bool() ? &motion_a : NULL, any_bool() ? &b : NULL,
+                         any_bool() ? &motion_b : NULL, any_bool() ? &setup : NULL, any_bool() ? &result : NULL);
   check_result(status, &result);
   const gjk_pose own = any_pose();
   const gjk_carried of[2] = {{&a, &motion_a, any_bool() ? &own : NULL, (uint32_t)any_between(0, INT32_MAX)},

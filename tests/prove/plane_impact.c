@@ -6,7 +6,8 @@ int main(void) {
   gjk2_shape shapes[2] = {0};
   gjk2_collider a = {0}, b = {0};
   gjk2_impact_result result;
-  const gjk2_motion motion_a = {any_pose2(), any_pose2(), any_int32()}, motion_b = {any_pose2(), any_pose2(), any_int32()};
+  const gjk2_motion motion_a = {any_pose2(), any_pose2(), any_int32()},
+                    motion_b = {any_pose2(), any_pose2(), any_int32()};
   const gjk2_impact_setup setup = {any_int32(), any_int32(), (uint8_t)any_between(0, UINT8_MAX)};
   any_posed(&a, &shapes[0], CASE == 0 ? &polygon : &curved);
   any_posed(&b, &shapes[1], CASE == 0 || any_bool() ? &polygon : &curved);

@@ -35,7 +35,8 @@ int main(void) {
   for (int i = 0; i < 2; i++) {
     any_mover(&mover[i], &shapes[i], &motions[i], any_bool() ? &own : NULL);
   }
-  const int64_t target = Frama_C_long_long_interval(0, INT64_C(1) << 38), enough = Frama_C_long_long_interval(1, INT64_C(1) << 38);
+  const int64_t target = Frama_C_long_long_interval(0, INT64_C(1) << 38),
+                enough = Frama_C_long_long_interval(1, INT64_C(1) << 38);
   const gjk_q30 first = gjk_separation_of_spheres(mover, target);
   //@ assert first >= 0 && first <= GJK_Q30_ONE;
   const gjk_unit3 before = any_unit3();
