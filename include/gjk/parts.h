@@ -124,7 +124,8 @@ gjk_status gjk_parts_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16
 // The part that is met first where both move straight, as gjk_cast of it.
 //
 // path  as of gjk_cast: path->to_a is where the position of A's pose goes.
-// part  the least fraction, of equal ones the least number; GJK_PARTS_NONE: no part is met. May be NULL.
+// part  the least fraction, of equal ones one that is inside, of those the least number; GJK_PARTS_NONE: no part is met. May
+//       be NULL.
 // out   of that part, but for rest_a, which is the position of A's own pose. A miss: hit alone, with 0 iterations and a
 //       certificate that names no proof.
 //
@@ -150,8 +151,8 @@ gjk_status gjk_parts_cast_ray(const gjk_parts *a, const gjk_vec3 *from, const gj
 // a                   its pose is not read: motion_a has it.
 // b                   as of gjk_time_of_impact, posed or not.
 // motion_a, motion_b  of the pose of the body, and of B's.
-// part, out           of the part with the least lower among those that hit; of equal ones the least number. pose_a is the
-//                     pose of the body. A miss: lower is the end of the way, iterations are 0.
+// part, out           of the part with the least lower among those that hit; of equal ones one that overlaps at the start, of
+//                     those the least number. pose_a is the pose of the body. A miss: lower is the end of the way, iterations are 0.
 // Cost                where A turns, every part within reach of B's way, at any rotation of A, is asked.
 //
 // OK               as above.

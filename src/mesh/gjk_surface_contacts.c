@@ -9,9 +9,10 @@
 //      polar cone of the surface). Then the contacts along it are the answer.
 //   5. If not, and a triangle that is across the normal keeps the body farther out than this one does, that triangle
 //      answers for both. Otherwise the contacts of step 2 stay, if there are any: they have the triangle's own normal.
-//   6. If there are none, a body that overlaps the triangle, or whose normals are rough since it is curved, may have none at
-//      all: in the groove of a concave edge it lies over neither side. Unless it lies over a triangle at that edge or corner,
-//      the nearest points of step 3 are taken with the triangle's normal.
+//   6. If there are none, a body that touches the triangle, or whose normals are rough since it is curved, may have none at
+//      all: in the groove of a concave edge it lies over neither side. So may one apart, at an edge that is flat but for the
+//      rounding of its corners. Unless it lies over a triangle at that edge or corner, the nearest points of step 3 are taken
+//      with the triangle's normal.
 //
 // Everything but the answer is relative to the body's centre. The body's radius, the margin and the triangle are each at most
 // 2^28 along an axis, so corners are below 3 2^28, and below sqrt(3) 3 2^28 < 2^30.4 long; edges are below 2^29 long.
@@ -172,17 +173,35 @@ static bool set_face(surface_query *q, uint32_t number, surface_face *f) {
   return true;
 }
 
-// Does the body's deepest point lie over the triangle? Along the plane's direction of 30 bits, exact.
-static bool is_over(const surface_face *f) {
+// Does a point, relative to the body's centre, lie over the triangle? Along the plane's direction of 30 bits, exact.
+//   |direction| <= sqrt(3) 2^30, |edge| < 2^29, |to| < 2^31.5
+static bool is_over(const surface_face *f, const gjk_vec3 *point) {
   for (unsigned i = 0; i < 3; i++) {
-    const gjk_vec3 edge = gjk_sub(f->corner[gjk_next(i)], f->corner[i]), to = gjk_sub(f->deepest, f->corner[i]);
+    const gjk_vec3 edge = gjk_sub(f->corner[gjk_next(i)], f->corner[i]), to = gjk_sub(*point, f->corner[i]);
     gjk_long3 inward;
-    gjk_cross(&f->direction, &edge, &inward);  // |direction| <= sqrt(3) 2^30, |edge| < 2^29
+    gjk_cross(&f->direction, &edge, &inward);
     if (gjk_dot_sign(&inward, &to) < 0) {
       return false;
     }
   }
   return true;
+}
+
+// x, by at most `by` nearer to a third of a sum.
+static int32_t pulled(int32_t x, int64_t sum, int64_t by) {
+  const int64_t way = sum - 3 * (int64_t)x;
+  return (int32_t)(x + (way > 3 * by ? by : way < -3 * by ? -by : 0));
+}
+
+// Does the deepest point lie over the triangle but for the rounding of corners? Each is off by less than an LSB, which tilts a
+// triangle of 128 LSB by 1/64. So a point above an edge that is flat but for that may lie over neither side.
+static bool is_nearly_over(surface_query *q, const surface_face *f) {
+  const gjk_vec3 *c = f->corner, *p = &f->deepest;
+  const int64_t by = 8 + gjk_sar64((int64_t)f->height + q->body->shape->convex_radius, 6);
+  const gjk_vec3 near = {pulled(p->x, (int64_t)c[0].x + c[1].x + c[2].x, by),
+                         pulled(p->y, (int64_t)c[0].y + c[1].y + c[2].y, by),
+                         pulled(p->z, (int64_t)c[0].z + c[1].z + c[2].z, by)};
+  return f->height >= 0 && is_over(f, &near);
 }
 
 // A point of the core moved by a length along the normal, in the world.
@@ -248,7 +267,7 @@ static bool is_within_margin(surface_query *q, const gjk_collider *triangle) {
 // Step 2. False: no deepest point of the body lies over the triangle.
 static bool meets_face(surface_query *q, surface_face *f, const gjk_collider *triangle, gjk_candidates *candidates,
                        gjk_manifold *out) {
-  const bool over = is_over(f);
+  const bool over = is_over(f, &f->deepest);
   if (!over && is_pointed(q, f)) {
     return false;
   }
@@ -367,7 +386,7 @@ static bool is_over_ring(surface_query *q, const surface_face *f, unsigned i, un
   uint32_t number;
   ring_start(&ring, &f->local[i], &f->local[j]);
   while (ring_next(q, &ring, &number, &other)) {
-    if (set_face(q, number, &other) && is_over(&other) && answers(q, &other, together)) {
+    if (set_face(q, number, &other) && is_over(&other, &other.deepest) && answers(q, &other, together)) {
       return true;
     }
   }
@@ -403,7 +422,7 @@ static bool is_settled(surface_query *q, surface_face *f, const gjk_collider *tr
   }
   find_on_face(q, f, triangle, candidates, out);
   if (candidates->count == 0) {
-    return f->height >= 0;
+    return f->height >= 0 && !is_nearly_over(q, f);
   }
   if (f->height >= 0 || touches(q, triangle)) {
     gjk_manifold_keep(candidates, NULL, q->most, out);
@@ -436,13 +455,13 @@ static gjk_status meet_beside(surface_query *q, surface_face *f, const gjk_colli
     const unsigned edge = GJK_TRIANGLE_EDGE(f->edges, i);
     const gjk_mesh_edge ridge = in_front ? GJK_MESH_CONVEX : GJK_MESH_CONCAVE;
     if (may && edge == (unsigned)ridge) {
-      has = has_normal(q, f, &nearest.normal, i, j, nearest.distance < 0, &answered);
+      has = has_normal(q, f, &nearest.normal, i, j, nearest.distance <= 0, &answered);
     } else {
       has = may && edge == GJK_MESH_OPEN;
     }
   } else {
     i = j = bits >> 1;  // 0, 1 or 2
-    has = may && has_normal(q, f, &nearest.normal, i, j, nearest.distance < 0, &answered);
+    has = may && has_normal(q, f, &nearest.normal, i, j, nearest.distance <= 0, &answered);
   }
   if (has) {
     out->normal = nearest.normal;
@@ -456,8 +475,8 @@ static gjk_status meet_beside(surface_query *q, surface_face *f, const gjk_colli
   find_on_face(q, f, triangle, candidates, out);
   if (candidates->count > 0 && (nearest.distance <= 0 || f->height >= 0)) {
     gjk_manifold_keep(candidates, NULL, q->most, out);
-  } else if ((nearest.distance < 0 || gjk_is_curved(q->body->shape)) &&
-             !is_over_ring(q, f, i, j, nearest.distance < 0)) {
+  } else if ((nearest.distance <= 0 || gjk_is_curved(q->body->shape) || is_nearly_over(q, f)) &&
+             !is_over_ring(q, f, i, j, nearest.distance <= 0)) {
     keep_nearest(q, f, &nearest, candidates, out);
   }
   return status;

@@ -99,7 +99,13 @@ static bool is_earlier(const impact_search *s, const gjk_impact_result *trial, g
   if (s->part == GJK_PARTS_NONE || trial->lower != best) {
     return s->part == GJK_PARTS_NONE || trial->lower < best;
   }
-  return status != s->status ? status == GJK_OK : part < s->part;
+  if (status != s->status) {
+    return status == GJK_OK;
+  }
+  if (trial->overlap != s->result[s->best].overlap) {
+    return trial->overlap;
+  }
+  return part < s->part;
 }
 
 static void cut_impact_region(impact_search *s) {

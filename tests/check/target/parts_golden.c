@@ -1,6 +1,7 @@
 // The fixed set of queries of bodies of many parts and of surfaces and its hash, without libc and with little RAM.
 #include "parts_golden.h"
 
+#include "fnv.h"
 #include "gjk/gjk.h"
 #include "random.h"
 
@@ -27,12 +28,8 @@ static gjk_collider visitor;
 static gjk_epa_cell cells[CELLS];
 static uint64_t hash;
 
-// FNV-1a over the bytes of a value, lowest first.
 static void mix(uint32_t value) {
-  for (int i = 0; i < 4; i++) {
-    hash = (hash ^ (value & 0xFFu)) * UINT64_C(0x100000001B3);
-    value >>= 8;
-  }
+  hash = fnv_word(hash, value);
 }
 
 static void mix_vector(const gjk_vec3 *v) {
@@ -364,7 +361,7 @@ static void query_body(random_state *random, query_visitor *query) {
 
 static uint64_t hash_of(uint32_t bodies, query_visitor *query) {
   random_state random = random_seed(2029);
-  hash = UINT64_C(0xCBF29CE484222325);
+  hash = FNV_START;
   compound.count = 0;
   for (uint32_t i = 0; i < bodies; i++) {
     query_body(&random, query);

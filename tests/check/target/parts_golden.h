@@ -20,8 +20,8 @@
 #define PARTS_GOLDEN_FEW_HASH UINT64_C(0x9f0e8524293e41c5)
 #define PARTS_CONTACTS_GOLDEN_HASH UINT64_C(0x3d600c815600acf1)
 #define PARTS_CONTACTS_GOLDEN_FEW_HASH UINT64_C(0x923d6c0bd94aceb4)
-#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0x83f06bb2250d02b2)
-#define PARTS_MOTION_GOLDEN_FEW_HASH UINT64_C(0x8094682a14bd46b5)
+#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0xa18f9a896e728fac)
+#define PARTS_MOTION_GOLDEN_FEW_HASH UINT64_C(0x322657ce5533c60b)
 
 // The hash over the first bodies of the set: of decisions, distances and depths, of contacts, of casts and times of impact.
 // Not reentrant: the bodies are static, to spare small stacks.
