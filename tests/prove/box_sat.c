@@ -6,8 +6,8 @@
 
 extern int facet_is_found;  // by the model of the facet
 
-static const gjk_shape_class axes = {any_measure, keep_pose, any_support, any_refine,   any_vertex_of,
-                                     NULL,        false,     0,           GJK_KIND_AXES};
+static const gjk_shape_class axes = {any_measure, keep_pose, any_support, any_refine, any_vertex_of,
+                                     NULL,        NULL,      false,       0,          GJK_KIND_AXES};
 
 static void check_direction(const gjk_vec3 *d) {
   const gjk_vec3 copy = {d->x, d->y, d->z};

@@ -52,9 +52,9 @@ static bool any_stalls(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *
   return any_bool();
 }
 
-static const gjk_shape_class polytope = {any_measure, keep_pose, any_support, any_refine,     any_vertex_of,
-                                         NULL,        false,     0,           GJK_KIND_SMOOTH};
-static const gjk_shape_class curved = {any_measure, keep_pose, any_curved_support, NULL, NULL, any_stalls,
+static const gjk_shape_class polytope = {any_measure, keep_pose, any_support, any_refine, any_vertex_of,
+                                         NULL,        NULL,      false,       0,          GJK_KIND_SMOOTH};
+static const gjk_shape_class curved = {any_measure, keep_pose, any_curved_support, NULL, NULL, any_stalls, NULL,
                                        false,       0,         GJK_KIND_SMOOTH};
 
 static void any_collider(gjk_collider *c, gjk_shape *shape, const gjk_shape_class *type) {

@@ -15,15 +15,15 @@ static bool any_existing(const gjk_collider *c, uint16_t number, gjk_vec3 *offse
   return true;
 }
 
-static const gjk_shape_class axes = {any_measure, keep_pose, any_support, any_refine,   any_existing,
-                                     NULL,        false,     0,           GJK_KIND_AXES};
-static const gjk_shape_class triangle = {any_measure, keep_pose, any_support, any_refine,       any_existing,
-                                         NULL,        false,     3,           GJK_KIND_VERTICES};
-static const gjk_shape_class hull = {any_measure, keep_pose, any_support, any_refine,       any_existing,
-                                     NULL,        true,      0,           GJK_KIND_VERTICES};
-static const gjk_shape_class cylinder = {any_measure, keep_pose, any_curved_support, NULL, NULL, any_stalls,
+static const gjk_shape_class axes = {any_measure, keep_pose, any_support, any_refine, any_existing,
+                                     NULL,        NULL,      false,       0,          GJK_KIND_AXES};
+static const gjk_shape_class triangle = {any_measure, keep_pose, any_support, any_refine, any_existing,
+                                         NULL,        NULL,      false,       3,          GJK_KIND_VERTICES};
+static const gjk_shape_class hull = {any_measure, keep_pose, any_support, any_refine, any_existing,
+                                     NULL,        NULL,      true,        0,          GJK_KIND_VERTICES};
+static const gjk_shape_class cylinder = {any_measure, keep_pose, any_curved_support, NULL, NULL, any_stalls, NULL,
                                          false,       0,         GJK_KIND_CYLINDER};
-static const gjk_shape_class cone = {any_measure, keep_pose, any_curved_support, NULL, NULL, any_stalls,
+static const gjk_shape_class cone = {any_measure, keep_pose, any_curved_support, NULL, NULL, any_stalls, NULL,
                                      false,       0,         GJK_KIND_CONE};
 
 static void ask(const gjk_collider *c) {
