@@ -44,6 +44,8 @@ typedef struct surface_face {
   gjk_q16 height;               // of the body above the plane, negative where it is deeper
   unsigned edges;               // as of gjk_parts_class.edges, from the body's side
   bool clipped;                 // the candidates of step 2 are known
+  bool over;                    // its deepest point lies over the triangle
+  bool touches;                 // it is known to share a point with the triangle
 } surface_face;
 
 typedef struct surface_query {
@@ -76,10 +78,9 @@ static bool set_corners_of(surface_query *q, uint32_t number, surface_face *out)
   gjk_parts_room room;
   gjk_parts_local local;
   type->local(q->frame->parts->data, number, &room, &local);
-  for (unsigned i = 0; i < 3; i++) {
-    gjk_set(&room.vertices[i], &out->local[i]);
-    gjk_set(&room.vertices[i], &out->world[i]);  // until it is turned
-  }
+  gjk_set(&room.vertices[0], &out->local[0]);
+  gjk_set(&room.vertices[1], &out->local[1]);
+  gjk_set(&room.vertices[2], &out->local[2]);
   return gjk_triangle_turn(q->frame, out->local, out->world) &&
          relate(&out->world[0], &q->body->centre, &out->corner[0]) &&
          relate(&out->world[1], &q->body->centre, &out->corner[1]) &&
@@ -257,29 +258,32 @@ static void find_on_face(surface_query *q, surface_face *f, const gjk_collider *
   }
 }
 
-// A limit of iterations is left to gjk_signed_distance.
-// A direction that keeps the body off one triangle is likely to keep it off the next.
-static bool is_within_margin(surface_query *q, const gjk_collider *triangle) {
+// Where the deepest point lies over the triangle, it is likely to touch, or is as near as it is high. A direction that keeps the
+// body off one triangle is likely to keep it off the next. A limit of iterations is left to gjk_signed_distance.
+static bool is_within_margin(surface_query *q, surface_face *f, const gjk_collider *triangle) {
   gjk_decision decision;
+  f->touches = f->over && f->height < 0 && touches(q, triangle);
+  if (f->touches || (f->over && f->height >= 0 && f->height <= (int64_t)q->margin - 2 * LEVEL)) {
+    return true;
+  }
   return gjk_within(triangle, q->body, q->margin, q->cache, &decision) != GJK_OK || decision.yes;
 }
 
 // Step 2. False: no deepest point of the body lies over the triangle.
 static bool meets_face(surface_query *q, surface_face *f, const gjk_collider *triangle, gjk_candidates *candidates,
                        gjk_manifold *out) {
-  const bool over = is_over(f, &f->deepest);
-  if (!over && is_pointed(q, f)) {
+  if (!f->over && is_pointed(q, f)) {
     return false;
   }
   find_on_face(q, f, triangle, candidates, out);
   const bool found = reaches(candidates, f->height);
-  if ((!over && !found) || (f->height < 0 && !touches(q, triangle))) {
+  if ((!f->over && !found) || (f->height < 0 && !f->touches && !touches(q, triangle))) {
     return false;
   }
-  if (over && !found && f->height > q->margin) {
+  if (f->over && !found && f->height > q->margin) {
     return true;
   }
-  if (over && !found) {
+  if (f->over && !found) {
     gjk_distance_result nearest;
     const gjk_q16 radius = q->body->shape->convex_radius;
     nearest.distance = f->height;
@@ -367,13 +371,12 @@ static bool has_normal(surface_query *q, const surface_face *f, const gjk_unit3 
   uint32_t number;
   bool has = true;
   ring_start(&ring, &f->local[i], &f->local[j]);
-  while (ring_next(q, &ring, &number, &other)) {
+  while ((has || !*answered) && ring_next(q, &ring, &number, &other)) {
     if (is_beyond_plane(q, normal, &f->corner[i], &other.corner[0]) ||
         is_beyond_plane(q, normal, &f->corner[i], &other.corner[1]) ||
         is_beyond_plane(q, normal, &f->corner[i], &other.corner[2])) {
       has = false;
-      *answered =
-          *answered || (set_face(q, number, &other) && other.height > f->height && answers(q, &other, together));
+      *answered = set_face(q, number, &other) && other.height > f->height && answers(q, &other, together);
     }
   }
   return has;
@@ -424,7 +427,7 @@ static bool is_settled(surface_query *q, surface_face *f, const gjk_collider *tr
   if (candidates->count == 0) {
     return f->height >= 0 && !is_nearly_over(q, f);
   }
-  if (f->height >= 0 || touches(q, triangle)) {
+  if (f->height >= 0 || f->touches || touches(q, triangle)) {
     gjk_manifold_keep(candidates, NULL, q->most, out);
   }
   return true;
@@ -499,8 +502,9 @@ gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const
       face.height > (int64_t)margin + LEVEL) {
     return GJK_OK;
   }
+  face.over = is_over(&face, &face.deepest);
   gjk_status status = gjk_triangle_collider(face.world, &room, &triangle);
-  if (status != GJK_OK || !is_within_margin(&q, &triangle)) {
+  if (status != GJK_OK || !is_within_margin(&q, &face, &triangle)) {
     return status;
   }
   if (!meets_face(&q, &face, &triangle, &candidates, out)) {
