@@ -72,8 +72,7 @@ static bool relate(const gjk_vec3 *world, const gjk_vec3 *centre, gjk_vec3 *out)
   return !is_far(out);
 }
 
-// The corners of a triangle; false: it is not as it should be.
-static bool set_corners_of(surface_query *q, uint32_t number, surface_face *out) {
+static void set_local_corners(surface_query *q, uint32_t number, surface_face *out) {
   const gjk_parts_class *type = q->frame->parts->type;
   gjk_parts_room room;
   gjk_parts_local local;
@@ -81,10 +80,13 @@ static bool set_corners_of(surface_query *q, uint32_t number, surface_face *out)
   gjk_set(&room.vertices[0], &out->local[0]);
   gjk_set(&room.vertices[1], &out->local[1]);
   gjk_set(&room.vertices[2], &out->local[2]);
-  return gjk_triangle_turn(q->frame, out->local, out->world) &&
-         relate(&out->world[0], &q->body->centre, &out->corner[0]) &&
-         relate(&out->world[1], &q->body->centre, &out->corner[1]) &&
-         relate(&out->world[2], &q->body->centre, &out->corner[2]);
+}
+
+// False: the triangle is not as it should be.
+static bool turn_corners(surface_query *q, surface_face *f) {
+  const gjk_vec3 *centre = &q->body->centre;
+  return gjk_triangle_turn(q->frame, f->local, f->world) && relate(&f->world[0], centre, &f->corner[0]) &&
+         relate(&f->world[1], centre, &f->corner[1]) && relate(&f->world[2], centre, &f->corner[2]);
 }
 
 // What is convex from one side is concave from the other.
@@ -347,9 +349,11 @@ static void ring_start(ring_walk *ring, const gjk_vec3 *p, const gjk_vec3 *r) {
 // Ends: each triangle comes once.
 static bool ring_next(surface_query *q, ring_walk *ring, uint32_t *number, surface_face *other) {
   while (gjk_parts_next(q->frame, &ring->region, &ring->walk, number)) {
-    if (*number != q->number && set_corners_of(q, *number, other) && has_corner(other, ring->p) &&
-        has_corner(other, ring->r)) {
-      return true;
+    if (*number != q->number) {
+      set_local_corners(q, *number, other);
+      if (has_corner(other, ring->p) && has_corner(other, ring->r) && turn_corners(q, other)) {
+        return true;
+      }
     }
   }
   return false;
@@ -498,7 +502,8 @@ gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const
   out->feature_b = 0;
   candidates.count = 0;
   face.clipped = false;
-  if (!set_corners_of(&q, number, &face) || is_aside(&q, &face) || !set_face(&q, number, &face) ||
+  set_local_corners(&q, number, &face);
+  if (!turn_corners(&q, &face) || is_aside(&q, &face) || !set_face(&q, number, &face) ||
       face.height > (int64_t)margin + LEVEL) {
     return GJK_OK;
   }
