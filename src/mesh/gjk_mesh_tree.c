@@ -73,7 +73,7 @@ static bool next_leaf(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_
   bool found = false;
   gjk_mesh_node steps;
   gjk_mesh_steps_of(mesh, &region->box.lower, &region->box.upper, &steps);
-  leaf = is_outside(mesh, region) ? leaves : leaf;
+  leaf = leaf == 0 && is_outside(mesh, region) ? leaves : leaf;
   while (leaf < leaves && !found) {
     // The highest level that begins here: after a node that was left out, or at the start.
     while (level < GJK_MESH_LEVEL_MAX && (leaf >> level & 1u) == 0) {

@@ -77,9 +77,10 @@ static void set_local_corners(surface_query *q, uint32_t number, surface_face *o
   gjk_parts_room room;
   gjk_parts_local local;
   type->local(q->frame->parts->data, number, &room, &local);
-  gjk_set(&room.vertices[0], &out->local[0]);
-  gjk_set(&room.vertices[1], &out->local[1]);
-  gjk_set(&room.vertices[2], &out->local[2]);
+  for (unsigned i = 0; i < 3; i++) {
+    gjk_set(&room.vertices[i], &out->local[i]);
+    gjk_set(&room.vertices[i], &out->world[i]);  // until it is turned
+  }
 }
 
 // False: the triangle is not as it should be.
@@ -235,6 +236,31 @@ static bool touches(surface_query *q, const gjk_collider *triangle) {
   return status != GJK_OK || decision.yes;
 }
 
+// Does an edge of a body's core, a sum of half axes, that ends at its deepest point pass through the triangle? False proves
+// nothing. The edge taken is the steepest to the plane. If both ends are over the triangle, the edge meets the plane in it.
+static bool is_pierced(surface_query *q, const surface_face *f) {
+  const gjk_collider *body = q->body;
+  const unsigned count = body->shape->type->kind == GJK_KIND_AXES ? body->count : 0;
+  int64_t most = 0;
+  gjk_vec3 top = f->deepest;
+  for (unsigned i = 0; i < count; i++) {
+    const gjk_vec3 *axis = &body->frame[i];
+    const int64_t along = gjk_along(&f->unit, axis), size = along < 0 ? -along : along;
+    if (size > most) {
+      const gjk_vec3 way = along < 0 ? gjk_negate(*axis) : *axis;
+      most = size;
+      top = gjk_add(f->deepest, gjk_add(way, way));
+    }
+  }
+  if (most == 0 || !is_over(f, &top)) {
+    return false;
+  }
+  gjk_long3 n;
+  const gjk_vec3 above = gjk_sub(top, f->corner[0]), below = gjk_sub(f->deepest, f->corner[0]);
+  gjk_triangle_normal(&f->corner[0], &f->corner[1], &f->corner[2], &n);
+  return gjk_dot_sign(&n, &above) >= 0 && gjk_dot_sign(&n, &below) <= 0;
+}
+
 // Is the body, a sum of half axes, so steep to the plane that it has one deepest point alone?
 static bool is_pointed(surface_query *q, const surface_face *f) {
   const gjk_collider *body = q->body;
@@ -264,7 +290,7 @@ static void find_on_face(surface_query *q, surface_face *f, const gjk_collider *
 // body off one triangle is likely to keep it off the next. A limit of iterations is left to gjk_signed_distance.
 static bool is_within_margin(surface_query *q, surface_face *f, const gjk_collider *triangle) {
   gjk_decision decision;
-  f->touches = f->over && f->height < 0 && touches(q, triangle);
+  f->touches = f->over && f->height < 0 && (is_pierced(q, f) || touches(q, triangle));
   if (f->touches || (f->over && f->height >= 0 && f->height <= (int64_t)q->margin - 2 * LEVEL)) {
     return true;
   }

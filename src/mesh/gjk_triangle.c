@@ -46,7 +46,7 @@ static bool turn_corner(const gjk_parts_frame *frame, const gjk_vec3 *v, gjk_vec
   if (!is_mesh_coordinate(v->x) || !is_mesh_coordinate(v->y) || !is_mesh_coordinate(v->z)) {
     return false;
   }
-  const gjk_vec3 turned = gjk_rotate(frame->rows, v);
+  const gjk_vec3 turned = frame->is_level ? *v : gjk_rotate(frame->rows, v);
   const int64_t x = (int64_t)at->x + turned.x, y = (int64_t)at->y + turned.y, z = (int64_t)at->z + turned.z;
   out->x = gjk_saturate(x);
   out->y = gjk_saturate(y);
