@@ -7,6 +7,7 @@
 #include "gjk/check.h"
 #include "gjk/collider.h"
 #include "gjk/compound.h"
+#include "gjk/concave.h"
 #include "gjk/contacts.h"
 #include "gjk/distance.h"
 #include "gjk/format.h"

@@ -121,6 +121,28 @@ gjk_status gjk_parts_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16
                               const gjk_workspace *workspace, gjk_parts_manifold *manifolds, uint32_t capacity,
                               uint32_t *count);
 
+// Most manifolds of the next two calls.
+#define GJK_PARTS_MANIFOLDS_MAX 8
+
+// The contacts of all parts, put together by their normals: what a solver takes, a few manifolds for any number of parts.
+//
+// margin     0 to GJK_RADIUS_MAX. most, workspace: as of gjk_contacts.
+// out        room for capacity manifolds, 1 to GJK_PARTS_MANIFOLDS_MAX (RANGE); it may be written in any case. The deepest
+//            comes first; there are none without contacts.
+// Together   A manifold holds contacts of all parts whose normals are at most 3 degrees from its own, which is that of the
+//            deepest one. Contacts in one place, within 8 LSB per axis, count once. Of more than most those are kept that
+//            gjk_contacts would keep. Normals beyond capacity are left out, the least deep ones.
+// Surfaces   Contacts of a mesh or height field are those of gjk_surface_contacts.
+// Ids        as of gjk_contacts, with the numbers of the parts mixed in. Within a manifold each is there once.
+// Features   of the deepest part.
+//
+// OK               out and count.
+// CAPACITY         the same; the workspace was too small for a pair, as gjk_contacts has it.
+// ITERATION_LIMIT  the same, without curved parts that reached their ceiling.
+// NEGATIVE, RANGE  of margin, most and capacity: count is as it was.
+gjk_status gjk_parts_manifolds(const gjk_parts *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
+                               const gjk_workspace *workspace, gjk_manifold *out, unsigned capacity, unsigned *count);
+
 // The part that is met first where both move straight, as gjk_cast of it.
 //
 // path  as of gjk_cast: path->to_a is where the position of A's pose goes.
@@ -162,6 +184,19 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
                                     const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
                                     gjk_impact_result *out);
 
+// As gjk_parts_cast and gjk_parts_time_of_impact, of those parts alone that B is in front of at the start: what a body that
+// lies on the ground may still run into.
+//
+// In front  of a triangle: all of B is more than the margin beyond its plane; of two sides on that where most of B is. An
+//           impact meets a triangle that is no nearer than the tolerance, or one whose plane most of B goes through.
+//           Of other parts: B is farther than the margin from it.
+// Statuses  as of gjk_parts_cast and gjk_parts_time_of_impact; b has to be bound to its shape, no more, for an impact.
+gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
+                                gjk_cast_result *out);
+gjk_status gjk_parts_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                  const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
+                                  gjk_impact_result *out);
+
 // Two bodies of many parts. The parts of B are asked one after the other, each against A, as above; so the one with fewer
 // parts is better B.
 typedef struct gjk_parts_pair {
@@ -180,6 +215,9 @@ gjk_status gjk_parts_both_penetration(const gjk_parts *a, const gjk_parts *b, co
 gjk_status gjk_parts_both_contacts(const gjk_parts *a, const gjk_parts *b, gjk_q16 margin, unsigned most,
                                    const gjk_workspace *workspace, gjk_parts_manifold *manifolds, uint32_t capacity,
                                    uint32_t *count);
+gjk_status gjk_parts_both_manifolds(const gjk_parts *a, const gjk_parts *b, gjk_q16 margin, unsigned most,
+                                    const gjk_workspace *workspace, gjk_manifold *out, unsigned capacity,
+                                    unsigned *count);
 gjk_status gjk_parts_both_cast(const gjk_parts *a, const gjk_parts *b, const gjk_cast_path *path, gjk_parts_pair *parts,
                                gjk_cast_result *out);
 

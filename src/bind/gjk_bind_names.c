@@ -1,8 +1,10 @@
 // Sizes of structures and values of constants, by name, for other languages.
 #include "gjk/bind.h"
+#include "gjk/draw.h"
 #include "gjk/gjk.h"
 #include "gjk/probe.h"
 #include "gjk/slide.h"
+#include "gjk2/draw.h"
 #include "gjk2/gjk2.h"
 #include "gjk2/probe.h"
 #include "gjk2/slide.h"
@@ -23,6 +25,8 @@ static const named_value structure_sizes[] = {
     SIZE_OF(gjk_scene_stats),
     SIZE_OF(gjk_scene_hit),
     SIZE_OF(gjk_scene_filter),
+    SIZE_OF(gjk_draw),
+    SIZE_OF(gjk2_draw),
     SIZE_OF(gjk_cache),
     SIZE_OF(gjk_cast_path),
     SIZE_OF(gjk_cast_certificate),
@@ -136,6 +140,19 @@ static const named_value constant_values[] = {
     VALUE_OF(GJK_DETAIL_DEPTH),
     VALUE_OF(GJK_DETAIL_CONTACTS),
     VALUE_OF(GJK_DETAIL_SENSOR),
+    VALUE_OF(GJK_DRAW_STATIC),
+    VALUE_OF(GJK_DRAW_MOVING),
+    VALUE_OF(GJK_DRAW_ASLEEP),
+    VALUE_OF(GJK_DRAW_SENSOR),
+    VALUE_OF(GJK_DRAW_BOX),
+    VALUE_OF(GJK_DRAW_PAIR),
+    VALUE_OF(GJK_DRAW_CONTACT),
+    VALUE_OF(GJK_DRAW_NORMAL),
+    VALUE_OF(GJK_DRAW_WAY),
+    VALUE_OF(GJK_DRAW_SHAPES),
+    VALUE_OF(GJK_DRAW_BOXES),
+    VALUE_OF(GJK_DRAW_PAIRS),
+    VALUE_OF(GJK_DRAW_DIRECTIONS),
     VALUE_OF(GJK_EVENT_BEGIN),
     VALUE_OF(GJK_EVENT_PERSIST),
     VALUE_OF(GJK_EVENT_END),

@@ -194,7 +194,7 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
     return status;
   }
   const uint32_t guess = a->type->guess(a->data, &s.region);
-  status = ask_impact(&s, guess, false);  // Step 2
+  status = guess != GJK_PARTS_NONE ? ask_impact(&s, guess, false) : GJK_OK;  // Step 2
   status = status == GJK_OK ? ask_region(&s, guess, false) : status;
   if (status == GJK_OK && s.limited) {
     status = ask_region(&s, GJK_PARTS_NONE, true);  // Step 3

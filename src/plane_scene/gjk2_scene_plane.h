@@ -340,6 +340,14 @@ static inline void gjk2_scene_grow(gjk2_aabb *box, int32_t margin, const gjk2_ve
   gjk_scene_grow_side(&box->lower.y, &box->upper.y, margin, steps * way->y);
 }
 
+// So far from a point along a unit vector, to the nearest LSB, saturated:  |length| * 2^30 <= 2^61
+static inline gjk2_vec gjk2_scene_ahead(const gjk2_vec *from, const gjk2_unit *n, gjk_q16 length) {
+  const int64_t half = INT64_C(1) << 29;
+  const gjk2_vec at = {gjk_saturate(from->x + gjk_sar64(gjk_mul32(n->x, length) + half, 30)),
+                       gjk_saturate(from->y + gjk_sar64(gjk_mul32(n->y, length) + half, 30))};
+  return at;
+}
+
 // One word after another into a hash.
 static inline uint64_t gjk2_scene_mix_vec(uint64_t hash, const gjk2_vec *v) {
   return gjk_hash_step(gjk_hash_step(hash, (uint32_t)v->x), (uint32_t)v->y);
@@ -511,6 +519,23 @@ static inline void gjk2_scene_store_cache(const gjk2_cache *cache, bool near, gj
   }
   const unsigned flags = pair->state & ((1u << GJK_SCENE_PAIR_CACHED) - 1);
   pair->state = (uint8_t)(flags | count << GJK_SCENE_PAIR_CACHED);
+}
+
+// No shape of the plane is concave.
+static inline bool gjk2_scene_is_concave(const gjk2_shape *shape) {
+  (void)shape;
+  return false;
+}
+
+// Binds a collider to a shape of a part. Statuses as gjk2_collider_init.
+static inline gjk_status gjk2_scene_bind(gjk2_collider *c, const gjk2_shape *shape) {
+  return gjk2_collider_init(c, shape, NULL, 0);
+}
+
+// Does a part stay in int32 at any rotation? Its collider tells.
+static inline bool gjk2_scene_has_room(const gjk2_shape *shape, const gjk2_vec *position) {
+  (void)shape, (void)position;
+  return true;
 }
 
 #endif

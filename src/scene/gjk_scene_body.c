@@ -323,15 +323,6 @@ gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id) {
   return status;
 }
 
-// The index of a part by its number, or none.
-static uint32_t find_part(const gjk_scene_view *v, const gjk_scene_body *body, uint16_t number) {
-  uint32_t index = body->first;
-  while (index != GJK_SCENE_NONE && v->parts[index].number != number) {
-    index = v->parts[index].next;
-  }
-  return index;
-}
-
 gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape) {
   gjk_scene_view v;
   gjk_scene_body *body;
@@ -340,7 +331,7 @@ gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, 
   if (status != GJK_OK) {
     return status;
   }
-  const uint32_t index = find_part(&v, body, part);
+  const uint32_t index = gjk_scene_part_of(&v, body, part);
   if (index == GJK_SCENE_NONE) {
     return GJK_ERROR_RANGE;
   }
@@ -445,9 +436,12 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
   if (status != GJK_OK) {
     return status;
   }
-  const uint32_t index = find_part(&v, body, part);
+  const uint32_t index = gjk_scene_part_of(&v, body, part);
   if (index == GJK_SCENE_NONE) {
     return GJK_ERROR_RANGE;
+  }
+  if (gjk_scene_is_concave(v.scene->shapes[v.parts[index].shape])) {
+    return GJK_ERROR_UNSUPPORTED;
   }
   gjk_pose pose;
   gjk_scene_pose_of(body, &pose);

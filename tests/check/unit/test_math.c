@@ -167,6 +167,8 @@ static void check_integration(void) {
   CHECK(gjk_quat_integrate(&q, &velocity, GJK_Q30_ONE + 1, &q) == GJK_ERROR_RANGE && q.z == before.z);
   CHECK(gjk_quat_integrate(&q, &velocity, -1, &q) == GJK_ERROR_RANGE);
   CHECK(gjk_quat_integrate(NULL, &velocity, 0, &q) == GJK_ERROR_NULL);
+  CHECK(gjk_quat_integrate(&q, NULL, 0, &q) == GJK_ERROR_NULL &&
+        gjk_quat_integrate(&q, &velocity, 0, NULL) == GJK_ERROR_NULL);
   const gjk_quat no_unit = {GJK_Q30_ONE, GJK_Q30_ONE, 0, 0};
   CHECK(gjk_quat_integrate(&no_unit, &velocity, GJK_Q30_ONE, &q) == GJK_ERROR_ROTATION && q.z == before.z);
 }
@@ -187,6 +189,11 @@ static void check_ends(void) {
   CHECK(gjk_pose_between(&high, &high, &pose, &half) == GJK_OK && half == 0 && pose.rotation.w == GJK_Q30_ONE &&
         pose.position.x == INT32_MAX);
   CHECK(gjk_pose_between(&low, NULL, &pose, &half) == GJK_ERROR_NULL);
+  CHECK(gjk_pose_between(NULL, &low, &pose, &half) == GJK_ERROR_NULL);
+  CHECK(gjk_pose_between(&low, &high, NULL, &half) == GJK_ERROR_NULL &&
+        gjk_pose_between(&low, &high, &pose, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_quat_between(NULL, &high, &pose.rotation) == GJK_ERROR_NULL &&
+        gjk_quat_between(&low, NULL, &pose.rotation) == GJK_ERROR_NULL);
   CHECK(gjk_quat_between(&low, &high, NULL) == GJK_ERROR_NULL);
 }
 
