@@ -274,5 +274,5 @@ int main(void) {
   printf("%lu pairs, %lu near, %lu of two concave parts, %lu manifolds, %lu with few cells\n", tally.pairs, tally.near,
          tally.both, tally.manifolds, tally.small);
   CHECK(tally.near > 1000 && tally.both > 50 && tally.manifolds > 100 && tally.small > 2);
-  return check_done("scene_concave_cases");
+  return check_done("concave_cases");
 }
