@@ -12,7 +12,7 @@ rm -rf "$dir"
 mkdir -p "$dir"
 dir=$(cd "$dir" && pwd)
 prefix=$dir/prefix
-examples='distance safety_stop stack warm rollback flash plane cast'
+examples='distance safety_stop stack warm rollback flash plane cast arm'
 golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
 
 # prints PROGRAM SOURCE: the program prints what the source says
