@@ -25,7 +25,7 @@ static const ahead_body *ahead_of(const void *data) {
 }
 
 // |v| < 2^31 per axis:  the sum below 2^61.8
-static int64_t height_along(const gjk_unit3 *up, const gjk_vec3 *v) {
+static int64_t up_along(const gjk_unit3 *up, const gjk_vec3 *v) {
   return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(up->x, v->x), up->y, v->y), up->z, v->z), 30);
 }
 
@@ -52,9 +52,9 @@ static bool measure_height(const ahead_body *d, unsigned end, uint32_t number, a
   const gjk_unit3 up = gjk_unit(&along.d);
   b->shape->type->support(b, &along.d, &high);
   b->shape->type->support(b, &down, &low);
-  const int64_t at = height_along(&up, &step), radius = b->shape->convex_radius;
-  out->lowest = at + height_along(&up, &low.offset) - radius;
-  out->highest = at + height_along(&up, &high.offset) + radius;
+  const int64_t at = up_along(&up, &step), radius = b->shape->convex_radius;
+  out->lowest = at + up_along(&up, &low.offset) - radius;
+  out->highest = at + up_along(&up, &high.offset) + radius;
   return true;
 }
 
