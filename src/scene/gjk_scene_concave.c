@@ -164,9 +164,9 @@ static gjk_status concave_distance(const gjk_scene_solid *a, const gjk_scene_sol
 
 // Turns a manifold round: of B, then of A.
 static void turn_manifold(gjk_manifold *m) {
-  const uint16_t feature = m->feature_a;
+  const uint16_t of_a = m->feature_a;
   m->feature_a = m->feature_b;
-  m->feature_b = feature;
+  m->feature_b = of_a;
   m->normal.x = -m->normal.x;
   m->normal.y = -m->normal.y;
   m->normal.z = -m->normal.z;
