@@ -10,14 +10,17 @@ mkdir -p "$build"
 WASM_EXPORTS="gjk_port_.*" sh port/wasm/build.sh "$build/page.wasm" -nostdlibinc -I$sources/libc -I. -Itests/support -Wno-sign-compare \
   $(grep -ohE '\bpage_[a-z0-9_]+\(' $sources/*.h | sed 's/($//; s/^/-Wl,--export=/' | sort -u) \
   $sources/*.c $sources/libc/*.c tests/support/case/[!ac]*.c tests/support/case/answer*.c tests/support/case/case*.c \
-  tests/support/reference/reference.c tests/support/reference/reference_float.c tests/support/reference/reference2.c \
+  tests/support/reference/reference_float.c tests/support/reference/reference.c tests/support/reference/reference2.c \
   tests/programs/query/motion*.c tests/programs/query/trace.c tests/programs/query/trace_space.c \
   tests/programs/query/trace_plane.c tests/check/target/golden.c tests/check/target/plane_golden.c || exit 1
 
 # A template whose lines @NAME@ are replaced by the files of that name.
 base64 -w 0 "$build/page.wasm" >"$build/WASM"
 cat $sources/style.css >"$build/STYLE"
-cat port/wasm/gjk.js $sources/core.js $sources/main.js $sources/view_*.js $sources/start.js >"$build/SCRIPT"
+scripts='core case plane expand main idea_steps view_idea view_lattice start'
+for script in $scripts; do
+  cat "$sources/$script.js"
+done | cat port/wasm/gjk.js - >"$build/SCRIPT"
 awk -v from="$build" '{
     while (match($0, /@[A-Z]+@/)) {
       name = from "/" substr($0, RSTART + 1, RLENGTH - 2)
