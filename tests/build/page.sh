@@ -12,12 +12,13 @@ WASM_EXPORTS="gjk_port_.*" sh port/wasm/build.sh "$build/page.wasm" -nostdlibinc
   $sources/*.c $sources/libc/*.c tests/support/case/[!ac]*.c tests/support/case/answer*.c tests/support/case/case*.c \
   tests/support/reference/reference_float.c tests/support/reference/reference.c tests/support/reference/reference2.c \
   tests/programs/query/motion*.c tests/programs/query/trace.c tests/programs/query/trace_space.c \
-  tests/programs/query/trace_plane.c tests/check/target/golden.c tests/check/target/plane_golden.c || exit 1
+  tests/programs/query/trace_plane.c tests/check/target/golden.c tests/check/target/plane_golden.c \
+  -DFLAT_BODIES=200 -DFLAT_POINTS=1200 tests/programs/demo_plane/flat_solver.c || exit 1
 
 # A template whose lines @NAME@ are replaced by the files of that name.
 base64 -w 0 "$build/page.wasm" >"$build/WASM"
 cat $sources/style.css >"$build/STYLE"
-scripts='core case plane expand main idea_steps view_idea view_lattice start'
+scripts='core case plane expand main idea_steps view_idea view_lattice view_lockstep start'
 for script in $scripts; do
   cat "$sources/$script.js"
 done | cat port/wasm/gjk.js - >"$build/SCRIPT"

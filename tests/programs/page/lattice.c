@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "case/parse.h"
+#include "gjk/check.h"
 
 static case_reader reader;
 static case_pair pair;
@@ -24,12 +25,13 @@ static uint8_t answer_at(const gjk_vec3 *position) {
   reference_result in_double, in_float;
   if (gjk_collider_move(&b.collider, position) != GJK_OK ||
       gjk_intersect(&a.collider, &b.collider, NULL, &decision) != GJK_OK) {
-    return PAGE_LATTICE_FAILED;
+    return 0;
   }
   lattice_reference_query_posed(&pair, &a, &b, &in_double);
   reference_float_query_posed(&pair, &a, &b, &in_float);
   return (uint8_t)((decision.yes ? PAGE_SAYS_GJK : 0) | (in_double.intersecting ? PAGE_SAYS_DOUBLE : 0) |
-                   (in_float.intersecting ? PAGE_SAYS_FLOAT : 0));
+                   (in_float.intersecting ? PAGE_SAYS_FLOAT : 0) |
+                   (gjk_check_decision(&a.collider, &b.collider, 0, &decision) == GJK_OK ? PAGE_PROVEN : 0));
 }
 
 const uint8_t *page_lattice(const page_steps *steps, unsigned count, double tolerance) {

@@ -8,8 +8,8 @@
 
 #define PAGE_LATTICE_MAX 128
 
-// The bits of a cell: the method says that the shapes intersect.
-enum { PAGE_SAYS_GJK = 1, PAGE_SAYS_DOUBLE = 2, PAGE_SAYS_FLOAT = 4, PAGE_LATTICE_FAILED = 8 };
+// The bits of a cell: the method says that the shapes intersect; the certificate proves what the library says.
+enum { PAGE_SAYS_GJK = 1, PAGE_SAYS_DOUBLE = 2, PAGE_SAYS_FLOAT = 4, PAGE_PROVEN = 8 };
 
 // The reference in double counts a squared distance below this share of the largest squared vertex as 0.
 extern double lattice_tolerance;

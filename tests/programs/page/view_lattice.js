@@ -15,7 +15,7 @@ const LATTICE_PAIRS = {
   },
   needle: {
     title: 'A long hull and a needle', u: null, v: null,
-    tells: 'Hundreds of units long, an LSB from dot to dot. A tolerance that is larger than needed invents contacts.',
+    tells: 'Some 40 units long, an LSB from dot to dot. The larger the tolerance, the more contacts double invents.',
     text: 'case needle;A hull 13;428888 -76329 294014;-65737 23951 -178591;-485736 115726 879504;265075 306028 -1210524;-610640 -3281 -1051138;-310858 -359995 43285;311853 -363302 1388204;142749 68954 -286792;-89007 -196462 82992;63708 197664 886986;245918 288115 580606;-384602 124406 1028876;495023 -139799 -950539;A at 91684638 12377080 80078606;A turn 722951558 -347108623 -645390329 -305367773;B segment 627518;B at 91189256 12588467 80752101;B turn -204601207 -793233777 205970935 -662884605',
   },
 };
@@ -200,7 +200,8 @@ class LatticeView {
     context.strokeStyle = ink;
     context.lineWidth = 2;
     context.strokeRect(x + (i - 0.75) * pitch, y - (k + 0.75) * pitch, 1.5 * pitch, 1.5 * pitch);
-    caption.textContent = `${name}: ${wrong.toLocaleString('en')} of ${(this.count ** 2).toLocaleString('en')} wrong`;
+    const all = this.cells.length, proven = this.cells.filter((cell) => (cell & 8) !== 0).length;
+    caption.textContent = bit === 1 ? `gjk: ${proven.toLocaleString('en')} of ${all.toLocaleString('en')} proven` : `${name}: ${wrong.toLocaleString('en')} of ${all.toLocaleString('en')} wrong`;
     caption.classList.toggle('bad', wrong > 0);
   }
 
