@@ -18,10 +18,15 @@ WASM_EXPORTS="gjk_port_.*" sh port/wasm/build.sh "$build/page.wasm" -nostdlibinc
 # A template whose lines @NAME@ are replaced by the files of that name.
 base64 -w 0 "$build/page.wasm" >"$build/WASM"
 cat $sources/style.css >"$build/STYLE"
-scripts='core case plane expand main idea_steps view_idea view_lattice view_lockstep start'
+# Instructions on a Cortex-M3, of the README's table.
+awk -F ' *[|] *' '/<!-- figures: cost -->/ { inside = 1; print "const README_COSTS = {" }
+  inside && /<!-- end -->/ { exit }
+  inside && $2 ~ /: (distance|depth|contacts|intersect)$/ && $5 ~ /^[0-9]/ { printf "  \"%s\": \"%s\",\n", $2, $5 }
+  END { print "};" }' README.md >"$build/costs.js"
+scripts='core case plane expand solid main idea_steps view_idea view_lattice view_space view_lockstep start'
 for script in $scripts; do
   cat "$sources/$script.js"
-done | cat port/wasm/gjk.js - >"$build/SCRIPT"
+done | cat port/wasm/gjk.js "$build/costs.js" - >"$build/SCRIPT"
 awk -v from="$build" '{
     while (match($0, /@[A-Z]+@/)) {
       name = from "/" substr($0, RSTART + 1, RLENGTH - 2)
@@ -32,5 +37,5 @@ awk -v from="$build" '{
     }
     print
   }' $sources/index.html >"$build/index.html"
-rm "$build/WASM" "$build/STYLE" "$build/SCRIPT"
+rm "$build/WASM" "$build/STYLE" "$build/SCRIPT" "$build/costs.js"
 [ "$(wc -c <"$build/index.html")" -lt 1000000 ] || { echo "page.sh: the page is too large" >&2; exit 1; }

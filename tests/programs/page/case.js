@@ -58,3 +58,17 @@ function parseCase(text) {
   const answer = ask(text, 'distance', 0, CASE);
   return complaints() === '' && answer.text.startsWith('case') ? readCase(answer.text) : null;
 }
+
+// What an address asks; the distance if it asks nothing that is known.
+function askedOf(values) {
+  return ['distance', 'penetration', 'contacts', 'cast'].includes(values.get('ask')) ? values.get('ask') : 'distance';
+}
+
+// A cast needs a way: B goes through A where it has none. Returns whether it got one.
+function giveWay(shown, question) {
+  if (question !== 'cast' || shown.B.to !== null) {
+    return false;
+  }
+  shown.B.to = shown.B.at.map((x, k) => Math.round(2 * shown.A.at[k] - x));
+  return true;
+}

@@ -60,13 +60,14 @@ class IdeaView {
       surface.addEventListener(end, () => this.drop());
     }
     surface.addEventListener('keydown', (event) => this.key(event));
-    new ResizeObserver(() => this.shown && this.draw()).observe(this.element);
+    redrawWhenResized(this);
   }
 
   load(values) {
     const found = parseCase(address.unpack(values.get('case') ?? IDEA_EXAMPLES.Apart));
     this.shown = found?.plane ? found : parseCase(address.unpack(IDEA_EXAMPLES.Apart));
-    this.question = ASK[values.get('ask')] === undefined ? 'distance' : values.get('ask');
+    this.question = askedOf(values);
+    giveWay(this.shown, this.question);
     this.step = values.has('step') ? Number(values.get('step')) : Infinity;
     this.fit();
     this.update();
@@ -94,8 +95,7 @@ class IdeaView {
   turnTo(question) {
     this.question = question;
     this.step = Infinity;
-    if (question === 'cast' && this.shown.B.to === null) {
-      this.shown.B.to = this.shown.B.at.map((x, k) => Math.round(2 * this.shown.A.at[k] - x));
+    if (giveWay(this.shown, question)) {
       this.fit();
     }
     this.update();

@@ -61,7 +61,7 @@ class LatticeView {
       element('div', { class: 'row' }, this.pairs,
         element('label', { class: 'wide' }, 'tolerance', this.tolerance, this.toleranceText), this.best,
         element('label', {}, 'LSB a dot', this.steps)));
-    new ResizeObserver(() => this.cells && this.draw()).observe(this.element);
+    redrawWhenResized(this);
   }
 
   load(values) {
@@ -69,9 +69,9 @@ class LatticeView {
     const number = (name, otherwise) => (values.has(name) ? Math.trunc(Number(values.get(name))) || 0 : otherwise);
     this.count = innerWidth < 760 ? 37 : 45;
     this.tolerance10 = Math.max(-36, Math.min(-8, number('tolerance', -30)));
-    this.step = number('step', 1) || 1;
-    this.middle = [number('x', 0), number('y', 0)];
-    this.cursor = [number('i', 4), number('k', 0)];
+    this.step = [1, 16, 256].includes(number('step', 1)) ? number('step', 1) : 1;
+    this.middle = [number('x', 0), number('y', 0)].map((m) => Math.max(-2000, Math.min(2000, m)));
+    this.cursor = this.inside([number('i', 4), number('k', 0)]);
     this.open();
     this.compute();
   }
@@ -223,8 +223,13 @@ class LatticeView {
     return [Math.round((event.clientX - box.left - x) / pitch), Math.round((y - event.clientY + box.top) / pitch)];
   }
 
+  inside(cursor) {
+    const half = (this.count - 1) / 2;
+    return cursor.map((c) => Math.max(-half, Math.min(half, c)));
+  }
+
   move(cursor) {
-    const half = (this.count - 1) / 2, held = cursor.map((c) => Math.max(-half, Math.min(half, c)));
+    const held = this.inside(cursor);
     if (held[0] !== this.cursor[0] || held[1] !== this.cursor[1]) {
       this.cursor = held;
       this.draw();
@@ -264,7 +269,7 @@ class LatticeView {
     }
     event.preventDefault();
     if (event.shiftKey) {
-      this.middle = this.middle.map((m, k) => m + 5 * way[k]);
+      this.middle = this.middle.map((m, k) => Math.max(-2000, Math.min(2000, m + 5 * way[k])));
       this.compute();
     } else {
       this.move(this.cursor.map((c, k) => c + way[k]));

@@ -90,7 +90,7 @@ class LockstepView {
       this.verdict, this.tells,
       element('div', { class: 'row steps' }, this.run, this.slider, this.count),
       element('div', { class: 'row' }, this.flipper, this.again, element('label', {}, 'bodies', this.counts)));
-    new ResizeObserver(() => this.bodies && this.draw()).observe(this.element);
+    redrawWhenResized(this);
   }
 
   load(values) {
