@@ -65,7 +65,7 @@ class LatticeView {
   }
 
   load(values) {
-    this.name = LATTICE_PAIRS[values.get('pair')] === undefined ? 'determinants' : values.get('pair');
+    this.chosen = LATTICE_PAIRS[values.get('pair')] === undefined ? 'determinants' : values.get('pair');
     const number = (name, otherwise) => (values.has(name) ? Math.trunc(Number(values.get(name))) || 0 : otherwise);
     this.count = innerWidth < 760 ? 37 : 45;
     this.tolerance10 = Math.max(-36, Math.min(-8, number('tolerance', -30)));
@@ -77,13 +77,13 @@ class LatticeView {
   }
 
   save() {
-    return { pair: this.name, tolerance: this.tolerance10, step: this.step, x: this.middle[0], y: this.middle[1],
+    return { pair: this.chosen, tolerance: this.tolerance10, step: this.step, x: this.middle[0], y: this.middle[1],
       i: this.cursor[0], k: this.cursor[1] };
   }
 
   // The pair, B moved to where it touches but for the rounding of a step, and the steps of the lattice.
   open() {
-    const pair = LATTICE_PAIRS[this.name];
+    const pair = LATTICE_PAIRS[this.chosen];
     this.shown = parseCase(address.unpack(pair.text));
     this.u = pair.u;
     this.v = pair.v;
@@ -98,13 +98,13 @@ class LatticeView {
 
   // Where B is at a point of the lattice, as an offset.
   offset(i, k) {
-    const by = LATTICE_PAIRS[this.name].u === null ? this.step : 1;
+    const by = LATTICE_PAIRS[this.chosen].u === null ? this.step : 1;
     return [0, 1, 2].map((m) => by * ((this.middle[0] + i) * this.u[m] + (this.middle[1] + k) * this.v[m]));
   }
 
   caseAt([i, k]) {
     const offset = this.offset(i, k);
-    return writeCase({ ...this.shown, id: this.name, B: { ...this.shown.B, at: this.shown.B.at.map((x, m) => x + offset[m]) } });
+    return writeCase({ ...this.shown, id: this.chosen, B: { ...this.shown.B, at: this.shown.B.at.map((x, m) => x + offset[m]) } });
   }
 
   caseText() {
@@ -112,7 +112,7 @@ class LatticeView {
   }
 
   choosePair() {
-    this.name = this.pairs.value;
+    this.chosen = this.pairs.value;
     this.middle = [0, 0];
     this.cursor = [4, 0];
     this.open();
@@ -129,7 +129,7 @@ class LatticeView {
     const half = (this.count - 1) / 2, at = gjk.putText(writeCase(this.shown)), { exports } = gjk;
     exports.page_lattice_open(at);
     exports.gjk_port_release(at);
-    const steps = exports.gjk_port_allocate(36), by = LATTICE_PAIRS[this.name].u === null ? this.step : 1;
+    const steps = exports.gjk_port_allocate(36), by = LATTICE_PAIRS[this.chosen].u === null ? this.step : 1;
     gjk.words().set([...this.offset(-half, -half), ...this.u.map((x) => by * x), ...this.v.map((x) => by * x)], steps / 4);
     const cells = exports.page_lattice(steps, this.count, 10 ** this.tolerance10);
     this.cells = gjk.bytes().slice(cells, cells + this.count ** 2);
@@ -148,9 +148,9 @@ class LatticeView {
   }
 
   draw() {
-    const fixed = LATTICE_PAIRS[this.name].u !== null;
-    this.pairs.value = this.name;
-    this.tells.textContent = LATTICE_PAIRS[this.name].tells;
+    const fixed = LATTICE_PAIRS[this.chosen].u !== null;
+    this.pairs.value = this.chosen;
+    this.tells.textContent = LATTICE_PAIRS[this.chosen].tells;
     this.tolerance.value = this.tolerance10;
     this.toleranceText.textContent = '10' + superscript(this.tolerance10);
     this.steps.set(String(this.step));

@@ -165,6 +165,9 @@ class LockstepView {
   // Keeps to 60 ticks a second whatever the screen does; a replay goes as fast as it can.
   tickFrame(now) {
     this.frame = undefined;
+    if (page.current !== this) {
+      return;
+    }
     const end = performance.now() + 12;
     if (this.target !== null) {
       while (this.sides[0].tick < this.target && performance.now() < end) {
@@ -184,10 +187,10 @@ class LockstepView {
     this.draw();
     if (this.running || this.target !== null) {
       this.frame = requestAnimationFrame((time) => this.tickFrame(time));
-      if (this.sides[0].tick % 60 === 0 && page.current === this && this.target === null) {
+      if (this.sides[0].tick % 60 === 0 && this.target === null) {
         page.save();
       }
-    } else if (page.current === this) {
+    } else {
       page.save();
     }
   }
