@@ -12,6 +12,7 @@ extern "C" {
 // Ceilings on capacities.
 #define GJK_SCENE_BODIES_MAX UINT32_C(1048576)
 #define GJK_SCENE_PAIRS_MAX UINT32_C(4194304)
+#define GJK_SCENE_PAIR_WORDS_MAX 32
 
 // Names a body. A zeroed id names none. The id of a removed body never names another one: generation differs, and a
 // slot that was taken 2^31 times is not taken again.
@@ -20,6 +21,7 @@ typedef struct gjk_body_id {
   uint32_t generation;  // counts how often the slot was taken and freed; odd while a body is in it
 } gjk_body_id;
 
+// How a body moves.
 typedef enum gjk_body_kind {
   GJK_BODY_STATIC = 0,  // scenery: never tested against other statics
   GJK_BODY_KINEMATIC,   // moved by its own plan
@@ -27,11 +29,15 @@ typedef enum gjk_body_kind {
 } gjk_body_kind;
 
 // What is wanted of a pair. DEPTH and CONTACTS need the details of a scene's bindings.
+//
+// SENSOR  of a body alone: it makes each of its pairs a TOUCH, whatever is asked for besides. Such a pair is reported as
+//         begun and ended, never as persisting. Fast bodies pass a sensor; casts and slides do so by their filter.
 typedef enum gjk_detail {
   GJK_DETAIL_TOUCH = 0,  // near or not
   GJK_DETAIL_DISTANCE,   // and the distance
   GJK_DETAIL_DEPTH,      // and the depth
-  GJK_DETAIL_CONTACTS    // and the manifold
+  GJK_DETAIL_CONTACTS,   // and the manifold
+  GJK_DETAIL_SENSOR      // of a body, see above
 } gjk_detail;
 
 // Should this pair be tested? Called at most once per test, perhaps from several threads. The answer may depend on the
@@ -40,6 +46,7 @@ typedef enum gjk_detail {
 // gjk2_scene_refilter.
 typedef bool gjk_scene_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b);
 
+// What a report tells of a pair.
 typedef enum gjk_event {
   GJK_EVENT_BEGIN = 1,  // near at this update, not at the last one
   GJK_EVENT_PERSIST,    // near at both; reported only with config.persist
@@ -75,15 +82,17 @@ typedef struct gjk_scene_stats {
                            // inside of it near
   uint32_t direction;      // the last separating direction still separates: one support scan
   uint32_t warm, cold;     // queries, started from the cache or not
-  uint32_t begun, persisting, ended;
-  uint32_t unsettled;  // queries that reached a ceiling, see gjk_scene_update and gjk2_scene_update
-  uint32_t updates;    // completed so far, modulo 2^32
+  uint32_t begun, persisting, ended;  // events of the update that tested all pairs
+  uint32_t unsettled;                 // queries that reached a ceiling, see gjk_scene_update and gjk2_scene_update
+  uint32_t updates;                   // completed so far, modulo 2^32
+  uint32_t measured;                  // distances and depths found, because details ask for them
+  uint32_t manifolds;                 // found for reports
 } gjk_scene_stats;
 
 // A part that a query found.
 typedef struct gjk_scene_hit {
-  gjk_body_id body;
-  uint16_t part;
+  gjk_body_id body;   // the body that has it
+  uint16_t part;      // the part's number in its body
   uint32_t fraction;  // of a way, in 2^-30, where it enters the part's box or meets the part, rounded down; otherwise 0
 } gjk_scene_hit;
 
@@ -97,6 +106,27 @@ typedef struct gjk_scene_filter {
   gjk_scene_accept *accept;  // NULL: every part that the fields above let through
   void *user;                // accept's first argument
 } gjk_scene_filter;
+
+// What a line or point of gjk/draw.h and gjk2/draw.h belongs to, for its colour.
+typedef enum gjk_draw_role {
+  GJK_DRAW_STATIC = 0,  // outlines of bodies of a scene, by kind; a sensor and a sleeping body have their own
+  GJK_DRAW_MOVING,
+  GJK_DRAW_ASLEEP,
+  GJK_DRAW_SENSOR,
+  GJK_DRAW_BOX,      // edges of an axis-aligned box
+  GJK_DRAW_PAIR,     // from centre to centre of two parts that are near
+  GJK_DRAW_CONTACT,  // a contact point on each shape, and the line between both
+  GJK_DRAW_NORMAL,   // from a contact point along the normal
+  GJK_DRAW_WAY       // the way of a ray or cast, and the outlines at its ends
+} gjk_draw_role;
+
+// Of gjk_draw_scene and gjk2_draw_scene: what is drawn. Their sum draws all.
+#define GJK_DRAW_SHAPES 1u
+#define GJK_DRAW_BOXES 2u
+#define GJK_DRAW_PAIRS 4u
+
+// The directions in which the outlines of curved and rounded shapes are looked at.
+#define GJK_DRAW_DIRECTIONS 24
 
 // Of gjk_slide: the most planes that it slides along in one call, the least gap that it keeps, and the most casts.
 #define GJK_SLIDE_PLANES 4

@@ -29,11 +29,12 @@ typedef enum gjk_cast_proof {
   GJK_CAST_PROOF_SWEPT      // with a radius or margin: A and all places of B come within it, or don't; no pairs
 } gjk_cast_proof;
 
+// Why the answer of a cast is right; see gjk_cast_proof.
 typedef struct gjk_cast_certificate {
-  gjk_vec3 direction;  // of BESIDE, and where there are fewer than three pairs: from A to B, at most 2^30 LSB long
-  uint16_t a[3], b[3];
-  uint8_t count;  // pairs in use
-  uint8_t proof;  // a gjk_cast_proof
+  gjk_vec3 direction;   // of BESIDE, and where there are fewer than three pairs: from A to B, at most 2^30 LSB long
+  uint16_t a[3], b[3];  // numbers of vertices, in pairs, as of gjk_certificate
+  uint8_t count;        // pairs in use
+  uint8_t proof;        // a gjk_cast_proof
 } gjk_cast_certificate;
 
 // Lengths Q16.16, points in the world frame, shapes at the fraction reported.
@@ -48,7 +49,7 @@ typedef struct gjk_cast_result {
   gjk_vec3 rest_b;     // the gap is at least the margin, and with margin 0 the shapes share no inner point
   bool saturated;      // a coordinate of a point or of rest_b is beyond Q16.16, and has the end of that range
   uint8_t iterations;  // support scans of both shapes
-  gjk_cast_certificate certificate;
+  gjk_cast_certificate certificate;  // why hit or miss is right
 } gjk_cast_result;
 
 // Moves A and B along their ways until they touch, or come as near as the margin.

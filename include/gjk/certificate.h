@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+// What a certificate proves.
 typedef enum gjk_proof {
   GJK_PROOF_NONE = 0,   // curved shapes: no vertices to name
   GJK_PROOF_SPHERES,    // apart: the bounding spheres are
@@ -23,11 +24,12 @@ typedef enum gjk_proof {
   GJK_PROOF_PLANE       // depth 0 of the cores: across direction, no a - b lies beyond the origin
 } gjk_proof;
 
+// Why an answer is right, as gjk_proof says it.
 typedef struct gjk_certificate {
-  gjk_vec3 direction;  // GJK_PROOF_DIRECTION, GJK_PROOF_PLANE: from A to B, of any length
-  uint16_t a[4], b[4];
-  uint8_t count;  // pairs in use
-  uint8_t proof;  // a gjk_proof
+  gjk_vec3 direction;   // GJK_PROOF_DIRECTION, GJK_PROOF_PLANE: from A to B, of any length
+  uint16_t a[4], b[4];  // numbers of vertices of A and B, in pairs
+  uint8_t count;        // pairs in use
+  uint8_t proof;        // a gjk_proof
 } gjk_certificate;
 
 #ifdef __cplusplus

@@ -15,7 +15,7 @@ extern "C" {
 
 // Axis-aligned bounding box (AABB), world frame, both corners inclusive.
 typedef struct gjk_aabb {
-  gjk_vec3 lower, upper;
+  gjk_vec3 lower, upper;  // the corners with the least and the largest coordinates
 } gjk_aabb;
 
 // Start from zeroed memory; gjk_collider_init and gjk_collider_pose fill it. Its contents are the library's, but you
@@ -23,19 +23,19 @@ typedef struct gjk_aabb {
 // sphere about centre that holds the shape with its convex radius. A collider may be copied; copies share shape and
 // buffer.
 typedef struct gjk_collider {
-  const gjk_shape *shape;
-  gjk_vec3 *buffer;       // baked hull: its posed vertices relative to centre; NULL otherwise
-  gjk_vec3 position;      // of the pose
-  gjk_vec3 centre;        // world
-  gjk_vec3 local_centre;  // of the bounding box, shape frame
-  gjk_vec3 frame[3];      // half axes, or posed triangle, both relative to centre; or rotation rows, Q2.30, which a
-                          // baked hull has if it has a table
-  gjk_q16 core_radius;    // bounds |vertex - centre| after posing
-  gjk_q16 radius;         // core_radius plus the shape's convex radius
-  uint16_t state;         // tells an initialised and a posed collider from other memory
-  uint16_t count;         // half axes of a point, segment or box; vertices of a triangle or hull
-  uint8_t bits;           // core_radius is below 2^bits
-  int8_t fraction[3];     // the unrounded centre less centre, of an LSB, Q8
+  const gjk_shape *shape;  // that gjk_collider_init was given
+  gjk_vec3 *buffer;        // baked hull: its posed vertices relative to centre; NULL otherwise
+  gjk_vec3 position;       // of the pose
+  gjk_vec3 centre;         // world
+  gjk_vec3 local_centre;   // of the bounding box, shape frame
+  gjk_vec3 frame[3];       // half axes, or posed triangle, both relative to centre; or rotation rows, Q2.30, which a
+                           // baked hull has if it has a table
+  gjk_q16 core_radius;     // bounds |vertex - centre| after posing
+  gjk_q16 radius;          // core_radius plus the shape's convex radius
+  uint16_t state;          // tells an initialised and a posed collider from other memory
+  uint16_t count;          // half axes of a point, segment or box; vertices of a triangle or hull
+  uint8_t bits;            // core_radius is below 2^bits
+  int8_t fraction[3];      // the unrounded centre less centre, of an LSB, Q8
 } gjk_collider;
 
 // Binds a collider to a shape and checks the shape.

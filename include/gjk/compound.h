@@ -15,6 +15,7 @@
 extern "C" {
 #endif
 
+// The functions behind compounds.
 extern const gjk_parts_class gjk_parts_class_compound;
 
 // Most parts of one compound.
@@ -28,25 +29,24 @@ extern const gjk_parts_class gjk_parts_class_compound;
 
 // One part: a shape, and where it is in the frame of the compound. Both are the caller's constants.
 typedef struct gjk_compound_part {
-  const gjk_shape *shape;
-  gjk_pose pose;
+  const gjk_shape *shape;  // of any kind
+  gjk_pose pose;           // in the frame of the compound
 } gjk_compound_part;
 
 // A box of the tree, in the frame of the compound. The nodes are in the order of a walk, which needs no
 // stack: where the box is met it goes on to the next node, else to skip.
 typedef struct gjk_compound_node {
-  gjk_aabb box;
-  uint16_t skip;
+  gjk_aabb box;   // of the part, or of all parts below
+  uint16_t skip;  // the node that follows all below this one
   uint16_t part;  // number of the part; UINT16_MAX: not a leaf
 } gjk_compound_node;
 
 // A compound. Its contents are the library's; gjk_compound_build fills it. It may be copied.
 typedef struct gjk_compound {
-  const gjk_compound_part *parts;
-  const gjk_compound_node *nodes;
-  uint32_t
-      reach;  // no point of a part, nor its pose's position, is farther from the compound's origin, at any rotation
-  uint16_t count, node_count;
+  const gjk_compound_part *parts;  // count of them
+  const gjk_compound_node *nodes;  // node_count of them
+  uint32_t reach;                  // no point of a part, nor a part's position, is farther from the compound's origin
+  uint16_t count, node_count;      // of parts and of nodes
 } gjk_compound;
 
 // A body of this compound at the identity pose.

@@ -8,6 +8,7 @@
 extern "C" {
 #endif
 
+// Most contacts of one manifold.
 #define GJK_CONTACTS_MAX 8
 
 // Lengths Q16.16, points in the world frame; coordinates saturate at the ends of Q16.16.
@@ -26,9 +27,9 @@ typedef struct gjk_contact {
 //   edge    (lower vertex number + 256 higher vertex number) modulo 2^16
 //   corner  its vertex number
 typedef struct gjk_manifold {
-  gjk_unit3 normal;  // from A to B, Q2.30
-  uint8_t count;     // of contacts; 0: the shapes are farther apart than the margin
-  uint16_t feature_a, feature_b;
+  gjk_unit3 normal;                       // from A to B, Q2.30
+  uint8_t count;                          // of contacts; 0: the shapes are farther apart than the margin
+  uint16_t feature_a, feature_b;          // the feature of each shape, see above
   gjk_contact contact[GJK_CONTACTS_MAX];  // in no order that matters
 } gjk_manifold;
 

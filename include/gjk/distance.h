@@ -11,18 +11,19 @@ extern "C" {
 
 // Lengths Q16.16, points in the world frame.
 typedef struct gjk_distance_result {
-  gjk_q16 distance;  // gap between the surfaces, 0 when intersecting; GJK_DISTANCE_MAX if it is larger
-  gjk_q16 lower;     // proven bounds of the gap, both included; equal to distance where the answer is exact
-  gjk_q16 upper;
+  gjk_q16 distance;    // gap between the surfaces, 0 when intersecting; GJK_DISTANCE_MAX if it is larger
+  gjk_q16 lower;       // proven bounds of the gap, both included; equal to distance where the answer is exact
+  gjk_q16 upper;       // the other bound
   gjk_vec3 point_a;    // nearest point of A; not set when intersecting
   gjk_vec3 point_b;    // nearest point of B; not set when intersecting
   gjk_unit3 normal;    // from A to B, Q2.30; not set when intersecting
   bool intersecting;   // the shapes share a point
   bool saturated;      // the gap or a coordinate of a point is beyond Q16.16, and the field has the end of that range
   uint8_t iterations;  // support scans of both shapes
-  gjk_certificate certificate;
+  gjk_certificate certificate;  // why the answer is right
 } gjk_distance_result;
 
+// The largest distance that is reported.
 #define GJK_DISTANCE_MAX ((gjk_q16)2147483647)
 
 // The distance between two convex shapes, with a nearest point on each.

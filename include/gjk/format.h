@@ -19,25 +19,26 @@ typedef int32_t gjk_angle;
 
 // Position, offset or half extents, Q16.16.
 typedef struct gjk_vec3 {
-  gjk_q16 x, y, z;
+  gjk_q16 x, y, z;  // coordinates
 } gjk_vec3;
 
 // Unit vector, Q2.30.
 typedef struct gjk_unit3 {
-  gjk_q30 x, y, z;
+  gjk_q30 x, y, z;  // components, from -GJK_Q30_ONE to GJK_Q30_ONE
 } gjk_unit3;
 
 // Rotation as a unit quaternion x i + y j + z k + w, Q2.30; the identity is {0, 0, 0, GJK_Q30_ONE}.
 typedef struct gjk_quat {
-  gjk_q30 x, y, z, w;
+  gjk_q30 x, y, z, w;  // axis times the sine of half the angle, and its cosine
 } gjk_quat;
 
 // Where a shape stands: first rotated about its own origin, then moved by position.
 typedef struct gjk_pose {
-  gjk_vec3 position;
-  gjk_quat rotation;
+  gjk_vec3 position;  // of the origin of its frame
+  gjk_quat rotation;  // a unit, see gjk/pose.h
 } gjk_pose;
 
+// 1 in Q16.16 and in Q2.30.
 #define GJK_Q16_ONE ((gjk_q16)65536)
 #define GJK_Q30_ONE ((gjk_q30)1073741824)
 
@@ -48,6 +49,7 @@ typedef struct gjk_pose {
 #define GJK_Q30(value) GJK_FIXED((value)*1073741824.0)
 #define GJK_ANGLE(radians) GJK_FIXED((radians)*65536.0)
 
+// Of the literals above: x as an integer, and x with half of an LSB away from 0.
 #define GJK_FIXED(x) \
   ((int32_t)GJK_TO_NEAREST(x) / GJK_TRUE(GJK_TO_NEAREST(x) >= -2147483648.5 && GJK_TO_NEAREST(x) < 2147483648.0))
 #define GJK_TO_NEAREST(x) ((x) + ((x) < 0 ? -0.5 : 0.5))
@@ -62,6 +64,7 @@ typedef struct gjk_pose {
 // x; does not compile unless x is an integer.
 #define GJK_INTEGER(x) ((x) | 0)
 
+// The pose at the origin, not rotated.
 #define GJK_POSE_IDENTITY  \
   {                        \
     {0, 0, 0}, {           \

@@ -8,6 +8,7 @@
 extern "C" {
 #endif
 
+// The functions behind height fields.
 extern const gjk_parts_class gjk_parts_class_height_field;
 
 // Most columns, and most rows.
@@ -32,6 +33,7 @@ typedef struct gjk_height_field {
   gjk_q16 step_z;          // Q16.16, 1 to GJK_HEIGHT_FIELD_STEP_MAX
 } gjk_height_field;
 
+// A height field with these fields.
 #define GJK_HEIGHT_FIELD(heights_pointer, columns, rows, step_x, step_y, step_z) \
   { (heights_pointer), (columns), (rows), GJK_INTEGER(step_x), GJK_INTEGER(step_y), GJK_INTEGER(step_z) }
 

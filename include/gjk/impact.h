@@ -13,7 +13,7 @@ extern "C" {
 // The position moves in a straight line. The rotation turns at a steady rate: by spin about a fixed axis of the world
 // where spin is not 0, and else along the shortest arc from from.rotation to to.rotation.
 typedef struct gjk_motion {
-  gjk_pose from;
+  gjk_pose from;  // where it begins
   gjk_pose to;    // of its rotation nothing is read where spin is not 0
   gjk_vec3 spin;  // angle times axis over the whole way, Q16.16 radians, any size: several turns too
 } gjk_motion;
@@ -36,16 +36,16 @@ typedef struct gjk_impact_setup {
 
 // Lengths Q16.16, points in the world frame, fractions Q2.30.
 typedef struct gjk_impact_result {
-  bool hit;          // at upper the gap is at most margin + tolerance
-  bool overlap;      // a hit at the start, with a gap of at most margin there
-  gjk_q30 lower;     // at no fraction before this one do the shapes come as near as margin: proven
-  gjk_q30 upper;     // of a hit: where the gap is at most margin + tolerance, now equal to lower; else GJK_Q30_ONE
-  gjk_q16 distance;  // of a hit: the gap at upper
-  gjk_vec3 point_a;  // of a hit without intersection: the nearest points there, and the normal from A to B
-  gjk_vec3 point_b;
-  gjk_unit3 normal;
-  gjk_pose pose_a;  // both poses at lower: there the shapes are apart, unless overlap is set
-  gjk_pose pose_b;
+  bool hit;            // at upper the gap is at most margin + tolerance
+  bool overlap;        // a hit at the start, with a gap of at most margin there
+  gjk_q30 lower;       // at no fraction before this one do the shapes come as near as margin: proven
+  gjk_q30 upper;       // of a hit: where the gap is at most margin + tolerance, now equal to lower; else GJK_Q30_ONE
+  gjk_q16 distance;    // of a hit: the gap at upper
+  gjk_vec3 point_a;    // of a hit without intersection: the nearest points there, and the normal from A to B
+  gjk_vec3 point_b;    // the nearest point of B
+  gjk_unit3 normal;    // from A to B
+  gjk_pose pose_a;     // both poses at lower: there the shapes are apart, unless overlap is set
+  gjk_pose pose_b;     // of B
   uint8_t iterations;  // distances measured
 } gjk_impact_result;
 

@@ -11,9 +11,9 @@ extern "C" {
 
 // The answer to a yes-or-no question about a pair.
 typedef struct gjk_decision {
-  bool yes;            // gjk_intersect: the shapes share a point; gjk_within: they are at most distance apart
-  uint8_t iterations;  // support scans of both shapes that the answer took
-  gjk_certificate certificate;
+  bool yes;                     // gjk_intersect: the shapes share a point; gjk_within: they are at most distance apart
+  uint8_t iterations;           // support scans of both shapes that the answer took
+  gjk_certificate certificate;  // why the answer is right
 } gjk_decision;
 
 // Do two convex shapes share a point? Shapes that touch in a single point do.
@@ -46,13 +46,14 @@ gjk_status gjk_within(const gjk_collider *a, const gjk_collider *b, gjk_q16 dist
 
 // What a number of iterations has settled.
 typedef enum gjk_answer {
-  GJK_ANSWER_NO = 0,
-  GJK_ANSWER_YES = 1,
+  GJK_ANSWER_NO = 0,   // proven: the answer is no
+  GJK_ANSWER_YES = 1,  // proven: the answer is yes
   GJK_ANSWER_OPEN = 2  // neither is proven yet
 } gjk_answer;
 
+// What gjk_within_until finds.
 typedef struct gjk_within_result {
-  gjk_answer answer;
+  gjk_answer answer;      // yes, no or open
   gjk_decision decision;  // as of gjk_within; of an open answer only its iterations are set
 } gjk_within_result;
 

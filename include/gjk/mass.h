@@ -21,17 +21,17 @@ extern "C" {
 
 // A volume, cubic LSB: 2^64 high + low. A cubic unit is 2^48.
 typedef struct gjk_volume {
-  uint64_t high, low;
+  uint64_t high, low;  // halves of the number
 } gjk_volume;
 
 // A symmetric tensor, square LSB: entries of the matrix. So yz is the negative of the mean of y z.
 typedef struct gjk_inertia {
-  int64_t xx, yy, zz, yz, zx, xy;
+  int64_t xx, yy, zz, yz, zx, xy;  // row and column
 } gjk_inertia;
 
 // A body's mass properties in a frame: the shape's own, or the one that parts are placed in.
 typedef struct gjk_mass {
-  gjk_volume volume;
+  gjk_volume volume;    // of all parts together
   uint32_t mass;        // any unit, the caller's. gjk_mass_set_density: Q16.16 of the density's unit of mass
   gjk_vec3 centre;      // of mass, Q16.16, to the nearest
   int16_t fraction[3];  // what that rounding leaves, 2^-16 LSB: centre + fraction / 2^16 is the centre, rounded down

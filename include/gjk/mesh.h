@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+// The functions behind meshes.
 extern const gjk_parts_class gjk_parts_class_mesh;
 
 // Most triangles, and most vertices, of one mesh.
@@ -38,26 +39,27 @@ typedef enum gjk_mesh_edge {
 // corner[i]: bits 0 to 27 the number of a vertex; bits 28 and 29 a gjk_mesh_edge, of the edge to the next corner; the
 // rest 0.
 typedef struct gjk_mesh_triangle {
-  uint32_t corner[3];
+  uint32_t corner[3];  // see above
 } gjk_mesh_triangle;
 
+// The number of the vertex, and the gjk_mesh_edge, of a corner of a triangle.
 #define GJK_MESH_NUMBER(corner) ((corner)&UINT32_C(0x0FFFFFFF))
 #define GJK_MESH_EDGE(corner) ((corner) >> 28 & 3u)
 
 // A box of the tree, both ends inclusive: steps of 2^shift LSB from the mesh's lower corner.
 typedef struct gjk_mesh_node {
-  uint16_t lower[3], upper[3];
+  uint16_t lower[3], upper[3];  // ends along x, y and z
 } gjk_mesh_node;
 
 // A mesh in its own frame. gjk_mesh_build fills it; as a constant it may be in flash.
 typedef struct gjk_mesh {
-  const gjk_vec3 *vertices;            // Q16.16, at most GJK_MESH_COORDINATE_MAX in size
-  const gjk_mesh_triangle *triangles;  // each leaf's one after the other
-  const gjk_mesh_node *nodes;          // GJK_MESH_NODES(triangle_count): see src/mesh/gjk_mesh_tree.h
-  uint32_t vertex_count, triangle_count;
-  gjk_vec3 lower, upper;  // the box of all triangles
-  uint8_t shift[3];       // of the steps along x, y and z: (upper - lower) / 2^shift is below 2^16
-  bool two_sided;         // contacts on both sides; otherwise only in front
+  const gjk_vec3 *vertices;               // Q16.16, at most GJK_MESH_COORDINATE_MAX in size
+  const gjk_mesh_triangle *triangles;     // each leaf's one after the other
+  const gjk_mesh_node *nodes;             // GJK_MESH_NODES(triangle_count): see src/mesh/gjk_mesh_tree.h
+  uint32_t vertex_count, triangle_count;  // lengths of the arrays
+  gjk_vec3 lower, upper;                  // the box of all triangles
+  uint8_t shift[3];                       // of the steps along x, y and z: (upper - lower) / 2^shift is below 2^16
+  bool two_sided;                         // contacts on both sides; otherwise only in front
 } gjk_mesh;
 
 // A body of this mesh at the identity pose, for the queries of gjk/parts.h. Its parts are its triangles, as numbered in
@@ -83,7 +85,7 @@ gjk_status gjk_mesh_build(const gjk_vec3 *vertices, uint32_t vertex_count, gjk_m
 
 // What is wrong with a mesh.
 typedef enum gjk_mesh_fault {
-  GJK_MESH_SOUND = 0,
+  GJK_MESH_SOUND = 0,     // nothing
   GJK_MESH_NUMBER_FAULT,  // a corner that is no vertex, or bits that are not 0
   GJK_MESH_COORDINATE,    // a vertex beyond GJK_MESH_COORDINATE_MAX
   GJK_MESH_SIZE,          // a triangle longer than GJK_RADIUS_MAX along an axis

@@ -11,23 +11,26 @@ extern "C" {
 // What a workspace holds: vertices, faces and the horizon of the expanding polytope (EPA). The contents are the
 // library's.
 typedef struct gjk_epa_vertex {
-  gjk_vec3 w;
-  uint16_t a, b;
+  gjk_vec3 w;     // a point of A - B
+  uint16_t a, b;  // numbers of the vertices that it is the difference of
 } gjk_epa_vertex;
 
+// A face of the expanding polytope.
 typedef struct gjk_epa_face {
-  uint16_t corner[3], neighbour[3];
-  uint32_t height_key;
+  uint16_t corner[3], neighbour[3];  // numbers of vertices, and of the faces across the edges
+  uint32_t height_key;               // orders faces by their distance from the origin
 } gjk_epa_face;
 
+// Up to four edges of its horizon.
 typedef struct gjk_epa_horizon {
-  uint16_t corner[4], face[4];
+  uint16_t corner[4], face[4];  // edges of the horizon: where each begins, and the face that stays
 } gjk_epa_horizon;
 
+// A cell of a workspace.
 typedef union gjk_epa_cell {
-  gjk_epa_vertex vertex;
-  gjk_epa_face face;
-  gjk_epa_horizon horizon;
+  gjk_epa_vertex vertex;    // one of three
+  gjk_epa_face face;        // the second
+  gjk_epa_horizon horizon;  // the third
 } gjk_epa_cell;
 
 // Cells that always suffice for an EPA hull of this many vertices, 4 to 16000. A pair with a curved shape needs one
@@ -48,8 +51,8 @@ typedef union gjk_epa_cell {
 //   two 8-point hulls           at most 20 in 1,000,000 random pairs (66 cells, 1,056 bytes)
 //   two 64-point hulls          at most 36 in 100,000 random pairs (122 cells, 1,952 bytes)
 typedef struct gjk_workspace {
-  gjk_epa_cell *cells;
-  uint32_t count;
+  gjk_epa_cell *cells;  // the caller's; NULL where count is 0
+  uint32_t count;       // of cells
 } gjk_workspace;
 
 // The bytes of a workspace for an EPA hull of this many vertices; 0 below 4.
@@ -60,13 +63,13 @@ typedef struct gjk_penetration_result {
   gjk_q16 depth;  // the shortest move of B, over all directions, that leaves the shapes apart or just touching, rounded
                   // up; 0 if and only if they just touch
   gjk_q16 lower;  // proven bounds of the depth, both included
-  gjk_q16 upper;
-  gjk_vec3 point_a;     // the point of A that is deepest in B
-  gjk_vec3 point_b;     // the point of B that is deepest in A
-  gjk_unit3 normal;     // the direction of that move, from A to B, Q2.30, each component rounded away from 0
-  bool intersecting;    // false: the shapes are apart, and of the rest only iterations and certificate are set
-  uint16_t iterations;  // support scans of both shapes
-  gjk_certificate certificate;
+  gjk_q16 upper;  // the other bound
+  gjk_vec3 point_a;             // the point of A that is deepest in B
+  gjk_vec3 point_b;             // the point of B that is deepest in A
+  gjk_unit3 normal;             // the direction of that move, from A to B, Q2.30, each component rounded away from 0
+  bool intersecting;            // false: the shapes are apart, and of the rest only iterations and certificate are set
+  uint16_t iterations;          // support scans of both shapes
+  gjk_certificate certificate;  // why the answer is right
 } gjk_penetration_result;
 
 // The depth of the overlap of two convex shapes, with its direction and points.

@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // The version of a block's format. gjk_scene_open and gjk_scene_attach refuse a block of another version.
-#define GJK_SCENE_BLOCK_VERSION UINT32_C(4)
+#define GJK_SCENE_BLOCK_VERSION UINT32_C(5)
 
 // One shape of a body.
 typedef struct gjk_part {
@@ -40,7 +40,7 @@ typedef struct gjk_part {
 
 // A body to be added.
 typedef struct gjk_body_setup {
-  gjk_pose pose;
+  gjk_pose pose;            // where it stands
   const gjk_part *parts;    // read during the call alone
   uint16_t part_count;      // at least 1
   uint8_t kind;             // a gjk_body_kind
@@ -62,10 +62,10 @@ typedef struct gjk_scene_config {
   uint32_t own_poses;  // capacity: parts with a pose of their own, from 0 to GJK_SCENE_BODIES_MAX
   uint32_t pairs;      // capacity, from 1 to GJK_SCENE_PAIRS_MAX, see above
   gjk_q16 box_margin;  // enlarges the boxes in the tree, so that small moves do not change it; 0 to GJK_RADIUS_MAX
-  uint8_t detail;      // a gjk_detail: the least for every pair
+  uint8_t detail;      // a gjk_detail, not SENSOR: the least for every pair
   uint8_t persist;     // 1: pairs that stay near are reported in every update
   uint8_t retest_all;  // 1: every update tests every pair anew from a cold start. For tests: the answers are the same
-  uint8_t reserved;    // 0
+  uint8_t pair_words;  // words of the caller for each pair, see gjk_report; 0 to GJK_SCENE_PAIR_WORDS_MAX
   uint32_t workspace_cells;  // how many cells of bindings.workspace depths and contacts use, see above; 0: none
   uint32_t motions;  // capacity: bodies whose motion is kept, see gjk_scene_set_motion; 0 to GJK_SCENE_BODIES_MAX
 } gjk_scene_config;
@@ -92,10 +92,10 @@ typedef struct gjk_scene_bindings {
 // and nothing of it otherwise. It may be copied: all copies are handles of the same scene. Of a copy, bindings may be
 // changed: a thread that tests pairs takes a copy with a workspace of its own.
 typedef struct gjk_scene {
-  void *block;
+  void *block;                     // the caller's memory
   const gjk_shape *const *shapes;  // the same shapes, in the same order, wherever a block goes
-  uint16_t shape_count;
-  gjk_scene_bindings bindings;
+  uint16_t shape_count;            // of shapes
+  gjk_scene_bindings bindings;     // what else the program binds to it
 } gjk_scene;
 
 // Bytes of a block. 0: the configuration is outside its ranges, or size_t cannot hold the number.
@@ -149,7 +149,7 @@ gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id);
 //           gjk_time_of_impact with GJK_IMPACT_TOLERANCE_MIN. A sphere, circle or point at its body's origin does not turn.
 // Unsettled  A cast or time of impact may reach its ceiling, or a way of one against the other be 2^32 LSB or longer.
 //           Then the impact counts at a proven lower fraction.
-// Statuses  RANGE (motion, or a static body), CAPACITY (config.motions), UNSUPPORTED: bindings.motion is NULL. Once
+// Statuses  RANGE (motion, a static body, or a sensor), CAPACITY (config.motions), UNSUPPORTED: bindings.motion is NULL. Once
 //           motions are kept, gjk_scene_remove and gjk_scene_teleport of such a body need it, too.
 gjk_status gjk_scene_set_motion(gjk_scene *scene, gjk_body_id id, uint8_t motion);
 
@@ -167,15 +167,16 @@ gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body_id id);
 
 // What a scene holds about a body.
 typedef struct gjk_body_state {
-  gjk_pose pose;
-  uint32_t category, mask, user;
-  gjk_q16 margin;
-  uint16_t part_count;
-  uint8_t kind, detail;
-  bool asleep;
-  uint8_t motion;  // a gjk_body_motion
+  gjk_pose pose;                  // where it stands now
+  uint32_t category, mask, user;  // as of gjk_body_setup
+  gjk_q16 margin;                 // the same
+  uint16_t part_count;            // of its parts
+  uint8_t kind, detail;           // a gjk_body_kind and a gjk_detail
+  bool asleep;                    // see gjk_scene_sleep
+  uint8_t motion;                 // a gjk_body_motion
 } gjk_body_state;
 
+// What a body is and where.
 gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id id, gjk_body_state *out);
 
 // The id of the body in a slot. Its generation is 0 when the slot is free. RANGE: no such slot.
@@ -192,13 +193,18 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
 //           depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
 // manifold  of BEGIN and PERSIST with CONTACTS: up to 4 contacts, found without a cache. The i-th report of a call has
 //           &bindings.manifolds[i]. Otherwise NULL.
+// words     config.pair_words words in the block, for the caller to write: impulses to start a solver from, or times.
+//           They are 0 at BEGIN, and stay as they are written until the pair's END has been reported. They go with
+//           saves and copies, and count in gjk_scene_hash: peers must write the same, so no addresses. A write breaks a
+//           seal. Valid while the pair is near; at END until the next update begins. NULL: none configured, or an IMPACT.
 typedef struct gjk_report {
-  gjk_body_id a, b;
-  uint16_t part_a, part_b;
-  uint8_t event;   // a gjk_event
-  uint8_t detail;  // a gjk_detail: the pair's; the configuration's if a body was removed
+  gjk_body_id a, b;         // the bodies
+  uint16_t part_a, part_b;  // numbers of their parts
+  uint8_t event;            // a gjk_event
+  uint8_t detail;           // a gjk_detail: the pair's; the configuration's if a body was removed
   gjk_q16 distance;
   const gjk_manifold *manifold;
+  uint32_t *words;
   gjk_q30 fraction;  // of IMPACT, see gjk_scene_set_motion; otherwise 0
 } gjk_report;
 
@@ -221,6 +227,7 @@ gjk_status gjk_scene_update(gjk_scene *scene, gjk_report *reports, uint32_t capa
 gjk_status gjk_scene_update_slice(gjk_scene *scene, uint32_t tests, gjk_report *reports, uint32_t capacity,
                                   gjk_progress *progress);
 
+// Takes a report; it holds during the call alone.
 typedef void gjk_report_function(void *user, const gjk_report *report);
 
 // As gjk_scene_update, with each report handed to a function, which may not change the scene. bindings.manifolds needs
@@ -250,6 +257,7 @@ gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_rep
 // config.workspace_cells.
 gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out);
 
+// What the last update did, and what the scene holds.
 gjk_status gjk_scene_get_stats(const gjk_scene *scene, gjk_scene_stats *out);
 
 // Queries. They see the current poses, also between updates.
@@ -281,8 +289,8 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
 // Lockstep and saving.
 
 // 64 bits over all that decides further answers: the configuration without capacities, box_margin and retest_all; the
-// build's GJK_ITERATIONS_MAX; bodies and their kept motions; pairs near at the last update; updates. Tree and caches do
-// not count. BUSY during an update.
+// build's GJK_ITERATIONS_MAX; bodies and their kept motions; pairs near at the last update and their words; updates. Tree and
+// caches do not count. BUSY during an update.
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 
 // Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.
@@ -290,7 +298,7 @@ gjk_status gjk_scene_seal(gjk_scene *scene);
 
 // Opens a sealed block that may come from anywhere. Checks its header, byte order and checksum, and all that
 // gjk_scene_check does, so no later call reads or writes outside of the block. scene and bindings as in gjk_scene_init.
-// Statuses: CORRUPT, also for a block of another GJK_SCENE_BLOCK_VERSION or of a build with another GJK_ITERATIONS_MAX;
+// Statuses: CORRUPT, also for a block of another GJK_SCENE_BLOCK_VERSION or of a build with other ceilings on iterations;
 // CAPACITY (bytes); RANGE (not aligned, or a shape index that the table lacks). The caller promises that the shapes are
 // the same; CORRUPT where a part's box or pose shows that they are not.
 gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,

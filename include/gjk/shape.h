@@ -18,6 +18,7 @@ extern "C" {
 // The functions behind a kind of shape, opaque: one constant per kind.
 typedef struct gjk_shape_class gjk_shape_class;
 
+// One for each kind of shape; the initialisers below name them.
 extern const gjk_shape_class gjk_class_point;
 extern const gjk_shape_class gjk_class_segment;
 extern const gjk_shape_class gjk_class_box;
@@ -58,7 +59,7 @@ typedef struct gjk_hull_table {
 
 // Fields are set by the initialisers below; gjk_collider_init checks them.
 typedef struct gjk_shape {
-  const gjk_shape_class *type;
+  const gjk_shape_class *type;    // its kind
   const gjk_vec3 *vertices;       // triangle, hull: local, Q16.16, the caller's, must outlive the shape
   gjk_support_function *support;  // custom
   const void *user;               // custom; of a hull with a table: the gjk_hull_table, the caller's
@@ -93,6 +94,7 @@ typedef struct gjk_shape {
 #define GJK_ROUNDED_CUSTOM(function, user_pointer, bound, radius) \
   { &gjk_class_custom, 0, (function), (user_pointer), GJK_LENGTHS(bound, 0, 0, radius), 0, 0 }
 
+// A hull with faces, for contacts.
 #define GJK_ROUNDED_HULL_WITH_FACES(vertices_n, n, faces_pointer, radius) \
   { &gjk_class_hull, (vertices_n), 0, 0, GJK_LENGTHS(0, 0, 0, radius), (n), (faces_pointer) }
 
@@ -103,6 +105,7 @@ typedef struct gjk_shape {
         (n), (faces_pointer)                                                                                          \
   }
 
+// The same without a convex radius; a sphere and a capsule have no other.
 #define GJK_POINT GJK_ROUNDED_POINT(0)
 #define GJK_SPHERE(radius) GJK_ROUNDED_POINT(radius)
 // From (0, 0, -half) to (0, 0, half).

@@ -29,16 +29,17 @@ typedef struct gjk_slide_plane {
   gjk_unit3 normal;    // away from it, Q2.30
 } gjk_slide_plane;
 
+// Where the collider gets, and what it met.
 typedef struct gjk_slide_result {
   gjk_vec3 position;                        // of the collider's pose, where it gets
   gjk_vec3 left;                            // what is left of the way, along the planes, when their number is used up
   gjk_slide_plane plane[GJK_SLIDE_PLANES];  // that it slid along, in this order
-  uint8_t count;
-  bool on_ground;
-  gjk_slide_plane ground;  // set if on_ground
-  bool stepped;            // it climbed a step
-  bool stuck;              // it overlaps something from the start, and was not moved; after ITERATION_LIMIT, or may
-  uint8_t casts;           // how many it took
+  uint8_t count;                            // of planes
+  bool on_ground;                           // it stands on something
+  gjk_slide_plane ground;                   // set if on_ground
+  bool stepped;                             // it climbed a step
+  bool stuck;     // it overlaps something from the start, and was not moved; after ITERATION_LIMIT, or may
+  uint8_t casts;  // how many it took
 } gjk_slide_result;
 
 // Moves a collider towards to.

@@ -17,7 +17,7 @@ extern "C" {
 //
 // Every other error leaves all outputs as they were; so does CAPACITY of a buffer or of a scene.
 typedef enum gjk_status {
-  GJK_OK = 0,
+  GJK_OK = 0,                       // the answer is there
   GJK_ERROR_NULL = -1,              // a required pointer is NULL
   GJK_ERROR_SIZE = -2,              // a shape whose radius exceeds GJK_RADIUS_MAX
   GJK_ERROR_NEGATIVE = -3,          // a negative radius, half extent or distance

@@ -26,11 +26,12 @@ typedef enum gjk2_cast_proof {
   GJK2_CAST_PROOF_FACET  // hit: with n = direction, the line across n on which the pair or pairs lie has no w beyond it
 } gjk2_cast_proof;
 
+// Why the answer of a cast is right; see gjk2_cast_proof.
 typedef struct gjk2_cast_certificate {
-  gjk2_vec direction;  // of SHORT and FACET: from A to B, at most 3 2^29 LSB long
-  uint16_t a[3], b[3];
-  uint8_t count;  // pairs in use: at most 2
-  uint8_t proof;  // a gjk2_cast_proof
+  gjk2_vec direction;   // of SHORT and FACET: from A to B, at most 3 2^29 LSB long
+  uint16_t a[3], b[3];  // numbers of vertices, in pairs, as of gjk2_certificate
+  uint8_t count;        // pairs in use: at most 2
+  uint8_t proof;        // a gjk2_cast_proof
 } gjk2_cast_certificate;
 
 // Lengths Q16.16, points in the world frame, shapes at the fraction reported.
@@ -45,7 +46,7 @@ typedef struct gjk2_cast_result {
   gjk2_vec rest_b;     // There the gap is at least the margin, and with margin 0 the shapes share no inner point
   bool saturated;      // a coordinate of a point or of rest_b is beyond Q16.16, and has the end of that range
   uint8_t iterations;  // support scans of both shapes
-  gjk2_cast_certificate certificate;
+  gjk2_cast_certificate certificate;  // why hit or miss is right
 } gjk2_cast_result;
 
 // Moves A and B along their ways until they touch, or come as near as the margin.
@@ -61,7 +62,7 @@ typedef struct gjk2_cast_result {
 //           with one                    no contact before fraction; the gap there is at most 2 LSB above the margin.
 //                                       rest_a and rest_b are the places at fraction, rounded so
 //         Ellipse, custom: as gjk2_within decides at a gap within 2 LSB of the margin; the gap at fraction at most 4 LSB
-//         above it.
+//         above it. Where both are such shapes, 4 and 6 LSB.
 //         Where the way is longer than 2^30 LSB, a step of the fraction is more than an LSB; that comes on top.
 //         Points and normal are within 2 LSB and 2^-28 of what is touched at fraction.
 // Cost    polygons of n and m vertices without radius and margin: at most 6 + 2 (n + m) support scans of both. Otherwise

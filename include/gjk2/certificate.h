@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+// What a certificate proves.
 typedef enum gjk2_proof {
   GJK2_PROOF_NONE = 0,   // curved shapes: no vertices to name
   GJK2_PROOF_CIRCLES,    // apart: the bounding circles are
@@ -23,11 +24,12 @@ typedef enum gjk2_proof {
   GJK2_PROOF_LINE        // depth 0 of the cores: across direction, no a - b lies beyond the origin
 } gjk2_proof;
 
+// Why an answer is right, as gjk2_proof says it.
 typedef struct gjk2_certificate {
-  gjk2_vec direction;  // GJK2_PROOF_DIRECTION, GJK2_PROOF_LINE: from A to B, of any length
-  uint16_t a[3], b[3];
-  uint8_t count;  // pairs in use
-  uint8_t proof;  // a gjk2_proof
+  gjk2_vec direction;   // GJK2_PROOF_DIRECTION, GJK2_PROOF_LINE: from A to B, of any length
+  uint16_t a[3], b[3];  // numbers of vertices of A and B, in pairs
+  uint8_t count;        // pairs in use
+  uint8_t proof;        // a gjk2_proof
 } gjk2_certificate;
 
 #ifdef __cplusplus

@@ -27,12 +27,12 @@ extern "C" {
 // Start from zeroed memory; gjk2_chain_init fills it. Its contents are the library's. It may be copied; copies share the
 // vertices.
 typedef struct gjk2_chain {
-  const gjk2_vec *vertices;
-  gjk2_vec position;
-  gjk2_vec lower, upper;  // the box of all vertices, chain frame
-  uint16_t count;         // vertices
-  uint16_t state;         // tells an initialised chain from other memory
-  bool closed;
+  const gjk2_vec *vertices;  // count of them
+  gjk2_vec position;         // is added to each
+  gjk2_vec lower, upper;     // the box of all vertices, chain frame
+  uint16_t count;            // vertices
+  uint16_t state;            // tells an initialised chain from other memory
+  bool closed;               // the last vertex equals the first
 } gjk2_chain;
 
 // Binds a chain to its vertices, checks them, and places it. It does not turn: so no vertex is ever rounded.
@@ -50,7 +50,7 @@ gjk_status gjk2_chain_move(gjk2_chain *chain, const gjk2_vec *position);
 // Segments first to first + count - 1. A query that is given none takes the whole chain. What it says about a segment
 // does not depend on the range.
 typedef struct gjk2_chain_range {
-  uint16_t first, count;
+  uint16_t first, count;  // of segments
 } gjk2_chain_range;
 
 // The contacts of a body with one segment, or with a joint. A of the manifold is the segment, with vertex 0 and 1; B is
@@ -58,7 +58,7 @@ typedef struct gjk2_chain_range {
 //   feature_a  256: the segment; 0: the joint where it begins; 1: the open end where it ends
 // The segment's number and the contact's id name a contact from tick to tick.
 typedef struct gjk2_chain_contact {
-  uint16_t segment;
+  uint16_t segment;        // its number
   gjk2_manifold manifold;  // normal from the chain to the body; count is 1 or 2
 } gjk2_chain_contact;
 

@@ -16,25 +16,25 @@ extern "C" {
 
 // Axis-aligned bounding box (AABB), world frame, both corners inclusive.
 typedef struct gjk2_aabb {
-  gjk2_vec lower, upper;
+  gjk2_vec lower, upper;  // the corners with the least and the largest coordinates
 } gjk2_aabb;
 
 // Start from zeroed memory; gjk2_collider_init and gjk2_collider_pose fill it. Its contents are the library's, but you
 // may read two fields: centre, the world position of the centre of the core's own bounding box; and radius, of a circle
 // about centre that holds the shape with its convex radius. A collider may be copied; copies share shape and buffer.
 typedef struct gjk2_collider {
-  const gjk2_shape *shape;
-  gjk2_vec *buffer;       // baked polygon: its posed vertices relative to centre; NULL otherwise
-  gjk2_vec position;      // of the pose
-  gjk2_vec centre;        // world
-  gjk2_vec local_centre;  // of the bounding box, shape frame
-  gjk2_vec frame[3];      // half axes, or posed triangle, both relative to centre; or the rotation, Q2.30
-  gjk_q16 core_radius;    // bounds |vertex - centre| after posing
-  gjk_q16 radius;         // core_radius plus the shape's convex radius
-  uint16_t state;         // tells an initialised and a posed collider from other memory
-  uint16_t count;         // vertices; 0 of an ellipse or custom shape
-  int8_t fraction[2];     // the unrounded centre less centre, of an LSB, Q8
-  bool ordered;           // the vertices are corners in counterclockwise order at every pose
+  const gjk2_shape *shape;  // that gjk2_collider_init was given
+  gjk2_vec *buffer;         // baked polygon: its posed vertices relative to centre; NULL otherwise
+  gjk2_vec position;        // of the pose
+  gjk2_vec centre;          // world
+  gjk2_vec local_centre;    // of the bounding box, shape frame
+  gjk2_vec frame[3];        // half axes, or posed triangle, both relative to centre; or the rotation, Q2.30
+  gjk_q16 core_radius;      // bounds |vertex - centre| after posing
+  gjk_q16 radius;           // core_radius plus the shape's convex radius
+  uint16_t state;           // tells an initialised and a posed collider from other memory
+  uint16_t count;           // vertices; 0 of an ellipse or custom shape
+  int8_t fraction[2];       // the unrounded centre less centre, of an LSB, Q8
+  bool ordered;             // the vertices are corners in counterclockwise order at every pose
 } gjk2_collider;
 
 // Binds a collider to a shape and checks the shape.

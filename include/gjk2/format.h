@@ -9,26 +9,27 @@
 
 // Position, offset or half extents, Q16.16.
 typedef struct gjk2_vec {
-  gjk_q16 x, y;
+  gjk_q16 x, y;  // coordinates
 } gjk2_vec;
 
 // Unit vector, Q2.30.
 typedef struct gjk2_unit {
-  gjk_q30 x, y;
+  gjk_q30 x, y;  // components, from -GJK_Q30_ONE to GJK_Q30_ONE
 } gjk2_unit;
 
 // Rotation as the unit complex number c + i s, Q2.30: the cosine and sine of an angle, counterclockwise from x to y.
 // The identity is {GJK_Q30_ONE, 0}.
 typedef struct gjk2_rotation {
-  gjk_q30 c, s;
+  gjk_q30 c, s;  // cosine and sine of the angle
 } gjk2_rotation;
 
 // Where a shape stands: first rotated about its own origin, then moved by position.
 typedef struct gjk2_pose {
-  gjk2_vec position;
-  gjk2_rotation rotation;
+  gjk2_vec position;       // of the origin of its frame
+  gjk2_rotation rotation;  // a unit, see gjk2/pose.h
 } gjk2_pose;
 
+// The pose at the origin, not rotated.
 #define GJK2_POSE_IDENTITY \
   {                        \
     {0, 0}, {              \

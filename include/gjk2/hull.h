@@ -27,12 +27,12 @@ gjk_status gjk2_hull_build(const gjk2_vec *points, uint16_t count, gjk2_vec *ver
 
 // What is wrong with an outline.
 typedef enum gjk2_hull_fault {
-  GJK2_HULL_SOUND = 0,
-  GJK2_HULL_FEW,       // fewer than 3 vertices
-  GJK2_HULL_REPEATED,  // a vertex at the place of the one before
-  GJK2_HULL_STRAIGHT,  // a vertex within an edge, or a way straight back
-  GJK2_HULL_TURN,      // a vertex where the outline turns right: it is concave, or runs clockwise
-  GJK2_HULL_LAYERS     // it turns left everywhere, but goes more than once around
+  GJK2_HULL_SOUND = 0,  // nothing
+  GJK2_HULL_FEW,        // fewer than 3 vertices
+  GJK2_HULL_REPEATED,   // a vertex at the place of the one before
+  GJK2_HULL_STRAIGHT,   // a vertex within an edge, or a way straight back
+  GJK2_HULL_TURN,       // a vertex where the outline turns right: it is concave, or runs clockwise
+  GJK2_HULL_LAYERS      // it turns left everywhere, but goes more than once around
 } gjk2_hull_fault;
 
 // What gjk2_hull_check found.

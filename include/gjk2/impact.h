@@ -13,7 +13,7 @@ extern "C" {
 // The position moves in a straight line. The rotation turns at a steady rate: by spin
 // where spin is not 0, and else along the shortest arc from from.rotation to to.rotation.
 typedef struct gjk2_motion {
-  gjk2_pose from;
+  gjk2_pose from;  // where it begins
   gjk2_pose to;    // of its rotation nothing is read where spin is not 0
   gjk_angle spin;  // angle over the whole way, Q16.16 radians, any size: several turns too
 } gjk2_motion;
@@ -28,20 +28,22 @@ typedef struct gjk2_impact_setup {
   uint8_t iterations;  // the most distances measured; 0: GJK_ITERATIONS_MAX
 } gjk2_impact_setup;
 
+// Lengths Q16.16, points in the world frame, fractions Q2.30.
 typedef struct gjk2_impact_result {
-  bool hit;          // at upper the gap is at most margin + tolerance
-  bool overlap;      // the gap is at most the margin at the start; lower and upper are 0
-  gjk_q30 lower;     // before this fraction the gap is above the margin: proven, the rounding of posing included
-  gjk_q30 upper;     // of a hit: at this fraction the gap is at most margin + tolerance; of a miss 2^30, as lower
-  gjk_q16 distance;  // between the shapes as posed at upper; not set after a miss, like the next three
-  gjk2_vec point_a;  // nearest points there, and the normal from A to B; not set where the shapes overlap
-  gjk2_vec point_b;
-  gjk2_unit normal;
-  gjk2_pose pose_a;  // both poses at lower: there the shapes are apart
-  gjk2_pose pose_b;
+  bool hit;            // at upper the gap is at most margin + tolerance
+  bool overlap;        // the gap is at most the margin at the start; lower and upper are 0
+  gjk_q30 lower;       // before this fraction the gap is above the margin: proven, the rounding of posing included
+  gjk_q30 upper;       // of a hit: at this fraction the gap is at most margin + tolerance; of a miss 2^30, as lower
+  gjk_q16 distance;    // between the shapes as posed at upper; not set after a miss, like the next three
+  gjk2_vec point_a;    // nearest points there, and the normal from A to B; not set where the shapes overlap
+  gjk2_vec point_b;    // the nearest point of B
+  gjk2_unit normal;    // from A to B
+  gjk2_pose pose_a;    // both poses at lower: there the shapes are apart
+  gjk2_pose pose_b;    // of B
   uint8_t iterations;  // distances measured
 } gjk2_impact_result;
 
+// The least tolerance, 8 LSB: it pays for the rounding of poses.
 #define GJK2_IMPACT_TOLERANCE_MIN ((gjk_q16)8)
 
 // The first fraction at which two moving shapes are as near as the margin, between proven bounds.

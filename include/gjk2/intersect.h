@@ -13,7 +13,7 @@ extern "C" {
 typedef struct gjk2_decision {
   bool yes;             // gjk2_intersect: the shapes share a point; gjk2_within: they are at most distance apart
   uint16_t iterations;  // support scans of both shapes that the answer took
-  gjk2_certificate certificate;
+  gjk2_certificate certificate;  // why the answer is right
 } gjk2_decision;
 
 // Do two convex shapes share a point? Shapes that touch in a single point do.
@@ -46,13 +46,14 @@ gjk_status gjk2_within(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 d
 
 // What a number of iterations has settled.
 typedef enum gjk2_answer {
-  GJK2_ANSWER_NO = 0,
-  GJK2_ANSWER_YES = 1,
+  GJK2_ANSWER_NO = 0,   // proven: the answer is no
+  GJK2_ANSWER_YES = 1,  // proven: the answer is yes
   GJK2_ANSWER_OPEN = 2  // neither is proven yet
 } gjk2_answer;
 
+// What gjk2_within_until finds.
 typedef struct gjk2_within_result {
-  gjk2_answer answer;
+  gjk2_answer answer;      // yes, no or open
   gjk2_decision decision;  // as of gjk2_within; of an open answer only its iterations are set
 } gjk2_within_result;
 

@@ -17,13 +17,13 @@ typedef struct gjk2_penetration_result {
   gjk_q16 depth;  // the shortest move of B, over all directions, that leaves the shapes apart or just touching, rounded
                   // up; 0 if and only if they just touch
   gjk_q16 lower;  // proven bounds of the depth, both included
-  gjk_q16 upper;
-  gjk2_vec point_a;     // the point of A that is deepest in B
-  gjk2_vec point_b;     // the point of B that is deepest in A
-  gjk2_unit normal;     // the direction of that move, from A to B, Q2.30, each component rounded away from 0
-  bool intersecting;    // false: the shapes are apart, and of the rest only iterations and certificate are set
-  uint16_t iterations;  // support scans of both shapes
-  gjk2_certificate certificate;
+  gjk_q16 upper;  // the other bound
+  gjk2_vec point_a;              // the point of A that is deepest in B
+  gjk2_vec point_b;              // the point of B that is deepest in A
+  gjk2_unit normal;              // the direction of that move, from A to B, Q2.30, each component rounded away from 0
+  bool intersecting;             // false: the shapes are apart, and of the rest only iterations and certificate are set
+  uint16_t iterations;           // support scans of both shapes
+  gjk2_certificate certificate;  // why the answer is right
 } gjk2_penetration_result;
 
 // The depth of the overlap of two convex shapes, with its direction and points. It needs no memory of the caller's.

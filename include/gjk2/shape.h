@@ -18,6 +18,7 @@ extern "C" {
 // The functions behind a kind of shape, opaque: one constant per kind.
 typedef struct gjk2_shape_class gjk2_shape_class;
 
+// One for each kind of shape; the initialisers below name them.
 extern const gjk2_shape_class gjk2_class_point;
 extern const gjk2_shape_class gjk2_class_segment;
 extern const gjk2_shape_class gjk2_class_box;
@@ -37,7 +38,7 @@ typedef void gjk2_support_function(const void *user, const gjk2_vec *direction, 
 
 // Fields are set by the initialisers below; gjk2_collider_init checks them.
 typedef struct gjk2_shape {
-  const gjk2_shape_class *type;
+  const gjk2_shape_class *type;    // its kind
   const gjk2_vec *vertices;        // triangle, polygon: local, Q16.16, the caller's, must outlive the shape
   gjk2_support_function *support;  // custom
   const void *user;                // custom
@@ -68,6 +69,7 @@ typedef struct gjk2_shape {
 #define GJK2_ROUNDED_CUSTOM(function, user_pointer, bound, radius) \
   { &gjk2_class_custom, 0, (function), (user_pointer), GJK2_LENGTHS(bound, 0, radius), 0 }
 
+// The same without a convex radius; a circle and a capsule have no other.
 #define GJK2_POINT GJK2_ROUNDED_POINT(0)
 #define GJK2_CIRCLE(radius) GJK2_ROUNDED_POINT(radius)
 // From (-half, 0) to (half, 0).

@@ -93,6 +93,16 @@ static bool find_fourth(const gjk_hull_work *w, uint16_t corner[4]) {
   return most != 0 || most_low != 0;
 }
 
+unsigned gjk_hull_span(const gjk_hull_work *w, uint16_t corner[4]) {
+  corner[0] = 0;
+  corner[1] = (uint16_t)(w->distinct - 1);
+  corner[2] = corner[3] = 0;
+  if (w->distinct < 3 || !find_third(w, corner)) {
+    return w->distinct > 1 ? 1 : 0;
+  }
+  return find_fourth(w, corner) ? 3 : 2;
+}
+
 // The sign of the turn a, b, c as seen against n, the normal of their plane. Pre: n != 0.
 static int turn_sign(const gjk_hull_work *w, const gjk_long3 *n, uint16_t a, uint16_t b, uint16_t c) {
   gjk_long3 own;
@@ -157,30 +167,24 @@ static uint16_t number_outline(gjk_hull_work *w, uint32_t corners) {
 
 // Steps 2 to 4.
 static void build_hull(gjk_hull_work *w, gjk_hull *out) {
-  uint16_t corner[4] = {0, (uint16_t)(w->distinct - 1), 0, 0};
+  uint16_t corner[4];
+  out->dimension = (uint8_t)gjk_hull_span(w, corner);
   out->faces = 0;
-  out->edges = out->corners = 0;
+  out->edges = out->dimension;
+  out->corners = 0;
   out->most_corners = 0;
-  out->vertices = w->distinct > 1 ? 2 : 1;
-  out->dimension = w->distinct > 1 ? 1 : 0;
-  if (w->distinct < 3 || !find_third(w, corner)) {
-    out->edges = out->dimension;
-    return;
-  }
-  if (!find_fourth(w, corner)) {
-    const gjk_vec3 *a = gjk_hull_point(w, corner[0]);
+  out->vertices = (uint16_t)(out->dimension + 1u);
+  if (out->dimension == 2) {
     gjk_long3 n;
-    gjk_triangle_normal(a, gjk_hull_point(w, corner[1]), gjk_hull_point(w, corner[2]), &n);
-    out->dimension = 2;
+    gjk_triangle_normal(gjk_hull_point(w, corner[0]), gjk_hull_point(w, corner[1]), gjk_hull_point(w, corner[2]), &n);
     out->vertices = out->most_corners = number_outline(w, find_outline(w, &n));
     out->faces = 2;
     out->edges = out->vertices;
     out->corners = 2 * (uint32_t)out->vertices;
-    return;
+  } else if (out->dimension == 3) {
+    gjk_hull_grow(w, corner);
+    gjk_hull_join(w, out);
   }
-  out->dimension = 3;
-  gjk_hull_grow(w, corner);
-  gjk_hull_join(w, out);
 }
 
 gjk_status gjk_hull_build(const gjk_vec3 *points, uint16_t count, void *workspace, size_t bytes, gjk_hull *out) {

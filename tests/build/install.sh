@@ -1,5 +1,6 @@
 #!/bin/sh
-# Installs headers, archive, shared library, pkg-config and CMake files: install.sh BUILD PREFIX. `make install` runs it.
+# Installs headers, archive, shared library, pkg-config and CMake files, the C++ headers and the Python module:
+# install.sh BUILD PREFIX. `make install` runs it.
 #
 # Both libraries are built without a port, so nothing in them needs libc. The shared library shows only what the public
 # headers name. Its soname changes with each release that a program must be compiled anew for, as gjk/version.h promises:
@@ -14,8 +15,10 @@ minor=${version#*.}
 minor=${minor%.*}
 api=$major
 [ "$major" != 0 ] || api=$major.$minor
-work=$build/install
-mkdir -p "$work" "$root/lib/pkgconfig" "$root/lib/cmake/gjk" "$root/include/gjk" "$root/include/gjk2"
+mkdir -p "$build"
+work=$(mktemp -d "$build/install-XXXXXX") || exit 1
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$root/lib/pkgconfig" "$root/lib/cmake/gjk" "$root/include/gjk" "$root/include/gjk2"
 
 library host -install 'OPT=-O2 -fPIC' PORT= || exit 1
 archive=build/host-install/libgjk.a
@@ -40,4 +43,16 @@ ln -sf "libgjk.so.$api" "$root/lib/libgjk.so"
 fill port/package/gjk.pc.in >"$root/lib/pkgconfig/gjk.pc"
 cp port/package/cmake/gjkConfig.cmake "$root/lib/cmake/gjk"
 fill port/package/cmake/gjkConfigVersion.cmake.in >"$root/lib/cmake/gjk/gjkConfigVersion.cmake"
+cp port/cpp/*.hpp "$root/include"
+
+# The folder in which Python looks for modules of this prefix; else one that PYTHONPATH may name.
+modules=$(python3 -c 'import site, sys
+for folder in site.getsitepackages():
+    if folder.startswith(sys.argv[1] + "/lib/"):
+        print(folder)
+        break' "$prefix" 2>/dev/null)
+modules=${DESTDIR:-}${modules:-$prefix/lib/python3/dist-packages}
+mkdir -p "$modules/gjk/plane"
+cp port/python/gjk/*.py "$modules/gjk"
+cp port/python/gjk/plane/*.py "$modules/gjk/plane"
 echo "  $root"

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "motion_golden.h"
+#include "parts_golden.h"
 #include "plane_golden.h"
 #include "scene_golden.h"
 
@@ -33,6 +34,20 @@ int main(void) {
          same;
   same =
       is_golden("PLANE_MOTION_GOLDEN_HASH", plane_motion_golden_hash(MOTION_GOLDEN_PAIRS), PLANE_MOTION_GOLDEN_HASH) &&
+      same;
+  same = is_golden("PARTS_GOLDEN_FEW_HASH", parts_golden_hash(PARTS_GOLDEN_FEW_BODIES), PARTS_GOLDEN_FEW_HASH) && same;
+  same = is_golden("PARTS_GOLDEN_HASH", parts_golden_hash(PARTS_GOLDEN_BODIES), PARTS_GOLDEN_HASH) && same;
+  same = is_golden("PARTS_CONTACTS_GOLDEN_FEW_HASH", parts_contacts_golden_hash(PARTS_GOLDEN_FEW_BODIES),
+                   PARTS_CONTACTS_GOLDEN_FEW_HASH) &&
+         same;
+  same = is_golden("PARTS_CONTACTS_GOLDEN_HASH", parts_contacts_golden_hash(PARTS_GOLDEN_BODIES),
+                   PARTS_CONTACTS_GOLDEN_HASH) &&
+         same;
+  same = is_golden("PARTS_MOTION_GOLDEN_FEW_HASH", parts_motion_golden_hash(PARTS_GOLDEN_FEW_BODIES),
+                   PARTS_MOTION_GOLDEN_FEW_HASH) &&
+         same;
+  same =
+      is_golden("PARTS_MOTION_GOLDEN_HASH", parts_motion_golden_hash(PARTS_GOLDEN_BODIES), PARTS_MOTION_GOLDEN_HASH) &&
       same;
   printf("\n");
   return same ? 0 : 1;

@@ -578,6 +578,50 @@ static void test_curved(random_state *r) {
             misses);
 }
 
+// Ellipses of equal radii, which are circles: how near they come follows from their centres. Of small ones, and of ways
+// that end in touch, the search finds an overlap where the slack says that there is none yet.
+static void test_circles(random_state *r) {
+  unsigned long hits = 0, misses = 0;
+  for (unsigned long i = 0; i < TRIALS; i++) {
+    check_trial(i, NULL, NULL);
+    const int32_t size = random_below(r, 2) == 0 ? 8 : random_below(r, 2) == 0 ? 2000 : 300000;
+    const int32_t radius_a = random_range(r, 1, size), radius_b = random_range(r, 1, size), sum = radius_a + radius_b;
+    const gjk2_shape shape_a = GJK2_ELLIPSE(radius_a, radius_a), shape_b = GJK2_ELLIPSE(radius_b, radius_b);
+    gjk2_pose pose = GJK2_POSE_IDENTITY;
+    gjk2_collider a = {0}, b = {0};
+    gjk2_cast_result out;
+    CHECK(gjk2_collider_init(&a, &shape_a, NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
+    pose.position.x = random_range(r, -4 * size, 4 * size);
+    pose.position.y = random_range(r, -4 * size, 4 * size);
+    CHECK(gjk2_collider_init(&b, &shape_b, NULL, 0) == GJK_OK && gjk2_collider_pose(&b, &pose) == GJK_OK);
+    const gjk2_vec to = {random_range(r, -4 * size, 4 * size), random_range(r, -4 * size, 4 * size)};
+    const gjk2_cast_path path = {NULL, &to, 0};
+    const gjk_status status = gjk2_cast(&a, &b, &path, &out);
+    if (status == GJK_ERROR_ITERATION_LIMIT) {  // of a build with a low ceiling
+      CHECK(GJK_ITERATIONS_MAX < 128);
+      continue;
+    }
+    CHECK(status == GJK_OK);
+    const double px = pose.position.x, py = pose.position.y, tx = to.x - px, ty = to.y - py, way = tx * tx + ty * ty;
+    const double least = way > 0 ? -(px * tx + py * ty) / way : 0, foot = least < 0 ? 0 : least > 1 ? 1 : least;
+    const double nearest = hypot(px + foot * tx, py + foot * ty) - sum;
+    CHECK_MSG(out.hit ? nearest <= 4 : nearest >= -3, "%g of %d and %d", nearest, radius_a, radius_b);
+    hits += out.hit;
+    misses += !out.hit;
+    if (out.hit && !out.inside) {
+      const double at = (double)out.fraction / GJK_Q30_ONE, x = px + at * tx, y = py + at * ty;
+      const double gap = hypot(x, y) - sum;
+      CHECK_MSG(gap >= -3 && gap <= 6, "gap %g of %d and %d", gap, radius_a, radius_b);
+      const double off = hypot(x, y) < 64 ? 1 : 0.1;  // the centres are rounded to be measured
+      CHECK_MSG((out.normal.x * x + out.normal.y * y) / GJK_Q30_ONE >= (1 - off) * hypot(x, y), "normal %d %d",
+                (int)out.normal.x, (int)out.normal.y);
+      CHECK(fabs(hypot(out.normal.x, out.normal.y) - GJK_Q30_ONE) < 4);
+    }
+  }
+  CHECK_MSG(GJK_ITERATIONS_MAX < 128 || (hits > TRIALS / 10 && misses > TRIALS / 10), "%lu hits, %lu misses", hits,
+            misses);
+}
+
 static void test_statuses(void) {
   static const gjk2_shape box = GJK2_BOX(100, 50);
   gjk2_collider a = {0}, b = {0};
@@ -630,6 +674,7 @@ int main(void) {
   test_wide(&r);
   test_halves_and_rays(&r);
   test_curved(&r);
+  test_circles(&r);
   test_statuses();
   printf("grazing: %lu hits, %lu misses; long ways: %lu, %lu\n", grazing.hits, grazing.misses, wide.hits, wide.misses);
   CHECK(grazing.hits > TRIALS / 20 && grazing.misses > TRIALS / 40);

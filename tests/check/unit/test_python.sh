@@ -1,0 +1,60 @@
+#!/bin/sh
+# The Python module, as it is installed: the golden hashes of pairs, errors, lifetimes, and the README's example.
+# test_python.sh BUILD
+. tests/build/count.sh
+build=$1
+dir=$build/python-test
+golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
+plane_golden=$(sed -n 's/^#define PLANE_GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/plane_golden.h)
+few=$(sed -n 's/^#define GOLDEN_FEW_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
+rm -rf "$dir"
+mkdir -p "$dir"
+dir=$(cd "$dir" && pwd)
+prefix=$dir/prefix
+modules=$prefix/lib/python3/dist-packages
+
+# python FILE...: with the installed module, which finds the installed library by itself
+python() {
+  PYTHONPATH=$modules PYTHONDONTWRITEBYTECODE=1 GJK_LIBRARY='' python3 "$@"
+}
+
+# The README's blocks of Python, as one program, print what their comments '# prints: TEXT' say.
+readme() {
+  awk '/^```python$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md >"$dir/readme.py"
+  sed -n 's/.*# prints: //p' "$dir/readme.py" >"$dir/expected"
+  test -s "$dir/expected" && python "$dir/readme.py" >"$dir/printed" && diff "$dir/expected" "$dir/printed"
+}
+
+# compiles FILE: and has lines of at most 120 columns without blanks at their ends
+is_tidy() {
+  python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "$1" && ! grep -nE '.{121}|[[:blank:]]$|	' "$1"
+}
+
+# A module of other structures than the library's does not load.
+refuses_another_version() {
+  cp -r "$modules" "$dir/other" &&
+    sed -i 's/("saturated", c_bool),/("saturated", c_bool), ("surplus", c_int32),/' "$dir/other/gjk/queries.py" &&
+    ! PYTHONPATH=$dir/other GJK_LIBRARY=$prefix/lib/libgjk.so python3 -c 'import gjk' 2>"$dir/refusal" &&
+    grep -q 'ImportError: .* has another gjk_distance_result' "$dir/refusal"
+}
+
+other_bits() {
+  ! python tests/check/bind/golden.py 149 "$few"
+}
+
+if ! have python3; then
+  skip 'the Python module' python3
+  finish python
+  exit
+fi
+check 'make install' sh tests/build/install.sh "$build" "$prefix"
+for file in port/python/gjk/*.py port/python/gjk/plane/*.py tests/check/bind/*.py; do
+  check "$file is tidy" is_tidy "$file"
+done
+check 'numbers, names, errors, lifetimes' python tests/check/bind/behaviour.py
+check 'the golden hash' python tests/check/bind/golden.py 3000 "$golden"
+check 'the golden hash of the plane' python tests/check/bind/plane_golden.py 3000 "$plane_golden"
+check 'another set has another hash' other_bits
+check "the README's example" readme
+check 'a library with other structures is refused' refuses_another_version
+finish python
