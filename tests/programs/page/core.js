@@ -44,6 +44,15 @@ function choiceOf(label, choices, chosen) {
   return group;
 }
 
+// A view that is not shown has no size to draw in.
+function redrawWhenResized(view) {
+  new ResizeObserver(() => {
+    if (view.element.classList.contains('shown')) {
+      view.draw();
+    }
+  }).observe(view.element);
+}
+
 // Thousands apart by thin spaces: exact integers are long.
 function exact(value) {
   return String(value).replace(/^-/, '−').replace(/\B(?=(\d{3})+$)/g, '\u2009');
