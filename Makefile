@@ -301,7 +301,7 @@ $(OUT)/scene_golden.elf: tests/support/scene/match.c
 $(OUT)/plane_scene_golden.elf: tests/support/scene/plane_match.c
 $(OUT)/port.elf: tests/check/target/port_allocation.c port/generic/gjk_arena.c
 
-$(OUT)/demo.elf: build/demo_scene.c tests/programs/demo/firmware.c tests/programs/demo/demo_firmware.c $(OUT)/demo.elf.flags $(FIRMWARE_NEEDS)
+$(OUT)/demo.elf: build/demo_scene.c tests/programs/demo/firmware.c tests/programs/demo/arm.c tests/programs/demo/demo_firmware.c $(OUT)/demo.elf.flags $(FIRMWARE_NEEDS)
 	@echo '  $@'
 	@$(FIRMWARE) -Itests/programs/demo
 
@@ -365,7 +365,7 @@ amalgamation:
 # Every input of the functions of one number, by two processes.
 .PHONY: numbers
 numbers: build/test_numbers
-	@build/test_numbers 0 2 & build/test_numbers 1 2 && wait $$!
+	@build/test_numbers 0 2 & half=$$!; build/test_numbers 1 2; odd=$$?; wait $$half && exit $$odd
 
 .PHONY: docs
 docs:

@@ -110,14 +110,14 @@ typedef struct gjk_scene_filter {
 // What a line or point of gjk/draw.h and gjk2/draw.h belongs to, for its colour.
 typedef enum gjk_draw_role {
   GJK_DRAW_STATIC = 0,  // outlines of bodies of a scene, by kind; a sensor and a sleeping body have their own
-  GJK_DRAW_MOVING,
-  GJK_DRAW_ASLEEP,
-  GJK_DRAW_SENSOR,
-  GJK_DRAW_BOX,      // edges of an axis-aligned box
-  GJK_DRAW_PAIR,     // from centre to centre of two parts that are near
-  GJK_DRAW_CONTACT,  // a contact point on each shape, and the line between both
-  GJK_DRAW_NORMAL,   // from a contact point along the normal
-  GJK_DRAW_WAY       // the way of a ray or cast, and the outlines at its ends
+  GJK_DRAW_MOVING,      // kinematic and dynamic bodies
+  GJK_DRAW_ASLEEP,      // dynamic bodies that sleep
+  GJK_DRAW_SENSOR,      // sensors of any kind
+  GJK_DRAW_BOX,         // edges of an axis-aligned box
+  GJK_DRAW_PAIR,        // from centre to centre of two parts that are near
+  GJK_DRAW_CONTACT,     // a contact point on each shape, and the line between both
+  GJK_DRAW_NORMAL,      // from a contact point along the normal
+  GJK_DRAW_WAY          // the way of a ray or cast, and the outlines at its ends
 } gjk_draw_role;
 
 // Of gjk_draw_scene and gjk2_draw_scene: what is drawn. Their sum draws all.

@@ -23,7 +23,9 @@ extern "C" {
 
 // Where drawing goes. A function that is NULL is not called.
 typedef struct gjk_draw {
+  // Draws a line from one point to another.
   void (*line)(void *user, const gjk_vec3 *from, const gjk_vec3 *to, gjk_draw_role role);
+  // Draws a point.
   void (*point)(void *user, const gjk_vec3 *at, gjk_draw_role role);
   void *user;  // the first argument of both
 } gjk_draw;

@@ -22,7 +22,9 @@ extern "C" {
 
 // Where drawing goes. A function that is NULL is not called.
 typedef struct gjk2_draw {
+  // Draws a line from one point to another.
   void (*line)(void *user, const gjk2_vec *from, const gjk2_vec *to, gjk_draw_role role);
+  // Draws a point.
   void (*point)(void *user, const gjk2_vec *at, gjk_draw_role role);
   void *user;  // the first argument of both
 } gjk2_draw;

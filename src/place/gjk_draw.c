@@ -19,7 +19,7 @@ static void draw_line(const drawn_outline *o, const gjk_vec3 *from, const gjk_ve
 // An offset from the centre, and so far along a unit vector, in the world.
 //
 // centre < 2^31, |offset| < 2^28 + 2^3, radius <= 2^28, and the unit vector's components are at most 2^30
-static gjk_vec3 in_world(const gjk_collider *c, const gjk_vec3 *offset, const gjk_vec3 *unit, gjk_q16 radius) {
+static gjk_vec3 place_in_world(const gjk_collider *c, const gjk_vec3 *offset, const gjk_vec3 *unit, gjk_q16 radius) {
   const int64_t half = INT64_C(1) << 29;
   const gjk_vec3 at = {
       gjk_saturate((int64_t)c->centre.x + offset->x + gjk_sar64(gjk_mul32(unit->x, radius) + half, 30)),
@@ -33,7 +33,7 @@ static gjk_vec3 vertex_in_world(const drawn_outline *o, unsigned number) {
   const gjk_vec3 none = {0, 0, 0};
   gjk_vec3 offset;
   (void)o->c->shape->type->vertex(o->c, (uint16_t)number, &offset);
-  return in_world(o->c, &offset, &none, 0);
+  return place_in_world(o->c, &offset, &none, 0);
 }
 
 static void draw_edge(const drawn_outline *o, unsigned i, unsigned j) {
@@ -81,7 +81,7 @@ static void draw_silhouette(const drawn_outline *o, unsigned axis) {
     gjk_support far;
     gjk_circle(i, axis == 0 ? &d.y : &d.x, axis == 2 ? &d.y : &d.z);
     shape->type->support(o->c, &d, &far);
-    const gjk_vec3 at = in_world(o->c, &far.offset, &d, shape->convex_radius);
+    const gjk_vec3 at = place_in_world(o->c, &far.offset, &d, shape->convex_radius);
     if (i == 0) {
       first = at;
     } else {

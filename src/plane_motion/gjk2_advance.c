@@ -291,16 +291,6 @@ static void plane_advance_touch(plane_advance *s) {
   }
 }
 
-// The direction of curved shapes that the bounding circles have led to: that of the centres, or against the way where they
-// are one.
-static void plane_advance_centres(plane_advance *s) {
-  static const gjk2_vec centre = {0, 0};
-  const gjk2_vec apart = plane_advance_fine(s, centre);
-  s->face.n = gjk2_norm1(apart) != 0 ? apart : gjk2_negate(s->way->d);
-  s->face.count = 1;
-  gjk2_way_scan(s->way, s->face.n, &s->face.p);
-}
-
 // Polygons are known to hit, but the gap does not fall at the place: the way but grazes them, at a gap of at most 1.5 LSB.
 // Half an LSB of the way before the gap is at most 2 LSB, and it falls.
 static void plane_advance_graze(plane_advance *s) {
@@ -472,11 +462,10 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out) {
     if (!measured) {
       (void)plane_advance_is_near(&s, s.fraction);
       if (s.gap.intersecting) {
-        // Supports of curved shapes err by as much as the slack. The last round's direction bounds the fraction, and stays.
+        // Supports of curved shapes err by as much as the slack. The last round's direction bounds the fraction, and stays. There
+        // is a last round: where bounding circles meet, cores are apart by the slack of both circles and PLANE_CURVED_SLACK.
         if (!s.curved) {
           plane_advance_touch(&s);
-        } else if (i == 0) {
-          plane_advance_centres(&s);
         }
         plane_advance_hit(&s, out);
         return GJK_OK;

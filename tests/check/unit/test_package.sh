@@ -12,7 +12,7 @@ rm -rf "$dir"
 mkdir -p "$dir"
 dir=$(cd "$dir" && pwd)
 prefix=$dir/prefix
-examples='distance safety_stop stack warm rollback flash plane cast'
+examples='distance safety_stop stack warm rollback flash plane cast arm'
 golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
 
 # prints PROGRAM SOURCE: the program prints what the source says
@@ -44,8 +44,8 @@ with_pkg_config() {
 # The golden hash, its queries answered by the shared library.
 shared_bits() {
   mkdir -p "$dir/golden"
-  (cd tests/check/target && cp golden.c golden_host.c plane_golden.c motion_golden.c plane_motion_golden.c scene_golden.c \
-    "$dir/golden")
+  (cd tests/check/target && cp golden.c golden_host.c plane_golden.c motion_golden.c plane_motion_golden.c parts_golden.c \
+    scene_golden.c "$dir/golden")
   # shellcheck disable=SC2046
   "${CC:-cc}" -std=c99 -O2 "-I$prefix/include" -I. -Iport -Itests/support -Itests/check/target "$dir"/golden/*.c \
     tests/support/scene/match.c port/hosted/gjk_hosted.c "-L$prefix/lib" -lgjk -o "$dir/golden/golden" &&
