@@ -5,6 +5,10 @@
 # in base 64; so do the style sheet and the scripts. Needs clang, wasm-ld (Debian: clang lld).
 build=$1/page
 sources=tests/programs/page
+if ! command -v clang >/dev/null || ! command -v wasm-ld >/dev/null; then
+  echo 'The page needs clang lld: `make setup` installs them.' >&2
+  exit 1
+fi
 mkdir -p "$build"
 # shellcheck disable=SC2046
 WASM_EXPORTS="gjk_port_.*" sh port/wasm/build.sh "$build/page.wasm" -nostdlibinc -I$sources/libc -I. -Itests/support -Wno-sign-compare \

@@ -239,7 +239,7 @@ def test_lattice(browser):
     wrong = lambda: [int(c.split()[1].replace(',', '')) for c in captions()[1:]]
     check('the library is proven at every point', captions()[0] == 'gjk: 2,025 of 2,025 proven', captions())
     best = wrong()
-    check('double errs where the determinant is smallest', 100 < best[0] < best[1], captions())
+    check('double and float err as in the README', best == [396, 990], captions())
     point = centre(browser, '#lattice canvas')
     changes(browser, 'the square follows', lambda: browser.click(point[0] - 60, point[1] - 30))
     changes(browser, 'the lattice is dragged', lambda: browser.drag(point, (point[0] + 60, point[1])))

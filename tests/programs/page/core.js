@@ -142,7 +142,10 @@ function stepOf(words) {
 
 // The address says what is shown: #VIEW?NAME=VALUE&... Values are texts; cases have ; for line feeds.
 const address = {
+  known: location.hash,
+
   read() {
+    this.known = location.hash;
     const [view, rest] = location.hash.slice(1).split('?');
     return { view, values: new URLSearchParams(rest ?? '') };
   },
@@ -150,8 +153,10 @@ const address = {
     const text = Object.entries(values).filter(([, value]) => value !== '' && value != null)
       .map(([name, value]) => name + '=' + encodeURIComponent(value).replace(/%20/g, '+').replace(/%3B/gi, ';'));
     const hash = '#' + view + (text.length > 0 ? '?' + text.join('&') : '');
-    if (hash !== location.hash) {
+    // Another hash than the one known is a link that has been followed and is about to be shown.
+    if (hash !== location.hash && location.hash === this.known) {
       history.replaceState(null, '', hash);
+      this.known = location.hash;
     }
   },
   pack(cases) {

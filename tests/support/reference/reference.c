@@ -28,7 +28,8 @@ static real real_sqrt(real x) {
 // The search ends when a step gains less than 1e-10 of the distance. Of all powers of ten, 1e-30 decides best as the share
 // that counts as 0 (tests/check/unit/test_reference.c, 1e-15 to 1e-36). A float gets what its 24 bits leave.
 static solver_limits limits(void) {
-  solver_limits chosen = {.relative = (real)1e-10, .enclosing = (real)REFERENCE_ENCLOSING, .apart = SOLVER_ANY, .iterations = 200};
+  solver_limits chosen = {
+      .relative = (real)1e-10, .enclosing = (real)REFERENCE_ENCLOSING, .apart = SOLVER_ANY, .iterations = 200};
   if (sizeof(real) < sizeof(double)) {
     chosen.relative = (real)1e-5;
     chosen.enclosing = (real)1e-11;
