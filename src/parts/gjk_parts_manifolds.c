@@ -181,6 +181,7 @@ static gjk_status join_parts(const gjk_parts_frame *frame, gjk_region *region, c
   gjk_parts_walk_start(&walk);
   while (gjk_parts_next(frame, region, &walk, &number)) {  // ends: each part comes once
     gjk_status status;
+    m.count = 0;
     if (type->meet != NULL) {
       status = type->meet(frame, number, b, j->margin, GJK_CONTACTS_MAX, &cache, j->workspace, &m);
     } else {
@@ -264,6 +265,9 @@ gjk_status gjk_parts_both_manifolds(const gjk_parts *a, const gjk_parts *b, gjk_
   const uint32_t parts = status == GJK_OK ? gjk_parts_count(b) : 0;
   for (uint32_t i = 0; i < parts && status == GJK_OK; i++) {
     status = gjk_parts_both_part(frame, i, &room, &c, &region);
+    if (gjk_parts_both_lacks(&status)) {
+      continue;
+    }
     status = status == GJK_OK ? join_parts(&frame[0], &region, &c, i, &j) : status;
   }
   return report_manifolds(&j, status, count);

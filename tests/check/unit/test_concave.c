@@ -302,5 +302,5 @@ int main(void) {
          tally.passed);
   CHECK(tally.near > tally.pairs / 20 && tally.near < tally.pairs * 8 / 10);
   CHECK(tally.begun > 100 && tally.ended > 100 && tally.hits > 200 && tally.misses > 100 && tally.rays > 100);
-  return check_done("scene_concave");
+  return check_done("concave");
 }

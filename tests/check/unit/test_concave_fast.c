@@ -271,5 +271,5 @@ int main(void) {
   printf("%lu impacts, %lu none, %lu turning; %lu walls met, %lu ways free\n", tally.impacts, tally.none, tally.turning,
          tally.walls, tally.free);
   CHECK(tally.impacts > 50 && tally.none > 30 && tally.turning > 20);
-  return check_done("scene_concave_fast");
+  return check_done("concave_fast");
 }

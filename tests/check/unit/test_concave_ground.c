@@ -246,5 +246,5 @@ int main(void) {
   printf("%lu contacts in %lu manifolds, %lu at edges, %lu ticks, %.1f units\n", tally.contacts, tally.manifolds,
          tally.edges, tally.ticks, tally.travelled);
   CHECK(tally.contacts > 10000 && tally.edges > 100 && tally.travelled > 8 * MOVERS);
-  return check_done("scene_ground");
+  return check_done("concave_ground");
 }
