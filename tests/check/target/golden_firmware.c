@@ -1,9 +1,10 @@
-// Firmware: the golden hashes of space, of the plane and of motion in both on an emulated core, and with GOLDEN_SCENE, for
+// Firmware: the golden hashes of space, of the plane, of motion in both and of hulls on an emulated core, and with GOLDEN_SCENE, for
 // boards with 50 KB of memory, that of a match in a scene. Exits with 0 if they are those of the headers.
 #include <stdbool.h>
 
 #include "board/board.h"
 #include "golden.h"
+#include "hull_golden.h"
 #include "motion_golden.h"
 #include "plane_golden.h"
 #include "print.h"
@@ -13,12 +14,13 @@
 #define GOLDEN_RUN_PAIRS GOLDEN_PAIRS
 #endif
 
-// Which hashes are found: the sum of AT_REST, MOVING and MOVING_IN_PLANE. Small memories take one after the other.
+// Which hashes are found: the sum of AT_REST, MOVING, MOVING_IN_PLANE and HULLS. Small memories take one after the other.
 #define AT_REST 1
 #define MOVING 2
 #define MOVING_IN_PLANE 4
+#define HULLS 8
 #ifndef GOLDEN_PARTS
-#define GOLDEN_PARTS 7
+#define GOLDEN_PARTS 15
 #endif
 
 #define IS_FEW (GOLDEN_RUN_PAIRS != GOLDEN_PAIRS)
@@ -61,6 +63,11 @@ int firmware_main(void) {
     same =
         is_golden(plane_motion_golden_hash(pairs), IS_FEW ? PLANE_MOTION_GOLDEN_FEW_HASH : PLANE_MOTION_GOLDEN_HASH) &&
         same;
+  }
+  if ((GOLDEN_PARTS & HULLS) != 0) {
+    same = is_golden(hull_golden_hash(IS_FEW ? HULL_GOLDEN_FEW_SETS : HULL_GOLDEN_SETS),
+                     IS_FEW ? HULL_GOLDEN_FEW_HASH : HULL_GOLDEN_HASH) &&
+           same;
   }
   board_print("\n");
   return same ? 0 : 1;
