@@ -12,7 +12,7 @@
 #define POINTS 14
 
 static gjk_vec3 points[POINTS], vertices[POINTS];
-static gjk2_vec flat[POINTS];
+static gjk2_vec flat[POINTS], fewer[2 * POINTS];
 static uint32_t workspace[GJK_HULL_SIMPLIFY_WORKSPACE(POINTS) / 4];
 static uint16_t corner[8 * POINTS], end[2 * POINTS];
 static uint64_t hash;
@@ -189,8 +189,23 @@ static void simplify_set(random_state *random) {
   }
 }
 
+static void simplify_flat_set(uint16_t count) {
+  gjk2_hull_simple simple;
+  const gjk_status status = gjk2_hull_simplify(flat, count, 5, fewer, &simple);
+  mix((uint32_t)status);
+  if (status == GJK_OK) {
+    mix(simple.vertices);
+    mix(simple.excess);
+    for (uint32_t i = 0; i < simple.vertices; i++) {
+      mix((uint32_t)fewer[i].x);
+      mix((uint32_t)fewer[i].y);
+    }
+  }
+}
+
 static void take_flat_set(random_state *random) {
   const uint16_t count = make_points(random);
+  simplify_flat_set(count);
   gjk2_hull hull;
   gjk2_mass body = {0}, part;
   gjk2_pose pose = GJK2_POSE_IDENTITY;

@@ -223,7 +223,7 @@ static void test_workspaces(void) {
   CHECK(GJK_HULL_WORKSPACE(64) == 2600 && GJK_HULL_WORKSPACE(0) == 40);
   for (uint16_t count = 1; count <= 64; count++) {
     const size_t need = GJK_HULL_WORKSPACE(count);
-    gjk_hull hull, kept;
+    gjk_hull hull;
     p.count = 0;
     while (p.count < count) {  // near a sphere
       const int32_t x = random_range(&random, -100, 100), y = random_range(&random, -100, 100);
@@ -233,12 +233,12 @@ static void test_workspaces(void) {
       }
     }
     memset(workspace, 0xA5, sizeof workspace);
-    memset(&hull, 0x5A, sizeof hull);
-    memcpy(&kept, &hull, sizeof hull);
+    hull.vertices = 4711;
+    hull.faces = 4712;
     for (size_t bytes = 0; bytes < need; bytes++) {
       CHECK(gjk_hull_build(p.point, count, workspace, bytes, &hull) == GJK_ERROR_CAPACITY);
     }
-    CHECK(memcmp(&kept, &hull, sizeof hull) == 0 && workspace[0] == UINT32_C(0xA5A5A5A5));
+    CHECK(hull.vertices == 4711 && hull.faces == 4712 && workspace[0] == UINT32_C(0xA5A5A5A5));
     CHECK(gjk_hull_build(p.point, count, workspace, need, &hull) == GJK_OK);
     CHECK(workspace[need / 4] == UINT32_C(0xA5A5A5A5));
   }
