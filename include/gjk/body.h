@@ -12,6 +12,7 @@ extern "C" {
 // Ceilings on capacities.
 #define GJK_SCENE_BODIES_MAX UINT32_C(1048576)
 #define GJK_SCENE_PAIRS_MAX UINT32_C(4194304)
+#define GJK_SCENE_PAIR_WORDS_MAX 32
 
 // Names a body. A zeroed id names none. The id of a removed body never names another one: generation differs, and a
 // slot that was taken 2^31 times is not taken again.
@@ -28,11 +29,15 @@ typedef enum gjk_body_kind {
 } gjk_body_kind;
 
 // What is wanted of a pair. DEPTH and CONTACTS need the details of a scene's bindings.
+//
+// SENSOR  of a body alone: it makes each of its pairs a TOUCH, whatever is asked for besides. Such a pair is reported as
+//         begun and ended, never as persisting. Fast bodies pass a sensor; casts and slides do so by their filter.
 typedef enum gjk_detail {
   GJK_DETAIL_TOUCH = 0,  // near or not
   GJK_DETAIL_DISTANCE,   // and the distance
   GJK_DETAIL_DEPTH,      // and the depth
-  GJK_DETAIL_CONTACTS    // and the manifold
+  GJK_DETAIL_CONTACTS,   // and the manifold
+  GJK_DETAIL_SENSOR      // of a body, see above
 } gjk_detail;
 
 // Should this pair be tested? Called at most once per test, perhaps from several threads. The answer may depend on the
@@ -80,6 +85,8 @@ typedef struct gjk_scene_stats {
   uint32_t begun, persisting, ended;  // events of the update that tested all pairs
   uint32_t unsettled;                 // queries that reached a ceiling, see gjk_scene_update and gjk2_scene_update
   uint32_t updates;                   // completed so far, modulo 2^32
+  uint32_t measured;                  // distances and depths found, because details ask for them
+  uint32_t manifolds;                 // found for reports
 } gjk_scene_stats;
 
 // A part that a query found.
@@ -99,6 +106,27 @@ typedef struct gjk_scene_filter {
   gjk_scene_accept *accept;  // NULL: every part that the fields above let through
   void *user;                // accept's first argument
 } gjk_scene_filter;
+
+// What a line or point of gjk/draw.h and gjk2/draw.h belongs to, for its colour.
+typedef enum gjk_draw_role {
+  GJK_DRAW_STATIC = 0,  // outlines of bodies of a scene, by kind; a sensor and a sleeping body have their own
+  GJK_DRAW_MOVING,      // kinematic and dynamic bodies
+  GJK_DRAW_ASLEEP,      // dynamic bodies that sleep
+  GJK_DRAW_SENSOR,      // sensors of any kind
+  GJK_DRAW_BOX,         // edges of an axis-aligned box
+  GJK_DRAW_PAIR,        // from centre to centre of two parts that are near
+  GJK_DRAW_CONTACT,     // a contact point on each shape, and the line between both
+  GJK_DRAW_NORMAL,      // from a contact point along the normal
+  GJK_DRAW_WAY          // the way of a ray or cast, and the outlines at its ends
+} gjk_draw_role;
+
+// Of gjk_draw_scene and gjk2_draw_scene: what is drawn. Their sum draws all.
+#define GJK_DRAW_SHAPES 1u
+#define GJK_DRAW_BOXES 2u
+#define GJK_DRAW_PAIRS 4u
+
+// The directions in which the outlines of curved and rounded shapes are looked at.
+#define GJK_DRAW_DIRECTIONS 24
 
 // Of gjk_slide: the most planes that it slides along in one call, the least gap that it keeps, and the most casts.
 #define GJK_SLIDE_PLANES 4

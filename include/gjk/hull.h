@@ -93,7 +93,7 @@ typedef struct gjk_hull_simple {
 //            32 vertices reach some 14 % of the radius beyond, and could do with 9 %. At a sharp corner a vertex has to go
 //            far, since it is not cut off.
 // Flat       of points in a plane with more corners than wanted: that box or tetrahedron, and its distance from the corners.
-//            gjk2_hull_simplify and a thin prism do better.
+//            gjk2_polygon_order and a thin prism do better.
 // Statuses   NULL; EMPTY; SIZE: as gjk_hull_build; CAPACITY: bytes. RANGE: also a workspace that is not aligned. Or int32 has
 //            no room for a tetrahedron, which is up to three times as wide as the points.
 // Cost       for each round of choosing, and three times more, the triangles of the result times the hull's vertices. To 32

@@ -121,10 +121,33 @@ gjk_status gjk_parts_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16
                               const gjk_workspace *workspace, gjk_parts_manifold *manifolds, uint32_t capacity,
                               uint32_t *count);
 
+// Most manifolds of the next two calls.
+#define GJK_PARTS_MANIFOLDS_MAX 8
+
+// The contacts of all parts, put together by their normals: what a solver takes, a few manifolds for any number of parts.
+//
+// margin     0 to GJK_RADIUS_MAX. most, workspace: as of gjk_contacts.
+// out        room for capacity manifolds, 1 to GJK_PARTS_MANIFOLDS_MAX (RANGE); it may be written in any case. The deepest
+//            comes first; there are none without contacts.
+// Together   A manifold holds contacts of all parts whose normals are at most 3 degrees from its own, which is that of the
+//            deepest one. Contacts in one place, within 8 LSB per axis, count once. Of more than most those are kept that
+//            gjk_contacts would keep. Normals beyond capacity are left out, the least deep ones.
+// Surfaces   Contacts of a mesh or height field are those of gjk_surface_contacts.
+// Ids        as of gjk_contacts, with the numbers of the parts mixed in. Within a manifold each is there once.
+// Features   of the deepest part.
+//
+// OK               out and count.
+// CAPACITY         the same; the workspace was too small for a pair, as gjk_contacts has it.
+// ITERATION_LIMIT  the same, without curved parts that reached their ceiling.
+// NEGATIVE, RANGE  of margin, most and capacity: count is as it was.
+gjk_status gjk_parts_manifolds(const gjk_parts *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
+                               const gjk_workspace *workspace, gjk_manifold *out, unsigned capacity, unsigned *count);
+
 // The part that is met first where both move straight, as gjk_cast of it.
 //
 // path  as of gjk_cast: path->to_a is where the position of A's pose goes.
-// part  the least fraction, of equal ones the least number; GJK_PARTS_NONE: no part is met. May be NULL.
+// part  the least fraction, of equal ones one that is inside, of those the least number; GJK_PARTS_NONE: no part is met. May
+//       be NULL.
 // out   of that part, but for rest_a, which is the position of A's own pose. A miss: hit alone, with 0 iterations and a
 //       certificate that names no proof.
 //
@@ -150,8 +173,8 @@ gjk_status gjk_parts_cast_ray(const gjk_parts *a, const gjk_vec3 *from, const gj
 // a                   its pose is not read: motion_a has it.
 // b                   as of gjk_time_of_impact, posed or not.
 // motion_a, motion_b  of the pose of the body, and of B's.
-// part, out           of the part with the least lower among those that hit; of equal ones the least number. pose_a is the
-//                     pose of the body. A miss: lower is the end of the way, iterations are 0.
+// part, out           of the part with the least lower among those that hit; of equal ones one that overlaps at the start, of
+//                     those the least number. pose_a is the pose of the body. A miss: lower is the end of the way, iterations are 0.
 // Cost                where A turns, every part within reach of B's way, at any rotation of A, is asked.
 //
 // OK               as above.
@@ -160,6 +183,19 @@ gjk_status gjk_parts_cast_ray(const gjk_parts *a, const gjk_vec3 *from, const gj
 gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
                                     const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
                                     gjk_impact_result *out);
+
+// As gjk_parts_cast and gjk_parts_time_of_impact, of those parts alone that B is in front of at the start: what a body that
+// lies on the ground may still run into.
+//
+// In front  of a triangle: all of B is more than the margin beyond its plane; of two sides on that where most of B is. An
+//           impact meets a triangle that is no nearer than the tolerance, or one whose plane most of B goes through.
+//           Of other parts: B is farther than the margin from it.
+// Statuses  as of gjk_parts_cast and gjk_parts_time_of_impact; b has to be bound to its shape, no more, for an impact.
+gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
+                                gjk_cast_result *out);
+gjk_status gjk_parts_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                  const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
+                                  gjk_impact_result *out);
 
 // Two bodies of many parts. The parts of B are asked one after the other, each against A, as above; so the one with fewer
 // parts is better B.
@@ -179,6 +215,9 @@ gjk_status gjk_parts_both_penetration(const gjk_parts *a, const gjk_parts *b, co
 gjk_status gjk_parts_both_contacts(const gjk_parts *a, const gjk_parts *b, gjk_q16 margin, unsigned most,
                                    const gjk_workspace *workspace, gjk_parts_manifold *manifolds, uint32_t capacity,
                                    uint32_t *count);
+gjk_status gjk_parts_both_manifolds(const gjk_parts *a, const gjk_parts *b, gjk_q16 margin, unsigned most,
+                                    const gjk_workspace *workspace, gjk_manifold *out, unsigned capacity,
+                                    unsigned *count);
 gjk_status gjk_parts_both_cast(const gjk_parts *a, const gjk_parts *b, const gjk_cast_path *path, gjk_parts_pair *parts,
                                gjk_cast_result *out);
 

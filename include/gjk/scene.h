@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // The version of a block's format. gjk_scene_open and gjk_scene_attach refuse a block of another version.
-#define GJK_SCENE_BLOCK_VERSION UINT32_C(4)
+#define GJK_SCENE_BLOCK_VERSION UINT32_C(5)
 
 // One shape of a body.
 typedef struct gjk_part {
@@ -62,10 +62,10 @@ typedef struct gjk_scene_config {
   uint32_t own_poses;  // capacity: parts with a pose of their own, from 0 to GJK_SCENE_BODIES_MAX
   uint32_t pairs;      // capacity, from 1 to GJK_SCENE_PAIRS_MAX, see above
   gjk_q16 box_margin;  // enlarges the boxes in the tree, so that small moves do not change it; 0 to GJK_RADIUS_MAX
-  uint8_t detail;      // a gjk_detail: the least for every pair
+  uint8_t detail;      // a gjk_detail, not SENSOR: the least for every pair
   uint8_t persist;     // 1: pairs that stay near are reported in every update
   uint8_t retest_all;  // 1: every update tests every pair anew from a cold start. For tests: the answers are the same
-  uint8_t reserved;    // 0
+  uint8_t pair_words;  // words of the caller for each pair, see gjk_report; 0 to GJK_SCENE_PAIR_WORDS_MAX
   uint32_t workspace_cells;  // how many cells of bindings.workspace depths and contacts use, see above; 0: none
   uint32_t motions;  // capacity: bodies whose motion is kept, see gjk_scene_set_motion; 0 to GJK_SCENE_BODIES_MAX
 } gjk_scene_config;
@@ -149,7 +149,7 @@ gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id);
 //           gjk_time_of_impact with GJK_IMPACT_TOLERANCE_MIN. A sphere, circle or point at its body's origin does not turn.
 // Unsettled  A cast or time of impact may reach its ceiling, or a way of one against the other be 2^32 LSB or longer.
 //           Then the impact counts at a proven lower fraction.
-// Statuses  RANGE (motion, or a static body), CAPACITY (config.motions), UNSUPPORTED: bindings.motion is NULL. Once
+// Statuses  RANGE (motion, a static body, or a sensor), CAPACITY (config.motions), UNSUPPORTED: bindings.motion is NULL. Once
 //           motions are kept, gjk_scene_remove and gjk_scene_teleport of such a body need it, too.
 gjk_status gjk_scene_set_motion(gjk_scene *scene, gjk_body_id id, uint8_t motion);
 
@@ -193,6 +193,10 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
 //           depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
 // manifold  of BEGIN and PERSIST with CONTACTS: up to 4 contacts, found without a cache. The i-th report of a call has
 //           &bindings.manifolds[i]. Otherwise NULL.
+// words     config.pair_words words in the block, for the caller to write: impulses to start a solver from, or times.
+//           They are 0 at BEGIN, and stay as they are written until the pair's END has been reported. They go with
+//           saves and copies, and count in gjk_scene_hash: peers must write the same, so no addresses. A write breaks a
+//           seal. Valid while the pair is near; at END until the next update begins. NULL: none configured, or an IMPACT.
 typedef struct gjk_report {
   gjk_body_id a, b;         // the bodies
   uint16_t part_a, part_b;  // numbers of their parts
@@ -200,6 +204,7 @@ typedef struct gjk_report {
   uint8_t detail;           // a gjk_detail: the pair's; the configuration's if a body was removed
   gjk_q16 distance;
   const gjk_manifold *manifold;
+  uint32_t *words;
   gjk_q30 fraction;  // of IMPACT, see gjk_scene_set_motion; otherwise 0
 } gjk_report;
 
@@ -284,8 +289,8 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
 // Lockstep and saving.
 
 // 64 bits over all that decides further answers: the configuration without capacities, box_margin and retest_all; the
-// build's GJK_ITERATIONS_MAX; bodies and their kept motions; pairs near at the last update; updates. Tree and caches do
-// not count. BUSY during an update.
+// build's GJK_ITERATIONS_MAX; bodies and their kept motions; pairs near at the last update and their words; updates. Tree and
+// caches do not count. BUSY during an update.
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 
 // Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.
@@ -293,7 +298,7 @@ gjk_status gjk_scene_seal(gjk_scene *scene);
 
 // Opens a sealed block that may come from anywhere. Checks its header, byte order and checksum, and all that
 // gjk_scene_check does, so no later call reads or writes outside of the block. scene and bindings as in gjk_scene_init.
-// Statuses: CORRUPT, also for a block of another GJK_SCENE_BLOCK_VERSION or of a build with another GJK_ITERATIONS_MAX;
+// Statuses: CORRUPT, also for a block of another GJK_SCENE_BLOCK_VERSION or of a build with other ceilings on iterations;
 // CAPACITY (bytes); RANGE (not aligned, or a shape index that the table lacks). The caller promises that the shapes are
 // the same; CORRUPT where a part's box or pose shows that they are not.
 gjk_status gjk_scene_open(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *const *shapes,

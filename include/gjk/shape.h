@@ -108,22 +108,26 @@ typedef struct gjk_shape {
 // The same without a convex radius; a sphere and a capsule have no other.
 #define GJK_POINT GJK_ROUNDED_POINT(0)
 #define GJK_SPHERE(radius) GJK_ROUNDED_POINT(radius)
-// From (0, 0, -half) to (0, 0, half).
+// A segment from (0, 0, -half) to (0, 0, half).
 #define GJK_SEGMENT(half) GJK_ROUNDED_SEGMENT(half, 0)
-// half: of the straight part's length.
+// A segment with a radius; half: of the straight part's length.
 #define GJK_CAPSULE(radius, half) GJK_ROUNDED_SEGMENT(half, radius)
+// The triangle of three vertices.
 #define GJK_TRIANGLE(vertices3) GJK_ROUNDED_TRIANGLE(vertices3, 0)
+// A box about the origin, by half its extents.
 #define GJK_BOX(half_x, half_y, half_z) GJK_ROUNDED_BOX(half_x, half_y, half_z, 0)
+// The hull of n vertices; with faces for contacts, or with a table.
 #define GJK_HULL(vertices_n, n) GJK_ROUNDED_HULL(vertices_n, n, 0)
 #define GJK_HULL_WITH_FACES(vertices_n, n, faces_pointer) GJK_ROUNDED_HULL_WITH_FACES(vertices_n, n, faces_pointer, 0)
 #define GJK_HULL_WITH_TABLE(vertices_n, n, table_pointer) \
   GJK_ROUNDED_HULL_WITH_TABLE(vertices_n, n, 0, table_pointer, 0)
-// From z = -half to z = half.
+// A cylinder from z = -half to z = half.
 #define GJK_CYLINDER(base_radius, half) GJK_ROUNDED_CYLINDER(base_radius, half, 0)
-// Apex at z = half, base at z = -half.
+// A cone: apex at z = half, base at z = -half.
 #define GJK_CONE(base_radius, half) GJK_ROUNDED_CONE(base_radius, half, 0)
+// An ellipsoid by its radii.
 #define GJK_ELLIPSOID(radius_x, radius_y, radius_z) GJK_ROUNDED_ELLIPSOID(radius_x, radius_y, radius_z, 0)
-// bound: a radius about the local origin that the shape stays within.
+// A shape of your own; bound: a radius about the local origin that the shape stays within.
 #define GJK_CUSTOM(function, user_pointer, bound) GJK_ROUNDED_CUSTOM(function, user_pointer, bound, 0)
 
 #ifdef __cplusplus

@@ -34,9 +34,10 @@ typedef struct gjk_surface_contact {
 //          farther out, it has the contact instead.
 //          So flat and concave edges have none. Edges that two triangles share in part alone count as open.
 // Sides    A body is behind a triangle if more than half of its height along the triangle's normal is behind the plane. There
-//          is no contact with a triangle of one side then. Of two sides the one counts where the body is not behind.
-// Missing  A body that is deep in sharp ridges may have no contact: 4 of 3,600 bodies in tests/check/unit/test_mesh_contacts.c.
-//          Triangles whose corners lie in a line have none.
+//          is no contact with a triangle of one side then, nor where the nearest point of a body apart is on its back, such as
+//          at a border that the body hooks under. Of two sides the one counts where the body is not behind.
+// Missing  Triangles whose corners lie in a line have none. Every other body in front of a triangle that it overlaps has a
+//          contact, and one apart has one at the least distance (tests/check/unit/test_mesh_contacts.c).
 // Twice    A body at an edge or corner has its contact with each triangle there that has the normal.
 // Cost     about that of gjk_contacts for each triangle; less where the body lies on a face.
 //

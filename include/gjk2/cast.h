@@ -62,7 +62,7 @@ typedef struct gjk2_cast_result {
 //           with one                    no contact before fraction; the gap there is at most 2 LSB above the margin.
 //                                       rest_a and rest_b are the places at fraction, rounded so
 //         Ellipse, custom: as gjk2_within decides at a gap within 2 LSB of the margin; the gap at fraction at most 4 LSB
-//         above it.
+//         above it. Where both are such shapes, 4 and 6 LSB.
 //         Where the way is longer than 2^30 LSB, a step of the fraction is more than an LSB; that comes on top.
 //         Points and normal are within 2 LSB and 2^-28 of what is touched at fraction.
 // Cost    polygons of n and m vertices without radius and margin: at most 6 + 2 (n + m) support scans of both. Otherwise

@@ -2,6 +2,7 @@
 #ifndef GJK2_GJK2_H
 #define GJK2_GJK2_H
 
+#include "gjk/number.h"
 #include "gjk/status.h"
 #include "gjk/version.h"
 #include "gjk2/bind.h"
@@ -17,7 +18,9 @@
 #include "gjk2/hull.h"
 #include "gjk2/impact.h"
 #include "gjk2/intersect.h"
+#include "gjk2/joint.h"
 #include "gjk2/mass.h"
+#include "gjk2/math.h"
 #include "gjk2/penetration.h"
 #include "gjk2/polygon.h"
 #include "gjk2/pose.h"

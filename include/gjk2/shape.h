@@ -72,15 +72,19 @@ typedef struct gjk2_shape {
 // The same without a convex radius; a circle and a capsule have no other.
 #define GJK2_POINT GJK2_ROUNDED_POINT(0)
 #define GJK2_CIRCLE(radius) GJK2_ROUNDED_POINT(radius)
-// From (-half, 0) to (half, 0).
+// A segment from (-half, 0) to (half, 0).
 #define GJK2_SEGMENT(half) GJK2_ROUNDED_SEGMENT(half, 0)
-// half: of the straight part's length.
+// A segment with a radius; half: of the straight part's length.
 #define GJK2_CAPSULE(radius, half) GJK2_ROUNDED_SEGMENT(half, radius)
+// The triangle of three vertices.
 #define GJK2_TRIANGLE(vertices3) GJK2_ROUNDED_TRIANGLE(vertices3, 0)
+// A box about the origin, by half its extents.
 #define GJK2_BOX(half_x, half_y) GJK2_ROUNDED_BOX(half_x, half_y, 0)
+// The hull of n vertices.
 #define GJK2_POLYGON(vertices_n, n) GJK2_ROUNDED_POLYGON(vertices_n, n, 0)
+// An ellipse by its radii.
 #define GJK2_ELLIPSE(radius_x, radius_y) GJK2_ROUNDED_ELLIPSE(radius_x, radius_y, 0)
-// bound: a radius about the local origin that the shape stays within.
+// A shape of your own; bound: a radius about the local origin that the shape stays within.
 #define GJK2_CUSTOM(function, user_pointer, bound) GJK2_ROUNDED_CUSTOM(function, user_pointer, bound, 0)
 
 #ifdef __cplusplus

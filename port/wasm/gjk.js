@@ -4,7 +4,7 @@
 //     const gjk = await gjkLoad(bytes);            // an ArrayBuffer or Uint8Array with gjk.wasm
 //     const crate = gjk.box(32768, 32768, 32768), ball = gjk.sphere(16384);
 //     gjk.pose(ball, [98304, 0, 0]);
-//     gjk.distance(crate, ball);                   // {intersecting: false, distance: 49152, pointA: [32768, 0, 0], ...}
+//     gjk.distance(crate, ball);             // {intersecting: false, distance: 49152, pointA: [32768, 0, 0], ...}
 'use strict';
 
 class GjkError extends Error {

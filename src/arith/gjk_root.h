@@ -23,4 +23,10 @@ uint32_t gjk_reciprocal_root(uint32_t x);
 // floor(sqrt(x)).
 uint32_t gjk_isqrt64(uint64_t x);
 
+// The root of x to the nearest. Pre: x < 2^64 - 2^32, so that it fits.
+static inline uint32_t gjk_nearest_root(uint64_t x) {
+  const uint32_t root = gjk_isqrt64(x);
+  return root + (x - gjk_umul32(root, root) > root ? 1u : 0u);  // x > root^2 + root:  x >= (root + 1/2)^2
+}
+
 #endif

@@ -9,6 +9,15 @@
 // GJK_ROTATION_TOLERANCE.
 bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation);
 
+// The four numbers x, y, z, w of the product a b, exact, Q60. Pre: |a| |b| < 2^62, lengths.
+static inline void gjk_quat_product(const gjk_quat *a, const gjk_quat *b, int64_t product[4]) {
+  // |products|, |partial sums| <= |a| |b|
+  product[0] = gjk_mac32(gjk_mac32(gjk_mac32(gjk_mul32(a->w, b->x), a->x, b->w), a->y, b->z), -a->z, b->y);
+  product[1] = gjk_mac32(gjk_mac32(gjk_mac32(gjk_mul32(a->w, b->y), a->y, b->w), a->z, b->x), -a->x, b->z);
+  product[2] = gjk_mac32(gjk_mac32(gjk_mac32(gjk_mul32(a->w, b->z), a->z, b->w), a->x, b->y), -a->y, b->x);
+  product[3] = gjk_mac32(gjk_mac32(gjk_mac32(gjk_mul32(a->w, b->w), -a->x, b->x), -a->y, b->y), -a->z, b->z);
+}
+
 // x (1 - excess / 2^46), from Q60 to the nearest Q30: within 0.5 + 2^-14 LSB, and at most 2^30 in size when the
 // exact value is. Pre: |x| <= 2^60 (1 + 2^-15), |excess| < 2^31.
 gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess);

@@ -114,6 +114,12 @@ static inline int32_t gjk_saturate_noting(int64_t x, bool *saturated) {
   return low;
 }
 
+// a + b, or the end of the range.
+static inline int64_t gjk_saturated_sum(int64_t a, int64_t b) {
+  const int64_t sum = gjk_int64((uint64_t)a + (uint64_t)b);
+  return (a < 0) == (b < 0) && (sum < 0) != (a < 0) ? (a < 0 ? INT64_MIN : INT64_MAX) : sum;
+}
+
 // |x| as an unsigned number; exact for INT32_MIN too.
 static inline uint32_t gjk_magnitude32(int32_t x) {
   return x < 0 ? 0u - (uint32_t)x : (uint32_t)x;

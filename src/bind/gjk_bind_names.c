@@ -1,8 +1,10 @@
 // Sizes of structures and values of constants, by name, for other languages.
 #include "gjk/bind.h"
+#include "gjk/draw.h"
 #include "gjk/gjk.h"
 #include "gjk/probe.h"
 #include "gjk/slide.h"
+#include "gjk2/draw.h"
 #include "gjk2/gjk2.h"
 #include "gjk2/probe.h"
 #include "gjk2/slide.h"
@@ -23,6 +25,8 @@ static const named_value structure_sizes[] = {
     SIZE_OF(gjk_scene_stats),
     SIZE_OF(gjk_scene_hit),
     SIZE_OF(gjk_scene_filter),
+    SIZE_OF(gjk_draw),
+    SIZE_OF(gjk2_draw),
     SIZE_OF(gjk_cache),
     SIZE_OF(gjk_cast_path),
     SIZE_OF(gjk_cast_certificate),
@@ -37,6 +41,9 @@ static const named_value structure_sizes[] = {
     SIZE_OF(gjk_manifold),
     SIZE_OF(gjk_distance_result),
     SIZE_OF(gjk_effort),
+    SIZE_OF(gjk_concave),
+    SIZE_OF(gjk_joint),
+    SIZE_OF(gjk2_joint),
     SIZE_OF(gjk_vec3),
     SIZE_OF(gjk_unit3),
     SIZE_OF(gjk_quat),
@@ -124,6 +131,10 @@ static const named_value structure_sizes[] = {
 };
 
 static const named_value constant_values[] = {
+    VALUE_OF(GJK_CONCAVE_REACH),
+    VALUE_OF(GJK_PARTS_MANIFOLDS_MAX),
+    VALUE_OF(GJK_JOINTS_MAX),
+    VALUE_OF(GJK2_JOINTS_MAX),
     VALUE_OF(GJK_BODY_STATIC),
     VALUE_OF(GJK_BODY_KINEMATIC),
     VALUE_OF(GJK_BODY_DYNAMIC),
@@ -131,6 +142,20 @@ static const named_value constant_values[] = {
     VALUE_OF(GJK_DETAIL_DISTANCE),
     VALUE_OF(GJK_DETAIL_DEPTH),
     VALUE_OF(GJK_DETAIL_CONTACTS),
+    VALUE_OF(GJK_DETAIL_SENSOR),
+    VALUE_OF(GJK_DRAW_STATIC),
+    VALUE_OF(GJK_DRAW_MOVING),
+    VALUE_OF(GJK_DRAW_ASLEEP),
+    VALUE_OF(GJK_DRAW_SENSOR),
+    VALUE_OF(GJK_DRAW_BOX),
+    VALUE_OF(GJK_DRAW_PAIR),
+    VALUE_OF(GJK_DRAW_CONTACT),
+    VALUE_OF(GJK_DRAW_NORMAL),
+    VALUE_OF(GJK_DRAW_WAY),
+    VALUE_OF(GJK_DRAW_SHAPES),
+    VALUE_OF(GJK_DRAW_BOXES),
+    VALUE_OF(GJK_DRAW_PAIRS),
+    VALUE_OF(GJK_DRAW_DIRECTIONS),
     VALUE_OF(GJK_EVENT_BEGIN),
     VALUE_OF(GJK_EVENT_PERSIST),
     VALUE_OF(GJK_EVENT_END),
@@ -140,6 +165,7 @@ static const named_value constant_values[] = {
     VALUE_OF(GJK_MOTION_FAST),
     VALUE_OF(GJK_SCENE_BODIES_MAX),
     VALUE_OF(GJK_SCENE_PAIRS_MAX),
+    VALUE_OF(GJK_SCENE_PAIR_WORDS_MAX),
     VALUE_OF(GJK_SLIDE_PLANES),
     VALUE_OF(GJK_SLIDE_SKIN_MIN),
     VALUE_OF(GJK_SLIDE_CASTS),
@@ -169,6 +195,7 @@ static const named_value constant_values[] = {
     VALUE_OF(GJK_FACE_CORNERS_MAX),
     VALUE_OF(GJK_TABLE_LEVEL_MAX),
     VALUE_OF(GJK_ITERATIONS_MAX),
+    VALUE_OF(GJK_HASH_BEGIN),
     VALUE_OF(GJK_HEIGHT_FIELD_SIDE_MAX),
     VALUE_OF(GJK_HEIGHT_FIELD_STEP_MAX),
     VALUE_OF(GJK_HEIGHT_HOLE),

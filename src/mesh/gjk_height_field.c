@@ -212,5 +212,6 @@ const gjk_parts_class gjk_parts_class_height_field = {
     .place = place_in_field,
     .local = local_in_field,
     .settle = gjk_surface_settle,
+    .meet = gjk_surface_meet,
     .edges = edges_in_field,
 };

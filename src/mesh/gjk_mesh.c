@@ -99,5 +99,6 @@ const gjk_parts_class gjk_parts_class_mesh = {
     .place = place_in_mesh,
     .local = local_in_mesh,
     .settle = gjk_surface_settle,
+    .meet = gjk_surface_meet,
     .edges = edges_in_mesh,
 };

@@ -9,9 +9,10 @@
 //      polar cone of the surface). Then the contacts along it are the answer.
 //   5. If not, and a triangle that is across the normal keeps the body farther out than this one does, that triangle
 //      answers for both. Otherwise the contacts of step 2 stay, if there are any: they have the triangle's own normal.
-//   6. If there are none, a body that overlaps the triangle, or whose normals are rough since it is curved, may have none at
-//      all: in the groove of a concave edge it lies over neither side. Unless it lies over a triangle at that edge or corner,
-//      the nearest points of step 3 are taken with the triangle's normal.
+//   6. If there are none, a body that touches the triangle, or whose normals are rough since it is curved, may have none at
+//      all: in the groove of a concave edge it lies over neither side. So may one apart, at an edge that is flat but for the
+//      rounding of its corners. Unless it lies over a triangle at that edge or corner, the nearest points of step 3 are taken
+//      with the triangle's normal.
 //
 // Everything but the answer is relative to the body's centre. The body's radius, the margin and the triangle are each at most
 // 2^28 along an axis, so corners are below 3 2^28, and below sqrt(3) 3 2^28 < 2^30.4 long; edges are below 2^29 long.
@@ -53,6 +54,7 @@ typedef struct surface_query {
   uint32_t number;
   int32_t slack;     // of normals
   gjk_cache *cache;  // of gjk_within for all triangles
+  bool limited;      // a curved body reached its ceiling where the answer depends on it
 } surface_query;
 
 static bool is_far(const gjk_vec3 *v) {
@@ -69,7 +71,7 @@ static bool relate(const gjk_vec3 *world, const gjk_vec3 *centre, gjk_vec3 *out)
 }
 
 // The corners of a triangle; false: it is not as it should be.
-static bool set_corners_of(const surface_query *q, uint32_t number, surface_face *out) {
+static bool set_corners_of(surface_query *q, uint32_t number, surface_face *out) {
   const gjk_parts_class *type = q->frame->parts->type;
   gjk_parts_room room;
   gjk_parts_local local;
@@ -113,7 +115,7 @@ static void turn_over(surface_face *f, gjk_long3 *n) {
 // Is the body, a sum of half axes, apart from the triangle along one of them, by more than the margin? False proves nothing.
 //   |half axis| <= 2^28, |corner| < 2^30.4:                          |along| < 2^59
 //   margin, convex radius <= 2^28 each, |half axis| <= 2^29.6 by its components:  |reach| < 2^61
-static bool is_aside(const surface_query *q, const surface_face *f) {
+static bool is_aside(surface_query *q, const surface_face *f) {
   const gjk_collider *body = q->body;
   const unsigned count = body->shape->type->kind == GJK_KIND_AXES ? body->count : 0;
   for (unsigned i = 0; i < count; i++) {
@@ -132,7 +134,7 @@ static bool is_aside(const surface_query *q, const surface_face *f) {
 }
 
 // Step 1. False: the triangle has no plane, or the body is behind it. Pre: corners are set.
-static bool set_face(const surface_query *q, uint32_t number, surface_face *f) {
+static bool set_face(surface_query *q, uint32_t number, surface_face *f) {
   const gjk_shape_class *type = q->body->shape->type;
   gjk_long3 n;
   gjk_search_direction along;
@@ -171,12 +173,13 @@ static bool set_face(const surface_query *q, uint32_t number, surface_face *f) {
   return true;
 }
 
-// Does the body's deepest point lie over the triangle? Along the plane's direction of 30 bits, exact.
-static bool is_over(const surface_face *f) {
+// Does a point, relative to the body's centre, lie over the triangle? Along the plane's direction of 30 bits, exact.
+//   |direction| <= sqrt(3) 2^30, |edge| < 2^29, |to| < 2^31.5
+static bool is_over(const surface_face *f, const gjk_vec3 *point) {
   for (unsigned i = 0; i < 3; i++) {
-    const gjk_vec3 edge = gjk_sub(f->corner[gjk_next(i)], f->corner[i]), to = gjk_sub(f->deepest, f->corner[i]);
+    const gjk_vec3 edge = gjk_sub(f->corner[gjk_next(i)], f->corner[i]), to = gjk_sub(*point, f->corner[i]);
     gjk_long3 inward;
-    gjk_cross(&f->direction, &edge, &inward);  // |direction| <= sqrt(3) 2^30, |edge| < 2^29
+    gjk_cross(&f->direction, &edge, &inward);
     if (gjk_dot_sign(&inward, &to) < 0) {
       return false;
     }
@@ -184,8 +187,25 @@ static bool is_over(const surface_face *f) {
   return true;
 }
 
+// x, by at most `by` nearer to a third of a sum.
+static int32_t pulled(int32_t x, int64_t sum, int64_t by) {
+  const int64_t way = sum - 3 * (int64_t)x;
+  return (int32_t)(x + (way > 3 * by ? by : way < -3 * by ? -by : 0));
+}
+
+// Does the deepest point lie over the triangle but for the rounding of corners? Each is off by less than an LSB, which tilts a
+// triangle of 128 LSB by 1/64. So a point above an edge that is flat but for that may lie over neither side.
+static bool is_nearly_over(surface_query *q, const surface_face *f) {
+  const gjk_vec3 *c = f->corner, *p = &f->deepest;
+  const int64_t by = 8 + gjk_sar64((int64_t)f->height + q->body->shape->convex_radius, 6);
+  const gjk_vec3 near = {pulled(p->x, (int64_t)c[0].x + c[1].x + c[2].x, by),
+                         pulled(p->y, (int64_t)c[0].y + c[1].y + c[2].y, by),
+                         pulled(p->z, (int64_t)c[0].z + c[1].z + c[2].z, by)};
+  return f->height >= 0 && is_over(f, &near);
+}
+
 // A point of the core moved by a length along the normal, in the world.
-static void point_below(const surface_query *q, const surface_face *f, int64_t length, gjk_vec3 *out) {
+static void point_below(surface_query *q, const surface_face *f, int64_t length, gjk_vec3 *out) {
   const int64_t half = INT64_C(1) << 29;
   const gjk_vec3 *at = &q->body->centre, *p = &f->deepest;
   const gjk_q16 by = gjk_saturate(length);
@@ -205,13 +225,15 @@ static bool reaches(const gjk_candidates *candidates, gjk_q16 height) {
 }
 
 // A body that is behind the plane in part may have come around the triangle, and not touch it.
-static bool touches(const surface_query *q, const gjk_collider *triangle) {
+static bool touches(surface_query *q, const gjk_collider *triangle) {
   gjk_decision decision;
-  return gjk_intersect(triangle, q->body, NULL, &decision) != GJK_OK || decision.yes;
+  const gjk_status status = gjk_intersect(triangle, q->body, NULL, &decision);
+  q->limited = q->limited || status != GJK_OK;
+  return status != GJK_OK || decision.yes;
 }
 
 // Is the body, a sum of half axes, so steep to the plane that it has one deepest point alone?
-static bool is_pointed(const surface_query *q, const surface_face *f) {
+static bool is_pointed(surface_query *q, const surface_face *f) {
   const gjk_collider *body = q->body;
   if (body->shape->type->kind != GJK_KIND_AXES) {
     return false;
@@ -226,8 +248,8 @@ static bool is_pointed(const surface_query *q, const surface_face *f) {
 }
 
 // The candidates along the triangle's own normal, once.
-static void find_on_face(const surface_query *q, surface_face *f, const gjk_collider *triangle,
-                         gjk_candidates *candidates, gjk_manifold *out) {
+static void find_on_face(surface_query *q, surface_face *f, const gjk_collider *triangle, gjk_candidates *candidates,
+                         gjk_manifold *out) {
   if (!f->clipped) {
     out->normal = f->unit;
     gjk_manifold_find(triangle, q->body, q->margin, candidates, out);
@@ -237,15 +259,15 @@ static void find_on_face(const surface_query *q, surface_face *f, const gjk_coll
 
 // A limit of iterations is left to gjk_signed_distance.
 // A direction that keeps the body off one triangle is likely to keep it off the next.
-static bool is_within_margin(const surface_query *q, const gjk_collider *triangle) {
+static bool is_within_margin(surface_query *q, const gjk_collider *triangle) {
   gjk_decision decision;
   return gjk_within(triangle, q->body, q->margin, q->cache, &decision) != GJK_OK || decision.yes;
 }
 
 // Step 2. False: no deepest point of the body lies over the triangle.
-static bool meets_face(const surface_query *q, surface_face *f, const gjk_collider *triangle,
-                       gjk_candidates *candidates, gjk_manifold *out) {
-  const bool over = is_over(f);
+static bool meets_face(surface_query *q, surface_face *f, const gjk_collider *triangle, gjk_candidates *candidates,
+                       gjk_manifold *out) {
+  const bool over = is_over(f, &f->deepest);
   if (!over && is_pointed(q, f)) {
     return false;
   }
@@ -271,13 +293,13 @@ static bool meets_face(const surface_query *q, surface_face *f, const gjk_collid
 }
 
 // How far p is beyond the plane across the normal at v: above 0, at least by the slack.
-static bool is_beyond_plane(const surface_query *q, const gjk_unit3 *normal, const gjk_vec3 *v, const gjk_vec3 *p) {
+static bool is_beyond_plane(surface_query *q, const gjk_unit3 *normal, const gjk_vec3 *v, const gjk_vec3 *p) {
   const gjk_vec3 step = gjk_sub(*p, *v);
   return gjk_along(normal, &step) > (int64_t)gjk_norm1(step) * q->slack;  // below 2^33 2^20
 }
 
 // Step 3: bit i is set if the triangle meets the normal with its corner i.
-static unsigned corners_that_meet(const surface_query *q, const surface_face *f, const gjk_unit3 *normal) {
+static unsigned corners_that_meet(surface_query *q, const surface_face *f, const gjk_unit3 *normal) {
   unsigned top = 0, bits = 0;
   for (unsigned i = 1; i < 3; i++) {
     const gjk_vec3 step = gjk_sub(f->corner[i], f->corner[top]);
@@ -319,7 +341,7 @@ static void ring_start(ring_walk *ring, const gjk_vec3 *p, const gjk_vec3 *r) {
 }
 
 // Ends: each triangle comes once.
-static bool ring_next(const surface_query *q, ring_walk *ring, uint32_t *number, surface_face *other) {
+static bool ring_next(surface_query *q, ring_walk *ring, uint32_t *number, surface_face *other) {
   while (gjk_parts_next(q->frame, &ring->region, &ring->walk, number)) {
     if (*number != q->number && set_corners_of(q, *number, other) && has_corner(other, ring->p) &&
         has_corner(other, ring->r)) {
@@ -330,7 +352,7 @@ static bool ring_next(const surface_query *q, ring_walk *ring, uint32_t *number,
 }
 
 // For a body that overlaps a triangle only one that it overlaps as well can answer.
-static bool answers(const surface_query *q, const surface_face *other, bool together) {
+static bool answers(surface_query *q, const surface_face *other, bool together) {
   gjk_parts_room room;
   gjk_collider triangle;
   return !together || (gjk_triangle_collider(other->world, &room, &triangle) == GJK_OK && touches(q, &triangle));
@@ -338,7 +360,7 @@ static bool answers(const surface_query *q, const surface_face *other, bool toge
 
 // Steps 4 and 5, at the edge from corner i to corner j, or at a corner, i = j. *answered: a triangle across the normal
 // answers.
-static bool has_normal(const surface_query *q, const surface_face *f, const gjk_unit3 *normal, unsigned i, unsigned j,
+static bool has_normal(surface_query *q, const surface_face *f, const gjk_unit3 *normal, unsigned i, unsigned j,
                        bool together, bool *answered) {
   ring_walk ring;
   surface_face other;
@@ -358,13 +380,13 @@ static bool has_normal(const surface_query *q, const surface_face *f, const gjk_
 }
 
 // Does the deepest point lie over some triangle at the edge or corner?
-static bool is_over_ring(const surface_query *q, const surface_face *f, unsigned i, unsigned j, bool together) {
+static bool is_over_ring(surface_query *q, const surface_face *f, unsigned i, unsigned j, bool together) {
   ring_walk ring;
   surface_face other;
   uint32_t number;
   ring_start(&ring, &f->local[i], &f->local[j]);
   while (ring_next(q, &ring, &number, &other)) {
-    if (set_face(q, number, &other) && is_over(&other) && answers(q, &other, together)) {
+    if (set_face(q, number, &other) && is_over(&other, &other.deepest) && answers(q, &other, together)) {
       return true;
     }
   }
@@ -372,7 +394,7 @@ static bool is_over_ring(const surface_query *q, const surface_face *f, unsigned
 }
 
 // Step 6: the nearest points of both, with the triangle's normal.
-static void keep_nearest(const surface_query *q, const surface_face *f, gjk_distance_result *nearest,
+static void keep_nearest(surface_query *q, const surface_face *f, gjk_distance_result *nearest,
                          gjk_candidates *candidates, gjk_manifold *out) {
   nearest->distance = f->height > nearest->distance ? f->height : nearest->distance;
   if (nearest->distance <= q->margin) {
@@ -393,14 +415,14 @@ static bool has_ridge(const surface_face *f) {
 }
 
 // Steps 3 to 6 without a distance. False: it is needed.
-static bool is_settled(const surface_query *q, surface_face *f, const gjk_collider *triangle,
-                       gjk_candidates *candidates, gjk_manifold *out) {
+static bool is_settled(surface_query *q, surface_face *f, const gjk_collider *triangle, gjk_candidates *candidates,
+                       gjk_manifold *out) {
   if (has_ridge(f) || gjk_is_curved(q->body->shape)) {
     return false;
   }
   find_on_face(q, f, triangle, candidates, out);
   if (candidates->count == 0) {
-    return f->height >= 0;
+    return f->height >= 0 && !is_nearly_over(q, f);
   }
   if (f->height >= 0 || touches(q, triangle)) {
     gjk_manifold_keep(candidates, NULL, q->most, out);
@@ -409,7 +431,7 @@ static bool is_settled(const surface_query *q, surface_face *f, const gjk_collid
 }
 
 // Steps 3 to 6.
-static gjk_status meet_beside(const surface_query *q, surface_face *f, const gjk_collider *triangle,
+static gjk_status meet_beside(surface_query *q, surface_face *f, const gjk_collider *triangle,
                               const gjk_workspace *workspace, gjk_candidates *candidates, gjk_manifold *out) {
   gjk_distance_result nearest;
   if (is_settled(q, f, triangle, candidates, out)) {
@@ -433,13 +455,13 @@ static gjk_status meet_beside(const surface_query *q, surface_face *f, const gjk
     const unsigned edge = GJK_TRIANGLE_EDGE(f->edges, i);
     const gjk_mesh_edge ridge = in_front ? GJK_MESH_CONVEX : GJK_MESH_CONCAVE;
     if (may && edge == (unsigned)ridge) {
-      has = has_normal(q, f, &nearest.normal, i, j, nearest.distance < 0, &answered);
+      has = has_normal(q, f, &nearest.normal, i, j, nearest.distance <= 0, &answered);
     } else {
       has = may && edge == GJK_MESH_OPEN;
     }
   } else {
     i = j = bits >> 1;  // 0, 1 or 2
-    has = may && has_normal(q, f, &nearest.normal, i, j, nearest.distance < 0, &answered);
+    has = may && has_normal(q, f, &nearest.normal, i, j, nearest.distance <= 0, &answered);
   }
   if (has) {
     out->normal = nearest.normal;
@@ -453,8 +475,8 @@ static gjk_status meet_beside(const surface_query *q, surface_face *f, const gjk
   find_on_face(q, f, triangle, candidates, out);
   if (candidates->count > 0 && (nearest.distance <= 0 || f->height >= 0)) {
     gjk_manifold_keep(candidates, NULL, q->most, out);
-  } else if ((nearest.distance < 0 || gjk_is_curved(q->body->shape)) &&
-             !is_over_ring(q, f, i, j, nearest.distance < 0)) {
+  } else if ((nearest.distance <= 0 || gjk_is_curved(q->body->shape) || is_nearly_over(q, f)) &&
+             !is_over_ring(q, f, i, j, nearest.distance <= 0)) {
     keep_nearest(q, f, &nearest, candidates, out);
   }
   return status;
@@ -462,8 +484,8 @@ static gjk_status meet_beside(const surface_query *q, surface_face *f, const gjk
 
 gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
                             unsigned most, gjk_cache *cache, const gjk_workspace *workspace, gjk_manifold *out) {
-  const surface_query q = {frame, b, margin, most, number, gjk_is_curved(b->shape) ? NORMAL_SLACK_CURVED : NORMAL_SLACK,
-                           cache};
+  surface_query q = {frame, b,    margin, most, number, gjk_is_curved(b->shape) ? NORMAL_SLACK_CURVED : NORMAL_SLACK,
+                     cache, false};
   surface_face face;
   gjk_parts_room room;
   gjk_collider triangle;
@@ -477,11 +499,18 @@ gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const
       face.height > (int64_t)margin + LEVEL) {
     return GJK_OK;
   }
-  const gjk_status status = gjk_triangle_collider(face.world, &room, &triangle);
-  if (status != GJK_OK || !is_within_margin(&q, &triangle) || meets_face(&q, &face, &triangle, &candidates, out)) {
+  gjk_status status = gjk_triangle_collider(face.world, &room, &triangle);
+  if (status != GJK_OK || !is_within_margin(&q, &triangle)) {
     return status;
   }
-  return meet_beside(&q, &face, &triangle, workspace, &candidates, out);
+  if (!meets_face(&q, &face, &triangle, &candidates, out)) {
+    status = meet_beside(&q, &face, &triangle, workspace, &candidates, out);
+  }
+  if (q.limited) {
+    out->count = 0;
+    status = GJK_ERROR_ITERATION_LIMIT;
+  }
+  return status;
 }
 
 // The contacts that the triangle alone has tell how far apart they may be.

@@ -44,7 +44,6 @@ int64_t gjk_triangle_distance(const gjk_vec3 corner[3], const gjk_region *region
 // sides.
 #define GJK_TRIANGLE_EDGES(a, b, c) ((unsigned)(a) | (unsigned)(b) << 2 | (unsigned)(c) << 4)
 #define GJK_TRIANGLE_EDGE(edges, i) ((edges) >> 2 * (i)&3u)
-#define GJK_TRIANGLE_TWO_SIDED 64u
 
 // The contacts of one triangle of a surface with a body, as gjk_surface_contacts; count 0: none. Of *out all but contacts may
 // be written in any case. cache: of any

@@ -2,16 +2,8 @@
 #ifndef GJK_SRC_ADVANCE_H
 #define GJK_SRC_ADVANCE_H
 
+#include "../arith/gjk_ceilings.h"
 #include "gjk_way.h"
-
-// The ceiling on the rounds of a cast: measurements of the gap. Polytopes end before it (gjk_advance.c); of a curved
-// pair GJK_ITERATIONS_MAX counts the iterations of all rounds as well. A build may define a lower one, for tests.
-#ifndef GJK_ADVANCE_ROUNDS_MAX
-#define GJK_ADVANCE_ROUNDS_MAX 64
-#endif
-#if GJK_ADVANCE_ROUNDS_MAX < 1 || GJK_ADVANCE_ROUNDS_MAX > 1000
-#error "GJK_ADVANCE_ROUNDS_MAX must be from 1 to 1000"
-#endif
 
 // What the rounds prove.
 typedef enum gjk_advance_answer {

@@ -31,7 +31,8 @@ static gjk_vec3 farthest_along(const gjk_collider *c, const gjk_long3 *n, int si
 
 static gjk_vec3 farthest_difference(const gjk_portal *p) {
   const gjk_vec3 v = farthest_along(p->a, &p->n, 1), w = farthest_along(p->b, &p->n, -1);
-  const gjk_vec3 u = {gjk_shl32(v.x - w.x, p->shift), gjk_shl32(v.y - w.y, p->shift), gjk_shl32(v.z - w.z, p->shift)};
+  gjk_vec3 u;
+  gjk_portal_scale(p, &v, &w, &u);
   return u;
 }
 

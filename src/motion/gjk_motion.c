@@ -89,8 +89,7 @@ static gjk_status start_arc(const gjk_motion *motion, gjk_turning *out) {
   }
   const uint64_t squared = (uint64_t)gjk_mul32(arc.x, arc.x) + (uint64_t)gjk_mul32(arc.y, arc.y) +
                            (uint64_t)gjk_mul32(arc.z, arc.z);  // below 2^60 + 2^32
-  uint32_t sine = gjk_isqrt64(squared);
-  sine += squared - gjk_umul32(sine, sine) > sine ? 1 : 0;  // to the nearest
+  const uint32_t sine = gjk_nearest_root(squared);
   const gjk_quat direction = {arc.x, arc.y, arc.z, 0};
   gjk_quat unit;
   if (gjk_quat_normalize(&direction, &unit) != GJK_OK) {

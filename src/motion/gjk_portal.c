@@ -24,12 +24,10 @@
 //         such that s t is in A - B", with columns found by support scans and ties broken in lexicographic order.
 #include "gjk_portal.h"
 
+#include "../arith/gjk_ceilings.h"
+
 // How much farther from the line than the core radii the bounding spheres may leave start, rounded up (gjk_spheres.h).
 #define LINE_SLACK 1024
-
-#ifndef GJK_CAST_ITERATIONS_MAX
-#define GJK_CAST_ITERATIONS_MAX 250
-#endif
 
 // v / 8, rounded down.
 static gjk_vec3 eighth(const gjk_long3 *v) {
@@ -157,9 +155,7 @@ static void set_direction(gjk_portal *p) {
 
 static void complete(gjk_portal *p) {
   gjk_corner *c = &p->corner[3];
-  c->u.x = gjk_shl32(p->of_a.offset.x - p->of_b.offset.x, p->shift);
-  c->u.y = gjk_shl32(p->of_a.offset.y - p->of_b.offset.y, p->shift);
-  c->u.z = gjk_shl32(p->of_a.offset.z - p->of_b.offset.z, p->shift);
+  gjk_portal_scale(p, &p->of_a.offset, &p->of_b.offset, &c->u);
   c->a = p->of_a.vertex;
   c->b = p->of_b.vertex;
 }
@@ -496,6 +492,9 @@ void gjk_portal_start(gjk_portal *p, const gjk_collider *a, const gjk_collider *
     p->t.x = gjk_shl32((int32_t)t.x, shift);
     p->t.y = gjk_shl32((int32_t)t.y, shift);
     p->t.z = gjk_shl32((int32_t)t.z, shift);
+    //@ assert p->t.x > -(INT32_C(1) << 30) && p->t.x < INT32_C(1) << 30;
+    //@ assert p->t.y > -(INT32_C(1) << 30) && p->t.y < INT32_C(1) << 30;
+    //@ assert p->t.z > -(INT32_C(1) << 30) && p->t.z < INT32_C(1) << 30;
     t.x = p->t.x;
     t.y = p->t.y;
     t.z = p->t.z;
@@ -552,9 +551,7 @@ bool gjk_portal_load(gjk_portal *p, const gjk_cast_certificate *certificate) {
         !p->b->shape->type->vertex(p->b, certificate->b[i], &b)) {
       return false;
     }
-    c->u.x = gjk_shl32(a.x - b.x, p->shift);
-    c->u.y = gjk_shl32(a.y - b.y, p->shift);
-    c->u.z = gjk_shl32(a.z - b.z, p->shift);
+    gjk_portal_scale(p, &a, &b, &c->u);
     c->a = certificate->a[i];
     c->b = certificate->b[i];
   }

@@ -59,6 +59,16 @@ typedef struct gjk_portal {
   bool leaving;  // n . t > 0: the search looks for where the line leaves A - B
 } gjk_portal;
 
+// *u = the offset of A's vertex less that of B's, scaled: below 2^29, since both lie within their core radii.
+static inline void gjk_portal_scale(const gjk_portal *p, const gjk_vec3 *a, const gjk_vec3 *b, gjk_vec3 *u) {
+  u->x = gjk_shl32(a->x - b->x, p->shift);
+  u->y = gjk_shl32(a->y - b->y, p->shift);
+  u->z = gjk_shl32(a->z - b->z, p->shift);
+  //@ assert u->x > -(INT32_C(1) << 29) && u->x < INT32_C(1) << 29;
+  //@ assert u->y > -(INT32_C(1) << 29) && u->y < INT32_C(1) << 29;
+  //@ assert u->z > -(INT32_C(1) << 29) && u->z < INT32_C(1) << 29;
+}
+
 // Searches. Pre: the bounding spheres of the cores meet on the way, as gjk_spheres_part has it; both are polytopes.
 gjk_passage gjk_portal_find(gjk_portal *p, const gjk_collider *a, const gjk_collider *b, const gjk_way *way);
 

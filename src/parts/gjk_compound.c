@@ -108,5 +108,6 @@ const gjk_parts_class gjk_parts_class_compound = {
     .place = place_in_compound,
     .local = local_in_compound,
     .settle = NULL,
+    .meet = NULL,
     .edges = NULL,
 };

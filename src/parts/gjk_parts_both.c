@@ -46,6 +46,9 @@ gjk_status gjk_parts_both_within(const gjk_parts *a, const gjk_parts *b, gjk_q16
   const uint32_t count = gjk_parts_count(b);
   for (i = 0; i < count; i++) {
     gjk_status of_part = gjk_parts_both_part(frame, i, &room, &c, &region);
+    if (gjk_parts_both_lacks(&of_part)) {
+      continue;
+    }
     if (of_part == GJK_OK) {
       gjk_region_grow(&region, distance);
       of_part = gjk_parts_near(&frame[0], &region, &c, distance, &found, &decision);
@@ -84,10 +87,16 @@ gjk_status gjk_parts_both_distance(const gjk_parts *a, const gjk_parts *b, gjk_p
   gjk_parts_nearest_start(&nearest);
   for (uint32_t i = 0; i < count && status == GJK_OK; i++) {
     status = gjk_parts_both_part(frame, i, &room, &c, &region);
+    if (gjk_parts_both_lacks(&status)) {
+      continue;
+    }
     status = status == GJK_OK ? gjk_parts_nearest_ask(&nearest, &frame[0], &region, &c, i) : status;
   }
   for (uint32_t i = 0; nearest.limited && i < count && status == GJK_OK; i++) {
     status = gjk_parts_both_part(frame, i, &room, &c, &region);
+    if (gjk_parts_both_lacks(&status)) {
+      continue;
+    }
     status = status == GJK_OK ? gjk_parts_nearest_bound(&nearest, &frame[0], &region, &c) : status;
   }
   if (status != GJK_OK) {

@@ -14,4 +14,11 @@ gjk_status gjk_parts_both_part(const gjk_parts_frame frame[2], uint32_t number, 
 // Writes the numbers of a pair where they are wanted.
 void gjk_parts_write_numbers(uint32_t a, uint32_t b, gjk_parts_pair *out);
 
+// Is a part of B one that is not there, such as a triangle at a hole of a height field? It is passed over.
+static inline bool gjk_parts_both_lacks(gjk_status *of_part) {
+  const bool lacks = *of_part == GJK_ERROR_RANGE;
+  *of_part = lacks ? GJK_OK : *of_part;
+  return lacks;
+}
+
 #endif

@@ -86,6 +86,9 @@ static gjk_status pass_over_b(const gjk_parts_frame frame[2], const gjk_cast_pat
     bool outside = false;
     const uint32_t before_part = first->part, before_b = first->of_b;
     gjk_status status = gjk_parts_place_in(&frame[1], i, &room, &c);
+    if (gjk_parts_both_lacks(&status)) {
+      continue;
+    }
     if (status == GJK_OK) {
       to.x = as_body(end->x, at->x, c.position.x, &outside);  // B's reach allows it
       to.y = as_body(end->y, at->y, c.position.y, &outside);

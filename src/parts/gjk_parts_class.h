@@ -26,6 +26,9 @@ typedef struct gjk_parts_local {
   const gjk_pose *own;
 } gjk_parts_local;
 
+// What edges of a triangle holds besides its edges: there are contacts on both sides.
+#define GJK_TRIANGLE_TWO_SIDED 64u
+
 struct gjk_parts_class {
   // How many parts there are. 0: none.
   uint32_t (*count)(const void *data);
@@ -34,7 +37,8 @@ struct gjk_parts_class {
   // rounding included. Body positions nearer than that to an end of int32 are refused, so that place cannot leave it.
   uint32_t (*reach)(const void *data);
 
-  // A part that is likely to be near the region. Any number of a part is right; a good one saves work.
+  // A part that is likely to be near the region. Any number of a part is right; a good one saves work. GJK_PARTS_NONE, for
+  // impacts alone: none.
   uint32_t (*guess)(const void *data, const gjk_region *region);
 
   // The next part whose box the region meets, each once, in an order that is fixed by data. False: there is none left.
@@ -52,6 +56,10 @@ struct gjk_parts_class {
   // Drops or turns contacts of a part with B that the whole body does not have, such as those of an inner edge of a mesh:
   // changes *m. False: none is left. NULL: all are right.
   bool (*settle)(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_manifold *m);
+
+  // The contacts of a part with B that the whole body has, in place of gjk_contacts: gjk_surface_meet. NULL: gjk_contacts.
+  gjk_status (*meet)(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
+                     unsigned most, gjk_cache *cache, const gjk_workspace *workspace, gjk_manifold *out);
 
   // What is known of a triangle's edges, and its sides: src/mesh/gjk_triangle.h. Of surfaces of triangles; NULL for others.
   unsigned (*edges)(const void *data, uint32_t number);

@@ -121,6 +121,9 @@ gjk_status gjk_parts_both_contacts(const gjk_parts *a, const gjk_parts *b, gjk_q
   const uint32_t parts = status == GJK_OK ? gjk_parts_count(b) : 0;
   for (uint32_t i = 0; i < parts && status == GJK_OK; i++) {
     status = gjk_parts_both_part(frame, i, &room, &c, &region);
+    if (gjk_parts_both_lacks(&status)) {
+      continue;
+    }
     status = status == GJK_OK ? collect_contacts(&frame[0], &region, &c, i, &of, &found) : status;
   }
   if (status != GJK_OK) {

@@ -94,7 +94,8 @@ static gjk_status cast_part(const gjk_parts_frame *frame, const gjk_parts_cast_q
   return status;
 }
 
-// Does a trial come before the best so far? A part that is only known to be free up to a fraction has to be met before.
+// Does a trial come before the best so far? A part that is only known to be free up to a fraction has to be met before. Of
+// parts that are met at the start one that overlaps there tells more.
 static bool is_sooner(const gjk_parts_first *f, const gjk_cast_result *trial, gjk_status status, uint32_t part,
                       uint32_t of_b) {
   const gjk_q30 best = f->result[f->best].fraction;
@@ -103,6 +104,9 @@ static bool is_sooner(const gjk_parts_first *f, const gjk_cast_result *trial, gj
   }
   if (status != f->status) {
     return status == GJK_OK;
+  }
+  if (status == GJK_OK && trial->inside != f->result[f->best].inside) {
+    return trial->inside;
   }
   return of_b != f->of_b ? of_b < f->of_b : part < f->part;
 }

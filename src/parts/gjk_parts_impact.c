@@ -99,7 +99,13 @@ static bool is_earlier(const impact_search *s, const gjk_impact_result *trial, g
   if (s->part == GJK_PARTS_NONE || trial->lower != best) {
     return s->part == GJK_PARTS_NONE || trial->lower < best;
   }
-  return status != s->status ? status == GJK_OK : part < s->part;
+  if (status != s->status) {
+    return status == GJK_OK;
+  }
+  if (trial->overlap != s->result[s->best].overlap) {
+    return trial->overlap;
+  }
+  return part < s->part;
 }
 
 static void cut_impact_region(impact_search *s) {
@@ -188,7 +194,7 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
     return status;
   }
   const uint32_t guess = a->type->guess(a->data, &s.region);
-  status = ask_impact(&s, guess, false);  // Step 2
+  status = guess != GJK_PARTS_NONE ? ask_impact(&s, guess, false) : GJK_OK;  // Step 2
   status = status == GJK_OK ? ask_region(&s, guess, false) : status;
   if (status == GJK_OK && s.limited) {
     status = ask_region(&s, GJK_PARTS_NONE, true);  // Step 3

@@ -103,6 +103,9 @@ gjk_status gjk_parts_both_penetration(const gjk_parts *a, const gjk_parts *b, co
   gjk_parts_deepest_start(&deepest);
   for (uint32_t i = 0; i < count && status == GJK_OK; i++) {
     status = gjk_parts_both_part(frame, i, &room, &c, &region);
+    if (gjk_parts_both_lacks(&status)) {
+      continue;
+    }
     status = status == GJK_OK ? gjk_parts_deepest_ask(&deepest, &frame[0], &region, &c, i, workspace) : status;
   }
   if (status != GJK_OK) {

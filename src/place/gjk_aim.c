@@ -80,15 +80,17 @@ gjk_status gjk_pose_between(const gjk_vec3 *p, const gjk_vec3 *q, gjk_pose *out,
   // Where the way is longer than int32 its half is taken: 1 of 2^31.
   const unsigned down = x != gjk_saturate(x) || y != gjk_saturate(y) || z != gjk_saturate(z) ? 1 : 0;
   const gjk_vec3 way = {(int32_t)gjk_sar64(x, down), (int32_t)gjk_sar64(y, down), (int32_t)gjk_sar64(z, down)};
-  const uint32_t length = gjk_vec3_length(&way);
-  const uint32_t half = down != 0 ? length : length / 2 + (length & 1u);
+  const uint32_t wx = gjk_magnitude32(way.x), wy = gjk_magnitude32(way.y), wz = gjk_magnitude32(way.z);
+  const uint64_t squared = gjk_umul32(wx, wx) + gjk_umul32(wy, wy) + gjk_umul32(wz, wz);  // at most 3 2^62
+  // Half of a root from 2 k to 2 k + 1 is nearest to k, of one from 2 k + 1 to 2 k + 2 to k + 1.
+  const uint32_t half = down != 0 ? gjk_nearest_root(squared) : (gjk_isqrt64(squared) + 1) / 2;
   if (half > INT32_MAX) {
     return GJK_ERROR_RANGE;
   }
   const gjk_vec3 up = {0, 0, GJK_Q16_ONE};
   const gjk_quat still = {0, 0, 0, GJK_Q30_ONE};
   out->rotation = still;
-  if (length != 0) {
+  if (squared != 0) {  // then way is not zero
     (void)gjk_quat_between(&up, &way, &out->rotation);
   }
   out->position.x = (gjk_q16)gjk_sar64((int64_t)p->x + q->x, 1);

@@ -74,13 +74,10 @@ gjk_status gjk_quat_compose(const gjk_quat *a, const gjk_quat *b, gjk_quat *out)
   const int32_t e = ea + eb + (int32_t)gjk_sar64(gjk_mul32(ea, eb), 45);
   // 1 - 1 / sqrt(1 + e) = e / 2 - 3/8 e^2 + ..., in Q46:  3 e^2 < 2^62, the other terms together < 1
   const int32_t excess = e - (int32_t)gjk_sar64(3 * gjk_mul32(e, e), 47);
-  // |products|, |partial sums| <= |a| |b| <= 2^60 (1 + 2^-16)
-  const int64_t x = gjk_mul32(a->w, b->x) + gjk_mul32(a->x, b->w) + gjk_mul32(a->y, b->z) - gjk_mul32(a->z, b->y);
-  const int64_t y = gjk_mul32(a->w, b->y) + gjk_mul32(a->y, b->w) + gjk_mul32(a->z, b->x) - gjk_mul32(a->x, b->z);
-  const int64_t z = gjk_mul32(a->w, b->z) + gjk_mul32(a->z, b->w) + gjk_mul32(a->x, b->y) - gjk_mul32(a->y, b->x);
-  const int64_t w = gjk_mul32(a->w, b->w) - gjk_mul32(a->x, b->x) - gjk_mul32(a->y, b->y) - gjk_mul32(a->z, b->z);
-  const gjk_quat product = {gjk_corrected_q30(x, excess), gjk_corrected_q30(y, excess), gjk_corrected_q30(z, excess),
-                            gjk_corrected_q30(w, excess)};
+  int64_t p[4];
+  gjk_quat_product(a, b, p);  // |a| |b| <= 2^60 (1 + 2^-16)
+  const gjk_quat product = {gjk_corrected_q30(p[0], excess), gjk_corrected_q30(p[1], excess),
+                            gjk_corrected_q30(p[2], excess), gjk_corrected_q30(p[3], excess)};
   *out = product;
   return GJK_OK;
 }

@@ -39,7 +39,7 @@ static gjk_unit3 direction_of(gjk2_vec edge) {
 }
 
 // The whole steps of a way of so many LSB.
-static gjk2_vec way_along(const gjk_unit3 *u, int32_t length) {
+static gjk2_vec steps_along(const gjk_unit3 *u, int32_t length) {
   const gjk2_vec way = {(int32_t)gjk_sar64(gjk_mul32(u->x, length) + GJK_Q30_ONE / 2, 30),
                         (int32_t)gjk_sar64(gjk_mul32(u->y, length) + GJK_Q30_ONE / 2, 30)};
   return way;
@@ -62,7 +62,7 @@ static uint32_t distance_of_edge(gjk2_vec from, gjk2_vec to, gjk2_vec p) {
   }
   const gjk_unit3 u = direction_of(edge);
   const int64_t along = gjk_mac32(gjk_mul32(u.x, way.x), u.y, way.y);
-  const gjk2_vec foot = way_along(&u, (int32_t)gjk_sar64(along, 30));
+  const gjk2_vec foot = steps_along(&u, (int32_t)gjk_sar64(along, 30));
   return rounded_length(gjk2_sub(way, foot)) + FOOT_ROUNDING;
 }
 
@@ -94,11 +94,11 @@ static bool find_meeting(const edge_row *e, gjk2_vec *r) {
   const gjk_unit3 u = direction_of(e->before);
   int32_t length = 0;
   for (int32_t bit = INT32_C(1) << 28; bit > 0; bit >>= 1) {  // the most that does not reach the last line
-    const gjk2_vec way = gjk2_sub(way_along(&u, length + bit), e->own);
+    const gjk2_vec way = gjk2_sub(steps_along(&u, length + bit), e->own);
     length += gjk2_cross(e->after, way) > 0 ? bit : 0;
   }
   for (int32_t more = 1; more < INT32_C(1) << 28; more *= 2) {
-    const gjk2_vec at = gjk2_sub(way_along(&u, length + more), e->own);
+    const gjk2_vec at = gjk2_sub(steps_along(&u, length + more), e->own);
     for (int32_t i = -1; i <= 1; i++) {  // there and around
       for (int32_t j = -1; j <= 1; j++) {
         r->x = at.x + i;

@@ -18,14 +18,11 @@
 //
 // Rounds: of a convex function each step of Newton's iteration halves the gap or the slope. The gap is below 2^33 LSB and
 // above 1, and the slope is not below the gap that is left, so 66 rounds are never reached.
+#include "../arith/gjk_ceilings.h"
 #include "../arith/gjk_root.h"
 #include "../plane/gjk2_measure.h"
 #include "gjk2/intersect.h"
 #include "gjk2_cast_report.h"
-
-#ifndef GJK2_ADVANCE_ROUNDS_MAX
-#define GJK2_ADVANCE_ROUNDS_MAX 72
-#endif
 
 // Supports of curved shapes are up to 2 LSB below the true ones.
 #define PLANE_CURVED_SLACK 2
@@ -303,6 +300,19 @@ static void plane_advance_graze(plane_advance *s) {
   plane_advance_touch(s);
 }
 
+// Curved shapes are within an LSB of the bound along a direction, but a grazing way goes far for that, and may have left them
+// again by then. Then the last place that was measured is the answer: the gap there is as small.
+static void plane_advance_stay(plane_advance *s, gjk_q30 before) {
+  const uint64_t way = gjk_magnitude64(s->way->t.x) + gjk_magnitude64(s->way->t.y);  // below 2^33
+  if ((uint64_t)(s->fraction - before) * way >> 30 <= PLANE_CURVED_GAP) {
+    return;
+  }
+  (void)plane_advance_is_near(s, s->fraction);
+  if (!s->gap.intersecting && s->gap.distance > (int64_t)s->margin + PLANE_CURVED_GAP) {
+    s->fraction = before;
+  }
+}
+
 static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
   const gjk2_portion portion = {0, 1, s->fraction, true};
   gjk2_contact_place place = {&s->face.p, &s->face.p, 0, s->face.n};
@@ -452,13 +462,18 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out) {
     if (!measured) {
       (void)plane_advance_is_near(&s, s.fraction);
       if (s.gap.intersecting) {
-        plane_advance_touch(&s);
+        // Supports of curved shapes err by as much as the slack. The last round's direction bounds the fraction, and stays. There
+        // is a last round: where bounding circles meet, cores are apart by the slack of both circles and PLANE_CURVED_SLACK.
+        if (!s.curved) {
+          plane_advance_touch(&s);
+        }
         plane_advance_hit(&s, out);
         return GJK_OK;
       }
       plane_advance_face(&s, &s.face);
     }
     measured = false;
+    const gjk_q30 before = s.fraction;
     if (plane_advance_round(&s, &bound)) {
       if (s.open && bound != GJK2_BOUND_BEYOND &&
           (bound == GJK2_BOUND_AWAY || s.gap.upper > s.margin + PLANE_CURVED_GAP)) {
@@ -468,7 +483,9 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out) {
         plane_advance_short(&s, &s.face, false, out);
         return GJK_OK;
       }
-      if (bound != GJK2_BOUND_AT) {
+      if (s.curved) {
+        plane_advance_stay(&s, before);
+      } else if (bound != GJK2_BOUND_AT) {
         plane_advance_graze(&s);
       }
       plane_advance_hit(&s, out);

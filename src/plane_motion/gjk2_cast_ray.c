@@ -29,6 +29,7 @@ gjk_status gjk2_cast_ray(const gjk2_collider *a, const gjk2_vec *from, const gjk
       .buffered = false,
       .count = 1,
   };
+  static const gjk2_vec origin = {0, 0};
   static const gjk2_shape point = {&ray_end, NULL, NULL, NULL, {0, 0}, 0, 0};
   if (from == NULL || to == NULL) {
     return GJK_ERROR_NULL;
@@ -39,6 +40,13 @@ gjk_status gjk2_cast_ray(const gjk2_collider *a, const gjk2_vec *from, const gjk
   b.buffer = NULL;
   gjk2_copy(&b.position, from);
   gjk2_copy(&b.centre, from);
+  // A point has no frame, but the places of a rounded cast are copies of the whole collider.
+  gjk2_copy(&b.local_centre, &origin);
+  for (int i = 0; i < 3; i++) {
+    gjk2_copy(&b.frame[i], &origin);
+  }
+  b.fraction[0] = 0;
+  b.fraction[1] = 0;
   b.core_radius = 0;
   b.radius = 0;
   b.count = 1;

@@ -50,6 +50,8 @@ static void plane_way_aim(gjk2_way *way) {
   const bool is_short = plane_is_short(t);
   way->d.x = (int32_t)(is_short ? t->x : gjk_sar64(t->x, 3));
   way->d.y = (int32_t)(is_short ? t->y : gjk_sar64(t->y, 3));
+  //@ assert way->d.x > -(INT32_C(1) << 30) && way->d.x < INT32_C(1) << 30;
+  //@ assert way->d.y > -(INT32_C(1) << 30) && way->d.y < INT32_C(1) << 30;
   way->wide = !is_short || !plane_is_short(delta);
   if (!way->wide) {
     const gjk2_vec near = {(int32_t)delta->x, (int32_t)delta->y};

@@ -7,6 +7,7 @@
 #ifndef GJK2_SRC_SCENE_NAMES_H
 #define GJK2_SRC_SCENE_NAMES_H
 
+#include "gjk2/draw.h"
 #include "gjk2/impact.h"
 #include "gjk2/slide.h"
 #include "gjk2_scene_measure.h"
@@ -43,6 +44,13 @@
 #define gjk_distance_result gjk2_distance_result
 #define gjk_impact_result gjk2_impact_result
 #define gjk_impact_setup gjk2_impact_setup
+#define gjk_draw gjk2_draw
+#define gjk_draw_box gjk2_draw_box
+#define gjk_draw_cast gjk2_draw_cast
+#define gjk_draw_collider gjk2_draw_collider
+#define gjk_draw_manifold gjk2_draw_manifold
+#define gjk_draw_ray gjk2_draw_ray
+#define gjk_draw_scene gjk2_draw_scene
 #define gjk_is_curved gjk2_is_curved
 #define gjk_manifold gjk2_manifold
 #define gjk_motion gjk2_motion
@@ -68,6 +76,7 @@
 
 // Types and constants of scenes.
 #define GJK_SCENE_AXES GJK2_SCENE_AXES
+#define GJK_SCENE_CASTS GJK2_SCENE_CASTS
 #define GJK_SCENE_CONTACTS GJK2_SCENE_CONTACTS
 #define GJK_SCENE_HEADER_BYTES GJK2_SCENE_HEADER_BYTES
 #define GJK_SCENE_HEIGHT GJK2_SCENE_HEIGHT
@@ -105,9 +114,16 @@
 #define gjk_scene_accepts gjk2_scene_accepts
 #define gjk_scene_add gjk2_scene_add
 #define gjk_scene_add_at gjk2_scene_add_at
+#define gjk_scene_ahead gjk2_scene_ahead
 #define gjk_scene_along gjk2_scene_along
+#define gjk_scene_ask_cast gjk2_scene_ask_cast
+#define gjk_scene_ask_depth gjk2_scene_ask_depth
+#define gjk_scene_ask_distance gjk2_scene_ask_distance
+#define gjk_scene_ask_ray gjk2_scene_ask_ray
+#define gjk_scene_ask_within gjk2_scene_ask_within
 #define gjk_scene_attach gjk2_scene_attach
 #define gjk_scene_between_centres gjk2_scene_between_centres
+#define gjk_scene_bind gjk2_scene_bind
 #define gjk_scene_body_at gjk2_scene_body_at
 #define gjk_scene_body_of gjk2_scene_body_of
 #define gjk_scene_bytes gjk2_scene_bytes
@@ -138,6 +154,7 @@
 #define gjk_scene_gone_next gjk2_scene_gone_next
 #define gjk_scene_gone_side gjk2_scene_gone_side
 #define gjk_scene_grow gjk2_scene_grow
+#define gjk_scene_has_room gjk2_scene_has_room
 #define gjk_scene_has_workspace gjk2_scene_has_workspace
 #define gjk_scene_hash gjk2_scene_hash
 #define gjk_scene_hint gjk2_scene_hint
@@ -149,9 +166,11 @@
 #define gjk_scene_init gjk2_scene_init
 #define gjk_scene_inner_radius gjk2_scene_inner_radius
 #define gjk_scene_is_below gjk2_scene_is_below
+#define gjk_scene_is_concave gjk2_scene_is_concave
 #define gjk_scene_is_point gjk2_scene_is_point
 #define gjk_scene_is_refused gjk2_scene_is_refused
 #define gjk_scene_is_rotation gjk2_scene_is_rotation
+#define gjk_scene_is_sensor gjk2_scene_is_sensor
 #define gjk_scene_is_to_pose gjk2_scene_is_to_pose
 #define gjk_scene_is_zero gjk2_scene_is_zero
 #define gjk_scene_is_zero_direction gjk2_scene_is_zero_direction
@@ -187,6 +206,8 @@
 #define gjk_scene_part_fits gjk2_scene_part_fits
 #define gjk_scene_part_load gjk2_scene_part_load
 #define gjk_scene_part_now gjk2_scene_part_now
+#define gjk_scene_part_of gjk2_scene_part_of
+#define gjk_scene_part_pose gjk2_scene_part_pose
 #define gjk_scene_part_reset gjk2_scene_part_reset
 #define gjk_scene_part_settle gjk2_scene_part_settle
 #define gjk_scene_part_shrink_box gjk2_scene_part_shrink_box
@@ -195,6 +216,7 @@
 #define gjk_scene_passage_start gjk2_scene_passage_start
 #define gjk_scene_pool_give gjk2_scene_pool_give
 #define gjk_scene_pool_take gjk2_scene_pool_take
+#define gjk_scene_pose_of gjk2_scene_pose_of
 #define gjk_scene_previous gjk2_scene_previous
 #define gjk_scene_query_box gjk2_scene_query_box
 #define gjk_scene_query_nearest gjk2_scene_query_nearest
@@ -204,7 +226,6 @@
 #define gjk_scene_remove gjk2_scene_remove
 #define gjk_scene_rotation_bound gjk2_scene_rotation_bound
 #define gjk_scene_same_rotation gjk2_scene_same_rotation
-#define gjk_scene_pose_of gjk2_scene_pose_of
 #define gjk_scene_same_vec3 gjk2_scene_same_vec
 #define gjk_scene_seal gjk2_scene_seal
 #define gjk_scene_set_bindings gjk2_scene_set_bindings
@@ -246,6 +267,7 @@
 #define gjk_scene_walk_start gjk2_scene_walk_start
 #define gjk_scene_wants_distance gjk2_scene_wants_distance
 #define gjk_scene_way gjk2_scene_way
+#define gjk_scene_words_of gjk2_scene_words_of
 #define gjk_scene_write_reports gjk2_scene_write_reports
 
 #endif

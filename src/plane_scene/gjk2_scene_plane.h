@@ -6,6 +6,7 @@
 #ifndef GJK2_SRC_SCENE_PLANE_H
 #define GJK2_SRC_SCENE_PLANE_H
 
+#include "../arith/gjk_ceilings.h"
 #include "../plane/gjk2_class.h"
 #include "../plane/gjk2_measure.h"
 #include "../plane/gjk2_rotation.h"
@@ -21,6 +22,9 @@
 
 // The version of the block's format.
 #define GJK2_SCENE_VERSION GJK2_SCENE_BLOCK_VERSION
+
+// The ceiling on casts of the build, as a block says it.
+#define GJK2_SCENE_CASTS (GJK2_ADVANCE_ROUNDS_MAX + UINT32_C(0))
 
 // How many contacts a report has at most.
 #define GJK2_SCENE_CONTACTS GJK2_CONTACTS_MAX
@@ -126,7 +130,7 @@ typedef char gjk2_scene_sizes_are_fixed[sizeof(gjk2_scene_body) == 44 && sizeof(
                                             : -1];
 
 // Bytes of a header.
-#define GJK2_SCENE_HEADER_BYTES 272
+#define GJK2_SCENE_HEADER_BYTES 288
 
 struct gjk2_scene_details {
   gjk_status (*signed_distance)(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache,
@@ -336,13 +340,21 @@ static inline void gjk2_scene_grow(gjk2_aabb *box, int32_t margin, const gjk2_ve
   gjk_scene_grow_side(&box->lower.y, &box->upper.y, margin, steps * way->y);
 }
 
+// So far from a point along a unit vector, to the nearest LSB, saturated:  |length| * 2^30 <= 2^61
+static inline gjk2_vec gjk2_scene_ahead(const gjk2_vec *from, const gjk2_unit *n, gjk_q16 length) {
+  const int64_t half = INT64_C(1) << 29;
+  const gjk2_vec at = {gjk_saturate(from->x + gjk_sar64(gjk_mul32(n->x, length) + half, 30)),
+                       gjk_saturate(from->y + gjk_sar64(gjk_mul32(n->y, length) + half, 30))};
+  return at;
+}
+
 // One word after another into a hash.
 static inline uint64_t gjk2_scene_mix_vec(uint64_t hash, const gjk2_vec *v) {
-  return gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)v->x), (uint32_t)v->y);
+  return gjk_hash_step(gjk_hash_step(hash, (uint32_t)v->x), (uint32_t)v->y);
 }
 
 static inline uint64_t gjk2_scene_mix_rotation(uint64_t hash, const gjk2_rotation *r) {
-  return gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)r->c), (uint32_t)r->s);
+  return gjk_hash_step(gjk_hash_step(hash, (uint32_t)r->c), (uint32_t)r->s);
 }
 
 // An upper bound of the distance from a to b. UNBOUNDED when they are 2^30 or more apart along an axis.
@@ -507,6 +519,23 @@ static inline void gjk2_scene_store_cache(const gjk2_cache *cache, bool near, gj
   }
   const unsigned flags = pair->state & ((1u << GJK_SCENE_PAIR_CACHED) - 1);
   pair->state = (uint8_t)(flags | count << GJK_SCENE_PAIR_CACHED);
+}
+
+// No shape of the plane is concave.
+static inline bool gjk2_scene_is_concave(const gjk2_shape *shape) {
+  (void)shape;
+  return false;
+}
+
+// Binds a collider to a shape of a part. Statuses as gjk2_collider_init.
+static inline gjk_status gjk2_scene_bind(gjk2_collider *c, const gjk2_shape *shape) {
+  return gjk2_collider_init(c, shape, NULL, 0);
+}
+
+// Does a part stay in int32 at any rotation? Its collider tells.
+static inline bool gjk2_scene_has_room(const gjk2_shape *shape, const gjk2_vec *position) {
+  (void)shape, (void)position;
+  return true;
 }
 
 #endif

@@ -18,12 +18,14 @@ typedef struct gjk_scene_counters {
   uint32_t pairs, refused, resting;
   uint32_t filtered, motion, boxes, direction, warm, cold;  // in the order of gjk_scene_outcome
   uint32_t begun, persisting, ended, unsettled;
+  uint32_t measured, manifolds;
 } gjk_scene_counters;
 
 typedef struct gjk_scene_header {
   uint32_t magic, version, order, bytes;
   uint32_t sealed, checksum[2];
   uint32_t iterations;  // GJK_ITERATIONS_MAX of the build
+  uint32_t casts;       // GJK_SCENE_CASTS of the build
   gjk_scene_config config;
   gjk_scene_pool bodies, parts, nodes, own_poses, pairs;
   uint32_t queue_at;                // of the array of pair indices, bytes from the start of the block
@@ -41,6 +43,7 @@ typedef struct gjk_scene_header {
   uint32_t refused;                 // counter of the update under way
   uint32_t kept_at;                 // of the array of kept motions
   uint32_t kept;                    // how many there are
+  uint32_t words_at;                // of the array of the caller's words, config.pair_words for each pair
   gjk_scene_counters stats;         // of the last update whose tests are done
 } gjk_scene_header;
 
@@ -55,6 +58,7 @@ typedef struct gjk_scene_view {
   gjk_scene_pair *pairs;
   uint32_t *queue, *slots;
   gjk_scene_kept *kept;  // in the order of slots
+  uint32_t *words;
 } gjk_scene_view;
 
 // The code of fast bodies, which bindings.motion binds.
@@ -88,6 +92,17 @@ gjk_status gjk_scene_body_of(const gjk_scene_view *v, gjk_body_id id, gjk_scene_
 static inline gjk_body_id gjk_scene_id_of(const gjk_scene_view *v, uint32_t slot) {
   const gjk_body_id id = {slot, v->bodies[slot].generation};
   return id;
+}
+
+// The caller's words of a pair; NULL: there are none.
+static inline uint32_t *gjk_scene_words_of(const gjk_scene_view *v, uint32_t pair) {
+  const uint32_t count = v->header->config.pair_words;
+  return count == 0 ? NULL : &v->words[pair * count];  // < 2^27
+}
+
+// Is the body a sensor?
+static inline bool gjk_scene_is_sensor(const gjk_scene_body *body) {
+  return body->kind_detail >> 4 == GJK_DETAIL_SENSOR;
 }
 
 // Where a body is.

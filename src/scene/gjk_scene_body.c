@@ -30,7 +30,7 @@ static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) 
   if (s->part_count == 0) {
     return GJK_ERROR_EMPTY;
   }
-  if (s->kind > GJK_BODY_DYNAMIC || s->detail > GJK_DETAIL_CONTACTS || s->margin < 0 || s->margin > GJK_RADIUS_MAX) {
+  if (s->kind > GJK_BODY_DYNAMIC || s->detail > GJK_DETAIL_SENSOR || s->margin < 0 || s->margin > GJK_RADIUS_MAX) {
     return GJK_ERROR_RANGE;
   }
   for (uint32_t i = 0; i < s->part_count; i++) {
@@ -101,7 +101,9 @@ static gjk_status add_to_slot(gjk_scene_view *v, uint32_t slot, const gjk_body_s
   body->first = GJK_SCENE_NONE;
   gjk_scene_set_part_count(body, s->part_count);
   body->kind_detail = (uint8_t)(s->kind | s->detail << 4);
-  h->most_detail = s->detail > h->most_detail ? s->detail : h->most_detail;
+  if (s->detail > h->most_detail && s->detail != GJK_DETAIL_SENSOR) {
+    h->most_detail = s->detail;
+  }
   body->flags &= GJK_SCENE_MOVED;                 // the slot stays in the list of moved bodies
   for (uint16_t i = s->part_count; i > 0; i--) {  // backwards, so that the list is in order
     add_part(v, slot, &s->pose, &s->parts[i - 1], (uint16_t)(i - 1));
@@ -321,15 +323,6 @@ gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id) {
   return status;
 }
 
-// The index of a part by its number, or none.
-static uint32_t find_part(const gjk_scene_view *v, const gjk_scene_body *body, uint16_t number) {
-  uint32_t index = body->first;
-  while (index != GJK_SCENE_NONE && v->parts[index].number != number) {
-    index = v->parts[index].next;
-  }
-  return index;
-}
-
 gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape) {
   gjk_scene_view v;
   gjk_scene_body *body;
@@ -338,7 +331,7 @@ gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, 
   if (status != GJK_OK) {
     return status;
   }
-  const uint32_t index = find_part(&v, body, part);
+  const uint32_t index = gjk_scene_part_of(&v, body, part);
   if (index == GJK_SCENE_NONE) {
     return GJK_ERROR_RANGE;
   }
@@ -443,9 +436,12 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
   if (status != GJK_OK) {
     return status;
   }
-  const uint32_t index = find_part(&v, body, part);
+  const uint32_t index = gjk_scene_part_of(&v, body, part);
   if (index == GJK_SCENE_NONE) {
     return GJK_ERROR_RANGE;
+  }
+  if (gjk_scene_is_concave(v.scene->shapes[v.parts[index].shape])) {
+    return GJK_ERROR_UNSUPPORTED;
   }
   gjk_pose pose;
   gjk_scene_pose_of(body, &pose);

@@ -1,13 +1,11 @@
 // Casts of a collider against the shapes of a scene.
 #include "gjk_scene_inquiry.h"
+#include "gjk_scene_solid.h"
 
-#ifndef GJK_SCENE_OF_PLANE
-#include "gjk_scene_travel.h"
-#endif
-
-static gjk_status ask_cast(const gjk_scene_inquiry *inquiry, const gjk_collider *part, gjk_cast_result *out) {
+static gjk_status ask_cast(const gjk_scene_inquiry *inquiry, const gjk_scene_view *v, const gjk_scene_part *part,
+                           const gjk_collider *on, gjk_cast_result *out) {
   const gjk_cast_path path = {NULL, inquiry->to, inquiry->margin};
-  return gjk_cast(part, inquiry->collider, &path, out);
+  return gjk_scene_ask_cast(v, part, on, inquiry->collider, &path, out);
 }
 
 // Does a coordinate of the centre stay in int32 while the position goes from one place to another?

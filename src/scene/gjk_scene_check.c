@@ -105,7 +105,8 @@ static bool check_parts(const gjk_scene_view *v, uint32_t slot, uint32_t *parts,
 
 static bool check_body(const gjk_scene_view *v, uint32_t slot) {
   const gjk_scene_body *body = &v->bodies[slot];
-  return (body->kind_detail & 15u) <= GJK_BODY_DYNAMIC && (uint32_t)body->kind_detail >> 4 <= v->header->most_detail &&
+  return (body->kind_detail & 15u) <= GJK_BODY_DYNAMIC &&
+         (gjk_scene_is_sensor(body) || (uint32_t)body->kind_detail >> 4 <= v->header->most_detail) &&
          body->margin >= 0 && body->margin <= GJK_RADIUS_MAX && gjk_scene_is_rotation(&body->rotation);
 }
 
@@ -364,7 +365,7 @@ static bool check_kept(const gjk_scene_view *v) {
     const gjk_scene_body *body = &v->bodies[k->slot];
     const bool met = swept && (k->state & GJK_SCENE_SWEPT) != 0 && k->other != GJK_SCENE_NONE;
     if (body->generation % 2 == 0 || (body->flags & GJK_SCENE_KEPT) == 0 ||
-        (body->kind_detail & 15u) == GJK_BODY_STATIC || !check_last(v, body, &k->last) ||
+        (body->kind_detail & 15u) == GJK_BODY_STATIC || gjk_scene_is_sensor(body) || !check_last(v, body, &k->last) ||
         (met && !live_part(v, k->other))) {
       return false;
     }

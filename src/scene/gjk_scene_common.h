@@ -2,6 +2,7 @@
 #ifndef GJK_SRC_SCENE_COMMON_H
 #define GJK_SRC_SCENE_COMMON_H
 
+#include "../arith/gjk_hash.h"
 #include "../arith/gjk_wide.h"
 #include "gjk/body.h"
 #include "gjk/status.h"
@@ -67,7 +68,8 @@ typedef enum gjk_scene_outcome {
   GJK_SCENE_WARM,
   GJK_SCENE_COLD,
   GJK_SCENE_OUTCOMES,
-  GJK_SCENE_UNSETTLED = 16  // flag
+  GJK_SCENE_UNSETTLED = 16,  // flag
+  GJK_SCENE_MEASURED = 32    // flag: the distance or depth was found
 } gjk_scene_outcome;
 
 // Records of one size. A pool hands out the record that was given back last, or else the next one that was never used.
@@ -97,12 +99,6 @@ static inline uint32_t gjk_larger_gap(uint32_t gap, gjk_q16 lower_a, gjk_q16 upp
 // An eighth of one side of a box:  < 2^29
 static inline uint32_t gjk_scene_side_cost(int32_t lower, int32_t upper) {
   return ((uint32_t)upper - (uint32_t)lower) >> 3;
-}
-
-// One step of a hash. With one argument fixed, the result is one to one in the other one.
-static inline uint64_t gjk_scene_mix(uint64_t hash, uint32_t word) {
-  hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
-  return hash ^ hash >> 32;
 }
 
 // |a - b|, below 2^32.

@@ -7,9 +7,15 @@ static bool is_awake(const gjk_scene_view *v, uint32_t part) {
   return (body->kind_detail & 15u) != GJK_BODY_STATIC && (body->flags & GJK_SCENE_ASLEEP) == 0;
 }
 
+static bool is_of_sensor(const gjk_scene_view *v, uint32_t part) {
+  return gjk_scene_is_sensor(&v->bodies[v->parts[part].body]);
+}
+
 // Is a pair that stays near to be reported?
 static bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  return v->header->config.persist != 0 && (is_awake(v, gjk_scene_end(pair, 0)) || is_awake(v, gjk_scene_end(pair, 1)));
+  const uint32_t a = gjk_scene_end(pair, 0), b = gjk_scene_end(pair, 1);
+  return v->header->config.persist != 0 && (is_awake(v, a) || is_awake(v, b)) && !is_of_sensor(v, a) &&
+         !is_of_sensor(v, b);
 }
 
 // The counter of an outcome: they are in the order of outcomes.
@@ -30,7 +36,7 @@ static void start_stats(gjk_scene_view *v) {
   }
   s->resting = s->pairs - h->queued;
   s->filtered = s->motion = s->boxes = s->direction = s->warm = s->cold = 0;
-  s->begun = s->persisting = s->ended = s->unsettled = 0;
+  s->begun = s->persisting = s->ended = s->unsettled = s->measured = s->manifolds = 0;
 }
 
 // Adds a pair with its event to the events kept, which overwrite the queue from its start.
@@ -41,6 +47,14 @@ static void keep_event(gjk_scene_view *v, uint32_t index, gjk_event event, uint3
   //@ assert *kept < v->header->pairs.capacity;
   v->pairs[index].outcome = (uint8_t)event;
   v->queue[(*kept)++] = index;
+}
+
+// The words of a pair that begins.
+static void clear_words(const gjk_scene_view *v, uint32_t index) {
+  uint32_t *words = gjk_scene_words_of(v, index);
+  for (uint32_t i = 0; i < v->header->config.pair_words; i++) {
+    words[i] = 0;
+  }
 }
 
 // Step 6, pairs that were tested. Each makes at most one event, so no entry is overwritten before it is read.
@@ -57,8 +71,12 @@ static void keep_tested(gjk_scene_view *v, uint32_t *kept) {
     //@ assert kind >= GJK_SCENE_FILTERED && kind <= GJK_SCENE_COLD;
     (*counter_of(&h->stats, kind))++;
     h->stats.unsettled += (outcome & GJK_SCENE_UNSETTLED) != 0;
+    h->stats.measured += (outcome & GJK_SCENE_MEASURED) != 0;
     pair->state = (uint8_t)((state & ~(GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_QUEUED | GJK_SCENE_PAIR_NEAR_NOW)) |
                             (now ? GJK_SCENE_PAIR_NEAR : 0u));
+    if (now && !was) {
+      clear_words(v, index);
+    }
     if (was != now) {
       keep_event(v, index, now ? GJK_EVENT_BEGIN : GJK_EVENT_END, kept);
     } else if (now && persists(v, pair)) {

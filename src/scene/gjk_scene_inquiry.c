@@ -19,7 +19,7 @@ static bool ask_next(const gjk_scene_view *v, const gjk_scene_inquiry *inquiry, 
   *status = GJK_OK;
   if (gjk_scene_accepts(v, inquiry->filter, *part)) {
     gjk_scene_part_now(v, &v->parts[*part], &c, &box);
-    *status = inquiry->ask(inquiry, &c, result);
+    *status = inquiry->ask(inquiry, v, &v->parts[*part], &c, result);
     if (*status != GJK_OK) {
       result->hit = true;
       result->fraction = (gjk_q30)entered;

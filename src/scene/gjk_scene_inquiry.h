@@ -14,8 +14,9 @@
 
 // What is asked of each part.
 typedef struct gjk_scene_inquiry {
-  gjk_status (*ask)(const struct gjk_scene_inquiry *inquiry, const gjk_collider *part, gjk_cast_result *out);
-  const gjk_collider *collider;  // that is cast; of a ray NULL
+  gjk_status (*ask)(const struct gjk_scene_inquiry *inquiry, const gjk_scene_view *v, const gjk_scene_part *part,
+                    const gjk_collider *on, gjk_cast_result *out);  // on: the part's
+  const gjk_collider *collider;                                     // that is cast; of a ray NULL
   const gjk_vec3 *from, *to;
   gjk_q16 margin;
   const gjk_scene_filter *filter;

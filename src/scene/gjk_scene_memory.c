@@ -10,8 +10,9 @@ typedef char gjk_scene_header_is_fixed[sizeof(gjk_scene_header) == GJK_SCENE_HEA
 static gjk_status check_config(const gjk_scene_config *c) {
   if (c->bodies < 1 || c->bodies > GJK_SCENE_BODIES_MAX || c->parts < 1 || c->parts > GJK_SCENE_BODIES_MAX ||
       c->own_poses > GJK_SCENE_BODIES_MAX || c->pairs < 1 || c->pairs > GJK_SCENE_PAIRS_MAX || c->box_margin < 0 ||
-      c->box_margin > GJK_RADIUS_MAX || c->persist > 1 || c->retest_all > 1 || c->reserved != 0 ||
-      c->detail > GJK_DETAIL_CONTACTS || c->motions > GJK_SCENE_BODIES_MAX) {
+      c->box_margin > GJK_RADIUS_MAX || c->persist > 1 || c->retest_all > 1 ||
+      c->pair_words > GJK_SCENE_PAIR_WORDS_MAX || c->detail > GJK_DETAIL_CONTACTS ||
+      c->motions > GJK_SCENE_BODIES_MAX) {
     return GJK_ERROR_RANGE;
   }
   return GJK_OK;
@@ -28,7 +29,7 @@ static void set_pool(gjk_scene_pool *pool, uint32_t capacity, uint32_t size, uin
 
 // Lays out the arrays of a block for this configuration.
 //
-// at <= 2^20 (60 + 144 + 40 + 32 + 44 + 1) + 2^22 (44 + 4) + 400 < 2^30
+// at <= 2^20 (60 + 144 + 40 + 32 + 44 + 1) + 2^22 (44 + 4 + 4 * 32) + 400 < 2^31
 static void lay_out(const gjk_scene_config *c, gjk_scene_header *h) {
   uint32_t at = sizeof *h;
   set_pool(&h->bodies, c->bodies, sizeof(gjk_scene_body), &at);
@@ -42,6 +43,8 @@ static void lay_out(const gjk_scene_config *c, gjk_scene_header *h) {
   at += (c->bodies + 31) / 32 * (uint32_t)sizeof(uint32_t);
   h->kept_at = at;
   at += c->motions * (uint32_t)sizeof(gjk_scene_kept);
+  h->words_at = at;
+  at += c->pairs * c->pair_words * (uint32_t)sizeof(uint32_t);
   h->bytes = at;
 }
 
@@ -92,6 +95,7 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   h->version = GJK_SCENE_VERSION;
   h->order = ORDER;
   h->iterations = GJK_ITERATIONS_MAX;
+  h->casts = GJK_SCENE_CASTS;
   h->config = *config;
   h->most_detail = config->detail;
   lay_out(config, h);
@@ -117,14 +121,15 @@ gjk_status gjk_scene_check_header(const void *block, size_t bytes) {
     return GJK_ERROR_CAPACITY;
   }
   if (h->magic != GJK_SCENE_MAGIC || h->version != GJK_SCENE_VERSION || h->order != ORDER ||
-      h->iterations != GJK_ITERATIONS_MAX || check_config(&h->config) != GJK_OK) {
+      h->iterations != GJK_ITERATIONS_MAX || h->casts != GJK_SCENE_CASTS || check_config(&h->config) != GJK_OK) {
     return GJK_ERROR_CORRUPT;
   }
   lay_out(&h->config, &expected);
   if (h->bytes != expected.bytes || h->queue_at != expected.queue_at || h->slots_at != expected.slots_at ||
-      h->kept_at != expected.kept_at || h->kept > h->config.motions || !same_pool(&expected.bodies, &h->bodies) ||
-      !same_pool(&expected.parts, &h->parts) || !same_pool(&expected.nodes, &h->nodes) ||
-      !same_pool(&expected.own_poses, &h->own_poses) || !same_pool(&expected.pairs, &h->pairs)) {
+      h->kept_at != expected.kept_at || h->words_at != expected.words_at || h->kept > h->config.motions ||
+      !same_pool(&expected.bodies, &h->bodies) || !same_pool(&expected.parts, &h->parts) ||
+      !same_pool(&expected.nodes, &h->nodes) || !same_pool(&expected.own_poses, &h->own_poses) ||
+      !same_pool(&expected.pairs, &h->pairs)) {
     return GJK_ERROR_CORRUPT;
   }
   return bytes < h->bytes ? GJK_ERROR_CAPACITY : GJK_OK;
@@ -161,6 +166,7 @@ gjk_status gjk_scene_view_of(const gjk_scene *scene, gjk_scene_view *out) {
   out->queue = (uint32_t *)at(h, h->queue_at);
   out->slots = (uint32_t *)at(h, h->slots_at);
   out->kept = (gjk_scene_kept *)at(h, h->kept_at);
+  out->words = (uint32_t *)at(h, h->words_at);
   return GJK_OK;
 }
 

@@ -167,8 +167,50 @@ static gjk_vec3 end_of(const mover *m, const gjk_collider *c) {
   return to;
 }
 
+#if GJK_SCENE_AXES == 3
+
+// The code of concave parts, if one of two is concave; otherwise NULL.
+static const struct gjk_scene_concave *concave_code(const gjk_collider c[2]) {
+  const struct gjk_scene_concave *code = c[0].shape->type->concave;
+  return code != NULL ? code : c[1].shape->type->concave;
+}
+
+static bool is_one_concave(const gjk_scene_view *v, const gjk_scene_part *const p[2]) {
+  return gjk_scene_is_concave(v->scene->shapes[p[0]->shape]) || gjk_scene_is_concave(v->scene->shapes[p[1]->shape]);
+}
+
+#else
+#define is_one_concave(v, p) false
+#endif
+
+// What two parts are asked on their way, whatever they are made of. ahead: see gjk_scene_concave.
+static gjk_status ask_way(const gjk_scene_view *v, const mover m[2], const gjk_scene_part *const p[2],
+                          const gjk_collider c[2], const gjk_cast_path *path, bool ahead, gjk_cast_result *out) {
+#if GJK_SCENE_AXES == 3
+  if (concave_code(c) != NULL) {
+    const gjk_pose from[2] = {part_pose(v, p[0], &m[0].from), part_pose(v, p[1], &m[1].from)};
+    const gjk_scene_solid a = {&c[0], &from[0]}, b = {&c[1], &from[1]};
+    return concave_code(c)->way(&a, &b, path, ahead, out);
+  }
+#endif
+  (void)v, (void)m, (void)p, (void)ahead;
+  return gjk_cast(&c[0], &c[1], path, out);
+}
+
+static gjk_status ask_impact_of(const gjk_collider c[2], const gjk_motion part[2], gjk_q16 margin, bool ahead,
+                                gjk_impact_result *out) {
+  const gjk_impact_setup setup = {margin, GJK_SCENE_TOLERANCE, 0};
+#if GJK_SCENE_AXES == 3
+  if (concave_code(c) != NULL) {
+    return concave_code(c)->impact(&c[0], &part[0], &c[1], &part[1], margin, ahead, out);
+  }
+#endif
+  (void)ahead;
+  return gjk_time_of_impact(&c[0], &part[0], &c[1], &part[1], &setup, out);
+}
+
 // Step 4, neither part turns.
-static part_impact cast_parts(const gjk_scene_view *v, const mover m[2], const gjk_scene_part *const p[2]) {
+static part_impact cast_parts(const gjk_scene_view *v, const mover m[2], const gjk_scene_part *const p[2], bool ahead) {
   gjk_collider c[2];
   gjk_vec3 to[2];
   gjk_cast_result result;
@@ -178,7 +220,7 @@ static part_impact cast_parts(const gjk_scene_view *v, const mover m[2], const g
     to[i] = end_of(&m[i], &c[i]);
   }
   const gjk_cast_path path = {m[0].moves ? &to[0] : NULL, m[1].moves ? &to[1] : NULL, 0};
-  found.unproven = gjk_cast(&c[0], &c[1], &path, &result) != GJK_OK;
+  found.unproven = ask_way(v, m, p, c, &path, ahead, &result) != GJK_OK;
   found.hit = found.unproven || result.hit;
   if (!found.unproven && result.hit) {
     found.at_start = result.inside;
@@ -197,7 +239,7 @@ static uint64_t sagitta(uint32_t arm, uint32_t turn) {
 }
 
 // Step 4, a part turns: pieces of the way, one after the other. *found is set of the first that has an impact.
-static void turn_parts(const gjk_scene_view *v, const mover m[2], const gjk_scene_part *const p[2],
+static void turn_parts(const gjk_scene_view *v, const mover m[2], const gjk_scene_part *const p[2], bool ahead,
                        part_impact *found) {
   uint64_t off[2] = {0, 0};
   unsigned cuts = 0;
@@ -221,7 +263,6 @@ static void turn_parts(const gjk_scene_view *v, const mover m[2], const gjk_scen
     found->hit = found->unproven = true;
     return;
   }
-  const gjk_impact_setup setup = {(gjk_q16)left, GJK_SCENE_TOLERANCE, 0};
   gjk_pose at[2];
   at[0] = m[0].from;
   at[1] = m[1].from;
@@ -239,7 +280,7 @@ static void turn_parts(const gjk_scene_view *v, const mover m[2], const gjk_scen
       gjk_scene_no_spin(&part[i]);
       at[i] = next[i];
     }
-    const gjk_status status = gjk_time_of_impact(&c[0], &part[0], &c[1], &part[1], &setup, &result);
+    const gjk_status status = ask_impact_of(c, part, (gjk_q16)left, ahead, &result);
     const bool limit = status == GJK_ERROR_ITERATION_LIMIT;
     found->unproven = status != GJK_OK;
     found->hit = status != GJK_OK || result.hit;
@@ -281,6 +322,18 @@ static bool comes_first(const body_sweep *s, uint32_t fraction, const gjk_scene_
   return other->number != of_first->number ? other->number < of_first->number : own->number < s->first->number;
 }
 
+// Step 4.
+static void ask_parts(const gjk_scene_view *v, const mover m[2], const gjk_scene_part *const p[2], bool ahead,
+                      part_impact *found) {
+  const part_impact none = {false, false, false, 0};
+  *found = none;
+  if (part_turns(v, &m[0], p[0]) || part_turns(v, &m[1], p[1])) {
+    turn_parts(v, m, p, ahead, found);
+  } else {
+    *found = cast_parts(v, m, p, ahead);
+  }
+}
+
 // Steps 4 and 5 for one part that may be met. entered: before this fraction it is not.
 static void meet_part(body_sweep *s, uint32_t other, const mover *of_other, uint32_t entered) {
   const gjk_scene_view *v = s->v;
@@ -295,13 +348,15 @@ static void meet_part(body_sweep *s, uint32_t other, const mover *of_other, uint
   gjk_copy(&m[1 - side], of_other, sizeof m[1 - side]);
   p[side] = own;
   p[1 - side] = met;
-  part_impact found = {false, false, false, 0};
-  if (part_turns(v, &m[0], p[0]) || part_turns(v, &m[1], p[1])) {
-    turn_parts(v, m, p, &found);
-  } else {
-    found = cast_parts(v, m, p);
+  part_impact found;
+  ask_parts(v, m, p, false, &found);
+  if (found.hit && found.at_start && were_near(v, s->part, other)) {
+    found.hit = false;
+    if (is_one_concave(v, p)) {  // another part of it may be in the way
+      ask_parts(v, m, p, true, &found);
+    }
   }
-  if (!found.hit || (found.at_start && were_near(v, s->part, other))) {
+  if (!found.hit) {
     return;
   }
   const uint32_t fraction = gjk_scene_larger(found.fraction, entered);
@@ -342,7 +397,7 @@ static void search_parts(body_sweep *s, bool moved, uint32_t reach) {
       return;
     }
     const uint32_t slot = v->parts[other].body;
-    if (slot != s->slot) {
+    if (slot != s->slot && !gjk_scene_is_sensor(&v->bodies[slot])) {
       set_mover(v, slot, &of_other);
       if (of_other.moves == moved) {
         meet_part(s, other, &of_other, entered);
@@ -410,6 +465,7 @@ static void report_impact(const gjk_scene_view *v, const gjk_scene_kept *k, gjk_
   out->detail = gjk_scene_detail(v, &v->bodies[k->slot], &v->bodies[other->body]);
   out->distance = 0;
   out->manifold = NULL;
+  out->words = NULL;
   out->fraction = (gjk_q30)k->fraction;
 }
 
@@ -510,7 +566,7 @@ gjk_status gjk_scene_set_motion(gjk_scene *scene, gjk_body_id id, uint8_t motion
   if (status != GJK_OK) {
     return status;
   }
-  if (motion > GJK_MOTION_FAST || (body->kind_detail & 15u) == GJK_BODY_STATIC) {
+  if (motion > GJK_MOTION_FAST || (body->kind_detail & 15u) == GJK_BODY_STATIC || gjk_scene_is_sensor(body)) {
     return GJK_ERROR_RANGE;
   }
   if (scene->bindings.motion == NULL) {

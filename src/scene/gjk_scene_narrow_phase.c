@@ -22,6 +22,7 @@
 #include "../arith/gjk_root.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
+#include "gjk_scene_solid.h"
 
 #ifndef GJK_SCENE_OF_PLANE
 #include "gjk_scene_measure.h"
@@ -126,15 +127,15 @@ static int32_t inner_bound(const pair_question *q) {
 // workspace is too small: a proven bound.
 static int32_t measure_pair(const pair_question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                             gjk_scene_pair *pair) {
-  const gjk_scene *scene = q->v->scene;
   gjk_distance_result result;
   gjk_status status;
   result.lower = 0;
   if (detail(q) == GJK_DETAIL_DEPTH) {
-    status = gjk_scene_signed_distance(scene, a, b, cache, &result);
+    status = gjk_scene_ask_depth(q->v, q->a, q->b, a, b, cache, &result);
   } else {
-    status = gjk_distance(a, b, cache, &result);
+    status = gjk_scene_ask_distance(q->v, q->a, q->b, a, b, cache, &result);
   }
+  pair->outcome |= GJK_SCENE_MEASURED;
   if (status != GJK_OK) {
     pair->outcome |= GJK_SCENE_UNSETTLED;
   }
@@ -167,7 +168,7 @@ static int32_t within_margins(const pair_question *q, const gjk_collider *a, con
 static bool query_near(const pair_question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                        gjk_scene_pair *pair) {
   gjk_decision decision;
-  const gjk_status status = gjk_within(a, b, q->margin, cache, &decision);
+  const gjk_status status = gjk_scene_ask_within(q->v, q->a, q->b, a, b, q->margin, cache, &decision);
   if (status != GJK_OK) {
     pair->outcome |= GJK_SCENE_UNSETTLED;
   } else if (!decision.yes) {

@@ -37,11 +37,14 @@ gjk_status gjk_scene_pairs_match(gjk_scene_view *v);
 // the pair's record, so threads may test different pairs at the same time.
 void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair);
 
-// The detail of a pair: the largest of the configuration's and its two bodies'.
+// The detail of a pair: the largest of the configuration's and its two bodies'; TOUCH if one is a sensor.
 static inline uint8_t gjk_scene_detail(const gjk_scene_view *v, const gjk_scene_body *a, const gjk_scene_body *b) {
   const uint8_t least = v->header->config.detail;
   const uint8_t first = a->kind_detail >> 4, second = b->kind_detail >> 4;
   const uint8_t more = first > second ? first : second;
+  if (more == GJK_DETAIL_SENSOR) {  // the largest
+    return GJK_DETAIL_TOUCH;
+  }
   return more > least ? more : least;
 }
 

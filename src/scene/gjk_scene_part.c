@@ -15,13 +15,36 @@ void gjk_scene_part_load(const gjk_scene_view *v, const gjk_scene_part *part, gj
   gjk_scene_load(part, v->scene->shapes[part->shape], out);
 }
 
+// RANGE also where some rotation would take a concave part out of int32.
+static gjk_status pose_alone(gjk_collider *c, const gjk_pose *pose) {
+  return gjk_scene_has_room(c->shape, &pose->position) ? gjk_collider_pose(c, pose) : GJK_ERROR_RANGE;
+}
+
 static gjk_status pose_at(gjk_collider *c, const gjk_pose *body, const gjk_pose *own_pose) {
   gjk_pose pose;
   if (own_pose == NULL) {
-    return gjk_collider_pose(c, body);
+    return pose_alone(c, body);
   }
   const gjk_status status = gjk_pose_compose(body, own_pose, &pose);
-  return status == GJK_OK ? gjk_collider_pose(c, &pose) : status;
+  return status == GJK_OK ? pose_alone(c, &pose) : status;
+}
+
+void gjk_scene_part_pose(const gjk_scene_view *v, const gjk_scene_part *part, gjk_pose *out) {
+  const gjk_scene_body *body = &v->bodies[part->body];
+  const uint32_t own_pose = part->own_pose;
+  gjk_scene_pose_of(body, out);
+  if (own_pose != GJK_SCENE_NONE) {
+    const gjk_pose of_body = *out;
+    (void)gjk_pose_compose(&of_body, &v->own_poses[own_pose].pose, out);  // cannot fail: the body was taken there
+  }
+}
+
+uint32_t gjk_scene_part_of(const gjk_scene_view *v, const gjk_scene_body *body, uint16_t number) {
+  uint32_t index = body->first;
+  while (index != GJK_SCENE_NONE && v->parts[index].number != number) {
+    index = v->parts[index].next;
+  }
+  return index;
 }
 
 gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,
@@ -79,7 +102,7 @@ gjk_status gjk_scene_part_build(const gjk_scene_view *v, uint16_t shape, const g
   gjk_scene_set_zero(&out->frame[0]);
   out->frame[1] = out->frame[0];
   out->frame[2] = out->frame[0];
-  const gjk_status status = gjk_collider_init(out, v->scene->shapes[shape], NULL, 0);
+  const gjk_status status = gjk_scene_bind(out, v->scene->shapes[shape]);
   return status == GJK_OK ? pose_at(out, body, own_pose) : status;
 }
 

@@ -24,6 +24,12 @@ void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk
 // The exact box of a part, posed or not; room is where it may be written.
 const gjk_aabb *gjk_scene_part_box(const gjk_scene_view *v, const gjk_scene_part *part, gjk_aabb *room);
 
+// The pose of a part: its body's, with its own.
+void gjk_scene_part_pose(const gjk_scene_view *v, const gjk_scene_part *part, gjk_pose *out);
+
+// The index of a body's part by its number, or none.
+uint32_t gjk_scene_part_of(const gjk_scene_view *v, const gjk_scene_body *body, uint16_t number);
+
 // Poses a part, unless it is posed.
 void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index);
 

@@ -1,6 +1,7 @@
 // Queries: boxes, rays, the nearest part.
 #include "gjk_scene_hits.h"
 #include "gjk_scene_part.h"
+#include "gjk_scene_solid.h"
 #include "gjk_scene_tree.h"
 
 gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, const gjk_scene_hit *after,
@@ -150,9 +151,10 @@ static bool is_beyond(const nearest_search *s, const gjk_aabb *box) {
 }
 
 // The distance that counts for a part: where the query reaches its ceiling, the larger of two lower bounds.
-static gjk_q16 distance_of(const nearest_search *s, const gjk_collider *c, const gjk_aabb *box) {
+static gjk_q16 distance_of(const gjk_scene_view *v, const gjk_scene_part *p, const nearest_search *s,
+                           const gjk_collider *c, const gjk_aabb *box) {
   gjk_distance_result result;
-  if (gjk_distance(s->collider, c, NULL, &result) == GJK_OK) {
+  if (gjk_scene_ask_distance(v, NULL, p, s->collider, c, NULL, &result) == GJK_OK) {
     return result.distance;
   }
   const gjk_q16 gap = gjk_saturate(gjk_aabb_gap(&s->box, box));
@@ -170,7 +172,7 @@ static void try_part(const gjk_scene_view *v, uint32_t part, nearest_search *s) 
   if (is_beyond(s, &box)) {
     return;
   }
-  const gjk_q16 distance = distance_of(s, &c, &box);
+  const gjk_q16 distance = distance_of(v, p, s, &c, &box);
   const gjk_scene_hit hit = gjk_scene_hit_of(v, p, 0);
   if (distance < s->best || (distance == s->best && (!s->found || gjk_scene_comes_before(&hit, &s->hit)))) {
     s->best = distance;

@@ -1,12 +1,10 @@
 // Rays against the shapes of a scene.
 #include "gjk_scene_inquiry.h"
+#include "gjk_scene_solid.h"
 
-#ifndef GJK_SCENE_OF_PLANE
-#include "gjk_scene_travel.h"
-#endif
-
-static gjk_status ask_ray(const gjk_scene_inquiry *inquiry, const gjk_collider *part, gjk_cast_result *out) {
-  return gjk_cast_ray(part, inquiry->from, inquiry->to, out);
+static gjk_status ask_ray(const gjk_scene_inquiry *inquiry, const gjk_scene_view *v, const gjk_scene_part *part,
+                          const gjk_collider *on, gjk_cast_result *out) {
+  return gjk_scene_ask_ray(v, part, on, inquiry->from, inquiry->to, out);
 }
 
 static void start_ray(const gjk_scene_view *v, const gjk_vec3 *from, const gjk_vec3 *to, const gjk_scene_filter *filter,

@@ -1,8 +1,9 @@
 // The reports of an update, and the pairs that were near at the last one.
 #include "gjk_scene_update.h"
 
-// Fills a report but for event, distance and manifold.
-static void describe(const gjk_scene_view *v, const gjk_scene_pair *pair, gjk_report *out) {
+// Fills a report but for event and distance. The manifold, if one is wanted, is added later.
+static void describe(const gjk_scene_view *v, uint32_t index, gjk_report *out) {
+  const gjk_scene_pair *pair = &v->pairs[index];
   const gjk_scene_side a = gjk_scene_side_of(v, pair, 0), b = gjk_scene_side_of(v, pair, 1);
   out->a.slot = a.slot;
   out->a.generation = a.generation;
@@ -12,17 +13,18 @@ static void describe(const gjk_scene_view *v, const gjk_scene_pair *pair, gjk_re
   out->part_b = b.part;
   out->detail = (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? v->header->config.detail
                                                          : gjk_scene_detail(v, &v->bodies[a.slot], &v->bodies[b.slot]);
+  out->manifold = NULL;
+  out->words = gjk_scene_words_of(v, index);
+  out->fraction = 0;
 }
 
 // Reports one pair, and drops it if its report was all that it was kept for.
 static void report_pair(gjk_scene_view *v, uint32_t index, gjk_report *out) {
   //@ assert index < v->header->pairs.capacity;
   gjk_scene_pair *pair = &v->pairs[index];
-  describe(v, pair, out);
+  describe(v, index, out);
   out->event = pair->outcome;
   out->distance = 0;
-  out->manifold = NULL;
-  out->fraction = 0;
   if (out->event != GJK_EVENT_END) {
     out->distance = gjk_scene_wants_distance(out->detail) ? pair->gap : 0;
   } else if ((pair->state & GJK_SCENE_PAIR_GONE) != 0) {
@@ -42,6 +44,7 @@ static void add_manifold(const gjk_scene_view *v, gjk_manifold *room, gjk_report
     room->feature_a = room->feature_b = 0;
   }
   v->header->stats.unsettled += status != GJK_OK;
+  v->header->stats.manifolds++;
   out->manifold = room;
   out->distance = room->count > 0 ? room->contact[0].distance : 0;
   for (unsigned i = 1; i < room->count; i++) {
@@ -82,11 +85,9 @@ gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_rep
     const gjk_scene_pair *pair = &v.pairs[(*cursor)++];
     if ((pair->state & GJK_SCENE_PAIR_NEAR) != 0) {
       const bool gone = (pair->state & GJK_SCENE_PAIR_GONE) != 0;
-      describe(&v, pair, out);
+      describe(&v, *cursor - 1, out);
       out->event = gone ? GJK_EVENT_END : GJK_EVENT_PERSIST;
       out->distance = !gone && gjk_scene_wants_distance(out->detail) ? pair->gap : 0;
-      out->manifold = NULL;
-      out->fraction = 0;
       *found = true;
     }
   }

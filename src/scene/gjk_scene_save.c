@@ -2,7 +2,7 @@
 #include "gjk_scene_block.h"
 
 static uint64_t mix(uint64_t hash, uint32_t word) {
-  return gjk_scene_mix(hash, word);
+  return gjk_hash_step(hash, word);
 }
 
 static uint64_t mix_pose(uint64_t hash, const gjk_vec3 *position, const gjk_quat *rotation) {
@@ -31,10 +31,14 @@ static uint64_t mix_body(uint64_t hash, const gjk_scene_view *v, uint32_t slot) 
   return hash;
 }
 
-static uint64_t hash_of_near(const gjk_report *r) {
+static uint64_t hash_of_near(const gjk_report *r, uint32_t words) {
   uint64_t hash = mix(mix(mix(mix(1, r->a.slot), r->a.generation), r->b.slot), r->b.generation);
   hash = mix(hash, (uint32_t)r->part_a << 16 | r->part_b);
-  return mix(mix(hash, r->event), (uint32_t)r->distance);
+  hash = mix(mix(hash, r->event), (uint32_t)r->distance);
+  for (uint32_t i = 0; i < words; i++) {
+    hash = mix(hash, r->words[i]);
+  }
+  return hash;
 }
 
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
@@ -47,8 +51,9 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
   if (h->phase != GJK_SCENE_IDLE) {
     return GJK_ERROR_BUSY;
   }
-  uint64_t hash = mix(mix(0, (uint32_t)h->config.detail << 16 | h->config.persist), h->updates);
-  hash = mix(mix(hash, gjk_scene_cells(&h->config)), h->iterations);
+  const gjk_scene_config *c = &h->config;
+  uint64_t hash = mix(mix(0, (uint32_t)c->detail << 16 | (uint32_t)c->pair_words << 8 | c->persist), h->updates);
+  hash = mix(mix(hash, gjk_scene_cells(c)), h->iterations);
   for (uint32_t slot = 0; slot < h->bodies.fresh; slot++) {
     if (v.bodies[slot].generation != 0) {
       hash = mix_body(hash, &v, slot);
@@ -66,7 +71,7 @@ gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out) {
   do {  // ends: the cursor reaches the end of the pairs
     gjk_report near;
     (void)gjk_scene_next_near(scene, &cursor, &near, &found);
-    pairs += found ? hash_of_near(&near) : 0;
+    pairs += found ? hash_of_near(&near, c->pair_words) : 0;
   } while (found);
   *out = mix(mix(hash, (uint32_t)(pairs >> 32)), (uint32_t)(pairs & UINT32_MAX));
   return GJK_OK;

@@ -12,6 +12,7 @@
 // So rounding, which may bring it nearer to a plane than the skin by an LSB, never stops it.
 #include "../arith/gjk_memory.h"
 #include "gjk_scene_part.h"
+#include "gjk_scene_solid.h"
 
 #ifndef GJK_SCENE_OF_PLANE
 #include "gjk_scene_travel.h"
@@ -135,7 +136,7 @@ static void put_component(gjk_vec3 *v, int axis, int32_t x) {
 
 // Step 1, where it touches or overlaps another one: up, or else along an axis of the world, by a little more than the skin.
 // False: no such way leads out.
-static bool leave(slider *s, const gjk_collider *other) {
+static bool leave(slider *s, const gjk_scene_view *v, const gjk_scene_part *part, const gjk_collider *other) {
   const gjk_q16 skin = s->setup->skin, far = skin + 2;
   for (int i = 0; i <= 2 * GJK_SCENE_AXES; i++) {
     gjk_decision decision;
@@ -149,7 +150,7 @@ static bool leave(slider *s, const gjk_collider *other) {
     }
     const gjk_vec3 place = moved_by(&s->collider.position, &away);
     (void)gjk_collider_move(&moved, &place);
-    if (gjk_within(other, &moved, skin, NULL, &decision) == GJK_OK && !decision.yes) {
+    if (gjk_scene_ask_within(v, part, NULL, other, &moved, skin, NULL, &decision) == GJK_OK && !decision.yes) {
       gjk_copy(&s->collider, &moved, sizeof moved);
       return true;
     }
@@ -162,15 +163,19 @@ static bool go_away(slider *s) {
   const gjk_vec3 nowhere = gjk_scene_equal_vec3(0);
   answer a;
   for (int i = 0; i < GJK_SLIDE_PLANES; i++) {
+    gjk_scene_view v;
+    gjk_aabb box;
     gjk_collider other;
     gjk_distance_result apart;
     cast_slider(s, &nowhere, s->setup->skin, &a);
     if (s->status != GJK_OK || !a.found) {
       return s->status == GJK_OK;
     }
-    (void)gjk_scene_collider(s->scene, a.hit.body, a.hit.part, &other);  // cannot fail: it was hit
-    if (gjk_distance(&other, &s->collider, NULL, &apart) != GJK_OK || apart.intersecting) {
-      if (!leave(s, &other)) {
+    (void)gjk_scene_view_of(s->scene, &v);  // cannot fail: it was hit
+    const gjk_scene_part *part = &v.parts[gjk_scene_part_of(&v, &v.bodies[a.hit.body.slot], a.hit.part)];
+    gjk_scene_part_now(&v, part, &other, &box);
+    if (gjk_scene_ask_distance(&v, part, NULL, &other, &s->collider, NULL, &apart) != GJK_OK || apart.intersecting) {
+      if (!leave(s, &v, part, &other)) {
         return false;
       }
     } else {
@@ -441,7 +446,7 @@ gjk_status gjk_slide(const gjk_scene *scene, const gjk_collider *collider, const
   result.stuck = !free_start(&s);
   if (result.stuck) {
     result.position = collider->position;
-    result.left = way;
+    gjk_copy(&result.left, &way, sizeof way);
   } else {
     gjk_vec3 start;
     bool steep = false;

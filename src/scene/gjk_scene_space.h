@@ -5,6 +5,7 @@
 #ifndef GJK_SRC_SCENE_SPACE_H
 #define GJK_SRC_SCENE_SPACE_H
 
+#include "../arith/gjk_ceilings.h"
 #include "../arith/gjk_rotation.h"
 #include "../arith/gjk_vector.h"
 #include "../shape/gjk_shape_class.h"
@@ -14,12 +15,16 @@
 #include "gjk/pose.h"
 #include "gjk/scene.h"
 #include "gjk_scene_common.h"
+#include "gjk_scene_concave.h"
 
 // The first word of a block: "gjks" in a little-endian one.
 #define GJK_SCENE_MAGIC UINT32_C(0x736B6A67)
 
 // The version of the block's format.
 #define GJK_SCENE_VERSION GJK_SCENE_BLOCK_VERSION
+
+// The ceilings on casts of the build, as a block says them.
+#define GJK_SCENE_CASTS (GJK_CAST_ITERATIONS_MAX * UINT32_C(65536) + GJK_ADVANCE_ROUNDS_MAX)
 
 // How many contacts a report has at most.
 #define GJK_SCENE_CONTACTS 4
@@ -153,7 +158,7 @@ typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_pa
                                  : -1];
 
 // Bytes of a header.
-#define GJK_SCENE_HEADER_BYTES 276
+#define GJK_SCENE_HEADER_BYTES 292
 
 // Binds to a handle; NULL: nothing.
 static inline void gjk_scene_set_bindings(gjk_scene *scene, const gjk_scene_bindings *bindings) {
@@ -294,14 +299,23 @@ static inline void gjk_scene_set_zero(gjk_vec3 *v) {
   v->x = v->y = v->z = 0;
 }
 
+// So far from a point along a unit vector, to the nearest LSB, saturated:  |length| * 2^30 <= 2^61
+static inline gjk_vec3 gjk_scene_ahead(const gjk_vec3 *from, const gjk_unit3 *n, gjk_q16 length) {
+  const int64_t half = INT64_C(1) << 29;
+  const gjk_vec3 at = {gjk_saturate(from->x + gjk_sar64(gjk_mul32(n->x, length) + half, 30)),
+                       gjk_saturate(from->y + gjk_sar64(gjk_mul32(n->y, length) + half, 30)),
+                       gjk_saturate(from->z + gjk_sar64(gjk_mul32(n->z, length) + half, 30))};
+  return at;
+}
+
 // One word after another into a hash.
 static inline uint64_t gjk_scene_mix_vec3(uint64_t hash, const gjk_vec3 *v) {
-  return gjk_scene_mix(gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)v->x), (uint32_t)v->y), (uint32_t)v->z);
+  return gjk_hash_step(gjk_hash_step(gjk_hash_step(hash, (uint32_t)v->x), (uint32_t)v->y), (uint32_t)v->z);
 }
 
 static inline uint64_t gjk_scene_mix_rotation(uint64_t hash, const gjk_quat *q) {
-  hash = gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)q->x), (uint32_t)q->y);
-  return gjk_scene_mix(gjk_scene_mix(hash, (uint32_t)q->z), (uint32_t)q->w);
+  hash = gjk_hash_step(gjk_hash_step(hash, (uint32_t)q->x), (uint32_t)q->y);
+  return gjk_hash_step(gjk_hash_step(hash, (uint32_t)q->z), (uint32_t)q->w);
 }
 
 // How far the rotation from a to b moves points, Q30: at most by this times their distance from the axis.
@@ -450,6 +464,27 @@ static inline bool gjk_scene_is_zero_direction(const int16_t direction[3]) {
 static inline const int16_t *gjk_scene_hint(const gjk_scene_pair *pair, int16_t room[3]) {
   (void)room;
   return pair->hint.direction;
+}
+
+// Is the shape a body of many parts? Then its code is in the class.
+static inline bool gjk_scene_is_concave(const gjk_shape *shape) {
+  return shape->type->concave != NULL;
+}
+
+// Binds a collider to a shape of a part. Statuses as gjk_collider_init.
+static inline gjk_status gjk_scene_bind(gjk_collider *c, const gjk_shape *shape) {
+  return shape != NULL && shape->type != NULL && gjk_scene_is_concave(shape) ? shape->type->concave->bind(shape, c)
+                                                                             : gjk_collider_init(c, shape, NULL, 0);
+}
+
+static inline bool gjk_scene_is_amid(gjk_q16 x) {
+  return x <= INT32_MAX - GJK_CONCAVE_REACH && x >= -(INT32_MAX - GJK_CONCAVE_REACH);
+}
+
+// Does a part stay in int32 at any rotation? Of a convex one its collider tells.
+static inline bool gjk_scene_has_room(const gjk_shape *shape, const gjk_vec3 *position) {
+  return !gjk_scene_is_concave(shape) ||
+         (gjk_scene_is_amid(position->x) && gjk_scene_is_amid(position->y) && gjk_scene_is_amid(position->z));
 }
 
 // The rotation of a motion is along the shortest arc.

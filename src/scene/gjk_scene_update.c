@@ -162,6 +162,8 @@ gjk_status gjk_scene_get_stats(const gjk_scene *scene, gjk_scene_stats *out) {
     out->ended = s->ended;
     out->unsettled = s->unsettled;
     out->updates = v.header->updates;
+    out->measured = s->measured;
+    out->manifolds = s->manifolds;
   }
   return status;
 }

@@ -3,11 +3,8 @@
 #include "gjk_scene_filter.h"
 #include "gjk_scene_hits.h"
 #include "gjk_scene_part.h"
+#include "gjk_scene_solid.h"
 #include "gjk_scene_tree.h"
-
-#ifndef GJK_SCENE_OF_PLANE
-#include "gjk_scene_travel.h"
-#endif
 
 // Is a part whose box in the tree may be near enough so by its exact box, and by its shape?
 static bool part_is_within(const gjk_scene_view *v, const gjk_collider *collider, const gjk_aabb *box, gjk_q16 reach,
@@ -22,7 +19,7 @@ static bool part_is_within(const gjk_scene_view *v, const gjk_collider *collider
   if (gjk_aabb_gap(box, &exact) > (uint32_t)reach) {
     return false;
   }
-  return gjk_within(collider, &c, reach, NULL, &decision) != GJK_OK || decision.yes;
+  return gjk_scene_ask_within(v, NULL, p, collider, &c, reach, NULL, &decision) != GJK_OK || decision.yes;
 }
 
 gjk_status gjk_scene_query_within(const gjk_scene *scene, const gjk_collider *collider, gjk_q16 reach,

@@ -43,6 +43,9 @@ struct gjk_shape_class {
   // Pre: see gjk_iteration.h.
   bool (*stalls)(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift, bool late);
 
+  // Of bodies of many parts, which only a scene takes: src/scene/gjk_scene_concave.h. NULL for all other shapes.
+  const struct gjk_scene_concave *concave;
+
   bool buffered;  // a collider may have a buffer for posed vertices
   uint8_t count;  // half axes or vertices; where buffered is set the shape's own count is taken
   uint8_t kind;   // a gjk_kind

@@ -44,7 +44,7 @@ build motion-narrow "$all -DGJK_NARROW_MULTIPLY=1" $support tests/prove/bounds_m
 build scene "$all" tests/support/scene/world.c tests/prove/bounds_scene.c "$dir/library.a" &&
   [ "$("$dir/scene" "$2")" = "$2" ] || exit 1
 # The plane's own tests, with a percent of their trials for every 1,000 pairs.
-for test in check contacts curved distance hostile penetration polygon pose; do
+for test in cast check contacts curved distance hostile impact impact_curved penetration polygon pose; do
   # shellcheck disable=SC2086
   if ! build plane "$all -Iport" "tests/check/unit/test_plane_$test.c" "$dir/library.a" ||
     ! GJK_TEST_PERCENT=$(($2 / 1000 + 1)) "$dir/plane" >"$dir/plane.log" 2>&1; then

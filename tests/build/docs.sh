@@ -46,6 +46,14 @@ headers() {
     # shellcheck disable=SC2086
     headers gjk $names
   done
+  others=$(find "$include/gjk" -name '*.h' | sed 's|.*/||; s/\.h$//' | sort | while read -r name; do
+    grep -v '^#' tests/build/docs-groups.txt | grep -q -w "$name" || echo "$name"
+  done)
+  if [ -n "$others" ]; then
+    echo '<h2>And</h2>'
+    # shellcheck disable=SC2086
+    headers gjk $others
+  fi
   echo '<h2>In the plane</h2>'
   # shellcheck disable=SC2046
   headers gjk2 $(find "$include/gjk2" -name '*.h' | sed 's|.*/||; s/\.h$//' | sort)

@@ -114,9 +114,9 @@ golden() {
       ;;
   esac
   case $architecture in  # what fits the memory
-    avr) parts='1 2 4 8' ;;
-    cortex-m0) parts='1 6 8' ;;
-    *) parts=15 ;;
+    avr) parts='1 2 4 8 64' ;;
+    cortex-m0) parts='1 6 56 64' ;;
+    *) parts=127 ;;
   esac
   core=$linker
   if [ "$compiler" = clang ]; then
@@ -137,7 +137,8 @@ golden() {
   (cd "$folder" && $core -std=c99 -ffreestanding -ffunction-sections -fdata-sections "-I$root/include" \
     "-I$root" "-I$root/port" "-I$root/tests/support" "$@" -c $library "$root/tests/check/target/golden.c" \
     "$root/tests/check/target/plane_golden.c" "$root/tests/check/target/motion_golden.c" \
-    "$root/tests/check/target/plane_motion_golden.c" "$root/tests/check/target/hull_golden.c" $scene) || return 1
+    "$root/tests/check/target/plane_motion_golden.c" "$root/tests/check/target/parts_golden.c" \
+    "$root/tests/check/target/hull_golden.c" $scene) || return 1
   case "$compiler $*" in
     clang*-flto*)
       ld.lld -r "$folder"/*.o -o "$folder/all.lto" && rm "$folder"/*.o && mv "$folder/all.lto" "$folder/all.o" || return 1
@@ -148,8 +149,12 @@ golden() {
     gcc*-flto*) glue="$glue -flto" ;;
   esac
   for part in $parts; do
+    case $architecture-$part in  # what contacts of surfaces need
+      cortex-*-56 | cortex-*-63 | rv32imc-63) stack=-Wl,--defsym=STACK_SIZE=9216 ;;
+      *) stack= ;;
+    esac
     # shellcheck disable=SC2086
-    $linker $glue "-DGOLDEN_PARTS=$part" -O2 "$folder"/*.o ${golden_objects:+"$golden_objects"/gjk*.o} -lgcc -o "$folder/golden.elf" || return 1
+    $linker $glue $stack "-DGOLDEN_PARTS=$part" -O2 "$folder"/*.o ${golden_objects:+"$golden_objects"/gjk*.o} -lgcc -o "$folder/golden.elf" || return 1
     case $architecture in
       host) "$folder/golden.elf" ;;
       cortex-* | rv32imc | avr) sh tests/build/emulate.sh "$architecture" "$folder/golden.elf" ;;

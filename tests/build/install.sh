@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs headers, archive, shared library, pkg-config and CMake files, and the Python module: install.sh BUILD
-# PREFIX. `make install` runs it.
+# Installs headers, archive, shared library, pkg-config and CMake files, the C++ headers and the Python module:
+# install.sh BUILD PREFIX. `make install` runs it.
 #
 # Both libraries are built without a port, so nothing in them needs libc. The shared library shows only what the public
 # headers name. Its soname changes with each release that a program must be compiled anew for, as gjk/version.h promises:
@@ -43,6 +43,7 @@ ln -sf "libgjk.so.$api" "$root/lib/libgjk.so"
 fill port/package/gjk.pc.in >"$root/lib/pkgconfig/gjk.pc"
 cp port/package/cmake/gjkConfig.cmake "$root/lib/cmake/gjk"
 fill port/package/cmake/gjkConfigVersion.cmake.in >"$root/lib/cmake/gjk/gjkConfigVersion.cmake"
+cp port/cpp/*.hpp "$root/include"
 
 # The folder in which Python looks for modules of this prefix; else one that PYTHONPATH may name.
 modules=$(python3 -c 'import site, sys

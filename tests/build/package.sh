@@ -9,12 +9,12 @@ build=$1
 . tests/build/version.sh
 rm -rf "$build/package"
 
-# sources NAME: a folder with headers, sources, ports and the README
+# sources NAME: a folder with headers, those of C++ too, sources, ports and the README
 sources() {
   to=$build/package/$1
   mkdir -p "$to"
   cp -r include src port README.md "$to"
-  rm -r "$to/port/package"
+  rm -r "$to/port/package" "$to/port/python" "$to/port/wasm"
 }
 
 sources cmake

@@ -44,6 +44,7 @@ MOTION_LEVELS=main:20,any_scene:100,gjk_scene_init:20,gjk_copy:100
 cases() {
   echo primitives-x
   echo pose-x
+  echo math-x
   for kind in POINT SEGMENT TRIANGLE BOX BAKED LAZY TABLE TABLE_LAZY CYLINDER CONE ELLIPSOID CUSTOM; do
     echo shape-$kind
   done
@@ -64,9 +65,21 @@ cases() {
   echo way-x
   echo swept-x
   echo motion-x
+  echo integrate-x
   for kinds in 0 1; do
     echo gap-$kinds
     echo advance-$kinds
+  done
+  echo portal-FIND
+  echo portal-CHECK
+  for query in CAST RAY CHECK; do
+    echo cast-$query
+  done
+  for kinds in 0 1 2; do
+    echo separation-$kinds
+  done
+  for kinds in 0 1; do
+    echo impact-$kinds
   done
   for count in 0 1 2 3 4; do
     echo simplex-$count
@@ -142,6 +155,18 @@ plane_cases() {
   for goal in GJK2_GOAL_DISTANCE GJK2_GOAL_WITHIN GJK2_GOAL_DEPTH GJK2_GOAL_SIGNED EDGES CURVED; do
     echo plane_search-$goal
   done
+  for ask in SET ASK ENTRY RATIO; do
+    echo plane_way-$ask
+  done
+  for query in CAST RAY CHECK; do
+    echo plane_cast-$query
+  done
+  for kinds in 0 1 2; do
+    echo plane_advance-$kinds
+  done
+  echo plane_sweep-x
+  echo plane_impact-0
+  echo plane_impact-1
   for query in WITHIN WITHIN_UNTIL DISTANCE_CURVED DISTANCE_MIXED DISTANCE_POLYGONS UNTIL PENETRATION SIGNED_CURVED SIGNED_MIXED \
     SIGNED_POLYGONS CONTACTS CHECK_DECISION CHECK_DISTANCE \
     CHECK_PENETRATION; do
@@ -254,7 +279,23 @@ prove_one() {
       sources=$(echo src/plane/*.c src/arith/gjk_root.c src/arith/gjk_wide.c)
       contracts="-eva-use-spec $PLANE_CONTRACTS"
       level=50
+      moved="src/plane/gjk2_measure.c src/plane/gjk2_collider.c src/arith/gjk_root.c src/arith/gjk_wide.c \
+        src/plane_motion/gjk2_way.c"
       case $1 in
+        plane_way*) level=20 sources="$moved src/plane_motion/gjk2_entry.c" ;;
+        plane_cast*)
+          level=20 models='plane_distance plane_advance'
+          sources="$moved $(echo src/plane_motion/*cast*.c) src/plane_motion/gjk2_entry.c"
+          ;;
+        plane_advance*)
+          level=10 models=plane_distance
+          sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_entry.c src/plane_motion/gjk2_advance.c"
+          ;;
+        plane_sweep*) sources="$(echo src/plane/*.c) src/plane_motion/gjk2_sweep.c src/plane_motion/gjk2_way.c $(echo src/arith/*.c)" ;;
+        plane_impact*)
+          level=8 models='plane_search plane_edges plane_sweep'
+          sources="$sources src/plane_motion/gjk2_impact.c"
+          ;;
         plane_search*) level=3 ;;
         plane_query-CONTACTS*) models='plane_search plane_penetration' ;;
         plane_query*) models='plane_search plane_edges' level=8 ;;
@@ -294,9 +335,29 @@ prove_one() {
       set -- "$1" -eva-slevel $level
       [ "$driver" = hull_check ] || set -- "$@" -eva-interprocedural-splits
       ;;
-    quotient | way | swept | motion)
+    quotient | way | swept | motion | integrate)
       sources=$(echo src/motion/*.c src/arith/*.c src/place/*.c src/query/gjk_status.c)
       set -- "$1" -eva-slevel 200
+      ;;
+    portal)
+      sources=$(echo src/motion/gjk_portal.c src/arith/*.c)
+      set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
+      ;;
+    cast)
+      models='portal quotient advance within'
+      sources=$(echo src/motion/*cast*.c src/motion/gjk_way.c src/motion/gjk_spheres.c src/motion/gjk_swept.c src/motion/gjk_portal.c \
+        src/motion/gjk_quotient.c src/motion/gjk_advance.c src/query/gjk_status.c src/shape/gjk_class_axes.c src/arith/*.c)
+      set -- "$1" -eva-slevel 50 -eva-interprocedural-splits
+      ;;
+    separation | impact)
+      models=motion
+      sources=$(echo src/motion/gjk_impact*.c src/motion/gjk_motion.c src/arith/*.c)
+      case $driver in
+        separation) sources="$sources src/shape/gjk_scan.c" ;;
+        impact) models='motion impact_separation distance' sources="$sources $(echo src/place/*.c)" ;;
+      esac
+      [ "$driver" = impact ] || sources=$(echo "$sources" | sed 's|src/motion/gjk_impact[.]c||')
+      set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
       ;;
     gap)
       models='simplex iteration search'

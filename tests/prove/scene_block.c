@@ -20,7 +20,7 @@ static void any_config(gjk_scene_config *config) {
   config->detail = (uint8_t)any_uint16();
   config->persist = (uint8_t)any_uint16();
   config->retest_all = (uint8_t)any_uint16();
-  config->reserved = (uint8_t)any_uint16();
+  config->pair_words = (uint8_t)any_uint16();
   config->workspace_cells = any_uint32();
   config->motions = any_uint32();
 }

@@ -6,61 +6,10 @@ Exits with 0 if the hash over so many pairs is HASH, in hexadecimal digits.
 import sys
 
 import gjk
+from golden_set import ask, main, moved
 
 VERTICES = 16
 WORKSPACE = gjk.Workspace(20)
-MASK = (1 << 64) - 1
-
-
-class Random:
-    """splitmix64, as tests/support/random.h."""
-
-    def __init__(self, seed):
-        self.word = seed
-
-    def u32(self):
-        self.word = (self.word + 0x9E3779B97F4A7C15) & MASK
-        z = self.word
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9 & MASK
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EB & MASK
-        return (z ^ (z >> 31)) >> 32
-
-    def below(self, bound):
-        return self.u32() * bound >> 32
-
-    def range(self, low, high):
-        return (self.u32() * (high - low + 1) >> 32) + low
-
-    def vector(self, size):
-        return [self.range(-size, size) for _ in range(3)]
-
-
-class Hash:
-    """FNV-1a over words, as tests/support/fnv.h."""
-
-    def __init__(self):
-        self.value = 0xCBF29CE484222325
-
-    def mix(self, *words):
-        value = self.value
-        for word in words:
-            for byte in (word & 0xFFFFFFFF).to_bytes(4, "little"):
-                value = (value ^ byte) * 0x100000001B3 & MASK
-        self.value = value
-
-    def certificate(self, certificate):
-        self.mix(certificate.proof, certificate.count)
-        self.mix(*(a << 16 | b for a, b in certificate.pairs))
-        if certificate.proof == gjk.Proof.DIRECTION:
-            self.mix(*certificate.direction)
-
-
-def ask(query, *arguments):
-    """The status and the result of a query."""
-    try:
-        return gjk.Status.OK, query(*arguments)
-    except gjk.Error as error:
-        return error.status, error.result
 
 
 class Pair:
@@ -108,10 +57,13 @@ class Pair:
         shape.size = gjk.Vec3(x, y, z)  # all of it, also for kinds that use less; golden.c does so
         return shape
 
+    def certificate(self, certificate):
+        self.hash.certificate(certificate, [gjk.Proof.DIRECTION])
+
     def distance(self, cache):
         status, out = ask(gjk.distance, self.a, self.b, cache)
         self.hash.mix(status, out.intersecting, out.saturated, out.distance, out.iterations)
-        self.hash.certificate(out.certificate)
+        self.certificate(out.certificate)
         if not out.intersecting:
             self.hash.mix(*out.point_a, *out.point_b, *out.normal)
         return out
@@ -122,13 +74,13 @@ class Pair:
         else:
             status, out = ask(gjk.within, self.a, self.b, distance, cache)
         self.hash.mix(status, out.yes, out.iterations)
-        self.hash.certificate(out.certificate)
+        self.certificate(out.certificate)
 
     def within_until(self, distance, iterations):
         status, out = ask(gjk.within_until, self.a, self.b, distance, iterations)
         self.hash.mix(status, out.answer, out.decision.iterations)
         if out.answer != gjk.Answer.OPEN:
-            self.hash.certificate(out.decision.certificate)
+            self.certificate(out.decision.certificate)
 
     def distance_until(self, iterations, error):
         status, out = ask(gjk.distance_until, self.a, self.b, iterations, error)
@@ -139,7 +91,7 @@ class Pair:
     def penetration(self, cache):
         status, out = ask(gjk.penetration, self.a, self.b, cache, WORKSPACE)
         self.hash.mix(status, out.intersecting, out.iterations)
-        self.hash.certificate(out.certificate)
+        self.certificate(out.certificate)
         if out.intersecting:
             self.hash.mix(out.depth, out.lower, out.upper, *out.point_a, *out.point_b, *out.normal)
 
@@ -152,8 +104,7 @@ class Pair:
     def approach(self, result):
         """Moves B along the normal until the gap is near 0."""
         by = result.distance + self.random.range(-2, 2)
-        position = [p - toward_zero(n * by, gjk.Q30_ONE) for p, n in zip(self.b.position, result.normal)]
-        self.b.move(position)
+        self.b.move(moved(self.b.position, result.normal, by))
         self.hash.mix(gjk.Status.OK)
 
     def query(self):
@@ -177,19 +128,5 @@ class Pair:
             self.contacts(self.size // 8)
 
 
-def toward_zero(x, divisor):
-    """The quotient of C."""
-    return -(-x // divisor) if x < 0 else x // divisor
-
-
-def main():
-    pairs, expected = int(sys.argv[1]), int(sys.argv[2], 16)
-    random, hash = Random(2026), Hash()
-    for _ in range(pairs):
-        Pair(random, hash).query()
-    print(f"{hash.value:016x}")
-    return hash.value != expected
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(Pair, 2026, sys.argv[1:]))

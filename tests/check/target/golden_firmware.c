@@ -1,11 +1,12 @@
-// Firmware: the golden hashes of space, of the plane, of motion in both and of hulls on an emulated core, and with GOLDEN_SCENE, for
-// boards with 50 KB of memory, that of a match in a scene. Exits with 0 if they are those of the headers.
+// Firmware: the golden hashes of space, of the plane, of motion in both, of bodies of many parts and of hulls on an emulated
+// core, and with GOLDEN_SCENE, for boards with 50 KB of memory, that of a match in a scene. Exits with 0 if they are those of the headers.
 #include <stdbool.h>
 
 #include "board/board.h"
 #include "golden.h"
 #include "hull_golden.h"
 #include "motion_golden.h"
+#include "parts_golden.h"
 #include "plane_golden.h"
 #include "print.h"
 #include "scene_golden.h"
@@ -14,13 +15,16 @@
 #define GOLDEN_RUN_PAIRS GOLDEN_PAIRS
 #endif
 
-// Which hashes are found: the sum of AT_REST, MOVING, MOVING_IN_PLANE and HULLS. Small memories take one after the other.
+// Which hashes are found: a sum of these. Small memories take one after the other.
 #define AT_REST 1
 #define MOVING 2
 #define MOVING_IN_PLANE 4
-#define HULLS 8
+#define MANY_PARTS 8
+#define MANY_PARTS_TOUCHING 16
+#define MANY_PARTS_MOVING 32
+#define HULLS 64
 #ifndef GOLDEN_PARTS
-#define GOLDEN_PARTS 15
+#define GOLDEN_PARTS 127
 #endif
 
 #define IS_FEW (GOLDEN_RUN_PAIRS != GOLDEN_PAIRS)
@@ -50,6 +54,25 @@ static bool is_golden_at_rest(void) {
   return space && plane && scene;
 }
 
+static bool many_parts_are_golden(void) {
+  const uint32_t bodies = IS_FEW ? PARTS_GOLDEN_FEW_BODIES : PARTS_GOLDEN_BODIES;
+  bool same = true;
+  if ((GOLDEN_PARTS & MANY_PARTS) != 0) {
+    same = is_golden(parts_golden_hash(bodies), IS_FEW ? PARTS_GOLDEN_FEW_HASH : PARTS_GOLDEN_HASH) && same;
+  }
+  if ((GOLDEN_PARTS & MANY_PARTS_TOUCHING) != 0) {
+    same = is_golden(parts_contacts_golden_hash(bodies),
+                     IS_FEW ? PARTS_CONTACTS_GOLDEN_FEW_HASH : PARTS_CONTACTS_GOLDEN_HASH) &&
+           same;
+  }
+  if ((GOLDEN_PARTS & MANY_PARTS_MOVING) != 0) {
+    same =
+        is_golden(parts_motion_golden_hash(bodies), IS_FEW ? PARTS_MOTION_GOLDEN_FEW_HASH : PARTS_MOTION_GOLDEN_HASH) &&
+        same;
+  }
+  return same;
+}
+
 int firmware_main(void) {
   const uint32_t pairs = IS_FEW ? MOTION_GOLDEN_FEW_PAIRS : MOTION_GOLDEN_PAIRS;
   bool same = true;
@@ -64,6 +87,7 @@ int firmware_main(void) {
         is_golden(plane_motion_golden_hash(pairs), IS_FEW ? PLANE_MOTION_GOLDEN_FEW_HASH : PLANE_MOTION_GOLDEN_HASH) &&
         same;
   }
+  same = many_parts_are_golden() && same;
   if ((GOLDEN_PARTS & HULLS) != 0) {
     same = is_golden(hull_golden_hash(IS_FEW ? HULL_GOLDEN_FEW_SETS : HULL_GOLDEN_SETS),
                      IS_FEW ? HULL_GOLDEN_FEW_HASH : HULL_GOLDEN_HASH) &&

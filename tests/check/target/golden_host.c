@@ -7,6 +7,7 @@
 
 #include "hull_golden.h"
 #include "motion_golden.h"
+#include "parts_golden.h"
 #include "plane_golden.h"
 #include "scene_golden.h"
 
@@ -34,6 +35,20 @@ int main(void) {
          same;
   same =
       is_golden("PLANE_MOTION_GOLDEN_HASH", plane_motion_golden_hash(MOTION_GOLDEN_PAIRS), PLANE_MOTION_GOLDEN_HASH) &&
+      same;
+  same = is_golden("PARTS_GOLDEN_FEW_HASH", parts_golden_hash(PARTS_GOLDEN_FEW_BODIES), PARTS_GOLDEN_FEW_HASH) && same;
+  same = is_golden("PARTS_GOLDEN_HASH", parts_golden_hash(PARTS_GOLDEN_BODIES), PARTS_GOLDEN_HASH) && same;
+  same = is_golden("PARTS_CONTACTS_GOLDEN_FEW_HASH", parts_contacts_golden_hash(PARTS_GOLDEN_FEW_BODIES),
+                   PARTS_CONTACTS_GOLDEN_FEW_HASH) &&
+         same;
+  same = is_golden("PARTS_CONTACTS_GOLDEN_HASH", parts_contacts_golden_hash(PARTS_GOLDEN_BODIES),
+                   PARTS_CONTACTS_GOLDEN_HASH) &&
+         same;
+  same = is_golden("PARTS_MOTION_GOLDEN_FEW_HASH", parts_motion_golden_hash(PARTS_GOLDEN_FEW_BODIES),
+                   PARTS_MOTION_GOLDEN_FEW_HASH) &&
+         same;
+  same =
+      is_golden("PARTS_MOTION_GOLDEN_HASH", parts_motion_golden_hash(PARTS_GOLDEN_BODIES), PARTS_MOTION_GOLDEN_HASH) &&
       same;
   same = is_golden("HULL_GOLDEN_FEW_HASH", hull_golden_hash(HULL_GOLDEN_FEW_SETS), HULL_GOLDEN_FEW_HASH) && same;
   same = is_golden("HULL_GOLDEN_HASH", hull_golden_hash(HULL_GOLDEN_SETS), HULL_GOLDEN_HASH) && same;

@@ -10,7 +10,7 @@
 #include "src/mesh/gjk_triangle.h"
 
 #define FOUND_MAX 600
-#define NEAR_MAX 2000
+#define NEAR_MAX 4000
 
 typedef struct found_contacts {
   uint16_t count;
@@ -99,9 +99,9 @@ static double distance_from(const near_triangle *t, dvec p) {
                                             : best;
 }
 
-// Is n the triangle's own normal, to the rounding of both?
-static bool is_normal_of(const near_triangle *t, dvec n, bool two_sided) {
-  return length_of(cross_of(t->normal, n)) < 1e-8 && (two_sided || dot_of(t->normal, n) > 0.5);
+// Is n the triangle's own normal, up to an angle?
+static bool is_normal_of(const near_triangle *t, dvec n, bool two_sided, double angle) {
+  return length_of(cross_of(t->normal, n)) < angle && (two_sided || dot_of(t->normal, n) > 0.5);
 }
 
 // Does the surface have the normal at p: is it that of a triangle there, or do all triangles there lie behind the plane
@@ -113,7 +113,7 @@ static bool surface_has(const near_surface *near, dvec p, dvec n, bool two_sided
     if (distance_from(t, p) > slack) {
       continue;
     }
-    if (is_normal_of(t, n, two_sided)) {
+    if (is_normal_of(t, n, two_sided, 1e-8)) {
       return true;
     }
     for (int k = 0; k < 3; k++) {

@@ -27,7 +27,9 @@ static const world_options families[] = {
      .detail = GJK_DETAIL_DISTANCE,
      .persist = 1,
      .predicate = true,
-     .margins = true},
+     .margins = true,
+     .words = 1,
+     .sensors = true},
     {.bodies = WORLD_BODIES,
      .reach = GJK_Q16(2),
      .box_margin = GJK_Q16(1),
@@ -35,7 +37,9 @@ static const world_options families[] = {
      .persist = 1,
      .retest_all = 1,
      .predicate = true,
-     .margins = true},
+     .margins = true,
+     .words = 1,
+     .sensors = true},
     {.bodies = WORLD_BODIES,
      .reach = GJK_Q16(4),
      .box_margin = GJK_Q16(0.25),
@@ -53,14 +57,18 @@ static const world_options families[] = {
      .box_margin = GJK_Q16(0.1),
      .detail = GJK_DETAIL_DEPTH,
      .persist = 1,
-     .margins = true},
+     .margins = true,
+     .words = 5,
+     .sensors = true},
     {.bodies = WORLD_BODIES,
      .reach = GJK_Q16(2),
      .box_margin = GJK_Q16(0.3),
      .detail = GJK_DETAIL_DEPTH,
      .persist = 1,
      .retest_all = 1,
-     .margins = true},
+     .margins = true,
+     .words = 5,
+     .sensors = true},
     {.bodies = WORLD_BODIES,
      .reach = GJK_Q16(1.5),
      .box_margin = GJK_Q16(0.2),
@@ -119,6 +127,7 @@ static void run_family(unsigned family, uint64_t seed) {
     CHECK_MSG(gjk_scene_check(&w.scene) == GJK_OK, "after, family %u, update %d", family, i);
     const bool same = world_same(&expected, &actual);
     CHECK_MSG(same, "family %u, update %d: %u reports, %u expected", family, i, actual.count, expected.count);
+    CHECK_MSG(world_write_words(&w, &random), "family %u, update %d: words", family, i);
     gjk_scene_get_stats(&w.scene, &stats);
     all.begun += stats.begun;
     all.ended += stats.ended;

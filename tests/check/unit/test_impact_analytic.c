@@ -60,6 +60,10 @@ static void check_balls(void) {
   m.spin = vec(0, 0, 31415.9);  // 5,000 turns: a ball does not mind
   r = impact(&big, &rest, &small, &m, 0);
   check_hit(&r, 0.375, 10 * UNIT, 3);
+  gjk_motion up = standing(0, 0, -5);  // along one axis alone
+  up.to.position = vec(0, 0, 5);
+  r = impact(&big, &rest, &small, &up, 0);
+  check_hit(&r, 0.375, 10 * UNIT, 3);
   m.to.position = m.from.position;
   r = impact(&big, &rest, &small, &m, 0);
   CHECK(!r.hit && r.lower == GJK_Q30_ONE && r.upper == GJK_Q30_ONE);
@@ -181,6 +185,47 @@ static void check_cast(void) {
   CHECK(hits > 5 && hits < 25);
 }
 
+// Bodies at one place, whose spheres meet from the start on: an edge 2 units from the place turns about it, and the block
+// there is half as thick as it is near.
+static void check_same_place(void) {
+  const gjk_vec3 ends[2] = {vec(2, 0, -1), vec(2, 0, 1)};
+  const gjk_shape edge = GJK_HULL(ends, 2), block = GJK_BOX(GJK_Q16(0.25), GJK_Q16(3.0), GJK_Q16(0.25)),
+                  pillar = GJK_BOX(GJK_Q16(1.25), GJK_Q16(1.25), GJK_Q16(1.25));
+  gjk_motion turning = rest;
+  turning.spin = vec(0, 0, 2.5);
+  const double angle = acos(0.125);
+  gjk_impact_result r = impact(&edge, &turning, &block, &rest, 0);
+  check_hit(&r, angle / 2.5, 2.5 * 2 * sin(angle) * UNIT * 0.99, 8);
+  r = impact(&edge, &turning, &pillar, &rest, 0);  // its corners are sqrt(2) 1.25 away
+  CHECK(!r.hit && r.lower == GJK_Q30_ONE);
+}
+
+// The same of shapes farther from their positions than levers are measured: an edge 17,000 units away comes round to a box.
+// And two that lie away from each other, farther than Q16.16 tells, which come nearer by an LSB.
+static void check_far_arms(void) {
+  const gjk_vec3 ends[2] = {vec(17000, 0, -1), vec(17000, 0, 1)}, left[1] = {vec(-11000, 0, 0)},
+                 right[1] = {vec(11000, 0, 0)};
+  const gjk_shape edge = GJK_HULL(ends, 2), box = GJK_BOX(GJK_Q16(1.0), GJK_Q16(1.0), GJK_Q16(1.0)),
+                  west = GJK_HULL(left, 1), east = GJK_HULL(right, 1);
+  gjk_motion turning = rest, beside = standing(17000, 10, 0), from = standing(-10000, 0, 0), to = standing(10000, 0, 0);
+  const gjk_impact_setup setup = {0, GJK_Q16(0.125), 0};
+  gjk_collider a, b;
+  gjk_impact_result r;
+  memset(&a, 0, sizeof a);
+  memset(&b, 0, sizeof b);
+  turning.spin.z = GJK_Q16(0.001);
+  CHECK(gjk_collider_init(&a, &edge, NULL, 0) == GJK_OK && gjk_collider_init(&b, &box, NULL, 0) == GJK_OK);
+  CHECK(gjk_time_of_impact(&a, &turning, &b, &beside, &setup, &r) == GJK_OK);
+  const double way = turning.spin.z / UNIT, fraction = asin(9.0 / 17000) / way, lower = (double)r.lower / GJK_Q30_ONE;
+  CHECK_MSG(r.hit && lower <= fraction && lower >= fraction - 0.126 / (way * 16999), "lower %.9f of %.9f", lower,
+            fraction);
+  CHECK(r.distance > 0 && r.distance <= setup.tolerance && r.normal.y > GJK_Q30(0.9999));
+  CHECK(gjk_collider_init(&a, &west, NULL, 0) == GJK_OK && gjk_collider_init(&b, &east, NULL, 0) == GJK_OK);
+  to.to.position.x--;
+  CHECK(gjk_time_of_impact(&a, &from, &b, &to, &setup, &r) == GJK_OK);
+  CHECK(!r.hit && r.lower == GJK_Q30_ONE && r.iterations == 1);
+}
+
 static void check_overlap(void) {
   const gjk_shape box = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
   gjk_motion m = standing(1.5, 0, 0);
@@ -243,6 +288,8 @@ int main(void) {
   check_grazing();
   check_margin();
   check_cast();
+  check_same_place();
+  check_far_arms();
   check_overlap();
   check_statuses();
   return check_done("impact analytic");

@@ -1,6 +1,7 @@
 // Poses on the way of a motion, against the motion in long double.
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
@@ -136,6 +137,19 @@ static void check_motion(random_state *random, const gjk_motion *m) {
   }
 }
 
+// Arcs of a few LSB: half way round, a quaternion is half of what it becomes, to within its error.
+static void check_small_arcs(void) {
+  for (int k = -64; k <= 64; k++) {
+    gjk_motion m = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
+    gjk_pose pose;
+    m.to.rotation.x = k;
+    m.to.rotation.z = -k;
+    CHECK(gjk_motion_pose(&m, GJK_Q30_ONE / 2, &pose) == GJK_OK);
+    const gjk_quat *q = &pose.rotation;
+    CHECK(abs(2 * (int)q->x - k) <= 15 && abs(2 * (int)q->z + k) <= 15 && q->y == 0 && GJK_Q30_ONE - q->w <= 1);
+  }
+}
+
 static void check_statuses(void) {
   gjk_motion m = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
   gjk_pose pose, before;
@@ -178,6 +192,7 @@ int main(void) {
   }
   CHECK(either * 10 < motions);
   check_trial(motions, NULL, NULL);
+  check_small_arcs();
   check_statuses();
   printf("rotations off by at most %.2Lf 2^-30\n", worst * GJK_Q30_ONE);
   return check_done("impact poses");

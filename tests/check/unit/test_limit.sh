@@ -38,6 +38,17 @@ motion() {
   run motion "$1" || { cat "$dir/motion-$1.txt"; return 1; }
 }
 
+# parts MAX
+parts() {
+  run parts "$1" || { grep failed "$dir/parts-$1.txt"; return 1; }
+}
+
+# parts_hold MAX: their answers against those of the usual ceiling; and no impact comes before what it proves free
+parts_hold() {
+  awk -f tests/check/limit/parts.awk "$dir/parts-128.txt" "$dir/parts-$1.txt" &&
+    { "$dir/parts-128" "$dir/parts-$1.txt" >"$dir/claims.txt" || { grep failed "$dir/claims.txt"; return 1; }; }
+}
+
 # holds MAX: wherever MAX iterations do not settle it, the bounds hold the distance (2 LSB of curved shapes apart) and MAX
 # iterations were used; elsewhere nothing changes. Other queries say so, too, or answer as usual.
 holds() {
@@ -67,6 +78,8 @@ check 'all queries answer' reported GJK_OK 128 8
 check 'three run out of memory' reported GJK_ERROR_CAPACITY 128 3
 check 'the usual ceiling in the plane' plane 128
 check 'the usual ceiling of casts and impacts' motion 128
+check 'the usual ceiling of bodies of many parts' parts 128
+cp "$dir/parts" "$dir/parts-128"
 for max in 1 2 3 4; do
   check "a ceiling of $max" ceiling $max
   check "a ceiling of $max: valid fields" fields $max
@@ -74,6 +87,8 @@ for max in 1 2 3 4; do
   check "a ceiling of $max in the plane" plane $max
   check "a ceiling of $max of casts and impacts" motion $max
   check "a ceiling of $max: impacts report it" grep -q '^gjk_time_of_impact .* GJK_ERROR_ITERATION_LIMIT ' "$dir/motion-$max.txt"
+  check "a ceiling of $max of bodies of many parts" parts $max
+  check "a ceiling of $max of bodies of many parts holds its bounds" parts_hold $max
   [ $max = 1 ] && continue
   check "a ceiling of $max: bounds" run bounds $max
   check "a ceiling of $max holds its bounds" holds $max

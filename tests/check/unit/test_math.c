@@ -1,4 +1,4 @@
-// Numbers for users against real arithmetic in long double: every rounding, every end of a range.
+// Vectors and rotations for users against real arithmetic in long double: every rounding, every end of a range.
 #include <math.h>
 
 #include "gjk/impact.h"
@@ -9,7 +9,7 @@
 
 #define TRIALS 200000
 
-static const double ONE_Q30 = 1073741824.0, ONE_Q16 = 65536.0;
+static const double ONE_Q30 = 1073741824.0;
 
 // Numbers of every size, and the ends of the range.
 static int32_t any_number(random_state *random) {
@@ -27,46 +27,6 @@ static gjk_vec3 any_vector(random_state *random) {
 
 static int64_t within(long double x, int64_t low, int64_t high) {
   return x <= (long double)low ? low : x >= (long double)high ? high : (int64_t)x;
-}
-
-// roundl rounds halves away from zero, as the products do. 64 bits of mantissa hold each product exactly.
-static int64_t nearest_q16(long double x) {
-  return within(roundl(x), INT32_MIN, INT32_MAX);
-}
-
-static void check_numbers(random_state *random) {
-  const gjk_q16 a = any_number(random), b = any_number(random);
-  CHECK(gjk_q16_multiply(a, b) == nearest_q16((long double)a * b / 65536));
-  if (b != 0) {
-    // A quotient of 48 by 31 bits is a half only where it is exact, and otherwise at least 2^-32 from one.
-    CHECK(gjk_q16_divide(a, b) == nearest_q16((long double)a * 65536 / b));
-  } else {
-    CHECK(gjk_q16_divide(a, b) == (a == 0 ? 0 : a < 0 ? INT32_MIN : INT32_MAX));
-  }
-  const int64_t root = gjk_q16_sqrt(a);
-  if (a <= 0) {
-    CHECK(root == 0);
-  } else {  // 4 (root - 1/2)^2 <= 4 x <= 4 (root + 1/2)^2
-    const int64_t x = (int64_t)a * 65536;
-    CHECK((2 * root - 1) * (2 * root - 1) <= 4 * x && 4 * x <= (2 * root + 1) * (2 * root + 1));
-  }
-}
-
-static long double worst_sine, worst_atan;
-
-static void check_angles(random_state *random) {
-  const gjk_angle angle = any_number(random);
-  gjk_q30 sine, cosine;
-  gjk_sine_and_cosine(angle, &sine, &cosine);
-  const long double exact = (long double)angle / 65536;
-  const long double off = fmaxl(fabsl(sinl(exact) * ONE_Q30 - sine), fabsl(cosl(exact) * ONE_Q30 - cosine));
-  worst_sine = fmaxl(worst_sine, off);
-  CHECK(off <= 1);
-
-  const gjk_q16 y = any_number(random), x = any_number(random);
-  const long double off_atan = fabsl(atan2l(y, x) * 65536 - gjk_atan2(y, x));
-  worst_atan = fmaxl(worst_atan, off_atan);
-  CHECK(off_atan <= 0.501L);
 }
 
 static void check_vectors(random_state *random) {
@@ -108,9 +68,6 @@ static void turn(const gjk_quat *q, const long double v[3], long double out[3]) 
   }
 }
 
-static long double worst_aim;
-static unsigned long opposite, beside;
-
 // A vector near the opposite of from, or near from, or any.
 static gjk_vec3 other_direction(random_state *random, const gjk_vec3 *from) {
   const unsigned kind = random_below(random, 4);
@@ -123,6 +80,21 @@ static gjk_vec3 other_direction(random_state *random, const gjk_vec3 *from) {
                       sign * (from->z / 2) + random_range(random, -noise, noise)};
   return v;
 }
+
+static long double worst_angle;
+
+static void check_angle(random_state *random) {
+  const gjk_vec3 a = any_vector(random), b = other_direction(random, &a);
+  const long double u[3] = {a.x, a.y, a.z}, v[3] = {b.x, b.y, b.z};
+  const long double c[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  const long double exact = norm(u) == 0 || norm(v) == 0 ? 0 : atan2l(norm(c), u[0] * v[0] + u[1] * v[1] + u[2] * v[2]);
+  const long double off = fabsl(exact * 65536 - gjk_vec3_angle(&a, &b));
+  worst_angle = fmaxl(worst_angle, off);
+  CHECK(off <= 0.501L);
+}
+
+static long double worst_aim;
+static unsigned long opposite, beside;
 
 static void check_aim(random_state *random) {
   const gjk_vec3 from = any_vector(random), to = other_direction(random, &from);
@@ -164,6 +136,12 @@ static void check_segments(random_state *random) {
     return;
   }
   CHECK(status == GJK_OK && fabsl(norm(way) / 2 - half) <= 1.5L);
+  if (half < INT32_C(1) << 30) {  // to the nearest: (2 half - 1)^2 <= |way|^2 <= (2 half + 1)^2
+    __extension__ typedef __int128 wide;
+    const wide x = (wide)q.x - p.x, y = (wide)q.y - p.y, z = (wide)q.z - p.z, squared = x * x + y * y + z * z;
+    CHECK((half == 0 || (wide)(2 * (int64_t)half - 1) * (2 * (int64_t)half - 1) <= squared) &&
+          squared <= (wide)(2 * (int64_t)half + 1) * (2 * (int64_t)half + 1));
+  }
   const long double up[3] = {0, 0, half};
   long double end[3];
   turn(&pose.rotation, up, end);
@@ -189,6 +167,8 @@ static void check_integration(void) {
   CHECK(gjk_quat_integrate(&q, &velocity, GJK_Q30_ONE + 1, &q) == GJK_ERROR_RANGE && q.z == before.z);
   CHECK(gjk_quat_integrate(&q, &velocity, -1, &q) == GJK_ERROR_RANGE);
   CHECK(gjk_quat_integrate(NULL, &velocity, 0, &q) == GJK_ERROR_NULL);
+  CHECK(gjk_quat_integrate(&q, NULL, 0, &q) == GJK_ERROR_NULL &&
+        gjk_quat_integrate(&q, &velocity, 0, NULL) == GJK_ERROR_NULL);
   const gjk_quat no_unit = {GJK_Q30_ONE, GJK_Q30_ONE, 0, 0};
   CHECK(gjk_quat_integrate(&no_unit, &velocity, GJK_Q30_ONE, &q) == GJK_ERROR_ROTATION && q.z == before.z);
 }
@@ -203,12 +183,17 @@ static void check_ends(void) {
   CHECK(gjk_vec3_normalize(&zero, &unit) == GJK_ERROR_ROTATION && unit.x == 7);
   CHECK(gjk_vec3_normalize(NULL, &unit) == GJK_ERROR_NULL && gjk_vec3_normalize(&low, NULL) == GJK_ERROR_NULL);
   CHECK(gjk_vec3_normalize(&low, &unit) == GJK_OK && unit.x == unit.z && unit.x == -619925131);
-  CHECK(gjk_atan2(0, 0) == 0 && gjk_atan2(0, 5) == 0 && gjk_atan2(0, -5) == GJK_ANGLE(3.14159265358979));
-  CHECK(gjk_atan2(INT32_MIN, 0) == GJK_ANGLE(-1.5707963267949) && gjk_atan2(-1, INT32_MIN) == -205887);
+  CHECK(gjk_vec3_angle(&low, &high) == GJK_ANGLE(3.14159265358979) && gjk_vec3_angle(&low, &zero) == 0 &&
+        gjk_vec3_angle(&zero, &low) == 0 && gjk_vec3_angle(&low, &low) == 0);
   CHECK(gjk_pose_between(&low, &high, &pose, &half) == GJK_ERROR_RANGE);
   CHECK(gjk_pose_between(&high, &high, &pose, &half) == GJK_OK && half == 0 && pose.rotation.w == GJK_Q30_ONE &&
         pose.position.x == INT32_MAX);
   CHECK(gjk_pose_between(&low, NULL, &pose, &half) == GJK_ERROR_NULL);
+  CHECK(gjk_pose_between(NULL, &low, &pose, &half) == GJK_ERROR_NULL);
+  CHECK(gjk_pose_between(&low, &high, NULL, &half) == GJK_ERROR_NULL &&
+        gjk_pose_between(&low, &high, &pose, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_quat_between(NULL, &high, &pose.rotation) == GJK_ERROR_NULL &&
+        gjk_quat_between(&low, NULL, &pose.rotation) == GJK_ERROR_NULL);
   CHECK(gjk_quat_between(&low, &high, NULL) == GJK_ERROR_NULL);
 }
 
@@ -218,14 +203,12 @@ int main(void) {
   check_integration();
   for (unsigned long i = 0; i < TRIALS; i++) {
     check_trial(i, NULL, NULL);
-    check_numbers(&random);
-    check_angles(&random);
     check_vectors(&random);
+    check_angle(&random);
     check_aim(&random);
     check_segments(&random);
   }
   CHECK(opposite > TRIALS / 20 && beside > TRIALS / 20);
-  printf("worst: sine %.3Lf LSB, atan2 %.4Lf, aim %.2Lf, ends of segments %.2Lf; %.0f per unit\n", worst_sine,
-         worst_atan, worst_aim, worst_end, ONE_Q16);
+  printf("worst: angle %.4Lf LSB, aim %.2Lf, ends of segments %.2Lf\n", worst_angle, worst_aim, worst_end);
   return check_done("math");
 }

@@ -11,7 +11,7 @@
 #define BODIES 60
 #define CELLS 4000
 
-static struct { unsigned long bodies, apart, together, manifolds, of_faces, of_ridges, missing, behind; } tally;
+static struct { unsigned long bodies, apart, together, manifolds, of_faces, of_ridges, in_front, behind; } tally;
 
 typedef struct trial {
   surface ground;
@@ -67,6 +67,38 @@ static void place_body(random_state *random, trial *t, int32_t step) {
   }
 }
 
+// Is less than half of the body's height, along the triangle's normal, behind the plane? By the numbers of gjk/surface.h.
+static bool is_in_front(const gjk_collider *body, const near_triangle *t) {
+  const gjk_shape_class *type = body->shape->type;
+  const gjk_vec3 up = {(int32_t)ldexp(t->normal.x, 30), (int32_t)ldexp(t->normal.y, 30),
+                       (int32_t)ldexp(t->normal.z, 30)};
+  const gjk_vec3 down = {-up.x, -up.y, -up.z};
+  gjk_support top, bottom;
+  if (length_of(t->normal) == 0) {
+    return false;  // corners in a line
+  }
+  type->support(body, &up, &top);
+  type->support(body, &down, &bottom);
+  const dvec sum = {(double)top.offset.x + bottom.offset.x, (double)top.offset.y + bottom.offset.y,
+                    (double)top.offset.z + bottom.offset.z};
+  const dvec from = minus(add_scaled(of_vec3(&body->centre), 0.5, sum), of_vec3(&t->world[0]));
+  return dot_of(from, t->normal) > 4;
+}
+
+// The distance along its reported normal, finer than an LSB.
+static double gap_along(const gjk_collider *body, const near_triangle *t, const gjk_distance_result *d) {
+  const gjk_vec3 down = {-d->normal.x, -d->normal.y, -d->normal.z};
+  const dvec n = {ldexp(d->normal.x, -30), ldexp(d->normal.y, -30), ldexp(d->normal.z, -30)};
+  gjk_support bottom;
+  body->shape->type->support(body, &down, &bottom);
+  const dvec from = add_scaled(of_vec3(&body->centre), 1, of_vec3(&bottom.offset));
+  double gap = 1e300;
+  for (int k = 0; k < 3; k++) {
+    gap = fmin(gap, dot_of(n, minus(from, of_vec3(&t->world[k]))));
+  }
+  return gap - body->shape->convex_radius;
+}
+
 static void check_body(trial *t) {
   static found_contacts found;
   static near_surface near;
@@ -78,6 +110,8 @@ static void check_body(trial *t) {
   find_near(&t->parts, body, t->margin, &near);
   CHECK(found.count < FOUND_MAX && near.count < NEAR_MAX);
   tally.bodies++;
+  // The rounding of both; with curved bodies two edges may be off by 1/1024 along each axis.
+  const double own_angle = gjk_is_curved(body->shape) ? 0.004 : 1e-8;
   gjk_q16 least = INT32_MAX;
   for (unsigned i = 0; i < found.count; i++) {
     const gjk_manifold *m = &found.contact[i].manifold;
@@ -86,7 +120,7 @@ static void check_body(trial *t) {
     bool of_face = false;
     for (unsigned k = 0; k < near.count; k++) {
       of_face = of_face || (near.triangle[k].number == found.contact[i].triangle &&
-                            is_normal_of(&near.triangle[k], n, t->ground.mesh.two_sided));
+                            is_normal_of(&near.triangle[k], n, t->ground.mesh.two_sided, own_angle));
     }
     tally.of_faces += of_face ? 1 : 0;
     tally.of_ridges += of_face ? 0 : 1;
@@ -102,8 +136,9 @@ static void check_body(trial *t) {
               (int)m->contact[0].distance);
   }
   // What is missing.
-  bool together = false, behind = false, in_front = false;
+  bool together = false, in_front = false;
   gjk_q16 nearest = INT32_MAX;
+  double least_in_front = 1e300, least_behind = 1e300;
   for (unsigned k = 0; k < near.count; k++) {
     gjk_parts_room room;
     gjk_collider triangle;
@@ -113,25 +148,33 @@ static void check_body(trial *t) {
       continue;
     }
     together = together || d.intersecting;
-    const dvec from = minus(of_vec3(&body->centre), of_vec3(&near.triangle[k].world[0]));
-    in_front = in_front || (d.intersecting && dot_of(from, near.triangle[k].normal) > 0);
-    const bool nearer = !d.intersecting && d.distance < nearest;
-    nearest = d.intersecting ? 0 : nearer ? d.distance : nearest;
-    if (nearer) {  // from its back?
+    in_front = in_front || (d.intersecting && is_in_front(body, &near.triangle[k]));
+    if (!d.intersecting) {
       const dvec n = {d.normal.x, d.normal.y, d.normal.z};
-      behind = dot_of(n, near.triangle[k].normal) < 1e-3 * length_of(n) && !t->ground.mesh.two_sided;
+      const double gap = gap_along(body, &near.triangle[k], &d);
+      const bool behind =
+          dot_of(n, near.triangle[k].normal) < 1e-3 * length_of(n) || !is_in_front(body, &near.triangle[k]);
+      nearest = d.distance < nearest ? d.distance : nearest;
+      if (behind && !t->ground.mesh.two_sided) {
+        least_behind = fmin(least_behind, gap);
+      } else {
+        least_in_front = fmin(least_in_front, gap);
+      }
     }
   }
   if (together) {
     tally.together++;
-    tally.missing += found.count == 0 && in_front ? 1 : 0;
+    tally.in_front += in_front ? 1 : 0;
+    CHECK(found.count > 0 || !in_front);
   } else if (nearest <= t->margin - 4) {
-    if (behind) {
+    if (least_behind < least_in_front - 0.001) {  // it is behind the nearest triangle
       tally.behind++;
       return;
     }
     tally.apart++;
-    CHECK_MSG(least <= nearest + 4 && least >= nearest - 4, "distance %d, nearest contact %d", (int)nearest,
+    // Contact points are within 4 LSB of the shapes, distances of curved ones within 2.
+    const gjk_q16 off = gjk_is_curved(body->shape) ? 6 : 4;
+    CHECK_MSG(least <= nearest + off && least >= nearest - off, "distance %d, nearest contact %d", (int)nearest,
               (int)least);
   }
 }
@@ -161,14 +204,13 @@ int main(void) {
   case_collider_free(&t.body);
   case_shape_free(&t.source);
   printf(
-      "%lu bodies, %lu apart, %lu from behind, %lu together, %lu of them in front of one and without a contact; %lu "
+      "%lu bodies, %lu apart, %lu from behind, %lu together, %lu of them in front of one; %lu "
       "manifolds, %lu along "
       "normals "
       "of triangles, %lu of edges and corners\n",
-      tally.bodies, tally.apart, tally.behind, tally.together, tally.missing, tally.manifolds, tally.of_faces,
+      tally.bodies, tally.apart, tally.behind, tally.together, tally.in_front, tally.manifolds, tally.of_faces,
       tally.of_ridges);
-  CHECK(tally.apart > tally.bodies / 8 && tally.together > tally.bodies / 8);
-  CHECK(tally.missing * 200 <= tally.together);
+  CHECK(tally.apart > tally.bodies / 8 && tally.together > tally.bodies / 8 && tally.in_front > tally.together / 2);
   CHECK(tally.of_ridges > 100 && tally.of_faces > 1000);
   return check_done("mesh_contacts");
 }

@@ -12,7 +12,7 @@ rm -rf "$dir"
 mkdir -p "$dir"
 dir=$(cd "$dir" && pwd)
 prefix=$dir/prefix
-examples='distance safety_stop stack rollback flash plane cast'
+examples='distance safety_stop stack warm rollback flash plane cast arm'
 golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
 
 # prints PROGRAM SOURCE: the program prints what the source says
@@ -44,8 +44,8 @@ with_pkg_config() {
 # The golden hash, its queries answered by the shared library.
 shared_bits() {
   mkdir -p "$dir/golden"
-  (cd tests/check/target && cp golden.c golden_host.c plane_golden.c motion_golden.c plane_motion_golden.c hull_golden.c scene_golden.c \
-    "$dir/golden")
+  (cd tests/check/target && cp golden.c golden_host.c plane_golden.c motion_golden.c plane_motion_golden.c parts_golden.c \
+    hull_golden.c scene_golden.c "$dir/golden")
   # shellcheck disable=SC2046
   "${CC:-cc}" -std=c99 -O2 "-I$prefix/include" -I. -Iport -Itests/support -Itests/check/target "$dir"/golden/*.c \
     tests/support/scene/match.c port/hosted/gjk_hosted.c "-L$prefix/lib" -lgjk -o "$dir/golden/golden" &&
@@ -77,6 +77,17 @@ consumer() {
   for example in $examples; do
     prints "$dir/$1/build/$example" "tests/programs/examples/$example.c" || return 1
   done
+}
+
+# The same for a program in C++, that of the README: cpp_consumer FOLDER LINE
+cpp_consumer() {
+  mkdir -p "$dir/$1"
+  awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md >"$dir/$1/distance.cpp"
+  printf 'cmake_minimum_required(VERSION 3.13)\nproject(consumer C CXX)\nset(CMAKE_CXX_STANDARD 17)\n%s\n' "$2" \
+    >"$dir/$1/CMakeLists.txt"
+  printf 'add_executable(distance distance.cpp)\ntarget_link_libraries(distance PRIVATE gjk::gjk)\n' >>"$dir/$1/CMakeLists.txt"
+  cmake -S "$dir/$1" -B "$dir/$1/build" "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_BUILD_TYPE=Release &&
+    cmake --build "$dir/$1/build" --parallel 2 && prints "$dir/$1/build/distance" "$dir/$1/distance.cpp"
 }
 
 refuses_another_version() {
@@ -173,6 +184,12 @@ fi
 if have cmake; then
   check 'CMake: find_package' consumer found "find_package(gjk ${version%.*} REQUIRED CONFIG)"
   check 'CMake: find_package, shared' consumer shared 'find_package(gjk REQUIRED CONFIG)' gjk::shared
+  if have g++; then
+    check 'CMake: the C++ header, installed' cpp_consumer cpp-found 'find_package(gjk REQUIRED CONFIG)'
+    check 'CMake: the C++ header of the package' cpp_consumer cpp-packed "add_subdirectory($dir/../package/cmake gjk)"
+  else
+    skip 'CMake: the C++ header' g++
+  fi
   check 'CMake: not a later version' refuses_another_version 9.0
   check 'CMake: not an earlier minor version' refuses_another_version 0.0
   check 'CMake: add_subdirectory of the repository' consumer beside "add_subdirectory($(pwd)/port/package/cmake gjk)"
@@ -192,7 +209,9 @@ include($dir/../package/zephyr/zephyr/CMakeLists.txt)"
   check 'ESP-IDF: the component' stand_in esp "function(idf_component_register)
   cmake_parse_arguments(C \"\" \"\" \"SRCS;INCLUDE_DIRS\" \${ARGN})
   add_library(gjk STATIC \${C_SRCS})
-  target_include_directories(gjk PUBLIC $dir/../package/esp-idf/\${C_INCLUDE_DIRS})
+  foreach(folder \${C_INCLUDE_DIRS})
+    target_include_directories(gjk PUBLIC $dir/../package/esp-idf/\${folder})
+  endforeach()
 endfunction()
 include($dir/../package/esp-idf/CMakeLists.txt)"
 else

@@ -32,7 +32,8 @@ static gjk_vec3 way_from(random_state *random, const gjk_vec3 *from, double most
 }
 
 static bool comes_first(const gjk_cast_result *trial, const gjk_cast_result *best, uint32_t part) {
-  return trial->hit && (part == GJK_PARTS_NONE || trial->fraction < best->fraction);
+  return trial->hit && (part == GJK_PARTS_NONE || trial->fraction < best->fraction ||
+                        (trial->fraction == best->fraction && trial->inside && !best->inside));
 }
 
 static void check_cast(random_state *random, const gjk_collider *b, gjk_q16 spread) {
@@ -150,7 +151,9 @@ static void check_impact(random_state *random, gjk_q16 spread) {
     const gjk_status status = gjk_impact_of_carried(of, &setup, &trial);
     CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);
     limited = limited || status != GJK_OK;
-    if (status == GJK_OK && trial.hit && (first == GJK_PARTS_NONE || trial.lower < best.lower)) {
+    if (status == GJK_OK && trial.hit &&
+        (first == GJK_PARTS_NONE || trial.lower < best.lower ||
+         (trial.lower == best.lower && trial.overlap && !best.overlap))) {
       first = i;
       best = trial;
     }

@@ -578,6 +578,99 @@ static void test_curved(random_state *r) {
             misses);
 }
 
+// Ellipses of equal radii, which are circles: how near they come follows from their centres. Of small ones, and of ways
+// that end in touch, the search finds an overlap where the slack says that there is none yet.
+static void test_circles(random_state *r) {
+  unsigned long hits = 0, misses = 0;
+  for (unsigned long i = 0; i < TRIALS; i++) {
+    check_trial(i, NULL, NULL);
+    const int32_t size = random_below(r, 2) == 0 ? 8 : random_below(r, 2) == 0 ? 2000 : 300000;
+    const int32_t radius_a = random_range(r, 1, size), radius_b = random_range(r, 1, size), sum = radius_a + radius_b;
+    const gjk2_shape shape_a = GJK2_ELLIPSE(radius_a, radius_a), shape_b = GJK2_ELLIPSE(radius_b, radius_b);
+    gjk2_pose pose = GJK2_POSE_IDENTITY;
+    gjk2_collider a = {0}, b = {0};
+    gjk2_cast_result out;
+    CHECK(gjk2_collider_init(&a, &shape_a, NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
+    pose.position.x = random_range(r, -4 * size, 4 * size);
+    pose.position.y = random_range(r, -4 * size, 4 * size);
+    CHECK(gjk2_collider_init(&b, &shape_b, NULL, 0) == GJK_OK && gjk2_collider_pose(&b, &pose) == GJK_OK);
+    const gjk2_vec to = {random_range(r, -4 * size, 4 * size), random_range(r, -4 * size, 4 * size)};
+    const gjk2_cast_path path = {NULL, &to, 0};
+    const gjk_status status = gjk2_cast(&a, &b, &path, &out);
+    if (status == GJK_ERROR_ITERATION_LIMIT) {  // of a build with a low ceiling
+      CHECK(GJK_ITERATIONS_MAX < 128);
+      continue;
+    }
+    CHECK(status == GJK_OK);
+    const double px = pose.position.x, py = pose.position.y, tx = to.x - px, ty = to.y - py, way = tx * tx + ty * ty;
+    const double least = way > 0 ? -(px * tx + py * ty) / way : 0, foot = least < 0 ? 0 : least > 1 ? 1 : least;
+    const double nearest = hypot(px + foot * tx, py + foot * ty) - sum;
+    CHECK_MSG(out.hit ? nearest <= 4 : nearest >= -3, "%g of %d and %d", nearest, radius_a, radius_b);
+    hits += out.hit;
+    misses += !out.hit;
+    if (out.hit && !out.inside) {
+      const double at = (double)out.fraction / GJK_Q30_ONE, x = px + at * tx, y = py + at * ty;
+      const double gap = hypot(x, y) - sum;
+      CHECK_MSG(gap >= -3 && gap <= 6, "gap %g of %d and %d", gap, radius_a, radius_b);
+      const double off = hypot(x, y) < 64 ? 1 : 0.1;  // the centres are rounded to be measured
+      CHECK_MSG((out.normal.x * x + out.normal.y * y) / GJK_Q30_ONE >= (1 - off) * hypot(x, y), "normal %d %d",
+                (int)out.normal.x, (int)out.normal.y);
+      CHECK(fabs(hypot(out.normal.x, out.normal.y) - GJK_Q30_ONE) < 4);
+    }
+  }
+  CHECK_MSG(GJK_ITERATIONS_MAX < 128 || (hits > TRIALS / 10 && misses > TRIALS / 10), "%lu hits, %lu misses", hits,
+            misses);
+}
+
+// Rays against circles: no contact before the fraction, and a gap of at most 2 LSB at it.
+static void test_rays(random_state *r) {
+  unsigned long hits = 0, misses = 0;
+  for (unsigned long i = 0; i < TRIALS / 10; i++) {
+    check_trial(i, NULL, NULL);
+    const int32_t size = random_below(r, 2) == 0 ? 20 : 300000, radius = random_range(r, 1, size);
+    const gjk2_shape circle = GJK2_CIRCLE(radius);
+    const gjk2_pose pose = GJK2_POSE_IDENTITY;
+    const gjk2_vec from = {random_range(r, -4 * size, 4 * size), random_range(r, -4 * size, 4 * size)};
+    const gjk2_vec to = {random_range(r, -2 * size, 2 * size), random_range(r, -2 * size, 2 * size)};
+    gjk2_collider a = {0};
+    gjk2_cast_result out;
+    CHECK(gjk2_collider_init(&a, &circle, NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
+    CHECK(gjk2_cast_ray(&a, &from, &to, &out) == GJK_OK);
+    const double px = from.x, py = from.y, tx = to.x - px, ty = to.y - py, way = tx * tx + ty * ty;
+    const double least = way > 0 ? -(px * tx + py * ty) / way : 0, foot = least < 0 ? 0 : least > 1 ? 1 : least;
+    const double nearest = hypot(px + foot * tx, py + foot * ty) - radius;
+    CHECK_MSG(out.hit ? nearest < 1e-6 : nearest > -1e-6, "%g of %d", nearest, radius);
+    hits += out.hit;
+    misses += !out.hit;
+    if (out.hit) {
+      const double at = (double)out.fraction / GJK_Q30_ONE, gap = hypot(px + at * tx, py + at * ty) - radius;
+      CHECK_MSG(out.inside ? gap < 1e-6 : gap > -1e-6 && gap <= 2.1, "gap %g of %d", gap, radius);
+    }
+  }
+  CHECK(hits > TRIALS / 100 && misses > TRIALS / 100);
+}
+
+// A ray of more than 2^30 LSB along a diagonal, on which a corner of the shape lies: it enters there, exactly, whatever lies
+// beside the line.
+static void test_diagonal(void) {
+  static const gjk2_vec both[4] = {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, right[3] = {{-9, -9}, {9, -9}, {9, 9}},
+                        left[3] = {{-9, -9}, {9, 9}, {-9, 9}}, line[2] = {{-9, -9}, {9, 9}};
+  const gjk2_shape shapes[4] = {GJK2_POLYGON(both, 4), GJK2_POLYGON(right, 3), GJK2_POLYGON(left, 3),
+                                GJK2_POLYGON(line, 2)};
+  const int32_t away = INT32_C(1300000000);
+  const gjk2_vec from = {-away, -away}, to = {away, away};
+  const gjk_q30 fraction = (gjk_q30)(((INT64_C(1) << 30) * (away - 9)) / (2 * (int64_t)away));
+  const gjk2_pose pose = GJK2_POSE_IDENTITY;
+  for (int i = 0; i < 4; i++) {
+    gjk2_collider a = {0};
+    gjk2_cast_result out;
+    CHECK(gjk2_collider_init(&a, &shapes[i], NULL, 0) == GJK_OK && gjk2_collider_pose(&a, &pose) == GJK_OK);
+    CHECK(gjk2_cast_ray(&a, &from, &to, &out) == GJK_OK && out.hit && !out.inside);
+    CHECK_MSG(out.fraction == fraction, "%d: %d not %d", i, (int)out.fraction, (int)fraction);
+    CHECK(out.normal.x <= 0 && out.normal.y <= 0);
+  }
+}
+
 static void test_statuses(void) {
   static const gjk2_shape box = GJK2_BOX(100, 50);
   gjk2_collider a = {0}, b = {0};
@@ -630,6 +723,9 @@ int main(void) {
   test_wide(&r);
   test_halves_and_rays(&r);
   test_curved(&r);
+  test_circles(&r);
+  test_rays(&r);
+  test_diagonal();
   test_statuses();
   printf("grazing: %lu hits, %lu misses; long ways: %lu, %lu\n", grazing.hits, grazing.misses, wide.hits, wide.misses);
   CHECK(grazing.hits > TRIALS / 20 && grazing.misses > TRIALS / 40);

@@ -282,12 +282,31 @@ static void test_statuses(void) {
   CHECK(gjk2_motion_pose(&bent, 0, &pose) == GJK_ERROR_ROTATION);
 }
 
+// Circles that start 20,000 units apart, beyond what products of 32 bits take, and one turns: they touch where their centres
+// are 2 units apart.
+static void test_far(void) {
+  const gjk2_shape circle = GJK2_CIRCLE(GJK_Q16(1));
+  const gjk2_impact_setup setup = {0, GJK2_IMPACT_TOLERANCE_MIN * 64, 0};
+  gjk2_motion still = {GJK2_POSE_IDENTITY, GJK2_POSE_IDENTITY, GJK_Q16(3)}, moves = still;
+  gjk2_collider a = {0}, b = {0};
+  gjk2_impact_result out;
+  moves.from.position.x = GJK_Q16(-20000);
+  moves.to.position.x = GJK_Q16(20000);
+  CHECK(gjk2_collider_init(&a, &circle, NULL, 0) == GJK_OK && gjk2_collider_init(&b, &circle, NULL, 0) == GJK_OK);
+  CHECK(gjk2_time_of_impact(&a, &still, &b, &moves, &setup, &out) == GJK_OK && out.hit && !out.overlap);
+  const double way = 40000.0 * 65536, fraction = (20000.0 - 2) / 40000, lower = (double)out.lower / GJK_Q30_ONE;
+  CHECK_MSG(lower <= fraction && lower >= fraction - (setup.tolerance + 4) / way, "lower %.9f of %.9f", lower,
+            fraction);
+  CHECK(out.upper >= out.lower && out.distance <= setup.tolerance && out.normal.x < -GJK_Q30(0.9999));
+}
+
 int main(void) {
   random_state r = random_seed(check_seed(SEED));
   test_poses(&r);
   test_random(&r);
   test_rod(&r);
   test_bullets(&r);
+  test_far();
   test_statuses();
   printf("%lu hits (%lu at one fraction), %lu misses, %lu overlaps, %lu at the ceiling; %lu distances, at most %u\n",
          tally.hits, tally.tight, tally.misses, tally.overlaps, tally.limits, tally.distances, tally.most);

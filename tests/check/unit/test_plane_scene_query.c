@@ -191,7 +191,7 @@ static void check_bytes(void) {
   own_poses.own_poses++;
   pairs.pairs++;
   const size_t bytes = gjk2_scene_bytes(&one);
-  CHECK(bytes == 272 + 32 * 44 + 4 + 116 + 32);
+  CHECK(bytes == 288 + 32 * 44 + 4 + 116 + 32);
   CHECK(gjk2_scene_bytes(&bodies) - bytes == 32 * 44 + 4);
   CHECK(gjk2_scene_bytes(&parts) - bytes == 116);
   CHECK(gjk2_scene_bytes(&own_poses) - bytes == 20);
@@ -280,8 +280,8 @@ static void check_room(random_state *random) {
 }
 
 int main(void) {
-  const world_options options = {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 0, 0, false,
-                                 true,         false,      false};
+  const world_options options = {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.2), GJK_DETAIL_DISTANCE, 0, 0, false, true, false,
+                                 false,        0,          false};
   const gjk2_scene_config config = world_config(&options);
   const size_t bytes = gjk2_scene_bytes(&config);
   void *block = malloc(bytes);

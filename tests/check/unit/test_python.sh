@@ -1,10 +1,11 @@
 #!/bin/sh
-# The Python module, as it is installed: the golden hash of pairs, errors, lifetimes, and the README's example.
+# The Python module, as it is installed: the golden hashes of pairs, errors, lifetimes, and the README's example.
 # test_python.sh BUILD
 . tests/build/count.sh
 build=$1
 dir=$build/python-test
 golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
+plane_golden=$(sed -n 's/^#define PLANE_GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/plane_golden.h)
 few=$(sed -n 's/^#define GOLDEN_FEW_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
 rm -rf "$dir"
 mkdir -p "$dir"
@@ -52,6 +53,7 @@ for file in port/python/gjk/*.py port/python/gjk/plane/*.py tests/check/bind/*.p
 done
 check 'numbers, names, errors, lifetimes' python tests/check/bind/behaviour.py
 check 'the golden hash' python tests/check/bind/golden.py 3000 "$golden"
+check 'the golden hash of the plane' python tests/check/bind/plane_golden.py 3000 "$plane_golden"
 check 'another set has another hash' other_bits
 check "the README's example" readme
 check 'a library with other structures is refused' refuses_another_version

@@ -14,6 +14,7 @@ grep -E '^ *[0-9]+  ' "$dir/out" |
 check 'the table' diff tests/data/arm.expected "$dir/table"
 check 'the summary' grep -q '^29 pairs: 20 proven in exact integers, 9 curved and .*, 0 wrong$' "$dir/out"
 check 'the swing' grep -q '^swing: gripper-palm hits laser after 25.88[0-9] degrees, and not before: proven with 4 distances$' "$dir/out"
+check 'the joints put the arm where it is' grep -q '^arm: 5 joints put 5 bodies within 2 LSB of the scene$' "$dir/out"
 
 bodies=$(awk '/^case/ {gsub(":", "\n", $2); print $2}' tests/data/arm.txt | sort -u | wc -l | tr -d ' ')
 check 'each body is drawn once' test "$(grep -c '<title>' "$dir/arm.svg")" = "$bodies"
@@ -44,11 +45,12 @@ END
 sed 's/^   3159, /   3158, /' "$dir/demo_scene.c" >"$dir/wrong_scene.c"
 for scene in demo wrong; do
   check "the C compiles: $scene" ${CC:-cc} -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iinclude \
-    -Itests/programs/demo "$dir/main.c" "$dir/${scene}_scene.c" tests/programs/demo/firmware.c "$build/host/libgjk.a" \
+    -Itests/programs/demo "$dir/main.c" "$dir/${scene}_scene.c" tests/programs/demo/firmware.c tests/programs/demo/arm.c "$build/host/libgjk.a" \
     "-o$dir/$scene"
 done
 check 'the same bits from the tables' status 0 "$dir/demo"
 check 'the firmware sums up' grep -q '^29 pairs: 29 the same bits as on the host, 0 different' "$dir/out"
+check 'the arm is the same' grep -q "^the arm's 5 joints, same bits: " "$dir/out"
 check 'a changed bit is noticed' status 1 "$dir/wrong"
 check 'a changed bit is named' grep -q 'arm-fore:rack-beam *DIFFERENT' "$dir/out"
 

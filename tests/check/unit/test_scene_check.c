@@ -92,6 +92,8 @@ static void test_bodies(void) {
   ACCEPTED(h->most_detail = GJK_DETAIL_CONTACTS);
   REFUSED(h->most_detail = GJK_DETAIL_CONTACTS + 1);
   REFUSED(h->config.detail = GJK_DETAIL_DISTANCE);
+  ACCEPTED(v.bodies[4].kind_detail = GJK_BODY_STATIC | GJK_DETAIL_SENSOR << 4);
+  REFUSED(v.bodies[4].kind_detail = (GJK_DETAIL_SENSOR + 1) << 4; h->most_detail = GJK_DETAIL_CONTACTS);
   REFUSED(v.bodies[4].kind_detail = GJK_DETAIL_DEPTH << 4);
   REFUSED(v.bodies[4].margin = -1);
   REFUSED(v.bodies[4].margin = GJK_RADIUS_MAX + 1);

@@ -69,8 +69,8 @@ static void take_report(void *user, const gjk_report *report) {
 
 static void check_world(void) {
   static gjk_report reports[WORLD_REPORTS];
-  const world_options options = {WORLD_BODIES, GJK_Q16(2), GJK_Q16(0.1), GJK_DETAIL_DEPTH, 1, 0, false,
-                                 true,         false,      false};
+  const world_options options = {WORLD_BODIES, GJK_Q16(2), GJK_Q16(0.1), GJK_DETAIL_DEPTH, 1, 0, false, true, false,
+                                 false,        0,          false};
   const gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
   random_state random = random_seed(check_seed(31));

@@ -215,6 +215,9 @@ static question random_question(random_state *random) {
   CHECK(gjk_collider_init(&q.collider, world_shapes[random_below(random, WORLD_SHAPES)], NULL, 0) == GJK_OK);
   CHECK(gjk_collider_pose(&q.collider, &pose) == GJK_OK);
   q.margin = random_below(random, 2) == 0 ? 0 : random_range(random, 0, GJK_Q16(0.5));
+  if (q.kind == WITHIN && how < 2) {  // some of the world, nearly all of it, and all of what there may be
+    q.margin = how == 0 ? random_range(random, 0, 2 * reach) : INT32_MAX - random_range(random, 0, 1) * 3 * reach;
+  }
   q.filters = random_below(random, 3) == 0;
   static uint32_t salt;
   salt = random_u32(random);
@@ -279,6 +282,10 @@ static void check_statuses(void) {
   CHECK(gjk_scene_query_within(s, &c, -1, NULL, NULL, &hit, 1, &count) == GJK_ERROR_NEGATIVE);
   CHECK(gjk_scene_query_within(s, &unposed, 0, NULL, NULL, &hit, 1, &count) == GJK_ERROR_UNINITIALISED);
   CHECK(gjk_scene_query_within(s, NULL, 0, NULL, NULL, &hit, 1, &count) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_query_within(NULL, &c, 0, NULL, NULL, &hit, 1, &count) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_query_within(s, &c, 0, NULL, NULL, NULL, 1, &count) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_query_within(s, &c, 0, NULL, NULL, &hit, 1, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_query_within(s, &c, INT32_MIN, NULL, NULL, &hit, 1, &count) == GJK_ERROR_NEGATIVE);
   far = c.position;
   far.y = INT32_MAX;
   CHECK(c.centre.y > c.position.y);

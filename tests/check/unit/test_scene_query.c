@@ -395,8 +395,8 @@ static void check_borders(void) {
 }
 
 int main(void) {
-  const world_options options = {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.2), GJK_DETAIL_TOUCH, 0, 0, false,
-                                 false,        false,      false};
+  const world_options options = {WORLD_BODIES, GJK_Q16(4), GJK_Q16(0.2), GJK_DETAIL_TOUCH, 0, 0, false, false, false,
+                                 false,        0,          false};
   const gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
   void *block = malloc(bytes);

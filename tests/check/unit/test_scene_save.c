@@ -10,8 +10,8 @@
 #define SEED 5
 #define TICKS 300
 
-static world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 1, 0, true,
-                                true,         false,        false};
+static world_options options = {
+    WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), GJK_DETAIL_DISTANCE, 1, 0, true, true, false, false, 0, false};
 
 static uint64_t hash_of(const gjk_scene *scene) {
   uint64_t hash = 0;
@@ -170,7 +170,7 @@ static void check_checksum(const void *block) {
   CHECK(h->checksum[1] == (uint32_t)(sum >> 32));
 }
 
-// A block of another version, or of a build with another ceiling on iterations, is refused; that ceiling is in the hash.
+// A block of another version, or of a build with other ceilings, is refused; GJK_ITERATIONS_MAX is in the hash.
 static void check_builds(void) {
   static world w;
   const gjk_scene_config config = world_config(&options);
@@ -191,6 +191,17 @@ static void check_builds(void) {
   CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   CHECK(gjk_scene_seal(&w.scene) == GJK_OK);
   CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
+  h->iterations--;
+  const uint32_t casts = h->casts, others[] = {casts - 1, casts + 1, casts + 65536, casts - 65536, 0};
+  for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+    h->casts = others[i];
+    CHECK(gjk_scene_attach(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
+    CHECK(gjk_scene_seal(&w.scene) == GJK_OK);
+    CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
+  }
+  h->casts = casts;
+  CHECK(gjk_scene_seal(&w.scene) == GJK_OK);
+  CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_OK);
   free(block);
 }
 
@@ -241,8 +252,9 @@ static void check_refused(void) {
   }
   CHECK(gjk_scene_open(&opened, copy, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
   // A whole header tells that it is none.
-  CHECK(gjk_scene_open(&opened, copy, 276, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
-  CHECK(gjk_scene_open(&opened, copy, 275, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CAPACITY);
+  CHECK(gjk_scene_open(&opened, copy, GJK_SCENE_HEADER_BYTES, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);
+  CHECK(gjk_scene_open(&opened, copy, GJK_SCENE_HEADER_BYTES - 1, world_shapes, WORLD_SHAPES, NULL) ==
+        GJK_ERROR_CAPACITY);
   // A change breaks the seal.
   CHECK(gjk_scene_wake(&w.scene, w.bodies[0].id) == GJK_OK);
   CHECK(gjk_scene_open(&opened, block, bytes, world_shapes, WORLD_SHAPES, NULL) == GJK_ERROR_CORRUPT);

@@ -116,7 +116,7 @@ static bool update(manner how, random_state *random) {
 
 static void check_manners(gjk_detail detail, bool motions) {
   const world_options options = {WORLD_BODIES, GJK_Q16(2.5), GJK_Q16(0.1), (uint8_t)detail, 1, 0,
-                                 true,         true,         false,        motions};
+                                 true,         true,         false,        motions,         0, false};
   const gjk_scene_config config = world_config(&options);
   const size_t bytes = gjk_scene_bytes(&config);
   random_state random[MANNERS], slices = random_seed(check_seed(SEED));

@@ -66,8 +66,8 @@ static void check_configurations(void) {
   REFUSED(box_margin, GJK_RADIUS_MAX + 1, GJK_ERROR_RANGE);
   REFUSED(persist, 2, GJK_ERROR_RANGE);
   REFUSED(retest_all, 2, GJK_ERROR_RANGE);
-  REFUSED(reserved, 1, GJK_ERROR_RANGE);
-  REFUSED(detail, GJK_DETAIL_CONTACTS + 1, GJK_ERROR_RANGE);
+  REFUSED(pair_words, GJK_SCENE_PAIR_WORDS_MAX + 1, GJK_ERROR_RANGE);
+  REFUSED(detail, GJK_DETAIL_SENSOR + 1, GJK_ERROR_RANGE);
 #undef REFUSED
   static const gjk_scene_config most = {GJK_SCENE_BODIES_MAX,
                                         GJK_SCENE_BODIES_MAX,
@@ -125,7 +125,7 @@ static void check_bad_setups(void) {
   REFUSED(part_count, 0, GJK_ERROR_EMPTY);
   REFUSED(part_count, 7, GJK_ERROR_CAPACITY);
   REFUSED(kind, GJK_BODY_DYNAMIC + 1, GJK_ERROR_RANGE);
-  REFUSED(detail, GJK_DETAIL_CONTACTS + 1, GJK_ERROR_RANGE);
+  REFUSED(detail, GJK_DETAIL_SENSOR + 1, GJK_ERROR_RANGE);
   REFUSED(margin, -1, GJK_ERROR_RANGE);
   REFUSED(margin, GJK_RADIUS_MAX + 1, GJK_ERROR_RANGE);
   REFUSED(pose.rotation.w, 5, GJK_ERROR_ROTATION);

@@ -6,6 +6,7 @@
 //   SIZE_CURVED  gjk_distance on cylinders, cones and ellipsoids as well
 //   SIZE_POSED   initialises and poses the colliders, too
 //   SIZE_SCENE   instead of all that: a scene with contacts, of boxes and spheres
+//   SIZE_GROUND  of that scene: a mesh as well
 //   SIZE_PLANE_INTERSECT  instead: gjk2_intersect on boxes and polygons
 //   SIZE_PLANE_DISTANCE   instead: gjk2_distance on these, segments, points and their rounded forms
 //   SIZE_PLANE_ALL        instead: every query of the plane but the checks, on these
@@ -28,7 +29,14 @@ gjk_report_function *size_report;
 
 void size_main(void) {
   static const gjk_shape box = GJK_BOX(3, 4, 5), ball = GJK_SPHERE(6);
+#ifdef SIZE_GROUND
+  static const gjk_mesh mesh;
+  static const gjk_concave concave = {GJK_PARTS_OF_MESH(&mesh), {0, 0, 0}};
+  static const gjk_shape ground = GJK_CONCAVE(&concave, 1, 1, 1);
+  static const gjk_shape *const shapes[] = {&box, &ball, &ground};
+#else
   static const gjk_shape *const shapes[] = {&box, &ball};
+#endif
   static const gjk_part part = {.shape = 0};
   static const gjk_scene_config config = {.bodies = 8, .parts = 8, .pairs = 16, .detail = GJK_DETAIL_CONTACTS};
   static const gjk_body_setup setup = {.pose = GJK_POSE_IDENTITY, .parts = &part, .part_count = 1};

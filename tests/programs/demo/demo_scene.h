@@ -4,6 +4,7 @@
 #ifndef DEMO_SCENE_H
 #define DEMO_SCENE_H
 
+#include "arm.h"
 #include "gjk/collider.h"
 #include "gjk/distance.h"
 
@@ -24,8 +25,12 @@ typedef struct demo_pair {
 extern const demo_pair demo_pairs[];
 extern const unsigned demo_pair_count;
 
+// The frames of the arm's joints.
+extern const gjk_pose demo_arm[ARM_JOINTS];
+
 // Answers every pair and compares the bits with the table. Prints a line per pair, with what instructions() counted
-// during the distance query, and a summary. Returns how many pairs differ. Uses no C library.
+// during the distance query, a summary, and what the arm's frames take as a chain and composed one by one. Returns how many
+// pairs and arms differ. Uses no C library.
 int demo_firmware(void (*print)(const char *text), uint32_t (*instructions)(void));
 
 #endif

@@ -69,6 +69,33 @@ static bool answer(const demo_pair *pair, uint32_t (*instructions)(void), gjk_di
   return status == GJK_OK;
 }
 
+// Finds the arm's frames both ways. False: they differ from the host's, or from each other.
+static bool arm_again(void (*print)(const char *text), uint32_t (*instructions)(void)) {
+  static gjk_joint joints[ARM_JOINTS];
+  static gjk_pose chain[ARM_JOINTS], composed[ARM_JOINTS];
+  bool same = arm_make(joints);
+  const uint32_t start = instructions();
+  same = arm_frames(joints, chain) && same;
+  const uint32_t between = instructions();
+  same = arm_frames_composed(composed) && same;
+  const uint32_t end = instructions();
+  for (unsigned i = 0; i < ARM_JOINTS; i++) {
+    const gjk_pose *a = &chain[i], *b = &demo_arm[i];
+    same = same_points(&a->position, &b->position) && a->rotation.w == b->rotation.w &&
+           same_numbers(a->rotation.x, a->rotation.y, a->rotation.z, b->rotation.x, b->rotation.y, b->rotation.z) &&
+           same;
+  }
+  line l = {{0}, 0};
+  add_text(&l, "the arm's ", 0);
+  add_number(&l, ARM_JOINTS, 1);
+  add_text(&l, same ? " joints, same bits: " : " joints, DIFFERENT: ", 0);
+  add_number(&l, between - start, 1);
+  add_text(&l, " instructions; composed one by one ", 0);
+  add_number(&l, end - between, 1);
+  end_line(&l, print);
+  return same && arm_frames_near(chain, composed);
+}
+
 int demo_firmware(void (*print)(const char *text), uint32_t (*instructions)(void)) {
   unsigned differing = 0;
   uint32_t total = 0;
@@ -98,5 +125,5 @@ int demo_firmware(void (*print)(const char *text), uint32_t (*instructions)(void
   add_number(&summary, demo_pair_count > 0 ? total / demo_pair_count : 0, 1);
   add_text(&summary, " instructions", 0);
   end_line(&summary, print);
-  return (int)differing;
+  return (int)differing + (arm_again(print, instructions) ? 0 : 1);
 }

@@ -1,7 +1,9 @@
 // gjk-demo: answers a scene, checks the answers, prints them as a table, and draws the scene.
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "arm.h"
 #include "picture.h"
 #include "scene.h"
 #include "source.h"
@@ -54,6 +56,38 @@ static void put_swing(const scene *s, const scene_swing *swing) {
   }
 }
 
+static long farthest(const gjk_vec3 *a, const gjk_vec3 *b) {
+  const long x = labs((long)a->x - b->x), y = labs((long)a->y - b->y), z = labs((long)a->z - b->z);
+  return x > y ? (x > z ? x : z) : (y > z ? y : z);
+}
+
+// How far the arm's joints put its bodies from where the scene has them: centres, and points a unit up from these.
+static void put_arm(const scene *s) {
+  gjk_joint joints[ARM_JOINTS];
+  gjk_pose frames[ARM_JOINTS];
+  unsigned found = 0;
+  long most = 0;
+  if (!arm_make(joints) || !arm_frames(joints, frames)) {
+    return;
+  }
+  for (size_t b = 0; b < s->bodies; b++) {
+    for (unsigned i = 0; i < ARM_BODIES; i++) {
+      for (gjk_q16 up = 0; up <= GJK_Q16_ONE && strcmp(s->body[b].name, arm_bodies[i].name) == 0; up += GJK_Q16_ONE) {
+        const gjk_vec3 local = {0, 0, up}, along = {0, 0, arm_bodies[i].along + up};
+        gjk_vec3 has, is;
+        if (gjk_pose_apply(&s->body[b].shape.pose, &local, &has) == GJK_OK &&
+            gjk_pose_apply(&frames[arm_bodies[i].joint], &along, &is) == GJK_OK) {
+          most = farthest(&has, &is) > most ? farthest(&has, &is) : most;
+          found += up == 0;
+        }
+      }
+    }
+  }
+  if (found > 0) {
+    printf("arm: %d joints put %u bodies within %ld LSB of the scene\n", ARM_JOINTS, found, most);
+  }
+}
+
 static int draw(const scene *s, const scene_swing *swing, const char *name, const char *title) {
   FILE *file = fopen(name, "w");
   if (file == NULL) {
@@ -94,6 +128,7 @@ int main(int argc, char **argv) {
     scene_swing swing;
     swing_find(&s, &swing);
     put_swing(&s, &swing);
+    put_arm(&s);
     int drawn = draw(&s, &swing, argv[2], slash == NULL ? name : slash + 1);
     result = drawn != 0 ? drawn : wrong;
   }

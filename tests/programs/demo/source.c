@@ -109,6 +109,20 @@ static void put_pair(FILE *file, const scene *s, const scene_pair *pair) {
   fprintf(file, "%s, %u},\n", r->intersecting ? "true" : "false", r->iterations);
 }
 
+static bool put_arm(FILE *file) {
+  gjk_joint joints[ARM_JOINTS];
+  gjk_pose frames[ARM_JOINTS];
+  if (!arm_make(joints) || !arm_frames(joints, frames)) {
+    return false;
+  }
+  fprintf(file, "\nconst gjk_pose demo_arm[ARM_JOINTS] = {\n");
+  for (unsigned i = 0; i < ARM_JOINTS; i++) {
+    put_pose(file, &frames[i]);
+  }
+  fprintf(file, "};\n");
+  return true;
+}
+
 bool source_write(FILE *file, const scene *s) {
   fprintf(file, "// Written by gjk-demo --c-source.\n#include \"demo_scene.h\"\n\n#include \"gjk/shape.h\"\n\n");
   for (size_t i = 0; i < s->bodies; i++) {
@@ -121,5 +135,5 @@ bool source_write(FILE *file, const scene *s) {
     put_pair(file, s, &s->pair[i]);
   }
   fprintf(file, "};\n\nconst unsigned demo_pair_count = sizeof demo_pairs / sizeof demo_pairs[0];\n");
-  return true;
+  return put_arm(file);
 }

@@ -1,7 +1,7 @@
 // Draws the level as SVG, in light and dark.
 #include "picture.h"
 
-#include <math.h>
+#include "gjk2/draw.h"
 
 #define PIXELS 40.0
 #define TOP 56.0
@@ -82,26 +82,28 @@ static void put_chains(FILE *file, const flat_world *w) {
   }
 }
 
-// The body's outline: its vertices, or a line; the convex radius is drawn as a wide stroke of the same colour.
+// The outline comes in order, so that where its lines start are its corners.
+static void put_corner(void *user, const gjk2_vec *from, const gjk2_vec *to, gjk_draw_role role) {
+  FILE *file = user;
+  (void)to;
+  (void)role;
+  put_point(file, unit(from->x), unit(from->y));
+}
+
 static void put_body(FILE *file, const flat_body *b, const char *kind) {
+  const gjk2_draw draw = {.line = put_corner, .user = file};
+  gjk2_collider collider = b->collider;
   const double c = b->pose.rotation.c / 1073741824.0, s = b->pose.rotation.s / 1073741824.0;
-  const double x = unit(b->pose.position.x), y = unit(b->pose.position.y);
-  const double hx = unit(b->shape.size.x), hy = unit(b->shape.size.y), r = unit(b->shape.convex_radius);
-  const double angle = -atan2(s, c) * 57.29577951308232;
-  fprintf(file, "<g class=\"%s\" stroke-width=\"1.6\" transform=\"translate(%.1f %.1f) rotate(%.2f)\">", kind,
-          page_x(x), page_y(y), angle);
-  if (b->shape.vertices != NULL) {
-    fprintf(file, "<polygon points=\"");
-    for (unsigned i = 0; i < b->shape.count; i++) {
-      fprintf(file, "%.1f,%.1f ", unit(b->shape.vertices[i].x) * PIXELS, -unit(b->shape.vertices[i].y) * PIXELS);
-    }
+  const double x = unit(b->pose.position.x), y = unit(b->pose.position.y), r = unit(b->shape.convex_radius);
+  fprintf(file, "<g class=\"%s\" stroke-width=\"1.6\"><polygon points=\"", kind);
+  (void)gjk2_collider_pose(&collider, &b->pose);  // before the first tick a player's is not
+  (void)gjk2_draw_collider(&draw, &collider, GJK_DRAW_MOVING);
+  fprintf(file, "\"/>");
+  if (b->inverse_inertia != 0 && b->shape.vertices == NULL && b->shape.size.x == 0) {  // a spoke shows how a ball rolls
+    fprintf(file, "<polyline points=\"");
+    put_point(file, x, y);
+    put_point(file, x + r * c, y + r * s);
     fprintf(file, "\"/>");
-  } else {
-    fprintf(file, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"%.1f\"/>", -(hx + r) * PIXELS,
-            -(hy + r) * PIXELS, 2 * (hx + r) * PIXELS, 2 * (hy + r) * PIXELS, r * PIXELS);
-  }
-  if (b->inverse_inertia != 0 && b->shape.vertices == NULL && hx == 0) {  // a spoke shows how a ball rolls
-    fprintf(file, "<path d=\"M0 0H%.1f\"/>", r * PIXELS);
   }
   fprintf(file, "</g>\n");
 }

@@ -36,6 +36,7 @@
 #define world_add_at plane_world_add_at
 #define world_expect plane_world_expect
 #define world_sort plane_world_sort
+#define world_write_words plane_world_write_words
 #define world_same plane_world_same
 #define world_predicate plane_world_predicate
 #define session_start plane_session_start

@@ -22,7 +22,7 @@ void session_end(session *s) {
 }
 
 world_options session_options(random_state *random) {
-  world_options options = {WORLD_BODIES, GJK_Q16(3), 0, 0, 0, 0, false, false, false, false};
+  world_options options = {WORLD_BODIES, GJK_Q16(3), 0, 0, 0, 0, false, false, false, false, 0, false};
   options.bodies = 2 + random_below(random, WORLD_BODIES - 1);
   options.reach = random_range(random, GJK_Q16(1), GJK_Q16(5));
   options.box_margin = random_range(random, 0, GJK_Q16(0.5));
@@ -31,6 +31,8 @@ world_options session_options(random_state *random) {
   options.predicate = random_below(random, 2) == 0;
   options.margins = random_below(random, 2) == 0;
   options.edges = random_below(random, 8) == 0;
+  options.words = (uint8_t)(random_below(random, 8) == 0 ? GJK_SCENE_PAIR_WORDS_MAX : random_below(random, 4));
+  options.sensors = random_below(random, 2) == 0;
   return options;
 }
 
@@ -64,7 +66,8 @@ bool session_update(session *s, random_state *random) {
   if (world_is_tight()) {
     drop_impacts(&actual);
   }
-  return fine && world_same(&expected, &actual) && gjk_scene_check(&s->now.scene) == GJK_OK;
+  return fine && world_same(&expected, &actual) && gjk_scene_check(&s->now.scene) == GJK_OK &&
+         world_write_words(&s->now, random);
 }
 
 void session_keep(session *s) {

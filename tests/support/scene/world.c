@@ -24,6 +24,7 @@ gjk_scene_config world_config(const world_options *options) {
   config.box_margin = options->box_margin;
   config.detail = options->detail;
   config.persist = options->persist;
+  config.pair_words = options->words;
   config.retest_all = options->retest_all;
   config.motions = options->motions ? options->bodies / 2 : 0;
   world_set_cells(&config);
@@ -73,7 +74,8 @@ void world_random_setup(const world *w, random_state *random, world_body *body) 
   }
   s->kind = (uint8_t)(random_below(random, 4) == 0 ? random_below(random, 2) : GJK_BODY_DYNAMIC);
   const uint8_t most = w->options.detail >= GJK_DETAIL_DEPTH ? GJK_DETAIL_CONTACTS : GJK_DETAIL_DISTANCE;
-  s->detail = (uint8_t)(random_below(random, 4) == 0 ? most : GJK_DETAIL_TOUCH);
+  const uint32_t wish = random_below(random, 8);
+  s->detail = (uint8_t)(wish < 2 ? most : wish == 2 && w->options.sensors ? GJK_DETAIL_SENSOR : GJK_DETAIL_TOUCH);
   s->category = 1u << random_below(random, 4);
   s->mask = random_below(random, 4) == 0 ? random_below(random, 16) : UINT32_MAX;
   s->user = random_u32(random);
@@ -238,6 +240,16 @@ static bool doze(world *w, random_state *random, world_body *b) {
   return gjk_scene_sleep(&w->scene, b->id) == (may ? GJK_OK : GJK_ERROR_RANGE);
 }
 
+static bool is_sensor(const world_body *b) {
+  return b->setup.detail == GJK_DETAIL_SENSOR;
+}
+
+// The detail of a pair's report.
+static uint8_t detail_of(const world *w, const world_body *a, const world_body *b) {
+  const uint8_t own = a->setup.detail > b->setup.detail ? a->setup.detail : b->setup.detail;
+  return is_sensor(a) || is_sensor(b) ? GJK_DETAIL_TOUCH : own > w->options.detail ? own : w->options.detail;
+}
+
 static bool set_motion(world *w, random_state *random, world_body *b) {
   const uint32_t any = random_below(random, 8);
   const uint8_t motion = (uint8_t)(any < 2 ? any : GJK_MOTION_FAST);
@@ -246,7 +258,7 @@ static bool set_motion(world *w, random_state *random, world_body *b) {
   for (uint32_t i = 0; i < w->options.bodies; i++) {
     kept += w->bodies[i].id.generation != 0 && w->bodies[i].motion != GJK_MOTION_NOT_KEPT;
   }
-  if (b->setup.kind == GJK_BODY_STATIC) {
+  if (b->setup.kind == GJK_BODY_STATIC || is_sensor(b)) {
     return status == GJK_ERROR_RANGE;
   }
   if (b->motion == GJK_MOTION_NOT_KEPT && motion != GJK_MOTION_NOT_KEPT && kept == w->options.bodies / 2) {
@@ -343,8 +355,7 @@ static void add_near(const world *w, const world_body *a, const world_body *b, i
   r->part_a = (uint16_t)i;
   r->part_b = (uint16_t)k;
   r->event = GJK_EVENT_PERSIST;
-  r->detail = a->setup.detail > b->setup.detail ? a->setup.detail : b->setup.detail;
-  r->detail = r->detail > w->options.detail ? r->detail : w->options.detail;
+  r->detail = detail_of(w, a, b);
   r->distance = report_distance(x, y, margin, r->detail);
 }
 
@@ -379,6 +390,10 @@ static int order(const void *x, const void *y) {
 
 void world_sort(world_list *list) {
   qsort(list->report, list->count, sizeof list->report[0], order);
+}
+
+static bool of_sensor(const world *w, const gjk_report *r) {
+  return is_sensor(&w->bodies[r->a.slot]) || is_sensor(&w->bodies[r->b.slot]);
 }
 
 static bool awake(const world *w, gjk_body_id id) {
@@ -468,7 +483,7 @@ static bool find_impact(world *w, const world_body *f, gjk_report *out) {
     const world_body *o = &w->bodies[slot];
     const bool first = f->id.slot < slot;
     const world_body *a = first ? f : o, *b = first ? o : f;
-    if (o == f || o->id.generation == 0 || (stands(f) && stands(o)) || !tested(w, a, b)) {
+    if (o == f || o->id.generation == 0 || is_sensor(o) || (stands(f) && stands(o)) || !tested(w, a, b)) {
       continue;
     }
     for (int k = 0; k < o->setup.part_count; k++) {
@@ -494,8 +509,7 @@ static bool find_impact(world *w, const world_body *f, gjk_report *out) {
           out->part_a = (uint16_t)i;
           out->part_b = (uint16_t)k;
           out->event = GJK_EVENT_IMPACT;
-          out->detail = f->setup.detail > o->setup.detail ? f->setup.detail : o->setup.detail;
-          out->detail = out->detail > w->options.detail ? out->detail : w->options.detail;
+          out->detail = detail_of(w, f, o);
           out->fraction = (gjk_q30)fraction;
           world_expected.turning += turns(f, i) || turns(o, k);
         }
@@ -527,6 +541,7 @@ void world_expect(world *w, world_list *out) {
   static world_list now;
   find_near(w, &now);
   world_sort(&now);
+  now.words = out->words = w->options.words;
   out->count = 0;
   uint32_t i = 0, k = 0;
   while (i < w->near.count || k < now.count) {  // merge: both are sorted
@@ -539,8 +554,12 @@ void world_expect(world *w, world_list *out) {
           w->bodies[r.a.slot].id.generation == r.a.generation && w->bodies[r.b.slot].id.generation == r.b.generation;
       r.detail = there ? r.detail : w->options.detail;
     }
-    if (side != 0 || (w->options.persist && (awake(w, r.a) || awake(w, r.b)))) {
+    if (side != 0 || (w->options.persist && (awake(w, r.a) || awake(w, r.b)) && !of_sensor(w, &r))) {
+      out->stamp[out->count] = side > 0 ? 0 : w->near.stamp[i];
       out->report[out->count++] = r;
+    }
+    if (side >= 0) {
+      now.stamp[k] = side > 0 ? 0 : w->near.stamp[i];
     }
     i += side <= 0;
     k += side >= 0;
@@ -556,11 +575,54 @@ static bool same(const gjk_report *a, const gjk_report *b) {
          a->fraction == b->fraction;
 }
 
-bool world_same(const world_list *a, const world_list *b) {
-  for (uint32_t i = 0; i < a->count && i < b->count; i++) {
-    if (!same(&a->report[i], &b->report[i])) {
+// The words of a pair after a writing.
+static uint32_t word_of(const gjk_report *r, uint32_t stamp, uint32_t number) {
+  const uint32_t pair = (r->a.slot * 64 + r->b.slot) * 64 + r->part_a * 8u + r->part_b;
+  return stamp == 0 ? 0 : (stamp * 64 + number) * UINT32_C(2654435761) ^ pair;
+}
+
+// Does a report that the scene made have the words that are expected?
+static bool same_words(const gjk_report *r, uint32_t stamp, uint8_t words) {
+  if (words == 0 || r->event == GJK_EVENT_IMPACT) {
+    return r->words == NULL;
+  }
+  bool fine = r->words != NULL;
+  for (uint32_t i = 0; i < words && fine; i++) {
+    fine = r->words[i] == word_of(r, stamp, i);
+  }
+  return fine;
+}
+
+bool world_same(const world_list *expected, const world_list *actual) {
+  for (uint32_t i = 0; i < expected->count && i < actual->count; i++) {
+    if (!same(&expected->report[i], &actual->report[i]) ||
+        !same_words(&actual->report[i], expected->stamp[i], expected->words)) {
       return false;
     }
   }
-  return a->count == b->count;
+  return expected->count == actual->count;
+}
+
+bool world_write_words(world *w, random_state *random) {
+  gjk_report r;
+  uint32_t cursor = 0, count = 0;
+  bool found = false;
+  w->stamp++;
+  while (gjk_scene_next_near(&w->scene, &cursor, &r, &found) == GJK_OK && found) {
+    uint32_t at = 0;
+    while (at < w->near.count && order(&w->near.report[at], &r) != 0) {
+      at++;
+    }
+    if (at == w->near.count || !same_words(&r, w->near.stamp[at], w->options.words)) {
+      return false;
+    }
+    if (w->options.words > 0 && random_below(random, 2) == 0) {
+      w->near.stamp[at] = w->stamp;
+      for (uint32_t i = 0; i < w->options.words; i++) {
+        r.words[i] = word_of(&r, w->stamp, i);
+      }
+    }
+    count++;
+  }
+  return count == w->near.count;
 }

@@ -27,9 +27,14 @@ typedef struct world_body {
   gjk_pose last;   // of a kept motion
 } world_body;
 
+// stamp  of a report that is expected: which writing its words are of, see world_write_words; 0: they are 0. A report that
+//        is expected has no words itself.
+// words  how many each pair has
 typedef struct world_list {
   gjk_report report[WORLD_REPORTS];
+  uint32_t stamp[WORLD_REPORTS];
   uint32_t count;
+  uint8_t words;
 } world_list;
 
 typedef struct world_options {
@@ -40,8 +45,10 @@ typedef struct world_options {
       detail;  // of the configuration; bodies ask for more, for depth and contacts only if detail is DEPTH or CONTACTS
   uint8_t persist, retest_all;
   bool predicate, margins;
-  bool edges;    // positions are near the corners of int32_t, so that some parts leave it
-  bool motions;  // bodies become fast
+  bool edges;     // positions are near the corners of int32_t, so that some parts leave it
+  bool motions;   // bodies become fast
+  uint8_t words;  // of the configuration
+  bool sensors;   // some bodies are
 } world_options;
 
 typedef struct world {
@@ -51,6 +58,7 @@ typedef struct world {
   world_list near;    // the pairs near at the last update, with GJK_EVENT_PERSIST
   gjk_body_id stale;  // the id of a removed body
   uint32_t adds, removes, moves, failures;
+  uint32_t stamp;  // of the last writing
   uint32_t impacts, turning_impacts,
       starts;  // expected; of parts that turn; that touch from the start, and are left out
 } world;
@@ -99,8 +107,12 @@ void world_expect(world *w, world_list *out);
 // Sorts a list into the order in which a scene reports.
 void world_sort(world_list *list);
 
-// Are both lists equal, field by field?
-bool world_same(const world_list *a, const world_list *b);
+// Does the scene report what is expected, field by field, and each pair's words?
+bool world_same(const world_list *expected, const world_list *actual);
+
+// Writes other words to some of the pairs that are near, through gjk_scene_next_near. False: a pair is not expected, or
+// its words are not what was written last.
+bool world_write_words(world *w, random_state *random);
 
 // The predicate that the scene gets with options.predicate: should this pair be tested?
 bool world_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b);

@@ -3,7 +3,7 @@
 
 // Contact points up to this far apart, Q16.16, are used. Bodies may stay SLOP deep in each other; an eighth of more is
 // undone in a tick.
-#define MARGIN 1311
+#define MARGIN SOLVER_MARGIN
 #define SLOP 131
 #define UNDO 8
 
@@ -73,6 +73,8 @@ void solver_init(solver_world *w, unsigned iterations) {
   w->pairs[1] = 0;
   w->now = 0;
   w->damping = 0;
+  w->manifolds = NULL;
+  w->user = NULL;
   w->points = 0;
   w->fresh = 0;
 }
@@ -205,6 +207,10 @@ static void set_point(const solver_world *w, const solver_pair *p, const gjk_con
   point->bias = deep <= 0 ? SOLVER_RATE * from_q16(deep) : deep > SLOP ? SOLVER_RATE * from_q16(deep - SLOP) / UNDO : 0;
 }
 
+static bool is_of_bodies(const solver_pair *p, uint16_t a, uint16_t b) {
+  return p->a == a && p->b == b;
+}
+
 // Takes over the impulses of the tick before, found by id alone.
 static void warm(solver_world *w, solver_pair *p, unsigned *from) {
   const unsigned before = 1 - w->now;
@@ -214,18 +220,21 @@ static void warm(solver_world *w, solver_pair *p, unsigned *from) {
     k++;
   }
   *from = k;
-  if (k == w->pairs[before] || w->pair[before][k].a != p->a || w->pair[before][k].b != p->b) {
+  if (k == w->pairs[before] || !is_of_bodies(&w->pair[before][k], p->a, p->b)) {
     return;
   }
-  const solver_pair *old = &w->pair[before][k];
-  const bool same = old->feature_a == p->feature_a && old->feature_b == p->feature_b;
   for (unsigned i = 0; i < p->count; i++) {
     bool found = false;
-    for (unsigned j = 0; j < old->count && same; j++) {
-      if (old->point[j].id == p->point[i].id) {
-        found = true;
-        for (unsigned axis = 0; axis < 3; axis++) {
-          p->point[i].along[axis].impulse = old->point[j].along[axis].impulse;
+    for (unsigned n = k; n < w->pairs[before] && is_of_bodies(&w->pair[before][n], p->a, p->b); n++) {
+      const solver_pair *old = &w->pair[before][n];
+      // Ids of manifolds put together are of parts, whatever the features.
+      const bool same = w->manifolds != NULL || (old->feature_a == p->feature_a && old->feature_b == p->feature_b);
+      for (unsigned j = 0; j < old->count && same; j++) {
+        if (old->point[j].id == p->point[i].id) {
+          found = true;
+          for (unsigned axis = 0; axis < 3; axis++) {
+            p->point[i].along[axis].impulse = old->point[j].along[axis].impulse;
+          }
         }
       }
     }
@@ -239,26 +248,33 @@ static bool boxes_meet(const gjk_aabb *a, const gjk_aabb *b) {
          a->lower.z <= b->upper.z && b->lower.z <= a->upper.z;
 }
 
+static unsigned find_manifolds(const solver_world *w, uint16_t a, uint16_t b, gjk_manifold *out) {
+  if (w->manifolds != NULL) {
+    return w->manifolds(w->user, a, b, out, SOLVER_MANIFOLDS_MAX);
+  }
+  return gjk_contacts(&w->body[a].collider, &w->body[b].collider, MARGIN, SOLVER_POINTS_MAX, NULL, &workspace, out) ==
+             GJK_OK &&
+         out->count > 0;
+}
+
 static void meet(solver_world *w, uint16_t a, uint16_t b, unsigned *from) {
-  gjk_manifold m;
-  if (w->pairs[w->now] == SOLVER_PAIRS_MAX ||
-      gjk_contacts(&w->body[a].collider, &w->body[b].collider, MARGIN, SOLVER_POINTS_MAX, NULL, &workspace, &m) !=
-          GJK_OK ||
-      m.count == 0) {
-    return;
+  gjk_manifold found[SOLVER_MANIFOLDS_MAX];
+  const unsigned count = w->pairs[w->now] < SOLVER_PAIRS_MAX ? find_manifolds(w, a, b, found) : 0;
+  for (unsigned n = 0; n < count && w->pairs[w->now] < SOLVER_PAIRS_MAX; n++) {
+    const gjk_manifold *m = &found[n];
+    solver_pair *p = &w->pair[w->now][w->pairs[w->now]++];
+    p->a = a;
+    p->b = b;
+    p->feature_a = m->feature_a;
+    p->feature_b = m->feature_b;
+    p->count = m->count;
+    solver_vec axis[3];
+    set_axes(vec_from_unit(m->normal), axis);
+    for (unsigned i = 0; i < m->count; i++) {
+      set_point(w, p, &m->contact[i], axis, &p->point[i]);
+    }
+    warm(w, p, from);
   }
-  solver_pair *p = &w->pair[w->now][w->pairs[w->now]++];
-  p->a = a;
-  p->b = b;
-  p->feature_a = m.feature_a;
-  p->feature_b = m.feature_b;
-  p->count = m.count;
-  solver_vec axis[3];
-  set_axes(vec_from_unit(m.normal), axis);
-  for (unsigned i = 0; i < m.count; i++) {
-    set_point(w, p, &m.contact[i], axis, &p->point[i]);
-  }
-  warm(w, p, from);
 }
 
 static void find_pairs(solver_world *w) {

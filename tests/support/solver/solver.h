@@ -15,6 +15,10 @@
 #define SOLVER_BODIES_MAX 64
 #define SOLVER_PAIRS_MAX 512
 #define SOLVER_POINTS_MAX 4
+#define SOLVER_MANIFOLDS_MAX 8
+
+// How far apart contact points may be, Q16.16.
+#define SOLVER_MARGIN 1311
 
 // Ticks a second.
 #define SOLVER_RATE 60
@@ -61,8 +65,11 @@ typedef struct solver_world {
   unsigned bodies;
   solver_pair pair[2][SOLVER_PAIRS_MAX];  // of this tick, [now], and of the last, sorted by their bodies
   unsigned pairs[2], now;
-  unsigned iterations;   // how often a tick goes over all impulses
-  unsigned damping;      // bodies lose 1/2^damping of their spin each tick; 0: nothing
+  unsigned iterations;  // how often a tick goes over all impulses
+  unsigned damping;     // bodies lose 1/2^damping of their spin each tick; 0: nothing
+  // Where the manifolds of two bodies come from, for example a scene: as many as there are. NULL: gjk_contacts.
+  unsigned (*manifolds)(void *user, unsigned a, unsigned b, gjk_manifold *out, unsigned capacity);
+  void *user;
   unsigned long points;  // contact points of all ticks so far
   unsigned long fresh;   // those whose id was new though their pair had contacts a tick before
 } solver_world;

@@ -7,7 +7,7 @@ from .._library import Int32, Q30_ONE, Record, Uint16, Vector, answer, check_siz
 
 __all__ = [
     "Vec", "Unit", "Rotation", "Pose", "Shape", "Aabb", "Collider",
-    "point", "circle", "segment", "capsule", "triangle", "box", "polygon", "ellipse", "custom",
+    "point", "circle", "segment", "capsule", "triangle", "box", "polygon", "ellipse", "custom", "corners",
 ]  # fmt: skip
 
 
@@ -149,6 +149,14 @@ def polygon(vertices, radius=0):
     return _shape(_polygon, vertices, len(vertices), radius, keep=vertices)
 
 
+def corners(points):
+    """The corners of the convex hull of points, counterclockwise from the lowest on: gjk2/polygon.h."""
+    points = Vec.array(points)
+    count = c_uint16()
+    do(_polygon_order, points, len(points), points, count)
+    return points[: count.value]
+
+
 def ellipse(radius_x, radius_y, radius=0):
     return _shape(_ellipse, radius_x, radius_y, radius)
 
@@ -172,6 +180,7 @@ _segment = declare("gjk2_shape_segment", Int32, Int32, POINTER(Shape))
 _triangle = declare("gjk2_shape_triangle", POINTER(Vec), Int32, POINTER(Shape))
 _box = declare("gjk2_shape_box", Int32, Int32, Int32, POINTER(Shape))
 _polygon = declare("gjk2_shape_polygon", POINTER(Vec), Uint16, Int32, POINTER(Shape))
+_polygon_order = declare("gjk2_polygon_order", POINTER(Vec), Uint16, POINTER(Vec), POINTER(c_uint16))
 _ellipse = declare("gjk2_shape_ellipse", Int32, Int32, Int32, POINTER(Shape))
 _custom = declare("gjk2_shape_custom", _SUPPORT, c_void_p, Int32, Int32, POINTER(Shape))
 

@@ -1,0 +1,188 @@
+// Casts and impacts with those parts alone that B is in front of at the start.
+//
+// A class of its own stands for A: its walk leaves out the parts that B is not in front of. All else is A's own, so the
+// queries are those of gjk_parts_cast.c and gjk_parts_impact.c.
+#include "../arith/gjk_unit.h"
+#include "gjk_parts_class.h"
+
+// A, and both at either end of the way.
+typedef struct ahead_body {
+  const gjk_parts *own;
+  gjk_parts pose[2];
+  gjk_parts_frame frame[2];
+  const gjk_collider *b[2];
+  gjk_q16 margin;
+  gjk_q16 tolerance;  // triangles so near at the start count only if B goes through their planes
+} ahead_body;
+
+// What of B's height above a plane there is, LSB, convex radius included.
+typedef struct ahead_height {
+  int64_t lowest, highest;
+} ahead_height;
+
+static const ahead_body *ahead_of(const void *data) {
+  return (const ahead_body *)data;
+}
+
+// |v| < 2^31 per axis:  the sum below 2^61.8
+static int64_t height_along(const gjk_unit3 *up, const gjk_vec3 *v) {
+  return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(up->x, v->x), up->y, v->y), up->z, v->z), 30);
+}
+
+// Measures B above the plane of a triangle at one end of the way. False: there is no plane, or it is far away.
+static bool measure_height(const ahead_body *d, unsigned end, uint32_t number, ahead_height *out) {
+  gjk_parts_room room;
+  gjk_collider t;
+  gjk_long3 n;
+  gjk_search_direction along;
+  gjk_support low, high;
+  const gjk_collider *b = d->b[end];
+  if (d->own->type->place(&d->frame[end], number, &room, &t) != GJK_OK) {
+    return false;
+  }
+  gjk_triangle_normal(&t.frame[0], &t.frame[1], &t.frame[2], &n);
+  const int64_t x = (int64_t)b->centre.x - t.centre.x - t.frame[0].x;
+  const int64_t y = (int64_t)b->centre.y - t.centre.y - t.frame[0].y;
+  const int64_t z = (int64_t)b->centre.z - t.centre.z - t.frame[0].z;
+  if ((n.x == 0 && n.y == 0 && n.z == 0) || (gjk_magnitude64(x) | gjk_magnitude64(y) | gjk_magnitude64(z)) >> 31 != 0) {
+    return false;
+  }
+  gjk_search_direction_of(&n, &along);
+  const gjk_vec3 down = gjk_negate(along.d), step = {(int32_t)x, (int32_t)y, (int32_t)z};
+  const gjk_unit3 up = gjk_unit(&along.d);
+  b->shape->type->support(b, &along.d, &high);
+  b->shape->type->support(b, &down, &low);
+  const int64_t at = height_along(&up, &step), radius = b->shape->convex_radius;
+  out->lowest = at + height_along(&up, &low.offset) - radius;
+  out->highest = at + height_along(&up, &high.offset) + radius;
+  return true;
+}
+
+// Of two sides the one counts that most of B is on.
+static bool is_before_triangle(const ahead_body *d, uint32_t number) {
+  ahead_height start, end;
+  if (!measure_height(d, 0, number, &start)) {
+    return true;
+  }
+  const bool two_sided = (d->own->type->edges(d->own->data, number) & GJK_TRIANGLE_TWO_SIDED) != 0;
+  const bool behind = two_sided && start.lowest + start.highest < 0;
+  const int64_t gap = (behind ? -start.highest : start.lowest) - d->margin;
+  if (gap <= 0 || gap > d->tolerance) {
+    return gap > 0;
+  }
+  return measure_height(d, 1, number, &end) && (end.lowest + end.highest < 0) != behind;
+}
+
+static bool is_before_part(const ahead_body *d, uint32_t number) {
+  gjk_parts_room room;
+  gjk_collider c;
+  gjk_decision decision;
+  if (d->own->type->edges != NULL) {
+    return is_before_triangle(d, number);
+  }
+  return d->own->type->place(&d->frame[0], number, &room, &c) != GJK_OK ||
+         gjk_within(&c, d->b[0], d->margin, NULL, &decision) != GJK_OK || !decision.yes;
+}
+
+static uint32_t ahead_count(const void *data) {
+  const gjk_parts *own = ahead_of(data)->own;
+  return own->type->count(own->data);
+}
+
+static uint32_t ahead_reach(const void *data) {
+  const gjk_parts *own = ahead_of(data)->own;
+  return own->type->reach(own->data);
+}
+
+// None: it could be one that is left out.
+static uint32_t ahead_guess(const void *data, const gjk_region *region) {
+  (void)data, (void)region;
+  return GJK_PARTS_NONE;
+}
+
+static bool ahead_next(const void *data, const gjk_region *region, gjk_parts_walk *walk, uint32_t *number) {
+  const ahead_body *d = ahead_of(data);
+  while (d->own->type->next(d->own->data, region, walk, number)) {  // ends: each part comes once
+    if (is_before_part(d, *number)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static gjk_status ahead_place(const gjk_parts_frame *frame, uint32_t number, gjk_parts_room *room, gjk_collider *out) {
+  const gjk_parts *own = ahead_of(frame->parts->data)->own;
+  const gjk_parts posed = {own->type, own->data, frame->parts->pose};
+  gjk_parts_frame of_own = *frame;
+  of_own.parts = &posed;
+  return own->type->place(&of_own, number, room, out);
+}
+
+static void ahead_local(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out) {
+  const gjk_parts *own = ahead_of(data)->own;
+  own->type->local(own->data, number, room, out);
+}
+
+static const gjk_parts_class class_of_ahead = {
+    .count = ahead_count,
+    .reach = ahead_reach,
+    .guess = ahead_guess,
+    .next = ahead_next,
+    .place = ahead_place,
+    .local = ahead_local,
+    .settle = NULL,
+    .meet = NULL,
+    .edges = NULL,
+};
+
+// Sets A where it is at one end of the way. b: B there.
+static gjk_status set_end(ahead_body *d, unsigned end, const gjk_pose *pose, const gjk_collider *b) {
+  d->pose[end].type = d->own->type;
+  d->pose[end].data = d->own->data;
+  d->pose[end].pose = *pose;
+  d->b[end] = b;
+  return gjk_parts_frame_set(&d->frame[end], &d->pose[end]);
+}
+
+gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
+                                gjk_cast_result *out) {
+  ahead_body d;
+  gjk_aabb box;
+  gjk_status status = a == NULL || path == NULL ? GJK_ERROR_NULL : gjk_collider_aabb(b, &box);
+  if (status != GJK_OK) {
+    return status;
+  }
+  d.own = a;
+  d.margin = path->margin;
+  d.tolerance = 0;
+  status = set_end(&d, 0, &a->pose, b);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const gjk_parts ahead = {&class_of_ahead, &d, a->pose};
+  return gjk_parts_cast(&ahead, b, path, part, out);
+}
+
+gjk_status gjk_parts_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                  const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
+                                  gjk_impact_result *out) {
+  ahead_body d;
+  gjk_collider at[2];
+  if (a == NULL || motion_a == NULL || b == NULL || motion_b == NULL || setup == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  d.own = a;
+  d.margin = setup->margin;
+  d.tolerance = setup->tolerance;
+  gjk_status status = GJK_OK;
+  for (unsigned i = 0; i < 2 && status == GJK_OK; i++) {
+    at[i] = *b;
+    status = gjk_collider_pose(&at[i], i == 0 ? &motion_b->from : &motion_b->to);
+    status = status == GJK_OK ? set_end(&d, i, i == 0 ? &motion_a->from : &motion_a->to, &at[i]) : status;
+  }
+  if (status != GJK_OK) {
+    return status;
+  }
+  const gjk_parts ahead = {&class_of_ahead, &d, a->pose};
+  return gjk_parts_time_of_impact(&ahead, motion_a, b, motion_b, setup, part, out);
+}

@@ -1,0 +1,32 @@
+// Three numbers over every bit that fixed sets of queries answer about bodies of many parts, meshes and height fields: the
+// same on every target.
+#ifndef PARTS_GOLDEN_H
+#define PARTS_GOLDEN_H
+
+#include <stdint.h>
+
+#include "gjk/version.h"
+
+// Bodies in the full set, and in the start of it that small emulated cores have time for.
+#define PARTS_GOLDEN_BODIES 600
+#define PARTS_GOLDEN_FEW_BODIES 60
+
+// A changed bit is a changed contract: raise GJK_BITS_VERSION with these, and say why in the commit. The host's golden
+// program prints the lines to put here.
+#if GJK_BITS_VERSION != 1
+#error "the golden hashes are those of GJK_BITS_VERSION 1: replace them"
+#endif
+#define PARTS_GOLDEN_HASH UINT64_C(0x70588a9b3fa4bc9d)
+#define PARTS_GOLDEN_FEW_HASH UINT64_C(0x9f0e8524293e41c5)
+#define PARTS_CONTACTS_GOLDEN_HASH UINT64_C(0x3d600c815600acf1)
+#define PARTS_CONTACTS_GOLDEN_FEW_HASH UINT64_C(0x923d6c0bd94aceb4)
+#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0xa18f9a896e728fac)
+#define PARTS_MOTION_GOLDEN_FEW_HASH UINT64_C(0x322657ce5533c60b)
+
+// The hash over the first bodies of the set: of decisions, distances and depths, of contacts, of casts and times of impact.
+// Not reentrant: the bodies are static, to spare small stacks.
+uint64_t parts_golden_hash(uint32_t bodies);
+uint64_t parts_contacts_golden_hash(uint32_t bodies);
+uint64_t parts_motion_golden_hash(uint32_t bodies);
+
+#endif

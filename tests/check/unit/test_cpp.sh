@@ -1,0 +1,132 @@
+#!/bin/sh
+# gjk.hpp and gjk2.hpp: the golden hash of pairs, what they do around the queries, the README's example; that firmware can
+# have them, and what they cost there. test_cpp.sh BUILD
+. tests/build/count.sh
+build=$1
+dir=$build/cpp-test
+rm -rf "$dir"
+mkdir -p "$dir"
+strict='-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror'
+includes='-Iinclude -Iport/cpp -Itests -Itests/support'
+
+# program NAME COMPILER FLAGS...: of NAME.cpp here or in tests/check/bind
+program() {
+  name=$1
+  compiler=$2
+  shift 2
+  source=tests/check/bind/$name.cpp
+  [ -e "$source" ] || source=$dir/$name.cpp
+  # shellcheck disable=SC2086
+  "$compiler" -std=c++17 $strict $includes "$@" "$source" "$build/host/libgjk.a" "$build/hosted/port/hosted/gjk_hosted.o" \
+    -o "$dir/$name-$compiler"
+}
+
+# The README's block of C++, and what its comments say that it prints.
+awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md >"$dir/readme.cpp"
+readme() {
+  sed -n 's|.*// prints: ||p' "$dir/readme.cpp" >"$dir/expected"
+  program readme "$1" -O2 && "$dir/readme-$1" >"$dir/printed" && test -s "$dir/expected" && diff "$dir/expected" "$dir/printed"
+}
+
+# runs NAME COMPILER ARGUMENTS...
+runs() {
+  name=$1
+  compiler=$2
+  shift 2
+  "$dir/$name-$compiler" "$@"
+}
+
+other_bits() {
+  ! runs golden "$1" 149
+}
+
+# literal COMPILER WORD: does a literal compile?
+literal() {
+  printf '#include "gjk.hpp"\nusing namespace gjk::literals;\nstatic_assert(%s >= 0);\n' "$2" >"$dir/literal.cpp"
+  "$1" -std=c++17 -Iinclude -Iport/cpp -fsyntax-only "$dir/literal.cpp"
+}
+
+refused() {
+  ! literal "$@"
+}
+
+# freestanding COMPILER FLAGS...: the headers need nothing of a library
+freestanding() {
+  printf '#include "gjk.hpp"\n#include "gjk2.hpp"\n' >"$dir/headers.cpp"
+  # shellcheck disable=SC2086
+  "$@" -std=c++17 $strict -Iinclude -Iport/cpp -ffreestanding -fno-exceptions -fno-rtti -c "$dir/headers.cpp" -o "$dir/headers.o"
+}
+
+needs_cpp17() {
+  ! "$1" -std=c++14 -Iinclude -Iport/cpp -fsyntax-only port/cpp/gjk.hpp 2>"$dir/message" && grep -q 'needs C++17' "$dir/message"
+}
+
+# A function in C and in C++: the code of the second is larger by a store, 4 bytes, for each of its two results at most.
+as_small_as_c() {
+  cat >"$dir/cost.c" <<'END'
+#include "gjk/gjk.h"
+int32_t gap_of(const gjk_shape *shape, const gjk_pose *pose, const gjk_collider *b);
+int32_t gap_of(const gjk_shape *shape, const gjk_pose *pose, const gjk_collider *b) {
+  gjk_collider a;
+  gjk_distance_result gap;
+  if (gjk_collider_init(&a, shape, NULL, 0) != GJK_OK || gjk_collider_pose(&a, pose) != GJK_OK) return -1;
+  return gjk_distance(&a, b, NULL, &gap) == GJK_OK ? gap.distance : -1;
+}
+END
+  cat >"$dir/cost.cpp" <<'END'
+#include "gjk.hpp"
+extern "C" int32_t gap_of(const gjk_shape *shape, const gjk_pose *pose, const gjk_collider *b);
+extern "C" int32_t gap_of(const gjk_shape *shape, const gjk_pose *pose, const gjk_collider *b) {
+  const auto a = gjk::place(*shape, *pose);
+  if (!a) return -1;
+  const auto gap = gjk::distance(*a, *b);
+  return gap ? gap->distance : -1;
+}
+END
+  flags='-mcpu=cortex-m3 -mthumb -O2 -ffreestanding -Iinclude -Iport/cpp'
+  # shellcheck disable=SC2086
+  arm-none-eabi-gcc -std=c99 $flags -c "$dir/cost.c" -o "$dir/cost-c.o" &&
+    arm-none-eabi-g++ -std=c++17 -fno-exceptions -fno-rtti $flags -c "$dir/cost.cpp" -o "$dir/cost-cpp.o" || return 1
+  arm-none-eabi-size "$dir/cost-c.o" "$dir/cost-cpp.o"
+  arm-none-eabi-size "$dir/cost-c.o" "$dir/cost-cpp.o" |
+    awk 'NR == 2 { c = $1 } NR == 3 { cpp = $1 } END { exit c == 0 || cpp > c + 8 }'
+}
+
+is_formatted() {
+  clang-format --dry-run -Werror port/cpp/*.hpp tests/check/bind/*.cpp
+}
+
+for compiler in g++ clang++; do
+  if ! have $compiler; then
+    skip "gjk.hpp with $compiler" $compiler
+    continue
+  fi
+  check "golden: compiles, $compiler" program golden $compiler -O2 -fno-exceptions -fno-rtti
+  check "the golden hash, $compiler" runs golden $compiler
+  check "another set has another hash, $compiler" other_bits $compiler
+  check "behaviour: compiles, $compiler" program behaviour $compiler -O1
+  check "literals, ranges, results, $compiler" runs behaviour $compiler
+  check "the README's example, $compiler" readme $compiler
+  check "an older C++ is told so, $compiler" needs_cpp17 $compiler
+  check "a literal, $compiler" literal $compiler 32767.9_q16
+  for word in 32768_q16 2.0_q30 1e3_q16 0x10_q16 0.0000000001_q16; do
+    check "$word is refused, $compiler" refused $compiler $word
+  done
+done
+if [ -z "$(missing_package cortex-m3)" ] && have arm-none-eabi-g++; then
+  check 'without a library, cortex-m3' freestanding arm-none-eabi-g++ -mcpu=cortex-m3 -mthumb
+  check 'as small as C' as_small_as_c
+else
+  skip 'gjk.hpp for Cortex-M3' gcc-arm-none-eabi
+fi
+if have riscv64-unknown-elf-g++; then
+  check 'without a library, rv32imc' freestanding riscv64-unknown-elf-g++ -march=rv32imc -mabi=ilp32
+else
+  skip 'gjk.hpp for RV32' gcc-riscv64-unknown-elf
+fi
+if have clang-format; then
+  check 'layout' is_formatted
+else
+  skip 'layout of the C++ files' clang-format
+fi
+finish cpp
