@@ -355,7 +355,7 @@ page: build/page/index.html
 	@echo '  build/page/index.html'
 
 build/page/index.html: $(wildcard src/*/*.[ch] include/*/*.h port/wasm/* tests/programs/page/* tests/programs/page/libc/* \
-    tests/programs/query/*.[ch] tests/support/case/*.[ch] tests/support/reference/*.[ch]) tests/build/page.sh
+    README.md tests/programs/query/*.[ch] tests/programs/demo_plane/flat_solver.[ch] tests/support/case/*.[ch] tests/support/reference/*.[ch]) tests/build/page.sh
 	@sh tests/build/page.sh build
 
 amalgamation:

@@ -20,7 +20,7 @@ gjk_q16 gjk_q16_divide(gjk_q16 a, gjk_q16 b);
 // The square root, Q16.16, to the nearest; of a negative number 0.
 gjk_q16 gjk_q16_sqrt(gjk_q16 x);
 
-// Sine and cosine of any angle, each within 1 LSB of Q2.30.
+// Sine and cosine of any angle, each within 0.83 LSB of Q2.30.
 void gjk_sine_and_cosine(gjk_angle angle, gjk_q30 *sine, gjk_q30 *cosine);
 
 // The angle of the point (x, y), from -pi to pi: within 0.501 LSB. 0 for the origin, pi for y = 0 and x < 0.

@@ -6,15 +6,14 @@
 
 // Direction i of GJK_DRAW_DIRECTIONS: a unit vector, Q2.30, to the nearest LSB. Pre: i < GJK_DRAW_DIRECTIONS.
 static inline void gjk_circle(unsigned i, gjk_q30 *x, gjk_q30 *y) {
-  static const gjk_q30 cosine[7] = {1073741824, 1037154959, 929887697, 759250125,
-                                    536870912,  277904834,  0};  // of 0, 15 ... 90 degrees
-  const gjk_q30 c = cosine[i % 6], s = cosine[6 - i % 6];
-  switch (i / 6) {
-    case 0: *x = c, *y = s; break;
-    case 1: *x = -s, *y = c; break;
-    case 2: *x = -c, *y = -s; break;
-    default: *x = s, *y = -c; break;
-  }
+  // Of 0, 15 ... 435 degrees: a quarter more than all round, for the cosines.
+  static const gjk_q30 sine[GJK_DRAW_DIRECTIONS * 5 / 4] = {
+      0,          277904834,   536870912,   759250125,   929887697,  1037154959, 1073741824, 1037154959,
+      929887697,  759250125,   536870912,   277904834,   0,          -277904834, -536870912, -759250125,
+      -929887697, -1037154959, -1073741824, -1037154959, -929887697, -759250125, -536870912, -277904834,
+      0,          277904834,   536870912,   759250125,   929887697,  1037154959};
+  *x = sine[i + GJK_DRAW_DIRECTIONS / 4];
+  *y = sine[i];
 }
 
 #endif

@@ -2,6 +2,7 @@
 //
 // A class of its own stands for A: its walk leaves out the parts that B is not in front of. All else is A's own, so the
 // queries are those of gjk_parts_cast.c and gjk_parts_impact.c.
+#include "../arith/gjk_memory.h"
 #include "../arith/gjk_unit.h"
 #include "gjk_parts_class.h"
 
@@ -25,7 +26,7 @@ static const ahead_body *ahead_of(const void *data) {
 }
 
 // |v| < 2^31 per axis:  the sum below 2^61.8
-static int64_t height_along(const gjk_unit3 *up, const gjk_vec3 *v) {
+static int64_t up_along(const gjk_unit3 *up, const gjk_vec3 *v) {
   return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(up->x, v->x), up->y, v->y), up->z, v->z), 30);
 }
 
@@ -52,9 +53,9 @@ static bool measure_height(const ahead_body *d, unsigned end, uint32_t number, a
   const gjk_unit3 up = gjk_unit(&along.d);
   b->shape->type->support(b, &along.d, &high);
   b->shape->type->support(b, &down, &low);
-  const int64_t at = height_along(&up, &step), radius = b->shape->convex_radius;
-  out->lowest = at + height_along(&up, &low.offset) - radius;
-  out->highest = at + height_along(&up, &high.offset) + radius;
+  const int64_t at = up_along(&up, &step), radius = b->shape->convex_radius;
+  out->lowest = at + up_along(&up, &low.offset) - radius;
+  out->highest = at + up_along(&up, &high.offset) + radius;
   return true;
 }
 
@@ -113,7 +114,8 @@ static bool ahead_next(const void *data, const gjk_region *region, gjk_parts_wal
 static gjk_status ahead_place(const gjk_parts_frame *frame, uint32_t number, gjk_parts_room *room, gjk_collider *out) {
   const gjk_parts *own = ahead_of(frame->parts->data)->own;
   const gjk_parts posed = {own->type, own->data, frame->parts->pose};
-  gjk_parts_frame of_own = *frame;
+  gjk_parts_frame of_own;
+  gjk_copy(&of_own, frame, sizeof of_own);
   of_own.parts = &posed;
   return own->type->place(&of_own, number, room, out);
 }
@@ -176,7 +178,7 @@ gjk_status gjk_parts_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a
   d.tolerance = setup->tolerance;
   gjk_status status = GJK_OK;
   for (unsigned i = 0; i < 2 && status == GJK_OK; i++) {
-    at[i] = *b;
+    gjk_copy(&at[i], b, sizeof at[i]);
     status = gjk_collider_pose(&at[i], i == 0 ? &motion_b->from : &motion_b->to);
     status = status == GJK_OK ? set_end(&d, i, i == 0 ? &motion_a->from : &motion_a->to, &at[i]) : status;
   }

@@ -1,6 +1,7 @@
 // The shape of a body of many parts: the box that holds them.
 #include "gjk/concave.h"
 
+#include "../arith/gjk_memory.h"
 #include "gjk_scene_part.h"
 
 // By how much posing may take a part, seen from its body, out of the box that holds it unturned: as GJK_REGION_SLACK of
@@ -11,12 +12,14 @@
 // int32 is not refused then. Any other status is that of the body.
 static gjk_status check_reach(const gjk_parts *parts) {
   static const gjk_shape point = GJK_POINT;
-  gjk_parts at_end = *parts;
+  gjk_parts at_end;
   gjk_collider c;
   gjk_decision decision;
   const gjk_pose origin = GJK_POSE_IDENTITY;
   gjk_status status = gjk_collider_init(&c, &point, NULL, 0);
   (void)gjk_collider_pose(&c, &origin);
+  at_end.type = parts->type;
+  at_end.data = parts->data;
   at_end.pose = origin;
   at_end.pose.position.x = INT32_MAX - GJK_CONCAVE_REACH;
   if (status == GJK_OK) {
@@ -57,9 +60,7 @@ gjk_status gjk_concave_init(const gjk_parts *parts, gjk_concave *out, gjk_shape 
   if (parts == NULL || out == NULL || shape == NULL) {
     return GJK_ERROR_NULL;
   }
-  gjk_parts unturned = *parts;
-  const gjk_pose origin = GJK_POSE_IDENTITY;
-  unturned.pose = origin;
+  const gjk_parts unturned = {parts->type, parts->data, GJK_POSE_IDENTITY};
   gjk_status status = check_reach(&unturned);
   status = status == GJK_OK ? box_of_parts(&unturned, &box) : status;
   if (status != GJK_OK) {
@@ -72,10 +73,10 @@ gjk_status gjk_concave_init(const gjk_parts *parts, gjk_concave *out, gjk_shape 
   if (gjk_dot(&half, &half) > room * room) {  // |half| < 2^30:  the product < 3 2^60
     return GJK_ERROR_SIZE;
   }
-  out->parts = unturned;
+  gjk_copy(&out->parts, &unturned, sizeof out->parts);
   out->centre = centre;
   const gjk_shape made = GJK_CONCAVE(out, half.x, half.y, half.z);
-  *shape = made;
+  gjk_copy(shape, &made, sizeof *shape);
   return GJK_OK;
 }
 
@@ -95,7 +96,7 @@ gjk_status gjk_scene_parts(const gjk_scene *scene, gjk_body_id id, uint16_t part
   if (!gjk_scene_is_concave(shape)) {
     return GJK_ERROR_UNSUPPORTED;
   }
-  *out = ((const gjk_concave *)shape->user)->parts;
+  gjk_copy(out, &((const gjk_concave *)shape->user)->parts, sizeof *out);
   gjk_scene_part_pose(&v, &v.parts[index], &out->pose);
   return GJK_OK;
 }

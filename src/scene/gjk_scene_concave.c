@@ -81,7 +81,8 @@ static const gjk_shape_class class_of_box = {
 };
 
 static gjk_status bind_concave(const gjk_shape *shape, gjk_collider *out) {
-  gjk_shape box = *shape;
+  gjk_shape box;
+  gjk_copy(&box, shape, sizeof box);
   box.type = &class_of_box;
   const gjk_status status = gjk_collider_init(out, &box, NULL, 0);
   out->shape = shape;
@@ -90,8 +91,10 @@ static gjk_status bind_concave(const gjk_shape *shape, gjk_collider *out) {
 
 // A body of many parts where a solid is.
 static void set_parts(const gjk_scene_solid *solid, gjk_parts *out) {
-  *out = concave_of(solid->collider->shape)->parts;
-  out->pose = *solid->pose;
+  const gjk_parts *unturned = &concave_of(solid->collider->shape)->parts;
+  out->type = unturned->type;
+  out->data = unturned->data;
+  gjk_copy(&out->pose, solid->pose, sizeof out->pose);
 }
 
 static bool is_solid_concave(const gjk_scene_solid *solid) {
@@ -164,9 +167,9 @@ static gjk_status concave_distance(const gjk_scene_solid *a, const gjk_scene_sol
 
 // Turns a manifold round: of B, then of A.
 static void turn_manifold(gjk_manifold *m) {
-  const uint16_t feature = m->feature_a;
+  const uint16_t of_a = m->feature_a;
   m->feature_a = m->feature_b;
-  m->feature_b = feature;
+  m->feature_b = of_a;
   m->normal.x = -m->normal.x;
   m->normal.y = -m->normal.y;
   m->normal.z = -m->normal.z;
@@ -244,13 +247,14 @@ static gjk_status concave_impact(const gjk_collider *a, const gjk_motion *motion
   const bool turned = !gjk_scene_is_concave(a->shape);
   const gjk_collider *other = turned ? a : b;
   const gjk_motion *motion = turned ? motion_b : motion_a, *of_other = turned ? motion_a : motion_b;
-  gjk_parts parts = concave_of((turned ? b : a)->shape)->parts;
+  gjk_parts parts;
   gjk_status status = GJK_ERROR_RANGE;
   out->hit = false;
   if (gjk_scene_is_concave(other->shape)) {
     return GJK_OK;
   }
-  parts.pose = motion->from;
+  const gjk_scene_solid solid = {turned ? b : a, &motion->from};
+  set_parts(&solid, &parts);
   for (unsigned i = 0; i < TOLERANCES && status == GJK_ERROR_RANGE; i++) {
     const gjk_impact_setup setup = {margin, tolerances[i], 0};
     status = ahead ? gjk_parts_impact_ahead(&parts, motion, other, of_other, &setup, NULL, out)

@@ -12,13 +12,13 @@ static gjk_draw_role role_of(const gjk_body_state *state) {
                                             : GJK_DRAW_MOVING;
 }
 
-static void draw_parts(const gjk_draw *draw, const gjk_scene *scene, gjk_body_id id, unsigned what) {
+static void draw_parts(const gjk_draw *draw, const gjk_scene *scene, const gjk_body_id *id, unsigned what) {
   gjk_body_state state;
   gjk_collider c;
   gjk_aabb box;
-  (void)gjk_scene_get(scene, id, &state);  // cannot fail: the slot has this body
+  (void)gjk_scene_get(scene, *id, &state);  // cannot fail: the slot has this body
   for (unsigned part = 0; part < state.part_count; part++) {
-    if (gjk_scene_collider(scene, id, (uint16_t)part, &c) != GJK_OK) {
+    if (gjk_scene_collider(scene, *id, (uint16_t)part, &c) != GJK_OK) {
       continue;
     }
     if ((what & GJK_DRAW_SHAPES) != 0) {
@@ -57,7 +57,7 @@ gjk_status gjk_draw_scene(const gjk_draw *draw, const gjk_scene *scene, unsigned
   gjk_status status = gjk_scene_body_at(scene, slot, &id);
   for (; status == GJK_OK; status = gjk_scene_body_at(scene, ++slot, &id)) {  // ends: slots do
     if (id.generation != 0 && (what & (GJK_DRAW_SHAPES | GJK_DRAW_BOXES)) != 0) {
-      draw_parts(draw, scene, id, what);
+      draw_parts(draw, scene, &id, what);
     }
   }
   if (status != GJK_ERROR_RANGE) {

@@ -170,6 +170,7 @@ const gjk_shape_class gjk_class_table = {
     .refine = refine_table,
     .vertex = vertex_table,
     .stalls = NULL,
+    .concave = NULL,
     .buffered = true,
     .count = 0,
     .kind = GJK_KIND_VERTICES,

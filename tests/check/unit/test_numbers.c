@@ -34,7 +34,7 @@ static void check_angle(gjk_angle angle) {
   gjk_sine_and_cosine(angle, &sine, &cosine);
   const double off = larger(fabs(s - sine), fabs(c - cosine));
   worst_sine = larger(worst_sine, off);
-  CHECK(off <= 1);
+  CHECK(off <= 0.83);
 
   gjk2_rotation rotation;
   CHECK(gjk2_rotation_from_angle(angle, &rotation) == GJK_OK && rotation.s == sine && rotation.c == cosine);

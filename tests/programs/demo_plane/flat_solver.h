@@ -13,9 +13,11 @@
 
 #include "gjk2/gjk2.h"
 
+#ifndef FLAT_BODIES
 #define FLAT_BODIES 32
-#define FLAT_CHAINS 6
 #define FLAT_POINTS 192
+#endif
+#define FLAT_CHAINS 6
 #define FLAT_VERTICES 8
 
 // Ticks a second.

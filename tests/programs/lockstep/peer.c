@@ -201,7 +201,7 @@ static bool find_apart(void *user, const gjk_report *pair) {
 // Moves a body of a pair that has a distance by about 700 LSB without telling the other side. False: there is no such
 // pair at this tick.
 static bool nudge(void) {
-  gjk_report pair = {{0, 0}, {0, 0}, 0, 0, 0, 0, 0, NULL, 0};
+  gjk_report pair = {.distance = 0};
   gjk_scene scene;
   gjk_body_state state;
   each_near(find_apart, &pair);

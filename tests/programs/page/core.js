@@ -44,6 +44,15 @@ function choiceOf(label, choices, chosen) {
   return group;
 }
 
+// A view that is not shown has no size to draw in.
+function redrawWhenResized(view) {
+  new ResizeObserver(() => {
+    if (view.element.classList.contains('shown')) {
+      view.draw();
+    }
+  }).observe(view.element);
+}
+
 // Thousands apart by thin spaces: exact integers are long.
 function exact(value) {
   return String(value).replace(/^-/, '−').replace(/\B(?=(\d{3})+$)/g, '\u2009');
@@ -133,7 +142,10 @@ function stepOf(words) {
 
 // The address says what is shown: #VIEW?NAME=VALUE&... Values are texts; cases have ; for line feeds.
 const address = {
+  known: location.hash,
+
   read() {
+    this.known = location.hash;
     const [view, rest] = location.hash.slice(1).split('?');
     return { view, values: new URLSearchParams(rest ?? '') };
   },
@@ -141,8 +153,10 @@ const address = {
     const text = Object.entries(values).filter(([, value]) => value !== '' && value != null)
       .map(([name, value]) => name + '=' + encodeURIComponent(value).replace(/%20/g, '+').replace(/%3B/gi, ';'));
     const hash = '#' + view + (text.length > 0 ? '?' + text.join('&') : '');
-    if (hash !== location.hash) {
+    // Another hash than the one known is a link that has been followed and is about to be shown.
+    if (hash !== location.hash && location.hash === this.known) {
       history.replaceState(null, '', hash);
+      this.known = location.hash;
     }
   },
   pack(cases) {

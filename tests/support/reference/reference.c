@@ -8,6 +8,11 @@
 #define REFERENCE_NAME(name) reference_##name
 #endif
 
+// A squared distance below this share of the largest squared vertex counts as 0.
+#ifndef REFERENCE_ENCLOSING
+#define REFERENCE_ENCLOSING 1e-30
+#endif
+
 typedef REFERENCE_REAL reference_real;
 
 #define real reference_real
@@ -20,11 +25,11 @@ static real real_sqrt(real x) {
 
 #include "epa.h"
 
-// The search ends when a step gains less than 1e-10 of the distance. Squared distances below 1e-30 of the largest
-// squared vertex count as 0: of all powers of ten this one decides best (tests/check/unit/test_reference.c, 1e-15 to
-// 1e-36). A float gets what its 24 bits leave.
+// The search ends when a step gains less than 1e-10 of the distance. Of all powers of ten, 1e-30 decides best as the share
+// that counts as 0 (tests/check/unit/test_reference.c, 1e-15 to 1e-36). A float gets what its 24 bits leave.
 static solver_limits limits(void) {
-  solver_limits chosen = {.relative = (real)1e-10, .enclosing = (real)1e-30, .apart = SOLVER_ANY, .iterations = 200};
+  solver_limits chosen = {
+      .relative = (real)1e-10, .enclosing = (real)REFERENCE_ENCLOSING, .apart = SOLVER_ANY, .iterations = 200};
   if (sizeof(real) < sizeof(double)) {
     chosen.relative = (real)1e-5;
     chosen.enclosing = (real)1e-11;
