@@ -37,7 +37,8 @@ typedef struct gjk_surface_contact {
 //          is no contact with a triangle of one side then, nor where the nearest point of a body apart is on its back, such as
 //          at a border that the body hooks under. Of two sides the one counts where the body is not behind.
 // Missing  Triangles whose corners lie in a line have none. Every other body in front of a triangle that it overlaps has a
-//          contact, and one apart has one at the least distance (tests/check/unit/test_mesh_contacts.c).
+//          contact, and so has one apart: at the least distance, or rarely (1 of 50,000) at another triangle, farther
+//          out (tests/check/unit/test_mesh_contacts.c).
 // Twice    A body at an edge or corner has its contact with each triangle there that has the normal.
 // Cost     about that of gjk_contacts for each triangle; less where the body lies on a face.
 //

@@ -73,7 +73,7 @@ static bool next_leaf(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_
   bool found = false;
   gjk_mesh_node steps;
   gjk_mesh_steps_of(mesh, &region->box.lower, &region->box.upper, &steps);
-  leaf = is_outside(mesh, region) ? leaves : leaf;
+  leaf = leaf == 0 && is_outside(mesh, region) ? leaves : leaf;
   while (leaf < leaves && !found) {
     // The highest level that begins here: after a node that was left out, or at the start.
     while (level < GJK_MESH_LEVEL_MAX && (leaf >> level & 1u) == 0) {
@@ -107,6 +107,15 @@ bool gjk_mesh_corners(const gjk_mesh *mesh, uint32_t triangle, gjk_vec3 corner[3
   return true;
 }
 
+// Do a triangle's corners say that it is apart from a box, or that it has a corner that is no vertex?
+static bool is_left_out(const gjk_mesh *mesh, uint32_t triangle, const gjk_aabb *box) {
+  const uint32_t *number = mesh->triangles[triangle].corner;
+  const uint32_t a = GJK_MESH_NUMBER(number[0]), b = GJK_MESH_NUMBER(number[1]), c = GJK_MESH_NUMBER(number[2]);
+  const gjk_vec3 *v = mesh->vertices;
+  return a >= mesh->vertex_count || b >= mesh->vertex_count || c >= mesh->vertex_count ||
+         gjk_triangle_is_apart(box, &v[a], &v[b], &v[c]);
+}
+
 bool gjk_mesh_next(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_walk *walk, uint32_t *triangle,
                    gjk_vec3 corner[3]) {
   for (;;) {  // ends: each triangle once
@@ -116,7 +125,8 @@ bool gjk_mesh_next(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_wal
       }
     }
     const uint32_t t = walk->item++;
-    if (gjk_mesh_corners(mesh, t, corner) && gjk_triangle_meets(region, corner)) {
+    if (!is_left_out(mesh, t, &region->box) && gjk_mesh_corners(mesh, t, corner) &&
+        (!region->moves || gjk_triangle_meets_on_way(region, corner))) {
       *triangle = t;
       return true;
     }

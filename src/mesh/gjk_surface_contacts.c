@@ -16,12 +16,10 @@
 //
 // Everything but the answer is relative to the body's centre. The body's radius, the margin and the triangle are each at most
 // 2^28 along an axis, so corners are below 3 2^28, and below sqrt(3) 3 2^28 < 2^30.4 long; edges are below 2^29 long.
-#include "../arith/gjk_memory.h"
 #include "../arith/gjk_unit.h"
 #include "../query/gjk_manifold.h"
 #include "gjk/intersect.h"
 #include "gjk/mesh.h"
-#include "gjk/surface.h"
 #include "gjk_triangle.h"
 
 #define CORNER_MAX (INT32_C(3) << 28)
@@ -44,6 +42,8 @@ typedef struct surface_face {
   gjk_q16 height;               // of the body above the plane, negative where it is deeper
   unsigned edges;               // as of gjk_parts_class.edges, from the body's side
   bool clipped;                 // the candidates of step 2 are known
+  bool over;                    // its deepest point lies over the triangle
+  bool touches;                 // it is known to share a point with the triangle
 } surface_face;
 
 typedef struct surface_query {
@@ -70,8 +70,7 @@ static bool relate(const gjk_vec3 *world, const gjk_vec3 *centre, gjk_vec3 *out)
   return !is_far(out);
 }
 
-// The corners of a triangle; false: it is not as it should be.
-static bool set_corners_of(surface_query *q, uint32_t number, surface_face *out) {
+static void set_local_corners(surface_query *q, uint32_t number, surface_face *out) {
   const gjk_parts_class *type = q->frame->parts->type;
   gjk_parts_room room;
   gjk_parts_local local;
@@ -80,10 +79,13 @@ static bool set_corners_of(surface_query *q, uint32_t number, surface_face *out)
     gjk_set(&room.vertices[i], &out->local[i]);
     gjk_set(&room.vertices[i], &out->world[i]);  // until it is turned
   }
-  return gjk_triangle_turn(q->frame, out->local, out->world) &&
-         relate(&out->world[0], &q->body->centre, &out->corner[0]) &&
-         relate(&out->world[1], &q->body->centre, &out->corner[1]) &&
-         relate(&out->world[2], &q->body->centre, &out->corner[2]);
+}
+
+// False: the triangle is not as it should be.
+static bool turn_corners(surface_query *q, surface_face *f) {
+  const gjk_vec3 *centre = &q->body->centre;
+  return gjk_triangle_turn(q->frame, f->local, f->world) && relate(&f->world[0], centre, &f->corner[0]) &&
+         relate(&f->world[1], centre, &f->corner[1]) && relate(&f->world[2], centre, &f->corner[2]);
 }
 
 // What is convex from one side is concave from the other.
@@ -232,6 +234,31 @@ static bool touches(surface_query *q, const gjk_collider *triangle) {
   return status != GJK_OK || decision.yes;
 }
 
+// Does an edge of a body's core, a sum of half axes, that ends at its deepest point pass through the triangle? False proves
+// nothing. The edge taken is the steepest to the plane. If both ends are over the triangle, the edge meets the plane in it.
+static bool is_pierced(surface_query *q, const surface_face *f) {
+  const gjk_collider *body = q->body;
+  const unsigned count = body->shape->type->kind == GJK_KIND_AXES ? body->count : 0;
+  int64_t most = 0;
+  gjk_vec3 top = f->deepest;
+  for (unsigned i = 0; i < count; i++) {
+    const gjk_vec3 *axis = &body->frame[i];
+    const int64_t along = gjk_along(&f->unit, axis), size = along < 0 ? -along : along;
+    if (size > most) {
+      const gjk_vec3 way = along < 0 ? gjk_negate(*axis) : *axis;
+      most = size;
+      top = gjk_add(f->deepest, gjk_add(way, way));
+    }
+  }
+  if (most == 0 || !is_over(f, &top)) {
+    return false;
+  }
+  gjk_long3 n;
+  const gjk_vec3 above = gjk_sub(top, f->corner[0]), below = gjk_sub(f->deepest, f->corner[0]);
+  gjk_triangle_normal(&f->corner[0], &f->corner[1], &f->corner[2], &n);
+  return gjk_dot_sign(&n, &above) >= 0 && gjk_dot_sign(&n, &below) <= 0;
+}
+
 // Is the body, a sum of half axes, so steep to the plane that it has one deepest point alone?
 static bool is_pointed(surface_query *q, const surface_face *f) {
   const gjk_collider *body = q->body;
@@ -257,29 +284,32 @@ static void find_on_face(surface_query *q, surface_face *f, const gjk_collider *
   }
 }
 
-// A limit of iterations is left to gjk_signed_distance.
-// A direction that keeps the body off one triangle is likely to keep it off the next.
-static bool is_within_margin(surface_query *q, const gjk_collider *triangle) {
+// Where the deepest point lies over the triangle, it is likely to touch, or is as near as it is high. A direction that keeps the
+// body off one triangle is likely to keep it off the next. A limit of iterations is left to gjk_signed_distance.
+static bool is_within_margin(surface_query *q, surface_face *f, const gjk_collider *triangle) {
   gjk_decision decision;
+  f->touches = f->over && f->height < 0 && (is_pierced(q, f) || touches(q, triangle));
+  if (f->touches || (f->over && f->height >= 0 && f->height <= (int64_t)q->margin - 2 * LEVEL)) {
+    return true;
+  }
   return gjk_within(triangle, q->body, q->margin, q->cache, &decision) != GJK_OK || decision.yes;
 }
 
 // Step 2. False: no deepest point of the body lies over the triangle.
 static bool meets_face(surface_query *q, surface_face *f, const gjk_collider *triangle, gjk_candidates *candidates,
                        gjk_manifold *out) {
-  const bool over = is_over(f, &f->deepest);
-  if (!over && is_pointed(q, f)) {
+  if (!f->over && is_pointed(q, f)) {
     return false;
   }
   find_on_face(q, f, triangle, candidates, out);
   const bool found = reaches(candidates, f->height);
-  if ((!over && !found) || (f->height < 0 && !touches(q, triangle))) {
+  if ((!f->over && !found) || (f->height < 0 && !f->touches && !touches(q, triangle))) {
     return false;
   }
-  if (over && !found && f->height > q->margin) {
+  if (f->over && !found && f->height > q->margin) {
     return true;
   }
-  if (over && !found) {
+  if (f->over && !found) {
     gjk_distance_result nearest;
     const gjk_q16 radius = q->body->shape->convex_radius;
     nearest.distance = f->height;
@@ -343,9 +373,11 @@ static void ring_start(ring_walk *ring, const gjk_vec3 *p, const gjk_vec3 *r) {
 // Ends: each triangle comes once.
 static bool ring_next(surface_query *q, ring_walk *ring, uint32_t *number, surface_face *other) {
   while (gjk_parts_next(q->frame, &ring->region, &ring->walk, number)) {
-    if (*number != q->number && set_corners_of(q, *number, other) && has_corner(other, ring->p) &&
-        has_corner(other, ring->r)) {
-      return true;
+    if (*number != q->number) {
+      set_local_corners(q, *number, other);
+      if (has_corner(other, ring->p) && has_corner(other, ring->r) && turn_corners(q, other)) {
+        return true;
+      }
     }
   }
   return false;
@@ -367,13 +399,12 @@ static bool has_normal(surface_query *q, const surface_face *f, const gjk_unit3 
   uint32_t number;
   bool has = true;
   ring_start(&ring, &f->local[i], &f->local[j]);
-  while (ring_next(q, &ring, &number, &other)) {
+  while ((has || !*answered) && ring_next(q, &ring, &number, &other)) {
     if (is_beyond_plane(q, normal, &f->corner[i], &other.corner[0]) ||
         is_beyond_plane(q, normal, &f->corner[i], &other.corner[1]) ||
         is_beyond_plane(q, normal, &f->corner[i], &other.corner[2])) {
       has = false;
-      *answered =
-          *answered || (set_face(q, number, &other) && other.height > f->height && answers(q, &other, together));
+      *answered = set_face(q, number, &other) && other.height > f->height && answers(q, &other, together);
     }
   }
   return has;
@@ -424,7 +455,7 @@ static bool is_settled(surface_query *q, surface_face *f, const gjk_collider *tr
   if (candidates->count == 0) {
     return f->height >= 0 && !is_nearly_over(q, f);
   }
-  if (f->height >= 0 || touches(q, triangle)) {
+  if (f->height >= 0 || f->touches || touches(q, triangle)) {
     gjk_manifold_keep(candidates, NULL, q->most, out);
   }
   return true;
@@ -495,12 +526,14 @@ gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const
   out->feature_b = 0;
   candidates.count = 0;
   face.clipped = false;
-  if (!set_corners_of(&q, number, &face) || is_aside(&q, &face) || !set_face(&q, number, &face) ||
+  set_local_corners(&q, number, &face);
+  if (!turn_corners(&q, &face) || is_aside(&q, &face) || !set_face(&q, number, &face) ||
       face.height > (int64_t)margin + LEVEL) {
     return GJK_OK;
   }
+  face.over = is_over(&face, &face.deepest);
   gjk_status status = gjk_triangle_collider(face.world, &room, &triangle);
-  if (status != GJK_OK || !is_within_margin(&q, &triangle)) {
+  if (status != GJK_OK || !is_within_margin(&q, &face, &triangle)) {
     return status;
   }
   if (!meets_face(&q, &face, &triangle, &candidates, out)) {
@@ -523,49 +556,4 @@ bool gjk_surface_settle(const gjk_parts_frame *frame, uint32_t number, const gjk
   margin = margin < GJK_RADIUS_MAX ? margin : GJK_RADIUS_MAX;
   const gjk_status status = most == 0 ? GJK_OK : gjk_surface_meet(frame, number, b, margin, most, NULL, NULL, m);
   return (status == GJK_OK || status == GJK_ERROR_CAPACITY) && m->count > 0;
-}
-
-gjk_status gjk_surface_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
-                                const gjk_workspace *workspace, gjk_surface_contact *out, uint16_t capacity,
-                                uint16_t *count) {
-  gjk_parts_frame frame;
-  gjk_region region;
-  gjk_parts_walk walk;
-  gjk_surface_contact found;
-  gjk_cache cache;
-  uint16_t filled = 0;
-  bool overflows = false;
-  gjk_zero(&cache, sizeof cache);
-  if (b == NULL || count == NULL || (out == NULL && capacity != 0)) {
-    return GJK_ERROR_NULL;
-  }
-  gjk_status status = gjk_parts_open(&frame, &region, a, b), worst = GJK_OK;
-  if (status != GJK_OK) {
-    return status;
-  }
-  if (a->type->edges == NULL) {
-    return GJK_ERROR_UNSUPPORTED;
-  }
-  if (margin < 0 || margin > GJK_RADIUS_MAX || most < 1 || most > GJK_CONTACTS_MAX) {
-    return margin < 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_RANGE;
-  }
-  gjk_region_grow(&region, margin);
-  gjk_parts_walk_start(&walk);
-  while (gjk_parts_next(&frame, &region, &walk, &found.triangle)) {  // ends: each triangle comes once
-    gjk_manifold *manifold = filled < capacity ? &out[filled].manifold : &found.manifold;
-    status = gjk_surface_meet(&frame, found.triangle, b, margin, most, &cache, workspace, manifold);
-    worst = status == GJK_OK || worst == GJK_ERROR_ITERATION_LIMIT ? worst : status;
-    if (status != GJK_OK && status != GJK_ERROR_CAPACITY && status != GJK_ERROR_ITERATION_LIMIT) {
-      return status;
-    }
-    if (manifold->count > 0) {
-      overflows = overflows || filled == capacity;
-      if (filled < capacity) {
-        out[filled].triangle = found.triangle;
-        filled++;
-      }
-    }
-  }
-  *count = filled;
-  return overflows ? GJK_ERROR_CAPACITY : worst;
 }

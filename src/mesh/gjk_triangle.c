@@ -26,21 +26,7 @@ static void box_of_triangle(const gjk_vec3 corner[3], gjk_aabb *box) {
   gjk_triangle_widen(&box->lower, &box->upper, &corner[2]);
 }
 
-// Do all three lie beyond one end of a range?
-static bool is_beyond_range(int32_t a, int32_t b, int32_t c, int32_t low, int32_t high) {
-  return (a < low && b < low && c < low) || (a > high && b > high && c > high);
-}
-
-bool gjk_triangle_meets(const gjk_region *region, const gjk_vec3 corner[3]) {
-  const gjk_vec3 *low = &region->box.lower, *high = &region->box.upper;
-  if (is_beyond_range(corner[0].x, corner[1].x, corner[2].x, low->x, high->x) ||
-      is_beyond_range(corner[0].y, corner[1].y, corner[2].y, low->y, high->y) ||
-      is_beyond_range(corner[0].z, corner[1].z, corner[2].z, low->z, high->z)) {
-    return false;
-  }
-  if (!region->moves) {
-    return true;
-  }
+bool gjk_triangle_meets_on_way(const gjk_region *region, const gjk_vec3 corner[3]) {
   gjk_aabb box;
   box_of_triangle(corner, &box);
   return gjk_region_meets_on_way(region, &box);
@@ -60,7 +46,7 @@ static bool turn_corner(const gjk_parts_frame *frame, const gjk_vec3 *v, gjk_vec
   if (!is_mesh_coordinate(v->x) || !is_mesh_coordinate(v->y) || !is_mesh_coordinate(v->z)) {
     return false;
   }
-  const gjk_vec3 turned = gjk_rotate(frame->rows, v);
+  const gjk_vec3 turned = frame->is_level ? *v : gjk_rotate(frame->rows, v);
   const int64_t x = (int64_t)at->x + turned.x, y = (int64_t)at->y + turned.y, z = (int64_t)at->z + turned.z;
   out->x = gjk_saturate(x);
   out->y = gjk_saturate(y);

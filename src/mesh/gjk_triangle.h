@@ -13,8 +13,26 @@ static inline bool gjk_same_place(const gjk_vec3 *a, const gjk_vec3 *b) {
 void gjk_triangle_start_box(gjk_vec3 *lower, gjk_vec3 *upper);
 void gjk_triangle_widen(gjk_vec3 *lower, gjk_vec3 *upper, const gjk_vec3 *v);
 
+// Do all three lie beyond one end of a range?
+static inline bool gjk_is_beyond_range(int32_t a, int32_t b, int32_t c, int32_t low, int32_t high) {
+  return (a < low && b < low && c < low) || (a > high && b > high && c > high);
+}
+
+// Is the box of a triangle apart from the region's box?
+static inline bool gjk_triangle_is_apart(const gjk_aabb *box, const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c) {
+  const gjk_vec3 *low = &box->lower, *high = &box->upper;
+  return gjk_is_beyond_range(a->x, b->x, c->x, low->x, high->x) ||
+         gjk_is_beyond_range(a->y, b->y, c->y, low->y, high->y) ||
+         gjk_is_beyond_range(a->z, b->z, c->z, low->z, high->z);
+}
+
+bool gjk_triangle_meets_on_way(const gjk_region *region, const gjk_vec3 corner[3]);
+
 // Does the box of a triangle meet the region?
-bool gjk_triangle_meets(const gjk_region *region, const gjk_vec3 corner[3]);
+static inline bool gjk_triangle_meets(const gjk_region *region, const gjk_vec3 corner[3]) {
+  return !gjk_triangle_is_apart(&region->box, &corner[0], &corner[1], &corner[2]) &&
+         (!region->moves || gjk_triangle_meets_on_way(region, corner));
+}
 
 // The kind of the edge from a to b of the triangle a, b, c, where another triangle has its third corner at w.
 gjk_mesh_edge gjk_triangle_edge_of(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, const gjk_vec3 *w);

@@ -18,6 +18,7 @@ typedef struct gjk_parts_walk {
 typedef struct gjk_parts_frame {
   const gjk_parts *parts;
   gjk_vec3 rows[3];
+  bool is_level;  // the rotation is none
 } gjk_parts_frame;
 
 // A part in its body's frame, for motions: a shape, and where its pose is; own NULL: at the body's.

@@ -23,6 +23,9 @@ gjk_status gjk_parts_frame_set(gjk_parts_frame *frame, const gjk_parts *a) {
   if (!gjk_rotation_from_quat(&a->pose.rotation, frame->rows)) {
     return GJK_ERROR_ROTATION;
   }
+  const gjk_vec3 *r = frame->rows;
+  frame->is_level = r[0].x == GJK_Q30_ONE && r[1].y == GJK_Q30_ONE && r[2].z == GJK_Q30_ONE &&
+                    (r[0].y | r[0].z | r[1].x | r[1].z | r[2].x | r[2].y) == 0;
   return gjk_parts_has_room(a, &a->pose.position) ? GJK_OK : GJK_ERROR_RANGE;
 }
 

@@ -16,12 +16,12 @@
 #if GJK_BITS_VERSION != 1
 #error "the golden hashes are those of GJK_BITS_VERSION 1: replace them"
 #endif
-#define PARTS_GOLDEN_HASH UINT64_C(0x70588a9b3fa4bc9d)
-#define PARTS_GOLDEN_FEW_HASH UINT64_C(0x9f0e8524293e41c5)
+#define PARTS_GOLDEN_HASH UINT64_C(0x3bd7722dad8ad2a1)
+#define PARTS_GOLDEN_FEW_HASH UINT64_C(0x3bb50a90e0849a27)
 #define PARTS_CONTACTS_GOLDEN_HASH UINT64_C(0x3d600c815600acf1)
 #define PARTS_CONTACTS_GOLDEN_FEW_HASH UINT64_C(0x923d6c0bd94aceb4)
-#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0xa18f9a896e728fac)
-#define PARTS_MOTION_GOLDEN_FEW_HASH UINT64_C(0x322657ce5533c60b)
+#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0x678a473e3a928934)
+#define PARTS_MOTION_GOLDEN_FEW_HASH UINT64_C(0x63d3a9cb0c3fa296)
 
 // The hash over the first bodies of the set: of decisions, distances and depths, of contacts, of casts and times of impact.
 // Not reentrant: the bodies are static, to spare small stacks.
