@@ -25,6 +25,29 @@ typedef struct gjk2_hull {
 // Statuses  those of gjk2_polygon_order.
 gjk_status gjk2_hull_build(const gjk2_vec *points, uint16_t count, gjk2_vec *vertices, gjk2_hull *out);
 
+// Fewest vertices that a hull can be simplified to.
+#define GJK2_HULL_SIMPLE_MIN 4
+
+// What gjk2_hull_simplify found.
+typedef struct gjk2_hull_simple {
+  uint16_t vertices;  // written
+  uint32_t excess;    // no point of the simple hull is farther than this from the hull of the points, LSB
+} gjk2_hull_simple;
+
+// A hull of at most so many vertices that encloses the hull of the points, exactly: edges are removed whose neighbours meet
+// near them, the nearest first.
+//
+// most      vertices wanted, from GJK2_HULL_SIMPLE_MIN on (RANGE).
+// vertices  room for 2 count of them, the memory that is needed; may not be points. The first ones are the simple hull,
+//           counterclockwise from the lowest on, or a box from its lower left corner on.
+// Exact     every point is inside or on the simple hull, which is tested in the end. Where the hull has no more vertices
+//           than wanted, they are the result, and the excess is 0. The same for any order of the points.
+// Excess    measured: at most 4 LSB above the largest distance, never below it. Never more than that of the bounding box.
+// Statuses  those of gjk2_polygon_order; then out is not written, vertices may be.
+// Cost      rounds of the order of the hull's vertices squared.
+gjk_status gjk2_hull_simplify(const gjk2_vec *points, uint16_t count, uint16_t most, gjk2_vec *vertices,
+                              gjk2_hull_simple *out);
+
 // What is wrong with an outline.
 typedef enum gjk2_hull_fault {
   GJK2_HULL_SOUND = 0,  // nothing

@@ -2,7 +2,11 @@
 //
 // Of bodies with masses m and n, centres d apart, and inertias I and J for a mass of 1, together, with M = m + n:
 //   (m I + n J) / M + (m n / M^2) (|d|^2 - d d') = (2^32 M (m I + n J) + m n D) / (2^32 M^2)
-// with D = |2^16 d|^2 - 2^32 d d'. Bounds: m, n, M < 2^32; I, J <= 2^60; 2^16 d <= 2^46 along each axis, so D <= 2^93; the sum < 2^160. Divided by 2^32 M^2 it is at most 2^60 + 2^59.
+// with D = |2^16 d|^2 - 2^32 d d'. Bounds:
+//   m, n, M    < 2^32
+//   I, J       <= 2^60
+//   D          <= 2^93, since 2^16 d <= 2^46 along each axis
+//   the sum    < 2^160; divided by 2^32 M^2 it is at most 2^60 + 2^59
 #include "gjk_moments.h"
 #include "gjk_tensor.h"
 

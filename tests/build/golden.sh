@@ -114,9 +114,9 @@ golden() {
       ;;
   esac
   case $architecture in  # what fits the memory
-    avr) parts='1 2 4 8' ;;
-    cortex-m0) parts='1 6 56' ;;
-    *) parts=63 ;;
+    avr) parts='1 2 4 8 64' ;;
+    cortex-m0) parts='1 6 56 64' ;;
+    *) parts=127 ;;
   esac
   core=$linker
   if [ "$compiler" = clang ]; then
@@ -137,7 +137,8 @@ golden() {
   (cd "$folder" && $core -std=c99 -ffreestanding -ffunction-sections -fdata-sections "-I$root/include" \
     "-I$root" "-I$root/port" "-I$root/tests/support" "$@" -c $library "$root/tests/check/target/golden.c" \
     "$root/tests/check/target/plane_golden.c" "$root/tests/check/target/motion_golden.c" \
-    "$root/tests/check/target/plane_motion_golden.c" "$root/tests/check/target/parts_golden.c" $scene) || return 1
+    "$root/tests/check/target/plane_motion_golden.c" "$root/tests/check/target/parts_golden.c" \
+    "$root/tests/check/target/hull_golden.c" $scene) || return 1
   case "$compiler $*" in
     clang*-flto*)
       ld.lld -r "$folder"/*.o -o "$folder/all.lto" && rm "$folder"/*.o && mv "$folder/all.lto" "$folder/all.o" || return 1

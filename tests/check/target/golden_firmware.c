@@ -1,9 +1,10 @@
-// Firmware: the golden hashes of space, of the plane, of motion in both and of bodies of many parts on an emulated core, and
-// with GOLDEN_SCENE, for boards with 50 KB of memory, that of a match in a scene. Exits with 0 if they are those of the headers.
+// Firmware: the golden hashes of space, of the plane, of motion in both, of bodies of many parts and of hulls on an emulated
+// core, and with GOLDEN_SCENE, for boards with 50 KB of memory, that of a match in a scene. Exits with 0 if they are those of the headers.
 #include <stdbool.h>
 
 #include "board/board.h"
 #include "golden.h"
+#include "hull_golden.h"
 #include "motion_golden.h"
 #include "parts_golden.h"
 #include "plane_golden.h"
@@ -21,8 +22,9 @@
 #define MANY_PARTS 8
 #define MANY_PARTS_TOUCHING 16
 #define MANY_PARTS_MOVING 32
+#define HULLS 64
 #ifndef GOLDEN_PARTS
-#define GOLDEN_PARTS 63
+#define GOLDEN_PARTS 127
 #endif
 
 #define IS_FEW (GOLDEN_RUN_PAIRS != GOLDEN_PAIRS)
@@ -86,6 +88,11 @@ int firmware_main(void) {
         same;
   }
   same = many_parts_are_golden() && same;
+  if ((GOLDEN_PARTS & HULLS) != 0) {
+    same = is_golden(hull_golden_hash(IS_FEW ? HULL_GOLDEN_FEW_SETS : HULL_GOLDEN_SETS),
+                     IS_FEW ? HULL_GOLDEN_FEW_HASH : HULL_GOLDEN_HASH) &&
+           same;
+  }
   board_print("\n");
   return same ? 0 : 1;
 }

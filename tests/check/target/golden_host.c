@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "hull_golden.h"
 #include "motion_golden.h"
 #include "parts_golden.h"
 #include "plane_golden.h"
@@ -49,6 +50,8 @@ int main(void) {
   same =
       is_golden("PARTS_MOTION_GOLDEN_HASH", parts_motion_golden_hash(PARTS_GOLDEN_BODIES), PARTS_MOTION_GOLDEN_HASH) &&
       same;
+  same = is_golden("HULL_GOLDEN_FEW_HASH", hull_golden_hash(HULL_GOLDEN_FEW_SETS), HULL_GOLDEN_FEW_HASH) && same;
+  same = is_golden("HULL_GOLDEN_HASH", hull_golden_hash(HULL_GOLDEN_SETS), HULL_GOLDEN_HASH) && same;
   printf("\n");
   return same ? 0 : 1;
 }

@@ -141,6 +141,77 @@ for name in cyl32 dup_cube4 ico2_20lsb; do
   check "$name as a case" "$name intersecting" \
     "$("$convert" --case "tests/data/hulls/$name.txt" 2>/dev/null | "$build/gjk-query" - | sed "s/ iterations.*//")"
 done
+# The constants have the same bits as the hull that is built where they are compiled, and a table that is proven; here, with
+# 32 bits, and big-endian.
+cat >"$work/same.c" <<END
+#include <stdio.h>
+#include <string.h>
+#include "gjk/hull.h"
+#include "gjk/table.h"
+extern const gjk_shape shape;
+int main(void) {
+  static gjk_vec3 vertex[256];
+  static uint32_t workspace[GJK_HULL_WORKSPACE(256) / 4];
+  static uint16_t corner[2000], end[1000];
+  const gjk_hull_faces *given = shape.faces;
+  gjk_hull hull;
+  gjk_hull_faces faces;
+  gjk_hull_report report;
+  if (gjk_hull_build(shape.vertices, shape.count, workspace, sizeof workspace, &hull) != GJK_OK ||
+      gjk_hull_vertices(&hull, vertex, 256) != GJK_OK ||
+      gjk_hull_write_faces(&hull, corner, 2000, end, 1000, &faces) != GJK_OK ||
+      gjk_hull_check(shape.vertices, shape.count, given, &report) != GJK_OK) {
+    return 1;
+  }
+  printf("%d %d %d %d fault %d table %d\\n", hull.vertices == shape.count, faces.count == given->count,
+         memcmp(vertex, shape.vertices, shape.count * sizeof vertex[0]) == 0,
+         memcmp(end, given->end, given->count * sizeof end[0]) == 0 &&
+             memcmp(corner, given->corner, end[given->count - 1] * sizeof corner[0]) == 0,
+         report.fault, gjk_hull_table_check(shape.vertices, shape.count, shape.user));
+  return 0;
+}
+END
+# same_constants NAME COMPILER EMULATOR: prints what the program says of the hull of a file
+same_constants() {
+  # shellcheck disable=SC2086 # a compiler with its options
+  $2 -std=c99 -O1 -Iinclude "$work/same.c" "$work/$1.c" src/hull/*.c src/arith/*.c src/shape/*.c -o "$work/same" 2>&1 &&
+    $3 "$work/same"
+}
+for name in cyl32 cell44_0 dup_cube4; do
+  "$convert" --table 1 --name shape "tests/data/hulls/$name.txt" >"$work/$name.c" 2>/dev/null
+  check "$name: constants" '1 1 1 1 fault 0 table 0' "$(same_constants "$name" "${CC:-cc}" '')"
+done
+skipped=0
+for linux in i686:i386 s390x:s390x; do
+  if command -v "${linux%:*}-linux-gnu-gcc" >/dev/null && command -v "qemu-${linux#*:}" >/dev/null; then
+    check "cell44_0: constants on ${linux%:*}" '1 1 1 1 fault 0 table 0' \
+      "$(same_constants cell44_0 "${linux%:*}-linux-gnu-gcc -static" "qemu-${linux#*:}")"
+  else
+    skipped=$((skipped + 1))
+    echo "skipped: constants on ${linux%:*}: needs gcc-${linux%:*}-linux-gnu qemu-user"
+  fi
+done
+if command -v arm-none-eabi-gcc >/dev/null; then
+  arm-none-eabi-gcc -std=c99 -mcpu=cortex-m3 -mthumb -Wall -Wextra -Werror -Iinclude -c "$work/cell44_0.c" -o "$work/cell44_0.o"
+  check 'constants are in flash on Cortex-M3' 0 \
+    "$(arm-none-eabi-size -A "$work/cell44_0.o" | awk '$1 ~ /^\.(data|bss)/ { n += $2 } END { print n + 0 }')"
+else
+  skipped=$((skipped + 1))
+  echo 'skipped: constants on Cortex-M3: needs gcc-arm-none-eabi'
+fi
+
+# At most so many vertices, and what is said of them.
+"$convert" --vertices 16 --name shape tests/data/hulls/cyl32.txt >"$work/simple.c" 2>"$work/said"
+check 'at most 16 vertices' 'static const gjk_vec3 shape_vertices[16] = {' "$(grep gjk_vec3 "$work/simple.c")"
+check 'what is said of 16' 1 "$(grep -c 'all points are enclosed, exactly; the vertices reach at most [0-9]* LSB beyond' "$work/said")"
+check 'as many vertices as there are' "$("$convert" --name a tests/data/hulls/cell44_0.txt 2>/dev/null | cksum)" \
+  "$("$convert" --name a --vertices 44 tests/data/hulls/cell44_0.txt 2>/dev/null | cksum)"
+for options in '--vertices 3' '--vertices 4.5' '--table 5' '--table x' '--mesh --table 1' '--decompose --vertices 8'; do
+  # shellcheck disable=SC2086 # words are wanted
+  found=$("$convert" $options "$work/t.obj" 2>&1)
+  check "options $options: status" 2 $?
+  check "options $options: a message" 1 "$(echo "$found" | grep -c -e '^gjk-convert: ')"
+done
 "$convert" --name 7-up "$work/line.txt" >"$work/line.c" 2>/dev/null
 ${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude -c "$work/line.c" -o "$work/line.o"
 check 'a line compiles' 0 $?
@@ -245,5 +316,9 @@ for options in '--what' '' "--mesh --case $work/t.obj" "--mesh --decompose $work
 done
 check 'help' 'usage: gjk-convert [OPTION]... FILE' "$("$convert" --help | head -1)"
 
-echo "convert: $passed passed, $failed failed"
+if [ $skipped -gt 0 ]; then
+  echo "convert: $passed passed, $failed failed, $skipped skipped"
+else
+  echo "convert: $passed passed, $failed failed"
+fi
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

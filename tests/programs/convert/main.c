@@ -17,6 +17,8 @@ static const char help[] =
     "Makes the convex hull of a file's points, exactly, and writes it to standard output.\n"
     "\n"
     "  --hull         the convex hull of all points (default)\n"
+    "  --vertices N   of a hull: at most N vertices, 4 or more, that enclose it; says how far they reach beyond\n"
+    "  --table LEVEL  of a hull: with a table for queries (gjk/table.h), of level 0 to 4\n"
     "  --decompose    convex parts that enclose the solid which the file's triangles bound\n"
     "  --mesh         the file's triangles as a surface for gjk/mesh.h, with what is known of their edges and a tree\n"
     "  --two-sided    of a surface: bodies touch it from both sides\n"
@@ -45,6 +47,7 @@ typedef struct options {
   const char *file, *name, *picture;
   double scale;
   bool info, cases, parts, mesh, two_sided;
+  int vertices, table;  // -1: as many as there are; none
   decompose_options how;
 } options;
 
@@ -88,6 +91,19 @@ static int read_options(int argc, char **argv, options *o) {
         return usage("no excess: ", argv[i]);
       }
       o->how.excess = excess;
+    } else if (strcmp(word, "--vertices") == 0 && i + 1 < argc) {
+      double vertices;
+      if (!read_number(argv[++i], GJK_HULL_POINTS_MAX, &vertices) || vertices < GJK_HULL_SIMPLE_MIN ||
+          vertices != (int)vertices) {
+        return usage("no number of vertices from 4 to 65535: ", argv[i]);
+      }
+      o->vertices = (int)vertices;
+    } else if (strcmp(word, "--table") == 0 && i + 1 < argc) {
+      double level;
+      if (!read_number(argv[++i], GJK_TABLE_LEVEL_MAX, &level) || level != (int)level) {
+        return usage("no level of a table: ", argv[i]);
+      }
+      o->table = (int)level;
     } else if (strcmp(word, "--parts") == 0 && i + 1 < argc) {
       double parts;
       if (!read_number(argv[++i], 1000, &parts) || parts < 1 || parts != (unsigned)parts) {
@@ -105,6 +121,9 @@ static int read_options(int argc, char **argv, options *o) {
   }
   if (o->mesh && (o->parts || o->cases)) {
     return usage("--mesh goes with neither --decompose nor --case", "");
+  }
+  if ((o->mesh || o->parts) && (o->vertices >= 0 || o->table >= 0)) {
+    return usage("--vertices and --table go with hulls alone", "");
   }
   return o->file == NULL ? usage("no file", "") : EXIT_DONE;
 }
@@ -142,11 +161,52 @@ static int report_problem(const mesh_file *file) {
   return EXIT_INPUT;
 }
 
+// Puts at most so many vertices around the points, in their place. *excess: how far they reach. False: a message is written.
+static bool simplify(mesh_file *file, mesh *m, int most, uint32_t *excess) {
+  const size_t bytes = GJK_HULL_SIMPLIFY_WORKSPACE(m->points);
+  void *workspace = malloc(bytes);
+  gjk_vec3 *vertex = malloc((size_t)most * sizeof vertex[0]);
+  gjk_hull_simple simple = {0, 0};
+  gjk_status status = GJK_ERROR_CAPACITY;
+  if (workspace != NULL && vertex != NULL) {
+    status = gjk_hull_simplify(m->point, (uint16_t)m->points, (uint16_t)most, workspace, bytes, vertex, &simple);
+  }
+  if (status == GJK_OK) {  // no more vertices than points
+    memcpy(m->point, vertex, simple.vertices * sizeof vertex[0]);
+    m->points = simple.vertices;
+    *excess = simple.excess;
+  } else if (status == GJK_ERROR_CAPACITY) {
+    fprintf(stderr, "gjk-convert: out of memory\n");
+  } else if (status != GJK_OK) {
+    fprintf(stderr, "%s: no room for so few vertices within 8190 units\n", file->name);
+  }
+  free(vertex);
+  free(workspace);
+  return status == GJK_OK;
+}
+
+static int write_hull(const options *o, const gjk_hull *hull, size_t points, bool watertight) {
+  if (o->info) {
+    write_info(hull, points, watertight);
+  } else if (o->cases) {
+    write_case(hull, o->name);
+  } else {
+    return write_source(hull, o->name, o->table) ? EXIT_DONE : EXIT_INPUT;
+  }
+  return EXIT_DONE;
+}
+
 // Builds the hull of m's points and writes what is asked for. points: how many the file has.
-static int convert(const options *o, mesh_file *file, const mesh *m, size_t points) {
+static int convert(const options *o, mesh_file *file, mesh *m, size_t points) {
   gjk_hull hull;
+  uint32_t excess = 0;
   if (m->points > GJK_HULL_POINTS_MAX) {
     fprintf(stderr, "%s: %zu different points, and a hull takes %d\n", file->name, m->points, GJK_HULL_POINTS_MAX);
+    return EXIT_INPUT;
+  }
+  const size_t different = m->points;
+  const bool watertight = mesh_is_watertight(m);
+  if (o->vertices >= 0 && !simplify(file, m, o->vertices, &excess)) {
     return EXIT_INPUT;
   }
   const size_t bytes = GJK_HULL_WORKSPACE(m->points);
@@ -155,24 +215,22 @@ static int convert(const options *o, mesh_file *file, const mesh *m, size_t poin
     fprintf(stderr, "gjk-convert: out of memory\n");
     return EXIT_INPUT;
   }
-  const gjk_status status = gjk_hull_build(m->point, (uint16_t)m->points, workspace, bytes, &hull);
-  int result = EXIT_DONE;
-  if (status != GJK_OK) {
+  int result = EXIT_INPUT;
+  if (gjk_hull_build(m->point, (uint16_t)m->points, workspace, bytes, &hull) != GJK_OK) {
     fprintf(stderr, "%s: the points are more than 8190 units apart along an axis\n", file->name);
-    result = EXIT_INPUT;
-  } else if (o->info) {
-    write_info(&hull, points, mesh_is_watertight(m));
-  } else if (o->cases) {
-    write_case(&hull, o->name);
   } else {
-    result = write_source(&hull, o->name) ? EXIT_DONE : EXIT_INPUT;
+    result = write_hull(o, &hull, points, watertight);
   }
   if (result == EXIT_DONE && !o->info) {
     fprintf(stderr, "%zu points, %zu different; %d vertices, %lu faces; rounded by at most %.2f LSB; %s\n", points,
-            m->points, hull.vertices, (unsigned long)hull.faces, m->most_rounding,
-            m->triangles == 0       ? "no triangles"
-            : mesh_is_watertight(m) ? "watertight"
-                                    : "not watertight");
+            different, hull.vertices, (unsigned long)hull.faces, m->most_rounding,
+            m->triangles == 0 ? "no triangles"
+            : watertight      ? "watertight"
+                              : "not watertight");
+  }
+  if (result == EXIT_DONE && o->vertices >= 0) {
+    fprintf(stderr, "all points are enclosed, exactly; the vertices reach at most %lu LSB beyond\n",
+            (unsigned long)excess);
   }
   free(workspace);
   return result;
@@ -238,7 +296,7 @@ static int convert_to_surface(const options *o, mesh_file *file, const mesh *m) 
 }
 
 int main(int argc, char **argv) {
-  options o = {NULL, NULL, NULL, 65536, false, false, false, false, false, {-1, 0}};
+  options o = {NULL, NULL, NULL, 65536, false, false, false, false, false, -1, -1, {-1, 0}};
   char name[64];
   mesh m = {NULL, NULL, 0, 0, 0, 0, 0};
   for (int i = 1; i < argc; i++) {

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gjk/table.h"
+
 void write_name(char *out, size_t room, const char *name, bool file) {
   const char *slash = strrchr(name, '/');
   size_t length = 0;
@@ -86,10 +88,30 @@ static void print_numbers(const char *name, const char *what, const uint16_t *nu
   printf("};\n");
 }
 
-bool write_source(const gjk_hull *hull, const char *name) {
+// Makes the table, and writes it if that is asked for.
+static bool write_table(const gjk_hull *hull, const char *name, int level) {
+  const size_t cells = GJK_TABLE_CELLS(level);
+  gjk_vec3 *vertex = vertices_of(hull);
+  uint16_t *listed = allocate(65535, sizeof listed[0]), *end = allocate(cells, sizeof end[0]);
+  const bool fits = gjk_hull_table_make(vertex, hull->vertices, (uint8_t)level, listed, 65535, end) == GJK_OK;
+  if (fits) {
+    print_numbers(name, "listed", listed, end[cells - 1]);
+    print_numbers(name, "cells", end, cells);
+    printf("static const gjk_hull_table %s_table = {%s_listed, %s_cells, %d};\n", name, name, name, level);
+  } else {
+    fprintf(stderr, "gjk-convert: the hull's table has more than 65535 numbers\n");
+  }
+  free(end);
+  free(listed);
+  free(vertex);
+  return fits;
+}
+
+bool write_source(const gjk_hull *hull, const char *name, int level) {
   const size_t corners = 3 * (size_t)hull->corners < 65535 ? 3 * (size_t)hull->corners : 65535;
   uint16_t *corner = allocate(corners, sizeof corner[0]), *end = allocate(corners, sizeof end[0]);
   gjk_hull_faces faces = {NULL, NULL, 0};
+  bool done = false;
   const gjk_status status = gjk_hull_write_faces(hull, corner, (uint16_t)corners, end, (uint16_t)corners, &faces);
   if (status == GJK_OK) {
     printf("// Made by gjk-convert: the convex hull of points, Q16.16.\n#include \"gjk/shape.h\"\n\n");
@@ -99,14 +121,20 @@ bool write_source(const gjk_hull *hull, const char *name) {
       print_numbers(name, "ends", end, faces.count);
       printf("static const gjk_hull_faces %s_faces = {%s_corners, %s_ends, %u};\n", name, name, name, faces.count);
     }
-    printf("const gjk_shape %s = GJK_HULL_WITH_FACES(%s_vertices, %u, %s%s%s);\n", name, name, hull->vertices,
-           faces.count > 0 ? "&" : "0", faces.count > 0 ? name : "", faces.count > 0 ? "_faces" : "");
+    done = level < 0 || write_table(hull, name, level);
+    printf("const gjk_shape %s = %s(", name, level < 0 ? "GJK_HULL_WITH_FACES" : "GJK_ROUNDED_HULL_WITH_TABLE");
+    printf("%s_vertices, %u, %s%s%s", name, hull->vertices, faces.count > 0 ? "&" : "0", faces.count > 0 ? name : "",
+           faces.count > 0 ? "_faces" : "");
+    if (level >= 0) {
+      printf(", &%s_table, 0", name);
+    }
+    printf(");\n");
   } else {
     fprintf(stderr, "gjk-convert: the hull's faces have more than 65535 corners\n");
   }
   free(corner);
   free(end);
-  return status == GJK_OK;
+  return done;
 }
 
 static void print_shape(const gjk_hull *hull, char body) {

@@ -1,0 +1,25 @@
+// One number over every bit that hulls of a fixed set of points and their mass properties have, in space and in the plane:
+// the same on every target.
+#ifndef HULL_GOLDEN_H
+#define HULL_GOLDEN_H
+
+#include <stdint.h>
+
+#include "gjk/version.h"
+
+// Sets in the full list, and in the start of it that small emulated cores have time for.
+#define HULL_GOLDEN_SETS 300
+#define HULL_GOLDEN_FEW_SETS 20
+
+// A changed bit is a changed contract: raise GJK_BITS_VERSION with these, and say why in the commit. The host's golden
+// program prints the lines to put here.
+#if GJK_BITS_VERSION != 1
+#error "the golden hashes are those of GJK_BITS_VERSION 1: replace them"
+#endif
+#define HULL_GOLDEN_HASH UINT64_C(0xafe5ff89989da3bc)
+#define HULL_GOLDEN_FEW_HASH UINT64_C(0x860fbb4f2bf4df4c)
+
+// The hash over the first sets. Not reentrant: the workspace is static, to spare small stacks.
+uint64_t hull_golden_hash(uint32_t sets);
+
+#endif
