@@ -180,7 +180,7 @@ class SpaceView {
   tell() {
     const cost = this.cost(), rows = this.answer.word === 'error' ? [['answer', this.answer.line]] : answerRows(this.answer);
     rows.splice(1, 0, ['on a Cortex-M3', cost === null ? 'no figure in the README for such a pair'
-      : `${cost[0]}: ${cost[1].replace(' (', ' instructions in the mean (at most ')}`]);
+      : `${cost[0]}: ${cost[1].replace(/ \((.*)\)/, ' instructions in the mean, $1 in the worst of 50 pairs')}`]);
     this.say.textContent = this.sentence();
     this.rows.replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {}, name), element('dd', {}, value)]));
   }
