@@ -42,6 +42,7 @@ static const named_value structure_sizes[] = {
     SIZE_OF(gjk_distance_result),
     SIZE_OF(gjk_effort),
     SIZE_OF(gjk_concave),
+    SIZE_OF(gjk2_hull_simple),
     SIZE_OF(gjk_joint),
     SIZE_OF(gjk2_joint),
     SIZE_OF(gjk_vec3),
@@ -133,6 +134,7 @@ static const named_value structure_sizes[] = {
 static const named_value constant_values[] = {
     VALUE_OF(GJK_CONCAVE_REACH),
     VALUE_OF(GJK_PARTS_MANIFOLDS_MAX),
+    VALUE_OF(GJK2_HULL_SIMPLE_MIN),
     VALUE_OF(GJK_JOINTS_MAX),
     VALUE_OF(GJK2_JOINTS_MAX),
     VALUE_OF(GJK_BODY_STATIC),
