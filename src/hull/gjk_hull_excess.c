@@ -64,9 +64,11 @@ static uint32_t bound_of_triangle(const gjk_vec3 *const corner[3], const gjk_uni
 
 static void approach_triangle(const gjk_hull_work *w, const gjk_hull_triangle *t, const gjk_vec3 *points,
                               uint16_t count, uint32_t *least) {
-  const gjk_vec3 *const corner[3] = {gjk_hull_point(w, t->vertex[0]), gjk_hull_point(w, t->vertex[1]),
-                                     gjk_hull_point(w, t->vertex[2])};
+  const gjk_vec3 *corner[3];
   gjk_hull_plane plane;
+  for (int k = 0; k < 3; k++) {
+    corner[k] = gjk_hull_point(w, t->vertex[k]);
+  }
   gjk_hull_set_plane(w, t, &plane);
   const gjk_unit3 u = gjk_hull_unit(&plane);
   for (uint32_t i = 0; i < count; i++) {

@@ -1,6 +1,6 @@
 // The contacts of a body with a surface: those of every triangle that is near.
-#include "gjk/surface.h"
 #include "../arith/gjk_memory.h"
+#include "gjk/surface.h"
 #include "gjk_triangle.h"
 
 gjk_status gjk_surface_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16 margin, unsigned most,

@@ -180,7 +180,13 @@ static bool is_one_concave(const gjk_scene_view *v, const gjk_scene_part *const 
 }
 
 #else
-#define is_one_concave(v, p) false
+
+// No part of the plane is.
+static bool is_one_concave(const gjk_scene_view *v, const gjk_scene_part *const p[2]) {
+  (void)v, (void)p;
+  return false;
+}
+
 #endif
 
 // What two parts are asked on their way, whatever they are made of. ahead: see gjk_scene_concave.
@@ -188,8 +194,8 @@ static gjk_status ask_way(const gjk_scene_view *v, const mover m[2], const gjk_s
                           const gjk_collider c[2], const gjk_cast_path *path, bool ahead, gjk_cast_result *out) {
 #if GJK_SCENE_AXES == 3
   if (concave_code(c) != NULL) {
-    const gjk_pose from[2] = {part_pose(v, p[0], &m[0].from), part_pose(v, p[1], &m[1].from)};
-    const gjk_scene_solid a = {&c[0], &from[0]}, b = {&c[1], &from[1]};
+    const gjk_pose from_a = part_pose(v, p[0], &m[0].from), from_b = part_pose(v, p[1], &m[1].from);
+    const gjk_scene_solid a = {&c[0], &from_a}, b = {&c[1], &from_b};
     return concave_code(c)->way(&a, &b, path, ahead, out);
   }
 #endif

@@ -150,7 +150,7 @@ golden() {
   esac
   for part in $parts; do
     case $architecture-$part in  # what contacts of surfaces need
-      cortex-*-56 | cortex-*-63 | rv32imc-63) stack=-Wl,--defsym=STACK_SIZE=9216 ;;
+      cortex-*-56 | cortex-*-127 | rv32imc-127) stack=-Wl,--defsym=STACK_SIZE=9216 ;;
       *) stack= ;;
     esac
     # shellcheck disable=SC2086

@@ -3,7 +3,7 @@
 build=$1
 shift
 mkdir -p "$build"
-sources=$(echo src/*/*.c | tr ' ' '\n' | grep -v -E '/(plane|plane_scene|plane_motion)/')  # what it links
+sources=$(echo src/*/*.c | tr ' ' '\n' | grep -v /gjk2_)  # what it links
 # shellcheck disable=SC2086
 gcc -std=c99 -O1 -g -fsanitize=undefined,address -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support \
   '-DGJK_PORT_HEADER="hosted/gjk_port.h"' $sources port/hosted/gjk_hosted.c tests/support/scene/world.c tests/support/scene/session.c \
