@@ -7,13 +7,12 @@
 
 #define RECORDS 8192
 #define FIELDS 5
-#define TILES \
-  (PAGE_PILE_WIDTH + 2 * PAGE_PILE_HEIGHT)  // of the trough, a unit long, so that lines to their centres are short
+#define TILES (PAGE_PILE_WIDTH + 2 * PAGE_PILE_HEIGHT)  // of the trough, each a unit long, so that pairs are short
 #define SLOTS (FLAT_BODIES + TILES)
 #define PAIRS (SLOTS * (SLOTS - 1) / 2)  // all of them, so that an update never lacks room
 #define MARGIN (GJK_Q16_ONE / 100)       // of each body: pairs are near where the solver asks them for contacts
 #define NORMAL (GJK_Q16_ONE / 5)         // the length that a normal is drawn with
-#define BLOCK_WORDS (72 + SLOTS * 48 + PAIRS * 8)
+#define BLOCK_WORDS (72 + SLOTS * 48 + PAIRS * 8)  // of gjk2/scene.h: at most 192 bytes a body and 32 a pair
 
 static int32_t records[RECORDS * FIELDS];
 static uint32_t count;
