@@ -128,8 +128,21 @@ class Chromium:
     def click(self, x, y):
         self.drag((x, y), (x, y), 1)
 
-    def size(self, width, height):
-        self.send('Emulation.setDeviceMetricsOverride', width=width, height=height, deviceScaleFactor=1, mobile=False)
+    def touch(self, kind, *point):
+        self.send('Input.dispatchTouchEvent', type=kind, touchPoints=[{'x': point[0], 'y': point[1]}] if point else [])
+
+    def touch_drag(self, start, end, steps=5):
+        """One finger, as on a phone; needs touches()."""
+        self.touch('touchStart', *start)
+        for i in range(1, steps + 1):
+            self.touch('touchMove', *(p + (q - p) * i / steps for p, q in zip(start, end)))
+        self.touch('touchEnd')
+
+    def touches(self, on):
+        self.send('Emulation.setTouchEmulationEnabled', enabled=on, maxTouchPoints=1)
+
+    def size(self, width, height, mobile=False):
+        self.send('Emulation.setDeviceMetricsOverride', width=width, height=height, deviceScaleFactor=1, mobile=mobile)
 
     def theme(self, theme):
         self.send('Emulation.setEmulatedMedia', features=[{'name': 'prefers-color-scheme', 'value': theme}])

@@ -211,6 +211,36 @@ def test_idea(browser):
     check('the expanding polygon ends at the depth', isinstance(steps, list) and steps[0] > 100 and steps[1] > 2 * steps[0], steps)
 
 
+def test_touch(browser):
+    """A finger drags a shape and a corner on a small screen; the page scrolls under a finger beside the panes alone."""
+    load(browser, '#idea')
+    browser.size(390, 600, mobile=True)
+    browser.touches(True)
+    scrolled = lambda: browser.run('scrollY')
+    body = browser.run("(() => { const p = page.views.idea.left, b = p.element.getBoundingClientRect(),"
+                       "q = p.to(page.views.idea.shown.B.at); return [b.left + q[0], b.top + q[1]]; })()")
+    before = browser.run('page.current.shown.B.at')
+    changes(browser, 'a finger drags B', lambda: browser.touch_drag(body, (body[0] - 20, body[1] - 60)))
+    after = browser.run('page.current.shown.B.at')
+    check('B goes with the finger', after[0] < before[0] and after[1] > before[1], (before, after))
+    check('the page does not scroll under B', scrolled() == 0, scrolled())
+    before = browser.run('page.current.shown.B.vertices[1]')
+    corner = centre(browser, '[data-part=B1]')
+    changes(browser, 'a finger drags a corner', lambda: browser.touch_drag(corner, (corner[0] - 10, corner[1] - 50)))
+    check('the corner alone goes with the finger', browser.run('page.current.shown.B.at') == after and
+          browser.run('page.current.shown.B.vertices[1]') != before)
+    check('the page does not scroll under a corner', scrolled() == 0, scrolled())
+    sentence = centre(browser, '#idea .integers')
+    browser.touch_drag(sentence, (sentence[0], sentence[1] - 150))
+    try:
+        browser.wait('scrollY > 50', 10)
+    except RuntimeError:
+        pass
+    check('beside the panes it does scroll', scrolled() > 50, scrolled())
+    browser.touches(False)
+    browser.size(1280, 800)
+
+
 def test_cases(browser):
     """Cases are pasted, and shown where they belong; what is none is complained about."""
     load(browser)
@@ -316,6 +346,62 @@ def test_lockstep(browser):
     check('a flipped bit parts them at its tick', said[4] == 2450 and 'tick 2450' in said[5], said)
 
 
+SEEN = """(() => {
+  const view = page.current, roles = {};
+  view.draw();
+  for (const records of view.seen) {
+    for (let i = 0; i < records.length; i += 5) {
+      const point = records[i + 1] === records[i + 3] && records[i + 2] === records[i + 4];
+      const name = records[i] + (point ? ' point' : '');
+      roles[name] = (roles[name] ?? 0) + 1;
+    }
+  }
+  return roles;
+})()"""
+COLOURS = """((name) => {
+  const drawn = page.current.canvases[0], copy = element('canvas', { width: drawn.width, height: drawn.height });
+  const context = copy.getContext('2d', { willReadFrequently: true });
+  context.drawImage(drawn, 0, 0);
+  const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+  context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--' + name);
+  context.fillRect(0, 0, 1, 1);
+  const [wanted] = new Uint32Array(context.getImageData(0, 0, 1, 1).data.buffer);
+  return pixels.reduce((sum, pixel) => sum + (pixel === wanted), 0);
+})('%s')"""
+
+
+def test_look(browser):
+    """What the scene sees is drawn when it is asked for, in the colour of its role, and looking changes no bit."""
+    bodies = 60
+    load(browser, '#lockstep?bodies=%d&tick=600' % bodies)
+    browser.wait('page.current.target === null && !page.current.running', 30)
+    hashes = lambda: browser.run("page.current.sides.map((side) => side.hashes.join()).join()")
+    unseen = browser.run(SEEN)
+    check('nothing is seen when it is not asked for', unseen == {} and browser.run(COLOURS % 'good') == 0, unseen)
+    browser.run("document.getElementById('lockstep-look').focus()")
+    browser.key(' ')
+    check('the keyboard asks for it', address(browser).endswith('&look=scene'), address(browser))
+    link, roles, before = address(browser), browser.run(SEEN), hashes()
+    pairs, contacts = roles.get('5', 0) / 2, roles.get('6 point', 0) / 4  # of each side; a contact has two points
+    # The tiles of floor and walls have no width, so that two edges of their boxes are points and are left out.
+    check('a box a body and a tile', roles.get('4') == 2 * (4 * bodies + 2 * 42), roles)
+    check('every body is near one below, and hardly one near more than six',
+          bodies <= pairs <= 3 * bodies and bodies < contacts <= 2 * pairs, roles)
+    check('a normal a contact', roles.get('7') == 2 * contacts, roles)
+    check('there are no other roles', set(roles) <= {'4', '5', '6', '6 point', '7'}, roles)
+    for theme in ('light', 'dark'):
+        browser.theme(theme)
+        browser.run('page.current.draw()')
+        for name in ('d', 'good', 'ink'):
+            check('role %s, %s: its colour is there' % (name, theme), browser.run(COLOURS % name) > 20)
+    load(browser, link)
+    browser.wait('page.current.target === null && !page.current.running', 30)
+    check('a link shows it again', browser.run(SEEN) == roles)
+    check('looking changes no bit', hashes() == before)
+    browser.click(*centre(browser, '#lockstep-look'))
+    check('and it goes away', browser.run(SEEN) == {} and browser.run(COLOURS % 'good') == 0 and 'look' not in address(browser))
+
+
 SIZES = ((1440, 900), (1024, 768), (768, 1024), (390, 844))
 LAYOUT = """(() => {
   const bad = [], seen = (e) => e.getClientRects().length > 0;
@@ -350,7 +436,7 @@ LAYOUT = """(() => {
 
 def test_layout(browser):
     """Nothing overlaps, is cut or has text below 12 px, in four sizes and both themes. Pictures stay in BUILD/page-test."""
-    hashes = {'idea': '#idea?step=2', 'lattice': '#lattice', 'space': '#space', 'lockstep': '#lockstep?tick=60&bodies=60'}
+    hashes = {'idea': '#idea?step=2', 'lattice': '#lattice', 'space': '#space', 'lockstep': '#lockstep?tick=60&bodies=60&look=scene'}
     load(browser)
     for width, height in SIZES:
         browser.size(width, height)
@@ -387,8 +473,8 @@ def main():
     browser = Chromium(PROGRAM, os.path.abspath(profile))
     try:
         browser.size(1280, 800)
-        for test in (test_start, test_library, test_views, test_idea, test_cases, test_lattice, test_space, test_lockstep,
-                     test_layout, test_answers):
+        for test in (test_start, test_library, test_views, test_idea, test_touch, test_cases, test_lattice, test_space,
+                     test_lockstep, test_look, test_layout, test_answers):
             test(browser)
         check('no console errors', not browser.errors, browser.errors)
     finally:

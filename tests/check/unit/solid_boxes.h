@@ -101,7 +101,7 @@ static void boxes_add_side(const boxes *b, mesh *m, int axis, bool high, const i
 
 // The surface: two triangles for each side of a full cell beside an empty one. To be freed.
 static mesh boxes_mesh(const boxes *b) {
-  mesh m = {NULL, NULL, 0, 0, 0, 0, 0};
+  mesh m = {NULL, NULL, NULL, 0, 0, 0, 0, 0, 0};
   m.point = malloc(24 * BOXES_CELLS * sizeof m.point[0]);
   m.triangle = malloc(12 * BOXES_CELLS * sizeof m.triangle[0]);
   for (int x = 0; x < b->n[0]; x++) {

@@ -84,7 +84,71 @@ refused() { # FILE MESSAGE
   check "$1" "$work/$1$2" "$found"
 }
 sed '$d' tests/data/hulls/l_bracket.obj >"$work/open.obj"
-refused open.obj ': not watertight, so no solid: the edge from (0 0 1966080) to (0 3276800 0) LSB has no opposite'
+refused open.obj ': not watertight, so no solid: the edge from (0 0 1966080) to (0 3276800 0) LSB of face 19 has no opposite'
+
+# box FILE LOW HIGH [WAY]: adds a box of 12 triangles between (LOW LOW LOW) and (HIGH HIGH HIGH); WAY -1: turned inwards.
+box() {
+  awk -v low="$2" -v high="$3" -v way="${4:-1}" 'BEGIN {
+    for (i = 0; i < 8; i++) print "v", (i % 2 ? high : low), (int(i / 2) % 2 ? high : low), (i > 3 ? high : low)
+    split("1342 5687 1265 3784 1573 2486", side, " ")
+    for (i = 1; i <= 6; i++) for (j = 0; j < 2; j++) {
+      a = substr(side[i], 1, 1) - 9; b = substr(side[i], 2 + j, 1) - 9; c = substr(side[i], 3 + j, 1) - 9
+      print "f", a, (way > 0 ? b : c), (way > 0 ? c : b)
+    }
+  }' >>"$work/$1"
+}
+
+# Shells that cross, lie in each other, or are there twice: their union. What is wound around twice counts once.
+box crossing.obj 0 4
+box crossing.obj 1 6
+check 'two boxes that cross' 'parts=2 excess=0 enclosed=yes' "$(info "$work/crossing.obj")"
+box within.obj 0 4
+box within.obj 1 3
+check 'a box in a box' 'parts=1 excess=0 enclosed=yes' "$(info "$work/within.obj")"
+box twice.obj 0 4
+box twice.obj 0 4
+check 'a box twice' 'parts=1 excess=0 enclosed=yes' "$(info "$work/twice.obj")"
+box sheet.obj 0 4
+printf 'f 1 2 3\nf 1 3 2\n' >>"$work/sheet.obj"
+check 'a triangle and its back' 'parts=1 excess=0 enclosed=yes' "$(info "$work/sheet.obj")"
+box touching.obj 0 4
+printf 'v 2 2 4\nv 1 1 6\nv 3 1 6\nv 2 3 6\nf -4 -2 -3\nf -4 -1 -2\nf -4 -3 -1\nf -3 -2 -1\n' >>"$work/touching.obj"
+check 'a corner on a face' 'parts=2 excess=0 enclosed=yes' "$(info "$work/touching.obj")"
+box thin.obj 0 4
+printf 'v 2 0 0\nf 1 9 2\nf 9 1 2\nf 1 1 2\n' >>"$work/thin.obj"
+check 'triangles without area' 'parts=1 excess=0 enclosed=yes' "$(info "$work/thin.obj")"
+# A tube along a figure of eight crosses itself in the middle.
+awk 'BEGIN {
+  n = 10; m = 4; turn = 6.283185307179586
+  for (i = 0; i < n; i++) for (j = 0; j < m; j++) {
+    a = turn * (i + .5) / n; b = turn * j / m; x = 3 * cos(a); y = 4 * cos(2 * a); l = sqrt(x * x + y * y)
+    printf "v %.4f %.4f %.4f\n", 3 * sin(a) - .6 * cos(b) * y / l, 2 * sin(2 * a) + .6 * cos(b) * x / l, .6 * sin(b)
+  }
+  for (i = 0; i < n; i++) for (j = 0; j < m; j++) {
+    k = (i + 1) % n * m + 1; l = (j + 1) % m
+    print "f", i * m + j + 1, k + j, k + l; print "f", i * m + j + 1, k + l, i * m + l + 1
+  }
+}' >"$work/eight.obj"
+check 'a tube through itself' 'enclosed=yes' "$(info "$work/eight.obj" | cut -d ' ' -f 3)"
+
+# A shell that is inside out bounds a hole only where another one is around it.
+box hole.obj 0 4
+box hole.obj 1 3 -1
+check 'a hole' 'parts=6 excess=0 enclosed=yes' "$(info "$work/hole.obj")"
+box apart.obj 0 4
+box apart.obj 3 6 -1
+refused apart.obj ': beside face 3 a shell is turned inwards, with no other one around it'
+box double.obj 0 4
+printf 'f 1 3 4\n' >>"$work/double.obj"
+refused double.obj ': not watertight, so no solid: the edge from (0 0 0) to (0 262144 0) LSB of face 1 has no opposite; face 13 runs along it the same way'
+box turned_over.obj 0 4
+sed '12s/f \(.*\) \(.*\) \(.*\)/f \1 \3 \2/' "$work/turned_over.obj" >"$work/over.obj"
+refused over.obj ': not watertight, so no solid: the edge from (0 0 262144) to (0 262144 262144) LSB of face 4 has no opposite; face 9 runs along it the same way'
+awk 'BEGIN {
+  print "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1"
+  for (i = 0; i < 1025; i++) print "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3"
+}' >"$work/many.obj"
+refused many.obj ': 4100 triangles, and a solid takes 4096'
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n' >"$work/flat.obj"
 refused flat.obj ': the surface encloses no volume'
 printf '0 0 0\n1 1 1\n' >"$work/points.txt"

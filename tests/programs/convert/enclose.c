@@ -5,38 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "flat.h"
+#include "areas.h"
 #include "gjk/hull.h"
-
-// Polygons to do.
-typedef struct pile {
-  flat_polygon *polygon;
-  size_t count, room;
-} pile;
-
-static void put(pile *p, flat_polygon polygon) {
-  if (polygon.lines == 0) {
-    flat_free(&polygon);
-    return;
-  }
-  if (p->count == p->room) {
-    p->polygon = solid_grow(p->polygon, &p->room, sizeof p->polygon[0]);
-  }
-  p->polygon[p->count++] = polygon;
-}
-
-static void clear(pile *p) {
-  for (size_t i = 0; i < p->count; i++) {
-    flat_free(&p->polygon[i]);
-  }
-  free(p->polygon);
-  memset(p, 0, sizeof *p);
-}
-
-static bool is_apart(const int32_t low[3], const int32_t high[3], const int32_t lowest[3], const int32_t highest[3]) {
-  return low[0] > highest[0] || low[1] > highest[1] || low[2] > highest[2] || high[0] < lowest[0] ||
-         high[1] < lowest[1] || high[2] < lowest[2];
-}
 
 static bool is_same_way(const solid_plane *a, const solid_plane *b) {
   return a->n[0] == b->n[0] && a->n[1] == b->n[1] && a->n[2] == b->n[2];
@@ -73,8 +43,8 @@ static flat_polygon copy_of(const flat_polygon *polygon) {
   return copy;
 }
 
-// Has the polygon area within all lines?
-static bool meets(const flat_polygon *polygon, const flat_line *line, unsigned lines) {
+// What of the polygon is within all lines. To be freed; no lines: nothing with area.
+static flat_polygon within(const flat_polygon *polygon, const flat_line *line, unsigned lines) {
   flat_polygon rest = copy_of(polygon);
   for (unsigned i = 0; i < lines && rest.lines > 0; i++) {
     if (flat_sides(&rest, &line[i]) & FLAT_BEHIND) {
@@ -83,23 +53,24 @@ static bool meets(const flat_polygon *polygon, const flat_line *line, unsigned l
       rest = less;
     }
   }
-  const bool met = rest.lines > 0;
-  flat_free(&rest);
-  return met;
+  return rest;
 }
 
 // Cuts away what is within all lines; what is not is put onto the pile. Takes the polygon.
-static void subtract(flat_polygon polygon, const flat_line *line, unsigned lines, pile *out) {
-  if (!meets(&polygon, line, lines)) {
-    put(out, polygon);
+static void subtract(flat_polygon polygon, const flat_line *line, unsigned lines, area_pile *out) {
+  flat_polygon met = within(&polygon, line, lines);
+  const bool meets = met.lines > 0;
+  flat_free(&met);
+  if (!meets) {
+    area_put(out, polygon);
     return;
   }
   for (unsigned i = 0; i < lines; i++) {
     if (flat_sides(&polygon, &line[i]) & FLAT_BEHIND) {
-      const flat_polygon within = flat_clip(&polygon, &line[i], 1);
-      put(out, flat_clip(&polygon, &line[i], -1));
+      const flat_polygon kept = flat_clip(&polygon, &line[i], 1);
+      area_put(out, flat_clip(&polygon, &line[i], -1));
       flat_free(&polygon);
-      polygon = within;
+      polygon = kept;
     }
   }
   flat_free(&polygon);
@@ -107,16 +78,16 @@ static void subtract(flat_polygon polygon, const flat_line *line, unsigned lines
 
 // What of a triangle the parts leave. facet: only what they reach beyond that plane counts. The part 'own' is left out.
 static void leave(const flat_base *base, const part *p, size_t parts, const solid_plane *facet, size_t own,
-                  pile *rest) {
-  put(rest, flat_triangle());
+                  area_pile *rest) {
+  area_put(rest, flat_triangle());
   for (size_t j = 0; j < parts && rest->count > 0; j++) {
     unsigned lines;
-    if (j == own || is_apart(p[j].low, p[j].high, base->low, base->high) || is_behind(&p[j], facet)) {
+    if (j == own || solid_is_apart(p[j].low, p[j].high, base->low, base->high) || is_behind(&p[j], facet)) {
       continue;
     }
     flat_line *line = solid_allocate(p[j].faces, sizeof line[0]);
     if (traces(base, &p[j], line, &lines)) {
-      pile less = {NULL, 0, 0};
+      area_pile less = {NULL, 0, 0};
       for (size_t i = 0; i < rest->count; i++) {
         subtract(rest->polygon[i], line, lines, &less);
       }
@@ -156,97 +127,20 @@ static void check_triangles(const solid *s, const part *p, size_t parts, enclose
       continue;
     }
     const flat_base base = flat_base_of(a, b, c);
-    pile rest = {NULL, 0, 0};
+    area_pile rest = {NULL, 0, 0};
     leave(&base, p, parts, NULL, parts, &rest);
     for (size_t i = 0; i < rest.count; i++) {
       note(out, &base, &rest.polygon[i], -1, "triangle %zu of the solid is not covered", t);
     }
-    clear(&rest);
+    area_clear(&rest);
   }
 }
 
-// The plane through an edge of a triangle, along an axis.
-static solid_plane wall(const int32_t a[3], const int32_t b[3], int axis) {
-  int32_t c[3] = {a[0], a[1], a[2]};
-  c[axis] += a[axis] < SOLID_EXTENT / 2 ? 1 : -1;
-  return solid_plane_of(a, b, c);
-}
-
-static int greatest(const int64_t n[3]) {
-  int axis = 0;
-  for (int i = 1; i < 3; i++) {
-    const int64_t a = n[i] < 0 ? -n[i] : n[i], b = n[axis] < 0 ? -n[axis] : n[axis];
-    axis = a > b ? i : axis;
-  }
-  return axis;
-}
-
-// Splits polygons until no triangle lies across one, nor an edge of a triangle in their plane.
-static void split(const solid *s, const flat_base *base, pile *polygons) {
-  for (size_t t = 0; t < s->triangles && polygons->count > 0; t++) {
-    const int32_t *corner[3] = {s->point[s->triangle[t][0]], s->point[s->triangle[t][1]], s->point[s->triangle[t][2]]};
-    const flat_base other = flat_base_of(corner[0], corner[1], corner[2]);
-    const solid_plane *plane = &s->plane[t];
-    if (is_apart(other.low, other.high, base->low, base->high) ||
-        (plane->n[0] == 0 && plane->n[1] == 0 && plane->n[2] == 0)) {
-      continue;
-    }
-    const flat_line line = flat_trace(base, plane, 1);
-    const bool level = line.ks == 0 && line.kt == 0;
-    if (level && line.k != 0) {
-      continue;
-    }
-    flat_line wall_line[4];
-    const solid_wide turned = level ? 0 : 1;
-    for (int i = 0; i < 3; i++) {
-      const int axis = greatest(plane->n);
-      const solid_plane side = wall(corner[i], corner[(i + 1) % 3], axis);
-      const solid_wide inside = solid_height(&side, corner[(i + 2) % 3]);
-      wall_line[i] = flat_trace(base, &side, inside > 0 ? 1 : -1);
-    }
-    wall_line[3] = line;
-    pile done = {NULL, 0, 0};
-    for (size_t i = 0; i < polygons->count; i++) {
-      flat_polygon polygon = polygons->polygon[i];
-      bool near = true;
-      for (int e = 0; e < 3 && near; e++) {
-        near = (flat_sides(&polygon, &wall_line[e]) & FLAT_BEYOND) != 0 ||
-               (wall_line[e].ks == 0 && wall_line[e].kt == 0 && wall_line[e].k >= 0);
-      }
-      for (int e = turned ? 3 : 0; near && e < (turned ? 4 : 3); e++) {
-        if (flat_sides(&polygon, &wall_line[e]) == (FLAT_BEYOND | FLAT_BEHIND)) {
-          const flat_polygon kept = flat_clip(&polygon, &wall_line[e], 1);
-          put(&done, flat_clip(&polygon, &wall_line[e], -1));
-          flat_free(&polygon);
-          polygon = kept;
-        }
-      }
-      put(&done, polygon);
-    }
-    free(polygons->polygon);
-    *polygons = done;
-  }
-}
-
-// Is the solid beyond a polygon of a facet? One that no triangle divides.
+// Is the solid beyond a polygon of a facet? One that no triangle divides. What is not decided is not proven.
 static bool is_solid_beyond(const solid *s, const flat_base *base, const flat_polygon *polygon,
                             const solid_plane *facet) {
-  const int axis = greatest(facet->n);
-  for (unsigned attempt = 0; attempt < 16; attempt++) {
-    int64_t i, j;
-    solid_wide x[3];
-    long winding;
-    if (!flat_inner(polygon, attempt, &i, &j)) {
-      continue;
-    }
-    for (int n = 0; n < 3; n++) {  // below 2^91
-      x[n] = (solid_wide)base->a[n] * ((solid_wide)1 << 60) + (solid_wide)i * base->u[n] + (solid_wide)j * base->v[n];
-    }
-    if (solid_winding(s, x, 60, axis, facet->n[axis] > 0 ? 1 : -1, facet, &winding)) {
-      return winding != 0;
-    }
-  }
-  return true;  // not decided, so not proven
+  long winding;
+  return !area_winding(s, base, polygon, facet, 1, &winding) || winding != 0;
 }
 
 static void check_facet(const solid *s, const part *p, size_t parts, size_t own, unsigned face, enclose_report *out) {
@@ -256,17 +150,18 @@ static void check_facet(const solid *s, const part *p, size_t parts, size_t own,
     const flat_base base = flat_base_of(q->point[q->corner[begin]], q->point[q->corner[i]], q->point[q->corner[i + 1]]);
     const solid_plane flat =
         solid_plane_of(q->point[q->corner[begin]], q->point[q->corner[i]], q->point[q->corner[i + 1]]);
-    pile rest = {NULL, 0, 0};
+    area_pile rest = {NULL, 0, 0};
+    bool split = true;
     if (flat.n[0] != 0 || flat.n[1] != 0 || flat.n[2] != 0) {
       leave(&base, p, parts, &q->plane[face], own, &rest);
-      split(s, &base, &rest);
+      split = area_split(s, &base, &rest);
     }
     for (size_t n = 0; n < rest.count; n++) {
-      if (is_solid_beyond(s, &base, &rest.polygon[n], &q->plane[face])) {
+      if (!split || is_solid_beyond(s, &base, &rest.polygon[n], &q->plane[face])) {
         note(out, &base, &rest.polygon[n], (long)own, "the solid goes on beyond part %zu, where no other part is", own);
       }
     }
-    clear(&rest);
+    area_clear(&rest);
   }
 }
 
@@ -363,6 +258,22 @@ static bool inner_point(const part *p, solid_wide out[3]) {
   return false;
 }
 
+// Is the solid on both sides of what of a triangle is within all lines?
+static bool is_solid_around(const solid *s, size_t t, const flat_base *base, const flat_line *line, unsigned lines) {
+  flat_polygon triangle = flat_triangle();
+  area_pile pile = {NULL, 0, 0};
+  area_put(&pile, within(&triangle, line, lines));
+  bool around = area_split(s, base, &pile);
+  for (size_t i = 0; i < pile.count && around; i++) {
+    long before, behind;
+    around = area_winding(s, base, &pile.polygon[i], &s->plane[t], 1, &before) && before != 0 &&
+             area_winding(s, base, &pile.polygon[i], &s->plane[t], -1, &behind) && behind != 0;
+  }
+  area_clear(&pile);
+  flat_free(&triangle);
+  return around;
+}
+
 bool enclose_is_inside(const solid *s, const part *p) {
   flat_line *line = solid_allocate(p->faces, sizeof line[0]);
   bool inside = true;
@@ -371,8 +282,8 @@ bool enclose_is_inside(const solid *s, const part *p) {
         flat_base_of(s->point[s->triangle[t][0]], s->point[s->triangle[t][1]], s->point[s->triangle[t][2]]);
     const solid_plane *plane = &s->plane[t];
     unsigned lines = 0;
-    bool through =
-        !is_apart(base.low, base.high, p->low, p->high) && (plane->n[0] != 0 || plane->n[1] != 0 || plane->n[2] != 0);
+    bool through = !solid_is_apart(base.low, base.high, p->low, p->high) &&
+                   (plane->n[0] != 0 || plane->n[1] != 0 || plane->n[2] != 0);
     for (unsigned f = 0; f < p->faces && through; f++) {
       line[lines] = flat_trace(&base, &p->plane[f], -1);
       if (line[lines].ks != 0 || line[lines].kt != 0) {
@@ -382,9 +293,7 @@ bool enclose_is_inside(const solid *s, const part *p) {
       }
     }
     if (through) {
-      flat_polygon triangle = flat_triangle();
-      inside = !meets(&triangle, line, lines);
-      flat_free(&triangle);
+      inside = is_solid_around(s, t, &base, line, lines);
     }
   }
   free(line);

@@ -38,8 +38,7 @@ bool enclose_check(const solid *s, const part *p, size_t parts, enclose_report *
 
 void enclose_free(enclose_report *report);
 
-// Is a part inside the solid? True is proven; false may be a part that a surface goes through though the solid is on
-// both its sides.
+// Is a part inside the solid? True is proven. Triangles may go through it where the solid is on both their sides.
 bool enclose_is_inside(const solid *s, const part *p);
 
 #endif

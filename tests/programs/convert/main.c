@@ -298,7 +298,7 @@ static int convert_to_surface(const options *o, mesh_file *file, const mesh *m) 
 int main(int argc, char **argv) {
   options o = {NULL, NULL, NULL, 65536, false, false, false, false, false, -1, -1, {-1, 0}};
   char name[64];
-  mesh m = {NULL, NULL, 0, 0, 0, 0, 0};
+  mesh m = {NULL, NULL, NULL, 0, 0, 0, 0, 0, 0};
   for (int i = 1; i < argc; i++) {
     if (strcmp(argv[i], "--help") == 0) {
       fputs(help, stdout);

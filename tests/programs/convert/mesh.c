@@ -20,6 +20,7 @@ static void *grow(void *memory, size_t *room, size_t size) {
 void mesh_free(mesh *m) {
   free(m->point);
   free(m->triangle);
+  free(m->face);
 }
 
 bool mesh_fail(mesh_file *file, const char *format, ...) {
@@ -59,10 +60,14 @@ bool mesh_add_polygon(mesh *m, mesh_file *file, const int64_t *corner, size_t co
       return mesh_fail(file, "a face with a corner that is no vertex");
     }
   }
+  m->faces++;
   for (size_t i = 1; i + 1 < corners; i++) {
     if (m->triangles == m->triangle_room) {
+      size_t room = m->triangle_room;
+      m->face = grow(m->face, &room, sizeof m->face[0]);
       m->triangle = grow(m->triangle, &m->triangle_room, sizeof m->triangle[0]);
     }
+    m->face[m->triangles] = (uint32_t)m->faces;
     m->triangle[m->triangles][0] = (uint32_t)corner[0];
     m->triangle[m->triangles][1] = (uint32_t)corner[i];
     m->triangle[m->triangles++][2] = (uint32_t)corner[i + 1];
@@ -119,6 +124,9 @@ void mesh_weld(mesh *m) {
   for (size_t t = 0; t < m->triangles; t++) {
     const uint32_t a = number[m->triangle[t][0]], b = number[m->triangle[t][1]], c = number[m->triangle[t][2]];
     if (a != b && b != c && c != a) {
+      if (m->face != NULL) {
+        m->face[kept] = m->face[t];
+      }
       m->triangle[kept][0] = a;
       m->triangle[kept][1] = b;
       m->triangle[kept++][2] = c;

@@ -12,7 +12,8 @@
 typedef struct mesh {
   gjk_vec3 *point;
   uint32_t (*triangle)[3];
-  size_t points, triangles, point_room, triangle_room;
+  uint32_t *face;  // which face of the file each triangle is of, counted from 1; NULL: of no file
+  size_t points, triangles, faces, point_room, triangle_room;
   double most_rounding;  // the most that a coordinate moved when it was rounded, LSB
 } mesh;
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "areas.h"
 #include "exact/integer.h"
 
 void *solid_allocate(size_t count, size_t size) {
@@ -58,6 +59,11 @@ solid_plane solid_plane_of(const int32_t a[3], const int32_t b[3], const int32_t
 
 solid_wide solid_height(const solid_plane *plane, const int32_t x[3]) {
   return (solid_wide)plane->n[0] * x[0] + (solid_wide)plane->n[1] * x[1] + (solid_wide)plane->n[2] * x[2] - plane->d;
+}
+
+bool solid_is_apart(const int32_t low[3], const int32_t high[3], const int32_t lowest[3], const int32_t highest[3]) {
+  return low[0] > highest[0] || low[1] > highest[1] || low[2] > highest[2] || high[0] < lowest[0] ||
+         high[1] < lowest[1] || high[2] < lowest[2];
 }
 
 static int by_value(const void *a, const void *b) {
@@ -164,36 +170,51 @@ static bool shift_points(solid *s, const mesh *m) {
   return true;
 }
 
-bool solid_from_mesh(solid *s, const mesh *m, char *problem, size_t room) {
-  uint64_t edge = 0;
-  memset(s, 0, sizeof *s);
-  if (m->triangles == 0) {
-    snprintf(problem, room, "no triangles, and a solid is made of them");
-    return false;
+// The face of the file that a triangle is of, 0: unknown.
+static unsigned long face_of(const mesh *m, size_t triangle) {
+  return m->face == NULL ? 0 : m->face[triangle];
+}
+
+// Says which edge has no opposite, and of which faces it is.
+static void tell_open(const mesh *m, uint64_t edge, char *problem, size_t room) {
+  const gjk_vec3 a = m->point[edge >> 32], b = m->point[edge & UINT32_MAX];
+  size_t found[2] = {0, 0}, count = 0;
+  for (size_t i = 0; i < 3 * m->triangles && count < 2; i++) {
+    const uint64_t from = m->triangle[i / 3][i % 3], to = m->triangle[i / 3][(i + 1) % 3];
+    if ((from << 32 | to) == edge) {
+      found[count++] = i / 3;
+    }
   }
-  if (!is_closed(m, &edge)) {
-    const gjk_vec3 a = m->point[edge >> 32], b = m->point[edge & UINT32_MAX];
-    snprintf(problem, room,
-             "not watertight, so no solid: the edge from (%ld %ld %ld) to (%ld %ld %ld) LSB has no opposite", (long)a.x,
-             (long)a.y, (long)a.z, (long)b.x, (long)b.y, (long)b.z);
-    return false;
+  const int told = snprintf(problem, room,
+                            "not watertight, so no solid: the edge from (%ld %ld %ld) to (%ld %ld %ld) LSB of face %lu "
+                            "has no opposite",
+                            (long)a.x, (long)a.y, (long)a.z, (long)b.x, (long)b.y, (long)b.z, face_of(m, found[0]));
+  if (count == 2 && told > 0 && (size_t)told < room) {
+    snprintf(problem + told, room - (size_t)told, "; face %lu runs along it the same way", face_of(m, found[1]));
   }
-  s->points = m->points;
-  s->triangles = m->triangles;
-  s->point = solid_allocate(m->points, sizeof s->point[0]);
-  s->triangle = solid_allocate(m->triangles, sizeof s->triangle[0]);
-  s->plane = solid_allocate(m->triangles, sizeof s->plane[0]);
-  if (!shift_points(s, m)) {
-    snprintf(problem, room, "the solid is 8191 units wide or more");
-    return false;
+}
+
+// The face of the file with a triangle's three corners.
+static unsigned long face_at(const mesh *m, const solid *s, size_t triangle) {
+  for (size_t t = 0; t < m->triangles; t++) {
+    unsigned same = 0;
+    for (int i = 0; i < 9; i++) {
+      const gjk_vec3 a = m->point[m->triangle[t][i / 3]];
+      const int32_t *b = s->point[s->triangle[triangle][i % 3]];
+      same += a.x - s->origin.x == b[0] && a.y - s->origin.y == b[1] && a.z - s->origin.z == b[2];
+    }
+    if (same == 3) {
+      return face_of(m, t);
+    }
   }
+  return 0;
+}
+
+// Copies the triangles, turned outwards, in an order of their own.
+static void take_triangles(solid *s, const mesh *m) {
   for (size_t t = 0; t < s->triangles; t++) {
     memcpy(s->triangle[t], m->triangle[t], sizeof s->triangle[t]);
     s->volume6 += triangle_volume6(s, s->triangle[t]);
-  }
-  if (s->volume6 == 0) {
-    snprintf(problem, room, "the surface encloses no volume");
-    return false;
   }
   const bool inwards = s->volume6 < 0;
   s->volume6 = inwards ? -s->volume6 : s->volume6;
@@ -209,6 +230,46 @@ bool solid_from_mesh(solid *s, const mesh *m, char *problem, size_t room) {
   for (size_t t = 0; t < s->triangles; t++) {
     const uint32_t *corner = s->triangle[t];
     s->plane[t] = solid_plane_of(s->point[corner[0]], s->point[corner[1]], s->point[corner[2]]);
+  }
+}
+
+bool solid_from_mesh(solid *s, const mesh *m, char *problem, size_t room) {
+  uint64_t edge = 0;
+  size_t triangle = 0;
+  bool decided;
+  memset(s, 0, sizeof *s);
+  if (m->triangles == 0) {
+    snprintf(problem, room, "no triangles, and a solid is made of them");
+    return false;
+  }
+  if (m->triangles > SOLID_TRIANGLES_MAX) {
+    snprintf(problem, room, "%zu triangles, and a solid takes %d", m->triangles, SOLID_TRIANGLES_MAX);
+    return false;
+  }
+  if (!is_closed(m, &edge)) {
+    tell_open(m, edge, problem, room);
+    return false;
+  }
+  s->points = m->points;
+  s->triangles = m->triangles;
+  s->point = solid_allocate(m->points, sizeof s->point[0]);
+  s->triangle = solid_allocate(m->triangles, sizeof s->triangle[0]);
+  s->plane = solid_allocate(m->triangles, sizeof s->plane[0]);
+  if (!shift_points(s, m)) {
+    snprintf(problem, room, "the solid is 8191 units wide or more");
+    return false;
+  }
+  take_triangles(s, m);
+  if (!area_is_turned_one_way(s, &triangle, &decided)) {
+    snprintf(problem, room,
+             decided ? "beside face %lu a shell is turned inwards, with no other one around it"
+                     : "face %lu crosses others in too many or too small pieces",
+             face_at(m, s, triangle));
+    return false;
+  }
+  if (s->volume6 == 0) {
+    snprintf(problem, room, "the surface encloses no volume");
+    return false;
   }
   return true;
 }

@@ -10,6 +10,9 @@
 
 __extension__ typedef __int128 solid_wide;
 
+// The most triangles.
+#define SOLID_TRIANGLES_MAX 4096
+
 // The greatest coordinate, counted from the solid's lowest corner.
 #define SOLID_EXTENT (1 << 29)
 
@@ -19,8 +22,8 @@ typedef struct solid_plane {
   solid_wide d;  // below 2^91
 } solid_plane;
 
-// Points are counted from origin: 0 to SOLID_EXTENT. The solid is what the surface winds around, a number of times other
-// than 0, and the surface itself. Triangles without area are kept: their plane has n = 0.
+// Points are counted from origin: 0 to SOLID_EXTENT. The solid is what the surface winds around, once or more
+// often, and the surface itself. So shells may cross or touch: the solid is their union. Triangles without area are kept: their plane has n = 0.
 typedef struct solid {
   gjk_vec3 origin;
   int32_t (*point)[3];
@@ -41,8 +44,12 @@ solid_plane solid_plane_of(const int32_t a[3], const int32_t b[3], const int32_t
 // n . x - d, below 2^92.
 solid_wide solid_height(const solid_plane *plane, const int32_t x[3]);
 
-// Takes a welded mesh. False, with a message in problem: not closed, without volume, too wide, or too large. Triangles
-// that are turned inwards all together are turned.
+// Have two boxes no point in common?
+bool solid_is_apart(const int32_t low[3], const int32_t high[3], const int32_t lowest[3], const int32_t highest[3]);
+
+// Takes a welded mesh. False, with a message in problem that names the face at fault: not closed, without volume, too wide,
+// too many triangles, or a surface that winds around some points less than 0 times. Triangles that are turned inwards all
+// together are turned.
 bool solid_from_mesh(solid *s, const mesh *m, char *problem, size_t room);
 
 void solid_free(solid *s);

@@ -17,7 +17,7 @@ void write_name(char *out, size_t room, const char *name, bool file) {
     if (length == 0 && digit) {
       out[length++] = '_';
     }
-    out[length++] = letter || digit ? c : '_';
+    out[length++] = (char)(letter || digit ? c : '_');
   }
   out[length] = '\0';
   if (length == 0) {

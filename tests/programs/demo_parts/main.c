@@ -36,7 +36,7 @@ typedef struct finger {
 static bool read_solid(const char *folder, const char *name, solid *s) {
   static char text[FILE_BYTES];
   char path[256], problem[200] = "cannot be read";
-  mesh m = {NULL, NULL, 0, 0, 0, 0, 0};
+  mesh m = {NULL, NULL, NULL, 0, 0, 0, 0, 0, 0};
   snprintf(path, sizeof path, "%s/%s.obj", folder, name);
   mesh_file file = {path, text, 0, 65.536, 0, ""};
   FILE *f = fopen(path, "rb");

@@ -5,15 +5,14 @@
 
 #define ONE GJK_Q16_ONE
 #define BODIES 200
-#define WIDTH 14   // units between the walls
-#define HEIGHT 14  // of the walls
 #define COLUMNS 18
 
 static flat_world worlds[2];
 static int32_t shown[BODIES * 7];
 
 // From the top of the right wall over the floor to the top of the left one.
-static const gjk2_vec trough[] = {{WIDTH * ONE, HEIGHT *ONE}, {WIDTH * ONE, 0}, {0, 0}, {0, HEIGHT *ONE}};
+static const gjk2_vec trough[] = {
+    {PAGE_PILE_WIDTH * ONE, PAGE_PILE_HEIGHT *ONE}, {PAGE_PILE_WIDTH * ONE, 0}, {0, 0}, {0, PAGE_PILE_HEIGHT *ONE}};
 
 static void add_body(flat_world *w, unsigned i) {
   const unsigned row = i / COLUMNS;

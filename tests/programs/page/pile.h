@@ -4,6 +4,10 @@
 
 #include <stdint.h>
 
+// The trough around the pile, in units: from x = 0 between walls, on a floor at y = 0.
+#define PAGE_PILE_WIDTH 14
+#define PAGE_PILE_HEIGHT 14
+
 // Starts a side, 0 or 1, with so many bodies, at most 200.
 void page_pile_start(int side, unsigned bodies);
 

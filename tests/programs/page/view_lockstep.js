@@ -1,7 +1,15 @@
 // The fourth view: two sides that exchange only inputs compute the same pile.
 'use strict';
 
-const PILE = { ticks: 3600, every: 60, delay: 3, width: 14, height: 9 };
+const PILE = { ticks: 3600, every: 60, delay: 3, width: 14, height: 9, top: 38 };
+
+// The roles of gjk_draw_role that are drawn, in this order, each with its colour, its width and what the key calls it.
+const SEEN = [
+  { role: 4, name: 'box', colour: 'faint', wide: 0.7, title: 'bounding boxes' },
+  { role: 5, name: 'pair', colour: 'd', wide: 1.2, title: 'pairs that are near' },
+  { role: 7, name: 'normal', colour: 'good', wide: 2, title: 'normals' },
+  { role: 6, name: 'contact', colour: 'ink', wide: 2, title: 'contacts' },
+];
 
 // One side: its world stands in the module, its past in snapshots of that memory.
 class PileSide {
@@ -55,6 +63,12 @@ class PileSide {
     const at = gjk.exports.page_pile_bodies(this.number) / 4;
     return gjk.words().slice(at, at + 7 * this.bodies);
   }
+
+  // What a scene of the library sees now: [role, x, y, x, y] of each line, and of each point with both ends alike.
+  seen() {
+    const count = gjk.exports.page_seen_look(this.number), at = gjk.exports.page_seen_records() / 4;
+    return gjk.words().slice(at, at + 5 * count);
+  }
 }
 
 class LockstepView {
@@ -81,6 +95,9 @@ class LockstepView {
     this.slider = element('input', { type: 'range', min: 0, max: 1, value: 0, 'aria-label': 'Tick', id: 'lockstep-tick',
       oninput: () => this.goTo(Number(this.slider.value)) });
     this.count = element('output', { class: 'count' });
+    this.look = element('input', { type: 'checkbox', id: 'lockstep-look', onchange: () => this.changeLook() });
+    this.keys = element('span', { class: 'legend row' }, ...SEEN.map(({ name, title }) =>
+      element('span', { class: 'key ' + name }, title)));
     this.verdict = element('p', { class: 'sentence', 'aria-live': 'polite' });
     this.tells = element('p', { class: 'aside' });
     this.element = element('section', { class: 'view', id: 'lockstep', 'aria-label': 'Lockstep' },
@@ -89,7 +106,8 @@ class LockstepView {
       element('div', { class: 'stage' }, ...this.canvases.map((canvas, i) => element('div', { class: 'pane' }, canvas, this.captions[i]))),
       this.verdict, this.tells,
       element('div', { class: 'row steps' }, this.run, this.slider, this.count),
-      element('div', { class: 'row' }, this.flipper, this.again, element('label', {}, 'bodies', this.counts)));
+      element('div', { class: 'row' }, this.flipper, this.again, element('label', {}, 'bodies', this.counts)),
+      element('div', { class: 'row' }, element('label', {}, this.look, 'Show what the scene sees'), this.keys));
     redrawWhenResized(this);
   }
 
@@ -105,6 +123,7 @@ class LockstepView {
       const [at, x, y] = text.split(',').map(Number);
       (this.pushes[at] ??= []).push([x, y]);
     }
+    this.look.checked = values.get('look') === 'scene';
     this.target = values.has('tick') ? tick : null;
     this.running = !values.has('tick');
     this.schedule();
@@ -113,7 +132,8 @@ class LockstepView {
   // The pushes of people, and the ticks at which they count; those of the players on both sides follow from the tick.
   save() {
     const pushes = Object.entries(this.pushes).flatMap(([tick, list]) => list.map((p) => [tick, ...p].join(',')));
-    return { bodies: this.bodies, tick: this.target ?? this.sides[0].tick, flip: this.flip?.tick, pushes: pushes.join('_') };
+    return { bodies: this.bodies, tick: this.target ?? this.sides[0].tick, flip: this.flip?.tick, pushes: pushes.join('_'),
+      look: this.look.checked ? 'scene' : '' };
   }
 
   hide() {
@@ -195,6 +215,11 @@ class LockstepView {
     }
   }
 
+  changeLook() {
+    this.draw();
+    page.save();
+  }
+
   toggle() {
     this.running = !this.running;
     this.schedule();
@@ -270,6 +295,9 @@ class LockstepView {
       [3, 4, 5, 6].some((k) => places[0][7 * i + k] !== places[1][7 * i + k]));
     const { tick } = this.sides[0], other = differ.filter((x) => x).length;
     this.canvases.forEach((canvas, i) => this.paint(canvas, places[i], i === 1 ? differ : []));
+    this.seen = this.look.checked ? this.sides.map((side) => side.seen()) : [];
+    this.seen.forEach((records, i) => this.paintSeen(this.canvases[i], records));
+    this.keys.hidden = !this.look.checked;
     this.sides.forEach((side, i) => {
       this.captions[i].textContent = `${['left', 'right'][i]}  ${(side.hashes.at(-1) ?? 0n).toString(16).padStart(16, '0')}`;
       this.captions[i].classList.toggle('bad', i === 1 && this.parted !== null);
@@ -300,18 +328,20 @@ class LockstepView {
       canvas.height = Math.round(height * ratio);
     }
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.globalAlpha = 1;
     context.clearRect(0, 0, width, height);
     context.fillStyle = page;
     context.fillRect(0, floor, width, height - floor);
     context.strokeStyle = line;
     context.lineWidth = 1.5;
     context.beginPath();
-    context.moveTo(left, 38);
+    context.moveTo(left, PILE.top);
     context.lineTo(left, floor);
     context.lineTo(left + PILE.width * scale, floor);
-    context.lineTo(left + PILE.width * scale, 38);
+    context.lineTo(left + PILE.width * scale, PILE.top);
     context.stroke();
     context.lineWidth = 1.2;
+    context.globalAlpha = this.look.checked ? 0.5 : 1;
     for (let i = 0; i < this.bodies; i++) {
       const [ball, halfX, halfY, x, y, c, s] = places.subarray(7 * i, 7 * i + 7);
       const size = scale / ONE;
@@ -330,6 +360,39 @@ class LockstepView {
       context.fill();
       context.stroke();
     }
+  }
+
+  // Over the bodies, below the caption. Squares, and a path for each line, cost far less than one path of all. Lines too
+  // short to be seen are left out.
+  paintSeen(canvas, records) {
+    const { scale, left, floor, width, height } = this.frameOf(canvas), ratio = devicePixelRatio, size = scale / ONE;
+    const style = getComputedStyle(document.documentElement), context = canvas.getContext('2d');
+    const thin = Math.max(0.5, Math.min(1, scale / 40)), dot = Math.round(4 * thin);
+    context.save();
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.beginPath();
+    context.rect(0, PILE.top, width, height);
+    context.clip();
+    context.globalAlpha = 1;
+    for (const { role, colour, wide } of SEEN) {
+      context.strokeStyle = context.fillStyle = style.getPropertyValue('--' + colour);
+      context.lineWidth = wide * thin;
+      for (let i = 0; i < records.length; i += 5) {
+        if (records[i] === role) {
+          const x0 = left + records[i + 1] * size, y0 = floor - records[i + 2] * size;
+          const x1 = left + records[i + 3] * size, y1 = floor - records[i + 4] * size;
+          if (x0 === x1 && y0 === y1) {
+            context.fillRect(Math.round(x0 - dot / 2), Math.round(y0 - dot / 2), dot, dot);
+          } else if (Math.abs(x1 - x0) + Math.abs(y1 - y0) > 0.5) {
+            context.beginPath();
+            context.moveTo(x0, y0);
+            context.lineTo(x1, y1);
+            context.stroke();
+          }
+        }
+      }
+    }
+    context.restore();
   }
 }
 
