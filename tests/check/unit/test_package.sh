@@ -72,7 +72,7 @@ consumer() {
       echo "target_link_libraries($example PRIVATE ${3:-gjk::gjk})"
     done
   } >"$dir/$1/CMakeLists.txt"
-  cmake -S "$dir/$1" -B "$dir/$1/build" "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_BUILD_TYPE=Release &&
+  cmake -S "$dir/$1" -B "$dir/$1/build" "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_BUILD_TYPE=Debug &&
     cmake --build "$dir/$1/build" --parallel 2 || return 1
   for example in $examples; do
     prints "$dir/$1/build/$example" "tests/programs/examples/$example.c" || return 1
@@ -86,7 +86,7 @@ cpp_consumer() {
   printf 'cmake_minimum_required(VERSION 3.13)\nproject(consumer C CXX)\nset(CMAKE_CXX_STANDARD 17)\n%s\n' "$2" \
     >"$dir/$1/CMakeLists.txt"
   printf 'add_executable(distance distance.cpp)\ntarget_link_libraries(distance PRIVATE gjk::gjk)\n' >>"$dir/$1/CMakeLists.txt"
-  cmake -S "$dir/$1" -B "$dir/$1/build" "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_BUILD_TYPE=Release &&
+  cmake -S "$dir/$1" -B "$dir/$1/build" "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_BUILD_TYPE=Debug &&
     cmake --build "$dir/$1/build" --parallel 2 && prints "$dir/$1/build/distance" "$dir/$1/distance.cpp"
 }
 
