@@ -127,8 +127,8 @@ static uint32_t extend_chain(gjk_hull_work *w, const gjk_long3 *n, uint32_t base
 }
 
 // Step 3 in a plane: the corners of the outline, counterclockwise against n, to next (Andrew 1979). Returns how many.
-// The order by coordinates is that along a direction which no two of the points are level in. next has room for one
-// point more, the first one again.
+// Points are in order by coordinates: no two are level along that direction. next has room for one point more, the
+// first one again.
 static uint32_t find_outline(gjk_hull_work *w, const gjk_long3 *n) {
   uint32_t length = 0;
   for (uint32_t i = 0; i < w->distinct; i++) {
@@ -141,8 +141,8 @@ static uint32_t find_outline(gjk_hull_work *w, const gjk_long3 *n) {
   return length - 1;
 }
 
-// Sets next of each corner to its number, of other points to GJK_HULL_NO_POINT, and the first elements of of to the
-// numbers of the corners in the order of the outline.
+// Sets next of each corner to its number, of other points to GJK_HULL_NO_POINT. The first elements of w->of become the
+// corners' numbers in the order of the outline.
 static uint16_t number_outline(gjk_hull_work *w, uint32_t corners) {
   uint16_t number = 0;
   for (uint32_t i = 0; i < corners; i++) {

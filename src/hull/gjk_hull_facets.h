@@ -7,8 +7,9 @@
 // The work of a hull that was built.
 void gjk_hull_work_of_hull(const gjk_hull *hull, gjk_hull_work *out);
 
-// The dimension of the points, and as many of them that span it: the first, the last, the one that spans the largest triangle
-// with them, by the sum of its normal's components, and the one farthest from that plane, which is below it.
+// The dimension of the points, and as many of them that span it. The first two are the first and the last point. The
+// third one spans the largest triangle with them, by the sum of its normal's components. The fourth one is the farthest
+// from that plane, and below it.
 unsigned gjk_hull_span(const gjk_hull_work *w, uint16_t corner[4]);
 
 // Marks the edges between coplanar triangles. Sets next of each extreme point to its number, of others to

@@ -114,8 +114,8 @@ static void see(gjk_hull_work *w, uint32_t at, seen_list *seen) {
   seen->last = at;
 }
 
-// Step 2. For each edge of the horizon, w->of of the vertex where it begins is the triangle beyond it: a vertex is in no
-// list, so that of is free.
+// Step 2. For each edge of the horizon, w->of of the vertex where it begins becomes the triangle beyond it. That is free:
+// a vertex is in no list.
 static void find_seen(gjk_hull_work *w, uint16_t point, seen_list *seen) {
   const gjk_vec3 *p = gjk_hull_point(w, point);
   for (uint32_t at = seen->first;; at = link_of(&w->triangle[at])) {  // each seen triangle once

@@ -10,14 +10,14 @@
 //   4. Points of lists that lost their triangle join the list of a new triangle that they lie beyond. Those beyond none
 //      lie in the hull.
 //
-// No triangle degenerates: the point lies strictly beyond the seen triangle at each edge of the horizon, so it is not in
+// No triangle degenerates. The point lies strictly beyond the seen triangle at each edge of the horizon, so it is not in
 // line with that edge. Points in the plane of a triangle do not see it; so triangles may be coplanar with others.
 // gjk_hull_facets.c joins them.
 //
 // In step 4 a point q that is still outside lies beyond some new triangle. On the old polytope the triangles that q sees
 // are connected. One of them is gone. If one of the rest is left, the way between them crosses the horizon, at an edge
-// with both sides seen by q. The plane of the new triangle there is a combination of both planes with weights of at
-// least 0, that of the seen one above 0: so q is beyond it. If none is left, q sees only new ones.
+// with both sides seen by q. The plane of the new triangle there is a combination of both planes. Both weights
+// are at least 0, that of the seen one is above 0. So q is beyond it. If none is left, q sees only new ones.
 #ifndef GJK_SRC_HULL_GROW_H
 #define GJK_SRC_HULL_GROW_H
 

@@ -9,9 +9,9 @@
 //   6. Test that no point is beyond a plane of the result.
 //
 // Why the hull after step 3 holds all points. Let h be any direction, and w the vertex of the hull before that is farthest
-// along h. Then h is a sum of the normals of the triangles at w, with weights of at least 0. A point is at most as far along
-// each normal as the plane that was moved, and so is the vertex v that w becomes at least. So v is at least as far along h
-// as any point. That holds for all vertices at once.
+// along h. Then h is a sum of the normals of the triangles at w, with weights of at least 0. Along each
+// of these normals no point is farther than the moved plane. The vertex v that w becomes is at least as far as that. So v is
+// at least as far along h as any point. That holds for all vertices at once.
 #include "gjk_hull_excess.h"
 #include "gjk_hull_simple.h"
 

@@ -6,9 +6,9 @@
 //   4. Turn the two axes so that it vanishes: with T.pp - T.qq = d and T.pq = b by an angle t, tan 2 t = 2 b / d. Of the
 //      solutions that of at most 45 degrees. On from 2.
 //
-// Bounds on what is left: a component of the axes' quaternion is off by 0.51 LSB, so an axis by less than 2^-29; their
-// matrix by 2^-30.9. A product of inertia is off by that times the difference of two moments, and by what the matrix adds:
-// below 2^-28 of the largest entry together. Step 3 allows 2^-26.
+// Bounds on what is left. A component of the axes' quaternion is off by 0.51 LSB, so an axis by less than 2^-29. Their
+// matrix is off by 2^-30.9. A product of inertia is off by that times the difference of two moments, and by what the
+// matrix adds. Together that is below 2^-28 of the largest entry. Step 3 allows 2^-26.
 #include "../arith/gjk_rotation.h"
 #include "gjk_tensor.h"
 

@@ -1,14 +1,14 @@
 // Closed forms, as polynomials in a shape's lengths with coefficients p + q pi.
 //
-// A box of half extents a, b, c with a radius r falls into the box, slabs of thickness r on its sides, quarters of
-// cylinders along its edges, and octants of a ball at its corners. A quarter of a disc has its centre 4 r / (3 pi) from
+// A box of half extents a, b, c with a radius r falls into the box and slabs of thickness r on its sides. Quarters of
+// cylinders lie along its edges, octants of a ball at its corners. A quarter of a disc has its centre 4 r / (3 pi) from
 // each of its sides, an octant of a ball 3 r / 8. So the volume V and the integral X of x^2 are
 //   3 V  = 24 (a b c + r (a b + b c + c a)) + pi (6 r^2 (a + b + c) + 4 r^3)
 //   60 X = 160 (a^3 b c + a^3 r (b + c) + b c r (3 a^2 + 3 a r + r^2)) + 320 a r^3 (b + c)
 //          + pi (40 a^3 r^2 + (b + c) (120 a^2 r^2 + 30 r^4) + 80 a^2 r^3 + 60 a r^4 + 16 r^5)
 //
-// A cylinder of radius a and half length b, rounded, reaches up to b + r within a of its axis, and to b + s at a + u,
-// with s^2 = r^2 - u^2. The integrals over u from 0 to r, divided by pi, with X across and Z along the axis:
+// A rounded cylinder has a radius a and a half length b. It reaches up to b + r within a of its axis, and to b + s at
+// a + u, with s^2 = r^2 - u^2. The integrals over u from 0 to r, divided by pi, with X across and Z along the axis:
 //   3 V   = 6 a^2 b + 6 a^2 r + 12 a b r + 6 b r^2 + 4 r^3 + pi 3 a r^2
 //   120 X = 60 a^4 b + 60 a^4 r + 240 a^3 b r + 360 a^2 b r^2 + 240 a b r^3 + 60 b r^4 + 240 a^2 r^3 + 32 r^5
 //           + pi (60 a^3 r^2 + 45 a r^4)

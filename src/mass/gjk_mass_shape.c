@@ -8,8 +8,9 @@ static uint32_t mass_face_start(const gjk_hull_faces *faces, uint32_t face) {
   return face == 0 ? 0 : faces->end[face - 1];
 }
 
-// Visits the triangles of all faces: corner 0 of each, and two that follow each other. flat: adds their areas, projected
-// along an axis; otherwise tetrahedra from the origin. False: one would count negatively, so the faces are not sound.
+// Visits the triangles of all faces: corner 0 of each, and two that follow each other. If flat, it adds their areas,
+// projected along an axis, otherwise tetrahedra from the origin. False: one would count negatively, so the faces are not
+// sound.
 static bool add_faces(const gjk_shape *shape, bool flat, unsigned axis, gjk_moments *m) {
   const gjk_hull_faces *faces = shape->faces;
   for (uint32_t face = 0; face < faces->count; face++) {

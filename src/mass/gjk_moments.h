@@ -1,13 +1,13 @@
 // Sums over simplices, and what they say of a body: its centre and its inertia.
 //
-// A simplex of k vertices (segment, triangle, tetrahedron) with a mass of w has, with s the sum of its vertices,
+// A simplex has k vertices (segment, triangle, tetrahedron), a mass of w, and s is the sum of its vertices:
 //   first moment    w s / k
 //   second moment   w (s s' + sum v v') / (k (k + 1))
-// So with S, F and M the sums of w, w s and w (s s' + sum v v') over all simplices, the body's second moment about its
+// Let S, F and M be the sums of w, w s and w (s s' + sum v v') over all simplices. The body's second moment about its
 // centre, for a mass of 1, is
 //   C = M / (k (k + 1) S) - F F' / (k S)^2
 //     = (k^2 S M - k (k + 1) F F') / (k^3 (k + 1) S^2)
-// and the inertia about x is C.yy + C.zz, the product of inertia of y and z -C.yz.
+// The inertia about x is C.yy + C.zz, the product of inertia of y and z -C.yz.
 //
 // Vertices are taken from one of them, so that their components are at most 2^29 in size. Bounds, in bits of size:
 //   w            90, of tetrahedra six times the volume. All are within the box of the vertices, so S <= 6 2^87 < 2^90

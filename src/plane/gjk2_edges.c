@@ -100,8 +100,8 @@ static void start_rim(rim *r, bool opposite, gjk2_vec d) {
 }
 
 // Step 2 where the edges are parallel, or one rim is done, whose step is 0. Above 0: the edge of a comes first; below 0:
-// that of b; 0: they make one edge. last: the edge before. Both turn from it by less than half a turn, or one of them by
-// exactly that where its shape is a segment; then the other may be parallel to last, and comes first.
+// that of b; 0: they make one edge. last: the edge before. Both turn from it by less than half a turn. The edge of a
+// segment may turn by exactly that. Then the other may be parallel to last, and comes first.
 static int order_parallel(const rim *a, const rim *b, gjk2_vec last) {
   if (a->left == 0 || b->left == 0) {
     return a->left == 0 ? -1 : 1;
@@ -142,8 +142,8 @@ typedef struct nearest_so_far {
   bool back;  // it was found clockwise: an edge as near comes before it
 } nearest_so_far;
 
-// The centre of a shape, that of its vertices' bounding box, lies in their hull: a line p x + q y = 0 through the middle of
-// the box, p >= |q|, has the vertex that touches the box's left side on its left, or on it. Rounding moves a vertex against
+// The centre of a shape is that of its vertices' bounding box. It lies in their hull. Let p x + q y = 0, p >= |q|, be a
+// line through it. Then the vertex that touches the box's left side is on its left, or on it. Rounding moves a vertex against
 // it by less than 0.75 sqrt(2) LSB, and the middle by at most 0.5 sqrt(2). So two centres are off by less than this, LSB.
 #define CENTRE_SLACK 4
 
@@ -193,13 +193,13 @@ static void set_corner(const rim *a, const rim *b, gjk2_vec w, gjk2_vertex *out)
 
 #if !GJK_SMALL
 // What the loop of gjk2_nearest_edge does where both shapes have lists of corners, which are hulls with area: without
-// an end of either list. The next edge of each shape turns by less than half a turn from the last edge of all, so the
+// an end of either list. The next edge of each shape turns by less than half a turn from the last edge of all. So the
 // sign of their cross product tells which one comes first, also where one shape begins anew.
 //
 // Edges on the far side are left out. The shapes' centres lie in them, up to CENTRE_SLACK, so delta lies in A - B. Then no
 // edge whose normal n points along or near delta is the nearest: its line is at least n . delta / |n| from the origin.
-// Edges are visited counterclockwise from the beginning, until one of them, with normal n and end w, shows that no normal
-// from n on to delta is one of a nearer edge; then clockwise from the beginning, likewise. The test of a vertex w:
+// Edges are visited counterclockwise from the beginning. That ends with an edge, of normal n and end w: no normal from n
+// on to delta is one of a nearer edge. Then clockwise from the beginning, likewise. The test of a vertex w:
 //   the line from w to delta passes the origin on its left side, at `above` or more. Let m be its unit normal
 //   directions m' with m' . w at least the distance so far make an arc around w, which holds n and m
 //   directions m' with m' . delta at least `above` make an arc around delta, which holds m and delta
@@ -480,8 +480,8 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
       set_corner(&a, &b, w, &edge->q);
     }
   }
-  // A hull with area that has no edge with the origin on its right holds it, and its foot on the nearest edge's line is
-  // on the edge. A hull without area may have the origin in its line but beyond its ends.
+  // If a hull with area has no edge with the origin on its right, it holds the origin. Then the foot on the nearest
+  // edge's line is on the edge. A hull without area may have the origin in its line but beyond its ends.
   if (!n.found) {
     return GJK2_LIE_OPEN;
   }

@@ -1,11 +1,11 @@
 // Mass properties in the plane. What src/mass does in space, with one number for the inertia.
 //
-// Polygons are sums over triangles from their first vertex: with w twice a triangle's area and s the sum of its vertices,
-// S = sum w, F = sum w s, M = sum w (s s + sum v v), the inertia for a mass of 1 is
+// Polygons are sums over triangles from their first vertex. w is twice a triangle's area, s the sum of its vertices. Let
+// S = sum w, F = sum w s, M = sum w (s s + sum v v). The inertia for a mass of 1 is
 //   M / (12 S) - F F / (3 S)^2 = (3 S M - 4 F F) / (36 S^2)
 // S < 2^60, |s| < 2^31, so F < 2^91, M < 2^124, all within 256 bits.
 //
-// A box of half extents a, b with a radius r is the box, slabs of thickness r, and quarters of a disc, whose centres are
+// A box of half extents a, b with a radius r is the box, slabs of thickness r, and quarters of a disc. Their centres are
 // 4 r / (3 pi) from their sides. So the area A and the integral X of x^2 are
 //   A    = 4 a b + 4 r (a + b) + pi r^2
 //   12 X = 16 (a^3 b + b r (3 a^2 + 3 a r + r^2) + a^3 r) + 32 a r^3 + pi (12 a^2 r^2 + 3 r^4)

@@ -68,6 +68,55 @@ check 'a picture' '0 1' "$? $(grep -c '</svg>' "$work/bracket.svg")"
 "$convert" --decompose --info --picture "$work/none/bracket.svg" $meshes/bracket.obj >/dev/null 2>&1
 check 'a picture nowhere' 2 $?
 
+# The C, run: points around the compound are as far from it as from the nearest part that the cases tell.
+cat >"$work/run.c" <<'END'
+#include <stdio.h>
+
+#include "bracket.c"
+
+int main(void) {
+  static gjk_compound_node nodes[GJK_COMPOUND_NODES(9)];
+  static const gjk_vec3 corner[1] = {{0, 0, 0}};
+  static const gjk_shape point = GJK_HULL(corner, 1);
+  gjk_compound compound;
+  gjk_collider collider = {0};
+  bool good = gjk_compound_build(bracket, 9, nodes, GJK_COMPOUND_NODES(9), &compound) == GJK_OK &&
+              gjk_collider_init(&collider, &point, NULL, 0) == GJK_OK;
+  const gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
+  for (long n = 0; n < 64 && good; n++) {
+    gjk_pose pose = GJK_POSE_IDENTITY;
+    gjk_distance_result result = {0};
+    uint32_t part;
+    pose.position.x = (gjk_q16)(n % 4 * 300000 - 100000);
+    pose.position.y = (gjk_q16)(n / 4 % 4 * 400000 - 100000);
+    pose.position.z = (gjk_q16)(n / 16 * 700000 - 100000);
+    good = gjk_collider_pose(&collider, &pose) == GJK_OK &&
+           gjk_parts_distance(&body, &collider, &part, &result) == GJK_OK;
+    printf("%ld %ld\n", n, (long)result.distance);
+  }
+  return good ? 0 : 1;
+}
+END
+${CC:-cc} -std=c99 -Wall -Wextra -Werror -Iinclude -I"$work" "$work/run.c" "$build/host/libgjk.a" -o "$work/run"
+check 'the program is built' 0 $?
+"$work/run" >"$work/run.txt"
+check 'it runs' 0 $?
+"$convert" --decompose --case $meshes/bracket.obj 2>/dev/null | awk '
+  /^case/ { part++; taken = 0 }
+  /^B/ { taken = 1; sub(/^B/, "A") }
+  taken { parts[part] = parts[part] $0 "\n" }
+  END {
+    for (n = 0; n < 64; n++) for (p = 1; p <= part; p++) {
+      printf "case %d\n%sB point\n", n, parts[p]
+      printf "B at %d %d %d\n", n % 4 * 300000 - 100000, int(n / 4) % 4 * 400000 - 100000, int(n / 16) * 700000 - 100000
+    }
+  }' | "$build/gjk-query" - | awk '
+  { split($3, d, "="); far = $2 == "separated" ? d[2] + 0 : 0 }
+  !($1 in least) || far < least[$1] { least[$1] = far }
+  END { for (n = 0; n < 64; n++) print n, least[n] }' >"$work/queried.txt"
+check 'distances from the compound' "$(cat "$work/queried.txt")" "$(cat "$work/run.txt")"
+check 'some are apart, some within' yes "$(awk '{ n[$2 > 0]++ } END { print (n[0] > 2 && n[1] > 30 ? "yes" : n[0]) }' "$work/run.txt")"
+
 # The same with the triangles the other way round, and turned inside out.
 grep '^v' $meshes/bracket.obj >"$work/back.obj"
 grep '^f' $meshes/bracket.obj | sort -r >>"$work/back.obj"
