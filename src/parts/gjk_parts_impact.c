@@ -202,7 +202,7 @@ static void start_impact_search(impact_search *s, const gjk_parts *a, const gjk_
   s->limited = false;
 }
 
-static gjk_status report_impact(const impact_search *s, gjk_impact_result *out) {
+static gjk_status report_impact_of_parts(const impact_search *s, gjk_impact_result *out) {
   if (s->part == GJK_PARTS_NONE) {
     report_miss_of_parts(s, out);
   } else {
@@ -240,7 +240,7 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
   if (part != NULL) {
     *part = s.part;
   }
-  return report_impact(&s, out);
+  return report_impact_of_parts(&s, out);
 }
 
 // As check_impact_of_parts, of two bodies. The slack of a pair of parts (gjk_impact.c) is at most 22 LSB and 2^-23 of what
@@ -295,7 +295,9 @@ static gjk_status ask_part_of_b(impact_search *s, const gjk_parts_frame *of_b, b
   b->type->local(b->data, s->number_b, &room, &local);
   status = gjk_collider_init(&c, local.shape, NULL, 0);
   set_visitor(s, &c, local.own, b->type->reach(b->data));
-  return status == GJK_OK ? ask_region(s, GJK_PARTS_NONE, bound) : status;
+  status = status == GJK_OK ? ask_region(s, GJK_PARTS_NONE, bound) : status;
+  set_visitor(s, NULL, NULL, 0);  // the part goes with this call
+  return status;
 }
 
 static gjk_status ask_parts_of_b(impact_search *s, const gjk_parts_frame *of_b, bool bound) {
@@ -334,5 +336,5 @@ gjk_status gjk_parts_both_time_of_impact(const gjk_parts *a, const gjk_motion *m
     return status;
   }
   gjk_parts_write_numbers(s.part, s.part_of_b, parts);
-  return report_impact(&s, out);
+  return report_impact_of_parts(&s, out);
 }

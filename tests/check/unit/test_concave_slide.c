@@ -127,7 +127,7 @@ static void start_scene(const gjk_parts *ground) {
 // Each part of a body becomes a piece.
 static void cut(const gjk_parts *parts) {
   gjk_parts_room room;
-  gjk_collider c;
+  gjk_collider c = {0};
   for (uint32_t i = 0; i < gjk_parts_count(parts); i++, pieces++) {
     static const gjk_pose identity = GJK_POSE_IDENTITY;
     CHECK(pieces < PIECES && gjk_parts_place(parts, i, &room, &c) == GJK_OK);

@@ -161,7 +161,7 @@ static void set_motions(random_state *random, gjk_q16 spread, question *q) {
 
 static void make_field(random_state *random, gjk_q16 spread) {
   for (unsigned k = 0; k < sizeof heights / sizeof heights[0]; k++) {
-    heights[k] = random_below(random, 8) == 0 ? GJK_HEIGHT_HOLE : (int16_t)random_range(random, -200, 200);
+    heights[k] = (int16_t)(random_below(random, 8) == 0 ? GJK_HEIGHT_HOLE : random_range(random, -200, 200));
   }
   heights[0] = heights[1] = heights[SIDE + 1] = heights[SIDE + 2] = 0;
   const gjk_height_field made = {heights, SIDE + 1, SIDE + 1, spread / SIDE + 1, spread / SIDE + 1, spread / 400 + 1};
@@ -259,7 +259,8 @@ static void expect_refused(const question *q, gjk_status expected) {
   memset(before, 0x5A, sizeof before);
   const gjk_status status = ask(q, &pair, &out);
   CHECK_MSG(status == expected, "%s", gjk_status_name(status));
-  CHECK(memcmp(&out, before, sizeof out) == 0 && pair.a == 77 && pair.b == 78);
+  const unsigned char *after = (const unsigned char *)&out;
+  CHECK(memcmp(after, before, sizeof out) == 0 && pair.a == 77 && pair.b == 78);
 }
 
 static void check_refusals(void) {
