@@ -11,9 +11,10 @@
 // Statuses of every call, beside its own; outputs are then as they were:
 //            NULL           a pointer is missing, or a body has no class or data
 //            UNINITIALISED  a collider is not posed
-//            EMPTY          a body without parts
+//            EMPTY          a body without parts; of two bodies also a B with holes alone, asked for the distance
 //            ROTATION       of the body's pose
-//            RANGE          the body is so near an end of int32 that some rotation would take a part beyond it
+//            RANGE          the body is so near an end of int32 that some rotation would take a part beyond it; or a part
+//                           that is asked is not there: a field of holes alone, or data that were never checked
 //          and any that a part's shape earns from gjk_collider_init, of bodies whose parts were not checked.
 #ifndef GJK_PARTS_H
 #define GJK_PARTS_H

@@ -127,8 +127,8 @@ static gjk_status ask_impact(impact_search *s, uint32_t part, bool bound) {
   gjk_parts_local local;
   gjk_collider c;
   gjk_impact_result *trial = &s->result[1 - s->best];
-  s->body.type->local(s->body.data, part, &room, &local);
-  gjk_status status = gjk_collider_init(&c, local.shape, NULL, 0);
+  gjk_status status = s->body.type->local(s->body.data, part, &room, &local);
+  status = status == GJK_OK ? gjk_collider_init(&c, local.shape, NULL, 0) : status;
   if (status != GJK_OK) {
     return status;
   }
