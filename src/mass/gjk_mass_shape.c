@@ -59,8 +59,8 @@ static bool comes_before(const gjk_vec3 *a, const gjk_vec3 *b) {
 
 // One to three vertices.
 static void mass_of_few(const gjk_shape *shape, gjk_mass *out) {
-  static const uint16_t sides[6] = {0, 1, 2, 0, 2, 1}, ends[2] = {3, 6};
-  static const gjk_hull_faces both = {sides, ends, 2};
+  static const uint16_t two_sided[6] = {0, 1, 2, 0, 2, 1}, ends[2] = {3, 6};
+  static const gjk_hull_faces both = {two_sided, ends, 2};
   const gjk_vec3 *v = shape->vertices;
   const gjk_vec3 *corner[3];
   corner[0] = &v[0];
