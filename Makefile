@@ -35,7 +35,8 @@
 #                        files that count
 #   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400 (0: all) by
 #                        SEED=1, in files that match FILES=.; lists the survivors
-#   make fuzz            fuzzes pairs, the reader of cases, arguments, scenes, forged claims, casts, the plane and gjk-convert for SECONDS=60
+#   make fuzz            fuzzes pairs, the reader of cases, arguments, bodies of many parts, hulls and masses, scenes,
+#                        forged claims, casts, the plane and gjk-convert for SECONDS=60
 #   make soak            certifies PAIRS=100000000 random pairs on two cores; goes on where it was interrupted
 #   make soak-casts      the same for CASTS=1000000 random casts
 #   make numbers         sine, cosine and roots of all 2^32 numbers: their errors are those stated (20 minutes on two cores)
@@ -157,6 +158,8 @@ TEST_SCRIPTS := $(wildcard tests/check/unit/test_*.sh)
 UNIT_TESTS := $(patsubst tests/check/unit/%.c,build/%,$(wildcard tests/check/unit/test_*.c))
 QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/query/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c labels.c svg.c))
 CONVERT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/convert/*.c))
+# What some unit test links beside the library.
+LINKED_BY_TESTS := $(SUPPORT) $(filter-out %/main.o,$(CONVERT))
 DEMO_STACK := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/demo_stack/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c svg.c))
 DEMO_PLANE := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo_plane/*.c)))
 DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo/*.c)))
@@ -412,13 +415,13 @@ lint:
 	@sh tests/build/lint.sh build
 
 coverage: unit-tests
-	@SUPPORT='$(SUPPORT)' FILES='$(FILES)' sh tests/build/coverage.sh build
+	@SUPPORT='$(LINKED_BY_TESTS)' FILES='$(FILES)' sh tests/build/coverage.sh build
 
 MUTANTS ?= 400
 SEED ?= 1
 FILES ?= .
 mutants: unit-tests
-	@SUPPORT='$(SUPPORT)' FILES='$(FILES)' sh tests/build/mutants.sh build $(MUTANTS) $(SEED)
+	@SUPPORT='$(LINKED_BY_TESTS)' FILES='$(FILES)' sh tests/build/mutants.sh build $(MUTANTS) $(SEED)
 
 MEASUREMENTS ?= 2000000
 SECONDS ?= 60

@@ -86,7 +86,7 @@ typedef struct gjk_principal {
 // Accuracy  In the frame of the rounded rotation each product of inertia is at most 2^-26 of the tensor's largest entry,
 //           or 8 square LSB. Each moment is within 2^-27 of that entry, or 2 square LSB. Two moments nearer than that
 //           count as equal.
-// Statuses  NULL; RANGE: a tensor with entries above 2^60, a zero body included; ITERATION_LIMIT: more than 40
+// Statuses  NULL; RANGE: a tensor with entries above 2^60; ITERATION_LIMIT: more than 40
 //           rotations. Of 20,000 random tensors none took more than 10.
 // After     Jacobi 1846, with each rotation taken from the given tensor anew, so that errors do not add up.
 gjk_status gjk_mass_principal(const gjk_mass *body, gjk_principal *out);

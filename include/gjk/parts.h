@@ -11,9 +11,10 @@
 // Statuses of every call, beside its own; outputs are then as they were:
 //            NULL           a pointer is missing, or a body has no class or data
 //            UNINITIALISED  a collider is not posed
-//            EMPTY          a body without parts
+//            EMPTY          a body without parts; of two bodies also a B with holes alone, asked for the distance
 //            ROTATION       of the body's pose
-//            RANGE          the body is so near an end of int32 that some rotation would take a part beyond it
+//            RANGE          the body is so near an end of int32 that some rotation would take a part beyond it; or a part
+//                           that is asked is not there: a field of holes alone, or data that were never checked
 //          and any that a part's shape earns from gjk_collider_init, of bodies whose parts were not checked.
 #ifndef GJK_PARTS_H
 #define GJK_PARTS_H
@@ -220,6 +221,27 @@ gjk_status gjk_parts_both_manifolds(const gjk_parts *a, const gjk_parts *b, gjk_
                                     unsigned *count);
 gjk_status gjk_parts_both_cast(const gjk_parts *a, const gjk_parts *b, const gjk_cast_path *path, gjk_parts_pair *parts,
                                gjk_cast_result *out);
+
+// The least tolerance of gjk_parts_both_time_of_impact, 32 LSB, where the farthest points of A and B are together at most
+// 256 units from the positions of their poses. Beyond that 2^-21 of the excess comes on top, 11 LSB for each body that
+// reaches farther than 4096 units, and 2^-26 of the margin.
+#define GJK_PARTS_BOTH_TOLERANCE_MIN ((gjk_q16)32)
+
+// When do two bodies that move and turn first touch? As gjk_parts_time_of_impact: every part runs along an arc with its body.
+//
+// a, b   their poses are not read: motion_a and motion_b have them.
+// parts  the pair with the least lower among those that hit; of equal ones one that overlaps at the start, of those the one
+//        with the least number of B's part, then of A's; GJK_PARTS_NONE twice: a miss. May be NULL.
+// out    of that pair. pose_a and pose_b are the poses of the bodies. A miss: lower is the end of the way, iterations are 0.
+// Cost   every pair whose boxes may meet is asked. Where A turns, that is every part of A within reach at any rotation; where
+//        B turns, its parts may be anywhere around its position.
+//
+// OK               as above.
+// ITERATION_LIMIT  as of gjk_time_of_impact: lower is the least one of pairs whose ceiling was reached, before all hits.
+// ROTATION, NEGATIVE, RANGE  of either body, as of gjk_parts_time_of_impact, with the tolerance above; nothing.
+gjk_status gjk_parts_both_time_of_impact(const gjk_parts *a, const gjk_motion *motion_a, const gjk_parts *b,
+                                         const gjk_motion *motion_b, const gjk_impact_setup *setup,
+                                         gjk_parts_pair *parts, gjk_impact_result *out);
 
 #ifdef __cplusplus
 }

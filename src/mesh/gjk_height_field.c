@@ -157,10 +157,13 @@ static gjk_status place_in_field(const gjk_parts_frame *frame, uint32_t number, 
                                                                         : GJK_ERROR_RANGE;
 }
 
-static void local_in_field(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out) {
+static gjk_status local_in_field(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out) {
   gjk_vec3 corner[3];
-  (void)corners_in_field(field_of(data), number, corner);
+  if (!corners_in_field(field_of(data), number, corner)) {
+    return GJK_ERROR_RANGE;
+  }
   gjk_triangle_local(corner, room, out);
+  return GJK_OK;
 }
 
 static unsigned edges_in_field(const void *data, uint32_t number) {

@@ -74,14 +74,13 @@ static gjk_status place_in_mesh(const gjk_parts_frame *frame, uint32_t number, g
                                                                        : GJK_ERROR_RANGE;
 }
 
-static void local_in_mesh(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out) {
+static gjk_status local_in_mesh(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out) {
   gjk_vec3 corner[3];
   if (!gjk_mesh_corners(mesh_of(data), number, corner)) {
-    corner[0].x = corner[0].y = corner[0].z = 0;
-    gjk_set(&corner[0], &corner[1]);
-    gjk_set(&corner[0], &corner[2]);
+    return GJK_ERROR_RANGE;
   }
   gjk_triangle_local(corner, room, out);
+  return GJK_OK;
 }
 
 static unsigned edges_in_mesh(const void *data, uint32_t number) {

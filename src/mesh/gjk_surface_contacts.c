@@ -70,11 +70,12 @@ static bool relate(const gjk_vec3 *world, const gjk_vec3 *centre, gjk_vec3 *out)
   return !is_far(out);
 }
 
+// Pre: a walk has found the triangle, so it is there.
 static void set_local_corners(surface_query *q, uint32_t number, surface_face *out) {
   const gjk_parts_class *type = q->frame->parts->type;
   gjk_parts_room room;
   gjk_parts_local local;
-  type->local(q->frame->parts->data, number, &room, &local);
+  (void)type->local(q->frame->parts->data, number, &room, &local);
   for (unsigned i = 0; i < 3; i++) {
     gjk_set(&room.vertices[i], &out->local[i]);
     gjk_set(&room.vertices[i], &out->world[i]);  // until it is turned

@@ -93,11 +93,15 @@ static gjk_status place_in_compound(const gjk_parts_frame *frame, uint32_t numbe
   return status == GJK_OK ? gjk_collider_pose(out, &pose) : status;
 }
 
-static void local_in_compound(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out) {
-  const gjk_compound_part *part = &compound_of(data)->parts[number];
+static gjk_status local_in_compound(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out) {
+  const gjk_compound *c = compound_of(data);
   (void)room;
-  out->shape = part->shape;
-  out->own = &part->pose;
+  if (number >= c->count) {
+    return GJK_ERROR_RANGE;
+  }
+  out->shape = c->parts[number].shape;
+  out->own = &c->parts[number].pose;
+  return GJK_OK;
 }
 
 const gjk_parts_class gjk_parts_class_compound = {

@@ -120,9 +120,9 @@ static gjk_status ahead_place(const gjk_parts_frame *frame, uint32_t number, gjk
   return own->type->place(&of_own, number, room, out);
 }
 
-static void ahead_local(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out) {
+static gjk_status ahead_local(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out) {
   const gjk_parts *own = ahead_of(data)->own;
-  own->type->local(own->data, number, room, out);
+  return own->type->local(own->data, number, room, out);
 }
 
 static const gjk_parts_class class_of_ahead = {

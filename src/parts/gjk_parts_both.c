@@ -99,8 +99,8 @@ gjk_status gjk_parts_both_distance(const gjk_parts *a, const gjk_parts *b, gjk_p
     }
     status = status == GJK_OK ? gjk_parts_nearest_bound(&nearest, &frame[0], &region, &c) : status;
   }
-  if (status != GJK_OK) {
-    return status;
+  if (status != GJK_OK || nearest.part == GJK_PARTS_NONE) {
+    return status != GJK_OK ? status : GJK_ERROR_EMPTY;  // B has holes alone
   }
   gjk_parts_write_numbers(nearest.part, nearest.of_b, parts);
   return gjk_parts_nearest_report(&nearest, out);

@@ -51,8 +51,8 @@ struct gjk_parts_class {
   // and the body is in range. Statuses as gjk_collider_init and gjk_collider_pose; RANGE: data has no such part after all.
   gjk_status (*place)(const gjk_parts_frame *frame, uint32_t number, gjk_parts_room *room, gjk_collider *out);
 
-  // The shape of a part and its pose in the body's frame.
-  void (*local)(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out);
+  // The shape of a part and its pose in the body's frame. RANGE: data has no such part after all.
+  gjk_status (*local)(const void *data, uint32_t number, gjk_parts_room *room, gjk_parts_local *out);
 
   // Drops or turns contacts of a part with B that the whole body does not have, such as those of an inner edge of a mesh:
   // changes *m. False: none is left. NULL: all are right.

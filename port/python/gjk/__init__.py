@@ -15,10 +15,13 @@ What a call answers, how exactly, and which errors it has, stands in the header 
 gjk_distance of gjk/distance.h. gjk.plane is the same in the plane. A status that is not OK is raised as gjk.Error.
 
 Results, poses and vectors are the library's own structures, with its names. A shape, and what it is made of, lives as
-long as a collider that has it.
+long as a collider, a scene or a body of many parts that has it.
 """
 
 from . import plane
 from ._library import Error, Q16_ONE, Q30_ONE, Status, angle, constant, q16, q30, units
 from .bodies import *
+from .parts import *
 from .queries import *
+from .scene import *
+from .solids import *

@@ -68,10 +68,10 @@ def units(length):
 
 
 def _to_integer(x):
-    return _checked(int(x - 0.5 if x < 0 else x + 0.5), "int32", -(1 << 31), (1 << 31) - 1)
+    return checked(int(x - 0.5 if x < 0 else x + 0.5), "int32", -(1 << 31), (1 << 31) - 1)
 
 
-def _checked(value, name, least, most):
+def checked(value, name, least, most):
     """An integer within a range: ctypes by itself would cut off what leaves it."""
     if not isinstance(value, int):
         raise TypeError(f"{value!r} is no integer; lengths are made by q16()")
@@ -84,7 +84,7 @@ def _integer(name, ctype, least, most):
     """A type of argument: an integer that fits."""
 
     def from_param(_, value):
-        return ctype(_checked(value, name, least, most))
+        return ctype(checked(value, name, least, most))
 
     return type(name, (), {"from_param": classmethod(from_param)})
 
@@ -92,6 +92,7 @@ def _integer(name, ctype, least, most):
 Int32 = _integer("int32", ctypes.c_int32, -(1 << 31), (1 << 31) - 1)
 Uint8 = _integer("uint8", ctypes.c_uint8, 0, 255)
 Uint16 = _integer("uint16", ctypes.c_uint16, 0, 65535)
+Uint32 = _integer("uint32", ctypes.c_uint32, 0, (1 << 32) - 1)
 Unsigned = _integer("unsigned", ctypes.c_uint, 0, 65535)
 
 

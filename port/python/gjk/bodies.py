@@ -4,7 +4,7 @@ import ctypes
 import itertools
 from ctypes import POINTER, c_int8, c_int32, c_uint8, c_uint16, c_void_p
 
-from ._library import Int32, Q30_ONE, Record, Uint16, Vector, answer, check_sizes, declare, do
+from ._library import Int32, Q30_ONE, Record, Uint16, Vector, answer, check_sizes, checked, declare, do
 
 __all__ = [
     "Vec3", "Unit3", "Quat", "Pose", "Shape", "Aabb", "Collider",
@@ -102,6 +102,11 @@ class HullFaces(Record):
     C_NAME = "gjk_hull_faces"
     _fields_ = [("corner", POINTER(c_uint16)), ("end", POINTER(c_uint16)), ("count", c_uint16)]
 
+    def lists(self):
+        """Of each face the numbers of its vertices."""
+        ends = self.end[: self.count]
+        return [self.corner[start:end] for start, end in zip([0] + ends, ends)]
+
 
 _SUPPORT = ctypes.CFUNCTYPE(None, c_void_p, POINTER(Vec3), POINTER(Vec3))
 
@@ -120,6 +125,11 @@ class Shape(Record):
         ("count", c_uint16),
         ("faces", c_void_p),
     ]
+
+    def polyhedron(self):
+        """The vertices of a hull, and its faces or None, as hull() takes them."""
+        vertices, faces = self.keep
+        return [tuple(vertex) for vertex in vertices], faces.lists() if faces is not None else None
 
 
 def _shape(function, *arguments, keep=None):
@@ -163,13 +173,14 @@ def hull(vertices, faces=None, radius=0):
     faces: of each face the numbers of its vertices, counterclockwise seen from outside; only contacts need them.
     """
     vertices = Vec3.array(vertices)
-    keep = vertices, _faces(faces) if faces is not None else None
+    keep = vertices, hull_faces(faces) if faces is not None else None
     return _shape(_hull, vertices, len(vertices), keep[1], radius, keep=keep)
 
 
-def _faces(faces):
+def hull_faces(faces):
+    """The faces of a hull as the library takes them."""
     ends = list(itertools.accumulate(map(len, faces)))
-    corners = list(itertools.chain.from_iterable(faces))
+    corners = [checked(n, "vertex", 0, 65535) for n in itertools.chain.from_iterable(faces)]
     return HullFaces((c_uint16 * len(corners))(*corners), (c_uint16 * len(ends))(*ends), len(ends))
 
 

@@ -129,15 +129,16 @@ _distance_until = declare("gjk_distance_until", *_PAIR, POINTER(Effort), POINTER
 
 
 class Workspace(Record):
-    """Memory for the depth of hulls and curved shapes, for an EPA hull of so many vertices."""
+    """Memory for the depth of hulls and curved shapes: for an EPA hull of so many vertices, or of so many cells."""
 
     C_NAME = "gjk_workspace"
     _fields_ = [("cells", c_void_p), ("count", c_uint32)]
 
-    def __init__(self, vertices=1000):
-        size = library.gjk_workspace_bytes(vertices)
-        self.memory = (ctypes.c_uint32 * (size // 4))()
-        super().__init__(ctypes.addressof(self.memory), size // size_of("gjk_epa_cell"))
+    def __init__(self, vertices=1000, cells=None):
+        if cells is None:
+            cells = library.gjk_workspace_bytes(vertices) // size_of("gjk_epa_cell")
+        self.memory = (ctypes.c_uint32 * (cells * size_of("gjk_epa_cell") // 4))()
+        super().__init__(ctypes.addressof(self.memory), cells)
 
 
 class PenetrationResult(Record):
@@ -280,7 +281,7 @@ class ImpactResult(Record):
         return self.hit
 
 
-def _path(to_a, to_b, margin):
+def cast_path(to_a, to_b, margin):
     ends = [None if to is None else ctypes.pointer(Vec3.of(to)) for to in (to_a, to_b)]
     return CastPath(*ends, margin)
 
@@ -290,7 +291,7 @@ def cast(a, b, to_a=None, to_b=None, margin=0):
 
     A shape without an end of its way stands.
     """
-    return answer(_cast, CastResult, a, b, _path(to_a, to_b, margin))
+    return answer(_cast, CastResult, a, b, cast_path(to_a, to_b, margin))
 
 
 def cast_ray(a, start, end):
@@ -335,7 +336,7 @@ def check_penetration(a, b, result):
 
 
 def check_cast(a, b, result, to_a=None, to_b=None, margin=0):
-    do(_check_cast, a, b, _path(to_a, to_b, margin), result)
+    do(_check_cast, a, b, cast_path(to_a, to_b, margin), result)
 
 
 _check_decision = declare("gjk_check_decision", *_PAIR, Int32, POINTER(Decision))

@@ -6,27 +6,8 @@ import math
 import sys
 
 import gjk
+from checks import check, raises, run
 from gjk import plane, q16
-
-failed = 0
-
-
-def check(condition, what):
-    global failed
-    if not condition:
-        failed += 1
-        print(f"failed: {what}")
-
-
-def raises(kind, call, *arguments, status=None, **named):
-    """The error that a call raises."""
-    try:
-        call(*arguments, **named)
-    except kind as error:
-        check(status is None or error.status == status, f"{call.__name__}: {error}")
-        return error
-    check(False, f"{call.__name__}{arguments} does not raise {kind.__name__}")
-    return None
 
 
 def numbers():
@@ -49,6 +30,8 @@ def numbers():
 def names():
     """Enumerators have the values of the library, and none is missing."""
     prefixes = {gjk.Status: "GJK_ERROR_", gjk.Proof: "GJK_PROOF_", gjk.Answer: "GJK_ANSWER_"}
+    prefixes.update({gjk.BodyKind: "GJK_BODY_", gjk.BodyMotion: "GJK_MOTION_", gjk.Detail: "GJK_DETAIL_"})
+    prefixes.update({gjk.Event: "GJK_EVENT_", gjk.HullFault: "GJK_HULL_", gjk.MeshFault: "GJK_MESH_"})
     prefixes.update({plane.Proof: "GJK2_PROOF_", plane.Answer: "GJK2_ANSWER_"})
     for kind, prefix in prefixes.items():
         check(issubclass(kind, enum.IntEnum), kind)
@@ -151,6 +134,4 @@ def poses():
     check(tuple(box.centre) == (0, 0, 0), "moved")
 
 
-for part in (numbers, names, errors, lifetimes, motion, in_the_plane, poses):
-    part()
-sys.exit(failed != 0)
+sys.exit(run(numbers, names, errors, lifetimes, motion, in_the_plane, poses))

@@ -2,125 +2,49 @@
 // outputs as they were.
 #include <string.h>
 
-#include "bytes.h"
+#include "hostile.h"
 
-#define POISON 0xA5
-#define VERTICES 8
+#define POISON HOSTILE_POISON
+#define VERTICES HOSTILE_VERTICES
 #define CELLS 128
-#define CORNERS 16
-#define FACES 4
 
 // All objects that the calls below work on.
 typedef struct world {
-  gjk_vec3 vertices[2][VERTICES], buffer[2][VERTICES];
-  gjk_shape shape[2];
+  hostile_shape shape[2];
+  gjk_vec3 buffer[2][VERTICES];
   gjk_collider collider[2];
   gjk_pose pose[2];
   gjk_epa_cell cells[CELLS];
-  uint16_t corner[2][CORNERS], end[2][FACES];
-  gjk_hull_faces faces[2];
 } world;
 
 static world w;
 static fuzz_bytes bytes;
 
 // Leaves out one argument in 32.
-#define MAYBE(pointer) (fuzz_u8(&bytes) < 8 && bytes.at < bytes.end ? NULL : (pointer))
-
-static void origin_or_corner(const void *user, const gjk_vec3 *direction, gjk_vec3 *out) {
-  const gjk_vec3 corner = {direction->x < 0 ? -1 : 1, 0, 0}, none = {0, 0, 0};
-  *out = user != NULL ? corner : none;
-}
-
-// Is the status one that exists, and was nothing written unless the status says that fields are valid?
-static void check(gjk_status status, const void *output, size_t size) {
-  const uint8_t *byte = output;
-  if (status > GJK_OK || strcmp(gjk_status_name(status), "GJK_ERROR_UNKNOWN") == 0) {
-    fuzz_fail("unknown status");
-  }
-  if (status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT || status == GJK_ERROR_CAPACITY) {
-    return;
-  }
-  for (size_t i = 0; i < size; i++) {
-    if (byte[i] != POISON) {
-      fuzz_fail("an error wrote to its output");
-    }
-  }
-}
-
-static gjk_quat any_quat(void) {
-  gjk_quat q;
-  q.x = fuzz_i32(&bytes);
-  q.y = fuzz_i32(&bytes);
-  q.z = fuzz_i32(&bytes);
-  q.w = fuzz_i32(&bytes);
-  gjk_quat unit;
-  const bool keep = fuzz_u8(&bytes) % 4 == 0;
-  return keep || gjk_quat_normalize(&q, &unit) != GJK_OK ? q : unit;
-}
-
-// Faces with corners that the hull has and some that it has not, and with ends anywhere among them.
-static const gjk_hull_faces *make_faces(int i) {
-  gjk_hull_faces *f = &w.faces[i];
-  for (unsigned k = 0; k < CORNERS; k++) {
-    w.corner[i][k] = fuzz_u8(&bytes) % (VERTICES + 1);
-  }
-  for (unsigned k = 0; k < FACES; k++) {
-    w.end[i][k] = fuzz_u8(&bytes) % (CORNERS + 1);
-  }
-  f->corner = MAYBE(w.corner[i]);
-  f->end = MAYBE(w.end[i]);
-  f->count = fuzz_u8(&bytes) % (FACES + 1);
-  return f;
-}
-
-static void make_shape(int i) {
-  static const gjk_shape_class *const types[] = {
-      &gjk_class_point, &gjk_class_segment,  &gjk_class_triangle, &gjk_class_box,       &gjk_class_hull,
-      &gjk_class_hull,  &gjk_class_cylinder, &gjk_class_cone,     &gjk_class_ellipsoid, &gjk_class_custom};
-  gjk_shape *s = &w.shape[i];
-  s->type = MAYBE(types[fuzz_u8(&bytes) % (sizeof types / sizeof types[0])]);
-  s->vertices = MAYBE(w.vertices[i]);
-  s->support = MAYBE(origin_or_corner);
-  s->user = MAYBE(&w);
-  s->size = fuzz_vec3(&bytes);
-  const unsigned shift = fuzz_u8(&bytes) % 32;
-  s->size.x >>= shift;
-  s->size.y >>= shift;
-  s->size.z >>= shift;
-  s->convex_radius = fuzz_i32(&bytes) >> (fuzz_u8(&bytes) % 32);
-  s->count = s->type == &gjk_class_triangle ? 3 : fuzz_u8(&bytes) % (VERTICES + 1);
-  for (int k = 0; k < VERTICES; k++) {
-    w.vertices[i][k] = fuzz_vec3(&bytes);
-    w.vertices[i][k].x >>= shift;
-    w.vertices[i][k].y >>= shift;
-    w.vertices[i][k].z >>= shift;
-  }
-  s->faces = fuzz_u8(&bytes) % 2 == 0 ? NULL : make_faces(i);
-}
+#define MAYBE(pointer) (hostile_leaves_out(&bytes) ? NULL : (pointer))
 
 static void place(int i) {
   gjk_collider *c = &w.collider[i], before;
   memset(c, fuzz_u8(&bytes) % 2 == 0 ? 0 : POISON, sizeof *c);
-  make_shape(i);
-  gjk_vec3 *const buffers[] = {w.buffer[i], w.vertices[i], (gjk_vec3 *)c, NULL};
+  hostile_make_shape(&bytes, &w.shape[i]);
+  gjk_vec3 *const buffers[] = {w.buffer[i], w.shape[i].vertices, (gjk_vec3 *)c, NULL};
   gjk_vec3 *buffer = buffers[fuzz_u8(&bytes) % 8 < 4 ? fuzz_u8(&bytes) % 4 : 0];
   const uint16_t capacity = (uint16_t)(fuzz_u8(&bytes) % 8 == 0 ? 3 : VERTICES);
   memcpy(&before, c, sizeof before);
-  const gjk_status status = gjk_collider_init(MAYBE(c), MAYBE(&w.shape[i]), buffer, capacity);
-  check(status, NULL, 0);
+  const gjk_status status = gjk_collider_init(MAYBE(c), MAYBE(&w.shape[i].shape), buffer, capacity);
+  hostile_check(status, NULL, 0);
   if (status != GJK_OK && memcmp(c, &before, sizeof before) != 0) {
     fuzz_fail("gjk_collider_init wrote");
   }
   w.pose[i].position = fuzz_vec3(&bytes);
-  w.pose[i].rotation = any_quat();
+  w.pose[i].rotation = hostile_quat(&bytes);
   memcpy(&before, c, sizeof before);
   if (gjk_collider_pose(MAYBE(c), MAYBE(&w.pose[i])) != GJK_OK && memcmp(c, &before, sizeof before) != 0) {
     fuzz_fail("gjk_collider_pose wrote");
   }
   gjk_aabb box;
   memset(&box, POISON, sizeof box);
-  check(gjk_collider_aabb(MAYBE(c), &box), &box, sizeof box);
+  hostile_check(gjk_collider_aabb(MAYBE(c), &box), &box, sizeof box);
   const gjk_vec3 position = fuzz_vec3(&bytes);
   memcpy(&before, c, sizeof before);
   if (gjk_collider_move(MAYBE(c), MAYBE(&position)) != GJK_OK && memcmp(c, &before, sizeof before) != 0) {
@@ -153,23 +77,24 @@ static void query(void) {
   const gjk_q16 asked = fuzz_i32(&bytes);
   const gjk_workspace workspace = {MAYBE(w.cells), fuzz_u8(&bytes) % (CELLS + 1)};
   memset(&decision, POISON, sizeof decision);
-  check(gjk_intersect(a, b, MAYBE(&cache), &decision), &decision, sizeof decision);
+  hostile_check(gjk_intersect(a, b, MAYBE(&cache), &decision), &decision, sizeof decision);
   memset(&decision, POISON, sizeof decision);
-  check(gjk_within(a, b, asked, MAYBE(&cache), &decision), &decision, sizeof decision);
+  hostile_check(gjk_within(a, b, asked, MAYBE(&cache), &decision), &decision, sizeof decision);
   gjk_within_result within;
   memset(&within, POISON, sizeof within);
-  check(gjk_within_until(a, b, asked, effort.iterations, MAYBE(&cache), &within), &within, sizeof within);
+  hostile_check(gjk_within_until(a, b, asked, effort.iterations, MAYBE(&cache), &within), &within, sizeof within);
   memset(&distance, POISON, sizeof distance);
-  check(gjk_distance(a, b, MAYBE(&cache), &distance), &distance, sizeof distance);
+  hostile_check(gjk_distance(a, b, MAYBE(&cache), &distance), &distance, sizeof distance);
   memset(&distance, POISON, sizeof distance);
-  check(gjk_distance_until(a, b, MAYBE(&effort), MAYBE(&cache), &distance), &distance, sizeof distance);
+  hostile_check(gjk_distance_until(a, b, MAYBE(&effort), MAYBE(&cache), &distance), &distance, sizeof distance);
   memset(&depth, POISON, sizeof depth);
-  check(gjk_penetration(a, b, MAYBE(&cache), MAYBE(&workspace), &depth), &depth, sizeof depth);
+  hostile_check(gjk_penetration(a, b, MAYBE(&cache), MAYBE(&workspace), &depth), &depth, sizeof depth);
   memset(&distance, POISON, sizeof distance);
-  check(gjk_signed_distance(a, b, MAYBE(&cache), MAYBE(&workspace), &distance), &distance, sizeof distance);
+  hostile_check(gjk_signed_distance(a, b, MAYBE(&cache), MAYBE(&workspace), &distance), &distance, sizeof distance);
   memset(&manifold, POISON, sizeof manifold);
-  check(gjk_contacts(a, b, asked, most, MAYBE(&cache), MAYBE(&workspace), &manifold), &manifold, sizeof manifold);
-  check(gjk_intersect(a, b, NULL, NULL), NULL, 0);
+  hostile_check(gjk_contacts(a, b, asked, most, MAYBE(&cache), MAYBE(&workspace), &manifold), &manifold,
+                sizeof manifold);
+  hostile_check(gjk_intersect(a, b, NULL, NULL), NULL, 0);
   memset(&decision, 0, sizeof decision);
   memset(&distance, 0, sizeof distance);
   memset(&depth, 0, sizeof depth);
@@ -184,13 +109,13 @@ static void query(void) {
   distance.normal.x = depth.normal.x = n.x;
   distance.normal.y = depth.normal.y = n.y;
   distance.normal.z = depth.normal.z = n.z;
-  check(gjk_check_decision(a, b, asked, MAYBE(&decision)), NULL, 0);
-  check(gjk_check_distance(a, b, MAYBE(&distance)), NULL, 0);
-  check(gjk_check_penetration(a, b, MAYBE(&depth)), NULL, 0);
+  hostile_check(gjk_check_decision(a, b, asked, MAYBE(&decision)), NULL, 0);
+  hostile_check(gjk_check_distance(a, b, MAYBE(&distance)), NULL, 0);
+  hostile_check(gjk_check_penetration(a, b, MAYBE(&depth)), NULL, 0);
 }
 
 static void turn(void) {
-  const gjk_quat p = any_quat(), q = any_quat();
+  const gjk_quat p = hostile_quat(&bytes), q = hostile_quat(&bytes);
   const gjk_pose *pose = &w.pose[0], *other = &w.pose[1];
   const gjk_vec3 v = fuzz_vec3(&bytes);
   const gjk_q16 x = fuzz_i32(&bytes), y = fuzz_i32(&bytes), z = fuzz_i32(&bytes);
@@ -198,22 +123,22 @@ static void turn(void) {
   gjk_vec3 moved;
   gjk_pose place_of;
   memset(&out, POISON, sizeof out);
-  check(gjk_quat_from_axis_angle(MAYBE(&v), x, &out), &out, sizeof out);
-  check(gjk_quat_from_euler(x, y, z, MAYBE(&out)), NULL, 0);
+  hostile_check(gjk_quat_from_axis_angle(MAYBE(&v), x, &out), &out, sizeof out);
+  hostile_check(gjk_quat_from_euler(x, y, z, MAYBE(&out)), NULL, 0);
   memset(&out, POISON, sizeof out);
-  check(gjk_quat_normalize(MAYBE(&p), &out), &out, sizeof out);
+  hostile_check(gjk_quat_normalize(MAYBE(&p), &out), &out, sizeof out);
   memset(&out, POISON, sizeof out);
-  check(gjk_quat_compose(MAYBE(&p), MAYBE(&q), &out), &out, sizeof out);
+  hostile_check(gjk_quat_compose(MAYBE(&p), MAYBE(&q), &out), &out, sizeof out);
   memset(&out, POISON, sizeof out);
-  check(gjk_quat_invert(MAYBE(&p), &out), &out, sizeof out);
+  hostile_check(gjk_quat_invert(MAYBE(&p), &out), &out, sizeof out);
   memset(&moved, POISON, sizeof moved);
-  check(gjk_quat_apply(MAYBE(&p), MAYBE(&v), &moved), &moved, sizeof moved);
+  hostile_check(gjk_quat_apply(MAYBE(&p), MAYBE(&v), &moved), &moved, sizeof moved);
   memset(&moved, POISON, sizeof moved);
-  check(gjk_pose_apply(MAYBE(pose), MAYBE(&v), &moved), &moved, sizeof moved);
+  hostile_check(gjk_pose_apply(MAYBE(pose), MAYBE(&v), &moved), &moved, sizeof moved);
   memset(&place_of, POISON, sizeof place_of);
-  check(gjk_pose_compose(MAYBE(pose), MAYBE(other), &place_of), &place_of, sizeof place_of);
+  hostile_check(gjk_pose_compose(MAYBE(pose), MAYBE(other), &place_of), &place_of, sizeof place_of);
   memset(&place_of, POISON, sizeof place_of);
-  check(gjk_pose_invert(MAYBE(pose), &place_of), &place_of, sizeof place_of);
+  hostile_check(gjk_pose_invert(MAYBE(pose), &place_of), &place_of, sizeof place_of);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

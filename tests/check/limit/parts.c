@@ -232,6 +232,28 @@ static void read_claims(const char *name) {
   }
 }
 
+// The same motions of two bodies.
+static void ask_impact_of_both(const gjk_motion motion[2], const gjk_impact_setup *setup) {
+  const gjk_impact_setup rough = {0, setup->tolerance + 16, 0};
+  gjk_impact_result out;
+  gjk_parts_pair pair = {77, 77};
+  gjk_parts moved = body, other = chair;
+  gjk_distance_result gap;
+  const gjk_status status = gjk_parts_both_time_of_impact(&body, &motion[0], &chair, &motion[1], &rough, &pair, &out);
+  expect(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT, "both_impact");
+  expect(status == GJK_OK || (!out.hit && out.upper == GJK_Q30_ONE && pair.b != 77), "an open impact of both");
+  expect(out.lower >= 0 && out.lower <= out.upper, "bounds of an impact of both");
+  print_answer("both_impact", status, out.hit, out.lower, out.lower, out.upper);
+  if (status == GJK_ERROR_ITERATION_LIMIT && out.lower > 0) {
+    const gjk_status posed = gjk_motion_pose(&motion[0], out.lower - 1, &moved.pose),
+                     of_other = gjk_motion_pose(&motion[1], out.lower - 1, &other.pose),
+                     measured = gjk_parts_both_distance(&moved, &other, NULL, &gap);
+    expect(posed == GJK_OK && of_other == GJK_OK, "poses of both");
+    expect(measured == GJK_ERROR_ITERATION_LIMIT || (measured == GJK_OK && !gap.intersecting),
+           "a lower fraction of both beyond the impact");
+  }
+}
+
 static void ask_impact(random_state *random, const gjk_vec3 *to, int32_t size) {
   static const gjk_motion rest = {.from = GJK_POSE_IDENTITY, .to = GJK_POSE_IDENTITY};
   const gjk_impact_setup setup = {0, GJK_PARTS_TOLERANCE_MIN + size / 512, 0};
@@ -250,6 +272,9 @@ static void ask_impact(random_state *random, const gjk_vec3 *to, int32_t size) {
   expect(out.lower >= 0 && out.lower <= out.upper, "bounds of an impact");
   print_answer("impact", status, out.hit, out.lower, out.lower, out.upper);
   check_claim(motion);
+  if (body.data != &compound) {
+    ask_impact_of_both(motion, &setup);
+  }
 }
 
 static void ask_all(random_state *random, int32_t size) {

@@ -74,15 +74,10 @@ static void check_cells(const boxes *b, const solid *s, const decomposition *d) 
   }
 }
 
-static unsigned long trials(unsigned long all) {
-  const char *percent = getenv("GJK_TEST_PERCENT");
-  return percent == NULL ? all : (all * strtoul(percent, NULL, 10) + 99) / 100;
-}
-
 static void test_random(uint64_t seed) {
   random_state random = random_seed(seed);
   unsigned long notched = 0, several = 0, turned = 0;
-  const unsigned long count = trials(300);
+  const unsigned long count = check_trials(300);
   for (unsigned long i = 0; i < count; i++) {
     const boxes b = boxes_random(&random, 4, i % 2 == 1);
     check_trial(i, boxes_print, &b);
@@ -100,13 +95,13 @@ static void test_random(uint64_t seed) {
     decompose_free(&d);
     solid_free(&s);
   }
-  CHECK(notched > count / 3 && several > count / 8 && turned > count / 4);
+  CHECK(!check_is_full() || (notched > count / 3 && several > count / 8 && turned > count / 4));
 }
 
 // The same surface with its points and triangles in another order gives the same parts.
 static void test_order(uint64_t seed) {
   random_state random = random_seed(seed);
-  for (unsigned long i = 0; i < trials(40); i++) {
+  for (unsigned long i = 0; i < check_trials(40); i++) {
     const boxes b = boxes_random(&random, 3, i % 2 == 1);
     check_trial(i, boxes_print, &b);
     mesh m = boxes_mesh(&b), other = boxes_mesh(&b);

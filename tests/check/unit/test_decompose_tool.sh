@@ -31,6 +31,20 @@ for scale in --units --millimetres; do
   check "bracket $scale" 'parts=9 excess=0 enclosed=yes' "$(info $scale $meshes/bracket.obj)"
 done
 
+# The L as a modeller writes it: two faces of six corners that are not convex, from each corner on.
+for first in 0 1 2 3 4 5; do
+  awk -v first="$first" 'BEGIN {
+    n = split("0 0 4 0 4 1 1 1 1 4 0 4", at, " ") / 2
+    for (z = 0; z < 2; z++) for (i = 0; i < n; i++) print "v", at[2 * i + 1], at[2 * i + 2], z
+    line = "f"; for (i = 0; i < n; i++) line = line " " n + 1 + (first + i) % n
+    print line
+    line = "f"; for (i = n; i > 0; i--) line = line " " 1 + (first + i) % n
+    print line
+    for (i = 0; i < n; i++) print "f", 1 + i, 1 + (i + 1) % n, 1 + n + (i + 1) % n, 1 + n + i
+  }' >"$work/six.obj"
+  check "six corners from $first" 'parts=2 excess=0 enclosed=yes' "$(info "$work/six.obj")"
+done
+
 # Turned so that no coordinate is whole: as many parts, a few LSB.
 awk '/^v/ { x = $2 * .8 - $3 * .6; y = $2 * .6 + $3 * .8; printf "v %.6f %.6f %.6f\n", x, y * .28 - $4 * .96, y * .96 + $4 * .28 }
   /^f/' tests/data/hulls/u_channel.obj >"$work/turned.obj"

@@ -1,12 +1,14 @@
 #!/bin/sh
-# The Python module, as it is installed: the golden hashes of pairs, errors, lifetimes, and the README's example.
-# test_python.sh BUILD
+# The Python module, as it is installed: the golden hashes of pairs and of a scene, errors, lifetimes, low ceilings on
+# iterations, and the README's examples. test_python.sh BUILD
 . tests/build/count.sh
+. tests/build/golden.sh
 build=$1
 dir=$build/python-test
 golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
 plane_golden=$(sed -n 's/^#define PLANE_GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/plane_golden.h)
 few=$(sed -n 's/^#define GOLDEN_FEW_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
+scene_few=$(sed -n 's/^#define SCENE_GOLDEN_FEW_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/scene_golden.h)
 rm -rf "$dir"
 mkdir -p "$dir"
 dir=$(cd "$dir" && pwd)
@@ -42,6 +44,18 @@ other_bits() {
   ! python tests/check/bind/golden.py 149 "$few"
 }
 
+other_match() {
+  ! python tests/check/bind/scene_golden.py 499 "$scene_few"
+}
+
+# ceiling MAX: with a library that has it
+ceiling() {
+  golden_library host "${CC:-cc}" -O2 "-DGJK_ITERATIONS_MAX=$1" '-DGJK_PORT_HEADER="hosted/gjk_port.h"' &&
+    "${CC:-cc}" -shared -fPIC -Wl,-Bsymbolic -Iinclude -Iport port/hosted/gjk_hosted.c "$golden_objects"/gjk*.o \
+      -o "$dir/libgjk-$1.so" &&
+    PYTHONPATH=$modules PYTHONDONTWRITEBYTECODE=1 GJK_LIBRARY=$dir/libgjk-$1.so python3 tests/check/bind/ceilings.py "$dir/save"
+}
+
 if ! have python3; then
   skip 'the Python module' python3
   finish python
@@ -52,9 +66,17 @@ for file in port/python/gjk/*.py port/python/gjk/plane/*.py tests/check/bind/*.p
   check "$file is tidy" is_tidy "$file"
 done
 check 'numbers, names, errors, lifetimes' python tests/check/bind/behaviour.py
+check 'scenes' python tests/check/bind/scene_behaviour.py
+check 'bodies of many parts, hulls, masses' python tests/check/bind/parts_behaviour.py
+check 'a save' python tests/check/bind/ceilings.py "$dir/save"
+for max in 1 2 3; do
+  check "a ceiling of $max" ceiling $max
+done
+check 'the golden hash of a scene' python tests/check/bind/scene_golden.py 500 "$scene_few"
+check 'another match has another hash' other_match
 check 'the golden hash' python tests/check/bind/golden.py 3000 "$golden"
 check 'the golden hash of the plane' python tests/check/bind/plane_golden.py 3000 "$plane_golden"
 check 'another set has another hash' other_bits
-check "the README's example" readme
+check "the README's examples" readme
 check 'a library with other structures is refused' refuses_another_version
 finish python

@@ -142,7 +142,8 @@ static char *read_file(const char *name, size_t *bytes) {
       room = room == 0 ? 65536 : 2 * room;
       char *grown = realloc(text, room);
       if (grown == NULL) {
-        break;
+        fprintf(stderr, "gjk-convert: out of memory\n");
+        exit(EXIT_INPUT);
       }
       text = grown;
     }
@@ -152,12 +153,20 @@ static char *read_file(const char *name, size_t *bytes) {
       break;
     }
   }
+  if (ferror(f)) {
+    free(text);
+    text = NULL;
+  }
   fclose(f);
   return text;
 }
 
 static int report_problem(const mesh_file *file) {
-  fprintf(stderr, "%s:%lu: %s\n", file->name, file->line, file->problem);
+  if (file->line > 0) {
+    fprintf(stderr, "%s:%lu: %s\n", file->name, file->line, file->problem);
+  } else {
+    fprintf(stderr, "%s: %s\n", file->name, file->problem);
+  }
   return EXIT_INPUT;
 }
 
@@ -189,7 +198,7 @@ static int write_hull(const options *o, const gjk_hull *hull, size_t points, boo
   if (o->info) {
     write_info(hull, points, watertight);
   } else if (o->cases) {
-    write_case(hull, o->name);
+    return write_case(hull, o->name) ? EXIT_DONE : EXIT_INPUT;
   } else {
     return write_source(hull, o->name, o->table) ? EXIT_DONE : EXIT_INPUT;
   }
@@ -250,6 +259,8 @@ static int convert_to_parts(const options *o, mesh_file *file, const mesh *m) {
   int result = EXIT_DONE;
   if (o->info) {
     write_parts_info(&d);
+  } else if (!write_parts_fit(&d)) {
+    result = EXIT_INPUT;
   } else if (o->cases) {
     write_parts_case(&s, &d, o->name);
   } else {

@@ -1,0 +1,498 @@
+"""Scenes in space: many bodies, asked every tick which of them touch. `import gjk` has all of these names."""
+
+import ctypes
+import enum
+import typing
+from ctypes import POINTER, c_bool, c_int32, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
+
+from ._library import Error, Int32, Record, Status, Uint8, Uint16, Uint32, Unsigned
+from ._library import answer, check_sizes, constant, declare, do, library
+from .bodies import Aabb, Collider, Pose, Shape, Vec3
+from .queries import CastResult, Manifold, Workspace
+
+__all__ = [
+    "BodyId", "BodyKind", "BodyMotion", "BodyState", "Detail", "Event", "Report", "Scene", "SceneFilter", "SceneHit",
+    "SceneStats",
+]  # fmt: skip
+
+
+# Bodies and what is asked about them: gjk/body.h.
+
+
+class BodyKind(enum.IntEnum):
+    STATIC = 0
+    KINEMATIC = 1
+    DYNAMIC = 2
+
+
+class Detail(enum.IntEnum):
+    """What is wanted of a pair."""
+
+    TOUCH = 0
+    DISTANCE = 1
+    DEPTH = 2
+    CONTACTS = 3
+    SENSOR = 4
+
+
+class Event(enum.IntEnum):
+    """What a report tells of a pair."""
+
+    BEGIN = 1
+    PERSIST = 2
+    END = 3
+    IMPACT = 4
+
+
+class BodyMotion(enum.IntEnum):
+    """FAST: swept along its way, and what it touches first is reported."""
+
+    NOT_KEPT = 0
+    KEPT = 1
+    FAST = 2
+
+
+class BodyId(Record):
+    """Names a body of a scene; fit for the key of a dict. That of a removed body never names another one."""
+
+    C_NAME = "gjk_body_id"
+    _fields_ = [("slot", c_uint32), ("generation", c_uint32)]
+
+    def __hash__(self):
+        return hash((self.slot, self.generation))
+
+
+class SceneHit(Record):
+    """A part that a query found. fraction: of the way, Q2.30, where it is met."""
+
+    C_NAME = "gjk_scene_hit"
+    _fields_ = [("body", BodyId), ("part", c_uint16), ("fraction", c_uint32)]
+
+
+class SceneFilter(Record):
+    """Which bodies a query looks at. ignore: a body to leave out."""
+
+    C_NAME = "gjk_scene_filter"
+    _fields_ = [
+        ("category", c_uint32),
+        ("mask", c_uint32),
+        ("ignore", BodyId),
+        ("accept", c_void_p),
+        ("user", c_void_p),
+    ]
+
+    def __init__(self, category=0xFFFFFFFF, mask=0xFFFFFFFF, ignore=BodyId()):
+        super().__init__(category, mask, ignore)
+
+
+class SceneStats(Record):
+    """What the last update did."""
+
+    C_NAME = "gjk_scene_stats"
+    _fields_ = [
+        (name, c_uint32)
+        for name in (
+            "bodies parts pairs refused resting filtered motion boxes direction warm cold begun persisting ended "
+            "unsettled updates measured manifolds"
+        ).split()
+    ]
+
+
+class BodyState(Record):
+    """What a scene holds about a body."""
+
+    C_NAME = "gjk_body_state"
+    _fields_ = [
+        ("pose", Pose),
+        ("category", c_uint32),
+        ("mask", c_uint32),
+        ("user", c_uint32),
+        ("margin", c_int32),
+        ("part_count", c_uint16),
+        ("kind", c_uint8),
+        ("detail", c_uint8),
+        ("asleep", c_bool),
+        ("motion", c_uint8),
+    ]
+
+
+class Report(typing.NamedTuple):
+    """What an update tells of a pair of parts.
+
+    words: Scene(pair_words=...) numbers of the scene, which may be written; None without them. They belong to the pair
+    until the update that ends it.
+    """
+
+    a: BodyId
+    b: BodyId
+    part_a: int
+    part_b: int
+    event: Event
+    detail: Detail
+    distance: int
+    fraction: int
+    manifold: typing.Optional[Manifold]
+    words: typing.Optional[ctypes.Array]
+
+
+class _Part(Record):
+    C_NAME = "gjk_part"
+    _fields_ = [("shape", c_uint16), ("own_pose", c_bool), ("pose", Pose)]
+
+
+class _Setup(Record):
+    C_NAME = "gjk_body_setup"
+    _fields_ = [
+        ("pose", Pose),
+        ("parts", POINTER(_Part)),
+        ("part_count", c_uint16),
+        ("kind", c_uint8),
+        ("detail", c_uint8),
+        ("category", c_uint32),
+        ("mask", c_uint32),
+        ("user", c_uint32),
+        ("margin", c_int32),
+    ]
+
+
+class _Config(Record):
+    C_NAME = "gjk_scene_config"
+    _fields_ = [
+        ("bodies", c_uint32),
+        ("parts", c_uint32),
+        ("own_poses", c_uint32),
+        ("pairs", c_uint32),
+        ("box_margin", c_int32),
+        ("detail", c_uint8),
+        ("persist", c_uint8),
+        ("retest_all", c_uint8),
+        ("pair_words", c_uint8),
+        ("workspace_cells", c_uint32),
+        ("motions", c_uint32),
+    ]
+
+
+class _Bindings(Record):
+    C_NAME = "gjk_scene_bindings"
+    _fields_ = [
+        ("predicate", c_void_p),
+        ("user", c_void_p),
+        ("details", c_void_p),
+        ("workspace", POINTER(Workspace)),
+        ("manifolds", POINTER(Manifold)),
+        ("motion", c_void_p),
+    ]
+
+
+class _Handle(Record):
+    C_NAME = "gjk_scene"
+    _fields_ = [
+        ("block", c_void_p),
+        ("shapes", POINTER(POINTER(Shape))),
+        ("shape_count", c_uint16),
+        ("bindings", _Bindings),
+    ]
+
+
+class _Report(Record):
+    C_NAME = "gjk_report"
+    _fields_ = [
+        ("a", BodyId),
+        ("b", BodyId),
+        ("part_a", c_uint16),
+        ("part_b", c_uint16),
+        ("event", c_uint8),
+        ("detail", c_uint8),
+        ("distance", c_int32),
+        ("manifold", POINTER(Manifold)),
+        ("words", POINTER(c_uint32)),
+        ("fraction", c_int32),
+    ]
+
+
+class _Progress(Record):
+    C_NAME = "gjk_progress"
+    _fields_ = [("reports", c_uint32), ("pairs_left", c_uint32), ("reports_left", c_uint32)]
+
+
+# Scenes: gjk/scene.h, gjk/probe.h, gjk/concave.h.
+
+_ROOM = 64  # reports, or hits, of one call of the library
+
+
+def _address(name):
+    return ctypes.addressof(ctypes.c_char.in_dll(library, name))
+
+
+class Scene:
+    """Many bodies. Depths, contacts and fast bodies may be asked for.
+
+    shapes: all that its bodies may have; those of gjk.concave() too. A body names one by its number here, or as it is.
+    The other arguments are the fields of gjk_scene_config. Capacities that are not given follow from bodies.
+    """
+
+    def __init__(self, shapes, bodies, parts=None, own_poses=None, pairs=None, box_margin=0, detail=Detail.TOUCH,
+                 persist=False, retest_all=False, pair_words=0, workspace_cells=None, motions=None):  # fmt: skip
+        parts = bodies if parts is None else parts
+        self._config = _Config(
+            bodies, parts, parts if own_poses is None else own_poses, 16 * bodies if pairs is None else pairs,
+            box_margin, detail, persist, retest_all, pair_words,
+            Workspace().count if workspace_cells is None else workspace_cells,
+            bodies if motions is None else motions,
+        )  # fmt: skip
+        self._shapes = list(shapes)
+        self._table = (POINTER(Shape) * len(self._shapes))(*map(ctypes.pointer, self._shapes))
+        self._workspace = Workspace(cells=self._config.workspace_cells)
+        self._reports, self._manifolds = (_Report * _ROOM)(), (Manifold * _ROOM)()
+        self._bindings = _Bindings(
+            details=_address("gjk_scene_contacts"),
+            workspace=ctypes.pointer(self._workspace),
+            manifolds=self._manifolds,
+            motion=_address("gjk_scene_motion"),
+        )
+        self._block = (c_uint32 * (library.gjk_scene_bytes(self._config) // 4))()
+        self._handle = _Handle()
+        do(_init, self._handle, self._config, self._block, ctypes.sizeof(self._block), *self._bound())
+
+    def _bound(self):
+        return self._table, len(self._table), self._bindings
+
+    def _number(self, shape):
+        if isinstance(shape, int):
+            return shape
+        for number, known in enumerate(self._shapes):
+            if known is shape:
+                return number
+        raise ValueError("the scene was not made with this shape")
+
+    def _part(self, part):
+        if not isinstance(part, tuple):
+            return _Part(self._number(part), False, Pose())
+        shape, pose = part
+        return _Part(self._number(shape), True, pose)
+
+    # Bodies.
+
+    def add(self, parts, pose=None, kind=BodyKind.STATIC, detail=Detail.TOUCH, category=1, mask=0xFFFFFFFF, user=0,
+            margin=0, slot=None):  # fmt: skip
+        """Adds a body to the lowest free slot, or to a stated one: its BodyId.
+
+        parts: a shape, or a list of shapes and of tuples of a shape and its pose in the body's frame.
+        """
+        parts = [self._part(part) for part in (parts if isinstance(parts, list) else [parts])]
+        array = (_Part * len(parts))(*parts)
+        pose = pose if pose is not None else Pose()
+        setup = _Setup(pose, array, len(parts), kind, detail, category, mask, user, margin)
+        if slot is None:
+            return answer(_add, BodyId, self._handle, setup)
+        return answer(_add_at, BodyId, self._handle, slot, setup)
+
+    def remove(self, body):
+        """The next update reports the end of its pairs."""
+        do(_remove, self._handle, body)
+
+    def move(self, body, pose):
+        """Takes a body to its next pose, and wakes it."""
+        do(_move, self._handle, body, pose)
+
+    def teleport(self, body, pose):
+        """As move, for a body that does not go on the same way."""
+        do(_teleport, self._handle, body, pose)
+
+    def sleep(self, body):
+        do(_sleep, self._handle, body)
+
+    def wake(self, body):
+        do(_wake, self._handle, body)
+
+    def set_motion(self, body, motion):
+        """Makes a body fast: a BodyMotion."""
+        do(_set_motion, self._handle, body, motion)
+
+    def set_shape(self, body, part, shape):
+        do(_set_shape, self._handle, body, part, self._number(shape))
+
+    def set_filter(self, body, category, mask):
+        do(_set_filter, self._handle, body, category, mask)
+
+    def set_user(self, body, user):
+        do(_set_user, self._handle, body, user)
+
+    def get(self, body):
+        """What the scene holds about a body: a BodyState."""
+        return answer(_get, BodyState, self._handle, body)
+
+    def body_at(self, slot):
+        """The BodyId in a slot; None: it is free."""
+        body = answer(_body_at, BodyId, self._handle, slot)
+        return body if body.generation != 0 else None
+
+    def collider(self, body, part=0):
+        """A part that is not concave, as a Collider where it is now."""
+        collider = answer(_collider, lambda: Collider.__new__(Collider), self._handle, body, part)
+        collider.shape = self._shapes
+        return collider
+
+    # Updates.
+
+    def update(self):
+        """Finds which pairs are near, and what fast bodies touch: a list of Report.
+
+        After Error(CAPACITY) the update has not begun: move or remove bodies whose pairs do not fit.
+        """
+        reports, progress = [], _Progress(0, 0, 1)
+        while progress.pairs_left != 0 or progress.reports_left != 0:
+            do(_update, self._handle, self._reports, _ROOM, progress)
+            reports.extend(map(self._report, self._reports[: progress.reports]))
+        return reports
+
+    def _report(self, c):
+        words = None
+        if c.words:
+            offset = ctypes.addressof(c.words.contents) - ctypes.addressof(self._block)
+            words = (c_uint32 * self._config.pair_words).from_buffer(self._block, offset)
+        return Report(
+            a=BodyId(c.a.slot, c.a.generation),
+            b=BodyId(c.b.slot, c.b.generation),
+            part_a=c.part_a,
+            part_b=c.part_b,
+            event=Event(c.event),
+            detail=Detail(c.detail),
+            distance=c.distance,
+            fraction=c.fraction,
+            manifold=Manifold.from_buffer_copy(c.manifold.contents) if c.manifold else None,
+            words=words,
+        )
+
+    def near(self):
+        """The pairs that were near at the last update, as a list of Report in no stated order."""
+        reports, cursor, found = [], c_uint32(), c_bool()
+        while True:
+            pair = _Report()
+            do(_next_near, self._handle, cursor, pair, found)
+            if not found:
+                return reports
+            reports.append(self._report(pair))
+
+    def manifolds(self, report, most=4):
+        """All contacts of a reported pair where its bodies are now, by their normals: a list of Manifold."""
+        room, count = (Manifold * constant("GJK_PARTS_MANIFOLDS_MAX"))(), ctypes.c_uint()
+        pair = _Report(report.a, report.b, report.part_a, report.part_b, report.event, report.detail)
+        do(_manifolds, self._handle, pair, most, room, len(room), count)
+        return room[: count.value]
+
+    def stats(self):
+        """A SceneStats."""
+        return answer(_get_stats, SceneStats, self._handle)
+
+    # Queries of the current poses. filter: a SceneFilter, or None.
+
+    def cast_ray(self, start, end, filter=None):
+        """What a ray enters first: a SceneHit and its CastResult; None: nothing."""
+        return self._first(_cast_ray, start, end, filter)
+
+    def cast_ray_all(self, start, end, filter=None):
+        """All that a ray enters, in this order: a list of SceneHit."""
+        return self._hits(_cast_ray_all, start, end, filter)
+
+    def cast(self, collider, to, margin=0, filter=None):
+        """What a collider meets first on a straight way: a SceneHit and its CastResult; None: nothing."""
+        return self._first(_cast, collider, to, margin, filter)
+
+    def within(self, collider, reach=0, filter=None):
+        """All parts that are at most reach away from a collider: a list of SceneHit."""
+        return self._hits(_query_within, collider, reach, filter)
+
+    def box(self, box):
+        """All parts whose boxes share a point with an Aabb: a list of SceneHit."""
+        return self._hits(_query_box, box)
+
+    def nearest(self, collider, reach, ignore=None):
+        """The part that is nearest to a collider, at most reach away: a SceneHit and the distance; None: nothing."""
+        hit, distance, found = SceneHit(), c_int32(), c_bool()
+        do(_query_nearest, self._handle, collider, reach, ignore, hit, distance, found)
+        return (hit, distance.value) if found else None
+
+    def _first(self, function, *arguments):
+        hit, result, found = SceneHit(), CastResult(), c_bool()
+        status = function(self._handle, *arguments, hit, result, found)
+        if status != Status.OK:
+            raise Error(status, hit)
+        return (hit, result) if found else None
+
+    def _hits(self, function, *arguments):
+        hits, count = [], c_uint32(_ROOM + 1)
+        while count.value > _ROOM:
+            room = (SceneHit * _ROOM)()
+            do(function, self._handle, *arguments, hits[-1] if hits else None, room, _ROOM, count)
+            hits.extend(room[: count.value])
+        return hits
+
+    # Lockstep and saving.
+
+    def hash(self):
+        """64 bits over all that decides further answers."""
+        return answer(_hash, c_uint64, self._handle).value
+
+    def save(self):
+        """The scene as bytes, sealed by a checksum: what C opens with gjk_scene_open."""
+        do(_seal, self._handle)
+        return bytes(self._block)
+
+    def load(self, save):
+        """Takes what a scene of the same shapes and the same configuration has saved, on any machine.
+
+        The bytes are checked, so they may come from anywhere. After an Error the scene is as it was.
+        """
+        if len(save) != ctypes.sizeof(self._block):
+            raise Error(Status.CAPACITY)
+        block, handle = type(self._block).from_buffer_copy(save), _Handle()
+        do(_open, handle, block, len(save), *self._bound())
+        self._block, self._handle = block, handle
+
+
+_SCENE = POINTER(_Handle)
+_BODY = _SCENE, BodyId
+_TO_REPORTS = POINTER(_Report), c_uint32, POINTER(_Progress)
+_SHAPES = POINTER(POINTER(Shape)), Uint16, POINTER(_Bindings)
+_FILTER = POINTER(SceneFilter)
+_TO_HITS = POINTER(SceneHit), POINTER(SceneHit), c_uint32, POINTER(c_uint32)
+_TO_HIT = POINTER(SceneHit), POINTER(CastResult), POINTER(c_bool)
+
+library.gjk_scene_bytes.restype = ctypes.c_size_t
+library.gjk_scene_bytes.argtypes = [POINTER(_Config)]
+_init = declare("gjk_scene_init", _SCENE, POINTER(_Config), c_void_p, ctypes.c_size_t, *_SHAPES)
+_open = declare("gjk_scene_open", _SCENE, c_void_p, ctypes.c_size_t, *_SHAPES)
+_add = declare("gjk_scene_add", _SCENE, POINTER(_Setup), POINTER(BodyId))
+_add_at = declare("gjk_scene_add_at", _SCENE, Uint32, POINTER(_Setup), POINTER(BodyId))
+_remove = declare("gjk_scene_remove", *_BODY)
+_move = declare("gjk_scene_move", *_BODY, POINTER(Pose))
+_teleport = declare("gjk_scene_teleport", *_BODY, POINTER(Pose))
+_sleep = declare("gjk_scene_sleep", *_BODY)
+_wake = declare("gjk_scene_wake", *_BODY)
+_set_motion = declare("gjk_scene_set_motion", *_BODY, Uint8)
+_set_shape = declare("gjk_scene_set_shape", *_BODY, Uint16, Uint16)
+_set_filter = declare("gjk_scene_set_filter", *_BODY, Uint32, Uint32)
+_set_user = declare("gjk_scene_set_user", *_BODY, Uint32)
+_get = declare("gjk_scene_get", *_BODY, POINTER(BodyState))
+_body_at = declare("gjk_scene_body_at", _SCENE, Uint32, POINTER(BodyId))
+_collider = declare("gjk_scene_collider", *_BODY, Uint16, POINTER(Collider))
+_update = declare("gjk_scene_update", _SCENE, *_TO_REPORTS)
+_next_near = declare("gjk_scene_next_near", _SCENE, POINTER(c_uint32), POINTER(_Report), POINTER(c_bool))
+_manifolds = declare(
+    "gjk_scene_manifolds", _SCENE, POINTER(_Report), Unsigned, POINTER(Manifold), Unsigned, POINTER(ctypes.c_uint)
+)
+_get_stats = declare("gjk_scene_get_stats", _SCENE, POINTER(SceneStats))
+_cast_ray = declare("gjk_scene_cast_ray", _SCENE, Vec3, Vec3, _FILTER, *_TO_HIT)
+_cast_ray_all = declare("gjk_scene_cast_ray_all", _SCENE, Vec3, Vec3, _FILTER, *_TO_HITS)
+_cast = declare("gjk_scene_cast", _SCENE, POINTER(Collider), Vec3, Int32, _FILTER, *_TO_HIT)
+_query_within = declare("gjk_scene_query_within", _SCENE, POINTER(Collider), Int32, _FILTER, *_TO_HITS)
+_query_box = declare("gjk_scene_query_box", _SCENE, POINTER(Aabb), *_TO_HITS)
+_query_nearest = declare(
+    "gjk_scene_query_nearest", _SCENE, POINTER(Collider), Int32, POINTER(BodyId), POINTER(SceneHit), POINTER(c_int32),
+    POINTER(c_bool),
+)  # fmt: skip
+_hash = declare("gjk_scene_hash", _SCENE, POINTER(c_uint64))
+_seal = declare("gjk_scene_seal", _SCENE)
+
+check_sizes(globals())
