@@ -12,7 +12,7 @@
 // Everything here is a thin inline layer: values are the structures of the C headers, which also say what each call
 // answers, how exactly, and with which statuses. No exceptions, no heap, no runtime type information, nothing of the
 // standard library, and at most a store more for each call than in C; so it serves firmware, too. gjk2.hpp is the same in
-// the plane.
+// the plane; gjk_scene.hpp has scenes, gjk_parts.hpp bodies of many parts, hulls of points and masses.
 #ifndef GJK_HPP
 #define GJK_HPP
 
@@ -78,6 +78,7 @@ class span {
   // for them the most that they can use.
   constexpr uint16_t count() const { return size_ <= UINT16_MAX ? static_cast<uint16_t>(size_) : 0; }
   constexpr uint16_t room() const { return size_ <= UINT16_MAX ? static_cast<uint16_t>(size_) : UINT16_MAX; }
+  constexpr uint32_t count32() const { return size_ <= UINT32_MAX ? static_cast<uint32_t>(size_) : UINT32_MAX; }
 
  private:
   Item *data_ = nullptr;

@@ -315,7 +315,7 @@ def test_space(browser):
 
 def test_lockstep(browser):
     """3,000 ticks the same; a flipped bit parts them at its tick; a rollback computes the same again."""
-    load(browser, '#lockstep?bodies=60')
+    load(browser, '#lockstep?bodies=200')
     point = centre(browser, '#lockstep canvas')
     browser.click(point[0], point[1] + 60)
     browser.wait('Object.keys(page.current.pushes).length === 1', 10)

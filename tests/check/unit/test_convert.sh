@@ -124,6 +124,13 @@ done
 for file in t.stl bytes.stl; do
   check "$file" "points=12 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
 done
+# Lines that end otherwise, and a byte order mark before the first one.
+tr '\n' '\r' <"$work/t.obj" >"$work/cr.obj"
+awk '{ printf "%s\r\n", $0 }' "$work/t.obj" >"$work/crlf.obj"
+{ printf '\357\273\277' && sed 1d "$work/t.obj"; } >"$work/mark.obj"
+for file in cr.obj crlf.obj mark.obj; do
+  check "$file" "points=4 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
+done
 sed '$d' "$work/t.obj" >"$work/open.obj"
 check 'open' "points=4 vertices=4 faces=4 volume6=$volume watertight=no" "$("$convert" --info "$work/open.obj")"
 for mesh in l_bracket torus u_channel; do
@@ -225,6 +232,33 @@ mesh_info() { # FILE EXPECTED
 mesh_info tests/data/hulls/l_bracket.obj 'triangles=20 vertices=12 convex=34 flat=24 concave=2 open=0 fault=0 watertight=yes'
 mesh_info tests/data/hulls/u_channel.obj 'triangles=28 vertices=16 convex=44 flat=36 concave=4 open=0 fault=0 watertight=yes'
 mesh_info "$work/t.obj" 'triangles=4 vertices=4 convex=12 flat=0 concave=0 open=0 fault=0 watertight=yes'
+# Faces of many corners that are not convex, from each corner on: no triangle is turned over, or lies beyond its face.
+# The outlines are of an L, a U, an S, a spiral, and an L with a corner within an edge.
+number=0
+for outline in '0 0 4 0 4 1 1 1 1 4 0 4' '0 0 5 0 5 4 4 4 4 1 1 1 1 4 0 4' '0 0 3 0 3 3 1 3 1 2 2 2 2 1 0 1' \
+  '0 0 7 0 7 7 0 7 0 2 4 2 4 4 2 4 2 5 5 5 5 1 0 1' '0 0 2 0 4 0 4 1 1 1 1 4 0 4'; do
+  number=$((number + 1))
+  echo "$outline" | awk -v work="$work/outline$number" '{
+    n = NF / 2
+    for (first = 0; first < n; first++) {
+      file = work "_" first ".obj"
+      for (z = 0; z < 2; z++) for (i = 0; i < n; i++) print "v", $(2 * i + 1), $(2 * i + 2), z >file
+      line = "f"; for (i = 0; i < n; i++) line = line " " n + 1 + (first + i) % n
+      print line >file
+      line = "f"; for (i = n; i > 0; i--) line = line " " 1 + (first + i) % n
+      print line >file
+      for (i = 0; i < n; i++) print "f", 1 + i, 1 + (i + 1) % n, 1 + n + (i + 1) % n, 1 + n + i >file
+    }
+  }'
+  told=$(for file in "$work/outline${number}"_*.obj; do "$convert" --mesh --info "$file"; done | sort | uniq -c | awk '{ $1 = ""; print }')
+  case $number in
+    1) expected=' triangles=20 vertices=12 convex=34 flat=24 concave=2 open=0 fault=0 watertight=yes' ;;
+    2 | 3) expected=' triangles=28 vertices=16 convex=44 flat=36 concave=4 open=0 fault=0 watertight=yes' ;;
+    4) expected=' triangles=44 vertices=24 convex=64 flat=60 concave=8 open=0 fault=0 watertight=yes' ;;
+    *) expected=' triangles=24 vertices=14 convex=38 flat=32 concave=2 open=0 fault=0 watertight=yes' ;;
+  esac
+  check "outline $number" "$expected" "$told"
+done
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n' >"$work/turned.obj"
 mesh_info "$work/turned.obj" 'triangles=2 vertices=4 convex=0 flat=0 concave=0 open=6 fault=9 watertight=no'
 # Its C is sound where it is compiled, and answers: half a unit above the L's long side.
@@ -278,6 +312,20 @@ printf 'v 0 0 0\nf 0 1 1\n' >"$work/zero.obj"
 broken zero.obj ":2: '0' is no corner of a face"
 printf 'v 40000 0 0\n' >"$work/far.obj"
 broken far.obj ':1: a coordinate is beyond Q16.16'
+{
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf' && awk 'BEGIN { for (i = 0; i < 4097; i++) printf " %d", i % 3 + 1; print "" }'
+} >"$work/many.obj"
+broken many.obj ':4: a face has 3 to 4096 corners'
+printf 'OFF\n-1 1 0\n' >"$work/below.off"
+broken below.off ':2: a number of vertices or faces below 0'
+sed '$d' "$work/t.stl" >"$work/end.stl"
+broken end.stl ':30: the file ends without endsolid'
+printf 'solid\0%079d\1' 0 >"$work/solid.stl"
+broken solid.stl ': neither STL as text, which begins with solid, nor as bytes of the length it says'
+{
+  head -c 96 "$work/bytes.stl" && printf '\000\000\300\177' && tail -c +101 "$work/bytes.stl"
+} >"$work/nan.stl"
+broken nan.stl ': a coordinate is beyond Q16.16, in triangle 0'
 printf '# nothing\n' >"$work/none.obj"
 broken none.obj ':2: no points'
 printf '1 2 3\n4 5\n' >"$work/two.txt"
@@ -296,8 +344,25 @@ head -c 100 "$work/bytes.stl" >"$work/cut.stl"
 found=$("$convert" --info "$work/cut.stl" 2>&1)
 check 'cut.stl: status' 2 $?
 check 'cut.stl' 1 "$(echo "$found" | grep -c 'neither STL as text')"
-printf 'ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n' >"$work/cut.ply"
-broken cut.ply ':7: the file ends early'
+axes='property float x\nproperty float y\nproperty float z\n'
+printf 'ply\nformat ascii 1.0\nelement vertex 2\n%bend_header\n1 2 3\n' "$axes" >"$work/cut.ply"
+broken cut.ply ':9: the file ends early'
+printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n' >"$work/flat.ply"
+broken flat.ply ':6: element vertex without x, y and z'
+printf 'ply\nformat ascii 1.0\nelement vertex 1\n%belement face 4000000000000000000\nend_header\n1 2 3\n' "$axes" >"$work/huge.ply"
+broken huge.ply ':8: element face without properties'
+printf 'ply\nformat ascii 1.0\nelement vertex 3\n%belement face 1\nproperty list uchar int vertex_index\nend_header\n' "$axes" >"$work/part.ply"
+printf '1 2 3\n4 5 6\n7 8 8\n3 0 1 1.5\n' >>"$work/part.ply"
+broken part.ply ':13: a face with a corner that is no vertex'
+head -c 130 "$work/little.ply" >"$work/header.ply"
+found=$("$convert" --info "$work/header.ply" 2>&1)
+check 'header.ply: status' 2 $?
+{
+  ply_header binary_little_endian
+  printf '%b' "$point0$point1$point2$point3"
+  printf '\003\000\000\001\000\002\000\003\000\000\003\000\011\000'
+} >"$work/number.ply"
+broken number.ply ':9: a face with a corner that is no vertex, in face 1'
 ply_header binary_little_endian >"$work/empty.ply"
 found=$("$convert" --info "$work/empty.ply" 2>&1)
 check 'empty.ply: status' 2 $?
@@ -305,6 +370,15 @@ printf '0 0 0\n536739842 0 0\n' >"$work/wide.txt"
 found=$("$convert" --info "$work/wide.txt" 2>&1)
 check 'wide.txt: status' 2 $?
 check 'wide.txt' "$work/wide.txt: the points are more than 8190 units apart along an axis" "$found"
+for axis in 1 2; do
+  printf 'v 0 0 0\nv 8189 0 0\nv 0 %d 0\nv 0 0 8189\n' $((axis * 4000)) >"$work/shape.obj"
+  for way in '' --case; do
+    # shellcheck disable=SC2086 # a word or none
+    found=$("$convert" $way "$work/shape.obj" 2>&1)
+    check "shape.obj $way: status" 2 $?
+    check "shape.obj $way" "gjk-convert: no shape: a vertex is more than 4095 units from the middle of its hull's box" "$found"
+  done
+done
 for wrong in "$work/missing.obj" "$work" "$work/t.xyz"; do
   "$convert" --info "$wrong" >/dev/null 2>&1
   check "$wrong: status" 2 $?

@@ -1,7 +1,8 @@
 #!/bin/sh
-# gjk.hpp and gjk2.hpp: the golden hash of pairs, what they do around the queries, the README's example; that firmware can
-# have them, and what they cost there. test_cpp.sh BUILD
+# The C++ headers: the golden hashes of pairs and of a scene, what they do around the calls, low ceilings on iterations, the
+# README's example; that firmware can have them, and what they cost there. test_cpp.sh BUILD
 . tests/build/count.sh
+. tests/build/golden.sh
 build=$1
 dir=$build/cpp-test
 rm -rf "$dir"
@@ -40,6 +41,18 @@ other_bits() {
   ! runs golden "$1" 149
 }
 
+other_match() {
+  ! runs scene_golden "$1" 9999
+}
+
+# ceiling COMPILER MAX: with a library that has it
+ceiling() {
+  # shellcheck disable=SC2086
+  golden_library host "${CC:-cc}" -O2 "-DGJK_ITERATIONS_MAX=$2" '-DGJK_PORT_HEADER="hosted/gjk_port.h"' &&
+    "$1" -std=c++17 -O1 $strict $includes "-DGJK_ITERATIONS_MAX=$2" tests/check/bind/ceilings.cpp "$golden_objects"/gjk*.o \
+      "$build/hosted/port/hosted/gjk_hosted.o" -o "$dir/ceiling-$2" && "$dir/ceiling-$2"
+}
+
 # literal COMPILER WORD: does a literal compile?
 literal() {
   printf '#include "gjk.hpp"\nusing namespace gjk::literals;\nstatic_assert(%s >= 0);\n' "$2" >"$dir/literal.cpp"
@@ -52,7 +65,7 @@ refused() {
 
 # freestanding COMPILER FLAGS...: the headers need nothing of a library
 freestanding() {
-  printf '#include "gjk.hpp"\n#include "gjk2.hpp"\n' >"$dir/headers.cpp"
+  printf '#include "%s"\n' gjk.hpp gjk2.hpp gjk_scene.hpp gjk_parts.hpp >"$dir/headers.cpp"
   # shellcheck disable=SC2086
   "$@" -std=c++17 $strict -Iinclude -Iport/cpp -ffreestanding -fno-exceptions -fno-rtti -c "$dir/headers.cpp" -o "$dir/headers.o"
 }
@@ -104,6 +117,11 @@ for compiler in g++ clang++; do
   check "golden: compiles, $compiler" program golden $compiler -O2 -fno-exceptions -fno-rtti
   check "the golden hash, $compiler" runs golden $compiler
   check "another set has another hash, $compiler" other_bits $compiler
+  check "a match: compiles, $compiler" program scene_golden $compiler -O2 -fno-exceptions -fno-rtti
+  check "the golden hash of a scene, $compiler" runs scene_golden $compiler
+  check "another match has another hash, $compiler" other_match $compiler
+  check "scenes, parts, solids: compiles, $compiler" program scene_behaviour $compiler -O1
+  check "scenes, parts, solids, $compiler" runs scene_behaviour $compiler
   check "behaviour: compiles, $compiler" program behaviour $compiler -O1
   check "literals, ranges, results, $compiler" runs behaviour $compiler
   check "the README's example, $compiler" readme $compiler
@@ -113,6 +131,13 @@ for compiler in g++ clang++; do
     check "$word is refused, $compiler" refused $compiler $word
   done
 done
+if have g++; then
+  for max in 1 2 3; do
+    check "a ceiling of $max" ceiling g++ $max
+  done
+else
+  skip 'ceilings in C++' g++
+fi
 if [ -z "$(missing_package cortex-m3)" ] && have arm-none-eabi-g++; then
   check 'without a library, cortex-m3' freestanding arm-none-eabi-g++ -mcpu=cortex-m3 -mthumb
   check 'as small as C' as_small_as_c

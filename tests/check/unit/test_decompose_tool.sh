@@ -31,6 +31,20 @@ for scale in --units --millimetres; do
   check "bracket $scale" 'parts=9 excess=0 enclosed=yes' "$(info $scale $meshes/bracket.obj)"
 done
 
+# The L as a modeller writes it: two faces of six corners that are not convex, from each corner on.
+for first in 0 1 2 3 4 5; do
+  awk -v first="$first" 'BEGIN {
+    n = split("0 0 4 0 4 1 1 1 1 4 0 4", at, " ") / 2
+    for (z = 0; z < 2; z++) for (i = 0; i < n; i++) print "v", at[2 * i + 1], at[2 * i + 2], z
+    line = "f"; for (i = 0; i < n; i++) line = line " " n + 1 + (first + i) % n
+    print line
+    line = "f"; for (i = n; i > 0; i--) line = line " " 1 + (first + i) % n
+    print line
+    for (i = 0; i < n; i++) print "f", 1 + i, 1 + (i + 1) % n, 1 + n + (i + 1) % n, 1 + n + i
+  }' >"$work/six.obj"
+  check "six corners from $first" 'parts=2 excess=0 enclosed=yes' "$(info "$work/six.obj")"
+done
+
 # Turned so that no coordinate is whole: as many parts, a few LSB.
 awk '/^v/ { x = $2 * .8 - $3 * .6; y = $2 * .6 + $3 * .8; printf "v %.6f %.6f %.6f\n", x, y * .28 - $4 * .96, y * .96 + $4 * .28 }
   /^f/' tests/data/hulls/u_channel.obj >"$work/turned.obj"
@@ -157,6 +171,16 @@ check 'a box in a box' 'parts=1 excess=0 enclosed=yes' "$(info "$work/within.obj
 box twice.obj 0 4
 box twice.obj 0 4
 check 'a box twice' 'parts=1 excess=0 enclosed=yes' "$(info "$work/twice.obj")"
+for copy in 1 2 3; do
+  box hollow.obj 0 4
+  box hollow.obj 1 3 -1
+  check "a hollow box $copy times" 'enclosed=yes excess=0 6 to 8 parts' "$(info "$work/hollow.obj" |
+    awk '{ split($1, p, "="); print $3, $2, (p[2] >= 6 && p[2] <= 8 ? "6 to 8 parts" : p[2]) }')"
+done
+# Not copies alone: the box at the corner is within another one. What is not reached is told.
+box hollow.obj 0 1
+check 'excess not reached' 'LSB instead of 4096' "$(info "$work/hollow.obj" | sed -n 's/.*LSB instead/LSB instead/p')"
+check 'excess asked for and reached' '' "$(info --excess 5 "$work/within.obj" | grep instead)"
 box sheet.obj 0 4
 printf 'f 1 2 3\nf 1 3 2\n' >>"$work/sheet.obj"
 check 'a triangle and its back' 'parts=1 excess=0 enclosed=yes' "$(info "$work/sheet.obj")"

@@ -1,4 +1,5 @@
 // gjk-convert: makes hulls, convex parts and surfaces of files of points and meshes.
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +24,8 @@ static const char help[] =
     "  --mesh         the file's triangles as a surface for gjk/mesh.h, with what is known of their edges and a tree\n"
     "  --two-sided    of a surface: bodies touch it from both sides\n"
     "  --excess LSB   parts may reach beyond the solid by so much; the default is 0 where a solid has few edges\n"
-    "                 at which it is not convex, else a 64th of its longest side\n"
+    "                 at which it is not convex, else a 64th of its longest side; a message tells if it is not "
+    "reached\n"
     "  --parts N      no more than so many parts, whatever their excess\n"
     "  --picture SVG  draws the parts into that file, too\n"
     "  --info         one line about it instead of C:\n"
@@ -142,7 +144,8 @@ static char *read_file(const char *name, size_t *bytes) {
       room = room == 0 ? 65536 : 2 * room;
       char *grown = realloc(text, room);
       if (grown == NULL) {
-        break;
+        fprintf(stderr, "gjk-convert: out of memory\n");
+        exit(EXIT_INPUT);
       }
       text = grown;
     }
@@ -152,12 +155,20 @@ static char *read_file(const char *name, size_t *bytes) {
       break;
     }
   }
+  if (ferror(f)) {
+    free(text);
+    text = NULL;
+  }
   fclose(f);
   return text;
 }
 
 static int report_problem(const mesh_file *file) {
-  fprintf(stderr, "%s:%lu: %s\n", file->name, file->line, file->problem);
+  if (file->line > 0) {
+    fprintf(stderr, "%s:%lu: %s\n", file->name, file->line, file->problem);
+  } else {
+    fprintf(stderr, "%s: %s\n", file->name, file->problem);
+  }
   return EXIT_INPUT;
 }
 
@@ -189,7 +200,7 @@ static int write_hull(const options *o, const gjk_hull *hull, size_t points, boo
   if (o->info) {
     write_info(hull, points, watertight);
   } else if (o->cases) {
-    write_case(hull, o->name);
+    return write_case(hull, o->name) ? EXIT_DONE : EXIT_INPUT;
   } else {
     return write_source(hull, o->name, o->table) ? EXIT_DONE : EXIT_INPUT;
   }
@@ -250,6 +261,8 @@ static int convert_to_parts(const options *o, mesh_file *file, const mesh *m) {
   int result = EXIT_DONE;
   if (o->info) {
     write_parts_info(&d);
+  } else if (!write_parts_fit(&d)) {
+    result = EXIT_INPUT;
   } else if (o->cases) {
     write_parts_case(&s, &d, o->name);
   } else {
@@ -261,6 +274,9 @@ static int convert_to_parts(const options *o, mesh_file *file, const mesh *m) {
   }
   if (!d.enclosed) {
     fprintf(stderr, "%s: the parts do not enclose the solid: %s\n", file->name, d.problem);
+  }
+  if ((o->how.parts == 0 || o->how.excess >= 0) && d.excess.at_most > d.wanted) {
+    fprintf(stderr, "%s: the excess is %.0Lf LSB instead of %.0Lf\n", file->name, ceill(d.excess.at_most), d.wanted);
   }
   if (!o->info) {
     fprintf(

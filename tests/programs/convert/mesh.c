@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "polygon.h"
+
 static void *grow(void *memory, size_t *room, size_t size) {
   *room = *room == 0 ? 256 : 2 * *room;
   void *grown = realloc(memory, *room * size);
@@ -30,6 +32,12 @@ bool mesh_fail(mesh_file *file, const char *format, ...) {
     vsnprintf(file->problem, sizeof file->problem, format, arguments);
     va_end(arguments);
   }
+  return false;
+}
+
+bool mesh_fail_at(mesh_file *file, const char *what, long number) {
+  const size_t length = strlen(file->problem);
+  snprintf(file->problem + length, sizeof file->problem - length, ", in %s %ld", what, number);
   return false;
 }
 
@@ -60,17 +68,23 @@ bool mesh_add_polygon(mesh *m, mesh_file *file, const int64_t *corner, size_t co
       return mesh_fail(file, "a face with a corner that is no vertex");
     }
   }
+  uint32_t *at = malloc(corners * sizeof at[0]);
+  while (m->triangle_room - m->triangles < corners - 2) {
+    size_t room = m->triangle_room;
+    m->face = grow(m->face, &room, sizeof m->face[0]);
+    m->triangle = grow(m->triangle, &m->triangle_room, sizeof m->triangle[0]);
+  }
+  for (size_t i = 0; i < corners && at != NULL; i++) {
+    at[i] = (uint32_t)corner[i];
+  }
+  if (at == NULL || !polygon_cut(m->point, at, corners, m->triangle + m->triangles)) {
+    fprintf(stderr, "gjk-convert: out of memory\n");
+    exit(2);
+  }
+  free(at);
   m->faces++;
-  for (size_t i = 1; i + 1 < corners; i++) {
-    if (m->triangles == m->triangle_room) {
-      size_t room = m->triangle_room;
-      m->face = grow(m->face, &room, sizeof m->face[0]);
-      m->triangle = grow(m->triangle, &m->triangle_room, sizeof m->triangle[0]);
-    }
-    m->face[m->triangles] = (uint32_t)m->faces;
-    m->triangle[m->triangles][0] = (uint32_t)corner[0];
-    m->triangle[m->triangles][1] = (uint32_t)corner[i];
-    m->triangle[m->triangles++][2] = (uint32_t)corner[i + 1];
+  for (size_t i = 0; i + 2 < corners; i++) {
+    m->face[m->triangles++] = (uint32_t)m->faces;
   }
   return true;
 }

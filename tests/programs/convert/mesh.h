@@ -8,7 +8,7 @@
 
 #include "gjk/format.h"
 
-// Corners are numbers of points. Faces of more corners are cut into triangles that share the first one.
+// Corners are numbers of points. Faces of more corners are cut into triangles (polygon.h).
 typedef struct mesh {
   gjk_vec3 *point;
   uint32_t (*triangle)[3];
@@ -21,9 +21,9 @@ typedef struct mesh {
 typedef struct mesh_file {
   const char *name, *text;
   size_t bytes;
-  double scale;  // LSB per number
-  unsigned long line;
-  char problem[160];  // empty: none
+  double scale;        // LSB per number
+  unsigned long line;  // 0: not of a line
+  char problem[160];   // empty: none
 } mesh_file;
 
 void mesh_free(mesh *m);
@@ -31,10 +31,13 @@ void mesh_free(mesh *m);
 // Notes the first problem, as printf does. Returns false.
 bool mesh_fail(mesh_file *file, const char *format, ...);
 
+// Adds to the problem noted what it is in, counted from 0. Returns false.
+bool mesh_fail_at(mesh_file *file, const char *what, long number);
+
 // Adds a point, rounded to the nearest LSB. False: beyond int32, or not a number.
 bool mesh_add_point(mesh *m, mesh_file *file, const double xyz[3]);
 
-// Adds the fan of a polygon's triangles. False: a corner is no point so far, or there are less than 3.
+// Adds a polygon's triangles. False: a corner is no point so far, or there are less than 3.
 bool mesh_add_polygon(mesh *m, mesh_file *file, const int64_t *corner, size_t corners);
 
 // Makes points at one place one point. Triangles that lose their area by that are left out.

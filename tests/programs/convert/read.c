@@ -11,28 +11,33 @@ static bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
+// Does a line end here? Lines end in a line feed, or in a carriage return alone.
+static bool is_end(const mesh_file *f, size_t at) {
+  return f->text[at] == '\n' || (f->text[at] == '\r' && (at + 1 == f->bytes || f->text[at + 1] != '\n'));
+}
+
 // Is the rest of the line empty? A backslash before its end continues it on the next one. Moves to what comes next.
-static bool at_line_end(read_text *text) {
+bool read_line_ends(read_text *text) {
   const mesh_file *f = text->file;
   for (; text->at < f->bytes; text->at++) {
     const char c = f->text[text->at];
     if (c == '\\') {
       size_t next = text->at + 1;
-      while (next < f->bytes && is_space(f->text[next])) {
+      while (next < f->bytes && is_space(f->text[next]) && !is_end(f, next)) {
         next++;
       }
-      if (next < f->bytes && f->text[next] == '\n') {
+      if (next < f->bytes && is_end(f, next)) {
         text->file->line++;
         text->at = next;
         continue;
       }
     }
     if (c == '#') {
-      while (text->at < f->bytes && f->text[text->at] != '\n') {
+      while (text->at < f->bytes && !is_end(f, text->at)) {
         text->at++;
       }
     }
-    if (text->at == f->bytes || f->text[text->at] == '\n') {
+    if (text->at == f->bytes || is_end(f, text->at)) {
       return true;
     }
     if (!is_space(c)) {
@@ -42,15 +47,22 @@ static bool at_line_end(read_text *text) {
   return true;
 }
 
+void read_past_line(read_text *text) {
+  const mesh_file *f = text->file;
+  while (text->at < f->bytes && !is_end(f, text->at)) {
+    text->at++;
+  }
+  text->at += text->at < f->bytes ? 1 : 0;
+}
+
 bool read_next_line(read_text *text) {
   const mesh_file *f = text->file;
   if (text->at > 0 || f->line > 0) {
-    while (text->at < f->bytes && f->text[text->at] != '\n') {
-      text->at++;
-    }
-    text->at += text->at < f->bytes ? 1 : 0;
+    read_past_line(text);
+  } else if (f->bytes >= 3 && memcmp(f->text, "\xEF\xBB\xBF", 3) == 0) {
+    text->at = 3;  // UTF-8's byte order mark
   }
-  for (text->file->line++; at_line_end(text); text->file->line++) {
+  for (text->file->line++; read_line_ends(text); text->file->line++) {
     if (text->at >= f->bytes) {
       return false;
     }
@@ -62,14 +74,14 @@ bool read_next_line(read_text *text) {
 static size_t word_length(const read_text *text) {
   const mesh_file *f = text->file;
   size_t end = text->at;
-  while (end < f->bytes && !is_space(f->text[end]) && f->text[end] != '\n') {
+  while (end < f->bytes && !is_space(f->text[end]) && !is_end(f, end)) {
     end++;
   }
   return end - text->at;
 }
 
 bool read_word(read_text *text, const char *word) {
-  if (at_line_end(text)) {
+  if (read_line_ends(text)) {
     return false;
   }
   const size_t length = word_length(text);
@@ -81,7 +93,7 @@ bool read_word(read_text *text, const char *word) {
 }
 
 bool read_any_word(read_text *text, char *out, size_t room) {
-  if (at_line_end(text)) {
+  if (read_line_ends(text)) {
     return false;
   }
   const size_t length = word_length(text), kept = length < room ? length : room - 1;
@@ -130,7 +142,7 @@ bool read_points(mesh *m, mesh_file *file) {
         return mesh_fail(file, "a line of points has three integers");
       }
     }
-    if (!at_line_end(&text)) {
+    if (!read_line_ends(&text)) {
       return mesh_fail(file, "a line of points has three integers");
     }
     const double xyz[3] = {(double)lsb[0], (double)lsb[1], (double)lsb[2]};

@@ -13,9 +13,15 @@ typedef struct read_text {
   size_t at;
 } read_text;
 
+// Moves behind the end of the line: a line feed, or a carriage return alone.
+void read_past_line(read_text *text);
+
 // Moves on to the next line that is not empty after comments ('#' to its end) are left out, and counts lines. False: the
 // text ends. The line's words are then read by the functions below.
 bool read_next_line(read_text *text);
+
+// Is nothing left in the line?
+bool read_line_ends(read_text *text);
 
 // Takes a word if it comes next in the line.
 bool read_word(read_text *text, const char *word);

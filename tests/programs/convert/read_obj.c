@@ -44,6 +44,9 @@ bool read_obj(mesh *m, mesh_file *file) {
       while (corners < READ_CORNERS_MAX && read_corner(&text, m, &corner[corners])) {
         corners++;
       }
+      if (corners == READ_CORNERS_MAX && !read_line_ends(&text)) {
+        return mesh_fail(file, "a face has 3 to %d corners", READ_CORNERS_MAX);
+      }
       if (file->problem[0] != '\0' || !mesh_add_polygon(m, file, corner, corners)) {
         return false;
       }
@@ -71,6 +74,9 @@ bool read_off(mesh *m, mesh_file *file) {
   }
   if (!read_count(&text, &vertices) || !read_count(&text, &faces) || !read_count(&text, &edges)) {
     return false;
+  }
+  if (vertices < 0 || faces < 0) {
+    return mesh_fail(file, "a number of vertices or faces below 0");
   }
   for (int64_t i = 0; i < vertices; i++) {
     if (!read_next_line(&text) || !read_vertex(&text, m)) {

@@ -1,4 +1,5 @@
 // PLY: a header that says what follows, as text or as bytes of either order.
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -91,6 +92,25 @@ static bool read_element(ply_reader *r) {
          mesh_fail(r->file, "an element without a name and a number");
 }
 
+// Is there something of each element in the file, and a place of each vertex?
+static bool check_elements(ply_reader *r) {
+  for (unsigned i = 0; i < r->elements; i++) {
+    const ply_element *e = &r->element[i];
+    unsigned axes = 0;
+    for (unsigned n = 0; n < e->properties; n++) {
+      const ply_property *p = &e->property[n];
+      if (p->count == PLY_NONE && p->name[1] == '\0' && p->name[0] >= 'x' && p->name[0] <= 'z') {
+        axes |= 1U << (p->name[0] - 'x');
+      }
+    }
+    if (e->properties == 0 || (strcmp(e->name, "vertex") == 0 && axes != 7)) {
+      return mesh_fail(r->file, e->properties == 0 ? "element %s without properties" : "element %s without x, y and z",
+                       e->name);
+    }
+  }
+  return true;
+}
+
 static bool read_format(ply_reader *r) {
   r->form = read_word(&r->text, "ascii")                  ? PLY_TEXT
             : read_word(&r->text, "binary_little_endian") ? PLY_LITTLE
@@ -104,7 +124,7 @@ static bool read_header(ply_reader *r) {
   }
   while (read_next_line(&r->text)) {
     if (read_word(&r->text, "end_header")) {
-      return true;
+      return check_elements(r);
     }
     if ((read_word(&r->text, "format") && !read_format(r)) || (read_word(&r->text, "element") && !read_element(r)) ||
         (read_word(&r->text, "property") && !read_property(r))) {
@@ -161,14 +181,14 @@ static bool read_list(ply_reader *r, const ply_element *e, const ply_property *p
   if (!read_value(r, p->count, &length)) {
     return false;
   }
-  if (!(length >= 0 && length <= READ_CORNERS_MAX)) {
-    return mesh_fail(r->file, "a list of more than %d values", READ_CORNERS_MAX);
+  if (!(length >= 0 && length <= READ_CORNERS_MAX) || length != (int)length) {
+    return mesh_fail(r->file, "a list of less than 0 or more than %d values", READ_CORNERS_MAX);
   }
   for (int i = 0; i < (int)length; i++) {
     if (!read_value(r, p->type, &value)) {
       return false;
     }
-    corner[i] = value >= 0 && value < 4294967296.0 ? (int64_t)value : -1;
+    corner[i] = value >= 0 && value < 4294967296.0 && floor(value) == value ? (int64_t)value : -1;
   }
   const bool face = strcmp(e->name, "face") == 0 && strncmp(p->name, "vertex_ind", 10) == 0;
   return !face || mesh_add_polygon(r->m, r->file, corner, (size_t)length);
@@ -204,15 +224,12 @@ bool read_ply(mesh *m, mesh_file *file) {
     return false;
   }
   if (r.form != PLY_TEXT) {
-    while (r.text.at < file->bytes && file->text[r.text.at] != '\n') {
-      r.text.at++;
-    }
-    r.text.at += r.text.at < file->bytes ? 1 : 0;
+    read_past_line(&r.text);
   }
   for (unsigned i = 0; i < r.elements; i++) {
     for (int64_t j = 0; j < r.element[i].count; j++) {
       if (!read_one(&r, &r.element[i])) {
-        return mesh_fail(file, "element %s %ld", r.element[i].name, (long)j);
+        return r.form != PLY_TEXT && mesh_fail_at(file, r.element[i].name, (long)j);
       }
     }
   }

@@ -31,7 +31,7 @@ static bool read_binary(mesh *m, mesh_file *file, uint32_t triangles) {
     for (int i = 0; i < 3; i++, corner += 12) {
       const double xyz[3] = {little_float(corner), little_float(corner + 4), little_float(corner + 8)};
       if (!mesh_add_point(m, file, xyz)) {
-        return mesh_fail(file, "triangle %lu has a coordinate beyond Q16.16", (unsigned long)t);
+        return mesh_fail_at(file, "triangle", (long)t);
       }
     }
     if (!add_triangle(m, file)) {
@@ -44,7 +44,9 @@ static bool read_binary(mesh *m, mesh_file *file, uint32_t triangles) {
 static bool read_text_stl(mesh *m, mesh_file *file) {
   read_text text = {file, 0};
   unsigned corners = 0;
-  if (!read_next_line(&text) || !read_word(&text, "solid")) {
+  bool ended = false;
+  if (!read_next_line(&text) || !read_word(&text, "solid") || memchr(file->text, '\0', file->bytes) != NULL) {
+    file->line = 0;
     return mesh_fail(file, "neither STL as text, which begins with solid, nor as bytes of the length it says");
   }
   while (read_next_line(&text)) {
@@ -65,8 +67,9 @@ static bool read_text_stl(mesh *m, mesh_file *file) {
       }
       corners = 0;
     }
+    ended = corners == 0 && (ended || read_word(&text, "endsolid")) && !read_word(&text, "facet");
   }
-  return corners == 0 || mesh_fail(file, "the file ends within a triangle");
+  return ended || mesh_fail(file, "the file ends without endsolid");
 }
 
 bool read_stl(mesh *m, mesh_file *file) {

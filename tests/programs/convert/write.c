@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gjk/collider.h"
 #include "gjk/table.h"
 
 void write_name(char *out, size_t room, const char *name, bool file) {
@@ -69,6 +70,24 @@ static gjk_vec3 *vertices_of(const gjk_hull *hull) {
   return vertex;
 }
 
+bool write_fits(const gjk_vec3 *vertex, unsigned count) {
+  const gjk_shape shape = GJK_HULL(vertex, (uint16_t)count);
+  gjk_collider collider;
+  memset(&collider, 0, sizeof collider);
+  const bool fits = gjk_collider_init(&collider, &shape, NULL, 0) == GJK_OK;
+  if (!fits) {
+    fprintf(stderr, "gjk-convert: no shape: a vertex is more than 4095 units from the middle of its hull's box\n");
+  }
+  return fits;
+}
+
+static bool hull_fits(const gjk_hull *hull) {
+  gjk_vec3 *vertex = vertices_of(hull);
+  const bool fits = write_fits(vertex, hull->vertices);
+  free(vertex);
+  return fits;
+}
+
 static void print_vertices(const gjk_hull *hull, const char *name) {
   gjk_vec3 *vertex = vertices_of(hull);
   printf("static const gjk_vec3 %s_vertices[%u] = {\n", name, hull->vertices);
@@ -108,6 +127,9 @@ static bool write_table(const gjk_hull *hull, const char *name, int level) {
 }
 
 bool write_source(const gjk_hull *hull, const char *name, int level) {
+  if (!hull_fits(hull)) {
+    return false;
+  }
   const size_t corners = 3 * (size_t)hull->corners < 65535 ? 3 * (size_t)hull->corners : 65535;
   uint16_t *corner = allocate(corners, sizeof corner[0]), *end = allocate(corners, sizeof end[0]);
   gjk_hull_faces faces = {NULL, NULL, 0};
@@ -146,7 +168,10 @@ static void print_shape(const gjk_hull *hull, char body) {
   free(vertex);
 }
 
-void write_case(const gjk_hull *hull, const char *name) {
+bool write_case(const gjk_hull *hull, const char *name) {
+  if (!hull_fits(hull)) {
+    return false;
+  }
   gjk_vec3 *vertex = vertices_of(hull);
   const int64_t length = (int64_t)vertex[hull->vertices - 1].x - vertex[0].x;  // they are in order by x
   printf("case %s\n", name);
@@ -154,4 +179,5 @@ void write_case(const gjk_hull *hull, const char *name) {
   print_shape(hull, 'B');
   printf("B at %ld 0 0\n", (long)length);
   free(vertex);
+  return true;
 }

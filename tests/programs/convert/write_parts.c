@@ -3,9 +3,28 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+
+#include "write.h"
 
 void write_parts_info(const decomposition *d) {
   printf("parts=%zu excess=%.0Lf enclosed=%s\n", d->parts, ceill(d->excess.at_most), d->enclosed ? "yes" : "no");
+}
+
+bool write_parts_fit(const decomposition *d) {
+  bool fit = true;
+  for (size_t i = 0; i < d->parts && fit; i++) {
+    const part *p = &d->part[i];
+    gjk_vec3 *vertex = solid_allocate(p->points, sizeof vertex[0]);
+    for (unsigned n = 0; n < p->points; n++) {
+      vertex[n].x = p->point[n][0];
+      vertex[n].y = p->point[n][1];
+      vertex[n].z = p->point[n][2];
+    }
+    fit = write_fits(vertex, p->points);
+    free(vertex);
+  }
+  return fit;
 }
 
 static void print_numbers(const char *name, size_t number, const char *what, const uint16_t *value, size_t count) {

@@ -7,6 +7,9 @@
 // A line: parts=P excess=E enclosed=yes|no.
 void write_parts_info(const decomposition *d);
 
+// Is each part narrow enough for a shape? False: a message is written.
+bool write_parts_fit(const decomposition *d);
+
 // Constants for flash: a hull with faces for each part, and an array of them.
 void write_parts_source(const solid *s, const decomposition *d, const char *name);
 
