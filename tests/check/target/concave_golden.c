@@ -10,7 +10,6 @@
 #define ONE GJK_Q16_ONE
 #define SIDE 4
 #define CELLS 120
-#define REPORTS 4
 #define MANIFOLDS 3
 #define AT(x, y, z)        \
   {                        \
@@ -43,7 +42,7 @@ static const gjk_shape *const shapes[SHAPES] = {
     &concave_shape[MESH], &concave_shape[FIELD], &concave_shape[CHAIR], &crate, &ball, &capsule};
 static uint32_t block[2400];
 static gjk_epa_cell cells[CELLS];
-static gjk_manifold of_reports[REPORTS];
+static gjk_manifold of_report;
 static gjk_manifold manifolds[MANIFOLDS];
 
 static struct {
@@ -258,16 +257,16 @@ static void meet(const gjk_scene *scene) {
 }
 
 static void play(gjk_scene *scene, random_state *random) {
-  gjk_report reports[REPORTS];
+  gjk_report report;
   gjk_progress progress;
   for (uint32_t i = FIRST_MOVER; i < BODIES; i++) {
     move(scene, i);
   }
   do {
     progress.reports = progress.reports_left = 0;
-    need(gjk_scene_update(scene, reports, REPORTS, &progress));
-    for (uint32_t i = 0; i < progress.reports; i++) {
-      react(scene, &reports[i]);
+    need(gjk_scene_update(scene, &report, 1, &progress));
+    if (progress.reports > 0) {
+      react(scene, &report);
     }
   } while (progress.reports_left > 0);
   ask(scene, random);
@@ -277,7 +276,7 @@ static void play(gjk_scene *scene, random_state *random) {
 uint64_t concave_golden_hash(uint32_t ticks) {
   static const gjk_workspace workspace = {cells, CELLS};
   static const gjk_scene_bindings bindings = {
-      .details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = of_reports, .motion = &gjk_scene_motion};
+      .details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = &of_report, .motion = &gjk_scene_motion};
   const gjk_scene_config config = {BODIES, BODIES, 0, 28, ONE / 16, GJK_DETAIL_TOUCH, 1, 0, 0, CELLS, BODIES};
   gjk_scene scene;
   uint64_t state = 0;
