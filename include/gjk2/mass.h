@@ -24,13 +24,15 @@ typedef struct gjk2_mass {
 
 // The mass properties of a shape, in its own frame. out->mass is 0: set it.
 //
-// Kinds     point, segment and box, rounded or not; ellipse, triangle; polygons of at most two vertices, or convex and in
-//           counterclockwise order as gjk2_polygon_order writes them.
-// Exact     triangles and polygons: area, centre and inertia are correctly rounded, a half up. Others: the area is within
-//           0.51 square LSB, the centre exact, the inertia within 0.51 square LSB.
+// Kinds     point, segment, box and triangle, rounded or not; ellipse, rounded where it is a circle; polygons, rounded or
+//           not, of at most two vertices, or convex and in counterclockwise order as gjk2_polygon_order writes them.
+// Exact     triangles and polygons without a radius: area, centre and inertia are correctly rounded, a half up. Others:
+//           the area is within 0.51 square LSB, the inertia within 0.51 square LSB. The centre is exact, but of a rounded
+//           triangle or polygon off by at most 2^-36 LSB before it is rounded down. Symmetry keeps it exact there.
 // Flat      A shape without area has its mass spread evenly over its length or its one point.
-// Statuses  NULL; those of gjk2_collider_init for the shape; UNSUPPORTED: a rounded triangle, polygon or ellipse, a custom
-//           shape, or a polygon that is not in that order.
+// Statuses  NULL; those of gjk2_collider_init for the shape; UNSUPPORTED: a custom shape, a polygon that is not in that
+//           order, or a rounded ellipse: the length of an ellipse has no closed form. Take a polygon, rounded, for it.
+// Cost      with a radius a root of 256 bits and an angle, by 84 products of 96 bits, for each corner.
 gjk_status gjk2_mass_of_shape(const gjk2_shape *shape, gjk2_mass *out);
 
 // Sets the mass, Q16.16: the area times a density, Q16.16 of a unit of mass per square unit; to the nearest.

@@ -94,15 +94,26 @@ static void negate_big(gjk_big *x) {
   gjk_big_subtract(x, &kept);
 }
 
-static void halve(gjk_big *x) {
-  for (int i = 0; i < GJK_BIG_LIMBS; i++) {
-    const uint32_t above = i + 1 < GJK_BIG_LIMBS ? x->limb[i + 1] : 0;
-    x->limb[i] = x->limb[i] >> 1 | above << 31;
+void gjk_big_shift_up(gjk_big *x, unsigned bits) {
+  const int limbs = (int)(bits / 32u);
+  const unsigned rest = bits % 32u;
+  for (int i = GJK_BIG_LIMBS - 1; i >= 0; i--) {
+    const uint32_t own = i >= limbs ? x->limb[i - limbs] : 0, below = i > limbs ? x->limb[i - limbs - 1] : 0;
+    x->limb[i] = own << rest | (below >> 1) >> (31u - rest);
   }
 }
 
-// x >= y, neither negative.
-static bool is_at_least(const gjk_big *x, const gjk_big *y) {
+void gjk_big_shift_down(gjk_big *x, unsigned bits) {
+  const int limbs = (int)(bits / 32u);
+  const unsigned rest = bits % 32u;
+  for (int i = 0; i < GJK_BIG_LIMBS; i++) {
+    const uint32_t own = i + limbs < GJK_BIG_LIMBS ? x->limb[i + limbs] : 0,
+                   above = i + limbs + 1 < GJK_BIG_LIMBS ? x->limb[i + limbs + 1] : 0;
+    x->limb[i] = own >> rest | (above << 1) << (31u - rest);
+  }
+}
+
+bool gjk_big_is_at_least(const gjk_big *x, const gjk_big *y) {
   for (int i = GJK_BIG_LIMBS; i > 0; i--) {
     if (x->limb[i - 1] != y->limb[i - 1]) {
       return x->limb[i - 1] > y->limb[i - 1];
@@ -120,18 +131,18 @@ void gjk_big_divide(gjk_big *x, const gjk_big *y) {
     negate_big(&rest);
   }
   gjk_big_copy(&multiple, y);
-  while (!gjk_big_is_negative(&multiple) && is_at_least(&rest, &multiple)) {  // at most 255 times
+  while (!gjk_big_is_negative(&multiple) && gjk_big_is_at_least(&rest, &multiple)) {  // at most 255 times
     gjk_big_add(&multiple, &multiple);
     bits++;
   }
   gjk_big_set(x, 0);
   for (; bits > 0; bits--) {  // rest < 2 multiple
     gjk_big_add(x, x);
-    if (is_at_least(&rest, &multiple)) {
+    if (gjk_big_is_at_least(&rest, &multiple)) {
       gjk_big_subtract(&rest, &multiple);
       x->limb[0] |= 1;
     }
-    halve(&multiple);
+    gjk_big_shift_down(&multiple, 1);
   }
   if (negative) {  // floor(-a) = -ceil(a)
     gjk_big one;

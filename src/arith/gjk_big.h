@@ -36,6 +36,13 @@ static inline bool gjk_big_is_negative(const gjk_big *x) {
 
 bool gjk_big_is_zero(const gjk_big *x);
 
+// x *= 2^bits modulo 2^256. Pre: bits < 256.
+void gjk_big_shift_up(gjk_big *x, unsigned bits);
+// x = floor(x / 2^bits). Pre: x >= 0, bits < 256.
+void gjk_big_shift_down(gjk_big *x, unsigned bits);
+// x >= y. Pre: neither is negative.
+bool gjk_big_is_at_least(const gjk_big *x, const gjk_big *y);
+
 // x = floor(x / y). Pre: y > 0.
 void gjk_big_divide(gjk_big *x, const gjk_big *y);
 

@@ -53,11 +53,18 @@ static void rebuild(gjk_hull_simple_work *s, gjk_hull *hull) {
   }
 }
 
-// How far the plane of a triangle moves outwards, Q30.
+// How far the plane of a triangle moves outwards, Q30. 0 where no point is beyond it, by exact signs: the unit normal is
+// rounded, so of points in the plane it sees a little.
 static int64_t gain_of(const gjk_hull_simple_work *s, uint32_t at) {
-  const gjk_vec3 beyond =
-      gjk_sub(s->points[s->touch[at]], *gjk_hull_point(&s->triangles, s->triangles.triangle[at].vertex[0]));
-  return gjk_hull_is_in_use(&s->triangles.triangle[at]) ? gjk_along(&s->unit[at], &beyond) : 0;
+  const gjk_hull_triangle *t = &s->triangles.triangle[at];
+  const gjk_vec3 *touch = &s->points[s->touch[at]];
+  gjk_hull_plane plane;
+  if (!gjk_hull_is_in_use(t)) {
+    return 0;
+  }
+  gjk_hull_set_plane(&s->triangles, t, &plane);
+  const gjk_vec3 beyond = gjk_sub(*touch, *plane.at);
+  return gjk_hull_height_sign(&plane, touch) > 0 ? gjk_along(&s->unit[at], &beyond) : 0;
 }
 
 static void choose_point(gjk_hull_simple_work *s, uint16_t point) {
@@ -95,7 +102,7 @@ static void choose_points(gjk_hull_simple_work *s, uint16_t most) {
   for (unsigned i = 0; i < 4; i++) {
     choose_point(s, w->order[corner[i]]);
   }
-  for (;;) {  // each time at least one point more that is extreme
+  for (;;) {  // each time at least one point more: it is a vertex of the hull of all, so it stays one
     rebuild(s, &hull);
     gjk_hull_look_along(s);
     int64_t gain = 0;

@@ -19,8 +19,10 @@ void gjk_parts_nearest_start(gjk_parts_nearest *n) {
   n->lower = GJK_DISTANCE_MAX;
 }
 
+// A distance at the end of its range is any that is larger: then the region is all there is.
 static void grow_to(gjk_region *region, gjk_q16 distance) {
-  gjk_region_grow(region, (int64_t)distance + gjk_sar32(distance, 26) + 4);
+  const int64_t beyond = distance == GJK_DISTANCE_MAX ? INT64_C(1) << 34 : gjk_sar32(distance, 26) + 4;
+  gjk_region_grow(region, distance + beyond);
 }
 
 // Is the trial a nearer part than the best one?

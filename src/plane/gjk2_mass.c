@@ -12,8 +12,8 @@
 // Lengths are below 2^28, so 12 X < 2^120; in units of 2^-61, < 2^181.
 #include "gjk2/mass.h"
 
-#include "../arith/gjk_big.h"
 #include "gjk2_class.h"
+#include "gjk2_moments.h"
 #include "gjk2_outline.h"
 #include "gjk2_rotation.h"
 
@@ -53,24 +53,6 @@ static void add_mean_square(int32_t a, int32_t b, int32_t r, gjk_big *sum, gjk_b
   add_four(of_pi, 3, r, r, r, r);
 }
 
-static void set_plane_centre(const int64_t at[2], gjk2_mass *out) {
-  int32_t nearest[2];
-  for (int i = 0; i < 2; i++) {
-    nearest[i] = (int32_t)gjk_sar64(at[i] + INT64_C(0x8000), 16);
-    out->fraction[i] = (int16_t)(at[i] - gjk_shl64(nearest[i], 16));  // from -2^15 to 2^15 - 1
-  }
-  out->centre.x = nearest[0];
-  out->centre.y = nearest[1];
-}
-
-static void set_plane_body(uint64_t area, int64_t inertia, gjk2_mass *out) {
-  static const int64_t origin[2] = {0, 0};
-  out->area = area;
-  out->mass = 0;
-  out->inertia = inertia;
-  set_plane_centre(origin, out);
-}
-
 // The number nearest to x / 2^61.
 static uint64_t plane_area_of(gjk_big *x) {
   gjk_big one;
@@ -103,7 +85,7 @@ static void mass_of_plane_axes(int32_t a, int32_t b, int32_t r, gjk2_mass *out) 
   gjk_big_copy(&whole, &area);
   gjk_big_scale(&whole, 12);
   const int64_t inertia = r > 0 ? gjk_big_nearest(&square, &whole) : mean_of_squares(a, b, 3);
-  set_plane_body(plane_area_of(&area), inertia, out);
+  gjk2_set_body(plane_area_of(&area), inertia, out);
 }
 
 static void mass_of_ellipse(int32_t a, int32_t b, gjk2_mass *out) {
@@ -111,33 +93,26 @@ static void mass_of_ellipse(int32_t a, int32_t b, gjk2_mass *out) {
   gjk_big_set(&area, 0);
   gjk_big_set(&of_pi, gjk_mul32(a, b));
   join_pi(&area, &of_pi);
-  set_plane_body(plane_area_of(&area), mean_of_squares(a, b, 4), out);
+  gjk2_set_body(plane_area_of(&area), mean_of_squares(a, b, 4), out);
 }
 
-typedef struct plane_sums {
-  gjk_big weight, first[2], second;
-} plane_sums;
-
 // Adds the triangle of 0, p, q.
-static void add_plane_triangle(plane_sums *sums, gjk2_vec p, gjk2_vec q) {
-  const gjk2_vec s = gjk2_add(p, q);  // components at most 2^30
+static void add_plane_triangle(gjk2_moments *sums, gjk2_vec p, gjk2_vec q) {
   gjk_big weight;
   gjk_big_set(&weight, gjk2_cross(p, q));
-  gjk_big_add(&sums->weight, &weight);
-  gjk_big_add_product(&sums->first[0], &weight, s.x);
-  gjk_big_add_product(&sums->first[1], &weight, s.y);
-  gjk_big_add_product(&sums->second, &weight, gjk2_dot(s, s) + gjk2_dot(p, p) + gjk2_dot(q, q));  // < 2^62
+  gjk2_moments_add(sums, &weight, gjk2_add(p, q), gjk2_moments_squares(p, q));
 }
 
 // Pre: the outline is sound.
-static void mass_of_outline(const gjk2_vec *v, uint32_t count, gjk2_mass *out) {
-  plane_sums sums;
+static void mass_of_outline(const gjk2_vec *v, uint32_t count, int32_t radius, gjk2_mass *out) {
+  if (radius > 0) {
+    gjk2_mass_of_rounded(v, count, radius, out);
+    return;
+  }
+  gjk2_moments sums;
   gjk_big square, inertia, whole;
   int64_t centre[2];
-  gjk_big_set(&sums.weight, 0);
-  gjk_big_set(&sums.first[0], 0);
-  gjk_big_set(&sums.first[1], 0);
-  gjk_big_set(&sums.second, 0);
+  gjk2_moments_start(&sums);
   for (uint32_t i = 1; i + 1 < count; i++) {
     add_plane_triangle(&sums, gjk2_sub(v[i], v[0]), gjk2_sub(v[i + 1], v[0]));
   }
@@ -158,27 +133,34 @@ static void mass_of_outline(const gjk2_vec *v, uint32_t count, gjk2_mass *out) {
     gjk_big_divide(&sums.first[i], &whole);
     centre[i] = gjk_shl64(i == 0 ? v[0].x : v[0].y, 16) + gjk_big_low(&sums.first[i]);
   }
-  set_plane_body((uint64_t)(gjk_sar64(gjk_big_low(&sums.weight) + 1, 1)), mean, out);
-  set_plane_centre(centre, out);
+  gjk2_set_body((uint64_t)(gjk_sar64(gjk_big_low(&sums.weight) + 1, 1)), mean, out);
+  gjk2_set_centre(centre, out);
 }
 
 // The segment from a to b, which may be one point: the inertia is |b - a|^2 / 12.
-static void mass_of_plane_segment(gjk2_vec a, gjk2_vec b, gjk2_mass *out) {
+static void mass_of_plane_segment(gjk2_vec a, gjk2_vec b, int32_t radius, gjk2_mass *out) {
+  if (radius > 0) {
+    gjk2_vec ends[2];
+    gjk2_copy(&ends[0], &a);
+    gjk2_copy(&ends[1], &b);
+    gjk2_mass_of_rounded(ends, gjk2_equal(a, b) ? 1 : 2, radius, out);
+    return;
+  }
   const gjk2_vec e = gjk2_sub(b, a);
   const int64_t centre[2] = {gjk_shl64((int64_t)a.x + b.x, 15), gjk_shl64((int64_t)a.y + b.y, 15)};
-  set_plane_body(0, mean_of_squares(e.x, e.y, 12), out);
-  set_plane_centre(centre, out);
+  gjk2_set_body(0, mean_of_squares(e.x, e.y, 12), out);
+  gjk2_set_centre(centre, out);
 }
 
 // A triangle in either order; of vertices in a line the two ends count.
-static void mass_of_plane_triangle(const gjk2_vec *v, gjk2_mass *out) {
+static void mass_of_plane_triangle(const gjk2_vec *v, int32_t radius, gjk2_mass *out) {
   const int64_t turn = gjk2_cross(gjk2_sub(v[1], v[0]), gjk2_sub(v[2], v[0]));
   if (turn != 0) {
     gjk2_vec ordered[3];
     gjk2_copy(&ordered[0], &v[0]);
     gjk2_copy(&ordered[1], &v[turn > 0 ? 1 : 2]);
     gjk2_copy(&ordered[2], &v[turn > 0 ? 2 : 1]);
-    mass_of_outline(ordered, 3, out);
+    mass_of_outline(ordered, 3, radius, out);
     return;
   }
   unsigned first = 0, last = 0;
@@ -186,28 +168,26 @@ static void mass_of_plane_triangle(const gjk2_vec *v, gjk2_mass *out) {
     first = v[i].x < v[first].x || (v[i].x == v[first].x && v[i].y < v[first].y) ? i : first;
     last = v[i].x > v[last].x || (v[i].x == v[last].x && v[i].y > v[last].y) ? i : last;
   }
-  mass_of_plane_segment(v[first], v[last], out);
+  mass_of_plane_segment(v[first], v[last], radius, out);
 }
 
 static gjk_status mass_of_polygon(const gjk2_shape *shape, gjk2_mass *out) {
   const gjk2_vec *v = shape->vertices;
+  const int32_t radius = shape->convex_radius;
   gjk2_hull_report report;
-  if (shape->convex_radius > 0) {
-    return GJK_ERROR_UNSUPPORTED;
-  }
   if (shape->count == 3) {
-    mass_of_plane_triangle(v, out);
+    mass_of_plane_triangle(v, radius, out);
     return GJK_OK;
   }
   if (shape->count < 3) {
-    mass_of_plane_segment(v[0], v[shape->count - 1], out);
+    mass_of_plane_segment(v[0], v[shape->count - 1], radius, out);
     return GJK_OK;
   }
   gjk2_outline_check(v, shape->count, &report);
   if (report.fault != GJK2_HULL_SOUND) {
     return GJK_ERROR_UNSUPPORTED;
   }
-  mass_of_outline(v, shape->count, out);
+  mass_of_outline(v, shape->count, radius, out);
   return GJK_OK;
 }
 
@@ -242,8 +222,13 @@ gjk_status gjk2_mass_of_shape(const gjk2_shape *shape, gjk2_mass *out) {
                        out);
     return GJK_OK;
   }
-  if (shape->convex_radius > 0 || shape->support != NULL) {
+  const bool round = shape->size.x == shape->size.y;  // a disc stays one with a radius
+  if (shape->support != NULL || (shape->convex_radius > 0 && !round)) {
     return GJK_ERROR_UNSUPPORTED;
+  }
+  if (round) {
+    mass_of_plane_axes(0, 0, shape->size.x + shape->convex_radius, out);
+    return GJK_OK;
   }
   mass_of_ellipse(shape->size.x, shape->size.y, out);
   return GJK_OK;
@@ -352,7 +337,7 @@ gjk_status gjk2_mass_add(gjk2_mass *body, const gjk2_mass *part, const gjk2_pose
     gjk_big_divide(&way, &all);
     own[i] += gjk_big_low(&way);
   }
-  set_plane_centre(own, body);
+  gjk2_set_centre(own, body);
   body->inertia = inertia;
   body->mass += part->mass;
   body->area += part->area;

@@ -61,6 +61,13 @@ cases() {
   for faces in 0 1; do
     echo hull_check-$faces
   done
+  for call in PLAIN ROUND FACES ADD PRINCIPAL; do
+    echo mass-$call
+  done
+  for call in BUILD CHECK WALK FIELD; do
+    echo mesh-$call
+  done
+  echo bind-x
   echo quotient-x
   echo way-x
   echo swept-x
@@ -334,6 +341,21 @@ prove_one() {
       esac
       set -- "$1" -eva-slevel $level
       [ "$driver" = hull_check ] || set -- "$@" -eva-interprocedural-splits
+      ;;
+    mass)
+      # The hull's own work is analysed by hull_facets.
+      sources="$(echo src/mass/*.c src/arith/*.c | sed 's|src/mass/gjk_mass_hull[.]c||') src/place/gjk_pose.c src/query/gjk_status.c"
+      defines="$defines -DPROVE_COPY_BODY"
+      contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
+      set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
+      ;;
+    bind)
+      sources="$(echo src/bind/*.c src/shape/*.c src/plane/gjk2_class*.c src/arith/*.c)"
+      set -- "$1" -eva-slevel 50
+      ;;
+    mesh)
+      sources="$(echo src/mesh/*.c src/arith/*.c | sed 's|src/mesh/gjk_surface[a-z_]*[.]c||g') src/parts/gjk_region.c src/shape/gjk_class_vertices.c src/shape/gjk_scan.c"
+      set -- "$1" -eva-slevel 20 -eva-auto-loop-unroll 8
       ;;
     quotient | way | swept | motion | integrate)
       sources=$(echo src/motion/*.c src/arith/*.c src/place/*.c src/query/gjk_status.c)

@@ -145,12 +145,46 @@ static void check_bodies(void) {
   CHECK(gjk_parts_count(&good) == 12 && gjk_parts_place(&good, 12, &room, &b) == GJK_ERROR_RANGE);
 }
 
+// Distances beyond the range are all its end, so they are equal: the part with the least number is reported, though another
+// one is nearer. By a list and by a tree, with the nearest part first and last.
+static void check_far_parts(void) {
+  const gjk_pose there = {{GJK_Q16(30000), 0, 0}, {0, 0, 0, GJK_Q30_ONE}};
+  gjk_collider b;
+  CHECK(gjk_collider_init(&b, &crate, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &there) == GJK_OK);
+  for (unsigned turn = 0; turn < 4; turn++) {
+    const uint16_t count = turn < 2 ? 5 : 30;
+    gjk_compound compound;
+    gjk_distance_result result;
+    gjk_parts_pair pair;
+    uint32_t part;
+    for (unsigned i = 0; i < count; i++) {
+      parts[i].shape = &crate;
+      parts[i].pose = identity;
+      parts[i].pose.position.x = (turn % 2 == 0 ? (int32_t)i : (int32_t)(count - i)) * GJK_Q16(100);
+    }
+    CHECK(gjk_compound_build(parts, count, nodes, GJK_COMPOUND_NODES(40), &compound) == GJK_OK);
+    gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
+    body.pose.position.x = -GJK_Q16(20000);
+    CHECK(gjk_parts_distance(&body, &b, &part, &result) == GJK_OK);
+    CHECK(result.distance == GJK_DISTANCE_MAX && result.saturated && part == 0);
+    const gjk_compound_part one = {&crate, GJK_POSE_IDENTITY};
+    gjk_compound_node node;
+    gjk_compound single;
+    CHECK(gjk_compound_build(&one, 1, &node, 1, &single) == GJK_OK);
+    gjk_parts of_b = GJK_PARTS_OF_COMPOUND(&single);
+    of_b.pose = there;
+    CHECK(gjk_parts_both_distance(&body, &of_b, &pair, &result) == GJK_OK && pair.a == 0 && pair.b == 0);
+    CHECK(gjk_parts_both_distance(&of_b, &body, &pair, &result) == GJK_OK && pair.a == 0 && pair.b == 0);
+  }
+}
+
 int main(void) {
   static generate_body body;
   const uint64_t seed = check_seed(20260724);
   const unsigned long trials = check_trials(60);
   check_refusals();
   check_bodies();
+  check_far_parts();
   for (unsigned long i = 0; i < trials; i++) {
     check_trial(i, generate_body_show, &body);
     check_tree(seed + i, &body);

@@ -226,6 +226,20 @@ static void test_cases(void) {
   }
 }
 
+// Slivers: points that are beyond planes by less than what the rounded normals see of points in them. So a gain must be that
+// of a point strictly beyond, or choosing points never ends.
+static void test_slivers(void) {
+  static const gjk_vec3 points[] = {
+      {0, 1280, 368}, {-59662718, 197120, 34738704}, {34738706, 1048570, 0},  {-1, -32769, -1}, {-1673, -1, -1},
+      {-1, -1, -1},   {-2097153, -1, 34738711},      {-32370158, 34738706, 0}};
+  p.count = (uint16_t)(sizeof points / sizeof points[0]);
+  memcpy(p.point, points, sizeof points);
+  hull_output_make(&p, &full);
+  for (uint16_t most = 4; most <= 7; most++) {
+    check_simple(most);
+  }
+}
+
 static void test_statuses(void) {
   gjk_hull_simple result = {77, 88};
   gjk_vec3 far[2] = {{0, 0, 0}, {INT32_MAX, 0, 0}};
@@ -251,6 +265,7 @@ int main(void) {
   test_statuses();
   test_cases();
   test_spheres(seed);
+  test_slivers();
   test_cones();
   test_random(seed);
   return check_done("hull simplify");

@@ -246,9 +246,9 @@ static void user_support(const void *user, const gjk2_vec *direction, gjk2_vec *
 
 static void test_refusals(void) {
   static const gjk2_vec v[4] = {{0, 0}, {9, 0}, {9, 9}, {0, 9}}, line[3] = {{3, 3}, {0, 0}, {9, 9}},
-                        turned[3] = {{0, 0}, {0, 9}, {9, 0}};
-  const gjk2_shape refused[4] = {GJK2_ROUNDED_POLYGON(v, 4, 1), GJK2_ROUNDED_ELLIPSE(1, 2, 3),
-                                 GJK2_CUSTOM(user_support, NULL, 3), GJK2_ROUNDED_TRIANGLE(v, 1)};
+                        turned[3] = {{0, 0}, {0, 9}, {9, 0}}, bent[4] = {{0, 0}, {9, 9}, {9, 0}, {0, 9}};
+  const gjk2_shape refused[4] = {GJK2_ROUNDED_POLYGON(bent, 4, 1), GJK2_ROUNDED_ELLIPSE(1, 2, 3),
+                                 GJK2_CUSTOM(user_support, NULL, 3), GJK2_POLYGON(bent, 4)};
   const gjk2_shape square = GJK2_POLYGON(v, 4), rod = GJK2_TRIANGLE(line), other = GJK2_TRIANGLE(turned),
                    none = GJK2_POLYGON(v, 0), large = GJK2_ROUNDED_BOX(GJK2_RADIUS_MAX, 0, 1),
                    negative = GJK2_BOX(-1, 0), minus = GJK2_CIRCLE(-1);
