@@ -40,20 +40,23 @@ typedef struct gjk_mass {
 
 // The mass properties of a shape, in its own frame. out->mass is 0: set it.
 //
-// Kinds     point, segment, box and cylinder, rounded or not; cone, ellipsoid, triangle; hulls with faces, which
-//           gjk_hull_check finds sound. Hulls of at most three vertices need no faces. Of a hull without faces
-//           gjk_hull_build finds them, or take gjk_mass_of_hull.
-// Exact     triangles and hulls: volume, centre and inertia are correctly rounded, a half up. Others: the volume is
-//           within 0.5 cubic LSB and 2^-60 of itself, the centre exact, the inertia within 0.51 square LSB.
+// Kinds     point, segment, triangle, box, cylinder and cone, rounded or not; ellipsoid, rounded where it is a ball; hulls,
+//           rounded or not, with faces that gjk_hull_check finds sound. Hulls of at most three vertices need no faces. Of a
+//           hull without faces gjk_hull_build finds them, or take gjk_mass_of_hull.
+// Exact     triangles and hulls without a radius: volume, centre and inertia are correctly rounded, a half up. Others: the
+//           volume is within 0.51 cubic LSB and 2^-60 of itself, the inertia within 0.52 square LSB. The centre is exact, but
+//           of rounded triangles, hulls and cones within 2^-36 LSB before it is rounded down.
 // Flat      A shape without volume has its mass spread evenly over its area, its length or its one point. A flat box or
 //           cylinder has what it tends to as it gets thin; a hull has that of its outline.
-// Statuses  NULL; those of gjk_collider_init for the shape; UNSUPPORTED: a rounded triangle, hull, cone or ellipsoid, a
-//           custom shape, or a hull of more than three vertices without faces. There no closed form exists, or it is
-//           not known here. For small radii take the shape without: of a radius r and a size s that is off by some r/s.
+// Statuses  NULL; those of gjk_collider_init for the shape; UNSUPPORTED: a rounded ellipsoid, a custom shape, or a hull of
+//           more than three vertices without faces. The area of an ellipsoid is an elliptic integral, without a closed form;
+//           take a hull of points on it, rounded.
 //           RANGE: faces that are not sound, as far as this notices; of others that are not, numbers without meaning.
 // Cost      an exact sum over the triangles of the faces, and nine divisions of 256 bits: on Cortex-M3 some 100,000
-//           instructions, and 3,000 a triangle.
+//           instructions, and 3,000 a triangle. With a radius also three angles a triangle and one an edge, by 84 products
+//           of 96 bits each. Each edge is looked for in all faces, so of n corners some n^2 steps are added.
 // After     the moments of simplices: their vertices' sum s and products, for tetrahedra (s s' + sum v v') / 20.
+//           Rounded: Steiner's formula for moments, in src/mass/gjk_mass_rounded.c.
 gjk_status gjk_mass_of_shape(const gjk_shape *shape, gjk_mass *out);
 
 // The same for a hull that gjk_hull_build has found, in the frame of its points; its faces need not be written.

@@ -2,6 +2,7 @@
 #include "../arith/gjk_root.h"
 #include "../shape/gjk_shape_class.h"
 #include "gjk_mass_round.h"
+#include "gjk_mass_rounded.h"
 
 // Where a face begins and ends among the corners of all faces.
 static uint32_t mass_face_start(const gjk_hull_faces *faces, uint32_t face) {
@@ -58,12 +59,18 @@ static bool comes_before(const gjk_vec3 *a, const gjk_vec3 *b) {
 
 // One to three vertices.
 static void mass_of_few(const gjk_shape *shape, gjk_mass *out) {
+  static const uint16_t two_sided[6] = {0, 1, 2, 0, 2, 1}, ends[2] = {3, 6};
+  static const gjk_hull_faces both = {two_sided, ends, 2};
   const gjk_vec3 *v = shape->vertices;
   const gjk_vec3 *corner[3];
   corner[0] = &v[0];
   corner[1] = &v[shape->count - 1];
   corner[2] = &v[shape->count / 2];
   const unsigned axis = gjk_longest_axis(corner[0], corner[1], corner[2]);
+  if (axis < 3 && shape->convex_radius > 0) {
+    (void)gjk_mass_of_rounded_faces(v, &both, shape->convex_radius, out);
+    return;
+  }
   if (axis < 3) {
     gjk_moments m;
     gjk_moments_start(&m, &v[0]);
@@ -76,15 +83,18 @@ static void mass_of_few(const gjk_shape *shape, gjk_mass *out) {
     first = comes_before(corner[i], first) ? corner[i] : first;
     last = comes_before(last, corner[i]) ? corner[i] : last;
   }
-  gjk_moments_of_segment(first, last, out);
+  if (shape->convex_radius > 0) {
+    gjk_mass_of_rounded_segment(first, last, shape->convex_radius, out);
+  } else {
+    gjk_moments_of_segment(first, last, out);
+  }
 }
 
 static gjk_status mass_of_vertices(const gjk_shape *shape, gjk_mass *out) {
-  if (shape->convex_radius > 0) {
-    return GJK_ERROR_UNSUPPORTED;
-  }
   if (shape->faces != NULL && shape->faces->count > 0) {
-    return mass_of_faces(shape, out);
+    return shape->convex_radius > 0
+               ? gjk_mass_of_rounded_faces(shape->vertices, shape->faces, shape->convex_radius, out)
+               : mass_of_faces(shape, out);
   }
   if (shape->count > 3) {
     return GJK_ERROR_UNSUPPORTED;
@@ -94,12 +104,20 @@ static gjk_status mass_of_vertices(const gjk_shape *shape, gjk_mass *out) {
 }
 
 static gjk_status mass_of_curved(const gjk_shape *shape, gjk_mass *out) {
-  const int32_t radius[3] = {shape->size.x, shape->size.y, shape->size.z};
-  if (shape->convex_radius > 0 || shape->support != NULL) {
+  static const int32_t none[3] = {0, 0, 0};
+  const int32_t radius[3] = {shape->size.x, shape->size.y, shape->size.z}, rounding = shape->convex_radius;
+  const bool cone = shape->type->kind == GJK_KIND_CONE,
+             ball = !cone && radius[0] == radius[1] && radius[1] == radius[2],
+             point = cone && radius[0] == 0 && radius[2] == 0;
+  if (shape->support != NULL || (rounding > 0 && !cone && !ball)) {
     return GJK_ERROR_UNSUPPORTED;
   }
-  if (shape->type->kind == GJK_KIND_CONE) {
-    gjk_mass_of_cone(shape->size.x, shape->size.z, out);
+  if (rounding > 0 && (ball || point)) {
+    gjk_mass_of_axes(none, radius[0] + rounding, out);
+  } else if (rounding > 0) {
+    gjk_mass_of_rounded_cone(radius[0], radius[2], rounding, out);
+  } else if (cone) {
+    gjk_mass_of_cone(radius[0], radius[2], out);
   } else {
     gjk_mass_of_ellipsoid(radius, out);
   }

@@ -101,7 +101,7 @@ golden() {
   mkdir -p "$folder"
   rm -f "$folder"/*
   glue="-std=c99 -Iinclude -Iport -I. -Itests/support -Wl,--gc-sections"
-  scene="$root/tests/support/scene/match.c $root/tests/check/target/scene_golden.c"
+  scene="$root/tests/support/scene/match.c $root/tests/check/target/scene_golden.c $root/tests/check/target/concave_golden.c"
   case $architecture in
     host)
       linker=gcc
@@ -159,7 +159,8 @@ golden() {
   esac
   for part in $parts; do
     case $architecture-$part in  # what contacts of surfaces need
-      cortex-*-56 | cortex-*-127 | rv32imc-127) stack=-Wl,--defsym=STACK_SIZE=9216 ;;
+      cortex-*-56) stack=-Wl,--defsym=STACK_SIZE=9216 ;;
+      cortex-*-127 | rv32imc-127) stack=-Wl,--defsym=STACK_SIZE=12288 ;;  # and what move and slide needs among them
       *) stack= ;;
     esac
     # shellcheck disable=SC2086

@@ -447,7 +447,10 @@ static void test_statuses(void) {
   shape.count = 3;
   CHECK(status_of(&shape) == GJK_OK);
   shape.convex_radius = 1;
+  CHECK(status_of(&shape) == GJK_OK);
+  shape.count = 5;
   CHECK(status_of(&shape) == GJK_ERROR_UNSUPPORTED);
+  shape.count = 3;
   shape.convex_radius = -1;
   CHECK(status_of(&shape) == GJK_ERROR_NEGATIVE);
   shape.convex_radius = 0;
@@ -455,9 +458,8 @@ static void test_statuses(void) {
   CHECK(status_of(&shape) == GJK_ERROR_EMPTY);
   shape.type = NULL;
   CHECK(status_of(&shape) == GJK_ERROR_NULL);
-  const gjk_shape unsupported[3] = {GJK_ROUNDED_CONE(5, 6, 1), GJK_ROUNDED_ELLIPSOID(1, 2, 3, 1),
-                                    GJK_CUSTOM(user_support, NULL, 5)};
-  for (int i = 0; i < 3; i++) {
+  const gjk_shape unsupported[2] = {GJK_ROUNDED_ELLIPSOID(1, 2, 3, 1), GJK_CUSTOM(user_support, NULL, 5)};
+  for (int i = 0; i < 2; i++) {
     CHECK(status_of(&unsupported[i]) == GJK_ERROR_UNSUPPORTED);
   }
   const gjk_shape large = GJK_ROUNDED_BOX(GJK_RADIUS_MAX, 0, 0, 1), ball = GJK_SPHERE(GJK_RADIUS_MAX);
