@@ -13,5 +13,5 @@ exports=$(grep -ohE '\bgjk2?_[a-z0-9_]+\(' include/gjk/*.h include/gjk2/*.h port
 "${WASM_CC:-clang}" --target=wasm32 -std=c99 -O2 -ffreestanding -fno-builtin-memcpy -fno-builtin-memset -nostdlib \
   -ffunction-sections -fdata-sections -mbulk-memory -Wall -Wextra -Werror -DNDEBUG \
   '-DGJK_PORT_HEADER="wasm/gjk_port.h"' -Iinclude -Iport \
-  src/*/*.c port/wasm/gjk_wasm.c port/board/memory.c "$@" \
+  src/*/*.c port/wasm/gjk_wasm*.c port/board/memory.c "$@" \
   -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all -Wl,-z,stack-size=262144 $exports -o "$out"

@@ -2,7 +2,7 @@
 #include "gjk_wasm.h"
 
 #include "../gjk_allocate.h"
-#include "gjk/gjk.h"
+#include "gjk_wasm_shape.h"
 
 // Blocks are powers of two from 2^4 on, so that a released one fits the next of its class. The class of a block stands
 // in the 8 bytes in front of it.
@@ -71,45 +71,44 @@ void gjk_port_release(void *memory) {
 enum { VERTICES = 1000 };
 
 static gjk_epa_cell cells[GJK_EPA_CELLS(VERTICES) + VERTICES];
-static const gjk_workspace workspace = {cells, GJK_EPA_CELLS(VERTICES) + VERTICES};
+const gjk_workspace gjk_wasm_workspace = {cells, GJK_EPA_CELLS(VERTICES) + VERTICES};
 static int32_t report[GJK_WASM_REPORT];
-static unsigned reported;
+static unsigned reported;  // at most GJK_WASM_REPORT
 
 const int32_t *gjk_wasm_report(void) {
   return report;
 }
 
-static void put(int32_t value) {
+void gjk_wasm_begin(void) {
+  reported = 0;
+}
+
+void gjk_wasm_put(int32_t value) {
   report[reported++] = value;
 }
 
-static void put_vector(int32_t x, int32_t y, int32_t z) {
-  put(x);
-  put(y);
-  put(z);
+void gjk_wasm_put_vector(int32_t x, int32_t y, int32_t z) {
+  gjk_wasm_put(x);
+  gjk_wasm_put(y);
+  gjk_wasm_put(z);
 }
 
-// A collider with all that it points to, in one block.
-typedef struct wasm_collider {
-  gjk_collider collider;
-  gjk_shape shape;
-  gjk_vec3 vertices[];  // the shape's, then room for posed ones
-} wasm_collider;
+void *gjk_wasm_fails(gjk_status status) {
+  report[0] = status;
+  return NULL;
+}
 
 gjk_collider *gjk_wasm_collider(int kind, int32_t x, int32_t y, int32_t z, int32_t convex_radius,
                                 const int32_t *vertices, unsigned count) {
   static const gjk_shape kinds[] = {GJK_POINT,      GJK_SEGMENT(0),     GJK_BOX(0, 0, 0), GJK_TRIANGLE(0),
                                     GJK_HULL(0, 0), GJK_CYLINDER(0, 0), GJK_CONE(0, 0),   GJK_ELLIPSOID(0, 0, 0)};
   if (kind < 0 || (unsigned)kind >= sizeof kinds / sizeof kinds[0] || count > GJK_HULL_VERTICES_MAX) {
-    report[0] = GJK_ERROR_RANGE;
-    return NULL;
+    return gjk_wasm_fails(GJK_ERROR_RANGE);
   }
-  wasm_collider *made = gjk_port_allocate(sizeof *made + 2 * count * sizeof(gjk_vec3));
+  gjk_wasm_shape *made = gjk_port_allocate(sizeof *made + 2 * count * sizeof(gjk_vec3));
   if (made == NULL) {
-    report[0] = GJK_ERROR_CAPACITY;
-    return NULL;
+    return gjk_wasm_fails(GJK_ERROR_CAPACITY);
   }
-  const gjk_pose identity = GJK_POSE_IDENTITY;
   made->shape = kinds[kind];
   made->shape.size.x = x;
   made->shape.size.y = y;
@@ -124,16 +123,28 @@ gjk_collider *gjk_wasm_collider(int kind, int32_t x, int32_t y, int32_t z, int32
     made->vertices[i].y = vertices[3 * i + 1];
     made->vertices[i].z = vertices[3 * i + 2];
   }
-  report[0] =
-      gjk_collider_init(&made->collider, &made->shape, count > 0 ? made->vertices + count : NULL, (uint16_t)count);
-  if (report[0] == GJK_OK) {
-    report[0] = gjk_collider_pose(&made->collider, &identity);
-  }
-  if (report[0] != GJK_OK) {
+  return gjk_wasm_finish(made);
+}
+
+gjk_collider *gjk_wasm_finish(gjk_wasm_shape *made) {
+  const gjk_pose identity = GJK_POSE_IDENTITY;
+  const uint16_t count = made->shape.count;
+  made->users = 1;
+  gjk_status status =
+      gjk_collider_init(&made->collider, &made->shape, count > 0 ? made->vertices + count : NULL, count);
+  status = status == GJK_OK ? gjk_collider_pose(&made->collider, &identity) : status;
+  if (status != GJK_OK) {
     gjk_port_release(made);
-    return NULL;
+    return gjk_wasm_fails(status);
   }
   return &made->collider;
+}
+
+void gjk_wasm_release(gjk_collider *collider) {
+  gjk_wasm_shape *shape = (gjk_wasm_shape *)collider;
+  if (shape != NULL && --shape->users == 0) {
+    gjk_port_release(shape);
+  }
 }
 
 int gjk_wasm_pose(gjk_collider *collider, int32_t x, int32_t y, int32_t z, int32_t i, int32_t j, int32_t k, int32_t w) {
@@ -145,9 +156,9 @@ int gjk_wasm_intersect(const gjk_collider *a, const gjk_collider *b) {
   gjk_decision found;
   const gjk_status status = gjk_intersect(a, b, NULL, &found);
   if (status == GJK_OK) {
-    reported = 0;
-    put(found.yes);
-    put(found.iterations);
+    gjk_wasm_begin();
+    gjk_wasm_put(found.yes);
+    gjk_wasm_put(found.iterations);
   }
   return status;
 }
@@ -156,49 +167,55 @@ int gjk_wasm_distance(const gjk_collider *a, const gjk_collider *b) {
   gjk_distance_result found = {0};
   const gjk_status status = gjk_distance(a, b, NULL, &found);
   if (status == GJK_OK) {
-    reported = 0;
-    put(found.intersecting);
-    put(found.distance);
-    put_vector(found.point_a.x, found.point_a.y, found.point_a.z);
-    put_vector(found.point_b.x, found.point_b.y, found.point_b.z);
-    put_vector(found.normal.x, found.normal.y, found.normal.z);
-    put(found.iterations);
-    put(gjk_check_distance(a, b, &found) == GJK_OK);
+    gjk_wasm_begin();
+    gjk_wasm_put(found.intersecting);
+    gjk_wasm_put(found.distance);
+    gjk_wasm_put_vector(found.point_a.x, found.point_a.y, found.point_a.z);
+    gjk_wasm_put_vector(found.point_b.x, found.point_b.y, found.point_b.z);
+    gjk_wasm_put_vector(found.normal.x, found.normal.y, found.normal.z);
+    gjk_wasm_put(found.iterations);
+    gjk_wasm_put(gjk_check_distance(a, b, &found) == GJK_OK);
   }
   return status;
 }
 
 int gjk_wasm_penetration(const gjk_collider *a, const gjk_collider *b) {
   gjk_penetration_result found = {0};
-  const gjk_status status = gjk_penetration(a, b, NULL, &workspace, &found);
+  const gjk_status status = gjk_penetration(a, b, NULL, &gjk_wasm_workspace, &found);
   if (status == GJK_OK) {
-    reported = 0;
-    put(found.intersecting);
-    put(found.depth);
-    put_vector(found.point_a.x, found.point_a.y, found.point_a.z);
-    put_vector(found.point_b.x, found.point_b.y, found.point_b.z);
-    put_vector(found.normal.x, found.normal.y, found.normal.z);
-    put(found.iterations);
-    put(gjk_check_penetration(a, b, &found) == GJK_OK);
+    gjk_wasm_begin();
+    gjk_wasm_put(found.intersecting);
+    gjk_wasm_put(found.depth);
+    gjk_wasm_put_vector(found.point_a.x, found.point_a.y, found.point_a.z);
+    gjk_wasm_put_vector(found.point_b.x, found.point_b.y, found.point_b.z);
+    gjk_wasm_put_vector(found.normal.x, found.normal.y, found.normal.z);
+    gjk_wasm_put(found.iterations);
+    gjk_wasm_put(gjk_check_penetration(a, b, &found) == GJK_OK);
   }
   return status;
 }
 
+void gjk_wasm_put_manifold(const gjk_manifold *m) {
+  const gjk_unit3 none = {0, 0, 0}, normal = m->count > 0 ? m->normal : none;
+  gjk_wasm_put(m->count);
+  gjk_wasm_put_vector(normal.x, normal.y, normal.z);
+  gjk_wasm_put(m->count > 0 ? m->feature_a : 0);
+  gjk_wasm_put(m->count > 0 ? m->feature_b : 0);
+  for (unsigned i = 0; i < m->count; i++) {
+    const gjk_contact *c = &m->contact[i];
+    gjk_wasm_put_vector(c->point_a.x, c->point_a.y, c->point_a.z);
+    gjk_wasm_put_vector(c->point_b.x, c->point_b.y, c->point_b.z);
+    gjk_wasm_put(c->distance);
+    gjk_wasm_put(c->id);
+  }
+}
+
 int gjk_wasm_contacts(const gjk_collider *a, const gjk_collider *b, int32_t margin) {
   gjk_manifold found;
-  const gjk_status status = gjk_contacts(a, b, margin, GJK_CONTACTS_MAX, NULL, &workspace, &found);
+  const gjk_status status = gjk_contacts(a, b, margin, GJK_CONTACTS_MAX, NULL, &gjk_wasm_workspace, &found);
   if (status == GJK_OK) {
-    reported = 0;
-    put(found.count);
-    put_vector(found.count > 0 ? found.normal.x : 0, found.count > 0 ? found.normal.y : 0,
-               found.count > 0 ? found.normal.z : 0);
-    for (unsigned i = 0; i < found.count; i++) {
-      const gjk_contact *c = &found.contact[i];
-      put_vector(c->point_a.x, c->point_a.y, c->point_a.z);
-      put_vector(c->point_b.x, c->point_b.y, c->point_b.z);
-      put(c->distance);
-      put(c->id);
-    }
+    gjk_wasm_begin();
+    gjk_wasm_put_manifold(&found);
   }
   return status;
 }
@@ -209,14 +226,14 @@ int gjk_wasm_cast(const gjk_collider *a, const gjk_collider *b, int32_t x, int32
   gjk_cast_result found = {0};
   const gjk_status status = gjk_cast(a, b, &path, &found);
   if (status == GJK_OK) {
-    reported = 0;
-    put(found.hit);
-    put(found.fraction);
-    put_vector(found.point_a.x, found.point_a.y, found.point_a.z);
-    put_vector(found.point_b.x, found.point_b.y, found.point_b.z);
-    put_vector(found.normal.x, found.normal.y, found.normal.z);
-    put_vector(found.rest_b.x, found.rest_b.y, found.rest_b.z);
-    put(found.iterations);
+    gjk_wasm_begin();
+    gjk_wasm_put(found.hit);
+    gjk_wasm_put(found.fraction);
+    gjk_wasm_put_vector(found.point_a.x, found.point_a.y, found.point_a.z);
+    gjk_wasm_put_vector(found.point_b.x, found.point_b.y, found.point_b.z);
+    gjk_wasm_put_vector(found.normal.x, found.normal.y, found.normal.z);
+    gjk_wasm_put_vector(found.rest_b.x, found.rest_b.y, found.rest_b.z);
+    gjk_wasm_put(found.iterations);
   }
   return status;
 }

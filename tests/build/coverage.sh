@@ -80,7 +80,7 @@ measure() {
     *)
       program golden -DGOLDEN_RUN_PAIRS=GOLDEN_PAIRS tests/check/target/golden.c tests/check/target/golden_host.c \
         tests/check/target/plane_golden.c tests/check/target/motion_golden.c tests/check/target/plane_motion_golden.c tests/check/target/parts_golden.c tests/check/target/hull_golden.c \
-        tests/check/target/scene_golden.c tests/support/scene/match.c port/hosted/gjk_hosted.c && run golden || return 1
+        tests/check/target/scene_golden.c tests/check/target/concave_golden.c tests/support/scene/match.c port/hosted/gjk_hosted.c && run golden || return 1
       for test in tests/check/unit/test_*.c; do
         name=$(basename "$test" .c)
         calls "$name" || continue

@@ -8,6 +8,7 @@ const assert = require('assert');
 const fs = require('fs');
 const path = require('path');
 const { gjkLoad } = require(path.resolve('port/wasm/gjk.js'));
+const { Random } = require('./random.js');
 
 const VERTICES = 16, WORKSPACE = 20, ONE = 1 << 30, INT32_MAX = 2147483647;
 const PROOF_DIRECTION = 2, ANSWER_OPEN = 2;
@@ -69,23 +70,6 @@ const PENETRATION = structure('gjk_penetration_result', [['depth', 'i32'], ['low
 const CONTACT = structure('gjk_contact', [['pointA', VEC3], ['pointB', VEC3], ['distance', 'i32'], ['id', 'u16']]);
 const MANIFOLD = structure('gjk_manifold', [['normal', VEC3], ['count', 'u8'], ['featureA', 'u16'], ['featureB', 'u16'],
   ['contact', CONTACT, 8]]);
-
-// splitmix64, as tests/support/random.h.
-class Random {
-  constructor(seed) { this.word = BigInt(seed); }
-
-  u32() {
-    this.word = BigInt.asUintN(64, this.word + 0x9E3779B97F4A7C15n);
-    let z = this.word;
-    z = BigInt.asUintN(64, (z ^ (z >> 30n)) * 0xBF58476D1CE4E5B9n);
-    z = BigInt.asUintN(64, (z ^ (z >> 27n)) * 0x94D049BB133111EBn);
-    return (z ^ (z >> 31n)) >> 32n;
-  }
-
-  below(bound) { return Number(this.u32() * BigInt(bound) >> 32n); }
-  range(low, high) { return Number(this.u32() * BigInt(high - low + 1) >> 32n) + low; }
-  vector(size) { return [0, 1, 2].map(() => this.range(-size, size)); }
-}
 
 // FNV-1a over words, as tests/support/fnv.h.
 let hash = 0xCBF29CE484222325n;

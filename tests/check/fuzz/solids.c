@@ -138,7 +138,7 @@ static void check_forged(void) {
   hostile_check(gjk_hull_table_make(MAYBE(points), count, level, MAYBE(entry), (uint16_t)entries, MAYBE(end)), NULL, 0);
   hostile_make_shape(&bytes, &shape);
   ASK(report,
-      gjk_hull_check(MAYBE(shape.vertices), (uint16_t)below(HOSTILE_VERTICES + 1), MAYBE(&shape.faces), &report));
+      gjk_hull_check(MAYBE(shape.vertices), (uint16_t)below(HOSTILE_VERTICES + 1), MAYBE(shape.shape.faces), &report));
   ASK(mass, gjk_mass_of_shape(MAYBE(&shape.shape), &mass));
   free(end);
   free(entry);

@@ -1,8 +1,10 @@
 // Firmware: the golden hashes of space, of the plane, of motion in both, of bodies of many parts and of hulls on an emulated
-// core, and with GOLDEN_SCENE, for boards with 50 KB of memory, that of a match in a scene. Exits with 0 if they are those of the headers.
+// core, and with GOLDEN_SCENE, for boards with 50 KB of memory, those of a match and of concave bodies in a scene. Exits with 0
+// if they are those of the headers.
 #include <stdbool.h>
 
 #include "board/board.h"
+#include "concave_golden.h"
 #include "golden.h"
 #include "hull_golden.h"
 #include "motion_golden.h"
@@ -38,7 +40,8 @@ static bool is_golden(uint64_t hash, uint64_t expected) {
 
 #ifdef GOLDEN_SCENE
 static bool scene_is_golden(void) {
-  return is_golden(scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1), SCENE_GOLDEN_FEW_HASH);
+  const bool match = is_golden(scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1), SCENE_GOLDEN_FEW_HASH);
+  return is_golden(concave_golden_hash(CONCAVE_GOLDEN_TICKS), CONCAVE_GOLDEN_HASH) && match;
 }
 #else
 static bool scene_is_golden(void) {

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "concave_golden.h"
 #include "hull_golden.h"
 #include "motion_golden.h"
 #include "parts_golden.h"
@@ -25,6 +26,7 @@ int main(void) {
   same = is_golden("GOLDEN_HASH", golden_hash(GOLDEN_PAIRS), GOLDEN_HASH) && same;
   same =
       is_golden("SCENE_GOLDEN_FEW_HASH", scene_golden_hash(SCENE_GOLDEN_FEW_TICKS, 1), SCENE_GOLDEN_FEW_HASH) && same;
+  same = is_golden("CONCAVE_GOLDEN_HASH", concave_golden_hash(CONCAVE_GOLDEN_TICKS), CONCAVE_GOLDEN_HASH) && same;
   same = is_golden("PLANE_GOLDEN_FEW_HASH", plane_golden_hash(PLANE_GOLDEN_FEW_PAIRS), PLANE_GOLDEN_FEW_HASH) && same;
   same = is_golden("PLANE_GOLDEN_HASH", plane_golden_hash(PLANE_GOLDEN_PAIRS), PLANE_GOLDEN_HASH) && same;
   same =

@@ -171,6 +171,16 @@ check 'a box in a box' 'parts=1 excess=0 enclosed=yes' "$(info "$work/within.obj
 box twice.obj 0 4
 box twice.obj 0 4
 check 'a box twice' 'parts=1 excess=0 enclosed=yes' "$(info "$work/twice.obj")"
+for copy in 1 2 3; do
+  box hollow.obj 0 4
+  box hollow.obj 1 3 -1
+  check "a hollow box $copy times" 'enclosed=yes excess=0 6 to 8 parts' "$(info "$work/hollow.obj" |
+    awk '{ split($1, p, "="); print $3, $2, (p[2] >= 6 && p[2] <= 8 ? "6 to 8 parts" : p[2]) }')"
+done
+# Not copies alone: the box at the corner is within another one. What is not reached is told.
+box hollow.obj 0 1
+check 'excess not reached' 'LSB instead of 4096' "$(info "$work/hollow.obj" | sed -n 's/.*LSB instead/LSB instead/p')"
+check 'excess asked for and reached' '' "$(info --excess 5 "$work/within.obj" | grep instead)"
 box sheet.obj 0 4
 printf 'f 1 2 3\nf 1 3 2\n' >>"$work/sheet.obj"
 check 'a triangle and its back' 'parts=1 excess=0 enclosed=yes' "$(info "$work/sheet.obj")"

@@ -1,11 +1,13 @@
 #!/bin/sh
-# The library in JavaScript, by WebAssembly: the golden hash of pairs, and the README's example, in node.
+# The library in JavaScript, by WebAssembly, in node: the golden hashes of pairs and of a scene, what gjk.js does around the
+# calls, little memory and low ceilings on iterations, and the README's examples.
 # test_javascript.sh BUILD
 . tests/build/count.sh
 build=$1
 dir=$build/javascript-test
 golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
 few=$(sed -n 's/^#define GOLDEN_FEW_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
+scene_golden=$(sed -n 's/^#define SCENE_GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/scene_golden.h)
 rm -rf "$dir"
 mkdir -p "$dir"
 
@@ -58,11 +60,26 @@ other_bits() {
   ! node tests/check/bind/golden.js "$dir/gjk.wasm" 149 "$few"
 }
 
+other_match() {
+  ! node tests/check/bind/scene_golden.js "$dir/gjk.wasm" 499 "$scene_golden"
+}
+
+# With modules of 2 MB and low ceilings, too.
+scenes() {
+  for max in 1 2 3; do
+    sh port/wasm/build.sh "$dir/ceiling-$max.wasm" -O0 "-DGJK_ITERATIONS_MAX=$max" -Wl,--max-memory=2097152 || return 1
+  done
+  node tests/check/bind/scene_behaviour.js "$dir/gjk.wasm" "$dir"/ceiling-[123].wasm
+}
+
 check 'the module is built' sh port/wasm/build.sh "$dir/gjk.wasm"
 check 'it has no imports' has_no_imports
 check 'the golden hash' node tests/check/bind/golden.js "$dir/gjk.wasm" 3000 "$golden"
 check 'another set has another hash' other_bits
-check "the README's example" readme
+check 'the golden hash of a scene' node tests/check/bind/scene_golden.js "$dir/gjk.wasm" 10000 "$scene_golden"
+check 'another match has another hash' other_match
+check 'scenes, hulls, little memory, low ceilings' scenes
+check "the README's examples" readme
 check 'errors are thrown' throws
 for file in port/wasm/*.js tests/check/bind/*.js; do
   check "$file is tidy" is_tidy "$file"

@@ -45,7 +45,7 @@ with_pkg_config() {
 shared_bits() {
   mkdir -p "$dir/golden"
   (cd tests/check/target && cp golden.c golden_host.c plane_golden.c motion_golden.c plane_motion_golden.c parts_golden.c \
-    hull_golden.c scene_golden.c "$dir/golden")
+    hull_golden.c scene_golden.c concave_golden.c "$dir/golden")
   # shellcheck disable=SC2046
   "${CC:-cc}" -std=c99 -O2 "-I$prefix/include" -I. -Iport -Itests/support -Itests/check/target "$dir"/golden/*.c \
     tests/support/scene/match.c port/hosted/gjk_hosted.c "-L$prefix/lib" -lgjk -o "$dir/golden/golden" &&

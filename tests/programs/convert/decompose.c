@@ -459,6 +459,7 @@ void decompose(const solid *s, const decompose_options *options, decomposition *
     longest = s->high[j] > longest ? s->high[j] : longest;
   }
   long double budget = options->excess >= 0 ? options->excess : (long double)(longest / 64 > 4 ? longest / 64 : 4);
+  out->wanted = budget;
   bool done = out->notches <= EXACT_NOTCHES && by_notches(s, &tree, &list);
   const bool few = done && (options->parts == 0 || list.count <= options->parts);
   if (done && options->excess > 0) {

@@ -14,6 +14,7 @@ typedef struct decomposition {
   part *part;
   size_t parts;
   excess_bounds excess;  // both 0: none, proven exactly
+  long double wanted;    // what the options ask of the excess, or its default; LSB
   bool enclosed;         // proven exactly
   size_t notches;        // edges of the solid where it is not convex
   char problem[160];     // if not enclosed

@@ -1,4 +1,5 @@
 // gjk-convert: makes hulls, convex parts and surfaces of files of points and meshes.
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +24,8 @@ static const char help[] =
     "  --mesh         the file's triangles as a surface for gjk/mesh.h, with what is known of their edges and a tree\n"
     "  --two-sided    of a surface: bodies touch it from both sides\n"
     "  --excess LSB   parts may reach beyond the solid by so much; the default is 0 where a solid has few edges\n"
-    "                 at which it is not convex, else a 64th of its longest side\n"
+    "                 at which it is not convex, else a 64th of its longest side; a message tells if it is not "
+    "reached\n"
     "  --parts N      no more than so many parts, whatever their excess\n"
     "  --picture SVG  draws the parts into that file, too\n"
     "  --info         one line about it instead of C:\n"
@@ -272,6 +274,9 @@ static int convert_to_parts(const options *o, mesh_file *file, const mesh *m) {
   }
   if (!d.enclosed) {
     fprintf(stderr, "%s: the parts do not enclose the solid: %s\n", file->name, d.problem);
+  }
+  if ((o->how.parts == 0 || o->how.excess >= 0) && d.excess.at_most > d.wanted) {
+    fprintf(stderr, "%s: the excess is %.0Lf LSB instead of %.0Lf\n", file->name, ceill(d.excess.at_most), d.wanted);
   }
   if (!o->info) {
     fprintf(

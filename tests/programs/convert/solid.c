@@ -144,6 +144,25 @@ static void sort_surface(solid *s) {
   qsort(s->triangle, s->triangles, sizeof s->triangle[0], by_corners);
 }
 
+// If each triangle is there equally often, keeps one of each: the surface winds around the same points, once instead. Pre: in
+// order.
+static void drop_copies(solid *s) {
+  size_t copies = 0;
+  for (size_t i = 0, same; i < s->triangles; i += same) {
+    for (same = 1; i + same < s->triangles && by_corners(s->triangle[i], s->triangle[i + same]) == 0; same++) {
+    }
+    if (copies > 0 && same != copies) {
+      return;
+    }
+    copies = same;
+  }
+  for (size_t i = 0; i * copies < s->triangles; i++) {
+    memmove(s->triangle[i], s->triangle[i * copies], sizeof s->triangle[i]);
+  }
+  s->triangles /= copies;
+  s->volume6 /= (solid_wide)copies;
+}
+
 static bool shift_points(solid *s, const mesh *m) {
   int64_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX}, high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
   for (size_t i = 0; i < m->points; i++) {
@@ -227,6 +246,7 @@ static void take_triangles(solid *s, const mesh *m) {
     }
   }
   sort_surface(s);
+  drop_copies(s);
   for (size_t t = 0; t < s->triangles; t++) {
     const uint32_t *corner = s->triangle[t];
     s->plane[t] = solid_plane_of(s->point[corner[0]], s->point[corner[1]], s->point[corner[2]]);

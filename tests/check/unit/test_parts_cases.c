@@ -1,0 +1,154 @@
+// Bodies of many parts, case by case: contacts over a seam, statuses of two bodies, what is ahead of a surface on either
+// side.
+#include <string.h>
+
+#include "check.h"
+#include "gjk/gjk.h"
+
+static const gjk_shape crate = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
+static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
+
+static gjk_collider at_height(const gjk_shape *shape, gjk_q16 z) {
+  gjk_pose pose = GJK_POSE_IDENTITY;
+  gjk_collider c;
+  pose.position.z = z;
+  CHECK(gjk_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &pose) == GJK_OK);
+  return c;
+}
+
+// Two crates side by side make a floor. A third one in the middle above has one manifold, of contacts with both, also where
+// the other way about.
+static void test_seam(void) {
+  gjk_compound_part parts[2] = {{&crate, GJK_POSE_IDENTITY}, {&crate, GJK_POSE_IDENTITY}};
+  gjk_compound_node nodes[2];
+  gjk_compound floor;
+  parts[0].pose.position.x = -GJK_Q16(1);
+  parts[1].pose.position.x = GJK_Q16(1);
+  CHECK(gjk_compound_build(parts, 2, nodes, 2, &floor) == GJK_OK);
+  const gjk_parts body = GJK_PARTS_OF_COMPOUND(&floor);
+  const gjk_collider above = at_height(&crate, GJK_Q16(2));
+  gjk_parts_manifold each[2];
+  gjk_manifold joined[4];
+  uint32_t separate;
+  unsigned count;
+  CHECK(gjk_parts_contacts(&body, &above, 100, 4, NULL, each, 2, &separate) == GJK_OK && separate == 2);
+  CHECK(gjk_parts_manifolds(&body, &above, 100, 4, NULL, joined, 4, &count) == GJK_OK && count == 1);
+  CHECK(joined[0].normal.z == GJK_Q30_ONE && joined[0].count == 4);
+  gjk_q16 least = 0, most = 0;
+  for (unsigned i = 0; i < joined[0].count; i++) {
+    const gjk_contact *p = &joined[0].contact[i];
+    CHECK(p->distance == 0 && p->point_a.z == GJK_Q16(1) &&
+          (p->point_a.y == GJK_Q16(1) || p->point_a.y == -GJK_Q16(1)));
+    least = p->point_a.x < least ? p->point_a.x : least;
+    most = p->point_a.x > most ? p->point_a.x : most;
+  }
+  CHECK(least == -GJK_Q16(1) && most == GJK_Q16(1));
+  // One manifold more where a third part touches from the side.
+  gjk_compound_part three[3] = {parts[0], parts[1], {&crate, GJK_POSE_IDENTITY}};
+  gjk_compound_node room[3];
+  three[2].pose.position.x = GJK_Q16(2);
+  three[2].pose.position.z = GJK_Q16(2);
+  CHECK(gjk_compound_build(three, 3, room, 3, &floor) == GJK_OK);
+  CHECK(gjk_parts_manifolds(&body, &above, 100, 4, NULL, joined, 4, &count) == GJK_OK && count == 2);
+}
+
+static void test_statuses_of_both(void) {
+  const gjk_compound_part one = {&crate, GJK_POSE_IDENTITY};
+  gjk_compound_node node;
+  gjk_compound compound;
+  CHECK(gjk_compound_build(&one, 1, &node, 1, &compound) == GJK_OK);
+  const gjk_parts a = GJK_PARTS_OF_COMPOUND(&compound);
+  gjk_parts b = GJK_PARTS_OF_COMPOUND(&compound), turned = GJK_PARTS_OF_COMPOUND(&compound);
+  gjk_parts_pair pair = {77, 77};
+  gjk_decision decision;
+  b.pose.position.x = GJK_Q16(3);
+  turned.pose.rotation.w = 0;
+  CHECK(gjk_parts_both_within(&a, &b, -1, &pair, &decision) == GJK_ERROR_NEGATIVE);
+  CHECK(gjk_parts_both_within(&a, &turned, -1, &pair, &decision) == GJK_ERROR_ROTATION);
+  CHECK(gjk_parts_both_within(&a, &turned, 0, &pair, &decision) == GJK_ERROR_ROTATION);
+  CHECK(gjk_parts_both_within(&turned, &b, 0, &pair, &decision) == GJK_ERROR_ROTATION);
+  CHECK(gjk_parts_both_within(&a, NULL, 0, &pair, &decision) == GJK_ERROR_NULL);
+  CHECK(gjk_parts_both_within(&a, &b, 0, &pair, NULL) == GJK_ERROR_NULL);
+  CHECK(pair.a == 77 && pair.b == 77);
+  CHECK(gjk_parts_both_within(&a, &b, GJK_Q16(1) - 1, &pair, &decision) == GJK_OK && !decision.yes);
+  CHECK(pair.a == GJK_PARTS_NONE && pair.b == GJK_PARTS_NONE);
+  CHECK(gjk_parts_both_within(&a, &b, GJK_Q16(1), &pair, &decision) == GJK_OK && decision.yes);
+  CHECK(pair.a == 0 && pair.b == 0);
+}
+
+// One number out of its range at a time.
+static void test_statuses_of_impacts(void) {
+  const gjk_compound_part one = {&crate, GJK_POSE_IDENTITY};
+  const gjk_impact_setup good = {0, GJK_PARTS_TOLERANCE_MIN, 0}, loose = {0, GJK_PARTS_TOLERANCE_MIN - 1, 0},
+                         far = {GJK_IMPACT_MARGIN_MAX + 1, GJK_Q16(1), 0}, behind = {-1, GJK_Q16(1), 0};
+  const gjk_motion still = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
+  gjk_motion out = still;
+  gjk_compound_node node;
+  gjk_compound compound;
+  gjk_impact_result impact;
+  uint32_t part = 77;
+  const gjk_collider b = at_height(&ball, 0);
+  out.to.position.x = INT32_MAX;
+  CHECK(gjk_compound_build(&one, 1, &node, 1, &compound) == GJK_OK);
+  const gjk_parts a = GJK_PARTS_OF_COMPOUND(&compound);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &loose, &part, &impact) == GJK_ERROR_RANGE);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &far, &part, &impact) == GJK_ERROR_RANGE);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &behind, &part, &impact) == GJK_ERROR_NEGATIVE);
+  CHECK(gjk_parts_time_of_impact(&a, &out, &b, &still, &good, &part, &impact) == GJK_ERROR_RANGE);
+  CHECK(part == 77);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &good, &part, &impact) == GJK_OK && impact.overlap &&
+        part == 0);
+}
+
+// A ball on one side of a triangle that goes through its plane. side 1: it begins in front, -1: behind; gap: between ball and
+// plane at the start. The first touch is where the gap is 0, or the margin.
+static void check_ahead(bool two_sided, int side, gjk_q16 gap, gjk_q16 margin, bool expected) {
+  const gjk_vec3 corner[3] = {{-GJK_Q16(20), -GJK_Q16(20), 0}, {GJK_Q16(20), -GJK_Q16(20), 0}, {0, GJK_Q16(20), 0}};
+  gjk_mesh_triangle triangle = {{0, 1, 2}};
+  gjk_mesh_node node;
+  gjk_mesh mesh;
+  CHECK(gjk_mesh_build(corner, 3, &triangle, 1, two_sided, &node, 1, &mesh) == GJK_OK);
+  const gjk_parts body = GJK_PARTS_OF_MESH(&mesh);
+  const gjk_q16 from = side * (gap + GJK_Q16(0.5)), length = GJK_Q16(8);
+  const gjk_collider b = at_height(&ball, from);
+  const gjk_vec3 to = {0, 0, from - side * length};
+  const gjk_cast_path path = {NULL, &to, margin};
+  const gjk_motion still = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
+  gjk_motion way = still;
+  const gjk_impact_setup setup = {margin, GJK_PARTS_TOLERANCE_MIN, 0};
+  gjk_cast_result cast;
+  gjk_impact_result impact;
+  uint32_t part;
+  way.from.position.z = from;
+  way.to.position = to;
+  CHECK(gjk_parts_cast_ahead(&body, &b, &path, &part, &cast) == GJK_OK);
+  CHECK_MSG(cast.hit == expected && (part == 0) == expected, "sides %d, side %d, gap %ld, margin %ld", two_sided, side,
+            (long)gap, (long)margin);
+  if (expected) {
+    // An LSB is 2048 of the way's parts.
+    const int64_t due = (((int64_t)gap - margin) << 30) / length, off = cast.fraction - due;
+    CHECK_MSG(off >= -2048 && off <= 0 && side * cast.normal.z >= GJK_Q30_ONE - 2, "%ld", (long)off);
+  }
+  CHECK(gjk_parts_impact_ahead(&body, &still, &b, &way, &setup, &part, &impact) == GJK_OK);
+  CHECK_MSG(impact.hit == expected && (part == 0) == expected, "impact: sides %d, side %d, gap %ld, margin %ld",
+            two_sided, side, (long)gap, (long)margin);
+}
+
+static void test_ahead(void) {
+  for (int side = -1; side <= 1; side += 2) {
+    check_ahead(true, side, GJK_Q16(3), 0, true);
+    check_ahead(true, side, GJK_Q16(3), GJK_Q16(1), true);
+    check_ahead(true, side, GJK_Q16(1), GJK_Q16(2), false);  // the margin reaches the plane
+    check_ahead(true, side, -100, 0, false);                 // the ball does
+    check_ahead(false, side, GJK_Q16(3), 0, side > 0);
+    check_ahead(false, side, -100, 0, false);
+  }
+}
+
+int main(void) {
+  test_seam();
+  test_statuses_of_both();
+  test_statuses_of_impacts();
+  test_ahead();
+  return check_done("parts cases");
+}
