@@ -48,7 +48,7 @@
 #                        what differs is named
 #   make clean
 #
-# OPT=-Os builds for size, PORT=mps2 with the port in port/mps2, CC=clang with that compiler. What was built with other
+# OPT=-Os builds for size, DEBUG=-g for a debugger, PORT=mps2 with the port in port/mps2, CC=clang with that compiler. What was built with other
 # flags is built again; VARIANT=-x builds in build/T-x, so that such builds are kept apart.
 
 TARGET ?= host
@@ -102,7 +102,7 @@ HOST_LIB := build/host/libgjk.a
 
 WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror
 INCLUDES := -Iinclude -Iport
-COMMON := -std=c99 -g $(WARNINGS) $(INCLUDES)
+COMMON := -std=c99 $(DEBUG) $(WARNINGS) $(INCLUDES)
 DEPENDENCIES := -MMD -MP
 PORT ?= $(PORT_$(TARGET))
 PORT_HEADER = $(if $(1),-DGJK_PORT_HEADER='"$(1)/gjk_port.h"')

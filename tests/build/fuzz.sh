@@ -18,7 +18,7 @@ case $amount in
 esac
 mkdir -p "$build"
 
-flags='-std=c99 -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support'
+flags='-std=c99 -gline-tables-only -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support'
 if ! have clang; then
   echo 'skipped: fuzz: needs clang'
   exit 0

@@ -54,7 +54,7 @@ golden_missing() {
 golden_library() {
   case $* in
     *-DGJK_ITERATIONS_MAX=*)  # the usual library but for that
-      golden_objects=build/host-iterations-${4#*=}
+      golden_objects=build/host$4
       library host '' || return 1
       if have flock; then
         flock "$(dirname "$golden_objects")/.${golden_objects#*/}.lock" sh tests/build/variant.sh "$golden_objects" "$4"
@@ -71,14 +71,23 @@ golden_library() {
   golden_flags=$(shift 2; echo "$*" | sed 's/ *-DGJK_PORT_HEADER="[^ ]*//')
   golden_name=$(echo "-$2 $golden_flags $golden_port" | sed 's/-fno-sanitize-recover=all//' | tr -cd 'A-Za-z0-9=-')
   [ "$1" = host ] || golden_name=-$1$golden_name
+  case $golden_name in  # the usual library
+    -gcc-O2hosted) [ "$("${CC:-cc}" -dumpversion)" != "$(gcc -dumpversion)" ] || golden_name= ;;
+  esac
   case $1 in
-    host) library host "$golden_name" "CC=$2" "PORT=$golden_port" "OPT=$golden_flags -g0" ;;
+    host)
+      if [ -z "$golden_name" ]; then
+        library host ''
+      else
+        library host "$golden_name" "CC=$2" "PORT=$golden_port" "OPT=$golden_flags"
+      fi
+      ;;
     cortex-* | rv32imc | avr)
       library "$1" "${3#-O2}" "OPT=$3" || return 1
       golden_objects=build/$1${3#-O2}
       return
       ;;
-    *) library host "$golden_name" "CC=$(golden_triple "$1")-$2" "PORT=$golden_port" "OPT=$golden_flags -g0" ;;
+    *) library host "$golden_name" "CC=$(golden_triple "$1")-$2" "PORT=$golden_port" "OPT=$golden_flags" ;;
   esac || return 1
   golden_objects=build/host$golden_name
 }

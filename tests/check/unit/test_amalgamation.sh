@@ -78,8 +78,12 @@ for compiler in gcc clang g++ clang++; do
     continue
   fi
   case $compiler in
-    *++) flags='-std=c++17 -x c++ -O2 -Wall -Wextra -Wno-unused-function -Werror' ;;
-    *) flags="-std=c99 -O2 $strict" ;;
+    *++) flags='-std=c++17 -x c++ -Wall -Wextra -Wno-unused-function -Werror' ;;
+    *) flags="-std=c99 $strict" ;;
+  esac
+  case $compiler in  # both languages at either level, by one compiler each
+    g*) flags="$flags -O2" ;;
+    *) flags="$flags -O0" ;;
   esac
   object=$(echo $compiler | tr + p)
   # shellcheck disable=SC2086

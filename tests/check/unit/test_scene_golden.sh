@@ -32,10 +32,9 @@ match() {
   build=$folder/$game
   sources="tests/support/scene/$2.c tests/check/target/$game.c tests/check/target/${game}_host.c"
   mkdir -p "$build"
-  # The builds are those of test_golden.sh and test_port.sh, so that each is made once.
+  # The builds are those of test_golden.sh, so that each is made once.
   if have gcc; then
     check "$game: gcc -O2" host gcc '' host gcc -O2 '-DGJK_PORT_HEADER="hosted/gjk_port.h"'
-    check "$game: gcc -O2, narrow multiplication" host gcc-narrow '' host gcc -O2 -DGJK_NARROW_MULTIPLY=1
     check "$game: undefined behaviour and addresses" host sanitized '' host gcc -O1 -fsanitize=undefined,address \
       -fno-sanitize-recover=all
   fi
