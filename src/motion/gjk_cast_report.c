@@ -15,17 +15,17 @@ static void set_quotient(const gjk_portal *p, gjk_quotient *q) {
   gjk_quotient_set(q, &numerator, &denominator);
 }
 
-// x quotient, rounded towards the side that n points to.
-static int64_t round_along(const gjk_quotient *q, int64_t x, int64_t n) {
-  return n > 0 ? -gjk_quotient_floor(q, -x) : n < 0 ? gjk_quotient_floor(q, x) : gjk_quotient_nearest(q, x);
-}
-
-// One axis of both resting places. way: A's whole way; t: of B against A; n: of the plane.
-static void rest_along(const gjk_quotient *q, int64_t way, int64_t t, int64_t n, gjk_q16 a, gjk_q16 b, gjk_q16 *rest_a,
-                       gjk_q16 *rest_b, bool *saturated) {
+// One axis of both resting places. way: A's whole way; t: of B against A; n: of the plane, to whose side B is rounded.
+// Returns B's way against A to the nearest LSB.
+static int64_t rest_along(const gjk_quotient *q, int64_t way, int64_t t, int64_t n, gjk_q16 a, gjk_q16 b,
+                          gjk_q16 *rest_a, gjk_q16 *rest_b, bool *saturated) {
+  bool whole;
   const int64_t of_a = way != 0 ? gjk_quotient_nearest(q, way) : 0;
+  const int64_t halves = gjk_quotient_split(q, 2 * t, &whole), nearest = gjk_sar64(halves + 1, 1);
+  const int64_t up = gjk_sar64(halves + (whole ? 1 : 2), 1);
   *rest_a = (gjk_q16)(a + of_a);
-  *rest_b = gjk_saturate_noting(b + of_a + round_along(q, t, n), saturated);
+  *rest_b = gjk_saturate_noting(b + of_a + (n > 0 ? up : n < 0 ? gjk_sar64(halves, 1) : nearest), saturated);
+  return nearest;
 }
 
 static gjk_long3 way_of_a(const gjk_portal *p, const gjk_way *way) {
@@ -51,16 +51,19 @@ static gjk_q16 touch(const gjk_quotient *q, const gjk_barycentric weight[2], gjk
   return gjk_saturate_noting(centre + whole + gjk_sar64(sum + (INT64_C(1) << 30), 31), saturated);
 }
 
-// Is the collider's core a point?
-static bool is_point(const gjk_collider *c) {
-  return c->shape->type->kind == GJK_KIND_AXES && c->count == 0;
+// A part of a way to the nearest LSB.
+static gjk_long3 part_of_way(const gjk_quotient *q, const gjk_vec3 *from, const gjk_vec3 *to) {
+  const gjk_long3 part = {gjk_quotient_nearest(q, (int64_t)to->x - from->x),
+                          gjk_quotient_nearest(q, (int64_t)to->y - from->y),
+                          gjk_quotient_nearest(q, (int64_t)to->z - from->z)};
+  return part;
 }
 
-// Where a point is, moved along its way: to the nearest LSB. A centre stays within int32.
-static void move_point(const gjk_quotient *q, const gjk_vec3 *from, const gjk_vec3 *to, gjk_vec3 *out) {
-  out->x = (gjk_q16)(from->x + gjk_quotient_nearest(q, (int64_t)to->x - from->x));
-  out->y = (gjk_q16)(from->y + gjk_quotient_nearest(q, (int64_t)to->y - from->y));
-  out->z = (gjk_q16)(from->z + gjk_quotient_nearest(q, (int64_t)to->z - from->z));
+// Where a point is, moved along a part of its way. A centre stays within int32.
+static void move_point(const gjk_vec3 *from, const gjk_long3 *part, gjk_vec3 *out) {
+  out->x = (gjk_q16)(from->x + part->x);
+  out->y = (gjk_q16)(from->y + part->y);
+  out->z = (gjk_q16)(from->z + part->z);
 }
 
 // At larger core radii weights of 31 bits may move the point by a tenth of an LSB.
@@ -118,15 +121,20 @@ void gjk_cast_report_entry(const gjk_portal *p, const gjk_way *way, gjk_cast_res
   set_quotient(p, &q);
   out->hit = true;
   out->inside = false;
-  out->fraction = q.one ? GJK_Q30_ONE : (gjk_q30)(q.part >> 34);
+  out->fraction = q.one ? GJK_Q30_ONE : (gjk_q30)(q.high >> 2);
   out->saturated = false;
-  rest_along(&q, of_a.x, p->way.x, p->n.x, a->x, b->x, &out->rest_a.x, &out->rest_b.x, &out->saturated);
-  rest_along(&q, of_a.y, p->way.y, p->n.y, a->y, b->y, &out->rest_a.y, &out->rest_b.y, &out->saturated);
-  rest_along(&q, of_a.z, p->way.z, p->n.z, a->z, b->z, &out->rest_a.z, &out->rest_b.z, &out->saturated);
-  if (is_point(p->b)) {
-    move_point(&q, &p->b->centre, &way->end_b, &out->point_a);
-  } else if (is_point(p->a)) {
-    move_point(&q, &p->a->centre, &way->end_a, &out->point_a);
+  const gjk_long3 of_b = {
+      rest_along(&q, of_a.x, p->way.x, p->n.x, a->x, b->x, &out->rest_a.x, &out->rest_b.x, &out->saturated),
+      rest_along(&q, of_a.y, p->way.y, p->n.y, a->y, b->y, &out->rest_a.y, &out->rest_b.y, &out->saturated),
+      rest_along(&q, of_a.z, p->way.z, p->n.z, a->z, b->z, &out->rest_a.z, &out->rest_b.z, &out->saturated)};
+  if (gjk_portal_is_point(p->b) && (of_a.x | of_a.y | of_a.z) == 0) {
+    move_point(&p->b->centre, &of_b, &out->point_a);
+  } else if (gjk_portal_is_point(p->b)) {
+    const gjk_long3 part = part_of_way(&q, &p->b->centre, &way->end_b);
+    move_point(&p->b->centre, &part, &out->point_a);
+  } else if (gjk_portal_is_point(p->a)) {
+    const gjk_long3 part = part_of_way(&q, &p->a->centre, &way->end_a);
+    move_point(&p->a->centre, &part, &out->point_a);
   } else {
     touch_point(p, &q, way, &out->point_a, &out->saturated);
   }

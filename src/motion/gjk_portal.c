@@ -163,9 +163,11 @@ static void complete(gjk_portal *p) {
 // Support scan of both shapes along n: the newest vertex.
 static void scan(gjk_portal *p) {
   set_direction(p);
-  const gjk_vec3 opposite = gjk_negate(p->direction.d);
   p->a->shape->type->support(p->a, &p->direction.d, &p->of_a);
-  p->b->shape->type->support(p->b, &opposite, &p->of_b);
+  if (!p->lone) {
+    const gjk_vec3 opposite = gjk_negate(p->direction.d);
+    p->b->shape->type->support(p->b, &opposite, &p->of_b);
+  }
   complete(p);
   p->iterations++;
 }
@@ -176,10 +178,12 @@ static bool refine(gjk_portal *p) {
   if (p->direction.exact) {
     return false;
   }
-  const gjk_vec3 opposite = gjk_negate(p->direction.d);
   bool moved = p->a->shape->type->refine(p->a, &p->direction.d, &exact, &p->of_a);
-  exact.opposite = true;
-  moved = p->b->shape->type->refine(p->b, &opposite, &exact, &p->of_b) || moved;
+  if (!p->lone) {
+    const gjk_vec3 opposite = gjk_negate(p->direction.d);
+    exact.opposite = true;
+    moved = p->b->shape->type->refine(p->b, &opposite, &exact, &p->of_b) || moved;
+  }
   complete(p);
   return moved;
 }
@@ -509,6 +513,9 @@ void gjk_portal_start(gjk_portal *p, const gjk_collider *a, const gjk_collider *
     cross_wide(&t, &start, &p->m);
   }
   p->iterations = 0;
+  p->lone = gjk_portal_is_point(b);
+  p->of_b.offset.x = p->of_b.offset.y = p->of_b.offset.z = 0;
+  p->of_b.vertex = 0;
   p->leaving = false;
   p->arrives = false;
 }

@@ -57,7 +57,13 @@ typedef struct gjk_portal {
   bool near;     // start and goal are at most 2^29 LSB per component, and not wide
   bool arrives;  // a point of A - B on the line lies before the way's end
   bool leaving;  // n . t > 0: the search looks for where the line leaves A - B
+  bool lone;     // B is a point: of_b stays
 } gjk_portal;
+
+// Is the collider's core a point?
+static inline bool gjk_portal_is_point(const gjk_collider *c) {
+  return c->shape->type->kind == GJK_KIND_AXES && c->count == 0;
+}
 
 // *u = the offset of A's vertex less that of B's, scaled: below 2^29, since both lie within their core radii.
 static inline void gjk_portal_scale(const gjk_portal *p, const gjk_vec3 *a, const gjk_vec3 *b, gjk_vec3 *u) {

@@ -54,43 +54,58 @@ void gjk_quotient_set(gjk_quotient *q, const gjk_u128 *numerator, const gjk_u128
   q->numerator = numerator->low;
   q->denominator = denominator->low;
   q->one = !below128(numerator, denominator);
-  q->part = 0;
+  q->high = 0;
   if (q->one) {
     return;
   }
-  gjk_u128 rest = {numerator->high, numerator->low}, d = {denominator->high, denominator->low};
   gjk_divisor divisor;
-  gjk_divisor_set(&divisor, &d);
-  shift_left(&rest, 96 - divisor.bits);
-  shift_left(&d, 96 - divisor.bits);
-  const uint32_t high = next_digit(&rest, &d, divisor.inverse);
-  q->part = (uint64_t)high << 32 | next_digit(&rest, &d, divisor.inverse);
+  gjk_divisor_set(&divisor, denominator);
+  q->rest.high = numerator->high;
+  q->rest.low = numerator->low;
+  q->scaled.high = denominator->high;
+  q->scaled.low = denominator->low;
+  q->inverse = divisor.inverse;
+  shift_left(&q->rest, 96 - divisor.bits);
+  shift_left(&q->scaled, 96 - divisor.bits);
+  q->high = next_digit(&q->rest, &q->scaled, q->inverse);
 }
 
-// For x >= 0, with x part = 2^64 k + f, 0 <= f < 2^64:
-//   x part <= 2^64 x quotient < x part + x,  x < 2^34
-// So floor(x quotient) is k, or k + 1 where f >= 2^64 - x. Then, or where f is 0, the product is within 2^-30 of an integer c:
-//   |x numerator - c denominator| < 2^-30 2^93 = 2^63
+// As gjk_quotient_split of size >= 0. With part = floor(2^64 quotient) and size part = 2^64 k + f, 0 <= f < 2^64:
+//   size part <= 2^64 size quotient < size part + size,  size < 2^34
+// So floor(size quotient) is k, or k + 1 where f >= 2^64 - size. Then, or where f is 0, the product is within 2^-30 of an
+// integer c:  |size numerator - c denominator| < 2^-30 2^93 = 2^63
 // modulo 2^64 this difference is exact, and tells on which side of c the product lies.
-int64_t gjk_quotient_floor(const gjk_quotient *q, int64_t x) {
-  if (q->one || x == 0) {
-    return x;
-  }
-  const uint64_t size = gjk_magnitude64(x);
+GJK_OUT_OF_LINE static uint64_t split_exactly(const gjk_quotient *q, uint64_t size, bool *whole) {
+  gjk_u128 rest = {q->rest.high, q->rest.low};
   const uint32_t x0 = (uint32_t)(size & UINT32_MAX), x1 = (uint32_t)(size >> 32);  // x1 < 4
-  const uint32_t p0 = (uint32_t)(q->part & UINT32_MAX), p1 = (uint32_t)(q->part >> 32);
+  const uint32_t p0 = next_digit(&rest, &q->scaled, q->inverse), p1 = q->high;
   const uint64_t lowest = gjk_umul32(x0, p0);
   const uint64_t middle = gjk_umul32(x0, p1) + (lowest >> 32);               // <= (2^32 - 1) 2^32
   const uint64_t middle2 = gjk_umul32(x1, p0) + (middle & UINT32_MAX);       // < 2^35
   const uint64_t k = gjk_umul32(x1, p1) + (middle >> 32) + (middle2 >> 32);  // < 2^35
   const uint64_t f = middle2 << 32 | (lowest & UINT32_MAX);
-  uint64_t floor = k;
-  bool whole = false;
-  if (f == 0 || f > UINT64_MAX - size) {
-    const uint64_t nearest = f == 0 ? k : k + 1;
-    const int64_t difference = gjk_int64(size * q->numerator - nearest * q->denominator);
-    floor = difference < 0 ? nearest - 1 : nearest;
-    whole = difference == 0;
+  *whole = false;
+  if (f != 0 && f <= UINT64_MAX - size) {
+    return k;
   }
-  return x >= 0 ? (int64_t)floor : -(int64_t)floor - (whole ? 0 : 1);
+  const uint64_t nearest = f == 0 ? k : k + 1;
+  const int64_t difference = gjk_int64(size * q->numerator - nearest * q->denominator);
+  *whole = difference == 0;
+  return difference < 0 ? nearest - 1 : nearest;
+}
+
+// The first digit alone says, of x below 2^32:  x high <= 2^32 x quotient < x high + x
+int64_t gjk_quotient_split(const gjk_quotient *q, int64_t x, bool *whole) {
+  const uint64_t size = gjk_magnitude64(x);
+  const uint64_t product = gjk_umul32((uint32_t)(size & UINT32_MAX), q->high);
+  const uint64_t cut = product & UINT32_MAX;
+  uint64_t floor = product >> 32;
+  *whole = q->one || x == 0;
+  if (*whole) {
+    return x;
+  }
+  if (cut == 0 || cut + size > UINT32_MAX) {
+    floor = split_exactly(q, size, whole);
+  }
+  return x >= 0 ? (int64_t)floor : -(int64_t)floor - (*whole ? 0 : 1);
 }

@@ -393,9 +393,21 @@ static void plane_impact_report(plane_impact *s, gjk_q30 lower, gjk_q30 upper, g
   }
 }
 
-static void plane_impact_end(const plane_impact *s, gjk_q30 lower, uint32_t iterations, gjk2_impact_result *out) {
-  gjk2_sweep_pose(&s->a.sweep, lower, &out->pose_a);
-  gjk2_sweep_pose(&s->b.sweep, lower, &out->pose_b);
+// Writes the pose at lower of a mover that is posed at a fraction.
+static void plane_mover_end(const plane_mover *m, gjk_q30 posed, gjk_q30 lower, gjk2_pose *out) {
+  if (lower != posed) {
+    gjk2_sweep_pose(&m->sweep, lower, out);
+    return;
+  }
+  gjk2_copy(&out->position, &m->pose.position);
+  out->rotation.c = m->pose.rotation.c;
+  out->rotation.s = m->pose.rotation.s;
+}
+
+static void plane_impact_end(const plane_impact *s, gjk_q30 posed, gjk_q30 lower, uint32_t iterations,
+                             gjk2_impact_result *out) {
+  plane_mover_end(&s->a, posed, lower, &out->pose_a);
+  plane_mover_end(&s->b, posed, lower, &out->pose_b);
   out->iterations = (uint8_t)iterations;
 }
 
@@ -421,7 +433,7 @@ static gjk_status plane_impact_run(plane_impact *s, gjk2_impact_result *out) {
     if (s->gap.intersecting || s->gap.upper < (int64_t)s->setup->margin + s->setup->tolerance) {  // Step 2
       lower = plane_is_at_margin(s) ? lower : at;
       plane_impact_report(s, lower, at, out);
-      plane_impact_end(s, lower, i, out);
+      plane_impact_end(s, at, lower, i, out);
       return GJK_OK;
     }
     lower = s->open && s->gap.lower <= s->setup->margin ? lower : at;
@@ -440,7 +452,7 @@ static gjk_status plane_impact_run(plane_impact *s, gjk2_impact_result *out) {
     at += (gjk_q30)step;
   }
   plane_impact_none(lower, out);
-  plane_impact_end(s, lower, i, out);
+  plane_impact_end(s, at, lower, i, out);
   return result;
 }
 

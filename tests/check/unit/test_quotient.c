@@ -33,10 +33,11 @@ static void check_quotient(wide n, wide d, int64_t x) {
   gjk_quotient_set(&q, &numerator, &denominator);
   CHECK(q.one == (n == d));
   if (!q.one) {
-    // The first 32 bits, and then 32 of the rest.
-    const uint64_t high = (uint64_t)((n << 32) / d), low = (uint64_t)((((n << 32) % d) << 32) / d);
-    CHECK(q.part == (high << 32 | low));
+    CHECK(q.high == (uint64_t)((n << 32) / d));
   }
+  bool whole;
+  CHECK(gjk_quotient_split(&q, x, &whole) == product(x, n, d));
+  CHECK(whole == ((wide)(x < 0 ? -x : x) * n % d == 0));
   CHECK(gjk_quotient_floor(&q, x) == product(x, n, d));
   const int64_t half = x / 2;
   CHECK(gjk_quotient_nearest(&q, half) == product(2 * half, n, d) / 2 + (product(2 * half, n, d) % 2 > 0 ? 1 : 0));
