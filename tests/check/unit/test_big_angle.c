@@ -40,7 +40,8 @@ static void test_shifts(void) {
   random_state random = {7};
   for (unsigned long trial = 0; trial < 2000; trial++) {
     const unsigned bits = random_below(&random, 256);
-    const int64_t value = (int64_t)(random_u64(&random) >> (1 + random_below(&random, 63)));
+    const unsigned shift = 1 + random_below(&random, 63);
+    const int64_t value = (int64_t)(random_u64(&random) >> shift);
     gjk_big x = from(value), y = from(value);
     check_trial(trial, NULL, NULL);
     gjk_big_shift_up(&x, bits);
@@ -129,8 +130,9 @@ static void test_random_angles(uint64_t seed) {
   const gjk_big pi = pi_times(0);
   unsigned steep = 0;
   for (unsigned long trial = 0; trial < 2000; trial++) {
-    const int64_t x = random_range(&random, -INT32_MAX, INT32_MAX) >> random_below(&random, MOST_BITS),
-                  y = random_range(&random, 1, INT32_MAX) >> random_below(&random, MOST_BITS);
+    const unsigned shift_x = random_below(&random, MOST_BITS), shift_y = random_below(&random, MOST_BITS);
+    const int64_t x = random_range(&random, -INT32_MAX, INT32_MAX) >> shift_x;
+    const int64_t y = random_range(&random, 1, INT32_MAX) >> shift_y;
     const int64_t p = random_range(&random, -999, 999), q = random_range(&random, 1, 999);
     check_trial(trial, NULL, NULL);
     if (y == 0) {
