@@ -1,6 +1,6 @@
 # Builds the library, its tools and its tests. `make help` lists what there is.
 #
-#   make                 the host library, build/gjk-query and build/gjk-demo
+#   make                 the host library, build/gjk-query, build/gjk-convert and build/gjk-demo
 #   make demo            answers a scene, certifies it, draws build/demo.svg; then the same as Cortex-M3 firmware
 #   make setup test      installs the cross tools (Debian, apt-get), then runs every test; GJK_TEST_SEED=N for other random ones
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
@@ -111,7 +111,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
 .PHONY: bench-hull all help lib setup test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
-all: lib build/gjk-query build/gjk-demo
+all: lib build/gjk-query build/gjk-convert build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
 # that make builds these files again just then.

@@ -12,7 +12,7 @@
 //
 // Saves    hold the index of the shape, as of any other. Peers need the same meshes, as they need the same shapes.
 // Boxes    gjk_scene_query_box and gjk_scene_query_ray take such a part for its box in its own frame, turned.
-// Drawing  gjk_draw_scene leaves such a part out, and its pairs.
+// Drawing  gjk_draw_scene leaves such a part out, and its pairs. gjk_draw_scene_concave draws what is near a box.
 // Numbers  of triangles are not reported. Ask the part that gjk_scene_parts gives where one is needed.
 // Fast     A body that touches such a part at the start of its way, and was near it at the last update, may still meet
 //          another triangle or part of it: one in front of which it was at the start. gjk_parts_cast_ahead has the rule.

@@ -15,6 +15,7 @@
 #define GJK_DRAW_H
 
 #include "gjk/cast.h"
+#include "gjk/parts.h"
 #include "gjk/scene.h"
 
 #ifdef __cplusplus
@@ -55,6 +56,20 @@ gjk_status gjk_draw_cast(const gjk_draw *draw, const gjk_collider *collider, con
 // GJK_DRAW_PAIRS, for the pairs near at the last update. Parts of which gjk_scene_collider makes no collider are left out.
 // Statuses  RANGE: what has another bit.
 gjk_status gjk_draw_scene(const gjk_draw *draw, const gjk_scene *scene, unsigned what);
+
+// The outlines of parts of a compound, mesh or height field.
+//
+// near   a box in the world: of each part with a point in it, and of no part whose box does not meet it. NULL: of all.
+// most   at most so many parts, in the order in which they are found, which data alone decides.
+// drawn  how many were; may be NULL.
+// Statuses  CAPACITY: the same; there are more than most. Those of gjk/parts.h: nothing is drawn. RANGE: also, where near
+//           ends before it begins.
+gjk_status gjk_draw_parts(const gjk_draw *draw, const gjk_parts *parts, const gjk_aabb *near, uint32_t most,
+                          gjk_draw_role role, uint32_t *drawn);
+
+// What gjk_draw_scene leaves out: the concave parts of a scene (gjk/concave.h), as gjk_draw_parts, most of all together.
+gjk_status gjk_draw_scene_concave(const gjk_draw *draw, const gjk_scene *scene, const gjk_aabb *near, uint32_t most,
+                                  gjk_draw_role role, uint32_t *drawn);
 
 #ifdef __cplusplus
 }

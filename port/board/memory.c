@@ -1,4 +1,4 @@
-// The functions of libc that compilers call on their own, for firmware without one. The library needs none of them.
+// The functions of libc that compilers call on their own, for firmware without one. The library's source calls none of them.
 #include <stddef.h>
 
 void *memcpy(void *to, const void *from, size_t bytes);

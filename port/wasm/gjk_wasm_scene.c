@@ -30,20 +30,19 @@ static gjk_scene_bindings bindings_of(gjk_wasm_scene *scene) {
   return bindings;
 }
 
-gjk_wasm_scene *gjk_wasm_scene_make(gjk_collider *const *shapes, unsigned count, const int32_t *n) {
-  const uint32_t cells = (uint32_t)n[9];
-  const gjk_scene_config config = {
-      .bodies = (uint32_t)n[0],
-      .parts = (uint32_t)n[1],
-      .own_poses = (uint32_t)n[2],
-      .pairs = (uint32_t)n[3],
-      .box_margin = n[4],
-      .detail = (uint8_t)n[5],
-      .persist = (uint8_t)n[6],
-      .retest_all = (uint8_t)n[7],
-      .workspace_cells = cells < gjk_wasm_workspace.count ? cells : gjk_wasm_workspace.count,
-      .motions = (uint32_t)n[10]};
-  const size_t bytes = gjk_scene_bytes(&config);
+gjk_wasm_scene *gjk_wasm_scene_make(gjk_collider *const *shapes, unsigned count, const int32_t *config) {
+  const uint32_t cells = (uint32_t)config[9];
+  const gjk_scene_config of = {.bodies = (uint32_t)config[0],
+                               .parts = (uint32_t)config[1],
+                               .own_poses = (uint32_t)config[2],
+                               .pairs = (uint32_t)config[3],
+                               .box_margin = config[4],
+                               .detail = (uint8_t)config[5],
+                               .persist = (uint8_t)config[6],
+                               .retest_all = (uint8_t)config[7],
+                               .workspace_cells = cells < gjk_wasm_workspace.count ? cells : gjk_wasm_workspace.count,
+                               .motions = (uint32_t)config[10]};
+  const size_t bytes = gjk_scene_bytes(&of);
   if (count > UINT16_MAX || bytes == 0) {
     return gjk_wasm_fails(GJK_ERROR_RANGE);
   }
@@ -56,7 +55,7 @@ gjk_wasm_scene *gjk_wasm_scene_make(gjk_collider *const *shapes, unsigned count,
     for (unsigned i = 0; i < count; i++) {
       made->shapes[i] = shapes[i]->shape;
     }
-    status = gjk_scene_init(&made->scene, &config, block, bytes, made->shapes, (uint16_t)count, &bindings);
+    status = gjk_scene_init(&made->scene, &of, block, bytes, made->shapes, (uint16_t)count, &bindings);
   }
   if (status != GJK_OK) {
     gjk_port_release(block);
@@ -77,7 +76,7 @@ void gjk_wasm_scene_release(gjk_wasm_scene *scene) {
   gjk_port_release(scene);
 }
 
-int gjk_wasm_scene_add(gjk_wasm_scene *scene, int slot, const int32_t *n, const int32_t *parts, unsigned count) {
+int gjk_wasm_scene_add(gjk_wasm_scene *scene, int slot, const int32_t *setup, const int32_t *parts, unsigned count) {
   if (count > UINT16_MAX) {
     return GJK_ERROR_CAPACITY;
   }
@@ -89,18 +88,18 @@ int gjk_wasm_scene_add(gjk_wasm_scene *scene, int slot, const int32_t *n, const 
     const gjk_part part = {(uint16_t)parts[0], parts[1] != 0, pose_of(parts + 2)};
     room[i] = part;
   }
-  const gjk_body_setup setup = {.pose = pose_of(n),
-                                .parts = room,
-                                .part_count = (uint16_t)count,
-                                .kind = (uint8_t)n[7],
-                                .detail = (uint8_t)n[8],
-                                .category = (uint32_t)n[9],
-                                .mask = (uint32_t)n[10],
-                                .user = (uint32_t)n[11],
-                                .margin = n[12]};
+  const gjk_body_setup body = {.pose = pose_of(setup),
+                               .parts = room,
+                               .part_count = (uint16_t)count,
+                               .kind = (uint8_t)setup[7],
+                               .detail = (uint8_t)setup[8],
+                               .category = (uint32_t)setup[9],
+                               .mask = (uint32_t)setup[10],
+                               .user = (uint32_t)setup[11],
+                               .margin = setup[12]};
   gjk_body_id id;
-  const gjk_status status = slot < 0 ? gjk_scene_add(&scene->scene, &setup, &id)
-                                     : gjk_scene_add_at(&scene->scene, (uint32_t)slot, &setup, &id);
+  const gjk_status status =
+      slot < 0 ? gjk_scene_add(&scene->scene, &body, &id) : gjk_scene_add_at(&scene->scene, (uint32_t)slot, &body, &id);
   gjk_port_release(room);
   if (status == GJK_OK) {
     gjk_wasm_begin();
@@ -110,10 +109,10 @@ int gjk_wasm_scene_add(gjk_wasm_scene *scene, int slot, const int32_t *n, const 
   return status;
 }
 
-int gjk_wasm_scene_move(gjk_wasm_scene *scene, uint32_t slot, uint32_t generation, const int32_t *n, bool teleport) {
+int gjk_wasm_scene_move(gjk_wasm_scene *scene, uint32_t slot, uint32_t generation, const int32_t *pose, bool teleport) {
   const gjk_body_id id = {slot, generation};
-  const gjk_pose pose = pose_of(n);
-  return teleport ? gjk_scene_teleport(&scene->scene, id, &pose) : gjk_scene_move(&scene->scene, id, &pose);
+  const gjk_pose to = pose_of(pose);
+  return teleport ? gjk_scene_teleport(&scene->scene, id, &to) : gjk_scene_move(&scene->scene, id, &to);
 }
 
 int gjk_wasm_scene_change(gjk_wasm_scene *scene, int change, uint32_t slot, uint32_t generation, uint32_t first,
@@ -175,14 +174,16 @@ int gjk_wasm_scene_update(gjk_wasm_scene *scene) {
   return status;
 }
 
-int gjk_wasm_scene_cast_ray(const gjk_wasm_scene *scene, const int32_t *from, const int32_t *to, const int32_t *n) {
+int gjk_wasm_scene_cast_ray(const gjk_wasm_scene *scene, const int32_t *from, const int32_t *to,
+                            const int32_t *filter) {
   const gjk_vec3 start = {from[0], from[1], from[2]}, end = {to[0], to[1], to[2]};
-  const gjk_scene_filter filter = {
-      .category = (uint32_t)n[0], .mask = (uint32_t)n[1], .ignore = {(uint32_t)n[2], (uint32_t)n[3]}};
+  const gjk_scene_filter seen = {.category = (uint32_t)filter[0],
+                                 .mask = (uint32_t)filter[1],
+                                 .ignore = {(uint32_t)filter[2], (uint32_t)filter[3]}};
   gjk_scene_hit hit = {{0, 0}, 0, 0};
   gjk_cast_result result = {0};
   bool found = false;
-  const gjk_status status = gjk_scene_cast_ray(&scene->scene, &start, &end, &filter, &hit, &result, &found);
+  const gjk_status status = gjk_scene_cast_ray(&scene->scene, &start, &end, &seen, &hit, &result, &found);
   if (status == GJK_OK) {
     gjk_wasm_begin();
     gjk_wasm_put(found);

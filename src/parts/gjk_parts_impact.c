@@ -21,7 +21,7 @@ typedef struct impact_search {
   const gjk_motion *motion[2];
   const gjk_impact_setup *setup;
   bool turns[2];
-  gjk_carried b;      // B, or the part of it that is asked
+  gjk_carried of[2];  // the part of A; B, or the part of it that is asked
   uint32_t number_b;  // of that part; else 0
   gjk_impact_result result[2];
   unsigned best;
@@ -50,7 +50,7 @@ static int64_t least_tolerance(uint32_t reach, int64_t of_b, gjk_q16 margin) {
 
 static gjk_status check_impact_of_parts(const impact_search *s) {
   const gjk_impact_setup *setup = s->setup;
-  const gjk_collider *b = s->b.collider;
+  const gjk_collider *b = s->of[1].collider;
   if (b->state != GJK_STATE_INITIALISED && b->state != GJK_STATE_POSED) {
     return GJK_ERROR_UNINITIALISED;
   }
@@ -63,6 +63,14 @@ static gjk_status check_impact_of_parts(const impact_search *s) {
                  !gjk_parts_has_room(&s->body, &s->motion[0]->to.position)
              ? GJK_ERROR_RANGE
              : GJK_OK;
+}
+
+static void set_carried(gjk_carried *body, const gjk_collider *c, const gjk_motion *motion, const gjk_pose *own,
+                        uint32_t arm) {
+  body->collider = c;
+  body->motion = motion;
+  body->own = own;
+  body->arm = arm;
 }
 
 static gjk_status find_turning(impact_search *s, unsigned body) {
@@ -132,8 +140,9 @@ static gjk_status ask_impact(impact_search *s, uint32_t part, bool bound) {
   if (status != GJK_OK) {
     return status;
   }
-  const gjk_carried of[2] = {{&c, s->motion[0], local.own, s->body.type->reach(s->body.data)}, s->b};
-  status = gjk_impact_of_carried(of, s->setup, trial);
+  set_carried(&s->of[0], &c, s->motion[0], local.own, s->body.type->reach(s->body.data));
+  status = gjk_impact_of_carried(s->of, s->setup, trial);
+  set_carried(&s->of[0], NULL, s->motion[0], NULL, 0);  // the part goes with this call
   if (status != GJK_OK && status != GJK_ERROR_ITERATION_LIMIT) {
     return status;
   }
@@ -176,14 +185,6 @@ static void report_miss_of_parts(const impact_search *s, gjk_impact_result *out)
   (void)gjk_motion_pose(s->motion[1], GJK_Q30_ONE, &out->pose_b);
 }
 
-// Sets B, or the part of it that is asked.
-static void set_visitor(impact_search *s, const gjk_collider *b, const gjk_pose *own, uint32_t arm) {
-  s->b.collider = b;
-  s->b.motion = s->motion[1];
-  s->b.own = own;
-  s->b.arm = arm;
-}
-
 // Starts a query. B is to be set.
 static void start_impact_search(impact_search *s, const gjk_parts *a, const gjk_motion *motion_a,
                                 const gjk_motion *motion_b, const gjk_impact_setup *setup) {
@@ -219,7 +220,7 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
     return GJK_ERROR_NULL;
   }
   start_impact_search(&s, a, motion_a, motion_b, setup);
-  set_visitor(&s, b, NULL, 0);
+  set_carried(&s.of[1], b, motion_b, NULL, 0);
   gjk_status status = gjk_parts_frame_set(&s.frame, &s.body);
   status = status == GJK_OK ? check_impact_of_parts(&s) : status;
   status = status == GJK_OK ? find_turning(&s, 0) : status;
@@ -294,9 +295,9 @@ static gjk_status ask_part_of_b(impact_search *s, const gjk_parts_frame *of_b, b
   start_impact_region(s, &box, s->turns[1] ? reach : 0, reach);
   b->type->local(b->data, s->number_b, &room, &local);
   status = gjk_collider_init(&c, local.shape, NULL, 0);
-  set_visitor(s, &c, local.own, b->type->reach(b->data));
+  set_carried(&s->of[1], &c, s->motion[1], local.own, b->type->reach(b->data));
   status = status == GJK_OK ? ask_region(s, GJK_PARTS_NONE, bound) : status;
-  set_visitor(s, NULL, NULL, 0);  // the part goes with this call
+  set_carried(&s->of[1], NULL, s->motion[1], NULL, 0);  // the part goes with this call
   return status;
 }
 

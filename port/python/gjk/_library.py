@@ -163,7 +163,12 @@ def _find():
     return "libgjk.so"
 
 
-library = ctypes.CDLL(_find())
+try:
+    library = ctypes.CDLL(_find())
+except OSError as error:
+    raise ImportError(
+        f"{error}: `make install PREFIX=...` puts the shared library in its place; or GJK_LIBRARY names it"
+    ) from error
 library.gjk_size_of.restype = ctypes.c_size_t
 library.gjk_size_of.argtypes = [ctypes.c_char_p]
 library.gjk_constant.argtypes = [ctypes.c_char_p, ctypes.POINTER(ctypes.c_int64)]

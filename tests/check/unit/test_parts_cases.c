@@ -76,6 +76,30 @@ static void test_statuses_of_both(void) {
   CHECK(pair.a == 0 && pair.b == 0);
 }
 
+// One number out of its range at a time.
+static void test_statuses_of_impacts(void) {
+  const gjk_compound_part one = {&crate, GJK_POSE_IDENTITY};
+  const gjk_impact_setup good = {0, GJK_PARTS_TOLERANCE_MIN, 0}, loose = {0, GJK_PARTS_TOLERANCE_MIN - 1, 0},
+                         far = {GJK_IMPACT_MARGIN_MAX + 1, GJK_Q16(1), 0}, behind = {-1, GJK_Q16(1), 0};
+  const gjk_motion still = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
+  gjk_motion out = still;
+  gjk_compound_node node;
+  gjk_compound compound;
+  gjk_impact_result impact;
+  uint32_t part = 77;
+  const gjk_collider b = at_height(&ball, 0);
+  out.to.position.x = INT32_MAX;
+  CHECK(gjk_compound_build(&one, 1, &node, 1, &compound) == GJK_OK);
+  const gjk_parts a = GJK_PARTS_OF_COMPOUND(&compound);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &loose, &part, &impact) == GJK_ERROR_RANGE);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &far, &part, &impact) == GJK_ERROR_RANGE);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &behind, &part, &impact) == GJK_ERROR_NEGATIVE);
+  CHECK(gjk_parts_time_of_impact(&a, &out, &b, &still, &good, &part, &impact) == GJK_ERROR_RANGE);
+  CHECK(part == 77);
+  CHECK(gjk_parts_time_of_impact(&a, &still, &b, &still, &good, &part, &impact) == GJK_OK && impact.overlap &&
+        part == 0);
+}
+
 // A ball on one side of a triangle that goes through its plane. side 1: it begins in front, -1: behind; gap: between ball and
 // plane at the start. The first touch is where the gap is 0, or the margin.
 static void check_ahead(bool two_sided, int side, gjk_q16 gap, gjk_q16 margin, bool expected) {
@@ -124,6 +148,7 @@ static void test_ahead(void) {
 int main(void) {
   test_seam();
   test_statuses_of_both();
+  test_statuses_of_impacts();
   test_ahead();
   return check_done("parts cases");
 }

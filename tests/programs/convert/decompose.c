@@ -73,15 +73,30 @@ static bool is_apart(const part *a, const part *b) {
   return false;
 }
 
-// The volume that a hull of two parts adds; INFINITY: they are not merged.
-static long double cost_of_joining(const part *a, const part *b, bool far) {
+// Six times the volume that two parts share.
+static long double common_volume6(const part *a, const part *b) {
+  piece_pool pool;
+  const piece p =
+      piece_from_faces((const int32_t(*)[3])a->point, a->points, a->corner, a->end, a->plane, a->faces, &pool);
+  const long double common = piece_volume6_behind(p, b->plane, b->faces, &pool);
+  free(pool.at);
+  return common;
+}
+
+// The volume that a hull of two parts adds to their sum; of the union, if 'exact': that is 0 where the union is convex.
+// INFINITY: they are not merged.
+static long double cost_of_joining(const part *a, const part *b, bool far, bool exact) {
   part both;
   if ((is_apart(a, b) && !far) || !join(a, b, &both)) {
     return INFINITY;
   }
-  const solid_wide more = both.volume6 - a->volume6 - b->volume6;
+  long double more = (long double)(both.volume6 - a->volume6 - b->volume6);
+  const long double common = exact && !is_apart(a, b) ? common_volume6(a, b) : 0;
+  if (common > 0) {  // rounded: so little counts as nothing, and is_exact proves what comes of it
+    more = fabsl(more + common) <= (long double)both.volume6 * 0x1p-40L ? 0 : more + common;
+  }
   part_free(&both);
-  return (long double)more;
+  return more;
 }
 
 // Merges pairs, the cheapest first, as long as the excess stays within the budget and, beyond that, until there are no more
@@ -92,7 +107,7 @@ static void merge(const nearest_tree *tree, part_list *list, long double budget,
   const bool far = most > 0 && most < n;
   for (size_t i = 0; i < n; i++) {
     for (size_t j = i + 1; j < n; j++) {
-      cost[i * n + j] = cost_of_joining(&list->item[i], &list->item[j], far);
+      cost[i * n + j] = cost_of_joining(&list->item[i], &list->item[j], far, budget == 0);
     }
   }
   size_t left = n;
@@ -128,7 +143,7 @@ static void merge(const nearest_tree *tree, part_list *list, long double budget,
     for (size_t i = 0; i < n; i++) {
       cost[i < b ? i * n + b : b * n + i] = INFINITY;
       if (i != a && list->item[i].points > 0) {
-        cost[i < a ? i * n + a : a * n + i] = cost_of_joining(&list->item[i], &both, far);
+        cost[i < a ? i * n + a : a * n + i] = cost_of_joining(&list->item[i], &both, far, budget == 0);
       }
     }
   }
@@ -278,6 +293,20 @@ static solid_wide volume_of(const part_list *list) {
   return sum;
 }
 
+// Do the parts make up the solid? They enclose it, so they do where their volumes add up to its volume, or where each is in it.
+// The latter matters where the surface winds around more than once: that counts in the solid's volume, not in the union's.
+static bool is_exact(const solid *s, const part_list *list) {
+  if (volume_of(list) == s->volume6) {
+    return true;
+  }
+  for (size_t i = 0; i < list->count; i++) {
+    if (!enclose_is_inside(s, &list->item[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 static long double rough_excess(const solid *s, const nearest_tree *tree, const part_list *list) {
   const long double widest = fmaxl(s->high[0], fmaxl(s->high[1], s->high[2]));
   long double most = 0;
@@ -294,7 +323,7 @@ static bool by_notches(const solid *s, const nearest_tree *tree, part_list *out)
   for (size_t i = 0; i < sizeof manners / sizeof manners[0]; i++) {
     part_list list = {NULL, 0, 0};
     bool done = at_notches(s, tree, manners[i], &list);
-    const bool exact = done && volume_of(&list) == s->volume6;
+    const bool exact = done && is_exact(s, &list);
     if (done && !exact) {
       merge(tree, &list, ROUNDED_EXCESS, 0);
       done = rough_excess(s, tree, &list) <= 4 * ROUNDED_EXCESS;
@@ -356,7 +385,7 @@ static void by_concavity(const solid *s, const nearest_tree *tree, long double b
       break;
     }
     job *j = &work[next];
-    if (j->hull.points == 0 || j->more <= 0 ||
+    if (j->hull.points == 0 || (j->more <= 0 && budget <= 0) ||
         (budget > 0 && excess_of(tree, &j->hull, budget / 16, budget, QUICK_CELLS).at_most <= budget) ||
         !cuts_once(&j->p, (long double)j->hull.volume6, &pool, &pieces)) {
       j->done = true;

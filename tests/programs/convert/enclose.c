@@ -299,5 +299,6 @@ bool enclose_is_inside(const solid *s, const part *p) {
   free(line);
   solid_wide x[3];
   long winding = 0;
-  return inside && inner_point(p, x) && solid_winding(s, x, 4, 0, 1, NULL, &winding) && winding != 0;
+  // A point on the surface will do as well: there the solid is on both sides, as every triangle above.
+  return inside && inner_point(p, x) && (!solid_winding(s, x, 4, 0, 1, NULL, &winding) || winding != 0);
 }

@@ -96,9 +96,11 @@ static cell cell_of(const part *p) {
 // What of a polygon is where n . x <= d. One corner more at most, but for rounding; never more than room.
 static unsigned clip(const point *in, unsigned corners, const point n, long double d, point *out, unsigned room) {
   unsigned count = 0;
+  long double hb = corners > 0 ? dot(n, in[0]) - d : 0;
   for (unsigned i = 0; i < corners; i++) {
     const long double *a = in[i], *b = in[i + 1 == corners ? 0 : i + 1];
-    const long double ha = dot(n, a) - d, hb = dot(n, b) - d;
+    const long double ha = hb;
+    hb = dot(n, b) - d;
     if (ha <= 0 && count < room) {
       memcpy(out[count++], a, sizeof out[0]);
     }
@@ -217,9 +219,18 @@ static bool look_at(void *user, size_t t) {
       l->room[0][i][j] = s->point[s->triangle[t][i]][j];
     }
   }
-  for (unsigned f = 0; f < l->c->faces && corners > 0; f++, from = 1 - from) {
-    corners = clip((const point *)l->room[from], corners, l->c->face[f].n, l->c->face[f].d - l->graze,
-                   l->room[1 - from], l->c->faces + 4);
+  for (unsigned f = 0; f < l->c->faces && corners > 0; f++) {
+    const long double *across = l->c->face[f].n, at = l->c->face[f].d - l->graze;
+    unsigned beyond = 0;
+    for (unsigned i = 0; i < corners; i++) {
+      beyond += dot(across, l->room[from][i]) > at;
+    }
+    if (beyond == corners) {
+      corners = 0;
+    } else if (beyond > 0) {
+      corners = clip((const point *)l->room[from], corners, across, at, l->room[1 - from], l->c->faces + 4);
+      from = 1 - from;
+    }
   }
   if (corners > 0) {
     l->best = t;
@@ -276,7 +287,7 @@ static bool bound_cell(const nearest_tree *tree, cell *c, const view *v, long do
                        size_t *across) {
   size_t near = 0;
   const long double distance = nearest_find(tree, v->middle, &near);
-  const bool inside = nearest_is_inside(tree->s, v->middle);
+  const bool inside = nearest_is_inside(tree, v->middle);
   *across = SIZE_MAX;
   if (inside && distance >= v->radius) {
     return false;
@@ -310,7 +321,7 @@ excess_bounds excess_of(const nearest_tree *tree, const part *p, long double tol
   for (unsigned i = 0; i < p->points; i++) {
     const point x = {p->point[i][0], p->point[i][1], p->point[i][2]};
     size_t near;
-    if (!nearest_is_inside(tree->s, x)) {
+    if (!nearest_is_inside(tree, x)) {
       out.at_least = fmaxl(out.at_least, nearest_find(tree, x, &near));
     }
   }

@@ -186,11 +186,28 @@ void nearest_in_box(const nearest_tree *tree, const long double low[3], const lo
   }
 }
 
-bool nearest_is_inside(const solid *s, const long double x[3]) {
-  solid_wide at[3];
+// A count of crossings, and whether the ray begins on the surface.
+typedef struct crossings {
+  const solid *s;
+  solid_ray ray;
   long winding;
+  bool on;
+} crossings;
+
+static bool cross(void *user, size_t triangle) {
+  crossings *c = user;
+  c->on = !solid_cross(c->s, triangle, &c->ray, &c->winding);
+  return !c->on;
+}
+
+bool nearest_is_inside(const nearest_tree *tree, const long double x[3]) {
+  crossings c = {tree->s, {{0, 0, 0}, NULL, 24, 0, 1}, 0, false};
+  long double low[3], high[3];
   for (int j = 0; j < 3; j++) {
-    at[j] = (solid_wide)rintl(ldexpl(x[j], 24));
+    c.ray.x[j] = (solid_wide)rintl(ldexpl(x[j], 24));
+    low[j] = x[j] - 0x1p-20L;  // the place is moved by 2^-25 at most
+    high[j] = j == 0 ? INFINITY : x[j] + 0x1p-20L;
   }
-  return !solid_winding(s, at, 24, 0, 1, NULL, &winding) || winding != 0;
+  nearest_in_box(tree, low, high, cross, &c);
+  return c.on || c.winding != 0;
 }

@@ -32,6 +32,6 @@ void nearest_in_box(const nearest_tree *tree, const long double low[3], const lo
                     bool (*each)(void *user, size_t triangle), void *user);
 
 // Is a point in the solid? It is rounded to 2^-24; points on the surface may be either.
-bool nearest_is_inside(const solid *s, const long double x[3]);
+bool nearest_is_inside(const nearest_tree *tree, const long double x[3]);
 
 #endif

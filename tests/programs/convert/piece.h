@@ -33,6 +33,13 @@ void piece_pool_from(piece_pool *pool, const solid *s);
 
 piece piece_from(const solid *s);
 
+// A convex piece by its corners and faces, as a part has them: corner and face_end as in gjk_hull_faces. pool is new.
+piece piece_from_faces(const int32_t (*point)[3], unsigned points, const uint16_t *corner, const uint16_t *face_end,
+                       const solid_plane *plane, unsigned faces, piece_pool *pool);
+
+// Six times the volume of what a convex piece has behind planes: not beyond any. The piece is freed.
+long double piece_volume6_behind(piece p, const solid_plane *plane, unsigned planes, piece_pool *pool);
+
 // Cuts a piece: the connected parts beyond the plane and behind it are added to out. A corner within slack of the plane counts
 // as on it.
 void piece_cut(const piece *p, const solid_plane *plane, long double slack, piece_pool *pool, piece_list *out);

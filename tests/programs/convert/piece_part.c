@@ -280,3 +280,66 @@ void piece_part(const piece *p, const piece_pool *pool, piece_list *out) {
   free(up);
   free(q.edge);
 }
+
+piece piece_from_faces(const int32_t (*point)[3], unsigned points, const uint16_t *corner, const uint16_t *face_end,
+                       const solid_plane *plane, unsigned faces, piece_pool *pool) {
+  const size_t edges = faces > 0 ? face_end[faces - 1] : 0;
+  piece p = {solid_allocate(edges, sizeof p.edge[0]), solid_allocate(faces, sizeof p.face[0]), edges, faces};
+  memset(pool, 0, sizeof *pool);
+  pool->at = solid_allocate(points, sizeof pool->at[0]);
+  pool->count = pool->room = points;
+  for (unsigned i = 0; i < points; i++) {
+    for (int j = 0; j < 3; j++) {
+      pool->at[i][j] = point[i][j];
+    }
+  }
+  for (unsigned f = 0, begin = 0; f < faces; begin = face_end[f++]) {
+    p.face[f] = plane[f];
+    for (unsigned i = begin; i < face_end[f]; i++) {
+      const piece_edge edge = {corner[i], corner[i + 1 < face_end[f] ? i + 1 : begin], f};
+      p.edge[i] = edge;
+    }
+  }
+  return p;
+}
+
+// How far a piece reaches beyond a plane, and behind it.
+static void heights_of(const piece *p, const piece_pool *pool, const solid_plane *plane, long double *beyond,
+                       long double *behind) {
+  *beyond = *behind = 0;
+  for (size_t i = 0; i < p->edges; i++) {
+    const long double h = piece_height(plane, pool->at[p->edge[i].from]);
+    *beyond = fmaxl(*beyond, h);
+    *behind = fmaxl(*behind, -h);
+  }
+}
+
+long double piece_volume6_behind(piece p, const solid_plane *plane, unsigned planes, piece_pool *pool) {
+  const long double slack = 0x1p-10L;
+  for (unsigned i = 0; i < planes; i++) {
+    long double beyond, behind;
+    piece_list half = {NULL, 0, 0};
+    heights_of(&p, pool, &plane[i], &beyond, &behind);
+    if (beyond <= slack) {
+      continue;
+    }
+    if (behind > slack) {
+      piece_cut(&p, &plane[i], slack, pool, &half);
+    }
+    piece_free(&p);
+    for (size_t n = 0; n < half.count; n++) {
+      heights_of(&half.item[n], pool, &plane[i], &beyond, &behind);
+      if (behind > beyond && p.edges == 0) {
+        p = half.item[n];
+        memset(&half.item[n], 0, sizeof half.item[n]);
+      }
+    }
+    piece_list_free(&half);
+    if (p.edges == 0) {
+      return 0;
+    }
+  }
+  const long double volume6 = piece_volume6(&p, pool);
+  piece_free(&p);
+  return fmaxl(volume6, 0);
+}

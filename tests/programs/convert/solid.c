@@ -342,29 +342,38 @@ static bool is_aside(solid_wide x, int shift, int32_t a, int32_t b, int32_t c) {
   return x < (low - 1) * scale || x > (high + 1) * scale;
 }
 
+bool solid_cross(const solid *s, size_t t, const solid_ray *ray, long *winding) {
+  const int axis = ray->axis, p = (axis + 1) % 3, q = (axis + 2) % 3, shift = ray->shift;
+  const solid_wide *x = ray->x;
+  const solid_plane *plane = &s->plane[t], *within = ray->within;
+  const int32_t *a = s->point[s->triangle[t][0]], *b = s->point[s->triangle[t][1]], *c = s->point[s->triangle[t][2]];
+  if (plane->n[axis] == 0 || is_aside(x[p], shift, a[p], b[p], c[p]) || is_aside(x[q], shift, a[q], b[q], c[q])) {
+    return true;
+  }
+  const int32_t flat[3][2] = {{a[p], a[q]}, {b[p], b[q]}, {c[p], c[q]}};
+  const int first = turn(flat[0], flat[1], x[p], x[q], shift);
+  if (first != turn(flat[1], flat[2], x[p], x[q], shift) || first != turn(flat[2], flat[0], x[p], x[q], shift)) {
+    return true;
+  }
+  const int side = side_of_plane(plane, x, shift), way = plane->n[axis] > 0 ? ray->sign : -ray->sign;
+  if (side == 0 &&
+      (within == NULL || within->n[0] * (solid_wide)plane->n[1] != within->n[1] * (solid_wide)plane->n[0] ||
+       within->n[1] * (solid_wide)plane->n[2] != within->n[2] * (solid_wide)plane->n[1] ||
+       within->n[2] * (solid_wide)plane->n[0] != within->n[0] * (solid_wide)plane->n[2])) {
+    return false;
+  }
+  *winding += side == -way ? way : 0;
+  return true;
+}
+
 bool solid_winding(const solid *s, const solid_wide x[3], int shift, int axis, int sign, const solid_plane *within,
                    long *out) {
-  const int p = (axis + 1) % 3, q = (axis + 2) % 3;
+  const solid_ray ray = {{x[0], x[1], x[2]}, within, shift, axis, sign};
   *out = 0;
   for (size_t t = 0; t < s->triangles; t++) {
-    const int32_t *a = s->point[s->triangle[t][0]], *b = s->point[s->triangle[t][1]], *c = s->point[s->triangle[t][2]];
-    const solid_plane *plane = &s->plane[t];
-    if (plane->n[axis] == 0 || is_aside(x[p], shift, a[p], b[p], c[p]) || is_aside(x[q], shift, a[q], b[q], c[q])) {
-      continue;
-    }
-    const int32_t flat[3][2] = {{a[p], a[q]}, {b[p], b[q]}, {c[p], c[q]}};
-    const int first = turn(flat[0], flat[1], x[p], x[q], shift);
-    if (first != turn(flat[1], flat[2], x[p], x[q], shift) || first != turn(flat[2], flat[0], x[p], x[q], shift)) {
-      continue;
-    }
-    const int side = side_of_plane(plane, x, shift), way = plane->n[axis] > 0 ? sign : -sign;
-    if (side == 0 &&
-        (within == NULL || within->n[0] * (solid_wide)plane->n[1] != within->n[1] * (solid_wide)plane->n[0] ||
-         within->n[1] * (solid_wide)plane->n[2] != within->n[2] * (solid_wide)plane->n[1] ||
-         within->n[2] * (solid_wide)plane->n[0] != within->n[0] * (solid_wide)plane->n[2])) {
+    if (!solid_cross(s, t, &ray, out)) {
       return false;
     }
-    *out += side == -way ? way : 0;
   }
   return true;
 }

@@ -54,8 +54,17 @@ bool solid_from_mesh(solid *s, const mesh *m, char *problem, size_t room);
 
 void solid_free(solid *s);
 
-// How often the surface winds around a point x / 2^shift, shift at most 60. It is counted along a ray from x towards sign * axis.
-// Triangles that x is on are not counted; of those, the ones that do not lie in 'within' make it say false.
+// A ray from x / 2^shift, shift at most 60, towards sign * axis.
+typedef struct solid_ray {
+  solid_wide x[3];
+  const solid_plane *within;  // may be NULL
+  int shift, axis, sign;
+} solid_ray;
+
+// Counts a triangle that the ray crosses. False: x is on it, and it does not lie in 'within'.
+bool solid_cross(const solid *s, size_t t, const solid_ray *ray, long *winding);
+
+// How often the surface winds around a point: what solid_cross counts of all triangles. False: it said so of one.
 bool solid_winding(const solid *s, const solid_wide x[3], int shift, int axis, int sign, const solid_plane *within,
                    long *out);
 
