@@ -30,7 +30,7 @@ static int32_t clamp_to_int32(int64_t x) {
 }
 
 // A part of the way, within 2. Pre: |way| < 2^34.
-static int64_t part_of_way(int64_t way, gjk_q30 fraction) {
+static int64_t part_until(int64_t way, gjk_q30 fraction) {
   const int64_t coarse = gjk_sar64(way, 15), fine = way - gjk_shl64(coarse, 15);
   return gjk_sar64(coarse * fraction, 15) + gjk_sar64(fine * fraction, 30);
 }
@@ -40,7 +40,7 @@ static void settle_region(gjk_region *r) {
   int64_t along[3], most = 0;
   int32_t low[3], high[3];
   for (int i = 0; i < 3; i++) {
-    along[i] = r->moves ? part_of_way(r->way[i], r->latest) : 0;
+    along[i] = r->moves ? part_until(r->way[i], r->latest) : 0;
     low[i] = clamp_to_int32(r->lower[i] - r->grow + (along[i] < 0 ? along[i] : 0));
     high[i] = clamp_to_int32(r->upper[i] + r->grow + (along[i] > 0 ? along[i] : 0));
   }

@@ -7,20 +7,14 @@
 //   3. The contact of the joint where it begins, and of an open end: along the direction strictly within the wedge with
 //      the shortest way out, where that is shorter than along both normals.
 //
-// How far the body reaches along a direction d from a vertex v: the least d . (b - v) / |d| over its points b. Over a
-// wedge it is largest at the wedge's ends, at an edge of the body that faces v, or where v is nearest to a corner.
-//
 // Everything is relative to the body's centre. The body's radius, margin and a segment are each at most 2^28 along an
 // axis, so the ends of a segment are below 3 2^28, and less than 2^30 from every point of the body:
-//   |segment| <= 2^28.5, |b - v| <= 2^30.5:   products below 2^59, (b - v)^2 <= 2^61
-#include "../arith/gjk_wide.h"
+//   |segment| <= 2^28.5, |b - v| <= 2^30.5:   products below 2^59
 #include "gjk2_chain.h"
+#include "gjk2_chain_reach.h"
 #include "gjk2_facing.h"
 #include "gjk2_hull.h"
 #include "gjk2_measure.h"
-
-#define EDGE_BYTE 255
-#define CORNER_BYTES 127
 
 // The body, and what has been found.
 typedef struct chain_query {
@@ -34,16 +28,6 @@ typedef struct chain_query {
   uint16_t count;
   bool overflows;
 } chain_query;
-
-// A direction, and how far the body's core reaches along it: height / |d|.
-typedef struct chain_aim {
-  gjk2_vec d;
-  int64_t height;
-  uint64_t squared;  // |d|^2
-  gjk2_vec at;       // a farthest point of the core
-  uint16_t feature;  // as of gjk2_manifold, and its byte of an id
-  uint8_t id;
-} chain_aim;
 
 // The joint at one end of a segment.
 typedef struct chain_joint {
@@ -108,63 +92,8 @@ static void find_segment(const chain_query *query, uint16_t number, chain_segmen
   find_joint(query->chain, out, true, &out->after);
 }
 
-// The body's reach along d from v, by its corner deepest along d.
-static void aim_along(const chain_query *query, const gjk2_vec *d, const gjk2_vec *v, chain_aim *out) {
-  const gjk2_vec back = gjk2_negate(*d);
-  gjk2_support found;
-  if (gjk2_is_curved(query->body->shape)) {
-    query->body->shape->type->support(query->body, &back, &found);
-  } else {
-    gjk2_hull_corner(query->body, back, &found);
-  }
-  out->d = *d;
-  out->at = found.offset;
-  out->height = gjk2_dot(*d, gjk2_sub(found.offset, *v));
-  out->squared = (uint64_t)gjk2_dot(*d, *d);
-  out->feature = found.vertex;
-  out->id = (uint8_t)(found.vertex & CORNER_BYTES);
-}
-
-// out = height^2 squared, 192 bits: below 2^61^2 2^61.
-static void square_of_reach(int64_t height, uint64_t squared, gjk_u192 *out) {
-  gjk_u192 factor, product;
-  gjk_u192_set(&factor, gjk_magnitude64(height));
-  gjk_u192_multiply(&product, &factor, &factor);
-  gjk_u192_set(&factor, squared);
-  gjk_u192_multiply(out, &product, &factor);
-}
-
-// Does the body reach farther along a than along b? Exact.
-static bool is_farther(const chain_aim *a, const chain_aim *b) {
-  if ((a->height < 0) != (b->height < 0)) {
-    return b->height < 0;
-  }
-  gjk_u192 x, y;
-  square_of_reach(a->height, b->squared, &x);
-  square_of_reach(b->height, a->squared, &y);
-  const int sign = gjk_u192_compare(&x, &y);
-  return a->height < 0 ? sign < 0 : sign > 0;
-}
-
-static bool is_in_reach(const chain_query *query, const chain_aim *aim) {
+static bool is_in_reach(const chain_query *query, const gjk2_chain_aim *aim) {
   return aim->height <= 0 || gjk2_is_within(aim->height, aim->d, query->reach);
-}
-
-// Is d strictly within the wedge that turns left from one direction to another, by at most half a turn?
-static bool is_in_wedge(gjk2_vec from, gjk2_vec to, gjk2_vec d) {
-  return gjk2_cross(from, d) > 0 && gjk2_cross(d, to) > 0;
-}
-
-static void keep_farther(const chain_aim *aim, bool *found, chain_aim *best) {
-  if (!*found || is_farther(aim, best)) {
-    gjk2_copy(&best->d, &aim->d);
-    gjk2_copy(&best->at, &aim->at);
-    best->height = aim->height;
-    best->squared = aim->squared;
-    best->feature = aim->feature;
-    best->id = aim->id;
-  }
-  *found = true;
 }
 
 // The wedge at one end of a segment: from one normal to the other, counterclockwise.
@@ -173,48 +102,10 @@ static void wedge_of(const chain_segment *s, bool at_end, gjk2_vec *from, gjk2_v
   gjk2_copy(to, at_end ? &s->after.neighbour : &s->normal);
 }
 
-// The direction strictly within a joint's wedge along which the body, a polygon, reaches farthest. False: there is none.
-static bool find_in_wedge(const chain_query *query, const chain_segment *s, bool at_end, chain_aim *best) {
-  const gjk2_collider *body = query->body;
-  gjk2_support corner, next, previous;  // next and previous: the ways from corner
-  const gjk2_vec *v = at_end ? &s->after.at : &s->before.at;
+static bool find_in_wedge(const chain_query *query, const chain_segment *s, bool at_end, gjk2_chain_aim *best) {
   gjk2_vec from, to;
-  chain_aim aim;
-  bool found = false;
   wedge_of(s, at_end, &from, &to);
-  gjk2_hull_corner(body, gjk2_negate(from), &corner);
-  (void)gjk2_hull_neighbour(body, &corner, false, &previous);  // 0 where there is none
-  for (uint32_t i = 0; i <= body->count; i++) {                // at most once round
-    const bool more = gjk2_hull_neighbour(body, &corner, true, &next);
-    const gjk2_vec d = gjk2_sub(corner.offset, *v);
-    const gjk2_vec edge = more ? next.offset : d;
-    // v is nearest to this corner.
-    if (is_in_wedge(from, to, d) && (!more || (gjk2_dot(edge, d) >= 0 && gjk2_dot(previous.offset, d) >= 0))) {
-      aim.d = d;
-      aim.squared = (uint64_t)gjk2_dot(d, d);
-      aim.height = (int64_t)aim.squared;
-      aim.at = corner.offset;
-      aim.feature = corner.vertex;
-      aim.id = (uint8_t)(corner.vertex & CORNER_BYTES);
-      keep_farther(&aim, &found, best);
-    }
-    const gjk2_vec inward = gjk2_negate(gjk2_outward(edge));
-    if (!more || !is_in_wedge(from, to, inward)) {
-      break;
-    }
-    const uint16_t low = corner.vertex < next.vertex ? corner.vertex : next.vertex;
-    const uint16_t high = corner.vertex < next.vertex ? next.vertex : corner.vertex;
-    aim.d = inward;
-    aim.height = gjk2_dot(inward, d);
-    aim.squared = (uint64_t)gjk2_dot(edge, edge);
-    aim.at = corner.offset;
-    aim.feature = (uint16_t)((low + 256 * (uint32_t)high) & UINT16_MAX);
-    aim.id = EDGE_BYTE;
-    keep_farther(&aim, &found, best);
-    previous.offset = gjk2_negate(edge);
-    gjk2_follow(&corner, &next);
-  }
-  return found;
+  return gjk2_chain_find_in_wedge(query->body, &from, &to, at_end ? &s->after.at : &s->before.at, best);
 }
 
 // Is d within 20 degrees of the normal?
@@ -243,14 +134,15 @@ static bool may_meet_neighbour(const chain_query *query, const chain_segment *s,
 
 // Step 2. Is a way out at one end of the segment shorter than along its own normal? level: normals within 20 degrees
 // don't count, since the segment faces an edge, or the body is curved and what it reaches along them differs by little.
-static bool yields_at(const chain_query *query, const chain_segment *s, bool at_end, const chain_aim *own, bool level) {
+static bool yields_at(const chain_query *query, const chain_segment *s, bool at_end, const gjk2_chain_aim *own,
+                      bool level) {
   const chain_joint *joint = at_end ? &s->after : &s->before;
-  chain_aim other;
+  gjk2_chain_aim other;
   if (!joint->convex) {
     return false;
   }
   if (!gjk2_is_curved(query->body->shape) && is_in_box(query, joint->at)) {
-    if (find_in_wedge(query, s, at_end, &other) && is_farther(&other, own) &&
+    if (find_in_wedge(query, s, at_end, &other) && gjk2_chain_is_farther(&other, own) &&
         !(level && is_near_normal(&other.d, &s->normal))) {
       return true;
     }
@@ -258,8 +150,8 @@ static bool yields_at(const chain_query *query, const chain_segment *s, bool at_
   if (!may_meet_neighbour(query, s, at_end) || (level && is_near_normal(&joint->neighbour, &s->normal))) {
     return false;
   }
-  aim_along(query, &joint->neighbour, &joint->at, &other);
-  return is_farther(&other, own);
+  gjk2_chain_aim_along(query->body, &joint->neighbour, &joint->at, &other);
+  return gjk2_chain_is_farther(&other, own);
 }
 
 // Is a point of the body that lies beyond one end of the segment the segment's? It is where the neighbour cannot meet the
@@ -282,14 +174,6 @@ static bool lies_across(const chain_query *query, const chain_segment *s, gjk2_v
   return true;
 }
 
-// The reach to the nearest LSB. Sets the unit of its direction.
-static int64_t measure_aim(const chain_aim *aim, gjk2_unit *unit) {
-  gjk2_length length;
-  gjk2_normal_set(unit, &length, &aim->d);
-  const int64_t size = gjk2_round_distance(&length, GJK2_ROUND_NEAREST, gjk_magnitude64(aim->height));
-  return aim->height < 0 ? -size : size;
-}
-
 // v moved along a unit by a length. Pre: |by| < 2^31, and it arrives within int32.
 static gjk2_vec relative_moved(gjk2_vec v, const gjk2_unit *unit, int64_t by) {
   const int64_t half = INT64_C(1) << 29;
@@ -301,7 +185,7 @@ static gjk2_vec relative_moved(gjk2_vec v, const gjk2_unit *unit, int64_t by) {
 
 // Moves a deepest corner that is not across from the segment to where the body's edge spans the segment, if it is
 // parallel to it. False: it is not, or lies beyond one end.
-static bool move_across(const chain_query *query, const chain_segment *s, chain_aim *own) {
+static bool move_across(const chain_query *query, const chain_segment *s, gjk2_chain_aim *own) {
   const gjk2_collider *body = query->body;
   gjk2_support corner, other;
   if (gjk2_is_curved(body->shape)) {
@@ -318,7 +202,7 @@ static bool move_across(const chain_query *query, const chain_segment *s, chain_
   }
   // Across from p: the height is the same all along the edge.
   gjk2_unit unit;
-  const int64_t core = measure_aim(own, &unit);
+  const int64_t core = gjk2_chain_measure(own, &unit);
   own->at = relative_moved(s->p, &unit, core);
   return true;
 }
@@ -375,16 +259,16 @@ static void append(chain_query *query, uint16_t segment, const gjk2_manifold *m)
 // Step 2
 static void add_segment(chain_query *query, const chain_segment *s) {
   const gjk2_collider *body = query->body;
-  chain_aim own;
+  gjk2_chain_aim own;
   gjk2_manifold m;
   gjk2_distance_result nearest;
   gjk2_collider line;
-  aim_along(query, &s->normal, &s->p, &own);
+  gjk2_chain_aim_along(query->body, &s->normal, &s->p, &own);
   if (gjk2_dot(s->normal, s->p) > 0 || !is_in_reach(query, &own)) {  // the centre is behind
     return;
   }
   const bool across = lies_across(query, s, own.at) || move_across(query, s, &own);
-  const int64_t core = measure_aim(&own, &m.normal);
+  const int64_t core = gjk2_chain_measure(&own, &m.normal);
   nearest.distance = (gjk_q16)(core - body->shape->convex_radius);
   nearest.point_b = moved(query, own.at, &m.normal, -(int64_t)body->shape->convex_radius);
   nearest.point_a = moved(query, own.at, &m.normal, -core);
@@ -404,23 +288,23 @@ static void add_segment(chain_query *query, const chain_segment *s) {
 static bool meet_joint(const chain_query *query, const chain_segment *s, bool at_end, gjk2_manifold *m) {
   const chain_joint *joint = at_end ? &s->after : &s->before;
   const gjk2_vec v = joint->at;
-  chain_aim best, end;
+  gjk2_chain_aim best, end;
   if (!find_in_wedge(query, s, at_end, &best) || !is_in_reach(query, &best)) {
     return false;
   }
   if (gjk2_dot(s->normal, v) <= 0) {  // the centre is in front
-    aim_along(query, &s->normal, &v, &end);
-    if (!is_farther(&best, &end)) {
+    gjk2_chain_aim_along(query->body, &s->normal, &v, &end);
+    if (!gjk2_chain_is_farther(&best, &end)) {
       return false;
     }
   }
   if (may_meet_neighbour(query, s, at_end)) {
-    aim_along(query, &joint->neighbour, &v, &end);
-    if (!is_farther(&best, &end)) {
+    gjk2_chain_aim_along(query->body, &joint->neighbour, &v, &end);
+    if (!gjk2_chain_is_farther(&best, &end)) {
       return false;
     }
   }
-  const int64_t distance = measure_aim(&best, &m->normal) - query->body->shape->convex_radius;
+  const int64_t distance = gjk2_chain_measure(&best, &m->normal) - query->body->shape->convex_radius;
   m->feature_b = best.feature;
   m->contact[0].id = best.id;
   m->contact[0].distance = (gjk_q16)distance;
@@ -435,9 +319,9 @@ static gjk_status meet_joint_curved(const chain_query *query, gjk2_vec v, gjk2_v
   const gjk2_vec world = gjk2_add(v, query->body->centre);
   gjk2_collider vertex;
   gjk2_distance_result nearest;
-  chain_aim first, last;
-  aim_along(query, &from, &v, &first);
-  aim_along(query, &to, &v, &last);
+  gjk2_chain_aim first, last;
+  gjk2_chain_aim_along(query->body, &from, &v, &first);
+  gjk2_chain_aim_along(query->body, &to, &v, &last);
   *meets = gjk2_cross(from, gjk2_sub(first.at, v)) > 0 && gjk2_cross(gjk2_sub(last.at, v), to) > 0;
   if (!*meets) {
     return GJK_OK;
@@ -450,9 +334,9 @@ static gjk_status meet_joint_curved(const chain_query *query, gjk2_vec v, gjk2_v
   const gjk2_vec d = {nearest.normal.x, nearest.normal.y};
   int64_t distance = nearest.distance;
   m->normal = nearest.normal;
-  if (!is_in_wedge(from, to, d)) {
+  if (!gjk2_chain_is_in_wedge(from, to, d)) {
     const bool behind_first = gjk2_cross(from, d) <= 0 && gjk2_dot(from, d) > 0;
-    distance = measure_aim(behind_first ? &first : &last, &m->normal) - query->body->shape->convex_radius;
+    distance = gjk2_chain_measure(behind_first ? &first : &last, &m->normal) - query->body->shape->convex_radius;
   }
   *meets = distance <= query->margin;
   m->feature_b = 0;

@@ -95,7 +95,7 @@ LIBRARY_SAYS = [
     {'intersecting': False, 'iterations': 0},
     {'intersecting': True, 'iterations': 4, 'proven': True, 'depth': 0, 'pointA': [32768, 16384, 8192],
      'pointB': [32768, 16384, 8192], 'normal': [1 << 30, 0, 0]},
-    {'normal': [1 << 30, 0, 0], 'points': [
+    {'normal': [1 << 30, 0, 0], 'features': [0, 0], 'points': [
         {'pointA': [32768, 16384, 8192], 'pointB': [32768, 16384, 8192], 'distance': 0, 'id': 128}]},
 ]
 
