@@ -2,8 +2,8 @@
 //
 //   1. Pose both at x and measure their distance, exactly. Within margin and tolerance: a hit. The first x is where the
 //      bodies' spheres meet; they don't: a miss.
-//   2. Take the normal as a direction. It turns with the shape that has more vertices in the nearest feature; else on as
-//      it has turned since the last x; or it stands still.
+//   2. Take the normal as a direction. It turns with the shape that has more vertices in the nearest feature; where those
+//      are two edges it turns as both do, at the rate of x; else it stands still.
 //   3. The next x is where the separation along it is no more proven to be above the margin and the slack of roundings
 //      (gjk_impact_separation.h). At the end of the way: a miss. Otherwise on from 1.
 //
@@ -151,18 +151,15 @@ static unsigned vertices_in(const uint16_t *number, unsigned count) {
   return different;
 }
 
-// Step 2: with the shape that has more vertices in the nearest feature; else on as it has turned since x was `last` and
-// the normal `before`. out: room for that.
-static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_result *gap, const gjk_unit3 *before,
-                                     gjk_q30 last, gjk_turning *out) {
+// Step 2: with the shape that has more vertices in the nearest feature, or as the normal of two edges. out: room for that.
+static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_result *gap, gjk_turning *out) {
   const gjk_turning *of_a = &of->mover[0].turning, *of_b = &of->mover[1].turning;
   const gjk_certificate *nearest = &gap->certificate;
   const unsigned a = vertices_in(nearest->a, nearest->count), b = vertices_in(nearest->b, nearest->count);
   if (a != b) {
     return a > b ? of_a : of_b;
   }
-  const bool turns = (of_a->half_turns | of_b->half_turns) != 0;
-  return turns && gjk_turning_between(before, &gap->normal, of->x - last, out) ? out : NULL;
+  return a == 2 && gjk_turning_of_edges(of->mover, nearest, &gap->normal, out) ? out : NULL;
 }
 
 // Poses both bodies at x.
@@ -190,21 +187,14 @@ static void write_impact_hit(const impact_query *of, gjk_q16 margin, const gjk_d
   out->upper = of->x;
 }
 
-// The last round's normal, and where it was.
-typedef struct round_before {
-  gjk_unit3 normal;
-  gjk_q30 x;
-} round_before;
-
 // Steps 2 and 3: the next x. exact: the gap is a distance, not only bounds of one.
-GJK_OUT_OF_LINE static gjk_q30 next_x(const impact_query *of, const gjk_distance_result *gap, bool exact,
-                                      const round_before *last) {
+GJK_OUT_OF_LINE static gjk_q30 next_x(const impact_query *of, const gjk_distance_result *gap, bool exact) {
   gjk_turning on;
   gjk_separation along;
   along.mover = of->mover;
   along.n = gap->normal;
   along.start = of->x;
-  along.carrier = carrier_of(of, gap, &last->normal, last->x, &on);
+  along.carrier = carrier_of(of, gap, &on);
   along.fall = gjk_separation_fall(&along, &gap->point_a, &gap->point_b);
   // A distance is off by at most 2^-26 of itself. The normal of bounds is not that of the lower one: then s is measured.
   const int64_t lower = (int64_t)gap->lower * 256;
@@ -215,9 +205,7 @@ GJK_OUT_OF_LINE static gjk_q30 next_x(const impact_query *of, const gjk_distance
 // Steps 1 to 3, at most `most` times.
 static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most, gjk_impact_result *out) {
   gjk_cache cache;
-  round_before last;
   gjk_zero(&cache, sizeof cache);
-  gjk_zero(&last, sizeof last);
   of->x = gjk_separation_of_spheres(of->mover, of->wanted + of->radii * 256);
   out->hit = false;
   out->overlap = false;
@@ -231,11 +219,10 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
       write_impact_hit(of, margin, &gap, out);
       return GJK_OK;
     }
-    const gjk_q30 x = next_x(of, &gap, status == GJK_OK, &last);
-    last.normal = gap.normal;
-    last.x = of->x;
+    const gjk_q30 x = next_x(of, &gap, status == GJK_OK);
+    const bool stuck = x == of->x;
     of->x = x;
-    if (x == GJK_Q30_ONE || x == last.x) {
+    if (stuck) {
       break;
     }
   }

@@ -4,7 +4,7 @@
 //   2. Choose y shortly before s is expected to meet the target, but so near that c <= s(x) - target: then chord less
 //      parabola has no root where s(y) is not below the target. Measure s there.
 //   3. Without a root the next x is y; else it is the first root.
-//   4. On from 1 or 2, until x is the end, s is near the target, or STEPS_MAX are done.
+//   4. On from 1 or 2, until x is the end, s is near the target or likely to be, or STEPS_MAX are done.
 //
 // What is expected follows from the last two measurements, at first from how fast the nearest points approach each other.
 // With turns yet to come the spheres' bound, which is a chord, may reach farther.
@@ -20,14 +20,16 @@
 // The most steps along one direction, of one or two separations each.
 #define STEPS_MAX 16
 
+// At a root of chord less parabola, s - target is likely below c / 2. A search ends there without measuring it where c is at
+// most so many times what it would end at.
+#define NEAR_ROOT 16
+
 // The parabola is taken over angles below this one, 8 radians.
 #define ANGLE_MAX (UINT32_C(8) << 16)
 
-// A direction turns on as it has turned only where that was by an angle from 2^-20 to 1/4 radians, over a part of the way
-// of at least 2^-17: less is noise, more is another feature.
-#define SINE_MIN (UINT32_C(1) << 10)
-#define SINE_MAX (UINT32_C(1) << 28)
-#define PART_MIN (INT32_C(1) << 13)
+// A direction turns with two edges only where the sine of the angle between them is at least 1/8: of others the normal says
+// little, and turns fast.
+#define SINE_MIN (UINT32_C(1) << 27)
 
 // v . d, Q8, rounded down. Pre: |v| <= 2^30 + 2^5; |d| <= sqrt(3) 2^32:  the product is below 2^63
 static int64_t along_q8(const gjk_unit3 *v, const gjk_long3 *d) {
@@ -277,22 +279,71 @@ static gjk_q30 first_root(int64_t g, int64_t h, int64_t c) {
 // 2^34 / (2 pi), half of it for half an angle.
 #define TURNS_PER_RADIAN UINT32_C(2734261102)
 
-bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 part, gjk_turning *out) {
+// The direction of an edge of a posed core. Pre: two of the named vertices are different. False: they are at one place.
+static bool edge_of(const gjk_mover *m, const uint16_t number[4], gjk_unit3 *out) {
+  const gjk_collider *c = &m->collider;
+  gjk_vec3 v, w;
+  (void)c->shape->type->vertex(c, number[0], &v);
+  (void)c->shape->type->vertex(c, number[number[1] != number[0] ? 1 : 2], &w);
+  const gjk_vec3 edge = gjk_sub(w, v);  // below 2^29
+  if ((edge.x | edge.y | edge.z) == 0) {
+    return false;
+  }
+  *out = gjk_unit(&edge);
+  return true;
+}
+
+// u . v of unit vectors, Q30.
+static int32_t cosine_between(const gjk_unit3 *u, const gjk_vec3 *v) {
+  return (int32_t)gjk_sar64(gjk_along(u, v), 30);
+}
+
+// How far a turning tilts an edge towards n over the whole way, angle axis . (edge x n), radians, Q16.
+// Pre: less than a turn, so below 2^19.
+static int32_t tilt_of(const gjk_turning *turning, const gjk_unit3 *edge, const gjk_unit3 *n) {
   gjk_vec3 cross;
-  cross_q30(from, to, &cross);
-  const uint32_t sine = gjk_isqrt64((uint64_t)gjk_dot(&cross, &cross));
-  const gjk_quat direction = {cross.x, cross.y, cross.z, 0};
+  if (turning->half_turns == 0) {
+    return 0;
+  }
+  cross_q30(edge, n, &cross);
+  return (int32_t)gjk_sar64((int64_t)whole_angle(turning) * cosine_between(&turning->axis, &cross), 30);
+}
+
+// One component of q a - p b, 2^-20 of it. The whole is below 2^30 in length, but for rounding. Pre: |p|, |q| <= 2^19.
+static int32_t blend_edges(int32_t p, int32_t q, gjk_q30 a, gjk_q30 b) {
+  return (int32_t)gjk_sar64(gjk_mul32(q, a) - gjk_mul32(p, b), 20);
+}
+
+// The normal n stays across both edges, a and b, if it turns by (q a - p b) / (n . a x b), where p and q are their tilts.
+bool gjk_turning_of_edges(const gjk_mover mover[2], const gjk_certificate *nearest, const gjk_unit3 *n,
+                          gjk_turning *out) {
+  const gjk_turning *of_a = &mover[0].turning, *of_b = &mover[1].turning;
+  gjk_unit3 a, b;
+  gjk_vec3 cross;
+  if ((of_a->half_turns | of_b->half_turns) >> 47 != 0 || !edge_of(&mover[0], nearest->a, &a) ||
+      !edge_of(&mover[1], nearest->b, &b)) {
+    return false;
+  }
+  cross_q30(&a, &b, &cross);
+  const int32_t volume = cosine_between(n, &cross);
+  const int32_t p = tilt_of(of_a, &a, n), q = tilt_of(of_b, &b, n);
+  gjk_vec3 w = {blend_edges(p, q, a.x, b.x), blend_edges(p, q, a.y, b.y), blend_edges(p, q, a.z, b.z)};  // radians, Q26
+  if (volume < 0) {
+    w = gjk_negate(w);
+  }
+  const uint32_t sine = gjk_magnitude32(volume);
+  const gjk_quat direction = {w.x, w.y, w.z, 0};
   gjk_quat unit;
-  if (sine < SINE_MIN || sine > SINE_MAX || part < PART_MIN || gjk_quat_normalize(&direction, &unit) != GJK_OK) {
+  if (sine < SINE_MIN || gjk_quat_normalize(&direction, &unit) != GJK_OK) {
     return false;
   }
   out->axis.x = unit.x;
   out->axis.y = unit.y;
   out->axis.z = unit.z;
-  // sine / part 2^48 / (4 pi), as (sine 2^(62 - k) / part / 2^30) 2^35 / (4 pi) 2^(k - 19); part >= 2^13:  k <= 18
-  const unsigned k = gjk_clz32((uint32_t)part);
-  const uint32_t ratio = (uint32_t)(gjk_umul32(sine, reciprocal_of((uint32_t)part, k)) >> 30);
-  out->half_turns = gjk_umul32(ratio, TURNS_PER_RADIAN) >> (19 - k);
+  // |w| / sine 2^48 / (4 pi), as (|w| 2^(62 - k) / sine / 2^30) 2^35 / (4 pi) 2^(k - 15); sine >= 2^27:  k <= 4
+  const unsigned k = gjk_clz32(sine);
+  const uint32_t ratio = (uint32_t)(gjk_umul32(gjk_isqrt64((uint64_t)gjk_dot(&w, &w)), reciprocal_of(sine, k)) >> 30);
+  out->half_turns = gjk_umul32(ratio, TURNS_PER_RADIAN) >> (15 - k);
   return out->half_turns != 0;
 }
 
@@ -427,6 +478,9 @@ gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, i
     if (z == GJK_Q30_ONE) {
       at.g = h;
     } else if (forward > 0) {
+      if (c > 0 && c <= NEAR_ROOT * stop) {
+        break;
+      }
       at.g = separation_at(&course, at.x);
       at.over = part - forward;
       at.fall = at.g - h;

@@ -17,6 +17,7 @@
 #define GJK_SRC_IMPACT_SEPARATION_H
 
 #include "../shape/gjk_shape_class.h"
+#include "gjk/certificate.h"
 #include "gjk_motion.h"
 
 // Hulls of up to so many vertices are baked in each pose: the stack holds them.
@@ -57,7 +58,10 @@ gjk_q30 gjk_separation_of_spheres(const gjk_mover mover[2], int64_t target);
 // An estimate of s->fall for points of A and B that are nearest to each other at the start.
 int64_t gjk_separation_fall(const gjk_separation *s, const gjk_vec3 *point_a, const gjk_vec3 *point_b);
 
-// How a direction turns that was from, and is to after part of the way. False: by too much or too little to tell.
-bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 part, gjk_turning *out);
+// How the direction n across an edge of either body turns, at the rate of the start; both are posed there.
+// nearest   names two different vertices of each
+// False: the edges are nearly parallel, a body turns by a turn or more, or the direction stands still.
+bool gjk_turning_of_edges(const gjk_mover mover[2], const gjk_certificate *nearest, const gjk_unit3 *n,
+                          gjk_turning *out);
 
 #endif

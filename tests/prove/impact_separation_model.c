@@ -36,10 +36,12 @@ gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, i
   return any_between(s->start, GJK_Q30_ONE);
 }
 
-bool gjk_turning_between(const gjk_unit3 *from, const gjk_unit3 *to, gjk_q30 part, gjk_turning *out) {
-  check_unit3(from);
-  check_unit3(to);
-  //@ assert part >= 0 && part <= GJK_Q30_ONE;
+bool gjk_turning_of_edges(const gjk_mover mover[2], const gjk_certificate *nearest, const gjk_unit3 *n,
+                          gjk_turning *out) {
+  check_mover(&mover[0]);
+  check_mover(&mover[1]);
+  //@ assert nearest->count >= 2 && nearest->count <= 3;
+  check_unit3(n);
   any_turning(out);
   return any_bool();
 }

@@ -39,7 +39,7 @@ int main(void) {
                 enough = Frama_C_long_long_interval(1, INT64_C(1) << 38);
   const gjk_q30 first = gjk_separation_of_spheres(mover, target);
   //@ assert first >= 0 && first <= GJK_Q30_ONE;
-  const gjk_unit3 before = any_unit3();
+  const gjk_certificate nearest = {{0, 0, 0}, {0, 1, 2, 0}, {2, 2, 3, 0}, 3, 0};
   s.mover = mover;
   s.n = any_unit3();
   s.start = any_between(0, GJK_Q30_ONE);
@@ -47,7 +47,7 @@ int main(void) {
   //@ split carried;
   s.carrier = NULL;
   if (carried == 3) {
-    if (gjk_turning_between(&before, &s.n, any_between(0, GJK_Q30_ONE), &on)) {
+    if (gjk_turning_of_edges(mover, &nearest, &s.n, &on)) {
       check_turning(&on);
       s.carrier = &on;
     }

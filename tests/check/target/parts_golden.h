@@ -20,8 +20,8 @@
 #define PARTS_GOLDEN_FEW_HASH UINT64_C(0x3bb50a90e0849a27)
 #define PARTS_CONTACTS_GOLDEN_HASH UINT64_C(0x3d600c815600acf1)
 #define PARTS_CONTACTS_GOLDEN_FEW_HASH UINT64_C(0x923d6c0bd94aceb4)
-#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0x678a473e3a928934)
-#define PARTS_MOTION_GOLDEN_FEW_HASH UINT64_C(0x63d3a9cb0c3fa296)
+#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0x19b3171ce2e44c64)
+#define PARTS_MOTION_GOLDEN_FEW_HASH UINT64_C(0xc01ade04413c7f66)
 
 // The hash over the first bodies of the set: of decisions, distances and depths, of contacts, of casts and times of impact.
 // Not reentrant: the bodies are static, to spare small stacks.
