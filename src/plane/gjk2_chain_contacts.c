@@ -314,15 +314,15 @@ static bool meet_joint(const chain_query *query, const chain_segment *s, bool at
 
 // The same for a curved body: it meets the joint where turning either normal into the wedge lets it reach farther. The
 // direction is that of its distance from v, or the normal next to it: it may err by more than a flat wedge is wide.
-static gjk_status meet_joint_curved(const chain_query *query, gjk2_vec v, gjk2_vec from, gjk2_vec to, bool *meets,
-                                    gjk2_manifold *m) {
+static gjk_status meet_joint_curved(const chain_query *query, gjk2_vec v, const gjk2_vec *from, const gjk2_vec *to,
+                                    bool *meets, gjk2_manifold *m) {
   const gjk2_vec world = gjk2_add(v, query->body->centre);
   gjk2_collider vertex;
   gjk2_distance_result nearest;
   gjk2_chain_aim first, last;
-  gjk2_chain_aim_along(query->body, &from, &v, &first);
-  gjk2_chain_aim_along(query->body, &to, &v, &last);
-  *meets = gjk2_cross(from, gjk2_sub(first.at, v)) > 0 && gjk2_cross(gjk2_sub(last.at, v), to) > 0;
+  gjk2_chain_aim_along(query->body, from, &v, &first);
+  gjk2_chain_aim_along(query->body, to, &v, &last);
+  *meets = gjk2_cross(*from, gjk2_sub(first.at, v)) > 0 && gjk2_cross(gjk2_sub(last.at, v), *to) > 0;
   if (!*meets) {
     return GJK_OK;
   }
@@ -334,8 +334,8 @@ static gjk_status meet_joint_curved(const chain_query *query, gjk2_vec v, gjk2_v
   const gjk2_vec d = {nearest.normal.x, nearest.normal.y};
   int64_t distance = nearest.distance;
   m->normal = nearest.normal;
-  if (!gjk2_chain_is_in_wedge(from, to, d)) {
-    const bool behind_first = gjk2_cross(from, d) <= 0 && gjk2_dot(from, d) > 0;
+  if (!gjk2_chain_is_in_wedge(from, to, &d)) {
+    const bool behind_first = gjk2_cross(*from, d) <= 0 && gjk2_dot(*from, d) > 0;
     distance = gjk2_chain_measure(behind_first ? &first : &last, &m->normal) - query->body->shape->convex_radius;
   }
   *meets = distance <= query->margin;
@@ -361,7 +361,7 @@ static gjk_status add_joint(chain_query *query, const chain_segment *s, bool at_
   gjk_status status = GJK_OK;
   m.contact[0].id = 0;
   if (gjk2_is_curved(query->body->shape)) {
-    status = meet_joint_curved(query, joint->at, from, to, &meets, &m);
+    status = meet_joint_curved(query, joint->at, &from, &to, &meets, &m);
   } else {
     meets = meet_joint(query, s, at_end, &m);
   }

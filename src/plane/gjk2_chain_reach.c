@@ -70,7 +70,7 @@ bool gjk2_chain_find_in_wedge(const gjk2_collider *body, const gjk2_vec *from, c
     const gjk2_vec d = gjk2_sub(corner.offset, *v);
     const gjk2_vec edge = more ? next.offset : d;
     // v is nearest to this corner.
-    if (gjk2_chain_is_in_wedge(*from, *to, d) &&
+    if (gjk2_chain_is_in_wedge(from, to, &d) &&
         (!more || (gjk2_dot(edge, d) >= 0 && gjk2_dot(previous.offset, d) >= 0))) {
       aim.d = d;
       aim.squared = (uint64_t)gjk2_dot(d, d);
@@ -81,7 +81,7 @@ bool gjk2_chain_find_in_wedge(const gjk2_collider *body, const gjk2_vec *from, c
       keep_farther(&aim, &found, best);
     }
     const gjk2_vec inward = gjk2_negate(gjk2_outward(edge));
-    if (!more || !gjk2_chain_is_in_wedge(*from, *to, inward)) {
+    if (!more || !gjk2_chain_is_in_wedge(from, to, &inward)) {
       break;
     }
     const uint16_t low = corner.vertex < next.vertex ? corner.vertex : next.vertex;

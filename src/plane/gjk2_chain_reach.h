@@ -25,8 +25,8 @@ void gjk2_chain_aim_along(const gjk2_collider *body, const gjk2_vec *d, const gj
 bool gjk2_chain_is_farther(const gjk2_chain_aim *a, const gjk2_chain_aim *b);
 
 // Is d strictly within the wedge that turns left from one direction to another, by at most half a turn?
-static inline bool gjk2_chain_is_in_wedge(gjk2_vec from, gjk2_vec to, gjk2_vec d) {
-  return gjk2_cross(from, d) > 0 && gjk2_cross(d, to) > 0;
+static inline bool gjk2_chain_is_in_wedge(const gjk2_vec *from, const gjk2_vec *to, const gjk2_vec *d) {
+  return gjk2_cross(*from, *d) > 0 && gjk2_cross(*d, *to) > 0;
 }
 
 // The direction strictly within a wedge along which the body, a polygon, reaches farthest from v. False: there is none.
