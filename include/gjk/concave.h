@@ -16,7 +16,7 @@
 // Numbers  of triangles are not reported. Ask the part that gjk_scene_parts gives where one is needed.
 // Fast     A body that touches such a part at the start of its way, and was near it at the last update, may still meet
 //          another triangle or part of it: one in front of which it was at the start. gjk_parts_cast_ahead has the rule.
-//          A part is in front of none that it touches. Two concave parts meet on their way only where neither turns.
+//          A part is in front of none that it touches. Of two concave parts that touch at the start none is met later.
 // Cost     an update asks each pair whose boxes meet anew when a body of it moved, at the cost of gjk/parts.h: that grows
 //          with the triangles that are near. Convex bodies cost what they cost without such shapes.
 // Links    the queries of gjk/parts.h, casts and impacts too; a program without such shapes links none of them.

@@ -238,27 +238,28 @@ static gjk_status concave_way(const gjk_scene_solid *a, const gjk_scene_solid *b
 }
 
 // The tolerances of impacts, in the order in which they are tried: the farther the parts reach, the more is needed. The last
-// one pays for parts 2^29 LSB away and a B that reaches 2^28 LSB.
-static const gjk_q16 tolerances[] = {GJK_PARTS_TOLERANCE_MIN, 48, 96, 144};
-#define TOLERANCES (sizeof tolerances / sizeof tolerances[0])
+// ones pay for parts 2^29 LSB away, and a B that reaches 2^28 LSB, or of two concave bodies 2^29 too.
+#define TOLERANCES 4
+static const gjk_q16 tolerances[2][TOLERANCES] = {{GJK_PARTS_TOLERANCE_MIN, 48, 96, 144},
+                                                  {GJK_PARTS_BOTH_TOLERANCE_MIN, 64, 160, 576}};
 
 static gjk_status concave_impact(const gjk_collider *a, const gjk_motion *motion_a, const gjk_collider *b,
                                  const gjk_motion *motion_b, gjk_q16 margin, bool ahead, gjk_impact_result *out) {
-  const bool turned = !gjk_scene_is_concave(a->shape);
-  const gjk_collider *other = turned ? a : b;
-  const gjk_motion *motion = turned ? motion_b : motion_a, *of_other = turned ? motion_a : motion_b;
-  gjk_parts parts;
+  const gjk_scene_solid of_a = {a, &motion_a->from}, of_b = {b, &motion_b->from};
+  ordered_pair p;
   gjk_status status = GJK_ERROR_RANGE;
+  order_pair(&of_a, &of_b, &p);
+  const bool both = p.convex == NULL;
+  const gjk_motion *first = p.turned ? motion_b : motion_a, *second = p.turned ? motion_a : motion_b;
   out->hit = false;
-  if (gjk_scene_is_concave(other->shape)) {
+  if (both && ahead) {
     return GJK_OK;
   }
-  const gjk_scene_solid solid = {turned ? b : a, &motion->from};
-  set_parts(&solid, &parts);
   for (unsigned i = 0; i < TOLERANCES && status == GJK_ERROR_RANGE; i++) {
-    const gjk_impact_setup setup = {margin, tolerances[i], 0};
-    status = ahead ? gjk_parts_impact_ahead(&parts, motion, other, of_other, &setup, NULL, out)
-                   : gjk_parts_time_of_impact(&parts, motion, other, of_other, &setup, NULL, out);
+    const gjk_impact_setup setup = {margin, tolerances[both][i], 0};
+    status = both    ? gjk_parts_both_time_of_impact(&p.a, first, &p.b, second, &setup, NULL, out)
+             : ahead ? gjk_parts_impact_ahead(&p.a, first, p.convex, second, &setup, NULL, out)
+                     : gjk_parts_time_of_impact(&p.a, first, p.convex, second, &setup, NULL, out);
   }
   return status;
 }

@@ -13,7 +13,7 @@
 #define REPORTS 6000
 #define SIDE 16
 
-static struct { unsigned long impacts, none, turning, walls, free; } tally;
+static struct { unsigned long impacts, none, turning, walls, free, both, passed; } tally;
 
 static concave_world w;
 static const gjk_shape *shapes[BODIES];
@@ -179,6 +179,72 @@ static void check_world(random_state *random) {
   concave_world_free(&w);
 }
 
+// How near two bodies of many parts are at a fraction of their ways.
+static gjk_q16 gap_of(const gjk_parts parts[2], const gjk_motion motion[2], gjk_q30 x) {
+  gjk_parts at[2] = {parts[0], parts[1]};
+  gjk_distance_result gap;
+  CHECK(gjk_motion_pose(&motion[0], x, &at[0].pose) == GJK_OK && gjk_motion_pose(&motion[1], x, &at[1].pose) == GJK_OK);
+  CHECK(gjk_parts_both_distance(&at[0], &at[1], NULL, &gap) == GJK_OK);
+  return gap.intersecting ? 0 : gap.distance;
+}
+
+// Two concave bodies, one of which turns and moves; the other may, or is put elsewhere at once: the first impact is that of gjk/parts.h, and before it,
+// or without one, they are apart.
+static void check_both(random_state *random) {
+  const int32_t size = 1 << random_range(random, 10, 16);
+  concave_world_make(&w, random, size);
+  const unsigned a = (unsigned)random_below(random, CONCAVE_BODIES), b = random_below(random, 2) != 0 ? 2u : a;
+  const bool moves = random_below(random, 2) != 0;
+  gjk_motion motion[2];
+  gjk_body_id id[2];
+  for (unsigned k = 0; k < 2; k++) {
+    shapes[k] = &w.body[k == 0 ? a : b].shape;
+    motion[k] = (gjk_motion){any_pose(random, size, 24), any_pose(random, size, 24), {0, 0, 0}};
+    motion[k].to = k == 0 || moves ? motion[k].to : motion[k].from;
+  }
+  const gjk_parts parts[2] = {w.body[a].parts, w.body[b].parts};
+  start(0, 2, 4);
+  const bool fast = random_below(random, 2) != 0;
+  for (unsigned k = 0; k < 2; k++) {
+    id[k] = add_one(0, (uint16_t)k, &motion[k].from, GJK_BODY_DYNAMIC, 1, 1);
+    CHECK((k == 1 && !fast) || gjk_scene_set_motion(&scene[0], id[k], GJK_MOTION_FAST) == GJK_OK);
+  }
+  const bool near = update(0) > 0;
+  for (unsigned k = 0; k < 2; k++) {
+    CHECK(gjk_scene_move(&scene[0], id[k], &motion[k].to) == GJK_OK);
+  }
+  motion[1].from = fast ? motion[1].from : motion[1].to;
+  const uint32_t count = update(0);
+  gjk_q30 fraction = -1;
+  for (uint32_t n = 0; n < count; n++) {
+    if (reports[n].event == GJK_EVENT_IMPACT) {
+      CHECK(fraction < 0 || fraction == (gjk_q30)reports[n].fraction);
+      fraction = (gjk_q30)reports[n].fraction;
+    }
+  }
+  const bool first = gjk_parts_count(&parts[0]) >= gjk_parts_count(&parts[1]);
+  const gjk_impact_setup setup = {0, GJK_PARTS_BOTH_TOLERANCE_MIN, 0};
+  gjk_impact_result expected;
+  CHECK(gjk_parts_both_time_of_impact(&parts[first ? 0 : 1], &motion[first ? 0 : 1], &parts[first ? 1 : 0],
+                                      &motion[first ? 1 : 0], &setup, NULL, &expected) == GJK_OK);
+  if (near || gap_of(parts, motion, 0) == 0) {  // those are free to go on from where they touch
+    concave_world_free(&w);
+    return;
+  }
+  CHECK_MSG(expected.hit == (fraction >= 0) && (fraction < 0 || fraction == expected.lower), "%d, expected %d",
+            (int)fraction, expected.hit ? (int)expected.lower : -1);
+  const gjk_q30 end = fraction < 0 ? GJK_Q30_ONE : fraction;
+  for (int n = 0; n <= 32; n++) {
+    const gjk_q30 x = (gjk_q30)((int64_t)end * n / 32);
+    CHECK_MSG(n == 32 || gap_of(parts, motion, x) > 0, "together at %d, before %d", (int)x, (int)end);
+  }
+  const gjk_q16 left = fraction < 0 ? 0 : gap_of(parts, motion, expected.upper);
+  CHECK_MSG(left <= setup.tolerance + 2, "gap %d", (int)left);
+  tally.both += fraction >= 0;
+  tally.passed += fraction < 0;
+  concave_world_free(&w);
+}
+
 // A ground of SIDE by SIDE units, and across it, where it says, a wall of two triangles that face the other way.
 static gjk_mesh ground;
 static gjk_vec3 vertices[(SIDE + 1) * (SIDE + 1) + 4];
@@ -264,12 +330,18 @@ int main(void) {
     check_world(&random);
   }
   for (unsigned long i = 0; i < 10 * TRIALS; i++) {
+    random_state random = random_seed(seed + 2000 + i);
+    check_trial(2000 + i, NULL, NULL);
+    check_both(&random);
+  }
+  for (unsigned long i = 0; i < 10 * TRIALS; i++) {
     random_state random = random_seed(seed + 1000 + i);
     check_trial(1000 + i, NULL, NULL);
     check_wall(&random, i);
   }
-  printf("%lu impacts, %lu none, %lu turning; %lu walls met, %lu ways free\n", tally.impacts, tally.none, tally.turning,
-         tally.walls, tally.free);
+  printf("%lu impacts, %lu none, %lu turning; %lu walls met, %lu ways free; two concave ones: %lu met, %lu not\n",
+         tally.impacts, tally.none, tally.turning, tally.walls, tally.free, tally.both, tally.passed);
+  CHECK(tally.both > 40 && tally.passed > 40);
   CHECK(tally.impacts > 50 && tally.none > 30 && tally.turning > 20);
   return check_done("concave_fast");
 }
