@@ -7,6 +7,7 @@
 //   4. Count what is extreme.
 #include "gjk_hull_facets.h"
 
+#include "../arith/gjk_memory.h"
 #include "../arith/gjk_sort.h"
 
 // Does point i come before point j? By x, then y, then z, and equal ones by index: so of equals the first is kept.
@@ -194,7 +195,7 @@ gjk_status gjk_hull_build(const gjk_vec3 *points, uint16_t count, void *workspac
   if (count == 0) {
     return GJK_ERROR_EMPTY;
   }
-  if ((uintptr_t)workspace % sizeof(uint32_t) != 0) {
+  if (!gjk_is_aligned(workspace)) {
     return GJK_ERROR_RANGE;
   }
   if (bytes < GJK_HULL_WORKSPACE(count)) {

@@ -15,6 +15,7 @@
 #include "gjk_hull_excess.h"
 #include "gjk_hull_simple.h"
 
+#include "../arith/gjk_memory.h"
 #include "../arith/gjk_root.h"
 #include "../arith/gjk_unit.h"
 
@@ -272,7 +273,7 @@ static gjk_status check_arguments(const gjk_vec3 *points, uint16_t count, uint16
   if (count == 0) {
     return GJK_ERROR_EMPTY;
   }
-  if ((uintptr_t)workspace % sizeof(uint32_t) != 0 || most < GJK_HULL_SIMPLE_MIN) {
+  if (!gjk_is_aligned(workspace) || most < GJK_HULL_SIMPLE_MIN) {
     return GJK_ERROR_RANGE;
   }
   if (bytes < GJK_HULL_SIMPLIFY_WORKSPACE(count)) {

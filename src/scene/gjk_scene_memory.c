@@ -62,10 +62,6 @@ static void *at(void *block, uint32_t offset) {
   return (unsigned char *)block + (size_t)offset;
 }
 
-static bool aligned(const void *block) {
-  return (uintptr_t)block % sizeof(uint32_t) == 0;
-}
-
 // Writes the whole handle.
 static void set_handle(gjk_scene *scene, void *block, const gjk_shape *const *shapes, uint16_t shape_count,
                        const gjk_scene_bindings *bindings) {
@@ -80,7 +76,7 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   if (scene == NULL || config == NULL || block == NULL || shapes == NULL) {
     return GJK_ERROR_NULL;
   }
-  const gjk_status status = aligned(block) ? check_config(config) : GJK_ERROR_RANGE;
+  const gjk_status status = gjk_is_aligned(block) ? check_config(config) : GJK_ERROR_RANGE;
   const size_t needed = gjk_scene_bytes(config);
   if (status != GJK_OK) {
     return status;
@@ -140,7 +136,7 @@ gjk_status gjk_scene_attach(gjk_scene *scene, void *block, size_t bytes, const g
   if (scene == NULL || block == NULL || shapes == NULL) {
     return GJK_ERROR_NULL;
   }
-  const gjk_status status = aligned(block) ? gjk_scene_check_header(block, bytes) : GJK_ERROR_RANGE;
+  const gjk_status status = gjk_is_aligned(block) ? gjk_scene_check_header(block, bytes) : GJK_ERROR_RANGE;
   if (status != GJK_OK) {
     return status;
   }
