@@ -27,8 +27,8 @@ if [ -z "${missing# }" ]; then
   check '64 bodies crowded, two pairs a body' at_most 80000 '64 bodies crowded, 25 % moving'
   check '64 bodies at rest' at_most 1000 '64 bodies crowded, at rest'
   check 'all moving against a quarter' at_most_times 4 '64 bodies crowded, all moving' '64 bodies crowded, 25 % moving'
-  check 'a ray through 256 bodies, sparse' at_most 15000 'ray through 256 bodies sparse'
-  check 'a ray through 256 bodies, crowded' at_most 22000 'ray through 256 bodies crowded'
+  check 'a ray through 256 bodies, sparse' at_most 11450 'ray through 256 bodies sparse'
+  check 'a ray through 256 bodies, crowded' at_most 17150 'ray through 256 bodies crowded'
   for kind in sparse crowded 'in piles'; do
     check "four times the bodies, $kind" at_most_times 5 "256 bodies $kind, 25 % moving" "64 bodies $kind, 25 % moving"
   done
