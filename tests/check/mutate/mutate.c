@@ -141,12 +141,27 @@ static int times_before(int line, int start, int length) {
   return times;
 }
 
+// Prints length characters in one line: an end of a line, and the blanks after it, as one blank.
+static void print_in_line(const char *at, int length) {
+  for (int i = 0; i < length && at[i] != '\0'; i++) {
+    if (at[i] != '\n') {
+      putchar(at[i]);
+    } else {
+      putchar(' ');
+      i += (int)strspn(at + i + 1, " ");
+    }
+  }
+}
+
 // Makes a mutant: the length characters from start become replacement. If they stand in the line more than once, the
 // change says which one is meant, from the second on.
 static void mutant(int line, int start, int length, const char *replacement) {
   if (wanted < 0) {
     const int before = times_before(line, start, length);
-    printf("%s\t%d\t%d\t%.*s => %s", file_name, number, line, length, text + start, replacement);
+    printf("%s\t%d\t%d\t", file_name, number, line);
+    print_in_line(text + start, length);
+    printf(" => ");
+    print_in_line(replacement, (int)strlen(replacement));
     if (before > 0) {
       printf(" (%d)", before + 1);
     }
