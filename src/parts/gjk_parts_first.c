@@ -85,7 +85,7 @@ static gjk_status cast_part(const gjk_parts_frame *frame, const gjk_parts_cast_q
     const gjk_cast_path path = {of->moves_a ? &to_a : NULL, of->to, of->margin};
     status = gjk_cast(&c, of->b, &path, out);
   }
-  if (out->hit || status == GJK_ERROR_ITERATION_LIMIT) {
+  if (status == GJK_ERROR_ITERATION_LIMIT || (status == GJK_OK && out->hit)) {  // set by no other status
     const gjk_vec3 *at = &frame->parts->pose.position;
     const gjk_long3 back = {(int64_t)at->x - c.position.x, (int64_t)at->y - c.position.y,
                             (int64_t)at->z - c.position.z};
