@@ -29,11 +29,10 @@ static void any_parts(void) {
 }
 
 #if CASE != CLASS
-static void build(uint32_t capacity) {
+static void build(int32_t count, uint32_t capacity) {
   gjk_compound c;
-  const uint16_t count = CASE == TREE ? PARTS : (uint16_t)any_between(0, PARTS);
-  const int status =
-      gjk_compound_build(any_bool() ? parts : NULL, count, any_bool() ? nodes : NULL, capacity, any_bool() ? &c : NULL);
+  const int status = gjk_compound_build(any_bool() ? parts : NULL, (uint16_t)count, any_bool() ? nodes : NULL, capacity,
+                                        any_bool() ? &c : NULL);
   //@ split status;
   if (status == GJK_OK) {
     //@ assert c.count >= 1 && c.count <= PARTS && c.node_count <= NODES;
@@ -93,13 +92,15 @@ int main(void) {
   any_parts();
 #if CASE == CLASS
   any_nodes();
-  const int32_t count = any_between(0, PARTS);
-  //@ split count;
-  const gjk_compound c = {any_bool() ? parts : NULL, any_bool() ? nodes : NULL, (uint32_t)any_int32(), (uint16_t)count,
-                          (uint16_t)any_between(0, NODES)};
-  use_class(&c);
+  for (int32_t count = 0; count <= PARTS; count++) {
+    const gjk_compound c = {any_bool() ? parts : NULL, any_bool() ? nodes : NULL, (uint32_t)any_int32(),
+                            (uint16_t)count, (uint16_t)any_between(0, NODES)};
+    use_class(&c);
+  }
 #else
-  build((uint32_t)any_between(0, NODES));
+  for (int32_t count = CASE == TREE ? PARTS : 0; count <= PARTS; count++) {
+    build(count, (uint32_t)any_between(0, NODES));
+  }
 #endif
   return 0;
 }

@@ -9,7 +9,8 @@
 #include "src/motion/gjk_motion.h"
 
 // A search of parts keeps two results, of which the better one is its answer. Which of both are set: 1 the one that was set
-// first, 2 the other. Eva keeps its values apart, so that it sees that what is read has been set.
+// first, 2 the other. Of contacts: how many manifolds there are. Eva keeps its values apart, so that it sees that what is
+// read has been set.
 int32_t pairs_results_set = 0;
 
 static void note_result(const void *out) {
@@ -155,6 +156,7 @@ gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 ma
   if (answer == 3) {
     return GJK_ERROR_ITERATION_LIMIT;
   }
+  pairs_results_set += answer != 0 ? 1 : 0;
   out->normal = any_unit();
   out->feature_a = any_uint16();
   out->feature_b = any_uint16();

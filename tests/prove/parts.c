@@ -23,6 +23,9 @@
 #define BOTH_CAST 17
 #define BOTH_IMPACT 18
 
+// Of pairs_model.c.
+extern int32_t pairs_results_set;
+
 // What a call takes.
 typedef struct parts_arguments {
   const gjk_parts *a, *b;
@@ -43,6 +46,7 @@ static const gjk_workspace *any_workspace(void) {
 #endif
 
 #if CASE == MANIFOLDS || CASE == CONTACTS || CASE == BOTH_MANIFOLDS || CASE == BOTH_CONTACTS
+#define HAS_ROOM
 #define ROOM 2
 static void check_manifold(const gjk_manifold *m) {
   //@ assert m->count >= 1 && m->count <= GJK_CONTACTS_MAX;
@@ -111,10 +115,9 @@ static void ask(const parts_arguments *of) {
   }
 }
 #elif CASE == CONTACTS || CASE == BOTH_CONTACTS
-static void ask(const parts_arguments *of) {
+static void ask(const parts_arguments *of, uint32_t capacity) {
   gjk_parts_manifold room[ROOM];
   uint32_t count;
-  const uint32_t capacity = (uint32_t)any_between(0, ROOM);
   gjk_parts_manifold *out = any_bool() ? room : NULL;
 #if CASE == CONTACTS
   const int status = gjk_parts_contacts(of->a, of->c, any_int32(), (unsigned)any_between(0, 9), any_workspace(), out,
@@ -134,10 +137,10 @@ static void ask(const parts_arguments *of) {
   }
 }
 #elif CASE == MANIFOLDS || CASE == BOTH_MANIFOLDS
-static void ask(const parts_arguments *of) {
+static void ask(const parts_arguments *of, uint32_t room_for) {
   gjk_manifold room[ROOM];
   unsigned count;
-  const unsigned capacity = (unsigned)any_between(0, ROOM);
+  const unsigned capacity = (unsigned)room_for;
 #if CASE == MANIFOLDS
   const int status = gjk_parts_manifolds(of->a, of->c, any_int32(), (unsigned)any_between(0, 9), any_workspace(),
                                          any_bool() ? room : NULL, capacity, any_bool() ? &count : NULL);
@@ -236,13 +239,21 @@ int main(void) {
   gjk_collider c;
   uint32_t part;
   gjk_parts_pair pair;
-  gjk_parts_class surface = any_class;
+  gjk_parts_class surface = any_class, few = any_class;
   surface.edges = any_edges;
+  few.count = any_few;
   any_body(&a, CASE != CAST_AHEAD && CASE != IMPACT_AHEAD ? &any_class : any_bool() ? &any_class : &surface);
-  any_body(&b, &any_class);
+  any_body(&b, &few);
   any_bound_collider(&c, &shape, any_bool() ? &polytope : &curved);
   const parts_arguments of = {any_bool() ? &a : NULL, any_bool() ? &b : NULL, any_bool() ? &c : NULL,
                               any_bool() ? &part : NULL, any_bool() ? &pair : NULL};
+#ifdef HAS_ROOM
+  for (int32_t capacity = 0; capacity <= ROOM; capacity++) {
+    pairs_results_set = 0;
+    ask(&of, (uint32_t)capacity);
+  }
+#else
   ask(&of);
+#endif
   return 0;
 }

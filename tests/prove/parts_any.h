@@ -57,6 +57,12 @@ static uint32_t any_count(const void *data) {
   return any_uint32();
 }
 
+// Of a body all of whose parts are asked.
+static uint32_t any_few(const void *data) {
+  (void)data;
+  return (uint32_t)any_between(0, ANY_WALK);
+}
+
 static uint32_t any_reach(const void *data) {
   (void)data;
   return any_uint32();

@@ -33,11 +33,10 @@ static void check_manifold(const gjk_manifold *m) {
 }
 
 #if CASE == CONTACTS
-#define ROOM 1
-static void ask(const gjk_parts *a, const gjk_collider *b) {
+#define ROOM 1  // for manifolds
+static void ask(const gjk_parts *a, const gjk_collider *b, uint16_t capacity) {
   gjk_surface_contact room[ROOM];
   uint16_t count;
-  const uint16_t capacity = (uint16_t)any_between(0, ROOM);
   const int status =
       gjk_surface_contacts(any_bool() ? a : NULL, any_bool() ? b : NULL, any_int32(), (unsigned)any_between(0, 9), NULL,
                            any_bool() ? room : NULL, capacity, any_bool() ? &count : NULL);
@@ -51,10 +50,13 @@ static void ask(const gjk_parts *a, const gjk_collider *b) {
   }
 }
 #else
+#define ROOM 0
+
 // As gjk_contacts leaves it.
-static void ask(const gjk_parts *a, const gjk_collider *b) {
+static void ask(const gjk_parts *a, const gjk_collider *b, uint16_t capacity) {
   gjk_parts_frame frame;
   gjk_manifold m;
+  (void)capacity;
   frame.parts = a;
   frame.is_level = any_bool();
   for (int i = 0; i < 3; i++) {
@@ -64,8 +66,13 @@ static void ask(const gjk_parts *a, const gjk_collider *b) {
   m.normal.y = any_between(-ANY_UNIT, ANY_UNIT);
   m.normal.z = any_between(-ANY_UNIT, ANY_UNIT);
   m.count = (uint8_t)any_between(0, GJK_CONTACTS_MAX);
+  m.feature_a = any_uint16();
+  m.feature_b = any_uint16();
   for (int i = 0; i < GJK_CONTACTS_MAX; i++) {
+    m.contact[i].point_a = any_position();
+    m.contact[i].point_b = any_position();
     m.contact[i].distance = any_int32();
+    m.contact[i].id = any_uint16();
   }
   if (b->state == GJK_STATE_POSED) {
     const int32_t some = gjk_surface_settle(&frame, 0, b, &m);
@@ -96,6 +103,8 @@ int main(void) {
   //@ split kind;
   any_bound_collider(&b, &shape, kind == 0 ? &box : kind == 1 ? &hull : &curved);
   b.count = (uint16_t)any_between(0, 3);  // half axes
-  ask(&a, &b);
+  for (int32_t capacity = 0; capacity <= ROOM; capacity++) {
+    ask(&a, &b, (uint16_t)capacity);
+  }
   return 0;
 }
