@@ -385,7 +385,8 @@ prove_one() {
       # Contacts in one place may be any of them: too many outcomes to keep apart.
       case $instance in
         *MANIFOLDS) set -- "$@" -eva-slevel 10 ;;
-        *) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
+        *NEAR | *DISTANCE | *DEPTH) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
+        *) set -- "$@" -eva-slevel 100 ;;
       esac
       ;;
     compound)
