@@ -386,6 +386,7 @@ prove_one() {
       case $instance in
         *MANIFOLDS) set -- "$@" -eva-slevel 10 ;;
         *NEAR | *DISTANCE | *DEPTH) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
+        *AHEAD) set -- "$@" -eva-slevel 300 ;;
         *) set -- "$@" -eva-slevel 100 ;;
       esac
       ;;

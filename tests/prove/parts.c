@@ -207,7 +207,8 @@ static void ask(const parts_arguments *of) {
   if (status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT) {
     check_size(r.hit, 1);
     check_size(r.overlap, 1);
-    //@ assert r.lower >= 0 && r.lower <= r.upper && r.upper <= GJK_Q30_ONE;
+    //@ assert r.lower >= 0 && r.lower <= GJK_Q30_ONE;
+    //@ assert r.upper >= 0 && r.upper <= GJK_Q30_ONE;
     check_point(&r.pose_a.position);
     check_point(&r.pose_b.position);
     check_size(r.iterations, UINT8_MAX);
