@@ -138,15 +138,12 @@ bool gjk_face_is_over(const gjk_surface_face *f, const gjk_vec3 *point) {
   return true;
 }
 
-// Of the core alone, along the normal; as of height, below 2^31 + 2^28.
-static int64_t height_of_core(const gjk_collider *body, const gjk_surface_face *f) {
-  return (int64_t)f->height + body->shape->convex_radius;
-}
-
-// x, by at most `by` nearer to a third of a sum.
-static int32_t pulled(int32_t x, int64_t sum, int32_t by) {
-  const int32_t way = gjk_saturate(sum - 3 * (int64_t)x);
-  return x + (way > 3 * by ? by : way < -3 * by ? -by : 0);
+// The foot of a coordinate x on the plane, h below along the normal, moved towards a third of a sum, by at most `by`.
+//   |x| <= 2^28, h <= 2^30:  the foot below 2^30.4;   way below 2^33;   a third to within 1 and 2^-17 of it
+static int32_t pulled_foot(int32_t x, int32_t normal, int32_t h, int64_t sum, int32_t by) {
+  const int32_t foot = x - (int32_t)gjk_sar64(gjk_mul32(normal, h), 30);
+  const int64_t third = gjk_sar64((sum - 3 * (int64_t)foot) * 21845, 16);
+  return foot + (third > by ? by : third < -by ? -by : (int32_t)third);
 }
 
 bool gjk_face_is_nearly_over(const gjk_collider *body, const gjk_surface_face *f) {
@@ -154,10 +151,10 @@ bool gjk_face_is_nearly_over(const gjk_collider *body, const gjk_surface_face *f
   if (f->height < 0) {
     return false;
   }
-  const int32_t by = (int32_t)(8 + gjk_sar64(height_of_core(body, f), 6));  // below 2^26
-  const gjk_vec3 near = {pulled(p->x, (int64_t)c[0].x + c[1].x + c[2].x, by),
-                         pulled(p->y, (int64_t)c[0].y + c[1].y + c[2].y, by),
-                         pulled(p->z, (int64_t)c[0].z + c[1].z + c[2].z, by)};
+  const int32_t h = f->height + body->shape->convex_radius, by = 8 + (h >> 6);
+  const gjk_vec3 near = {pulled_foot(p->x, f->unit.x, h, (int64_t)c[0].x + c[1].x + c[2].x, by),
+                         pulled_foot(p->y, f->unit.y, h, (int64_t)c[0].y + c[1].y + c[2].y, by),
+                         pulled_foot(p->z, f->unit.z, h, (int64_t)c[0].z + c[1].z + c[2].z, by)};
   return gjk_face_is_over(f, &near);
 }
 
@@ -165,7 +162,7 @@ bool gjk_face_is_nearly_over(const gjk_collider *body, const gjk_surface_face *f
 // are, and meets the plane in the triangle if one end is above the plane and one below.
 bool gjk_face_is_pierced(const gjk_collider *body, const gjk_surface_face *f) {
   const unsigned count = axes_of(body);
-  const int64_t bottom = height_of_core(body, f);
+  const int64_t bottom = (int64_t)f->height + body->shape->convex_radius;  // of the core
   int32_t most = 0;
   gjk_vec3 way = {0, 0, 0};
   for (unsigned i = 0; i < count; i++) {
