@@ -6,6 +6,13 @@
 #include "../arith/gjk_unit.h"
 #include "gjk_parts_class.h"
 
+// A height errs by less than this, LSB:
+//
+// the unit vector  sqrt(3) 2^-30 of at most sqrt(3) 2^31, to the triangle, and 2^28, to the support: 8
+// a support        less than 1 beyond the farthest along the rounded direction, of curved shapes 2
+// the floors       2
+#define HEIGHT_ERROR 16
+
 // A, and both at either end of the way.
 typedef struct ahead_body {
   const gjk_parts *own;
@@ -59,30 +66,34 @@ static bool measure_height(const ahead_body *d, unsigned end, uint32_t number, a
   return true;
 }
 
-// Of two sides the one counts that most of B is on.
+// Is B at most a distance away from a part at the start? A part that cannot tell, which the query that follows meets with
+// the same status, counts as away.
+static bool is_near_part(const ahead_body *d, uint32_t number, int64_t distance) {
+  gjk_parts_room room;
+  gjk_collider c;
+  gjk_decision decision;
+  return d->own->type->place(&d->frame[0], number, &room, &c) == GJK_OK &&
+         gjk_within(&c, d->b[0], gjk_saturate(distance), NULL, &decision) == GJK_OK && decision.yes;
+}
+
+// Of two sides the one counts that most of B is on. A height is rounded, so of a B that lies in the plane but for that the
+// triangle tells. One whose corners lie in a line has no plane: whatever is near it was so at the start.
 static bool is_before_triangle(const ahead_body *d, uint32_t number) {
   ahead_height start, end;
   if (!measure_height(d, 0, number, &start)) {
-    return true;
+    return !is_near_part(d, number, (int64_t)d->margin + d->tolerance);
   }
   const bool two_sided = (d->own->type->edges(d->own->data, number) & GJK_TRIANGLE_TWO_SIDED) != 0;
   const bool behind = two_sided && start.lowest + start.highest < 0;
   const int64_t gap = (behind ? -start.highest : start.lowest) - d->margin;
-  if (gap <= 0 || gap > d->tolerance) {
-    return gap > 0;
+  if (gap <= 0 || (gap <= HEIGHT_ERROR && is_near_part(d, number, d->margin))) {
+    return false;
   }
-  return measure_height(d, 1, number, &end) && (end.lowest + end.highest < 0) != behind;
+  return gap > d->tolerance || (measure_height(d, 1, number, &end) && (end.lowest + end.highest < 0) != behind);
 }
 
 static bool is_before_part(const ahead_body *d, uint32_t number) {
-  gjk_parts_room room;
-  gjk_collider c;
-  gjk_decision decision;
-  if (d->own->type->edges != NULL) {
-    return is_before_triangle(d, number);
-  }
-  return d->own->type->place(&d->frame[0], number, &room, &c) != GJK_OK ||
-         gjk_within(&c, d->b[0], d->margin, NULL, &decision) != GJK_OK || !decision.yes;
+  return d->own->type->edges != NULL ? is_before_triangle(d, number) : !is_near_part(d, number, d->margin);
 }
 
 static uint32_t ahead_count(const void *data) {

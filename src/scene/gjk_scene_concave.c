@@ -8,11 +8,14 @@ static const gjk_concave *concave_of(const gjk_shape *shape) {
   return (const gjk_concave *)shape->user;
 }
 
-// The half extents and the middle of a box.
+// The half extents and the middle of a box. A constant may name no body, or one without parts.
 static gjk_status measure_box(const gjk_shape *shape, gjk_extent *out) {
   const gjk_vec3 *half = &shape->size;
-  if (shape->user == NULL) {
+  if (shape->user == NULL || concave_of(shape)->parts.type == NULL || concave_of(shape)->parts.data == NULL) {
     return GJK_ERROR_NULL;
+  }
+  if (gjk_parts_count(&concave_of(shape)->parts) == 0) {
+    return GJK_ERROR_EMPTY;
   }
   if (half->x < 0 || half->y < 0 || half->z < 0) {
     return GJK_ERROR_NEGATIVE;
@@ -152,16 +155,22 @@ static gjk_status concave_depth(const ordered_pair *p, const gjk_workspace *work
 static gjk_status concave_distance(const gjk_scene_solid *a, const gjk_scene_solid *b, const gjk_workspace *workspace,
                                    gjk_distance_result *out) {
   ordered_pair p;
+  gjk_status of_depth = GJK_OK;
   order_pair(a, b, &p);
   if (workspace != NULL) {
     bool found;
-    const gjk_status status = concave_depth(&p, workspace, out, &found);
+    of_depth = concave_depth(&p, workspace, out, &found);
     if (found) {
-      return status;
+      return of_depth;
     }
   }
   const gjk_status status =
       p.convex != NULL ? gjk_parts_distance(&p.a, p.convex, NULL, out) : gjk_parts_both_distance(&p.a, &p.b, NULL, out);
+  // A depth that was not found is no distance of 0. It is at most as large as spheres around both have room for.
+  if (of_depth == GJK_ERROR_ITERATION_LIMIT && (status == GJK_OK ? out->intersecting : out->lower <= 0)) {
+    out->lower = -(a->collider->radius + b->collider->radius);  // each at most 2^28 + 4
+    return of_depth;
+  }
   return status;
 }
 
@@ -181,45 +190,32 @@ static void turn_manifold(gjk_manifold *m) {
   }
 }
 
-// How many manifolds compete for those that are asked for: contacts of one normal are not lost to a few of another one
-// that come between.
-#define COMPETING 4
-
 static gjk_status find_manifolds(const ordered_pair *p, gjk_q16 margin, unsigned most, const gjk_workspace *workspace,
                                  gjk_manifold *out, unsigned capacity, unsigned *count) {
   return p->convex != NULL ? gjk_parts_manifolds(&p->a, p->convex, margin, most, workspace, out, capacity, count)
                            : gjk_parts_both_manifolds(&p->a, &p->b, margin, most, workspace, out, capacity, count);
 }
 
-// Of few manifolds the deepest of COMPETING ones.
-GJK_OUT_OF_LINE static gjk_status find_deepest(const ordered_pair *p, gjk_q16 margin, unsigned most,
-                                               const gjk_workspace *workspace, gjk_manifold *out, unsigned capacity,
-                                               unsigned *count) {
-  gjk_manifold competing[COMPETING];
-  unsigned found = 0;
-  const gjk_status status = find_manifolds(p, margin, most, workspace, competing, COMPETING, &found);
-  if (status == GJK_OK || status == GJK_ERROR_CAPACITY || status == GJK_ERROR_ITERATION_LIMIT) {
-    *count = found < capacity ? found : capacity;
-    for (unsigned i = 0; i < *count; i++) {
-      gjk_copy(&out[i], &competing[i], sizeof out[i]);
-    }
-  }
-  return status;
-}
-
+// However few are wanted, as many compete: a manifold that is left out for want of room loses its contacts, also where it
+// would be the deepest in the end. So what is found does not depend on the room there is.
 static gjk_status concave_manifolds(const gjk_scene_solid *a, const gjk_scene_solid *b, gjk_q16 margin, unsigned most,
                                     const gjk_workspace *workspace, gjk_manifold *out, unsigned capacity,
                                     unsigned *count) {
   ordered_pair p;
+  gjk_manifold competing[GJK_PARTS_MANIFOLDS_MAX];
+  unsigned found = 0;
   order_pair(a, b, &p);
   const gjk_q16 apart = margin < GJK_RADIUS_MAX ? margin : GJK_RADIUS_MAX;
-  const gjk_status status = capacity < COMPETING ? find_deepest(&p, apart, most, workspace, out, capacity, count)
-                                                 : find_manifolds(&p, apart, most, workspace, out, capacity, count);
-  if (status != GJK_OK && status != GJK_ERROR_CAPACITY && status != GJK_ERROR_ITERATION_LIMIT) {
+  const gjk_status status = find_manifolds(&p, apart, most, workspace, competing, GJK_PARTS_MANIFOLDS_MAX, &found);
+  if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
     return status;
   }
-  for (unsigned i = 0; p.turned && i < *count; i++) {
-    turn_manifold(&out[i]);
+  *count = found < capacity ? found : capacity;
+  for (unsigned i = 0; i < *count; i++) {
+    if (p.turned) {
+      turn_manifold(&competing[i]);
+    }
+    gjk_copy(&out[i], &competing[i], sizeof out[i]);
   }
   return status;
 }

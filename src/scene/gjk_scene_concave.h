@@ -8,7 +8,7 @@
 
 // A part where it is asked.
 typedef struct gjk_scene_solid {
-  const gjk_collider *collider;  // posed. Of a concave part its box, whose shape alone is read
+  const gjk_collider *collider;  // posed. Of a concave part its box, whose shape and radius alone are read
   const gjk_pose *pose;          // of a concave part; otherwise not read
 } gjk_scene_solid;
 
