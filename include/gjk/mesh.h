@@ -2,7 +2,7 @@
 //
 // A mesh is the caller's vertices and, for each triangle, 15 bytes: three numbers of vertices with what is known of its
 // edges, and its share of a tree of boxes. gjk_mesh_build makes the latter, on the target or beforehand; gjk-convert
-// writes meshes as C source.
+// writes meshes as C source. Of a million triangles a query asks as many as of a patch cut out around the body.
 #ifndef GJK_MESH_H
 #define GJK_MESH_H
 
