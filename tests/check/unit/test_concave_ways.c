@@ -1,5 +1,5 @@
-// Fast bodies among concave ones, by a look at every other part: the impact is the first of all, nothing passes through
-// anything, and what touches at the start is met again only where it was in front.
+// Fast bodies, rays, casts and distances among concave bodies, by a look at every part: the first of all is answered, nothing
+// passes through anything, and what touches at the start is met again only where it was in front.
 #include <string.h>
 
 #include "check.h"
@@ -10,10 +10,11 @@
 #define TRIALS 20
 #define TICKS 6
 #define SAMPLES 12
+#define QUESTIONS 12
 #define TOUCHES 6000
 #define ONE GJK_Q16_ONE
 
-static struct { unsigned long impacts, none, arcs, samples, touching, lines; } tally;
+static struct { unsigned long impacts, none, arcs, samples, touching, lines, hits, misses, places; } tally;
 
 static game m;
 static game_scene s;
@@ -160,6 +161,140 @@ static void check_impact(uint32_t fast) {
   }
 }
 
+// A question to the parts of a scene: a ray where there is no collider.
+typedef struct question {
+  gjk_collider c;
+  gjk_vec3 from, to;
+  gjk_q16 margin;
+  bool ray;
+} question;
+
+// A place near the middle, at a corner of the grid of ties, or at an end of int32.
+static gjk_vec3 draw_place(random_state *random) {
+  const gjk_vec3 *at = &m.middle;
+  const uint32_t how = random_below(random, 8);
+  const gjk_vec3 off = random_vector(random, 6.0 * m.size * random_unit(random));
+  const int32_t half = m.size / 2;
+  if (how == 0 && at->x == 0) {
+    return (gjk_vec3){INT32_MIN, random_range(random, -half, half), random_below(random, 2) != 0 ? INT32_MAX : 0};
+  }
+  if (how < 4) {
+    return (gjk_vec3){at->x + random_range(random, -5, 5) * half, at->y + random_range(random, -5, 5) * half,
+                      at->z + random_range(random, -5, 5) * half};
+  }
+  return (gjk_vec3){at->x + off.x, at->y + off.y, at->z + off.z};
+}
+
+static void draw_question(random_state *random, question *q) {
+  const unsigned shape = GAME_SHAPES - 1 - random_below(random, GAME_SOLIDS);
+  const gjk_pose identity = GJK_POSE_IDENTITY;
+  gjk_pose pose = {draw_place(random), random_below(random, 2) != 0 ? identity.rotation : random_rotation(random)};
+  q->from = pose.position;
+  q->to = draw_place(random);
+  q->margin = random_below(random, 2) == 0 ? 0 : random_range(random, 0, m.size / 4);
+  q->ray = random_below(random, 2) != 0;
+  memset(&q->c, 0, sizeof q->c);
+  CHECK(gjk_collider_init(&q->c, m.shapes[shape], NULL, 0) == GJK_OK);
+  if (gjk_collider_pose(&q->c, &pose) != GJK_OK) {  // at an end
+    pose.position = m.middle;
+    q->from = pose.position;
+    CHECK(gjk_collider_pose(&q->c, &pose) == GJK_OK);
+  }
+}
+
+static gjk_status ask_part(const question *q, const concave_solid *of, gjk_cast_result *out) {
+  const gjk_cast_path path = {NULL, &q->to, q->margin};
+  out->hit = false;
+  if (q->ray) {
+    return of->many ? gjk_parts_cast_ray(&of->parts, &q->from, &q->to, NULL, out)
+                    : gjk_cast_ray(&of->collider, &q->from, &q->to, out);
+  }
+  return of->many ? gjk_parts_cast(&of->parts, &q->c, &path, NULL, out) : gjk_cast(&of->collider, &q->c, &path, out);
+}
+
+// What of a hit does not depend on what is undefined inside.
+static bool same_hit(const gjk_cast_result *a, const gjk_cast_result *b) {
+  return a->inside == b->inside && a->fraction == b->fraction &&
+         (a->inside || (memcmp(&a->point_a, &b->point_a, sizeof a->point_a) == 0 &&
+                        memcmp(&a->point_b, &b->point_b, sizeof a->point_b) == 0 &&
+                        memcmp(&a->normal, &b->normal, sizeof a->normal) == 0 &&
+                        memcmp(&a->rest_b, &b->rest_b, sizeof a->rest_b) == 0));
+}
+
+// The nearest part, and those within the margin, by gjk/parts.h.
+static void check_places(const question *q) {
+  gjk_scene_hit hit, hits[2 * GAME_BODIES];
+  gjk_q16 distance, least = 0;
+  bool found, any = false;
+  uint32_t count, within = 0;
+  CHECK(gjk_scene_query_within(&s.scene, &q->c, q->margin, NULL, NULL, hits, 2 * GAME_BODIES, &count) == GJK_OK);
+  CHECK(gjk_scene_query_nearest(&s.scene, &q->c, 4 * m.size, NULL, &hit, &distance, &found) == GJK_OK);
+  for (uint32_t slot = 0; slot < GAME_BODIES; slot++) {
+    for (uint16_t i = 0; m.body[slot].there && i < m.body[slot].setup.part_count; i++) {
+      concave_solid of;
+      gjk_decision near;
+      gjk_distance_result gap;
+      solid_set(&m, &s, slot, i, &of);
+      CHECK((of.many ? gjk_parts_distance(&of.parts, &q->c, NULL, &gap)
+                     : gjk_distance(&q->c, &of.collider, NULL, &gap)) == GJK_OK);
+      CHECK((of.many ? gjk_parts_within(&of.parts, &q->c, q->margin, NULL, &near)
+                     : gjk_within(&q->c, &of.collider, q->margin, NULL, &near)) == GJK_OK);
+      CHECK_MSG(!found || gap.distance >= distance, "shape %u nearer: %d, %d", of.shape, (int)gap.distance,
+                (int)distance);
+      any = any || gap.distance <= 4 * m.size;
+      least = found && slot == hit.body.slot && i == hit.part ? gap.distance : least;
+      within += near.yes;
+      bool listed = false;
+      for (uint32_t n = 0; n < count; n++) {
+        listed = listed || (hits[n].body.slot == slot && hits[n].part == i);
+      }
+      // By 2 LSB a curved one may be within, and its box not.
+      CHECK(listed == near.yes || (near.yes && gap.distance > q->margin - 6));
+    }
+  }
+  CHECK(any == found && (!found || least == distance) && count <= within);
+  tally.places += count;
+}
+
+static void check_question(random_state *random) {
+  question q;
+  gjk_scene_hit hit, first;
+  gjk_cast_result result, best, trial;
+  bool found, any = false;
+  draw_question(random, &q);
+  memset(&first, 0, sizeof first);
+  memset(&best, 0, sizeof best);
+  const gjk_status status = q.ray ? gjk_scene_cast_ray(&s.scene, &q.from, &q.to, NULL, &hit, &result, &found)
+                                  : gjk_scene_cast(&s.scene, &q.c, &q.to, q.margin, NULL, &hit, &result, &found);
+  if (status == GJK_ERROR_RANGE) {  // the centre would leave int32
+    return;
+  }
+  CHECK(status == GJK_OK);
+  for (uint32_t slot = 0; slot < GAME_BODIES; slot++) {
+    for (uint16_t i = 0; m.body[slot].there && i < m.body[slot].setup.part_count; i++) {
+      concave_solid of;
+      solid_set(&m, &s, slot, i, &of);
+      const gjk_status of_part = ask_part(&q, &of, &trial);
+      CHECK_MSG(of_part == GJK_OK, "shape %u: %d", of.shape, (int)of_part);
+      if (trial.hit && (!any || trial.fraction < best.fraction)) {
+        any = true;
+        best = trial;
+        first.body.slot = slot;
+        first.part = i;
+      }
+    }
+  }
+  CHECK_MSG(any == found, "%s: %s", q.ray ? "ray" : "cast", any ? "not found" : "found");
+  if (any && found) {
+    CHECK_MSG(hit.body.slot == first.body.slot && hit.part == first.part && same_hit(&best, &result),
+              "%s: body %u at %d, expected %u at %d", q.ray ? "ray" : "cast", hit.body.slot, (int)result.fraction,
+              first.body.slot, (int)best.fraction);
+  }
+  tally.hits += any;
+  tally.misses += !any;
+  check_places(&q);
+}
+
 static void check_game(random_state *random) {
   const gjk_scene_config config = game_config(&m, 400, 0, 0, m.size / 8);
   CHECK(game_start(&m, &config, &s) == GJK_OK);
@@ -175,6 +310,9 @@ static void check_game(random_state *random) {
     }
     for (uint32_t i = 0; i < GAME_BODIES; i++) {
       last[i] = m.body[i].setup.pose;
+    }
+    for (unsigned n = 0; n < QUESTIONS; n++) {
+      check_question(random);
     }
   }
   game_end(&s);
@@ -315,8 +453,11 @@ int main(void) {
   check_line(false);
   check_line(true);
   printf(
-      "%lu impacts, %lu ways without, %lu arcs, %lu places on ways; %lu bodies that touch, %lu of meshes with a line\n",
-      tally.impacts, tally.none, tally.arcs, tally.samples, tally.touching, tally.lines);
+      "%lu impacts, %lu ways without, %lu arcs, %lu places on ways; %lu rays and casts hit, %lu miss, %lu parts "
+      "within; ",
+      tally.impacts, tally.none, tally.arcs, tally.samples, tally.hits, tally.misses, tally.places);
+  printf("%lu bodies that touch, %lu of meshes with a line\n", tally.touching, tally.lines);
+  CHECK(!check_is_full() || (tally.hits > 300 && tally.misses > 100 && tally.places > 300));
   CHECK(!check_is_full() || (tally.impacts > 40 && tally.none > 40 && tally.arcs > 20));
   CHECK(!check_is_full() || (tally.touching > TOUCHES / 2 && tally.lines > TOUCHES / 20));
   return check_done("concave_ways");
