@@ -104,8 +104,7 @@ typedef struct gjk_mesh_report {
   uint8_t edge;       // of the triangle, where the fault is of one; for NUMBER_FAULT to SIZE the corner
   uint32_t triangle;  // the first that has it
   uint32_t node;      // BOX
-  uint32_t edges[4];  // how many there are by gjk_mesh_edge, each side of an edge counted; set when fault is SOUND or
-                      // from DEGENERATE on
+  uint32_t edges[4];  // how many there are by gjk_mesh_edge, each side of an edge counted; 0 for NUMBER_FAULT to EDGES
 } gjk_mesh_report;
 
 // Is a mesh as gjk_mesh_build makes it, and a surface?
