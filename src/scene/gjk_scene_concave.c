@@ -2,21 +2,16 @@
 #include "gjk_scene_concave.h"
 
 #include "../arith/gjk_memory.h"
+#include "../parts/gjk_parts_ahead.h"
 #include "gjk_scene_part.h"
 
 static const gjk_concave *concave_of(const gjk_shape *shape) {
   return (const gjk_concave *)shape->user;
 }
 
-// The half extents and the middle of a box. A constant may name no body, or one without parts.
+// The half extents and the middle of a box.
 static gjk_status measure_box(const gjk_shape *shape, gjk_extent *out) {
   const gjk_vec3 *half = &shape->size;
-  if (shape->user == NULL || concave_of(shape)->parts.type == NULL || concave_of(shape)->parts.data == NULL) {
-    return GJK_ERROR_NULL;
-  }
-  if (gjk_parts_count(&concave_of(shape)->parts) == 0) {
-    return GJK_ERROR_EMPTY;
-  }
   if (half->x < 0 || half->y < 0 || half->z < 0) {
     return GJK_ERROR_NEGATIVE;
   }
@@ -83,8 +78,15 @@ static const gjk_shape_class class_of_box = {
     .kind = GJK_KIND_AXES,
 };
 
+// A constant may name no body, or one without parts.
 static gjk_status bind_concave(const gjk_shape *shape, gjk_collider *out) {
   gjk_shape box;
+  if (shape->user == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (gjk_parts_count(&concave_of(shape)->parts) == 0) {
+    return GJK_ERROR_EMPTY;
+  }
   gjk_copy(&box, shape, sizeof box);
   box.type = &class_of_box;
   const gjk_status status = gjk_collider_init(out, &box, NULL, 0);
@@ -239,23 +241,28 @@ static gjk_status concave_way(const gjk_scene_solid *a, const gjk_scene_solid *b
 static const gjk_q16 tolerances[2][TOLERANCES] = {{GJK_PARTS_TOLERANCE_MIN, 48, 96, 144},
                                                   {GJK_PARTS_BOTH_TOLERANCE_MIN, 64, 160, 576}};
 
-static gjk_status concave_impact(const gjk_collider *a, const gjk_motion *motion_a, const gjk_collider *b,
-                                 const gjk_motion *motion_b, gjk_q16 margin, bool ahead, gjk_impact_result *out) {
-  const gjk_scene_solid of_a = {a, &motion_a->from}, of_b = {b, &motion_b->from};
+static gjk_status concave_impact(const gjk_collider c[2], const gjk_motion motion[2], gjk_q16 margin,
+                                 const gjk_motion *ahead, gjk_impact_result *out) {
+  const gjk_scene_solid of_a = {&c[0], &motion[0].from}, of_b = {&c[1], &motion[1].from};
   ordered_pair p;
   gjk_status status = GJK_ERROR_RANGE;
   order_pair(&of_a, &of_b, &p);
   const bool both = p.convex == NULL;
-  const gjk_motion *first = p.turned ? motion_b : motion_a, *second = p.turned ? motion_a : motion_b;
+  const unsigned i = p.turned ? 1 : 0, k = 1 - i;
   out->hit = false;
-  if (both && ahead) {
+  if (both && ahead != NULL) {
     return GJK_OK;
   }
-  for (unsigned i = 0; i < TOLERANCES && status == GJK_ERROR_RANGE; i++) {
-    const gjk_impact_setup setup = {margin, tolerances[both][i], 0};
-    status = both    ? gjk_parts_both_time_of_impact(&p.a, first, &p.b, second, &setup, NULL, out)
-             : ahead ? gjk_parts_impact_ahead(&p.a, first, p.convex, second, &setup, NULL, out)
-                     : gjk_parts_time_of_impact(&p.a, first, p.convex, second, &setup, NULL, out);
+  for (unsigned n = 0; n < TOLERANCES && status == GJK_ERROR_RANGE; n++) {
+    const gjk_impact_setup setup = {margin, tolerances[both][n], 0};
+    if (both) {
+      status = gjk_parts_both_time_of_impact(&p.a, &motion[i], &p.b, &motion[k], &setup, NULL, out);
+    } else if (ahead != NULL) {
+      status =
+          gjk_parts_impact_ahead_of(&p.a, &motion[i], p.convex, &motion[k], &ahead[i], &ahead[k], &setup, NULL, out);
+    } else {
+      status = gjk_parts_time_of_impact(&p.a, &motion[i], p.convex, &motion[k], &setup, NULL, out);
+    }
   }
   return status;
 }

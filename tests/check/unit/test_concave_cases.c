@@ -277,7 +277,7 @@ static void check_unchecked(void) {
   static const gjk_shape refused[4] = {
       GJK_CONCAVE(&concaves[0], ONE, ONE, ONE), GJK_CONCAVE(&concaves[1], ONE, ONE, ONE),
       GJK_CONCAVE(&concaves[2], ONE, ONE, ONE), GJK_CONCAVE(&concaves[3], ONE, ONE, ONE)};
-  static const gjk_status expected[4] = {GJK_ERROR_NULL, GJK_ERROR_NULL, GJK_ERROR_EMPTY, GJK_OK};
+  static const gjk_status expected[4] = {GJK_ERROR_EMPTY, GJK_ERROR_EMPTY, GJK_ERROR_EMPTY, GJK_OK};
   static const gjk_shape ball = GJK_SPHERE(ONE);
   gjk_progress progress;
   gjk_scene_hit hit;
