@@ -161,6 +161,9 @@ static gjk_status set_end(ahead_body *d, unsigned end, const gjk_pose *pose, con
   d->pose[end].data = d->own->data;
   gjk_copy(&d->pose[end].pose, pose, sizeof *pose);
   gjk_copy(&d->b[end], b, sizeof *b);
+  if (pose_b != NULL) {
+    d->b[end].buffer = NULL;  // B's own holds its vertices as B is posed
+  }
   const gjk_status status = pose_b != NULL ? gjk_collider_pose(&d->b[end], pose_b) : GJK_OK;
   return status == GJK_OK ? gjk_parts_frame_set(&d->frame[end], &d->pose[end]) : status;
 }
