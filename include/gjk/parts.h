@@ -191,12 +191,12 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
 // As gjk_parts_cast and gjk_parts_time_of_impact, of those parts alone that B is in front of at the start: what a body that
 // lies on the ground may still run into.
 //
-// In front  of a triangle: all of B is beyond its plane, for a cast by more than the margin; of two sides on that where most of
-//           B is. A triangle no farther than margin and tolerance is met by an impact only if most of B goes through its
-//           plane. So it is by a cast or impact where the height above its plane is within 12 LSB of that, which rounding
-//           may decide, and B does not touch the triangle.
-//           Of a triangle whose corners lie in a line: B is farther than margin and tolerance from it. Of other parts: a cast
-//           farther than the margin; an impact, B does not touch it.
+// In front  of a triangle: all of B is more than the margin beyond its plane; of two sides on that where most of B is. An
+//           impact meets a triangle that is no nearer than the tolerance, or one whose plane most of B goes through.
+//           Of other parts: B is farther than the margin from it. Of a triangle whose corners lie in a line: farther than
+//           the margin, for an impact than margin and tolerance.
+// Rounding  Where B's height is within 12 LSB of that margin, a triangle that B is as near to is not met; another one is, if
+//           B is in front of it or most of B goes through its plane.
 // Statuses  as of gjk_parts_cast and gjk_parts_time_of_impact; b has to be bound to its shape, no more, for an impact.
 gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
                                 gjk_cast_result *out);

@@ -195,16 +195,15 @@ gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const
   return gjk_parts_cast(&ahead, b, path, part, out);
 }
 
-gjk_status gjk_parts_impact_ahead_of(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
-                                     const gjk_motion *motion_b, const gjk_motion *way_a, const gjk_motion *way_b,
-                                     const gjk_impact_setup *setup, uint32_t *part, gjk_impact_result *out) {
+// Both impacts. near: what is so near B at the start is not in front of it.
+static gjk_status ask_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                   const gjk_motion *motion_b, const gjk_motion *way_a, const gjk_motion *way_b,
+                                   gjk_q16 near, const gjk_impact_setup *setup, uint32_t *part,
+                                   gjk_impact_result *out) {
   ahead_body d;
-  if (a == NULL || way_a == NULL || b == NULL || way_b == NULL || setup == NULL) {
-    return GJK_ERROR_NULL;
-  }
   d.own = a;
-  d.near = 0;
-  d.aside = (int64_t)setup->margin + setup->tolerance;
+  d.near = near;
+  d.aside = (int64_t)setup->margin - near + setup->tolerance;
   gjk_status status = set_end(&d, 0, &way_a->from, b, &way_b->from);
   status = status == GJK_OK ? set_end(&d, 1, &way_a->to, b, &way_b->to) : status;
   if (status != GJK_OK) {
@@ -214,8 +213,17 @@ gjk_status gjk_parts_impact_ahead_of(const gjk_parts *a, const gjk_motion *motio
   return gjk_parts_time_of_impact(&ahead, motion_a, b, motion_b, setup, part, out);
 }
 
+gjk_status gjk_parts_impact_ahead_of(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                     const gjk_motion *motion_b, const gjk_motion *way_a, const gjk_motion *way_b,
+                                     const gjk_impact_setup *setup, uint32_t *part, gjk_impact_result *out) {
+  return ask_impact_ahead(a, motion_a, b, motion_b, way_a, way_b, 0, setup, part, out);
+}
+
 gjk_status gjk_parts_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
                                   const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
                                   gjk_impact_result *out) {
-  return gjk_parts_impact_ahead_of(a, motion_a, b, motion_b, motion_a, motion_b, setup, part, out);
+  if (a == NULL || motion_a == NULL || b == NULL || motion_b == NULL || setup == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  return ask_impact_ahead(a, motion_a, b, motion_b, motion_a, motion_b, setup->margin, setup, part, out);
 }
