@@ -65,10 +65,11 @@ static uint32_t height_above(const gjk_hull_plane *plane, const gjk_vec3 *p, uin
   const uint64_t n[3] = {gjk_magnitude64(plane->n.x), gjk_magnitude64(plane->n.y), gjk_magnitude64(plane->n.z)};
   uint32_t low;
   gjk_u128 height;
-  gjk_u192 across, normal = {{0}}, square, length;
+  gjk_u192 across, normal, square, length;
   const int64_t high = gjk_hull_height(plane, p, &low);
   gjk_magnitude95(high, low, &height);
   set_square(&across, height.high, height.low);  // < 2^180
+  gjk_u192_set(&normal, 0);
   for (int i = 0; i < 3; i++) {
     set_square(&square, 0, n[i]);
     gjk_u192_add(&normal, &square);  // < 2^122
