@@ -2,7 +2,7 @@
 //
 // A mesh is the caller's vertices and, for each triangle, 15 bytes: three numbers of vertices with what is known of its
 // edges, and its share of a tree of boxes. gjk_mesh_build makes the latter, on the target or beforehand; gjk-convert
-// writes meshes as C source.
+// writes meshes as C source. Of a million triangles a query asks as many as of a patch cut out around the body.
 #ifndef GJK_MESH_H
 #define GJK_MESH_H
 
@@ -104,8 +104,7 @@ typedef struct gjk_mesh_report {
   uint8_t edge;       // of the triangle, where the fault is of one; for NUMBER_FAULT to SIZE the corner
   uint32_t triangle;  // the first that has it
   uint32_t node;      // BOX
-  uint32_t edges[4];  // how many there are by gjk_mesh_edge, each side of an edge counted; set when fault is SOUND or
-                      // from DEGENERATE on
+  uint32_t edges[4];  // how many there are by gjk_mesh_edge, each side of an edge counted; 0 for NUMBER_FAULT to EDGES
 } gjk_mesh_report;
 
 // Is a mesh as gjk_mesh_build makes it, and a surface?

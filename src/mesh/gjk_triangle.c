@@ -36,8 +36,10 @@ static bool is_mesh_coordinate(int32_t x) {
   return x <= GJK_MESH_COORDINATE_MAX && x >= -GJK_MESH_COORDINATE_MAX;
 }
 
-static bool fits_in_world(int64_t x) {
-  return x >= INT32_MIN && x <= INT32_MAX;
+// *out = at + offset. False: that is beyond int32.
+static bool move_axis(int32_t at, int32_t offset, int32_t *out) {
+  *out = gjk_int32((uint32_t)at + (uint32_t)offset);
+  return (*out >= at) == (offset >= 0);
 }
 
 // |v| <= sqrt(3) 2^30 < 2^31 - 4
@@ -47,11 +49,8 @@ static bool turn_corner(const gjk_parts_frame *frame, const gjk_vec3 *v, gjk_vec
     return false;
   }
   const gjk_vec3 turned = frame->is_level ? *v : gjk_rotate(frame->rows, v);
-  const int64_t x = (int64_t)at->x + turned.x, y = (int64_t)at->y + turned.y, z = (int64_t)at->z + turned.z;
-  out->x = gjk_saturate(x);
-  out->y = gjk_saturate(y);
-  out->z = gjk_saturate(z);
-  return fits_in_world(x) && fits_in_world(y) && fits_in_world(z);
+  return move_axis(at->x, turned.x, &out->x) && move_axis(at->y, turned.y, &out->y) &&
+         move_axis(at->z, turned.z, &out->z);
 }
 
 bool gjk_triangle_turn(const gjk_parts_frame *frame, const gjk_vec3 corner[3], gjk_vec3 world[3]) {

@@ -64,8 +64,8 @@ int64_t gjk_triangle_distance(const gjk_vec3 corner[3], const gjk_region *region
 #define GJK_TRIANGLE_EDGE(edges, i) ((edges) >> 2 * (i)&3u)
 
 // The contacts of one triangle of a surface with a body, as gjk_surface_contacts; count 0: none. Of *out all but contacts may
-// be written in any case. cache: of any
-// triangles of the surface with b, or NULL. Pre: margin is 0 to GJK_RADIUS_MAX, most as of gjk_contacts.
+// be written in any case. cache: of any triangles of the surface with b, or NULL. Pre: margin is 0 to GJK_RADIUS_MAX, most as
+// of gjk_contacts.
 gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
                             unsigned most, gjk_cache *cache, const gjk_workspace *workspace, gjk_manifold *out);
 

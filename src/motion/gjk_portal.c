@@ -26,125 +26,23 @@
 
 #include "../arith/gjk_ceilings.h"
 
-// How much farther from the line than the core radii the bounding spheres may leave start, rounded up (gjk_spheres.h).
-#define LINE_SLACK 1024
-
-// v / 8, rounded down.
-static gjk_vec3 eighth(const gjk_long3 *v) {
-  const gjk_vec3 q = {(int32_t)gjk_sar64(v->x, 3), (int32_t)gjk_sar64(v->y, 3), (int32_t)gjk_sar64(v->z, 3)};
-  return q;
-}
-
-// (x, y, z), and u in LSB added to it. u may be NULL.
-static gjk_vec3 place(const gjk_portal *p, const gjk_vec3 *u, int32_t x, int32_t y, int32_t z) {
-  gjk_vec3 v = {x, y, z};
-  if (u != NULL) {
-    v.x += gjk_sar32(u->x, p->shift);
-    v.y += gjk_sar32(u->y, p->shift);
-    v.z += gjk_sar32(u->z, p->shift);
-  }
-  return v;
-}
-
-int64_t gjk_portal_dot(const gjk_portal *p, const gjk_vec3 *u, const gjk_long3 *at, uint32_t *low) {
-  if (p->near) {
-    const gjk_vec3 v = place(p, u, (int32_t)at->x, (int32_t)at->y, (int32_t)at->z);
-    return gjk_dot_exact(&p->n, &v, low);
-  }
-  // |at / 8| <= sqrt(3) 2^30:  |n . (at / 8)| < 2^91, 8 times its high part < 2^63
-  uint32_t low_of_q;
-  const gjk_vec3 q = eighth(at), rest = place(p, u, (int32_t)(at->x & 7), (int32_t)(at->y & 7), (int32_t)(at->z & 7));
-  const int64_t of_q = gjk_dot_exact(&p->n, &q, &low_of_q), of_rest = gjk_dot_exact(&p->n, &rest, low);
-  const uint64_t lows = 8 * (uint64_t)low_of_q + *low;
-  *low = (uint32_t)(lows & INT32_MAX);
-  return 8 * of_q + of_rest + (int64_t)(lows >> 31);
-}
-
-// Out of line: near pairs go past it.
-GJK_OUT_OF_LINE static int far_side(const gjk_portal *p, const gjk_vec3 *u, const gjk_long3 *at) {
-  uint32_t low;
-  const int64_t high = gjk_portal_dot(p, u, at, &low);
-  return high != 0 ? gjk_sign64(high) : low != 0;
-}
-
-int gjk_portal_side(const gjk_portal *p, const gjk_vec3 *u, const gjk_long3 *at) {
-  if (!p->near) {
-    return far_side(p, u, at);
-  }
-  const gjk_vec3 v = place(p, u, (int32_t)at->x, (int32_t)at->y, (int32_t)at->z);
-  return gjk_dot_sign(&p->n, &v);
-}
-
-// x y modulo 2^64, which is the product where that fits.
-static inline uint64_t product(int64_t x, int64_t y) {
-  return (uint64_t)x * (uint64_t)y;
-}
-
-// *out = t x v. Pre: it fits. Out of line: near pairs go past it.
-GJK_OUT_OF_LINE static void cross_wide(const gjk_long3 *t, const gjk_long3 *v, gjk_long3 *out) {
-  out->x = gjk_int64(product(t->y, v->z) - product(t->z, v->y));
-  out->y = gjk_int64(product(t->z, v->x) - product(t->x, v->z));
-  out->z = gjk_int64(product(t->x, v->y) - product(t->y, v->x));
-}
-
-// *to = *from, by parts: GCC makes a copy a call of memcpy on ARMv6-M.
-static void copy_long(const gjk_long3 *from, gjk_long3 *to) {
-  to->x = from->x;
-  to->y = from->y;
-  to->z = from->z;
-}
-
 static void copy_corner(const gjk_corner *from, gjk_corner *to) {
   gjk_set(&from->u, &to->u);
   to->a = from->a;
   to->b = from->b;
 }
 
-// *out = t x v.
-static void cross_way(const gjk_portal *p, const gjk_vec3 *v, gjk_long3 *out) {
-  if (!p->wide) {
-    gjk_cross(&p->t, v, out);
-    return;
-  }
-  const gjk_long3 wide = {v->x, v->y, v->z};
-  cross_wide(&p->way, &wide, out);
-}
-
-// *out = t x w, for the vertex w with this u.
-static void lateral(const gjk_portal *p, const gjk_vec3 *u, gjk_long3 *out) {
-  cross_way(p, u, out);
-  out->x += p->m.x;
-  out->y += p->m.y;
-  out->z += p->m.z;
-}
-
-// The sign of det(t, w_i, w_j) = (t x w_i) . (w_j - w_i), for v = t x w_i.
-static int side_of(const gjk_long3 *v, const gjk_vec3 *i, const gjk_vec3 *j) {
-  const gjk_vec3 step = gjk_sub(*j, *i);
-  return gjk_dot_sign(v, &step);
-}
-
-// The components' magnitudes, joined by or: as many bits as the largest has.
-static uint64_t bits_of(const gjk_long3 *v) {
-  return gjk_magnitude64(v->x) | gjk_magnitude64(v->y) | gjk_magnitude64(v->z);
-}
-
-static bool is_zero(const gjk_long3 *v) {
-  return (v->x | v->y | v->z) == 0;
-}
-
 // -v to 29 bits, so that a product with t fits; v is not zero, and neither is the result.
 static gjk_vec3 rounded_opposite(const gjk_long3 *v) {
-  const uint64_t size = bits_of(v);
+  const uint64_t size = gjk_portal_bits(v);
   const unsigned zeros = gjk_clz64(size), k = zeros < 36 ? 36 - zeros : 0;  // size < 2^(64 - zeros)
   const gjk_vec3 g = {-(int32_t)gjk_sar64(v->x, k), -(int32_t)gjk_sar64(v->y, k), -(int32_t)gjk_sar64(v->z, k)};
   return g;
 }
 
-// n, rounded to the direction of support scans. Components of n beyond 2^62 are halved first.
-static void set_direction(gjk_portal *p) {
+void gjk_portal_set_direction(gjk_portal *p) {
   const gjk_long3 *n = &p->n;
-  if (p->wide && bits_of(n) >> 62 != 0) {
+  if (p->wide && gjk_portal_bits(n) >> 62 != 0) {
     const gjk_long3 half = {gjk_sar64(n->x, 1), gjk_sar64(n->y, 1), gjk_sar64(n->z, 1)};
     gjk_search_direction_of(&half, &p->direction);
     p->direction.exact = false;
@@ -162,7 +60,7 @@ static void complete(gjk_portal *p) {
 
 // Support scan of both shapes along n: the newest vertex.
 static void scan(gjk_portal *p) {
-  set_direction(p);
+  gjk_portal_set_direction(p);
   p->a->shape->type->support(p->a, &p->direction.d, &p->of_a);
   if (!p->lone) {
     const gjk_vec3 opposite = gjk_negate(p->direction.d);
@@ -188,19 +86,6 @@ static bool refine(gjk_portal *p) {
   return moved;
 }
 
-// n = g x t, for which n . w = g . (t x w).
-void gjk_portal_face(gjk_portal *p, const gjk_vec3 *g) {
-  const gjk_vec3 opposite = gjk_negate(*g);
-  gjk_set(g, &p->g);
-  cross_way(p, &opposite, &p->n);
-}
-
-int gjk_portal_beside(const gjk_portal *p, const gjk_vec3 *u) {
-  gjk_long3 v;
-  lateral(p, u, &v);
-  return gjk_dot_sign(&v, &p->g);
-}
-
 // The sign of n . w for the newest vertex w of a support scan along n, which is farthest where the sign is below least.
 static int look(gjk_portal *p, int least) {
   scan(p);
@@ -213,19 +98,9 @@ static int look_along(gjk_portal *p, const gjk_vec3 *g, int least) {
   return look(p, least);
 }
 
-// The axis of the largest component.
-static uint8_t main_axis(const gjk_long3 *v) {
-  const uint64_t x = gjk_magnitude64(v->x), y = gjk_magnitude64(v->y), z = gjk_magnitude64(v->z);
-  return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-}
-
 static gjk_vec3 unit_axis(unsigned axis, int32_t length) {
   const gjk_vec3 v = {axis == 0 ? length : 0, axis == 1 ? length : 0, axis == 2 ? length : 0};
   return v;
-}
-
-static int64_t component_along(const gjk_long3 *v, unsigned axis) {
-  return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
 }
 
 static void set_inward(gjk_portal *p, unsigned i, unsigned j) {
@@ -235,12 +110,12 @@ static void set_inward(gjk_portal *p, unsigned i, unsigned j) {
 
 // The apex lies on the line: makes another vertex the apex. *v: t x w of the apex. False: all vertices lie on the line.
 static bool leave_line(gjk_portal *p, gjk_long3 *v) {
-  const unsigned along = main_axis(&p->way);
+  const unsigned along = gjk_portal_main_axis(&p->way);
   for (unsigned i = 0; i < 4; i++) {
     const gjk_vec3 g = unit_axis(i < 2 ? gjk_next(along) : gjk_next(gjk_next(along)), (i & 1u) != 0 ? -1 : 1);
     look_along(p, &g, 1);
-    lateral(p, &p->corner[3].u, v);
-    if (!is_zero(v)) {
+    gjk_portal_lateral(p, &p->corner[3].u, v);
+    if (!gjk_portal_is_zero(v)) {
       copy_corner(&p->corner[3], &p->corner[0]);
       return true;
     }
@@ -269,9 +144,9 @@ static void widen_edge(gjk_portal *p, const gjk_long3 *v) {
     return;
   }
   p->count = 2;
-  cross_way(p, &e, &across);
-  p->axis = main_axis(&across);
-  p->side = (int8_t)gjk_sign64(component_along(v, p->axis));
+  gjk_portal_cross(p, &e, &across);
+  p->axis = gjk_portal_main_axis(&across);
+  p->side = (int8_t)gjk_sign64(gjk_portal_component(v, p->axis));
 }
 
 static bool same_corner(const gjk_corner *c, const gjk_corner *d) {
@@ -293,7 +168,7 @@ static gjk_passage grow_portal(gjk_portal *p, const gjk_long3 *v) {
     if (look(p, 0) < 0) {
       return GJK_PASSAGE_BESIDE;
     }
-    const int side = side_of(v, &c[0].u, &c[3].u);
+    const int side = gjk_portal_turn(v, &c[0].u, &c[3].u);
     if (side > 0) {
       copy_corner(&c[3], &c[1]);
     } else if (side < 0) {
@@ -314,8 +189,8 @@ static gjk_passage grow_portal(gjk_portal *p, const gjk_long3 *v) {
 // Step 1. n = g x t leads to the line. It is tilted towards the start, on ways below 2^30 LSB.
 //   |g| < 2^30, |t| < 2^30.8:   |n| < 2^60.8, |t 2^30| < 2^60.8
 static void find_apex(gjk_portal *p) {
-  gjk_vec3 g = unit_axis(gjk_next(main_axis(&p->way)), 1);
-  if (!is_zero(&p->m)) {
+  gjk_vec3 g = unit_axis(gjk_next(gjk_portal_main_axis(&p->way)), 1);
+  if (!gjk_portal_is_zero(&p->m)) {
     g = rounded_opposite(&p->m);
   }
   gjk_portal_face(p, &g);
@@ -333,15 +208,15 @@ static gjk_passage find_first(gjk_portal *p) {
   gjk_corner *c = p->corner;
   gjk_long3 v;
   find_apex(p);
-  lateral(p, &c[0].u, &v);
-  if (is_zero(&v) && !leave_line(p, &v)) {
+  gjk_portal_lateral(p, &c[0].u, &v);
+  if (gjk_portal_is_zero(&v) && !leave_line(p, &v)) {
     return GJK_PASSAGE_FACET;
   }
   const gjk_vec3 g = rounded_opposite(&v);
   if (look_along(p, &g, 0) < 0) {
     return GJK_PASSAGE_BESIDE;
   }
-  const int side = side_of(&v, &c[0].u, &c[3].u);
+  const int side = gjk_portal_turn(&v, &c[0].u, &c[3].u);
   copy_corner(&c[side >= 0 ? 3 : 0], &c[1]);
   if (side == 0) {
     widen_edge(p, &v);
@@ -352,8 +227,7 @@ static gjk_passage find_first(gjk_portal *p) {
   return grow_portal(p, &v);
 }
 
-// n = the normal of the corners' plane, n . t < 0, or where the search looks for the exit n . t > 0.
-static void set_plane(gjk_portal *p) {
+void gjk_portal_set_plane(gjk_portal *p) {
   const gjk_corner *c = p->corner;
   if (p->count == 3) {
     const gjk_corner *second = p->leaving ? &c[1] : &c[2], *third = p->leaving ? &c[2] : &c[1];
@@ -367,10 +241,10 @@ static void set_plane(gjk_portal *p) {
   p->n.z = axis.z;
   if (p->count == 2) {
     const gjk_vec3 e = gjk_sub(c[1].u, c[0].u);
-    cross_way(p, &e, &across);  // (e x axis) . t = (t x e) . axis
+    gjk_portal_cross(p, &e, &across);  // (e x axis) . t = (t x e) . axis
     gjk_cross(&e, &axis, &p->n);
   }
-  if ((component_along(&across, p->axis) > 0) != p->leaving) {
+  if ((gjk_portal_component(&across, p->axis) > 0) != p->leaving) {
     p->n.x = -p->n.x;
     p->n.y = -p->n.y;
     p->n.z = -p->n.z;
@@ -385,7 +259,7 @@ static int moved_side(const gjk_portal *p, const gjk_long3 *v, unsigned i) {
   for (unsigned k = 0; k < 2 && side == 0; k++) {
     // Moved by e w_k, the determinant grows by e det(t, w_k, w_3 - w_i).
     gjk_long3 inward;
-    lateral(p, &p->inward[k], &inward);
+    gjk_portal_lateral(p, &p->inward[k], &inward);
     side = -gjk_dot_sign(&inward, &step);
   }
   return side;
@@ -397,9 +271,9 @@ static unsigned leaving_corner(const gjk_portal *p) {
   if (p->count == 1) {
     return 0;
   }
-  lateral(p, &p->corner[3].u, &v);
+  gjk_portal_lateral(p, &p->corner[3].u, &v);
   if (p->count == 2) {
-    const int side = gjk_sign64(component_along(&v, p->axis));
+    const int side = gjk_sign64(gjk_portal_component(&v, p->axis));
     return side == p->side ? 0 : 1;
   }
   const int side = moved_side(p, &v, 0);
@@ -427,12 +301,12 @@ static gjk_passage look_beyond(gjk_portal *p) {
 
 // Step 3: which way to look. True: the start lies on the plane.
 static bool face_start(gjk_portal *p) {
-  set_plane(p);
+  gjk_portal_set_plane(p);
   const int side = gjk_portal_side(p, &p->corner[0].u, &p->start);
   if (side > 0) {
     p->leaving = true;
-    copy_long(&p->start, &p->goal);
-    set_plane(p);
+    gjk_portal_copy(&p->start, &p->goal);
+    gjk_portal_set_plane(p);
   } else {
     p->arrives = gjk_portal_side(p, &p->corner[0].u, &p->goal) >= 0;
   }
@@ -450,7 +324,7 @@ static gjk_passage follow_line(gjk_portal *p) {
       return passage;
     }
     copy_corner(&p->corner[3], &p->corner[leaving_corner(p)]);
-    set_plane(p);
+    gjk_portal_set_plane(p);
     if (gjk_portal_side(p, &p->corner[0].u, &p->start) >= 0) {
       return GJK_PASSAGE_INSIDE;
     }
@@ -458,165 +332,8 @@ static gjk_passage follow_line(gjk_portal *p) {
   return GJK_PASSAGE_LIMIT;
 }
 
-// Is each component from -2^29 to below 2^29?
-static bool is_below_29(const gjk_long3 *v) {
-  const uint64_t half = UINT64_C(1) << 29;
-  return (((uint64_t)v->x + half) | ((uint64_t)v->y + half) | ((uint64_t)v->z + half)) >> 30 == 0;
-}
-
-// *v 2^shift, modulo 2^64.
-static void scale(gjk_long3 *v, unsigned shift) {
-  v->x = gjk_shl64(v->x, shift);
-  v->y = gjk_shl64(v->y, shift);
-  v->z = gjk_shl64(v->z, shift);
-}
-
-void gjk_portal_start(gjk_portal *p, const gjk_collider *a, const gjk_collider *b, const gjk_way *way) {
-  p->a = a;
-  p->b = b;
-  copy_long(&way->t, &p->way);
-  p->start.x = (int64_t)a->centre.x - b->centre.x;
-  p->start.y = (int64_t)a->centre.y - b->centre.y;
-  p->start.z = (int64_t)a->centre.z - b->centre.z;
-  p->goal.x = p->start.x - way->t.x;
-  p->goal.y = p->start.y - way->t.y;
-  p->goal.z = p->start.z - way->t.z;
-  if (is_zero(&p->way)) {
-    // Any axis serves for whether the origin lies in A - B.
-    p->way.x = 1;
-  }
-  // Both |u| and the part of start across the line are at most the core radii and LINE_SLACK.
-  p->shift = (uint8_t)(gjk_clz32((uint32_t)(a->core_radius + b->core_radius) + LINE_SLACK) - 3);
-  const uint64_t bits = bits_of(&p->way);
-  p->wide = bits >> 30 != 0;
-  p->near = !p->wide && is_below_29(&p->start) && is_below_29(&p->goal);
-  gjk_long3 t = {p->way.x, p->way.y, p->way.z};
-  if (!p->wide) {
-    const unsigned shift = gjk_clz32((uint32_t)bits) - 2;
-    p->t.x = gjk_shl32((int32_t)t.x, shift);
-    p->t.y = gjk_shl32((int32_t)t.y, shift);
-    p->t.z = gjk_shl32((int32_t)t.z, shift);
-    //@ assert p->t.x > -(INT32_C(1) << 30) && p->t.x < INT32_C(1) << 30;
-    //@ assert p->t.y > -(INT32_C(1) << 30) && p->t.y < INT32_C(1) << 30;
-    //@ assert p->t.z > -(INT32_C(1) << 30) && p->t.z < INT32_C(1) << 30;
-    t.x = p->t.x;
-    t.y = p->t.y;
-    t.z = p->t.z;
-  }
-  if (p->near) {
-    const gjk_vec3 start = {(int32_t)p->start.x, (int32_t)p->start.y, (int32_t)p->start.z};
-    gjk_cross(&p->t, &start, &p->m);
-    scale(&p->m, p->shift);
-  } else {
-    gjk_long3 start = {p->start.x, p->start.y, p->start.z};
-    scale(&start, p->shift);
-    cross_wide(&t, &start, &p->m);
-  }
-  p->iterations = 0;
-  p->lone = gjk_portal_is_point(b);
-  p->of_b.offset.x = p->of_b.offset.y = p->of_b.offset.z = 0;
-  p->of_b.vertex = 0;
-  p->leaving = false;
-  p->arrives = false;
-}
-
 gjk_passage gjk_portal_find(gjk_portal *p, const gjk_collider *a, const gjk_collider *b, const gjk_way *way) {
   gjk_portal_start(p, a, b, way);
   const gjk_passage first = find_first(p);
   return first == GJK_PASSAGE_FACET ? follow_line(p) : first;
-}
-
-// Does the line pass through the corners? Pre: n . t != 0, so that three span no plane along the line.
-static bool holds_line(gjk_portal *p) {
-  const gjk_corner *c = p->corner;
-  gjk_long3 v;
-  lateral(p, &c[0].u, &v);
-  if (p->count == 1) {
-    return is_zero(&v);
-  }
-  if (p->count == 2) {
-    gjk_long3 across, other;
-    const gjk_vec3 e = gjk_sub(c[1].u, c[0].u);
-    cross_way(p, &e, &across);
-    lateral(p, &c[1].u, &other);
-    p->axis = main_axis(&across);
-    const int64_t first = component_along(&v, p->axis), second = component_along(&other, p->axis);
-    return !is_zero(&across) && side_of(&v, &c[0].u, &c[1].u) == 0 && (first <= 0 || second <= 0) &&
-           (first >= 0 || second >= 0);
-  }
-  const int side = side_of(&v, &c[0].u, &c[1].u), side2 = side_of(&v, &c[0].u, &c[2].u);
-  lateral(p, &c[1].u, &v);
-  return side >= 0 && side2 <= 0 && side_of(&v, &c[1].u, &c[2].u) >= 0;
-}
-
-bool gjk_portal_load(gjk_portal *p, const gjk_cast_certificate *certificate) {
-  const unsigned count = certificate->count;
-  for (unsigned i = 0; i < count; i++) {
-    gjk_vec3 a, b;
-    gjk_corner *c = &p->corner[count == 3 && i > 0 ? 3 - i : i];
-    if (!p->a->shape->type->vertex(p->a, certificate->a[i], &a) ||
-        !p->b->shape->type->vertex(p->b, certificate->b[i], &b)) {
-      return false;
-    }
-    gjk_portal_scale(p, &a, &b, &c->u);
-    c->a = certificate->a[i];
-    c->b = certificate->b[i];
-  }
-  p->count = (uint8_t)count;
-  if (count == 3) {
-    set_plane(p);
-  } else {
-    p->n.x = certificate->direction.x;
-    p->n.y = certificate->direction.y;
-    p->n.z = certificate->direction.z;
-  }
-  set_direction(p);
-  return true;
-}
-
-bool gjk_portal_is_entry(gjk_portal *p) {
-  const gjk_corner *c = p->corner;
-  for (unsigned i = 1; i < p->count; i++) {
-    const gjk_vec3 step = gjk_sub(c[i].u, c[0].u);
-    if (gjk_dot_sign(&p->n, &step) != 0) {
-      return false;
-    }
-  }
-  return gjk_portal_side(p, NULL, &p->way) < 0 && gjk_portal_side(p, &c[0].u, &p->start) < 0 &&
-         gjk_portal_side(p, &c[0].u, &p->goal) >= 0 && holds_line(p);
-}
-
-// v . d = 2^32 (returned) + *low, exact. Pre: |v| < 2^62.9, |d| < 2^30, lengths: the low digits' sum is below 2^62.8
-static int64_t dot_wide(const gjk_long3 *v, const gjk_vec3 *d, uint32_t *low) {
-  const gjk_vec3 lowest = {gjk_low_balanced(v->x), gjk_low_balanced(v->y), gjk_low_balanced(v->z)};
-  const gjk_vec3 highest = {gjk_high_balanced(v->x), gjk_high_balanced(v->y), gjk_high_balanced(v->z)};
-  const int64_t sum = gjk_dot(&lowest, d);
-  *low = gjk_low32(sum);
-  return gjk_dot(&highest, d) + gjk_sar64(sum, 32);
-}
-
-void gjk_portal_weights(const gjk_portal *p, gjk_u128 weight[3]) {
-  const gjk_corner *c = p->corner;
-  gjk_long3 v;
-  for (unsigned i = 0; i < 3; i++) {
-    weight[i].high = weight[i].low = 0;
-  }
-  if (p->count == 3) {
-    for (unsigned i = 0; i < 3; i++) {
-      const unsigned j = gjk_next(i), k = gjk_next(j);
-      const gjk_vec3 step = gjk_sub(c[k].u, c[j].u);
-      uint32_t low;
-      lateral(p, &c[j].u, &v);
-      const int64_t high = dot_wide(&v, &step, &low);
-      weight[i].high = (uint64_t)gjk_sar64(high, 32);
-      weight[i].low = (uint64_t)high << 32 | low;
-    }
-  } else if (p->count == 2) {
-    for (unsigned i = 0; i < 2; i++) {
-      lateral(p, &c[1 - i].u, &v);
-      weight[i].low = gjk_magnitude64(component_along(&v, p->axis));
-    }
-  } else {
-    weight[0].low = 1;
-  }
 }

@@ -258,6 +258,8 @@ static void set_listed(const rim *r, const gjk2_vec *at, gjk2_support *out) {
 #if GJK_NARROW_MULTIPLY
 #define CROSS_ERROR (4 * INT32_C(32768) + 2)
 
+typedef int32_t turn_sign;
+
 static unsigned ruler_of(const gjk2_search *s) {
   const uint32_t reach = gjk2_norm1(s->delta) + (uint32_t)s->a->core_radius + (uint32_t)s->b->core_radius;
   const unsigned bits = 32 - gjk_clz32(reach);
@@ -269,7 +271,7 @@ static inline int32_t coarse_cross(unsigned k, gjk2_vec a, gjk2_vec b) {
 }
 
 // A number with the sign of a x b.
-static inline int32_t sign_of_turn(unsigned k, gjk2_vec a, gjk2_vec b) {
+static inline turn_sign sign_of_turn(unsigned k, gjk2_vec a, gjk2_vec b) {
   const int32_t coarse = coarse_cross(k, a, b);
   if (coarse > CROSS_ERROR || coarse < -CROSS_ERROR) {
     return coarse;
@@ -283,6 +285,24 @@ static inline bool is_high(unsigned k, gjk2_vec w, gjk2_vec step, uint32_t above
   const uint32_t rough = above >> k, length = (gjk2_norm1(step) >> k) + 1;  // length <= 2^16 + 1
   const int32_t coarse = coarse_cross(k, w, step) - CROSS_ERROR;
   return coarse > 0 && rough <= 16384 && (uint32_t)coarse >= (rough + 1) * length;
+}
+#else
+typedef int64_t turn_sign;
+
+static inline unsigned ruler_of(const gjk2_search *s) {
+  (void)s;
+  return 0;
+}
+
+static inline turn_sign sign_of_turn(unsigned k, gjk2_vec a, gjk2_vec b) {
+  (void)k;
+  return gjk2_cross(a, b);
+}
+
+// The exact height costs as little.
+static inline bool is_high(unsigned k, gjk2_vec w, gjk2_vec step, uint32_t above) {
+  (void)k, (void)w, (void)step, (void)above;
+  return false;
 }
 #endif
 
@@ -321,17 +341,9 @@ GJK_ONCE static void walk_listed(listed_walk *l, nearest_so_far *n, bool followi
   listed_edge a = l->of_a, b = l->of_b;
   gjk2_vec w = l->w;
   uint32_t left = l->left;
-#if GJK_NARROW_MULTIPLY
   const unsigned k = ruler_of(s);
-#else
-  const unsigned k = 0;
-#endif
   while (left > 0) {
-#if GJK_NARROW_MULTIPLY
-    const int32_t turn = following ? sign_of_turn(k, a.step, b.step) : sign_of_turn(k, b.step, a.step);
-#else
-    const int64_t turn = following ? gjk2_cross(a.step, b.step) : gjk2_cross(b.step, a.step);
-#endif
+    const turn_sign turn = following ? sign_of_turn(k, a.step, b.step) : sign_of_turn(k, b.step, a.step);
     int32_t x = b.step.x, y = b.step.y;
     if (turn >= 0) {
       x = turn > 0 ? a.step.x : x + a.step.x;
@@ -342,11 +354,7 @@ GJK_ONCE static void walk_listed(listed_walk *l, nearest_so_far *n, bool followi
     w.y += y;
     //@ assert w.x >= -(INT32_C(3) << 29) && w.x <= INT32_C(3) << 29;
     //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
-#if GJK_NARROW_MULTIPLY
     const bool high = is_high(k, w, edge, n->above);
-#else
-    const bool high = false;
-#endif
     const int64_t height = high ? 0 : gjk2_cross(from, edge);
     if (height < 0) {  // Step 3
       s->d = gjk2_outward(edge);
@@ -396,6 +404,7 @@ static void set_listed_edge(const listed_walk *l, gjk2_edge *edge) {
   set_listed(l->b, b, &edge->q.b);
 }
 
+// The same over two lists of corners.
 static bool measure_listed(gjk2_search *s, rim *rim_a, rim *rim_b, gjk2_vec begin, nearest_so_far *n) {
   listed_walk l;
   l.s = s;
@@ -424,6 +433,50 @@ static bool measure_listed(gjk2_search *s, rim *rim_a, rim *rim_b, gjk2_vec begi
 }
 #endif
 
+// The walk over all edges, where a shape has no list of corners. False: one of them separates, and s->d is set.
+static bool measure_rims(gjk2_search *s, rim *rim_a, rim *rim_b, gjk2_vec begin, nearest_so_far *n) {
+  start_rim(rim_a, false, begin);
+  start_rim(rim_b, true, begin);
+  gjk2_vec step = {-begin.y, begin.x}, w = gjk2_add(s->delta, gjk2_sub(*rim_a->at, *rim_b->at));
+  for (;;) {  // at most once for each edge of A and of B
+    const int64_t turn = gjk2_cross(rim_a->step, rim_b->step);
+    int comes = turn > 0 ? 1 : -1;
+    if (turn == 0) {
+      if ((rim_a->left | rim_b->left) == 0) {
+        break;
+      }
+      comes = order_parallel(rim_a, rim_b, step);
+    }
+    step.x = (comes >= 0 ? rim_a->step.x : 0) + (comes <= 0 ? rim_b->step.x : 0);
+    step.y = (comes >= 0 ? rim_a->step.y : 0) + (comes <= 0 ? rim_b->step.y : 0);
+    const int64_t height = gjk2_cross(w, step);
+    if (height < 0) {  // Step 3
+      s->d = gjk2_outward(step);
+      s->along = height;
+      return false;
+    }
+    // Most edges are farther by a rough bound.
+    const bool lower = (uint64_t)height < gjk_umul32(n->above, gjk2_length_bound(step)) &&
+                       keep_lower(n, step, (uint64_t)height, false);
+    if (lower) {
+      set_corner(rim_a, rim_b, w, &n->edge->p);
+    }
+    w = gjk2_add(w, step);
+    //@ assert w.x >= -(INT32_C(3) << 29) && w.x <= INT32_C(3) << 29;
+    //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
+    if (comes >= 0) {
+      advance(rim_a, false);
+    }
+    if (comes <= 0) {
+      advance(rim_b, true);
+    }
+    if (lower) {
+      set_corner(rim_a, rim_b, w, &n->edge->q);
+    }
+  }
+  return true;
+}
+
 gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
   // Step 1. The nearest edge mostly lies towards the other centre. Start 27 degrees before it: an edge that
   // separates comes soon then, and few edges lie lower than those before them.
@@ -441,44 +494,8 @@ gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
     return measure_listed(s, &a, &b, begin, &n) ? GJK2_LIE_OVERLAP : GJK2_LIE_APART;
   }
 #endif
-  start_rim(&a, false, begin);
-  start_rim(&b, true, begin);
-  gjk2_vec step = {-begin.y, begin.x}, w = gjk2_add(s->delta, gjk2_sub(*a.at, *b.at));
-  for (;;) {  // at most once for each edge of A and of B
-    const int64_t turn = gjk2_cross(a.step, b.step);
-    int comes = turn > 0 ? 1 : -1;
-    if (turn == 0) {
-      if ((a.left | b.left) == 0) {
-        break;
-      }
-      comes = order_parallel(&a, &b, step);
-    }
-    step.x = (comes >= 0 ? a.step.x : 0) + (comes <= 0 ? b.step.x : 0);
-    step.y = (comes >= 0 ? a.step.y : 0) + (comes <= 0 ? b.step.y : 0);
-    const int64_t height = gjk2_cross(w, step);
-    if (height < 0) {  // Step 3
-      s->d = gjk2_outward(step);
-      s->along = height;
-      return GJK2_LIE_APART;
-    }
-    // Most edges are farther by a rough bound.
-    const bool lower = (uint64_t)height < gjk_umul32(n.above, gjk2_length_bound(step)) &&
-                       keep_lower(&n, step, (uint64_t)height, false);
-    if (lower) {
-      set_corner(&a, &b, w, &edge->p);
-    }
-    w = gjk2_add(w, step);
-    //@ assert w.x >= -(INT32_C(3) << 29) && w.x <= INT32_C(3) << 29;
-    //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
-    if (comes >= 0) {
-      advance(&a, false);
-    }
-    if (comes <= 0) {
-      advance(&b, true);
-    }
-    if (lower) {
-      set_corner(&a, &b, w, &edge->q);
-    }
+  if (!measure_rims(s, &a, &b, begin, &n)) {
+    return GJK2_LIE_APART;
   }
   // If a hull with area has no edge with the origin on its right, it holds the origin. Then the foot on the nearest
   // edge's line is on the edge. A hull without area may have the origin in its line but beyond its ends.

@@ -72,6 +72,16 @@ typedef struct gjk2_search {
 // circles: False is returned where the bounding circles are more than radius apart; then only a and b are set.
 bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, uint32_t radius);
 
+// One coordinate of a vertex in a far frame: (a - b + offset) / 2^far, rounded to the nearest.
+int32_t gjk2_frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far);
+
+// Any direction serves where that between the centres is 0.
+static inline void gjk2_search_need_direction(gjk2_search *s) {
+  if ((s->d.x | s->d.y) == 0) {
+    s->d.x = 1;
+  }
+}
+
 // Sets the first direction anew, from the cache where it serves.
 void gjk2_search_aim(gjk2_search *s, const gjk2_cache *cache);
 

@@ -98,9 +98,11 @@
 #define gjk_scene_header gjk2_scene_header
 #define gjk_scene_header_is_fixed gjk2_scene_header_is_fixed
 #define gjk_scene_hits gjk2_scene_hits
+#define gjk_scene_impact gjk2_scene_impact
 #define gjk_scene_inquiry gjk2_scene_inquiry
 #define gjk_scene_kept gjk2_scene_kept
 #define gjk_scene_motions gjk2_scene_motions
+#define gjk_scene_mover gjk2_scene_mover
 #define gjk_scene_node gjk2_scene_node
 #define gjk_scene_own_pose gjk2_scene_own_pose
 #define gjk_scene_pair gjk2_scene_pair
@@ -121,6 +123,7 @@
 #define gjk_scene_ask_distance gjk2_scene_ask_distance
 #define gjk_scene_ask_ray gjk2_scene_ask_ray
 #define gjk_scene_ask_within gjk2_scene_ask_within
+#define gjk_scene_at_start gjk2_scene_at_start
 #define gjk_scene_attach gjk2_scene_attach
 #define gjk_scene_between_centres gjk2_scene_between_centres
 #define gjk_scene_bind gjk2_scene_bind
@@ -149,6 +152,8 @@
 #define gjk_scene_fill_queue gjk2_scene_fill_queue
 #define gjk_scene_find_all gjk2_scene_find_all
 #define gjk_scene_find_first gjk2_scene_find_first
+#define gjk_scene_find_impact gjk2_scene_find_impact
+#define gjk_scene_find_impact_ahead gjk2_scene_find_impact_ahead
 #define gjk_scene_get gjk2_scene_get
 #define gjk_scene_get_stats gjk2_scene_get_stats
 #define gjk_scene_gone_next gjk2_scene_gone_next
@@ -222,6 +227,7 @@
 #define gjk_scene_query_nearest gjk2_scene_query_nearest
 #define gjk_scene_query_ray gjk2_scene_query_ray
 #define gjk_scene_query_within gjk2_scene_query_within
+#define gjk_scene_reach_of gjk2_scene_reach_of
 #define gjk_scene_refilter gjk2_scene_refilter
 #define gjk_scene_remove gjk2_scene_remove
 #define gjk_scene_rotation_bound gjk2_scene_rotation_bound
@@ -255,6 +261,7 @@
 #define gjk_scene_test_queue gjk2_scene_test_queue
 #define gjk_scene_tree_insert gjk2_scene_tree_insert
 #define gjk_scene_tree_remove gjk2_scene_tree_remove
+#define gjk_scene_turns_with gjk2_scene_turns_with
 #define gjk_scene_update gjk2_scene_update
 #define gjk_scene_update_begin gjk2_scene_update_begin
 #define gjk_scene_update_each gjk2_scene_update_each

@@ -4,8 +4,7 @@
 //    from its boxes in the tree.
 // 2. For each part of a fast body find the parts that stand and whose boxes its way meets (gjk_scene_passage.c).
 // 3. Find the parts that moved, and whose motion is kept, likewise, with boxes enlarged by the bound of step 1.
-// 4. Ask each pair where it first touches: a cast where neither part turns, else a time of impact. A part that turns
-//    away from its body's origin runs along an arc, in pieces (see ARC).
+// 4. Ask each pair where it first touches (gjk_scene_impact.c).
 // 5. Keep the first impact in the order of (fraction, slot, part). What is met later is not asked any more.
 // 6. Report the impacts after the pairs. Then the bodies' ways start where they are now.
 //
@@ -13,31 +12,15 @@
 // rule what lies on the ground would touch nothing but the ground; without its condition a body that is put into a wall
 // could leave it on the other side unseen.
 #include "../arith/gjk_memory.h"
-#include "gjk_scene_part.h"
+#include "gjk_scene_impact.h"
 #include "gjk_scene_passage.h"
 #include "gjk_scene_update.h"
-
-#ifndef GJK_SCENE_OF_PLANE
-#include "gjk_scene_travel.h"
-#endif
-
-// A part whose origin is r away from its body's runs along an arc. gjk_time_of_impact takes a straight line: with an
-// angle w that is off by at most r w^2 / 8. So the way is cut into 2^n pieces, each of which takes w / 2^n. Deviations of
-// more than ARC are cut further, up to 2^ARC_PIECES pieces; what is left of them is a margin.
-#define ARC 16
-#define ARC_PIECES 6
-
-// One body on its way.
-typedef struct mover {
-  gjk_pose from, to;
-  bool moves, turns;
-} mover;
 
 // The sweep of one fast body.
 typedef struct body_sweep {
   const gjk_scene_view *v;
   uint32_t slot;
-  mover self;
+  gjk_scene_mover self;
   uint32_t part;  // index of its part under way
   gjk_scene_passage passage;
   gjk_scene_kept *first;  // what it found: other, fraction, number, state
@@ -57,7 +40,7 @@ static uint32_t place_of(const gjk_scene_view *v, uint32_t slot) {
   return low;
 }
 
-static void set_mover(const gjk_scene_view *v, uint32_t slot, mover *m) {
+static void set_mover(const gjk_scene_view *v, uint32_t slot, gjk_scene_mover *m) {
   const gjk_scene_body *body = &v->bodies[slot];
   gjk_scene_pose_of(body, &m->to);
   m->from = (body->flags & GJK_SCENE_KEPT) != 0 ? v->kept[place_of(v, slot)].last : m->to;
@@ -65,38 +48,13 @@ static void set_mover(const gjk_scene_view *v, uint32_t slot, mover *m) {
   m->moves = m->turns || !gjk_scene_same_vec3(&m->from.position, &m->to.position);
 }
 
-// Does a part turn with its body? A point at its origin, with a convex radius or without, does not.
-static bool part_turns(const gjk_scene_view *v, const mover *m, const gjk_scene_part *p) {
-  return m->turns && (p->own_pose != GJK_SCENE_NONE || !gjk_scene_is_point(v->scene->shapes[p->shape]));
-}
-
-static uint32_t length_of(const gjk_vec3 *offset) {
-  const gjk_vec3 origin = gjk_scene_equal_vec3(0);
-  return gjk_scene_distance_bound(offset, &origin);
-}
-
-// How far the origin of a part is from that of its body at most.
-static uint32_t arm_of(const gjk_scene_view *v, const gjk_scene_part *p) {
-  const uint32_t own_pose = p->own_pose;
-  return own_pose == GJK_SCENE_NONE ? 0 : length_of(&v->own_poses[own_pose].pose.position);
-}
-
-// How far a point of a part is from the origin of its body at most, rounding of poses included.
-//
-// 2^32 + 2^32 + 2^29 + 8 < 2^34
-static int64_t reach_of(const gjk_scene_view *v, const gjk_scene_part *p) {
-  const gjk_shape *shape = v->scene->shapes[p->shape];
-  return (int64_t)arm_of(v, p) + length_of(gjk_scene_local_centre(p, shape)) + p->core_radius + shape->convex_radius +
-         8;
-}
-
 // Step 1: how far the parts of a body are on its way from where they are now, along each axis.
 static uint32_t longest_way(const gjk_scene_view *v, uint32_t slot) {
-  mover m;
+  gjk_scene_mover m;
   int64_t reach = 0;
   set_mover(v, slot, &m);
   for (uint32_t i = v->bodies[slot].first; m.turns && i != GJK_SCENE_NONE; i = v->parts[i].next) {
-    const int64_t part = reach_of(v, &v->parts[i]);
+    const int64_t part = gjk_scene_reach_of(v, &v->parts[i]);
     reach = part > reach ? part : reach;
   }
   const uint32_t x = gjk_scene_difference(m.from.position.x, m.to.position.x);
@@ -131,173 +89,6 @@ static void begin_sweeps(gjk_scene_view *v) {
   }
 }
 
-// An answer about two parts.
-typedef struct part_impact {
-  bool hit;
-  bool at_start;  // at the start
-  bool unproven;
-  uint32_t fraction;
-} part_impact;
-
-// Where a part's pose goes to. from: where its body goes from.
-static gjk_pose part_pose(const gjk_scene_view *v, const gjk_scene_part *p, const gjk_pose *body) {
-  const uint32_t own_pose = p->own_pose;
-  gjk_pose pose = *body;
-  if (own_pose != GJK_SCENE_NONE) {
-    (void)gjk_pose_compose(body, &v->own_poses[own_pose].pose, &pose);
-  }
-  return pose;
-}
-
-// A part's collider at the start. Where its body does not move that is where it is.
-static void collider_at_start(const gjk_scene_view *v, const mover *m, const gjk_scene_part *p, gjk_collider *c) {
-  gjk_aabb box;
-  if (m->moves) {
-    (void)gjk_scene_part_at(v, p, &m->from, c);  // cannot fail: the body was there
-  } else {
-    gjk_scene_part_now(v, p, c, &box);
-  }
-}
-
-// Where a collider's position goes: as that of its body, and not beyond int32, because the body was taken there.
-static gjk_vec3 end_of(const mover *m, const gjk_collider *c) {
-  gjk_vec3 way, to = c->position;
-  gjk_scene_way(&m->from.position, &m->to.position, &way);
-  gjk_scene_shift(&to, &way);
-  return to;
-}
-
-#if GJK_SCENE_AXES == 3
-
-// The code of concave parts, if one of two is concave; otherwise NULL.
-static const struct gjk_scene_concave *concave_code(const gjk_collider c[2]) {
-  const struct gjk_scene_concave *code = c[0].shape->type->concave;
-  return code != NULL ? code : c[1].shape->type->concave;
-}
-
-static bool is_one_concave(const gjk_scene_view *v, const gjk_scene_part *const p[2]) {
-  return gjk_scene_is_concave(v->scene->shapes[p[0]->shape]) || gjk_scene_is_concave(v->scene->shapes[p[1]->shape]);
-}
-
-#else
-
-// No part of the plane is.
-static bool is_one_concave(const gjk_scene_view *v, const gjk_scene_part *const p[2]) {
-  (void)v, (void)p;
-  return false;
-}
-
-#endif
-
-// What two parts are asked on their way, whatever they are made of. ahead: see gjk_scene_concave.
-static gjk_status ask_way(const gjk_scene_view *v, const mover m[2], const gjk_scene_part *const p[2],
-                          const gjk_collider c[2], const gjk_cast_path *path, bool ahead, gjk_cast_result *out) {
-#if GJK_SCENE_AXES == 3
-  if (concave_code(c) != NULL) {
-    const gjk_pose from_a = part_pose(v, p[0], &m[0].from), from_b = part_pose(v, p[1], &m[1].from);
-    const gjk_scene_solid a = {&c[0], &from_a}, b = {&c[1], &from_b};
-    return concave_code(c)->way(&a, &b, path, ahead, out);
-  }
-#endif
-  (void)v, (void)m, (void)p, (void)ahead;
-  return gjk_cast(&c[0], &c[1], path, out);
-}
-
-static gjk_status ask_impact_of(const gjk_collider c[2], const gjk_motion part[2], gjk_q16 margin, bool ahead,
-                                gjk_impact_result *out) {
-  const gjk_impact_setup setup = {margin, GJK_SCENE_TOLERANCE, 0};
-#if GJK_SCENE_AXES == 3
-  if (concave_code(c) != NULL) {
-    return concave_code(c)->impact(&c[0], &part[0], &c[1], &part[1], margin, ahead, out);
-  }
-#endif
-  (void)ahead;
-  return gjk_time_of_impact(&c[0], &part[0], &c[1], &part[1], &setup, out);
-}
-
-// Step 4, neither part turns.
-static part_impact cast_parts(const gjk_scene_view *v, const mover m[2], const gjk_scene_part *const p[2], bool ahead) {
-  gjk_collider c[2];
-  gjk_vec3 to[2];
-  gjk_cast_result result;
-  part_impact found = {false, false, false, 0};
-  for (int i = 0; i < 2; i++) {
-    collider_at_start(v, &m[i], p[i], &c[i]);
-    to[i] = end_of(&m[i], &c[i]);
-  }
-  const gjk_cast_path path = {m[0].moves ? &to[0] : NULL, m[1].moves ? &to[1] : NULL, 0};
-  found.unproven = ask_way(v, m, p, c, &path, ahead, &result) != GJK_OK;
-  found.hit = found.unproven || result.hit;
-  if (!found.unproven && result.hit) {
-    found.at_start = result.inside;
-    found.fraction = (uint32_t)result.fraction;
-  }
-  return found;
-}
-
-// By how much the straight line between the ends of a part's arc is off at most, rounded up: r w^2 / 8, with the turn t
-// as a chord, w <= t pi / 2.
-//
-// t <= 2 (1 + 2^-15) or, unbounded, 2^32 - 1 in Q30; t^2 < 2^34 2^-30 = 16; (pi / 2)^2 / 8 < 5 / 16
-static uint64_t sagitta(uint32_t arm, uint32_t turn) {
-  const uint32_t squared = (uint32_t)(gjk_umul32(turn, turn) >> 36) + 1;  // in 2^-24:  < 2^28 + 1
-  return ((gjk_umul32(arm, squared) >> 24) * 5 >> 4) + 2;
-}
-
-// Step 4, a part turns: pieces of the way, one after the other. *found is set of the first that has an impact.
-static void turn_parts(const gjk_scene_view *v, const mover m[2], const gjk_scene_part *const p[2], bool ahead,
-                       part_impact *found) {
-  uint64_t off[2] = {0, 0};
-  unsigned cuts = 0;
-  gjk_collider c[2];
-  gjk_motion body[2];
-  for (int i = 0; i < 2; i++) {
-    const uint32_t arm = arm_of(v, p[i]);
-    gjk_scene_part_load(v, p[i], &c[i]);
-    body[i].from = m[i].from;
-    body[i].to = m[i].to;
-    gjk_scene_no_spin(&body[i]);
-    if (arm != 0 && m[i].turns) {
-      off[i] = sagitta(arm, gjk_scene_rotation_bound(&m[i].from.rotation, &m[i].to.rotation));
-    }
-  }
-  while (cuts < ARC_PIECES && (off[0] + off[1]) >> 2 * cuts > ARC) {
-    cuts++;
-  }
-  const uint64_t left = off[0] + off[1] == 0 ? 0 : ((off[0] + off[1]) >> 2 * cuts) + 2;
-  if (left > GJK_RADIUS_MAX) {
-    found->hit = found->unproven = true;
-    return;
-  }
-  gjk_pose at[2];
-  at[0] = m[0].from;
-  at[1] = m[1].from;
-  for (uint32_t piece = 0; piece < UINT32_C(1) << cuts && !found->hit; piece++) {
-    gjk_impact_result result;
-    gjk_motion part[2];
-    gjk_pose next[2];
-    for (int i = 0; i < 2; i++) {
-      next[i] = body[i].to;
-      if (m[i].moves && piece + 1 < UINT32_C(1) << cuts) {
-        (void)gjk_motion_pose(&body[i], (gjk_q30)((piece + 1) << (30 - cuts)), &next[i]);  // rotations are units
-      }
-      part[i].from = part_pose(v, p[i], &at[i]);
-      part[i].to = part_pose(v, p[i], &next[i]);
-      gjk_scene_no_spin(&part[i]);
-      at[i] = next[i];
-    }
-    const gjk_status status = ask_impact_of(c, part, (gjk_q16)left, ahead, &result);
-    const bool limit = status == GJK_ERROR_ITERATION_LIMIT;
-    found->unproven = status != GJK_OK;
-    found->hit = status != GJK_OK || result.hit;
-    if (found->hit) {
-      const uint32_t lower = limit || status == GJK_OK ? (uint32_t)result.lower : 0;
-      found->fraction = (piece << (30 - cuts)) + (lower >> cuts);
-      found->at_start = status == GJK_OK && found->fraction == 0;
-    }
-  }
-}
-
 // Was a pair of parts near at the last update?
 static bool were_near(const gjk_scene_view *v, uint32_t part, uint32_t other) {
   uint32_t link = v->parts[part].pairs;
@@ -328,39 +119,24 @@ static bool comes_first(const body_sweep *s, uint32_t fraction, const gjk_scene_
   return other->number != of_first->number ? other->number < of_first->number : own->number < s->first->number;
 }
 
-// Step 4.
-static void ask_parts(const gjk_scene_view *v, const mover m[2], const gjk_scene_part *const p[2], bool ahead,
-                      part_impact *found) {
-  const part_impact none = {false, false, false, 0};
-  *found = none;
-  if (part_turns(v, &m[0], p[0]) || part_turns(v, &m[1], p[1])) {
-    turn_parts(v, m, p, ahead, found);
-  } else {
-    *found = cast_parts(v, m, p, ahead);
-  }
-}
-
 // Steps 4 and 5 for one part that may be met. entered: before this fraction it is not.
-static void meet_part(body_sweep *s, uint32_t other, const mover *of_other, uint32_t entered) {
+static void meet_part(body_sweep *s, uint32_t other, const gjk_scene_mover *of_other, uint32_t entered) {
   const gjk_scene_view *v = s->v;
   const gjk_scene_part *own = &v->parts[s->part], *met = &v->parts[other];
   const unsigned side = s->slot > met->body ? 1 : 0;  // of the fast body: the lower slot is A
   if (gjk_scene_is_refused(v, side == 0 ? s->slot : met->body, side == 0 ? met->body : s->slot)) {
     return;
   }
-  mover m[2];
+  gjk_scene_mover m[2];
   const gjk_scene_part *p[2];
   gjk_copy(&m[side], &s->self, sizeof m[side]);
   gjk_copy(&m[1 - side], of_other, sizeof m[1 - side]);
   p[side] = own;
   p[1 - side] = met;
-  part_impact found;
-  ask_parts(v, m, p, false, &found);
+  gjk_scene_impact found;
+  gjk_scene_find_impact(v, m, p, &found);
   if (found.hit && found.at_start && were_near(v, s->part, other)) {
-    found.hit = false;
-    if (is_one_concave(v, p)) {  // another part of it may be in the way
-      ask_parts(v, m, p, true, &found);
-    }
+    gjk_scene_find_impact_ahead(v, m, p, &found);
   }
   if (!found.hit) {
     return;
@@ -380,20 +156,21 @@ static void meet_part(body_sweep *s, uint32_t other, const mover *of_other, uint
 static void search_parts(body_sweep *s, bool moved, uint32_t reach) {
   const gjk_scene_view *v = s->v;
   const gjk_scene_part *own = &v->parts[s->part];
-  const bool turns = part_turns(v, &s->self, own);
+  const bool turns = gjk_scene_turns_with(v, &s->self, own);
   gjk_aabb box;
   gjk_collider c;
   if (turns) {
     box.lower = s->self.from.position;
     box.upper = s->self.from.position;
   } else {
-    collider_at_start(v, &s->self, own, &c);
+    gjk_scene_at_start(v, &s->self, own, &c);
     (void)gjk_collider_aabb(&c, &box);  // posed, so it cannot fail
   }
-  gjk_scene_passage_start(v, &s->passage, &box, (int64_t)reach + GJK_SCENE_EARLY + (turns ? reach_of(v, own) : 0),
+  gjk_scene_passage_start(v, &s->passage, &box,
+                          (int64_t)reach + GJK_SCENE_EARLY + (turns ? gjk_scene_reach_of(v, own) : 0),
                           &s->self.from.position, &s->self.to.position);
   for (;;) {  // ends: each part comes once
-    mover of_other;
+    gjk_scene_mover of_other;
     uint32_t entered;
     if (s->first->other != GJK_SCENE_NONE) {
       s->passage.latest = s->first->fraction;

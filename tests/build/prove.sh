@@ -20,7 +20,7 @@ gjk_reciprocal_root,gjk_unit,gjk_copy,gjk_height_key
 
 # The same for the drivers of the plane.
 PLANE_CONTRACTS=gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,inverse_root,gjk_reciprocal_root
-PLANE_LEVELS=main:50,gjk2_search_start:100,start_far:100,frame_far:10,framed:10,gjk2_hull_neighbour:300,gjk2_hull_corner:300,gjk2_collider_init:100,gjk2_polygon_order:200
+PLANE_LEVELS=main:50,gjk2_search_start:100,start_far:100,gjk2_frame_far:10,framed:10,gjk2_hull_neighbour:300,gjk2_hull_corner:300,gjk2_collider_init:100,gjk2_polygon_order:200
 
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
 QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report_depth:100,\
@@ -66,6 +66,20 @@ cases() {
   done
   for call in BUILD CHECK WALK FIELD; do
     echo mesh-$call
+  done
+  echo region-x
+  for query in NEAR DISTANCE DEPTH CONTACTS MANIFOLDS CAST IMPACT; do
+    echo parts-$query
+    echo parts-BOTH_$query
+  done
+  for query in RAY CAST_AHEAD IMPACT_AHEAD DRAW; do
+    echo parts-$query
+  done
+  for case in LIST TREE CLASS; do
+    echo compound-$case
+  done
+  for call in CONTACTS SETTLE; do
+    echo surface-$call
   done
   echo bind-x
   echo quotient-x
@@ -143,7 +157,7 @@ cases() {
 plane_levels() {
   files=$sources
   for model in $models; do
-    files=$(echo "$files" | sed "s|src/plane/gjk2_${model#plane_}\.c||")
+    files=$(echo "$files" | sed "s|src/plane/gjk2_${model#plane_}\(_frame\)\?\.c||g")
   done
   for level in $(echo "$PLANE_LEVELS" | tr , ' '); do
     # shellcheck disable=SC2086
@@ -258,13 +272,13 @@ prove_one() {
       ;;
     scene_*)
       # Without what has drivers of its own.
-      others=motion,slide,ray,cast,inquiry,passage,within
+      others=motion,impact,slide,ray,cast,inquiry,passage,within
       models='scene scene_tree'
       case $driver in
         scene_block) models=scene ;;
         scene_tree) models=scene others=$(echo $others | sed 's/passage,//') ;;
-        scene_probe) models="$models scene_passage scene_travel" others=motion,slide ;;
-        scene_motion) models="$models scene_passage scene_travel" others=${others#motion,} ;;
+        scene_probe) models="$models scene_passage scene_travel" others=motion,impact,slide ;;
+        scene_motion) models="$models scene_passage scene_travel" others=${others#motion,impact,} ;;
         scene_slide) models="$models scene_cast scene_travel" others=$(echo $others | sed 's/slide,//') ;;
       esac
       sources="$(printf '%s ' src/scene/*.c | tr ' ' '\n' | grep -vE "_($(echo "$others" | tr , '|'))[.]c" | tr '\n' ' ') src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
@@ -359,12 +373,40 @@ prove_one() {
       sources="$(echo src/mesh/*.c src/arith/*.c | sed 's|src/mesh/gjk_surface[a-z_]*[.]c||g') src/parts/gjk_region.c"
       set -- "$1" -eva-slevel 20 -eva-auto-loop-unroll 8
       ;;
+    region)
+      sources=$(echo src/parts/gjk_region.c src/arith/*.c)
+      set -- "$1" -eva-slevel 200
+      ;;
+    parts)
+      models='region rotation place pairs'
+      sources=$(echo src/parts/gjk_parts_*.c src/arith/*.c)
+      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      set -- "$1" -eva-interprocedural-splits -eva-partition-value pairs_results_set
+      # Contacts in one place may be any of them: too many outcomes to keep apart.
+      case $instance in
+        *MANIFOLDS) set -- "$@" -eva-slevel 10 ;;
+        *NEAR | *DISTANCE | *DEPTH) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
+        *AHEAD) set -- "$@" -eva-slevel 300 ;;
+        *) set -- "$@" -eva-slevel 100 ;;
+      esac
+      ;;
+    compound)
+      models='region place'
+      sources=$(echo src/parts/gjk_compound*.c src/arith/*.c)
+      set -- "$1" -eva-slevel 500 -eva-interprocedural-splits
+      ;;
+    surface)
+      models='region rotation place pairs manifold'
+      sources=$(echo src/mesh/gjk_surface*.c src/mesh/gjk_triangle.c src/parts/gjk_parts_frame.c src/arith/*.c)
+      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      set -- "$1" -eva-slevel 300 -eva-interprocedural-splits
+      ;;
     quotient | way | swept | motion | integrate)
       sources=$(echo src/motion/*.c src/arith/*.c src/place/*.c src/query/gjk_status.c)
       set -- "$1" -eva-slevel 200
       ;;
     portal)
-      sources=$(echo src/motion/gjk_portal.c src/arith/*.c)
+      sources=$(echo src/motion/gjk_portal*.c src/arith/*.c)
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
       ;;
     cast)
@@ -399,7 +441,7 @@ prove_one() {
   esac
   for model in $models; do
     source=$(echo "$model" | sed 's|^plane_|plane/gjk2_|; t; s|^|[a-z]*/gjk_|')
-    sources="$(echo "$sources" | sed "s|src/$source\.c||") tests/prove/${model}_model.c"
+    sources="$(echo "$sources" | sed "s|src/$source\(_frame\)\?\.c||g") tests/prove/${model}_model.c"
   done
   name=$1
   shift

@@ -141,12 +141,12 @@ static inline int plane_compare_depth(const plane_truth *t, int64_t lsb) {
   return least;
 }
 
-// How far a point is from a shape's core, in LSB; 0 inside.
-static inline long double plane_distance_from(const gjk2_collider *c, const gjk2_vec *point) {
+// How far a point is from the boundary of a shape's core, in LSB. inside: is it in the core? NULL: not asked.
+static inline long double plane_boundary_distance(const gjk2_collider *c, const gjk2_vec *point, bool *inside) {
   plane_point vertices[PLANE_VERTICES], hull[PLANE_VERTICES + 2];
   const int n = plane_hull(vertices, plane_vertices(c, vertices), hull);
   long double least = INFINITY;
-  bool inside = n > 2;
+  bool left_of_all = n > 2;
   for (int i = 0; i < n; i++) {
     const plane_point p = hull[i], q = hull[(i + 1) % n];
     const long double x = q.x - p.x, y = q.y - p.y, u = point->x - p.x, v = point->y - p.y;
@@ -155,8 +155,18 @@ static inline long double plane_distance_from(const gjk2_collider *c, const gjk2
     t = t < 0 ? 0 : t > 1 ? 1 : t;
     const long double distance = hypotl(u - t * x, v - t * y);
     least = distance < least ? distance : least;
-    inside = inside && x * v - y * u >= 0;
+    left_of_all = left_of_all && x * v - y * u >= 0;
   }
+  if (inside != NULL) {
+    *inside = left_of_all;
+  }
+  return least;
+}
+
+// How far a point is from a shape's core, in LSB; 0 inside.
+static inline long double plane_distance_from(const gjk2_collider *c, const gjk2_vec *point) {
+  bool inside;
+  const long double least = plane_boundary_distance(c, point, &inside);
   return inside ? 0 : least;
 }
 
@@ -240,6 +250,13 @@ static inline void plane_random_pair(random_state *r, int32_t size, int32_t spre
     pair[i].pose.position = at;
     CHECK(gjk2_collider_pose(&pair[i].collider, &pair[i].pose) == GJK_OK);
   }
+}
+
+// A pair of any size from an LSB to 2^26, its bodies spread by up to most / 2 of it.
+static inline void plane_any_pair(random_state *r, int32_t most, plane_body pair[2]) {
+  static const int32_t sizes[] = {1, 2, 3, 8, 40, 1000, 65536, 1 << 22, 1 << 26};
+  const int32_t size = sizes[random_below(r, 9)];
+  plane_random_pair(r, size, (int32_t)((int64_t)size * random_range(r, 0, most) / 2), pair);
 }
 
 static inline void plane_print(const void *subject) {

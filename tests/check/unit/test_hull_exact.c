@@ -281,7 +281,8 @@ static void make_sum(random_state *random) {
   const int corners = 4 + (int)below(random, 28), ball = 6 + (int)below(random, 20);
   const double radius = (double)SIDE / 3, r = (double)(1 + below(random, SIDE / 8));
   for (int i = 0; i < 2 * corners; i++) {
-    const double angle = 6.283185307179586 * (i / 2) / corners;
+    const int of = i / 2;
+    const double angle = 6.283185307179586 * of / corners;
     for (int j = 0; j < ball; j++) {
       const double across = 6.283185307179586 * j / ball, up = j % 3 == 0 ? 0 : j % 3 == 1 ? 0.7 : -0.7;
       const double level = sqrt(1 - up * up);

@@ -13,14 +13,6 @@
 #include "reference/random_shape.h"
 
 #define SEED 6120
-#define TRIALS 1500
-
-// The most distances of one search.
-#define MEASUREMENTS 20000
-
-#define ONE GJK_Q30_ONE
-
-enum { NEEDLES, GRAZING, TURNING, FAST, STRAIGHT, FAMILIES };
 
 typedef struct trial {
   case_pair pair;
@@ -28,6 +20,8 @@ typedef struct trial {
   gjk_impact_setup setup;
   unsigned family;
 } trial;
+
+#include "impact_searches.h"
 
 static case_collider of_a, of_b;
 
@@ -59,26 +53,18 @@ static gjk_distance_result gap_at(const trial *t, gjk_q30 fraction) {
   return gap;
 }
 
-static struct {
-  unsigned long made[FAMILIES], hits[FAMILIES], misses[FAMILIES], limits[FAMILIES];
-  unsigned long overlaps, proven, open, measured, cut, useful, casts;
-} tally;
-
-static bool measure(void *user, gjk_q30 fraction, int64_t *out) {
-  *out = gap_at((const trial *)user, fraction).distance;
-  return true;
+static gjk_status ask(const trial *t, uint8_t iterations, gjk_impact_result *out) {
+  gjk_impact_setup setup = t->setup;
+  setup.iterations = iterations;
+  return gjk_time_of_impact(&of_a.collider, &t->motion[0], &of_b.collider, &t->motion[1], &setup, out);
 }
 
-// Is the gap above the margin at all fractions before limit? Measured ones exactly; others but for what posing rounds.
-static clearance_outcome search(trial *t, gjk_q30 limit) {
-  clearance c = {.gap = measure, .user = t, .most = MEASUREMENTS};
-  c.speed =
+// Measured gaps are exact, others but for what posing rounds.
+static void set_clearance(const trial *t, clearance *c) {
+  c->speed =
       clearance_speed(&t->motion[0], clearance_reach(&of_a.collider), &t->motion[1], clearance_reach(&of_b.collider));
-  c.least = (double)t->setup.margin + 1;
-  c.between = t->setup.margin - rounding_of();
-  const clearance_outcome outcome = clearance_search(&c, limit);
-  tally.measured += c.measured;
-  return outcome;
+  c->least = (double)t->setup.margin + 1;
+  c->between = t->setup.margin - rounding_of();
 }
 
 static gjk_vec3 scaled(gjk_vec3 v, int32_t times) {
@@ -149,23 +135,6 @@ static void make_motions(random_state *random, trial *t, gjk_q16 half) {
   t->pair.b.pose.position = from->position;
 }
 
-// Of a grazing pair the margin is about the least gap on the way.
-static void choose_margin(random_state *random, trial *t) {
-  t->setup.iterations = 0;
-  t->setup.tolerance = (gjk_q16)(GJK_IMPACT_TOLERANCE_MIN +
-                                 ldexp(clearance_reach(&of_a.collider) + clearance_reach(&of_b.collider), -23));
-  t->setup.margin = random_below(random, 2) == 0 ? 0 : random_range(random, 0, 2000);
-  if (t->family == GRAZING) {
-    int64_t least = INT64_MAX;
-    for (int i = 0; i <= 400; i++) {
-      const int64_t gap = gap_at(t, (gjk_q30)((int64_t)ONE * i / 400)).distance;
-      least = gap < least ? gap : least;
-    }
-    least += random_range(random, -40, 10);
-    t->setup.margin = least < 0 ? 0 : least > GJK_IMPACT_MARGIN_MAX ? GJK_IMPACT_MARGIN_MAX : (gjk_q16)least;
-  }
-}
-
 static bool make(random_state *random, trial *t) {
   const gjk_q16 half = 1 << (9 + random_below(random, 15));
   const gjk_q16 other = random_below(random, 3) == 0 ? half / 64 + 1 : half;
@@ -177,11 +146,13 @@ static bool make(random_state *random, trial *t) {
       case_collider_build(&of_b, &t->pair.b, true) != GJK_OK) {
     return false;
   }
-  choose_margin(random, t);
+  t->setup.iterations = 0;
+  t->setup.tolerance = (gjk_q16)(GJK_IMPACT_TOLERANCE_MIN +
+                                 ldexp(clearance_reach(&of_a.collider) + clearance_reach(&of_b.collider), -23));
+  choose_margin(random, t, GJK_IMPACT_MARGIN_MAX);
   return true;
 }
 
-// Without turns a cast knows whether they touch.
 static void check_cast(const trial *t, const gjk_impact_result *r, gjk_status status) {
   const gjk_cast_path path = {&t->motion[0].to.position, &t->motion[1].to.position, t->setup.margin};
   gjk_cast_result cast;
@@ -191,78 +162,9 @@ static void check_cast(const trial *t, const gjk_impact_result *r, gjk_status st
   tally.casts += cast.hit;
 }
 
-static void check_ceilings(const trial *t, const gjk_impact_result *full, gjk_status status) {
-  static const uint8_t ceilings[] = {1, 2, 3, 10};
-  gjk_q30 lower = 0;
-  for (unsigned i = 0; i < sizeof ceilings; i++) {
-    gjk_impact_setup setup = t->setup;
-    gjk_impact_result r;
-    setup.iterations = ceilings[i];
-    const gjk_status limited =
-        gjk_time_of_impact(&of_a.collider, &t->motion[0], &of_b.collider, &t->motion[1], &setup, &r);
-    if (full->iterations <= ceilings[i]) {
-      CHECK(limited == status && r.hit == full->hit && r.lower == full->lower && r.upper == full->upper);
-    } else {
-      tally.cut++;
-      tally.useful += r.lower > 0;
-      CHECK(limited == GJK_ERROR_ITERATION_LIMIT && !r.hit && !r.overlap && r.upper == ONE);
-      CHECK(r.lower >= lower && r.lower <= full->lower);
-    }
-    lower = r.lower;
-  }
-}
-
-static void check(trial *t) {
-  gjk_impact_result r;
-  const gjk_status status =
-      gjk_time_of_impact(&of_a.collider, &t->motion[0], &of_b.collider, &t->motion[1], &t->setup, &r);
-  CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);
-  tally.made[t->family]++;
-  if (r.overlap) {
-    tally.overlaps++;
-    CHECK(r.hit && gap_at(t, 0).distance <= t->setup.margin);
-    return;
-  }
-  tally.hits[t->family] += r.hit;
-  tally.misses[t->family] += status == GJK_OK && !r.hit;
-  tally.limits[t->family] += status != GJK_OK;
-  CHECK(r.hit || r.upper == ONE);
-  CHECK(status != GJK_OK || r.hit || r.lower == ONE);
-  if (r.hit) {
-    const gjk_distance_result gap = gap_at(t, r.upper);
-    CHECK_MSG(gap.distance <= (int64_t)t->setup.margin + t->setup.tolerance, "gap %ld at upper", (long)gap.distance);
-  }
-  const clearance_outcome found = search(t, r.lower);
-  CHECK_MSG(found != CLEARANCE_TOUCHED, "contact before %ld", (long)r.lower);
-  tally.proven += found == CLEARANCE_PROVEN;
-  tally.open += found == CLEARANCE_OPEN;
-  check_ceilings(t, &r, status);
-  if (t->family == STRAIGHT) {
-    check_cast(t, &r, status);
-  }
-}
-
 int main(int argc, char **argv) {
-  random_state random = random_seed(argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(SEED));
-  const unsigned long trials = argc > 2 ? strtoul(argv[2], NULL, 10) : check_trials(TRIALS);
-  static const char *const names[FAMILIES] = {"needles", "grazing", "turning", "fast", "straight"};
   static trial t;
-  for (unsigned long i = 0; i < trials; i++) {
-    check_trial(i, show, &t);
-    if (make(&random, &t)) {
-      check(&t);
-    }
-  }
-  check_trial(trials, NULL, NULL);
-  for (unsigned i = 0; i < FAMILIES; i++) {
-    printf("%-9s %lu: %lu hits, %lu misses, %lu at the ceiling\n", names[i], tally.made[i], tally.hits[i],
-           tally.misses[i], tally.limits[i]);
-    CHECK(trials < 500 || (tally.made[i] > trials / 10 && tally.hits[i] > 10 && tally.misses[i] > 10));
-  }
-  printf("%lu overlaps, %lu proven clear, %lu not, %lu distances; %lu cut short, %lu of them above 0\n", tally.overlaps,
-         tally.proven, tally.open, tally.measured, tally.cut, tally.useful);
-  CHECK(tally.proven > tally.open * 10);
-  CHECK(tally.useful > tally.cut / 2 && (trials < 500 || tally.casts > trials / 100));
+  check_trials_of(&t, argc, argv, SEED);
   case_pair_free(&t.pair);
   case_collider_free(&of_a);
   case_collider_free(&of_b);

@@ -175,6 +175,20 @@ static void check_forged(random_state *random, surface *s, unsigned char *seen) 
 
 static const gjk_vec3 tent[5] = {{0, 0, 0}, {60000, 0, 0}, {60000, 60000, 0}, {0, 60000, 0}, {30000, 30000, 9000}};
 
+// Does the check find this fault? It writes all of the report: no edges where a fault keeps it from counting them.
+static bool finds(const gjk_mesh *mesh, gjk_mesh_fault fault, gjk_mesh_report *report) {
+  memset(report, 0x5A, sizeof *report);
+  if (gjk_mesh_check(mesh, report) != GJK_OK || report->fault != (uint8_t)fault) {
+    return false;
+  }
+  const uint32_t *edges = report->edges;
+  const bool counted = fault == GJK_MESH_SOUND || fault >= GJK_MESH_DEGENERATE;
+  CHECK(edges[0] + edges[1] + edges[2] + edges[3] == (counted ? 3 * mesh->triangle_count : 0));
+  CHECK(edges[0] <= 3 * mesh->triangle_count && edges[1] <= 3 * mesh->triangle_count);
+  CHECK(fault == GJK_MESH_BOX || report->node == 0);
+  return true;
+}
+
 // Each fault, in a small mesh.
 static void check_faults(void) {
   gjk_vec3 v[5];
@@ -185,44 +199,42 @@ static void check_faults(void) {
   memcpy(v, tent, sizeof v);
   const gjk_mesh_triangle first = t[0];
   CHECK(gjk_mesh_build(v, 5, t, 4, false, nodes, 1, &mesh) == GJK_OK);
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_SOUND);
+  CHECK(finds(&mesh, GJK_MESH_SOUND, &report));
   CHECK(report.edges[GJK_MESH_CONVEX] == 8 && report.edges[GJK_MESH_OPEN] == 4);
   const gjk_mesh_triangle kept = t[1];
   t[1].corner[1] = 5;
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_NUMBER_FAULT && report.triangle == 1 &&
-        report.edge == 1);
+  CHECK(finds(&mesh, GJK_MESH_NUMBER_FAULT, &report) && report.triangle == 1 && report.edge == 1);
   t[1] = kept;
   t[1].corner[2] |= UINT32_C(1) << 31;
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_NUMBER_FAULT && report.edge == 2);
+  CHECK(finds(&mesh, GJK_MESH_NUMBER_FAULT, &report) && report.edge == 2);
   t[1] = kept;
   v[4].z = GJK_MESH_COORDINATE_MAX + 1;
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_COORDINATE);
+  CHECK(finds(&mesh, GJK_MESH_COORDINATE, &report));
   v[4].z = GJK_RADIUS_MAX + 1;
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_SIZE);
+  CHECK(finds(&mesh, GJK_MESH_SIZE, &report));
   v[4].z = 9001;
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_SHIFT);
+  CHECK(finds(&mesh, GJK_MESH_SHIFT, &report));
   v[4].z = tent[4].z;
   nodes[0].upper[1]--;
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_BOX && report.node == 0);
+  CHECK(finds(&mesh, GJK_MESH_BOX, &report) && report.node == 0);
   nodes[0].upper[1]++;
   t[2].corner[0] ^= UINT32_C(1) << 28;
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_EDGES && report.triangle == 2 &&
-        report.edge == 0);
+  CHECK(finds(&mesh, GJK_MESH_EDGES, &report) && report.triangle == 2 && report.edge == 0);
   t[2].corner[0] ^= UINT32_C(1) << 28;
   v[4].z = 0;
   v[4].x = v[4].y = 0;
   CHECK(gjk_mesh_build(v, 5, t, 4, false, nodes, 1, &mesh) == GJK_OK);
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_DEGENERATE);
+  CHECK(finds(&mesh, GJK_MESH_DEGENERATE, &report));
   memcpy(v, tent, sizeof v);
   t[4] = first;
   CHECK(gjk_mesh_build(v, 5, t, 5, false, nodes, 1, &mesh) == GJK_OK);
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_CROWDED);
+  CHECK(finds(&mesh, GJK_MESH_CROWDED, &report));
   const gjk_mesh_triangle turned[2] = {first, {{1, 4, 2}}};
   memcpy(t, turned, sizeof turned);
   CHECK(gjk_mesh_build(v, 5, t, 2, false, nodes, 1, &mesh) == GJK_OK);
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_TURNED);
+  CHECK(finds(&mesh, GJK_MESH_TURNED, &report));
   CHECK(gjk_mesh_build(v, 5, t, 2, true, nodes, 1, &mesh) == GJK_OK);
-  CHECK(gjk_mesh_check(&mesh, &report) == GJK_OK && report.fault == GJK_MESH_SOUND);
+  CHECK(finds(&mesh, GJK_MESH_SOUND, &report));
 }
 
 static void check_refusals(void) {
@@ -251,6 +263,38 @@ static void check_refusals(void) {
   const gjk_mesh empty = {v, t, nodes, 5, 0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, false};
   CHECK(gjk_mesh_check(&empty, &report) == GJK_ERROR_EMPTY);
   CHECK(gjk_mesh_check(&empty, NULL) == GJK_ERROR_NULL);
+  // Arrays that long there are none: what is refused is not read.
+  gjk_mesh long_one = empty;
+  long_one.triangle_count = GJK_MESH_TRIANGLES_MAX + 1;
+  CHECK(gjk_mesh_check(&long_one, &report) == GJK_ERROR_RANGE);
+  long_one.triangle_count = 2;
+  long_one.vertex_count = GJK_MESH_VERTICES_MAX + 1;
+  CHECK(gjk_mesh_check(&long_one, &report) == GJK_ERROR_RANGE);
+  CHECK(gjk_mesh_build(v, GJK_MESH_VERTICES_MAX + 1, t, 2, false, nodes, 1, &mesh) == GJK_ERROR_RANGE);
+}
+
+// Triangles in one place, of vertices in the same places, are ordered by their numbers, whichever came first.
+static void check_equals(random_state *random) {
+  static const gjk_vec3 v[6] = {{0, 0, 0}, {900, 0, 0}, {0, 900, 0}, {0, 0, 0}, {900, 0, 0}, {0, 900, 0}};
+  static const gjk_mesh_triangle sorted[] = {{{0, 1, 2}}, {{0, 1, 5}}, {{0, 4, 2}},
+                                             {{0, 4, 5}}, {{3, 1, 2}}, {{3, 4, 5}}};
+  enum { COUNT = sizeof sorted / sizeof *sorted };
+  for (int trial = 0; trial < 100; trial++) {
+    gjk_mesh_triangle t[COUNT];
+    gjk_mesh_node node;
+    gjk_mesh mesh;
+    memcpy(t, sorted, sizeof t);
+    for (uint32_t i = COUNT; i > 1; i--) {
+      const uint32_t k = random_below(random, i);
+      const gjk_mesh_triangle kept = t[k];
+      t[k] = t[i - 1];
+      t[i - 1] = kept;
+    }
+    CHECK(gjk_mesh_build(v, 6, t, COUNT, false, &node, 1, &mesh) == GJK_OK);
+    for (uint32_t i = 0; i < 3 * COUNT; i++) {
+      CHECK(GJK_MESH_NUMBER(t[i / 3].corner[i % 3]) == sorted[i / 3].corner[i % 3]);
+    }
+  }
 }
 
 static bool node_meets(const gjk_mesh_node *n, const gjk_mesh_node *steps) {
@@ -336,6 +380,7 @@ int main(int argc, char **argv) {
     surface_free(&s);
   }
   random_state random = random_seed(seed);
+  check_equals(&random);
   check_cost(&random, argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 40000);
   printf("%lu walks, %lu triangles found; edges: %lu concave, %lu flat, %lu convex, %lu open\n", tally.walks,
          tally.found, tally.edges[0], tally.edges[1], tally.edges[2], tally.edges[3]);

@@ -159,6 +159,42 @@ static void check_fields(uint64_t seed, trial *t) {
   }
 }
 
+// The largest and smallest fields that there may be, and what is just beyond.
+static void check_limits(void) {
+  static int16_t heights[2 * (GJK_HEIGHT_FIELD_SIDE_MAX + 1)];
+  static const struct {
+    uint16_t columns, rows;
+    gjk_q16 step_x, step_y, step_z;
+    bool right;
+  } limits[] = {
+      {2, 2, 1, 1, 1, true},
+      {1, 2, 1, 1, 1, false},
+      {2, 1, 1, 1, 1, false},
+      {2, 2, 0, 1, 1, false},
+      {2, 2, 1, 0, 1, false},
+      {2, 2, 1, 1, 0, false},
+      {2, 2, GJK_RADIUS_MAX, GJK_RADIUS_MAX, GJK_HEIGHT_FIELD_STEP_MAX, true},
+      {2, 2, GJK_RADIUS_MAX + 1, 1, 1, false},
+      {2, 2, 1, GJK_RADIUS_MAX + 1, 1, false},
+      {2, 2, 1, 1, GJK_HEIGHT_FIELD_STEP_MAX + 1, false},
+      {GJK_HEIGHT_FIELD_SIDE_MAX, 2, INT32_C(1) << 15, 1, 1, true},
+      {2, GJK_HEIGHT_FIELD_SIDE_MAX, 1, INT32_C(1) << 15, 1, true},
+      {GJK_HEIGHT_FIELD_SIDE_MAX + 1, 2, 1, 1, 1, false},
+      {2, GJK_HEIGHT_FIELD_SIDE_MAX + 1, 1, 1, 1, false},
+      {5, 2, INT32_C(1) << 28, 1, 1, false},  // a step beyond GJK_RADIUS_MAX
+      {9, 2, INT32_C(1) << 27, 1, 1, true},   // 16384 units long
+      {2, 9, 1, (INT32_C(1) << 27) + 1, 1, false},
+  };
+  for (unsigned i = 0; i < sizeof limits / sizeof *limits; i++) {
+    const gjk_height_field field = GJK_HEIGHT_FIELD(heights, limits[i].columns, limits[i].rows, limits[i].step_x,
+                                                    limits[i].step_y, limits[i].step_z);
+    const gjk_parts parts = GJK_PARTS_OF_HEIGHT_FIELD(&field);
+    const uint32_t count = 2 * (limits[i].columns - UINT32_C(1)) * (limits[i].rows - UINT32_C(1));
+    CHECK_MSG(gjk_height_field_check(&field) == (limits[i].right ? GJK_OK : GJK_ERROR_RANGE), "limit %u", i);
+    CHECK(gjk_parts_count(&parts) == (limits[i].right ? count : 0));
+  }
+}
+
 static void check_refusals(void) {
   static int16_t heights[9];
   const gjk_height_field good = GJK_HEIGHT_FIELD(heights, 3, 3, 10, 10, 1);
@@ -250,6 +286,7 @@ static void check_slides(uint64_t seed) {
 int main(void) {
   static trial t;
   const uint64_t seed = check_seed(SEED);
+  check_limits();
   check_refusals();
   check_meshes(seed, &t);
   check_fields(seed + 1000, &t);

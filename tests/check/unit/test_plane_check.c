@@ -137,13 +137,11 @@ static void check_pair(random_state *r, const gjk2_collider *a, const gjk2_colli
 
 int main(void) {
   static plane_body pair[2];
-  const int32_t sizes[] = {1, 2, 3, 8, 40, 1000, 65536, 1 << 22, 1 << 26};
   const uint64_t seed = check_seed(SEED);
   for (unsigned long i = 0; i < TRIALS; i++) {
     random_state r = random_seed(seed + i);
-    const int32_t size = sizes[random_below(&r, 9)];
     check_trial(i, plane_print, pair);
-    plane_random_pair(&r, size, (int32_t)((int64_t)size * random_range(&r, 0, 3) / 2), pair);
+    plane_any_pair(&r, 3, pair);
     check_pair(&r, &pair[0].collider, &pair[1].collider);
   }
   printf("proven %lu; forged certificates refused %lu, as good %lu\n", tally.proven, tally.refused, tally.survived);

@@ -11,26 +11,9 @@ static struct {
   long double off, askew, gap;
 } tally;
 
-// How far a point is from the boundary of a core's hull.
-static long double boundary_distance(const gjk2_collider *c, const gjk2_vec *point) {
-  plane_point vertices[PLANE_VERTICES], hull[PLANE_VERTICES + 2];
-  const int n = plane_hull(vertices, plane_vertices(c, vertices), hull);
-  long double least = INFINITY;
-  for (int i = 0; i < n; i++) {
-    const plane_point p = hull[i], q = hull[(i + 1) % n];
-    const long double x = q.x - p.x, y = q.y - p.y, u = point->x - p.x, v = point->y - p.y;
-    const long double length = x * x + y * y;
-    long double t = length > 0 ? (u * x + v * y) / length : 0;
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    const long double distance = hypotl(u - t * x, v - t * y);
-    least = distance < least ? distance : least;
-  }
-  return least;
-}
-
 static long double off_surface(const gjk2_collider *c, const gjk2_vec *point) {
   const gjk_q16 radius = c->shape->convex_radius;
-  return radius == 0 ? boundary_distance(c, point) : plane_distance_from(c, point) - radius;
+  return radius == 0 ? plane_boundary_distance(c, point, NULL) : plane_distance_from(c, point) - radius;
 }
 
 static long double larger(long double x, long double y) {

@@ -6,14 +6,10 @@
 #include "plane.h"
 
 #define SEED 6220
-#define TRIALS 1500
 
-// The most distances of one search.
-#define MEASUREMENTS 20000
-
-#define ONE GJK_Q30_ONE
-
-enum { NEEDLES, GRAZING, TURNING, FAST, STRAIGHT, FAMILIES };
+// After the headers.
+#define gjk_distance_result gjk2_distance_result
+#define gjk_impact_result gjk2_impact_result
 
 typedef struct trial {
   plane_body pair[2];
@@ -21,6 +17,8 @@ typedef struct trial {
   gjk2_impact_setup setup;
   unsigned family;
 } trial;
+
+#include "impact_searches.h"
 
 static void show(const void *subject) {
   const trial *t = (const trial *)subject;
@@ -52,26 +50,17 @@ static gjk2_distance_result gap_at(const trial *t, gjk_q30 fraction) {
   return gap;
 }
 
-static struct {
-  unsigned long made[FAMILIES], hits[FAMILIES], misses[FAMILIES], limits[FAMILIES];
-  unsigned long overlaps, proven, open, measured, cut, useful, casts;
-} tally;
-
-static bool measure(void *user, gjk_q30 fraction, int64_t *out) {
-  *out = gap_at((const trial *)user, fraction).distance;
-  return true;
+static gjk_status ask(const trial *t, uint8_t iterations, gjk2_impact_result *out) {
+  gjk2_impact_setup setup = t->setup;
+  setup.iterations = iterations;
+  return gjk2_time_of_impact(&t->pair[0].collider, &t->motion[0], &t->pair[1].collider, &t->motion[1], &setup, out);
 }
 
-// Is the gap above the margin at all fractions before limit, but for what posing rounds?
-static clearance_outcome search(trial *t, gjk_q30 limit) {
-  clearance c = {.gap = measure, .user = t, .most = MEASUREMENTS};
-  c.speed = clearance2_speed(&t->motion[0], clearance2_reach(&t->pair[0].collider), &t->motion[1],
-                             clearance2_reach(&t->pair[1].collider));
-  c.least = t->setup.margin == 0 ? 1 : t->setup.margin - rounding_of(t);
-  c.between = t->setup.margin - 2 * rounding_of(t);
-  const clearance_outcome outcome = clearance_search(&c, limit);
-  tally.measured += c.measured;
-  return outcome;
+static void set_clearance(const trial *t, clearance *c) {
+  c->speed = clearance2_speed(&t->motion[0], clearance2_reach(&t->pair[0].collider), &t->motion[1],
+                              clearance2_reach(&t->pair[1].collider));
+  c->least = t->setup.margin == 0 ? 1 : t->setup.margin - rounding_of(t);
+  c->between = t->setup.margin - 2 * rounding_of(t);
 }
 
 // A long thin body, up to 100,000 times as long as thick, with its middle or an end at the pose's position.
@@ -122,23 +111,7 @@ static void make_motions(random_state *random, trial *t, gjk_q16 half) {
   }
 }
 
-// Of a grazing pair the margin is about the least gap on the way.
-static void choose_margin(random_state *random, trial *t) {
-  t->setup.iterations = 0;
-  t->setup.tolerance = (gjk_q16)(GJK2_IMPACT_TOLERANCE_MIN + ldexp(rounding_of(t), -1));
-  t->setup.margin = random_below(random, 2) == 0 ? 0 : random_range(random, 0, 2000);
-  if (t->family == GRAZING) {
-    int64_t least = INT32_MAX;
-    for (int i = 0; i <= 400; i++) {
-      const int64_t gap = gap_at(t, (gjk_q30)((int64_t)ONE * i / 400)).distance;
-      least = gap < least ? gap : least;
-    }
-    least += random_range(random, -40, 10);
-    t->setup.margin = least < 0 ? 0 : (gjk_q16)least;
-  }
-}
-
-static void make(random_state *random, trial *t) {
+static bool make(random_state *random, trial *t) {
   const gjk_q16 half = 1 << (9 + random_below(random, 15));
   t->family = random_below(random, FAMILIES);
   make_thin(random, half, &t->pair[0]);
@@ -146,16 +119,12 @@ static void make(random_state *random, trial *t) {
   make_motions(random, t, half);
   plane_place(&t->pair[0], false);
   plane_place(&t->pair[1], false);
-  choose_margin(random, t);
+  t->setup.iterations = 0;
+  t->setup.tolerance = (gjk_q16)(GJK2_IMPACT_TOLERANCE_MIN + ldexp(rounding_of(t), -1));
+  choose_margin(random, t, INT32_MAX);
+  return true;
 }
 
-static gjk_status ask(const trial *t, uint8_t iterations, gjk2_impact_result *out) {
-  gjk2_impact_setup setup = t->setup;
-  setup.iterations = iterations;
-  return gjk2_time_of_impact(&t->pair[0].collider, &t->motion[0], &t->pair[1].collider, &t->motion[1], &setup, out);
-}
-
-// Without turns a cast knows whether they touch.
 static void check_cast(const trial *t, const gjk2_impact_result *r, gjk_status status) {
   const gjk2_cast_path path = {&t->motion[0].to.position, &t->motion[1].to.position, t->setup.margin};
   gjk2_cast_result cast;
@@ -164,74 +133,8 @@ static void check_cast(const trial *t, const gjk2_impact_result *r, gjk_status s
   tally.casts += cast.hit;
 }
 
-static void check_ceilings(const trial *t, const gjk2_impact_result *full, gjk_status status) {
-  static const uint8_t ceilings[] = {1, 2, 3, 10};
-  gjk_q30 lower = 0;
-  for (unsigned i = 0; i < sizeof ceilings; i++) {
-    gjk2_impact_result r;
-    const gjk_status limited = ask(t, ceilings[i], &r);
-    if (full->iterations <= ceilings[i]) {
-      CHECK(limited == status && r.hit == full->hit && r.lower == full->lower && r.upper == full->upper);
-    } else {
-      CHECK(limited == GJK_ERROR_ITERATION_LIMIT && !r.hit && !r.overlap && r.upper == ONE);
-      CHECK(r.lower >= lower && r.lower <= full->lower);
-      tally.cut++;
-      tally.useful += r.lower > 0;
-    }
-    lower = r.lower;
-  }
-}
-
-static void check(trial *t) {
-  gjk2_impact_result r;
-  const gjk_status status = ask(t, 0, &r);
-  CHECK(status == GJK_OK || status == GJK_ERROR_ITERATION_LIMIT);
-  tally.made[t->family]++;
-  if (r.overlap) {
-    const gjk2_distance_result gap = gap_at(t, 0);
-    tally.overlaps++;
-    CHECK(r.hit && r.lower == 0 && r.upper == 0 && (gap.intersecting || gap.distance <= t->setup.margin));
-    return;
-  }
-  tally.hits[t->family] += r.hit;
-  tally.misses[t->family] += status == GJK_OK && !r.hit;
-  tally.limits[t->family] += status != GJK_OK;
-  CHECK(r.hit || r.upper == ONE);
-  CHECK(status != GJK_OK || r.hit || r.lower == ONE);
-  if (r.hit) {
-    const gjk2_distance_result gap = gap_at(t, r.upper);
-    CHECK_MSG(gap.intersecting || gap.distance <= (int64_t)t->setup.margin + t->setup.tolerance, "gap %ld at upper",
-              (long)gap.distance);
-  }
-  const clearance_outcome found = search(t, r.lower);
-  CHECK_MSG(found != CLEARANCE_TOUCHED, "contact before %ld", (long)r.lower);
-  tally.proven += found == CLEARANCE_PROVEN;
-  tally.open += found == CLEARANCE_OPEN;
-  check_ceilings(t, &r, status);
-  if (t->family == STRAIGHT) {
-    check_cast(t, &r, status);
-  }
-}
-
 int main(int argc, char **argv) {
-  random_state random = random_seed(argc > 1 ? check_seeded(strtoull(argv[1], NULL, 10)) : check_seed(SEED));
-  const unsigned long trials = argc > 2 ? strtoul(argv[2], NULL, 10) : check_trials(TRIALS);
-  static const char *const names[FAMILIES] = {"needles", "grazing", "turning", "fast", "straight"};
   static trial t;
-  for (unsigned long i = 0; i < trials; i++) {
-    check_trial(i, show, &t);
-    make(&random, &t);
-    check(&t);
-  }
-  check_trial(trials, NULL, NULL);
-  for (unsigned i = 0; i < FAMILIES; i++) {
-    printf("%-9s %lu: %lu hits, %lu misses, %lu at the ceiling\n", names[i], tally.made[i], tally.hits[i],
-           tally.misses[i], tally.limits[i]);
-    CHECK(trials < 500 || (tally.made[i] > trials / 10 && tally.hits[i] > 10 && tally.misses[i] > 10));
-  }
-  printf("%lu overlaps, %lu proven clear, %lu not, %lu distances; %lu cut short, %lu of them above 0\n", tally.overlaps,
-         tally.proven, tally.open, tally.measured, tally.cut, tally.useful);
-  CHECK(tally.proven > tally.open * 10);
-  CHECK(tally.useful > tally.cut / 2 && (trials < 500 || tally.casts > trials / 100));
+  check_trials_of(&t, argc, argv, SEED);
   return check_done("plane_motion_search");
 }

@@ -23,17 +23,8 @@ static void check_session(random_state *random, session *s) {
   options.detail = options.detail > GJK_DETAIL_DISTANCE ? GJK_DETAIL_TOUCH : options.detail;
   CHECK(session_start(s, &options));
   for (unsigned i = 0; i < CHANGES; i++) {
-    const uint32_t what = random_below(random, 100);
-    bool fine = true;
-    if (what < 86) {
-      fine = world_change(&s->now, random);
-    } else if (what < 94) {
-      fine = session_update(s, random);
-    } else if (what < 96) {
-      session_keep(s);
-    } else {
-      fine = session_move(s, what < 98);
-    }
+    uint32_t what;
+    const bool fine = session_change(s, random, &what);
     CHECK_MSG(fine, "change %u: %u", i, what);
     if (!fine) {
       break;

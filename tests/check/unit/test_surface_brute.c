@@ -328,7 +328,17 @@ static void check_all_refusals(void) {
   check_refusals(of_field);
   none.step_z = 0;
   refuse(&of_none, &b, GJK_ERROR_EMPTY);
+  const gjk_mesh good = mesh;
   mesh.nodes = NULL;
+  refuse(&of_mesh, &b, GJK_ERROR_EMPTY);
+  mesh = good;
+  mesh.triangles = NULL;
+  refuse(&of_mesh, &b, GJK_ERROR_EMPTY);
+  mesh = good;
+  mesh.vertices = NULL;
+  refuse(&of_mesh, &b, GJK_ERROR_EMPTY);
+  mesh = good;
+  mesh.triangle_count = GJK_MESH_TRIANGLES_MAX + 1;
   refuse(&of_mesh, &b, GJK_ERROR_EMPTY);
   CHECK(gjk_surface_contacts(&of_compound, &b, 0, 4, NULL, NULL, 0, &count) == GJK_ERROR_UNSUPPORTED && count == 77);
 }

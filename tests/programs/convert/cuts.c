@@ -32,6 +32,9 @@ int32_t (*cuts_points(const piece *p, const piece_pool *pool, bool nearest, size
   return out;
 }
 
+// The sine of an angle that is none but for rounding.
+#define NEARLY_ALONG 0x1p-8L
+
 // Planes to try.
 typedef struct choice {
   solid_plane plane;
@@ -89,14 +92,40 @@ static bool is_cutting(const piece *p, const piece_pool *pool, const solid_plane
   return beyond && behind;
 }
 
-// Notches in the plane less those that it crosses; what it adds as corners that are no integers counts a little.
+// Does a plane through a notch leave no notch there? Its way into the solid leads beyond neither face.
+static bool is_resolving(const piece_pool *pool, const piece_notch *notch, const solid_plane *plane) {
+  long double n[3], e[3], way[3], slope[2] = {0, 0}, size[2] = {0, 0};
+  for (int j = 0; j < 3; j++) {
+    n[j] = (long double)plane->n[j];
+    e[j] = pool->at[notch->to][j] - pool->at[notch->from][j];
+  }
+  for (int j = 0; j < 3; j++) {
+    way[j] = n[(j + 1) % 3] * e[(j + 2) % 3] - n[(j + 2) % 3] * e[(j + 1) % 3];
+  }
+  for (int i = 0; i < 2; i++) {
+    for (int j = 0; j < 3; j++) {
+      const long double a = (long double)notch->plane[i].n[j];
+      slope[i] += a * way[j];
+      size[i] += a * a;
+    }
+    size[i] = sqrtl(size[i] * (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]));
+    slope[i] = fabsl(slope[i]) <= NEARLY_ALONG * size[i] ? 0 : slope[i];
+  }
+  return (slope[0] <= 0 && slope[1] <= 0) || (slope[0] >= 0 && slope[1] >= 0);
+}
+
+// Notches that the plane resolves less those that it crosses; what it adds as corners that are no integers counts a little.
 static long double score_of(const piece *p, const piece_pool *pool, const piece_notch *notch, size_t notches,
                             const solid_plane *plane, long double slack) {
   long double score = 0;
   const long double near = fmaxl(slack, 0x1p-8L);
   for (size_t i = 0; i < notches; i++) {
     const long double a = piece_height(plane, pool->at[notch[i].from]), b = piece_height(plane, pool->at[notch[i].to]);
-    score += fabsl(a) <= near && fabsl(b) <= near ? 1 : (a > near && b < -near) || (a < -near && b > near) ? -1 : 0;
+    if (fabsl(a) <= near && fabsl(b) <= near) {
+      score += is_resolving(pool, &notch[i], plane) ? 1 : 0;
+    } else if ((a > near && b < -near) || (a < -near && b > near)) {
+      score -= 1;
+    }
   }
   for (size_t i = 0; i < p->edges; i++) {
     const uint32_t from = p->edge[i].from, to = p->edge[i].to;
@@ -113,7 +142,25 @@ static long double score_of(const piece *p, const piece_pool *pool, const piece_
   return score;
 }
 
-// The planes of the faces at notches, and those through two notches; the best ones first.
+// The planes through a notch and a corner that is an integer, for those corners that lie beyond neither of its faces.
+static void add_to_corners(choices *list, const piece *p, const piece_pool *pool, const piece_notch *notch) {
+  int32_t a[3], b[3], c[3];
+  if (!whole(pool->at[notch->from], a) || !whole(pool->at[notch->to], b)) {
+    return;
+  }
+  size_t corners;
+  uint32_t *corner = piece_corners(p, &corners);
+  for (size_t i = 0; i < corners; i++) {
+    const long double *x = pool->at[corner[i]];
+    if (whole(x, c) && piece_height(&notch->plane[0], x) < 0 && piece_height(&notch->plane[1], x) < 0) {
+      const solid_plane plane = solid_plane_of(a, b, c);
+      add_choice(list, &plane);
+    }
+  }
+  free(corner);
+}
+
+// The planes of the faces at notches, and those through two notches, or one and a corner; the best ones first.
 static choices at_notches(const piece *p, const piece_pool *pool, const piece_notch *notch, size_t notches,
                           const cuts_manner *manner) {
   const long double slack = manner->slack;
@@ -133,6 +180,9 @@ static choices at_notches(const piece *p, const piece_pool *pool, const piece_no
         }
       }
     }
+  }
+  for (size_t i = 0; i < notches && notches <= 24 && manner->corners; i++) {
+    add_to_corners(&list, p, pool, &notch[i]);
   }
   size_t kept = 0;
   for (size_t i = 0; i < list.count; i++) {

@@ -11,10 +11,10 @@
 int32_t (*cuts_points(const piece *p, const piece_pool *pool, bool nearest, size_t *count))[3];
 
 // slack: notches that are less deep, LSB, are none. pairs: planes through two notches count, too, not only those of
-// faces. They may meet edges where no integers are.
+// faces; corners: those through a notch and a corner. They may meet edges where no integers are.
 typedef struct cuts_manner {
   long double slack;
-  bool pairs;
+  bool pairs, corners;
 } cuts_manner;
 
 // Cuts a piece at its notches until there are none, each time by the plane that leaves the fewest in the

@@ -14,7 +14,8 @@ enum {
   MEND_ROUNDS = 24,
   QUICK_CELLS = 3000,
   CAREFUL_CELLS = 10000,
-  ROUNDED_EXCESS = 16
+  ROUNDED_EXCESS = 16,
+  CUT_TWICE = 1024  // triangles
 };
 
 typedef struct part_list {
@@ -99,9 +100,18 @@ static long double cost_of_joining(const part *a, const part *b, bool far, bool 
   return more;
 }
 
+// Is what a hull adds to two parts a layer of a few LSB, or little of it? If not, it reaches through other parts, and has them
+// in it once more.
+static bool is_layer(const part *hull, long double more) {
+  const long double a = hull->high[0] - hull->low[0], b = hull->high[1] - hull->low[1],
+                    c = hull->high[2] - hull->low[2];
+  return more <= fmaxl((long double)hull->volume6 / 64, 6 * 2 * 2 * (a * b + b * c + c * a));
+}
+
 // Merges pairs, the cheapest first, as long as the excess stays within the budget and, beyond that, until there are no more
 // than 'most'. budget 0: only pairs whose union is convex. budget below 0: only until there are no more than 'most'.
-static void merge(const nearest_tree *tree, part_list *list, long double budget, size_t most) {
+// layers: only what is_layer allows.
+static void merge_pairs(const nearest_tree *tree, part_list *list, long double budget, size_t most, bool layers) {
   const size_t n = list->count;
   long double *cost = solid_allocate(n * n, sizeof cost[0]);
   const bool far = most > 0 && most < n;
@@ -129,7 +139,8 @@ static void merge(const nearest_tree *tree, part_list *list, long double budget,
       break;
     }
     const bool built = join(&list->item[a], &list->item[b], &both);
-    if (!built || (!must && budget > 0 && excess_of(tree, &both, budget / 16, budget, QUICK_CELLS).at_most > budget)) {
+    if (!built || (!must && layers && !is_layer(&both, least)) ||
+        (!must && budget > 0 && excess_of(tree, &both, budget / 16, budget, QUICK_CELLS).at_most > budget)) {
       if (built) {
         part_free(&both);
       }
@@ -155,6 +166,10 @@ static void merge(const nearest_tree *tree, part_list *list, long double budget,
   }
   list->count = kept;
   free(cost);
+}
+
+static void merge(const nearest_tree *tree, part_list *list, long double budget, size_t most) {
+  merge_pairs(tree, list, budget, most, false);
 }
 
 // Leaves out parts that are within one other.
@@ -250,16 +265,16 @@ static void measure(const solid *s, const nearest_tree *tree, const part_list *l
     if (!enclose_is_inside(s, &list->item[i])) {
       // A rough look first: how finely the part is cut follows from what is found. If that takes too many cells, less finely.
       excess_bounds one = excess_of(tree, &list->item[i], widest / 1024, INFINITY, QUICK_CELLS);
-      if (one.at_least < 64) {
-        one.at_most = fminl(one.at_most, excess_by_shrinking(s, &list->item[i]));
-      }
-      for (long double fine = fmaxl(0.125L, one.at_least / 64); fine < widest / 1024 && one.at_most > 64; fine *= 8) {
+      for (long double fine = fmaxl(0.125L, one.at_least / 64); fine < widest / 1024; fine *= 8) {
         const excess_bounds again = excess_of(tree, &list->item[i], fine, INFINITY, CAREFUL_CELLS);
         one.at_least = fmaxl(one.at_least, again.at_least);
         one.at_most = fminl(one.at_most, again.at_most);
         if (one.at_most - one.at_least <= 2 * fine) {
           break;
         }
+      }
+      if (one.at_least < 64 && one.at_most > one.at_least + 1) {
+        one.at_most = fminl(one.at_most, excess_by_shrinking(s, &list->item[i]));
       }
       out->excess.at_least = fmaxl(out->excess.at_least, one.at_least);
       out->excess.at_most = fmaxl(out->excess.at_most, one.at_most);
@@ -317,24 +332,32 @@ static long double rough_excess(const solid *s, const nearest_tree *tree, const 
 }
 
 // Few notches: cut at them, exactly if that gives integers. Else what is no notch but by rounding may be left, and parts are
-// merged that make little of a difference.
-static bool by_notches(const solid *s, const nearest_tree *tree, part_list *out) {
-  static const cuts_manner manners[] = {{0x1p-10L, true}, {0x1p-10L, false}, {3, true}, {24, true}};
+// merged that make little of a difference: not more than 'most'. Of exact parts by planes to corners a quarter more are taken.
+// Where faces are bent by rounding such planes follow each bend, and parts that reach a few LSB beyond are far fewer.
+static bool by_notches(const solid *s, const nearest_tree *tree, long double most, part_list *out) {
+  static const cuts_manner manners[] = {{0x1p-10L, true, false}, {0x1p-10L, false, false}, {3, true, false},
+                                        {24, true, false},       {3, true, true},          {0x1p-10L, true, true}};
+  long double least = INFINITY;
   for (size_t i = 0; i < sizeof manners / sizeof manners[0]; i++) {
     part_list list = {NULL, 0, 0};
     bool done = at_notches(s, tree, manners[i], &list);
     const bool exact = done && is_exact(s, &list);
+    long double excess = 0;
     if (done && !exact) {
-      merge(tree, &list, ROUNDED_EXCESS, 0);
-      done = rough_excess(s, tree, &list) <= 4 * ROUNDED_EXCESS;
+      merge_pairs(tree, &list, fminl(ROUNDED_EXCESS, most / 4), 0, true);
+      excess = rough_excess(s, tree, &list);
+      done = excess <= fminl(4 * ROUNDED_EXCESS, most);
     }
-    if (exact || (done && (out->count == 0 || list.count < out->count))) {
+    const bool corners = manners[i].corners;
+    const bool fewer = out->count == 0 || list.count < out->count || (list.count == out->count && excess < least);
+    if (done && (fewer || (exact && (!corners || 4 * list.count <= 5 * out->count)))) {
       free_parts(out);
       *out = list;
+      least = excess;
     } else {
       free_parts(&list);
     }
-    if (exact) {
+    if (exact && !corners) {
       break;
     }
   }
@@ -435,6 +458,23 @@ static void to_number(const solid *s, const nearest_tree *tree, unsigned parts, 
   }
 }
 
+// To an excess: pieces cut to that, and to a little less, and merged. Which leaves the fewest parts is up to chance, so that
+// one counts. Large solids are cut once.
+static void to_excess(const solid *s, const nearest_tree *tree, long double excess, unsigned parts, part_list *out) {
+  by_concavity(s, tree, excess, 0, out);
+  merge(tree, out, excess, parts);
+  if (s->triangles <= CUT_TWICE) {
+    part_list other = {NULL, 0, 0};
+    by_concavity(s, tree, 0.9L * excess, 0, &other);
+    merge(tree, &other, excess, parts);
+    const bool better = other.count < out->count;
+    free_parts(better ? out : &other);
+    if (better) {
+      *out = other;
+    }
+  }
+}
+
 static void whole_hull(const solid *s, part_list *out) {
   part p;
   if (part_build(&p, s->point, s->points)) {
@@ -458,9 +498,10 @@ void decompose(const solid *s, const decompose_options *options, decomposition *
   for (int j = 0; j < 3; j++) {
     longest = s->high[j] > longest ? s->high[j] : longest;
   }
-  long double budget = options->excess >= 0 ? options->excess : (long double)(longest / 64 > 4 ? longest / 64 : 4);
+  const long double usual = longest / 64 > 4 ? longest / 64 : 4;
+  const long double budget = options->excess >= 0 ? options->excess : usual;
   out->wanted = budget;
-  bool done = out->notches <= EXACT_NOTCHES && by_notches(s, &tree, &list);
+  bool done = out->notches <= EXACT_NOTCHES && by_notches(s, &tree, usual, &list);
   const bool few = done && (options->parts == 0 || list.count <= options->parts);
   if (done && options->excess > 0) {
     merge(&tree, &list, budget, options->parts);
@@ -471,8 +512,7 @@ void decompose(const solid *s, const decompose_options *options, decomposition *
     if (options->parts > 0 && options->excess < 0) {
       to_number(s, &tree, options->parts, &list);
     } else {
-      by_concavity(s, &tree, fmaxl(budget, 4), 0, &list);
-      merge(&tree, &list, fmaxl(budget, 4), options->parts);
+      to_excess(s, &tree, fmaxl(budget, 4), options->parts, &list);
     }
   }
   drop_covered(&list);

@@ -5,6 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+// A cell is not cut beside a triangle where less than this would be cut off, LSB.
+#define BESIDE_LEAST 0.125L
+
 typedef long double point[3];
 
 // A face of a cell: n . x <= d, n of length 1.
@@ -282,11 +285,44 @@ static long double farthest(const solid *s, const cell *c, size_t t) {
   return most;
 }
 
+// The plane through an edge of a triangle, across it, which the cell's corners are farthest beyond. False: none that cuts the cell.
+static bool beside(const solid *s, const cell *c, size_t t, point n, long double *d) {
+  point up;
+  long double most = 0;
+  if (!normal_of(&s->plane[t], up, d)) {
+    return false;
+  }
+  for (int e = 0; e < 3; e++) {
+    const int32_t *a = s->point[s->triangle[t][e]], *b = s->point[s->triangle[t][(e + 1) % 3]];
+    const point along = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, at = {a[0], a[1], a[2]};
+    const long double length = sqrtl(dot(along, along));
+    point out;
+    long double beyond = 0, behind = 0;
+    for (int j = 0; j < 3; j++) {
+      out[j] = (along[(j + 1) % 3] * up[(j + 2) % 3] - along[(j + 2) % 3] * up[(j + 1) % 3]) / length;
+    }
+    for (unsigned f = 0; f < c->faces; f++) {
+      for (unsigned i = 0; i < c->face[f].corners; i++) {
+        const long double h = dot(out, c->face[f].corner[i]) - dot(out, at);
+        beyond = fmaxl(beyond, h);
+        behind = fmaxl(behind, -h);
+      }
+    }
+    if (beyond > most && behind > BESIDE_LEAST && beyond > BESIDE_LEAST) {
+      most = beyond;
+      memcpy(n, out, sizeof out);
+      *d = dot(out, at);
+    }
+  }
+  return most > 0;
+}
+
 // Bounds a cell. Returns false where nothing of it is outside. across: by which triangle it is best cut; SIZE_MAX: none.
 static bool bound_cell(const nearest_tree *tree, cell *c, const view *v, long double graze, long double *at_least,
-                       size_t *across) {
+                       size_t *across, size_t *nearest) {
   size_t near = 0;
   const long double distance = nearest_find(tree, v->middle, &near);
+  *nearest = near;
   const bool inside = nearest_is_inside(tree, v->middle);
   *across = SIZE_MAX;
   if (inside && distance >= v->radius) {
@@ -313,18 +349,34 @@ static bool bound_cell(const nearest_tree *tree, cell *c, const view *v, long do
   return true;
 }
 
+// The greatest distance of a part's corners, its edges' middles and its facets' means from the solid, or one above the limit.
+static long double found_outside(const nearest_tree *tree, const part *p, long double limit) {
+  long double most = 0;
+  for (unsigned f = 0, begin = 0; f < p->faces && most <= limit; begin = p->end[f++]) {
+    const unsigned corners = p->end[f] - begin;
+    point mean = {0, 0, 0};
+    for (unsigned i = 0; i <= 2 * corners && most <= limit; i++) {
+      const int32_t *a = p->point[p->corner[begin + i % corners]], *b = p->point[p->corner[begin + (i + 1) % corners]];
+      point x;
+      for (int j = 0; j < 3; j++) {
+        x[j] = i < corners ? a[j] : i < 2 * corners ? (a[j] + (long double)b[j]) / 2 : mean[j];
+        mean[j] += i < corners ? (long double)a[j] / corners : 0;
+      }
+      size_t near;
+      if (!nearest_is_inside(tree, x)) {
+        most = fmaxl(most, nearest_find(tree, x, &near));
+      }
+    }
+  }
+  return most;
+}
+
 excess_bounds excess_of(const nearest_tree *tree, const part *p, long double tolerance, long double limit,
                         unsigned cells) {
   excess_bounds out = {0, 0};
   const long double graze = fmaxl(0x1p-10L, tolerance / 64);
   cell_heap heap = {NULL, 0, 0};
-  for (unsigned i = 0; i < p->points; i++) {
-    const point x = {p->point[i][0], p->point[i][1], p->point[i][2]};
-    size_t near;
-    if (!nearest_is_inside(tree, x)) {
-      out.at_least = fmaxl(out.at_least, nearest_find(tree, x, &near));
-    }
-  }
+  out.at_least = found_outside(tree, p, limit);
   push(&heap, cell_of(p));
   long double slack = fmaxl(tolerance, out.at_least / 64);
   for (unsigned done = 0; heap.count > 0 && done < cells; done++) {
@@ -335,8 +387,8 @@ excess_bounds excess_of(const nearest_tree *tree, const part *p, long double tol
     }
     cell top = pop(&heap);
     const view v = view_of(&top);
-    size_t across;
-    if (top.faces < 4 || !bound_cell(tree, &top, &v, graze, &out.at_least, &across)) {
+    size_t across, near;
+    if (top.faces < 4 || !bound_cell(tree, &top, &v, graze, &out.at_least, &across, &near)) {
       cell_free(&top);
       continue;
     }
@@ -348,7 +400,7 @@ excess_bounds excess_of(const nearest_tree *tree, const part *p, long double tol
     long double d = 0;
     if (across != SIZE_MAX) {
       normal_of(&tree->s->plane[across], n, &d);
-    } else {
+    } else if (!beside(tree->s, &top, near, n, &d)) {
       int axis = 0;
       for (int j = 1; j < 3; j++) {
         axis = v.high[j] - v.low[j] > v.high[axis] - v.low[axis] ? j : axis;

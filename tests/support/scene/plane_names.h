@@ -43,6 +43,7 @@
 #define session_end plane_session_end
 #define session_options plane_session_options
 #define session_update plane_session_update
+#define session_change plane_session_change
 #define session_keep plane_session_keep
 #define session_move plane_session_move
 

@@ -93,3 +93,18 @@ bool session_move(session *s, bool back) {
   s->restores++;
   return status == GJK_OK;
 }
+
+bool session_change(session *s, random_state *random, uint32_t *what) {
+  *what = random_below(random, 100);
+  if (*what < 86) {
+    return world_change(&s->now, random);
+  }
+  if (*what < 94) {
+    return session_update(s, random);
+  }
+  if (*what < 96) {
+    session_keep(s);
+    return true;
+  }
+  return session_move(s, *what < 98);
+}

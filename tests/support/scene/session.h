@@ -22,6 +22,9 @@ world_options session_options(random_state *random);
 // Updates in random slices. False: the reports are not the expected ones, or gjk_scene_check refuses the scene.
 bool session_update(session *s, random_state *random);
 
+// Makes one random change, among them all below. False: it failed. *what: which, for messages.
+bool session_change(session *s, random_state *random, uint32_t *what);
+
 // Saves the world.
 void session_keep(session *s);
 

@@ -1,0 +1,89 @@
+// The frame of a search of the plane (gjk2_search.h): where it starts, and how far pairs are scaled down.
+#include "gjk2_search.h"
+
+// floor(x / 2^n), n <= 3, by single steps: less code than a shift of 64 bits by a variable.
+GJK_OUT_OF_LINE static int64_t shift_far(int64_t x, unsigned n) {
+  for (; n > 0; n--) {
+    x = gjk_sar64(x, 1);
+  }
+  return x;
+}
+
+// Is (x, y) / 2^far longer than 2^30? Pre: 0 <= x, y <= 2^32, and far >= 1 where one of them is above 2^31.
+static bool is_long(int64_t x, int64_t y, unsigned far) {
+  const uint32_t u = (uint32_t)shift_far(x, far), v = (uint32_t)shift_far(y, far);  // each square <= 2^62
+  return gjk_umul32(u, u) + gjk_umul32(v, v) > UINT64_C(1) << 60;
+}
+
+// A radius of the frame's whole reach settles the question like a larger one.
+#define FRAME_REACH (UINT32_C(3) << 29)
+
+// The start for centres that may be more than 2^30 apart.
+GJK_OUT_OF_LINE static bool start_far(gjk2_search *s, bool circles, uint32_t radius) {
+  const int64_t x = (int64_t)s->a->centre.x - s->b->centre.x, y = (int64_t)s->a->centre.y - s->b->centre.y;
+  const int64_t cores = (int64_t)s->a->core_radius + s->b->core_radius;
+  const uint64_t ux = gjk_magnitude64(x), uy = gjk_magnitude64(y), limit = (uint64_t)(cores + radius);
+  // From 2^31 on single components alone are compared, so circles that are apart may count as near.
+  if (circles && (ux > limit || uy > limit ||
+                  (limit >> 31 == 0 && gjk_umul32((uint32_t)ux, (uint32_t)ux) + gjk_umul32((uint32_t)uy, (uint32_t)uy) >
+                                           gjk_umul32((uint32_t)limit, (uint32_t)limit)))) {
+    return false;
+  }
+  s->far = (ux | uy) >> 31 != 0;
+  while (is_long((int64_t)ux, (int64_t)uy, s->far)) {  // at most 3 times: then both are below 2^29 + 1
+    s->far++;
+  }
+  const uint32_t framed = radius >> s->far;
+  s->radius = framed < FRAME_REACH ? (int32_t)framed : (int32_t)FRAME_REACH;
+  s->delta.x = (int32_t)shift_far(x, s->far);
+  s->delta.y = (int32_t)shift_far(y, s->far);
+  //@ assert s->delta.x >= -(INT32_C(1) << 30) && s->delta.x <= INT32_C(1) << 30;
+  //@ assert s->delta.y >= -(INT32_C(1) << 30) && s->delta.y <= INT32_C(1) << 30;
+  return true;
+}
+
+bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, uint32_t radius) {
+  s->a = a;
+  s->b = b;
+  s->iterations = 0;
+  s->far = 0;
+  s->count = 0;
+  s->curved = false;
+  s->warm = false;
+  s->first = &s->slot[0];
+  s->apex = &s->slot[1];
+  s->last = &s->slot[2];
+  s->spare = &s->slot[3];
+  // A quarter of centre_a - centre_b: each component below 2^30, and off by less than 1.
+  const int32_t x = gjk_sar32(a->centre.x, 2) - gjk_sar32(b->centre.x, 2);
+  const int32_t y = gjk_sar32(a->centre.y, 2) - gjk_sar32(b->centre.y, 2);
+  // Bit 27 or a higher one differs from the sign: that component is not from -2^27 to below 2^27.
+  if (((uint32_t)(x ^ gjk_sar32(x, 31)) | (uint32_t)(y ^ gjk_sar32(y, 31))) >> 27 != 0) {
+    if (!start_far(s, circles, radius)) {
+      return false;
+    }
+  } else {
+    s->delta = gjk2_sub(a->centre, b->centre);  // components at most 2^29 + 3 in size: |delta| < 2^30
+    //@ assert s->delta.x >= -(INT32_C(1) << 29) - 3 && s->delta.x <= (INT32_C(1) << 29) + 3;
+    //@ assert s->delta.y >= -(INT32_C(1) << 29) - 3 && s->delta.y <= (INT32_C(1) << 29) + 3;
+    // A radius of 2^30 or more exceeds |delta|. Core radii are below 2^28 + 4 each: limit < 2^31.
+    if (circles && radius >> 30 == 0) {
+      const int32_t limit = a->core_radius + b->core_radius + (int32_t)radius;
+      if (gjk2_dot(s->delta, s->delta) > gjk_mul32(limit, limit)) {
+        return false;
+      }
+    }
+    s->radius = radius < FRAME_REACH ? (int32_t)radius : (int32_t)FRAME_REACH;
+  }
+  s->d = gjk2_negate(s->delta);
+  gjk2_search_need_direction(s);
+  s->walks = s->far == 0 && a->ordered && b->ordered;
+  if (!s->walks) {  // curved shapes have no vertices in order
+    s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
+  }
+  return true;
+}
+
+int32_t gjk2_frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far) {
+  return (int32_t)shift_far((int64_t)a - b + offset + (INT32_C(1) << (far - 1)), far);
+}
