@@ -22,6 +22,7 @@
 #                        and branch mispredictions; then run time against error: tables, build/bench.html and .csv;
 #                        BENCH_SECONDS=600 BENCH_PAIRS=5000 (60, 1000) for more; CC=clang for clang's
 #   make bench-hull     hulls of points beside qhull and CGAL where installed: times, and answers on hard sets
+#   make bench-parts    convex parts beside HACD where installed: number, time, excess, what is left out; MESHES='A.obj ...'
 #   make bench-target    instructions, stack and code per query on the emulated cores, beside floating point
 #   make readme-figures  counts them afresh and writes the README's tables
 #   make worst-case      searches for the most expensive pairs and writes them to tests/data/worst.txt; SEED=1,
@@ -110,7 +111,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: bench-hull all help lib setup test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: bench-hull bench-parts all help lib setup test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all: lib build/gjk-query build/gjk-convert build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
@@ -392,6 +393,9 @@ bench:
 
 bench-hull:
 	@sh tests/build/bench-hull.sh build
+
+bench-parts: $(LINKED_BY_TESTS) $(HOST_LIB)
+	@OBJECTS='$^' sh tests/build/bench-parts.sh build $(MESHES)
 
 bench-target:
 	@sh tests/build/bench-target.sh build

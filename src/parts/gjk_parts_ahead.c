@@ -179,6 +179,7 @@ gjk_status gjk_parts_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a
   gjk_status status = GJK_OK;
   for (unsigned i = 0; i < 2 && status == GJK_OK; i++) {
     gjk_copy(&at[i], b, sizeof at[i]);
+    at[i].buffer = NULL;  // B's own holds its vertices as B is posed
     status = gjk_collider_pose(&at[i], i == 0 ? &motion_b->from : &motion_b->to);
     status = status == GJK_OK ? set_end(&d, i, i == 0 ? &motion_a->from : &motion_a->to, &at[i]) : status;
   }

@@ -116,14 +116,17 @@ static void start_impact_region(impact_search *s, const gjk_aabb *box, int64_t a
 
 // Does a trial come before the best so far? As is_sooner of gjk_parts_first.c.
 static bool is_earlier(const impact_search *s, const gjk_impact_result *trial, gjk_status status, uint32_t part) {
-  const gjk_q30 best = s->result[s->best].lower;
-  if (s->part == GJK_PARTS_NONE || trial->lower != best) {
-    return s->part == GJK_PARTS_NONE || trial->lower < best;
+  const gjk_impact_result *best = &s->result[s->best];
+  if (s->part == GJK_PARTS_NONE) {
+    return true;
+  }
+  if (trial->lower != best->lower) {
+    return trial->lower < best->lower;
   }
   if (status != s->status) {
     return status == GJK_OK;
   }
-  if (trial->overlap != s->result[s->best].overlap) {
+  if (trial->overlap != best->overlap) {
     return trial->overlap;
   }
   return s->number_b != s->part_of_b ? s->number_b < s->part_of_b : part < s->part;

@@ -67,6 +67,20 @@ cases() {
   for call in BUILD CHECK WALK FIELD; do
     echo mesh-$call
   done
+  echo region-x
+  for query in NEAR DISTANCE DEPTH CONTACTS MANIFOLDS CAST IMPACT; do
+    echo parts-$query
+    echo parts-BOTH_$query
+  done
+  for query in RAY CAST_AHEAD IMPACT_AHEAD DRAW; do
+    echo parts-$query
+  done
+  for case in LIST TREE CLASS; do
+    echo compound-$case
+  done
+  for call in CONTACTS SETTLE; do
+    echo surface-$call
+  done
   echo bind-x
   echo quotient-x
   echo way-x
@@ -358,6 +372,34 @@ prove_one() {
     mesh)
       sources="$(echo src/mesh/*.c src/arith/*.c | sed 's|src/mesh/gjk_surface[a-z_]*[.]c||g') src/parts/gjk_region.c"
       set -- "$1" -eva-slevel 20 -eva-auto-loop-unroll 8
+      ;;
+    region)
+      sources=$(echo src/parts/gjk_region.c src/arith/*.c)
+      set -- "$1" -eva-slevel 200
+      ;;
+    parts)
+      models='region rotation place pairs'
+      sources=$(echo src/parts/gjk_parts_*.c src/arith/*.c)
+      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      set -- "$1" -eva-interprocedural-splits -eva-partition-value pairs_results_set
+      # Contacts in one place may be any of them: too many outcomes to keep apart.
+      case $instance in
+        *MANIFOLDS) set -- "$@" -eva-slevel 10 ;;
+        *NEAR | *DISTANCE | *DEPTH) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
+        *AHEAD) set -- "$@" -eva-slevel 300 ;;
+        *) set -- "$@" -eva-slevel 100 ;;
+      esac
+      ;;
+    compound)
+      models='region place'
+      sources=$(echo src/parts/gjk_compound*.c src/arith/*.c)
+      set -- "$1" -eva-slevel 500 -eva-interprocedural-splits
+      ;;
+    surface)
+      models='region rotation place pairs manifold'
+      sources=$(echo src/mesh/gjk_surface*.c src/mesh/gjk_triangle.c src/parts/gjk_parts_frame.c src/arith/*.c)
+      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
+      set -- "$1" -eva-slevel 300 -eva-interprocedural-splits
       ;;
     quotient | way | swept | motion | integrate)
       sources=$(echo src/motion/*.c src/arith/*.c src/place/*.c src/query/gjk_status.c)

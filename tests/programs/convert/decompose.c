@@ -14,7 +14,8 @@ enum {
   MEND_ROUNDS = 24,
   QUICK_CELLS = 3000,
   CAREFUL_CELLS = 10000,
-  ROUNDED_EXCESS = 16
+  ROUNDED_EXCESS = 16,
+  CUT_TWICE = 1024  // triangles
 };
 
 typedef struct part_list {
@@ -334,21 +335,25 @@ static long double rough_excess(const solid *s, const nearest_tree *tree, const 
 // merged that make little of a difference: not more than 'most'. Of exact parts by planes to corners a quarter more are taken.
 // Where faces are bent by rounding such planes follow each bend, and parts that reach a few LSB beyond are far fewer.
 static bool by_notches(const solid *s, const nearest_tree *tree, long double most, part_list *out) {
-  static const cuts_manner manners[] = {
-      {0x1p-10L, true, false}, {0x1p-10L, false, false}, {3, true, false}, {24, true, false}, {0x1p-10L, true, true}};
+  static const cuts_manner manners[] = {{0x1p-10L, true, false}, {0x1p-10L, false, false}, {3, true, false},
+                                        {24, true, false},       {3, true, true},          {0x1p-10L, true, true}};
+  long double least = INFINITY;
   for (size_t i = 0; i < sizeof manners / sizeof manners[0]; i++) {
     part_list list = {NULL, 0, 0};
     bool done = at_notches(s, tree, manners[i], &list);
     const bool exact = done && is_exact(s, &list);
+    long double excess = 0;
     if (done && !exact) {
       merge_pairs(tree, &list, fminl(ROUNDED_EXCESS, most / 4), 0, true);
-      done = rough_excess(s, tree, &list) <= fminl(4 * ROUNDED_EXCESS, most);
+      excess = rough_excess(s, tree, &list);
+      done = excess <= fminl(4 * ROUNDED_EXCESS, most);
     }
     const bool corners = manners[i].corners;
-    const bool few = out->count == 0 || list.count < out->count || (exact && 4 * list.count <= 5 * out->count);
-    if (done && (few || (exact && !corners))) {
+    const bool fewer = out->count == 0 || list.count < out->count || (list.count == out->count && excess < least);
+    if (done && (fewer || (exact && (!corners || 4 * list.count <= 5 * out->count)))) {
       free_parts(out);
       *out = list;
+      least = excess;
     } else {
       free_parts(&list);
     }
@@ -453,6 +458,23 @@ static void to_number(const solid *s, const nearest_tree *tree, unsigned parts, 
   }
 }
 
+// To an excess: pieces cut to that, and to a little less, and merged. Which leaves the fewest parts is up to chance, so that
+// one counts. Large solids are cut once.
+static void to_excess(const solid *s, const nearest_tree *tree, long double excess, unsigned parts, part_list *out) {
+  by_concavity(s, tree, excess, 0, out);
+  merge(tree, out, excess, parts);
+  if (s->triangles <= CUT_TWICE) {
+    part_list other = {NULL, 0, 0};
+    by_concavity(s, tree, 0.9L * excess, 0, &other);
+    merge(tree, &other, excess, parts);
+    const bool better = other.count < out->count;
+    free_parts(better ? out : &other);
+    if (better) {
+      *out = other;
+    }
+  }
+}
+
 static void whole_hull(const solid *s, part_list *out) {
   part p;
   if (part_build(&p, s->point, s->points)) {
@@ -490,8 +512,7 @@ void decompose(const solid *s, const decompose_options *options, decomposition *
     if (options->parts > 0 && options->excess < 0) {
       to_number(s, &tree, options->parts, &list);
     } else {
-      by_concavity(s, &tree, fmaxl(budget, 4), 0, &list);
-      merge(&tree, &list, fmaxl(budget, 4), options->parts);
+      to_excess(s, &tree, fmaxl(budget, 4), options->parts, &list);
     }
   }
   drop_covered(&list);

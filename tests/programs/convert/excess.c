@@ -349,18 +349,34 @@ static bool bound_cell(const nearest_tree *tree, cell *c, const view *v, long do
   return true;
 }
 
+// The greatest distance of a part's corners, its edges' middles and its facets' means from the solid, or one above the limit.
+static long double found_outside(const nearest_tree *tree, const part *p, long double limit) {
+  long double most = 0;
+  for (unsigned f = 0, begin = 0; f < p->faces && most <= limit; begin = p->end[f++]) {
+    const unsigned corners = p->end[f] - begin;
+    point mean = {0, 0, 0};
+    for (unsigned i = 0; i <= 2 * corners && most <= limit; i++) {
+      const int32_t *a = p->point[p->corner[begin + i % corners]], *b = p->point[p->corner[begin + (i + 1) % corners]];
+      point x;
+      for (int j = 0; j < 3; j++) {
+        x[j] = i < corners ? a[j] : i < 2 * corners ? (a[j] + (long double)b[j]) / 2 : mean[j];
+        mean[j] += i < corners ? (long double)a[j] / corners : 0;
+      }
+      size_t near;
+      if (!nearest_is_inside(tree, x)) {
+        most = fmaxl(most, nearest_find(tree, x, &near));
+      }
+    }
+  }
+  return most;
+}
+
 excess_bounds excess_of(const nearest_tree *tree, const part *p, long double tolerance, long double limit,
                         unsigned cells) {
   excess_bounds out = {0, 0};
   const long double graze = fmaxl(0x1p-10L, tolerance / 64);
   cell_heap heap = {NULL, 0, 0};
-  for (unsigned i = 0; i < p->points; i++) {
-    const point x = {p->point[i][0], p->point[i][1], p->point[i][2]};
-    size_t near;
-    if (!nearest_is_inside(tree, x)) {
-      out.at_least = fmaxl(out.at_least, nearest_find(tree, x, &near));
-    }
-  }
+  out.at_least = found_outside(tree, p, limit);
   push(&heap, cell_of(p));
   long double slack = fmaxl(tolerance, out.at_least / 64);
   for (unsigned done = 0; heap.count > 0 && done < cells; done++) {
