@@ -187,7 +187,7 @@ static void check_body(trial *t) {
 static void check_turned_level(random_state *random) {
   static found_contacts found;
   trial t;
-  unsigned long apart = 0;
+  unsigned long apart = 0, together = 0;
   memset(&t, 0, sizeof t);
   for (int k = 0; k < 60; k++) {
     surface_make(random, SURFACE_FLAT, 200, 1 << random_range(random, 5, 9), false, &t.ground);
@@ -196,14 +196,15 @@ static void check_turned_level(random_state *random) {
     t.margin = 1000;
     for (int i = 0; i < 60; i++) {
       const gjk_shape ball = GJK_SPHERE(1 + (gjk_q16)random_below(random, 3000));
+      const double gap = i % 3 == 0 ? 4 * random_unit(random) - 2 : 2 + 990 * random_unit(random);
       gjk_parts_room room;
       gjk_collider triangle, body;
       gjk_distance_result d;
       CHECK(gjk_parts_place(&t.parts, random_below(random, t.ground.triangle_count), &room, &triangle) == GJK_OK);
       const dvec a = of_vec3(&room.vertices[0]), b = of_vec3(&room.vertices[1]), c = of_vec3(&room.vertices[2]);
       const dvec n = cross_of(minus(b, a), minus(c, a));
-      const dvec at = add_scaled(add_scaled(a, random_unit(random), minus(c, a)),
-                                 (ball.convex_radius + 2 + 990 * random_unit(random)) / length_of(n), n);
+      const dvec at =
+          add_scaled(add_scaled(a, random_unit(random), minus(c, a)), (ball.convex_radius + gap) / length_of(n), n);
       const gjk_pose pose = {{(int32_t)floor(at.x + 0.5), (int32_t)floor(at.y + 0.5), (int32_t)floor(at.z + 0.5)},
                              {0, 0, 0, GJK_Q30_ONE}};
       CHECK(gjk_collider_init(&body, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&body, &pose) == GJK_OK);
@@ -216,11 +217,13 @@ static void check_turned_level(random_state *random) {
       }
       CHECK_MSG(d.intersecting || d.distance > t.margin || (least <= d.distance + 4 && least >= d.distance - 4),
                 "%u manifolds, at %ld not %ld", found.count, (long)least, (long)d.distance);
-      apart += !d.intersecting && d.distance > 0;
+      CHECK(!d.intersecting || found.count > 0);
+      apart += !d.intersecting;
+      together += d.intersecting;
     }
     surface_free(&t.ground);
   }
-  CHECK(apart > 3000);
+  CHECK(apart > 2000 && together > 200);
 }
 
 int main(void) {

@@ -304,6 +304,32 @@ static void check_refusals(gjk_parts good) {
   refuse(&bad, &b, GJK_ERROR_RANGE);
 }
 
+// A triangle longer than there may be, of data that was never checked, has no contacts.
+static void check_too_long(void) {
+  static const gjk_shape crate = GJK_BOX(GJK_Q16(1), GJK_Q16(1), GJK_Q16(1));
+  static const gjk_pose identity = GJK_POSE_IDENTITY;
+  gjk_vec3 corners[3] = {{-100000, -100000, 0}, {100000, -100000, 0}, {0, 100000, 0}};
+  gjk_mesh_triangle triangle = {{0, 1, 2}};
+  gjk_mesh_node node;
+  gjk_mesh mesh;
+  gjk_collider b;
+  gjk_surface_contact found;
+  CHECK(gjk_mesh_build(corners, 3, &triangle, 1, false, &node, 1, &mesh) == GJK_OK);
+  CHECK(gjk_collider_init(&b, &crate, NULL, 0) == GJK_OK && gjk_collider_pose(&b, &identity) == GJK_OK);
+  const gjk_parts parts = GJK_PARTS_OF_MESH(&mesh);
+  for (int k = 0; k < 7; k++) {
+    static const int32_t far = GJK_MESH_COORDINATE_MAX;
+    const gjk_vec3 good = corners[k / 2 % 3];
+    uint16_t count = 77;
+    if (k < 6) {
+      corners[k / 2].x = k % 2 == 0 ? far : good.x;
+      corners[k / 2].y = k % 2 == 0 ? good.y : k / 2 == 2 ? far : -far;
+    }
+    CHECK(gjk_surface_contacts(&parts, &b, 0, 4, NULL, &found, 1, &count) == GJK_OK && count == (k < 6 ? 0 : 1));
+    corners[k / 2 % 3] = good;
+  }
+}
+
 static void check_all_refusals(void) {
   static const gjk_vec3 corners[3] = {{0, 0, 0}, {100000, 0, 0}, {0, 100000, 0}};
   static int16_t heights[4];
@@ -357,6 +383,7 @@ int main(void) {
   const uint64_t seed = check_seed(SEED);
   const unsigned long trials = check_trials_least(TRIALS, 36);
   check_all_refusals();
+  check_too_long();
   for (unsigned long i = 0; i < trials; i++) {
     random_state random = random_seed(seed + i);
     const int32_t step = 1 << random_range(&random, 5, 18);
