@@ -50,7 +50,7 @@ gjk_status gjk_hull_vertices(const gjk_hull *hull, gjk_vec3 *out, uint16_t capac
 
 // Writes the facets for a shape with faces (gjk/shape.h), by numbers of gjk_hull_vertices.
 //
-// A facet of more than GJK_FACE_CORNERS_MAX corners is cut into faces that share its first corner; so there may be more
+// A facet of more than GJK_FACE_CORNERS_MAX corners is cut into faces that share its first corner. So there may be more
 // faces than hull->faces, and two more corners for each.
 //
 // corner, end  room for corner_capacity and face_capacity numbers; they become the fields of out.
