@@ -21,6 +21,13 @@ near() {
     }' "$figures" README.md
 }
 
+# at_most POINTS INSTRUCTIONS: what src/README.md says of hulls, and 5 % more
+at_most() {
+  awk -v points="$1" -v most="$2" '
+    $3 == points { found = 1; print; if ($7 + 0 <= 0 || $7 > most) bad = 1 }
+    END { exit bad || !found }' "$figures"
+}
+
 # ground KIND: of a mesh or a height field
 ground() {
   check "$1: contacts" near 1 "turned box on a $1: contacts" "turned box on a $1" 1
@@ -39,6 +46,11 @@ for target in cortex-m3 cortex-m0; do
   library $target '' OPT=-O2
   check "$target: hulls" count $target hull_bench
   check "$target: hull of 64 points" near $column 'hull of 64 points on a sphere' 'hull of 64 points' 3
+  if [ $target = cortex-m3 ]; then
+    check 'hull of 16 points' at_most 16 46000
+    check 'hull of 64 points' at_most 64 265000
+    check 'hull of 256 points' at_most 256 1310000
+  fi
   check "$target: compounds" count $target parts_bench
   for query in contacts distance cast; do
     check "$target: compound, $query" near $column "box and compound: $query" "32 parts, tree, $query:" 2
