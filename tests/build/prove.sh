@@ -34,6 +34,8 @@ TABLE_LEVELS=main:50,gjk_hull_table_check:20,gjk_hull_table_make:20,gjk_table_me
 BOX_SAT_LEVELS=gjk_box_sat:1000,run:100
 MANIFOLDS_LEVELS=keep_contacts:50,join_manifold:20,reduce_manifold:20,take_manifold:50,join_parts:50,finish_manifolds:50,\
 report_manifolds:50,gjk_parts_manifolds:50,gjk_parts_both_manifolds:50,main:50,ask:50
+CAST_LEVELS=main:50,ask:100,gjk_parts_cast:200,gjk_parts_both_cast:200,gjk_parts_cast_ray:200,gjk_parts_both_open:100,set_way_of_a:100,\
+cast_against:200,cast_part:100,start_region:100,gjk_parts_frame_set:50
 SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
 
 # The outcomes of a call kept apart by its last branch, so that what a check found of an index is known after it.
@@ -388,7 +390,8 @@ prove_one() {
       case $instance in
         *MANIFOLDS) set -- "$@" -eva-slevel 5 -eva-min-loop-unroll 24 -eva-slevel-function "$MANIFOLDS_LEVELS" ;;
         NEAR | DISTANCE | DEPTH) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
-        BOTH* | CAST* | RAY) set -- "$@" -eva-slevel 20 ;;
+        *CAST* | RAY) set -- "$@" -eva-slevel 20 -eva-slevel-function "$CAST_LEVELS" ;;
+        BOTH*) set -- "$@" -eva-slevel 20 ;;
         *) set -- "$@" -eva-slevel 100 ;;
       esac
       ;;
