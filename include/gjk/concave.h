@@ -5,10 +5,10 @@
 //     static gjk_shape ground_shape;
 //     gjk_concave_init(&hills, &ground, &ground_shape);  // then &ground_shape goes into the scene's table of shapes
 //
-// A part of such a shape is like any other: the body may be static or move, may have more parts, and the part a pose of
-// its own. Whatever the scene answers about it is what gjk/parts.h answers about the body of many parts at the part's
-// pose: updates by gjk_parts_within, gjk_parts_distance, gjk_parts_penetration and gjk_parts_manifolds, rays and casts
-// by gjk_parts_cast_ray and gjk_parts_cast. So nothing depends on the tree, on caches or skips.
+// A part of such a shape is like any other. Its body may be static or move and may have more parts; the part may have a
+// pose of its own. Whatever the scene answers about it is what gjk/parts.h answers about the body of many parts at the
+// part's pose. Updates ask gjk_parts_within, gjk_parts_distance, gjk_parts_penetration and gjk_parts_manifolds. Rays
+// and casts ask gjk_parts_cast_ray and gjk_parts_cast. So nothing depends on the tree, on caches or skips.
 //
 // Saves    hold the index of the shape, as of any other. Peers need the same meshes, as they need the same shapes.
 // Boxes    gjk_scene_query_box and gjk_scene_query_ray take such a part for its box in its own frame, turned.
