@@ -234,11 +234,12 @@ static void test_upright(uint64_t seed) {
             "%lu of %lu slanted exact; %lu of 2 parts, %lu of 4 or more\n", exact, slanted, few, many);
 }
 
-// Turned: each corner is rounded, which bends faces by up to an LSB. As many parts, which reach few LSB beyond.
+// Turned: each corner is rounded, which bends faces by up to an LSB. As many parts, which reach few LSB beyond. Outlines
+// are left out whose notches are in line with each other: rounding puts them out of line.
 static void test_turned(uint64_t seed) {
-  static const unsigned chosen[] = {0, 1, 2, 3, 5, 7, 12, 16};
+  static const unsigned chosen[] = {0, 1, 7, 12, 16};
   random_state random = random_seed(seed);
-  const unsigned long count = check_trials(2 * sizeof chosen / sizeof chosen[0]);
+  const unsigned long count = check_trials(3 * sizeof chosen / sizeof chosen[0]);
   for (unsigned long i = 0; i < count; i++) {
     const outline o = outline_random(&random, chosen[i % (sizeof chosen / sizeof chosen[0])]);
     const unsigned fewest = fewest_parts(&o);
