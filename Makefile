@@ -298,6 +298,8 @@ $(OUT)/%.elf: tests/measure/target/%.c tests/measure/target/%_firmware.c $(OUT)/
 $(OUT)/bench.elf: tests/measure/target/bench_gjk.c tests/measure/target/bench_float.c tests/measure/target/bench_double.c
 $(OUT)/bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),,-DBENCH_REFERENCE_DEPTH)
 $(OUT)/bench.elf $(OUT)/plane_bench.elf $(OUT)/cast_bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
+$(OUT)/hull_bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),-DHULL_BENCH_POINTS=64)
+$(OUT)/parts_bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),-DPARTS_BENCH_PARTS=32)
 $(OUT)/plane_bench.elf: tests/measure/target/plane_bench_chain.c
 $(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/scene_bench.elf: tests/support/scene/traffic.c

@@ -91,8 +91,8 @@ gjk_status gjk_cast_ray(const gjk_collider *a, const gjk_vec3 *from, const gjk_v
 
 // Proves a result of gjk_cast from its certificate: hit or miss, and the fraction of shapes without radius and margin.
 //
-// With a radius or margin it proves hit or miss, and whether it is at the start, by decisions of its own; without, every
-// field but iterations, of an answer as gjk_cast gives it.
+// With a radius or margin it proves hit or miss, and whether it is at the start, by decisions of its own. Without, it
+// proves every field but iterations of an answer as gjk_cast gives it.
 //
 // Statuses  UNPROVEN: the certificate does not hold, or does not prove the result. UNSUPPORTED: curved shapes; with a
 //           radius or margin, ways and centres for which no decision is exact, as above. NULL, UNINITIALISED, NEGATIVE,

@@ -1,7 +1,7 @@
 // Certificates: why an answer is right, in integers that anyone can check.
 //
-// A vertex is named by a number. Of a hull or triangle it is the index; of a box, segment or point the signs of its
-// half axes: bit 0, 1, 2 set for plus x, y, z, and bit 0 of a segment for plus z. A pair (a[i], b[i]) stands for the
+// A vertex is named by a number. Of a hull or triangle it is the index. Of a box or point it is the signs of the half
+// axes: bit 0, 1, 2 set for plus x, y, z. Of a segment bit 0 is set for plus z. A pair (a[i], b[i]) stands for the
 // point a - b of the Minkowski difference of the two cores.
 #ifndef GJK_CERTIFICATE_H
 #define GJK_CERTIFICATE_H

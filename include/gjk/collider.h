@@ -19,7 +19,7 @@ typedef struct gjk_aabb {
 } gjk_aabb;
 
 // Start from zeroed memory; gjk_collider_init and gjk_collider_pose fill it. Its contents are the library's, but you
-// may read two fields: centre, the world position of the centre of the core's own bounding box; and radius, of a
+// may read two fields. centre is the world position of the centre of the core's own bounding box. radius is that of a
 // sphere about centre that holds the shape with its convex radius. A collider may be copied; copies share shape and
 // buffer.
 typedef struct gjk_collider {

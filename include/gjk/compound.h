@@ -33,8 +33,8 @@ typedef struct gjk_compound_part {
   gjk_pose pose;           // in the frame of the compound
 } gjk_compound_part;
 
-// A box of the tree, in the frame of the compound. The nodes are in the order of a walk, which needs no
-// stack: where the box is met it goes on to the next node, else to skip.
+// A box of the tree, in the frame of the compound. The nodes are in the order of a walk, which needs no stack. Where
+// the box is met it goes on to the next node, else to skip.
 typedef struct gjk_compound_node {
   gjk_aabb box;   // of the part, or of all parts below
   uint16_t skip;  // the node that follows all below this one

@@ -44,16 +44,16 @@ gjk_status gjk_draw_manifold(const gjk_draw *draw, const gjk_manifold *manifold,
 gjk_status gjk_draw_ray(const gjk_draw *draw, const gjk_vec3 *from, const gjk_vec3 *to, const gjk_cast_result *result,
                         gjk_q16 length);
 
-// A cast of B against a shape that stands: its outline at the start, and where it rests, or at the end of a way without
-// hit; the way from position to position; at a hit that is not inside point_a and the normal.
+// A cast of B against a shape that stands. Drawn are its outline at the start, and where it rests or, without a hit,
+// where the way ends; the way between both positions; and of a hit that is not inside, point_a and the normal.
 //
 // collider  B at the start.
 // Statuses  RANGE: to takes its centre out of int32.
 gjk_status gjk_draw_cast(const gjk_draw *draw, const gjk_collider *collider, const gjk_vec3 *to,
                          const gjk_cast_result *result, gjk_q16 length);
 
-// A scene as it is now: what is a sum of GJK_DRAW_SHAPES, for the outlines of all parts; GJK_DRAW_BOXES, for their boxes;
-// GJK_DRAW_PAIRS, for the pairs near at the last update. Parts of which gjk_scene_collider makes no collider are left out.
+// A scene as it is now. what is a sum of GJK_DRAW_SHAPES (outlines of all parts), GJK_DRAW_BOXES (their boxes) and
+// GJK_DRAW_PAIRS (pairs near at the last update). Parts of which gjk_scene_collider makes no collider are left out.
 // Statuses  RANGE: what has another bit.
 gjk_status gjk_draw_scene(const gjk_draw *draw, const gjk_scene *scene, unsigned what);
 

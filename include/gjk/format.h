@@ -43,7 +43,7 @@ typedef struct gjk_pose {
 #define GJK_Q30_ONE ((gjk_q30)1073741824)
 
 // A literal in units, rounded to the nearest LSB; the compiler folds it, the program holds an integer. What leaves
-// int32 does not compile in C++11, nor in C where a constant is needed; within a function C compilers warn of a
+// int32 does not compile in C++11, nor in C where a constant is needed. Within a function C compilers warn of a
 // division by zero.
 #define GJK_Q16(units) GJK_FIXED((units)*65536.0)
 #define GJK_Q30(value) GJK_FIXED((value)*1073741824.0)

@@ -1,4 +1,4 @@
-// Hashes of your own state, for lockstep: the step that gjk_scene_hash takes for each word, so that one number compares
+// Hashes of your own state, for lockstep: the step that gjk_scene_hash takes for each word. So one number compares
 // bodies' speeds, counters and inputs as well as the scene.
 //
 //     uint64_t hash = GJK_HASH_BEGIN;

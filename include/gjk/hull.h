@@ -50,7 +50,7 @@ gjk_status gjk_hull_vertices(const gjk_hull *hull, gjk_vec3 *out, uint16_t capac
 
 // Writes the facets for a shape with faces (gjk/shape.h), by numbers of gjk_hull_vertices.
 //
-// A facet of more than GJK_FACE_CORNERS_MAX corners is cut into faces that share its first corner; so there may be more
+// A facet of more than GJK_FACE_CORNERS_MAX corners is cut into faces that share its first corner. So there may be more
 // faces than hull->faces, and two more corners for each.
 //
 // corner, end  room for corner_capacity and face_capacity numbers; they become the fields of out.
@@ -88,7 +88,7 @@ typedef struct gjk_hull_simple {
 // out        written, with vertices, when the result is GJK_OK.
 // Exact      every point is inside or on the simple hull, which is tested in the end. Where the hull has no more vertices
 //            than wanted, they are the result, and the excess is 0. The same for any order of the points.
-// Excess     measured on the result: at most 4 LSB above the largest distance, never below it. Never more than that of the
+// Excess     measured on the result: at most 2 LSB above the largest distance, never below it. Never more than that of the
 //            bounding box, of 8 vertices, or of a tetrahedron around it. It is small, not the least: of points on a sphere
 //            32 vertices reach some 14 % of the radius beyond, and could do with 9 %. At a sharp corner a vertex has to go
 //            far, since it is not cut off.
@@ -111,7 +111,7 @@ typedef enum gjk_hull_fault {
   GJK_HULL_BEYOND,     // a vertex beyond a face: the face is turned inwards, or does not bound the hull
   GJK_HULL_OPEN,       // an edge that no other face has the opposite way
   GJK_HULL_DOUBLED,    // an edge that two faces have the same way
-  GJK_HULL_LAYERS      // faces at a vertex that do not go once around it
+  GJK_HULL_LAYERS      // faces that do not go once around a vertex; of face 0 also: around all of them
 } gjk_hull_fault;
 
 // What gjk_hull_check found.
@@ -123,7 +123,8 @@ typedef struct gjk_hull_report {
 } gjk_hull_report;
 
 // Are the faces of a hull closed, convex, outward and complete, for contacts? Coplanar faces beside each other, and
-// vertices that are on no face, within the hull, are sound.
+// vertices that are on no face, within the hull, are sound. Of points in a plane both sides are, which meet at the outline:
+// within it an edge is open, or doubled, by the faces of its own side.
 //
 // vertices  count of them, no more than 2 GJK_RADIUS_MAX apart along an axis (SIZE).
 // Statuses  NULL; EMPTY. OK: out is written, whatever it says.

@@ -10,8 +10,8 @@ extern "C" {
 
 // How a shape moves from one pose to another, as the fraction of the way runs from 0 to 1.
 //
-// The position moves in a straight line. The rotation turns at a steady rate: by spin about a fixed axis of the world
-// where spin is not 0, and else along the shortest arc from from.rotation to to.rotation.
+// The position moves in a straight line. The rotation turns at a steady rate. Where spin is not 0, it turns by spin
+// about a fixed axis of the world, else along the shortest arc from from.rotation to to.rotation.
 typedef struct gjk_motion {
   gjk_pose from;  // where it begins
   gjk_pose to;    // of its rotation nothing is read where spin is not 0

@@ -1,8 +1,8 @@
 // Forward kinematics: the poses along a chain of joints, such as an arm or a leg.
 //
-// A chain costs less than a third of what its joints cost by gjk_quat_from_axis_angle and gjk_pose_compose; its errors are
-// smaller: positions are rounded once, and what a joint adds is stated. A joint that forks begins a chain of its own, whose
-// base is the pose of the joint before. So does one that turns otherwise than those before.
+// A chain costs less than a third of what its joints cost by gjk_quat_from_axis_angle and gjk_pose_compose. Its errors
+// are smaller, because positions are rounded once, and what a joint adds is stated. A joint that forks begins a chain
+// of its own, whose base is the pose of the joint before. So does one that turns otherwise than those before.
 //
 //     gjk_joint arm[2];
 //     gjk_joint_init(&arm[0], &shoulder, NULL);  // once; may then be a constant

@@ -66,8 +66,7 @@ gjk_status gjk_mass_of_hull(const gjk_hull *hull, gjk_mass *out);
 // Statuses  NULL; RANGE: the mass would be 65536 or more.
 gjk_status gjk_mass_set_density(gjk_mass *body, uint32_t density);
 
-// Adds a part at a pose to a body. A zeroed body has no parts. Parts that overlap count where they do as often as they
-// do; a part's mass is what it says.
+// Adds a part at a pose to a body. A zeroed body has no parts. Where parts overlap, each of them counts.
 //
 // part      with its mass above 0 (RANGE); not body itself (OVERLAP).
 // pose      of the part's frame in the body's.

@@ -39,9 +39,9 @@ gjk_angle gjk_vec3_angle(const gjk_vec3 *a, const gjk_vec3 *b);
 // A rotation from two angles, elevation and then azimuth, is gjk_quat_from_euler(0, elevation, azimuth, out).
 gjk_status gjk_quat_between(const gjk_vec3 *from, const gjk_vec3 *to, gjk_quat *out);
 
-// The orientation after turning about the axis of velocity for a time. |velocity| is in radians per unit of time, Q16.16;
-// time is of that unit, Q2.30 from 0 to 1. As accurate as gjk_motion_pose of gjk/impact.h: the angle is not rounded, so
-// small steps do not drift. Statuses: NULL; ROTATION; RANGE (time). out is written only after OK.
+// The orientation after turning about the axis of velocity for a time. |velocity| is in radians per unit of time,
+// Q16.16. time is in that unit, Q2.30 from 0 to 1. As accurate as gjk_motion_pose of gjk/impact.h: the angle is not
+// rounded, so small steps do not drift. Statuses: NULL; ROTATION; RANGE (time). out is written only after OK.
 gjk_status gjk_quat_integrate(const gjk_quat *rotation, const gjk_vec3 *velocity, gjk_q30 time, gjk_quat *out);
 
 // The pose and half length of a segment or capsule, which lies along z, from p to q. The half length is to the nearest, and

@@ -1,7 +1,7 @@
 // Triangle meshes: surfaces of up to millions of triangles, as constants fit for flash.
 //
-// A mesh is the caller's vertices and, for each triangle, 15 bytes: three numbers of vertices with what is known of its
-// edges, and its share of a tree of boxes. gjk_mesh_build makes the latter, on the target or beforehand; gjk-convert
+// A mesh is the caller's vertices and 15 bytes for each triangle. These are three numbers of vertices, what is known of
+// the edges, and a share of a tree of boxes. gjk_mesh_build makes the tree, on the target or beforehand; gjk-convert
 // writes meshes as C source. Of a million triangles a query asks as many as of a patch cut out around the body.
 #ifndef GJK_MESH_H
 #define GJK_MESH_H
@@ -36,8 +36,8 @@ typedef enum gjk_mesh_edge {
 
 // A triangle. Corners run counterclockwise seen from its front.
 //
-// corner[i]: bits 0 to 27 the number of a vertex; bits 28 and 29 a gjk_mesh_edge, of the edge to the next corner; the
-// rest 0.
+// corner[i]: bits 0 to 27 are the number of a vertex; bits 28 and 29 the gjk_mesh_edge of the edge to the next corner.
+// The rest are 0.
 typedef struct gjk_mesh_triangle {
   uint32_t corner[3];  // see above
 } gjk_mesh_triangle;

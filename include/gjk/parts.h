@@ -5,7 +5,7 @@
 // proven as that of a pair: gjk_parts_place makes the collider of a part, which the checks of gjk/check.h take.
 //
 // Order    What is answered depends neither on the order of the parts in memory nor on the tree above them. Of parts that
-//          are equally good, the one with the least number is reported.
+//          are equally good, the one with the least number is reported. Manifolds put together have a rule of their own.
 // Numbers  Parts count from 0. Where a pointer for a number may be NULL, the number is not wanted.
 // Caches   None are kept: each part is asked from a cold start.
 // Statuses of every call, beside its own; outputs are then as they were:
@@ -130,9 +130,12 @@ gjk_status gjk_parts_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16
 // margin     0 to GJK_RADIUS_MAX. most, workspace: as of gjk_contacts.
 // out        room for capacity manifolds, 1 to GJK_PARTS_MANIFOLDS_MAX (RANGE); it may be written in any case. The deepest
 //            comes first; there are none without contacts.
-// Together   A manifold holds contacts of all parts whose normals are at most 3 degrees from its own, which is that of the
-//            deepest one. Contacts in one place, within 8 LSB per axis, count once. Of more than most those are kept that
-//            gjk_contacts would keep. Normals beyond capacity are left out, the least deep ones.
+// Together   A part's contacts join the manifold whose normal is nearest to theirs, at most 3 degrees away, or begin another
+//            one. The deepest contact gives the normal; so in a row of normals some may be farther from it. Contacts in one
+//            place, within 8 LSB per axis, count once. Of more than most those are kept that gjk_contacts would keep.
+// Room       Normals beyond capacity are left out, the least deep ones. One that is left out for a while loses its contacts,
+//            so with more normals than room what is left may depend on capacity.
+// Order      It may depend on the order of the parts in memory, and on the tree. Both are data: peers have the same.
 // Surfaces   Contacts of a mesh or height field are those of gjk_surface_contacts.
 // Ids        as of gjk_contacts, with the numbers of the parts mixed in. Within a manifold each is there once.
 // Features   of the deepest part.
@@ -185,12 +188,15 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
                                     const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
                                     gjk_impact_result *out);
 
-// As gjk_parts_cast and gjk_parts_time_of_impact, of those parts alone that B is in front of at the start: what a body that
-// lies on the ground may still run into.
+// As gjk_parts_cast and gjk_parts_time_of_impact, of those parts alone that B is in front of at the start. That is what
+// a body on the ground may still run into.
 //
-// In front  of a triangle: all of B is more than the margin beyond its plane; of two sides on that where most of B is. An
-//           impact meets a triangle that is no nearer than the tolerance, or one whose plane most of B goes through.
-//           Of other parts: B is farther than the margin from it.
+// In front  of a triangle: all of B is more than the margin beyond its plane. Of a triangle with two sides that side
+//           counts where most of B is. An impact meets a triangle that is no nearer than the tolerance, or one whose
+//           plane most of B goes through. Of other parts: B is farther than the margin from it. Of a triangle whose
+//           corners lie in a line: farther than the margin, for an impact than margin and tolerance.
+// Rounding  Where B's height is within 12 LSB of that margin, a triangle that B is as near to is not met. Another one
+//           is, if B is in front of it or most of B goes through its plane.
 // Statuses  as of gjk_parts_cast and gjk_parts_time_of_impact; b has to be bound to its shape, no more, for an impact.
 gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
                                 gjk_cast_result *out);
@@ -204,9 +210,9 @@ typedef struct gjk_parts_pair {
   uint32_t a, b;  // numbers of the parts; GJK_PARTS_NONE: none
 } gjk_parts_pair;
 
-// As above, for two bodies. Of equally good pairs the one with the least number of B's part is reported, of those the one
-// with the least of A's. parts may be NULL. Of casts rest_b is the position of B's own pose; manifolds are in the order of
-// B's parts, then of A's.
+// As above, for two bodies. Of equally good pairs the one with the least number of B's part is reported; of those the
+// one with the least of A's. parts may be NULL. Of casts rest_b is the position of B's own pose; manifolds are in the
+// order of B's parts, then of A's.
 gjk_status gjk_parts_both_within(const gjk_parts *a, const gjk_parts *b, gjk_q16 distance, gjk_parts_pair *parts,
                                  gjk_decision *out);
 gjk_status gjk_parts_both_distance(const gjk_parts *a, const gjk_parts *b, gjk_parts_pair *parts,
@@ -222,9 +228,9 @@ gjk_status gjk_parts_both_manifolds(const gjk_parts *a, const gjk_parts *b, gjk_
 gjk_status gjk_parts_both_cast(const gjk_parts *a, const gjk_parts *b, const gjk_cast_path *path, gjk_parts_pair *parts,
                                gjk_cast_result *out);
 
-// The least tolerance of gjk_parts_both_time_of_impact, 32 LSB, where the farthest points of A and B are together at most
-// 256 units from the positions of their poses. Beyond that 2^-21 of the excess comes on top, 11 LSB for each body that
-// reaches farther than 4096 units, and 2^-26 of the margin.
+// The least tolerance of gjk_parts_both_time_of_impact, 32 LSB. It is enough where the farthest points of A and B are
+// together at most 256 units from the positions of their poses. Beyond that 2^-21 of the excess comes on top, 11 LSB
+// for each body that reaches farther than 4096 units, and 2^-26 of the margin.
 #define GJK_PARTS_BOTH_TOLERANCE_MIN ((gjk_q16)32)
 
 // When do two bodies that move and turn first touch? As gjk_parts_time_of_impact: every part runs along an arc with its body.

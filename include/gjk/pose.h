@@ -2,7 +2,7 @@
 //
 // Quaternions are Q2.30, angles Q16.16 radians (gjk_angle). A quaternion counts as a unit while its squared length is
 // within GJK_ROTATION_TOLERANCE of 1, exactly. Every call takes such a q for q / |q|, so an integrator's drift does no
-// harm until it is beyond the tolerance, which a status reports.
+// harm within the tolerance. A status reports what is beyond it.
 //
 // Errors  against real arithmetic on the same integer input, the largest of any component, for every input;
 //         tests/check/unit/test_pose.c holds them.

@@ -45,9 +45,9 @@ gjk_status gjk_scene_cast_all(const gjk_scene *scene, const gjk_collider *collid
                               const gjk_scene_filter *filter, const gjk_scene_hit *after, gjk_scene_hit *hits,
                               uint32_t capacity, uint32_t *count);
 
-// Finds the parts that are at most reach away from a posed collider, in the order of (slot, part): those that share a
-// point with it where reach is 0. As gjk_within decides; where it reaches its ceiling, the part counts as near. after,
-// hits and count as in gjk_scene_query_box. Statuses: UNINITIALISED, NEGATIVE (reach).
+// Finds the parts that are at most reach away from a posed collider, in the order of (slot, part). Where reach is 0, it
+// finds those that share a point with it. As gjk_within decides; where it reaches its ceiling, the part counts as near.
+// after, hits and count as in gjk_scene_query_box. Statuses: UNINITIALISED, NEGATIVE (reach).
 gjk_status gjk_scene_query_within(const gjk_scene *scene, const gjk_collider *collider, gjk_q16 reach,
                                   const gjk_scene_filter *filter, const gjk_scene_hit *after, gjk_scene_hit *hits,
                                   uint32_t capacity, uint32_t *count);

@@ -8,9 +8,9 @@
 // slots may be added in any order. tests/check/unit/test_scene_*.c and test_history.c hold each statement of this
 // header.
 //
-// What is reported of a pair is a function of shapes, poses, margins and configuration: what the queries answer from a
-// cold start, even where they find no answer. Skips and caches never change it. One case needs no query: a pair with a
-// curved or custom shape is apart when its exact boxes are farther apart along an axis than the margins.
+// What is reported of a pair is a function of shapes, poses, margins and configuration. It is what the queries answer
+// from a cold start, even where they find no answer. Skips and caches never change it. One case needs no query. A pair
+// with a curved or custom shape is apart where its exact boxes are farther apart along an axis than the margins.
 //
 // Lockstep peers need the same shapes, builds with the same GJK_ITERATIONS_MAX, and the same configuration. Only
 // box_margin and retest_all may differ, and capacities that do not run out.
@@ -253,7 +253,7 @@ gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_rep
 
 // The manifold of a reported pair at its bodies' current poses, at most the sum of their margins apart, without a
 // cache. For programs that ask of some pairs alone, or share the work among threads. most, out and statuses as of
-// gjk_contacts; and BODY_ID, RANGE for a part that is not there, UNSUPPORTED for a workspace of fewer cells than
+// gjk_contacts. Also BODY_ID; RANGE for a part that is not there; UNSUPPORTED for a workspace of fewer cells than
 // config.workspace_cells.
 gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out);
 
@@ -288,9 +288,9 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
 
 // Lockstep and saving.
 
-// 64 bits over all that decides further answers: the configuration without capacities, box_margin and retest_all; the
-// build's GJK_ITERATIONS_MAX; bodies and their kept motions; pairs near at the last update and their words; updates. Tree and
-// caches do not count. BUSY during an update.
+// 64 bits over all that decides further answers. Counted are the configuration without capacities, box_margin and
+// retest_all, and the build's GJK_ITERATIONS_MAX. So are bodies and their kept motions, pairs near at the last update
+// and their words, and the number of updates. Tree and caches do not count. BUSY during an update.
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 
 // Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.

@@ -46,11 +46,11 @@ typedef struct gjk_hull_faces {
   uint16_t count;          // faces
 } gjk_hull_faces;
 
-// A table of a hull: for each cell of directions the vertices that may be farthest along one of them, so that only these
-// are looked at. gjk/table.h makes one. Only hulls of some 32 vertices and more gain.
+// A table of a hull: for each cell of directions the vertices that may be farthest along one of them. Only these are
+// looked at. gjk/table.h makes one. Only hulls of some 32 vertices and more gain.
 //
-// gjk_collider_init checks that every list can be read, no more: with vertices missing from a cell, answers are wrong as
-// if the hull lacked them along those directions. gjk_hull_table_check proves that none is missing.
+// gjk_collider_init checks that every list can be read, no more. With vertices missing from a cell, answers are wrong,
+// as if the hull lacked them along those directions. gjk_hull_table_check proves that none is missing.
 typedef struct gjk_hull_table {
   const uint16_t *vertex;  // numbers of vertices of all cells, one cell after the other, rising within each
   const uint16_t *end;     // end[i]: where cell i ends in vertex; no cell is empty

@@ -14,8 +14,8 @@ typedef struct gjk_surface_contact {
   gjk_manifold manifold;  // normal from A to B
 } gjk_surface_contact;
 
-// The contacts of a body with a mesh or height field: for each triangle that it overlaps, or is at most margin apart from,
-// one manifold, without the normals that the triangle alone would have and the surface has not.
+// The contacts of a body with a mesh or height field: one manifold for each triangle that it overlaps, or is at most
+// margin apart from. Normals that the triangle alone would have, and the surface has not, are left out.
 //
 // a          a body of triangles: GJK_PARTS_OF_MESH, GJK_PARTS_OF_HEIGHT_FIELD (others: GJK_ERROR_UNSUPPORTED).
 // b          a posed collider.

@@ -30,8 +30,8 @@ extern "C" {
 gjk_status gjk_hull_table_make(const gjk_vec3 *vertices, uint16_t count, uint8_t level, uint16_t *vertex,
                                uint16_t capacity, uint16_t *end);
 
-// Proves that queries find with the table what they find without it: for every vertex that a cell does not list, one
-// that it lists is farther along all of the cell's directions.
+// Proves that queries find with the table what they find without it. For every vertex that a cell does not list, it
+// lists one that is farther along all of the cell's directions.
 //
 // Statuses  OK: proven. NULL, RANGE: as gjk_collider_init has it. UNPROVEN: a vertex may be missing. A table made by
 //           gjk_hull_table_make of the same vertices is always proven.

@@ -1,7 +1,7 @@
 // Certificates of the plane: why an answer is right, in integers that anyone can check.
 //
-// A vertex is named by a number. Of a polygon or triangle it is the index; of a box, segment or point the signs of its
-// half axes: bit 0 and 1 set for plus x and y. A pair (a[i], b[i]) stands for the point a - b of the Minkowski
+// A vertex is named by a number. Of a polygon or triangle it is the index. Of a box, segment or point it is the signs
+// of the half axes: bit 0 and 1 set for plus x and y. A pair (a[i], b[i]) stands for the point a - b of the Minkowski
 // difference of the two cores.
 #ifndef GJK2_CERTIFICATE_H
 #define GJK2_CERTIFICATE_H

@@ -1,8 +1,8 @@
 // Colliders of the plane: a shape at a pose, in RAM.
 //
 // Posing is the only place where the geometry of polygons is rounded: rotated vertices and half axes go to the nearest
-// LSB. From then on points, segments, triangles, boxes and polygons are integers, and queries treat them exactly: as
-// the convex hull of those integers, which for a polygon of a few LSB may have other corners than before.
+// LSB. From then on points, segments, triangles, boxes and polygons are integers, and queries treat them exactly, as
+// the convex hull of those integers. Of a polygon of a few LSB that may have other corners than before.
 #ifndef GJK2_COLLIDER_H
 #define GJK2_COLLIDER_H
 
@@ -20,8 +20,9 @@ typedef struct gjk2_aabb {
 } gjk2_aabb;
 
 // Start from zeroed memory; gjk2_collider_init and gjk2_collider_pose fill it. Its contents are the library's, but you
-// may read two fields: centre, the world position of the centre of the core's own bounding box; and radius, of a circle
-// about centre that holds the shape with its convex radius. A collider may be copied; copies share shape and buffer.
+// may read two fields. centre is the world position of the centre of the core's own bounding box. radius is that of a
+// circle about centre that holds the shape with its convex radius. A collider may be copied; copies share shape and
+// buffer.
 typedef struct gjk2_collider {
   const gjk2_shape *shape;  // that gjk2_collider_init was given
   gjk2_vec *buffer;         // baked polygon: its posed vertices relative to centre; NULL otherwise

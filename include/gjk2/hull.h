@@ -34,8 +34,8 @@ typedef struct gjk2_hull_simple {
   uint32_t excess;    // no point of the simple hull is farther than this from the hull of the points, LSB
 } gjk2_hull_simple;
 
-// A hull of at most so many vertices that encloses the hull of the points, exactly: edges are removed whose neighbours meet
-// near them, the nearest first.
+// A hull of at most so many vertices that encloses the hull of the points, exactly. Edges are removed whose neighbours
+// meet near them, the nearest first.
 //
 // most      vertices wanted, from GJK2_HULL_SIMPLE_MIN on (RANGE).
 // vertices  room for 2 count of them, the memory that is needed; may not be points. The first ones are the simple hull,

@@ -2,7 +2,7 @@
 //
 // Rotations are unit complex numbers c + i s in Q2.30, angles Q16.16 radians (gjk_angle). A rotation counts as a unit
 // while c^2 + s^2 is within GJK2_ROTATION_TOLERANCE of 1, exactly. Every call takes such an r for r / |r|, so an
-// integrator's drift does no harm until it is beyond the tolerance, which a status reports.
+// integrator's drift does no harm within the tolerance. A status reports what is beyond it.
 //
 // Errors  against real arithmetic on the same integer input, the largest of any component, for every input;
 //         tests/check/unit/test_plane_pose.c holds them.

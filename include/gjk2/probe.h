@@ -46,9 +46,9 @@ gjk_status gjk2_scene_cast_all(const gjk2_scene *scene, const gjk2_collider *col
                                gjk_q16 margin, const gjk_scene_filter *filter, const gjk_scene_hit *after,
                                gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
 
-// Finds the parts that are at most reach away from a posed collider, in the order of (slot, part): those that share a
-// point with it where reach is 0. As gjk2_within decides; where it reaches its ceiling, the part counts as near. after,
-// hits and count as in gjk2_scene_query_box. Statuses: UNINITIALISED, NEGATIVE (reach).
+// Finds the parts that are at most reach away from a posed collider, in the order of (slot, part). Where reach is 0, it
+// finds those that share a point with it. As gjk2_within decides; where it reaches its ceiling, the part counts as
+// near. after, hits and count as in gjk2_scene_query_box. Statuses: UNINITIALISED, NEGATIVE (reach).
 gjk_status gjk2_scene_query_within(const gjk2_scene *scene, const gjk2_collider *collider, gjk_q16 reach,
                                    const gjk_scene_filter *filter, const gjk_scene_hit *after, gjk_scene_hit *hits,
                                    uint32_t capacity, uint32_t *count);

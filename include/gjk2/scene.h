@@ -257,7 +257,7 @@ gjk_status gjk2_scene_next_near(const gjk2_scene *scene, uint32_t *cursor, gjk2_
 
 // The manifold of a reported pair at its bodies' current poses, at most the sum of their margins apart, without a
 // cache. For programs that ask of some pairs alone, or share the work among threads. most, out and statuses as of
-// gjk2_contacts; and BODY_ID, RANGE for a part that is not there.
+// gjk2_contacts. Also BODY_ID, and RANGE for a part that is not there.
 gjk_status gjk2_scene_manifold(const gjk2_scene *scene, const gjk2_report *report, unsigned most, gjk2_manifold *out);
 
 // What the last update did, and what the scene holds.
@@ -291,9 +291,9 @@ gjk_status gjk2_scene_query_nearest(const gjk2_scene *scene, const gjk2_collider
 
 // Lockstep and saving.
 
-// 64 bits over all that decides further answers: the configuration without capacities, box_margin and retest_all; the
-// build's GJK_ITERATIONS_MAX; bodies and their kept motions; pairs near at the last update and their words; updates. Tree and
-// caches do not count. BUSY during an update.
+// 64 bits over all that decides further answers. Counted are the configuration without capacities, box_margin and
+// retest_all, and the build's GJK_ITERATIONS_MAX. So are bodies and their kept motions, pairs near at the last update
+// and their words, and the number of updates. Tree and caches do not count. BUSY during an update.
 gjk_status gjk2_scene_hash(const gjk2_scene *scene, uint64_t *out);
 
 // Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.

@@ -62,8 +62,8 @@ static gjk_status start_region(gjk_region *region, const gjk_parts_frame *frame,
 
 // Leaves of the region what may be met no later than the best so far. A fraction is rounded down: one step more.
 static void cut_region(gjk_region *region, const gjk_parts_first *f) {
-  const gjk_q30 fraction = f->result[f->best].fraction;
   if (f->part != GJK_PARTS_NONE) {
+    const gjk_q30 fraction = f->result[f->best].fraction;
     gjk_region_cut(region, fraction < GJK_Q30_ONE ? fraction + 1 : fraction);
   }
 }
@@ -85,7 +85,7 @@ static gjk_status cast_part(const gjk_parts_frame *frame, const gjk_parts_cast_q
     const gjk_cast_path path = {of->moves_a ? &to_a : NULL, of->to, of->margin};
     status = gjk_cast(&c, of->b, &path, out);
   }
-  if (out->hit || status == GJK_ERROR_ITERATION_LIMIT) {
+  if (status == GJK_ERROR_ITERATION_LIMIT || (status == GJK_OK && out->hit)) {  // set by no other status
     const gjk_vec3 *at = &frame->parts->pose.position;
     const gjk_long3 back = {(int64_t)at->x - c.position.x, (int64_t)at->y - c.position.y,
                             (int64_t)at->z - c.position.z};
@@ -98,14 +98,17 @@ static gjk_status cast_part(const gjk_parts_frame *frame, const gjk_parts_cast_q
 // parts that are met at the start one that overlaps there tells more.
 static bool is_sooner(const gjk_parts_first *f, const gjk_cast_result *trial, gjk_status status, uint32_t part,
                       uint32_t of_b) {
-  const gjk_q30 best = f->result[f->best].fraction;
-  if (f->part == GJK_PARTS_NONE || trial->fraction != best) {
-    return f->part == GJK_PARTS_NONE || trial->fraction < best;
+  const gjk_cast_result *best = &f->result[f->best];
+  if (f->part == GJK_PARTS_NONE) {
+    return true;
+  }
+  if (trial->fraction != best->fraction) {
+    return trial->fraction < best->fraction;
   }
   if (status != f->status) {
     return status == GJK_OK;
   }
-  if (status == GJK_OK && trial->inside != f->result[f->best].inside) {
+  if (status == GJK_OK && trial->inside != best->inside) {
     return trial->inside;
   }
   return of_b != f->of_b ? of_b < f->of_b : part < f->part;

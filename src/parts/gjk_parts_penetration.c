@@ -15,9 +15,12 @@ void gjk_parts_deepest_start(gjk_parts_deepest *d) {
 
 // Is the trial deeper than the best one?
 static bool is_deeper(const gjk_parts_deepest *d, const gjk_penetration_result *trial, uint32_t part, uint32_t of_b) {
-  const gjk_q16 best = d->result[d->best].depth;
-  if (d->part == GJK_PARTS_NONE || trial->depth != best) {
-    return d->part == GJK_PARTS_NONE || trial->depth > best;
+  const gjk_penetration_result *best = &d->result[d->best];
+  if (d->part == GJK_PARTS_NONE) {
+    return true;
+  }
+  if (trial->depth != best->depth) {
+    return trial->depth > best->depth;
   }
   return of_b != d->of_b ? of_b < d->of_b : part < d->part;
 }

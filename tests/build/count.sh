@@ -93,3 +93,8 @@ library() {
 variant_of() {
   echo "${1#build}" | tr / -
 }
+
+# Runs a program of tests/measure/target on an emulated core: count_on_core TARGET PROGRAM VARIANT
+count_on_core() {
+  make -s "build/$1$3/$2.elf" TARGET="$1" VARIANT="$3" >/dev/null && sh tests/build/emulate.sh "$1" "build/$1$3/$2.elf"
+}

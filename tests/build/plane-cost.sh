@@ -7,7 +7,7 @@ shift
 [ $# -gt 0 ] || set -- cortex-m0 cortex-m3
 variant=$(variant_of "$build")
 for target in "$@"; do
-  make -s "build/$target$variant/plane_bench.elf" TARGET="$target" VARIANT="$variant" >/dev/null || exit 1
-  sh tests/build/emulate.sh "$target" "build/$target$variant/plane_bench.elf" | sed "s/^/$target|/" || exit 1
+  count_on_core "$target" plane_bench "$variant" | sed "s/^/$target|/" || exit 1
 done >"$build/plane-cost.txt"
-awk -f tests/build/grouped.awk -f tests/build/plane-cost.awk "$build/plane-cost.txt"
+awk -v head=query -v rows='boxes apart: distance;8-gons apart: distance;8-gons close: intersect;8-gons overlapping: depth;8-gons face to face: contacts' \
+  -f tests/build/grouped.awk -f tests/build/cost-table.awk "$build/plane-cost.txt"

@@ -24,6 +24,8 @@ WITHOUT_PEERS=$target sh tests/build/decisions.sh "$build" >"$figures/decisions"
 WITHOUT_PEERS=$target sh tests/build/plane-decisions.sh "$build" >"$figures/plane" || exit 1
 # shellcheck disable=SC2086
 sh tests/build/plane-cost.sh "$build" $target >"$figures/planecost" || exit 1
+# shellcheck disable=SC2086
+sh tests/build/cast-cost.sh "$figures" $target >"$figures/castcost" || exit 1
 
 # shown NAME: the table of that name in the README.
 shown() {
@@ -66,7 +68,9 @@ awk -F'|' -v heads="$heads" '
   /^<!-- figures: cost -->$/ { inside = 1 }' README.md >"$figures/readme-cost"
 diff "$figures/readme-cost" "$figures/cost" || exit 1
 shown ceiling | diff - "$figures/ceiling" || exit 1
-shown planecost | cut -d '|' -f 1,2,4,5 | diff - "$figures/planecost" || exit 1  # of Cortex-M3
+for table in planecost castcost; do  # the column of Cortex-M3
+  shown $table | cut -d '|' -f 1,2,4,5 | diff - "$figures/$table" || exit 1
+done
 for table in decisions plane; do
   cut -d '|' -f 1-4 "$figures/$table" >"$figures/own-$table"
   shown $table | cut -d '|' -f 1-4 | diff - "$figures/own-$table" || exit 1

@@ -131,7 +131,14 @@ static inline void gjk_triangle_normal(const gjk_vec3 *a, const gjk_vec3 *b, con
     ensures \result <= 0x3fffff; */
 uint32_t gjk_height_key(int64_t along, int64_t squared);
 
-// Byte by byte, which Eva does not follow. A driver of what copies other things than colliders defines PROVE_COPY_BODY.
+// Byte by byte, which Eva does not follow. A driver of what copies other things than colliders defines PROVE_COPY_BODY; one
+// of what copies whole objects by their type's size, and needs their values after it, PROVE_COPY_WHOLE: an assignment.
+#ifdef PROVE_COPY_WHOLE
+#define PROVE_COPY_BODY
+#include "src/arith/gjk_memory.h"
+#define gjk_copy(to, from, bytes) \
+  ((void)sizeof(char[(bytes) == sizeof *(to) && sizeof *(to) == sizeof *(from) ? 1 : -1]), (void)(*(to) = *(from)))
+#endif
 #ifndef PROVE_COPY_BODY
 /*@ requires set: \initialized(&((gjk_collider *)from)->shape) && \initialized(&((gjk_collider *)from)->centre.x);
     requires whole: bytes == sizeof(gjk_collider);
