@@ -10,7 +10,7 @@
 //
 // the unit vector  sqrt(3) 2^-30 of at most sqrt(3) 2^31, to the triangle, and 2^28, to the support: 8
 // a support        less than 1 beyond the farthest along the rounded direction, of curved shapes 2
-#define HEIGHT_ERROR 12
+#define AHEAD_ERROR 12
 
 // A, and both at either end of the whole way.
 typedef struct ahead_body {
@@ -90,7 +90,7 @@ static bool is_before_triangle(const ahead_body *d, uint32_t number) {
   const bool two_sided = (d->own->type->edges(d->own->data, number) & GJK_TRIANGLE_TWO_SIDED) != 0;
   const bool behind = two_sided && is_mostly_behind(&start);
   const int64_t gap = (behind ? -start.highest : start.lowest) - gjk_shl64(d->near, 30);
-  const int64_t error = gjk_shl64(HEIGHT_ERROR, 30);
+  const int64_t error = gjk_shl64(AHEAD_ERROR, 30);
   if (gap <= -error || (gap <= error && is_near_part(d, number, d->near))) {
     return false;
   }
