@@ -181,7 +181,7 @@ build/gjk-demo-parts: build/hosted/tests/programs/demo_parts/main.o $(filter-out
 build/gjk-demo-plane: $(DEMO_PLANE)
 build/lockstep: build/hosted/tests/programs/lockstep/main.o build/hosted/tests/programs/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
-build/test_decompose build/test_enclose: $(filter-out %/main.o,$(CONVERT))
+build/test_decompose build/test_decompose_outline build/test_enclose: $(filter-out %/main.o,$(CONVERT))
 build/gjk-query build/gjk-convert build/gjk-demo build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
@@ -298,6 +298,8 @@ $(OUT)/%.elf: tests/measure/target/%.c tests/measure/target/%_firmware.c $(OUT)/
 $(OUT)/bench.elf: tests/measure/target/bench_gjk.c tests/measure/target/bench_float.c tests/measure/target/bench_double.c
 $(OUT)/bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),,-DBENCH_REFERENCE_DEPTH)
 $(OUT)/bench.elf $(OUT)/plane_bench.elf $(OUT)/cast_bench.elf: BOARD_cortex-m0 += -Wl,--defsym=STACK_SIZE=4096
+$(OUT)/hull_bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),-DHULL_BENCH_POINTS=64)
+$(OUT)/parts_bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),-DPARTS_BENCH_PARTS=32)
 $(OUT)/plane_bench.elf: tests/measure/target/plane_bench_chain.c
 $(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/scene_bench.elf: tests/support/scene/traffic.c

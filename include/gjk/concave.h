@@ -45,7 +45,9 @@ typedef struct gjk_concave {
   gjk_vec3 centre;  // of the box that holds all parts, in their frame
 } gjk_concave;
 
-// The shape of a concave body whose gjk_concave and half extents are known, as a constant.
+// The shape of a concave body whose gjk_concave and half extents are known, as a constant. A scene refuses one that names
+// no body (NULL) or no parts (EMPTY). What else gjk_concave_init checks is the caller's to know: where parts beyond their
+// reach have no answer, a pair counts as near, unsettled, at distance 0.
 #define GJK_CONCAVE(concave_pointer, half_x, half_y, half_z)                                                          \
   {                                                                                                                   \
     &gjk_class_concave, 0, 0, 1 ? (concave_pointer) : (const gjk_concave *)0, GJK_LENGTHS(half_x, half_y, half_z, 0), \
@@ -72,8 +74,8 @@ gjk_status gjk_scene_parts(const gjk_scene *scene, gjk_body_id id, uint16_t part
 //
 // out       room for capacity manifolds, 1 to GJK_PARTS_MANIFOLDS_MAX (RANGE).
 // count     how many there are in out.
-// Normals   of a surface are those of gjk_surface_contacts; a manifold holds the contacts of all triangles and parts
-//           whose normals are at most 3 degrees from its own. Others, and any beyond capacity, are left out.
+// Normals   of a surface are those of gjk_surface_contacts. gjk_parts_manifolds puts them together, with room for
+//           GJK_PARTS_MANIFOLDS_MAX whatever capacity is: fewer are the first of them.
 // Statuses  as of gjk_scene_manifold; nothing is written but after OK and CAPACITY.
 gjk_status gjk_scene_manifolds(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out,
                                unsigned capacity, unsigned *count);

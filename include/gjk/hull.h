@@ -40,7 +40,8 @@ typedef struct gjk_hull {
 // Exact      vertices, facets and edges are those of the real hull. They are the same for any order of the points.
 // Statuses   NULL; EMPTY; SIZE: the points are more than 2 GJK_RADIUS_MAX apart along an axis; CAPACITY: bytes; RANGE:
 //            a workspace that is not aligned.
-// Cost       of the order of count log count for points spread over a surface, at worst count squared; no recursion.
+// Cost       of the order of count log count for points spread over a surface; no recursion. At worst count cubed: each point
+//            added may leave as many others to compare with as many new triangles. Points along (cos t, sin t, cos 2 t) do.
 // After      Barber, Dobkin, Huhdanpaa, The quickhull algorithm for convex hulls, 1996; exact signs in place of its
 //            tolerances.
 gjk_status gjk_hull_build(const gjk_vec3 *points, uint16_t count, void *workspace, size_t bytes, gjk_hull *out);
@@ -88,7 +89,7 @@ typedef struct gjk_hull_simple {
 // out        written, with vertices, when the result is GJK_OK.
 // Exact      every point is inside or on the simple hull, which is tested in the end. Where the hull has no more vertices
 //            than wanted, they are the result, and the excess is 0. The same for any order of the points.
-// Excess     measured on the result: at most 4 LSB above the largest distance, never below it. Never more than that of the
+// Excess     measured on the result: at most 2 LSB above the largest distance, never below it. Never more than that of the
 //            bounding box, of 8 vertices, or of a tetrahedron around it. It is small, not the least: of points on a sphere
 //            32 vertices reach some 14 % of the radius beyond, and could do with 9 %. At a sharp corner a vertex has to go
 //            far, since it is not cut off.
@@ -111,7 +112,7 @@ typedef enum gjk_hull_fault {
   GJK_HULL_BEYOND,     // a vertex beyond a face: the face is turned inwards, or does not bound the hull
   GJK_HULL_OPEN,       // an edge that no other face has the opposite way
   GJK_HULL_DOUBLED,    // an edge that two faces have the same way
-  GJK_HULL_LAYERS      // faces at a vertex that do not go once around it
+  GJK_HULL_LAYERS      // faces that do not go once around a vertex; of face 0 also: around all of them
 } gjk_hull_fault;
 
 // What gjk_hull_check found.
@@ -123,7 +124,8 @@ typedef struct gjk_hull_report {
 } gjk_hull_report;
 
 // Are the faces of a hull closed, convex, outward and complete, for contacts? Coplanar faces beside each other, and
-// vertices that are on no face, within the hull, are sound.
+// vertices that are on no face, within the hull, are sound. Of points in a plane both sides are, which meet at the outline:
+// within it an edge is open, or doubled, by the faces of its own side.
 //
 // vertices  count of them, no more than 2 GJK_RADIUS_MAX apart along an axis (SIZE).
 // Statuses  NULL; EMPTY. OK: out is written, whatever it says.

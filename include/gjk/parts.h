@@ -5,7 +5,7 @@
 // proven as that of a pair: gjk_parts_place makes the collider of a part, which the checks of gjk/check.h take.
 //
 // Order    What is answered depends neither on the order of the parts in memory nor on the tree above them. Of parts that
-//          are equally good, the one with the least number is reported.
+//          are equally good, the one with the least number is reported. Manifolds put together have a rule of their own.
 // Numbers  Parts count from 0. Where a pointer for a number may be NULL, the number is not wanted.
 // Caches   None are kept: each part is asked from a cold start.
 // Statuses of every call, beside its own; outputs are then as they were:
@@ -130,9 +130,12 @@ gjk_status gjk_parts_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16
 // margin     0 to GJK_RADIUS_MAX. most, workspace: as of gjk_contacts.
 // out        room for capacity manifolds, 1 to GJK_PARTS_MANIFOLDS_MAX (RANGE); it may be written in any case. The deepest
 //            comes first; there are none without contacts.
-// Together   A manifold holds contacts of all parts whose normals are at most 3 degrees from its own, which is that of the
-//            deepest one. Contacts in one place, within 8 LSB per axis, count once. Of more than most those are kept that
-//            gjk_contacts would keep. Normals beyond capacity are left out, the least deep ones.
+// Together   A part's contacts join the manifold whose normal is nearest to theirs, at most 3 degrees away, or begin another
+//            one. The deepest contact gives the normal; so in a row of normals some may be farther from it. Contacts in one
+//            place, within 8 LSB per axis, count once. Of more than most those are kept that gjk_contacts would keep.
+// Room       Normals beyond capacity are left out, the least deep ones. One that is left out for a while loses its contacts,
+//            so with more normals than room what is left may depend on capacity.
+// Order      It may depend on the order of the parts in memory, and on the tree. Both are data: peers have the same.
 // Surfaces   Contacts of a mesh or height field are those of gjk_surface_contacts.
 // Ids        as of gjk_contacts, with the numbers of the parts mixed in. Within a manifold each is there once.
 // Features   of the deepest part.
@@ -190,7 +193,10 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
 //
 // In front  of a triangle: all of B is more than the margin beyond its plane. Of a triangle with two sides that side
 //           counts where most of B is. An impact meets a triangle that is no nearer than the tolerance, or one whose
-//           plane most of B goes through. Of other parts: B is farther than the margin from it.
+//           plane most of B goes through. Of other parts: B is farther than the margin from it. Of a triangle whose
+//           corners lie in a line: farther than the margin, for an impact than margin and tolerance.
+// Rounding  Where B's height is within 12 LSB of that margin, a triangle that B is as near to is not met. Another one
+//           is, if B is in front of it or most of B goes through its plane.
 // Statuses  as of gjk_parts_cast and gjk_parts_time_of_impact; b has to be bound to its shape, no more, for an impact.
 gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
                                 gjk_cast_result *out);

@@ -105,7 +105,7 @@ unsigned gjk_hull_span(const gjk_hull_work *w, uint16_t corner[4]) {
 }
 
 // The sign of the turn a, b, c as seen against n, the normal of their plane. Pre: n != 0.
-static int turn_sign(const gjk_hull_work *w, const gjk_long3 *n, uint16_t a, uint16_t b, uint16_t c) {
+static int outline_turn(const gjk_hull_work *w, const gjk_long3 *n, uint16_t a, uint16_t b, uint16_t c) {
   gjk_long3 own;
   gjk_triangle_normal(gjk_hull_point(w, a), gjk_hull_point(w, b), gjk_hull_point(w, c), &own);
   // A multiple of n: any component of n that is not 0 tells its sign.
@@ -120,7 +120,7 @@ static int turn_sign(const gjk_hull_work *w, const gjk_long3 *n, uint16_t a, uin
 
 // Adds a point to a chain that began at index base of next, and takes back those that no longer turn left.
 static uint32_t extend_chain(gjk_hull_work *w, const gjk_long3 *n, uint32_t base, uint32_t length, uint16_t point) {
-  while (length >= base + 2 && turn_sign(w, n, w->next[length - 2], w->next[length - 1], point) <= 0) {
+  while (length >= base + 2 && outline_turn(w, n, w->next[length - 2], w->next[length - 1], point) <= 0) {
     length--;  // each point once
   }
   w->next[length] = point;

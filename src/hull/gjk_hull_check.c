@@ -1,14 +1,23 @@
 // Are given faces the surface of a hull? One fault after the other, each by integers alone.
 //
-// Faces without a fault are the surface, once: each lies in it, since no vertex is beyond its plane. They close: each
-// edge has its opposite. So they cover the surface, each place equally often. At an extreme vertex they go once around,
-// so they cover it once.
+// Faces without a fault are the surface, once:
+//
+//   1. Each lies in it, since no vertex is beyond its plane, and turns counterclockwise.
+//   2. Each edge has one opposite edge, so faces join to closed surfaces. Across an edge they go on in the hull's surface.
+//      Points in a plane have a surface of two sides, which meet at the outline alone: elsewhere an edge's opposite is on
+//      its own side.
+//   3. So a closed surface covers the hull's surface k times, and turns k times around each extreme vertex, if one way
+//      around passes all corners there. All such surfaces meet there, so there is one.
+//   4. Its Euler characteristic is at most 2 k - e (k - 1) with e extreme vertices (Riemann and Hurwitz). Since e is at least
+//      three, it is 2 for k = 1 alone.
 #include "gjk_hull_grow.h"
 
 typedef struct face_check {
   const gjk_vec3 *vertex;
   const gjk_hull_faces *faces;
   gjk_hull_report *report;
+  uint16_t count;  // of vertices
+  bool flat;       // are they all in a plane? Known once no vertex is beyond a face
 } face_check;
 
 // A face's first corner in the list, and how many it has.
@@ -43,11 +52,11 @@ static bool has_few_corners(const face_check *c) {
   return c->faces->count == 0 && report_fault(c, GJK_HULL_FEW, 0, 0);
 }
 
-static bool has_wrong_number(const face_check *c, uint16_t count) {
+static bool has_wrong_number(const face_check *c) {
   for (uint16_t face = 0; face < c->faces->count; face++) {
     const uint16_t first = face_begin(c->faces, face);
     for (uint16_t i = 0; i < face_corners(c->faces, face); i++) {
-      if (c->faces->corner[first + i] >= count) {
+      if (c->faces->corner[first + i] >= c->count) {
         return report_fault(c, GJK_HULL_NUMBER, face, i);
       }
     }
@@ -106,11 +115,11 @@ static bool has_wrong_turn(const face_check *c) {
   return false;
 }
 
-static bool has_vertex_beyond(const face_check *c, uint16_t count) {
+static bool has_vertex_beyond(const face_check *c) {
   for (uint16_t face = 0; face < c->faces->count; face++) {
     gjk_long3 n;
     set_normal(c, face, 0, 1, 2, &n);
-    for (uint16_t i = 0; i < count; i++) {
+    for (uint16_t i = 0; i < c->count; i++) {
       if (side_of_face(&n, face_corner(c, face, 0), &c->vertex[i]) > 0) {
         c->report->vertex = i;
         return report_fault(c, GJK_HULL_BEYOND, face, 0);
@@ -125,16 +134,61 @@ static bool same_place(const gjk_vec3 *a, const gjk_vec3 *b) {
   return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
-// How many faces have an edge from a to b. *face, *corner: where the last of them has it.
-static uint32_t count_edges(const face_check *c, const gjk_vec3 *a, const gjk_vec3 *b, uint16_t *face,
-                            uint32_t *corner) {
+// Are all vertices in the plane of the first face?
+static bool is_flat(const face_check *c) {
+  gjk_long3 n;
+  set_normal(c, 0, 0, 1, 2, &n);
+  for (uint16_t i = 0; i < c->count; i++) {
+    if (side_of_face(&n, face_corner(c, 0, 0), &c->vertex[i]) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Of points in a plane: are two faces on the same side of it? Else all are.
+static bool on_same_side(const face_check *c, uint16_t f, uint16_t g) {
+  gjk_long3 n, m;
+  if (!c->flat || f == g) {
+    return true;
+  }
+  set_normal(c, f, 0, 1, 2, &n);
+  set_normal(c, g, 0, 1, 2, &m);
+  return point_alike(&n, &m);
+}
+
+// Of points in a plane: are none of them on one side of the line through a and b? Pre: a and b are corners of face.
+static bool is_on_outline(const face_check *c, uint16_t face, const gjk_vec3 *a, const gjk_vec3 *b) {
+  gjk_long3 n, m;
+  bool left = false, right = false;
+  set_normal(c, face, 0, 1, 2, &n);
+  for (uint16_t i = 0; i < c->count; i++) {
+    gjk_triangle_normal(a, b, &c->vertex[i], &m);
+    const bool alike = point_alike(&n, &m);
+    left = left || alike;
+    right = right || (!alike && !is_null(&m));
+  }
+  return !left || !right;
+}
+
+// A corner of a face. It begins an edge.
+typedef struct face_place {
+  uint16_t face;
+  uint32_t corner;
+} face_place;
+
+// How many faces that may be beside a face along an edge have it from a to b. *last: where the last of them has it.
+static uint32_t count_edges(const face_check *c, uint16_t beside, const gjk_vec3 *a, const gjk_vec3 *b,
+                            face_place *last) {
+  const bool any = !c->flat || is_on_outline(c, beside, a, b);
   uint32_t found = 0;
   for (uint16_t f = 0; f < c->faces->count; f++) {
     for (uint32_t i = 0; i < face_corners(c->faces, f); i++) {
-      if (same_place(face_corner(c, f, i), a) && same_place(face_corner(c, f, i + 1), b)) {
+      if (same_place(face_corner(c, f, i), a) && same_place(face_corner(c, f, i + 1), b) &&
+          (any || on_same_side(c, f, beside))) {
         found++;
-        *face = f;
-        *corner = i;
+        last->face = f;
+        last->corner = i;
       }
     }
   }
@@ -146,9 +200,8 @@ static bool has_edge_fault(const face_check *c, gjk_hull_fault kind) {
   for (uint16_t face = 0; face < c->faces->count; face++) {
     for (uint32_t i = 0; i < face_corners(c->faces, face); i++) {
       const gjk_vec3 *a = face_corner(c, face, i), *b = face_corner(c, face, i + 1);
-      uint16_t other;
-      uint32_t at;
-      if (kind == GJK_HULL_OPEN ? count_edges(c, b, a, &other, &at) == 0 : count_edges(c, a, b, &other, &at) > 1) {
+      face_place other;
+      if (kind == GJK_HULL_OPEN ? count_edges(c, face, b, a, &other) == 0 : count_edges(c, face, a, b, &other) > 1) {
         return report_fault(c, kind, face, i);
       }
     }
@@ -156,41 +209,67 @@ static bool has_edge_fault(const face_check *c, gjk_hull_fault kind) {
   return false;
 }
 
-// How many corners of faces are at a vertex.
-static uint32_t corners_there(const face_check *c, const gjk_vec3 *vertex) {
+// How many corners of faces are at that of a place, on its side, or on both.
+static uint32_t corners_there(const face_check *c, const face_place *place, bool both) {
   uint32_t found = 0;
   for (uint16_t f = 0; f < c->faces->count; f++) {
     for (uint32_t i = 0; i < face_corners(c->faces, f); i++) {
-      found += same_place(face_corner(c, f, i), vertex) ? 1u : 0u;
+      found += same_place(face_corner(c, f, i), face_corner(c, place->face, place->corner)) &&
+                       (both || on_same_side(c, f, place->face))
+                   ? 1u
+                   : 0u;
     }
   }
   return found;
 }
 
-// Goes around a corner's vertex, from face to face. Pre: each edge has one opposite.
-static bool has_layers_at(const face_check *c, uint16_t face, uint32_t corner) {
-  const gjk_vec3 *vertex = face_corner(c, face, corner);
-  const uint32_t all = corners_there(c, vertex);
-  uint16_t f = face;
-  uint32_t i = corner;
-  for (uint32_t around = 1; around <= all; around++) {
-    count_edges(c, vertex, face_corner(c, f, i + face_corners(c->faces, f) - 1u), &f, &i);
-    if (f == face && i == corner) {
-      return around != all;
-    }
-  }
-  return true;  // not reached: each edge has one opposite, so the way around returns to where it began
-}
-
-static bool has_layers(const face_check *c) {
-  for (uint16_t face = 0; face < c->faces->count; face++) {
-    for (uint32_t i = 0; i < face_corners(c->faces, face); i++) {
-      if (has_layers_at(c, face, i)) {
-        return report_fault(c, GJK_HULL_LAYERS, face, i);
+// Is no corner before that of a place at the same vertex, on the same side?
+static bool is_first_there(const face_check *c, const face_place *place) {
+  for (uint16_t f = 0; f <= place->face; f++) {
+    for (uint32_t i = 0; i < (f < place->face ? face_corners(c->faces, f) : place->corner); i++) {
+      if (same_place(face_corner(c, f, i), face_corner(c, place->face, place->corner)) &&
+          on_same_side(c, f, place->face)) {
+        return false;
       }
     }
   }
-  return false;
+  return true;
+}
+
+// Goes around a corner's vertex, from face to face. Does the way pass all corners there? *both: it passes both sides.
+// Pre: each edge has one opposite, so the way returns to where it began.
+static bool goes_around_all(const face_check *c, const face_place *first, bool *both) {
+  const gjk_vec3 *vertex = face_corner(c, first->face, first->corner);
+  const uint32_t most = corners_there(c, first, true);
+  face_place at = {first->face, first->corner};
+  uint32_t around = 0;
+  *both = false;
+  do {
+    const uint32_t before = at.corner + face_corners(c->faces, at.face) - 1u;
+    (void)count_edges(c, at.face, vertex, face_corner(c, at.face, before), &at);
+    *both = *both || !on_same_side(c, at.face, first->face);
+    around++;
+  } while (around < most && (at.face != first->face || at.corner != first->corner));
+  return around == corners_there(c, first, *both || !c->flat);
+}
+
+// Do the faces cover the surface more than once? Each vertex counts twice, or once for each side that it is on.
+static bool has_layers(const face_check *c) {
+  uint32_t twice = 0, corners = 0;  // below 2^17 and 2^16
+  for (uint16_t face = 0; face < c->faces->count; face++) {
+    for (uint32_t i = 0; i < face_corners(c->faces, face); i++, corners++) {
+      const face_place place = {face, i};
+      bool both;
+      if (is_first_there(c, &place)) {
+        if (!goes_around_all(c, &place, &both)) {
+          return report_fault(c, GJK_HULL_LAYERS, face, i);
+        }
+        twice += both ? 1u : 2u;
+      }
+    }
+  }
+  // Vertices and faces less edges, of which there are half as many as corners.
+  return twice + UINT32_C(2) * c->faces->count != corners + 4 && report_fault(c, GJK_HULL_LAYERS, 0, 0);
 }
 
 gjk_status gjk_hull_check(const gjk_vec3 *vertices, uint16_t count, const gjk_hull_faces *faces, gjk_hull_report *out) {
@@ -204,11 +283,14 @@ gjk_status gjk_hull_check(const gjk_vec3 *vertices, uint16_t count, const gjk_hu
   if (!gjk_hull_fits(vertices, count)) {
     return GJK_ERROR_SIZE;
   }
-  const face_check c = {vertices, faces, out};
+  face_check c = {vertices, faces, out, count, false};
   out->fault = GJK_HULL_SOUND;
   out->face = out->corner = out->vertex = 0;
-  if (!has_few_corners(&c) && !has_wrong_number(&c, count) && !has_bent_face(&c) && !has_wrong_turn(&c) &&
-      !has_vertex_beyond(&c, count) && !has_edge_fault(&c, GJK_HULL_OPEN) && !has_edge_fault(&c, GJK_HULL_DOUBLED)) {
+  if (has_few_corners(&c) || has_wrong_number(&c) || has_bent_face(&c) || has_wrong_turn(&c) || has_vertex_beyond(&c)) {
+    return GJK_OK;
+  }
+  c.flat = is_flat(&c);
+  if (!has_edge_fault(&c, GJK_HULL_OPEN) && !has_edge_fault(&c, GJK_HULL_DOUBLED)) {
     (void)has_layers(&c);
   }
   return GJK_OK;

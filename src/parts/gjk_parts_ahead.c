@@ -2,21 +2,27 @@
 //
 // A class of its own stands for A: its walk leaves out the parts that B is not in front of. All else is A's own, so the
 // queries are those of gjk_parts_cast.c and gjk_parts_impact.c.
+#include "gjk_parts_ahead.h"
 #include "../arith/gjk_memory.h"
 #include "../arith/gjk_unit.h"
-#include "gjk_parts_class.h"
 
-// A, and both at either end of the way.
+// A height errs by less than this, LSB:
+//
+// the unit vector  sqrt(3) 2^-30 of at most sqrt(3) 2^31, to the triangle, and 2^28, to the support: 8
+// a support        less than 1 beyond the farthest along the rounded direction, of curved shapes 2
+#define AHEAD_ERROR 12
+
+// A, and both at either end of the whole way.
 typedef struct ahead_body {
   const gjk_parts *own;
   gjk_parts pose[2];
   gjk_parts_frame frame[2];
-  const gjk_collider *b[2];
-  gjk_q16 margin;
-  gjk_q16 tolerance;  // triangles so near at the start count only if B goes through their planes
+  gjk_collider b[2];
+  gjk_q16 near;   // what is so near B at the start is not in front of it
+  int64_t aside;  // triangles so near count only if B goes through their planes
 } ahead_body;
 
-// What of B's height above a plane there is, LSB, convex radius included.
+// What of B's height above a plane there is, LSB in Q30, convex radius included: below 2^62.2.
 typedef struct ahead_height {
   int64_t lowest, highest;
 } ahead_height;
@@ -27,17 +33,18 @@ static const ahead_body *ahead_of(const void *data) {
 
 // |v| < 2^31 per axis:  the sum below 2^61.8
 static int64_t up_along(const gjk_unit3 *up, const gjk_vec3 *v) {
-  return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(up->x, v->x), up->y, v->y), up->z, v->z), 30);
+  return gjk_mac32(gjk_mac32(gjk_mul32(up->x, v->x), up->y, v->y), up->z, v->z);
 }
 
-// Measures B above the plane of a triangle at one end of the way. False: there is no plane, or it is far away.
+// Measures B above the plane of a triangle at one end of the way. False: there is no plane, or it is far away. Of planes
+// across an axis it is exact.
 static bool measure_height(const ahead_body *d, unsigned end, uint32_t number, ahead_height *out) {
   gjk_parts_room room;
   gjk_collider t;
   gjk_long3 n;
   gjk_search_direction along;
   gjk_support low, high;
-  const gjk_collider *b = d->b[end];
+  const gjk_collider *b = &d->b[end];
   if (d->own->type->place(&d->frame[end], number, &room, &t) != GJK_OK) {
     return false;
   }
@@ -53,36 +60,46 @@ static bool measure_height(const ahead_body *d, unsigned end, uint32_t number, a
   const gjk_unit3 up = gjk_unit(&along.d);
   b->shape->type->support(b, &along.d, &high);
   b->shape->type->support(b, &down, &low);
-  const int64_t at = up_along(&up, &step), radius = b->shape->convex_radius;
+  const int64_t at = up_along(&up, &step), radius = gjk_shl64(b->shape->convex_radius, 30);
   out->lowest = at + up_along(&up, &low.offset) - radius;
   out->highest = at + up_along(&up, &high.offset) + radius;
   return true;
 }
 
-// Of two sides the one counts that most of B is on.
-static bool is_before_triangle(const ahead_body *d, uint32_t number) {
-  ahead_height start, end;
-  if (!measure_height(d, 0, number, &start)) {
-    return true;
-  }
-  const bool two_sided = (d->own->type->edges(d->own->data, number) & GJK_TRIANGLE_TWO_SIDED) != 0;
-  const bool behind = two_sided && start.lowest + start.highest < 0;
-  const int64_t gap = (behind ? -start.highest : start.lowest) - d->margin;
-  if (gap <= 0 || gap > d->tolerance) {
-    return gap > 0;
-  }
-  return measure_height(d, 1, number, &end) && (end.lowest + end.highest < 0) != behind;
+static bool is_mostly_behind(const ahead_height *h) {
+  return gjk_sar64(h->lowest, 1) + gjk_sar64(h->highest, 1) < 0;
 }
 
-static bool is_before_part(const ahead_body *d, uint32_t number) {
+// Is B at most a distance away from a part at the start? A part that cannot tell, which the query that follows meets with
+// the same status, counts as away.
+static bool is_near_part(const ahead_body *d, uint32_t number, int64_t distance) {
   gjk_parts_room room;
   gjk_collider c;
   gjk_decision decision;
-  if (d->own->type->edges != NULL) {
-    return is_before_triangle(d, number);
+  return d->own->type->place(&d->frame[0], number, &room, &c) == GJK_OK &&
+         gjk_within(&c, &d->b[0], gjk_saturate(distance), NULL, &decision) == GJK_OK && decision.yes;
+}
+
+// Of two sides the one counts that most of B is on. Where a height may be wrong the triangle tells whether B touches it, and
+// B has to go through its plane. A triangle whose corners lie in a line has no plane: whatever is near it was so at the start.
+static bool is_before_triangle(const ahead_body *d, uint32_t number) {
+  ahead_height start, end;
+  if (!measure_height(d, 0, number, &start)) {
+    return !is_near_part(d, number, d->near + d->aside);
   }
-  return d->own->type->place(&d->frame[0], number, &room, &c) != GJK_OK ||
-         gjk_within(&c, d->b[0], d->margin, NULL, &decision) != GJK_OK || !decision.yes;
+  const bool two_sided = (d->own->type->edges(d->own->data, number) & GJK_TRIANGLE_TWO_SIDED) != 0;
+  const bool behind = two_sided && is_mostly_behind(&start);
+  const int64_t gap = (behind ? -start.highest : start.lowest) - gjk_shl64(d->near, 30);
+  const int64_t error = gjk_shl64(AHEAD_ERROR, 30);
+  if (gap <= -error || (gap <= error && is_near_part(d, number, d->near))) {
+    return false;
+  }
+  return (gap > 0 && gap > gjk_shl64(d->aside, 30)) ||
+         (measure_height(d, 1, number, &end) && is_mostly_behind(&end) != behind);
+}
+
+static bool is_before_part(const ahead_body *d, uint32_t number) {
+  return d->own->type->edges != NULL ? is_before_triangle(d, number) : !is_near_part(d, number, d->near);
 }
 
 static uint32_t ahead_count(const void *data) {
@@ -137,55 +154,76 @@ static const gjk_parts_class class_of_ahead = {
     .edges = NULL,
 };
 
-// Sets A where it is at one end of the way. b: B there.
-static gjk_status set_end(ahead_body *d, unsigned end, const gjk_pose *pose, const gjk_collider *b) {
+// Sets both where they are at one end of the way. b: bound to its shape.
+static gjk_status set_end(ahead_body *d, unsigned end, const gjk_pose *pose, const gjk_collider *b,
+                          const gjk_pose *pose_b) {
   d->pose[end].type = d->own->type;
   d->pose[end].data = d->own->data;
-  d->pose[end].pose = *pose;
-  d->b[end] = b;
-  return gjk_parts_frame_set(&d->frame[end], &d->pose[end]);
+  gjk_copy(&d->pose[end].pose, pose, sizeof *pose);
+  gjk_copy(&d->b[end], b, sizeof *b);
+  if (pose_b != NULL) {
+    d->b[end].buffer = NULL;  // B's own holds its vertices as B is posed
+  }
+  const gjk_status status = pose_b != NULL ? gjk_collider_pose(&d->b[end], pose_b) : GJK_OK;
+  return status == GJK_OK ? gjk_parts_frame_set(&d->frame[end], &d->pose[end]) : status;
 }
 
 gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
                                 gjk_cast_result *out) {
   ahead_body d;
   gjk_aabb box;
+  gjk_pose to_a;
   gjk_status status = a == NULL || path == NULL ? GJK_ERROR_NULL : gjk_collider_aabb(b, &box);
   if (status != GJK_OK) {
     return status;
   }
   d.own = a;
-  d.margin = path->margin;
-  d.tolerance = 0;
-  status = set_end(&d, 0, &a->pose, b);
+  d.near = path->margin;
+  d.aside = 0;
+  gjk_copy(&to_a, &a->pose, sizeof to_a);
+  to_a.position = path->to_a != NULL ? *path->to_a : to_a.position;
+  status = set_end(&d, 0, &a->pose, b, NULL);
   if (status != GJK_OK) {
     return status;
+  }
+  // An end that is out of range the cast refuses.
+  if (set_end(&d, 1, &to_a, b, NULL) != GJK_OK ||
+      (path->to_b != NULL && gjk_collider_move(&d.b[1], path->to_b) != GJK_OK)) {
+    return gjk_parts_cast(a, b, path, part, out);
   }
   const gjk_parts ahead = {&class_of_ahead, &d, a->pose};
   return gjk_parts_cast(&ahead, b, path, part, out);
 }
 
-gjk_status gjk_parts_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
-                                  const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
-                                  gjk_impact_result *out) {
+// Both impacts. near: what is so near B at the start is not in front of it.
+static gjk_status ask_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                   const gjk_motion *motion_b, const gjk_motion *way_a, const gjk_motion *way_b,
+                                   gjk_q16 near, const gjk_impact_setup *setup, uint32_t *part,
+                                   gjk_impact_result *out) {
   ahead_body d;
-  gjk_collider at[2];
-  if (a == NULL || motion_a == NULL || b == NULL || motion_b == NULL || setup == NULL) {
-    return GJK_ERROR_NULL;
-  }
   d.own = a;
-  d.margin = setup->margin;
-  d.tolerance = setup->tolerance;
-  gjk_status status = GJK_OK;
-  for (unsigned i = 0; i < 2 && status == GJK_OK; i++) {
-    gjk_copy(&at[i], b, sizeof at[i]);
-    at[i].buffer = NULL;  // B's own holds its vertices as B is posed
-    status = gjk_collider_pose(&at[i], i == 0 ? &motion_b->from : &motion_b->to);
-    status = status == GJK_OK ? set_end(&d, i, i == 0 ? &motion_a->from : &motion_a->to, &at[i]) : status;
-  }
+  d.near = near;
+  d.aside = (int64_t)setup->margin - near + setup->tolerance;
+  gjk_status status = set_end(&d, 0, &way_a->from, b, &way_b->from);
+  status = status == GJK_OK ? set_end(&d, 1, &way_a->to, b, &way_b->to) : status;
   if (status != GJK_OK) {
     return status;
   }
   const gjk_parts ahead = {&class_of_ahead, &d, a->pose};
   return gjk_parts_time_of_impact(&ahead, motion_a, b, motion_b, setup, part, out);
+}
+
+gjk_status gjk_parts_impact_ahead_of(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                     const gjk_motion *motion_b, const gjk_motion *way_a, const gjk_motion *way_b,
+                                     const gjk_impact_setup *setup, uint32_t *part, gjk_impact_result *out) {
+  return ask_impact_ahead(a, motion_a, b, motion_b, way_a, way_b, 0, setup, part, out);
+}
+
+gjk_status gjk_parts_impact_ahead(const gjk_parts *a, const gjk_motion *motion_a, const gjk_collider *b,
+                                  const gjk_motion *motion_b, const gjk_impact_setup *setup, uint32_t *part,
+                                  gjk_impact_result *out) {
+  if (a == NULL || motion_a == NULL || b == NULL || motion_b == NULL || setup == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  return ask_impact_ahead(a, motion_a, b, motion_b, motion_a, motion_b, setup->margin, setup, part, out);
 }

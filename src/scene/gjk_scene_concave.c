@@ -2,6 +2,7 @@
 #include "gjk_scene_concave.h"
 
 #include "../arith/gjk_memory.h"
+#include "../parts/gjk_parts_ahead.h"
 #include "gjk_scene_part.h"
 
 static const gjk_concave *concave_of(const gjk_shape *shape) {
@@ -11,9 +12,6 @@ static const gjk_concave *concave_of(const gjk_shape *shape) {
 // The half extents and the middle of a box.
 static gjk_status measure_box(const gjk_shape *shape, gjk_extent *out) {
   const gjk_vec3 *half = &shape->size;
-  if (shape->user == NULL) {
-    return GJK_ERROR_NULL;
-  }
   if (half->x < 0 || half->y < 0 || half->z < 0) {
     return GJK_ERROR_NEGATIVE;
   }
@@ -80,8 +78,15 @@ static const gjk_shape_class class_of_box = {
     .kind = GJK_KIND_AXES,
 };
 
+// A constant may name no body, or one without parts.
 static gjk_status bind_concave(const gjk_shape *shape, gjk_collider *out) {
   gjk_shape box;
+  if (shape->user == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (gjk_parts_count(&concave_of(shape)->parts) == 0) {
+    return GJK_ERROR_EMPTY;
+  }
   gjk_copy(&box, shape, sizeof box);
   box.type = &class_of_box;
   const gjk_status status = gjk_collider_init(out, &box, NULL, 0);
@@ -152,16 +157,22 @@ static gjk_status concave_depth(const ordered_pair *p, const gjk_workspace *work
 static gjk_status concave_distance(const gjk_scene_solid *a, const gjk_scene_solid *b, const gjk_workspace *workspace,
                                    gjk_distance_result *out) {
   ordered_pair p;
+  gjk_status of_depth = GJK_OK;
   order_pair(a, b, &p);
   if (workspace != NULL) {
     bool found;
-    const gjk_status status = concave_depth(&p, workspace, out, &found);
+    of_depth = concave_depth(&p, workspace, out, &found);
     if (found) {
-      return status;
+      return of_depth;
     }
   }
   const gjk_status status =
       p.convex != NULL ? gjk_parts_distance(&p.a, p.convex, NULL, out) : gjk_parts_both_distance(&p.a, &p.b, NULL, out);
+  // A depth that was not found is no distance of 0. It is at most as large as spheres around both have room for.
+  if (of_depth == GJK_ERROR_ITERATION_LIMIT && (status == GJK_OK ? out->intersecting : out->lower <= 0)) {
+    out->lower = -(a->collider->radius + b->collider->radius);  // each at most 2^28 + 4
+    return of_depth;
+  }
   return status;
 }
 
@@ -181,45 +192,32 @@ static void turn_manifold(gjk_manifold *m) {
   }
 }
 
-// How many manifolds compete for those that are asked for: contacts of one normal are not lost to a few of another one
-// that come between.
-#define COMPETING 4
-
 static gjk_status find_manifolds(const ordered_pair *p, gjk_q16 margin, unsigned most, const gjk_workspace *workspace,
                                  gjk_manifold *out, unsigned capacity, unsigned *count) {
   return p->convex != NULL ? gjk_parts_manifolds(&p->a, p->convex, margin, most, workspace, out, capacity, count)
                            : gjk_parts_both_manifolds(&p->a, &p->b, margin, most, workspace, out, capacity, count);
 }
 
-// Of few manifolds the deepest of COMPETING ones.
-GJK_OUT_OF_LINE static gjk_status find_deepest(const ordered_pair *p, gjk_q16 margin, unsigned most,
-                                               const gjk_workspace *workspace, gjk_manifold *out, unsigned capacity,
-                                               unsigned *count) {
-  gjk_manifold competing[COMPETING];
-  unsigned found = 0;
-  const gjk_status status = find_manifolds(p, margin, most, workspace, competing, COMPETING, &found);
-  if (status == GJK_OK || status == GJK_ERROR_CAPACITY || status == GJK_ERROR_ITERATION_LIMIT) {
-    *count = found < capacity ? found : capacity;
-    for (unsigned i = 0; i < *count; i++) {
-      gjk_copy(&out[i], &competing[i], sizeof out[i]);
-    }
-  }
-  return status;
-}
-
+// However few are wanted, as many compete: a manifold that is left out for want of room loses its contacts, also where it
+// would be the deepest in the end. So what is found does not depend on the room there is.
 static gjk_status concave_manifolds(const gjk_scene_solid *a, const gjk_scene_solid *b, gjk_q16 margin, unsigned most,
                                     const gjk_workspace *workspace, gjk_manifold *out, unsigned capacity,
                                     unsigned *count) {
   ordered_pair p;
+  gjk_manifold competing[GJK_PARTS_MANIFOLDS_MAX];
+  unsigned found = 0;
   order_pair(a, b, &p);
   const gjk_q16 apart = margin < GJK_RADIUS_MAX ? margin : GJK_RADIUS_MAX;
-  const gjk_status status = capacity < COMPETING ? find_deepest(&p, apart, most, workspace, out, capacity, count)
-                                                 : find_manifolds(&p, apart, most, workspace, out, capacity, count);
-  if (status != GJK_OK && status != GJK_ERROR_CAPACITY && status != GJK_ERROR_ITERATION_LIMIT) {
+  const gjk_status status = find_manifolds(&p, apart, most, workspace, competing, GJK_PARTS_MANIFOLDS_MAX, &found);
+  if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
     return status;
   }
-  for (unsigned i = 0; p.turned && i < *count; i++) {
-    turn_manifold(&out[i]);
+  *count = found < capacity ? found : capacity;
+  for (unsigned i = 0; i < *count; i++) {
+    if (p.turned) {
+      turn_manifold(&competing[i]);
+    }
+    gjk_copy(&out[i], &competing[i], sizeof out[i]);
   }
   return status;
 }
@@ -243,23 +241,28 @@ static gjk_status concave_way(const gjk_scene_solid *a, const gjk_scene_solid *b
 static const gjk_q16 tolerances[2][TOLERANCES] = {{GJK_PARTS_TOLERANCE_MIN, 48, 96, 144},
                                                   {GJK_PARTS_BOTH_TOLERANCE_MIN, 64, 160, 576}};
 
-static gjk_status concave_impact(const gjk_collider *a, const gjk_motion *motion_a, const gjk_collider *b,
-                                 const gjk_motion *motion_b, gjk_q16 margin, bool ahead, gjk_impact_result *out) {
-  const gjk_scene_solid of_a = {a, &motion_a->from}, of_b = {b, &motion_b->from};
+static gjk_status concave_impact(const gjk_collider c[2], const gjk_motion motion[2], gjk_q16 margin,
+                                 const gjk_motion *ahead, gjk_impact_result *out) {
+  const gjk_scene_solid of_a = {&c[0], &motion[0].from}, of_b = {&c[1], &motion[1].from};
   ordered_pair p;
   gjk_status status = GJK_ERROR_RANGE;
   order_pair(&of_a, &of_b, &p);
   const bool both = p.convex == NULL;
-  const gjk_motion *first = p.turned ? motion_b : motion_a, *second = p.turned ? motion_a : motion_b;
+  const unsigned i = p.turned ? 1 : 0, k = 1 - i;
   out->hit = false;
-  if (both && ahead) {
+  if (both && ahead != NULL) {
     return GJK_OK;
   }
-  for (unsigned i = 0; i < TOLERANCES && status == GJK_ERROR_RANGE; i++) {
-    const gjk_impact_setup setup = {margin, tolerances[both][i], 0};
-    status = both    ? gjk_parts_both_time_of_impact(&p.a, first, &p.b, second, &setup, NULL, out)
-             : ahead ? gjk_parts_impact_ahead(&p.a, first, p.convex, second, &setup, NULL, out)
-                     : gjk_parts_time_of_impact(&p.a, first, p.convex, second, &setup, NULL, out);
+  for (unsigned n = 0; n < TOLERANCES && status == GJK_ERROR_RANGE; n++) {
+    const gjk_impact_setup setup = {margin, tolerances[both][n], 0};
+    if (both) {
+      status = gjk_parts_both_time_of_impact(&p.a, &motion[i], &p.b, &motion[k], &setup, NULL, out);
+    } else if (ahead != NULL) {
+      status =
+          gjk_parts_impact_ahead_of(&p.a, &motion[i], p.convex, &motion[k], &ahead[i], &ahead[k], &setup, NULL, out);
+    } else {
+      status = gjk_parts_time_of_impact(&p.a, &motion[i], p.convex, &motion[k], &setup, NULL, out);
+    }
   }
   return status;
 }

@@ -8,7 +8,7 @@
 
 // A part where it is asked.
 typedef struct gjk_scene_solid {
-  const gjk_collider *collider;  // posed. Of a concave part its box, whose shape alone is read
+  const gjk_collider *collider;  // posed. Of a concave part its box, whose shape and radius alone are read
   const gjk_pose *pose;          // of a concave part; otherwise not read
 } gjk_scene_solid;
 
@@ -30,10 +30,11 @@ struct gjk_scene_concave {
 
   // Where two first touch on their way, in any order: hit, inside and fraction, and hit, overlap and lower are set. ahead:
   // only parts count that the other one is in front of at the start. Two concave ones meet nothing then, nor in an impact.
+  // There ahead is the whole ways, of which the motions are a piece; NULL: every part counts.
   gjk_status (*way)(const gjk_scene_solid *a, const gjk_scene_solid *b, const gjk_cast_path *path, bool ahead,
                     gjk_cast_result *out);
-  gjk_status (*impact)(const gjk_collider *a, const gjk_motion *motion_a, const gjk_collider *b,
-                       const gjk_motion *motion_b, gjk_q16 margin, bool ahead, gjk_impact_result *out);
+  gjk_status (*impact)(const gjk_collider c[2], const gjk_motion motion[2], gjk_q16 margin, const gjk_motion *ahead,
+                       gjk_impact_result *out);
 
   // As gjk_cast, and gjk_cast_ray: a is concave, b is not.
   gjk_status (*cast)(const gjk_scene_solid *a, const gjk_scene_solid *b, const gjk_cast_path *path,

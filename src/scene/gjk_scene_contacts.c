@@ -52,7 +52,9 @@ gjk_status gjk_scene_manifolds(const gjk_scene *scene, const gjk_report *report,
     return queries->manifolds(&of_a, &of_b, margin, most, &workspace, out, capacity, count);
   }
   status = gjk_contacts(&a.collider, &b.collider, margin, most, NULL, &workspace, out);
-  *count = (status == GJK_OK || status == GJK_ERROR_CAPACITY) && out->count > 0;
+  if (status == GJK_OK || status == GJK_ERROR_CAPACITY) {
+    *count = out->count > 0;
+  }
   return status;
 }
 

@@ -87,16 +87,17 @@ static gjk_status ask_way(const gjk_scene_view *v, const gjk_scene_mover m[2], c
   return gjk_cast(&c[0], &c[1], path, out);
 }
 
-static gjk_status ask_impact_of(const gjk_collider c[2], const gjk_motion part[2], gjk_q16 margin, bool ahead,
-                                gjk_impact_result *out) {
+// motion: of a piece of the way. ahead: the whole way, or NULL, see gjk_scene_concave.
+static gjk_status ask_impact_of(const gjk_collider c[2], const gjk_motion motion[2], gjk_q16 margin,
+                                const gjk_motion *ahead, gjk_impact_result *out) {
   const gjk_impact_setup setup = {margin, GJK_SCENE_TOLERANCE, 0};
 #if GJK_SCENE_AXES == 3
   if (concave_code(c) != NULL) {
-    return concave_code(c)->impact(&c[0], &part[0], &c[1], &part[1], margin, ahead, out);
+    return concave_code(c)->impact(c, motion, margin, ahead, out);
   }
 #endif
   (void)ahead;
-  return gjk_time_of_impact(&c[0], &part[0], &c[1], &part[1], &setup, out);
+  return gjk_time_of_impact(&c[0], &motion[0], &c[1], &motion[1], &setup, out);
 }
 
 // Neither part turns.
@@ -135,13 +136,16 @@ static void turn_parts(const gjk_scene_view *v, const gjk_scene_mover m[2], cons
   uint64_t off[2] = {0, 0};
   unsigned cuts = 0;
   gjk_collider c[2];
-  gjk_motion body[2];
+  gjk_motion body[2], way[2];
   for (int i = 0; i < 2; i++) {
     const uint32_t arm = arm_of(v, p[i]);
     gjk_scene_part_load(v, p[i], &c[i]);
     body[i].from = m[i].from;
     body[i].to = m[i].to;
     gjk_scene_no_spin(&body[i]);
+    way[i].from = part_pose(v, p[i], &m[i].from);
+    way[i].to = part_pose(v, p[i], &m[i].to);
+    gjk_scene_no_spin(&way[i]);
     if (arm != 0 && m[i].turns) {
       off[i] = sagitta(arm, gjk_scene_rotation_bound(&m[i].from.rotation, &m[i].to.rotation));
     }
@@ -171,7 +175,7 @@ static void turn_parts(const gjk_scene_view *v, const gjk_scene_mover m[2], cons
       gjk_scene_no_spin(&part[i]);
       at[i] = next[i];
     }
-    const gjk_status status = ask_impact_of(c, part, (gjk_q16)left, ahead, &result);
+    const gjk_status status = ask_impact_of(c, part, (gjk_q16)left, ahead ? way : NULL, &result);
     const bool limit = status == GJK_ERROR_ITERATION_LIMIT;
     found->unproven = status != GJK_OK;
     found->hit = status != GJK_OK || result.hit;

@@ -124,12 +124,12 @@ static int32_t inner_bound(const pair_question *q) {
 }
 
 // The distance of a near pair, or minus its depth for GJK_DETAIL_DEPTH. Where a query reaches its ceiling or the
-// workspace is too small: a proven bound.
+// workspace is too small: a proven bound. 0 where data of many parts that were never checked have no answer.
 static int32_t measure_pair(const pair_question *q, const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                             gjk_scene_pair *pair) {
   gjk_distance_result result;
   gjk_status status;
-  result.lower = 0;
+  result.distance = result.lower = 0;
   if (detail(q) == GJK_DETAIL_DEPTH) {
     status = gjk_scene_ask_depth(q->v, q->a, q->b, a, b, cache, &result);
   } else {

@@ -154,6 +154,7 @@ static bool is_beyond(const nearest_search *s, const gjk_aabb *box) {
 static gjk_q16 distance_of(const gjk_scene_view *v, const gjk_scene_part *p, const nearest_search *s,
                            const gjk_collider *c, const gjk_aabb *box) {
   gjk_distance_result result;
+  result.lower = 0;  // of data that were never checked no query sets it
   if (gjk_scene_ask_distance(v, NULL, p, s->collider, c, NULL, &result) == GJK_OK) {
     return result.distance;
   }

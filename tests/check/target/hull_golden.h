@@ -16,8 +16,8 @@
 #if GJK_BITS_VERSION != 1
 #error "the golden hashes are those of GJK_BITS_VERSION 1: replace them"
 #endif
-#define HULL_GOLDEN_HASH UINT64_C(0x037383ceb330a9c8)
-#define HULL_GOLDEN_FEW_HASH UINT64_C(0x7dd5f3cac5c2839b)
+#define HULL_GOLDEN_HASH UINT64_C(0x58982c10de33fe93)
+#define HULL_GOLDEN_FEW_HASH UINT64_C(0xb100c49ba0d0f90c)
 
 // The hash over the first sets. Not reentrant: the workspace is static, to spare small stacks.
 uint64_t hull_golden_hash(uint32_t sets);

@@ -12,13 +12,14 @@ mkdir -p "$dir"
 flags="-std=c99 -O1 -I$root/include -I$root -I$root/port -I$root/tests/support"
 scenes='tests/check/unit/test_plane_scene_random.c tests/check/unit/test_plane_scene_spread.c'
 scenes="$(echo tests/check/unit/test_scene_*.c) $scenes"
-shared="$(echo tests/support/scene/*.c) tests/support/generate/polytope.c tests/support/case/case.c port/hosted/gjk_hosted.c"
+shared="$(echo tests/support/scene/*.c) tests/support/generate/polytope.c tests/support/generate/surface.c
+  tests/support/reference/random_shape.c tests/support/case/case.c port/hosted/gjk_hosted.c"
 programs='tests/check/unit/test_history.c tests/check/limit/match.c tests/check/soak_scene/main.c tests/check/limit/casts.c'
 
 # The objects with the usual macros.
 usual() {
   # shellcheck disable=SC2046
-  make -s $(for source in $shared $scenes $programs tests/check/unit/test_plane_scene_*.c; do
+  make -s $(for source in $shared $scenes $programs tests/check/unit/test_concave_hostile.c tests/check/unit/test_plane_scene_*.c; do
     echo "build/hosted/${source%.c}.o"
   done | sort -u)
 }
@@ -77,6 +78,16 @@ for setting in 1:0 2:20 3:40 10:60; do
     check "$(basename "$source" .c), iterations and cells $setting" run ${setting%:*} ${setting#*:} "$source"
   done
   check "saves and restores, iterations and cells $setting" run ${setting%:*} ${setting#*:} tests/check/soak_scene/main.c 8000
+done
+
+# concave ITERATIONS: a few games with concave bodies
+concave() (
+  export GJK_TEST_PERCENT=25
+  run "$1" 60 tests/check/unit/test_concave_hostile.c
+)
+
+for iterations in 1 2 3; do
+  check "concave bodies, $iterations iterations" concave $iterations
 done
 
 # casts CEILING: the library with that ceiling on scans and rounds of casts, and the test of casts under ceilings

@@ -191,10 +191,12 @@ static void check_contacts(random_state *random, uint32_t used_cells) {
     }
     CHECK(count == 0 || reports[n].distance <= 0);
     tally.small += status == GJK_ERROR_CAPACITY;
+    count = 55;  // stays so
     CHECK(gjk_scene_manifolds(&scene, &reports[n], 4, all, 0, &count) == GJK_ERROR_RANGE);
     CHECK(gjk_scene_manifolds(&scene, &reports[n], 4, all, GJK_PARTS_MANIFOLDS_MAX + 1, &count) == GJK_ERROR_RANGE);
     CHECK(gjk_scene_manifolds(&scene, &reports[n], 9, all, 1, &count) == GJK_ERROR_RANGE);
     CHECK(gjk_scene_manifolds(&scene, &reports[n], 4, NULL, 1, &count) == GJK_ERROR_NULL);
+    CHECK(count == 55);
   }
   concave_world_free(&w);
 }
@@ -261,6 +263,48 @@ static void check_refusals(random_state *random) {
   }
 }
 
+// Constants that name no body, none with parts, or a mesh whose corners are no vertices.
+static void check_unchecked(void) {
+  static const gjk_vec3 vertex[3] = {{0, 0, 0}, {ONE, 0, 0}, {0, ONE, 0}};
+  static const gjk_mesh_node node = {{0, 0, 0}, {UINT16_MAX, UINT16_MAX, UINT16_MAX}};
+  static const gjk_mesh_triangle triangle = {{5, 6, 7}};
+  static const gjk_mesh lost = {vertex, &triangle, &node, 3, 1, {0, 0, 0}, {ONE, ONE, 0}, {1, 1, 0}, false};
+  static const gjk_mesh empty = {vertex, &triangle, &node, 3, 0, {0, 0, 0}, {ONE, ONE, 0}, {1, 1, 0}, false};
+  static const gjk_concave concaves[4] = {{{NULL, &lost, GJK_POSE_IDENTITY}, {0, 0, 0}},
+                                          {{&gjk_parts_class_mesh, NULL, GJK_POSE_IDENTITY}, {0, 0, 0}},
+                                          {GJK_PARTS_OF_MESH(&empty), {0, 0, 0}},
+                                          {GJK_PARTS_OF_MESH(&lost), {0, 0, 0}}};
+  static const gjk_shape refused[4] = {
+      GJK_CONCAVE(&concaves[0], ONE, ONE, ONE), GJK_CONCAVE(&concaves[1], ONE, ONE, ONE),
+      GJK_CONCAVE(&concaves[2], ONE, ONE, ONE), GJK_CONCAVE(&concaves[3], ONE, ONE, ONE)};
+  static const gjk_status expected[4] = {GJK_ERROR_EMPTY, GJK_ERROR_EMPTY, GJK_ERROR_EMPTY, GJK_OK};
+  static const gjk_shape ball = GJK_SPHERE(ONE);
+  gjk_progress progress;
+  gjk_scene_hit hit;
+  gjk_q16 distance[2];
+  gjk_collider c = {0};
+  const gjk_pose at = {{ONE / 2, 0, 0}, {0, 0, 0, GJK_Q30_ONE}};
+  for (unsigned i = 0; i <= CONCAVE_BODIES + MOVERS; i++) {
+    shapes[i] = i < 4 ? &refused[i] : &ball;
+  }
+  start(GJK_DETAIL_DISTANCE, 0, 10);
+  for (uint16_t i = 0; i < 5; i++) {
+    const gjk_part part = {i, false, GJK_POSE_IDENTITY};
+    const gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, 0, 1, 1, 0, 0};
+    gjk_body_id id = {77, 78};
+    const gjk_status status = i < 4 ? expected[i] : GJK_OK;
+    CHECK(gjk_scene_add(&scene, &setup, &id) == status);
+    CHECK(status == GJK_OK || (id.slot == 77 && id.generation == 78));
+  }
+  CHECK(gjk_scene_update(&scene, reports, REPORTS, &progress) == GJK_OK && progress.reports == 0);
+  CHECK(gjk_collider_init(&c, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&c, &at) == GJK_OK);
+  for (unsigned k = 0; k < 2; k++) {
+    bool found;
+    CHECK(gjk_scene_query_nearest(&scene, &c, 100 * ONE, NULL, &hit, &distance[k], &found) == GJK_OK && found);
+  }
+  CHECK(distance[0] == 0 && distance[1] == 0 && hit.body.slot == 0);
+}
+
 int main(void) {
   const uint64_t seed = check_seed(SEED);
   for (unsigned long i = 0; i < TRIALS; i++) {
@@ -271,6 +315,7 @@ int main(void) {
   }
   random_state random = random_seed(seed + TRIALS);
   check_refusals(&random);
+  check_unchecked();
   printf("%lu pairs, %lu near, %lu of two concave parts, %lu manifolds, %lu with few cells\n", tally.pairs, tally.near,
          tally.both, tally.manifolds, tally.small);
   CHECK(tally.near > 1000 && tally.both > 50 && tally.manifolds > 100 && tally.small > 2);

@@ -63,7 +63,7 @@ static uint32_t check_simple(uint16_t most) {
   CHECK((result.excess == 0) == (full.hull.vertices <= most));
   const int64_t excess = true_excess();
   CHECK_MSG(excess <= (int64_t)result.excess, "excess %lld, not %lu", (long long)excess, (unsigned long)result.excess);
-  CHECK_MSG(full.hull.dimension < 3 || excess == 0 || excess + 4 >= (int64_t)result.excess, "excess %lld, stated %lu",
+  CHECK_MSG(full.hull.dimension < 3 || excess == 0 || excess + 2 >= (int64_t)result.excess, "excess %lld, stated %lu",
             (long long)excess, (unsigned long)result.excess);
   if (full.hull.vertices <= most) {
     CHECK(result.vertices == full.hull.vertices &&

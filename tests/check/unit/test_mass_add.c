@@ -219,6 +219,12 @@ static void test_refusals(void) {
   CHECK(gjk_mass_add(&body, &part, &pose) == GJK_ERROR_RANGE);  // outside int32
   part.centre.x = 0;
   CHECK(gjk_mass_add(&body, &part, &pose) == GJK_OK && body.mass == UINT32_MAX && body.centre.x == INT32_MAX);
+  pose.position.x = body.centre.x = INT32_MIN;
+  body.mass--;
+  part.centre.x = -1;
+  CHECK(gjk_mass_add(&body, &part, &pose) == GJK_ERROR_RANGE);  // on the other side
+  part.centre.x = 0;
+  CHECK(gjk_mass_add(&body, &part, &pose) == GJK_OK && body.mass == UINT32_MAX && body.centre.x == INT32_MIN);
   body = kept;
   body.mass = 1;
   part.inertia.xx = (INT64_C(1) << 60) + 1;
@@ -315,6 +321,12 @@ static void test_ties(void) {
   const gjk_inertia swapped = {100000, 100000, 5000, 0, 0, 40000};  // 45 degrees about z
   check_axes(&swapped, &axes);
   CHECK(axes.moment[0] == 140000 && axes.moment[1] == 60000 && axes.moment[2] == 5000);
+  const gjk_inertia alike = {100000, 200000, 400000,
+                             30000,  30000,  -30000};  // of equal products that about x goes first
+  const gjk_quat bits = {-63256374, 55102226, 158329527, 1058685809};
+  check_axes(&alike, &axes);
+  CHECK(memcmp(&axes.rotation, &bits, sizeof bits) == 0);
+  CHECK(axes.moment[0] == 87281 && axes.moment[1] == 206185 && axes.moment[2] == 406534);
   const gjk_shape cube = GJK_BOX(65536, 65536, 65536);
   gjk_mass m;
   CHECK(gjk_mass_of_shape(&cube, &m) == GJK_OK && gjk_mass_principal(&m, &axes) == GJK_OK);

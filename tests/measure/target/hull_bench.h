@@ -4,7 +4,9 @@
 
 #include "gjk/hull.h"
 
+#ifndef HULL_BENCH_POINTS  // of boards with little memory fewer
 #define HULL_BENCH_POINTS 256
+#endif
 
 // Makes count points on a sphere of 2 units, the same ones on every target.
 void hull_bench_make(unsigned count);

@@ -85,3 +85,13 @@ gjk_q16 mesh_bench_distance(const gjk_collider *body, bool of_field) {
   gjk_distance_result result;
   return gjk_parts_distance(of_field ? &of_heights : &of_mesh, body, NULL, &result) == GJK_OK ? result.distance : -1;
 }
+
+bool mesh_bench_ray(const gjk_collider *body, bool of_field) {
+  const gjk_parts of_mesh = GJK_PARTS_OF_MESH(&mesh), of_heights = GJK_PARTS_OF_HEIGHT_FIELD(&field);
+  const gjk_vec3 *from = &body->position;
+  const gjk_vec3 to = {from->x < SIDE / 2 * STEP ? from->x + 15 * STEP : from->x - 15 * STEP, from->y + 5 * STEP,
+                       from->z - 4 * STEP};
+  gjk_cast_result result;
+  uint32_t part;
+  return gjk_parts_cast_ray(of_field ? &of_heights : &of_mesh, from, &to, &part, &result) == GJK_OK && result.hit;
+}

@@ -1,4 +1,4 @@
-// What contacts with a mesh of 10,000 triangles and with a height field cost.
+// What contacts with a mesh of 10,000 triangles and with a height field cost, distances and rays.
 #ifndef MESH_BENCH_H
 #define MESH_BENCH_H
 
@@ -22,5 +22,8 @@ unsigned mesh_bench_contacts(const gjk_collider *body, bool field);
 
 // The distance from it.
 gjk_q16 mesh_bench_distance(const gjk_collider *body, bool field);
+
+// A ray from the body's place up to 16 units along the ground, which falls by 4. Does it hit?
+bool mesh_bench_ray(const gjk_collider *body, bool field);
 
 #endif

@@ -1,11 +1,12 @@
-// Counts the instructions of contacts with a mesh of 10,082 triangles, and with the same ground as a height field.
+// Counts the instructions of contacts, distances and rays with a mesh of 10,082 triangles, and with the same ground as a height
+// field.
 #include "mesh_bench.h"
 
 #include "count.h"
 #include "print.h"
 
 static void print_line(const char *name, bool field, uint32_t total, uint32_t most, unsigned manifolds,
-                       uint32_t distance) {
+                       uint32_t distance, uint32_t ray, unsigned hits) {
   board_print(name);
   board_print(field ? " on a height field: " : " on a mesh: ");
   print_decimal(board_print, total / MESH_BENCH_BODIES);
@@ -15,6 +16,10 @@ static void print_line(const char *name, bool field, uint32_t total, uint32_t mo
   print_decimal(board_print, manifolds * 10 / MESH_BENCH_BODIES);
   board_print(" tenths of a manifold; 1 unit above, distance ");
   print_decimal(board_print, distance / MESH_BENCH_BODIES);
+  board_print(", ray ");
+  print_decimal(board_print, ray / MESH_BENCH_BODIES);
+  board_print(", which hit ");
+  print_decimal(board_print, hits);
   board_print("\n");
 }
 
@@ -27,8 +32,8 @@ int firmware_main(void) {
   }
   for (int field = 0; field < 2; field++) {
     for (int kind = 0; kind < MESH_BENCH_KINDS; kind++) {
-      uint32_t total = 0, most = 0, distance = 0;
-      unsigned manifolds = 0;
+      uint32_t total = 0, most = 0, distance = 0, ray = 0;
+      unsigned manifolds = 0, hits = 0;
       for (unsigned i = 0; i < MESH_BENCH_BODIES; i++) {
         gjk_collider body;
         mesh_bench_place((mesh_bench_kind)kind, i, &body);
@@ -42,8 +47,11 @@ int firmware_main(void) {
         start = board_ticks();
         (void)mesh_bench_distance(&body, field != 0);
         distance += count_instructions(board_ticks() - start, calibration);
+        start = board_ticks();
+        hits += mesh_bench_ray(&body, field != 0);
+        ray += count_instructions(board_ticks() - start, calibration);
       }
-      print_line(name[kind], field != 0, total, most, manifolds, distance);
+      print_line(name[kind], field != 0, total, most, manifolds, distance, ray, hits);
     }
   }
   return 0;

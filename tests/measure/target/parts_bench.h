@@ -4,7 +4,9 @@
 
 #include "gjk/gjk.h"
 
+#ifndef PARTS_BENCH_PARTS  // of boards with little memory fewer
 #define PARTS_BENCH_PARTS 128
+#endif
 
 // What is asked.
 typedef enum parts_bench_query {

@@ -13,7 +13,7 @@ int firmware_main(void) {
     board_print("the counter does not count instructions\n");
     return 1;
   }
-  for (unsigned k = 0; k < 3; k++) {
+  for (unsigned k = 0; k < 3 && counts[k] <= PARTS_BENCH_PARTS; k++) {
     for (int tree = 1; tree >= 0; tree--) {
       parts_bench_make(counts[k], tree == 1);
       for (int query = 0; query < PARTS_BENCH_QUERIES; query++) {
