@@ -138,34 +138,49 @@ bool gjk_face_is_over(const gjk_surface_face *f, const gjk_vec3 *point) {
   return true;
 }
 
-// Of the core alone, along the normal; as of height, below 2^31 + 2^28.
-static int64_t height_of_core(const gjk_collider *body, const gjk_surface_face *f) {
-  return (int64_t)f->height + body->shape->convex_radius;
+// A coordinate moved by a length along the normal.
+static int32_t moved_along(int32_t centre, int32_t offset, int32_t normal, gjk_q16 by) {
+  const int64_t half = INT64_C(1) << 29;
+  return gjk_saturate((int64_t)centre + offset + gjk_sar64(gjk_mul32(normal, by) + half, 30));
 }
 
-// x, by at most `by` nearer to a third of a sum.
+static void move_deepest(const gjk_vec3 *centre, const gjk_surface_face *f, gjk_q16 by, gjk_vec3 *out) {
+  const gjk_vec3 *p = &f->deepest;
+  out->x = moved_along(centre->x, p->x, f->unit.x, by);
+  out->y = moved_along(centre->y, p->y, f->unit.y, by);
+  out->z = moved_along(centre->z, p->z, f->unit.z, by);
+}
+
+void gjk_face_move_deepest(const gjk_collider *body, const gjk_surface_face *f, gjk_q16 by, gjk_vec3 *out) {
+  move_deepest(&body->centre, f, by, out);
+}
+
+// x, by at most `by` nearer to a third of a sum, which is found to within 1 and 2^-17 of the way there.
 static int32_t pulled(int32_t x, int64_t sum, int32_t by) {
-  const int32_t way = gjk_saturate(sum - 3 * (int64_t)x);
-  return x + (way > 3 * by ? by : way < -3 * by ? -by : 0);
+  const int32_t third = (int32_t)gjk_sar64((sum - 3 * (int64_t)x) * 21845, 16);  // |x|, |sum / 3| < 2^30.4
+  return x + (third > by ? by : third < -by ? -by : third);
 }
 
 bool gjk_face_is_nearly_over(const gjk_collider *body, const gjk_surface_face *f) {
-  const gjk_vec3 *c = f->corner, *p = &f->deepest;
+  static const gjk_vec3 centre = {0, 0, 0};
+  const gjk_vec3 *c = f->corner;
+  gjk_vec3 foot;  // of the deepest point on the plane
   if (f->height < 0) {
     return false;
   }
-  const int32_t by = (int32_t)(8 + gjk_sar64(height_of_core(body, f), 6));  // below 2^26
-  const gjk_vec3 near = {pulled(p->x, (int64_t)c[0].x + c[1].x + c[2].x, by),
-                         pulled(p->y, (int64_t)c[0].y + c[1].y + c[2].y, by),
-                         pulled(p->z, (int64_t)c[0].z + c[1].z + c[2].z, by)};
-  return gjk_face_is_over(f, &near);
+  const int32_t h = f->height + body->shape->convex_radius, by = 8 + gjk_sar32(h, 6);
+  move_deepest(&centre, f, -h, &foot);
+  foot.x = pulled(foot.x, (int64_t)c[0].x + c[1].x + c[2].x, by);
+  foot.y = pulled(foot.y, (int64_t)c[0].y + c[1].y + c[2].y, by);
+  foot.z = pulled(foot.z, (int64_t)c[0].z + c[1].z + c[2].z, by);
+  return gjk_face_is_over(f, &foot);
 }
 
 // The edge taken is the steepest to the plane. What lies over the triangle is a prism, so all of the edge is in it if both ends
 // are, and meets the plane in the triangle if one end is above the plane and one below.
 bool gjk_face_is_pierced(const gjk_collider *body, const gjk_surface_face *f) {
   const unsigned count = axes_of(body);
-  const int64_t bottom = height_of_core(body, f);
+  const int64_t bottom = (int64_t)f->height + body->shape->convex_radius;  // of the core
   int32_t most = 0;
   gjk_vec3 way = {0, 0, 0};
   for (unsigned i = 0; i < count; i++) {
@@ -187,17 +202,4 @@ bool gjk_face_is_pointed(const gjk_collider *body, const gjk_surface_face *f) {
     pointed = gjk_magnitude64(gjk_along(&f->unit, &body->frame[i])) > (uint64_t)GJK_FACE_LEVEL << 30;
   }
   return pointed;
-}
-
-// A coordinate moved by a length along the normal.
-static int32_t moved_along(int32_t centre, int32_t offset, int32_t normal, gjk_q16 by) {
-  const int64_t half = INT64_C(1) << 29;
-  return gjk_saturate((int64_t)centre + offset + gjk_sar64(gjk_mul32(normal, by) + half, 30));
-}
-
-void gjk_face_move_deepest(const gjk_collider *body, const gjk_surface_face *f, gjk_q16 by, gjk_vec3 *out) {
-  const gjk_vec3 *at = &body->centre, *p = &f->deepest;
-  out->x = moved_along(at->x, p->x, f->unit.x, by);
-  out->y = moved_along(at->y, p->y, f->unit.y, by);
-  out->z = moved_along(at->z, p->z, f->unit.z, by);
 }

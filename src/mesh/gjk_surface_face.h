@@ -40,7 +40,8 @@ bool gjk_face_is_aside(const gjk_collider *body, gjk_q16 margin, const gjk_surfa
 bool gjk_face_is_over(const gjk_surface_face *f, const gjk_vec3 *point);
 
 // Does the deepest point lie over the triangle but for the rounding of corners? Each is off by less than an LSB, which tilts a
-// triangle of 128 LSB by 1/64. So a point above an edge that is flat but for that may lie over neither side.
+// triangle of 128 LSB by 1/64. So a point above an edge that is flat but for that may lie over neither side. Pre: the height is
+// at most 2^28 + GJK_FACE_LEVEL.
 bool gjk_face_is_nearly_over(const gjk_collider *body, const gjk_surface_face *f);
 
 // Does an edge of a body's core, a sum of half axes, that ends at its deepest point pass through the triangle? False proves

@@ -144,10 +144,7 @@ static uint32_t farther_end(int32_t low, int32_t high) {
 uint32_t gjk_triangle_reach(const gjk_vec3 *lower, const gjk_vec3 *upper) {
   const uint32_t x = farther_end(lower->x, upper->x), y = farther_end(lower->y, upper->y),
                  z = farther_end(lower->z, upper->z);
-  if ((x | y | z) >> 31 != 0) {
-    return UINT32_MAX;
-  }
-  return gjk_isqrt64(gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z)) + 4;  // squares below 2^62 each
+  return gjk_isqrt64(gjk_umul32(x, x) + gjk_umul32(y, y) + gjk_umul32(z, z)) + 4;  // squares at most 2^62 each
 }
 
 static int64_t gap_on_axis(int32_t low, int32_t high, int32_t own_low, int32_t own_high) {

@@ -49,7 +49,7 @@ gjk_status gjk_triangle_place(const gjk_parts_frame *frame, const gjk_vec3 corne
                               gjk_collider *out);
 void gjk_triangle_local(const gjk_vec3 corner[3], gjk_parts_room *room, gjk_parts_local *out);
 
-// The largest distance from the origin of a point of a box, and 4 for rounding; at most UINT32_MAX.
+// The largest distance from the origin of a point of a box, and 4 for rounding; below sqrt(3) 2^31 + 4.
 uint32_t gjk_triangle_reach(const gjk_vec3 *lower, const gjk_vec3 *upper);
 
 // How far a box lies from a region: the gaps along the axes together.

@@ -186,6 +186,7 @@ static bool finds(const gjk_mesh *mesh, gjk_mesh_fault fault, gjk_mesh_report *r
   CHECK(edges[0] + edges[1] + edges[2] + edges[3] == (counted ? 3 * mesh->triangle_count : 0));
   CHECK(edges[0] <= 3 * mesh->triangle_count && edges[1] <= 3 * mesh->triangle_count);
   CHECK(fault == GJK_MESH_BOX || report->node == 0);
+  CHECK(fault != GJK_MESH_SOUND || (report->triangle == 0 && report->edge == 0));
   return true;
 }
 

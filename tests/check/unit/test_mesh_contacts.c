@@ -182,6 +182,47 @@ static void check_body(trial *t) {
   }
 }
 
+// Balls over the edges of a level ground that is turned: rounding its corners tilts small triangles, so a ball may lie over
+// neither of two. It has its contact all the same, at the distance of the ground.
+static void check_turned_level(random_state *random) {
+  static found_contacts found;
+  trial t;
+  unsigned long apart = 0;
+  memset(&t, 0, sizeof t);
+  for (int k = 0; k < 60; k++) {
+    surface_make(random, SURFACE_FLAT, 200, 1 << random_range(random, 5, 9), false, &t.ground);
+    t.parts = (gjk_parts)GJK_PARTS_OF_MESH(&t.ground.mesh);
+    t.parts.pose.rotation = random_rotation(random);
+    t.margin = 1000;
+    for (int i = 0; i < 60; i++) {
+      const gjk_shape ball = GJK_SPHERE(1 + (gjk_q16)random_below(random, 3000));
+      gjk_parts_room room;
+      gjk_collider triangle, body;
+      gjk_distance_result d;
+      CHECK(gjk_parts_place(&t.parts, random_below(random, t.ground.triangle_count), &room, &triangle) == GJK_OK);
+      const dvec a = of_vec3(&room.vertices[0]), b = of_vec3(&room.vertices[1]), c = of_vec3(&room.vertices[2]);
+      const dvec n = cross_of(minus(b, a), minus(c, a));
+      const dvec at = add_scaled(add_scaled(a, random_unit(random), minus(c, a)),
+                                 (ball.convex_radius + 2 + 990 * random_unit(random)) / length_of(n), n);
+      const gjk_pose pose = {{(int32_t)floor(at.x + 0.5), (int32_t)floor(at.y + 0.5), (int32_t)floor(at.z + 0.5)},
+                             {0, 0, 0, GJK_Q30_ONE}};
+      CHECK(gjk_collider_init(&body, &ball, NULL, 0) == GJK_OK && gjk_collider_pose(&body, &pose) == GJK_OK);
+      CHECK(gjk_parts_distance(&t.parts, &body, NULL, &d) == GJK_OK);
+      CHECK(gjk_surface_contacts(&t.parts, &body, t.margin, 4, NULL, found.contact, FOUND_MAX, &found.count) == GJK_OK);
+      gjk_q16 least = INT32_MAX;
+      for (unsigned j = 0; j < found.count; j++) {
+        const gjk_q16 distance = found.contact[j].manifold.contact[0].distance;
+        least = distance < least ? distance : least;
+      }
+      CHECK_MSG(d.intersecting || d.distance > t.margin || (least <= d.distance + 4 && least >= d.distance - 4),
+                "%u manifolds, at %ld not %ld", found.count, (long)least, (long)d.distance);
+      apart += !d.intersecting && d.distance > 0;
+    }
+    surface_free(&t.ground);
+  }
+  CHECK(apart > 3000);
+}
+
 int main(void) {
   static trial t;
   const uint64_t seed = check_seed(SEED);
@@ -204,6 +245,8 @@ int main(void) {
     }
     surface_free(&t.ground);
   }
+  random_state level = random_seed(seed);
+  check_turned_level(&level);
   case_collider_free(&t.body);
   case_shape_free(&t.source);
   printf(

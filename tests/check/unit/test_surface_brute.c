@@ -340,6 +340,15 @@ static void check_all_refusals(void) {
   mesh = good;
   mesh.triangle_count = GJK_MESH_TRIANGLES_MAX + 1;
   refuse(&of_mesh, &b, GJK_ERROR_EMPTY);
+  // A box that leaves no room in int32 at any position.
+  for (int k = 0; k < 3; k++) {
+    const int32_t lowest[3] = {k == 0 ? INT32_MIN : 0, k == 1 ? INT32_MIN : 0, k == 2 ? INT32_MIN : 0};
+    mesh = good;
+    mesh.lower.x = lowest[0];
+    mesh.lower.y = lowest[1];
+    mesh.lower.z = lowest[2];
+    refuse(&of_mesh, &b, GJK_ERROR_RANGE);
+  }
   CHECK(gjk_surface_contacts(&of_compound, &b, 0, 4, NULL, NULL, 0, &count) == GJK_ERROR_UNSUPPORTED && count == 77);
 }
 
