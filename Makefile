@@ -181,7 +181,7 @@ build/gjk-demo-parts: build/hosted/tests/programs/demo_parts/main.o $(filter-out
 build/gjk-demo-plane: $(DEMO_PLANE)
 build/lockstep: build/hosted/tests/programs/lockstep/main.o build/hosted/tests/programs/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
-build/test_decompose build/test_enclose: $(filter-out %/main.o,$(CONVERT))
+build/test_decompose build/test_decompose_outline build/test_enclose: $(filter-out %/main.o,$(CONVERT))
 build/gjk-query build/gjk-convert build/gjk-demo build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@

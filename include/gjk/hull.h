@@ -40,7 +40,8 @@ typedef struct gjk_hull {
 // Exact      vertices, facets and edges are those of the real hull. They are the same for any order of the points.
 // Statuses   NULL; EMPTY; SIZE: the points are more than 2 GJK_RADIUS_MAX apart along an axis; CAPACITY: bytes; RANGE:
 //            a workspace that is not aligned.
-// Cost       of the order of count log count for points spread over a surface, at worst count squared; no recursion.
+// Cost       of the order of count log count for points spread over a surface; no recursion. At worst count cubed: each point
+//            added may leave as many others to compare with as many new triangles. Points along (cos t, sin t, cos 2 t) do.
 // After      Barber, Dobkin, Huhdanpaa, The quickhull algorithm for convex hulls, 1996; exact signs in place of its
 //            tolerances.
 gjk_status gjk_hull_build(const gjk_vec3 *points, uint16_t count, void *workspace, size_t bytes, gjk_hull *out);

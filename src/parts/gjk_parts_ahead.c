@@ -10,7 +10,7 @@
 //
 // the unit vector  sqrt(3) 2^-30 of at most sqrt(3) 2^31, to the triangle, and 2^28, to the support: 8
 // a support        less than 1 beyond the farthest along the rounded direction, of curved shapes 2
-#define HEIGHT_ERROR 12
+#define AHEAD_ERROR 12
 
 // A, and both at either end of the whole way.
 typedef struct ahead_body {
@@ -22,7 +22,10 @@ typedef struct ahead_body {
   int64_t aside;  // triangles so near count only if B goes through their planes
 } ahead_body;
 
-// What of B's height above a plane there is, LSB in Q30, convex radius included: below 2^62.2.
+// Heights have so many bits after the point: rounded by less than an LSB together, and not at all of a plane across an axis.
+#define HEIGHT_BITS 16
+
+// What of B's height above a plane there is, LSB with HEIGHT_BITS, convex radius included: below 2^50.
 typedef struct ahead_height {
   int64_t lowest, highest;
 } ahead_height;
@@ -31,9 +34,9 @@ static const ahead_body *ahead_of(const void *data) {
   return (const ahead_body *)data;
 }
 
-// |v| < 2^31 per axis:  the sum below 2^61.8
+// |v| < 2^31 per axis:  the sum below 2^61.8, shifted below 2^48
 static int64_t up_along(const gjk_unit3 *up, const gjk_vec3 *v) {
-  return gjk_mac32(gjk_mac32(gjk_mul32(up->x, v->x), up->y, v->y), up->z, v->z);
+  return gjk_sar64(gjk_mac32(gjk_mac32(gjk_mul32(up->x, v->x), up->y, v->y), up->z, v->z), 30 - HEIGHT_BITS);
 }
 
 // Measures B above the plane of a triangle at one end of the way. False: there is no plane, or it is far away. Of planes
@@ -60,14 +63,14 @@ static bool measure_height(const ahead_body *d, unsigned end, uint32_t number, a
   const gjk_unit3 up = gjk_unit(&along.d);
   b->shape->type->support(b, &along.d, &high);
   b->shape->type->support(b, &down, &low);
-  const int64_t at = up_along(&up, &step), radius = gjk_shl64(b->shape->convex_radius, 30);
+  const int64_t at = up_along(&up, &step), radius = gjk_shl64(b->shape->convex_radius, HEIGHT_BITS);
   out->lowest = at + up_along(&up, &low.offset) - radius;
   out->highest = at + up_along(&up, &high.offset) + radius;
   return true;
 }
 
 static bool is_mostly_behind(const ahead_height *h) {
-  return gjk_sar64(h->lowest, 1) + gjk_sar64(h->highest, 1) < 0;
+  return h->lowest + h->highest < 0;
 }
 
 // Is B at most a distance away from a part at the start? A part that cannot tell, which the query that follows meets with
@@ -89,12 +92,12 @@ static bool is_before_triangle(const ahead_body *d, uint32_t number) {
   }
   const bool two_sided = (d->own->type->edges(d->own->data, number) & GJK_TRIANGLE_TWO_SIDED) != 0;
   const bool behind = two_sided && is_mostly_behind(&start);
-  const int64_t gap = (behind ? -start.highest : start.lowest) - gjk_shl64(d->near, 30);
-  const int64_t error = gjk_shl64(HEIGHT_ERROR, 30);
+  const int64_t gap = (behind ? -start.highest : start.lowest) - gjk_shl64(d->near, HEIGHT_BITS);
+  const int64_t error = gjk_shl64(AHEAD_ERROR, HEIGHT_BITS);
   if (gap <= -error || (gap <= error && is_near_part(d, number, d->near))) {
     return false;
   }
-  return (gap > 0 && gap > gjk_shl64(d->aside, 30)) ||
+  return (gap > 0 && gap > gjk_shl64(d->aside, HEIGHT_BITS)) ||
          (measure_height(d, 1, number, &end) && is_mostly_behind(&end) != behind);
 }
 

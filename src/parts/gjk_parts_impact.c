@@ -267,10 +267,11 @@ static gjk_status check_impact_of_both(const impact_search *s, const gjk_parts *
 
 // How far the points of a part are from the position of its body's pose, at most.
 //   as seen from there the centre is within the body's reach, at most 2^31:  squares at most 2^62
+//   of a body whose reach is wrong they may wrap
 static int64_t reach_of_part(const gjk_collider *c, const gjk_vec3 *position) {
-  const int64_t x = (int64_t)c->centre.x - position->x, y = (int64_t)c->centre.y - position->y,
-                z = (int64_t)c->centre.z - position->z;
-  return (int64_t)gjk_isqrt64((uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z)) + c->radius + 8;
+  const uint64_t x = (uint64_t)((int64_t)c->centre.x - position->x), y = (uint64_t)((int64_t)c->centre.y - position->y),
+                 z = (uint64_t)((int64_t)c->centre.z - position->z);
+  return (int64_t)gjk_isqrt64(x * x + y * y + z * z) + c->radius + 8;
 }
 
 // Asks the pairs of one part of B. A part that does not turn stays in its box, as far as that has gone; one that turns stays
@@ -296,10 +297,13 @@ static gjk_status ask_part_of_b(impact_search *s, const gjk_parts_frame *of_b, b
     box.upper = *at;
   }
   start_impact_region(s, &box, s->turns[1] ? reach : 0, reach);
-  b->type->local(b->data, s->number_b, &room, &local);
-  status = gjk_collider_init(&c, local.shape, NULL, 0);
+  status = b->type->local(b->data, s->number_b, &room, &local);
+  status = status == GJK_OK ? gjk_collider_init(&c, local.shape, NULL, 0) : status;
+  if (status != GJK_OK) {
+    return status;
+  }
   set_carried(&s->of[1], &c, s->motion[1], local.own, b->type->reach(b->data));
-  status = status == GJK_OK ? ask_region(s, GJK_PARTS_NONE, bound) : status;
+  status = ask_region(s, GJK_PARTS_NONE, bound);
   set_carried(&s->of[1], NULL, s->motion[1], NULL, 0);  // the part goes with this call
   return status;
 }

@@ -258,7 +258,7 @@ static void set_listed(const rim *r, const gjk2_vec *at, gjk2_support *out) {
 #if GJK_NARROW_MULTIPLY
 #define CROSS_ERROR (4 * INT32_C(32768) + 2)
 
-typedef int32_t turn_sign;
+typedef int32_t edge_turn;
 
 static unsigned ruler_of(const gjk2_search *s) {
   const uint32_t reach = gjk2_norm1(s->delta) + (uint32_t)s->a->core_radius + (uint32_t)s->b->core_radius;
@@ -271,7 +271,7 @@ static inline int32_t coarse_cross(unsigned k, gjk2_vec a, gjk2_vec b) {
 }
 
 // A number with the sign of a x b.
-static inline turn_sign sign_of_turn(unsigned k, gjk2_vec a, gjk2_vec b) {
+static inline edge_turn sign_of_turn(unsigned k, gjk2_vec a, gjk2_vec b) {
   const int32_t coarse = coarse_cross(k, a, b);
   if (coarse > CROSS_ERROR || coarse < -CROSS_ERROR) {
     return coarse;
@@ -287,14 +287,14 @@ static inline bool is_high(unsigned k, gjk2_vec w, gjk2_vec step, uint32_t above
   return coarse > 0 && rough <= 16384 && (uint32_t)coarse >= (rough + 1) * length;
 }
 #else
-typedef int64_t turn_sign;
+typedef int64_t edge_turn;
 
 static inline unsigned ruler_of(const gjk2_search *s) {
   (void)s;
   return 0;
 }
 
-static inline turn_sign sign_of_turn(unsigned k, gjk2_vec a, gjk2_vec b) {
+static inline edge_turn sign_of_turn(unsigned k, gjk2_vec a, gjk2_vec b) {
   (void)k;
   return gjk2_cross(a, b);
 }
@@ -343,7 +343,7 @@ GJK_ONCE static void walk_listed(listed_walk *l, nearest_so_far *n, bool followi
   uint32_t left = l->left;
   const unsigned k = ruler_of(s);
   while (left > 0) {
-    const turn_sign turn = following ? sign_of_turn(k, a.step, b.step) : sign_of_turn(k, b.step, a.step);
+    const edge_turn turn = following ? sign_of_turn(k, a.step, b.step) : sign_of_turn(k, b.step, a.step);
     int32_t x = b.step.x, y = b.step.y;
     if (turn >= 0) {
       x = turn > 0 ? a.step.x : x + a.step.x;

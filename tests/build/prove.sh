@@ -32,6 +32,10 @@ ITERATION_RETURNS=gjk_iteration_start:0,gjk_frame_set:0,gjk_frame_set_far:0,long
 EPA_HULL_LEVELS=write_horizon:200,gjk_epa_hull_add:500,connect_horizon:1000,add:1000,check_polytope:100,gjk_epa_hull_lowest:50
 TABLE_LEVELS=main:50,gjk_hull_table_check:20,gjk_hull_table_make:20,gjk_table_measure:20
 BOX_SAT_LEVELS=gjk_box_sat:1000,run:100
+MANIFOLDS_LEVELS=keep_contacts:50,join_manifold:20,reduce_manifold:20,take_manifold:50,join_parts:50,finish_manifolds:50,\
+report_manifolds:50,gjk_parts_manifolds:50,gjk_parts_both_manifolds:50,main:50,ask:50
+CAST_LEVELS=main:50,ask:100,gjk_parts_cast:200,gjk_parts_both_cast:200,gjk_parts_cast_ray:200,gjk_parts_both_open:100,set_way_of_a:100,\
+cast_against:200,cast_part:100,start_region:100,gjk_parts_frame_set:50
 SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
 
 # The outcomes of a call kept apart by its last branch, so that what a check found of an index is known after it.
@@ -378,15 +382,16 @@ prove_one() {
       set -- "$1" -eva-slevel 200
       ;;
     parts)
-      models='region rotation place pairs'
+      models='region rotation place pairs reduce'
       sources=$(echo src/parts/gjk_parts_*.c src/arith/*.c)
       contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
       set -- "$1" -eva-interprocedural-splits -eva-partition-value pairs_results_set
       # Contacts in one place may be any of them: too many outcomes to keep apart.
       case $instance in
-        *MANIFOLDS) set -- "$@" -eva-slevel 10 ;;
-        *NEAR | *DISTANCE | *DEPTH) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
-        *AHEAD) set -- "$@" -eva-slevel 300 ;;
+        *MANIFOLDS) set -- "$@" -eva-slevel 5 -eva-min-loop-unroll 24 -eva-slevel-function "$MANIFOLDS_LEVELS" ;;
+        NEAR | DISTANCE | DEPTH) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
+        *CAST* | RAY) set -- "$@" -eva-slevel 20 -eva-slevel-function "$CAST_LEVELS" ;;
+        BOTH*) set -- "$@" -eva-slevel 20 ;;
         *) set -- "$@" -eva-slevel 100 ;;
       esac
       ;;
@@ -399,7 +404,7 @@ prove_one() {
       models='region rotation place pairs manifold'
       sources=$(echo src/mesh/gjk_surface*.c src/mesh/gjk_triangle.c src/parts/gjk_parts_frame.c src/arith/*.c)
       contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
-      set -- "$1" -eva-slevel 300 -eva-interprocedural-splits
+      set -- "$1" -eva-slevel 50 -eva-interprocedural-splits
       ;;
     quotient | way | swept | motion | integrate)
       sources=$(echo src/motion/*.c src/arith/*.c src/place/*.c src/query/gjk_status.c)

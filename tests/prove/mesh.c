@@ -22,7 +22,7 @@ static gjk_mesh_triangle triangles[TRIANGLES];
 static gjk_mesh_node nodes[NODES];
 static int16_t heights[SIDE * SIDE];
 
-// Contacts with triangles need pairs: surface contacts have no driver.
+// Contacts with triangles need pairs: surface.c is their driver.
 gjk_status gjk_surface_meet(const gjk_parts_frame *frame, uint32_t number, const gjk_collider *b, gjk_q16 margin,
                             unsigned most, gjk_cache *cache, const gjk_workspace *workspace, gjk_manifold *out) {
   return GJK_ERROR_NULL;

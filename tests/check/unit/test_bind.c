@@ -3,6 +3,7 @@
 
 #include "check.h"
 #include "gjk/bind.h"
+#include "gjk/concave.h"
 #include "gjk/hull.h"
 #include "gjk/penetration.h"
 #include "gjk2/bind.h"
@@ -168,6 +169,7 @@ static void counts(void) {
   CHECK(gjk_hull_workspace(GJK_HULL_POINTS_MAX) == GJK_HULL_WORKSPACE(GJK_HULL_POINTS_MAX));
   CHECK(gjk_hull_workspace(GJK_HULL_POINTS_MAX + UINT32_C(1)) == 0);
   CHECK(gjk_hull_simplify_workspace(1000) == GJK_HULL_SIMPLIFY_WORKSPACE(1000));
+  CHECK(gjk_hull_simplify_workspace(GJK_HULL_POINTS_MAX) == GJK_HULL_SIMPLIFY_WORKSPACE(GJK_HULL_POINTS_MAX));
   CHECK(gjk_hull_simplify_workspace(GJK_HULL_POINTS_MAX + UINT32_C(1)) == 0);
 }
 
@@ -176,12 +178,15 @@ static void names(void) {
   CHECK(gjk_size_of("gjk_collider") == sizeof(gjk_collider));
   CHECK(gjk_size_of("gjk2_collider") == sizeof(gjk2_collider));
   CHECK(gjk_size_of("gjk_collide") == 0 && gjk_size_of("gjk_colliders") == 0);
+  CHECK(gjk_size_of("gjk_body_id") == sizeof(gjk_body_id));  // the first of all
+  CHECK(gjk_size_of("Gjk_collider") == 0 && gjk_constant("gJK_ERROR_RANGE", &value) == GJK_ERROR_RANGE && value == 77);
   CHECK(gjk_size_of("") == 0 && gjk_size_of(NULL) == 0);
   CHECK(gjk_constant("GJK_ERROR_RANG", &value) == GJK_ERROR_RANGE && value == 77);
   CHECK(gjk_constant("", &value) == GJK_ERROR_RANGE && value == 77);
   CHECK(gjk_constant(NULL, &value) == GJK_ERROR_NULL && value == 77);
   CHECK(gjk_constant("GJK_OK", NULL) == GJK_ERROR_NULL);
   CHECK(gjk_constant("GJK_ERROR_RANGE", &value) == GJK_OK && value == GJK_ERROR_RANGE);
+  CHECK(gjk_constant("GJK_CONCAVE_REACH", &value) == GJK_OK && value == GJK_CONCAVE_REACH);  // the first of all
   CHECK(gjk_constant("GJK_PARTS_NONE", &value) == GJK_OK && value == UINT32_MAX);
 }
 

@@ -128,6 +128,8 @@ done
 tr '\n' '\r' <"$work/t.obj" >"$work/cr.obj"
 awk '{ printf "%s\r\n", $0 }' "$work/t.obj" >"$work/crlf.obj"
 { printf '\357\273\277' && sed 1d "$work/t.obj"; } >"$work/mark.obj"
+tr '[:lower:]' '[:upper:]' <"$work/t.stl" >"$work/upper.stl"
+check 'upper.stl' "points=12 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/upper.stl")"
 for file in cr.obj crlf.obj mark.obj; do
   check "$file" "points=4 vertices=4 faces=4 volume6=$volume watertight=yes" "$("$convert" --info "$work/$file")"
 done
@@ -302,6 +304,10 @@ broken() { # FILE MESSAGE
 }
 printf 'v 0 0 0\nv 1 x 0\n' >"$work/word.obj"
 broken word.obj ":2: 'x' is not a number"
+printf 'v 0 0 1\0009\n' >"$work/byte.obj"
+broken byte.obj ":1: '1?9' is not a number"
+printf 'v 0 0 \000\n' >"$work/nothing.obj"
+broken nothing.obj ":1: '?' is not a number"
 printf 'v 0 0\n' >"$work/short.obj"
 broken short.obj ':1: a vertex has three coordinates'
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 4\n' >"$work/corner.obj"

@@ -209,6 +209,31 @@ static void test_cast_beyond_reach(void) {
   CHECK(gjk_parts_cast(&body, &b, &still, &part, &cast) == GJK_OK && cast.hit && part == 0);
 }
 
+// The same of two bodies on their way: a part so far from its body that its square does not fit 64 bits.
+static void test_impact_beyond_reach(void) {
+  const gjk_compound_part far = {&ball,
+                                 {{INT32_MAX - 65536, INT32_MAX - 65536, INT32_MAX - 65536}, {0, 0, 0, GJK_Q30_ONE}}},
+                          near = {&crate, GJK_POSE_IDENTITY};
+  const gjk_vec3 diagonal = {1, 1, 1}, along = {1, 0, 0};
+  const gjk_impact_setup setup = {0, GJK_Q16(1), 0};
+  const gjk_motion still = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY, {0, 0, 0}};
+  gjk_motion away = still;
+  gjk_compound_node node[2];
+  gjk_compound of_a, of_b;
+  gjk_impact_result impact;
+  gjk_parts_pair pair = {77, 77};
+  CHECK(gjk_compound_build(&near, 1, &node[0], 1, &of_a) == GJK_OK);
+  CHECK(gjk_compound_build(&far, 1, &node[1], 1, &of_b) == GJK_OK);
+  const gjk_parts a = GJK_PARTS_OF_COMPOUND(&of_a), b = GJK_PARTS_OF_COMPOUND(&of_b);
+  away.from.position.x = INT32_MIN;
+  CHECK(gjk_quat_between(&diagonal, &along, &away.from.rotation) == GJK_OK);
+  away.to = away.from;
+  CHECK(gjk_parts_both_time_of_impact(&a, &still, &b, &away, &setup, &pair, &impact) == GJK_ERROR_RANGE);
+  CHECK(pair.a == 77 && pair.b == 77);
+  of_b.reach = 0;
+  CHECK(gjk_parts_both_time_of_impact(&a, &still, &b, &away, &setup, &pair, &impact) == GJK_OK && !impact.hit);
+}
+
 int main(void) {
   test_seam();
   test_statuses_of_both();
@@ -216,5 +241,6 @@ int main(void) {
   test_ahead();
   test_ahead_of_baked();
   test_cast_beyond_reach();
+  test_impact_beyond_reach();
   return check_done("parts cases");
 }

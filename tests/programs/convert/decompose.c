@@ -241,12 +241,14 @@ static void fill(part_list *list, const enclose_gap *gap, long double more) {
   free(point);
 }
 
-static void check_and_mend(const solid *s, part_list *list, decomposition *out) {
+// Checks and mends until all is enclosed; false: it is not. problem: what is wrong.
+static bool check_and_mend(const solid *s, part_list *list, char problem[ENCLOSE_PROBLEM]) {
   enclose_report *report = solid_allocate(1, sizeof *report);
+  bool enclosed = false;
   for (int round = 0; round < MEND_ROUNDS; round++) {
-    out->enclosed = enclose_check(s, list->item, list->count, report);
-    memcpy(out->problem, report->problem, sizeof out->problem);
-    if (out->enclosed || round + 1 == MEND_ROUNDS) {
+    enclosed = enclose_check(s, list->item, list->count, report);
+    memcpy(problem, report->problem, sizeof report->problem);
+    if (enclosed || round + 1 == MEND_ROUNDS) {
       break;
     }
     for (unsigned i = 0; i < report->gaps; i++) {
@@ -256,6 +258,7 @@ static void check_and_mend(const solid *s, part_list *list, decomposition *out) 
   }
   enclose_free(report);
   free(report);
+  return enclosed;
 }
 
 static void measure(const solid *s, const nearest_tree *tree, const part_list *list, decomposition *out) {
@@ -338,13 +341,20 @@ static bool by_notches(const solid *s, const nearest_tree *tree, long double mos
   static const cuts_manner manners[] = {{0x1p-10L, true, false}, {0x1p-10L, false, false}, {3, true, false},
                                         {24, true, false},       {3, true, true},          {0x1p-10L, true, true}};
   long double least = INFINITY;
+  char problem[ENCLOSE_PROBLEM];
   for (size_t i = 0; i < sizeof manners / sizeof manners[0]; i++) {
     part_list list = {NULL, 0, 0};
     bool done = at_notches(s, tree, manners[i], &list);
-    const bool exact = done && is_exact(s, &list);
+    bool exact = done && is_exact(s, &list);
     long double excess = 0;
     if (done && !exact) {
       merge_pairs(tree, &list, fminl(ROUNDED_EXCESS, most / 4), 0, true);
+    }
+    if (done) {  // slack may leave gaps, whose filling is to be judged, too
+      done = check_and_mend(s, &list, problem);
+      exact = exact && is_exact(s, &list);
+    }
+    if (done && !exact) {
       excess = rough_excess(s, tree, &list);
       done = excess <= fminl(4 * ROUNDED_EXCESS, most);
     }
@@ -516,11 +526,11 @@ void decompose(const solid *s, const decompose_options *options, decomposition *
     }
   }
   drop_covered(&list);
-  check_and_mend(s, &list, out);
+  out->enclosed = check_and_mend(s, &list, out->problem);
   if (!out->enclosed) {  // not expected: the hull of all is a part that encloses any solid
     free_parts(&list);
     whole_hull(s, &list);
-    check_and_mend(s, &list, out);
+    out->enclosed = check_and_mend(s, &list, out->problem);
   }
   measure(s, &tree, &list, out);
   out->part = list.item;

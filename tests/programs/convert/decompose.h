@@ -13,11 +13,11 @@ typedef struct decompose_options {
 typedef struct decomposition {
   part *part;
   size_t parts;
-  excess_bounds excess;  // both 0: none, proven exactly
-  long double wanted;    // what the options ask of the excess, or its default; LSB
-  bool enclosed;         // proven exactly
-  size_t notches;        // edges of the solid where it is not convex
-  char problem[160];     // if not enclosed
+  excess_bounds excess;           // both 0: none, proven exactly
+  long double wanted;             // what the options ask of the excess, or its default; LSB
+  bool enclosed;                  // proven exactly
+  size_t notches;                 // edges of the solid where it is not convex
+  char problem[ENCLOSE_PROBLEM];  // if not enclosed
 } decomposition;
 
 void decompose(const solid *s, const decompose_options *options, decomposition *out);

@@ -18,7 +18,7 @@
 #include "part.h"
 
 // What is not covered: polygons, their corners rounded. A few are enough for a repair.
-enum { ENCLOSE_GAPS_MAX = 256 };
+enum { ENCLOSE_GAPS_MAX = 256, ENCLOSE_PROBLEM = 160 };
 
 typedef struct enclose_gap {
   long double (*corner)[3];
@@ -30,7 +30,7 @@ typedef struct enclose_report {
   bool enclosed;
   unsigned gaps;
   enclose_gap gap[ENCLOSE_GAPS_MAX];
-  char problem[160];  // what is wrong first
+  char problem[ENCLOSE_PROBLEM];  // what is wrong first
 } enclose_report;
 
 // Checks all, or until there are ENCLOSE_GAPS_MAX gaps. out: to be freed.

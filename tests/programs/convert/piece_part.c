@@ -1,8 +1,8 @@
 // A piece parted into what is connected.
 //
-// Faces are connected that share an edge. But one face may be in several places, and a cut through a tube leaves a face with
-// a hole: so the edges of a face are first parted into loops, and holes are given to the loops around them. A bubble
-// shares no edge with what is around it, and is given to that at the end.
+// Faces are connected that share an edge. But one face may be in several places, which may touch at a corner, and a cut through
+// a tube leaves a face with a hole: so the edges of a face are first parted into loops, and holes are given to the loops around
+// them. A bubble shares no edge with what is around it, and is given to that at the end.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -109,6 +109,34 @@ static void place_holes(const face_view *v) {
   }
 }
 
+// How far an edge that ends at a corner is turned counterclockwise from one that begins there, seen from the corner.
+static long double turn_of(const face_view *v, uint32_t begins, uint32_t ends) {
+  const long double *at = v->pool->at[v->p->edge[begins].from], *a = v->pool->at[v->p->edge[begins].to],
+                    *b = v->pool->at[v->p->edge[ends].from];
+  const long double turn =
+      atan2l(b[v->y] - at[v->y], b[v->x] - at[v->x]) - atan2l(a[v->y] - at[v->y], a[v->x] - at[v->x]);
+  return turn > 0 ? turn : turn + 6.283185307179586477L;
+}
+
+// Joins each edge that begins at a corner with the next one that ends there: between them is the face. Takes all of one corner.
+static void join_at_corner(const face_view *v, end *e, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    if (v->p->edge[e[i].edge].from == e[i].key) {
+      size_t next = count;
+      for (size_t j = 0; j < count; j++) {
+        const bool ends = e[j].key == e[i].key && v->p->edge[e[j].edge].to == e[i].key;
+        if (ends && (next == count || turn_of(v, e[i].edge, e[j].edge) < turn_of(v, e[i].edge, e[next].edge))) {
+          next = j;
+        }
+      }
+      if (next < count) {
+        join(v->up, e[i].edge, e[next].edge);
+        e[next].key = UINT64_MAX;  // taken
+      }
+    }
+  }
+}
+
 static void part_faces(const piece *p, const piece_pool *pool, uint32_t *up) {
   end *e = solid_allocate(2 * p->edges, sizeof e[0]);
   for (size_t i = 0, next; i < p->edges; i = next) {
@@ -119,14 +147,20 @@ static void part_faces(const piece *p, const piece_pool *pool, uint32_t *up) {
       e[count].key = p->edge[next].to;
       e[count++].edge = (uint32_t)next;
     }
-    join_equal(e, count, up);
+    face_view v = {p, pool, up, i, next, 0, 0};
+    axes_of(&p->face[p->edge[i].face], &v.x, &v.y);
+    qsort(e, count, sizeof e[0], by_key);
+    for (size_t first = 0, last = 0; first < count; first = last) {
+      while (last < count && e[last].key == e[first].key) {
+        last++;
+      }
+      join_at_corner(&v, e + first, last - first);
+    }
     bool loops = false;
     for (size_t j = i; j < next && !loops; j++) {
       loops = root_of(up, (uint32_t)j) != root_of(up, (uint32_t)i);
     }
     if (loops) {
-      face_view v = {p, pool, up, i, next, 0, 0};
-      axes_of(&p->face[p->edge[i].face], &v.x, &v.y);
       place_holes(&v);
     }
   }

@@ -80,12 +80,20 @@ static size_t word_length(const read_text *text) {
   return end - text->at;
 }
 
+static char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
 bool read_word(read_text *text, const char *word) {
   if (read_line_ends(text)) {
     return false;
   }
   const size_t length = word_length(text);
-  if (length != strlen(word) || memcmp(text->file->text + text->at, word, length) != 0) {
+  bool same = length == strlen(word);
+  for (size_t i = 0; i < length && same; i++) {
+    same = lower(text->file->text[text->at + i]) == lower(word[i]);
+  }
+  if (!same) {
     return false;
   }
   text->at += length;
@@ -97,7 +105,10 @@ bool read_any_word(read_text *text, char *out, size_t room) {
     return false;
   }
   const size_t length = word_length(text), kept = length < room ? length : room - 1;
-  memcpy(out, text->file->text + text->at, kept);
+  for (size_t i = 0; i < kept; i++) {  // a byte of 0 would end the word early, and hide what follows
+    const char c = text->file->text[text->at + i];
+    out[i] = c == '\0' ? '?' : c;
+  }
   out[kept] = '\0';
   text->at += length;
   return true;
@@ -163,8 +174,7 @@ bool mesh_read(mesh *m, mesh_file *file) {
   for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
     bool same = length >= 4;
     for (size_t j = 0; same && j < 4; j++) {
-      const char c = file->name[length - 4 + j];
-      same = (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == formats[i].end[j];
+      same = lower(file->name[length - 4 + j]) == formats[i].end[j];
     }
     if (same) {
       return formats[i].read(m, file) && (m->points > 0 || mesh_fail(file, "no points"));

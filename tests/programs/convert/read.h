@@ -23,10 +23,10 @@ bool read_next_line(read_text *text);
 // Is nothing left in the line?
 bool read_line_ends(read_text *text);
 
-// Takes a word if it comes next in the line.
+// Takes a word if it comes next in the line, in lower case or upper case.
 bool read_word(read_text *text, const char *word);
 
-// The rest of a word before whitespace, for messages and keywords; false: the line ends.
+// The rest of a word before whitespace, for messages and keywords, bytes of 0 as '?'; false: the line ends.
 bool read_any_word(read_text *text, char *out, size_t room);
 
 // Numbers. False: the line ends; with a problem noted: something else comes next.
