@@ -193,7 +193,7 @@ bool gjk_face_is_pierced(const gjk_collider *body, const gjk_surface_face *f) {
     }
   }
   const gjk_vec3 top = gjk_add(f->deepest, gjk_add(way, way));
-  return bottom <= -CLEAR && bottom + 2 * most >= CLEAR + 2 && gjk_face_is_over(f, &top);
+  return bottom <= -CLEAR && bottom + most + most >= CLEAR + 2 && gjk_face_is_over(f, &top);
 }
 
 bool gjk_face_is_pointed(const gjk_collider *body, const gjk_surface_face *f) {
