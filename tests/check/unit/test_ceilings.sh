@@ -118,7 +118,7 @@ run_open() {
   done
   # shellcheck disable=SC2046
   ${CC:-cc} "$dir/open/$(echo "${2%.c}" | tr / -).o" "$dir"/open/tests-support-scene-*world.o \
-    $(echo "$support" | tr ' ' '\n' | grep -v world.o) "build/host-casts-$1"/gjk*.o -lm -lpthread -o "$program" && "$program"
+    $(echo "$support" | tr ' ' '\n' | grep -v -e '/world.o' -e '/plane_world.o') "build/host-casts-$1"/gjk*.o -lm -lpthread -o "$program" && "$program"
 }
 
 rm -rf "$dir/open"
