@@ -95,8 +95,8 @@ END {
   code("gjk_penetration: boxes and hulls; rounded; with posing")
   code("gjk_contacts: boxes and hulls; rounded; with posing")
   print ""
-  print "Face to face: spun about the normal, tilted by up to a degree, up to 0.05 units deep or within a margin of"
-  print "0.02; the hulls there are frusta with faces. Contacts: four at most."
+  print "Face to face: spun about the normal, tilted by up to a degree, up to 0.05 units deep or within a margin of 0.02. The hulls"
+  print "there are frusta with faces. Contacts: four at most."
   print ""
   print "Beside it the same algorithm in floating point: mean instructions on the same pairs, in software but where the"
   print "head says FPU. It is plain C (`tests/support/reference`), its vertices are in its own type already, and it stops as early."
