@@ -155,9 +155,10 @@ void gjk_face_move_deepest(const gjk_collider *body, const gjk_surface_face *f, 
   move_deepest(&body->centre, f, by, out);
 }
 
-// x, by at most `by` nearer to a third of a sum, which is found to within 1 and 2^-17 of the way there.
+// x, by at most `by` nearer to a third of a sum, which is found to within 1 and 2^-17 of the way there. The face is within the
+// margin, so x is at most 3 2^28 + 3 in size, as sum / 3 is.
 static int32_t pulled(int32_t x, int64_t sum, int32_t by) {
-  const int32_t third = (int32_t)gjk_sar64((sum - 3 * (int64_t)x) * 21845, 16);  // |x|, |sum / 3| < 2^30.4
+  const int32_t third = (int32_t)gjk_sar64((sum - 3 * (int64_t)x) * 21845, 16);  // below 2^30.6 in size
   return x + (third > by ? by : third < -by ? -by : third);
 }
 

@@ -52,6 +52,22 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
   return GJK_OK;
 }
 
+gjk_status gjk_collider_move(gjk_collider *c, const gjk_vec3 *position) {
+  if (c == NULL || position == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (c->state != GJK_STATE_POSED) {
+    return GJK_ERROR_UNINITIALISED;
+  }
+  check_size(position->x ^ position->y ^ position->z, INT64_C(1) << 31);
+  if (any_bool()) {
+    return GJK_ERROR_RANGE;
+  }
+  c->position = *position;
+  c->centre = any_position();
+  return GJK_OK;
+}
+
 gjk_status gjk_collider_aabb(const gjk_collider *c, gjk_aabb *out) {
   if (c == NULL || out == NULL) {
     return GJK_ERROR_NULL;
