@@ -9,6 +9,7 @@
 
 #include "check.h"
 #include "scene/world.h"
+#include "scene_hits.h"
 
 static gjk_q16 *along(gjk_vec3 *v, int axis);
 static void aim(random_state *random, uint32_t how, const gjk_aabb *box, gjk_aabb *way);
@@ -32,20 +33,9 @@ static gjk_vec3 random_vector(random_state *random, int32_t size) {
   return v;
 }
 
-static int order(const void *x, const void *y) {
-  const gjk_scene_hit *a = x, *b = y;
-  const uint32_t key_a[] = {a->fraction, a->body.slot, a->part}, key_b[] = {b->fraction, b->body.slot, b->part};
-  for (int i = 0; i < 3; i++) {
-    if (key_a[i] != key_b[i]) {
-      return key_a[i] < key_b[i] ? -1 : 1;
-    }
-  }
-  return 0;
-}
-
 static bool same_hits(const gjk_scene_hit *a, const gjk_scene_hit *b, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
-    if (order(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation) {
+    if (order_hits(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation) {
       return false;
     }
   }
@@ -108,7 +98,7 @@ static uint32_t search(bool way, const gjk_aabb *asked, gjk_scene_hit *hits) {
       }
     }
   }
-  qsort(hits, count, sizeof hits[0], order);
+  qsort(hits, count, sizeof hits[0], order_hits);
   return count;
 }
 
@@ -217,7 +207,8 @@ static void check_nearest(random_state *random, int32_t reach) {
                                 &found) == GJK_OK);
   if (ignore.generation != 0) {
     CHECK_MSG(found == any, "%d, %d expected", (int)distance, (int)best);
-    CHECK_MSG(!any || (distance == best && order(&hit, &expected) == 0), "%d, %d expected", (int)distance, (int)best);
+    CHECK_MSG(!any || (distance == best && order_hits(&hit, &expected) == 0), "%d, %d expected", (int)distance,
+              (int)best);
     nearest_hits += any;
   }
 }

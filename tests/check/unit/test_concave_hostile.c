@@ -319,29 +319,22 @@ static void check_crowd(random_state *random) {
   game_end(&s[0]);
 }
 
-int main(void) {
-  const uint64_t seed = check_seed(SEED);
-  for (unsigned long i = 0; i < check_trials_least(TRIALS, 2); i++) {
+// Plays games of the numbers from first on.
+static void each_game(uint64_t seed, unsigned long first, unsigned long count, void (*check)(random_state *random)) {
+  for (unsigned long i = first; i < first + count; i++) {
     random_state random = random_seed(seed + i);
     check_trial(i, NULL, NULL);
     game_make(&m, &random);
-    play(&random);
+    check(&random);
     game_free(&m);
   }
-  for (unsigned long i = 0; i < check_trials(LADDERS); i++) {
-    random_state random = random_seed(seed + 1000 + i);
-    check_trial(1000 + i, NULL, NULL);
-    game_make(&m, &random);
-    check_ladder(&random);
-    game_free(&m);
-  }
-  for (unsigned long i = 0; i < check_trials(CROWDS); i++) {
-    random_state random = random_seed(seed + 2000 + i);
-    check_trial(2000 + i, NULL, NULL);
-    game_make(&m, &random);
-    check_crowd(&random);
-    game_free(&m);
-  }
+}
+
+int main(void) {
+  const uint64_t seed = check_seed(SEED);
+  each_game(seed, 0, check_trials_least(TRIALS, 2), play);
+  each_game(seed, 1000, check_trials(LADDERS), check_ladder);
+  each_game(seed, 2000, check_trials(CROWDS), check_crowd);
   printf(
       "%lu pairs, %lu near, %lu of them curved, %lu manifolds, %lu pairs with more than 4, %lu depths without an "
       "answer, "

@@ -92,6 +92,20 @@ static void check_touch(random_state *random) {
   tally.lines += report.fault == GJK_MESH_DEGENERATE;
 }
 
+// The shapes of the game: a mesh, and another one as all but the first.
+static void set_shapes(const gjk_vec3 *corners, uint32_t corner_count, gjk_mesh_triangle *triangles, uint32_t count,
+                       const gjk_shape *other) {
+  static gjk_mesh mesh;
+  static gjk_concave concave;
+  static gjk_shape ground;
+  CHECK(gjk_mesh_build(corners, corner_count, triangles, count, false, nodes, 2, &mesh) == GJK_OK);
+  const gjk_parts parts = GJK_PARTS_OF_MESH(&mesh);
+  CHECK(gjk_concave_init(&parts, &concave, &ground) == GJK_OK);
+  for (unsigned i = 0; i < GAME_SHAPES; i++) {
+    m.shapes[i] = i == 0 ? &ground : other;
+  }
+}
+
 // A crate that lies on ground with a triangle whose corners are in a line slides and turns there, and meets nothing.
 static void check_line(bool turns) {
   static const gjk_vec3 corners[7] = {{-8 * ONE, -8 * ONE, 0},
@@ -103,16 +117,8 @@ static void check_line(bool turns) {
                                       {2 * ONE, 0, 0}};
   static const gjk_shape crate = GJK_BOX(ONE / 2, ONE / 2, ONE / 2);
   gjk_mesh_triangle triangles[3] = {{{0, 1, 2}}, {{0, 2, 3}}, {{4, 5, 6}}};
-  gjk_mesh mesh;
-  gjk_concave concave;
-  gjk_shape ground;
-  CHECK(gjk_mesh_build(corners, 7, triangles, 3, false, nodes, 2, &mesh) == GJK_OK);
-  const gjk_parts parts = GJK_PARTS_OF_MESH(&mesh);
-  CHECK(gjk_concave_init(&parts, &concave, &ground) == GJK_OK);
   memset(m.body, 0, sizeof m.body);
-  for (unsigned i = 0; i < GAME_SHAPES; i++) {
-    m.shapes[i] = i == 0 ? &ground : &crate;
-  }
+  set_shapes(corners, 7, triangles, 3, &crate);
   const gjk_scene_config config = game_config(&m, 10, 0, 0, 0);
   const gjk_part part[2] = {{0, false, GJK_POSE_IDENTITY}, {1, false, GJK_POSE_IDENTITY}};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part[0], 1, GJK_BODY_STATIC, 0, 1, 1, 0, 0};
@@ -146,15 +152,7 @@ static void check_wall(random_state *random, unsigned long trial) {
   const bool own = trial % 2 != 0, turns = own || random_below(random, 2) != 0;
   const int32_t arm = own ? 2 * ONE : 0, gap = random_range(random, 3, 60);
   gjk_mesh_triangle triangles[4] = {{{0, 1, 2}}, {{0, 2, 3}}, {{4, 7, 6}}, {{4, 6, 5}}};
-  gjk_mesh mesh;
-  gjk_concave concave;
-  gjk_shape ground;
-  CHECK(gjk_mesh_build(corners, 8, triangles, 4, false, nodes, 2, &mesh) == GJK_OK);
-  const gjk_parts parts = GJK_PARTS_OF_MESH(&mesh);
-  CHECK(gjk_concave_init(&parts, &concave, &ground) == GJK_OK);
-  for (unsigned i = 0; i < GAME_SHAPES; i++) {
-    m.shapes[i] = i == 0 ? &ground : &kinds[trial / 2 % 4];
-  }
+  set_shapes(corners, 8, triangles, 4, &kinds[trial / 2 % 4]);
   const gjk_scene_config config = game_config(&m, 10, 0, 0, 0);
   const gjk_part part[2] = {{0, false, GJK_POSE_IDENTITY}, {1, own, {{arm, 0, 0}, {0, 0, 0, GJK_Q30_ONE}}}};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part[0], 1, GJK_BODY_STATIC, 0, 1, 1, 0, 0};

@@ -5,6 +5,7 @@
 
 #include "check.h"
 #include "scene/world.h"
+#include "scene_hits.h"
 
 // The test of the plane has included the plane's.
 #ifndef WORLD_OF_PLANE
@@ -34,17 +35,6 @@ typedef struct question {
   gjk_scene_filter filter;
   bool filters;
 } question;
-
-static int order(const void *x, const void *y) {
-  const gjk_scene_hit *a = x, *b = y;
-  const uint32_t key_a[] = {a->fraction, a->body.slot, a->part}, key_b[] = {b->fraction, b->body.slot, b->part};
-  for (int i = 0; i < 3; i++) {
-    if (key_a[i] != key_b[i]) {
-      return key_a[i] < key_b[i] ? -1 : 1;
-    }
-  }
-  return 0;
-}
 
 static bool accept(void *user, gjk_body_id body, uint32_t user_of_body, uint16_t part) {
   const uint32_t *salt = user;
@@ -89,7 +79,7 @@ static uint32_t search(const question *q, gjk_scene_hit *hits, gjk_cast_result *
         filtered++;
       } else if (ask_part(q, &b->colliders[k], &hit.fraction, &result, open)) {
         hits[count++] = hit;
-        if (q->kind != WITHIN && (count == 1 || order(&hit, &hits[0]) < 0)) {
+        if (q->kind != WITHIN && (count == 1 || order_hits(&hit, &hits[0]) < 0)) {
           *first = result;
           const gjk_scene_hit other = hits[0];
           hits[0] = hit;
@@ -100,7 +90,7 @@ static uint32_t search(const question *q, gjk_scene_hit *hits, gjk_cast_result *
       }
     }
   }
-  qsort(hits, count, sizeof hits[0], order);
+  qsort(hits, count, sizeof hits[0], order_hits);
   return count;
 }
 
@@ -117,7 +107,7 @@ static gjk_status ask(const question *q, const gjk_scene_hit *after, gjk_scene_h
 
 static bool same_hits(const gjk_scene_hit *a, const gjk_scene_hit *b, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
-    if (order(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation) {
+    if (order_hits(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation) {
       return false;
     }
   }
