@@ -13,6 +13,6 @@
 // peers and replays compare it. tests/check/target/golden.h holds hashes of answers for it.
 //
 // Scene blocks have a version of their own, GJK_SCENE_BLOCK_VERSION of gjk/scene.h.
-#define GJK_BITS_VERSION 1
+#define GJK_BITS_VERSION 2
 
 #endif
