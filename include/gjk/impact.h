@@ -37,7 +37,7 @@ typedef struct gjk_impact_setup {
 // Lengths Q16.16, points in the world frame, fractions Q2.30.
 typedef struct gjk_impact_result {
   bool hit;            // at upper the gap is at most margin + tolerance
-  bool overlap;        // a hit at the start, with a gap of at most margin there
+  bool overlap;        // a hit at the start, whose distance there is at most margin
   gjk_q30 lower;       // at no fraction before this one do the shapes come as near as margin: proven
   gjk_q30 upper;       // of a hit: where the gap is at most margin + tolerance, now equal to lower; else GJK_Q30_ONE
   gjk_q16 distance;    // of a hit: the gap at upper

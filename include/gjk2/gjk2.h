@@ -14,6 +14,7 @@
 #include "gjk2/collider.h"
 #include "gjk2/contacts.h"
 #include "gjk2/distance.h"
+#include "gjk2/draw.h"
 #include "gjk2/format.h"
 #include "gjk2/hull.h"
 #include "gjk2/impact.h"
@@ -24,6 +25,9 @@
 #include "gjk2/penetration.h"
 #include "gjk2/polygon.h"
 #include "gjk2/pose.h"
+#include "gjk2/probe.h"
+#include "gjk2/scene.h"
 #include "gjk2/shape.h"
+#include "gjk2/slide.h"
 
 #endif

@@ -1,7 +1,7 @@
 // The time of impact of two shapes that move and turn.
 //
-//   1. Pose both at x and measure their distance, exactly. Within margin and tolerance: a hit. The first x is where the
-//      bodies' spheres meet; they don't: a miss.
+//   1. Pose both at x and measure their distance. It is at most margin and tolerance, exactly: a hit. The first x is where
+//      the bodies' spheres meet; they don't: a miss.
 //   2. Take the normal as a direction. It turns with the shape that has more vertices in the nearest feature; where those
 //      are two edges it turns as both do, at the rate of x; else it stands still.
 //   3. The next x is where the separation along it is no more proven to be above the margin and the slack of roundings
@@ -29,6 +29,7 @@
 #include "../arith/gjk_root.h"
 #include "../shape/gjk_shape_class.h"
 #include "gjk/distance.h"
+#include "gjk/intersect.h"
 #include "gjk/pose.h"
 #include "gjk_impact_separation.h"
 
@@ -202,6 +203,15 @@ GJK_OUT_OF_LINE static gjk_q30 next_x(const impact_query *of, const gjk_distance
   return gjk_separation_holds(&along, above, of->wanted + of->radii * 256, (of->touched * 256 - of->wanted) / 4);
 }
 
+// Step 1: is the gap at most margin and tolerance? A distance equal to both may be rounded down from a larger gap.
+static bool is_hit(const impact_query *of, const gjk_distance_result *gap) {
+  gjk_decision near;
+  if (gap->upper != of->touched) {
+    return gap->upper < of->touched;
+  }
+  return gjk_within(&of->mover[0].collider, &of->mover[1].collider, gap->upper, NULL, &near) == GJK_OK && near.yes;
+}
+
 // Steps 1 to 3, at most `most` times.
 static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most, gjk_impact_result *out) {
   gjk_cache cache;
@@ -215,7 +225,7 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
     pose_both(of, out);
     const gjk_status status = gjk_distance(&of->mover[0].collider, &of->mover[1].collider, &cache, &gap);  // Step 1
     out->iterations = (uint8_t)i;
-    if (gap.upper <= of->touched) {
+    if (is_hit(of, &gap)) {
       write_impact_hit(of, margin, &gap, out);
       return GJK_OK;
     }

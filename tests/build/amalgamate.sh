@@ -132,7 +132,7 @@ expand() {
   heading 'all public headers in one'
   echo '#ifndef GJK_AMALGAMATION_H'
   echo '#define GJK_AMALGAMATION_H'
-  expand 1 include/gjk/gjk.h include/gjk/scene.h include/gjk/probe.h include/gjk/slide.h include/gjk/draw.h include/gjk2/gjk2.h include/gjk2/scene.h include/gjk2/probe.h include/gjk2/slide.h include/gjk2/draw.h
+  expand 1 include/gjk/gjk.h include/gjk2/gjk2.h
   echo
   echo '#endif'
 } >"$dir/gjk.h.part" || exit 1

@@ -70,6 +70,15 @@ all_initialisers_used() {
 }
 
 check 'every initialiser is in the test' all_initialisers_used
+
+# all_included FOLDER: FOLDER/FOLDER.h, which says that it includes all headers of FOLDER, does.
+all_included() {
+  cc -Iinclude -MM "include/$1/$1.h" | tr ' ' '\n' | grep "^include/$1/" | sort >"$scratch/reached"
+  find "include/$1" -name '*.h' | sort | diff - "$scratch/reached"
+}
+check 'gjk/gjk.h includes all headers' all_included gjk
+check 'gjk2/gjk2.h includes all headers of the plane' all_included gjk2
+
 # C wants a declaration, which a header of macros alone does not have.
 echo 'extern int declaration;' >"$scratch/declaration.c"
 for compiler in gcc clang; do
