@@ -182,9 +182,19 @@ build/gjk-demo-plane: $(DEMO_PLANE)
 build/lockstep: build/hosted/tests/programs/lockstep/main.o build/hosted/tests/programs/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
 build/test_decompose build/test_decompose_outline build/test_enclose: $(filter-out %/main.o,$(CONVERT))
-build/gjk-query build/gjk-convert build/gjk-demo build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane build/lockstep $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
+$(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
+
+# What a user runs compiles just what it links: needed.awk finds that in the sources.
+PROGRAMS := build/gjk-query build/gjk-convert build/gjk-demo build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane build/lockstep
+NEEDED = $(shell awk -f tests/build/needed.awk $(1) -- src/*/*.c $(SUPPORT_SOURCES) include/*/*.h)
+LIB_OBJECTS_OF = $(patsubst %.c,build/host/%.o,$(notdir $(filter src/%,$(1))))
+OBJECTS_OF = $(LIB_OBJECTS_OF) $(patsubst %.c,build/hosted/%.o,$(filter-out src/%,$(1)))
+.SECONDEXPANSION:
+$(PROGRAMS): $$(call OBJECTS_OF,$$(call NEEDED,$$(patsubst build/hosted/%.o,%.c,$$(filter build/hosted/%.o,$$^))))
+	@echo '  $@'
+	@$(HOSTED) $(filter %.o,$^) -lm -o $@
 
 # The benchmark, and the report on its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet, fcl and ode.
 
@@ -331,29 +341,37 @@ LONG_TESTS := $(patsubst %,tests/check/unit/test_%.sh,lint golden prove) build/t
   $(patsubst %,tests/check/unit/test_%.sh,ceilings symbols) build/test_penetration build/test_certificates \
   $(patsubst %,tests/check/unit/test_%.sh,amalgamation fuzz scene_golden bench_cost port limit)
 TESTS := $(LONG_TESTS) $(filter-out $(LONG_TESTS),$(UNIT_TESTS) $(TEST_SCRIPTS))
+
+# Makes goals in parallel, also where this make is not.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+PARALLEL = $(MAKE) --no-print-directory $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 
 programs: all unit-tests build/scene-bench build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane
 
 test: $(filter setup,$(MAKECMDGOALS))
-	@$(MAKE) --no-print-directory $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS)) programs
+	+@$(PARALLEL) programs
 	@sh tests/build/run-tests.sh build $(TESTS)
 
-demo: build/gjk-demo
+demo:
+	+@$(PARALLEL) build/gjk-demo
 	build/gjk-demo tests/data/arm.txt build/demo.svg
 	@sh tests/build/demo-target.sh build tests/data/arm.txt
 
-demo-stack: build/gjk-demo-stack
+demo-stack:
+	+@$(PARALLEL) build/gjk-demo-stack
 	build/gjk-demo-stack build/stack.svg
 
-demo-parts: build/gjk-demo-parts
+demo-parts:
+	+@$(PARALLEL) build/gjk-demo-parts
 	build/gjk-demo-parts tests/data/meshes build/parts.svg
 
-demo-plane: build/gjk-demo-plane
+demo-plane:
+	+@$(PARALLEL) build/gjk-demo-plane
 	@sh tests/build/demo-plane.sh build 900
 	@echo '  build/plane.svg'
 
-demo-trace: build/gjk-query
+demo-trace:
+	+@$(PARALLEL) build/gjk-query
 	@sh tests/build/demo-trace.sh build tests/data/trace.txt
 	@echo '  build/trace.html'
 
@@ -448,7 +466,8 @@ bench-scene:
 scene-soak:
 	@sh tests/build/scene-soak.sh build 1000000
 
-demo-lockstep: build/lockstep
+demo-lockstep:
+	+@$(PARALLEL) build/lockstep
 	@sh tests/build/demo-lockstep.sh build 600 $(DIVERGE)
 
 clean:

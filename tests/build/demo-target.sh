@@ -8,9 +8,11 @@ if [ -n "${missing# }" ]; then
   echo "The same scene on an emulated Cortex-M3 needs $missing: \`make setup\` installs it."
   exit 0
 fi
-"$1/gjk-demo" --c-source "$2" >"$1/demo_scene.c" &&
-  library cortex-m3 '' OPT=-O2 &&
-  make -s "$1/cortex-m3/demo.elf" TARGET=cortex-m3 >/dev/null || exit 1
+"$1/gjk-demo" --c-source "$2" >"$1/demo_scene.c" || exit 1
+sources=$(awk -f tests/build/needed.awk "$1/demo_scene.c" tests/programs/demo/firmware.c tests/programs/demo/arm.c \
+  tests/programs/demo/demo_firmware.c -- src/*/*.c include/*/*.h | grep '^src/' | tr '\n' ' ')
 echo
 echo 'The same scene on an emulated Cortex-M3:'
-sh tests/build/emulate.sh cortex-m3 "$1/cortex-m3/demo.elf"
+unset MAKEFLAGS MFLAGS MAKELEVEL
+make -s -j2 "$1/cortex-m3-demo/demo.elf" TARGET=cortex-m3 VARIANT=-demo SOURCES="$sources" >/dev/null || exit 1
+sh tests/build/emulate.sh cortex-m3 "$1/cortex-m3-demo/demo.elf"
