@@ -24,7 +24,7 @@
 #   make bench-hull     hulls of points beside qhull and CGAL where installed: times, and answers on hard sets
 #   make bench-parts    convex parts beside HACD where installed: number, time, excess, what is left out; MESHES='A.obj ...'
 #   make bench-target    instructions, stack and code per query on the emulated cores, beside floating point
-#   make readme-figures  counts them afresh and writes the README's tables
+#   make readme-figures  counts them afresh and writes the tables of README.md and tests/measure/README.md
 #   make worst-case      searches for the most expensive pairs and writes them to tests/data/worst.txt; SEED=1,
 #                        MEASUREMENTS=2000000 for each family on the host, and a hundredth of that emulated
 #   make matrix          the golden hash from every compiler, level and architecture (sh tests/build/setup.sh matrix
@@ -379,7 +379,7 @@ page: build/page/index.html
 	@echo '  build/page/index.html'
 
 build/page/index.html: $(wildcard src/*/*.[ch] include/*/*.h port/wasm/* tests/programs/page/* tests/programs/page/libc/* \
-    README.md tests/programs/query/*.[ch] tests/programs/demo_plane/flat_solver.[ch] tests/support/case/*.[ch] tests/support/reference/*.[ch]) tests/build/page.sh
+    tests/measure/tests/measure/README.md tests/programs/query/*.[ch] tests/programs/demo_plane/flat_solver.[ch] tests/support/case/*.[ch] tests/support/reference/*.[ch]) tests/build/page.sh
 	@sh tests/build/page.sh build
 
 amalgamation:

@@ -22,11 +22,11 @@ WASM_EXPORTS="gjk_port_.*" sh port/wasm/build.sh "$build/page.wasm" -nostdlibinc
 # A template whose lines @NAME@ are replaced by the files of that name.
 base64 -w 0 "$build/page.wasm" >"$build/WASM"
 cat $sources/style.css >"$build/STYLE"
-# Instructions on a Cortex-M3, of the README's table.
+# Instructions on a Cortex-M3, of the table of tests/measure/README.md.
 awk -F ' *[|] *' '/<!-- figures: cost -->/ { inside = 1; print "const README_COSTS = {" }
   inside && /<!-- end -->/ { exit }
   inside && $2 ~ /: (distance|depth|contacts|intersect)$/ && $5 ~ /^[0-9]/ { printf "  \"%s\": \"%s\",\n", $2, $5 }
-  END { print "};" }' README.md >"$build/costs.js"
+  END { print "};" }' tests/measure/README.md >"$build/costs.js"
 scripts='core case plane expand solid main idea_steps view_idea view_lattice view_space view_lockstep start'
 for script in $scripts; do
   cat "$sources/$script.js"

@@ -1,10 +1,10 @@
 #!/bin/sh
-# The figures of the README that are counted: readme-figures.sh BUILD [TARGET]
+# The figures that are counted, of README.md and tests/measure/README.md: readme-figures.sh BUILD [TARGET]
 #
-# Writes the tables between the marks '<!-- figures: NAME -->' and '<!-- end -->' of README.md from a fresh count on
-# every target. With a TARGET it counts on that one alone, compares the README's column for it, the table of the most
-# expensive pairs, and this library's and the reference's columns of wrong decisions in space and in the plane, and changes
-# nothing.
+# Writes the tables between the marks '<!-- figures: NAME -->' and '<!-- end -->' from a fresh count on every target. With a
+# TARGET it counts on that one alone, compares the columns for it, the table of the most expensive pairs, and this library's
+# and the reference's columns of wrong decisions in space and in the plane, and changes nothing.
+pages='README.md tests/measure/README.md'
 build=$1
 target=$2
 figures=$build/figures
@@ -27,10 +27,22 @@ sh tests/build/plane-cost.sh "$build" $target >"$figures/planecost" || exit 1
 # shellcheck disable=SC2086
 sh tests/build/cast-cost.sh "$figures" $target >"$figures/castcost" || exit 1
 
-# shown NAME: the table of that name in the README.
+# shown NAME: the table of that name.
 shown() {
-  sed -n "/^<!-- figures: $1 -->\$/,/^<!-- end -->\$/{/^|/p;}" README.md
+  # shellcheck disable=SC2086
+  cat $pages | sed -n "/^<!-- figures: $1 -->\$/,/^<!-- end -->\$/{/^|/p;}"
 }
+
+# Some rows of the table of costs, of two cores at most, without the worst.
+awk -F' *[|] *' '
+  !/^[|]/ { exit }
+  NR == 1 { for (i = 2; i < NF; i++) if ($i == "Cortex-M0" || $i == "Cortex-M3") column[++count] = i }
+  NR <= 2 || $2 ~ /^(boxes apart: distance|8-point hulls (close: intersect|overlapping: depth)|boxes face to face: contacts|stack of (intersect|gjk_contacts).*|code, bytes: gjk_distance: every.*)$/ {
+    line = "| " $2
+    for (i = 1; i <= count; i++) line = line " | " $(column[i])
+    gsub(/ \([0-9,]*\)|, by the call graph \(used\)|, by the call graph/, "", line)
+    print NR == 2 ? substr("|---|---|---|", 1, 4 * count + 5) : line " |"
+  }' "$figures/cost" >"$figures/short"
 
 if [ -z "$target" ]; then
   if [ "$(head -n 1 "$figures/decisions" | tr -cd '|' | wc -c)" -lt 7 ]; then
@@ -41,19 +53,22 @@ if [ -z "$target" ]; then
     echo 'the table of decisions in the plane stays: libbox2d-dev and libchipmunk-dev are needed' >&2
     shown plane >"$figures/plane"
   fi
-  awk -v folder="$figures" '
-    /^<!-- end -->$/ { inside = 0 }
-    !inside { print }
-    /^<!-- figures: [a-z]+ -->$/ {
-      inside = 1
-      while ((getline line < (folder "/" $3)) > 0) print line
-    }' README.md >"$figures/README.md" && cp "$figures/README.md" README.md
+  for page in $pages; do
+    awk -v folder="$figures" '
+      /^<!-- end -->$/ { inside = 0 }
+      !inside { print }
+      /^<!-- figures: [a-z]+ -->$/ {
+        inside = 1
+        while ((getline line < (folder "/" $3)) > 0) print line
+      }' "$page" >"$figures/page" && cp "$figures/page" "$page"
+  done
   exit
 fi
 
-# The README's tables without the columns of cores that the fresh ones don't have.
+# The tables shown, without the columns of cores that the fresh ones don't have.
 heads=$(grep -ohE '(Cortex|RV32)[^|]* \|' "$figures/cost" | sort -u)
-awk -F'|' -v heads="$heads" '
+# shellcheck disable=SC2086
+cat $pages | awk -F'|' -v heads="$heads" '
   /^<!-- end -->$/ { inside = 0 }
   inside && !/^\|/ { table = 0; print }
   inside && /^\|/ {
@@ -65,8 +80,8 @@ awk -F'|' -v heads="$heads" '
     for (i = 2; i < NF; i++) if (!dropped[i]) line = line $i "|"
     print line
   }
-  /^<!-- figures: cost -->$/ { inside = 1 }' README.md >"$figures/readme-cost"
-diff "$figures/readme-cost" "$figures/cost" || exit 1
+  /^<!-- figures: (short|cost) -->$/ { inside = 1; table = 0 }' >"$figures/shown"
+cat "$figures/short" "$figures/cost" | diff "$figures/shown" - || exit 1
 shown ceiling | diff - "$figures/ceiling" || exit 1
 for table in planecost castcost; do  # the column of Cortex-M3
   shown $table | cut -d '|' -f 1,2,4,5 | diff - "$figures/$table" || exit 1

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The C++ headers: the golden hashes of pairs and of a scene, what they do around the calls, low ceilings on iterations, the
-# README's example; that firmware can have them, and what they cost there. test_cpp.sh BUILD
+# example of port/README.md; that firmware can have them, and what they cost there. test_cpp.sh BUILD
 . tests/build/count.sh
 . tests/build/golden.sh
 build=$1
@@ -22,8 +22,8 @@ program() {
     -o "$dir/$name-$compiler"
 }
 
-# The README's block of C++, and what its comments say that it prints.
-awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md >"$dir/readme.cpp"
+# The block of C++ in port/README.md, and what its comments say that it prints.
+awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' port/README.md >"$dir/readme.cpp"
 readme() {
   sed -n 's|.*// prints: ||p' "$dir/readme.cpp" >"$dir/expected"
   program readme "$1" -O2 && "$dir/readme-$1" >"$dir/printed" && test -s "$dir/expected" && diff "$dir/expected" "$dir/printed"

@@ -21,9 +21,9 @@ if [ -n "$missing" ]; then
   exit
 fi
 
-# The README's block of JavaScript, in a folder with the module, prints what its comments '// prints: TEXT' say.
+# The block of JavaScript in port/README.md, in a folder with the module, prints what its comments '// prints: TEXT' say.
 readme() {
-  awk '/^```js$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md >"$dir/readme.js"
+  awk '/^```js$/ { inside = 1; next } /^```$/ { inside = 0 } inside' port/README.md >"$dir/readme.js"
   cp port/wasm/gjk.js "$dir"
   sed -n 's|.*// prints: ||p' "$dir/readme.js" >"$dir/expected"
   (cd "$dir" && node readme.js >printed && test -s expected && diff expected printed)

@@ -12,7 +12,7 @@ rm -rf "$dir"
 mkdir -p "$dir"
 dir=$(cd "$dir" && pwd)
 prefix=$dir/prefix
-examples='distance safety_stop stack warm rollback flash plane cast arm'
+examples='distance safety_stop stack warm rollback flash plane cast parts arm'
 golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
 
 # prints PROGRAM SOURCE: the program prints what the source says
@@ -82,7 +82,7 @@ consumer() {
 # The same for a program in C++, that of the README: cpp_consumer FOLDER LINE
 cpp_consumer() {
   mkdir -p "$dir/$1"
-  awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md >"$dir/$1/distance.cpp"
+  awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' port/README.md >"$dir/$1/distance.cpp"
   printf 'cmake_minimum_required(VERSION 3.13)\nproject(consumer C CXX)\nset(CMAKE_CXX_STANDARD 17)\n%s\n' "$2" \
     >"$dir/$1/CMakeLists.txt"
   printf 'add_executable(distance distance.cpp)\ntarget_link_libraries(distance PRIVATE gjk::gjk)\n' >>"$dir/$1/CMakeLists.txt"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What the README says of hulls and bodies of many parts: instructions on emulated cores, bytes of data. test_parts_cost.sh BUILD
+# What tests/measure/README.md says of hulls and bodies of many parts: instructions on emulated cores, bytes of data. test_parts_cost.sh BUILD
 . tests/build/count.sh
 build=$1
 figures=$build/parts_cost.txt
@@ -9,16 +9,16 @@ count() {
   make -s "build/$1/$2.elf" TARGET="$1" OPT=-O2 >/dev/null && sh tests/build/emulate.sh "$1" "build/$1/$2.elf" >"$figures"
 }
 
-# near COLUMN ROW LINE FIELD: in the README's row the column is within 3 % of that field of the first line counted that begins so
+# near COLUMN ROW LINE FIELD: in its row the column is within 3 % of that field of the first line counted that begins so
 near() {
   awk -v column="$1" -v row="$2" -v line="$3" -v field="$4" '
     FNR == NR { if (!told && index($0, line) == 1) { told = 1; gsub(/[^0-9 ]/, ""); split($0, number, " "); counted = number[field] } next }
     { split($0, cell, / *\| */) }
     cell[2] == row { found++; gsub(",", "", cell[column + 2]); said = cell[column + 2] }
     END {
-      print row ": " counted ", the README says " said
+      print row ": " counted ", the table says " said
       exit found != 1 || counted + 0 <= 0 || counted > 1.03 * said || counted < 0.97 * said
-    }' "$figures" README.md
+    }' "$figures" tests/measure/README.md
 }
 
 # at_most POINTS INSTRUCTIONS: what src/README.md says of hulls, and 5 % more

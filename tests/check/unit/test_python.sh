@@ -20,9 +20,9 @@ python() {
   PYTHONPATH=$modules PYTHONDONTWRITEBYTECODE=1 GJK_LIBRARY='' python3 "$@"
 }
 
-# The README's blocks of Python, as one program, print what their comments '# prints: TEXT' say.
+# The blocks of Python in port/README.md, as one program, print what their comments '# prints: TEXT' say.
 readme() {
-  awk '/^```python$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md >"$dir/readme.py"
+  awk '/^```python$/ { inside = 1; next } /^```$/ { inside = 0 } inside' port/README.md >"$dir/readme.py"
   sed -n 's/.*# prints: //p' "$dir/readme.py" >"$dir/expected"
   test -s "$dir/expected" && python "$dir/readme.py" >"$dir/printed" && diff "$dir/expected" "$dir/printed"
 }

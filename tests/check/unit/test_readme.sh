@@ -26,7 +26,7 @@ prints() {
   "$1" >"$1.printed" && test -s "$1.expected" && diff "$1.expected" "$1.printed"
 }
 
-for number in 1 2 3 4 5; do
+for number in 1 2 3; do
   example=$scratch/example$number
   check "example $number compiles" compiles "$example" "$1"
   check "example $number prints what it says" prints "$example"
@@ -35,5 +35,5 @@ part() {
   "${CC:-cc}" -std=c99 -Wall -Wextra -Wpedantic -Wno-unused-function -Werror -Iinclude -fsyntax-only "$scratch/part$1.c"
 }
 check 'the part compiles' part 1
-check 'there are no more' test ! -e "$scratch/example6.c"
+check 'there are no more' test ! -e "$scratch/example4.c"
 finish readme
