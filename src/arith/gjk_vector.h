@@ -88,12 +88,21 @@ typedef struct gjk_direction {
   // Numbers of three vertices of the shape at hand, some of them perhaps the same, that are equally far along the
   // direction. NULL: none are known; a build for size knows none.
   const uint16_t *level;
+  // What a refinement finds: how many other vertices, or of a box how many half axes of a length, are exactly as far along
+  // the direction as the vertex that it ends at.
+  unsigned ties;
 } gjk_direction;
 
 // Is the vertex one of those known to be equally far along the direction?
 static inline bool gjk_direction_knows(const gjk_direction *direction, unsigned vertex) {
   const uint16_t *level = direction->level;
   return !GJK_SMALL && level != NULL && (level[0] == vertex || level[1] == vertex || level[2] == vertex);
+}
+
+// How many vertices beside the first are known to be level.
+static inline unsigned gjk_direction_known(const gjk_direction *direction) {
+  const uint16_t *level = direction->level;
+  return (level[1] != level[0] ? 1u : 0u) + (level[2] != level[0] && level[2] != level[1] ? 1u : 0u);
 }
 
 // The sign of v along the exact direction. Pre: |v| <= 2^30.

@@ -27,10 +27,9 @@ int gjk_sum_of_products_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
   return sum.high > INT64_MAX ? -1 : (sum.high | sum.low) != 0;
 }
 
-static gjk_u128 add128(gjk_u128 a, gjk_u128 b) {
-  gjk_u128 sum = {a.high + b.high, a.low + b.low};
-  sum.high += sum.low < b.low;
-  return sum;
+void gjk_u128_add(gjk_u128 *x, const gjk_u128 *y) {
+  x->low += y->low;
+  x->high += y->high + (x->low < y->low);
 }
 
 // The number of bits of x; 1 where x is 0.
@@ -90,23 +89,29 @@ static void fine_barycentric(const gjk_u128 *part, const gjk_u128 *sum, gjk_bary
   weight->low = (int32_t)(quotient & 0xFFFFu);
 }
 
-void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine,
-                      gjk_barycentric weight[2]) {
-  const gjk_u128 sum = add128(add128(*rest, *part), *part2);
+void gjk_weights(const gjk_u128 *part, unsigned count, const gjk_u128 *whole, bool fine, gjk_barycentric *weight) {
   if (fine) {
-    fine_barycentric(part, &sum, &weight[0]);
-    fine_barycentric(part2, &sum, &weight[1]);
+    for (unsigned i = 0; i < count; i++) {
+      fine_barycentric(&part[i], whole, &weight[i]);
+    }
     return;
   }
-  const unsigned bits = bit_length(&sum);
-  const uint32_t inverse = gjk_reciprocal(leading(&sum, bits));
-  const uint32_t one = INT32_MAX;
-  const uint32_t first = gjk_umulh32(leading(part, bits), inverse);
-  const uint32_t second = gjk_umulh32(leading(part2, bits), inverse);
-  weight[0].high = (int32_t)(first < one ? first : one);
-  weight[1].high = (int32_t)(second < one - first ? second : one - first);
-  weight[0].low = 0;
-  weight[1].low = 0;
+  const unsigned bits = bit_length(whole);
+  const uint32_t inverse = gjk_reciprocal(leading(whole, bits)), one = INT32_MAX;
+  for (unsigned i = 0; i < count; i++) {
+    const uint32_t share = gjk_umulh32(leading(&part[i], bits), inverse);
+    weight[i].high = (int32_t)(share < one ? share : one);
+    weight[i].low = 0;
+  }
+}
+
+void gjk_barycentrics(const gjk_u128 part[3], bool fine, gjk_barycentric weight[2]) {
+  gjk_u128 whole = part[0];
+  gjk_u128_add(&whole, &part[1]);
+  gjk_u128_add(&whole, &part[2]);
+  gjk_weights(&part[1], 2, &whole, fine, weight);
+  const int32_t rest = INT32_MAX - weight[0].high;  // fine ones sum to 1 at most
+  weight[1].high = weight[1].high < rest || fine ? weight[1].high : rest;
 }
 
 void gjk_magnitude95(int64_t high, uint32_t low, gjk_u128 *out) {

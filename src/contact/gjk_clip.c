@@ -193,14 +193,15 @@ static void add_corners(clip *c, const gjk_polygon *from, unsigned which, const 
 //   edge             at most 2^29 long:  the share moves the point by at most 3/4 LSB
 //   result           per component to the nearest LSB
 static gjk_vec3 interpolate(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_u128 *part, const gjk_u128 *rest) {
-  const gjk_u128 none = {0, 0};
+  gjk_u128 whole = *rest;
   const gjk_vec3 edge = gjk_sub(*to, *from);
   const int64_t half = INT64_C(1) << 30;
-  gjk_barycentric share[2];
-  gjk_barycentrics(rest, part, &none, false, share);
-  const gjk_vec3 at = {from->x + (int32_t)gjk_sar64(gjk_mul32(edge.x, share[0].high) + half, 31),
-                       from->y + (int32_t)gjk_sar64(gjk_mul32(edge.y, share[0].high) + half, 31),
-                       from->z + (int32_t)gjk_sar64(gjk_mul32(edge.z, share[0].high) + half, 31)};
+  gjk_barycentric share;
+  gjk_u128_add(&whole, part);
+  gjk_weights(part, 1, &whole, false, &share);
+  const gjk_vec3 at = {from->x + (int32_t)gjk_sar64(gjk_mul32(edge.x, share.high) + half, 31),
+                       from->y + (int32_t)gjk_sar64(gjk_mul32(edge.y, share.high) + half, 31),
+                       from->z + (int32_t)gjk_sar64(gjk_mul32(edge.z, share.high) + half, 31)};
   return at;
 }
 

@@ -82,6 +82,7 @@ bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_suppo
   gjk_vertex *added = gjk_simplex_free(&it->simplex);
   if (it->a->shape->type->refine != NULL) {
     moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, &added->a);
+    it->ties[0] = direction->ties;
   }
   if (it->b->shape->type->refine != NULL) {
     const gjk_vec3 opposite = gjk_negate(it->direction.d);
@@ -90,6 +91,7 @@ bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_suppo
       direction->level += 3;
     }
     moved = it->b->shape->type->refine(it->b, &opposite, direction, b) || moved;
+    it->ties[1] = direction->ties;
   }
   if (moved) {
     complete_vertex(it, added, b);
@@ -119,15 +121,16 @@ static bool level_vertices(const gjk_iteration *it, uint16_t level[6]) {
          (share_vertex(u, v) ? share_vertex(v, w) || share_vertex(u, w) : share_vertex(v, w) && share_vertex(u, w));
 }
 
-// Step 8: replaces w by the vertex farthest along the exact direction. Returns whether that is another one.
-static bool refine_nearest(gjk_iteration *it, gjk_support *b) {
+// Step 8: replaces w by the vertex farthest along the exact direction. Returns whether that is another one. An exact
+// direction hides none, so it only counts ties, if the goal counts them.
+static bool refine_nearest(gjk_iteration *it, gjk_goal goal, gjk_support *b) {
   gjk_direction direction;
   uint16_t level[6];
-  if (it->direction.exact) {
+  if (it->direction.exact && !gjk_goal_counts_ties(it, goal)) {
     return false;
   }
   gjk_simplex_exact_direction(&it->simplex, &direction);
-  if (!GJK_SMALL && level_vertices(it, level)) {
+  if (!GJK_SMALL && it->simplex.count > 1 && level_vertices(it, level)) {
     direction.level = level;
   }
   return gjk_iteration_refine(it, &direction, b);
@@ -218,14 +221,14 @@ static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
 }
 
 // Steps 6 to 8. NONE: nothing of A - B is nearer than the feature.
-static gjk_step add_vertex(gjk_iteration *it, const gjk_vertex *added, gjk_support *b) {
+static gjk_step add_vertex(gjk_iteration *it, gjk_goal goal, const gjk_vertex *added, gjk_support *b) {
   if (!is_duplicate(it, added)) {
     const gjk_step step = gjk_simplex_add(&it->simplex);
     if (step != GJK_STEP_NONE) {
       return step;
     }
   }
-  return refine_nearest(it, b) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
+  return refine_nearest(it, goal, b) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
 }
 
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
@@ -256,7 +259,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
       return GJK_OUTCOME_SEPARATED;
     }
     // Steps 6 to 8: the vertex makes a nearer feature, or none does.
-    const gjk_step step = add_vertex(it, added, &b);
+    const gjk_step step = add_vertex(it, goal, added, &b);
     if (step != GJK_STEP_NEARER) {
       it->iterations++;
       if (step == GJK_STEP_ENCLOSING) {

@@ -46,6 +46,7 @@ typedef struct gjk_iteration {
   uint8_t limit;                   // on iterations
   uint8_t recalls;                 // the search's: steps among the seen vertices so far
   uint64_t seen[2];                // the search's: marks of the seen vertices of A and of B
+  unsigned ties[2];                // gjk_direction.ties of A and of B in the last refinement
   gjk_search_direction direction;  // of the last support scan
   // gjk_shape_class.stalls of a shape of the pair that is curved; NULL: both are polytopes.
   bool (*stalls)(const gjk_vec3 *, const gjk_vec3 *, const gjk_vec3 *, int, bool);
@@ -55,6 +56,11 @@ typedef struct gjk_iteration {
 // Is A or B curved?
 static inline bool gjk_pair_is_curved(const gjk_iteration *it) {
   return it->stalls != NULL;
+}
+
+// Does a NEAREST feature of the pair become a canonical one? It does where a cache may have led to another one.
+static inline bool gjk_goal_counts_ties(const gjk_iteration *it, gjk_goal goal) {
+  return goal != GJK_GOAL_WITHIN && it->shift >= 0 && !gjk_pair_is_curved(it);
 }
 
 // Starts cold: sets the frame, and no vertex is in the simplex.

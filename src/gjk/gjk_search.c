@@ -243,3 +243,91 @@ gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit) {
   }
   return outcome;
 }
+
+// Marks the vertices of a shape that are level with one at the offset.
+static void mark_level(const seen_vertices *of, const gjk_direction *direction, const gjk_vec3 *at) {
+  *of->seen = 0;
+  for (uint32_t v = 0; v < of->count; v++) {
+    gjk_vec3 offset;
+    of->collider->shape->type->vertex(of->collider, (uint16_t)v, &offset);
+    const gjk_vec3 step = gjk_sub(offset, *at);
+    if (gjk_direction_sign(direction, &step) == 0) {
+      mark_vertex(of, (uint16_t)v);
+    }
+  }
+}
+
+// The feature among the level vertices that GJK finds from their first ones on. It spans the same nearest point.
+static void search_level(gjk_iteration *it) {
+  gjk_simplex *s = &it->simplex;
+  const gjk_vertex *first = gjk_simplex_vertex(s, 0);
+  const seen_vertices a = seen_vertices_of(it, 0), b = seen_vertices_of(it, 1);
+  gjk_direction direction;
+  gjk_vec3 of_b;
+  gjk_simplex_exact_direction(s, &direction);
+  it->b->shape->type->vertex(it->b, first->b, &of_b);
+  mark_level(&a, &direction, &first->a.offset);
+  mark_level(&b, &direction, &of_b);
+  gjk_simplex_clear(s);
+  gjk_iteration_place(it, (uint16_t)next_seen(&a, 0), (uint16_t)next_seen(&b, 0));
+  gjk_simplex_add(s);
+  it->recalls = 0;
+  nearest_of_seen(it, &a, &b);
+}
+
+// The bits in which two vertices of a shape differ, if they are signs of half axes with a length; else 0 for the same one.
+static unsigned difference(const gjk_collider *c, unsigned u, unsigned v) {
+  unsigned bits = u ^ v;
+  if (c->shape->type->kind == GJK_KIND_AXES) {
+    for (unsigned i = 0; i < c->count; i++) {
+      bits = gjk_norm1(c->frame[i]) == 0 ? bits & ~(1u << i) : bits;
+    }
+  }
+  return bits;
+}
+
+// The third corner of a triangle whose other two are the ends of a diagonal: of a box's face, or of the parallelogram of two
+// edges. False: the edge is no diagonal.
+static bool place_beside_diagonal(gjk_iteration *it) {
+  const gjk_vertex *u = gjk_simplex_vertex(&it->simplex, 0), *v = gjk_simplex_vertex(&it->simplex, 1);
+  const unsigned of_a = difference(it->a, u->a.vertex, v->a.vertex), of_b = difference(it->b, u->b, v->b);
+  const unsigned low_a = of_a & (~of_a + 1u), low_b = of_b & (~of_b + 1u);
+  if (of_a != 0 && of_b != 0) {
+    return gjk_iteration_place(it, u->a.vertex, v->b);
+  }
+  if (it->a->shape->type->kind == GJK_KIND_AXES && of_a != low_a) {
+    return gjk_iteration_place(it, (uint16_t)(u->a.vertex ^ low_a), u->b);
+  }
+  return it->b->shape->type->kind == GJK_KIND_AXES && of_b != low_b &&
+         gjk_iteration_place(it, u->a.vertex, (uint16_t)(u->b ^ low_b));
+}
+
+// Makes the diagonal a triangle with the nearest point on its border. False: it is no diagonal.
+static bool complete_diagonal(gjk_iteration *it) {
+  gjk_simplex *s = &it->simplex;
+  gjk_vertex corner[3];
+  gjk_long3 n;
+  if (!place_beside_diagonal(it)) {
+    return false;
+  }
+  for (int i = 0; i < 3; i++) {
+    corner[i] = *gjk_simplex_vertex(s, i);
+  }
+  gjk_triangle_normal(&corner[0].w, &corner[1].w, &corner[2].w, &n);
+  if ((n.x | n.y | n.z) == 0) {
+    return false;  // of parallel edges
+  }
+  for (int i = 0; i < 3; i++) {
+    s->slot[i] = corner[i];
+  }
+  gjk_simplex_set(s, 3);
+  return true;
+}
+
+void gjk_search_canonical(gjk_iteration *it) {
+  const gjk_simplex *s = &it->simplex;
+  if (it->ties[0] + it->ties[1] > 2 || s->count == 1 || (s->count == 2 && !complete_diagonal(it))) {
+    search_level(it);
+  }
+  gjk_simplex_direction(s, &it->direction);
+}

@@ -52,6 +52,19 @@ static inline unsigned gjk_search_limit(const gjk_iteration *it) {
 // Steps 1 to 4 until the goal is answered or the iterations of the query reach the limit.
 gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit);
 
+// Where several features hold the nearest point, the search may end at any of them. Makes the simplex one that depends on
+// the pair alone, in all that is read of it but the certificate. Pre: NEAREST; the goal counts ties.
+//
+// The level vertices of a shape are those that are exactly as far along the direction as its vertices in the feature. How
+// many there are beside one of them was counted by the last refinement: its ties, of a box half axes.
+//   fewer than two ties     The nearest point lies on a vertex or edge, in which no other feature holds it.
+//   two ties, a triangle    It lies in a triangle or parallelogram. All triangles in that have the same normal, and the
+//                           witness points do not depend on which it is.
+//   two ties, a diagonal    A triangle on either side of the diagonal holds it as well. One of them is taken.
+//   others                  The shapes have parallel edges or faces; or vertices coincide. GJK begins once more, among the
+//                           level vertices alone, from the first one of each shape.
+void gjk_search_canonical(gjk_iteration *it);
+
 // Searches until the goal is answered or the iterations of the query reach the limit; after LIMIT and with a higher
 // limit, on from there. cache: where to start from; NULL, or of no use: a cold start.
 static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
@@ -62,7 +75,13 @@ static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk
     it->limit = (uint8_t)plain;
     outcome = gjk_iteration_run(it, goal, cache);
   }
-  return outcome == GJK_OUTCOME_LIMIT && !gjk_pair_is_curved(it) ? gjk_search_on(it, goal, limit) : outcome;
+  if (outcome == GJK_OUTCOME_LIMIT && !gjk_pair_is_curved(it)) {
+    outcome = gjk_search_on(it, goal, limit);
+  }
+  if (outcome == GJK_OUTCOME_NEAREST && it->ties[0] + it->ties[1] > 1 && gjk_goal_counts_ties(it, goal)) {
+    gjk_search_canonical(it);
+  }
+  return outcome;
 }
 
 #endif

@@ -376,17 +376,24 @@ static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, 
   gjk_sum_of_products(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);
 }
 
-void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_barycentric weight[2]) {
+void gjk_simplex_parts(const gjk_simplex *s, gjk_u128 part[3]) {
   const unsigned a = s->order[0], b = s->order[1], c = s->order[2];
-  gjk_u128 of_a, of_b, of_c;
   if (s->count == 3) {
-    weight_of(s, b, c, a, &of_a);
-    weight_of(s, c, a, b, &of_b);
-    weight_of(s, a, b, c, &of_c);
-  } else {
-    of_a.high = of_b.high = of_c.high = of_c.low = 0;
-    of_a.low = (uint64_t)s->toward[b][a];
-    of_b.low = (uint64_t)s->toward[a][b];
+    weight_of(s, b, c, a, &part[0]);
+    weight_of(s, c, a, b, &part[1]);
+    weight_of(s, a, b, c, &part[2]);
+    return;
   }
-  gjk_barycentrics(&of_a, &of_b, &of_c, fine, weight);
+  part[0].high = part[1].high = part[2].high = part[1].low = part[2].low = 0;
+  part[0].low = 1;
+  if (s->count == 2) {
+    part[0].low = (uint64_t)s->toward[b][a];
+    part[1].low = (uint64_t)s->toward[a][b];
+  }
+}
+
+void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_barycentric weight[2]) {
+  gjk_u128 part[3];
+  gjk_simplex_parts(s, part);
+  gjk_barycentrics(part, fine, weight);
 }

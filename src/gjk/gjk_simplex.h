@@ -86,6 +86,10 @@ typedef enum gjk_round_to {
 int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, int64_t low, int64_t high,
                            unsigned shift, gjk_round_to to);
 
+// The barycentric coordinates of the feature's nearest point, in order[], up to a common factor: exact, not negative, their
+// sum below 2^126. Pre: 1 <= count <= 3 and the feature is nearest.
+void gjk_simplex_parts(const gjk_simplex *s, gjk_u128 part[3]);
+
 // Barycentric coordinates of the feature's nearest point: those of the second and the third vertex; the first has the
 // rest of 1. fine: see gjk_barycentrics. Pre: 2 <= count <= 3 and the feature is nearest.
 void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_barycentric weight[2]);

@@ -72,7 +72,7 @@ static void scan(gjk_portal *p) {
 
 // Makes the newest vertex one that is farthest along n exactly. Returns whether it is another one.
 static bool refine(gjk_portal *p) {
-  gjk_direction exact = {NULL, NULL, &p->n, 0, 0, 3, false, NULL};
+  gjk_direction exact = {NULL, NULL, &p->n, 0, 0, 3, false, NULL, 0};
   if (p->direction.exact) {
     return false;
   }

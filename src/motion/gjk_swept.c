@@ -22,7 +22,7 @@ static void support_swept(const gjk_collider *c, const gjk_vec3 *d, gjk_support 
 
 // Vertices that direction->level names hold for B as well: those at the start have B's numbers, and B has no number of those
 // at the end; of half axes, two of either kind differ by what B's differ by.
-static bool refine_swept(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+static bool refine_swept(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
   const gjk_swept *s = swept_of(c);
   const gjk_vec3 way = gjk_sub(s->ahead, s->back);
   const uint16_t before = at->vertex;
@@ -31,6 +31,12 @@ static bool refine_swept(const gjk_collider *c, const gjk_vec3 *d, const gjk_dir
   at->offset = gjk_sub(at->offset, end ? s->ahead : s->back);
   at->vertex = (uint16_t)(before - (end ? s->count : 0));
   s->b->shape->type->refine(s->b, d, direction, at);
+  if (s->b->shape->type->kind == GJK_KIND_AXES) {
+    direction->ties = (1u << direction->ties) - 1;
+  }
+  if (side == 0) {
+    direction->ties = 2 * direction->ties + 1;  // at either end
+  }
   move_to(s, side != 0 ? side > 0 : end, at);
   return at->vertex != before;
 }

@@ -135,15 +135,18 @@ static inline bool is_across(const gjk_direction *direction, unsigned bit) {
 
 // d is off by less than 1 per component, so d . axis by less than |axis|_1 <= sqrt(3) core_radius. Only the signs of
 // products within slack are in doubt. An axis across the exact direction keeps its sign.
-static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
   const int64_t slack = 2 * (int64_t)c->core_radius;
   unsigned number = at->vertex;
+  direction->ties = 0;
   for (unsigned i = 0; i < c->count; i++) {
     const int64_t along = gjk_dot(&c->frame[i], d);
-    if (along < slack && along > -slack && !is_across(direction, 1u << i)) {
-      const int side = gjk_direction_sign(direction, &c->frame[i]);
+    if (along < slack && along > -slack) {
+      const int side = is_across(direction, 1u << i) ? 0 : gjk_direction_sign(direction, &c->frame[i]);
       if (side != 0) {
         number = side > 0 ? number | 1u << i : number & ~(1u << i);
+      } else if (gjk_norm1(c->frame[i]) > 0) {
+        direction->ties++;
       }
     }
   }

@@ -93,42 +93,36 @@ GJK_OUT_OF_LINE static void find_lazy(const gjk_collider *c, const gjk_vec3 *dir
 }
 
 // Refinement of a baked hull.
-GJK_OUT_OF_LINE static bool move_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
+GJK_OUT_OF_LINE static bool move_posed(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction,
                                        gjk_support *at) {
   const uint16_t before = at->vertex;
   const int64_t limit = gjk_dot(&at->offset, d) - gjk_hull_rounding_slack(c);
   gjk_vec3 local;
   (void)gjk_hull_local_direction(c, d, &local);
+  direction->ties = 0;
   for (table_list list = list_of(c, &local); list.next < list.end; list.next++) {  // at most GJK_HULL_VERTICES_MAX
     const gjk_vec3 *v = &c->buffer[*list.next];
-    if (gjk_dot(v, d) >= limit) {
-      const gjk_vec3 step = gjk_sub(*v, at->offset);
-      if (gjk_direction_sign(direction, &step) > 0) {
-        at->offset = *v;
-        at->vertex = *list.next;
-      }
+    if (*list.next != before && gjk_dot(v, d) >= limit) {
+      gjk_hull_refine_to(direction, v, *list.next, at);
     }
   }
   return at->vertex != before;
 }
 
 // Refinement of a lazy hull.
-GJK_OUT_OF_LINE static bool move_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
+GJK_OUT_OF_LINE static bool move_lazy(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction,
                                       gjk_support *at) {
   const gjk_vec3 *vertices = c->shape->vertices;
   const uint16_t before = at->vertex;
   gjk_vec3 local;
   const int64_t slack = gjk_hull_local_direction(c, d, &local) + gjk_hull_rounding_slack(c);
   const int64_t limit = gjk_dot(&vertices[before], &local) - slack;
+  direction->ties = 0;
   for (table_list list = list_of(c, &local); list.next < list.end; list.next++) {  // at most GJK_HULL_VERTICES_MAX
     const gjk_vec3 *v = &vertices[*list.next];
-    if (gjk_dot(v, &local) >= limit) {
+    if (*list.next != before && gjk_dot(v, &local) >= limit) {
       const gjk_vec3 offset = gjk_hull_pose_vertex(c, c->frame, v);
-      const gjk_vec3 step = gjk_sub(offset, at->offset);
-      if (gjk_direction_sign(direction, &step) > 0) {
-        at->offset = offset;
-        at->vertex = *list.next;
-      }
+      gjk_hull_refine_to(direction, &offset, *list.next, at);
     }
   }
   return at->vertex != before;
@@ -142,7 +136,7 @@ static void support_table(const gjk_collider *c, const gjk_vec3 *d, gjk_support 
   }
 }
 
-static bool refine_table(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+static bool refine_table(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
   return c->buffer != NULL ? move_posed(c, d, direction, at) : move_lazy(c, d, direction, at);
 }
 

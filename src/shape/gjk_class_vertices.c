@@ -9,7 +9,7 @@
 //
 // d itself is rounded. Refinement finds a vertex that is farthest along the exact direction:
 //   5. Scan for all vertices within slack of the support along d. slack bounds what the rounding of d can hide, too.
-//   6. Move to each vertex that is strictly farther along the exact direction.
+//   6. Move to each vertex that is strictly farther along the exact direction; count those as far as the last.
 #include "gjk_hull.h"
 
 #include "gjk_scan.h"
@@ -52,7 +52,7 @@ static void reach_within(gjk_reach *reach, const gjk_collider *c, const gjk_vec3
 
 // Is the vertex known not to be farther along the exact direction than the one that the refinement began with?
 static inline bool is_behind(const gjk_direction *direction, uint16_t vertex, uint16_t before, bool known) {
-  return !GJK_SMALL && (vertex == before || (known && gjk_direction_knows(direction, vertex)));
+  return vertex == before || (known && gjk_direction_knows(direction, vertex));
 }
 
 #if GJK_CONDITIONAL_MOVES
@@ -62,7 +62,7 @@ static inline bool is_behind(const gjk_direction *direction, uint16_t vertex, ui
 
 // Steps 5 and 6 for at most FEW_VERTICES vertices, without a branch for each. Bit 63 - i of open stands for vertex i: it comes
 // within the slack of step 5, and is not known to be behind.
-static bool refine_few(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+static bool refine_few(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
   const gjk_vec3 *vertices = posed(c);
   const uint16_t before = at->vertex;
   const int64_t limit = gjk_dot(&at->offset, d) - gjk_hull_rounding_slack(c);
@@ -72,18 +72,16 @@ static bool refine_few(const gjk_collider *c, const gjk_vec3 *d, const gjk_direc
     open = 2 * open + (gjk_dot(&vertices[i], d) >= limit ? 1u : 0u);
   }
   open = open << ((64u - c->count) & 63u) & ~(first >> before);
+  direction->ties = 0;
   if (gjk_direction_knows(direction, before)) {
     const uint16_t *level = direction->level;
     open &= ~(first >> level[0] | first >> level[1] | first >> level[2]);
+    direction->ties = gjk_direction_known(direction);
   }
   while (open != 0) {  // at most FEW_VERTICES times
     const unsigned i = gjk_clz64(open);
-    const gjk_vec3 step = gjk_sub(vertices[i], at->offset);
     open &= ~(first >> i);
-    if (gjk_direction_sign(direction, &step) > 0) {
-      at->offset = vertices[i];
-      at->vertex = (uint16_t)i;
-    }
+    gjk_hull_refine_to(direction, &vertices[i], (uint16_t)i, at);
   }
   return at->vertex != before;
 }
@@ -91,7 +89,7 @@ static bool refine_few(const gjk_collider *c, const gjk_vec3 *d, const gjk_direc
 #endif
 
 // Steps 5 and 6. Pre: offsets are at most core_radius long; *at is among the farthest vertices along d.
-static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
 #if GJK_CONDITIONAL_MOVES
   if (c->count <= FEW_VERTICES) {
     return refine_few(c, d, direction, at);
@@ -101,15 +99,11 @@ static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, const gjk_dir
   const uint16_t before = at->vertex;
   const bool known = gjk_direction_knows(direction, before);
   gjk_reach reach;
+  direction->ties = known ? gjk_direction_known(direction) : 0;
   reach_within(&reach, c, vertices, d, &at->offset, gjk_hull_rounding_slack(c));
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
-    if (is_behind(direction, (uint16_t)(v - vertices), before, known)) {
-      continue;
-    }
-    const gjk_vec3 step = gjk_sub(*v, at->offset);
-    if (gjk_direction_sign(direction, &step) > 0) {
-      at->offset = *v;
-      at->vertex = (uint16_t)(v - vertices);
+    if (!is_behind(direction, (uint16_t)(v - vertices), before, known)) {
+      gjk_hull_refine_to(direction, v, (uint16_t)(v - vertices), at);
     }
   }
   return at->vertex != before;
@@ -163,7 +157,7 @@ GJK_OUT_OF_LINE static void support_lazy(const gjk_collider *c, const gjk_vec3 *
 }
 
 // Steps 5 and 6, with the slack of step 3 added, since vertices are compared along local.
-GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction,
+GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction,
                                         gjk_support *at) {
   const gjk_vec3 *vertices = c->shape->vertices, *v;
   const uint16_t before = at->vertex;
@@ -171,16 +165,12 @@ GJK_OUT_OF_LINE static bool refine_lazy(const gjk_collider *c, const gjk_vec3 *d
   gjk_vec3 local;
   gjk_reach reach;
   const int64_t slack = local_direction(c, d, &local) + gjk_hull_rounding_slack(c);
+  direction->ties = known ? gjk_direction_known(direction) : 0;
   reach_within(&reach, c, vertices, &local, &vertices[before], slack);
   while ((v = gjk_reach_next(&reach)) != NULL) {  // at most GJK_HULL_VERTICES_MAX
-    if (is_behind(direction, (uint16_t)(v - vertices), before, known)) {
-      continue;
-    }
-    const gjk_vec3 offset = pose_vertex(c, c->frame, v);
-    const gjk_vec3 step = gjk_sub(offset, at->offset);
-    if (gjk_direction_sign(direction, &step) > 0) {
-      at->offset = offset;
-      at->vertex = (uint16_t)(v - vertices);
+    if (!is_behind(direction, (uint16_t)(v - vertices), before, known)) {
+      const gjk_vec3 offset = pose_vertex(c, c->frame, v);
+      gjk_hull_refine_to(direction, &offset, (uint16_t)(v - vertices), at);
     }
   }
   return at->vertex != before;
@@ -194,7 +184,7 @@ static void support_hull(const gjk_collider *c, const gjk_vec3 *d, gjk_support *
   }
 }
 
-static bool refine_hull(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+static bool refine_hull(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
   return c->buffer != NULL ? refine_posed(c, d, direction, at) : refine_lazy(c, d, direction, at);
 }
 

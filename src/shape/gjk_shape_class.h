@@ -32,8 +32,8 @@ struct gjk_shape_class {
   void (*support)(const gjk_collider *collider, const gjk_vec3 *d, gjk_support *out);
 
   // Moves *at, the support along d, to a vertex that is farthest along *direction, which d approximates. Returns
-  // whether *at has moved. NULL for curved shapes, which have no vertices to choose from.
-  bool (*refine)(const gjk_collider *collider, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at);
+  // whether *at has moved, and in direction->ties what is as far. NULL for curved shapes, which have no vertices to choose from.
+  bool (*refine)(const gjk_collider *collider, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at);
 
   // The offset of the vertex with a number; false where there is none. NULL for curved shapes.
   bool (*vertex)(const gjk_collider *collider, uint16_t number, gjk_vec3 *offset);

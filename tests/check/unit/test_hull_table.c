@@ -188,7 +188,7 @@ static bool check_refine(random_state *random, const four *f) {
     return false;
   }
   for (int i = 0; i < 4; i++) {
-    gjk_direction direction = {&a, &b, &n, 0, 0, 3, false, NULL};
+    gjk_direction direction = {&a, &b, &n, 0, 0, 3, false, NULL, 0};
     found[i] = support_of(colliders[i], &rounded.d);
     moved[i] = colliders[i]->shape->type->refine(colliders[i], &rounded.d, &direction, &found[i]);
     CHECK(moved[i] == moved[0]);
