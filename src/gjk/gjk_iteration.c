@@ -206,12 +206,25 @@ static void first_direction(gjk_iteration *it, const gjk_cache *cache) {
   }
 }
 
+// The bits of half axes without a length. Support scans set them; a cache may name the other vertex of the two.
+static unsigned empty_axes(const gjk_collider *c) {
+  unsigned bits = 0;
+  if (c->shape->type->kind == GJK_KIND_AXES) {
+    for (unsigned i = 0; i < c->count; i++) {
+      bits |= gjk_norm1(c->frame[i]) == 0 ? 1u << i : 0;
+    }
+  }
+  return bits;
+}
+
 // Step 1: adds the cached vertices. Returns whether the origin lies in the simplex already.
 static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
+  const unsigned empty_a = empty_axes(it->a), empty_b = empty_axes(it->b);
   //@ dynamic_split it->simplex.count;
   for (unsigned i = 0; i < cache->count && i < 4; i++) {
-    const gjk_step step =
-        gjk_iteration_place(it, cache->a[i], cache->b[i]) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
+    const gjk_step step = gjk_iteration_place(it, (uint16_t)(cache->a[i] | empty_a), (uint16_t)(cache->b[i] | empty_b))
+                              ? gjk_simplex_add(&it->simplex)
+                              : GJK_STEP_NONE;
     if (step == GJK_STEP_ENCLOSING ||
         (step == GJK_STEP_NEARER && it->simplex.count < 3 && !gjk_simplex_direction(&it->simplex, &it->direction))) {
       return true;

@@ -275,22 +275,11 @@ static void search_level(gjk_iteration *it) {
   nearest_of_seen(it, &a, &b);
 }
 
-// The bits in which two vertices of a shape differ, if they are signs of half axes with a length; else 0 for the same one.
-static unsigned difference(const gjk_collider *c, unsigned u, unsigned v) {
-  unsigned bits = u ^ v;
-  if (c->shape->type->kind == GJK_KIND_AXES) {
-    for (unsigned i = 0; i < c->count; i++) {
-      bits = gjk_norm1(c->frame[i]) == 0 ? bits & ~(1u << i) : bits;
-    }
-  }
-  return bits;
-}
-
 // The third corner of a triangle whose other two are the ends of a diagonal: of a box's face, or of the parallelogram of two
 // edges. False: the edge is no diagonal.
 static bool place_beside_diagonal(gjk_iteration *it) {
   const gjk_vertex *u = gjk_simplex_vertex(&it->simplex, 0), *v = gjk_simplex_vertex(&it->simplex, 1);
-  const unsigned of_a = difference(it->a, u->a.vertex, v->a.vertex), of_b = difference(it->b, u->b, v->b);
+  const unsigned of_a = u->a.vertex ^ v->a.vertex, of_b = u->b ^ v->b;
   const unsigned low_a = of_a & (~of_a + 1u), low_b = of_b & (~of_b + 1u);
   if (of_a != 0 && of_b != 0) {
     return gjk_iteration_place(it, u->a.vertex, v->b);

@@ -376,24 +376,21 @@ static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, 
   gjk_sum_of_products(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);
 }
 
-void gjk_simplex_parts(const gjk_simplex *s, gjk_u128 part[3]) {
-  const unsigned a = s->order[0], b = s->order[1], c = s->order[2];
+void gjk_simplex_parts(const gjk_simplex *s, const uint8_t order[3], gjk_u128 part[3]) {
+  const unsigned a = order[0], b = order[1], c = order[2];
   if (s->count == 3) {
     weight_of(s, b, c, a, &part[0]);
     weight_of(s, c, a, b, &part[1]);
     weight_of(s, a, b, c, &part[2]);
     return;
   }
-  part[0].high = part[1].high = part[2].high = part[1].low = part[2].low = 0;
-  part[0].low = 1;
-  if (s->count == 2) {
-    part[0].low = (uint64_t)s->toward[b][a];
-    part[1].low = (uint64_t)s->toward[a][b];
-  }
+  part[0].high = part[1].high = part[2].high = part[2].low = 0;
+  part[0].low = (uint64_t)s->toward[b][a];
+  part[1].low = (uint64_t)s->toward[a][b];
 }
 
 void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_barycentric weight[2]) {
   gjk_u128 part[3];
-  gjk_simplex_parts(s, part);
+  gjk_simplex_parts(s, s->order, part);
   gjk_barycentrics(part, fine, weight);
 }
