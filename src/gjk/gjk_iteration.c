@@ -37,6 +37,7 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
     return false;
   }
   it->iterations = 0;
+  it->diagonal = false;
   it->stalls = a->shape->type->stalls;
   if (!gjk_pair_is_curved(it)) {
     it->stalls = b->shape->type->stalls;
@@ -292,7 +293,8 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
 // have no numbers, and for SEPARATED, which the direction proves.
 static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint16_t a[4], uint16_t b[4]) {
   const gjk_simplex *s = &it->simplex;
-  const uint8_t count = gjk_pair_is_curved(it) || outcome == GJK_OUTCOME_SEPARATED ? 0 : s->count;
+  const uint8_t named = outcome == GJK_OUTCOME_NEAREST && it->diagonal ? 2 : s->count;
+  const uint8_t count = gjk_pair_is_curved(it) || outcome == GJK_OUTCOME_SEPARATED ? 0 : named;
   for (unsigned i = 0; i < count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];
     a[i] = v->a.vertex;

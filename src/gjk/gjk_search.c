@@ -309,7 +309,8 @@ static bool complete_diagonal(gjk_iteration *it) {
   for (int i = 0; i < 3; i++) {
     s->slot[i] = corner[i];
   }
-  gjk_simplex_set(s, 3);
+  gjk_simplex_set(s, 3);  // keeps slot 2 the last
+  it->diagonal = true;
   return true;
 }
 

@@ -77,23 +77,13 @@ static bool is_support(const gjk_iteration *it, const gjk_certificate *certifica
   return none_before(it->b, direction, certificate->b[0]);
 }
 
-// Makes the named vertices the feature. False: they are degenerate, or the origin's projection lies outside. That of a triangle
-// may lie on its border: it is the nearest point all the same.
-static bool set_feature(gjk_iteration *it, const gjk_certificate *certificate) {
-  gjk_simplex *s = &it->simplex;
-  if (gjk_simplex_set(s, certificate->count)) {
-    return true;
-  }
-  return certificate->count == 3 && (s->normal.x | s->normal.y | s->normal.z) != 0 && gjk_simplex_beyond(s) == 3;
-}
-
 // Step 2: is the named feature the one of A - B nearest to the origin, and not at the origin?
 static bool is_nearest(gjk_iteration *it, const gjk_certificate *certificate) {
   gjk_direction direction;
   gjk_search_direction rounded;
   gjk_simplex *s = &it->simplex;
-  if (certificate->count < 1 || certificate->count > 3 || !load(it, certificate) || !set_feature(it, certificate) ||
-      !gjk_simplex_direction(s, &rounded)) {
+  if (certificate->count < 1 || certificate->count > 3 || !load(it, certificate) ||
+      !gjk_simplex_set(s, certificate->count) || !gjk_simplex_direction(s, &rounded)) {
     return false;
   }
   gjk_simplex_exact_direction(s, &direction);
