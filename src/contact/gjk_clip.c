@@ -1,7 +1,8 @@
 // Contact candidates of two polygons that meet along a direction.
 //
 // Seen along the direction, the polygons share a region. The corners of that region become the candidates:
-//   1. Find on which side of every line of one polygon each corner of the other lies. All signs are exact.
+//   1. Find on which side of every line of one polygon each corner of the other lies: on a grid (gjk_flat.h), and where its
+//      rounding leaves a doubt exactly. So all signs are exact.
 //   2. A corner of one polygon inside the face of the other is a candidate, with the point across from it on that
 //      face's plane.
 //   3. Two edges that cross are a candidate, with a point on each edge.
@@ -16,10 +17,15 @@
 //
 // What is rounded, each candidate from the given corners alone and once:
 //   corner         not at all
-//   point across   per component to the nearest LSB, off by 2^-28 of the gap before that
-//   point of edge  per component to the nearest LSB, off by 3/4 LSB along the edge before that
+//   point across   per component to the nearest LSB, off by 2^-28 of the gap and 1/8 LSB before that
+//   point of edge  per component to the nearest LSB, off by 3/4 LSB along the edge before that. Crossing edges cross on the
+//                  grid: it moves their lines by less than 1/16 LSB
 //   distance       to the nearest LSB
+// Polygons that spread over more than 256 units take neither the grid nor 30 bits of a plane's normal for points, but exact
+// products.
 #include "gjk_clip.h"
+
+#include "gjk_flat.h"
 
 // Points no farther apart than this along each axis count as one, unless edges are short. Rounding moves a posed corner
 // by up to 2 LSB. So when a shape moves by 1 LSB, two corners move by up to 5 LSB against each other.
@@ -28,6 +34,10 @@
 // Two points are across from each other if the square of their offset aside is at most this, in LSB^2. The offset is
 // rounded to the nearest LSB per axis, so it is below 2 LSB.
 #define ASIDE_SQUARED 1
+
+// Up to so many bits of spread, 256 units, the grid's points are within 2^-4 LSB of the corners, and 30 bits of a plane's normal
+// serve:   2^(bits + 2) / 2^30 for a point;   3 2^bits 2^30 for n . v by 2^59 for n . direction
+#define GRID_BITS 24
 
 // On which side of the lines of one polygon the corners of the other lie. Bit i of [k] is corner i and line k; line k
 // starts at corner k. A corner with neither bit lies on the line.
@@ -40,6 +50,7 @@ typedef struct clip {
   const gjk_vec3 *centre;
   gjk_q16 margin;
   gjk_candidates *out;
+  gjk_flat flat;
   sides of_a, of_b;  // relative to the lines of a, of b
   uint32_t near;     // points no farther apart than this along each axis count as one
   uint32_t slivers;  // bit i: candidate i is a crossing that bounds next to nothing
@@ -118,20 +129,35 @@ static void line_normal(const gjk_polygon *p, unsigned k, gjk_long3 *n) {
   gjk_cross(&p->direction, &scaled, n);
 }
 
-// Step 1.
-static void find_sides(const gjk_polygon *p, const gjk_polygon *other, sides *out) {
+// Step 1 where the grid leaves a doubt. Returns the sign of the corner's side of line k.
+GJK_OUT_OF_LINE static int exact_side(const gjk_polygon *p, unsigned k, const gjk_vec3 *corner) {
+  gjk_long3 n;
+  const gjk_vec3 v = gjk_sub(*corner, p->corner[k]);
+  line_normal(p, k, &n);
+  return gjk_dot_sign(&n, &v);
+}
+
+// Step 1. The lines of B run the other way around on the grid.
+static void find_sides(const gjk_polygon *p, const gjk_flat_point *of_p, const gjk_polygon *other,
+                       const gjk_flat_point *of_other, bool turned, sides *out) {
+  const unsigned all = (1u << other->count) - 1;
   for (unsigned k = 0; k < line_count(p); k++) {
-    gjk_long3 n;
-    line_normal(p, k, &n);
-    out->inside[k] = 0;
-    out->outside[k] = 0;
+    const gjk_flat_point edge = gjk_flat_way(&of_p[k], &of_p[next_corner(p, k)]);
+    const int64_t error = gjk_flat_error(edge);
+    unsigned left = 0, right = 0;
     for (unsigned i = 0; i < other->count; i++) {
-      const gjk_vec3 v = gjk_sub(other->corner[i], p->corner[k]);
-      const int side = gjk_dot_sign(&n, &v);
-      const uint16_t bit = (uint16_t)(1u << i);
-      out->inside[k] = (uint16_t)(out->inside[k] | (side > 0 ? bit : 0u));
-      out->outside[k] = (uint16_t)(out->outside[k] | (side < 0 ? bit : 0u));
+      const int64_t side = gjk_flat_cross(edge, gjk_flat_way(&of_p[k], &of_other[i]));
+      left |= (side >= error ? 1u : 0u) << i;
+      right |= (side <= -error ? 1u : 0u) << i;
     }
+    unsigned inside = turned ? right : left, outside = turned ? left : right;
+    for (unsigned i = 0, open = all & ~(left | right); open != 0; i++, open >>= 1) {
+      const int side = (open & 1u) != 0 ? exact_side(p, k, &other->corner[i]) : 0;
+      inside |= (side > 0 ? 1u : 0u) << i;
+      outside |= (side < 0 ? 1u : 0u) << i;
+    }
+    out->inside[k] = (uint16_t)inside;
+    out->outside[k] = (uint16_t)outside;
   }
 }
 
@@ -153,26 +179,73 @@ static int measure_side(const gjk_long3 *n, const gjk_vec3 *v, gjk_u128 *size) {
   return high < 0 ? -1 : 1;
 }
 
-// Step 2: adds corners of one polygon with the points across from them on the plane of the other. The plane has the
-// normal n and contains o; corner p lies g before it along the direction:
+// The plane of a face, ready to tell how far a point lies before it along the direction:
 //   g = n . (p - o) / (n . direction)      |p - o| < 2^31, n within 20.7 degrees of the direction
+typedef struct face_plane {
+  const gjk_polygon *face;
+  bool exact;
+  gjk_divisor divisor;  // n . direction; exact
+  gjk_vec3 n;           // the normal, in 30 bits
+  uint32_t inverse;     // of the leading 32 bits of n . direction
+  unsigned zeros;       // before these
+} face_plane;
+
+static void set_plane(face_plane *of, const gjk_polygon *face, bool exact) {
+  of->face = face;
+  of->exact = exact;
+  if (exact) {
+    gjk_u128 size;
+    measure_side(&face->normal, &face->direction, &size);
+    gjk_divisor_set(&of->divisor, &size);
+    return;
+  }
+  const gjk_long3 *n = &face->normal;
+  const unsigned bits =
+      64 - gjk_clz64(gjk_magnitude64(n->x) | gjk_magnitude64(n->y) | gjk_magnitude64(n->z) | 1u);  // at most 62
+  const unsigned shift = bits > 30 ? bits - 30 : 0;
+  of->n.x = (int32_t)gjk_sar64(n->x, shift);
+  of->n.y = (int32_t)gjk_sar64(n->y, shift);
+  of->n.z = (int32_t)gjk_sar64(n->z, shift);
+  // Positive, and below 2^62: the normal is near to the direction.
+  const uint64_t along = gjk_magnitude64(gjk_dot(&of->n, &face->direction)) | 1u;
+  of->zeros = gjk_clz64(along);
+  of->inverse = gjk_reciprocal((uint32_t)(along << of->zeros >> 32));
+}
+
+// The distance of p before the plane as m / 2^k LSB, 0 <= k <= 32; the scale 30 cancels the direction's length, 2^30.
+//   off by 2^-28 of itself and 2^-32; in 30 bits by 1/8 LSB more:  |m| < 2^31
+static int32_t measure_gap(const face_plane *of, const gjk_vec3 *p, unsigned *k) {
+  const gjk_vec3 step = gjk_sub(*p, of->face->corner[0]);
+  if (of->exact) {
+    gjk_u128 size;
+    const int sign = measure_side(&of->face->normal, &step, &size);
+    return sign * gjk_divide(&size, &of->divisor, 30, k);
+  }
+  const int64_t along = gjk_dot(&of->n, &step);  // |n| < 2^30, |step| < 2^(GRID_BITS + 1) per component: below 2^57
+  const uint64_t size = gjk_magnitude64(along);
+  const unsigned zeros = gjk_clz64(size | 1u);
+  // size / (n . direction) = top / bottom 2^(of->zeros - zeros), and the share is 2^30 top / bottom, from 2^29 to 2^31.
+  const uint32_t share = gjk_umulh32((uint32_t)(size << zeros >> 32), of->inverse) >> 1;
+  // The gap is below 2^(GRID_BITS + 2) LSB, so zeros exceeds of->zeros.
+  const unsigned scale = zeros > of->zeros ? zeros - of->zeros : 0, cut = scale > 32 ? scale - 32 : 0;
+  *k = scale - cut;
+  const int32_t m = cut > 31 ? 0 : (int32_t)(share >> cut);
+  return along < 0 ? -m : m;
+}
+
+// Step 2: adds corners of one polygon with the points across from them on the plane of the other.
 static void add_corners(clip *c, const gjk_polygon *from, unsigned which, const gjk_polygon *onto) {
-  gjk_u128 size;
-  gjk_divisor divisor;
-  measure_side(&onto->normal, &onto->direction, &size);
-  gjk_divisor_set(&divisor, &size);
+  const gjk_vec3 *d = &onto->direction;
+  face_plane plane;
+  set_plane(&plane, onto, c->flat.bits > GRID_BITS);
   for (unsigned i = 0; i < from->count; i++) {
     if ((which >> i & 1u) == 0) {
       continue;
     }
-    const gjk_vec3 *p = &from->corner[i], *d = &onto->direction;
-    const gjk_vec3 step = gjk_sub(*p, onto->corner[0]);
-    const int sign = measure_side(&onto->normal, &step, &size);
-    // The scale 30 cancels the direction's length, 2^30.
-    //   g = m / 2^k LSB     off by 2^-28 of itself and 2^-32;  |m| < 2^31, 0 <= k <= 32
-    //   m d.x + half        |m d.x| <= 2^61, half <= 2^61:     below 2^62
+    const gjk_vec3 *p = &from->corner[i];
     unsigned k;
-    const int32_t m = sign * gjk_divide(&size, &divisor, 30, &k);
+    const int32_t m = measure_gap(&plane, p, &k);
+    //   m d.x + half        |m d.x| <= 2^61, half <= 2^61:     below 2^62
     const int64_t half = INT64_C(1) << (29 + k);
     const gjk_vec3 across = {p->x - (int32_t)gjk_sar64(gjk_mul32(m, d->x) + half, 30 + k),
                              p->y - (int32_t)gjk_sar64(gjk_mul32(m, d->y) + half, 30 + k),
@@ -188,21 +261,37 @@ static void add_corners(clip *c, const gjk_polygon *from, unsigned which, const 
   }
 }
 
-// The point that divides the way from one point to another as part to rest.
-//   share.high       within 3 of 2^31 times the exact share
-//   edge             at most 2^29 long:  the share moves the point by at most 3/4 LSB
-//   result           per component to the nearest LSB
-static gjk_vec3 interpolate(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_u128 *part, const gjk_u128 *rest) {
-  gjk_u128 whole = *rest;
+// A part of the way from one point to another.
+//   share    Q31, within 3 of the exact one
+//   edge     at most 2^29 long:  the share moves the point by at most 3/4 LSB
+//   result   per component to the nearest LSB
+static gjk_vec3 point_between(const gjk_vec3 *from, const gjk_vec3 *to, int32_t share) {
   const gjk_vec3 edge = gjk_sub(*to, *from);
   const int64_t half = INT64_C(1) << 30;
+  const gjk_vec3 at = {from->x + (int32_t)gjk_sar64(gjk_mul32(edge.x, share) + half, 31),
+                       from->y + (int32_t)gjk_sar64(gjk_mul32(edge.y, share) + half, 31),
+                       from->z + (int32_t)gjk_sar64(gjk_mul32(edge.z, share) + half, 31)};
+  return at;
+}
+
+// The point that divides the way from one point to another as part to rest.
+static gjk_vec3 interpolate(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_u128 *part, const gjk_u128 *rest) {
+  gjk_u128 whole = *rest;
   gjk_barycentric share;
   gjk_u128_add(&whole, part);
   gjk_weights(part, 1, &whole, false, &share);
-  const gjk_vec3 at = {from->x + (int32_t)gjk_sar64(gjk_mul32(edge.x, share.high) + half, 31),
-                       from->y + (int32_t)gjk_sar64(gjk_mul32(edge.y, share.high) + half, 31),
-                       from->z + (int32_t)gjk_sar64(gjk_mul32(edge.z, share.high) + half, 31)};
-  return at;
+  return point_between(from, to, share.high);
+}
+
+// part / (part + rest), Q31; 0 where both are 0. Pre: each below 2^62.
+static int32_t share_of(uint64_t part, uint64_t rest) {
+  const uint64_t whole = part + rest;
+  if (whole == 0) {
+    return 0;
+  }
+  const unsigned zeros = gjk_clz64(whole);
+  const uint32_t share = gjk_umulh32((uint32_t)(part << zeros >> 32), gjk_reciprocal((uint32_t)(whole << zeros >> 32)));
+  return share < INT32_MAX ? (int32_t)share : INT32_MAX;
 }
 
 // Is v within near of the line with normal n, by size = |n . v|? The length of n is taken as |x| + |y| + |z|, at most
@@ -214,19 +303,45 @@ static bool is_near_line(const gjk_long3 *n, const gjk_u128 *size, uint32_t near
   return (size->high << 32 | size->low >> 32) <= gjk_umul32(length, near);
 }
 
-// Where p's edge from corner i crosses line k of the other polygon. Sets *flat when the edge's inner end is near that
-// line.
-static gjk_vec3 crossing(const clip *c, const gjk_polygon *p, unsigned i, const gjk_polygon *other,
-                         const sides *of_other, unsigned k, bool *flat) {
-  const gjk_vec3 *from = &p->corner[i], *to = &p->corner[next_corner(p, i)];
-  const gjk_vec3 step = gjk_sub(*from, other->corner[k]), step2 = gjk_sub(*to, other->corner[k]);
+// An edge of one polygon and a line of the other, with what step 1 knows of them.
+typedef struct edge_and_line {
+  const gjk_polygon *p, *other;
+  const gjk_flat_point *of_p, *of_other;
+  const sides *lines;  // of other
+  unsigned i, k;
+} edge_and_line;
+
+// The point where edge i of p crosses line k of other, by exact products.
+GJK_OUT_OF_LINE static gjk_vec3 exact_crossing(const clip *c, const edge_and_line *x, bool *flat) {
+  const gjk_vec3 *from = &x->p->corner[x->i], *to = &x->p->corner[next_corner(x->p, x->i)];
+  const gjk_vec3 *start = &x->other->corner[x->k], step = gjk_sub(*from, *start), step2 = gjk_sub(*to, *start);
   gjk_long3 n;
   gjk_u128 part, rest;
-  line_normal(other, k, &n);
+  line_normal(x->other, x->k, &n);
   measure_side(&n, &step, &part);
   measure_side(&n, &step2, &rest);
-  *flat = *flat || is_near_line(&n, (of_other->inside[k] >> i & 1u) != 0 ? &part : &rest, c->near);
+  *flat = *flat || is_near_line(&n, (x->lines->inside[x->k] >> x->i & 1u) != 0 ? &part : &rest, c->near);
   return interpolate(from, to, &part, &rest);
+}
+
+// The same on the grid. Both edges divide each other by the same two lines, so their points lie across from each other. An
+// end that the exact sign and the rounded one have on different sides is on the line.
+// flat is set where the end on the inside is near to the line.
+static gjk_vec3 crossing(const clip *c, const edge_and_line *x, bool *flat) {
+  if (c->flat.bits > GRID_BITS) {
+    return exact_crossing(c, x, flat);
+  }
+  const unsigned next = next_corner(x->p, x->i);
+  const bool leaves = (x->lines->outside[x->k] >> next & 1u) != 0, turned = x->other == c->b;
+  const gjk_flat_point *start = &x->of_other[x->k];
+  const gjk_flat_point line = gjk_flat_way(start, &x->of_other[next_corner(x->other, x->k)]);
+  const int64_t from = gjk_flat_cross(line, gjk_flat_way(start, &x->of_p[x->i]));
+  const int64_t to = gjk_flat_cross(line, gjk_flat_way(start, &x->of_p[next]));
+  const int64_t part = leaves != turned ? from : -from, rest = leaves != turned ? -to : to;
+  const uint64_t sizes[2] = {part > 0 ? (uint64_t)part : 0, rest > 0 ? (uint64_t)rest : 0};
+  const uint64_t near = gjk_umul32(gjk_flat_near(&c->flat, c->near), gjk_flat_length(line));
+  *flat = *flat || sizes[leaves ? 0 : 1] <= near;
+  return point_between(&x->p->corner[x->i], &x->p->corner[next], share_of(sizes[0], sizes[1]));
 }
 
 // Does p's edge from corner i cross line k of the other polygon? An end on the line of a face is no crossing: step 2
@@ -253,7 +368,9 @@ static bool edges_continue(const clip *c, unsigned i, unsigned k) {
 static void add_crossing(clip *c, unsigned i, unsigned k) {
   const gjk_polygon *a = c->a, *b = c->b;
   bool flat = false;
-  const gjk_vec3 on_a = crossing(c, a, i, b, &c->of_b, k, &flat), on_b = crossing(c, b, k, a, &c->of_a, i, &flat);
+  const edge_and_line of_a = {a, b, c->flat.a, c->flat.b, &c->of_b, i, k},
+                      of_b = {b, a, c->flat.b, c->flat.a, &c->of_a, k, i};
+  const gjk_vec3 on_a = crossing(c, &of_a, &flat), on_b = crossing(c, &of_b, &flat);
   unsigned feature_a = feature_at(c, a, &on_a, gjk_feature_of(a)),
            feature_b = feature_at(c, b, &on_b, gjk_feature_of(b));
   const bool inside_both = feature_a == gjk_feature_of(a) && feature_b == gjk_feature_of(b);
@@ -299,8 +416,9 @@ static void drop_slivers(clip *c) {
 }
 
 static void clip_faces(clip *c) {
-  find_sides(c->a, c->b, &c->of_a);
-  find_sides(c->b, c->a, &c->of_b);
+  gjk_flat_set(&c->flat, c->a, c->b);
+  find_sides(c->a, c->flat.a, c->b, c->flat.b, false, &c->of_a);
+  find_sides(c->b, c->flat.b, c->a, c->flat.a, true, &c->of_b);
   if (c->a->count > 2) {
     add_corners(c, c->b, corners_inside(c->a, &c->of_a), c->a);
   }
