@@ -155,8 +155,14 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   const gjk_cache *from = !gjk_pair_is_curved(it) && cache != NULL && cache->count < 4 ? cache : NULL;
   o->facet.found = false;
   if (it->shift >= 0 && gjk_is_box_pair(it)) {
-    const gjk_box_sat_answer answer = gjk_box_sat(it, &o->facet);
+    unsigned plane = cache != NULL ? cache->a[3] : 0;
+    const gjk_box_sat_answer answer = gjk_box_sat(it, &plane, &o->facet);
     if (answer == GJK_BOX_SAT_FACET) {
+      if (cache != NULL) {
+        // A feature has three pairs at most, so the plane takes the place of a fourth.
+        cache->a[3] = (uint16_t)plane;
+        cache->count = cache->count > 3 ? 3 : cache->count;
+      }
       o->iterations = 0;
       return GJK_OUTCOME_ENCLOSING;
     }

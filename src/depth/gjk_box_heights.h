@@ -1,0 +1,40 @@
+// The heights of the planes that may bound two boxes, segments or points: cheap bounds of them.
+#ifndef GJK_SRC_BOX_HEIGHTS_H
+#define GJK_SRC_BOX_HEIGHTS_H
+
+#include "../arith/gjk_vector.h"
+
+// Half axes by slots: 0 to 2 of A, 3 to 5 of B; one that a shape has not is 0.
+#define GJK_BOX_AXES 6
+
+// The planes by number: faces of A across its half axes 0, 1, 2; faces of B; edge i of A with edge j of B: 6 + 3 i + j.
+#define GJK_BOX_PLANES 15
+
+// How far sum is off its true value.
+#define GJK_BOX_SUM_ERROR 9
+
+// With N for a plane's normal / 2^32, as made of scaled half axes, the plane's height in the frame is 2^32 s / |N|.
+typedef struct gjk_box_heights {
+  int32_t sum[GJK_BOX_PLANES];       // s, within GJK_BOX_SUM_ERROR; below 2^30 in size
+  uint64_t squared[GJK_BOX_PLANES];  // |N|^2 at most, and too large by at most 2^33; below 2^60
+  uint16_t present;                  // bit k: plane k is set, the shapes have both its half axes
+} gjk_box_heights;
+
+// Sets the heights. of_a, of_b: how many half axes the shapes have, 0, 1 or 3.
+// Pre: |delta| <= 2^30; components of half axes at most 2^30 in size; the lengths of all together below 2^31.
+void gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delta, unsigned of_a, unsigned of_b,
+                         gjk_box_heights *out);
+
+// Is the height of plane k surely above most? Pre: 0 <= most.
+//   height >= 2^32 (sum - error) / |N|, and the square of that exceeds most^2 where
+//   (sum - error)^2 > (most^2 / 2^32) (|N|^2 / 2^32):   both factors are rounded up, to at most 2^30 and 2^28
+static inline bool gjk_box_height_exceeds(const gjk_box_heights *h, unsigned k, int32_t most) {
+  const int32_t sum = h->sum[k] - GJK_BOX_SUM_ERROR;
+  const uint32_t square = (uint32_t)gjk_high32(gjk_mul32(most, most)) + 1;
+  return sum > 0 && (uint64_t)gjk_mul32(sum, sum) > gjk_umul32(square, (uint32_t)(h->squared[k] >> 32) + 1);
+}
+
+// Bounds of the height of plane k. high is INT32_MAX where the normal is too short to tell.
+void gjk_box_height_bounds(const gjk_box_heights *h, unsigned k, int32_t *low, int32_t *high);
+
+#endif
