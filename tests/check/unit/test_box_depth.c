@@ -99,8 +99,8 @@ static void random_pair(void) {
                            random_offset(shapes[0].size.y + shapes[1].size.y),
                            random_offset(shapes[0].size.z + shapes[1].size.z)};
   if (random_below(&now, 4) == 0) {
-    pose_a.position.x = random_range(&now, -INT32_C(1) << 30, INT32_C(1) << 30);
-    pose_a.position.y = random_range(&now, -INT32_C(1) << 30, INT32_C(1) << 30);
+    pose_a.position.x = random_range(&now, -GJK_Q30_ONE, GJK_Q30_ONE);
+    pose_a.position.y = random_range(&now, -GJK_Q30_ONE, GJK_Q30_ONE);
   }
   (void)gjk_pose_apply(&pose_a, &offset, &pose_b.position);
   memset(&a, 0, sizeof a);
@@ -213,7 +213,8 @@ static void check_bounds(const plane planes[15], const gjk_vec3 axis[6], const g
       const int32_t below = height < 1 ? 0 : (int32_t)height;
       CHECK(!gjk_box_height_exceeds(&h, k, below + 1));
       CHECK(height < 0 || h.sum[k] >= -GJK_BOX_SUM_ERROR);
-      CHECK(low == INT32_MIN || high - low < 5 * 131072 + height / 4);
+      CHECK_MSG(low == INT32_MIN || (double)high - low < 327684 + (fabs(height) + 262144) / 4, "%ld to %ld, %f",
+                (long)low, (long)high, height);
     }
   }
 }
@@ -239,7 +240,7 @@ static void check_caches(const gjk_penetration_result *cold) {
   }
 }
 
-// Swapped: the opposite normal, where no other direction is as deep.
+// Swapped: the opposite normal, where no other direction is of the least depth.
 static void check_swapped(const gjk_penetration_result *r) {
   gjk_penetration_result s;
   CHECK(gjk_penetration(&b, &a, NULL, NULL, &s) == GJK_OK && s.depth == r->depth);
@@ -290,17 +291,13 @@ static void check_pair(unsigned long trial) {
   CHECK(r.certificate.proof == GJK_PROOF_FACET && r.certificate.count == 3);
   // The certificate's plane, by its corners in LSB.
   int64_t e[2][3], n[3];
-  exact_point corner[3];
   for (int i = 0; i < 3; i++) {
     const exact_point p = exact_vertex(&a, r.certificate.a[i]), q = exact_vertex(&b, r.certificate.b[i]);
-    corner[i].x = p.x - q.x;
-    corner[i].y = p.y - q.y;
-    corner[i].z = p.z - q.z;
-  }
-  for (int i = 0; i < 2; i++) {
-    e[i][0] = corner[i + 1].x - corner[0].x;
-    e[i][1] = corner[i + 1].y - corner[0].y;
-    e[i][2] = corner[i + 1].z - corner[0].z;
+    for (int j = 0; j < 3; j++) {
+      const int64_t x = p.x[j] - q.x[j];
+      e[0][j] = i == 0 ? -x : i == 1 ? e[0][j] + x : e[0][j];
+      e[1][j] = i == 0 ? -x : i == 2 ? e[1][j] + x : e[1][j];
+    }
   }
   for (int i = 0; i < 3; i++) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -312,7 +309,8 @@ static void check_pair(unsigned long trial) {
   }
   ties += tie;
   check_caches(&r);
-  if (!tie && least->along.sign > 0) {
+  // Across delta both sides are as near.
+  if (!tie && exact_size(least->n, &delta).sign != 0) {
     unique++;
     check_swapped(&r);
   }
