@@ -27,6 +27,9 @@
 
 #define AXES GJK_BOX_AXES
 
+// The planes below this number are across faces.
+#define FACES 6
+
 // Two boxes, segments or points, in the frame of the pair.
 typedef struct box_pair {
   gjk_iteration *it;
@@ -98,6 +101,12 @@ typedef struct facet_triangle {
   unsigned signs[3];  // the corners as of vertex_of_signs, counterclockwise seen against the normal
 } facet_triangle;
 
+static void place_corners(const facet_triangle *t) {
+  for (int i = 0; i < 3; i++) {
+    vertex_of_signs(t->pair, t->signs[i], &t->pair->it->simplex.slot[i]);
+  }
+}
+
 // Replaces the corner opposite to the edge from corner i by the vertex of the facet farthest beyond that edge. False:
 // no vertex lies beyond.
 static bool flip_over_edge(facet_triangle *t, unsigned i) {
@@ -127,9 +136,7 @@ static bool reach_projection(facet_triangle *t) {
   gjk_simplex *s = &t->pair->it->simplex;
   // A facet has at most 2 AXES vertices, and no vertex is left behind twice.
   for (int flips = 0; flips < 2 * AXES; flips++) {  // not reached: the ceiling
-    for (int i = 0; i < 3; i++) {
-      vertex_of_signs(t->pair, t->signs[i], &s->slot[i]);
-    }
+    place_corners(t);
     const unsigned edge = gjk_simplex_set(s, 3) ? 3 : gjk_simplex_beyond(s);
     if (edge == 3) {
       return true;
@@ -302,7 +309,28 @@ static bool is_apart(const box_pair *pair, const gjk_box_heights *h) {
   return false;
 }
 
-gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, gjk_facet *facet) {
+// Steps 6, where the projection counts, and 7.
+static gjk_box_sat_answer offer_facet(const box_pair *pair, const box_plane *plane, bool points, gjk_facet *facet) {
+  gjk_simplex *s = &pair->it->simplex;
+  facet_triangle t = {
+      pair, plane->in_plane, {plane->signs, plane->signs | 1u << plane->i, plane->signs | 1u << plane->j}};
+  bool covers = true;
+  if (points) {
+    covers = reach_projection(&t);
+  } else {
+    place_corners(&t);
+    gjk_simplex_clear(s);
+    s->count = 3;
+    s->normal = plane->n;
+  }
+  if (gjk_dot_sign(&plane->n, &s->slot[0].w) < 0) {
+    return GJK_BOX_SAT_APART;
+  }
+  gjk_facet_consider(facet, pair->it, covers, -1);
+  return GJK_BOX_SAT_FACET;
+}
+
+gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, bool *points, gjk_facet *facet) {
   gjk_box_heights heights;
   box_pair pair;
   box_plane slot[2];
@@ -319,19 +347,11 @@ gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, gjk_facet *f
   if (plane == NULL || plane->in_plane == (1u << AXES) - 1) {
     return GJK_BOX_SAT_FLAT;
   }
-  facet_triangle t = {
-      &pair, plane->in_plane, {plane->signs, plane->signs | 1u << plane->i, plane->signs | 1u << plane->j}};
   if (plane->measured) {
     it->direction = plane->direction;
   } else {
     gjk_search_direction_of(&plane->n, &it->direction);
   }
-  // Step 6.
-  const bool covers = reach_projection(&t);
-  // Step 7.
-  if (gjk_dot_sign(&plane->n, &it->simplex.slot[0].w) < 0) {
-    return GJK_BOX_SAT_APART;
-  }
-  gjk_facet_consider(facet, it, covers, -1);
-  return GJK_BOX_SAT_FACET;
+  *points = *points || *number >= FACES;
+  return offer_facet(&pair, plane, *points, facet);
 }
