@@ -13,9 +13,10 @@
 //   a . (b x delta)     as volumes
 //   sum of a face       four volumes, n . delta                    17/2; shifts make volumes' errors smaller, and add
 //   sum of an edge      four volumes, a . (b x delta)              35/4   less than they take
-//   |n|^2               2 sqrt(3) |n| + 3 < 2^32, either way       with |n| <= 3 2^28
-//   |a x b|^2           with p, q for |a|^2, |b|^2 / 2^32 and r for |a . b| / 2^32, each <= 3 2^28:
-//                       from p q - (r + 1)^2 to (p + 1) (q + 1) - (r - 1)^2, where r >= 1:   apart by < 2^33
+//   |n|^2 / 2^32        from -1 to 2 more than its whole part      2 sqrt(3) |n| + 3 < 2^32
+//   |a x b|^2 / 2^32    from -2 to 2 more than the difference of whole parts: with p, q for |a|^2, |b|^2 / 2^32 and r
+//                       for |a . b| / 2^32, each at most 3 2^28, |a x b|^2 / 2^64 is at least p q - (r + 1)^2 and at
+//                       most (p + 1) (q + 1) - (r - 1)^2, where r >= 1; p + q + 2 r + 1 < 2^32
 #include "gjk_box_heights.h"
 
 #include "../arith/gjk_root.h"
@@ -83,7 +84,7 @@ static void set_faces(box_side *side, const box_side *other, const gjk_vec3 *del
       volumes += side->volume[m][k];
     }
     out->sum[number + m] = own + gjk_sar32(volumes, other->shift) - size_of(high_dot(&n, delta));
-    out->squared[number + m] = (uint64_t)gjk_dot(&n, &n) + (UINT64_C(1) << 32);
+    out->squared[number + m] = (uint32_t)high_dot(&n, &n) + 2;
   }
   out->present = (uint16_t)(out->present | 7u << number);
 }
@@ -105,8 +106,8 @@ static void set_edges(const box_side *a, const box_side *b, const gjk_vec3 *delt
       out->sum[k] = gjk_sar32(across - a->volume[i][j], a->shift) +
                     gjk_sar32(b->volume[next][i] + b->volume[last][i], b->shift) -
                     size_of(high_dot(&a->axis[i], &turned));
-      // p q <= 9 2^56; the difference is that of exact squares at least, and not negative with what is added
-      out->squared[k] = gjk_umul32(p[i], q) + p[i] + q + 2 * (uint64_t)r + 1 - gjk_umul32(r, r);
+      // p q <= 9 2^56. Not negative: at least the exact square.
+      out->squared[k] = gjk_umulh32(p[i], q) + 2 - gjk_umulh32(r, r);
       out->present = (uint16_t)(out->present | 1u << k);
     }
   }
@@ -123,23 +124,24 @@ void gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delt
   set_edges(&a, &b, delta, out);
 }
 
-// With squared = 2^(32 - 2 z) x, 2^30 <= x < 2^32, and y = 2^46 / sqrt(x):
+// With squared = 2^(-2 z) x, 2^30 <= x < 2^32, and y = 2^46 / sqrt(x):
 //   height      2^32 s / |N| = s y 2^(z - 30)
 //   s           off by at most 9:                                 9 2^(z - 30) y < 18 2^z
-//   y           off by at most 3/2, and x by 1:  height < 2^31    less than 6
-//   squared     up to 2^33 too large, where it is >= 2^36:        2^33 / |N|^2 <= 2^34 / squared <= 2^(2 z - 28)
-//               so 1 / |N| is larger by at most                   2^(2 z - 29) of itself
-//   with z >= 2, 20 2^z and the height / 2^(29 - 2 z) bound all, and its rounding.
+//   y           off by at most 3/2:  height < 2^31                less than 4
+//   squared     up to 4 too large, where it is at least 64:       4 / (squared - 4) <= 8 / squared <= 2^(2 z - 27)
+//               so 1 / |N| is larger by at most                   2^(2 z - 28) of itself
+//   with z >= 2, 20 2^z and the height / 2^(28 - 2 z) bound all, and its rounding.
 void gjk_box_height_bounds(const gjk_box_heights *h, unsigned k, int32_t *low, int32_t *high) {
-  const unsigned z = gjk_clz64(h->squared[k]) / 2;  // squared < 2^60:  z >= 2
-  if (z > 13) {
+  const uint32_t squared = h->squared[k];
+  if (squared < 64) {
     *low = INT32_MIN;
     *high = INT32_MAX;
     return;
   }
-  const uint32_t y = gjk_reciprocal_root(gjk_upper32(h->squared[k], 2 * z));
+  const unsigned z = gjk_clz32(squared) / 2;  // squared < 2^28:  2 <= z <= 12
+  const uint32_t y = gjk_reciprocal_root(squared << (2 * z));
   const int32_t height = (int32_t)gjk_sar64(gjk_mul32(h->sum[k], (int32_t)y), 30 - z);
-  const int32_t error = gjk_shl32(20, z) + gjk_sar32(size_of(height), 29 - 2 * z);
+  const int32_t error = gjk_shl32(20, z) + gjk_sar32(size_of(height), 28 - 2 * z);
   *low = height - error;
   *high = height + error;
 }

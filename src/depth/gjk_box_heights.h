@@ -16,7 +16,7 @@
 // With N for a plane's normal / 2^32, as made of scaled half axes, the plane's height in the frame is 2^32 s / |N|.
 typedef struct gjk_box_heights {
   int32_t sum[GJK_BOX_PLANES];       // s, within GJK_BOX_SUM_ERROR; below 2^30 in size
-  uint64_t squared[GJK_BOX_PLANES];  // |N|^2 at most, and too large by at most 2^33; below 2^60
+  uint32_t squared[GJK_BOX_PLANES];  // |N|^2 / 2^32 at most, and too large by at most 4; below 2^28
   uint16_t present;                  // bit k: plane k is set, the shapes have both its half axes
 } gjk_box_heights;
 
@@ -25,13 +25,16 @@ typedef struct gjk_box_heights {
 void gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delta, unsigned of_a, unsigned of_b,
                          gjk_box_heights *out);
 
-// Is the height of plane k surely above most? Pre: 0 <= most.
-//   height >= 2^32 (sum - error) / |N|, and the square of that exceeds most^2 where
-//   (sum - error)^2 > (most^2 / 2^32) (|N|^2 / 2^32):   both factors are rounded up, to at most 2^30 and 2^28
-static inline bool gjk_box_height_exceeds(const gjk_box_heights *h, unsigned k, int32_t most) {
+// What gjk_box_height_exceeds asks of a height: its square / 2^32, rounded up to at most 2^30. Pre: 0 <= height.
+static inline uint32_t gjk_box_height_square(int32_t height) {
+  return (uint32_t)gjk_high32(gjk_mul32(height, height)) + 1;
+}
+
+// Is the height of plane k surely above the one that has this square?
+//   height >= 2^32 (sum - error) / |N|, the square of which is (sum - error)^2 / (|N|^2 / 2^32) 2^32
+static inline bool gjk_box_height_exceeds(const gjk_box_heights *h, unsigned k, uint32_t square) {
   const int32_t sum = h->sum[k] - GJK_BOX_SUM_ERROR;
-  const uint32_t square = (uint32_t)gjk_high32(gjk_mul32(most, most)) + 1;
-  return sum > 0 && (uint64_t)gjk_mul32(sum, sum) > gjk_umul32(square, (uint32_t)(h->squared[k] >> 32) + 1);
+  return sum > 0 && (uint64_t)gjk_mul32(sum, sum) > gjk_umul32(square, h->squared[k]);
 }
 
 // Bounds of the height of plane k. high is INT32_MAX where the normal is too short to tell.

@@ -261,18 +261,24 @@ static bool is_lower(const box_pair *pair, box_plane *p, box_plane *q) {
 // Step 2. Returns the numbers of planes that may be the least, as bits. first: the plane to begin with.
 static unsigned bound_heights(const gjk_box_heights *h, unsigned first) {
   int32_t low[GJK_BOX_PLANES], most = INT32_MAX;
+  uint32_t square = gjk_box_height_square(most);
   unsigned bounded = 0, least = 0;
   for (unsigned n = 0; n <= GJK_BOX_PLANES; n++) {
     const unsigned k = n == 0 ? first : n - 1;
-    if (k < GJK_BOX_PLANES && (h->present & ~bounded) >> k & 1u && !gjk_box_height_exceeds(h, k, most)) {
+    if (k < GJK_BOX_PLANES && ((h->present & ~bounded) >> k & 1u) != 0 && !gjk_box_height_exceeds(h, k, square)) {
       int32_t high;
       gjk_box_height_bounds(h, k, &low[k], &high);
       bounded |= 1u << k;
-      most = high >= most ? most : high > 0 ? high : 0;
+      if (high < most) {
+        most = high > 0 ? high : 0;
+        square = gjk_box_height_square(most);
+      }
     }
   }
   for (unsigned k = 0; k < GJK_BOX_PLANES; k++) {
-    least |= (bounded >> k & 1u) != 0 && low[k] <= most && !gjk_box_height_exceeds(h, k, most) ? 1u << k : 0;
+    if ((bounded >> k & 1u) != 0 && low[k] <= most && !gjk_box_height_exceeds(h, k, square)) {
+      least |= 1u << k;
+    }
   }
   return least;
 }
@@ -318,8 +324,11 @@ static gjk_box_sat_answer offer_facet(const box_pair *pair, const box_plane *pla
   if (points) {
     covers = reach_projection(&t);
   } else {
-    place_corners(&t);
     gjk_simplex_clear(s);
+    vertex_of_signs(pair, plane->signs, &s->slot[0]);
+    s->slot[1] = s->slot[2] = s->slot[0];
+    s->slot[1].w = gjk_add(gjk_add(s->slot[0].w, pair->axis[plane->i]), pair->axis[plane->i]);
+    s->slot[2].w = gjk_add(gjk_add(s->slot[0].w, pair->axis[plane->j]), pair->axis[plane->j]);
     s->count = 3;
     s->normal = plane->n;
   }

@@ -211,7 +211,7 @@ static void check_bounds(const plane planes[15], const gjk_vec3 axis[6], const g
       gjk_box_height_bounds(&h, k, &low, &high);
       CHECK_MSG(low <= height + 1e-3 && high >= height - 1e-3, "%u: %ld, %f, %ld", k, (long)low, height, (long)high);
       const int32_t below = height < 1 ? 0 : (int32_t)height;
-      CHECK(!gjk_box_height_exceeds(&h, k, below + 1));
+      CHECK(!gjk_box_height_exceeds(&h, k, gjk_box_height_square(below + 1)));
       CHECK(height < 0 || h.sum[k] >= -GJK_BOX_SUM_ERROR);
       CHECK_MSG(low == INT32_MIN || (double)high - low < 327684 + (fabs(height) + 262144) / 4, "%ld to %ld, %f",
                 (long)low, (long)high, height);
