@@ -17,6 +17,8 @@
 typedef struct gjk_box_heights {
   int32_t sum[GJK_BOX_PLANES];       // s, within GJK_BOX_SUM_ERROR; below 2^30 in size
   uint32_t squared[GJK_BOX_PLANES];  // |N|^2 / 2^32 at most, and too large by at most 4; below 2^28
+  int32_t lowest;                    // of the sums, or 0
+  uint16_t plane;                    // that has it, where it is below 0
   uint16_t present;                  // bit k: plane k is set, the shapes have both its half axes
 } gjk_box_heights;
 

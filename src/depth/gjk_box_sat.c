@@ -258,39 +258,64 @@ static bool is_lower(const box_pair *pair, box_plane *p, box_plane *q) {
   return is_lower_exactly(pair, p, q);
 }
 
-// Step 2. Returns the numbers of planes that may be the least, as bits. first: the plane to begin with.
-static unsigned bound_heights(const gjk_box_heights *h, unsigned first) {
-  int32_t low[GJK_BOX_PLANES], most = INT32_MAX;
-  uint32_t square = gjk_box_height_square(most);
-  unsigned bounded = 0, least = 0;
-  for (unsigned n = 0; n <= GJK_BOX_PLANES; n++) {
-    const unsigned k = n == 0 ? first : n - 1;
-    if (k < GJK_BOX_PLANES && ((h->present & ~bounded) >> k & 1u) != 0 && !gjk_box_height_exceeds(h, k, square)) {
-      int32_t high;
-      gjk_box_height_bounds(h, k, &low[k], &high);
-      bounded |= 1u << k;
-      if (high < most) {
-        most = high > 0 ? high : 0;
-        square = gjk_box_height_square(most);
-      }
-    }
+// The planes whose heights are bounded so far.
+typedef struct bounded_planes {
+  int32_t low[GJK_BOX_PLANES];  // of the height
+  uint8_t number[GJK_BOX_PLANES];
+  unsigned count;
+  int32_t most;     // the least height is at most that, or at most 0
+  uint32_t square;  // gjk_box_height_square of it
+} bounded_planes;
+
+// Step 2 for plane k.
+static inline void bound_plane(const gjk_box_heights *h, unsigned k, bounded_planes *planes) {
+  int32_t high;
+  if (gjk_box_height_exceeds(h, k, planes->square)) {
+    return;
+  }
+  gjk_box_height_bounds(h, k, &planes->low[planes->count], &high);
+  planes->number[planes->count] = (uint8_t)k;
+  planes->count++;
+  if (high < planes->most) {
+    planes->most = high > 0 ? high : 0;
+    planes->square = gjk_box_height_square(planes->most);
+  }
+}
+
+// Step 2. first: the plane to begin with.
+static void bound_heights(const gjk_box_heights *h, unsigned first, bounded_planes *planes) {
+  const unsigned begin = first < GJK_BOX_PLANES && (h->present >> first & 1u) != 0 ? first : GJK_BOX_PLANES;
+  planes->count = 0;
+  planes->most = INT32_MAX;
+  planes->square = gjk_box_height_square(INT32_MAX);
+  if (begin < GJK_BOX_PLANES) {
+    bound_plane(h, begin, planes);
   }
   for (unsigned k = 0; k < GJK_BOX_PLANES; k++) {
-    if ((bounded >> k & 1u) != 0 && low[k] <= most && !gjk_box_height_exceeds(h, k, square)) {
-      least |= 1u << k;
+    if ((h->present >> k & 1u) != 0 && k != begin) {
+      bound_plane(h, k, planes);
     }
   }
-  return least;
+  // The first one to its place in the order of numbers.
+  for (unsigned n = 1; n < planes->count && planes->number[n - 1] > planes->number[n]; n++) {
+    const int32_t low = planes->low[n];
+    const uint8_t number = planes->number[n];
+    planes->low[n] = planes->low[n - 1];
+    planes->number[n] = planes->number[n - 1];
+    planes->low[n - 1] = low;
+    planes->number[n - 1] = number;
+  }
 }
 
 // Steps 3 and 4. NULL: all half axes are parallel.
-static box_plane *least_plane(const box_pair *pair, unsigned candidates, box_plane slot[2], unsigned *number) {
+static box_plane *least_plane(const box_pair *pair, const gjk_box_heights *h, const bounded_planes *planes,
+                              box_plane slot[2], unsigned *number) {
   box_plane *least = NULL, *next = &slot[0];
-  for (unsigned k = 0; k < GJK_BOX_PLANES; k++) {
-    const unsigned both = 1u << half_axes[k][0] | 1u << half_axes[k][1];
-    const bool same = least != NULL && (least->in_plane & both) == both;
-    if ((candidates >> k & 1u) != 0 && !same && set_plane(pair, k, next) &&
-        (least == NULL || is_lower(pair, next, least))) {
+  for (unsigned n = 0; n < planes->count; n++) {
+    const unsigned k = planes->number[n], both = 1u << half_axes[k][0] | 1u << half_axes[k][1];
+    const bool is_new = planes->low[n] <= planes->most && !gjk_box_height_exceeds(h, k, planes->square) &&
+                        (least == NULL || (least->in_plane & both) != both);
+    if (is_new && set_plane(pair, k, next) && (least == NULL || is_lower(pair, next, least))) {
       least = next;
       next = least == &slot[0] ? &slot[1] : &slot[0];
       *number = k;
@@ -299,20 +324,15 @@ static box_plane *least_plane(const box_pair *pair, unsigned candidates, box_pla
   return least;
 }
 
-// Step 1. Returns whether a plane separates A from B for sure, along it->direction then.
-static bool is_apart(const box_pair *pair, const gjk_box_heights *h) {
-  for (unsigned k = 0; k < GJK_BOX_PLANES; k++) {
-    if ((h->present >> k & 1u) != 0 && h->sum[k] < -GJK_BOX_SUM_ERROR) {
-      gjk_long3 n;
-      gjk_cross(&pair->axis[half_axes[k][0]], &pair->axis[half_axes[k][1]], &n);
-      gjk_search_direction_of(&n, &pair->it->direction);
-      if (gjk_dot(&pair->it->direction.d, &pair->delta) > 0) {
-        pair->it->direction.d = gjk_negate(pair->it->direction.d);
-      }
-      return true;
-    }
+// Step 1. Makes it->direction the normal of plane k, which separates A from B.
+static void direct_across(const box_pair *pair, unsigned k) {
+  gjk_vec3 *d = &pair->it->direction.d;
+  gjk_long3 n;
+  gjk_cross(&pair->axis[half_axes[k][0]], &pair->axis[half_axes[k][1]], &n);
+  gjk_search_direction_of(&n, &pair->it->direction);
+  if (gjk_dot(d, &pair->delta) > 0) {
+    *d = gjk_negate(*d);
   }
-  return false;
 }
 
 // Steps 6, where the projection counts, and 7.
@@ -342,16 +362,19 @@ static gjk_box_sat_answer offer_facet(const box_pair *pair, const box_plane *pla
 gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, bool *points, gjk_facet *facet) {
   gjk_box_heights heights;
   box_pair pair;
+  bounded_planes planes;
   box_plane slot[2];
   if (it->a->count + it->b->count < 3) {
     return GJK_BOX_SAT_FLAT;
   }
   set_box_pair(&pair, it);
   gjk_box_heights_set(pair.axis, &pair.delta, pair.of_a, pair.of_b, &heights);
-  if (is_apart(&pair, &heights)) {
+  if (heights.lowest < -GJK_BOX_SUM_ERROR) {
+    direct_across(&pair, heights.plane);
     return GJK_BOX_SAT_APART;
   }
-  const box_plane *plane = least_plane(&pair, bound_heights(&heights, *number), slot, number);
+  bound_heights(&heights, *number, &planes);
+  const box_plane *plane = least_plane(&pair, &heights, &planes, slot, number);
   // Step 5.
   if (plane == NULL || plane->in_plane == (1u << AXES) - 1) {
     return GJK_BOX_SAT_FLAT;
