@@ -36,7 +36,7 @@ static inline uint32_t gjk_box_height_square(int32_t height) {
 //   height >= 2^32 (sum - error) / |N|, the square of which is (sum - error)^2 / (|N|^2 / 2^32) 2^32
 static inline bool gjk_box_height_exceeds(const gjk_box_heights *h, unsigned k, uint32_t square) {
   const int32_t sum = h->sum[k] - GJK_BOX_SUM_ERROR;
-  return sum > 0 && (uint64_t)gjk_mul32(sum, sum) > gjk_umul32(square, h->squared[k]);
+  return (sum > 0) & ((uint64_t)gjk_mul32(sum, sum) > gjk_umul32(square, h->squared[k]));
 }
 
 // Bounds of the height of plane k. high is INT32_MAX where the normal is too short to tell.

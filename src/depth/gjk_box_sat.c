@@ -86,6 +86,14 @@ static void vertex_of_signs(const box_pair *pair, unsigned signs, gjk_vertex *ou
   out->b = (uint16_t)(~signs >> 3 & ((1u << pair->of_b) - 1));
 }
 
+// *out = v with half axis k added, which it has subtracted.
+static void add_twice(const box_pair *pair, unsigned k, const gjk_vertex *v, gjk_vertex *out) {
+  const unsigned a = k < 3 ? 1u << k : 0, b = k < 3 ? 0 : 1u << (k - 3);
+  out->w = gjk_add(gjk_add(v->w, pair->axis[k]), pair->axis[k]);
+  out->a.vertex = (uint16_t)(v->a.vertex | a);
+  out->b = (uint16_t)(v->b & ~b);
+}
+
 // On which side of the edge e does v point, both in a facet seen against its normal? 1: left, 0: along e, -1: right.
 // The rounded normal suffices, since e x v is 0 or parallel to the exact one.
 static int side_of_edge(const gjk_vec3 *normal, const gjk_vec3 *e, const gjk_vec3 *v) {
@@ -101,16 +109,10 @@ typedef struct facet_triangle {
   unsigned signs[3];  // the corners as of vertex_of_signs, counterclockwise seen against the normal
 } facet_triangle;
 
-static void place_corners(const facet_triangle *t) {
-  for (int i = 0; i < 3; i++) {
-    vertex_of_signs(t->pair, t->signs[i], &t->pair->it->simplex.slot[i]);
-  }
-}
-
 // Replaces the corner opposite to the edge from corner i by the vertex of the facet farthest beyond that edge. False:
 // no vertex lies beyond.
 static bool flip_over_edge(facet_triangle *t, unsigned i) {
-  const gjk_simplex *s = &t->pair->it->simplex;
+  gjk_simplex *s = &t->pair->it->simplex;
   const unsigned j = gjk_next(i), start = t->signs[i], end = t->signs[j];
   const gjk_vec3 edge = gjk_sub(s->slot[j].w, s->slot[i].w);
   unsigned signs = start;
@@ -124,6 +126,10 @@ static bool flip_over_edge(facet_triangle *t, unsigned i) {
     }
   }
   if (beyond) {
+    const gjk_vertex first = s->slot[i], last = s->slot[j];
+    s->slot[0] = first;
+    vertex_of_signs(t->pair, signs, &s->slot[1]);
+    s->slot[2] = last;
     t->signs[0] = start;
     t->signs[1] = signs;
     t->signs[2] = end;
@@ -131,12 +137,11 @@ static bool flip_over_edge(facet_triangle *t, unsigned i) {
   return beyond;
 }
 
-// Step 6. Returns whether the triangle holds the origin's projection.
+// Step 6. Returns whether the triangle holds the origin's projection. Pre: its corners are in the slots.
 static bool reach_projection(facet_triangle *t) {
   gjk_simplex *s = &t->pair->it->simplex;
   // A facet has at most 2 AXES vertices, and no vertex is left behind twice.
   for (int flips = 0; flips < 2 * AXES; flips++) {  // not reached: the ceiling
-    place_corners(t);
     const unsigned edge = gjk_simplex_set(s, 3) ? 3 : gjk_simplex_beyond(s);
     if (edge == 3) {
       return true;
@@ -163,6 +168,13 @@ typedef struct box_plane {
 static const uint8_t half_axes[GJK_BOX_PLANES][2] = {{1, 2}, {2, 0}, {0, 1}, {4, 5}, {5, 3}, {3, 4}, {0, 3}, {0, 4},
                                                      {0, 5}, {1, 3}, {1, 4}, {1, 5}, {2, 3}, {2, 4}, {2, 5}};
 
+// gjk_dot_sign, with one branch, which rarely turns: either sign is as likely here.
+static inline int side_of_plane(const gjk_long3 *n, const gjk_vec3 *v) {
+  const gjk_vec3 high = {gjk_high32(n->x), gjk_high32(n->y), gjk_high32(n->z)};
+  const int32_t top = gjk_high32(gjk_dot(&high, v));
+  return top >= 1 || top < -1 ? gjk_sar32(top, 31) | 1 : gjk_dot_sign_exact(n, v);
+}
+
 // Sets a plane by its number. False: the half axes are parallel.
 static bool set_plane(const box_pair *pair, unsigned number, box_plane *out) {
   const unsigned i = half_axes[number][0], j = half_axes[number][1];
@@ -170,21 +182,20 @@ static bool set_plane(const box_pair *pair, unsigned number, box_plane *out) {
   if ((out->n.x | out->n.y | out->n.z) == 0) {
     return false;
   }
-  const bool opposite = gjk_dot_sign(&out->n, &pair->delta) > 0;
-  if (opposite) {
-    out->n.x = -out->n.x;
-    out->n.y = -out->n.y;
-    out->n.z = -out->n.z;
-  }
+  const bool opposite = side_of_plane(&out->n, &pair->delta) > 0;
+  const int64_t minus = -(int64_t)opposite;
+  out->n.x = (out->n.x ^ minus) - minus;
+  out->n.y = (out->n.y ^ minus) - minus;
+  out->n.z = (out->n.z ^ minus) - minus;
   out->i = opposite ? j : i;
   out->j = opposite ? i : j;
   out->in_plane = 1u << i | 1u << j;
   out->signs = 0;
   out->measured = false;
   for (unsigned k = 0; k < AXES; k++) {
-    const int side = k == i || k == j ? 0 : gjk_dot_sign(&out->n, &pair->axis[k]);
-    out->signs |= side > 0 ? 1u << k : 0;
-    out->in_plane |= side == 0 ? 1u << k : 0;
+    const int side = k == i || k == j ? 0 : side_of_plane(&out->n, &pair->axis[k]);
+    out->signs |= (unsigned)(side > 0) << k;
+    out->in_plane |= (unsigned)(side == 0) << k;
   }
   return true;
 }
@@ -338,17 +349,16 @@ static void direct_across(const box_pair *pair, unsigned k) {
 // Steps 6, where the projection counts, and 7.
 static gjk_box_sat_answer offer_facet(const box_pair *pair, const box_plane *plane, bool points, gjk_facet *facet) {
   gjk_simplex *s = &pair->it->simplex;
-  facet_triangle t = {
-      pair, plane->in_plane, {plane->signs, plane->signs | 1u << plane->i, plane->signs | 1u << plane->j}};
+  const unsigned i = 1u << plane->i, j = 1u << plane->j;
+  facet_triangle t = {pair, plane->in_plane, {plane->signs, plane->signs | i, plane->signs | j}};
+  vertex_of_signs(pair, plane->signs, &s->slot[0]);
+  add_twice(pair, plane->i, &s->slot[0], &s->slot[1]);
+  add_twice(pair, plane->j, &s->slot[0], &s->slot[2]);
   bool covers = true;
   if (points) {
     covers = reach_projection(&t);
   } else {
     gjk_simplex_clear(s);
-    vertex_of_signs(pair, plane->signs, &s->slot[0]);
-    s->slot[1] = s->slot[2] = s->slot[0];
-    s->slot[1].w = gjk_add(gjk_add(s->slot[0].w, pair->axis[plane->i]), pair->axis[plane->i]);
-    s->slot[2].w = gjk_add(gjk_add(s->slot[0].w, pair->axis[plane->j]), pair->axis[plane->j]);
     s->count = 3;
     s->normal = plane->n;
   }
