@@ -132,13 +132,20 @@ void gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delt
   set_edges(&a, &b, delta, out);
 }
 
+// 2^46 / sqrt(x), up to 2^-21 of itself too small, at most 0.5 too large, and below 2^31: one step less than
+// gjk_reciprocal_root. Pre: x >= 2^30.
+static uint32_t rough_reciprocal_root(uint32_t x) {
+  const uint32_t y = UINT32_C(2319282340) - gjk_umulh32(x, UINT32_C(1342177280));
+  return gjk_root_step(x, gjk_root_step(x, gjk_root_step(x, y)));
+}
+
 // With squared = 2^(-2 z) x, 2^30 <= x < 2^32, and y = 2^46 / sqrt(x):
 //   height      2^32 s / |N| = s y 2^(z - 30)
 //   s           off by at most 9:                                 9 2^(z - 30) y < 18 2^z
-//   y           off by at most 3/2:  height < 2^31                less than 4
+//   y           at most 2^-21 of itself too small, and 1/2 off:   height / 2^21, and 1; 2^-20 covers what follows
 //   squared     up to 4 too large, where it is at least 64:       4 / (squared - 4) <= 8 / squared <= 2^(2 z - 27)
 //               so 1 / |N| is larger by at most                   2^(2 z - 28) of itself
-//   with z >= 2, 20 2^z and the height / 2^(28 - 2 z) bound all, and its rounding.
+//   with z >= 2, 20 2^z bounds the first and all roundings.
 void gjk_box_height_bounds(const gjk_box_heights *h, unsigned k, int32_t *low, int32_t *high) {
   const uint32_t squared = h->squared[k];
   if (squared < 64) {
@@ -147,9 +154,9 @@ void gjk_box_height_bounds(const gjk_box_heights *h, unsigned k, int32_t *low, i
     return;
   }
   const unsigned z = gjk_clz32(squared) / 2;  // squared < 2^28:  2 <= z <= 12
-  const uint32_t y = gjk_reciprocal_root(squared << (2 * z));
+  const uint32_t y = rough_reciprocal_root(squared << (2 * z));
   const int32_t height = (int32_t)gjk_sar64(gjk_mul32(h->sum[k], (int32_t)y), 30 - z);
-  const int32_t error = gjk_shl32(20, z) + gjk_sar32(size_of(height), 28 - 2 * z);
+  const int32_t size = size_of(height), error = gjk_shl32(20, z) + gjk_sar32(size, 28 - 2 * z) + gjk_sar32(size, 20);
   *low = height - error;
   *high = height + error;
 }

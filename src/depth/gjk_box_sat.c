@@ -293,15 +293,30 @@ static inline void bound_plane(const gjk_box_heights *h, unsigned k, bounded_pla
   }
 }
 
-// Step 2. first: the plane to begin with.
+// The plane to begin with: first, if the shapes have it; or a face that seems to be low.
+static unsigned plane_to_begin_with(const gjk_box_heights *h, unsigned first) {
+  if (first < GJK_BOX_PLANES && (h->present >> first & 1u) != 0) {
+    return first;
+  }
+  // |sum| < 2^30. At least one shape is a box.
+  uint32_t least = UINT32_MAX;
+  for (unsigned k = 0; k < FACES; k++) {
+    if ((h->present >> k & 1u) != 0) {
+      const uint32_t square = (uint32_t)gjk_sar64(gjk_mul32(h->sum[k], h->sum[k]), 28) / ((h->squared[k] >> 14) + 1);
+      first = square <= least ? k : first;
+      least = square <= least ? square : least;
+    }
+  }
+  return first;
+}
+
+// Step 2. first: the plane to begin with, if the shapes have it.
 static void bound_heights(const gjk_box_heights *h, unsigned first, bounded_planes *planes) {
-  const unsigned begin = first < GJK_BOX_PLANES && (h->present >> first & 1u) != 0 ? first : GJK_BOX_PLANES;
+  const unsigned begin = plane_to_begin_with(h, first);
   planes->count = 0;
   planes->most = INT32_MAX;
   planes->square = gjk_box_height_square(INT32_MAX);
-  if (begin < GJK_BOX_PLANES) {
-    bound_plane(h, begin, planes);
-  }
+  bound_plane(h, begin, planes);
   for (unsigned k = 0; k < GJK_BOX_PLANES; k++) {
     if ((h->present >> k & 1u) != 0 && k != begin) {
       bound_plane(h, k, planes);

@@ -17,6 +17,7 @@
 #include "gjk/penetration.h"
 
 #include "../arith/gjk_unit.h"
+#include "../depth/gjk_box_heights.h"
 #include "../depth/gjk_box_sat.h"
 #include "../depth/gjk_epa.h"
 #include "../gjk/gjk_search.h"
@@ -162,12 +163,12 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   if (it->shift < 0 || !gjk_is_box_pair(it)) {
     o->points = true;
   } else {
-    unsigned plane = cache != NULL ? cache->a[3] : 0;
+    unsigned plane = cache != NULL && cache->a[3] > 0 ? cache->a[3] - 1u : GJK_BOX_PLANES;
     const gjk_box_sat_answer answer = gjk_box_sat(it, &plane, &o->points, &o->facet);
     if (answer == GJK_BOX_SAT_FACET) {
       if (cache != NULL) {
         // A feature has three pairs at most, so the plane takes the place of a fourth.
-        cache->a[3] = (uint16_t)plane;
+        cache->a[3] = (uint16_t)(plane + 1);
         cache->count = cache->count > 3 ? 3 : cache->count;
       }
       o->iterations = 0;
