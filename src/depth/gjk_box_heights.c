@@ -63,13 +63,6 @@ static void scale(const gjk_vec3 *axis, unsigned count, box_side *side) {
   }
 }
 
-static inline void set_sum(unsigned k, int32_t sum, gjk_box_heights *out) {
-  const bool is_lowest = sum < out->lowest;
-  out->sum[k] = sum;
-  out->lowest = is_lowest ? sum : out->lowest;
-  out->plane = is_lowest ? (uint16_t)k : out->plane;
-}
-
 // Step 2 for the faces of one shape, whose first has this number.
 static void set_faces(box_side *side, const box_side *other, const gjk_vec3 *delta, unsigned number,
                       gjk_box_heights *out) {
@@ -90,10 +83,9 @@ static void set_faces(box_side *side, const box_side *other, const gjk_vec3 *del
       side->volume[m][k] = size_of(high_dot(&n, &other->axis[k]));
       volumes += side->volume[m][k];
     }
-    set_sum(number + m, own + gjk_sar32(volumes, other->shift) - size_of(high_dot(&n, delta)), out);
+    out->sum[number + m] = own + gjk_sar32(volumes, other->shift) - size_of(high_dot(&n, delta));
     out->squared[number + m] = (uint32_t)high_dot(&n, &n) + 2;
   }
-  out->present = (uint16_t)(out->present | 7u << number);
 }
 
 // Step 3.
@@ -112,10 +104,9 @@ static void set_edges(const box_side *a, const box_side *b, const gjk_vec3 *delt
       const uint32_t r = (uint32_t)size_of(high_dot(&a->axis[i], axis));
       const int32_t volumes =
           gjk_sar32(across - a->volume[i][j], a->shift) + gjk_sar32(b->volume[next][i] + b->volume[last][i], b->shift);
-      set_sum(k, volumes - size_of(high_dot(&a->axis[i], &turned)), out);
+      out->sum[k] = volumes - size_of(high_dot(&a->axis[i], &turned));
       // p q <= 9 2^56. Not negative: at least the exact square.
       out->squared[k] = gjk_umulh32(p[i], q) + 2 - gjk_umulh32(r, r);
-      out->present = (uint16_t)(out->present | 1u << k);
     }
   }
 }
@@ -123,8 +114,12 @@ static void set_edges(const box_side *a, const box_side *b, const gjk_vec3 *delt
 void gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delta, unsigned of_a, unsigned of_b,
                          gjk_box_heights *out) {
   box_side a, b;
-  out->present = out->plane = 0;
-  out->lowest = 0;
+  if (of_a + of_b < GJK_BOX_AXES) {
+    for (unsigned k = 0; k < GJK_BOX_PLANES; k++) {
+      out->sum[k] = INT32_C(1) << 30;
+      out->squared[k] = 0;
+    }
+  }
   scale(axis, of_a, &a);
   scale(axis + 3, of_b, &b);
   set_faces(&a, &b, delta, 0, out);

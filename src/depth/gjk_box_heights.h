@@ -13,13 +13,11 @@
 // How far sum is off its true value.
 #define GJK_BOX_SUM_ERROR 9
 
+// A plane that the shapes have not has a sum of 2^30 and 0 squared: it counts as the highest, and as too short to tell.
 // With N for a plane's normal / 2^32, as made of scaled half axes, the plane's height in the frame is 2^32 s / |N|.
 typedef struct gjk_box_heights {
-  int32_t sum[GJK_BOX_PLANES];       // s, within GJK_BOX_SUM_ERROR; below 2^30 in size
+  int32_t sum[GJK_BOX_PLANES];       // s, within GJK_BOX_SUM_ERROR; at most 2^30 in size
   uint32_t squared[GJK_BOX_PLANES];  // |N|^2 / 2^32 at most, and too large by at most 4; below 2^28
-  int32_t lowest;                    // of the sums, or 0
-  uint16_t plane;                    // that has it, where it is below 0
-  uint16_t present;                  // bit k: plane k is set, the shapes have both its half axes
 } gjk_box_heights;
 
 // Sets the heights. of_a, of_b: how many half axes the shapes have, 0, 1 or 3.

@@ -269,7 +269,7 @@ static bool is_lower(const box_pair *pair, box_plane *p, box_plane *q) {
   return is_lower_exactly(pair, p, q);
 }
 
-// The planes whose heights are bounded so far.
+// The planes whose heights are bounded so far, in the order of their numbers.
 typedef struct bounded_planes {
   int32_t low[GJK_BOX_PLANES];  // of the height
   uint8_t number[GJK_BOX_PLANES];
@@ -278,59 +278,56 @@ typedef struct bounded_planes {
   uint32_t square;  // gjk_box_height_square of it
 } bounded_planes;
 
-// Step 2 for plane k.
-static inline void bound_plane(const gjk_box_heights *h, unsigned k, bounded_planes *planes) {
-  int32_t high;
-  if (gjk_box_height_exceeds(h, k, planes->square)) {
-    return;
+// Steps 1 and 2 for the planes from first to last - 1. Returns the first that separates the cores, or last.
+static unsigned bound_planes(const gjk_box_heights *h, unsigned first, unsigned last, bounded_planes *planes) {
+  unsigned k = first;
+  for (; k < last && h->sum[k] >= -GJK_BOX_SUM_ERROR; k++) {
+    if (!gjk_box_height_exceeds(h, k, planes->square)) {
+      int32_t high;
+      gjk_box_height_bounds(h, k, &planes->low[planes->count], &high);
+      planes->number[planes->count] = (uint8_t)k;
+      planes->count++;
+      if (high < planes->most) {
+        planes->most = high > 0 ? high : 0;
+        planes->square = gjk_box_height_square(planes->most);
+      }
+    }
   }
-  gjk_box_height_bounds(h, k, &planes->low[planes->count], &high);
-  planes->number[planes->count] = (uint8_t)k;
-  planes->count++;
-  if (high < planes->most) {
-    planes->most = high > 0 ? high : 0;
-    planes->square = gjk_box_height_square(planes->most);
-  }
+  return k;
 }
 
-// The plane to begin with: first, if the shapes have it; or a face that seems to be low.
-static unsigned plane_to_begin_with(const gjk_box_heights *h, unsigned first) {
-  if (first < GJK_BOX_PLANES && (h->present >> first & 1u) != 0) {
-    return first;
-  }
-  // |sum| < 2^30. At least one shape is a box.
+// A face that separates the cores, or else seems to be low.
+static unsigned face_to_begin_with(const gjk_box_heights *h) {
   uint32_t least = UINT32_MAX;
+  unsigned face = 0;
   for (unsigned k = 0; k < FACES; k++) {
-    if ((h->present >> k & 1u) != 0) {
-      const uint32_t square = (uint32_t)gjk_sar64(gjk_mul32(h->sum[k], h->sum[k]), 28) / ((h->squared[k] >> 14) + 1);
-      first = square <= least ? k : first;
-      least = square <= least ? square : least;
+    if (h->sum[k] < -GJK_BOX_SUM_ERROR) {
+      return k;
     }
+    const uint32_t square = (uint32_t)gjk_sar64(gjk_mul32(h->sum[k], h->sum[k]), 28) / ((h->squared[k] >> 14) + 1);
+    face = square < least ? k : face;
+    least = square < least ? square : least;
   }
-  return first;
+  return face;
 }
 
-// Step 2. first: the plane to begin with, if the shapes have it.
-static void bound_heights(const gjk_box_heights *h, unsigned first, bounded_planes *planes) {
-  const unsigned begin = plane_to_begin_with(h, first);
+// Steps 1 and 2, from the plane first on, or if that is no number from one that is found. Returns a plane that
+// separates the cores, or GJK_BOX_PLANES.
+static unsigned bound_heights(const gjk_box_heights *h, unsigned first, bounded_planes *planes) {
+  const unsigned begin = first < GJK_BOX_PLANES ? first : face_to_begin_with(h);
+  int32_t low;
   planes->count = 0;
-  planes->most = INT32_MAX;
-  planes->square = gjk_box_height_square(INT32_MAX);
-  bound_plane(h, begin, planes);
-  for (unsigned k = 0; k < GJK_BOX_PLANES; k++) {
-    if ((h->present >> k & 1u) != 0 && k != begin) {
-      bound_plane(h, k, planes);
-    }
+  if (h->sum[begin] < -GJK_BOX_SUM_ERROR) {
+    return begin;
   }
-  // The first one to its place in the order of numbers.
-  for (unsigned n = 1; n < planes->count && planes->number[n - 1] > planes->number[n]; n++) {
-    const int32_t low = planes->low[n];
-    const uint8_t number = planes->number[n];
-    planes->low[n] = planes->low[n - 1];
-    planes->number[n] = planes->number[n - 1];
-    planes->low[n - 1] = low;
-    planes->number[n - 1] = number;
-  }
+  gjk_box_height_bounds(h, begin, &low, &planes->most);
+  planes->most = planes->most > 0 ? planes->most : 0;
+  planes->square = gjk_box_height_square(planes->most);
+  const unsigned apart = bound_planes(h, 0, begin, planes);
+  planes->low[planes->count] = low;
+  planes->number[planes->count] = (uint8_t)begin;
+  planes->count++;
+  return apart < begin ? apart : bound_planes(h, begin + 1, GJK_BOX_PLANES, planes);
 }
 
 // Steps 3 and 4. NULL: all half axes are parallel.
@@ -339,9 +336,9 @@ static box_plane *least_plane(const box_pair *pair, const gjk_box_heights *h, co
   box_plane *least = NULL, *next = &slot[0];
   for (unsigned n = 0; n < planes->count; n++) {
     const unsigned k = planes->number[n], both = 1u << half_axes[k][0] | 1u << half_axes[k][1];
-    const bool is_new = planes->low[n] <= planes->most && !gjk_box_height_exceeds(h, k, planes->square) &&
-                        (least == NULL || (least->in_plane & both) != both);
-    if (is_new && set_plane(pair, k, next) && (least == NULL || is_lower(pair, next, least))) {
+    const bool may_be = planes->low[n] <= planes->most && !gjk_box_height_exceeds(h, k, planes->square);
+    const bool same = least != NULL && (least->in_plane & both) == both;
+    if (may_be && !same && set_plane(pair, k, next) && (least == NULL || is_lower(pair, next, least))) {
       least = next;
       next = least == &slot[0] ? &slot[1] : &slot[0];
       *number = k;
@@ -394,11 +391,11 @@ gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, bool *points
   }
   set_box_pair(&pair, it);
   gjk_box_heights_set(pair.axis, &pair.delta, pair.of_a, pair.of_b, &heights);
-  if (heights.lowest < -GJK_BOX_SUM_ERROR) {
-    direct_across(&pair, heights.plane);
+  const unsigned apart = bound_heights(&heights, *number, &planes);
+  if (apart < GJK_BOX_PLANES) {
+    direct_across(&pair, apart);
     return GJK_BOX_SAT_APART;
   }
-  bound_heights(&heights, *number, &planes);
   const box_plane *plane = least_plane(&pair, &heights, &planes, slot, number);
   // Step 5.
   if (plane == NULL || plane->in_plane == (1u << AXES) - 1) {

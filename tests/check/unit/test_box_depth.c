@@ -204,7 +204,7 @@ static void check_bounds(const plane planes[15], const gjk_vec3 axis[6], const g
   for (unsigned k = 0; k < 15; k++) {
     const bool has = (half_axes[k][0] % 3 < (half_axes[k][0] < 3 ? a.count : b.count)) &&
                      (half_axes[k][1] % 3 < (half_axes[k][1] < 3 ? a.count : b.count));
-    CHECK((h.present >> k & 1) == has);
+    CHECK(has || (h.squared[k] == 0 && gjk_box_height_exceeds(&h, k, gjk_box_height_square(INT32_MAX))));
     if (has && planes[k].is) {
       const double height = planes[k].height;
       int32_t low, high;
