@@ -7,61 +7,68 @@
 // and the plane of the nearer one of the two facets across n is at the height
 //   (sum of |n . g_k| over all k  -  |n . delta|) / |n|.
 //
-//   Step 1   For each n, rounded, compute a lower bound of the height, and its height key. Each triple product
-//            g_i x g_j . g_k serves three of the n. A height is surely below 0: APART.
-//   Step 2   Take the n with the lowest key. None is left, or the plane cannot be better than the candidate: step 7.
-//   Step 3   The half axes are parallel: n = 0, on from step 2. All half axes lie in the plane: FLAT.
-//   Step 4   Take a triangle in the facet: the sums whose s_k is the sign of n . g_k, but for those in the plane.
-//   Step 5   Flip the triangle over the edge that the origin's projection lies beyond, until it holds the projection,
-//            or the facet ends.
-//   Step 6   The origin lies strictly beyond the plane: APART. Otherwise offer the triangle; on from step 2.
-//   Step 7   The candidate is the nearest facet: FACET. Without any: FLAT.
+//   Step 1   Find bounds of all heights (gjk_box_heights.h). A height is surely below 0: APART.
+//   Step 2   In any order: bound the height of a plane well, unless it exceeds a bound of another plane's.
+//   Step 3   Those that may be the least, in the order of their numbers: leave out a plane whose half axes are
+//            parallel, n = 0, and one that both half axes of the least so far lie in: it is the same plane.
+//   Step 4   Compare with the least so far, by heights of 30 bits, and exactly where these cannot tell. Of equals the
+//            first stays. So the plane is the least by height and number, a function of the pair.
+//   Step 5   All half axes lie in the plane: FLAT. Take a triangle in the facet: the sums whose s_k is the sign of
+//            n . g_k, but for those in the plane.
+//   Step 6   Flip the triangle over the edge that the origin's projection lies beyond, until it holds the projection,
+//            which the nearest facet of all does.
+//   Step 7   The origin lies strictly beyond the plane: APART. Otherwise this is the nearest facet: FACET.
 //
 // After   the separating axes of Gottschalk, Lin, Manocha, OBBTree, 1996. Departures: half axes need not be at right
 //         angles, since posing rounds them; exact signs; the nearest point of the facet as well.
 #include "gjk_box_sat.h"
 
-// Three half axes of each.
-#define AXES 6
-#define DIRECTIONS 15
+#include "gjk_box_heights.h"
+
+#define AXES GJK_BOX_AXES
+
+// The planes below this number are across faces.
+#define FACES 6
 
 // Two boxes, segments or points, in the frame of the pair.
 typedef struct box_pair {
   gjk_iteration *it;
-  gjk_vec3 axis[AXES];  // half axes: first those of A, then those of B
+  gjk_vec3 axis[AXES];  // half axes by slots
   gjk_vec3 delta;
-  unsigned count, of_a;  // of half axes, and how many of them are A's
+  unsigned of_a, of_b;  // how many half axes they have
 } box_pair;
 
 bool gjk_is_box_pair(const gjk_iteration *it) {
   return it->a->shape->type->kind == GJK_KIND_AXES && it->b->shape->type->kind == GJK_KIND_AXES;
 }
 
-// A half axis in the frame.
-static gjk_vec3 in_frame(const gjk_vec3 *v, int shift) {
-  const gjk_vec3 scaled = {gjk_shl32(v->x, (unsigned)shift), gjk_shl32(v->y, (unsigned)shift),
-                           gjk_shl32(v->z, (unsigned)shift)};
-  //@ assert scaled.x >= -(INT32_C(1) << 30) && scaled.x <= INT32_C(1) << 30;
-  //@ assert scaled.y >= -(INT32_C(1) << 30) && scaled.y <= INT32_C(1) << 30;
-  //@ assert scaled.z >= -(INT32_C(1) << 30) && scaled.z <= INT32_C(1) << 30;
-  return scaled;
+// Half axes in the frame, 0 for those that a shape has not.
+static void set_axes(const gjk_collider *c, unsigned shift, gjk_vec3 axis[3]) {
+  for (unsigned k = 0; k < 3; k++) {
+    const gjk_vec3 *v = &c->frame[k];
+    const bool is = k < c->count;
+    axis[k].x = is ? gjk_shl32(v->x, shift) : 0;
+    axis[k].y = is ? gjk_shl32(v->y, shift) : 0;
+    axis[k].z = is ? gjk_shl32(v->z, shift) : 0;
+    //@ assert axis[k].x >= -(INT32_C(1) << 30) && axis[k].x <= INT32_C(1) << 30;
+    //@ assert axis[k].y >= -(INT32_C(1) << 30) && axis[k].y <= INT32_C(1) << 30;
+    //@ assert axis[k].z >= -(INT32_C(1) << 30) && axis[k].z <= INT32_C(1) << 30;
+  }
 }
 
 static void set_box_pair(box_pair *pair, gjk_iteration *it) {
   pair->it = it;
   pair->of_a = it->a->count;
-  pair->count = pair->of_a + it->b->count;
-  for (unsigned i = 0; i < pair->count; i++) {
-    pair->axis[i] = in_frame(i < pair->of_a ? &it->a->frame[i] : &it->b->frame[i - pair->of_a], it->shift);
-  }
+  pair->of_b = it->b->count;
+  set_axes(it->a, (unsigned)it->shift, pair->axis);
+  set_axes(it->b, (unsigned)it->shift, pair->axis + 3);
   pair->delta = it->delta;
 }
 
 // The vertex of A - B whose s_k are signs. Bit k is set: s_k = 1; otherwise -1.
 static void vertex_of_signs(const box_pair *pair, unsigned signs, gjk_vertex *out) {
-  const unsigned mask_a = (1u << pair->of_a) - 1, mask_b = (1u << (pair->count - pair->of_a)) - 1;
   gjk_vec3 w = pair->delta;
-  for (unsigned k = 0; k < pair->count; k++) {
+  for (unsigned k = 0; k < AXES; k++) {
 #if GJK_CONDITIONAL_MOVES
     const int32_t minus = (int32_t)(signs >> k & 1u) - 1;  // -1 where it is subtracted
     w.x += (pair->axis[k].x ^ minus) - minus;
@@ -75,8 +82,16 @@ static void vertex_of_signs(const box_pair *pair, unsigned signs, gjk_vertex *ou
   //@ assert w.y >= -(INT32_C(3) << 29) && w.y <= INT32_C(3) << 29;
   //@ assert w.z >= -(INT32_C(3) << 29) && w.z <= INT32_C(3) << 29;
   out->w = w;
-  out->a.vertex = (uint16_t)(signs & mask_a);
-  out->b = (uint16_t)(~signs >> pair->of_a & mask_b);
+  out->a.vertex = (uint16_t)(signs & ((1u << pair->of_a) - 1));
+  out->b = (uint16_t)(~signs >> 3 & ((1u << pair->of_b) - 1));
+}
+
+// *out = v with half axis k added, which it has subtracted.
+static void add_twice(const box_pair *pair, unsigned k, const gjk_vertex *v, gjk_vertex *out) {
+  const unsigned a = k < 3 ? 1u << k : 0, b = k < 3 ? 0 : 1u << (k - 3);
+  out->w = gjk_add(gjk_add(v->w, pair->axis[k]), pair->axis[k]);
+  out->a.vertex = (uint16_t)(v->a.vertex | a);
+  out->b = (uint16_t)(v->b & ~b);
 }
 
 // On which side of the edge e does v point, both in a facet seen against its normal? 1: left, 0: along e, -1: right.
@@ -97,12 +112,12 @@ typedef struct facet_triangle {
 // Replaces the corner opposite to the edge from corner i by the vertex of the facet farthest beyond that edge. False:
 // no vertex lies beyond.
 static bool flip_over_edge(facet_triangle *t, unsigned i) {
-  const gjk_simplex *s = &t->pair->it->simplex;
+  gjk_simplex *s = &t->pair->it->simplex;
   const unsigned j = gjk_next(i), start = t->signs[i], end = t->signs[j];
   const gjk_vec3 edge = gjk_sub(s->slot[j].w, s->slot[i].w);
   unsigned signs = start;
   bool beyond = false;
-  for (unsigned k = 0; k < t->pair->count; k++) {
+  for (unsigned k = 0; k < AXES; k++) {
     const unsigned bit = 1u << k;
     const int side = (t->in_plane & bit) != 0 ? side_of_edge(&t->pair->it->direction.d, &edge, &t->pair->axis[k]) : 0;
     if (side != 0) {
@@ -111,6 +126,10 @@ static bool flip_over_edge(facet_triangle *t, unsigned i) {
     }
   }
   if (beyond) {
+    const gjk_vertex first = s->slot[i], last = s->slot[j];
+    s->slot[0] = first;
+    vertex_of_signs(t->pair, signs, &s->slot[1]);
+    s->slot[2] = last;
     t->signs[0] = start;
     t->signs[1] = signs;
     t->signs[2] = end;
@@ -118,14 +137,11 @@ static bool flip_over_edge(facet_triangle *t, unsigned i) {
   return beyond;
 }
 
-// Step 5. Returns whether the triangle holds the origin's projection.
+// Step 6. Returns whether the triangle holds the origin's projection. Pre: its corners are in the slots.
 static bool reach_projection(facet_triangle *t) {
   gjk_simplex *s = &t->pair->it->simplex;
   // A facet has at most 2 AXES vertices, and no vertex is left behind twice.
   for (int flips = 0; flips < 2 * AXES; flips++) {  // not reached: the ceiling
-    for (int i = 0; i < 3; i++) {
-      vertex_of_signs(t->pair, t->signs[i], &s->slot[i]);
-    }
     const unsigned edge = gjk_simplex_set(s, 3) ? 3 : gjk_simplex_beyond(s);
     if (edge == 3) {
       return true;
@@ -137,161 +153,259 @@ static bool reach_projection(facet_triangle *t) {
   return false;
 }
 
-// Steps 3 to 6 for half axes i and j. FACET: on from step 2.
-static gjk_box_sat_answer test_direction(const box_pair *pair, unsigned i, unsigned j, gjk_facet *facet) {
-  // Step 3: the normal of the plane across both half axes.
+// A plane that may bound A - B.
+typedef struct box_plane {
+  gjk_long3 n;                     // outwards: g_i x g_j, pointing against delta
+  unsigned i, j;                   // half axes in the plane, in the order of the product
+  unsigned in_plane;               // bit k: half axis k lies in the plane
+  unsigned signs;                  // of a vertex in the plane, as of vertex_of_signs
+  bool measured;                   // what follows is set
+  gjk_search_direction direction;  // n, rounded
+  uint32_t height;                 // within GJK_HEIGHT_ERROR; 0 where the origin is beyond
+} box_plane;
+
+// Two half axes in each plane, by its number.
+static const uint8_t half_axes[GJK_BOX_PLANES][2] = {{1, 2}, {2, 0}, {0, 1}, {4, 5}, {5, 3}, {3, 4}, {0, 3}, {0, 4},
+                                                     {0, 5}, {1, 3}, {1, 4}, {1, 5}, {2, 3}, {2, 4}, {2, 5}};
+
+// gjk_dot_sign, with one branch, which rarely turns: either sign is as likely here.
+static inline int side_of_plane(const gjk_long3 *n, const gjk_vec3 *v) {
+  const gjk_vec3 high = {gjk_high32(n->x), gjk_high32(n->y), gjk_high32(n->z)};
+  const int32_t top = gjk_high32(gjk_dot(&high, v));
+  return top >= 1 || top < -1 ? gjk_sar32(top, 31) | 1 : gjk_dot_sign_exact(n, v);
+}
+
+// Sets a plane by its number. False: the half axes are parallel.
+static bool set_plane(const box_pair *pair, unsigned number, box_plane *out) {
+  const unsigned i = half_axes[number][0], j = half_axes[number][1];
+  gjk_cross(&pair->axis[i], &pair->axis[j], &out->n);
+  if ((out->n.x | out->n.y | out->n.z) == 0) {
+    return false;
+  }
+  const bool opposite = side_of_plane(&out->n, &pair->delta) > 0;
+  const int64_t minus = -(int64_t)opposite;
+  out->n.x = (out->n.x ^ minus) - minus;
+  out->n.y = (out->n.y ^ minus) - minus;
+  out->n.z = (out->n.z ^ minus) - minus;
+  out->i = opposite ? j : i;
+  out->j = opposite ? i : j;
+  out->in_plane = 1u << i | 1u << j;
+  out->signs = 0;
+  out->measured = false;
+  for (unsigned k = 0; k < AXES; k++) {
+    const int side = k == i || k == j ? 0 : side_of_plane(&out->n, &pair->axis[k]);
+    out->signs |= (unsigned)(side > 0) << k;
+    out->in_plane |= (unsigned)(side == 0) << k;
+  }
+  return true;
+}
+
+static void measure_plane(const box_pair *pair, box_plane *plane) {
+  if (!plane->measured) {
+    gjk_vertex vertex;
+    vertex_of_signs(pair, plane->signs, &vertex);
+    gjk_search_direction_of(&plane->n, &plane->direction);
+    plane->height = gjk_height(&plane->direction.d, &vertex.w);
+    plane->measured = true;
+  }
+}
+
+// The sign of a plane's height; the height's square is numerator / denominator. Overwrites the simplex.
+static int exact_height(const box_pair *pair, const box_plane *plane, gjk_u192 *numerator, gjk_u192 *denominator) {
+  gjk_simplex *s = &pair->it->simplex;
+  gjk_simplex_clear(s);
+  vertex_of_signs(pair, plane->signs, &s->slot[0]);
+  s->count = 3;
+  s->normal = plane->n;
+  gjk_simplex_squared_distance(s, numerator, denominator);
+  return gjk_dot_sign(&plane->n, &s->slot[0].w);
+}
+
+// A product of a numerator of exact_height, of 192 bits, and a denominator, of 124.
+#define WIDE_LIMBS 10
+
+// *out = x y. Pre: y < 2^128.
+static void multiply_wide(const gjk_u192 *x, const gjk_u192 *y, uint32_t out[WIDE_LIMBS]) {
+  for (unsigned i = 0; i < WIDE_LIMBS; i++) {
+    out[i] = 0;
+  }
+  for (unsigned j = 0; j < WIDE_LIMBS - GJK_U192_LIMBS; j++) {
+    uint64_t carry = 0;
+    for (unsigned i = 0; i < GJK_U192_LIMBS; i++) {
+      carry += gjk_umul32(x->limb[i], y->limb[j]);  // (2^32 - 1)^2 + 2 (2^32 - 1) < 2^64
+      carry += out[i + j];
+      out[i + j] = (uint32_t)(carry & UINT32_MAX);
+      carry >>= 32;
+    }
+    out[j + GJK_U192_LIMBS] = (uint32_t)carry;
+  }
+}
+
+// Is the height of p below that of q? Exact; of heights below 0 any may be the lower one. Rarely asked.
+GJK_OUT_OF_LINE static bool is_lower_exactly(const box_pair *pair, const box_plane *p, const box_plane *q) {
+  gjk_u192 numerator_p, denominator_p, numerator_q, denominator_q;
+  uint32_t of_p[WIDE_LIMBS], of_q[WIDE_LIMBS];
+  const int sign_p = exact_height(pair, p, &numerator_p, &denominator_p),
+            sign_q = exact_height(pair, q, &numerator_q, &denominator_q);
+  if (sign_p <= 0 || sign_q <= 0) {
+    return sign_p < sign_q;
+  }
+  multiply_wide(&numerator_p, &denominator_q, of_p);
+  multiply_wide(&numerator_q, &denominator_p, of_q);
+  unsigned top = WIDE_LIMBS - 1;
+  while (top > 0 && of_p[top] == of_q[top]) {
+    top--;
+  }
+  return of_p[top] < of_q[top];
+}
+
+// Step 4.
+static bool is_lower(const box_pair *pair, box_plane *p, box_plane *q) {
+  measure_plane(pair, p);
+  measure_plane(pair, q);
+  if (p->height > q->height + 2 * GJK_HEIGHT_ERROR || q->height > p->height + 2 * GJK_HEIGHT_ERROR) {
+    return p->height < q->height;
+  }
+  return is_lower_exactly(pair, p, q);
+}
+
+// The planes whose heights are bounded so far, in the order of their numbers.
+typedef struct bounded_planes {
+  int32_t low[GJK_BOX_PLANES];  // of the height
+  uint8_t number[GJK_BOX_PLANES];
+  unsigned count;
+  int32_t most;     // the least height is at most that, or at most 0
+  uint32_t square;  // gjk_box_height_square of it
+} bounded_planes;
+
+// Steps 1 and 2 for the planes from first to last - 1. Returns the first that separates the cores, or last.
+static unsigned bound_planes(const gjk_box_heights *h, unsigned first, unsigned last, bounded_planes *planes) {
+  unsigned k = first;
+  for (; k < last && h->sum[k] >= -GJK_BOX_SUM_ERROR; k++) {
+    if (!gjk_box_height_exceeds(h, k, planes->square)) {
+      int32_t high;
+      gjk_box_height_bounds(h, k, &planes->low[planes->count], &high);
+      planes->number[planes->count] = (uint8_t)k;
+      planes->count++;
+      if (high < planes->most) {
+        planes->most = high > 0 ? high : 0;
+        planes->square = gjk_box_height_square(planes->most);
+      }
+    }
+  }
+  return k;
+}
+
+// A face that separates the cores, or else seems to be low.
+static unsigned face_to_begin_with(const gjk_box_heights *h) {
+  uint32_t least = UINT32_MAX;
+  unsigned face = 0;
+  for (unsigned k = 0; k < FACES; k++) {
+    if (h->sum[k] < -GJK_BOX_SUM_ERROR) {
+      return k;
+    }
+    const uint32_t square = (uint32_t)gjk_sar64(gjk_mul32(h->sum[k], h->sum[k]), 28) / ((h->squared[k] >> 14) + 1);
+    face = square < least ? k : face;
+    least = square < least ? square : least;
+  }
+  return face;
+}
+
+// Steps 1 and 2, from the plane first on, or if that is no number from one that is found. Returns a plane that
+// separates the cores, or GJK_BOX_PLANES.
+static unsigned bound_heights(const gjk_box_heights *h, unsigned first, bounded_planes *planes) {
+  const unsigned begin = first < GJK_BOX_PLANES ? first : face_to_begin_with(h);
+  int32_t low;
+  planes->count = 0;
+  if (h->sum[begin] < -GJK_BOX_SUM_ERROR) {
+    return begin;
+  }
+  gjk_box_height_bounds(h, begin, &low, &planes->most);
+  planes->most = planes->most > 0 ? planes->most : 0;
+  planes->square = gjk_box_height_square(planes->most);
+  const unsigned apart = bound_planes(h, 0, begin, planes);
+  planes->low[planes->count] = low;
+  planes->number[planes->count] = (uint8_t)begin;
+  planes->count++;
+  return apart < begin ? apart : bound_planes(h, begin + 1, GJK_BOX_PLANES, planes);
+}
+
+// Steps 3 and 4. NULL: all half axes are parallel.
+static box_plane *least_plane(const box_pair *pair, const gjk_box_heights *h, const bounded_planes *planes,
+                              box_plane slot[2], unsigned *number) {
+  box_plane *least = NULL, *next = &slot[0];
+  for (unsigned n = 0; n < planes->count; n++) {
+    const unsigned k = planes->number[n], both = 1u << half_axes[k][0] | 1u << half_axes[k][1];
+    const bool may_be = planes->low[n] <= planes->most && !gjk_box_height_exceeds(h, k, planes->square);
+    const bool same = least != NULL && (least->in_plane & both) == both;
+    if (may_be && !same && set_plane(pair, k, next) && (least == NULL || is_lower(pair, next, least))) {
+      least = next;
+      next = least == &slot[0] ? &slot[1] : &slot[0];
+      *number = k;
+    }
+  }
+  return least;
+}
+
+// Step 1. Makes it->direction the normal of plane k, which separates A from B.
+static void direct_across(const box_pair *pair, unsigned k) {
+  gjk_vec3 *d = &pair->it->direction.d;
   gjk_long3 n;
-  gjk_cross(&pair->axis[i], &pair->axis[j], &n);
-  if ((n.x | n.y | n.z) == 0) {
-    return GJK_BOX_SAT_FACET;
-  }
-  // The nearer facet is on the side opposite to delta.
-  const bool opposite = gjk_dot_sign(&n, &pair->delta) > 0;
-  const unsigned first = opposite ? j : i, second = opposite ? i : j;
-  if (opposite) {
-    n.x = -n.x;
-    n.y = -n.y;
-    n.z = -n.z;
-  }
-  // Step 4: a triangle in the facet.
-  facet_triangle t = {pair, 1u << i | 1u << j, {0, 0, 0}};
-  for (unsigned k = 0; k < pair->count; k++) {
-    const int side = k == i || k == j ? 0 : gjk_dot_sign(&n, &pair->axis[k]);
-    t.signs[0] |= side > 0 ? 1u << k : 0;
-    t.in_plane |= side == 0 ? 1u << k : 0;
-  }
-  t.signs[1] = t.signs[0] | 1u << first;
-  t.signs[2] = t.signs[0] | 1u << second;
-  if (t.in_plane + 1 == 1u << pair->count) {
-    return GJK_BOX_SAT_FLAT;
-  }
-  // Step 5: towards the projection. Step 6: a candidate.
+  gjk_cross(&pair->axis[half_axes[k][0]], &pair->axis[half_axes[k][1]], &n);
   gjk_search_direction_of(&n, &pair->it->direction);
-  const bool covers = reach_projection(&t);
-  if (gjk_dot_sign(&n, &pair->it->simplex.slot[0].w) < 0) {
+  if (gjk_dot(d, &pair->delta) > 0) {
+    *d = gjk_negate(*d);
+  }
+}
+
+// Steps 6, where the projection counts, and 7.
+static gjk_box_sat_answer offer_facet(const box_pair *pair, const box_plane *plane, bool points, gjk_facet *facet) {
+  gjk_simplex *s = &pair->it->simplex;
+  const unsigned i = 1u << plane->i, j = 1u << plane->j;
+  facet_triangle t = {pair, plane->in_plane, {plane->signs, plane->signs | i, plane->signs | j}};
+  vertex_of_signs(pair, plane->signs, &s->slot[0]);
+  add_twice(pair, plane->i, &s->slot[0], &s->slot[1]);
+  add_twice(pair, plane->j, &s->slot[0], &s->slot[2]);
+  bool covers = true;
+  if (points) {
+    covers = reach_projection(&t);
+  } else {
+    gjk_simplex_clear(s);
+    s->count = 3;
+    s->normal = plane->n;
+  }
+  if (gjk_dot_sign(&plane->n, &s->slot[0].w) < 0) {
     return GJK_BOX_SAT_APART;
   }
   gjk_facet_consider(facet, pair->it, covers, -1);
   return GJK_BOX_SAT_FACET;
 }
 
-// The directions g_i x g_j, i < j, that are left, with lower bounds of the height keys.
-typedef struct separating_directions {
-  uint32_t key[DIRECTIONS];
-  uint8_t i[DIRECTIONS], j[DIRECTIONS];
-  unsigned count;
-} separating_directions;
-
-// g_i x g_j / 2^shift, rounded down: each component off by less than 1.
-static gjk_vec3 truncated_normal(const box_pair *pair, unsigned i, unsigned j, unsigned shift) {
-  gjk_long3 n;
-  gjk_cross(&pair->axis[i], &pair->axis[j], &n);
-  const gjk_long3 low = {gjk_sar64(n.x, shift), gjk_sar64(n.y, shift), gjk_sar64(n.z, shift)};
-  //@ assert low.x >= -(INT32_C(1) << 30) && low.x <= INT32_C(1) << 30;
-  //@ assert low.y >= -(INT32_C(1) << 30) && low.y <= INT32_C(1) << 30;
-  //@ assert low.z >= -(INT32_C(1) << 30) && low.z <= INT32_C(1) << 30;
-  const gjk_vec3 truncated = {(int32_t)low.x, (int32_t)low.y, (int32_t)low.z};
-  return truncated;
-}
-
-// The shift that leaves the components of every g_i x g_j at most 2^30 in size.
-static unsigned truncation_of(const box_pair *pair) {
-  uint32_t bits = 1;
-  for (unsigned k = 0; k < pair->count; k++) {
-    bits |= gjk_magnitude32(pair->axis[k].x) | gjk_magnitude32(pair->axis[k].y) | gjk_magnitude32(pair->axis[k].z);
-  }
-  const unsigned b = 32 - gjk_clz32(bits);  // |g_k| components < 2^b, of n < 2^(2 b + 1)
-  return b > 14 ? 2 * b - 29 : 0;
-}
-
-// How far rounding the normal may move the sum of step 1:
-//   |x| + |y| + |z| of delta and of each of four half axes   <= 3 2^30
-//   all five together                                         < 2^34
-#define SUM_ERROR (INT64_C(1) << 34)
-
-// The height by a rounded normal shorter than this says nothing; its bound is 0.
-#define SHORTEST_NORMAL (INT64_C(1) << 16)
-
-// |n . v|
-static int64_t size_along(const gjk_vec3 *n, const gjk_vec3 *v) {
-  const int64_t along = gjk_dot(n, v);
-  return along < 0 ? -along : along;
-}
-
-// The pairs i < j counted from 0: (0, 1), (0, 2) ... (4, 5).
-static unsigned direction_number(unsigned i, unsigned j) {
-  static const uint8_t before[AXES] = {0, 4, 7, 9, 10, 10};  // pairs before (i, i + 1), less i
-  return before[i] + j - 1;
-}
-
-// Step 1. False: it->direction separates A from B.
-// Any sum of |n . g_k| and |n . delta| is at most |n . w| for a vertex w of A - B, up to the sign of delta:
-//   |n| <= sqrt(3) 2^30,  |w| <= 3 2^29:  |n . w| < 2^62
-static bool key_directions(const box_pair *pair, separating_directions *out) {
-  int64_t sum[DIRECTIONS], squared[DIRECTIONS];
-  const unsigned shift = truncation_of(pair);
-  // The first triple product of a sum sets it. GCC would turn a loop that sets all to 0 into a call of memset.
-  sum[0] = 0;
-  for (unsigned i = 0; i < pair->count; i++) {
-    for (unsigned j = i + 1; j < pair->count; j++) {
-      const gjk_vec3 n = truncated_normal(pair, i, j, shift);
-      const unsigned ij = direction_number(i, j);
-      squared[ij] = gjk_dot(&n, &n);
-      int64_t rest = sum[ij] - size_along(&n, &pair->delta);
-      for (unsigned k = j + 1; k < pair->count; k++) {
-        const int64_t volume = size_along(&n, &pair->axis[k]);
-        rest += volume;
-        sum[direction_number(i, k)] = volume + (i == 0 && j == 1 ? 0 : sum[direction_number(i, k)]);
-        sum[direction_number(j, k)] = volume + (i == 0 ? 0 : sum[direction_number(j, k)]);
-      }
-      sum[ij] = rest;
-    }
-  }
-  out->count = 0;
-  for (unsigned i = 0; i < pair->count; i++) {
-    for (unsigned j = i + 1; j < pair->count; j++) {
-      const unsigned ij = direction_number(i, j), n = out->count++;
-      if (squared[ij] >= SHORTEST_NORMAL * SHORTEST_NORMAL && sum[ij] < -SUM_ERROR) {
-        const gjk_vec3 normal = truncated_normal(pair, i, j, shift);
-        pair->it->direction.d = gjk_dot(&normal, &pair->delta) > 0 ? gjk_negate(normal) : normal;
-        return false;
-      }
-      out->key[n] =
-          squared[ij] < SHORTEST_NORMAL * SHORTEST_NORMAL ? 0 : gjk_height_key(sum[ij] - SUM_ERROR, squared[ij]);
-      out->i[n] = (uint8_t)i;
-      out->j[n] = (uint8_t)j;
-    }
-  }
-  return true;
-}
-
-gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, gjk_facet *facet) {
-  separating_directions d;
+gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, bool *points, gjk_facet *facet) {
+  gjk_box_heights heights;
   box_pair pair;
+  bounded_planes planes;
+  box_plane slot[2];
+  if (it->a->count + it->b->count < 3) {
+    return GJK_BOX_SAT_FLAT;
+  }
   set_box_pair(&pair, it);
-  if (!key_directions(&pair, &d)) {
+  gjk_box_heights_set(pair.axis, &pair.delta, pair.of_a, pair.of_b, &heights);
+  const unsigned apart = bound_heights(&heights, *number, &planes);
+  if (apart < GJK_BOX_PLANES) {
+    direct_across(&pair, apart);
     return GJK_BOX_SAT_APART;
   }
-  // If the origin lies outside A - B, it lies beyond a plane, whose lower bound is below 0 and whose key is 0. Step 2
-  // cannot end the search before that plane: only a facet that the origin lies on could.
-  while (d.count > 0) {  // at most DIRECTIONS times
-    // Step 2: the lowest key.
-    unsigned lowest = 0;
-    for (unsigned k = 1; k < d.count; k++) {
-      lowest = d.key[k] < d.key[lowest] ? k : lowest;
-    }
-    if (!gjk_facet_may_improve(facet, it->shift, d.key[lowest])) {
-      break;
-    }
-    const gjk_box_sat_answer answer = test_direction(&pair, d.i[lowest], d.j[lowest], facet);
-    if (answer != GJK_BOX_SAT_FACET) {
-      return answer;
-    }
-    d.count--;
-    d.key[lowest] = d.key[d.count];
-    d.i[lowest] = d.i[d.count];
-    d.j[lowest] = d.j[d.count];
+  const box_plane *plane = least_plane(&pair, &heights, &planes, slot, number);
+  // Step 5.
+  if (plane == NULL || plane->in_plane == (1u << AXES) - 1) {
+    return GJK_BOX_SAT_FLAT;
   }
-  // Step 7: the best candidate.
-  return facet->found ? GJK_BOX_SAT_FACET : GJK_BOX_SAT_FLAT;
+  if (plane->measured) {
+    it->direction = plane->direction;
+  } else {
+    gjk_search_direction_of(&plane->n, &it->direction);
+  }
+  *points = *points || *number >= FACES;
+  return offer_facet(&pair, plane, *points, facet);
 }

@@ -1,6 +1,7 @@
 // The contact manifold: the region that two shapes share where they meet, as a few pairs of points.
 //
 //   1. Ask gjk_signed_distance for the normal, the distance and the nearest points. Beyond margin there is no contact.
+//      Where boxes meet with a face, the points are asked for only if step 4 needs them, which it rarely does.
 //   2. Find the polygon with which each shape meets the normal: a face, an edge or a corner (gjk_contact_polygon.c).
 //   3. Clip the two polygons: the corners of the region that they share are the candidates (gjk_clip.c).
 //   4. Admit the nearest points of step 1 unless a candidate is as near.
@@ -14,6 +15,7 @@
 #include "gjk/contacts.h"
 
 #include "../contact/gjk_reduce.h"
+#include "gjk_distance.h"
 #include "gjk_manifold.h"
 
 // Centres farther apart than this along an axis skip steps 2 and 3: the nearest points are the one contact. Otherwise
@@ -107,12 +109,26 @@ void gjk_manifold_keep(gjk_candidates *candidates, const gjk_distance_result *ne
   }
 }
 
-// Steps 2 to 5.
-GJK_OUT_OF_LINE static void find_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
-                                          const gjk_distance_result *nearest, gjk_manifold *out) {
+// Is a candidate as near as the nearest points?
+static bool is_nearest_known(const gjk_candidates *candidates, gjk_q16 distance) {
+  for (unsigned i = 0; i < candidates->count; i++) {
+    if (candidates->candidate[i].distance <= distance + SLACK) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Steps 2 to 5. False: step 4 needs the nearest points, and they are not set.
+GJK_OUT_OF_LINE static bool find_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most,
+                                          const gjk_distance_result *nearest, bool points, gjk_manifold *out) {
   gjk_candidates candidates;
   gjk_manifold_find(a, b, margin, &candidates, out);
-  gjk_manifold_keep(&candidates, nearest, most, out);
+  if (!points && !is_nearest_known(&candidates, nearest->distance)) {
+    return false;
+  }
+  gjk_manifold_keep(&candidates, points ? nearest : NULL, most, out);
+  return true;
 }
 
 gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 margin, unsigned most, gjk_cache *cache,
@@ -122,7 +138,8 @@ gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 ma
     return status != GJK_OK ? status : margin < 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_RANGE;
   }
   gjk_distance_result nearest;
-  status = gjk_signed_distance(a, b, cache, workspace, &nearest);
+  bool points = false;
+  status = gjk_signed_distance_along(a, b, cache, workspace, &points, &nearest);
   if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
     return status;
   }
@@ -130,8 +147,9 @@ gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 ma
   out->feature_a = 0;
   out->feature_b = 0;
   out->count = 0;
-  if (nearest.distance <= margin) {
-    find_contacts(a, b, margin, most, &nearest, out);
+  if (nearest.distance <= margin && !find_contacts(a, b, margin, most, &nearest, points, out)) {
+    status = gjk_signed_distance(a, b, cache, workspace, &nearest);
+    (void)find_contacts(a, b, margin, most, &nearest, true, out);
   }
   return status;
 }

@@ -3,7 +3,7 @@
 #define GJK_SRC_DISTANCE_H
 
 #include "../gjk/gjk_iteration.h"
-#include "gjk/distance.h"
+#include "gjk/penetration.h"
 
 // How far off the distance of a plane along a rounded unit vector is, Q30.
 //   unit vector   within 2^-28 of the exact direction:   4 in Q30
@@ -29,5 +29,10 @@ gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *uppe
 
 // Reports the answer and keeps the cache, which may be NULL. Pre: the outcome is NEAREST, ENCLOSING or NEAR.
 void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache, gjk_distance_result *out);
+
+// gjk_signed_distance. *points: are points and certificate needed? Where not, and boxes meet with a face, they are left
+// out; otherwise they are set, and *points becomes true.
+gjk_status gjk_signed_distance_along(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                                     const gjk_workspace *workspace, bool *points, gjk_distance_result *out);
 
 #endif

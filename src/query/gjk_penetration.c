@@ -17,6 +17,7 @@
 #include "gjk/penetration.h"
 
 #include "../arith/gjk_unit.h"
+#include "../depth/gjk_box_heights.h"
 #include "../depth/gjk_box_sat.h"
 #include "../depth/gjk_epa.h"
 #include "../gjk/gjk_search.h"
@@ -36,6 +37,7 @@ typedef struct overlap {
   gjk_q16 upper;
   uint16_t iterations;  // support scans of all steps
   uint8_t proof;        // a gjk_proof
+  bool points;          // are points and a certificate asked for?
 } overlap;
 
 // Step 3. Pre: the origin lies in the simplex, or the facet is found.
@@ -55,7 +57,9 @@ static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
     return GJK_OK;
   }
   o->upper = facet->depth;
-  gjk_facet_load(facet, it);
+  if (o->points) {
+    gjk_facet_load(facet, it);
+  }
   return expansion == GJK_EPA_FULL ? GJK_ERROR_CAPACITY : GJK_OK;
 }
 
@@ -119,8 +123,10 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
   out->depth = out->upper - error;
   out->iterations = o->iterations;
   // Step 4.
-  gjk_witness_points(&o->it, &out->normal, &out->point_a, &out->point_b, &saturated);
-  certify(o, &out->certificate);
+  if (o->points) {
+    gjk_witness_points(&o->it, &out->normal, &out->point_a, &out->point_b, &saturated);
+    certify(o, &out->certificate);
+  }
   if (status == GJK_ERROR_CAPACITY) {
     out->certificate.proof = GJK_PROOF_NONE;
   }
@@ -154,12 +160,21 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   gjk_cache direction;
   const gjk_cache *from = !gjk_pair_is_curved(it) && cache != NULL && cache->count < 4 ? cache : NULL;
   o->facet.found = false;
-  if (it->shift >= 0 && gjk_is_box_pair(it)) {
-    const gjk_box_sat_answer answer = gjk_box_sat(it, &o->facet);
+  if (it->shift < 0 || !gjk_is_box_pair(it)) {
+    o->points = true;
+  } else {
+    unsigned plane = cache != NULL && cache->a[3] > 0 ? cache->a[3] - 1u : GJK_BOX_PLANES;
+    const gjk_box_sat_answer answer = gjk_box_sat(it, &plane, &o->points, &o->facet);
     if (answer == GJK_BOX_SAT_FACET) {
+      if (cache != NULL) {
+        // A feature has three pairs at most, so the plane takes the place of a fourth.
+        cache->a[3] = (uint16_t)(plane + 1);
+        cache->count = cache->count > 3 ? 3 : cache->count;
+      }
       o->iterations = 0;
       return GJK_OUTCOME_ENCLOSING;
     }
+    o->points = true;
     o->facet.found = false;
     gjk_simplex_clear(&it->simplex);
     if (answer == GJK_BOX_SAT_APART && (goal == GJK_GOAL_DEPTH || cache == NULL)) {
@@ -182,6 +197,7 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
     return status;
   }
   overlap o;
+  o.points = true;
   gjk_iteration *it = &o.it;
   if (!gjk_iteration_start(it, a, b, GJK_GOAL_DEPTH, (int64_t)a->shape->convex_radius + b->shape->convex_radius)) {
     out->intersecting = false;
@@ -209,17 +225,19 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
 }
 
 // A depth as a distance: negative, its bounds exchanged. iterations stops counting at 255.
-static void report_signed(const gjk_penetration_result *overlapping, gjk_distance_result *out) {
+static void report_signed(const gjk_penetration_result *overlapping, bool points, gjk_distance_result *out) {
   out->distance = -overlapping->depth;
   out->lower = -overlapping->upper;
   out->upper = -overlapping->lower;
-  out->point_a = overlapping->point_a;
-  out->point_b = overlapping->point_b;
   out->normal = overlapping->normal;
   out->intersecting = true;
   out->saturated = false;
   out->iterations = (uint8_t)(overlapping->iterations < UINT8_MAX ? overlapping->iterations : UINT8_MAX);
-  out->certificate = overlapping->certificate;
+  if (points) {
+    out->point_a = overlapping->point_a;
+    out->point_b = overlapping->point_b;
+    out->certificate = overlapping->certificate;
+  }
 }
 
 // The bounds of the distance, or of minus the depth, that the last iteration proves.
@@ -233,14 +251,22 @@ static void report_bounds(gjk_iteration *it, gjk_distance_result *out) {
 
 gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                                const gjk_workspace *workspace, gjk_distance_result *out) {
+  bool points = true;
+  return gjk_signed_distance_along(a, b, cache, workspace, &points, out);
+}
+
+gjk_status gjk_signed_distance_along(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                                     const gjk_workspace *workspace, bool *points, gjk_distance_result *out) {
   const gjk_status status = gjk_check_pair(a, b, out);
   if (status != GJK_OK) {
     return status;
   }
   overlap o;
   gjk_iteration *it = &o.it;
+  o.points = *points;
   gjk_iteration_start(it, a, b, GJK_GOAL_SIGNED, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
   const gjk_outcome outcome = start_overlap(&o, GJK_GOAL_SIGNED, cache);
+  *points = o.points;
   if (outcome == GJK_OUTCOME_LIMIT) {
     report_bounds(it, out);
     return GJK_ERROR_ITERATION_LIMIT;
@@ -257,6 +283,6 @@ gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk
   }
   //@ assert it->shift >= 0;
   const gjk_status measured = report_depth(&o, outcome, plane, workspace, &overlapping);
-  report_signed(&overlapping, out);
+  report_signed(&overlapping, o.points, out);
   return measured;
 }
