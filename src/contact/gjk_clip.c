@@ -51,9 +51,10 @@ typedef struct clip {
   gjk_q16 margin;
   gjk_candidates *out;
   gjk_flat flat;
-  sides of_a, of_b;  // relative to the lines of a, of b
-  uint32_t near;     // points no farther apart than this along each axis count as one
-  uint32_t slivers;  // bit i: candidate i is a crossing that bounds next to nothing
+  sides of_a, of_b;   // relative to the lines of a, of b
+  uint32_t near;      // points no farther apart than this along each axis count as one
+  bool may_saturate;  // points, which are below 2^30 from the centre, may be beyond int32
+  uint32_t slivers;   // bit i: candidate i is a crossing that bounds next to nothing
 } clip;
 
 static inline unsigned next_corner(const gjk_polygon *p, unsigned i) {
@@ -95,6 +96,15 @@ static gjk_contact *slot_for(gjk_candidates *out, gjk_q16 distance, uint16_t id)
   return out->count < GJK_CANDIDATES_MAX ? &out->candidate[out->count++] : NULL;
 }
 
+static gjk_vec3 move_point(const gjk_vec3 *centre, const gjk_vec3 *p, bool may_saturate) {
+  if (!may_saturate) {
+    return gjk_add(*centre, *p);
+  }
+  const gjk_vec3 moved = {gjk_saturate((int64_t)centre->x + p->x), gjk_saturate((int64_t)centre->y + p->y),
+                          gjk_saturate((int64_t)centre->z + p->z)};
+  return moved;
+}
+
 // Adds a pair of points, relative to c->centre. World coordinates saturate.
 static void add_candidate(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, gjk_q16 distance, uint16_t id) {
   const gjk_vec3 *centre = c->centre;
@@ -102,12 +112,8 @@ static void add_candidate(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, gjk_q16
   if (candidate == NULL) {
     return;
   }
-  candidate->point_a.x = gjk_saturate((int64_t)centre->x + a->x);
-  candidate->point_a.y = gjk_saturate((int64_t)centre->y + a->y);
-  candidate->point_a.z = gjk_saturate((int64_t)centre->z + a->z);
-  candidate->point_b.x = gjk_saturate((int64_t)centre->x + b->x);
-  candidate->point_b.y = gjk_saturate((int64_t)centre->y + b->y);
-  candidate->point_b.z = gjk_saturate((int64_t)centre->z + b->z);
+  candidate->point_a = move_point(centre, a, c->may_saturate);
+  candidate->point_b = move_point(centre, b, c->may_saturate);
   candidate->distance = distance;
   candidate->id = id;
 }
@@ -143,12 +149,14 @@ static void find_sides(const gjk_polygon *p, const gjk_flat_point *of_p, const g
   const unsigned all = (1u << other->count) - 1;
   for (unsigned k = 0; k < line_count(p); k++) {
     const gjk_flat_point edge = gjk_flat_way(&of_p[k], &of_p[next_corner(p, k)]);
-    const int64_t error = gjk_flat_error(edge);
+    // edge x (corner - start) as a difference of two products: below 2^60 each
+    const int64_t start = gjk_flat_cross(edge, of_p[k]), error = gjk_flat_error(edge);
+    const int64_t above = start + error, below = start - error;
     unsigned left = 0, right = 0;
     for (unsigned i = 0; i < other->count; i++) {
-      const int64_t side = gjk_flat_cross(edge, gjk_flat_way(&of_p[k], &of_other[i]));
-      left |= (side >= error ? 1u : 0u) << i;
-      right |= (side <= -error ? 1u : 0u) << i;
+      const int64_t side = gjk_flat_cross(edge, of_other[i]);
+      left |= (side >= above ? 1u : 0u) << i;
+      right |= (side <= below ? 1u : 0u) << i;
     }
     unsigned inside = turned ? right : left, outside = turned ? left : right;
     for (unsigned i = 0, open = all & ~(left | right); open != 0; i++, open >>= 1) {
@@ -344,12 +352,13 @@ static gjk_vec3 crossing(const clip *c, const edge_and_line *x, bool *flat) {
   return point_between(&x->p->corner[x->i], &x->p->corner[next], share_of(sizes[0], sizes[1]));
 }
 
-// Does p's edge from corner i cross line k of the other polygon? An end on the line of a face is no crossing: step 2
-// has that corner. An edge has no inside, so an end on its line counts as inside.
-static bool crosses(const gjk_polygon *p, unsigned i, const gjk_polygon *other, const sides *of_other, unsigned k) {
-  const unsigned next = next_corner(p, i), out = of_other->outside[k],
-                 in = other->count > 2 ? of_other->inside[k] : ~out;
-  return ((out >> i & in >> next) | (in >> i & out >> next)) & 1u;
+// Which edges of p cross line k of the other polygon? Bit i: the one from corner i. An end on the line of a face is no crossing:
+// step 2 has that corner. An edge has no inside, so an end on its line counts as inside.
+static unsigned crossing_edges(const gjk_polygon *p, const gjk_polygon *other, const sides *of_other, unsigned k) {
+  const unsigned out = of_other->outside[k], last = p->count - 1u, all = (2u << last) - 1u;
+  const unsigned in = other->count > 2 ? of_other->inside[k] : ~out & all;
+  const unsigned out_next = out >> 1 | (out & 1u) << last, in_next = in >> 1 | (in & 1u) << last;
+  return (out & in_next) | (in & out_next);
 }
 
 static unsigned edge_feature(const gjk_polygon *p, unsigned i) {
@@ -388,9 +397,14 @@ static void add_crossing(clip *c, unsigned i, unsigned k) {
 
 static void add_crossings(clip *c) {
   const gjk_polygon *a = c->a, *b = c->b;
+  unsigned of_a[GJK_FACE_CORNERS_MAX];  // the edges of a that cross each line of b
+  for (unsigned k = 0; k < line_count(b); k++) {
+    of_a[k] = crossing_edges(a, b, &c->of_b, k);
+  }
   for (unsigned i = 0; i < line_count(a); i++) {
+    const unsigned of_b = crossing_edges(b, a, &c->of_a, i);
     for (unsigned k = 0; k < line_count(b); k++) {
-      if (crosses(b, k, a, &c->of_a, i) && crosses(a, i, b, &c->of_b, k)) {
+      if ((of_b >> k & of_a[k] >> i & 1u) != 0) {
         add_crossing(c, i, k);
       }
     }
@@ -523,6 +537,7 @@ void gjk_clip(const gjk_polygon *a, const gjk_polygon *b, const gjk_vec3 *centre
   c.a = a;
   c.b = b;
   c.centre = centre;
+  c.may_saturate = ((gjk_magnitude32(centre->x) | gjk_magnitude32(centre->y) | gjk_magnitude32(centre->z)) >> 30) != 0;
   c.margin = margin;
   c.out = out;
   c.near = nearness(a, b);
