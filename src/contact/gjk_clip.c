@@ -18,8 +18,7 @@
 // What is rounded, each candidate from the given corners alone and once:
 //   corner         not at all
 //   point across   per component to the nearest LSB, off by 2^-28 of the gap and 1/8 LSB before that
-//   point of edge  per component to the nearest LSB, off by 3/4 LSB along the edge before that. Crossing edges cross on the
-//                  grid: it moves their lines by less than 1/16 LSB
+//   point of edge  per component to the nearest LSB, off by 3/4 LSB along the edge before that, on the grid by 1/2 more
 //   distance       to the nearest LSB
 // Polygons that spread over more than 256 units take neither the grid nor 30 bits of a plane's normal for points, but exact
 // products.
@@ -35,8 +34,8 @@
 // rounded to the nearest LSB per axis, so it is below 2 LSB.
 #define ASIDE_SQUARED 1
 
-// Up to so many bits of spread, 256 units, the grid's points are within 2^-4 LSB of the corners, and 30 bits of a plane's normal
-// serve:   2^(bits + 2) / 2^30 for a point;   3 2^bits 2^30 for n . v by 2^59 for n . direction
+// Up to so many bits of spread, 256 units, 30 bits of a plane's normal serve:   3 2^bits 2^30 for n . v by 2^59 for
+// n . direction, below 1/8 LSB.
 #define GRID_BITS 24
 
 // On which side of the lines of one polygon the corners of the other lie. Bit i of [k] is corner i and line k; line k
@@ -334,17 +333,21 @@ GJK_OUT_OF_LINE static gjk_vec3 exact_crossing(const clip *c, const edge_and_lin
 
 // The same on the grid. Both edges divide each other by the same two lines, so their points lie across from each other. An
 // end that the exact sign and the rounded one have on different sides is on the line.
-// flat is set where the end on the inside is near to the line.
+//
+// The grid moves a line by less than 2 of its units, 2^(bits - 28) LSB each, and so their crossing by 4 units / sin of the angle
+// between them. That is at most 1/2 LSB where the sine is 2^(bits - 25); smaller ones are left to exact products.
 static gjk_vec3 crossing(const clip *c, const edge_and_line *x, bool *flat) {
-  if (c->flat.bits > GRID_BITS) {
-    return exact_crossing(c, x, flat);
-  }
-  const unsigned next = next_corner(x->p, x->i);
+  const unsigned next = next_corner(x->p, x->i), bits = c->flat.bits;
   const bool leaves = (x->lines->outside[x->k] >> next & 1u) != 0, turned = x->other == c->b;
   const gjk_flat_point *start = &x->of_other[x->k];
   const gjk_flat_point line = gjk_flat_way(start, &x->of_other[next_corner(x->other, x->k)]);
-  const int64_t from = gjk_flat_cross(line, gjk_flat_way(start, &x->of_p[x->i]));
-  const int64_t to = gjk_flat_cross(line, gjk_flat_way(start, &x->of_p[next]));
+  const gjk_flat_point edge = gjk_flat_way(&x->of_p[x->i], &x->of_p[next]);
+  const int64_t across = gjk_flat_cross(line, edge), from = gjk_flat_cross(line, gjk_flat_way(start, &x->of_p[x->i]));
+  const uint64_t product = gjk_umul32(gjk_flat_length(line), gjk_flat_length(edge));
+  if (bits > GRID_BITS || gjk_magnitude64(across) < product >> (GRID_BITS + 1 - bits)) {
+    return exact_crossing(c, x, flat);
+  }
+  const int64_t to = from + across;  // line x (end - start)
   const int64_t part = leaves != turned ? from : -from, rest = leaves != turned ? -to : to;
   const uint64_t sizes[2] = {part > 0 ? (uint64_t)part : 0, rest > 0 ? (uint64_t)rest : 0};
   const uint64_t near = gjk_umul32(gjk_flat_near(&c->flat, c->near), gjk_flat_length(line));

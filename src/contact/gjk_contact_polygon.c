@@ -131,7 +131,7 @@ void gjk_polygon_settle(gjk_polygon *p, gjk_q16 radius) {
 
 // Steps 2 to 4.
 static void finish_polygon(gjk_polygon *p, gjk_q16 radius) {
-  if (p->count > 2 && gjk_polygon_alignment(&p->normal, &p->direction) >= GJK_POLYGON_FACE_KEY) {
+  if (p->meets || (p->count > 2 && gjk_polygon_alignment(&p->normal, &p->direction) >= GJK_POLYGON_FACE_KEY)) {
     lift_face(p, radius);
   } else if (p->count > 1) {
     gjk_polygon_settle(p, radius);
@@ -143,6 +143,7 @@ void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const 
   // Step 1.
   out->direction = *direction;
   out->count = 1;
+  out->meets = false;
   out->feature = 0;
   out->radius = c->shape->convex_radius;
   switch (type->kind) {

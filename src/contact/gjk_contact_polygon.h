@@ -14,6 +14,7 @@ typedef struct gjk_polygon {
   gjk_vec3 direction;                     // the direction that the polygon meets: a unit vector, Q2.30
   uint16_t feature;                       // the number that gjk/contacts.h gives the face, edge or corner
   gjk_q16 radius;                         // of an edge: the radius of the surface around it; 0: sharp
+  bool meets;                             // it is a face known to be within 20 degrees of the direction
   uint8_t
       count;  // 2: an edge; more: a face; 1: a corner, or nothing known, and then only direction and feature are set
 } gjk_polygon;
