@@ -16,7 +16,7 @@
 typedef struct gjk_cache {
   int16_t direction[3];  // last direction from A to B; all zero: none
   uint16_t count;        // pairs in use
-  uint16_t a[4], b[4];   // vertices of the last feature or simplex, in pairs
+  uint16_t a[4], b[4];   // vertices of the last feature or simplex, in pairs; a[3] after a depth of boxes: its plane
 } gjk_cache;
 
 #endif

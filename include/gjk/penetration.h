@@ -76,14 +76,17 @@ typedef struct gjk_penetration_result {
 //
 // a, b       posed colliders, read only; may be the same object.
 // cache      in/out, the caller's; zeroed = cold start; NULL = none. Changes speed only: it helps to find out that the
-//            shapes are apart, and a depth is measured from a cold start. Written after OK and CAPACITY.
+//            shapes are apart, and which facet of boxes is nearest; other depths are measured from a cold start. Written
+//            after OK and CAPACITY.
 // workspace  read only, its cells in/out; may be NULL, see gjk_workspace. The result depends on the number of cells
 //            only where they are too few, never on what they hold.
 // out        the caller's.
 // Exact      points, segments, triangles, boxes, hulls and their forms with a convex radius:
 //              depth           the true minimum over all directions, rounded up; lower and upper equal it
 //              normal          B moved by depth normal, each component rounded away from 0, is apart from A or touches
-//                              it; within 2^-28 of the direction of the least depth
+//                              it; within 2^-28 of the direction of the least depth. Depths along directions are compared
+//                              exactly, not in LSB; equal ones, of points, segments and boxes, in this order: faces of a
+//                              by their half axes, faces of b, edges of a by those of b
 //              points          each within 1 LSB of its shape; when B has moved by depth normal they coincide, to
 //                              within 3 LSB and 2^-28 of depth. Coordinates saturate at the ends of Q16.16
 //            Cylinder, cone, ellipsoid: depth within 3 LSB, between bounds at most 6 LSB apart; or CAPACITY.

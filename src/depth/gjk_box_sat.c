@@ -172,7 +172,7 @@ static const uint8_t half_axes[GJK_BOX_PLANES][2] = {{1, 2}, {2, 0}, {0, 1}, {4,
 static inline int side_of_plane(const gjk_long3 *n, const gjk_vec3 *v) {
   const gjk_vec3 high = {gjk_high32(n->x), gjk_high32(n->y), gjk_high32(n->z)};
   const int32_t top = gjk_high32(gjk_dot(&high, v));
-  return top >= 1 || top < -1 ? gjk_sar32(top, 31) | 1 : gjk_dot_sign_exact(n, v);
+  return top >= 1 || top < -1 ? (int)(gjk_sar32(top, 31) | 1) : gjk_dot_sign_exact(n, v);
 }
 
 // Sets a plane by its number. False: the half axes are parallel.

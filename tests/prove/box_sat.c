@@ -32,7 +32,9 @@ static void run(uint16_t count_a, uint16_t count_b) {
   facet.found = false;
   facet_is_found = 0;
   if (gjk_is_box_pair(&it)) {
-    const gjk_box_sat_answer answer = gjk_box_sat(&it, &facet);
+    unsigned plane = (unsigned)any_between(0, 70000);
+    bool points = any_bool();
+    const gjk_box_sat_answer answer = gjk_box_sat(&it, &plane, &points, &facet);
     //@ split answer;
     if (answer == GJK_BOX_SAT_FACET) {
       check_facet(&facet, false);

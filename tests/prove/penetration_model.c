@@ -1,10 +1,17 @@
 // Stands in for src/query/gjk_penetration.c: any result, as tests/prove/query.c shows.
-#include "gjk/penetration.h"
+#include "src/query/gjk_distance.h"
 
 #include "colliders.h"
 
 gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                                const gjk_workspace *workspace, gjk_distance_result *out) {
+  bool points = true;
+  return gjk_signed_distance_along(a, b, cache, workspace, &points, out);
+}
+
+gjk_status gjk_signed_distance_along(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
+                                     const gjk_workspace *workspace, bool *points, gjk_distance_result *out) {
+  *points = *points || any_bool();
   if (any_bool()) {
     return GJK_ERROR_ITERATION_LIMIT;
   }
@@ -14,8 +21,10 @@ gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk
   out->lower = any_int32();
   out->upper = any_int32();
   out->normal = normal;
-  out->point_a = any_position();
-  out->point_b = any_position();
+  if (*points) {
+    out->point_a = any_position();
+    out->point_b = any_position();
+  }
   out->intersecting = any_bool();
   out->saturated = any_bool();
   return any_bool() ? GJK_OK : GJK_ERROR_CAPACITY;
