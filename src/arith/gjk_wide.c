@@ -185,3 +185,32 @@ int gjk_u192_compare(const gjk_u192 *x, const gjk_u192 *y) {
   }
   return 0;
 }
+
+// out = x y, all of it.
+static void multiply_whole(uint32_t out[2 * GJK_U192_LIMBS], const gjk_u192 *x, const gjk_u192 *y) {
+  for (int i = 0; i < GJK_U192_LIMBS; i++) {
+    out[i] = 0;
+  }
+  for (int i = 0; i < GJK_U192_LIMBS; i++) {
+    uint64_t carry = 0;
+    for (int j = 0; j < GJK_U192_LIMBS; j++) {
+      // as in gjk_u192_multiply:  sum <= 2^64 - 1
+      carry += gjk_umul32(x->limb[i], y->limb[j]) + out[i + j];
+      out[i + j] = (uint32_t)(carry & UINT32_MAX);
+      carry >>= 32;
+    }
+    out[i + GJK_U192_LIMBS] = (uint32_t)carry;
+  }
+}
+
+int gjk_u192_compare_quotients(const gjk_u192 *a, const gjk_u192 *b, const gjk_u192 *c, const gjk_u192 *d) {
+  uint32_t left[2 * GJK_U192_LIMBS], right[2 * GJK_U192_LIMBS];
+  multiply_whole(left, a, d);
+  multiply_whole(right, c, b);
+  for (int i = 2 * GJK_U192_LIMBS - 1; i >= 0; i--) {
+    if (left[i] != right[i]) {
+      return left[i] > right[i] ? 1 : -1;
+    }
+  }
+  return 0;
+}

@@ -418,5 +418,7 @@ void gjk_u192_add(gjk_u192 *x, const gjk_u192 *y);
 void gjk_u192_multiply(gjk_u192 *out, const gjk_u192 *x, const gjk_u192 *y);
 // The sign of x - y.
 int gjk_u192_compare(const gjk_u192 *x, const gjk_u192 *y);
+// The sign of a / b - c / d, exact. Pre: b and d are not 0.
+int gjk_u192_compare_quotients(const gjk_u192 *a, const gjk_u192 *b, const gjk_u192 *c, const gjk_u192 *d);
 
 #endif

@@ -4,8 +4,9 @@
 //            Nothing lies there: of a vertex or edge TOUCHES; of a triangle FACET, of depth 0.
 //   Step 2   Start the hull from the tetrahedron. There is no room: FULL, with a bound of the depth from one face.
 //   Then each iteration:
-//   Step 3   Take the lowest face that is not settled, by its height key. There is none, or it cannot be better than
-//            the candidate: the candidate is the nearest facet. FACET.
+//   Step 3   Take the lowest face that is not settled, by its height key. There is none, or it cannot be as low as the
+//            candidate: the candidate is the nearest facet. FACET. Of polytopes: where the key does not tell, compare
+//            their heights exactly. A face that is higher, or as high and no better, is settled without a scan.
 //   Step 4   A curved pair: the bounds of the depth are close: FACET. The limit on iterations is reached: step 8.
 //   Step 5   Support scan: w is the vertex of A - B farthest along the outward normal of the face.
 //   Step 6   w is not strictly beyond the face (of a curved pair not a quarter of an LSB): the face lies in the surface
@@ -205,6 +206,23 @@ static gjk_epa_outcome bound_depth_by_hull(gjk_iteration *it, const gjk_epa_hull
   return GJK_EPA_FULL;
 }
 
+// Step 3 of polytopes: is the face lower than the candidate? 0: as low, but the candidate does not cover the projection and
+// the face may. -1: neither, and the face is settled. Exact.
+static int is_lower(gjk_iteration *it, const gjk_epa_hull *p, uint16_t face, gjk_facet *facet) {
+  gjk_long3 n;
+  const uint16_t *corner = gjk_epa_hull_face(p, face)->corner;
+  if (!facet->found) {
+    return 1;
+  }
+  gjk_epa_hull_plane(p, face, &n, &it->direction);
+  for (int i = 0; i < 3; i++) {
+    gjk_epa_hull_load(p, corner[i], &it->simplex.slot[i]);
+  }
+  facet->set = false;
+  const int sign = gjk_facet_compare(facet, it);
+  return sign < 0 ? 1 : sign == 0 && !facet->covers ? 0 : -1;
+}
+
 // Steps 3 to 8.
 static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *facet, gjk_q16 *lower,
                               uint16_t *iterations) {
@@ -217,9 +235,15 @@ static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *fac
     const uint16_t lowest = gjk_epa_hull_lowest(p);
     gjk_epa_face *face = gjk_epa_hull_face(p, lowest);
     const uint32_t key = face->height_key;
-    if (key == GJK_HEIGHT_KEY_SETTLED || !gjk_facet_may_improve(facet, it->shift, key)) {
+    if (key == GJK_HEIGHT_KEY_SETTLED ||
+        !(curved ? gjk_facet_may_improve(facet, it->shift, key) : gjk_facet_may_tie(facet, key))) {
       *lower = least_depth(it, facet);
       return GJK_EPA_FACET;
+    }
+    const int better = curved ? 0 : is_lower(it, p, lowest, facet);
+    if (better < 0) {
+      face->height_key = GJK_HEIGHT_KEY_SETTLED;
+      continue;
     }
     // Step 4: a curved pair may end.
     if (curved && bounds_are_close(it, p, facet, iteration, lower)) {
@@ -245,9 +269,14 @@ static gjk_epa_outcome expand(gjk_iteration *it, gjk_epa_hull *p, gjk_facet *fac
     }
     // Step 6: the face is settled. Step 7: the vertex is added.
     if (!beyond || (curved && reached <= gjk_height(&it->direction.d, w) + CURVED_TOLERANCE(it->shift))) {
+      facet->found = facet->found && better <= 0;
       offer_face(it, p, face->corner, curved ? upper_bound(it, &support->w) : -1, facet);
       face->height_key = GJK_HEIGHT_KEY_SETTLED;
     } else if (!gjk_epa_hull_add(p, lowest, support)) {
+      if (!curved && !gjk_facet_may_improve(facet, it->shift, key)) {  // the depth is found all the same
+        *lower = least_depth(it, facet);
+        return GJK_EPA_FACET;
+      }
       return bound_depth_by_hull(it, p, &least, facet, lower, iterations);
     }
   }

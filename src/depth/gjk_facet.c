@@ -29,6 +29,38 @@ bool gjk_facet_may_improve(const gjk_facet *best, int shift, uint32_t key) {
   return deepest >= 0 && key <= highest_key((uint32_t)deepest << shift);
 }
 
+bool gjk_facet_may_tie(const gjk_facet *best, uint32_t key) {
+  return !best->found || key <= highest_key(height_along(&best->normal, &best->corner[0].w) + GJK_HEIGHT_ERROR);
+}
+
+int gjk_facet_compare(gjk_facet *best, gjk_iteration *it) {
+  gjk_simplex *s = &it->simplex;
+  const gjk_vec3 *one = &best->corner[0].w;
+  gjk_long3 n;
+  gjk_triangle_normal(one, &best->corner[1].w, &best->corner[2].w, &n);
+  // Mostly it is the same plane, of another triangle of the facet.
+  unsigned level = 0;
+  for (gjk_vec3 step = gjk_sub(s->slot[0].w, *one); gjk_dot_sign(&n, &step) == 0;) {
+    if (++level == 3) {
+      return 0;
+    }
+    step = gjk_sub(s->slot[level].w, *one);
+  }
+  const uint32_t height = gjk_height(&it->direction.d, &s->slot[0].w), of_best = height_along(&best->normal, one);
+  if (height + 2 * GJK_HEIGHT_ERROR < of_best || height > of_best + 2 * GJK_HEIGHT_ERROR) {
+    return height < of_best ? -1 : 1;
+  }
+  gjk_u192 numerator, denominator, numerator_of_best, denominator_of_best;
+  gjk_simplex_set(s, 3);
+  gjk_simplex_squared_distance(s, &numerator, &denominator);
+  for (int i = 0; i < 3; i++) {
+    s->slot[i].w = best->corner[i].w;
+  }
+  gjk_simplex_set(s, 3);
+  gjk_simplex_squared_distance(s, &numerator_of_best, &denominator_of_best);
+  return gjk_u192_compare_quotients(&numerator, &denominator, &numerator_of_best, &denominator_of_best);
+}
+
 // The depth of the plane through w. triangle: of the simplex's triangle, whose rounded normal is it->direction;
 // otherwise of the plane across it->direction. normal: it->direction as a unit vector. The height
 // settles most depths, even with its error.

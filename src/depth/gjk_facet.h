@@ -43,6 +43,13 @@ static inline gjk_q16 gjk_height_to_lsb(uint32_t height, int shift) {
 // its facet holds the nearest point, which the best candidate's does not.
 bool gjk_facet_may_improve(const gjk_facet *best, int shift, uint32_t key);
 
+// May a plane of this height key be as low as the best candidate's, or lower by any amount? Pre: polytopes.
+bool gjk_facet_may_tie(const gjk_facet *best, uint32_t key);
+
+// The sign of the height of the plane through the simplex's first three slots less that of the best candidate's. Exact.
+// Overwrites the feature. Pre: polytopes; a candidate is found; it->direction is the plane's normal.
+int gjk_facet_compare(gjk_facet *best, gjk_iteration *it);
+
 // Offers the plane of the simplex's first three slots as a candidate. Pre: gjk_simplex_set has made them the feature;
 // it->direction is the outward normal.
 // covers: the origin's projection lies in their triangle.
