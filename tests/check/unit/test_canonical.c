@@ -5,12 +5,14 @@
 //
 // A and B exchanged give the same decision, distance, depth and bounds; the same points to 2 LSB and the same normal to
 // 4 units of 2^-30 where these are unique.
+#include <math.h>
 #include <string.h>
 
 #include "check.h"
 #include "generate/polytope.h"
 #include "gjk/check.h"
 #include "gjk/gjk.h"
+#include "src/gjk/gjk_iteration.h"
 
 #define PAIRS check_trials(20000)
 #define SEED 9300
@@ -253,7 +255,100 @@ static void check_caches(void) {
   CHECK(full > PAIRS / 100);
 }
 
+static int32_t larger(int32_t a, int32_t b) {
+  return a > b ? a : b;
+}
+
+// The largest difference of a coordinate.
+static int32_t difference(const gjk_vec3 *a, const gjk_vec3 *b) {
+  return larger(larger(abs(a->x - b->x), abs(a->y - b->y)), abs(a->z - b->z));
+}
+
+// The same of a direction and the opposite one.
+static int32_t turn(const gjk_unit3 *a, const gjk_unit3 *b) {
+  return larger(larger(abs(a->x + b->x), abs(a->y + b->y)), abs(a->z + b->z));
+}
+
+// The height of the plane that a certificate names, LSB.
+static long double height_of(const gjk_collider *a, const gjk_collider *b, const gjk_certificate *c) {
+  long double w[3][3], n[3];
+  for (int i = 0; i < 3; i++) {
+    gjk_vec3 u, v;
+    CHECK(a->shape->type->vertex(a, c->a[i], &u) && b->shape->type->vertex(b, c->b[i], &v));
+    w[i][0] = (long double)a->centre.x - b->centre.x + u.x - v.x;
+    w[i][1] = (long double)a->centre.y - b->centre.y + u.y - v.y;
+    w[i][2] = (long double)a->centre.z - b->centre.z + u.z - v.z;
+  }
+  for (int i = 0; i < 3; i++) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    n[i] = (w[1][j] - w[0][j]) * (w[2][k] - w[0][k]) - (w[1][k] - w[0][k]) * (w[2][j] - w[0][j]);
+  }
+  return (n[0] * w[0][0] + n[1] * w[0][1] + n[2] * w[0][2]) / sqrtl(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+}
+
+static unsigned long unique, several, deep, other_way;
+
+static void check_exchanged_gap(unsigned pair, const question *q) {
+  gjk_distance_result there, back;
+  gjk_cache cache;
+  memset(&cache, 0, sizeof cache);
+  CHECK(gjk_distance(&q->a, &q->b, &cache, &there) == GJK_OK && gjk_distance(&q->b, &q->a, NULL, &back) == GJK_OK);
+  CHECK_MSG(there.intersecting == back.intersecting && there.distance == back.distance, "pair %u", pair);
+  if (there.intersecting) {
+    return;
+  }
+  CHECK_MSG(turn(&there.normal, &back.normal) <= 4, "pair %u: %d", pair, turn(&there.normal, &back.normal));
+  const bool tied = (cache.count & GJK_CACHE_TIED) != 0;
+  unique += !tied;
+  several += tied;
+  CHECK_MSG(tied || (difference(&there.point_a, &back.point_b) <= 2 && difference(&there.point_b, &back.point_a) <= 2),
+            "pair %u: %d %d", pair, difference(&there.point_a, &back.point_b),
+            difference(&there.point_b, &back.point_a));
+}
+
+// Where the direction is another one, both planes are exactly as high. Of two boxes to an LSB.
+static void check_exchanged_depth(unsigned pair, const question *q) {
+  gjk_penetration_result there, back;
+  const gjk_status status = gjk_penetration(&q->a, &q->b, NULL, &q->workspace, &there);
+  CHECK_MSG(gjk_penetration(&q->b, &q->a, NULL, &q->workspace, &back) == status, "pair %u", pair);
+  CHECK_MSG(there.intersecting == back.intersecting, "pair %u", pair);
+  if (status != GJK_OK || !there.intersecting) {
+    return;
+  }
+  CHECK_MSG(there.depth == back.depth && there.lower == back.lower && there.upper == back.upper, "pair %u", pair);
+  deep++;
+  if (turn(&there.normal, &back.normal) > 4 && there.certificate.proof == GJK_PROOF_FACET &&
+      back.certificate.proof == GJK_PROOF_FACET) {
+    other_way++;
+    const long double one = height_of(&q->a, &q->b, &there.certificate);
+    const long double other = height_of(&q->b, &q->a, &back.certificate);
+    const bool boxes = q->a.shape->type->kind == GJK_KIND_AXES && q->b.shape->type->kind == GJK_KIND_AXES;
+    CHECK_MSG(fabsl(one - other) <= (boxes ? 1 : 1e-9L * (one + 1)), "pair %u: %.12Lf %.12Lf", pair, one, other);
+  }
+}
+
+static void check_exchanged(void) {
+  for (unsigned i = 0; i < PAIRS; i++) {
+    random_state random = random_seed(check_seed(SEED) + 1000000 + i);
+    const bool aligned = i % 4 == 0;
+    const gjk_q16 size = aligned ? 2 << random_below(&random, 25) : generate_reach(&random) / 8 + 8;
+    const gjk_shape shapes[2] = {make_shape(&random, 0, size, aligned), make_shape(&random, 1, size, aligned)};
+    const gjk_pose poses[2] = {make_pose(&random, aligned, size, size), make_pose(&random, aligned, size, 1.0 * size)};
+    question q;
+    pose(&q, shapes, poses);
+    q.workspace.cells = cells;
+    q.workspace.count = CELLS;
+    check_exchanged_gap(i, &q);
+    check_exchanged_depth(i, &q);
+  }
+  printf("exchanged: %lu unique, %lu with several nearest points, %lu deep, %lu of them another way\n", unique, several,
+         deep, other_way);
+  CHECK(unique > PAIRS / 8 && several > PAIRS / 50);
+  CHECK(deep > PAIRS / 4 && other_way < deep / 4);
+}
+
 int main(void) {
   check_caches();
+  check_exchanged();
   return check_done("canonical");
 }
