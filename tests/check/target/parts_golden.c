@@ -49,8 +49,6 @@ static void mix_decision(gjk_status status, uint32_t part, const gjk_decision *o
   if (status == GJK_OK) {
     mix(part);
     mix((uint32_t)out->yes);
-    mix(out->iterations);
-    mix(out->certificate.proof);
   }
 }
 
@@ -63,7 +61,6 @@ static void mix_distance(gjk_status status, uint32_t part, const gjk_distance_re
   mix((uint32_t)out->distance);
   mix((uint32_t)out->lower);
   mix((uint32_t)out->intersecting);
-  mix(out->iterations);
   if (!out->intersecting) {
     mix_vector(&out->point_a);
     mix_vector(&out->point_b);

@@ -331,9 +331,12 @@ static void check_exchanged(void) {
   for (unsigned i = 0; i < PAIRS; i++) {
     random_state random = random_seed(check_seed(SEED) + 1000000 + i);
     const bool aligned = i % 4 == 0;
-    const gjk_q16 size = aligned ? 2 << random_below(&random, 25) : generate_reach(&random) / 8 + 8;
+    // Every other pair is of a few LSB: there directions are often within an LSB of each other, and not as deep.
+    const gjk_q16 size = aligned      ? 2 << random_below(&random, 25)
+                         : i % 2 == 0 ? generate_reach(&random) / 8 + 8
+                                      : random_range(&random, 4, 60);
     const gjk_shape shapes[2] = {make_shape(&random, 0, size, aligned), make_shape(&random, 1, size, aligned)};
-    const gjk_pose poses[2] = {make_pose(&random, aligned, size, size), make_pose(&random, aligned, size, 1.0 * size)};
+    const gjk_pose poses[2] = {make_pose(&random, aligned, size, size), make_pose(&random, aligned, size, size / 4.0)};
     question q;
     pose(&q, shapes, poses);
     q.workspace.cells = cells;
@@ -347,7 +350,39 @@ static void check_exchanged(void) {
   CHECK(deep > PAIRS / 4 && other_way < deep / 4);
 }
 
+// Long octahedra with a point near their middle: facets on either side of x are within an LSB of each other. The one that is
+// reported is the lowest, not one that is as deep in whole LSB.
+static void check_lowest_facet(void) {
+  unsigned close = 0;
+  for (unsigned i = 0; i < PAIRS / 10; i++) {
+    random_state random = random_seed(check_seed(SEED) + 2000000 + i);
+    const gjk_q16 size = 1 << (14 + random_below(&random, 10));
+    const gjk_q16 x = 4 * size + random_range(&random, 0, 9), y = size + random_range(&random, 0, 9);
+    const gjk_q16 z = size + random_range(&random, 0, 9);
+    const gjk_vec3 v[6] = {{x, 0, 0}, {-x, 0, 0}, {0, y, 0}, {0, -y, 0}, {0, 0, z}, {0, 0, -z}};
+    const gjk_shape shapes[2] = {GJK_HULL(v, 6), GJK_POINT};
+    gjk_pose poses[2] = {GJK_POSE_IDENTITY, GJK_POSE_IDENTITY};
+    gjk_penetration_result depth;
+    question q;
+    poses[1].position.x = random_range(&random, -3, 3);
+    poses[1].position.y = random_range(&random, -3, 3);
+    poses[1].position.z = random_range(&random, -3, 3);
+    pose(&q, shapes, poses);
+    q.workspace.cells = cells;
+    q.workspace.count = CELLS;
+    const long double a = 1.0L / x, b = 1.0L / y, c = 1.0L / z, far = sqrtl(a * a + b * b + c * c);
+    const gjk_vec3 *at = &poses[1].position;
+    const long double least = (1 - a * abs(at->x) - b * abs(at->y) - c * abs(at->z)) / far;
+    CHECK(gjk_penetration(&q.a, &q.b, NULL, &q.workspace, &depth) == GJK_OK && depth.intersecting);
+    CHECK_MSG(fabsl(height_of(&q.a, &q.b, &depth.certificate) - least) < 1e-6L, "octahedron %u: %Lf, not %Lf", i,
+              height_of(&q.a, &q.b, &depth.certificate), least);
+    close += at->x != 0;
+  }
+  CHECK(close > PAIRS / 100);
+}
+
 int main(void) {
+  check_lowest_facet();
   check_caches();
   check_exchanged();
   return check_done("canonical");
