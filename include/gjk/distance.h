@@ -36,6 +36,10 @@ typedef struct gjk_distance_result {
 //           distance           rounded to the nearest LSB, a tie up; a gap below 1/2 LSB is 0, and not intersecting
 //           points             each within 1 LSB of its shape, their gap within 2 LSB of the distance
 //           normal             within 2^-28
+//         Ties: where several pairs of points are equally near, as between parallel edges or faces, they are those that a
+//         search finds among the vertices of these alone, from the ones with the lowest numbers on.
+//         Exchanged, A and B are as far apart; where the nearest points are unique, within 2 LSB of these, and the normal
+//         within 4 units of 2^-30 of the opposite one.
 //         Cylinder, cone, ellipsoid: distance and points within 2 LSB of the exact surface.
 //         More than 8192 units apart:
 //           distance           within 2^-28 of itself, of curved shapes 2^-27

@@ -86,7 +86,8 @@ typedef struct gjk_penetration_result {
 //              normal          B moved by depth normal, each component rounded away from 0, is apart from A or touches
 //                              it; within 2^-28 of the direction of the least depth. Depths along directions are compared
 //                              exactly, not in LSB; equal ones, of points, segments and boxes, in this order: faces of a
-//                              by their half axes, faces of b, edges of a by those of b
+//                              by their half axes, faces of b, edges of a by those of b; of other pairs one that is a
+//                              function of the posed shapes and their order
 //              points          each within 1 LSB of its shape; when B has moved by depth normal they coincide, to
 //                              within 3 LSB and 2^-28 of depth. Coordinates saturate at the ends of Q16.16
 //            Cylinder, cone, ellipsoid: depth within 3 LSB, between bounds at most 6 LSB apart; or CAPACITY.

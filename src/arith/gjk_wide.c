@@ -27,9 +27,10 @@ int gjk_sum_of_products_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
   return sum.high > INT64_MAX ? -1 : (sum.high | sum.low) != 0;
 }
 
-void gjk_u128_add(gjk_u128 *x, const gjk_u128 *y) {
-  x->low += y->low;
-  x->high += y->high + (x->low < y->low);
+static gjk_u128 add128(gjk_u128 a, gjk_u128 b) {
+  gjk_u128 sum = {a.high + b.high, a.low + b.low};
+  sum.high += sum.low < b.low;
+  return sum;
 }
 
 // The number of bits of x; 1 where x is 0.
@@ -89,29 +90,59 @@ static void fine_barycentric(const gjk_u128 *part, const gjk_u128 *sum, gjk_bary
   weight->low = (int32_t)(quotient & 0xFFFFu);
 }
 
-void gjk_weights(const gjk_u128 *part, unsigned count, const gjk_u128 *whole, bool fine, gjk_barycentric *weight) {
+void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine,
+                      gjk_barycentric weight[2]) {
+  const gjk_u128 sum = add128(add128(*rest, *part), *part2);
   if (fine) {
-    for (unsigned i = 0; i < count; i++) {
-      fine_barycentric(&part[i], whole, &weight[i]);
-    }
+    fine_barycentric(part, &sum, &weight[0]);
+    fine_barycentric(part2, &sum, &weight[1]);
     return;
   }
-  const unsigned bits = bit_length(whole);
-  const uint32_t inverse = gjk_reciprocal(leading(whole, bits)), one = INT32_MAX;
-  for (unsigned i = 0; i < count; i++) {
-    const uint32_t share = gjk_umulh32(leading(&part[i], bits), inverse);
-    weight[i].high = (int32_t)(share < one ? share : one);
-    weight[i].low = 0;
-  }
+  const unsigned bits = bit_length(&sum);
+  const uint32_t inverse = gjk_reciprocal(leading(&sum, bits));
+  const uint32_t one = INT32_MAX;
+  const uint32_t first = gjk_umulh32(leading(part, bits), inverse);
+  const uint32_t second = gjk_umulh32(leading(part2, bits), inverse);
+  weight[0].high = (int32_t)(first < one ? first : one);
+  weight[1].high = (int32_t)(second < one - first ? second : one - first);
+  weight[0].low = 0;
+  weight[1].low = 0;
 }
 
-void gjk_barycentrics(const gjk_u128 part[3], bool fine, gjk_barycentric weight[2]) {
-  gjk_u128 whole = part[0];
-  gjk_u128_add(&whole, &part[1]);
-  gjk_u128_add(&whole, &part[2]);
-  gjk_weights(&part[1], 2, &whole, fine, weight);
-  const int32_t rest = INT32_MAX - weight[0].high;  // fine ones sum to 1 at most
-  weight[1].high = weight[1].high < rest || fine ? weight[1].high : rest;
+// *weight = part / sum, or 1 less it, not 0 and not 1: to 47 bits.
+GJK_OUT_OF_LINE static void fine_portion(const gjk_u128 *part, const gjk_u128 *sum, bool from_rest,
+                                         gjk_barycentric *weight) {
+  fine_barycentric(part, sum, weight);
+  int64_t portion = gjk_shl64(weight->high, 16) + weight->low;
+  portion = portion > 0 ? portion : 1;
+  portion = from_rest ? (INT64_C(1) << 47) - portion : portion;
+  weight->high = (int32_t)gjk_sar64(portion, 16);
+  weight->low = (int32_t)(portion & 0xFFFF);
+}
+
+// The same to 31 bits.
+static int32_t coarse_portion(const gjk_u128 *part, unsigned bits, uint32_t inverse, bool from_rest) {
+  const uint32_t portion = gjk_umulh32(leading(part, bits), inverse), most = INT32_MAX;
+  const uint32_t inside = portion == 0 ? 1 : portion < most ? portion : most;
+  return (int32_t)(from_rest ? most + 1 - inside : inside);
+}
+
+void gjk_portions(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, unsigned from_rest, bool fine,
+                  gjk_barycentric weight[2]) {
+  const gjk_u128 others = add128(*rest, *part2), sum = add128(others, *part);
+  const bool flip = (from_rest & 1u) != 0, flip2 = (from_rest & 2u) != 0;
+  const gjk_u128 others2 = add128(*rest, *part), *first = flip ? &others : part, *second = flip2 ? &others2 : part2;
+  if (fine) {
+    fine_portion(first, &sum, flip, &weight[0]);
+    fine_portion(second, &sum, flip2, &weight[1]);
+    return;
+  }
+  const unsigned bits = bit_length(&sum);
+  const uint32_t inverse = gjk_reciprocal(leading(&sum, bits));
+  weight[0].high = coarse_portion(first, bits, inverse, flip);
+  weight[1].high = coarse_portion(second, bits, inverse, flip2);
+  weight[0].low = 0;
+  weight[1].low = 0;
 }
 
 void gjk_magnitude95(int64_t high, uint32_t low, gjk_u128 *out) {

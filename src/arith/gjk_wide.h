@@ -372,17 +372,19 @@ typedef struct gjk_barycentric {
   int32_t high, low;  // 0 <= high, 0 <= low < 2^16
 } gjk_barycentric;
 
-// x += y modulo 2^128.
-void gjk_u128_add(gjk_u128 *x, const gjk_u128 *y);
-
-// Each weight is its part of the whole, at most 1.
+// The barycentric coordinates in proportion to part and part2, of rest + part + part2 as the whole: weight[0] and
+// weight[1], together at most 1. What they leave of 1 is the coordinate in proportion to rest.
 // fine: each is exact but for a floor to Q47. Otherwise low is 0 and high within 3, sixty times as fast.
-// Pre: part <= whole, 0 < whole < 2^127.
-void gjk_weights(const gjk_u128 *part, unsigned count, const gjk_u128 *whole, bool fine, gjk_barycentric *weight);
+// Pre: the sum is positive and below 2^127.
+void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine,
+                      gjk_barycentric weight[2]);
 
-// The weights of the second and the third part of all three, together at most 1: what they leave is that of the first.
-// fine: see gjk_weights. Pre: the sum of the parts is positive and below 2^127.
-void gjk_barycentrics(const gjk_u128 part[3], bool fine, gjk_barycentric weight[2]);
+// The same, but each weight for itself, from 2^-31 to 1 - 2^-31, fine from 2^-47.
+// from_rest: bit i is set where weight[i] is 1 less the weight of all else. So a caller that always divides the part of
+// the same end of an edge gets the same point of the edge, from whichever end it begins.
+// Pre: as of gjk_barycentrics; part and part2 are above 0 and below the sum.
+void gjk_portions(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, unsigned from_rest, bool fine,
+                  gjk_barycentric weight[2]);
 
 // *out = |x| for x = 2^31 high + low, low < 2^31.
 void gjk_magnitude95(int64_t high, uint32_t low, gjk_u128 *out);

@@ -283,11 +283,10 @@ static gjk_vec3 point_between(const gjk_vec3 *from, const gjk_vec3 *to, int32_t 
 
 // The point that divides the way from one point to another as part to rest.
 static gjk_vec3 interpolate(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_u128 *part, const gjk_u128 *rest) {
-  gjk_u128 whole = *rest;
-  gjk_barycentric share;
-  gjk_u128_add(&whole, part);
-  gjk_weights(part, 1, &whole, false, &share);
-  return point_between(from, to, share.high);
+  const gjk_u128 none = {0, 0};
+  gjk_barycentric share[2];
+  gjk_barycentrics(rest, part, &none, false, share);
+  return point_between(from, to, share[0].high);
 }
 
 // part / (part + rest), Q31; 0 where both are 0. Pre: each below 2^62.

@@ -376,8 +376,8 @@ static void weight_of(const gjk_simplex *s, unsigned i, unsigned j, unsigned k, 
   gjk_sum_of_products(at_j[i], at_i[k], at_i[j], at_j[k] - at_j[i], out);
 }
 
-void gjk_simplex_parts(const gjk_simplex *s, const uint8_t order[3], gjk_u128 part[3]) {
-  const unsigned a = order[0], b = order[1], c = order[2];
+void gjk_simplex_parts(const gjk_simplex *s, gjk_u128 part[3]) {
+  const unsigned a = s->order[0], b = s->order[1], c = s->order[2];
   if (s->count == 3) {
     weight_of(s, b, c, a, &part[0]);
     weight_of(s, c, a, b, &part[1]);
@@ -391,6 +391,6 @@ void gjk_simplex_parts(const gjk_simplex *s, const uint8_t order[3], gjk_u128 pa
 
 void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_barycentric weight[2]) {
   gjk_u128 part[3];
-  gjk_simplex_parts(s, s->order, part);
-  gjk_barycentrics(part, fine, weight);
+  gjk_simplex_parts(s, part);
+  gjk_barycentrics(&part[0], &part[1], &part[2], fine, weight);
 }

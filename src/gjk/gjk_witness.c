@@ -1,18 +1,19 @@
-// The witness points.
+// The witness points, by barycentric coordinates.
 //
-//   Step 1   Order the feature's vertices by their numbers.
-//   Step 2   Find the exact weights of the vertices in the nearest point.
-//   Step 3   Where the triangle is half of a parallelogram, of two edges or of a box's face, the other halves hold the point
-//            as well. Take it from the lowest corner, along both sides: that is the same for all of them.
-//   Step 4   Round the weights, and take the point of each shape by them.
+//   1. Describe the nearest point by the feature: exact parts that its coordinates are in proportion to. Three corners of a
+//      parallelogram are described by it; other vertices are put in an order of their numbers.
+//   2. Divide the parts out, to 31 bits or 47.
+//   3. Put the point of each shape together and round it.
 //
-// So the points depend on the feature's vertices alone, not on the way to them.
+// The description does not depend on which of its triangles the search has found, so the points do not either.
 #include "gjk_witness.h"
 
-// The nearest point is u and parts of the ways from there to v and to w. Of an edge w is u, of a vertex v is as well.
+// The feature's vertices and the barycentric coordinates of its nearest point. Of an edge w is u, of a vertex v is as
+// well; their weight is 0 then. Of a parallelogram u is a corner, and v and w are those beside it: each weight is the
+// portion of a side, and both together may be up to 2.
 typedef struct feature {
   const gjk_vertex *u, *v, *w;
-  gjk_barycentric weight[2];  // of v and w: each at most 1
+  gjk_barycentric weight[2];  // of v and w
 } feature;
 
 // At a smaller shift edges may be so long that weights of 31 bits move the point by half an LSB: low parts count too.
@@ -35,7 +36,7 @@ static inline int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t w
   w -= u;
   const int64_t start = gjk_shl64(2 * u + 1, 30);  // |u| <= 2^29:  at most 2^60 + 2^30
   //@ assert start >= -(INT64_C(1) << 61) && start <= INT64_C(1) << 61;
-  // |v - u|, |w - u| <= 2^30, weights <= 2^31:  partial sums at most 9 2^59 + 2^30
+  // |v - u|, |w - u| <= 2^30, weights < 2^31:  partial sums below 5 2^60 + 2^30
   const int64_t sum = gjk_mac32(gjk_mac32(start, v, f->weight[0].high), w, f->weight[1].high);
   return (f->weight[0].low | f->weight[1].low) != 0 ? sum + fine_part(f, v, w) : sum;
 }
@@ -95,8 +96,8 @@ static inline int32_t along_normal(int64_t start, gjk_q30 normal, int32_t radius
 // core point, Q31, from A's centre, B's core point from B's centre is
 //   o + (centre_a - centre_b - w0 / 2^shift) + (weight of v) (w0 - w1) / 2^shift + (weight of w) (w0 - w2) / 2^shift.
 // So B's point takes centre_a as well: no coordinate of B's vertices is needed. Pre: |centre_a| <= 2^30.
-//   |a| < 2^28 + 2^16, |w| / 2^shift < 2^26 since the reach is below 2^30; each weight <= 2^31
-//   partial sums:   A's core point 2^59 + 2^47 and twice as much for each way; 2^59 for the differences, 2^59 for the radius
+//   |a| < 2^28 + 2^16, |w| / 2^shift < 2^26 since the reach is below 2^30; weights < 2^31 each
+//   partial sums:   A's core point within 2^59 + 2^47, 5 times that on the way; 2^59 for the differences and for the radius
 //   results:        at most 2^30 + 2^28 + 2^28 + 2^27
 static inline void report_coarse_axis(const witness_move *m, gjk_q16 centre_a, int32_t a0, int32_t a1, int32_t a2,
                                       int32_t w0, int32_t w1, int32_t w2, gjk_q30 normal, gjk_q16 *point_a,
@@ -136,99 +137,74 @@ static inline bool is_coarse(const gjk_iteration *it) {
              0;
 }
 
-// Step 1 for two of them.
-static inline void order_two(const gjk_simplex *s, uint8_t *first, uint8_t *second) {
-  const gjk_vertex *v = &s->slot[*first], *w = &s->slot[*second];
-  if (v->a.vertex > w->a.vertex || (v->a.vertex == w->a.vertex && v->b > w->b)) {
-    const uint8_t other = *second;
-    *second = *first;
-    *first = other;
-  }
+// The number of a difference: A's number in the high half, B's in the low half.
+static inline uint32_t number_of(const gjk_vertex *v) {
+  return (uint32_t)v->a.vertex << 16 | v->b;
 }
 
-// Is at most one bit set?
-static inline bool is_bit(unsigned x) {
-  return (x & (x - 1u)) == 0;
+// From the bits in which two numbers differ: in those of one shape alone?
+static inline bool is_side(uint32_t differ) {
+  return (differ & 0xFFFFu) == 0 || differ >> 16 == 0;
 }
 
-// Step 3: which of three ordered vertices of a parallelogram has both others for neighbours? 3: they are on none.
-//   two edges    it shares its vertex of A with one of them, that of B with the other
-//   a face       its number, of a corner of the box, differs from either in one bit
-static unsigned corner_between(const gjk_iteration *it, const gjk_vertex *u, const gjk_vertex *v, const gjk_vertex *w) {
-  const bool one_a = u->a.vertex == w->a.vertex, one_b = u->b == v->b && u->b == w->b;
-  if (one_a || one_b) {
-    const unsigned i = one_a ? u->b : u->a.vertex, j = one_a ? v->b : v->a.vertex, k = one_a ? w->b : w->a.vertex;
-    const bool ij = is_bit(i ^ j), jk = is_bit(j ^ k), ik = is_bit(i ^ k);
-    const gjk_collider *c = one_a ? it->b : it->a;
-    return c->shape->type->kind != GJK_KIND_AXES ? 3 : ij && ik ? 0 : ij && jk ? 1 : ik && jk ? 2 : 3;
-  }
-  if (u->a.vertex == v->a.vertex) {
-    return w->b == u->b ? 0 : w->b == v->b ? 1 : 3;
-  }
-  return v->a.vertex != w->a.vertex ? 3 : u->b == v->b ? 1 : u->b == w->b ? 2 : 3;
+static inline bool has_more_bits(uint32_t x) {
+  return (x & (x - 1)) != 0;
 }
 
-// *out = p + q - r, a vertex of A - B beside them.
-static void add_corner(const gjk_vertex *p, const gjk_vertex *q, const gjk_vertex *r, gjk_vertex *out) {
-  const gjk_vec3 offset = gjk_sub(p->a.offset, r->a.offset), w = gjk_sub(p->w, r->w);
-  out->a.offset = gjk_add(offset, q->a.offset);
-  out->w = gjk_add(w, q->w);
+// Step 1: where to begin, by the numbers of a triangle's vertices. Half of a parallelogram begins across from the diagonal:
+//   of two edges    the ends of the diagonal differ in both shapes
+//   of a box face   they differ by two half axes
+// Any other triangle begins at the lowest number. In each case the choice does not depend on the order.
+static inline unsigned first_corner(const gjk_iteration *it, const uint32_t n[3]) {
+  const uint32_t differ = n[0] ^ n[1], differ2 = n[1] ^ n[2], all = differ | differ2;
+  if (!is_side(all)) {
+    return !is_side(differ) ? 2 : !is_side(differ2) ? 0 : 1;
+  }
+  if ((all >> 16 != 0 ? it->a : it->b)->shape->type->kind == GJK_KIND_AXES) {
+    return has_more_bits(differ) ? 2 : has_more_bits(differ2) ? 0 : 1;
+  }
+  return n[0] < n[1] ? (n[0] < n[2] ? 0 : 2) : (n[1] < n[2] ? 1 : 2);
 }
 
-// Step 3: f becomes the lowest corner and its neighbours, part[1] and part[2] the exact weights of the ways to them, where
-// the vertices are on a parallelogram. scratch: room for a corner that is not among them.
-static void take_parallelogram(const gjk_iteration *it, feature *f, gjk_u128 part[3], gjk_vertex *scratch) {
-  switch (corner_between(it, f->u, f->v, f->w)) {
-    case 1:  // u is the lowest; v and the corner opposite to v are its neighbours
-      add_corner(f->u, f->w, f->v, scratch);
-      f->w = scratch;
-      gjk_u128_add(&part[1], &part[2]);
-      break;
-    case 2:  // the lowest is opposite to w
-      add_corner(f->u, f->v, f->w, scratch);
-      f->w = f->v;
-      f->v = f->u;
-      f->u = scratch;
-      gjk_u128_add(&part[0], &part[2]);
-      gjk_u128_add(&part[2], &part[1]);
-      part[1] = part[0];
-      break;
-    default: break;  // u is the lowest, v and w are its neighbours
-  }
+// Steps 1 and 2 of an edge.
+static inline void describe_edge(const gjk_iteration *it, feature *f) {
+  const gjk_simplex *s = &it->simplex;
+  gjk_u128 part[3];
+  f->u = f->w = &s->slot[s->order[0]];
+  f->v = &s->slot[s->order[1]];
+  gjk_simplex_parts(s, part);
+  gjk_portions(&part[2], &part[0], &part[1], number_of(f->v) < number_of(f->u) ? 2 : 0, it->shift < FINE_SHIFT,
+               f->weight);
+  f->weight[0] = f->weight[1];
+}
+
+// Steps 1 and 2 of a triangle.
+static inline void describe_triangle(const gjk_iteration *it, feature *f) {
+  const gjk_simplex *s = &it->simplex;
+  const gjk_vertex *const v[3] = {&s->slot[s->order[0]], &s->slot[s->order[1]], &s->slot[s->order[2]]};
+  const uint32_t n[3] = {number_of(v[0]), number_of(v[1]), number_of(v[2])};
+  const unsigned i = first_corner(it, n), j = gjk_next(i), k = gjk_next(j);
+  gjk_u128 part[3];
+  f->u = v[i];
+  f->v = v[j];
+  f->w = v[k];
+  gjk_simplex_parts(s, part);
+  gjk_portions(&part[i], &part[j], &part[k], (n[j] < n[i] ? 1u : 0u) | (n[k] < n[i] ? 2u : 0u), it->shift < FINE_SHIFT,
+               f->weight);
 }
 
 void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_vec3 *point_a, gjk_vec3 *point_b,
                         bool *saturated) {
   const gjk_simplex *s = &it->simplex;
-  // Curved shapes have no numbers; a far frame rounds a corner and its neighbours apart. Both always start cold.
-  const bool ordered = it->shift >= 0 && !gjk_pair_is_curved(it);
-  uint8_t order[3] = {s->order[0], s->order[1], s->order[2]};
-  gjk_vertex scratch;
   feature f;
   //@ assert s->count >= 1 && s->count <= 3;
-  if (ordered && s->count > 1) {
-    order_two(s, &order[0], &order[1]);
-    if (s->count == 3) {
-      order_two(s, &order[1], &order[2]);
-      order_two(s, &order[0], &order[1]);
-    }
-  }
-  f.u = &s->slot[order[0]];
-  f.v = s->count > 1 ? &s->slot[order[1]] : f.u;
-  f.w = s->count > 2 ? &s->slot[order[2]] : f.u;
-  f.weight[0].high = f.weight[0].low = f.weight[1].high = f.weight[1].low = 0;
-  if (s->count > 1) {
-    gjk_u128 part[3], whole;
-    gjk_simplex_parts(s, order, part);
-    whole = part[0];
-    gjk_u128_add(&whole, &part[1]);
-    if (s->count == 3) {
-      gjk_u128_add(&whole, &part[2]);
-      if (ordered) {
-        take_parallelogram(it, &f, part, &scratch);
-      }
-    }
-    gjk_weights(&part[1], s->count - 1u, &whole, it->shift < FINE_SHIFT, f.weight);
+  if (s->count == 3) {
+    describe_triangle(it, &f);
+  } else if (s->count == 2) {
+    describe_edge(it, &f);
+  } else {
+    f.u = f.v = f.w = &s->slot[s->order[0]];
+    f.weight[0].high = f.weight[0].low = f.weight[1].high = f.weight[1].low = 0;
   }
   if (is_coarse(it)) {
     coarse_points(it, &f, normal, point_a, point_b);

@@ -77,7 +77,7 @@ static void touch_point(const gjk_portal *p, const gjk_quotient *q, const gjk_wa
   gjk_barycentric weight[2];
   gjk_vec3 v[3];
   gjk_portal_weights(p, part);
-  gjk_barycentrics(part, a->core_radius >= FINE_RADIUS, weight);
+  gjk_barycentrics(&part[0], &part[1], &part[2], a->core_radius >= FINE_RADIUS, weight);
   for (unsigned i = 0; i < 3; i++) {
     a->shape->type->vertex(a, p->corner[i < p->count ? i : 0].a, &v[i]);  // of fewer corners the others weigh nothing
   }

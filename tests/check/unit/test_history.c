@@ -93,13 +93,20 @@ static void ask(const question *q, gjk_cache *cache, answers *out) {
   out->stopped = gjk_distance_until(&q->a, &q->b, &q->effort, cache, &out->until);
 }
 
+static bool same(const void *a, const void *b) {
+  return memcmp(a, b, sizeof(gjk_vec3)) == 0;
+}
+
+// Fields that are not set are 0.
 static bool same_distance(const gjk_distance_result *a, const gjk_distance_result *b) {
   return a->distance == b->distance && a->lower == b->lower && a->upper == b->upper &&
-         a->intersecting == b->intersecting && a->saturated == b->saturated;
+         a->intersecting == b->intersecting && a->saturated == b->saturated && same(&a->point_a, &b->point_a) &&
+         same(&a->point_b, &b->point_b) && same(&a->normal, &b->normal);
 }
 
 static bool same_depth(const gjk_penetration_result *a, const gjk_penetration_result *b) {
-  return a->intersecting == b->intersecting && a->depth == b->depth && a->lower == b->lower && a->upper == b->upper;
+  return a->intersecting == b->intersecting && a->depth == b->depth && a->lower == b->lower && a->upper == b->upper &&
+         same(&a->point_a, &b->point_a) && same(&a->point_b, &b->point_b) && same(&a->normal, &b->normal);
 }
 
 static void expect_same(unsigned pair, const char *cache, const answers *cold, const answers *warm) {

@@ -32,7 +32,7 @@ static void check_shares(const gjk_u128 part[3], const char *what) {
   const long double sum = value(&part[0]) + value(&part[1]) + value(&part[2]);
   for (int fine = 0; fine < 2; fine++) {
     gjk_barycentric share[2];
-    gjk_barycentrics(part, fine == 1, share);
+    gjk_barycentrics(&part[0], &part[1], &part[2], fine == 1, share);
     for (int i = 0; i < 2; i++) {
       const long double real = ldexpl(value(&part[i + 1]) / sum, 47), found = share_value(&share[i]);
       const long double error = found - real;
