@@ -344,11 +344,16 @@ static bool check_last(const gjk_scene_view *v, const gjk_scene_body *body, cons
   return true;
 }
 
-// Do the kept motions name the flagged bodies, each once, in the order of slots? What a sweep found is read while it is
-// to be reported.
+// May a kept motion name this part? Between updates nothing reads it. In an update a body that is not swept has met none,
+// and what a sweep found is read until it is reported.
+static bool check_met(const gjk_scene_view *v, const gjk_scene_kept *k) {
+  return v->header->phase == GJK_SCENE_IDLE || k->other == GJK_SCENE_NONE ||
+         ((k->state & GJK_SCENE_SWEPT) != 0 && live_part(v, k->other));
+}
+
+// Do the kept motions name the flagged bodies, each once, in the order of slots?
 static bool check_kept(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
-  const bool swept = h->phase != GJK_SCENE_IDLE;
   uint32_t flagged = 0;
   for (uint32_t slot = 0; slot < h->config.bodies; slot++) {
     const unsigned flags = v->bodies[slot].flags;
@@ -363,10 +368,9 @@ static bool check_kept(const gjk_scene_view *v) {
       return false;
     }
     const gjk_scene_body *body = &v->bodies[k->slot];
-    const bool met = swept && (k->state & GJK_SCENE_SWEPT) != 0 && k->other != GJK_SCENE_NONE;
     if (body->generation % 2 == 0 || (body->flags & GJK_SCENE_KEPT) == 0 ||
         (body->kind_detail & 15u) == GJK_BODY_STATIC || gjk_scene_is_sensor(body) || !check_last(v, body, &k->last) ||
-        (met && !live_part(v, k->other))) {
+        !check_met(v, k)) {
       return false;
     }
   }
