@@ -149,6 +149,7 @@
 #define gjk_scene_edit gjk2_scene_edit
 #define gjk_scene_end gjk2_scene_end
 #define gjk_scene_equal_vec3 gjk2_scene_equal_vec
+#define gjk_scene_find_part gjk2_scene_find_part
 #define gjk_scene_fill_queue gjk2_scene_fill_queue
 #define gjk_scene_find_all gjk2_scene_find_all
 #define gjk_scene_find_first gjk2_scene_find_first

@@ -30,6 +30,9 @@ void gjk_scene_part_pose(const gjk_scene_view *v, const gjk_scene_part *part, gj
 // The index of a body's part by its number, or none.
 uint32_t gjk_scene_part_of(const gjk_scene_view *v, const gjk_scene_body *body, uint16_t number);
 
+// Finds a part by its body's id and its number. BODY_ID, or RANGE: there is none.
+gjk_status gjk_scene_find_part(const gjk_scene_view *v, gjk_body_id id, uint16_t number, const gjk_scene_part **out);
+
 // Poses a part, unless it is posed.
 void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index);
 

@@ -35,9 +35,13 @@ static void report_pair(gjk_scene_view *v, uint32_t index, gjk_report *out) {
   }
 }
 
-// Adds the manifold to a report, and its least distance. Without an answer the manifold is zero.
-static void add_manifold(const gjk_scene_view *v, gjk_manifold *room, gjk_report *out) {
-  const gjk_status status = v->scene->bindings.details->manifold(v->scene, out, GJK_SCENE_CONTACTS, room);
+// Adds the manifold to the report of a linked pair, and its least distance. Without an answer the manifold is zero.
+static void add_manifold(const gjk_scene_view *v, uint32_t index, gjk_manifold *room, gjk_report *out) {
+  const gjk_scene_pair *pair = &v->pairs[index];
+  const uint32_t a = gjk_scene_end(pair, 0), b = gjk_scene_end(pair, 1);
+  //@ assert a < v->header->parts.capacity && b < v->header->parts.capacity;
+  const gjk_status status =
+      v->scene->bindings.details->manifold(v, &v->parts[a], &v->parts[b], GJK_SCENE_CONTACTS, room);
   if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
     gjk_scene_no_normal(room);
     room->count = 0;
@@ -57,9 +61,10 @@ void gjk_scene_write_reports(gjk_scene_view *v, gjk_report *reports, uint32_t ca
   gjk_manifold *manifolds = v->scene->bindings.manifolds;
   while (h->next_report < h->queued && progress->reports < capacity) {
     gjk_report *out = &reports[progress->reports];
-    report_pair(v, v->queue[h->next_report++], out);
+    const uint32_t index = v->queue[h->next_report++];
+    report_pair(v, index, out);
     if (out->detail == GJK_DETAIL_CONTACTS && out->event != GJK_EVENT_END && manifolds != NULL) {
-      add_manifold(v, &manifolds[progress->reports], out);
+      add_manifold(v, index, &manifolds[progress->reports], out);
     }
     progress->reports++;
   }

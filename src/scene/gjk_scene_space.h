@@ -130,11 +130,15 @@ typedef struct gjk_scene_pair {
   uint8_t outcome;  // while it is queued a gjk_scene_outcome, in a queue of reports a gjk_event
 } gjk_scene_pair;
 
+struct gjk_scene_view;
+
 struct gjk_scene_details {
   gjk_status (*signed_distance)(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                                 const gjk_workspace *workspace, gjk_distance_result *out);
-  gjk_status (*manifold)(const gjk_scene *scene, const gjk_report *report, unsigned most,
-                         gjk_manifold *out);  // or NULL
+
+  // The manifold of two parts, of a body with a lower slot first. Statuses as of gjk_scene_manifold; or NULL
+  gjk_status (*manifold)(const struct gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                         unsigned most, gjk_manifold *out);
 };
 
 static inline bool gjk_aabb_meet(const gjk_aabb *a, const gjk_aabb *b) {
