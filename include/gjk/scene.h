@@ -86,6 +86,8 @@ typedef struct gjk_scene_bindings {
   const gjk_workspace *workspace;    // at least config.workspace_cells cells, no more are used; NULL: none
   gjk_manifold *manifolds;           // room for a manifold per report of a call, see gjk_report; NULL: none are wanted
   const gjk_scene_motions *motion;   // &gjk_scene_motion; NULL: no motion is kept
+  bool
+      keeps_manifolds;  // true: a report that is still has no manifold, because the program keeps the last one of the pair
 } gjk_scene_bindings;
 
 // The handle of a scene. gjk_scene_init, gjk_scene_open and gjk_scene_attach write all of it when they return GJK_OK,
@@ -193,6 +195,10 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
 //           depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
 // manifold  of BEGIN and PERSIST with CONTACTS: up to 4 contacts, found without a cache. The i-th report of a call has
 //           &bindings.manifolds[i]. Otherwise NULL.
+// still     since the pair's last report no call has moved or changed a body of it. So distance and manifold are, bit for
+//           bit, what they were then. With bindings.keeps_manifolds the manifold is NULL, and with CONTACTS distance is
+//           0. Such a program sets that once it has a manifold of each near pair, and saves these with the block. It tells
+//           of calls: a move to the same pose is none. Not in the hash, because it changes no answer.
 // words     config.pair_words words in the block, for the caller to write: impulses to start a solver from, or times.
 //           They are 0 at BEGIN, and stay as they are written until the pair's END has been reported. They go with
 //           saves and copies, and count in gjk_scene_hash: peers must write the same, so no addresses. A write breaks a
@@ -202,6 +208,7 @@ typedef struct gjk_report {
   uint16_t part_a, part_b;  // numbers of their parts
   uint8_t event;            // a gjk_event
   uint8_t detail;           // a gjk_detail: the pair's; the configuration's if a body was removed
+  bool still;               // of PERSIST: nothing has changed since the last report, see above
   gjk_q16 distance;
   const gjk_manifold *manifold;
   uint32_t *words;

@@ -150,6 +150,7 @@ static inline void gjk2_scene_set_bindings(gjk2_scene *scene, const gjk2_scene_b
   scene->bindings.details = bindings != NULL ? bindings->details : NULL;
   scene->bindings.manifolds = bindings != NULL ? bindings->manifolds : NULL;
   scene->bindings.motion = bindings != NULL ? bindings->motion : NULL;
+  scene->bindings.keeps_manifolds = bindings != NULL && bindings->keeps_manifolds;
 }
 
 // One of the six indices of a pair.

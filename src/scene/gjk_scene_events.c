@@ -52,7 +52,8 @@ static void keep_event(gjk_scene_view *v, uint32_t index, gjk_event event, uint3
   uint32_t *counter = event == GJK_EVENT_BEGIN ? &s->begun : event == GJK_EVENT_END ? &s->ended : &s->persisting;
   (*counter)++;
   //@ assert *kept < v->header->pairs.capacity;
-  v->pairs[index].outcome = (uint8_t)event;
+  const unsigned told = event == GJK_EVENT_PERSIST ? v->pairs[index].outcome & GJK_SCENE_TOLD : 0;
+  v->pairs[index].outcome = (uint8_t)(event | told);
   v->queue[(*kept)++] = index;
 }
 

@@ -13,6 +13,7 @@ static void describe(const gjk_scene_view *v, uint32_t index, gjk_report *out) {
   out->part_b = b.part;
   out->detail = (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? v->header->config.detail
                                                          : gjk_scene_detail(v, &v->bodies[a.slot], &v->bodies[b.slot]);
+  out->still = (pair->state & GJK_SCENE_PAIR_GONE) == 0 && (pair->outcome & GJK_SCENE_TOLD) != 0;
   out->manifold = NULL;
   out->words = gjk_scene_words_of(v, index);
   out->fraction = 0;
@@ -23,9 +24,10 @@ static void report_pair(gjk_scene_view *v, uint32_t index, gjk_report *out) {
   //@ assert index < v->header->pairs.capacity;
   gjk_scene_pair *pair = &v->pairs[index];
   describe(v, index, out);
-  out->event = pair->outcome;
+  out->event = (uint8_t)(pair->outcome & ~GJK_SCENE_TOLD);
   out->distance = 0;
   if (out->event != GJK_EVENT_END) {
+    pair->outcome |= GJK_SCENE_TOLD;
     out->distance = gjk_scene_wants_distance(out->detail) ? pair->gap : 0;
   } else if ((pair->state & GJK_SCENE_PAIR_GONE) != 0) {
     pair->state = 0;
@@ -58,13 +60,14 @@ static void add_manifold(const gjk_scene_view *v, uint32_t index, gjk_manifold *
 
 void gjk_scene_write_reports(gjk_scene_view *v, gjk_report *reports, uint32_t capacity, gjk_progress *progress) {
   gjk_scene_header *h = v->header;
-  gjk_manifold *manifolds = v->scene->bindings.manifolds;
+  const gjk_scene_bindings *bindings = &v->scene->bindings;
   while (h->next_report < h->queued && progress->reports < capacity) {
     gjk_report *out = &reports[progress->reports];
     const uint32_t index = v->queue[h->next_report++];
     report_pair(v, index, out);
-    if (out->detail == GJK_DETAIL_CONTACTS && out->event != GJK_EVENT_END && manifolds != NULL) {
-      add_manifold(v, index, &manifolds[progress->reports], out);
+    if (out->detail == GJK_DETAIL_CONTACTS && out->event != GJK_EVENT_END && bindings->manifolds != NULL &&
+        !(out->still && bindings->keeps_manifolds)) {
+      add_manifold(v, index, &bindings->manifolds[progress->reports], out);
     }
     progress->reports++;
   }

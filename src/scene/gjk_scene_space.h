@@ -172,6 +172,7 @@ static inline void gjk_scene_set_bindings(gjk_scene *scene, const gjk_scene_bind
   scene->bindings.workspace = bindings != NULL ? bindings->workspace : NULL;
   scene->bindings.manifolds = bindings != NULL ? bindings->manifolds : NULL;
   scene->bindings.motion = bindings != NULL ? bindings->motion : NULL;
+  scene->bindings.keeps_manifolds = bindings != NULL && bindings->keeps_manifolds;
 }
 
 // The ends and links of a pair, which of two sides each.
