@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // The version of a block's format. gjk_scene_open and gjk_scene_attach refuse a block of another version.
-#define GJK_SCENE_BLOCK_VERSION UINT32_C(5)
+#define GJK_SCENE_BLOCK_VERSION UINT32_C(6)
 
 // One shape of a body.
 typedef struct gjk_part {

@@ -38,7 +38,7 @@ extern "C" {
 #endif
 
 // The version of a block's format. gjk2_scene_open and gjk2_scene_attach refuse a block of another version.
-#define GJK2_SCENE_BLOCK_VERSION UINT32_C(3)
+#define GJK2_SCENE_BLOCK_VERSION UINT32_C(4)
 
 // One shape of a body.
 typedef struct gjk2_part {

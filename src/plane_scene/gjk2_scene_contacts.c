@@ -8,9 +8,8 @@
 static gjk_status find_manifold(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
                                 unsigned most, gjk2_manifold *out) {
   gjk2_collider on_a, on_b;
-  gjk2_aabb box;
-  gjk2_scene_part_now(v, a, &on_a, &box);
-  gjk2_scene_part_now(v, b, &on_b, &box);
+  gjk2_scene_part_placed(v, a, &on_a);
+  gjk2_scene_part_placed(v, b, &on_b);
   return gjk2_contacts(&on_a, &on_b, v->bodies[a->body].margin + v->bodies[b->body].margin, most, NULL, out);
 }
 

@@ -213,6 +213,7 @@
 #define gjk_scene_part_load gjk2_scene_part_load
 #define gjk_scene_part_now gjk2_scene_part_now
 #define gjk_scene_part_of gjk2_scene_part_of
+#define gjk_scene_part_placed gjk2_scene_part_placed
 #define gjk_scene_part_pose gjk2_scene_part_pose
 #define gjk_scene_part_reset gjk2_scene_part_reset
 #define gjk_scene_part_settle gjk2_scene_part_settle

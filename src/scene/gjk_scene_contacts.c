@@ -7,13 +7,12 @@
 static gjk_status find_manifolds(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
                                  unsigned most, gjk_manifold *out, unsigned capacity, unsigned *count) {
   gjk_collider on_a, on_b;
-  gjk_aabb box;
   gjk_workspace workspace;
   if (!gjk_scene_workspace(v->scene, &workspace)) {
     return GJK_ERROR_UNSUPPORTED;
   }
-  gjk_scene_part_now(v, a, &on_a, &box);
-  gjk_scene_part_now(v, b, &on_b, &box);
+  gjk_scene_part_placed(v, a, &on_a);
+  gjk_scene_part_placed(v, b, &on_b);
   const gjk_q16 margin = v->bodies[a->body].margin + v->bodies[b->body].margin;
   const struct gjk_scene_concave *queries = on_a.shape->type->concave;
   queries = queries != NULL ? queries : on_b.shape->type->concave;

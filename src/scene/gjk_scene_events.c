@@ -9,20 +9,15 @@
 // instructions; to sort an event takes 20 for each doubling of their number.
 #define GATHER 16
 
-static bool is_awake(const gjk_scene_view *v, uint32_t part) {
-  const gjk_scene_body *body = &v->bodies[v->parts[part].body];
+static bool is_awake(const gjk_scene_body *body) {
   return (body->kind_detail & 15u) != GJK_BODY_STATIC && (body->flags & GJK_SCENE_ASLEEP) == 0;
 }
 
-static bool is_of_sensor(const gjk_scene_view *v, uint32_t part) {
-  return gjk_scene_is_sensor(&v->bodies[v->parts[part].body]);
-}
-
-// Is a pair that stays near to be reported?
-static bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  const uint32_t a = gjk_scene_end(pair, 0), b = gjk_scene_end(pair, 1);
-  return v->header->config.persist != 0 && (is_awake(v, a) || is_awake(v, b)) && !is_of_sensor(v, a) &&
-         !is_of_sensor(v, b);
+// Is a pair that stays near to be reported? Pre: config.persist.
+static inline bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  const gjk_scene_body *a = &v->bodies[v->parts[gjk_scene_end(pair, 0)].body];
+  const gjk_scene_body *b = &v->bodies[v->parts[gjk_scene_end(pair, 1)].body];
+  return (is_awake(a) || is_awake(b)) && !gjk_scene_is_sensor(a) && !gjk_scene_is_sensor(b);
 }
 
 // The counter of an outcome: they are in the order of outcomes.
@@ -53,7 +48,7 @@ static void keep_event(gjk_scene_view *v, uint32_t index, gjk_event event, uint3
   (*counter)++;
   //@ assert *kept < v->header->pairs.capacity;
   const unsigned told = event == GJK_EVENT_PERSIST ? v->pairs[index].outcome & GJK_SCENE_TOLD : 0;
-  v->pairs[index].outcome = (uint8_t)(event | told);
+  v->pairs[index].outcome = (uint8_t)(event | told | GJK_SCENE_LISTED);
   v->queue[(*kept)++] = index;
 }
 
@@ -87,7 +82,7 @@ static void keep_tested(gjk_scene_view *v, uint32_t *kept) {
     }
     if (was != now) {
       keep_event(v, index, now ? GJK_EVENT_BEGIN : GJK_EVENT_END, kept);
-    } else if (now && persists(v, pair)) {
+    } else if (now && h->config.persist != 0 && persists(v, pair)) {
       keep_event(v, index, GJK_EVENT_PERSIST, kept);
     }
     if (now && h->config.persist != 0) {
@@ -180,11 +175,13 @@ static void exchange_events(void *queue, uint32_t i, uint32_t j) {
   entries[j] = entry;
 }
 
-// The entry of a pair, with the slot of the body on one side.
-static uint32_t packed(const sorted_queue *q, uint32_t index, unsigned side) {
+// The entry of a pair, with the slot of the body on one side. The pair is listed no more.
+static inline uint32_t packed(const sorted_queue *q, uint32_t index, unsigned side) {
   // Slots are below bodies <= 2^20, indices below capacity <= 2^22.
   const unsigned shift = gjk_clz32(q->v->header->config.bodies);
-  return index | (slot_of(q->v, &q->v->pairs[index], side) << shift & ~q->index_mask);
+  gjk_scene_pair *pair = &q->v->pairs[index];
+  pair->outcome = (uint8_t)(pair->outcome & ~GJK_SCENE_LISTED);
+  return index | (slot_of(q->v, pair, side) << shift & ~q->index_mask);
 }
 
 // Sorts count entries: a few by insertion, where each goes down to its place.
@@ -207,9 +204,7 @@ static uint32_t gather_events_of(sorted_queue *q, uint32_t part, uint32_t count)
   uint32_t *queue = v->queue, end = count;
   for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE;
        link = gjk_scene_next(&v->pairs[link / 2], link % 2)) {
-    gjk_scene_pair *pair = &v->pairs[link / 2];
-    if (link % 2 == 0 && (pair->outcome & GJK_SCENE_LISTED) != 0) {
-      pair->outcome = (uint8_t)(pair->outcome & ~GJK_SCENE_LISTED);
+    if (link % 2 == 0 && (v->pairs[link / 2].outcome & GJK_SCENE_LISTED) != 0) {
       //@ assert end < v->header->pairs.capacity;
       queue[end++] = packed(q, link / 2, 1);
     }
@@ -221,12 +216,9 @@ static uint32_t gather_events_of(sorted_queue *q, uint32_t part, uint32_t count)
 
 // Step 8, where many of all pairs have an event and none is gone: bodies, their parts, and the lists of parts are walked
 // in the order of reports, so only the pairs of one part are left to sort.
-static void gather_events(sorted_queue *q, uint32_t kept) {
+static void gather_events(sorted_queue *q) {
   const gjk_scene_view *v = q->v;
   uint32_t count = 0;
-  for (uint32_t i = 0; i < kept; i++) {
-    v->pairs[v->queue[i]].outcome |= GJK_SCENE_LISTED;
-  }
   for (uint32_t slot = 0; slot < v->header->bodies.fresh; slot++) {
     // A slot that was never used is in no list, whatever its first part says.
     uint32_t i = v->bodies[slot].generation % 2 != 0 ? v->bodies[slot].first : GJK_SCENE_NONE;
@@ -241,7 +233,7 @@ static void sort_events(const gjk_scene_view *v, uint32_t kept, bool gone) {
   const gjk_scene_header *h = v->header;
   sorted_queue q = {v, v->queue, UINT32_MAX >> gjk_clz32(h->pairs.capacity)};
   if (!gone && kept > FEW && kept >= (h->bodies.fresh + h->parts.count + h->pairs.count) / GATHER) {
-    gather_events(&q, kept);
+    gather_events(&q);
   } else {
     for (uint32_t i = 0; i < kept; i++) {
       v->queue[i] = packed(&q, v->queue[i], 0);

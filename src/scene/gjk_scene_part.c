@@ -96,12 +96,19 @@ void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part
 }
 #endif
 
-void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out, gjk_aabb *box) {
+void gjk_scene_part_placed(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out) {
   if ((part->state & GJK_SCENE_UNPOSED) == 0) {
     gjk_scene_part_collider(v, part, out);
-    *box = part->exact;
   } else {
     pose_part(v, part, out);
+  }
+}
+
+void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out, gjk_aabb *box) {
+  gjk_scene_part_placed(v, part, out);
+  if ((part->state & GJK_SCENE_UNPOSED) == 0) {
+    *box = part->exact;
+  } else {
     (void)gjk_collider_aabb(out, box);  // posed, so it cannot fail
   }
 }

@@ -18,7 +18,8 @@ void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part
 gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,
                              gjk_collider *out);
 
-// The same at its body's pose, and its exact box, posed or not.
+// The same at its body's pose, posed or not; and its exact box.
+void gjk_scene_part_placed(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out);
 void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out, gjk_aabb *box);
 
 // The exact box of a part, posed or not; room is where it may be written.

@@ -1,19 +1,29 @@
 // The reports of an update, and the pairs that were near at the last one.
 #include "gjk_scene_update.h"
 
+// Tells of one side of a pair.
+static inline void describe_side(const gjk_scene_side *side, gjk_body_id *id, uint16_t *part) {
+  id->slot = side->slot;
+  id->generation = side->generation;
+  *part = side->part;
+}
+
 // Fills a report but for event and distance. The manifold, if one is wanted, is added later.
-static void describe(const gjk_scene_view *v, uint32_t index, gjk_report *out) {
+static inline void describe(const gjk_scene_view *v, uint32_t index, gjk_report *out) {
   const gjk_scene_pair *pair = &v->pairs[index];
-  const gjk_scene_side a = gjk_scene_side_of(v, pair, 0), b = gjk_scene_side_of(v, pair, 1);
-  out->a.slot = a.slot;
-  out->a.generation = a.generation;
-  out->b.slot = b.slot;
-  out->b.generation = b.generation;
-  out->part_a = a.part;
-  out->part_b = b.part;
-  out->detail = (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? v->header->config.detail
-                                                         : gjk_scene_detail(v, &v->bodies[a.slot], &v->bodies[b.slot]);
-  out->still = (pair->state & GJK_SCENE_PAIR_GONE) == 0 && (pair->outcome & GJK_SCENE_TOLD) != 0;
+  if ((pair->state & GJK_SCENE_PAIR_GONE) == 0) {
+    const gjk_scene_side a = gjk_scene_linked_side(v, pair, 0), b = gjk_scene_linked_side(v, pair, 1);
+    describe_side(&a, &out->a, &out->part_a);
+    describe_side(&b, &out->b, &out->part_b);
+    out->detail = gjk_scene_detail(v, &v->bodies[a.slot], &v->bodies[b.slot]);
+    out->still = (pair->outcome & GJK_SCENE_TOLD) != 0;
+  } else {
+    const gjk_scene_side a = gjk_scene_gone_side(pair, 0), b = gjk_scene_gone_side(pair, 1);
+    describe_side(&a, &out->a, &out->part_a);
+    describe_side(&b, &out->b, &out->part_b);
+    out->detail = v->header->config.detail;
+    out->still = false;
+  }
   out->manifold = NULL;
   out->words = gjk_scene_words_of(v, index);
   out->fraction = 0;
