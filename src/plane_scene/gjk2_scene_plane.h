@@ -130,7 +130,7 @@ typedef char gjk2_scene_sizes_are_fixed[sizeof(gjk2_scene_body) == 44 && sizeof(
                                             : -1];
 
 // Bytes of a header.
-#define GJK2_SCENE_HEADER_BYTES 288
+#define GJK2_SCENE_HEADER_BYTES 292
 
 struct gjk2_scene_view;
 
@@ -138,9 +138,10 @@ struct gjk2_scene_details {
   gjk_status (*signed_distance)(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache,
                                 gjk2_distance_result *out);
 
-  // The manifold of two parts, of a body with a lower slot first. Statuses as of gjk2_scene_manifold; or NULL
+  // The manifold of two parts, of a body with a lower slot first. cache: as of gjk2_contacts. Statuses as of
+  // gjk2_scene_manifold; or NULL
   gjk_status (*manifold)(const struct gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
-                         unsigned most, gjk2_manifold *out);
+                         unsigned most, gjk2_cache *cache, gjk2_manifold *out);
 };
 
 // Binds to a handle; NULL: nothing.

@@ -5,7 +5,8 @@
 
 // All manifolds of two parts, or those that room is for. Pre: 1 <= capacity <= GJK_PARTS_MANIFOLDS_MAX.
 static gjk_status find_manifolds(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
-                                 unsigned most, gjk_manifold *out, unsigned capacity, unsigned *count) {
+                                 unsigned most, gjk_cache *cache, gjk_manifold *out, unsigned capacity,
+                                 unsigned *count) {
   gjk_collider on_a, on_b;
   gjk_workspace workspace;
   if (!gjk_scene_workspace(v->scene, &workspace)) {
@@ -23,7 +24,7 @@ static gjk_status find_manifolds(const gjk_scene_view *v, const gjk_scene_part *
     const gjk_scene_solid of_a = {&on_a, &at_a}, of_b = {&on_b, &at_b};
     return queries->manifolds(&of_a, &of_b, margin, most, &workspace, out, capacity, count);
   }
-  const gjk_status status = gjk_contacts(&on_a, &on_b, margin, most, NULL, &workspace, out);
+  const gjk_status status = gjk_contacts(&on_a, &on_b, margin, most, cache, &workspace, out);
   if (status == GJK_OK || status == GJK_ERROR_CAPACITY) {
     *count = out->count > 0;
   }
@@ -32,9 +33,9 @@ static gjk_status find_manifolds(const gjk_scene_view *v, const gjk_scene_part *
 
 // The first of them.
 static gjk_status find_manifold(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
-                                unsigned most, gjk_manifold *out) {
+                                unsigned most, gjk_cache *cache, gjk_manifold *out) {
   unsigned count = 0;
-  const gjk_status status = find_manifolds(v, a, b, most, out, 1, &count);
+  const gjk_status status = find_manifolds(v, a, b, most, cache, out, 1, &count);
   if (count == 0 && (status == GJK_OK || status == GJK_ERROR_CAPACITY)) {
     out->count = 0;
   }
@@ -60,14 +61,14 @@ gjk_status gjk_scene_manifolds(const gjk_scene *scene, const gjk_report *report,
   if (capacity < 1 || capacity > GJK_PARTS_MANIFOLDS_MAX) {
     return GJK_ERROR_RANGE;
   }
-  return find_manifolds(&v, parts[0], parts[1], most, out, capacity, count);
+  return find_manifolds(&v, parts[0], parts[1], most, NULL, out, capacity, count);
 }
 
 gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out) {
   gjk_scene_view v;
   const gjk_scene_part *parts[2];
   const gjk_status status = out == NULL ? GJK_ERROR_NULL : open_report(scene, report, &v, parts);
-  return status == GJK_OK ? find_manifold(&v, parts[0], parts[1], most, out) : status;
+  return status == GJK_OK ? find_manifold(&v, parts[0], parts[1], most, NULL, out) : status;
 }
 
 const gjk_scene_details gjk_scene_contacts = {.signed_distance = gjk_signed_distance, .manifold = find_manifold};

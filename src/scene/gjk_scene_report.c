@@ -52,8 +52,8 @@ static void add_manifold(const gjk_scene_view *v, uint32_t index, gjk_manifold *
   const gjk_scene_pair *pair = &v->pairs[index];
   const uint32_t a = gjk_scene_end(pair, 0), b = gjk_scene_end(pair, 1);
   //@ assert a < v->header->parts.capacity && b < v->header->parts.capacity;
-  const gjk_status status =
-      v->scene->bindings.details->manifold(v, &v->parts[a], &v->parts[b], GJK_SCENE_CONTACTS, room);
+  const gjk_status status = v->scene->bindings.details->manifold(v, &v->parts[a], &v->parts[b], GJK_SCENE_CONTACTS,
+                                                                 v->caches != NULL ? &v->caches[index] : NULL, room);
   if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
     gjk_scene_no_normal(room);
     room->count = 0;

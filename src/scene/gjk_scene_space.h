@@ -136,9 +136,10 @@ struct gjk_scene_details {
   gjk_status (*signed_distance)(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                                 const gjk_workspace *workspace, gjk_distance_result *out);
 
-  // The manifold of two parts, of a body with a lower slot first. Statuses as of gjk_scene_manifold; or NULL
+  // The manifold of two parts, of a body with a lower slot first. cache: as of gjk_contacts. Statuses as of
+  // gjk_scene_manifold; or NULL
   gjk_status (*manifold)(const struct gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
-                         unsigned most, gjk_manifold *out);
+                         unsigned most, gjk_cache *cache, gjk_manifold *out);
 };
 
 static inline bool gjk_aabb_meet(const gjk_aabb *a, const gjk_aabb *b) {
@@ -162,7 +163,7 @@ typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_pa
                                  : -1];
 
 // Bytes of a header.
-#define GJK_SCENE_HEADER_BYTES 292
+#define GJK_SCENE_HEADER_BYTES 296
 
 // Binds to a handle; NULL: nothing.
 static inline void gjk_scene_set_bindings(gjk_scene *scene, const gjk_scene_bindings *bindings) {

@@ -14,10 +14,13 @@ static void test_pairs(void) {
   ACCEPTED(p->gap = -1; h->most_detail = h->config.detail = GJK_DETAIL_DEPTH; p->outcome = GJK_SCENE_PENDING);
   for (unsigned detail = GJK_DETAIL_TOUCH; detail <= GJK_DETAIL_CONTACTS; detail++) {
     if (detail != GJK_DETAIL_DEPTH) {
-      ACCEPTED(h->most_detail = h->config.detail = (uint8_t)detail);
-      REFUSED(h->most_detail = h->config.detail = (uint8_t)detail; p->gap = -1);
+      const uint8_t asked = (uint8_t)(GJK_BODY_DYNAMIC | detail << 4);
+      ACCEPTED(h->most_detail = (uint8_t)detail; v.bodies[0].kind_detail = asked);
+      REFUSED(h->most_detail = (uint8_t)detail; v.bodies[0].kind_detail = asked; p->gap = -1);
     }
   }
+  ACCEPTED(h->most_detail = h->config.detail = GJK_DETAIL_DISTANCE);
+  REFUSED(h->most_detail = h->config.detail = GJK_DETAIL_CONTACTS);  // without room for caches
   REFUSED(h->most_detail = h->config.detail = GJK_DETAIL_DEPTH; p->gap = -1; p->outcome = GJK_SCENE_COLD;
           p->state = (uint8_t)((p->state & ~GJK_SCENE_PAIR_NEAR) | GJK_SCENE_PAIR_NEAR_NOW));
   REFUSED(p->gap = -1; p->state = (uint8_t)(p->state & ~GJK_SCENE_PAIR_NEAR));
