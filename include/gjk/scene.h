@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // The version of a block's format. gjk_scene_open and gjk_scene_attach refuse a block of another version.
-#define GJK_SCENE_BLOCK_VERSION UINT32_C(5)
+#define GJK_SCENE_BLOCK_VERSION UINT32_C(6)
 
 // One shape of a body.
 typedef struct gjk_part {
@@ -62,7 +62,7 @@ typedef struct gjk_scene_config {
   uint32_t own_poses;  // capacity: parts with a pose of their own, from 0 to GJK_SCENE_BODIES_MAX
   uint32_t pairs;      // capacity, from 1 to GJK_SCENE_PAIRS_MAX, see above
   gjk_q16 box_margin;  // enlarges the boxes in the tree, so that small moves do not change it; 0 to GJK_RADIUS_MAX
-  uint8_t detail;      // a gjk_detail, not SENSOR: the least for every pair
+  uint8_t detail;      // a gjk_detail, not SENSOR: the least for every pair; CONTACTS: the block has a cache for each
   uint8_t persist;     // 1: pairs that stay near are reported in every update
   uint8_t retest_all;  // 1: every update tests every pair anew from a cold start. For tests: the answers are the same
   uint8_t pair_words;  // words of the caller for each pair, see gjk_report; 0 to GJK_SCENE_PAIR_WORDS_MAX
@@ -86,6 +86,8 @@ typedef struct gjk_scene_bindings {
   const gjk_workspace *workspace;    // at least config.workspace_cells cells, no more are used; NULL: none
   gjk_manifold *manifolds;           // room for a manifold per report of a call, see gjk_report; NULL: none are wanted
   const gjk_scene_motions *motion;   // &gjk_scene_motion; NULL: no motion is kept
+  bool
+      keeps_manifolds;  // true: a report that is still has no manifold, because the program keeps the last one of the pair
 } gjk_scene_bindings;
 
 // The handle of a scene. gjk_scene_init, gjk_scene_open and gjk_scene_attach write all of it when they return GJK_OK,
@@ -191,8 +193,12 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
 //
 // distance  of BEGIN and PERSIST, by detail. DISTANCE: as gjk_distance; DEPTH: as gjk_signed_distance, negative for a
 //           depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
-// manifold  of BEGIN and PERSIST with CONTACTS: up to 4 contacts, found without a cache. The i-th report of a call has
+// manifold  of BEGIN and PERSIST with CONTACTS: up to 4 contacts. The i-th report of a call has
 //           &bindings.manifolds[i]. Otherwise NULL.
+// still     since the pair's last report no call has moved or changed a body of it. So distance and manifold are, bit for
+//           bit, what they were then. With bindings.keeps_manifolds the manifold is NULL, and with CONTACTS distance is
+//           0. Such a program sets that once it has a manifold of each near pair, and saves these with the block. It tells
+//           of calls: a move to the same pose is none. Not in the hash, because it changes no answer.
 // words     config.pair_words words in the block, for the caller to write: impulses to start a solver from, or times.
 //           They are 0 at BEGIN, and stay as they are written until the pair's END has been reported. They go with
 //           saves and copies, and count in gjk_scene_hash: peers must write the same, so no addresses. A write breaks a
@@ -202,6 +208,7 @@ typedef struct gjk_report {
   uint16_t part_a, part_b;  // numbers of their parts
   uint8_t event;            // a gjk_event
   uint8_t detail;           // a gjk_detail: the pair's; the configuration's if a body was removed
+  bool still;               // of PERSIST: nothing has changed since the last report, see above
   gjk_q16 distance;
   const gjk_manifold *manifold;
   uint32_t *words;
@@ -290,7 +297,8 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
 
 // 64 bits over all that decides further answers. Counted are the configuration without capacities, box_margin and
 // retest_all, and the build's GJK_ITERATIONS_MAX. So are bodies and their kept motions, pairs near at the last update
-// and their words, and the number of updates. Tree and caches do not count. BUSY during an update.
+// and their words, and the number of updates. Tree and caches do not count: a copy whose caches
+// are zeroed goes on with the same answers. BUSY during an update.
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 
 // Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.

@@ -19,12 +19,12 @@
 //
 // Threads  calls for one scene may not overlap, but for gjk2_scene_test_pairs and several queries at once.
 // Cost     a call that changes one body: O(log bodies + its parts). An update: the pairs of the bodies that moved.
-// RAM      a block has 288 bytes, and for each of its capacities, beside what a scene of space takes:
+// RAM      a block has 292 bytes, and for each of its capacities, beside what a scene of space takes:
 //            body       44.125 (60.125)
 //            part      116     (184), its node in the tree included
 //            own pose   20     (32)
 //            motion     32     (44)
-//            pair       32     (48)    and 4 for each of config.pair_words
+//            pair       32     (48)    and 4 for each of config.pair_words, and 14 (24) where config.detail is CONTACTS
 //          A body of one part with its share of the tree takes 160 bytes (244).
 // Statuses of every call: NULL for a pointer that is missing; CORRUPT for a handle whose block is not a scene's.
 #ifndef GJK2_SCENE_H
@@ -38,7 +38,7 @@ extern "C" {
 #endif
 
 // The version of a block's format. gjk2_scene_open and gjk2_scene_attach refuse a block of another version.
-#define GJK2_SCENE_BLOCK_VERSION UINT32_C(3)
+#define GJK2_SCENE_BLOCK_VERSION UINT32_C(4)
 
 // One shape of a body.
 typedef struct gjk2_part {
@@ -70,7 +70,7 @@ typedef struct gjk2_scene_config {
   uint32_t own_poses;  // capacity: parts with a pose of their own, from 0 to GJK_SCENE_BODIES_MAX
   uint32_t pairs;      // capacity, from 1 to GJK_SCENE_PAIRS_MAX, see above
   gjk_q16 box_margin;  // enlarges the boxes in the tree, so that small moves do not change it; 0 to GJK2_RADIUS_MAX
-  uint8_t detail;      // a gjk_detail, not SENSOR: the least for every pair
+  uint8_t detail;      // a gjk_detail, not SENSOR: the least for every pair; CONTACTS: the block has a cache for each
   uint8_t persist;     // 1: pairs that stay near are reported in every update
   uint8_t retest_all;  // 1: every update tests every pair anew from a cold start. For tests: the answers are the same
   uint8_t pair_words;  // words of the caller for each pair, see gjk2_report; 0 to GJK_SCENE_PAIR_WORDS_MAX
@@ -92,6 +92,8 @@ typedef struct gjk2_scene_bindings {
   const gjk2_scene_details *details;  // &gjk2_scene_depth; &gjk2_scene_contacts: both; NULL: neither
   gjk2_manifold *manifolds;          // room for a manifold per report of a call, see gjk2_report; NULL: none are wanted
   const gjk2_scene_motions *motion;  // &gjk2_scene_motion; NULL: no motion is kept
+  bool
+      keeps_manifolds;  // true: a report that is still has no manifold, because the program keeps the last one of the pair
 } gjk2_scene_bindings;
 
 // The handle of a scene. gjk2_scene_init, gjk2_scene_open and gjk2_scene_attach write all of it when they return GJK_OK,
@@ -197,8 +199,12 @@ gjk_status gjk2_scene_collider(const gjk2_scene *scene, gjk_body_id id, uint16_t
 //
 // distance  of BEGIN and PERSIST, by detail. DISTANCE: as gjk2_distance; DEPTH: as gjk2_signed_distance, negative for a
 //           depth; CONTACTS with a manifold: the least of its contacts' distances. Otherwise 0.
-// manifold  of BEGIN and PERSIST with CONTACTS: up to 2 contacts, found without a cache. The i-th report of a call has
+// manifold  of BEGIN and PERSIST with CONTACTS: up to 2 contacts. The i-th report of a call has
 //           &bindings.manifolds[i]. Otherwise NULL.
+// still     since the pair's last report no call has moved or changed a body of it. So distance and manifold are, bit for
+//           bit, what they were then. With bindings.keeps_manifolds the manifold is NULL, and with CONTACTS distance is
+//           0. Such a program sets that once it has a manifold of each near pair, and saves these with the block. It tells
+//           of calls: a move to the same pose is none. Not in the hash, because it changes no answer.
 // words     config.pair_words words in the block, for the caller to write: impulses to start a solver from, or times.
 //           They are 0 at BEGIN, and stay as they are written until the pair's END has been reported. They go with
 //           saves and copies, and count in gjk2_scene_hash: peers must write the same, so no addresses. A write breaks a
@@ -208,6 +214,7 @@ typedef struct gjk2_report {
   uint16_t part_a, part_b;  // numbers of their parts
   uint8_t event;            // a gjk_event
   uint8_t detail;           // a gjk_detail: the pair's; the configuration's if a body was removed
+  bool still;               // of PERSIST: nothing has changed since the last report, see above
   gjk_q16 distance;
   const gjk2_manifold *manifold;
   uint32_t *words;
@@ -293,7 +300,8 @@ gjk_status gjk2_scene_query_nearest(const gjk2_scene *scene, const gjk2_collider
 
 // 64 bits over all that decides further answers. Counted are the configuration without capacities, box_margin and
 // retest_all, and the build's GJK_ITERATIONS_MAX. So are bodies and their kept motions, pairs near at the last update
-// and their words, and the number of updates. Tree and caches do not count. BUSY during an update.
+// and their words, and the number of updates. Tree and caches do not count: a copy whose caches
+// are zeroed goes on with the same answers. BUSY during an update.
 gjk_status gjk2_scene_hash(const gjk2_scene *scene, uint64_t *out);
 
 // Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.

@@ -1,24 +1,25 @@
 // The manifold of a pair, and the constant that binds contacts to a scene of the plane.
 #include "gjk2/contacts.h"
-#include "gjk2_scene_plane.h"
 
-gjk_status gjk2_scene_manifold(const gjk2_scene *scene, const gjk2_report *report, unsigned most, gjk2_manifold *out) {
-  gjk2_collider a, b;
-  gjk2_body_state of_a, of_b;
-  if (report == NULL || out == NULL) {
-    return GJK_ERROR_NULL;
-  }
-  gjk_status status = gjk2_scene_collider(scene, report->a, report->part_a, &a);
-  if (status == GJK_OK) {
-    status = gjk2_scene_collider(scene, report->b, report->part_b, &b);
-  }
-  if (status != GJK_OK) {
-    return status;
-  }
-  (void)gjk2_scene_get(scene, report->a, &of_a);  // cannot fail: gjk2_scene_collider found both
-  (void)gjk2_scene_get(scene, report->b, &of_b);
-  return gjk2_contacts(&a, &b, of_a.margin + of_b.margin, most, NULL, out);
+#include "gjk2_scene_names.h"
+// The view of a block, under the plane's names.
+#include "../scene/gjk_scene_part.h"
+
+static gjk_status find_manifold(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                                unsigned most, gjk2_cache *cache, gjk2_manifold *out) {
+  gjk2_collider on_a, on_b;
+  gjk2_scene_part_placed(v, a, &on_a);
+  gjk2_scene_part_placed(v, b, &on_b);
+  return gjk2_contacts(&on_a, &on_b, v->bodies[a->body].margin + v->bodies[b->body].margin, most, cache, out);
 }
 
-const gjk2_scene_details gjk2_scene_contacts = {.signed_distance = gjk2_signed_distance,
-                                                .manifold = gjk2_scene_manifold};
+gjk_status gjk2_scene_manifold(const gjk2_scene *scene, const gjk2_report *report, unsigned most, gjk2_manifold *out) {
+  gjk2_scene_view v;
+  const gjk2_scene_part *parts[2];
+  gjk_status status = report == NULL || out == NULL ? GJK_ERROR_NULL : gjk2_scene_view_of(scene, &v);
+  status = status == GJK_OK ? gjk2_scene_find_part(&v, report->a, report->part_a, &parts[0]) : status;
+  status = status == GJK_OK ? gjk2_scene_find_part(&v, report->b, report->part_b, &parts[1]) : status;
+  return status == GJK_OK ? find_manifold(&v, parts[0], parts[1], most, NULL, out) : status;
+}
+
+const gjk2_scene_details gjk2_scene_contacts = {.signed_distance = gjk2_signed_distance, .manifold = find_manifold};

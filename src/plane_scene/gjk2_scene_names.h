@@ -149,6 +149,7 @@
 #define gjk_scene_edit gjk2_scene_edit
 #define gjk_scene_end gjk2_scene_end
 #define gjk_scene_equal_vec3 gjk2_scene_equal_vec
+#define gjk_scene_find_part gjk2_scene_find_part
 #define gjk_scene_fill_queue gjk2_scene_fill_queue
 #define gjk_scene_find_all gjk2_scene_find_all
 #define gjk_scene_find_first gjk2_scene_find_first
@@ -212,6 +213,7 @@
 #define gjk_scene_part_load gjk2_scene_part_load
 #define gjk_scene_part_now gjk2_scene_part_now
 #define gjk_scene_part_of gjk2_scene_part_of
+#define gjk_scene_part_placed gjk2_scene_part_placed
 #define gjk_scene_part_pose gjk2_scene_part_pose
 #define gjk_scene_part_reset gjk2_scene_part_reset
 #define gjk_scene_part_settle gjk2_scene_part_settle

@@ -130,13 +130,18 @@ typedef char gjk2_scene_sizes_are_fixed[sizeof(gjk2_scene_body) == 44 && sizeof(
                                             : -1];
 
 // Bytes of a header.
-#define GJK2_SCENE_HEADER_BYTES 288
+#define GJK2_SCENE_HEADER_BYTES 292
+
+struct gjk2_scene_view;
 
 struct gjk2_scene_details {
   gjk_status (*signed_distance)(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache,
                                 gjk2_distance_result *out);
-  gjk_status (*manifold)(const gjk2_scene *scene, const gjk2_report *report, unsigned most,
-                         gjk2_manifold *out);  // or NULL
+
+  // The manifold of two parts, of a body with a lower slot first. cache: as of gjk2_contacts. Statuses as of
+  // gjk2_scene_manifold; or NULL
+  gjk_status (*manifold)(const struct gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                         unsigned most, gjk2_cache *cache, gjk2_manifold *out);
 };
 
 // Binds to a handle; NULL: nothing.
@@ -146,6 +151,7 @@ static inline void gjk2_scene_set_bindings(gjk2_scene *scene, const gjk2_scene_b
   scene->bindings.details = bindings != NULL ? bindings->details : NULL;
   scene->bindings.manifolds = bindings != NULL ? bindings->manifolds : NULL;
   scene->bindings.motion = bindings != NULL ? bindings->motion : NULL;
+  scene->bindings.keeps_manifolds = bindings != NULL && bindings->keeps_manifolds;
 }
 
 // One of the six indices of a pair.

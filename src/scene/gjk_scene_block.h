@@ -44,6 +44,7 @@ typedef struct gjk_scene_header {
   uint32_t kept_at;                 // of the array of kept motions
   uint32_t kept;                    // how many there are
   uint32_t words_at;                // of the array of the caller's words, config.pair_words for each pair
+  uint32_t caches_at;               // of the array of caches, one for each pair where config.detail is CONTACTS
   gjk_scene_counters stats;         // of the last update whose tests are done
 } gjk_scene_header;
 
@@ -59,6 +60,7 @@ typedef struct gjk_scene_view {
   uint32_t *queue, *slots;
   gjk_scene_kept *kept;  // in the order of slots
   uint32_t *words;
+  gjk_cache *caches;  // of contacts; NULL: they start cold
 } gjk_scene_view;
 
 // The code of fast bodies, which bindings.motion binds.

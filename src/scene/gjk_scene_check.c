@@ -224,7 +224,7 @@ static bool check_link(const gjk_scene_view *v, uint32_t link, uint32_t part) {
 // May gap be negative? It may be minus the depth of a near pair: near in this update, if it was tested, or in the last
 // one.
 static bool may_be_deep(const gjk_scene_view *v, const gjk_scene_pair *pair, uint32_t slot_a, uint32_t slot_b) {
-  const bool tested = (pair->state & GJK_SCENE_PAIR_QUEUED) != 0 && pair->outcome != GJK_SCENE_PENDING;
+  const bool tested = (pair->state & GJK_SCENE_PAIR_QUEUED) != 0 && !gjk_scene_is_pending(pair);
   return gjk_scene_detail(v, &v->bodies[slot_a], &v->bodies[slot_b]) == GJK_DETAIL_DEPTH &&
          (pair->state & (tested ? GJK_SCENE_PAIR_NEAR_NOW : GJK_SCENE_PAIR_NEAR)) != 0;
 }
@@ -234,7 +234,7 @@ static bool check_pair(const gjk_scene_view *v, uint32_t index) {
   const uint32_t a = gjk_scene_end(pair, 0), b = gjk_scene_end(pair, 1);
   const unsigned outcome = pair->outcome & (GJK_SCENE_UNSETTLED - 1u);
   if (pair->state >> GJK_SCENE_PAIR_CACHED > 4 || outcome >= GJK_SCENE_OUTCOMES ||
-      (outcome == GJK_SCENE_PENDING && pair->outcome != GJK_SCENE_PENDING)) {
+      (pair->outcome & GJK_SCENE_LISTED) != 0 || (outcome == GJK_SCENE_PENDING && !gjk_scene_is_pending(pair))) {
     return false;
   }
   if (is_gone(pair)) {
@@ -294,10 +294,10 @@ static bool check_entry(const gjk_scene_view *v, uint32_t at, const gjk_scene_pa
   const gjk_scene_header *h = v->header;
   const bool queued = (pair->state & GJK_SCENE_PAIR_QUEUED) != 0;
   if (h->phase == GJK_SCENE_TESTING) {
-    return queued && !is_gone(pair) && (at >= h->next_test || pair->outcome != GJK_SCENE_PENDING);
+    return queued && !is_gone(pair) && (at >= h->next_test || !gjk_scene_is_pending(pair));
   }
-  return !queued && pair->outcome >= (is_gone(pair) ? GJK_EVENT_END : GJK_EVENT_BEGIN) &&
-         pair->outcome <= GJK_EVENT_END;
+  const unsigned event = pair->outcome & ~GJK_SCENE_TOLD;
+  return !queued && event >= (is_gone(pair) ? GJK_EVENT_END : GJK_EVENT_BEGIN) && event <= GJK_EVENT_END;
 }
 
 // Does the queue have each pair at most once? The first loop flips QUEUED of each pair in it, so check_entry refuses a
@@ -344,11 +344,16 @@ static bool check_last(const gjk_scene_view *v, const gjk_scene_body *body, cons
   return true;
 }
 
-// Do the kept motions name the flagged bodies, each once, in the order of slots? What a sweep found is read while it is
-// to be reported.
+// May a kept motion name this part? Between updates nothing reads it. In an update a body that is not swept has met none,
+// and what a sweep found is read until it is reported.
+static bool check_met(const gjk_scene_view *v, const gjk_scene_kept *k) {
+  return v->header->phase == GJK_SCENE_IDLE || k->other == GJK_SCENE_NONE ||
+         ((k->state & GJK_SCENE_SWEPT) != 0 && live_part(v, k->other));
+}
+
+// Do the kept motions name the flagged bodies, each once, in the order of slots?
 static bool check_kept(const gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
-  const bool swept = h->phase != GJK_SCENE_IDLE;
   uint32_t flagged = 0;
   for (uint32_t slot = 0; slot < h->config.bodies; slot++) {
     const unsigned flags = v->bodies[slot].flags;
@@ -363,10 +368,9 @@ static bool check_kept(const gjk_scene_view *v) {
       return false;
     }
     const gjk_scene_body *body = &v->bodies[k->slot];
-    const bool met = swept && (k->state & GJK_SCENE_SWEPT) != 0 && k->other != GJK_SCENE_NONE;
     if (body->generation % 2 == 0 || (body->flags & GJK_SCENE_KEPT) == 0 ||
         (body->kind_detail & 15u) == GJK_BODY_STATIC || gjk_scene_is_sensor(body) || !check_last(v, body, &k->last) ||
-        (met && !live_part(v, k->other))) {
+        !check_met(v, k)) {
       return false;
     }
   }

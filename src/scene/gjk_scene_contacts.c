@@ -3,68 +3,72 @@
 #include "gjk_scene_concave.h"
 #include "gjk_scene_part.h"
 
-// One side of a reported pair.
-typedef struct reported_side {
-  gjk_collider collider;
-  gjk_pose pose;
-  gjk_q16 margin;
-} reported_side;
-
-static gjk_status set_reported_side(const gjk_scene_view *v, gjk_body_id id, uint16_t number, reported_side *out) {
-  gjk_scene_body *body;
-  const gjk_status status = gjk_scene_body_of(v, id, &body);
-  if (status != GJK_OK) {
-    return status;
-  }
-  const uint32_t index = gjk_scene_part_of(v, body, number);
-  if (index == GJK_SCENE_NONE) {
-    return GJK_ERROR_RANGE;
-  }
-  gjk_scene_pose_of(body, &out->pose);
-  (void)gjk_scene_part_at(v, &v->parts[index], &out->pose, &out->collider);  // cannot fail: the body was taken there
-  gjk_scene_part_pose(v, &v->parts[index], &out->pose);
-  out->margin = body->margin;
-  return GJK_OK;
-}
-
-gjk_status gjk_scene_manifolds(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out,
-                               unsigned capacity, unsigned *count) {
-  gjk_scene_view v;
-  reported_side a, b;
+// All manifolds of two parts, or those that room is for. Pre: 1 <= capacity <= GJK_PARTS_MANIFOLDS_MAX.
+static gjk_status find_manifolds(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                                 unsigned most, gjk_cache *cache, gjk_manifold *out, unsigned capacity,
+                                 unsigned *count) {
+  gjk_collider on_a, on_b;
   gjk_workspace workspace;
-  gjk_status status = report == NULL || out == NULL || count == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, &v);
-  status = status == GJK_OK ? set_reported_side(&v, report->a, report->part_a, &a) : status;
-  status = status == GJK_OK ? set_reported_side(&v, report->b, report->part_b, &b) : status;
-  if (status != GJK_OK) {
-    return status;
-  }
-  if (!gjk_scene_workspace(scene, &workspace)) {
+  if (!gjk_scene_workspace(v->scene, &workspace)) {
     return GJK_ERROR_UNSUPPORTED;
   }
-  if (capacity < 1 || capacity > GJK_PARTS_MANIFOLDS_MAX) {
-    return GJK_ERROR_RANGE;
-  }
-  const gjk_q16 margin = a.margin + b.margin;
-  const struct gjk_scene_concave *queries = a.collider.shape->type->concave;
-  queries = queries != NULL ? queries : b.collider.shape->type->concave;
+  gjk_scene_part_placed(v, a, &on_a);
+  gjk_scene_part_placed(v, b, &on_b);
+  const gjk_q16 margin = v->bodies[a->body].margin + v->bodies[b->body].margin;
+  const struct gjk_scene_concave *queries = on_a.shape->type->concave;
+  queries = queries != NULL ? queries : on_b.shape->type->concave;
   if (queries != NULL) {
-    const gjk_scene_solid of_a = {&a.collider, &a.pose}, of_b = {&b.collider, &b.pose};
+    gjk_pose at_a, at_b;
+    gjk_scene_part_pose(v, a, &at_a);
+    gjk_scene_part_pose(v, b, &at_b);
+    const gjk_scene_solid of_a = {&on_a, &at_a}, of_b = {&on_b, &at_b};
     return queries->manifolds(&of_a, &of_b, margin, most, &workspace, out, capacity, count);
   }
-  status = gjk_contacts(&a.collider, &b.collider, margin, most, NULL, &workspace, out);
+  const gjk_status status = gjk_contacts(&on_a, &on_b, margin, most, cache, &workspace, out);
   if (status == GJK_OK || status == GJK_ERROR_CAPACITY) {
     *count = out->count > 0;
   }
   return status;
 }
 
-gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out) {
+// The first of them.
+static gjk_status find_manifold(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                                unsigned most, gjk_cache *cache, gjk_manifold *out) {
   unsigned count = 0;
-  const gjk_status status = gjk_scene_manifolds(scene, report, most, out, 1, &count);
+  const gjk_status status = find_manifolds(v, a, b, most, cache, out, 1, &count);
   if (count == 0 && (status == GJK_OK || status == GJK_ERROR_CAPACITY)) {
     out->count = 0;
   }
   return status;
 }
 
-const gjk_scene_details gjk_scene_contacts = {.signed_distance = gjk_signed_distance, .manifold = gjk_scene_manifold};
+// Opens a scene and finds the parts of a report.
+static gjk_status open_report(const gjk_scene *scene, const gjk_report *report, gjk_scene_view *v,
+                              const gjk_scene_part *parts[2]) {
+  gjk_status status = report == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, v);
+  status = status == GJK_OK ? gjk_scene_find_part(v, report->a, report->part_a, &parts[0]) : status;
+  return status == GJK_OK ? gjk_scene_find_part(v, report->b, report->part_b, &parts[1]) : status;
+}
+
+gjk_status gjk_scene_manifolds(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out,
+                               unsigned capacity, unsigned *count) {
+  gjk_scene_view v;
+  const gjk_scene_part *parts[2];
+  const gjk_status status = out == NULL || count == NULL ? GJK_ERROR_NULL : open_report(scene, report, &v, parts);
+  if (status != GJK_OK) {
+    return status;
+  }
+  if (capacity < 1 || capacity > GJK_PARTS_MANIFOLDS_MAX) {
+    return GJK_ERROR_RANGE;
+  }
+  return find_manifolds(&v, parts[0], parts[1], most, NULL, out, capacity, count);
+}
+
+gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out) {
+  gjk_scene_view v;
+  const gjk_scene_part *parts[2];
+  const gjk_status status = out == NULL ? GJK_ERROR_NULL : open_report(scene, report, &v, parts);
+  return status == GJK_OK ? find_manifold(&v, parts[0], parts[1], most, NULL, out) : status;
+}
+
+const gjk_scene_details gjk_scene_contacts = {.signed_distance = gjk_signed_distance, .manifold = find_manifold};

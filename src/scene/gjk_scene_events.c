@@ -2,20 +2,22 @@
 #include "../arith/gjk_sort.h"
 #include "gjk_scene_update.h"
 
-static bool is_awake(const gjk_scene_view *v, uint32_t part) {
-  const gjk_scene_body *body = &v->bodies[v->parts[part].body];
+// Up to so many events are sorted by insertion.
+#define FEW 8
+
+// Where at least one in so many bodies, parts and pairs has an event, all are walked. A step of such a walk takes about 8
+// instructions; to sort an event takes 20 for each doubling of their number.
+#define GATHER 16
+
+static bool is_awake(const gjk_scene_body *body) {
   return (body->kind_detail & 15u) != GJK_BODY_STATIC && (body->flags & GJK_SCENE_ASLEEP) == 0;
 }
 
-static bool is_of_sensor(const gjk_scene_view *v, uint32_t part) {
-  return gjk_scene_is_sensor(&v->bodies[v->parts[part].body]);
-}
-
-// Is a pair that stays near to be reported?
-static bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  const uint32_t a = gjk_scene_end(pair, 0), b = gjk_scene_end(pair, 1);
-  return v->header->config.persist != 0 && (is_awake(v, a) || is_awake(v, b)) && !is_of_sensor(v, a) &&
-         !is_of_sensor(v, b);
+// Is a pair that stays near to be reported? Pre: config.persist.
+static inline bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  const gjk_scene_body *a = &v->bodies[v->parts[gjk_scene_end(pair, 0)].body];
+  const gjk_scene_body *b = &v->bodies[v->parts[gjk_scene_end(pair, 1)].body];
+  return (is_awake(a) || is_awake(b)) && !gjk_scene_is_sensor(a) && !gjk_scene_is_sensor(b);
 }
 
 // The counter of an outcome: they are in the order of outcomes.
@@ -45,7 +47,8 @@ static void keep_event(gjk_scene_view *v, uint32_t index, gjk_event event, uint3
   uint32_t *counter = event == GJK_EVENT_BEGIN ? &s->begun : event == GJK_EVENT_END ? &s->ended : &s->persisting;
   (*counter)++;
   //@ assert *kept < v->header->pairs.capacity;
-  v->pairs[index].outcome = (uint8_t)event;
+  const unsigned told = event == GJK_EVENT_PERSIST ? v->pairs[index].outcome & GJK_SCENE_TOLD : 0;
+  v->pairs[index].outcome = (uint8_t)(event | told | GJK_SCENE_LISTED);
   v->queue[(*kept)++] = index;
 }
 
@@ -79,7 +82,7 @@ static void keep_tested(gjk_scene_view *v, uint32_t *kept) {
     }
     if (was != now) {
       keep_event(v, index, now ? GJK_EVENT_BEGIN : GJK_EVENT_END, kept);
-    } else if (now && persists(v, pair)) {
+    } else if (now && h->config.persist != 0 && persists(v, pair)) {
       keep_event(v, index, GJK_EVENT_PERSIST, kept);
     }
     if (now && h->config.persist != 0) {
@@ -125,14 +128,14 @@ static void forget_motion(gjk_scene_view *v) {
   h->moved = GJK_SCENE_NONE;
 }
 
-// The slot of a pair's first body.
-static uint32_t first_slot(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? gjk_scene_gone_side(pair, 0).slot
-                                                  : v->parts[gjk_scene_end(pair, 0)].body;
+// The slot of one of a pair's bodies.
+static uint32_t slot_of(const gjk_scene_view *v, const gjk_scene_pair *pair, unsigned side) {
+  return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? gjk_scene_gone_side(pair, side).slot
+                                                  : v->parts[gjk_scene_end(pair, side)].body;
 }
 
-// The queue while it is sorted. The lower bits of an entry are its pair's index. The upper ones are those of the slot of
-// the pair's first body, as many as fit.
+// Entries of the queue while they are sorted. The lower bits of an entry are its pair's index. The upper ones are those
+// of the slot of one of the pair's bodies, as many as fit; of the other bodies all slots are the same.
 typedef struct sorted_queue {
   const gjk_scene_view *v;
   uint32_t *entries;
@@ -172,24 +175,79 @@ static void exchange_events(void *queue, uint32_t i, uint32_t j) {
   entries[j] = entry;
 }
 
-// Step 8. Sorts the first count entries of the queue.
-static void sort_events(const gjk_scene_view *v, uint32_t count) {
-  static const gjk_sort_order order = {.before = reported_before, .exchange = exchange_events};
-  const gjk_scene_header *h = v->header;
+// The entry of a pair, with the slot of the body on one side. The pair is listed no more.
+static inline uint32_t packed(const sorted_queue *q, uint32_t index, unsigned side) {
   // Slots are below bodies <= 2^20, indices below capacity <= 2^22.
-  const unsigned shift = gjk_clz32(h->config.bodies);
-  sorted_queue q = {v, v->queue, UINT32_MAX >> gjk_clz32(h->pairs.capacity)};
-  for (uint32_t i = 0; i < count; i++) {
-    q.entries[i] |= first_slot(v, &v->pairs[q.entries[i]]) << shift & ~q.index_mask;
+  const unsigned shift = gjk_clz32(q->v->header->config.bodies);
+  gjk_scene_pair *pair = &q->v->pairs[index];
+  pair->outcome = (uint8_t)(pair->outcome & ~GJK_SCENE_LISTED);
+  return index | (slot_of(q->v, pair, side) << shift & ~q->index_mask);
+}
+
+// Sorts count entries: a few by insertion, where each goes down to its place.
+static void sort_entries(sorted_queue *q, uint32_t count) {
+  static const gjk_sort_order order = {.before = reported_before, .exchange = exchange_events};
+  if (count > FEW) {
+    gjk_sort(&order, q, count);
+    return;
   }
-  gjk_sort(&order, &q, count);
-  for (uint32_t i = 0; i < count; i++) {
-    q.entries[i] &= q.index_mask;
+  for (uint32_t i = 1; i < count; i++) {
+    for (uint32_t k = i; k > 0 && reported_before(q, k, k - 1); k--) {
+      exchange_events(q, k, k - 1);
+    }
+  }
+}
+
+// Adds the events of the pairs whose first part is this one, which are flagged. Sorts them. Returns how many there are then.
+static uint32_t gather_events_of(sorted_queue *q, uint32_t part, uint32_t count) {
+  const gjk_scene_view *v = q->v;
+  uint32_t *queue = v->queue, end = count;
+  for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE;
+       link = gjk_scene_next(&v->pairs[link / 2], link % 2)) {
+    if (link % 2 == 0 && (v->pairs[link / 2].outcome & GJK_SCENE_LISTED) != 0) {
+      //@ assert end < v->header->pairs.capacity;
+      queue[end++] = packed(q, link / 2, 1);
+    }
+  }
+  q->entries = queue + count;
+  sort_entries(q, end - count);
+  return end;
+}
+
+// Step 8, where many of all pairs have an event and none is gone: bodies, their parts, and the lists of parts are walked
+// in the order of reports, so only the pairs of one part are left to sort.
+static void gather_events(sorted_queue *q) {
+  const gjk_scene_view *v = q->v;
+  uint32_t count = 0;
+  for (uint32_t slot = 0; slot < v->header->bodies.fresh; slot++) {
+    // A slot that was never used is in no list, whatever its first part says.
+    uint32_t i = v->bodies[slot].generation % 2 != 0 ? v->bodies[slot].first : GJK_SCENE_NONE;
+    for (; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+      count = gather_events_of(q, i, count);
+    }
+  }
+}
+
+// Step 8. Sorts the kept events. gone: some are of pairs that are gone, and in no list.
+static void sort_events(const gjk_scene_view *v, uint32_t kept, bool gone) {
+  const gjk_scene_header *h = v->header;
+  sorted_queue q = {v, v->queue, UINT32_MAX >> gjk_clz32(h->pairs.capacity)};
+  if (!gone && kept > FEW && kept >= (h->bodies.fresh + h->parts.count + h->pairs.count) / GATHER) {
+    gather_events(&q);
+  } else {
+    for (uint32_t i = 0; i < kept; i++) {
+      v->queue[i] = packed(&q, v->queue[i], 0);
+    }
+    sort_entries(&q, kept);
+  }
+  for (uint32_t i = 0; i < kept; i++) {
+    v->queue[i] &= q.index_mask;
   }
 }
 
 void gjk_scene_make_events(gjk_scene_view *v) {
   gjk_scene_header *h = v->header;
+  const bool gone = h->gone != GJK_SCENE_NONE;
   uint32_t kept = 0;
   start_stats(v);
   keep_tested(v, &kept);
@@ -198,6 +256,6 @@ void gjk_scene_make_events(gjk_scene_view *v) {
   h->queued = kept;
   h->next_report = 0;
   forget_motion(v);
-  sort_events(v, kept);
+  sort_events(v, kept, gone);
   h->phase = GJK_SCENE_REPORTING;
 }

@@ -29,7 +29,7 @@ static void set_pool(gjk_scene_pool *pool, uint32_t capacity, uint32_t size, uin
 
 // Lays out the arrays of a block for this configuration.
 //
-// at <= 2^20 (60 + 144 + 40 + 32 + 44 + 1) + 2^22 (44 + 4 + 4 * 32) + 400 < 2^31
+// at <= 2^20 (60 + 144 + 40 + 32 + 44 + 1) + 2^22 (44 + 4 + 4 * 32 + 24) + 400 < 2^31
 static void lay_out(const gjk_scene_config *c, gjk_scene_header *h) {
   uint32_t at = sizeof *h;
   set_pool(&h->bodies, c->bodies, sizeof(gjk_scene_body), &at);
@@ -45,6 +45,10 @@ static void lay_out(const gjk_scene_config *c, gjk_scene_header *h) {
   at += c->motions * (uint32_t)sizeof(gjk_scene_kept);
   h->words_at = at;
   at += c->pairs * c->pair_words * (uint32_t)sizeof(uint32_t);
+  h->caches_at = at;
+  if (c->detail == GJK_DETAIL_CONTACTS) {
+    at += (c->pairs * (uint32_t)sizeof(gjk_cache) + 3) / 4 * 4;
+  }
   h->bytes = at;
 }
 
@@ -122,10 +126,10 @@ gjk_status gjk_scene_check_header(const void *block, size_t bytes) {
   }
   lay_out(&h->config, &expected);
   if (h->bytes != expected.bytes || h->queue_at != expected.queue_at || h->slots_at != expected.slots_at ||
-      h->kept_at != expected.kept_at || h->words_at != expected.words_at || h->kept > h->config.motions ||
-      !same_pool(&expected.bodies, &h->bodies) || !same_pool(&expected.parts, &h->parts) ||
-      !same_pool(&expected.nodes, &h->nodes) || !same_pool(&expected.own_poses, &h->own_poses) ||
-      !same_pool(&expected.pairs, &h->pairs)) {
+      h->kept_at != expected.kept_at || h->words_at != expected.words_at || h->caches_at != expected.caches_at ||
+      h->kept > h->config.motions || !same_pool(&expected.bodies, &h->bodies) ||
+      !same_pool(&expected.parts, &h->parts) || !same_pool(&expected.nodes, &h->nodes) ||
+      !same_pool(&expected.own_poses, &h->own_poses) || !same_pool(&expected.pairs, &h->pairs)) {
     return GJK_ERROR_CORRUPT;
   }
   return bytes < h->bytes ? GJK_ERROR_CAPACITY : GJK_OK;
@@ -163,6 +167,8 @@ gjk_status gjk_scene_view_of(const gjk_scene *scene, gjk_scene_view *out) {
   out->slots = (uint32_t *)at(h, h->slots_at);
   out->kept = (gjk_scene_kept *)at(h, h->kept_at);
   out->words = (uint32_t *)at(h, h->words_at);
+  const bool kept = h->config.detail == GJK_DETAIL_CONTACTS && h->config.retest_all == 0;
+  out->caches = kept ? (gjk_cache *)at(h, h->caches_at) : NULL;
   return GJK_OK;
 }
 

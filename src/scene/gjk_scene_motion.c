@@ -246,6 +246,7 @@ static void report_impact(const gjk_scene_view *v, const gjk_scene_kept *k, gjk_
   out->part_b = other->number;
   out->event = GJK_EVENT_IMPACT;
   out->detail = gjk_scene_detail(v, &v->bodies[k->slot], &v->bodies[other->body]);
+  out->still = false;
   out->distance = 0;
   out->manifold = NULL;
   out->words = NULL;

@@ -246,7 +246,8 @@ static void test_geometry(const gjk_scene_view *v, const gjk_scene_part *a, cons
 }
 
 void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair) {
-  if (pair->outcome != GJK_SCENE_PENDING) {
+  const unsigned told = pair->outcome & GJK_SCENE_TOLD;
+  if (!gjk_scene_is_pending(pair)) {
     return;
   }
   const gjk_scene_part *a = &v->parts[gjk_scene_end(pair, 0)], *b = &v->parts[gjk_scene_end(pair, 1)];
@@ -258,4 +259,5 @@ void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair) {
   } else {
     test_geometry(v, a, b, pair);
   }
+  pair->outcome = (uint8_t)(pair->outcome | told);
 }

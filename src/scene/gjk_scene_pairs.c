@@ -3,6 +3,7 @@
 // Each part has a list of its pairs, and each pair is in the lists of its two parts. See gjk_scene_linked_pair.
 #include "gjk_scene_pairs.h"
 
+#include "../arith/gjk_memory.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
 
@@ -68,6 +69,9 @@ static void make_pair(gjk_scene_view *v, uint32_t a, uint32_t b) {
   gjk_scene_clear_hint(pair);
   pair->state = GJK_SCENE_PAIR_LIVE;
   pair->outcome = GJK_SCENE_PENDING;
+  if (v->caches != NULL) {
+    gjk_zero(&v->caches[index], sizeof v->caches[index]);
+  }
   link_side(v, 2 * index);
   link_side(v, 2 * index + 1);
 }

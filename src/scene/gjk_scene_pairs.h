@@ -37,6 +37,11 @@ gjk_status gjk_scene_pairs_match(gjk_scene_view *v);
 // the pair's record, so threads may test different pairs at the same time.
 void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair);
 
+// Is a queued pair still to be tested?
+static inline bool gjk_scene_is_pending(const gjk_scene_pair *pair) {
+  return (pair->outcome & ~GJK_SCENE_TOLD) == GJK_SCENE_PENDING;
+}
+
 // The detail of a pair: the largest of the configuration's and its two bodies'; TOUCH if one is a sensor.
 static inline uint8_t gjk_scene_detail(const gjk_scene_view *v, const gjk_scene_body *a, const gjk_scene_body *b) {
   const uint8_t least = v->header->config.detail;

@@ -39,12 +39,34 @@ void gjk_scene_part_pose(const gjk_scene_view *v, const gjk_scene_part *part, gj
   }
 }
 
+// Parts are added from the last to the first, to records one after another where the pool has no holes. There a part's
+// record is so many before the first one's. Otherwise a walk finds it.
 uint32_t gjk_scene_part_of(const gjk_scene_view *v, const gjk_scene_body *body, uint16_t number) {
   uint32_t index = body->first;
+  if (index != GJK_SCENE_NONE && number <= index) {
+    const gjk_scene_part *part = &v->parts[index - number];
+    if ((part->state & GJK_SCENE_LIVE) != 0 && &v->bodies[part->body] == body && part->number == number) {
+      return index - number;
+    }
+  }
   while (index != GJK_SCENE_NONE && v->parts[index].number != number) {
     index = v->parts[index].next;
   }
   return index;
+}
+
+gjk_status gjk_scene_find_part(const gjk_scene_view *v, gjk_body_id id, uint16_t number, const gjk_scene_part **out) {
+  gjk_scene_body *body;
+  const gjk_status status = gjk_scene_body_of(v, id, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  const uint32_t index = gjk_scene_part_of(v, body, number);
+  if (index == GJK_SCENE_NONE) {
+    return GJK_ERROR_RANGE;
+  }
+  *out = &v->parts[index];
+  return GJK_OK;
 }
 
 gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,
@@ -74,12 +96,19 @@ void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part
 }
 #endif
 
-void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out, gjk_aabb *box) {
+void gjk_scene_part_placed(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out) {
   if ((part->state & GJK_SCENE_UNPOSED) == 0) {
     gjk_scene_part_collider(v, part, out);
-    *box = part->exact;
   } else {
     pose_part(v, part, out);
+  }
+}
+
+void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out, gjk_aabb *box) {
+  gjk_scene_part_placed(v, part, out);
+  if ((part->state & GJK_SCENE_UNPOSED) == 0) {
+    *box = part->exact;
+  } else {
     (void)gjk_collider_aabb(out, box);  // posed, so it cannot fail
   }
 }

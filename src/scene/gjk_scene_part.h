@@ -18,7 +18,8 @@ void gjk_scene_part_collider(const gjk_scene_view *v, const gjk_scene_part *part
 gjk_status gjk_scene_part_at(const gjk_scene_view *v, const gjk_scene_part *part, const gjk_pose *body,
                              gjk_collider *out);
 
-// The same at its body's pose, and its exact box, posed or not.
+// The same at its body's pose, posed or not; and its exact box.
+void gjk_scene_part_placed(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out);
 void gjk_scene_part_now(const gjk_scene_view *v, const gjk_scene_part *part, gjk_collider *out, gjk_aabb *box);
 
 // The exact box of a part, posed or not; room is where it may be written.
@@ -29,6 +30,9 @@ void gjk_scene_part_pose(const gjk_scene_view *v, const gjk_scene_part *part, gj
 
 // The index of a body's part by its number, or none.
 uint32_t gjk_scene_part_of(const gjk_scene_view *v, const gjk_scene_body *body, uint16_t number);
+
+// Finds a part by its body's id and its number. BODY_ID, or RANGE: there is none.
+gjk_status gjk_scene_find_part(const gjk_scene_view *v, gjk_body_id id, uint16_t number, const gjk_scene_part **out);
 
 // Poses a part, unless it is posed.
 void gjk_scene_part_settle(const gjk_scene_view *v, uint32_t index);

@@ -15,11 +15,21 @@ static uint32_t queue_pair(gjk_scene_view *v, uint32_t index, uint32_t queued) {
   return queued + 1;
 }
 
+static bool is_moved(const gjk_scene_view *v, uint32_t part) {
+  //@ assert part < v->header->parts.capacity;
+  return (v->bodies[v->parts[part].body].flags & GJK_SCENE_MOVED) != 0;
+}
+
+// What was told of pairs whose bodies did not move still holds.
 static uint32_t queue_all(gjk_scene_view *v) {
   uint32_t queued = 0;
   for (uint32_t i = 0; i < v->header->pairs.fresh; i++) {
-    if ((v->pairs[i].state & (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_GONE)) == GJK_SCENE_PAIR_LIVE) {
+    gjk_scene_pair *pair = &v->pairs[i];
+    if ((pair->state & (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_GONE)) == GJK_SCENE_PAIR_LIVE) {
+      const bool moved = is_moved(v, gjk_scene_end(pair, 0)) || is_moved(v, gjk_scene_end(pair, 1));
+      const unsigned told = moved ? 0 : pair->outcome & GJK_SCENE_TOLD;
       queued = queue_pair(v, i, queued);
+      pair->outcome = (uint8_t)(pair->outcome | told);
     }
   }
   return queued;
@@ -49,7 +59,7 @@ void gjk_scene_test_queue(gjk_scene_view *v, uint32_t tests) {
   gjk_scene_header *h = v->header;
   for (; h->next_test < h->queued; h->next_test++) {
     gjk_scene_pair *pair = &v->pairs[v->queue[h->next_test]];
-    if (pair->outcome == GJK_SCENE_PENDING) {
+    if (gjk_scene_is_pending(pair)) {
       if (tests == 0) {
         return;
       }

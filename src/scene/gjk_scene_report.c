@@ -1,18 +1,29 @@
 // The reports of an update, and the pairs that were near at the last one.
 #include "gjk_scene_update.h"
 
+// Tells of one side of a pair.
+static inline void describe_side(const gjk_scene_side *side, gjk_body_id *id, uint16_t *part) {
+  id->slot = side->slot;
+  id->generation = side->generation;
+  *part = side->part;
+}
+
 // Fills a report but for event and distance. The manifold, if one is wanted, is added later.
-static void describe(const gjk_scene_view *v, uint32_t index, gjk_report *out) {
+static inline void describe(const gjk_scene_view *v, uint32_t index, gjk_report *out) {
   const gjk_scene_pair *pair = &v->pairs[index];
-  const gjk_scene_side a = gjk_scene_side_of(v, pair, 0), b = gjk_scene_side_of(v, pair, 1);
-  out->a.slot = a.slot;
-  out->a.generation = a.generation;
-  out->b.slot = b.slot;
-  out->b.generation = b.generation;
-  out->part_a = a.part;
-  out->part_b = b.part;
-  out->detail = (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? v->header->config.detail
-                                                         : gjk_scene_detail(v, &v->bodies[a.slot], &v->bodies[b.slot]);
+  if ((pair->state & GJK_SCENE_PAIR_GONE) == 0) {
+    const gjk_scene_side a = gjk_scene_linked_side(v, pair, 0), b = gjk_scene_linked_side(v, pair, 1);
+    describe_side(&a, &out->a, &out->part_a);
+    describe_side(&b, &out->b, &out->part_b);
+    out->detail = gjk_scene_detail(v, &v->bodies[a.slot], &v->bodies[b.slot]);
+    out->still = (pair->outcome & GJK_SCENE_TOLD) != 0;
+  } else {
+    const gjk_scene_side a = gjk_scene_gone_side(pair, 0), b = gjk_scene_gone_side(pair, 1);
+    describe_side(&a, &out->a, &out->part_a);
+    describe_side(&b, &out->b, &out->part_b);
+    out->detail = v->header->config.detail;
+    out->still = false;
+  }
   out->manifold = NULL;
   out->words = gjk_scene_words_of(v, index);
   out->fraction = 0;
@@ -23,9 +34,10 @@ static void report_pair(gjk_scene_view *v, uint32_t index, gjk_report *out) {
   //@ assert index < v->header->pairs.capacity;
   gjk_scene_pair *pair = &v->pairs[index];
   describe(v, index, out);
-  out->event = pair->outcome;
+  out->event = (uint8_t)(pair->outcome & ~GJK_SCENE_TOLD);
   out->distance = 0;
   if (out->event != GJK_EVENT_END) {
+    pair->outcome |= GJK_SCENE_TOLD;
     out->distance = gjk_scene_wants_distance(out->detail) ? pair->gap : 0;
   } else if ((pair->state & GJK_SCENE_PAIR_GONE) != 0) {
     pair->state = 0;
@@ -35,9 +47,13 @@ static void report_pair(gjk_scene_view *v, uint32_t index, gjk_report *out) {
   }
 }
 
-// Adds the manifold to a report, and its least distance. Without an answer the manifold is zero.
-static void add_manifold(const gjk_scene_view *v, gjk_manifold *room, gjk_report *out) {
-  const gjk_status status = v->scene->bindings.details->manifold(v->scene, out, GJK_SCENE_CONTACTS, room);
+// Adds the manifold to the report of a linked pair, and its least distance. Without an answer the manifold is zero.
+static void add_manifold(const gjk_scene_view *v, uint32_t index, gjk_manifold *room, gjk_report *out) {
+  const gjk_scene_pair *pair = &v->pairs[index];
+  const uint32_t a = gjk_scene_end(pair, 0), b = gjk_scene_end(pair, 1);
+  //@ assert a < v->header->parts.capacity && b < v->header->parts.capacity;
+  const gjk_status status = v->scene->bindings.details->manifold(v, &v->parts[a], &v->parts[b], GJK_SCENE_CONTACTS,
+                                                                 v->caches != NULL ? &v->caches[index] : NULL, room);
   if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
     gjk_scene_no_normal(room);
     room->count = 0;
@@ -54,12 +70,14 @@ static void add_manifold(const gjk_scene_view *v, gjk_manifold *room, gjk_report
 
 void gjk_scene_write_reports(gjk_scene_view *v, gjk_report *reports, uint32_t capacity, gjk_progress *progress) {
   gjk_scene_header *h = v->header;
-  gjk_manifold *manifolds = v->scene->bindings.manifolds;
+  const gjk_scene_bindings *bindings = &v->scene->bindings;
   while (h->next_report < h->queued && progress->reports < capacity) {
     gjk_report *out = &reports[progress->reports];
-    report_pair(v, v->queue[h->next_report++], out);
-    if (out->detail == GJK_DETAIL_CONTACTS && out->event != GJK_EVENT_END && manifolds != NULL) {
-      add_manifold(v, &manifolds[progress->reports], out);
+    const uint32_t index = v->queue[h->next_report++];
+    report_pair(v, index, out);
+    if (out->detail == GJK_DETAIL_CONTACTS && out->event != GJK_EVENT_END && bindings->manifolds != NULL &&
+        !(out->still && bindings->keeps_manifolds)) {
+      add_manifold(v, index, &bindings->manifolds[progress->reports], out);
     }
     progress->reports++;
   }

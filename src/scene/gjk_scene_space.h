@@ -130,11 +130,16 @@ typedef struct gjk_scene_pair {
   uint8_t outcome;  // while it is queued a gjk_scene_outcome, in a queue of reports a gjk_event
 } gjk_scene_pair;
 
+struct gjk_scene_view;
+
 struct gjk_scene_details {
   gjk_status (*signed_distance)(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                                 const gjk_workspace *workspace, gjk_distance_result *out);
-  gjk_status (*manifold)(const gjk_scene *scene, const gjk_report *report, unsigned most,
-                         gjk_manifold *out);  // or NULL
+
+  // The manifold of two parts, of a body with a lower slot first. cache: as of gjk_contacts. Statuses as of
+  // gjk_scene_manifold; or NULL
+  gjk_status (*manifold)(const struct gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                         unsigned most, gjk_cache *cache, gjk_manifold *out);
 };
 
 static inline bool gjk_aabb_meet(const gjk_aabb *a, const gjk_aabb *b) {
@@ -158,7 +163,7 @@ typedef char sizes_are_fixed[sizeof(gjk_scene_body) == 60 && sizeof(gjk_scene_pa
                                  : -1];
 
 // Bytes of a header.
-#define GJK_SCENE_HEADER_BYTES 292
+#define GJK_SCENE_HEADER_BYTES 296
 
 // Binds to a handle; NULL: nothing.
 static inline void gjk_scene_set_bindings(gjk_scene *scene, const gjk_scene_bindings *bindings) {
@@ -168,6 +173,7 @@ static inline void gjk_scene_set_bindings(gjk_scene *scene, const gjk_scene_bind
   scene->bindings.workspace = bindings != NULL ? bindings->workspace : NULL;
   scene->bindings.manifolds = bindings != NULL ? bindings->manifolds : NULL;
   scene->bindings.motion = bindings != NULL ? bindings->motion : NULL;
+  scene->bindings.keeps_manifolds = bindings != NULL && bindings->keeps_manifolds;
 }
 
 // The ends and links of a pair, which of two sides each.

@@ -53,6 +53,8 @@ typedef struct apart_block {
   uint32_t gap_g[GAP];
   uint32_t slots[1];
   uint32_t gap_h[GAP];
+  gjk_cache caches[PAIRS];
+  uint32_t gap_i[GAP];
   KEPT_MOTIONS
 } apart_block;
 
@@ -173,7 +175,8 @@ static void any_pair(gjk_scene_pair *pair) {
     pair->b[i] = (uint8_t)any_between(0, UINT8_MAX);
   }
   pair->state = (uint8_t)any_between(0, UINT8_MAX);
-  pair->outcome = (uint8_t)(any_between(0, GJK_SCENE_OUTCOMES - 1) + (any_bool() ? GJK_SCENE_UNSETTLED : 0));
+  pair->outcome = (uint8_t)(any_between(0, GJK_SCENE_OUTCOMES - 1) + (any_bool() ? GJK_SCENE_UNSETTLED : 0) +
+                            (any_bool() ? GJK_SCENE_TOLD : 0));
 }
 
 static void any_pool(gjk_scene_pool *pool, uint32_t free) {
@@ -232,6 +235,7 @@ static void any_bindings(gjk_scene_bindings *bindings) {
   bindings->details = able == 0 ? NULL : able == 1 ? &gjk_scene_depth : &gjk_scene_contacts;
   bindings->workspace = any_bool() ? &workspace : NULL;
   bindings->manifolds = any_bool() ? manifolds : NULL;
+  bindings->keeps_manifolds = any_bool();
 }
 
 #if MOTIONS > 0
@@ -273,6 +277,8 @@ static bool any_scene(gjk_scene *scene, apart_block *b) {
   b->header.pairs.at = offsetof(apart_block, pairs);
   b->header.queue_at = offsetof(apart_block, queue);
   b->header.slots_at = offsetof(apart_block, slots);
+  b->header.caches_at = offsetof(apart_block, caches);
+  Frama_C_make_unknown((char *)b->caches, sizeof b->caches);
   scene->block = b;
   any_header(&b->header);
   any_tree(&b->header);

@@ -119,6 +119,7 @@ class BodyState(Record):
 class Report(typing.NamedTuple):
     """What an update tells of a pair of parts.
 
+    still: since the pair's last report nothing moved or changed it, so all is as it was reported then.
     words: Scene(pair_words=...) numbers of the scene, which may be written; None without them. They belong to the pair
     until the update that ends it.
     """
@@ -129,6 +130,7 @@ class Report(typing.NamedTuple):
     part_b: int
     event: Event
     detail: Detail
+    still: bool
     distance: int
     fraction: int
     manifold: typing.Optional[Manifold]
@@ -181,6 +183,7 @@ class _Bindings(Record):
         ("workspace", POINTER(Workspace)),
         ("manifolds", POINTER(Manifold)),
         ("motion", c_void_p),
+        ("keeps_manifolds", c_bool),
     ]
 
 
@@ -203,6 +206,7 @@ class _Report(Record):
         ("part_b", c_uint16),
         ("event", c_uint8),
         ("detail", c_uint8),
+        ("still", c_bool),
         ("distance", c_int32),
         ("manifold", POINTER(Manifold)),
         ("words", POINTER(c_uint32)),
@@ -358,6 +362,7 @@ class Scene:
             part_b=c.part_b,
             event=Event(c.event),
             detail=Detail(c.detail),
+            still=c.still,
             distance=c.distance,
             fraction=c.fraction,
             manifold=Manifold.from_buffer_copy(c.manifold.contents) if c.manifold else None,

@@ -149,6 +149,7 @@ static void run_family(unsigned family, uint64_t seed) {
       "%u unsettled\n",
       family, all.begun, all.ended, all.persisting, all.resting, all.motion, all.boxes, all.direction, all.warm,
       all.cold, all.unsettled);
+  CHECK(!options->persist || options->bodies < WORLD_BODIES || (w.still > 1000 && all.persisting - w.still > 1000));
   // Each family must still come to touch and part, and each skip must have had its turn.
   CHECK(options->bodies < WORLD_BODIES || (all.begun > 200 && all.ended > 200));
   CHECK(all.unsettled == 0 || world_is_tight() || FAMILY_MAY_STAY_OPEN(options));

@@ -52,7 +52,7 @@ static void start(gjk_scene *scene, void *block, size_t bytes, const gjk_shape *
                   uint32_t bodies, uint8_t detail, uint8_t retest) {
   const gjk_scene_config config = {bodies, bodies, 0, PAIRS / (bodies > 100 ? 1 : 50), 3000, detail,
                                    1,      retest, 0, sizeof cells / sizeof cells[0],  0};
-  const gjk_scene_bindings bindings = {NULL, NULL, &gjk_scene_contacts, &workspace, NULL, NULL};
+  const gjk_scene_bindings bindings = {.details = &gjk_scene_contacts, .workspace = &workspace};
   CHECK(gjk_scene_bytes(&config) <= bytes);
   CHECK(gjk_scene_init(scene, &config, block, bytes, shapes, shape_count, &bindings) == GJK_OK);
 }

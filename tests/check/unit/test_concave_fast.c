@@ -24,7 +24,7 @@ static gjk_body_id mover[2][CONCAVE_MOVERS];
 
 static void start(unsigned k, uint16_t shape_count, uint32_t bodies) {
   const gjk_scene_config config = {bodies, bodies, 0, 20000, 3000, GJK_DETAIL_TOUCH, 0, 0, 0, 0, CONCAVE_MOVERS + 3};
-  const gjk_scene_bindings bindings = {NULL, NULL, NULL, NULL, NULL, &gjk_scene_motion};
+  const gjk_scene_bindings bindings = {.motion = &gjk_scene_motion};
   CHECK(gjk_scene_bytes(&config) <= sizeof block[k]);
   CHECK(gjk_scene_init(&scene[k], &config, block[k], sizeof block[k], shapes, shape_count, &bindings) == GJK_OK);
 }
@@ -129,7 +129,7 @@ static void check_world(random_state *random) {
     all[w.pieces + i] = &w.mover[i];
   }
   const gjk_scene_config config = {BODIES, BODIES, 0, 20000, 3000, GJK_DETAIL_TOUCH, 0, 0, 0, 0, CONCAVE_MOVERS};
-  const gjk_scene_bindings bindings = {NULL, NULL, NULL, NULL, NULL, &gjk_scene_motion};
+  const gjk_scene_bindings bindings = {.motion = &gjk_scene_motion};
   CHECK(gjk_scene_init(&scene[1], &config, block[1], sizeof block[1], all, (uint16_t)(w.pieces + CONCAVE_MOVERS),
                        &bindings) == GJK_OK);
   for (unsigned i = 0; i < w.pieces; i++) {

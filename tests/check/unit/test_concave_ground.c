@@ -131,7 +131,7 @@ static void build(random_state *random, const gjk_parts *parts, const gjk_shape 
   static const gjk_shape *shapes[MOVERS + 1];
   const gjk_scene_config config = {
       MOVERS + 1, MOVERS + 1, 0, 100, ONE / 8, GJK_DETAIL_TOUCH, 1, 0, 0, sizeof cells / sizeof cells[0], 0};
-  const gjk_scene_bindings bindings = {NULL, NULL, &gjk_scene_contacts, &workspace, NULL, NULL};
+  const gjk_scene_bindings bindings = {.details = &gjk_scene_contacts, .workspace = &workspace};
   shapes[0] = shape;
   for (unsigned i = 0; i < MOVERS; i++) {
     shapes[i + 1] = &movers[i];

@@ -206,6 +206,46 @@ static void test_fields(void) {
   REFUSED(v.nodes[v.header->root].parent = 0);
 }
 
+// Opens what the check accepts, sealed afresh, and goes on with it: bodies on their way, whose update is half done.
+static void try_kept(random_state *random) {
+  static const gjk2_scene_config moving = {4, 4, 0, 8, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 4};
+  static const gjk2_scene_bindings bindings = {.motion = &gjk2_scene_motion};
+  gjk_progress progress;
+  const gjk2_pose ahead = {{2 * ONE, 0}, {GJK_Q30_ONE, 0}};
+  CHECK(gjk2_scene_init(&scene, &moving, block, bytes, shapes, 5, &bindings) == GJK_OK);
+  for (int i = 0; i < 4; i++) {
+    const gjk_body_id body = add(i * (ONE / 2), 1, 0);
+    CHECK(gjk2_scene_set_motion(&scene, body, i < 2 ? GJK_MOTION_FAST : GJK_MOTION_KEPT) == GJK_OK);
+    CHECK(gjk2_scene_move(&scene, body, &ahead) == GJK_OK);
+  }
+  CHECK(gjk2_scene_update_slice(&scene, 7, NULL, 0, &progress) == GJK_OK);  // 6 pairs, a fast body
+  CHECK(progress.pairs_left == 3);
+  keep();
+  REFUSED(v.kept[1].other = v.header->parts.fresh);
+  REFUSED(v.kept[1].other = 0);
+  REFUSED(v.kept[1].other = 0; v.kept[1].state = GJK_SCENE_SWEPT; v.parts[0].state = 0);
+  ACCEPTED(v.kept[1].other = 0; v.kept[1].state = GJK_SCENE_SWEPT);
+  const uint32_t words = v.header->bytes / 4;
+  unsigned opened = 0;
+  for (uint32_t at = 0; at < words; at++) {
+    check_trial(at, NULL, NULL);
+    for (unsigned bit = 0; bit < 32; bit += 1 + random_below(random, 3)) {
+      gjk2_scene forged = scene;
+      memcpy(block, sound, bytes);
+      block[at] ^= UINT32_C(1) << bit;
+      if (gjk2_scene_attach(&forged, block, bytes, shapes, 5, &bindings) == GJK_OK &&
+          gjk2_scene_seal(&forged) == GJK_OK &&
+          gjk2_scene_open(&forged, block, bytes, shapes, 5, &bindings) == GJK_OK) {
+        const gjk_status status = gjk2_scene_update_each(&forged, ignore_report, NULL);
+        CHECK(status == GJK_OK || status == GJK_ERROR_UNSUPPORTED);
+        opened++;
+      }
+    }
+  }
+  printf("with motions: %u opened\n", opened);
+  CHECK(opened > words / 4);
+}
+
 int main(void) {
   random_state random = random_seed(check_seed(SEED));
   bytes = gjk2_scene_bytes(&config);
@@ -232,6 +272,7 @@ int main(void) {
   try_all(&random);
   printf("while testing: %u refused, %u accepted\n", refused, accepted);
   CHECK(gjk2_scene_update_slice(&scene, 99, NULL, 0, &progress) == GJK_OK || progress.reports_left > 0);
+  try_kept(&random);
   free(block);
   free(sound);
   return check_done("plane_scene_check");

@@ -31,7 +31,7 @@ static void check_bytes(void) {
   own_poses.own_poses++;
   pairs.pairs++;
   const size_t bytes = gjk2_scene_bytes(&one);
-  CHECK(bytes == 288 + 32 * 44 + 4 + 116 + 32);
+  CHECK(bytes == 292 + 32 * 44 + 4 + 116 + 32);
   CHECK(gjk2_scene_bytes(&bodies) - bytes == 32 * 44 + 4);
   CHECK(gjk2_scene_bytes(&parts) - bytes == 116);
   CHECK(gjk2_scene_bytes(&own_poses) - bytes == 20);

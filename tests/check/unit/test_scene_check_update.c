@@ -14,16 +14,20 @@ static void test_pairs(void) {
   ACCEPTED(p->gap = -1; h->most_detail = h->config.detail = GJK_DETAIL_DEPTH; p->outcome = GJK_SCENE_PENDING);
   for (unsigned detail = GJK_DETAIL_TOUCH; detail <= GJK_DETAIL_CONTACTS; detail++) {
     if (detail != GJK_DETAIL_DEPTH) {
-      ACCEPTED(h->most_detail = h->config.detail = (uint8_t)detail);
-      REFUSED(h->most_detail = h->config.detail = (uint8_t)detail; p->gap = -1);
+      const uint8_t asked = (uint8_t)(GJK_BODY_DYNAMIC | detail << 4);
+      ACCEPTED(h->most_detail = (uint8_t)detail; v.bodies[0].kind_detail = asked);
+      REFUSED(h->most_detail = (uint8_t)detail; v.bodies[0].kind_detail = asked; p->gap = -1);
     }
   }
+  ACCEPTED(h->most_detail = h->config.detail = GJK_DETAIL_DISTANCE);
+  REFUSED(h->most_detail = h->config.detail = GJK_DETAIL_CONTACTS);  // without room for caches
   REFUSED(h->most_detail = h->config.detail = GJK_DETAIL_DEPTH; p->gap = -1; p->outcome = GJK_SCENE_COLD;
           p->state = (uint8_t)((p->state & ~GJK_SCENE_PAIR_NEAR) | GJK_SCENE_PAIR_NEAR_NOW));
   REFUSED(p->gap = -1; p->state = (uint8_t)(p->state & ~GJK_SCENE_PAIR_NEAR));
   ACCEPTED(p->gap = 0; p->state = (uint8_t)(p->state & ~GJK_SCENE_PAIR_NEAR));
   ACCEPTED(p->outcome = GJK_SCENE_COLD | GJK_SCENE_UNSETTLED);
   REFUSED(p->outcome = GJK_SCENE_OUTCOMES);
+  REFUSED(p->outcome = GJK_SCENE_COLD | GJK_SCENE_LISTED);
   ACCEPTED(p->outcome = GJK_SCENE_PENDING);
   REFUSED(p->outcome = GJK_SCENE_PENDING | GJK_SCENE_UNSETTLED);
   REFUSED(p->state = (uint8_t)(p->state | GJK_SCENE_PAIR_QUEUED));
@@ -147,6 +151,11 @@ static void test_testing(void) {
   CHECK(memcmp(sound, block, sizeof block) == 0);
 }
 
+static void ignore_report(void *user, const gjk_report *report) {
+  (void)user;
+  (void)report;
+}
+
 // An update of no pairs.
 static void test_testing_none(void) {
   static const gjk_scene_config empty = {1, 1, 0, 1, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 0};
@@ -205,7 +214,52 @@ static void test_reporting_gone(void) {
            gone->ends.linked.previous[0] = GJK_SCENE_NONE; v.pairs[other].state |= GJK_SCENE_PAIR_QUEUED);
 }
 
+// A body whose motion is kept, in an update that has not swept it yet: what it names must be no part. Reports would read it.
+static void test_kept(void) {
+  static const gjk_scene_config moving = {2, 2, 0, 8, 0, GJK_DETAIL_TOUCH, 0, 0, 0, 0, 2};
+  static const gjk_scene_bindings bindings = {.motion = &gjk_scene_motion};
+  const gjk_part part = {0, false, GJK_POSE_IDENTITY};
+  const gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
+  const gjk_pose ahead = {{2 * ONE, 0, 0}, {0, 0, 0, GJK_Q30_ONE}};
+  gjk_body_id body, other;
+  gjk_report report;
+  gjk_progress progress;
+  CHECK(gjk_scene_init(&scene, &moving, block, sizeof block, shapes, 2, &bindings) == GJK_OK);
+  CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
+  CHECK(gjk_scene_add(&scene, &setup, &other) == GJK_OK);
+  CHECK(gjk_scene_set_motion(&scene, body, GJK_MOTION_FAST) == GJK_OK);
+  CHECK(gjk_scene_teleport(&scene, other, &ahead) == GJK_OK);
+  CHECK(gjk_scene_move(&scene, body, &ahead) == GJK_OK);
+  CHECK(gjk_scene_update_slice(&scene, 0, NULL, 0, &progress) == GJK_OK);
+  CHECK(progress.pairs_left == 2);
+  CHECK(gjk_scene_view_of(&scene, &v) == GJK_OK);
+  memcpy(sound, block, sizeof block);
+  ACCEPTED((void)0);
+  REFUSED(v.kept[0].other = v.header->parts.fresh);
+  REFUSED(v.kept[0].other = GJK_SCENE_NONE - 1);
+  REFUSED(v.kept[0].other = 1);  // a part, but nothing met it
+  REFUSED(v.kept[0].other = v.header->parts.fresh; v.kept[0].state = GJK_SCENE_SWEPT);
+  ACCEPTED(v.kept[0].other = 1; v.kept[0].state = GJK_SCENE_SWEPT);
+  // Swept, while the pairs are reported.
+  restore();
+  CHECK(gjk_scene_update(&scene, &report, 0, &progress) == GJK_OK);
+  CHECK(v.header->phase == GJK_SCENE_REPORTING);
+  CHECK(v.kept[0].other == 1);
+  memcpy(sound, block, sizeof block);
+  ACCEPTED((void)0);
+  REFUSED(v.kept[0].other = v.header->parts.fresh);
+  REFUSED(v.kept[0].other = v.header->parts.fresh; v.kept[0].state = 0);
+  // Done: what it met is not read again.
+  restore();
+  CHECK(gjk_scene_update_each(&scene, ignore_report, NULL) == GJK_OK);
+  CHECK(v.header->phase == GJK_SCENE_IDLE);
+  memcpy(sound, block, sizeof block);
+  ACCEPTED(v.kept[0].other = v.header->parts.fresh);
+}
+
 int main(void) {
+  build();
+  test_kept();
   build();
   test_pairs();
   test_gone();

@@ -127,7 +127,7 @@ static void check_bytes(void) {
   gjk_scene_config c = room;
   c.motions = 0;
   const size_t none = gjk_scene_bytes(&c);
-  CHECK(none == 292 + 8 * (60 + 144 + 40) + 28 * 48 + 4);
+  CHECK(none == 296 + 8 * (60 + 144 + 40) + 28 * 48 + 4);
   c.motions = 5;
   CHECK(gjk_scene_bytes(&c) == none + 5 * 44);
   c.motions = GJK_SCENE_BODIES_MAX + 1;
@@ -317,6 +317,7 @@ static void check_corrupt(void) {
   BROKEN(v.header->kept, 4);
   BROKEN(v.header->kept_at, v.header->kept_at + 4);
   BROKEN(v.header->words_at, v.header->words_at - 4);
+  BROKEN(v.header->caches_at, v.header->caches_at + 4);
   BROKEN(v.header->config.pair_words, 1);
   BROKEN(v.bodies[a.slot].kind_detail, GJK_BODY_DYNAMIC | GJK_DETAIL_SENSOR << 4);
   BROKEN(v.header->config.motions, 2);

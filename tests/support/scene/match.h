@@ -11,7 +11,7 @@
 
 #define MATCH_BODIES 24
 #define MATCH_PAIRS 160
-#define MATCH_WORDS ((292 + MATCH_BODIES * (60 + 2 * 144 + 2 * 40 + 32) + MATCH_PAIRS * 48 + 4) / 4)
+#define MATCH_WORDS ((296 + MATCH_BODIES * (60 + 2 * 144 + 2 * 40 + 32) + MATCH_PAIRS * 48 + 4) / 4)
 
 typedef struct match_body {
   gjk_body_id id;

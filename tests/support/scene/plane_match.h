@@ -7,7 +7,7 @@
 
 #define MATCH_BODIES 24
 #define MATCH_PAIRS 160
-#define MATCH_WORDS ((288 + MATCH_BODIES * (44 + 2 * 88 + 2 * 28 + 20) + MATCH_PAIRS * 32 + 4) / 4)
+#define MATCH_WORDS ((292 + MATCH_BODIES * (44 + 2 * 88 + 2 * 28 + 20) + MATCH_PAIRS * 32 + 4) / 4)
 
 typedef struct plane_match_body {
   gjk_body_id id;

@@ -14,6 +14,7 @@
 #define gjk_signed_distance gjk2_signed_distance
 #define gjk_scene_contacts gjk2_scene_contacts
 #define gjk_scene_depth gjk2_scene_depth
+#define gjk_scene_manifold gjk2_scene_manifold
 #define gjk_quat_compose gjk2_rotation_compose
 #define gjk_quat_normalize gjk2_rotation_normalize
 #undef GJK_POSE_IDENTITY

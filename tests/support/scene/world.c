@@ -195,6 +195,7 @@ static bool move(world *w, random_state *random, world_body *b) {
     return status == GJK_ERROR_RANGE;
   }
   moved.asleep = false;
+  moved.changed = b->changed || memcmp(&pose, &b->setup.pose, sizeof pose) != 0;
   moved.setup.parts = b->parts;
   if (jump) {
     moved.last = pose;
@@ -215,6 +216,7 @@ static bool set_shape(world *w, random_state *random, world_body *b) {
     return status == GJK_ERROR_RANGE;
   }
   changed.setup.parts = b->parts;
+  changed.changed = true;
   *b = changed;
   return status == GJK_OK;
 }
@@ -222,11 +224,13 @@ static bool set_shape(world *w, random_state *random, world_body *b) {
 static bool set_filter(world *w, random_state *random, world_body *b) {
   b->setup.category = 1u << random_below(random, 4);
   b->setup.mask = random_below(random, 2) == 0 ? random_below(random, 16) : UINT32_MAX;
+  b->changed = true;
   return gjk_scene_set_filter(&w->scene, b->id, b->setup.category, b->setup.mask) == GJK_OK;
 }
 
 static bool set_user(world *w, random_state *random, world_body *b) {
   b->setup.user = random_u32(random);
+  b->changed = true;
   return gjk_scene_set_user(&w->scene, b->id, b->setup.user) == GJK_OK;
 }
 
@@ -554,12 +558,17 @@ void world_expect(world *w, world_list *out) {
           w->bodies[r.a.slot].id.generation == r.a.generation && w->bodies[r.b.slot].id.generation == r.b.generation;
       r.detail = there ? r.detail : w->options.detail;
     }
+    bool told = side == 0 && w->near.report[i].still && !w->bodies[r.a.slot].changed && !w->bodies[r.b.slot].changed;
+    r.still = told;
     if (side != 0 || (w->options.persist && (awake(w, r.a) || awake(w, r.b)) && !of_sensor(w, &r))) {
+      told = true;
+      w->still += r.still;
       out->stamp[out->count] = side > 0 ? 0 : w->near.stamp[i];
       out->report[out->count++] = r;
     }
     if (side >= 0) {
       now.stamp[k] = side > 0 ? 0 : w->near.stamp[i];
+      now.report[k].still = told;
     }
     i += side <= 0;
     k += side >= 0;
@@ -568,11 +577,14 @@ void world_expect(world *w, world_list *out) {
     add_impacts(w, out);
   }
   w->near = now;
+  for (uint32_t n = 0; n < w->options.bodies; n++) {
+    w->bodies[n].changed = false;
+  }
 }
 
 static bool same(const gjk_report *a, const gjk_report *b) {
   return order(a, b) == 0 && a->event == b->event && a->detail == b->detail && a->distance == b->distance &&
-         a->fraction == b->fraction;
+         a->still == b->still && a->fraction == b->fraction;
 }
 
 // The words of a pair after a writing.
@@ -613,7 +625,8 @@ bool world_write_words(world *w, random_state *random) {
     while (at < w->near.count && order(&w->near.report[at], &r) != 0) {
       at++;
     }
-    if (at == w->near.count || !same_words(&r, w->near.stamp[at], w->options.words)) {
+    if (at == w->near.count || r.still != w->near.report[at].still ||
+        !same_words(&r, w->near.stamp[at], w->options.words)) {
       return false;
     }
     if (w->options.words > 0 && random_below(random, 2) == 0) {

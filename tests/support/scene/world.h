@@ -25,6 +25,7 @@ typedef struct world_body {
   bool asleep;
   uint8_t motion;  // a gjk_body_motion
   gjk_pose last;   // of a kept motion
+  bool changed;    // moved or changed since the last update
 } world_body;
 
 // stamp  of a report that is expected: which writing its words are of, see world_write_words; 0: they are 0. A report that
@@ -55,9 +56,10 @@ typedef struct world {
   world_options options;
   gjk_scene scene;
   world_body bodies[WORLD_BODIES];
-  world_list near;    // the pairs near at the last update, with GJK_EVENT_PERSIST
+  world_list near;    // the pairs near at the last update, with GJK_EVENT_PERSIST; still: what was reported last holds
   gjk_body_id stale;  // the id of a removed body
   uint32_t adds, removes, moves, failures;
+  uint32_t still;  // reports that were expected to be
   uint32_t stamp;  // of the last writing
   uint32_t impacts, turning_impacts,
       starts;  // expected; of parts that turn; that touch from the start, and are left out
