@@ -84,6 +84,10 @@ bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_suppo
   if (it->a->shape->type->refine != NULL) {
     moved = it->a->shape->type->refine(it->a, &it->direction.d, direction, &added->a);
     it->ties[0] = direction->ties;
+    if (direction->spanning == 1 && direction->ties == 0) {
+      it->ties[1] = 0;  // a vertex is one difference, unless both shapes have an edge across the direction
+      return moved;
+    }
   }
   if (it->b->shape->type->refine != NULL) {
     const gjk_vec3 opposite = gjk_negate(it->direction.d);
