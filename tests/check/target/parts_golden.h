@@ -16,11 +16,11 @@
 #if GJK_BITS_VERSION != 2
 #error "the golden hashes are those of GJK_BITS_VERSION 2: replace them"
 #endif
-#define PARTS_GOLDEN_HASH UINT64_C(0x3bd7722dad8ad2a1)
-#define PARTS_GOLDEN_FEW_HASH UINT64_C(0x3bb50a90e0849a27)
-#define PARTS_CONTACTS_GOLDEN_HASH UINT64_C(0x3d600c815600acf1)
+#define PARTS_GOLDEN_HASH UINT64_C(0x43e9ed0576f9ac39)
+#define PARTS_GOLDEN_FEW_HASH UINT64_C(0x02561073d51670b1)
+#define PARTS_CONTACTS_GOLDEN_HASH UINT64_C(0xbaf42262fb02f83f)
 #define PARTS_CONTACTS_GOLDEN_FEW_HASH UINT64_C(0x923d6c0bd94aceb4)
-#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0x19b3171ce2e44c64)
+#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0xa6251d658ab61f8a)
 #define PARTS_MOTION_GOLDEN_FEW_HASH UINT64_C(0xc01ade04413c7f66)
 
 // The hash over the first bodies of the set: of decisions, distances and depths, of contacts, of casts and times of impact.
