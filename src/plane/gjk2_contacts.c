@@ -84,10 +84,31 @@ static bool plane_is_level(const plane_edge *e, gjk_q16 convex_radius) {
          (convex_radius == 0 || gjk2_dot(e->way.offset, e->way.offset) >= 36 * (int64_t)convex_radius);
 }
 
+// The same of a segment, whose only edge leads to its other end. False: both ends are as far.
+static bool find_end(const gjk2_collider *c, const gjk2_vec *normal, gjk2_support *corner, plane_edge *edge) {
+  gjk2_support end[2];
+  for (uint16_t k = 0; k < 2; k++) {
+    end[k].vertex = k;
+    (void)c->shape->type->vertex(c, k, &end[k].offset);
+  }
+  const int64_t along = gjk2_dot(gjk2_sub(end[1].offset, end[0].offset), *normal);
+  const unsigned far = along > 0 ? 1 : 0;
+  gjk2_copy_support(corner, &end[far]);
+  edge->way.offset = gjk2_sub(end[1 - far].offset, end[far].offset);
+  edge->way.vertex = end[1 - far].vertex;
+  edge->along = along > 0 ? -along : along;
+  return along != 0;
+}
+
 // The corner farthest along the normal, of several the last one counterclockwise, with the edges to the next one and to
 // the one before. False: it has no neighbours. guess: the number of a corner near it, or a negative one.
 static bool find_corner(const gjk2_collider *c, int32_t guess, const gjk2_vec *normal, gjk2_support *corner,
                         plane_edge *after, plane_edge *before) {
+  if (c->count == 2 && find_end(c, normal, corner, after)) {
+    gjk2_copy_support(&before->way, &after->way);
+    before->along = after->along;
+    return true;
+  }
   if (guess < 0 || !c->ordered || GJK_SMALL) {
     gjk2_hull_corner(c, *normal, corner);
     if (!gjk2_hull_neighbour(c, corner, true, &after->way) || !gjk2_hull_neighbour(c, corner, false, &before->way)) {
@@ -130,6 +151,11 @@ static void find_side(const gjk2_collider *c, int32_t guess, gjk2_vec origin, co
   plane_edge after, before;
   out->count = 0;
   if (gjk2_is_curved(c->shape)) {
+    out->number[0] = 0;
+    return;
+  }
+  if (c->count == 1) {  // a circle
+    out->count = 1;
     out->number[0] = 0;
     return;
   }
@@ -329,7 +355,9 @@ gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16
   out->feature_a = 0;
   out->feature_b = 0;
   out->count = 0;
-  if (nearest.distance <= margin) {
+  if (nearest.distance <= margin && a->count == 1 && b->count == 1) {
+    plane_admit_nearest(&nearest, 0, out);  // circles have one vertex, number 0
+  } else if (nearest.distance <= margin) {
     (void)gjk2_facing_contacts(a, b, margin, most, &nearest, &nearest.certificate, out);
   }
   return status;

@@ -133,7 +133,7 @@ static gjk_status report_overlap(plane_overlap *o, gjk2_outcome outcome, gjk2_pe
 // Step 1 by the edges of A - B. OVERLAP: edge is set. APART: s->d separates the cores. OPEN: not known, s->d is 0.
 static gjk2_lie measure_edges(plane_overlap *o) {
   gjk2_search *s = &o->s;
-  return s->curved ? GJK2_LIE_OPEN : gjk2_nearest_edge(s, &o->edge);
+  return s->curved || gjk2_search_is_point(s) ? GJK2_LIE_OPEN : gjk2_nearest_edge(s, &o->edge);
 }
 
 // Step 1 by GJK, from a direction that separates where the edges have found one.
@@ -271,14 +271,15 @@ gjk_status gjk2_signed_distance(const gjk2_collider *a, const gjk2_collider *b, 
   if (!meet) {
     (void)gjk2_search_start(s, a, b, false, (uint32_t)radius);
   }
-  // A cached feature is likely to be the nearest still. Otherwise shapes that are near are likely to overlap.
-  const bool warm = cache != NULL && cache->count > 0;
-  if (meet && !warm) {
+  // A cached feature is likely to be the nearest still, and cores with a radius are likely to be apart. Others that are near
+  // are likely to overlap.
+  const bool apart = radius > 0 || (cache != NULL && cache->count > 0);
+  if (meet && !apart) {
     lie = measure_edges(&o);
   }
   if (lie != GJK2_LIE_OVERLAP) {
     outcome = search_on(&o, GJK2_GOAL_SIGNED, lie, cache);
-    if (outcome == GJK2_OUTCOME_ENCLOSING && warm) {
+    if (outcome == GJK2_OUTCOME_ENCLOSING && apart) {
       lie = measure_edges(&o);
     }
   }

@@ -374,7 +374,30 @@ GJK_OUT_OF_LINE static gjk2_outcome iterate(gjk2_search *s, gjk2_goal goal, uint
   return GJK2_OUTCOME_LIMIT;
 }
 
+// The one vertex of A - B: nothing needs to be searched.
+static gjk2_outcome settle_point(gjk2_search *s, gjk2_goal goal) {
+  (void)gjk2_search_place(s, 0, 0, s->apex);
+  make_apex(s);
+  s->d = gjk2_negate(s->apex->w);
+  s->along = s->base;
+  s->iterations = 1;
+  if (s->base == 0) {
+    return GJK2_OUTCOME_ENCLOSING;
+  }
+  if (goal == GJK2_GOAL_SIGNED || (goal == GJK2_GOAL_DISTANCE && s->radius == 0)) {
+    return GJK2_OUTCOME_NEAREST;
+  }
+  const bool separates = line_separates(s);
+  return goal == GJK2_GOAL_DISTANCE ? (separates ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_NEAR)
+         : separates                ? GJK2_OUTCOME_SEPARATED
+         : goal == GJK2_GOAL_WITHIN ? GJK2_OUTCOME_NEAR
+                                    : GJK2_OUTCOME_NEAREST;
+}
+
 gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
+  if (gjk2_search_is_point(s) && limit != 0) {
+    return settle_point(s, goal);
+  }
 #if !GJK_SMALL
   // What iterate does for a cold start, without its loop.
   if (s->walks && s->count == 0) {

@@ -117,6 +117,11 @@ static inline const gjk2_vertex *gjk2_search_vertex(const gjk2_search *s, unsign
 void gjk2_search_certify(const gjk2_search *s, gjk2_outcome outcome, gjk2_certificate *out);
 void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache);
 
+// Is A - B a single point, that of two circles, in a near frame?
+static inline bool gjk2_search_is_point(const gjk2_search *s) {
+  return s->a->count == 1 && s->b->count == 1 && s->far == 0;
+}
+
 // Are both shapes polygons, in a near frame? Then nothing is rounded.
 static inline bool gjk2_search_is_exact(const gjk2_search *s) {
   return s->far == 0 && !s->curved;
