@@ -90,6 +90,7 @@ bool gjk_swept_set(gjk_swept *s, const gjk_collider *a, const gjk_collider *b, c
       .refine = refine_swept,
       .vertex = vertex_swept,
       .stalls = NULL,
+      .close = NULL,
       .concave = NULL,
       .buffered = false,
       .count = 0,

@@ -29,6 +29,7 @@ const gjk_shape_class gjk_class_cone = {
     .refine = NULL,
     .vertex = NULL,
     .stalls = gjk_curved_stalls,
+    .close = NULL,
     .concave = NULL,
     .buffered = false,
     .count = 0,

@@ -46,6 +46,7 @@ const gjk_shape_class gjk_class_custom = {
     .refine = NULL,
     .vertex = NULL,
     .stalls = gjk_curved_stalls,
+    .close = NULL,
     .concave = NULL,
     .buffered = false,
     .count = 0,

@@ -164,6 +164,7 @@ const gjk_shape_class gjk_class_table = {
     .refine = refine_table,
     .vertex = vertex_table,
     .stalls = NULL,
+    .close = NULL,
     .concave = NULL,
     .buffered = true,
     .count = 0,

@@ -20,6 +20,11 @@ typedef enum gjk_kind {
   GJK_KIND_CONE       // rotation rows
 } gjk_kind;
 
+struct gjk_iteration;
+
+// For points and segments: src/gjk/gjk_close.c.
+bool gjk_close_segments(struct gjk_iteration *it);
+
 struct gjk_shape_class {
   // Checks the shape's own fields and measures its core. gjk_collider_init checks the convex radius.
   gjk_status (*measure)(const gjk_shape *shape, gjk_extent *out);
@@ -42,6 +47,10 @@ struct gjk_shape_class {
   // late: the search is long. NULL for polytopes: their searches end, since they run out of vertices.
   // Pre: see gjk_iteration.h.
   bool (*stalls)(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *to, int shift, bool late);
+
+  // Sets the feature of two shapes that have the same function here, and the direction from it: the one that a search
+  // would find. Counts as one iteration. False: a search is needed, and the simplex is empty. NULL for most kinds.
+  bool (*close)(struct gjk_iteration *it);
 
   // Of bodies of many parts, which only a scene takes: src/scene/gjk_scene_concave.h. NULL for all other shapes.
   const struct gjk_scene_concave *concave;

@@ -1,0 +1,131 @@
+// The nearest feature of points and segments, without a search.
+//
+// With the half axes a and b and the difference d of the centres, A - B is the parallelogram d + s a - t b with s and t
+// from -1 to 1. Its squared distance from the origin is a convex function of s and t, so signs alone find the feature.
+//
+//   1. One of the half axes is empty: t = (b . d) / (b . b), or s = -(a . d) / (a . a), cut to its range.
+//   2. Find on which sides of the ranges the nearest point of the whole plane lies. In both: it is the answer.
+//   3. On each side where it lies beyond: the line there may have its nearest point within the range of the other; that
+//      is the answer. Its derivative across the line is that of step 2, and points outwards.
+//   4. Otherwise the answer is a corner. Where both sides offer one, the derivative at the first decides.
+//
+// Products, in the frame: |d| + |a| + |b| < 2^30, or |d| <= 2^30 and |a|, |b| <= 2^28. Each is below 2^60 in size.
+#include "gjk_iteration.h"
+
+typedef struct products {
+  int64_t aa, bb, ab, ad, bd;
+} products;
+
+// Where is x in the range from -most to most? 0: strictly inside.
+static int end_of(int64_t x, int64_t most) {
+  return x >= most ? 1 : x <= -most ? -1 : 0;
+}
+
+// Step 2: where is s in its range? s (aa bb - ab^2) = ab bd - bb ad, compared with both ends. 0: strictly inside.
+// Pre: aa bb > ab^2. For t exchange aa and bb, and give -bd for ad and -ad for bd.
+static int side_of(int64_t aa, int64_t bb, int64_t ab, int64_t ad, int64_t bd) {
+  // Sums below 2^61.
+  if (gjk_sum_of_products_sign(ab, bd + ab, -bb, ad + aa) >= 0) {
+    return 1;
+  }
+  return gjk_sum_of_products_sign(ab, bd - ab, -bb, ad - aa) <= 0 ? -1 : 0;
+}
+
+// Steps 3 and 4. *s and *t are the sides of step 2, not both 0.
+static void find_border(const products *m, int *s, int *t) {
+  int of_t = 0, of_s = 0;
+  if (*s != 0) {
+    of_t = end_of(m->bd + *s * m->ab, m->bb);
+    if (of_t == 0 || *t == 0) {
+      *t = of_t;
+      return;
+    }
+  }
+  of_s = end_of(*t * m->ab - m->ad, m->aa);
+  // At the corner (*s, of_t) the derivative points outwards: the sum is below 2^62.
+  if (*s != 0 && of_s != 0 && *s * (m->ad + *s * m->aa - of_t * m->ab) <= 0) {
+    *t = of_t;
+    return;
+  }
+  *s = of_s;
+}
+
+// Steps 1 to 4: -1 or 1 is an end of the range, 0 its inside. False: the half axes are parallel.
+static bool find_sides(const products *m, int *s, int *t) {
+  *s = *t = 1;
+  if (m->aa == 0) {
+    *t = end_of(m->bd, m->bb);
+    return true;
+  }
+  if (m->bb == 0) {
+    *s = end_of(-m->ad, m->aa);
+    return true;
+  }
+  if (gjk_sum_of_products_sign(m->aa, m->bb, -m->ab, m->ab) <= 0) {
+    return false;
+  }
+  *s = side_of(m->aa, m->bb, m->ab, m->ad, m->bd);
+  *t = side_of(m->bb, m->aa, m->ab, -m->bd, -m->ad);
+  if (*s != 0 || *t != 0) {
+    find_border(m, s, t);
+  }
+  return true;
+}
+
+// The half axis in the frame; a point has none.
+static gjk_vec3 half_axis(const gjk_iteration *it, const gjk_collider *c) {
+  const unsigned shift = (unsigned)it->shift;
+  gjk_vec3 axis = {0, 0, 0};
+  if (c->count > 0) {
+    axis.x = gjk_shl32(c->frame[0].x, shift);
+    axis.y = gjk_shl32(c->frame[0].y, shift);
+    axis.z = gjk_shl32(c->frame[0].z, shift);
+  }
+  return axis;
+}
+
+// Puts the corner at the ends s and t into the next slot.
+static void place_corner(gjk_iteration *it, int s, int t) {
+  gjk_iteration_place(it, it->a->count > 0 && s > 0 ? 1 : 0, it->b->count > 0 && t > 0 ? 1 : 0);
+  it->simplex.count++;
+}
+
+// Makes the feature the corner, edge or half parallelogram. False: the nearest point lies on its diagonal.
+static bool set_feature(gjk_iteration *it, const products *m, int s, int t) {
+  if (s != 0 && t != 0) {
+    place_corner(it, s, t);
+  } else if (s != 0) {
+    place_corner(it, s, -1);
+    place_corner(it, s, 1);
+  } else if (t != 0) {
+    place_corner(it, -1, t);
+    place_corner(it, 1, t);
+  } else {
+    // The sign of s + t: on which side of the diagonal.
+    const int side = gjk_sum_of_products_sign(m->bd, m->aa + m->ab, -m->ad, m->bb + m->ab);
+    if (side == 0) {
+      return false;
+    }
+    place_corner(it, 1, -1);
+    place_corner(it, -1, 1);
+    place_corner(it, side, side);
+  }
+  return gjk_simplex_set(&it->simplex, it->simplex.count);
+}
+
+bool gjk_close_segments(gjk_iteration *it) {
+  gjk_simplex *simplex = &it->simplex;
+  const gjk_vec3 a = half_axis(it, it->a), b = half_axis(it, it->b);
+  const products m = {gjk_dot(&a, &a), gjk_dot(&b, &b), gjk_dot(&a, &b), gjk_dot(&a, &it->delta),
+                      gjk_dot(&b, &it->delta)};
+  int s, t;
+  gjk_simplex_clear(simplex);
+  if (find_sides(&m, &s, &t) && set_feature(it, &m, s, t) &&
+      (simplex->count < 3 || gjk_dot_sign(&simplex->normal, &simplex->slot[0].w) != 0) &&
+      gjk_simplex_direction(simplex, &it->direction)) {
+    it->iterations = 1;
+    return true;
+  }
+  gjk_simplex_clear(simplex);
+  return false;
+}
