@@ -124,6 +124,7 @@ bool gjk_close_segments(gjk_iteration *it) {
       (simplex->count < 3 || gjk_dot_sign(&simplex->normal, &simplex->slot[0].w) != 0) &&
       gjk_simplex_direction(simplex, &it->direction)) {
     it->iterations = 1;
+    it->ties[0] = it->ties[1] = 0;  // the half axes are not parallel: the nearest point is that of one feature
     return true;
   }
   gjk_simplex_clear(simplex);
