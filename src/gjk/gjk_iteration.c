@@ -142,8 +142,12 @@ static bool refine_nearest(gjk_iteration *it, gjk_goal goal, gjk_support *b) {
 }
 
 bool gjk_iteration_near(const gjk_iteration *it) {
+  const gjk_simplex *s = &it->simplex;
   gjk_u192 numerator, denominator;
-  gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+  if (s->count == 1) {
+    return s->toward[s->order[0]][s->order[0]] <= gjk_mul32(it->radius, it->radius);
+  }
+  gjk_simplex_squared_distance(s, &numerator, &denominator);
   return gjk_compare_distance(&numerator, &denominator, (uint64_t)it->radius * 2) <= 0;
 }
 
@@ -165,10 +169,7 @@ static bool plane_clears_radius(const gjk_iteration *it, const gjk_vec3 *w) {
 static bool settles_near(const gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   const gjk_vertex *v = &s->slot[s->order[0]];
-  if (s->count == 1) {
-    return gjk_dot(&v->w, &v->w) <= gjk_mul32(it->radius, it->radius);
-  }
-  return !plane_clears_radius(it, &v->w) && gjk_iteration_near(it);
+  return (s->count == 1 || !plane_clears_radius(it, &v->w)) && gjk_iteration_near(it);
 }
 
 // Step 6: is w a vertex of the feature? Of a curved pair: does w gain too little over the feature to go on? The signs
