@@ -183,7 +183,7 @@ static bool set_plane(const box_pair *pair, unsigned number, box_plane *out) {
     return false;
   }
   const bool opposite = side_of_plane(&out->n, &pair->delta) > 0;
-  const int64_t minus = -(int64_t)opposite;
+  const int64_t minus = opposite ? -1 : 0;
   out->n.x = (out->n.x ^ minus) - minus;
   out->n.y = (out->n.y ^ minus) - minus;
   out->n.z = (out->n.z ^ minus) - minus;
@@ -194,8 +194,8 @@ static bool set_plane(const box_pair *pair, unsigned number, box_plane *out) {
   out->measured = false;
   for (unsigned k = 0; k < AXES; k++) {
     const int side = k == i || k == j ? 0 : side_of_plane(&out->n, &pair->axis[k]);
-    out->signs |= (unsigned)(side > 0) << k;
-    out->in_plane |= (unsigned)(side == 0) << k;
+    out->signs |= (side > 0 ? 1u : 0u) << k;
+    out->in_plane |= (side == 0 ? 1u : 0u) << k;
   }
   return true;
 }
