@@ -96,7 +96,7 @@ static gjk_contact *slot_for(gjk_candidates *out, gjk_q16 distance, uint16_t id)
   return out->count < GJK_CANDIDATES_MAX ? &out->candidate[out->count++] : NULL;
 }
 
-static gjk_vec3 move_point(const gjk_vec3 *centre, const gjk_vec3 *p, bool may_saturate) {
+static gjk_vec3 world_point(const gjk_vec3 *centre, const gjk_vec3 *p, bool may_saturate) {
   if (!may_saturate) {
     return gjk_add(*centre, *p);
   }
@@ -112,8 +112,8 @@ static void add_candidate(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, gjk_q16
   if (candidate == NULL) {
     return;
   }
-  candidate->point_a = move_point(centre, a, c->may_saturate);
-  candidate->point_b = move_point(centre, b, c->may_saturate);
+  candidate->point_a = world_point(centre, a, c->may_saturate);
+  candidate->point_b = world_point(centre, b, c->may_saturate);
   candidate->distance = distance;
   candidate->id = id;
 }
@@ -207,7 +207,7 @@ typedef struct face_plane {
   unsigned zeros;       // before these
 } face_plane;
 
-static void set_plane(face_plane *of, const gjk_polygon *face, bool exact) {
+static void set_face_plane(face_plane *of, const gjk_polygon *face, bool exact) {
   of->face = face;
   of->exact = exact;
   if (exact) {
@@ -231,7 +231,7 @@ static void set_plane(face_plane *of, const gjk_polygon *face, bool exact) {
 
 // The distance of p before the plane as m / 2^k LSB, 0 <= k <= 32; the scale 30 cancels the direction's length, 2^30.
 //   off by 2^-28 of itself and 2^-32; in 30 bits by 1/8 LSB more:  |m| < 2^31
-static int32_t measure_gap(const face_plane *of, const gjk_vec3 *p, unsigned *k) {
+static int32_t gap_before(const face_plane *of, const gjk_vec3 *p, unsigned *k) {
   const gjk_vec3 step = gjk_sub(*p, of->face->corner[0]);
   if (of->exact) {
     gjk_u128 size;
@@ -254,14 +254,14 @@ static int32_t measure_gap(const face_plane *of, const gjk_vec3 *p, unsigned *k)
 static void add_corners(clip *c, const gjk_polygon *from, unsigned which, const gjk_polygon *onto) {
   const gjk_vec3 *d = &onto->direction;
   face_plane plane;
-  set_plane(&plane, onto, c->flat.bits > GRID_BITS);
+  set_face_plane(&plane, onto, c->flat.bits > GRID_BITS);
   for (unsigned i = 0; i < from->count; i++) {
     if ((which >> i & 1u) == 0) {
       continue;
     }
     const gjk_vec3 *p = &from->corner[i];
     unsigned k;
-    const int32_t m = measure_gap(&plane, p, &k);
+    const int32_t m = gap_before(&plane, p, &k);
     //   m d.x + half        |m d.x| <= 2^61, half <= 2^61:     below 2^62
     const int64_t half = INT64_C(1) << (29 + k);
     const gjk_vec3 across = {p->x - (int32_t)gjk_sar64(gjk_mul32(m, d->x) + half, 30 + k),
