@@ -89,7 +89,8 @@ TOOLS_rv32imc := riscv64-unknown-elf-gcc -march=rv32imc -mabi=ilp32 -fcallgraph-
 BOARD_rv32imc := -nostdlib -Tport/riscv-virt/riscv-virt.ld port/riscv-virt/board.c port/board/memory.c
 AR_rv32imc := riscv64-unknown-elf-ar
 
-TOOLS_avr := avr-gcc -mmcu=atmega2560
+# -mcall-prologues: registers are saved in one place, or the queries of the golden hash would not fit.
+TOOLS_avr := avr-gcc -mmcu=atmega2560 -mcall-prologues
 BOARD_avr := port/avr/board.c
 AR_avr := avr-ar
 

@@ -36,6 +36,8 @@ typedef struct gjk2_distance_result {
 //           distance           rounded to the nearest LSB, a tie up; a gap below 1/2 LSB is 0, and not intersecting
 //           points             each within 1 LSB of its shape, their gap within 2 LSB of the distance
 //           normal             within 2^-28
+//         Ties: where edges are parallel, the points divide the whole shared edge of A - B; they lie in the same proportion
+//         on both edges.
 //         Ellipse: distance and points within 2 LSB of the exact surface.
 //         Centres more than 16384 units apart:
 //           distance           within 2^-28 of itself, of curved shapes 2^-27

@@ -218,7 +218,7 @@ int gjk_u192_compare(const gjk_u192 *x, const gjk_u192 *y) {
 }
 
 // out = x y, all of it.
-static void multiply_whole(uint32_t out[2 * GJK_U192_LIMBS], const gjk_u192 *x, const gjk_u192 *y) {
+static void multiply_all(uint32_t out[2 * GJK_U192_LIMBS], const gjk_u192 *x, const gjk_u192 *y) {
   for (int i = 0; i < GJK_U192_LIMBS; i++) {
     out[i] = 0;
   }
@@ -236,8 +236,8 @@ static void multiply_whole(uint32_t out[2 * GJK_U192_LIMBS], const gjk_u192 *x, 
 
 int gjk_u192_compare_quotients(const gjk_u192 *a, const gjk_u192 *b, const gjk_u192 *c, const gjk_u192 *d) {
   uint32_t left[2 * GJK_U192_LIMBS], right[2 * GJK_U192_LIMBS];
-  multiply_whole(left, a, d);
-  multiply_whole(right, c, b);
+  multiply_all(left, a, d);
+  multiply_all(right, c, b);
   for (int i = 2 * GJK_U192_LIMBS - 1; i >= 0; i--) {
     if (left[i] != right[i]) {
       return left[i] > right[i] ? 1 : -1;

@@ -42,6 +42,7 @@
 // starts at corner k. A corner with neither bit lies on the line.
 typedef struct sides {
   uint16_t inside[GJK_FACE_CORNERS_MAX], outside[GJK_FACE_CORNERS_MAX];
+  uint16_t crossed[GJK_FACE_CORNERS_MAX];  // bit i: by the edge from corner i
 } sides;
 
 typedef struct clip {
@@ -95,7 +96,7 @@ static gjk_contact *slot_for(gjk_candidates *out, gjk_q16 distance, uint16_t id)
   return out->count < GJK_CANDIDATES_MAX ? &out->candidate[out->count++] : NULL;
 }
 
-static gjk_vec3 move_point(const gjk_vec3 *centre, const gjk_vec3 *p, bool may_saturate) {
+static gjk_vec3 world_point(const gjk_vec3 *centre, const gjk_vec3 *p, bool may_saturate) {
   if (!may_saturate) {
     return gjk_add(*centre, *p);
   }
@@ -111,8 +112,8 @@ static void add_candidate(clip *c, const gjk_vec3 *a, const gjk_vec3 *b, gjk_q16
   if (candidate == NULL) {
     return;
   }
-  candidate->point_a = move_point(centre, a, c->may_saturate);
-  candidate->point_b = move_point(centre, b, c->may_saturate);
+  candidate->point_a = world_point(centre, a, c->may_saturate);
+  candidate->point_b = world_point(centre, b, c->may_saturate);
   candidate->distance = distance;
   candidate->id = id;
 }
@@ -142,6 +143,14 @@ GJK_OUT_OF_LINE static int exact_side(const gjk_polygon *p, unsigned k, const gj
   return gjk_dot_sign(&n, &v);
 }
 
+// Which edges of a polygon of n corners cross a line, from where the corners are? Bit i: the one from corner i. An end on the
+// line of a face is no crossing: step 2 has that corner. An edge has no inside, so an end on its line counts as inside.
+static unsigned crossing_edges(unsigned n, bool of_face, unsigned inside, unsigned outside) {
+  const unsigned last = n > 0 ? n - 1 : 0, all = (2u << last) - 1, in = of_face ? inside : ~outside & all;
+  const unsigned out_next = outside >> 1 | (outside & 1u) << last, in_next = in >> 1 | (in & 1u) << last;
+  return (outside & in_next) | (in & out_next);
+}
+
 // Step 1. The lines of B run the other way around on the grid.
 static void find_sides(const gjk_polygon *p, const gjk_flat_point *of_p, const gjk_polygon *other,
                        const gjk_flat_point *of_other, bool turned, sides *out) {
@@ -165,6 +174,7 @@ static void find_sides(const gjk_polygon *p, const gjk_flat_point *of_p, const g
     }
     out->inside[k] = (uint16_t)inside;
     out->outside[k] = (uint16_t)outside;
+    out->crossed[k] = (uint16_t)crossing_edges(other->count, p->count > 2, inside, outside);
   }
 }
 
@@ -197,7 +207,7 @@ typedef struct face_plane {
   unsigned zeros;       // before these
 } face_plane;
 
-static void set_plane(face_plane *of, const gjk_polygon *face, bool exact) {
+static void set_face_plane(face_plane *of, const gjk_polygon *face, bool exact) {
   of->face = face;
   of->exact = exact;
   if (exact) {
@@ -221,7 +231,7 @@ static void set_plane(face_plane *of, const gjk_polygon *face, bool exact) {
 
 // The distance of p before the plane as m / 2^k LSB, 0 <= k <= 32; the scale 30 cancels the direction's length, 2^30.
 //   off by 2^-28 of itself and 2^-32; in 30 bits by 1/8 LSB more:  |m| < 2^31
-static int32_t measure_gap(const face_plane *of, const gjk_vec3 *p, unsigned *k) {
+static int32_t gap_before(const face_plane *of, const gjk_vec3 *p, unsigned *k) {
   const gjk_vec3 step = gjk_sub(*p, of->face->corner[0]);
   if (of->exact) {
     gjk_u128 size;
@@ -244,14 +254,14 @@ static int32_t measure_gap(const face_plane *of, const gjk_vec3 *p, unsigned *k)
 static void add_corners(clip *c, const gjk_polygon *from, unsigned which, const gjk_polygon *onto) {
   const gjk_vec3 *d = &onto->direction;
   face_plane plane;
-  set_plane(&plane, onto, c->flat.bits > GRID_BITS);
+  set_face_plane(&plane, onto, c->flat.bits > GRID_BITS);
   for (unsigned i = 0; i < from->count; i++) {
     if ((which >> i & 1u) == 0) {
       continue;
     }
     const gjk_vec3 *p = &from->corner[i];
     unsigned k;
-    const int32_t m = measure_gap(&plane, p, &k);
+    const int32_t m = gap_before(&plane, p, &k);
     //   m d.x + half        |m d.x| <= 2^61, half <= 2^61:     below 2^62
     const int64_t half = INT64_C(1) << (29 + k);
     const gjk_vec3 across = {p->x - (int32_t)gjk_sar64(gjk_mul32(m, d->x) + half, 30 + k),
@@ -354,15 +364,6 @@ static gjk_vec3 crossing(const clip *c, const edge_and_line *x, bool *flat) {
   return point_between(&x->p->corner[x->i], &x->p->corner[next], share_of(sizes[0], sizes[1]));
 }
 
-// Which edges of p cross line k of the other polygon? Bit i: the one from corner i. An end on the line of a face is no crossing:
-// step 2 has that corner. An edge has no inside, so an end on its line counts as inside.
-static unsigned crossing_edges(const gjk_polygon *p, const gjk_polygon *other, const sides *of_other, unsigned k) {
-  const unsigned out = of_other->outside[k], last = p->count - 1u, all = (2u << last) - 1u;
-  const unsigned in = other->count > 2 ? of_other->inside[k] : ~out & all;
-  const unsigned out_next = out >> 1 | (out & 1u) << last, in_next = in >> 1 | (in & 1u) << last;
-  return (out & in_next) | (in & out_next);
-}
-
 static unsigned edge_feature(const gjk_polygon *p, unsigned i) {
   return p->count > 2 ? GJK_FEATURE_FACE_EDGE + i : GJK_FEATURE_EDGE;
 }
@@ -398,15 +399,9 @@ static void add_crossing(clip *c, unsigned i, unsigned k) {
 }
 
 static void add_crossings(clip *c) {
-  const gjk_polygon *a = c->a, *b = c->b;
-  unsigned of_a[GJK_FACE_CORNERS_MAX];  // the edges of a that cross each line of b
-  for (unsigned k = 0; k < line_count(b); k++) {
-    of_a[k] = crossing_edges(a, b, &c->of_b, k);
-  }
-  for (unsigned i = 0; i < line_count(a); i++) {
-    const unsigned of_b = crossing_edges(b, a, &c->of_a, i);
-    for (unsigned k = 0; k < line_count(b); k++) {
-      if ((of_b >> k & of_a[k] >> i & 1u) != 0) {
+  for (unsigned i = 0; i < line_count(c->a); i++) {
+    for (unsigned k = 0; k < line_count(c->b); k++) {
+      if (((unsigned)c->of_a.crossed[i] >> k & (unsigned)c->of_b.crossed[k] >> i & 1u) != 0) {
         add_crossing(c, i, k);
       }
     }

@@ -26,7 +26,7 @@ static void turn(const gjk_vec3 *v, unsigned axis, int32_t out[3]) {
 }
 
 // |d| <= 2^30 and |v| < 2^bits per component: sums below 2^(31 + bits), shifted by bits + 2 below 2^29.
-static void place(const view *seen, const gjk_polygon *p, gjk_flat_point *out) {
+static void put_on_grid(const view *seen, const gjk_polygon *p, gjk_flat_point *out) {
   for (unsigned i = 0; i < p->count; i++) {
     const gjk_vec3 way = gjk_sub(p->corner[i], *seen->origin);
     int32_t v[3];
@@ -48,6 +48,6 @@ void gjk_flat_set(gjk_flat *flat, const gjk_polygon *a, const gjk_polygon *b) {
   flat->bits = 32 - gjk_clz32(spread(b, seen.origin, spread(a, seen.origin, 1)));
   flat->size = (uint32_t)seen.size;
   seen.shift = flat->bits + 2;
-  place(&seen, a, flat->a);
-  place(&seen, b, flat->b);
+  put_on_grid(&seen, a, flat->a);
+  put_on_grid(&seen, b, flat->b);
 }

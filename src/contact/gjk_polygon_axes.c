@@ -26,8 +26,11 @@ static void set_box_face(const gjk_collider *c, const gjk_vec3 *position, unsign
   const unsigned around[4] = {0, 1u << j, 1u << j | 1u << k, 1u << k};
   const gjk_vec3 middle = side != 0 ? gjk_add(*position, *along) : gjk_sub(*position, *along);
   const gjk_vec3 sum = gjk_add(*across, *across2), difference = gjk_sub(*across, *across2);
-  const gjk_vec3 corner[4] = {gjk_sub(middle, sum), gjk_add(middle, difference), gjk_add(middle, sum),
-                              gjk_sub(middle, difference)};
+  gjk_vec3 corner[4];
+  corner[0] = gjk_sub(middle, sum);
+  corner[1] = gjk_add(middle, difference);
+  corner[2] = gjk_add(middle, sum);
+  corner[3] = gjk_sub(middle, difference);
   for (unsigned n = 0; n < 4; n++) {
     const unsigned from = turned ? 3 - n : n;
     gjk_set(&corner[from], &out->corner[n]);

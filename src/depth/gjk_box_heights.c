@@ -32,7 +32,7 @@ static inline int32_t high_dot(const gjk_vec3 *a, const gjk_vec3 *b) {
   return gjk_high32(gjk_dot(a, b));
 }
 
-static inline int32_t size_of(int32_t x) {
+static inline int32_t absolute(int32_t x) {
   const int32_t sign = gjk_sar32(x, 31);
   return (x ^ sign) - sign;
 }
@@ -46,7 +46,7 @@ static inline gjk_vec3 high_cross(const gjk_vec3 *a, const gjk_vec3 *b) {
 }
 
 // Step 1.
-static void scale(const gjk_vec3 *axis, unsigned count, box_side *side) {
+static void scale_box(const gjk_vec3 *axis, unsigned count, box_side *side) {
   uint32_t bits = 1;
   for (unsigned k = 0; k < count; k++) {
     // -1 - x for a negative x has as many bits, or one less: a component may come to -2^30
@@ -76,14 +76,14 @@ static void set_faces(box_side *side, const box_side *other, const gjk_vec3 *del
   for (unsigned m = 0; m < 3; m++) {
     const gjk_vec3 n = high_cross(&side->axis[gjk_next(m)], &side->axis[gjk_next(gjk_next(m))]);
     if (m == 0) {
-      own = gjk_sar32(size_of(high_dot(&n, &side->axis[0])), side->shift);
+      own = gjk_sar32(absolute(high_dot(&n, &side->axis[0])), side->shift);
     }
     int32_t volumes = 0;
     for (unsigned k = 0; k < other->count; k++) {
-      side->volume[m][k] = size_of(high_dot(&n, &other->axis[k]));
+      side->volume[m][k] = absolute(high_dot(&n, &other->axis[k]));
       volumes += side->volume[m][k];
     }
-    out->sum[number + m] = own + gjk_sar32(volumes, other->shift) - size_of(high_dot(&n, delta));
+    out->sum[number + m] = own + gjk_sar32(volumes, other->shift) - absolute(high_dot(&n, delta));
     out->squared[number + m] = (uint32_t)high_dot(&n, &n) + 2;
   }
 }
@@ -101,10 +101,10 @@ static void set_edges(const box_side *a, const box_side *b, const gjk_vec3 *delt
     const unsigned next = gjk_next(j), last = gjk_next(next);
     for (unsigned i = 0; i < a->count; i++) {
       const unsigned k = 6 + 3 * i + j;
-      const uint32_t r = (uint32_t)size_of(high_dot(&a->axis[i], axis));
+      const uint32_t r = (uint32_t)absolute(high_dot(&a->axis[i], axis));
       const int32_t volumes =
           gjk_sar32(across - a->volume[i][j], a->shift) + gjk_sar32(b->volume[next][i] + b->volume[last][i], b->shift);
-      out->sum[k] = volumes - size_of(high_dot(&a->axis[i], &turned));
+      out->sum[k] = volumes - absolute(high_dot(&a->axis[i], &turned));
       // p q <= 9 2^56. Not negative: at least the exact square.
       out->squared[k] = gjk_umulh32(p[i], q) + 2 - gjk_umulh32(r, r);
     }
@@ -120,8 +120,8 @@ void gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delt
       out->squared[k] = 0;
     }
   }
-  scale(axis, of_a, &a);
-  scale(axis + 3, of_b, &b);
+  scale_box(axis, of_a, &a);
+  scale_box(axis + 3, of_b, &b);
   set_faces(&a, &b, delta, 0, out);
   set_faces(&b, &a, delta, 3, out);
   set_edges(&a, &b, delta, out);
@@ -151,7 +151,7 @@ void gjk_box_height_bounds(const gjk_box_heights *h, unsigned k, int32_t *low, i
   const unsigned z = gjk_clz32(squared) / 2;  // squared < 2^28:  2 <= z <= 12
   const uint32_t y = rough_reciprocal_root(squared << (2 * z));
   const int32_t height = (int32_t)gjk_sar64(gjk_mul32(h->sum[k], (int32_t)y), 30 - z);
-  const int32_t size = size_of(height), error = gjk_shl32(20, z) + gjk_sar32(size, 28 - 2 * z) + gjk_sar32(size, 20);
+  const int32_t size = absolute(height), error = gjk_shl32(20, z) + gjk_sar32(size, 28 - 2 * z) + gjk_sar32(size, 20);
   *low = height - error;
   *high = height + error;
 }

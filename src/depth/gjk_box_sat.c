@@ -23,6 +23,7 @@
 //         angles, since posing rounds them; exact signs; the nearest point of the facet as well.
 #include "gjk_box_sat.h"
 
+#include "../arith/gjk_memory.h"
 #include "gjk_box_heights.h"
 
 #define AXES GJK_BOX_AXES
@@ -126,10 +127,12 @@ static bool flip_over_edge(facet_triangle *t, unsigned i) {
     }
   }
   if (beyond) {
-    const gjk_vertex first = s->slot[i], last = s->slot[j];
-    s->slot[0] = first;
+    gjk_vertex first, last;
+    gjk_copy(&first, &s->slot[i], sizeof first);
+    gjk_copy(&last, &s->slot[j], sizeof last);
+    gjk_copy(&s->slot[0], &first, sizeof first);
     vertex_of_signs(t->pair, signs, &s->slot[1]);
-    s->slot[2] = last;
+    gjk_copy(&s->slot[2], &last, sizeof last);
     t->signs[0] = start;
     t->signs[1] = signs;
     t->signs[2] = end;
@@ -183,7 +186,7 @@ static bool set_plane(const box_pair *pair, unsigned number, box_plane *out) {
     return false;
   }
   const bool opposite = side_of_plane(&out->n, &pair->delta) > 0;
-  const int64_t minus = -(int64_t)opposite;
+  const int64_t minus = opposite ? -1 : 0;
   out->n.x = (out->n.x ^ minus) - minus;
   out->n.y = (out->n.y ^ minus) - minus;
   out->n.z = (out->n.z ^ minus) - minus;
@@ -194,13 +197,13 @@ static bool set_plane(const box_pair *pair, unsigned number, box_plane *out) {
   out->measured = false;
   for (unsigned k = 0; k < AXES; k++) {
     const int side = k == i || k == j ? 0 : side_of_plane(&out->n, &pair->axis[k]);
-    out->signs |= (unsigned)(side > 0) << k;
-    out->in_plane |= (unsigned)(side == 0) << k;
+    out->signs |= (side > 0 ? 1u : 0u) << k;
+    out->in_plane |= (side == 0 ? 1u : 0u) << k;
   }
   return true;
 }
 
-static void measure_plane(const box_pair *pair, box_plane *plane) {
+static void measure_height_of(const box_pair *pair, box_plane *plane) {
   if (!plane->measured) {
     gjk_vertex vertex;
     vertex_of_signs(pair, plane->signs, &vertex);
@@ -216,53 +219,28 @@ static int exact_height(const box_pair *pair, const box_plane *plane, gjk_u192 *
   gjk_simplex_clear(s);
   vertex_of_signs(pair, plane->signs, &s->slot[0]);
   s->count = 3;
-  s->normal = plane->n;
+  s->normal.x = plane->n.x;
+  s->normal.y = plane->n.y;
+  s->normal.z = plane->n.z;
   gjk_simplex_squared_distance(s, numerator, denominator);
   return gjk_dot_sign(&plane->n, &s->slot[0].w);
-}
-
-// A product of a numerator of exact_height, of 192 bits, and a denominator, of 124.
-#define WIDE_LIMBS 10
-
-// *out = x y. Pre: y < 2^128.
-static void multiply_wide(const gjk_u192 *x, const gjk_u192 *y, uint32_t out[WIDE_LIMBS]) {
-  for (unsigned i = 0; i < WIDE_LIMBS; i++) {
-    out[i] = 0;
-  }
-  for (unsigned j = 0; j < WIDE_LIMBS - GJK_U192_LIMBS; j++) {
-    uint64_t carry = 0;
-    for (unsigned i = 0; i < GJK_U192_LIMBS; i++) {
-      carry += gjk_umul32(x->limb[i], y->limb[j]);  // (2^32 - 1)^2 + 2 (2^32 - 1) < 2^64
-      carry += out[i + j];
-      out[i + j] = (uint32_t)(carry & UINT32_MAX);
-      carry >>= 32;
-    }
-    out[j + GJK_U192_LIMBS] = (uint32_t)carry;
-  }
 }
 
 // Is the height of p below that of q? Exact; of heights below 0 any may be the lower one. Rarely asked.
 GJK_OUT_OF_LINE static bool is_lower_exactly(const box_pair *pair, const box_plane *p, const box_plane *q) {
   gjk_u192 numerator_p, denominator_p, numerator_q, denominator_q;
-  uint32_t of_p[WIDE_LIMBS], of_q[WIDE_LIMBS];
   const int sign_p = exact_height(pair, p, &numerator_p, &denominator_p),
             sign_q = exact_height(pair, q, &numerator_q, &denominator_q);
   if (sign_p <= 0 || sign_q <= 0) {
     return sign_p < sign_q;
   }
-  multiply_wide(&numerator_p, &denominator_q, of_p);
-  multiply_wide(&numerator_q, &denominator_p, of_q);
-  unsigned top = WIDE_LIMBS - 1;
-  while (top > 0 && of_p[top] == of_q[top]) {
-    top--;
-  }
-  return of_p[top] < of_q[top];
+  return gjk_u192_compare_quotients(&numerator_p, &denominator_p, &numerator_q, &denominator_q) < 0;
 }
 
 // Step 4.
-static bool is_lower(const box_pair *pair, box_plane *p, box_plane *q) {
-  measure_plane(pair, p);
-  measure_plane(pair, q);
+static bool lies_lower(const box_pair *pair, box_plane *p, box_plane *q) {
+  measure_height_of(pair, p);
+  measure_height_of(pair, q);
   if (p->height > q->height + 2 * GJK_HEIGHT_ERROR || q->height > p->height + 2 * GJK_HEIGHT_ERROR) {
     return p->height < q->height;
   }
@@ -338,7 +316,7 @@ static box_plane *least_plane(const box_pair *pair, const gjk_box_heights *h, co
     const unsigned k = planes->number[n], both = 1u << half_axes[k][0] | 1u << half_axes[k][1];
     const bool may_be = planes->low[n] <= planes->most && !gjk_box_height_exceeds(h, k, planes->square);
     const bool same = least != NULL && (least->in_plane & both) == both;
-    if (may_be && !same && set_plane(pair, k, next) && (least == NULL || is_lower(pair, next, least))) {
+    if (may_be && !same && set_plane(pair, k, next) && (least == NULL || lies_lower(pair, next, least))) {
       least = next;
       next = least == &slot[0] ? &slot[1] : &slot[0];
       *number = k;
@@ -372,7 +350,9 @@ static gjk_box_sat_answer offer_facet(const box_pair *pair, const box_plane *pla
   } else {
     gjk_simplex_clear(s);
     s->count = 3;
-    s->normal = plane->n;
+    s->normal.x = plane->n.x;
+    s->normal.y = plane->n.y;
+    s->normal.z = plane->n.z;
   }
   if (gjk_dot_sign(&plane->n, &s->slot[0].w) < 0) {
     return GJK_BOX_SAT_APART;
@@ -402,7 +382,8 @@ gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, bool *points
     return GJK_BOX_SAT_FLAT;
   }
   if (plane->measured) {
-    it->direction = plane->direction;
+    gjk_set(&plane->direction.d, &it->direction.d);
+    it->direction.exact = plane->direction.exact;
   } else {
     gjk_search_direction_of(&plane->n, &it->direction);
   }

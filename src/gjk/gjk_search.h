@@ -87,7 +87,7 @@ static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk
   if (outcome == GJK_OUTCOME_LIMIT && !gjk_pair_is_curved(it)) {
     outcome = gjk_search_on(it, goal, limit);
   }
-  if (outcome == GJK_OUTCOME_NEAREST && it->ties[0] + it->ties[1] > 1 && gjk_goal_counts_ties(it, goal)) {
+  if (outcome == GJK_OUTCOME_NEAREST && gjk_goal_counts_ties(it, goal) && it->ties[0] + it->ties[1] > 1) {
     gjk_search_canonical(it);
   }
   return outcome;

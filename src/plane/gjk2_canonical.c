@@ -30,7 +30,7 @@ static inline bool has_corners_alone(const gjk2_collider *c) {
 
 // Is the feature the whole edge, or a vertex that no edge across the direction goes on from?
 static bool is_whole(const gjk2_search *s) {
-  const gjk2_vec d = s->d, opposite = gjk2_negate(d);
+  const gjk2_vec d = {s->d.x, s->d.y}, opposite = gjk2_negate(d);
   if (!has_corners_alone(s->a) || !has_corners_alone(s->b)) {
     return false;
   }
@@ -62,7 +62,7 @@ void gjk2_search_canonical(gjk2_search *s) {
   if (is_whole(s)) {
     return;
   }
-  const gjk2_vec d = s->d;
+  const gjk2_vec d = {s->d.x, s->d.y};
   gjk2_vertex *p = s->first, *q = s->last;
   level_edge(s->a, d, &p->a, &q->a);
   level_edge(s->b, gjk2_negate(d), &p->b, &q->b);

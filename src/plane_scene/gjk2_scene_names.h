@@ -173,6 +173,7 @@
 #define gjk_scene_inner_radius gjk2_scene_inner_radius
 #define gjk_scene_is_below gjk2_scene_is_below
 #define gjk_scene_is_concave gjk2_scene_is_concave
+#define gjk_scene_is_pending gjk2_scene_is_pending
 #define gjk_scene_is_point gjk2_scene_is_point
 #define gjk_scene_is_refused gjk2_scene_is_refused
 #define gjk_scene_is_rotation gjk2_scene_is_rotation

@@ -4,9 +4,9 @@
 #include "gjk_scene_part.h"
 
 // All manifolds of two parts, or those that room is for. Pre: 1 <= capacity <= GJK_PARTS_MANIFOLDS_MAX.
-static gjk_status find_manifolds(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
-                                 unsigned most, gjk_cache *cache, gjk_manifold *out, unsigned capacity,
-                                 unsigned *count) {
+static gjk_status find_scene_manifolds(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                                       unsigned most, gjk_cache *cache, gjk_manifold *out, unsigned capacity,
+                                       unsigned *count) {
   gjk_collider on_a, on_b;
   gjk_workspace workspace;
   if (!gjk_scene_workspace(v->scene, &workspace)) {
@@ -35,7 +35,7 @@ static gjk_status find_manifolds(const gjk_scene_view *v, const gjk_scene_part *
 static gjk_status find_manifold(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
                                 unsigned most, gjk_cache *cache, gjk_manifold *out) {
   unsigned count = 0;
-  const gjk_status status = find_manifolds(v, a, b, most, cache, out, 1, &count);
+  const gjk_status status = find_scene_manifolds(v, a, b, most, cache, out, 1, &count);
   if (count == 0 && (status == GJK_OK || status == GJK_ERROR_CAPACITY)) {
     out->count = 0;
   }
@@ -61,7 +61,7 @@ gjk_status gjk_scene_manifolds(const gjk_scene *scene, const gjk_report *report,
   if (capacity < 1 || capacity > GJK_PARTS_MANIFOLDS_MAX) {
     return GJK_ERROR_RANGE;
   }
-  return find_manifolds(&v, parts[0], parts[1], most, NULL, out, capacity, count);
+  return find_scene_manifolds(&v, parts[0], parts[1], most, NULL, out, capacity, count);
 }
 
 gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out) {

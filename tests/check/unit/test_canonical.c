@@ -12,8 +12,8 @@
 #include "generate/polytope.h"
 #include "gjk/check.h"
 #include "gjk/gjk.h"
-#include "src/gjk/gjk_search.h"
 #include "src/gjk/gjk_iteration.h"
+#include "src/gjk/gjk_search.h"
 
 #define PAIRS check_trials(20000)
 #define SEED 9300
