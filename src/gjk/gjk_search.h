@@ -66,10 +66,7 @@ gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit);
 void gjk_search_canonical(gjk_iteration *it);
 
 // Does a closed form find the feature? It rounds nothing in exact frames. A plane answers WITHIN sooner.
-static inline bool gjk_search_closes(gjk_iteration *it, gjk_goal goal) {
-  bool (*const close)(gjk_iteration *) = it->a->shape->type->close;
-  return close != NULL && close == it->b->shape->type->close && it->shift >= 0 && goal != GJK_GOAL_WITHIN && close(it);
-}
+bool gjk_search_closes(gjk_iteration *it, gjk_goal goal);
 
 // Searches until the goal is answered or the iterations of the query reach the limit; after LIMIT and with a higher
 // limit, on from there. cache: where to start from; NULL, or of no use: a cold start.
@@ -78,7 +75,7 @@ static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk
   const unsigned plain = limit < most ? limit : most;
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
   if (it->iterations < plain) {
-    if (it->iterations == 0 && gjk_search_closes(it, goal)) {
+    if (it->iterations == 0 && it->a->shape->type->close != NULL && gjk_search_closes(it, goal)) {
       return GJK_OUTCOME_NEAREST;
     }
     it->limit = (uint8_t)plain;
