@@ -17,7 +17,7 @@ typedef struct products {
 } products;
 
 // Where is x in the range from -most to most? 0: strictly inside.
-static int end_of(int64_t x, int64_t most) {
+static int range_end(int64_t x, int64_t most) {
   return x >= most ? 1 : x <= -most ? -1 : 0;
 }
 
@@ -35,13 +35,13 @@ static int side_of(int64_t aa, int64_t bb, int64_t ab, int64_t ad, int64_t bd) {
 static void find_border(const products *m, int *s, int *t) {
   int of_t = 0, of_s = 0;
   if (*s != 0) {
-    of_t = end_of(m->bd + *s * m->ab, m->bb);
+    of_t = range_end(m->bd + *s * m->ab, m->bb);
     if (of_t == 0 || *t == 0) {
       *t = of_t;
       return;
     }
   }
-  of_s = end_of(*t * m->ab - m->ad, m->aa);
+  of_s = range_end(*t * m->ab - m->ad, m->aa);
   // At the corner (*s, of_t) the derivative points outwards: the sum is below 2^62.
   if (*s != 0 && of_s != 0 && *s * (m->ad + *s * m->aa - of_t * m->ab) <= 0) {
     *t = of_t;
@@ -51,14 +51,14 @@ static void find_border(const products *m, int *s, int *t) {
 }
 
 // Steps 1 to 4: -1 or 1 is an end of the range, 0 its inside. False: the half axes are parallel.
-static bool find_sides(const products *m, int *s, int *t) {
+static bool closest_sides(const products *m, int *s, int *t) {
   *s = *t = 1;
   if (m->aa == 0) {
-    *t = end_of(m->bd, m->bb);
+    *t = range_end(m->bd, m->bb);
     return true;
   }
   if (m->bb == 0) {
-    *s = end_of(-m->ad, m->aa);
+    *s = range_end(-m->ad, m->aa);
     return true;
   }
   if (gjk_sum_of_products_sign(m->aa, m->bb, -m->ab, m->ab) <= 0) {
@@ -91,7 +91,7 @@ static void place_corner(gjk_iteration *it, int s, int t) {
 }
 
 // Makes the feature the corner, edge or half parallelogram. False: the nearest point lies on its diagonal.
-static bool set_feature(gjk_iteration *it, const products *m, int s, int t) {
+static bool set_closest(gjk_iteration *it, const products *m, int s, int t) {
   if (s != 0 && t != 0) {
     place_corner(it, s, t);
   } else if (s != 0) {
@@ -120,7 +120,7 @@ bool gjk_close_segments(gjk_iteration *it) {
                       gjk_dot(&b, &it->delta)};
   int s, t;
   gjk_simplex_clear(simplex);
-  if (find_sides(&m, &s, &t) && set_feature(it, &m, s, t) &&
+  if (closest_sides(&m, &s, &t) && set_closest(it, &m, s, t) &&
       (simplex->count < 3 || gjk_dot_sign(&simplex->normal, &simplex->slot[0].w) != 0) &&
       gjk_simplex_direction(simplex, &it->direction)) {
     it->iterations = 1;

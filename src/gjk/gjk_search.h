@@ -69,8 +69,9 @@ void gjk_search_canonical(gjk_iteration *it);
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal);
 
 // Searches until the goal is answered or the iterations of the query reach the limit; after LIMIT and with a higher
-// limit, on from there. cache: where to start from; NULL, or of no use: a cold start.
-static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
+// limit, on from there. cache: where to start from; NULL, or of no use: a cold start. NEAREST: any feature that holds the
+// nearest point.
+static inline gjk_outcome gjk_search_any(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
   const unsigned most = gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : GJK_PLAIN_ITERATIONS;
   const unsigned plain = limit < most ? limit : most;
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
@@ -84,6 +85,12 @@ static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk
   if (outcome == GJK_OUTCOME_LIMIT && !gjk_pair_is_curved(it)) {
     outcome = gjk_search_on(it, goal, limit);
   }
+  return outcome;
+}
+
+// The same for what is reported: the canonical feature.
+static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
+  const gjk_outcome outcome = gjk_search_any(it, goal, cache, limit);
   if (outcome == GJK_OUTCOME_NEAREST && gjk_goal_counts_ties(it, goal) && it->ties[0] + it->ties[1] > 1) {
     gjk_search_canonical(it);
   }

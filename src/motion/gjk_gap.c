@@ -110,7 +110,7 @@ static gjk_outcome search(gjk_gap *gap) {
   gjk_iteration *it = &gap->it;
   const unsigned left = gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : GJK_NO_LIMIT;
   it->iterations = 0;
-  const gjk_outcome outcome = gjk_search(it, GJK_GOAL_SIGNED, NULL, left);
+  const gjk_outcome outcome = gjk_search_any(it, GJK_GOAL_SIGNED, NULL, left);
   gap->used += it->iterations;
   return outcome;
 }

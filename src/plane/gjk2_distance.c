@@ -14,6 +14,7 @@
 //   step 4     outwards
 #include "gjk2/distance.h"
 
+#include "gjk2_canonical.h"
 #include "gjk2_report.h"
 #include "gjk2_witness.h"
 
@@ -144,7 +145,7 @@ gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_ca
   if (cache != NULL) {
     gjk2_search_aim(&s, cache);
   }
-  gjk2_outcome outcome = gjk2_search_run(&s, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
+  gjk2_outcome outcome = gjk2_search_feature(&s, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
   if (outcome == GJK2_OUTCOME_LIMIT) {
     outcome = gjk2_distance_settle(&s, out);
     if (outcome == GJK2_OUTCOME_LIMIT) {
@@ -175,7 +176,7 @@ gjk_status gjk2_distance_until(const gjk2_collider *a, const gjk2_collider *b, c
   bool spent;
   // Each turn is one iteration, so there are at most `most` turns.
   do {
-    gjk2_outcome outcome = gjk2_search_run(&s, GJK2_GOAL_DISTANCE, s.iterations + UINT32_C(1));
+    gjk2_outcome outcome = gjk2_search_feature(&s, GJK2_GOAL_DISTANCE, s.iterations + UINT32_C(1));
     outcome = outcome == GJK2_OUTCOME_LIMIT ? settle_limit(&s, out) : outcome;
     if (outcome != GJK2_OUTCOME_LIMIT) {
       gjk2_distance_report(&s, outcome, cache, out);

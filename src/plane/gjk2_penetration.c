@@ -16,6 +16,7 @@
 //   normal   within 2^-29, then outward
 #include "gjk2/penetration.h"
 
+#include "gjk2_canonical.h"
 #include "gjk2_edges.h"
 #include "gjk2_outward.h"
 #include "gjk2_report.h"
@@ -146,7 +147,7 @@ static gjk2_outcome search_on(plane_overlap *o, gjk2_goal goal, gjk2_lie lie, co
   if (lie == GJK2_LIE_APART && s->count == 0) {
     s->d = d;
   }
-  gjk2_outcome outcome = gjk2_search_run(s, goal, GJK2_NO_LIMIT);
+  gjk2_outcome outcome = gjk2_search_feature(s, goal, GJK2_NO_LIMIT);
   if (outcome == GJK2_OUTCOME_LIMIT && !s->curved) {  // a far frame alone
     gjk2_search_direct(s);
     outcome = GJK2_OUTCOME_NEAREST;

@@ -44,8 +44,6 @@
 // the ceiling counts, and a triangle that does not hold the origin by all three signs is none.
 #include "gjk2_search.h"
 
-#include "gjk2_canonical.h"
-
 // From this iteration on a curved pair's search is late: smaller gains end it.
 #define LATE 32
 
@@ -396,7 +394,7 @@ static gjk2_outcome settle_point(gjk2_search *s, gjk2_goal goal) {
                                     : GJK2_OUTCOME_NEAREST;
 }
 
-GJK_ONCE static gjk2_outcome run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
+gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
   if (gjk2_search_is_point(s) && limit != 0) {
     return settle_point(s, goal);
   }
@@ -414,14 +412,6 @@ GJK_ONCE static gjk2_outcome run(gjk2_search *s, gjk2_goal goal, uint32_t limit)
   }
 #endif
   return iterate(s, goal, limit);
-}
-
-gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
-  const gjk2_outcome outcome = run(s, goal, limit);
-  if (outcome == GJK2_OUTCOME_NEAREST && goal != GJK2_GOAL_WITHIN && gjk2_search_is_exact(s)) {
-    gjk2_search_canonical(s);
-  }
-  return outcome;
 }
 
 // The numbers of the feature's vertices. Of three only the cache has no room, and it takes no simplex.

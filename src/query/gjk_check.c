@@ -283,7 +283,7 @@ static bool intersect(const gjk_collider *a, const gjk_collider *b, int64_t radi
   if (!gjk_iteration_start(&it, a, b, GJK_GOAL_WITHIN, radius)) {  // not reached: the caller has asked the same
     return false;
   }
-  const gjk_outcome outcome = gjk_search(&it, GJK_GOAL_WITHIN, NULL, GJK_NO_LIMIT);
+  const gjk_outcome outcome = gjk_search_any(&it, GJK_GOAL_WITHIN, NULL, GJK_NO_LIMIT);
   gjk_iteration_certify(&it, outcome, &certificate);
   return is_together(&it, &certificate);
 }
@@ -299,7 +299,7 @@ static bool proves_apart_when_moved(const gjk_collider *a, const gjk_collider *b
   it.shift = 0;
   it.radius = (int32_t)radius;
   it.delta = gjk_sub(gjk_sub(a->centre, b->centre), *t);
-  const gjk_outcome outcome = gjk_search(&it, GJK_GOAL_SIGNED, NULL, GJK_NO_LIMIT);
+  const gjk_outcome outcome = gjk_search_any(&it, GJK_GOAL_SIGNED, NULL, GJK_NO_LIMIT);
   gjk_iteration_certify(&it, outcome, &certificate);
   return outcome == GJK_OUTCOME_NEAREST && is_nearest(&it, &certificate) && compare_to(&it, radius) >= 0;
 }

@@ -30,7 +30,7 @@ GJK_ONCE static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, 
     out->certificate.count = 0;
     return GJK_ANSWER_NO;
   }
-  outcome = gjk_search(&it, GJK_GOAL_WITHIN, most == GJK_NO_LIMIT ? cache : NULL, most);
+  outcome = gjk_search_any(&it, GJK_GOAL_WITHIN, most == GJK_NO_LIMIT ? cache : NULL, most);
   if (outcome == GJK_OUTCOME_LIMIT) {
     outcome = settle_decision(&it);
   }
