@@ -20,7 +20,7 @@
 #define PARTS_GOLDEN_FEW_HASH UINT64_C(0x02561073d51670b1)
 #define PARTS_CONTACTS_GOLDEN_HASH UINT64_C(0xbaf42262fb02f83f)
 #define PARTS_CONTACTS_GOLDEN_FEW_HASH UINT64_C(0x923d6c0bd94aceb4)
-#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0xa6251d658ab61f8a)
+#define PARTS_MOTION_GOLDEN_HASH UINT64_C(0xffc5abdee332e945)
 #define PARTS_MOTION_GOLDEN_FEW_HASH UINT64_C(0xc01ade04413c7f66)
 
 // The hash over the first bodies of the set: of decisions, distances and depths, of contacts, of casts and times of impact.
