@@ -93,7 +93,8 @@ check 'six fields a row' rows 1 'NF == 6 && $6 != ""'
 for family in 'distance: boxes apart' 'distance: 8-point hulls apart' 'distance: 8-point hulls close' \
   'distance: 64-point hulls apart' 'distance: 64-point hulls close' 'distance: 256-point hulls apart' \
   'distance: capsules apart' 'distance: sphere to 8-point hull' 'intersect: boxes close' \
-  'intersect: 8-point hulls close' 'intersect: 64-point hulls close'; do
+  'intersect: 8-point hulls close' 'intersect: 64-point hulls close' 'contacts: boxes' 'contacts: boxes flush' \
+  'contacts: boxes turned' 'contacts: boxes yawed' 'contacts: boxes lifted' 'contacts: sphere and box' 'contacts: capsules'; do
   for mode in cold warm posed 'posed warm'; do
     check "$family, $mode" rows "\$1 == \"$family\" && \$3 == \"gjk\" && \$4 == \"$mode\" && \$5 == \"ns\"" '$6 > 0'
   done
@@ -107,6 +108,8 @@ for family in 'posing: box' 'posing: 8-point hull' 'posing: 64-point hull' 'posi
   check "$family" rows "\$1 == \"$family\" && \$3 == \"gjk\" && \$5 == \"ns\"" '$6 > 0'
 done
 check 'close pairs: half of them touch' rows '$1 ~ /^intersect/ && $2 == "gjk" && $5 == "sum"' "\$6 == $pairs / 2"
+check 'boxes at rest have contacts' rows '$1 ~ /^contacts: boxes (flush|turned|yawed)/ && $2 == "gjk" && $5 == "sum"' \
+  "\$6 > 2.5 * $pairs"
 check 'overlapping pairs have depths' rows '$1 ~ /^depth/ && $2 == "gjk" && $5 == "sum"' '$6 > 0'
 
 # This library: the same sum to the bit in every mode, baked or lazy. Others: off by a percent, or by an answer where

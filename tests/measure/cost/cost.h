@@ -14,7 +14,15 @@ extern "C" {
 #define COST_LSB_PER_UNIT 65536.0
 
 // COST_POSE: poses A. Its answer is the x of A's centre.
-typedef enum cost_query { COST_DISTANCE, COST_INTERSECT, COST_DEPTH, COST_POSE, COST_QUERIES } cost_query;
+// COST_CONTACTS: the answer is the number of contacts, and the sum of their distances.
+typedef enum cost_query {
+  COST_DISTANCE,
+  COST_INTERSECT,
+  COST_DEPTH,
+  COST_CONTACTS,
+  COST_POSE,
+  COST_QUERIES
+} cost_query;
 
 // COST_COLD        both shapes posed already, nothing remembered
 // COST_WARM        posed already; remembers the answer of the pose one step ago

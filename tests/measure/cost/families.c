@@ -91,6 +91,48 @@ const cost_family cost_families[] = {
      .b = COST_HULL,
      .vertices = 64,
      .gap = COST_OVERLAPPING},
+    {.name = "contacts: boxes",
+     .query = COST_CONTACTS,
+     .a = COST_BOX,
+     .b = COST_BOX,
+     .vertices = 0,
+     .gap = COST_OVERLAPPING},
+    {.name = "contacts: boxes flush",
+     .query = COST_CONTACTS,
+     .a = COST_BOX,
+     .b = COST_BOX,
+     .vertices = 0,
+     .gap = COST_FLUSH},
+    {.name = "contacts: boxes turned",
+     .query = COST_CONTACTS,
+     .a = COST_BOX,
+     .b = COST_BOX,
+     .vertices = 0,
+     .gap = COST_TURNED},
+    {.name = "contacts: boxes yawed",
+     .query = COST_CONTACTS,
+     .a = COST_BOX,
+     .b = COST_BOX,
+     .vertices = 0,
+     .gap = COST_YAWED},
+    {.name = "contacts: boxes lifted",
+     .query = COST_CONTACTS,
+     .a = COST_BOX,
+     .b = COST_BOX,
+     .vertices = 0,
+     .gap = COST_LIFTED},
+    {.name = "contacts: sphere and box",
+     .query = COST_CONTACTS,
+     .a = COST_SPHERE,
+     .b = COST_BOX,
+     .vertices = 0,
+     .gap = COST_OVERLAPPING},
+    {.name = "contacts: capsules",
+     .query = COST_CONTACTS,
+     .a = COST_CAPSULE,
+     .b = COST_CAPSULE,
+     .vertices = 0,
+     .gap = COST_OVERLAPPING},
     {.name = "posing: box", .query = COST_POSE, .a = COST_BOX, .b = COST_BOX, .vertices = 0, .gap = COST_APART},
     {.name = "posing: 8-point hull",
      .query = COST_POSE,
@@ -199,6 +241,10 @@ static bool is_in_family(cost_gap gap, size_t index, gjk_q16 distance) {
     case COST_CLOSE: return distance > 0 && distance < CLOSE;
     case COST_EITHER_SIDE: return index % 2 == 0 ? distance > 0 && distance < CLOSE : distance < 0 && distance > -CLOSE;
     case COST_OVERLAPPING: return distance < 0;
+    case COST_LIFTED: return distance > 0 && distance <= GJK_Q16(0.02);
+    case COST_FLUSH:
+    case COST_TURNED:
+    case COST_YAWED: return distance < 0 && distance > -CLOSE;
   }
   return 0;
 }
@@ -242,12 +288,35 @@ static void set_solid(const case_shape *shape, const case_shape *before, cost_ki
   set_place(&before->pose, &out->before);
 }
 
+// Puts B, a box, on the top of A, another one.
+static void rest_on(random_state *random, cost_gap gap, const case_shape *a, case_shape *b) {
+  const int32_t apart =
+      gap == COST_LIFTED ? random_range(random, 200, GJK_Q16(0.01)) : -random_range(random, 2, GJK_Q16(0.002));
+  gjk_pose on = GJK_POSE_IDENTITY, yaw = GJK_POSE_IDENTITY;
+  on.position.x = random_range(random, -a->size.x / 2, a->size.x / 2);
+  on.position.y = random_range(random, -a->size.y / 2, a->size.y / 2);
+  on.position.z = a->size.z + b->size.z + apart;
+  if (gap != COST_FLUSH) {
+    on.rotation = random_rotation(random, 1, 1000);
+  }
+  if (gap == COST_YAWED) {
+    const gjk_vec3 up = {0, 0, GJK_Q16_ONE};
+    (void)gjk_quat_from_axis_angle(&up, random_range(random, 0, GJK_ANGLE(6.28)), &yaw.rotation);
+  }
+  if (gjk_pose_compose(&on, &yaw, &on) != GJK_OK || gjk_pose_compose(&a->pose, &on, &b->pose) != GJK_OK) {
+    fail(GJK_ERROR_RANGE);
+  }
+}
+
 static void make_pair(const cost_family *family, random_state *random, size_t index, cost_pair *out) {
   out->shapes = allocate(1, sizeof *out->shapes);
   out->before = allocate(1, sizeof *out->before);
   do {
     make_shape(random, family->a, family->vertices, &out->shapes->a);
     make_shape(random, family->b, family->vertices, &out->shapes->b);
+    if (family->gap >= COST_FLUSH) {
+      rest_on(random, family->gap, &out->shapes->a, &out->shapes->b);
+    }
   } while (!is_in_family(family->gap, index, signed_distance(out->shapes)));
   case_shape_copy(&out->before->a, &out->shapes->a);
   case_shape_copy(&out->before->b, &out->shapes->b);

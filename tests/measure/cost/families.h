@@ -11,7 +11,12 @@ typedef enum cost_gap {
   COST_APART,        // 0.1 to 2 units
   COST_CLOSE,        // less than 0.1 units, not touching
   COST_EITHER_SIDE,  // less than 0.1 units apart, or less than 0.1 units deep, in turn
-  COST_OVERLAPPING
+  COST_OVERLAPPING,
+  // B rests on the top of A, moved aside by up to half of it:
+  COST_FLUSH,   // up to 0.002 units deep
+  COST_TURNED,  // the same, and turned by up to 0.002 in any direction
+  COST_YAWED,   // and by any angle about the normal
+  COST_LIFTED   // as turned, up to 0.01 units apart
 } cost_gap;
 
 // vertices: of each hull.

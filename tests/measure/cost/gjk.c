@@ -6,6 +6,7 @@
 #include "cost.h"
 
 #define CELLS GJK_EPA_CELLS(1024)
+#define COST_MARGIN GJK_Q16(0.02)
 
 typedef struct prepared_pair {
   case_collider a, b;
@@ -36,6 +37,13 @@ static inline gjk_status ask(const prepared_pair *p, cost_query query, gjk_cache
     gjk_penetration_result depth;
     status = gjk_penetration(a, b, cache, &workspace, &depth);
     *out = depth.depth / COST_LSB_PER_UNIT;
+  } else if (query == COST_CONTACTS) {
+    gjk_manifold manifold;
+    status = gjk_contacts(a, b, COST_MARGIN, 4, cache, &workspace, &manifold);
+    *out = manifold.count;
+    for (unsigned i = 0; i < manifold.count; i++) {
+      *out += manifold.contact[i].distance / COST_LSB_PER_UNIT;
+    }
   }
   return status;
 }
@@ -77,11 +85,12 @@ static inline double answer(prepared_pair *p, cost_query query, cost_mode mode) 
 RUN_MODES(COST_DISTANCE)
 RUN_MODES(COST_INTERSECT)
 RUN_MODES(COST_DEPTH)
+RUN_MODES(COST_CONTACTS)
 RUN(COST_POSE, COST_COLD)
 
 static cost_run *const runs[COST_QUERIES][COST_MODES] = {
-    MODES(COST_DISTANCE), MODES(COST_INTERSECT),
-    MODES(COST_DEPTH), [COST_POSE] = {[COST_COLD] = run_COST_POSE_COST_COLD}};
+    MODES(COST_DISTANCE), MODES(COST_INTERSECT), MODES(COST_DEPTH),
+    MODES(COST_CONTACTS), [COST_POSE] = {[COST_COLD] = run_COST_POSE_COST_COLD}};
 
 // Depths start cold, whatever the cache.
 static cost_run *choose(cost_kind a, cost_kind b, cost_query query, cost_mode mode) {
