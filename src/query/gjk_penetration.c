@@ -153,6 +153,17 @@ static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *ca
   return cold;
 }
 
+// Are boxes likely to be apart still, by a cache whose last answer was a feature and no plane?
+static bool was_apart(const gjk_cache *cache) {
+  return cache != NULL && cache->count > 0 && cache->count < 4 && cache->a[3] == 0;
+}
+
+// Keeps the feature of boxes that are apart.
+static void keep_apart(const gjk_iteration *it, gjk_cache *cache) {
+  gjk_iteration_keep(it, GJK_OUTCOME_NEAREST, cache);
+  cache->a[3] = 0;
+}
+
 // Step 1. A cached tetrahedron is of no use: it contained the origin and likely still does, and then the search runs
 // cold anyway.
 static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
@@ -163,6 +174,15 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   if (it->shift < 0 || !gjk_is_box_pair(it)) {
     o->points = true;
   } else {
+    if (goal == GJK_GOAL_SIGNED && was_apart(cache)) {
+      if (gjk_search(it, goal, cache, GJK_NO_LIMIT) == GJK_OUTCOME_NEAREST) {
+        o->iterations = it->iterations;
+        o->points = true;
+        keep_apart(it, cache);
+        return GJK_OUTCOME_NEAREST;
+      }
+      it->iterations = 0;
+    }
     unsigned plane = cache != NULL && cache->a[3] > 0 ? cache->a[3] - 1u : GJK_BOX_PLANES;
     const gjk_box_sat_answer answer = gjk_box_sat(it, &plane, &o->points, &o->facet);
     if (answer == GJK_BOX_SAT_FACET) {
@@ -184,7 +204,9 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
     }
   }
   const gjk_outcome outcome = search_overlap(o, goal, from);
-  if (cache != NULL && outcome != GJK_OUTCOME_LIMIT) {
+  if (cache != NULL && outcome == GJK_OUTCOME_NEAREST) {
+    keep_apart(it, cache);
+  } else if (cache != NULL && outcome != GJK_OUTCOME_LIMIT) {
     gjk_iteration_keep(it, outcome, cache);
   }
   return outcome;
