@@ -12,9 +12,9 @@
 // Products, in the frame: |d| + |a| + |b| < 2^30, or |d| <= 2^30 and |a|, |b| <= 2^28. Each is below 2^60 in size.
 #include "gjk_iteration.h"
 
-typedef struct products {
+typedef struct segment_products {
   int64_t aa, bb, ab, ad, bd;
-} products;
+} segment_products;
 
 // Where is x in the range from -most to most? 0: strictly inside.
 static int range_end(int64_t x, int64_t most) {
@@ -32,7 +32,7 @@ static int side_of(int64_t aa, int64_t bb, int64_t ab, int64_t ad, int64_t bd) {
 }
 
 // Steps 3 and 4. *s and *t are the sides of step 2, not both 0.
-static void find_border(const products *m, int *s, int *t) {
+static void find_border(const segment_products *m, int *s, int *t) {
   int of_t = 0, of_s = 0;
   if (*s != 0) {
     of_t = range_end(m->bd + *s * m->ab, m->bb);
@@ -51,7 +51,7 @@ static void find_border(const products *m, int *s, int *t) {
 }
 
 // Steps 1 to 4: -1 or 1 is an end of the range, 0 its inside. False: the half axes are parallel.
-static bool closest_sides(const products *m, int *s, int *t) {
+static bool closest_sides(const segment_products *m, int *s, int *t) {
   *s = *t = 1;
   if (m->aa == 0) {
     *t = range_end(m->bd, m->bb);
@@ -91,7 +91,7 @@ static void place_corner(gjk_iteration *it, int s, int t) {
 }
 
 // Makes the feature the corner, edge or half parallelogram. False: the nearest point lies on its diagonal.
-static bool set_closest(gjk_iteration *it, const products *m, int s, int t) {
+static bool set_closest(gjk_iteration *it, const segment_products *m, int s, int t) {
   if (s != 0 && t != 0) {
     place_corner(it, s, t);
   } else if (s != 0) {
@@ -116,8 +116,8 @@ static bool set_closest(gjk_iteration *it, const products *m, int s, int t) {
 bool gjk_close_segments(gjk_iteration *it) {
   gjk_simplex *simplex = &it->simplex;
   const gjk_vec3 a = half_axis(it, it->a), b = half_axis(it, it->b);
-  const products m = {gjk_dot(&a, &a), gjk_dot(&b, &b), gjk_dot(&a, &b), gjk_dot(&a, &it->delta),
-                      gjk_dot(&b, &it->delta)};
+  const segment_products m = {gjk_dot(&a, &a), gjk_dot(&b, &b), gjk_dot(&a, &b), gjk_dot(&a, &it->delta),
+                              gjk_dot(&b, &it->delta)};
   int s, t;
   gjk_simplex_clear(simplex);
   if (closest_sides(&m, &s, &t) && set_closest(it, &m, s, t) &&
