@@ -245,7 +245,7 @@ gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit) {
 }
 
 // Marks the vertices of a shape that are level with one at the offset.
-GJK_OUT_OF_LINE static void mark_level(const seen_vertices *of, const gjk_direction *direction, const gjk_vec3 *at) {
+static void mark_level(const seen_vertices *of, const gjk_direction *direction, const gjk_vec3 *at) {
   *of->seen = 0;
   for (uint32_t v = 0; v < of->count; v++) {
     gjk_vec3 offset;
@@ -292,7 +292,7 @@ static bool place_beside_diagonal(gjk_iteration *it) {
 }
 
 // Makes the diagonal a triangle with the nearest point on its border. False: it is no diagonal.
-GJK_OUT_OF_LINE static bool complete_diagonal(gjk_iteration *it) {
+static bool complete_diagonal(gjk_iteration *it) {
   gjk_simplex *s = &it->simplex;
   gjk_vertex corner[3];
   gjk_long3 n;

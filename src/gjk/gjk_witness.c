@@ -181,12 +181,11 @@ static inline void describe_edge(const gjk_iteration *it, feature *f) {
 // Steps 1 and 2 of a triangle.
 static inline void describe_triangle(const gjk_iteration *it, feature *f) {
   const gjk_simplex *s = &it->simplex;
-  const gjk_vertex *v[3];
+  const gjk_vertex *const v[3] = {&s->slot[s->order[0]], &s->slot[s->order[1]], &s->slot[s->order[2]]};
   uint32_t n[3];
-  for (int i = 0; i < 3; i++) {
-    v[i] = &s->slot[s->order[i]];
-    n[i] = number_of(v[i]);
-  }
+  n[0] = number_of(v[0]);
+  n[1] = number_of(v[1]);
+  n[2] = number_of(v[2]);
   const unsigned i = first_corner(it, n), j = gjk_next(i), k = gjk_next(j);
   gjk_u128 part[3];
   f->u = v[i];
