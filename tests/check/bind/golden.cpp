@@ -29,16 +29,6 @@ void mix(const gjk_unit3 &v) {
   mix(v.x, v.y, v.z);
 }
 
-void mix(const gjk_certificate &certificate) {
-  mix(certificate.proof, certificate.count);
-  for (int i = 0; i < certificate.count; i++) {
-    mix(static_cast<uint32_t>(certificate.a[i]) << 16 | certificate.b[i]);
-  }
-  if (certificate.proof == GJK_PROOF_DIRECTION) {
-    mix(certificate.direction);
-  }
-}
-
 // Brace initialisation evaluates from left to right.
 gjk_vec3 random_vector(int32_t size) {
   return {random_range(&dice, -size, size), random_range(&dice, -size, size), random_range(&dice, -size, size)};
@@ -132,8 +122,7 @@ class pair {
   void ask_distance(gjk_cache *cache) {
     const auto gap = gjk::distance(a.collider, b.collider, cache);
     found = gap.partial();
-    mix(gap.status(), found.intersecting, found.saturated, found.distance, found.iterations);
-    mix(found.certificate);
+    mix(gap.status(), found.intersecting, found.saturated, found.distance);
     if (!found.intersecting) {
       mix(found.point_a);
       mix(found.point_b);
@@ -142,17 +131,12 @@ class pair {
   }
 
   static void ask_decision(const gjk::result<gjk_decision> &decision) {
-    mix(decision.status(), decision.partial().yes, decision.partial().iterations);
-    mix(decision.partial().certificate);
+    mix(decision.status(), decision.partial().yes);
   }
 
   void ask_within_until(gjk_q16 distance, uint8_t iterations) const {
     const auto within = gjk::within_until(a.collider, b.collider, distance, iterations);
-    const gjk_within_result &out = within.partial();
-    mix(within.status(), out.answer, out.decision.iterations);
-    if (out.answer != GJK_ANSWER_OPEN) {
-      mix(out.decision.certificate);
-    }
+    mix(within.status(), within.partial().answer);
   }
 
   void ask_distance_until(const gjk_effort &effort) const {
@@ -167,8 +151,7 @@ class pair {
   void ask_penetration(gjk_cache *cache) const {
     const auto overlap = gjk::penetration(a.collider, b.collider, memory, cache);
     const gjk_penetration_result &out = overlap.partial();
-    mix(overlap.status(), out.intersecting, out.iterations);
-    mix(out.certificate);
+    mix(overlap.status(), out.intersecting);
     if (out.intersecting) {
       mix(out.depth, out.lower, out.upper);
       mix(out.point_a);

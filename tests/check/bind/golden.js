@@ -11,7 +11,6 @@ const { gjkLoad } = require(path.resolve('port/wasm/gjk.js'));
 const { Random } = require('./random.js');
 
 const VERTICES = 16, WORKSPACE = 20, ONE = 1 << 30, INT32_MAX = 2147483647;
-const PROOF_DIRECTION = 2, ANSWER_OPEN = 2;
 
 // Structures: a name of C, and each field's name with its type, a number or a structure, perhaps with a count.
 
@@ -84,16 +83,6 @@ function mix(...words) {
 }
 
 const list = (vector) => Object.values(vector);
-
-function mixCertificate(certificate) {
-  mix(certificate.proof, certificate.count);
-  for (let i = 0; i < certificate.count; i++) {
-    mix(certificate.a[i] << 16 | certificate.b[i]);
-  }
-  if (certificate.proof === PROOF_DIRECTION) {
-    mix(list(certificate.direction));
-  }
-}
 
 class Golden {
   constructor(gjk) {
@@ -178,8 +167,7 @@ class Golden {
 
   distance(cache) {
     const out = this.ask('gjk_distance', DISTANCE, this.a, this.b, cache);
-    mix(out.status, out.intersecting, out.saturated, out.distance, out.iterations);
-    mixCertificate(out.certificate);
+    mix(out.status, out.intersecting, out.saturated, out.distance);
     if (!out.intersecting) {
       mix(list(out.pointA), list(out.pointB), list(out.normal));
     }
@@ -190,16 +178,12 @@ class Golden {
   decision(most, cache) {
     const out = most < 0 ? this.ask('gjk_intersect', DECISION, this.a, this.b, cache)
       : this.ask('gjk_within', DECISION, this.a, this.b, most, cache);
-    mix(out.status, out.yes, out.iterations);
-    mixCertificate(out.certificate);
+    mix(out.status, out.yes);
   }
 
   withinUntil(most, iterations) {
     const out = this.ask('gjk_within_until', WITHIN, this.a, this.b, most, iterations, 0);
-    mix(out.status, out.answer, out.decision.iterations);
-    if (out.answer !== ANSWER_OPEN) {
-      mixCertificate(out.decision.certificate);
-    }
+    mix(out.status, out.answer);
   }
 
   distanceUntil(iterations, error) {
@@ -214,8 +198,7 @@ class Golden {
 
   penetration(cache) {
     const out = this.ask('gjk_penetration', PENETRATION, this.a, this.b, cache, this.memory);
-    mix(out.status, out.intersecting, out.iterations);
-    mixCertificate(out.certificate);
+    mix(out.status, out.intersecting);
     if (out.intersecting) {
       mix(out.depth, out.lower, out.upper, list(out.pointA), list(out.pointB), list(out.normal));
     }

@@ -57,13 +57,9 @@ class Pair:
         shape.size = gjk.Vec3(x, y, z)  # all of it, also for kinds that use less; golden.c does so
         return shape
 
-    def certificate(self, certificate):
-        self.hash.certificate(certificate, [gjk.Proof.DIRECTION])
-
     def distance(self, cache):
         status, out = ask(gjk.distance, self.a, self.b, cache)
-        self.hash.mix(status, out.intersecting, out.saturated, out.distance, out.iterations)
-        self.certificate(out.certificate)
+        self.hash.mix(status, out.intersecting, out.saturated, out.distance)
         if not out.intersecting:
             self.hash.mix(*out.point_a, *out.point_b, *out.normal)
         return out
@@ -73,14 +69,11 @@ class Pair:
             status, out = ask(gjk.intersect, self.a, self.b, cache)
         else:
             status, out = ask(gjk.within, self.a, self.b, distance, cache)
-        self.hash.mix(status, out.yes, out.iterations)
-        self.certificate(out.certificate)
+        self.hash.mix(status, out.yes)
 
     def within_until(self, distance, iterations):
         status, out = ask(gjk.within_until, self.a, self.b, distance, iterations)
-        self.hash.mix(status, out.answer, out.decision.iterations)
-        if out.answer != gjk.Answer.OPEN:
-            self.certificate(out.decision.certificate)
+        self.hash.mix(status, out.answer)
 
     def distance_until(self, iterations, error):
         status, out = ask(gjk.distance_until, self.a, self.b, iterations, error)
@@ -90,8 +83,7 @@ class Pair:
 
     def penetration(self, cache):
         status, out = ask(gjk.penetration, self.a, self.b, cache, WORKSPACE)
-        self.hash.mix(status, out.intersecting, out.iterations)
-        self.certificate(out.certificate)
+        self.hash.mix(status, out.intersecting)
         if out.intersecting:
             self.hash.mix(out.depth, out.lower, out.upper, *out.point_a, *out.point_b, *out.normal)
 

@@ -41,13 +41,6 @@ class Hash:
                 value = (value ^ byte) * 0x100000001B3 & MASK
         self.value = value
 
-    def certificate(self, certificate, with_direction):
-        """with_direction: the proofs that use the direction."""
-        self.mix(certificate.proof, certificate.count)
-        self.mix(*(a << 16 | b for a, b in certificate.pairs))
-        if certificate.proof in with_direction:
-            self.mix(*certificate.direction)
-
 
 def ask(query, *arguments, **named):
     """The status and the result of a query."""

@@ -103,20 +103,12 @@ class Pair:
                 self.hash.mix(gjk.Status.OK, *at)
         return pose
 
-    def certificate(self, certificate):
-        self.hash.certificate(certificate, [plane.Proof.DIRECTION, plane.Proof.LINE])
-
-    def cache(self, cache):
-        if cache is not None:
-            self.hash.mix(*cache.direction, cache.count)
-            self.hash.mix(*(cache.a[i] << 16 | cache.b[i] for i in range(min(cache.count, 2))))
-
     def proven(self, check, *arguments, **named):
         status, _ = ask(check, self.a, self.b, *arguments, **named)
         self.hash.mix(status)
 
     def gap(self, out):
-        self.hash.mix(out.intersecting, out.iterations, out.lower, out.upper)
+        self.hash.mix(out.intersecting, out.lower, out.upper)
 
     def points(self, out):
         self.hash.mix(out.saturated, out.distance, *out.point_a, *out.point_b, *out.normal)
@@ -128,9 +120,7 @@ class Pair:
         if not out.intersecting:
             self.points(out)
         if status == gjk.Status.OK:
-            self.certificate(out.certificate)
             self.proven(plane.check_distance, out)
-        self.cache(cache)
         return out
 
     def distance_until(self, iterations, error):
@@ -145,35 +135,29 @@ class Pair:
             status, out = ask(plane.intersect, self.a, self.b, cache)
         else:
             status, out = ask(plane.within, self.a, self.b, distance, cache)
-        self.hash.mix(status, out.iterations)
+        self.hash.mix(status)
         if status == gjk.Status.OK:
             self.hash.mix(out.yes)
-            self.certificate(out.certificate)
             self.proven(plane.check_decision, out, most=max(distance, 0))
-        self.cache(cache)
 
     def within_until(self, distance, iterations):
         status, out = ask(plane.within_until, self.a, self.b, distance, iterations)
-        self.hash.mix(status, out.answer, out.decision.iterations)
-        if out.answer != plane.Answer.OPEN:
-            self.certificate(out.decision.certificate)
+        self.hash.mix(status, out.answer)
 
     def penetration(self, cache):
         status, out = ask(plane.penetration, self.a, self.b, cache)
         self.hash.mix(status)
         if status == gjk.Status.ITERATION_LIMIT:
             return
-        self.hash.mix(out.intersecting, out.iterations)
+        self.hash.mix(out.intersecting)
         if out.intersecting:
             self.hash.mix(out.lower, out.upper, out.depth, *out.point_a, *out.point_b, *out.normal)
         if status == gjk.Status.OK:
-            self.certificate(out.certificate)
             self.proven(plane.check_penetration, out)
-        self.cache(cache)
 
     def signed_distance(self, cache):
         status, out = ask(plane.signed_distance, self.a, self.b, cache)
-        self.hash.mix(status, out.iterations, out.lower, out.upper)
+        self.hash.mix(status, out.lower, out.upper)
         if status != gjk.Status.ITERATION_LIMIT:
             self.points(out)
 

@@ -109,5 +109,8 @@ void trace_space(const case_question *question, const gjk_collider *a, const gjk
       add_iteration(out, &it, outcome, &simplex);
     }
   }
-  out->reason = reason_of(outcome);
+  // A closed form does not look at the radii, which the query then does.
+  const bool touching =
+      outcome == GJK_OUTCOME_NEAREST && goal != GJK_GOAL_SIGNED && it.radius > 0 && gjk_iteration_near(&it);
+  out->reason = touching ? TRACE_NEAR : reason_of(outcome);
 }
