@@ -7,13 +7,15 @@ typedef struct seen_vertices {
   uint64_t *seen;
   uint32_t count;
   unsigned shift;
+  bool level;          // of a shape made of half axes: they are the vertex `first` and all that differ from it along
+  unsigned first, in;  // the half axes of which a bit is set here
 } seen_vertices;
 
 // side: 0 for A, 1 for B.
 static seen_vertices seen_vertices_of(gjk_iteration *it, unsigned side) {
   const gjk_collider *c = side == 0 ? it->a : it->b;
   const uint32_t count = c->shape->type->kind == GJK_KIND_AXES ? UINT32_C(1) << c->count : c->count;
-  seen_vertices of = {c, &it->seen[side], count, 0};
+  seen_vertices of = {c, &it->seen[side], count, 0, false, 0, 0};
   while ((count - 1) >> of.shift >= GJK_MARKS) {  // count <= 2^16: at most 10 times
     of.shift++;
   }
@@ -70,11 +72,28 @@ static void compare_vertex(farthest_vertex *best, uint16_t vertex) {
   best->vertex = vertex;
 }
 
+// farthest_seen of level vertices: each half axis leads on or back by itself.
+static uint16_t farthest_level(const seen_vertices *of, const gjk_vec3 *d, const gjk_direction *direction) {
+  unsigned vertex = of->first;
+  for (unsigned k = 0; k < of->collider->count; k++) {
+    const gjk_vec3 *axis = &of->collider->frame[k];
+    if ((of->in >> k & 1u) != 0) {
+      const int64_t along = gjk_dot(d, axis), slack = gjk_norm1(*axis);  // each component of d is off by less than 1
+      const bool on = along > slack || (along >= -slack && gjk_direction_sign(direction, axis) > 0);
+      vertex |= (on ? 1u : 0u) << k;
+    }
+  }
+  return (uint16_t)vertex;
+}
+
 // The seen vertex farthest along the exact direction; among equals the first.
 // Each component of d is off by less than 1, and two vertices are at most 2 core_radius apart. So products with d order
 // two vertices wrongly only within 2 sqrt(3) core_radius, which is less than slack.
 static uint16_t farthest_seen(const seen_vertices *of, const gjk_vec3 *d, const gjk_direction *direction) {
   const gjk_collider *c = of->collider;
+  if (of->level) {
+    return farthest_level(of, d, direction);
+  }
   farthest_vertex best = {c, d, direction, -(INT64_C(1) << 62), 4 * (int64_t)c->core_radius, {0, 0, 0}, 0};
   uint32_t first = 0;
   for (uint64_t rest = *of->seen; rest != 0; rest >>= 1) {  // at most GJK_MARKS
@@ -244,8 +263,26 @@ gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit) {
   return outcome;
 }
 
+// Marks the vertices of a shape made of half axes that are level with one: it may move along half axes in the plane.
+static void mark_level_axes(seen_vertices *of, const gjk_direction *direction, unsigned vertex) {
+  of->level = true;
+  of->in = 0;
+  for (unsigned k = 0; k < of->collider->count; k++) {
+    of->in |= (gjk_direction_sign(direction, &of->collider->frame[k]) == 0 ? 1u : 0u) << k;
+  }
+  of->first = vertex & ~of->in;
+  *of->seen = 0;
+  for (unsigned v = 0; v < of->count; v++) {  // 8 at most
+    *of->seen |= (uint64_t)((v & ~of->in) == of->first ? 1u : 0u) << v;
+  }
+}
+
 // Marks the vertices of a shape that are level with one at the offset.
-static void mark_level(const seen_vertices *of, const gjk_direction *direction, const gjk_vec3 *at) {
+static void mark_level(seen_vertices *of, const gjk_direction *direction, unsigned vertex, const gjk_vec3 *at) {
+  if (of->collider->shape->type->kind == GJK_KIND_AXES) {
+    mark_level_axes(of, direction, vertex);
+    return;
+  }
   *of->seen = 0;
   for (uint32_t v = 0; v < of->count; v++) {
     gjk_vec3 offset;
@@ -257,22 +294,47 @@ static void mark_level(const seen_vertices *of, const gjk_direction *direction, 
   }
 }
 
-// The feature among the level vertices that GJK finds from their first ones on. It spans the same nearest point.
-static void search_level(gjk_iteration *it) {
-  gjk_simplex *s = &it->simplex;
-  const gjk_vertex *first = gjk_simplex_vertex(s, 0);
-  const seen_vertices a = seen_vertices_of(it, 0), b = seen_vertices_of(it, 1);
+// The level vertices of A and of B. Pre: NEAREST.
+static void mark_all_level(gjk_iteration *it, seen_vertices of[2]) {
+  const gjk_vertex *one = gjk_simplex_vertex(&it->simplex, 0);
   gjk_direction direction;
   gjk_vec3 of_b;
-  gjk_simplex_exact_direction(s, &direction);
-  it->b->shape->type->vertex(it->b, first->b, &of_b);
-  mark_level(&a, &direction, &first->a.offset);
-  mark_level(&b, &direction, &of_b);
+  of[0] = seen_vertices_of(it, 0);
+  of[1] = seen_vertices_of(it, 1);
+  gjk_simplex_exact_direction(&it->simplex, &direction);
+  it->b->shape->type->vertex(it->b, one->b, &of_b);
+  mark_level(&of[0], &direction, one->a.vertex, &one->a.offset);
+  mark_level(&of[1], &direction, one->b, &of_b);
+}
+
+// The direction to the origin across a box's level face, from two of its half axes. False: no such face is level.
+static bool direct_across_face(gjk_iteration *it, const seen_vertices *of) {
+  const gjk_vec3 *axis = of->collider->frame;
+  for (unsigned i = 0; of->level && i < 3; i++) {
+    const unsigned j = gjk_next(i), both = 1u << i | 1u << j;
+    gjk_long3 n = {0, 0, 0};
+    if ((of->in & both) == both) {
+      gjk_cross(&axis[i], &axis[j], &n);
+    }
+    if ((n.x | n.y | n.z) != 0) {
+      gjk_search_direction_of(&n, &it->direction);
+      if (gjk_dot(&it->direction.d, &gjk_simplex_vertex(&it->simplex, 0)->w) > 0) {
+        it->direction.d = gjk_negate(it->direction.d);
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+// The feature among the level vertices that GJK finds from their first ones on. It spans the same nearest point.
+static void search_level(gjk_iteration *it, const seen_vertices of[2]) {
+  gjk_simplex *s = &it->simplex;
   gjk_simplex_clear(s);
-  gjk_iteration_place(it, (uint16_t)next_seen(&a, 0), (uint16_t)next_seen(&b, 0));
+  gjk_iteration_place(it, (uint16_t)next_seen(&of[0], 0), (uint16_t)next_seen(&of[1], 0));
   gjk_simplex_add(s);
   it->recalls = 0;
-  nearest_of_seen(it, &a, &b);
+  nearest_of_seen(it, &of[0], &of[1]);
 }
 
 // The third corner of a triangle whose other two are the ends of a diagonal: of a box's face, or of the parallelogram of two
@@ -314,12 +376,26 @@ static bool complete_diagonal(gjk_iteration *it) {
   return true;
 }
 
-void gjk_search_canonical(gjk_iteration *it) {
+bool gjk_search_canonical(gjk_iteration *it, bool points) {
   const gjk_simplex *s = &it->simplex;
+  seen_vertices level[2];
+  bool across = false;
   if (it->ties[0] + it->ties[1] > 2 || s->count == 1 || (s->count == 2 && !complete_diagonal(it))) {
-    search_level(it);
+    mark_all_level(it, level);
+    across = direct_across_face(it, &level[0]) || direct_across_face(it, &level[1]);
+    if (across && !points) {
+      return false;
+    }
+    const gjk_search_direction face = it->direction;
+    search_level(it, level);
+    if (across) {
+      it->direction = face;
+    }
   }
-  gjk_simplex_direction(s, &it->direction);
+  if (!across) {
+    gjk_simplex_direction(s, &it->direction);
+  }
+  return true;
 }
 
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal) {

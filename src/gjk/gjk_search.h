@@ -62,8 +62,15 @@ gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit);
 //                           witness points do not depend on which it is.
 //   two ties, a diagonal    A triangle on either side of the diagonal holds it as well. One of them is taken.
 //   others                  The shapes have parallel edges or faces; or vertices coincide. GJK begins once more, among the
-//                           level vertices alone, from the first one of each shape.
-void gjk_search_canonical(gjk_iteration *it);
+//                           level vertices alone, from the first one of each shape. The direction is that of a box's level
+//                           face, if there is one.
+// points: are the vertices to be canonical, too? Where not, and the direction is a face's, the search is left out: false.
+bool gjk_search_canonical(gjk_iteration *it, bool points);
+
+// May several features hold the nearest point?
+static inline bool gjk_search_has_ties(const gjk_iteration *it, gjk_goal goal, gjk_outcome outcome) {
+  return outcome == GJK_OUTCOME_NEAREST && gjk_goal_counts_ties(it, goal) && it->ties[0] + it->ties[1] > 1;
+}
 
 // Does a closed form find the feature? It rounds nothing in exact frames. A plane answers WITHIN sooner.
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal);
@@ -91,8 +98,8 @@ static inline gjk_outcome gjk_search_any(gjk_iteration *it, gjk_goal goal, const
 // The same for what is reported: the canonical feature.
 static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
   const gjk_outcome outcome = gjk_search_any(it, goal, cache, limit);
-  if (outcome == GJK_OUTCOME_NEAREST && gjk_goal_counts_ties(it, goal) && it->ties[0] + it->ties[1] > 1) {
-    gjk_search_canonical(it);
+  if (gjk_search_has_ties(it, goal, outcome)) {
+    (void)gjk_search_canonical(it, true);
   }
   return outcome;
 }

@@ -107,7 +107,8 @@ static gjk_outcome run_and_narrow(gjk_iteration *it, unsigned limit, const gjk_c
   return outcome == GJK_OUTCOME_LIMIT ? narrow(it, out) : outcome;
 }
 
-void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache, gjk_distance_result *out) {
+void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, bool points, gjk_cache *cache,
+                         gjk_distance_result *out) {
   int64_t gap = 0;
   out->saturated = false;
   if (outcome == GJK_OUTCOME_NEAREST) {
@@ -119,14 +120,18 @@ void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache
     } else {
       // Steps 4 and 5.
       gap = exact_distance(it, &out->normal, plane) - gjk_convex_radii(it);
-      gjk_witness_points(it, &out->normal, &out->point_a, &out->point_b, &out->saturated);
+      if (points) {
+        gjk_witness_points(it, &out->normal, &out->point_a, &out->point_b, &out->saturated);
+      }
     }
   }
   out->intersecting = outcome != GJK_OUTCOME_NEAREST;
   out->distance = gjk_saturate_noting(gap, &out->saturated);
   out->lower = out->distance;
   out->upper = out->distance;
-  gjk_iteration_certify(it, outcome, &out->certificate);
+  if (points) {
+    gjk_iteration_certify(it, outcome, &out->certificate);
+  }
   if (cache != NULL) {
     gjk_iteration_keep(it, outcome, cache);
   }
@@ -186,7 +191,7 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
     }
     outcome = GJK_OUTCOME_NEAR;
   }
-  gjk_distance_report(&it, outcome, cache, out);
+  gjk_distance_report(&it, outcome, true, cache, out);
   return GJK_OK;
 }
 
@@ -209,13 +214,13 @@ gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, cons
   do {
     const gjk_outcome outcome = run_and_narrow(&it, it.iterations + 1u, NULL, out);
     if (outcome != GJK_OUTCOME_LIMIT) {
-      gjk_distance_report(&it, outcome, cache, out);
+      gjk_distance_report(&it, outcome, true, cache, out);
       return GJK_OK;
     }
     spent = effort->error > 0 && out->upper - out->lower <= effort->error;
   } while (!spent && it.iterations < most);
   if (!stop_early(&it, out)) {
-    gjk_distance_report(&it, GJK_OUTCOME_NEAR, cache, out);
+    gjk_distance_report(&it, GJK_OUTCOME_NEAR, true, cache, out);
     return GJK_OK;
   }
   return spent || limited ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;

@@ -27,11 +27,13 @@ bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane);
 // feature's.
 gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *upper);
 
-// Reports the answer and keeps the cache, which may be NULL. Pre: the outcome is NEAREST, ENCLOSING or NEAR.
-void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache, gjk_distance_result *out);
+// Reports the answer and keeps the cache, which may be NULL. points: are points and certificate needed? Otherwise they are
+// left out. Pre: the outcome is NEAREST, ENCLOSING or NEAR.
+void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, bool points, gjk_cache *cache,
+                         gjk_distance_result *out);
 
-// gjk_signed_distance. *points: are points and certificate needed? Where not, and boxes meet with a face, they are left
-// out; otherwise they are set, and *points becomes true.
+// gjk_signed_distance. *points: are points and certificate needed? Where not, and boxes overlap with a face or lie apart with
+// one across the normal, they are left out; otherwise they are set, and *points becomes true.
 gjk_status gjk_signed_distance_along(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
                                      const gjk_workspace *workspace, bool *points, gjk_distance_result *out);
 

@@ -138,17 +138,26 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
   return status;
 }
 
+// The search for what is reported. Boxes that lie face to face need no points where none are asked for.
+static gjk_outcome search_pair(overlap *o, gjk_goal goal, const gjk_cache *cache) {
+  gjk_iteration *it = &o->it;
+  const gjk_outcome outcome = gjk_search_any(it, goal, cache, GJK_NO_LIMIT);
+  const bool level = gjk_search_has_ties(it, goal, outcome);
+  o->points = level ? gjk_search_canonical(it, o->points) : true;
+  return outcome;
+}
+
 // Searches from the cache, and once more from a cold start where the cores intersect: step 3 continues from that
 // simplex, and may depend on the pair alone.
 static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *cache) {
   gjk_iteration *it = &o->it;
-  const gjk_outcome outcome = gjk_search(it, goal, cache, GJK_NO_LIMIT);
+  const gjk_outcome outcome = search_pair(o, goal, cache);
   o->iterations = it->iterations;
   if (outcome != GJK_OUTCOME_ENCLOSING || cache == NULL) {
     return outcome;
   }
   gjk_iteration_start(it, it->a, it->b, goal, gjk_convex_radii(it));
-  const gjk_outcome cold = gjk_search(it, goal, NULL, GJK_NO_LIMIT);
+  const gjk_outcome cold = search_pair(o, goal, NULL);
   o->iterations = (uint16_t)(o->iterations + it->iterations);
   return cold;
 }
@@ -175,12 +184,13 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
     o->points = true;
   } else {
     if (goal == GJK_GOAL_SIGNED && was_apart(cache)) {
-      if (gjk_search(it, goal, cache, GJK_NO_LIMIT) == GJK_OUTCOME_NEAREST) {
+      const bool points = o->points;
+      if (search_pair(o, goal, cache) == GJK_OUTCOME_NEAREST) {
         o->iterations = it->iterations;
-        o->points = true;
         keep_apart(it, cache);
         return GJK_OUTCOME_NEAREST;
       }
+      o->points = points;
       it->iterations = 0;
     }
     unsigned plane = cache != NULL && cache->a[3] > 0 ? cache->a[3] - 1u : GJK_BOX_PLANES;
@@ -194,7 +204,6 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
       o->iterations = 0;
       return GJK_OUTCOME_ENCLOSING;
     }
-    o->points = true;
     o->facet.found = false;
     gjk_simplex_clear(&it->simplex);
     if (answer == GJK_BOX_SAT_APART && (goal == GJK_GOAL_DEPTH || cache == NULL)) {
@@ -299,7 +308,7 @@ gjk_status gjk_signed_distance_along(const gjk_collider *a, const gjk_collider *
     plane = plane_of(it, &overlapping.normal);
     if (!gjk_convex_radii_touch(it, plane)) {
       out->iterations = it->iterations;
-      gjk_distance_report(it, outcome, NULL, out);
+      gjk_distance_report(it, outcome, o.points, NULL, out);
       return GJK_OK;
     }
   }
