@@ -143,7 +143,7 @@ static uint32_t rough_reciprocal_root(uint32_t x) {
 //   with z >= 2, 20 2^z bounds the first and all roundings.
 void gjk_box_height_bounds(const gjk_box_heights *h, unsigned k, int32_t *low, int32_t *high) {
   const uint32_t squared = h->squared[k];
-  if (squared < 64) {
+  if (gjk_box_height_is_short(h, k)) {
     *low = INT32_MIN;
     *high = INT32_MAX;
     return;

@@ -25,6 +25,11 @@ typedef struct gjk_box_heights {
 void gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delta, unsigned of_a, unsigned of_b,
                          gjk_box_heights *out);
 
+// Is the normal of plane k too short to tell?
+static inline bool gjk_box_height_is_short(const gjk_box_heights *h, unsigned k) {
+  return h->squared[k] < 64;
+}
+
 // What gjk_box_height_exceeds asks of a height: its square / 2^32, rounded up to at most 2^30. Pre: 0 <= height.
 static inline uint32_t gjk_box_height_square(int32_t height) {
   return (uint32_t)gjk_high32(gjk_mul32(height, height)) + 1;

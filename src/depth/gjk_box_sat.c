@@ -24,6 +24,7 @@
 #include "gjk_box_sat.h"
 
 #include "../arith/gjk_memory.h"
+#include "../arith/gjk_unit.h"
 #include "gjk_box_heights.h"
 
 #define AXES GJK_BOX_AXES
@@ -156,20 +157,27 @@ static bool reach_projection(facet_triangle *t) {
   return false;
 }
 
-// A plane that may bound A - B.
-typedef struct box_plane {
-  gjk_long3 n;                     // outwards: g_i x g_j, pointing against delta
-  unsigned i, j;                   // half axes in the plane, in the order of the product
-  unsigned in_plane;               // bit k: half axis k lies in the plane
-  unsigned signs;                  // of a vertex in the plane, as of vertex_of_signs
-  bool measured;                   // what follows is set
-  gjk_search_direction direction;  // n, rounded
-  uint32_t height;                 // within GJK_HEIGHT_ERROR; 0 where the origin is beyond
-} box_plane;
-
 // Two half axes in each plane, by its number.
 static const uint8_t half_axes[GJK_BOX_PLANES][2] = {{1, 2}, {2, 0}, {0, 1}, {4, 5}, {5, 3}, {3, 4}, {0, 3}, {0, 4},
                                                      {0, 5}, {1, 3}, {1, 4}, {1, 5}, {2, 3}, {2, 4}, {2, 5}};
+
+// A plane that may bound A - B.
+typedef struct box_plane {
+  gjk_long3 n;        // g_i x g_j; once oriented outwards, pointing against delta
+  unsigned number;
+  bool oriented;      // what follows is set
+  unsigned i, j;      // half axes in the plane, in the order of the product
+  unsigned in_plane;  // bit k: half axis k lies in the plane
+  unsigned signs;     // of a vertex in the plane, as of vertex_of_signs
+} box_plane;
+
+// Sets a plane by its number. False: the half axes are parallel.
+static bool set_plane(const box_pair *pair, unsigned number, box_plane *out) {
+  out->number = number;
+  out->oriented = false;
+  gjk_cross(&pair->axis[half_axes[number][0]], &pair->axis[half_axes[number][1]], &out->n);
+  return (out->n.x | out->n.y | out->n.z) != 0;
+}
 
 // gjk_dot_sign, with one branch, which rarely turns: either sign is as likely here.
 static inline int side_of_plane(const gjk_long3 *n, const gjk_vec3 *v) {
@@ -178,44 +186,72 @@ static inline int side_of_plane(const gjk_long3 *n, const gjk_vec3 *v) {
   return top >= 1 || top < -1 ? (int)(gjk_sar32(top, 31) | 1) : gjk_dot_sign_exact(n, v);
 }
 
-// Sets a plane by its number. False: the half axes are parallel.
-static bool set_plane(const box_pair *pair, unsigned number, box_plane *out) {
-  const unsigned i = half_axes[number][0], j = half_axes[number][1];
-  gjk_cross(&pair->axis[i], &pair->axis[j], &out->n);
-  if ((out->n.x | out->n.y | out->n.z) == 0) {
+static void orient_plane(const box_pair *pair, box_plane *plane) {
+  if (plane->oriented) {
+    return;
+  }
+  const unsigned i = half_axes[plane->number][0], j = half_axes[plane->number][1];
+  const bool opposite = side_of_plane(&plane->n, &pair->delta) > 0;
+  const int64_t minus = opposite ? -1 : 0;
+  plane->oriented = true;
+  plane->n.x = (plane->n.x ^ minus) - minus;
+  plane->n.y = (plane->n.y ^ minus) - minus;
+  plane->n.z = (plane->n.z ^ minus) - minus;
+  plane->i = opposite ? j : i;
+  plane->j = opposite ? i : j;
+  plane->in_plane = 1u << i | 1u << j;
+  plane->signs = 0;
+  for (unsigned k = 0; k < AXES; k++) {
+    const int side = k == i || k == j ? 0 : side_of_plane(&plane->n, &pair->axis[k]);
+    plane->signs |= (side > 0 ? 1u : 0u) << k;
+    plane->in_plane |= (side == 0 ? 1u : 0u) << k;
+  }
+}
+
+// The plane's height times |d|, for d across it:   sum of |d . g_k| - |d . delta|
+//   |d| <= sqrt(3) 2^30, the lengths of all g_k and delta together at most 2^31:   below 2^62
+static int64_t height_across(const box_pair *pair, const gjk_vec3 *d) {
+  int64_t sum = -gjk_int64(gjk_magnitude64(gjk_dot(d, &pair->delta)));
+  for (unsigned k = 0; k < AXES; k++) {
+    sum += gjk_int64(gjk_magnitude64(gjk_dot(d, &pair->axis[k])));
+  }
+  return sum;
+}
+
+// How far the height along a rounded unit vector is off.
+//   unit vector   within 2^-28 of the exact one:   2^-28 2^31 = 8; and 1 rounded down
+#define ALONG_ERROR 9
+
+// The height of a plane, within ALONG_ERROR.
+static int32_t height_along_normal(const box_pair *pair, const box_plane *plane) {
+  gjk_search_direction direction;
+  gjk_search_direction_of(&plane->n, &direction);
+  const gjk_unit3 unit = gjk_unit(&direction.d);
+  const gjk_vec3 u = {unit.x, unit.y, unit.z};
+  return (int32_t)gjk_sar64(height_across(pair, &u), 30);
+}
+
+// Step 2 of a plane whose normal is too short to tell, as of nearly parallel half axes: sum and square of the exact normal,
+// scaled to 29 bits. False: it is 0.
+//   sum   off by 1 per component of the scaled normal: sqrt(3) 2^31 / 2^32 < 1; and 1 rounded down
+static bool measure_short_normal(const box_pair *pair, gjk_box_heights *h, unsigned k) {
+  box_plane plane;
+  gjk_search_direction direction;
+  if (!set_plane(pair, k, &plane)) {
     return false;
   }
-  const bool opposite = side_of_plane(&out->n, &pair->delta) > 0;
-  const int64_t minus = opposite ? -1 : 0;
-  out->n.x = (out->n.x ^ minus) - minus;
-  out->n.y = (out->n.y ^ minus) - minus;
-  out->n.z = (out->n.z ^ minus) - minus;
-  out->i = opposite ? j : i;
-  out->j = opposite ? i : j;
-  out->in_plane = 1u << i | 1u << j;
-  out->signs = 0;
-  out->measured = false;
-  for (unsigned k = 0; k < AXES; k++) {
-    const int side = k == i || k == j ? 0 : side_of_plane(&out->n, &pair->axis[k]);
-    out->signs |= (side > 0 ? 1u : 0u) << k;
-    out->in_plane |= (side == 0 ? 1u : 0u) << k;
-  }
+  gjk_search_direction_of(&plane.n, &direction);
+  const gjk_vec3 scaled = gjk_scale_direction(&direction.d);
+  const gjk_vec3 d = {gjk_sar32(scaled.x, 1), gjk_sar32(scaled.y, 1), gjk_sar32(scaled.z, 1)};
+  h->sum[k] = gjk_high32(height_across(pair, &d));
+  h->squared[k] = (uint32_t)gjk_high32(gjk_dot(&d, &d)) + 1;  // below 3 2^58 / 2^32
   return true;
 }
 
-static void measure_height_of(const box_pair *pair, box_plane *plane) {
-  if (!plane->measured) {
-    gjk_vertex vertex;
-    vertex_of_signs(pair, plane->signs, &vertex);
-    gjk_search_direction_of(&plane->n, &plane->direction);
-    plane->height = gjk_height(&plane->direction.d, &vertex.w);
-    plane->measured = true;
-  }
-}
-
 // The sign of a plane's height; the height's square is numerator / denominator. Overwrites the simplex.
-static int exact_height(const box_pair *pair, const box_plane *plane, gjk_u192 *numerator, gjk_u192 *denominator) {
+static int exact_height(const box_pair *pair, box_plane *plane, gjk_u192 *numerator, gjk_u192 *denominator) {
   gjk_simplex *s = &pair->it->simplex;
+  orient_plane(pair, plane);
   gjk_simplex_clear(s);
   vertex_of_signs(pair, plane->signs, &s->slot[0]);
   s->count = 3;
@@ -227,24 +263,19 @@ static int exact_height(const box_pair *pair, const box_plane *plane, gjk_u192 *
 }
 
 // Is the height of p below that of q? Exact; of heights below 0 any may be the lower one. Rarely asked.
-GJK_OUT_OF_LINE static bool is_lower_exactly(const box_pair *pair, const box_plane *p, const box_plane *q) {
+GJK_OUT_OF_LINE static bool is_lower_exactly(const box_pair *pair, box_plane *p, box_plane *q) {
   gjk_u192 numerator_p, denominator_p, numerator_q, denominator_q;
+  const unsigned both = 1u << half_axes[p->number][0] | 1u << half_axes[p->number][1];
+  orient_plane(pair, q);
+  if ((q->in_plane & both) == both) {
+    return false;  // it is the same plane
+  }
   const int sign_p = exact_height(pair, p, &numerator_p, &denominator_p),
             sign_q = exact_height(pair, q, &numerator_q, &denominator_q);
   if (sign_p <= 0 || sign_q <= 0) {
     return sign_p < sign_q;
   }
   return gjk_u192_compare_quotients(&numerator_p, &denominator_p, &numerator_q, &denominator_q) < 0;
-}
-
-// Step 4.
-static bool lies_lower(const box_pair *pair, box_plane *p, box_plane *q) {
-  measure_height_of(pair, p);
-  measure_height_of(pair, q);
-  if (p->height > q->height + 2 * GJK_HEIGHT_ERROR || q->height > p->height + 2 * GJK_HEIGHT_ERROR) {
-    return p->height < q->height;
-  }
-  return is_lower_exactly(pair, p, q);
 }
 
 // The planes whose heights are bounded so far, in the order of their numbers.
@@ -257,18 +288,21 @@ typedef struct bounded_planes {
 } bounded_planes;
 
 // Steps 1 and 2 for the planes from first to last - 1. Returns the first that separates the cores, or last.
-static unsigned bound_planes(const gjk_box_heights *h, unsigned first, unsigned last, bounded_planes *planes) {
+static unsigned bound_planes(const box_pair *pair, gjk_box_heights *h, unsigned first, unsigned last,
+                             bounded_planes *planes) {
   unsigned k = first;
   for (; k < last && h->sum[k] >= -GJK_BOX_SUM_ERROR; k++) {
-    if (!gjk_box_height_exceeds(h, k, planes->square)) {
-      int32_t high;
-      gjk_box_height_bounds(h, k, &planes->low[planes->count], &high);
-      planes->number[planes->count] = (uint8_t)k;
-      planes->count++;
-      if (high < planes->most) {
-        planes->most = high > 0 ? high : 0;
-        planes->square = gjk_box_height_square(planes->most);
-      }
+    if (gjk_box_height_exceeds(h, k, planes->square) ||
+        (gjk_box_height_is_short(h, k) && (!measure_short_normal(pair, h, k) || gjk_box_height_exceeds(h, k, planes->square)))) {
+      continue;
+    }
+    int32_t high;
+    gjk_box_height_bounds(h, k, &planes->low[planes->count], &high);
+    planes->number[planes->count] = (uint8_t)k;
+    planes->count++;
+    if (high < planes->most) {
+      planes->most = high > 0 ? high : 0;
+      planes->square = gjk_box_height_square(planes->most);
     }
   }
   return k;
@@ -291,8 +325,8 @@ static unsigned face_to_begin_with(const gjk_box_heights *h) {
 
 // Steps 1 and 2, from the plane first on, or if that is no number from one that is found. Returns a plane that
 // separates the cores, or GJK_BOX_PLANES.
-static unsigned bound_heights(const gjk_box_heights *h, unsigned first, bounded_planes *planes) {
-  const unsigned begin = first < GJK_BOX_PLANES ? first : face_to_begin_with(h);
+static unsigned bound_heights(const box_pair *pair, gjk_box_heights *h, unsigned first, bounded_planes *planes) {
+  const unsigned begin = first < GJK_BOX_PLANES && !gjk_box_height_is_short(h, first) ? first : face_to_begin_with(h);
   int32_t low;
   planes->count = 0;
   if (h->sum[begin] < -GJK_BOX_SUM_ERROR) {
@@ -301,25 +335,39 @@ static unsigned bound_heights(const gjk_box_heights *h, unsigned first, bounded_
   gjk_box_height_bounds(h, begin, &low, &planes->most);
   planes->most = planes->most > 0 ? planes->most : 0;
   planes->square = gjk_box_height_square(planes->most);
-  const unsigned apart = bound_planes(h, 0, begin, planes);
+  const unsigned apart = bound_planes(pair, h, 0, begin, planes);
   planes->low[planes->count] = low;
   planes->number[planes->count] = (uint8_t)begin;
   planes->count++;
-  return apart < begin ? apart : bound_planes(h, begin + 1, GJK_BOX_PLANES, planes);
+  return apart < begin ? apart : bound_planes(pair, h, begin + 1, GJK_BOX_PLANES, planes);
+}
+
+// Leaves those planes that may be the least.
+static void keep_doubtful(const gjk_box_heights *h, bounded_planes *planes) {
+  unsigned count = 0;
+  for (unsigned n = 0; n < planes->count; n++) {
+    const unsigned k = planes->number[n];
+    if (planes->low[n] <= planes->most && !gjk_box_height_exceeds(h, k, planes->square)) {
+      planes->number[count++] = (uint8_t)k;
+    }
+  }
+  planes->count = count;
 }
 
 // Steps 3 and 4. NULL: all half axes are parallel.
-static box_plane *least_plane(const box_pair *pair, const gjk_box_heights *h, const bounded_planes *planes,
-                              box_plane slot[2], unsigned *number) {
+static box_plane *least_plane(const box_pair *pair, const bounded_planes *planes, box_plane slot[2]) {
   box_plane *least = NULL, *next = &slot[0];
+  int32_t lowest = 0;
   for (unsigned n = 0; n < planes->count; n++) {
-    const unsigned k = planes->number[n], both = 1u << half_axes[k][0] | 1u << half_axes[k][1];
-    const bool may_be = planes->low[n] <= planes->most && !gjk_box_height_exceeds(h, k, planes->square);
-    const bool same = least != NULL && (least->in_plane & both) == both;
-    if (may_be && !same && set_plane(pair, k, next) && (least == NULL || lies_lower(pair, next, least))) {
+    if (!set_plane(pair, planes->number[n], next)) {
+      continue;
+    }
+    const int32_t height = planes->count > 1 ? height_along_normal(pair, next) : 0;
+    if (least == NULL || height < lowest - 2 * ALONG_ERROR ||
+        (height <= lowest + 2 * ALONG_ERROR && is_lower_exactly(pair, next, least))) {
+      lowest = height;
       least = next;
       next = least == &slot[0] ? &slot[1] : &slot[0];
-      *number = k;
     }
   }
   return least;
@@ -371,22 +419,23 @@ gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, bool *points
   }
   set_box_pair(&pair, it);
   gjk_box_heights_set(pair.axis, &pair.delta, pair.of_a, pair.of_b, &heights);
-  const unsigned apart = bound_heights(&heights, *number, &planes);
+  const unsigned apart = bound_heights(&pair, &heights, *number, &planes);
   if (apart < GJK_BOX_PLANES) {
     direct_across(&pair, apart);
     return GJK_BOX_SAT_APART;
   }
-  const box_plane *plane = least_plane(&pair, &heights, &planes, slot, number);
-  // Step 5.
-  if (plane == NULL || plane->in_plane == (1u << AXES) - 1) {
+  keep_doubtful(&heights, &planes);
+  box_plane *plane = least_plane(&pair, &planes, slot);
+  if (plane == NULL) {
     return GJK_BOX_SAT_FLAT;
   }
-  if (plane->measured) {
-    gjk_set(&plane->direction.d, &it->direction.d);
-    it->direction.exact = plane->direction.exact;
-  } else {
-    gjk_search_direction_of(&plane->n, &it->direction);
+  // Step 5.
+  orient_plane(&pair, plane);
+  if (plane->in_plane == (1u << AXES) - 1) {
+    return GJK_BOX_SAT_FLAT;
   }
+  *number = plane->number;
+  gjk_search_direction_of(&plane->n, &it->direction);
   *points = *points || *number >= FACES;
   return offer_facet(&pair, plane, *points, facet);
 }

@@ -317,6 +317,17 @@ static void squared_height(const gjk_simplex *s, gjk_u192 *out) {
   gjk_u192_multiply(out, &x, &x);
 }
 
+int32_t gjk_simplex_along_axis(const gjk_simplex *s) {
+  const gjk_vec3 *w = &s->slot[s->order[0]].w;
+  const gjk_long3 *n = &s->normal;
+  const bool face = s->count == 3, x = face ? n->x != 0 : w->x != 0, y = face ? n->y != 0 : w->y != 0,
+             z = face ? n->z != 0 : w->z != 0;
+  if (s->count == 2 || (x ? y || z : y == z)) {
+    return -1;
+  }
+  return (int32_t)gjk_magnitude32(x ? w->x : y ? w->y : w->z);
+}
+
 void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_u192 *numerator, gjk_u192 *denominator) {
   const unsigned a = s->order[0], b = s->order[1];
   const gjk_long3 *n = &s->normal;

@@ -73,6 +73,10 @@ void gjk_simplex_exact_direction(const gjk_simplex *s, gjk_direction *out);
 // numerator <= 2^186, denominator <= 2^124.
 void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_u192 *numerator, gjk_u192 *denominator);
 
+// The feature's distance to the origin, exact, where the direction of a triangle or vertex is an axis of the frame. -1:
+// another feature, or another direction.
+int32_t gjk_simplex_along_axis(const gjk_simplex *s);
+
 // The sign of (2 distance)^2 - twice^2, where distance^2 = numerator / denominator.
 int gjk_compare_distance(const gjk_u192 *numerator, const gjk_u192 *denominator, uint64_t twice);
 

@@ -65,7 +65,8 @@ static int64_t exact_distance(const gjk_iteration *it, const gjk_unit3 *normal, 
 
 bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane) {
   const int64_t radius = gjk_shl64(it->radius, 30);  // below 2^61
-  return radius > 0 && plane - GJK_PLANE_ERROR <= radius && gjk_iteration_near(it);
+  return radius > 0 && plane - GJK_PLANE_ERROR <= radius &&
+         (plane + GJK_PLANE_ERROR <= radius || gjk_iteration_near(it));
 }
 
 // The distance of the plane through the newest vertex across the direction, plus error (Q30), less the convex radii, to

@@ -90,7 +90,16 @@ static void grow_component(gjk_q30 *u) {
   }
 }
 
+// Step 2 along an axis of the frame, which is exact: the move is the depth.
+static bool is_axis(const gjk_iteration *it, const gjk_unit3 *u) {
+  const uint32_t one = gjk_magnitude32(u->x) | gjk_magnitude32(u->y) | gjk_magnitude32(u->z);
+  return one == GJK_Q30_ONE && gjk_simplex_along_axis(&it->simplex) >= 0;
+}
+
 void gjk_outward_normal(gjk_iteration *it, const gjk_facet *facet, bool exact, gjk_q16 depth, gjk_unit3 *normal) {
+  if (exact && is_axis(it, normal)) {
+    return;
+  }
   for (int i = 0; i < 6 && depth > 0; i++) {  // not reached: 6, growing 5 times suffices
     const gjk_vec3 t = gjk_outward_move(depth, normal);
     if (surely_suffices(depth, normal, &t) || (exact ? does_part(it, facet, &t) : i == 5)) {

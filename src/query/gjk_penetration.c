@@ -70,7 +70,10 @@ static void measure_gap(overlap *o, int64_t plane) {
   int64_t low = plane > GJK_PLANE_ERROR ? gjk_sar64(plane - GJK_PLANE_ERROR, n) : 0;
   const int64_t high = gjk_sar64(plane + GJK_PLANE_ERROR, n);
   //@ assert low >= 0 && low <= INT64_C(1) << 30 && high <= INT64_C(1) << 30;
-  if (low < high) {
+  const int32_t exact = low < high ? gjk_simplex_along_axis(&it->simplex) : -1;
+  if (exact >= 0) {
+    low = gjk_sar32(exact, (unsigned)it->shift);  // a multiple of 2^shift
+  } else if (low < high) {
     gjk_u192 numerator, denominator;
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
     // At most 17 candidates, so 5 steps.
@@ -162,15 +165,19 @@ static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *ca
   return cold;
 }
 
-// Are boxes likely to be apart still, by a cache whose last answer was a feature and no plane?
-static bool was_apart(const gjk_cache *cache) {
-  return cache != NULL && cache->count > 0 && cache->count < 4 && cache->a[3] == 0;
+// Are the cores of boxes likely to be apart? They are where the cache's last answer was a feature and no plane; and where
+// there is a convex radius, unless a plane was the last answer.
+static bool are_cores_apart(const overlap *o, gjk_goal goal, const gjk_cache *cache) {
+  const bool plane = cache != NULL && cache->a[3] != 0, feature = cache != NULL && cache->count > 0 && cache->count < 4;
+  return !plane && ((feature && goal == GJK_GOAL_SIGNED) || gjk_convex_radii(&o->it) > 0);
 }
 
-// Keeps the feature of boxes that are apart.
-static void keep_apart(const gjk_iteration *it, gjk_cache *cache) {
-  gjk_iteration_keep(it, GJK_OUTCOME_NEAREST, cache);
-  cache->a[3] = 0;
+// Keeps what the next query starts from. A feature leaves no plane.
+static void keep_apart(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache) {
+  if (cache != NULL && outcome != GJK_OUTCOME_LIMIT) {
+    gjk_iteration_keep(it, outcome, cache);
+    cache->a[3] = outcome == GJK_OUTCOME_NEAREST ? 0 : cache->a[3];
+  }
 }
 
 // Step 1. A cached tetrahedron is of no use: it contained the origin and likely still does, and then the search runs
@@ -183,12 +190,13 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   if (it->shift < 0 || !gjk_is_box_pair(it)) {
     o->points = true;
   } else {
-    if (goal == GJK_GOAL_SIGNED && was_apart(cache)) {
+    if (are_cores_apart(o, goal, cache)) {
       const bool points = o->points;
-      if (search_pair(o, goal, cache) == GJK_OUTCOME_NEAREST) {
+      const gjk_outcome outcome = search_pair(o, goal, from);
+      if (outcome != GJK_OUTCOME_ENCLOSING) {
         o->iterations = it->iterations;
-        keep_apart(it, cache);
-        return GJK_OUTCOME_NEAREST;
+        keep_apart(it, outcome, cache);
+        return outcome;
       }
       o->points = points;
       it->iterations = 0;
@@ -213,11 +221,7 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
     }
   }
   const gjk_outcome outcome = search_overlap(o, goal, from);
-  if (cache != NULL && outcome == GJK_OUTCOME_NEAREST) {
-    keep_apart(it, cache);
-  } else if (cache != NULL && outcome != GJK_OUTCOME_LIMIT) {
-    gjk_iteration_keep(it, outcome, cache);
-  }
+  keep_apart(it, outcome, cache);
   return outcome;
 }
 
