@@ -86,8 +86,7 @@ typedef struct gjk_scene_bindings {
   const gjk_workspace *workspace;    // at least config.workspace_cells cells, no more are used; NULL: none
   gjk_manifold *manifolds;           // room for a manifold per report of a call, see gjk_report; NULL: none are wanted
   const gjk_scene_motions *motion;   // &gjk_scene_motion; NULL: no motion is kept
-  bool
-      keeps_manifolds;  // true: a report that is still has no manifold, because the program keeps the last one of the pair
+  bool keeps_manifolds;  // true: the program keeps each pair's last manifold, so a report that is still has none
 } gjk_scene_bindings;
 
 // The handle of a scene. gjk_scene_init, gjk_scene_open and gjk_scene_attach write all of it when they return GJK_OK,

@@ -92,8 +92,7 @@ typedef struct gjk2_scene_bindings {
   const gjk2_scene_details *details;  // &gjk2_scene_depth; &gjk2_scene_contacts: both; NULL: neither
   gjk2_manifold *manifolds;          // room for a manifold per report of a call, see gjk2_report; NULL: none are wanted
   const gjk2_scene_motions *motion;  // &gjk2_scene_motion; NULL: no motion is kept
-  bool
-      keeps_manifolds;  // true: a report that is still has no manifold, because the program keeps the last one of the pair
+  bool keeps_manifolds;  // true: the program keeps each pair's last manifold, so a report that is still has none
 } gjk2_scene_bindings;
 
 // The handle of a scene. gjk2_scene_init, gjk2_scene_open and gjk2_scene_attach write all of it when they return GJK_OK,

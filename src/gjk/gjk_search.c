@@ -317,10 +317,10 @@ static bool direct_across_face(gjk_iteration *it, const seen_vertices *of) {
       gjk_cross(&axis[i], &axis[j], &n);
     }
     if ((n.x | n.y | n.z) != 0) {
-      gjk_search_direction_of(&n, &it->direction);
-      if (gjk_dot(&it->direction.d, &gjk_simplex_vertex(&it->simplex, 0)->w) > 0) {
-        it->direction.d = gjk_negate(it->direction.d);
+      if (gjk_dot_sign(&n, &gjk_simplex_vertex(&it->simplex, 0)->w) > 0) {
+        gjk_cross(&axis[j], &axis[i], &n);
       }
+      gjk_search_direction_of(&n, &it->direction);
       return true;
     }
   }

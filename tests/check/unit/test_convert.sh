@@ -183,7 +183,7 @@ END
 # same_constants NAME COMPILER EMULATOR: prints what the program says of the hull of a file
 same_constants() {
   # shellcheck disable=SC2086 # a compiler with its options
-  $2 -std=c99 -O1 -Iinclude "$work/same.c" "$work/$1.c" src/hull/*.c src/arith/*.c src/shape/*.c -o "$work/same" 2>&1 &&
+  $2 -std=c99 -O1 -Iinclude "$work/same.c" "$work/$1.c" src/hull/*.c src/arith/*.c src/shape/*.c src/gjk/*.c -o "$work/same" 2>&1 &&
     $3 "$work/same"
 }
 for name in cyl32 cell44_0 dup_cube4; do

@@ -12,7 +12,7 @@
 #define PAIRS (SLOTS * (SLOTS - 1) / 2)  // all of them, so that an update never lacks room
 #define MARGIN (GJK_Q16_ONE / 100)       // of each body: pairs are near where the solver asks them for contacts
 #define NORMAL (GJK_Q16_ONE / 5)         // the length that a normal is drawn with
-#define BLOCK_WORDS (72 + SLOTS * 48 + PAIRS * 8)  // of gjk2/scene.h: at most 192 bytes a body and 32 a pair
+#define BLOCK_WORDS (72 + SLOTS * 48 + PAIRS * 12)  // at most 192 bytes a body and 48 a pair with its cache
 
 static int32_t records[RECORDS * FIELDS];
 static uint32_t count;
