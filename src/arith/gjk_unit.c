@@ -3,8 +3,16 @@
 
 #include "gjk_root.h"
 
+static gjk_q30 one_with_sign(int32_t x) {
+  return x > 0 ? GJK_Q30_ONE : x < 0 ? -GJK_Q30_ONE : 0;
+}
+
 gjk_unit3 gjk_unit(const gjk_vec3 *d) {
   const gjk_vec3 v = *d;
+  if ((v.x | v.y) == 0 || (v.y | v.z) == 0 || (v.z | v.x) == 0) {
+    const gjk_unit3 axis = {one_with_sign(v.x), one_with_sign(v.y), one_with_sign(v.z)};
+    return axis;
+  }
   const uint64_t squared = (uint64_t)gjk_dot(&v, &v);
   const unsigned z = gjk_clz64(squared) / 2;  // |v| < 2^31:  squared < 2^62, z >= 1;  |v| < 2^(32 - z)
   // With x, 2^30 <= x < 2^32, for the leading bits of squared = 2^(32 - 2 z) x: y = 2^46 / sqrt(x) = 2^(62 - z) / |v|.

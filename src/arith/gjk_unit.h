@@ -4,7 +4,7 @@
 
 #include "gjk_vector.h"
 
-// d / |d|, Q2.30, each component within 1 LSB for the given d. Pre: d != 0, |d| < 2^31.
+// d / |d|, Q2.30, each component within 1 LSB for the given d; exact along an axis. Pre: d != 0, |d| < 2^31.
 gjk_unit3 gjk_unit(const gjk_vec3 *d);
 
 // u . a, Q30, for a unit vector u.

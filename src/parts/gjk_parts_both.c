@@ -103,5 +103,6 @@ gjk_status gjk_parts_both_distance(const gjk_parts *a, const gjk_parts *b, gjk_p
     return status != GJK_OK ? status : GJK_ERROR_EMPTY;  // B has holes alone
   }
   gjk_parts_write_numbers(nearest.part, nearest.of_b, parts);
-  return gjk_parts_nearest_report(&nearest, out);
+  status = gjk_parts_place_in(&frame[1], nearest.of_b, &room, &c);
+  return status == GJK_OK ? gjk_parts_nearest_report(&nearest, &frame[0], &c, out) : status;
 }

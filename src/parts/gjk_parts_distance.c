@@ -7,11 +7,10 @@
 //
 // Step 2 leaves out no part that would be reported. A part outside has a gap above the region's growth: the reported
 // distance, 2^-26 of it and 4 LSB. A reported distance of d is at least (1 - 2^-27) times the gap, less 3.
-#include "../arith/gjk_memory.h"
+#include "../query/gjk_distance.h"
 #include "gjk_parts_nearest.h"
 
 void gjk_parts_nearest_start(gjk_parts_nearest *n) {
-  n->best = 0;
   n->part = GJK_PARTS_NONE;
   n->of_b = GJK_PARTS_NONE;
   n->status = GJK_OK;
@@ -27,15 +26,14 @@ static void grow_to(gjk_region *region, gjk_q16 distance) {
 
 // Is the trial a nearer part than the best one?
 static bool is_nearer(const gjk_parts_nearest *n, const gjk_distance_result *trial, uint32_t number, uint32_t of_b) {
-  const gjk_distance_result *best = &n->result[n->best];
   if (n->part == GJK_PARTS_NONE) {
     return true;
   }
-  if (trial->intersecting != best->intersecting) {
+  if (trial->intersecting != n->intersecting) {
     return trial->intersecting;
   }
-  if (trial->distance != best->distance) {
-    return trial->distance < best->distance;
+  if (trial->distance != n->distance) {
+    return trial->distance < n->distance;
   }
   return of_b != n->of_b ? of_b < n->of_b : number < n->part;
 }
@@ -45,19 +43,20 @@ static gjk_status ask_part(gjk_parts_nearest *n, const gjk_parts_frame *frame, c
                            uint32_t of_b, bool *nearer) {
   gjk_parts_room room;
   gjk_collider c;
-  gjk_distance_result *trial = &n->result[1 - n->best];
+  gjk_distance_result trial;
   *nearer = false;
   gjk_status status = gjk_parts_place_in(frame, number, &room, &c);
   if (status != GJK_OK) {
     return status;
   }
-  status = gjk_distance(&c, b, NULL, trial);
+  status = gjk_distance_with(&c, b, false, NULL, &trial);
   if (status != GJK_OK && status != GJK_ERROR_ITERATION_LIMIT) {
     return status;
   }
   n->limited = n->limited || status != GJK_OK;
-  if (is_nearer(n, trial, number, of_b)) {
-    n->best = 1 - n->best;
+  if (is_nearer(n, &trial, number, of_b)) {
+    n->distance = trial.distance;
+    n->intersecting = trial.intersecting;
     n->part = number;
     n->of_b = of_b;
     n->status = status;
@@ -79,10 +78,10 @@ gjk_status gjk_parts_nearest_ask(gjk_parts_nearest *n, const gjk_parts_frame *fr
   if (status != GJK_OK) {
     return status;
   }
-  grow_to(region, n->result[n->best].distance);
+  grow_to(region, n->distance);
   gjk_parts_walk_start(&walk);
   while (gjk_parts_next(frame, region, &walk, &part)) {  // Step 2; ends: each part comes once
-    if (part == guess || (n->result[n->best].intersecting && of_b == n->of_b && part > n->part)) {
+    if (part == guess || (n->intersecting && of_b == n->of_b && part > n->part)) {
       continue;
     }
     status = ask_part(n, frame, b, part, of_b, &nearer);
@@ -90,7 +89,7 @@ gjk_status gjk_parts_nearest_ask(gjk_parts_nearest *n, const gjk_parts_frame *fr
       return status;
     }
     if (nearer) {
-      grow_to(region, n->result[n->best].distance);
+      grow_to(region, n->distance);
     }
   }
   return GJK_OK;
@@ -101,15 +100,15 @@ gjk_status gjk_parts_nearest_bound(gjk_parts_nearest *n, const gjk_parts_frame *
   gjk_parts_walk walk;
   gjk_parts_room room;
   gjk_collider c;
-  gjk_distance_result *trial = &n->result[1 - n->best];
+  gjk_distance_result trial;
   uint32_t part;
-  grow_to(region, n->result[n->best].distance);
+  grow_to(region, n->distance);
   gjk_parts_walk_start(&walk);
   while (gjk_parts_next(frame, region, &walk, &part)) {  // Step 3; ends: each part comes once
     gjk_status status = gjk_parts_place_in(frame, part, &room, &c);
-    status = status == GJK_OK ? gjk_distance(&c, b, NULL, trial) : status;
+    status = status == GJK_OK ? gjk_distance_with(&c, b, false, NULL, &trial) : status;
     if (status == GJK_ERROR_ITERATION_LIMIT) {
-      n->lower = trial->lower < n->lower ? trial->lower : n->lower;
+      n->lower = trial.lower < n->lower ? trial.lower : n->lower;
     } else if (status != GJK_OK) {
       return status;
     }
@@ -117,13 +116,19 @@ gjk_status gjk_parts_nearest_bound(gjk_parts_nearest *n, const gjk_parts_frame *
   return GJK_OK;
 }
 
-gjk_status gjk_parts_nearest_report(const gjk_parts_nearest *n, gjk_distance_result *out) {
-  const gjk_distance_result *best = &n->result[n->best];
-  gjk_copy(out, best, sizeof *out);
-  if (best->intersecting || !n->limited || (n->status == GJK_OK && n->lower >= best->distance)) {
+gjk_status gjk_parts_nearest_report(const gjk_parts_nearest *n, const gjk_parts_frame *frame, const gjk_collider *b,
+                                    gjk_distance_result *out) {
+  gjk_parts_room room;
+  gjk_collider c;
+  gjk_status status = gjk_parts_place_in(frame, n->part, &room, &c);
+  status = status == GJK_OK ? gjk_distance(&c, b, NULL, out) : status;
+  if (status != n->status) {
+    return status;
+  }
+  if (out->intersecting || !n->limited || (n->status == GJK_OK && n->lower >= out->distance)) {
     return GJK_OK;
   }
-  out->lower = n->lower < best->lower ? n->lower : best->lower;
+  out->lower = n->lower < out->lower ? n->lower : out->lower;
   out->certificate.proof = GJK_PROOF_NONE;
   out->certificate.count = 0;
   return GJK_ERROR_ITERATION_LIMIT;
@@ -151,5 +156,5 @@ gjk_status gjk_parts_distance(const gjk_parts *a, const gjk_collider *b, uint32_
   if (part != NULL) {
     *part = nearest.part;
   }
-  return gjk_parts_nearest_report(&nearest, out);
+  return gjk_parts_nearest_report(&nearest, &frame, b, out);
 }

@@ -4,10 +4,10 @@
 
 #include "gjk_parts_class.h"
 
-// The nearest part so far. The last result is kept beside it, so that the better one is chosen without a copy.
+// The nearest part so far. Normal, points and certificate are found once, at the end.
 typedef struct gjk_parts_nearest {
-  gjk_distance_result result[2];
-  unsigned best;      // which of both is the nearest part's
+  gjk_q16 distance;
+  bool intersecting;
   uint32_t part;      // its number; GJK_PARTS_NONE: none yet
   uint32_t of_b;      // the number of B's part that it is nearest to
   gjk_status status;  // of its query: OK or ITERATION_LIMIT
@@ -29,7 +29,8 @@ gjk_status gjk_parts_nearest_ask(gjk_parts_nearest *n, const gjk_parts_frame *fr
 gjk_status gjk_parts_nearest_bound(gjk_parts_nearest *n, const gjk_parts_frame *frame, gjk_region *region,
                                    const gjk_collider *b);
 
-// Writes the result, and returns its status.
-gjk_status gjk_parts_nearest_report(const gjk_parts_nearest *n, gjk_distance_result *out);
+// Writes the result, and returns its status. b: the collider that the part is nearest to.
+gjk_status gjk_parts_nearest_report(const gjk_parts_nearest *n, const gjk_parts_frame *frame, const gjk_collider *b,
+                                    gjk_distance_result *out);
 
 #endif

@@ -102,8 +102,10 @@ static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
 }
 
 // Step 1: runs at most limit iterations in all. Narrows the bounds when they do not suffice.
-static gjk_outcome run_and_narrow(gjk_iteration *it, unsigned limit, const gjk_cache *cache, gjk_distance_result *out) {
-  const gjk_outcome outcome = gjk_search(it, GJK_GOAL_DISTANCE, cache, limit);
+static gjk_outcome run_and_narrow(gjk_iteration *it, unsigned limit, bool points, const gjk_cache *cache,
+                                  gjk_distance_result *out) {
+  const gjk_outcome outcome = points ? gjk_search(it, GJK_GOAL_DISTANCE, cache, limit)
+                                     : gjk_search_any(it, GJK_GOAL_DISTANCE, cache, limit);
   out->iterations = it->iterations;
   return outcome == GJK_OUTCOME_LIMIT ? narrow(it, out) : outcome;
 }
@@ -178,22 +180,27 @@ static bool stop_early(const gjk_iteration *it, gjk_distance_result *out) {
   return true;
 }
 
-gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {
+gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, bool points, gjk_cache *cache,
+                             gjk_distance_result *out) {
   gjk_status status = gjk_check_pair(a, b, out);
   if (status != GJK_OK) {
     return status;
   }
   gjk_iteration it;
   start_distance(&it, a, b, out);
-  gjk_outcome outcome = run_and_narrow(&it, GJK_NO_LIMIT, cache, out);
+  gjk_outcome outcome = run_and_narrow(&it, GJK_NO_LIMIT, points, cache, out);
   if (outcome == GJK_OUTCOME_LIMIT) {
     if (stop_early(&it, out)) {
       return GJK_ERROR_ITERATION_LIMIT;
     }
     outcome = GJK_OUTCOME_NEAR;
   }
-  gjk_distance_report(&it, outcome, true, cache, out);
+  gjk_distance_report(&it, outcome, points, cache, out);
   return GJK_OK;
+}
+
+gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {
+  return gjk_distance_with(a, b, true, cache, out);
 }
 
 gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, const gjk_effort *effort, gjk_cache *cache,
@@ -213,7 +220,7 @@ gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, cons
   bool spent;
   // Each turn is one iteration, so there are at most `most` turns.
   do {
-    const gjk_outcome outcome = run_and_narrow(&it, it.iterations + 1u, NULL, out);
+    const gjk_outcome outcome = run_and_narrow(&it, it.iterations + 1u, true, NULL, out);
     if (outcome != GJK_OUTCOME_LIMIT) {
       gjk_distance_report(&it, outcome, true, cache, out);
       return GJK_OK;

@@ -32,6 +32,10 @@ gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *uppe
 void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, bool points, gjk_cache *cache,
                          gjk_distance_result *out);
 
+// gjk_distance. points: are normal, points and certificate needed? Otherwise only the other fields are valid.
+gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, bool points, gjk_cache *cache,
+                             gjk_distance_result *out);
+
 // gjk_signed_distance. *points: are points and certificate needed? Where not, and boxes overlap with a face or lie apart with
 // one across the normal, they are left out; otherwise they are set, and *points becomes true.
 gjk_status gjk_signed_distance_along(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
