@@ -121,6 +121,24 @@ const cost_family cost_families[] = {
      .b = COST_BOX,
      .vertices = 0,
      .gap = COST_LIFTED},
+    {.name = "contacts: boxes level",
+     .query = COST_CONTACTS,
+     .a = COST_BOX,
+     .b = COST_BOX,
+     .vertices = 0,
+     .gap = COST_LEVEL},
+    {.name = "contacts: sphere on level box",
+     .query = COST_CONTACTS,
+     .a = COST_BOX,
+     .b = COST_SPHERE,
+     .vertices = 0,
+     .gap = COST_LEVEL},
+    {.name = "contacts: capsule on level box",
+     .query = COST_CONTACTS,
+     .a = COST_BOX,
+     .b = COST_CAPSULE,
+     .vertices = 0,
+     .gap = COST_LEVEL},
     {.name = "contacts: sphere and box",
      .query = COST_CONTACTS,
      .a = COST_SPHERE,
@@ -244,7 +262,8 @@ static bool is_in_family(cost_gap gap, size_t index, gjk_q16 distance) {
     case COST_LIFTED: return distance > 0 && distance <= GJK_Q16(0.02);
     case COST_FLUSH:
     case COST_TURNED:
-    case COST_YAWED: return distance < 0 && distance > -CLOSE;
+    case COST_YAWED:
+    case COST_LEVEL: return distance < 0 && distance > -CLOSE;
   }
   return 0;
 }
@@ -288,20 +307,28 @@ static void set_solid(const case_shape *shape, const case_shape *before, cost_ki
   set_place(&before->pose, &out->before);
 }
 
-// Puts B, a box, on the top of A, another one.
-static void rest_on(random_state *random, cost_gap gap, const case_shape *a, case_shape *b) {
+// Puts B on the top of A, a box.
+static void rest_on(random_state *random, cost_gap gap, case_shape *a, case_shape *b) {
+  static const gjk_vec3 up = {0, 0, GJK_Q16_ONE}, aside = {GJK_Q16_ONE, 0, 0};
   const int32_t apart =
       gap == COST_LIFTED ? random_range(random, 200, GJK_Q16(0.01)) : -random_range(random, 2, GJK_Q16(0.002));
   gjk_pose on = GJK_POSE_IDENTITY, yaw = GJK_POSE_IDENTITY;
   on.position.x = random_range(random, -a->size.x / 2, a->size.x / 2);
   on.position.y = random_range(random, -a->size.y / 2, a->size.y / 2);
-  on.position.z = a->size.z + b->size.z + apart;
-  if (gap != COST_FLUSH) {
+  on.position.z = a->size.z + (b->convex_radius > 0 ? b->convex_radius : b->size.z) + apart;
+  if (gap == COST_LEVEL) {
+    const gjk_pose level = GJK_POSE_IDENTITY;
+    a->pose.rotation = level.rotation;
+  } else if (gap != COST_FLUSH) {
     on.rotation = random_rotation(random, 1, 1000);
   }
-  if (gap == COST_YAWED) {
-    const gjk_vec3 up = {0, 0, GJK_Q16_ONE};
+  if (gap == COST_YAWED || gap == COST_LEVEL) {
     (void)gjk_quat_from_axis_angle(&up, random_range(random, 0, GJK_ANGLE(6.28)), &yaw.rotation);
+  }
+  if (b->kind == CASE_SEGMENT) {
+    gjk_pose lying = GJK_POSE_IDENTITY;
+    (void)gjk_quat_from_axis_angle(&aside, GJK_ANGLE(1.5707963), &lying.rotation);
+    (void)gjk_quat_compose(&yaw.rotation, &lying.rotation, &yaw.rotation);
   }
   if (gjk_pose_compose(&on, &yaw, &on) != GJK_OK || gjk_pose_compose(&a->pose, &on, &b->pose) != GJK_OK) {
     fail(GJK_ERROR_RANGE);

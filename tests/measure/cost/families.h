@@ -16,7 +16,8 @@ typedef enum cost_gap {
   COST_FLUSH,   // up to 0.002 units deep
   COST_TURNED,  // the same, and turned by up to 0.002 in any direction
   COST_YAWED,   // and by any angle about the normal
-  COST_LIFTED   // as turned, up to 0.01 units apart
+  COST_LIFTED,  // as turned, up to 0.01 units apart
+  COST_LEVEL    // as flush, A level, B by any angle about the vertical; a capsule lies
 } cost_gap;
 
 // vertices: of each hull.
