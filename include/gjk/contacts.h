@@ -63,6 +63,9 @@ typedef struct gjk_manifold {
 //           a point near a corner has the corner's id, whatever edges meet there
 //           of points with one id the deepest stays
 //           a crossing of faces' edges near a line between other points is left out, unless it is deeper
+//         97 of 100 points that keep their id move by at most 4 LSB then. Crossings of nearly parallel edges move farther,
+//         up to 1/64 of the shortest edge. The normal turns by up to 5e-5 rad, that of a bar 1/10 unit thick by 1.5e-4,
+//         since posing rounds each vertex (test_contacts_jitter).
 //
 // Exact   The shared polygon is exact but for what ids leave out. In LSB:
 //           points           within 4 of their shapes (tests hold 3), and within 2 of straight across from each other

@@ -1,5 +1,7 @@
 // Ids last: B rests on A and trembles by an LSB and by 1e-7 rad about each axis, and hardly an id is new from tick to tick.
 //
+// Points that keep their id stay nearly where they are, and so does the normal.
+//
 // Where faces are congruent the exact borders cross at every tick: which corner, edge or crossing bounds what they share is
 // then chance, and no id may tell it.
 #include "contacts_scene.h"
@@ -132,8 +134,39 @@ static bool has(const gjk_manifold *m, const gjk_manifold *of, unsigned i) {
 }
 
 typedef struct tally {
-  unsigned long ids, fresh, ticks, changed;
+  unsigned long ids, fresh, ticks, changed, moved;
+  int64_t turn,
+      move;  // from tick to tick at most: of the normal, 2^-30; of a point that keeps its id, LSB along an axis
 } tally;
+
+static int64_t largest(int64_t x, int64_t y, int64_t z) {
+  x = x < 0 ? -x : x;
+  y = y < 0 ? -y : y;
+  z = z < 0 ? -z : z;
+  return x > y ? (x > z ? x : z) : y > z ? y : z;
+}
+
+static int64_t apart(const gjk_vec3 *p, const gjk_vec3 *q) {
+  return largest((int64_t)p->x - q->x, (int64_t)p->y - q->y, (int64_t)p->z - q->z);
+}
+
+// How far the normal turned and the points that keep their ids moved since the last tick.
+static void measure(const gjk_manifold *before, const gjk_manifold *now, tally *t) {
+  const int64_t turn = largest((int64_t)now->normal.x - before->normal.x, (int64_t)now->normal.y - before->normal.y,
+                               (int64_t)now->normal.z - before->normal.z);
+  t->turn = turn > t->turn ? turn : t->turn;
+  for (unsigned i = 0; i < now->count; i++) {
+    for (unsigned k = 0; k < before->count; k++) {
+      const gjk_contact *p = &now->contact[i], *q = &before->contact[k];
+      if (p->id == q->id) {
+        const int64_t a = apart(&p->point_a, &q->point_a), b = apart(&p->point_b, &q->point_b);
+        t->move = a > t->move ? a : t->move;
+        t->move = b > t->move ? b : t->move;
+        t->moved += a > 4 || b > 4;
+      }
+    }
+  }
+}
 
 static void watch(random_state *random, gjk_collider *a, gjk_collider *b, const gjk_pose *pose, unsigned least,
                   unsigned most, tally *t) {
@@ -152,6 +185,9 @@ static void watch(random_state *random, gjk_collider *a, gjk_collider *b, const 
     t->fresh += fresh;
     t->ticks += tick > 0;
     t->changed += fresh > 0 || (tick > 0 && now.count != before.count);
+    if (tick > 0) {
+      measure(&before, &now, t);
+    }
     before = now;
   }
 }
@@ -159,7 +195,7 @@ static void watch(random_state *random, gjk_collider *a, gjk_collider *b, const 
 static void test_arrangement(random_state *random, const subject *s, arrangement how, tally *all) {
   static case_shape a, b;
   static case_collider built_a, built_b;
-  tally t = {0, 0, 0, 0};
+  tally t = {0, 0, 0, 0, 0, 0, 0};
   for (int n = 0; n < SCENES; n++) {
     make(s, &a);
     subject other = *s;
@@ -179,23 +215,34 @@ static void test_arrangement(random_state *random, const subject *s, arrangement
   }
   all->ids += t.ids;
   all->fresh += t.fresh;
+  all->moved += t.moved;
+  all->turn = t.turn > all->turn ? t.turn : all->turn;
+  all->move = t.move > all->move ? t.move : all->move;
   // Of few scenes, one may tremble where a point begins to be near a corner.
   CHECK_MSG(t.fresh * 100 <= t.ids || SCENES < 40,
             "%s, %s: %lu of %lu ids new, other ones in %lu of %lu ticks; seed %d", s->name, arrangement_name[how],
             t.fresh, t.ids, t.changed, t.ticks, SEED);
-  printf("%-24s %-16s %5lu of %6lu ids new, other ones in %4lu of %lu ticks\n", s->name, arrangement_name[how], t.fresh,
-         t.ids, t.changed, t.ticks);
+  printf(
+      "%-24s %-16s %5lu of %6lu ids new, other ones in %4lu of %lu ticks; normal turned by %.1e, points by %ld LSB, "
+      "%lu by more than 4\n",
+      s->name, arrangement_name[how], t.fresh, t.ids, t.changed, t.ticks, (double)t.turn / GJK_Q30_ONE, (long)t.move,
+      t.moved);
 }
 
 int main(void) {
   random_state random = random_seed(check_seed(SEED));
-  tally all = {0, 0, 0, 0};
+  tally all = {0, 0, 0, 0, 0, 0, 0};
   for (unsigned i = 0; i < sizeof subjects / sizeof subjects[0]; i++) {
     for (int how = 0; how < ARRANGEMENTS; how++) {
       test_arrangement(&random, &subjects[i], (arrangement)how, &all);
     }
   }
   CHECK_MSG(all.fresh * 400 <= all.ids, "%lu of %lu ids new; seed %d", all.fresh, all.ids, SEED);
-  printf("all: %lu of %lu ids new\n", all.fresh, all.ids);
+  CHECK_MSG(all.moved * 100 <= 3 * all.ids, "%lu of %lu points moved by more than 4 LSB", all.moved, all.ids);
+  CHECK_MSG(all.move <= ONE / 64, "a point moved by %ld LSB", (long)all.move);
+  CHECK_MSG(all.turn <= GJK_Q30_ONE / 6000, "a normal turned by %.1e", (double)all.turn / GJK_Q30_ONE);
+  printf(
+      "all: %lu of %lu ids new; %lu points moved by more than 4 LSB, at most by %ld; normal turned by %.1e at most\n",
+      all.fresh, all.ids, all.moved, (long)all.move, (double)all.turn / GJK_Q30_ONE);
   return check_done("contacts_jitter");
 }
