@@ -8,11 +8,13 @@
 //   (sum of |n . g_k| over all k  -  |n . delta|) / |n|.
 //
 //   Step 1   Find bounds of all heights (gjk_box_heights.h). A height is surely below 0: APART.
-//   Step 2   In any order: bound the height of a plane well, unless it exceeds a bound of another plane's.
+//   Step 2   In any order: bound the height of a plane well, unless it exceeds a bound of another plane's. The normal of
+//            nearly parallel half axes is scaled up before.
 //   Step 3   Those that may be the least, in the order of their numbers: leave out a plane whose half axes are
-//            parallel, n = 0, and one that both half axes of the least so far lie in: it is the same plane.
-//   Step 4   Compare with the least so far, by heights of 30 bits, and exactly where these cannot tell. Of equals the
-//            first stays. So the plane is the least by height and number, a function of the pair.
+//            parallel, n = 0.
+//   Step 4   Compare with the least so far: by heights along unit normals, and exactly where these cannot tell. A plane that
+//            both half axes of the least so far lie in is the same one. Of equals the first stays. So the plane is the
+//            least by height and number, a function of the pair.
 //   Step 5   All half axes lie in the plane: FLAT. Take a triangle in the facet: the sums whose s_k is the sign of
 //            n . g_k, but for those in the plane.
 //   Step 6   Flip the triangle over the edge that the origin's projection lies beyond, until it holds the projection,
