@@ -299,14 +299,22 @@ static gjk_vec3 interpolate(const gjk_vec3 *from, const gjk_vec3 *to, const gjk_
   return point_between(from, to, share[0].high);
 }
 
-// part / (part + rest), Q31; 0 where both are 0. Pre: each below 2^62.
-static int32_t share_of(uint64_t part, uint64_t rest) {
-  const uint64_t whole = part + rest;
-  if (whole == 0) {
-    return 0;
-  }
-  const unsigned zeros = gjk_clz64(whole);
-  const uint32_t share = gjk_umulh32((uint32_t)(part << zeros >> 32), gjk_reciprocal((uint32_t)(whole << zeros >> 32)));
+// A number to divide by, below 2^62.
+typedef struct whole_length {
+  uint64_t whole;
+  unsigned zeros;
+  uint32_t inverse;  // of the leading 32 bits
+} whole_length;
+
+static void set_whole(whole_length *of, uint64_t whole) {
+  of->whole = whole;
+  of->zeros = gjk_clz64(whole);
+  of->inverse = gjk_reciprocal((uint32_t)(whole << of->zeros >> 32));
+}
+
+// part / whole, Q31. Pre: part <= whole.
+static int32_t share_of(const whole_length *of, uint64_t part) {
+  const uint32_t share = gjk_umulh32((uint32_t)(part << of->zeros >> 32), of->inverse);
   return share < INT32_MAX ? (int32_t)share : INT32_MAX;
 }
 
@@ -319,49 +327,60 @@ static bool is_near_line(const gjk_long3 *n, const gjk_u128 *size, uint32_t near
   return (size->high << 32 | size->low >> 32) <= gjk_umul32(length, near);
 }
 
-// An edge of one polygon and a line of the other, with what step 1 knows of them.
-typedef struct edge_and_line {
-  const gjk_polygon *p, *other;
-  const gjk_flat_point *of_p, *of_other;
-  const sides *lines;  // of other
-  unsigned i, k;
-} edge_and_line;
-
-// The point where edge i of p crosses line k of other, by exact products.
-GJK_OUT_OF_LINE static gjk_vec3 exact_crossing(const clip *c, const edge_and_line *x, bool *flat) {
-  const gjk_vec3 *from = &x->p->corner[x->i], *to = &x->p->corner[next_corner(x->p, x->i)];
-  const gjk_vec3 *start = &x->other->corner[x->k], step = gjk_sub(*from, *start), step2 = gjk_sub(*to, *start);
+// The point where edge i of p crosses line k of other, by exact products. lines: of other.
+GJK_OUT_OF_LINE static gjk_vec3 exact_crossing(const clip *c, const gjk_polygon *p, unsigned i,
+                                               const gjk_polygon *other, unsigned k, const sides *lines, bool *flat) {
+  const gjk_vec3 *from = &p->corner[i], *to = &p->corner[next_corner(p, i)];
+  const gjk_vec3 *start = &other->corner[k], step = gjk_sub(*from, *start), step2 = gjk_sub(*to, *start);
   gjk_long3 n;
   gjk_u128 part, rest;
-  line_normal(x->other, x->k, &n);
+  line_normal(other, k, &n);
   measure_side(&n, &step, &part);
   measure_side(&n, &step2, &rest);
-  *flat = *flat || is_near_line(&n, (x->lines->inside[x->k] >> x->i & 1u) != 0 ? &part : &rest, c->near);
+  *flat = *flat || is_near_line(&n, (lines->inside[k] >> i & 1u) != 0 ? &part : &rest, c->near);
   return interpolate(from, to, &part, &rest);
 }
 
-// The same on the grid. Both edges divide each other by the same two lines, so their points lie across from each other. An
-// end that the exact sign and the rounded one have on different sides is on the line.
+// The point of edge i of p on the grid. out: how far its start is beyond the line that it crosses; negative: inside it. of: from
+// its start to its end. leaves: its end is beyond. An end that the exact sign and the rounded one have on different sides is on
+// the line.
+static gjk_vec3 grid_crossing(const clip *c, const gjk_polygon *p, unsigned i, int64_t out, const whole_length *of,
+                              bool leaves, uint32_t line_length, bool *flat) {
+  const int64_t whole = gjk_int64(of->whole), part = leaves ? -out : out, rest = whole - part;
+  const int64_t inside = leaves ? part : rest;
+  const uint64_t near = gjk_umul32(gjk_flat_near(&c->flat, c->near), line_length);
+  *flat = *flat || inside <= 0 || (uint64_t)inside <= near;
+  const int32_t share = part <= 0 ? 0 : rest <= 0 ? INT32_MAX : share_of(of, (uint64_t)part);
+  return point_between(&p->corner[i], &p->corner[next_corner(p, i)], share);
+}
+
+// Where edge i of A and edge k of B cross: a point on each. On the grid both divide each other by the same two lines, so the
+// points lie across from each other. flat: one of them is near to the other's line at its inner end.
 //
 // The grid moves a line by less than 2 of its units, 2^(bits - 28) LSB each, and so their crossing by 4 units / sin of the angle
 // between them. That is at most 1/2 LSB where the sine is 2^(bits - 25); smaller ones are left to exact products.
-static gjk_vec3 crossing(const clip *c, const edge_and_line *x, bool *flat) {
-  const unsigned next = next_corner(x->p, x->i), bits = c->flat.bits;
-  const bool leaves = (x->lines->outside[x->k] >> next & 1u) != 0, turned = x->other == c->b;
-  const gjk_flat_point *start = &x->of_other[x->k];
-  const gjk_flat_point line = gjk_flat_way(start, &x->of_other[next_corner(x->other, x->k)]);
-  const gjk_flat_point edge = gjk_flat_way(&x->of_p[x->i], &x->of_p[next]);
-  const int64_t across = gjk_flat_cross(line, edge), from = gjk_flat_cross(line, gjk_flat_way(start, &x->of_p[x->i]));
-  const uint64_t product = gjk_umul32(gjk_flat_length(line), gjk_flat_length(edge));
-  if (bits > GRID_BITS || gjk_magnitude64(across) < product >> (GRID_BITS + 1 - bits)) {
-    return exact_crossing(c, x, flat);
+static bool find_crossing(const clip *c, unsigned i, unsigned k, gjk_vec3 *on_a, gjk_vec3 *on_b) {
+  const gjk_polygon *a = c->a, *b = c->b;
+  const gjk_flat_point *of_a = c->flat.a, *of_b = c->flat.b;
+  const unsigned next = next_corner(a, i), next_k = next_corner(b, k), bits = c->flat.bits;
+  const gjk_flat_point e = gjk_flat_way(&of_a[i], &of_a[next]), f = gjk_flat_way(&of_b[k], &of_b[next_k]);
+  const gjk_flat_point way = gjk_flat_way(&of_b[k], &of_a[i]);
+  const int64_t across = gjk_flat_cross(f, e);
+  const uint64_t size = gjk_magnitude64(across);
+  const uint32_t length_e = gjk_flat_length(e), length_f = gjk_flat_length(f);
+  bool flat = false;
+  if (bits > GRID_BITS || size == 0 || size < gjk_umul32(length_e, length_f) >> (GRID_BITS + 1 - bits)) {
+    *on_a = exact_crossing(c, a, i, b, k, &c->of_b, &flat);
+    *on_b = exact_crossing(c, b, k, a, i, &c->of_a, &flat);
+    return flat;
   }
-  const int64_t to = from + across;  // line x (end - start)
-  const int64_t part = leaves != turned ? from : -from, rest = leaves != turned ? -to : to;
-  const uint64_t sizes[2] = {part > 0 ? (uint64_t)part : 0, rest > 0 ? (uint64_t)rest : 0};
-  const uint64_t near = gjk_umul32(gjk_flat_near(&c->flat, c->near), gjk_flat_length(line));
-  *flat = *flat || sizes[leaves ? 0 : 1] <= near;
-  return point_between(&x->p->corner[x->i], &x->p->corner[next], share_of(sizes[0], sizes[1]));
+  // The lines of B run the other way around: left of f is outside B, left of e inside A.
+  whole_length of;
+  set_whole(&of, size);
+  *on_a = grid_crossing(c, a, i, gjk_flat_cross(f, way), &of, (c->of_b.outside[k] >> next & 1u) != 0, length_f, &flat);
+  *on_b =
+      grid_crossing(c, b, k, gjk_flat_cross(e, way), &of, (c->of_a.outside[i] >> next_k & 1u) != 0, length_e, &flat);
+  return flat;
 }
 
 static unsigned edge_feature(const gjk_polygon *p, unsigned i) {
@@ -379,10 +398,8 @@ static bool edges_continue(const clip *c, unsigned i, unsigned k) {
 // Step 3.
 static void add_crossing(clip *c, unsigned i, unsigned k) {
   const gjk_polygon *a = c->a, *b = c->b;
-  bool flat = false;
-  const edge_and_line of_a = {a, b, c->flat.a, c->flat.b, &c->of_b, i, k},
-                      of_b = {b, a, c->flat.b, c->flat.a, &c->of_a, k, i};
-  const gjk_vec3 on_a = crossing(c, &of_a, &flat), on_b = crossing(c, &of_b, &flat);
+  gjk_vec3 on_a, on_b;
+  const bool flat = find_crossing(c, i, k, &on_a, &on_b);
   unsigned feature_a = feature_at(c, a, &on_a, gjk_feature_of(a)),
            feature_b = feature_at(c, b, &on_b, gjk_feature_of(b));
   const bool inside_both = feature_a == gjk_feature_of(a) && feature_b == gjk_feature_of(b);

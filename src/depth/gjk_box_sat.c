@@ -165,7 +165,7 @@ static const uint8_t half_axes[GJK_BOX_PLANES][2] = {{1, 2}, {2, 0}, {0, 1}, {4,
 
 // A plane that may bound A - B.
 typedef struct box_plane {
-  gjk_long3 n;        // g_i x g_j; once oriented outwards, pointing against delta
+  gjk_long3 n;  // g_i x g_j; once oriented outwards, pointing against delta
   unsigned number;
   bool oriented;      // what follows is set
   unsigned i, j;      // half axes in the plane, in the order of the product
@@ -295,7 +295,8 @@ static unsigned bound_planes(const box_pair *pair, gjk_box_heights *h, unsigned 
   unsigned k = first;
   for (; k < last && h->sum[k] >= -GJK_BOX_SUM_ERROR; k++) {
     if (gjk_box_height_exceeds(h, k, planes->square) ||
-        (gjk_box_height_is_short(h, k) && (!measure_short_normal(pair, h, k) || gjk_box_height_exceeds(h, k, planes->square)))) {
+        (gjk_box_height_is_short(h, k) &&
+         (!measure_short_normal(pair, h, k) || gjk_box_height_exceeds(h, k, planes->square)))) {
       continue;
     }
     int32_t high;

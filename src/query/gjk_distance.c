@@ -104,8 +104,8 @@ static gjk_outcome narrow(gjk_iteration *it, gjk_distance_result *out) {
 // Step 1: runs at most limit iterations in all. Narrows the bounds when they do not suffice.
 static gjk_outcome run_and_narrow(gjk_iteration *it, unsigned limit, bool points, const gjk_cache *cache,
                                   gjk_distance_result *out) {
-  const gjk_outcome outcome = points ? gjk_search(it, GJK_GOAL_DISTANCE, cache, limit)
-                                     : gjk_search_any(it, GJK_GOAL_DISTANCE, cache, limit);
+  const gjk_outcome outcome =
+      points ? gjk_search(it, GJK_GOAL_DISTANCE, cache, limit) : gjk_search_any(it, GJK_GOAL_DISTANCE, cache, limit);
   out->iterations = it->iterations;
   return outcome == GJK_OUTCOME_LIMIT ? narrow(it, out) : outcome;
 }
