@@ -63,14 +63,16 @@ static void scale_box(const gjk_vec3 *axis, unsigned count, box_side *side) {
   }
 }
 
-// Step 2 for the faces of one shape, whose first has this number.
-static void set_faces(box_side *side, const box_side *other, const gjk_vec3 *delta, unsigned number,
-                      gjk_box_heights *out) {
+// Step 2 for the faces of one shape, whose first has this number. Returns one that separates the shapes, or
+// GJK_BOX_PLANES.
+static unsigned set_faces(box_side *side, const box_side *other, const gjk_vec3 *delta, unsigned number,
+                          gjk_box_heights *out) {
+  unsigned separating = GJK_BOX_PLANES;
   if (side->count < 3) {
     for (unsigned m = 0; m < 3; m++) {
       side->volume[m][0] = side->volume[m][1] = side->volume[m][2] = 0;
     }
-    return;
+    return separating;
   }
   int32_t own = 0;
   for (unsigned m = 0; m < 3; m++) {
@@ -85,7 +87,9 @@ static void set_faces(box_side *side, const box_side *other, const gjk_vec3 *del
     }
     out->sum[number + m] = own + gjk_sar32(volumes, other->shift) - absolute(high_dot(&n, delta));
     out->squared[number + m] = (uint32_t)high_dot(&n, &n) + 2;
+    separating = out->sum[number + m] < -GJK_BOX_SUM_ERROR ? number + m : separating;
   }
+  return separating;
 }
 
 // Step 3.
@@ -111,8 +115,8 @@ static void set_edges(const box_side *a, const box_side *b, const gjk_vec3 *delt
   }
 }
 
-void gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delta, unsigned of_a, unsigned of_b,
-                         gjk_box_heights *out) {
+unsigned gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delta, unsigned of_a, unsigned of_b,
+                             gjk_box_heights *out) {
   box_side a, b;
   if (of_a + of_b < GJK_BOX_AXES) {
     for (unsigned k = 0; k < GJK_BOX_PLANES; k++) {
@@ -122,9 +126,12 @@ void gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delt
   }
   scale_box(axis, of_a, &a);
   scale_box(axis + 3, of_b, &b);
-  set_faces(&a, &b, delta, 0, out);
-  set_faces(&b, &a, delta, 3, out);
-  set_edges(&a, &b, delta, out);
+  unsigned separating = set_faces(&a, &b, delta, 0, out);
+  separating = separating < GJK_BOX_PLANES ? separating : set_faces(&b, &a, delta, 3, out);
+  if (separating == GJK_BOX_PLANES) {
+    set_edges(&a, &b, delta, out);
+  }
+  return separating;
 }
 
 // 2^46 / sqrt(x), up to 2^-21 of itself too small, at most 0.5 too large, and below 2^31: one step less than

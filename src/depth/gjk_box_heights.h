@@ -20,10 +20,11 @@ typedef struct gjk_box_heights {
   uint32_t squared[GJK_BOX_PLANES];  // |N|^2 / 2^32 at most, and too large by at most 4; below 2^28
 } gjk_box_heights;
 
-// Sets the heights. of_a, of_b: how many half axes the shapes have, 0, 1 or 3.
+// Sets the heights. Returns a face that separates the shapes, and then the heights of edges may be left out, or
+// GJK_BOX_PLANES. of_a, of_b: how many half axes the shapes have, 0, 1 or 3.
 // Pre: |delta| <= 2^30; components of half axes at most 2^30 in size; the lengths of all together below 2^31.
-void gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delta, unsigned of_a, unsigned of_b,
-                         gjk_box_heights *out);
+unsigned gjk_box_heights_set(const gjk_vec3 axis[GJK_BOX_AXES], const gjk_vec3 *delta, unsigned of_a, unsigned of_b,
+                             gjk_box_heights *out);
 
 // Is the normal of plane k too short to tell?
 static inline bool gjk_box_height_is_short(const gjk_box_heights *h, unsigned k) {

@@ -311,14 +311,11 @@ static unsigned bound_planes(const box_pair *pair, gjk_box_heights *h, unsigned 
   return k;
 }
 
-// A face that separates the cores, or else seems to be low.
+// A face that seems to be low. Pre: none separates the cores.
 static unsigned face_to_begin_with(const gjk_box_heights *h) {
   uint32_t least = UINT32_MAX;
   unsigned face = 0;
   for (unsigned k = 0; k < FACES; k++) {
-    if (h->sum[k] < -GJK_BOX_SUM_ERROR) {
-      return k;
-    }
     const uint32_t square = (uint32_t)gjk_sar64(gjk_mul32(h->sum[k], h->sum[k]), 28) / ((h->squared[k] >> 14) + 1);
     face = square < least ? k : face;
     least = square < least ? square : least;
@@ -421,8 +418,8 @@ gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, bool *points
     return GJK_BOX_SAT_FLAT;
   }
   set_box_pair(&pair, it);
-  gjk_box_heights_set(pair.axis, &pair.delta, pair.of_a, pair.of_b, &heights);
-  const unsigned apart = bound_heights(&pair, &heights, *number, &planes);
+  unsigned apart = gjk_box_heights_set(pair.axis, &pair.delta, pair.of_a, pair.of_b, &heights);
+  apart = apart < GJK_BOX_PLANES ? apart : bound_heights(&pair, &heights, *number, &planes);
   if (apart < GJK_BOX_PLANES) {
     direct_across(&pair, apart);
     return GJK_BOX_SAT_APART;

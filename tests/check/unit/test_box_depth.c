@@ -200,8 +200,9 @@ static void axes_of(unsigned shift, gjk_vec3 axis[6]) {
 // The bounds of gjk_box_heights.h against the exact heights, as tight as they are stated.
 static void check_bounds(const plane planes[15], const gjk_vec3 axis[6], const gjk_vec3 *delta) {
   gjk_box_heights h;
-  gjk_box_heights_set(axis, delta, a.count, b.count, &h);
-  for (unsigned k = 0; k < 15; k++) {
+  const unsigned separating = gjk_box_heights_set(axis, delta, a.count, b.count, &h);
+  CHECK(separating == GJK_BOX_PLANES || (separating < 6 && planes[separating].is && planes[separating].height < 0));
+  for (unsigned k = 0; k < 15 && separating == GJK_BOX_PLANES; k++) {
     const bool has = (half_axes[k][0] % 3 < (half_axes[k][0] < 3 ? a.count : b.count)) &&
                      (half_axes[k][1] % 3 < (half_axes[k][1] < 3 ? a.count : b.count));
     CHECK(has || (h.squared[k] == 0 && gjk_box_height_exceeds(&h, k, gjk_box_height_square(INT32_MAX))));
