@@ -29,8 +29,21 @@ static inline void gjk2_follow(gjk2_support *at, const gjk2_support *way) {
   at->vertex = way->vertex;
 }
 
+typedef enum gjk2_outcome {
+  GJK2_OUTCOME_NEAREST,    // the feature is the one of A - B nearest to the origin
+  GJK2_OUTCOME_ENCLOSING,  // the origin lies in the simplex: the cores intersect
+  GJK2_OUTCOME_SEPARATED,  // the whole of A - B is more than radius away from the origin, measured along d
+  GJK2_OUTCOME_NEAR,       // the feature is within radius of the origin
+  GJK2_OUTCOME_LIMIT       // open: the limit on iterations is reached
+} gjk2_outcome;
+
 struct gjk2_search;
 struct gjk2_edge;
+
+// Finds the canonical feature of A - B nearest to the origin, and sets d and base: NEAREST, or ENCLOSING where the origin lies
+// on it. LIMIT: the origin may lie within A - B, or the shapes have more than two half axes in all; nothing is set.
+// Pre: a search started, in a near frame, neither shape curved.
+gjk2_outcome gjk2_close_axes(struct gjk2_search *s);
 
 struct gjk2_shape_class {
   // Checks the shape's own fields and measures its core. gjk2_collider_init checks the convex radius.
@@ -53,6 +66,9 @@ struct gjk2_shape_class {
 
   // gjk2_curved_depth of gjk2_curved_depth.h for curved shapes, so that programs without any do not link it; else NULL.
   bool (*depth)(struct gjk2_search *s, struct gjk2_edge *edge, int64_t *lower, uint16_t *iterations);
+
+  // gjk2_close_axes for points and segments, so that programs without any do not link it; else NULL.
+  gjk2_outcome (*close)(struct gjk2_search *s);
 
   bool buffered;  // a collider may have a buffer for posed vertices
   uint8_t count;  // vertices; where buffered is set the shape's own count is taken

@@ -90,6 +90,7 @@ const gjk2_shape_class gjk2_class_point = {
     .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
     .depth = NULL,
+    .close = gjk2_close_axes,
     .buffered = false,
     .count = 1,
 };
@@ -101,6 +102,7 @@ const gjk2_shape_class gjk2_class_segment = {
     .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
     .depth = NULL,
+    .close = gjk2_close_axes,
     .buffered = false,
     .count = 2,
 };
@@ -112,6 +114,7 @@ const gjk2_shape_class gjk2_class_box = {
     .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
     .depth = NULL,
+    .close = NULL,
     .buffered = false,
     .count = 4,
 };

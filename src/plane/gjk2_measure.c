@@ -107,7 +107,11 @@ GJK_OUT_OF_LINE static int64_t plane_settle_distance(const gjk2_length *length, 
   return (int64_t)d;
 }
 
-// Mostly the leading 31 bits of the quotient tell: those below the last LSB are far enough from a change.
+// Mostly the leading 31 bits of the quotient tell: those below the last LSB are far enough from a change. Near a change, at
+// c or c - 1/2, the sign of 4 h^2 - u^2 |n|^2 tells, for u = 2 c or 2 c - 1; rounding up, u = 2 (c - 1). With x = h / |n|
+// within 20 of u / 2 in units of 2^-n:
+//   |4 h^2 - u^2 |n|^2| = |n|^2 |2 x - u| (2 x + u) < 2^(64 - 2 zeros) 2^(5.4 - n) 2^(34 - n) < 2^63 for n + zeros >= 21
+// So the difference of the squares modulo 2^64 has that sign.
 int64_t gjk2_round_distance(const gjk2_length *length, gjk2_round_to to, uint64_t h) {
   unsigned shift;
   const uint64_t quotient = gjk2_quotient(length, &shift, h);
@@ -119,6 +123,12 @@ int64_t gjk2_round_distance(const gjk2_length *length, gjk2_round_to to, uint64_
     const uint32_t fraction = biased & mask;
     if (fraction > 10 && fraction < mask - 10) {
       return biased >> n;
+    }
+    if (n + length->zeros >= 21) {
+      const uint32_t c = (biased + 16) >> n;  // biased < 2^32 - 2^27, since leading < 2^31 and n <= 30
+      const uint64_t u = 2 * (uint64_t)c - (to == GJK2_ROUND_UP ? 2 : to == GJK2_ROUND_NEAREST ? 1 : 0);
+      const int64_t beyond = gjk_int64(4 * h * h - u * u * length->squared);
+      return beyond > 0 || (beyond == 0 && to != GJK2_ROUND_UP) ? c : c - INT64_C(1);
     }
   }
   return plane_settle_distance(length, h, leading, shift, to);

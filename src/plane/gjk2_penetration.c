@@ -141,13 +141,17 @@ static gjk2_lie measure_edges(plane_overlap *o) {
 static gjk2_outcome search_on(plane_overlap *o, gjk2_goal goal, gjk2_lie lie, const gjk2_cache *cache) {
   gjk2_search *s = &o->s;
   const gjk2_vec d = s->d;
+  gjk2_outcome outcome = gjk2_search_close(s);
+  if (outcome != GJK2_OUTCOME_LIMIT) {
+    return outcome;
+  }
   if (cache != NULL) {
     gjk2_search_aim(s, cache);
   }
   if (lie == GJK2_LIE_APART && s->count == 0) {
     s->d = d;
   }
-  gjk2_outcome outcome = gjk2_search_feature(s, goal, GJK2_NO_LIMIT);
+  outcome = gjk2_search_feature(s, goal, GJK2_NO_LIMIT);
   if (outcome == GJK2_OUTCOME_LIMIT && !s->curved) {  // a far frame alone
     gjk2_search_direct(s);
     outcome = GJK2_OUTCOME_NEAREST;
