@@ -83,12 +83,20 @@ static void adjacent_axes(const gjk2_collider *c, const gjk2_support *from, bool
   way->vertex = (uint16_t)other;
 }
 
+// Of a segment the way to the other end, of a point none.
+static void adjacent_ends(const gjk2_collider *c, const gjk2_support *from, bool following, gjk2_support *way) {
+  (void)following;
+  way->offset.x = -2 * from->offset.x;
+  way->offset.y = -2 * from->offset.y;
+  way->vertex = (uint16_t)(c->count - 1u - from->vertex);
+}
+
 const gjk2_shape_class gjk2_class_point = {
     .measure = measure_plane_axes,
     .pose = pose_plane_point,
     .support = support_point,
     .vertex = vertex_plane_axes,
-    .adjacent = adjacent_axes,
+    .adjacent = adjacent_ends,
     .depth = NULL,
     .close = gjk2_close_axes,
     .buffered = false,
@@ -100,7 +108,7 @@ const gjk2_shape_class gjk2_class_segment = {
     .pose = pose_plane_segment,
     .support = support_segment,
     .vertex = vertex_plane_axes,
-    .adjacent = adjacent_axes,
+    .adjacent = adjacent_ends,
     .depth = NULL,
     .close = gjk2_close_axes,
     .buffered = false,

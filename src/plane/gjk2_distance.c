@@ -66,19 +66,25 @@ GJK_ONCE static bool report_feature(const gjk2_search *s, gjk2_length *length, g
   return gjk2_witness_points(s, p, q, length, &out->normal, &out->point_a, &out->point_b);
 }
 
+// Step 2
+gjk_q16 gjk2_distance_of(const gjk2_search *s, const gjk2_length *length, bool *saturated) {
+  const int64_t core = in_lsb(s, length, -s->base, GJK2_ROUND_NEAREST);
+  gjk_q16 distance;
+  if (s->far == 0) {
+    distance = (int32_t)core - s->radius;  // radius is that of both shapes;  0 <= core <= 3 2^29
+  } else {
+    distance = gjk_saturate_noting(core - gjk2_convex_radii(s), saturated);
+  }
+  return distance > 0 ? distance : 0;
+}
+
 void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache, gjk2_distance_result *out) {
   gjk_q16 distance = 0;
   bool saturated = false;
   if (outcome == GJK2_OUTCOME_NEAREST) {
     gjk2_length length;
     saturated = report_feature(s, &length, out);
-    const int64_t core = in_lsb(s, &length, -s->base, GJK2_ROUND_NEAREST);  // Step 2
-    if (s->far == 0) {
-      distance = (int32_t)core - s->radius;  // radius is that of both shapes;  0 <= core <= 3 2^29
-    } else {
-      distance = gjk_saturate_noting(core - gjk2_convex_radii(s), &saturated);
-    }
-    distance = distance > 0 ? distance : 0;
+    distance = gjk2_distance_of(s, &length, &saturated);
   }
   out->distance = distance;
   out->lower = distance;

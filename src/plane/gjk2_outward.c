@@ -29,9 +29,23 @@ static void plane_grow_component(gjk_q30 *u) {
   }
 }
 
-void gjk2_outward_normal(gjk2_vec n, int64_t height, int32_t radius, gjk_q16 depth, gjk2_unit *normal) {
+// The same for a length, by the leading bits of beyond / |n| where they tell.
+static bool clears(gjk2_vec n, int64_t height, int32_t radius, const gjk2_length *length, gjk2_vec t) {
+  const int64_t beyond = gjk2_dot(n, t) - height;
+  if (beyond > 0 && radius > 0) {
+    unsigned shift;
+    const uint32_t leading = (uint32_t)(gjk2_quotient(length, &shift, (uint64_t)beyond) >> 32);  // off by less than 9
+    if (shift >= 32 && shift <= 62 && leading > 9 && (leading - 9) >> (shift - 32) >= (uint32_t)radius) {
+      return true;
+    }
+  }
+  return gjk2_outward_clears(n, height, radius, t);
+}
+
+void gjk2_outward_normal(gjk2_vec n, int64_t height, int32_t radius, const gjk2_length *length, gjk_q16 depth,
+                         gjk2_unit *normal) {
   for (int i = 0; i < 6 && depth > 0; i++) {  // not reached: 6, growing 5 times suffices
-    if (gjk2_outward_clears(n, height, radius, gjk2_outward_move(depth, *normal))) {
+    if (clears(n, height, radius, length, gjk2_outward_move(depth, *normal))) {
       return;
     }
     plane_grow_component(&normal->x);

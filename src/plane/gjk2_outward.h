@@ -11,7 +11,8 @@ gjk2_vec gjk2_outward_move(gjk_q16 depth, gjk2_unit normal);
 // which n . w = height. Exact.  |n|, |height| as in gjk2_measure.h; |t| <= 2^30; 0 <= radius < 2^30.
 bool gjk2_outward_clears(gjk2_vec n, int64_t height, int32_t radius, gjk2_vec t);
 
-// Grows the components of normal until the move clears: by 2^-30 at most six times.
-void gjk2_outward_normal(gjk2_vec n, int64_t height, int32_t radius, gjk_q16 depth, gjk2_unit *normal);
+// Grows the components of normal until the move clears: by 2^-30 at most six times. length: of n.
+void gjk2_outward_normal(gjk2_vec n, int64_t height, int32_t radius, const gjk2_length *length, gjk_q16 depth,
+                         gjk2_unit *normal);
 
 #endif

@@ -77,7 +77,8 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   }
   s->d = gjk2_negate(s->delta);
   gjk2_search_need_direction(s);
-  s->walks = s->far == 0 && a->ordered && b->ordered;
+  const bool simple_a = a->shape->type->close != NULL, simple_b = b->shape->type->close != NULL;
+  s->walks = s->far == 0 && (a->ordered ? b->ordered || simple_b : simple_a && b->ordered);
   if (!s->walks) {  // curved shapes have no vertices in order
     s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
   }
