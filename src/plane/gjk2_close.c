@@ -41,6 +41,21 @@ static void set_by_signs(const gjk2_search *s, const axes_pair *of, bool minus_x
   out->b.vertex = (uint16_t)(~plus >> of->of_a & (s->b->count - 1u));
 }
 
+// Makes the one vertex of two points the feature.
+static gjk2_outcome take_point(gjk2_search *s) {
+  static const gjk2_support none = {{0, 0}, 0};
+  gjk2_vertex *p = s->apex;
+  gjk2_copy(&p->w, &s->delta);
+  gjk2_copy_support(&p->a, &none);
+  gjk2_copy_support(&p->b, &none);
+  s->count = 1;
+  s->alone = true;
+  s->d = gjk2_negate(p->w);
+  s->base = -gjk2_dot(p->w, p->w);
+  s->iterations = 1;
+  return s->base != 0 ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_ENCLOSING;
+}
+
 // Makes the vertex with these signs the feature.
 static gjk2_outcome take_vertex(gjk2_search *s, const axes_pair *of, bool minus_x, bool minus_y) {
   set_by_signs(s, of, minus_x, minus_y, s->apex);
@@ -87,15 +102,14 @@ gjk2_outcome gjk2_close_axes(gjk2_search *s) {
       b->count == 3) {
     return GJK2_OUTCOME_LIMIT;
   }
+  if (a->count + b->count == 2) {
+    return take_point(s);
+  }
   axes_pair of;
   of.of_a = a->count >> 1;
   of.axis[0] = of.of_a > 0 ? a->frame[0] : b->frame[0];
   of.axis[1] = of.of_a > 1 ? a->frame[1] : b->frame[1 - of.of_a];
-  const gjk2_vec x = of.axis[0], y = of.axis[1];
-  const gjk2_vec u = gjk2_negate(s->delta);
-  if (a->count + b->count == 2) {
-    return take_vertex(s, &of, false, false);
-  }
+  const gjk2_vec x = of.axis[0], y = of.axis[1], u = gjk2_negate(s->delta);
   const int64_t area = gjk2_cross(x, y);
   if (area == 0) {
     return close_segment(s, &of);

@@ -15,6 +15,7 @@
 #include "gjk2/distance.h"
 
 #include "gjk2_canonical.h"
+#include "gjk2_measure_inline.h"
 #include "gjk2_report.h"
 #include "gjk2_witness.h"
 

@@ -22,7 +22,7 @@
 #include "gjk2_witness.h"
 
 // Steps 2 and 3: depth and normal, where length, n and height are known. core: the depth of the cores, rounded up.
-static void set_overlap(gjk2_meeting *m, const gjk2_vertex *p, const gjk2_vertex *q, int64_t core, uint8_t proof) {
+GJK_ONCE static void set_overlap(gjk2_meeting *m, const gjk2_vertex *p, const gjk2_vertex *q, int64_t core, uint8_t proof) {
   const gjk2_search *s = &m->s;
   const int32_t radii = gjk2_convex_radii(s), depth = (int32_t)core + radii;
   m->overlaps = true;
@@ -33,12 +33,13 @@ static void set_overlap(gjk2_meeting *m, const gjk2_vertex *p, const gjk2_vertex
   m->distance = depth > 0 ? -depth : 0;
   m->lower = m->distance;
   m->upper = m->distance;
-  gjk2_unit_set(&m->across, &m->length, m->n);
+  gjk2_quick_unit(&m->across, &m->length, m->n);
   m->normal.x = m->across.x;
   m->normal.y = m->across.y;
   if (s->curved) {
     m->proof = GJK2_PROOF_NONE;
-  } else if (depth > 0) {  // Step 5
+  } else if (depth > 0 &&
+             (GJK_SMALL || !gjk2_outward_is_clear(m->n, m->height, radii, &m->length, depth, &m->normal))) {  // Step 5
     gjk2_outward_normal(m->n, m->height, radii, &m->length, depth, &m->normal);
   }
 }
@@ -48,6 +49,14 @@ bool gjk2_meeting_points(const gjk2_meeting *m, gjk2_vec *point_a, gjk2_vec *poi
   const gjk2_vertex *q = m->q;
   const gjk2_length *edge = &m->length;  // of polygons n is the edge turned by a quarter
   gjk2_length own;
+#if !GJK_SMALL
+  if (q == NULL) {
+    bool saturated = false;
+    gjk2_witness_corner(s->a, m->p->a.offset, &m->across, 1, point_a, &saturated);
+    gjk2_witness_corner(s->b, m->p->b.offset, &m->across, -1, point_b, &saturated);
+    return saturated;
+  }
+#endif
   if (m->overlaps && s->curved && q != NULL) {
     const gjk2_vec across = gjk2_sub(q->w, m->p->w);
     if (gjk2_norm1(across) != 0) {
@@ -98,15 +107,15 @@ gjk2_outcome gjk2_meeting_search(gjk2_meeting *m, gjk2_goal goal, gjk2_lie lie, 
   return outcome;
 }
 
-bool gjk2_meeting_gap(gjk2_meeting *m) {
+GJK_ONCE static bool measure_gap(gjk2_meeting *m) {
   gjk2_search *s = &m->s;
   const int32_t radius = gjk2_convex_radii(s);
   const uint64_t h = (uint64_t)-s->base;
-  gjk2_length_set(&m->length, s->d);
+  gjk2_quick_length(&m->length, s->d);
   if (radius == 0 || s->far != 0) {
     return false;
   }
-  const int64_t gap = gjk2_round_distance(&m->length, GJK2_ROUND_DOWN, h);
+  const int64_t gap = gjk2_quick_distance(&m->length, GJK2_ROUND_DOWN, h);
   if (gap > radius || (gap == radius && !gjk2_is_within(-s->base, s->d, radius))) {
     return false;
   }
@@ -118,6 +127,10 @@ bool gjk2_meeting_gap(gjk2_meeting *m) {
     m->upper = m->distance < -(GJK2_CURVED_ERROR + 1) ? m->distance + (GJK2_CURVED_ERROR + 1) : 0;
   }
   return true;
+}
+
+bool gjk2_meeting_gap(gjk2_meeting *m) {
+  return measure_gap(m);
 }
 
 // Step 3 of a curved pair.
@@ -167,7 +180,7 @@ static void set_apart(gjk2_meeting *m) {
   m->saturated = false;
   m->p = gjk2_search_vertex(s, 0);
   m->q = s->count == 2 ? gjk2_search_vertex(s, 1) : NULL;
-  gjk2_unit_set(&m->across, &m->length, s->d);
+  gjk2_quick_unit(&m->across, &m->length, s->d);
   m->normal.x = m->across.x;
   m->normal.y = m->across.y;
   m->distance = gjk2_distance_of(s, &m->length, &m->saturated);
@@ -204,7 +217,7 @@ gjk_status gjk2_meet(gjk2_meeting *m, const gjk2_collider *a, const gjk2_collide
   if (outcome == GJK2_OUTCOME_ENCLOSING) {
     lie = asked ? lie : gjk2_meeting_edges(m);
     status = gjk2_meeting_overlap(m, lie);
-  } else if (!gjk2_meeting_gap(m)) {
+  } else if (!measure_gap(m)) {
     set_apart(m);
   }
   if (cache != NULL) {

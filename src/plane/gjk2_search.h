@@ -64,6 +64,16 @@ typedef struct gjk2_search {
 // circles: False is returned where the bounding circles are more than radius apart; then only a and b are set.
 bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, uint32_t radius);
 
+// Are the centres near enough, surely, for a frame without scaling? Then components of centre_a - centre_b are at most
+// 2^29 + 3 in size, and it is shorter than 2^30.
+static inline bool gjk2_frame_is_near(const gjk2_collider *a, const gjk2_collider *b) {
+  // A quarter of centre_a - centre_b: each component below 2^30, and off by less than 1.
+  const int32_t x = gjk_sar32(a->centre.x, 2) - gjk_sar32(b->centre.x, 2);
+  const int32_t y = gjk_sar32(a->centre.y, 2) - gjk_sar32(b->centre.y, 2);
+  // Bit 27 or a higher one differs from the sign: that component is not from -2^27 to below 2^27.
+  return ((uint32_t)(x ^ gjk_sar32(x, 31)) | (uint32_t)(y ^ gjk_sar32(y, 31))) >> 27 == 0;
+}
+
 // One coordinate of a vertex in a far frame: (a - b + offset) / 2^far, rounded to the nearest.
 int32_t gjk2_frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far);
 
