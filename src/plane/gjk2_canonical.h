@@ -17,12 +17,8 @@ static inline gjk2_outcome gjk2_search_feature(gjk2_search *s, gjk2_goal goal, u
   return outcome;
 }
 
-// The same without a search: NEAREST or ENCLOSING; LIMIT, and nothing is set, where the shapes do not allow it.
-// Pre: the search has just been started.
-static inline gjk2_outcome gjk2_search_close(gjk2_search *s) {
-  const gjk2_shape_class *of_a = s->a->shape->type, *of_b = s->b->shape->type;
-  const gjk2_shape_class *type = of_a->close != NULL ? of_a : of_b;
-  return type->close != NULL && gjk2_search_is_exact(s) ? type->close(s) : GJK2_OUTCOME_LIMIT;
-}
+// The same without a search, which it starts: NEAREST or ENCLOSING. LIMIT where the shapes do not allow it: then nothing of s is
+// set.
+gjk2_outcome gjk2_search_close(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b);
 
 #endif

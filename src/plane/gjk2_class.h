@@ -41,8 +41,8 @@ struct gjk2_search;
 struct gjk2_edge;
 
 // Finds the canonical feature of A - B nearest to the origin, and sets d and base: NEAREST, or ENCLOSING where the origin lies
-// on it. LIMIT: the origin may lie within A - B, or the shapes have more than two half axes in all; nothing is set.
-// Pre: a search started, in a near frame, neither shape curved.
+// on it. LIMIT: the origin may lie within A - B, or the shapes are not points, segments and boxes of two half axes in all.
+// Pre: s has shapes, delta, and the first three vertices' places.
 gjk2_outcome gjk2_close_axes(struct gjk2_search *s);
 
 struct gjk2_shape_class {

@@ -52,7 +52,6 @@ static gjk2_outcome take_point(gjk2_search *s) {
   s->alone = true;
   s->d = gjk2_negate(p->w);
   s->base = -gjk2_dot(p->w, p->w);
-  s->iterations = 1;
   return s->base != 0 ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_ENCLOSING;
 }
 
@@ -63,25 +62,28 @@ static gjk2_outcome take_vertex(gjk2_search *s, const axes_pair *of, bool minus_
   s->alone = true;
   s->d = gjk2_negate(s->apex->w);
   s->base = -gjk2_dot(s->d, s->d);
-  s->iterations = 1;
   return s->base != 0 ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_ENCLOSING;
 }
 
 // Makes the edge between two vertices, whose signs differ as told, the feature.
-static gjk2_outcome take_edge(gjk2_search *s, const axes_pair *of, bool minus_x, bool minus_y, bool x_differs, bool y_differs) {
-  set_by_signs(s, of, minus_x, minus_y, s->first);
-  set_by_signs(s, of, minus_x != x_differs, minus_y != y_differs, s->last);
-  s->base = gjk2_cross(s->first->w, s->last->w);
-  if (s->base > 0) {
-    gjk2_vertex *const first = s->first;
-    s->first = s->last;
-    s->last = first;
-    s->base = -s->base;
+GJK_ONCE static gjk2_outcome take_edge(gjk2_search *s, const axes_pair *of, bool minus_x, bool minus_y, bool x_differs,
+                                       bool y_differs) {
+  gjk2_vertex *p = s->first, *q = s->last;
+  set_by_signs(s, of, minus_x, minus_y, p);
+  set_by_signs(s, of, minus_x != x_differs, minus_y != y_differs, q);
+  int64_t base = gjk2_cross(p->w, q->w);
+  if (base > 0) {
+    s->first = q;
+    s->last = p;
+    q = p;
+    p = s->first;
+    base = -base;
   }
+  s->base = base;
   s->count = 2;
-  s->d = gjk2_outward(gjk2_sub(s->last->w, s->first->w));
-  s->iterations = 1;
-  return s->base != 0 ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_ENCLOSING;
+  s->d.x = q->w.y - p->w.y;
+  s->d.y = p->w.x - q->w.x;
+  return base != 0 ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_ENCLOSING;
 }
 
 // Step 4
@@ -98,8 +100,9 @@ static gjk2_outcome close_segment(gjk2_search *s, const axes_pair *of) {
 
 gjk2_outcome gjk2_close_axes(gjk2_search *s) {
   const gjk2_collider *a = s->a, *b = s->b;
-  if (a->shape->type->buffered || b->shape->type->buffered || a->count + b->count > 5 || a->count == 3 ||
-      b->count == 3) {
+  // Counts are 1, 2 and 4, but for curved shapes, triangles and polygons; those without area have no order either.
+  if (((1u << (a->count & 7u) | 1u << (b->count & 7u)) & ~0x16u) != 0 || a->count + b->count > 5 ||
+      a->shape->type->buffered || b->shape->type->buffered) {
     return GJK2_OUTCOME_LIMIT;
   }
   if (a->count + b->count == 2) {

@@ -94,11 +94,13 @@ static bool plane_is_level(const plane_edge *e, gjk_q16 convex_radius) {
          (convex_radius == 0 || gjk2_dot(e->way.offset, e->way.offset) >= 36 * (int64_t)convex_radius);
 }
 
-// The same of a segment, whose only edge leads to its other end. False: both ends are as far.
+// The end of a segment that is farther along the normal, and the way to the other. False: both are as far.
 static bool find_end(const gjk2_collider *c, const gjk2_vec *normal, gjk2_support *corner, plane_edge *edge) {
-  gjk2_vec low, high;
-  (void)c->shape->type->vertex(c, 0, &low);
-  (void)c->shape->type->vertex(c, 1, &high);
+  gjk2_vec low = gjk2_negate(c->frame[0]), high = c->frame[0];
+  if (c->shape->type->buffered) {  // a polygon of two vertices
+    (void)c->shape->type->vertex(c, 0, &low);
+    (void)c->shape->type->vertex(c, 1, &high);
+  }
   const gjk2_vec way = gjk2_sub(high, low);
   const int64_t along = gjk2_dot(way, *normal);
   const bool far = along > 0;
@@ -110,15 +112,67 @@ static bool find_end(const gjk2_collider *c, const gjk2_vec *normal, gjk2_suppor
   return along != 0;
 }
 
+#if !GJK_SMALL
+// find_corner where there is a list of corners in order. v: the list; last: the number of its last one.
+static void find_listed_corner(const gjk2_vec *v, unsigned last, unsigned guess, const gjk2_vec *normal,
+                               unsigned number[3], plane_edge *after, plane_edge *before) {
+  unsigned at = guess, next = at < last ? at + 1 : 0, previous = at > 0 ? at - 1 : last;
+  gjk2_vec way = gjk2_sub(v[next], v[at]);
+  after->along = gjk2_dot(way, *normal);
+  // Corners rise along the normal to the farthest one and fall again: at most as many steps as there are, each way.
+  for (unsigned i = 0; i <= last && after->along >= 0; i++) {
+    previous = at;
+    at = next;
+    next = at < last ? at + 1 : 0;
+    way = gjk2_sub(v[next], v[at]);
+    after->along = gjk2_dot(way, *normal);
+  }
+  after->way.offset = way;
+  way = gjk2_sub(v[previous], v[at]);
+  before->along = gjk2_dot(way, *normal);
+  for (unsigned i = 0; i <= last && before->along > 0; i++) {
+    after->way.offset = gjk2_negate(way);
+    after->along = -before->along;
+    next = at;
+    at = previous;
+    previous = at > 0 ? at - 1 : last;
+    way = gjk2_sub(v[previous], v[at]);
+    before->along = gjk2_dot(way, *normal);
+  }
+  before->way.offset = way;
+  number[0] = at;
+  number[1] = next;
+  number[2] = previous;
+}
+
+// The same of a collider; false: it has no list.
+static bool find_in_list(const gjk2_collider *c, int32_t guess, const gjk2_vec *normal, gjk2_support *corner,
+                         plane_edge *after, plane_edge *before) {
+  gjk2_vec own[4];
+  const gjk2_vec *v = gjk2_list_of_corners(c, own);
+  unsigned number[3];
+  if (v == NULL || guess < 0) {
+    return false;
+  }
+  const bool box = v == own;
+  find_listed_corner(v, c->count - 1u, box ? gjk2_box_index((unsigned)guess & 3u) : (unsigned)guess, normal, number, after, before);
+  gjk2_copy(&corner->offset, &v[number[0]]);
+  corner->vertex = (uint16_t)(box ? gjk2_box_number(number[0]) : number[0]);
+  after->way.vertex = (uint16_t)(box ? gjk2_box_number(number[1]) : number[1]);
+  before->way.vertex = (uint16_t)(box ? gjk2_box_number(number[2]) : number[2]);
+  return true;
+}
+#endif
+
 // The corner farthest along the normal, of several the last one counterclockwise, with the edges to the next one and to
 // the one before. False: it has no neighbours. guess: the number of a corner near it, or a negative one.
 static bool find_corner(const gjk2_collider *c, int32_t guess, const gjk2_vec *normal, gjk2_support *corner,
                         plane_edge *after, plane_edge *before) {
-  if (c->count == 2 && find_end(c, normal, corner, after)) {
-    gjk2_copy_support(&before->way, &after->way);
-    before->along = after->along;
+#if !GJK_SMALL
+  if (find_in_list(c, guess, normal, corner, after, before)) {
     return true;
   }
+#endif
   if (guess < 0 || !c->ordered || GJK_SMALL) {
     gjk2_hull_corner(c, *normal, corner);
     if (!gjk2_hull_neighbour(c, corner, true, &after->way) || !gjk2_hull_neighbour(c, corner, false, &before->way)) {
@@ -154,6 +208,14 @@ static bool find_corner(const gjk2_collider *c, int32_t guess, const gjk2_vec *n
   return true;
 }
 
+static void take_if_level(const gjk2_collider *c, const plane_edge *edge, plane_side *out) {
+  if (plane_is_level(edge, c->shape->convex_radius)) {
+    out->count = 2;
+    gjk2_copy_support(&out->way, &edge->way);
+    out->run = edge->left;
+  }
+}
+
 // Step 2. towards: the normal, from this shape to the other; left: the normal's left, the same for both.
 static void find_side(const gjk2_collider *c, int32_t guess, const gjk2_vec *towards, const gjk2_vec *left,
                       plane_side *out) {
@@ -164,17 +226,17 @@ static void find_side(const gjk2_collider *c, int32_t guess, const gjk2_vec *tow
     return;
   }
   out->count = 1;
+  if (c->count == 2 && find_end(c, towards, &out->corner, &after)) {
+    after.left = gjk2_dot(after.way.offset, *left);
+    take_if_level(c, &after, out);
+    return;
+  }
   if (c->count == 1 || !find_corner(c, guess, towards, &out->corner, &after, &before)) {  // 1: a circle
     return;
   }
   after.left = gjk2_dot(after.way.offset, *left);
   before.left = gjk2_dot(before.way.offset, *left);
-  const plane_edge *edge = is_flatter(&before, &after) ? &before : &after;
-  if (plane_is_level(edge, c->shape->convex_radius)) {
-    out->count = 2;
-    gjk2_copy_support(&out->way, &edge->way);
-    out->run = edge->left;
-  }
+  take_if_level(c, is_flatter(&before, &after) ? &before : &after, out);
 }
 
 // Step 2: an edge's ends.

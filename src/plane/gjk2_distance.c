@@ -148,9 +148,9 @@ gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_ca
     return status;
   }
   gjk2_search s;
-  plane_start_distance(&s, a, b);
-  gjk2_outcome outcome = gjk2_search_close(&s);
+  gjk2_outcome outcome = gjk2_search_close(&s, a, b);
   if (outcome == GJK2_OUTCOME_LIMIT) {
+    plane_start_distance(&s, a, b);
     if (cache != NULL) {
       gjk2_search_aim(&s, cache);
     }

@@ -198,13 +198,13 @@ gjk_status gjk2_meet(gjk2_meeting *m, const gjk2_collider *a, const gjk2_collide
   gjk2_search *s = &m->s;
   gjk_status status = GJK_OK;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
-  (void)gjk2_search_start(s, a, b, false, (uint32_t)radius);
   gjk2_lie lie = GJK2_LIE_OPEN;
   // A cached feature is likely to be the nearest still, and cores with a radius are likely to be apart. Others that are near
   // are likely to overlap.
-  gjk2_outcome outcome = gjk2_search_close(s);
+  gjk2_outcome outcome = gjk2_search_close(s, a, b);
   bool asked = false;
   if (outcome == GJK2_OUTCOME_LIMIT) {
+    (void)gjk2_search_start(s, a, b, false, (uint32_t)radius);
     if (radius == 0 && (cache == NULL || cache->count == 0) && circles_meet(s)) {
       lie = gjk2_meeting_edges(m);
       asked = true;
