@@ -112,67 +112,10 @@ static bool find_end(const gjk2_collider *c, const gjk2_vec *normal, gjk2_suppor
   return along != 0;
 }
 
-#if !GJK_SMALL
-// find_corner where there is a list of corners in order. v: the list; last: the number of its last one.
-static void find_listed_corner(const gjk2_vec *v, unsigned last, unsigned guess, const gjk2_vec *normal,
-                               unsigned number[3], plane_edge *after, plane_edge *before) {
-  unsigned at = guess, next = at < last ? at + 1 : 0, previous = at > 0 ? at - 1 : last;
-  gjk2_vec way = gjk2_sub(v[next], v[at]);
-  after->along = gjk2_dot(way, *normal);
-  // Corners rise along the normal to the farthest one and fall again: at most as many steps as there are, each way.
-  for (unsigned i = 0; i <= last && after->along >= 0; i++) {
-    previous = at;
-    at = next;
-    next = at < last ? at + 1 : 0;
-    way = gjk2_sub(v[next], v[at]);
-    after->along = gjk2_dot(way, *normal);
-  }
-  after->way.offset = way;
-  way = gjk2_sub(v[previous], v[at]);
-  before->along = gjk2_dot(way, *normal);
-  for (unsigned i = 0; i <= last && before->along > 0; i++) {
-    after->way.offset = gjk2_negate(way);
-    after->along = -before->along;
-    next = at;
-    at = previous;
-    previous = at > 0 ? at - 1 : last;
-    way = gjk2_sub(v[previous], v[at]);
-    before->along = gjk2_dot(way, *normal);
-  }
-  before->way.offset = way;
-  number[0] = at;
-  number[1] = next;
-  number[2] = previous;
-}
-
-// The same of a collider; false: it has no list.
-static bool find_in_list(const gjk2_collider *c, int32_t guess, const gjk2_vec *normal, gjk2_support *corner,
-                         plane_edge *after, plane_edge *before) {
-  gjk2_vec own[4];
-  const gjk2_vec *v = gjk2_list_of_corners(c, own);
-  unsigned number[3];
-  if (v == NULL || guess < 0) {
-    return false;
-  }
-  const bool box = v == own;
-  find_listed_corner(v, c->count - 1u, box ? gjk2_box_index((unsigned)guess & 3u) : (unsigned)guess, normal, number, after, before);
-  gjk2_copy(&corner->offset, &v[number[0]]);
-  corner->vertex = (uint16_t)(box ? gjk2_box_number(number[0]) : number[0]);
-  after->way.vertex = (uint16_t)(box ? gjk2_box_number(number[1]) : number[1]);
-  before->way.vertex = (uint16_t)(box ? gjk2_box_number(number[2]) : number[2]);
-  return true;
-}
-#endif
-
 // The corner farthest along the normal, of several the last one counterclockwise, with the edges to the next one and to
 // the one before. False: it has no neighbours. guess: the number of a corner near it, or a negative one.
 static bool find_corner(const gjk2_collider *c, int32_t guess, const gjk2_vec *normal, gjk2_support *corner,
                         plane_edge *after, plane_edge *before) {
-#if !GJK_SMALL
-  if (find_in_list(c, guess, normal, corner, after, before)) {
-    return true;
-  }
-#endif
   if (guess < 0 || !c->ordered || GJK_SMALL) {
     gjk2_hull_corner(c, *normal, corner);
     if (!gjk2_hull_neighbour(c, corner, true, &after->way) || !gjk2_hull_neighbour(c, corner, false, &before->way)) {
@@ -216,6 +159,92 @@ static void take_if_level(const gjk2_collider *c, const plane_edge *edge, plane_
   }
 }
 
+#if !GJK_SMALL
+// find_side of a box. Along the normal its half axes tell the corner, along the left the flatter one of its edges there.
+static void find_box_side(const gjk2_collider *c, const gjk2_vec *towards, const gjk2_vec *left, plane_side *out) {
+  const gjk2_vec x = c->frame[0], y = c->frame[1];
+  const int64_t px = gjk2_dot(x, *towards), py = gjk2_dot(y, *towards);  // not both 0
+  // Of two corners as far the last one counterclockwise, in the order 3, 2, 0, 1.
+  const bool plus_x = px != 0 ? px > 0 : py < 0, plus_y = py != 0 ? py > 0 : px > 0;
+  // The ways from the corner lead against both half axes.
+  plane_edge of_x, of_y;
+  of_x.along = -2 * gjk_int64(gjk_magnitude64(px));
+  of_y.along = -2 * gjk_int64(gjk_magnitude64(py));
+  of_x.left = (plus_x ? -2 : 2) * gjk2_dot(x, *left);
+  of_y.left = (plus_y ? -2 : 2) * gjk2_dot(y, *left);
+  const bool takes_x = plus_x == plus_y ? !is_flatter(&of_y, &of_x) : is_flatter(&of_x, &of_y);
+  const unsigned number = (plus_x ? 1u : 0u) | (plus_y ? 2u : 0u);
+  out->corner.offset.x = (plus_x ? x.x : -x.x) + (plus_y ? y.x : -y.x);
+  out->corner.offset.y = (plus_x ? x.y : -x.y) + (plus_y ? y.y : -y.y);
+  out->corner.vertex = (uint16_t)number;
+  plane_edge *edge = takes_x ? &of_x : &of_y;
+  const gjk2_vec axis = takes_x ? x : y;
+  const int32_t twice = (takes_x ? plus_x : plus_y) ? -2 : 2;
+  edge->way.offset.x = twice * axis.x;  // half axes are below 2^28 long
+  edge->way.offset.y = twice * axis.y;
+  edge->way.vertex = (uint16_t)(number ^ (takes_x ? 1u : 2u));
+  take_if_level(c, edge, out);
+}
+
+// (q - p) . d
+static inline int64_t rise(const gjk2_vec *p, const gjk2_vec *q, const gjk2_vec *d) {
+  return gjk_mac32(gjk_mul32(q->x - p->x, d->x), q->y - p->y, d->y);
+}
+
+// find_side where there is a list v of corners in order. last: the number of its last one.
+static void find_listed_side(const gjk2_collider *c, const gjk2_vec *v, unsigned guess, const gjk2_vec *towards,
+                             const gjk2_vec *left, plane_side *out) {
+  const unsigned last = c->count - 1u;
+  unsigned at = guess, next = at < last ? at + 1 : 0, previous = at > 0 ? at - 1 : last;
+  plane_edge after, before;
+  after.along = rise(&v[at], &v[next], towards);
+  // Corners rise along the normal to the farthest one and fall again: at most as many steps as there are, each way.
+  for (unsigned i = 0; i <= last && after.along >= 0; i++) {
+    previous = at;
+    at = next;
+    next = at < last ? at + 1 : 0;
+    after.along = rise(&v[at], &v[next], towards);
+  }
+  before.along = rise(&v[at], &v[previous], towards);
+  for (unsigned i = 0; i <= last && before.along > 0; i++) {
+    after.along = -before.along;
+    next = at;
+    at = previous;
+    previous = at > 0 ? at - 1 : last;
+    before.along = rise(&v[at], &v[previous], towards);
+  }
+  after.left = rise(&v[at], &v[next], left);
+  before.left = rise(&v[at], &v[previous], left);
+  const bool takes_before = is_flatter(&before, &after);
+  plane_edge *edge = takes_before ? &before : &after;
+  const unsigned other = takes_before ? previous : next;
+  gjk2_copy(&out->corner.offset, &v[at]);
+  out->corner.vertex = (uint16_t)at;
+  edge->way.offset.x = v[other].x - v[at].x;
+  edge->way.offset.y = v[other].y - v[at].y;
+  edge->way.vertex = (uint16_t)other;
+  take_if_level(c, edge, out);
+}
+
+// find_side of a polygon in order that is posed already. False: it is not.
+static bool find_posed_side(const gjk2_collider *c, int32_t guess, const gjk2_vec *towards, const gjk2_vec *left,
+                            plane_side *out) {
+  if (!c->ordered) {
+    return false;
+  }
+  if (c->count == 4 && !c->shape->type->buffered) {
+    find_box_side(c, towards, left, out);
+    return true;
+  }
+  const gjk2_vec *v = c->shape->type->buffered ? c->buffer : c->frame;
+  if (v == NULL || guess < 0) {
+    return false;
+  }
+  find_listed_side(c, v, (unsigned)guess, towards, left, out);
+  return true;
+}
+#endif
+
 // Step 2. towards: the normal, from this shape to the other; left: the normal's left, the same for both.
 static void find_side(const gjk2_collider *c, int32_t guess, const gjk2_vec *towards, const gjk2_vec *left,
                       plane_side *out) {
@@ -226,6 +255,11 @@ static void find_side(const gjk2_collider *c, int32_t guess, const gjk2_vec *tow
     return;
   }
   out->count = 1;
+#if !GJK_SMALL
+  if (find_posed_side(c, guess, towards, left, out)) {
+    return;
+  }
+#endif
   if (c->count == 2 && find_end(c, towards, &out->corner, &after)) {
     after.left = gjk2_dot(after.way.offset, *left);
     take_if_level(c, &after, out);
