@@ -39,11 +39,20 @@ typedef enum gjk2_outcome {
 
 struct gjk2_search;
 struct gjk2_edge;
+struct gjk2_touch;
 
 // Finds the canonical feature of A - B nearest to the origin, and sets d and base: NEAREST, or ENCLOSING where the origin lies
 // on it. LIMIT: the origin may lie within A - B, or the shapes are not points, segments and boxes of two half axes in all.
 // Pre: s has shapes, delta, and the first three vertices' places.
 gjk2_outcome gjk2_close_axes(struct gjk2_search *s);
+
+// All of it at once, where code is not chosen for size: see gjk2_close.h.
+#if !GJK_SMALL
+#define GJK2_TOUCH_AXES gjk2_touch_axes
+bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, struct gjk2_touch *out);
+#else
+#define GJK2_TOUCH_AXES NULL
+#endif
 
 struct gjk2_shape_class {
   // Checks the shape's own fields and measures its core. gjk2_collider_init checks the convex radius.
@@ -69,6 +78,7 @@ struct gjk2_shape_class {
 
   // gjk2_close_axes for points and segments, so that programs without any do not link it; else NULL.
   gjk2_outcome (*close)(struct gjk2_search *s);
+  bool (*touch)(const gjk2_collider *a, const gjk2_collider *b, struct gjk2_touch *out);
 
   bool buffered;  // a collider may have a buffer for posed vertices
   uint8_t count;  // vertices; where buffered is set the shape's own count is taken

@@ -99,6 +99,7 @@ const gjk2_shape_class gjk2_class_point = {
     .adjacent = adjacent_ends,
     .depth = NULL,
     .close = gjk2_close_axes,
+    .touch = GJK2_TOUCH_AXES,
     .buffered = false,
     .count = 1,
 };
@@ -111,6 +112,7 @@ const gjk2_shape_class gjk2_class_segment = {
     .adjacent = adjacent_ends,
     .depth = NULL,
     .close = gjk2_close_axes,
+    .touch = GJK2_TOUCH_AXES,
     .buffered = false,
     .count = 2,
 };
@@ -123,6 +125,7 @@ const gjk2_shape_class gjk2_class_box = {
     .adjacent = adjacent_axes,
     .depth = NULL,
     .close = NULL,
+    .touch = NULL,
     .buffered = false,
     .count = 4,
 };

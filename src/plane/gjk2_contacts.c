@@ -12,12 +12,11 @@
 //   step 3   points of edges, points across from a corner, and gaps: to the nearest LSB
 #include "gjk2/contacts.h"
 
+#include "gjk2_close.h"
 #include "gjk2_facing.h"
 #include "gjk2_hull.h"
 #include "gjk2_measure.h"
 #include "gjk2_meeting.h"
-#include "gjk2_outward.h"
-#include "gjk2_witness.h"
 
 // Centres farther apart than this along an axis skip steps 2 and 3: the nearest points are the one contact. Otherwise
 // coordinates relative to A's centre are below 2^29 + 2^28.
@@ -455,41 +454,28 @@ GJK_OUT_OF_LINE bool gjk2_facing_contacts(const gjk2_collider *a, const gjk2_col
   return true;
 }
 
-#if !GJK_SMALL
-// The same of two circles, in one go. False: their centres are the same, or far apart.
-static bool plane_touch_circles(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, gjk2_manifold *out) {
-  if (!gjk2_frame_is_near(a, b) || gjk2_equal(a->centre, b->centre)) {
-    return false;
-  }
-  const gjk2_vec n = gjk2_sub(b->centre, a->centre), none = {0, 0};
-  const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
-  gjk2_length length;
-  gjk2_unit across;
-  gjk2_inline_length(&length, n);
-  gjk2_inline_unit(&across, &length, n);
-  const int64_t h = (int64_t)length.squared;
-  int32_t distance = (int32_t)gjk2_inline_distance(&length, GJK2_ROUND_DOWN, length.squared) - radius;
-  out->normal.x = across.x;
-  out->normal.y = across.y;
-  if (distance > 0 || (distance == 0 && !gjk2_is_within(h, n, radius))) {
-    distance = (int32_t)gjk2_inline_distance(&length, GJK2_ROUND_NEAREST, length.squared) - radius;
-  } else if (!gjk2_outward_is_clear(n, -h, radius, &length, -distance, &across)) {
-    gjk2_outward_normal(n, -h, radius, &length, -distance, &out->normal);
-  }
+// The contacts of a pair that has been measured without a search.
+static void plane_touch(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, unsigned most,
+                        const gjk2_touch *touch, gjk2_manifold *out) {
+  uint16_t id = 0;  // circles have one vertex, number 0
+  out->normal.x = touch->normal.x;
+  out->normal.y = touch->normal.y;
   out->feature_a = 0;
   out->feature_b = 0;
-  out->count = distance <= margin;
-  if (out->count > 0) {
-    gjk2_contact *c = out->contact;
-    bool saturated;
-    gjk2_witness_corner(a, none, &across, 1, &c->point_a, &saturated);
-    gjk2_witness_corner(b, none, &across, -1, &c->point_b, &saturated);
-    c->distance = distance;
-    c->id = 0;
+  out->count = 0;
+  if (touch->distance > margin) {
+    return;
   }
-  return true;
+  if (a->count + b->count > 2) {
+    (void)gjk2_facing_contacts(a, b, margin, touch->certificate.a[0], touch->certificate.b[0], out, &id);
+    if (!gjk2_facing_lacks(out, touch->distance)) {
+      gjk2_facing_limit(out, most);
+      return;
+    }
+  }
+  gjk2_facing_admit(out, touch->distance, &touch->point_a, &touch->point_b, id);
+  gjk2_facing_limit(out, most);
 }
-#endif
 
 gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, unsigned most,
                          gjk2_cache *cache, gjk2_manifold *out) {
@@ -497,11 +483,12 @@ gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16
   if (status != GJK_OK || margin < 0 || most < 1 || most > GJK2_CONTACTS_MAX) {
     return status != GJK_OK ? status : margin < 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_RANGE;
   }
-#if !GJK_SMALL
-  if (a->count == 1 && b->count == 1 && plane_touch_circles(a, b, margin, out)) {
+  gjk2_touch touch;
+  if (gjk2_touch_without_search(a, b, &touch)) {
+    gjk2_touch_keep(&touch, cache);
+    plane_touch(a, b, margin, most, &touch, out);
     return GJK_OK;
   }
-#endif
   gjk2_meeting m;
   status = gjk2_meet(&m, a, b, cache);
   if (status == GJK_ERROR_ITERATION_LIMIT) {

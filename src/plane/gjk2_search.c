@@ -460,10 +460,7 @@ void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *ca
   if (outcome == GJK2_OUTCOME_ENCLOSING) {
     return;
   }
-  const unsigned zeros = gjk_clz32(gjk_magnitude32(s->d.x) | gjk_magnitude32(s->d.y) | 1);
-  const unsigned down = zeros < 17 ? 17 - zeros : 0;
-  cache->direction[0] = (int16_t)gjk_sar32(s->d.x, down);
-  cache->direction[1] = (int16_t)gjk_sar32(s->d.y, down);
+  gjk2_cache_direction(cache, s->d);
   if (outcome == GJK2_OUTCOME_SEPARATED) {
     return;
   }

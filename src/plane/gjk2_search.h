@@ -119,6 +119,14 @@ static inline const gjk2_vertex *gjk2_search_vertex(const gjk2_search *s, unsign
 void gjk2_search_certify(const gjk2_search *s, gjk2_outcome outcome, gjk2_certificate *out);
 void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache);
 
+// Sets the cached direction: the leading bits of d.
+static inline void gjk2_cache_direction(gjk2_cache *cache, gjk2_vec d) {
+  const unsigned zeros = gjk_clz32(gjk_magnitude32(d.x) | gjk_magnitude32(d.y) | 1);
+  const unsigned down = zeros < 17 ? 17 - zeros : 0;
+  cache->direction[0] = (int16_t)gjk_sar32(d.x, down);
+  cache->direction[1] = (int16_t)gjk_sar32(d.y, down);
+}
+
 // Is A - B a single point, that of two circles, in a near frame?
 static inline bool gjk2_search_is_point(const gjk2_search *s) {
   return s->a->count == 1 && s->b->count == 1 && s->far == 0;

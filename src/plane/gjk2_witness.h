@@ -4,6 +4,9 @@
 
 #include "gjk2_search.h"
 
+// Edges from this length on, in LSB, take weights that are right to the last bit: 2^-27 of 2^21 is 2^-6 LSB.
+#define GJK2_FINE_LENGTH 21
+
 // The point nearest to the origin of the edge from p to q, or p itself where q is NULL, as a point of each core, moved
 // by the convex radius along the normal (A) and against it (B) and then rounded once. World frame. Returns
 // whether a coordinate does not fit Q16.16 and is saturated. length: of the edge, or of a vector across it.
