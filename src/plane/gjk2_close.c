@@ -11,139 +11,180 @@
 //
 // The feature is canonical as it is (gjk2_canonical.h): edges of a parallelogram are whole, and so is the segment.
 //   |u| <= 2^30, |x|, |y| < 2^28:  sums of them below 3 2^29, products below 2^60
+//
+// Coordinates are scalars of the width of a register: GCC makes pairs of them vectors, and spends more on that than it saves.
 #include "gjk2_close.h"
 
 #include "gjk2_outward.h"
 #include "gjk2_search.h"
 #include "gjk2_witness.h"
 
+#if GJK_64_BIT
+typedef int64_t close_number;
+
+static inline int64_t product(close_number a, close_number b) {
+  return a * b;
+}
+#else
+typedef int32_t close_number;
+
+static inline int64_t product(close_number a, close_number b) {
+  return gjk_mul32(a, b);
+}
+#endif
+
+// p . q, and p x q.
+static inline int64_t close_dot(close_number px, close_number py, close_number qx, close_number qy) {
+  return product(px, qx) + product(py, qy);
+}
+
+static inline int64_t close_cross(close_number px, close_number py, close_number qx, close_number qy) {
+  return product(px, qy) - product(py, qx);
+}
+
 // The half axes of both shapes, those of A first, and the feature.
 typedef struct close_pair {
-  gjk2_vec delta;  // centre_a - centre_b
-  gjk2_vec x, y;
-  unsigned of_a;  // how many half axes are A's
-  // The feature: the corner with these signs, or the edge from there to the corner whose signs differ as told.
-  bool minus_x, minus_y, x_differs, y_differs;
-  gjk2_vec w;     // of the corner
-  gjk2_vec edge;  // to the other one, O on its right
-  gjk2_vec d;     // from the feature to O
-  int64_t base;   // d . w
+  close_number delta_x, delta_y;  // centre_a - centre_b
+  close_number x[2], y[2];        // of both half axes
+  unsigned of_a;                  // how many are A's
+  // The feature is the corner with these signs, 1 or -1. Or the edge from there to the corner whose signs differ where
+  // `turns` is 1.
+  close_number sign[2], turns[2];
+  close_number w_x, w_y;        // of the corner
+  close_number edge_x, edge_y;  // to the other one, O on its right
+  close_number d_x, d_y;        // from the feature to O
+  int64_t base;                 // d . w
 } close_pair;
 
-static inline gjk2_vec turned(gjk2_vec v, bool minus) {
-  const gjk2_vec signed_v = {minus ? -v.x : v.x, minus ? -v.y : v.y};
-  return signed_v;
+// Sets the corner with these signs.
+static inline void set_feature(close_pair *of, close_number s, close_number t) {
+  of->sign[0] = s;
+  of->sign[1] = t;
+  of->w_x = of->delta_x + s * of->x[0] + t * of->x[1];
+  of->w_y = of->delta_y + s * of->y[0] + t * of->y[1];
 }
 
 // Makes a corner the feature.
-static inline gjk2_outcome take_corner(close_pair *of, bool minus_x, bool minus_y) {
-  const gjk2_vec x = turned(of->x, minus_x), y = turned(of->y, minus_y);
-  of->minus_x = minus_x;
-  of->minus_y = minus_y;
-  of->x_differs = false;
-  of->y_differs = false;
-  of->w.x = of->delta.x + x.x + y.x;
-  of->w.y = of->delta.y + x.y + y.y;
-  of->edge.x = 0;
-  of->edge.y = 0;
-  of->d = gjk2_negate(of->w);
-  of->base = -gjk2_dot(of->w, of->w);
+static inline gjk2_outcome take_corner(close_pair *of, close_number s, close_number t) {
+  set_feature(of, s, t);
+  of->turns[0] = 0;
+  of->turns[1] = 0;
+  of->edge_x = 0;
+  of->edge_y = 0;
+  of->d_x = -of->w_x;
+  of->d_y = -of->w_y;
+  of->base = -close_dot(of->w_x, of->w_y, of->w_x, of->w_y);
   return of->base != 0 ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_ENCLOSING;
 }
 
 // Makes the edge from a corner to the one with other signs the feature, or the edge back.
-static inline gjk2_outcome take_edge(close_pair *of, bool minus_x, bool minus_y, bool x_differs, bool y_differs) {
-  const gjk2_vec x = turned(of->x, minus_x), y = turned(of->y, minus_y);
-  gjk2_vec edge = {-2 * ((x_differs ? x.x : 0) + (y_differs ? y.x : 0)),
-                   -2 * ((x_differs ? x.y : 0) + (y_differs ? y.y : 0))};
-  gjk2_vec w = {of->delta.x + x.x + y.x, of->delta.y + x.y + y.y};
-  int64_t base = gjk2_cross(w, edge);
-  of->minus_x = minus_x;
-  of->minus_y = minus_y;
-  of->x_differs = x_differs;
-  of->y_differs = y_differs;
-  if (base > 0) {
-    of->minus_x = minus_x != x_differs;
-    of->minus_y = minus_y != y_differs;
-    w.x += edge.x;
-    w.y += edge.y;
-    edge = gjk2_negate(edge);
-    base = -base;
+static inline gjk2_outcome take_edge(close_pair *of, close_number s, close_number t, close_number turns_x,
+                                     close_number turns_y) {
+  set_feature(of, s, t);
+  of->turns[0] = turns_x;
+  of->turns[1] = turns_y;
+  of->edge_x = -2 * (turns_x * s * of->x[0] + turns_y * t * of->x[1]);
+  of->edge_y = -2 * (turns_x * s * of->y[0] + turns_y * t * of->y[1]);
+  of->base = close_cross(of->w_x, of->w_y, of->edge_x, of->edge_y);
+  if (of->base > 0) {
+    of->sign[0] = s * (1 - 2 * turns_x);
+    of->sign[1] = t * (1 - 2 * turns_y);
+    of->w_x += of->edge_x;
+    of->w_y += of->edge_y;
+    of->edge_x = -of->edge_x;
+    of->edge_y = -of->edge_y;
+    of->base = -of->base;
   }
-  of->w = w;
-  of->edge = edge;
-  of->d.x = edge.y;
-  of->d.y = -edge.x;
-  of->base = base;
-  return base != 0 ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_ENCLOSING;
+  of->d_x = of->edge_y;
+  of->d_y = -of->edge_x;
+  return of->base != 0 ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_ENCLOSING;
 }
 
 // Step 4
 static gjk2_outcome close_segment(close_pair *of) {
-  const gjk2_vec x = of->x, y = of->y, u = gjk2_negate(of->delta);
-  const bool opposite = gjk2_dot(x, y) < 0;
-  const gjk2_vec z = opposite ? gjk2_sub(x, y) : gjk2_add(x, y);
-  const int64_t along = gjk2_dot(u, z), most = gjk2_dot(z, z);
+  const close_number t = close_dot(of->x[0], of->y[0], of->x[1], of->y[1]) < 0 ? -1 : 1;
+  const close_number z_x = of->x[0] + t * of->x[1], z_y = of->y[0] + t * of->y[1];
+  const int64_t along = -close_dot(of->delta_x, of->delta_y, z_x, z_y), most = close_dot(z_x, z_y, z_x, z_y);
   if (along < most && along > -most) {
-    return take_edge(of, false, opposite, true, true);
+    return take_edge(of, 1, t, 1, 1);
   }
-  return take_corner(of, along < 0, (along < 0) != opposite);
+  return along < 0 ? take_corner(of, -1, -t) : take_corner(of, 1, t);
+}
+
+// Are the cores points, segments and boxes of two half axes in all? Counts are 1, 2 and 4, but for curved shapes, triangles
+// and polygons.
+static inline bool has_axes(const gjk2_collider *a, const gjk2_collider *b) {
+  return ((1u << (a->count & 7u) | 1u << (b->count & 7u)) & ~0x16u) == 0 && a->count + b->count <= 5 &&
+         !a->shape->type->buffered && !b->shape->type->buffered;
 }
 
 // Steps 1 to 4. LIMIT: O lies within, or the shapes have other cores.
 GJK_ONCE static gjk2_outcome find_closest(const gjk2_collider *a, const gjk2_collider *b, close_pair *of) {
-  // Counts are 1, 2 and 4, but for curved shapes, triangles and polygons.
-  if (((1u << (a->count & 7u) | 1u << (b->count & 7u)) & ~0x16u) != 0 || a->count + b->count > 5 ||
-      a->shape->type->buffered || b->shape->type->buffered) {
+  if (!has_axes(a, b)) {
     return GJK2_OUTCOME_LIMIT;
   }
-  of->delta = gjk2_sub(a->centre, b->centre);
-  of->of_a = a->count >> 1;
-  of->x = of->of_a > 0 ? a->frame[0] : b->frame[0];
-  of->y = of->of_a > 1 ? a->frame[1] : b->frame[1 - of->of_a];
-  const gjk2_vec x = of->x, y = of->y, u = gjk2_negate(of->delta);
-  const int64_t area = gjk2_cross(x, y);
+  const close_number u_x = (close_number)b->centre.x - a->centre.x, u_y = (close_number)b->centre.y - a->centre.y;
+  const unsigned of_a = a->count >> 1;
+  const gjk2_vec *first = of_a > 0 ? &a->frame[0] : &b->frame[0];
+  const gjk2_vec *second = of_a > 1 ? &a->frame[1] : &b->frame[1 - of_a];
+  const close_number x_x = first->x, x_y = first->y, y_x = second->x, y_y = second->y;
+  of->delta_x = -u_x;
+  of->delta_y = -u_y;
+  of->of_a = of_a;
+  of->x[0] = x_x;
+  of->y[0] = x_y;
+  of->x[1] = y_x;
+  of->y[1] = y_y;
+  const int64_t area = close_cross(x_x, x_y, y_x, y_y);
   if (area == 0) {
     return close_segment(of);
   }
   // Step 1
-  const int64_t alpha = gjk2_cross(u, y), beta = gjk2_cross(x, u);
-  const bool minus_x = (alpha < 0) != (area < 0), minus_y = (beta < 0) != (area < 0);
+  const int64_t alpha = close_cross(u_x, u_y, y_x, y_y), beta = close_cross(x_x, x_y, u_x, u_y);
+  const close_number s = (alpha ^ area) < 0 ? -1 : 1, t = (beta ^ area) < 0 ? -1 : 1;
   const uint64_t size = gjk_magnitude64(area);
   const bool beyond_x = gjk_magnitude64(alpha) > size, beyond_y = gjk_magnitude64(beta) > size;
-  const gjk2_vec px = turned(x, minus_x), py = turned(y, minus_y);
   if (beyond_x) {  // Step 2
-    const int64_t along = gjk2_dot(gjk2_sub(u, px), py), most = gjk2_dot(y, y);
+    const int64_t along = t * close_dot(u_x - s * x_x, u_y - s * x_y, y_x, y_y), most = close_dot(y_x, y_y, y_x, y_y);
     if (along < most && along > -most) {
-      return take_edge(of, minus_x, minus_y, false, true);
+      return take_edge(of, s, t, 0, 1);
     }
     if (along < 0) {
-      return take_corner(of, minus_x, !minus_y);
+      return take_corner(of, s, -t);
     }
   }
   if (beyond_y) {  // Step 3
-    const int64_t along = gjk2_dot(gjk2_sub(u, py), px), most = gjk2_dot(x, x);
+    const int64_t along = s * close_dot(u_x - t * y_x, u_y - t * y_y, x_x, x_y), most = close_dot(x_x, x_y, x_x, x_y);
     if (along < most && along > -most) {
-      return take_edge(of, minus_x, minus_y, true, false);
+      return take_edge(of, s, t, 1, 0);
     }
     if (along < 0) {
-      return take_corner(of, !minus_x, minus_y);
+      return take_corner(of, -s, t);
     }
   }
-  return beyond_x || beyond_y ? take_corner(of, minus_x, minus_y) : GJK2_OUTCOME_LIMIT;
+  return beyond_x || beyond_y ? take_corner(of, s, t) : GJK2_OUTCOME_LIMIT;
 }
 
-// The corner of each shape with these signs.
-static inline void set_corners(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool minus_x,
-                               bool minus_y, gjk2_support *of_a, gjk2_support *of_b) {
-  const gjk2_vec x = turned(of->x, minus_x), y = turned(of->y, minus_y);
-  const unsigned plus = (minus_x ? 0u : 1u) | (minus_y ? 0u : 2u), n = of->of_a;
-  of_a->offset.x = (n > 0 ? x.x : 0) + (n > 1 ? y.x : 0);
-  of_a->offset.y = (n > 0 ? x.y : 0) + (n > 1 ? y.y : 0);
-  of_b->offset.x = -((n > 0 ? 0 : x.x) + (n > 1 ? 0 : y.x));
-  of_b->offset.y = -((n > 0 ? 0 : x.y) + (n > 1 ? 0 : y.y));
-  of_a->vertex = (uint16_t)(plus & (a->count - 1u));
-  of_b->vertex = (uint16_t)(~plus >> n & (b->count - 1u));
+// The numbers of each shape's vertex at the corner with these signs.
+static inline void number_corner(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, close_number s,
+                                 close_number t, uint16_t *of_a, uint16_t *of_b) {
+  const unsigned plus = (s > 0 ? 1u : 0u) | (t > 0 ? 2u : 0u);
+  *of_a = (uint16_t)(plus & (a->count - 1u));
+  *of_b = (uint16_t)(~plus >> of->of_a & (b->count - 1u));
+}
+
+// The vertex of A - B with these signs.
+static void set_vertex(const gjk2_search *s, const close_pair *of, close_number sign_x, close_number sign_y,
+                       gjk2_vertex *out) {
+  const close_number in_a = of->of_a > 0, both_in_a = of->of_a > 1;
+  const close_number x_x = sign_x * of->x[0], x_y = sign_x * of->y[0], y_x = sign_y * of->x[1], y_y = sign_y * of->y[1];
+  out->w.x = (int32_t)(of->delta_x + x_x + y_x);
+  out->w.y = (int32_t)(of->delta_y + x_y + y_y);
+  out->a.offset.x = (int32_t)(in_a * x_x + both_in_a * y_x);
+  out->a.offset.y = (int32_t)(in_a * x_y + both_in_a * y_y);
+  out->b.offset.x = out->a.offset.x - (int32_t)(x_x + y_x);
+  out->b.offset.y = out->a.offset.y - (int32_t)(x_y + y_y);
+  number_corner(s->a, s->b, of, sign_x, sign_y, &out->a.vertex, &out->b.vertex);
 }
 
 gjk2_outcome gjk2_close_axes(gjk2_search *s) {
@@ -152,84 +193,113 @@ gjk2_outcome gjk2_close_axes(gjk2_search *s) {
   if (outcome == GJK2_OUTCOME_LIMIT) {
     return outcome;
   }
-  const bool edge = of.x_differs || of.y_differs;
-  gjk2_vertex *p = edge ? s->first : s->apex, *q = s->last;
+  const bool edge = (of.turns[0] | of.turns[1]) != 0;
   s->count = edge ? 2 : 1;
   s->alone = !edge;
-  s->d = of.d;
+  s->d.x = (int32_t)of.d_x;
+  s->d.y = (int32_t)of.d_y;
   s->base = of.base;
-  gjk2_copy(&p->w, &of.w);
-  set_corners(s->a, s->b, &of, of.minus_x, of.minus_y, &p->a, &p->b);
+  set_vertex(s, &of, of.sign[0], of.sign[1], edge ? s->first : s->apex);
   if (edge) {
-    q->w = gjk2_add(of.w, of.edge);
-    set_corners(s->a, s->b, &of, of.minus_x != of.x_differs, of.minus_y != of.y_differs, &q->a, &q->b);
+    set_vertex(s, &of, of.sign[0] * (1 - 2 * of.turns[0]), of.sign[1] * (1 - 2 * of.turns[1]), s->last);
   }
   return outcome;
 }
 
 #if !GJK_SMALL
-// The point of a shape on the feature, from its corner there, by the weight of the other end of its edge. toward: as of
-// gjk2_witness_corner.
-static inline void set_point(const gjk2_collider *c, gjk2_vec corner, gjk2_vec edge, int32_t weight,
-                             const gjk2_unit *normal, int toward, gjk2_vec *point, bool *saturated) {
+// The point of a shape on the feature: from its corner there, by the weight of the other end of its edge, and moved by the
+// convex radius. toward: 1 for A, which the normal leads away from, -1 for B. Bounds: plane_offset of gjk2_witness.c.
+static inline void set_point(const gjk2_collider *c, close_number x, close_number y, close_number edge_x,
+                             close_number edge_y, int32_t weight, const gjk2_unit *normal, int toward, gjk2_vec *point,
+                             bool *saturated) {
   const int64_t half = INT64_C(1) << 30;
-  const gjk_q16 twice = 2 * toward * c->shape->convex_radius;  // bounds: plane_offset of gjk2_witness.c
-  const int64_t x = gjk_mac32(gjk_mac32(half, edge.x, weight), normal->x, twice);
-  const int64_t y = gjk_mac32(gjk_mac32(half, edge.y, weight), normal->y, twice);
-  point->x = gjk_saturate_noting((int64_t)c->centre.x + corner.x + gjk_sar64(x, 31), saturated);
-  point->y = gjk_saturate_noting((int64_t)c->centre.y + corner.y + gjk_sar64(y, 31), saturated);
+  const close_number twice = 2 * toward * c->shape->convex_radius;
+  const int64_t moved_x = gjk_sar64(half + product(edge_x, weight) + product(normal->x, twice), 31);
+  const int64_t moved_y = gjk_sar64(half + product(edge_y, weight) + product(normal->y, twice), 31);
+  point->x = gjk_saturate_noting((int64_t)c->centre.x + x + moved_x, saturated);
+  point->y = gjk_saturate_noting((int64_t)c->centre.y + y + moved_y, saturated);
 }
 
 // The points and the certificate.
 static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of,
                              const gjk2_length *length, const gjk2_unit *across, gjk2_touch *out) {
-  gjk2_support of_a, of_b;
-  gjk2_vec edge_a = {0, 0}, edge_b = {0, 0};
+  const close_number s = of->sign[0], t = of->sign[1];
+  // Of A, and those of B less.
+  const close_number in_a = of->of_a > 0, both_in_a = of->of_a > 1;
+  const close_number a_x = in_a * s * of->x[0] + both_in_a * t * of->x[1];
+  const close_number a_y = in_a * s * of->y[0] + both_in_a * t * of->y[1];
+  const close_number b_x = a_x + of->delta_x - of->w_x, b_y = a_y + of->delta_y - of->w_y;
+  close_number edge_x = 0, edge_y = 0;
   int32_t weight = 0;
-  set_corners(a, b, of, of->minus_x, of->minus_y, &of_a, &of_b);
   out->certificate.count = 1;
-  out->certificate.a[0] = of_a.vertex;
-  out->certificate.b[0] = of_b.vertex;
-  if (of->x_differs || of->y_differs) {
-    gjk2_support to_a, to_b;
-    const int64_t part = -gjk2_dot(of->w, of->edge), whole = (int64_t)length->squared;
+  number_corner(a, b, of, s, t, &out->certificate.a[0], &out->certificate.b[0]);
+  if ((of->turns[0] | of->turns[1]) != 0) {
+    const close_number turn_x = of->turns[0] * s, turn_y = of->turns[1] * t;
+    const int64_t part = -close_dot(of->w_x, of->w_y, of->edge_x, of->edge_y), whole = (int64_t)length->squared;
     weight = gjk2_weight(length, whole >> (2 * GJK2_FINE_LENGTH) != 0, part < whole ? part : whole);
-    set_corners(a, b, of, of->minus_x != of->x_differs, of->minus_y != of->y_differs, &to_a, &to_b);
-    edge_a = gjk2_sub(to_a.offset, of_a.offset);
-    edge_b = gjk2_sub(to_b.offset, of_b.offset);
+    edge_x = -2 * (in_a * turn_x * of->x[0] + both_in_a * turn_y * of->x[1]);
+    edge_y = -2 * (in_a * turn_x * of->y[0] + both_in_a * turn_y * of->y[1]);
     out->certificate.count = 2;
-    out->certificate.a[1] = to_a.vertex;
-    out->certificate.b[1] = to_b.vertex;
+    number_corner(a, b, of, s - 2 * turn_x, t - 2 * turn_y, &out->certificate.a[1], &out->certificate.b[1]);
   }
   out->saturated = false;
-  set_point(a, of_a.offset, edge_a, weight, across, 1, &out->point_a, &out->saturated);
-  set_point(b, of_b.offset, edge_b, weight, across, -1, &out->point_b, &out->saturated);
+  set_point(a, a_x, a_y, edge_x, edge_y, weight, across, 1, &out->point_a, &out->saturated);
+  set_point(b, b_x, b_y, edge_x - of->edge_x, edge_y - of->edge_y, weight, across, -1, &out->point_b, &out->saturated);
+}
+
+// What follows from the feature. points: of two points, which need no corners.
+GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool points,
+                                   gjk2_touch *out) {
+  gjk2_length length;
+  gjk2_unit across;
+  const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
+  const uint64_t h = (uint64_t)-of->base;
+  const gjk2_vec d = {(int32_t)of->d_x, (int32_t)of->d_y};
+  gjk2_inline_length(&length, d);
+  gjk2_inline_unit(&across, &length, d);
+  int32_t distance = (int32_t)gjk2_inline_distance(&length, GJK2_ROUND_DOWN, h) - radius;
+  out->normal.x = across.x;
+  out->normal.y = across.y;
+  out->overlaps = radius > 0 && (distance < 0 || (distance == 0 && gjk2_is_within(-of->base, d, radius)));
+  if (!out->overlaps) {
+    distance = (int32_t)gjk2_inline_distance(&length, GJK2_ROUND_NEAREST, h) - radius;
+  } else if (distance < 0 && !gjk2_outward_is_clear(d, of->base, radius, &length, -distance, &across)) {
+    gjk2_outward_normal(d, of->base, radius, &length, -distance, &out->normal);
+  }
+  out->distance = distance;
+  gjk2_copy(&out->certificate.direction, &d);
+  out->certificate.proof = GJK2_PROOF_NEAREST;
+  if (points) {
+    out->saturated = false;
+    out->certificate.count = 1;
+    out->certificate.a[0] = 0;
+    out->certificate.b[0] = 0;
+    set_point(a, 0, 0, 0, 0, 0, &across, 1, &out->point_a, &out->saturated);
+    set_point(b, 0, 0, 0, 0, 0, &across, -1, &out->point_b, &out->saturated);
+  } else {
+    set_touch(a, b, of, &length, &across, out);
+  }
 }
 
 bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch *out) {
   close_pair of;
-  if (!gjk2_frame_is_near(a, b) || find_closest(a, b, &of) != GJK2_OUTCOME_NEAREST) {
+  if (!gjk2_frame_is_near(a, b)) {
     return false;
   }
-  gjk2_length length;
-  gjk2_unit across;
-  const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
-  const uint64_t h = (uint64_t)-of.base;
-  gjk2_inline_length(&length, of.d);
-  gjk2_inline_unit(&across, &length, of.d);
-  int32_t distance = (int32_t)gjk2_inline_distance(&length, GJK2_ROUND_DOWN, h) - radius;
-  out->normal.x = across.x;
-  out->normal.y = across.y;
-  out->overlaps = radius > 0 && (distance < 0 || (distance == 0 && gjk2_is_within(-of.base, of.d, radius)));
-  if (!out->overlaps) {
-    distance = (int32_t)gjk2_inline_distance(&length, GJK2_ROUND_NEAREST, h) - radius;
-  } else if (distance < 0 && !gjk2_outward_is_clear(of.d, of.base, radius, &length, -distance, &across)) {
-    gjk2_outward_normal(of.d, of.base, radius, &length, -distance, &out->normal);
+  if (a->count == 1 && b->count == 1) {
+    of.d_x = (close_number)b->centre.x - a->centre.x;
+    of.d_y = (close_number)b->centre.y - a->centre.y;
+    of.base = -close_dot(of.d_x, of.d_y, of.d_x, of.d_y);
+    if (of.base == 0) {
+      return false;
+    }
+    measure_touch(a, b, &of, true, out);
+    return true;
   }
-  out->distance = distance;
-  gjk2_copy(&out->certificate.direction, &of.d);
-  out->certificate.proof = GJK2_PROOF_NEAREST;
-  set_touch(a, b, &of, &length, &across, out);
+  if (find_closest(a, b, &of) != GJK2_OUTCOME_NEAREST) {
+    return false;
+  }
+  measure_touch(a, b, &of, false, out);
   return true;
 }
 #endif
