@@ -263,7 +263,7 @@ GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *
   out->overlaps = radius > 0 && (distance < 0 || (distance == 0 && gjk2_is_within(-of->base, d, radius)));
   if (!out->overlaps) {
     distance = (int32_t)gjk2_inline_distance(&length, GJK2_ROUND_NEAREST, h) - radius;
-  } else if (distance < 0 && !gjk2_outward_is_clear(d, of->base, radius, &length, -distance, &across)) {
+  } else if (distance < 0 && !gjk2_inline_exceeds(&length, h, -distance)) {
     gjk2_outward_normal(d, of->base, radius, &length, -distance, &out->normal);
   }
   out->distance = distance;
@@ -281,9 +281,22 @@ GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *
   }
 }
 
+// Is b - a below 2^29 in size along both axes?
+static inline bool is_near_enough(const gjk2_collider *a, const gjk2_collider *b) {
+#if GJK_64_BIT
+  const int64_t half = INT64_C(1) << 29;
+  return ((uint64_t)((int64_t)b->centre.x - a->centre.x + half) |
+          (uint64_t)((int64_t)b->centre.y - a->centre.y + half)) >>
+             30 ==
+         0;
+#else
+  return gjk2_frame_is_near(a, b);
+#endif
+}
+
 bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch *out) {
   close_pair of;
-  if (!gjk2_frame_is_near(a, b)) {
+  if (!is_near_enough(a, b)) {
     return false;
   }
   if (a->count == 1 && b->count == 1) {

@@ -72,6 +72,14 @@ typedef struct plane_edge {
 
 // Does the edge e lie nearer to straight across the normal than f? Both lead away from the same corner.
 static bool is_flatter(const plane_edge *e, const plane_edge *f) {
+#if !GJK_SMALL
+  // Mostly one is flatter than half of a right angle, and one is steeper.
+  const uint64_t across_e = gjk_magnitude64(e->along), run_e = gjk_magnitude64(e->left);
+  const uint64_t across_f = gjk_magnitude64(f->along), run_f = gjk_magnitude64(f->left);
+  if ((across_e < run_e) != (across_f < run_f)) {
+    return across_e < run_e;
+  }
+#endif
   const int64_t p = e->along, q = gjk_int64(gjk_magnitude64(f->left));
   const int64_t r = -f->along, s = gjk_int64(gjk_magnitude64(e->left));
   // (p q + r s) / 2^64 is off by less than slack: the truncated parts are below 1 each.

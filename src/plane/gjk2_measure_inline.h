@@ -92,6 +92,20 @@ static inline int64_t gjk2_inline_distance(const gjk2_length *length, gjk2_round
   return gjk2_settle_distance(length, to, h, leading, shift);
 }
 
+// Is h / |n| surely more than an integer, by more than depth / 2^28? Then depth, which is what the integer leaves of another
+// one, is more than what h / |n| leaves by that much. False: it is not known.
+static inline bool gjk2_inline_exceeds(const gjk2_length *length, uint64_t h, int32_t depth) {
+  unsigned shift;
+  const uint32_t leading = (uint32_t)(gjk2_inline_quotient(length, &shift, h) >> 32);
+  const unsigned n = shift - 32;
+  if (n > 28) {
+    return false;
+  }
+  const uint32_t mask = (UINT32_C(1) << n) - 1;
+  // In units of 2^-n: leading is off by less than 9, and depth / 2^28 rounded up is 1 more than this.
+  return (leading & mask) > ((uint32_t)depth >> (28 - n)) + 10 && (leading & mask) < mask - 10;
+}
+
 // The same, in line where the code is not chosen for size.
 static inline void gjk2_quick_length(gjk2_length *length, gjk2_vec n) {
 #if GJK_SMALL
