@@ -158,7 +158,7 @@ static bool find_corner(const gjk2_collider *c, int32_t guess, const gjk2_vec *n
   return true;
 }
 
-static void take_if_level(const gjk2_collider *c, const plane_edge *edge, plane_side *out) {
+GJK_ONCE static void take_if_level(const gjk2_collider *c, const plane_edge *edge, plane_side *out) {
   if (plane_is_level(edge, c->shape->convex_radius)) {
     out->count = 2;
     gjk2_copy_support(&out->way, &edge->way);
@@ -168,7 +168,7 @@ static void take_if_level(const gjk2_collider *c, const plane_edge *edge, plane_
 
 #if !GJK_SMALL
 // find_side of a box. Along the normal its half axes tell the corner, along the left the flatter one of its edges there.
-static void find_box_side(const gjk2_collider *c, const gjk2_vec *towards, const gjk2_vec *left, plane_side *out) {
+GJK_ONCE static void find_box_side(const gjk2_collider *c, const gjk2_vec *towards, const gjk2_vec *left, plane_side *out) {
   const gjk2_vec x = c->frame[0], y = c->frame[1];
   const int64_t px = gjk2_dot(x, *towards), py = gjk2_dot(y, *towards);  // not both 0
   // Of two corners as far the last one counterclockwise, in the order 3, 2, 0, 1.
@@ -281,7 +281,7 @@ static void find_side(const gjk2_collider *c, int32_t guess, const gjk2_vec *tow
 }
 
 // Step 2: an edge's ends.
-static void set_stretch(const gjk2_collider *c, const plane_side *of, gjk2_vec origin, const gjk2_vec *towards,
+GJK_ONCE static void set_stretch(const gjk2_collider *c, const plane_side *of, gjk2_vec origin, const gjk2_vec *towards,
                         const gjk2_vec *left, plane_stretch *out) {
   const unsigned other = of->run > 0 ? 1 : 0, same = 1 - other;
   out->end[same] = gjk2_add(origin, of->corner.offset);
@@ -331,7 +331,7 @@ static int32_t share(plane_stretch *of, uint64_t part) {
 }
 
 // Step 3: the edge's point at a place, to the nearest LSB.
-static gjk2_vec plane_point_at(plane_stretch *of, int64_t place) {
+GJK_ONCE static gjk2_vec plane_point_at(plane_stretch *of, int64_t place) {
   if (place <= of->place[0]) {
     return of->end[0];
   }
@@ -352,7 +352,7 @@ static gjk2_vec in_world(gjk2_vec origin, gjk2_vec p) {
 }
 
 // The candidate at a place of the shared stretch. False: it is farther than margin.
-static bool candidate_at(plane_stretch *of_a, plane_stretch *of_b, int64_t place, int64_t slack, gjk2_vec origin,
+GJK_ONCE static bool candidate_at(plane_stretch *of_a, plane_stretch *of_b, int64_t place, int64_t slack, gjk2_vec origin,
                          gjk_q16 margin, const gjk2_unit *normal, gjk2_contact *out) {
   const gjk2_vec a = plane_point_at(of_a, place), b = plane_point_at(of_b, place), n = {normal->x, normal->y};
   const int64_t gap = gjk_sar64(gjk2_dot(gjk2_sub(b, a), n) + (INT64_C(1) << 29), 30);
@@ -382,7 +382,7 @@ static void keep_better(gjk2_contact c[2]) {
 }
 
 // Step 3
-static void plane_clip(plane_stretch *of_a, plane_stretch *of_b, gjk2_vec origin, gjk_q16 margin,
+GJK_ONCE static void plane_clip(plane_stretch *of_a, plane_stretch *of_b, gjk2_vec origin, gjk_q16 margin,
                        gjk2_manifold *out) {
   const int64_t low = of_a->place[0] > of_b->place[0] ? of_a->place[0] : of_b->place[0];
   const int64_t high = of_a->place[1] < of_b->place[1] ? of_a->place[1] : of_b->place[1];
