@@ -101,10 +101,19 @@ static bool plane_is_level(const plane_edge *e, gjk_q16 convex_radius) {
          (convex_radius == 0 || gjk2_dot(e->way.offset, e->way.offset) >= 36 * (int64_t)convex_radius);
 }
 
+// Has the collider two ends alone? That of a chain's segment is a triangle whose last vertex is its second.
+static inline bool has_two_ends(const gjk2_collider *c) {
+  return c->count == 2 ||
+         (c->count == 3 && !c->ordered && !c->shape->type->buffered && gjk2_equal(c->frame[1], c->frame[2]));
+}
+
 // The end of a segment that is farther along the normal, and the way to the other. False: both are as far.
 static bool find_end(const gjk2_collider *c, const gjk2_vec *normal, gjk2_support *corner, plane_edge *edge) {
   gjk2_vec low = gjk2_negate(c->frame[0]), high = c->frame[0];
-  if (c->shape->type->buffered) {  // a polygon of two vertices
+  if (c->count == 3) {
+    low = c->frame[0];
+    high = c->frame[1];
+  } else if (c->shape->type->buffered) {  // a polygon of two vertices
     (void)c->shape->type->vertex(c, 0, &low);
     (void)c->shape->type->vertex(c, 1, &high);
   }
@@ -267,7 +276,7 @@ static void find_side(const gjk2_collider *c, int32_t guess, const gjk2_vec *tow
     return;
   }
 #endif
-  if (c->count == 2 && find_end(c, towards, &out->corner, &after)) {
+  if (has_two_ends(c) && find_end(c, towards, &out->corner, &after)) {
     after.left = gjk2_dot(after.way.offset, *left);
     take_if_level(c, &after, out);
     return;
