@@ -379,15 +379,13 @@ static gjk_status add_joint(chain_query *query, const chain_segment *s, bool at_
 }
 
 // Sets the box of the body: its components are below 2^30.
-static void set_box(chain_query *query) {
+static void set_box(chain_query *query, const gjk2_aabb *box) {
   const gjk2_vec *centre = &query->body->centre;
   const gjk_q16 margin = query->margin;
-  gjk2_aabb box;
-  (void)gjk2_collider_aabb(query->body, &box);
-  query->low.x = box.lower.x - centre->x - margin;
-  query->low.y = box.lower.y - centre->y - margin;
-  query->high.x = box.upper.x - centre->x + margin;
-  query->high.y = box.upper.y - centre->y + margin;
+  query->low.x = box->lower.x - centre->x - margin;
+  query->low.y = box->lower.y - centre->y - margin;
+  query->high.x = box->upper.x - centre->x + margin;
+  query->high.y = box->upper.y - centre->y + margin;
 }
 
 gjk_status gjk2_chain_contacts(const gjk2_chain *chain, const gjk2_collider *body, const gjk2_chain_range *range,
@@ -406,8 +404,10 @@ gjk_status gjk2_chain_contacts(const gjk2_chain *chain, const gjk2_collider *bod
   query.count = 0;
   query.overflows = false;
   gjk2_chain_walk walk;
-  set_box(&query);
-  gjk2_chain_start(&walk, chain, body, range, margin);
+  gjk2_aabb box;
+  (void)gjk2_collider_aabb(body, &box);
+  set_box(&query, &box);
+  gjk2_chain_start(&walk, chain, &box, range, margin);
   uint16_t number;
   while (status == GJK_OK && gjk2_chain_next(&walk, &number)) {
     chain_segment s;
