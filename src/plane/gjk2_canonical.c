@@ -80,23 +80,3 @@ void gjk2_search_canonical(gjk2_search *s) {
   }
   gjk2_search_direct(s);
 }
-
-gjk2_outcome gjk2_search_close(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b) {
-  const gjk2_shape_class *of_a = a->shape->type, *of_b = b->shape->type;
-  const gjk2_shape_class *type = of_a->close != NULL ? of_a : of_b;
-  if (type->close == NULL || !gjk2_frame_is_near(a, b)) {
-    return GJK2_OUTCOME_LIMIT;
-  }
-  s->a = a;
-  s->b = b;
-  s->delta = gjk2_sub(a->centre, b->centre);
-  s->radius = a->shape->convex_radius + b->shape->convex_radius;
-  s->iterations = 1;
-  s->far = 0;
-  s->curved = false;
-  s->walks = false;
-  s->first = &s->slot[0];
-  s->apex = &s->slot[1];
-  s->last = &s->slot[2];
-  return type->close(s);
-}

@@ -17,8 +17,4 @@ static inline gjk2_outcome gjk2_search_feature(gjk2_search *s, gjk2_goal goal, u
   return outcome;
 }
 
-// The same without a search, which it starts: NEAREST or ENCLOSING. LIMIT where the shapes do not allow it: then nothing of s is
-// set.
-gjk2_outcome gjk2_search_close(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b);
-
 #endif

@@ -29,24 +29,11 @@ static inline void gjk2_follow(gjk2_support *at, const gjk2_support *way) {
   at->vertex = way->vertex;
 }
 
-typedef enum gjk2_outcome {
-  GJK2_OUTCOME_NEAREST,    // the feature is the one of A - B nearest to the origin
-  GJK2_OUTCOME_ENCLOSING,  // the origin lies in the simplex: the cores intersect
-  GJK2_OUTCOME_SEPARATED,  // the whole of A - B is more than radius away from the origin, measured along d
-  GJK2_OUTCOME_NEAR,       // the feature is within radius of the origin
-  GJK2_OUTCOME_LIMIT       // open: the limit on iterations is reached
-} gjk2_outcome;
-
 struct gjk2_search;
 struct gjk2_edge;
 struct gjk2_touch;
 
-// Finds the canonical feature of A - B nearest to the origin, and sets d and base: NEAREST, or ENCLOSING where the origin lies
-// on it. LIMIT: the origin may lie within A - B, or the shapes are not points, segments and boxes of two half axes in all.
-// Pre: s has shapes, delta, and the first three vertices' places.
-gjk2_outcome gjk2_close_axes(struct gjk2_search *s);
-
-// All of it at once, where code is not chosen for size: see gjk2_close.h.
+// Measures a pair of points, segments and boxes without a search: see gjk2_close.h. None where code is chosen for size.
 #if !GJK_SMALL
 #define GJK2_TOUCH_AXES gjk2_touch_axes
 bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, struct gjk2_touch *out);
@@ -76,8 +63,8 @@ struct gjk2_shape_class {
   // gjk2_curved_depth of gjk2_curved_depth.h for curved shapes, so that programs without any do not link it; else NULL.
   bool (*depth)(struct gjk2_search *s, struct gjk2_edge *edge, int64_t *lower, uint16_t *iterations);
 
-  // gjk2_close_axes for points and segments, so that programs without any do not link it; else NULL.
-  gjk2_outcome (*close)(struct gjk2_search *s);
+  // Of points and segments GJK2_TOUCH_AXES, so that programs without any do not link it; else NULL. Where it is set, a point's
+  // or segment's adjacent leads from one end to the other.
   bool (*touch)(const gjk2_collider *a, const gjk2_collider *b, struct gjk2_touch *out);
 
   bool buffered;  // a collider may have a buffer for posed vertices

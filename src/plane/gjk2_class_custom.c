@@ -46,7 +46,6 @@ const gjk2_shape_class gjk2_class_custom = {
     .vertex = NULL,
     .adjacent = NULL,
     .depth = gjk2_curved_depth,
-    .close = NULL,
     .touch = NULL,
     .buffered = false,
     .count = 0,

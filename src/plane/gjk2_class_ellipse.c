@@ -33,7 +33,6 @@ const gjk2_shape_class gjk2_class_ellipse = {
     .vertex = NULL,
     .adjacent = NULL,
     .depth = gjk2_curved_depth,
-    .close = NULL,
     .touch = NULL,
     .buffered = false,
     .count = 0,

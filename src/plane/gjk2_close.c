@@ -9,15 +9,17 @@
 //   3. beta > 1: the same of the edge at y. What is left is the corner x + y.
 //   4. Where x and y are parallel, or one is 0, A - B is the segment centre +- z: its inside, or an end.
 //
-// The feature is canonical as it is (gjk2_canonical.h): edges of a parallelogram are whole, and so is the segment.
+// The feature is canonical as it is (gjk2_canonical.h): edges of a parallelogram are whole, and so is the segment. Then its
+// distance, the normal and the points follow, with the same roundings as elsewhere (gjk2_distance.c, gjk2_meeting.c).
 //   |u| <= 2^30, |x|, |y| < 2^28:  sums of them below 3 2^29, products below 2^60
 //
 // Coordinates are scalars of the width of a register: GCC makes pairs of them vectors, and spends more on that than it saves.
 #include "gjk2_close.h"
 
 #include "gjk2_outward.h"
-#include "gjk2_search.h"
 #include "gjk2_witness.h"
+
+#if !GJK_SMALL
 
 #if GJK_64_BIT
 typedef int64_t close_number;
@@ -64,8 +66,8 @@ static inline void set_feature(close_pair *of, close_number s, close_number t) {
   of->w_y = of->delta_y + s * of->y[0] + t * of->y[1];
 }
 
-// Makes a corner the feature.
-static inline gjk2_outcome take_corner(close_pair *of, close_number s, close_number t) {
+// Makes a corner the feature. False: it is O.
+static inline bool take_corner(close_pair *of, close_number s, close_number t) {
   set_feature(of, s, t);
   of->turns[0] = 0;
   of->turns[1] = 0;
@@ -74,11 +76,11 @@ static inline gjk2_outcome take_corner(close_pair *of, close_number s, close_num
   of->d_x = -of->w_x;
   of->d_y = -of->w_y;
   of->base = -close_dot(of->w_x, of->w_y, of->w_x, of->w_y);
-  return of->base != 0 ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_ENCLOSING;
+  return of->base != 0;
 }
 
-// Makes the edge from a corner to the one with other signs the feature, or the edge back.
-static inline gjk2_outcome take_edge(close_pair *of, close_number s, close_number t, close_number turns_x,
+// Makes the edge from a corner to the one with other signs the feature, or the edge back. False: O lies on it.
+static inline bool take_edge(close_pair *of, close_number s, close_number t, close_number turns_x,
                                      close_number turns_y) {
   set_feature(of, s, t);
   of->turns[0] = turns_x;
@@ -97,11 +99,11 @@ static inline gjk2_outcome take_edge(close_pair *of, close_number s, close_numbe
   }
   of->d_x = of->edge_y;
   of->d_y = -of->edge_x;
-  return of->base != 0 ? GJK2_OUTCOME_NEAREST : GJK2_OUTCOME_ENCLOSING;
+  return of->base != 0;
 }
 
 // Step 4
-static gjk2_outcome close_segment(close_pair *of) {
+static bool close_segment(close_pair *of) {
   const close_number t = close_dot(of->x[0], of->y[0], of->x[1], of->y[1]) < 0 ? -1 : 1;
   const close_number z_x = of->x[0] + t * of->x[1], z_y = of->y[0] + t * of->y[1];
   const int64_t along = -close_dot(of->delta_x, of->delta_y, z_x, z_y), most = close_dot(z_x, z_y, z_x, z_y);
@@ -118,10 +120,10 @@ static inline bool has_axes(const gjk2_collider *a, const gjk2_collider *b) {
          !a->shape->type->buffered && !b->shape->type->buffered;
 }
 
-// Steps 1 to 4. LIMIT: O lies within, or the shapes have other cores.
-GJK_ONCE static gjk2_outcome find_closest(const gjk2_collider *a, const gjk2_collider *b, close_pair *of) {
+// Steps 1 to 4. False: O lies in A - B, or the shapes have other cores.
+GJK_ONCE static bool find_closest(const gjk2_collider *a, const gjk2_collider *b, close_pair *of) {
   if (!has_axes(a, b)) {
-    return GJK2_OUTCOME_LIMIT;
+    return false;
   }
   const close_number u_x = (close_number)b->centre.x - a->centre.x, u_y = (close_number)b->centre.y - a->centre.y;
   const unsigned of_a = a->count >> 1;
@@ -162,7 +164,7 @@ GJK_ONCE static gjk2_outcome find_closest(const gjk2_collider *a, const gjk2_col
       return take_corner(of, -s, t);
     }
   }
-  return beyond_x || beyond_y ? take_corner(of, s, t) : GJK2_OUTCOME_LIMIT;
+  return (beyond_x || beyond_y) && take_corner(of, s, t);
 }
 
 // The numbers of each shape's vertex at the corner with these signs.
@@ -173,40 +175,6 @@ static inline void number_corner(const gjk2_collider *a, const gjk2_collider *b,
   *of_b = (uint16_t)(~plus >> of->of_a & (b->count - 1u));
 }
 
-// The vertex of A - B with these signs.
-static void set_vertex(const gjk2_search *s, const close_pair *of, close_number sign_x, close_number sign_y,
-                       gjk2_vertex *out) {
-  const close_number in_a = of->of_a > 0, both_in_a = of->of_a > 1;
-  const close_number x_x = sign_x * of->x[0], x_y = sign_x * of->y[0], y_x = sign_y * of->x[1], y_y = sign_y * of->y[1];
-  out->w.x = (int32_t)(of->delta_x + x_x + y_x);
-  out->w.y = (int32_t)(of->delta_y + x_y + y_y);
-  out->a.offset.x = (int32_t)(in_a * x_x + both_in_a * y_x);
-  out->a.offset.y = (int32_t)(in_a * x_y + both_in_a * y_y);
-  out->b.offset.x = out->a.offset.x - (int32_t)(x_x + y_x);
-  out->b.offset.y = out->a.offset.y - (int32_t)(x_y + y_y);
-  number_corner(s->a, s->b, of, sign_x, sign_y, &out->a.vertex, &out->b.vertex);
-}
-
-gjk2_outcome gjk2_close_axes(gjk2_search *s) {
-  close_pair of;
-  const gjk2_outcome outcome = find_closest(s->a, s->b, &of);
-  if (outcome == GJK2_OUTCOME_LIMIT) {
-    return outcome;
-  }
-  const bool edge = (of.turns[0] | of.turns[1]) != 0;
-  s->count = edge ? 2 : 1;
-  s->alone = !edge;
-  s->d.x = (int32_t)of.d_x;
-  s->d.y = (int32_t)of.d_y;
-  s->base = of.base;
-  set_vertex(s, &of, of.sign[0], of.sign[1], edge ? s->first : s->apex);
-  if (edge) {
-    set_vertex(s, &of, of.sign[0] * (1 - 2 * of.turns[0]), of.sign[1] * (1 - 2 * of.turns[1]), s->last);
-  }
-  return outcome;
-}
-
-#if !GJK_SMALL
 // The point of a shape on the feature: from its corner there, by the weight of the other end of its edge, and moved by the
 // convex radius. toward: 1 for A, which the normal leads away from, -1 for B. Bounds: plane_offset of gjk2_witness.c.
 static inline void set_point(const gjk2_collider *c, close_number x, close_number y, close_number edge_x,
@@ -309,7 +277,7 @@ bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch 
     measure_touch(a, b, &of, true, out);
     return true;
   }
-  if (find_closest(a, b, &of) != GJK2_OUTCOME_NEAREST) {
+  if (!find_closest(a, b, &of)) {
     return false;
   }
   measure_touch(a, b, &of, false, out);

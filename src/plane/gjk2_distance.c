@@ -172,16 +172,11 @@ gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_ca
     return GJK_OK;
   }
   gjk2_search s;
-  gjk2_outcome outcome = gjk2_search_close(&s, a, b);
-  if (outcome == GJK2_OUTCOME_LIMIT) {
-    plane_start_distance(&s, a, b);
-    if (cache != NULL) {
-      gjk2_search_aim(&s, cache);
-    }
-    outcome = gjk2_search_feature(&s, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
-  } else if (outcome == GJK2_OUTCOME_NEAREST && s.radius > 0 && gjk2_is_within(-s.base, s.d, s.radius)) {
-    outcome = GJK2_OUTCOME_NEAR;
+  plane_start_distance(&s, a, b);
+  if (cache != NULL) {
+    gjk2_search_aim(&s, cache);
   }
+  gjk2_outcome outcome = gjk2_search_feature(&s, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
   if (outcome == GJK2_OUTCOME_LIMIT) {
     outcome = gjk2_distance_settle(&s, out);
     if (outcome == GJK2_OUTCOME_LIMIT) {

@@ -82,7 +82,7 @@ static inline int64_t gjk2_inline_distance(const gjk2_length *length, gjk2_round
     if (fraction > 10 && fraction < mask - 10) {
       return biased >> n;
     }
-    if (n + length->zeros >= 21) {
+    if (!GJK_SMALL && n + length->zeros >= 21) {
       const uint32_t c = (biased + 16) >> n;  // biased < 2^31 + 2^30
       const uint64_t u = 2 * (uint64_t)c - (to == GJK2_ROUND_UP ? 2 : to == GJK2_ROUND_NEAREST ? 1 : 0);
       const int64_t beyond = gjk_int64(4 * h * h - u * u * length->squared);

@@ -1,7 +1,8 @@
 // How two shapes of the plane meet.
 //
 //   1. Find out how the cores lie. Of polygons whose bounding circles meet: by the edges of A - B, of which the nearest
-//      to the origin gives the depth (gjk2_edges.h). Others: without a search (gjk2_close.c), or by GJK.
+//      to the origin gives the depth (gjk2_edges.h). Others: by GJK. Points, segments and boxes that are apart
+//      need neither, and do not come here (gjk2_close.c).
 //   2. Cores apart, by less than the convex radii: the depth is the radii less that distance.
 //   3. Cores that intersect: the depth is the radii plus the distance of the nearest edge of A - B, with a curved shape
 //      that of the nearest line that touches A - B (gjk2_curved_depth.h).
@@ -198,24 +199,22 @@ gjk_status gjk2_meet(gjk2_meeting *m, const gjk2_collider *a, const gjk2_collide
   gjk2_search *s = &m->s;
   gjk_status status = GJK_OK;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
-  gjk2_lie lie = GJK2_LIE_OPEN;
+  (void)gjk2_search_start(s, a, b, false, (uint32_t)radius);
   // A cached feature is likely to be the nearest still, and cores with a radius are likely to be apart. Others that are near
   // are likely to overlap.
-  gjk2_outcome outcome = gjk2_search_close(s, a, b);
-  bool asked = false;
-  if (outcome == GJK2_OUTCOME_LIMIT) {
-    (void)gjk2_search_start(s, a, b, false, (uint32_t)radius);
-    if (radius == 0 && (cache == NULL || cache->count == 0) && circles_meet(s)) {
+  const bool apart = radius > 0 || (cache != NULL && cache->count > 0) || !circles_meet(s);
+  gjk2_lie lie = apart ? GJK2_LIE_OPEN : gjk2_meeting_edges(m);
+  gjk2_outcome outcome = GJK2_OUTCOME_ENCLOSING;
+  if (lie != GJK2_LIE_OVERLAP) {
+    outcome = gjk2_meeting_search(m, GJK2_GOAL_SIGNED, lie, cache);
+    if (outcome == GJK2_OUTCOME_ENCLOSING && apart) {
       lie = gjk2_meeting_edges(m);
-      asked = true;
     }
-    outcome = lie == GJK2_LIE_OVERLAP ? GJK2_OUTCOME_ENCLOSING : gjk2_meeting_search(m, GJK2_GOAL_SIGNED, lie, cache);
   }
   if (outcome == GJK2_OUTCOME_LIMIT) {
     return GJK_ERROR_ITERATION_LIMIT;
   }
   if (outcome == GJK2_OUTCOME_ENCLOSING) {
-    lie = asked ? lie : gjk2_meeting_edges(m);
     status = gjk2_meeting_overlap(m, lie);
   } else if (!measure_gap(m)) {
     set_apart(m);

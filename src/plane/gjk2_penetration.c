@@ -73,29 +73,22 @@ gjk_status gjk2_penetration(const gjk2_collider *a, const gjk2_collider *b, gjk2
   gjk2_meeting m;
   gjk2_search *s = &m.s;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
-  gjk2_outcome outcome = gjk2_search_close(s, a, b);
-  gjk2_lie lie = GJK2_LIE_OPEN;
-  if (outcome == GJK2_OUTCOME_LIMIT && !gjk2_search_start(s, a, b, true, (uint32_t)radius)) {
+  if (!gjk2_search_start(s, a, b, true, (uint32_t)radius)) {
     out->intersecting = false;
     out->iterations = 0;
     out->certificate.proof = GJK2_PROOF_CIRCLES;
     out->certificate.count = 0;
     return GJK_OK;
   }
-  if (outcome != GJK2_OUTCOME_NEAREST) {
-    if (separates(s, cache, radius)) {
-      return report_apart(s, GJK2_OUTCOME_SEPARATED, cache, out);
-    }
-    lie = gjk2_meeting_edges(&m);
-    if (lie == GJK2_LIE_APART && radius == 0) {
-      return report_apart(s, GJK2_OUTCOME_SEPARATED, cache, out);
-    }
-    if (lie == GJK2_LIE_OVERLAP) {
-      outcome = GJK2_OUTCOME_ENCLOSING;
-    } else if (outcome == GJK2_OUTCOME_LIMIT) {
-      outcome = gjk2_meeting_search(&m, GJK2_GOAL_DEPTH, lie, cache);
-    }
+  if (separates(s, cache, radius)) {
+    return report_apart(s, GJK2_OUTCOME_SEPARATED, cache, out);
   }
+  const gjk2_lie lie = gjk2_meeting_edges(&m);
+  if (lie == GJK2_LIE_APART && radius == 0) {
+    return report_apart(s, GJK2_OUTCOME_SEPARATED, cache, out);
+  }
+  const gjk2_outcome outcome =
+      lie == GJK2_LIE_OVERLAP ? GJK2_OUTCOME_ENCLOSING : gjk2_meeting_search(&m, GJK2_GOAL_DEPTH, lie, cache);
   if (outcome == GJK2_OUTCOME_LIMIT) {
     return GJK_ERROR_ITERATION_LIMIT;
   }

@@ -15,6 +15,14 @@
 #include "gjk2_class.h"
 #include "gjk2_measure.h"
 
+typedef enum gjk2_outcome {
+  GJK2_OUTCOME_NEAREST,    // the feature is the one of A - B nearest to the origin
+  GJK2_OUTCOME_ENCLOSING,  // the origin lies in the simplex: the cores intersect
+  GJK2_OUTCOME_SEPARATED,  // the whole of A - B is more than radius away from the origin, measured along d
+  GJK2_OUTCOME_NEAR,       // the feature is within radius of the origin
+  GJK2_OUTCOME_LIMIT       // open: the limit on iterations is reached
+} gjk2_outcome;
+
 // The support point of a curved pair is at most this far below the true support line, in LSB.
 #define GJK2_CURVED_ERROR 2
 
