@@ -153,4 +153,11 @@ gjk2_lie gjk2_boxes_edge(gjk2_search *s, gjk2_edge *edge) {
   return GJK2_LIE_OVERLAP;
 }
 
+#else
+
+gjk2_lie gjk2_boxes_edge(gjk2_search *s, gjk2_edge *edge) {
+  (void)s, (void)edge;
+  return GJK2_LIE_OPEN;
+}
+
 #endif

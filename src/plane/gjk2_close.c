@@ -66,8 +66,15 @@ static inline void set_feature(close_pair *of, close_number s, close_number t) {
   of->w_y = of->delta_y + s * of->y[0] + t * of->y[1];
 }
 
+// One copy of what is used often, but in line where registers hold 64 bits.
+#if GJK2_IN_LINE
+#define CLOSE_INLINE GJK_ONCE static
+#else
+#define CLOSE_INLINE GJK_OUT_OF_LINE static
+#endif
+
 // Makes a corner the feature. False: it is O.
-static inline bool take_corner(close_pair *of, close_number s, close_number t) {
+CLOSE_INLINE bool take_corner(close_pair *of, close_number s, close_number t) {
   set_feature(of, s, t);
   of->turns[0] = 0;
   of->turns[1] = 0;
@@ -80,7 +87,7 @@ static inline bool take_corner(close_pair *of, close_number s, close_number t) {
 }
 
 // Makes the edge from a corner to the one with other signs the feature, or the edge back. False: O lies on it.
-static inline bool take_edge(close_pair *of, close_number s, close_number t, close_number turns_x,
+CLOSE_INLINE bool take_edge(close_pair *of, close_number s, close_number t, close_number turns_x,
                                      close_number turns_y) {
   set_feature(of, s, t);
   of->turns[0] = turns_x;
@@ -177,7 +184,7 @@ static inline void number_corner(const gjk2_collider *a, const gjk2_collider *b,
 
 // The point of a shape on the feature: from its corner there, by the weight of the other end of its edge, and moved by the
 // convex radius. toward: 1 for A, which the normal leads away from, -1 for B. Bounds: plane_offset of gjk2_witness.c.
-static inline void set_point(const gjk2_collider *c, close_number x, close_number y, close_number edge_x,
+CLOSE_INLINE void set_point(const gjk2_collider *c, close_number x, close_number y, close_number edge_x,
                              close_number edge_y, int32_t weight, const gjk2_unit *normal, int toward, gjk2_vec *point,
                              bool *saturated) {
   const int64_t half = INT64_C(1) << 30;
@@ -216,21 +223,21 @@ static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, con
 }
 
 // What follows from the feature. points: of two points, which need no corners.
-GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool points,
+CLOSE_INLINE void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool points,
                                    gjk2_touch *out) {
   gjk2_length length;
   gjk2_unit across;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
   const uint64_t h = (uint64_t)-of->base;
   const gjk2_vec d = {(int32_t)of->d_x, (int32_t)of->d_y};
-  gjk2_inline_length(&length, d);
-  gjk2_inline_unit(&across, &length, d);
-  int32_t distance = (int32_t)gjk2_inline_distance(&length, GJK2_ROUND_DOWN, h) - radius;
+  gjk2_quick_length(&length, d);
+  gjk2_quick_unit(&across, &length, d);
+  int32_t distance = (int32_t)gjk2_quick_distance(&length, GJK2_ROUND_DOWN, h) - radius;
   out->normal.x = across.x;
   out->normal.y = across.y;
   out->overlaps = radius > 0 && (distance < 0 || (distance == 0 && gjk2_is_within(-of->base, d, radius)));
   if (!out->overlaps) {
-    distance = (int32_t)gjk2_inline_distance(&length, GJK2_ROUND_NEAREST, h) - radius;
+    distance = (int32_t)gjk2_quick_distance(&length, GJK2_ROUND_NEAREST, h) - radius;
   } else if (distance < 0 && !gjk2_inline_exceeds(&length, h, -distance)) {
     gjk2_outward_normal(d, of->base, radius, &length, -distance, &out->normal);
   }
@@ -283,4 +290,11 @@ bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch 
   measure_touch(a, b, &of, false, out);
   return true;
 }
+#else
+
+bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch *out) {
+  (void)a, (void)b, (void)out;
+  return false;
+}
+
 #endif

@@ -15,7 +15,7 @@
 #include "gjk2_close.h"
 #include "gjk2_facing.h"
 #include "gjk2_hull.h"
-#include "gjk2_measure.h"
+#include "gjk2_measure_inline.h"
 #include "gjk2_meeting.h"
 
 // Centres farther apart than this along an axis skip steps 2 and 3: the nearest points are the one contact. Otherwise
@@ -28,6 +28,13 @@
 // The byte that stands for an edge in an id; a corner's is its number modulo 128.
 #define ID_EDGE 255
 #define ID_CORNERS 127
+
+// In line where registers hold 64 bits.
+#if GJK2_IN_LINE
+#define CONTACTS_INLINE GJK_ONCE static
+#else
+#define CONTACTS_INLINE static
+#endif
 
 // What a shape meets the normal with: an edge, from a corner that is farthest along the normal, or that corner.
 typedef struct plane_side {
@@ -167,7 +174,7 @@ static bool find_corner(const gjk2_collider *c, int32_t guess, const gjk2_vec *n
   return true;
 }
 
-GJK_ONCE static void take_if_level(const gjk2_collider *c, const plane_edge *edge, plane_side *out) {
+CONTACTS_INLINE void take_if_level(const gjk2_collider *c, const plane_edge *edge, plane_side *out) {
   if (plane_is_level(edge, c->shape->convex_radius)) {
     out->count = 2;
     gjk2_copy_support(&out->way, &edge->way);
@@ -177,7 +184,7 @@ GJK_ONCE static void take_if_level(const gjk2_collider *c, const plane_edge *edg
 
 #if !GJK_SMALL
 // find_side of a box. Along the normal its half axes tell the corner, along the left the flatter one of its edges there.
-GJK_ONCE static void find_box_side(const gjk2_collider *c, const gjk2_vec *towards, const gjk2_vec *left, plane_side *out) {
+CONTACTS_INLINE void find_box_side(const gjk2_collider *c, const gjk2_vec *towards, const gjk2_vec *left, plane_side *out) {
   const gjk2_vec x = c->frame[0], y = c->frame[1];
   const int64_t px = gjk2_dot(x, *towards), py = gjk2_dot(y, *towards);  // not both 0
   // Of two corners as far the last one counterclockwise, in the order 3, 2, 0, 1.
@@ -290,7 +297,7 @@ static void find_side(const gjk2_collider *c, int32_t guess, const gjk2_vec *tow
 }
 
 // Step 2: an edge's ends.
-GJK_ONCE static void set_stretch(const gjk2_collider *c, const plane_side *of, gjk2_vec origin, const gjk2_vec *towards,
+CONTACTS_INLINE void set_stretch(const gjk2_collider *c, const plane_side *of, gjk2_vec origin, const gjk2_vec *towards,
                         const gjk2_vec *left, plane_stretch *out) {
   const unsigned other = of->run > 0 ? 1 : 0, same = 1 - other;
   out->end[same] = gjk2_add(origin, of->corner.offset);
@@ -340,7 +347,7 @@ static int32_t share(plane_stretch *of, uint64_t part) {
 }
 
 // Step 3: the edge's point at a place, to the nearest LSB.
-GJK_ONCE static gjk2_vec plane_point_at(plane_stretch *of, int64_t place) {
+CONTACTS_INLINE gjk2_vec plane_point_at(plane_stretch *of, int64_t place) {
   if (place <= of->place[0]) {
     return of->end[0];
   }
@@ -361,7 +368,7 @@ static gjk2_vec in_world(gjk2_vec origin, gjk2_vec p) {
 }
 
 // The candidate at a place of the shared stretch. False: it is farther than margin.
-GJK_ONCE static bool candidate_at(plane_stretch *of_a, plane_stretch *of_b, int64_t place, int64_t slack, gjk2_vec origin,
+CONTACTS_INLINE bool candidate_at(plane_stretch *of_a, plane_stretch *of_b, int64_t place, int64_t slack, gjk2_vec origin,
                          gjk_q16 margin, const gjk2_unit *normal, gjk2_contact *out) {
   const gjk2_vec a = plane_point_at(of_a, place), b = plane_point_at(of_b, place), n = {normal->x, normal->y};
   const int64_t gap = gjk_sar64(gjk2_dot(gjk2_sub(b, a), n) + (INT64_C(1) << 29), 30);
@@ -391,7 +398,7 @@ static void keep_better(gjk2_contact c[2]) {
 }
 
 // Step 3
-GJK_ONCE static void plane_clip(plane_stretch *of_a, plane_stretch *of_b, gjk2_vec origin, gjk_q16 margin,
+CONTACTS_INLINE void plane_clip(plane_stretch *of_a, plane_stretch *of_b, gjk2_vec origin, gjk_q16 margin,
                        gjk2_manifold *out) {
   const int64_t low = of_a->place[0] > of_b->place[0] ? of_a->place[0] : of_b->place[0];
   const int64_t high = of_a->place[1] < of_b->place[1] ? of_a->place[1] : of_b->place[1];

@@ -106,9 +106,15 @@ static inline bool gjk2_inline_exceeds(const gjk2_length *length, uint64_t h, in
   return (leading & mask) > ((uint32_t)depth >> (28 - n)) + 10 && (leading & mask) < mask - 10;
 }
 
-// The same, in line where the code is not chosen for size.
+// The same, in line where registers hold 64 bits and the code is not chosen for size.
+#if GJK_64_BIT && !GJK_SMALL
+#define GJK2_IN_LINE 1
+#else
+#define GJK2_IN_LINE 0
+#endif
+
 static inline void gjk2_quick_length(gjk2_length *length, gjk2_vec n) {
-#if GJK_SMALL
+#if !GJK2_IN_LINE
   gjk2_length_set(length, n);
 #else
   gjk2_inline_length(length, n);
@@ -116,7 +122,7 @@ static inline void gjk2_quick_length(gjk2_length *length, gjk2_vec n) {
 }
 
 static inline void gjk2_quick_unit(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
-#if GJK_SMALL
+#if !GJK2_IN_LINE
   gjk2_unit_set(unit, length, n);
 #else
   gjk2_inline_unit(unit, length, n);
@@ -124,7 +130,7 @@ static inline void gjk2_quick_unit(gjk2_unit *unit, const gjk2_length *length, g
 }
 
 static inline int64_t gjk2_quick_distance(const gjk2_length *length, gjk2_round_to to, uint64_t h) {
-#if GJK_SMALL
+#if !GJK2_IN_LINE
   return gjk2_round_distance(length, to, h);
 #else
   return gjk2_inline_distance(length, to, h);

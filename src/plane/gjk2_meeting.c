@@ -23,7 +23,7 @@
 #include "gjk2_witness.h"
 
 // Steps 2 and 3: depth and normal, where length, n and height are known. core: the depth of the cores, rounded up.
-GJK_ONCE static void set_overlap(gjk2_meeting *m, const gjk2_vertex *p, const gjk2_vertex *q, int64_t core, uint8_t proof) {
+static void set_overlap(gjk2_meeting *m, const gjk2_vertex *p, const gjk2_vertex *q, int64_t core, uint8_t proof) {
   const gjk2_search *s = &m->s;
   const int32_t radii = gjk2_convex_radii(s), depth = (int32_t)core + radii;
   m->overlaps = true;
@@ -40,7 +40,7 @@ GJK_ONCE static void set_overlap(gjk2_meeting *m, const gjk2_vertex *p, const gj
   if (s->curved) {
     m->proof = GJK2_PROOF_NONE;
   } else if (depth > 0 &&
-             (GJK_SMALL || !gjk2_outward_is_clear(m->n, m->height, radii, &m->length, depth, &m->normal))) {  // Step 5
+             (!GJK2_IN_LINE || !gjk2_outward_is_clear(m->n, m->height, radii, &m->length, depth, &m->normal))) {  // Step 5
     gjk2_outward_normal(m->n, m->height, radii, &m->length, depth, &m->normal);
   }
 }
@@ -50,7 +50,7 @@ bool gjk2_meeting_points(const gjk2_meeting *m, gjk2_vec *point_a, gjk2_vec *poi
   const gjk2_vertex *q = m->q;
   const gjk2_length *edge = &m->length;  // of polygons n is the edge turned by a quarter
   gjk2_length own;
-#if !GJK_SMALL
+#if GJK2_IN_LINE
   if (q == NULL) {
     bool saturated = false;
     gjk2_witness_corner(s->a, m->p->a.offset, &m->across, 1, point_a, &saturated);
@@ -108,7 +108,7 @@ gjk2_outcome gjk2_meeting_search(gjk2_meeting *m, gjk2_goal goal, gjk2_lie lie, 
   return outcome;
 }
 
-GJK_ONCE static bool measure_gap(gjk2_meeting *m) {
+static bool measure_gap(gjk2_meeting *m) {
   gjk2_search *s = &m->s;
   const int32_t radius = gjk2_convex_radii(s);
   const uint64_t h = (uint64_t)-s->base;

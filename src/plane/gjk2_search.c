@@ -23,7 +23,7 @@
 // are at most as many x as A - B has corners, which is at most n + m for polygons of n and m vertices. One more
 // iteration finds no x, and one may be spent on what the cache holds:  n + m + 2 < GJK2_ITERATIONS_OF(n, m).
 //
-// The walk. Where the vertices of both shapes are in order, the first x is followed by a walk along the boundary of A - B
+// The walk. Where the vertices of both shapes are in order, or of one that meets a point or segment, the first x is followed by a walk along the boundary of A - B
 // instead. Its next edge is the next one of A or of -B, whichever turns less. It goes on while the next vertex is nearer
 // to O, and ends
 //   at an edge that holds O's foot, with O on its right: no other vertex lies right of it, so it is the nearest
@@ -397,11 +397,20 @@ static gjk2_outcome settle_point(gjk2_search *s, gjk2_goal goal) {
                                     : GJK2_OUTCOME_NEAREST;
 }
 
+#if !GJK_SMALL
+// Is the pair a polygon in order and a point or segment, in a near frame? Then A - B has area, and a walk takes it all.
+static inline bool is_polygon_with_ends(const gjk2_search *s) {
+  const bool ends_a = s->a->shape->type->touch != NULL, ends_b = s->b->shape->type->touch != NULL;
+  return s->far == 0 && ((s->a->ordered && ends_b) || (s->b->ordered && ends_a));
+}
+#endif
+
 gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
   if (gjk2_search_is_point(s) && limit != 0) {
     return settle_point(s, goal);
   }
 #if !GJK_SMALL
+  s->walks = s->walks || (limit == GJK2_NO_LIMIT && is_polygon_with_ends(s));
   // What iterate does for a cold start, without its loop.
   if (s->walks && s->count == 0) {
     s->iterations++;

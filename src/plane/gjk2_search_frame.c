@@ -73,13 +73,7 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   }
   s->d = gjk2_negate(s->delta);
   gjk2_search_need_direction(s);
-#if GJK_SMALL
   s->walks = s->far == 0 && a->ordered && b->ordered;
-#else
-  // Of a polygon in order and a point or segment, A - B has area.
-  const bool ends_a = a->shape->type->touch != NULL, ends_b = b->shape->type->touch != NULL;
-  s->walks = s->far == 0 && (a->ordered ? b->ordered || ends_b : ends_a && b->ordered);
-#endif
   if (!s->walks) {  // curved shapes have no vertices in order
     s->curved = gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape);
   }
