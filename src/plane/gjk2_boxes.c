@@ -72,8 +72,8 @@ static void set_ends(const gjk2_search *s, const box_axis *v, gjk2_edge *edge) {
   p->w.y = s->delta.y + (int32_t)(at[0][1] + at[1][1]);
   q->a.offset.x = (int32_t)(at[0][0] + way[0][0]);
   q->a.offset.y = (int32_t)(at[0][1] + way[0][1]);
-  q->b.offset.x = (int32_t)-(at[1][0] + way[1][0]);
-  q->b.offset.y = (int32_t)-(at[1][1] + way[1][1]);
+  q->b.offset.x = (int32_t) - (at[1][0] + way[1][0]);
+  q->b.offset.y = (int32_t) - (at[1][1] + way[1][1]);
   q->a.vertex = (uint16_t)other[0];
   q->b.vertex = (uint16_t)other[1];
   q->w.x = p->w.x + (int32_t)(way[0][0] + way[1][0]);

@@ -88,7 +88,7 @@ CLOSE_INLINE bool take_corner(close_pair *of, close_number s, close_number t) {
 
 // Makes the edge from a corner to the one with other signs the feature, or the edge back. False: O lies on it.
 CLOSE_INLINE bool take_edge(close_pair *of, close_number s, close_number t, close_number turns_x,
-                                     close_number turns_y) {
+                            close_number turns_y) {
   set_feature(of, s, t);
   of->turns[0] = turns_x;
   of->turns[1] = turns_y;
@@ -185,8 +185,8 @@ static inline void number_corner(const gjk2_collider *a, const gjk2_collider *b,
 // The point of a shape on the feature: from its corner there, by the weight of the other end of its edge, and moved by the
 // convex radius. toward: 1 for A, which the normal leads away from, -1 for B. Bounds: plane_offset of gjk2_witness.c.
 CLOSE_INLINE void set_point(const gjk2_collider *c, close_number x, close_number y, close_number edge_x,
-                             close_number edge_y, int32_t weight, const gjk2_unit *normal, int toward, gjk2_vec *point,
-                             bool *saturated) {
+                            close_number edge_y, int32_t weight, const gjk2_unit *normal, int toward, gjk2_vec *point,
+                            bool *saturated) {
   const int64_t half = INT64_C(1) << 30;
   const close_number twice = 2 * toward * c->shape->convex_radius;
   const int64_t moved_x = gjk_sar64(half + product(edge_x, weight) + product(normal->x, twice), 31);
@@ -224,7 +224,7 @@ static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, con
 
 // What follows from the feature. points: of two points, which need no corners.
 CLOSE_INLINE void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool points,
-                                   gjk2_touch *out) {
+                                gjk2_touch *out) {
   gjk2_length length;
   gjk2_unit across;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;

@@ -184,7 +184,8 @@ CONTACTS_INLINE void take_if_level(const gjk2_collider *c, const plane_edge *edg
 
 #if !GJK_SMALL
 // find_side of a box. Along the normal its half axes tell the corner, along the left the flatter one of its edges there.
-CONTACTS_INLINE void find_box_side(const gjk2_collider *c, const gjk2_vec *towards, const gjk2_vec *left, plane_side *out) {
+CONTACTS_INLINE void find_box_side(const gjk2_collider *c, const gjk2_vec *towards, const gjk2_vec *left,
+                                   plane_side *out) {
   const gjk2_vec x = c->frame[0], y = c->frame[1];
   const int64_t px = gjk2_dot(x, *towards), py = gjk2_dot(y, *towards);  // not both 0
   // Of two corners as far the last one counterclockwise, in the order 3, 2, 0, 1.
@@ -298,7 +299,7 @@ static void find_side(const gjk2_collider *c, int32_t guess, const gjk2_vec *tow
 
 // Step 2: an edge's ends.
 CONTACTS_INLINE void set_stretch(const gjk2_collider *c, const plane_side *of, gjk2_vec origin, const gjk2_vec *towards,
-                        const gjk2_vec *left, plane_stretch *out) {
+                                 const gjk2_vec *left, plane_stretch *out) {
   const unsigned other = of->run > 0 ? 1 : 0, same = 1 - other;
   out->end[same] = gjk2_add(origin, of->corner.offset);
   out->number[same] = of->corner.vertex;
@@ -368,8 +369,8 @@ static gjk2_vec in_world(gjk2_vec origin, gjk2_vec p) {
 }
 
 // The candidate at a place of the shared stretch. False: it is farther than margin.
-CONTACTS_INLINE bool candidate_at(plane_stretch *of_a, plane_stretch *of_b, int64_t place, int64_t slack, gjk2_vec origin,
-                         gjk_q16 margin, const gjk2_unit *normal, gjk2_contact *out) {
+CONTACTS_INLINE bool candidate_at(plane_stretch *of_a, plane_stretch *of_b, int64_t place, int64_t slack,
+                                  gjk2_vec origin, gjk_q16 margin, const gjk2_unit *normal, gjk2_contact *out) {
   const gjk2_vec a = plane_point_at(of_a, place), b = plane_point_at(of_b, place), n = {normal->x, normal->y};
   const int64_t gap = gjk_sar64(gjk2_dot(gjk2_sub(b, a), n) + (INT64_C(1) << 29), 30);
   if (gap > margin) {
@@ -399,7 +400,7 @@ static void keep_better(gjk2_contact c[2]) {
 
 // Step 3
 CONTACTS_INLINE void plane_clip(plane_stretch *of_a, plane_stretch *of_b, gjk2_vec origin, gjk_q16 margin,
-                       gjk2_manifold *out) {
+                                gjk2_manifold *out) {
   const int64_t low = of_a->place[0] > of_b->place[0] ? of_a->place[0] : of_b->place[0];
   const int64_t high = of_a->place[1] < of_b->place[1] ? of_a->place[1] : of_b->place[1];
   const int64_t length_a = of_a->place[1] - of_a->place[0], length_b = of_b->place[1] - of_b->place[0];
@@ -446,14 +447,15 @@ void gjk2_facing_limit(gjk2_manifold *m, unsigned most) {
   }
 }
 
-void gjk2_facing_admit(gjk2_manifold *m, gjk_q16 distance, const gjk2_vec *point_a, const gjk2_vec *point_b, uint16_t id) {
+void gjk2_facing_admit(gjk2_manifold *m, gjk_q16 distance, const gjk2_vec *point_a, const gjk2_vec *point_b,
+                       uint16_t id) {
   gjk2_contact *c = place_nearest(m, distance, id);
   gjk2_copy(&c->point_a, point_a);
   gjk2_copy(&c->point_b, point_b);
 }
 
-GJK_OUT_OF_LINE bool gjk2_facing_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, int32_t guess_a,
-                                          int32_t guess_b, gjk2_manifold *out, uint16_t *id) {
+GJK_OUT_OF_LINE bool gjk2_facing_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin,
+                                          int32_t guess_a, int32_t guess_b, gjk2_manifold *out, uint16_t *id) {
   *id = 0;
   if (!plane_is_within_reach(a, b)) {
     return false;

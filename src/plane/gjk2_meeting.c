@@ -39,8 +39,8 @@ static void set_overlap(gjk2_meeting *m, const gjk2_vertex *p, const gjk2_vertex
   m->normal.y = m->across.y;
   if (s->curved) {
     m->proof = GJK2_PROOF_NONE;
-  } else if (depth > 0 &&
-             (!GJK2_IN_LINE || !gjk2_outward_is_clear(m->n, m->height, radii, &m->length, depth, &m->normal))) {  // Step 5
+  } else if (depth > 0 && (!GJK2_IN_LINE ||
+                           !gjk2_outward_is_clear(m->n, m->height, radii, &m->length, depth, &m->normal))) {  // Step 5
     gjk2_outward_normal(m->n, m->height, radii, &m->length, depth, &m->normal);
   }
 }

@@ -32,7 +32,8 @@ static inline bool gjk2_outward_is_clear(gjk2_vec n, int64_t height, int32_t rad
   if (beyond <= 0 || radius == 0) {
     return beyond >= 0 && radius == 0;
   }
-  const uint32_t leading = (uint32_t)(gjk2_inline_quotient(length, &shift, (uint64_t)beyond) >> 32);  // off by less than 9
+  const uint32_t leading =
+      (uint32_t)(gjk2_inline_quotient(length, &shift, (uint64_t)beyond) >> 32);  // off by less than 9
   return shift >= 32 && shift <= 62 && leading > 9 && (leading - 9) >> (shift - 32) >= (uint32_t)radius;
 }
 

@@ -239,7 +239,8 @@ static gjk2_outcome walk_round(gjk2_search *s, bool decides, bool following) {
     const gjk2_vec of_a = {way_a.offset.x, way_a.offset.y}, of_b = {-way_b.offset.x, -way_b.offset.y};
     const gjk2_vec w = {at->w.x, at->w.y};
     int64_t turn = following ? gjk2_cross(of_a, of_b) : gjk2_cross(of_b, of_a);
-    if (!GJK_SMALL && turn == 0 && gjk2_dot(of_a, of_b) < 0) {  // one of them a segment's, at x: the other is across d and comes first
+    if (!GJK_SMALL && turn == 0 &&
+        gjk2_dot(of_a, of_b) < 0) {  // one of them a segment's, at x: the other is across d and comes first
       turn = s->a->ordered ? 1 : -1;
     }
     gjk2_vec step = of_a;
