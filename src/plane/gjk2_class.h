@@ -33,9 +33,10 @@ struct gjk2_search;
 struct gjk2_edge;
 struct gjk2_touch;
 
-// Measures a pair of points, segments and boxes without a search: see gjk2_close.h. None where code is chosen for size.
+// Measures a pair of points, segments and boxes without a search: see gjk2_close.h. Only
+// where registers hold 64 bits and code is not chosen for size.
 bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, struct gjk2_touch *out);
-#if !GJK_SMALL
+#if GJK_64_BIT && !GJK_SMALL
 #define GJK2_TOUCH_AXES gjk2_touch_axes
 #else
 #define GJK2_TOUCH_AXES NULL

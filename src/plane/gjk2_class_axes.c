@@ -83,7 +83,7 @@ static void adjacent_axes(const gjk2_collider *c, const gjk2_support *from, bool
   way->vertex = (uint16_t)other;
 }
 
-#if GJK_SMALL
+#if GJK_SMALL || !GJK_64_BIT
 #define ADJACENT_ENDS adjacent_axes
 #else
 #define ADJACENT_ENDS adjacent_ends

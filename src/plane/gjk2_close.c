@@ -13,35 +13,23 @@
 // distance, the normal and the points follow, with the same roundings as elsewhere (gjk2_distance.c, gjk2_meeting.c).
 //   |u| <= 2^30, |x|, |y| < 2^28:  sums of them below 3 2^29, products below 2^60
 //
-// Coordinates are scalars of the width of a register: GCC makes pairs of them vectors, and spends more on that than it saves.
+// Only where registers hold 64 bits, so that coordinates are scalars of 64 bits: GCC makes pairs of them vectors, and spends more on that than it saves.
 #include "gjk2_close.h"
 
 #include "gjk2_outward.h"
 #include "gjk2_witness.h"
 
-#if !GJK_SMALL
+#if GJK_64_BIT && !GJK_SMALL
 
-#if GJK_64_BIT
 typedef int64_t close_number;
-
-static inline int64_t product(close_number a, close_number b) {
-  return a * b;
-}
-#else
-typedef int32_t close_number;
-
-static inline int64_t product(close_number a, close_number b) {
-  return gjk_mul32(a, b);
-}
-#endif
 
 // p . q, and p x q.
 static inline int64_t close_dot(close_number px, close_number py, close_number qx, close_number qy) {
-  return product(px, qx) + product(py, qy);
+  return px * qx + py * qy;
 }
 
 static inline int64_t close_cross(close_number px, close_number py, close_number qx, close_number qy) {
-  return product(px, qy) - product(py, qx);
+  return px * qy - py * qx;
 }
 
 // The half axes of both shapes, those of A first, and the feature.
@@ -66,15 +54,8 @@ static inline void set_feature(close_pair *of, close_number s, close_number t) {
   of->w_y = of->delta_y + s * of->y[0] + t * of->y[1];
 }
 
-// One copy of what is used often, but in line where registers hold 64 bits.
-#if GJK2_IN_LINE
-#define CLOSE_INLINE GJK_ONCE static
-#else
-#define CLOSE_INLINE GJK_OUT_OF_LINE static
-#endif
-
 // Makes a corner the feature. False: it is O.
-CLOSE_INLINE bool take_corner(close_pair *of, close_number s, close_number t) {
+GJK_ONCE static bool take_corner(close_pair *of, close_number s, close_number t) {
   set_feature(of, s, t);
   of->turns[0] = 0;
   of->turns[1] = 0;
@@ -87,8 +68,8 @@ CLOSE_INLINE bool take_corner(close_pair *of, close_number s, close_number t) {
 }
 
 // Makes the edge from a corner to the one with other signs the feature, or the edge back. False: O lies on it.
-CLOSE_INLINE bool take_edge(close_pair *of, close_number s, close_number t, close_number turns_x,
-                            close_number turns_y) {
+GJK_ONCE static bool take_edge(close_pair *of, close_number s, close_number t, close_number turns_x,
+                               close_number turns_y) {
   set_feature(of, s, t);
   of->turns[0] = turns_x;
   of->turns[1] = turns_y;
@@ -184,13 +165,13 @@ static inline void number_corner(const gjk2_collider *a, const gjk2_collider *b,
 
 // The point of a shape on the feature: from its corner there, by the weight of the other end of its edge, and moved by the
 // convex radius. toward: 1 for A, which the normal leads away from, -1 for B. Bounds: plane_offset of gjk2_witness.c.
-CLOSE_INLINE void set_point(const gjk2_collider *c, close_number x, close_number y, close_number edge_x,
-                            close_number edge_y, int32_t weight, const gjk2_unit *normal, int toward, gjk2_vec *point,
-                            bool *saturated) {
+GJK_ONCE static void set_point(const gjk2_collider *c, close_number x, close_number y, close_number edge_x,
+                               close_number edge_y, int32_t weight, const gjk2_unit *normal, int toward,
+                               gjk2_vec *point, bool *saturated) {
   const int64_t half = INT64_C(1) << 30;
   const close_number twice = 2 * toward * c->shape->convex_radius;
-  const int64_t moved_x = gjk_sar64(half + product(edge_x, weight) + product(normal->x, twice), 31);
-  const int64_t moved_y = gjk_sar64(half + product(edge_y, weight) + product(normal->y, twice), 31);
+  const int64_t moved_x = gjk_sar64(half + edge_x * weight + normal->x * twice, 31);
+  const int64_t moved_y = gjk_sar64(half + edge_y * weight + normal->y * twice, 31);
   point->x = gjk_saturate_noting((int64_t)c->centre.x + x + moved_x, saturated);
   point->y = gjk_saturate_noting((int64_t)c->centre.y + y + moved_y, saturated);
 }
@@ -223,8 +204,8 @@ static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, con
 }
 
 // What follows from the feature. points: of two points, which need no corners.
-CLOSE_INLINE void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool points,
-                                gjk2_touch *out) {
+GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool points,
+                                   gjk2_touch *out) {
   gjk2_length length;
   gjk2_unit across;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
@@ -258,15 +239,11 @@ CLOSE_INLINE void measure_touch(const gjk2_collider *a, const gjk2_collider *b, 
 
 // Is b - a below 2^29 in size along both axes?
 static inline bool is_near_enough(const gjk2_collider *a, const gjk2_collider *b) {
-#if GJK_64_BIT
   const int64_t half = INT64_C(1) << 29;
   return ((uint64_t)((int64_t)b->centre.x - a->centre.x + half) |
           (uint64_t)((int64_t)b->centre.y - a->centre.y + half)) >>
              30 ==
          0;
-#else
-  return gjk2_frame_is_near(a, b);
-#endif
 }
 
 bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch *out) {

@@ -13,9 +13,9 @@ typedef struct gjk2_touch {
   gjk2_certificate certificate;  // NEAREST
 } gjk2_touch;
 
-// Measures the pair; false: it is another one. Where code is chosen for size there is none.
+// Measures the pair; false: it is another one. Elsewhere there is none: see GJK2_TOUCH_AXES.
 static inline bool gjk2_touch_without_search(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch *out) {
-#if GJK_SMALL
+#if GJK_SMALL || !GJK_64_BIT
   (void)a, (void)b, (void)out;
   return false;
 #else

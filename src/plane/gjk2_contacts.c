@@ -116,10 +116,11 @@ static inline bool has_two_ends(const gjk2_collider *c) {
 
 // The end of a segment that is farther along the normal, and the way to the other. False: both are as far.
 static bool find_end(const gjk2_collider *c, const gjk2_vec *normal, gjk2_support *corner, plane_edge *edge) {
-  gjk2_vec low = gjk2_negate(c->frame[0]), high = c->frame[0];
+  gjk2_vec high = {c->frame[0].x, c->frame[0].y};
+  gjk2_vec low = gjk2_negate(high);
   if (c->count == 3) {
-    low = c->frame[0];
-    high = c->frame[1];
+    gjk2_copy(&low, &c->frame[0]);
+    gjk2_copy(&high, &c->frame[1]);
   } else if (c->shape->type->buffered) {  // a polygon of two vertices
     (void)c->shape->type->vertex(c, 0, &low);
     (void)c->shape->type->vertex(c, 1, &high);

@@ -34,7 +34,9 @@ static void set_overlap(gjk2_meeting *m, const gjk2_vertex *p, const gjk2_vertex
   m->distance = depth > 0 ? -depth : 0;
   m->lower = m->distance;
   m->upper = m->distance;
-  gjk2_quick_unit(&m->across, &m->length, m->n);
+  // Components one by one: GCC copies a vector by a call of memcpy at -Os on ARMv6-M.
+  const gjk2_vec n = {m->n.x, m->n.y};
+  gjk2_quick_unit(&m->across, &m->length, n);
   m->normal.x = m->across.x;
   m->normal.y = m->across.y;
   if (s->curved) {
@@ -112,15 +114,16 @@ static bool measure_gap(gjk2_meeting *m) {
   gjk2_search *s = &m->s;
   const int32_t radius = gjk2_convex_radii(s);
   const uint64_t h = (uint64_t)-s->base;
-  gjk2_quick_length(&m->length, s->d);
+  const gjk2_vec d = {s->d.x, s->d.y};
+  gjk2_quick_length(&m->length, d);
   if (radius == 0 || s->far != 0) {
     return false;
   }
   const int64_t gap = gjk2_quick_distance(&m->length, GJK2_ROUND_DOWN, h);
-  if (gap > radius || (gap == radius && !gjk2_is_within(-s->base, s->d, radius))) {
+  if (gap > radius || (gap == radius && !gjk2_is_within(-s->base, d, radius))) {
     return false;
   }
-  m->n = s->d;
+  gjk2_copy(&m->n, &s->d);
   m->height = s->base;
   set_overlap(m, gjk2_search_vertex(s, 0), s->count == 2 ? gjk2_search_vertex(s, 1) : NULL, -gap, GJK2_PROOF_NEAREST);
   if (s->curved) {
@@ -142,7 +145,7 @@ static gjk_status overlap_curved(gjk2_meeting *m) {
   const bool settled = (of_a->depth != NULL ? of_a : of_b)->depth(s, &m->edge, &lower, &s->iterations);
   const int64_t core = gjk2_round_distance(&m->edge.length, GJK2_ROUND_UP, (uint64_t)m->edge.height);
   gjk2_copy_length(&m->length, &m->edge.length);
-  m->n = s->d;
+  gjk2_copy(&m->n, &s->d);
   m->height = m->edge.height;
   set_overlap(m, &m->edge.p, &m->edge.q, core, GJK2_PROOF_NONE);
   const int64_t least = lower + gjk2_convex_radii(s) - GJK2_CURVED_ERROR;
@@ -181,7 +184,8 @@ static void set_apart(gjk2_meeting *m) {
   m->saturated = false;
   m->p = gjk2_search_vertex(s, 0);
   m->q = s->count == 2 ? gjk2_search_vertex(s, 1) : NULL;
-  gjk2_quick_unit(&m->across, &m->length, s->d);
+  const gjk2_vec d = {s->d.x, s->d.y};
+  gjk2_quick_unit(&m->across, &m->length, d);
   m->normal.x = m->across.x;
   m->normal.y = m->across.y;
   m->distance = gjk2_distance_of(s, &m->length, &m->saturated);

@@ -239,7 +239,7 @@ static gjk2_outcome walk_round(gjk2_search *s, bool decides, bool following) {
     const gjk2_vec of_a = {way_a.offset.x, way_a.offset.y}, of_b = {-way_b.offset.x, -way_b.offset.y};
     const gjk2_vec w = {at->w.x, at->w.y};
     int64_t turn = following ? gjk2_cross(of_a, of_b) : gjk2_cross(of_b, of_a);
-    if (!GJK_SMALL && turn == 0 &&
+    if (GJK_64_BIT && !GJK_SMALL && turn == 0 &&
         gjk2_dot(of_a, of_b) < 0) {  // one of them a segment's, at x: the other is across d and comes first
       turn = s->a->ordered ? 1 : -1;
     }
@@ -398,7 +398,7 @@ static gjk2_outcome settle_point(gjk2_search *s, gjk2_goal goal) {
                                     : GJK2_OUTCOME_NEAREST;
 }
 
-#if !GJK_SMALL
+#if GJK_64_BIT && !GJK_SMALL
 // Is the pair a polygon in order and a point or segment, in a near frame? Then A - B has area, and a walk takes it all.
 static inline bool is_polygon_with_ends(const gjk2_search *s) {
   const bool ends_a = s->a->shape->type->touch != NULL, ends_b = s->b->shape->type->touch != NULL;
@@ -410,8 +410,10 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
   if (gjk2_search_is_point(s) && limit != 0) {
     return settle_point(s, goal);
   }
-#if !GJK_SMALL
+#if GJK_64_BIT && !GJK_SMALL
   s->walks = s->walks || (limit == GJK2_NO_LIMIT && is_polygon_with_ends(s));
+#endif
+#if !GJK_SMALL
   // What iterate does for a cold start, without its loop.
   if (s->walks && s->count == 0) {
     s->iterations++;
