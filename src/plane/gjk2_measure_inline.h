@@ -72,7 +72,7 @@ int64_t gjk2_settle_distance(const gjk2_length *length, gjk2_round_to to, uint64
 // So the difference of the squares modulo 2^64 has that sign.
 static inline int64_t gjk2_inline_distance(const gjk2_length *length, gjk2_round_to to, uint64_t h) {
   unsigned shift;
-  const uint64_t quotient = gjk2_inline_quotient(length, &shift, h);
+  const uint64_t quotient = GJK_SMALL ? gjk2_quotient(length, &shift, h) : gjk2_inline_quotient(length, &shift, h);
   const uint32_t leading = (uint32_t)(quotient >> 32);  // below 2^31, and off by less than 2^3 + 1
   if (shift >= 38 && shift <= 62) {
     const unsigned n = shift - 32;
