@@ -88,14 +88,12 @@ static bool limit_axis(int64_t from, int64_t to, int32_t low, int32_t high, int3
   return from <= high && to >= low;
 }
 
-void gjk2_chain_start(gjk2_chain_walk *walk, const gjk2_chain *chain, const gjk2_collider *body,
+void gjk2_chain_start(gjk2_chain_walk *walk, const gjk2_chain *chain, const gjk2_aabb *box,
                       const gjk2_chain_range *range, gjk_q16 margin) {
-  gjk2_aabb box;
-  (void)gjk2_collider_aabb(body, &box);
   const gjk2_vec *at = &chain->position;
-  const bool meets_x = limit_axis((int64_t)box.lower.x - margin - at->x, (int64_t)box.upper.x + margin - at->x,
+  const bool meets_x = limit_axis((int64_t)box->lower.x - margin - at->x, (int64_t)box->upper.x + margin - at->x,
                                   chain->lower.x, chain->upper.x, &walk->lower.x, &walk->upper.x);
-  const bool meets_y = limit_axis((int64_t)box.lower.y - margin - at->y, (int64_t)box.upper.y + margin - at->y,
+  const bool meets_y = limit_axis((int64_t)box->lower.y - margin - at->y, (int64_t)box->upper.y + margin - at->y,
                                   chain->lower.y, chain->upper.y, &walk->lower.y, &walk->upper.y);
   walk->chain = chain;
   walk->next = range != NULL ? range->first : 0;
@@ -155,8 +153,10 @@ gjk_status gjk2_chain_intersect(const gjk2_chain *chain, const gjk2_collider *bo
   gjk2_chain_walk walk;
   gjk2_decision decision;
   uint16_t i = 0;
+  gjk2_aabb box;
   decision.yes = false;
-  gjk2_chain_start(&walk, chain, body, range, 0);
+  (void)gjk2_collider_aabb(body, &box);
+  gjk2_chain_start(&walk, chain, &box, range, 0);
   while (!decision.yes && gjk2_chain_next(&walk, &i)) {
     gjk2_collider line;
     collider_of(chain, i, &line);

@@ -16,7 +16,7 @@ typedef struct gjk2_chain_walk {
 gjk_status gjk2_chain_check(const gjk2_chain *chain, const gjk2_collider *body, const gjk2_chain_range *range);
 
 // Starts a walk over the segments whose box is at most margin from the body's along both axes. Pre: checked.
-void gjk2_chain_start(gjk2_chain_walk *walk, const gjk2_chain *chain, const gjk2_collider *body,
+void gjk2_chain_start(gjk2_chain_walk *walk, const gjk2_chain *chain, const gjk2_aabb *box,
                       const gjk2_chain_range *range, gjk_q16 margin);
 
 // The next segment with a length. False: there is none.

@@ -261,7 +261,6 @@ static void add_segment(chain_query *query, const chain_segment *s) {
   const gjk2_collider *body = query->body;
   gjk2_chain_aim own;
   gjk2_manifold m;
-  gjk2_distance_result nearest;
   gjk2_collider line;
   gjk2_chain_aim_along(query->body, &s->normal, &s->p, &own);
   if (gjk2_dot(s->normal, s->p) > 0 || !is_in_reach(query, &own)) {  // the centre is behind
@@ -269,15 +268,19 @@ static void add_segment(chain_query *query, const chain_segment *s) {
   }
   const bool across = lies_across(query, s, own.at) || move_across(query, s, &own);
   const int64_t core = gjk2_chain_measure(&own, &m.normal);
-  nearest.distance = (gjk_q16)(core - body->shape->convex_radius);
-  nearest.point_b = moved(query, own.at, &m.normal, -(int64_t)body->shape->convex_radius);
-  nearest.point_a = moved(query, own.at, &m.normal, -core);
+  const gjk_q16 radius = body->shape->convex_radius, distance = (gjk_q16)(core - radius);
   m.feature_a = 0;
   m.feature_b = 0;
   m.count = 0;
   gjk2_chain_collider(gjk2_chain_vertex(query->chain, s->number),
                       gjk2_chain_vertex(query->chain, s->number + UINT32_C(1)), &line);
-  bool level = gjk2_facing_contacts(&line, body, query->margin, GJK2_CONTACTS_MAX, across ? &nearest : NULL, NULL, &m);
+  uint16_t id;
+  bool level = gjk2_facing_contacts(&line, body, query->margin, -1, -1, &m, &id);
+  if (across && gjk2_facing_lacks(&m, distance)) {
+    const gjk2_vec point_a = moved(query, own.at, &m.normal, -core);
+    const gjk2_vec point_b = moved(query, own.at, &m.normal, -(int64_t)radius);
+    gjk2_facing_admit(&m, distance, &point_a, &point_b, id);
+  }
   level = level || gjk2_is_curved(body->shape);
   if (m.count > 0 && !yields_at(query, s, false, &own, level) && !yields_at(query, s, true, &own, level)) {
     append(query, s->number, &m);
@@ -376,15 +379,13 @@ static gjk_status add_joint(chain_query *query, const chain_segment *s, bool at_
 }
 
 // Sets the box of the body: its components are below 2^30.
-static void set_box(chain_query *query) {
+static void set_box(chain_query *query, const gjk2_aabb *box) {
   const gjk2_vec *centre = &query->body->centre;
   const gjk_q16 margin = query->margin;
-  gjk2_aabb box;
-  (void)gjk2_collider_aabb(query->body, &box);
-  query->low.x = box.lower.x - centre->x - margin;
-  query->low.y = box.lower.y - centre->y - margin;
-  query->high.x = box.upper.x - centre->x + margin;
-  query->high.y = box.upper.y - centre->y + margin;
+  query->low.x = box->lower.x - centre->x - margin;
+  query->low.y = box->lower.y - centre->y - margin;
+  query->high.x = box->upper.x - centre->x + margin;
+  query->high.y = box->upper.y - centre->y + margin;
 }
 
 gjk_status gjk2_chain_contacts(const gjk2_chain *chain, const gjk2_collider *body, const gjk2_chain_range *range,
@@ -403,8 +404,10 @@ gjk_status gjk2_chain_contacts(const gjk2_chain *chain, const gjk2_collider *bod
   query.count = 0;
   query.overflows = false;
   gjk2_chain_walk walk;
-  set_box(&query);
-  gjk2_chain_start(&walk, chain, body, range, margin);
+  gjk2_aabb box;
+  (void)gjk2_collider_aabb(body, &box);
+  set_box(&query, &box);
+  gjk2_chain_start(&walk, chain, &box, range, margin);
   uint16_t number;
   while (status == GJK_OK && gjk2_chain_next(&walk, &number)) {
     chain_segment s;

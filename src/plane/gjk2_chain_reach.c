@@ -35,10 +35,45 @@ static void square_of_reach(int64_t height, uint64_t squared, gjk_u192 *out) {
   gjk_u192_multiply(out, &product, &factor);
 }
 
+#if !GJK_SMALL
+// The leading bits of height^2 squared: (returned) / 2^*zeros, within 2^-29 of itself. 2^61 <= (returned); height != 0.
+static uint64_t lead_of_reach(int64_t height, uint64_t squared, unsigned *zeros) {
+  const uint64_t size = gjk_magnitude64(height);
+  const unsigned hz = gjk_clz64(size), sz = gjk_clz64(squared);
+  const uint32_t top = gjk_upper32(size, hz);
+  *zeros = 2 * hz + sz;
+  return gjk_umul32(gjk_umulh32(top, top), gjk_upper32(squared, sz));
+}
+
+// The sign of |a's reach| - |b's reach| where their leading bits tell; else 0.
+static int compare_leads(const gjk2_chain_aim *a, const gjk2_chain_aim *b) {
+  unsigned za, zb;
+  if (a->height == 0 || b->height == 0) {
+    return 0;
+  }
+  uint64_t x = lead_of_reach(a->height, b->squared, &za) >> 2, y = lead_of_reach(b->height, a->squared, &zb) >> 2;
+  // Both are from 2^59 to 2^62: 4 bits of the exponent tell.
+  if (za + 4 <= zb || zb + 4 <= za) {
+    return za < zb ? 1 : -1;
+  }
+  x >>= za > zb ? za - zb : 0;
+  y >>= zb > za ? zb - za : 0;
+  const uint64_t slack = (x >> 26) + (y >> 26) + 2;
+  return x > y + slack ? 1 : y > x + slack ? -1 : 0;
+}
+
+#endif
+
 bool gjk2_chain_is_farther(const gjk2_chain_aim *a, const gjk2_chain_aim *b) {
   if ((a->height < 0) != (b->height < 0)) {
     return b->height < 0;
   }
+#if !GJK_SMALL
+  const int lead = compare_leads(a, b);
+  if (lead != 0) {
+    return a->height < 0 ? lead < 0 : lead > 0;
+  }
+#endif
   gjk_u192 x, y;
   square_of_reach(a->height, b->squared, &x);
   square_of_reach(b->height, a->squared, &y);

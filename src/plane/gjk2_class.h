@@ -31,6 +31,16 @@ static inline void gjk2_follow(gjk2_support *at, const gjk2_support *way) {
 
 struct gjk2_search;
 struct gjk2_edge;
+struct gjk2_touch;
+
+// Measures a pair of points, segments and boxes without a search: see gjk2_close.h. Only
+// where registers hold 64 bits and code is not chosen for size.
+bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, struct gjk2_touch *out);
+#if GJK_64_BIT && !GJK_SMALL
+#define GJK2_TOUCH_AXES gjk2_touch_axes
+#else
+#define GJK2_TOUCH_AXES NULL
+#endif
 
 struct gjk2_shape_class {
   // Checks the shape's own fields and measures its core. gjk2_collider_init checks the convex radius.
@@ -53,6 +63,10 @@ struct gjk2_shape_class {
 
   // gjk2_curved_depth of gjk2_curved_depth.h for curved shapes, so that programs without any do not link it; else NULL.
   bool (*depth)(struct gjk2_search *s, struct gjk2_edge *edge, int64_t *lower, uint16_t *iterations);
+
+  // Of points and segments GJK2_TOUCH_AXES, so that programs without any do not link it; else NULL. Where it is set, a point's
+  // or segment's adjacent leads from one end to the other.
+  bool (*touch)(const gjk2_collider *a, const gjk2_collider *b, struct gjk2_touch *out);
 
   bool buffered;  // a collider may have a buffer for posed vertices
   uint8_t count;  // vertices; where buffered is set the shape's own count is taken

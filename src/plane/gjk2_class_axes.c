@@ -83,13 +83,28 @@ static void adjacent_axes(const gjk2_collider *c, const gjk2_support *from, bool
   way->vertex = (uint16_t)other;
 }
 
+#if GJK_SMALL || !GJK_64_BIT
+#define ADJACENT_ENDS adjacent_axes
+#else
+#define ADJACENT_ENDS adjacent_ends
+
+// Of a segment the way to the other end, of a point none.
+static void adjacent_ends(const gjk2_collider *c, const gjk2_support *from, bool following, gjk2_support *way) {
+  (void)following;
+  way->offset.x = -2 * from->offset.x;
+  way->offset.y = -2 * from->offset.y;
+  way->vertex = (uint16_t)(c->count - 1u - from->vertex);
+}
+#endif
+
 const gjk2_shape_class gjk2_class_point = {
     .measure = measure_plane_axes,
     .pose = pose_plane_point,
     .support = support_point,
     .vertex = vertex_plane_axes,
-    .adjacent = adjacent_axes,
+    .adjacent = ADJACENT_ENDS,
     .depth = NULL,
+    .touch = GJK2_TOUCH_AXES,
     .buffered = false,
     .count = 1,
 };
@@ -99,8 +114,9 @@ const gjk2_shape_class gjk2_class_segment = {
     .pose = pose_plane_segment,
     .support = support_segment,
     .vertex = vertex_plane_axes,
-    .adjacent = adjacent_axes,
+    .adjacent = ADJACENT_ENDS,
     .depth = NULL,
+    .touch = GJK2_TOUCH_AXES,
     .buffered = false,
     .count = 2,
 };
@@ -112,6 +128,7 @@ const gjk2_shape_class gjk2_class_box = {
     .vertex = vertex_plane_axes,
     .adjacent = adjacent_axes,
     .depth = NULL,
+    .touch = NULL,
     .buffered = false,
     .count = 4,
 };

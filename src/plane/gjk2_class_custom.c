@@ -46,6 +46,7 @@ const gjk2_shape_class gjk2_class_custom = {
     .vertex = NULL,
     .adjacent = NULL,
     .depth = gjk2_curved_depth,
+    .touch = NULL,
     .buffered = false,
     .count = 0,
 };

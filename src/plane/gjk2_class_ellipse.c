@@ -33,6 +33,7 @@ const gjk2_shape_class gjk2_class_ellipse = {
     .vertex = NULL,
     .adjacent = NULL,
     .depth = gjk2_curved_depth,
+    .touch = NULL,
     .buffered = false,
     .count = 0,
 };

@@ -360,6 +360,7 @@ const gjk2_shape_class gjk2_class_triangle = {
     .vertex = vertex_triangle,
     .adjacent = adjacent_vertices,
     .depth = NULL,
+    .touch = NULL,
     .buffered = false,
     .count = 3,
 };
@@ -371,6 +372,7 @@ const gjk2_shape_class gjk2_class_polygon = {
     .vertex = vertex_polygon,
     .adjacent = adjacent_vertices,
     .depth = NULL,
+    .touch = NULL,
     .buffered = true,
     .count = 0,
 };

@@ -15,6 +15,8 @@
 #include "gjk2/distance.h"
 
 #include "gjk2_canonical.h"
+#include "gjk2_close.h"
+#include "gjk2_measure_inline.h"
 #include "gjk2_report.h"
 #include "gjk2_witness.h"
 
@@ -66,19 +68,25 @@ GJK_ONCE static bool report_feature(const gjk2_search *s, gjk2_length *length, g
   return gjk2_witness_points(s, p, q, length, &out->normal, &out->point_a, &out->point_b);
 }
 
+// Step 2
+gjk_q16 gjk2_distance_of(const gjk2_search *s, const gjk2_length *length, bool *saturated) {
+  const int64_t core = in_lsb(s, length, -s->base, GJK2_ROUND_NEAREST);
+  gjk_q16 distance;
+  if (s->far == 0) {
+    distance = (int32_t)core - s->radius;  // radius is that of both shapes;  0 <= core <= 3 2^29
+  } else {
+    distance = gjk_saturate_noting(core - gjk2_convex_radii(s), saturated);
+  }
+  return distance > 0 ? distance : 0;
+}
+
 void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache, gjk2_distance_result *out) {
   gjk_q16 distance = 0;
   bool saturated = false;
   if (outcome == GJK2_OUTCOME_NEAREST) {
     gjk2_length length;
     saturated = report_feature(s, &length, out);
-    const int64_t core = in_lsb(s, &length, -s->base, GJK2_ROUND_NEAREST);  // Step 2
-    if (s->far == 0) {
-      distance = (int32_t)core - s->radius;  // radius is that of both shapes;  0 <= core <= 3 2^29
-    } else {
-      distance = gjk_saturate_noting(core - gjk2_convex_radii(s), &saturated);
-    }
-    distance = distance > 0 ? distance : 0;
+    distance = gjk2_distance_of(s, &length, &saturated);
   }
   out->distance = distance;
   out->lower = distance;
@@ -135,10 +143,33 @@ gjk2_outcome gjk2_distance_settle(gjk2_search *s, gjk2_distance_result *out) {
   return settle_limit(s, out);
 }
 
+static void report_touch(const gjk2_touch *touch, gjk2_distance_result *out) {
+  out->distance = touch->overlaps ? 0 : touch->distance;
+  out->lower = out->distance;
+  out->upper = out->distance;
+  out->intersecting = touch->overlaps;
+  out->saturated = false;
+  out->iterations = 1;
+  gjk2_touch_certify(touch, touch->overlaps ? GJK2_PROOF_NEAR : GJK2_PROOF_NEAREST, &out->certificate);
+  if (!touch->overlaps) {
+    out->saturated = touch->saturated;
+    out->normal.x = touch->normal.x;
+    out->normal.y = touch->normal.y;
+    gjk2_copy(&out->point_a, &touch->point_a);
+    gjk2_copy(&out->point_b, &touch->point_b);
+  }
+}
+
 gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache, gjk2_distance_result *out) {
   const gjk_status status = gjk2_check_pair(a, b, out);
   if (status != GJK_OK) {
     return status;
+  }
+  gjk2_touch touch;
+  if (gjk2_touch_without_search(a, b, &touch)) {
+    gjk2_touch_keep(&touch, cache);
+    report_touch(&touch, out);
+    return GJK_OK;
   }
   gjk2_search s;
   plane_start_distance(&s, a, b);

@@ -1,6 +1,7 @@
 // The edges of A - B: the steps of gjk2_edges.h.
 #include "gjk2_edges.h"
 
+#include "gjk2_boxes.h"
 #include "gjk2_hull.h"
 
 // The boundary of one shape, from a corner to the next; of B with every edge taken negative.
@@ -16,12 +17,11 @@ typedef struct rim {
 } rim;
 
 static uint16_t number_at(const rim *r) {
-  static const uint8_t box_number[4] = {3, 2, 0, 1};  // of a box's corners, counterclockwise
   if (r->corner == NULL) {
     return r->corner_at.vertex;
   }
   const uint16_t index = (uint16_t)(r->at - r->corner);
-  return r->corner == r->own ? box_number[index] : index;
+  return r->corner == r->own ? (uint16_t)gjk2_box_number(index) : index;
 }
 
 // Sets the step to next; 0 once round.
@@ -55,33 +55,13 @@ static inline void advance(rim *r, bool of_b) {
   set_step(r, of_b);
 }
 
-// The list of corners, where the collider has one.
-static const gjk2_vec *corners_of(const gjk2_collider *c, gjk2_vec own[4]) {
-  if (!c->ordered) {
-    return NULL;
-  }
-  if (c->shape->type->buffered) {
-    return c->buffer;
-  }
-  if (c->count == 3) {
-    return c->frame;
-  }
-  const gjk2_vec x = c->frame[0], y = c->frame[1];
-  own[0] = gjk2_add(x, y);
-  own[1] = gjk2_sub(y, x);
-  own[2] = gjk2_negate(own[0]);
-  own[3] = gjk2_negate(own[1]);
-  return own;
-}
-
 static inline void start_list(rim *r, const gjk2_collider *c) {
   r->c = c;
-  r->corner = corners_of(c, r->own);
+  r->corner = gjk2_list_of_corners(c, r->own);
 }
 
 // Step 1
 static void start_rim(rim *r, bool opposite, gjk2_vec d) {
-  static const uint8_t box_index[4] = {2, 3, 1, 0};  // the place of a box's numbers in the list
   const gjk2_collider *c = r->c;
   gjk2_hull_corner(c, opposite ? gjk2_negate(d) : d, &r->corner_next);
   if (r->corner == NULL) {
@@ -95,7 +75,7 @@ static void start_rim(rim *r, bool opposite, gjk2_vec d) {
   const uint16_t number = r->corner_next.vertex;
   r->left = c->count + UINT32_C(1);
   r->end = r->corner + c->count;
-  r->next = r->corner + (r->corner == r->own ? box_index[number] : number);
+  r->next = r->corner + (r->corner == r->own ? gjk2_box_index(number) : number);
   advance(r, opposite);
 }
 
@@ -230,13 +210,12 @@ static inline void next_listed(const rim *r, listed_edge *e, bool opposite, bool
 }
 
 static void start_listed(rim *r, bool opposite, gjk2_vec d, listed_edge *e) {
-  static const uint8_t box_index[4] = {2, 3, 1, 0};
   const gjk2_collider *c = r->c;
   gjk2_support corner;
   d = opposite ? gjk2_negate(d) : d;
   c->shape->type->support(c, &d, &corner);
   r->end = r->corner + c->count;
-  e->to = r->corner + (r->corner == r->own ? box_index[corner.vertex] : corner.vertex);
+  e->to = r->corner + (r->corner == r->own ? gjk2_box_index(corner.vertex) : corner.vertex);
   next_listed(r, e, opposite, true);
   if (gjk2_dot(e->step, d) == 0) {  // of two corners the last one counterclockwise
     next_listed(r, e, opposite, true);
@@ -244,10 +223,9 @@ static void start_listed(rim *r, bool opposite, gjk2_vec d, listed_edge *e) {
 }
 
 static void set_listed(const rim *r, const gjk2_vec *at, gjk2_support *out) {
-  static const uint8_t box_number[4] = {3, 2, 0, 1};
   const uint16_t index = (uint16_t)(at - r->corner);
   gjk2_copy(&out->offset, at);
-  out->vertex = r->corner == r->own ? box_number[index & 3u] : index;
+  out->vertex = r->corner == r->own ? (uint16_t)gjk2_box_number(index & 3u) : index;
 }
 
 // Cross products of vectors truncated to 16 bits: on cores without a long multiplication they tell most signs. Core radii
@@ -477,7 +455,21 @@ static bool measure_rims(gjk2_search *s, rim *rim_a, rim *rim_b, gjk2_vec begin,
   return true;
 }
 
+// Are both shapes boxes with area?
+static inline bool are_boxes(const gjk2_collider *a, const gjk2_collider *b) {
+  return a->count == 4 && b->count == 4 && a->ordered && b->ordered && !a->shape->type->buffered &&
+         !b->shape->type->buffered;
+}
+
 gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
+#if GJK_64_BIT && !GJK_SMALL
+  if (are_boxes(s->a, s->b)) {
+    const gjk2_lie lie = gjk2_boxes_edge(s, edge);
+    if (lie != GJK2_LIE_OPEN) {
+      return lie;
+    }
+  }
+#endif
   // Step 1. The nearest edge mostly lies towards the other centre. Start 27 degrees before it: an edge that
   // separates comes soon then, and few edges lie lower than those before them.
   const gjk2_vec d = gjk2_negate(s->delta);

@@ -1,56 +1,18 @@
 // Lengths, unit vectors, distances and weights.
 #include "gjk2_measure.h"
 
-#include "../arith/gjk_root.h"
-
-// 2^46 / sqrt(x), within 2^-29 of itself and below 2^31, by Newton's iteration: with u = x / 2^32, 1/4 <= u < 1,
-//   1. Start from the line Y = 2.16 - 1.25 u, within 10 % of 1 / sqrt(u).
-//   2. Twice in 16 bits: Y += Y (1 - u Y^2) / 2. A relative error e becomes -3/2 e^2: 1.5 %, 2^-11; rounding, 2^-12.
-//   3. Twice in 32 bits: 2^-22, 2^-43; rounding leaves 1.5 in 2^30.
-// Pre: x >= 2^30.
-static inline uint32_t inverse_root(uint32_t x) {
-  const uint32_t u = x >> 16;         // Q16, from 2^14
-  uint32_t y = 35389 - (u * 5 >> 4);  // Q14, from 2^13 to 2^15
-  for (int i = 0; i < 2; i++) {
-    const uint32_t square = y * y >> 14;                                   // below 2^16
-    const int32_t rest = (int32_t)(UINT32_C(65536) - (u * square >> 14));  // Q16, |rest| < 2^15
-    y = (uint32_t)((int32_t)y + gjk_sar32((int32_t)y * rest, 17));
-  }
-#if GJK_NARROW_MULTIPLY
-  // gjk_root_step(x, y << 16), of which 16 bits are 0.
-  const int64_t rest = gjk_int64((UINT64_C(1) << 62) - gjk_umul32(x, y * y << 2));  // |rest| < 2^52
-  const int32_t r = (int32_t)gjk_sar64(rest, 31);
-  y = (y << 16) + (uint32_t)((int32_t)y * gjk_sar32(r, 16) + (int32_t)(y * ((uint32_t)r & 0xFFFFu) >> 16));
-#else
-  y = gjk_root_step(x, y << 16);
-#endif
-  return gjk_root_step(x, y);
-}
+#include "gjk2_measure_inline.h"
 
 GJK_ONCE static void measure_length(gjk2_length *length, gjk2_vec n) {
-  const uint64_t squared = (uint64_t)gjk2_dot(n, n);
-  //@ assert squared > 0 && squared < UINT64_C(1) << 62;
-  const unsigned z = gjk_clz64(squared) / 2;  // squared < 2^62:  z >= 1
-  //@ assert z >= 1 && z <= 31;
-  length->squared = squared;
-  length->zeros = z;
-  // With x, 2^30 <= x < 2^32, for the leading bits of squared = 2^(32 - 2 z) x: 2^46 / sqrt(x) = 2^(62 - z) / |n|.
-  length->inverse = inverse_root(gjk_upper32(squared, 2 * z));
+  gjk2_inline_length(length, n);
+}
+
+GJK_ONCE static void measure_unit(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
+  gjk2_inline_unit(unit, length, n);
 }
 
 void gjk2_length_set(gjk2_length *length, gjk2_vec n) {
   measure_length(length, n);
-}
-
-GJK_ONCE static void measure_unit(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
-  // 2^30 n / |n| = n y / 2^(32 - z) = (2^(z - 1) n) y / 2^31
-  const unsigned up = length->zeros - 1;
-  const int32_t y = (int32_t)length->inverse;  // < 2^31
-  const int64_t half = INT64_C(1) << 30;
-  unit->x = (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.x, up), y), 31);
-  unit->y = (gjk_q30)gjk_sar64(gjk_mac32(half, gjk_shl32(n.y, up), y), 31);
-  //@ assert unit->x >= -GJK_Q30_ONE - 2 && unit->x <= GJK_Q30_ONE + 2;
-  //@ assert unit->y >= -GJK_Q30_ONE - 2 && unit->y <= GJK_Q30_ONE + 2;
 }
 
 void gjk2_unit_set(gjk2_unit *unit, const gjk2_length *length, gjk2_vec n) {
@@ -62,15 +24,8 @@ void gjk2_normal_set(gjk2_unit *unit, gjk2_length *length, const gjk2_vec *n) {
   measure_unit(unit, length, *n);
 }
 
-// h = 2^(32 - hz) top, before truncation; 1 / |n| = y 2^(z - 62):  h / |n| = top y / 2^(30 + hz - z)
 uint64_t gjk2_quotient(const gjk2_length *length, unsigned *shift, uint64_t h) {
-  *shift = 0;
-  if (h == 0) {
-    return 0;
-  }
-  const unsigned hz = gjk_clz64(h);
-  *shift = 30 + hz - length->zeros;  // |n| < 2^31, so z <= 31 and this is from 0 to 92
-  return gjk_umul32(gjk_upper32(h, hz), length->inverse);
+  return gjk2_inline_quotient(length, shift, h);
 }
 
 bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest) {
@@ -93,9 +48,8 @@ static bool plane_is_beyond(const gjk2_length *length, uint64_t h, uint64_t d, g
   return gjk2_reaches(h, squared, (d + 1) * (d + 1), 0);
 }
 
-// The least integer that the distance is not beyond, from the leading bits of the quotient, which tell it within 10.
-GJK_OUT_OF_LINE static int64_t plane_settle_distance(const gjk2_length *length, uint64_t h, uint32_t leading,
-                                                     unsigned shift, gjk2_round_to to) {
+GJK_OUT_OF_LINE int64_t gjk2_settle_distance(const gjk2_length *length, gjk2_round_to to, uint64_t h, uint32_t leading,
+                                             unsigned shift) {
   uint64_t d = shift < 32 ? (uint64_t)leading << (32 - shift) : shift < 64 ? leading >> (shift - 32) : 0;
   while (d > 0 && !plane_is_beyond(length, h, d - 1, to)) {  // at most 10 steps
     d--;
@@ -107,21 +61,8 @@ GJK_OUT_OF_LINE static int64_t plane_settle_distance(const gjk2_length *length, 
   return (int64_t)d;
 }
 
-// Mostly the leading 31 bits of the quotient tell: those below the last LSB are far enough from a change.
 int64_t gjk2_round_distance(const gjk2_length *length, gjk2_round_to to, uint64_t h) {
-  unsigned shift;
-  const uint64_t quotient = gjk2_quotient(length, &shift, h);
-  const uint32_t leading = (uint32_t)(quotient >> 32);  // below 2^31, and off by less than 2^3 + 1
-  if (shift >= 38 && shift <= 62) {
-    const unsigned n = shift - 32;
-    const uint32_t mask = (UINT32_C(1) << n) - 1;
-    const uint32_t biased = leading + (to == GJK2_ROUND_UP ? mask : to == GJK2_ROUND_NEAREST ? (mask >> 1) + 1 : 0);
-    const uint32_t fraction = biased & mask;
-    if (fraction > 10 && fraction < mask - 10) {
-      return biased >> n;
-    }
-  }
-  return plane_settle_distance(length, h, leading, shift, to);
+  return gjk2_inline_distance(length, to, h);
 }
 
 bool gjk2_is_within(int64_t h, gjk2_vec n, int32_t radius) {

@@ -1,16 +1,8 @@
 // How a normal of the plane is rounded outward.
 #include "gjk2_outward.h"
 
-// depth u / 2^30, rounded away from 0.
-//   |depth u| <= 2^60, and 2^30 - 1 more: size < 2^61
-static gjk_q16 plane_move_outward(gjk_q16 depth, gjk_q30 u) {
-  const uint64_t size = gjk_magnitude64(gjk_mul32(depth, u)) + ((UINT32_C(1) << 30) - 1);
-  const gjk_q16 steps = (gjk_q16)(size >> 30);
-  return u < 0 ? -steps : steps;
-}
-
 gjk2_vec gjk2_outward_move(gjk_q16 depth, gjk2_unit normal) {
-  const gjk2_vec t = {plane_move_outward(depth, normal.x), plane_move_outward(depth, normal.y)};
+  const gjk2_vec t = {gjk2_outward_step(depth, normal.x), gjk2_outward_step(depth, normal.y)};
   return t;
 }
 
@@ -29,9 +21,11 @@ static void plane_grow_component(gjk_q30 *u) {
   }
 }
 
-void gjk2_outward_normal(gjk2_vec n, int64_t height, int32_t radius, gjk_q16 depth, gjk2_unit *normal) {
+void gjk2_outward_normal(gjk2_vec n, int64_t height, int32_t radius, const gjk2_length *length, gjk_q16 depth,
+                         gjk2_unit *normal) {
   for (int i = 0; i < 6 && depth > 0; i++) {  // not reached: 6, growing 5 times suffices
-    if (gjk2_outward_clears(n, height, radius, gjk2_outward_move(depth, *normal))) {
+    if ((!GJK_SMALL && gjk2_outward_is_clear(n, height, radius, length, depth, normal)) ||
+        gjk2_outward_clears(n, height, radius, gjk2_outward_move(depth, *normal))) {
       return;
     }
     plane_grow_component(&normal->x);

@@ -12,6 +12,9 @@
 // the feature's. Pre: at least one iteration.
 gjk2_outcome gjk2_distance_bounds(gjk2_search *s, int64_t *lower, int64_t *nearest, int64_t *upper);
 
+// The distance of a nearest feature, from 0 on. length: of s->d. Sets *saturated where it is beyond Q16.16.
+gjk_q16 gjk2_distance_of(const gjk2_search *s, const gjk2_length *length, bool *saturated);
+
 // Reports the answer and keeps the cache, which may be NULL. Pre: the outcome is NEAREST, ENCLOSING or NEAR.
 void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache, gjk2_distance_result *out);
 

@@ -23,7 +23,7 @@
 // are at most as many x as A - B has corners, which is at most n + m for polygons of n and m vertices. One more
 // iteration finds no x, and one may be spent on what the cache holds:  n + m + 2 < GJK2_ITERATIONS_OF(n, m).
 //
-// The walk. Where the vertices of both shapes are in order, the first x is followed by a walk along the boundary of A - B
+// The walk. Where the vertices of both shapes are in order, or of one that meets a point or segment, the first x is followed by a walk along the boundary of A - B
 // instead. Its next edge is the next one of A or of -B, whichever turns less. It goes on while the next vertex is nearer
 // to O, and ends
 //   at an edge that holds O's foot, with O on its right: no other vertex lies right of it, so it is the nearest
@@ -238,7 +238,11 @@ static gjk2_outcome walk_round(gjk2_search *s, bool decides, bool following) {
     // Components one by one: GCC copies a vector by a call of memcpy at -Os on ARMv6-M.
     const gjk2_vec of_a = {way_a.offset.x, way_a.offset.y}, of_b = {-way_b.offset.x, -way_b.offset.y};
     const gjk2_vec w = {at->w.x, at->w.y};
-    const int64_t turn = following ? gjk2_cross(of_a, of_b) : gjk2_cross(of_b, of_a);
+    int64_t turn = following ? gjk2_cross(of_a, of_b) : gjk2_cross(of_b, of_a);
+    if (GJK_64_BIT && !GJK_SMALL && turn == 0 &&
+        gjk2_dot(of_a, of_b) < 0) {  // one of them a segment's, at x: the other is across d and comes first
+      turn = s->a->ordered ? 1 : -1;
+    }
     gjk2_vec step = of_a;
     if (turn <= 0) {
       step = turn < 0 ? of_b : gjk2_add(of_a, of_b);
@@ -394,10 +398,21 @@ static gjk2_outcome settle_point(gjk2_search *s, gjk2_goal goal) {
                                     : GJK2_OUTCOME_NEAREST;
 }
 
+#if GJK_64_BIT && !GJK_SMALL
+// Is the pair a polygon in order and a point or segment, in a near frame? Then A - B has area, and a walk takes it all.
+static inline bool is_polygon_with_ends(const gjk2_search *s) {
+  const bool ends_a = s->a->shape->type->touch != NULL, ends_b = s->b->shape->type->touch != NULL;
+  return s->far == 0 && ((s->a->ordered && ends_b) || (s->b->ordered && ends_a));
+}
+#endif
+
 gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
   if (gjk2_search_is_point(s) && limit != 0) {
     return settle_point(s, goal);
   }
+#if GJK_64_BIT && !GJK_SMALL
+  s->walks = s->walks || (limit == GJK2_NO_LIMIT && is_polygon_with_ends(s));
+#endif
 #if !GJK_SMALL
   // What iterate does for a cold start, without its loop.
   if (s->walks && s->count == 0) {
@@ -457,10 +472,7 @@ void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *ca
   if (outcome == GJK2_OUTCOME_ENCLOSING) {
     return;
   }
-  const unsigned zeros = gjk_clz32(gjk_magnitude32(s->d.x) | gjk_magnitude32(s->d.y) | 1);
-  const unsigned down = zeros < 17 ? 17 - zeros : 0;
-  cache->direction[0] = (int16_t)gjk_sar32(s->d.x, down);
-  cache->direction[1] = (int16_t)gjk_sar32(s->d.y, down);
+  gjk2_cache_direction(cache, s->d);
   if (outcome == GJK2_OUTCOME_SEPARATED) {
     return;
   }

@@ -72,6 +72,16 @@ typedef struct gjk2_search {
 // circles: False is returned where the bounding circles are more than radius apart; then only a and b are set.
 bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collider *b, bool circles, uint32_t radius);
 
+// Are the centres near enough, surely, for a frame without scaling? Then components of centre_a - centre_b are at most
+// 2^29 + 3 in size, and it is shorter than 2^30.
+static inline bool gjk2_frame_is_near(const gjk2_collider *a, const gjk2_collider *b) {
+  // A quarter of centre_a - centre_b: each component below 2^30, and off by less than 1.
+  const int32_t x = gjk_sar32(a->centre.x, 2) - gjk_sar32(b->centre.x, 2);
+  const int32_t y = gjk_sar32(a->centre.y, 2) - gjk_sar32(b->centre.y, 2);
+  // Bit 27 or a higher one differs from the sign: that component is not from -2^27 to below 2^27.
+  return ((uint32_t)(x ^ gjk_sar32(x, 31)) | (uint32_t)(y ^ gjk_sar32(y, 31))) >> 27 == 0;
+}
+
 // One coordinate of a vertex in a far frame: (a - b + offset) / 2^far, rounded to the nearest.
 int32_t gjk2_frame_far(gjk_q16 a, gjk_q16 b, int32_t offset, unsigned far);
 
@@ -116,6 +126,14 @@ static inline const gjk2_vertex *gjk2_search_vertex(const gjk2_search *s, unsign
 // Writes the certificate of an outcome, and what the cache keeps of it for the next query.
 void gjk2_search_certify(const gjk2_search *s, gjk2_outcome outcome, gjk2_certificate *out);
 void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache);
+
+// Sets the cached direction: the leading bits of d.
+static inline void gjk2_cache_direction(gjk2_cache *cache, gjk2_vec d) {
+  const unsigned zeros = gjk_clz32(gjk_magnitude32(d.x) | gjk_magnitude32(d.y) | 1);
+  const unsigned down = zeros < 17 ? 17 - zeros : 0;
+  cache->direction[0] = (int16_t)gjk_sar32(d.x, down);
+  cache->direction[1] = (int16_t)gjk_sar32(d.y, down);
+}
 
 // Is A - B a single point, that of two circles, in a near frame?
 static inline bool gjk2_search_is_point(const gjk2_search *s) {

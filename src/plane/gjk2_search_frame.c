@@ -54,16 +54,12 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   s->apex = &s->slot[1];
   s->last = &s->slot[2];
   s->spare = &s->slot[3];
-  // A quarter of centre_a - centre_b: each component below 2^30, and off by less than 1.
-  const int32_t x = gjk_sar32(a->centre.x, 2) - gjk_sar32(b->centre.x, 2);
-  const int32_t y = gjk_sar32(a->centre.y, 2) - gjk_sar32(b->centre.y, 2);
-  // Bit 27 or a higher one differs from the sign: that component is not from -2^27 to below 2^27.
-  if (((uint32_t)(x ^ gjk_sar32(x, 31)) | (uint32_t)(y ^ gjk_sar32(y, 31))) >> 27 != 0) {
+  if (!gjk2_frame_is_near(a, b)) {
     if (!start_far(s, circles, radius)) {
       return false;
     }
   } else {
-    s->delta = gjk2_sub(a->centre, b->centre);  // components at most 2^29 + 3 in size: |delta| < 2^30
+    s->delta = gjk2_sub(a->centre, b->centre);
     //@ assert s->delta.x >= -(INT32_C(1) << 29) - 3 && s->delta.x <= (INT32_C(1) << 29) + 3;
     //@ assert s->delta.y >= -(INT32_C(1) << 29) - 3 && s->delta.y <= (INT32_C(1) << 29) + 3;
     // A radius of 2^30 or more exceeds |delta|. Core radii are below 2^28 + 4 each: limit < 2^31.

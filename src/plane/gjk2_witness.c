@@ -1,9 +1,6 @@
 // The witness points, by the weights of the feature's vertices.
 #include "gjk2_witness.h"
 
-// Edges from this length on, in LSB, take weights that are right to the last bit: 2^-27 of 2^21 is 2^-6 LSB.
-#define FINE_LENGTH 21
-
 // One coordinate of u + weight (v - u), weight in Q31, moved by convex_radius along the normal; rounded once.
 //   u, v      at most 2^28:        weight (v - u) at most 2^60
 //   normal    at most 2^30 + 2:    times twice the convex radius at most 2^59 + 2^30
@@ -31,7 +28,7 @@ bool gjk2_witness_points(const gjk2_search *s, const gjk2_vertex *p, const gjk2_
   int32_t weight = 0;  // of q
   if (q != NULL) {
     const int64_t part = gjk2_dot(p->w, gjk2_sub(p->w, q->w)), whole = (int64_t)length->squared;
-    weight = gjk2_weight(length, whole >> (2 * FINE_LENGTH) != 0, part < whole ? part : whole);
+    weight = gjk2_weight(length, whole >> (2 * GJK2_FINE_LENGTH) != 0, part < whole ? part : whole);
   } else {
     q = p;
   }

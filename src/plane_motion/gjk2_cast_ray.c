@@ -26,6 +26,7 @@ gjk_status gjk2_cast_ray(const gjk2_collider *a, const gjk2_vec *from, const gjk
       .vertex = vertex_ray_end,
       .adjacent = NULL,
       .depth = NULL,
+      .touch = NULL,
       .buffered = false,
       .count = 1,
   };

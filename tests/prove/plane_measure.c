@@ -24,7 +24,9 @@ static void move(gjk2_vec n) {
   const int32_t radius = any_between(0, (INT32_C(1) << 30) - 1);
   gjk2_unit normal = {any_between(-ANY_UNIT, ANY_UNIT), any_between(-ANY_UNIT, ANY_UNIT)};
   (void)gjk2_outward_clears(n, height, radius, gjk2_outward_move(depth, normal));
-  gjk2_outward_normal(n, height, radius, depth, &normal);
+  gjk2_length length;
+  gjk2_length_set(&length, n);
+  gjk2_outward_normal(n, height, radius, &length, depth, &normal);
   check_within(normal.x, ANY_UNIT);
   check_within(normal.y, ANY_UNIT);
 }

@@ -107,10 +107,14 @@ static void smallest_26(random_state *random, size_t index, case2_pair *pair) {
 }
 
 const plane_family plane_decision_families[] = {
-    {"game", PLANE_INTERSECT, of_game_size},       {"touching", PLANE_INTERSECT, touching},
-    {"large", PLANE_INTERSECT, large_touching},    {"edges", PLANE_INTERSECT, edge_to_edge},
-    {"slivers", PLANE_INTERSECT, slivers},         {"smallest-14", PLANE_INTERSECT, smallest_14},
-    {"smallest-20", PLANE_INTERSECT, smallest_20}, {"smallest-26", PLANE_INTERSECT, smallest_26},
+    {"game", PLANE_INTERSECT, of_game_size, false, false},
+    {"touching", PLANE_INTERSECT, touching, false, false},
+    {"large", PLANE_INTERSECT, large_touching, false, false},
+    {"edges", PLANE_INTERSECT, edge_to_edge, false, false},
+    {"slivers", PLANE_INTERSECT, slivers, false, false},
+    {"smallest-14", PLANE_INTERSECT, smallest_14, false, false},
+    {"smallest-20", PLANE_INTERSECT, smallest_20, false, false},
+    {"smallest-26", PLANE_INTERSECT, smallest_26, false, false},
 };
 const size_t plane_decision_family_count = sizeof plane_decision_families / sizeof plane_decision_families[0];
 
@@ -186,12 +190,143 @@ static void polygons_face_to_face(random_state *random, size_t index, case2_pair
   pair->b.pose.rotation = pair->a.pose.rotation;
 }
 
+static void set_round(random_state *random, case2_kind kind, case2_shape *out) {
+  case2_shape_reset(out);
+  out->kind = kind;
+  out->size.x = kind == CASE2_POINT ? 0 : random_range(random, UNIT / 5, UNIT);
+  out->size.y = kind == CASE2_BOX ? random_range(random, UNIT / 5, UNIT) : 0;
+  out->convex_radius = kind == CASE2_BOX ? 0 : random_range(random, UNIT / 5, UNIT / 2);
+  (void)gjk2_rotation_from_angle(random_range(random, -205887, 205887), &out->pose.rotation);
+}
+
+// Shapes of 0.2 to 1 unit, turned at random, whose gap is from least to most.
+static void place_kinds(random_state *random, case2_kind a, case2_kind b, gjk_q16 least, gjk_q16 most,
+                        case2_pair *pair) {
+  gjk_q16 gap;
+  do {
+    set_round(random, a, &pair->a);
+    set_round(random, b, &pair->b);
+    pair->b.pose.position = generate2_vector(random, 3.0 * UNIT * generate2_unit(random));
+    gap = gap_of(pair);
+  } while (gap < least || gap > most);
+}
+
+static void circles_apart(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  place_kinds(random, CASE2_POINT, CASE2_POINT, CLOSE, 2 * UNIT, pair);
+}
+
+static void capsules_apart(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  place_kinds(random, CASE2_SEGMENT, CASE2_SEGMENT, CLOSE, 2 * UNIT, pair);
+}
+
+static void circle_and_box_apart(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  place_kinds(random, CASE2_BOX, CASE2_POINT, CLOSE, 2 * UNIT, pair);
+}
+
+static void circles_touching(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  place_kinds(random, CASE2_POINT, CASE2_POINT, -3276, -300, pair);
+}
+
+static void capsules_touching(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  place_kinds(random, CASE2_SEGMENT, CASE2_SEGMENT, -3276, -300, pair);
+}
+
+static void circle_on_box(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  place_kinds(random, CASE2_BOX, CASE2_POINT, -3276, -300, pair);
+}
+
+// B stands on the upper side of A, 300 to 3,276 LSB deep and turned by up to `tilt`.
+static void stand(random_state *random, case2_kind kind, gjk_angle tilt, case2_pair *pair) {
+  gjk_q16 gap, deep = random_range(random, 300, 3276);
+  set_round(random, CASE2_BOX, &pair->a);
+  set_round(random, kind, &pair->b);
+  pair->a.pose.rotation.c = GJK_Q30_ONE;
+  pair->a.pose.rotation.s = 0;
+  (void)gjk2_rotation_from_angle(random_range(random, -tilt, tilt), &pair->b.pose.rotation);
+  pair->b.pose.position.x = random_range(random, -pair->a.size.x, pair->a.size.x) / 2;
+  pair->b.pose.position.y = 3 * UNIT;
+  while ((gap = gap_of(pair)) > 0) {
+    pair->b.pose.position.y -= gap;
+  }
+  pair->b.pose.position.y -= deep;
+}
+
+static void boxes_flush(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  stand(random, CASE2_BOX, 0, pair);
+}
+
+static void boxes_tilted(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  stand(random, CASE2_BOX, 1144, pair);  // a degree
+}
+
+static void capsule_on_box(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  stand(random, CASE2_SEGMENT, 1144, pair);
+}
+
+// A: corners of hills from the right to the left, two units apart. B stands on them.
+static void stand_on_chain(random_state *random, case2_kind kind, case2_pair *pair) {
+  gjk2_chain chain;
+  gjk2_distance_result nearest;
+  uint16_t segment;
+  const gjk2_vec origin = {0, 0};
+  static case2_collider b;
+  case2_shape_reset(&pair->a);
+  pair->a.kind = CASE2_POLYGON;
+  case2_shape_set_count(&pair->a, 17);
+  for (int i = 0; i < 17; i++) {
+    pair->a.vertices[i].x = (8 - i) * 2 * UNIT;
+    pair->a.vertices[i].y = random_range(random, -UNIT / 4, UNIT / 4);
+  }
+  set_round(random, kind, &pair->b);
+  (void)gjk2_rotation_from_angle(random_range(random, -1144, 1144), &pair->b.pose.rotation);
+  pair->b.pose.position.x = random_range(random, -10 * UNIT, 10 * UNIT);
+  pair->b.pose.position.y = 3 * UNIT;
+  (void)gjk2_chain_init(&chain, pair->a.vertices, 17, &origin);
+  do {
+    (void)case2_collider_build(&b, &pair->b, false);
+    (void)gjk2_chain_distance(&chain, &b.collider, NULL, &nearest, &segment);
+    pair->b.pose.position.y -= nearest.distance;
+  } while (nearest.distance > 0);
+  pair->b.pose.position.y -= random_range(random, 300, 3276);
+}
+
+static void circle_on_chain(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  stand_on_chain(random, CASE2_POINT, pair);
+}
+
+static void box_on_chain(random_state *random, size_t index, case2_pair *pair) {
+  (void)index;
+  stand_on_chain(random, CASE2_BOX, pair);
+}
+
 const plane_family plane_cost_families[] = {
-    {"distance: boxes apart", PLANE_DISTANCE, boxes_apart},
-    {"distance: 8-gons apart", PLANE_DISTANCE, polygons_apart},
-    {"intersect: 8-gons close", PLANE_INTERSECT, polygons_close},
-    {"depth: 8-gons", PLANE_DEPTH, polygons_overlapping},
-    {"contacts: 8-gons face to face", PLANE_CONTACTS, polygons_face_to_face},
+    {"distance: boxes apart", PLANE_DISTANCE, boxes_apart, false, true},
+    {"distance: 8-gons apart", PLANE_DISTANCE, polygons_apart, false, true},
+    {"distance: circles", PLANE_DISTANCE, circles_apart, true, false},
+    {"distance: capsules", PLANE_DISTANCE, capsules_apart, true, true},
+    {"distance: circle and box", PLANE_DISTANCE, circle_and_box_apart, true, true},
+    {"intersect: 8-gons close", PLANE_INTERSECT, polygons_close, false, false},
+    {"depth: 8-gons", PLANE_DEPTH, polygons_overlapping, false, false},
+    {"depth: circles", PLANE_DEPTH, circles_touching, true, false},
+    {"contacts: 8-gons face to face", PLANE_CONTACTS, polygons_face_to_face, false, true},
+    {"contacts: circles", PLANE_CONTACTS, circles_touching, true, false},
+    {"contacts: circle on box", PLANE_CONTACTS, circle_on_box, true, true},
+    {"contacts: capsules", PLANE_CONTACTS, capsules_touching, true, true},
+    {"contacts: capsule on box", PLANE_CONTACTS, capsule_on_box, true, true},
+    {"contacts: boxes flush", PLANE_CONTACTS, boxes_flush, false, true},
+    {"contacts: boxes tilted", PLANE_CONTACTS, boxes_tilted, false, true},
+    {"contacts: circle on a chain", PLANE_CHAIN, circle_on_chain, true, false},
+    {"contacts: box on a chain", PLANE_CHAIN, box_on_chain, true, false},
 };
 const size_t plane_cost_family_count = sizeof plane_cost_families / sizeof plane_cost_families[0];
 
@@ -206,14 +341,17 @@ static void set_solid(const exact2_posed *posed, const gjk2_collider *c, const g
   }
 }
 
-// False: one of the shapes is flat or has more corners than other libraries take.
-static bool set_pair(case2_pair *shapes, plane_pair *out) {
+// False: one of the shapes is flat or has more corners than other libraries take. own: no other is asked.
+static bool set_pair(case2_pair *shapes, bool own, plane_pair *out) {
   exact2_pair exact;
   for (int i = 0; i < 2; i++) {
     out->collider[i] = allocate(1, sizeof **out->collider);
     if (case2_collider_build(out->collider[i], i == 0 ? &shapes->a : &shapes->b, false) != GJK_OK) {
       exit(1);
     }
+  }
+  if (own) {
+    return true;
   }
   const gjk2_collider *a = &out->collider[0]->collider, *b = &out->collider[1]->collider;
   if (!exact2_pair_set(a, b, &exact)) {
@@ -246,7 +384,7 @@ plane_pair *plane_pairs_make(const plane_family *family, uint64_t seed, size_t c
       case2_shape_reset(&shapes->a);
       case2_shape_reset(&shapes->b);
       family->generate(&random, i, shapes);
-      made = set_pair(shapes, &pairs[i]);
+      made = set_pair(shapes, family->own, &pairs[i]);
       if (!made) {
         case2_pair_free(shapes);
         free(shapes);

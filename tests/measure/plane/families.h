@@ -8,10 +8,13 @@
 #include "plane.h"
 #include "random.h"
 
+// own: shapes that no other method is given. moved: a method that keeps a cache is asked as well, each time about the other
+// of two places of B.
 typedef struct plane_family {
   const char *name;
   plane_query query;
   void (*generate)(random_state *random, size_t index, case2_pair *pair);
+  bool own, moved;
 } plane_family;
 
 extern const plane_family plane_decision_families[], plane_cost_families[];

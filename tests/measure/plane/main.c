@@ -76,6 +76,11 @@ static plane_method_list nothing_methods = {&nothing, NULL};
 
 static void add_method(const plane_method *method, work *out) {
   subject *s = &out->subjects[out->count];
+  const bool moved = method == plane_own_methods[1];
+  if ((moved && !out->family->moved) ||
+      (out->family->own && !moved && method != &nothing && method != plane_own_methods[0])) {
+    return;
+  }
   s->method = method;
   s->run = method->choose(out->family->query);
   if (s->run == NULL || out->count == METHODS_MAX) {

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "case/case2.h"
+#include "gjk2/chain.h"
 #include "plane.h"
 #include "reference/reference2.h"
 
@@ -14,8 +15,24 @@ static void fail(gjk_status status) {
   exit(1);
 }
 
+// What this library keeps of a pair between queries. place: where B is.
+typedef struct own_pair {
+  const gjk2_collider *a, *b[2];
+  gjk2_collider there;  // B, moved a little
+  gjk2_chain chain;
+  gjk2_cache cache;
+  unsigned place;
+} own_pair;
+
 static const gjk2_collider *side(const void *prepared, int i) {
-  return &((const plane_pair *)prepared)->collider[i]->collider;
+  const own_pair *p = prepared;
+  return i == 0 ? p->a : p->b[0];
+}
+
+// B at the other one of its places.
+static const gjk2_collider *moved_side(own_pair *p) {
+  p->place = 1 - p->place;
+  return p->b[p->place];
 }
 
 static double intersect(void *p) {
@@ -54,17 +71,65 @@ static double contacts(void *p) {
   return out.count;
 }
 
+static double chain_contacts(void *p) {
+  gjk2_chain_contact out[4];
+  uint16_t count = 0;
+  const own_pair *pair = p;
+  const gjk_status status = gjk2_chain_contacts(&pair->chain, pair->b[0], NULL, MARGIN, out, 4, &count);
+  if (status != GJK_OK) {
+    fail(status);
+  }
+  return count;
+}
+
+static double moved_distance(void *p) {
+  gjk2_distance_result out;
+  own_pair *pair = p;
+  const gjk_status status = gjk2_distance(pair->a, moved_side(pair), &pair->cache, &out);
+  if (status != GJK_OK) {
+    fail(status);
+  }
+  return out.distance / PLANE_LSB_PER_UNIT;
+}
+
+static double moved_contacts(void *p) {
+  gjk2_manifold out;
+  own_pair *pair = p;
+  const gjk_status status = gjk2_contacts(pair->a, moved_side(pair), MARGIN, GJK2_CONTACTS_MAX, &pair->cache, &out);
+  if (status != GJK_OK) {
+    fail(status);
+  }
+  return out.count;
+}
+
 static plane_run *choose(plane_query query) {
-  static plane_run *const runs[] = {
-      [PLANE_INTERSECT] = intersect, [PLANE_DISTANCE] = distance, [PLANE_DEPTH] = depth, [PLANE_CONTACTS] = contacts};
+  static plane_run *const runs[] = {[PLANE_INTERSECT] = intersect,
+                                    [PLANE_DISTANCE] = distance,
+                                    [PLANE_DEPTH] = depth,
+                                    [PLANE_CONTACTS] = contacts,
+                                    [PLANE_CHAIN] = chain_contacts};
   return runs[query];
+}
+
+static plane_run *choose_moved(plane_query query) {
+  return query == PLANE_DISTANCE ? moved_distance : query == PLANE_CONTACTS ? moved_contacts : NULL;
 }
 
 // The colliders are the pair's own.
 static void *prepare(const plane_pair *pair) {
-  plane_pair *p = malloc(sizeof *p);
+  own_pair *p = calloc(1, sizeof *p);
   if (p != NULL) {
-    *p = *pair;
+    const gjk2_vec origin = {0, 0};
+    const gjk2_shape *ground = pair->collider[0]->collider.shape;
+    p->a = &pair->collider[0]->collider;
+    p->b[0] = &pair->collider[1]->collider;
+    p->b[1] = &p->there;
+    p->there = *p->b[0];
+    const gjk2_vec there = {p->there.position.x + 150, p->there.position.y + 70};
+    (void)gjk2_collider_move(&p->there, &there);
+    if (ground->vertices != NULL) {
+      (void)gjk2_chain_init(&p->chain, ground->vertices, ground->count, &origin);
+    }
   }
   return p;
 }
@@ -88,7 +153,7 @@ static double reference_distance(void *prepared) {
 }
 
 static plane_run *reference_choose(plane_query query) {
-  return query == PLANE_INTERSECT ? reference_intersect : query == PLANE_CONTACTS ? NULL : reference_distance;
+  return query == PLANE_INTERSECT ? reference_intersect : query >= PLANE_CONTACTS ? NULL : reference_distance;
 }
 
 static void reference_release(void *prepared) {
@@ -119,6 +184,7 @@ static void *reference_prepare(const plane_pair *pair) {
 }
 
 static const plane_method gjk = {"gjk", choose, prepare, free};
+static const plane_method gjk_moved = {"gjk with a cache", choose_moved, prepare, free};
 static const plane_method reference = {"double", reference_choose, reference_prepare, reference_release};
 
-plane_method_list plane_own_methods = {&gjk, &reference, NULL};
+plane_method_list plane_own_methods = {&gjk, &gjk_moved, &reference, NULL};

@@ -13,11 +13,11 @@ extern "C" {
 
 #define PLANE_LSB_PER_UNIT 65536.0
 
-// PLANE_CONTACTS counts the points of a manifold.
-typedef enum plane_query { PLANE_INTERSECT, PLANE_DISTANCE, PLANE_DEPTH, PLANE_CONTACTS } plane_query;
+// PLANE_CONTACTS counts the points of a manifold; PLANE_CHAIN those of B with the chain of A's corners.
+typedef enum plane_query { PLANE_INTERSECT, PLANE_DISTANCE, PLANE_DEPTH, PLANE_CONTACTS, PLANE_CHAIN } plane_query;
 
 // A posed polygon: its corners counterclockwise about a centre, in units, axes of the world. The numbers are exactly the
-// library's integers; A's centre is 0.
+// library's integers; A's centre is 0. Not made of families that only this library answers.
 typedef struct plane_solid {
   double centre[2];
   double (*corner)[2];
