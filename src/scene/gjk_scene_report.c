@@ -47,9 +47,28 @@ static void report_pair(gjk_scene_view *v, uint32_t index, gjk_report *out) {
   }
 }
 
+// The least distance of a manifold's contacts is above the exact one, or above minus the exact depth, by less than this:
+//
+// the contacts   6, see gjk/contacts.h
+// the distance   1; of centres more than 8192 units apart 2^-28 of less than 2^32: 8 more
+#define MANIFOLD_SLACK 16
+
+// Step 1 of the narrow phase starts from what a manifold proves: the pair is so much nearer than its margins. To part
+// shapes by so much, their points must move as far together. Curved pairs do not take that step.
+//
+// margin < 2^29, distance > -2^31:  the sum < 2^32
+static void keep_gap(const gjk_scene_part *a, const gjk_scene_part *b, const gjk_scene_view *v, gjk_q16 distance,
+                     gjk_scene_pair *pair) {
+  const int32_t margin = v->bodies[a->body].margin + v->bodies[b->body].margin;
+  const int64_t within = (int64_t)margin - distance - MANIFOLD_SLACK;
+  if (within > pair->gap) {
+    pair->gap = gjk_saturate(within);
+  }
+}
+
 // Adds the manifold to the report of a linked pair, and its least distance. Without an answer the manifold is zero.
 static void add_manifold(const gjk_scene_view *v, uint32_t index, gjk_manifold *room, gjk_report *out) {
-  const gjk_scene_pair *pair = &v->pairs[index];
+  gjk_scene_pair *pair = &v->pairs[index];
   const uint32_t a = gjk_scene_end(pair, 0), b = gjk_scene_end(pair, 1);
   //@ assert a < v->header->parts.capacity && b < v->header->parts.capacity;
   const gjk_status status = v->scene->bindings.details->manifold(v, &v->parts[a], &v->parts[b], GJK_SCENE_CONTACTS,
@@ -65,6 +84,9 @@ static void add_manifold(const gjk_scene_view *v, uint32_t index, gjk_manifold *
   out->distance = room->count > 0 ? room->contact[0].distance : 0;
   for (unsigned i = 1; i < room->count; i++) {
     out->distance = room->contact[i].distance < out->distance ? room->contact[i].distance : out->distance;
+  }
+  if (status == GJK_OK && room->count > 0) {
+    keep_gap(&v->parts[a], &v->parts[b], v, out->distance, pair);
   }
 }
 

@@ -1,6 +1,7 @@
 // Scenes of the plane: bodies that fall and rest, on a floor or on ground of boxes.
 #define FLAT_BODIES 2400
 #define FLAT_POINTS 24000
+#define ITERATIONS 45
 
 #include <stdlib.h>
 #include <string.h>
@@ -53,9 +54,9 @@ bool rest_build_plane(unsigned number, rest_stage *s) {
   static const struct {
     const char *name;
     unsigned before;
-  } stages[] = {{"plane: pyramid of 1830", 60},
+  } stages[] = {{"plane: pyramid of 1830", 200},
                 {"plane: 2000 mixed, falling", 50},
-                {"plane: 2000 mixed, at rest", 500},
+                {"plane: 2000 mixed, at rest", 550},
                 {"plane: 400 on ground of boxes", 300}};
   memset(s, 0, sizeof *s);
   if (number >= sizeof stages / sizeof stages[0]) {

@@ -26,7 +26,8 @@ typedef struct rest_body {
 typedef struct rest_stage {
   const char *name;
   bool plane;
-  unsigned before;  // how many ticks the solver has gone on when the recording begins
+  unsigned before;      // how many ticks the solver has gone on when the recording begins
+  unsigned iterations;  // of the solver of space
   unsigned bodies;
   rest_body body[REST_BODIES];
   const void *shape[REST_SHAPES];  // gjk_shape or gjk2_shape

@@ -117,15 +117,16 @@ static void add_tray(rest_stage *s) {
 bool rest_build(unsigned number, rest_stage *s) {
   static const struct {
     const char *name;
-    unsigned before;
-  } stages[] = {{"pyramid of base 20", 60},     {"pyramid of base 40", 60}, {"heap of 1000, falling", 45},
-                {"heap of 1000, at rest", 400}, {"wall of 400", 60},        {"200 on a mesh", 150}};
+    unsigned before, iterations;
+  } stages[] = {{"pyramid of base 20", 200, 60},    {"pyramid of base 40", 200, 60}, {"heap of 1000, falling", 45, 10},
+                {"heap of 1000, at rest", 400, 10}, {"wall of 400", 200, 60},        {"200 on a mesh", 150, 20}};
   memset(s, 0, sizeof *s);
   if (number >= sizeof stages / sizeof stages[0]) {
     return false;
   }
   s->name = stages[number].name;
   s->before = stages[number].before;
+  s->iterations = stages[number].iterations;
   s->poses = calloc((size_t)REST_BODIES * (REST_TICKS + 1), sizeof(gjk_pose));
   bool fine = s->poses != NULL;
   for (unsigned i = 0; i < 5; i++) {
@@ -173,7 +174,7 @@ static unsigned find_on_ground(void *user, unsigned a, unsigned b, gjk_manifold 
 bool rest_record(rest_stage *s) {
   gjk_pose *poses = s->poses;
   solver_world *w = calloc(1, sizeof *w);
-  solver_init(w, 10);
+  solver_init(w, s->iterations);
   w->damping = 5;
   if (s->mesh != NULL) {
     w->manifolds = find_on_ground;
