@@ -13,11 +13,15 @@ static bool is_awake(const gjk_scene_body *body) {
   return (body->kind_detail & 15u) != GJK_BODY_STATIC && (body->flags & GJK_SCENE_ASLEEP) == 0;
 }
 
-// Is a pair that stays near to be reported? Pre: config.persist.
-static inline bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  const gjk_scene_body *a = &v->bodies[v->parts[gjk_scene_end(pair, 0)].body];
-  const gjk_scene_body *b = &v->bodies[v->parts[gjk_scene_end(pair, 1)].body];
-  return (is_awake(a) || is_awake(b)) && !gjk_scene_is_sensor(a) && !gjk_scene_is_sensor(b);
+// Is a pair of two bodies that stays near to be reported?
+static inline bool persists(const gjk_scene_view *v, const gjk_scene_body *a, const gjk_scene_body *b) {
+  return v->header->config.persist != 0 && (is_awake(a) || is_awake(b)) && !gjk_scene_is_sensor(a) &&
+         !gjk_scene_is_sensor(b);
+}
+
+static bool pair_persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  return persists(v, &v->bodies[v->parts[gjk_scene_end(pair, 0)].body],
+                  &v->bodies[v->parts[gjk_scene_end(pair, 1)].body]);
 }
 
 // The counter of an outcome: they are in the order of outcomes.
@@ -50,14 +54,14 @@ static void clear_words(const gjk_scene_view *v, uint32_t index) {
 }
 
 // Notes the event of a pair, and counts it: the counters are in the order of events.
-static inline void note_event(const gjk_scene_view *v, uint32_t index, unsigned event) {
+static inline void note_event(const gjk_scene_view *v, gjk_scene_pair *pair, unsigned event) {
   uint32_t *counters = &v->header->stats.begun;
   counters[event - GJK_EVENT_BEGIN]++;
-  const unsigned told = event == GJK_EVENT_PERSIST ? v->pairs[index].outcome & GJK_SCENE_TOLD : 0;
-  v->pairs[index].outcome = (uint8_t)(event | told);
+  pair->outcome = (uint8_t)(event | (event == GJK_EVENT_PERSIST ? pair->outcome & GJK_SCENE_TOLD : 0));
 }
 
-// Counts what became of a pair that was tested, and whether it is near. Returns its event; 0: it has none.
+// Counts what became of a pair that was tested, and whether it is near. Returns its event: PERSIST whether that is to be
+// reported or not; 0: it has none.
 static inline unsigned settle_tested(const gjk_scene_view *v, uint32_t index, unsigned flags) {
   gjk_scene_header *h = v->header;
   gjk_scene_pair *pair = &v->pairs[index];
@@ -72,18 +76,15 @@ static inline unsigned settle_tested(const gjk_scene_view *v, uint32_t index, un
   }
   pair->state = (uint8_t)((state & ~(GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_QUEUED | GJK_SCENE_PAIR_NEAR_NOW)) |
                           (now ? GJK_SCENE_PAIR_NEAR | flags : 0u));
-  if (was != now) {
-    if (now) {
-      clear_words(v, index);
-    }
-    return now ? GJK_EVENT_BEGIN : GJK_EVENT_END;
+  if (now && !was) {
+    clear_words(v, index);
   }
-  return now && h->config.persist != 0 && persists(v, pair) ? GJK_EVENT_PERSIST : 0;
+  return now ? (was ? GJK_EVENT_PERSIST : GJK_EVENT_BEGIN) : was ? GJK_EVENT_END : 0u;
 }
 
 // Adds a pair with its event to the events kept, which overwrite the queue from its start.
 static void keep_event(gjk_scene_view *v, uint32_t index, unsigned event, uint32_t *kept) {
-  note_event(v, index, event);
+  note_event(v, &v->pairs[index], event);
   //@ assert *kept < v->header->pairs.capacity;
   v->queue[(*kept)++] = index;
 }
@@ -96,7 +97,7 @@ static void keep_tested(gjk_scene_view *v, unsigned flags, uint32_t *kept) {
   for (uint32_t i = 0; i < h->queued; i++) {
     const uint32_t index = v->queue[i];
     const unsigned event = settle_tested(v, index, flags);
-    if (event != 0) {
+    if (event != 0 && (event != GJK_EVENT_PERSIST || pair_persists(v, &v->pairs[index]))) {
       keep_event(v, index, event, kept);
     }
   }
@@ -109,7 +110,7 @@ static void keep_resting(gjk_scene_view *v, uint32_t *kept) {
     gjk_scene_pair *pair = &v->pairs[i];
     const unsigned flags = pair->state & (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_GONE);
     if (flags == (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR) && (pair->state & GJK_SCENE_PAIR_QUEUED) == 0 &&
-        persists(v, pair)) {
+        pair_persists(v, pair)) {
       keep_event(v, i, GJK_EVENT_PERSIST, kept);
     }
     pair->state = (uint8_t)(pair->state & ~GJK_SCENE_PAIR_QUEUED);
@@ -206,27 +207,33 @@ static void sort_entries(sorted_queue *q, uint32_t count) {
   }
 }
 
+// The event of a pair whose first body is own, as it is reported; other: the slot of its second body. 0: none is.
+static inline unsigned walk_pair(const gjk_scene_view *v, uint32_t index, const gjk_scene_body *own, uint32_t other) {
+  const unsigned state = v->pairs[index].state;
+  unsigned event = (state & GJK_SCENE_PAIR_NEAR) != 0 ? GJK_EVENT_PERSIST : 0u;
+  if ((state & GJK_SCENE_PAIR_QUEUED) != 0) {
+    event = settle_tested(v, index, 0);
+  }
+  return event != GJK_EVENT_PERSIST || persists(v, own, &v->bodies[other]) ? event : 0;
+}
+
 // Steps 6 and 8 for the pairs whose first part is this one: adds their events, and sorts them. Returns how many there are
 // then.
 static uint32_t walk_events_of(sorted_queue *q, uint32_t part, uint32_t count) {
   const gjk_scene_view *v = q->v;
-  const bool persist = v->header->config.persist != 0;
+  const gjk_scene_body *own = &v->bodies[v->parts[part].body];
   uint32_t *queue = v->queue, end = count;
   bool sorted = true;
   for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE;
        link = gjk_scene_next(&v->pairs[link / 2], link % 2)) {
     if (link % 2 == 0) {
-      const gjk_scene_pair *pair = &v->pairs[link / 2];
-      unsigned event = 0;
-      if ((pair->state & GJK_SCENE_PAIR_QUEUED) != 0) {
-        event = settle_tested(v, link / 2, 0);
-      } else if (persist && (pair->state & GJK_SCENE_PAIR_NEAR) != 0 && persists(v, pair)) {
-        event = GJK_EVENT_PERSIST;
-      }
+      gjk_scene_pair *pair = &v->pairs[link / 2];
+      const uint32_t other = v->parts[gjk_scene_end(pair, 1)].body;
+      const unsigned event = walk_pair(v, link / 2, own, other);
       if (event != 0) {
-        note_event(v, link / 2, event);
+        note_event(v, pair, event);
         //@ assert end < v->header->pairs.capacity;
-        queue[end] = packed(q, link / 2, v->parts[gjk_scene_end(pair, 1)].body);
+        queue[end] = packed(q, link / 2, other);
         sorted = sorted && (end == count || (queue[end - 1] | q->index_mask) < queue[end]);
         end++;
       }
