@@ -1,6 +1,5 @@
 // The library as a method. The file of the plane includes this one under the plane's names.
 #include <stdlib.h>
-#include <stdio.h>
 
 #include "rest.h"
 
@@ -118,7 +117,6 @@ static bool go(void *world, unsigned frame, rest_found *found) {
   found->near = stats.begun + stats.persisting;
   found->manifolds = stats.manifolds;
   found->queried = stats.warm + stats.cold;
-  if (getenv("DBG")) fprintf(stderr, "rest %u mot %u box %u dir %u warm %u cold %u\n", stats.resting, stats.motion, stats.boxes, stats.direction, stats.warm, stats.cold);
   return fine;
 }
 
