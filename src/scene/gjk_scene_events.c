@@ -152,7 +152,7 @@ typedef struct sorted_queue {
   const gjk_scene_view *v;
   uint32_t *entries;
   uint32_t index_mask;
-  unsigned shift;  // of slots, which are below bodies <= 2^20; indices are below capacity <= 2^22
+  unsigned slot_shift;  // slots are below bodies <= 2^20; indices are below capacity <= 2^22
 } sorted_queue;
 
 // Does the report of one pair come before that of another one?
@@ -190,7 +190,7 @@ static void exchange_events(void *queue, uint32_t i, uint32_t j) {
 
 // The entry of a pair, with the slot of one of its bodies.
 static inline uint32_t packed(const sorted_queue *q, uint32_t index, uint32_t slot) {
-  return index | (slot << q->shift & ~q->index_mask);
+  return index | (slot << q->slot_shift & ~q->index_mask);
 }
 
 // Sorts count entries: a few by insertion, where each goes down to its place.
