@@ -53,10 +53,12 @@ static void clear_words(const gjk_scene_view *v, uint32_t index) {
   }
 }
 
-// Notes the event of a pair, and counts it: the counters are in the order of events.
+// Notes the event of a pair, and counts it.
 static inline void note_event(const gjk_scene_view *v, gjk_scene_pair *pair, unsigned event) {
-  uint32_t *counters = &v->header->stats.begun;
-  counters[event - GJK_EVENT_BEGIN]++;
+  gjk_scene_counters *s = &v->header->stats;
+  s->begun += event == GJK_EVENT_BEGIN;
+  s->persisting += event == GJK_EVENT_PERSIST;
+  s->ended += event == GJK_EVENT_END;
   pair->outcome = (uint8_t)(event | (event == GJK_EVENT_PERSIST ? pair->outcome & GJK_SCENE_TOLD : 0));
 }
 

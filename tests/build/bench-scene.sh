@@ -10,7 +10,7 @@ rest() {
   dir=$build/rest
   mkdir -p "$dir"
   make -s "$build/gjk-rest" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 || { cat "$dir/make.log"; return 1; }
-  [ "$dir/recorded" -nt "$build/gjk-rest" ] || { "$build/gjk-rest" record "$dir" && : >"$dir/recorded"; } || return 1
+  [ -n "$(find "$dir" -name recorded -newer "$build/gjk-rest")" ] || { "$build/gjk-rest" record "$dir" && : >"$dir/recorded"; } || return 1
   "$build/gjk-rest" time "$dir" >"$dir/rest.csv" || return 1
   if have valgrind; then
     rm -f "$dir"/rest.callgrind*
