@@ -42,7 +42,8 @@
 #   make soak-casts      the same for CASTS=1000000 random casts
 #   make numbers         sine, cosine and roots of all 2^32 numbers: their errors are those stated (20 minutes on two cores)
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
-#                        the broad phases of Bullet and FCL where installed; make bench draws it, too
+#                        the broad phases of Bullet and FCL where installed; make bench draws it, too. Then scenes at rest
+#                        and falling with all contacts, beside Bullet and ODE
 #   make scene-soak      1,000,000 random operations on scenes under the sanitizers
 #   make demo-lockstep   two processes play a match: they exchange only inputs. Then one of them is firmware on an emulated
 #                        Cortex-M3, then on a big-endian machine. With DIVERGE=200 one goes wrong from that tick on, and

@@ -1,8 +1,8 @@
 // The narrow phase: is one pair near? Skips answer without a query where they can. In the order of their cost:
 //
-// 1. Motion. The last test proved the pair apart, or near, by some gap more than its margins. If both parts together
-//    have moved by less since, the answer stands. What they moved is taken off the gap. Parts of a body whose filter
-//    changed count as moved without bound, so step 2 is not left out.
+// 1. Motion. The last test, or the manifold of its report, proved the pair apart, or near, by some gap more than its
+//    margins. If both parts together have moved by less since, the answer stands. What they moved is taken off the gap.
+//    Parts of a body whose filter changed count as moved without bound, so step 2 is not left out.
 // 2. Filters. Kinds, categories, masks or the predicate refuse the pair: it counts as apart.
 // 3. Boxes. Each exact box holds its part. If the boxes are farther apart along an axis than the margins, so are the
 //    parts.
