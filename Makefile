@@ -42,7 +42,8 @@
 #   make soak-casts      the same for CASTS=1000000 random casts
 #   make numbers         sine, cosine and roots of all 2^32 numbers: their errors are those stated (20 minutes on two cores)
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
-#                        the broad phases of Bullet and FCL where installed; make bench draws it, too
+#                        the broad phases of Bullet and FCL where installed; make bench draws it, too. Then scenes at rest
+#                        and falling with all contacts, beside Bullet and ODE
 #   make scene-soak      1,000,000 random operations on scenes under the sanitizers
 #   make demo-lockstep   two processes play a match: they exchange only inputs. Then one of them is firmware on an emulated
 #                        Cortex-M3, then on a big-endian machine. With DIVERGE=200 one goes wrong from that tick on, and
@@ -243,6 +244,20 @@ build/scene-bench: $(SCENE_BENCH) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flag
 	@echo '  $@'
 	@$(if $(SCENE_PEERS),$(CXX),$(CC)) $(filter-out %.flags,$^) $(if $(SCENE_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
+# Scenes at rest and falling. Of the other libraries bullet and ode find contacts in them.
+REST_PEERS := $(filter bullet ode,$(BENCH_PEERS))
+REST := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/measure/bench_scene/rest/*.c)) \
+  $(REST_PEERS:%=build/hosted/tests/measure/bench_scene/rest/peer/%.o)
+
+build/hosted/tests/measure/bench_scene/rest/peer/%.o: tests/measure/bench_scene/rest/peer/%.cpp build/hosted/peers.flags Makefile
+	@mkdir -p $(@D)
+	@echo '  $<'
+	@$(PEER_COMPILE) -Iinclude -c $< -o $@
+
+build/gjk-rest: $(REST) $(HOST_LIB) build/hosted/peers.flags
+	@echo '  $@'
+	@$(if $(REST_PEERS),$(CXX),$(CC)) $(filter %.o,$^) $(HOST_LIB) $(if $(REST_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
+
 # Casts whose answer is known. CAST_PEERS, out of BENCH_PEERS: bullet and fcl have casts.
 CAST_PEERS := $(filter bullet fcl,$(BENCH_PEERS))
 CAST_OBJECTS := $(patsubst %.c,build/hosted/%.o,$(filter-out %/main.c,$(wildcard tests/measure/cast/*.c))) \
@@ -347,7 +362,7 @@ TESTS := $(LONG_TESTS) $(filter-out $(LONG_TESTS),$(UNIT_TESTS) $(TEST_SCRIPTS))
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 PARALLEL = $(MAKE) --no-print-directory $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 
-programs: all unit-tests build/scene-bench build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane
+programs: all unit-tests build/scene-bench build/gjk-rest build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane
 
 test: $(filter setup,$(MAKECMDGOALS))
 	+@$(PARALLEL) programs

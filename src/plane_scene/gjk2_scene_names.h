@@ -275,6 +275,7 @@
 #define gjk_scene_walk_meeting gjk2_scene_walk_meeting
 #define gjk_scene_walk_next gjk2_scene_walk_next
 #define gjk_scene_walk_start gjk2_scene_walk_start
+#define gjk_scene_walk_wait gjk2_scene_walk_wait
 #define gjk_scene_wants_distance gjk2_scene_wants_distance
 #define gjk_scene_way gjk2_scene_way
 #define gjk_scene_words_of gjk2_scene_words_of

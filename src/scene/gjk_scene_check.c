@@ -234,7 +234,7 @@ static bool check_pair(const gjk_scene_view *v, uint32_t index) {
   const uint32_t a = gjk_scene_end(pair, 0), b = gjk_scene_end(pair, 1);
   const unsigned outcome = pair->outcome & (GJK_SCENE_UNSETTLED - 1u);
   if (pair->state >> GJK_SCENE_PAIR_CACHED > 4 || outcome >= GJK_SCENE_OUTCOMES ||
-      (pair->outcome & GJK_SCENE_LISTED) != 0 || (outcome == GJK_SCENE_PENDING && !gjk_scene_is_pending(pair))) {
+      (pair->outcome & GJK_SCENE_NO_FLAG) != 0 || (outcome == GJK_SCENE_PENDING && !gjk_scene_is_pending(pair))) {
     return false;
   }
   if (is_gone(pair)) {

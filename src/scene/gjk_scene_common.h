@@ -53,8 +53,8 @@
 #define GJK_SCENE_PAIR_CACHED 5u    // shift
 
 // gjk_scene_pair.outcome: flags beside a gjk_scene_outcome or gjk_event.
-#define GJK_SCENE_LISTED 64u  // it has an event: while events are sorted
-#define GJK_SCENE_TOLD 128u   // what its last report said still holds: since then no call moved or changed a body of it
+#define GJK_SCENE_NO_FLAG 64u  // never set
+#define GJK_SCENE_TOLD 128u  // what its last report said still holds: since then no call moved or changed a body of it
 
 // What a report says of one side of a pair, and what orders reports.
 typedef struct gjk_scene_side {

@@ -5,19 +5,23 @@
 // Up to so many events are sorted by insertion.
 #define FEW 8
 
-// Where at least one in so many bodies, parts and pairs has an event, all are walked. A step of such a walk takes about 8
-// instructions; to sort an event takes 20 for each doubling of their number.
-#define GATHER 16
+// Where the last update had an event for one in so many bodies, parts and pairs, all of them are walked. A step of such a
+// walk takes about 8 instructions; to sort an event takes 20 for each doubling of their number.
+#define WALK 16
 
 static bool is_awake(const gjk_scene_body *body) {
   return (body->kind_detail & 15u) != GJK_BODY_STATIC && (body->flags & GJK_SCENE_ASLEEP) == 0;
 }
 
-// Is a pair that stays near to be reported? Pre: config.persist.
-static inline bool persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
-  const gjk_scene_body *a = &v->bodies[v->parts[gjk_scene_end(pair, 0)].body];
-  const gjk_scene_body *b = &v->bodies[v->parts[gjk_scene_end(pair, 1)].body];
-  return (is_awake(a) || is_awake(b)) && !gjk_scene_is_sensor(a) && !gjk_scene_is_sensor(b);
+// Is a pair of two bodies that stays near to be reported?
+static inline bool persists(const gjk_scene_view *v, const gjk_scene_body *a, const gjk_scene_body *b) {
+  return v->header->config.persist != 0 && (is_awake(a) || is_awake(b)) && !gjk_scene_is_sensor(a) &&
+         !gjk_scene_is_sensor(b);
+}
+
+static bool pair_persists(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  return persists(v, &v->bodies[v->parts[gjk_scene_end(pair, 0)].body],
+                  &v->bodies[v->parts[gjk_scene_end(pair, 1)].body]);
 }
 
 // The counter of an outcome: they are in the order of outcomes.
@@ -41,17 +45,6 @@ static void start_stats(gjk_scene_view *v) {
   s->begun = s->persisting = s->ended = s->unsettled = s->measured = s->manifolds = 0;
 }
 
-// Adds a pair with its event to the events kept, which overwrite the queue from its start.
-static void keep_event(gjk_scene_view *v, uint32_t index, gjk_event event, uint32_t *kept) {
-  gjk_scene_counters *s = &v->header->stats;
-  uint32_t *counter = event == GJK_EVENT_BEGIN ? &s->begun : event == GJK_EVENT_END ? &s->ended : &s->persisting;
-  (*counter)++;
-  //@ assert *kept < v->header->pairs.capacity;
-  const unsigned told = event == GJK_EVENT_PERSIST ? v->pairs[index].outcome & GJK_SCENE_TOLD : 0;
-  v->pairs[index].outcome = (uint8_t)(event | told | GJK_SCENE_LISTED);
-  v->queue[(*kept)++] = index;
-}
-
 // The words of a pair that begins.
 static void clear_words(const gjk_scene_view *v, uint32_t index) {
   uint32_t *words = gjk_scene_words_of(v, index);
@@ -60,33 +53,54 @@ static void clear_words(const gjk_scene_view *v, uint32_t index) {
   }
 }
 
-// Step 6, pairs that were tested. Each makes at most one event, so no entry is overwritten before it is read.
-//
-// With persist, those that are near keep QUEUED, so that keep_resting does not find them again.
-static void keep_tested(gjk_scene_view *v, uint32_t *kept) {
+// Notes the event of a pair, and counts it.
+static inline void note_event(const gjk_scene_view *v, gjk_scene_pair *pair, unsigned event) {
+  gjk_scene_counters *s = &v->header->stats;
+  s->begun += event == GJK_EVENT_BEGIN;
+  s->persisting += event == GJK_EVENT_PERSIST;
+  s->ended += event == GJK_EVENT_END;
+  pair->outcome = (uint8_t)(event | (event == GJK_EVENT_PERSIST ? pair->outcome & GJK_SCENE_TOLD : 0));
+}
+
+// Counts what became of a pair that was tested, and whether it is near. Returns its event: PERSIST whether that is to be
+// reported or not; 0: it has none.
+static inline unsigned settle_tested(const gjk_scene_view *v, uint32_t index, unsigned flags) {
   gjk_scene_header *h = v->header;
-  for (uint32_t i = 0; i < h->queued; i++) {
-    const uint32_t index = v->queue[i];
-    gjk_scene_pair *pair = &v->pairs[index];
-    const unsigned state = pair->state, outcome = pair->outcome;
-    const bool was = (state & GJK_SCENE_PAIR_NEAR) != 0, now = (state & GJK_SCENE_PAIR_NEAR_NOW) != 0;
-    const unsigned kind = outcome & (GJK_SCENE_UNSETTLED - 1u);
-    //@ assert kind >= GJK_SCENE_FILTERED && kind <= GJK_SCENE_COLD;
-    (*counter_of(&h->stats, kind))++;
+  gjk_scene_pair *pair = &v->pairs[index];
+  const unsigned state = pair->state, outcome = pair->outcome;
+  const bool was = (state & GJK_SCENE_PAIR_NEAR) != 0, now = (state & GJK_SCENE_PAIR_NEAR_NOW) != 0;
+  const unsigned kind = outcome & (GJK_SCENE_UNSETTLED - 1u);
+  //@ assert kind >= GJK_SCENE_FILTERED && kind <= GJK_SCENE_COLD;
+  (*counter_of(&h->stats, kind))++;
+  if ((outcome & (GJK_SCENE_UNSETTLED | GJK_SCENE_MEASURED)) != 0) {
     h->stats.unsettled += (outcome & GJK_SCENE_UNSETTLED) != 0;
     h->stats.measured += (outcome & GJK_SCENE_MEASURED) != 0;
-    pair->state = (uint8_t)((state & ~(GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_QUEUED | GJK_SCENE_PAIR_NEAR_NOW)) |
-                            (now ? GJK_SCENE_PAIR_NEAR : 0u));
-    if (now && !was) {
-      clear_words(v, index);
-    }
-    if (was != now) {
-      keep_event(v, index, now ? GJK_EVENT_BEGIN : GJK_EVENT_END, kept);
-    } else if (now && h->config.persist != 0 && persists(v, pair)) {
-      keep_event(v, index, GJK_EVENT_PERSIST, kept);
-    }
-    if (now && h->config.persist != 0) {
-      pair->state |= GJK_SCENE_PAIR_QUEUED;
+  }
+  pair->state = (uint8_t)((state & ~(GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_QUEUED | GJK_SCENE_PAIR_NEAR_NOW)) |
+                          (now ? GJK_SCENE_PAIR_NEAR | flags : 0u));
+  if (now && !was) {
+    clear_words(v, index);
+  }
+  return now ? (was ? GJK_EVENT_PERSIST : GJK_EVENT_BEGIN) : was ? GJK_EVENT_END : 0u;
+}
+
+// Adds a pair with its event to the events kept, which overwrite the queue from its start.
+static void keep_event(gjk_scene_view *v, uint32_t index, unsigned event, uint32_t *kept) {
+  note_event(v, &v->pairs[index], event);
+  //@ assert *kept < v->header->pairs.capacity;
+  v->queue[(*kept)++] = index;
+}
+
+// Step 6, pairs that were tested. Each makes at most one event, so no entry is overwritten before it is read.
+//
+// flags: QUEUED stays on those that are near, so that keep_resting does not find them again.
+static void keep_tested(gjk_scene_view *v, unsigned flags, uint32_t *kept) {
+  const gjk_scene_header *h = v->header;
+  for (uint32_t i = 0; i < h->queued; i++) {
+    const uint32_t index = v->queue[i];
+    const unsigned event = settle_tested(v, index, flags);
+    if (event != 0 && (event != GJK_EVENT_PERSIST || pair_persists(v, &v->pairs[index]))) {
+      keep_event(v, index, event, kept);
     }
   }
 }
@@ -94,11 +108,11 @@ static void keep_tested(gjk_scene_view *v, uint32_t *kept) {
 // Step 6, with persist: pairs that rest near.
 static void keep_resting(gjk_scene_view *v, uint32_t *kept) {
   const gjk_scene_header *h = v->header;
-  for (uint32_t i = 0; h->config.persist != 0 && i < h->pairs.fresh; i++) {
+  for (uint32_t i = 0; i < h->pairs.fresh; i++) {
     gjk_scene_pair *pair = &v->pairs[i];
     const unsigned flags = pair->state & (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_GONE);
     if (flags == (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR) && (pair->state & GJK_SCENE_PAIR_QUEUED) == 0 &&
-        persists(v, pair)) {
+        pair_persists(v, pair)) {
       keep_event(v, i, GJK_EVENT_PERSIST, kept);
     }
     pair->state = (uint8_t)(pair->state & ~GJK_SCENE_PAIR_QUEUED);
@@ -128,10 +142,10 @@ static void forget_motion(gjk_scene_view *v) {
   h->moved = GJK_SCENE_NONE;
 }
 
-// The slot of one of a pair's bodies.
-static uint32_t slot_of(const gjk_scene_view *v, const gjk_scene_pair *pair, unsigned side) {
-  return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? gjk_scene_gone_side(pair, side).slot
-                                                  : v->parts[gjk_scene_end(pair, side)].body;
+// The slot of a pair's first body.
+static uint32_t slot_of(const gjk_scene_view *v, const gjk_scene_pair *pair) {
+  return (pair->state & GJK_SCENE_PAIR_GONE) != 0 ? gjk_scene_gone_side(pair, 0).slot
+                                                  : v->parts[gjk_scene_end(pair, 0)].body;
 }
 
 // Entries of the queue while they are sorted. The lower bits of an entry are its pair's index. The upper ones are those
@@ -140,6 +154,7 @@ typedef struct sorted_queue {
   const gjk_scene_view *v;
   uint32_t *entries;
   uint32_t index_mask;
+  unsigned slot_shift;  // slots are below bodies <= 2^20; indices are below capacity <= 2^22
 } sorted_queue;
 
 // Does the report of one pair come before that of another one?
@@ -175,13 +190,9 @@ static void exchange_events(void *queue, uint32_t i, uint32_t j) {
   entries[j] = entry;
 }
 
-// The entry of a pair, with the slot of the body on one side. The pair is listed no more.
-static inline uint32_t packed(const sorted_queue *q, uint32_t index, unsigned side) {
-  // Slots are below bodies <= 2^20, indices below capacity <= 2^22.
-  const unsigned shift = gjk_clz32(q->v->header->config.bodies);
-  gjk_scene_pair *pair = &q->v->pairs[index];
-  pair->outcome = (uint8_t)(pair->outcome & ~GJK_SCENE_LISTED);
-  return index | (slot_of(q->v, pair, side) << shift & ~q->index_mask);
+// The entry of a pair, with the slot of one of its bodies.
+static inline uint32_t packed(const sorted_queue *q, uint32_t index, uint32_t slot) {
+  return index | (slot << q->slot_shift & ~q->index_mask);
 }
 
 // Sorts count entries: a few by insertion, where each goes down to its place.
@@ -198,64 +209,90 @@ static void sort_entries(sorted_queue *q, uint32_t count) {
   }
 }
 
-// Adds the events of the pairs whose first part is this one, which are flagged. Sorts them. Returns how many there are then.
-static uint32_t gather_events_of(sorted_queue *q, uint32_t part, uint32_t count) {
+// The event of a pair whose first body is own, as it is reported; other: the slot of its second body. 0: none is.
+static inline unsigned walk_pair(const gjk_scene_view *v, uint32_t index, const gjk_scene_body *own, uint32_t other) {
+  const unsigned state = v->pairs[index].state;
+  unsigned event = (state & GJK_SCENE_PAIR_NEAR) != 0 ? GJK_EVENT_PERSIST : 0u;
+  if ((state & GJK_SCENE_PAIR_QUEUED) != 0) {
+    event = settle_tested(v, index, 0);
+  }
+  return event != GJK_EVENT_PERSIST || persists(v, own, &v->bodies[other]) ? event : 0;
+}
+
+// Steps 6 and 8 for the pairs whose first part is this one: adds their events, and sorts them. Returns how many there are
+// then.
+static uint32_t walk_events_of(sorted_queue *q, uint32_t part, uint32_t count) {
   const gjk_scene_view *v = q->v;
+  const gjk_scene_body *own = &v->bodies[v->parts[part].body];
   uint32_t *queue = v->queue, end = count;
+  bool sorted = true;
   for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE;
        link = gjk_scene_next(&v->pairs[link / 2], link % 2)) {
-    if (link % 2 == 0 && (v->pairs[link / 2].outcome & GJK_SCENE_LISTED) != 0) {
-      //@ assert end < v->header->pairs.capacity;
-      queue[end++] = packed(q, link / 2, 1);
+    if (link % 2 == 0) {
+      gjk_scene_pair *pair = &v->pairs[link / 2];
+      const uint32_t other = v->parts[gjk_scene_end(pair, 1)].body;
+      const unsigned event = walk_pair(v, link / 2, own, other);
+      if (event != 0) {
+        note_event(v, pair, event);
+        //@ assert end < v->header->pairs.capacity;
+        queue[end] = packed(q, link / 2, other);
+        sorted = sorted && (end == count || (queue[end - 1] | q->index_mask) < queue[end]);
+        end++;
+      }
     }
   }
-  q->entries = queue + count;
-  sort_entries(q, end - count);
+  if (!sorted) {
+    q->entries = queue + count;
+    sort_entries(q, end - count);
+  }
   return end;
 }
 
-// Step 8, where many of all pairs have an event and none is gone: bodies, their parts, and the lists of parts are walked
-// in the order of reports, so only the pairs of one part are left to sort.
-static void gather_events(sorted_queue *q) {
+// Steps 6 and 8, where none is gone: bodies, their parts, and the lists of parts are walked in the order of reports, so only
+// the pairs of one part are left to sort. Every pair is in the list of its first part, so the queue is not needed.
+static uint32_t walk_events(sorted_queue *q) {
   const gjk_scene_view *v = q->v;
   uint32_t count = 0;
   for (uint32_t slot = 0; slot < v->header->bodies.fresh; slot++) {
     // A slot that was never used is in no list, whatever its first part says.
     uint32_t i = v->bodies[slot].generation % 2 != 0 ? v->bodies[slot].first : GJK_SCENE_NONE;
     for (; i != GJK_SCENE_NONE; i = v->parts[i].next) {
-      count = gather_events_of(q, i, count);
+      count = walk_events_of(q, i, count);
     }
   }
+  return count;
 }
 
-// Step 8. Sorts the kept events. gone: some are of pairs that are gone, and in no list.
-static void sort_events(const gjk_scene_view *v, uint32_t kept, bool gone) {
+// Steps 6 and 8 one after the other. gone: some pairs are gone, and in no list.
+static uint32_t keep_events(sorted_queue *q, gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
-  sorted_queue q = {v, v->queue, UINT32_MAX >> gjk_clz32(h->pairs.capacity)};
-  if (!gone && kept > FEW && kept >= (h->bodies.fresh + h->parts.count + h->pairs.count) / GATHER) {
-    gather_events(&q);
-  } else {
-    for (uint32_t i = 0; i < kept; i++) {
-      v->queue[i] = packed(&q, v->queue[i], 0);
-    }
-    sort_entries(&q, kept);
+  const bool resting = h->config.persist != 0 && h->stats.resting > 0;
+  uint32_t kept = 0;
+  keep_tested(v, resting ? GJK_SCENE_PAIR_QUEUED : 0, &kept);
+  if (resting) {
+    keep_resting(v, &kept);
   }
+  keep_gone(v, &kept);
   for (uint32_t i = 0; i < kept; i++) {
-    v->queue[i] &= q.index_mask;
+    v->queue[i] = packed(q, v->queue[i], slot_of(v, &v->pairs[v->queue[i]]));
   }
+  sort_entries(q, kept);
+  return kept;
 }
 
 void gjk_scene_make_events(gjk_scene_view *v) {
   gjk_scene_header *h = v->header;
-  const bool gone = h->gone != GJK_SCENE_NONE;
-  uint32_t kept = 0;
+  const uint32_t last = h->stats.begun + h->stats.persisting + h->stats.ended;
+  const bool walks =
+      h->gone == GJK_SCENE_NONE && last > FEW && last >= (h->bodies.fresh + h->parts.count + h->pairs.count) / WALK;
+  sorted_queue q = {v, v->queue, UINT32_MAX >> gjk_clz32(h->pairs.capacity), gjk_clz32(h->config.bodies)};
   start_stats(v);
-  keep_tested(v, &kept);
-  keep_resting(v, &kept);
-  keep_gone(v, &kept);
+  const uint32_t kept = walks ? walk_events(&q) : keep_events(&q, v);
+  for (uint32_t i = 0; i < kept; i++) {
+    v->queue[i] &= q.index_mask;
+  }
   h->queued = kept;
   h->next_report = 0;
   forget_motion(v);
-  sort_events(v, kept, gone);
   h->phase = GJK_SCENE_REPORTING;
 }

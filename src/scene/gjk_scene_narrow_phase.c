@@ -1,8 +1,8 @@
 // The narrow phase: is one pair near? Skips answer without a query where they can. In the order of their cost:
 //
-// 1. Motion. The last test proved the pair apart, or near, by some gap more than its margins. If both parts together
-//    have moved by less since, the answer stands. What they moved is taken off the gap. Parts of a body whose filter
-//    changed count as moved without bound, so step 2 is not left out.
+// 1. Motion. The last test, or the manifold of its report, proved the pair apart, or near, by some gap more than its
+//    margins. If both parts together have moved by less since, the answer stands. What they moved is taken off the gap.
+//    Parts of a body whose filter changed count as moved without bound, so step 2 is not left out.
 // 2. Filters. Kinds, categories, masks or the predicate refuse the pair: it counts as apart.
 // 3. Boxes. Each exact box holds its part. If the boxes are farther apart along an axis than the margins, so are the
 //    parts.
@@ -245,6 +245,18 @@ static void test_geometry(const gjk_scene_view *v, const gjk_scene_part *a, cons
   }
 }
 
+// Steps 2 to 6. told: a flag that stays.
+GJK_OUT_OF_LINE static void test_pair(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                                      unsigned told, gjk_scene_pair *pair) {
+  if (gjk_scene_is_refused(v, a->body, b->body)) {  // Step 2
+    pair->gap = 0;
+    pair->outcome = GJK_SCENE_FILTERED;
+  } else {
+    test_geometry(v, a, b, pair);
+  }
+  pair->outcome = (uint8_t)(pair->outcome | told);
+}
+
 void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair) {
   const unsigned told = pair->outcome & GJK_SCENE_TOLD;
   if (!gjk_scene_is_pending(pair)) {
@@ -252,12 +264,8 @@ void gjk_scene_narrow_phase(const gjk_scene_view *v, gjk_scene_pair *pair) {
   }
   const gjk_scene_part *a = &v->parts[gjk_scene_end(pair, 0)], *b = &v->parts[gjk_scene_end(pair, 1)];
   if (v->header->config.retest_all == 0 && outlasts_motion(v, a, b, pair)) {
-    pair->outcome = GJK_SCENE_MOTION;
-  } else if (gjk_scene_is_refused(v, a->body, b->body)) {  // Step 2
-    pair->gap = 0;
-    pair->outcome = GJK_SCENE_FILTERED;
+    pair->outcome = (uint8_t)(GJK_SCENE_MOTION | told);
   } else {
-    test_geometry(v, a, b, pair);
+    test_pair(v, a, b, told, pair);
   }
-  pair->outcome = (uint8_t)(pair->outcome | told);
 }

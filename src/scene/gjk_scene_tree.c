@@ -164,17 +164,27 @@ void gjk_scene_tree_remove(gjk_scene_view *v, uint32_t part) {
   restore(v, parent);
 }
 
+// A node that waits meets the box, unless it is the root. Of two children that do the first is next, and the other waits.
 uint32_t gjk_scene_walk_meeting(const gjk_scene_view *v, gjk_scene_walk *walk, const gjk_aabb *box) {
-  for (;;) {  // ends: each node is taken once
-    const uint32_t node = gjk_scene_walk_next(walk);
-    if (node == GJK_SCENE_NONE) {
-      return node;
-    }
-    if (gjk_aabb_meet(box, gjk_scene_node_box(v, node))) {
-      if ((node & GJK_SCENE_LEAF) != 0) {
-        return node & ~GJK_SCENE_LEAF;
+  uint32_t node = gjk_scene_walk_next(walk);
+  if (node == GJK_SCENE_NONE || (node == v->header->root && !gjk_aabb_meet(box, gjk_scene_node_box(v, node)))) {
+    return GJK_SCENE_NONE;
+  }
+  while ((node & GJK_SCENE_LEAF) == 0) {  // ends: each node is taken once
+    const gjk_scene_node *n = &v->nodes[node];
+    const uint32_t first = n->child[0], second = n->child[1];
+    const bool meets = gjk_aabb_meet(box, gjk_scene_node_box(v, first));
+    if (gjk_aabb_meet(box, gjk_scene_node_box(v, second))) {
+      if (meets) {
+        gjk_scene_walk_wait(walk, second);
       }
-      gjk_scene_walk_descend(v, walk, node);
+      node = meets ? first : second;
+    } else {
+      node = meets ? first : gjk_scene_walk_next(walk);
+      if (node == GJK_SCENE_NONE) {
+        return node;
+      }
     }
   }
+  return node & ~GJK_SCENE_LEAF;
 }

@@ -30,6 +30,12 @@ static inline uint32_t gjk_scene_walk_next(gjk_scene_walk *walk) {
   return walk->count > 0 ? walk->waiting[--walk->count] : GJK_SCENE_NONE;
 }
 
+// Makes a node the next one. Each level leaves one waiting.
+static inline void gjk_scene_walk_wait(gjk_scene_walk *walk, uint32_t node) {
+  //@ assert walk->count <= GJK_SCENE_DEPTH - 1;
+  walk->waiting[walk->count++] = node;
+}
+
 // Makes the children of a node the next ones. Each level leaves one node waiting, the deepest two:
 // count <= depth + 1 <= 30
 static inline void gjk_scene_walk_descend(const gjk_scene_view *v, gjk_scene_walk *walk, uint32_t node) {

@@ -1,9 +1,50 @@
 #!/bin/sh
-# Cost of a scene's tick: instructions on an emulated Cortex-M4, then time on this machine into BUILD/bench-scene.csv.
-# bench-scene.sh BUILD
+# Cost of a scene's tick: instructions on an emulated Cortex-M4, then time on this machine into BUILD/bench-scene.csv; then
+# scenes at rest and falling, with all contacts, into BUILD/rest/rest.csv. bench-scene.sh BUILD [rest]: only those.
 . tests/build/count.sh
 . tests/build/peers.sh
 build=$1
+
+# Poses are recorded once, by the project's own solvers: BUILD/rest/*.poses.
+rest() {
+  dir=$build/rest
+  mkdir -p "$dir"
+  make -s "$build/gjk-rest" BENCH_PEERS="$peers" >"$dir/make.log" 2>&1 || { cat "$dir/make.log"; return 1; }
+  [ -n "$(find "$dir" -name recorded -newer "$build/gjk-rest")" ] || { "$build/gjk-rest" record "$dir" && : >"$dir/recorded"; } || return 1
+  "$build/gjk-rest" time "$dir" >"$dir/rest.csv" || return 1
+  if have valgrind; then
+    rm -f "$dir"/rest.callgrind*
+    strip -g -o "$dir/gjk-rest" "$build/gjk-rest"
+    valgrind --tool=callgrind --branch-sim=yes --instr-atstart=no --callgrind-out-file="$dir/rest.callgrind" \
+      "$dir/gjk-rest" count "$dir" 2>"$dir/valgrind.log" || { cat "$dir/valgrind.log"; return 1; }
+    find "$dir" -name 'rest.callgrind.*' -exec awk -v pairs=20 -f tests/build/callgrind.awk {} + |
+      sed 's/,\([a-z]*\),\([0-9.]*\)$/;\1;\2/' >>"$dir/rest.csv"
+    rm -f "$dir"/rest.callgrind* "$dir/gjk-rest"
+  else
+    skip 'instructions and branch mispredictions' valgrind
+  fi
+  awk -F';' '
+    function number(x) { return x == "" ? "-" : sprintf("%.1f", x / 1000) }
+    BEGIN { n = 0 }
+    !(($1, $2) in seen) { seen[$1, $2] = 1; scene[n] = $1; method[n++] = $2 }
+    { of[$1, $2, $3] = $4 }
+    END {
+      printf "%-32s%-22s%10s%18s%18s\n", "a tick, in thousands", "", "ns", "instructions", "mispredictions"
+      for (i = 0; i < n; i++) {
+        printf "%-32s%-22s%10s%18s%18s   %s\n", scene[i], method[i], number(of[scene[i], method[i], "ns"]),
+          number(of[scene[i], method[i], "instructions"]), number(of[scene[i], method[i], "mispredictions"]),
+          of[scene[i], method[i], "found"]
+      }
+    }' "$dir/rest.csv"
+  echo 'CPU time: medians of 15 passes over 20 ticks, all methods in turn in one process. All of it: '"$dir/rest.csv"
+}
+
+if [ "$2" = rest ]; then
+  find_peer bullet Bullet libbullet-dev
+  find_peer ode ODE libode-dev
+  rest
+  exit
+fi
 missing="$(missing_package cortex-m4) $(missing_emulator cortex-m4)"
 if [ -n "${missing# }" ]; then
   echo "no figures for Cortex-M4: needs $missing"
@@ -19,6 +60,7 @@ echo
 # Other libraries' broad phases beside it, where they are installed.
 find_peer bullet Bullet libbullet-dev
 find_peer fcl FCL libfcl-dev
+find_peer ode ODE libode-dev
 rm -f "$build/scene-bench"
 make -s "$build/scene-bench" BENCH_PEERS="$peers" >"$build/bench-scene.log" 2>&1 ||
   { cat "$build/bench-scene.log"; exit 1; }
@@ -43,6 +85,8 @@ awk -F, '
   $2 == 10000 && $3 == 5 {
     printf "%-10s%18s%16s%16s%14s%14s\n", $1, times($9, $4), times($7, $4), times($7, $5), times($8, $4), times($8, $5)
   }' "$build/bench-scene.csv"
+echo
+rest || exit 1
 echo "all of it: $build/bench-scene.csv; plots: make bench, or again with its figures of before: $build/bench.html"
 if [ -f "$build/bench.csv" ]; then
   make -s "$build/gjk-bench-report" >/dev/null &&

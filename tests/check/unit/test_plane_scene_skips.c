@@ -14,15 +14,18 @@
 #define TURNS check_trials(200000)
 
 static const gjk2_scene_config quick_config = {2, 2, 2, 1, GJK_Q16(0.125), GJK_DETAIL_TOUCH, 0, 0, 0, 0};
+static const gjk2_scene_config contacts_config = {2, 2, 2, 1, GJK_Q16(0.125), GJK_DETAIL_CONTACTS, 1, 0, 0, 0};
 static const gjk2_scene_config plain_config = {2, 2, 2, 1, 0, GJK_DETAIL_TOUCH, 0, 1, 0, 0};
 static uint32_t quick_block[300], plain_block[300];
 static gjk2_scene quick, plain;  // with all skips, with none
-static unsigned near_count, far_count, motion_count, boxes_count, direction_count, warm_count, claims[2];
+static unsigned near_count, far_count, motion_count, boxes_count, direction_count, warm_count, claims[2], deep;
 
 static void start(gjk2_scene *scene, const gjk2_scene_config *config, uint32_t *block, const gjk2_shape *const *shapes,
                   const gjk2_body_setup setup[2]) {
+  static gjk2_manifold manifold;
+  const gjk2_scene_bindings bindings = {.details = &gjk2_scene_contacts, .manifolds = &manifold};
   gjk_body_id id;
-  CHECK(gjk2_scene_init(scene, config, block, sizeof quick_block, shapes, 2, NULL) == GJK_OK);
+  CHECK(gjk2_scene_init(scene, config, block, sizeof quick_block, shapes, 2, &bindings) == GJK_OK);
   for (int i = 0; i < 2; i++) {
     CHECK(gjk2_scene_add(scene, &setup[i], &id) == GJK_OK);
   }
@@ -54,6 +57,7 @@ static void check_gap(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 ma
   const int64_t left = near ? (int64_t)margin - r.distance : (int64_t)r.distance - margin;
   CHECK_MSG(pair->gap <= left + 1, "%s: gap %d, left %lld", near ? "near" : "apart", (int)pair->gap, (long long)left);
   claims[near] += pair->gap > 0;
+  deep += near && pair->gap > margin;
 }
 
 static void check_path(random_state *random) {
@@ -67,7 +71,7 @@ static void check_path(random_state *random) {
     const gjk2_body_setup s = {body[i].pose, &part[i], 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, margin};
     setup[i] = s;
   }
-  start(&quick, &quick_config, quick_block, shapes, setup);
+  start(&quick, random_below(random, 2) == 0 ? &quick_config : &contacts_config, quick_block, shapes, setup);
   start(&plain, &plain_config, plain_block, shapes, setup);
   const gjk_body_id moving = {1, 1};
   for (unsigned i = 0; i < TICKS; i++) {
@@ -194,9 +198,11 @@ int main(void) {
     check_path(&random);
     check_motion(&random);
   }
-  printf("%u near, %u apart; %u by motion, %u by boxes, %u by direction, %u warm; gaps claimed: %u near, %u apart\n",
-         near_count, far_count, motion_count, boxes_count, direction_count, warm_count, claims[1], claims[0]);
+  printf(
+      "%u near, %u apart; %u by motion, %u by boxes, %u by direction, %u warm; gaps claimed: %u near, %u apart, %u by "
+      "a depth\n",
+      near_count, far_count, motion_count, boxes_count, direction_count, warm_count, claims[1], claims[0], deep);
   CHECK(near_count > PATHS && far_count > PATHS && motion_count > PATHS && boxes_count > PATHS / 4 &&
-        direction_count > PATHS / 4 && warm_count > PATHS && claims[0] > PATHS && claims[1] > PATHS);
+        direction_count > PATHS / 4 && warm_count > PATHS && claims[0] > PATHS && claims[1] > PATHS && deep > PATHS);
   return check_done("plane_scene_skips");
 }

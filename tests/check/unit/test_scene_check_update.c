@@ -27,7 +27,7 @@ static void test_pairs(void) {
   ACCEPTED(p->gap = 0; p->state = (uint8_t)(p->state & ~GJK_SCENE_PAIR_NEAR));
   ACCEPTED(p->outcome = GJK_SCENE_COLD | GJK_SCENE_UNSETTLED);
   REFUSED(p->outcome = GJK_SCENE_OUTCOMES);
-  REFUSED(p->outcome = GJK_SCENE_COLD | GJK_SCENE_LISTED);
+  REFUSED(p->outcome = GJK_SCENE_COLD | GJK_SCENE_NO_FLAG);
   ACCEPTED(p->outcome = GJK_SCENE_PENDING);
   REFUSED(p->outcome = GJK_SCENE_PENDING | GJK_SCENE_UNSETTLED);
   REFUSED(p->state = (uint8_t)(p->state | GJK_SCENE_PAIR_QUEUED));

@@ -23,10 +23,20 @@ static bool own_pose;
 static gjk_body_id body[2];
 static gjk_q16 margin;  // of both together
 static unsigned motion_count, boxes_count, direction_count, near_count, far_count, edge_count, deep_count;
+static unsigned manifold_count;
+static bool contacts;  // of the scene with skips: its manifolds prove gaps, too
+
+#define CELLS 2000u
+static gjk_epa_cell cells[CELLS];
+static const gjk_workspace workspace = {cells, CELLS};
 
 static void start_scene(gjk_scene *scene, uint32_t *block, size_t bytes, gjk_q16 box_margin, uint8_t retest_all) {
-  const gjk_scene_config config = {2, 2, 2, 1, box_margin, GJK_DETAIL_TOUCH, 0, retest_all, 0, 0, 0};
-  CHECK(gjk_scene_init(scene, &config, block, bytes, shapes, 2, NULL) == GJK_OK);
+  static gjk_manifold manifold;
+  const bool asks = contacts && retest_all == 0;
+  const gjk_scene_config config = {
+      2, 2, 2, 1, box_margin, asks ? GJK_DETAIL_CONTACTS : GJK_DETAIL_TOUCH, asks ? 1 : 0, retest_all, 0, CELLS, 0};
+  const gjk_scene_bindings bindings = {.details = &gjk_scene_contacts, .workspace = &workspace, .manifolds = &manifold};
+  CHECK(gjk_scene_init(scene, &config, block, bytes, shapes, 2, &bindings) == GJK_OK);
   for (uint16_t i = 0; i < 2; i++) {
     const gjk_part part = {i, own_pose, offset};
     gjk_body_setup setup = {pose[i], &part, 1, GJK_BODY_DYNAMIC, GJK_DETAIL_TOUCH, 1, 1, 0, 0};
@@ -37,6 +47,7 @@ static void start_scene(gjk_scene *scene, uint32_t *block, size_t bytes, gjk_q16
 
 // Both scenes, of the shapes at their poses.
 static void start(gjk_q16 box_margin) {
+  contacts = !contacts;
   start_scene(&quick, quick_block, sizeof quick_block, box_margin, 0);
   start_scene(&plain, plain_block, sizeof plain_block, box_margin, 1);
 }
@@ -84,10 +95,8 @@ static void move(unsigned i) {
   CHECK(gjk_scene_move(&plain, body[i], &pose[i]) == GJK_OK);
 }
 
-// The distance of the cores, to the nearest LSB; with deep, of those that overlap, minus their depth, rounded up. Only
-// pairs of points, segments and boxes have depths without a workspace.
+// The distance of the cores, to the nearest LSB; with deep, of those that overlap, minus their depth, rounded up.
 static int64_t core_distance(bool deep) {
-  static const gjk_workspace none;
   gjk_collider c[2];
   gjk_shape core[2];
   gjk_distance_result r = {0};
@@ -98,7 +107,8 @@ static int64_t core_distance(bool deep) {
     c[i].shape = &core[i];
     c[i].radius = c[i].core_radius;
   }
-  CHECK((deep ? gjk_signed_distance(&c[0], &c[1], NULL, &none, &r) : gjk_distance(&c[0], &c[1], NULL, &r)) == GJK_OK);
+  CHECK((deep ? gjk_signed_distance(&c[0], &c[1], NULL, &workspace, &r) : gjk_distance(&c[0], &c[1], NULL, &r)) ==
+        GJK_OK);
   return r.distance;
 }
 
@@ -112,6 +122,7 @@ static bool claim_holds(void) {
   const bool deep = (pair->state & GJK_SCENE_PAIR_NEAR) != 0 && pair->gap > limit;
   const int64_t distance = core_distance(deep);
   deep_count += deep;
+  manifold_count += deep && contacts;
   return (pair->state & GJK_SCENE_PAIR_NEAR) != 0 ? distance <= limit - pair->gap : distance >= limit + pair->gap;
 }
 
@@ -511,9 +522,9 @@ int main(void) {
   check_edges();
   check_paths();
   check_deep();
-  printf("%u near, %u far; %u skipped by motion, %u by boxes, %u by direction; %u edges; %u deep\n", near_count,
-         far_count, motion_count, boxes_count, direction_count, edge_count, deep_count);
-  CHECK(deep_count > check_trials(PATHS) / 8);
+  printf("%u near, %u far; %u skipped by motion, %u by boxes, %u by direction; %u edges; %u deep, %u by manifolds\n",
+         near_count, far_count, motion_count, boxes_count, direction_count, edge_count, deep_count, manifold_count);
+  CHECK(deep_count > check_trials(PATHS) / 8 && manifold_count > check_trials(PATHS));
   for (unsigned i = 0; i < 2; i++) {
     case_collider_free(&built[i]);
     case_shape_free(&cases[i]);

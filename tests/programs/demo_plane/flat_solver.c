@@ -8,7 +8,9 @@
 #define SLOWEST_BOUNCE (2 * ONE)
 #define FASTEST (14 * ONE)
 #define GRAVITY (18 * ONE)
+#ifndef ITERATIONS
 #define ITERATIONS 12
+#endif
 #define GROUND_CONTACTS 12
 
 // a b / 2^16 and a b / 2^30, towards 0. Pre: the result fits.

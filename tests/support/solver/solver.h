@@ -12,8 +12,10 @@
 
 #include "gjk/gjk.h"
 
+#ifndef SOLVER_BODIES_MAX
 #define SOLVER_BODIES_MAX 64
 #define SOLVER_PAIRS_MAX 512
+#endif
 #define SOLVER_POINTS_MAX 4
 #define SOLVER_MANIFOLDS_MAX 8
 
