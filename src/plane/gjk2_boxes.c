@@ -89,7 +89,16 @@ static void join(box_axis axis[4], unsigned i, unsigned j) {
   axis[j].height = -1;  // it is no edge of its own
 }
 
+// Are both shapes boxes with area?
+static inline bool are_boxes(const gjk2_collider *a, const gjk2_collider *b) {
+  return a->count == 4 && b->count == 4 && a->ordered && b->ordered && !a->shape->type->buffered &&
+         !b->shape->type->buffered;
+}
+
 gjk2_lie gjk2_boxes_edge(gjk2_search *s, gjk2_edge *edge) {
+  if (!are_boxes(s->a, s->b)) {
+    return GJK2_LIE_OPEN;
+  }
   const gjk2_vec *a = s->a->frame, *b = s->b->frame;
   box_axis axis[4] = {{a[0].x, a[0].y, 0, {true, false, false, false}},
                       {a[1].x, a[1].y, 0, {false, true, false, false}},

@@ -13,7 +13,8 @@
 // distance, the normal and the points follow, with the same roundings as elsewhere (gjk2_distance.c, gjk2_meeting.c).
 //   |u| <= 2^30, |x|, |y| < 2^28:  sums of them below 3 2^29, products below 2^60
 //
-// Only where registers hold 64 bits, so that coordinates are scalars of 64 bits: GCC makes pairs of them vectors, and spends more on that than it saves.
+// Only where registers hold 64 bits. Coordinates are scalars of 64 bits: GCC makes vectors of pairs, which costs more than it
+// saves.
 #include "gjk2_close.h"
 
 #include "gjk2_outward.h"

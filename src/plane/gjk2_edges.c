@@ -455,19 +455,11 @@ static bool measure_rims(gjk2_search *s, rim *rim_a, rim *rim_b, gjk2_vec begin,
   return true;
 }
 
-// Are both shapes boxes with area?
-static inline bool are_boxes(const gjk2_collider *a, const gjk2_collider *b) {
-  return a->count == 4 && b->count == 4 && a->ordered && b->ordered && !a->shape->type->buffered &&
-         !b->shape->type->buffered;
-}
-
 gjk2_lie gjk2_nearest_edge(gjk2_search *s, gjk2_edge *edge) {
 #if GJK_64_BIT && !GJK_SMALL
-  if (are_boxes(s->a, s->b)) {
-    const gjk2_lie lie = gjk2_boxes_edge(s, edge);
-    if (lie != GJK2_LIE_OPEN) {
-      return lie;
-    }
+  const gjk2_lie lie = gjk2_boxes_edge(s, edge);
+  if (lie != GJK2_LIE_OPEN) {
+    return lie;
   }
 #endif
   // Step 1. The nearest edge mostly lies towards the other centre. Start 27 degrees before it: an edge that

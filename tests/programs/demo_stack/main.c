@@ -5,7 +5,7 @@
 #include "demo_stack.h"
 
 // Ticks.
-static const unsigned moments[DEMO_MOMENTS] = {24, 60, 10 * SOLVER_RATE};
+static const unsigned moments[DEMO_MOMENTS] = {24, 60, 15 * SOLVER_RATE};
 
 int main(int argc, char **argv) {
   static demo_stack d;
