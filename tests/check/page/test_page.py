@@ -54,6 +54,11 @@ QUESTIONS = (('distance', []), ('intersect', ['--intersect']), ('penetration', [
              ('contacts', ['--contacts', '0.25']), ('cast', ['--cast']), ('impact', ['--impact']))
 
 
+def plain(text):
+    """Without the iterations, which tell of the way: 64-bit cores may take a shorter one."""
+    return re.sub(r' iterations=\d+', '', text)
+
+
 def test_answers(browser):
     """Every case of tests/data has the same line here and from the host's gjk-query."""
     for name in sorted(glob.glob('tests/data/*.txt')):
@@ -67,9 +72,10 @@ def test_answers(browser):
             if question == 'impact' and 'motion' not in name:
                 continue
             number = 16384 if question == 'contacts' else 0
-            here = browser.run("query(window.cases, '%s', %d)" % (question, number))
+            here = plain(browser.run("query(window.cases, '%s', %d)" % (question, number)))
             host = subprocess.run([BUILD + '/gjk-query', *options, name], stdout=subprocess.PIPE,
                                   stderr=subprocess.DEVNULL, check=False).stdout.decode()
+            host = plain(host)
             check('%s of %s: %d lines' % (question, name, host.count('\n')), here == host and host,
                   first_difference(here, host))
 
@@ -258,7 +264,7 @@ def test_cases(browser):
         browser.click(*centre(browser, '#case-show'))
         browser.wait("document.querySelector('.view.shown').id === '%s'" % view, 10)
         here, host = browser.run('page.current.answer.line'), host_query(text).split('\n')[0]
-        check('a pasted case is shown in ' + view, here == host, here)
+        check('a pasted case is shown in ' + view, plain(here) == plain(host), here)
     for wrong in ('A box', 'case x\nA box 1 2\nB point\n', 'case2 x\nA point\n', ''):
         browser.key('c')
         before = state(browser)
