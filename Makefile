@@ -153,7 +153,7 @@ endif
 
 # Programs for the host: the sources that tests and tools share (SUPPORT), and those of each program.
 
-SUPPORT_SOURCES := $(wildcard tests/support/case/*.c tests/support/reference/*.c tests/support/exact/*.c tests/support/generate/*.c tests/support/scene/*.c tests/support/solver/*.c) \
+SUPPORT_SOURCES := $(wildcard tests/support/case/*.c tests/support/reference/*.c tests/support/exact/*.c tests/support/generate/*.c tests/support/scene/*.c tests/support/solver/*.c tests/support/arm/*.c) \
   port/hosted/gjk_hosted.c
 SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
 TEST_SCRIPTS := $(wildcard tests/check/unit/test_*.sh)

@@ -1,0 +1,235 @@
+// Searches a direction along which a pair is apart at both ends of a span.
+//
+// It is GJK on the hull of the differences P - S at both ends, with these steps:
+//
+//   1. Spheres: the direction between the centres at the middle of the chords shows most pairs apart.
+//   2. Take the direction that last parted the pair, else that of step 1.
+//   3. Support points of both ends along it. The lower one is w; it is beyond what is wanted: APART.
+//   4. Add w to the simplex. It is no nearer to the origin, or the origin lies in the simplex: not apart.
+//   5. The next direction goes from the origin to the simplex's feature. Is that feature nearer than what is wanted: not
+//      apart, since the feature is a part of the hull. Else on from 3.
+//
+// Nothing depends on where the search ends but which spans are halved: what it proves is the gap of step 3, which is computed
+// from the direction alone. So vertices may be rounded, and the number of rounds is limited.
+#include "gjk_arm_span.h"
+
+#include "../arith/gjk_rotation.h"
+#include "../arith/gjk_unit.h"
+#include "../gjk/gjk_simplex.h"
+#include "../shape/gjk_scan.h"
+
+// The most rounds of a search.
+#define ARM_ROUNDS 16
+
+// Beyond this the view is along an axis. At most 2^28 more, P and S stay within 2^31; the other end is at most 2^28 off.
+#define ARM_FAR (INT32_C(1) << 30)
+
+// A search in progress.
+typedef struct arm_search {
+  const gjk_arm_view *view;
+  gjk_simplex simplex;
+  unsigned coarse;  // vertices of the simplex are in units of 2^coarse LSB
+} arm_search;
+
+// *out = the product of the transposed matrix a and b, Q30.
+static void relative_rows(const gjk_vec3 a[3], const gjk_vec3 b[3], gjk_vec3 out[3]) {
+  const gjk_vec3 columns[3] = {{b[0].x, b[1].x, b[2].x}, {b[0].y, b[1].y, b[2].y}, {b[0].z, b[1].z, b[2].z}};
+  const gjk_vec3 x = gjk_rotate_back(a, &columns[0]), y = gjk_rotate_back(a, &columns[1]);
+  const gjk_vec3 z = gjk_rotate_back(a, &columns[2]);
+  const gjk_vec3 rows[3] = {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}};
+  for (unsigned i = 0; i < 3; i++) {
+    out[i] = rows[i];
+  }
+}
+
+// a - b within ARM_FAR. Where it is not, *axis gets its sign.
+static int32_t bounded(int32_t a, int32_t b, int32_t *axis) {
+  const int64_t difference = (int64_t)a - b;
+  if (difference >= ARM_FAR || difference <= -ARM_FAR) {
+    *axis = difference > 0 ? 1 : -1;
+    return difference > 0 ? ARM_FAR : -ARM_FAR;
+  }
+  return (int32_t)difference;
+}
+
+void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned first, gjk_arm_view *out) {
+  const gjk_arm_part *parts = arm->model->parts;
+  const gjk_arm_link_room *link = &arm->memory.links[parts[pair->part].link];
+  out->part = &arm->memory.parts[pair->part];
+  out->axis.x = out->axis.y = out->axis.z = 0;
+  out->other = pair->frame == GJK_ARM_BASE ? &arm->obstacles[pair->other] : &arm->memory.parts[pair->other].collider;
+  for (unsigned end = 0; end < 2; end++) {
+    const unsigned which = first ^ end;
+    const gjk_vec3 *at = &link->frame[which].at, *centre = &out->other->centre;
+    if (pair->frame == GJK_ARM_BASE) {
+      out->rows[end] = link->frame[which].rows;
+      out->origin[end].x = bounded(at->x, centre->x, &out->axis.x);
+      out->origin[end].y = bounded(at->y, centre->y, &out->axis.y);
+      out->origin[end].z = bounded(at->z, centre->z, &out->axis.z);
+    } else {
+      const gjk_arm_link_room *base = &arm->memory.links[pair->frame];
+      const gjk_vec3 away = gjk_sub(*at, base->frame[which].at);  // both are within GJK_ARM_REACH_MAX of the base
+      relative_rows(base->frame[which].rows, link->frame[which].rows, out->turned[end]);
+      out->rows[end] = out->turned[end];
+      out->origin[end] = gjk_sub(gjk_rotate_back(base->frame[which].rows, &away), *centre);
+    }
+  }
+  out->radii = (int64_t)out->part->collider.shape->convex_radius + out->other->shape->convex_radius;
+}
+
+// The point of P that is farthest along d, in its link's frame. Pre: d != 0, |d| <= 2^31.
+static gjk_vec3 support_of_part(const gjk_arm_part_room *part, const gjk_vec3 *d) {
+  const gjk_collider *c = &part->collider;
+  if (part->scanned) {
+    return *gjk_scan(c->shape->vertices, c->shape->vertices + c->shape->count, 31, d);
+  }
+  gjk_support support;
+  c->shape->type->support(c, d, &support);
+  return gjk_add(support.offset, c->centre);
+}
+
+// The gap at one end, Q30, less what the convex radii and S take; the point of P from S's centre if wanted.
+//   |origin| < sqrt(3) 2^30, |point| <= 2^27, times 2^30:  below 2^61.3
+static int64_t height_of_part(const gjk_arm_view *view, unsigned end, const gjk_unit3 *n, gjk_vec3 *point) {
+  const gjk_vec3 direction = {n->x, n->y, n->z};
+  const gjk_vec3 toward = gjk_negate(gjk_rotate_back(view->rows[end], &direction));
+  const gjk_vec3 local = support_of_part(view->part, &toward);
+  if (point != NULL) {
+    *point = gjk_add(gjk_rotate(view->rows[end], &local), view->origin[end]);
+  }
+  return gjk_along(n, &view->origin[end]) - gjk_dot(&toward, &local);
+}
+
+// Step 3. *w: the lower difference.
+static int64_t lower_end(const gjk_arm_view *view, const gjk_unit3 *n, gjk_vec3 *w) {
+  const gjk_vec3 direction = {n->x, n->y, n->z};
+  gjk_support of_other;
+  gjk_vec3 start, end;
+  gjk_vec3 *const at_start = w != NULL ? &start : NULL, *const at_end = w != NULL ? &end : NULL;
+  view->other->shape->type->support(view->other, &direction, &of_other);
+  const int64_t a = height_of_part(view, 0, n, at_start), b = height_of_part(view, 1, n, at_end);
+  if (w != NULL) {
+    *w = gjk_sub(a <= b ? start : end, of_other.offset);
+  }
+  // radii below 2^29
+  return (a <= b ? a : b) - gjk_along(n, &of_other.offset) - gjk_shl64(view->radii, 30);
+}
+
+// Is the view not far, or the direction along its axis?
+static bool may_look_along(const gjk_arm_view *view, const gjk_unit3 *n) {
+  const gjk_vec3 *axis = &view->axis;
+  if ((axis->x | axis->y | axis->z) == 0) {
+    return true;
+  }
+  return (axis->x != 0 && n->y == 0 && n->z == 0) || (axis->y != 0 && n->x == 0 && n->z == 0) ||
+         (axis->z != 0 && n->x == 0 && n->y == 0);
+}
+
+bool gjk_arm_gap(const gjk_arm_view *view, const gjk_unit3 *direction, int64_t *gap) {
+  if (!may_look_along(view, direction)) {
+    return false;
+  }
+  *gap = lower_end(view, direction, NULL);
+  return true;
+}
+
+// The direction along which a far view is looked at.
+static gjk_unit3 far_direction(const gjk_vec3 *axis) {
+  const gjk_unit3 x = {axis->x * GJK_Q30_ONE, 0, 0}, y = {0, axis->y * GJK_Q30_ONE, 0};
+  const gjk_unit3 z = {0, 0, axis->z * GJK_Q30_ONE};
+  return axis->x != 0 ? x : axis->y != 0 ? y : z;
+}
+
+// Step 1: the direction between the centres, and the spheres' gap along it, Q30, rounded down by 2 LSB: so the supports, whose
+// gap is no smaller, prove it too. False: the centres coincide.
+static bool look_at_spheres(const gjk_arm_view *view, gjk_unit3 *n, int64_t *gap) {
+  gjk_vec3 centre[2];
+  for (unsigned end = 0; end < 2; end++) {
+    centre[end] = gjk_add(gjk_rotate(view->rows[end], &view->part->collider.centre), view->origin[end]);
+  }
+  const gjk_vec3 middle = {gjk_sar32(centre[0].x, 1) + gjk_sar32(centre[1].x, 1),
+                           gjk_sar32(centre[0].y, 1) + gjk_sar32(centre[1].y, 1),
+                           gjk_sar32(centre[0].z, 1) + gjk_sar32(centre[1].z, 1)};
+  if ((middle.x | middle.y | middle.z) == 0) {
+    return false;
+  }
+  const gjk_vec3 half = {gjk_sar32(middle.x, 1), gjk_sar32(middle.y, 1), gjk_sar32(middle.z, 1)};
+  const uint32_t size = gjk_magnitude32(middle.x) | gjk_magnitude32(middle.y) | gjk_magnitude32(middle.z);
+  *n = gjk_unit(size >> 29 != 0 ? &half : &middle);  // middle: below 2^30 + 2^27 per component
+  const int64_t a = gjk_along(n, &centre[0]), b = gjk_along(n, &centre[1]);
+  const int64_t radii = (int64_t)view->part->collider.radius + view->other->radius + 2;
+  *gap = (a <= b ? a : b) - gjk_shl64(radii, 30);
+  return true;
+}
+
+// In units of 2^coarse, a difference is below 2^30 and an edge below 2^31 in length; see gjk_simplex.h.
+//   coarse 0   components of origins below 2^27, points of P and S below 2^27 and 2^28:     |w| < 2^29.6, edges 2^30.6
+//   coarse 2   components of w below 2^30 + 2^28 + 2^27, a quarter of them:                 |w| < 2^29.3, edges 2^30.3
+static unsigned coarseness(const gjk_arm_view *view) {
+  const gjk_vec3 *a = &view->origin[0], *b = &view->origin[1];
+  const uint32_t size = gjk_magnitude32(a->x) | gjk_magnitude32(a->y) | gjk_magnitude32(a->z) | gjk_magnitude32(b->x) |
+                        gjk_magnitude32(b->y) | gjk_magnitude32(b->z);
+  return size >> 27 != 0 ? 2 : 0;
+}
+
+// Steps 4 and 5. False: not apart; *close tells whether the feature is within near. Else *n is the next direction.
+static bool next_direction(arm_search *s, const gjk_vec3 *w, int64_t wanted, int64_t near, gjk_unit3 *n, bool *close) {
+  gjk_search_direction direction;
+  gjk_vertex *added = gjk_simplex_free(&s->simplex);
+  added->w.x = gjk_sar32(w->x, s->coarse);
+  added->w.y = gjk_sar32(w->y, s->coarse);
+  added->w.z = gjk_sar32(w->z, s->coarse);
+  const gjk_step step = gjk_simplex_add(&s->simplex);
+  *close = true;
+  if (step == GJK_STEP_ENCLOSING || !gjk_simplex_direction(&s->simplex, &direction)) {
+    return false;
+  }
+  const gjk_unit3 back = gjk_unit(&direction.d);
+  const int64_t feature = gjk_shl64(-gjk_along(&back, &gjk_simplex_vertex(&s->simplex, 0)->w), s->coarse);
+  const int64_t gap = gjk_sar64(feature, 30) - s->view->radii;
+  n->x = -back.x;
+  n->y = -back.y;
+  n->z = -back.z;
+  *close = gap <= near;
+  return step == GJK_STEP_NEARER && gap > wanted;
+}
+
+gjk_arm_found gjk_arm_search(const gjk_arm_view *view, int64_t wanted, int64_t near, gjk_unit3 *direction,
+                             int64_t *gap) {
+  const int64_t least = gjk_shl64(wanted, 30);
+  gjk_unit3 n = far_direction(&view->axis);
+  if ((view->axis.x | view->axis.y | view->axis.z) != 0) {
+    *gap = lower_end(view, &n, NULL);
+    *direction = *gap > least ? n : *direction;
+    return *gap > least ? GJK_ARM_APART : GJK_ARM_OPEN;
+  }
+  // Step 1
+  const bool centred = look_at_spheres(view, &n, gap);
+  if (centred && *gap > least) {
+    *direction = n;
+    return GJK_ARM_APART;
+  }
+  // Step 2
+  if ((direction->x | direction->y | direction->z) != 0) {
+    n = *direction;
+  } else if (!centred) {
+    n.x = GJK_Q30_ONE;
+  }
+  arm_search s;
+  bool close = false;
+  s.view = view;
+  s.coarse = coarseness(view);
+  gjk_simplex_clear(&s.simplex);
+  for (unsigned round = 0; round < ARM_ROUNDS; round++) {
+    gjk_vec3 w;
+    *gap = lower_end(view, &n, &w);  // Step 3
+    if (*gap > least) {
+      *direction = n;
+      return GJK_ARM_APART;
+    }
+    if (!next_direction(&s, &w, wanted, near, &n, &close)) {
+      return close ? GJK_ARM_CLOSE : GJK_ARM_OPEN;
+    }
+  }
+  return GJK_ARM_OPEN;
+}
