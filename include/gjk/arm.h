@@ -91,6 +91,7 @@ typedef struct gjk_arm_link_room {
 // Room for a part in RAM: the library's.
 typedef struct gjk_arm_part_room {
   gjk_collider collider;  // in the link's frame
+  gjk_vec3 at[2];         // its centre in the world, at both ends of a span
   int32_t reach;          // of the part from the link's origin, LSB
   uint8_t slack;          // of its support points, LSB
   bool scanned;           // its support points are vertices of the shape as they are
@@ -132,6 +133,9 @@ typedef struct gjk_arm_setup {
 #define GJK_ARM_MARGIN_MAX ((gjk_q16)67108864)
 #define GJK_ARM_TOLERANCE_MIN ((gjk_q16)48)
 
+// The largest gap that is reported: 2048 units.
+#define GJK_ARM_GAP_MAX ((gjk_q16)134217728)
+
 // Two things of which one or both belong to the machine.
 typedef struct gjk_arm_names {
   uint16_t part;   // its number in the model
@@ -148,9 +152,10 @@ typedef enum gjk_arm_answer {
 // Lengths Q16.16, fractions of the edge Q2.30.
 typedef struct gjk_arm_edge_result {
   gjk_arm_answer answer;
-  gjk_q30 lower;       // before it all pairs are proven farther apart than the margin; FREE: GJK_Q30_ONE, included
-  gjk_q30 upper;       // TOUCH: where names come within margin and tolerance; else GJK_Q30_ONE
-  gjk_q16 gap;         // FREE: proven not to be undercut by any pair; at least the margin. Not the largest such bound
+  gjk_q30 lower;  // before it all pairs are proven farther apart than the margin; FREE: GJK_Q30_ONE, included
+  gjk_q30 upper;  // TOUCH: where names come within margin and tolerance; else GJK_Q30_ONE
+  gjk_q16 gap;    // FREE: proven not to be undercut by any pair; at least the margin, at most GJK_ARM_GAP_MAX. Not the
+                  // largest such bound
   gjk_arm_names pair;  // TOUCH: which pair comes near at upper
   uint32_t tests;      // of a pair on a span, so far
   bool outside;        // a value of from or to is outside its limits

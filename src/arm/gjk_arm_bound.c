@@ -37,8 +37,9 @@
 
 // How a part moves as seen from a frame.
 typedef struct arm_motion {
-  uint64_t bend;   // M, LSB
-  uint64_t reach;  // D, LSB
+  uint64_t bend;    // M, LSB
+  uint64_t reach;   // D, LSB
+  unsigned joints;  // N
 } arm_motion;
 
 // ceil(x / 2^16). Pre: x < 2^64 - 2^16.
@@ -68,38 +69,31 @@ static void bound_motion(const gjk_arm *arm, unsigned frame, unsigned link, int3
   const uint32_t other = frame == GJK_ARM_BASE ? 0 : arm->memory.links[frame].above;
   uint64_t distance = (uint64_t)reach, speed = 0;
   out->bend = 0;
-  for (unsigned i = GJK_ARM_LINKS_MAX; i-- > 0;) {  // from P's link down to the last one before the way to S
-    if ((mine & ~other) >> i & 1u) {
-      pass_joint(arm, i, distance, &speed, &out->bend);
-      distance += arm->memory.links[i].joint.reach + (uint64_t)arm->memory.links[i].extent;
-    }
+  for (uint32_t way = mine & ~other; way != 0;) {  // from P's link down to the last one before the way to S
+    const unsigned i = 31 - gjk_clz32(way);
+    way &= ~(UINT32_C(1) << i);
+    pass_joint(arm, i, distance, &speed, &out->bend);
+    distance += arm->memory.links[i].joint.reach + (uint64_t)arm->memory.links[i].extent;
   }
-  for (unsigned i = 0; i < GJK_ARM_LINKS_MAX; i++) {  // on to S's link, against the order of the joints
-    if ((other & ~mine) >> i & 1u) {
-      distance += arm->memory.links[i].joint.reach + (uint64_t)arm->memory.links[i].extent;
-      pass_joint(arm, i, distance, &speed, &out->bend);
-    }
+  for (uint32_t way = other & ~mine; way != 0; way &= way - 1) {  // on to S's link, against the order of the joints
+    const unsigned i = 31 - gjk_clz32(way & (0 - way));
+    distance += arm->memory.links[i].joint.reach + (uint64_t)arm->memory.links[i].extent;
+    pass_joint(arm, i, distance, &speed, &out->bend);
+  }
+  out->joints = 0;
+  for (uint32_t way = mine | other; way != 0; way &= way - 1) {
+    out->joints++;
   }
   out->reach = distance;
 }
 
-static unsigned count_bits(uint32_t x) {
-  unsigned n = 0;
-  for (; x != 0; x &= x - 1) {  // at most 32 times
-    n++;
-  }
-  return n;
-}
-
-// The slack of a pair whose reach is known, as the head of this file has it.
-static int32_t slack_of(const gjk_arm *arm, const gjk_arm_pair *pair, uint64_t reach) {
-  const gjk_arm_part *parts = arm->model->parts;
+// The slack of a pair whose part moves like this, as the head of this file has it.
+static int32_t slack_of(const gjk_arm *arm, const gjk_arm_pair *pair, const arm_motion *motion) {
   const bool world = pair->frame == GJK_ARM_BASE;
-  const uint32_t above =
-      arm->memory.links[parts[pair->part].link].above | (world ? 0 : arm->memory.links[pair->frame].above);
-  const unsigned other =
-      world ? (gjk_is_curved(arm->obstacles[pair->other].shape) ? 2u : 0u) : arm->memory.parts[pair->other].slack;
-  const uint64_t turned = ((count_bits(above) + 2) * reach) >> 26;  // below 34 2^28 / 2^26
+  const unsigned curved = world && gjk_is_curved(arm->obstacles[pair->other].shape) ? 2 : 0;
+  const unsigned other = world ? curved : arm->memory.parts[pair->other].slack;
+  const uint64_t reach = motion->reach + (world ? 0 : (uint64_t)arm->memory.parts[pair->other].reach);  // below 2^29
+  const uint64_t turned = ((motion->joints + 2) * reach) >> 26;
   return (int32_t)((world ? 1u : 3u) + arm->memory.parts[pair->part].slack + other + (unsigned)turned + 1 + 2 + 1);
 }
 
@@ -165,19 +159,16 @@ gjk_status gjk_arm_set_values(gjk_arm *arm, const int32_t *values) {
 gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to) {
   arm->state = GJK_ARM_READY;
   const gjk_status status = set_range(arm, from, to);
-  arm_motion motion = {0, 0};
+  arm_motion motion = {0, 0, 0};
   const gjk_arm_pair *before = NULL;
   for (uint32_t i = 0; status == GJK_OK && i < arm->pair_count; i++) {
     gjk_arm_pair *pair = &arm->memory.pairs[i];
     if (before == NULL || before->part != pair->part || before->frame != pair->frame) {
       bound_motion(arm, pair->frame, arm->model->parts[pair->part].link, arm->memory.parts[pair->part].reach, &motion);
     }
-    if (pair->frame != GJK_ARM_BASE) {
-      motion.reach += (uint64_t)arm->memory.parts[pair->other].reach;
-    }
     pair->bend = motion.bend;
-    pair->slack = slack_of(arm, pair, motion.reach);
-    before = pair->frame == GJK_ARM_BASE ? pair : NULL;
+    pair->slack = slack_of(arm, pair, &motion);
+    before = pair;
   }
   return status;
 }

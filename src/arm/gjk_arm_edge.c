@@ -66,7 +66,7 @@ gjk_status gjk_arm_edge_start(gjk_arm *arm, const int32_t *from, const int32_t *
   arm->open = false;
   arm->upper = GJK_ARM_STEPS;
   arm->touched = GJK_ARM_NO_PAIR;
-  arm->gap = INT64_MAX;
+  arm->gap = GJK_ARM_GAP_MAX;
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     gjk_arm_pair *pair = &arm->memory.pairs[i];
     pair->level = ARM_OPEN;
@@ -98,13 +98,13 @@ static void test_touch(gjk_arm *arm, uint32_t number, uint32_t step, bool end) {
 }
 
 // Step 2: reports that a pair is proven apart on the present span.
-static void prove(gjk_arm *arm, uint32_t number, int64_t gap) {
+static void prove(gjk_arm *arm, uint32_t number, int64_t gap, const gjk_unit3 *direction) {
   gjk_arm_pair *pair = &arm->memory.pairs[number];
   pair->level = arm->depth;
   arm->gap = gap < arm->gap ? gap : arm->gap;
   if (arm->proof != NULL) {
     const gjk_q30 from = (gjk_q30)span_start(arm) * GJK_ARM_STEP_Q30;
-    const gjk_arm_proof proof = {from, from + (gjk_q30)span_steps(arm) * GJK_ARM_STEP_Q30, pair->direction, number};
+    const gjk_arm_proof proof = {from, from + (gjk_q30)span_steps(arm) * GJK_ARM_STEP_Q30, *direction, number};
     arm->proof(arm->user, &proof);
   }
 }
@@ -116,6 +116,7 @@ static void test_pair(gjk_arm *arm, uint32_t number) {
   const int64_t bend = gjk_arm_bend(pair, arm->depth), near = (int64_t)arm->setup.margin + arm->setup.tolerance;
   gjk_arm_view view;
   gjk_arm_found found = GJK_ARM_OPEN;
+  gjk_unit3 direction;
   int64_t gap;
   if (pair->near != 0 && arm->place % 2 == 0) {
     test_touch(arm, number, end, true);  // the middle of the span before, which is the parent
@@ -124,10 +125,12 @@ static void test_pair(gjk_arm *arm, uint32_t number) {
   arm->tests++;
   if (bend >= 0) {
     gjk_arm_look(arm, pair, arm->first, &view);
-    found = gjk_arm_search(&view, arm->setup.margin + bend + pair->slack, near, &pair->direction, &gap);
+    const gjk_arm_search search = {arm->setup.margin + bend + pair->slack, arm->gap + bend + pair->slack, near,
+                                   arm->proof != NULL};
+    found = gjk_arm_separate(&view, &search, &pair->direction, &direction, &gap);
   }
   if (found == GJK_ARM_APART) {
-    prove(arm, number, gjk_sar64(gap, 30) - bend - pair->slack);
+    prove(arm, number, gjk_sar64(gap, 30) - bend - pair->slack, &direction);
     return;
   }
   arm->open = true;
@@ -212,7 +215,7 @@ static void report(const gjk_arm *arm, gjk_arm_edge_result *out) {
   out->tests = arm->tests;
   out->outside = arm->outside;
   if (out->answer == GJK_ARM_FREE) {
-    out->gap = gjk_saturate(arm->gap);
+    out->gap = (gjk_q16)arm->gap;
   }
   if (out->answer == GJK_ARM_TOUCH) {
     out->pair = gjk_arm_name(pair);

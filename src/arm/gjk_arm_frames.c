@@ -72,6 +72,11 @@ void gjk_arm_set_frames(gjk_arm *arm, uint32_t step, unsigned which) {
     }
     gjk_joint_place(&frame, &room->frame[which].at);
   }
+  for (unsigned i = 0; i < arm->model->part_count; i++) {
+    gjk_arm_part_room *part = &arm->memory.parts[i];
+    const gjk_arm_link_room *room = &arm->memory.links[arm->model->parts[i].link];
+    part->at[which] = gjk_add(gjk_rotate(room->frame[which].rows, &part->collider.centre), room->frame[which].at);
+  }
 }
 
 // Poses a copy of a part's collider in the world.

@@ -24,13 +24,6 @@
 // Beyond this the view is along an axis. At most 2^28 more, P and S stay within 2^31; the other end is at most 2^28 off.
 #define ARM_FAR (INT32_C(1) << 30)
 
-// A search in progress.
-typedef struct arm_search {
-  const gjk_arm_view *view;
-  gjk_simplex simplex;
-  unsigned coarse;  // vertices of the simplex are in units of 2^coarse LSB
-} arm_search;
-
 // *out = the product of the transposed matrix a and b, Q30.
 static void relative_rows(const gjk_vec3 a[3], const gjk_vec3 b[3], gjk_vec3 out[3]) {
   const gjk_vec3 columns[3] = {{b[0].x, b[1].x, b[2].x}, {b[0].y, b[1].y, b[2].y}, {b[0].z, b[1].z, b[2].z}};
@@ -52,36 +45,64 @@ static int32_t bounded(int32_t a, int32_t b, int32_t *axis) {
   return (int32_t)difference;
 }
 
+// a - b, each component within ARM_FAR.
+static gjk_vec3 bounded_way(const gjk_vec3 *a, const gjk_vec3 *b, gjk_vec3 *axis) {
+  const gjk_vec3 way = {bounded(a->x, b->x, &axis->x), bounded(a->y, b->y, &axis->y), bounded(a->z, b->z, &axis->z)};
+  return way;
+}
+
 void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned first, gjk_arm_view *out) {
-  const gjk_arm_part *parts = arm->model->parts;
-  const gjk_arm_link_room *link = &arm->memory.links[parts[pair->part].link];
-  out->part = &arm->memory.parts[pair->part];
+  const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
+  out->arm = arm;
+  out->pair = pair;
+  out->first = first;
+  out->part = part;
   out->axis.x = out->axis.y = out->axis.z = 0;
-  out->other = pair->frame == GJK_ARM_BASE ? &arm->obstacles[pair->other] : &arm->memory.parts[pair->other].collider;
+  if (pair->frame == GJK_ARM_BASE) {
+    out->other = &arm->obstacles[pair->other];
+    out->centre[0] = bounded_way(&part->at[first], &out->other->centre, &out->axis);
+    out->centre[1] = bounded_way(&part->at[first ^ 1u], &out->other->centre, &out->axis);
+    return;
+  }
+  const gjk_arm_part_room *other = &arm->memory.parts[pair->other];
+  out->other = &other->collider;
   for (unsigned end = 0; end < 2; end++) {
-    const unsigned which = first ^ end;
-    const gjk_vec3 *at = &link->frame[which].at, *centre = &out->other->centre;
-    if (pair->frame == GJK_ARM_BASE) {
-      out->rows[end] = link->frame[which].rows;
-      out->origin[end].x = bounded(at->x, centre->x, &out->axis.x);
-      out->origin[end].y = bounded(at->y, centre->y, &out->axis.y);
-      out->origin[end].z = bounded(at->z, centre->z, &out->axis.z);
+    const gjk_vec3 away = gjk_sub(part->at[first ^ end], other->at[first ^ end]);  // at most 2^28
+    out->centre[end] = gjk_rotate_back(arm->memory.links[pair->frame].frame[first ^ end].rows, &away);
+  }
+}
+
+// Sets the rest of a view.
+static void look_closely(gjk_arm_view *view) {
+  const gjk_arm *arm = view->arm;
+  const gjk_arm_link_room *link = &arm->memory.links[arm->model->parts[view->pair->part].link];
+  for (unsigned end = 0; end < 2; end++) {
+    const unsigned which = view->first ^ end;
+    const gjk_vec3 *at = &link->frame[which].at, *centre = &view->other->centre;
+    if (view->pair->frame == GJK_ARM_BASE) {
+      view->rows[end] = link->frame[which].rows;
+      view->origin[end] = bounded_way(at, centre, &view->axis);
     } else {
-      const gjk_arm_link_room *base = &arm->memory.links[pair->frame];
+      const gjk_arm_link_room *base = &arm->memory.links[view->pair->frame];
       const gjk_vec3 away = gjk_sub(*at, base->frame[which].at);  // both are within GJK_ARM_REACH_MAX of the base
-      relative_rows(base->frame[which].rows, link->frame[which].rows, out->turned[end]);
-      out->rows[end] = out->turned[end];
-      out->origin[end] = gjk_sub(gjk_rotate_back(base->frame[which].rows, &away), *centre);
+      relative_rows(base->frame[which].rows, link->frame[which].rows, view->turned[end]);
+      view->rows[end] = view->turned[end];
+      view->origin[end] = gjk_sub(gjk_rotate_back(base->frame[which].rows, &away), *centre);
     }
   }
-  out->radii = (int64_t)out->part->collider.shape->convex_radius + out->other->shape->convex_radius;
+}
+
+// Both convex radii, LSB: below 2^29.
+static int64_t radii_of(const gjk_arm_view *view) {
+  return (int64_t)view->part->collider.shape->convex_radius + view->other->shape->convex_radius;
 }
 
 // The point of P that is farthest along d, in its link's frame. Pre: d != 0, |d| <= 2^31.
 static gjk_vec3 support_of_part(const gjk_arm_part_room *part, const gjk_vec3 *d) {
   const gjk_collider *c = &part->collider;
   if (part->scanned) {
-    return *gjk_scan(c->shape->vertices, c->shape->vertices + c->shape->count, 31, d);
+    const unsigned bits = 32 - gjk_clz32((uint32_t)part->reach);  // reach is at least 1
+    return *gjk_scan(c->shape->vertices, c->shape->vertices + c->shape->count, bits, d);
   }
   gjk_support support;
   c->shape->type->support(c, d, &support);
@@ -112,7 +133,7 @@ static int64_t lower_end(const gjk_arm_view *view, const gjk_unit3 *n, gjk_vec3 
     *w = gjk_sub(a <= b ? start : end, of_other.offset);
   }
   // radii below 2^29
-  return (a <= b ? a : b) - gjk_along(n, &of_other.offset) - gjk_shl64(view->radii, 30);
+  return (a <= b ? a : b) - gjk_along(n, &of_other.offset) - gjk_shl64(radii_of(view), 30);
 }
 
 // Is the view not far, or the direction along its axis?
@@ -125,7 +146,8 @@ static bool may_look_along(const gjk_arm_view *view, const gjk_unit3 *n) {
          (axis->z != 0 && n->x == 0 && n->y == 0);
 }
 
-bool gjk_arm_gap(const gjk_arm_view *view, const gjk_unit3 *direction, int64_t *gap) {
+bool gjk_arm_gap(gjk_arm_view *view, const gjk_unit3 *direction, int64_t *gap) {
+  look_closely(view);
   if (!may_look_along(view, direction)) {
     return false;
   }
@@ -140,31 +162,54 @@ static gjk_unit3 far_direction(const gjk_vec3 *axis) {
   return axis->x != 0 ? x : axis->y != 0 ? y : z;
 }
 
-// Step 1: the direction between the centres, and the spheres' gap along it, Q30, rounded down by 2 LSB: so the supports, whose
-// gap is no smaller, prove it too. False: the centres coincide.
-static bool look_at_spheres(const gjk_arm_view *view, gjk_unit3 *n, int64_t *gap) {
-  gjk_vec3 centre[2];
-  for (unsigned end = 0; end < 2; end++) {
-    centre[end] = gjk_add(gjk_rotate(view->rows[end], &view->part->collider.centre), view->origin[end]);
-  }
-  const gjk_vec3 middle = {gjk_sar32(centre[0].x, 1) + gjk_sar32(centre[1].x, 1),
-                           gjk_sar32(centre[0].y, 1) + gjk_sar32(centre[1].y, 1),
-                           gjk_sar32(centre[0].z, 1) + gjk_sar32(centre[1].z, 1)};
-  if ((middle.x | middle.y | middle.z) == 0) {
-    return false;
-  }
-  const gjk_vec3 half = {gjk_sar32(middle.x, 1), gjk_sar32(middle.y, 1), gjk_sar32(middle.z, 1)};
-  const uint32_t size = gjk_magnitude32(middle.x) | gjk_magnitude32(middle.y) | gjk_magnitude32(middle.z);
-  *n = gjk_unit(size >> 29 != 0 ? &half : &middle);  // middle: below 2^30 + 2^27 per component
-  const int64_t a = gjk_along(n, &centre[0]), b = gjk_along(n, &centre[1]);
-  const int64_t radii = (int64_t)view->part->collider.radius + view->other->radius + 2;
-  *gap = (a <= b ? a : b) - gjk_shl64(radii, 30);
-  return true;
+// At least |v|, by at most 8 %: the norm is convex, and linear between (1, 0, 0), (1, 1, 0) and (1, 1, 1). Pre: components
+// at most 2^31 in size.
+static uint64_t length_above(const gjk_vec3 *v) {
+  uint64_t a = gjk_magnitude32(v->x), b = gjk_magnitude32(v->y);
+  const uint64_t c = gjk_magnitude32(v->z), low = a < b ? a : b, high = a < b ? b : a;
+  const uint64_t most = c > high ? c : high, rest = c > high ? high : c;  // rest and low: the other two
+  const uint64_t middle = rest > low ? rest : low, least = rest > low ? low : rest;
+  return most + ((middle * 425 + least * 326) >> 10) + 1;  // 1024 (sqrt(2) - 1), 1024 (sqrt(3) - sqrt(2)), rounded up
+}
+
+// The middle of the chord between the centres.
+static gjk_vec3 middle_of(const gjk_arm_view *view) {
+  const gjk_vec3 *a = &view->centre[0], *b = &view->centre[1];
+  const gjk_vec3 middle = {gjk_sar32(a->x, 1) + gjk_sar32(b->x, 1), gjk_sar32(a->y, 1) + gjk_sar32(b->y, 1),
+                           gjk_sar32(a->z, 1) + gjk_sar32(b->z, 1)};
+  return middle;
+}
+
+// The reach of both spheres, and what the roundings of centres may take: the gap of supports is no smaller.
+static int64_t spheres_of(const gjk_arm_view *view) {
+  return (int64_t)view->part->collider.radius + view->other->radius + 6;
+}
+
+// Step 1: do the spheres stay more than known apart, along middle?
+//   |middle|, |centre| < sqrt(3) (2^30 + 2^27):   products below 2^62
+//   spheres and known below 2^30 + 2^29, length below 2^31.1
+static bool spheres_clear(const gjk_arm_view *view, const gjk_vec3 *middle, int64_t known) {
+  const int64_t a = gjk_dot(middle, &view->centre[0]), b = gjk_dot(middle, &view->centre[1]);
+  const int64_t low = a < b ? a : b;
+  return low > 0 && (uint64_t)low > (uint64_t)(spheres_of(view) + known) * length_above(middle);
+}
+
+// Step 1: the direction along middle. Pre: middle is not 0.
+static gjk_unit3 along_middle(const gjk_vec3 *middle) {
+  const gjk_vec3 half = {gjk_sar32(middle->x, 1), gjk_sar32(middle->y, 1), gjk_sar32(middle->z, 1)};
+  const uint32_t size = gjk_magnitude32(middle->x) | gjk_magnitude32(middle->y) | gjk_magnitude32(middle->z);
+  return gjk_unit(size >> 29 != 0 ? &half : middle);
+}
+
+// Step 1: the gap of the spheres along n, Q30.
+static int64_t spheres_gap(const gjk_arm_view *view, const gjk_unit3 *n) {
+  const int64_t a = gjk_along(n, &view->centre[0]), b = gjk_along(n, &view->centre[1]);
+  return (a <= b ? a : b) - gjk_shl64(spheres_of(view), 30);
 }
 
 // In units of 2^coarse, a difference is below 2^30 and an edge below 2^31 in length; see gjk_simplex.h.
-//   coarse 0   components of origins below 2^27, points of P and S below 2^27 and 2^28:     |w| < 2^29.6, edges 2^30.6
-//   coarse 2   components of w below 2^30 + 2^28 + 2^27, a quarter of them:                 |w| < 2^29.3, edges 2^30.3
+//   coarse 0   components of origins below 2^27, points of P and S below 2^27 and 2^28:     |w| < 2^29.3, edges 2^30.3
+//   coarse 2   components of w below 2^30 + 2^28 + 2^27, a quarter of them:                 |w| < 2^29.1, edges 2^30.1
 static unsigned coarseness(const gjk_arm_view *view) {
   const gjk_vec3 *a = &view->origin[0], *b = &view->origin[1];
   const uint32_t size = gjk_magnitude32(a->x) | gjk_magnitude32(a->y) | gjk_magnitude32(a->z) | gjk_magnitude32(b->x) |
@@ -172,64 +217,81 @@ static unsigned coarseness(const gjk_arm_view *view) {
   return size >> 27 != 0 ? 2 : 0;
 }
 
-// Steps 4 and 5. False: not apart; *close tells whether the feature is within near. Else *n is the next direction.
-static bool next_direction(arm_search *s, const gjk_vec3 *w, int64_t wanted, int64_t near, gjk_unit3 *n, bool *close) {
+// Steps 4 and 5. False: not apart; *gap, LSB, is that of the feature, less than any if it holds the origin. Else *n is the
+// next direction.
+static bool next_direction(const gjk_arm_view *view, gjk_simplex *s, const gjk_vec3 *w, unsigned coarse, gjk_unit3 *n,
+                           int64_t *gap) {
   gjk_search_direction direction;
-  gjk_vertex *added = gjk_simplex_free(&s->simplex);
-  added->w.x = gjk_sar32(w->x, s->coarse);
-  added->w.y = gjk_sar32(w->y, s->coarse);
-  added->w.z = gjk_sar32(w->z, s->coarse);
-  const gjk_step step = gjk_simplex_add(&s->simplex);
-  *close = true;
-  if (step == GJK_STEP_ENCLOSING || !gjk_simplex_direction(&s->simplex, &direction)) {
+  gjk_vertex *added = gjk_simplex_free(s);
+  added->w.x = gjk_sar32(w->x, coarse);
+  added->w.y = gjk_sar32(w->y, coarse);
+  added->w.z = gjk_sar32(w->z, coarse);
+  const gjk_step step = gjk_simplex_add(s);
+  *gap = INT64_MIN;
+  if (step == GJK_STEP_ENCLOSING || !gjk_simplex_direction(s, &direction)) {
     return false;
   }
   const gjk_unit3 back = gjk_unit(&direction.d);
-  const int64_t feature = gjk_shl64(-gjk_along(&back, &gjk_simplex_vertex(&s->simplex, 0)->w), s->coarse);
-  const int64_t gap = gjk_sar64(feature, 30) - s->view->radii;
+  *gap = gjk_sar64(gjk_shl64(-gjk_along(&back, &gjk_simplex_vertex(s, 0)->w), coarse), 30) - radii_of(view);
   n->x = -back.x;
   n->y = -back.y;
   n->z = -back.z;
-  *close = gap <= near;
-  return step == GJK_STEP_NEARER && gap > wanted;
+  return step == GJK_STEP_NEARER;
 }
 
-gjk_arm_found gjk_arm_search(const gjk_arm_view *view, int64_t wanted, int64_t near, gjk_unit3 *direction,
-                             int64_t *gap) {
-  const int64_t least = gjk_shl64(wanted, 30);
-  gjk_unit3 n = far_direction(&view->axis);
-  if ((view->axis.x | view->axis.y | view->axis.z) != 0) {
-    *gap = lower_end(view, &n, NULL);
-    *direction = *gap > least ? n : *direction;
-    return *gap > least ? GJK_ARM_APART : GJK_ARM_OPEN;
-  }
-  // Step 1
-  const bool centred = look_at_spheres(view, &n, gap);
-  if (centred && *gap > least) {
-    *direction = n;
-    return GJK_ARM_APART;
-  }
-  // Step 2
-  if ((direction->x | direction->y | direction->z) != 0) {
-    n = *direction;
-  } else if (!centred) {
-    n.x = GJK_Q30_ONE;
-  }
-  arm_search s;
-  bool close = false;
-  s.view = view;
-  s.coarse = coarseness(view);
-  gjk_simplex_clear(&s.simplex);
+// Steps 3 to 5, from *n on.
+static gjk_arm_found part_hulls(const gjk_arm_view *view, const gjk_arm_search *search, gjk_unit3 *n, int64_t *gap) {
+  const int64_t least = gjk_shl64(search->wanted, 30);
+  const unsigned coarse = coarseness(view);
+  gjk_simplex simplex;
+  gjk_simplex_clear(&simplex);
   for (unsigned round = 0; round < ARM_ROUNDS; round++) {
     gjk_vec3 w;
-    *gap = lower_end(view, &n, &w);  // Step 3
+    int64_t of_feature;
+    *gap = lower_end(view, n, &w);
     if (*gap > least) {
-      *direction = n;
       return GJK_ARM_APART;
     }
-    if (!next_direction(&s, &w, wanted, near, &n, &close)) {
-      return close ? GJK_ARM_CLOSE : GJK_ARM_OPEN;
+    if (!next_direction(view, &simplex, &w, coarse, n, &of_feature) || of_feature <= search->wanted) {
+      return of_feature <= search->near ? GJK_ARM_CLOSE : GJK_ARM_OPEN;
     }
   }
   return GJK_ARM_OPEN;
+}
+
+gjk_arm_found gjk_arm_separate(gjk_arm_view *view, const gjk_arm_search *search, gjk_unit3 *kept, gjk_unit3 *direction,
+                               int64_t *gap) {
+  const gjk_vec3 middle = middle_of(view);
+  const bool apart = (middle.x | middle.y | middle.z) != 0;
+  gjk_unit3 n = {GJK_Q30_ONE, 0, 0};
+  if ((view->axis.x | view->axis.y | view->axis.z) != 0) {
+    look_closely(view);
+    n = far_direction(&view->axis);
+    *gap = lower_end(view, &n, NULL);
+    *direction = n;
+    return *gap > gjk_shl64(search->wanted, 30) ? GJK_ARM_APART : GJK_ARM_OPEN;
+  }
+  // Step 1
+  if (apart) {
+    const bool clear = spheres_clear(view, &middle, search->known);
+    if (!clear || search->names) {
+      n = along_middle(&middle);
+    }
+    *gap = clear ? gjk_shl64(search->known, 30) : spheres_gap(view, &n);
+    if (*gap > gjk_shl64(search->wanted, 30)) {
+      *direction = n;
+      return GJK_ARM_APART;
+    }
+  }
+  // Step 2
+  if ((kept->x | kept->y | kept->z) != 0) {
+    n = *kept;
+  }
+  look_closely(view);
+  const gjk_arm_found found = part_hulls(view, search, &n, gap);
+  if (found == GJK_ARM_APART) {
+    *kept = n;
+    *direction = n;
+  }
+  return found;
 }

@@ -6,13 +6,17 @@
 
 // P and S of a pair at both ends of a span, in the frame where S stands still; see gjk_arm_bound.c.
 typedef struct gjk_arm_view {
+  const gjk_arm *arm;
+  const gjk_arm_pair *pair;
+  unsigned first;  // the number of the frames at the start
   const gjk_arm_part_room *part;
   const gjk_collider *other;  // S
-  const gjk_vec3 *rows[2];    // the rotation of P's link at either end
-  gjk_vec3 turned[2][3];      // which is here, where S is a part
-  gjk_vec3 origin[2];         // of P's link, from the centre of S
-  int64_t radii;              // both convex radii, LSB
   gjk_vec3 axis;              // not 0: S is so far away that directions along this axis alone are looked at
+  gjk_vec3 centre[2];         // of P from that of S
+  // The rest is set where it is needed.
+  const gjk_vec3 *rows[2];  // the rotation of P's link
+  gjk_vec3 turned[2][3];    // which is here, where S is a part
+  gjk_vec3 origin[2];       // of P's link, from the centre of S
 } gjk_arm_view;
 
 // Looks at a pair in the arm's frames: those with number first are the start of the span.
@@ -20,7 +24,7 @@ void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned first, 
 
 // The gap of the pair along a unit direction from S to P, at the end where it is smaller, Q30 of an LSB. It is at most
 // the slack above that in real numbers. False: the direction is none that the view may be looked at along.
-bool gjk_arm_gap(const gjk_arm_view *view, const gjk_unit3 *direction, int64_t *gap);
+bool gjk_arm_gap(gjk_arm_view *view, const gjk_unit3 *direction, int64_t *gap);
 
 typedef enum gjk_arm_found {
   GJK_ARM_APART,  // along *direction the gap is above the one wanted
@@ -28,12 +32,20 @@ typedef enum gjk_arm_found {
   GJK_ARM_CLOSE   // the same, and the places at both ends and between are within near
 } gjk_arm_found;
 
-// Searches a direction along which the gap is above wanted.
+// What is searched. Lengths in LSB, from 0 to 2^30.
+typedef struct gjk_arm_search {
+  int64_t wanted;  // a gap above this
+  int64_t known;   // at least wanted: a gap above this need not be told
+  int64_t near;    // see GJK_ARM_CLOSE
+  bool names;      // a direction is wanted, not only that there is one
+} gjk_arm_search;
+
+// Searches a direction along which the gap is above the one wanted.
 //
-// wanted, near  LSB, from 0 to below 2^30.
-// direction     in: where to start, or 0. Out, if APART: what was found; else it is as it was.
-// gap           if APART: the gap along it, Q30.
-gjk_arm_found gjk_arm_search(const gjk_arm_view *view, int64_t wanted, int64_t near, gjk_unit3 *direction,
-                             int64_t *gap);
+// kept       where to start, or 0; set where a search beyond spheres finds one.
+// direction  if APART, and names is set: what was found.
+// gap        if APART: the gap along it, Q30; or that known, which it is above.
+gjk_arm_found gjk_arm_separate(gjk_arm_view *view, const gjk_arm_search *search, gjk_unit3 *kept, gjk_unit3 *direction,
+                               int64_t *gap);
 
 #endif
