@@ -5,17 +5,17 @@
 
 // A link of the arm: where its joint is, in the link before, and the capsule-like body on it, in thousandths of a unit.
 typedef struct seven_link {
-  int16_t x, y, z;     // the joint's place
-  int16_t quarter;     // turns of the frame about x, in quarters
-  int16_t low, high;   // the body's ends along the joint's axis
+  int16_t x, y, z;    // the joint's place
+  int16_t quarter;    // turns of the frame about x, in quarters
+  int16_t low, high;  // the body's ends along the joint's axis
   int16_t radius;
-  int16_t limit;       // of the angle, in hundredths of a radian
+  int16_t limit;  // of the angle, in hundredths of a radian
 } seven_link;
 
 static const seven_link plan[SEVEN_LINKS] = {
-    {0, 0, 330, 0, -140, 20, 75, 290},   {0, 0, 0, -1, -75, 75, 70, 176},     {0, -310, 0, 1, -180, 30, 65, 290},
-    {80, 0, 0, 1, -70, 70, 62, 290},     {-80, 380, 0, -1, -270, -40, 55, 290}, {0, 0, 0, 1, -60, 60, 58, 290},
-    {88, 0, 0, 1, -40, 60, 50, 290},     {0, 0, 107, 0, 0, 60, 45, 0},
+    {0, 0, 330, 0, -140, 20, 75, 290}, {0, 0, 0, -1, -75, 75, 70, 176},       {0, -310, 0, 1, -180, 30, 65, 290},
+    {80, 0, 0, 1, -70, 70, 62, 290},   {-80, 380, 0, -1, -270, -40, 55, 290}, {0, 0, 0, 1, -60, 60, 58, 290},
+    {88, 0, 0, 1, -40, 60, 50, 290},   {0, 0, 107, 0, 0, 60, 45, 0},
 };
 
 static gjk_q16 milli(int32_t thousandths) {
