@@ -102,11 +102,10 @@ typedef struct gjk_arm_pair {
   uint64_t bend;        // bound of the second derivative on the edge, LSB
   int32_t slack;        // all roundings, LSB
   gjk_unit3 direction;  // that last parted the pair
-  uint32_t done;        // a check's: up to where the pair is proven apart
+  uint32_t done;        // where it was last tested for a touch; of a check, up to where it is proven apart
   uint16_t part, other;
   uint8_t frame;  // the link whose parts other is one of; GJK_ARM_BASE: other is an obstacle
   uint8_t level;  // the depth of the span on which it is proven apart
-  uint8_t near;   // the ends of a span came near
 } gjk_arm_pair;
 
 // The caller's memory, all of which must stay as long as the arm.

@@ -4,8 +4,9 @@
 //      a span have the links' frames, which all pairs share.
 //   2. Each pair that is open is searched (gjk_arm_span.c). Apart by more than margin, bend and slack: it is proven on
 //      the whole span, and stays so on the spans inside.
-//   3. A pair that is close is tested at the span's ends where it was not yet: exactly, by gjk_within. Within margin and
-//      tolerance is a touch. Spans beyond the first known touch are not looked at.
+//   3. A pair that is close is tested at the span's right end: exactly, by gjk_within. Within margin and tolerance is a
+//      touch. At the left end it is tested where the edge begins, and where a touch is known, which ends the search for
+//      an earlier one. Spans beyond the first known touch are not looked at.
 //   4. A span with an open pair is halved: on with its left half. Else on with the next span to the right.
 //   5. A touch is known, and lower is near enough, or the next span begins there: the answer. At the right end: FREE.
 //
@@ -70,7 +71,7 @@ gjk_status gjk_arm_edge_start(gjk_arm *arm, const int32_t *from, const int32_t *
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     gjk_arm_pair *pair = &arm->memory.pairs[i];
     pair->level = ARM_OPEN;
-    pair->near = 0;
+    pair->done = 0;
     pair->direction.x = pair->direction.y = pair->direction.z = 0;
   }
   gjk_arm_set_frames(arm, 0, 0);
@@ -118,10 +119,6 @@ static void test_pair(gjk_arm *arm, uint32_t number) {
   gjk_arm_found found = GJK_ARM_OPEN;
   gjk_unit3 direction;
   int64_t gap;
-  if (pair->near != 0 && arm->place % 2 == 0) {
-    test_touch(arm, number, end, true);  // the middle of the span before, which is the parent
-  }
-  pair->near = 0;
   arm->tests++;
   if (bend >= 0) {
     gjk_arm_look(arm, pair, arm->first, &view);
@@ -134,10 +131,14 @@ static void test_pair(gjk_arm *arm, uint32_t number) {
     return;
   }
   arm->open = true;
-  pair->near = found == GJK_ARM_CLOSE || bend < 0;
-  if (pair->near != 0 && arm->depth == 0) {
-    test_touch(arm, number, start, false);
-    test_touch(arm, number, end, true);
+  if (found == GJK_ARM_CLOSE || bend < 0) {
+    if (arm->depth == 0 || arm->touched != GJK_ARM_NO_PAIR) {
+      test_touch(arm, number, start, false);
+    }
+    if (pair->done != end) {
+      test_touch(arm, number, end, true);
+      pair->done = end;
+    }
   }
 }
 
