@@ -92,6 +92,8 @@ typedef struct gjk_arm_link_room {
 typedef struct gjk_arm_part_room {
   gjk_collider collider;  // in the link's frame
   gjk_vec3 at[2];         // its centre in the world, at both ends of a span
+  gjk_vec3 middle;        // of the chord between them
+  int32_t half;           // no less than half of the chord, LSB
   int32_t reach;          // of the part from the link's origin, LSB
   uint8_t slack;          // of its support points, LSB
   bool scanned;           // its support points are vertices of the shape as they are

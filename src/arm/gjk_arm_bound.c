@@ -87,17 +87,14 @@ static void bound_motion(const gjk_arm *arm, unsigned frame, unsigned link, int3
   out->reach = distance;
 }
 
-// The slack of a pair whose part moves like this, as the head of this file has it.
-static int32_t slack_of(const gjk_arm *arm, const gjk_arm_pair *pair, const arm_motion *motion) {
-  const bool world = pair->frame == GJK_ARM_BASE;
-  const unsigned curved = world && gjk_is_curved(arm->obstacles[pair->other].shape) ? 2 : 0;
-  const unsigned other = world ? curved : arm->memory.parts[pair->other].slack;
-  const uint64_t reach = motion->reach + (world ? 0 : (uint64_t)arm->memory.parts[pair->other].reach);  // below 2^29
-  const uint64_t turned = ((motion->joints + 2) * reach) >> 26;
-  return (int32_t)((world ? 1u : 3u) + arm->memory.parts[pair->part].slack + other + (unsigned)turned + 1 + 2 + 1);
+// The slack of a pair but for S, as the head of this file has it. reach: of a part from the origin of S's frame.
+static int32_t slack_of(const gjk_arm *arm, const gjk_arm_pair *pair, const arm_motion *motion, int32_t reach) {
+  const uint64_t turned = ((motion->joints + 2) * (motion->reach + (uint64_t)reach)) >> 26;  // below 34 2^29 / 2^26
+  return (int32_t)((pair->frame == GJK_ARM_BASE ? 1u : 3u) + arm->memory.parts[pair->part].slack + (unsigned)turned +
+                   1 + 2 + 1);
 }
 
-static uint32_t largest(uint32_t a, uint32_t b) {
+static inline uint32_t largest(uint32_t a, uint32_t b) {
   return a > b ? a : b;
 }
 
@@ -160,15 +157,24 @@ gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to
   arm->state = GJK_ARM_READY;
   const gjk_status status = set_range(arm, from, to);
   arm_motion motion = {0, 0, 0};
-  const gjk_arm_pair *before = NULL;
+  int32_t slack = 0;
   for (uint32_t i = 0; status == GJK_OK && i < arm->pair_count; i++) {
     gjk_arm_pair *pair = &arm->memory.pairs[i];
-    if (before == NULL || before->part != pair->part || before->frame != pair->frame) {
-      bound_motion(arm, pair->frame, arm->model->parts[pair->part].link, arm->memory.parts[pair->part].reach, &motion);
+    const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
+    const unsigned link = arm->model->parts[pair->part].link;
+    if (pair->frame != GJK_ARM_BASE) {
+      const gjk_arm_part_room *other = &arm->memory.parts[pair->other];
+      bound_motion(arm, pair->frame, link, part->reach, &motion);
+      slack = slack_of(arm, pair, &motion, other->reach) + other->slack;
+    } else if (i == arm->self_count || pair[-1].part != pair->part) {
+      bound_motion(arm, GJK_ARM_BASE, link, part->reach, &motion);
+      slack = slack_of(arm, pair, &motion, 0);
     }
     pair->bend = motion.bend;
-    pair->slack = slack_of(arm, pair, &motion);
-    before = pair;
+    pair->slack = slack;
+    if (pair->frame == GJK_ARM_BASE && gjk_is_curved(arm->obstacles[pair->other].shape)) {
+      pair->slack += 2;
+    }
   }
   return status;
 }

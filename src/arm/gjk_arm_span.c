@@ -92,6 +92,35 @@ static void look_closely(gjk_arm_view *view) {
   }
 }
 
+// The reach of both spheres, and what the roundings of centres may take: the gap of supports is no smaller.
+static int64_t spheres_of(const gjk_collider *part, const gjk_collider *other) {
+  return (int64_t)part->radius + other->radius + 6;
+}
+
+// *way = a - b. False: a component is not surely below 2^29 in size.
+static inline bool near_way(const gjk_vec3 *a, const gjk_vec3 *b, gjk_vec3 *way) {
+  const int32_t x = gjk_sar32(a->x, 2) - gjk_sar32(b->x, 2), y = gjk_sar32(a->y, 2) - gjk_sar32(b->y, 2);
+  const int32_t z = gjk_sar32(a->z, 2) - gjk_sar32(b->z, 2);
+  const uint32_t bits =
+      (uint32_t)(x ^ gjk_sar32(x, 31)) | (uint32_t)(y ^ gjk_sar32(y, 31)) | (uint32_t)(z ^ gjk_sar32(z, 31));
+  if (bits >> 26 != 0) {
+    return false;
+  }
+  *way = gjk_sub(*a, *b);  // below 2^28 + 4
+  return true;
+}
+
+bool gjk_arm_spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t gap) {
+  const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
+  const gjk_collider *other = &arm->obstacles[pair->other];
+  const int64_t reach = spheres_of(&part->collider, other) + gap + part->half;
+  gjk_vec3 way;
+  if (!near_way(&part->middle, &other->centre, &way) || reach > INT32_MAX) {
+    return false;
+  }
+  return gjk_dot(&way, &way) > gjk_mul32((int32_t)reach, (int32_t)reach);  // below 2^58 and 2^62
+}
+
 // Both convex radii, LSB: below 2^29.
 static int64_t radii_of(const gjk_arm_view *view) {
   return (int64_t)view->part->collider.shape->convex_radius + view->other->shape->convex_radius;
@@ -162,36 +191,12 @@ static gjk_unit3 far_direction(const gjk_vec3 *axis) {
   return axis->x != 0 ? x : axis->y != 0 ? y : z;
 }
 
-// At least |v|, by at most 8 %: the norm is convex, and linear between (1, 0, 0), (1, 1, 0) and (1, 1, 1). Pre: components
-// at most 2^31 in size.
-static uint64_t length_above(const gjk_vec3 *v) {
-  uint64_t a = gjk_magnitude32(v->x), b = gjk_magnitude32(v->y);
-  const uint64_t c = gjk_magnitude32(v->z), low = a < b ? a : b, high = a < b ? b : a;
-  const uint64_t most = c > high ? c : high, rest = c > high ? high : c;  // rest and low: the other two
-  const uint64_t middle = rest > low ? rest : low, least = rest > low ? low : rest;
-  return most + ((middle * 425 + least * 326) >> 10) + 1;  // 1024 (sqrt(2) - 1), 1024 (sqrt(3) - sqrt(2)), rounded up
-}
-
 // The middle of the chord between the centres.
 static gjk_vec3 middle_of(const gjk_arm_view *view) {
   const gjk_vec3 *a = &view->centre[0], *b = &view->centre[1];
   const gjk_vec3 middle = {gjk_sar32(a->x, 1) + gjk_sar32(b->x, 1), gjk_sar32(a->y, 1) + gjk_sar32(b->y, 1),
                            gjk_sar32(a->z, 1) + gjk_sar32(b->z, 1)};
   return middle;
-}
-
-// The reach of both spheres, and what the roundings of centres may take: the gap of supports is no smaller.
-static int64_t spheres_of(const gjk_arm_view *view) {
-  return (int64_t)view->part->collider.radius + view->other->radius + 6;
-}
-
-// Step 1: do the spheres stay more than known apart, along middle?
-//   |middle|, |centre| < sqrt(3) (2^30 + 2^27):   products below 2^62
-//   spheres and known below 2^30 + 2^29, length below 2^31.1
-static bool spheres_clear(const gjk_arm_view *view, const gjk_vec3 *middle, int64_t known) {
-  const int64_t a = gjk_dot(middle, &view->centre[0]), b = gjk_dot(middle, &view->centre[1]);
-  const int64_t low = a < b ? a : b;
-  return low > 0 && (uint64_t)low > (uint64_t)(spheres_of(view) + known) * length_above(middle);
 }
 
 // Step 1: the direction along middle. Pre: middle is not 0.
@@ -204,7 +209,7 @@ static gjk_unit3 along_middle(const gjk_vec3 *middle) {
 // Step 1: the gap of the spheres along n, Q30.
 static int64_t spheres_gap(const gjk_arm_view *view, const gjk_unit3 *n) {
   const int64_t a = gjk_along(n, &view->centre[0]), b = gjk_along(n, &view->centre[1]);
-  return (a <= b ? a : b) - gjk_shl64(spheres_of(view), 30);
+  return (a <= b ? a : b) - gjk_shl64(spheres_of(&view->part->collider, view->other), 30);
 }
 
 // In units of 2^coarse, a difference is below 2^30 and an edge below 2^31 in length; see gjk_simplex.h.
@@ -273,11 +278,8 @@ gjk_arm_found gjk_arm_separate(gjk_arm_view *view, const gjk_arm_search *search,
   }
   // Step 1
   if (apart) {
-    const bool clear = spheres_clear(view, &middle, search->known);
-    if (!clear || search->names) {
-      n = along_middle(&middle);
-    }
-    *gap = clear ? gjk_shl64(search->known, 30) : spheres_gap(view, &n);
+    n = along_middle(&middle);
+    *gap = spheres_gap(view, &n);
     if (*gap > gjk_shl64(search->wanted, 30)) {
       *direction = n;
       return GJK_ARM_APART;

@@ -32,19 +32,21 @@ typedef enum gjk_arm_found {
   GJK_ARM_CLOSE   // the same, and the places at both ends and between are within near
 } gjk_arm_found;
 
+// Do the bounding spheres of a part and an obstacle stay more than so much apart on the span, LSB, from 0 to 2^30? Then the gap is
+// above that along a direction which gjk_arm_separate would find. A "no" may be wrong.
+bool gjk_arm_spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t gap);
+
 // What is searched. Lengths in LSB, from 0 to 2^30.
 typedef struct gjk_arm_search {
   int64_t wanted;  // a gap above this
-  int64_t known;   // at least wanted: a gap above this need not be told
   int64_t near;    // see GJK_ARM_CLOSE
-  bool names;      // a direction is wanted, not only that there is one
 } gjk_arm_search;
 
 // Searches a direction along which the gap is above the one wanted.
 //
 // kept       where to start, or 0; set where a search beyond spheres finds one.
-// direction  if APART, and names is set: what was found.
-// gap        if APART: the gap along it, Q30; or that known, which it is above.
+// direction  if APART: what was found.
+// gap        if APART: the gap along it, Q30.
 gjk_arm_found gjk_arm_separate(gjk_arm_view *view, const gjk_arm_search *search, gjk_unit3 *kept, gjk_unit3 *direction,
                                int64_t *gap);
 
