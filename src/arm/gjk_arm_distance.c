@@ -3,6 +3,7 @@
 #include "../arith/gjk_unit.h"
 #include "gjk/intersect.h"
 #include "gjk_arm_bound.h"
+#include "gjk_arm_span.h"
 
 static gjk_status start_still(gjk_arm *arm, const int32_t *values, const void *out) {
   if (arm == NULL || out == NULL) {
@@ -21,35 +22,36 @@ static gjk_status start_still(gjk_arm *arm, const int32_t *values, const void *o
   return status;
 }
 
-// Is a pair surely farther apart than so much? By its bounding spheres, whose centres are in the world.
+// No slack of a pair is larger, see gjk_arm_bound.c: N is at most 64, D at most 2^29.
+#define ARM_SLACK_MAX 600
+
+// Do the bounding spheres show a pair to be more than so much apart? 12: roundings of both centres.
 static bool spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t most) {
-  const gjk_collider *shape[2];
-  gjk_long3 centre[2];
-  shape[0] = &arm->memory.parts[pair->part].collider;
-  shape[1] = pair->frame == GJK_ARM_BASE ? &arm->obstacles[pair->other] : &arm->memory.parts[pair->other].collider;
-  for (unsigned i = 0; i < 2; i++) {
-    const gjk_vec3 *c = &shape[i]->centre;
-    centre[i].x = c->x;
-    centre[i].y = c->y;
-    centre[i].z = c->z;
-    if (i == 0 || pair->frame != GJK_ARM_BASE) {
-      const gjk_arm_link_room *room = &arm->memory.links[i == 0 ? arm->model->parts[pair->part].link : pair->frame];
-      const gjk_vec3 turned = gjk_rotate(room->frame[0].rows, c);
-      centre[i].x = (int64_t)turned.x + room->frame[0].at.x;
-      centre[i].y = (int64_t)turned.y + room->frame[0].at.y;
-      centre[i].z = (int64_t)turned.z + room->frame[0].at.z;
-    }
-  }
-  const int64_t reach = most + shape[0]->radius + shape[1]->radius + 8;  // 8: roundings of both places
-  const uint64_t x = gjk_magnitude64(centre[0].x - centre[1].x), y = gjk_magnitude64(centre[0].y - centre[1].y);
-  const uint64_t z = gjk_magnitude64(centre[0].z - centre[1].z), limit = (uint64_t)reach;  // below 2^32
+  const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
+  const gjk_collider *other =
+      pair->frame == GJK_ARM_BASE ? &arm->obstacles[pair->other] : &arm->memory.parts[pair->other].collider;
+  const gjk_vec3 *a = &part->at[0],
+                 *b = pair->frame == GJK_ARM_BASE ? &other->centre : &arm->memory.parts[pair->other].at[0];
+  const uint64_t limit = (uint64_t)(most + part->collider.radius + other->radius + 12);  // below 2^32
+  const uint64_t x = gjk_magnitude64((int64_t)a->x - b->x), y = gjk_magnitude64((int64_t)a->y - b->y);
+  const uint64_t z = gjk_magnitude64((int64_t)a->z - b->z);
   if (x > limit || y > limit || z > limit) {
     return true;
   }
-  if (limit >> 31 != 0) {
-    return false;
+  return limit >> 31 == 0 && x * x + y * y + z * z > limit * limit;  // each below 2^62
+}
+
+// Is a pair surely more than so much apart? A "no" may be wrong: then the pair is measured. It costs less than to pose it.
+static bool surely_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t most) {
+  gjk_arm_view view;
+  gjk_unit3 kept = {0, 0, 0}, direction;
+  int64_t gap;
+  if (spheres_apart(arm, pair, most)) {
+    return true;
   }
-  return x * x + y * y + z * z > limit * limit;  // each below 2^62
+  const gjk_arm_search search = {most + ARM_SLACK_MAX, 0};
+  gjk_arm_look(arm, pair, 0, 0, &view);
+  return most < INT32_MAX / 2 && gjk_arm_separate(&view, &search, &kept, &direction, &gap) == GJK_ARM_APART;
 }
 
 gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, gjk_arm_distance_result *out) {
@@ -63,7 +65,7 @@ gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, g
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     const gjk_arm_pair *pair = &arm->memory.pairs[i];
     gjk_collider part, other;
-    if (spheres_apart(arm, pair, nearest)) {
+    if (surely_apart(arm, pair, nearest)) {
       continue;
     }
     const gjk_status of_pair = gjk_distance(gjk_arm_place(arm, pair, 0, &part, &other), &part, NULL, &found);
@@ -88,7 +90,7 @@ gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, b
     const gjk_arm_pair *of = &arm->memory.pairs[i];
     gjk_collider part, other;
     gjk_decision decision;
-    if (spheres_apart(arm, of, distance)) {
+    if (surely_apart(arm, of, distance)) {
       continue;
     }
     const gjk_status of_pair = gjk_within(gjk_arm_place(arm, of, 0, &part, &other), &part, distance, NULL, &decision);

@@ -150,7 +150,7 @@ static void test_pair(gjk_arm *arm, uint32_t number) {
     return;
   }
   if (bend >= 0) {
-    gjk_arm_look(arm, pair, arm->first, &view);
+    gjk_arm_look(arm, pair, arm->first, arm->first ^ 1u, &view);
     const gjk_arm_search search = {arm->setup.margin + bend + pair->slack, near};
     found = gjk_arm_separate(&view, &search, &pair->direction, &direction, &gap);
   }

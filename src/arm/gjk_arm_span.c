@@ -51,24 +51,26 @@ static gjk_vec3 bounded_way(const gjk_vec3 *a, const gjk_vec3 *b, gjk_vec3 *axis
   return way;
 }
 
-void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned first, gjk_arm_view *out) {
+void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned start, unsigned end, gjk_arm_view *out) {
   const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
   out->arm = arm;
   out->pair = pair;
-  out->first = first;
+  out->frame[0] = start;
+  out->frame[1] = end;
   out->part = part;
   out->axis.x = out->axis.y = out->axis.z = 0;
   if (pair->frame == GJK_ARM_BASE) {
     out->other = &arm->obstacles[pair->other];
-    out->centre[0] = bounded_way(&part->at[first], &out->other->centre, &out->axis);
-    out->centre[1] = bounded_way(&part->at[first ^ 1u], &out->other->centre, &out->axis);
+    out->centre[0] = bounded_way(&part->at[start], &out->other->centre, &out->axis);
+    out->centre[1] = bounded_way(&part->at[end], &out->other->centre, &out->axis);
     return;
   }
   const gjk_arm_part_room *other = &arm->memory.parts[pair->other];
   out->other = &other->collider;
-  for (unsigned end = 0; end < 2; end++) {
-    const gjk_vec3 away = gjk_sub(part->at[first ^ end], other->at[first ^ end]);  // at most 2^28
-    out->centre[end] = gjk_rotate_back(arm->memory.links[pair->frame].frame[first ^ end].rows, &away);
+  for (unsigned i = 0; i < 2; i++) {
+    const unsigned which = out->frame[i];
+    const gjk_vec3 away = gjk_sub(part->at[which], other->at[which]);  // at most 2^28
+    out->centre[i] = gjk_rotate_back(arm->memory.links[pair->frame].frame[which].rows, &away);
   }
 }
 
@@ -77,7 +79,7 @@ static void look_closely(gjk_arm_view *view) {
   const gjk_arm *arm = view->arm;
   const gjk_arm_link_room *link = &arm->memory.links[arm->model->parts[view->pair->part].link];
   for (unsigned end = 0; end < 2; end++) {
-    const unsigned which = view->first ^ end;
+    const unsigned which = view->frame[end];
     const gjk_vec3 *at = &link->frame[which].at, *centre = &view->other->centre;
     if (view->pair->frame == GJK_ARM_BASE) {
       view->rows[end] = link->frame[which].rows;
@@ -157,7 +159,9 @@ static int64_t lower_end(const gjk_arm_view *view, const gjk_unit3 *n, gjk_vec3 
   gjk_vec3 start, end;
   gjk_vec3 *const at_start = w != NULL ? &start : NULL, *const at_end = w != NULL ? &end : NULL;
   view->other->shape->type->support(view->other, &direction, &of_other);
-  const int64_t a = height_of_part(view, 0, n, at_start), b = height_of_part(view, 1, n, at_end);
+  const int64_t a = height_of_part(view, 0, n, at_start);
+  const bool moves = view->frame[0] != view->frame[1];
+  const int64_t b = moves ? height_of_part(view, 1, n, at_end) : a;
   if (w != NULL) {
     *w = gjk_sub(a <= b ? start : end, of_other.offset);
   }

@@ -8,7 +8,7 @@
 typedef struct gjk_arm_view {
   const gjk_arm *arm;
   const gjk_arm_pair *pair;
-  unsigned first;  // the number of the frames at the start
+  unsigned frame[2];  // the numbers of the frames at the start and at the end; equal: there is no motion
   const gjk_arm_part_room *part;
   const gjk_collider *other;  // S
   gjk_vec3 axis;              // not 0: S is so far away that directions along this axis alone are looked at
@@ -19,8 +19,8 @@ typedef struct gjk_arm_view {
   gjk_vec3 origin[2];       // of P's link, from the centre of S
 } gjk_arm_view;
 
-// Looks at a pair in the arm's frames: those with number first are the start of the span.
-void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned first, gjk_arm_view *out);
+// Looks at a pair in the arm's frames with these numbers.
+void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned start, unsigned end, gjk_arm_view *out);
 
 // The gap of the pair along a unit direction from S to P, at the end where it is smaller, Q30 of an LSB. It is at most
 // the slack above that in real numbers. False: the direction is none that the view may be looked at along.

@@ -70,7 +70,7 @@ static bool check_proof(gjk_arm *arm, edge_frames *frames, const gjk_arm_edge_re
   }
   set_frame(arm, frames, 0, from);
   set_frame(arm, frames, 1, to);
-  gjk_arm_look(arm, pair, 0, &view);
+  gjk_arm_look(arm, pair, 0, 1, &view);
   if (!gjk_arm_gap(&view, &proof->direction, &gap) || gap <= gjk_shl64(arm->setup.margin + bend + pair->slack, 30)) {
     return false;
   }

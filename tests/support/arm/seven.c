@@ -114,7 +114,7 @@ bool seven_surround(seven *s, random_state *random, unsigned count) {
     pose.position.y += base->y;
     pose.position.z += base->z;
     made = made && gjk_quat_from_axis_angle(&axis, random_range(random, -200000, 200000), &pose.rotation) == GJK_OK &&
-           gjk_collider_init(&s->obstacles[i], shape, NULL, 0) == GJK_OK &&
+           gjk_collider_init(&s->obstacles[i], shape, s->obstacle_posed[i], 16) == GJK_OK &&
            gjk_collider_pose(&s->obstacles[i], &pose) == GJK_OK;
   }
   return made && gjk_arm_obstacles(&s->arm, s->obstacles, (uint16_t)count) == GJK_OK;

@@ -22,6 +22,7 @@ typedef struct seven {
   gjk_vec3 points[SEVEN_PARTS][SEVEN_POINTS];
   gjk_shape obstacle_shapes[SEVEN_OBSTACLES];
   gjk_vec3 obstacle_points[SEVEN_OBSTACLES][16];
+  gjk_vec3 obstacle_posed[SEVEN_OBSTACLES][16];
   gjk_collider obstacles[SEVEN_OBSTACLES];
   gjk_arm_link_room link_room[SEVEN_LINKS];
   gjk_arm_part_room part_room[SEVEN_PARTS];
