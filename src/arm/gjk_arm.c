@@ -1,6 +1,7 @@
 // An arm: its model is checked, its parts are placed in the frames of their links, its pairs are listed.
 #include "gjk/arm.h"
 
+#include "../arith/gjk_memory.h"
 #include "../arith/gjk_root.h"
 #include "../arith/gjk_rotation.h"
 #include "gjk_arm_bound.h"
@@ -136,10 +137,18 @@ gjk_status gjk_arm_init(gjk_arm *arm, const gjk_arm_model *model, const gjk_pose
   if (model->link_count > GJK_ARM_LINKS_MAX || model->part_count > GJK_ARM_PARTS_MAX) {
     return GJK_ERROR_RANGE;
   }
-  gjk_arm made = {.model = model, .memory = *memory, .base = *base, .state = GJK_ARM_READY};
+  gjk_arm made;
+  gjk_zero(&made, sizeof made);
+  made.model = model;
+  made.memory.links = memory->links;
+  made.memory.parts = memory->parts;
+  made.memory.pairs = memory->pairs;
+  made.memory.pair_capacity = memory->pair_capacity;
+  made.base = *base;
+  made.state = GJK_ARM_READY;
   const gjk_status status = init_all(&made);
   if (status == GJK_OK) {
-    *arm = made;
+    gjk_copy(arm, &made, sizeof made);
   }
   return status;
 }

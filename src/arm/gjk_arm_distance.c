@@ -1,4 +1,5 @@
 // What is nearest at a configuration, and how that changes with the joints.
+#include "../arith/gjk_memory.h"
 #include "../arith/gjk_rotation.h"
 #include "../arith/gjk_unit.h"
 #include "gjk/intersect.h"
@@ -72,8 +73,8 @@ gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, g
     if (found.lower < nearest) {
       nearest = found.lower;
       best = of_pair;
-      out->pair = gjk_arm_name(pair);
-      out->distance = found;
+      gjk_arm_name(pair, &out->pair);
+      gjk_copy(&out->distance, &found, sizeof found);
       out->outside = arm->outside;
     }
   }
@@ -97,14 +98,14 @@ gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, b
     if (of_pair == GJK_OK && decision.yes) {
       *near = true;
       if (pair != NULL) {
-        *pair = gjk_arm_name(of);
+        gjk_arm_name(of, pair);
       }
       return GJK_OK;
     }
     if (of_pair != GJK_OK && status == GJK_OK) {
       status = of_pair;
       if (pair != NULL) {
-        *pair = gjk_arm_name(of);
+        gjk_arm_name(of, pair);
       }
     }
   }

@@ -82,7 +82,9 @@ gjk_status gjk_arm_edge_start(gjk_arm *arm, const int32_t *from, const int32_t *
   if (status != GJK_OK) {
     return status;
   }
-  arm->setup = *setup;
+  arm->setup.margin = setup->margin;
+  arm->setup.tolerance = setup->tolerance;
+  arm->setup.resolution = setup->resolution;
   arm->proof = proof;
   arm->user = user;
   arm->next = arm->place = arm->tests = 0;
@@ -128,7 +130,13 @@ static void prove(gjk_arm *arm, uint32_t number, int64_t gap, const gjk_unit3 *d
   arm->gap = gap < arm->gap ? gap : arm->gap;
   if (arm->proof != NULL) {
     const gjk_q30 from = (gjk_q30)span_start(arm) * GJK_ARM_STEP_Q30;
-    const gjk_arm_proof proof = {from, from + (gjk_q30)span_steps(arm) * GJK_ARM_STEP_Q30, *direction, number};
+    gjk_arm_proof proof;
+    proof.from = from;
+    proof.to = from + (gjk_q30)span_steps(arm) * GJK_ARM_STEP_Q30;
+    proof.direction.x = direction->x;
+    proof.direction.y = direction->y;
+    proof.direction.z = direction->z;
+    proof.pair = number;
     arm->proof(arm->user, &proof);
   }
 }
@@ -247,7 +255,7 @@ static void report(const gjk_arm *arm, gjk_arm_edge_result *out) {
     out->gap = (gjk_q16)arm->gap;
   }
   if (out->answer == GJK_ARM_TOUCH) {
-    out->pair = gjk_arm_name(pair);
+    gjk_arm_name(pair, &out->pair);
   }
 }
 

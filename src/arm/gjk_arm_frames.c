@@ -37,6 +37,21 @@ static void shift_by(gjk_joint_frame *frame, const gjk_vec3 rows[3], const gjk_j
   frame->origin[2] += axis.z * whole + gjk_sar64(axis.z * rest, GJK_ARM_DEPTH_MAX);
 }
 
+// *to = *from, by parts: GCC makes some copies a call of memcpy on ARMv6-M.
+static void set_quat(gjk_quat *to, const gjk_quat *from) {
+  to->x = from->x;
+  to->y = from->y;
+  to->z = from->z;
+  to->w = from->w;
+}
+
+static void set_frame_to(gjk_joint_frame *frame, const gjk_quat *rotation, const int64_t origin[3]) {
+  set_quat(&frame->rotation, rotation);
+  for (unsigned k = 0; k < 3; k++) {
+    frame->origin[k] = origin[k];
+  }
+}
+
 void gjk_arm_set_frames(gjk_arm *arm, uint32_t step, unsigned which) {
   gjk_joint_frame base, frame;
   gjk_vec3 base_rows[3];
@@ -46,17 +61,11 @@ void gjk_arm_set_frames(gjk_arm *arm, uint32_t step, unsigned which) {
   for (unsigned i = 0; i < arm->model->link_count; i++) {  // at most GJK_ARM_LINKS_MAX
     gjk_arm_link_room *room = &arm->memory.links[i];
     const gjk_arm_link *link = &arm->model->links[i];
-    const gjk_vec3 *rows = base_rows;
-    frame = base;
-    if (link->parent != GJK_ARM_BASE) {
-      const gjk_arm_link_room *parent = &arm->memory.links[link->parent];
-      rows = parent->frame[which].rows;
-      frame.rotation = parent->frame[which].rotation;
-      for (unsigned k = 0; k < 3; k++) {
-        frame.origin[k] = parent->frame[which].origin[k];
-      }
-    }
-    gjk_joint_move(&frame, rows, &room->joint.offset);
+    const bool on_base = link->parent == GJK_ARM_BASE;
+    const gjk_arm_link_room *parent = &arm->memory.links[on_base ? 0 : link->parent];
+    set_frame_to(&frame, on_base ? &base.rotation : &parent->frame[which].rotation,
+                 on_base ? base.origin : parent->frame[which].origin);
+    gjk_joint_move(&frame, on_base ? base_rows : parent->frame[which].rows, &room->joint.offset);
     if (link->kind == GJK_ARM_REVOLUTE) {
       turn_by(&frame, &room->joint, value_at(arm, value++, step));
     } else {
@@ -66,7 +75,7 @@ void gjk_arm_set_frames(gjk_arm *arm, uint32_t step, unsigned which) {
     if (link->kind == GJK_ARM_PRISMATIC) {
       shift_by(&frame, room->frame[which].rows, &room->joint, value_at(arm, value++, step));
     }
-    room->frame[which].rotation = frame.rotation;
+    set_quat(&room->frame[which].rotation, &frame.rotation);
     for (unsigned k = 0; k < 3; k++) {
       room->frame[which].origin[k] = frame.origin[k];
     }
@@ -79,14 +88,23 @@ void gjk_arm_set_frames(gjk_arm *arm, uint32_t step, unsigned which) {
   }
 }
 
-// Poses a copy of a part's collider in the world.
+// Poses a copy of a part's collider in the world; what posing sets is not copied.
 static void place_part(const gjk_arm *arm, unsigned number, unsigned which, gjk_collider *out) {
   const gjk_arm_part *part = &arm->model->parts[number];
   const gjk_arm_link_room *room = &arm->memory.links[part->link];
-  const gjk_pose link = {room->frame[which].at, room->frame[which].rotation};
-  gjk_pose pose;
+  gjk_pose link, pose;
+  gjk_set(&room->frame[which].at, &link.position);
+  set_quat(&link.rotation, &room->frame[which].rotation);
   (void)gjk_pose_compose(&link, &part->pose, &pose);  // both are units, and the reach is within int32
-  *out = arm->memory.parts[number].collider;
+  const gjk_collider *own = &arm->memory.parts[number].collider;
+  out->shape = own->shape;
+  out->buffer = NULL;
+  gjk_set(&own->local_centre, &out->local_centre);
+  out->core_radius = own->core_radius;
+  out->radius = own->radius;
+  out->count = own->count;
+  out->bits = own->bits;
+  out->state = GJK_STATE_INITIALISED;
   (void)gjk_collider_pose(out, &pose);
 }
 
@@ -100,7 +118,8 @@ const gjk_collider *gjk_arm_place(const gjk_arm *arm, const gjk_arm_pair *pair, 
   return other;
 }
 
-gjk_arm_names gjk_arm_name(const gjk_arm_pair *pair) {
-  const gjk_arm_names names = {pair->part, pair->other, pair->frame == GJK_ARM_BASE};
-  return names;
+void gjk_arm_name(const gjk_arm_pair *pair, gjk_arm_names *out) {
+  out->part = pair->part;
+  out->other = pair->other;
+  out->obstacle = pair->frame == GJK_ARM_BASE;
 }

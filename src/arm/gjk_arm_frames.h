@@ -39,6 +39,6 @@ const gjk_collider *gjk_arm_place(const gjk_arm *arm, const gjk_arm_pair *pair, 
                                   gjk_collider *other);
 
 // What a pair is, for results.
-gjk_arm_names gjk_arm_name(const gjk_arm_pair *pair);
+void gjk_arm_name(const gjk_arm_pair *pair, gjk_arm_names *out);
 
 #endif

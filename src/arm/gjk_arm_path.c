@@ -11,17 +11,15 @@ gjk_status gjk_arm_path(gjk_arm *arm, const int32_t *path, unsigned count, const
   }
   for (unsigned i = 0; i + 1 < count; i++) {
     const int32_t *from = path + (size_t)i * arm->value_count;
-    gjk_arm_edge_result result = {.answer = GJK_ARM_UNSETTLED};
     gjk_status status = gjk_arm_edge_start(arm, from, from + arm->value_count, setup, NULL, NULL);
     if (status == GJK_OK) {
-      status = gjk_arm_edge_run(arm, tests, &result);
+      status = gjk_arm_edge_run(arm, tests, out);
     }
     if (status != GJK_OK && status != GJK_ERROR_ITERATION_LIMIT) {
       return status;
     }
-    *free = i + (result.answer == GJK_ARM_FREE ? 1u : 0u);
-    *out = result;
-    if (result.answer != GJK_ARM_FREE) {
+    *free = i + (out->answer == GJK_ARM_FREE ? 1u : 0u);
+    if (out->answer != GJK_ARM_FREE) {
       return status;
     }
   }

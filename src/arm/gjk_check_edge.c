@@ -23,8 +23,8 @@ static void set_frame(gjk_arm *arm, edge_frames *frames, unsigned which, uint32_
 
 // Is the fraction, of Q30, a whole number of steps?
 static bool to_step(gjk_q30 fraction, uint32_t *step) {
-  *step = (uint32_t)fraction / (uint32_t)GJK_ARM_STEP_Q30;
-  return fraction >= 0 && fraction <= GJK_Q30_ONE && fraction % GJK_ARM_STEP_Q30 == 0;
+  *step = (uint32_t)fraction >> (30 - GJK_ARM_DEPTH_MAX);
+  return fraction >= 0 && fraction <= GJK_Q30_ONE && ((uint32_t)fraction & (uint32_t)(GJK_ARM_STEP_Q30 - 1)) == 0;
 }
 
 // The depth of a dyadic span; false: it is none.
@@ -36,7 +36,7 @@ static bool depth_of(uint32_t from, uint32_t to, unsigned *depth) {
   while (*depth < GJK_ARM_DEPTH_MAX && GJK_ARM_STEPS >> *depth > to - from) {
     (*depth)++;
   }
-  return to - from == GJK_ARM_STEPS >> *depth && from % (to - from) == 0;
+  return to - from == GJK_ARM_STEPS >> *depth && (from & (to - from - 1)) == 0;
 }
 
 // Is each component of a unit vector's size?
@@ -83,7 +83,8 @@ static bool check_touch(gjk_arm *arm, edge_frames *frames, const gjk_arm_edge_re
   set_frame(arm, frames, 0, upper);
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     const gjk_arm_pair *pair = &arm->memory.pairs[i];
-    const gjk_arm_names names = gjk_arm_name(pair);
+    gjk_arm_names names;
+    gjk_arm_name(pair, &names);
     if (names.part == result->pair.part && names.other == result->pair.other &&
         names.obstacle == result->pair.obstacle) {
       return gjk_arm_touches(arm, pair, 0);
