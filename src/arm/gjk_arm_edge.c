@@ -20,7 +20,7 @@
 // The level of a pair that is open.
 #define ARM_OPEN 255
 
-static gjk_status check_setup(const gjk_arm_setup *setup) {
+static gjk_status arm_check_setup(const gjk_arm_setup *setup) {
   if (setup->margin < 0) {
     return GJK_ERROR_NEGATIVE;
   }
@@ -38,7 +38,7 @@ gjk_status gjk_arm_check_edge_arguments(const gjk_arm *arm, const int32_t *from,
   if (!gjk_arm_is_ready(arm)) {
     return GJK_ERROR_UNINITIALISED;
   }
-  return arm->value_count > 0 && (from == NULL || to == NULL) ? GJK_ERROR_NULL : check_setup(setup);
+  return arm->value_count > 0 && (from == NULL || to == NULL) ? GJK_ERROR_NULL : arm_check_setup(setup);
 }
 
 // The steps of a span of the present depth.
@@ -61,7 +61,7 @@ static int32_t half_above(const gjk_vec3 *a, const gjk_vec3 *b) {
 }
 
 // Sets the links' frames at the span's end, and the chords of the parts' centres.
-static void set_end(gjk_arm *arm) {
+static void set_span_end(gjk_arm *arm) {
   gjk_arm_set_frames(arm, span_start(arm) + span_steps(arm), arm->first ^ 1u);
   for (unsigned i = 0; i < arm->model->part_count; i++) {
     gjk_arm_part_room *part = &arm->memory.parts[i];
@@ -100,7 +100,7 @@ gjk_status gjk_arm_edge_start(gjk_arm *arm, const int32_t *from, const int32_t *
     pair->direction.x = pair->direction.y = pair->direction.z = 0;
   }
   gjk_arm_set_frames(arm, 0, 0);
-  set_end(arm);
+  set_span_end(arm);
   arm->state = GJK_ARM_RUNNING;
   return GJK_OK;
 }
@@ -182,7 +182,7 @@ static void test_pair(gjk_arm *arm, uint32_t number) {
 static void halve(gjk_arm *arm) {
   arm->depth++;
   arm->place *= 2;
-  set_end(arm);
+  set_span_end(arm);
 }
 
 // Step 4: the next span to the right. False: there is none. What was proven to the left is open again.
@@ -225,7 +225,7 @@ static void end_span(gjk_arm *arm) {
   } else if (is_found(arm)) {
     arm->state = GJK_ARM_SETTLED;
   } else {
-    set_end(arm);
+    set_span_end(arm);
   }
 }
 
@@ -242,7 +242,7 @@ static void skip_proven(gjk_arm *arm) {
   }
 }
 
-static void report(const gjk_arm *arm, gjk_arm_edge_result *out) {
+static void arm_report(const gjk_arm *arm, gjk_arm_edge_result *out) {
   const bool touch = arm->touched != GJK_ARM_NO_PAIR, settled = arm->state == GJK_ARM_SETTLED;
   const gjk_arm_pair *pair = &arm->memory.pairs[touch ? arm->touched : 0];
   const uint32_t start = span_start(arm), upper = touch ? arm->upper : GJK_ARM_STEPS;
@@ -275,6 +275,6 @@ gjk_status gjk_arm_edge_run(gjk_arm *arm, uint32_t tests, gjk_arm_edge_result *o
     }
     skip_proven(arm);
   }
-  report(arm, out);
+  arm_report(arm, out);
   return arm->state == GJK_ARM_STUCK ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
 }

@@ -38,7 +38,7 @@ static void shift_by(gjk_joint_frame *frame, const gjk_vec3 rows[3], const gjk_j
 }
 
 // *to = *from, by parts: GCC makes some copies a call of memcpy on ARMv6-M.
-static void set_quat(gjk_quat *to, const gjk_quat *from) {
+static void arm_set_quat(gjk_quat *to, const gjk_quat *from) {
   to->x = from->x;
   to->y = from->y;
   to->z = from->z;
@@ -46,7 +46,7 @@ static void set_quat(gjk_quat *to, const gjk_quat *from) {
 }
 
 static void set_frame_to(gjk_joint_frame *frame, const gjk_quat *rotation, const int64_t origin[3]) {
-  set_quat(&frame->rotation, rotation);
+  arm_set_quat(&frame->rotation, rotation);
   for (unsigned k = 0; k < 3; k++) {
     frame->origin[k] = origin[k];
   }
@@ -75,7 +75,7 @@ void gjk_arm_set_frames(gjk_arm *arm, uint32_t step, unsigned which) {
     if (link->kind == GJK_ARM_PRISMATIC) {
       shift_by(&frame, room->frame[which].rows, &room->joint, value_at(arm, value++, step));
     }
-    set_quat(&room->frame[which].rotation, &frame.rotation);
+    arm_set_quat(&room->frame[which].rotation, &frame.rotation);
     for (unsigned k = 0; k < 3; k++) {
       room->frame[which].origin[k] = frame.origin[k];
     }
@@ -89,12 +89,12 @@ void gjk_arm_set_frames(gjk_arm *arm, uint32_t step, unsigned which) {
 }
 
 // Poses a copy of a part's collider in the world; what posing sets is not copied.
-static void place_part(const gjk_arm *arm, unsigned number, unsigned which, gjk_collider *out) {
+static void arm_place_part(const gjk_arm *arm, unsigned number, unsigned which, gjk_collider *out) {
   const gjk_arm_part *part = &arm->model->parts[number];
   const gjk_arm_link_room *room = &arm->memory.links[part->link];
   gjk_pose link, pose;
   gjk_set(&room->frame[which].at, &link.position);
-  set_quat(&link.rotation, &room->frame[which].rotation);
+  arm_set_quat(&link.rotation, &room->frame[which].rotation);
   (void)gjk_pose_compose(&link, &part->pose, &pose);  // both are units, and the reach is within int32
   const gjk_collider *own = &arm->memory.parts[number].collider;
   out->shape = own->shape;
@@ -110,11 +110,11 @@ static void place_part(const gjk_arm *arm, unsigned number, unsigned which, gjk_
 
 const gjk_collider *gjk_arm_place(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned which, gjk_collider *part,
                                   gjk_collider *other) {
-  place_part(arm, pair->part, which, part);
+  arm_place_part(arm, pair->part, which, part);
   if (pair->frame == GJK_ARM_BASE) {
     return &arm->obstacles[pair->other];
   }
-  place_part(arm, pair->other, which, other);
+  arm_place_part(arm, pair->other, which, other);
   return other;
 }
 

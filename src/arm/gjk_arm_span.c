@@ -153,7 +153,7 @@ static int64_t height_of_part(const gjk_arm_view *view, unsigned end, const gjk_
 }
 
 // Step 3. *w: the lower difference.
-static int64_t lower_end(const gjk_arm_view *view, const gjk_unit3 *n, gjk_vec3 *w) {
+static int64_t arm_lower_end(const gjk_arm_view *view, const gjk_unit3 *n, gjk_vec3 *w) {
   const gjk_vec3 direction = {n->x, n->y, n->z};
   gjk_support of_other;
   gjk_vec3 start, end;
@@ -184,7 +184,7 @@ bool gjk_arm_gap(gjk_arm_view *view, const gjk_unit3 *direction, int64_t *gap) {
   if (!may_look_along(view, direction)) {
     return false;
   }
-  *gap = lower_end(view, direction, NULL);
+  *gap = arm_lower_end(view, direction, NULL);
   return true;
 }
 
@@ -257,7 +257,7 @@ static gjk_arm_found part_hulls(const gjk_arm_view *view, const gjk_arm_search *
   for (unsigned round = 0; round < ARM_ROUNDS; round++) {
     gjk_vec3 w;
     int64_t of_feature;
-    *gap = lower_end(view, n, &w);
+    *gap = arm_lower_end(view, n, &w);
     if (*gap > least) {
       return GJK_ARM_APART;
     }
@@ -276,7 +276,7 @@ gjk_arm_found gjk_arm_separate(gjk_arm_view *view, const gjk_arm_search *search,
   if ((view->axis.x | view->axis.y | view->axis.z) != 0) {
     look_closely(view);
     n = far_direction(&view->axis);
-    *gap = lower_end(view, &n, NULL);
+    *gap = arm_lower_end(view, &n, NULL);
     *direction = n;
     return *gap > gjk_shl64(search->wanted, 30) ? GJK_ARM_APART : GJK_ARM_OPEN;
   }
