@@ -140,6 +140,18 @@ static gjk_vec3 support_of_part(const gjk_arm_part_room *part, const gjk_vec3 *d
   return gjk_add(support.offset, c->centre);
 }
 
+// The point of S that is farthest along n, from its centre.
+static gjk_vec3 support_of_other(const gjk_arm_view *view, const gjk_unit3 *n) {
+  const gjk_vec3 direction = {n->x, n->y, n->z};
+  if (view->pair->frame != GJK_ARM_BASE) {
+    const gjk_vec3 point = support_of_part(&view->arm->memory.parts[view->pair->other], &direction);
+    return gjk_sub(point, view->other->centre);
+  }
+  gjk_support support;
+  view->other->shape->type->support(view->other, &direction, &support);
+  return support.offset;
+}
+
 // The gap at one end, Q30, less what the convex radii and S take; the point of P from S's centre if wanted.
 //   |origin| < sqrt(3) 2^30, |point| <= 2^27, times 2^30:  below 2^61.3
 static int64_t height_of_part(const gjk_arm_view *view, unsigned end, const gjk_unit3 *n, gjk_vec3 *point) {
@@ -154,19 +166,17 @@ static int64_t height_of_part(const gjk_arm_view *view, unsigned end, const gjk_
 
 // Step 3. *w: the lower difference.
 static int64_t arm_lower_end(const gjk_arm_view *view, const gjk_unit3 *n, gjk_vec3 *w) {
-  const gjk_vec3 direction = {n->x, n->y, n->z};
-  gjk_support of_other;
+  const gjk_vec3 of_other = support_of_other(view, n);
   gjk_vec3 start, end;
   gjk_vec3 *const at_start = w != NULL ? &start : NULL, *const at_end = w != NULL ? &end : NULL;
-  view->other->shape->type->support(view->other, &direction, &of_other);
   const int64_t a = height_of_part(view, 0, n, at_start);
   const bool moves = view->frame[0] != view->frame[1];
   const int64_t b = moves ? height_of_part(view, 1, n, at_end) : a;
   if (w != NULL) {
-    *w = gjk_sub(a <= b ? start : end, of_other.offset);
+    *w = gjk_sub(a <= b ? start : end, of_other);
   }
   // radii below 2^29
-  return (a <= b ? a : b) - gjk_along(n, &of_other.offset) - gjk_shl64(radii_of(view), 30);
+  return (a <= b ? a : b) - gjk_along(n, &of_other) - gjk_shl64(radii_of(view), 30);
 }
 
 // Is the view not far, or the direction along its axis?
