@@ -17,8 +17,9 @@
 #include "gjk_arm_bound.h"
 #include "gjk_arm_span.h"
 
-// The level of a pair that is open.
+// The level of a pair that is open; where a pair was tested for a touch that never was.
 #define ARM_OPEN 255
+#define ARM_NEVER UINT32_MAX
 
 static gjk_status arm_check_setup(const gjk_arm_setup *setup) {
   if (setup->margin < 0) {
@@ -96,7 +97,7 @@ gjk_status gjk_arm_edge_start(gjk_arm *arm, const int32_t *from, const int32_t *
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     gjk_arm_pair *pair = &arm->memory.pairs[i];
     pair->level = ARM_OPEN;
-    pair->done = 0;
+    pair->done = ARM_NEVER;
     pair->direction.x = pair->direction.y = pair->direction.z = 0;
   }
   gjk_arm_set_frames(arm, 0, 0);
@@ -168,7 +169,7 @@ static void test_pair(gjk_arm *arm, uint32_t number) {
   }
   arm->open = true;
   if (found == GJK_ARM_CLOSE || bend < 0) {
-    if (arm->depth == 0 || arm->touched != GJK_ARM_NO_PAIR) {
+    if ((start == 0 && pair->done == ARM_NEVER) || arm->touched != GJK_ARM_NO_PAIR) {
       test_touch(arm, number, start, false);
     }
     if (pair->done != end) {
