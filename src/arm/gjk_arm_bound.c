@@ -75,8 +75,10 @@ static void bound_motion(const gjk_arm *arm, unsigned frame, unsigned link, int3
     pass_joint(arm, i, distance, &speed, &out->bend);
     distance += arm->memory.links[i].joint.reach + (uint64_t)arm->memory.links[i].extent;
   }
-  for (uint32_t way = other & ~mine; way != 0; way &= way - 1) {  // on to S's link, against the order of the joints
-    const unsigned i = 31 - gjk_clz32(way & (0 - way));
+  for (uint32_t way = other & ~mine; way != 0;) {  // on to S's link, against the order of the joints
+    const uint32_t lowest = way & (~way + 1);
+    const unsigned i = 31 - gjk_clz32(lowest);
+    way &= ~lowest;
     distance += arm->memory.links[i].joint.reach + (uint64_t)arm->memory.links[i].extent;
     pass_joint(arm, i, distance, &speed, &out->bend);
   }

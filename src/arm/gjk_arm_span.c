@@ -152,31 +152,33 @@ static gjk_vec3 support_of_other(const gjk_arm_view *view, const gjk_unit3 *n) {
   return support.offset;
 }
 
-// The gap at one end, Q30, less what the convex radii and S take; the point of P from S's centre if wanted.
+// The gap at one end, Q30, less what the convex radii and S take. *local: the point of P, in its link's frame.
 //   |origin| < sqrt(3) 2^30, |point| <= 2^27, times 2^30:  below 2^61.3
-static int64_t height_of_part(const gjk_arm_view *view, unsigned end, const gjk_unit3 *n, gjk_vec3 *point) {
+static int64_t height_of_part(const gjk_arm_view *view, unsigned end, const gjk_unit3 *n, gjk_vec3 *local) {
   const gjk_vec3 direction = {n->x, n->y, n->z};
   const gjk_vec3 toward = gjk_negate(gjk_rotate_back(view->rows[end], &direction));
-  const gjk_vec3 local = support_of_part(view->part, &toward);
-  if (point != NULL) {
-    *point = gjk_add(gjk_rotate(view->rows[end], &local), view->origin[end]);
-  }
-  return gjk_along(n, &view->origin[end]) - gjk_dot(&toward, &local);
+  *local = support_of_part(view->part, &toward);
+  return gjk_along(n, &view->origin[end]) - gjk_dot(&toward, local);
 }
 
-// Step 3. *w: the lower difference.
+// Step 3. *w: the lower difference, if it is wanted.
 static int64_t arm_lower_end(const gjk_arm_view *view, const gjk_unit3 *n, gjk_vec3 *w) {
   const gjk_vec3 of_other = support_of_other(view, n);
-  gjk_vec3 start, end;
-  gjk_vec3 *const at_start = w != NULL ? &start : NULL, *const at_end = w != NULL ? &end : NULL;
-  const int64_t a = height_of_part(view, 0, n, at_start);
-  const bool moves = view->frame[0] != view->frame[1];
-  const int64_t b = moves ? height_of_part(view, 1, n, at_end) : a;
-  if (w != NULL) {
-    *w = gjk_sub(a <= b ? start : end, of_other);
+  gjk_vec3 local, at_end;
+  unsigned end = 0;
+  int64_t height = height_of_part(view, 0, n, &local);
+  if (view->frame[0] != view->frame[1]) {
+    const int64_t there = height_of_part(view, 1, n, &at_end);
+    if (there < height) {
+      height = there;
+      local = at_end;
+      end = 1;
+    }
   }
-  // radii below 2^29
-  return (a <= b ? a : b) - gjk_along(n, &of_other) - gjk_shl64(radii_of(view), 30);
+  if (w != NULL) {
+    *w = gjk_sub(gjk_add(gjk_rotate(view->rows[end], &local), view->origin[end]), of_other);
+  }
+  return height - gjk_along(n, &of_other) - gjk_shl64(radii_of(view), 30);  // radii below 2^29
 }
 
 // Is the view not far, or the direction along its axis?
