@@ -74,18 +74,21 @@ typedef struct gjk_arm_model {
   uint16_t part_count;        // 0 to GJK_ARM_PARTS_MAX
 } gjk_arm_model;
 
+// A link's frame in the world: the library's.
+typedef struct gjk_arm_frame {
+  int64_t origin[3];  // Q30 of an LSB
+  gjk_quat rotation;  // Q2.30
+  gjk_vec3 rows[3];   // its matrix
+  gjk_vec3 at;        // origin to the nearest LSB
+} gjk_arm_frame;
+
 // Room for a link in RAM: the library's.
 typedef struct gjk_arm_link_room {
-  gjk_joint joint;  // the axis of a prismatic one is in quarter
-  uint32_t above;   // links from the base to this one, itself included, as bits
-  uint32_t change;  // how far the joint moves on the edge, LSB of its value
-  uint32_t extent;  // of a prismatic joint: its largest value on the edge, LSB
-  struct {
-    int64_t origin[3];  // Q30 of an LSB
-    gjk_quat rotation;  // Q2.30
-    gjk_vec3 rows[3];   // its matrix
-    gjk_vec3 at;        // origin to the nearest LSB
-  } frame[2];           // at both ends of a span
+  gjk_joint joint;         // the axis of a prismatic one is in quarter
+  uint32_t above;          // links from the base to this one, itself included, as bits
+  uint32_t change;         // how far the joint moves on the edge, LSB of its value
+  uint32_t extent;         // of a prismatic joint: its largest value on the edge, LSB
+  gjk_arm_frame frame[2];  // at both ends of a span
 } gjk_arm_link_room;
 
 // Room for a part in RAM: the library's.
@@ -101,13 +104,13 @@ typedef struct gjk_arm_part_room {
 
 // Room for a pair in RAM: the library's.
 typedef struct gjk_arm_pair {
-  uint64_t bend;        // bound of the second derivative on the edge, LSB
-  int32_t slack;        // all roundings, LSB
-  gjk_unit3 direction;  // that last parted the pair
-  uint32_t done;        // where it was last tested for a touch; of a check, up to where it is proven apart
-  uint16_t part, other;
-  uint8_t frame;  // the link whose parts other is one of; GJK_ARM_BASE: other is an obstacle
-  uint8_t level;  // the depth of the span on which it is proven apart
+  uint64_t bend;         // bound of the second derivative on the edge, LSB
+  int32_t slack;         // all roundings, LSB
+  gjk_unit3 direction;   // that last parted the pair
+  uint32_t done;         // where it was last tested for a touch; of a check, up to where it is proven apart
+  uint16_t part, other;  // their numbers
+  uint8_t frame;         // the link whose parts other is one of; GJK_ARM_BASE: other is an obstacle
+  uint8_t level;         // the depth of the span on which it is proven apart
 } gjk_arm_pair;
 
 // The caller's memory, all of which must stay as long as the arm.
@@ -123,14 +126,13 @@ typedef struct gjk_arm_memory {
 
 // How exactly an edge is wanted. Lengths Q16.16.
 typedef struct gjk_arm_setup {
-  gjk_q16 margin;     // the gap that must be kept: 0 to GJK_ARM_MARGIN_MAX
-  gjk_q16 tolerance;  // a gap above margin by no more than this may count as a touch: from GJK_ARM_TOLERANCE_MIN
-  gjk_q30
-      resolution;  // the search for the first touch ends when lower and upper are so near; GJK_Q30_ONE: at any touch
+  gjk_q16 margin;      // the gap that must be kept: 0 to GJK_ARM_MARGIN_MAX
+  gjk_q16 tolerance;   // a gap above margin by no more than this may be a touch: from GJK_ARM_TOLERANCE_MIN
+  gjk_q30 resolution;  // how near lower and upper of a touch shall be; GJK_Q30_ONE: any touch will do
 } gjk_arm_setup;
 
-// The largest margin, 1024 units, and the least tolerance, 48 LSB. It is enough for paths of joints up to 128 units long
-// with up to 16 joints; beyond that an edge that grazes may stay UNSETTLED.
+// The largest margin, 1024 units, and the least tolerance, 48 LSB. It is enough for parts that move by up to 128 units on
+// an edge, and reach as far from the base; beyond that an edge that grazes may stay UNSETTLED.
 #define GJK_ARM_MARGIN_MAX ((gjk_q16)67108864)
 #define GJK_ARM_TOLERANCE_MIN ((gjk_q16)48)
 
@@ -144,6 +146,7 @@ typedef struct gjk_arm_names {
   bool obstacle;   // other is an obstacle
 } gjk_arm_names;
 
+// What is known of an edge.
 typedef enum gjk_arm_answer {
   GJK_ARM_UNSETTLED = 0,  // before lower nothing comes within the margin; the rest is open
   GJK_ARM_FREE,           // on the whole edge nothing does
@@ -152,22 +155,21 @@ typedef enum gjk_arm_answer {
 
 // Lengths Q16.16, fractions of the edge Q2.30.
 typedef struct gjk_arm_edge_result {
-  gjk_arm_answer answer;
-  gjk_q30 lower;  // before it all pairs are proven farther apart than the margin; FREE: GJK_Q30_ONE, included
-  gjk_q30 upper;  // TOUCH: where names come within margin and tolerance; else GJK_Q30_ONE
-  gjk_q16 gap;    // FREE: proven not to be undercut by any pair; at least the margin, at most GJK_ARM_GAP_MAX. Not the
-                  // largest such bound
+  gjk_arm_answer answer;  // as above
+  gjk_q30 lower;          // before it all pairs are proven farther apart than the margin; FREE: GJK_Q30_ONE, included
+  gjk_q30 upper;          // TOUCH: where the pair comes within margin and tolerance; else GJK_Q30_ONE
+  gjk_q16 gap;         // FREE: no pair undercuts it, proven; from margin to GJK_ARM_GAP_MAX. Not the largest such bound
   gjk_arm_names pair;  // TOUCH: which pair comes near at upper
   uint32_t tests;      // of a pair on a span, so far
   bool outside;        // a value of from or to is outside its limits
 } gjk_arm_edge_result;
 
 // One step of a certificate: on the span from one fraction to another a pair is apart, as both ends show along a direction.
+// It leads from the other thing to the part, in the frame of the other part's link, or of an obstacle in the world.
 typedef struct gjk_arm_proof {
-  gjk_q30 from, to;  // a dyadic span: its length is a power of 2, and from a multiple of it
-  gjk_unit3
-      direction;  // from the other thing to the part; in the frame of the other part's link, of an obstacle the world
-  uint32_t pair;  // its number
+  gjk_q30 from, to;     // a dyadic span: its length is a power of 2, and from a multiple of it
+  gjk_unit3 direction;  // as above
+  uint32_t pair;        // its number
 } gjk_arm_proof;
 
 // Takes a proof: of one pair in the order of time, without gaps.
@@ -175,25 +177,27 @@ typedef void gjk_arm_proof_function(void *user, const gjk_arm_proof *proof);
 
 // An arm in RAM. gjk_arm_init fills it; its contents are the library's.
 typedef struct gjk_arm {
-  const gjk_arm_model *model;
-  gjk_arm_memory memory;
-  const gjk_collider *obstacles;
-  gjk_pose base;
+  const gjk_arm_model *model;       // the caller's
+  const gjk_collider *obstacles;    // the caller's
+  const int32_t *from, *to;         // the caller's
+  gjk_arm_proof_function *proof;    // the caller's, or NULL
+  void *user;                       // what it is given
+  gjk_arm_memory memory;            // the caller's
+  gjk_pose base;                    // where the machine stands
+  gjk_arm_setup setup;              // of the edge
+  int64_t gap;                      // the least proven so far
   uint32_t pair_count, self_count;  // pairs, and those of two parts, which come first
-  uint16_t obstacle_count;
-  uint8_t value_count;  // joints that move
-  const int32_t *from, *to;
-  gjk_arm_setup setup;
-  gjk_arm_proof_function *proof;
-  void *user;
-  uint32_t next;                   // the pair to be tested next
-  uint32_t place, upper, touched;  // the span's number at its depth; where a touch is known, of GJK_ARM_STEPS; whose
-  uint32_t tests;
-  int64_t gap;
-  uint8_t depth, state;
-  uint8_t first;  // which of a link's frames is the span's start
-  bool open;      // a pair of the span is open
-  bool outside;
+  uint32_t next;                    // the pair to be tested next
+  uint32_t place;                   // the span's number at its depth
+  uint32_t upper, touched;          // where a touch is known, in steps of the edge; whose
+  uint32_t tests;                   // so far
+  uint16_t obstacle_count;          // how many there are
+  uint16_t state;                   // tells an arm that was set up from other memory, and how far an edge is
+  uint8_t value_count;              // joints that move
+  uint8_t depth;                    // of the span
+  uint8_t first;                    // which of a link's frames is the span's start
+  bool open;                        // a pair of the span is open
+  bool outside;                     // a value is outside its limits
 } gjk_arm;
 
 // Sets up an arm without obstacles.

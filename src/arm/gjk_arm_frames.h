@@ -12,10 +12,10 @@
 #define GJK_ARM_STEP_Q30 (GJK_Q30_ONE >> GJK_ARM_DEPTH_MAX)
 
 // States of an arm. Other values are those of memory that was never initialised.
-#define GJK_ARM_READY 0xA5
-#define GJK_ARM_RUNNING 0xA6
-#define GJK_ARM_SETTLED 0xA7
-#define GJK_ARM_STUCK 0xA8
+#define GJK_ARM_READY UINT16_C(0x6765)
+#define GJK_ARM_RUNNING UINT16_C(0x6766)
+#define GJK_ARM_SETTLED UINT16_C(0x6767)
+#define GJK_ARM_STUCK UINT16_C(0x6768)
 
 // No pair.
 #define GJK_ARM_NO_PAIR UINT32_MAX
