@@ -2,6 +2,7 @@
 // speed. Also: certificates, slices, reversed and split edges, ends.
 #include "gjk/arm.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "arm/arm_truth.h"
@@ -28,6 +29,8 @@ static void take(void *user, const gjk_arm_proof *proof) {
   }
   t->count++;
 }
+
+static double least_spare = 1e300;
 
 static const gjk_arm_setup exact = {0, GJK_ARM_TOLERANCE_MIN, 0};
 
@@ -69,6 +72,68 @@ static void check_answer(const int32_t *from, const int32_t *to, const gjk_arm_s
   }
   if (near == ARM_TRUTH_TOUCH) {
     CHECK(result->answer == GJK_ARM_TOUCH);
+  }
+}
+
+// How far vertices in a frame reach along a direction of the world. side: 1 farthest, -1 least far.
+static double extent_of(const arm_truth_frame *frame, const gjk_vec3 *vertices, unsigned count, const double n[3],
+                        int side) {
+  double most = -1e300;
+  for (unsigned i = 0; i < count; i++) {
+    const double local[3] = {vertices[i].x, vertices[i].y, vertices[i].z};
+    double v[3];
+    arm_truth_turn(frame->q, local, v);
+    const double along =
+        side * (n[0] * (v[0] + frame->p[0]) + n[1] * (v[1] + frame->p[1]) + n[2] * (v[2] + frame->p[2]));
+    most = along > most ? along : most;
+  }
+  return side * most;
+}
+
+// The farthest that an obstacle reaches along a direction: its posed integers, in real arithmetic.
+static double obstacle_extent(const gjk_collider *c, const double n[3]) {
+  const double centre = n[0] * c->centre.x + n[1] * c->centre.y + n[2] * c->centre.z;
+  double most = 0;
+  if (c->buffer != NULL) {
+    most = -1e300;
+    for (unsigned i = 0; i < c->count; i++) {
+      const double along = n[0] * c->buffer[i].x + n[1] * c->buffer[i].y + n[2] * c->buffer[i].z;
+      most = along > most ? along : most;
+    }
+  }
+  for (unsigned i = 0; c->buffer == NULL && i < c->count; i++) {
+    const gjk_vec3 *axis = &c->frame[i];
+    const double along = n[0] * axis->x + n[1] * axis->y + n[2] * axis->z;
+    most += along < 0 ? -along : along;
+  }
+  return centre + most + c->shape->convex_radius;
+}
+
+// Proofs hold for the motion in real numbers, without any allowance: at any fraction of its span the pair is farther apart
+// than the margin along the direction that the proof names, and the gap of a FREE answer is not undercut.
+static void check_proofs(random_state *random, const int32_t *from, const int32_t *to, const gjk_arm_setup *setup,
+                         const gjk_arm_edge_result *result) {
+  for (unsigned i = 0; i < 60 && whole.count > 0; i++) {
+    const gjk_arm_proof *p = &whole.proof[random_below(random, whole.count)];
+    const gjk_arm_pair *pair = &machine.pairs[p->pair];
+    const double share = random_below(random, 5) == 0 ? random_below(random, 2) : random_below(random, 1000) / 1000.0;
+    arm_truth_frame frames[GJK_ARM_LINKS_MAX];
+    arm_truth_frames(&machine.arm, from, to, (p->from + share * (p->to - p->from)) / GJK_Q30_ONE, frames);
+    const double x = p->direction.x, y = p->direction.y, z = p->direction.z, length = sqrt(x * x + y * y + z * z);
+    const double local[3] = {x / length, y / length, z / length};
+    double n[3] = {local[0], local[1], local[2]}, other;
+    if (pair->frame == GJK_ARM_BASE) {
+      other = obstacle_extent(&machine.obstacles[pair->other], n);
+    } else {
+      const unsigned link = machine.parts[pair->other].link;
+      arm_truth_turn(frames[pair->frame].q, local, n);
+      other = extent_of(&frames[link], machine.points[pair->other], SEVEN_POINTS, n, 1);
+    }
+    const unsigned link = machine.parts[pair->part].link;
+    const double gap = extent_of(&frames[link], machine.points[pair->part], SEVEN_POINTS, n, -1) - other;
+    CHECK_MSG(gap > setup->margin, "%g above the margin", gap - setup->margin);
+    CHECK(result->answer != GJK_ARM_FREE || gap > result->gap - 1e-3);
+    least_spare = gap - setup->margin < least_spare ? gap - setup->margin : least_spare;
   }
 }
 
@@ -236,11 +301,12 @@ static void check_random(uint64_t seed) {
     touch += result.answer == GJK_ARM_TOUCH;
     self += result.answer == GJK_ARM_TOUCH && !result.pair.obstacle;
     check_answer(from, to, &setup, &result);
+    check_proofs(&random, from, to, &setup, &result);
     check_slices(&random, from, to, &setup, &result);
     check_forged(&random, from, to, &setup, &result);
     check_relatives(from, to, &setup, &result);
   }
-  printf("%u free, %u touch, %u of them by themselves\n", free, touch, self);
+  printf("%u free, %u touch, %u of them by themselves; proofs by %.3g LSB and more\n", free, touch, self, least_spare);
   CHECK(edges < 50 || (free > edges / 6 && touch > edges / 6 && self > 0));
 }
 

@@ -5,11 +5,6 @@
 
 #include "gjk/distance.h"
 
-typedef struct real_pose {
-  double q[4];  // x, y, z, w
-  double p[3];  // LSB
-} real_pose;
-
 static void multiply(const double a[4], const double b[4], double out[4]) {
   const double r[4] = {
       a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1], a[3] * b[1] + a[1] * b[3] + a[2] * b[0] - a[0] * b[2],
@@ -19,7 +14,7 @@ static void multiply(const double a[4], const double b[4], double out[4]) {
   }
 }
 
-static void turn(const double q[4], const double v[3], double out[3]) {
+void arm_truth_turn(const double q[4], const double v[3], double out[3]) {
   const double point[4] = {v[0], v[1], v[2], 0}, back[4] = {-q[0], -q[1], -q[2], q[3]};
   double r[4];
   multiply(q, point, r);
@@ -29,18 +24,18 @@ static void turn(const double q[4], const double v[3], double out[3]) {
   }
 }
 
-static real_pose real_of(const gjk_pose *pose) {
+static arm_truth_frame real_of(const gjk_pose *pose) {
   const gjk_quat *q = &pose->rotation;
   const double n = sqrt((double)q->x * q->x + (double)q->y * q->y + (double)q->z * q->z + (double)q->w * q->w);
-  const real_pose r = {{q->x / n, q->y / n, q->z / n, q->w / n},
-                       {pose->position.x, pose->position.y, pose->position.z}};
+  const arm_truth_frame r = {{q->x / n, q->y / n, q->z / n, q->w / n},
+                             {pose->position.x, pose->position.y, pose->position.z}};
   return r;
 }
 
 // First b, then a.
-static real_pose composed(const real_pose *a, const real_pose *b) {
-  real_pose r;
-  turn(a->q, b->p, r.p);
+static arm_truth_frame composed(const arm_truth_frame *a, const arm_truth_frame *b) {
+  arm_truth_frame r;
+  arm_truth_turn(a->q, b->p, r.p);
   for (unsigned i = 0; i < 3; i++) {
     r.p[i] += a->p[i];
   }
@@ -48,16 +43,16 @@ static real_pose composed(const real_pose *a, const real_pose *b) {
   return r;
 }
 
-static void pose_links(const gjk_arm *arm, const int32_t *from, const int32_t *to, double fraction,
-                       real_pose out[GJK_ARM_LINKS_MAX]) {
-  const real_pose base = real_of(&arm->base);
+void arm_truth_frames(const gjk_arm *arm, const int32_t *from, const int32_t *to, double fraction,
+                      arm_truth_frame out[GJK_ARM_LINKS_MAX]) {
+  const arm_truth_frame base = real_of(&arm->base);
   unsigned value = 0;
   for (unsigned i = 0; i < arm->model->link_count; i++) {
     const gjk_arm_link *link = &arm->model->links[i];
-    const real_pose fixed = real_of(&link->fixed);
+    const arm_truth_frame fixed = real_of(&link->fixed);
     const double axis[3] = {link->axis.x, link->axis.y, link->axis.z};
     const double n = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    real_pose own = {{0, 0, 0, 1}, {0, 0, 0}};
+    arm_truth_frame own = {{0, 0, 0, 1}, {0, 0, 0}};
     if (link->kind != GJK_ARM_FIXED) {
       const double v = from[value] + ((double)to[value] - from[value]) * fraction, half = v / 131072;
       for (unsigned k = 0; k < 3; k++) {
@@ -72,7 +67,7 @@ static void pose_links(const gjk_arm *arm, const int32_t *from, const int32_t *t
   }
 }
 
-static gjk_pose rounded(const real_pose *r) {
+static gjk_pose rounded(const arm_truth_frame *r) {
   const gjk_pose pose = {{(gjk_q16)lround(r->p[0]), (gjk_q16)lround(r->p[1]), (gjk_q16)lround(r->p[2])},
                          {(gjk_q30)lround(r->q[0] * 1073741824), (gjk_q30)lround(r->q[1] * 1073741824),
                           (gjk_q30)lround(r->q[2] * 1073741824), (gjk_q30)lround(r->q[3] * 1073741824)}};
@@ -81,20 +76,20 @@ static gjk_pose rounded(const real_pose *r) {
 
 void arm_truth_pose(const gjk_arm *arm, const int32_t *from, const int32_t *to, double fraction, unsigned link,
                     gjk_pose *out) {
-  real_pose poses[GJK_ARM_LINKS_MAX];
-  pose_links(arm, from, to, fraction, poses);
+  arm_truth_frame poses[GJK_ARM_LINKS_MAX];
+  arm_truth_frames(arm, from, to, fraction, poses);
   *out = rounded(&poses[link]);
 }
 
-static bool place(const gjk_arm *arm, const real_pose *poses, unsigned number, gjk_collider *out) {
+static bool place(const gjk_arm *arm, const arm_truth_frame *poses, unsigned number, gjk_collider *out) {
   const gjk_arm_part *part = &arm->model->parts[number];
-  const real_pose own = real_of(&part->pose), r = composed(&poses[part->link], &own);
+  const arm_truth_frame own = real_of(&part->pose), r = composed(&poses[part->link], &own);
   const gjk_pose pose = rounded(&r);
   *out = (gjk_collider){0};
   return gjk_collider_init(out, part->shape, NULL, 0) == GJK_OK && gjk_collider_pose(out, &pose) == GJK_OK;
 }
 
-static double gap_of(const gjk_arm *arm, const real_pose *poses, const gjk_arm_names *names, double most) {
+static double gap_of(const gjk_arm *arm, const arm_truth_frame *poses, const gjk_arm_names *names, double most) {
   gjk_collider part, other_part;
   const gjk_collider *other = &other_part;
   gjk_distance_result result;
@@ -116,8 +111,8 @@ static double gap_of(const gjk_arm *arm, const real_pose *poses, const gjk_arm_n
 
 double arm_truth_pair(const gjk_arm *arm, const int32_t *from, const int32_t *to, double fraction,
                       const gjk_arm_names *names) {
-  real_pose poses[GJK_ARM_LINKS_MAX];
-  pose_links(arm, from, to, fraction, poses);
+  arm_truth_frame poses[GJK_ARM_LINKS_MAX];
+  arm_truth_frames(arm, from, to, fraction, poses);
   return gap_of(arm, poses, names, 1e30);
 }
 
@@ -148,10 +143,10 @@ static bool tested(const gjk_arm *arm, unsigned a, unsigned b) {
 }
 
 double arm_truth_gap(const gjk_arm *arm, const int32_t *from, const int32_t *to, double fraction, double most) {
-  real_pose poses[GJK_ARM_LINKS_MAX];
+  arm_truth_frame poses[GJK_ARM_LINKS_MAX];
   const gjk_arm_model *m = arm->model;
   double least = most;
-  pose_links(arm, from, to, fraction, poses);
+  arm_truth_frames(arm, from, to, fraction, poses);
   for (unsigned i = 0; i < m->part_count; i++) {
     for (unsigned k = 0; k < arm->obstacle_count; k++) {
       const gjk_arm_names names = {(uint16_t)i, (uint16_t)k, true};

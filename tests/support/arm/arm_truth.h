@@ -26,6 +26,17 @@ double arm_truth_pair(const gjk_arm *arm, const int32_t *from, const int32_t *to
 arm_truth arm_truth_edge(const gjk_arm *arm, const int32_t *from, const int32_t *to, double start, double end,
                          double least, unsigned *samples);
 
+// A pose in double.
+typedef struct arm_truth_frame {
+  double q[4];  // x, y, z, w
+  double p[3];  // LSB
+} arm_truth_frame;
+
+// The frames of all links, by real arithmetic; and a vector turned by one.
+void arm_truth_frames(const gjk_arm *arm, const int32_t *from, const int32_t *to, double fraction,
+                      arm_truth_frame out[GJK_ARM_LINKS_MAX]);
+void arm_truth_turn(const double q[4], const double v[3], double out[3]);
+
 // The pose of a link, by real arithmetic, rounded.
 void arm_truth_pose(const gjk_arm *arm, const int32_t *from, const int32_t *to, double fraction, unsigned link,
                     gjk_pose *out);
