@@ -310,7 +310,15 @@ static void check_random(uint64_t seed) {
   CHECK(edges < 50 || (free > edges / 6 && touch > edges / 6 && self > 0));
 }
 
+// The same bits as on every other machine.
+static void check_bits(void) {
+  uint64_t hash;
+  CHECK(seven_hash(&machine, &hash));
+  CHECK_MSG(hash == SEVEN_HASH, "0x%llX", (unsigned long long)hash);
+}
+
 int main(void) {
+  check_bits();
   check_random(check_seed(3101));
   return check_done("arm");
 }

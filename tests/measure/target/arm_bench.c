@@ -19,6 +19,11 @@ bool arm_bench_make(void) {
   return seven_make(&machine, &base);
 }
 
+bool arm_bench_same_bits(void) {
+  uint64_t hash;
+  return seven_hash(&machine, &hash) && hash == SEVEN_HASH;
+}
+
 bool arm_bench_choose(unsigned number) {
   bool near = true, made = number % 4 != 0 || seven_surround(&machine, &numbers, 10 + random_below(&numbers, 11));
   for (unsigned tries = 0; made && near && tries < 200; tries++) {

@@ -9,6 +9,9 @@
 // False: a call failed.
 bool arm_bench_make(void);
 
+// Are the answers to some edges the same bits as on the host?
+bool arm_bench_same_bits(void);
+
 // Chooses edge number: it begins free. False: a call failed.
 bool arm_bench_choose(unsigned number);
 

@@ -48,6 +48,10 @@ static bool run(int task, gjk_arm_edge_result *result, tally *into) {
 
 int firmware_main(void) {
   static tally planner[3], first[3], still[2], certified, checked;
+  if (!arm_bench_same_bits()) {
+    board_print("other bits than on the host\n");
+    return 1;
+  }
   calibration = count_calibrate();
   if (calibration == 0 || !arm_bench_make()) {
     board_print("the counter does not count instructions, or there is no arm\n");

@@ -3,6 +3,8 @@
 
 #include "gjk/number.h"
 
+#include "fnv.h"
+
 // A link of the arm: where its joint is, in the link before, and the capsule-like body on it, in thousandths of a unit.
 typedef struct seven_link {
   int16_t x, y, z;    // the joint's place
@@ -140,4 +142,68 @@ void seven_beside(random_state *random, const int32_t from[SEVEN_JOINTS], int32_
   for (unsigned i = 0; i < SEVEN_JOINTS; i++) {
     to[i] = from[i] + (int32_t)((int64_t)d[i] * far / (int32_t)length);
   }
+}
+
+// What goes into the hash.
+static void add_number(uint64_t *hash, int64_t number) {
+  *hash = fnv_word(fnv_word(*hash, (uint32_t)((uint64_t)number & UINT32_MAX)), (uint32_t)((uint64_t)number >> 32));
+}
+
+static void take_proof(void *user, const gjk_arm_proof *proof) {
+  uint64_t *hash = user;
+  add_number(hash, proof->from);
+  add_number(hash, proof->to);
+  add_number(hash, proof->direction.x);
+  add_number(hash, proof->direction.y);
+  add_number(hash, proof->direction.z);
+  add_number(hash, proof->pair);
+}
+
+static bool hash_edge(seven *s, const int32_t *from, const int32_t *to, const gjk_arm_setup *setup, uint64_t *hash) {
+  gjk_arm_edge_result result;
+  if (gjk_arm_edge_start(&s->arm, from, to, setup, take_proof, hash) != GJK_OK ||
+      gjk_arm_edge_run(&s->arm, 1000000, &result) != GJK_OK) {
+    return false;
+  }
+  add_number(hash, result.answer);
+  add_number(hash, result.lower);
+  add_number(hash, result.upper);
+  add_number(hash, result.tests);
+  add_number(hash, result.answer == GJK_ARM_FREE ? result.gap : result.pair.part * 65536 + result.pair.other);
+  return true;
+}
+
+static bool hash_still(seven *s, const int32_t *values, uint64_t *hash) {
+  gjk_arm_distance_result nearest;
+  gjk_q16 gradient[SEVEN_JOINTS];
+  if (gjk_arm_distance(&s->arm, values, GJK_DISTANCE_MAX, &nearest) != GJK_OK) {
+    return false;
+  }
+  add_number(hash, nearest.distance.distance);
+  add_number(hash, nearest.pair.part * 65536 + nearest.pair.other);
+  if (!nearest.distance.intersecting) {
+    if (gjk_arm_gradient(&s->arm, values, &nearest, gradient) != GJK_OK) {
+      return false;
+    }
+    for (unsigned i = 0; i < SEVEN_JOINTS; i++) {
+      add_number(hash, gradient[i]);
+    }
+  }
+  return true;
+}
+
+bool seven_hash(seven *s, uint64_t *hash) {
+  const gjk_pose base = {{GJK_Q16(100.0), GJK_Q16(-3.0), 77}, {0, 0, 0, GJK_Q30_ONE}};
+  const gjk_arm_setup setup = {500, 100, 1 << 20};
+  random_state random = random_seed(77);
+  bool done = seven_make(s, &base);
+  *hash = FNV_START;
+  for (unsigned i = 0; done && i < 24; i++) {
+    int32_t from[SEVEN_JOINTS], to[SEVEN_JOINTS];
+    seven_any(&random, from);
+    seven_beside(&random, from, 98304, to);
+    done = (i % 4 != 0 || seven_surround(s, &random, 12)) && hash_edge(s, from, to, &setup, hash) &&
+           hash_still(s, from, hash);
+  }
+  return done;
 }

@@ -41,4 +41,8 @@ bool seven_surround(seven *s, random_state *random, unsigned count);
 void seven_any(random_state *random, int32_t values[SEVEN_JOINTS]);
 void seven_beside(random_state *random, const int32_t from[SEVEN_JOINTS], int32_t far, int32_t to[SEVEN_JOINTS]);
 
+// A hash of the answers to some edges, their certificates, distances and gradients: the same on every machine.
+#define SEVEN_HASH UINT64_C(0x798F37E6D4E8047F)
+bool seven_hash(seven *s, uint64_t *hash);
+
 #endif
