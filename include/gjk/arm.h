@@ -211,7 +211,8 @@ gjk_status gjk_arm_init(gjk_arm *arm, const gjk_arm_model *model, const gjk_pose
 
 // Sets what the arm must not hit. An edge or check that runs is given up.
 //
-// obstacles  posed colliders; must stay as they are as long as the arm is asked. NULL where count is 0.
+// obstacles  posed colliders; must stay as they are as long as the arm is asked. NULL where count is 0. Those of a body of
+//            many parts are made by gjk_parts_place.
 // Statuses   NULL, UNINITIALISED (an arm or an obstacle), CAPACITY (pairs). The arm's obstacles are then as they were.
 gjk_status gjk_arm_obstacles(gjk_arm *arm, const gjk_collider *obstacles, uint16_t count);
 
@@ -287,9 +288,10 @@ typedef struct gjk_arm_distance_result {
 //           counts. An edge that runs is given up.
 gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, gjk_arm_distance_result *out);
 
-// Is any tested pair at most distance apart? pair: the first such; may be NULL. Statuses as of gjk_arm_distance without
-// EMPTY; ITERATION_LIMIT: no pair is found near, and a curved one is open: *near is then true, and pair names it.
-gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, bool *near, gjk_arm_names *pair);
+// Is any tested pair at most distance apart? *yes: whether one is; pair: the first such, may be NULL. Statuses as of
+// gjk_arm_distance without EMPTY; ITERATION_LIMIT: no pair is found near, and a curved one is open: *yes is then true, and
+// pair names it.
+gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, bool *yes, gjk_arm_names *pair);
 
 // How the distance of a result of gjk_arm_distance changes with each joint: in LSB per LSB of the joint's value, Q16.16.
 //

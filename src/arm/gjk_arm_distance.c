@@ -81,12 +81,12 @@ gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, g
   return best;
 }
 
-gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, bool *near, gjk_arm_names *pair) {
-  gjk_status status = distance < 0 ? GJK_ERROR_NEGATIVE : start_still(arm, values, near);
+gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, bool *yes, gjk_arm_names *pair) {
+  gjk_status status = distance < 0 ? GJK_ERROR_NEGATIVE : start_still(arm, values, yes);
   if (status != GJK_OK) {
     return status;
   }
-  *near = false;
+  *yes = false;
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     const gjk_arm_pair *of = &arm->memory.pairs[i];
     gjk_collider part, other;
@@ -96,7 +96,7 @@ gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, b
     }
     const gjk_status of_pair = gjk_within(gjk_arm_place(arm, of, 0, &part, &other), &part, distance, NULL, &decision);
     if (of_pair == GJK_OK && decision.yes) {
-      *near = true;
+      *yes = true;
       if (pair != NULL) {
         gjk_arm_name(of, pair);
       }
@@ -109,7 +109,7 @@ gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, b
       }
     }
   }
-  *near = status != GJK_OK;
+  *yes = status != GJK_OK;
   return status;
 }
 
