@@ -5,7 +5,8 @@
 //   2. Each pair that is open is searched (gjk_arm_span.c). Apart by more than margin, bend and slack: it is proven on
 //      the whole span, and stays so on the spans inside.
 //   3. A pair that is close is tested at the span's right end: exactly, by gjk_within. Within margin and tolerance is a
-//      touch. At the left end it is tested where the edge begins, and where a touch is known, which ends the search for
+//      touch. Where any touch will do, pairs at the ends of long spans are looked at even if the span is not close. At the
+//      left end a pair is tested where the edge begins, and where a touch is known, which ends the search for
 //      an earlier one. Spans beyond the first known touch are not looked at.
 //   4. A span with an open pair is halved: on with its left half. Else on with the next span to the right.
 //   5. A touch is known, and lower is near enough, or the next span begins there: the answer. At the right end: FREE.
@@ -20,6 +21,9 @@
 // The level of a pair that is open; where a pair was tested for a touch that never was.
 #define ARM_OPEN 255
 #define ARM_NEVER UINT32_MAX
+
+// Where any touch will do, ends of spans are looked at down to this depth: on random edges each costs less than it saves.
+#define ARM_PROBED 2
 
 static gjk_status arm_check_setup(const gjk_arm_setup *setup) {
   if (setup->margin < 0) {
@@ -142,6 +146,17 @@ static void prove(gjk_arm *arm, uint32_t number, int64_t gap, const gjk_unit3 *d
   }
 }
 
+// Where any touch will do, the ends of long spans are looked at even if the span is not close: edges that touch mostly do so
+// there. Is a pair perhaps within near at the end of the span?
+static bool may_touch_at_end(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t near) {
+  const gjk_arm_search search = {near + pair->slack, near + pair->slack};
+  gjk_arm_view view;
+  gjk_unit3 kept = {0, 0, 0}, direction;
+  int64_t gap;
+  gjk_arm_look(arm, pair, arm->first ^ 1u, arm->first ^ 1u, &view);
+  return gjk_arm_separate(&view, &search, &kept, &direction, &gap) == GJK_ARM_CLOSE;
+}
+
 // Steps 2 and 3 for a pair that is open.
 static void test_pair(gjk_arm *arm, uint32_t number) {
   gjk_arm_pair *pair = &arm->memory.pairs[number];
@@ -168,6 +183,10 @@ static void test_pair(gjk_arm *arm, uint32_t number) {
     return;
   }
   arm->open = true;
+  if (found == GJK_ARM_OPEN && arm->setup.resolution == GJK_Q30_ONE && arm->depth <= ARM_PROBED && bend >= 0 &&
+      may_touch_at_end(arm, pair, near)) {
+    found = GJK_ARM_CLOSE;
+  }
   if (found == GJK_ARM_CLOSE || bend < 0) {
     if ((start == 0 && pair->done == ARM_NEVER) || arm->touched != GJK_ARM_NO_PAIR) {
       test_touch(arm, number, start, false);
