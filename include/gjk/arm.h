@@ -250,13 +250,13 @@ gjk_status gjk_arm_edge_run(gjk_arm *arm, uint32_t tests, gjk_arm_edge_result *o
 // Are the first edges of a path free?
 //
 // path    count configurations, one after the other.
-// free    how many edges are free before the first that is not, or that is not settled by so many tests.
+// edges   how many are free before the first that is not, or that is not settled by so many tests.
 // out     of that edge; of the last one if all are free.
 // tests   the most tests of an edge.
 // Statuses  as of gjk_arm_edge_start and gjk_arm_edge_run; EMPTY: less than two configurations. ITERATION_LIMIT comes
-//           with free and out.
+//           with edges and out.
 gjk_status gjk_arm_path(gjk_arm *arm, const int32_t *path, unsigned count, const gjk_arm_setup *setup, uint32_t tests,
-                        unsigned *free, gjk_arm_edge_result *out);
+                        unsigned *edges, gjk_arm_edge_result *out);
 
 // Is result an answer about the edge, which the proofs show?
 //

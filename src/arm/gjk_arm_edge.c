@@ -61,8 +61,8 @@ static int32_t half_above(const gjk_vec3 *a, const gjk_vec3 *b) {
   const uint32_t x = gjk_magnitude32(b->x - a->x), y = gjk_magnitude32(b->y - a->y), z = gjk_magnitude32(b->z - a->z);
   const uint32_t low = x < y ? x : y, high = x < y ? y : x, most = z > high ? z : high, rest = z > high ? high : z;
   const uint32_t middle = rest > low ? rest : low, least = rest > low ? low : rest;
-  // sqrt(2) - 1 and sqrt(3) - sqrt(2), in parts of 1024, rounded up; 1024 for the parts that are dropped
-  return (int32_t)((most + 1) / 2 + (middle >> 11) * 425 + (least >> 11) * 326 + 425 + 326 + 1);
+  // sqrt(2) - 1 and sqrt(3) - sqrt(2), in parts of 1024, rounded up
+  return (int32_t)((most + 1) / 2 + (uint32_t)((middle * UINT64_C(425) + least * UINT64_C(326)) >> 11) + 1);
 }
 
 // Sets the links' frames at the span's end, and the chords of the parts' centres.

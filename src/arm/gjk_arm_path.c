@@ -2,8 +2,8 @@
 #include "gjk/arm.h"
 
 gjk_status gjk_arm_path(gjk_arm *arm, const int32_t *path, unsigned count, const gjk_arm_setup *setup, uint32_t tests,
-                        unsigned *free, gjk_arm_edge_result *out) {
-  if (arm == NULL || path == NULL || free == NULL || out == NULL) {
+                        unsigned *edges, gjk_arm_edge_result *out) {
+  if (arm == NULL || path == NULL || edges == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
   if (count < 2) {
@@ -18,7 +18,7 @@ gjk_status gjk_arm_path(gjk_arm *arm, const int32_t *path, unsigned count, const
     if (status != GJK_OK && status != GJK_ERROR_ITERATION_LIMIT) {
       return status;
     }
-    *free = i + (out->answer == GJK_ARM_FREE ? 1u : 0u);
+    *edges = i + (out->answer == GJK_ARM_FREE ? 1u : 0u);
     if (out->answer != GJK_ARM_FREE) {
       return status;
     }
