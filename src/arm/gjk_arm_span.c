@@ -74,6 +74,11 @@ void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned start, 
   }
 }
 
+// May P be looked at along an axis alone?
+static bool is_far(const gjk_arm_view *view) {
+  return (view->axis.x | view->axis.y | view->axis.z) != 0;
+}
+
 // Sets the rest of a view.
 static void look_closely(gjk_arm_view *view) {
   const gjk_arm *arm = view->arm;
@@ -83,7 +88,8 @@ static void look_closely(gjk_arm_view *view) {
     const gjk_vec3 *at = &link->frame[which].at, *centre = &view->other->centre;
     if (view->pair->frame == GJK_ARM_BASE) {
       view->rows[end] = link->frame[which].rows;
-      view->origin[end] = bounded_way(at, centre, &view->axis);
+      // Where the centre is not far, the origin is at most GJK_ARM_REACH_MAX farther: below 2^31.
+      view->origin[end] = is_far(view) ? bounded_way(at, centre, &view->axis) : gjk_sub(*at, *centre);
     } else {
       const gjk_arm_link_room *base = &arm->memory.links[view->pair->frame];
       const gjk_vec3 away = gjk_sub(*at, base->frame[which].at);  // both are within GJK_ARM_REACH_MAX of the base
@@ -153,7 +159,7 @@ static gjk_vec3 support_of_other(const gjk_arm_view *view, const gjk_unit3 *n) {
 }
 
 // The gap at one end, Q30, less what the convex radii and S take. *local: the point of P, in its link's frame.
-//   |origin| < sqrt(3) 2^30, |point| <= 2^27, times 2^30:  below 2^61.3
+//   |origin| < sqrt(3) (2^30 + 2^27), |point| <= 2^27, times 2^30:  below 2^61.2
 static int64_t height_of_part(const gjk_arm_view *view, unsigned end, const gjk_unit3 *n, gjk_vec3 *local) {
   const gjk_vec3 direction = {n->x, n->y, n->z};
   const gjk_vec3 toward = gjk_negate(gjk_rotate_back(view->rows[end], &direction));
@@ -184,7 +190,7 @@ static int64_t arm_lower_end(const gjk_arm_view *view, const gjk_unit3 *n, gjk_v
 // Is the view not far, or the direction along its axis?
 static bool may_look_along(const gjk_arm_view *view, const gjk_unit3 *n) {
   const gjk_vec3 *axis = &view->axis;
-  if ((axis->x | axis->y | axis->z) == 0) {
+  if (!is_far(view)) {
     return true;
   }
   return (axis->x != 0 && n->y == 0 && n->z == 0) || (axis->y != 0 && n->x == 0 && n->z == 0) ||
@@ -292,7 +298,7 @@ gjk_arm_found gjk_arm_separate(gjk_arm_view *view, const gjk_arm_search *search,
   const gjk_vec3 middle = middle_of(view);
   const bool apart = (middle.x | middle.y | middle.z) != 0;
   gjk_unit3 n = {GJK_Q30_ONE, 0, 0};
-  if ((view->axis.x | view->axis.y | view->axis.z) != 0) {
+  if (is_far(view)) {
     look_closely(view);
     n = far_direction(&view->axis);
     *gap = arm_lower_end(view, &n, NULL);

@@ -125,6 +125,36 @@ static void check_ceilings(void) {
   }
 }
 
+static gjk_arm_proof proof[64];
+static uint32_t proof_count;
+
+static void take(void *user, const gjk_arm_proof *taken) {
+  (void)user;
+  CHECK(proof_count < 64);
+  proof[proof_count++] = *taken;
+}
+
+// Obstacles so far away that differences leave 2^30, some ends or centres of them and some not: free, and proven.
+static void check_far(void) {
+  const int32_t from = 0, to = GJK_ANGLE(3.0);
+  gjk_arm_edge_result result;
+  make_single(&long_rod);
+  for (int side = -1; side <= 1; side += 2) {
+    const gjk_pose base = {{side * -(INT32_C(1) << 30), 5, side * 77}, {0, 0, 0, GJK_Q30_ONE}};
+    CHECK(gjk_arm_init(&m.arm, &m.model, &base, &m.memory) == GJK_OK);
+    for (int32_t k = -8; k <= 8; k++) {
+      for (unsigned axis = 0; axis < 2; axis++) {
+        const gjk_q16 at = k * GJK_Q16(25.0);
+        put_wall(&wall, side * at, axis == 0 ? 0 : (INT32_C(1) << 30) - at, 0);
+        proof_count = 0;
+        CHECK(gjk_arm_edge_start(&m.arm, &from, &to, &plain, take, NULL) == GJK_OK);
+        CHECK(gjk_arm_edge_run(&m.arm, 1000, &result) == GJK_OK && result.answer == GJK_ARM_FREE);
+        CHECK(gjk_check_edge(&m.arm, &from, &to, &plain, &result, proof, proof_count) == GJK_OK);
+      }
+    }
+  }
+}
+
 // A path round a wall: free, free, touch.
 static void check_path(void) {
   const int32_t path[] = {0, GJK_ANGLE(1.0), GJK_ANGLE(1.5), GJK_ANGLE(2.0), 0};
@@ -288,6 +318,7 @@ int main(void) {
   check_grazing(&far);
   check_turns();
   check_ceilings();
+  check_far();
   check_path();
   check_models();
   check_nulls();
