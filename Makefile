@@ -154,7 +154,7 @@ endif
 
 # Programs for the host: the sources that tests and tools share (SUPPORT), and those of each program.
 
-SUPPORT_SOURCES := $(wildcard tests/support/case/*.c tests/support/reference/*.c tests/support/exact/*.c tests/support/generate/*.c tests/support/scene/*.c tests/support/solver/*.c) \
+SUPPORT_SOURCES := $(wildcard tests/support/case/*.c tests/support/reference/*.c tests/support/exact/*.c tests/support/generate/*.c tests/support/scene/*.c tests/support/solver/*.c tests/support/arm/*.c) \
   port/hosted/gjk_hosted.c
 SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
 TEST_SCRIPTS := $(wildcard tests/check/unit/test_*.sh)
@@ -306,7 +306,7 @@ build/gjk-bench-report: $(BENCH_REPORT)
 # must not turn into calls of memset.
 
 BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
-FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/programs/demo_plane/*.h tests/support/scene/*.h tests/programs/lockstep/*.h include/gjk/*.h include/gjk2/*.h) Makefile
+FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/programs/demo_plane/*.h tests/support/scene/*.h tests/support/arm/*.h tests/programs/lockstep/*.h include/gjk/*.h include/gjk2/*.h) Makefile
 FIRMWARE = $(FREESTANDING) -I. -Itests/support -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
   $(filter-out $(FIRMWARE_NEEDS) %.flags,$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 
@@ -329,6 +329,7 @@ $(OUT)/parts_bench.elf: FIRMWARE_DEFINES += $(if $(filter cortex-m0,$(TARGET)),-
 $(OUT)/plane_bench.elf: tests/measure/target/plane_bench_chain.c
 $(OUT)/worst.elf: $(WORST_CASES)
 $(OUT)/scene_bench.elf: tests/support/scene/traffic.c
+$(OUT)/arm_bench.elf: tests/support/arm/seven.c
 $(OUT)/scene_golden.elf: tests/support/scene/match.c
 $(OUT)/plane_scene_golden.elf: tests/support/scene/plane_match.c
 $(OUT)/port.elf: tests/check/target/port_allocation.c port/generic/gjk_arena.c

@@ -2,6 +2,7 @@
 #ifndef GJK_GJK_H
 #define GJK_GJK_H
 
+#include "gjk/arm.h"
 #include "gjk/bind.h"
 #include "gjk/cast.h"
 #include "gjk/check.h"

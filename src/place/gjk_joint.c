@@ -11,17 +11,11 @@
 //   steps 1 and 3       each component 0.5:                                                   1.0 each
 //   together                                                                                  < 6.6
 // The rotation turns by less than twice that, 2^-26 radians. The base adds 2.0, rounding the matrix 1.5.
-#include "gjk/joint.h"
+#include "gjk_joint_frame.h"
 
 #include "../arith/gjk_root.h"
 #include "../arith/gjk_rotation.h"
 #include "../arith/gjk_sine.h"
-
-// The frame that a chain has come to.
-typedef struct joint_frame {
-  gjk_quat rotation;
-  int64_t origin[3];  // Q30 of an LSB
-} joint_frame;
 
 gjk_status gjk_joint_init(gjk_joint *joint, const gjk_pose *fixed, const gjk_vec3 *axis) {
   if (joint == NULL || fixed == NULL) {
@@ -49,53 +43,21 @@ gjk_status gjk_joint_init(gjk_joint *joint, const gjk_pose *fixed, const gjk_vec
   return GJK_OK;
 }
 
-// Q60 to the nearest Q30.
-static int32_t joint_round(int64_t x) {
-  return (int32_t)gjk_sar64(x + (INT64_C(1) << 29), 30);
-}
-
-// Step 1: a cosine + b sine, to the nearest.
-static gjk_q30 joint_blend(gjk_q30 a, gjk_q30 b, gjk_q30 cosine, gjk_q30 sine) {
-  return joint_round(gjk_mac32(gjk_mul32(a, cosine), b, sine));  // below 2^61
-}
-
-// Step 2. The origin stays below 2^61, since the chain's reach was measured; so does each partial sum.
-static void move_origin(joint_frame *frame, const gjk_vec3 *v) {
-  const gjk_quat *q = &frame->rotation;
-  if ((v->x | v->y | v->z) == 0) {
-    return;
-  }
-  // |products| <= |q|^2 <= 2^60 (1 + 2^-16), and so is each entry.
-  const int64_t xx = gjk_mul32(q->x, q->x), yy = gjk_mul32(q->y, q->y), zz = gjk_mul32(q->z, q->z);
-  const int64_t ww = gjk_mul32(q->w, q->w), xy = gjk_mul32(q->x, q->y), xz = gjk_mul32(q->x, q->z);
-  const int64_t yz = gjk_mul32(q->y, q->z), wx = gjk_mul32(q->w, q->x), wy = gjk_mul32(q->w, q->y);
-  const int64_t wz = gjk_mul32(q->w, q->z);
-  const gjk_vec3 rows[3] = {{joint_round(ww + xx - yy - zz), joint_round(2 * (xy - wz)), joint_round(2 * (xz + wy))},
-                            {joint_round(2 * (xy + wz)), joint_round(ww - xx + yy - zz), joint_round(2 * (yz - wx))},
-                            {joint_round(2 * (xz - wy)), joint_round(2 * (yz + wx)), joint_round(ww - xx - yy + zz)}};
-  for (int i = 0; i < 3; i++) {
-    frame->origin[i] =
-        gjk_mac32(gjk_mac32(gjk_mac32(frame->origin[i], rows[i].x, v->x), rows[i].y, v->y), rows[i].z, v->z);
-  }
-}
-
 // Steps 2 and 3 for a joint with this rotation of its own; then its pose.
-static void next_frame(joint_frame *frame, const gjk_joint *joint, const gjk_quat *own, gjk_pose *out) {
-  int64_t product[4];
-  move_origin(frame, &joint->offset);
-  gjk_quat_product(&frame->rotation, own, product);
-  frame->rotation.x = joint_round(product[0]);
-  frame->rotation.y = joint_round(product[1]);
-  frame->rotation.z = joint_round(product[2]);
-  frame->rotation.w = joint_round(product[3]);
-  out->position.x = joint_round(frame->origin[0]);
-  out->position.y = joint_round(frame->origin[1]);
-  out->position.z = joint_round(frame->origin[2]);
+static void next_frame(gjk_joint_frame *frame, const gjk_joint *joint, const gjk_quat *own, gjk_pose *out) {
+  const gjk_vec3 *v = &joint->offset;
+  if ((v->x | v->y | v->z) != 0) {
+    gjk_vec3 rows[3];
+    gjk_joint_rows(&frame->rotation, rows);
+    gjk_joint_move(frame, rows, v);
+  }
+  gjk_joint_turn(frame, own);
+  gjk_joint_place(frame, &out->position);
   out->rotation = frame->rotation;
 }
 
 // Checks the base and the chain's reach, and sets the frame to the base.
-static gjk_status start_chain(const gjk_joint *joints, unsigned count, const gjk_pose *base, joint_frame *frame) {
+static gjk_status start_chain(const gjk_joint *joints, unsigned count, const gjk_pose *base, gjk_joint_frame *frame) {
   int64_t deviation;
   if (!gjk_quat_deviation(&base->rotation, &deviation)) {
     return GJK_ERROR_ROTATION;
@@ -112,26 +74,21 @@ static gjk_status start_chain(const gjk_joint *joints, unsigned count, const gjk
   if (reach > INT32_MAX) {
     return GJK_ERROR_RANGE;
   }
-  (void)gjk_quat_normalize(&base->rotation, &frame->rotation);  // it is a unit
-  frame->origin[0] = gjk_shl64(p->x, 30);
-  frame->origin[1] = gjk_shl64(p->y, 30);
-  frame->origin[2] = gjk_shl64(p->z, 30);
+  gjk_joint_start(frame, base);
   return GJK_OK;
 }
 
 gjk_status gjk_joints_from_angles(const gjk_joint *joints, unsigned count, const gjk_pose *base,
                                   const gjk_angle *angles, gjk_pose *out) {
-  joint_frame frame;
+  gjk_joint_frame frame;
   if (joints == NULL || base == NULL || angles == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
   const gjk_status status = start_chain(joints, count, base, &frame);
   for (unsigned i = 0; status == GJK_OK && i < count; i++) {
-    const gjk_quat *still = &joints[i].still, *quarter = &joints[i].quarter;
-    gjk_q30 s, c;
-    gjk_sine_cosine(angles[i], gjk_half_turns(gjk_magnitude32(angles[i])), &s, &c);
-    const gjk_quat own = {joint_blend(still->x, quarter->x, c, s), joint_blend(still->y, quarter->y, c, s),
-                          joint_blend(still->z, quarter->z, c, s), joint_blend(still->w, quarter->w, c, s)};
+    gjk_q30 sine, cosine;
+    gjk_sine_cosine(angles[i], gjk_half_turns(gjk_magnitude32(angles[i])), &sine, &cosine);
+    const gjk_quat own = gjk_joint_own(&joints[i], sine, cosine);
     next_frame(&frame, &joints[i], &own, &out[i]);
   }
   return status;
@@ -139,7 +96,7 @@ gjk_status gjk_joints_from_angles(const gjk_joint *joints, unsigned count, const
 
 gjk_status gjk_joints_from_rotations(const gjk_joint *joints, unsigned count, const gjk_pose *base,
                                      const gjk_quat *rotations, gjk_pose *out) {
-  joint_frame frame;
+  gjk_joint_frame frame;
   if (joints == NULL || base == NULL || rotations == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arm.h"
 #include "case/answer.h"
 #include "case/certify.h"
 #include "case/certify2.h"
@@ -19,6 +20,7 @@ enum { EXIT_ANSWERED = 0, EXIT_UNPROVEN = 1, EXIT_INPUT = 2 };
 typedef struct tool {
   case_question question;
   motion_question motion;    // instead of question, if it asks
+  bool arms;                 // files describe machines and their edges
   bool certify;              // each answer is checked
   bool trace;                // what the search did is printed below each answer
   const char *picture_name;  // the file in which it is drawn; NULL: none
@@ -162,8 +164,22 @@ static void answer_motion2(tool *t) {
   putchar('\n');
 }
 
+// Answers a file of machines.
+static void run_arms(tool *t, FILE *file, const char *name) {
+  arm_tally tally = {{0, 0, 0}, false};
+  arm_run(file, name, t->certify, &tally);
+  for (unsigned i = 0; i < 3; i++) {
+    t->verdicts[i] += tally.verdicts[i];
+  }
+  t->bad_input = t->bad_input || tally.bad_input;
+}
+
 static void run_stream(tool *t, FILE *file, const char *name) {
   case_found found;
+  if (t->arms) {
+    run_arms(t, file, name);
+    return;
+  }
   case_reader_open(&t->reader, file, name);
   while ((found = case_reader_next_any(&t->reader, &t->pair, &t->pair2)) != CASE_FOUND_NONE) {
     const bool plane = found == CASE_FOUND_PLANE, moves = t->motion.ask != MOTION_NONE;
@@ -290,6 +306,8 @@ static int read_options(int argc, char **argv, tool *t) {
       t->question.reference = true;
     } else if (strcmp(word, "--certify") == 0) {
       t->certify = true;
+    } else if (strcmp(word, "--arm") == 0) {
+      t->arms = true;
     } else if (strcmp(word, "--trace") == 0) {
       t->trace = true;
     } else if (strcmp(word, "--trace-svg") == 0) {

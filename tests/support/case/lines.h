@@ -57,4 +57,17 @@ bool case_read_id(case_reader *reader, char id[CASE_ID_MAX]);
 bool case_read_sides(case_reader *reader, bool (*property)(case_reader *reader, char *cursor, void *side), void *a,
                      void *b);
 
+// What was read of one shape in space.
+typedef struct case_side {
+  case_shape *shape;                                             // reset by case_shape_reset
+  char letter;                                                   // that its lines begin with
+  bool kind, faces, convex_radius, at, turn, to, turn_to, spin;  // seen
+  gjk_q16 own_radius, round_radius;                              // of a sphere or capsule; of 'round'
+} case_side;
+
+// Reads a line of a shape after its letter; side is a case_side. Then, after the last line, completes the shape. id: what
+// the shape belongs to.
+bool case_read_property(case_reader *reader, char *cursor, void *side);
+bool case_finish_side(case_reader *reader, const case_side *side, const char *id);
+
 #endif

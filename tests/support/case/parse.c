@@ -7,14 +7,6 @@
 #include "number.h"
 #include "parse2.h"
 
-// What was read of one shape.
-typedef struct side {
-  case_shape *shape;
-  char letter;
-  bool kind, faces, convex_radius, at, turn, to, turn_to, spin;  // seen
-  gjk_q16 own_radius, round_radius;                              // of a sphere or capsule; of 'round'
-} side;
-
 static void set_vertex(void *shape, size_t i, const int32_t *number) {
   const gjk_vec3 v = {number[0], number[1], number[2]};
   ((case_shape *)shape)->vertices[i] = v;
@@ -88,7 +80,7 @@ static const kind_name kind_names[] = {
 };
 
 // Sets the fields of a case from the numbers in the order of its line.
-static void set_size(side *into, const kind_name *name, const int32_t number[3]) {
+static void set_size(case_side *into, const kind_name *name, const int32_t number[3]) {
   gjk_vec3 *size = &into->shape->size;
   switch (name->kind) {
     case CASE_SEGMENT: size->z = number[name->count - 1]; break;
@@ -108,7 +100,7 @@ static void set_size(side *into, const kind_name *name, const int32_t number[3])
   into->own_radius = name->first_is_radius ? number[0] : 0;
 }
 
-static bool read_kind(case_reader *reader, char *cursor, side *into, const char *word) {
+static bool read_kind(case_reader *reader, char *cursor, case_side *into, const char *word) {
   int32_t number[3] = {0, 0, 0};
   if (into->kind) {
     case_complain(reader, "expected one shape for %c, found another: '%s'", into->letter, word);
@@ -166,8 +158,8 @@ static bool read_quat(case_reader *reader, char *cursor, bool *seen, char letter
   return true;
 }
 
-static bool read_property(case_reader *reader, char *cursor, void *of) {
-  side *into = of;
+bool case_read_property(case_reader *reader, char *cursor, void *of) {
+  case_side *into = of;
   case_shape *shape = into->shape;
   const char *word = case_next_word(&cursor);
   if (word == NULL) {
@@ -198,7 +190,7 @@ static bool read_property(case_reader *reader, char *cursor, void *of) {
   return read_kind(reader, cursor, into, word);
 }
 
-static bool finish_side(case_reader *reader, const side *of, const char *id) {
+bool case_finish_side(case_reader *reader, const case_side *of, const char *id) {
   int32_t sum;
   if (!case_add_radii(reader, of->kind, of->letter, id, of->own_radius, of->round_radius, &sum)) {
     return false;
@@ -217,11 +209,11 @@ static bool finish_side(case_reader *reader, const side *of, const char *id) {
 
 // Reads the lines of a case, up to the next one.
 static bool read_case(case_reader *reader, case_pair *pair) {
-  side a = {.shape = &pair->a, .letter = 'A'}, b = {.shape = &pair->b, .letter = 'B'};
+  case_side a = {.shape = &pair->a, .letter = 'A'}, b = {.shape = &pair->b, .letter = 'B'};
   case_shape_reset(&pair->a);
   case_shape_reset(&pair->b);
-  return case_read_id(reader, pair->id) && case_read_sides(reader, read_property, &a, &b) &&
-         finish_side(reader, &a, pair->id) && finish_side(reader, &b, pair->id);
+  return case_read_id(reader, pair->id) && case_read_sides(reader, case_read_property, &a, &b) &&
+         case_finish_side(reader, &a, pair->id) && case_finish_side(reader, &b, pair->id);
 }
 
 void case_reader_open(case_reader *reader, FILE *file, const char *name) {

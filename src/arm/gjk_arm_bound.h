@@ -1,0 +1,17 @@
+// How far a motion of joints bends, and what its roundings add up to: see gjk_arm_bound.c.
+#ifndef GJK_SRC_ARM_BOUND_H
+#define GJK_SRC_ARM_BOUND_H
+
+#include "gjk_arm_frames.h"
+
+// Sets the edge of an arm: from and to. Bounds each pair's motion, and tells whether values are outside their limits.
+// RANGE: the machine may leave its range; then nothing but link rooms is set.
+gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to);
+
+// The same for a single configuration, without the pairs.
+gjk_status gjk_arm_set_values(gjk_arm *arm, const int32_t *values);
+
+// By how much a pair bends on a span of 2^-depth of the edge, rounded up, LSB; -1: by more than 2^28.
+int64_t gjk_arm_bend(const gjk_arm_pair *pair, unsigned depth);
+
+#endif

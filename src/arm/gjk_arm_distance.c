@@ -1,0 +1,175 @@
+// What is nearest at a configuration, and how that changes with the joints.
+#include "../arith/gjk_memory.h"
+#include "../arith/gjk_rotation.h"
+#include "../arith/gjk_unit.h"
+#include "gjk/intersect.h"
+#include "gjk_arm_bound.h"
+#include "gjk_arm_span.h"
+
+static gjk_status start_still(gjk_arm *arm, const int32_t *values, const void *out) {
+  if (arm == NULL || out == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (!gjk_arm_is_ready(arm)) {
+    return GJK_ERROR_UNINITIALISED;
+  }
+  if (values == NULL && arm->value_count > 0) {
+    return GJK_ERROR_NULL;
+  }
+  const gjk_status status = gjk_arm_set_values(arm, values);
+  if (status == GJK_OK) {
+    gjk_arm_set_frames(arm, 0, 0);
+  }
+  return status;
+}
+
+// No slack of a pair is larger, see gjk_arm_bound.c: N is at most 64, D at most 2^29.
+#define ARM_SLACK_MAX 600
+
+// Do the bounding spheres show a pair to be more than so much apart? 12: roundings of both centres.
+static bool spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t most) {
+  const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
+  const gjk_collider *other =
+      pair->frame == GJK_ARM_BASE ? &arm->obstacles[pair->other] : &arm->memory.parts[pair->other].collider;
+  const gjk_vec3 *a = &part->at[0],
+                 *b = pair->frame == GJK_ARM_BASE ? &other->centre : &arm->memory.parts[pair->other].at[0];
+  const uint64_t limit = (uint64_t)(most + part->collider.radius + other->radius + 12);  // below 2^32
+  const uint64_t x = gjk_magnitude64((int64_t)a->x - b->x), y = gjk_magnitude64((int64_t)a->y - b->y);
+  const uint64_t z = gjk_magnitude64((int64_t)a->z - b->z);
+  if (x > limit || y > limit || z > limit) {
+    return true;
+  }
+  return limit >> 31 == 0 && x * x + y * y + z * z > limit * limit;  // each below 2^62
+}
+
+// Is a pair surely more than so much apart? A "no" may be wrong: then the pair is measured. It costs less than to pose it.
+static bool surely_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t most) {
+  gjk_arm_view view;
+  gjk_unit3 kept = {0, 0, 0}, direction;
+  int64_t gap;
+  if (spheres_apart(arm, pair, most)) {
+    return true;
+  }
+  const gjk_arm_search search = {most + ARM_SLACK_MAX, 0};
+  gjk_arm_look(arm, pair, 0, 0, &view);
+  return most < INT32_MAX / 2 && gjk_arm_separate(&view, &search, &kept, &direction, &gap) == GJK_ARM_APART;
+}
+
+gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, gjk_arm_distance_result *out) {
+  const gjk_status status = most < 0 ? GJK_ERROR_NEGATIVE : start_still(arm, values, out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  gjk_distance_result found;
+  gjk_status best = GJK_ERROR_EMPTY;
+  int64_t nearest = (int64_t)most + 1;
+  for (uint32_t i = 0; i < arm->pair_count; i++) {
+    const gjk_arm_pair *pair = &arm->memory.pairs[i];
+    gjk_collider part, other;
+    if (surely_apart(arm, pair, nearest)) {
+      continue;
+    }
+    const gjk_status of_pair = gjk_distance(gjk_arm_place(arm, pair, 0, &part, &other), &part, NULL, &found);
+    if (found.lower < nearest) {
+      nearest = found.lower;
+      best = of_pair;
+      gjk_arm_name(pair, &out->pair);
+      gjk_copy(&out->distance, &found, sizeof found);
+      out->outside = arm->outside;
+    }
+  }
+  return best;
+}
+
+gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, bool *yes, gjk_arm_names *pair) {
+  gjk_status status = distance < 0 ? GJK_ERROR_NEGATIVE : start_still(arm, values, yes);
+  if (status != GJK_OK) {
+    return status;
+  }
+  *yes = false;
+  for (uint32_t i = 0; i < arm->pair_count; i++) {
+    const gjk_arm_pair *of = &arm->memory.pairs[i];
+    gjk_collider part, other;
+    gjk_decision decision;
+    if (surely_apart(arm, of, distance)) {
+      continue;
+    }
+    const gjk_status of_pair = gjk_within(gjk_arm_place(arm, of, 0, &part, &other), &part, distance, NULL, &decision);
+    if (of_pair == GJK_OK && decision.yes) {
+      *yes = true;
+      if (pair != NULL) {
+        gjk_arm_name(of, pair);
+      }
+      return GJK_OK;
+    }
+    if (of_pair != GJK_OK && status == GJK_OK) {
+      status = of_pair;
+      if (pair != NULL) {
+        gjk_arm_name(of, pair);
+      }
+    }
+  }
+  *yes = status != GJK_OK;
+  return status;
+}
+
+// n . (z x (p - o)) of a revolute joint, n . z of a prismatic one: how fast p moves along n, Q16.
+static int64_t speed_along(const gjk_arm *arm, unsigned number, const gjk_unit3 *n, const gjk_vec3 *p) {
+  const gjk_arm_link *link = &arm->model->links[number];
+  const gjk_arm_link_room *room = &arm->memory.links[number];
+  gjk_quat unit = {link->axis.x, link->axis.y, link->axis.z, 0};
+  (void)gjk_quat_normalize(&unit, &unit);  // not 0, as gjk_arm_init has seen
+  const gjk_vec3 axis = {unit.x, unit.y, unit.z}, z = gjk_rotate(room->frame[0].rows, &axis);
+  const gjk_vec3 *o = &room->frame[0].at;
+  if (link->kind == GJK_ARM_PRISMATIC) {
+    return gjk_sar64(gjk_along(n, &z) + (INT64_C(1) << 43), 44);
+  }
+  // The arm's own point is at most 2^27 and 2 LSB from o, and the point of the other link at most 2^28.
+  const gjk_vec3 r = {gjk_saturate((int64_t)p->x - o->x), gjk_saturate((int64_t)p->y - o->y),
+                      gjk_saturate((int64_t)p->z - o->z)};
+  const gjk_vec3 normal = {n->x, n->y, n->z};
+  gjk_long3 across;
+  gjk_cross(&normal, &z, &across);  // Q60, (n x z) . r = n . (z x r)
+  const gjk_vec3 lever = {(int32_t)gjk_sar64(across.x + (INT64_C(1) << 29), 30),
+                          (int32_t)gjk_sar64(across.y + (INT64_C(1) << 29), 30),
+                          (int32_t)gjk_sar64(across.z + (INT64_C(1) << 29), 30)};
+  return gjk_sar64(gjk_dot(&lever, &r) + (INT64_C(1) << 29), 30);
+}
+
+// The links that move the named things, as bits. False: there is no such pair of things.
+static bool movers(const gjk_arm *arm, const gjk_arm_names *names, uint32_t *part, uint32_t *other) {
+  const gjk_arm_model *model = arm->model;
+  if (names->part >= model->part_count || names->other >= (names->obstacle ? arm->obstacle_count : model->part_count)) {
+    return false;
+  }
+  *part = arm->memory.links[model->parts[names->part].link].above;
+  *other = names->obstacle ? 0 : arm->memory.links[model->parts[names->other].link].above;
+  return true;
+}
+
+gjk_status gjk_arm_gradient(gjk_arm *arm, const int32_t *values, const gjk_arm_distance_result *nearest, gjk_q16 *out) {
+  const gjk_status status = nearest == NULL ? GJK_ERROR_NULL : start_still(arm, values, out);
+  uint32_t part, other;
+  unsigned value = 0;
+  if (status != GJK_OK) {
+    return status;
+  }
+  if (nearest->distance.intersecting || !movers(arm, &nearest->pair, &part, &other)) {
+    return GJK_ERROR_RANGE;
+  }
+  for (unsigned i = 0; i < arm->model->link_count; i++) {
+    if (!gjk_arm_moves(arm, i)) {
+      continue;
+    }
+    // The normal leads from the other thing to the part. A joint beneath both moves both alike.
+    int64_t speed = 0;
+    if (((part ^ other) >> i & 1u) != 0) {
+      const bool moves_part = (part >> i & 1u) != 0;
+      speed = speed_along(arm, i, &nearest->distance.normal,
+                          moves_part ? &nearest->distance.point_b : &nearest->distance.point_a);
+      speed = moves_part ? speed : -speed;
+    }
+    out[value++] = gjk_saturate(speed);
+  }
+  return GJK_OK;
+}

@@ -1,0 +1,53 @@
+// A pair on a span of an edge: a direction along which it is apart at both ends.
+#ifndef GJK_SRC_ARM_SPAN_H
+#define GJK_SRC_ARM_SPAN_H
+
+#include "gjk_arm_frames.h"
+
+// P and S of a pair at both ends of a span, in the frame where S stands still; see gjk_arm_bound.c.
+typedef struct gjk_arm_view {
+  const gjk_arm *arm;
+  const gjk_arm_pair *pair;
+  unsigned frame[2];  // the numbers of the frames at the start and at the end; equal: there is no motion
+  const gjk_arm_part_room *part;
+  const gjk_collider *other;  // S
+  gjk_vec3 axis;              // not 0: S is so far away that directions along this axis alone are looked at
+  gjk_vec3 centre[2];         // of P from that of S
+  // The rest is set where it is needed.
+  const gjk_vec3 *rows[2];  // the rotation of P's link
+  gjk_vec3 turned[2][3];    // which is here, where S is a part
+  gjk_vec3 origin[2];       // of P's link, from the centre of S
+} gjk_arm_view;
+
+// Looks at a pair in the arm's frames with these numbers.
+void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned start, unsigned end, gjk_arm_view *out);
+
+// The gap of the pair along a unit direction from S to P, at the end where it is smaller, Q30 of an LSB. It is at most
+// the slack above that in real numbers. False: the direction is none that the view may be looked at along.
+bool gjk_arm_gap(gjk_arm_view *view, const gjk_unit3 *direction, int64_t *gap);
+
+typedef enum gjk_arm_found {
+  GJK_ARM_APART,  // along *direction the gap is above the one wanted
+  GJK_ARM_OPEN,   // no such direction was found
+  GJK_ARM_CLOSE   // the same, and the places at both ends and between are within near
+} gjk_arm_found;
+
+// Do the bounding spheres of a part and an obstacle stay more than so much apart on the span, LSB, from 0 to 2^30? Then the gap is
+// above that along a direction which gjk_arm_separate would find. A "no" may be wrong.
+bool gjk_arm_spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t gap);
+
+// What is searched. Lengths in LSB, from 0 to 2^30.
+typedef struct gjk_arm_search {
+  int64_t wanted;  // a gap above this
+  int64_t near;    // see GJK_ARM_CLOSE
+} gjk_arm_search;
+
+// Searches a direction along which the gap is above the one wanted.
+//
+// kept       where to start, or 0; set where a search beyond spheres finds one.
+// direction  if APART: what was found.
+// gap        if APART: the gap along it, Q30.
+gjk_arm_found gjk_arm_separate(gjk_arm_view *view, const gjk_arm_search *search, gjk_unit3 *kept, gjk_unit3 *direction,
+                               int64_t *gap);
+
+#endif
