@@ -6,9 +6,9 @@ typedef struct seen_vertices {
   const gjk_collider *collider;
   uint64_t *seen;
   uint32_t count;
-  unsigned shift;
-  bool level;          // of a shape made of half axes: they are the vertex `first` and all that differ from it along
-  unsigned first, in;  // the half axes of which a bit is set here
+  uint8_t shift;
+  bool level;         // of a shape made of half axes: they are the vertex `first` and all that differ from it along
+  uint8_t first, in;  // the half axes of which a bit is set here
 } seen_vertices;
 
 // side: 0 for A, 1 for B.
@@ -265,15 +265,17 @@ gjk_outcome gjk_search_on(gjk_iteration *it, gjk_goal goal, unsigned limit) {
 
 // Marks the vertices of a shape made of half axes that are level with one: it may move along half axes in the plane.
 static void mark_level_axes(seen_vertices *of, const gjk_direction *direction, unsigned vertex) {
-  of->level = true;
-  of->in = 0;
+  unsigned in = 0;
   for (unsigned k = 0; k < of->collider->count; k++) {
-    of->in |= (gjk_direction_sign(direction, &of->collider->frame[k]) == 0 ? 1u : 0u) << k;
+    in |= (gjk_direction_sign(direction, &of->collider->frame[k]) == 0 ? 1u : 0u) << k;
   }
-  of->first = vertex & ~of->in;
+  const unsigned first = vertex & ~in & 7u;
+  of->level = true;
+  of->in = (uint8_t)in;
+  of->first = (uint8_t)first;
   *of->seen = 0;
   for (unsigned v = 0; v < of->count; v++) {  // 8 at most
-    *of->seen |= (uint64_t)((v & ~of->in) == of->first ? 1u : 0u) << v;
+    *of->seen |= (uint64_t)((v & ~in) == first ? 1u : 0u) << v;
   }
 }
 
@@ -295,7 +297,7 @@ static void mark_level(seen_vertices *of, const gjk_direction *direction, unsign
 }
 
 // The level vertices of A and of B. Pre: NEAREST.
-static void mark_all_level(gjk_iteration *it, seen_vertices of[2]) {
+GJK_OUT_OF_LINE static void mark_all_level(gjk_iteration *it, seen_vertices of[2]) {
   const gjk_vertex *one = gjk_simplex_vertex(&it->simplex, 0);
   gjk_direction direction;
   gjk_vec3 of_b;

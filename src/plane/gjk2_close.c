@@ -48,7 +48,7 @@ typedef struct close_pair {
 } close_pair;
 
 // Sets the corner with these signs.
-static inline void set_feature(close_pair *of, close_number s, close_number t) {
+static inline void set_close_feature(close_pair *of, close_number s, close_number t) {
   of->sign[0] = s;
   of->sign[1] = t;
   of->w_x = of->delta_x + s * of->x[0] + t * of->x[1];
@@ -57,7 +57,7 @@ static inline void set_feature(close_pair *of, close_number s, close_number t) {
 
 // Makes a corner the feature. False: it is O.
 GJK_ONCE static bool take_corner(close_pair *of, close_number s, close_number t) {
-  set_feature(of, s, t);
+  set_close_feature(of, s, t);
   of->turns[0] = 0;
   of->turns[1] = 0;
   of->edge_x = 0;
@@ -71,7 +71,7 @@ GJK_ONCE static bool take_corner(close_pair *of, close_number s, close_number t)
 // Makes the edge from a corner to the one with other signs the feature, or the edge back. False: O lies on it.
 GJK_ONCE static bool take_edge(close_pair *of, close_number s, close_number t, close_number turns_x,
                                close_number turns_y) {
-  set_feature(of, s, t);
+  set_close_feature(of, s, t);
   of->turns[0] = turns_x;
   of->turns[1] = turns_y;
   of->edge_x = -2 * (turns_x * s * of->x[0] + turns_y * t * of->x[1]);
@@ -166,9 +166,9 @@ static inline void number_corner(const gjk2_collider *a, const gjk2_collider *b,
 
 // The point of a shape on the feature: from its corner there, by the weight of the other end of its edge, and moved by the
 // convex radius. toward: 1 for A, which the normal leads away from, -1 for B. Bounds: plane_offset of gjk2_witness.c.
-GJK_ONCE static void set_point(const gjk2_collider *c, close_number x, close_number y, close_number edge_x,
-                               close_number edge_y, int32_t weight, const gjk2_unit *normal, int toward,
-                               gjk2_vec *point, bool *saturated) {
+GJK_ONCE static void set_close_point(const gjk2_collider *c, close_number x, close_number y, close_number edge_x,
+                                     close_number edge_y, int32_t weight, const gjk2_unit *normal, int toward,
+                                     gjk2_vec *point, bool *saturated) {
   const int64_t half = INT64_C(1) << 30;
   const close_number twice = 2 * toward * c->shape->convex_radius;
   const int64_t moved_x = gjk_sar64(half + edge_x * weight + normal->x * twice, 31);
@@ -200,8 +200,9 @@ static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, con
     number_corner(a, b, of, s - 2 * turn_x, t - 2 * turn_y, &out->certificate.a[1], &out->certificate.b[1]);
   }
   out->saturated = false;
-  set_point(a, a_x, a_y, edge_x, edge_y, weight, across, 1, &out->point_a, &out->saturated);
-  set_point(b, b_x, b_y, edge_x - of->edge_x, edge_y - of->edge_y, weight, across, -1, &out->point_b, &out->saturated);
+  set_close_point(a, a_x, a_y, edge_x, edge_y, weight, across, 1, &out->point_a, &out->saturated);
+  set_close_point(b, b_x, b_y, edge_x - of->edge_x, edge_y - of->edge_y, weight, across, -1, &out->point_b,
+                  &out->saturated);
 }
 
 // What follows from the feature. points: of two points, which need no corners.
@@ -231,8 +232,8 @@ GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *
     out->certificate.count = 1;
     out->certificate.a[0] = 0;
     out->certificate.b[0] = 0;
-    set_point(a, 0, 0, 0, 0, 0, &across, 1, &out->point_a, &out->saturated);
-    set_point(b, 0, 0, 0, 0, 0, &across, -1, &out->point_b, &out->saturated);
+    set_close_point(a, 0, 0, 0, 0, 0, &across, 1, &out->point_a, &out->saturated);
+    set_close_point(b, 0, 0, 0, 0, 0, &across, -1, &out->point_b, &out->saturated);
   } else {
     set_touch(a, b, of, &length, &across, out);
   }

@@ -143,7 +143,7 @@ gjk2_outcome gjk2_distance_settle(gjk2_search *s, gjk2_distance_result *out) {
   return settle_limit(s, out);
 }
 
-static void report_touch(const gjk2_touch *touch, gjk2_distance_result *out) {
+static void report_plane_touch(const gjk2_touch *touch, gjk2_distance_result *out) {
   out->distance = touch->overlaps ? 0 : touch->distance;
   out->lower = out->distance;
   out->upper = out->distance;
@@ -168,7 +168,7 @@ gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_ca
   gjk2_touch touch;
   if (gjk2_touch_without_search(a, b, &touch)) {
     gjk2_touch_keep(&touch, cache);
-    report_touch(&touch, out);
+    report_plane_touch(&touch, out);
     return GJK_OK;
   }
   gjk2_search s;

@@ -110,7 +110,7 @@ gjk2_outcome gjk2_meeting_search(gjk2_meeting *m, gjk2_goal goal, gjk2_lie lie, 
   return outcome;
 }
 
-static bool measure_gap(gjk2_meeting *m) {
+static bool measure_plane_gap(gjk2_meeting *m) {
   gjk2_search *s = &m->s;
   const int32_t radius = gjk2_convex_radii(s);
   const uint64_t h = (uint64_t)-s->base;
@@ -134,7 +134,7 @@ static bool measure_gap(gjk2_meeting *m) {
 }
 
 bool gjk2_meeting_gap(gjk2_meeting *m) {
-  return measure_gap(m);
+  return measure_plane_gap(m);
 }
 
 // Step 3 of a curved pair.
@@ -178,7 +178,7 @@ gjk_status gjk2_meeting_overlap(gjk2_meeting *m, gjk2_lie lie) {
 }
 
 // The shapes are apart. Pre: length is that of s.d.
-static void set_apart(gjk2_meeting *m) {
+static void set_plane_apart(gjk2_meeting *m) {
   gjk2_search *s = &m->s;
   m->overlaps = false;
   m->saturated = false;
@@ -220,8 +220,8 @@ gjk_status gjk2_meet(gjk2_meeting *m, const gjk2_collider *a, const gjk2_collide
   }
   if (outcome == GJK2_OUTCOME_ENCLOSING) {
     status = gjk2_meeting_overlap(m, lie);
-  } else if (!measure_gap(m)) {
-    set_apart(m);
+  } else if (!measure_plane_gap(m)) {
+    set_plane_apart(m);
   }
   if (cache != NULL) {
     gjk2_search_keep(s, outcome, cache);

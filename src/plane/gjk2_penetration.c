@@ -6,7 +6,7 @@
 #include "gjk2_meeting.h"
 #include "gjk2_report.h"
 
-static void report_depth(const gjk2_meeting *m, gjk2_penetration_result *out) {
+static void report_plane_depth(const gjk2_meeting *m, gjk2_penetration_result *out) {
   out->intersecting = true;
   out->iterations = m->s.iterations;
   out->depth = -m->distance;
@@ -98,7 +98,7 @@ gjk_status gjk2_penetration(const gjk2_collider *a, const gjk2_collider *b, gjk2
   if (outcome == GJK2_OUTCOME_ENCLOSING) {
     status = gjk2_meeting_overlap(&m, lie);
   }
-  report_depth(&m, out);
+  report_plane_depth(&m, out);
   if (cache != NULL) {
     gjk2_search_keep(s, outcome, cache);
   }
