@@ -5,6 +5,7 @@
 #   zephyr    a module: west.yml, or ZEPHYR_EXTRA_MODULES
 #   esp-idf   a component, for the folder components of a project
 #   arduino   a library for the Arduino tools and PlatformIO: the two amalgamated files, with examples
+#   rust      two crates, gjk-sys and gjk
 build=$1
 . tests/build/version.sh
 rm -rf "$build/package"
@@ -14,7 +15,7 @@ sources() {
   to=$build/package/$1
   mkdir -p "$to"
   cp -r include src port README.md "$to"
-  rm -r "$to/port/package" "$to/port/python" "$to/port/wasm"
+  (cd "$to/port" && rm -r package python wasm bind rust)
 }
 
 sources cmake
@@ -40,3 +41,21 @@ fill port/package/arduino/library.json.in >"$to/library.json"
   grep -ohE '\bgjk2?_[a-z0-9_]+\(' include/gjk/*.h include/gjk2/*.h | sed 's/($/\tKEYWORD2/'
   grep -ohE '^#define GJK2?_[A-Z0-9_]+' include/gjk/*.h include/gjk2/*.h | grep -v '_H$' | sed 's/^#define //; s/$/\tLITERAL1/'
 } | sort -u >"$to/keywords.txt"
+
+# For other languages: what the headers declare, by the scripts of port/bind.
+api=$build/package-api
+sh port/bind/api.sh "$api" >"$api.txt" || exit 1
+amalgamation=$build/package/arduino/src
+
+to=$build/package/rust
+mkdir -p "$to"
+cp -r port/rust/gjk port/rust/gjk-sys "$to"
+mkdir "$to/gjk-sys/c"
+cp "$amalgamation/gjk.c" "$amalgamation/gjk.h" "$to/gjk-sys/c"
+awk -f port/bind/rust.awk "$api.txt" "$api.txt" >"$to/gjk-sys/src/bindings.rs"
+for crate in gjk gjk-sys; do
+  rm "$to/$crate/Cargo.toml.in"
+  fill "port/rust/$crate/Cargo.toml.in" >"$to/$crate/Cargo.toml"
+  cp port/package/LICENCE.txt "$to/$crate"
+done
+printf '[workspace]\nmembers = ["gjk", "gjk-sys"]\n' >"$to/Cargo.toml"
