@@ -6,6 +6,8 @@
 #   esp-idf   a component, for the folder components of a project
 #   arduino   a library for the Arduino tools and PlatformIO: the two amalgamated files, with examples
 #   rust      two crates, gjk-sys and gjk
+#   unity     a package for Unity; its Gjk.csproj is for Godot and other .NET
+. tests/build/count.sh
 build=$1
 . tests/build/version.sh
 rm -rf "$build/package"
@@ -15,7 +17,7 @@ sources() {
   to=$build/package/$1
   mkdir -p "$to"
   cp -r include src port README.md "$to"
-  (cd "$to/port" && rm -r package python wasm bind rust)
+  (cd "$to/port" && rm -r package python wasm bind rust csharp)
 }
 
 sources cmake
@@ -59,3 +61,17 @@ for crate in gjk gjk-sys; do
   cp port/package/LICENCE.txt "$to/$crate"
 done
 printf '[workspace]\nmembers = ["gjk", "gjk-sys"]\n' >"$to/Cargo.toml"
+
+# Shared, so that each language finds one; without a port, and so without libc.
+library host -install 'OPT=-O2 -fPIC' PORT= || exit 1
+to=$build/package/unity
+mkdir -p "$to/Runtime/Plugins/x86_64"
+cp port/csharp/*.md port/csharp/Gjk.csproj port/package/LICENCE.txt "$to"
+fill port/csharp/package.json.in >"$to/package.json"
+cp port/csharp/Runtime/* "$to/Runtime"
+awk -f port/bind/csharp.awk "$api.txt" "$api.txt" >"$to/Runtime/Native.cs"
+sed 's/^namespace Gjk /namespace Gjk.Plane /; s/gjk_/gjk2_/g; s/Vec3/Vec/g; s/Gjk\.Pose/Gjk.Plane.Pose/g
+  1s|.*|// Shapes at poses, queries and scenes, of the plane: made from Shared.cs.|' port/csharp/Runtime/Shared.cs \
+  >"$to/Runtime/PlaneShared.cs"
+cp "$amalgamation/gjk.c" "$amalgamation/gjk.h" "$to/Runtime/Plugins"
+sh tests/build/shared.sh build/host-install/libgjk.a "$to/Runtime/Plugins/x86_64/libgjk.so" || exit 1
