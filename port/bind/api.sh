@@ -2,10 +2,16 @@
 # Prints what the public headers declare, as api.awk does, and after each constant and enumerator its value, which stands for
 # the lengths of arrays, too: api.sh FOLDER, in the project's folder. FOLDER is for what it compiles on the way.
 mkdir -p "$1"
-awk -f port/bind/api.awk include/gjk/*.h include/gjk2/*.h >"$1/api.txt" || exit 1
+# Each header after those that it includes, so that a structure is known before it is a field.
+headers=$(for header in include/gjk/*.h include/gjk2/*.h; do
+  echo "$header $header"
+  sed -n "s|^#include \"\(gjk.*\)\"|include/\1 $header|p" "$header"
+done | tsort) || exit 1
+# shellcheck disable=SC2086
+awk -f port/bind/api.awk $headers >"$1/api.txt" || exit 1
 {
   echo '#include <stdio.h>'
-  for header in include/gjk/*.h include/gjk2/*.h; do
+  for header in $headers; do
     echo "#include \"${header#include/}\""
   done
   echo 'int main(void) {'

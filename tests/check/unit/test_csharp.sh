@@ -46,7 +46,7 @@ other() {
 
 # Names without case and underscores; of an array of structures the first is named in C#.
 same_layout() {
-  sh tests/build/layout.sh "$dir/layout" "$dir/package-api.txt" "${CC:-cc}" "-I$dir/package/arduino/src" >"$dir/layout.c.txt" &&
+  sh tests/build/layout.sh "$dir/layout" "$dir/package-api.txt" "${CC:-cc}" "-I$dir/package-amalgamation" >"$dir/layout.c.txt" &&
     runs tests.exe layout >"$dir/layout.cs.txt" || return 1
   sed 's/^gjk2_/plane./; s/^gjk_//; s/_//g' "$dir/layout.c.txt" | sort >"$dir/of-c"
   sed 's/^Gjk[.]//; s/^\([A-Za-z.]*\)\(Shape\|Collider\|Scene\|Workspace\)Data\([ .]\)/\1\2\3/; /[.][a-z][a-z]*[1-9] /d; s/0\( [0-9]*\)$/\1/; s/_//g' "$dir/layout.cs.txt" |
@@ -121,7 +121,7 @@ is_tidy() {
   ! grep -nE '.{141}|[[:blank:]]$|	' "$1"
 }
 
-check 'make package' sh tests/build/package.sh "$dir"
+check 'make package' sh tests/build/package.sh "$dir" unity
 check 'the package compiles' compile Gjk.dll -target:library "$packed"/Runtime/*.cs
 check 'the tests compile' tests
 check 'the layout of structures' same_layout

@@ -103,7 +103,7 @@ firmware() {
     "$@" --crate-name sizes --extern "gjk_sys=$dir/sysroot/libgjk_sys.rmeta" -o "$dir/sysroot/libsizes.rmeta" "$dir/sizes.rs"
 }
 
-check 'make package' sh tests/build/package.sh "$dir"
+check 'make package' sh tests/build/package.sh "$dir" rust
 check 'the crates and the programs' builds
 check 'the layout of structures' same_layout
 check 'the golden hash' runs golden 3000 "$(hash_of GOLDEN_HASH golden)"
