@@ -22,7 +22,7 @@ mkdir -p "$root/lib/pkgconfig" "$root/lib/cmake/gjk" "$root/include/gjk" "$root/
 
 library host -install 'OPT=-O2 -fPIC' PORT= || exit 1
 archive=build/host-install/libgjk.a
-sh tests/build/shared.sh "$archive" "$work/libgjk.so.$version" "libgjk.so.$api" || exit 1
+sh tests/build/shared.sh "$archive" "$work/libgjk.so.$version" "libgjk.so.$api" port/python/gjk_batch.c || exit 1
 
 cp include/gjk/*.h "$root/include/gjk"
 cp include/gjk2/*.h "$root/include/gjk2"

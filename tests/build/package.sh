@@ -9,10 +9,11 @@
 #   rust      two crates, gjk-sys and gjk
 #   unity     a package for Unity; its Gjk.csproj is for Godot and other .NET
 #   npm       an ES module with types, and what npm pack makes of it
+#   wheel     the Python module with its shared library, for pip
 . tests/build/count.sh
 build=$1
 shift
-names=${*:-cmake zephyr esp-idf arduino rust unity npm}
+names=${*:-cmake zephyr esp-idf arduino rust unity npm wheel}
 . tests/build/version.sh
 rm -rf "$build/package"
 mkdir -p "$build"
@@ -114,6 +115,17 @@ npm_package() {
   if have npm; then
     (cd "$to" && npm pack --offline --silent >/dev/null)
   fi
+}
+
+wheel_package() {
+  if ! have python3; then
+    echo 'package: wheel needs python3'
+    return
+  fi
+  mkdir -p "$build/package/wheel"
+  library host -install 'OPT=-O2 -fPIC' PORT= &&
+    sh tests/build/shared.sh build/host-install/libgjk.a "$build/package-libgjk.so" libgjk.so port/python/gjk_batch.c &&
+    python3 tests/build/wheel.py "$version" "$build/package-libgjk.so" "$build/package/wheel"
 }
 
 sh tests/build/amalgamate.sh "$amalgamation" && sh port/bind/api.sh "$build/package-api" >"$api" || exit 1
