@@ -225,7 +225,7 @@ def second_opinions(a, b, poses_a, poses_b, depths=True) -> Opinions:
     ends = numpy.concatenate([position for position, _ in placed])
     middle = (ends.min(axis=0) + ends.max(axis=0)) / 2 if len(ends) else numpy.zeros(3)
     lengths = [float(numpy.sqrt((s * s).sum(axis=1).max())) for s in local]
-    reach = Fraction(max(float(numpy.abs(ends - middle).max(initial=0.0)), *lengths)) * (1 + Fraction(1, 2**40))
+    reach = Fraction(float(numpy.abs(ends - middle).max(initial=0.0)) + max(lengths)) * (1 + Fraction(1, 2**40))
     scale = float(min(_scale(reach), Fraction(2) ** 1000))
     shapes, poses, error = [], [], 0.0
     for s, boxed, length, (position, rotation) in zip(local, is_box, lengths, placed):
