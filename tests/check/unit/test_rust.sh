@@ -90,8 +90,8 @@ firmware() {
     printf '#![no_std]\nuse gjk_sys::*;\nuse core::mem::size_of;\n'
     awk '$1 !~ /[.]/ { print "const _: [(); " $2 "] = [(); size_of::<" $1 ">()];" }' "$dir/thumb.txt"
   } >"$dir/sizes.rs"
-  set -- rustc --edition=2021 --target $target --crate-type rlib --emit=metadata -L "$dir/sysroot"
-  if [ ! -d "$(rustc --print sysroot)/lib/rustlib/$target" ]; then
+  set -- "$firmware_rustc" --edition=2021 --target $target --crate-type rlib --emit=metadata -L "$dir/sysroot"
+  if [ "$core" != ready ]; then
     # Debian has core as source. Nothing is linked, so builtins may be empty.
     printf '#![feature(no_core, compiler_builtins)]\n#![compiler_builtins]\n#![no_core]\n' >"$dir/builtins.rs"
     RUSTC_BOOTSTRAP=1 "$@" --crate-name compiler_builtins -o "$dir/sysroot/libcompiler_builtins.rmeta" "$dir/builtins.rs" &&
@@ -119,10 +119,20 @@ check 'a hull does not outlive its vertices' refused 'let v = [vec3(1, 2, 3)]; S
 for file in port/rust/*/src/*.rs port/rust/*/src/*/*.rs port/rust/gjk-sys/build.rs tests/check/bind/*.rs; do
   check "$file is tidy" is_tidy "$file"
 done
-core=/usr/src/rustc-$(rustc --version | cut -d ' ' -f 2)/library/core/src/lib.rs
+# A compiler that has core for the target, or beside which Debian has core as source.
+core=
+for firmware_rustc in rustc /usr/bin/rustc; do
+  have "$firmware_rustc" || continue
+  core=/usr/src/rustc-$("$firmware_rustc" --version | cut -d ' ' -f 2)/library/core/src/lib.rs
+  [ ! -d "$("$firmware_rustc" --print sysroot)/lib/rustlib/thumbv7m-none-eabi" ] || core=ready
+  if [ "$core" = ready ] || [ -e "$core" ]; then
+    break
+  fi
+  core=
+done
 if [ -n "$(missing_package cortex-m3)" ]; then
   skip 'the crates for thumbv7m' gcc-arm-none-eabi
-elif [ ! -e "$core" ] && [ ! -d "$(rustc --print sysroot)/lib/rustlib/thumbv7m-none-eabi" ]; then
+elif [ -z "$core" ]; then
   skip 'the crates for thumbv7m' rust-src
 else
   check 'the crates for thumbv7m' firmware
