@@ -237,7 +237,8 @@ def second_opinions(a, b, poses_a, poses_b, depths=True) -> Opinions:
         shapes.append(box(*corner) if boxed else hull([Vec3(*map(int, v)) for v in rounded]))
         made = numpy.empty((len(position), 7), numpy.int32)
         made[:, :3] = numpy.rint((position - middle) * scale)
-        made[:, 3:] = numpy.rint(rotation * Q30_ONE)
+        turned = rotation * Q30_ONE
+        made[:, 3:] = numpy.rint(turned, out=turned)
         poses.append(made)
     lower, upper = _call(numpy, shapes, poses, pairs, _workspace(*map(len, local)) if depths else None)
     # Half an LSB by which distances are rounded, one of depths, and a bound of all roundings of floats here.
@@ -273,11 +274,15 @@ def _poses(numpy, poses, name):
         raise ValueError(f"{name}'s poses are no arrays of (n, 3), (n, 7) or (n, 4, 4)")
     if poses.shape[1] == 3:
         return poses, numpy.broadcast_to([0.0, 0.0, 0.0, 1.0], (len(poses), 4))
-    largest = numpy.abs(poses[:, 3:]).max(axis=1, keepdims=True, initial=0.0)
-    if (largest == 0).any():
-        raise ValueError(f"a quaternion of {name}'s is 0")
-    rotation = poses[:, 3:] / largest
-    return poses[:, :3], rotation / numpy.sqrt((rotation * rotation).sum(axis=1, keepdims=True))
+    rotation = poses[:, 3:]
+    square = numpy.einsum("ni,ni->n", rotation, rotation)
+    if not ((square > 1e-200) & (square < 1e200)).all():
+        largest = numpy.abs(rotation).max(axis=1, keepdims=True)
+        if (largest == 0).any():
+            raise ValueError(f"a quaternion of {name}'s is 0")
+        rotation = rotation / largest
+        square = numpy.einsum("ni,ni->n", rotation, rotation)
+    return poses[:, :3], rotation / numpy.sqrt(square)[:, numpy.newaxis]
 
 
 def _quaternions(numpy, m, name):

@@ -182,6 +182,12 @@ def batches():
     turned = gjk.second_opinions((1, 1, 1), (1, 2, 3), None, matrices)
     gaps = zip(turned.lower, (3, 2, 3), turned.upper)
     check(all(low <= gap <= high for low, gap, high in gaps), f"matrices: {turned}")
+    scaled = poses.copy()
+    scaled[:, 3:] *= 10.0 ** numpy_random.integers(-200, 200, (2000, 1))
+    again = gjk.second_opinions(half, half, None, scaled)
+    check((again.lower <= answers.upper).all() and (answers.lower <= again.upper).all(), "quaternions of any length")
+    scaled[7, 3:] = 0
+    raises(ValueError, gjk.second_opinions, half, half, None, scaled)
     raises(ValueError, gjk.second_opinions, half, half, poses, poses[:3])
     raises(ValueError, gjk.second_opinions, half, half, None, 2 * matrices)
     raises(ValueError, gjk.second_opinions, half, half, None, poses * numpy.nan)
