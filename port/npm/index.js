@@ -11,6 +11,7 @@ export * from './records.js';
 export { Scene };
 
 const { Constants } = records;
+
 // A shape; dispose() gives its memory back, once no collider and no scene has it.
 export class Shape {
   constructor(home, vertices, call) {
