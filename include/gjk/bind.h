@@ -7,6 +7,7 @@
 #include "gjk/compound.h"
 #include "gjk/height_field.h"
 #include "gjk/mesh.h"
+#include "gjk/scene.h"
 #include "gjk/shape.h"
 #include "gjk/status.h"
 
@@ -41,6 +42,10 @@ gjk_status gjk_shape_hull_with_table(const gjk_vec3 *vertices, uint16_t count, c
 gjk_status gjk_parts_of_compound(const gjk_compound *compound, gjk_parts *out);
 gjk_status gjk_parts_of_mesh(const gjk_mesh *mesh, gjk_parts *out);
 gjk_status gjk_parts_of_height_field(const gjk_height_field *field, gjk_parts *out);
+
+// The bindings of a scene that keeps contacts, depths and motions, which C programs name by the addresses of tables. All
+// other fields are zeroed. Statuses: NULL.
+gjk_status gjk_scene_bind_all(gjk_scene_bindings *out);
 
 // The room that a result needs: GJK_COMPOUND_NODES, GJK_MESH_NODES and GJK_TABLE_CELLS as counts, GJK_HULL_WORKSPACE and
 // GJK_HULL_SIMPLIFY_WORKSPACE in bytes. Beside them gjk_workspace_bytes of gjk/penetration.h. 0 where the argument is out

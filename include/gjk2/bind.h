@@ -4,6 +4,7 @@
 #define GJK2_BIND_H
 
 #include "gjk/status.h"
+#include "gjk2/scene.h"
 #include "gjk2/shape.h"
 
 #ifdef __cplusplus
@@ -25,6 +26,9 @@ gjk_status gjk2_shape_polygon(const gjk2_vec *vertices, uint16_t count, gjk_q16 
 gjk_status gjk2_shape_ellipse(gjk_q16 radius_x, gjk_q16 radius_y, gjk_q16 radius, gjk2_shape *out);
 gjk_status gjk2_shape_custom(gjk2_support_function *support, const void *user, gjk_q16 bound, gjk_q16 radius,
                              gjk2_shape *out);
+
+// As gjk_scene_bind_all.
+gjk_status gjk2_scene_bind_all(gjk2_scene_bindings *out);
 
 #ifdef __cplusplus
 }

@@ -22,15 +22,7 @@ mkdir -p "$root/lib/pkgconfig" "$root/lib/cmake/gjk" "$root/include/gjk" "$root/
 
 library host -install 'OPT=-O2 -fPIC' PORT= || exit 1
 archive=build/host-install/libgjk.a
-${NM:-nm} -g --defined-only "$archive" | awk 'NF == 3 { print $3 }' | sort -u >"$work/defined"
-grep -ohE '\bgjk2?_[a-z0-9_]+\b' include/gjk/*.h include/gjk2/*.h | sort -u >"$work/named"
-{
-  echo '{ global:'
-  comm -12 "$work/defined" "$work/named" | sed 's/$/;/'
-  echo 'local: *; };'
-} >"$work/exports"
-${CC:-cc} -shared "-Wl,-soname,libgjk.so.$api" "-Wl,--version-script=$work/exports" -Wl,--whole-archive "$archive" \
-  -Wl,--no-whole-archive -o "$work/libgjk.so.$version" || exit 1
+sh tests/build/shared.sh "$archive" "$work/libgjk.so.$version" "libgjk.so.$api" port/python/gjk_batch.c || exit 1
 
 cp include/gjk/*.h "$root/include/gjk"
 cp include/gjk2/*.h "$root/include/gjk2"

@@ -6,7 +6,9 @@ PACKAGES='gcc g++ clang libclang-rt-dev gcc-arm-none-eabi qemu-system-arm gcc-ri
   gcc-avr avr-libc simavr frama-c-base why3 z3 clang-tidy clang-format cppcheck shellcheck doxygen
   gcc-i686-linux-gnu libc6-dev-i386-cross gcc-aarch64-linux-gnu libc6-dev-arm64-cross
   cmake pkg-config arduino-core-avr gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user
-  lld chromium python3 nodejs'
+  lld chromium python3 nodejs cargo rustc rust-src mono-mcs mono-runtime node-typescript python3-numpy python3-pip'
+# Other packages of nodejs bring npm along, and refuse Debian's.
+command -v npm >/dev/null || PACKAGES="$PACKAGES npm"
 # Only `make matrix` uses these, and says so where one is missing.
 MATRIX_PACKAGES='gcc-riscv64-linux-gnu libc6-dev-riscv64-cross
   gcc-powerpc-linux-gnu libc6-dev-powerpc-cross'

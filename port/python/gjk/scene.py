@@ -2,6 +2,7 @@
 
 import ctypes
 import enum
+import types
 import typing
 from ctypes import POINTER, c_bool, c_int32, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
 
@@ -98,24 +99,6 @@ class SceneStats(Record):
     ]
 
 
-class BodyState(Record):
-    """What a scene holds about a body."""
-
-    C_NAME = "gjk_body_state"
-    _fields_ = [
-        ("pose", Pose),
-        ("category", c_uint32),
-        ("mask", c_uint32),
-        ("user", c_uint32),
-        ("margin", c_int32),
-        ("part_count", c_uint16),
-        ("kind", c_uint8),
-        ("detail", c_uint8),
-        ("asleep", c_bool),
-        ("motion", c_uint8),
-    ]
-
-
 class Report(typing.NamedTuple):
     """What an update tells of a pair of parts.
 
@@ -137,83 +120,6 @@ class Report(typing.NamedTuple):
     words: typing.Optional[ctypes.Array]
 
 
-class _Part(Record):
-    C_NAME = "gjk_part"
-    _fields_ = [("shape", c_uint16), ("own_pose", c_bool), ("pose", Pose)]
-
-
-class _Setup(Record):
-    C_NAME = "gjk_body_setup"
-    _fields_ = [
-        ("pose", Pose),
-        ("parts", POINTER(_Part)),
-        ("part_count", c_uint16),
-        ("kind", c_uint8),
-        ("detail", c_uint8),
-        ("category", c_uint32),
-        ("mask", c_uint32),
-        ("user", c_uint32),
-        ("margin", c_int32),
-    ]
-
-
-class _Config(Record):
-    C_NAME = "gjk_scene_config"
-    _fields_ = [
-        ("bodies", c_uint32),
-        ("parts", c_uint32),
-        ("own_poses", c_uint32),
-        ("pairs", c_uint32),
-        ("box_margin", c_int32),
-        ("detail", c_uint8),
-        ("persist", c_uint8),
-        ("retest_all", c_uint8),
-        ("pair_words", c_uint8),
-        ("workspace_cells", c_uint32),
-        ("motions", c_uint32),
-    ]
-
-
-class _Bindings(Record):
-    C_NAME = "gjk_scene_bindings"
-    _fields_ = [
-        ("predicate", c_void_p),
-        ("user", c_void_p),
-        ("details", c_void_p),
-        ("workspace", POINTER(Workspace)),
-        ("manifolds", POINTER(Manifold)),
-        ("motion", c_void_p),
-        ("keeps_manifolds", c_bool),
-    ]
-
-
-class _Handle(Record):
-    C_NAME = "gjk_scene"
-    _fields_ = [
-        ("block", c_void_p),
-        ("shapes", POINTER(POINTER(Shape))),
-        ("shape_count", c_uint16),
-        ("bindings", _Bindings),
-    ]
-
-
-class _Report(Record):
-    C_NAME = "gjk_report"
-    _fields_ = [
-        ("a", BodyId),
-        ("b", BodyId),
-        ("part_a", c_uint16),
-        ("part_b", c_uint16),
-        ("event", c_uint8),
-        ("detail", c_uint8),
-        ("still", c_bool),
-        ("distance", c_int32),
-        ("manifold", POINTER(Manifold)),
-        ("words", POINTER(c_uint32)),
-        ("fraction", c_int32),
-    ]
-
-
 class _Progress(Record):
     C_NAME = "gjk_progress"
     _fields_ = [("reports", c_uint32), ("pairs_left", c_uint32), ("reports_left", c_uint32)]
@@ -228,35 +134,184 @@ def _address(name):
     return ctypes.addressof(ctypes.c_char.in_dll(library, name))
 
 
-class Scene:
+def dimension(prefix, vector, pose, shape, aabb, collider_of, manifold, cast_result, has_workspace=False):
+    """Structures and functions of the scenes of space or of the plane, with the names that the class Scene knows."""
+
+    class BodyState(Record):
+        """What a scene holds about a body."""
+
+        C_NAME = prefix + "body_state"
+        _fields_ = [
+            ("pose", pose),
+            ("category", c_uint32),
+            ("mask", c_uint32),
+            ("user", c_uint32),
+            ("margin", c_int32),
+            ("part_count", c_uint16),
+            ("kind", c_uint8),
+            ("detail", c_uint8),
+            ("asleep", c_bool),
+            ("motion", c_uint8),
+        ]
+
+    class Part(Record):
+        C_NAME = prefix + "part"
+        _fields_ = [("shape", c_uint16), ("own_pose", c_bool), ("pose", pose)]
+
+    class Setup(Record):
+        C_NAME = prefix + "body_setup"
+        _fields_ = [
+            ("pose", pose),
+            ("parts", POINTER(Part)),
+            ("part_count", c_uint16),
+            ("kind", c_uint8),
+            ("detail", c_uint8),
+            ("category", c_uint32),
+            ("mask", c_uint32),
+            ("user", c_uint32),
+            ("margin", c_int32),
+        ]
+
+    class Config(Record):
+        C_NAME = prefix + "scene_config"
+        _fields_ = [
+            ("bodies", c_uint32),
+            ("parts", c_uint32),
+            ("own_poses", c_uint32),
+            ("pairs", c_uint32),
+            ("box_margin", c_int32),
+            ("detail", c_uint8),
+            ("persist", c_uint8),
+            ("retest_all", c_uint8),
+            ("pair_words", c_uint8),
+            *([("workspace_cells", c_uint32)] if has_workspace else []),
+            ("motions", c_uint32),
+        ]
+
+    class Bindings(Record):
+        C_NAME = prefix + "scene_bindings"
+        _fields_ = [
+            ("predicate", c_void_p),
+            ("user", c_void_p),
+            ("details", c_void_p),
+            *([("workspace", POINTER(Workspace))] if has_workspace else []),
+            ("manifolds", POINTER(manifold)),
+            ("motion", c_void_p),
+            ("keeps_manifolds", c_bool),
+        ]
+
+    class Handle(Record):
+        C_NAME = prefix + "scene"
+        _fields_ = [
+            ("block", c_void_p),
+            ("shapes", POINTER(POINTER(shape))),
+            ("shape_count", c_uint16),
+            ("bindings", Bindings),
+        ]
+
+    class Report(Record):
+        C_NAME = prefix + "report"
+        _fields_ = [
+            ("a", BodyId),
+            ("b", BodyId),
+            ("part_a", c_uint16),
+            ("part_b", c_uint16),
+            ("event", c_uint8),
+            ("detail", c_uint8),
+            ("still", c_bool),
+            ("distance", c_int32),
+            ("manifold", POINTER(manifold)),
+            ("words", POINTER(c_uint32)),
+            ("fraction", c_int32),
+        ]
+
+    to_scene = POINTER(Handle)
+    body = to_scene, BodyId
+    to_reports = POINTER(Report), c_uint32, POINTER(_Progress)
+    shapes = POINTER(POINTER(shape)), Uint16, POINTER(Bindings)
+    filter = POINTER(SceneFilter)
+    to_hits = POINTER(SceneHit), POINTER(SceneHit), c_uint32, POINTER(c_uint32)
+    to_hit = POINTER(SceneHit), POINTER(cast_result), POINTER(c_bool)
+
+    scene_bytes = library[prefix + "scene_bytes"]
+    scene_bytes.restype, scene_bytes.argtypes = ctypes.c_size_t, [POINTER(Config)]
+    init = declare(prefix + "scene_init", to_scene, POINTER(Config), c_void_p, ctypes.c_size_t, *shapes)
+    open = declare(prefix + "scene_open", to_scene, c_void_p, ctypes.c_size_t, *shapes)
+    add = declare(prefix + "scene_add", to_scene, POINTER(Setup), POINTER(BodyId))
+    add_at = declare(prefix + "scene_add_at", to_scene, Uint32, POINTER(Setup), POINTER(BodyId))
+    remove = declare(prefix + "scene_remove", *body)
+    move = declare(prefix + "scene_move", *body, POINTER(pose))
+    teleport = declare(prefix + "scene_teleport", *body, POINTER(pose))
+    sleep = declare(prefix + "scene_sleep", *body)
+    wake = declare(prefix + "scene_wake", *body)
+    set_motion = declare(prefix + "scene_set_motion", *body, Uint8)
+    set_shape = declare(prefix + "scene_set_shape", *body, Uint16, Uint16)
+    set_filter = declare(prefix + "scene_set_filter", *body, Uint32, Uint32)
+    set_user = declare(prefix + "scene_set_user", *body, Uint32)
+    get = declare(prefix + "scene_get", *body, POINTER(BodyState))
+    body_at = declare(prefix + "scene_body_at", to_scene, Uint32, POINTER(BodyId))
+    collider = declare(prefix + "scene_collider", *body, Uint16, POINTER(collider_of))
+    update = declare(prefix + "scene_update", to_scene, *to_reports)
+    next_near = declare(prefix + "scene_next_near", to_scene, POINTER(c_uint32), POINTER(Report), POINTER(c_bool))
+    get_stats = declare(prefix + "scene_get_stats", to_scene, POINTER(SceneStats))
+    cast_ray = declare(prefix + "scene_cast_ray", to_scene, vector, vector, filter, *to_hit)
+    cast_ray_all = declare(prefix + "scene_cast_ray_all", to_scene, vector, vector, filter, *to_hits)
+    cast = declare(prefix + "scene_cast", to_scene, POINTER(collider_of), vector, Int32, filter, *to_hit)
+    query_within = declare(prefix + "scene_query_within", to_scene, POINTER(collider_of), Int32, filter, *to_hits)
+    query_box = declare(prefix + "scene_query_box", to_scene, POINTER(aabb), *to_hits)
+    query_nearest = declare(
+        prefix + "scene_query_nearest", to_scene, POINTER(collider_of), Int32, POINTER(BodyId), POINTER(SceneHit),
+        POINTER(c_int32), POINTER(c_bool),
+    )  # fmt: skip
+    hash = declare(prefix + "scene_hash", to_scene, POINTER(c_uint64))
+    seal = declare(prefix + "scene_seal", to_scene)
+
+    names = dict(locals())
+    check_sizes(names)
+    return types.SimpleNamespace(**names)
+
+
+_SPACE = dimension("gjk_", Vec3, Pose, Shape, Aabb, Collider, Manifold, CastResult, has_workspace=True)
+BodyState = _SPACE.BodyState
+_MANIFOLDS = declare(
+    "gjk_scene_manifolds", POINTER(_SPACE.Handle), POINTER(_SPACE.Report), Unsigned, POINTER(Manifold), Unsigned,
+    POINTER(ctypes.c_uint),
+)  # fmt: skip
+
+
+class SceneBase:
     """Many bodies. Depths, contacts and fast bodies may be asked for.
 
-    shapes: all that its bodies may have; those of gjk.concave() too. A body names one by its number here, or as it is.
+    shapes: all that its bodies may have; in space those of gjk.concave() too. A body names one by its number here, or
+    as it is.
     The other arguments are the fields of gjk_scene_config. Capacities that are not given follow from bodies.
     """
 
     def __init__(self, shapes, bodies, parts=None, own_poses=None, pairs=None, box_margin=0, detail=Detail.TOUCH,
                  persist=False, retest_all=False, pair_words=0, workspace_cells=None, motions=None):  # fmt: skip
         parts = bodies if parts is None else parts
-        self._config = _Config(
+        self._config = self._of.Config(
             bodies, parts, parts if own_poses is None else own_poses, 16 * bodies if pairs is None else pairs,
-            box_margin, detail, persist, retest_all, pair_words,
-            Workspace().count if workspace_cells is None else workspace_cells,
-            bodies if motions is None else motions,
+            box_margin, detail, persist, retest_all, pair_words, motions=bodies if motions is None else motions,
         )  # fmt: skip
+        if self._of.has_workspace:
+            self._config.workspace_cells = Workspace().count if workspace_cells is None else workspace_cells
+        elif workspace_cells is not None:
+            raise TypeError("scenes of the plane have no workspace")
         self._shapes = list(shapes)
-        self._table = (POINTER(Shape) * len(self._shapes))(*map(ctypes.pointer, self._shapes))
-        self._workspace = Workspace(cells=self._config.workspace_cells)
-        self._reports, self._manifolds = (_Report * _ROOM)(), (Manifold * _ROOM)()
-        self._bindings = _Bindings(
-            details=_address("gjk_scene_contacts"),
-            workspace=ctypes.pointer(self._workspace),
+        self._table = (POINTER(self._of.shape) * len(self._shapes))(*map(ctypes.pointer, self._shapes))
+        self._reports, self._manifolds = (self._of.Report * _ROOM)(), (self._of.manifold * _ROOM)()
+        self._bindings = self._of.Bindings(
+            details=_address(self._of.prefix + "scene_contacts"),
             manifolds=self._manifolds,
-            motion=_address("gjk_scene_motion"),
+            motion=_address(self._of.prefix + "scene_motion"),
         )
-        self._block = (c_uint32 * (library.gjk_scene_bytes(self._config) // 4))()
-        self._handle = _Handle()
-        do(_init, self._handle, self._config, self._block, ctypes.sizeof(self._block), *self._bound())
+        if self._of.has_workspace:
+            self._workspace = Workspace(cells=self._config.workspace_cells)
+            self._bindings.workspace = ctypes.pointer(self._workspace)
+        self._block = (c_uint32 * (self._of.scene_bytes(self._config) // 4))()
+        self._handle = self._of.Handle()
+        do(self._of.init, self._handle, self._config, self._block, ctypes.sizeof(self._block), *self._bound())
 
     def _bound(self):
         return self._table, len(self._table), self._bindings
@@ -271,9 +326,9 @@ class Scene:
 
     def _part(self, part):
         if not isinstance(part, tuple):
-            return _Part(self._number(part), False, Pose())
+            return self._of.Part(self._number(part), False, self._of.pose())
         shape, pose = part
-        return _Part(self._number(shape), True, pose)
+        return self._of.Part(self._number(shape), True, pose)
 
     # Bodies.
 
@@ -284,56 +339,57 @@ class Scene:
         parts: a shape, or a list of shapes and of tuples of a shape and its pose in the body's frame.
         """
         parts = [self._part(part) for part in (parts if isinstance(parts, list) else [parts])]
-        array = (_Part * len(parts))(*parts)
-        pose = pose if pose is not None else Pose()
-        setup = _Setup(pose, array, len(parts), kind, detail, category, mask, user, margin)
+        array = (self._of.Part * len(parts))(*parts)
+        pose = pose if pose is not None else self._of.pose()
+        setup = self._of.Setup(pose, array, len(parts), kind, detail, category, mask, user, margin)
         if slot is None:
-            return answer(_add, BodyId, self._handle, setup)
-        return answer(_add_at, BodyId, self._handle, slot, setup)
+            return answer(self._of.add, BodyId, self._handle, setup)
+        return answer(self._of.add_at, BodyId, self._handle, slot, setup)
 
     def remove(self, body):
         """The next update reports the end of its pairs."""
-        do(_remove, self._handle, body)
+        do(self._of.remove, self._handle, body)
 
     def move(self, body, pose):
         """Takes a body to its next pose, and wakes it."""
-        do(_move, self._handle, body, pose)
+        do(self._of.move, self._handle, body, pose)
 
     def teleport(self, body, pose):
         """As move, for a body that does not go on the same way."""
-        do(_teleport, self._handle, body, pose)
+        do(self._of.teleport, self._handle, body, pose)
 
     def sleep(self, body):
-        do(_sleep, self._handle, body)
+        do(self._of.sleep, self._handle, body)
 
     def wake(self, body):
-        do(_wake, self._handle, body)
+        do(self._of.wake, self._handle, body)
 
     def set_motion(self, body, motion):
         """Makes a body fast: a BodyMotion."""
-        do(_set_motion, self._handle, body, motion)
+        do(self._of.set_motion, self._handle, body, motion)
 
     def set_shape(self, body, part, shape):
-        do(_set_shape, self._handle, body, part, self._number(shape))
+        do(self._of.set_shape, self._handle, body, part, self._number(shape))
 
     def set_filter(self, body, category, mask):
-        do(_set_filter, self._handle, body, category, mask)
+        do(self._of.set_filter, self._handle, body, category, mask)
 
     def set_user(self, body, user):
-        do(_set_user, self._handle, body, user)
+        do(self._of.set_user, self._handle, body, user)
 
     def get(self, body):
         """What the scene holds about a body: a BodyState."""
-        return answer(_get, BodyState, self._handle, body)
+        return answer(self._of.get, self._of.BodyState, self._handle, body)
 
     def body_at(self, slot):
         """The BodyId in a slot; None: it is free."""
-        body = answer(_body_at, BodyId, self._handle, slot)
+        body = answer(self._of.body_at, BodyId, self._handle, slot)
         return body if body.generation != 0 else None
 
     def collider(self, body, part=0):
         """A part that is not concave, as a Collider where it is now."""
-        collider = answer(_collider, lambda: Collider.__new__(Collider), self._handle, body, part)
+        of = self._of.collider_of
+        collider = answer(self._of.collider, lambda: of.__new__(of), self._handle, body, part)
         collider.shape = self._shapes
         return collider
 
@@ -346,7 +402,7 @@ class Scene:
         """
         reports, progress = [], _Progress(0, 0, 1)
         while progress.pairs_left != 0 or progress.reports_left != 0:
-            do(_update, self._handle, self._reports, _ROOM, progress)
+            do(self._of.update, self._handle, self._reports, _ROOM, progress)
             reports.extend(map(self._report, self._reports[: progress.reports]))
         return reports
 
@@ -365,7 +421,7 @@ class Scene:
             still=c.still,
             distance=c.distance,
             fraction=c.fraction,
-            manifold=Manifold.from_buffer_copy(c.manifold.contents) if c.manifold else None,
+            manifold=self._of.manifold.from_buffer_copy(c.manifold.contents) if c.manifold else None,
             words=words,
         )
 
@@ -373,53 +429,46 @@ class Scene:
         """The pairs that were near at the last update, as a list of Report in no stated order."""
         reports, cursor, found = [], c_uint32(), c_bool()
         while True:
-            pair = _Report()
-            do(_next_near, self._handle, cursor, pair, found)
+            pair = self._of.Report()
+            do(self._of.next_near, self._handle, cursor, pair, found)
             if not found:
                 return reports
             reports.append(self._report(pair))
 
-    def manifolds(self, report, most=4):
-        """All contacts of a reported pair where its bodies are now, by their normals: a list of Manifold."""
-        room, count = (Manifold * constant("GJK_PARTS_MANIFOLDS_MAX"))(), ctypes.c_uint()
-        pair = _Report(report.a, report.b, report.part_a, report.part_b, report.event, report.detail)
-        do(_manifolds, self._handle, pair, most, room, len(room), count)
-        return room[: count.value]
-
     def stats(self):
         """A SceneStats."""
-        return answer(_get_stats, SceneStats, self._handle)
+        return answer(self._of.get_stats, SceneStats, self._handle)
 
     # Queries of the current poses. filter: a SceneFilter, or None.
 
     def cast_ray(self, start, end, filter=None):
         """What a ray enters first: a SceneHit and its CastResult; None: nothing."""
-        return self._first(_cast_ray, start, end, filter)
+        return self._first(self._of.cast_ray, start, end, filter)
 
     def cast_ray_all(self, start, end, filter=None):
         """All that a ray enters, in this order: a list of SceneHit."""
-        return self._hits(_cast_ray_all, start, end, filter)
+        return self._hits(self._of.cast_ray_all, start, end, filter)
 
     def cast(self, collider, to, margin=0, filter=None):
         """What a collider meets first on a straight way: a SceneHit and its CastResult; None: nothing."""
-        return self._first(_cast, collider, to, margin, filter)
+        return self._first(self._of.cast, collider, to, margin, filter)
 
     def within(self, collider, reach=0, filter=None):
         """All parts that are at most reach away from a collider: a list of SceneHit."""
-        return self._hits(_query_within, collider, reach, filter)
+        return self._hits(self._of.query_within, collider, reach, filter)
 
     def box(self, box):
         """All parts whose boxes share a point with an Aabb: a list of SceneHit."""
-        return self._hits(_query_box, box)
+        return self._hits(self._of.query_box, box)
 
     def nearest(self, collider, reach, ignore=None):
         """The part that is nearest to a collider, at most reach away: a SceneHit and the distance; None: nothing."""
         hit, distance, found = SceneHit(), c_int32(), c_bool()
-        do(_query_nearest, self._handle, collider, reach, ignore, hit, distance, found)
+        do(self._of.query_nearest, self._handle, collider, reach, ignore, hit, distance, found)
         return (hit, distance.value) if found else None
 
     def _first(self, function, *arguments):
-        hit, result, found = SceneHit(), CastResult(), c_bool()
+        hit, result, found = SceneHit(), self._of.cast_result(), c_bool()
         status = function(self._handle, *arguments, hit, result, found)
         if status != Status.OK:
             raise Error(status, hit)
@@ -437,11 +486,11 @@ class Scene:
 
     def hash(self):
         """64 bits over all that decides further answers."""
-        return answer(_hash, c_uint64, self._handle).value
+        return answer(self._of.hash, c_uint64, self._handle).value
 
     def save(self):
         """The scene as bytes, sealed by a checksum: what C opens with gjk_scene_open."""
-        do(_seal, self._handle)
+        do(self._of.seal, self._handle)
         return bytes(self._block)
 
     def load(self, save):
@@ -451,53 +500,21 @@ class Scene:
         """
         if len(save) != ctypes.sizeof(self._block):
             raise Error(Status.CAPACITY)
-        block, handle = type(self._block).from_buffer_copy(save), _Handle()
-        do(_open, handle, block, len(save), *self._bound())
+        block, handle = type(self._block).from_buffer_copy(save), self._of.Handle()
+        do(self._of.open, handle, block, len(save), *self._bound())
         self._block, self._handle = block, handle
 
 
-_SCENE = POINTER(_Handle)
-_BODY = _SCENE, BodyId
-_TO_REPORTS = POINTER(_Report), c_uint32, POINTER(_Progress)
-_SHAPES = POINTER(POINTER(Shape)), Uint16, POINTER(_Bindings)
-_FILTER = POINTER(SceneFilter)
-_TO_HITS = POINTER(SceneHit), POINTER(SceneHit), c_uint32, POINTER(c_uint32)
-_TO_HIT = POINTER(SceneHit), POINTER(CastResult), POINTER(c_bool)
+class Scene(SceneBase):
+    __doc__ = SceneBase.__doc__
+    _of = _SPACE
 
-library.gjk_scene_bytes.restype = ctypes.c_size_t
-library.gjk_scene_bytes.argtypes = [POINTER(_Config)]
-_init = declare("gjk_scene_init", _SCENE, POINTER(_Config), c_void_p, ctypes.c_size_t, *_SHAPES)
-_open = declare("gjk_scene_open", _SCENE, c_void_p, ctypes.c_size_t, *_SHAPES)
-_add = declare("gjk_scene_add", _SCENE, POINTER(_Setup), POINTER(BodyId))
-_add_at = declare("gjk_scene_add_at", _SCENE, Uint32, POINTER(_Setup), POINTER(BodyId))
-_remove = declare("gjk_scene_remove", *_BODY)
-_move = declare("gjk_scene_move", *_BODY, POINTER(Pose))
-_teleport = declare("gjk_scene_teleport", *_BODY, POINTER(Pose))
-_sleep = declare("gjk_scene_sleep", *_BODY)
-_wake = declare("gjk_scene_wake", *_BODY)
-_set_motion = declare("gjk_scene_set_motion", *_BODY, Uint8)
-_set_shape = declare("gjk_scene_set_shape", *_BODY, Uint16, Uint16)
-_set_filter = declare("gjk_scene_set_filter", *_BODY, Uint32, Uint32)
-_set_user = declare("gjk_scene_set_user", *_BODY, Uint32)
-_get = declare("gjk_scene_get", *_BODY, POINTER(BodyState))
-_body_at = declare("gjk_scene_body_at", _SCENE, Uint32, POINTER(BodyId))
-_collider = declare("gjk_scene_collider", *_BODY, Uint16, POINTER(Collider))
-_update = declare("gjk_scene_update", _SCENE, *_TO_REPORTS)
-_next_near = declare("gjk_scene_next_near", _SCENE, POINTER(c_uint32), POINTER(_Report), POINTER(c_bool))
-_manifolds = declare(
-    "gjk_scene_manifolds", _SCENE, POINTER(_Report), Unsigned, POINTER(Manifold), Unsigned, POINTER(ctypes.c_uint)
-)
-_get_stats = declare("gjk_scene_get_stats", _SCENE, POINTER(SceneStats))
-_cast_ray = declare("gjk_scene_cast_ray", _SCENE, Vec3, Vec3, _FILTER, *_TO_HIT)
-_cast_ray_all = declare("gjk_scene_cast_ray_all", _SCENE, Vec3, Vec3, _FILTER, *_TO_HITS)
-_cast = declare("gjk_scene_cast", _SCENE, POINTER(Collider), Vec3, Int32, _FILTER, *_TO_HIT)
-_query_within = declare("gjk_scene_query_within", _SCENE, POINTER(Collider), Int32, _FILTER, *_TO_HITS)
-_query_box = declare("gjk_scene_query_box", _SCENE, POINTER(Aabb), *_TO_HITS)
-_query_nearest = declare(
-    "gjk_scene_query_nearest", _SCENE, POINTER(Collider), Int32, POINTER(BodyId), POINTER(SceneHit), POINTER(c_int32),
-    POINTER(c_bool),
-)  # fmt: skip
-_hash = declare("gjk_scene_hash", _SCENE, POINTER(c_uint64))
-_seal = declare("gjk_scene_seal", _SCENE)
+    def manifolds(self, report, most=4):
+        """All contacts of a reported pair where its bodies are now, by their normals: a list of Manifold."""
+        room, count = (Manifold * constant("GJK_PARTS_MANIFOLDS_MAX"))(), ctypes.c_uint()
+        pair = self._of.Report(report.a, report.b, report.part_a, report.part_b, report.event, report.detail)
+        do(_MANIFOLDS, self._handle, pair, most, room, len(room), count)
+        return room[: count.value]
+
 
 check_sizes(globals())

@@ -1,21 +1,25 @@
-"""The match of tests/support/scene/match.c through the Python module, with saves and rollbacks.
+"""The matches of tests/support/scene through the Python module, with saves and rollbacks.
 
-scene_golden.py TICKS HASH: exits with 0 if the hash over so many ticks is HASH, in hexadecimal digits.
+scene_golden.py TICKS HASH [plane]: exits with 0 if the hash over so many ticks is HASH, in hexadecimal digits.
 """
 
 import sys
 
 import gjk
-from gjk import BodyKind, Detail, Event, q16
+from gjk import BodyKind, Detail, Event, plane, q16
 from golden_set import Random
 
-BODIES, WALL, REACH = 24, 5, q16(3)
+FLAT = len(sys.argv) > 3 and sys.argv[3] == "plane"
+OF, AXES = (plane, 2) if FLAT else (gjk, 3)
+BODIES, WALL, REACH = 24, 6 if FLAT else 5, q16(4 if FLAT else 3)
 WORD, PRIME = (1 << 32) - 1, 0x100000001B3
 MASK = (1 << 64) - 1
 CORNERS = [
     (30000, 2000, 1000), (-28000, 9000, -3000), (5000, 31000, 2000), (-3000, -30000, 4000), (1000, 2000, 33000),
     (-2000, 900, -31000), (20000, 20000, 12000), (-19000, -18000, -9000),
 ]  # fmt: skip
+FLAT_CORNERS = [(30000, 2000), (9000, 29000), (-25000, 20000), (-28000, -9000), (-3000, -30000), (19000, -18000)]
+SAIL = [(-40000, -9000), (41000, 0), (3000, 52000)]
 DETAILS = [Detail.DISTANCE, Detail.TOUCH, Detail.TOUCH, Detail.DISTANCE, Detail.DEPTH, Detail.CONTACTS]
 
 
@@ -41,7 +45,8 @@ def bounce(at, step):
 def sum_of(manifold):
     parts = [remainder(n, d) for n, d in zip(manifold.normal, (5, 7, 11))]
     for c in manifold:
-        parts += [remainder(c.point_a.x, 5), remainder(c.point_a.y, 7), remainder(c.point_b.z, 11)]
+        last = c.point_b.x if FLAT else c.point_b.z
+        parts += [remainder(c.point_a.x, 5), remainder(c.point_a.y, 7), remainder(last, 11)]
         parts += [remainder(c.distance, 13), c.id]
     return sum(parts) + manifold.feature_a + manifold.feature_b
 
@@ -53,16 +58,29 @@ class Body:
         self.id, self.step, self.turn = id, step, turn
 
 
+def shapes():
+    half = q16(0.5)
+    if FLAT:
+        return [
+            plane.box(half, half), plane.circle(half), plane.capsule(q16(0.25), q16(0.4)), plane.polygon(FLAT_CORNERS),
+            plane.ellipse(half, q16(0.375)), plane.triangle(SAIL), plane.box(q16(6), q16(0.25)),
+        ]  # fmt: skip
+    return [
+        gjk.box(half, half, half), gjk.sphere(half), gjk.capsule(q16(0.25), q16(0.4)), gjk.hull(CORNERS),
+        gjk.cylinder(half, q16(0.375)), gjk.box(q16(6), q16(6), q16(0.25)),
+    ]  # fmt: skip
+
+
+def up(height):
+    return [0] * (AXES - 1) + [height]
+
+
 class Match:
     def __init__(self):
-        shapes = [
-            gjk.box(q16(0.5), q16(0.5), q16(0.5)), gjk.sphere(q16(0.5)), gjk.capsule(q16(0.25), q16(0.4)),
-            gjk.hull(CORNERS), gjk.cylinder(q16(0.5), q16(0.375)), gjk.box(q16(6), q16(6), q16(0.25)),
-        ]  # fmt: skip
-        self.scene = gjk.Scene(
-            shapes, BODIES, parts=2 * BODIES, own_poses=BODIES, pairs=160, box_margin=q16(0.1), persist=True,
-            workspace_cells=400,
-        )  # fmt: skip
+        more = {} if FLAT else {"workspace_cells": 400}
+        self.scene = OF.Scene(
+            shapes(), BODIES, parts=2 * BODIES, own_poses=BODIES, pairs=160, box_margin=q16(0.1), persist=True, **more
+        )
         self.tick, self.bodies = 0, [None] * BODIES
         for slot in range(BODIES):
             self.add(slot)
@@ -72,20 +90,23 @@ class Match:
             return dice(slot, self.tick, c, limit)
 
         fixed = slot == BODIES - 1
-        turn = gjk.Quat(roll(4, 300), roll(5, 300), roll(6, 300), 30000).normalized()
+        if FLAT:
+            turn = plane.Rotation(30000, roll(4, 500)).normalized()
+        else:
+            turn = gjk.Quat(roll(4, 300), roll(5, 300), roll(6, 300), 30000).normalized()
         parts = [WALL if fixed else slot % WALL]
         if slot % 6 == 5 and not fixed:
-            parts.append((1, gjk.Pose((0, 0, q16(0.75)))))
+            parts.append((1, OF.Pose(up(q16(0.75)))))
         id = self.scene.add(
             parts,
-            gjk.Pose((0, 0, -REACH) if fixed else [roll(c, REACH) for c in (1, 2, 3)]),
+            OF.Pose(up(-REACH) if fixed else [roll(1 + axis, REACH) for axis in range(AXES)]),
             kind=BodyKind.STATIC if fixed else BodyKind.KINEMATIC if slot < 2 else BodyKind.DYNAMIC,
             detail=DETAILS[slot % 6],
             user=slot,
             margin=q16(0.125) if slot % 4 == 0 else 0,
             slot=slot,
         )
-        self.bodies[slot] = Body(id, [0, 0, 0] if slot < 2 else [roll(c, 3000) for c in (7, 8, 9)], turn)
+        self.bodies[slot] = Body(id, [0] * AXES if slot < 2 else [roll(7 + axis, 3000) for axis in range(AXES)], turn)
 
     def move(self, slot, input):
         body = self.bodies[slot]
@@ -94,13 +115,13 @@ class Match:
             return
         push = -2000 if input & 8 else 2000
         position = list(state.pose.position)
-        for i in range(3):
+        for i in range(AXES):
             body.step[i] = bounce(position[i], push if input >> i & 1 else body.step[i])
             position[i] += body.step[i]
         rotation = state.pose.rotation
         if slot >= 2 or input & 16:
             rotation = body.turn * rotation
-        self.scene.move(body.id, gjk.Pose(position, rotation))
+        self.scene.move(body.id, OF.Pose(position, rotation))
 
     def act(self, input):
         slot = 2 + self.tick % (BODIES - 3)

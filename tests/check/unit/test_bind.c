@@ -153,6 +153,20 @@ static void parts(void) {
   CHECK(gjk_parts_of_mesh(&mesh, NULL) == GJK_ERROR_NULL);
 }
 
+static void scenes(void) {
+  gjk_scene_bindings out;
+  gjk2_scene_bindings flat;
+  memset(&out, 0xA5, sizeof out);
+  memset(&flat, 0xA5, sizeof flat);
+  CHECK(gjk_scene_bind_all(&out) == GJK_OK && out.details == &gjk_scene_contacts && out.motion == &gjk_scene_motion);
+  CHECK(out.predicate == NULL && out.user == NULL && out.workspace == NULL && out.manifolds == NULL);
+  CHECK(!out.keeps_manifolds);
+  CHECK(gjk2_scene_bind_all(&flat) == GJK_OK && flat.details == &gjk2_scene_contacts);
+  CHECK(flat.motion == &gjk2_scene_motion && flat.predicate == NULL && flat.user == NULL && flat.manifolds == NULL);
+  CHECK(!flat.keeps_manifolds);
+  CHECK(gjk_scene_bind_all(NULL) == GJK_ERROR_NULL && gjk2_scene_bind_all(NULL) == GJK_ERROR_NULL);
+}
+
 static void counts(void) {
   CHECK(gjk_compound_nodes(8) == GJK_COMPOUND_NODES(8));
   CHECK(gjk_compound_nodes(9) == GJK_COMPOUND_NODES(9));
@@ -196,6 +210,7 @@ int main(void) {
   flat_shapes();
   refusals();
   parts();
+  scenes();
   counts();
   names();
   return check_done("bind");

@@ -22,6 +22,18 @@ program() {
     -o "$dir/$name-$compiler"
 }
 
+# The match of the plane is compiled from that of space.
+plane_match() {
+  cp tests/check/bind/scene_golden.cpp "$dir/plane_golden.cpp" &&
+    program plane_golden "$1" -Itests/check/bind -DOF_PLANE -O2 -fno-exceptions -fno-rtti && runs plane_golden "$1"
+}
+
+# The scenes of the plane are those of space under other names: each call of the plane's header stands in the other one, too.
+same_scenes() {
+  grep -oE '\bgjk2_scene_[a-z_]+\(' port/cpp/gjk2_scene.hpp | sed 's/gjk2/gjk/' | sort -u >"$dir/flat"
+  grep -oE '\bgjk_scene_[a-z_]+\(' port/cpp/gjk_scene.hpp | grep -v manifolds | sort -u | diff - "$dir/flat"
+}
+
 # The block of C++ in port/README.md, and what its comments say that it prints.
 awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' port/README.md >"$dir/readme.cpp"
 readme() {
@@ -65,7 +77,7 @@ refused() {
 
 # freestanding COMPILER FLAGS...: the headers need nothing of a library
 freestanding() {
-  printf '#include "%s"\n' gjk.hpp gjk2.hpp gjk_scene.hpp gjk_parts.hpp >"$dir/headers.cpp"
+  printf '#include "%s"\n' gjk.hpp gjk2.hpp gjk_scene.hpp gjk2_scene.hpp gjk_parts.hpp >"$dir/headers.cpp"
   # shellcheck disable=SC2086
   "$@" -std=c++17 $strict -Iinclude -Iport/cpp -ffreestanding -fno-exceptions -fno-rtti -c "$dir/headers.cpp" -o "$dir/headers.o"
 }
@@ -106,7 +118,7 @@ END
 }
 
 is_formatted() {
-  clang-format --dry-run -Werror port/cpp/*.hpp tests/check/bind/*.cpp
+  clang-format --dry-run -Werror port/cpp/*.hpp tests/check/bind/*.[ch]pp
 }
 
 for compiler in g++ clang++; do
@@ -120,6 +132,7 @@ for compiler in g++ clang++; do
   check "a match: compiles, $compiler" program scene_golden $compiler -O2 -fno-exceptions -fno-rtti
   check "the golden hash of a scene, $compiler" runs scene_golden $compiler
   check "another match has another hash, $compiler" other_match $compiler
+  check "the golden hash of a scene of the plane, $compiler" plane_match $compiler
   check "scenes, parts, solids: compiles, $compiler" program scene_behaviour $compiler -O1
   check "scenes, parts, solids, $compiler" runs scene_behaviour $compiler
   check "behaviour: compiles, $compiler" program behaviour $compiler -O1
@@ -131,6 +144,7 @@ for compiler in g++ clang++; do
     check "$word is refused, $compiler" refused $compiler $word
   done
 done
+check 'scenes of the plane as of space' same_scenes
 if have g++; then
   for max in 1 2 3; do
     check "a ceiling of $max" ceiling g++ $max

@@ -162,7 +162,7 @@ json() {
 }
 
 check 'make install' make -s install "PREFIX=$prefix"
-check 'make package' sh tests/build/package.sh "$build"
+check 'make package' sh tests/build/package.sh "$build" cmake zephyr esp-idf arduino
 check 'each example is run' every_example_is_listed
 for example in $examples; do
   check "$example.c: less than 60 lines" is_short $example

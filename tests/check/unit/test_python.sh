@@ -9,6 +9,7 @@ golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/ta
 plane_golden=$(sed -n 's/^#define PLANE_GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/plane_golden.h)
 few=$(sed -n 's/^#define GOLDEN_FEW_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
 scene_few=$(sed -n 's/^#define SCENE_GOLDEN_FEW_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/scene_golden.h)
+plane_scene_few=$(sed -n 's/^#define PLANE_SCENE_GOLDEN_FEW_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/plane_scene_golden.h)
 rm -rf "$dir"
 mkdir -p "$dir"
 dir=$(cd "$dir" && pwd)
@@ -73,6 +74,7 @@ for max in 1 2 3; do
   check "a ceiling of $max" ceiling $max
 done
 check 'the golden hash of a scene' python tests/check/bind/scene_golden.py 500 "$scene_few"
+check 'the golden hash of a scene of the plane' python tests/check/bind/scene_golden.py 500 "$plane_scene_few" plane
 check 'another match has another hash' other_match
 check 'the golden hash' python tests/check/bind/golden.py 3000 "$golden"
 check 'the golden hash of the plane' python tests/check/bind/plane_golden.py 3000 "$plane_golden"

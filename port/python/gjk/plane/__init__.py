@@ -9,3 +9,4 @@
 
 from .bodies import *
 from .queries import *
+from .scene import *
