@@ -34,7 +34,8 @@ class Opinion(typing.NamedTuple):
     """What is certain about two shapes, in the unit of their vertices.
 
     touching: None where the resolution cannot tell. lower, upper: bounds of the distance, negative for a depth; equal
-    where nothing was rounded. normal: from A to B. proven: the library's own answer was checked in integers.
+    where nothing was rounded. normal: from A to B. proven: the library's own answer was checked in integers. point_a,
+    point_b: the nearest points, or the deepest ones, each at most `within` from its shape as given.
     """
 
     touching: typing.Optional[bool]
@@ -43,6 +44,9 @@ class Opinion(typing.NamedTuple):
     normal: typing.Optional[typing.Tuple[float, float, float]]
     resolution: float
     proven: bool
+    point_a: typing.Tuple[float, float, float]
+    point_b: typing.Tuple[float, float, float]
+    within: float
 
     def __str__(self):
         if self.touching is None:
@@ -68,19 +72,26 @@ def second_opinion(a, b, pose_a=None, pose_b=None, radius_a=0.0, radius_b=0.0) -
     placed = [[[x - m for x, m in zip(v, middle)] for v in shape] for shape in placed]
     reach = max(abs(x) for shape in placed for v in shape for x in v) + max(radii)
     scale = _scale(reach)
-    colliders, error = [], Fraction(0)
+    colliders, error, most = [], Fraction(0), Fraction(0)
     for shape, radius in zip(placed, radii):
         scaled = [[x * scale for x in v] for v in shape]
         rounded = [[round(x) for x in v] for v in scaled]
         moved = max(sum((x - r) ** 2 for x, r in zip(v, w)) for v, w in zip(scaled, rounded))
         around = round(radius * scale)
-        error += _root_above(moved) + abs(radius * scale - around)
+        off = _root_above(moved) + abs(radius * scale - around)
+        error += off
+        most = max(most, off)
         colliders.append(Collider(hull([Vec3(*v) for v in rounded], radius=around)))
-    lower, upper, normal, proven = _ask(*colliders, _workspace(*map(len, placed)))
+    lower, upper, out, proven = _ask(*colliders, _workspace(*map(len, placed)))
     # The signed distance changes by no more than the shapes' points are moved together.
     lower, upper = (Fraction(lower) - error) / scale, (Fraction(upper) + error) / scale
     touching = False if lower > 0 else True if upper <= 0 else None
-    return Opinion(touching, _below(lower), _above(upper), normal, float(1 / scale), proven)
+    normal = tuple(n / Q30_ONE for n in out.normal)
+    points = [tuple(float(x / scale + m) for x, m in zip(point, middle)) for point in (out.point_a, out.point_b)]
+    # A point is within an LSB of its shape, and a coordinate within 2^-53 of itself as a float.
+    within = _above((most + 1) / scale + max(abs(Fraction(x)) for point in points for x in point) / 2**52)
+    within = within if proven else math.inf
+    return Opinion(touching, _below(lower), _above(upper), normal, float(1 / scale), proven, *points, within)
 
 
 def _workspace(n, m):
@@ -89,13 +100,13 @@ def _workspace(n, m):
 
 
 def _ask(a, b, workspace):
-    """Bounds of the signed distance in LSB, the normal, and whether they are proven."""
+    """Bounds of the signed distance in LSB, the library's result, and whether they are proven."""
     gap = distance(a, b)
     if not gap.intersecting:
         # The distance is the nearest integer, and the real one may be half an LSB away.
         low, high = Fraction(2 * gap.lower - 1, 2), Fraction(2 * gap.upper + 1, 2)
         check_distance(a, b, gap)
-        return max(low, Fraction(0)), high, tuple(n / Q30_ONE for n in gap.normal), True
+        return max(low, Fraction(0)), high, gap, True
     try:
         deep = penetration(a, b, None, workspace)
         check_penetration(a, b, deep)
@@ -105,7 +116,7 @@ def _ask(a, b, workspace):
             raise
         deep, proven = error.result, False
     # Rounded up, and no depth is negative.
-    return -deep.upper, -max(deep.lower - 1, 0), tuple(n / Q30_ONE for n in deep.normal), proven
+    return -deep.upper, -max(deep.lower - 1, 0), deep, proven
 
 
 # Input, in rational numbers: what is given is exact, whatever it is.

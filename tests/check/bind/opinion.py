@@ -109,6 +109,10 @@ def single():
         check(answer.touching in (None, square <= 0), f"case {i}: touching")
         check(answer.upper - answer.lower < 10 * answer.resolution, f"case {i}: wide bounds")
         check(answer.resolution < 1e-7 * size, f"case {i}: resolution")
+        for point, shape, pose in ((answer.point_a, a, pose_a), (answer.point_b, b, pose_b)):
+            off = signed_square(exactly(shape, pose), [[F(x) for x in point]])
+            check(off <= F(answer.within) ** 2, f"case {i}: a point is {float(off)} squared from its shape")
+        check(answer.within < 4 * answer.resolution, f"case {i}: points")
         told[answer.touching] += 1
     check(min(told.values()) > 2, f"the mix of cases: {told}")
 
