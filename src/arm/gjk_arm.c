@@ -193,22 +193,10 @@ unsigned gjk_arm_values(const gjk_arm_model *model) {
 }
 
 gjk_status gjk_arm_poses(gjk_arm *arm, const int32_t *values, gjk_pose *out) {
-  if (arm == NULL || out == NULL) {
-    return GJK_ERROR_NULL;
-  }
-  if (!gjk_arm_is_ready(arm)) {
-    return GJK_ERROR_UNINITIALISED;
-  }
-  if (values == NULL && arm->value_count > 0) {
-    return GJK_ERROR_NULL;
-  }
-  const gjk_status status = gjk_arm_set_values(arm, values);
-  if (status == GJK_OK) {
-    gjk_arm_set_frames(arm, 0, 0);
-    for (unsigned i = 0; i < arm->model->link_count; i++) {
-      out[i].position = arm->memory.links[i].frame[0].at;
-      out[i].rotation = arm->memory.links[i].frame[0].rotation;
-    }
+  const gjk_status status = gjk_arm_stand(arm, values, out);
+  for (unsigned i = 0; status == GJK_OK && i < arm->model->link_count; i++) {
+    out[i].position = arm->memory.links[i].frame[0].at;
+    out[i].rotation = arm->memory.links[i].frame[0].rotation;
   }
   return status;
 }

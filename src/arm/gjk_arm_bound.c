@@ -150,9 +150,22 @@ static gjk_status set_range(gjk_arm *arm, const int32_t *from, const int32_t *to
   return in_range ? GJK_OK : GJK_ERROR_RANGE;
 }
 
-gjk_status gjk_arm_set_values(gjk_arm *arm, const int32_t *values) {
+gjk_status gjk_arm_stand(gjk_arm *arm, const int32_t *values, const void *out) {
+  if (arm == NULL || out == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (!gjk_arm_is_ready(arm)) {
+    return GJK_ERROR_UNINITIALISED;
+  }
+  if (values == NULL && arm->value_count > 0) {
+    return GJK_ERROR_NULL;
+  }
   arm->state = GJK_ARM_READY;
-  return set_range(arm, values, values);
+  const gjk_status status = set_range(arm, values, values);
+  if (status == GJK_OK) {
+    gjk_arm_set_frames(arm, 0, 0);
+  }
+  return status;
 }
 
 gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to) {

@@ -8,8 +8,9 @@
 // RANGE: the machine may leave its range; then nothing but link rooms is set.
 gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to);
 
-// The same for a single configuration, without the pairs.
-gjk_status gjk_arm_set_values(gjk_arm *arm, const int32_t *values);
+// The same for a single configuration, without the pairs: also checks the arguments of a static question, and sets the
+// frames of number 0.
+gjk_status gjk_arm_stand(gjk_arm *arm, const int32_t *values, const void *out);
 
 // By how much a pair bends on a span of 2^-depth of the edge, rounded up, LSB; -1: by more than 2^28.
 int64_t gjk_arm_bend(const gjk_arm_pair *pair, unsigned depth);

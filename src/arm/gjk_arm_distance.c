@@ -6,23 +6,6 @@
 #include "gjk_arm_bound.h"
 #include "gjk_arm_span.h"
 
-static gjk_status start_still(gjk_arm *arm, const int32_t *values, const void *out) {
-  if (arm == NULL || out == NULL) {
-    return GJK_ERROR_NULL;
-  }
-  if (!gjk_arm_is_ready(arm)) {
-    return GJK_ERROR_UNINITIALISED;
-  }
-  if (values == NULL && arm->value_count > 0) {
-    return GJK_ERROR_NULL;
-  }
-  const gjk_status status = gjk_arm_set_values(arm, values);
-  if (status == GJK_OK) {
-    gjk_arm_set_frames(arm, 0, 0);
-  }
-  return status;
-}
-
 // No slack of a pair is larger, see gjk_arm_bound.c: N is at most 64, D at most 2^29.
 #define ARM_SLACK_MAX 600
 
@@ -56,7 +39,7 @@ static bool surely_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t m
 }
 
 gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, gjk_arm_distance_result *out) {
-  const gjk_status status = most < 0 ? GJK_ERROR_NEGATIVE : start_still(arm, values, out);
+  const gjk_status status = most < 0 ? GJK_ERROR_NEGATIVE : gjk_arm_stand(arm, values, out);
   if (status != GJK_OK) {
     return status;
   }
@@ -82,7 +65,7 @@ gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, g
 }
 
 gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, bool *yes, gjk_arm_names *pair) {
-  gjk_status status = distance < 0 ? GJK_ERROR_NEGATIVE : start_still(arm, values, yes);
+  gjk_status status = distance < 0 ? GJK_ERROR_NEGATIVE : gjk_arm_stand(arm, values, yes);
   if (status != GJK_OK) {
     return status;
   }
@@ -148,7 +131,7 @@ static bool movers(const gjk_arm *arm, const gjk_arm_names *names, uint32_t *par
 }
 
 gjk_status gjk_arm_gradient(gjk_arm *arm, const int32_t *values, const gjk_arm_distance_result *nearest, gjk_q16 *out) {
-  const gjk_status status = nearest == NULL ? GJK_ERROR_NULL : start_still(arm, values, out);
+  const gjk_status status = nearest == NULL ? GJK_ERROR_NULL : gjk_arm_stand(arm, values, out);
   uint32_t part, other;
   unsigned value = 0;
   if (status != GJK_OK) {

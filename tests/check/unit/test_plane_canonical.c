@@ -7,6 +7,7 @@
 #include "check.h"
 #include "generate/generate.h"
 #include "gjk2/gjk2.h"
+#include "plane_same.h"
 
 #define PAIRS check_trials(20000)
 #define SEED 9400
@@ -86,34 +87,6 @@ static void ask(const question *q, const gjk2_cache *from, answers *out) {
   out->status[4] = gjk2_penetration(&q->a, &q->b, cache[4], &out->depth);
   out->status[5] = gjk2_signed_distance(&q->a, &q->b, cache[5], &out->apart);
   out->status[6] = gjk2_contacts(&q->a, &q->b, q->margin, 2, cache[6], &out->contacts);
-}
-
-static bool same_place(const gjk2_vec *p, const gjk2_vec *q) {
-  return p->x == q->x && p->y == q->y;
-}
-
-// Fields that are not set are 0.
-static bool same_gap(const gjk2_distance_result *p, const gjk2_distance_result *q) {
-  return p->distance == q->distance && p->lower == q->lower && p->upper == q->upper &&
-         same_place(&p->point_a, &q->point_a) && same_place(&p->point_b, &q->point_b) && p->normal.x == q->normal.x &&
-         p->normal.y == q->normal.y && p->intersecting == q->intersecting && p->saturated == q->saturated;
-}
-
-static bool same_depth(const gjk2_penetration_result *p, const gjk2_penetration_result *q) {
-  return p->depth == q->depth && p->lower == q->lower && p->upper == q->upper && same_place(&p->point_a, &q->point_a) &&
-         same_place(&p->point_b, &q->point_b) && p->normal.x == q->normal.x && p->normal.y == q->normal.y &&
-         p->intersecting == q->intersecting;
-}
-
-static bool same_manifold(const gjk2_manifold *p, const gjk2_manifold *q) {
-  bool same = p->count == q->count && p->feature_a == q->feature_a && p->feature_b == q->feature_b &&
-              p->normal.x == q->normal.x && p->normal.y == q->normal.y;
-  for (int i = 0; i < p->count && same; i++) {
-    const gjk2_contact *a = &p->contact[i], *b = &q->contact[i];
-    same = same_place(&a->point_a, &b->point_a) && same_place(&a->point_b, &b->point_b) && a->distance == b->distance &&
-           a->id == b->id;
-  }
-  return same;
 }
 
 static unsigned long differing[QUERIES];
