@@ -15,7 +15,7 @@ int main(int count, char **arguments) {
       printf("root of %llu: %lu\n", (unsigned long long)x, (unsigned long)y);
       return 1;
     }
-    const uint32_t z = inverse_root((uint32_t)x);
+    const uint32_t z = gjk2_inverse_root((uint32_t)x);
     if (z < 0x3FFFFFFF || z > 0x7FFFFFFF) {
       printf("root of the plane of %llu: %lu\n", (unsigned long long)x, (unsigned long)z);
       return 1;

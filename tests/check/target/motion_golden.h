@@ -16,10 +16,10 @@
 #if GJK_BITS_VERSION != 2
 #error "the golden hashes are those of GJK_BITS_VERSION 2: replace them"
 #endif
-#define MOTION_GOLDEN_HASH UINT64_C(0x56f659d460bac006)
-#define MOTION_GOLDEN_FEW_HASH UINT64_C(0x67e8d5402a397d38)
-#define PLANE_MOTION_GOLDEN_HASH UINT64_C(0xa525724bb078879f)
-#define PLANE_MOTION_GOLDEN_FEW_HASH UINT64_C(0xbb2c35d65e3218ca)
+#define MOTION_GOLDEN_HASH UINT64_C(0x61b03fbb9e12e1b7)
+#define MOTION_GOLDEN_FEW_HASH UINT64_C(0x5bdbcee0fd634809)
+#define PLANE_MOTION_GOLDEN_HASH UINT64_C(0x218b6197a18607eb)
+#define PLANE_MOTION_GOLDEN_FEW_HASH UINT64_C(0xc41a398a6046da67)
 
 // The hash over the first pairs of the set. Not reentrant: the colliders are static, to spare small stacks.
 uint64_t motion_golden_hash(uint32_t pairs);

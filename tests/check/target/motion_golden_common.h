@@ -16,12 +16,6 @@ static void mix_cast(gjk_status status, const gjk_cast_result *out) {
     return;
   }
   mix((uint32_t)out->hit);
-  mix(out->iterations);
-  mix(out->certificate.proof);
-  mix(out->certificate.count);
-  for (int i = 0; i < out->certificate.count; i++) {
-    mix((uint32_t)out->certificate.a[i] << 16 | out->certificate.b[i]);
-  }
   if (out->hit) {
     mix((uint32_t)out->inside);
     mix((uint32_t)out->saturated);
@@ -67,7 +61,6 @@ static void query_impact(gjk_q16 margin, uint8_t iterations) {
   mix((uint32_t)out.overlap);
   mix((uint32_t)out.lower);
   mix((uint32_t)out.upper);
-  mix(out.iterations);
   mix_pose(&out.pose_a);
   mix_pose(&out.pose_b);
   if (out.hit && !out.overlap && out.distance > 0) {
