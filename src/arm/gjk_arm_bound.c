@@ -151,6 +151,7 @@ static gjk_status set_range(gjk_arm *arm, const int32_t *from, const int32_t *to
 }
 
 gjk_status gjk_arm_stand(gjk_arm *arm, const int32_t *values, const void *out) {
+  static const int32_t no_values[1] = {0};
   if (arm == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
@@ -161,7 +162,8 @@ gjk_status gjk_arm_stand(gjk_arm *arm, const int32_t *values, const void *out) {
     return GJK_ERROR_NULL;
   }
   arm->state = GJK_ARM_READY;
-  const gjk_status status = set_range(arm, values, values);
+  const int32_t *at = values != NULL ? values : no_values;
+  const gjk_status status = set_range(arm, at, at);
   if (status == GJK_OK) {
     gjk_arm_set_frames(arm, 0, 0);
   }

@@ -104,6 +104,7 @@ gjk_status gjk_parts_nearest_bound(gjk_parts_nearest *n, const gjk_parts_frame *
   uint32_t part;
   grow_to(region, n->distance);
   gjk_parts_walk_start(&walk);
+  trial.lower = n->lower;
   while (gjk_parts_next(frame, region, &walk, &part)) {  // Step 3; ends: each part comes once
     gjk_status status = gjk_parts_place_in(frame, part, &room, &c);
     status = status == GJK_OK ? gjk_distance_with(&c, b, false, NULL, &trial) : status;
