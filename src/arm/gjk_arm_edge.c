@@ -158,7 +158,7 @@ static bool may_touch_at_end(const gjk_arm *arm, const gjk_arm_pair *pair, int64
 }
 
 // Steps 2 and 3 for a pair that is open.
-static void test_pair(gjk_arm *arm, uint32_t number) {
+static void test_span(gjk_arm *arm, uint32_t number) {
   gjk_arm_pair *pair = &arm->memory.pairs[number];
   const uint32_t start = span_start(arm), end = start + span_steps(arm);
   const int64_t bend = gjk_arm_bend(pair, arm->depth), near = (int64_t)arm->setup.margin + arm->setup.tolerance;
@@ -289,7 +289,7 @@ gjk_status gjk_arm_edge_run(gjk_arm *arm, uint32_t tests, gjk_arm_edge_result *o
   const uint32_t before = arm->tests;
   skip_proven(arm);
   while (arm->state == GJK_ARM_RUNNING && arm->tests - before < tests) {
-    test_pair(arm, arm->next++);
+    test_span(arm, arm->next++);
     if (is_found(arm)) {
       arm->state = GJK_ARM_SETTLED;
     }

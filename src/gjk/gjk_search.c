@@ -356,7 +356,7 @@ static bool place_beside_diagonal(gjk_iteration *it) {
 }
 
 // Makes the diagonal a triangle with the nearest point on its border. False: it is no diagonal.
-static bool complete_diagonal(gjk_iteration *it) {
+GJK_OUT_OF_LINE static bool complete_diagonal(gjk_iteration *it) {
   gjk_simplex *s = &it->simplex;
   gjk_vertex corner[3];
   gjk_long3 n;

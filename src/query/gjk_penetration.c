@@ -168,8 +168,11 @@ static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *ca
 // Are the cores of boxes likely to be apart? They are where the cache's last answer was a feature and no plane; and where
 // there is a convex radius, unless a plane was the last answer.
 static bool are_cores_apart(const overlap *o, gjk_goal goal, const gjk_cache *cache) {
-  const bool plane = cache != NULL && cache->a[3] != 0, feature = cache != NULL && cache->count > 0 && cache->count < 4;
-  return !plane && ((feature && goal == GJK_GOAL_SIGNED) || gjk_convex_radii(&o->it) > 0);
+  if (cache != NULL && cache->a[3] != 0) {
+    return false;
+  }
+  const bool had_feature = cache != NULL && cache->count > 0 && cache->count < 4;
+  return (had_feature && goal == GJK_GOAL_SIGNED) || gjk_convex_radii(&o->it) > 0;
 }
 
 // Keeps what the next query starts from. A feature leaves no plane.
