@@ -81,7 +81,10 @@ static inline unsigned settle_tested(const gjk_scene_view *v, uint32_t index, un
   if (now && !was) {
     clear_words(v, index);
   }
-  return now ? (was ? GJK_EVENT_PERSIST : GJK_EVENT_BEGIN) : was ? GJK_EVENT_END : 0u;
+  if (now) {
+    return was ? GJK_EVENT_PERSIST : GJK_EVENT_BEGIN;
+  }
+  return was ? (unsigned)GJK_EVENT_END : 0u;
 }
 
 // Adds a pair with its event to the events kept, which overwrite the queue from its start.
@@ -212,7 +215,7 @@ static void sort_entries(sorted_queue *q, uint32_t count) {
 // The event of a pair whose first body is own, as it is reported; other: the slot of its second body. 0: none is.
 static inline unsigned walk_pair(const gjk_scene_view *v, uint32_t index, const gjk_scene_body *own, uint32_t other) {
   const unsigned state = v->pairs[index].state;
-  unsigned event = (state & GJK_SCENE_PAIR_NEAR) != 0 ? GJK_EVENT_PERSIST : 0u;
+  unsigned event = (state & GJK_SCENE_PAIR_NEAR) != 0 ? (unsigned)GJK_EVENT_PERSIST : 0u;
   if ((state & GJK_SCENE_PAIR_QUEUED) != 0) {
     event = settle_tested(v, index, 0);
   }
