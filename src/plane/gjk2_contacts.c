@@ -26,8 +26,8 @@
 #define NEAREST_SLACK 2
 
 // The byte that stands for an edge in an id; a corner's is its number modulo 128.
-#define ID_EDGE 255
-#define ID_CORNERS 127
+#define ID_EDGE 255u
+#define ID_CORNERS 127u
 
 // In line where registers hold 64 bits.
 #if GJK2_IN_LINE
