@@ -109,7 +109,7 @@ static void set_changes(gjk_arm *arm) {
     gjk_arm_link_room *room = &arm->memory.links[i];
     room->change = 0;
     room->extent = 0;
-    if (gjk_arm_moves(arm, i)) {
+    if (arm->from != NULL && gjk_arm_moves(arm, i)) {  // NULL: no joint moves
       const int32_t a = arm->from[value], b = arm->to[value];
       room->change = (uint32_t)gjk_magnitude64((int64_t)b - a);
       if (link->kind == GJK_ARM_PRISMATIC) {
@@ -151,7 +151,6 @@ static gjk_status set_range(gjk_arm *arm, const int32_t *from, const int32_t *to
 }
 
 gjk_status gjk_arm_stand(gjk_arm *arm, const int32_t *values, const void *out) {
-  static const int32_t no_values[1] = {0};
   if (arm == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
@@ -162,8 +161,7 @@ gjk_status gjk_arm_stand(gjk_arm *arm, const int32_t *values, const void *out) {
     return GJK_ERROR_NULL;
   }
   arm->state = GJK_ARM_READY;
-  const int32_t *at = values != NULL ? values : no_values;
-  const gjk_status status = set_range(arm, at, at);
+  const gjk_status status = set_range(arm, values, values);
   if (status == GJK_OK) {
     gjk_arm_set_frames(arm, 0, 0);
   }
