@@ -179,7 +179,8 @@ typedef void gjk_arm_proof_function(void *user, const gjk_arm_proof *proof);
 typedef struct gjk_arm {
   const gjk_arm_model *model;       // the caller's
   const gjk_collider *obstacles;    // the caller's
-  const int32_t *from, *to;         // the caller's
+  const int32_t *from;              // the caller's
+  const int32_t *to;                // the caller's
   gjk_arm_proof_function *proof;    // the caller's, or NULL
   void *user;                       // what it is given
   gjk_arm_memory memory;            // the caller's

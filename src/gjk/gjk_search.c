@@ -74,11 +74,10 @@ static void compare_vertex(farthest_vertex *best, uint16_t vertex) {
 
 // farthest_seen of level vertices: each half axis leads on or back by itself.
 static uint16_t farthest_level(const seen_vertices *of, const gjk_vec3 *d, const gjk_direction *direction) {
-  const unsigned in = of->in;
   unsigned vertex = of->first;
   for (unsigned k = 0; k < of->collider->count; k++) {
     const gjk_vec3 *axis = &of->collider->frame[k];
-    if ((in >> k & 1u) != 0) {
+    if ((of->in >> k & 1) != 0) {
       const int64_t along = gjk_dot(d, axis), slack = gjk_norm1(*axis);  // each component of d is off by less than 1
       const bool on = along > slack || (along >= -slack && gjk_direction_sign(direction, axis) > 0);
       vertex |= (on ? 1u : 0u) << k;
