@@ -95,7 +95,7 @@ static const char answers[] =
     "  iteration N d=x,y,z An=x,y,z Bn=x,y,z wN=x,y,z before=w1,... after=w1,...\n"
     "                  the direction ('rounded=' where it is), the vertices of A and B farthest along and against it,\n"
     "                  their difference, named by the iteration that found it first, the simplex before and after\n"
-    "  walk N: TEXT    in the plane: the query itself walks along the border of A - B, N iterations in all\n"
+    "  walk N: TEXT    in the plane: the query itself takes a shorter way, N iterations in all\n"
     "  stop REASON: TEXT\n"
     "\n"
     "Exit status: 0 all answered; 1 a check failed; 2 a malformed line (skipped with its case, and named on\n"

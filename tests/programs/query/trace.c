@@ -79,7 +79,7 @@ void trace_print(FILE *file, const trace *t) {
     fprintf(file, " before=%s after=%s%s\n", before, after, it->recalled ? " recalled" : "");
   }
   if (t->walk > 0) {
-    fprintf(file, "  walk %u: the query walks along the border of A - B instead, after iteration 1\n", t->walk);
+    fprintf(file, "  walk %u: the query takes a shorter way, along the border of A - B or by a closed form\n", t->walk);
   }
   fprintf(file, "  stop %s: %s\n", reasons[t->reason][0], reasons[t->reason][1]);
 }

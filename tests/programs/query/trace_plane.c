@@ -105,6 +105,24 @@ static unsigned whole_search(const gjk2_collider *a, const gjk2_collider *b, gjk
   return s.iterations;
 }
 
+// The same of the query that is asked, which may take a shorter way.
+static unsigned whole_query(const case_question *question, const gjk2_collider *a, const gjk2_collider *b,
+                            gjk2_goal goal, int64_t radius, uint32_t limit) {
+  gjk2_distance_result gap;
+  gjk2_within_result within;
+  gjk2_decision decision;
+  switch (question->ask) {
+    case CASE_DISTANCE: return gjk2_distance(a, b, NULL, &gap) == GJK_OK ? gap.iterations : limit;
+    case CASE_INTERSECT: return gjk2_intersect(a, b, NULL, &decision) == GJK_OK ? decision.iterations : limit;
+    case CASE_WITHIN:
+      return gjk2_within_until(a, b, question->within, (uint8_t)question->iterations, NULL, &within) == GJK_OK
+                 ? within.decision.iterations
+                 : limit;
+    case CASE_PENETRATION: break;
+  }
+  return whole_search(a, b, goal, radius, limit);
+}
+
 void trace_plane(const case_question *question, const gjk2_collider *a, const gjk2_collider *b, trace *out) {
   static gjk2_search s;
   gjk2_outcome outcome = GJK2_OUTCOME_LIMIT;
@@ -130,6 +148,6 @@ void trace_plane(const case_question *question, const gjk2_collider *a, const gj
     }
   }
   out->reason = reason_of(outcome);
-  const unsigned whole = whole_search(a, b, goal, out->radius, limit);
+  const unsigned whole = whole_query(question, a, b, goal, out->radius, limit);
   out->walk = whole != s.iterations ? whole : 0;
 }
