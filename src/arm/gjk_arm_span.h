@@ -32,8 +32,8 @@ typedef enum gjk_arm_found {
   GJK_ARM_CLOSE   // the same, and the places at both ends and between are within near
 } gjk_arm_found;
 
-// Do the bounding spheres of a part and an obstacle stay more than so much apart on the span, LSB, from 0 to 2^30? Then the gap is
-// above that along a direction which gjk_arm_separate would find. A "no" may be wrong.
+// Do the bounding spheres of a part and an obstacle stay more than gap apart on the span? gap: LSB, from 0 to 2^30. Then
+// gjk_arm_separate would find a direction along which the gap is above that. A "no" may be wrong.
 bool gjk_arm_spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t gap);
 
 // What is searched. Lengths in LSB, from 0 to 2^30.
