@@ -37,7 +37,7 @@
 #   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400 (0: all) by
 #                        SEED=1, in files that match FILES=.; lists the survivors
 #   make fuzz            fuzzes pairs, the reader of cases, arguments, bodies of many parts, hulls and masses, scenes,
-#                        forged claims, casts, the plane and gjk-convert for SECONDS=60
+#                        forged claims, casts, the plane, gjk-convert and robots for SECONDS=60
 #   make soak            certifies PAIRS=100000000 random pairs on two cores; goes on where it was interrupted
 #   make soak-casts      the same for CASTS=1000000 random casts
 #   make numbers         sine, cosine and roots of all 2^32 numbers: their errors are those stated (20 minutes on two cores)
@@ -183,7 +183,7 @@ build/gjk-demo-parts: build/hosted/tests/programs/demo_parts/main.o $(filter-out
 build/gjk-demo-plane: $(DEMO_PLANE)
 build/lockstep: build/hosted/tests/programs/lockstep/main.o build/hosted/tests/programs/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
-build/test_decompose build/test_decompose_outline build/test_enclose: $(filter-out %/main.o,$(CONVERT))
+build/test_decompose build/test_decompose_outline build/test_enclose build/test_urdf: $(filter-out %/main.o,$(CONVERT))
 $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@

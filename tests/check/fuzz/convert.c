@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   char *text = malloc(size);  // of just that size, so that a look beyond it is seen
   memcpy(text, data + 1, size - 1);
   mesh m = {NULL, NULL, NULL, 0, 0, 0, 0, 0, 0};
-  mesh_file file = {names[data[0] % 5], text, size - 1, 65536, 0, ""};
+  mesh_file file = {names[data[0] % 5], text, size - 1, 65536, 0, "", NULL};
   const bool read = mesh_read(&m, &file);
   if (read == (file.problem[0] != '\0')) {
     fuzz_fail("a file that is refused without a message, or read with one");

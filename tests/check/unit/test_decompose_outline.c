@@ -171,7 +171,7 @@ static void rotation_random(random_state *random, double rows[3][3]) {
 static solid prism(const outline *o, int32_t high, double rows[3][3]) {
   const unsigned n = o->corners;
   mesh m;
-  mesh_file file = {"prism", NULL, 0, 1, 0, ""};
+  mesh_file file = {"prism", NULL, 0, 1, 0, "", NULL};
   char problem[200] = "";
   int64_t face[2][CORNERS];
   solid s;

@@ -240,7 +240,7 @@ static bool measure(char *name) {
   if (parts != NULL) {
     *parts++ = '\0';
   }
-  mesh_file file = {name, NULL, 0, scale, 0, ""};
+  mesh_file file = {name, NULL, 0, scale, 0, "", NULL};
   char *text = text_of(name, &file.bytes);
   file.text = text;
   bool good = text != NULL && mesh_read(&m, &file);

@@ -6,8 +6,12 @@
 
 #include "decompose.h"
 #include "gjk/hull.h"
+#include "machine.h"
 #include "mesh.h"
+#include "read.h"
+#include "simplify.h"
 #include "write.h"
+#include "write_arm.h"
 #include "write_mesh.h"
 #include "write_parts.h"
 
@@ -39,16 +43,26 @@ static const char help[] =
     "  --case         a case for gjk-query instead of C: the hull against itself, moved by its own length\n"
     "  --units        a number in the file is a unit, 65536 LSB (default)\n"
     "  --millimetres  1000 of them are a unit\n"
+    "  --urdf         the machine of gjk/arm.h that a robot's URDF describes: its links, joints and collision shapes,\n"
+    "                 enclosed; meshes as hulls, with --vertices simpler ones, with --decompose as convex parts\n"
+    "  --srdf FILE    of a robot: which pairs of links are never tested; else those that touched in each of many "
+    "samples\n"
+    "  --scale UNITS  of a robot: so many units are a metre, instead of 1\n"
+    "                 with --info: links=L values=V parts=P vertices=N never=K, K pairs of links\n"
+    "                 with --case: a machine for gjk-query --arm, to which obstacles and edges are to be added\n"
     "  --name NAME    of the C constants; the default is the file's own name\n"
     "  --help         this text\n"
     "\n"
-    "FILE ends in .obj, .stl (text or binary), .ply (text or binary), .off, or .txt: lines of three integers, LSB.\n"
+    "FILE ends in .obj, .stl (text or binary), .ply (text or binary), .off, or .txt: lines of three integers, LSB; a "
+    "robot's as it\n"
+    "likes. Its meshes are looked for beside it; of package://NAME/REST NAME/REST and REST, and in four folders above, "
+    "too.\n"
     "What it did goes to standard error. Exit status 2: the file cannot be read; the message says where and why.\n";
 
 typedef struct options {
-  const char *file, *name, *picture;
-  double scale;
-  bool info, cases, parts, mesh, two_sided;
+  const char *file, *name, *picture, *srdf;
+  double scale, metre;  // LSB of a number; units
+  bool info, cases, parts, mesh, two_sided, urdf;
   int vertices, table;  // -1: as many as there are; none
   decompose_options how;
 } options;
@@ -83,6 +97,14 @@ static int read_options(int argc, char **argv, options *o) {
       o->parts = true;
     } else if (strcmp(word, "--mesh") == 0) {
       o->mesh = true;
+    } else if (strcmp(word, "--urdf") == 0) {
+      o->urdf = true;
+    } else if (strcmp(word, "--srdf") == 0 && i + 1 < argc) {
+      o->srdf = argv[++i];
+    } else if (strcmp(word, "--scale") == 0 && i + 1 < argc) {
+      if (!read_number(argv[++i], 65536, &o->metre) || o->metre < 1.0 / 1024) {
+        return usage("no number of units from 1/1024 to 65536: ", argv[i]);
+      }
     } else if (strcmp(word, "--two-sided") == 0) {
       o->two_sided = true;
     } else if (strcmp(word, "--picture") == 0 && i + 1 < argc) {
@@ -124,43 +146,13 @@ static int read_options(int argc, char **argv, options *o) {
   if (o->mesh && (o->parts || o->cases)) {
     return usage("--mesh goes with neither --decompose nor --case", "");
   }
-  if ((o->mesh || o->parts) && (o->vertices >= 0 || o->table >= 0)) {
+  if (o->urdf ? o->mesh || o->picture != NULL || o->table >= 0 : o->srdf != NULL || o->metre > 0) {
+    return usage("--srdf and --scale go with --urdf alone, which goes with neither --mesh, --picture nor --table", "");
+  }
+  if ((o->mesh || (o->parts && !o->urdf)) && (o->vertices >= 0 || o->table >= 0)) {
     return usage("--vertices and --table go with hulls alone", "");
   }
   return o->file == NULL ? usage("no file", "") : EXIT_DONE;
-}
-
-// The whole file, for free; NULL: it cannot be read.
-static char *read_file(const char *name, size_t *bytes) {
-  FILE *f = fopen(name, "rb");
-  if (f == NULL) {
-    return NULL;
-  }
-  size_t room = 0;
-  char *text = NULL;
-  *bytes = 0;
-  for (;;) {
-    if (*bytes == room) {
-      room = room == 0 ? 65536 : 2 * room;
-      char *grown = realloc(text, room);
-      if (grown == NULL) {
-        fprintf(stderr, "gjk-convert: out of memory\n");
-        exit(EXIT_INPUT);
-      }
-      text = grown;
-    }
-    const size_t got = fread(text + *bytes, 1, room - *bytes, f);
-    *bytes += got;
-    if (got == 0) {
-      break;
-    }
-  }
-  if (ferror(f)) {
-    free(text);
-    text = NULL;
-  }
-  fclose(f);
-  return text;
 }
 
 static int report_problem(const mesh_file *file) {
@@ -170,30 +162,6 @@ static int report_problem(const mesh_file *file) {
     fprintf(stderr, "%s: %s\n", file->name, file->problem);
   }
   return EXIT_INPUT;
-}
-
-// Puts at most so many vertices around the points, in their place. *excess: how far they reach. False: a message is written.
-static bool simplify(mesh_file *file, mesh *m, int most, uint32_t *excess) {
-  const size_t bytes = GJK_HULL_SIMPLIFY_WORKSPACE(m->points);
-  void *workspace = malloc(bytes);
-  gjk_vec3 *vertex = malloc((size_t)most * sizeof vertex[0]);
-  gjk_hull_simple simple = {0, 0};
-  gjk_status status = GJK_ERROR_CAPACITY;
-  if (workspace != NULL && vertex != NULL) {
-    status = gjk_hull_simplify(m->point, (uint16_t)m->points, (uint16_t)most, workspace, bytes, vertex, &simple);
-  }
-  if (status == GJK_OK) {  // no more vertices than points
-    memcpy(m->point, vertex, simple.vertices * sizeof vertex[0]);
-    m->points = simple.vertices;
-    *excess = simple.excess;
-  } else if (status == GJK_ERROR_CAPACITY) {
-    fprintf(stderr, "gjk-convert: out of memory\n");
-  } else if (status != GJK_OK) {
-    fprintf(stderr, "%s: no room for so few vertices within 8190 units\n", file->name);
-  }
-  free(vertex);
-  free(workspace);
-  return status == GJK_OK;
 }
 
 static int write_hull(const options *o, const gjk_hull *hull, size_t points, bool watertight) {
@@ -311,8 +279,52 @@ static int convert_to_surface(const options *o, mesh_file *file, const mesh *m) 
   return EXIT_DONE;
 }
 
+// Reads a robot and what its SRDF says. False: a reader has the problem.
+static bool read_robot(robot *b, const options *o, xml_reader *r, const char *text, size_t bytes, xml_reader *pairs) {
+  xml_open(r, o->file, text, bytes);
+  if (!robot_read(b, r)) {
+    return false;
+  }
+  if (o->srdf == NULL) {
+    return true;
+  }
+  char *more = read_whole(o->srdf, &bytes);
+  xml_open(pairs, o->srdf, more, more != NULL ? bytes : 0);
+  const bool read = more != NULL ? robot_read_pairs(b, pairs) : xml_fail(pairs, 0, "cannot be read");
+  free(more);
+  return read;
+}
+
+// Makes a machine of a robot and writes what is asked for.
+static int convert_to_machine(const options *o, const char *text, size_t bytes) {
+  const machine_options how = {65536 * (o->metre > 0 ? o->metre : 1), o->vertices, o->parts, o->how};
+  xml_reader r, pairs;
+  robot *b = solid_allocate(1, sizeof *b);
+  machine *m = solid_allocate(1, sizeof *m);
+  m->parts = 0;
+  xml_open(&pairs, "", "", 0);
+  const bool made = read_robot(b, o, &r, text, bytes, &pairs) && machine_make(m, b, o->srdf != NULL, &how, &r);
+  if (!made) {
+    fprintf(stderr, "%s\n", r.problem[0] != '\0' ? r.problem : pairs.problem);
+  } else if (o->info) {
+    write_arm_info(m);
+  } else if (o->cases) {
+    write_arm_case(m);
+  } else {
+    write_arm_source(m, o->name);
+  }
+  if (made && !o->info) {
+    fprintf(stderr, "%u links, %u of them moved by joints; %u parts; %zu vertices of meshes\n", m->links, m->values,
+            m->parts, m->vertices);
+  }
+  machine_free(m);
+  free(m);
+  free(b);
+  return made ? EXIT_DONE : EXIT_INPUT;
+}
+
 int main(int argc, char **argv) {
-  options o = {NULL, NULL, NULL, 65536, false, false, false, false, false, -1, -1, {-1, 0}};
+  options o = {NULL, NULL, NULL, NULL, 65536, 0, false, false, false, false, false, false, -1, -1, {-1, 0}};
   char name[64];
   mesh m = {NULL, NULL, NULL, 0, 0, 0, 0, 0, 0};
   for (int i = 1; i < argc; i++) {
@@ -327,14 +339,16 @@ int main(int argc, char **argv) {
   }
   write_name(name, sizeof name, o.name != NULL ? o.name : o.file, o.name == NULL);
   o.name = name;
-  mesh_file file = {o.file, NULL, 0, o.scale, 0, ""};
-  char *text = read_file(o.file, &file.bytes);
+  mesh_file file = {o.file, NULL, 0, o.scale, 0, "", NULL};
+  char *text = read_whole(o.file, &file.bytes);
   if (text == NULL) {
     fprintf(stderr, "%s: cannot be read\n", o.file);
     return EXIT_INPUT;
   }
   file.text = text;
-  if (mesh_read(&m, &file)) {
+  if (o.urdf) {
+    result = convert_to_machine(&o, text, file.bytes);
+  } else if (mesh_read(&m, &file)) {
     const size_t points = m.points;
     mesh_weld(&m);
     result = o.parts  ? convert_to_parts(&o, &file, &m)

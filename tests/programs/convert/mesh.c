@@ -44,7 +44,9 @@ bool mesh_fail_at(mesh_file *file, const char *what, long number) {
 bool mesh_add_point(mesh *m, mesh_file *file, const double xyz[3]) {
   gjk_q16 lsb[3];
   for (int i = 0; i < 3; i++) {
-    const double exact = xyz[i] * file->scale, rounded = rint(exact);
+    const double *row = file->place != NULL ? file->place[i] : NULL;
+    const double placed = row != NULL ? row[0] * xyz[0] + row[1] * xyz[1] + row[2] * xyz[2] + row[3] : xyz[i];
+    const double exact = placed * file->scale, rounded = rint(exact);
     if (!(rounded >= INT32_MIN && rounded <= INT32_MAX)) {
       return mesh_fail(file, "a coordinate is beyond Q16.16");
     }

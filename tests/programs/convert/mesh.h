@@ -24,6 +24,7 @@ typedef struct mesh_file {
   double scale;        // LSB per number
   unsigned long line;  // 0: not of a line
   char problem[160];   // empty: none
+  double (*place)[4];  // of a point x, y, z: rows of a x + b y + c z + d, in the file's unit; NULL: it stays
 } mesh_file;
 
 void mesh_free(mesh *m);

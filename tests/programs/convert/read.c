@@ -7,6 +7,38 @@
 #include <stdlib.h>
 #include <string.h>
 
+char *read_whole(const char *name, size_t *bytes) {
+  FILE *f = fopen(name, "rb");
+  if (f == NULL) {
+    return NULL;
+  }
+  size_t room = 0;
+  char *text = NULL;
+  *bytes = 0;
+  for (;;) {
+    if (*bytes == room) {
+      room = room == 0 ? 65536 : 2 * room;
+      char *grown = realloc(text, room);
+      if (grown == NULL) {
+        fprintf(stderr, "gjk-convert: out of memory\n");
+        exit(2);
+      }
+      text = grown;
+    }
+    const size_t got = fread(text + *bytes, 1, room - *bytes, f);
+    *bytes += got;
+    if (got == 0) {
+      break;
+    }
+  }
+  if (ferror(f)) {
+    free(text);
+    text = NULL;
+  }
+  fclose(f);
+  return text;
+}
+
 static bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }

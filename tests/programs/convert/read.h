@@ -7,6 +7,9 @@
 // Most corners of one face in a file.
 #define READ_CORNERS_MAX 4096
 
+// The whole file, for free; NULL: it cannot be read.
+char *read_whole(const char *name, size_t *bytes);
+
 // A place in a text.
 typedef struct read_text {
   mesh_file *file;

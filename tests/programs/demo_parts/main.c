@@ -38,7 +38,7 @@ static bool read_solid(const char *folder, const char *name, solid *s) {
   char path[256], problem[200] = "cannot be read";
   mesh m = {NULL, NULL, NULL, 0, 0, 0, 0, 0, 0};
   snprintf(path, sizeof path, "%s/%s.obj", folder, name);
-  mesh_file file = {path, text, 0, 65.536, 0, ""};
+  mesh_file file = {path, text, 0, 65.536, 0, "", NULL};
   FILE *f = fopen(path, "rb");
   bool done = f != NULL;
   if (done) {
