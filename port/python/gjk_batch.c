@@ -37,3 +37,47 @@ gjk_status gjk_batch_signed_distance(const gjk_shape *a, const gjk_shape *b, con
   }
   return status;
 }
+
+// Where the proofs of an edge are kept.
+typedef struct batch_proofs {
+  gjk_arm_proof *proofs;
+  uint32_t count, capacity;
+} batch_proofs;
+
+static void batch_take(void *user, const gjk_arm_proof *proof) {
+  batch_proofs *kept = user;
+  if (kept->count < kept->capacity) {
+    kept->proofs[kept->count] = *proof;
+  }
+  kept->count++;  // one for a test, of which there are at most 2^32 - 1
+}
+
+// Many edges, each from configuration i of from to that of to.
+//
+// tests             the most of an edge.
+// proofs, capacity  a place for the proofs of an edge: each answer is then checked. NULL: none is.
+// out               one for each edge.
+// Returns the first status that leaves an edge without an answer or a proof, and its number in failed. CAPACITY: there are more
+// proofs than places.
+gjk_status gjk_batch_edges(gjk_arm *arm, const int32_t *from, const int32_t *to, uint32_t edges,
+                           const gjk_arm_setup *setup, uint32_t tests, gjk_arm_proof *proofs, uint32_t capacity,
+                           gjk_arm_edge_result *out, uint32_t *failed) {
+  const size_t values = gjk_arm_values(arm->model);
+  gjk_status status = GJK_OK;
+  *failed = 0;
+  for (uint32_t i = 0; i < edges && status == GJK_OK; i++) {
+    batch_proofs kept = {proofs, 0, capacity};
+    const int32_t *a = &from[i * values], *b = &to[i * values];
+    *failed = i;
+    status = gjk_arm_edge_start(arm, a, b, setup, proofs != NULL ? batch_take : NULL, &kept);
+    status = status == GJK_OK ? gjk_arm_edge_run(arm, tests, &out[i]) : status;
+    if (status == GJK_ERROR_ITERATION_LIMIT) {
+      status = GJK_OK;  // the answer is UNSETTLED
+    }
+    if (status == GJK_OK && proofs != NULL) {
+      status =
+          kept.count > capacity ? GJK_ERROR_CAPACITY : gjk_check_edge(arm, a, b, setup, &out[i], proofs, kept.count);
+    }
+  }
+  return status;
+}

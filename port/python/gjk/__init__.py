@@ -20,6 +20,7 @@ long as a collider, a scene or a body of many parts that has it.
 
 from . import plane
 from ._library import Error, Q16_ONE, Q30_ONE, Status, angle, constant, q16, q30, units
+from .arm import *
 from .bodies import *
 from .opinion import *
 from .parts import *

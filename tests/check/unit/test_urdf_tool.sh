@@ -128,7 +128,7 @@ check 'no shape' refused 8 'a geometry without a shape' '8s/<box.*\/>//;8s/$/<\/
 check 'a missing mesh' refused 19 "mesh 'package://robot/meshes/upper.stl' cannot be read" '19s/obj/stl/'
 check 'another kind of mesh' refused 19 "mesh 'bad.urdf': unknown kind of file: .obj, .stl, .ply, .off and .txt are known" \
   '19s/package.*obj/bad.urdf/'
-check 'a link twice' refused 14 "link 'base' is there twice" '11s/column/base/'
+check 'a link twice' refused 11 "link 'base' is there twice" '11s/column/base/'
 check 'an unknown link' refused 47 "joint 'turn' is of link 'bose', which is not there" '48s/base/bose/'
 check 'a joint twice' refused 51 "joint 'turn' is there twice" '51s/shoulder/turn/'
 check 'another type' refused 47 "joint 'turn' is of type 'floating': revolute, continuous, prismatic and fixed are known" \

@@ -46,6 +46,13 @@ dispute() {
       "$dir/printed" && test -s "$dir/dispute.svg"
 }
 
+# The roadmap: most motions are free, some touch, and samples miss some of these.
+roadmap() {
+  runs port/python/examples/roadmap.py tests/data/robot/six.urdf tests/data/robot/six.srdf >"$dir/printed" && cat "$dir/printed" &&
+    awk '/motions are free/ { free = $1; touch = $7 } /look free/ { missed = $1 } END { exit !(free > 2000 && touch > 400 && missed > 0) }' \
+      "$dir/printed"
+}
+
 is_tidy() {
   python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "$1" && ! grep -nE '.{121}|[[:blank:]]$|	' "$1"
 }
@@ -59,6 +66,8 @@ if "$python" -c 'import pip' 2>/dev/null; then
   check "the README's example" readme
   if "$python" -c 'import numpy' 2>/dev/null; then
     check 'the dispute' dispute
+    check 'the roadmap' roadmap
+    check 'arms in numpy' runs tests/check/bind/arm_behaviour.py "$build/gjk-convert"
   else
     skip 'batches of second opinions' python3-numpy
   fi

@@ -37,15 +37,16 @@ static bool round_pose(const robot_pose *from, double scale, gjk_pose *out, doub
   const double sr = sin(rpy[0] / 2), cr = cos(rpy[0] / 2), sp = sin(rpy[1] / 2), cp = cos(rpy[1] / 2),
                sy = sin(rpy[2] / 2), cy = cos(rpy[2] / 2);
   int32_t at[3];
-  *far = 0;
+  double square = 0;
   for (int i = 0; i < 3; i++) {
     const double exact = from->xyz[i] * scale, rounded = rint(exact);
     if (!(fabs(rounded) <= INT32_MAX)) {
       return false;
     }
     at[i] = (int32_t)rounded;
-    *far = hypot(*far, exact - rounded);
+    square += (exact - rounded) * (exact - rounded);
   }
+  *far = sqrt(square);
   const double unit = GJK_Q30_ONE;
   const gjk_pose pose = {
       {at[0], at[1], at[2]},
@@ -57,7 +58,9 @@ static bool round_pose(const robot_pose *from, double scale, gjk_pose *out, doub
 
 static bool round_joint(machine *m, const robot_joint *j, gjk_arm_link *link) {
   double far;
-  const double length = hypot(hypot(j->axis[0], j->axis[1]), j->axis[2]);
+  const double largest = fmax(fabs(j->axis[0]), fmax(fabs(j->axis[1]), fabs(j->axis[2])));
+  const double x = j->axis[0] / largest, y = j->axis[1] / largest, z = j->axis[2] / largest,
+               length = sqrt(x * x + y * y + z * z);
   const double worth = j->kind == ROBOT_PRISMATIC ? m->how->scale : 65536;
   if (!round_pose(&j->origin, m->how->scale, &link->fixed, &far)) {
     return xml_fail(m->r, j->line, "joint '%s' is beyond Q16.16", j->name);
@@ -66,9 +69,9 @@ static bool round_joint(machine *m, const robot_joint *j, gjk_arm_link *link) {
                          : j->kind == ROBOT_PRISMATIC ? GJK_ARM_PRISMATIC
                                                       : GJK_ARM_REVOLUTE);
   if (j->kind != ROBOT_FIXED) {
-    link->axis.x = (int32_t)rint(j->axis[0] / length * GJK_Q30_ONE);
-    link->axis.y = (int32_t)rint(j->axis[1] / length * GJK_Q30_ONE);
-    link->axis.z = (int32_t)rint(j->axis[2] / length * GJK_Q30_ONE);
+    link->axis.x = (int32_t)rint(x / length * GJK_Q30_ONE);
+    link->axis.y = (int32_t)rint(y / length * GJK_Q30_ONE);
+    link->axis.z = (int32_t)rint(z / length * GJK_Q30_ONE);
     m->values++;
   }
   if (j->kind == ROBOT_REVOLUTE || j->kind == ROBOT_PRISMATIC) {

@@ -184,7 +184,7 @@ static bool check_joint(xml_reader *r, const robot_joint *j, bool limited) {
   if (j->kind == ROBOT_FIXED) {
     return true;
   }
-  if (!(hypot(hypot(j->axis[0], j->axis[1]), j->axis[2]) > 1e-100)) {
+  if (fabs(j->axis[0]) + fabs(j->axis[1]) + fabs(j->axis[2]) < 1e-100) {
     return xml_fail(r, j->line, "joint '%s' has an axis of length 0", j->name);
   }
   if (j->kind != ROBOT_CONTINUOUS && (!limited || j->lower > j->upper)) {
