@@ -69,9 +69,7 @@ done
 check 'numbers, names, errors, lifetimes' python tests/check/bind/behaviour.py
 check 'scenes' python tests/check/bind/scene_behaviour.py
 check 'bodies of many parts, hulls, masses' python tests/check/bind/parts_behaviour.py
-if [ -x "$build/gjk-convert" ] || make -s "$build/gjk-convert" >/dev/null; then
-  check 'arms' python tests/check/bind/arm_behaviour.py "$build/gjk-convert"
-fi
+check 'arms' python tests/check/bind/arm_behaviour.py "$build/gjk-convert"
 check 'a save' python tests/check/bind/ceilings.py "$dir/save"
 for max in 1 2 3; do
   check "a ceiling of $max" ceiling $max
