@@ -57,8 +57,8 @@ static void batch_take(void *user, const gjk_arm_proof *proof) {
 // tests             the most of an edge.
 // proofs, capacity  a place for the proofs of an edge: each answer is then checked. NULL: none is.
 // out               one for each edge.
-// Returns the first status that leaves an edge without an answer or a proof, and its number in failed. CAPACITY: there are more
-// proofs than places.
+// Returns the first status that leaves an edge without an answer or a proof, and its number in failed. CAPACITY: there
+// are more proofs than places.
 gjk_status gjk_batch_edges(gjk_arm *arm, const int32_t *from, const int32_t *to, uint32_t edges,
                            const gjk_arm_setup *setup, uint32_t tests, gjk_arm_proof *proofs, uint32_t capacity,
                            gjk_arm_edge_result *out, uint32_t *failed) {

@@ -168,14 +168,15 @@ class Arm:
         self.obstacles([])
 
     @classmethod
-    def from_urdf(cls, path, srdf=None, scale: float = 1.0, base: typing.Optional[Pose] = None) -> "Arm":
+    def from_urdf(cls, path, srdf=None, scale: float = 1.0, base: typing.Optional[Pose] = None,
+                  vertices: typing.Optional[int] = None) -> "Arm":  # fmt: skip
         """The machine that gjk-convert makes of a robot: its collision shapes enclosed, meshes (STL, OBJ) by hulls.
 
         scale: how many units a metre is. srdf: which pairs of links are never tested; without it, as gjk-convert does,
         those that touched in each of 2,000 samples, which is no proof, and those beside links without shapes.
-        ValueError says what is wrong with a file, and where.
+        vertices: of a mesh's hull at most, which still enclose it. ValueError says what is wrong with a file and where.
         """
-        robot = urdf.Robot(path, scale, ArmLink, ArmPart)
+        robot = urdf.Robot(path, scale, vertices, ArmLink, ArmPart)
         if srdf is not None:
             return cls(robot.links, robot.parts, robot.read_pairs(srdf), base, scale)
         return cls(robot.links, robot.parts, robot.sample_pairs(cls(robot.links, robot.parts, (), None)), base, scale)

@@ -9,7 +9,7 @@ import xml.etree.ElementTree
 from ._library import Error, Q16_ONE, Q30_ONE
 from .bodies import Collider, Pose, box, cylinder, sphere
 from .queries import intersect
-from .solids import hull_build
+from .solids import hull_build, hull_simplify
 
 __all__ = []
 
@@ -22,8 +22,8 @@ _HALF_TURN = 205887  # pi
 class Robot:
     """links and parts: what an Arm is made of."""
 
-    def __init__(self, path, scale, link_type, part_type):
-        self.path, self.scale = os.fspath(path), Q16_ONE * scale
+    def __init__(self, path, scale, vertices, link_type, part_type):
+        self.path, self.scale, self.vertices = os.fspath(path), Q16_ONE * scale, vertices
         root = _parse(self.path)
         elements = _named(self.path, root, "link")
         joints = _named(self.path, root, "joint")
@@ -106,7 +106,8 @@ class Robot:
         if limits[0] > limits[1]:
             raise ValueError(f"{where} has a lower limit above the upper one")
         worth = self.scale if kind == "prismatic" else Q16_ONE
-        return link_type(name, parent, kind, pose, axis, *(_whole(x * worth, where) for x in limits))
+        limits = [min(_INT32, max(-_INT32 - 1, round(x * worth))) for x in limits]
+        return link_type(name, parent, kind, pose, axis, *limits)
 
     # Shapes: enclosed, as tests/programs/convert/machine.h says.
 
@@ -162,7 +163,10 @@ class Robot:
         if not 0 < len(points) <= 65535:
             raise ValueError(f"{where}: mesh {name!r} has {len(points)} different points, and a hull takes 1 to 65535")
         try:
-            return hull_build(list(points), 0 if whole else 1, faces=False)
+            points = list(points)
+            if self.vertices is not None:
+                points = hull_simplify(points, self.vertices)[0]
+            return hull_build(points, 0 if whole else 1, faces=False)
         except Error as error:
             raise ValueError(f"{where}: mesh {name!r}: {error}") from error
 
@@ -214,7 +218,7 @@ class Robot:
         for _ in range(_SAMPLES if asked else 0):
             values = []
             for link in arm.moving:
-                endless = link.lower == -(1 << 31)
+                endless = link.lower == -_INT32 - 1 or link.upper == _INT32
                 low, high = (-_HALF_TURN, _HALF_TURN) if endless else (link.lower, link.upper)
                 values.append(low + (next(random) * (high - low + 1) >> 32))
             try:

@@ -58,7 +58,7 @@ def described(arm):
         at(link.pose, block)
         if link.kind != "fixed":
             block["axis"] = list(link.axis)
-        if link.lower != -(1 << 31):
+        if (link.lower, link.upper) != (-(1 << 31), (1 << 31) - 1):
             block["limits"] = [link.lower, link.upper]
         blocks.append(block)
     for part in arm.parts:
@@ -80,8 +80,10 @@ def described(arm):
 def same_machine():
     """from_urdf and gjk-convert make one machine."""
     for scale in (1, 16, 0.5):
-        for srdf, options in ((PAIRS, ("--srdf", PAIRS)), (None, ())):
-            arm = gjk.Arm.from_urdf(SIX, srdf, scale)
+        for srdf, most, options in (
+            (PAIRS, None, ("--srdf", PAIRS)), (None, None, ()), (PAIRS, 8, ("--srdf", PAIRS, "--vertices", "8")),
+        ):  # fmt: skip
+            arm = gjk.Arm.from_urdf(SIX, srdf, scale, None, most)
             blocks, never = converted("--scale", str(scale), *options)
             mine, pairs = described(arm)
             check(mine == blocks, f"the machine at scale {scale}: {[p for p in zip(mine, blocks) if p[0] != p[1]][:1]}")

@@ -1,5 +1,5 @@
-// The arm of seven joints, written as URDF, SRDF and OBJ files and read again, is the same machine: bit by bit, and so in all answers.
-// Shapes of other machines enclose what their files describe.
+// The arm of seven joints, written as URDF, SRDF and OBJ files and read again, is the same machine: bit by bit, and so in
+// all answers. Shapes of other machines enclose what their files describe.
 #include <math.h>
 #include <string.h>
 
@@ -254,8 +254,8 @@ static double true_reach(const sample_shape *s, const double d[3]) {
   return 65536 * (most + s->xyz[0] * d[0] + s->xyz[1] * d[1] + s->xyz[2] * d[2]);
 }
 
-// Along many directions a converted shape reaches as far as the real one at least, and few LSB farther at most; not a bit farther
-// where nothing is to be rounded.
+// Along many directions a converted shape reaches as far as the real one at least, and few LSB farther at most. Where
+// nothing is to be rounded it reaches as far.
 static void test_enclosed(void) {
   random_state random = random_seed(check_seed(20));
   unsigned simple = 0;

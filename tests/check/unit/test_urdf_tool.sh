@@ -47,6 +47,13 @@ cat >"$dir/always.urdf" <<END
 END
 check 'what always touches' is 'never a c' "$("$convert" --urdf --case "$dir/always.urdf" 2>/dev/null | grep '^never')"
 
+# Names that a case cannot hold, and a limit beyond int32, which is none.
+sed 's/"a"/"a b"/g; s/"b"/"a_b"/g; s/"c"/"base"/g; s/"continuous"/"revolute"/; s/<\/joint>/<limit lower="-1e9" upper="1"\/>&/' \
+  "$dir/always.urdf" >"$dir/names.urdf"
+check 'names are made words, and kept apart' is 'link a_b base fixed link a_b_ a_b revolute link base_ a_b_ revolute' \
+  "$("$convert" --urdf --case "$dir/names.urdf" 2>/dev/null | grep '^link' | tr '\n' ' ' | sed 's/ $//')"
+check 'a limit beyond int32' is 'L limits -2147483648 65536' "$("$convert" --urdf --case "$dir/names.urdf" 2>/dev/null | grep limits | sort -u)"
+
 # The C answers as the case does, and is in flash.
 cat >"$dir/main.c" <<END
 #include <stdio.h>

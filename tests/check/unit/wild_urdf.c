@@ -1,7 +1,7 @@
 // The reader of robots on seeded mutations of an URDF and an SRDF, for the sanitizers: wild_urdf URDF SRDF COUNT SEED
 //
-// Pieces are taken out, put elsewhere, doubled, and bytes and words are written over. Each is refused with one line that names a
-// line of the file, or becomes a machine.
+// Pieces are taken out, put elsewhere, doubled, and bytes and words are written over. Each is refused with one line that
+// names a line of the file, or becomes a machine.
 #include <ctype.h>
 #include <string.h>
 

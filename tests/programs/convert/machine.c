@@ -56,6 +56,11 @@ static bool round_pose(const robot_pose *from, double scale, gjk_pose *out, doub
   return true;
 }
 
+// Beyond int32 there is no limit.
+static int32_t round_limit(double limit) {
+  return (int32_t)fmin(INT32_MAX, fmax(INT32_MIN, rint(limit)));
+}
+
 static bool round_joint(machine *m, const robot_joint *j, gjk_arm_link *link) {
   double far;
   const double largest = fmax(fabs(j->axis[0]), fmax(fabs(j->axis[1]), fabs(j->axis[2])));
@@ -75,12 +80,8 @@ static bool round_joint(machine *m, const robot_joint *j, gjk_arm_link *link) {
     m->values++;
   }
   if (j->kind == ROBOT_REVOLUTE || j->kind == ROBOT_PRISMATIC) {
-    const double lower = rint(j->lower * worth), upper = rint(j->upper * worth);
-    if (!(fabs(lower) <= INT32_MAX && fabs(upper) <= INT32_MAX)) {
-      return xml_fail(m->r, j->line, "joint '%s' has a limit beyond Q16.16", j->name);
-    }
-    link->lower = (int32_t)lower;
-    link->upper = (int32_t)upper;
+    link->lower = round_limit(j->lower * worth);
+    link->upper = round_limit(j->upper * worth);
   }
   return true;
 }

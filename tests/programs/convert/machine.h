@@ -1,9 +1,10 @@
 // A robot as a machine of gjk/arm.h: in fixed point, its shapes enclosed.
 //
-// Enclosed   Boxes, balls and cylinders are rounded up, together with what their place is rounded by. The corners of a mesh are
-//            moved into the link's frame and rounded; where any of them is no whole LSB the hull has a convex radius of 1 LSB, more than
-//            the sqrt(3)/2 that a corner may have moved. So in its link's frame each shape encloses that of the file.
-// Rounded    Offsets, axes, turns and limits of joints, to the nearest.
+// Enclosed   Boxes, balls and cylinders are rounded up, together with what their place is rounded by. The corners of a
+//            mesh are moved into the link's frame and rounded. Where any of them is no whole LSB the hull has a convex
+//            radius of 1 LSB: a corner moves by sqrt(3)/2 at most. So in its link's frame each shape encloses that of
+//            the file. The roundings of double, below 2^-20 LSB, are not counted.
+// Rounded    Offsets, axes, turns and limits of joints, to the nearest. A limit beyond int32 is none.
 // Order      Links: robot.h. Parts: those of the first link first, each link's in the order of the file.
 #ifndef MACHINE_H
 #define MACHINE_H
@@ -38,15 +39,17 @@ typedef struct machine {
   size_t vertices;                    // of all parts
 } machine;
 
-// Makes a machine. pairs: b->never is what is never tested; else it is found by samples. False: r->problem has the message.
+// Makes a machine. pairs: b->never is what is never tested; else it is found by samples. False: r->problem has the
+// message.
 bool machine_make(machine *m, robot *b, bool pairs, const machine_options *how, xml_reader *r);
 
 void machine_free(machine *m);
 
 gjk_arm_model machine_model(const machine *m);
 
-// Finds by MACHINE_SAMPLES configurations within the limits, a turn where there are none, which pairs of links touch in all of
-// them, and puts them into never; and which in none. Links that are joined through links without shapes go into never, too.
+// Takes MACHINE_SAMPLES configurations within the limits; values without one are up to 3.14 either way.
+// Pairs of links that touch in all of them go into never, those that touch in none into apart. Links that are joined
+// through links without shapes go into never, too.
 void machine_sample(machine *m);
 
 // A mesh's hull, or its convex parts. False: r->problem has the message.

@@ -26,8 +26,8 @@ static char *try_path(const xml_reader *r, unsigned up, const char *rest, size_t
   return read_whole(path, bytes);
 }
 
-// Reads a mesh's file: relative to the robot's, as file://, or as package://NAME/REST: NAME/REST or REST, in the robot's folder or in
-// one of those above.
+// Reads a mesh's file, relative to the robot's. Of package://NAME/REST it is NAME/REST or REST, in the robot's folder or
+// in one of those above.
 static char *find_mesh(const xml_reader *r, const char *file, size_t *bytes) {
   static const char package[] = "package://", plain[] = "file://";
   if (strncmp(file, package, sizeof package - 1) != 0) {
@@ -93,8 +93,8 @@ static bool add_pieces(machine *m, const robot_shape *s, unsigned link, const so
   return added;
 }
 
-// A solid's rounded corners are within 1 LSB of the real ones, and so is all that only one of the two has: so parts that
-// enclose the rounded solid, with a radius of 1 LSB, enclose the real one. What bounds no solid becomes its hull.
+// Where a solid's corners move by less than 1 LSB, so does its surface. What only the real one has is as near to the
+// rounded one. So parts that enclose the rounded one, with a radius of 1 LSB, enclose the real one.
 static bool add_solid(machine *m, const robot_shape *s, unsigned link, mesh_file *file, mesh *points) {
   char problem[200];
   solid bounded;

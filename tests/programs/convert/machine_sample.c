@@ -100,7 +100,7 @@ static void sample(sampler *s, random_state *random) {
   unsigned value = 0;
   for (unsigned i = 0; i < m->links; i++) {
     const gjk_arm_link *link = &m->link[i];
-    const bool endless = link->lower == INT32_MIN;
+    const bool endless = link->lower == INT32_MIN || link->upper == INT32_MAX;
     if (link->kind != GJK_ARM_FIXED) {
       values[value++] = random_range(random, endless ? -turn : link->lower, endless ? turn : link->upper);
     }

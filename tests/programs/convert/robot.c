@@ -245,7 +245,7 @@ unsigned robot_parent(const robot *b, unsigned link) {
   return parent;
 }
 
-// Orders the links: each round takes the first joint whose parent is there and whose child is not.
+// Orders the links.
 static bool order(robot *b, xml_reader *r) {
   bool placed[ROBOT_LINKS_MAX] = {false};
   for (unsigned i = 0; i < b->links; i++) {

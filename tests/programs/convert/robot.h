@@ -1,9 +1,10 @@
 // Robots as URDF describes them, in metres and radians, and which of their links SRDF says need no test.
 //
-// Taken      of links all <collision> elements; of joints origin, axis, limit, mimic (which gets a value of its own). The rest is
-//            passed over. rpy turns about fixed x, y, z in this order.
-// Refused    with the line: numbers that are none or not finite, names twice or unknown, joints that are neither revolute,
-//            continuous, prismatic nor fixed, joints in a circle, more than one link that hangs on nothing.
+// Taken      Of links all <collision> elements; of joints origin, axis and limit, and whether they mimic others. The rest
+//            is passed over. rpy turns about fixed x, y, z in this order.
+// Refused    With the line: numbers that are none or not finite; names twice or unknown; joints that are neither
+//            revolute, continuous, prismatic nor fixed; joints in a circle; more than one link that hangs on nothing.
+// Order      After the first link always the one of the file's first joint whose parent is there and whose child is not.
 #ifndef ROBOT_H
 #define ROBOT_H
 
@@ -49,9 +50,8 @@ typedef struct robot {
   robot_link link[ROBOT_LINKS_MAX];
   robot_joint joint[ROBOT_LINKS_MAX];
   robot_shape shape[ROBOT_SHAPES_MAX];
-  unsigned order
-      [ROBOT_LINKS_MAX];  // links, parents first; of those whose parent is there the one whose joint is first in the file
-  unsigned ordered;       // how many of them there are
+  unsigned order[ROBOT_LINKS_MAX];               // links, parents before their children
+  unsigned ordered;                              // how many of them there are
   bool never[ROBOT_LINKS_MAX][ROBOT_LINKS_MAX];  // SRDF's, of links by their numbers in the file, both ways
 } robot;
 

@@ -4,7 +4,8 @@
 
 #include "mesh.h"
 
-// Puts at most so many vertices around the points, in their place. *excess: how far they reach. False: a message is written.
+// Puts at most so many vertices around the points, in their place. *excess: how far they reach. False: a message is
+// written.
 bool simplify(mesh_file *file, mesh *m, int most, uint32_t *excess);
 
 #endif

@@ -91,7 +91,7 @@ static void print_case_link(const machine *m, unsigned i) {
   if (link->kind != GJK_ARM_FIXED) {
     printf("L axis %ld %ld %ld\n", (long)link->axis.x, (long)link->axis.y, (long)link->axis.z);
   }
-  if (link->lower != INT32_MIN) {
+  if (link->lower != INT32_MIN || link->upper != INT32_MAX) {
     printf("L limits %ld %ld\n", (long)link->lower, (long)link->upper);
   }
 }

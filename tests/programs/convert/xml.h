@@ -1,6 +1,7 @@
 // A strict reader of XML, element by element, for descriptions of robots.
 //
-// Comments, processing instructions, CDATA and text are skipped. References in values are the five named ones and numbers.
+// Comments, processing instructions, CDATA and text are skipped. References in values are the five named ones and
+// numbers.
 // Refused, with the line: what is not well-formed, DOCTYPE, elements in each other deeper than XML_DEPTH_MAX.
 #ifndef XML_H
 #define XML_H
@@ -37,8 +38,8 @@ typedef struct xml_reader {
 // text: bytes of it, which stay the caller's.
 void xml_open(xml_reader *r, const char *name, const char *text, size_t bytes);
 
-// Moves to the next element within the one at this depth: those deeper are passed over. False: that element ends, or there is
-// a problem. So the document's element is the child at depth 0.
+// Moves to the next element within the one at this depth: those deeper are passed over. False: that element ends, or
+// there is a problem. So the document's element is the child at depth 0.
 bool xml_next_child(xml_reader *r, unsigned depth);
 
 // Is the element that began last called so?
@@ -47,8 +48,8 @@ bool xml_is(const xml_reader *r, const char *name);
 // The line where it began.
 unsigned long xml_line(const xml_reader *r);
 
-// Copies the value of an attribute of the element that began last, references replaced. False: it has none, or there is a
-// problem: longer than room - 1.
+// Copies the value of an attribute of the element that began last, references replaced. False: it has none, or there
+// is a problem: longer than room - 1.
 bool xml_value(xml_reader *r, const char *name, char *out, size_t room);
 
 // Notes the first problem, as printf does, behind the file's name and a line. Returns false.
