@@ -177,9 +177,13 @@ class Arm:
         vertices: of a mesh's hull at most, which still enclose it. ValueError says what is wrong with a file and where.
         """
         robot = urdf.Robot(path, scale, vertices, ArmLink, ArmPart)
-        if srdf is not None:
-            return cls(robot.links, robot.parts, robot.read_pairs(srdf), base, scale)
-        return cls(robot.links, robot.parts, robot.sample_pairs(cls(robot.links, robot.parts, (), None)), base, scale)
+        try:
+            arm = cls(robot.links, robot.parts, (), base, scale)
+            arm.poses([0] * len(arm.moving))
+        except Error as error:
+            raise ValueError(f"{path}: the machine reaches farther than 2048 units: {error}; see scale") from error
+        never = robot.sample_pairs(arm) if srdf is None else robot.read_pairs(srdf)
+        return cls(robot.links, robot.parts, never, base, scale)
 
     def _find(self, name, whose):
         if name not in self._number:
@@ -277,7 +281,8 @@ class Arm:
               tests: int = (1 << 32) - 1, certify: bool = False):  # fmt: skip
         """The same for arrays of integers, (n, values), by one call of C: a numpy array of n ArmEdge.
 
-        certify: each answer is checked by its certificate. Error(UNPROVEN) would tell of one that fails.
+        certify: each answer is checked by its certificate. Error(UNPROVEN) would tell of one that fails, and
+        Error(CAPACITY) tells of one of more than 131,072 steps.
         """
         import numpy
 
@@ -342,9 +347,13 @@ _poses = declare("gjk_arm_poses", c_void_p, _VALUES, POINTER(Pose))
 _near = declare("gjk_arm_near", c_void_p, _VALUES, Int32, POINTER(c_bool), POINTER(ArmPair))
 _distance = declare("gjk_arm_distance", c_void_p, _VALUES, Int32, POINTER(ArmDistance))
 _gradient = declare("gjk_arm_gradient", c_void_p, _VALUES, POINTER(ArmDistance), POINTER(c_int32))
-_edges = declare(
-    "gjk_batch_edges", c_void_p, _VALUES, _VALUES, c_uint32, POINTER(_Setup), c_uint32, POINTER(_Proof), c_uint32,
-    POINTER(ArmEdge), POINTER(c_uint32),
-)  # fmt: skip
+
+
+def _edges(*arguments):  # of this package: a library by another build may lack it
+    return declare(
+        "gjk_batch_edges", c_void_p, _VALUES, _VALUES, c_uint32, POINTER(_Setup), c_uint32, POINTER(_Proof), c_uint32,
+        POINTER(ArmEdge), POINTER(c_uint32),
+    )(*arguments)  # fmt: skip
+
 
 check_sizes(globals())

@@ -34,7 +34,7 @@ class Robot:
             part_type(name, *shaped)
             for name in order
             for i, element in enumerate(elements[name].findall("collision"))
-            for shaped in [self._shape(element, f"{self.path}: collision {i} of link {name!r}")]
+            for shaped in [self._fit(element, f"{self.path}: collision {i} of link {name!r}")]
         ]
         self.known = set(elements)
 
@@ -125,6 +125,15 @@ class Robot:
         for x, r in zip(exact, rounded):
             far += (x - r) * (x - r)
         return Pose(rounded, [round(q * Q30_ONE) for q in turn]), math.sqrt(far)
+
+    def _fit(self, collision, where):
+        """As _shape, if the library takes it."""
+        try:
+            shape, pose = self._shape(collision, where)
+            Collider(shape, pose, baked=False)
+        except Error as error:
+            raise ValueError(f"{where} is wider than 4095 units, or too far away: {error}") from error
+        return shape, pose
 
     def _shape(self, collision, where):
         """A shape and its pose in the link's frame."""

@@ -219,7 +219,8 @@ def refusals():
 
 def robots():
     """What is wrong with a robot is said."""
-    text = SIX.read_text()
+    meshes = f"file://{DATA.resolve()}/meshes/"
+    text = SIX.read_text().replace("package://robot/", "").replace("meshes/", meshes)
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "bad.urdf"
         for old, new, message in (
@@ -233,6 +234,9 @@ def robots():
             ('type="continuous"', 'type="floating"', "'floating'"),
             ('name="column"', 'name="base"', "there twice"),
             ('axis xyz="0 0 1"', 'axis xyz="0 0 0"', "axis of length 0"),
+            ('size="0.3 0.3 0.1"', 'size="30000 1 1"', "wider than 4095 units"),
+            ('size="0.3 0.3 0.1"', 'size="1e9 1 1"', "wider than 4095 units"),
+            ('origin xyz="0 0 0.3"', 'origin xyz="0 0 3000"', "farther than 2048 units"),
             ('lower="-1.9"', 'lower="2"', "above the upper one"),
         ):
             path.write_text(text.replace(old, new))

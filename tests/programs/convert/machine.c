@@ -94,15 +94,17 @@ static bool is_taken(const machine *m, unsigned count, const char *name) {
   return taken;
 }
 
-// Names that differ in signs alone are told apart by strokes, or by the number in place of what is too long.
-static void name_link(machine *m, unsigned link, const char *name) {
-  machine_word(name, m->name[link], ROBOT_NAME);
+// Names that differ in signs alone are told apart by up to three strokes, or are a number instead.
+static bool name_link(machine *m, unsigned link, const robot_link *from) {
+  machine_word(from->name, m->name[link], ROBOT_NAME);
   for (unsigned stroke = 0; stroke < 3 && is_taken(m, link, m->name[link]); stroke++) {
     strcat(m->name[link], "_");
   }
   if (is_taken(m, link, m->name[link])) {
     snprintf(m->name[link], sizeof m->name[link], "link_%u", link);
   }
+  return !is_taken(m, link, m->name[link]) ||
+         xml_fail(m->r, from->line, "too many links with names like '%s'", from->name);
 }
 
 static bool add_links(machine *m) {
@@ -115,7 +117,9 @@ static bool add_links(machine *m) {
     m->number[i] = number;
     m->link[i] = plain;
     place[number] = i;
-    name_link(m, i, from->name);
+    if (!name_link(m, i, from)) {
+      return false;
+    }
     if (from->joint != ROBOT_ROOT) {
       m->link[i].parent = (uint8_t)place[robot_parent(m->from, number)];
       if (!round_joint(m, &m->from->joint[from->joint], &m->link[i])) {
