@@ -1,0 +1,342 @@
+// Grids of tiles as ground: their merged outline, found near a box.
+//
+// Each tile is a convex polygon with its corners on quarters of its sides. Its sides are cut by what the tile across covers;
+// what is left of them, and its surface, are the outline. Where two solids share a side nothing is left.
+//
+//   1. Go through the tiles that the box meets, and the sides of each.
+//   2. Find the run that a side is in: sides in line, one after the other, up to the next cut at a multiple of
+//      GJK2_TILE_RUN tiles. Take it at the first of its sides that the walk meets.
+//   3. Find the neighbours of the run among the sides of the tiles around its ends.
+//
+// Lengths are in quarters of a tile until the end: at most 4 2^16.
+#include "gjk2_ground_box.h"
+#include "gjk2_ground_walk.h"
+
+#define SIDES 4
+#define SURFACE 2
+#define QUARTERS 4
+
+// A side of the outline, counterclockwise about its tile.
+typedef struct tile_side {
+  int32_t column, row;
+  unsigned side;
+  gjk2_vec from, to;  // not the same
+} tile_side;
+
+static const gjk2_tiles *tiles_of(const gjk2_ground_walk *walk) {
+  return (const gjk2_tiles *)walk->ground->data;
+}
+
+// The form of a tile; NULL: it is empty.
+static const gjk2_tile *form_of(const gjk2_tiles *t, int32_t column, int32_t row) {
+  if (column < 0 || row < 0 || column >= t->columns || row >= t->rows) {
+    return NULL;
+  }
+  const uint8_t number = t->cells[(uint32_t)row * t->columns + (uint32_t)column];
+  return number < t->form_count ? &t->forms[number] : NULL;
+}
+
+static int32_t quarters(uint8_t height) {
+  return height < QUARTERS ? height : QUARTERS;
+}
+
+static bool is_solid(const gjk2_tile *form) {
+  return !form->one_way && (form->left | form->right) != 0;
+}
+
+// The ends of a side, tile frame, before the tile is turned.
+static void unturned_side(const gjk2_tile *form, unsigned side, gjk2_vec *from, gjk2_vec *to) {
+  const int32_t left = quarters(form->left), right = quarters(form->right);
+  from->x = side == 1 || side == SURFACE ? QUARTERS : 0;
+  to->x = side == 0 || side == 1 ? QUARTERS : 0;
+  from->y = side == 3 ? left : side == SURFACE ? right : 0;
+  to->y = side == 1 ? right : side == SURFACE ? left : 0;
+}
+
+static gjk2_vec turned(gjk2_vec v, unsigned turns) {
+  for (unsigned i = 0; i < (turns & 3u); i++) {
+    const gjk2_vec next = {QUARTERS - v.y, v.x};
+    gjk2_copy(&v, &next);
+  }
+  return v;
+}
+
+// What a tile covers of a side of its square, by quarters from the side's lower end: from *low to *high, none if they are
+// the same. It begins or ends at an end of the side. square: 0 below, 1 right, 2 above, 3 left.
+static void covered(const gjk2_tile *form, unsigned square, int32_t *low, int32_t *high) {
+  const unsigned side = (square - form->turns) & 3u;
+  gjk2_vec from, to;
+  *low = *high = 0;
+  if (form->one_way || (side == SURFACE && (form->left < QUARTERS || form->right < QUARTERS)) || !is_solid(form)) {
+    return;
+  }
+  unturned_side(form, side, &from, &to);
+  from = turned(from, form->turns);
+  to = turned(to, form->turns);
+  const int32_t a = square % 2 == 0 ? from.x : from.y, b = square % 2 == 0 ? to.x : to.y;
+  *low = a < b ? a : b;
+  *high = a < b ? b : a;
+}
+
+// The side of the square that a side of a tile lies on; false: it lies within.
+static bool square_of(const gjk2_tile *form, unsigned side, unsigned *square) {
+  unsigned on = side;
+  if (side == SURFACE) {
+    if (form->left == 0 && form->right == 0) {
+      on = 0;
+    } else if (form->left < QUARTERS || form->right < QUARTERS) {
+      return false;
+    }
+  }
+  *square = (on + form->turns) & 3u;
+  return true;
+}
+
+// Cuts what lies between low and high off a range along an axis. Both begin or end at an end of the square's side.
+static void cut_range(int32_t *from, int32_t *to, int32_t low, int32_t high) {
+  int32_t *least = *from < *to ? from : to, *most = *from < *to ? to : from;
+  if (low == high) {
+    return;
+  }
+  if (low == 0) {
+    *least = *least > high ? *least : high;
+    *most = *most > high ? *most : high;
+  } else {
+    *most = *most < low ? *most : low;
+    *least = *least < low ? *least : low;
+  }
+}
+
+// A side of a tile, if any of it is outline.
+static bool find_side(const gjk2_tiles *t, int32_t column, int32_t row, unsigned side, tile_side *out) {
+  static const int8_t across_x[SIDES] = {0, 1, 0, -1}, across_y[SIDES] = {-1, 0, 1, 0};
+  const gjk2_tile *form = form_of(t, column, row);
+  unsigned square;
+  if (form == NULL || !(is_solid(form) || (form->one_way && side == SURFACE))) {
+    return false;
+  }
+  unturned_side(form, side, &out->from, &out->to);
+  out->from = turned(out->from, form->turns);
+  out->to = turned(out->to, form->turns);
+  if (square_of(form, side, &square)) {
+    const gjk2_tile *other = form_of(t, column + across_x[square], row + across_y[square]);
+    if (other != NULL) {
+      int32_t low, high;
+      covered(other, (square + 2) & 3u, &low, &high);
+      if (square % 2 == 0) {
+        cut_range(&out->from.x, &out->to.x, low, high);
+      } else {
+        cut_range(&out->from.y, &out->to.y, low, high);
+      }
+    }
+  }
+  if (gjk2_equal(out->from, out->to)) {
+    return false;
+  }
+  const gjk2_vec corner = {column * QUARTERS, row * QUARTERS};
+  out->from = gjk2_add(out->from, corner);
+  out->to = gjk2_add(out->to, corner);
+  out->column = column;
+  out->row = row;
+  out->side = side;
+  return true;
+}
+
+static gjk2_vec way_of(const tile_side *s) {
+  return gjk2_sub(s->to, s->from);
+}
+
+static bool are_in_line(const tile_side *s, const tile_side *next) {
+  const gjk2_vec a = way_of(s), b = way_of(next);
+  return gjk2_cross(a, b) == 0 && gjk2_dot(a, b) > 0;
+}
+
+// How far the outline turns right from one side to the next, as a rank: right, straight on, left, back.
+static int rank_of(gjk2_vec from, gjk2_vec to) {
+  const int64_t turn = gjk2_cross(from, to);
+  return turn < 0 ? 0 : turn > 0 ? 2 : gjk2_dot(from, to) > 0 ? 1 : 3;
+}
+
+// Is a candidate the better neighbour? Straight on is best; then what turns right the most.
+static bool is_better(const tile_side *s, const tile_side *candidate, const tile_side *best, bool following) {
+  const gjk2_vec way = way_of(s), c = way_of(candidate), b = way_of(best);
+  const int rank = following ? rank_of(way, c) : rank_of(c, way), rank_best = following ? rank_of(way, b) : rank_of(b, way);
+  if (rank != rank_best) {
+    return rank == 1 || (rank_best != 1 && rank < rank_best);
+  }
+  const int64_t turn = gjk2_cross(b, c);
+  return following ? turn < 0 : turn > 0;
+}
+
+// Step 3: the side that follows at the end of another, or precedes it at its beginning, among those of the tiles there.
+static bool find_neighbour_side(const gjk2_tiles *t, const tile_side *s, bool following, tile_side *out) {
+  const gjk2_vec at = following ? s->to : s->from;
+  const int32_t column = at.x / QUARTERS, row = at.y / QUARTERS;  // not negative
+  bool found = false;
+  for (int32_t y = at.y % QUARTERS == 0 ? row - 1 : row; y <= row; y++) {
+    for (int32_t x = at.x % QUARTERS == 0 ? column - 1 : column; x <= column; x++) {
+      for (unsigned side = 0; side < SIDES; side++) {
+        tile_side candidate;
+        if (find_side(t, x, y, side, &candidate) && gjk2_equal(following ? candidate.from : candidate.to, at) &&
+            (!found || is_better(s, &candidate, out, following))) {
+          *out = candidate;
+          found = true;
+        }
+      }
+    }
+  }
+  return found;
+}
+
+// Does a run end at this place, whatever follows?
+static bool is_cut(gjk2_vec at, gjk2_vec way) {
+  const int32_t along = way.x != 0 ? at.x : at.y;
+  return along % (QUARTERS * GJK2_TILE_RUN) == 0;
+}
+
+// The side in line that follows, or precedes, in the same run. The tile one step on is tried before all others.
+static bool find_in_run(const gjk2_tiles *t, const tile_side *s, bool following, tile_side *out) {
+  const gjk2_vec way = way_of(s), at = following ? s->to : s->from;
+  const int32_t step = following ? 1 : -1;
+  const int32_t x = way.x > 0 ? step : way.x < 0 ? -step : 0, y = way.y > 0 ? step : way.y < 0 ? -step : 0;
+  if (is_cut(at, way)) {
+    return false;
+  }
+  if (find_side(t, s->column + x, s->row + y, s->side, out) && gjk2_equal(following ? out->from : out->to, at) &&
+      are_in_line(s, out)) {
+    return true;
+  }
+  return find_neighbour_side(t, s, following, out) && are_in_line(s, out);
+}
+
+static bool is_in_cells(const gjk2_ground_cells *c, const tile_side *s) {
+  return s->column >= c->first_column && s->column <= c->last_column && s->row >= c->first_row &&
+         s->row <= c->last_row;
+}
+
+// A run has at most so many sides: each is at least a quarter of a tile long, along x or along y.
+#define RUN_SIDES (QUARTERS * GJK2_TILE_RUN)
+
+// Step 2: the run of a side, from its first to its last. False: the walk has met it before.
+static bool find_run(const gjk2_ground_walk *walk, const tile_side *s, tile_side *first, tile_side *last) {
+  const gjk2_tiles *t = tiles_of(walk);
+  tile_side next;
+  *first = *s;
+  for (unsigned i = 0; i < RUN_SIDES && find_in_run(t, first, false, &next); i++) {
+    if (i == 0 && is_in_cells(&walk->cells, &next)) {
+      return false;
+    }
+    *first = next;
+  }
+  *last = *s;
+  for (unsigned i = 0; i < RUN_SIDES && find_in_run(t, last, true, &next); i++) {
+    *last = next;
+  }
+  return true;
+}
+
+static gjk2_vec in_lsb(const gjk2_tiles *t, gjk2_vec v) {
+  const int32_t quarter = t->size / QUARTERS;
+  const gjk2_vec at = {v.x * quarter, v.y * quarter};
+  return at;
+}
+
+static void write_edge(const gjk2_tiles *t, const tile_side *first, const tile_side *last, gjk2_ground_edge *out) {
+  tile_side neighbour;
+  out->number = ((uint32_t)first->row * t->columns + (uint32_t)first->column) * SIDES + first->side;
+  out->vertex[1] = in_lsb(t, first->from);
+  out->vertex[2] = in_lsb(t, last->to);
+  out->open_before = !find_neighbour_side(t, first, false, &neighbour);
+  if (!out->open_before) {
+    out->vertex[0] = in_lsb(t, neighbour.from);
+  }
+  out->open_after = !find_neighbour_side(t, last, true, &neighbour);
+  if (!out->open_after) {
+    out->vertex[3] = in_lsb(t, neighbour.to);
+  }
+}
+
+// The rows or columns that a range meets; a tile's sides are its, too.
+static void range_of(int32_t low, int32_t high, gjk_q16 size, int32_t count, int32_t *first, int32_t *last) {
+  *first = low <= 0 ? 0 : (low - 1) / size;
+  *last = high < 0 ? -1 : high / size;
+  *last = *last < count - 1 ? *last : count - 1;
+}
+
+static bool is_grid(const gjk2_tiles *t) {
+  // No vertex is beyond 2^28 then, so quarters of a tile times its size fit.
+  return t->cells != NULL && t->size >= QUARTERS && t->size % QUARTERS == 0 && t->size <= GJK2_TILE_SIZE_MAX &&
+         gjk_mul32(t->columns, t->size) <= GJK2_GROUND_REACH && gjk_mul32(t->rows, t->size) <= GJK2_GROUND_REACH &&
+         (t->forms != NULL || t->form_count == 0) && gjk_umul32(t->columns, t->rows) <= UINT32_C(1) << 28;
+}
+
+static void begin_tiles(gjk2_ground_walk *walk) {
+  const gjk2_tiles *t = tiles_of(walk);
+  gjk2_ground_cells *c = &walk->cells;
+  c->first_row = 0;
+  c->last_row = -1;
+  c->first_column = 0;
+  c->last_column = -1;
+  if (is_grid(t)) {
+    range_of(walk->low.x, walk->high.x, t->size, t->columns, &c->first_column, &c->last_column);
+    range_of(walk->low.y, walk->high.y, t->size, t->rows, &c->first_row, &c->last_row);
+  }
+  c->column = c->first_column;
+  c->row = c->first_column <= c->last_column ? c->first_row : c->last_row + 1;
+  c->side = 0;
+}
+
+// Step 1. Takes the walk from a side to the next one, of a tile that has a form.
+static void step_on(gjk2_ground_cells *c, bool leave_tile) {
+  c->side = leave_tile ? SIDES : c->side + 1;
+  if (c->side < SIDES) {
+    return;
+  }
+  c->side = 0;
+  c->column++;
+  if (c->column > c->last_column) {
+    c->column = c->first_column;
+    c->row++;
+  }
+}
+
+static bool next_of_tiles(gjk2_ground_walk *walk, gjk2_ground_edge *out) {
+  const gjk2_tiles *t = tiles_of(walk);
+  gjk2_ground_cells *c = &walk->cells;
+  while (c->row <= c->last_row) {
+    tile_side side, first, last;
+    const int32_t column = c->column, row = c->row;
+    const unsigned number = c->side;
+    const bool empty = form_of(t, column, row) == NULL;
+    step_on(c, empty);
+    if (!empty && find_side(t, column, row, number, &side) && find_run(walk, &side, &first, &last) &&
+        gjk2_ground_meets(walk, in_lsb(t, first.from), in_lsb(t, last.to))) {
+      write_edge(t, &first, &last, out);
+      return true;
+    }
+  }
+  return false;
+}
+
+const gjk2_ground_class gjk2_ground_tiles = {.begin = begin_tiles, .next = next_of_tiles};
+
+gjk_status gjk2_ground_of_tiles(const gjk2_tiles *data, gjk2_ground *out, gjk2_shape *shape) {
+  gjk2_aabb box;
+  if (data == NULL || data->cells == NULL || data->forms == NULL || out == NULL || shape == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  if (data->columns == 0 || data->rows == 0 || data->form_count == 0) {
+    return GJK_ERROR_EMPTY;
+  }
+  if (data->size < 1) {
+    return GJK_ERROR_NEGATIVE;
+  }
+  if (!is_grid(data)) {
+    return GJK_ERROR_SIZE;
+  }
+  box.lower.x = 0;
+  box.lower.y = 0;
+  box.upper.x = data->columns * data->size;  // at most 2^28, as is_grid has it
+  box.upper.y = data->rows * data->size;
+  return gjk2_ground_set(&gjk2_ground_tiles, data, &box, out, shape);
+}
