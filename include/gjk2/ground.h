@@ -180,7 +180,7 @@ gjk_status gjk2_ground_cast(const gjk2_ground *ground, const gjk2_pose *pose, co
 gjk_status gjk2_ground_cast_ray(const gjk2_ground *ground, const gjk2_pose *pose, const gjk2_vec *from,
                                 const gjk2_vec *to, gjk2_cast_result *out, uint32_t *segment);
 
-// Goes through the segments whose boxes meet a box in the world, in the order of their kind.
+// Goes through the segments near a box in the world: all that share a point with it, and others whose boxes meet it.
 //
 // take      is called with each: its ends in the world, and its number.
 typedef void gjk2_segment_function(void *user, const gjk2_vec *from, const gjk2_vec *to, uint32_t segment);

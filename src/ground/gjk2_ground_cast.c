@@ -45,7 +45,7 @@ static bool comes_nearer(const ground_cast *c, const gjk2_unit *normal) {
   return normal->x * c->x + normal->y * c->y < 0;
 }
 
-// Does a hit of a segment count? Where its normal gives way to the segment's own, puts that.
+// Does a hit of a segment count? A normal that is not of a joint becomes the segment's own, as exact as that is.
 static bool does_hit_count(const ground_cast *c, const gjk2_line *line, gjk2_cast_result *hit) {
   const gjk2_vec n = gjk2_outward(gjk2_sub(line->q, line->p));
   if (!is_in_front_at(c, line, hit->fraction)) {
@@ -61,10 +61,8 @@ static bool does_hit_count(const ground_cast *c, const gjk2_line *line, gjk2_cas
   if (side == GJK2_GROUND_OTHER || along_way(c, n) >= 0) {
     return false;
   }
-  if (side == GJK2_GROUND_CONCAVE) {
-    gjk2_length length;
-    gjk2_normal_set(&hit->normal, &length, &n);
-  }
+  gjk2_length length;
+  gjk2_normal_set(&hit->normal, &length, &n);
   return true;
 }
 

@@ -149,6 +149,12 @@ static void turn_ground_manifold(gjk2_manifold *m) {
   }
 }
 
+static void no_manifold(gjk2_manifold *out) {
+  out->count = 0;
+  out->feature_a = out->feature_b = 0;
+  gjk2_scene_no_normal(out);
+}
+
 gjk_status gjk2_scene_ground_manifold(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
                                       const gjk2_collider *on_a, const gjk2_collider *on_b, gjk_q16 margin,
                                       unsigned most, gjk2_manifold *out) {
@@ -160,7 +166,7 @@ gjk_status gjk2_scene_ground_manifold(const gjk2_scene_view *v, const gjk2_scene
     return GJK_ERROR_RANGE;
   }
   if (!place_ground_pair(v, a, b, on_a, on_b, &p, &pose)) {
-    out->count = 0;
+    no_manifold(out);
     return GJK_OK;
   }
   const gjk_q16 apart = margin < GJK2_RADIUS_MAX ? margin : GJK2_RADIUS_MAX;
@@ -168,7 +174,7 @@ gjk_status gjk2_scene_ground_manifold(const gjk2_scene_view *v, const gjk2_scene
   if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
     return status;
   }
-  out->count = 0;
+  no_manifold(out);
   if (count > 0) {
     deepest.manifold.feature_a = (uint16_t)(deepest.segment & UINT16_MAX);
     gjk2_facing_limit(&deepest.manifold, most);
