@@ -139,14 +139,14 @@ static void check_pieces(bool one_way) {
   }
 }
 
-// Each line has solid on its left alone, beside its middle.
+// Each line has a tile with a solid on its left.
 static void check_sides(void) {
   const double eighth = grid.size / 8.0;
   for (unsigned i = 0; i < line_count; i++) {
-    const double x = ((double)lines[i].p.x + lines[i].q.x) / 2 / eighth, y = ((double)lines[i].p.y + lines[i].q.y) / 2 / eighth;
     const double way_x = lines[i].q.x - (double)lines[i].p.x, way_y = lines[i].q.y - (double)lines[i].p.y;
+    const double at = 0.4571, x = (lines[i].p.x + at * way_x) / eighth, y = (lines[i].p.y + at * way_y) / eighth;
     const double length = hypot(way_x, way_y) * 64;
-    // In 64ths of an eighth, so that no point lies on a side: the solid test is repeated there in doubles.
+    // A 64th of an eighth of a tile away, at a place that is no tile's corner.
     const double left_x = x - way_y / length, left_y = y + way_x / length;
     const int number = cells[(int)(left_y / 8) * grid.columns + (int)(left_x / 8)];
     CHECK(left_x > 0 && left_y > 0 && (int)(left_x / 8) < grid.columns && (int)(left_y / 8) < grid.rows);
