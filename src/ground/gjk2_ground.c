@@ -2,7 +2,7 @@
 #include "gjk2_ground_box.h"
 #include "gjk2_ground_queries.h"
 
-static const gjk2_ground *ground_of(const gjk2_shape *shape) {
+static const gjk2_ground *ground_of_shape(const gjk2_shape *shape) {
   return (const gjk2_ground *)shape->user;
 }
 
@@ -18,7 +18,7 @@ static gjk_status measure_ground(const gjk2_shape *shape, gjk2_extent *out) {
   if (half->x < 0 || half->y < 0) {
     return GJK_ERROR_NEGATIVE;
   }
-  gjk2_copy(&out->centre, &ground_of(shape)->centre);
+  gjk2_copy(&out->centre, &ground_of_shape(shape)->centre);
   out->squared = (uint64_t)gjk2_dot(*half, *half);
   out->ordered = false;
   return GJK_OK;
@@ -65,7 +65,7 @@ static const gjk2_shape_class class_of_ground_box = {
 
 static gjk_status bind_ground(const gjk2_shape *shape, gjk2_collider *out) {
   gjk2_shape box;
-  const gjk2_ground *ground = ground_of(shape);
+  const gjk2_ground *ground = ground_of_shape(shape);
   if (ground == NULL || ground->type == NULL || ground->data == NULL) {
     return GJK_ERROR_NULL;
   }

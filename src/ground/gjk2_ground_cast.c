@@ -121,7 +121,7 @@ static gjk_status ask_near(ground_cast *c, const gjk2_aabb *near) {
 }
 
 // So much of a way:  |way| < 2^33, 0 <= i <= 2^PIECES
-static int64_t part_of_way(int64_t way, unsigned i, unsigned pieces) {
+static int64_t piece_of_way(int64_t way, unsigned i, unsigned pieces) {
   return gjk_sar64(way * i, pieces);
 }
 
@@ -136,9 +136,9 @@ static gjk_status ask_pieces(ground_cast *c, const gjk2_aabb *box) {
     pieces++;
   }
   for (unsigned i = 0; i < 1u << pieces; i++) {
-    const gjk2_aabb from = gjk2_ground_box_at(box, margin, part_of_way(c->x, i, pieces), part_of_way(c->y, i, pieces));
+    const gjk2_aabb from = gjk2_ground_box_at(box, margin, piece_of_way(c->x, i, pieces), piece_of_way(c->y, i, pieces));
     const gjk2_aabb to =
-        gjk2_ground_box_at(box, margin, part_of_way(c->x, i + 1, pieces), part_of_way(c->y, i + 1, pieces));
+        gjk2_ground_box_at(box, margin, piece_of_way(c->x, i + 1, pieces), piece_of_way(c->y, i + 1, pieces));
     const gjk2_aabb near = gjk2_ground_hull(&from, &to);
     const gjk_status status = ask_near(c, &near);
     open = status != GJK_OK ? status : open;
@@ -176,7 +176,7 @@ static bool is_below_way(int64_t x) {
   return x > -(INT64_C(1) << 32) && x < INT64_C(1) << 32;
 }
 
-static bool stays_in_range(int32_t centre, int64_t way) {
+static bool stays_on_way(int32_t centre, int64_t way) {
   return centre + way >= INT32_MIN && centre + way <= INT32_MAX;
 }
 
@@ -213,7 +213,7 @@ gjk_status gjk2_ground_cast_ahead(const gjk2_ground *ground, const gjk2_pose *po
   c.start = body->centre;
   c.x = x - c.of_a[0];
   c.y = y - c.of_a[1];
-  if (!stays_in_range(c.start.x, x) || !stays_in_range(c.start.y, y) || !is_below_way(c.x) || !is_below_way(c.y)) {
+  if (!stays_on_way(c.start.x, x) || !stays_on_way(c.start.y, y) || !is_below_way(c.x) || !is_below_way(c.y)) {
     return GJK_ERROR_RANGE;
   }
   return run_cast(&c, &box, out, segment);

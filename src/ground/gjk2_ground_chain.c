@@ -36,15 +36,15 @@ static void begin_chain(gjk2_ground_walk *walk) {
 }
 
 // Is a range from low to high, in LSB from the index's corner, beyond that of a box, in its units?
-static bool is_beside(int32_t low, int32_t high, int32_t corner, unsigned shift, uint16_t lower, uint16_t upper) {
+static bool is_range_beside(int32_t low, int32_t high, int32_t corner, unsigned shift, uint16_t lower, uint16_t upper) {
   // low and high are below 2^30.5 in size, the corner at most 2^28. 16 bits and a shift of at most 14 stay below 2^30.
   return high - corner < (int32_t)((uint32_t)lower << shift) || low - corner > (int32_t)((uint32_t)upper << shift);
 }
 
 static bool is_box_beside(const gjk2_ground_walk *walk, const gjk2_index *index, const gjk2_index_box *box) {
   const gjk2_vec low = walk->low, high = walk->high;
-  return is_beside(low.x, high.x, index->corner.x, index->shift, box->lower_x, box->upper_x) ||
-         is_beside(low.y, high.y, index->corner.y, index->shift, box->lower_y, box->upper_y);
+  return is_range_beside(low.x, high.x, index->corner.x, index->shift, box->lower_x, box->upper_x) ||
+         is_range_beside(low.y, high.y, index->corner.y, index->shift, box->lower_y, box->upper_y);
 }
 
 // Skips the longest run that begins here and is not near. False: there is none.

@@ -1,6 +1,6 @@
 // Grids of tiles as ground: their merged outline, found near a box.
 //
-// Each tile is a convex polygon with its corners on quarters of its sides. Its sides are cut by what the tile across covers;
+// Each tile is a convex polygon with its corners on quarters_of of its sides. Its sides are cut by what the tile across covers;
 // what is left of them, and its surface, are the outline. Where two solids share a side nothing is left.
 //
 //   1. Go through the tiles that the box meets, and the sides of each.
@@ -8,7 +8,7 @@
 //      GJK2_TILE_RUN tiles. Take it at the first of its sides that the walk meets.
 //   3. Find the neighbours of the run among the sides of the tiles around its ends.
 //
-// Lengths are in quarters of a tile until the end: at most 4 2^16.
+// Lengths are in quarters_of of a tile until the end: at most 4 2^16.
 #include "gjk2_ground_box.h"
 #include "gjk2_ground_walk.h"
 
@@ -36,7 +36,7 @@ static const gjk2_tile *form_of(const gjk2_tiles *t, int32_t column, int32_t row
   return number < t->form_count ? &t->forms[number] : NULL;
 }
 
-static int32_t quarters(uint8_t height) {
+static int32_t quarters_of(uint8_t height) {
   return height < QUARTERS ? height : QUARTERS;
 }
 
@@ -44,16 +44,16 @@ static bool is_solid(const gjk2_tile *form) {
   return !form->one_way && (form->left | form->right) != 0;
 }
 
-// The ends of a side, tile frame, before the tile is turned.
+// The ends of a side, tile frame, before the tile is turned_corner.
 static void unturned_side(const gjk2_tile *form, unsigned side, gjk2_vec *from, gjk2_vec *to) {
-  const int32_t left = quarters(form->left), right = quarters(form->right);
+  const int32_t left = quarters_of(form->left), right = quarters_of(form->right);
   from->x = side == 1 || side == SURFACE ? QUARTERS : 0;
   to->x = side == 0 || side == 1 ? QUARTERS : 0;
   from->y = side == 3 ? left : side == SURFACE ? right : 0;
   to->y = side == 1 ? right : side == SURFACE ? left : 0;
 }
 
-static gjk2_vec turned(gjk2_vec v, unsigned turns) {
+static gjk2_vec turned_corner(gjk2_vec v, unsigned turns) {
   for (unsigned i = 0; i < (turns & 3u); i++) {
     const gjk2_vec next = {QUARTERS - v.y, v.x};
     gjk2_copy(&v, &next);
@@ -61,9 +61,9 @@ static gjk2_vec turned(gjk2_vec v, unsigned turns) {
   return v;
 }
 
-// What a tile covers of a side of its square, by quarters from the side's lower end: from *low to *high, none if they are
+// What a tile covers of a side of its square, by quarters_of from the side's lower end: from *low to *high, none if they are
 // the same. It begins or ends at an end of the side. square: 0 below, 1 right, 2 above, 3 left.
-static void covered(const gjk2_tile *form, unsigned square, int32_t *low, int32_t *high) {
+static void covered_by(const gjk2_tile *form, unsigned square, int32_t *low, int32_t *high) {
   const unsigned side = (square - form->turns) & 3u;
   gjk2_vec from, to;
   *low = *high = 0;
@@ -71,8 +71,8 @@ static void covered(const gjk2_tile *form, unsigned square, int32_t *low, int32_
     return;
   }
   unturned_side(form, side, &from, &to);
-  from = turned(from, form->turns);
-  to = turned(to, form->turns);
+  from = turned_corner(from, form->turns);
+  to = turned_corner(to, form->turns);
   const int32_t a = square % 2 == 0 ? from.x : from.y, b = square % 2 == 0 ? to.x : to.y;
   *low = a < b ? a : b;
   *high = a < b ? b : a;
@@ -108,7 +108,7 @@ static void cut_range(int32_t *from, int32_t *to, int32_t low, int32_t high) {
 }
 
 // A side of a tile, if any of it is outline.
-static bool find_side(const gjk2_tiles *t, int32_t column, int32_t row, unsigned side, tile_side *out) {
+static bool find_tile_side(const gjk2_tiles *t, int32_t column, int32_t row, unsigned side, tile_side *out) {
   static const int8_t across_x[SIDES] = {0, 1, 0, -1}, across_y[SIDES] = {-1, 0, 1, 0};
   const gjk2_tile *form = form_of(t, column, row);
   unsigned square;
@@ -116,13 +116,13 @@ static bool find_side(const gjk2_tiles *t, int32_t column, int32_t row, unsigned
     return false;
   }
   unturned_side(form, side, &out->from, &out->to);
-  out->from = turned(out->from, form->turns);
-  out->to = turned(out->to, form->turns);
+  out->from = turned_corner(out->from, form->turns);
+  out->to = turned_corner(out->to, form->turns);
   if (square_of(form, side, &square)) {
     const gjk2_tile *other = form_of(t, column + across_x[square], row + across_y[square]);
     if (other != NULL) {
       int32_t low, high;
-      covered(other, (square + 2) & 3u, &low, &high);
+      covered_by(other, (square + 2) & 3u, &low, &high);
       if (square % 2 == 0) {
         cut_range(&out->from.x, &out->to.x, low, high);
       } else {
@@ -142,12 +142,12 @@ static bool find_side(const gjk2_tiles *t, int32_t column, int32_t row, unsigned
   return true;
 }
 
-static gjk2_vec way_of(const tile_side *s) {
+static gjk2_vec way_of_side(const tile_side *s) {
   return gjk2_sub(s->to, s->from);
 }
 
 static bool are_in_line(const tile_side *s, const tile_side *next) {
-  const gjk2_vec a = way_of(s), b = way_of(next);
+  const gjk2_vec a = way_of_side(s), b = way_of_side(next);
   return gjk2_cross(a, b) == 0 && gjk2_dot(a, b) > 0;
 }
 
@@ -158,8 +158,8 @@ static int rank_of(gjk2_vec from, gjk2_vec to) {
 }
 
 // Is a candidate the better neighbour? Straight on is best; then what turns right the most.
-static bool is_better(const tile_side *s, const tile_side *candidate, const tile_side *best, bool following) {
-  const gjk2_vec way = way_of(s), c = way_of(candidate), b = way_of(best);
+static bool is_better_side(const tile_side *s, const tile_side *candidate, const tile_side *best, bool following) {
+  const gjk2_vec way = way_of_side(s), c = way_of_side(candidate), b = way_of_side(best);
   const int rank = following ? rank_of(way, c) : rank_of(c, way), rank_best = following ? rank_of(way, b) : rank_of(b, way);
   if (rank != rank_best) {
     return rank == 1 || (rank_best != 1 && rank < rank_best);
@@ -177,8 +177,8 @@ static bool find_neighbour_side(const gjk2_tiles *t, const tile_side *s, bool fo
     for (int32_t x = at.x % QUARTERS == 0 ? column - 1 : column; x <= column; x++) {
       for (unsigned side = 0; side < SIDES; side++) {
         tile_side candidate;
-        if (find_side(t, x, y, side, &candidate) && gjk2_equal(following ? candidate.from : candidate.to, at) &&
-            (!found || is_better(s, &candidate, out, following))) {
+        if (find_tile_side(t, x, y, side, &candidate) && gjk2_equal(following ? candidate.from : candidate.to, at) &&
+            (!found || is_better_side(s, &candidate, out, following))) {
           *out = candidate;
           found = true;
         }
@@ -189,20 +189,20 @@ static bool find_neighbour_side(const gjk2_tiles *t, const tile_side *s, bool fo
 }
 
 // Does a run end at this place, whatever follows?
-static bool is_cut(gjk2_vec at, gjk2_vec way) {
+static bool is_run_cut(gjk2_vec at, gjk2_vec way) {
   const int32_t along = way.x != 0 ? at.x : at.y;
   return along % (QUARTERS * GJK2_TILE_RUN) == 0;
 }
 
 // The side in line that follows, or precedes, in the same run. The tile one step on is tried before all others.
 static bool find_in_run(const gjk2_tiles *t, const tile_side *s, bool following, tile_side *out) {
-  const gjk2_vec way = way_of(s), at = following ? s->to : s->from;
+  const gjk2_vec way = way_of_side(s), at = following ? s->to : s->from;
   const int32_t step = following ? 1 : -1;
   const int32_t x = way.x > 0 ? step : way.x < 0 ? -step : 0, y = way.y > 0 ? step : way.y < 0 ? -step : 0;
-  if (is_cut(at, way)) {
+  if (is_run_cut(at, way)) {
     return false;
   }
-  if (find_side(t, s->column + x, s->row + y, s->side, out) && gjk2_equal(following ? out->from : out->to, at) &&
+  if (find_tile_side(t, s->column + x, s->row + y, s->side, out) && gjk2_equal(following ? out->from : out->to, at) &&
       are_in_line(s, out)) {
     return true;
   }
@@ -235,7 +235,7 @@ static bool find_run(const gjk2_ground_walk *walk, const tile_side *s, tile_side
   return true;
 }
 
-static gjk2_vec in_lsb(const gjk2_tiles *t, gjk2_vec v) {
+static gjk2_vec corner_of(const gjk2_tiles *t, gjk2_vec v) {
   const int32_t quarter = t->size / QUARTERS;
   const gjk2_vec at = {v.x * quarter, v.y * quarter};
   return at;
@@ -244,15 +244,15 @@ static gjk2_vec in_lsb(const gjk2_tiles *t, gjk2_vec v) {
 static void write_edge(const gjk2_tiles *t, const tile_side *first, const tile_side *last, gjk2_ground_edge *out) {
   tile_side neighbour;
   out->number = ((uint32_t)first->row * t->columns + (uint32_t)first->column) * SIDES + first->side;
-  out->vertex[1] = in_lsb(t, first->from);
-  out->vertex[2] = in_lsb(t, last->to);
+  out->vertex[1] = corner_of(t, first->from);
+  out->vertex[2] = corner_of(t, last->to);
   out->open_before = !find_neighbour_side(t, first, false, &neighbour);
   if (!out->open_before) {
-    out->vertex[0] = in_lsb(t, neighbour.from);
+    out->vertex[0] = corner_of(t, neighbour.from);
   }
   out->open_after = !find_neighbour_side(t, last, true, &neighbour);
   if (!out->open_after) {
-    out->vertex[3] = in_lsb(t, neighbour.to);
+    out->vertex[3] = corner_of(t, neighbour.to);
   }
 }
 
@@ -264,7 +264,7 @@ static void range_of(int32_t low, int32_t high, gjk_q16 size, int32_t count, int
 }
 
 static bool is_grid(const gjk2_tiles *t) {
-  // No vertex is beyond 2^28 then, so quarters of a tile times its size fit.
+  // No vertex is beyond 2^28 then, so quarters_of of a tile times its size fit.
   return t->cells != NULL && t->size >= QUARTERS && t->size % QUARTERS == 0 && t->size <= GJK2_TILE_SIZE_MAX &&
          gjk_mul32(t->columns, t->size) <= GJK2_GROUND_REACH && gjk_mul32(t->rows, t->size) <= GJK2_GROUND_REACH &&
          (t->forms != NULL || t->form_count == 0) && gjk_umul32(t->columns, t->rows) <= UINT32_C(1) << 28;
@@ -309,8 +309,8 @@ static bool next_of_tiles(gjk2_ground_walk *walk, gjk2_ground_edge *out) {
     const unsigned number = c->side;
     const bool empty = form_of(t, column, row) == NULL;
     step_on(c, empty);
-    if (!empty && find_side(t, column, row, number, &side) && find_run(walk, &side, &first, &last) &&
-        gjk2_ground_meets(walk, in_lsb(t, first.from), in_lsb(t, last.to))) {
+    if (!empty && find_tile_side(t, column, row, number, &side) && find_run(walk, &side, &first, &last) &&
+        gjk2_ground_meets(walk, corner_of(t, first.from), corner_of(t, last.to))) {
       write_edge(t, &first, &last, out);
       return true;
     }

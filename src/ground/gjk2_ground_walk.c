@@ -8,7 +8,7 @@
 // How far rounding may take a box that is turned back: 1 LSB its centre, 1 its half extents, and 1 a vertex that was posed.
 #define TURN_SLACK 4
 
-static bool is_amid(gjk_q16 x) {
+static bool is_ground_amid(gjk_q16 x) {
   return x <= INT32_MAX - 2 * GJK2_GROUND_REACH && x >= -(INT32_MAX - 2 * GJK2_GROUND_REACH);
 }
 
@@ -21,7 +21,7 @@ gjk_status gjk2_ground_place(const gjk2_ground *ground, const gjk2_pose *pose, g
   if (!gjk2_rotation_with_point(&pose->rotation, &origin, &walk->turn, rotated)) {
     return GJK_ERROR_ROTATION;
   }
-  if (!is_amid(pose->position.x) || !is_amid(pose->position.y)) {
+  if (!is_ground_amid(pose->position.x) || !is_ground_amid(pose->position.y)) {
     return GJK_ERROR_RANGE;
   }
   walk->ground = ground;
@@ -66,7 +66,7 @@ void gjk2_ground_begin(gjk2_ground_walk *walk, const gjk2_aabb *box) {
   walk->ground->type->begin(walk);
 }
 
-static gjk2_vec placed(const gjk2_ground_walk *walk, gjk2_vec v) {
+static gjk2_vec placed_vertex(const gjk2_ground_walk *walk, gjk2_vec v) {
   static const int8_t whole[2] = {0, 0};
   return gjk2_add(is_turned(walk) ? gjk2_rotate_onto(&walk->turn, v, whole) : v, walk->position);
 }
@@ -76,7 +76,7 @@ static bool place_neighbour(const gjk2_ground_walk *walk, gjk2_vec from, gjk2_ve
   if (!gjk2_ground_fits(from) || !gjk2_ground_fits(to) || !gjk2_ground_fits_segment(from, to)) {
     return false;
   }
-  *way = gjk2_sub(placed(walk, to), placed(walk, from));
+  *way = gjk2_sub(placed_vertex(walk, to), placed_vertex(walk, from));
   return true;
 }
 
@@ -94,8 +94,8 @@ bool gjk2_ground_next(gjk2_ground_walk *walk, gjk2_line *line, gjk2_ground_edge 
       continue;
     }
     line->number = e->number;
-    line->p = placed(walk, p);
-    line->q = placed(walk, q);
+    line->p = placed_vertex(walk, p);
+    line->q = placed_vertex(walk, q);
     if (gjk2_equal(line->p, line->q) || !meets_world(&walk->box, line->p, line->q)) {
       continue;
     }

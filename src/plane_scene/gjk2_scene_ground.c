@@ -10,7 +10,7 @@
 #include "../scene/gjk_scene_solid.h"
 #include "gjk2_scene_ground.h"
 
-static const gjk2_ground *ground_of(const gjk2_collider *c) {
+static const gjk2_ground *ground_of_collider(const gjk2_collider *c) {
   return (const gjk2_ground *)c->shape->user;
 }
 
@@ -28,7 +28,7 @@ static bool set_ground_pair(const gjk2_collider *a, const gjk2_collider *b, grou
   out->turned = !gjk2_scene_is_concave(a->shape);
   ground = out->turned ? b : a;
   out->body = out->turned ? a : b;
-  out->ground = ground_of(ground);
+  out->ground = ground_of_collider(ground);
   out->queries = ground->shape->type->ground;
   return !gjk2_scene_is_concave(out->body->shape);
 }
@@ -101,7 +101,7 @@ gjk_status gjk2_scene_ground_cast(const gjk2_scene_view *v, const gjk2_scene_par
   gjk2_pose pose;
   uint32_t segment;
   gjk2_scene_part_pose(v, a, &pose);
-  return on_a->shape->type->ground->cast(ground_of(on_a), &pose, b, path, false, out, &segment);
+  return on_a->shape->type->ground->cast(ground_of_collider(on_a), &pose, b, path, false, out, &segment);
 }
 
 gjk_status gjk2_scene_ground_ray(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_collider *on_a,
@@ -109,7 +109,7 @@ gjk_status gjk2_scene_ground_ray(const gjk2_scene_view *v, const gjk2_scene_part
   gjk2_pose pose;
   uint32_t segment;
   gjk2_scene_part_pose(v, a, &pose);
-  return on_a->shape->type->ground->ray(ground_of(on_a), &pose, from, to, out, &segment);
+  return on_a->shape->type->ground->ray(ground_of_collider(on_a), &pose, from, to, out, &segment);
 }
 
 gjk_status gjk2_scene_ground_way(const gjk2_collider c[2], const gjk2_pose pose[2], const gjk2_cast_path *path,
@@ -149,7 +149,7 @@ static void turn_ground_manifold(gjk2_manifold *m) {
   }
 }
 
-static void no_manifold(gjk2_manifold *out) {
+static void clear_ground_manifold(gjk2_manifold *out) {
   out->count = 0;
   out->feature_a = out->feature_b = 0;
   gjk2_scene_no_normal(out);
@@ -166,7 +166,7 @@ gjk_status gjk2_scene_ground_manifold(const gjk2_scene_view *v, const gjk2_scene
     return GJK_ERROR_RANGE;
   }
   if (!place_ground_pair(v, a, b, on_a, on_b, &p, &pose)) {
-    no_manifold(out);
+    clear_ground_manifold(out);
     return GJK_OK;
   }
   const gjk_q16 apart = margin < GJK2_RADIUS_MAX ? margin : GJK2_RADIUS_MAX;
@@ -174,7 +174,7 @@ gjk_status gjk2_scene_ground_manifold(const gjk2_scene_view *v, const gjk2_scene
   if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
     return status;
   }
-  no_manifold(out);
+  clear_ground_manifold(out);
   if (count > 0) {
     deepest.manifold.feature_a = (uint16_t)(deepest.segment & UINT16_MAX);
     gjk2_facing_limit(&deepest.manifold, most);

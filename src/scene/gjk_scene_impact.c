@@ -6,8 +6,6 @@
 
 #ifndef GJK_SCENE_OF_PLANE
 #include "gjk_scene_travel.h"
-#else
-#include "../plane_scene/gjk2_scene_ground.h"
 #endif
 
 // A part whose origin is r away from its body's runs along an arc. gjk_time_of_impact takes a straight line: with an
@@ -94,7 +92,7 @@ static gjk_status ask_way(const gjk_scene_view *v, const gjk_scene_mover m[2], c
 #if GJK_SCENE_AXES == 2
   if (is_one_ground(c)) {
     const gjk_pose from[2] = {part_pose(v, p[0], &m[0].from), part_pose(v, p[1], &m[1].from)};
-    return gjk2_scene_ground_way(c, from, path, ahead, out);
+    return gjk_scene_ground_way(c, from, path, ahead, out);
   }
 #endif
   (void)v, (void)m, (void)p, (void)ahead;
@@ -112,7 +110,7 @@ static gjk_status ask_impact_of(const gjk_collider c[2], const gjk_motion motion
 #endif
 #if GJK_SCENE_AXES == 2
   if (is_one_ground(c)) {
-    return gjk2_scene_ground_impact(c, motion, margin, ahead, out);
+    return gjk_scene_ground_impact(c, motion, margin, ahead, out);
   }
 #endif
   (void)ahead;
