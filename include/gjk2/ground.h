@@ -52,10 +52,8 @@ typedef struct gjk2_ground {
 
 // The shape of ground whose gjk2_ground and half extents are known, as a constant. A scene refuses one that names no ground
 // (NULL). What else the calls below check is the caller's to know.
-#define GJK2_GROUND(ground_pointer, half_x, half_y)                                                               \
-  {                                                                                                               \
-    &gjk2_class_ground, 0, 0, 1 ? (ground_pointer) : (const gjk2_ground *)0, GJK2_LENGTHS(half_x, half_y, 0), 0 \
-  }
+#define GJK2_GROUND(ground_pointer, half_x, half_y) \
+  { &gjk2_class_ground, 0, 0, 1 ? (ground_pointer) : (const gjk2_ground *)0, GJK2_LENGTHS(half_x, half_y, 0), 0 }
 
 // A box of an index, in units of 2^shift LSB from its corner.
 typedef struct gjk2_index_box {
@@ -102,12 +100,18 @@ typedef struct gjk2_tile {
   bool one_way;         // the surface alone, without a solid
 } gjk2_tile;
 
-#define GJK2_TILE_EMPTY {0, 0, 0, false}
-#define GJK2_TILE_FULL {4, 4, 0, false}
-#define GJK2_TILE_HALF {2, 2, 0, false}
-#define GJK2_TILE_SLOPE(left, right) {(left), (right), 0, false}
-#define GJK2_TILE_CEILING(left, right) {(right), (left), 2, false}
-#define GJK2_TILE_ONE_WAY(left, right) {(left), (right), 0, true}
+#define GJK2_TILE_EMPTY \
+  { 0, 0, 0, false }
+#define GJK2_TILE_FULL \
+  { 4, 4, 0, false }
+#define GJK2_TILE_HALF \
+  { 2, 2, 0, false }
+#define GJK2_TILE_SLOPE(left, right) \
+  { (left), (right), 0, false }
+#define GJK2_TILE_CEILING(left, right) \
+  { (right), (left), 2, false }
+#define GJK2_TILE_ONE_WAY(left, right) \
+  { (left), (right), 0, true }
 
 // A grid of tiles, which counts as its merged outline: where solids share a side there is no surface, and surfaces in line
 // are one segment, cut where a multiple of GJK2_TILE_RUN tiles ends. Cell (column, row) is number row columns + column; it

@@ -35,8 +35,8 @@ static void pose_ground(gjk2_collider *c, const gjk2_vec *rotation) {
 // How far the box reaches along an axis of the world. Its half extents are whole, and posed vertices within 1 LSB.
 //   |rotation| <= 2^30, |size| <= 2^28:  products <= 2^58
 static int32_t box_reach(int32_t along, int32_t across, const gjk2_vec *size) {
-  const int64_t reach = gjk_mac32(gjk_mul32((int32_t)gjk_magnitude32(along), size->x),
-                                  (int32_t)gjk_magnitude32(across), size->y);
+  const int64_t reach =
+      gjk_mac32(gjk_mul32((int32_t)gjk_magnitude32(along), size->x), (int32_t)gjk_magnitude32(across), size->y);
   return (int32_t)gjk_sar64(reach + (INT64_C(1) << 30) - 1, 30) + 1;
 }
 

@@ -6,8 +6,7 @@
 #include "gjk2/ground.h"
 
 static inline bool gjk2_ground_fits(gjk2_vec v) {
-  return v.x <= GJK2_GROUND_REACH && v.x >= -GJK2_GROUND_REACH && v.y <= GJK2_GROUND_REACH &&
-         v.y >= -GJK2_GROUND_REACH;
+  return v.x <= GJK2_GROUND_REACH && v.x >= -GJK2_GROUND_REACH && v.y <= GJK2_GROUND_REACH && v.y >= -GJK2_GROUND_REACH;
 }
 
 // Pre: both ends fit, so differences are below 2^29 + 2.

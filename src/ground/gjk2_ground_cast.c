@@ -19,10 +19,10 @@ typedef struct ground_cast {
   const gjk2_collider *body;  // NULL: a ray
   const gjk2_vec *from, *to;  // of a ray
   const gjk2_cast_path *path;
-  gjk2_vec start;    // of the body's centre, or the ray
-  int64_t x, y;      // the way of the body against the ground, below 2^32
-  int64_t of_a[2];   // the way of the ground, below 2^32
-  bool ahead;        // see gjk2_ground_cast_ahead
+  gjk2_vec start;   // of the body's centre, or the ray
+  int64_t x, y;     // the way of the body against the ground, below 2^32
+  int64_t of_a[2];  // the way of the ground, below 2^32
+  bool ahead;       // see gjk2_ground_cast_ahead
   gjk2_ground_walk walk;
   gjk2_cast_result *out;
   uint32_t *segment;
@@ -95,9 +95,10 @@ static void put_rest_of_ground(const ground_cast *c, const gjk2_line *line) {
 // Asks the segments near a box. Keeps the first hit.
 static gjk_status ask_near(ground_cast *c, const gjk2_aabb *near) {
   gjk2_line line;
+  gjk2_ground_edge edge;
   gjk_status open = GJK_OK;
   gjk2_ground_begin(&c->walk, near);
-  while (gjk2_ground_next(&c->walk, &line, NULL)) {
+  while (gjk2_ground_next(&c->walk, &line, &edge)) {
     gjk2_cast_result hit;
     if (c->ahead && !gjk2_ground_is_ahead(&line, c->body, 0)) {
       continue;
@@ -106,6 +107,9 @@ static gjk_status ask_near(ground_cast *c, const gjk2_aabb *near) {
     if (status != GJK_OK) {
       open = status;
       continue;
+    }
+    if (hit.hit && c->body != NULL) {
+      gjk2_ground_set_neighbours(&c->walk, &line, &edge);
     }
     if (!hit.hit || !(c->body == NULL ? does_ray_count(c, &line) : does_hit_count(c, &line, &hit))) {
       continue;
@@ -136,7 +140,8 @@ static gjk_status ask_pieces(ground_cast *c, const gjk2_aabb *box) {
     pieces++;
   }
   for (unsigned i = 0; i < 1u << pieces; i++) {
-    const gjk2_aabb from = gjk2_ground_box_at(box, margin, piece_of_way(c->x, i, pieces), piece_of_way(c->y, i, pieces));
+    const gjk2_aabb from =
+        gjk2_ground_box_at(box, margin, piece_of_way(c->x, i, pieces), piece_of_way(c->y, i, pieces));
     const gjk2_aabb to =
         gjk2_ground_box_at(box, margin, piece_of_way(c->x, i + 1, pieces), piece_of_way(c->y, i + 1, pieces));
     const gjk2_aabb near = gjk2_ground_hull(&from, &to);
@@ -184,8 +189,8 @@ gjk_status gjk2_ground_cast_ahead(const gjk2_ground *ground, const gjk2_pose *po
                                   const gjk2_cast_path *path, bool ahead, gjk2_cast_result *out, uint32_t *segment) {
   ground_cast c;
   gjk2_aabb box;
-  gjk_status status = path == NULL || out == NULL || segment == NULL ? GJK_ERROR_NULL
-                                                                     : gjk2_ground_place(ground, pose, &c.walk);
+  gjk_status status =
+      path == NULL || out == NULL || segment == NULL ? GJK_ERROR_NULL : gjk2_ground_place(ground, pose, &c.walk);
   status = status == GJK_OK ? gjk2_collider_aabb(body, &box) : status;
   if (status != GJK_OK) {
     return status;

@@ -100,15 +100,19 @@ static bool next_of_chain(gjk2_ground_walk *walk, gjk2_ground_edge *out) {
       out->number = i;
       gjk2_copy(&out->vertex[1], &p);
       gjk2_copy(&out->vertex[2], &q);
-      out->open_before = !find_vertex(walk, i, false, &out->vertex[0]);
-      out->open_after = !find_vertex(walk, i, true, &out->vertex[3]);
       return true;
     }
   }
   return false;
 }
 
-const gjk2_ground_class gjk2_ground_chain = {.begin = begin_chain, .next = next_of_chain};
+static void neighbours_of_chain(const gjk2_ground_walk *walk, gjk2_ground_edge *edge) {
+  edge->open_before = !find_vertex(walk, edge->number, false, &edge->vertex[0]);
+  edge->open_after = !find_vertex(walk, edge->number, true, &edge->vertex[3]);
+}
+
+const gjk2_ground_class gjk2_ground_chain = {
+    .begin = begin_chain, .next = next_of_chain, .neighbours = neighbours_of_chain};
 
 static void extend(gjk2_aabb *box, gjk2_vec v) {
   const gjk2_aabb at = {v, v};

@@ -44,15 +44,21 @@ static bool next_of_heights(gjk2_ground_walk *walk, gjk2_ground_edge *out) {
     gjk2_vec *p = &out->vertex[1], *q = &out->vertex[2];
     if (vertex_of_column(h, i + 1, p) && vertex_of_column(h, i, q) && gjk2_ground_meets(walk, *p, *q)) {
       out->number = i;
-      out->open_before = !vertex_of_column(h, i + 2, &out->vertex[0]);
-      out->open_after = i == 0 || !vertex_of_column(h, i - 1, &out->vertex[3]);
       return true;
     }
   }
   return false;
 }
 
-const gjk2_ground_class gjk2_ground_heights = {.begin = begin_heights, .next = next_of_heights};
+static void neighbours_of_heights(const gjk2_ground_walk *walk, gjk2_ground_edge *edge) {
+  const gjk2_heights *h = heights_of(walk);
+  const uint32_t i = edge->number;
+  edge->open_before = !vertex_of_column(h, i + 2, &edge->vertex[0]);
+  edge->open_after = i == 0 || !vertex_of_column(h, i - 1, &edge->vertex[3]);
+}
+
+const gjk2_ground_class gjk2_ground_heights = {
+    .begin = begin_heights, .next = next_of_heights, .neighbours = neighbours_of_heights};
 
 gjk_status gjk2_ground_of_heights(const gjk2_heights *data, gjk2_ground *out, gjk2_shape *shape) {
   gjk2_aabb box;

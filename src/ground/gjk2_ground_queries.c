@@ -33,10 +33,11 @@ gjk_status gjk2_ground_within(const gjk2_ground *ground, const gjk2_pose *pose, 
   }
   const gjk2_aabb near = grown_box(&box, distance);
   gjk2_line line;
+  gjk2_ground_edge edge;
   gjk2_decision decision;
   decision.yes = false;
   gjk2_ground_begin(&walk, &near);
-  while (!decision.yes && gjk2_ground_next(&walk, &line, NULL)) {
+  while (!decision.yes && gjk2_ground_next(&walk, &line, &edge)) {
     gjk2_collider segment;
     if (!gjk2_ground_is_in_front(&line, &body->centre)) {
       continue;
@@ -66,10 +67,11 @@ typedef struct nearest_segment {
 static gjk_status find_nearest(gjk2_ground_walk *walk, const gjk2_aabb *near, const gjk2_collider *body,
                                nearest_segment *best) {
   gjk2_line line;
+  gjk2_ground_edge edge;
   gjk_status open = GJK_OK;
   best->found = false;
   gjk2_ground_begin(walk, near);
-  while (gjk2_ground_next(walk, &line, NULL)) {
+  while (gjk2_ground_next(walk, &line, &edge)) {
     gjk2_collider segment;
     gjk2_distance_result result;
     if (!gjk2_ground_is_in_front(&line, &body->centre)) {
@@ -103,7 +105,8 @@ gjk_status gjk2_ground_distance(const gjk2_ground *ground, const gjk2_pose *pose
   gjk2_ground_walk walk;
   gjk2_aabb box;
   nearest_segment best;
-  gjk_status status = segment == NULL || found == NULL ? GJK_ERROR_NULL : open_query(ground, pose, body, out, &walk, &box);
+  gjk_status status =
+      segment == NULL || found == NULL ? GJK_ERROR_NULL : open_query(ground, pose, body, out, &walk, &box);
   if (status != GJK_OK) {
     return status;
   }
@@ -139,12 +142,14 @@ gjk_status gjk2_ground_contacts(const gjk2_ground *ground, const gjk2_pose *pose
   gjk2_line_list found = {out, capacity, 0, false};
   gjk2_line_query query;
   gjk2_line line;
+  gjk2_ground_edge edge;
   const gjk2_aabb near = grown_box(&box, margin);
   gjk2_line_query_set(&query, body, &box, margin);
   query.take = gjk2_line_list_take;
   query.user = &found;
   gjk2_ground_begin(&walk, &near);
-  while (status == GJK_OK && gjk2_ground_next(&walk, &line, NULL)) {
+  while (status == GJK_OK && gjk2_ground_next(&walk, &line, &edge)) {
+    gjk2_ground_set_neighbours(&walk, &line, &edge);
     status = gjk2_line_contacts(&query, &line);
   }
   if (status == GJK_OK) {
@@ -158,12 +163,13 @@ gjk_status gjk2_ground_visit(const gjk2_ground *ground, const gjk2_pose *pose, c
                              gjk2_segment_function *take, void *user) {
   gjk2_ground_walk walk;
   gjk2_line line;
+  gjk2_ground_edge edge;
   const gjk_status status = box == NULL || take == NULL ? GJK_ERROR_NULL : gjk2_ground_place(ground, pose, &walk);
   if (status != GJK_OK) {
     return status;
   }
   gjk2_ground_begin(&walk, box);
-  while (gjk2_ground_next(&walk, &line, NULL)) {
+  while (gjk2_ground_next(&walk, &line, &edge)) {
     take(user, &line.p, &line.q, line.number);
   }
   return GJK_OK;

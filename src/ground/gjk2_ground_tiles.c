@@ -27,21 +27,23 @@ static const gjk2_tiles *tiles_of(const gjk2_ground_walk *walk) {
   return (const gjk2_tiles *)walk->ground->data;
 }
 
-// The form of a tile; NULL: it is empty.
+// The form of a tile that has sides; NULL: it is empty.
 static const gjk2_tile *form_of(const gjk2_tiles *t, int32_t column, int32_t row) {
   if (column < 0 || row < 0 || column >= t->columns || row >= t->rows) {
     return NULL;
   }
   const uint8_t number = t->cells[(uint32_t)row * t->columns + (uint32_t)column];
-  return number < t->form_count ? &t->forms[number] : NULL;
+  const gjk2_tile *form = &t->forms[number];
+  return number < t->form_count && (form->one_way || (form->left | form->right) != 0) ? form : NULL;
 }
 
 static int32_t quarters_of(uint8_t height) {
   return height < QUARTERS ? height : QUARTERS;
 }
 
-static bool is_solid(const gjk2_tile *form) {
-  return !form->one_way && (form->left | form->right) != 0;
+// Does a tile fill its square? Most do, or are empty, so they are told first.
+static bool is_full(const gjk2_tile *form) {
+  return form->left >= QUARTERS && form->right >= QUARTERS && !form->one_way;
 }
 
 // The ends of a side, tile frame, before the tile is turned_corner.
@@ -67,7 +69,11 @@ static void covered_by(const gjk2_tile *form, unsigned square, int32_t *low, int
   const unsigned side = (square - form->turns) & 3u;
   gjk2_vec from, to;
   *low = *high = 0;
-  if (form->one_way || (side == SURFACE && (form->left < QUARTERS || form->right < QUARTERS)) || !is_solid(form)) {
+  if (is_full(form)) {
+    *high = QUARTERS;
+    return;
+  }
+  if (form->one_way || (side == SURFACE && (form->left < QUARTERS || form->right < QUARTERS))) {
     return;
   }
   unturned_side(form, side, &from, &to);
@@ -107,28 +113,48 @@ static void cut_range(int32_t *from, int32_t *to, int32_t low, int32_t high) {
   }
 }
 
+// The side of a full tile on one side of its square.
+static void full_side(unsigned square, gjk2_vec *from, gjk2_vec *to) {
+  const int32_t right = square == 0 || square == 1 ? QUARTERS : 0, above = square == 1 || square == 2 ? QUARTERS : 0;
+  from->x = above;
+  from->y = QUARTERS - right;
+  to->x = right;
+  to->y = above;
+}
+
+// What is left of a side that lies on one side of the tile's square, next to the tile across.
+static void cut_side(const gjk2_tile *other, unsigned square, gjk2_vec *from, gjk2_vec *to) {
+  int32_t low, high;
+  covered_by(other, (square + 2) & 3u, &low, &high);
+  if (square % 2 == 0) {
+    cut_range(&from->x, &to->x, low, high);
+  } else {
+    cut_range(&from->y, &to->y, low, high);
+  }
+}
+
 // A side of a tile, if any of it is outline.
-static bool find_tile_side(const gjk2_tiles *t, int32_t column, int32_t row, unsigned side, tile_side *out) {
+static bool find_tile_side(const gjk2_tiles *t, const gjk2_tile *form, int32_t column, int32_t row, unsigned side,
+                           tile_side *out) {
   static const int8_t across_x[SIDES] = {0, 1, 0, -1}, across_y[SIDES] = {-1, 0, 1, 0};
-  const gjk2_tile *form = form_of(t, column, row);
-  unsigned square;
-  if (form == NULL || !(is_solid(form) || (form->one_way && side == SURFACE))) {
+  unsigned square = 0;
+  if (form->one_way && side != SURFACE) {
     return false;
   }
-  unturned_side(form, side, &out->from, &out->to);
-  out->from = turned_corner(out->from, form->turns);
-  out->to = turned_corner(out->to, form->turns);
-  if (square_of(form, side, &square)) {
-    const gjk2_tile *other = form_of(t, column + across_x[square], row + across_y[square]);
-    if (other != NULL) {
-      int32_t low, high;
-      covered_by(other, (square + 2) & 3u, &low, &high);
-      if (square % 2 == 0) {
-        cut_range(&out->from.x, &out->to.x, low, high);
-      } else {
-        cut_range(&out->from.y, &out->to.y, low, high);
-      }
-    }
+  const bool full = is_full(form), bounds = square_of(form, side, &square);
+  const gjk2_tile *other = bounds ? form_of(t, column + across_x[square], row + across_y[square]) : NULL;
+  if (full && other != NULL && is_full(other)) {
+    return false;
+  }
+  if (full) {
+    full_side(square, &out->from, &out->to);
+  } else {
+    unturned_side(form, side, &out->from, &out->to);
+    out->from = turned_corner(out->from, form->turns);
+    out->to = turned_corner(out->to, form->turns);
+  }
+  if (other != NULL) {
+    cut_side(other, square, &out->from, &out->to);
   }
   if (gjk2_equal(out->from, out->to)) {
     return false;
@@ -160,7 +186,8 @@ static int rank_of(gjk2_vec from, gjk2_vec to) {
 // Is a candidate the better neighbour? Straight on is best; then what turns right the most.
 static bool is_better_side(const tile_side *s, const tile_side *candidate, const tile_side *best, bool following) {
   const gjk2_vec way = way_of_side(s), c = way_of_side(candidate), b = way_of_side(best);
-  const int rank = following ? rank_of(way, c) : rank_of(c, way), rank_best = following ? rank_of(way, b) : rank_of(b, way);
+  const int rank = following ? rank_of(way, c) : rank_of(c, way),
+            rank_best = following ? rank_of(way, b) : rank_of(b, way);
   if (rank != rank_best) {
     return rank == 1 || (rank_best != 1 && rank < rank_best);
   }
@@ -168,21 +195,42 @@ static bool is_better_side(const tile_side *s, const tile_side *candidate, const
   return following ? turn < 0 : turn > 0;
 }
 
-// Step 3: the side that follows at the end of another, or precedes it at its beginning, among those of the tiles there.
-static bool find_neighbour_side(const gjk2_tiles *t, const tile_side *s, bool following, tile_side *out) {
+// The best neighbour of a side among those of one tile that meet it at a place.
+static void try_tile(const gjk2_tiles *t, const tile_side *s, bool following, int32_t column, int32_t row, bool *found,
+                     tile_side *out) {
+  const gjk2_tile *form = form_of(t, column, row);
   const gjk2_vec at = following ? s->to : s->from;
-  const int32_t column = at.x / QUARTERS, row = at.y / QUARTERS;  // not negative
+  for (unsigned side = 0; form != NULL && side < SIDES; side++) {
+    tile_side candidate;
+    if (find_tile_side(t, form, column, row, side, &candidate) &&
+        gjk2_equal(following ? candidate.from : candidate.to, at) &&
+        (!*found || is_better_side(s, &candidate, out, following))) {
+      *out = candidate;
+      *found = true;
+    }
+  }
+}
+
+// The tiles that hold a coordinate, or one next to it: low to high. step: on which side of it; 0: on both.
+static void tiles_at(int32_t at, int32_t step, int32_t *low, int32_t *high) {
+  const int32_t tile = at / QUARTERS;  // not negative
+  const bool between = at % QUARTERS == 0;
+  *low = between && step <= 0 ? tile - 1 : tile;
+  *high = between && step < 0 ? tile - 1 : tile;
+}
+
+// Step 3: the side that follows at the end of another, or precedes it at its beginning. ahead: among the tiles straight on
+// alone; otherwise among all there.
+static bool find_neighbour_side(const gjk2_tiles *t, const tile_side *s, bool following, bool ahead, tile_side *out) {
+  const gjk2_vec at = following ? s->to : s->from, way = way_of_side(s);
+  const int32_t step = !ahead ? 0 : following ? 1 : -1;
+  gjk2_vec low, high;
   bool found = false;
-  for (int32_t y = at.y % QUARTERS == 0 ? row - 1 : row; y <= row; y++) {
-    for (int32_t x = at.x % QUARTERS == 0 ? column - 1 : column; x <= column; x++) {
-      for (unsigned side = 0; side < SIDES; side++) {
-        tile_side candidate;
-        if (find_tile_side(t, x, y, side, &candidate) && gjk2_equal(following ? candidate.from : candidate.to, at) &&
-            (!found || is_better_side(s, &candidate, out, following))) {
-          *out = candidate;
-          found = true;
-        }
-      }
+  tiles_at(at.x, way.x > 0 ? step : way.x < 0 ? -step : 0, &low.x, &high.x);
+  tiles_at(at.y, way.y > 0 ? step : way.y < 0 ? -step : 0, &low.y, &high.y);
+  for (int32_t y = low.y; y <= high.y; y++) {
+    for (int32_t x = low.x; x <= high.x; x++) {
+      try_tile(t, s, following, x, y, &found, out);
     }
   }
   return found;
@@ -194,24 +242,25 @@ static bool is_run_cut(gjk2_vec at, gjk2_vec way) {
   return along % (QUARTERS * GJK2_TILE_RUN) == 0;
 }
 
-// The side in line that follows, or precedes, in the same run. The tile one step on is tried before all others.
+// The side in line that follows, or precedes, in the same run. The same side of the tile one step on is tried first.
 static bool find_in_run(const gjk2_tiles *t, const tile_side *s, bool following, tile_side *out) {
   const gjk2_vec way = way_of_side(s), at = following ? s->to : s->from;
   const int32_t step = following ? 1 : -1;
-  const int32_t x = way.x > 0 ? step : way.x < 0 ? -step : 0, y = way.y > 0 ? step : way.y < 0 ? -step : 0;
   if (is_run_cut(at, way)) {
     return false;
   }
-  if (find_tile_side(t, s->column + x, s->row + y, s->side, out) && gjk2_equal(following ? out->from : out->to, at) &&
-      are_in_line(s, out)) {
+  const int32_t column = s->column + (way.x > 0 ? step : way.x < 0 ? -step : 0);
+  const int32_t row = s->row + (way.y > 0 ? step : way.y < 0 ? -step : 0);
+  const gjk2_tile *form = form_of(t, column, row);
+  if (form != NULL && find_tile_side(t, form, column, row, s->side, out) &&
+      gjk2_equal(following ? out->from : out->to, at) && are_in_line(s, out)) {
     return true;
   }
-  return find_neighbour_side(t, s, following, out) && are_in_line(s, out);
+  return find_neighbour_side(t, s, following, true, out) && are_in_line(s, out);
 }
 
 static bool is_in_cells(const gjk2_ground_cells *c, const tile_side *s) {
-  return s->column >= c->first_column && s->column <= c->last_column && s->row >= c->first_row &&
-         s->row <= c->last_row;
+  return s->column >= c->first_column && s->column <= c->last_column && s->row >= c->first_row && s->row <= c->last_row;
 }
 
 // A run has at most so many sides: each is at least a quarter of a tile long, along x or along y.
@@ -241,18 +290,18 @@ static gjk2_vec corner_of(const gjk2_tiles *t, gjk2_vec v) {
   return at;
 }
 
-static void write_edge(const gjk2_tiles *t, const tile_side *first, const tile_side *last, gjk2_ground_edge *out) {
-  tile_side neighbour;
-  out->number = ((uint32_t)first->row * t->columns + (uint32_t)first->column) * SIDES + first->side;
-  out->vertex[1] = corner_of(t, first->from);
-  out->vertex[2] = corner_of(t, last->to);
-  out->open_before = !find_neighbour_side(t, first, false, &neighbour);
-  if (!out->open_before) {
-    out->vertex[0] = corner_of(t, neighbour.from);
+static void neighbours_of_tiles(const gjk2_ground_walk *walk, gjk2_ground_edge *edge) {
+  const gjk2_tiles *t = tiles_of(walk);
+  tile_side run, neighbour;
+  run.from = walk->cells.from;
+  run.to = walk->cells.to;
+  edge->open_before = !find_neighbour_side(t, &run, false, false, &neighbour);
+  if (!edge->open_before) {
+    edge->vertex[0] = corner_of(t, neighbour.from);
   }
-  out->open_after = !find_neighbour_side(t, last, true, &neighbour);
-  if (!out->open_after) {
-    out->vertex[3] = corner_of(t, neighbour.to);
+  edge->open_after = !find_neighbour_side(t, &run, true, false, &neighbour);
+  if (!edge->open_after) {
+    edge->vertex[3] = corner_of(t, neighbour.to);
   }
 }
 
@@ -307,18 +356,24 @@ static bool next_of_tiles(gjk2_ground_walk *walk, gjk2_ground_edge *out) {
     tile_side side, first, last;
     const int32_t column = c->column, row = c->row;
     const unsigned number = c->side;
-    const bool empty = form_of(t, column, row) == NULL;
-    step_on(c, empty);
-    if (!empty && find_tile_side(t, column, row, number, &side) && find_run(walk, &side, &first, &last) &&
-        gjk2_ground_meets(walk, corner_of(t, first.from), corner_of(t, last.to))) {
-      write_edge(t, &first, &last, out);
-      return true;
+    const gjk2_tile *form = form_of(t, column, row);
+    step_on(c, form == NULL);
+    if (form != NULL && find_tile_side(t, form, column, row, number, &side) && find_run(walk, &side, &first, &last)) {
+      out->vertex[1] = corner_of(t, first.from);
+      out->vertex[2] = corner_of(t, last.to);
+      if (gjk2_ground_meets(walk, out->vertex[1], out->vertex[2])) {
+        out->number = ((uint32_t)first.row * t->columns + (uint32_t)first.column) * SIDES + first.side;
+        c->from = first.from;
+        c->to = last.to;
+        return true;
+      }
     }
   }
   return false;
 }
 
-const gjk2_ground_class gjk2_ground_tiles = {.begin = begin_tiles, .next = next_of_tiles};
+const gjk2_ground_class gjk2_ground_tiles = {
+    .begin = begin_tiles, .next = next_of_tiles, .neighbours = neighbours_of_tiles};
 
 gjk_status gjk2_ground_of_tiles(const gjk2_tiles *data, gjk2_ground *out, gjk2_shape *shape) {
   gjk2_aabb box;

@@ -87,21 +87,25 @@ static bool meets_world(const gjk2_aabb *box, gjk2_vec p, gjk2_vec q) {
 }
 
 bool gjk2_ground_next(gjk2_ground_walk *walk, gjk2_line *line, gjk2_ground_edge *edge) {
-  gjk2_ground_edge room, *e = edge != NULL ? edge : &room;
-  while (walk->ground->type->next(walk, e)) {  // ends: each segment comes once
-    const gjk2_vec p = e->vertex[1], q = e->vertex[2];
+  while (walk->ground->type->next(walk, edge)) {  // ends: each segment comes once
+    const gjk2_vec p = edge->vertex[1], q = edge->vertex[2];
     if (!gjk2_ground_fits(p) || !gjk2_ground_fits(q) || !gjk2_ground_fits_segment(p, q)) {
       continue;
     }
-    line->number = e->number;
+    line->number = edge->number;
     line->p = placed_vertex(walk, p);
     line->q = placed_vertex(walk, q);
     if (gjk2_equal(line->p, line->q) || !meets_world(&walk->box, line->p, line->q)) {
       continue;
     }
-    line->open_before = e->open_before || !place_neighbour(walk, e->vertex[0], p, &line->before);
-    line->open_after = e->open_after || !place_neighbour(walk, q, e->vertex[3], &line->after);
     return true;
   }
   return false;
+}
+
+void gjk2_ground_set_neighbours(const gjk2_ground_walk *walk, gjk2_line *line, gjk2_ground_edge *edge) {
+  const gjk2_vec *v = edge->vertex;
+  walk->ground->type->neighbours(walk, edge);
+  line->open_before = edge->open_before || !place_neighbour(walk, v[0], v[1], &line->before);
+  line->open_after = edge->open_after || !place_neighbour(walk, v[2], v[3], &line->after);
 }

@@ -8,11 +8,11 @@
 // Levels of an index: 4^8 segments are more than any chain has.
 #define GJK2_INDEX_LEVELS 8
 
-// A segment in the ground's frame: from[0] to from[1] leads to it, from[1] to from[2] is it, from[3] follows.
+// A segment in the ground's frame.
 typedef struct gjk2_ground_edge {
   uint32_t number;
-  gjk2_vec vertex[4];  // without a neighbour there, the first or last is not set
-  bool open_before, open_after;
+  gjk2_vec vertex[4];            // it leads from the second to the third; the first is before it, the last after it
+  bool open_before, open_after;  // then there is no first or last
 } gjk2_ground_edge;
 
 // The columns and rows of a grid that a box meets, and where the walk is.
@@ -20,16 +20,17 @@ typedef struct gjk2_ground_cells {
   int32_t first_column, last_column, first_row, last_row;
   int32_t column, row;
   unsigned side;
+  gjk2_vec from, to;  // ends of the segment that was found last, quarters of a tile
 } gjk2_ground_cells;
 
 typedef struct gjk2_ground_walk {
   const gjk2_ground *ground;
   gjk2_vec position;
-  gjk2_vec turn;       // a unit, Q2.30
-  gjk2_aabb box;       // what the walk is near, world
-  gjk2_vec low, high;  // a box around that, ground frame
-  uint32_t at, end;    // segments of a chain or profile
-  bool closed;         // the chain
+  gjk2_vec turn;                      // a unit, Q2.30
+  gjk2_aabb box;                      // what the walk is near, world
+  gjk2_vec low, high;                 // a box around that, ground frame
+  uint32_t at, end;                   // segments of a chain or profile
+  bool closed;                        // the chain
   uint16_t level[GJK2_INDEX_LEVELS];  // where each level of the chain's index begins
   gjk2_ground_cells cells;
 } gjk2_ground_walk;
@@ -39,6 +40,8 @@ struct gjk2_ground_class {
   void (*begin)(gjk2_ground_walk *walk);
   // The next segment whose box meets low to high. False: there is none.
   bool (*next)(gjk2_ground_walk *walk, gjk2_ground_edge *out);
+  // Sets the neighbours of the segment that next has found: vertex 0 and 3, open_before and open_after.
+  void (*neighbours)(const gjk2_ground_walk *walk, gjk2_ground_edge *edge);
 };
 
 // Takes a walk to a pose. NULL, ROTATION, RANGE or OK.
@@ -47,9 +50,12 @@ gjk_status gjk2_ground_place(const gjk2_ground *ground, const gjk2_pose *pose, g
 // Starts over near a box in the world. Pre: the walk is placed.
 void gjk2_ground_begin(gjk2_ground_walk *walk, const gjk2_aabb *box);
 
-// The next segment, in the world, if it is no longer and no farther than GJK2_GROUND_REACH allows. edge: NULL, or the same
-// in the ground's frame.
+// The next segment, in the world and in the ground's frame, if it is no longer and no farther than GJK2_GROUND_REACH allows.
+// Its neighbours are not set.
 bool gjk2_ground_next(gjk2_ground_walk *walk, gjk2_line *line, gjk2_ground_edge *edge);
+
+// Sets the neighbours of the segment that was found last.
+void gjk2_ground_set_neighbours(const gjk2_ground_walk *walk, gjk2_line *line, gjk2_ground_edge *edge);
 
 // Does the box of a segment meet the walk's?
 static inline bool gjk2_ground_meets(const gjk2_ground_walk *walk, gjk2_vec p, gjk2_vec q) {

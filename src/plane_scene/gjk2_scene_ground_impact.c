@@ -27,8 +27,8 @@ static bool same_rotation(const gjk2_pose *a, const gjk2_pose *b) {
 static gjk2_aabb reach_of_way(const ground_impact *g) {
   const gjk2_motion *body = &g->motion[1 - g->at], *ground = &g->motion[g->at];
   // 2^28 + 2^28 + 2^29 and some:  below 2^31
-  const int64_t around = (int64_t)gjk2_length_bound(g->body->local_centre) + g->body->radius + g->setup.margin +
-                         g->setup.tolerance + 8;
+  const int64_t around =
+      (int64_t)gjk2_length_bound(g->body->local_centre) + g->body->radius + g->setup.margin + g->setup.tolerance + 8;
   const int64_t x = (int64_t)ground->to.position.x - ground->from.position.x;
   const int64_t y = (int64_t)ground->to.position.y - ground->from.position.y;
   // Where the ground turns, any of it may come by.
@@ -109,6 +109,7 @@ static gjk_status find_first_impact(const ground_impact *g, gjk2_ground_walk *wa
   gjk2_ground_begin(walk, &box);
   while (gjk2_ground_next(walk, &line, &edge)) {
     gjk2_impact_result hit;
+    gjk2_ground_set_neighbours(walk, &line, &edge);
     if (g->ahead != NULL && !begins_ahead(g, &line, &edge)) {
       continue;
     }

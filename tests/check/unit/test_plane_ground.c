@@ -11,7 +11,8 @@
 #define FOUND 256
 
 static struct {
-  unsigned long pieces, surfaces, near, far, ahead, behind, contacts, hits, misses, rays, ends, turned, skipped, grazing;
+  unsigned long pieces, surfaces, near, far, ahead, behind, contacts, hits, misses, rays, ends, turned, skipped,
+      grazing;
 } tally;
 
 typedef struct line {
@@ -52,9 +53,9 @@ static gjk2_ground ground;
 static gjk2_shape shape;
 
 static void make_grid(random_state *r, bool one_way) {
-  static const gjk2_tile common[] = {GJK2_TILE_EMPTY, GJK2_TILE_FULL,        GJK2_TILE_HALF,       GJK2_TILE_SLOPE(0, 4),
-                                     GJK2_TILE_SLOPE(4, 0), GJK2_TILE_SLOPE(0, 2), GJK2_TILE_SLOPE(2, 4),
-                                     GJK2_TILE_CEILING(2, 2)};
+  static const gjk2_tile common[] = {GJK2_TILE_EMPTY,       GJK2_TILE_FULL,         GJK2_TILE_HALF,
+                                     GJK2_TILE_SLOPE(0, 4), GJK2_TILE_SLOPE(4, 0),  GJK2_TILE_SLOPE(0, 2),
+                                     GJK2_TILE_SLOPE(2, 4), GJK2_TILE_CEILING(2, 2)};
   const uint32_t empty = random_below(r, 80), full = empty + random_below(r, 100 - empty);
   for (unsigned i = 0; i < FORMS; i++) {
     forms[i].left = (uint8_t)random_below(r, 6);
@@ -108,7 +109,8 @@ static unsigned lines_with_piece(int x, int y, int dx, int dy) {
     const int64_t way_x = (int64_t)q.x - p.x, way_y = (int64_t)q.y - p.y;
     const int64_t from_x = (int64_t)x * quarter - p.x, from_y = (int64_t)y * quarter - p.y;
     const int64_t to_x = from_x + dx * quarter, to_y = from_y + dy * quarter;
-    const bool in_line = way_x * from_y == way_y * from_x && way_x * to_y == way_y * to_x && way_x * dx + way_y * dy > 0;
+    const bool in_line =
+        way_x * from_y == way_y * from_x && way_x * to_y == way_y * to_x && way_x * dx + way_y * dy > 0;
     const int64_t start = from_x * way_x + from_y * way_y, end = to_x * way_x + to_y * way_y;
     count += in_line && start >= 0 && end <= way_x * way_x + way_y * way_y;
   }
@@ -133,7 +135,8 @@ static void check_pieces(bool one_way) {
       const bool right = is_in_solid(16 * x + 1, 16 * y + 8), left = is_in_solid(16 * x - 1, 16 * y + 8);
       if (x % 4 == 0 && !one_way) {
         CHECK(lines_with_piece(x, y, 0, 1) == (left && !right ? 1 : 0));
-        CHECK_MSG(lines_with_piece(x, y + 1, 0, -1) == (right && !left ? 1 : 0), "(%d, %d): %u, %ux%u", x, y, lines_with_piece(x, y + 1, 0, -1), grid.columns, grid.rows);
+        CHECK_MSG(lines_with_piece(x, y + 1, 0, -1) == (right && !left ? 1 : 0), "(%d, %d): %u, %ux%u", x, y,
+                  lines_with_piece(x, y + 1, 0, -1), grid.columns, grid.rows);
       }
     }
   }
@@ -186,12 +189,12 @@ static void check_near(random_state *r, const gjk2_pose *pose) {
                            (p.y > box.upper.y && q.y > box.upper.y) || (p.y < box.lower.y && q.y < box.lower.y));
       bool found = false;
       for (unsigned k = 0; k < line_count; k++) {
-        found = found || (lines[k].number == all[i].number && plane_compare(&(plane_point){lines[k].p.x, lines[k].p.y},
-                                                                            &(plane_point){p.x, p.y}) == 0 &&
+        found = found || (lines[k].number == all[i].number &&
+                          plane_compare(&(plane_point){lines[k].p.x, lines[k].p.y}, &(plane_point){p.x, p.y}) == 0 &&
                           lines[k].q.x == q.x && lines[k].q.y == q.y);
       }
-      CHECK_MSG(found ? meets : !(meets && crosses(p, q, &box)), "segment %u (%d, %d)-(%d, %d), found %d", all[i].number,
-                p.x, p.y, q.x, q.y, found);
+      CHECK_MSG(found ? meets : !(meets && crosses(p, q, &box)), "segment %u (%d, %d)-(%d, %d), found %d",
+                all[i].number, p.x, p.y, q.x, q.y, found);
       expected += found;
       tally.near += meets;
       tally.far += !meets;
@@ -279,7 +282,8 @@ static void make_profile(random_state *r) {
 }
 
 static bool is_front(const line *l, gjk2_vec c) {
-  return ((int64_t)l->q.y - l->p.y) * ((int64_t)c.x - l->p.x) - ((int64_t)l->q.x - l->p.x) * ((int64_t)c.y - l->p.y) >= 0;
+  return ((int64_t)l->q.y - l->p.y) * ((int64_t)c.x - l->p.x) - ((int64_t)l->q.x - l->p.x) * ((int64_t)c.y - l->p.y) >=
+         0;
 }
 
 static plane_body body;
@@ -533,7 +537,10 @@ static void check_hostile(random_state *r) {
     static uint8_t numbers[64];
     static gjk2_tile table[4];
     static gjk2_index_box claimed[GJK2_INDEX_BOXES(40)];
-    gjk2_index index = {claimed, (uint16_t)random_below(r, 40), (uint16_t)random_below(r, 41), (uint8_t)random_below(r, 20),
+    gjk2_index index = {claimed,
+                        (uint16_t)random_below(r, 40),
+                        (uint16_t)random_below(r, 41),
+                        (uint8_t)random_below(r, 20),
                         {random_range(r, -1000, 1000), random_range(r, -1000, 1000)}};
     for (unsigned i = 0; i < 40; i++) {
       const uint32_t bits = random_below(r, 32);
@@ -549,15 +556,15 @@ static void check_hostile(random_state *r) {
       numbers[i] = (uint8_t)random_below(r, 6);
     }
     for (unsigned i = 0; i < 4; i++) {
-      const gjk2_tile form = {(uint8_t)random_u32(r), (uint8_t)random_u32(r), (uint8_t)random_u32(r), random_below(r, 2) == 0};
+      const gjk2_tile form = {(uint8_t)random_u32(r), (uint8_t)random_u32(r), (uint8_t)random_u32(r),
+                              random_below(r, 2) == 0};
       table[i] = form;
     }
     const gjk2_polyline p = {wild, 40, random_below(r, 2) == 0 ? NULL : &index};
     const gjk2_heights h = {any, 40, (int32_t)random_u32(r) >> random_below(r, 31), (uint8_t)random_below(r, 20)};
     const gjk2_tiles t = {numbers, 8, 8, (int32_t)random_u32(r) >> random_below(r, 31), 4, table};
-    const gjk2_ground grounds[] = {{&gjk2_ground_chain, &p, {0, 0}},
-                                   {&gjk2_ground_heights, &h, {0, 0}},
-                                   {&gjk2_ground_tiles, &t, {0, 0}}};
+    const gjk2_ground grounds[] = {
+        {&gjk2_ground_chain, &p, {0, 0}}, {&gjk2_ground_heights, &h, {0, 0}}, {&gjk2_ground_tiles, &t, {0, 0}}};
     for (unsigned k = 0; k < 3; k++) {
       gjk2_pose pose = any_pose(r);
       gjk2_chain_contact found[4];
@@ -587,10 +594,12 @@ int main(void) {
   check_grids(&random);
   check_queries(&random);
   check_hostile(&random);
-  printf("%lu pieces, %lu surfaces, %lu segments near, %lu far, %lu in front, %lu behind, %lu contacts, %lu hits, %lu misses, "
-         "%lu from behind, %lu rays\n",
-         tally.pieces, tally.surfaces, tally.near, tally.far, tally.ahead, tally.behind, tally.contacts, tally.hits,
-         tally.misses, tally.skipped, tally.rays);
+  printf(
+      "%lu pieces, %lu surfaces, %lu segments near, %lu far, %lu in front, %lu behind, %lu contacts, %lu hits, %lu "
+      "misses, "
+      "%lu from behind, %lu rays\n",
+      tally.pieces, tally.surfaces, tally.near, tally.far, tally.ahead, tally.behind, tally.contacts, tally.hits,
+      tally.misses, tally.skipped, tally.rays);
   CHECK(tally.pieces > 1000 && tally.surfaces > 500 && tally.near > 500 && tally.far > 500 && tally.ahead > 500 &&
         tally.behind > 500 && tally.contacts > 50 && tally.hits > 20 && tally.misses > 20 && tally.skipped > 20 &&
         tally.rays > 5 && tally.turned > 20);

@@ -17,13 +17,14 @@
 #define FOUND 64
 
 static struct {
-  unsigned long near, begun, ended, contacts, deep, casts, hits, rays, nearest, impacts, misses, slides, ticks, faces, turning;
+  unsigned long near, begun, ended, contacts, deep, casts, hits, rays, nearest, impacts, misses, slides, ticks, faces,
+      turning;
 } tally;
 
-static const gjk2_tile forms[] = {GJK2_TILE_EMPTY,       GJK2_TILE_FULL,        GJK2_TILE_HALF,        GJK2_TILE_SLOPE(0, 4),
-                                  GJK2_TILE_SLOPE(4, 0), GJK2_TILE_SLOPE(0, 2), GJK2_TILE_SLOPE(2, 4), GJK2_TILE_SLOPE(4, 2),
-                                  GJK2_TILE_SLOPE(2, 0), GJK2_TILE_ONE_WAY(4, 4), GJK2_TILE_SLOPE(0, 1),
-                                  GJK2_TILE_SLOPE(1, 2), GJK2_TILE_SLOPE(2, 3), GJK2_TILE_SLOPE(3, 4)};
+static const gjk2_tile forms[] = {
+    GJK2_TILE_EMPTY,       GJK2_TILE_FULL,        GJK2_TILE_HALF,        GJK2_TILE_SLOPE(0, 4), GJK2_TILE_SLOPE(4, 0),
+    GJK2_TILE_SLOPE(0, 2), GJK2_TILE_SLOPE(2, 4), GJK2_TILE_SLOPE(4, 2), GJK2_TILE_SLOPE(2, 0), GJK2_TILE_ONE_WAY(4, 4),
+    GJK2_TILE_SLOPE(0, 1), GJK2_TILE_SLOPE(1, 2), GJK2_TILE_SLOPE(2, 3), GJK2_TILE_SLOPE(3, 4)};
 enum { FORMS = sizeof forms / sizeof forms[0] };
 
 // Three grounds at random and movers over them.
@@ -91,17 +92,29 @@ static gjk2_pose any_pose(random_state *r, int32_t spread) {
 static gjk2_pose pose_of_ground[GROUNDS], pose_of_mover[MOVERS];
 
 static void build(stage *s, uint8_t detail, gjk_q16 margin, bool retest) {
-  const gjk2_scene_config config = {.bodies = GROUNDS + MOVERS, .parts = GROUNDS + MOVERS, .own_poses = GROUNDS,
-                                    .pairs = 200, .box_margin = retest ? 0 : 2000, .detail = detail, .persist = 1,
-                                    .retest_all = retest, .motions = MOVERS};
+  const gjk2_scene_config config = {.bodies = GROUNDS + MOVERS,
+                                    .parts = GROUNDS + MOVERS,
+                                    .own_poses = GROUNDS,
+                                    .pairs = 200,
+                                    .box_margin = retest ? 0 : 2000,
+                                    .detail = detail,
+                                    .persist = 1,
+                                    .retest_all = retest,
+                                    .motions = MOVERS};
   const gjk2_scene_bindings bindings = bindings_of(s);
   CHECK(gjk2_scene_bytes(&config) <= sizeof s->block);
   CHECK(gjk2_scene_init(&s->scene, &config, s->block, sizeof s->block, shapes, GROUNDS + MOVERS, &bindings) == GJK_OK);
   for (uint16_t i = 0; i < GROUNDS + MOVERS; i++) {
     const bool is_ground = i < GROUNDS;
     const gjk2_part part = {i, false, GJK2_POSE_IDENTITY};
-    const gjk2_body_setup setup = {is_ground ? pose_of_ground[i] : pose_of_mover[i - GROUNDS], &part, 1,
-                                   is_ground ? (i == 0 ? GJK_BODY_STATIC : GJK_BODY_KINEMATIC) : GJK_BODY_DYNAMIC, 0, 1, 1, i,
+    const gjk2_body_setup setup = {is_ground ? pose_of_ground[i] : pose_of_mover[i - GROUNDS],
+                                   &part,
+                                   1,
+                                   is_ground ? (i == 0 ? GJK_BODY_STATIC : GJK_BODY_KINEMATIC) : GJK_BODY_DYNAMIC,
+                                   0,
+                                   1,
+                                   1,
+                                   i,
                                    margin};
     CHECK(gjk2_scene_add_at(&s->scene, i, &setup, is_ground ? &s->ground[i] : &s->mover[i - GROUNDS]) == GJK_OK);
   }
@@ -114,9 +127,9 @@ static void update(stage *s, uint32_t tests) {
   gjk_progress progress;
   s->count = 0;
   do {
-    const gjk_status status = tests == 0 ? gjk2_scene_update(&s->scene, s->reports, REPORTS, &progress)
-                                         : gjk2_scene_update_slice(&s->scene, tests, &s->reports[s->count],
-                                                                   REPORTS - s->count, &progress);
+    const gjk_status status =
+        tests == 0 ? gjk2_scene_update(&s->scene, s->reports, REPORTS, &progress)
+                   : gjk2_scene_update_slice(&s->scene, tests, &s->reports[s->count], REPORTS - s->count, &progress);
     CHECK(status == GJK_OK);
     s->count += progress.reports;
     CHECK(s->count < REPORTS);
@@ -128,8 +141,8 @@ static bool same_manifold(const gjk2_manifold *a, const gjk2_manifold *b) {
               a->feature_a == b->feature_a && a->feature_b == b->feature_b;
   for (unsigned i = 0; i < a->count && same; i++) {
     const gjk2_contact *c = &a->contact[i], *d = &b->contact[i];
-    same = c->distance == d->distance && c->id == d->id && c->point_a.x == d->point_a.x && c->point_a.y == d->point_a.y &&
-           c->point_b.x == d->point_b.x && c->point_b.y == d->point_b.y;
+    same = c->distance == d->distance && c->id == d->id && c->point_a.x == d->point_a.x &&
+           c->point_a.y == d->point_a.y && c->point_b.x == d->point_b.x && c->point_b.y == d->point_b.y;
   }
   return same;
 }
@@ -143,7 +156,9 @@ static void compare(const stage *a, const stage *b, bool manifolds) {
           p->fraction == q->fraction);
     CHECK((p->manifold == NULL) == (q->manifold == NULL));
     if (manifolds && p->manifold != NULL && q->manifold != NULL) {
-      CHECK_MSG(same_manifold(p->manifold, q->manifold), "%u %u: count %d %d n %d %d feat %d %d - %d %d", p->a.slot, p->b.slot, p->manifold->count, q->manifold->count, p->manifold->normal.x, q->manifold->normal.x, p->manifold->feature_a, p->manifold->feature_b, q->manifold->feature_a, q->manifold->feature_b);
+      CHECK_MSG(same_manifold(p->manifold, q->manifold), "%u %u: count %d %d n %d %d feat %d %d - %d %d", p->a.slot,
+                p->b.slot, p->manifold->count, q->manifold->count, p->manifold->normal.x, q->manifold->normal.x,
+                p->manifold->feature_a, p->manifold->feature_b, q->manifold->feature_a, q->manifold->feature_b);
     }
   }
 }
@@ -321,8 +336,14 @@ static gjk2_shape level_shape;
 static const gjk2_shape *level_shapes[2];
 
 static void set_level(stage *s, const gjk2_shape *rider, gjk2_pose *at, bool fast) {
-  const gjk2_scene_config config = {.bodies = 2, .parts = 2, .own_poses = 0, .pairs = 4, .box_margin = 4000,
-                                    .detail = GJK_DETAIL_CONTACTS, .persist = 1, .motions = 1};
+  const gjk2_scene_config config = {.bodies = 2,
+                                    .parts = 2,
+                                    .own_poses = 0,
+                                    .pairs = 4,
+                                    .box_margin = 4000,
+                                    .detail = GJK_DETAIL_CONTACTS,
+                                    .persist = 1,
+                                    .motions = 1};
   const gjk2_scene_bindings bindings = bindings_of(s);
   const gjk2_part parts[2] = {{0, false, GJK2_POSE_IDENTITY}, {1, false, GJK2_POSE_IDENTITY}};
   const gjk2_body_setup floor = {GJK2_POSE_IDENTITY, &parts[0], 1, GJK_BODY_STATIC, 0, 1, 1, 0, 0};
@@ -370,10 +391,14 @@ static void ride_flat(random_state *r, bool one_way) {
             const gjk2_report *report = &whole.reports[i];
             gjk2_chain_contact found[FOUND];
             uint16_t count = 0;
-            CHECK_MSG(report->event != GJK_EVENT_IMPACT && report->event != GJK_EVENT_END, "event %d rider %u speed %d sunk %d tick %d", report->event, rider, speeds[k] * direction, sunk, tick);
+            CHECK_MSG(report->event != GJK_EVENT_IMPACT && report->event != GJK_EVENT_END,
+                      "event %d rider %u speed %d sunk %d tick %d", report->event, rider, speeds[k] * direction, sunk,
+                      tick);
             CHECK(gjk2_scene_ground_contacts(&whole.scene, report, found, FOUND, &count) == GJK_OK && count > 0);
             for (unsigned n = 0; n < count; n++) {
-              CHECK_MSG(found[n].manifold.normal.x == 0 && found[n].manifold.normal.y == GJK_Q30_ONE, "rider %u at %d sunk %d, %d of %d: n %d", rider, at.position.x, sunk, n, count, found[n].manifold.normal.x);
+              CHECK_MSG(found[n].manifold.normal.x == 0 && found[n].manifold.normal.y == GJK_Q30_ONE,
+                        "rider %u at %d sunk %d, %d of %d: n %d", rider, at.position.x, sunk, n, count,
+                        found[n].manifold.normal.x);
               CHECK(found[n].manifold.contact[0].distance == -sunk);
             }
             tally.faces += count;
@@ -397,9 +422,9 @@ static void ride_flat(random_state *r, bool one_way) {
             break;
           }
           CHECK(gjk2_slide(&whole.scene, &c, &to, &setup, &slid) == GJK_OK);
-          CHECK_MSG(!slid.stuck && abs(slid.position.x - to.x) <= 4 && slid.on_ground,  // where a rounded cast rests, x is rounded
-                     "rider %u: %d of %d", rider,
-                    slid.position.x - c.position.x, to.x - c.position.x);
+          CHECK_MSG(!slid.stuck && abs(slid.position.x - to.x) <= 4 &&
+                        slid.on_ground,  // where a rounded cast rests, x is rounded
+                    "rider %u: %d of %d", rider, slid.position.x - c.position.x, to.x - c.position.x);
           CHECK(slid.position.y >= GJK_Q16(2.3) + 60 && slid.position.y <= GJK_Q16(2.3) + 80);
           CHECK(gjk2_collider_move(&c, &slid.position) == GJK_OK);
           tally.slides++;
@@ -567,7 +592,7 @@ int main(void) {
   printf("%lu ticks and %lu slides over joints with %lu contacts\n", tally.ticks, tally.slides, tally.faces);
   printf("%lu pairs near, %lu begun, %lu ended, %lu contacts, %lu deep, %lu hits of %lu, %lu impacts\n", tally.near,
          tally.begun, tally.ended, tally.contacts, tally.deep, tally.hits, tally.casts, tally.impacts);
-  CHECK(tally.near > 50 && tally.begun > 20 && tally.ended > 20 && tally.contacts > 50 && tally.deep > 20 && tally.hits > 20 &&
-        tally.impacts > 20 && tally.ticks > 1000 && tally.slides > 1000);
+  CHECK(tally.near > 50 && tally.begun > 20 && tally.ended > 20 && tally.contacts > 50 && tally.deep > 20 &&
+        tally.hits > 20 && tally.impacts > 20 && tally.ticks > 1000 && tally.slides > 1000);
   return check_done("plane ground scene");
 }
