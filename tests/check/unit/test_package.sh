@@ -24,7 +24,7 @@ prints() {
 is_short() {
   most=60
   [ "$1" = planner ] && most=150
-  [ "$1" = platform ] && most=90
+  [ "$1" = platform ] && most=95
   [ "$(wc -l <"tests/programs/examples/$1.c")" -lt $most ]
 }
 

@@ -12,7 +12,7 @@
 
 static struct {
   unsigned long pieces, surfaces, near, far, ahead, behind, contacts, hits, misses, rays, ends, turned, skipped,
-      grazing;
+      grazing, outlines;
 } tally;
 
 typedef struct line {
@@ -465,6 +465,117 @@ static void check_queries(random_state *random) {
   }
 }
 
+// The outline of a grid as closed chains, one after the other. False: two solids meet at a corner alone, or there is no room.
+#define LOOPS 24
+
+static unsigned find_loops(gjk2_polyline loops[LOOPS]) {
+  static gjk2_vec room[2 * LINES];
+  static bool taken[LINES];
+  unsigned count = 0, used = 0;
+  memset(taken, 0, sizeof taken);
+  for (unsigned i = 0; i < line_count; i++) {
+    for (unsigned k = 0; k < line_count; k++) {
+      const gjk2_vec at = lines[i].p, p = lines[k].p, q = lines[k].q;
+      const int64_t turn = ((int64_t)q.x - p.x) * ((int64_t)at.y - p.y) - ((int64_t)q.y - p.y) * ((int64_t)at.x - p.x);
+      const int64_t to_p = ((int64_t)p.x - at.x) * ((int64_t)p.x - q.x) + ((int64_t)p.y - at.y) * ((int64_t)p.y - q.y);
+      const int64_t to_q = ((int64_t)q.x - at.x) * ((int64_t)q.x - p.x) + ((int64_t)q.y - at.y) * ((int64_t)q.y - p.y);
+      // It is the same line's start, or its predecessor's end, alone.
+      if (i != k && turn == 0 && to_p >= 0 && to_q > 0) {
+        return 0;
+      }
+    }
+  }
+  for (unsigned first = 0; first < line_count; first++) {
+    if (taken[first]) {
+      continue;
+    }
+    if (count == LOOPS) {
+      return 0;
+    }
+    unsigned at = first;
+    loops[count].vertices = &room[used];
+    loops[count].index = NULL;
+    loops[count].count = 1;
+    room[used++] = lines[first].p;
+    do {
+      unsigned next = 0;
+      taken[at] = true;
+      while (next < line_count && (lines[next].p.x != lines[at].q.x || lines[next].p.y != lines[at].q.y)) {
+        next++;
+      }
+      CHECK(next < line_count);
+      room[used++] = lines[at].q;
+      loops[count].count++;
+      at = next < line_count ? next : first;
+    } while (at != first);
+    count++;
+  }
+  return count;
+}
+
+static int compare_contacts(const void *p, const void *q) {
+  const gjk2_contact *a = (const gjk2_contact *)p, *b = (const gjk2_contact *)q;
+  const int32_t x[5] = {a->distance, a->point_a.x, a->point_a.y, a->point_b.x, a->point_b.y};
+  const int32_t y[5] = {b->distance, b->point_a.x, b->point_a.y, b->point_b.x, b->point_b.y};
+  for (int i = 0; i < 5; i++) {
+    if (x[i] != y[i]) {
+      return x[i] < y[i] ? -1 : 1;
+    }
+  }
+  return 0;
+}
+
+static unsigned list_contacts(const gjk2_ground *of, const gjk2_pose *pose, gjk_q16 margin, gjk2_contact *out) {
+  static gjk2_chain_contact found[FOUND];
+  unsigned n = 0;
+  uint16_t count = 0;
+  CHECK(gjk2_ground_contacts(of, pose, &body.collider, margin, found, FOUND, &count) == GJK_OK);
+  for (unsigned i = 0; i < count; i++) {
+    for (unsigned k = 0; k < found[i].manifold.count; k++) {
+      out[n++] = found[i].manifold.contact[k];
+    }
+  }
+  return n;
+}
+
+// A grid has the contacts of its outline as chains: so its joints are those of the outline.
+static void check_outlines(random_state *random) {
+  const gjk2_pose identity = GJK2_POSE_IDENTITY;
+  for (unsigned long i = 0; i < GRIDS; i++) {
+    static gjk2_polyline loops[LOOPS];
+    static gjk2_contact of_grid[4 * FOUND], of_loops[4 * FOUND * LOOPS];
+    check_trial(i, NULL, NULL);
+    make_grid(random, false);
+    list_lines(&ground, &identity, &everywhere);
+    const unsigned count = find_loops(loops);
+    for (int trial = 0; trial < 6 && count > 0; trial++) {
+      const line *at = &lines[random_below(random, line_count)];
+      const int32_t size = grid.size;
+      plane_random_shape(random, random_range(random, 1, size), &body);
+      body.pose.rotation = plane_random_rotation(random);
+      body.pose.position.x = at->p.x + random_range(random, -size, size);
+      body.pose.position.y = at->p.y + random_range(random, -size, size);
+      plane_place(&body, true);
+      const gjk_q16 margin = random_range(random, 0, size / 8);
+      const unsigned n = list_contacts(&ground, &identity, margin, of_grid);
+      unsigned m = 0;
+      for (unsigned k = 0; k < count; k++) {
+        gjk2_ground loop;
+        gjk2_shape made;
+        CHECK(gjk2_ground_of_chain(&loops[k], &loop, &made) == GJK_OK);
+        m += list_contacts(&loop, &identity, margin, &of_loops[m]);
+      }
+      qsort(of_grid, n, sizeof of_grid[0], compare_contacts);
+      qsort(of_loops, m, sizeof of_loops[0], compare_contacts);
+      CHECK_MSG(n == m, "%u and %u contacts", n, m);
+      for (unsigned k = 0; k < n && k < m; k++) {
+        CHECK(compare_contacts(&of_grid[k], &of_loops[k]) == 0);
+      }
+      tally.outlines += n > 0;
+    }
+  }
+}
+
 static void check_statuses(void) {
   const gjk2_pose identity = GJK2_POSE_IDENTITY;
   gjk2_pose far = identity, bent = identity;
@@ -593,6 +704,7 @@ int main(void) {
   check_statuses();
   check_grids(&random);
   check_queries(&random);
+  check_outlines(&random);
   check_hostile(&random);
   printf(
       "%lu pieces, %lu surfaces, %lu segments near, %lu far, %lu in front, %lu behind, %lu contacts, %lu hits, %lu "
@@ -602,6 +714,6 @@ int main(void) {
       tally.misses, tally.skipped, tally.rays);
   CHECK(tally.pieces > 1000 && tally.surfaces > 500 && tally.near > 500 && tally.far > 500 && tally.ahead > 500 &&
         tally.behind > 500 && tally.contacts > 50 && tally.hits > 20 && tally.misses > 20 && tally.skipped > 20 &&
-        tally.rays > 5 && tally.turned > 20);
+        tally.rays > 5 && tally.turned > 20 && tally.outlines > 20);
   return check_done("plane ground");
 }
