@@ -253,6 +253,37 @@ static void check_probes(random_state *r, const stage *s, int32_t spread) {
   }
 }
 
+// Overlap queries and the nearest part see the ground, too.
+static void check_overlaps(random_state *r, const stage *s, int32_t spread) {
+  gjk_scene_hit hits[GROUNDS + MOVERS], nearest;
+  gjk2_collider probe;
+  uint32_t count = 0;
+  gjk_q16 distance = 0, least = INT32_MAX;
+  bool found;
+  const gjk2_pose at = any_pose(r, spread);
+  const gjk_q16 reach = random_range(r, 0, spread / 8);
+  CHECK(gjk2_collider_init(&probe, &mover[1].shape, NULL, 0) == GJK_OK && gjk2_collider_pose(&probe, &at) == GJK_OK);
+  CHECK(gjk2_scene_query_within(&s->scene, &probe, reach, NULL, NULL, hits, GROUNDS + MOVERS, &count) == GJK_OK);
+  CHECK(gjk2_scene_query_nearest(&s->scene, &probe, INT32_MAX, NULL, &nearest, &distance, &found) == GJK_OK && found);
+  for (unsigned g = 0; g < GROUNDS; g++) {
+    const gjk2_ground *of;
+    gjk2_distance_result of_ground;
+    gjk2_pose pose;
+    uint32_t segment;
+    bool yes, listed = false, any;
+    CHECK(gjk2_scene_ground(&s->scene, s->ground[g], 0, &of, &pose) == GJK_OK);
+    CHECK(gjk2_ground_within(of, &pose, &probe, reach, &yes) == GJK_OK);
+    CHECK(gjk2_ground_distance(of, &pose, &probe, &of_ground, &segment, &any) == GJK_OK);
+    for (unsigned i = 0; i < count; i++) {
+      listed = listed || hits[i].body.slot == s->ground[g].slot;
+    }
+    CHECK(listed == yes);
+    least = any && of_ground.distance < least ? of_ground.distance : least;
+    tally.nearest += yes;
+  }
+  CHECK(distance <= least && (nearest.body.slot >= GROUNDS || distance == least));
+}
+
 static void check_scenes(random_state *random) {
   for (unsigned long i = 0; i < SCENES; i++) {
     check_trial(i, NULL, NULL);
@@ -284,6 +315,7 @@ static void check_scenes(random_state *random) {
       }
       check_reports(&whole, margin, detail);
       check_probes(random, &whole, spread);
+      check_overlaps(random, &whole, spread);
       for (unsigned k = 0; k < whole.count; k++) {
         tally.begun += whole.reports[k].event == GJK_EVENT_BEGIN;
         tally.ended += whole.reports[k].event == GJK_EVENT_END;
@@ -593,6 +625,6 @@ int main(void) {
   printf("%lu pairs near, %lu begun, %lu ended, %lu contacts, %lu deep, %lu hits of %lu, %lu impacts\n", tally.near,
          tally.begun, tally.ended, tally.contacts, tally.deep, tally.hits, tally.casts, tally.impacts);
   CHECK(tally.near > 50 && tally.begun > 20 && tally.ended > 20 && tally.contacts > 50 && tally.deep > 20 &&
-        tally.hits > 20 && tally.impacts > 20 && tally.ticks > 1000 && tally.slides > 1000);
+        tally.hits > 20 && tally.impacts > 20 && tally.ticks > 1000 && tally.nearest > 20 && tally.slides > 1000);
   return check_done("plane ground scene");
 }
