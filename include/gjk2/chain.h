@@ -58,7 +58,7 @@ typedef struct gjk2_chain_range {
 //   feature_a  256: the segment; 0: the joint where it begins; 1: the open end where it ends
 // The segment's number and the contact's id name a contact from tick to tick.
 typedef struct gjk2_chain_contact {
-  uint16_t segment;        // its number
+  uint32_t segment;        // its number
   gjk2_manifold manifold;  // normal from the chain to the body; count is 1 or 2
 } gjk2_chain_contact;
 

@@ -16,6 +16,7 @@
 #include "gjk2/distance.h"
 #include "gjk2/draw.h"
 #include "gjk2/format.h"
+#include "gjk2/ground.h"
 #include "gjk2/hull.h"
 #include "gjk2/impact.h"
 #include "gjk2/intersect.h"

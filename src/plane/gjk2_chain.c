@@ -3,7 +3,7 @@
 
 #include "../arith/gjk_memory.h"
 #include "gjk2/intersect.h"
-#include "gjk2_measure.h"
+#include "gjk2_line.h"
 
 // The state of a chain. Other values are those of memory that was never initialised.
 #define CHAIN_STATE UINT16_C(0x3269)
@@ -118,30 +118,8 @@ bool gjk2_chain_next(gjk2_chain_walk *walk, uint16_t *segment) {
   return false;
 }
 
-void gjk2_chain_collider(gjk2_vec p, gjk2_vec q, gjk2_collider *out) {
-  static const gjk2_shape segment = {&gjk2_class_triangle, 0, 0, 0, {0, 0}, 0, 3};
-  const gjk2_vec middle = {(int32_t)gjk_sar64((int64_t)p.x + q.x, 1), (int32_t)gjk_sar64((int64_t)p.y + q.y, 1)};
-  out->shape = &segment;
-  out->buffer = NULL;
-  gjk2_copy(&out->position, &middle);
-  gjk2_copy(&out->centre, &middle);
-  out->local_centre.x = 0;
-  out->local_centre.y = 0;
-  out->frame[0] = gjk2_sub(p, middle);
-  out->frame[1] = gjk2_sub(q, middle);
-  gjk2_copy(&out->frame[2], &out->frame[1]);
-  // The middle is rounded down, so q is the farther end.
-  out->core_radius = (gjk_q16)gjk2_length_bound(out->frame[1]) + 1;
-  out->radius = out->core_radius;
-  out->state = GJK2_STATE_POSED;
-  out->count = 3;
-  out->fraction[0] = 0;
-  out->fraction[1] = 0;
-  out->ordered = false;
-}
-
 static void collider_of(const gjk2_chain *chain, uint16_t segment, gjk2_collider *out) {
-  gjk2_chain_collider(gjk2_chain_vertex(chain, segment), gjk2_chain_vertex(chain, segment + UINT32_C(1)), out);
+  gjk2_line_collider(gjk2_chain_vertex(chain, segment), gjk2_chain_vertex(chain, segment + UINT32_C(1)), out);
 }
 
 gjk_status gjk2_chain_intersect(const gjk2_chain *chain, const gjk2_collider *body, const gjk2_chain_range *range,
@@ -198,7 +176,7 @@ gjk_status gjk2_chain_distance(const gjk2_chain *chain, const gjk2_collider *bod
       continue;
     }
     gjk2_collider line;
-    gjk2_chain_collider(p, q, &line);
+    gjk2_line_collider(p, q, &line);
     status = gjk2_distance(&line, body, NULL, &found);
     if (status != GJK_OK) {
       return status;

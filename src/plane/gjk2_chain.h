@@ -27,8 +27,4 @@ static inline gjk2_vec gjk2_chain_vertex(const gjk2_chain *chain, uint32_t i) {
   return gjk2_add(chain->vertices[i], chain->position);
 }
 
-// Makes a collider of the segment from p to q; they may be the same. Its vertices are p, q and q again, exact.
-// Pre: at most GJK2_RADIUS_MAX apart along each axis.
-void gjk2_chain_collider(gjk2_vec p, gjk2_vec q, gjk2_collider *out);
-
 #endif

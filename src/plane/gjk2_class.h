@@ -29,6 +29,7 @@ static inline void gjk2_follow(gjk2_support *at, const gjk2_support *way) {
   at->vertex = way->vertex;
 }
 
+struct gjk2_ground_queries;
 struct gjk2_search;
 struct gjk2_edge;
 struct gjk2_touch;
@@ -67,6 +68,9 @@ struct gjk2_shape_class {
   // Of points and segments GJK2_TOUCH_AXES, so that programs without any do not link it; else NULL. Where it is set, a point's
   // or segment's adjacent leads from one end to the other.
   bool (*touch)(const gjk2_collider *a, const gjk2_collider *b, struct gjk2_touch *out);
+
+  // The queries of ground, which no other query takes; NULL for all other shapes.
+  const struct gjk2_ground_queries *ground;
 
   bool buffered;  // a collider may have a buffer for posed vertices
   uint8_t count;  // vertices; where buffered is set the shape's own count is taken

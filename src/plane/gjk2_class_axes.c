@@ -105,6 +105,7 @@ const gjk2_shape_class gjk2_class_point = {
     .adjacent = ADJACENT_ENDS,
     .depth = NULL,
     .touch = GJK2_TOUCH_AXES,
+    .ground = NULL,
     .buffered = false,
     .count = 1,
 };
@@ -117,6 +118,7 @@ const gjk2_shape_class gjk2_class_segment = {
     .adjacent = ADJACENT_ENDS,
     .depth = NULL,
     .touch = GJK2_TOUCH_AXES,
+    .ground = NULL,
     .buffered = false,
     .count = 2,
 };
@@ -129,6 +131,7 @@ const gjk2_shape_class gjk2_class_box = {
     .adjacent = adjacent_axes,
     .depth = NULL,
     .touch = NULL,
+    .ground = NULL,
     .buffered = false,
     .count = 4,
 };

@@ -47,6 +47,7 @@ const gjk2_shape_class gjk2_class_custom = {
     .adjacent = NULL,
     .depth = gjk2_curved_depth,
     .touch = NULL,
+    .ground = NULL,
     .buffered = false,
     .count = 0,
 };

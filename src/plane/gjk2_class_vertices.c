@@ -361,6 +361,7 @@ const gjk2_shape_class gjk2_class_triangle = {
     .adjacent = adjacent_vertices,
     .depth = NULL,
     .touch = NULL,
+    .ground = NULL,
     .buffered = false,
     .count = 3,
 };
@@ -373,6 +374,7 @@ const gjk2_shape_class gjk2_class_polygon = {
     .adjacent = adjacent_vertices,
     .depth = NULL,
     .touch = NULL,
+    .ground = NULL,
     .buffered = true,
     .count = 0,
 };

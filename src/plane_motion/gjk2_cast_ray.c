@@ -27,6 +27,7 @@ gjk_status gjk2_cast_ray(const gjk2_collider *a, const gjk2_vec *from, const gjk
       .adjacent = NULL,
       .depth = NULL,
       .touch = NULL,
+      .ground = NULL,
       .buffered = false,
       .count = 1,
   };

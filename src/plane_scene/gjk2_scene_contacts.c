@@ -4,13 +4,16 @@
 #include "gjk2_scene_names.h"
 // The view of a block, under the plane's names.
 #include "../scene/gjk_scene_part.h"
+#include "../scene/gjk_scene_solid.h"
 
 static gjk_status plane_manifold(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
                                  unsigned most, gjk2_cache *cache, gjk2_manifold *out) {
   gjk2_collider on_a, on_b;
   gjk2_scene_part_placed(v, a, &on_a);
   gjk2_scene_part_placed(v, b, &on_b);
-  return gjk2_contacts(&on_a, &on_b, v->bodies[a->body].margin + v->bodies[b->body].margin, most, cache, out);
+  const gjk_q16 margin = v->bodies[a->body].margin + v->bodies[b->body].margin;
+  return gjk2_scene_is_one_ground(&on_a, &on_b) ? gjk2_scene_ground_manifold(v, a, b, &on_a, &on_b, margin, most, out)
+                                                : gjk2_contacts(&on_a, &on_b, margin, most, cache, out);
 }
 
 gjk_status gjk2_scene_manifold(const gjk2_scene *scene, const gjk2_report *report, unsigned most, gjk2_manifold *out) {

@@ -7,6 +7,7 @@
 #define GJK2_SRC_SCENE_PLANE_H
 
 #include "../arith/gjk_ceilings.h"
+#include "../ground/gjk2_ground_queries.h"
 #include "../plane/gjk2_class.h"
 #include "../plane/gjk2_measure.h"
 #include "../plane/gjk2_rotation.h"
@@ -527,21 +528,24 @@ static inline void gjk2_scene_store_cache(const gjk2_cache *cache, bool near, gj
   pair->state = (uint8_t)(flags | count << GJK_SCENE_PAIR_CACHED);
 }
 
-// No shape of the plane is concave.
+// Ground is all that is concave. Its code is in the class.
 static inline bool gjk2_scene_is_concave(const gjk2_shape *shape) {
-  (void)shape;
-  return false;
+  return shape->type->ground != NULL;
 }
 
 // Binds a collider to a shape of a part. Statuses as gjk2_collider_init.
 static inline gjk_status gjk2_scene_bind(gjk2_collider *c, const gjk2_shape *shape) {
-  return gjk2_collider_init(c, shape, NULL, 0);
+  return shape != NULL && shape->type != NULL && gjk2_scene_is_concave(shape) ? shape->type->ground->bind(shape, c)
+                                                                              : gjk2_collider_init(c, shape, NULL, 0);
 }
 
-// Does a part stay in int32 at any rotation? Its collider tells.
+static inline bool gjk2_scene_is_amid(gjk_q16 x) {
+  return x <= INT32_MAX - 2 * GJK2_GROUND_REACH && x >= -(INT32_MAX - 2 * GJK2_GROUND_REACH);
+}
+
+// Does a part stay in int32 at any rotation? Of a convex one its collider tells.
 static inline bool gjk2_scene_has_room(const gjk2_shape *shape, const gjk2_vec *position) {
-  (void)shape, (void)position;
-  return true;
+  return !gjk2_scene_is_concave(shape) || (gjk2_scene_is_amid(position->x) && gjk2_scene_is_amid(position->y));
 }
 
 #endif

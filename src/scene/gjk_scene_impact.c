@@ -63,7 +63,13 @@ static gjk_vec3 end_of(const gjk_scene_mover *m, const gjk_collider *c) {
   return to;
 }
 
-#if GJK_SCENE_AXES == 3
+#if GJK_SCENE_AXES == 2
+
+static bool is_one_ground(const gjk_collider c[2]) {
+  return gjk_scene_is_concave(c[0].shape) || gjk_scene_is_concave(c[1].shape);
+}
+
+#else
 
 // The code of concave parts, if one of two is concave; otherwise NULL.
 static const struct gjk_scene_concave *concave_code(const gjk_collider c[2]) {
@@ -83,6 +89,12 @@ static gjk_status ask_way(const gjk_scene_view *v, const gjk_scene_mover m[2], c
     return concave_code(c)->way(&a, &b, path, ahead, out);
   }
 #endif
+#if GJK_SCENE_AXES == 2
+  if (is_one_ground(c)) {
+    const gjk_pose from[2] = {part_pose(v, p[0], &m[0].from), part_pose(v, p[1], &m[1].from)};
+    return gjk_scene_ground_way(c, from, path, ahead, out);
+  }
+#endif
   (void)v, (void)m, (void)p, (void)ahead;
   return gjk_cast(&c[0], &c[1], path, out);
 }
@@ -94,6 +106,11 @@ static gjk_status ask_impact_of(const gjk_collider c[2], const gjk_motion motion
 #if GJK_SCENE_AXES == 3
   if (concave_code(c) != NULL) {
     return concave_code(c)->impact(c, motion, margin, ahead, out);
+  }
+#endif
+#if GJK_SCENE_AXES == 2
+  if (is_one_ground(c)) {
+    return gjk_scene_ground_impact(c, motion, margin, ahead, out);
   }
 #endif
   (void)ahead;

@@ -1,4 +1,4 @@
-// What a scene asks about a part, whatever it is made of: a convex shape, or many parts. In the plane all are convex.
+// What a scene asks about a part, whatever it is made of: a convex shape, many parts or, in the plane, ground.
 #ifndef GJK_SRC_SCENE_SOLID_H
 #define GJK_SRC_SCENE_SOLID_H
 
@@ -32,37 +32,58 @@ gjk_status gjk_scene_ask_ray(const gjk_scene_view *v, const gjk_scene_part *a, c
 
 #else
 
+// The same of a pair one of which is ground; two of them are never near.
+gjk_status gjk_scene_ground_within(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                                   const gjk_collider *on_a, const gjk_collider *on_b, gjk_q16 distance,
+                                   gjk_decision *out);
+gjk_status gjk_scene_ground_distance(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                                     const gjk_collider *on_a, const gjk_collider *on_b, bool depth,
+                                     gjk_distance_result *out);
+gjk_status gjk_scene_ground_cast(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_collider *on_a,
+                                 const gjk_collider *b, const gjk_cast_path *path, gjk_cast_result *out);
+gjk_status gjk_scene_ground_ray(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_collider *on_a,
+                                const gjk_vec3 *from, const gjk_vec3 *to, gjk_cast_result *out);
+
+// As gjk2_scene_manifold, of the deepest contact.
+gjk_status gjk_scene_ground_manifold(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
+                                     const gjk_collider *on_a, const gjk_collider *on_b, gjk_q16 margin, unsigned most,
+                                     gjk_manifold *out);
+
+static inline bool gjk_scene_is_one_ground(const gjk_collider *a, const gjk_collider *b) {
+  return gjk_scene_is_concave(a->shape) || gjk_scene_is_concave(b->shape);
+}
+
 static inline gjk_status gjk_scene_ask_within(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
                                               const gjk_collider *on_a, const gjk_collider *on_b, gjk_q16 distance,
                                               gjk_cache *cache, gjk_decision *out) {
-  (void)v, (void)a, (void)b;
-  return gjk_within(on_a, on_b, distance, cache, out);
+  return gjk_scene_is_one_ground(on_a, on_b) ? gjk_scene_ground_within(v, a, b, on_a, on_b, distance, out)
+                                             : gjk_within(on_a, on_b, distance, cache, out);
 }
 
 static inline gjk_status gjk_scene_ask_distance(const gjk_scene_view *v, const gjk_scene_part *a,
                                                 const gjk_scene_part *b, const gjk_collider *on_a,
                                                 const gjk_collider *on_b, gjk_cache *cache, gjk_distance_result *out) {
-  (void)v, (void)a, (void)b;
-  return gjk_distance(on_a, on_b, cache, out);
+  return gjk_scene_is_one_ground(on_a, on_b) ? gjk_scene_ground_distance(v, a, b, on_a, on_b, false, out)
+                                             : gjk_distance(on_a, on_b, cache, out);
 }
 
 static inline gjk_status gjk_scene_ask_depth(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
                                              const gjk_collider *on_a, const gjk_collider *on_b, gjk_cache *cache,
                                              gjk_distance_result *out) {
-  (void)a, (void)b;
-  return gjk_scene_signed_distance(v->scene, on_a, on_b, cache, out);
+  return gjk_scene_is_one_ground(on_a, on_b) ? gjk_scene_ground_distance(v, a, b, on_a, on_b, true, out)
+                                             : gjk_scene_signed_distance(v->scene, on_a, on_b, cache, out);
 }
 
 static inline gjk_status gjk_scene_ask_cast(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_collider *on_a,
                                             const gjk_collider *b, const gjk_cast_path *path, gjk_cast_result *out) {
-  (void)v, (void)a;
-  return gjk_cast(on_a, b, path, out);
+  return gjk_scene_is_concave(on_a->shape) ? gjk_scene_ground_cast(v, a, on_a, b, path, out)
+                                           : gjk_cast(on_a, b, path, out);
 }
 
 static inline gjk_status gjk_scene_ask_ray(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_collider *on_a,
                                            const gjk_vec3 *from, const gjk_vec3 *to, gjk_cast_result *out) {
-  (void)v, (void)a;
-  return gjk_cast_ray(on_a, from, to, out);
+  return gjk_scene_is_concave(on_a->shape) ? gjk_scene_ground_ray(v, a, on_a, from, to, out)
+                                           : gjk_cast_ray(on_a, from, to, out);
 }
 
 #endif

@@ -12,7 +12,7 @@ rm -rf "$dir"
 mkdir -p "$dir"
 dir=$(cd "$dir" && pwd)
 prefix=$dir/prefix
-examples='distance safety_stop stack warm rollback flash plane cast parts arm planner'
+examples='distance safety_stop stack warm rollback flash plane cast parts arm planner platform'
 golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
 
 # prints PROGRAM SOURCE: the program prints what the source says
@@ -24,6 +24,7 @@ prints() {
 is_short() {
   most=60
   [ "$1" = planner ] && most=150
+  [ "$1" = platform ] && most=95
   [ "$(wc -l <"tests/programs/examples/$1.c")" -lt $most ]
 }
 

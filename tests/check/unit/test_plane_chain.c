@@ -89,7 +89,7 @@ static long double angle_between(const gjk2_unit *u, gjk2_vec n) {
 
 // Is the contact's normal one that the surface has there?
 static bool is_of_surface(const gjk2_chain *chain, const gjk2_chain_contact *c) {
-  const int i = c->segment;
+  const int i = (int)c->segment;
   const gjk2_vec t = difference(chain->vertices[i + 1], chain->vertices[i]), n = {t.y, -t.x};
   const gjk2_unit *u = &c->manifold.normal;
   if (c->manifold.feature_a == 256) {
@@ -228,7 +228,7 @@ static void slide(random_state *r) {
     CHECK(gjk2_chain_contacts(&chain, &body, NULL, 300, before, FOUND, &count_before) == GJK_OK);
     for (int i = 0; i < count_before; i++) {
       for (int k = 0; k < before[i].manifold.count; k++) {
-        const bool kept = has_contact(found, count, before[i].segment, before[i].manifold.contact[k].id);
+        const bool kept = has_contact(found, count, (uint16_t)before[i].segment, before[i].manifold.contact[k].id);
         tally.kept += kept;
         tally.lost += !kept;
       }
@@ -412,10 +412,10 @@ static void check_any(random_state *r, int32_t size) {
   CHECK(gjk2_chain_contacts(&chain, body, NULL, margin, found, FOUND, &count) == GJK_OK);
   for (uint16_t i = 0; i < count; i++) {
     const gjk2_manifold *m = &found[i].manifold;
-    const int s = found[i].segment;
+    const int s = (int)found[i].segment;
     const plane_point p = placed(&chain, s), q = placed(&chain, s + 1), c = {body->centre.x, body->centre.y};
     const bool face = m->feature_a == 256;
-    CHECK(i == 0 || found[i - 1].segment <= s);
+    CHECK(i == 0 || (int)found[i - 1].segment <= s);
     CHECK(is_of_surface(&chain, &found[i]));
     CHECK(!face || plane_cross(p, q, c) <= 0);
     const long double nx = m->normal.x, ny = m->normal.y;
@@ -474,7 +474,7 @@ static void check_room(random_state *r, int32_t size) {
     }
     const gjk2_chain_contact *own = NULL;
     for (uint16_t i = 0; i < count; i++) {
-      own = found[i].segment == s && found[i].manifold.feature_a == 256 ? &found[i] : own;
+      own = (int)found[i].segment == s && found[i].manifold.feature_a == 256 ? &found[i] : own;
       CHECK(found[i].manifold.feature_a == 256);
     }
     const bool front = plane_cross(p, q, c) <= 0;

@@ -174,7 +174,7 @@ static void find_contacts(flat_world *w) {
       for (uint16_t i = 0; i < count; i++) {
         const gjk2_manifold *m = &ground[i].manifold;
         if (m->contact[0].distance >= -w->chain[c].deepest) {
-          add_points(w, (uint16_t)(FLAT_BODIES + c), b, ground[i].segment, m);
+          add_points(w, (uint16_t)(FLAT_BODIES + c), b, (uint16_t)ground[i].segment, m);
           w->met_ground += m->count;
         }
       }

@@ -1,0 +1,229 @@
+// Ground as a part of a scene: its queries, for a pair in any order.
+#include "gjk2/ground.h"
+
+#include "../arith/gjk_memory.h"
+#include "../plane/gjk2_facing.h"
+#include "../plane/gjk2_line.h"
+#include "gjk2_scene_names.h"
+// What a scene asks, and the view of a block, under the plane's names.
+#include "../scene/gjk_scene_part.h"
+#include "../scene/gjk_scene_solid.h"
+#include "gjk2_scene_ground.h"
+
+static const gjk2_ground *ground_of_collider(const gjk2_collider *c) {
+  return (const gjk2_ground *)c->shape->user;
+}
+
+// A pair of ground and a body.
+typedef struct ground_pair {
+  const gjk2_ground *ground;
+  const gjk2_collider *body;
+  const struct gjk2_ground_queries *queries;
+  bool turned;  // the ground is the second of the two
+} ground_pair;
+
+// False: both are ground.
+static bool set_ground_pair(const gjk2_collider *a, const gjk2_collider *b, ground_pair *out) {
+  const gjk2_collider *ground;
+  out->turned = !gjk2_scene_is_concave(a->shape);
+  ground = out->turned ? b : a;
+  out->body = out->turned ? a : b;
+  out->ground = ground_of_collider(ground);
+  out->queries = ground->shape->type->ground;
+  return !gjk2_scene_is_concave(out->body->shape);
+}
+
+// The same, and where the ground is.
+static bool place_ground_pair(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                              const gjk2_collider *on_a, const gjk2_collider *on_b, ground_pair *out, gjk2_pose *pose) {
+  const bool is_pair = set_ground_pair(on_a, on_b, out);
+  if (is_pair) {
+    gjk2_scene_part_pose(v, out->turned ? b : a, pose);
+  }
+  return is_pair;
+}
+
+gjk_status gjk2_scene_ground_within(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                                    const gjk2_collider *on_a, const gjk2_collider *on_b, gjk_q16 distance,
+                                    gjk2_decision *out) {
+  ground_pair p;
+  gjk2_pose pose;
+  out->yes = false;
+  out->certificate.proof = GJK2_PROOF_NONE;  // its vertices would be those of a segment
+  out->certificate.count = 0;
+  return place_ground_pair(v, a, b, on_a, on_b, &p, &pose)
+             ? p.queries->within(p.ground, &pose, p.body, distance, &out->yes)
+             : GJK_OK;
+}
+
+// The least distance of a contact, where the body overlaps. False: it does not, or has no contact.
+static gjk_status depth_of_ground(const ground_pair *p, const gjk2_pose *pose, gjk2_distance_result *out, bool *found) {
+  gjk2_chain_contact deepest;
+  uint16_t count = 0;
+  const gjk_status status = p->queries->contacts(p->ground, pose, p->body, 0, &deepest, 1, &count);
+  *found = (status == GJK_OK || status == GJK_ERROR_CAPACITY) && count > 0;
+  if (*found) {
+    out->distance = gjk2_line_least(&deepest.manifold);
+    out->lower = out->distance;
+    out->intersecting = true;
+  }
+  return status == GJK_ERROR_CAPACITY ? GJK_OK : status;
+}
+
+gjk_status gjk2_scene_ground_distance(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                                      const gjk2_collider *on_a, const gjk2_collider *on_b, bool depth,
+                                      gjk2_distance_result *out) {
+  ground_pair p;
+  gjk2_pose pose;
+  uint32_t segment;
+  bool found = false;
+  if (!place_ground_pair(v, a, b, on_a, on_b, &p, &pose)) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  gjk_status status = depth ? depth_of_ground(&p, &pose, out, &found) : GJK_OK;
+  if (status == GJK_OK && found) {
+    return status;
+  }
+  if (status == GJK_OK) {
+    status = p.queries->distance(p.ground, &pose, p.body, out, &segment, &found);
+  }
+  if (status != GJK_OK) {
+    out->lower = depth ? -(on_a->radius + on_b->radius) : 0;
+  } else if (!found) {
+    out->distance = out->lower = GJK2_DISTANCE_MAX;
+    out->intersecting = false;
+  }
+  return status;
+}
+
+gjk_status gjk2_scene_ground_cast(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_collider *on_a,
+                                  const gjk2_collider *b, const gjk2_cast_path *path, gjk2_cast_result *out) {
+  gjk2_pose pose;
+  uint32_t segment;
+  gjk2_scene_part_pose(v, a, &pose);
+  return on_a->shape->type->ground->cast(ground_of_collider(on_a), &pose, b, path, false, out, &segment);
+}
+
+gjk_status gjk2_scene_ground_ray(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_collider *on_a,
+                                 const gjk2_vec *from, const gjk2_vec *to, gjk2_cast_result *out) {
+  gjk2_pose pose;
+  uint32_t segment;
+  gjk2_scene_part_pose(v, a, &pose);
+  return on_a->shape->type->ground->ray(ground_of_collider(on_a), &pose, from, to, out, &segment);
+}
+
+gjk_status gjk2_scene_ground_way(const gjk2_collider c[2], const gjk2_pose pose[2], const gjk2_cast_path *path,
+                                 bool ahead, gjk2_cast_result *out) {
+  ground_pair p;
+  gjk2_vec to;
+  uint32_t segment;
+  out->hit = false;
+  if (!set_ground_pair(&c[0], &c[1], &p)) {
+    return GJK_OK;
+  }
+  // The way of the ground's pose is that of its collider, which is at the middle of its box.
+  const gjk2_vec *of_ground = p.turned ? path->to_b : path->to_a;
+  if (of_ground != NULL) {
+    gjk2_vec way;
+    gjk2_scene_way(&c[p.turned ? 1 : 0].position, of_ground, &way);
+    to = pose[p.turned ? 1 : 0].position;
+    gjk2_scene_shift(&to, &way);
+  }
+  const gjk2_cast_path turned = {of_ground != NULL ? &to : NULL, p.turned ? path->to_a : path->to_b, path->margin};
+  return p.queries->cast(p.ground, &pose[p.turned ? 1 : 0], p.body, &turned, ahead, out, &segment);
+}
+
+// Turns a manifold of ground and body round.
+static void turn_ground_manifold(gjk2_manifold *m) {
+  const uint16_t of_a = m->feature_a;
+  m->feature_a = m->feature_b;
+  m->feature_b = of_a;
+  m->normal.x = -m->normal.x;
+  m->normal.y = -m->normal.y;
+  for (unsigned i = 0; i < m->count; i++) {
+    gjk2_contact *c = &m->contact[i];
+    const gjk2_vec point = c->point_a;
+    gjk2_copy(&c->point_a, &c->point_b);
+    gjk2_copy(&c->point_b, &point);
+    c->id = (uint16_t)((c->id & 255u) << 8 | c->id >> 8);
+  }
+}
+
+static void clear_ground_manifold(gjk2_manifold *out) {
+  out->count = 0;
+  out->feature_a = out->feature_b = 0;
+  gjk2_scene_no_normal(out);
+}
+
+gjk_status gjk2_scene_ground_manifold(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                                      const gjk2_collider *on_a, const gjk2_collider *on_b, gjk_q16 margin,
+                                      unsigned most, gjk2_manifold *out) {
+  ground_pair p;
+  gjk2_pose pose;
+  gjk2_chain_contact deepest;
+  uint16_t count = 0;
+  if (most < 1 || most > GJK2_CONTACTS_MAX) {
+    return GJK_ERROR_RANGE;
+  }
+  if (!place_ground_pair(v, a, b, on_a, on_b, &p, &pose)) {
+    clear_ground_manifold(out);
+    return GJK_OK;
+  }
+  const gjk_q16 apart = margin < GJK2_RADIUS_MAX ? margin : GJK2_RADIUS_MAX;
+  const gjk_status status = p.queries->contacts(p.ground, &pose, p.body, apart, &deepest, 1, &count);
+  if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
+    return status;
+  }
+  clear_ground_manifold(out);
+  if (count > 0) {
+    deepest.manifold.feature_a = (uint16_t)(deepest.segment & UINT16_MAX);
+    gjk2_facing_limit(&deepest.manifold, most);
+    if (p.turned) {
+      turn_ground_manifold(&deepest.manifold);
+    }
+    gjk_copy(out, &deepest.manifold, sizeof *out);
+  }
+  return GJK_OK;
+}
+
+gjk_status gjk2_scene_ground(const gjk2_scene *scene, gjk_body_id id, uint16_t part, const gjk2_ground **out,
+                             gjk2_pose *pose) {
+  gjk2_scene_view v;
+  const gjk2_scene_part *p;
+  gjk_status status = out == NULL || pose == NULL ? GJK_ERROR_NULL : gjk2_scene_view_of(scene, &v);
+  status = status == GJK_OK ? gjk2_scene_find_part(&v, id, part, &p) : status;
+  if (status != GJK_OK) {
+    return status;
+  }
+  const gjk2_shape *shape = scene->shapes[p->shape];
+  if (!gjk2_scene_is_concave(shape)) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  *out = (const gjk2_ground *)shape->user;
+  gjk2_scene_part_pose(&v, p, pose);
+  return GJK_OK;
+}
+
+gjk_status gjk2_scene_ground_contacts(const gjk2_scene *scene, const gjk2_report *report, gjk2_chain_contact *out,
+                                      uint16_t capacity, uint16_t *count) {
+  gjk2_scene_view v;
+  const gjk2_scene_part *part[2];
+  gjk2_collider on[2];
+  ground_pair p;
+  gjk2_pose pose;
+  gjk_status status = report == NULL || out == NULL || count == NULL ? GJK_ERROR_NULL : gjk2_scene_view_of(scene, &v);
+  status = status == GJK_OK ? gjk2_scene_find_part(&v, report->a, report->part_a, &part[0]) : status;
+  status = status == GJK_OK ? gjk2_scene_find_part(&v, report->b, report->part_b, &part[1]) : status;
+  if (status != GJK_OK) {
+    return status;
+  }
+  gjk2_scene_part_placed(&v, part[0], &on[0]);
+  gjk2_scene_part_placed(&v, part[1], &on[1]);
+  if (!gjk2_scene_is_one_ground(&on[0], &on[1]) ||
+      !place_ground_pair(&v, part[0], part[1], &on[0], &on[1], &p, &pose)) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
+  const gjk_q16 margin = v.bodies[part[0]->body].margin + v.bodies[part[1]->body].margin;
+  return p.queries->contacts(p.ground, &pose, p.body, margin < GJK2_RADIUS_MAX ? margin : GJK2_RADIUS_MAX, out,
+                             capacity, count);
+}
