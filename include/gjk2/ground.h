@@ -129,7 +129,7 @@ typedef struct gjk2_tiles {
 } gjk2_tiles;
 
 #define GJK2_TILE_RUN 8
-#define GJK2_TILE_SIZE_MAX GJK_Q16(128)
+#define GJK2_TILE_SIZE_MAX ((gjk_q16)8388608)  // 128 units
 
 // Make ground and its shape.
 //

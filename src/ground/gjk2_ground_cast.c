@@ -24,8 +24,8 @@ typedef struct ground_cast {
   int64_t of_a[2];  // the way of the ground, below 2^32
   bool ahead;       // see gjk2_ground_cast_ahead
   gjk2_ground_walk walk;
-  gjk2_cast_result *out;
-  uint32_t *segment;
+  gjk2_cast_result first;  // the first hit so far
+  uint32_t segment;        // of it
 } ground_cast;
 
 // n . way:  |n.x| + |n.y| <= 2^28 + 4
@@ -87,9 +87,10 @@ static gjk_status ask_segment(const ground_cast *c, const gjk2_line *line, gjk2_
 static void put_rest_of_ground(const ground_cast *c, const gjk2_line *line) {
   gjk2_collider segment;
   gjk2_line_collider(line->p, line->q, &segment);
-  const int64_t x = (int64_t)c->out->rest_a.x - segment.position.x, y = (int64_t)c->out->rest_a.y - segment.position.y;
-  c->out->rest_a.x = gjk_saturate(c->walk.position.x + x);
-  c->out->rest_a.y = gjk_saturate(c->walk.position.y + y);
+  const int64_t x = (int64_t)c->first.rest_a.x - segment.position.x,
+                y = (int64_t)c->first.rest_a.y - segment.position.y;
+  c->first.rest_a.x = gjk_saturate(c->walk.position.x + x);
+  c->first.rest_a.y = gjk_saturate(c->walk.position.y + y);
 }
 
 // Asks the segments near a box. Keeps the first hit.
@@ -114,10 +115,10 @@ static gjk_status ask_near(ground_cast *c, const gjk2_aabb *near) {
     if (!hit.hit || !(c->body == NULL ? does_ray_count(c, &line) : does_hit_count(c, &line, &hit))) {
       continue;
     }
-    if (!c->out->hit || hit.fraction < c->out->fraction ||
-        (hit.fraction == c->out->fraction && line.number < *c->segment)) {
-      gjk_copy(c->out, &hit, sizeof hit);
-      *c->segment = line.number;
+    if (!c->first.hit || hit.fraction < c->first.fraction ||
+        (hit.fraction == c->first.fraction && line.number < c->segment)) {
+      gjk_copy(&c->first, &hit, sizeof hit);
+      c->segment = line.number;
       put_rest_of_ground(c, &line);
     }
   }
@@ -147,7 +148,7 @@ static gjk_status ask_pieces(ground_cast *c, const gjk2_aabb *box) {
     const gjk2_aabb near = gjk2_ground_hull(&from, &to);
     const gjk_status status = ask_near(c, &near);
     open = status != GJK_OK ? status : open;
-    if (c->out->hit && (uint32_t)c->out->fraction >> (30 - pieces) <= i) {
+    if (c->first.hit && (uint32_t)c->first.fraction >> (30 - pieces) <= i) {
       break;
     }
   }
@@ -156,24 +157,20 @@ static gjk_status ask_pieces(ground_cast *c, const gjk2_aabb *box) {
 
 // Runs a cast whose way is set. Writes out and segment after OK.
 static gjk_status run_cast(ground_cast *c, const gjk2_aabb *box, gjk2_cast_result *out, uint32_t *segment) {
-  gjk2_cast_result result;
-  uint32_t number = 0;
-  result.hit = false;
-  c->out = &result;
-  c->segment = &number;
+  c->first.hit = false;
   const gjk_status status = ask_pieces(c, box);
   if (status != GJK_OK) {
     return status;
   }
-  if (!result.hit) {
+  if (!c->first.hit) {
     out->hit = false;
     out->iterations = 0;
     out->certificate.proof = GJK2_CAST_PROOF_NONE;
     out->certificate.count = 0;
     return GJK_OK;
   }
-  gjk_copy(out, &result, sizeof *out);
-  *segment = number;
+  gjk_copy(out, &c->first, sizeof *out);
+  *segment = c->segment;
   return GJK_OK;
 }
 
@@ -205,7 +202,9 @@ gjk_status gjk2_ground_cast_ahead(const gjk2_ground *ground, const gjk2_pose *po
   c.of_a[0] = c.of_a[1] = 0;
   if (path->to_a != NULL) {
     gjk2_ground_walk end;
-    const gjk2_pose at_end = {*path->to_a, pose->rotation};
+    gjk2_pose at_end;
+    gjk2_copy(&at_end.position, path->to_a);
+    at_end.rotation = pose->rotation;
     status = gjk2_ground_place(ground, &at_end, &end);
     if (status != GJK_OK) {
       return status;

@@ -1,6 +1,6 @@
 // Grids of tiles as ground: their merged outline, found near a box.
 //
-// Each tile is a convex polygon with its corners on quarters_of of its sides. Its sides are cut by what the tile across covers;
+// Each tile is a convex polygon with its corners on quarters of its sides. Its sides are cut by what the tile across covers;
 // what is left of them, and its surface, are the outline. Where two solids share a side nothing is left.
 //
 //   1. Go through the tiles that the box meets, and the sides of each.
@@ -8,7 +8,7 @@
 //      GJK2_TILE_RUN tiles. Take it at the first of its sides that the walk meets.
 //   3. Find the neighbours of the run among the sides of the tiles around its ends.
 //
-// Lengths are in quarters_of of a tile until the end: at most 4 2^16.
+// Lengths are in quarters of a tile until the end: at most 4 2^16.
 #include "gjk2_ground_box.h"
 #include "gjk2_ground_walk.h"
 
@@ -63,7 +63,7 @@ static gjk2_vec turned_corner(gjk2_vec v, unsigned turns) {
   return v;
 }
 
-// What a tile covers of a side of its square, by quarters_of from the side's lower end: from *low to *high, none if they are
+// What a tile covers of a side of its square, by quarters from the side's lower end: from *low to *high, none if they are
 // the same. It begins or ends at an end of the side. square: 0 below, 1 right, 2 above, 3 left.
 static void covered_by(const gjk2_tile *form, unsigned square, int32_t *low, int32_t *high) {
   const unsigned side = (square - form->turns) & 3u;
@@ -313,7 +313,7 @@ static void range_of(int32_t low, int32_t high, gjk_q16 size, int32_t count, int
 }
 
 static bool is_grid(const gjk2_tiles *t) {
-  // No vertex is beyond 2^28 then, so quarters_of of a tile times its size fit.
+  // No vertex is beyond 2^28 then, so quarters of a tile times its size fit.
   return t->cells != NULL && t->size >= QUARTERS && t->size % QUARTERS == 0 && t->size <= GJK2_TILE_SIZE_MAX &&
          gjk_mul32(t->columns, t->size) <= GJK2_GROUND_REACH && gjk_mul32(t->rows, t->size) <= GJK2_GROUND_REACH &&
          (t->forms != NULL || t->form_count == 0) && gjk_umul32(t->columns, t->rows) <= UINT32_C(1) << 28;

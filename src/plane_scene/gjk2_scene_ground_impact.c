@@ -109,6 +109,8 @@ static gjk_status find_first_impact(const ground_impact *g, gjk2_ground_walk *wa
   gjk2_ground_begin(walk, &box);
   while (gjk2_ground_next(walk, &line, &edge)) {
     gjk2_impact_result hit;
+    hit.hit = hit.overlap = false;
+    hit.lower = 0;
     gjk2_ground_set_neighbours(walk, &line, &edge);
     if (g->ahead != NULL && !begins_ahead(g, &line, &edge)) {
       continue;
@@ -121,8 +123,9 @@ static gjk_status find_first_impact(const ground_impact *g, gjk2_ground_walk *wa
       continue;
     }
     if (!found || hit.lower < out->lower) {
-      gjk_copy(out, &hit, sizeof hit);
       out->hit = status == GJK_OK;
+      out->overlap = hit.overlap;
+      out->lower = hit.lower;
       of_first = status;
       found = true;
     }
