@@ -84,7 +84,7 @@ static gjk_status ask_segment(const ground_cast *c, const gjk2_line *line, gjk2_
 }
 
 // The ground's own position in place of the segment's.
-static void put_rest_of_ground(const ground_cast *c, const gjk2_line *line) {
+static void put_rest_of_ground(ground_cast *c, const gjk2_line *line) {
   gjk2_collider segment;
   gjk2_line_collider(line->p, line->q, &segment);
   const int64_t x = (int64_t)c->first.rest_a.x - segment.position.x,
