@@ -168,6 +168,15 @@ static bool find_tile_side(const gjk2_tiles *t, const gjk2_tile *form, int32_t c
   return true;
 }
 
+// By parts, see gjk2_copy.
+static void copy_side(tile_side *to, const tile_side *from) {
+  to->column = from->column;
+  to->row = from->row;
+  to->side = from->side;
+  gjk2_copy(&to->from, &from->from);
+  gjk2_copy(&to->to, &from->to);
+}
+
 static gjk2_vec way_of_side(const tile_side *s) {
   return gjk2_sub(s->to, s->from);
 }
@@ -205,7 +214,7 @@ static void try_tile(const gjk2_tiles *t, const tile_side *s, bool following, in
     if (find_tile_side(t, form, column, row, side, &candidate) &&
         gjk2_equal(following ? candidate.from : candidate.to, at) &&
         (!*found || is_better_side(s, &candidate, out, following))) {
-      *out = candidate;
+      copy_side(out, &candidate);
       *found = true;
     }
   }
@@ -270,16 +279,16 @@ static bool is_in_cells(const gjk2_ground_cells *c, const tile_side *s) {
 static bool find_run(const gjk2_ground_walk *walk, const tile_side *s, tile_side *first, tile_side *last) {
   const gjk2_tiles *t = tiles_of(walk);
   tile_side next;
-  *first = *s;
+  copy_side(first, s);
   for (unsigned i = 0; i < RUN_SIDES && find_in_run(t, first, false, &next); i++) {
     if (i == 0 && is_in_cells(&walk->cells, &next)) {
       return false;
     }
-    *first = next;
+    copy_side(first, &next);
   }
-  *last = *s;
+  copy_side(last, s);
   for (unsigned i = 0; i < RUN_SIDES && find_in_run(t, last, true, &next); i++) {
-    *last = next;
+    copy_side(last, &next);
   }
   return true;
 }
@@ -307,8 +316,9 @@ static void neighbours_of_tiles(const gjk2_ground_walk *walk, gjk2_ground_edge *
 
 // The rows or columns that a range meets; a tile's sides are its, too.
 static void range_of(int32_t low, int32_t high, gjk_q16 size, int32_t count, int32_t *first, int32_t *last) {
-  *first = low <= 0 ? 0 : (low - 1) / size;
-  *last = high < 0 ? -1 : high / size;
+  // Unsigned, which has less to do where no instruction divides.
+  *first = low <= 0 ? 0 : (int32_t)((uint32_t)(low - 1) / (uint32_t)size);
+  *last = high < 0 ? -1 : (int32_t)((uint32_t)high / (uint32_t)size);
   *last = *last < count - 1 ? *last : count - 1;
 }
 

@@ -11,8 +11,8 @@ STACK_LIMIT=1064
 # allowed TARGET LEVEL: each helper with its reason
 allowed() {
   case $1$2 in
-    cortex-m0-O2) echo '__aeabi_lmul __aeabi_uidiv __aeabi_lasr' ;;  # ARMv6-M multiplies to 32 bits, and does not divide; a shift in rare code
-    cortex-m0-Os) echo '__aeabi_lmul __aeabi_uidiv __aeabi_llsl __aeabi_llsr __aeabi_lasr' ;;  # shifts: a call is shorter
+    cortex-m0-O2) echo '__aeabi_lmul __aeabi_uidiv __aeabi_idiv __aeabi_lasr' ;;  # ARMv6-M multiplies to 32 bits, and does not divide; a shift in rare code
+    cortex-m0-Os) echo '__aeabi_lmul __aeabi_uidiv __aeabi_idiv __aeabi_llsl __aeabi_llsr __aeabi_lasr' ;;  # shifts: a call is shorter
     rv32imc-O2) echo '__ashrdi3' ;;  # the same
     rv32imc-Os) echo '__ashldi3 __lshrdi3 __ashrdi3 memcpy' ;;  # and GCC copies three words by a call
   esac
