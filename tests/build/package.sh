@@ -108,7 +108,7 @@ npm_package() {
   calls="$common|check_.*|collider_.*|shape_($shape)|scene_($scene|teleport|update|wake)|hull_(build|vertices|write_faces|workspace)"
   calls="gjk2?_($calls|(quat|rotation)_(from_.*angle|normalize|compose)|size_of)|gjk_port_.*"
   WASM_EXPORTS=$calls sh port/wasm/build.sh "$to/gjk.wasm" -Os -Wl,--import-memory -Wl,--max-memory=4294967296 || return 1
-  skip='^gjk2?_(arm|draw|compound|mesh|height|surface|joint|chain|epa|concave|parts|slide|volume|inertia|mass|principal'
+  skip='^gjk2?_(arm|draw|compound|mesh|height|surface|joint|chain|ground|polyline|heights|tile|index|segment|epa|concave|parts|slide|volume|inertia|mass|principal'
   skip="$skip|hull_(volume|simple|report|table))"
   awk -v as=code -v skip="$skip" -f port/bind/javascript.awk "$api" "$api" >"$to/records.js"
   awk -v as=types -v skip="$skip" -f port/bind/javascript.awk "$api" "$api" >"$to/records.d.ts"
