@@ -159,13 +159,17 @@ SUPPORT_SOURCES := $(wildcard tests/support/case/*.c tests/support/reference/*.c
 SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
 TEST_SCRIPTS := $(wildcard tests/check/unit/test_*.sh)
 UNIT_TESTS := $(patsubst tests/check/unit/%.c,build/%,$(wildcard tests/check/unit/test_*.c))
-QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/query/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c labels.c svg.c))
-CONVERT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/convert/*.c))
+SOURCES_gjk-query := $(wildcard tests/programs/query/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c labels.c svg.c)
+SOURCES_gjk-convert := $(wildcard tests/programs/convert/*.c)
+SOURCES_gjk-demo := $(filter-out %firmware.c,$(wildcard tests/programs/demo/*.c))
+SOURCES_gjk-demo-stack := $(wildcard tests/programs/demo_stack/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c svg.c)
+SOURCES_gjk-demo-parts := tests/programs/demo_parts/main.c $(filter-out %/main.c,$(SOURCES_gjk-convert))
+SOURCES_gjk-demo-plane := $(filter-out %firmware.c,$(wildcard tests/programs/demo_plane/*.c))
+SOURCES_lockstep := tests/programs/lockstep/main.c tests/programs/lockstep/peer.c
+QUERY := $(SOURCES_gjk-query:%.c=build/hosted/%.o)
+CONVERT := $(SOURCES_gjk-convert:%.c=build/hosted/%.o)
 # What some unit test links beside the library.
 LINKED_BY_TESTS := $(SUPPORT) $(filter-out %/main.o,$(CONVERT))
-DEMO_STACK := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/demo_stack/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c svg.c))
-DEMO_PLANE := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo_plane/*.c)))
-DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo/*.c)))
 
 build/hosted/programs.flags: FORCE
 	$(call FLAGS,$(HOSTED))
@@ -175,26 +179,24 @@ build/hosted/%.o: %.c build/hosted/programs.flags Makefile
 	@echo '  $<'
 	@$(HOSTED) $(DEPENDENCIES) -c $< -o $@
 
-build/gjk-query: $(QUERY)
-build/gjk-convert: $(CONVERT)
-build/gjk-demo: $(DEMO)
-build/gjk-demo-stack: $(DEMO_STACK)
-build/gjk-demo-parts: build/hosted/tests/programs/demo_parts/main.o $(filter-out %/main.o,$(CONVERT))
-build/gjk-demo-plane: $(DEMO_PLANE)
-build/lockstep: build/hosted/tests/programs/lockstep/main.o build/hosted/tests/programs/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
 build/test_decompose build/test_decompose_outline build/test_enclose: $(filter-out %/main.o,$(CONVERT))
 $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
-# What a user runs compiles just what it links: needed.awk finds that in the sources.
-PROGRAMS := build/gjk-query build/gjk-convert build/gjk-demo build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane build/lockstep
-NEEDED = $(shell awk -f tests/build/needed.awk $(1) -- src/*/*.c $(SUPPORT_SOURCES) include/*/*.h)
-LIB_OBJECTS_OF = $(patsubst %.c,build/host/%.o,$(notdir $(filter src/%,$(1))))
-OBJECTS_OF = $(LIB_OBJECTS_OF) $(patsubst %.c,build/hosted/%.o,$(filter-out src/%,$(1)))
-.SECONDEXPANSION:
-$(PROGRAMS): $$(call OBJECTS_OF,$$(call NEEDED,$$(patsubst build/hosted/%.o,%.c,$$(filter build/hosted/%.o,$$^))))
+# What a user runs compiles just what it links: needed.awk finds that in the sources, and build/hosted/needed holds it.
+PROGRAMS := gjk-query gjk-convert gjk-demo gjk-demo-stack gjk-demo-parts gjk-demo-plane lockstep
+OBJECTS_OF = $(patsubst %.c,build/host/%.o,$(notdir $(filter src/%,$(1)))) $(patsubst %.c,build/hosted/%.o,$(filter-out src/%,$(1)))
+ifeq ($(TARGET),host)
+-include build/hosted/needed
+build/hosted/needed: $(wildcard src/* src/*/*.[ch] tests/support/* tests/support/*/*.[ch] tests/programs/*/*.[ch] include/*/*.h) tests/build/needed.awk Makefile
+	@mkdir -p $(@D)
+	@awk -f tests/build/needed.awk $(foreach program,$(PROGRAMS),needed-$(program)= $(SOURCES_$(program))) \
+	  -- src/*/*.c $(SUPPORT_SOURCES) include/*/*.h >$@.$$$$ && mv $@.$$$$ $@
+$(foreach program,$(PROGRAMS),$(eval build/$(program): $(call OBJECTS_OF,$(needed-$(program)))))
+endif
+$(addprefix build/,$(PROGRAMS)):
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) -lm -o $@
 
