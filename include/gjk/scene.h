@@ -43,9 +43,9 @@ typedef struct gjk_body_setup {
   gjk_pose pose;            // where it stands
   const gjk_part *parts;    // read during the call alone
   uint16_t part_count;      // at least 1
-  uint8_t kind;             // a gjk_body_kind
+  uint8_t kind;             // a gjk_body_kind; 0: static. Two static bodies are never tested, even when moved
   uint8_t detail;           // a gjk_detail; a pair gets the largest of the configuration's and its two bodies'
-  uint32_t category, mask;  // a pair is tested when each body's category shares a bit with the other's mask
+  uint32_t category, mask;  // a pair is tested when each body's category shares a bit with the other's mask; not both 0
   uint32_t user;            // the caller's own word
   gjk_q16 margin;           // two parts are near when at most the sum of their margins apart; 0: touching
 } gjk_body_setup;
@@ -99,6 +99,16 @@ typedef struct gjk_scene {
   gjk_scene_bindings bindings;     // what else the program binds to it
 } gjk_scene;
 
+// Bytes of a block for so many bodies, parts and pairs, as a constant: static uint32_t block[GJK_SCENE_BYTES(8, 8, 16) / 4].
+// Exact where config.detail is CONTACTS; another detail needs 24 bytes a pair less.
+#define GJK_SCENE_BYTES(bodies, parts, pairs)                                                 \
+  (UINT32_C(296) + UINT32_C(60) * (bodies) + UINT32_C(4) * (((bodies) + UINT32_C(31)) / 32) + \
+   UINT32_C(184) * (parts) + UINT32_C(72) * (pairs))
+
+// What to add for own poses, for motions, and for words: config.pairs times config.pair_words of them.
+#define GJK_SCENE_MORE_BYTES(own_poses, motions, words) \
+  (UINT32_C(32) * (own_poses) + UINT32_C(44) * (motions) + UINT32_C(4) * (words))
+
 // Bytes of a block. 0: the configuration is outside its ranges, or size_t cannot hold the number.
 size_t gjk_scene_bytes(const gjk_scene_config *config);
 
@@ -108,15 +118,17 @@ size_t gjk_scene_bytes(const gjk_scene_config *config);
 // block     the caller's, aligned for uint32_t, at least gjk_scene_bytes; may come from gjk_port_allocate.
 // shapes    the caller's, must stay as it is while the scene is used; may hold NULLs that no body names.
 // bindings  copied into the handle, whose own bindings they may be; NULL: none.
-// Statuses  RANGE (config, or a block that is not aligned), CAPACITY (bytes).
+// Statuses  RANGE (config, or a block that is not aligned), CAPACITY (bytes). UNSUPPORTED: config.detail asks for what
+//           bindings.details lacks.
 gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,
                           const gjk_shape *const *shapes, uint16_t shape_count, const gjk_scene_bindings *bindings);
 
 // Bodies. A call that fails changes nothing. Statuses: BODY_ID for an id that is stale or was never given; BUSY for a
 // change between the first slice of an update and its last report.
 
-// Adds a body to the lowest free slot. Statuses: CAPACITY (bodies, parts or own poses are used up), RANGE (a field, or
-// a part that leaves int32), EMPTY (no parts), ROTATION, and those of gjk_collider_init.
+// Adds a body to the lowest free slot. Statuses: CAPACITY (bodies, parts or own poses are used up); RANGE (a field, or
+// a part that leaves int32, or category and mask both 0, as in a setup that was only zeroed); UNSUPPORTED (detail asks for
+// what bindings.details lacks); EMPTY (no parts); ROTATION; and those of gjk_collider_init.
 gjk_status gjk_scene_add(gjk_scene *scene, const gjk_body_setup *setup, gjk_body_id *out);
 
 // Adds a body to a stated slot. The scene does not depend on the order of such calls. BODY_ID: the slot is taken or
@@ -126,7 +138,7 @@ gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setu
 // Removes a body. The next update reports the end of its pairs that were near.
 gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id id);
 
-// Takes a body to its next pose, and wakes it. Statuses as gjk_collider_pose.
+// Takes a body to its next pose, and wakes it. Two static bodies are not tested even then. Statuses as gjk_collider_pose.
 gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose);
 
 // As gjk_scene_move, for a body that will not go on moving the same way. Only boxes in the tree differ, never answers.
