@@ -73,19 +73,32 @@ tool_prefix() {
   esac
 }
 
-# library TARGET VARIANT NAME=VALUE...: makes the library with these variables of the Makefile in build/TARGETVARIANT.
-# Scripts that run at the same time and want the same one wait for each other.
-library() {
-  library_lock=build/.$1$2.lock
-  library_at="TARGET=$1 VARIANT=$2"
-  shift 2
+# alone NAME COMMAND...: runs a command that builds something. Scripts that run at the same time and want the same NAME wait
+# for each other.
+alone() {
   mkdir -p build
-  # shellcheck disable=SC2086
+  alone_lock=build/.$1.lock
+  shift
   if have flock; then
-    flock "$library_lock" make -s lib $library_at "$@" >/dev/null
+    flock "$alone_lock" "$@"
   else
-    make -s lib $library_at "$@" >/dev/null
+    "$@"
   fi
+}
+
+# library TARGET VARIANT NAME=VALUE...: makes the library with these variables of the Makefile in build/TARGETVARIANT,
+# alone.
+library() {
+  library_at="TARGET=$1 VARIANT=$2"
+  library_name=$1$2
+  shift 2
+  # shellcheck disable=SC2086
+  alone "$library_name" make -s lib $library_at "$@" >/dev/null
+}
+
+# The library with its assertions as checks, in build/checked: see checked.sh.
+checked_library() {
+  alone checked sh tests/build/checked.sh build/checked
 }
 
 # The VARIANT of the Makefile for a script that works in BUILD: none for build, -x for build/x, so that scripts that run
