@@ -19,7 +19,7 @@ host() {
   name=$1
   shift
   # shellcheck disable=SC2086
-  "$compiler" -std=c99 -O2 -Iinclude -I. -Iport -Itests/support "$@" $library_sources $sources -o "$build/$name" || return 1
+  "$compiler" -std=c99 -O1 -Iinclude -I. -Iport -Itests/support "$@" $library_sources $sources -o "$build/$name" || return 1
   "$build/$name" >"$build/$name.txt"
   status=$?
   cat "$build/$name.txt"
