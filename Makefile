@@ -2,6 +2,8 @@
 #
 #   make                 the host library, build/gjk-query, build/gjk-convert and build/gjk-demo
 #   make demo            answers a scene, certifies it, draws build/demo.svg; then the same as Cortex-M3 firmware
+#   make check           a quick look at a change: formatting, warnings, quick tests of every folder, the golden hash of this
+#                        machine
 #   make setup test      installs the cross tools (Debian, apt-get), then runs every test; GJK_TEST_SEED=N for other random ones
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
 #                        (-m4-fpu and -m7-fpu: the same with floating point, for programs that have some)
@@ -113,8 +115,9 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: bench-hull bench-parts all help lib setup test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
-all: lib build/gjk-query build/gjk-convert build/gjk-demo
+.PHONY: bench-hull bench-parts all help lib setup check test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+all:
+	+@$(PARALLEL) lib build/gjk-query build/gjk-convert build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
 # that make builds these files again just then.
@@ -365,11 +368,22 @@ TESTS := $(LONG_TESTS) $(filter-out $(LONG_TESTS),$(UNIT_TESTS) $(TEST_SCRIPTS))
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 PARALLEL = $(MAKE) --no-print-directory $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 
-programs: all unit-tests build/scene-bench build/gjk-rest build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane
+programs: lib build/gjk-query build/gjk-demo unit-tests build/scene-bench build/gjk-rest build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane
 
 test: $(filter setup,$(MAKECMDGOALS))
 	+@$(PARALLEL) programs
 	@sh tests/build/run-tests.sh build $(TESTS)
+
+# Quick tests of every folder of src.
+QUICK_TESTS := $(addprefix build/test_,wide rotation quotient arm_cases bind contacts contacts_cases penetration_analytic simplex until \
+  hull hull_forged mass mass_add height_field surface_brute cast impact_analytic impact_pose parts compound pose_status aabb joint \
+  collider_pose draw plane_distance plane_contacts plane_polygon plane_impact plane_motion_search plane_scene_words \
+  plane_scene_setup plane_scene_query within_until status scene_status scene_setup scene_query scene_contacts concave_start scan \
+  custom support)
+
+check:
+	+@$(PARALLEL) lib $(QUICK_TESTS)
+	@sh tests/build/check.sh build $(QUICK_TESTS)
 
 demo:
 	+@$(PARALLEL) build/gjk-demo

@@ -93,7 +93,10 @@ library() {
   library_name=$1$2
   shift 2
   # shellcheck disable=SC2086
-  alone "$library_name" make -s lib $library_at "$@" >/dev/null
+  (
+    unset MAKEFLAGS MFLAGS MAKELEVEL  # it has jobs of its own
+    alone "$library_name" make -s -j2 lib $library_at "$@" >/dev/null
+  )
 }
 
 # The library with its assertions as checks, in build/checked: see checked.sh.
