@@ -99,6 +99,14 @@ library() {
   )
 }
 
+# The library as WebAssembly, alone: build/wasm/gjk.wasm.
+wasm_library() {
+  mkdir -p build/wasm
+  # shellcheck disable=SC2016
+  alone wasm sh -c 'key=$(cat port/wasm/* port/board/memory.c src/*/*.[ch] include/*/*.h | cksum)
+    [ "$key" = "$(cat build/wasm/key 2>/dev/null)" ] || { sh port/wasm/build.sh build/wasm/gjk.wasm && echo "$key" >build/wasm/key; }'
+}
+
 # The library with its assertions as checks, in build/checked: see checked.sh.
 checked_library() {
   alone checked sh tests/build/checked.sh build/checked

@@ -52,6 +52,13 @@ golden_missing() {
   echo "${lacking# }"
 }
 
+# The sources that programs of golden hashes, the matches and the demos of two processes link.
+golden_sources() {
+  awk -f tests/build/needed.awk golden= tests/check/target/*golden*.c tests/programs/lockstep/peer.c \
+    tests/programs/demo_plane/[!f]*.c tests/programs/demo_plane/flat_solver.c -- src/*/*.c tests/support/*/*.c include/*/*.h |
+    tr ' ' '\n' | grep '^src/' | tr '\n' ' '
+}
+
 # Makes the library of a build for all scripts that want the same one, and sets golden_objects to its objects:
 # golden_library ARCHITECTURE COMPILER FLAGS... Cores: gcc with one level of optimisation alone. Where flags change a macro
 # or ask for sanitizers, it is the usual library but for that, by the usual compiler.
@@ -88,7 +95,7 @@ golden_library() {
       if [ -z "$golden_name" ]; then
         library host ''
       else
-        library host "$golden_name" "CC=$2" "PORT=$golden_port" "OPT=$golden_flags"
+        library host "$golden_name" "CC=$2" "PORT=$golden_port" "OPT=$golden_flags" "SOURCES=$(golden_sources)"
       fi
       ;;
     cortex-* | rv32imc | avr)
@@ -96,7 +103,10 @@ golden_library() {
       golden_objects=build/$1${3#-O2}
       return
       ;;
-    *) library host "$golden_name" "CC=$(golden_triple "$1")-$2" "PORT=$golden_port" "OPT=$golden_flags" ;;
+    *)
+      library host "$golden_name" "CC=$(golden_triple "$1")-$2" "PORT=$golden_port" "OPT=$golden_flags" \
+        "SOURCES=$(golden_sources)"
+      ;;
   esac || return 1
   golden_objects=build/host$golden_name
 }
