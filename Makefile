@@ -189,7 +189,7 @@ $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
 # What a user runs compiles just what it links: needed.awk finds that in the sources, and build/hosted/needed holds it.
-PROGRAMS := gjk-query gjk-convert gjk-demo gjk-demo-stack gjk-demo-parts gjk-demo-plane lockstep
+PROGRAMS := gjk-demo gjk-convert gjk-query gjk-demo-stack gjk-demo-parts lockstep gjk-demo-plane
 OBJECTS_OF = $(patsubst %.c,build/host/%.o,$(notdir $(filter src/%,$(1)))) $(patsubst %.c,build/hosted/%.o,$(filter-out src/%,$(1)))
 ifeq ($(TARGET),host)
 -include build/hosted/needed

@@ -86,6 +86,12 @@ alone() {
   fi
 }
 
+# needed SOURCES...: those of src that a program of these sources links
+needed() {
+  awk -f tests/build/needed.awk needed= "$@" -- src/*/*.c tests/support/*/*.c include/*/*.h | tr ' ' '\n' | grep '^src/' |
+    tr '\n' ' '
+}
+
 # library TARGET VARIANT NAME=VALUE...: makes the library with these variables of the Makefile in build/TARGETVARIANT,
 # alone.
 library() {

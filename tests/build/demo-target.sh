@@ -9,8 +9,7 @@ if [ -n "${missing# }" ]; then
   exit 0
 fi
 "$1/gjk-demo" --c-source "$2" >"$1/demo_scene.c" || exit 1
-sources=$(awk -f tests/build/needed.awk demo= "$1/demo_scene.c" tests/programs/demo/firmware.c tests/programs/demo/arm.c \
-  tests/programs/demo/demo_firmware.c -- src/*/*.c include/*/*.h | tr ' ' '\n' | grep '^src/' | tr '\n' ' ')
+sources=$(needed "$1/demo_scene.c" tests/programs/demo/firmware.c tests/programs/demo/arm.c tests/programs/demo/demo_firmware.c)
 echo
 echo 'The same scene as firmware for a Cortex-M3, emulated:'
 unset MAKEFLAGS MFLAGS MAKELEVEL

@@ -63,6 +63,7 @@ fuzz() {
 
 # What the targets share, compiled once. The fuzzer looks at what the library and the reader of cases do, not at the
 # oracles: these are as other tests have them.
+rm -rf "$build/objects"
 mkdir -p "$build/objects"
 oracles=$(printf 'build/hosted/%s.o\n' tests/support/exact/*.c tests/support/generate/*.c tests/support/reference/random_shape.c |
   sed 's/\.c\.o$/.o/')
@@ -70,7 +71,7 @@ oracles=$(printf 'build/hosted/%s.o\n' tests/support/exact/*.c tests/support/gen
 make -s $oracles >/dev/null || exit 1
 for source in tests/check/fuzz/bytes.c tests/check/fuzz/hostile.c tests/check/fuzz/overlap.c tests/support/case/case.c tests/support/case/case2.c \
   tests/support/case/case2_collider.c tests/support/case/lines.c tests/support/case/number.c tests/support/case/parse.c tests/support/case/parse2.c \
-  tests/support/scene/world.c tests/support/scene/session.c tests/programs/convert/*.c src/*/*.c; do
+  tests/support/scene/world.c tests/support/scene/session.c tests/programs/convert/*.c $(needed tests/check/fuzz/*.c tests/programs/convert/*.c); do
   case $source in
     */convert/main.c) continue ;;
     src/* | tests/support/case/* | tests/programs/convert/*) seen=-fsanitize=fuzzer-no-link ;;

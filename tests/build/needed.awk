@@ -4,8 +4,9 @@
 #   awk -f tests/build/needed.awk NAME= SOURCE.c... NAME= SOURCE.c... -- OTHER.c... PUBLIC.h...
 #
 # A source mentions its words, those of the macros that it uses, and those of the private headers that it includes, but for
-# the functions that they declare. A header of tests/support brings the source beside it. One source too many is harmless,
-# one too few stops the link. A definition begins in column 0, and its line does not end with ;.
+# the functions that they declare. A header of tests/support brings the source beside it. A source of scenes of the plane,
+# whose names are made by macros, brings all of them. One source too many is harmless, one too few stops the link. A
+# definition begins in column 0, and its line does not end with ;.
 
 function defined(line, file) {
   if (line ~ /^(static|typedef|extern|return|[ #\/}])/ || line ~ /;$/ && line !~ /=/) return ""
@@ -76,6 +77,15 @@ function learn(file,   line, declares, name, macro) {
   close(file)
 }
 
+# Reads a file and the private headers that it includes, whose macros it may use.
+function learn_with_headers(file,   count, i, header) {
+  if (file in ready) return
+  ready[file]
+  learn(file)
+  count = split(includes[file], header, " ")
+  for (i = 1; i <= count; i++) learn_with_headers(header[i])
+}
+
 # Puts a file or macro on the list of those to look at.
 function want(file) {
   if (file in wanted) return
@@ -87,7 +97,7 @@ function want(file) {
 function print_line(name,   k, j, i, file, count, word, parts, part, beside, line) {
   for (k = 1; k <= queued; k++) {
     file = queue[k]
-    learn(file)
+    learn_with_headers(file)
     count = split(includes[file], word, " ")
     for (j = 1; j <= count; j++) want(word[j])
     count = split(mentions[file], word, " ")
@@ -97,6 +107,7 @@ function print_line(name,   k, j, i, file, count, word, parts, part, beside, lin
     }
     beside = file
     if (file ~ /^tests\/support\/.*\.h$/ && sub(/h$/, "c", beside) && can_read(beside)) want(beside)
+    for (j = 1; file ~ /^src\/plane_scene\// && j <= plane_scenes; j++) want(plane_scene[j])
     if (file ~ /\.c$/) line = line " " file
   }
   print name line
@@ -107,7 +118,10 @@ function print_line(name,   k, j, i, file, count, word, parts, part, beside, lin
 BEGIN {
   others = 1
   for (k = 1; ARGV[k] != "--"; k++) continue
-  while (++k < ARGC) learn(ARGV[k])
+  while (++k < ARGC) {
+    learn(ARGV[k])
+    if (ARGV[k] ~ /^src\/plane_scene\/.*\.c$/) plane_scene[++plane_scenes] = ARGV[k]
+  }
   others = 0
   for (k = 1; k < ARGC; k++) {
     if (ARGV[k] !~ /=$/ && ARGV[k] != "--") {
