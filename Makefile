@@ -2,6 +2,8 @@
 #
 #   make                 the host library, build/gjk-query, build/gjk-convert and build/gjk-demo
 #   make demo            answers a scene, certifies it, draws build/demo.svg; then the same as Cortex-M3 firmware
+#   make check           a quick look at a change: formatting, warnings, quick tests of every folder, the golden hash of this
+#                        machine
 #   make setup test      installs the cross tools (Debian, apt-get), then runs every test; GJK_TEST_SEED=N for other random ones
 #   make lib TARGET=T    build/T/libgjk.a for host, cortex-m0, -m3, -m4, -m7, -m33, rv32imc or avr
 #                        (-m4-fpu and -m7-fpu: the same with floating point, for programs that have some)
@@ -113,8 +115,9 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: bench-hull bench-parts all help lib setup test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
-all: lib build/gjk-query build/gjk-convert build/gjk-demo
+.PHONY: bench-hull bench-parts all help lib setup check test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+all:
+	+@$(PARALLEL) lib build/gjk-query build/gjk-convert build/gjk-demo
 
 # A file of flags holds the flags that the files depending on it were built with. It is written only if the flags change, so
 # that make builds these files again just then.
@@ -159,13 +162,17 @@ SUPPORT_SOURCES := $(wildcard tests/support/case/*.c tests/support/reference/*.c
 SUPPORT := $(SUPPORT_SOURCES:%.c=build/hosted/%.o)
 TEST_SCRIPTS := $(wildcard tests/check/unit/test_*.sh)
 UNIT_TESTS := $(patsubst tests/check/unit/%.c,build/%,$(wildcard tests/check/unit/test_*.c))
-QUERY := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/query/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c labels.c svg.c))
-CONVERT := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/convert/*.c))
+SOURCES_gjk-query := $(wildcard tests/programs/query/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c labels.c svg.c)
+SOURCES_gjk-convert := $(wildcard tests/programs/convert/*.c)
+SOURCES_gjk-demo := $(filter-out %firmware.c,$(wildcard tests/programs/demo/*.c))
+SOURCES_gjk-demo-stack := $(wildcard tests/programs/demo_stack/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c svg.c)
+SOURCES_gjk-demo-parts := tests/programs/demo_parts/main.c $(filter-out %/main.c,$(SOURCES_gjk-convert))
+SOURCES_gjk-demo-plane := $(filter-out %firmware.c,$(wildcard tests/programs/demo_plane/*.c))
+SOURCES_lockstep := tests/programs/lockstep/main.c tests/programs/lockstep/peer.c
+QUERY := $(SOURCES_gjk-query:%.c=build/hosted/%.o)
+CONVERT := $(SOURCES_gjk-convert:%.c=build/hosted/%.o)
 # What some unit test links beside the library.
 LINKED_BY_TESTS := $(SUPPORT) $(filter-out %/main.o,$(CONVERT))
-DEMO_STACK := $(patsubst %.c,build/hosted/%.o,$(wildcard tests/programs/demo_stack/*.c) $(addprefix tests/programs/demo/,draw.c geometry.c svg.c))
-DEMO_PLANE := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo_plane/*.c)))
-DEMO := $(patsubst %.c,build/hosted/%.o,$(filter-out %firmware.c,$(wildcard tests/programs/demo/*.c)))
 
 build/hosted/programs.flags: FORCE
 	$(call FLAGS,$(HOSTED))
@@ -175,26 +182,24 @@ build/hosted/%.o: %.c build/hosted/programs.flags Makefile
 	@echo '  $<'
 	@$(HOSTED) $(DEPENDENCIES) -c $< -o $@
 
-build/gjk-query: $(QUERY)
-build/gjk-convert: $(CONVERT)
-build/gjk-demo: $(DEMO)
-build/gjk-demo-stack: $(DEMO_STACK)
-build/gjk-demo-parts: build/hosted/tests/programs/demo_parts/main.o $(filter-out %/main.o,$(CONVERT))
-build/gjk-demo-plane: $(DEMO_PLANE)
-build/lockstep: build/hosted/tests/programs/lockstep/main.o build/hosted/tests/programs/lockstep/peer.o
 $(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
 build/test_decompose build/test_decompose_outline build/test_enclose build/test_urdf: $(filter-out %/main.o,$(CONVERT))
 $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -lm -o $@
 
-# What a user runs compiles just what it links: needed.awk finds that in the sources.
-PROGRAMS := build/gjk-query build/gjk-convert build/gjk-demo build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane build/lockstep
-NEEDED = $(shell awk -f tests/build/needed.awk $(1) -- src/*/*.c $(SUPPORT_SOURCES) include/*/*.h)
-LIB_OBJECTS_OF = $(patsubst %.c,build/host/%.o,$(notdir $(filter src/%,$(1))))
-OBJECTS_OF = $(LIB_OBJECTS_OF) $(patsubst %.c,build/hosted/%.o,$(filter-out src/%,$(1)))
-.SECONDEXPANSION:
-$(PROGRAMS): $$(call OBJECTS_OF,$$(call NEEDED,$$(patsubst build/hosted/%.o,%.c,$$(filter build/hosted/%.o,$$^))))
+# What a user runs compiles just what it links: needed.awk finds that in the sources, and build/hosted/needed holds it.
+PROGRAMS := gjk-demo gjk-convert gjk-query gjk-demo-stack gjk-demo-parts lockstep gjk-demo-plane
+OBJECTS_OF = $(patsubst %.c,build/host/%.o,$(notdir $(filter src/%,$(1)))) $(patsubst %.c,build/hosted/%.o,$(filter-out src/%,$(1)))
+ifeq ($(TARGET),host)
+-include build/hosted/needed
+build/hosted/needed: $(wildcard src/* src/*/*.[ch] tests/support/* tests/support/*/*.[ch] tests/programs/*/*.[ch] include/*/*.h) tests/build/needed.awk Makefile
+	@mkdir -p $(@D)
+	@awk -f tests/build/needed.awk $(foreach program,$(PROGRAMS),needed-$(program)= $(SOURCES_$(program))) \
+	  -- src/*/*.c $(SUPPORT_SOURCES) include/*/*.h >$@.$$$$ && mv $@.$$$$ $@
+$(foreach program,$(PROGRAMS),$(eval build/$(program): $(call OBJECTS_OF,$(needed-$(program)))))
+endif
+$(addprefix build/,$(PROGRAMS)):
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) -lm -o $@
 
@@ -363,11 +368,22 @@ TESTS := $(LONG_TESTS) $(filter-out $(LONG_TESTS),$(UNIT_TESTS) $(TEST_SCRIPTS))
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 PARALLEL = $(MAKE) --no-print-directory $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 
-programs: all unit-tests build/scene-bench build/gjk-rest build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane
+programs: lib build/gjk-query build/gjk-demo unit-tests build/scene-bench build/gjk-rest build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane
 
 test: $(filter setup,$(MAKECMDGOALS))
 	+@$(PARALLEL) programs
 	@sh tests/build/run-tests.sh build $(TESTS)
+
+# Quick tests of every folder of src.
+QUICK_TESTS := $(addprefix build/test_,wide rotation quotient arm_cases bind contacts contacts_cases penetration_analytic simplex until \
+  hull hull_forged mass mass_add height_field surface_brute cast impact_analytic impact_pose parts compound pose_status aabb joint \
+  collider_pose draw plane_distance plane_contacts plane_polygon plane_impact plane_motion_search plane_scene_words \
+  plane_scene_setup plane_scene_query within_until status scene_status scene_setup scene_query scene_contacts concave_start scan \
+  custom support)
+
+check:
+	+@$(PARALLEL) lib $(QUICK_TESTS)
+	@sh tests/build/check.sh build $(QUICK_TESTS)
 
 demo:
 	+@$(PARALLEL) build/gjk-demo

@@ -275,7 +275,7 @@ gjk_status gjk_check_edge(gjk_arm *arm, const int32_t *from, const int32_t *to, 
 
 // What is nearest at a configuration.
 typedef struct gjk_arm_distance_result {
-  gjk_arm_names pair;            // of equally near pairs the one that comes first: parts, then obstacles
+  gjk_arm_names pair;            // the nearest; ties go to the first, parts before obstacles
   gjk_distance_result distance;  // from the other thing, A, to the part, B
   bool outside;                  // a value is outside its limits
 } gjk_arm_distance_result;

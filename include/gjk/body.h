@@ -28,10 +28,10 @@ typedef enum gjk_body_kind {
   GJK_BODY_DYNAMIC      // may fall asleep
 } gjk_body_kind;
 
-// What is wanted of a pair. DEPTH and CONTACTS need the details of a scene's bindings.
+// What a scene finds out about a pair. DEPTH and CONTACTS need the details of a scene's bindings.
 //
-// SENSOR  of a body alone: it makes each of its pairs a TOUCH, whatever is asked for besides. Such a pair is reported as
-//         begun and ended, never as persisting. Fast bodies pass a sensor; casts and slides do so by their filter.
+// SENSOR  of a body alone: its pairs are a TOUCH, whatever detail the other body or the configuration asks for. Such a pair
+//         begins and ends; it is never reported as persisting. Fast bodies pass a sensor; casts and slides do so by their filter.
 typedef enum gjk_detail {
   GJK_DETAIL_TOUCH = 0,  // near or not
   GJK_DETAIL_DISTANCE,   // and the distance
@@ -42,11 +42,11 @@ typedef enum gjk_detail {
 
 // Should this pair be tested? Called at most once per test, perhaps from several threads. The answer may depend on the
 // arguments, and on what does not change during an update. An update asks only about pairs whose last answer their
-// motion may have changed. After any other change of mind call gjk_scene_refilter, in the plane
-// gjk2_scene_refilter.
+// motion may have changed. If the answer changes for another reason, call
+// gjk_scene_refilter, in the plane gjk2_scene_refilter.
 typedef bool gjk_scene_predicate(void *user, gjk_body_id a, uint32_t user_a, gjk_body_id b, uint32_t user_b);
 
-// What a report tells of a pair.
+// What happened to a pair.
 typedef enum gjk_event {
   GJK_EVENT_BEGIN = 1,  // near at this update, not at the last one
   GJK_EVENT_PERSIST,    // near at both; reported only with config.persist
@@ -54,14 +54,14 @@ typedef enum gjk_event {
   GJK_EVENT_IMPACT      // a is fast, and b is what it touched first on its way since the last update
 } gjk_event;
 
-// Of which bodies a scene keeps where they were at the last update, see gjk_scene_set_motion.
+// Whether a scene remembers where a body was at the last update, see gjk_scene_set_motion.
 typedef enum gjk_body_motion {
   GJK_MOTION_NOT_KEPT = 0,  // to fast bodies it stands where it is now
   GJK_MOTION_KEPT,          // fast bodies meet it on its way
   GJK_MOTION_FAST           // it is swept along its way, and what it touches first is reported
 } gjk_body_motion;
 
-// How far an update has come. Both numbers left are 0: it is done.
+// Progress of an update, which is done when pairs_left and reports_left are 0.
 typedef struct gjk_progress {
   uint32_t reports;       // written by this call
   uint32_t pairs_left;    // not yet tested, and bodies whose motion is kept and that are not yet swept

@@ -4,8 +4,8 @@
 
 #include "gjk/format.h"
 
-// A cache changes speed and nothing else: every field of every answer but iterations and certificate, which tell of the
-// way to it, is the same with any cache and without. A zeroed cache is a cold start; so is NULL. Any content is safe, also
+// A cache changes speed and nothing else. Every field of every answer is the same with any cache and without, except
+// iterations and certificate, which describe the search. A zeroed cache is a cold start; so is NULL. Any content is safe, also
 // that of another pair or of another query. A cache serves pairs of polytopes, with or without a convex radius; queries on
 // other pairs take nothing from it. tests/check/unit/test_canonical.c holds this.
 typedef struct gjk_cache {

@@ -13,10 +13,10 @@
 // Saves    hold the index of the shape, as of any other. Peers need the same meshes, as they need the same shapes.
 // Boxes    gjk_scene_query_box and gjk_scene_query_ray take such a part for its box in its own frame, turned.
 // Drawing  gjk_draw_scene leaves such a part out, and its pairs. gjk_draw_scene_concave draws what is near a box.
-// Numbers  of triangles are not reported. Ask the part that gjk_scene_parts gives where one is needed.
+// Numbers  Triangles are not numbered in reports. For a triangle's number, query the part that gjk_scene_parts gives.
 // Fast     A body that touches such a part at the start of its way, and was near it at the last update, may still meet
 //          another triangle or part of it: one in front of which it was at the start. gjk_parts_cast_ahead has the rule.
-//          A part is in front of none that it touches. Of two concave parts that touch at the start none is met later.
+//          A part is in front of nothing that it touches. Two concave parts that touch at the start do not meet later.
 // Cost     an update asks each pair whose boxes meet anew when a body of it moved, at the cost of gjk/parts.h: that grows
 //          with the triangles that are near. Convex bodies cost what they cost without such shapes.
 // Links    the queries of gjk/parts.h, casts and impacts too; a program without such shapes links none of them.

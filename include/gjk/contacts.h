@@ -37,7 +37,7 @@ typedef struct gjk_manifold {
 //
 // a, b              posed colliders, read only; may be the same object.
 // margin            Q16.16, at least 0 (GJK_ERROR_NEGATIVE); points farther apart are left out.
-// most              contacts at most, 1 to 8 (GJK_ERROR_RANGE); 4 are enough for a solver.
+// most              the most contacts, 1 to 8 (GJK_ERROR_RANGE); 4 are enough for a solver.
 // cache, workspace  as of gjk_signed_distance, which is asked first.
 // out               the caller's.
 //
@@ -52,9 +52,9 @@ typedef struct gjk_manifold {
 // Others  Everything else, such as a hull without faces, meets in the one pair of points of gjk_signed_distance. So do
 //         shapes whose centres are more than 8192 units apart along an axis.
 // Least   The pair of points of gjk_signed_distance is among the contacts wherever it is nearer than the others.
-// most    Of more contacts these are kept: one that is about as deep as the deepest, those that span with it at least
-//         9/10 of the largest area, then those farthest from all others. One at least is within 4 LSB of the deepest.
-//         Among equally good ones the lowest ids stay.
+// most    If there are more contacts, it keeps one about as deep as the deepest, then those that span at least 9/10 of the
+//         largest area with it, then those farthest from all others. At least one is within 4 LSB of the deepest. Ties go
+//         to the lowest ids.
 //
 // Ids     depend on the shapes and poses alone. Shapes that rest keep them: of bodies that tremble by 1 LSB and 1e-7
 //         rad, congruent, flush, spun or moved aside, at most 1 in 100 is new from one tick to the next. For that,

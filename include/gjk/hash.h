@@ -6,7 +6,7 @@
 //     hash = gjk_hash_words(hash, (const uint32_t *)speeds, 3 * count);  // gjk_vec3 speeds[]
 //
 // Every machine computes the same, of either byte order. Sums of hashes do not depend on the order of what is summed.
-// A change of one word always changes the hash. It is no defence against who chooses words to deceive.
+// A change of one word always changes the hash. It does not protect against words chosen to deceive.
 //
 // Bits  part of the contract, as answers are: another step is another GJK_BITS_VERSION.
 // Cost  a product of 64 bits for each word.

@@ -49,12 +49,17 @@ gjk_status gjk_hull_build(const gjk_vec3 *points, uint16_t count, void *workspac
 // Writes the vertices in their order by x, then y, then z. CAPACITY: fewer than hull->vertices.
 gjk_status gjk_hull_vertices(const gjk_hull *hull, gjk_vec3 *out, uint16_t capacity);
 
+// Room for the faces of any hull of so many vertices, at least 3, and for the corners of all faces.
+#define GJK_HULL_FACES_MAX(vertices) (2 * (uint32_t)(vertices)-4)
+#define GJK_HULL_CORNERS_MAX(vertices) (6 * (uint32_t)(vertices)-12)
+
 // Writes the facets for a shape with faces (gjk/shape.h), by numbers of gjk_hull_vertices.
 //
 // A facet of more than GJK_FACE_CORNERS_MAX corners is cut into faces that share its first corner. So there may be more
 // faces than hull->faces, and two more corners for each.
 //
-// corner, end  room for corner_capacity and face_capacity numbers; they become the fields of out.
+// corner, end  room for corner_capacity and face_capacity numbers; they become the fields of out. GJK_HULL_CORNERS_MAX and
+//              GJK_HULL_FACES_MAX are always enough.
 // Statuses     NULL; CAPACITY: too little room, or more than 65535 corners in all, which gjk_hull_faces cannot hold.
 //              Then corner and end may have been written, out not.
 gjk_status gjk_hull_write_faces(const gjk_hull *hull, uint16_t *corner, uint16_t corner_capacity, uint16_t *end,

@@ -44,9 +44,9 @@ gjk_status gjk_quat_between(const gjk_vec3 *from, const gjk_vec3 *to, gjk_quat *
 // rounded, so small steps do not drift. Statuses: NULL; ROTATION; RANGE (time). out is written only after OK.
 gjk_status gjk_quat_integrate(const gjk_quat *rotation, const gjk_vec3 *velocity, gjk_q30 time, gjk_quat *out);
 
-// The pose and half length of a segment or capsule, which lies along z, from p to q. The half length is to the nearest, and
-// within 1.5 LSB above 16384 units. The ends are within 2 LSB of p and q up to a half length of 4095 units. Equal points: half length 0 and the identity.
-// Statuses: NULL; RANGE: the half length leaves int32. Outputs are then as they were.
+// The pose and half length of a segment or capsule from p to q; it lies along z. The half length is rounded to the nearest,
+// and within 1.5 LSB above 16384 units. The ends are within 2 LSB of p and q up to a half length of 4095 units. Equal points:
+// half length 0 and the identity. Statuses: NULL; RANGE: the half length leaves int32. Outputs are then as they were.
 gjk_status gjk_pose_between(const gjk_vec3 *p, const gjk_vec3 *q, gjk_pose *out, gjk_q16 *half_length);
 
 #ifdef __cplusplus

@@ -2,7 +2,7 @@
 //
 // A mesh is the caller's vertices and 15 bytes for each triangle. These are three numbers of vertices, what is known of
 // the edges, and a share of a tree of boxes. gjk_mesh_build makes the tree, on the target or beforehand; gjk-convert
-// writes meshes as C source. Of a million triangles a query asks as many as of a patch cut out around the body.
+// writes meshes as C source. In a mesh of a million triangles, a query asks as many as in a patch cut out around the body.
 #ifndef GJK_MESH_H
 #define GJK_MESH_H
 

@@ -1,14 +1,14 @@
 // Bodies of many convex parts: compounds (gjk/compound.h), meshes, height fields, whatever has a class.
 //
 // Every query of a pair has a form here that takes such a body as A and a collider as B. It asks those parts whose boxes
-// may be met. What it answers is what the pair's query answers about one part, and the number of that part. So an answer is
-// proven as that of a pair: gjk_parts_place makes the collider of a part, which the checks of gjk/check.h take.
+// may be met. It returns the answer of the pair's query for one part, and that part's number. So an answer can be proven
+// like that of a pair: gjk_parts_place makes the part's collider, which the checks of gjk/check.h take.
 //
-// Order    What is answered depends neither on the order of the parts in memory nor on the tree above them. Of parts that
-//          are equally good, the one with the least number is reported. Manifolds put together have a rule of their own.
+// Order    Answers depend neither on the order of the parts in memory nor on the tree above them. Ties go to the part with
+//          the lowest number. gjk_parts_manifolds has a rule of its own.
 // Numbers  Parts count from 0. Where a pointer for a number may be NULL, the number is not wanted.
 // Caches   None are kept: each part is asked from a cold start.
-// Statuses of every call, beside its own; outputs are then as they were:
+// Statuses of every call, in addition to its own; they leave the outputs as they were:
 //            NULL           a pointer is missing, or a body has no class or data
 //            UNINITIALISED  a collider is not posed
 //            EMPTY          a body without parts; of two bodies also a B with holes alone, asked for the distance
@@ -61,7 +61,7 @@ gjk_status gjk_parts_place(const gjk_parts *parts, uint32_t number, gjk_parts_ro
 //
 // part  the least number of a part that does; GJK_PARTS_NONE if none does. May be NULL.
 // out   of that part. If none does: no, with 0 iterations and a certificate that names no proof.
-// Cost  of the pairs whose boxes meet; of those found to touch, and of lower numbers, no more than that.
+// Cost  of the pairs whose boxes meet. Once a part touches, only lower numbers are asked.
 //
 // OK               as above.
 // ITERATION_LIMIT  no part is found to touch, and a curved one reached its ceiling. part and out are as they were.
@@ -73,7 +73,7 @@ gjk_status gjk_parts_within(const gjk_parts *a, const gjk_collider *b, gjk_q16 d
 
 // The distance of the nearest part, as gjk_distance of it.
 //
-// part   the nearest part; of equally near ones the least number. Where parts intersect B, the least number of those.
+// part   the nearest part; ties go to the lowest number. If parts intersect B, the lowest number among those.
 // out    of that part; iterations are those of that part alone.
 // Equal  Parts are as near as their reported distances say: to the nearest LSB, and farther apart than 8192 units to 2^-28.
 //
@@ -89,7 +89,7 @@ gjk_status gjk_parts_distance(const gjk_parts *a, const gjk_collider *b, uint32_
 // the contacts of all parts.
 //
 // workspace  as of gjk_penetration, used for one part after the other; may be NULL.
-// part       the part with the largest depth, of equally deep ones the least number; GJK_PARTS_NONE: none overlaps.
+// part       the deepest part; ties go to the lowest number. GJK_PARTS_NONE: none overlaps.
 // out        of that part. lower is the largest lower bound of all parts. Where no part overlaps: not intersecting, with 0
 //            iterations and a certificate that names no proof.
 //
@@ -132,7 +132,7 @@ gjk_status gjk_parts_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16
 //            comes first; there are none without contacts.
 // Together   A part's contacts join the manifold whose normal is nearest to theirs, at most 3 degrees away, or begin another
 //            one. The deepest contact gives the normal; so in a row of normals some may be farther from it. Contacts in one
-//            place, within 8 LSB per axis, count once. Of more than most those are kept that gjk_contacts would keep.
+//            place, within 8 LSB per axis, count once. Beyond most, the same ones are kept as by gjk_contacts.
 // Room       Normals beyond capacity are left out, the least deep ones. One that is left out for a while loses its contacts,
 //            so with more normals than room what is left may depend on capacity.
 // Order      It may depend on the order of the parts in memory, and on the tree. Both are data: peers have the same.
@@ -150,8 +150,8 @@ gjk_status gjk_parts_manifolds(const gjk_parts *a, const gjk_collider *b, gjk_q1
 // The part that is met first where both move straight, as gjk_cast of it.
 //
 // path  as of gjk_cast: path->to_a is where the position of A's pose goes.
-// part  the least fraction, of equal ones one that is inside, of those the least number; GJK_PARTS_NONE: no part is met. May
-//       be NULL.
+// part  the one with the least fraction; ties go to one that is inside, then to the lowest number. GJK_PARTS_NONE: no part
+//       is met. May be NULL.
 // out   of that part, but for rest_a, which is the position of A's own pose. A miss: hit alone, with 0 iterations and a
 //       certificate that names no proof.
 //
@@ -177,8 +177,8 @@ gjk_status gjk_parts_cast_ray(const gjk_parts *a, const gjk_vec3 *from, const gj
 // a                   its pose is not read: motion_a has it.
 // b                   as of gjk_time_of_impact, posed or not.
 // motion_a, motion_b  of the pose of the body, and of B's.
-// part, out           of the part with the least lower among those that hit; of equal ones one that overlaps at the start, of
-//                     those the least number. pose_a is the pose of the body. A miss: lower is the end of the way, iterations are 0.
+// part, out           of the part with the least lower among those that hit; ties go to one that overlaps at the start, then
+//                     to the lowest number. pose_a is the pose of the body. A miss: lower is the end of the way, iterations are 0.
 // Cost                where A turns, every part within reach of B's way, at any rotation of A, is asked.
 //
 // OK               as above.
@@ -210,9 +210,8 @@ typedef struct gjk_parts_pair {
   uint32_t a, b;  // numbers of the parts; GJK_PARTS_NONE: none
 } gjk_parts_pair;
 
-// As above, for two bodies. Of equally good pairs the one with the least number of B's part is reported; of those the
-// one with the least of A's. parts may be NULL. Of casts rest_b is the position of B's own pose; manifolds are in the
-// order of B's parts, then of A's.
+// As above, for two bodies. Ties go to the lowest number of B's part, then to the lowest of A's. parts may be NULL. In casts
+// rest_b is the position of B's own pose. Manifolds are in the order of B's parts, then of A's.
 gjk_status gjk_parts_both_within(const gjk_parts *a, const gjk_parts *b, gjk_q16 distance, gjk_parts_pair *parts,
                                  gjk_decision *out);
 gjk_status gjk_parts_both_distance(const gjk_parts *a, const gjk_parts *b, gjk_parts_pair *parts,
@@ -236,8 +235,8 @@ gjk_status gjk_parts_both_cast(const gjk_parts *a, const gjk_parts *b, const gjk
 // When do two bodies that move and turn first touch? As gjk_parts_time_of_impact: every part runs along an arc with its body.
 //
 // a, b   their poses are not read: motion_a and motion_b have them.
-// parts  the pair with the least lower among those that hit; of equal ones one that overlaps at the start, of those the one
-//        with the least number of B's part, then of A's; GJK_PARTS_NONE twice: a miss. May be NULL.
+// parts  the pair with the least lower among those that hit; ties go to one that overlaps at the start,
+//        then to the lowest number of B's part, then of A's. GJK_PARTS_NONE twice: a miss. May be NULL.
 // out    of that pair. pose_a and pose_b are the poses of the bodies. A miss: lower is the end of the way, iterations are 0.
 // Cost   every pair whose boxes may meet is asked. Where A turns, that is every part of A within reach at any rotation; where
 //        B turns, its parts may be anywhere around its position.

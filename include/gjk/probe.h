@@ -1,7 +1,7 @@
 // Rays, casts and distances against the shapes of a scene.
 //
-// They see the current poses, also between updates. Each asks only the parts whose boxes the way, enlarged by a margin,
-// meets. What it answers does not depend on the tree.
+// They see the current poses, also between updates. Each asks only the parts whose boxes meet the way, enlarged by a
+// margin. The answer does not depend on the tree.
 //
 // Threads  several queries of one scene may run at once.
 // Statuses of every call: NULL for a pointer that is missing; CORRUPT for a handle whose block is not a scene's.

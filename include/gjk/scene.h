@@ -43,9 +43,9 @@ typedef struct gjk_body_setup {
   gjk_pose pose;            // where it stands
   const gjk_part *parts;    // read during the call alone
   uint16_t part_count;      // at least 1
-  uint8_t kind;             // a gjk_body_kind
+  uint8_t kind;             // a gjk_body_kind; 0: static. Two static bodies are never tested, even when moved
   uint8_t detail;           // a gjk_detail; a pair gets the largest of the configuration's and its two bodies'
-  uint32_t category, mask;  // a pair is tested when each body's category shares a bit with the other's mask
+  uint32_t category, mask;  // a pair is tested when each body's category shares a bit with the other's mask; not both 0
   uint32_t user;            // the caller's own word
   gjk_q16 margin;           // two parts are near when at most the sum of their margins apart; 0: touching
 } gjk_body_setup;
@@ -99,6 +99,16 @@ typedef struct gjk_scene {
   gjk_scene_bindings bindings;     // what else the program binds to it
 } gjk_scene;
 
+// Bytes of a block for so many bodies, parts and pairs, as a constant: static uint32_t block[GJK_SCENE_BYTES(8, 8, 16) / 4].
+// Exact where config.detail is CONTACTS; another detail needs 24 bytes a pair less.
+#define GJK_SCENE_BYTES(bodies, parts, pairs)                                                 \
+  (UINT32_C(296) + UINT32_C(60) * (bodies) + UINT32_C(4) * (((bodies) + UINT32_C(31)) / 32) + \
+   UINT32_C(184) * (parts) + UINT32_C(72) * (pairs))
+
+// What to add for own poses, for motions, and for words: config.pairs times config.pair_words of them.
+#define GJK_SCENE_MORE_BYTES(own_poses, motions, words) \
+  (UINT32_C(32) * (own_poses) + UINT32_C(44) * (motions) + UINT32_C(4) * (words))
+
 // Bytes of a block. 0: the configuration is outside its ranges, or size_t cannot hold the number.
 size_t gjk_scene_bytes(const gjk_scene_config *config);
 
@@ -108,15 +118,17 @@ size_t gjk_scene_bytes(const gjk_scene_config *config);
 // block     the caller's, aligned for uint32_t, at least gjk_scene_bytes; may come from gjk_port_allocate.
 // shapes    the caller's, must stay as it is while the scene is used; may hold NULLs that no body names.
 // bindings  copied into the handle, whose own bindings they may be; NULL: none.
-// Statuses  RANGE (config, or a block that is not aligned), CAPACITY (bytes).
+// Statuses  RANGE (config, or a block that is not aligned), CAPACITY (bytes). UNSUPPORTED: config.detail asks for what
+//           bindings.details lacks.
 gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void *block, size_t bytes,
                           const gjk_shape *const *shapes, uint16_t shape_count, const gjk_scene_bindings *bindings);
 
 // Bodies. A call that fails changes nothing. Statuses: BODY_ID for an id that is stale or was never given; BUSY for a
 // change between the first slice of an update and its last report.
 
-// Adds a body to the lowest free slot. Statuses: CAPACITY (bodies, parts or own poses are used up), RANGE (a field, or
-// a part that leaves int32), EMPTY (no parts), ROTATION, and those of gjk_collider_init.
+// Adds a body to the lowest free slot. Statuses: CAPACITY (bodies, parts or own poses are used up); RANGE (a field, or
+// a part that leaves int32, or category and mask both 0, as in a setup that was only zeroed); UNSUPPORTED (detail asks for
+// what bindings.details lacks); EMPTY (no parts); ROTATION; and those of gjk_collider_init.
 gjk_status gjk_scene_add(gjk_scene *scene, const gjk_body_setup *setup, gjk_body_id *out);
 
 // Adds a body to a stated slot. The scene does not depend on the order of such calls. BODY_ID: the slot is taken or
@@ -126,13 +138,13 @@ gjk_status gjk_scene_add_at(gjk_scene *scene, uint32_t slot, const gjk_body_setu
 // Removes a body. The next update reports the end of its pairs that were near.
 gjk_status gjk_scene_remove(gjk_scene *scene, gjk_body_id id);
 
-// Takes a body to its next pose, and wakes it. Statuses as gjk_collider_pose.
+// Takes a body to its next pose, and wakes it. Two static bodies are not tested even then. Statuses as gjk_collider_pose.
 gjk_status gjk_scene_move(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose);
 
 // As gjk_scene_move, for a body that will not go on moving the same way. Only boxes in the tree differ, never answers.
 gjk_status gjk_scene_teleport(gjk_scene *scene, gjk_body_id id, const gjk_pose *pose);
 
-// A sleeping body stands still. A pair is reported as persisting only if a body of it is awake and not static.
+// A sleeping body stands still. A pair persists in reports only while one of its bodies is awake and not static.
 // Sleep: RANGE unless the body is dynamic.
 gjk_status gjk_scene_sleep(gjk_scene *scene, gjk_body_id id);
 gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id);
@@ -157,10 +169,10 @@ gjk_status gjk_scene_set_motion(gjk_scene *scene, gjk_body_id id, uint8_t motion
 // Gives a part of a body another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
 gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape);
 
-// Gives a body another category and mask.
+// Sets a body's category and mask.
 gjk_status gjk_scene_set_filter(gjk_scene *scene, gjk_body_id id, uint32_t category, uint32_t mask);
 
-// Gives a body another user word. If it differs, gjk_scene_refilter follows, because the predicate is given that word.
+// Sets a body's user word. If it differs, gjk_scene_refilter follows, because the predicate is given that word.
 gjk_status gjk_scene_set_user(gjk_scene *scene, gjk_body_id id, uint32_t user);
 
 // Makes the next update ask the predicate about all pairs of the body again.
@@ -253,12 +265,12 @@ gjk_status gjk_scene_test_pairs(gjk_scene *scene, uint32_t first, uint32_t end);
 gjk_status gjk_scene_sweep_count(const gjk_scene *scene, uint32_t *count);
 gjk_status gjk_scene_sweep(gjk_scene *scene, uint32_t first, uint32_t end);
 
-// Goes through the pairs that were near at the last update, in no stated order. Start with *cursor 0; *found is false
-// at the end. The event is PERSIST, or END when a body was removed since.
+// Iterates over the pairs near at the last update, in unspecified order. Start with *cursor 0; *found is false at the end.
+// The event is PERSIST, or END if a body has been removed since.
 gjk_status gjk_scene_next_near(const gjk_scene *scene, uint32_t *cursor, gjk_report *out, bool *found);
 
 // The manifold of a reported pair at its bodies' current poses, at most the sum of their margins apart, without a
-// cache. For programs that ask of some pairs alone, or share the work among threads. most, out and statuses as of
+// cache. For programs that need some pairs only, or share the work among threads. most, out and statuses as of
 // gjk_contacts. Also BODY_ID; RANGE for a part that is not there; UNSUPPORTED for a workspace of fewer cells than
 // config.workspace_cells.
 gjk_status gjk_scene_manifold(const gjk_scene *scene, const gjk_report *report, unsigned most, gjk_manifold *out);
@@ -282,7 +294,7 @@ gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, cons
 gjk_status gjk_scene_query_ray(const gjk_scene *scene, const gjk_vec3 *from, const gjk_vec3 *to,
                                const gjk_scene_hit *after, gjk_scene_hit *hits, uint32_t capacity, uint32_t *count);
 
-// Finds the part nearest to a posed collider, at most reach away by gjk_distance; among equals the lowest (slot, part).
+// Finds the part nearest to a posed collider, at most reach away by gjk_distance; ties go to the lowest (slot, part).
 // Where a query reaches its ceiling on iterations, the larger of two lower bounds counts as the distance: the query's
 // and the boxes'.
 //
@@ -294,16 +306,16 @@ gjk_status gjk_scene_query_nearest(const gjk_scene *scene, const gjk_collider *c
 
 // Lockstep and saving.
 
-// 64 bits over all that decides further answers. Counted are the configuration without capacities, box_margin and
+// A 64-bit hash of everything that affects later answers. It counts the configuration, but not capacities, box_margin or
 // retest_all, and the build's GJK_ITERATIONS_MAX. So are bodies and their kept motions, pairs near at the last update
 // and their words, and the number of updates. Tree and caches do not count: a copy whose caches
 // are zeroed goes on with the same answers. BUSY during an update.
 gjk_status gjk_scene_hash(const gjk_scene *scene, uint64_t *out);
 
-// Writes a checksum into the block. It holds until a call changes the scene. For saves that leave the program.
+// Writes a checksum into the block. It holds until a call changes the scene. For blocks stored in a file or sent over a network.
 gjk_status gjk_scene_seal(gjk_scene *scene);
 
-// Opens a sealed block that may come from anywhere. Checks its header, byte order and checksum, and all that
+// Opens a sealed block from any source. Checks its header, byte order and checksum, and everything that
 // gjk_scene_check does, so no later call reads or writes outside of the block. scene and bindings as in gjk_scene_init.
 // Statuses: CORRUPT, also for a block of another GJK_SCENE_BLOCK_VERSION or of a build with other ceilings on iterations;
 // CAPACITY (bytes); RANGE (not aligned, or a shape index that the table lacks). The caller promises that the shapes are

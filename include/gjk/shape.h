@@ -110,7 +110,8 @@ typedef struct gjk_shape {
 #define GJK_SPHERE(radius) GJK_ROUNDED_POINT(radius)
 // A segment from (0, 0, -half) to (0, 0, half).
 #define GJK_SEGMENT(half) GJK_ROUNDED_SEGMENT(half, 0)
-// A segment with a radius; half: of the straight part's length.
+// A segment with a radius; half: of the straight part's length. gjk_pose_between (gjk/math.h) finds half and the pose from
+// the two end points.
 #define GJK_CAPSULE(radius, half) GJK_ROUNDED_SEGMENT(half, radius)
 // The triangle of three vertices.
 #define GJK_TRIANGLE(vertices3) GJK_ROUNDED_TRIANGLE(vertices3, 0)

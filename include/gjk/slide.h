@@ -19,8 +19,8 @@ typedef struct gjk_slide_setup {
   gjk_q16 skin;   // the gap to all else that it keeps: GJK_SLIDE_SKIN_MIN to one unit
   gjk_q16 step;   // how high it climbs: 0, not at all, to GJK_RADIUS_MAX
   gjk_q16 reach;  // how far below it ground is looked for: 0, not at all, to GJK_RADIUS_MAX
-  bool snap;      // it goes down to that ground
-  const gjk_scene_filter *filter;  // what counts; NULL: all. Leave the character's own body out by it
+  bool snap;      // true: it goes down to that ground
+  const gjk_scene_filter *filter;  // what counts; NULL: all. Use it to leave out the character's own body
 } gjk_slide_setup;
 
 // What is met.

@@ -1,4 +1,4 @@
-// What a call reports about itself, apart from its answer.
+// The statuses that calls return.
 #ifndef GJK_STATUS_H
 #define GJK_STATUS_H
 

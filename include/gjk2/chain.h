@@ -97,7 +97,7 @@ typedef struct gjk2_chain_contact {
 // What is valid after each status; out beyond count may be overwritten:
 //
 // OK               count, and as many of out.
-// CAPACITY         the same: there are more contacts than capacity, and the deepest are kept; of equals the first.
+// CAPACITY         the same: there are more contacts than capacity, and the deepest are kept; ties go to the first.
 // ITERATION_LIMIT  nothing, count as it was. Only ellipse and custom can cause it.
 // NULL, UNINITIALISED, NEGATIVE, RANGE (of margin or range)  nothing, out and count as they were.
 gjk_status gjk2_chain_contacts(const gjk2_chain *chain, const gjk2_collider *body, const gjk2_chain_range *range,
@@ -113,7 +113,7 @@ gjk_status gjk2_chain_intersect(const gjk2_chain *chain, const gjk2_collider *bo
 
 // How far is a shape from the lines of the chain, from either side?
 //
-// out       of the nearest segment as gjk2_distance gives it, A being the segment; of equally near ones the first. The
+// out       of the nearest segment as gjk2_distance gives it, A being the segment; ties go to the first. The
 //           certificate's vertex 0 is where the segment begins, 1 and 2 where it ends.
 // segment   its number.
 // Statuses  NULL, UNINITIALISED, RANGE; EMPTY: the range holds no segment but of length 0; ITERATION_LIMIT: nothing is

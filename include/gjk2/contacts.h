@@ -45,7 +45,7 @@ typedef struct gjk2_manifold {
 // Others  Everything else meets in the one pair of points of gjk2_signed_distance. So do shapes whose centres are more
 //         than 8192 units apart along an axis.
 // Least   The pair of points of gjk2_signed_distance is among the contacts wherever it is nearer than the others.
-// most    Of two contacts the deeper is kept; of equally deep ones that with the lower id.
+// most    With 1 the deeper contact is kept; ties go to the lower id.
 //
 // Ids     depend on the shapes and poses alone. Shapes that rest keep them: a point near a corner has the corner's id.
 //         Near is 1/64 of the shorter edge's length, or 8 LSB if that is more, but at most 1/4 of that edge.

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-// Writes the corners of the convex hull of points, counterclockwise, from the lowest (of equally low ones the leftmost)
+// Writes the corners of the convex hull of points, counterclockwise, from the lowest (the leftmost of several)
 // on. Points inside, repeated points and points within an edge are left out. So points in a line give two corners, and
 // a single point gives itself.
 //

@@ -74,7 +74,8 @@ typedef struct gjk2_shape {
 #define GJK2_CIRCLE(radius) GJK2_ROUNDED_POINT(radius)
 // A segment from (-half, 0) to (half, 0).
 #define GJK2_SEGMENT(half) GJK2_ROUNDED_SEGMENT(half, 0)
-// A segment with a radius; half: of the straight part's length.
+// A segment with a radius; half: of the straight part's length. gjk2_pose_between (gjk2/math.h) finds half and the pose from
+// the two end points.
 #define GJK2_CAPSULE(radius, half) GJK2_ROUNDED_SEGMENT(half, radius)
 // The triangle of three vertices.
 #define GJK2_TRIANGLE(vertices3) GJK2_ROUNDED_TRIANGLE(vertices3, 0)

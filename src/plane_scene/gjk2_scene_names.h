@@ -190,6 +190,7 @@
 #define gjk_scene_is_to_pose gjk2_scene_is_to_pose
 #define gjk_scene_is_zero gjk2_scene_is_zero
 #define gjk_scene_is_zero_direction gjk2_scene_is_zero_direction
+#define gjk_scene_lacks gjk2_scene_lacks
 #define gjk_scene_linked_side gjk2_scene_linked_side
 #define gjk_scene_load gjk2_scene_load
 #define gjk_scene_load_cache gjk2_scene_load_cache

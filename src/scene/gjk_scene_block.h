@@ -102,6 +102,12 @@ static inline uint32_t *gjk_scene_words_of(const gjk_scene_view *v, uint32_t pai
   return count == 0 ? NULL : &v->words[pair * count];  // < 2^27
 }
 
+// Does the code that details bind lack what a gjk_detail asks for? A SENSOR asks for nothing.
+static inline bool gjk_scene_lacks(const gjk_scene_details *details, uint32_t detail) {
+  return (detail == GJK_DETAIL_DEPTH && details == NULL) ||
+         (detail == GJK_DETAIL_CONTACTS && (details == NULL || details->manifold == NULL));
+}
+
 // Is the body a sensor?
 static inline bool gjk_scene_is_sensor(const gjk_scene_body *body) {
   return body->kind_detail >> 4 == GJK_DETAIL_SENSOR;

@@ -30,8 +30,12 @@ static gjk_status check_setup(const gjk_scene_view *v, const gjk_body_setup *s) 
   if (s->part_count == 0) {
     return GJK_ERROR_EMPTY;
   }
-  if (s->kind > GJK_BODY_DYNAMIC || s->detail > GJK_DETAIL_SENSOR || s->margin < 0 || s->margin > GJK_RADIUS_MAX) {
+  if (s->kind > GJK_BODY_DYNAMIC || s->detail > GJK_DETAIL_SENSOR || s->margin < 0 || s->margin > GJK_RADIUS_MAX ||
+      (s->category == 0 && s->mask == 0)) {
     return GJK_ERROR_RANGE;
+  }
+  if (gjk_scene_lacks(v->scene->bindings.details, s->detail)) {
+    return GJK_ERROR_UNSUPPORTED;
   }
   for (uint32_t i = 0; i < s->part_count; i++) {
     const gjk_status status = build_part(v, &s->pose, &s->parts[i], &c);

@@ -89,6 +89,9 @@ gjk_status gjk_scene_init(gjk_scene *scene, const gjk_scene_config *config, void
   if (needed == 0 || bytes < needed) {
     return GJK_ERROR_CAPACITY;
   }
+  if (gjk_scene_lacks(bindings != NULL ? bindings->details : NULL, config->detail)) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
   gjk_zero(block, needed);
   gjk_scene_header *h = (gjk_scene_header *)block;
   h->magic = GJK_SCENE_MAGIC;

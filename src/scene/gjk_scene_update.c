@@ -20,11 +20,9 @@
 
 // Step 1.
 static gjk_status check_details(const gjk_scene_view *v) {
-  const gjk_scene_details *details = v->scene->bindings.details;
   const uint32_t most = v->header->most_detail;
-  const bool lacking =
-      most > GJK_DETAIL_DISTANCE && (details == NULL || (most == GJK_DETAIL_CONTACTS && details->manifold == NULL) ||
-                                     !gjk_scene_has_workspace(v->scene));
+  const bool lacking = gjk_scene_lacks(v->scene->bindings.details, most) ||
+                       (most > GJK_DETAIL_DISTANCE && !gjk_scene_has_workspace(v->scene));
   return lacking || (v->header->kept > 0 && v->scene->bindings.motion == NULL) ? GJK_ERROR_UNSUPPORTED : GJK_OK;
 }
 

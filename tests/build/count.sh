@@ -73,19 +73,49 @@ tool_prefix() {
   esac
 }
 
-# library TARGET VARIANT NAME=VALUE...: makes the library with these variables of the Makefile in build/TARGETVARIANT.
-# Scripts that run at the same time and want the same one wait for each other.
-library() {
-  library_lock=build/.$1$2.lock
-  library_at="TARGET=$1 VARIANT=$2"
-  shift 2
+# alone NAME COMMAND...: runs a command that builds something. Scripts that run at the same time and want the same NAME wait
+# for each other.
+alone() {
   mkdir -p build
-  # shellcheck disable=SC2086
+  alone_lock=build/.$1.lock
+  shift
   if have flock; then
-    flock "$library_lock" make -s lib $library_at "$@" >/dev/null
+    flock "$alone_lock" "$@"
   else
-    make -s lib $library_at "$@" >/dev/null
+    "$@"
   fi
+}
+
+# needed SOURCES...: those of src that a program of these sources links
+needed() {
+  awk -f tests/build/needed.awk needed= "$@" -- src/*/*.c tests/support/*/*.c include/*/*.h | tr ' ' '\n' | grep '^src/' |
+    tr '\n' ' '
+}
+
+# library TARGET VARIANT NAME=VALUE...: makes the library with these variables of the Makefile in build/TARGETVARIANT,
+# alone.
+library() {
+  library_at="TARGET=$1 VARIANT=$2"
+  library_name=$1$2
+  shift 2
+  # shellcheck disable=SC2086
+  (
+    unset MAKEFLAGS MFLAGS MAKELEVEL  # it has jobs of its own
+    alone "$library_name" make -s -j2 lib $library_at "$@" >/dev/null
+  )
+}
+
+# The library as WebAssembly, alone: build/wasm/gjk.wasm.
+wasm_library() {
+  mkdir -p build/wasm
+  # shellcheck disable=SC2016
+  alone wasm sh -c 'key=$(cat port/wasm/* port/board/memory.c src/*/*.[ch] include/*/*.h | cksum)
+    [ "$key" = "$(cat build/wasm/key 2>/dev/null)" ] || { sh port/wasm/build.sh build/wasm/gjk.wasm && echo "$key" >build/wasm/key; }'
+}
+
+# The library with its assertions as checks, in build/checked: see checked.sh.
+checked_library() {
+  alone checked sh tests/build/checked.sh build/checked
 }
 
 # The VARIANT of the Makefile for a script that works in BUILD: none for build, -x for build/x, so that scripts that run

@@ -28,6 +28,7 @@ missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
 if [ -n "${missing# }" ]; then
   echo "This machine against a Cortex-M3 needs $missing: \`make setup\` installs them." >&2
 else
+  echo 'Compiles the library for a Cortex-M3' >&2
   library cortex-m3 '' OPT=-O2 || exit 1
   make -s build/cortex-m3/lockstep.elf TARGET=cortex-m3 FIRMWARE_DEFINES="-DLOCKSTEP_TICKS=$ticks" >/dev/null || exit 1
   echo 'This machine against firmware on an emulated Cortex-M3:' >&2
@@ -38,6 +39,7 @@ if ! command -v s390x-linux-gnu-gcc >/dev/null || ! command -v qemu-s390x >/dev/
   echo 'This machine against a big-endian one needs gcc-s390x-linux-gnu, qemu-user: `make setup` installs them.' >&2
   exit 0
 fi
+echo 'Compiles the library for a big-endian machine' >&2
 golden_library s390x gcc -O2 || exit 1
 s390x-linux-gnu-gcc -std=c99 -O2 -static -Iinclude -I. -Iport -Itests/support "$golden_objects"/gjk*.o tests/support/scene/match.c \
   tests/programs/lockstep/main.c tests/programs/lockstep/peer.c \

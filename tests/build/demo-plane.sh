@@ -36,6 +36,7 @@ else
       runs = runs (runs == "" ? "" : ", ") "{" $2 ", " keys "}"
     }
     END { print "#define DEMO_PLANE_RUNS " runs }' "$others" >"$link/runs.h"
+  echo 'Compiles the library for a Cortex-M3' >&2
   library cortex-m3 '' OPT=-O2 || exit 1
   make -s build/cortex-m3/demo_plane.elf TARGET=cortex-m3 \
     FIRMWARE_DEFINES="-DDEMO_PLANE_TICKS=$ticks -include $link/runs.h" >/dev/null || exit 1
@@ -47,6 +48,7 @@ if ! command -v s390x-linux-gnu-gcc >/dev/null || ! command -v qemu-s390x >/dev/
   echo 'This machine against a big-endian one needs gcc-s390x-linux-gnu, qemu-user: `make setup` installs them.' >&2
   exit 0
 fi
+echo 'Compiles the library for a big-endian machine' >&2
 golden_library s390x gcc -O2 || exit 1
 s390x-linux-gnu-gcc -std=c99 -O2 -static -Iinclude -Iport -Itests/support "$golden_objects"/gjk*.o \
   tests/programs/demo_plane/[!f]*.c tests/programs/demo_plane/flat_solver.c -lm -o "$build/demo-plane-s390x" || exit 1

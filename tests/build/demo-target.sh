@@ -9,10 +9,9 @@ if [ -n "${missing# }" ]; then
   exit 0
 fi
 "$1/gjk-demo" --c-source "$2" >"$1/demo_scene.c" || exit 1
-sources=$(awk -f tests/build/needed.awk "$1/demo_scene.c" tests/programs/demo/firmware.c tests/programs/demo/arm.c \
-  tests/programs/demo/demo_firmware.c -- src/*/*.c include/*/*.h | grep '^src/' | tr '\n' ' ')
+sources=$(needed "$1/demo_scene.c" tests/programs/demo/firmware.c tests/programs/demo/arm.c tests/programs/demo/demo_firmware.c)
 echo
-echo 'The same scene on an emulated Cortex-M3:'
+echo 'The same scene as firmware for a Cortex-M3, emulated:'
 unset MAKEFLAGS MFLAGS MAKELEVEL
-make -s -j2 "$1/cortex-m3-demo/demo.elf" TARGET=cortex-m3 VARIANT=-demo SOURCES="$sources" >/dev/null || exit 1
+make --no-print-directory -j2 "$1/cortex-m3-demo/demo.elf" TARGET=cortex-m3 VARIANT=-demo SOURCES="$sources" || exit 1
 sh tests/build/emulate.sh cortex-m3 "$1/cortex-m3-demo/demo.elf"

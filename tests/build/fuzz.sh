@@ -36,7 +36,7 @@ fuzz() {
   shift
   mkdir -p "$build/corpus/$target"
   # shellcheck disable=SC2086
-  clang $flags -fsanitize=fuzzer "tests/check/fuzz/$target.c" "$build"/objects/*.o -lm -o "$build/$target" || return 1
+  clang $flags -fsanitize=fuzzer "tests/check/fuzz/$target.c" "$build"/objects/*.o $oracles -lm -o "$build/$target" || return 1
   if ! nice "$build/$target" "$limit" -seed="$seed" -timeout=20 -print_final_stats=1 \
     -artifact_prefix="$build/$target-" "$@" "$build/corpus/$target" "$build/seeds-$target" >"$build/$target.log" 2>&1; then
     echo "failed: $target: $(grep -a -m 1 '^fuzz: ' "$build/$target.log")"
@@ -62,11 +62,16 @@ fuzz() {
 }
 
 # What the targets share, compiled once. The fuzzer looks at what the library and the reader of cases do, not at the
-# oracles.
+# oracles: these are as other tests have them.
+rm -rf "$build/objects"
 mkdir -p "$build/objects"
+oracles=$(printf 'build/hosted/%s.o\n' tests/support/exact/*.c tests/support/generate/*.c tests/support/reference/random_shape.c |
+  sed 's/\.c\.o$/.o/')
+# shellcheck disable=SC2086
+make -s $oracles >/dev/null || exit 1
 for source in tests/check/fuzz/bytes.c tests/check/fuzz/hostile.c tests/check/fuzz/overlap.c tests/support/case/case.c tests/support/case/case2.c \
   tests/support/case/case2_collider.c tests/support/case/lines.c tests/support/case/number.c tests/support/case/parse.c tests/support/case/parse2.c \
-  tests/support/exact/*.c tests/support/generate/*.c tests/support/reference/random_shape.c tests/support/scene/world.c tests/support/scene/session.c tests/programs/convert/*.c src/*/*.c; do
+  tests/support/scene/world.c tests/support/scene/session.c tests/programs/convert/*.c $(needed tests/check/fuzz/*.c tests/programs/convert/*.c); do
   case $source in
     */convert/main.c) continue ;;
     src/* | tests/support/case/* | tests/programs/convert/*) seen=-fsanitize=fuzzer-no-link ;;
@@ -79,7 +84,7 @@ done
 mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments" "$build/seeds-scene" \
   "$build/seeds-claims" "$build/seeds-parts" "$build/seeds-solids" "$build/seeds-casts" "$build/seeds-plane" "$build/seeds-convert" "$build/seeds-urdf"
 # shellcheck disable=SC2086
-clang $flags tests/check/fuzz/seeds.c "$build"/objects/*.o -lm -o "$build/seeds" &&
+clang $flags tests/check/fuzz/seeds.c "$build"/objects/*.o $oracles -lm -o "$build/seeds" &&
   "$build/seeds" "$build/seeds-pairs" tests/data/arm.txt tests/data/query.txt tests/data/trackers.txt &&
   "$build/seeds" "$build/seeds-casts" tests/data/cast.txt || exit 1
 cp tests/data/*.txt "$build/seeds-cases"

@@ -6,6 +6,9 @@
 golden_linux='i386 aarch64 rv64 s390x powerpc'
 golden_cores='cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imc avr'
 
+# What clang gets here beside its flags, so that it uses the vectors of this processor.
+if grep -qw avx2 /proc/cpuinfo 2>/dev/null; then golden_avx2=-mavx2; else golden_avx2=; fi
+
 golden_triple() {
   case $1 in
     i386) echo i686-linux-gnu ;;
@@ -49,18 +52,30 @@ golden_missing() {
   echo "${lacking# }"
 }
 
+# The sources that programs of golden hashes, the matches and the demos of two processes link.
+golden_sources() {
+  needed tests/check/target/*golden*.c tests/programs/lockstep/peer.c tests/programs/demo_plane/[!f]*.c \
+    tests/programs/demo_plane/flat_solver.c
+}
+
 # Makes the library of a build for all scripts that want the same one, and sets golden_objects to its objects:
-# golden_library ARCHITECTURE COMPILER FLAGS... Cores: gcc with one level of optimisation alone.
+# golden_library ARCHITECTURE COMPILER FLAGS... Cores: gcc with one level of optimisation alone. Where flags change a macro
+# or ask for sanitizers, it is the usual library but for that, by the usual compiler.
 golden_library() {
   case $* in
-    *-DGJK_ITERATIONS_MAX=*)  # the usual library but for that
+    *-DGJK_ITERATIONS_MAX=*)
       golden_objects=build/host$4
-      library host '' || return 1
-      if have flock; then
-        flock "$(dirname "$golden_objects")/.${golden_objects#*/}.lock" sh tests/build/variant.sh "$golden_objects" "$4"
-      else
-        sh tests/build/variant.sh "$golden_objects" "$4"
-      fi
+      library host '' && alone "host$4" sh tests/build/variant.sh "$golden_objects" "$4"
+      return
+      ;;
+    'host '*-fsanitize=undefined,address*)  # its assertions are checks, too
+      golden_objects=build/checked
+      checked_library
+      return
+      ;;
+    *' -DGJK_VECTORS=0 '*hosted/gjk_port.h*)
+      golden_objects=build/host-scalar
+      library host '' && alone host-scalar sh tests/build/variant.sh "$golden_objects" -DGJK_VECTORS=0
       return
       ;;
   esac
@@ -79,15 +94,23 @@ golden_library() {
       if [ -z "$golden_name" ]; then
         library host ''
       else
-        library host "$golden_name" "CC=$2" "PORT=$golden_port" "OPT=$golden_flags"
+        library host "$golden_name" "CC=$2" "PORT=$golden_port" "OPT=$golden_flags" "SOURCES=$(golden_sources)"
       fi
       ;;
-    cortex-* | rv32imc | avr)
+    avr)
+      golden_objects=build/avr${3#-O2}
+      library avr "${3#-O2}" "OPT=$3" "SOURCES=$(golden_sources)"
+      return
+      ;;
+    cortex-* | rv32imc)
       library "$1" "${3#-O2}" "OPT=$3" || return 1
       golden_objects=build/$1${3#-O2}
       return
       ;;
-    *) library host "$golden_name" "CC=$(golden_triple "$1")-$2" "PORT=$golden_port" "OPT=$golden_flags" ;;
+    *)
+      library host "$golden_name" "CC=$(golden_triple "$1")-$2" "PORT=$golden_port" "OPT=$golden_flags" \
+        "SOURCES=$(golden_sources)"
+      ;;
   esac || return 1
   golden_objects=build/host$golden_name
 }

@@ -12,7 +12,7 @@
 #include "src/gjk/gjk_frame.h"
 
 #define SEED 20261124
-#define TRIALS check_trials(400000)
+#define TRIALS check_trials(200000)
 #define CHECK_EVERY 16
 
 static const gjk_shape point = GJK_SPHERE(0);

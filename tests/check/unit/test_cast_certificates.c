@@ -1,6 +1,6 @@
 // A campaign of seeded random casts of polytopes: every decision and every fraction is the oracle's.
 //
-//   test_cast_certificates [SEED [CASTS [FAMILY]]]    default: seed 1, 100,000 casts over all families
+//   test_cast_certificates [SEED [CASTS [FAMILY]]]    default: seed 1, 40,000 casts over all families
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@
 #include "generate/cast.h"
 #include "gjk/gjk.h"
 
-#define CASTS check_trials(100000)
+#define CASTS check_trials(40000)
 #define FAILURES_SHOWN 5
 
 // So many casts apart, a cast is also checked with forged claims, or by moving the shapes.

@@ -55,7 +55,7 @@ compile() {
   ar rcs "$dir/$1/all.a" "$dir/$1"/shared/*.o "$golden_objects"/gjk*.o
 }
 
-# run ITERATIONS CELLS SOURCE ARGUMENTS...: a test with that ceiling, its worlds in so many cells
+# run ITERATIONS CELLS SOURCE ARGUMENTS...: half of a test with that ceiling, its worlds in so many cells
 run() {
   iterations=$1 cells=$2 source=$3
   program=$dir/$iterations/$(basename "$source" .c)
@@ -64,7 +64,7 @@ run() {
     object "$dir/$iterations/tests" "$source" "-DGJK_ITERATIONS_MAX=$iterations" &&
       ${CC:-cc} "$to" "$dir/$iterations/all.a" -lm -lpthread -o "$program" || return 1
   fi
-  GJK_TEST_CELLS=$cells "$program" "$@"
+  GJK_TEST_CELLS=$cells GJK_TEST_PERCENT=${GJK_TEST_PERCENT:-50} "$program" "$@"
 }
 
 check 'the tests and what they share' usual

@@ -6,7 +6,7 @@
 #include "reference/random_shape.h"
 
 #define SEED 20240611
-#define PAIRS_PER_CELL ((unsigned)check_trials(600))
+#define PAIRS_PER_CELL ((unsigned)check_trials(300))
 #define POINTS_PER_KIND ((unsigned)check_trials(20000))
 #define TOLERANCE 2.0L
 // The largest gap between the oracle's bounds, LSB.

@@ -17,6 +17,8 @@ static void check_output(const hull_points *points, const hull_output *o) {
   memcpy(all, o->vertex, o->hull.vertices * sizeof all[0]);
   memcpy(all + o->hull.vertices, points->point, points->count * sizeof all[0]);
   CHECK(gjk_hull_check(all, (uint16_t)(o->hull.vertices + points->count), &o->faces, &report) == GJK_OK);
+  CHECK(o->faces.count <= GJK_HULL_FACES_MAX(o->hull.vertices));
+  CHECK(o->faces.end[o->faces.count - 1] <= GJK_HULL_CORNERS_MAX(o->hull.vertices));
   CHECK_MSG(report.fault == GJK_HULL_SOUND, "fault %d of face %d, corner %d, vertex %d", report.fault, report.face,
             report.corner, report.vertex);
 }

@@ -3,7 +3,7 @@
 #include "hull_points.h"
 
 #define MOST 12
-#define TRIALS 1000000
+#define TRIALS 500000
 
 // What brute force finds. A facet is the set of points on a plane that no point is beyond, as a mask.
 typedef struct brute {

@@ -66,13 +66,14 @@ other_match() {
 
 # With modules of 2 MB and low ceilings, too.
 scenes() {
-  for max in 1 2 3; do
+  for max in 1 3; do
     sh port/wasm/build.sh "$dir/ceiling-$max.wasm" -O0 "-DGJK_ITERATIONS_MAX=$max" -Wl,--max-memory=2097152 || return 1
   done
-  node tests/check/bind/scene_behaviour.js "$dir/gjk.wasm" "$dir"/ceiling-[123].wasm
+  node tests/check/bind/scene_behaviour.js "$dir/gjk.wasm" "$dir"/ceiling-[13].wasm
 }
 
-check 'the module is built' sh port/wasm/build.sh "$dir/gjk.wasm"
+check 'the module is built' wasm_library
+cp build/wasm/gjk.wasm "$dir"
 check 'it has no imports' has_no_imports
 check 'the golden hash' node tests/check/bind/golden.js "$dir/gjk.wasm" 3000 "$golden"
 check 'another set has another hash' other_bits

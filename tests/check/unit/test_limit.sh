@@ -13,7 +13,7 @@ ceiling() {
 
 # run PROGRAM MAX: leaves what tests/check/limit/PROGRAM.c prints with that ceiling
 run() {
-  ceiling "$2" && ${CC:-cc} -std=c99 -O2 "-DGJK_ITERATIONS_MAX=$2" -Iinclude -Iport -I. -Itests/support "tests/check/limit/$1.c" \
+  ceiling "$2" && ${CC:-cc} -std=c99 -O1 "-DGJK_ITERATIONS_MAX=$2" -Iinclude -Iport -I. -Itests/support "tests/check/limit/$1.c" \
     port/hosted/gjk_hosted.c "$golden_objects"/gjk*.o -o "$dir/$1" &&
     "$dir/$1" >"$dir/$1-$2.txt"
 }

@@ -12,7 +12,8 @@ if [ -n "$missing" ]; then
   exit
 fi
 check 'the page is built' make -s page
-check 'the library alone is built' sh port/wasm/build.sh "$build/page/gjk.wasm"
+check 'the library alone is built' wasm_library
+cp build/wasm/gjk.wasm "$build/page"
 
 browser=
 for name in chromium chromium-browser google-chrome; do

@@ -122,19 +122,22 @@ static void rebind(const gjk_scene_details *details, const gjk_workspace *given,
   CHECK(gjk_scene_attach(&scene, block, sizeof block, shapes, 2, &bindings) == GJK_OK);
 }
 
-// Two solids, the second beside the first, that overlap deeply.
+// Two solids, the second beside the first, that overlap deeply. They are added through a handle that has all, and left to
+// one that has nothing.
 static void start(gjk_detail least, gjk_detail of_body, uint32_t workspace_cells) {
   const gjk_scene_config config = {2, 2, 0, 4, 0, (uint8_t)least, 1, 0, 0, workspace_cells, 0};
   const gjk_part part = {0, false, GJK_POSE_IDENTITY};
   gjk_body_setup setup = {GJK_POSE_IDENTITY, &part, 1, GJK_BODY_DYNAMIC, (uint8_t)of_body, 1, 1, 0, 0};
   gjk_body_id body;
-  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2, NULL) == GJK_OK);
-  CHECK(scene.bindings.details == NULL);
-  CHECK(scene.bindings.workspace == NULL);
-  CHECK(scene.bindings.manifolds == NULL);
+  const gjk_scene_bindings all = {.details = &gjk_scene_contacts};
+  CHECK(gjk_scene_init(&scene, &config, block, sizeof block, shapes, 2, &all) == GJK_OK);
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
   setup.pose.position.x = 9000;
   CHECK(gjk_scene_add(&scene, &setup, &body) == GJK_OK);
+  CHECK(gjk_scene_attach(&scene, block, sizeof block, shapes, 2, NULL) == GJK_OK);
+  CHECK(scene.bindings.details == NULL);
+  CHECK(scene.bindings.workspace == NULL);
+  CHECK(scene.bindings.manifolds == NULL);
 }
 
 // A detail that the handle has nothing for stops the update before it has done anything.

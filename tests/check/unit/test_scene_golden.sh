@@ -40,7 +40,7 @@ match() {
   fi
   if have clang; then
     check "$game: clang -Os" host clang '' host clang -Os '-DGJK_PORT_HEADER="hosted/gjk_port.h"'
-    check "$game: clang -O2, narrow multiplication" host clang-narrow '' host clang -O2 -DGJK_NARROW_MULTIPLY=1
+    check "$game: clang -O2, narrow multiplication" host clang-narrow '' host clang -O2 -DGJK_NARROW_MULTIPLY=1 $golden_avx2
   else
     skip "$game with clang" clang
   fi

@@ -7,7 +7,7 @@
 static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.5));
 static const gjk_shape *const shapes[] = {&ball};
 
-static uint32_t block[1000], saved[1000];
+static uint32_t block[GJK_SCENE_BYTES(2, 2, 4) / 4], saved[GJK_SCENE_BYTES(2, 2, 4) / 4];
 
 // One tick: body 1 moves towards body 0.
 static uint64_t play(gjk_scene *scene, gjk_body_id mover) {

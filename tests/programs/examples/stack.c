@@ -7,7 +7,7 @@ static const gjk_shape ground = GJK_BOX(GJK_Q16(10.0), GJK_Q16(10.0), GJK_Q16(0.
 static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
 static const gjk_shape *const shapes[] = {&ground, &crate};
 
-static uint32_t block[1000];  // the whole scene
+static uint32_t block[GJK_SCENE_BYTES(8, 8, 16) / 4];  // the whole scene
 static gjk_manifold manifold;
 static gjk_pose pose = GJK_POSE_IDENTITY;  // of the crate
 static gjk_q16 speed;                      // upwards, units a tick

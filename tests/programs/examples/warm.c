@@ -6,7 +6,7 @@
 enum { CRATES = 4 };
 static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
 static const gjk_shape *const shapes[] = {&crate};
-static uint32_t block[1200];
+static uint32_t block[(GJK_SCENE_BYTES(8, 8, 16) + GJK_SCENE_MORE_BYTES(0, 0, 16)) / 4];
 static gjk_report reports[16];
 static int32_t height[CRATES + 1], speed[CRATES + 1];  // upwards, LSB and LSB a tick; body 0 is the floor
 
