@@ -24,7 +24,8 @@
 //     P's frame as seen from S's, to the nearest    sqrt(3)/2, not from the world
 //     together                                      1 seen from the world, 3 else
 //     support points of a part                      0 where it is not turned or moved in its link's frame, else 3, as
-//                                                   collider.c has it; of curved ones 2 more, of curved obstacles 2
+//                                                   collider.c has it; of curved ones 2 more, of curved obstacles 2,
+//                                                   and of bodies, whose pieces may be curved
 //     rotations of N joints and the base            (N + 1) 2^-26 D, as gjk/joint.h states, from either end
 //     a matrix of them, entries to the nearest      3 (1/2) 2^-30 D
 //     the product of two matrices, not from the world    the same twice
@@ -92,7 +93,7 @@ static void bound_motion(const gjk_arm *arm, unsigned frame, unsigned link, int3
 // The slack of a pair but for S, as the head of this file has it. reach: of a part from the origin of S's frame.
 static int32_t slack_of(const gjk_arm *arm, const gjk_arm_pair *pair, const arm_motion *motion, int32_t reach) {
   const uint64_t turned = ((motion->joints + 2) * (motion->reach + (uint64_t)reach)) >> 26;  // below 34 2^29 / 2^26
-  return (int32_t)((pair->frame == GJK_ARM_BASE ? 1u : 3u) + arm->memory.parts[pair->part].slack + (unsigned)turned +
+  return (int32_t)((pair->frame >= GJK_ARM_BODY ? 1u : 3u) + arm->memory.parts[pair->part].slack + (unsigned)turned +
                    1 + 2 + 1);
 }
 
@@ -177,7 +178,7 @@ gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to
     gjk_arm_pair *pair = &arm->memory.pairs[i];
     const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
     const unsigned link = arm->model->parts[pair->part].link;
-    if (pair->frame != GJK_ARM_BASE) {
+    if (pair->frame < GJK_ARM_BODY) {
       const gjk_arm_part_room *other = &arm->memory.parts[pair->other];
       bound_motion(arm, pair->frame, link, part->reach, &motion);
       slack = slack_of(arm, pair, &motion, other->reach) + other->slack;
@@ -187,7 +188,8 @@ gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to
     }
     pair->bend = motion.bend;
     pair->slack = slack;
-    if (pair->frame == GJK_ARM_BASE && gjk_is_curved(arm->obstacles[pair->other].shape)) {
+    if (pair->frame == GJK_ARM_BODY ||
+        (pair->frame == GJK_ARM_BASE && gjk_is_curved(arm->obstacles[pair->other].shape))) {
       pair->slack += 2;
     }
   }
