@@ -37,7 +37,7 @@
 #   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400 (0: all) by
 #                        SEED=1, in files that match FILES=.; lists the survivors
 #   make fuzz            fuzzes pairs, the reader of cases, arguments, bodies of many parts, hulls and masses, scenes,
-#                        forged claims, casts, the plane and gjk-convert for SECONDS=60
+#                        forged claims, casts, the plane, arms and gjk-convert for SECONDS=60
 #   make soak            certifies PAIRS=100000000 random pairs on two cores; goes on where it was interrupted
 #   make soak-casts      the same for CASTS=1000000 random casts
 #   make numbers         sine, cosine and roots of all 2^32 numbers: their errors are those stated (20 minutes on two cores)
@@ -274,6 +274,23 @@ build/gjk-casts: tests/measure/cast/main.c $(CAST_OBJECTS) $(SUPPORT) $(HOST_LIB
 	  -o build/hosted/tests/measure/cast/main.o
 	@$(if $(CAST_PEERS),$(CXX),$(CC)) build/hosted/tests/measure/cast/main.o $(filter %.o,$^) $(HOST_LIB) \
 	  $(if $(CAST_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
+
+# Edges of an arm. ARM_PEERS, out of BENCH_PEERS: bullet and fcl.
+ARM_PEERS := $(filter bullet fcl,$(BENCH_PEERS))
+ARM_PEER_OBJECTS := $(ARM_PEERS:%=build/hosted/tests/measure/arm/peer/%.o)
+
+build/hosted/tests/measure/arm/peer/%.o: tests/measure/arm/peer/%.cpp build/hosted/peers.flags Makefile
+	@mkdir -p $(@D)
+	@echo '  $<'
+	@$(PEER_COMPILE) -c $< -o $@
+
+build/gjk-arms: tests/measure/arm/main.c $(ARM_PEER_OBJECTS) $(SUPPORT) $(HOST_LIB) build/hosted/peers.flags
+	@echo '  $@'
+	@mkdir -p build/hosted/tests/measure/arm
+	@$(HOSTED) $(if $(filter bullet,$(ARM_PEERS)),-DSWEEP_BULLET) $(if $(filter fcl,$(ARM_PEERS)),-DSWEEP_FCL) -c $< \
+	  -o build/hosted/tests/measure/arm/main.o
+	@$(if $(ARM_PEERS),$(CXX),$(CC)) build/hosted/tests/measure/arm/main.o $(filter %.o,$^) $(HOST_LIB) \
+	  $(if $(ARM_PEERS),$(call PEER_FLAGS,--libs)) -lm -o $@
 
 # Decisions and costs in the plane. PLANE_PEERS: other libraries to measure, out of box2d and chipmunk; -alone: none.
 PLANE_PEERS ?=

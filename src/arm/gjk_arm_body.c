@@ -272,7 +272,8 @@ static bool check_piece(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_
          gjk_sar64(found, 30) - off >= gap;
 }
 
-static uint32_t check_pieces(const gjk_arm *arm, const gjk_arm_proof *proofs, uint32_t count, int64_t bend, int64_t gap) {
+static uint32_t check_pieces(const gjk_arm *arm, const gjk_arm_proof *proofs, uint32_t count, int64_t bend,
+                             int64_t gap) {
   gjk_arm_pair *pair = &arm->memory.pairs[proofs->pair];
   const int64_t off = bend + pair->slack;
   arm_pieces pieces;
@@ -299,8 +300,11 @@ static uint32_t check_pieces(const gjk_arm *arm, const gjk_arm_proof *proofs, ui
   return used;
 }
 
-static const gjk_arm_body_class class_of_bodies = {
-    .span = span_of_body, .near = near_body, .touches = touches_piece, .nearest = nearest_in_body, .check = check_pieces};
+static const gjk_arm_body_class class_of_bodies = {.span = span_of_body,
+                                                   .near = near_body,
+                                                   .touches = touches_piece,
+                                                   .nearest = nearest_in_body,
+                                                   .check = check_pieces};
 
 gjk_status gjk_arm_bodies(gjk_arm *arm, const gjk_parts *bodies, uint16_t count) {
   if (arm == NULL || (bodies == NULL && count > 0)) {

@@ -10,22 +10,27 @@
 //     |dp / dq_k| <= R_k                  where k is revolute;  1 where k is prismatic
 //   R_k is the largest distance that p can have from joint k's origin: offsets, extensions and P's reach beyond k. So
 //     |p''| <= M = sum over k of w_k R_k (a_k + 2 sum over j < k of a_j),   a_j = w_j where j is revolute, else 0.
-//   Between t0 and t1 = t0 + h, p is at most M h^2 / 8 from the point that divides the chord from p(t0) to p(t1) as t
-//   divides the span. (The error of linear interpolation; Rolle's theorem along any direction.)
+//   Let c(t) be the point that divides the chord from p(t0) to p(t1), t1 = t0 + h, as t divides the span. Between t0 and
+//   t1, p is at most M h^2 / 8 from c. (The error of linear interpolation; Rolle's theorem along any direction.)
 //
 // Apart          Let n be any direction, and g(t) the gap of S and P along n at t, as if P were posed there. All points
 //   of P on the chords are at least min(g(t0), g(t1)) beyond S along n. So on the whole span the gap is at least
 //     min(g(t0), g(t1)) - M h^2 / 8 - slack.
 //   This holds for any n. So a search for n may round as it likes; only g is computed with care.
 //
+// Pieces         A box that holds P at both ends holds all chords. Let a piece of a body be more than d + M h^2 / 8 + slack
+//   from the box, along an axis. Then it is more than d from P on the whole span.
+//
 // Slack          What rounding may add to g at an end, LSB; D is the sum of the lengths from S's frame to P's farthest
 //   point, N the number of joints from the base to either:
 //     positions of frames, each to the nearest      sqrt(3)/2 for P's link, and for S's link
 //     P's frame as seen from S's, to the nearest    sqrt(3)/2, not from the world
 //     together                                      1 seen from the world, 3 else
-//     support points of a part                      0 where it is not turned or moved in its link's frame, else 3, as
-//                                                   collider.c has it; of curved ones 2 more, of curved obstacles 2,
-//                                                   and of bodies, whose pieces may be curved
+//     support points of a part                      3, as gjk_collider.c has it; 0 where it is not turned or moved in
+//                                                   its link's frame
+//     curved parts                                  2, counted as 3
+//     curved obstacles                              2
+//     bodies, whose pieces may be curved            2
 //     rotations of N joints and the base            (N + 1) 2^-26 D, as gjk/joint.h states, from either end
 //     a matrix of them, entries to the nearest      3 (1/2) 2^-30 D
 //     the product of two matrices, not from the world    the same twice

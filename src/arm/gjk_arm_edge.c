@@ -175,7 +175,7 @@ static bool may_touch_at_end(const gjk_arm *arm, const gjk_arm_pair *pair, int64
 }
 
 // Step 2 for a pair of an obstacle or two parts.
-static gjk_arm_found search_pair(gjk_arm *arm, uint32_t number, int64_t bend) {
+static gjk_arm_found search_arm_pair(gjk_arm *arm, uint32_t number, int64_t bend) {
   gjk_arm_pair *pair = &arm->memory.pairs[number];
   const gjk_collider *obstacle = gjk_arm_obstacle(arm, pair);
   const int64_t off = bend + pair->slack, margin = arm->setup.margin;
@@ -205,7 +205,7 @@ static bool test_span(gjk_arm *arm, uint32_t number, uint32_t left) {
   const uint32_t start = span_start(arm), end = start + span_steps(arm);
   const int64_t bend = gjk_arm_bend(pair, arm->depth), near = (int64_t)arm->setup.margin + arm->setup.tolerance;
   gjk_arm_found found = pair->frame == GJK_ARM_BODY && bend >= 0 ? arm->type->span(arm, number, bend, left)
-                                                                 : search_pair(arm, number, bend);
+                                                                 : search_arm_pair(arm, number, bend);
   if (found == GJK_ARM_MORE || arm->state != GJK_ARM_RUNNING) {
     return false;
   }

@@ -136,7 +136,7 @@ static gjk_vec3 support_of_part(const gjk_arm_part_room *part, const gjk_vec3 *d
 void gjk_arm_box(const gjk_arm *arm, unsigned number, unsigned start, unsigned end, gjk_aabb *out) {
   const gjk_arm_part_room *part = &arm->memory.parts[number];
   const gjk_q16 radius = part->collider.shape->convex_radius;
-  int64_t low[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, high[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
+  int64_t low[3], high[3];
   for (unsigned i = 0; i < 2; i++) {
     const gjk_arm_frame *frame = &arm->memory.links[arm->model->parts[number].link].frame[i == 0 ? start : end];
     const int32_t at[3] = {frame->at.x, frame->at.y, frame->at.z};
@@ -145,8 +145,8 @@ void gjk_arm_box(const gjk_arm *arm, unsigned number, unsigned start, unsigned e
       const gjk_vec3 most = support_of_part(part, d), least = support_of_part(part, &back);
       const int64_t above = at[axis] + gjk_sar64(gjk_dot(d, &most), 30) + 1 + radius;
       const int64_t below = at[axis] + gjk_sar64(gjk_dot(d, &least), 30) - radius;
-      high[axis] = above > high[axis] ? above : high[axis];
-      low[axis] = below < low[axis] ? below : low[axis];
+      high[axis] = i == 0 || above > high[axis] ? above : high[axis];
+      low[axis] = i == 0 || below < low[axis] ? below : low[axis];
     }
   }
   out->lower.x = gjk_saturate(low[0]);
