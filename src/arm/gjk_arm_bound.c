@@ -131,8 +131,8 @@ static void set_changes(gjk_arm *arm) {
 static bool link_in_range(const gjk_arm *arm, unsigned link, int32_t reach) {
   const gjk_vec3 *p = &arm->base.position;
   uint64_t distance = (uint64_t)reach, turn = 0;
-  for (unsigned i = 0; i < arm->model->link_count; i++) {
-    if (arm->memory.links[link].above >> i & 1u) {
+  for (uint32_t way = arm->memory.links[link].above, i = 0; way != 0; way >>= 1, i++) {
+    if ((way & 1u) != 0) {
       distance += arm->memory.links[i].joint.reach + (uint64_t)arm->memory.links[i].extent;  // below 2^38 at the end
       turn += arm->model->links[i].kind == GJK_ARM_REVOLUTE ? arm->memory.links[i].change : 0;
     }
@@ -148,10 +148,12 @@ static gjk_status set_range(gjk_arm *arm, const int32_t *from, const int32_t *to
   arm->to = to;
   set_changes(arm);
   for (unsigned i = 0; i < arm->model->link_count; i++) {
-    in_range = in_range && link_in_range(arm, i, 0);
-  }
-  for (unsigned i = 0; i < arm->model->part_count; i++) {
-    in_range = in_range && link_in_range(arm, arm->model->parts[i].link, arm->memory.parts[i].reach);
+    int32_t reach = 0;  // of the link's parts
+    for (unsigned k = 0; k < arm->model->part_count; k++) {
+      const bool farther = arm->model->parts[k].link == i && arm->memory.parts[k].reach > reach;
+      reach = farther ? arm->memory.parts[k].reach : reach;
+    }
+    in_range = in_range && link_in_range(arm, i, reach);
   }
   return in_range ? GJK_OK : GJK_ERROR_RANGE;
 }

@@ -7,43 +7,26 @@
 #include "gjk_arm_bound.h"
 #include "gjk_arm_span.h"
 
-// Do the bounding spheres show a pair to be more than so much apart? 12: roundings of both centres.
-static bool spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *obstacle, unsigned which,
-                          int64_t most) {
+// Does a pair's first test, of spheres, show it to be more than so much apart? 12: roundings of both centres.
+static inline bool are_far(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *obstacle, unsigned which,
+                           int64_t most) {
   const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
   const gjk_collider *other = obstacle != NULL ? obstacle : &arm->memory.parts[pair->other].collider;
-  const gjk_vec3 *a = &part->at[which],
-                 *b = obstacle != NULL ? &other->centre : &arm->memory.parts[pair->other].at[which];
-  const uint64_t limit = (uint64_t)(most + part->collider.radius + other->radius + 12);  // below 2^32
-  const uint64_t x = gjk_magnitude64((int64_t)a->x - b->x), y = gjk_magnitude64((int64_t)a->y - b->y);
-  const uint64_t z = gjk_magnitude64((int64_t)a->z - b->z);
-  if (x > limit || y > limit || z > limit) {
-    return true;
-  }
-  return limit >> 31 == 0 && x * x + y * y + z * z > limit * limit;  // each below 2^62
+  const gjk_vec3 *centre = obstacle != NULL ? &obstacle->centre : &arm->memory.parts[pair->other].at[which];
+  return gjk_arm_balls_apart(&part->at[which], centre, most + part->collider.radius + other->radius + 12);
 }
 
 bool gjk_arm_surely_apart(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *obstacle, unsigned which,
                           int64_t most) {
+  const gjk_arm_search search = {most + GJK_ARM_SLACK_MAX, 0};
   gjk_arm_view view;
   gjk_unit3 kept = {0, 0, 0}, direction;
   int64_t gap;
-  if (spheres_apart(arm, pair, obstacle, which, most)) {
+  if (are_far(arm, pair, obstacle, which, most)) {
     return true;
   }
-  const gjk_arm_search search = {most + GJK_ARM_SLACK_MAX, 0};
   gjk_arm_look(arm, pair, obstacle, which, which, &view);
   return most < INT32_MAX / 2 && gjk_arm_separate(&view, &search, &kept, &direction, &gap) == GJK_ARM_APART;
-}
-
-// The first test of most pairs, in line: do the bounding spheres of a part and an obstacle show it? 12: as above.
-static inline bool are_far(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t most) {
-  const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
-  const gjk_collider *obstacle = &arm->obstacles[pair->other];
-  const int64_t reach = most + part->collider.radius + obstacle->radius + 12;
-  gjk_vec3 way;
-  return gjk_arm_near_way(&part->at[0], &obstacle->centre, &way) && reach <= INT32_MAX &&
-         gjk_dot(&way, &way) > gjk_mul32((int32_t)reach, (int32_t)reach);  // below 2^58 and 2^62
 }
 
 gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, gjk_arm_distance_result *out) {
@@ -57,7 +40,7 @@ gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, g
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     const gjk_arm_pair *pair = &arm->memory.pairs[i];
     gjk_collider part, other;
-    if (pair->frame == GJK_ARM_BASE && are_far(arm, pair, nearest)) {
+    if (pair->frame != GJK_ARM_BODY && are_far(arm, pair, gjk_arm_obstacle(arm, pair), 0, nearest)) {
       continue;
     }
     if (pair->frame == GJK_ARM_BODY) {
@@ -110,7 +93,7 @@ gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, b
     const gjk_arm_pair *of = &arm->memory.pairs[i];
     bool near;
     uint32_t piece;
-    if (of->frame == GJK_ARM_BASE && are_far(arm, of, distance)) {
+    if (of->frame != GJK_ARM_BODY && are_far(arm, of, gjk_arm_obstacle(arm, of), 0, distance)) {
       continue;
     }
     const gjk_status of_pair = near_pair(arm, of, distance, &near, &piece);

@@ -108,12 +108,7 @@ static int64_t spheres_of(const gjk_collider *part, const gjk_collider *other) {
 
 bool gjk_arm_spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *other, int64_t gap) {
   const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
-  const int64_t reach = spheres_of(&part->collider, other) + gap + part->half;
-  gjk_vec3 way;
-  if (!gjk_arm_near_way(&part->middle, &other->centre, &way) || reach > INT32_MAX) {
-    return false;
-  }
-  return gjk_dot(&way, &way) > gjk_mul32((int32_t)reach, (int32_t)reach);  // below 2^58 and 2^62
+  return gjk_arm_balls_apart(&part->middle, &other->centre, spheres_of(&part->collider, other) + gap + part->half);
 }
 
 // Both convex radii, LSB: below 2^29.

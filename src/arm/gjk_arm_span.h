@@ -48,6 +48,13 @@ static inline bool gjk_arm_near_way(const gjk_vec3 *a, const gjk_vec3 *b, gjk_ve
   return true;
 }
 
+// Are two centres surely more than reach >= 0 apart? A "no" may be wrong.
+static inline bool gjk_arm_balls_apart(const gjk_vec3 *a, const gjk_vec3 *b, int64_t reach) {
+  gjk_vec3 way;
+  return reach <= INT32_MAX && gjk_arm_near_way(a, b, &way) &&
+         gjk_dot(&way, &way) > gjk_mul32((int32_t)reach, (int32_t)reach);  // below 2^58 and 2^62
+}
+
 // Do the bounding spheres of a part and an obstacle stay more than gap apart on the span? gap: LSB, from 0 to 2^30. Then
 // gjk_arm_separate would find a direction along which the gap is above that. A "no" may be wrong.
 bool gjk_arm_spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *other, int64_t gap);

@@ -167,6 +167,7 @@ static void check_path(void) {
   CHECK(free == 2 && result.answer == GJK_ARM_TOUCH);
   CHECK(gjk_arm_path(&m.arm, path, 3, &plain, 100000, &free, &result) == GJK_OK);
   CHECK(free == 2 && result.answer == GJK_ARM_FREE);
+  CHECK(gjk_arm_path(&m.arm, path, 2, &plain, 100000, &free, &result) == GJK_OK && free == 1);
   CHECK(gjk_arm_path(&m.arm, path, 3, &plain, 0, &free, &result) == GJK_OK);
   CHECK(free == 0 && result.answer == GJK_ARM_UNSETTLED);
   CHECK(gjk_arm_path(&m.arm, path, 1, &plain, 1, &free, &result) == GJK_ERROR_EMPTY);
