@@ -157,7 +157,6 @@ static gjk_status near_body(const gjk_arm *arm, const gjk_arm_pair *pair, unsign
   gjk_decision decision;
   bool any, placed = false;
   uint32_t number, limited = GJK_PARTS_NONE;
-  *yes = false;
   *piece = GJK_PARTS_NONE;
   gjk_status status = arm_open(arm, pair, which, which, distance + GJK_ARM_SLACK_MAX, &pieces, &any);
   while (status == GJK_OK && next_piece(&pieces, any, &number)) {  // ends: each piece comes once
