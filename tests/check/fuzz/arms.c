@@ -221,7 +221,7 @@ static void check_still(void) {
   hostile_check(gjk_arm_poses(&arm, ends[0], poses), NULL, 0);
   const gjk_status status = gjk_arm_distance(&arm, ends[0], most, &nearest);
   hostile_check(status, NULL, 0);
-  // Up to 16,384 units both are exact but for cylinders, which are off by up to 2 LSB each.
+  // A distance is rounded, and cylinders are off by up to 2 LSB each.
   if (status == GJK_OK && nearest.distance.distance < INT32_C(1) << 29) {
     const gjk_status of_near = gjk_arm_near(&arm, ends[0], nearest.distance.distance + 4, &near, &pair);
     expect(near && (of_near == GJK_OK || of_near == GJK_ERROR_ITERATION_LIMIT), "the nearest pair is not near");
