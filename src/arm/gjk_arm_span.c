@@ -131,18 +131,22 @@ static gjk_vec3 support_of_part(const gjk_arm_part_room *part, const gjk_vec3 *d
 void gjk_arm_box(const gjk_arm *arm, unsigned number, unsigned start, unsigned end, gjk_aabb *out) {
   const gjk_arm_part_room *part = &arm->memory.parts[number];
   const gjk_q16 radius = part->collider.shape->convex_radius;
+  const gjk_arm_frame *frames = arm->memory.links[arm->model->parts[number].link].frame;
   int64_t low[3], high[3];
-  for (unsigned i = 0; i < 2; i++) {
-    const gjk_arm_frame *frame = &arm->memory.links[arm->model->parts[number].link].frame[i == 0 ? start : end];
-    const int32_t at[3] = {frame->at.x, frame->at.y, frame->at.z};
-    for (unsigned axis = 0; axis < 3; axis++) {
-      const gjk_vec3 *d = &frame->rows[axis], back = gjk_negate(*d);
-      const gjk_vec3 most = support_of_part(part, d), least = support_of_part(part, &back);
-      const int64_t above = at[axis] + gjk_sar64(gjk_dot(d, &most), 30) + 1 + radius;
-      const int64_t below = at[axis] + gjk_sar64(gjk_dot(d, &least), 30) - radius;
-      high[axis] = i == 0 || above > high[axis] ? above : high[axis];
-      low[axis] = i == 0 || below < low[axis] ? below : low[axis];
+  for (unsigned axis = 0; axis < 3; axis++) {
+    int64_t least = INT64_MAX, most = INT64_MIN;
+    for (unsigned i = 0; i < 2; i++) {
+      const gjk_arm_frame *frame = &frames[i == 0 ? start : end];
+      const gjk_vec3 *d = &frame->rows[axis], *o = &frame->at, back = gjk_negate(*d);
+      const gjk_vec3 far = support_of_part(part, d), near = support_of_part(part, &back);
+      const int32_t at = axis == 0 ? o->x : axis == 1 ? o->y : o->z;
+      const int64_t above = at + gjk_sar64(gjk_dot(d, &far), 30) + 1 + radius;
+      const int64_t below = at + gjk_sar64(gjk_dot(d, &near), 30) - radius;
+      most = above > most ? above : most;
+      least = below < least ? below : least;
     }
+    low[axis] = least;
+    high[axis] = most;
   }
   out->lower.x = gjk_saturate(low[0]);
   out->lower.y = gjk_saturate(low[1]);
