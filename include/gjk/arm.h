@@ -15,6 +15,8 @@
 //
 // Tested   Pairs of parts of different links, and each part with each obstacle, where some joint moves one against the
 //          other. Not tested: parts of links that a joint connects, and pairs in the model's list.
+// Bodies   An obstacle may be a body of many parts: a compound, a mesh, a height field. Its parts are called pieces here.
+//          A surface has no inside: what is wholly behind it is free.
 // Real     An answer holds for the motion in real numbers: every rounding is paid for. src/arm/gjk_arm_bound.c has the
 //          bounds and their proof.
 // Curved   Cylinders, cones, ellipsoids and custom shapes count as accurately as gjk/intersect.h states.
@@ -26,12 +28,13 @@
 #include "gjk/collider.h"
 #include "gjk/distance.h"
 #include "gjk/joint.h"
+#include "gjk/parts.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-// Most links of a machine, and most parts of it. Obstacles may be up to 65535.
+// Most links of a machine, and most parts of it. Obstacles may be up to 65535, and bodies as many.
 #define GJK_ARM_LINKS_MAX 32
 #define GJK_ARM_PARTS_MAX 1024
 
@@ -108,8 +111,9 @@ typedef struct gjk_arm_pair {
   int32_t slack;         // all roundings, LSB
   gjk_unit3 direction;   // that last parted the pair
   uint32_t done;         // where it was last tested for a touch; of a check, up to where it is proven apart
+  uint32_t piece;        // of a body: the one that was last found open
   uint16_t part, other;  // their numbers
-  uint8_t frame;         // the link whose parts other is one of; GJK_ARM_BASE: other is an obstacle
+  uint8_t frame;         // the link whose parts other is one of; GJK_ARM_BASE: an obstacle; one less: a body
   uint8_t level;         // the depth of the span on which it is proven apart
 } gjk_arm_pair;
 
@@ -117,7 +121,7 @@ typedef struct gjk_arm_pair {
 typedef struct gjk_arm_memory {
   gjk_arm_link_room *links;  // one for each link
   gjk_arm_part_room *parts;  // one for each part
-  gjk_arm_pair *pairs;       // GJK_ARM_PAIRS(parts, obstacles) are enough for any machine; fewer may be
+  gjk_arm_pair *pairs;       // GJK_ARM_PAIRS(parts, obstacles and bodies) are enough for any machine; fewer may be
   uint32_t pair_capacity;    // how many there are
 } gjk_arm_memory;
 
@@ -142,8 +146,9 @@ typedef struct gjk_arm_setup {
 // Two things of which one or both belong to the machine.
 typedef struct gjk_arm_names {
   uint16_t part;   // its number in the model
-  uint16_t other;  // the number of another part, or of an obstacle
-  bool obstacle;   // other is an obstacle
+  uint16_t other;  // the number of another part, of an obstacle, or of a body
+  bool obstacle;   // other is an obstacle or a body
+  uint32_t piece;  // of a body: the number of its part; else GJK_PARTS_NONE
 } gjk_arm_names;
 
 // What is known of an edge.
@@ -165,12 +170,18 @@ typedef struct gjk_arm_edge_result {
 } gjk_arm_edge_result;
 
 // One step of a certificate: on the span from one fraction to another a pair is apart, as both ends show along a direction.
-// It leads from the other thing to the part, in the frame of the other part's link, or of an obstacle in the world.
+// It leads from the other thing to the part, in the frame of the other part's link, or of an obstacle in the world. A body is
+// proven by a step for each piece that is near the part, and a last one without a direction: all others are outside a
+// box around the part. Steps of a span that have no last one show nothing yet.
 typedef struct gjk_arm_proof {
   gjk_q30 from, to;     // a dyadic span: its length is a power of 2, and from a multiple of it
   gjk_unit3 direction;  // as above
   uint32_t pair;        // its number
+  uint32_t piece;       // of a body: the number of its part; else, and of the last step, GJK_PARTS_NONE
 } gjk_arm_proof;
+
+// The functions for bodies, opaque.
+typedef struct gjk_arm_body_class gjk_arm_body_class;
 
 // Takes a proof: of one pair in the order of time, without gaps.
 typedef void gjk_arm_proof_function(void *user, const gjk_arm_proof *proof);
@@ -179,6 +190,8 @@ typedef void gjk_arm_proof_function(void *user, const gjk_arm_proof *proof);
 typedef struct gjk_arm {
   const gjk_arm_model *model;       // the caller's
   const gjk_collider *obstacles;    // the caller's
+  const gjk_parts *bodies;          // the caller's
+  const gjk_arm_body_class *type;   // what asks them; NULL: there are none
   const int32_t *from;              // the caller's
   const int32_t *to;                // the caller's
   gjk_arm_proof_function *proof;    // the caller's, or NULL
@@ -192,12 +205,18 @@ typedef struct gjk_arm {
   uint32_t place;                   // the span's number at its depth
   uint32_t upper, touched;          // where a touch is known, in steps of the edge; whose
   uint32_t tests;                   // so far
+  uint32_t touched_piece;           // of a body that is touched
+  uint32_t node, item;              // how far a body's pieces are looked at
+  gjk_q16 spare;                    // the gap that pieces beyond those have
+  gjk_status fault;                 // of a body's piece that cannot be placed
   uint16_t obstacle_count;          // how many there are
+  uint16_t body_count;              // how many there are
   uint16_t state;                   // tells an arm that was set up from other memory, and how far an edge is
   uint8_t value_count;              // joints that move
   uint8_t depth;                    // of the span
   uint8_t first;                    // which of a link's frames is the span's start
   bool open;                        // a pair of the span is open
+  bool within;                      // a body's pieces are looked at
   bool outside;                     // a value is outside its limits
 } gjk_arm;
 
@@ -212,10 +231,19 @@ gjk_status gjk_arm_init(gjk_arm *arm, const gjk_arm_model *model, const gjk_pose
 
 // Sets what the arm must not hit. An edge or check that runs is given up.
 //
-// obstacles  posed colliders; must stay as they are as long as the arm is asked. NULL where count is 0. Those of a body of
-//            many parts are made by gjk_parts_place.
+// obstacles  posed colliders; must stay as they are as long as the arm is asked. NULL where count is 0.
 // Statuses   NULL, UNINITIALISED (an arm or an obstacle), CAPACITY (pairs). The arm's obstacles are then as they were.
 gjk_status gjk_arm_obstacles(gjk_arm *arm, const gjk_collider *obstacles, uint16_t count);
+
+// Sets the bodies of many parts that the arm must not hit, beside its obstacles. An edge or check that runs is given up.
+//
+// bodies    posed; they and their data must stay as they are as long as the arm is asked. NULL where count is 0.
+// Cost      of a span or a configuration, for each part of the arm: a walk through the pieces whose boxes meet a box around
+//           it, and what an obstacle costs for each of them. Programs without this call link none of it.
+// Statuses  NULL, UNINITIALISED (the arm), CAPACITY (pairs), and EMPTY, ROTATION, RANGE as of gjk/parts.h. The arm's
+//           bodies are then as they were. Calls that ask a body later have those statuses too, of data that were
+//           never checked; what they write is then of no use.
+gjk_status gjk_arm_bodies(gjk_arm *arm, const gjk_parts *bodies, uint16_t count);
 
 // How many values a configuration of the model has; 0 for NULL.
 unsigned gjk_arm_values(const gjk_arm_model *model);
@@ -236,7 +264,8 @@ gjk_status gjk_arm_edge_start(gjk_arm *arm, const int32_t *from, const int32_t *
 // Goes on with the edge that was begun.
 //
 // tests  the most tests of this call, each of a pair on a span: of about the cost of gjk_within, which some ask once or
-//        twice beside. Where an edge is interrupted makes no difference to its answer or its proofs.
+//        twice beside. Each piece of a body counts as a test; some ask what gjk_parts_within costs beside. Where an edge
+//        is interrupted makes no difference to its answer or its proofs.
 // out    what is proven by now. UNSETTLED: call it again to go on.
 //
 // OK               everything, as above.
@@ -275,7 +304,7 @@ gjk_status gjk_check_edge(gjk_arm *arm, const int32_t *from, const int32_t *to, 
 
 // What is nearest at a configuration.
 typedef struct gjk_arm_distance_result {
-  gjk_arm_names pair;            // the nearest; ties go to the first, parts before obstacles
+  gjk_arm_names pair;            // the nearest; ties go to the first: parts, then obstacles, then bodies
   gjk_distance_result distance;  // from the other thing, A, to the part, B
   bool outside;                  // a value is outside its limits
 } gjk_arm_distance_result;
@@ -289,7 +318,8 @@ typedef struct gjk_arm_distance_result {
 //           counts. An edge that runs is given up.
 gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, gjk_arm_distance_result *out);
 
-// Is any tested pair at most distance apart? *yes: whether one is; pair: the first such, may be NULL. Statuses as of
+// Is any tested pair at most distance apart? *yes: whether one is; pair: the first such, may be NULL. Of a body it is the
+// piece with the least number. Statuses as of
 // gjk_arm_distance without EMPTY; ITERATION_LIMIT: no pair is found near, and a curved one is open: *yes is then true, and
 // pair names it.
 gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, bool *yes, gjk_arm_names *pair);

@@ -89,7 +89,7 @@ static void add_pair(const gjk_arm_memory *memory, uint32_t *count, unsigned par
     pair->frame = (uint8_t)frame;
     pair->direction.x = pair->direction.y = pair->direction.z = 0;
   }
-  (*count)++;  // at most 2^19 + 2^26
+  (*count)++;  // at most 2^19 + 2^27
 }
 
 // Lists pairs of parts: of the two links the one with the lower number gives the frame.
@@ -153,6 +153,32 @@ gjk_status gjk_arm_init(gjk_arm *arm, const gjk_arm_model *model, const gjk_pose
   return status;
 }
 
+// Adds the pairs of all parts that move with count things.
+static void list_things(gjk_arm *arm, unsigned count, unsigned frame) {
+  for (unsigned i = 0; i < arm->model->part_count; i++) {
+    for (unsigned k = 0; k < count && link_moves(arm, arm->model->parts[i].link); k++) {
+      add_pair(&arm->memory, &arm->pair_count, i, k, frame);
+    }
+  }
+}
+
+bool gjk_arm_list(gjk_arm *arm, uint16_t obstacles, uint16_t bodies) {
+  uint32_t moving = 0;
+  for (unsigned i = 0; i < arm->model->part_count; i++) {
+    moving += link_moves(arm, arm->model->parts[i].link) ? 1u : 0u;
+  }
+  if (moving * ((uint32_t)obstacles + bodies) > arm->memory.pair_capacity - arm->self_count) {  // below 2^27
+    return false;
+  }
+  arm->pair_count = arm->self_count;
+  arm->obstacle_count = obstacles;
+  arm->body_count = bodies;
+  arm->state = GJK_ARM_READY;
+  list_things(arm, obstacles, GJK_ARM_BASE);
+  list_things(arm, bodies, GJK_ARM_BODY);
+  return true;
+}
+
 gjk_status gjk_arm_obstacles(gjk_arm *arm, const gjk_collider *obstacles, uint16_t count) {
   if (arm == NULL || (obstacles == NULL && count > 0)) {
     return GJK_ERROR_NULL;
@@ -160,27 +186,15 @@ gjk_status gjk_arm_obstacles(gjk_arm *arm, const gjk_collider *obstacles, uint16
   if (!gjk_arm_is_ready(arm)) {
     return GJK_ERROR_UNINITIALISED;
   }
-  uint32_t moving = 0;
   for (unsigned i = 0; i < count; i++) {
     if (obstacles[i].state != GJK_STATE_POSED) {
       return GJK_ERROR_UNINITIALISED;
     }
   }
-  for (unsigned i = 0; i < arm->model->part_count; i++) {
-    moving += link_moves(arm, arm->model->parts[i].link) ? 1u : 0u;
-  }
-  if (moving * count > arm->memory.pair_capacity - arm->self_count) {  // below 2^26
+  if (!gjk_arm_list(arm, count, arm->body_count)) {
     return GJK_ERROR_CAPACITY;
   }
   arm->obstacles = obstacles;
-  arm->obstacle_count = count;
-  arm->pair_count = arm->self_count;
-  arm->state = GJK_ARM_READY;
-  for (unsigned i = 0; i < arm->model->part_count; i++) {
-    for (unsigned k = 0; k < count && link_moves(arm, arm->model->parts[i].link); k++) {
-      add_pair(&arm->memory, &arm->pair_count, i, k, GJK_ARM_BASE);
-    }
-  }
   return GJK_OK;
 }
 

@@ -10,21 +10,27 @@
 //     |dp / dq_k| <= R_k                  where k is revolute;  1 where k is prismatic
 //   R_k is the largest distance that p can have from joint k's origin: offsets, extensions and P's reach beyond k. So
 //     |p''| <= M = sum over k of w_k R_k (a_k + 2 sum over j < k of a_j),   a_j = w_j where j is revolute, else 0.
-//   Between t0 and t1 = t0 + h, p is at most M h^2 / 8 from the point that divides the chord from p(t0) to p(t1) as t
-//   divides the span. (The error of linear interpolation; Rolle's theorem along any direction.)
+//   Let c(t) be the point that divides the chord from p(t0) to p(t1), t1 = t0 + h, as t divides the span. Between t0 and
+//   t1, p is at most M h^2 / 8 from c. (The error of linear interpolation; Rolle's theorem along any direction.)
 //
 // Apart          Let n be any direction, and g(t) the gap of S and P along n at t, as if P were posed there. All points
 //   of P on the chords are at least min(g(t0), g(t1)) beyond S along n. So on the whole span the gap is at least
 //     min(g(t0), g(t1)) - M h^2 / 8 - slack.
 //   This holds for any n. So a search for n may round as it likes; only g is computed with care.
 //
+// Pieces         A box that holds P at both ends holds all chords. Let a piece of a body be more than d + M h^2 / 8 + slack
+//   from the box, along an axis. Then it is more than d from P on the whole span.
+//
 // Slack          What rounding may add to g at an end, LSB; D is the sum of the lengths from S's frame to P's farthest
 //   point, N the number of joints from the base to either:
 //     positions of frames, each to the nearest      sqrt(3)/2 for P's link, and for S's link
 //     P's frame as seen from S's, to the nearest    sqrt(3)/2, not from the world
 //     together                                      1 seen from the world, 3 else
-//     support points of a part                      0 where it is not turned or moved in its link's frame, else 3, as
-//                                                   collider.c has it; of curved ones 2 more, of curved obstacles 2
+//     support points of a part                      3, as gjk_collider.c has it; 0 where it is not turned or moved in
+//                                                   its link's frame
+//     curved parts                                  2, counted as 3
+//     curved obstacles                              2
+//     bodies, whose pieces may be curved            2
 //     rotations of N joints and the base            (N + 1) 2^-26 D, as gjk/joint.h states, from either end
 //     a matrix of them, entries to the nearest      3 (1/2) 2^-30 D
 //     the product of two matrices, not from the world    the same twice
@@ -92,7 +98,7 @@ static void bound_motion(const gjk_arm *arm, unsigned frame, unsigned link, int3
 // The slack of a pair but for S, as the head of this file has it. reach: of a part from the origin of S's frame.
 static int32_t slack_of(const gjk_arm *arm, const gjk_arm_pair *pair, const arm_motion *motion, int32_t reach) {
   const uint64_t turned = ((motion->joints + 2) * (motion->reach + (uint64_t)reach)) >> 26;  // below 34 2^29 / 2^26
-  return (int32_t)((pair->frame == GJK_ARM_BASE ? 1u : 3u) + arm->memory.parts[pair->part].slack + (unsigned)turned +
+  return (int32_t)((pair->frame >= GJK_ARM_BODY ? 1u : 3u) + arm->memory.parts[pair->part].slack + (unsigned)turned +
                    1 + 2 + 1);
 }
 
@@ -125,8 +131,8 @@ static void set_changes(gjk_arm *arm) {
 static bool link_in_range(const gjk_arm *arm, unsigned link, int32_t reach) {
   const gjk_vec3 *p = &arm->base.position;
   uint64_t distance = (uint64_t)reach, turn = 0;
-  for (unsigned i = 0; i < arm->model->link_count; i++) {
-    if (arm->memory.links[link].above >> i & 1u) {
+  for (uint32_t way = arm->memory.links[link].above, i = 0; way != 0; way >>= 1, i++) {
+    if ((way & 1u) != 0) {
       distance += arm->memory.links[i].joint.reach + (uint64_t)arm->memory.links[i].extent;  // below 2^38 at the end
       turn += arm->model->links[i].kind == GJK_ARM_REVOLUTE ? arm->memory.links[i].change : 0;
     }
@@ -142,10 +148,12 @@ static gjk_status set_range(gjk_arm *arm, const int32_t *from, const int32_t *to
   arm->to = to;
   set_changes(arm);
   for (unsigned i = 0; i < arm->model->link_count; i++) {
-    in_range = in_range && link_in_range(arm, i, 0);
-  }
-  for (unsigned i = 0; i < arm->model->part_count; i++) {
-    in_range = in_range && link_in_range(arm, arm->model->parts[i].link, arm->memory.parts[i].reach);
+    int32_t reach = 0;  // of the link's parts
+    for (unsigned k = 0; k < arm->model->part_count; k++) {
+      const bool farther = arm->model->parts[k].link == i && arm->memory.parts[k].reach > reach;
+      reach = farther ? arm->memory.parts[k].reach : reach;
+    }
+    in_range = in_range && link_in_range(arm, i, reach);
   }
   return in_range ? GJK_OK : GJK_ERROR_RANGE;
 }
@@ -177,7 +185,7 @@ gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to
     gjk_arm_pair *pair = &arm->memory.pairs[i];
     const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
     const unsigned link = arm->model->parts[pair->part].link;
-    if (pair->frame != GJK_ARM_BASE) {
+    if (pair->frame < GJK_ARM_BODY) {
       const gjk_arm_part_room *other = &arm->memory.parts[pair->other];
       bound_motion(arm, pair->frame, link, part->reach, &motion);
       slack = slack_of(arm, pair, &motion, other->reach) + other->slack;
@@ -187,7 +195,8 @@ gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to
     }
     pair->bend = motion.bend;
     pair->slack = slack;
-    if (pair->frame == GJK_ARM_BASE && gjk_is_curved(arm->obstacles[pair->other].shape)) {
+    if (pair->frame == GJK_ARM_BODY ||
+        (pair->frame == GJK_ARM_BASE && gjk_is_curved(arm->obstacles[pair->other].shape))) {
       pair->slack += 2;
     }
   }

@@ -12,6 +12,9 @@ gjk_status gjk_arm_set_edge(gjk_arm *arm, const int32_t *from, const int32_t *to
 // frames of number 0.
 gjk_status gjk_arm_stand(gjk_arm *arm, const int32_t *values, const void *out);
 
+// Lists the pairs anew with so many obstacles and bodies. False: there is no room for them; nothing is changed.
+bool gjk_arm_list(gjk_arm *arm, uint16_t obstacles, uint16_t bodies);
+
 // By how much a pair bends on a span of 2^-depth of the edge, rounded up, LSB; -1: by more than 2^28.
 int64_t gjk_arm_bend(const gjk_arm_pair *pair, unsigned depth);
 

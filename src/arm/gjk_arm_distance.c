@@ -3,38 +3,29 @@
 #include "../arith/gjk_rotation.h"
 #include "../arith/gjk_unit.h"
 #include "gjk/intersect.h"
+#include "gjk_arm_body.h"
 #include "gjk_arm_bound.h"
 #include "gjk_arm_span.h"
 
-// No slack of a pair is larger, see gjk_arm_bound.c: N is at most 64, D at most 2^29.
-#define ARM_SLACK_MAX 600
-
-// Do the bounding spheres show a pair to be more than so much apart? 12: roundings of both centres.
-static bool spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t most) {
+// Does a pair's first test, of spheres, show it to be more than so much apart? 12: roundings of both centres.
+static inline bool are_far(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *obstacle, unsigned which,
+                           int64_t most) {
   const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
-  const gjk_collider *other =
-      pair->frame == GJK_ARM_BASE ? &arm->obstacles[pair->other] : &arm->memory.parts[pair->other].collider;
-  const gjk_vec3 *a = &part->at[0],
-                 *b = pair->frame == GJK_ARM_BASE ? &other->centre : &arm->memory.parts[pair->other].at[0];
-  const uint64_t limit = (uint64_t)(most + part->collider.radius + other->radius + 12);  // below 2^32
-  const uint64_t x = gjk_magnitude64((int64_t)a->x - b->x), y = gjk_magnitude64((int64_t)a->y - b->y);
-  const uint64_t z = gjk_magnitude64((int64_t)a->z - b->z);
-  if (x > limit || y > limit || z > limit) {
-    return true;
-  }
-  return limit >> 31 == 0 && x * x + y * y + z * z > limit * limit;  // each below 2^62
+  const gjk_collider *other = obstacle != NULL ? obstacle : &arm->memory.parts[pair->other].collider;
+  const gjk_vec3 *centre = obstacle != NULL ? &obstacle->centre : &arm->memory.parts[pair->other].at[which];
+  return gjk_arm_balls_apart(&part->at[which], centre, most + part->collider.radius + other->radius + 12);
 }
 
-// Is a pair surely more than so much apart? A "no" may be wrong: then the pair is measured. It costs less than to pose it.
-static bool surely_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t most) {
+bool gjk_arm_surely_apart(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *obstacle, unsigned which,
+                          int64_t most) {
+  const gjk_arm_search search = {most + GJK_ARM_SLACK_MAX, 0};
   gjk_arm_view view;
   gjk_unit3 kept = {0, 0, 0}, direction;
   int64_t gap;
-  if (spheres_apart(arm, pair, most)) {
+  if (are_far(arm, pair, obstacle, which, most)) {
     return true;
   }
-  const gjk_arm_search search = {most + ARM_SLACK_MAX, 0};
-  gjk_arm_look(arm, pair, 0, 0, &view);
+  gjk_arm_look(arm, pair, obstacle, which, which, &view);
   return most < INT32_MAX / 2 && gjk_arm_separate(&view, &search, &kept, &direction, &gap) == GJK_ARM_APART;
 }
 
@@ -49,19 +40,47 @@ gjk_status gjk_arm_distance(gjk_arm *arm, const int32_t *values, gjk_q16 most, g
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     const gjk_arm_pair *pair = &arm->memory.pairs[i];
     gjk_collider part, other;
-    if (surely_apart(arm, pair, nearest)) {
+    if (pair->frame != GJK_ARM_BODY && are_far(arm, pair, gjk_arm_obstacle(arm, pair), 0, nearest)) {
+      continue;
+    }
+    if (pair->frame == GJK_ARM_BODY) {
+      const gjk_status of_body = arm->type->nearest(arm, pair, &nearest, &best, out);
+      if (of_body != GJK_OK) {
+        return of_body;
+      }
+      continue;
+    }
+    if (gjk_arm_surely_apart(arm, pair, gjk_arm_obstacle(arm, pair), 0, nearest)) {
       continue;
     }
     const gjk_status of_pair = gjk_distance(gjk_arm_place(arm, pair, 0, &part, &other), &part, NULL, &found);
     if (found.lower < nearest) {
       nearest = found.lower;
       best = of_pair;
-      gjk_arm_name(pair, &out->pair);
+      gjk_arm_name(pair, GJK_PARTS_NONE, &out->pair);
       gjk_copy(&out->distance, &found, sizeof found);
       out->outside = arm->outside;
     }
   }
   return best;
+}
+
+// Is a pair within a distance? ITERATION_LIMIT: it is open.
+static gjk_status near_pair(const gjk_arm *arm, const gjk_arm_pair *pair, gjk_q16 distance, bool *near,
+                            uint32_t *piece) {
+  gjk_collider part, other;
+  gjk_decision decision;
+  *near = false;
+  *piece = GJK_PARTS_NONE;
+  if (pair->frame == GJK_ARM_BODY) {
+    return arm->type->near(arm, pair, 0, distance, near, piece);
+  }
+  if (gjk_arm_surely_apart(arm, pair, gjk_arm_obstacle(arm, pair), 0, distance)) {
+    return GJK_OK;
+  }
+  const gjk_status status = gjk_within(gjk_arm_place(arm, pair, 0, &part, &other), &part, distance, NULL, &decision);
+  *near = status == GJK_OK && decision.yes;
+  return status;
 }
 
 gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, bool *yes, gjk_arm_names *pair) {
@@ -72,25 +91,20 @@ gjk_status gjk_arm_near(gjk_arm *arm, const int32_t *values, gjk_q16 distance, b
   *yes = false;
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     const gjk_arm_pair *of = &arm->memory.pairs[i];
-    gjk_collider part, other;
-    gjk_decision decision;
-    if (surely_apart(arm, of, distance)) {
+    bool near;
+    uint32_t piece;
+    if (of->frame != GJK_ARM_BODY && are_far(arm, of, gjk_arm_obstacle(arm, of), 0, distance)) {
       continue;
     }
-    const gjk_status of_pair = gjk_within(gjk_arm_place(arm, of, 0, &part, &other), &part, distance, NULL, &decision);
-    if (of_pair == GJK_OK && decision.yes) {
-      *yes = true;
-      if (pair != NULL) {
-        gjk_arm_name(of, pair);
-      }
-      return GJK_OK;
+    const gjk_status of_pair = near_pair(arm, of, distance, &near, &piece);
+    if (pair != NULL && (near || of_pair == GJK_ERROR_ITERATION_LIMIT) && (near || status == GJK_OK)) {
+      gjk_arm_name(of, piece, pair);
     }
-    if (of_pair != GJK_OK && status == GJK_OK) {
-      status = of_pair;
-      if (pair != NULL) {
-        gjk_arm_name(of, pair);
-      }
+    if (near || (of_pair != GJK_OK && of_pair != GJK_ERROR_ITERATION_LIMIT)) {
+      *yes = near;
+      return of_pair;
     }
+    status = of_pair != GJK_OK ? of_pair : status;
   }
   *yes = status != GJK_OK;
   return status;
@@ -122,7 +136,10 @@ static int64_t speed_along(const gjk_arm *arm, unsigned number, const gjk_unit3 
 // The links that move the named things, as bits. False: there is no such pair of things.
 static bool movers(const gjk_arm *arm, const gjk_arm_names *names, uint32_t *part, uint32_t *other) {
   const gjk_arm_model *model = arm->model;
-  if (names->part >= model->part_count || names->other >= (names->obstacle ? arm->obstacle_count : model->part_count)) {
+  const unsigned others = !names->obstacle                 ? model->part_count
+                          : names->piece == GJK_PARTS_NONE ? arm->obstacle_count
+                                                           : arm->body_count;
+  if (names->part >= model->part_count || names->other >= others) {
     return false;
   }
   *part = arm->memory.links[model->parts[names->part].link].above;

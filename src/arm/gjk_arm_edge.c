@@ -15,6 +15,7 @@
 #include "gjk_arm_edge.h"
 
 #include "gjk/intersect.h"
+#include "gjk_arm_body.h"
 #include "gjk_arm_bound.h"
 #include "gjk_arm_span.h"
 
@@ -94,7 +95,8 @@ gjk_status gjk_arm_edge_start(gjk_arm *arm, const int32_t *from, const int32_t *
   arm->user = user;
   arm->next = arm->place = arm->tests = 0;
   arm->depth = arm->first = 0;
-  arm->open = false;
+  arm->open = arm->within = false;
+  arm->fault = GJK_OK;
   arm->upper = GJK_ARM_STEPS;
   arm->touched = GJK_ARM_NO_PAIR;
   arm->gap = GJK_ARM_GAP_MAX;
@@ -102,6 +104,7 @@ gjk_status gjk_arm_edge_start(gjk_arm *arm, const int32_t *from, const int32_t *
     gjk_arm_pair *pair = &arm->memory.pairs[i];
     pair->level = ARM_OPEN;
     pair->done = ARM_NEVER;
+    pair->piece = GJK_PARTS_NONE;
     pair->direction.x = pair->direction.y = pair->direction.z = 0;
   }
   gjk_arm_set_frames(arm, 0, 0);
@@ -121,17 +124,27 @@ bool gjk_arm_touches(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned whic
 
 // Step 3: tests a pair at a step, which is an end of the span.
 static void test_touch(gjk_arm *arm, uint32_t number, uint32_t step, bool end) {
-  if ((step < arm->upper || arm->touched == GJK_ARM_NO_PAIR) &&
-      gjk_arm_touches(arm, &arm->memory.pairs[number], arm->first ^ (end ? 1u : 0u))) {
+  const gjk_arm_pair *pair = &arm->memory.pairs[number];
+  const unsigned which = arm->first ^ (end ? 1u : 0u);
+  uint32_t piece = GJK_PARTS_NONE;
+  bool near;
+  if (step >= arm->upper && arm->touched != GJK_ARM_NO_PAIR) {
+    return;
+  }
+  if (pair->frame == GJK_ARM_BODY) {
+    const int64_t distance = (int64_t)arm->setup.margin + arm->setup.tolerance;
+    near = arm->type->near(arm, pair, which, distance, &near, &piece) == GJK_ERROR_ITERATION_LIMIT || near;
+  } else {
+    near = gjk_arm_touches(arm, pair, which);
+  }
+  if (near) {
     arm->upper = step;
     arm->touched = number;
+    arm->touched_piece = piece;
   }
 }
 
-// Step 2: reports that a pair is proven apart on the present span.
-static void prove(gjk_arm *arm, uint32_t number, int64_t gap, const gjk_unit3 *direction) {
-  gjk_arm_pair *pair = &arm->memory.pairs[number];
-  pair->level = arm->depth;
+void gjk_arm_prove(gjk_arm *arm, uint32_t number, uint32_t piece, int64_t gap, const gjk_unit3 *direction) {
   arm->gap = gap < arm->gap ? gap : arm->gap;
   if (arm->proof != NULL) {
     const gjk_q30 from = (gjk_q30)span_start(arm) * GJK_ARM_STEP_Q30;
@@ -142,6 +155,7 @@ static void prove(gjk_arm *arm, uint32_t number, int64_t gap, const gjk_unit3 *d
     proof.direction.y = direction->y;
     proof.direction.z = direction->z;
     proof.pair = number;
+    proof.piece = piece;
     arm->proof(arm->user, &proof);
   }
 }
@@ -153,34 +167,51 @@ static bool may_touch_at_end(const gjk_arm *arm, const gjk_arm_pair *pair, int64
   gjk_arm_view view;
   gjk_unit3 kept = {0, 0, 0}, direction;
   int64_t gap;
-  gjk_arm_look(arm, pair, arm->first ^ 1u, arm->first ^ 1u, &view);
+  if (pair->frame == GJK_ARM_BODY) {
+    return true;  // a look at all pieces costs no less than the test
+  }
+  gjk_arm_look(arm, pair, gjk_arm_obstacle(arm, pair), arm->first ^ 1u, arm->first ^ 1u, &view);
   return gjk_arm_separate(&view, &search, &kept, &direction, &gap) == GJK_ARM_CLOSE;
 }
 
-// Steps 2 and 3 for a pair that is open.
-static void test_span(gjk_arm *arm, uint32_t number) {
+// Step 2 for a pair of an obstacle or two parts.
+static gjk_arm_found search_arm_pair(gjk_arm *arm, uint32_t number, int64_t bend) {
   gjk_arm_pair *pair = &arm->memory.pairs[number];
-  const uint32_t start = span_start(arm), end = start + span_steps(arm);
-  const int64_t bend = gjk_arm_bend(pair, arm->depth), near = (int64_t)arm->setup.margin + arm->setup.tolerance;
+  const gjk_collider *obstacle = gjk_arm_obstacle(arm, pair);
+  const int64_t off = bend + pair->slack, margin = arm->setup.margin;
+  const gjk_arm_search search = {margin + off, margin + arm->setup.tolerance};
   gjk_arm_view view;
-  gjk_arm_found found = GJK_ARM_OPEN;
   gjk_unit3 direction;
   int64_t gap;
   arm->tests++;
-  // A gap above the least so far need not be measured; a proof names its direction.
-  if (bend >= 0 && arm->proof == NULL && pair->frame == GJK_ARM_BASE &&
-      gjk_arm_spheres_apart(arm, pair, arm->gap + bend + pair->slack)) {
-    pair->level = arm->depth;
-    return;
+  if (bend < 0) {
+    return GJK_ARM_OPEN;
   }
-  if (bend >= 0) {
-    gjk_arm_look(arm, pair, arm->first, arm->first ^ 1u, &view);
-    const gjk_arm_search search = {arm->setup.margin + bend + pair->slack, near};
-    found = gjk_arm_separate(&view, &search, &pair->direction, &direction, &gap);
+  // A gap above the least so far need not be measured; a proof names its direction.
+  if (arm->proof == NULL && obstacle != NULL && gjk_arm_spheres_apart(arm, pair, obstacle, arm->gap + off)) {
+    return GJK_ARM_APART;
+  }
+  gjk_arm_look(arm, pair, obstacle, arm->first, arm->first ^ 1u, &view);
+  const gjk_arm_found found = gjk_arm_separate(&view, &search, &pair->direction, &direction, &gap);
+  if (found == GJK_ARM_APART) {
+    gjk_arm_prove(arm, number, GJK_PARTS_NONE, gjk_sar64(gap, 30) - off, &direction);
+  }
+  return found;
+}
+
+// Steps 2 and 3 for a pair that is open, by at most left tests. False: it is not done.
+static bool test_span(gjk_arm *arm, uint32_t number, uint32_t left) {
+  gjk_arm_pair *pair = &arm->memory.pairs[number];
+  const uint32_t start = span_start(arm), end = start + span_steps(arm);
+  const int64_t bend = gjk_arm_bend(pair, arm->depth), near = (int64_t)arm->setup.margin + arm->setup.tolerance;
+  gjk_arm_found found = pair->frame == GJK_ARM_BODY && bend >= 0 ? arm->type->span(arm, number, bend, left)
+                                                                 : search_arm_pair(arm, number, bend);
+  if (found == GJK_ARM_MORE || arm->state != GJK_ARM_RUNNING) {
+    return false;
   }
   if (found == GJK_ARM_APART) {
-    prove(arm, number, gjk_sar64(gap, 30) - bend - pair->slack, &direction);
-    return;
+    pair->level = arm->depth;
+    return true;
   }
   arm->open = true;
   if (found == GJK_ARM_OPEN && arm->setup.resolution == GJK_Q30_ONE && arm->depth <= ARM_PROBED && bend >= 0 &&
@@ -196,6 +227,7 @@ static void test_span(gjk_arm *arm, uint32_t number) {
       pair->done = end;
     }
   }
+  return true;
 }
 
 // Step 4: the left half of the span.
@@ -275,7 +307,7 @@ static void arm_report(const gjk_arm *arm, gjk_arm_edge_result *out) {
     out->gap = (gjk_q16)arm->gap;
   }
   if (out->answer == GJK_ARM_TOUCH) {
-    gjk_arm_name(pair, &out->pair);
+    gjk_arm_name(pair, arm->touched_piece, &out->pair);
   }
 }
 
@@ -289,12 +321,15 @@ gjk_status gjk_arm_edge_run(gjk_arm *arm, uint32_t tests, gjk_arm_edge_result *o
   const uint32_t before = arm->tests;
   skip_proven(arm);
   while (arm->state == GJK_ARM_RUNNING && arm->tests - before < tests) {
-    test_span(arm, arm->next++);
-    if (is_found(arm)) {
+    arm->next += test_span(arm, arm->next, tests - (arm->tests - before)) ? 1u : 0u;
+    if (arm->state == GJK_ARM_RUNNING && is_found(arm)) {
       arm->state = GJK_ARM_SETTLED;
     }
     skip_proven(arm);
   }
   arm_report(arm, out);
+  if (arm->fault != GJK_OK) {
+    return arm->fault;
+  }
   return arm->state == GJK_ARM_STUCK ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
 }

@@ -89,7 +89,7 @@ void gjk_arm_set_frames(gjk_arm *arm, uint32_t step, unsigned which) {
 }
 
 // Poses a copy of a part's collider in the world; what posing sets is not copied.
-static void arm_place_part(const gjk_arm *arm, unsigned number, unsigned which, gjk_collider *out) {
+void gjk_arm_place_part(const gjk_arm *arm, unsigned number, unsigned which, gjk_collider *out) {
   const gjk_arm_part *part = &arm->model->parts[number];
   const gjk_arm_link_room *room = &arm->memory.links[part->link];
   gjk_pose link, pose;
@@ -110,16 +110,17 @@ static void arm_place_part(const gjk_arm *arm, unsigned number, unsigned which, 
 
 const gjk_collider *gjk_arm_place(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned which, gjk_collider *part,
                                   gjk_collider *other) {
-  arm_place_part(arm, pair->part, which, part);
+  gjk_arm_place_part(arm, pair->part, which, part);
   if (pair->frame == GJK_ARM_BASE) {
     return &arm->obstacles[pair->other];
   }
-  arm_place_part(arm, pair->other, which, other);
+  gjk_arm_place_part(arm, pair->other, which, other);
   return other;
 }
 
-void gjk_arm_name(const gjk_arm_pair *pair, gjk_arm_names *out) {
+void gjk_arm_name(const gjk_arm_pair *pair, uint32_t piece, gjk_arm_names *out) {
   out->part = pair->part;
   out->other = pair->other;
-  out->obstacle = pair->frame == GJK_ARM_BASE;
+  out->obstacle = pair->frame >= GJK_ARM_BODY;
+  out->piece = pair->frame == GJK_ARM_BODY ? piece : GJK_PARTS_NONE;
 }

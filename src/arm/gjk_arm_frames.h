@@ -17,6 +17,9 @@
 #define GJK_ARM_SETTLED UINT16_C(0x6767)
 #define GJK_ARM_STUCK UINT16_C(0x6768)
 
+// The frame of a pair whose other thing is a body.
+#define GJK_ARM_BODY 254
+
 // No pair.
 #define GJK_ARM_NO_PAIR UINT32_MAX
 
@@ -29,16 +32,24 @@ static inline bool gjk_arm_moves(const gjk_arm *arm, unsigned link) {
   return arm->model->links[link].kind != GJK_ARM_FIXED;
 }
 
+// The obstacle of a pair; NULL: it has none.
+static inline const gjk_collider *gjk_arm_obstacle(const gjk_arm *arm, const gjk_arm_pair *pair) {
+  return pair->frame == GJK_ARM_BASE ? &arm->obstacles[pair->other] : NULL;
+}
+
 // Sets the links' frames, those with number which, to a step of the edge from arm->from to arm->to.
 // Pre: gjk_arm_set_edge has found the edge in range; step <= GJK_ARM_STEPS.
 void gjk_arm_set_frames(gjk_arm *arm, uint32_t step, unsigned which);
 
-// Poses the colliders of a pair at the frames with number which. *part is the part's, *other the one of another part; of an
-// obstacle it is not set, and the result is the obstacle's own. Pre: as above.
+// Poses a part's collider at the frames with number which. Pre: as above.
+void gjk_arm_place_part(const gjk_arm *arm, unsigned number, unsigned which, gjk_collider *out);
+
+// Poses the colliders of a pair, not of a body, at the frames with number which. *part is the part's, *other the one of
+// another part; of an obstacle it is not set, and the result is the obstacle's own. Pre: as above.
 const gjk_collider *gjk_arm_place(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned which, gjk_collider *part,
                                   gjk_collider *other);
 
-// What a pair is, for results.
-void gjk_arm_name(const gjk_arm_pair *pair, gjk_arm_names *out);
+// What a pair is, for results. piece: of a body.
+void gjk_arm_name(const gjk_arm_pair *pair, uint32_t piece, gjk_arm_names *out);
 
 #endif

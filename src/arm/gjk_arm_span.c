@@ -51,7 +51,8 @@ static gjk_vec3 bounded_way(const gjk_vec3 *a, const gjk_vec3 *b, gjk_vec3 *axis
   return way;
 }
 
-void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned start, unsigned end, gjk_arm_view *out) {
+void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *obstacle, unsigned start,
+                  unsigned end, gjk_arm_view *out) {
   const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
   out->arm = arm;
   out->pair = pair;
@@ -59,10 +60,10 @@ void gjk_arm_look(const gjk_arm *arm, const gjk_arm_pair *pair, unsigned start, 
   out->frame[1] = end;
   out->part = part;
   out->axis.x = out->axis.y = out->axis.z = 0;
-  if (pair->frame == GJK_ARM_BASE) {
-    out->other = &arm->obstacles[pair->other];
-    out->centre[0] = bounded_way(&part->at[start], &out->other->centre, &out->axis);
-    out->centre[1] = bounded_way(&part->at[end], &out->other->centre, &out->axis);
+  if (obstacle != NULL) {
+    out->other = obstacle;
+    out->centre[0] = bounded_way(&part->at[start], &obstacle->centre, &out->axis);
+    out->centre[1] = bounded_way(&part->at[end], &obstacle->centre, &out->axis);
     return;
   }
   const gjk_arm_part_room *other = &arm->memory.parts[pair->other];
@@ -86,7 +87,7 @@ static void look_closely(gjk_arm_view *view) {
   for (unsigned end = 0; end < 2; end++) {
     const unsigned which = view->frame[end];
     const gjk_vec3 *at = &link->frame[which].at, *centre = &view->other->centre;
-    if (view->pair->frame == GJK_ARM_BASE) {
+    if (view->pair->frame >= GJK_ARM_BODY) {
       view->rows[end] = link->frame[which].rows;
       // Where the centre is not far, the origin is at most GJK_ARM_REACH_MAX farther: below 2^31.
       view->origin[end] = is_far(view) ? bounded_way(at, centre, &view->axis) : gjk_sub(*at, *centre);
@@ -105,28 +106,9 @@ static int64_t spheres_of(const gjk_collider *part, const gjk_collider *other) {
   return (int64_t)part->radius + other->radius + 6;
 }
 
-// *way = a - b. False: a component is not surely below 2^29 in size.
-static inline bool near_way(const gjk_vec3 *a, const gjk_vec3 *b, gjk_vec3 *way) {
-  const int32_t x = gjk_sar32(a->x, 2) - gjk_sar32(b->x, 2), y = gjk_sar32(a->y, 2) - gjk_sar32(b->y, 2);
-  const int32_t z = gjk_sar32(a->z, 2) - gjk_sar32(b->z, 2);
-  const uint32_t bits =
-      (uint32_t)(x ^ gjk_sar32(x, 31)) | (uint32_t)(y ^ gjk_sar32(y, 31)) | (uint32_t)(z ^ gjk_sar32(z, 31));
-  if (bits >> 26 != 0) {
-    return false;
-  }
-  *way = gjk_sub(*a, *b);  // below 2^28 + 4
-  return true;
-}
-
-bool gjk_arm_spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, int64_t gap) {
+bool gjk_arm_spheres_apart(const gjk_arm *arm, const gjk_arm_pair *pair, const gjk_collider *other, int64_t gap) {
   const gjk_arm_part_room *part = &arm->memory.parts[pair->part];
-  const gjk_collider *other = &arm->obstacles[pair->other];
-  const int64_t reach = spheres_of(&part->collider, other) + gap + part->half;
-  gjk_vec3 way;
-  if (!near_way(&part->middle, &other->centre, &way) || reach > INT32_MAX) {
-    return false;
-  }
-  return gjk_dot(&way, &way) > gjk_mul32((int32_t)reach, (int32_t)reach);  // below 2^58 and 2^62
+  return gjk_arm_balls_apart(&part->middle, &other->centre, spheres_of(&part->collider, other) + gap + part->half);
 }
 
 // Both convex radii, LSB: below 2^29.
@@ -146,10 +128,38 @@ static gjk_vec3 support_of_part(const gjk_arm_part_room *part, const gjk_vec3 *d
   return gjk_add(support.offset, c->centre);
 }
 
+void gjk_arm_box(const gjk_arm *arm, unsigned number, unsigned start, unsigned end, gjk_aabb *out) {
+  const gjk_arm_part_room *part = &arm->memory.parts[number];
+  const gjk_q16 radius = part->collider.shape->convex_radius;
+  const gjk_arm_frame *frames = arm->memory.links[arm->model->parts[number].link].frame;
+  int64_t low[3], high[3];
+  for (unsigned axis = 0; axis < 3; axis++) {
+    int64_t least = INT64_MAX, most = INT64_MIN;
+    for (unsigned i = 0; i < 2; i++) {
+      const gjk_arm_frame *frame = &frames[i == 0 ? start : end];
+      const gjk_vec3 *d = &frame->rows[axis], *o = &frame->at, back = gjk_negate(*d);
+      const gjk_vec3 far = support_of_part(part, d), near = support_of_part(part, &back);
+      const int32_t at = axis == 0 ? o->x : axis == 1 ? o->y : o->z;
+      const int64_t above = at + gjk_sar64(gjk_dot(d, &far), 30) + 1 + radius;
+      const int64_t below = at + gjk_sar64(gjk_dot(d, &near), 30) - radius;
+      most = above > most ? above : most;
+      least = below < least ? below : least;
+    }
+    low[axis] = least;
+    high[axis] = most;
+  }
+  out->lower.x = gjk_saturate(low[0]);
+  out->lower.y = gjk_saturate(low[1]);
+  out->lower.z = gjk_saturate(low[2]);
+  out->upper.x = gjk_saturate(high[0]);
+  out->upper.y = gjk_saturate(high[1]);
+  out->upper.z = gjk_saturate(high[2]);
+}
+
 // The point of S that is farthest along n, from its centre.
 static gjk_vec3 support_of_other(const gjk_arm_view *view, const gjk_unit3 *n) {
   const gjk_vec3 direction = {n->x, n->y, n->z};
-  if (view->pair->frame != GJK_ARM_BASE) {
+  if (view->pair->frame < GJK_ARM_BODY) {
     const gjk_vec3 point = support_of_part(&view->arm->memory.parts[view->pair->other], &direction);
     return gjk_sub(point, view->other->centre);
   }

@@ -5,6 +5,7 @@
 //   2. All pairs are proven up to lower, of a FREE answer to the end of the edge.
 //   3. A TOUCH: at upper the named pair is within margin and tolerance.
 #include "../arith/gjk_vector.h"
+#include "gjk_arm_body.h"
 #include "gjk_arm_bound.h"
 #include "gjk_arm_edge.h"
 #include "gjk_arm_span.h"
@@ -39,8 +40,7 @@ static bool depth_of(uint32_t from, uint32_t to, unsigned *depth) {
   return to - from == GJK_ARM_STEPS >> *depth && (from & (to - from - 1)) == 0;
 }
 
-// Is each component of a unit vector's size?
-static bool is_direction(const gjk_unit3 *n) {
+bool gjk_arm_is_direction(const gjk_unit3 *n) {
   const gjk_vec3 v = {n->x, n->y, n->z};
   const int64_t most = INT64_C(1) << 60;
   const uint32_t one = (uint32_t)GJK_Q30_ONE;
@@ -52,30 +52,35 @@ static bool is_direction(const gjk_unit3 *n) {
   return off <= INT64_C(1) << 32 && off >= -(INT64_C(1) << 32);
 }
 
-// Step 1.
-static bool check_proof(gjk_arm *arm, edge_frames *frames, const gjk_arm_edge_result *result,
-                        const gjk_arm_proof *proof) {
+// Step 1 for the first of count proofs, or those of one span of a body. How many it takes; 0: they are refused.
+static uint32_t check_proof(gjk_arm *arm, edge_frames *frames, const gjk_arm_edge_result *result,
+                            const gjk_arm_proof *proof, uint32_t count) {
   uint32_t from, to;
   unsigned depth;
   int64_t gap;
   gjk_arm_view view;
   if (proof->pair >= arm->pair_count || !to_step(proof->from, &from) || !to_step(proof->to, &to) ||
-      !depth_of(from, to, &depth) || !is_direction(&proof->direction)) {
-    return false;
+      !depth_of(from, to, &depth)) {
+    return 0;
   }
   gjk_arm_pair *pair = &arm->memory.pairs[proof->pair];
   const int64_t bend = gjk_arm_bend(pair, depth);
+  const gjk_q16 least = result->answer == GJK_ARM_FREE ? result->gap : 0;
   if (pair->done != from || bend < 0) {
-    return false;
+    return 0;
   }
   set_frame(arm, frames, 0, from);
   set_frame(arm, frames, 1, to);
-  gjk_arm_look(arm, pair, 0, 1, &view);
-  if (!gjk_arm_gap(&view, &proof->direction, &gap) || gap <= gjk_shl64(arm->setup.margin + bend + pair->slack, 30)) {
-    return false;
+  if (pair->frame == GJK_ARM_BODY) {
+    return arm->type->check(arm, proof, count, bend, least > arm->setup.margin ? least : arm->setup.margin);
+  }
+  gjk_arm_look(arm, pair, gjk_arm_obstacle(arm, pair), 0, 1, &view);
+  if (!gjk_arm_is_direction(&proof->direction) || !gjk_arm_gap(&view, &proof->direction, &gap) ||
+      gap <= gjk_shl64(arm->setup.margin + bend + pair->slack, 30)) {
+    return 0;
   }
   pair->done = to;
-  return result->answer != GJK_ARM_FREE || gjk_sar64(gap, 30) - bend - pair->slack >= result->gap;
+  return gjk_sar64(gap, 30) - bend - pair->slack >= least ? 1 : 0;
 }
 
 // Step 3.
@@ -84,10 +89,12 @@ static bool check_touch(gjk_arm *arm, edge_frames *frames, const gjk_arm_edge_re
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     const gjk_arm_pair *pair = &arm->memory.pairs[i];
     gjk_arm_names names;
-    gjk_arm_name(pair, &names);
+    gjk_arm_name(pair, result->pair.piece, &names);
     if (names.part == result->pair.part && names.other == result->pair.other &&
-        names.obstacle == result->pair.obstacle) {
-      return gjk_arm_touches(arm, pair, 0);
+        names.obstacle == result->pair.obstacle && names.piece == result->pair.piece) {
+      return pair->frame != GJK_ARM_BODY ? gjk_arm_touches(arm, pair, 0)
+                                         : arm->type->touches(arm, pair, 0, result->pair.piece,
+                                                              (int64_t)arm->setup.margin + arm->setup.tolerance);
     }
   }
   return false;
@@ -125,8 +132,9 @@ gjk_status gjk_check_edge(gjk_arm *arm, const int32_t *from, const int32_t *to, 
   for (uint32_t i = 0; i < arm->pair_count; i++) {
     arm->memory.pairs[i].done = 0;
   }
-  for (uint32_t i = 0; proven && i < count; i++) {
-    proven = check_proof(arm, &frames, result, &proofs[i]);
+  for (uint32_t i = 0, used; proven && i < count; i += used) {
+    used = check_proof(arm, &frames, result, &proofs[i], count - i);
+    proven = used > 0;
   }
   for (uint32_t i = 0; proven && i < arm->pair_count; i++) {
     proven = arm->memory.pairs[i].done >= lower;

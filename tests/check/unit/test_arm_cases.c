@@ -3,13 +3,15 @@
 #include "gjk/arm.h"
 
 #include "check.h"
+#include "gjk/compound.h"
 
 #define LINKS 3
 #define PARTS 3
 
 static const gjk_vec3 tip[1] = {{GJK_Q16(1.0), 0, 0}};
 static const gjk_vec3 rod[2] = {{0, 0, 0}, {GJK_Q16(100.0), 0, 0}};
-static const gjk_shape point = GJK_HULL(tip, 1), long_rod = GJK_HULL(rod, 2);
+static const gjk_vec3 far_rod[2] = {{0, 0, 0}, {GJK_Q16(2000.0), 0, 0}};
+static const gjk_shape point = GJK_HULL(tip, 1), long_rod = GJK_HULL(rod, 2), longest_rod = GJK_HULL(far_rod, 2);
 static const gjk_shape wall = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.5));
 static const gjk_pose identity = GJK_POSE_IDENTITY;
 
@@ -80,6 +82,12 @@ static void check_grazing(const gjk_vec3 *base) {
   }
   CHECK(between > 0);
   CHECK(m.arm.memory.pairs[0].slack == slack);
+  // A rod of 2000 units: its rotation of one joint and the base may be off by 3 2^-26 2000 units, 5 LSB.
+  make_single(&longest_rod);
+  CHECK(gjk_arm_init(&m.arm, &m.model, &identity, &m.memory) == GJK_OK);
+  put_wall(&wall, 0, 0, GJK_Q16(9.0));
+  (void)run(0, 1, &plain);
+  CHECK(m.arm.memory.pairs[0].slack == slack + 5);
 }
 
 // A rod 100 units long that is infinitely thin, and turns by several turns: it meets the wall where the angle is known.
@@ -155,6 +163,38 @@ static void check_far(void) {
   }
 }
 
+// A ball that goes straight through a wall. A direction that parts them at one end of the edge alone proves nothing: of an
+// obstacle, and of a body of one piece.
+static void check_one_end(void) {
+  static const gjk_shape ball = GJK_SPHERE(GJK_Q16(0.25));
+  static const gjk_compound_part piece = {&wall, GJK_POSE_IDENTITY};
+  const int32_t from = GJK_Q16(-10.0), to = GJK_Q16(10.0);
+  gjk_compound_node node;
+  gjk_compound compound;
+  gjk_arm_edge_result said = {.answer = GJK_ARM_FREE, .lower = GJK_Q30_ONE, .upper = GJK_Q30_ONE};
+  make_single(&ball);
+  m.links[0].kind = GJK_ARM_PRISMATIC;
+  CHECK(gjk_compound_build(&piece, 1, &node, 1, &compound) == GJK_OK);
+  const gjk_parts body = GJK_PARTS_OF_COMPOUND(&compound);
+  for (unsigned k = 0; k < 2; k++) {
+    CHECK(gjk_arm_init(&m.arm, &m.model, &identity, &m.memory) == GJK_OK);
+    if (k == 0) {
+      put_wall(&wall, 0, 0, 0);
+    } else {
+      CHECK(gjk_arm_bodies(&m.arm, &body, 1) == GJK_OK);
+    }
+    for (int side = -1; side <= 1; side++) {
+      gjk_arm_proof steps[2] = {{0, GJK_Q30_ONE, {0, 0, side * GJK_Q30_ONE}, 0, k == 0 ? GJK_PARTS_NONE : 0},
+                                {0, GJK_Q30_ONE, {0, 0, 0}, 0, GJK_PARTS_NONE}};
+      const int32_t stay = side < 0 ? from : to;
+      steps[0].direction.x = side == 0 ? GJK_Q30_ONE : 0;
+      CHECK(gjk_check_edge(&m.arm, &from, &to, &plain, &said, steps, k + 1) == GJK_ERROR_UNPROVEN);
+      CHECK(gjk_check_edge(&m.arm, &stay, &stay, &plain, &said, steps, k + 1) ==
+            (side == 0 ? GJK_ERROR_UNPROVEN : GJK_OK));
+    }
+  }
+}
+
 // A path round a wall: free, free, touch.
 static void check_path(void) {
   const int32_t path[] = {0, GJK_ANGLE(1.0), GJK_ANGLE(1.5), GJK_ANGLE(2.0), 0};
@@ -167,6 +207,7 @@ static void check_path(void) {
   CHECK(free == 2 && result.answer == GJK_ARM_TOUCH);
   CHECK(gjk_arm_path(&m.arm, path, 3, &plain, 100000, &free, &result) == GJK_OK);
   CHECK(free == 2 && result.answer == GJK_ARM_FREE);
+  CHECK(gjk_arm_path(&m.arm, path, 2, &plain, 100000, &free, &result) == GJK_OK && free == 1);
   CHECK(gjk_arm_path(&m.arm, path, 3, &plain, 0, &free, &result) == GJK_OK);
   CHECK(free == 0 && result.answer == GJK_ARM_UNSETTLED);
   CHECK(gjk_arm_path(&m.arm, path, 1, &plain, 1, &free, &result) == GJK_ERROR_EMPTY);
@@ -319,6 +360,7 @@ int main(void) {
   check_turns();
   check_ceilings();
   check_far();
+  check_one_end();
   check_path();
   check_models();
   check_nulls();

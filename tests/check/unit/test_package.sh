@@ -12,7 +12,7 @@ rm -rf "$dir"
 mkdir -p "$dir"
 dir=$(cd "$dir" && pwd)
 prefix=$dir/prefix
-examples='distance safety_stop stack warm rollback flash plane cast parts arm planner platform'
+examples='distance safety_stop stack warm rollback flash plane cast parts arm door planner platform'
 golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
 
 # prints PROGRAM SOURCE: the program prints what the source says
@@ -23,9 +23,17 @@ prints() {
 
 is_short() {
   most=60
-  [ "$1" = planner ] && most=150
+  [ "$1" = door ] && most=80
   [ "$1" = platform ] && most=95
+  [ "$1" = planner ] && most=210
   [ "$(wc -l <"tests/programs/examples/$1.c")" -lt $most ]
+}
+
+# planner_draws PROGRAM: a picture of the way, the wall and both ends, of numbers only
+planner_draws() {
+  "$1" "$1.svg" >"$1.said" && edges=$(sed -n 's/^a path of \([0-9]*\) edges.*/\1/p' "$1.said") &&
+    [ "$(grep -c '<path .*L' "$1.svg")" = $((24 * edges + 4)) ] && grep -q '^</svg>$' "$1.svg" && ! grep -qE 'nan|inf' "$1.svg" &&
+    ! "$1" "$dir/none/way.svg" >"$1.said"
 }
 
 every_example_is_listed() {
@@ -177,6 +185,7 @@ if have pkg-config; then
   for example in $examples; do
     check "pkg-config: $example" with_pkg_config $example
   done
+  check 'the planner draws its way' planner_draws "$dir/planner"
   check 'pkg-config: the archive' with_pkg_config distance -static
   mv "$prefix" "$prefix-moved"
   prefix=$prefix-moved

@@ -1,5 +1,5 @@
 // A path for an arm that reaches through a window: RRT-Connect in the space of its joints, then shortened; every edge of it
-// is proven free of contact, between the samples too.
+// is proven free of contact, between the samples too. With the name of a file it draws the way there, as SVG.
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -38,7 +38,7 @@ typedef struct tree {
 } tree;
 
 static tree trees[2] = {{.parent = {-1}, .count = 1}, {.parent = {-1}, .count = 1}};
-static const int32_t *way[2 * NODES];
+static const int32_t *way[2 * NODES], *kept[2 * NODES];  // through both trees; what is left of it
 
 static uint32_t next_random(void) {
   static uint32_t state = 1;
@@ -114,13 +114,57 @@ static int shorten(const int met[2]) {
     way[last++] = trees[1].at[i];
   }
   for (int next; first + 1 < last; first = next, edges++) {
+    kept[edges] = way[first];
     for (next = last - 1; next > first + 1 && !is_free(way[first], way[next]); next--) {
     }
   }
+  kept[edges] = way[first];
   return edges;
 }
 
-int main(void) {
+// A line of an outline, seen from the left and above: x goes right, y away from us.
+static void draw_line(void *file, const gjk_vec3 *a, const gjk_vec3 *b, gjk_draw_role role) {
+  (void)role;
+  fprintf(file, "M%.1f %.1fL%.1f %.1f", 180 + a->x / 560.0 + a->y / 1100.0, 400 - a->z / 560.0 - a->y / 1500.0,
+          180 + b->x / 560.0 + b->y / 1100.0, 400 - b->z / 560.0 - b->y / 1500.0);
+}
+
+static void draw_arm(const gjk_draw *draw, const int32_t *values, const char *colour) {
+  gjk_pose poses[JOINTS], pose;
+  gjk_collider part = {0};
+  fprintf(draw->user, "<path fill=\"none\" stroke-width=\"0.6\" stroke=\"%s\" d=\"", colour);
+  for (int i = 0; i < 2 && gjk_arm_poses(&arm, values, poses) == GJK_OK; i++) {
+    if (gjk_pose_compose(&poses[parts[i].link], &parts[i].pose, &pose) == GJK_OK &&
+        gjk_collider_init(&part, parts[i].shape, NULL, 0) == GJK_OK && gjk_collider_pose(&part, &pose) == GJK_OK) {
+      gjk_draw_collider(draw, &part, GJK_DRAW_MOVING);
+    }
+  }
+  fprintf(draw->user, "\"/>\n");
+}
+
+// What the arm sweeps on its way in grey, the wall in black, the ends in blue and red.
+static void draw_way(FILE *file, const gjk_collider *wall, int edges) {
+  const gjk_draw draw = {draw_line, NULL, file};
+  int32_t values[JOINTS];
+  fprintf(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 480 540\">\n");
+  for (int k = 0; k <= 24 * edges; k++) {
+    const int edge = k < 24 * edges ? k / 24 : edges - 1;
+    for (int i = 0; i < JOINTS; i++) {
+      values[i] = kept[edge][i] + (int32_t)((int64_t)(kept[edge + 1][i] - kept[edge][i]) * (k - 24 * edge) / 24);
+    }
+    draw_arm(&draw, values, "#ccc");
+  }
+  fprintf(file, "<path fill=\"none\" stroke=\"#000\" d=\"");
+  for (int i = 0; i < 4; i++) {
+    gjk_draw_collider(&draw, &wall[i], GJK_DRAW_STATIC);
+  }
+  fprintf(file, "\"/>\n");
+  draw_arm(&draw, kept[0], "#06c");
+  draw_arm(&draw, kept[edges], "#c00");
+  fprintf(file, "</svg>\n");
+}
+
+int main(int count, char **names) {
   static const int32_t ends[2][JOINTS] = {{GJK_ANGLE(1.4), GJK_ANGLE(0.3), GJK_ANGLE(0.5)},
                                           {0, GJK_ANGLE(0.8), GJK_ANGLE(0.95)}};  // beside the wall, through the window
   const gjk_arm_memory memory = {link_room, part_room, pairs, GJK_ARM_PAIRS(2, 4)};
@@ -143,7 +187,16 @@ int main(void) {
   if (is_free(ends[0], ends[1]) || !connect(met)) {
     return 1;
   }
-  printf("a path of %d edges, all proven free\n", shorten(met));
+  const int edges = shorten(met);
+  printf("a path of %d edges, all proven free\n", edges);
+  if (count > 1) {
+    FILE *file = fopen(names[1], "w");
+    if (file == NULL) {
+      return 1;
+    }
+    draw_way(file, wall, edges);
+    return fclose(file) == 0 ? 0 : 1;
+  }
   return 0;
 }
 // prints: a path of 3 edges, all proven free

@@ -149,13 +149,13 @@ double arm_truth_gap(const gjk_arm *arm, const int32_t *from, const int32_t *to,
   arm_truth_frames(arm, from, to, fraction, poses);
   for (unsigned i = 0; i < m->part_count; i++) {
     for (unsigned k = 0; k < arm->obstacle_count; k++) {
-      const gjk_arm_names names = {(uint16_t)i, (uint16_t)k, true};
+      const gjk_arm_names names = {(uint16_t)i, (uint16_t)k, true, GJK_PARTS_NONE};
       if (tested(arm, m->parts[i].link, GJK_ARM_BASE)) {
         least = fmin(least, gap_of(arm, poses, &names, least));
       }
     }
     for (unsigned k = 0; k < i; k++) {
-      const gjk_arm_names names = {(uint16_t)i, (uint16_t)k, false};
+      const gjk_arm_names names = {(uint16_t)i, (uint16_t)k, false, GJK_PARTS_NONE};
       if (m->parts[i].link != m->parts[k].link && tested(arm, m->parts[i].link, m->parts[k].link)) {
         least = fmin(least, gap_of(arm, poses, &names, least));
       }
