@@ -166,6 +166,10 @@ gjk_status gjk_scene_wake(gjk_scene *scene, gjk_body_id id);
 //           motions are kept, gjk_scene_remove and gjk_scene_teleport of such a body need it, too.
 gjk_status gjk_scene_set_motion(gjk_scene *scene, gjk_body_id id, uint8_t motion);
 
+// Where a body whose motion is kept was at the last update, or where a teleport has put it since. With where it is now that
+// is its motion: ask before the next update how a platform carries what stands on it. UNSUPPORTED: its motion is not kept.
+gjk_status gjk_scene_last_pose(const gjk_scene *scene, gjk_body_id id, gjk_pose *out);
+
 // Gives a part of a body another shape. RANGE: no such part or shape; and the statuses of gjk_collider_init.
 gjk_status gjk_scene_set_shape(gjk_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape);
 

@@ -90,6 +90,7 @@ typedef struct gjk2_heights {
   uint8_t shift;           // 0 to 13
 } gjk2_heights;
 
+// The height of a vertex that is not there.
 #define GJK2_HOLE INT16_MIN
 
 // The form of a tile. The surface runs from a height at the left side to one at the right side, in quarters of the tile, 0 to
@@ -100,16 +101,13 @@ typedef struct gjk2_tile {
   bool one_way;         // the surface alone, without a solid
 } gjk2_tile;
 
-#define GJK2_TILE_EMPTY \
-  { 0, 0, 0, false }
-#define GJK2_TILE_FULL \
-  { 4, 4, 0, false }
-#define GJK2_TILE_HALF \
-  { 2, 2, 0, false }
-#define GJK2_TILE_SLOPE(left, right) \
+// A tile with its solid below the surface: (0, 0) is empty, (4, 4) full, (2, 2) half, and (0, 4) rises to the right.
+#define GJK2_TILE(left, right) \
   { (left), (right), 0, false }
+// A tile that hangs from above.
 #define GJK2_TILE_CEILING(left, right) \
   { (right), (left), 2, false }
+// A platform without a solid.
 #define GJK2_TILE_ONE_WAY(left, right) \
   { (left), (right), 0, true }
 
@@ -128,8 +126,10 @@ typedef struct gjk2_tiles {
   const gjk2_tile *forms;  // what the numbers in cells mean
 } gjk2_tiles;
 
+// At multiples of so many tiles runs are cut.
 #define GJK2_TILE_RUN 8
-#define GJK2_TILE_SIZE_MAX ((gjk_q16)8388608)  // 128 units
+// The largest tile: 128 units.
+#define GJK2_TILE_SIZE_MAX ((gjk_q16)8388608)
 
 // Make ground and its shape.
 //

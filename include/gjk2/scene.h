@@ -172,6 +172,10 @@ gjk_status gjk2_scene_wake(gjk2_scene *scene, gjk_body_id id);
 //           motions are kept, gjk2_scene_remove and gjk2_scene_teleport of such a body need it, too.
 gjk_status gjk2_scene_set_motion(gjk2_scene *scene, gjk_body_id id, uint8_t motion);
 
+// Where a body whose motion is kept was at the last update, or where a teleport has put it since. With where it is now that
+// is its motion: ask before the next update how a platform carries what stands on it. UNSUPPORTED: its motion is not kept.
+gjk_status gjk2_scene_last_pose(const gjk2_scene *scene, gjk_body_id id, gjk2_pose *out);
+
 // Gives a part of a body another shape. RANGE: no such part or shape; and the statuses of gjk2_collider_init.
 gjk_status gjk2_scene_set_shape(gjk2_scene *scene, gjk_body_id id, uint16_t part, uint16_t shape);
 

@@ -102,6 +102,7 @@
 #define gjk_scene_impact gjk2_scene_impact
 #define gjk_scene_inquiry gjk2_scene_inquiry
 #define gjk_scene_kept gjk2_scene_kept
+#define gjk_scene_last_pose gjk2_scene_last_pose
 #define gjk_scene_motions gjk2_scene_motions
 #define gjk_scene_mover gjk2_scene_mover
 #define gjk_scene_node gjk2_scene_node

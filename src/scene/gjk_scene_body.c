@@ -1,5 +1,6 @@
 // Bodies: added, removed, moved, changed. Each call checks everything first and then changes the scene, so a call that
 // fails changes nothing.
+#include "../arith/gjk_memory.h"
 #include "gjk_scene_pairs.h"
 #include "gjk_scene_part.h"
 #include "gjk_scene_tree.h"
@@ -417,6 +418,22 @@ gjk_status gjk_scene_get(const gjk_scene *scene, gjk_body_id id, gjk_body_state 
                 : is_kept(body)                     ? GJK_MOTION_KEPT
                                                     : GJK_MOTION_NOT_KEPT;
   return GJK_OK;
+}
+
+gjk_status gjk_scene_last_pose(const gjk_scene *scene, gjk_body_id id, gjk_pose *out) {
+  gjk_scene_view v;
+  gjk_scene_body *body;
+  const gjk_status status = read_body(scene, id, out, &v, &body);
+  if (status != GJK_OK) {
+    return status;
+  }
+  for (uint32_t i = 0; i < v.header->kept; i++) {
+    if (v.kept[i].slot == id.slot) {
+      gjk_copy(out, &v.kept[i].last, sizeof *out);
+      return GJK_OK;
+    }
+  }
+  return GJK_ERROR_UNSUPPORTED;
 }
 
 gjk_status gjk_scene_body_at(const gjk_scene *scene, uint32_t slot, gjk_body_id *out) {

@@ -53,9 +53,8 @@ static gjk2_ground ground;
 static gjk2_shape shape;
 
 static void make_grid(random_state *r, bool one_way) {
-  static const gjk2_tile common[] = {GJK2_TILE_EMPTY,       GJK2_TILE_FULL,         GJK2_TILE_HALF,
-                                     GJK2_TILE_SLOPE(0, 4), GJK2_TILE_SLOPE(4, 0),  GJK2_TILE_SLOPE(0, 2),
-                                     GJK2_TILE_SLOPE(2, 4), GJK2_TILE_CEILING(2, 2)};
+  static const gjk2_tile common[] = {GJK2_TILE(0, 0), GJK2_TILE(4, 4), GJK2_TILE(2, 2), GJK2_TILE(0, 4),
+                                     GJK2_TILE(4, 0), GJK2_TILE(0, 2), GJK2_TILE(2, 4), GJK2_TILE_CEILING(2, 2)};
   const uint32_t empty = random_below(r, 80), full = empty + random_below(r, 100 - empty);
   for (unsigned i = 0; i < FORMS; i++) {
     forms[i].left = (uint8_t)random_below(r, 6);
@@ -588,7 +587,7 @@ static void check_statuses(void) {
                         two[2] = {{GJK_Q16(1), 0}, {0, 0}};
   static const int16_t flat[3] = {0, 0, GJK2_HOLE}, holes[2] = {GJK2_HOLE, 0};
   static const uint8_t cell[4] = {1, 1, 1, 1};
-  static const gjk2_tile full[2] = {GJK2_TILE_EMPTY, GJK2_TILE_FULL};
+  static const gjk2_tile full[2] = {GJK2_TILE(0, 0), GJK2_TILE(4, 4)};
   gjk2_polyline p = {one, 2, NULL};
   gjk2_heights h = {flat, 3, 100, 0};
   gjk2_tiles t = {cell, 2, 2, 400, 2, full};

@@ -21,10 +21,10 @@ static struct {
       turning;
 } tally;
 
-static const gjk2_tile forms[] = {
-    GJK2_TILE_EMPTY,       GJK2_TILE_FULL,        GJK2_TILE_HALF,        GJK2_TILE_SLOPE(0, 4), GJK2_TILE_SLOPE(4, 0),
-    GJK2_TILE_SLOPE(0, 2), GJK2_TILE_SLOPE(2, 4), GJK2_TILE_SLOPE(4, 2), GJK2_TILE_SLOPE(2, 0), GJK2_TILE_ONE_WAY(4, 4),
-    GJK2_TILE_SLOPE(0, 1), GJK2_TILE_SLOPE(1, 2), GJK2_TILE_SLOPE(2, 3), GJK2_TILE_SLOPE(3, 4)};
+static const gjk2_tile forms[] = {GJK2_TILE(0, 0), GJK2_TILE(4, 4),         GJK2_TILE(2, 2), GJK2_TILE(0, 4),
+                                  GJK2_TILE(4, 0), GJK2_TILE(0, 2),         GJK2_TILE(2, 4), GJK2_TILE(4, 2),
+                                  GJK2_TILE(2, 0), GJK2_TILE_ONE_WAY(4, 4), GJK2_TILE(0, 1), GJK2_TILE(1, 2),
+                                  GJK2_TILE(2, 3), GJK2_TILE(3, 4)};
 enum { FORMS = sizeof forms / sizeof forms[0] };
 
 // Three grounds at random and movers over them.

@@ -342,7 +342,29 @@ static void check_corrupt(void) {
   CHECK(gjk_scene_check(&scene) == GJK_OK);
 }
 
+// Where a body was at the last update, until the next one; a teleport begins anew.
+static void check_last_pose(void) {
+  gjk_pose last = GJK_POSE_IDENTITY;
+  start();
+  const gjk_body_id a = put(1, GJK_BODY_KINEMATIC, ONE, 0), b = put(1, GJK_BODY_DYNAMIC, 9 * ONE, 0), nobody = {7, 1};
+  CHECK(gjk_scene_last_pose(&scene, a, &last) == GJK_ERROR_UNSUPPORTED);
+  CHECK(gjk_scene_set_motion(&scene, b, GJK_MOTION_KEPT) == GJK_OK);
+  CHECK(gjk_scene_set_motion(&scene, a, GJK_MOTION_KEPT) == GJK_OK);
+  CHECK(gjk_scene_last_pose(&scene, a, NULL) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_last_pose(NULL, a, &last) == GJK_ERROR_NULL);
+  CHECK(gjk_scene_last_pose(&scene, nobody, &last) == GJK_ERROR_BODY_ID && last.position.x == 0);
+  move(a, 2 * ONE, 7);
+  CHECK(gjk_scene_last_pose(&scene, a, &last) == GJK_OK && last.position.x == ONE && last.position.y == 0);
+  (void)impacts();
+  CHECK(gjk_scene_last_pose(&scene, a, &last) == GJK_OK && last.position.x == 2 * ONE && last.position.y == 7);
+  move(a, 3 * ONE, 0);
+  teleport(a, 4 * ONE, 5);
+  CHECK(gjk_scene_last_pose(&scene, a, &last) == GJK_OK && last.position.x == 4 * ONE && last.position.y == 5);
+  CHECK(gjk_scene_last_pose(&scene, b, &last) == GJK_OK && last.position.x == 9 * ONE);
+}
+
 int main(void) {
+  check_last_pose();
   check_statuses();
   check_bytes();
   check_fractions();

@@ -7,10 +7,10 @@ static const uint8_t level[] =
     "########################################"  // the bottom row
     "#     /##\\    /\\    _        /#\\       #"
     "#     ----                    ---       #";
-static const gjk2_tile forms[128] = {['#'] = GJK2_TILE_FULL,
-                                     ['/'] = GJK2_TILE_SLOPE(0, 4),
-                                     ['_'] = GJK2_TILE_HALF,
-                                     ['\\'] = GJK2_TILE_SLOPE(4, 0),
+static const gjk2_tile forms[128] = {['#'] = GJK2_TILE(4, 4),
+                                     ['/'] = GJK2_TILE(0, 4),
+                                     ['_'] = GJK2_TILE(2, 2),
+                                     ['\\'] = GJK2_TILE(4, 0),
                                      ['-'] = GJK2_TILE_ONE_WAY(4, 4)};
 static const gjk2_tiles tiles = {level, 40, 3, GJK_Q16(1), 128, forms};
 static const gjk2_ground ground = {&gjk2_ground_tiles, &tiles, {GJK_Q16(20), GJK_Q16(1.5)}};
