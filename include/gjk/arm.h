@@ -170,9 +170,9 @@ typedef struct gjk_arm_edge_result {
 } gjk_arm_edge_result;
 
 // One step of a certificate: on the span from one fraction to another a pair is apart, as both ends show along a direction.
-// It leads from the other thing to the part, in the frame of the other part's link, or of an obstacle in the world. A body is
-// proven by a step for each piece that is near the part, and a last one without a direction: all others are outside a
-// box around the part. Steps of a span that have no last one show nothing yet.
+// It leads from the other thing to the part, in the frame of the other part's link, or of an obstacle in the world. A body has
+// a step for each piece that is near the part, and a last one without a direction. All other pieces are outside a box
+// around the part. Steps of a span that have no last one show nothing yet.
 typedef struct gjk_arm_proof {
   gjk_q30 from, to;     // a dyadic span: its length is a power of 2, and from a multiple of it
   gjk_unit3 direction;  // as above
@@ -239,7 +239,7 @@ gjk_status gjk_arm_obstacles(gjk_arm *arm, const gjk_collider *obstacles, uint16
 //
 // bodies    posed; they and their data must stay as they are as long as the arm is asked. NULL where count is 0.
 // Cost      of a span or a configuration, for each part of the arm: a walk through the pieces whose boxes meet a box around
-//           it, and what an obstacle costs for each of them. Programs without this call link none of it.
+//           it. Each of them costs what an obstacle does. Programs without this call link none of it.
 // Statuses  NULL, UNINITIALISED (the arm), CAPACITY (pairs), and EMPTY, ROTATION, RANGE as of gjk/parts.h. The arm's
 //           bodies are then as they were. Calls that ask a body later have those statuses too, of data that were
 //           never checked; what they write is then of no use.

@@ -1,7 +1,7 @@
 // What an arm asks of bodies of many parts. gjk_arm_bodies sets it, so other programs link none of it.
 //
-//   1. A box of the world holds the part at both ends of a span. Pieces outside the box, grown by the gap wanted, by bend and
-//      slack, are farther apart than that gap along an axis of the body, on the whole span.
+//   1. A box of the world holds the part at both ends of a span. It is grown by the gap wanted, by bend and slack. Pieces
+//      outside are farther apart than that gap along an axis of the body, on the whole span.
 //   2. The pieces inside, which the body's tree finds, are looked at as obstacles.
 //   3. All are apart: the pair is. The first one that is not ends the search; it is asked first next time.
 #ifndef GJK_SRC_ARM_BODY_H
