@@ -100,14 +100,14 @@ class _Setup(Record):
 
 class _Proof(Record):
     C_NAME = "gjk_arm_proof"
-    _fields_ = [("start", c_int32), ("end", c_int32), ("direction", Unit3), ("pair", c_uint32)]
+    _fields_ = [("start", c_int32), ("end", c_int32), ("direction", Unit3), ("pair", c_uint32), ("piece", c_uint32)]
 
 
 class ArmPair(Record):
     """A part by its number, and another one, or an obstacle. Arm.names tells whose they are."""
 
     C_NAME = "gjk_arm_names"
-    _fields_ = [("part", c_uint16), ("other", c_uint16), ("obstacle", c_bool)]
+    _fields_ = [("part", c_uint16), ("other", c_uint16), ("obstacle", c_bool), ("piece", c_uint32)]
 
 
 class ArmEdge(Record):
@@ -226,7 +226,7 @@ class Arm:
         """The name of the link of the part, and that of the other part's, or the number of the obstacle. pair: an
         ArmPair, or an item of edges()["pair"]."""
         part, other, obstacle = (
-            (pair.part, pair.other, pair.obstacle) if isinstance(pair, ArmPair) else pair.item()
+            (pair.part, pair.other, pair.obstacle) if isinstance(pair, ArmPair) else pair.item()[:3]
         )  # fmt: skip
         return self.parts[part].link, other if obstacle else self.parts[other].link
 

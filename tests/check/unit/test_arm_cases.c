@@ -195,6 +195,24 @@ static void check_one_end(void) {
   }
 }
 
+// A part that is moved along one axis of its link alone is where its pose says. And no room for pairs is needed without pairs.
+static void check_offsets(void) {
+  for (unsigned axis = 0; axis < 3; axis++) {
+    make_single(&point);
+    m.parts[0].pose.position.x = axis == 0 ? GJK_Q16(1.0) : 0;
+    m.parts[0].pose.position.y = axis == 1 ? GJK_Q16(1.0) : 0;
+    m.parts[0].pose.position.z = axis == 2 ? GJK_Q16(1.0) : 0;
+    CHECK(gjk_arm_init(&m.arm, &m.model, &identity, &m.memory) == GJK_OK);
+    put_wall(&wall, axis == 0 ? GJK_Q16(2.0) : GJK_Q16(1.0), axis == 1 ? GJK_Q16(1.0) : 0,
+             axis == 2 ? GJK_Q16(1.0) : 0);
+    CHECK(run(-100, 100, &plain).answer == GJK_ARM_TOUCH);
+  }
+  m.memory.pairs = NULL;
+  CHECK(gjk_arm_init(&m.arm, &m.model, &identity, &m.memory) == GJK_ERROR_NULL);
+  m.memory.pair_capacity = 0;
+  CHECK(gjk_arm_init(&m.arm, &m.model, &identity, &m.memory) == GJK_OK);
+}
+
 // A path round a wall: free, free, touch.
 static void check_path(void) {
   const int32_t path[] = {0, GJK_ANGLE(1.0), GJK_ANGLE(1.5), GJK_ANGLE(2.0), 0};
@@ -361,6 +379,7 @@ int main(void) {
   check_ceilings();
   check_far();
   check_one_end();
+  check_offsets();
   check_path();
   check_models();
   check_nulls();

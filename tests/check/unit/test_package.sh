@@ -31,9 +31,9 @@ is_short() {
 
 # planner_draws PROGRAM: a picture of the way, the wall and both ends, of numbers only
 planner_draws() {
-  "$1" "$1.svg" >"$1.said" && edges=$(sed -n 's/^a path of \([0-9]*\) edges.*/\1/p' "$1.said") &&
+  LD_LIBRARY_PATH=$prefix/lib "$1" "$1.svg" >"$1.said" && edges=$(sed -n 's/^a path of \([0-9]*\) edges.*/\1/p' "$1.said") &&
     [ "$(grep -c '<path .*L' "$1.svg")" = $((24 * edges + 4)) ] && grep -q '^</svg>$' "$1.svg" && ! grep -qE 'nan|inf' "$1.svg" &&
-    ! "$1" "$dir/none/way.svg" >"$1.said"
+    ! LD_LIBRARY_PATH=$prefix/lib "$1" "$dir/none/way.svg" >"$1.said"
 }
 
 every_example_is_listed() {

@@ -97,8 +97,8 @@ impl<'a, const WORDS: usize> Scene<'a, WORDS> {
     pub fn new(config: &SceneConfig, shapes: &'a [&'a Shape<'a>]) -> Result<Self, Status> {
         let mut scene = Scene { block: [0; WORDS], shapes };
         let (table, count) = scene.table()?;
-        let block = scene.block.as_mut_ptr().cast();
-        unsafe { answer(|out| raw::scene_init(out, config, block, 4 * WORDS, table, count, null()))? };
+        let (block, bindings) = (scene.block.as_mut_ptr().cast(), bindings());
+        unsafe { answer(|out| raw::scene_init(out, config, block, 4 * WORDS, table, count, &bindings))? };
         Ok(scene)
     }
 
