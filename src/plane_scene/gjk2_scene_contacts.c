@@ -12,8 +12,9 @@ static gjk_status plane_manifold(const gjk2_scene_view *v, const gjk2_scene_part
   gjk2_scene_part_placed(v, a, &on_a);
   gjk2_scene_part_placed(v, b, &on_b);
   const gjk_q16 margin = v->bodies[a->body].margin + v->bodies[b->body].margin;
-  return gjk2_scene_is_one_ground(&on_a, &on_b) ? gjk2_scene_ground_manifold(v, a, b, &on_a, &on_b, margin, most, out)
-                                                : gjk2_contacts(&on_a, &on_b, margin, most, cache, out);
+  const struct gjk2_ground_queries *ground = gjk2_scene_ground_of(&on_a, &on_b);
+  return ground != NULL ? ground->manifold(v, a, b, &on_a, &on_b, margin, most, out)
+                        : gjk2_contacts(&on_a, &on_b, margin, most, cache, out);
 }
 
 gjk_status gjk2_scene_manifold(const gjk2_scene *scene, const gjk2_report *report, unsigned most, gjk2_manifold *out) {

@@ -1,4 +1,4 @@
-// Ground as a part of a scene: its queries, for a pair in any order.
+// Ground as a part of a scene: its class, which is that of a box until its queries are asked, and those for a pair in any order.
 #include "gjk2/ground.h"
 
 #include "../arith/gjk_memory.h"
@@ -6,30 +6,106 @@
 #include "../plane/gjk2_line.h"
 #include "gjk2_scene_names.h"
 // What a scene asks, and the view of a block, under the plane's names.
+#include "../ground/gjk2_ground_queries.h"
 #include "../scene/gjk_scene_part.h"
 #include "../scene/gjk_scene_solid.h"
 #include "gjk2_scene_ground.h"
 
+static const gjk2_ground *ground_of_shape(const gjk2_shape *shape) {
+  return (const gjk2_ground *)shape->user;
+}
+
+// Colliders are bound by a scene alone, for the box: see gjk2_ground_bind.
+static gjk_status refuse_ground(const gjk2_shape *shape, gjk2_extent *out) {
+  (void)shape;
+  (void)out;
+  return GJK_ERROR_UNSUPPORTED;
+}
+
+static gjk_status measure_ground(const gjk2_shape *shape, gjk2_extent *out) {
+  const gjk2_vec *half = &shape->size;
+  if (half->x < 0 || half->y < 0) {
+    return GJK_ERROR_NEGATIVE;
+  }
+  gjk2_copy(&out->centre, &ground_of_shape(shape)->centre);
+  out->squared = (uint64_t)gjk2_dot(*half, *half);
+  out->ordered = false;
+  return GJK_OK;
+}
+
+// Keeps the rotation, as curved shapes do.
+static void pose_ground(gjk2_collider *c, const gjk2_vec *rotation) {
+  const gjk2_vec none = {0, 0};
+  gjk2_copy(&c->frame[0], rotation);
+  gjk2_copy(&c->frame[1], &none);
+  gjk2_copy(&c->frame[2], &none);
+}
+
+// How far the box reaches along an axis of the world. Its half extents are whole, and posed vertices within 1 LSB.
+//   |rotation| <= 2^30, |size| <= 2^28:  products <= 2^58
+static int32_t box_reach(int32_t along, int32_t across, const gjk2_vec *size) {
+  const int64_t reach =
+      gjk_mac32(gjk_mul32((int32_t)gjk_magnitude32(along), size->x), (int32_t)gjk_magnitude32(across), size->y);
+  return (int32_t)gjk_sar64(reach + (INT64_C(1) << 30) - 1, 30) + 1;
+}
+
+// A corner of the box in the world's axes, for bounds alone.
+static void support_ground(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
+  const gjk2_vec *turn = &c->frame[0], *size = &c->shape->size;
+  const int32_t x = box_reach(turn->x, turn->y, size), y = box_reach(turn->y, turn->x, size);
+  out->offset.x = d->x < 0 ? -x : x;
+  out->offset.y = d->y < 0 ? -y : y;
+  out->vertex = 0;
+}
+
+// What gjk2_collider_init measures for gjk2_ground_bind, where the public class refuses.
+static const gjk2_shape_class class_of_ground_box = {
+    .measure = measure_ground,
+    .pose = pose_ground,
+    .support = support_ground,
+    .vertex = NULL,
+    .adjacent = NULL,
+    .depth = NULL,
+    .touch = NULL,
+    .ground = NULL,
+    .buffered = false,
+    .count = 0,
+};
+
+static gjk_status bind_ground(const gjk2_shape *shape, gjk2_collider *out) {
+  gjk2_shape box;
+  const gjk2_ground *ground = ground_of_shape(shape);
+  if (ground == NULL || ground->type == NULL || ground->data == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  box.type = &class_of_ground_box;
+  box.vertices = NULL;
+  box.support = NULL;
+  box.user = ground;
+  gjk2_copy(&box.size, &shape->size);
+  box.convex_radius = 0;
+  box.count = 0;
+  const gjk_status status = gjk2_collider_init(out, &box, NULL, 0);
+  out->shape = shape;
+  return status;
+}
+
 static const gjk2_ground *ground_of_collider(const gjk2_collider *c) {
-  return (const gjk2_ground *)c->shape->user;
+  return ground_of_shape(c->shape);
 }
 
 // A pair of ground and a body.
 typedef struct ground_pair {
   const gjk2_ground *ground;
   const gjk2_collider *body;
-  const struct gjk2_ground_queries *queries;
   bool turned;  // the ground is the second of the two
 } ground_pair;
 
 // False: both are ground.
 static bool set_ground_pair(const gjk2_collider *a, const gjk2_collider *b, ground_pair *out) {
-  const gjk2_collider *ground;
   out->turned = !gjk2_scene_is_concave(a->shape);
-  ground = out->turned ? b : a;
   out->body = out->turned ? a : b;
-  out->ground = ground_of_collider(ground);
-  out->queries = ground->shape->type->ground;
+  out->ground = ground_of_collider(out->turned ? b : a);
   return !gjk2_scene_is_concave(out->body->shape);
 }
 
@@ -43,16 +119,16 @@ static bool place_ground_pair(const gjk2_scene_view *v, const gjk2_scene_part *a
   return is_pair;
 }
 
-gjk_status gjk2_scene_ground_within(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
-                                    const gjk2_collider *on_a, const gjk2_collider *on_b, gjk_q16 distance,
-                                    gjk2_decision *out) {
+static gjk_status ground_is_within(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                                   const gjk2_collider *on_a, const gjk2_collider *on_b, gjk_q16 distance,
+                                   gjk2_decision *out) {
   ground_pair p;
   gjk2_pose pose;
   out->yes = false;
   out->certificate.proof = GJK2_PROOF_NONE;  // its vertices would be those of a segment
   out->certificate.count = 0;
   return place_ground_pair(v, a, b, on_a, on_b, &p, &pose)
-             ? p.queries->within(p.ground, &pose, p.body, distance, &out->yes)
+             ? gjk2_ground_within(p.ground, &pose, p.body, distance, &out->yes)
              : GJK_OK;
 }
 
@@ -60,7 +136,7 @@ gjk_status gjk2_scene_ground_within(const gjk2_scene_view *v, const gjk2_scene_p
 static gjk_status depth_of_ground(const ground_pair *p, const gjk2_pose *pose, gjk2_distance_result *out, bool *found) {
   gjk2_chain_contact deepest;
   uint16_t count = 0;
-  const gjk_status status = p->queries->contacts(p->ground, pose, p->body, 0, &deepest, 1, &count);
+  const gjk_status status = gjk2_ground_contacts(p->ground, pose, p->body, 0, &deepest, 1, &count);
   *found = (status == GJK_OK || status == GJK_ERROR_CAPACITY) && count > 0;
   if (*found) {
     out->distance = gjk2_line_least(&deepest.manifold);
@@ -70,9 +146,9 @@ static gjk_status depth_of_ground(const ground_pair *p, const gjk2_pose *pose, g
   return status == GJK_ERROR_CAPACITY ? GJK_OK : status;
 }
 
-gjk_status gjk2_scene_ground_distance(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
-                                      const gjk2_collider *on_a, const gjk2_collider *on_b, bool depth,
-                                      gjk2_distance_result *out) {
+static gjk_status distance_of_ground(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                                     const gjk2_collider *on_a, const gjk2_collider *on_b, bool depth,
+                                     gjk2_distance_result *out) {
   ground_pair p;
   gjk2_pose pose;
   uint32_t segment;
@@ -85,7 +161,7 @@ gjk_status gjk2_scene_ground_distance(const gjk2_scene_view *v, const gjk2_scene
     return status;
   }
   if (status == GJK_OK) {
-    status = p.queries->distance(p.ground, &pose, p.body, out, &segment, &found);
+    status = gjk2_ground_distance(p.ground, &pose, p.body, out, &segment, &found);
   }
   if (status != GJK_OK) {
     out->lower = depth ? -(on_a->radius + on_b->radius) : 0;
@@ -96,24 +172,24 @@ gjk_status gjk2_scene_ground_distance(const gjk2_scene_view *v, const gjk2_scene
   return status;
 }
 
-gjk_status gjk2_scene_ground_cast(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_collider *on_a,
-                                  const gjk2_collider *b, const gjk2_cast_path *path, gjk2_cast_result *out) {
+static gjk_status cast_at_ground(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_collider *on_a,
+                                 const gjk2_collider *b, const gjk2_cast_path *path, gjk2_cast_result *out) {
   gjk2_pose pose;
   uint32_t segment;
   gjk2_scene_part_pose(v, a, &pose);
-  return on_a->shape->type->ground->cast(ground_of_collider(on_a), &pose, b, path, false, out, &segment);
+  return gjk2_ground_cast_ahead(ground_of_collider(on_a), &pose, b, path, false, out, &segment);
 }
 
-gjk_status gjk2_scene_ground_ray(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_collider *on_a,
-                                 const gjk2_vec *from, const gjk2_vec *to, gjk2_cast_result *out) {
+static gjk_status ray_at_ground(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_collider *on_a,
+                                const gjk2_vec *from, const gjk2_vec *to, gjk2_cast_result *out) {
   gjk2_pose pose;
   uint32_t segment;
   gjk2_scene_part_pose(v, a, &pose);
-  return on_a->shape->type->ground->ray(ground_of_collider(on_a), &pose, from, to, out, &segment);
+  return gjk2_ground_cast_ray(ground_of_collider(on_a), &pose, from, to, out, &segment);
 }
 
-gjk_status gjk2_scene_ground_way(const gjk2_collider c[2], const gjk2_pose pose[2], const gjk2_cast_path *path,
-                                 bool ahead, gjk2_cast_result *out) {
+static gjk_status way_to_ground(const gjk2_collider c[2], const gjk2_pose pose[2], const gjk2_cast_path *path,
+                                bool ahead, gjk2_cast_result *out) {
   ground_pair p;
   gjk2_vec to;
   uint32_t segment;
@@ -130,7 +206,7 @@ gjk_status gjk2_scene_ground_way(const gjk2_collider c[2], const gjk2_pose pose[
     gjk2_scene_shift(&to, &way);
   }
   const gjk2_cast_path turned = {of_ground != NULL ? &to : NULL, p.turned ? path->to_a : path->to_b, path->margin};
-  return p.queries->cast(p.ground, &pose[p.turned ? 1 : 0], p.body, &turned, ahead, out, &segment);
+  return gjk2_ground_cast_ahead(p.ground, &pose[p.turned ? 1 : 0], p.body, &turned, ahead, out, &segment);
 }
 
 // Turns a manifold of ground and body round.
@@ -155,9 +231,9 @@ static void clear_ground_manifold(gjk2_manifold *out) {
   gjk2_scene_no_normal(out);
 }
 
-gjk_status gjk2_scene_ground_manifold(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
-                                      const gjk2_collider *on_a, const gjk2_collider *on_b, gjk_q16 margin,
-                                      unsigned most, gjk2_manifold *out) {
+static gjk_status manifold_of_ground(const gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                                     const gjk2_collider *on_a, const gjk2_collider *on_b, gjk_q16 margin,
+                                     unsigned most, gjk2_manifold *out) {
   ground_pair p;
   gjk2_pose pose;
   gjk2_chain_contact deepest;
@@ -170,7 +246,7 @@ gjk_status gjk2_scene_ground_manifold(const gjk2_scene_view *v, const gjk2_scene
     return GJK_OK;
   }
   const gjk_q16 apart = margin < GJK2_RADIUS_MAX ? margin : GJK2_RADIUS_MAX;
-  const gjk_status status = p.queries->contacts(p.ground, &pose, p.body, apart, &deepest, 1, &count);
+  const gjk_status status = gjk2_ground_contacts(p.ground, &pose, p.body, apart, &deepest, 1, &count);
   if (status != GJK_OK && status != GJK_ERROR_CAPACITY) {
     return status;
   }
@@ -185,6 +261,30 @@ gjk_status gjk2_scene_ground_manifold(const gjk2_scene_view *v, const gjk2_scene
   }
   return GJK_OK;
 }
+
+static const struct gjk2_ground_queries ground_queries = {
+    .bind = bind_ground,
+    .within = ground_is_within,
+    .distance = distance_of_ground,
+    .manifold = manifold_of_ground,
+    .cast = cast_at_ground,
+    .ray = ray_at_ground,
+    .way = way_to_ground,
+    .impact = gjk2_scene_ground_impact,
+};
+
+const gjk2_shape_class gjk2_class_ground = {
+    .measure = refuse_ground,
+    .pose = pose_ground,
+    .support = support_ground,
+    .vertex = NULL,
+    .adjacent = NULL,
+    .depth = NULL,
+    .touch = NULL,
+    .ground = &ground_queries,
+    .buffered = false,
+    .count = 0,
+};
 
 gjk_status gjk2_scene_ground(const gjk2_scene *scene, gjk_body_id id, uint16_t part, const gjk2_ground **out,
                              gjk2_pose *pose) {
@@ -219,11 +319,11 @@ gjk_status gjk2_scene_ground_contacts(const gjk2_scene *scene, const gjk2_report
   }
   gjk2_scene_part_placed(&v, part[0], &on[0]);
   gjk2_scene_part_placed(&v, part[1], &on[1]);
-  if (!gjk2_scene_is_one_ground(&on[0], &on[1]) ||
+  if (!(gjk2_scene_is_concave(on[0].shape) || gjk2_scene_is_concave(on[1].shape)) ||
       !place_ground_pair(&v, part[0], part[1], &on[0], &on[1], &p, &pose)) {
     return GJK_ERROR_UNSUPPORTED;
   }
   const gjk_q16 margin = v.bodies[part[0]->body].margin + v.bodies[part[1]->body].margin;
-  return p.queries->contacts(p.ground, &pose, p.body, margin < GJK2_RADIUS_MAX ? margin : GJK2_RADIUS_MAX, out,
-                             capacity, count);
+  return gjk2_ground_contacts(p.ground, &pose, p.body, margin < GJK2_RADIUS_MAX ? margin : GJK2_RADIUS_MAX, out,
+                              capacity, count);
 }

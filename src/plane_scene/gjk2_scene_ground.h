@@ -1,16 +1,10 @@
-// Ground as a part of a scene, on the way.
+// Ground as a part of a scene: its times of impact.
 #ifndef GJK2_SRC_SCENE_GROUND_H
 #define GJK2_SRC_SCENE_GROUND_H
 
-#include "gjk2/cast.h"
 #include "gjk2/impact.h"
 
-// Where two parts first touch on their way, one of which is ground at its pose; hit, inside and fraction are set.
-// ahead: as of gjk2_ground_cast_ahead. Two grounds do not.
-gjk_status gjk2_scene_ground_way(const gjk2_collider c[2], const gjk2_pose pose[2], const gjk2_cast_path *path,
-                                 bool ahead, gjk2_cast_result *out);
-
-// The same where one turns; hit, overlap and lower are set. ahead: segments count alone that all of the body is in front of,
+// Where two parts first touch on their ways, one of which is ground; hit, overlap and lower are set. ahead: segments count alone that all of the body is in front of,
 // by more than the tolerance, where these motions begin; NULL: every segment does.
 gjk_status gjk2_scene_ground_impact(const gjk2_collider c[2], const gjk2_motion motion[2], gjk_q16 margin,
                                     const gjk2_motion *ahead, gjk2_impact_result *out);

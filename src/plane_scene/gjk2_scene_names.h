@@ -10,7 +10,6 @@
 #include "gjk2/draw.h"
 #include "gjk2/impact.h"
 #include "gjk2/slide.h"
-#include "gjk2_scene_ground.h"
 #include "gjk2_scene_measure.h"
 #include "gjk2_scene_plane.h"
 
@@ -43,6 +42,7 @@
 #define gjk_decision gjk2_decision
 #define gjk_distance gjk2_distance
 #define gjk_distance_result gjk2_distance_result
+#define gjk_ground_queries gjk2_ground_queries
 #define gjk_impact_result gjk2_impact_result
 #define gjk_impact_setup gjk2_impact_setup
 #define gjk_draw gjk2_draw
@@ -172,17 +172,10 @@
 #define gjk_scene_holds_unposed gjk2_scene_holds_unposed
 #define gjk_scene_id_of gjk2_scene_id_of
 #define gjk_scene_init gjk2_scene_init
-#define gjk_scene_ground_cast gjk2_scene_ground_cast
-#define gjk_scene_ground_distance gjk2_scene_ground_distance
-#define gjk_scene_ground_impact gjk2_scene_ground_impact
-#define gjk_scene_ground_manifold gjk2_scene_ground_manifold
-#define gjk_scene_ground_ray gjk2_scene_ground_ray
-#define gjk_scene_ground_way gjk2_scene_ground_way
-#define gjk_scene_ground_within gjk2_scene_ground_within
+#define gjk_scene_ground_of gjk2_scene_ground_of
 #define gjk_scene_inner_radius gjk2_scene_inner_radius
 #define gjk_scene_is_below gjk2_scene_is_below
 #define gjk_scene_is_concave gjk2_scene_is_concave
-#define gjk_scene_is_one_ground gjk2_scene_is_one_ground
 #define gjk_scene_is_pending gjk2_scene_is_pending
 #define gjk_scene_is_point gjk2_scene_is_point
 #define gjk_scene_is_refused gjk2_scene_is_refused

@@ -7,13 +7,14 @@
 #define GJK2_SRC_SCENE_PLANE_H
 
 #include "../arith/gjk_ceilings.h"
-#include "../ground/gjk2_ground_queries.h"
 #include "../plane/gjk2_class.h"
 #include "../plane/gjk2_measure.h"
 #include "../plane/gjk2_rotation.h"
 #include "../scene/gjk_scene_common.h"
 #include "gjk2/cache.h"
 #include "gjk2/distance.h"
+#include "gjk2/ground.h"
+#include "gjk2/impact.h"
 #include "gjk2/intersect.h"
 #include "gjk2/pose.h"
 #include "gjk2/scene.h"
@@ -134,6 +135,42 @@ typedef char gjk2_scene_sizes_are_fixed[sizeof(gjk2_scene_body) == 44 && sizeof(
 #define GJK2_SCENE_HEADER_BYTES 292
 
 struct gjk2_scene_view;
+
+// What the class of ground brings along, so that only programs that mention it link it: the queries of a pair, one of which
+// is ground. Two grounds are never near, and meet nowhere.
+//
+// a, b    the parts; NULL: a collider that is no part. on_a, on_b: their posed colliders.
+struct gjk2_ground_queries {
+  // Makes a collider of the box, not yet posed. Statuses as gjk2_collider_init.
+  gjk_status (*bind)(const gjk2_shape *shape, gjk2_collider *out);
+
+  gjk_status (*within)(const struct gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                       const gjk2_collider *on_a, const gjk2_collider *on_b, gjk_q16 distance, gjk2_decision *out);
+
+  // depth: an overlap has minus its depth.
+  gjk_status (*distance)(const struct gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                         const gjk2_collider *on_a, const gjk2_collider *on_b, bool depth, gjk2_distance_result *out);
+
+  // Of the deepest contact.
+  gjk_status (*manifold)(const struct gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_scene_part *b,
+                         const gjk2_collider *on_a, const gjk2_collider *on_b, gjk_q16 margin, unsigned most,
+                         gjk2_manifold *out);
+
+  // A is ground that stands.
+  gjk_status (*cast)(const struct gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_collider *on_a,
+                     const gjk2_collider *b, const gjk2_cast_path *path, gjk2_cast_result *out);
+  gjk_status (*ray)(const struct gjk2_scene_view *v, const gjk2_scene_part *a, const gjk2_collider *on_a,
+                    const gjk2_vec *from, const gjk2_vec *to, gjk2_cast_result *out);
+
+  // Where two parts first touch on their ways, at whose start they have these poses; hit, inside and fraction are set.
+  // ahead: as of gjk2_ground_cast_ahead.
+  gjk_status (*way)(const gjk2_collider c[2], const gjk2_pose pose[2], const gjk2_cast_path *path, bool ahead,
+                    gjk2_cast_result *out);
+
+  // gjk2_scene_ground_impact.
+  gjk_status (*impact)(const gjk2_collider c[2], const gjk2_motion motion[2], gjk_q16 margin, const gjk2_motion *ahead,
+                       gjk2_impact_result *out);
+};
 
 struct gjk2_scene_details {
   gjk_status (*signed_distance)(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache,

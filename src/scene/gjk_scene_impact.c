@@ -65,8 +65,10 @@ static gjk_vec3 end_of(const gjk_scene_mover *m, const gjk_collider *c) {
 
 #if GJK_SCENE_AXES == 2
 
-static bool is_one_ground(const gjk_collider c[2]) {
-  return gjk_scene_is_concave(c[0].shape) || gjk_scene_is_concave(c[1].shape);
+// The queries of ground, if one of two is ground; otherwise NULL.
+static const struct gjk_ground_queries *ground_code(const gjk_collider c[2]) {
+  const struct gjk_ground_queries *code = c[0].shape->type->ground;
+  return code != NULL ? code : c[1].shape->type->ground;
 }
 
 #else
@@ -90,9 +92,9 @@ static gjk_status ask_way(const gjk_scene_view *v, const gjk_scene_mover m[2], c
   }
 #endif
 #if GJK_SCENE_AXES == 2
-  if (is_one_ground(c)) {
+  if (ground_code(c) != NULL) {
     const gjk_pose from[2] = {part_pose(v, p[0], &m[0].from), part_pose(v, p[1], &m[1].from)};
-    return gjk_scene_ground_way(c, from, path, ahead, out);
+    return ground_code(c)->way(c, from, path, ahead, out);
   }
 #endif
   (void)v, (void)m, (void)p, (void)ahead;
@@ -109,8 +111,8 @@ static gjk_status ask_impact_of(const gjk_collider c[2], const gjk_motion motion
   }
 #endif
 #if GJK_SCENE_AXES == 2
-  if (is_one_ground(c)) {
-    return gjk_scene_ground_impact(c, motion, margin, ahead, out);
+  if (ground_code(c) != NULL) {
+    return ground_code(c)->impact(c, motion, margin, ahead, out);
   }
 #endif
   (void)ahead;

@@ -32,58 +32,45 @@ gjk_status gjk_scene_ask_ray(const gjk_scene_view *v, const gjk_scene_part *a, c
 
 #else
 
-// The same of a pair one of which is ground; two of them are never near.
-gjk_status gjk_scene_ground_within(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
-                                   const gjk_collider *on_a, const gjk_collider *on_b, gjk_q16 distance,
-                                   gjk_decision *out);
-gjk_status gjk_scene_ground_distance(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
-                                     const gjk_collider *on_a, const gjk_collider *on_b, bool depth,
-                                     gjk_distance_result *out);
-gjk_status gjk_scene_ground_cast(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_collider *on_a,
-                                 const gjk_collider *b, const gjk_cast_path *path, gjk_cast_result *out);
-gjk_status gjk_scene_ground_ray(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_collider *on_a,
-                                const gjk_vec3 *from, const gjk_vec3 *to, gjk_cast_result *out);
-
-// As gjk2_scene_manifold, of the deepest contact.
-gjk_status gjk_scene_ground_manifold(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
-                                     const gjk_collider *on_a, const gjk_collider *on_b, gjk_q16 margin, unsigned most,
-                                     gjk_manifold *out);
-
-static inline bool gjk_scene_is_one_ground(const gjk_collider *a, const gjk_collider *b) {
-  return gjk_scene_is_concave(a->shape) || gjk_scene_is_concave(b->shape);
+// The queries of ground, if one of two is ground; otherwise NULL.
+static inline const struct gjk_ground_queries *gjk_scene_ground_of(const gjk_collider *a, const gjk_collider *b) {
+  const struct gjk_ground_queries *of_a = a->shape->type->ground;
+  return of_a != NULL ? of_a : b->shape->type->ground;
 }
 
 static inline gjk_status gjk_scene_ask_within(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
                                               const gjk_collider *on_a, const gjk_collider *on_b, gjk_q16 distance,
                                               gjk_cache *cache, gjk_decision *out) {
-  return gjk_scene_is_one_ground(on_a, on_b) ? gjk_scene_ground_within(v, a, b, on_a, on_b, distance, out)
-                                             : gjk_within(on_a, on_b, distance, cache, out);
+  const struct gjk_ground_queries *ground = gjk_scene_ground_of(on_a, on_b);
+  return ground != NULL ? ground->within(v, a, b, on_a, on_b, distance, out)
+                        : gjk_within(on_a, on_b, distance, cache, out);
 }
 
 static inline gjk_status gjk_scene_ask_distance(const gjk_scene_view *v, const gjk_scene_part *a,
                                                 const gjk_scene_part *b, const gjk_collider *on_a,
                                                 const gjk_collider *on_b, gjk_cache *cache, gjk_distance_result *out) {
-  return gjk_scene_is_one_ground(on_a, on_b) ? gjk_scene_ground_distance(v, a, b, on_a, on_b, false, out)
-                                             : gjk_distance(on_a, on_b, cache, out);
+  const struct gjk_ground_queries *ground = gjk_scene_ground_of(on_a, on_b);
+  return ground != NULL ? ground->distance(v, a, b, on_a, on_b, false, out) : gjk_distance(on_a, on_b, cache, out);
 }
 
 static inline gjk_status gjk_scene_ask_depth(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,
                                              const gjk_collider *on_a, const gjk_collider *on_b, gjk_cache *cache,
                                              gjk_distance_result *out) {
-  return gjk_scene_is_one_ground(on_a, on_b) ? gjk_scene_ground_distance(v, a, b, on_a, on_b, true, out)
-                                             : gjk_scene_signed_distance(v->scene, on_a, on_b, cache, out);
+  const struct gjk_ground_queries *ground = gjk_scene_ground_of(on_a, on_b);
+  return ground != NULL ? ground->distance(v, a, b, on_a, on_b, true, out)
+                        : gjk_scene_signed_distance(v->scene, on_a, on_b, cache, out);
 }
 
 static inline gjk_status gjk_scene_ask_cast(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_collider *on_a,
                                             const gjk_collider *b, const gjk_cast_path *path, gjk_cast_result *out) {
-  return gjk_scene_is_concave(on_a->shape) ? gjk_scene_ground_cast(v, a, on_a, b, path, out)
-                                           : gjk_cast(on_a, b, path, out);
+  const struct gjk_ground_queries *ground = on_a->shape->type->ground;
+  return ground != NULL ? ground->cast(v, a, on_a, b, path, out) : gjk_cast(on_a, b, path, out);
 }
 
 static inline gjk_status gjk_scene_ask_ray(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_collider *on_a,
                                            const gjk_vec3 *from, const gjk_vec3 *to, gjk_cast_result *out) {
-  return gjk_scene_is_concave(on_a->shape) ? gjk_scene_ground_ray(v, a, on_a, from, to, out)
-                                           : gjk_cast_ray(on_a, from, to, out);
+  const struct gjk_ground_queries *ground = on_a->shape->type->ground;
+  return ground != NULL ? ground->ray(v, a, on_a, from, to, out) : gjk_cast_ray(on_a, from, to, out);
 }
 
 #endif
