@@ -354,6 +354,8 @@ $(OUT)/scene_bench.elf: tests/support/scene/traffic.c
 $(OUT)/arm_bench.elf: tests/support/arm/seven.c
 # Its code for the Cortex-M0 is counted on the board of the Cortex-M3, which has the memory.
 $(OUT)/arm_bench.elf: BOARD_cortex-m0 := $(MPS2)
+# A slide over ground takes more stack than the board of RISC-V has for others.
+$(OUT)/ground_golden.elf $(OUT)/ground_bench.elf: BOARD_rv32imc += -Wl,--defsym=STACK_SIZE=8192
 $(OUT)/scene_golden.elf: tests/support/scene/match.c
 $(OUT)/plane_scene_golden.elf: tests/support/scene/plane_match.c
 $(OUT)/port.elf: tests/check/target/port_allocation.c port/generic/gjk_arena.c

@@ -1,6 +1,6 @@
 #!/bin/sh
 # A match of 10,000 ticks in a scene, of space and of the plane, has the same hash from every build, through saves and
-# rollbacks, on the emulated cores and on a big-endian machine. test_scene_golden.sh BUILD
+# rollbacks, on the emulated cores and on a big-endian machine; so have ground and a game on it. test_scene_golden.sh BUILD
 . tests/build/count.sh
 . tests/build/golden.sh
 folder=$1
@@ -26,11 +26,11 @@ target() {
   library "$1" '' OPT=-O2 && make -s "build/$1/$game.elf" TARGET="$1" && sh tests/build/emulate.sh "$1" "build/$1/$game.elf"
 }
 
-# match GAME MATCH: the match of that name has its hash from every build
+# match GAME [SOURCE]: the match of that name has its hash from every build
 match() {
   game=$1
   build=$folder/$game
-  sources="tests/support/scene/$2.c tests/check/target/$game.c tests/check/target/${game}_host.c"
+  sources="$2 tests/check/target/$game.c tests/check/target/${game}_host.c"
   mkdir -p "$build"
   # The builds are those of test_golden.sh, so that each is made once.
   if have gcc; then
@@ -61,6 +61,7 @@ match() {
   done
 }
 
-match scene_golden match
-match plane_scene_golden plane_match
+match scene_golden tests/support/scene/match.c
+match plane_scene_golden tests/support/scene/plane_match.c
+match ground_golden ''
 finish scene_golden

@@ -1,0 +1,11 @@
+// The hash of ground in the plane: the platform game of tests/programs/examples, and queries of all kinds of ground.
+#ifndef GROUND_GOLDEN_H
+#define GROUND_GOLDEN_H
+
+#include <stdint.h>
+
+#define GROUND_GOLDEN_HASH UINT64_C(0x9f662237e300628e)
+
+uint64_t ground_golden_hash(void);
+
+#endif
