@@ -19,7 +19,7 @@
 // Hostile data never make a query read outside of them: a segment that is too long or too far away, as stated below, is
 //          not there.
 // Threads  queries only read.
-// Links    contacts and casts; a program without such shapes links none of it.
+// Links    a shape of ground links contacts, casts and times of impact; a program without one links none of it.
 #ifndef GJK2_GROUND_H
 #define GJK2_GROUND_H
 
