@@ -328,7 +328,7 @@ build/gjk-bench-report: $(BENCH_REPORT)
 # must not turn into calls of memset.
 
 BOARDS := $(wildcard port/board/* port/mps2/* port/riscv-virt/* port/avr/*)
-FIRMWARE_NEEDS := $(LIB) $(BOARDS) tests/programs/examples/platform.c $(wildcard tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/programs/demo_plane/*.h tests/support/scene/*.h tests/support/arm/*.h tests/programs/lockstep/*.h include/gjk/*.h include/gjk2/*.h) Makefile
+FIRMWARE_NEEDS := $(LIB) $(BOARDS) $(wildcard tests/programs/examples/platform.c tests/support/*.h tests/*/target/*.h tests/programs/demo/*.h tests/programs/demo_plane/*.h tests/support/scene/*.h tests/support/arm/*.h tests/programs/lockstep/*.h include/gjk/*.h include/gjk2/*.h) Makefile
 FIRMWARE = $(FREESTANDING) -I. -Itests/support -fno-tree-loop-distribute-patterns $(FIRMWARE_DEFINES) \
   $(filter-out $(FIRMWARE_NEEDS) %.flags,$^) $(BOARD_$(TARGET)) $(LIB) -lgcc -Wl,--gc-sections -o $@
 

@@ -6,7 +6,6 @@ use super::{raw, CastResult, Collider, Manifold, Pose, Shape, Vector, ORIGIN};
 use crate::common::{answer, done, pointer_of, BodyId, BodyKind, BodyMotion, Detail, Event, Filter, SceneHit, SceneStats, Status};
 use core::ffi::c_void;
 use core::mem::zeroed;
-use core::ptr::null;
 
 pub use raw::{body_state as BodyState, part as Part, scene_config as SceneConfig};
 
