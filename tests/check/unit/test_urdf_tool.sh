@@ -183,7 +183,8 @@ done
 mutations() {
   wild=$(find tests/programs/convert -name '*.c' ! -name main.c)
   # shellcheck disable=SC2086
-  wild=$(awk -f tests/build/needed.awk tests/check/unit/wild_urdf.c -- src/*/*.c $wild tests/support/*/*.c include/*/*.h)
+  wild=$(awk -f tests/build/needed.awk needed= tests/check/unit/wild_urdf.c -- src/*/*.c $wild tests/support/*/*.c include/*/*.h |
+    sed "s/^needed= //")
   # shellcheck disable=SC2086
   "${CC:-cc}" -std=c99 -O1 -fsanitize=undefined,address -fno-sanitize-recover=all -Iinclude -I. -Iport -Itests/support \
     '-DGJK_PORT_HEADER="generic/gjk_port.h"' $wild -lm -o "$dir/wild" &&
