@@ -93,8 +93,8 @@ typedef struct gjk2_heights {
 // The height of a vertex that is not there.
 #define GJK2_HOLE INT16_MIN
 
-// The form of a tile. The surface runs from a height at the left side to one at the right side, in quarters of the tile, 0 to
-// 4 (more counts as 4), with the solid below it. Then the whole tile is turned counterclockwise by so many quarter turns.
+// The form of a tile. The surface runs from a height at the left side to one at the right side, with the solid below it.
+// Heights are in quarters of the tile, 0 to 4; more counts as 4. Then the whole tile is turned counterclockwise by so many quarter turns.
 typedef struct gjk2_tile {
   uint8_t left, right;  // heights
   uint8_t turns;        // modulo 4: 2 hangs from the ceiling

@@ -71,24 +71,20 @@ static bool does_ray_count(const ground_cast *c, const gjk2_line *line) {
   return is_in_front_at(c, line, 0) && along_way(c, gjk2_outward(gjk2_sub(line->q, line->p))) < 0;
 }
 
-static gjk_status ask_segment(const ground_cast *c, const gjk2_line *line, gjk2_cast_result *hit) {
-  gjk2_collider segment;
-  gjk2_line_collider(line->p, line->q, &segment);
+static gjk_status ask_segment(const ground_cast *c, const gjk2_collider *segment, gjk2_cast_result *hit) {
   if (c->body == NULL) {
-    return gjk2_cast_ray(&segment, c->from, c->to, hit);
+    return gjk2_cast_ray(segment, c->from, c->to, hit);
   }
   // The ground is in range at both ends, so the segment is.
-  const gjk2_vec to_a = {(int32_t)(segment.position.x + c->of_a[0]), (int32_t)(segment.position.y + c->of_a[1])};
+  const gjk2_vec to_a = {(int32_t)(segment->position.x + c->of_a[0]), (int32_t)(segment->position.y + c->of_a[1])};
   const gjk2_cast_path path = {c->path->to_a != NULL ? &to_a : NULL, c->path->to_b, c->path->margin};
-  return gjk2_cast(&segment, c->body, &path, hit);
+  return gjk2_cast(segment, c->body, &path, hit);
 }
 
 // The ground's own position in place of the segment's.
-static void put_rest_of_ground(ground_cast *c, const gjk2_line *line) {
-  gjk2_collider segment;
-  gjk2_line_collider(line->p, line->q, &segment);
-  const int64_t x = (int64_t)c->first.rest_a.x - segment.position.x,
-                y = (int64_t)c->first.rest_a.y - segment.position.y;
+static void put_rest_of_ground(ground_cast *c, const gjk2_collider *segment) {
+  const int64_t x = (int64_t)c->first.rest_a.x - segment->position.x,
+                y = (int64_t)c->first.rest_a.y - segment->position.y;
   c->first.rest_a.x = gjk_saturate(c->walk.position.x + x);
   c->first.rest_a.y = gjk_saturate(c->walk.position.y + y);
 }
@@ -101,10 +97,12 @@ static gjk_status ask_near(ground_cast *c, const gjk2_aabb *near) {
   gjk2_ground_begin(&c->walk, near);
   while (gjk2_ground_next(&c->walk, &line, &edge)) {
     gjk2_cast_result hit;
+    gjk2_collider segment;
     if (c->ahead && !gjk2_ground_is_ahead(&line, c->body, 0)) {
       continue;
     }
-    const gjk_status status = ask_segment(c, &line, &hit);
+    gjk2_line_collider(line.p, line.q, &segment);
+    const gjk_status status = ask_segment(c, &segment, &hit);
     if (status != GJK_OK) {
       open = status;
       continue;
@@ -119,7 +117,7 @@ static gjk_status ask_near(ground_cast *c, const gjk2_aabb *near) {
         (hit.fraction == c->first.fraction && line.number < c->segment)) {
       gjk_copy(&c->first, &hit, sizeof hit);
       c->segment = line.number;
-      put_rest_of_ground(c, &line);
+      put_rest_of_ground(c, &segment);
     }
   }
   return open;
@@ -145,7 +143,7 @@ static gjk_status ask_pieces(ground_cast *c, const gjk2_aabb *box) {
         gjk2_ground_box_at(box, margin, piece_of_way(c->x, i, pieces), piece_of_way(c->y, i, pieces));
     const gjk2_aabb to =
         gjk2_ground_box_at(box, margin, piece_of_way(c->x, i + 1, pieces), piece_of_way(c->y, i + 1, pieces));
-    const gjk2_aabb near = gjk2_ground_hull(&from, &to);
+    const gjk2_aabb near = gjk2_aabb_hull(&from, &to);
     const gjk_status status = ask_near(c, &near);
     open = status != GJK_OK ? status : open;
     if (c->first.hit && (uint32_t)c->first.fraction >> (30 - pieces) <= i) {

@@ -42,7 +42,7 @@ static bool is_range_beside(int32_t low, int32_t high, int32_t corner, unsigned 
 }
 
 static bool is_box_beside(const gjk2_ground_walk *walk, const gjk2_index *index, const gjk2_index_box *box) {
-  const gjk2_vec low = walk->low, high = walk->high;
+  const gjk2_vec low = walk->near.lower, high = walk->near.upper;
   return is_range_beside(low.x, high.x, index->corner.x, index->shift, box->lower_x, box->upper_x) ||
          is_range_beside(low.y, high.y, index->corner.y, index->shift, box->lower_y, box->upper_y);
 }
@@ -96,7 +96,7 @@ static bool next_of_chain(gjk2_ground_walk *walk, gjk2_ground_edge *out) {
     }
     const uint32_t i = walk->at++;
     const gjk2_vec p = chain->vertices[i], q = chain->vertices[i + 1];
-    if (gjk2_ground_meets(walk, p, q) && !gjk2_equal(p, q)) {
+    if (gjk2_ground_meets(&walk->near, p, q) && !gjk2_equal(p, q)) {
       out->number = i;
       gjk2_copy(&out->vertex[1], &p);
       gjk2_copy(&out->vertex[2], &q);
@@ -116,7 +116,7 @@ const gjk2_ground_class gjk2_ground_chain = {
 
 static void extend(gjk2_aabb *box, gjk2_vec v) {
   const gjk2_aabb at = {v, v};
-  *box = gjk2_ground_hull(box, &at);
+  *box = gjk2_aabb_hull(box, &at);
 }
 
 // Checks all but the index. Sets the box of all vertices.

@@ -28,10 +28,10 @@ static uint32_t column_of(const gjk2_heights *h, int32_t x) {
 static void begin_heights(gjk2_ground_walk *walk) {
   const gjk2_heights *h = heights_of(walk);
   walk->at = walk->end = 0;
-  if (h->count < 2 || h->width < 1 || h->heights == NULL || walk->high.x < 0) {
+  if (h->count < 2 || h->width < 1 || h->heights == NULL || walk->near.upper.x < 0) {
     return;
   }
-  const uint32_t first = column_of(h, walk->low.x), last = column_of(h, walk->high.x) + 1;
+  const uint32_t first = column_of(h, walk->near.lower.x), last = column_of(h, walk->near.upper.x) + 1;
   // At a column's edge the box meets the segment before it, too.
   walk->at = first > 0 ? first - 1 : 0;
   walk->end = last < h->count - UINT32_C(1) ? last : h->count - UINT32_C(1);
@@ -42,7 +42,7 @@ static bool next_of_heights(gjk2_ground_walk *walk, gjk2_ground_edge *out) {
   while (walk->at < walk->end) {
     const uint32_t i = walk->at++;
     gjk2_vec *p = &out->vertex[1], *q = &out->vertex[2];
-    if (vertex_of_column(h, i + 1, p) && vertex_of_column(h, i, q) && gjk2_ground_meets(walk, *p, *q)) {
+    if (vertex_of_column(h, i + 1, p) && vertex_of_column(h, i, q) && gjk2_ground_meets(&walk->near, *p, *q)) {
       out->number = i;
       return true;
     }
@@ -89,7 +89,7 @@ gjk_status gjk2_ground_of_heights(const gjk2_heights *data, gjk2_ground *out, gj
       at.upper.x = next.x;
       at.lower.y = v.y < next.y ? v.y : next.y;
       at.upper.y = v.y < next.y ? next.y : v.y;
-      box = any ? gjk2_ground_hull(&box, &at) : at;
+      box = any ? gjk2_aabb_hull(&box, &at) : at;
       any = true;
     }
   }

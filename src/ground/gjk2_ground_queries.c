@@ -4,7 +4,7 @@
 #include "../arith/gjk_memory.h"
 #include "gjk2/distance.h"
 #include "gjk2/intersect.h"
-#include "gjk2_ground_walk.h"
+#include "gjk2_ground_way.h"
 
 // Places a walk for a query of a body. Statuses of all of them.
 static gjk_status open_query(const gjk2_ground *ground, const gjk2_pose *pose, const gjk2_collider *body,
@@ -16,13 +16,6 @@ static gjk_status open_query(const gjk2_ground *ground, const gjk2_pose *pose, c
   return status == GJK_OK ? gjk2_collider_aabb(body, box) : status;
 }
 
-// A box grown by a margin, saturated.
-static gjk2_aabb grown_box(const gjk2_aabb *box, gjk_q16 margin) {
-  const gjk2_aabb out = {{gjk_saturate((int64_t)box->lower.x - margin), gjk_saturate((int64_t)box->lower.y - margin)},
-                         {gjk_saturate((int64_t)box->upper.x + margin), gjk_saturate((int64_t)box->upper.y + margin)}};
-  return out;
-}
-
 gjk_status gjk2_ground_within(const gjk2_ground *ground, const gjk2_pose *pose, const gjk2_collider *body,
                               gjk_q16 distance, bool *yes) {
   gjk2_ground_walk walk;
@@ -31,7 +24,7 @@ gjk_status gjk2_ground_within(const gjk2_ground *ground, const gjk2_pose *pose, 
   if (status != GJK_OK || distance < 0) {
     return status != GJK_OK ? status : GJK_ERROR_NEGATIVE;
   }
-  const gjk2_aabb near = grown_box(&box, distance);
+  const gjk2_aabb near = gjk2_ground_box_at(&box, distance, 0, 0);
   gjk2_line line;
   gjk2_ground_edge edge;
   gjk2_decision decision;
@@ -112,7 +105,7 @@ gjk_status gjk2_ground_distance(const gjk2_ground *ground, const gjk2_pose *pose
   }
   gjk_q16 reach = body->radius / 4 + 64;
   for (;;) {  // ends: reach doubles up to INT32_MAX, where the box holds all
-    const gjk2_aabb near = grown_box(&box, reach);
+    const gjk2_aabb near = gjk2_ground_box_at(&box, reach, 0, 0);
     status = find_nearest(&walk, &near, body, &best);
     // A distance is rounded, so one that was not found may be an LSB less than its box is away.
     if ((best.found && best.result.distance < reach - 1) || reach == INT32_MAX || holds_all(&near, &walk)) {
@@ -143,7 +136,7 @@ gjk_status gjk2_ground_contacts(const gjk2_ground *ground, const gjk2_pose *pose
   gjk2_line_query query;
   gjk2_line line;
   gjk2_ground_edge edge;
-  const gjk2_aabb near = grown_box(&box, margin);
+  const gjk2_aabb near = gjk2_ground_box_at(&box, margin, 0, 0);
   gjk2_line_query_set(&query, body, &box, margin);
   query.take = gjk2_line_list_take;
   query.user = &found;

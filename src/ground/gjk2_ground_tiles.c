@@ -337,8 +337,8 @@ static void begin_tiles(gjk2_ground_walk *walk) {
   c->first_column = 0;
   c->last_column = -1;
   if (is_grid(t)) {
-    range_of(walk->low.x, walk->high.x, t->size, t->columns, &c->first_column, &c->last_column);
-    range_of(walk->low.y, walk->high.y, t->size, t->rows, &c->first_row, &c->last_row);
+    range_of(walk->near.lower.x, walk->near.upper.x, t->size, t->columns, &c->first_column, &c->last_column);
+    range_of(walk->near.lower.y, walk->near.upper.y, t->size, t->rows, &c->first_row, &c->last_row);
   }
   c->column = c->first_column;
   c->row = c->first_column <= c->last_column ? c->first_row : c->last_row + 1;
@@ -371,7 +371,7 @@ static bool next_of_tiles(gjk2_ground_walk *walk, gjk2_ground_edge *out) {
     if (form != NULL && find_tile_side(t, form, column, row, number, &side) && find_run(walk, &side, &first, &last)) {
       out->vertex[1] = corner_of(t, first.from);
       out->vertex[2] = corner_of(t, last.to);
-      if (gjk2_ground_meets(walk, out->vertex[1], out->vertex[2])) {
+      if (gjk2_ground_meets(&walk->near, out->vertex[1], out->vertex[2])) {
         out->number = ((uint32_t)first.row * t->columns + (uint32_t)first.column) * SIDES + first.side;
         c->from = first.from;
         c->to = last.to;

@@ -1,16 +1,11 @@
 // Walks over ground: from a box in the world to the ground's frame, and from there back.
 #include "gjk2_ground_walk.h"
 
-#include "../arith/gjk_memory.h"
 #include "../plane/gjk2_rotation.h"
 #include "gjk2_ground_box.h"
 
 // How far rounding may take a box that is turned back: 1 LSB its centre, 1 its half extents, and 1 a vertex that was posed.
 #define TURN_SLACK 4
-
-static bool is_ground_amid(gjk_q16 x) {
-  return x <= INT32_MAX - 2 * GJK2_GROUND_REACH && x >= -(INT32_MAX - 2 * GJK2_GROUND_REACH);
-}
 
 gjk_status gjk2_ground_place(const gjk2_ground *ground, const gjk2_pose *pose, gjk2_ground_walk *walk) {
   const gjk2_vec origin = {0, 0};
@@ -21,7 +16,7 @@ gjk_status gjk2_ground_place(const gjk2_ground *ground, const gjk2_pose *pose, g
   if (!gjk2_rotation_with_point(&pose->rotation, &origin, &walk->turn, rotated)) {
     return GJK_ERROR_ROTATION;
   }
-  if (!is_ground_amid(pose->position.x) || !is_ground_amid(pose->position.y)) {
+  if (!gjk2_ground_has_room(&pose->position)) {
     return GJK_ERROR_RANGE;
   }
   walk->ground = ground;
@@ -61,8 +56,8 @@ void gjk2_ground_begin(gjk2_ground_walk *walk, const gjk2_aabb *box) {
   }
   gjk2_copy(&walk->box.lower, &box->lower);
   gjk2_copy(&walk->box.upper, &box->upper);
-  gjk2_copy(&walk->low, &low);
-  gjk2_copy(&walk->high, &high);
+  gjk2_copy(&walk->near.lower, &low);
+  gjk2_copy(&walk->near.upper, &high);
   walk->ground->type->begin(walk);
 }
 
@@ -80,12 +75,6 @@ static bool place_neighbour(const gjk2_ground_walk *walk, gjk2_vec from, gjk2_ve
   return true;
 }
 
-// Does the box of a segment meet another? The walk's own, turned, may be larger.
-static bool meets_world(const gjk2_aabb *box, gjk2_vec p, gjk2_vec q) {
-  return !((p.x > box->upper.x && q.x > box->upper.x) || (p.x < box->lower.x && q.x < box->lower.x) ||
-           (p.y > box->upper.y && q.y > box->upper.y) || (p.y < box->lower.y && q.y < box->lower.y));
-}
-
 bool gjk2_ground_next(gjk2_ground_walk *walk, gjk2_line *line, gjk2_ground_edge *edge) {
   while (walk->ground->type->next(walk, edge)) {  // ends: each segment comes once
     const gjk2_vec p = edge->vertex[1], q = edge->vertex[2];
@@ -95,7 +84,7 @@ bool gjk2_ground_next(gjk2_ground_walk *walk, gjk2_line *line, gjk2_ground_edge 
     line->number = edge->number;
     line->p = placed_vertex(walk, p);
     line->q = placed_vertex(walk, q);
-    if (gjk2_equal(line->p, line->q) || !meets_world(&walk->box, line->p, line->q)) {
+    if (gjk2_equal(line->p, line->q) || !gjk2_ground_meets(&walk->box, line->p, line->q)) {
       continue;
     }
     return true;

@@ -28,7 +28,7 @@ typedef struct gjk2_ground_walk {
   gjk2_vec position;
   gjk2_vec turn;                      // a unit, Q2.30
   gjk2_aabb box;                      // what the walk is near, world
-  gjk2_vec low, high;                 // a box around that, ground frame
+  gjk2_aabb near;                     // a box around that, ground frame
   uint32_t at, end;                   // segments of a chain or profile
   bool closed;                        // the chain
   uint16_t level[GJK2_INDEX_LEVELS];  // where each level of the chain's index begins
@@ -36,9 +36,9 @@ typedef struct gjk2_ground_walk {
 } gjk2_ground_walk;
 
 struct gjk2_ground_class {
-  // Readies the walk, whose low and high are set.
+  // Readies the walk, whose near is set.
   void (*begin)(gjk2_ground_walk *walk);
-  // The next segment whose box meets low to high. False: there is none.
+  // The next segment whose box meets near. False: there is none.
   bool (*next)(gjk2_ground_walk *walk, gjk2_ground_edge *out);
   // Sets the neighbours of the segment that next has found: vertex 0 and 3, open_before and open_after.
   void (*neighbours)(const gjk2_ground_walk *walk, gjk2_ground_edge *edge);
@@ -57,9 +57,9 @@ bool gjk2_ground_next(gjk2_ground_walk *walk, gjk2_line *line, gjk2_ground_edge 
 // Sets the neighbours of the segment that was found last.
 void gjk2_ground_set_neighbours(const gjk2_ground_walk *walk, gjk2_line *line, gjk2_ground_edge *edge);
 
-// Does the box of a segment meet the walk's?
-static inline bool gjk2_ground_meets(const gjk2_ground_walk *walk, gjk2_vec p, gjk2_vec q) {
-  const gjk2_vec low = walk->low, high = walk->high;
+// Does the box of a segment meet another?
+static inline bool gjk2_ground_meets(const gjk2_aabb *box, gjk2_vec p, gjk2_vec q) {
+  const gjk2_vec low = box->lower, high = box->upper;
   return !((p.x > high.x && q.x > high.x) || (p.x < low.x && q.x < low.x) || (p.y > high.y && q.y > high.y) ||
            (p.y < low.y && q.y < low.y));
 }

@@ -1,5 +1,6 @@
 // Times of impact with ground: each segment near the way is asked as a triangle of its own, at the ground's poses.
 #include "../arith/gjk_memory.h"
+#include "../ground/gjk2_ground_box.h"
 #include "../ground/gjk2_ground_way.h"
 #include "../plane/gjk2_measure.h"
 #include "gjk2/pose.h"
@@ -34,12 +35,13 @@ static gjk2_aabb reach_of_way(const ground_impact *g) {
   // Where the ground turns, any of it may come by.
   const int64_t all = same_rotation(&ground->from, &ground->to) ? 0 : UINT32_MAX;
   const gjk2_aabb from = {body->from.position, body->from.position}, to = {body->to.position, body->to.position};
-  gjk2_aabb a = gjk2_ground_box_at(&from, 0, 0, 0), b = gjk2_ground_box_at(&to, 0, -x, -y);
-  a.lower.x = gjk_saturate((a.lower.x < b.lower.x ? a.lower.x : b.lower.x) - around - all);
-  a.lower.y = gjk_saturate((a.lower.y < b.lower.y ? a.lower.y : b.lower.y) - around - all);
-  a.upper.x = gjk_saturate((a.upper.x > b.upper.x ? a.upper.x : b.upper.x) + around + all);
-  a.upper.y = gjk_saturate((a.upper.y > b.upper.y ? a.upper.y : b.upper.y) + around + all);
-  return a;
+  const gjk2_aabb seen = gjk2_ground_box_at(&to, 0, -x, -y);
+  gjk2_aabb box = gjk2_aabb_hull(&from, &seen);
+  box.lower.x = gjk_saturate(box.lower.x - around - all);
+  box.lower.y = gjk_saturate(box.lower.y - around - all);
+  box.upper.x = gjk_saturate(box.upper.x + around + all);
+  box.upper.y = gjk_saturate(box.upper.y + around + all);
+  return box;
 }
 
 // The segment where the ground is at another pose. Neighbours turn with it; rounding of their ways does not matter.

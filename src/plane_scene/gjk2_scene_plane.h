@@ -7,6 +7,7 @@
 #define GJK2_SRC_SCENE_PLANE_H
 
 #include "../arith/gjk_ceilings.h"
+#include "../ground/gjk2_ground_box.h"
 #include "../plane/gjk2_class.h"
 #include "../plane/gjk2_measure.h"
 #include "../plane/gjk2_rotation.h"
@@ -298,16 +299,6 @@ static inline void gjk2_scene_no_normal(gjk2_manifold *manifold) {
   manifold->normal.x = manifold->normal.y = 0;
 }
 
-// The least box that holds both.
-static inline gjk2_aabb gjk2_aabb_hull(const gjk2_aabb *a, const gjk2_aabb *b) {
-  gjk2_aabb box = *a;
-  box.lower.x = b->lower.x < box.lower.x ? b->lower.x : box.lower.x;
-  box.lower.y = b->lower.y < box.lower.y ? b->lower.y : box.lower.y;
-  box.upper.x = b->upper.x > box.upper.x ? b->upper.x : box.upper.x;
-  box.upper.y = b->upper.y > box.upper.y ? b->upper.y : box.upper.y;
-  return box;
-}
-
 // The cost of a box in the tree, an eighth of the sum of its sides:  < 2^30
 static inline uint32_t gjk2_scene_cost(const gjk2_aabb *box) {
   return gjk_scene_side_cost(box->lower.x, box->upper.x) + gjk_scene_side_cost(box->lower.y, box->upper.y);
@@ -576,13 +567,9 @@ static inline gjk_status gjk2_scene_bind(gjk2_collider *c, const gjk2_shape *sha
                                                                               : gjk2_collider_init(c, shape, NULL, 0);
 }
 
-static inline bool gjk2_scene_is_amid(gjk_q16 x) {
-  return x <= INT32_MAX - 2 * GJK2_GROUND_REACH && x >= -(INT32_MAX - 2 * GJK2_GROUND_REACH);
-}
-
 // Does a part stay in int32 at any rotation? Of a convex one its collider tells.
 static inline bool gjk2_scene_has_room(const gjk2_shape *shape, const gjk2_vec *position) {
-  return !gjk2_scene_is_concave(shape) || (gjk2_scene_is_amid(position->x) && gjk2_scene_is_amid(position->y));
+  return !gjk2_scene_is_concave(shape) || gjk2_ground_has_room(position);
 }
 
 #endif
