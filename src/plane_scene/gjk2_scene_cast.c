@@ -1,4 +1,4 @@
 // Casts against shapes, in the plane: the source that space has, under the plane's names.
 #include "gjk2_scene_names.h"
 
-#include "../scene/gjk_scene_cast.c"
+#include "../scene_query/gjk_scene_cast.c"

@@ -1,4 +1,4 @@
 // A scene's shapes, boxes and pairs, for debug drawing in the plane: the source that space has, under the plane's names.
 #include "gjk2_scene_names.h"
 
-#include "../scene/gjk_scene_draw.c"
+#include "../scene_query/gjk_scene_draw.c"

@@ -1,4 +1,4 @@
 // The events of an update, in the plane: the source that space has, under the plane's names.
 #include "gjk2_scene_names.h"
 
-#include "../scene/gjk_scene_events.c"
+#include "../scene_update/gjk_scene_events.c"

@@ -1,4 +1,4 @@
 // Contacts, rays and casts of the plane, for debug drawing: the source that space has, under the plane's names.
 #include "gjk2_scene_names.h"
 
-#include "../scene/gjk_scene_marks.c"
+#include "../scene_query/gjk_scene_marks.c"

@@ -1,6 +1,6 @@
-// The names under which the source of scenes, src/scene, is compiled for the plane.
+// The names under which the source of scenes (src/scene, src/scene_update, src/scene_query) is compiled for the plane.
 //
-// A file gjk2_scene_NAME.c of this room includes this and then src/scene/gjk_scene_NAME.c, so one source serves space and
+// A file gjk2_scene_NAME.c of this room includes this and then gjk_scene_NAME.c there, so one source serves space and
 // plane: to read the plane's, read that and think gjk2_ for gjk_. What depends on the dimension is in gjk2_scene_plane.h
 // and gjk2_scene_measure.h, which take the places of gjk_scene_space.h and gjk_scene_measure.h. Names without a
 // dimension, those of gjk/body.h and gjk_scene_common.h, stay as they are.
@@ -13,7 +13,7 @@
 #include "gjk2_scene_measure.h"
 #include "gjk2_scene_plane.h"
 
-// Tells the files of src/scene that they are the plane's.
+// Tells the files of these rooms that they are the plane's.
 #define GJK_SCENE_OF_PLANE
 
 // What the library offers in each dimension.

@@ -1,4 +1,4 @@
 // Queries of a scene, in the plane: the source that space has, under the plane's names.
 #include "gjk2_scene_names.h"
 
-#include "../scene/gjk_scene_query.c"
+#include "../scene_query/gjk_scene_query.c"

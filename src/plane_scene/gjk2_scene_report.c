@@ -1,4 +1,4 @@
 // The reports of an update, in the plane: the source that space has, under the plane's names.
 #include "gjk2_scene_names.h"
 
-#include "../scene/gjk_scene_report.c"
+#include "../scene_update/gjk_scene_report.c"

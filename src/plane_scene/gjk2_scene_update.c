@@ -1,4 +1,4 @@
 // The update, in the plane: the source that space has, under the plane's names.
 #include "gjk2_scene_names.h"
 
-#include "../scene/gjk_scene_update.c"
+#include "../scene_update/gjk_scene_update.c"

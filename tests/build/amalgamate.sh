@@ -33,7 +33,7 @@ END
 expand() {
   public=$1
   shift
-  awk -v with_public="$public" -v shared_files="$(echo src/scene/*)" '
+  awk -v with_public="$public" -v shared_files="$(echo src/scene/* src/scene_update/* src/scene_query/*)" '
     # The file that a line of from includes.
     function target(name, from) {
       if (name ~ /^gjk2?\//) return "include/" name
@@ -44,7 +44,7 @@ expand() {
     }
     # Is the file one that the plane has under other names?
     function is_shared(file) {
-      return file ~ /^src\/scene\// && file !~ /gjk_scene_(common|sort)\.h$/
+      return file ~ /^src\/scene(_update|_query)?\// && file !~ /gjk_scene_(common|sort)\.h$/
     }
     # The names of the plane: reads those of gjk2_scene_names.h, and those at the left margin of the shared files.
     function read_names(   file, line, word, n, files) {
@@ -105,9 +105,9 @@ expand() {
             expand("src/plane_scene/gjk2_scene_measure.h", depth + 1)
             continue
           }
-          of_plane += name ~ /^src\/scene\/.*\.c$/
+          of_plane += name ~ /^src\/scene(_update|_query)?\/.*\.c$/
           expand(name, depth + 1)
-          of_plane -= name ~ /^src\/scene\/.*\.c$/
+          of_plane -= name ~ /^src\/scene(_update|_query)?\/.*\.c$/
         } else if (lines[i] !~ /^#(ifndef|define) GJK2?_[A-Z0-9_]+_H$/ || !guarded) {
           if (guarded && i == last_endif(lines, count)) continue
           print second ? in_plane(lines[i]) : lines[i]

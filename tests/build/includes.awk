@@ -24,8 +24,8 @@ FNR == 1 {
   if (name ~ /^"gjk\/[a-z_]+\.h"/) to = "public"
   else if (name ~ /^"gjk2\/[a-z0-9]+\.h"/) to = "planar"
   else if (name ~ /^"gjk2?_[a-z_0-9]+\.h"/) to = room
-  else if (name ~ /^"\.\.\/[a-z]+\/gjk2?_[a-z_0-9]+\.h"/) { split(name, folder, "/"); to = folder[2] }
-  else if (name ~ /^"\.\.\/scene\/gjk_scene_[a-z_]+\.c"/ && room == "plane_scene") to = "scene"
+  else if (name ~ /^"\.\.\/[a-z_]+\/gjk2?_[a-z_0-9]+\.h"/) { split(name, folder, "/"); to = folder[2] }
+  else if (name ~ /^"\.\.\/scene(_update|_query)?\/gjk_scene_[a-z_]+\.c"/ && room == "plane_scene") to = "scene"
   if (to == "public" && room ~ /^plan/ && name !~ /^"gjk\/(body|format|number|status|version)\.h"/) to = "space"
   if (!((room, to) in allowed)) {
     print FILENAME ":" FNR ": room '" room "' may not include " name

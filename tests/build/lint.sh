@@ -14,7 +14,7 @@ c_files() {
 # The sources, without those of the plane that are sources of scenes in space under other names: the rules are about the
 # text, and there it is the same.
 texts() {
-  grep -L '"../scene/gjk_scene_[a-z_]*\.c"' src/*/*.c
+  grep -L '"../scene[a-z_]*/gjk_scene_[a-z_]*\.c"' src/*/*.c
 }
 
 # cppcheck has no headers of the compiler; what port.h and wide.h test is given here.

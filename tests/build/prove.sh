@@ -285,7 +285,7 @@ prove_one() {
         scene_motion) models="$models scene_passage scene_travel" others=${others#motion,impact,} ;;
         scene_slide) models="$models scene_cast scene_travel" others=$(echo $others | sed 's/slide,//') ;;
       esac
-      sources="$(printf '%s ' src/scene/*.c | tr ' ' '\n' | grep -vE "_($(echo "$others" | tr , '|'))[.]c" | tr '\n' ' ') src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
+      sources="$(printf '%s ' src/scene/*.c src/scene_update/*.c src/scene_query/*.c | tr ' ' '\n' | grep -vE "_($(echo "$others" | tr , '|'))[.]c" | tr '\n' ' ') src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
       contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
       levels=$SCENE_LEVELS
       case $driver in

@@ -1,4 +1,4 @@
-// Stands in for src/scene/gjk_scene_cast.c under gjk_slide: any answers of tests/prove/scene_probe.c.
+// Stands in for src/scene_query/gjk_scene_cast.c under gjk_slide: any answers of tests/prove/scene_probe.c.
 #include "gjk/probe.h"
 #include "scene_any.h"
 

@@ -5,11 +5,11 @@
 #ifndef GJK_SRC_SCENE_INQUIRY_H
 #define GJK_SRC_SCENE_INQUIRY_H
 
+#include "../scene/gjk_scene_passage.h"
 #include "gjk_scene_hits.h"
-#include "gjk_scene_passage.h"
 
 #ifndef GJK_SCENE_OF_PLANE
-#include "gjk_scene_travel.h"
+#include "../scene/gjk_scene_travel.h"
 #endif
 
 // What is asked of each part.

@@ -11,11 +11,11 @@
 // A cast that starts nearer than its margin tells that, but not what is met later. It is repeated with smaller margins.
 // So rounding, which may bring it nearer to a plane than the skin by an LSB, never stops it.
 #include "../arith/gjk_memory.h"
-#include "gjk_scene_part.h"
-#include "gjk_scene_solid.h"
+#include "../scene/gjk_scene_part.h"
+#include "../scene/gjk_scene_solid.h"
 
 #ifndef GJK_SCENE_OF_PLANE
-#include "gjk_scene_travel.h"
+#include "../scene/gjk_scene_travel.h"
 #endif
 #ifndef GJK_SCENE_OF_PLANE
 #include "../arith/gjk_unit.h"

@@ -2,7 +2,7 @@
 #ifndef GJK_SRC_SCENE_UPDATE_H
 #define GJK_SRC_SCENE_UPDATE_H
 
-#include "gjk_scene_pairs.h"
+#include "../scene/gjk_scene_pairs.h"
 
 // Step 3: fills the queue with the pairs to be tested: those of bodies that moved, or all with retest_all.
 void gjk_scene_fill_queue(gjk_scene_view *v);

@@ -1,8 +1,8 @@
 // Queries: boxes, rays, the nearest part.
+#include "../scene/gjk_scene_part.h"
+#include "../scene/gjk_scene_solid.h"
+#include "../scene/gjk_scene_tree.h"
 #include "gjk_scene_hits.h"
-#include "gjk_scene_part.h"
-#include "gjk_scene_solid.h"
-#include "gjk_scene_tree.h"
 
 gjk_status gjk_scene_query_box(const gjk_scene *scene, const gjk_aabb *box, const gjk_scene_hit *after,
                                gjk_scene_hit *hits, uint32_t capacity, uint32_t *count) {

@@ -5,7 +5,7 @@
 #ifndef GJK_SRC_SCENE_HITS_H
 #define GJK_SRC_SCENE_HITS_H
 
-#include "gjk_scene_block.h"
+#include "../scene/gjk_scene_block.h"
 
 typedef struct gjk_scene_hits {
   gjk_scene_hit *hits;

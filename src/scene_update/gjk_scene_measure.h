@@ -3,7 +3,7 @@
 #define GJK_SRC_SCENE_MEASURE_H
 
 #include "../arith/gjk_unit.h"
-#include "gjk_scene_space.h"
+#include "../scene/gjk_scene_space.h"
 
 // A distance along a unit vector errs by less than this:
 //

@@ -1,5 +1,5 @@
 // The workspace that depths and contacts of a scene use.
-#include "gjk_scene_block.h"
+#include "../scene/gjk_scene_block.h"
 
 bool gjk_scene_workspace(const gjk_scene *scene, gjk_workspace *out) {
   const gjk_scene_header *h = (const gjk_scene_header *)scene->block;

@@ -1,6 +1,6 @@
 // Contacts, rays and casts, for debug drawing.
 #include "../arith/gjk_memory.h"
-#include "gjk_scene_block.h"
+#include "../scene/gjk_scene_block.h"
 
 #ifndef GJK_SCENE_OF_PLANE
 #include "gjk_scene_drawing.h"

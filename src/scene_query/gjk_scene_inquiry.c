@@ -1,8 +1,8 @@
 // A cast or ray against the shapes of a scene.
 #include "gjk_scene_inquiry.h"
 
+#include "../scene/gjk_scene_part.h"
 #include "gjk_scene_filter.h"
-#include "gjk_scene_part.h"
 
 // Asks the next part that the way may meet. False: there is none left. A cast without an answer counts as a hit where the
 // boxes meet, which no cast hits before.

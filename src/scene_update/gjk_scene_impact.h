@@ -2,7 +2,7 @@
 #ifndef GJK_SRC_SCENE_IMPACT_H
 #define GJK_SRC_SCENE_IMPACT_H
 
-#include "gjk_scene_part.h"
+#include "../scene/gjk_scene_part.h"
 
 // One body on its way.
 typedef struct gjk_scene_mover {

@@ -1,6 +1,6 @@
 // Casts of a collider against the shapes of a scene.
+#include "../scene/gjk_scene_solid.h"
 #include "gjk_scene_inquiry.h"
-#include "gjk_scene_solid.h"
 
 static gjk_status ask_cast(const gjk_scene_inquiry *inquiry, const gjk_scene_view *v, const gjk_scene_part *part,
                            const gjk_collider *on, gjk_cast_result *out) {

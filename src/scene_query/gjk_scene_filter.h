@@ -2,7 +2,7 @@
 #ifndef GJK_SRC_SCENE_FILTER_H
 #define GJK_SRC_SCENE_FILTER_H
 
-#include "gjk_scene_block.h"
+#include "../scene/gjk_scene_block.h"
 
 // Does the query look at this part?
 static inline bool gjk_scene_accepts(const gjk_scene_view *v, const gjk_scene_filter *filter, uint32_t part) {

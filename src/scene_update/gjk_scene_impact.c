@@ -5,7 +5,7 @@
 #include "gjk_scene_impact.h"
 
 #ifndef GJK_SCENE_OF_PLANE
-#include "gjk_scene_travel.h"
+#include "../scene/gjk_scene_travel.h"
 #endif
 
 // A part whose origin is r away from its body's runs along an arc. gjk_time_of_impact takes a straight line: with an

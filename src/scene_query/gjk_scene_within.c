@@ -1,10 +1,10 @@
 // The parts within a distance of a collider.
 #include "../arith/gjk_memory.h"
+#include "../scene/gjk_scene_part.h"
+#include "../scene/gjk_scene_solid.h"
+#include "../scene/gjk_scene_tree.h"
 #include "gjk_scene_filter.h"
 #include "gjk_scene_hits.h"
-#include "gjk_scene_part.h"
-#include "gjk_scene_solid.h"
-#include "gjk_scene_tree.h"
 
 // Is a part whose box in the tree may be near enough so by its exact box, and by its shape?
 static bool part_is_within(const gjk_scene_view *v, const gjk_collider *collider, const gjk_aabb *box, gjk_q16 reach,

@@ -1,7 +1,7 @@
 // The manifolds of a pair, and the constant that binds contacts to a scene.
+#include "../scene/gjk_scene_concave.h"
+#include "../scene/gjk_scene_part.h"
 #include "gjk/contacts.h"
-#include "gjk_scene_concave.h"
-#include "gjk_scene_part.h"
 
 // All manifolds of two parts, or those that room is for. Pre: 1 <= capacity <= GJK_PARTS_MANIFOLDS_MAX.
 static gjk_status find_scene_manifolds(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b,

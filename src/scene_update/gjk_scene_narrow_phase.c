@@ -20,9 +20,9 @@
 //
 // With retest_all, pairs without curves take steps 2 and 6 alone, cold.
 #include "../arith/gjk_root.h"
-#include "gjk_scene_pairs.h"
-#include "gjk_scene_part.h"
-#include "gjk_scene_solid.h"
+#include "../scene/gjk_scene_pairs.h"
+#include "../scene/gjk_scene_part.h"
+#include "../scene/gjk_scene_solid.h"
 
 #ifndef GJK_SCENE_OF_PLANE
 #include "gjk_scene_measure.h"

@@ -12,8 +12,8 @@
 // rule what lies on the ground would touch nothing but the ground; without its condition a body that is put into a wall
 // could leave it on the other side unseen.
 #include "../arith/gjk_memory.h"
+#include "../scene/gjk_scene_passage.h"
 #include "gjk_scene_impact.h"
-#include "gjk_scene_passage.h"
 #include "gjk_scene_update.h"
 
 // The sweep of one fast body.

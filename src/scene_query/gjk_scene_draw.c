@@ -1,5 +1,5 @@
 // A scene's shapes, boxes and pairs, for debug drawing.
-#include "gjk_scene_block.h"
+#include "../scene/gjk_scene_block.h"
 
 #ifndef GJK_SCENE_OF_PLANE
 #include "gjk_scene_drawing.h"
