@@ -90,6 +90,9 @@ static void make_arm(random_state *random, unsigned count, unsigned bits) {
     arm.angle[i] = (gjk_angle)random_u32(random) >> random_below(random, 20);
     arm.rotation[i] = any_rotation(random);
     CHECK(gjk_joint_init(&arm.joint[i], &arm.fixed[i], default_axis ? NULL : &arm.axis[i]) == GJK_OK);
+    const gjk_vec3 *offset = &arm.fixed[i].position;
+    const long double length = hypotl(hypotl(offset->x, offset->y), offset->z);
+    CHECK(arm.joint[i].reach >= length * (1 + 1 / 65536.0L) && arm.joint[i].reach <= length * (1 + 1 / 65536.0L) + 3);
   }
 }
 

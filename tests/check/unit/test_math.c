@@ -94,7 +94,19 @@ static void check_angle(random_state *random) {
 }
 
 static long double worst_aim;
-static unsigned long opposite, beside;
+static unsigned long opposite, beside, half_turns;
+
+// Of opposite directions: the axis is the coordinate axis that u points along least, turned until it is across u. So
+// its coordinate there is sqrt(1 - u_least^2 / |u|^2), which is at least sqrt(2 / 3), and no other one is as large.
+static void check_half_turn(const long double u[3], const gjk_quat *q) {
+  const long double axis[3] = {q->x, q->y, q->z};
+  long double found = 0, least = fminl(fabsl(u[0]), fminl(fabsl(u[1]), fabsl(u[2])));
+  for (int i = 0; i < 3; i++) {
+    found = fabsl(u[i]) == least ? fmaxl(found, fabsl(axis[i])) : found;
+  }
+  CHECK(fabsl(found - sqrtl(1 - least * least / (norm(u) * norm(u))) * ONE_Q30) <= 12 && q->w == 0);
+  half_turns++;
+}
 
 static void check_aim(random_state *random) {
   const gjk_vec3 from = any_vector(random), to = other_direction(random, &from);
@@ -116,6 +128,9 @@ static void check_aim(random_state *random) {
   // The shortest: the axis is across both.
   const long double cosine = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / (lu * lv);
   CHECK(fabsl((u[0] * q.x + u[1] * q.y + u[2] * q.z) / lu) <= 4 && q.w >= 0);
+  if (cosine < 0 && u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2] && u[0] * v[1] == u[1] * v[0]) {
+    check_half_turn(u, &q);
+  }
   opposite += cosine < -0.999999L;
   beside += cosine > 0.999999L;
 }
@@ -208,7 +223,7 @@ int main(void) {
     check_aim(&random);
     check_segments(&random);
   }
-  CHECK(opposite > TRIALS / 20 && beside > TRIALS / 20);
+  CHECK(opposite > TRIALS / 20 && beside > TRIALS / 20 && half_turns > TRIALS / 100);
   printf("worst: angle %.4Lf LSB, aim %.2Lf, ends of segments %.2Lf\n", worst_angle, worst_aim, worst_end);
   return check_done("math");
 }

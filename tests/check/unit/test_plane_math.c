@@ -141,6 +141,8 @@ static void check_chain(random_state *random, unsigned count, unsigned bits) {
     arm.fixed[i].rotation = any_rotation(random);
     arm.angle[i] = any_number(random);
     CHECK(gjk2_joint_init(&arm.joint[i], &arm.fixed[i]) == GJK_OK);
+    const long double length = hypotl(arm.fixed[i].position.x, arm.fixed[i].position.y);
+    CHECK(arm.joint[i].reach >= length * (1 + 1 / 65536.0L) && arm.joint[i].reach <= length * (1 + 1 / 65536.0L) + 3);
   }
   CHECK(gjk2_joints_from_angles(arm.joint, count, &arm.base, arm.angle, arm.out) == GJK_OK);
   long double angle = atan2l(arm.base.rotation.s, arm.base.rotation.c), x = arm.base.position.x,

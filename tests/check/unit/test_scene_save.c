@@ -294,6 +294,35 @@ static void check_forged(void) {
   free(copy);
 }
 
+// The hash counts the filter and the user word of a body, and nothing of the way to them.
+static void check_counted(void) {
+  static world w;
+  const gjk_scene_config config = world_config(&options);
+  const size_t bytes = gjk_scene_bytes(&config);
+  CHECK(world_start(&w, &options, malloc(bytes), bytes));
+  tick(&w, 0);
+  gjk_scene *scene = &w.scene;
+  unsigned bodies = 0;
+  for (uint32_t slot = 0; slot < config.bodies; slot++) {
+    gjk_body_id id;
+    gjk_body_state state;
+    CHECK(gjk_scene_body_at(scene, slot, &id) == GJK_OK);
+    if (id.generation % 2 == 0) {
+      continue;
+    }
+    const uint64_t before = hash_of(scene);
+    CHECK(gjk_scene_get(scene, id, &state) == GJK_OK);
+    CHECK(gjk_scene_set_user(scene, id, state.user ^ 1) == GJK_OK && hash_of(scene) != before);
+    CHECK(gjk_scene_set_user(scene, id, state.user) == GJK_OK && hash_of(scene) == before);
+    CHECK(gjk_scene_set_filter(scene, id, state.category ^ 8, state.mask) == GJK_OK && hash_of(scene) != before);
+    CHECK(gjk_scene_set_filter(scene, id, state.category, state.mask ^ 8) == GJK_OK && hash_of(scene) != before);
+    CHECK(gjk_scene_set_filter(scene, id, state.category, state.mask) == GJK_OK && hash_of(scene) == before);
+    bodies++;
+  }
+  CHECK(bodies > 5);
+  free(scene->block);
+}
+
 int main(void) {
   options.detail = GJK_DETAIL_DEPTH;
   check_rollback();
@@ -303,5 +332,6 @@ int main(void) {
   check_builds();
   check_refused();
   check_forged();
+  check_counted();
   return check_done("scene_save");
 }
