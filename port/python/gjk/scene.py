@@ -253,6 +253,7 @@ def dimension(prefix, vector, pose, shape, aabb, collider_of, manifold, cast_res
     set_shape = declare(prefix + "scene_set_shape", *body, Uint16, Uint16)
     set_filter = declare(prefix + "scene_set_filter", *body, Uint32, Uint32)
     set_user = declare(prefix + "scene_set_user", *body, Uint32)
+    refilter = declare(prefix + "scene_refilter", *body)
     get = declare(prefix + "scene_get", *body, POINTER(BodyState))
     body_at = declare(prefix + "scene_body_at", to_scene, Uint32, POINTER(BodyId))
     collider = declare(prefix + "scene_collider", *body, Uint16, POINTER(collider_of))
@@ -381,6 +382,10 @@ class SceneBase:
 
     def set_user(self, body, user):
         do(self._of.set_user, self._handle, body, user)
+
+    def refilter(self, body):
+        """The next update tests all pairs of the body again: after a write to the cells of ground."""
+        do(self._of.refilter, self._handle, body)
 
     def get(self, body):
         """What the scene holds about a body: a BodyState."""
