@@ -39,7 +39,7 @@
 #   make mutants         small wrong changes of src that the tests must notice: a random sample of MUTANTS=400 (0: all) by
 #                        SEED=1, in files that match FILES=.; lists the survivors
 #   make fuzz            fuzzes pairs, the reader of cases, arguments, bodies of many parts, hulls and masses, scenes,
-#                        forged claims, casts, the plane, arms, gjk-convert and robots for SECONDS=60
+#                        forged claims, casts, the plane, its ground, arms, gjk-convert and robots for SECONDS=60
 #   make soak            certifies PAIRS=100000000 random pairs on two cores; goes on where it was interrupted
 #   make soak-casts      the same for CASTS=1000000 random casts
 #   make numbers         sine, cosine and roots of all 2^32 numbers: their errors are those stated (20 minutes on two cores)

@@ -94,6 +94,7 @@ typedef struct gjk_scene_hit {
   gjk_body_id body;   // the body that has it
   uint16_t part;      // the part's number in its body
   uint32_t fraction;  // of a way, in 2^-30, where it enters the part's box or meets the part, rounded down; otherwise 0
+  uint32_t user;      // the body's user word
 } gjk_scene_hit;
 
 // Does a query look at this part? May be called several times for a part, perhaps from several threads.

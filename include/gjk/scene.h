@@ -220,6 +220,7 @@ gjk_status gjk_scene_collider(const gjk_scene *scene, gjk_body_id id, uint16_t p
 //           seal. Valid while the pair is near; at END until the next update begins. NULL: none configured, or an IMPACT.
 typedef struct gjk_report {
   gjk_body_id a, b;         // the bodies
+  uint32_t user_a, user_b;  // their user words; 0 of one that was removed
   uint16_t part_a, part_b;  // numbers of their parts
   uint8_t event;            // a gjk_event
   uint8_t detail;           // a gjk_detail: the pair's; the configuration's if a body was removed

@@ -105,6 +105,9 @@ inline result<gjk_body_id> add_at(gjk2_scene &scene, uint32_t slot, const gjk2_b
   return gjk2_scene_set_user(&scene, id, user);
 }
 
+// The next update tests all pairs of the body again.
+[[nodiscard]] inline gjk_status refilter(gjk2_scene &scene, gjk_body_id id) { return gjk2_scene_refilter(&scene, id); }
+
 inline result<gjk2_body_state> get(const gjk2_scene &scene, gjk_body_id id) {
   return result<gjk2_body_state>::of([&](auto *out) { return gjk2_scene_get(&scene, id, out); });
 }

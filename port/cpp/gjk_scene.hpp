@@ -120,6 +120,9 @@ inline result<gjk_body_id> add_at(gjk_scene &scene, uint32_t slot, const gjk_bod
   return gjk_scene_set_user(&scene, id, user);
 }
 
+// The next update tests all pairs of the body again.
+[[nodiscard]] inline gjk_status refilter(gjk_scene &scene, gjk_body_id id) { return gjk_scene_refilter(&scene, id); }
+
 inline result<gjk_body_state> get(const gjk_scene &scene, gjk_body_id id) {
   return result<gjk_body_state>::of([&](auto *out) { return gjk_scene_get(&scene, id, out); });
 }

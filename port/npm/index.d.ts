@@ -1,6 +1,6 @@
 // Exact collision queries in Q16.16. Lengths are integers, 65536 to a unit; unit vectors and rotations have 2^30.
 import {
-  Aabb, Aabb2, BodyState, BodyState2, Cache, Cache2, CastResult, CastResult2, Decision, Decision2, DistanceResult,
+  Aabb, Aabb2, BodyState, BodyState2, Cache, Cache2, CastResult, CastResult2, ChainContact2, Decision, Decision2, DistanceResult,
   DistanceResult2, ImpactResult, ImpactResult2, Manifold, Manifold2, PenetrationResult, PenetrationResult2, Record, Report, Report2,
   SceneHit, SceneStats, WithinResult, WithinResult2,
 } from './records.js';
@@ -112,13 +112,14 @@ export interface Scene<D extends Names> {
   wake(body: BodyName): void;
   setMotion(body: BodyName, motion: number): void;
   setUser(body: BodyName, user: number): void;
+  refilter(body: BodyName): void;
   setFilter(body: BodyName, category: number, mask: number): void;
   setShape(body: BodyName, part: number, shape: number): void;
   get(body: BodyName): D['state'];
   update(each: (report: D['report'], manifold: D['manifold'] | null, words: Uint32Array | null) => void): void;
   castRay(from: Vector, to: Vector, filter?: Filter): { hit: SceneHit; result: D['cast'] } | null;
   cast(collider: Collider<D>, to: Vector, margin?: number, filter?: Filter): { hit: SceneHit; result: D['cast'] } | null;
-  within(collider: Collider<D>, reach: number, filter?: Filter): { body: BodyName; part: number }[];
+  within(collider: Collider<D>, reach: number, filter?: Filter): { body: BodyName; part: number; user: number }[];
   stats(): SceneStats;
   hash(): bigint;
   save(into?: ArrayBuffer): ArrayBuffer;
@@ -154,6 +155,26 @@ export interface Dimension<D extends Names> {
   readonly call: { readonly [name: string]: (...numbers: number[]) => number };
 }
 
+export interface TileForm {
+  left: number;
+  right: number;
+  turns?: number;
+  oneWay?: boolean;
+}
+
+/** Ground of the plane, whose shape is for scenes. Queries are of ground at a pose. */
+export interface Ground {
+  readonly shape: Shape<InPlane>;
+  /** Of a grid of tiles; after a write scene.refilter(body). */
+  readonly cells?: Uint8Array;
+  within(body: Collider<InPlane>, distance?: number, position?: Vector, rotation?: Vector): boolean;
+  distance(body: Collider<InPlane>, position?: Vector, rotation?: Vector): { segment: number; result: DistanceResult2 } | null;
+  contacts(body: Collider<InPlane>, margin?: number, position?: Vector, rotation?: Vector): ChainContact2[];
+  cast(body: Collider<InPlane>, to: Vector, margin?: number, position?: Vector, rotation?: Vector): { segment: number; result: CastResult2 } | null;
+  castRay(from: Vector, to: Vector, position?: Vector, rotation?: Vector): { segment: number; result: CastResult2 } | null;
+  dispose(): void;
+}
+
 export interface Plane extends Dimension<InPlane> {
   circle(radius: number): Shape<InPlane>;
   capsule(radius: number, half: number): Shape<InPlane>;
@@ -161,6 +182,9 @@ export interface Plane extends Dimension<InPlane> {
   ellipse(x: number, y: number, radius?: number): Shape<InPlane>;
   triangle(vertices: Vector[], radius?: number): Shape<InPlane>;
   polygon(vertices: Vector[], radius?: number): Shape<InPlane>;
+  chain(vertices: Vector[]): Ground;
+  heights(heights: (number | null)[], width: number, shift?: number): Ground;
+  tiles(cells: string | ArrayLike<number>, columns: number, size: number, forms: { [key: string]: TileForm }): Ground;
   rotation(angle: number): Int32Array;
 }
 

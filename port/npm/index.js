@@ -3,11 +3,13 @@
 //
 // The memory never grows, so a view of it stays valid. Answers are records in it: nothing is copied or allocated for a call.
 import { Memory, Q30, done, integer, write } from './core.js';
+import * as ground from './ground.js';
 import * as records from './records.js';
 import { Scene } from './scene.js';
 
 export { BodyKind, BodyMotion, Detail, Event, GjkError, Q16, Q30 } from './core.js';
 export * from './records.js';
+export { Ground } from './ground.js';
 export { Scene };
 
 const { Constants } = records;
@@ -339,6 +341,11 @@ export class Plane extends Dimension {
   polygon(vertices, radius = 0) {
     return this.shape((out, at, count) => this.call.shape_polygon(at, count, integer(radius), out), vertices);
   }
+
+  // Ground: see ground.js.
+  chain(vertices) { return ground.chain(this, vertices); }
+  heights(heights, width, shift = 0) { return ground.heights(this, heights, width, shift); }
+  tiles(cells, columns, size, forms) { return ground.tiles(this, cells, columns, size, forms); }
 
   penetration(a, b, out = this.answers.penetration) {
     return done(this.call.penetration(a.record.at, b.record.at, 0, out.at), out);

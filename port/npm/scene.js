@@ -114,6 +114,8 @@ export class Scene {
 
   setMotion(body, motion) { this.ask(this.home.call.scene_set_motion, this.name(body), integer(motion, 0, 255)); }
   setUser(body, user) { this.ask(this.home.call.scene_set_user, this.name(body), user); }
+  // The next update tests all pairs of the body again: after a write to the cells of ground.
+  refilter(body) { this.ask(this.home.call.scene_refilter, this.name(body)); }
   setFilter(body, category, mask) { this.ask(this.home.call.scene_set_filter, this.name(body), category, mask); }
 
   setShape(body, part, shape) {
@@ -167,7 +169,7 @@ export class Scene {
       this.choose(filter), this.hits[0].at, this.first.at, this.first.at + of.CastResult.bytes));
   }
 
-  // All parts that are at most reach away from a collider, in order: a list of {body, part}.
+  // All parts that are at most reach away from a collider, in order: a list of {body, part, user}.
   within(collider, reach, filter = ALL) {
     const { call, memory } = this.home, chosen = this.choose(filter), found = [];
     let count = ROOM + 1;
@@ -175,8 +177,8 @@ export class Scene {
       done(call.scene_query_within(this.record.at, collider.record.at, integer(reach), chosen, after, this.hits[0].at, ROOM,
         this.progress.at));
       count = memory.u32[this.progress.at / 4];
-      for (const { body: { slot, generation }, part } of this.hits.slice(0, count)) {
-        found.push({ body: { slot, generation }, part });
+      for (const { body: { slot, generation }, part, user } of this.hits.slice(0, count)) {
+        found.push({ body: { slot, generation }, part, user });
       }
     }
     return found;

@@ -180,7 +180,7 @@ int gjk_wasm_scene_cast_ray(const gjk_wasm_scene *scene, const int32_t *from, co
   const gjk_scene_filter seen = {.category = (uint32_t)filter[0],
                                  .mask = (uint32_t)filter[1],
                                  .ignore = {(uint32_t)filter[2], (uint32_t)filter[3]}};
-  gjk_scene_hit hit = {{0, 0}, 0, 0};
+  gjk_scene_hit hit = {{0, 0}, 0, 0, 0};
   gjk_cast_result result = {0};
   bool found = false;
   const gjk_status status = gjk_scene_cast_ray(&scene->scene, &start, &end, &seen, &hit, &result, &found);

@@ -28,7 +28,7 @@ static uint32_t levels_of(uint32_t segments, uint16_t level[GJK2_INDEX_LEVELS]) 
 static void begin_chain(gjk2_ground_walk *walk) {
   const gjk2_polyline *chain = chain_of(walk);
   walk->at = 0;
-  walk->end = chain->count > 0 ? chain->count - UINT32_C(1) : 0;
+  walk->end = chain->vertices != NULL && chain->count > 0 ? chain->count - UINT32_C(1) : 0;
   if (walk->end > 0) {
     walk->closed = gjk2_equal(chain->vertices[0], chain->vertices[walk->end]);
     (void)levels_of(walk->end, walk->level);
@@ -83,7 +83,7 @@ static bool find_vertex(const gjk2_ground_walk *walk, uint32_t i, bool following
 static bool is_of_chain(const gjk2_index *index, uint32_t segments) {
   uint16_t level[GJK2_INDEX_LEVELS];
   return index->boxes != NULL && index->segments == segments && index->count == levels_of(segments, level) &&
-         index->shift <= 14;
+         index->shift <= 14 && gjk2_ground_fits(index->corner);
 }
 
 static bool next_of_chain(gjk2_ground_walk *walk, gjk2_ground_edge *out) {

@@ -204,13 +204,27 @@ static bool is_better_side(const tile_side *s, const tile_side *candidate, const
   return following ? turn < 0 : turn > 0;
 }
 
+// The one side of a full tile, cut or not, that begins at a corner of its square, or ends there. SIDES: the place, in the
+// tile's frame, is no corner.
+static unsigned side_at_corner(const gjk2_tile *form, gjk2_vec place, bool begins) {
+  if (place.x % QUARTERS != 0 || place.y % QUARTERS != 0) {
+    return SIDES;
+  }
+  const unsigned square = place.y == 0 ? (place.x == 0 ? 0 : 1) : (place.x == 0 ? 3 : 2);  // that begins there
+  return (square + (begins ? 0 : 3) - form->turns) & 3u;
+}
+
 // The best neighbour of a side among those of one tile that meet it at a place.
 static void try_tile(const gjk2_tiles *t, const tile_side *s, bool following, int32_t column, int32_t row, bool *found,
                      tile_side *out) {
   const gjk2_tile *form = form_of(t, column, row);
-  const gjk2_vec at = following ? s->to : s->from;
+  const gjk2_vec at = following ? s->to : s->from, place = {at.x - column * QUARTERS, at.y - row * QUARTERS};
+  const unsigned only = form != NULL && is_full(form) ? side_at_corner(form, place, following) : SIDES;
   for (unsigned side = 0; form != NULL && side < SIDES; side++) {
     tile_side candidate;
+    if (only < SIDES && side != only) {
+      continue;
+    }
     if (find_tile_side(t, form, column, row, side, &candidate) &&
         gjk2_equal(following ? candidate.from : candidate.to, at) &&
         (!*found || is_better_side(s, &candidate, out, following))) {

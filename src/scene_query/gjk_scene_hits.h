@@ -18,6 +18,7 @@ static inline gjk_scene_hit gjk_scene_hit_of(const gjk_scene_view *v, const gjk_
   hit.body = gjk_scene_id_of(v, p->body);
   hit.part = p->number;
   hit.fraction = fraction;
+  hit.user = v->bodies[p->body].user;
   return hit;
 }
 

@@ -242,6 +242,8 @@ static void report_impact(const gjk_scene_view *v, const gjk_scene_kept *k, gjk_
   const gjk_scene_part *other = &v->parts[k->other];
   out->a = gjk_scene_id_of(v, k->slot);
   out->b = gjk_scene_id_of(v, other->body);
+  out->user_a = v->bodies[k->slot].user;
+  out->user_b = v->bodies[other->body].user;
   out->part_a = k->number;
   out->part_b = other->number;
   out->event = GJK_EVENT_IMPACT;

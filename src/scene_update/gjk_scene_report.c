@@ -18,10 +18,18 @@ static inline void describe_pair(const gjk_scene_view *v, uint32_t index, const 
   out->fraction = 0;
 }
 
+// The user word of a body; 0: it was removed.
+static uint32_t user_of(const gjk_scene_view *v, gjk_body_id id) {
+  gjk_scene_body *body;
+  return gjk_scene_body_of(v, id, &body) == GJK_OK ? body->user : 0;
+}
+
 static void describe_gone(const gjk_scene_view *v, uint32_t index, gjk_report *out) {
   const gjk_scene_pair *pair = &v->pairs[index];
   const gjk_scene_side a = gjk_scene_gone_side(pair, 0), b = gjk_scene_gone_side(pair, 1);
   describe_pair(v, index, &a, &b, out);
+  out->user_a = user_of(v, out->a);
+  out->user_b = user_of(v, out->b);
   out->detail = v->header->config.detail;
   out->still = false;
 }
@@ -38,6 +46,8 @@ static inline void describe_linked(const gjk_scene_view *v, uint32_t index, cons
   const gjk_scene_body *on_a = &v->bodies[a->body], *on_b = &v->bodies[b->body];
   const gjk_scene_side of_a = {a->body, on_a->generation, a->number}, of_b = {b->body, on_b->generation, b->number};
   describe_pair(v, index, &of_a, &of_b, out);
+  out->user_a = on_a->user;
+  out->user_b = on_b->user;
   out->detail = gjk_scene_detail(v, on_a, on_b);
   out->still = (v->pairs[index].outcome & GJK_SCENE_TOLD) != 0;
 }

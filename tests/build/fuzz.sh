@@ -1,6 +1,6 @@
 #!/bin/sh
 # Fuzzes pairs, the reader of cases, hostile arguments, bodies of many parts, hulls and masses, scenes, forged claims,
-# casts, the plane, arms, gjk-convert and its reader of robots with libFuzzer:
+# casts, the plane, its ground, arms, gjk-convert and its reader of robots with libFuzzer:
 # fuzz.sh BUILD SECONDS SEED [TARGET...]
 #
 # The seconds are shared out evenly. 3000x in their place: as many inputs for each target. SEED 0 is a new one each time. Runs begin with inputs that once failed
@@ -11,7 +11,7 @@ build=$1/fuzz
 amount=$2
 seed=$3
 shift 3
-[ $# -gt 0 ] || set -- pairs cases arguments parts solids scene claims casts plane arms convert urdf
+[ $# -gt 0 ] || set -- pairs cases arguments parts solids scene claims casts plane ground arms convert urdf
 case $amount in
   *x) limit=-runs=${amount%x} ;;
   *) limit=-max_total_time=$((amount / $#)) ;;
@@ -82,7 +82,7 @@ for source in tests/check/fuzz/bytes.c tests/check/fuzz/hostile.c tests/check/fu
 done
 
 mkdir -p "$build/seeds-pairs" "$build/seeds-cases" "$build/seeds-arguments" "$build/seeds-scene" \
-  "$build/seeds-claims" "$build/seeds-parts" "$build/seeds-solids" "$build/seeds-casts" "$build/seeds-plane" \
+  "$build/seeds-claims" "$build/seeds-parts" "$build/seeds-solids" "$build/seeds-casts" "$build/seeds-plane" "$build/seeds-ground" \
   "$build/seeds-arms" "$build/seeds-convert" "$build/seeds-urdf"
 # shellcheck disable=SC2086
 clang $flags tests/check/fuzz/seeds.c "$build"/objects/*.o $oracles -lm -o "$build/seeds" &&
@@ -112,7 +112,7 @@ for target in "$@"; do
     claims) fuzz claims -max_len=128 || status=1 ;;
     plane) fuzz plane -max_len=512 || status=1 ;;
     scene) fuzz scene -max_len=192 -len_control=10 || status=1 ;;
-    parts | solids | arms) fuzz "$target" -max_len=2048 -len_control=0 || status=1 ;;
+    parts | solids | arms | ground) fuzz "$target" -max_len=2048 -len_control=0 || status=1 ;;
     urdf) fuzz urdf -max_len=8192 || status=1 ;;
     *) fuzz "$target" -max_len=2048 || status=1 ;;
   esac

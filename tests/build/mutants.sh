@@ -96,6 +96,7 @@ prepare_tests() {
     tests/check/target/concave_golden.c tests/check/target/golden_host.c ||
     return 1
   program scene_golden tests/support/scene/match.c tests/check/target/scene_golden.c tests/check/target/scene_golden_host.c || return 1
+  program ground_golden tests/check/target/ground_golden.c tests/check/target/ground_golden_host.c || return 1
   for test in tests/check/unit/test_*.c; do
     name=$(basename "$test" .c)
     case " $TOOLS " in

@@ -103,12 +103,13 @@ npm_package() {
   rm "$to/package.json.in"
   fill port/npm/package.json.in >"$to/package.json"
   common='intersect|within|within_until|distance|distance_until|penetration|signed_distance|contacts|cast|cast_ray|time_of_impact'
-  scene='add|add_at|attach|bind_all|bytes|cast|cast_ray|get|get_stats|hash|init|move|open|query_within|remove|seal|set_.*|sleep'
+  scene='add|add_at|attach|bind_all|bytes|cast|cast_ray|get|get_stats|hash|init|move|open|query_within|refilter|remove|seal|set_.*|sleep'
   shape='point|segment|triangle|box|hull|cylinder|cone|ellipsoid|polygon|ellipse'
   calls="$common|check_.*|collider_.*|shape_($shape)|scene_($scene|teleport|update|wake)|hull_(build|vertices|write_faces|workspace)"
+  calls="$calls|ground_(of_.*|within|distance|contacts|cast.*)|index_build"
   calls="gjk2?_($calls|(quat|rotation)_(from_.*angle|normalize|compose)|size_of)|gjk_port_.*"
   WASM_EXPORTS=$calls sh port/wasm/build.sh "$to/gjk.wasm" -Os -Wl,--import-memory -Wl,--max-memory=4294967296 || return 1
-  skip='^gjk2?_(arm|draw|compound|mesh|height|surface|joint|chain|ground|polyline|heights|tile|index|segment|epa|concave|parts|slide|volume|inertia|mass|principal'
+  skip='^gjk2?_(arm|draw|compound|mesh|height_|surface|joint|chain$|chain_range|epa|concave|parts|slide|volume|inertia|mass|principal'
   skip="$skip|hull_(volume|simple|report|table))"
   awk -v as=code -v skip="$skip" -f port/bind/javascript.awk "$api" "$api" >"$to/records.js"
   awk -v as=types -v skip="$skip" -f port/bind/javascript.awk "$api" "$api" >"$to/records.d.ts"

@@ -20,7 +20,7 @@ static bool any_accept(void *user, gjk_body_id body, uint32_t user_of_body, uint
 static void ask(const gjk_scene *scene, const gjk_collider *collider) {
   const gjk_vec3 from = any_position(), to = any_position();
   const gjk_scene_filter filter = {any_uint32(), any_uint32(), any_body_handle(), any_bool() ? any_accept : NULL, NULL};
-  const gjk_scene_hit after = {any_body_handle(), any_uint16(), any_uint32()};
+  const gjk_scene_hit after = {any_body_handle(), any_uint16(), any_uint32(), any_uint32()};
   const gjk_scene_filter *of = any_bool() ? &filter : NULL;
   gjk_scene_hit hits[HITS];
   gjk_cast_result result;

@@ -64,10 +64,10 @@ class BodyId(Record):
 
 
 class SceneHit(Record):
-    """A part that a query found. fraction: of the way, Q2.30, where it is met."""
+    """A part that a query found. fraction: of the way, Q2.30, where it is met. user: its body's word."""
 
     C_NAME = "gjk_scene_hit"
-    _fields_ = [("body", BodyId), ("part", c_uint16), ("fraction", c_uint32)]
+    _fields_ = [("body", BodyId), ("part", c_uint16), ("fraction", c_uint32), ("user", c_uint32)]
 
 
 class SceneFilter(Record):
@@ -102,6 +102,7 @@ class SceneStats(Record):
 class Report(typing.NamedTuple):
     """What an update tells of a pair of parts.
 
+    user_a, user_b: the bodies' words; 0 of one that was removed.
     still: since the pair's last report nothing moved or changed it, so all is as it was reported then.
     words: Scene(pair_words=...) numbers of the scene, which may be written; None without them. They belong to the pair
     until the update that ends it.
@@ -109,6 +110,8 @@ class Report(typing.NamedTuple):
 
     a: BodyId
     b: BodyId
+    user_a: int
+    user_b: int
     part_a: int
     part_b: int
     event: Event
@@ -214,6 +217,8 @@ def dimension(prefix, vector, pose, shape, aabb, collider_of, manifold, cast_res
         _fields_ = [
             ("a", BodyId),
             ("b", BodyId),
+            ("user_a", c_uint32),
+            ("user_b", c_uint32),
             ("part_a", c_uint16),
             ("part_b", c_uint16),
             ("event", c_uint8),
@@ -248,6 +253,7 @@ def dimension(prefix, vector, pose, shape, aabb, collider_of, manifold, cast_res
     set_shape = declare(prefix + "scene_set_shape", *body, Uint16, Uint16)
     set_filter = declare(prefix + "scene_set_filter", *body, Uint32, Uint32)
     set_user = declare(prefix + "scene_set_user", *body, Uint32)
+    refilter = declare(prefix + "scene_refilter", *body)
     get = declare(prefix + "scene_get", *body, POINTER(BodyState))
     body_at = declare(prefix + "scene_body_at", to_scene, Uint32, POINTER(BodyId))
     collider = declare(prefix + "scene_collider", *body, Uint16, POINTER(collider_of))
@@ -377,6 +383,10 @@ class SceneBase:
     def set_user(self, body, user):
         do(self._of.set_user, self._handle, body, user)
 
+    def refilter(self, body):
+        """The next update tests all pairs of the body again: after a write to the cells of ground."""
+        do(self._of.refilter, self._handle, body)
+
     def get(self, body):
         """What the scene holds about a body: a BodyState."""
         return answer(self._of.get, self._of.BodyState, self._handle, body)
@@ -414,6 +424,8 @@ class SceneBase:
         return Report(
             a=BodyId(c.a.slot, c.a.generation),
             b=BodyId(c.b.slot, c.b.generation),
+            user_a=c.user_a,
+            user_b=c.user_b,
             part_a=c.part_a,
             part_b=c.part_b,
             event=Event(c.event),
@@ -512,7 +524,7 @@ class Scene(SceneBase):
     def manifolds(self, report, most=4):
         """All contacts of a reported pair where its bodies are now, by their normals: a list of Manifold."""
         room, count = (Manifold * constant("GJK_PARTS_MANIFOLDS_MAX"))(), ctypes.c_uint()
-        pair = self._of.Report(report.a, report.b, report.part_a, report.part_b, report.event, report.detail)
+        pair = self._of.Report(a=report.a, b=report.b, part_a=report.part_a, part_b=report.part_b)
         do(_MANIFOLDS, self._handle, pair, most, room, len(room), count)
         return room[: count.value]
 

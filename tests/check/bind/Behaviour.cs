@@ -62,12 +62,13 @@ public static class Behaviour {
         Judge.Fine(scene.Add(BodySetup.At(Pose.Identity, BodyKind.Static), parts, out a));
         Judge.Fine(scene.Add(BodySetup.At(new Pose(new Vec3(131072, 0, 0)), BodyKind.Dynamic), parts, out b));
         Judge.That(scene.Add(BodySetup.At(Pose.Identity, BodyKind.Static), parts, out a, 1) == Status.ErrorBodyId, "taken");
+        Judge.Fine(scene.SetUser(b, 7));
         byte[] early = new byte[scene.Bytes], sealedSave = new byte[scene.Bytes];
         scene.Save(early);
         Report report;
         Manifold manifold;
         Judge.Fine(scene.Update());
-        Judge.That(scene.Next(out report, out manifold) && manifold.Count == 4, "contacts");
+        Judge.That(scene.Next(out report, out manifold) && manifold.Count == 4 && report.UserB == 7, "contacts");
         Judge.That(!scene.Next(out report), "one report");
         Judge.Fine(scene.Seal());
         scene.Save(sealedSave);

@@ -79,10 +79,10 @@ fn scenes() -> Result<(), Status> {
     for one in [&mut scene, &mut copy, &mut opened] {
         one.set_pose(second, &pose(-300000, 0, 0))?;
         let mut seen = Vec::new();
-        one.update(&mut [], |report| seen.push((report.event, report.a, report.part_a, report.fraction)))?;
+        one.update(&mut [], |report| seen.push((report.event, report.a, report.user_a, report.part_a, report.fraction)))?;
         events.push(seen);
     }
-    assert!(events[0].len() == 1 && events[0][0].0 == Event::Impact && events[0][0].1 == second);
+    assert!(events[0].len() == 1 && events[0][0].0 == Event::Impact && events[0][0].1 == second && events[0][0].2 == 77);
     assert!(events[0] == events[1] && events[1] == events[2]);
     assert_eq!((scene.hash()?, copy.hash()?), (copy.hash()?, opened.hash()?));
     assert_eq!((scene.get(second)?.user, scene.stats()?.bodies), (77, 2));
@@ -99,6 +99,7 @@ fn scenes() -> Result<(), Status> {
     assert!(scene.within(&probe, 1 << 22, &Filter::ALL, None, &mut hits)? == 3 && hits[0].body == first);
     let last = hits[1];
     assert!(scene.within(&probe, 1 << 22, &Filter::ALL, Some(&last), &mut hits)? == 1 && hits[0].body == second);
+    assert_eq!(hits[0].user, 77);
     scene.remove(first)?;
     assert_eq!(scene.get(first).err(), Some(Status::BODY_ID));
     Ok(())

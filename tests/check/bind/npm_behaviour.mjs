@@ -72,13 +72,13 @@ scene.update(() => assert.fail());
 const before = scene.save(), events = [];
 const fly = () => {
   scene.move(ball, [-4 * UNIT, 0, 0]);
-  scene.update((report) => events.push([report.event, report.a.slot, report.b.slot, report.fraction]));
+  scene.update((report) => events.push([report.event, report.a.slot, report.b.slot, report.fraction, report.userA, report.userB]));
   return scene.hash();
 };
 const hash = fly();
 scene.load(before);
 assert.equal(fly(), hash);
-assert.ok(events.length === 2 && events[0][0] === Event.IMPACT);
+assert.ok(events.length === 2 && events[0][0] === Event.IMPACT && events[0][4] === 0xFFFFFFFF && events[0][5] === 0);
 assert.deepEqual(events[0], events[1]);
 scene.move(ball, [0, UNIT * 1.5, 0]);
 let seen = 0;

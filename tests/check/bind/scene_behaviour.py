@@ -22,6 +22,7 @@ def reports():
     crate = scene.add(shapes[2], Pose((0, 0, q16(0.9))), BodyKind.DYNAMIC, user=7)
     (begin,) = scene.update()
     check((begin.a, begin.b, begin.event) == (floor, crate, Event.BEGIN), "begin")
+    check((begin.user_a, begin.user_b) == (0, 7), "user words")
     check(len(begin.manifold) == 4 and begin.distance == begin.manifold.contact[0].distance < 0, "contacts")
     check(list(begin.words) == [0, 0], "words are 0")
     before = scene.hash()
@@ -38,7 +39,7 @@ def reports():
     scene.wake(crate)
     scene.remove(crate)
     (end,) = scene.update()
-    check(end.event == Event.END and end.b == crate and end.manifold is None, "end")
+    check(end.event == Event.END and end.b == crate and end.user_b == 0 and end.manifold is None, "end")
     check(scene.body_at(0) == floor and scene.body_at(1) is None and scene.stats().bodies == 1, "bodies by slot")
     check({floor: 1}[scene.body_at(0)] == 1, "an id is a key")
 
@@ -76,10 +77,10 @@ def motion():
 
 def queries():
     scene, shapes, floor = pile()
-    crate = scene.add([shapes[2], (shapes[1], Pose((0, 0, ONE)))], Pose((0, 0, q16(5))), BodyKind.DYNAMIC)
+    crate = scene.add([shapes[2], (shapes[1], Pose((0, 0, ONE)))], Pose((0, 0, q16(5))), BodyKind.DYNAMIC, user=3)
     start, end = (0, 0, q16(9)), (0, 0, q16(-9))
     hit, result = scene.cast_ray(start, end)
-    check((hit.body, hit.part, result.point_a.z) == (crate, 1, q16(6.5)), "ray")
+    check((hit.body, hit.part, hit.user, result.point_a.z) == (crate, 1, 3, q16(6.5)), "ray")
     hit, result = scene.cast_ray(start, end, gjk.SceneFilter(ignore=crate))
     check(hit.body == floor and result.point_a.z == q16(0.5), "a ray that ignores a body")
     check(scene.cast_ray(start, end, gjk.SceneFilter(category=2, mask=2)) is None, "a ray that sees nothing")

@@ -35,7 +35,7 @@ static gjk_vec3 random_vector(random_state *random, int32_t size) {
 
 static bool same_hits(const gjk_scene_hit *a, const gjk_scene_hit *b, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
-    if (order_hits(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation) {
+    if (order_hits(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation || a[i].user != b[i].user) {
       return false;
     }
   }
@@ -93,7 +93,7 @@ static uint32_t search(bool way, const gjk_aabb *asked, gjk_scene_hit *hits) {
       uint32_t fraction = 0;
       gjk_collider_aabb(&b->colliders[k], &box);
       if (way ? crosses(asked->lower, asked->upper, &box, &fraction) : boxes_meet(asked, &box)) {
-        const gjk_scene_hit found = {b->id, k, fraction};
+        const gjk_scene_hit found = {b->id, k, fraction, b->setup.user};
         hits[count++] = found;
       }
     }
@@ -181,7 +181,7 @@ static void check_nearest(random_state *random, int32_t reach) {
   const gjk_q16 limit = random_below(random, 2) == 0 ? GJK_DISTANCE_MAX : random_range(random, 0, GJK_Q16(1));
   gjk_collider c;
   gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_scene_hit hit = {{0, 0}, 0, 0}, expected = {{0, 0}, 0, 0};
+  gjk_scene_hit hit = {{0, 0}, 0, 0, 0}, expected = {{0, 0}, 0, 0, 0};
   gjk_q16 distance = 0, best = limit;
   bool found, any = false;
   const gjk_body_id ignore = w.bodies[random_below(random, w.options.bodies)].id;
@@ -196,7 +196,7 @@ static void check_nearest(random_state *random, int32_t reach) {
     for (uint16_t k = 0; k < b->setup.part_count; k++) {
       const gjk_q16 gap = distance_of(&c, &b->colliders[k]);
       if (gap < best || (gap == best && !any)) {
-        const gjk_scene_hit at = {b->id, k, 0};
+        const gjk_scene_hit at = {b->id, k, 0, b->setup.user};
         best = gap;
         any = true;
         expected = at;
@@ -207,8 +207,8 @@ static void check_nearest(random_state *random, int32_t reach) {
                                 &found) == GJK_OK);
   if (ignore.generation != 0) {
     CHECK_MSG(found == any, "%d, %d expected", (int)distance, (int)best);
-    CHECK_MSG(!any || (distance == best && order_hits(&hit, &expected) == 0), "%d, %d expected", (int)distance,
-              (int)best);
+    CHECK_MSG(!any || (distance == best && order_hits(&hit, &expected) == 0 && hit.user == expected.user),
+              "%d, %d expected", (int)distance, (int)best);
     nearest_hits += any;
   }
 }

@@ -77,7 +77,7 @@ refused() {
 
 # freestanding COMPILER FLAGS...: the headers need nothing of a library
 freestanding() {
-  printf '#include "%s"\n' gjk.hpp gjk2.hpp gjk_scene.hpp gjk2_scene.hpp gjk_parts.hpp >"$dir/headers.cpp"
+  printf '#include "%s"\n' gjk.hpp gjk2.hpp gjk_scene.hpp gjk2_scene.hpp gjk2_ground.hpp gjk_parts.hpp >"$dir/headers.cpp"
   # shellcheck disable=SC2086
   "$@" -std=c++17 $strict -Iinclude -Iport/cpp -ffreestanding -fno-exceptions -fno-rtti -c "$dir/headers.cpp" -o "$dir/headers.o"
 }
@@ -136,6 +136,8 @@ for compiler in g++ clang++; do
   check "scenes, parts, solids: compiles, $compiler" program scene_behaviour $compiler -O1
   check "scenes, parts, solids, $compiler" runs scene_behaviour $compiler
   check "behaviour: compiles, $compiler" program behaviour $compiler -O1
+  check "ground: compiles, $compiler" program ground_behaviour $compiler -O1
+  check "ground, $compiler" runs ground_behaviour $compiler
   check "literals, ranges, results, $compiler" runs behaviour $compiler
   check "the README's example, $compiler" readme $compiler
   check "an older C++ is told so, $compiler" needs_cpp17 $compiler

@@ -523,7 +523,7 @@ static void check_nearest(void) {
     gjk_collider from, to[CROWD];
     gjk_pose pose = GJK_POSE_IDENTITY;
     gjk_q16 best = INT32_MAX, distance = 0;
-    gjk_scene_hit hit = {{0, 0}, 0, 0};
+    gjk_scene_hit hit = {{0, 0}, 0, 0, 0};
     uint32_t nearest = 0;
     bool found = false;
     CHECK(gjk_collider_init(&from, table[random_below(&random, 4)], NULL, 0) == GJK_OK);

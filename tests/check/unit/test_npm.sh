@@ -78,10 +78,13 @@ export async function play(): Promise<number> {
   const scene = gjk.plane.scene([gjk.plane.circle(1)], { bodies: 2, detail: Detail.CONTACTS });
   const body = scene.add(0, { position: [0, 0] });
   scene.update((report, manifold) => { if (manifold !== null) console.log(report.a.slot, manifold.contact[0].pointA[1]); });
+  const level = gjk.plane.tiles('##', 2, 4, { '#': { left: 4, right: 4 } });
+  const on: number | undefined = level.distance(gjk.plane.collider(gjk.plane.circle(1)))?.result.distance;
+  gjk.plane.scene([level.shape], { bodies: 1 }).refilter(body);
   const save: ArrayBuffer = scene.save();
   scene.load(save);
   try { scene.move(body, [1, 2]); } catch (error) { if (error instanceof GjkError) console.log(error.status); }
-  return gap;
+  return gap + (on ?? 0);
 }
 END
 }
@@ -113,6 +116,7 @@ check 'another match has another hash' other npm_scene_golden.mjs 499 "$(hash_of
 check 'the golden hash of a scene of the plane' runs npm_scene_golden.mjs 500 \
   "$(hash_of PLANE_SCENE_GOLDEN_FEW_HASH plane_scene_golden)" plane
 check 'errors, records, hulls, saves, memory' runs npm_behaviour.mjs
+check 'ground of the plane' runs npm_ground.mjs
 check "the README's example" readme
 check 'two peers in lockstep' lockstep
 if have tsc; then

@@ -647,11 +647,18 @@ static void check_hostile(random_state *r) {
     static uint8_t numbers[64];
     static gjk2_tile table[4];
     static gjk2_index_box claimed[GJK2_INDEX_BOXES(40)];
-    gjk2_index index = {claimed,
-                        (uint16_t)random_below(r, 40),
-                        (uint16_t)random_below(r, 41),
-                        (uint8_t)random_below(r, 20),
-                        {random_range(r, -1000, 1000), random_range(r, -1000, 1000)}};
+    gjk2_index index;
+    for (unsigned i = 0; i < 40; i++) {
+      wild[i].x = (int32_t)i;
+      wild[i].y = 0;
+    }
+    const gjk2_polyline sound = {wild, 40, NULL};
+    CHECK(gjk2_index_build(&sound, claimed, GJK2_INDEX_BOXES(40), &index) == GJK_OK);
+    index.count = (uint16_t)(index.count + (random_below(r, 4) == 0));
+    index.segments = (uint16_t)(index.segments + (random_below(r, 4) == 0));
+    index.shift = (uint8_t)random_below(r, 20);
+    index.corner.x = (int32_t)random_u32(r) >> random_below(r, 24);
+    index.corner.y = (int32_t)random_u32(r) >> random_below(r, 24);
     for (unsigned i = 0; i < 40; i++) {
       const uint32_t bits = random_below(r, 32);
       wild[i].x = (int32_t)random_u32(r) >> bits;
@@ -670,7 +677,7 @@ static void check_hostile(random_state *r) {
                               random_below(r, 2) == 0};
       table[i] = form;
     }
-    const gjk2_polyline p = {wild, 40, random_below(r, 2) == 0 ? NULL : &index};
+    const gjk2_polyline p = {random_below(r, 8) == 0 ? NULL : wild, 40, random_below(r, 2) == 0 ? NULL : &index};
     const gjk2_heights h = {any, 40, (int32_t)random_u32(r) >> random_below(r, 31), (uint8_t)random_below(r, 20)};
     const gjk2_tiles t = {numbers, 8, 8, (int32_t)random_u32(r) >> random_below(r, 31), 4, table};
     const gjk2_ground grounds[] = {

@@ -67,6 +67,7 @@ for file in port/python/gjk/*.py port/python/gjk/plane/*.py tests/check/bind/*.p
   check "$file is tidy" is_tidy "$file"
 done
 check 'numbers, names, errors, lifetimes' python tests/check/bind/behaviour.py
+check 'ground of the plane' python tests/check/bind/ground_behaviour.py
 check 'scenes' python tests/check/bind/scene_behaviour.py
 check 'bodies of many parts, hulls, masses' python tests/check/bind/parts_behaviour.py
 check 'arms' python tests/check/bind/arm_behaviour.py "$build/gjk-convert"

@@ -73,7 +73,7 @@ static uint32_t search(const question *q, gjk_scene_hit *hits, gjk_cast_result *
   for (uint32_t i = 0; i < w.options.bodies; i++) {
     const world_body *b = &w.bodies[i];
     for (uint16_t k = 0; b->id.generation != 0 && k < b->setup.part_count; k++) {
-      gjk_scene_hit hit = {b->id, k, 0};
+      gjk_scene_hit hit = {b->id, k, 0, b->setup.user};
       gjk_cast_result result;
       if (!passes(q, b, k)) {
         filtered++;
@@ -107,7 +107,7 @@ static gjk_status ask(const question *q, const gjk_scene_hit *after, gjk_scene_h
 
 static bool same_hits(const gjk_scene_hit *a, const gjk_scene_hit *b, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
-    if (order_hits(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation) {
+    if (order_hits(&a[i], &b[i]) != 0 || a[i].body.generation != b[i].body.generation || a[i].user != b[i].user) {
       return false;
     }
   }
@@ -118,7 +118,7 @@ static bool same_hits(const gjk_scene_hit *a, const gjk_scene_hit *b, uint32_t c
 static void check_nearest(const question *q, const gjk_scene_hit *expected, uint32_t wanted,
                           const gjk_cast_result *first) {
   const gjk_scene_filter *filter = q->filters ? &q->filter : NULL;
-  gjk_scene_hit hit = {{7, 7}, 7, 7};
+  gjk_scene_hit hit = {{7, 7}, 7, 7, 7};
   gjk_cast_result result;
   bool found = wanted == 0;
   memset(&result, 0x5A, sizeof result);
@@ -245,7 +245,7 @@ static void check_statuses(void) {
   gjk_vec3 far = from;
   gjk_collider c, unposed;
   gjk_pose pose = GJK_POSE_IDENTITY;
-  gjk_scene_hit hit = {{7, 7}, 7, 7};
+  gjk_scene_hit hit = {{7, 7}, 7, 7, 7};
   gjk_cast_result result;
   bool found = true;
   uint32_t count = 7;

@@ -541,6 +541,12 @@ static void add_impacts(world *w, world_list *out) {
   }
 }
 
+// The user word of a body; 0 of one that was removed.
+static uint32_t user_of(const world *w, gjk_body_id id) {
+  const world_body *b = &w->bodies[id.slot];
+  return b->id.generation == id.generation ? b->setup.user : 0;
+}
+
 void world_expect(world *w, world_list *out) {
   static world_list now;
   find_near(w, &now);
@@ -576,6 +582,10 @@ void world_expect(world *w, world_list *out) {
   if (w->options.motions) {
     add_impacts(w, out);
   }
+  for (uint32_t n = 0; n < out->count; n++) {
+    out->report[n].user_a = user_of(w, out->report[n].a);
+    out->report[n].user_b = user_of(w, out->report[n].b);
+  }
   w->near = now;
   for (uint32_t n = 0; n < w->options.bodies; n++) {
     w->bodies[n].changed = false;
@@ -584,7 +594,7 @@ void world_expect(world *w, world_list *out) {
 
 static bool same(const gjk_report *a, const gjk_report *b) {
   return order(a, b) == 0 && a->event == b->event && a->detail == b->detail && a->distance == b->distance &&
-         a->still == b->still && a->fraction == b->fraction;
+         a->still == b->still && a->fraction == b->fraction && a->user_a == b->user_a && a->user_b == b->user_b;
 }
 
 // The words of a pair after a writing.

@@ -8,5 +8,6 @@
 """
 
 from .bodies import *
+from .ground import *
 from .queries import *
 from .scene import *

@@ -70,6 +70,9 @@ impl<'p> Body<'p> {
 pub struct Report<'r> {
     pub a: BodyId,
     pub b: BodyId,
+    /// The bodies' words; 0 of one that was removed.
+    pub user_a: u32,
+    pub user_b: u32,
     pub part_a: u16,
     pub part_b: u16,
     pub event: Event,
@@ -220,6 +223,8 @@ impl<'a, const WORDS: usize> Scene<'a, WORDS> {
                 each(Report {
                     a: report.a,
                     b: report.b,
+                    user_a: report.user_a,
+                    user_b: report.user_b,
                     part_a: report.part_a,
                     part_b: report.part_b,
                     event: Event::of(report.event),
@@ -282,7 +287,7 @@ impl<'a, const WORDS: usize> Scene<'a, WORDS> {
 }
 
 /// Room for hits.
-pub const NO_HIT: SceneHit = SceneHit { body: BodyId { slot: 0, generation: 0 }, part: 0, fraction: 0 };
+pub const NO_HIT: SceneHit = SceneHit { body: BodyId { slot: 0, generation: 0 }, part: 0, fraction: 0, user: 0 };
 
 fn first(
     call: impl FnOnce(*mut SceneHit, *mut CastResult, *mut bool) -> i32,
