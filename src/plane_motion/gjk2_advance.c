@@ -72,8 +72,7 @@ static void plane_copy_collider(gjk2_collider *to, const gjk2_collider *from) {
   to->ordered = from->ordered;
 }
 
-const gjk2_collider *gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a,
-                                      gjk2_collider *at_b) {
+const gjk2_collider *gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b) {
   int64_t x = 0, y = 0;
   plane_copy_collider(at_b, way->b);
   if ((way->of_a.x | way->of_a.y) != 0) {
@@ -185,12 +184,12 @@ static int plane_advance_slope(const plane_advance *s, const plane_face *face, b
 
 // |n| is scaled to 2^29 and above, so its rounding up to an integer costs at most radius / 2^29 of the gap.
 //   |n| < 2^30 + 4, |w|, |t| < 2^32.7:  below 2^63
-gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_t radius, gjk_q30 *fraction,
-                           gjk2_rate *rate) {
+gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_t radius, uint32_t near,
+                           gjk_q30 *fraction, gjk2_rate *rate) {
   const unsigned zeros = gjk_clz64((uint64_t)gjk2_dot(n, n)) / 2;  // 2^(31 - zeros) <= |n| < 2^(32 - zeros)
   const unsigned up = zeros > 2 ? zeros - 2 : 0;
   const gjk2_vec scaled = {gjk_shl32(n.x, up), gjk_shl32(n.y, up)};
-  const int64_t length = (int64_t)gjk2_root((uint64_t)gjk2_dot(scaled, scaled)) + 1;
+  const int64_t length = (int64_t)gjk2_root((uint64_t)gjk2_dot(scaled, scaled), near) + 1;
   const int64_t closing = -gjk2_way_ahead(way, scaled), ahead = -gjk_shl64(most, up) - radius * length;
   bool exact;
   *fraction = 0;
@@ -208,14 +207,14 @@ gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_
   return GJK2_BOUND_AT;
 }
 
-static gjk2_bound plane_advance_bound(plane_advance *s, gjk2_vec n, gjk2_span *support, gjk_q30 *fraction,
-                                      gjk2_rate *rate) {
+static gjk2_bound plane_advance_bound(plane_advance *s, gjk2_vec n, uint32_t near, gjk2_span *support,
+                                      gjk_q30 *fraction, gjk2_rate *rate) {
   if (s->point) {
     gjk2_copy_span(support, &s->face.p);
   } else {
     gjk2_way_scan(s->way, n, support);
   }
-  return gjk2_cast_bound(s->way, n, gjk2_way_along(s->way, n, support->o), s->radius, fraction, rate);
+  return gjk2_cast_bound(s->way, n, gjk2_way_along(s->way, n, support->o), s->radius, near, fraction, rate);
 }
 
 // Does that much more of the fraction change the gap by less than 1 LSB?
@@ -241,7 +240,7 @@ int64_t gjk2_cast_foot(const gjk2_way *way, gjk2_vec p, gjk2_vec q, gjk_q30 frac
 // The direction in which the line meets the circle of radius around the vertex p. False: it does not, or one that is too
 // large for this.
 //   along a unit vector of the way: v = -sqrt(radius^2 - side^2), and side across it
-static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n) {
+static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n, uint32_t *near) {
   const gjk2_way *way = s->way;
   const int64_t side = gjk2_way_side(way, s->face.p.o);
   const uint64_t size = gjk_magnitude64(side);
@@ -262,9 +261,10 @@ static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n) {
       (beside + gjk_shl64(1, up - fine) > radius && gjk2_way_is_beside(way, s->face.p.o, s->radius))) {
     return false;
   }
-  const int32_t back = -(int32_t)gjk2_root((uint64_t)(radius * radius - beside * beside));
+  const int32_t back = -(int32_t)gjk2_root((uint64_t)(radius * radius - beside * beside), 0);
   const int32_t right = side > 0 ? (int32_t)beside : -(int32_t)beside;
   //   n = back u + right (u turned to the right), both at most 2^30, |u| <= 2^30 + 3: below 2^61
+  *near = (uint32_t)radius;  // twice as long as n
   n->x = (int32_t)gjk_sar64(gjk_mac32(gjk_mul32(back, u.x), right, u.y), 31);
   n->y = (int32_t)gjk_sar64(gjk_mac32(gjk_mul32(back, u.y), -right, u.x), 31);
   return gjk2_norm1(*n) != 0;
@@ -333,7 +333,7 @@ static void plane_advance_touch(plane_advance *s) {
   gjk_q30 next;
   gjk2_rate rate;
   gjk2_span support;
-  if (plane_advance_bound(s, face->n, &support, &next, &rate) == GJK2_BOUND_AT) {
+  if (plane_advance_bound(s, face->n, 0, &support, &next, &rate) == GJK2_BOUND_AT) {
     plane_advance_settle(s, next);
   }
 }
@@ -377,7 +377,7 @@ static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
   gjk_q30 next;
   gjk2_rate rate, closer_rate;
   gjk2_span support;
-  *bound = plane_advance_bound(s, s->face.n, &support, &next, &rate);
+  *bound = plane_advance_bound(s, s->face.n, s->face.count == 1 ? UINT32_C(1) << 30 : 0, &support, &next, &rate);
   if (s->curved) {
     gjk2_copy_span(&s->face.p, &support);
   }
@@ -398,7 +398,9 @@ static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
   } else {
     gjk2_vec n;
     gjk_q30 closer;
-    if (plane_advance_disc(s, &n) && plane_advance_bound(s, n, &support, &closer, &closer_rate) == GJK2_BOUND_AT && closer >= next &&
+    uint32_t near;
+    if (plane_advance_disc(s, &n, &near) &&
+        plane_advance_bound(s, n, near, &support, &closer, &closer_rate) == GJK2_BOUND_AT && closer >= next &&
         closer >= before && gjk2_equal(support.o, s->face.p.o)) {
       s->fraction = closer;
       s->face.n = n;
@@ -487,11 +489,9 @@ static bool plane_advance_decide(plane_advance *s, bool early, bool late, gjk2_c
   return false;
 }
 
-gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out) {
+gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gjk2_cast_result *out) {
   plane_advance s;
-  bool early, late;
   const int64_t radius = (int64_t)way->a->shape->convex_radius + way->b->shape->convex_radius + margin;
-  (void)gjk2_way_may_meet(way, radius, &early, &late);
   s.way = way;
   s.margin = margin;
   s.curved = gjk2_is_curved(way->a->shape) || gjk2_is_curved(way->b->shape);

@@ -72,7 +72,7 @@ gjk_status gjk2_cast(const gjk2_collider *a, const gjk2_collider *b, const gjk2_
     return GJK_OK;
   }
   if (radius > 0 || (way.t.x | way.t.y) == 0 || gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape)) {
-    return gjk2_advance(&way, path->margin, out);
+    return gjk2_advance(&way, path->margin, early, late, out);
   }
   plane_cast_exact(&way, early, out);
   return GJK_OK;
