@@ -179,7 +179,8 @@ GJK_ONCE static void set_close_point(const gjk2_collider *c, close_number x, clo
 
 // The points and the certificate.
 static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of,
-                             const gjk2_length *length, const gjk2_unit *across, gjk2_touch *out) {
+                             const gjk2_length *length, const gjk2_unit *across, bool points,
+                             gjk2_distance_result *out) {
   const close_number s = of->sign[0], t = of->sign[1];
   // Of A, and those of B less.
   const close_number in_a = of->of_a > 0, both_in_a = of->of_a > 1;
@@ -192,50 +193,72 @@ static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, con
   number_corner(a, b, of, s, t, &out->certificate.a[0], &out->certificate.b[0]);
   if ((of->turns[0] | of->turns[1]) != 0) {
     const close_number turn_x = of->turns[0] * s, turn_y = of->turns[1] * t;
+    out->certificate.count = 2;
+    number_corner(a, b, of, s - 2 * turn_x, t - 2 * turn_y, &out->certificate.a[1], &out->certificate.b[1]);
+    if (!points) {
+      return;
+    }
     const int64_t part = -close_dot(of->w_x, of->w_y, of->edge_x, of->edge_y), whole = (int64_t)length->squared;
     weight = gjk2_weight(length, whole >> (2 * GJK2_FINE_LENGTH) != 0, part < whole ? part : whole);
     edge_x = -2 * (in_a * turn_x * of->x[0] + both_in_a * turn_y * of->x[1]);
     edge_y = -2 * (in_a * turn_x * of->y[0] + both_in_a * turn_y * of->y[1]);
-    out->certificate.count = 2;
-    number_corner(a, b, of, s - 2 * turn_x, t - 2 * turn_y, &out->certificate.a[1], &out->certificate.b[1]);
   }
-  out->saturated = false;
+  if (!points) {
+    return;
+  }
   set_close_point(a, a_x, a_y, edge_x, edge_y, weight, across, 1, &out->point_a, &out->saturated);
   set_close_point(b, b_x, b_y, edge_x - of->edge_x, edge_y - of->edge_y, weight, across, -1, &out->point_b,
                   &out->saturated);
 }
 
-// What follows from the feature. points: of two points, which need no corners.
-GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool points,
-                                   gjk2_touch *out) {
+// What follows from the feature. circles: of two points, which need no corners.
+GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool circles,
+                                   unsigned parts, gjk2_distance_result *out) {
   gjk2_length length;
   gjk2_unit across;
+  unsigned shift;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
   const uint64_t h = (uint64_t)-of->base;
   const gjk2_vec d = {(int32_t)of->d_x, (int32_t)of->d_y};
   gjk2_quick_length(&length, d);
   gjk2_quick_unit(&across, &length, d);
-  int32_t distance = (int32_t)gjk2_quick_distance(&length, GJK2_ROUND_DOWN, h) - radius;
-  out->normal.x = across.x;
-  out->normal.y = across.y;
-  out->overlaps = radius > 0 && (distance < 0 || (distance == 0 && gjk2_is_within(-of->base, d, radius)));
-  if (!out->overlaps) {
-    distance = (int32_t)gjk2_quick_distance(&length, GJK2_ROUND_NEAREST, h) - radius;
-  } else if (distance < 0 && !gjk2_inline_exceeds(&length, h, -distance)) {
+  const uint32_t leading = (uint32_t)(gjk2_inline_quotient(&length, &shift, h) >> 32);
+  int32_t distance = (int32_t)gjk2_inline_rounded(&length, GJK2_ROUND_DOWN, h, leading, shift) - radius;
+  const bool overlaps = radius > 0 && (distance < 0 || (distance == 0 && gjk2_is_within(-of->base, d, radius)));
+  const bool complete = (parts & (overlaps ? GJK2_TOUCH_DEPTH : GJK2_TOUCH_POINTS)) != 0;
+  out->intersecting = overlaps;
+  out->iterations = 1;
+  out->saturated = false;
+  out->certificate.direction.x = d.x;
+  out->certificate.direction.y = d.y;
+  out->certificate.proof = overlaps && !complete ? GJK2_PROOF_NEAR : GJK2_PROOF_NEAREST;
+  if (complete && !overlaps) {
+    distance = (int32_t)gjk2_inline_rounded(&length, GJK2_ROUND_NEAREST, h, leading, shift) - radius;
+  }
+  if (!overlaps || complete) {
+    out->normal.x = across.x;
+    out->normal.y = across.y;
+  }
+  if (!complete) {
+    distance = 0;
+  } else if (overlaps && distance < 0 && !gjk2_inline_exceeds(leading, shift, -distance)) {
     gjk2_outward_normal(d, of->base, radius, &length, -distance, &out->normal);
   }
   out->distance = distance;
-  gjk2_copy(&out->certificate.direction, &d);
-  out->certificate.proof = GJK2_PROOF_NEAREST;
-  if (points) {
-    out->saturated = false;
-    out->certificate.count = 1;
-    out->certificate.a[0] = 0;
-    out->certificate.b[0] = 0;
+  out->lower = distance;
+  out->upper = distance;
+  if (!circles) {
+    set_touch(a, b, of, &length, &across, complete, out);
+    out->saturated = out->saturated && !overlaps;
+    return;
+  }
+  out->certificate.count = 1;
+  out->certificate.a[0] = 0;
+  out->certificate.b[0] = 0;
+  if (complete) {
     set_close_point(a, 0, 0, 0, 0, 0, &across, 1, &out->point_a, &out->saturated);
     set_close_point(b, 0, 0, 0, 0, 0, &across, -1, &out->point_b, &out->saturated);
-  } else {
-    set_touch(a, b, of, &length, &across, out);
+    out->saturated = out->saturated && !overlaps;
   }
 }
 
@@ -248,7 +271,7 @@ static inline bool is_near_enough(const gjk2_collider *a, const gjk2_collider *b
          0;
 }
 
-bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch *out) {
+bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, unsigned parts, gjk2_distance_result *out) {
   close_pair of;
   if (!is_near_enough(a, b)) {
     return false;
@@ -260,19 +283,19 @@ bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch 
     if (of.base == 0) {
       return false;
     }
-    measure_touch(a, b, &of, true, out);
+    measure_touch(a, b, &of, true, parts, out);
     return true;
   }
   if (!find_closest(a, b, &of)) {
     return false;
   }
-  measure_touch(a, b, &of, false, out);
+  measure_touch(a, b, &of, false, parts, out);
   return true;
 }
 #else
 
-bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch *out) {
-  (void)a, (void)b, (void)out;
+bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, unsigned parts, gjk2_distance_result *out) {
+  (void)a, (void)b, (void)parts, (void)out;
   return false;
 }
 
