@@ -19,6 +19,8 @@
 // Rounds: of a convex function each step of Newton's iteration halves the gap or the slope. The gap is below 2^33 LSB and
 // above 1, and the slope is not below the gap that is left, so 66 rounds are never reached.
 #include "../arith/gjk_ceilings.h"
+#include "../plane/gjk2_canonical.h"
+#include "../plane/gjk2_close.h"
 #include "../plane/gjk2_measure_inline.h"
 #include "gjk2/intersect.h"
 #include "gjk2_cast_report.h"
@@ -104,6 +106,35 @@ GJK_OUT_OF_LINE static bool plane_advance_is_near(plane_advance *s, gjk_q30 frac
   return decision.yes;
 }
 
+// Finds the feature nearest at a fraction: its direction and certificate, and whether the shapes intersect.
+// Pre: polygons. False: in a far frame it may be open.
+static bool plane_advance_feature(plane_advance *s, gjk_q30 fraction) {
+  gjk2_distance_result *gap = &s->gap;
+  gjk2_search search;
+  gjk2_length length;
+  gjk2_collider moved, at_b;
+  const gjk2_collider *at_a = gjk2_cast_places(s->way, fraction, &moved, &at_b);
+  if (gjk2_touch_without_search(at_a, &at_b, 0, gap)) {
+    s->way->scans++;
+    return true;
+  }
+  (void)gjk2_search_start(&search, at_a, &at_b, false, (uint32_t)(s->radius - s->margin));
+  if (search.far != 0) {
+    return false;
+  }
+  const gjk2_outcome outcome = gjk2_search_feature(&search, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
+  s->way->scans += search.iterations;
+  gap->intersecting = outcome != GJK2_OUTCOME_NEAREST;
+  gjk2_search_certify(&search, outcome, &gap->certificate);
+  if (search.count == 1 && !gap->intersecting) {
+    gjk2_normal_set(&gap->normal, &length, &search.d);
+  } else {  // across an edge its own direction is exact: see plane_advance_face
+    gap->normal.x = search.d.x;
+    gap->normal.y = search.d.y;
+  }
+  return true;
+}
+
 // Loads a vertex of A - B by its numbers.
 static void plane_load_span(const gjk2_way *way, uint16_t a, uint16_t b, gjk2_span *out) {
   const gjk2_vec none = {0, 0};
@@ -163,7 +194,6 @@ static bool plane_advance_at_vertex(plane_advance *s) {
   gjk2_unit unit;
   gjk2_normal_set(&unit, &length, &d);
   s->way->scans++;
-  s->open = false;
   s->gap.certificate.a[0] = 0;
   s->gap.certificate.b[0] = 0;
   s->face.n.x = unit.x;
@@ -498,6 +528,7 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
   s.point = way->a->count == 1 && way->b->count == 1;
   s.radius = radius + (s.curved ? PLANE_CURVED_SLACK : 0);
   s.fraction = 0;
+  s.open = false;
   if (!s.curved && plane_advance_is_beside(&s, out)) {
     return GJK_OK;
   }
@@ -511,7 +542,9 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
   for (int i = 0; i < GJK2_ADVANCE_ROUNDS_MAX; i++) {
     gjk2_bound bound;
     if (!measured && !(s.point && plane_advance_at_vertex(&s))) {
-      (void)plane_advance_is_near(&s, s.fraction);
+      if (s.curved || !plane_advance_feature(&s, s.fraction)) {
+        (void)plane_advance_is_near(&s, s.fraction);
+      }
       if (s.gap.intersecting) {
         // Supports of curved shapes err by as much as the slack. The last round's direction bounds the fraction, and stays. There
         // is a last round: where bounding circles meet, cores are apart by the slack of both circles and PLANE_CURVED_SLACK.
