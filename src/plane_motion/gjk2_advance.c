@@ -44,8 +44,12 @@ typedef struct plane_advance {
   gjk_q16 margin;
   bool curved;
   bool point;        // A - B is a vertex alone, that of two circles
+  bool centred;      // A - B is the same on both sides of the centres' difference
+  bool nearest;      // the last gap's feature is exactly the nearest
   bool open;         // the last distance is but bounded
   gjk_q30 fraction;  // no contact before
+  gjk_q30 foot_at;   // the fraction of the last foot on an edge, or -1
+  int64_t foot;      // as of gjk2_cast_foot
   plane_face face;   // of the last gap measured
   gjk2_distance_result gap;
 } plane_advance;
@@ -93,6 +97,7 @@ const gjk2_collider *gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk
 GJK_OUT_OF_LINE static bool plane_advance_is_near(plane_advance *s, gjk_q30 fraction) {
   gjk2_collider moved, at_b;
   const gjk2_collider *at_a = gjk2_cast_places(s->way, fraction, &moved, &at_b);
+  s->nearest = false;
   s->open = gjk2_distance(at_a, &at_b, NULL, &s->gap) != GJK_OK;
   s->way->scans += s->gap.iterations;
   if (s->gap.intersecting || s->gap.distance != s->margin || s->margin == 0) {
@@ -114,6 +119,7 @@ static bool plane_advance_feature(plane_advance *s, gjk_q30 fraction) {
   gjk2_length length;
   gjk2_collider moved, at_b;
   const gjk2_collider *at_a = gjk2_cast_places(s->way, fraction, &moved, &at_b);
+  s->nearest = true;
   if (gjk2_touch_without_search(at_a, &at_b, 0, gap)) {
     s->way->scans++;
     return true;
@@ -239,7 +245,7 @@ gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_
 
 static gjk2_bound plane_advance_bound(plane_advance *s, gjk2_vec n, uint32_t near, gjk2_span *support,
                                       gjk_q30 *fraction, gjk2_rate *rate) {
-  if (s->point) {
+  if (s->point || (s->nearest && s->face.count == 2)) {  // no vertex is farther along n than the nearest edge
     gjk2_copy_span(support, &s->face.p);
   } else {
     gjk2_way_scan(s->way, n, support);
@@ -337,6 +343,8 @@ static bool plane_advance_faces(gjk2_vec to, gjk2_vec x, gjk2_vec p, gjk2_vec q)
 static void plane_advance_touch(plane_advance *s) {
   const gjk2_certificate *c = &s->gap.certificate;
   plane_face *face = &s->face;
+  s->foot_at = -1;
+  s->nearest = false;
   plane_load_span(s->way, c->a[0], c->b[0], &face->p);
   face->count = 1;
   face->n = plane_advance_fine(s, face->p.o);
@@ -394,7 +402,8 @@ static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
   const gjk2_portion portion = {0, 1, s->fraction, true};
   gjk2_contact_place place = {&s->face.p, &s->face.p, 0, s->face.n};
   if (s->face.count == 2) {
-    const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
+    const int64_t foot =
+        s->foot_at == s->fraction ? s->foot : gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
     place.q = &s->face.q;
     place.weight = (gjk_q30)(foot < 0 ? 0 : foot > GJK_Q30_ONE ? GJK_Q30_ONE : foot);
   }
@@ -420,8 +429,9 @@ static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
     return plane_is_step(&rate, next - before);
   }
   if (s->face.count == 2) {
-    const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
-    if (foot >= 0 && foot <= GJK_Q30_ONE) {
+    s->foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
+    s->foot_at = s->fraction;
+    if (s->foot >= 0 && s->foot <= GJK_Q30_ONE) {
       plane_advance_settle(s, next);
       return true;
     }
@@ -460,10 +470,18 @@ static void plane_advance_short(const plane_advance *s, const plane_face *face, 
   }
 }
 
+// Points, segments and boxes are centred: their classes have 1, 2 and 4 vertices.
+static bool plane_is_centred(const gjk2_collider *c) {
+  return (0x16u >> (c->shape->type->count & 7u) & 1u) != 0;
+}
+
 // Step 1. Pre: polygons. Without a way no line is there to be passed.
 static bool plane_advance_is_beside(plane_advance *s, gjk2_cast_result *out) {
   for (int left = 0; left < 2 && (s->way->t.x | s->way->t.y) != 0; left++) {
     gjk2_span nearest = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
+    if (s->centred && (left != 0 ? s->way->base >= 0 : s->way->base <= 0)) {  // so is the outermost there
+      continue;
+    }
     if (!s->point) {
       gjk2_way_outermost(s->way, left != 0, &nearest);
     }
@@ -526,6 +544,9 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
   s.margin = margin;
   s.curved = gjk2_is_curved(way->a->shape) || gjk2_is_curved(way->b->shape);
   s.point = way->a->count == 1 && way->b->count == 1;
+  s.centred = plane_is_centred(way->a) && plane_is_centred(way->b);
+  s.nearest = false;
+  s.foot_at = -1;
   s.radius = radius + (s.curved ? PLANE_CURVED_SLACK : 0);
   s.fraction = 0;
   s.open = false;
