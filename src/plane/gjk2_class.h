@@ -32,11 +32,11 @@ static inline void gjk2_follow(gjk2_support *at, const gjk2_support *way) {
 struct gjk2_ground_queries;
 struct gjk2_search;
 struct gjk2_edge;
-struct gjk2_touch;
+struct gjk2_distance_result;
 
 // Measures a pair of points, segments and boxes without a search: see gjk2_close.h. Only
 // where registers hold 64 bits and code is not chosen for size.
-bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, struct gjk2_touch *out);
+bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, unsigned parts, struct gjk2_distance_result *out);
 #if GJK_64_BIT && !GJK_SMALL
 #define GJK2_TOUCH_AXES gjk2_touch_axes
 #else
@@ -67,7 +67,7 @@ struct gjk2_shape_class {
 
   // Of points and segments GJK2_TOUCH_AXES, so that programs without any do not link it; else NULL. Where it is set, a point's
   // or segment's adjacent leads from one end to the other.
-  bool (*touch)(const gjk2_collider *a, const gjk2_collider *b, struct gjk2_touch *out);
+  bool (*touch)(const gjk2_collider *a, const gjk2_collider *b, unsigned parts, struct gjk2_distance_result *out);
 
   // The queries of ground, which no other query takes; NULL for all other shapes.
   const struct gjk2_ground_queries *ground;

@@ -102,18 +102,19 @@ static bool close_segment(close_pair *of) {
   return along < 0 ? take_corner(of, -1, -t) : take_corner(of, 1, t);
 }
 
-// Are the cores points, segments and boxes of two half axes in all? Counts are 1, 2 and 4, but for curved shapes, triangles
-// and polygons.
+// Are the cores points, segments and boxes of two half axes in all? Their classes have 1, 2 and 4 vertices, triangles 3, all
+// others none.
 static inline bool has_axes(const gjk2_collider *a, const gjk2_collider *b) {
-  return ((1u << (a->count & 7u) | 1u << (b->count & 7u)) & ~0x16u) == 0 && a->count + b->count <= 5 &&
-         !a->shape->type->buffered && !b->shape->type->buffered;
+  return (0x16u >> ((unsigned)a->shape->type->count * b->shape->type->count) & 1u) != 0;
 }
 
-// Steps 1 to 4. False: O lies in A - B, or the shapes have other cores.
+// 1 or, of a number below 0, -1.
+static inline close_number sign_of(int64_t x) {
+  return gjk_sar64(x, 63) | 1;
+}
+
+// Steps 1 to 4. False: O lies in A - B.
 GJK_ONCE static bool find_closest(const gjk2_collider *a, const gjk2_collider *b, close_pair *of) {
-  if (!has_axes(a, b)) {
-    return false;
-  }
   const close_number u_x = (close_number)b->centre.x - a->centre.x, u_y = (close_number)b->centre.y - a->centre.y;
   const unsigned of_a = a->count >> 1;
   const gjk2_vec *first = of_a > 0 ? &a->frame[0] : &b->frame[0];
@@ -132,7 +133,7 @@ GJK_ONCE static bool find_closest(const gjk2_collider *a, const gjk2_collider *b
   }
   // Step 1
   const int64_t alpha = close_cross(u_x, u_y, y_x, y_y), beta = close_cross(x_x, x_y, u_x, u_y);
-  const close_number s = (alpha ^ area) < 0 ? -1 : 1, t = (beta ^ area) < 0 ? -1 : 1;
+  const close_number s = sign_of(alpha ^ area), t = sign_of(beta ^ area);
   const uint64_t size = gjk_magnitude64(area);
   const bool beyond_x = gjk_magnitude64(alpha) > size, beyond_y = gjk_magnitude64(beta) > size;
   if (beyond_x) {  // Step 2
@@ -159,7 +160,7 @@ GJK_ONCE static bool find_closest(const gjk2_collider *a, const gjk2_collider *b
 // The numbers of each shape's vertex at the corner with these signs.
 static inline void number_corner(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, close_number s,
                                  close_number t, uint16_t *of_a, uint16_t *of_b) {
-  const unsigned plus = (s > 0 ? 1u : 0u) | (t > 0 ? 2u : 0u);
+  const unsigned plus = (unsigned)((s + 1) / 2 + (t + 1));
   *of_a = (uint16_t)(plus & (a->count - 1u));
   *of_b = (uint16_t)(~plus >> of->of_a & (b->count - 1u));
 }
@@ -179,7 +180,8 @@ GJK_ONCE static void set_close_point(const gjk2_collider *c, close_number x, clo
 
 // The points and the certificate.
 static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of,
-                             const gjk2_length *length, const gjk2_unit *across, gjk2_touch *out) {
+                             const gjk2_length *length, const gjk2_unit *across, bool points,
+                             gjk2_distance_result *out) {
   const close_number s = of->sign[0], t = of->sign[1];
   // Of A, and those of B less.
   const close_number in_a = of->of_a > 0, both_in_a = of->of_a > 1;
@@ -192,50 +194,82 @@ static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, con
   number_corner(a, b, of, s, t, &out->certificate.a[0], &out->certificate.b[0]);
   if ((of->turns[0] | of->turns[1]) != 0) {
     const close_number turn_x = of->turns[0] * s, turn_y = of->turns[1] * t;
+    out->certificate.count = 2;
+    number_corner(a, b, of, s - 2 * turn_x, t - 2 * turn_y, &out->certificate.a[1], &out->certificate.b[1]);
+    if (!points) {
+      return;
+    }
     const int64_t part = -close_dot(of->w_x, of->w_y, of->edge_x, of->edge_y), whole = (int64_t)length->squared;
     weight = gjk2_weight(length, whole >> (2 * GJK2_FINE_LENGTH) != 0, part < whole ? part : whole);
     edge_x = -2 * (in_a * turn_x * of->x[0] + both_in_a * turn_y * of->x[1]);
     edge_y = -2 * (in_a * turn_x * of->y[0] + both_in_a * turn_y * of->y[1]);
-    out->certificate.count = 2;
-    number_corner(a, b, of, s - 2 * turn_x, t - 2 * turn_y, &out->certificate.a[1], &out->certificate.b[1]);
   }
-  out->saturated = false;
+  if (!points) {
+    return;
+  }
   set_close_point(a, a_x, a_y, edge_x, edge_y, weight, across, 1, &out->point_a, &out->saturated);
   set_close_point(b, b_x, b_y, edge_x - of->edge_x, edge_y - of->edge_y, weight, across, -1, &out->point_b,
                   &out->saturated);
 }
 
-// What follows from the feature. points: of two points, which need no corners.
-GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool points,
-                                   gjk2_touch *out) {
+// gjk2_is_within of h and d, mostly by the leading bits of h / |d|.
+static inline bool is_touching(int64_t h, gjk2_vec d, int32_t radius, uint32_t leading, unsigned shift) {
+  if (shift >= 38 && shift <= 62) {
+    const int64_t beyond = (int64_t)leading - gjk_shl64(radius, shift - 32);  // off by less than 10
+    if (beyond > 10 || beyond < -10) {
+      return beyond < 0;
+    }
+  }
+  return gjk2_is_within(h, d, radius);
+}
+
+// What follows from the feature. circles: of two points, which need no corners.
+GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool circles,
+                                   unsigned parts, gjk2_distance_result *out) {
   gjk2_length length;
   gjk2_unit across;
+  unsigned shift;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
   const uint64_t h = (uint64_t)-of->base;
   const gjk2_vec d = {(int32_t)of->d_x, (int32_t)of->d_y};
   gjk2_quick_length(&length, d);
   gjk2_quick_unit(&across, &length, d);
-  int32_t distance = (int32_t)gjk2_quick_distance(&length, GJK2_ROUND_DOWN, h) - radius;
-  out->normal.x = across.x;
-  out->normal.y = across.y;
-  out->overlaps = radius > 0 && (distance < 0 || (distance == 0 && gjk2_is_within(-of->base, d, radius)));
-  if (!out->overlaps) {
-    distance = (int32_t)gjk2_quick_distance(&length, GJK2_ROUND_NEAREST, h) - radius;
-  } else if (distance < 0 && !gjk2_inline_exceeds(&length, h, -distance)) {
+  const uint32_t leading = (uint32_t)(gjk2_inline_quotient(&length, &shift, h) >> 32);
+  const bool overlaps = radius > 0 && is_touching(-of->base, d, radius, leading, shift);
+  const bool complete = (parts & (overlaps ? GJK2_TOUCH_DEPTH : GJK2_TOUCH_POINTS)) != 0;
+  out->intersecting = overlaps;
+  out->iterations = 1;
+  out->saturated = false;
+  out->certificate.direction.x = d.x;
+  out->certificate.direction.y = d.y;
+  out->certificate.proof = overlaps && !complete ? GJK2_PROOF_NEAR : GJK2_PROOF_NEAREST;
+  if (!overlaps || complete) {
+    out->normal.x = across.x;
+    out->normal.y = across.y;
+  }
+  int32_t distance = 0;
+  if (complete) {
+    const gjk2_round_to to = overlaps ? GJK2_ROUND_DOWN : GJK2_ROUND_NEAREST;
+    distance = (int32_t)gjk2_inline_rounded(&length, to, h, leading, shift) - radius;
+  }
+  if (overlaps && distance < 0 && !gjk2_inline_exceeds(leading, shift, -distance)) {
     gjk2_outward_normal(d, of->base, radius, &length, -distance, &out->normal);
   }
   out->distance = distance;
-  gjk2_copy(&out->certificate.direction, &d);
-  out->certificate.proof = GJK2_PROOF_NEAREST;
-  if (points) {
-    out->saturated = false;
-    out->certificate.count = 1;
-    out->certificate.a[0] = 0;
-    out->certificate.b[0] = 0;
+  out->lower = distance;
+  out->upper = distance;
+  if (!circles) {
+    set_touch(a, b, of, &length, &across, complete, out);
+    out->saturated = out->saturated && !overlaps;
+    return;
+  }
+  out->certificate.count = 1;
+  out->certificate.a[0] = 0;
+  out->certificate.b[0] = 0;
+  if (complete) {
     set_close_point(a, 0, 0, 0, 0, 0, &across, 1, &out->point_a, &out->saturated);
     set_close_point(b, 0, 0, 0, 0, 0, &across, -1, &out->point_b, &out->saturated);
-  } else {
-    set_touch(a, b, of, &length, &across, out);
+    out->saturated = out->saturated && !overlaps;
   }
 }
 
@@ -248,7 +282,7 @@ static inline bool is_near_enough(const gjk2_collider *a, const gjk2_collider *b
          0;
 }
 
-bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch *out) {
+bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, unsigned parts, gjk2_distance_result *out) {
   close_pair of;
   if (!is_near_enough(a, b)) {
     return false;
@@ -260,19 +294,19 @@ bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch 
     if (of.base == 0) {
       return false;
     }
-    measure_touch(a, b, &of, true, out);
+    measure_touch(a, b, &of, true, parts, out);
     return true;
   }
-  if (!find_closest(a, b, &of)) {
+  if (!has_axes(a, b) || !find_closest(a, b, &of)) {
     return false;
   }
-  measure_touch(a, b, &of, false, out);
+  measure_touch(a, b, &of, false, parts, out);
   return true;
 }
 #else
 
-bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, gjk2_touch *out) {
-  (void)a, (void)b, (void)out;
+bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, unsigned parts, gjk2_distance_result *out) {
+  (void)a, (void)b, (void)parts, (void)out;
   return false;
 }
 

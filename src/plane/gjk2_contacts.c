@@ -483,7 +483,7 @@ GJK_OUT_OF_LINE bool gjk2_facing_contacts(const gjk2_collider *a, const gjk2_col
 
 // The contacts of a pair that has been measured without a search.
 static void plane_touch(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 margin, unsigned most,
-                        const gjk2_touch *touch, gjk2_manifold *out) {
+                        const gjk2_distance_result *touch, gjk2_manifold *out) {
   uint16_t id = 0;  // circles have one vertex, number 0
   out->normal.x = touch->normal.x;
   out->normal.y = touch->normal.y;
@@ -510,8 +510,8 @@ gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16
   if (status != GJK_OK || margin < 0 || most < 1 || most > GJK2_CONTACTS_MAX) {
     return status != GJK_OK ? status : margin < 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_RANGE;
   }
-  gjk2_touch touch;
-  if (gjk2_touch_without_search(a, b, &touch)) {
+  gjk2_distance_result touch;
+  if (gjk2_touch_without_search(a, b, GJK2_TOUCH_ALL, &touch)) {
     gjk2_touch_keep(&touch, cache);
     plane_touch(a, b, margin, most, &touch, out);
     return GJK_OK;

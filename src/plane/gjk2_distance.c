@@ -143,32 +143,13 @@ gjk2_outcome gjk2_distance_settle(gjk2_search *s, gjk2_distance_result *out) {
   return settle_limit(s, out);
 }
 
-static void report_plane_touch(const gjk2_touch *touch, gjk2_distance_result *out) {
-  out->distance = touch->overlaps ? 0 : touch->distance;
-  out->lower = out->distance;
-  out->upper = out->distance;
-  out->intersecting = touch->overlaps;
-  out->saturated = false;
-  out->iterations = 1;
-  gjk2_touch_certify(touch, touch->overlaps ? GJK2_PROOF_NEAR : GJK2_PROOF_NEAREST, &out->certificate);
-  if (!touch->overlaps) {
-    out->saturated = touch->saturated;
-    out->normal.x = touch->normal.x;
-    out->normal.y = touch->normal.y;
-    gjk2_copy(&out->point_a, &touch->point_a);
-    gjk2_copy(&out->point_b, &touch->point_b);
-  }
-}
-
 gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache, gjk2_distance_result *out) {
   const gjk_status status = gjk2_check_pair(a, b, out);
   if (status != GJK_OK) {
     return status;
   }
-  gjk2_touch touch;
-  if (gjk2_touch_without_search(a, b, &touch)) {
-    gjk2_touch_keep(&touch, cache);
-    report_plane_touch(&touch, out);
+  if (gjk2_touch_without_search(a, b, GJK2_TOUCH_POINTS, out)) {
+    gjk2_touch_keep(out, cache);
     return GJK_OK;
   }
   gjk2_search s;

@@ -28,12 +28,41 @@ uint64_t gjk2_quotient(const gjk2_length *length, unsigned *shift, uint64_t h) {
   return gjk2_inline_quotient(length, shift, h);
 }
 
+// With top for the leading 32 bits of x 2^zeros, top 2^46 / sqrt(top) is 2^16 sqrt(top) in units of 2^-30. It is off by
+// less than 2^32 2^-29 + 2, and by half of that once it is shifted: zeros is 2 or more.
+uint32_t gjk2_root(uint64_t x, uint32_t near) {
+  if (GJK_SMALL || x == 0) {
+    return gjk_isqrt64(x);
+  }
+  uint32_t root = near;
+  int64_t rest = gjk_int64(x - gjk_umul32(root, root));
+  if (gjk_magnitude64(rest) >= 8 * (uint64_t)root) {
+    const unsigned zeros = gjk_clz64(x) & ~1u;
+    const uint32_t top = gjk_upper32(x, zeros);
+    root = (uint32_t)(gjk_umul32(top, gjk2_inverse_root(top)) >> (30 + zeros / 2));  // below 2^31 + 5
+    rest = gjk_int64(x - gjk_umul32(root, root));
+  }
+  for (int i = 0; i < 8 && rest < 0; i++) {  // not reached: 8, as for the next loop
+    root--;
+    rest += 2 * (int64_t)root + 1;
+  }
+  for (int i = 0; i < 8 && rest > 2 * (int64_t)root; i++) {
+    rest -= 2 * (int64_t)root + 1;
+    root++;
+  }
+  return root;
+}
+
 bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest) {
-  gjk_u128 sum;
   //@ assert h < UINT64_C(1) << 62 && x < UINT64_C(1) << 62 && squared < UINT64_C(1) << 62;
+#if GJK_INT128
+  return (GJK_INT128_TYPE)h * h - (GJK_INT128_TYPE)x * squared >= (GJK_INT128_TYPE)rest;  // below 2^124
+#else
+  gjk_u128 sum;
   gjk_sum_of_products((int64_t)h, (int64_t)h, -(int64_t)x, (int64_t)squared, &sum);
   // sum - rest, in two's complement: it is below 2^126 in size
   return (sum.high - (sum.low < rest)) <= INT64_MAX;
+#endif
 }
 
 // Is h / |n| at least d + 1/2 (nearest), above d (up), or at least d + 1 (down)?

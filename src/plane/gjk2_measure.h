@@ -41,6 +41,9 @@ int64_t gjk2_round_distance(const gjk2_length *length, gjk2_round_to to, uint64_
 // Is h^2 >= x squared + rest? Exact. Pre: h, x and squared are below 2^62, rest is below 2^63.
 bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest);
 
+// floor(sqrt(x)). near: what it is likely close to, or 0. Pre: x < 2^62, near < 2^31.
+uint32_t gjk2_root(uint64_t x, uint32_t near);
+
 // Is h / |n| at most radius? Exact. Pre: 0 <= h, 0 <= radius < 2^31.
 bool gjk2_is_within(int64_t h, gjk2_vec n, int32_t radius);
 

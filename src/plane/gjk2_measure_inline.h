@@ -70,10 +70,9 @@ int64_t gjk2_settle_distance(const gjk2_length *length, gjk2_round_to to, uint64
 // within 20 of u / 2 in units of 2^-n:
 //   |4 h^2 - u^2 |n|^2| = |n|^2 |2 x - u| (2 x + u) < 2^(64 - 2 zeros) 2^(5.4 - n) 2^(34 - n) < 2^63 for n + zeros >= 21
 // So the difference of the squares modulo 2^64 has that sign.
-static inline int64_t gjk2_inline_distance(const gjk2_length *length, gjk2_round_to to, uint64_t h) {
-  unsigned shift;
-  const uint64_t quotient = GJK_SMALL ? gjk2_quotient(length, &shift, h) : gjk2_inline_quotient(length, &shift, h);
-  const uint32_t leading = (uint32_t)(quotient >> 32);  // below 2^31, and off by less than 2^3 + 1
+// leading: of the quotient, below 2^31, and off by less than 2^3 + 1.
+static inline int64_t gjk2_inline_rounded(const gjk2_length *length, gjk2_round_to to, uint64_t h, uint32_t leading,
+                                          unsigned shift) {
   if (shift >= 38 && shift <= 62) {
     const unsigned n = shift - 32;
     const uint32_t mask = (UINT32_C(1) << n) - 1;
@@ -92,11 +91,15 @@ static inline int64_t gjk2_inline_distance(const gjk2_length *length, gjk2_round
   return gjk2_settle_distance(length, to, h, leading, shift);
 }
 
-// Is h / |n| surely more than an integer, by more than depth / 2^28? Then depth, which is what the integer leaves of another
-// one, is more than what h / |n| leaves by that much. False: it is not known.
-static inline bool gjk2_inline_exceeds(const gjk2_length *length, uint64_t h, int32_t depth) {
+static inline int64_t gjk2_inline_distance(const gjk2_length *length, gjk2_round_to to, uint64_t h) {
   unsigned shift;
-  const uint32_t leading = (uint32_t)(gjk2_inline_quotient(length, &shift, h) >> 32);
+  const uint64_t quotient = GJK_SMALL ? gjk2_quotient(length, &shift, h) : gjk2_inline_quotient(length, &shift, h);
+  return gjk2_inline_rounded(length, to, h, (uint32_t)(quotient >> 32), shift);
+}
+
+// Is h / |n|, of which these are the leading bits, surely more than an integer, by more than depth / 2^28? Then depth, which is
+// what the integer leaves of another one, is more than what h / |n| leaves by that much. False: it is not known.
+static inline bool gjk2_inline_exceeds(uint32_t leading, unsigned shift, int32_t depth) {
   const unsigned n = shift - 32;
   if (n > 28) {
     return false;

@@ -43,11 +43,18 @@ static gjk_status report_apart(const gjk2_search *s, gjk2_outcome outcome, gjk2_
   return GJK_OK;
 }
 
-static void report_touch_depth(const gjk2_touch *touch, gjk2_penetration_result *out) {
-  out->intersecting = touch->overlaps;
+static void report_touch_depth(const gjk2_distance_result *touch, gjk2_penetration_result *out) {
+  const gjk2_certificate *c = &touch->certificate;
+  out->intersecting = touch->intersecting;
   out->iterations = 1;
-  gjk2_touch_certify(touch, GJK2_PROOF_NEAREST, &out->certificate);
-  if (touch->overlaps) {
+  gjk2_copy(&out->certificate.direction, &c->direction);
+  out->certificate.count = c->count;
+  out->certificate.proof = c->proof;
+  for (unsigned i = 0; i < c->count; i++) {
+    out->certificate.a[i] = c->a[i];
+    out->certificate.b[i] = c->b[i];
+  }
+  if (touch->intersecting) {
     out->depth = -touch->distance;
     out->lower = out->depth;
     out->upper = out->depth;
@@ -64,8 +71,8 @@ gjk_status gjk2_penetration(const gjk2_collider *a, const gjk2_collider *b, gjk2
   if (status != GJK_OK) {
     return status;
   }
-  gjk2_touch touch;
-  if (gjk2_touch_without_search(a, b, &touch)) {
+  gjk2_distance_result touch;
+  if (gjk2_touch_without_search(a, b, GJK2_TOUCH_DEPTH, &touch)) {
     gjk2_touch_keep(&touch, cache);
     report_touch_depth(&touch, out);
     return GJK_OK;
@@ -114,30 +121,14 @@ static gjk_status report_limit(gjk2_search *s, gjk2_distance_result *out) {
   return GJK_ERROR_ITERATION_LIMIT;
 }
 
-static void report_signed_touch(const gjk2_touch *touch, gjk2_distance_result *out) {
-  out->distance = touch->distance;
-  out->lower = touch->distance;
-  out->upper = touch->distance;
-  out->normal.x = touch->normal.x;
-  out->normal.y = touch->normal.y;
-  gjk2_copy(&out->point_a, &touch->point_a);
-  gjk2_copy(&out->point_b, &touch->point_b);
-  out->intersecting = touch->overlaps;
-  out->saturated = touch->saturated && !touch->overlaps;
-  out->iterations = 1;
-  gjk2_touch_certify(touch, GJK2_PROOF_NEAREST, &out->certificate);
-}
-
 gjk_status gjk2_signed_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache,
                                 gjk2_distance_result *out) {
   gjk_status status = gjk2_check_pair(a, b, out);
   if (status != GJK_OK) {
     return status;
   }
-  gjk2_touch touch;
-  if (gjk2_touch_without_search(a, b, &touch)) {
-    gjk2_touch_keep(&touch, cache);
-    report_signed_touch(&touch, out);
+  if (gjk2_touch_without_search(a, b, GJK2_TOUCH_ALL, out)) {
+    gjk2_touch_keep(out, cache);
     return GJK_OK;
   }
   gjk2_meeting m;

@@ -380,9 +380,15 @@ GJK_OUT_OF_LINE static gjk2_outcome iterate(gjk2_search *s, gjk2_goal goal, uint
 
 // The one vertex of A - B: nothing needs to be searched.
 static gjk2_outcome settle_point(gjk2_search *s, gjk2_goal goal) {
-  (void)gjk2_search_place(s, 0, 0, s->apex);
+  gjk2_vertex *const v = s->apex;
+  const gjk2_vec none = {0, 0};
+  gjk2_copy(&v->w, &s->delta);
+  gjk2_copy(&v->a.offset, &none);
+  gjk2_copy(&v->b.offset, &none);
+  v->a.vertex = 0;
+  v->b.vertex = 0;
   make_apex(s);
-  s->d = gjk2_negate(s->apex->w);
+  s->d = gjk2_negate(v->w);
   s->along = s->base;
   s->iterations = 1;
   if (s->base == 0) {

@@ -19,8 +19,9 @@
 // Rounds: of a convex function each step of Newton's iteration halves the gap or the slope. The gap is below 2^33 LSB and
 // above 1, and the slope is not below the gap that is left, so 66 rounds are never reached.
 #include "../arith/gjk_ceilings.h"
-#include "../arith/gjk_root.h"
-#include "../plane/gjk2_measure.h"
+#include "../plane/gjk2_canonical.h"
+#include "../plane/gjk2_close.h"
+#include "../plane/gjk2_measure_inline.h"
 #include "gjk2/intersect.h"
 #include "gjk2_cast_report.h"
 
@@ -42,9 +43,13 @@ typedef struct plane_advance {
   int64_t radius;  // convex radii and margin; of curved shapes and PLANE_CURVED_SLACK
   gjk_q16 margin;
   bool curved;
+  bool point;        // A - B is a vertex alone, that of two circles
+  bool centred;      // A - B is the same on both sides of the centres' difference
+  bool nearest;      // the last gap's feature is exactly the nearest
   bool open;         // the last distance is but bounded
   gjk_q30 fraction;  // no contact before
-  gjk_q30 step;      // of the fraction that changes the gap by 1 LSB
+  gjk_q30 foot_at;   // the fraction of the last foot on an edge, or -1
+  int64_t foot;      // as of gjk2_cast_foot
   plane_face face;   // of the last gap measured
   gjk2_distance_result gap;
 } plane_advance;
@@ -73,31 +78,67 @@ static void plane_copy_collider(gjk2_collider *to, const gjk2_collider *from) {
   to->ordered = from->ordered;
 }
 
-void gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b) {
-  const int64_t x = plane_part(way->of_a.x, fraction), y = plane_part(way->of_a.y, fraction);
-  plane_copy_collider(at_a, way->a);
+const gjk2_collider *gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b) {
+  int64_t x = 0, y = 0;
   plane_copy_collider(at_b, way->b);
-  at_a->centre.x = (int32_t)(way->a->centre.x + x);
-  at_a->centre.y = (int32_t)(way->a->centre.y + y);
+  if ((way->of_a.x | way->of_a.y) != 0) {
+    x = plane_part(way->of_a.x, fraction);
+    y = plane_part(way->of_a.y, fraction);
+    plane_copy_collider(at_a, way->a);
+    at_a->centre.x = (int32_t)(way->a->centre.x + x);
+    at_a->centre.y = (int32_t)(way->a->centre.y + y);
+  }
   at_b->centre.x = gjk_saturate(way->b->centre.x + x + plane_part(way->t.x, fraction));
   at_b->centre.y = gjk_saturate(way->b->centre.y + y + plane_part(way->t.y, fraction));
+  return (way->of_a.x | way->of_a.y) != 0 ? at_a : way->a;
 }
 
 // Measures the gap at a fraction. Returns whether it is at most the margin: exact of polygons.
 GJK_OUT_OF_LINE static bool plane_advance_is_near(plane_advance *s, gjk_q30 fraction) {
-  gjk2_collider at_a, at_b;
-  gjk2_cast_places(s->way, fraction, &at_a, &at_b);
-  s->open = gjk2_distance(&at_a, &at_b, NULL, &s->gap) != GJK_OK;
+  gjk2_collider moved, at_b;
+  const gjk2_collider *at_a = gjk2_cast_places(s->way, fraction, &moved, &at_b);
+  s->nearest = false;
+  s->open = gjk2_distance(at_a, &at_b, NULL, &s->gap) != GJK_OK;
   s->way->scans += s->gap.iterations;
   if (s->gap.intersecting || s->gap.distance != s->margin || s->margin == 0) {
     return s->gap.intersecting || s->gap.distance < s->margin;
   }
   gjk2_decision decision;
-  if (gjk2_within(&at_a, &at_b, s->margin, NULL, &decision) != GJK_OK) {
+  if (gjk2_within(at_a, &at_b, s->margin, NULL, &decision) != GJK_OK) {
     return true;
   }
   s->way->scans += decision.iterations;
   return decision.yes;
+}
+
+// Finds the feature nearest at a fraction: its direction and certificate, and whether the shapes intersect.
+// Pre: polygons. False: in a far frame it may be open.
+static bool plane_advance_feature(plane_advance *s, gjk_q30 fraction) {
+  gjk2_distance_result *gap = &s->gap;
+  gjk2_search search;
+  gjk2_length length;
+  gjk2_collider moved, at_b;
+  const gjk2_collider *at_a = gjk2_cast_places(s->way, fraction, &moved, &at_b);
+  s->nearest = true;
+  if (gjk2_touch_without_search(at_a, &at_b, 0, gap)) {
+    s->way->scans++;
+    return true;
+  }
+  (void)gjk2_search_start(&search, at_a, &at_b, false, (uint32_t)(s->radius - s->margin));
+  if (search.far != 0) {
+    return false;
+  }
+  const gjk2_outcome outcome = gjk2_search_feature(&search, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
+  s->way->scans += search.iterations;
+  gap->intersecting = outcome != GJK2_OUTCOME_NEAREST;
+  gjk2_search_certify(&search, outcome, &gap->certificate);
+  if (search.count == 1 && !gap->intersecting) {
+    gjk2_normal_set(&gap->normal, &length, &search.d);
+  } else {  // across an edge its own direction is exact: see plane_advance_face
+    gap->normal.x = search.d.x;
+    gap->normal.y = search.d.y;
+  }
+  return true;
 }
 
 // Loads a vertex of A - B by its numbers.
@@ -145,6 +186,29 @@ static void plane_advance_face(const plane_advance *s, plane_face *face) {
   }
 }
 
+// What the last two do for a vertex alone, where it is near. False: it is not, or the shapes intersect.
+static bool plane_advance_at_vertex(plane_advance *s) {
+  static const gjk2_span vertex = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
+  const gjk2_long from = plane_place_from(s->way, vertex.o, s->fraction);
+  const int64_t near = INT64_C(1) << 28, radii = s->radius - s->margin;
+  if (from.x > near || from.x < -near || from.y > near || from.y < -near ||
+      from.x * from.x + from.y * from.y <= radii * radii) {
+    return false;
+  }
+  const gjk2_vec d = {(int32_t)from.x, (int32_t)from.y};
+  gjk2_length length;
+  gjk2_unit unit;
+  gjk2_normal_set(&unit, &length, &d);
+  s->way->scans++;
+  s->gap.certificate.a[0] = 0;
+  s->gap.certificate.b[0] = 0;
+  s->face.n.x = unit.x;
+  s->face.n.y = unit.y;
+  s->face.count = 1;
+  gjk2_copy_span(&s->face.p, &vertex);
+  return true;
+}
+
 // Does the gap fall along the way (-1), keep (0) or grow (1), by the last feature, at the start or the end? Exact of
 // polygons with centres at most 2^30 apart.
 static int plane_advance_slope(const plane_advance *s, const plane_face *face, bool at_end) {
@@ -156,19 +220,20 @@ static int plane_advance_slope(const plane_advance *s, const plane_face *face, b
 
 // |n| is scaled to 2^29 and above, so its rounding up to an integer costs at most radius / 2^29 of the gap.
 //   |n| < 2^30 + 4, |w|, |t| < 2^32.7:  below 2^63
-gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_t radius, gjk_q30 *fraction,
-                           gjk_q30 *step) {
+gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_t radius, uint32_t near,
+                           gjk_q30 *fraction, gjk2_rate *rate) {
   const unsigned zeros = gjk_clz64((uint64_t)gjk2_dot(n, n)) / 2;  // 2^(31 - zeros) <= |n| < 2^(32 - zeros)
   const unsigned up = zeros > 2 ? zeros - 2 : 0;
   const gjk2_vec scaled = {gjk_shl32(n.x, up), gjk_shl32(n.y, up)};
-  const int64_t length = (int64_t)gjk_isqrt64((uint64_t)gjk2_dot(scaled, scaled)) + 1;
+  const int64_t length = (int64_t)gjk2_root((uint64_t)gjk2_dot(scaled, scaled), near) + 1;
   const int64_t closing = -gjk2_way_ahead(way, scaled), ahead = -gjk_shl64(most, up) - radius * length;
   bool exact;
   *fraction = 0;
   if (closing <= 0) {
     return GJK2_BOUND_AWAY;
   }
-  *step = length < closing ? gjk2_ratio((uint64_t)length, (uint64_t)closing, &exact) : GJK_Q30_ONE;
+  rate->length = length;
+  rate->closing = closing;
   if (ahead > closing) {
     return GJK2_BOUND_BEYOND;
   }
@@ -178,9 +243,23 @@ gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_
   return GJK2_BOUND_AT;
 }
 
-static gjk2_bound plane_advance_bound(plane_advance *s, gjk2_vec n, gjk2_span *support, gjk_q30 *fraction) {
-  gjk2_way_scan(s->way, n, support);
-  return gjk2_cast_bound(s->way, n, gjk2_way_along(s->way, n, support->o), s->radius, fraction, &s->step);
+static gjk2_bound plane_advance_bound(plane_advance *s, gjk2_vec n, uint32_t near, gjk2_span *support,
+                                      gjk_q30 *fraction, gjk2_rate *rate) {
+  if (s->point || (s->nearest && s->face.count == 2)) {  // no vertex is farther along n than the nearest edge
+    gjk2_copy_span(support, &s->face.p);
+  } else {
+    gjk2_way_scan(s->way, n, support);
+  }
+  return gjk2_cast_bound(s->way, n, gjk2_way_along(s->way, n, support->o), s->radius, near, fraction, rate);
+}
+
+// Does that much more of the fraction change the gap by less than 1 LSB?
+static bool plane_is_step(const gjk2_rate *rate, gjk_q30 more) {
+  bool exact;
+  if (more <= 1 || rate->length >= rate->closing) {
+    return true;
+  }
+  return more - 1 <= gjk2_ratio((uint64_t)rate->length, (uint64_t)rate->closing, &exact);
 }
 
 int64_t gjk2_cast_foot(const gjk2_way *way, gjk2_vec p, gjk2_vec q, gjk_q30 fraction) {
@@ -197,28 +276,31 @@ int64_t gjk2_cast_foot(const gjk2_way *way, gjk2_vec p, gjk2_vec q, gjk_q30 frac
 // The direction in which the line meets the circle of radius around the vertex p. False: it does not, or one that is too
 // large for this.
 //   along a unit vector of the way: v = -sqrt(radius^2 - side^2), and side across it
-static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n) {
+static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n, uint32_t *near) {
   const gjk2_way *way = s->way;
   const int64_t side = gjk2_way_side(way, s->face.p.o);
-  if (way->wide || s->radius >> 29 != 0 || s->radius == 0 || gjk2_way_is_beside(way, s->face.p.o, s->radius)) {
+  const uint64_t size = gjk_magnitude64(side);
+  if (way->wide || s->radius >> 29 != 0 || s->radius == 0 ||
+      size > gjk_umul32(gjk2_length_bound(way->d), (uint32_t)s->radius)) {
     return false;
   }
   gjk2_length length;
   gjk2_unit u;
-  gjk2_length_set(&length, way->d);
-  gjk2_unit_set(&u, &length, way->d);
+  gjk2_normal_set(&u, &length, &way->d);
   // In parts of an LSB, as fine as 30 bits allow: a radius of an LSB has directions, too.
-  const uint64_t size = gjk_magnitude64(side);
   const unsigned up = gjk_clz32((uint32_t)s->radius) - 2, room = gjk_clz64(size | 1) - 3;
   const unsigned fine = up < room ? up : room;
   const int64_t radius = gjk_shl64(s->radius, up);  // from 2^29 to below 2^30
   const int64_t beside = gjk_shl64(gjk2_round_distance(&length, GJK2_ROUND_NEAREST, size << fine), up - fine);
-  if (beside > radius) {
+  // beside <= 9/8 2^30, and off by at most half of what it was shifted by.
+  if (beside > radius ||
+      (beside + gjk_shl64(1, up - fine) > radius && gjk2_way_is_beside(way, s->face.p.o, s->radius))) {
     return false;
   }
-  const int32_t back = -(int32_t)gjk_isqrt64((uint64_t)(radius * radius - beside * beside));
+  const int32_t back = -(int32_t)gjk2_root((uint64_t)(radius * radius - beside * beside), 0);
   const int32_t right = side > 0 ? (int32_t)beside : -(int32_t)beside;
   //   n = back u + right (u turned to the right), both at most 2^30, |u| <= 2^30 + 3: below 2^61
+  *near = (uint32_t)radius;  // twice as long as n
   n->x = (int32_t)gjk_sar64(gjk_mac32(gjk_mul32(back, u.x), right, u.y), 31);
   n->y = (int32_t)gjk_sar64(gjk_mac32(gjk_mul32(back, u.y), -right, u.x), 31);
   return gjk2_norm1(*n) != 0;
@@ -261,6 +343,8 @@ static bool plane_advance_faces(gjk2_vec to, gjk2_vec x, gjk2_vec p, gjk2_vec q)
 static void plane_advance_touch(plane_advance *s) {
   const gjk2_certificate *c = &s->gap.certificate;
   plane_face *face = &s->face;
+  s->foot_at = -1;
+  s->nearest = false;
   plane_load_span(s->way, c->a[0], c->b[0], &face->p);
   face->count = 1;
   face->n = plane_advance_fine(s, face->p.o);
@@ -285,8 +369,9 @@ static void plane_advance_touch(plane_advance *s) {
     }
   }
   gjk_q30 next;
+  gjk2_rate rate;
   gjk2_span support;
-  if (plane_advance_bound(s, face->n, &support, &next) == GJK2_BOUND_AT) {
+  if (plane_advance_bound(s, face->n, 0, &support, &next, &rate) == GJK2_BOUND_AT) {
     plane_advance_settle(s, next);
   }
 }
@@ -317,7 +402,8 @@ static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
   const gjk2_portion portion = {0, 1, s->fraction, true};
   gjk2_contact_place place = {&s->face.p, &s->face.p, 0, s->face.n};
   if (s->face.count == 2) {
-    const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
+    const int64_t foot =
+        s->foot_at == s->fraction ? s->foot : gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
     place.q = &s->face.q;
     place.weight = (gjk_q30)(foot < 0 ? 0 : foot > GJK_Q30_ONE ? GJK_Q30_ONE : foot);
   }
@@ -328,8 +414,9 @@ static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
 // before it.
 static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
   gjk_q30 next;
+  gjk2_rate rate, closer_rate;
   gjk2_span support;
-  *bound = plane_advance_bound(s, s->face.n, &support, &next);
+  *bound = plane_advance_bound(s, s->face.n, s->face.count == 1 ? UINT32_C(1) << 30 : 0, &support, &next, &rate);
   if (s->curved) {
     gjk2_copy_span(&s->face.p, &support);
   }
@@ -337,32 +424,35 @@ static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
     return true;
   }
   const gjk_q30 before = s->fraction;
-  const bool is_near = next <= before || next - before <= s->step + 1;  // step <= 2^30
   s->fraction = next > before ? next : before;
   if (s->curved) {
-    return is_near;
+    return plane_is_step(&rate, next - before);
   }
   if (s->face.count == 2) {
-    const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
-    if (foot >= 0 && foot <= GJK_Q30_ONE) {
+    s->foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
+    s->foot_at = s->fraction;
+    if (s->foot >= 0 && s->foot <= GJK_Q30_ONE) {
       plane_advance_settle(s, next);
       return true;
     }
   } else {
     gjk2_vec n;
     gjk_q30 closer;
-    if (plane_advance_disc(s, &n) && plane_advance_bound(s, n, &support, &closer) == GJK2_BOUND_AT && closer >= next &&
+    uint32_t near;
+    if (plane_advance_disc(s, &n, &near) &&
+        plane_advance_bound(s, n, near, &support, &closer, &closer_rate) == GJK2_BOUND_AT && closer >= next &&
         closer >= before && gjk2_equal(support.o, s->face.p.o)) {
       s->fraction = closer;
       s->face.n = n;
       return true;
     }
   }
-  if (is_near) {  // at a grazing way the place ahead may be far from the face
-    s->fraction = before;
-    plane_advance_settle(s, next);
+  if (!plane_is_step(&rate, next - before)) {
+    return false;
   }
-  return is_near;
+  s->fraction = before;  // at a grazing way the place ahead may be far from the face
+  plane_advance_settle(s, next);
+  return true;
 }
 
 // A miss, by the direction that parts the shapes at the start or at the end. From a vertex the exact one is reported.
@@ -380,11 +470,21 @@ static void plane_advance_short(const plane_advance *s, const plane_face *face, 
   }
 }
 
+// Points, segments and boxes are centred: their classes have 1, 2 and 4 vertices.
+static bool plane_is_centred(const gjk2_collider *c) {
+  return (0x16u >> (c->shape->type->count & 7u) & 1u) != 0;
+}
+
 // Step 1. Pre: polygons. Without a way no line is there to be passed.
 static bool plane_advance_is_beside(plane_advance *s, gjk2_cast_result *out) {
   for (int left = 0; left < 2 && (s->way->t.x | s->way->t.y) != 0; left++) {
-    gjk2_span nearest;
-    gjk2_way_outermost(s->way, left != 0, &nearest);
+    gjk2_span nearest = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
+    if (s->centred && (left != 0 ? s->way->base >= 0 : s->way->base <= 0)) {  // so is the outermost there
+      continue;
+    }
+    if (!s->point) {
+      gjk2_way_outermost(s->way, left != 0, &nearest);
+    }
     const int64_t side = gjk2_way_side(s->way, nearest.o);
     if ((left != 0 ? side < 0 : side > 0) && gjk2_way_is_beside(s->way, nearest.o, s->radius)) {
       gjk2_cast_miss(s->way, GJK2_CAST_PROOF_BESIDE, out);
@@ -437,16 +537,19 @@ static bool plane_advance_decide(plane_advance *s, bool early, bool late, gjk2_c
   return false;
 }
 
-gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out) {
+gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gjk2_cast_result *out) {
   plane_advance s;
-  bool early, late;
   const int64_t radius = (int64_t)way->a->shape->convex_radius + way->b->shape->convex_radius + margin;
-  (void)gjk2_way_may_meet(way, radius, &early, &late);
   s.way = way;
   s.margin = margin;
   s.curved = gjk2_is_curved(way->a->shape) || gjk2_is_curved(way->b->shape);
+  s.point = way->a->count == 1 && way->b->count == 1;
+  s.centred = plane_is_centred(way->a) && plane_is_centred(way->b);
+  s.nearest = false;
+  s.foot_at = -1;
   s.radius = radius + (s.curved ? PLANE_CURVED_SLACK : 0);
   s.fraction = 0;
+  s.open = false;
   if (!s.curved && plane_advance_is_beside(&s, out)) {
     return GJK_OK;
   }
@@ -459,8 +562,10 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out) {
   bool measured = early;
   for (int i = 0; i < GJK2_ADVANCE_ROUNDS_MAX; i++) {
     gjk2_bound bound;
-    if (!measured) {
-      (void)plane_advance_is_near(&s, s.fraction);
+    if (!measured && !(s.point && plane_advance_at_vertex(&s))) {
+      if (s.curved || !plane_advance_feature(&s, s.fraction)) {
+        (void)plane_advance_is_near(&s, s.fraction);
+      }
       if (s.gap.intersecting) {
         // Supports of curved shapes err by as much as the slack. The last round's direction bounds the fraction, and stays. There
         // is a last round: where bounding circles meet, cores are apart by the slack of both circles and PLANE_CURVED_SLACK.

@@ -47,9 +47,8 @@ GJK_OUT_OF_LINE static void plane_cast_exact(gjk2_way *way, bool early, gjk2_cas
     plane_cast_short(way, &e, out);
     return;
   }
-  const gjk_u128 closing = {0, e.closing};
-  gjk_divisor divisor;
-  gjk_divisor_set(&divisor, &closing);
+  gjk_divisor divisor = {0, 0};
+  gjk2_ratio_set(&divisor, e.closing);
   portion.fraction = gjk2_ratio_by(&divisor, portion.num, portion.den, &portion.exact);
   gjk2_contact_place place = {&e.p, e.count == 2 ? &e.q : &e.p, 0, e.n};
   if (e.count == 2) {
@@ -73,7 +72,7 @@ gjk_status gjk2_cast(const gjk2_collider *a, const gjk2_collider *b, const gjk2_
     return GJK_OK;
   }
   if (radius > 0 || (way.t.x | way.t.y) == 0 || gjk2_is_curved(a->shape) || gjk2_is_curved(b->shape)) {
-    return gjk2_advance(&way, path->margin, out);
+    return gjk2_advance(&way, path->margin, early, late, out);
   }
   plane_cast_exact(&way, early, out);
   return GJK_OK;

@@ -41,16 +41,16 @@ void gjk2_cast_inside(const gjk2_way *way, const gjk2_distance_result *gap, gjk2
 // One coordinate of a point, from the centre at the start.
 //   u, v              at most 2^28 in size:      2^30 u, (v - u) weight, normal radius below 2^59 each
 //   way fraction      below 2^62
-static gjk_q16 plane_cast_coordinate(int32_t u, int32_t v, gjk_q30 weight, gjk_q30 normal, gjk_q16 radius,
-                                     int64_t moved, gjk_q16 centre, bool *saturated) {
+static inline gjk_q16 plane_cast_coordinate(int32_t u, int32_t v, gjk_q30 weight, gjk_q30 normal, gjk_q16 radius,
+                                            int64_t moved, gjk_q16 centre, bool *saturated) {
   const int64_t half = INT64_C(1) << 29;
   const int64_t offset = gjk_mac32(gjk_mac32(gjk_shl64(u, 30) + half, v - u, weight), normal, radius);
   return gjk_saturate_noting(centre + gjk_sar64(offset + moved, 30), saturated);
 }
 
-static void plane_cast_point(const gjk2_collider *c, const gjk2_support *p, const gjk2_support *q, gjk_q30 weight,
-                             const gjk2_unit *normal, gjk_q16 radius, const gjk2_long *way, gjk_q30 fraction,
-                             gjk2_vec *out, bool *saturated) {
+GJK_ONCE static void plane_cast_point(const gjk2_collider *c, const gjk2_support *p, const gjk2_support *q,
+                                      gjk_q30 weight, const gjk2_unit *normal, gjk_q16 radius, const gjk2_long *way,
+                                      gjk_q30 fraction, gjk2_vec *out, bool *saturated) {
   out->x = plane_cast_coordinate(p->offset.x, q->offset.x, weight, normal->x, radius, way->x * fraction, c->centre.x,
                                  saturated);
   out->y = plane_cast_coordinate(p->offset.y, q->offset.y, weight, normal->y, radius, way->y * fraction, c->centre.y,
@@ -65,8 +65,8 @@ static int64_t plane_round_along(const gjk2_portion *portion, int64_t length, in
 }
 
 // One axis of both resting places. of_a: A's way; t: B's against A. A's lies between two positions of int32, so it fits.
-static void plane_cast_rest(const gjk2_portion *portion, int64_t of_a, int64_t t, int32_t n, gjk_q16 a, gjk_q16 b,
-                            gjk_q16 *rest_a, gjk_q16 *rest_b, bool *saturated) {
+GJK_ONCE static void plane_cast_rest(const gjk2_portion *portion, int64_t of_a, int64_t t, int32_t n, gjk_q16 a,
+                                     gjk_q16 b, gjk_q16 *rest_a, gjk_q16 *rest_b, bool *saturated) {
   const int64_t moved = gjk2_portion_nearest(portion, of_a);
   *rest_a = (gjk_q16)(a + moved);
   *rest_b = gjk_saturate_noting(b + moved + plane_round_along(portion, t, n), saturated);
@@ -78,8 +78,7 @@ void gjk2_cast_hit(const gjk2_way *way, const gjk2_contact_place *place, const g
   const gjk2_vec n = place->n;
   gjk2_length length;
   plane_cast_count(way, out);
-  gjk2_length_set(&length, n);
-  gjk2_unit_set(&out->normal, &length, n);
+  gjk2_normal_set(&out->normal, &length, &n);
   out->hit = true;
   out->inside = false;
   out->saturated = false;

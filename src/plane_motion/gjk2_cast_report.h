@@ -22,19 +22,26 @@ void gjk2_cast_inside(const gjk2_way *way, const gjk2_distance_result *gap, gjk2
 void gjk2_cast_hit(const gjk2_way *way, const gjk2_contact_place *place, const gjk2_portion *portion,
                    gjk2_cast_result *out);
 
-// A cast of shapes of which one is rounded or curved, or with a margin. Statuses: OK or ITERATION_LIMIT.
-gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, gjk2_cast_result *out);
+// A cast of shapes of which one is rounded or curved, or with a margin. early, late: of gjk2_way_may_meet.
+// Statuses: OK or ITERATION_LIMIT.
+gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gjk2_cast_result *out);
 
-// Both colliders at a fraction, to the nearest LSB, so that B's place against A is off by at most half of one.
-void gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b);
+// Both colliders at a fraction, to the nearest LSB, so that B's place against A is off by at most half of one. Returns
+// A's: at_a, or where it stands A itself.
+const gjk2_collider *gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b);
 
 typedef enum gjk2_bound { GJK2_BOUND_AT, GJK2_BOUND_BEYOND, GJK2_BOUND_AWAY } gjk2_bound;
 
-// AT: the fraction before which no contact comes, since no vertex of A - B lies beyond n . w = most; *step: the part of the
-// way on which the gap along n changes by 1 LSB. BEYOND: not on the way. AWAY: the way does not lead against n.
-// Pre: n != 0, |n| < 2^30 + 4.
-gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_t radius, gjk_q30 *fraction,
-                           gjk_q30 *step);
+// By how much the whole way closes the gap along n, and an LSB of gap, at the same scale.
+typedef struct gjk2_rate {
+  int64_t closing, length;
+} gjk2_rate;
+
+// AT: the fraction before which no contact comes, since no vertex of A - B lies beyond n . w = most.
+// BEYOND: not on the way. AWAY: the way does not lead against n; then *rate is not set.
+// near: what |n|, shifted to from 2^29 to 2^30, is likely close to, or 0. Pre: n != 0, |n| < 2^30 + 4.
+gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_t radius, uint32_t near,
+                           gjk_q30 *fraction, gjk2_rate *rate);
 
 // The part of the edge from p to q at which the foot of the place at a fraction lies, Q30; before p: below 0, beyond q:
 // above GJK_Q30_ONE.

@@ -169,35 +169,36 @@ static bool plane_proves_slope(const gjk2_way *way, const gjk2_collider *at_a, c
 
 // Step 4: does the way come within the radius, once the line does?
 static bool plane_comes_near(const gjk2_way *way, bool early, gjk_q16 margin) {
-  gjk2_collider at_a, at_b;
+  gjk2_collider moved, at_b;
   gjk2_decision decision;
   int slope;
   if (early && (!plane_proves_slope(way, way->a, way->b, false, &slope) || slope >= 0)) {
     return false;
   }
-  gjk2_cast_places(way, GJK_Q30_ONE, &at_a, &at_b);
-  if (gjk2_within(&at_a, &at_b, margin, NULL, &decision) != GJK_OK) {
+  const gjk2_collider *at_a = gjk2_cast_places(way, GJK_Q30_ONE, &moved, &at_b);
+  if (gjk2_within(at_a, &at_b, margin, NULL, &decision) != GJK_OK) {
     return false;
   }
   if (decision.yes) {
-    return gjk2_check_decision(&at_a, &at_b, margin, &decision) == GJK_OK;
+    return gjk2_check_decision(at_a, &at_b, margin, &decision) == GJK_OK;
   }
-  return plane_proves_slope(way, &at_a, &at_b, true, &slope) && slope >= 0;
+  return plane_proves_slope(way, at_a, &at_b, true, &slope) && slope >= 0;
 }
 
 // Step 4: is there no contact before the fraction, by n, and at most 2 LSB of gap at it? A place is rounded by up to 0.71
 // LSB to be measured, and its distance by 1/2.
 static bool plane_stops_at(const gjk2_way *way, gjk2_vec n, int64_t radius, gjk_q16 margin, gjk_q30 fraction) {
-  gjk2_collider at_a, at_b;
+  gjk2_collider moved, at_b;
   gjk2_distance_result gap;
   int64_t most, ahead;
-  gjk_q30 bound, step;
+  gjk_q30 bound;
+  gjk2_rate rate;
   if (!plane_along(way, n, &most, &ahead) || fraction < 0 ||
-      gjk2_cast_bound(way, n, most, radius, &bound, &step) != GJK2_BOUND_AT || fraction > bound) {
+      gjk2_cast_bound(way, n, most, radius, 0, &bound, &rate) != GJK2_BOUND_AT || fraction > bound) {
     return false;
   }
-  gjk2_cast_places(way, fraction, &at_a, &at_b);
-  if (gjk2_distance(&at_a, &at_b, NULL, &gap) != GJK_OK) {
+  const gjk2_collider *at_a = gjk2_cast_places(way, fraction, &moved, &at_b);
+  if (gjk2_distance(at_a, &at_b, NULL, &gap) != GJK_OK) {
     return false;
   }
   return gap.intersecting || gap.distance <= (int64_t)margin + 3;

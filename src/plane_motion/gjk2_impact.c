@@ -47,6 +47,7 @@ typedef struct plane_mover {
   gjk2_collider posed;
   int64_t reach;  // not below R
   int64_t arc;    // of the whole way, as far as the core reaches, LSB
+  bool point;     // a circle's core: no rotation moves it, so pose has its position alone
 } plane_mover;
 
 typedef struct plane_impact {
@@ -90,10 +91,25 @@ static gjk_status plane_mover_set(plane_mover *m, const gjk2_collider *c, const 
   const gjk2_vec *centre = &m->posed.local_centre;
   m->reach = (int64_t)c->core_radius + ((centre->x | centre->y) != 0 ? plane_length_above(centre) : 0);
   m->arc = m->sweep.angle != 0 ? plane_arc(m->sweep.angle, m->reach) : 0;
+  m->point = c->shape->type->count == 1;
+  if (m->point) {  // what gjk2_collider_pose makes of it
+    const gjk2_vec none = {0, 0};
+    gjk2_copy(&m->posed.frame[0], &none);
+    gjk2_copy(&m->posed.frame[1], &none);
+    m->posed.fraction[0] = 0;
+    m->posed.fraction[1] = 0;
+    m->posed.state = GJK2_STATE_POSED;
+  }
   return GJK_OK;
 }
 
 static gjk_status plane_mover_pose(plane_mover *m, gjk_q30 fraction) {
+  if (m->point) {
+    gjk2_sweep_place(&m->sweep, fraction, &m->pose.position);
+    gjk2_copy(&m->posed.position, &m->pose.position);
+    gjk2_copy(&m->posed.centre, &m->pose.position);
+    return GJK_OK;
+  }
   gjk2_sweep_pose(&m->sweep, fraction, &m->pose);
   return gjk2_collider_pose(&m->posed, &m->pose);
 }
@@ -395,7 +411,7 @@ static void plane_impact_report(plane_impact *s, gjk_q30 lower, gjk_q30 upper, g
 
 // Writes the pose at lower of a mover that is posed at a fraction.
 static void plane_mover_end(const plane_mover *m, gjk_q30 posed, gjk_q30 lower, gjk2_pose *out) {
-  if (lower != posed) {
+  if (lower != posed || m->point) {
     gjk2_sweep_pose(&m->sweep, lower, out);
     return;
   }

@@ -99,11 +99,16 @@ static gjk_q16 plane_sweep_at(gjk_q16 from, int64_t way, gjk_q30 fraction) {
   return (gjk_q16)(from + gjk_sar64(way * fraction + (INT64_C(1) << 29), 30));
 }
 
+void gjk2_sweep_place(const gjk2_sweep *sweep, gjk_q30 fraction, gjk2_vec *out) {
+  const gjk2_vec *from = &sweep->motion->from.position;
+  out->x = plane_sweep_at(from->x, sweep->x, fraction);
+  out->y = plane_sweep_at(from->y, sweep->y, fraction);
+}
+
 void gjk2_sweep_pose(const gjk2_sweep *sweep, gjk_q30 fraction, gjk2_pose *out) {
   const gjk2_motion *motion = sweep->motion;
   const gjk2_rotation *rotation = &motion->from.rotation;
-  out->position.x = plane_sweep_at(motion->from.position.x, sweep->x, fraction);
-  out->position.y = plane_sweep_at(motion->from.position.y, sweep->y, fraction);
+  gjk2_sweep_place(sweep, fraction, &out->position);
   if (fraction == GJK_Q30_ONE && motion->spin == 0) {
     rotation = &motion->to.rotation;
   } else if (fraction != 0 && sweep->angle != 0) {

@@ -23,4 +23,7 @@ gjk_status gjk2_sweep_set(gjk2_sweep *sweep, const gjk2_motion *motion);
 // Q2.30, in length; from and to are exact. Pre: 0 <= fraction <= GJK_Q30_ONE.
 void gjk2_sweep_pose(const gjk2_sweep *sweep, gjk_q30 fraction, gjk2_pose *out);
 
+// The position alone.
+void gjk2_sweep_place(const gjk2_sweep *sweep, gjk_q30 fraction, gjk2_vec *out);
+
 #endif

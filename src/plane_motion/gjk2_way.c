@@ -232,7 +232,7 @@ int gjk2_way_is_ahead(const gjk2_way *way, gjk2_vec o, bool at_end) {
 
 // With top and bottom for the leading 32 bits of num and den, at the same scale, 2^31 top / bottom is within 4 of the
 // quotient in units of 2^-31. So the estimate is within 3, and the remainder, in 96 bits, settles it.
-gjk_q30 gjk2_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t den, bool *exact) {
+static gjk_q30 plane_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t den, bool *exact) {
   const unsigned up = 64 - divisor->bits;
   uint32_t q = gjk_umulh32((uint32_t)((num << up) >> 32), divisor->inverse) >> 1;
   // rest = 2^30 num - q den, as 2^32 high + low
@@ -258,10 +258,45 @@ gjk_q30 gjk2_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t den, bo
   return (gjk_q30)q;
 }
 
-gjk_q30 gjk2_ratio(uint64_t num, uint64_t den, bool *exact) {
+static void plane_divisor_set(gjk_divisor *divisor, uint64_t den) {
   const gjk_u128 whole = {0, den};
-  gjk_divisor divisor;
-  gjk_divisor_set(&divisor, &whole);
+  gjk_divisor_set(divisor, &whole);
+}
+
+// Is one division of 64 bits enough?
+static inline bool plane_divides(uint64_t den) {
+  return GJK_64_BIT && !GJK_SMALL && den >> 62 == 0;
+}
+
+void gjk2_ratio_set(gjk_divisor *divisor, uint64_t den) {
+  if (!plane_divides(den)) {
+    plane_divisor_set(divisor, den);
+  }
+}
+
+// Of numbers cut to 34 bits the quotient is off by less than 1/8, and its floor by at most 1. The rest is above -2^62 and
+// below 2^63: it survives modulo 2^64.
+gjk_q30 gjk2_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t den, bool *exact) {
+  if (!plane_divides(den)) {
+    return plane_ratio_by(divisor, num, den, exact);
+  }
+  const unsigned zeros = gjk_clz64(den), down = zeros < 30 ? 30 - zeros : 0;
+  uint64_t q = ((num >> down) << 30) / (den >> down);
+  int64_t rest = gjk_int64((num << 30) - q * den);
+  if (rest < 0) {
+    q--;
+    rest += (int64_t)den;
+  } else if (rest >= (int64_t)den) {
+    q++;
+    rest -= (int64_t)den;
+  }
+  *exact = rest == 0;
+  return (gjk_q30)q;
+}
+
+gjk_q30 gjk2_ratio(uint64_t num, uint64_t den, bool *exact) {
+  gjk_divisor divisor = {0, 0};
+  gjk2_ratio_set(&divisor, den);
   return gjk2_ratio_by(&divisor, num, den, exact);
 }
 

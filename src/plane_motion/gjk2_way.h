@@ -74,7 +74,8 @@ int gjk2_way_is_ahead(const gjk2_way *way, gjk2_vec o, bool at_end);
 // floor(2^30 num / den). *exact: nothing is cut off. Pre: 0 <= num <= den < 2^63, 0 < den.
 gjk_q30 gjk2_ratio(uint64_t num, uint64_t den, bool *exact);
 
-// The same with gjk_divisor_set of den, for several numbers.
+// The same with gjk2_ratio_set of den, for several numbers.
+void gjk2_ratio_set(gjk_divisor *divisor, uint64_t den);
 gjk_q30 gjk2_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t den, bool *exact);
 
 // A fraction of a way as num / den, and as gjk2_ratio has it.
