@@ -31,7 +31,7 @@
 #                        MEASUREMENTS=2000000 for each family on the host, and a hundredth of that emulated
 #   make matrix          the golden hash from every compiler, level and architecture (sh tests/build/setup.sh matrix
 #                        installs the compilers that the tests do without)
-#   make prove           shows the absence of undefined behaviour (Frama-C)
+#   make prove           shows the absence of undefined behaviour (Frama-C); CHANGED=1: where the code has changed
 #   make prove-faults    puts faults into copies of the sources that the proof must notice
 #   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
 #   make coverage        which lines and branches of src the tests reach, over all variants of the code; FILES=. matches the
@@ -484,7 +484,7 @@ matrix:
 	@sh tests/build/matrix.sh build
 
 prove:
-	@sh tests/build/prove.sh build
+	@sh tests/build/prove.sh build $(if $(CHANGED),--changed)
 
 prove-faults:
 	@sh tests/build/prove-faults.sh build

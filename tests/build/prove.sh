@@ -6,7 +6,8 @@
 # says for which runs, in how many places, and which statements the runs do not reach; a run fails if it finds more, or
 # less. What Eva refutes always fails.
 # `prove.sh BUILD --list [RUN...]` writes into open.txt what the last analysis of those runs has found, or of all runs
-# that BUILD holds. tests/prove/README.md tells the rest.
+# that BUILD holds. `prove.sh BUILD --changed [RUN...]` makes the runs that did not yet hold on this code, and notes in
+# digests.txt which do; `--stale` names those that held on other code and not on this. tests/prove/README.md tells the rest.
 . tests/build/count.sh
 LC_ALL=C.UTF-8
 export LC_ALL
@@ -14,196 +15,8 @@ build=$1
 dir=$build/prove
 shift
 
-# What has a contract instead of a body, but in the driver of the bodies.
-CONTRACTS=gjk_add,gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk_dot,gjk_cross,gjk_triangle_normal,gjk_reciprocal,\
-gjk_reciprocal_root,gjk_unit,gjk_copy,gjk_height_key
-
-# The same for the drivers of the plane.
-PLANE_CONTRACTS=gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,inverse_root,gjk_reciprocal_root
-PLANE_LEVELS=main:50,gjk2_search_start:100,start_far:100,gjk2_frame_far:10,framed:10,gjk2_hull_neighbour:300,gjk2_hull_corner:300,gjk2_collider_init:100,gjk2_polygon_order:200
-
-# The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.
-QUERY_LEVELS=gjk_iteration_run:300,main:200,ask:200,gjk_penetration:500,gjk_signed_distance:500,report_depth:100,\
-ask_penetration:500,ask_signed:500,gjk_distance:200,run_and_narrow:200,narrow:200,\
-gjk_distance_until:100,gjk_distance_report:100,stop_early:100,load:100,is_nearest:100,is_facet:100,none_before:100
-ITERATION_LEVELS=gjk_iteration_run:4,add_vertex:100,warm_start:1000,gjk_iteration_start:500,gjk_frame_set:500,gjk_frame_set_far:500,\
-main:500,longer_than:100,far_shift:100,run:500
-ITERATION_RETURNS=gjk_iteration_start:0,gjk_frame_set:0,gjk_frame_set_far:0,longer_than:0
-EPA_HULL_LEVELS=write_horizon:200,gjk_epa_hull_add:500,connect_horizon:1000,add:1000,check_polytope:100,gjk_epa_hull_lowest:50
-TABLE_LEVELS=main:50,gjk_hull_table_check:20,gjk_hull_table_make:20,gjk_table_measure:20
-BOX_SAT_LEVELS=gjk_box_sat:1000,run:100
-MANIFOLDS_LEVELS=keep_contacts:50,join_manifold:20,reduce_manifold:20,take_manifold:50,join_parts:50,finish_manifolds:50,\
-report_manifolds:50,gjk_parts_manifolds:50,gjk_parts_both_manifolds:50,main:50,ask:50
-CAST_LEVELS=main:50,ask:100,gjk_parts_cast:200,gjk_parts_both_cast:200,gjk_parts_cast_ray:200,gjk_parts_both_open:100,set_way_of_a:100,\
-cast_against:200,cast_part:100,start_region:100,gjk_parts_frame_set:50
-SIMPLEX_LEVELS=check_feature:300,run:300,named:300,gjk_simplex_set:100,set_triangle:100,gjk_simplex_add:100,set_visible:100,add_to_edge:100
-
-# The outcomes of a call kept apart by its last branch, so that what a check found of an index is known after it.
-SCENE_LEVELS=main:100,any_shapes:50,any_scene:100,gjk_scene_init:100,gjk_scene_attach:100,gjk_scene_view_of:100,\
-gjk_scene_check_header:100,gjk_scene_check:100,check_pair:50,check_link:50,check_inner:50,check_entry:50,check_pose:30,\
-gjk_collider_init:30,query_near:50,within_margins:50
-
-MOTION_LEVELS=main:20,any_scene:100,gjk_scene_init:20,gjk_copy:100
-
-cases() {
-  echo primitives-x
-  echo pose-x
-  echo math-x
-  for kind in POINT SEGMENT TRIANGLE BOX BAKED LAZY TABLE TABLE_LAZY CYLINDER CONE ELLIPSOID CUSTOM; do
-    echo shape-$kind
-  done
-  for level in 0 1 4; do
-    echo hull_table-$level
-  done
-  for count in 1 4 5; do
-    echo hull_build-$count
-  done
-  echo hull_grow-5
-  for dimension in 1 2 3; do
-    echo hull_facets-$dimension
-  done
-  for faces in 0 1; do
-    echo hull_check-$faces
-  done
-  for call in PLAIN ROUND FACES ADD PRINCIPAL; do
-    echo mass-$call
-  done
-  for call in BUILD CHECK WALK FIELD; do
-    echo mesh-$call
-  done
-  echo region-x
-  for query in NEAR DISTANCE DEPTH CONTACTS MANIFOLDS CAST IMPACT; do
-    echo parts-$query
-    echo parts-BOTH_$query
-  done
-  for query in RAY CAST_AHEAD IMPACT_AHEAD DRAW; do
-    echo parts-$query
-  done
-  for case in LIST TREE CLASS; do
-    echo compound-$case
-  done
-  for call in CONTACTS SETTLE; do
-    echo surface-$call
-  done
-  echo bind-x
-  echo quotient-x
-  echo way-x
-  echo swept-x
-  echo motion-x
-  echo integrate-x
-  for kinds in 0 1; do
-    echo gap-$kinds
-    echo advance-$kinds
-  done
-  echo portal-FIND
-  echo portal-CHECK
-  for query in CAST RAY CHECK; do
-    echo cast-$query
-  done
-  for kinds in 0 1 2; do
-    echo separation-$kinds
-  done
-  for kinds in 0 1; do
-    echo impact-$kinds
-  done
-  for count in 0 1 2 3 4; do
-    echo simplex-$count
-  done
-  for goal in DISTANCE WITHIN DEPTH SIGNED; do
-    echo iteration-GJK_GOAL_$goal
-  done
-  for count in 1 2 3; do
-    echo search-$count
-    echo witness-$count
-  done
-  for kind in SMOOTH POINT SEGMENT BOX TRIANGLE HULL CYLINDER CONE; do
-    echo polygon-$kind
-  done
-  for faces in 0 1 2 3; do
-    echo clip-$faces
-  done
-  echo reduce-x
-  for case in 0 1 2; do
-    echo facet-$case
-    echo epa_hull-$case
-  done
-  for count in 0 1 3; do
-    echo box_sat-$count
-  done
-  for count in 1 2 3 4; do
-    echo epa-$count
-  done
-  echo contacts-x
-  for query in INTERSECT WITHIN WITHIN_UNTIL DISTANCE UNTIL PENETRATION SIGNED CHECK_DECISION CHECK_DISTANCE \
-    CHECK_PENETRATION; do
-    echo query-$query
-  done
-  plane_cases
-  for bytes in HEADER INIT OPEN; do
-    echo scene_block-$bytes
-  done
-  for call in ADD REMOVE MOVE SHAPE FIELDS BEGIN TEST FINISH REPORT HASH READ; do
-    echo scene_ops-$call
-  done
-  for call in INSERT TAKE BOX RAY NEAREST PASSAGE; do
-    echo scene_tree-$call
-  done
-  for call in CAST CASTS RAY RAYS WITHIN; do
-    echo scene_probe-$call
-  done
-  for call in SET SWEEP TESTING REPORTING; do
-    echo scene_motion-$call
-  done
-  echo scene_slide-x
-}
-
-# The levels of those functions that the run's sources have.
-plane_levels() {
-  files=$sources
-  for model in $models; do
-    files=$(echo "$files" | sed "s|src/plane/gjk2_${model#plane_}\(_frame\)\?\.c||g")
-  done
-  for level in $(echo "$PLANE_LEVELS" | tr , ' '); do
-    # shellcheck disable=SC2086
-    ! grep -q "[ *]${level%:*}(.*{\$" $files "tests/prove/$driver.c" || echo "$level"
-  done | paste -sd, -
-}
-
-plane_cases() {
-  echo plane_pose-x
-  echo plane_measure-x
-  echo plane_polygon-1
-  echo plane_polygon-4
-  for kind in POINT SEGMENT BOX TRIANGLE BAKED LAZY ELLIPSE CUSTOM; do
-    echo plane_shape-$kind
-  done
-  for goal in GJK2_GOAL_DISTANCE GJK2_GOAL_WITHIN GJK2_GOAL_DEPTH GJK2_GOAL_SIGNED EDGES CURVED; do
-    echo plane_search-$goal
-  done
-  for ask in SET ASK ENTRY RATIO; do
-    echo plane_way-$ask
-  done
-  for query in CAST RAY CHECK; do
-    echo plane_cast-$query
-  done
-  for kinds in 0 1 2; do
-    echo plane_advance-$kinds
-  done
-  echo plane_sweep-x
-  echo plane_impact-0
-  echo plane_impact-1
-  for query in WITHIN WITHIN_UNTIL DISTANCE_CURVED DISTANCE_MIXED DISTANCE_POLYGONS UNTIL PENETRATION SIGNED_CURVED SIGNED_MIXED \
-    SIGNED_POLYGONS CONTACTS CHECK_DECISION CHECK_DISTANCE \
-    CHECK_PENETRATION; do
-    echo plane_query-$query
-  done
-}
-
-# int32: a 32-bit machine with a long multiplication; int16: an int of 16 bits, products in halves.
-runs() {
-  cases | sed 's/$/-int32/'
-  cases | sed 's/$/-int16/'
-}
+. tests/build/prove-setup.sh
+. tests/build/prove-digest.sh
 
 # analyse NAME SOURCES OPTIONS...: leaves NAME.txt, what Eva says, and NAME.csv, a line per property.
 analyse() {
@@ -245,214 +58,12 @@ prove_lengths() {
 }
 
 prove_one() {
-  driver=${1%%-*}
-  variant=${1##*-}
-  instance=${1#*-}
-  instance=${instance%-*}
-  defines="-DCASE=$instance"
-  sources=$(echo src/arith/*.c src/place/*.c src/shape/*.c src/gjk/*.c src/depth/*.c src/contact/*.c src/query/*.c)
-  case $variant in
-    int16) machine=gcc_x86_16 defines="$defines -DGJK_NARROW_MULTIPLY=1" ;;
-    *) machine=gcc_x86_32 ;;
-  esac
-  models=
-  contracts="-eva-use-spec $CONTRACTS"
-  case $driver in
-    primitives) contracts= && set -- "$1" -eva-slevel 200 ;;
-    witness) models=simplex && set -- "$1" -eva-slevel 200 ;;
-    query)
-      models='simplex iteration search witness box_sat facet epa'
-      set -- "$1" -eva-slevel 50 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits \
-        -eva-partition-value facet_is_found
-      ;;
-    iteration)
-      models=simplex
-      set -- "$1" -eva-slevel 10 -eva-slevel-function "$ITERATION_LEVELS" -eva-interprocedural-splits \
-        -eva-split-return-function "$ITERATION_RETURNS"
-      ;;
-    search)
-      models='simplex iteration'
-      set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-interprocedural-splits
-      ;;
-    scene_*)
-      # Without what has drivers of its own.
-      others=motion,impact,slide,ray,cast,inquiry,passage,within
-      models='scene scene_tree'
-      case $driver in
-        scene_block) models=scene ;;
-        scene_tree) models=scene others=$(echo $others | sed 's/passage,//') ;;
-        scene_probe) models="$models scene_passage scene_travel" others=motion,impact,slide ;;
-        scene_motion) models="$models scene_passage scene_travel" others=${others#motion,impact,} ;;
-        scene_slide) models="$models scene_cast scene_travel" others=$(echo $others | sed 's/slide,//') ;;
-      esac
-      sources="$(printf '%s ' src/scene/*.c src/scene_update/*.c src/scene_query/*.c | tr ' ' '\n' | grep -vE "_($(echo "$others" | tr , '|'))[.]c" | tr '\n' ' ') src/arith/gjk_root.c src/query/gjk_status.c src/arith/gjk_wide.c"
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
-      levels=$SCENE_LEVELS
-      case $driver in
-        scene_motion) defines="$defines -DPROVE_COPY_BODY" ;;
-        scene_slide) levels=$levels,gjk_copy:400 defines="$defines -DPROVE_COPY_BODY" ;;
-      esac
-      set -- "$1" -eva-slevel 12 -eva-slevel-function "$levels" -eva-interprocedural-splits -eva-ilevel 64 \
-        -eva-auto-loop-unroll 8
-      [ "$driver" != scene_slide ] || set -- "$@" -eva-warn-copy-indeterminate=-gjk_copy
-      # The outcomes of a sweep are too many to keep apart.
-      [ "$driver" != scene_motion ] || set -- "$1" -eva-slevel 2 -eva-slevel-function "$MOTION_LEVELS" \
-        -eva-auto-loop-unroll 4 -eva-warn-copy-indeterminate=-gjk_copy
-      [ "$driver" = scene_motion ] || set -- "$@" -eva-partition-history 1 -eva-interprocedural-history
-      ;;
-    plane_*)
-      sources=$(echo src/plane/*.c src/arith/gjk_root.c src/arith/gjk_wide.c)
-      contracts="-eva-use-spec $PLANE_CONTRACTS"
-      level=50
-      moved="src/plane/gjk2_measure.c src/plane/gjk2_collider.c src/arith/gjk_root.c src/arith/gjk_wide.c \
-        src/plane_motion/gjk2_way.c"
-      case $1 in
-        plane_way*) level=20 sources="$moved src/plane_motion/gjk2_entry.c" ;;
-        plane_cast*)
-          level=20 models='plane_distance plane_advance'
-          sources="$moved $(echo src/plane_motion/*cast*.c) src/plane_motion/gjk2_entry.c"
-          ;;
-        plane_advance*)
-          level=10 models=plane_distance
-          sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_entry.c src/plane_motion/gjk2_advance.c"
-          ;;
-        plane_sweep*) sources="$(echo src/plane/*.c) src/plane_motion/gjk2_sweep.c src/plane_motion/gjk2_way.c $(echo src/arith/*.c)" ;;
-        plane_impact*)
-          level=8 models='plane_search plane_edges plane_sweep'
-          sources="$sources src/plane_motion/gjk2_impact.c"
-          ;;
-        plane_search*) level=3 ;;
-        plane_query-CONTACTS*) models='plane_search plane_penetration' ;;
-        plane_query*) models='plane_search plane_edges' level=8 ;;
-      esac
-      set -- "$1" -eva-slevel $level -eva-slevel-function "$(plane_levels)" -eva-interprocedural-splits
-      ;;
-    shape) models=hull_table && set -- "$1" -eva-slevel 200 ;;
-    hull_table)
-      set -- "$1" -eva-slevel 2 -eva-slevel-function "$TABLE_LEVELS" -eva-min-loop-unroll 0 -eva-auto-loop-unroll 8
-      ;;
-    facet) models=simplex contracts=${contracts%,gjk_height_key} && set -- "$1" -eva-slevel 200 -eva-interprocedural-splits ;;
-    box_sat)
-      models='simplex facet'
-      set -- "$1" -eva-slevel 2 -eva-slevel-function "$BOX_SAT_LEVELS" -eva-auto-loop-unroll 6 -eva-min-loop-unroll 6 \
-        -eva-partition-value facet_is_found
-      ;;
-    epa_hull)
-      set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 9 -eva-slevel-function "$EPA_HULL_LEVELS"
-      ;;
-    epa)
-      models='simplex iteration epa_hull facet'
-      set -- "$1" -eva-slevel 100 -eva-interprocedural-splits -eva-partition-value facet_is_found
-      ;;
-    contacts)
-      models='penetration contact_polygon clip reduce'
-      set -- "$1" -eva-slevel 300 -eva-min-loop-unroll 24 -eva-interprocedural-splits
-      ;;
-    clip | reduce) set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
-    hull_build | hull_grow | hull_facets | hull_check)
-      sources=$(echo src/hull/*.c src/arith/*.c)
-      level=50
-      case $driver in
-        hull_grow) level=2000 ;;
-        hull_facets) level=5 ;;
-        hull_build) models='hull_grow hull_facets' ;;
-      esac
-      set -- "$1" -eva-slevel $level
-      [ "$driver" = hull_check ] || set -- "$@" -eva-interprocedural-splits
-      ;;
-    mass)
-      # The hull's own work is analysed by hull_facets.
-      sources="$(echo src/mass/*.c src/arith/*.c | sed 's|src/mass/gjk_mass_hull[.]c||') src/place/gjk_pose.c src/query/gjk_status.c"
-      defines="$defines -DPROVE_COPY_BODY"
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
-      set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
-      ;;
-    bind)
-      # Of the classes only the addresses matter.
-      sources=$(echo src/bind/*.c)
-      contracts=
-      set -- "$1" -eva-slevel 50
-      ;;
-    mesh)
-      sources="$(echo src/mesh/*.c src/arith/*.c | sed 's|src/mesh/gjk_surface[a-z_]*[.]c||g') src/parts/gjk_region.c"
-      set -- "$1" -eva-slevel 20 -eva-auto-loop-unroll 8
-      ;;
-    region)
-      sources=$(echo src/parts/gjk_region.c src/arith/*.c)
-      set -- "$1" -eva-slevel 200
-      ;;
-    parts)
-      models='region rotation place pairs reduce'
-      sources=$(echo src/parts/gjk_parts_*.c src/arith/*.c)
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
-      set -- "$1" -eva-interprocedural-splits -eva-partition-value pairs_results_set
-      # Contacts in one place may be any of them: too many outcomes to keep apart.
-      case $instance in
-        *MANIFOLDS) set -- "$@" -eva-slevel 5 -eva-min-loop-unroll 24 -eva-slevel-function "$MANIFOLDS_LEVELS" ;;
-        NEAR | DISTANCE | DEPTH) set -- "$@" -eva-slevel 1000 -eva-partition-history 3 -eva-interprocedural-history ;;
-        *CAST* | RAY) set -- "$@" -eva-slevel 20 -eva-slevel-function "$CAST_LEVELS" ;;
-        BOTH*) set -- "$@" -eva-slevel 20 ;;
-        *) set -- "$@" -eva-slevel 100 ;;
-      esac
-      ;;
-    compound)
-      models='region place'
-      sources=$(echo src/parts/gjk_compound*.c src/arith/*.c)
-      set -- "$1" -eva-slevel 500 -eva-interprocedural-splits
-      ;;
-    surface)
-      models='region rotation place pairs manifold'
-      sources=$(echo src/mesh/gjk_surface*.c src/mesh/gjk_triangle.c src/parts/gjk_parts_frame.c src/arith/*.c)
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
-      set -- "$1" -eva-slevel 50 -eva-interprocedural-splits
-      ;;
-    quotient | way | swept | motion | integrate)
-      sources=$(echo src/motion/*.c src/arith/*.c src/place/*.c src/query/gjk_status.c)
-      set -- "$1" -eva-slevel 200
-      ;;
-    portal)
-      sources=$(echo src/motion/gjk_portal*.c src/arith/*.c)
-      set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
-      ;;
-    cast)
-      models='portal quotient advance within'
-      sources=$(echo src/motion/*cast*.c src/motion/gjk_way.c src/motion/gjk_spheres.c src/motion/gjk_swept.c src/motion/gjk_portal.c \
-        src/motion/gjk_quotient.c src/motion/gjk_advance.c src/query/gjk_status.c src/shape/gjk_class_axes.c src/arith/*.c)
-      set -- "$1" -eva-slevel 50 -eva-interprocedural-splits
-      ;;
-    separation | impact)
-      models=motion
-      sources=$(echo src/motion/gjk_impact*.c src/motion/gjk_motion.c src/arith/*.c)
-      case $driver in
-        separation) sources="$sources src/shape/gjk_scan.c" ;;
-        impact) models='motion impact_separation distance' sources="$sources $(echo src/place/*.c)" ;;
-      esac
-      [ "$driver" = impact ] || sources=$(echo "$sources" | sed 's|src/motion/gjk_impact[.]c||')
-      set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
-      ;;
-    gap)
-      models='simplex iteration search'
-      sources=$(echo src/motion/*.c src/gjk/*.c src/arith/*.c)
-      set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
-      ;;
-    advance)
-      sources=$(echo src/motion/*.c src/gjk/*.c src/arith/*.c)
-      models='simplex gap' defines="$defines -DPROVE_COPY_BODY"
-      contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
-      set -- "$1" -eva-slevel 30 -eva-interprocedural-splits -eva-warn-copy-indeterminate=-gjk_copy
-      ;;
-    simplex) set -- "$1" -eva-slevel 12 -eva-slevel-function "$SIMPLEX_LEVELS" ;;
-    *) set -- "$1" -eva-slevel 200 ;;
-  esac
-  for model in $models; do
-    source=$(echo "$model" | sed 's|^plane_|plane/gjk2_|; t; s|^|[a-z]*/gjk_|')
-    sources="$(echo "$sources" | sed "s|src/$source\(_frame\)\?\.c||g") tests/prove/${model}_model.c"
-  done
   name=$1
-  shift
+  code_of "$name" >"$dir/$name.code"
+  set_up "$name"
   start=$(date +%s)
-  analyse "$name" "$sources tests/prove/$driver.c" "$@" -machdep $machine \
-    -cpp-extra-args="-Iinclude -I. $defines -include tests/prove/contracts.h"
+  # shellcheck disable=SC2086
+  analyse "$name" "$sources" $options -machdep $machine -cpp-extra-args="-Iinclude -I. $defines -include tests/prove/contracts.h"
   if ! [ -s "$dir/$name.csv" ] || ! grep -q 'coverage' "$dir/$name.txt"; then
     echo "failed: $name: no analysis: $dir/$name.txt"
     return
@@ -490,6 +101,8 @@ list() {
       sort -t '	' -k 4 -k 1,1 -k 2,2n
   } >"$dir/open"
   cat "$dir/open" >tests/prove/open.txt
+  normalize
+  sign "$@"
   ! grep '	refuted	' "$dir/all"
 }
 
@@ -507,12 +120,17 @@ if [ "$1" = --one ]; then
   prove_one "$2"
   exit 0
 fi
+mkdir -p "$dir"
+if [ "$1" = --stale ]; then
+  normalize
+  stale
+  exit
+fi
 if ! have frama-c; then
   skip 'the proof' frama-c-base
   finish prove
   exit
 fi
-mkdir -p "$dir"
 if [ "$1" = --list ]; then
   shift
   # shellcheck disable=SC2046
@@ -523,9 +141,18 @@ if [ "$1" = --list ]; then
   finish prove
   exit
 fi
-rm -f "$dir"/*
+rm -rf "${dir:?}"/*
+normalize
 all=
+signs=
 [ $# -gt 0 ] || all=1
+if [ "$1" = --changed ]; then
+  signs=1
+  shift
+  # shellcheck disable=SC2046
+  [ $# -gt 0 ] || set -- $(unsigned)
+  [ $# -gt 0 ] || { echo 'each run has held on this code'; exit 0; }
+fi
 # shellcheck disable=SC2046
 [ $# -gt 0 ] || set -- $(runs)
 for run in "$@"; do
@@ -535,6 +162,7 @@ for run in "$@"; do
   check "$run: open and unreached is what is listed" grep -q "^$run: 0 unexpected" "$dir/report"
 done
 check 'what is open has its reason, and each reason a need' is_explained
+[ -z "$all$signs" ] || sign "$@"
 if [ -n "$all" ]; then
   if have why3 && have z3; then
     check 'what contracts say of lengths' prove_lengths
