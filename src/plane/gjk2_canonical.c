@@ -2,6 +2,11 @@
 //
 // Where both shapes have an edge across the direction, parts of both edges and of their sum are features too. A search ends at
 // any of them, by where it begins. Each names vertices whose edges, seen from here, show which other ones there may be.
+//
+// A walk of two polygons with area mostly knows that none of this is needed:
+//   a vertex   both ways from it lead strictly away, so no edge across the direction begins or ends there
+//   an edge    it is of both shapes, and then whole; or where it begins no edge of the other shape ends in the same direction.
+//              There the walk begins, or an edge of both would have joined them at the vertex before
 #include "gjk2_canonical.h"
 
 #include "gjk2_hull.h"

@@ -105,8 +105,14 @@ static void pose_plane_triangle(gjk2_collider *c, const gjk2_vec *rotation) {
 
 static void pose_polygon(gjk2_collider *c, const gjk2_vec *rotation) {
   c->frame[0] = *rotation;
-  for (uint32_t i = 0; c->buffer != NULL && i < c->count; i++) {
-    c->buffer[i] = plane_posed(c, rotation, i);
+  // As plane_posed, of numbers that no store to the buffer can change.
+  const gjk2_vec unit = {rotation->x, rotation->y}, centre = {c->local_centre.x, c->local_centre.y};
+  const gjk2_vec *const vertices = c->shape->vertices;
+  const int8_t fraction[2] = {c->fraction[0], c->fraction[1]};
+  gjk2_vec *const buffer = c->buffer;
+  const uint32_t count = buffer != NULL ? c->count : 0;
+  for (uint32_t i = 0; i < count; i++) {
+    buffer[i] = gjk2_rotate_onto(&unit, gjk2_sub(vertices[i], centre), fraction);
   }
 }
 

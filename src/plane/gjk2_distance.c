@@ -36,7 +36,7 @@ GJK_OUT_OF_LINE static int64_t far_in_lsb(const gjk2_search *s, const gjk2_lengt
 
 // h / |n| in LSB.
 static inline int64_t in_lsb(const gjk2_search *s, const gjk2_length *length, int64_t h, gjk2_round_to to) {
-  return s->far == 0 ? gjk2_round_distance(length, to, (uint64_t)h) : far_in_lsb(s, length, h, to);
+  return s->far == 0 ? gjk2_quick_distance(length, to, (uint64_t)h) : far_in_lsb(s, length, h, to);
 }
 
 gjk2_outcome gjk2_distance_bounds(gjk2_search *s, int64_t *lower, int64_t *nearest, int64_t *upper) {
@@ -64,7 +64,7 @@ GJK_ONCE static bool report_feature(const gjk2_search *s, gjk2_length *length, g
     p = s->first;
     q = s->last;
   }
-  gjk2_normal_set(&out->normal, length, &s->d);
+  gjk2_quick_normal(&out->normal, length, &s->d);
   return gjk2_witness_points(s, p, q, length, &out->normal, &out->point_a, &out->point_b);
 }
 

@@ -132,6 +132,15 @@ static inline void gjk2_quick_unit(gjk2_unit *unit, const gjk2_length *length, g
 #endif
 }
 
+static inline void gjk2_quick_normal(gjk2_unit *unit, gjk2_length *length, const gjk2_vec *n) {
+#if !GJK2_IN_LINE
+  gjk2_normal_set(unit, length, n);
+#else
+  gjk2_inline_length(length, *n);
+  gjk2_inline_unit(unit, length, *n);
+#endif
+}
+
 static inline int64_t gjk2_quick_distance(const gjk2_length *length, gjk2_round_to to, uint64_t h) {
 #if !GJK2_IN_LINE
   return gjk2_round_distance(length, to, h);

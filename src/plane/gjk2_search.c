@@ -217,6 +217,13 @@ static inline void step_of(const gjk2_collider *c, const gjk2_support *from, boo
   c->shape->type->adjacent(c, from, following, way);
 }
 
+// Does the boundary come to a vertex in another direction than step, or in the opposite one?
+static inline bool comes_across(const gjk2_collider *c, const gjk2_support *at, bool following, gjk2_vec step) {
+  gjk2_support way;
+  step_of(c, at, !following, &way);
+  return gjk2_cross(way.offset, step) != 0;
+}
+
 // A vertex of a shape: at, or the one that the way leads to from there.
 static inline void go_on(gjk2_support *out, const gjk2_support *at, const gjk2_support *way, bool moves) {
   if (moves) {
@@ -232,6 +239,7 @@ static inline void go_on(gjk2_support *out, const gjk2_support *at, const gjk2_s
 static gjk2_outcome walk_round(gjk2_search *s, bool decides, bool following) {
   gjk2_vertex *at = s->spare, *ahead = s->first;
   gjk2_support way_a, way_b;
+  int64_t came = 0;  // w . step for the last step to w
   step_of(s->a, &at->a, following, &way_a);
   step_of(s->b, &at->b, following, &way_b);
   for (;;) {  // at most once for each edge of A and of B
@@ -256,6 +264,7 @@ static gjk2_outcome walk_round(gjk2_search *s, bool decides, bool following) {
       s->apex = at;
       make_apex(s);
       s->d = gjk2_negate(w);
+      s->whole = base > 0 && came < 0;
       return GJK2_OUTCOME_NEAREST;
     }
     const gjk2_vec edge = following ? step : gjk2_negate(step);
@@ -275,7 +284,10 @@ static gjk2_outcome walk_round(gjk2_search *s, bool decides, bool following) {
     go_on(&ahead->b, &at->b, &way_b, turn <= 0);
     //@ assert ahead->w.x >= -(INT32_C(3) << 29) && ahead->w.x <= INT32_C(3) << 29;
     //@ assert ahead->w.y >= -(INT32_C(3) << 29) && ahead->w.y <= INT32_C(3) << 29;
-    if (gjk2_dot(ahead->w, step) > 0) {
+    came = gjk2_dot(ahead->w, step);
+    if (came > 0) {
+      s->whole = turn == 0 || at != s->spare ||
+                 (turn > 0 ? comes_across(s->b, &at->b, following, step) : comes_across(s->a, &at->a, following, step));
       s->first = following ? at : ahead;
       s->last = following ? ahead : at;
       s->count = 2;
@@ -298,6 +310,7 @@ GJK_ONCE static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal) {
   const gjk2_vec w = s->spare->w;
   gjk2_outcome outcome = GJK2_OUTCOME_ENCLOSING;
   bool nears = false;
+  int64_t level = 0;  // above 0: no way from w is across d
   s->walks = false;
   if ((w.x | w.y) != 0) {
     const bool decides = s->radius == 0 && (goal == GJK2_GOAL_WITHIN || goal == GJK2_GOAL_DEPTH);
@@ -309,12 +322,14 @@ GJK_ONCE static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal) {
       outcome = walk_round(s, decides, !following);
       // No way leads nearer. Where w lies within an edge, straight across from O, O may be on its inside.
       nears = outcome == GJK2_OUTCOME_LIMIT && ahead >= 0 && s->base >= 0 && (ahead | s->base) != 0;
+      level = ahead < s->base ? ahead : s->base;
     }
   }
   if (outcome == GJK2_OUTCOME_LIMIT || outcome == GJK2_OUTCOME_ENCLOSING) {
     exchange_vertices(&s->apex, &s->spare);
     make_apex(s);
     if (nears) {
+      s->whole = level > 0;
       s->d = gjk2_negate(w);
       outcome = GJK2_OUTCOME_NEAREST;
     }

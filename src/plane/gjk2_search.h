@@ -60,6 +60,7 @@ typedef struct gjk2_search {
   bool warm;  // the feature is the cache's, and not yet tried
   // Polygons in order, in a near frame: the first vertex is followed by a walk, of as many iterations as it takes.
   bool walks;
+  bool whole;  // the walk has seen that the feature is canonical, of two polygons with area (gjk2_canonical.c)
   // Of one vertex: the feature is apex, and first and last bracket it, or are not set (alone). Of two: first and last.
   // Of three: first, apex and last. The fourth is spare.
   bool alone;

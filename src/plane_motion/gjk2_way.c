@@ -276,10 +276,7 @@ void gjk2_ratio_set(gjk_divisor *divisor, uint64_t den) {
 
 // Of numbers cut to 34 bits the quotient is off by less than 1/8, and its floor by at most 1. The rest is above -2^62 and
 // below 2^63: it survives modulo 2^64.
-gjk_q30 gjk2_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t den, bool *exact) {
-  if (!plane_divides(den)) {
-    return plane_ratio_by(divisor, num, den, exact);
-  }
+static inline gjk_q30 plane_divide(uint64_t num, uint64_t den, bool *exact) {
   const unsigned zeros = gjk_clz64(den), down = zeros < 30 ? 30 - zeros : 0;
   uint64_t q = ((num >> down) << 30) / (den >> down);
   int64_t rest = gjk_int64((num << 30) - q * den);
@@ -294,10 +291,17 @@ gjk_q30 gjk2_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t den, bo
   return (gjk_q30)q;
 }
 
+gjk_q30 gjk2_ratio_by(const gjk_divisor *divisor, uint64_t num, uint64_t den, bool *exact) {
+  return plane_divides(den) ? plane_divide(num, den, exact) : plane_ratio_by(divisor, num, den, exact);
+}
+
 gjk_q30 gjk2_ratio(uint64_t num, uint64_t den, bool *exact) {
-  gjk_divisor divisor = {0, 0};
-  gjk2_ratio_set(&divisor, den);
-  return gjk2_ratio_by(&divisor, num, den, exact);
+  if (plane_divides(den)) {
+    return plane_divide(num, den, exact);
+  }
+  gjk_divisor divisor;
+  plane_divisor_set(&divisor, den);
+  return plane_ratio_by(&divisor, num, den, exact);
 }
 
 // The sign of p x - q y.
