@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#define GROUND_GOLDEN_HASH UINT64_C(0x9f662237e300628e)
+#define GROUND_GOLDEN_HASH UINT64_C(0x98a6c2fc30944eda)
 
 uint64_t ground_golden_hash(void);
 

@@ -13,8 +13,6 @@ bool ground_bench_tick(int time) {
 }
 
 size_t ground_bench_bytes(void) {
-  const gjk2_scene_config config = {
-      .bodies = BODIES, .parts = BODIES, .pairs = 128, .box_margin = 4000, .detail = GJK_DETAIL_CONTACTS, .persist = 1};
   return gjk2_scene_bytes(&config) + sizeof manifold + sizeof scene + sizeof runner + sizeof id + sizeof pose +
          sizeof speed;
 }
