@@ -73,7 +73,7 @@ static bool closest_sides(const segment_products *m, int *s, int *t) {
 }
 
 // The half axis in the frame; a point has none.
-static gjk_vec3 half_axis(const gjk_iteration *it, const gjk_collider *c) {
+static inline gjk_vec3 half_axis(const gjk_iteration *it, const gjk_collider *c) {
   const unsigned shift = (unsigned)it->shift;
   gjk_vec3 axis = {0, 0, 0};
   if (c->count > 0) {
@@ -84,33 +84,66 @@ static gjk_vec3 half_axis(const gjk_iteration *it, const gjk_collider *c) {
   return axis;
 }
 
-// Puts the corner at the ends s and t into the next slot.
-static void place_corner(gjk_iteration *it, int s, int t) {
-  gjk_iteration_place(it, it->a->count > 0 && s > 0 ? 1 : 0, it->b->count > 0 && t > 0 ? 1 : 0);
-  it->simplex.count++;
+// Puts the corner at the ends s and t into the next slot. a, b: the half axes.
+static void place_corner(gjk_iteration *it, const gjk_vec3 *a, const gjk_vec3 *b, int s, int t) {
+  gjk_vertex *v = &it->simplex.slot[it->simplex.count++];
+  const gjk_vec3 zero = {0, 0, 0}, *axis = it->a->count > 0 ? &it->a->frame[0] : &zero;
+  v->a.offset = s > 0 ? *axis : gjk_negate(*axis);
+  v->a.vertex = it->a->count > 0 && s > 0 ? 1 : 0;
+  v->b = it->b->count > 0 && t > 0 ? 1 : 0;
+  v->w.x = it->delta.x + s * a->x - t * b->x;
+  v->w.y = it->delta.y + s * a->y - t * b->y;
+  v->w.z = it->delta.z + s * a->z - t * b->z;
 }
 
-// Makes the feature the corner, edge or half parallelogram. False: the nearest point lies on its diagonal.
-static bool set_closest(gjk_iteration *it, const segment_products *m, int s, int t) {
-  if (s != 0 && t != 0) {
-    place_corner(it, s, t);
-  } else if (s != 0) {
-    place_corner(it, s, -1);
-    place_corner(it, s, 1);
-  } else if (t != 0) {
-    place_corner(it, -1, t);
-    place_corner(it, 1, t);
-  } else {
-    // The sign of s + t: on which side of the diagonal.
-    const int side = gjk_sum_of_products_sign(m->bd, m->aa + m->ab, -m->ad, m->bb + m->ab);
-    if (side == 0) {
-      return false;
-    }
-    place_corner(it, 1, -1);
-    place_corner(it, -1, 1);
-    place_corner(it, side, side);
+// Makes the feature the edge along a half axis from the corner placed first: half is the half axis' square, along its product
+// with the middle of the edge less that with the origin. Products with the ends' difference: twice half + along, half - along.
+static bool set_edge_of(gjk_iteration *it, int64_t half, int64_t along) {
+  gjk_simplex *s = &it->simplex;
+  const gjk_vec3 *v = &s->slot[0].w, *w = &s->slot[1].w;
+  s->toward[0][0] = gjk_dot(v, v);
+  s->toward[1][1] = gjk_dot(w, w);
+  s->toward[0][1] = 2 * (half + along);
+  s->toward[1][0] = 2 * (half - along);
+  return gjk_search_direction_of_edge(v, s->toward[1][0], w, s->toward[0][1], &it->direction);
+}
+
+// Makes the feature the half of the parallelogram with the nearest point. False: that lies on the diagonal, or the origin does.
+static bool set_half(gjk_iteration *it, const segment_products *m, const gjk_vec3 *a, const gjk_vec3 *b) {
+  gjk_simplex *simplex = &it->simplex;
+  // The sign of s + t: on which side of the diagonal.
+  const int side = gjk_sum_of_products_sign(m->bd, m->aa + m->ab, -m->ad, m->bb + m->ab);
+  if (side == 0) {
+    return false;
   }
-  return gjk_simplex_set(&it->simplex, it->simplex.count);
+  place_corner(it, a, b, 1, -1);
+  place_corner(it, a, b, -1, 1);
+  place_corner(it, a, b, side, side);
+  return gjk_simplex_set(simplex, 3) && gjk_dot_sign(&simplex->normal, &simplex->slot[0].w) != 0 &&
+         gjk_simplex_direction(simplex, &it->direction);
+}
+
+// Makes the feature the corner, edge or half parallelogram, and sets the direction. False: see set_half; or the origin lies on it.
+static bool set_closest(gjk_iteration *it, const segment_products *m, const gjk_vec3 *a, const gjk_vec3 *b, int s, int t) {
+  if (s != 0 && t != 0) {
+    const gjk_vec3 *w = &it->simplex.slot[0].w;
+    place_corner(it, a, b, s, t);
+    it->simplex.toward[0][0] = gjk_dot(w, w);
+    it->direction.d = gjk_negate(*w);
+    it->direction.exact = true;
+    return (w->x | w->y | w->z) != 0;
+  }
+  if (s != 0) {
+    place_corner(it, a, b, s, -1);
+    place_corner(it, a, b, s, 1);
+    return set_edge_of(it, m->bb, m->bd + s * m->ab);
+  }
+  if (t != 0) {
+    place_corner(it, a, b, -1, t);
+    place_corner(it, a, b, 1, t);
+    return set_edge_of(it, m->aa, t * m->ab - m->ad);
+  }
+  return set_half(it, m, a, b);
 }
 
 bool gjk_close_segments(gjk_iteration *it) {
@@ -120,9 +153,7 @@ bool gjk_close_segments(gjk_iteration *it) {
                               gjk_dot(&b, &it->delta)};
   int s, t;
   gjk_simplex_clear(simplex);
-  if (closest_sides(&m, &s, &t) && set_closest(it, &m, s, t) &&
-      (simplex->count < 3 || gjk_dot_sign(&simplex->normal, &simplex->slot[0].w) != 0) &&
-      gjk_simplex_direction(simplex, &it->direction)) {
+  if (closest_sides(&m, &s, &t) && set_closest(it, &m, &a, &b, s, t)) {
     it->iterations = 1;
     it->ties[0] = it->ties[1] = 0;  // the half axes are not parallel: the nearest point is that of one feature
     return true;
