@@ -21,9 +21,27 @@ static int range_end(int64_t x, int64_t most) {
   return x >= most ? 1 : x <= -most ? -1 : 0;
 }
 
+// p q + r s / 2^64, off by less than 2^32 + 2.
+static inline int64_t rough_sum(int64_t p, int64_t q, int64_t r, int64_t s) {
+  return gjk_mac32(gjk_mul32(gjk_high32(p), gjk_high32(q)), gjk_high32(r), gjk_high32(s));  // below 2^59
+}
+
+// From here on rough sums, and their sums and differences, have the sign of what they stand for.
+#define CLEAR (INT64_C(1) << 34)
+
 // Step 2: where is s in its range? s (aa bb - ab^2) = ab bd - bb ad, compared with both ends. 0: strictly inside.
-// Pre: aa bb > ab^2. For t exchange aa and bb, and give -bd for ad and -ad for bd.
-static int side_of(int64_t aa, int64_t bb, int64_t ab, int64_t ad, int64_t bd) {
+// Pre: aa bb > ab^2; rough is the rough sum of that. For t exchange aa and bb, and give -bd for ad and -ad for bd.
+static inline int side_of(int64_t aa, int64_t bb, int64_t ab, int64_t ad, int64_t bd, int64_t rough) {
+  const int64_t place = rough_sum(ab, bd, -bb, ad), above = place - rough, below = place + rough;
+  if (above >= CLEAR) {
+    return 1;
+  }
+  if (below <= -CLEAR) {
+    return -1;
+  }
+  if (above <= -CLEAR && below >= CLEAR) {
+    return 0;
+  }
   // Sums below 2^61.
   if (gjk_sum_of_products_sign(ab, bd + ab, -bb, ad + aa) >= 0) {
     return 1;
@@ -61,11 +79,12 @@ static bool closest_sides(const segment_products *m, int *s, int *t) {
     *s = range_end(-m->ad, m->aa);
     return true;
   }
-  if (gjk_sum_of_products_sign(m->aa, m->bb, -m->ab, m->ab) <= 0) {
+  const int64_t rough = rough_sum(m->aa, m->bb, -m->ab, m->ab);
+  if (rough < CLEAR && gjk_sum_of_products_sign(m->aa, m->bb, -m->ab, m->ab) <= 0) {
     return false;
   }
-  *s = side_of(m->aa, m->bb, m->ab, m->ad, m->bd);
-  *t = side_of(m->bb, m->aa, m->ab, -m->bd, -m->ad);
+  *s = side_of(m->aa, m->bb, m->ab, m->ad, m->bd, rough);
+  *t = side_of(m->bb, m->aa, m->ab, -m->bd, -m->ad, rough);
   if (*s != 0 || *t != 0) {
     find_border(m, s, t);
   }
@@ -84,31 +103,45 @@ static inline gjk_vec3 half_axis(const gjk_iteration *it, const gjk_collider *c)
   return axis;
 }
 
-// Puts the corner at the ends s and t into the next slot. a, b: the half axes.
-static void place_corner(gjk_iteration *it, const gjk_vec3 *a, const gjk_vec3 *b, int s, int t) {
-  gjk_vertex *v = &it->simplex.slot[it->simplex.count++];
-  const gjk_vec3 zero = {0, 0, 0}, *axis = it->a->count > 0 ? &it->a->frame[0] : &zero;
-  v->a.offset = s > 0 ? *axis : gjk_negate(*axis);
+// Puts the corner at the ends s and t into slot i, the last one. a, b: the half axes, multiples of 2^shift.
+GJK_ONCE static void place_corner(gjk_iteration *it, unsigned i, const gjk_vec3 *a, const gjk_vec3 *b, int s, int t) {
+  const unsigned shift = (unsigned)it->shift;
+  gjk_vertex *v = &it->simplex.slot[i];
+  const gjk_vec3 of_a = {s * a->x, s * a->y, s * a->z};
+  v->a.offset.x = gjk_sar32(of_a.x, shift);
+  v->a.offset.y = gjk_sar32(of_a.y, shift);
+  v->a.offset.z = gjk_sar32(of_a.z, shift);
   v->a.vertex = it->a->count > 0 && s > 0 ? 1 : 0;
   v->b = it->b->count > 0 && t > 0 ? 1 : 0;
-  v->w.x = it->delta.x + s * a->x - t * b->x;
-  v->w.y = it->delta.y + s * a->y - t * b->y;
-  v->w.z = it->delta.z + s * a->z - t * b->z;
+  v->w.x = it->delta.x + of_a.x - t * b->x;
+  v->w.y = it->delta.y + of_a.y - t * b->y;
+  v->w.z = it->delta.z + of_a.z - t * b->z;
+  it->simplex.count = (uint8_t)(i + 1);
 }
 
-// Makes the feature the edge along a half axis from the corner placed first: half is the half axis' square, along its product
-// with the middle of the edge less that with the origin. Products with the ends' difference: twice half + along, half - along.
-static bool set_edge_of(gjk_iteration *it, int64_t half, int64_t along) {
+// Makes the feature the corner. False: it is the origin.
+static bool set_corner(gjk_iteration *it) {
+  const gjk_vec3 *w = &it->simplex.slot[0].w;
+  it->simplex.toward[0][0] = gjk_dot(w, w);
+  it->direction.d = gjk_negate(*w);
+  it->direction.exact = true;
+  return (w->x | w->y | w->z) != 0;
+}
+
+// Makes the feature the edge along a half axis h from the corner v placed first to w. square: h . h; along: h . m for the
+// middle m = v + h = w - h. Below 2^60 and 2^61; the edge's parts h . (m + h) and h . (h - m) are above 0.
+static bool set_edge_along(gjk_iteration *it, int64_t square, int64_t along) {
   gjk_simplex *s = &it->simplex;
   const gjk_vec3 *v = &s->slot[0].w, *w = &s->slot[1].w;
   s->toward[0][0] = gjk_dot(v, v);
   s->toward[1][1] = gjk_dot(w, w);
-  s->toward[0][1] = 2 * (half + along);
-  s->toward[1][0] = 2 * (half - along);
+  s->toward[0][1] = 2 * (square - along);
+  s->toward[1][0] = 2 * (square + along);
   return gjk_search_direction_of_edge(v, s->toward[1][0], w, s->toward[0][1], &it->direction);
 }
 
-// Makes the feature the half of the parallelogram with the nearest point. False: that lies on the diagonal, or the origin does.
+// Makes the feature the half parallelogram with the nearest point, on the diagonal of the first two corners. False: the point
+// lies on the diagonal, or it is the origin.
 static bool set_half(gjk_iteration *it, const segment_products *m, const gjk_vec3 *a, const gjk_vec3 *b) {
   gjk_simplex *simplex = &it->simplex;
   // The sign of s + t: on which side of the diagonal.
@@ -116,34 +149,23 @@ static bool set_half(gjk_iteration *it, const segment_products *m, const gjk_vec
   if (side == 0) {
     return false;
   }
-  place_corner(it, a, b, 1, -1);
-  place_corner(it, a, b, -1, 1);
-  place_corner(it, a, b, side, side);
+  place_corner(it, 2, a, b, side, side);
   return gjk_simplex_set(simplex, 3) && gjk_dot_sign(&simplex->normal, &simplex->slot[0].w) != 0 &&
          gjk_simplex_direction(simplex, &it->direction);
 }
 
-// Makes the feature the corner, edge or half parallelogram, and sets the direction. False: see set_half; or the origin lies on it.
-static bool set_closest(gjk_iteration *it, const segment_products *m, const gjk_vec3 *a, const gjk_vec3 *b, int s, int t) {
+// Makes the feature the corner, edge or half parallelogram, and sets the direction from it. False: there is none.
+static bool set_closest(gjk_iteration *it, const segment_products *m, const gjk_vec3 *a, const gjk_vec3 *b, int s,
+                        int t) {
+  place_corner(it, 0, a, b, s != 0 ? s : t != 0 ? -1 : 1, t != 0 ? t : -1);
   if (s != 0 && t != 0) {
-    const gjk_vec3 *w = &it->simplex.slot[0].w;
-    place_corner(it, a, b, s, t);
-    it->simplex.toward[0][0] = gjk_dot(w, w);
-    it->direction.d = gjk_negate(*w);
-    it->direction.exact = true;
-    return (w->x | w->y | w->z) != 0;
+    return set_corner(it);
   }
+  place_corner(it, 1, a, b, s != 0 ? s : t != 0 ? 1 : -1, t != 0 ? t : 1);
   if (s != 0) {
-    place_corner(it, a, b, s, -1);
-    place_corner(it, a, b, s, 1);
-    return set_edge_of(it, m->bb, m->bd + s * m->ab);
+    return set_edge_along(it, m->bb, -m->bd - s * m->ab);
   }
-  if (t != 0) {
-    place_corner(it, a, b, -1, t);
-    place_corner(it, a, b, 1, t);
-    return set_edge_of(it, m->aa, t * m->ab - m->ad);
-  }
-  return set_half(it, m, a, b);
+  return t != 0 ? set_edge_along(it, m->aa, m->ad - t * m->ab) : set_half(it, m, a, b);
 }
 
 bool gjk_close_segments(gjk_iteration *it) {
