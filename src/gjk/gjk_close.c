@@ -168,18 +168,34 @@ static bool set_closest(gjk_iteration *it, const segment_products *m, const gjk_
   return t != 0 ? set_edge_along(it, m->aa, m->ad - t * m->ab) : set_half(it, m, a, b);
 }
 
-bool gjk_close_segments(gjk_iteration *it) {
-  gjk_simplex *simplex = &it->simplex;
+// Makes the feature the one vertex of two points. False: it is the origin.
+static bool close_points(gjk_iteration *it) {
+  const gjk_vec3 zero = {0, 0, 0};
+  gjk_vertex *v = &it->simplex.slot[0];
+  v->a.offset = zero;
+  v->a.vertex = 0;
+  v->b = 0;
+  v->w = it->delta;
+  it->simplex.count = 1;
+  return set_corner(it);
+}
+
+// Points and segments of which one has a half axis.
+static bool close_axes(gjk_iteration *it) {
   const gjk_vec3 a = half_axis(it, it->a), b = half_axis(it, it->b);
   const segment_products m = {gjk_dot(&a, &a), gjk_dot(&b, &b), gjk_dot(&a, &b), gjk_dot(&a, &it->delta),
                               gjk_dot(&b, &it->delta)};
   int s, t;
-  gjk_simplex_clear(simplex);
-  if (closest_sides(&m, &s, &t) && set_closest(it, &m, &a, &b, s, t)) {
+  return closest_sides(&m, &s, &t) && set_closest(it, &m, &a, &b, s, t);
+}
+
+bool gjk_close_segments(gjk_iteration *it) {
+  gjk_simplex_clear(&it->simplex);
+  if (it->a->count + it->b->count == 0 ? close_points(it) : close_axes(it)) {
     it->iterations = 1;
     it->ties[0] = it->ties[1] = 0;  // the half axes are not parallel: the nearest point is that of one feature
     return true;
   }
-  gjk_simplex_clear(simplex);
+  gjk_simplex_clear(&it->simplex);
   return false;
 }

@@ -72,6 +72,11 @@ static inline bool gjk_search_has_ties(const gjk_iteration *it, gjk_goal goal, g
   return outcome == GJK_OUTCOME_NEAREST && gjk_goal_counts_ties(it, goal) && it->ties[0] + it->ties[1] > 1;
 }
 
+// Do the shapes have a closed form? It needs no feature to start from.
+static inline bool gjk_search_may_close(const gjk_iteration *it) {
+  return it->a->shape->type->close != NULL && it->a->shape->type->close == it->b->shape->type->close;
+}
+
 // Does a closed form find the feature? It rounds nothing in exact frames. A plane answers WITHIN sooner.
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal);
 
