@@ -21,32 +21,31 @@ static int range_end(int64_t x, int64_t most) {
   return x >= most ? 1 : x <= -most ? -1 : 0;
 }
 
-// p q + r s / 2^64, off by less than 2^32 + 2.
-static inline int64_t rough_sum(int64_t p, int64_t q, int64_t r, int64_t s) {
-  return gjk_mac32(gjk_mul32(gjk_high32(p), gjk_high32(q)), gjk_high32(r), gjk_high32(s));  // below 2^59
-}
-
-// From here on rough sums, and their sums and differences, have the sign of what they stand for.
-#define CLEAR (INT64_C(1) << 34)
-
 // Step 2: where is s in its range? s (aa bb - ab^2) = ab bd - bb ad, compared with both ends. 0: strictly inside.
-// Pre: aa bb > ab^2; rough is the rough sum of that. For t exchange aa and bb, and give -bd for ad and -ad for bd.
-static inline int side_of(int64_t aa, int64_t bb, int64_t ab, int64_t ad, int64_t bd, int64_t rough) {
-  const int64_t place = rough_sum(ab, bd, -bb, ad), above = place - rough, below = place + rough;
-  if (above >= CLEAR) {
-    return 1;
-  }
-  if (below <= -CLEAR) {
-    return -1;
-  }
-  if (above <= -CLEAR && below >= CLEAR) {
-    return 0;
-  }
+// Pre: aa bb > ab^2. For t exchange aa and bb, and give -bd for ad and -ad for bd. Rarely asked.
+GJK_OUT_OF_LINE static int side_exactly(const segment_products *m, bool of_t) {
+  const int64_t aa = of_t ? m->bb : m->aa, bb = of_t ? m->aa : m->bb, ab = m->ab;
+  const int64_t ad = of_t ? -m->bd : m->ad, bd = of_t ? -m->ad : m->bd;
   // Sums below 2^61.
   if (gjk_sum_of_products_sign(ab, bd + ab, -bb, ad + aa) >= 0) {
     return 1;
   }
   return gjk_sum_of_products_sign(ab, bd - ab, -bb, ad - aa) <= 0 ? -1 : 0;
+}
+
+// The same by high words. A difference of products p q - r s of 2^60 is that of the products of high words and 2^64, but for
+//   |ph| + |qh| + |rh| + |sh| + 2 <= 2^30 + 2
+// So what is compared, the sum or difference of two such, is off by less than 2^32.
+//   rough   aa bb - ab^2; place: s or t times that
+static inline int side_of(const segment_products *m, int64_t place, int64_t rough, bool of_t) {
+  const int32_t above = gjk_high32(place - rough), below = gjk_high32(place + rough);
+  if (above >= 1) {
+    return 1;
+  }
+  if (below < -1) {
+    return -1;
+  }
+  return above < -1 && below >= 1 ? 0 : side_exactly(m, of_t);
 }
 
 // Steps 3 and 4. *s and *t are the sides of step 2, not both 0.
@@ -79,12 +78,14 @@ static bool closest_sides(const segment_products *m, int *s, int *t) {
     *s = range_end(-m->ad, m->aa);
     return true;
   }
-  const int64_t rough = rough_sum(m->aa, m->bb, -m->ab, m->ab);
-  if (rough < CLEAR && gjk_sum_of_products_sign(m->aa, m->bb, -m->ab, m->ab) <= 0) {
+  const int32_t aa = gjk_high32(m->aa), bb = gjk_high32(m->bb), ab = gjk_high32(m->ab), ad = gjk_high32(m->ad),
+                bd = gjk_high32(m->bd);
+  const int64_t rough = gjk_mac32(gjk_mul32(aa, bb), -ab, ab);  // below 2^57, as the next two
+  if (gjk_high32(rough) < 1 && gjk_sum_of_products_sign(m->aa, m->bb, -m->ab, m->ab) <= 0) {
     return false;
   }
-  *s = side_of(m->aa, m->bb, m->ab, m->ad, m->bd, rough);
-  *t = side_of(m->bb, m->aa, m->ab, -m->bd, -m->ad, rough);
+  *s = side_of(m, gjk_mac32(gjk_mul32(ab, bd), -bb, ad), rough, false);
+  *t = side_of(m, gjk_mac32(gjk_mul32(aa, bd), -ab, ad), rough, true);
   if (*s != 0 || *t != 0) {
     find_border(m, s, t);
   }
