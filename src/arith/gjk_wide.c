@@ -120,11 +120,24 @@ GJK_OUT_OF_LINE static void fine_portion(const gjk_u128 *part, const gjk_u128 *s
   weight->low = (int32_t)(portion & 0xFFFF);
 }
 
-// The same to 31 bits.
-static int32_t coarse_portion(const gjk_u128 *part, unsigned bits, uint32_t inverse, bool from_rest) {
-  const uint32_t portion = gjk_umulh32(leading(part, bits), inverse), most = INT32_MAX;
+// The same to 31 bits, of the leading bits of the part.
+static int32_t coarse_portion(uint32_t part, uint32_t inverse, bool from_rest) {
+  const uint32_t portion = gjk_umulh32(part, inverse), most = INT32_MAX;
   const uint32_t inside = portion == 0 ? 1 : portion < most ? portion : most;
   return (int32_t)(from_rest ? most + 1 - inside : inside);
+}
+
+void gjk_portion(uint64_t rest, uint64_t part, bool from_rest, bool fine, gjk_barycentric *weight) {
+  const uint64_t sum = rest + part, first = from_rest ? rest : part;
+  if (fine) {
+    const gjk_u128 portion = {0, first}, whole = {0, sum};
+    fine_portion(&portion, &whole, from_rest, weight);
+    return;
+  }
+  const unsigned zeros = gjk_clz64(sum);
+  const uint32_t inverse = gjk_reciprocal((uint32_t)(sum << zeros >> 32));
+  weight->high = coarse_portion((uint32_t)(first << zeros >> 32), inverse, from_rest);
+  weight->low = 0;
 }
 
 void gjk_portions(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, unsigned from_rest, bool fine,
@@ -139,8 +152,8 @@ void gjk_portions(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *pa
   }
   const unsigned bits = bit_length(&sum);
   const uint32_t inverse = gjk_reciprocal(leading(&sum, bits));
-  weight[0].high = coarse_portion(first, bits, inverse, flip);
-  weight[1].high = coarse_portion(second, bits, inverse, flip2);
+  weight[0].high = coarse_portion(leading(first, bits), inverse, flip);
+  weight[1].high = coarse_portion(leading(second, bits), inverse, flip2);
   weight[0].low = 0;
   weight[1].low = 0;
 }

@@ -22,13 +22,30 @@ static int range_end(int64_t x, int64_t most) {
 }
 
 // Step 2: where is s in its range? s (aa bb - ab^2) = ab bd - bb ad, compared with both ends. 0: strictly inside.
-// Pre: aa bb > ab^2. For t exchange aa and bb, and give -bd for ad and -ad for bd.
-static int side_of(int64_t aa, int64_t bb, int64_t ab, int64_t ad, int64_t bd) {
+// Pre: aa bb > ab^2. For t exchange aa and bb, and give -bd for ad and -ad for bd. Rarely asked.
+GJK_OUT_OF_LINE static int side_exactly(const segment_products *m, bool of_t) {
+  const int64_t aa = of_t ? m->bb : m->aa, bb = of_t ? m->aa : m->bb, ab = m->ab;
+  const int64_t ad = of_t ? -m->bd : m->ad, bd = of_t ? -m->ad : m->bd;
   // Sums below 2^61.
   if (gjk_sum_of_products_sign(ab, bd + ab, -bb, ad + aa) >= 0) {
     return 1;
   }
   return gjk_sum_of_products_sign(ab, bd - ab, -bb, ad - aa) <= 0 ? -1 : 0;
+}
+
+// The same by high words. A difference of products p q - r s of 2^60 is that of the products of high words and 2^64, but for
+//   |ph| + |qh| + |rh| + |sh| + 2 <= 2^30 + 2
+// So what is compared, the sum or difference of two such, is off by less than 2^32.
+//   rough   aa bb - ab^2; place: s or t times that
+static inline int side_of(const segment_products *m, int64_t place, int64_t rough, bool of_t) {
+  const int32_t above = gjk_high32(place - rough), below = gjk_high32(place + rough);
+  if (above >= 1) {
+    return 1;
+  }
+  if (below < -1) {
+    return -1;
+  }
+  return above < -1 && below >= 1 ? 0 : side_exactly(m, of_t);
 }
 
 // Steps 3 and 4. *s and *t are the sides of step 2, not both 0.
@@ -61,11 +78,14 @@ static bool closest_sides(const segment_products *m, int *s, int *t) {
     *s = range_end(-m->ad, m->aa);
     return true;
   }
-  if (gjk_sum_of_products_sign(m->aa, m->bb, -m->ab, m->ab) <= 0) {
+  const int32_t aa = gjk_high32(m->aa), bb = gjk_high32(m->bb), ab = gjk_high32(m->ab), ad = gjk_high32(m->ad),
+                bd = gjk_high32(m->bd);
+  const int64_t rough = gjk_mac32(gjk_mul32(aa, bb), -ab, ab);  // below 2^57, as the next two
+  if (gjk_high32(rough) < 1 && gjk_sum_of_products_sign(m->aa, m->bb, -m->ab, m->ab) <= 0) {
     return false;
   }
-  *s = side_of(m->aa, m->bb, m->ab, m->ad, m->bd);
-  *t = side_of(m->bb, m->aa, m->ab, -m->bd, -m->ad);
+  *s = side_of(m, gjk_mac32(gjk_mul32(ab, bd), -bb, ad), rough, false);
+  *t = side_of(m, gjk_mac32(gjk_mul32(aa, bd), -ab, ad), rough, true);
   if (*s != 0 || *t != 0) {
     find_border(m, s, t);
   }
@@ -73,7 +93,7 @@ static bool closest_sides(const segment_products *m, int *s, int *t) {
 }
 
 // The half axis in the frame; a point has none.
-static gjk_vec3 half_axis(const gjk_iteration *it, const gjk_collider *c) {
+static inline gjk_vec3 half_axis(const gjk_iteration *it, const gjk_collider *c) {
   const unsigned shift = (unsigned)it->shift;
   gjk_vec3 axis = {0, 0, 0};
   if (c->count > 0) {
@@ -84,49 +104,99 @@ static gjk_vec3 half_axis(const gjk_iteration *it, const gjk_collider *c) {
   return axis;
 }
 
-// Puts the corner at the ends s and t into the next slot.
-static void place_corner(gjk_iteration *it, int s, int t) {
-  gjk_iteration_place(it, it->a->count > 0 && s > 0 ? 1 : 0, it->b->count > 0 && t > 0 ? 1 : 0);
-  it->simplex.count++;
+// Puts the corner at the ends s and t into slot i, the last one. a, b: the half axes, multiples of 2^shift.
+GJK_ONCE static void place_corner(gjk_iteration *it, unsigned i, const gjk_vec3 *a, const gjk_vec3 *b, int s, int t) {
+  const unsigned shift = (unsigned)it->shift;
+  gjk_vertex *v = &it->simplex.slot[i];
+  const gjk_vec3 of_a = {s * a->x, s * a->y, s * a->z};
+  v->a.offset.x = gjk_sar32(of_a.x, shift);
+  v->a.offset.y = gjk_sar32(of_a.y, shift);
+  v->a.offset.z = gjk_sar32(of_a.z, shift);
+  v->a.vertex = it->a->count > 0 && s > 0 ? 1 : 0;
+  v->b = it->b->count > 0 && t > 0 ? 1 : 0;
+  v->w.x = it->delta.x + of_a.x - t * b->x;
+  v->w.y = it->delta.y + of_a.y - t * b->y;
+  v->w.z = it->delta.z + of_a.z - t * b->z;
+  it->simplex.count = (uint8_t)(i + 1);
 }
 
-// Makes the feature the corner, edge or half parallelogram. False: the nearest point lies on its diagonal.
-static bool set_closest(gjk_iteration *it, const segment_products *m, int s, int t) {
-  if (s != 0 && t != 0) {
-    place_corner(it, s, t);
-  } else if (s != 0) {
-    place_corner(it, s, -1);
-    place_corner(it, s, 1);
-  } else if (t != 0) {
-    place_corner(it, -1, t);
-    place_corner(it, 1, t);
-  } else {
-    // The sign of s + t: on which side of the diagonal.
-    const int side = gjk_sum_of_products_sign(m->bd, m->aa + m->ab, -m->ad, m->bb + m->ab);
-    if (side == 0) {
-      return false;
-    }
-    place_corner(it, 1, -1);
-    place_corner(it, -1, 1);
-    place_corner(it, side, side);
-  }
-  return gjk_simplex_set(&it->simplex, it->simplex.count);
+// Makes the feature the corner. False: it is the origin.
+static bool set_corner(gjk_iteration *it) {
+  const gjk_vec3 *w = &it->simplex.slot[0].w;
+  it->simplex.toward[0][0] = gjk_dot(w, w);
+  it->direction.d = gjk_negate(*w);
+  it->direction.exact = true;
+  return (w->x | w->y | w->z) != 0;
 }
 
-bool gjk_close_segments(gjk_iteration *it) {
+// Makes the feature the edge along a half axis h from the corner v placed first to w. square: h . h; along: h . m for the
+// middle m = v + h = w - h. Below 2^60 and 2^61; the edge's parts h . (m + h) and h . (h - m) are above 0.
+static bool set_edge_along(gjk_iteration *it, int64_t square, int64_t along) {
+  gjk_simplex *s = &it->simplex;
+  const gjk_vec3 *v = &s->slot[0].w, *w = &s->slot[1].w;
+  s->toward[0][0] = gjk_dot(v, v);
+  s->toward[1][1] = gjk_dot(w, w);
+  s->toward[0][1] = 2 * (square - along);
+  s->toward[1][0] = 2 * (square + along);
+  return gjk_search_direction_of_edge(v, s->toward[1][0], w, s->toward[0][1], &it->direction);
+}
+
+// Makes the feature the half parallelogram with the nearest point, on the diagonal of the first two corners. False: the point
+// lies on the diagonal, or it is the origin.
+static bool set_half(gjk_iteration *it, const segment_products *m, const gjk_vec3 *a, const gjk_vec3 *b) {
   gjk_simplex *simplex = &it->simplex;
+  // The sign of s + t: on which side of the diagonal.
+  const int side = gjk_sum_of_products_sign(m->bd, m->aa + m->ab, -m->ad, m->bb + m->ab);
+  if (side == 0) {
+    return false;
+  }
+  place_corner(it, 2, a, b, side, side);
+  return gjk_simplex_set(simplex, 3) && gjk_dot_sign(&simplex->normal, &simplex->slot[0].w) != 0 &&
+         gjk_simplex_direction(simplex, &it->direction);
+}
+
+// Makes the feature the corner, edge or half parallelogram, and sets the direction from it. False: there is none.
+static bool set_closest(gjk_iteration *it, const segment_products *m, const gjk_vec3 *a, const gjk_vec3 *b, int s,
+                        int t) {
+  place_corner(it, 0, a, b, s != 0 ? s : t != 0 ? -1 : 1, t != 0 ? t : -1);
+  if (s != 0 && t != 0) {
+    return set_corner(it);
+  }
+  place_corner(it, 1, a, b, s != 0 ? s : t != 0 ? 1 : -1, t != 0 ? t : 1);
+  if (s != 0) {
+    return set_edge_along(it, m->bb, -m->bd - s * m->ab);
+  }
+  return t != 0 ? set_edge_along(it, m->aa, m->ad - t * m->ab) : set_half(it, m, a, b);
+}
+
+// Makes the feature the one vertex of two points. False: it is the origin.
+static bool close_points(gjk_iteration *it) {
+  const gjk_vec3 zero = {0, 0, 0};
+  gjk_vertex *v = &it->simplex.slot[0];
+  v->a.offset = zero;
+  v->a.vertex = 0;
+  v->b = 0;
+  v->w = it->delta;
+  it->simplex.count = 1;
+  return set_corner(it);
+}
+
+// Points and segments of which one has a half axis.
+static bool close_axes(gjk_iteration *it) {
   const gjk_vec3 a = half_axis(it, it->a), b = half_axis(it, it->b);
   const segment_products m = {gjk_dot(&a, &a), gjk_dot(&b, &b), gjk_dot(&a, &b), gjk_dot(&a, &it->delta),
                               gjk_dot(&b, &it->delta)};
   int s, t;
-  gjk_simplex_clear(simplex);
-  if (closest_sides(&m, &s, &t) && set_closest(it, &m, s, t) &&
-      (simplex->count < 3 || gjk_dot_sign(&simplex->normal, &simplex->slot[0].w) != 0) &&
-      gjk_simplex_direction(simplex, &it->direction)) {
+  return closest_sides(&m, &s, &t) && set_closest(it, &m, &a, &b, s, t);
+}
+
+bool gjk_close_segments(gjk_iteration *it) {
+  gjk_simplex_clear(&it->simplex);
+  if (it->a->count + it->b->count == 0 ? close_points(it) : close_axes(it)) {
     it->iterations = 1;
     it->ties[0] = it->ties[1] = 0;  // the half axes are not parallel: the nearest point is that of one feature
     return true;
   }
-  gjk_simplex_clear(simplex);
+  gjk_simplex_clear(&it->simplex);
   return false;
 }

@@ -296,7 +296,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
 
 // Writes the vertex numbers of the feature that proves the outcome. Returns how many: 0 for a curved pair, whose points
 // have no numbers, and for SEPARATED, which the direction proves.
-static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint16_t a[4], uint16_t b[4]) {
+GJK_ONCE static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint16_t a[4], uint16_t b[4]) {
   const gjk_simplex *s = &it->simplex;
   const uint8_t named = outcome == GJK_OUTCOME_NEAREST && it->diagonal ? 2 : s->count;
   const uint8_t count = gjk_pair_is_curved(it) || outcome == GJK_OUTCOME_SEPARATED ? 0 : named;

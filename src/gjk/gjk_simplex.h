@@ -45,7 +45,12 @@ static inline gjk_vertex *gjk_simplex_free(gjk_simplex *s) {
   return &s->slot[s->order[s->count]];
 }
 
-void gjk_simplex_clear(gjk_simplex *s);
+static inline void gjk_simplex_clear(gjk_simplex *s) {
+  s->count = 0;
+  for (uint8_t i = 0; i < 4; i++) {
+    s->order[i] = i;
+  }
+}
 
 // Adds the vertex in the free slot. Pre: count <= 3, and the last step was not ENCLOSING.
 gjk_step gjk_simplex_add(gjk_simplex *s);

@@ -91,38 +91,44 @@ static inline int32_t along_normal(int64_t start, gjk_q30 normal, int32_t radius
   return (int32_t)gjk_sar64(gjk_mac32(start, normal, radius), 31);
 }
 
-// One coordinate of both points, as report_axis. a0, a1, a2: of the vertices u, v, w of A; w0, w1, w2: of their
-// differences, all multiples of 2^shift. With w0 / 2^shift = centre_a + a0 - centre_b - b0 and so on, and o for A's
-// core point, Q31, from A's centre, B's core point from B's centre is
+// One coordinate of both points, as report_axis, of a feature of count vertices. a0, a1, a2: of the vertices u, v, w of A; w0,
+// w1, w2: of their differences, all multiples of 2^shift. With w0 / 2^shift = centre_a + a0 - centre_b - b0 and so on, and o
+// for A's core point, Q31, from A's centre, B's core point from B's centre is
 //   o + (centre_a - centre_b - w0 / 2^shift) + (weight of v) (w0 - w1) / 2^shift + (weight of w) (w0 - w2) / 2^shift.
 // So B's point takes centre_a as well: no coordinate of B's vertices is needed. Pre: |centre_a| <= 2^30.
 //   |a| < 2^28 + 2^16, |w| / 2^shift < 2^26 since the reach is below 2^30; weights < 2^31 each
 //   partial sums:   A's core point within 2^59 + 2^47, 5 times that on the way; 2^59 for the differences and for the radius
 //   results:        at most 2^30 + 2^28 + 2^28 + 2^27
-static inline void report_coarse_axis(const witness_move *m, gjk_q16 centre_a, int32_t a0, int32_t a1, int32_t a2,
-                                      int32_t w0, int32_t w1, int32_t w2, gjk_q30 normal, gjk_q16 *point_a,
+GJK_ONCE static void report_coarse_axis(const witness_move *m, unsigned count, gjk_q16 centre_a, int32_t a0, int32_t a1,
+                                      int32_t a2, int32_t w0, int32_t w1, int32_t w2, gjk_q30 normal, gjk_q16 *point_a,
                                       gjk_q16 *point_b) {
-  const int64_t start = gjk_int64((uint64_t)a0 << 31 | UINT64_C(1) << 30);  // and half an LSB
-  const int64_t core = gjk_mac32(gjk_mac32(start, a1 - a0, m->v), a2 - a0, m->w);
-  const int64_t of_b =
-      gjk_mac32(gjk_mac32(core, gjk_sar32(w0 - w1, m->shift), m->v), gjk_sar32(w0 - w2, m->shift), m->w);
+  int64_t core = gjk_int64((uint64_t)a0 << 31 | UINT64_C(1) << 30);  // and half an LSB
+  int64_t of_b = core;
+  if (count > 1) {
+    core = of_b = gjk_mac32(core, a1 - a0, m->v);
+    if (count > 2) {
+      core = of_b = gjk_mac32(core, a2 - a0, m->w);
+      of_b = gjk_mac32(of_b, gjk_sar32(w0 - w2, m->shift), m->w);
+    }
+    of_b = gjk_mac32(of_b, gjk_sar32(w0 - w1, m->shift), m->v);
+  }
   *point_a = centre_a + along_normal(core, normal, m->radius_a);
   *point_b = centre_a - gjk_sar32(w0, m->shift) + along_normal(of_b, normal, m->radius_b);
 }
 
-// The same as nearest_points. Pre: is_coarse.
-static inline void coarse_points(const gjk_iteration *it, const feature *f, const gjk_unit3 *normal, gjk_vec3 *point_a,
-                                 gjk_vec3 *point_b) {
+// The same as nearest_points. Pre: is_coarse. In line, for the count of the feature.
+GJK_ONCE static void coarse_points(const gjk_iteration *it, unsigned count, const feature *f, const gjk_unit3 *normal,
+                                 gjk_vec3 *point_a, gjk_vec3 *point_b) {
   const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
   const gjk_vec3 *centre = &it->a->centre;
   const witness_move m = {f->weight[0].high, f->weight[1].high, 2 * it->a->shape->convex_radius,
                           -2 * it->b->shape->convex_radius, (unsigned)it->shift};
-  report_coarse_axis(&m, centre->x, u->a.offset.x, v->a.offset.x, w->a.offset.x, u->w.x, v->w.x, w->w.x, normal->x,
-                     &point_a->x, &point_b->x);
-  report_coarse_axis(&m, centre->y, u->a.offset.y, v->a.offset.y, w->a.offset.y, u->w.y, v->w.y, w->w.y, normal->y,
-                     &point_a->y, &point_b->y);
-  report_coarse_axis(&m, centre->z, u->a.offset.z, v->a.offset.z, w->a.offset.z, u->w.z, v->w.z, w->w.z, normal->z,
-                     &point_a->z, &point_b->z);
+  report_coarse_axis(&m, count, centre->x, u->a.offset.x, v->a.offset.x, w->a.offset.x, u->w.x, v->w.x, w->w.x,
+                     normal->x, &point_a->x, &point_b->x);
+  report_coarse_axis(&m, count, centre->y, u->a.offset.y, v->a.offset.y, w->a.offset.y, u->w.y, v->w.y, w->w.y,
+                     normal->y, &point_a->y, &point_b->y);
+  report_coarse_axis(&m, count, centre->z, u->a.offset.z, v->a.offset.z, w->a.offset.z, u->w.z, v->w.z, w->w.z,
+                     normal->z, &point_a->z, &point_b->z);
 }
 
 // Have the weights no low parts, and does every coordinate fit Q16.16? A is at most 2^30 LSB from the world's origin
@@ -169,13 +175,12 @@ static inline unsigned first_corner(const gjk_iteration *it, const uint32_t n[3]
 // Steps 1 and 2 of an edge.
 static inline void describe_edge(const gjk_iteration *it, feature *f) {
   const gjk_simplex *s = &it->simplex;
-  gjk_u128 part[3];
-  f->u = f->w = &s->slot[s->order[0]];
-  f->v = &s->slot[s->order[1]];
-  gjk_simplex_parts(s, part);
-  gjk_portions(&part[2], &part[0], &part[1], number_of(f->v) < number_of(f->u) ? 2 : 0, it->shift < FINE_SHIFT,
-               f->weight);
-  f->weight[0] = f->weight[1];
+  const unsigned u = s->order[0], v = s->order[1];
+  f->u = f->w = &s->slot[u];
+  f->v = &s->slot[v];
+  gjk_portion((uint64_t)s->toward[v][u], (uint64_t)s->toward[u][v], number_of(f->v) < number_of(f->u),
+              it->shift < FINE_SHIFT, &f->weight[0]);
+  f->weight[1] = f->weight[0];
 }
 
 // Steps 1 and 2 of a triangle.
@@ -199,19 +204,28 @@ static inline void describe_triangle(const gjk_iteration *it, feature *f) {
 void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_vec3 *point_a, gjk_vec3 *point_b,
                         bool *saturated) {
   const gjk_simplex *s = &it->simplex;
+  const bool coarse = is_coarse(it);
   feature f;
   //@ assert s->count >= 1 && s->count <= 3;
   if (s->count == 3) {
     describe_triangle(it, &f);
+    if (coarse) {
+      coarse_points(it, 3, &f, normal, point_a, point_b);
+      return;
+    }
   } else if (s->count == 2) {
     describe_edge(it, &f);
+    if (coarse) {
+      coarse_points(it, 2, &f, normal, point_a, point_b);
+      return;
+    }
   } else {
     f.u = f.v = f.w = &s->slot[s->order[0]];
     f.weight[0].high = f.weight[0].low = f.weight[1].high = f.weight[1].low = 0;
+    if (coarse) {
+      coarse_points(it, 1, &f, normal, point_a, point_b);
+      return;
+    }
   }
-  if (is_coarse(it)) {
-    coarse_points(it, &f, normal, point_a, point_b);
-  } else {
-    nearest_points(it, &f, normal, point_a, point_b, saturated);
-  }
+  nearest_points(it, &f, normal, point_a, point_b, saturated);
 }

@@ -252,6 +252,9 @@ gjk_outcome gjk_gap_measure(gjk_gap *gap, gjk_q30 fraction) {
   if (!fits_near_frame(at.x) || !fits_near_frame(at.y) || !fits_near_frame(at.z)) {
     return measure_far(gap, &at);
   }
+  if (gjk_search_may_close(it)) {
+    it->shift = -1;  // no feature to move
+  }
   if (!move_near(gap, &at)) {
     gjk_simplex_clear(&it->simplex);
   }
@@ -287,6 +290,11 @@ gjk_slope gjk_gap_slope(const gjk_gap *gap) {
   return slope;
 }
 
+// Likewise of a vertex.
+static gjk_q16 vertex_point(int32_t u, gjk_q30 normal, gjk_q16 radius) {
+  return u + (gjk_q16)gjk_sar64(gjk_mac32(INT64_C(1) << 30, normal, 2 * radius), 31);
+}
+
 // One coordinate of the nearest point, from those of the feature's vertices of A.
 static gjk_q16 point_axis(const gjk_barycentric weight[2], int32_t u, int32_t v, int32_t w, gjk_q30 normal,
                           gjk_q16 radius) {
@@ -305,10 +313,12 @@ gjk_vec3 gjk_gap_point(const gjk_gap *gap) {
   const gjk_vec3 *w = s->count > 2 ? &s->slot[s->order[2]].a.offset : u;
   const gjk_q16 radius = gap->it.a->shape->convex_radius;
   gjk_barycentric weight[2];
-  gjk_zero(weight, sizeof weight);
-  if (s->count > 1) {
-    gjk_simplex_weights(s, gap->it.shift < POLYTOPE_SHIFT, weight);
+  if (s->count < 2) {
+    const gjk_vec3 vertex = {vertex_point(u->x, gap->normal.x, radius), vertex_point(u->y, gap->normal.y, radius),
+                             vertex_point(u->z, gap->normal.z, radius)};
+    return vertex;
   }
+  gjk_simplex_weights(s, gap->it.shift < POLYTOPE_SHIFT, weight);
   const gjk_vec3 point = {point_axis(weight, u->x, v->x, w->x, gap->normal.x, radius),
                           point_axis(weight, u->y, v->y, w->y, gap->normal.y, radius),
                           point_axis(weight, u->z, v->z, w->z, gap->normal.z, radius)};
