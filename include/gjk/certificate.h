@@ -1,7 +1,7 @@
 // Certificates: why an answer is right, in integers that anyone can check.
 //
-// A vertex is named by a number. Of a hull or triangle it is the index. Of a box or point it is the signs of the half
-// axes: bit 0, 1, 2 set for plus x, y, z. Of a segment bit 0 is set for plus z. A pair (a[i], b[i]) stands for the
+// A number names a vertex. Of a hull or triangle it is the index. Of a box or point, bits 0, 1 and 2 are set for the
+// plus side of the half axes x, y and z. Of a segment, bit 0 is set for plus z. A pair (a[i], b[i]) stands for the
 // point a - b of the Minkowski difference of the two cores.
 #ifndef GJK_CERTIFICATE_H
 #define GJK_CERTIFICATE_H
@@ -14,7 +14,7 @@ extern "C" {
 
 // What a certificate proves.
 typedef enum gjk_proof {
-  GJK_PROOF_NONE = 0,   // curved shapes: no vertices to name
+  GJK_PROOF_NONE = 0,   // curved shapes: there are no vertices to name
   GJK_PROOF_SPHERES,    // apart: the bounding spheres are
   GJK_PROOF_DIRECTION,  // apart: every a - b lies behind the plane across direction, at the asked distance
   GJK_PROOF_NEAREST,    // the pairs span the feature nearest to the origin: no vertex lies before its plane
@@ -24,7 +24,7 @@ typedef enum gjk_proof {
   GJK_PROOF_PLANE       // depth 0 of the cores: across direction, no a - b lies beyond the origin
 } gjk_proof;
 
-// Why an answer is right, as gjk_proof says it.
+// Why an answer is right, see gjk_proof.
 typedef struct gjk_certificate {
   gjk_vec3 direction;   // GJK_PROOF_DIRECTION, GJK_PROOF_PLANE: from A to B, of any length
   uint16_t a[4], b[4];  // numbers of vertices of A and B, in pairs

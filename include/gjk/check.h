@@ -1,14 +1,14 @@
 // Checks an answer in exact integer arithmetic, without looking at how it was found.
 //
-// OK means that every field that the query sets is as accurate as its header states (gjk/intersect.h, gjk/distance.h,
-// gjk/penetration.h), except:
+// OK means that every field the query sets is as accurate as its header states (gjk/intersect.h, gjk/distance.h,
+// gjk/penetration.h), with these exceptions:
 //
-// iterations   not checked.
-// certificate  not looked at where the bounding spheres are apart, which settles the answer. Elsewhere the fields that
-//              its proof uses are.
-// lower        of cores that overlap: it equals depth, which is proven to be enough. That no other direction is shorter
-//              takes more than a certificate to prove.
-// saturated    a point with a coordinate at an end of Q16.16 is not checked where the nearest features reach that end.
+// iterations   is not checked.
+// certificate  is not looked at if the bounding spheres are apart, which settles the answer. Else the fields of its
+//              proof are.
+// lower        of overlapping cores equals depth. That depth is enough is proven; that it is the least, no certificate
+//              proves.
+// saturated    A point with a coordinate at an end of Q16.16 is not checked if the nearest features reach that end.
 //
 // A right answer that no query gives, such as one with another nearest feature, may be UNPROVEN.
 #ifndef GJK_CHECK_H
@@ -32,24 +32,24 @@ extern "C" {
 // OK                             proven.
 // UNPROVEN                       not proven.
 // UNSUPPORTED                    a curved shape, for which there is no exact proof, or centres more than 16384 units
-//                                apart. Where the bounding spheres are apart, OK or UNPROVEN is given instead.
+//                                apart. If the bounding spheres are apart, the status is OK or UNPROVEN instead.
 // NULL, UNINITIALISED, NEGATIVE  nothing was checked.
 gjk_status gjk_check_decision(const gjk_collider *a, const gjk_collider *b, gjk_q16 distance,
                               const gjk_decision *decision);
 
 // Is result the answer to gjk_distance(a, b) after GJK_OK, or an exact one of gjk_distance_until?
 //
-// Statuses  as of gjk_check_decision, without NEGATIVE; UNSUPPORTED also where the bounding spheres are apart.
+// Statuses  as in gjk_check_decision, without NEGATIVE. UNSUPPORTED also if the bounding spheres are apart.
 // Cost      visits every vertex of both shapes once; a few thousand instructions for points and normal.
 gjk_status gjk_check_distance(const gjk_collider *a, const gjk_collider *b, const gjk_distance_result *result);
 
 // Is result the answer to gjk_penetration(a, b) after GJK_OK? An answer with CAPACITY has no certificate.
 //
-// Overlap   proven by a decision of the check's own, whose certificate is checked like any other.
-// Move      that B moved by depth along normal is apart from A: with convex radii proven by another such decision,
-//           without by the certificate's plane.
-// Statuses  as of gjk_check_decision, without NEGATIVE.
-// Cost      of gjk_check_decision, and of one gjk_within or two.
+// Overlap   is proven by a decision of the check's own, whose certificate is checked like any other.
+// Move      B moved by depth along normal must be apart from A. With convex radii another such decision proves it,
+//           without them the certificate's plane.
+// Statuses  as in gjk_check_decision, without NEGATIVE.
+// Cost      that of gjk_check_decision, and of one or two gjk_within.
 gjk_status gjk_check_penetration(const gjk_collider *a, const gjk_collider *b, const gjk_penetration_result *result);
 
 #ifdef __cplusplus

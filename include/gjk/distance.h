@@ -11,15 +11,15 @@ extern "C" {
 
 // Lengths Q16.16, points in the world frame.
 typedef struct gjk_distance_result {
-  gjk_q16 distance;    // gap between the surfaces, 0 when intersecting; GJK_DISTANCE_MAX if it is larger
-  gjk_q16 lower;       // proven bounds of the gap, both included; equal to distance where the answer is exact
-  gjk_q16 upper;       // the other bound
-  gjk_vec3 point_a;    // nearest point of A; not set when intersecting
-  gjk_vec3 point_b;    // nearest point of B; not set when intersecting
-  gjk_unit3 normal;    // from A to B, Q2.30; not set when intersecting
-  bool intersecting;   // the shapes share a point
-  bool saturated;      // the gap or a coordinate of a point is beyond Q16.16, and the field has the end of that range
-  uint8_t iterations;  // support scans of both shapes
+  gjk_q16 distance;             // gap between the surfaces; 0 when intersecting, GJK_DISTANCE_MAX if the gap is larger
+  gjk_q16 lower;                // proven lower bound of the gap, inclusive; equal to distance if the answer is exact
+  gjk_q16 upper;                // proven upper bound of the gap, inclusive; equal to distance if the answer is exact
+  gjk_vec3 point_a;             // nearest point of A; not set when intersecting
+  gjk_vec3 point_b;             // nearest point of B; not set when intersecting
+  gjk_unit3 normal;             // from A to B, Q2.30; not set when intersecting
+  bool intersecting;            // the shapes share a point
+  bool saturated;               // the gap or a coordinate of a point is beyond Q16.16, and set to the end of that range
+  uint8_t iterations;           // support scans of both shapes
   gjk_certificate certificate;  // why the answer is right
 } gjk_distance_result;
 
@@ -33,55 +33,53 @@ typedef struct gjk_distance_result {
 // out     the caller's.
 // Exact   points, segments, triangles, boxes, hulls and their forms with a convex radius:
 //           separated or not   always
-//           distance           rounded to the nearest LSB, a tie up; a gap below 1/2 LSB is 0, and not intersecting
-//           points             each within 1 LSB of its shape, their gap within 2 LSB of the distance
+//           distance           rounded to the nearest LSB, ties up. A gap below 1/2 LSB is 0, without intersecting set
+//           points             each within 1 LSB of its shape; their gap is within 2 LSB of distance
 //           normal             within 2^-28
-//         Ties: where several pairs of points are equally near, as between parallel edges or faces, they are those that a
-//         search finds among the vertices of these alone, from the ones with the lowest numbers on.
-//         Exchanged, A and B are as far apart; where the nearest points are unique, within 2 LSB of these, and the normal
-//         within 4 units of 2^-30 of the opposite one.
+//         Ties: several pairs of points may be equally near, as between parallel edges or faces. The choice is what a
+//         search among the vertices of those alone finds, from the lowest numbers on.
+//         Swapped shapes have the same distance. If the nearest points are unique, they move by at most 2 LSB, and the
+//         normal is opposite to within 4 LSB of Q2.30.
 //         Cylinder, cone, ellipsoid: distance and points within 2 LSB of the exact surface.
 //         More than 8192 units apart:
-//           distance           within 2^-28 of itself, of curved shapes 2^-27
-//           points             within 2^-27 of the distance; along the normal the shapes are distance apart, to 2^-27
-// Cost    at most GJK_ITERATIONS_OF(n, m) iterations, with a curved shape GJK_ITERATIONS_MAX (gjk/format.h). Stack:
+//           distance           within 2^-28 of itself, or 2^-27 for curved shapes
+//           points             within 2^-27 of the distance; the gap along the normal is distance, to 2^-27
+// Cost    at most GJK_ITERATIONS_OF(n, m) iterations, or GJK_ITERATIONS_MAX with a curved shape (gjk/format.h). Stack:
 //         `make sizes`.
 // After   Gilbert, Johnson, Keerthi 1988; exact signs instead of tolerances.
 //
 // What is valid in out after each status; all else is as it was:
 //
-// OK                   everything, points and normal unless intersecting; of the certificate what its proof uses.
-// ITERATION_LIMIT      everything, as gjk_distance_until gives it: 0 <= lower <= gap <= upper. lower above 0 proves
-//                      that the shapes are apart. Only cylinder, cone, ellipsoid and custom can cause it.
+// OK                   everything, points and normal unless intersecting. The certificate has what its proof uses.
+// ITERATION_LIMIT      everything, as in gjk_distance_until: 0 <= lower <= gap <= upper. lower above 0 proves that the
+//                      shapes are apart. Only cylinder, cone, ellipsoid and custom can cause it.
 // NULL, UNINITIALISED  nothing.
 gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out);
 
 // When gjk_distance_until stops.
 typedef struct gjk_effort {
   uint8_t iterations;  // the most iterations; 0: no limit but that of gjk_distance
-  gjk_q16 error;       // stops once upper - lower is at most this, Q16.16; 0: exact
+  gjk_q16 error;       // stop once upper - lower is at most this, Q16.16; 0: exact
 } gjk_effort;
 
-// As gjk_distance, but stops when the effort is spent, with what is proven by then:
+// As gjk_distance, but stops when the effort is spent, and reports what is proven by then:
 //
-// lower, upper      the gap lies between them, both included. They are equal when the answer is exact, as of
-//                   gjk_distance.
-// distance          of the two points below, to the nearest LSB; upper is the same rounded up. More than 8192 units
+// lower, upper      inclusive bounds of the gap. They are equal if the answer is exact, as in gjk_distance.
+// distance          that of point_a and point_b, to the nearest LSB; upper is the same rounded up. More than 8192 units
 //                   apart: upper.
-// point_a, point_b  points of the shapes, as accurate as those of gjk_distance, and distance apart to within 2 LSB. Not
-//                   set when intersecting.
+// point_a, point_b  points of the shapes, as accurate as in gjk_distance, and distance apart to within 2 LSB. Not set
+//                   when intersecting.
 // normal            a direction from A to B.
-// intersecting      true: proven. false proves nothing when lower is 0.
+// intersecting      true is proven. false proves nothing if lower is 0.
 // certificate       its proof is GJK_PROOF_NONE unless the answer is exact.
 //
 // effort   read only; error at least 0 (GJK_ERROR_NEGATIVE).
-// cache    out, the caller's; NULL = none. Not read: what is proven by then would depend on it. Written when the answer
-//          is exact.
-// Cost     each iteration about a third more than one of gjk_distance, for the bounds.
+// cache    out, the caller's; NULL = none. It is not read, so that the result does not depend on it. Written if the
+//          answer is exact.
+// Cost     an iteration takes about a third more than one of gjk_distance, for the bounds.
 //
 // OK                             everything, as above.
-// ITERATION_LIMIT                the same. The effort sets no limit below GJK_ITERATIONS_MAX, and so many iterations
-//                                have not settled it.
+// ITERATION_LIMIT                the same: GJK_ITERATIONS_MAX iterations, no fewer set by effort, did not settle it.
 // NULL, UNINITIALISED, NEGATIVE  nothing; out is as it was.
 gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, const gjk_effort *effort, gjk_cache *cache,
                               gjk_distance_result *out);

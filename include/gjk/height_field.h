@@ -11,21 +11,20 @@ extern "C" {
 // The functions behind height fields.
 extern const gjk_parts_class gjk_parts_class_height_field;
 
-// Most columns, and most rows.
+// The most columns, and the most rows.
 #define GJK_HEIGHT_FIELD_SIDE_MAX 32768
 
-// Largest step of a height: heights are at most GJK_RADIUS_MAX apart.
+// The largest step of a height. With it, heights are at most GJK_RADIUS_MAX apart.
 #define GJK_HEIGHT_FIELD_STEP_MAX ((gjk_q16)4095)
 
-// The height of a sample that is a hole: triangles at it are missing.
+// The height of a hole. Triangles with such a sample are missing.
 #define GJK_HEIGHT_HOLE INT16_MIN
 
 // A height field in its own frame. The initialiser below fills it; gjk_height_field_check checks it.
 //
-// Sample (i, j) is heights[j columns + i] and stands at (i step_x, j step_y, height step_z). Four samples make a cell, and a
-// cell two triangles: (i, j), (i + 1, j), (i + 1, j + 1) and (i, j), (i + 1, j + 1), (i, j + 1). Their fronts look along +z.
-// Triangles are numbered cell by cell, row by row: 2 (j (columns - 1) + i), and 1 more for the second. Contacts are in front
-// alone.
+// Sample (i, j) is heights[j columns + i] and lies at (i step_x, j step_y, height step_z). Four samples make a cell.
+// Its triangles are (i, j), (i + 1, j), (i + 1, j + 1) and (i, j), (i + 1, j + 1), (i, j + 1). Their fronts face +z,
+// and contacts are only in front. Their numbers are 2 (j (columns - 1) + i), and 1 more.
 typedef struct gjk_height_field {
   const int16_t *heights;  // the caller's, columns times rows
   uint16_t columns, rows;  // 2 to GJK_HEIGHT_FIELD_SIDE_MAX
@@ -39,14 +38,14 @@ typedef struct gjk_height_field {
 
 // A body of this height field at the identity pose, for the queries of gjk/parts.h.
 //
-// gjk_parts_count counts triangles at holes, too; gjk_parts_place refuses them with RANGE. A field that
-// gjk_height_field_check refuses counts as one without parts: EMPTY.
-// Cost  near cells are found by arithmetic. A query visits about 4 log2(columns) blocks of cells, and the cells whose
-//       extent along x and y its region meets.
+// gjk_parts_count includes triangles at holes; gjk_parts_place refuses them with RANGE. A field that
+// gjk_height_field_check refuses counts as a body without parts (EMPTY).
+// Cost  nearby cells are found by arithmetic. A query visits about 4 log2(columns) blocks of cells, and the cells whose
+//       extent along x and y meets its region.
 #define GJK_PARTS_OF_HEIGHT_FIELD(field) \
   { &gjk_parts_class_height_field, 1 ? (field) : (const gjk_height_field *)0, GJK_POSE_IDENTITY }
 
-// Statuses  NULL; RANGE: a field is not as stated above; EMPTY: every triangle is at a hole. Cost: one pass.
+// Statuses  NULL; RANGE: the field is not as stated above; EMPTY: every triangle has a hole. Cost: one pass.
 gjk_status gjk_height_field_check(const gjk_height_field *field);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-// Where does a body touch a surface of triangles? Contacts with meshes and height fields, by normals that the surface has.
+// Where does a body touch a surface of triangles? Contacts with meshes and height fields, along the surface's normals.
 #ifndef GJK_SURFACE_H
 #define GJK_SURFACE_H
 
@@ -8,43 +8,41 @@
 extern "C" {
 #endif
 
-// The contacts of one triangle: its number, and the manifold. Its normal leads out of the surface, from A to B.
+// The contacts of one triangle.
 typedef struct gjk_surface_contact {
-  uint32_t triangle;      // its number
-  gjk_manifold manifold;  // normal from A to B
+  uint32_t triangle;      // number of the triangle
+  gjk_manifold manifold;  // its normal leads out of the surface, from A to B
 } gjk_surface_contact;
 
-// The contacts of a body with a mesh or height field: one manifold for each triangle that it overlaps, or is at most
-// margin apart from. Normals that the triangle alone would have, and the surface has not, are left out.
+// The contacts of a body with a mesh or height field: one manifold for each triangle that it overlaps or is near to
+// (margin). Normals that a lone triangle would have, but the surface does not, are left out.
 //
-// a          a body of triangles: GJK_PARTS_OF_MESH, GJK_PARTS_OF_HEIGHT_FIELD (others: GJK_ERROR_UNSUPPORTED).
+// a          a body of triangles: GJK_PARTS_OF_MESH or GJK_PARTS_OF_HEIGHT_FIELD (others: GJK_ERROR_UNSUPPORTED).
 // b          a posed collider.
 // margin     Q16.16, 0 to GJK_RADIUS_MAX (NEGATIVE, RANGE); points farther apart are left out.
-// most       contacts of one manifold at most, 1 to 8 (RANGE).
-// workspace  as of gjk_penetration; may be NULL.
-// out        room for capacity manifolds, the caller's; it may be written in any case. In an order that is fixed by the
-//            data of a.
-// count      how many there are in out.
+// most       the most contacts of one manifold, 1 to 8 (RANGE).
+// workspace  as in gjk_penetration; may be NULL.
+// out        room for capacity manifolds, the caller's; may be written in any case. The data of a alone fix the order.
+// count      the number of manifolds in out.
 //
-// Normals  The normal of a manifold is one of these:
-//          the triangle's own, where a deepest point of the body along it lies over the triangle;
-//          of an edge or corner, if all triangles there lie behind the plane across it: at a convex edge between both
-//          normals. To within 2^-27, for curved bodies 1/1024;
-//          the triangle's own, in place of any other that the distance would have. If a neighbour across it keeps the body
-//          farther out, it has the contact instead.
-//          So flat and concave edges have none. Edges that two triangles share in part alone count as open.
-// Sides    A body is behind a triangle if more than half of its height along the triangle's normal is behind the plane. There
-//          is no contact with a triangle of one side then, nor where the nearest point of a body apart is on its back, such as
-//          at a border that the body hooks under. Of two sides the one counts where the body is not behind.
-// Missing  Triangles whose corners lie in a line have none. Every other body in front of a triangle that it overlaps has a
-//          contact, and so has one apart: at the least distance, or rarely (1 of 50,000) at another triangle, farther
-//          out (tests/check/unit/test_mesh_contacts.c).
-// Twice    A body at an edge or corner has its contact with each triangle there that has the normal.
-// Cost     about that of gjk_contacts for each triangle; less where the body lies on a face.
+// Normals  A manifold has the triangle's own normal if a deepest point of the body along it lies over the triangle.
+//          Otherwise it may have the normal of an edge or corner. All triangles there must lie behind the plane across
+//          it, to within 2^-27, or 1/1024 for curved bodies. At a convex edge it lies between both triangles' normals.
+//          The triangle's own normal replaces any other that the distance would give. If a neighbour across that normal
+//          keeps the body farther out, the neighbour has the contact instead. So flat and concave edges have no
+//          normals. An edge that two triangles share only in part counts as open.
+// Sides    A body is behind a triangle if more than half of its height along the triangle's normal is behind the plane.
+//          A one-sided triangle then has no contact. Nor has it if it is apart and the body's nearest point is on its
+//          back, as at a border that the body hooks under. Of two sides, the one counts that the body is not behind.
+// Missing  Triangles whose corners lie in a line have no contacts. Any other body in front of a triangle that it
+//          overlaps has a contact. A body that is apart has one at the least distance. Rarely (1 of 50,000) that is at
+//          another triangle farther out (tests/check/unit/test_mesh_contacts.c).
+// Twice    A body at an edge or corner has a contact with each triangle there that has the normal.
+// Cost     about that of gjk_contacts for each triangle; less if the body lies on a face.
 //
 // OK               all contacts.
-// CAPACITY         there are more manifolds than room; or the workspace was too small for a pair, and its contacts are safe to
-//                  move by but not the least.
+// CAPACITY         there are more manifolds than room. Or the workspace was too small for a pair; its contacts are safe
+//                  to move by, but not the least.
 // ITERATION_LIMIT  a pair with a curved body reached its ceiling; its contacts are left out.
 // Others           those of gjk/parts.h.
 gjk_status gjk_surface_contacts(const gjk_parts *a, const gjk_collider *b, gjk_q16 margin, unsigned most,

@@ -4,10 +4,10 @@
 
 #include "gjk2/format.h"
 
-// A cache changes speed and nothing else: every field of every answer but iterations and certificate, which tell of the way
-// to it, is the same with any cache and without. A zeroed cache is a cold start; so is NULL. Any content is safe, also that
-// of another pair or of another query. A cache serves pairs of polygons, with or without a convex radius; queries on other
-// pairs take nothing from it. tests/check/unit/test_plane_canonical.c holds this.
+// A cache changes speed and nothing else. Only iterations and certificate, which describe the search, depend on it. All
+// other fields of every answer are the same with any cache or none. A zeroed cache, or NULL, is a cold start. Any
+// content is safe, even that of another pair or query. Caches serve pairs of polygons, with or without a convex radius.
+// Other pairs do not use them. tests/check/unit/test_plane_canonical.c holds this.
 typedef struct gjk2_cache {
   int16_t direction[2];  // last direction from A to B; both zero: none
   uint16_t count;        // pairs in use

@@ -1,7 +1,7 @@
 // Certificates of the plane: why an answer is right, in integers that anyone can check.
 //
-// A vertex is named by a number. Of a polygon or triangle it is the index. Of a box, segment or point it is the signs
-// of the half axes: bit 0 and 1 set for plus x and y. A pair (a[i], b[i]) stands for the point a - b of the Minkowski
+// A number names a vertex. Of a polygon or triangle it is the index. Of a box, segment or point, bits 0 and 1 are set
+// for the plus side of the half axes x and y. A pair (a[i], b[i]) stands for the point a - b of the Minkowski
 // difference of the two cores.
 #ifndef GJK2_CERTIFICATE_H
 #define GJK2_CERTIFICATE_H
@@ -14,7 +14,7 @@ extern "C" {
 
 // What a certificate proves.
 typedef enum gjk2_proof {
-  GJK2_PROOF_NONE = 0,   // curved shapes: no vertices to name
+  GJK2_PROOF_NONE = 0,   // curved shapes: there are no vertices to name
   GJK2_PROOF_CIRCLES,    // apart: the bounding circles are
   GJK2_PROOF_DIRECTION,  // apart: every a - b lies behind the line across direction, at the asked distance
   GJK2_PROOF_NEAREST,    // one pair or two span the feature nearest to the origin: no vertex lies before its line
@@ -24,7 +24,7 @@ typedef enum gjk2_proof {
   GJK2_PROOF_LINE        // depth 0 of the cores: across direction, no a - b lies beyond the origin
 } gjk2_proof;
 
-// Why an answer is right, as gjk2_proof says it.
+// Why an answer is right, see gjk2_proof.
 typedef struct gjk2_certificate {
   gjk2_vec direction;   // GJK2_PROOF_DIRECTION, GJK2_PROOF_LINE: from A to B, of any length
   uint16_t a[3], b[3];  // numbers of vertices of A and B, in pairs

@@ -1,12 +1,12 @@
 // Checks an answer of the plane in exact integer arithmetic, without looking at how it was found.
 //
-// OK means that every field that the query sets is as accurate as its header states (gjk2/intersect.h,
-// gjk2/distance.h, gjk2/penetration.h), except:
+// OK means that every field the query sets is as accurate as its header states (gjk2/intersect.h, gjk2/distance.h,
+// gjk2/penetration.h), with these exceptions:
 //
-// iterations   not checked.
-// certificate  not looked at where the bounding circles are apart, which settles the answer. Elsewhere the fields that
-//              its proof uses are.
-// saturated    a point with a coordinate at an end of Q16.16 is not checked where the nearest features reach that end.
+// iterations   is not checked.
+// certificate  is not looked at if the bounding circles are apart, which settles the answer. Else the fields of its
+//              proof are.
+// saturated    A point with a coordinate at an end of Q16.16 is not checked if the nearest features reach that end.
 //
 // A right answer that no query gives, such as one with another nearest feature, may be UNPROVEN.
 #ifndef GJK2_CHECK_H
@@ -30,24 +30,24 @@ extern "C" {
 // OK                             proven.
 // UNPROVEN                       not proven.
 // UNSUPPORTED                    a curved shape, for which there is no exact proof, or centres more than 16384 units
-//                                apart. Where the bounding circles are apart, OK or UNPROVEN is given instead.
+//                                apart. If the bounding circles are apart, the status is OK or UNPROVEN instead.
 // NULL, UNINITIALISED, NEGATIVE  nothing was checked.
 gjk_status gjk2_check_decision(const gjk2_collider *a, const gjk2_collider *b, gjk_q16 distance,
                                const gjk2_decision *decision);
 
 // Is result the answer to gjk2_distance(a, b) after GJK_OK, or an exact one of gjk2_distance_until?
 //
-// Statuses  as of gjk2_check_decision, without NEGATIVE; UNSUPPORTED also where the bounding circles are apart.
+// Statuses  as in gjk2_check_decision, without NEGATIVE. UNSUPPORTED also if the bounding circles are apart.
 // Cost      visits every vertex of both shapes once; a few thousand instructions for points and normal.
 gjk_status gjk2_check_distance(const gjk2_collider *a, const gjk2_collider *b, const gjk2_distance_result *result);
 
 // Is result the answer to gjk2_penetration(a, b) after GJK_OK? An answer with CAPACITY has no certificate.
 //
-// Overlap   of cores that overlap, proven by a decision of the check's own, whose certificate is checked like any other.
-// Move      that B moved by depth along normal is apart from A is proven by the certificate's line.
-// Least     that no other direction is shorter is proven by measuring every edge of A - B again.
-// Statuses  as of gjk2_check_decision, without NEGATIVE.
-// Cost      of gjk2_check_decision and of gjk2_penetration.
+// Overlap   of cores is proven by a decision of the check's own, whose certificate is checked like any other.
+// Move      B moved by depth along normal must be apart from A. The certificate's line proves it.
+// Least     No other direction may be shorter. Measuring every edge of A - B again proves it.
+// Statuses  as in gjk2_check_decision, without NEGATIVE.
+// Cost      that of gjk2_check_decision and of gjk2_penetration.
 gjk_status gjk2_check_penetration(const gjk2_collider *a, const gjk2_collider *b,
                                   const gjk2_penetration_result *result);
 
