@@ -22,7 +22,7 @@ extern "C" {
 // Accepted deviation of c^2 + s^2 from 1, Q2.30: 2^-16.
 #define GJK2_ROTATION_TOLERANCE ((gjk_q30)16384)
 
-// The rotation by any angle, counterclockwise, within 1 LSB; more than a turn too. 0 gives exactly the identity.
+// The rotation by any angle, even more than a turn, counterclockwise, within 1 LSB. 0 gives exactly the identity.
 gjk_status gjk2_rotation_from_angle(gjk_angle angle, gjk2_rotation *out);
 
 // The unit rotation along r, which is r / |r|, within 0.501 LSB. r has any length but 0 (ROTATION).
