@@ -44,8 +44,8 @@ gjk_status gjk_draw_manifold(const gjk_draw *draw, const gjk_manifold *manifold,
 gjk_status gjk_draw_ray(const gjk_draw *draw, const gjk_vec3 *from, const gjk_vec3 *to, const gjk_cast_result *result,
                         gjk_q16 length);
 
-// Draws a cast of B against a shape that does not move: B's outline at the start and at rest, or without a hit at the
-// end. Also the way between both positions, and after a hit that is not inside, point_a and the normal.
+// Draws a cast of B against a shape that does not move. It shows B's outline at the start and at rest, or without a hit
+// at the end. It shows the way between both positions, and after a hit that is not inside, point_a and the normal.
 //
 // collider  B at the start.
 // Statuses  RANGE: to takes the centre of B out of int32.
@@ -67,8 +67,8 @@ gjk_status gjk_draw_scene(const gjk_draw *draw, const gjk_scene *scene, unsigned
 gjk_status gjk_draw_parts(const gjk_draw *draw, const gjk_parts *parts, const gjk_aabb *near, uint32_t most,
                           gjk_draw_role role, uint32_t *drawn);
 
-// Draws the concave parts of a scene (gjk/concave.h) as gjk_draw_parts does, at most most in all. gjk_draw_scene leaves
-// these out.
+// Draws the concave parts of a scene (gjk/concave.h), which gjk_draw_scene leaves out. As gjk_draw_parts; most is in
+// all.
 gjk_status gjk_draw_scene_concave(const gjk_draw *draw, const gjk_scene *scene, const gjk_aabb *near, uint32_t most,
                                   gjk_draw_role role, uint32_t *drawn);
 
