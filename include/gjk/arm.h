@@ -10,7 +10,7 @@
 //     ...
 //     gjk_arm_init(&arm, &model, &base, &memory);
 //     gjk_arm_obstacles(&arm, crates, 12);
-//     gjk_arm_edge_start(&arm, from, to, &setup);
+//     gjk_arm_edge_start(&arm, from, to, &setup, NULL, NULL);
 //     gjk_arm_edge_run(&arm, 1000, &result);  // FREE, TOUCH, or UNSETTLED so far: call it again to go on
 //
 // Tested   Pairs of parts of different links, and each part with each obstacle, if some joint moves one against the
@@ -312,7 +312,7 @@ typedef struct gjk_arm_distance_result {
 
 // The least distance of all tested pairs at a configuration, and the pair that has it.
 //
-// most      pairs farther apart than this are skipped, Q16.16, at least 0; GJK_DISTANCE_MAX: no pair is.
+// most      pairs farther apart than this are skipped, Q16.16, at least 0; GJK_DISTANCE_MAX: none is.
 // out       written after OK and ITERATION_LIMIT. EMPTY: there is no pair, or none within most.
 // Exact     as in gjk_distance, for colliders posed by gjk_pose_compose of the link's pose and the part's pose.
 // Statuses  NULL, UNINITIALISED, NEGATIVE, RANGE (see Range above), EMPTY. ITERATION_LIMIT: a curved pair, which counts
