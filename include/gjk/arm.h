@@ -290,11 +290,11 @@ gjk_status gjk_arm_path(gjk_arm *arm, const int32_t *path, unsigned count, const
 
 // Do the proofs show that result is true of the edge?
 //
-// The check needs no search. A proof takes the poses at both ends of its span, one support point of each shape there
-// along the direction, and the bound of the motion between. A touch takes one gjk_within at upper.
+// The check needs no search. A proof takes the bound of the motion on its span, and the poses at both ends. There it
+// takes one support point of each shape along the direction. A touch takes one gjk_within at upper.
 //
-// Weaker   A claim that is weaker than what is proven passes: a smaller gap or lower, or in a TOUCH any upper at which
-//          the pair is near. tests and outside are not checked.
+// Weaker   A claim weaker than what is proven passes. That is a smaller gap or lower, or in a TOUCH any upper where the
+//          pair is near. tests and outside are not checked.
 // proofs   count proofs, as the callback got them.
 //
 // OK                                proven.

@@ -67,8 +67,7 @@ gjk_status gjk_draw_scene(const gjk_draw *draw, const gjk_scene *scene, unsigned
 gjk_status gjk_draw_parts(const gjk_draw *draw, const gjk_parts *parts, const gjk_aabb *near, uint32_t most,
                           gjk_draw_role role, uint32_t *drawn);
 
-// Draws the concave parts of a scene (gjk/concave.h), which gjk_draw_scene leaves out. As gjk_draw_parts; most is in
-// all.
+// Draws the concave parts of a scene (gjk/concave.h), which gjk_draw_scene leaves out. As gjk_draw_parts, most in all.
 gjk_status gjk_draw_scene_concave(const gjk_draw *draw, const gjk_scene *scene, const gjk_aabb *near, uint32_t most,
                                   gjk_draw_role role, uint32_t *drawn);
 

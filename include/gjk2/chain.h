@@ -77,11 +77,11 @@ typedef struct gjk2_chain_contact {
 //               an end counts for the segment if the body cannot meet the neighbour there. That is so if their boxes do
 //               not meet, or if the centre is behind a convex neighbour.
 // Which normal  The direction of the shortest way out wins. It is found exactly, among the directions of segments and
-//               joints. A segment yields to a convex neighbour if the way out along its normal is shorter, the boxes
-//               meet, and the centre is in front of it. A segment also yields to a shorter way along a direction of a
-//               convex joint or open end in the body's box. If it faces an edge of the body, it yields only to
-//               directions more than 20 degrees from its normal. A joint yields unless a direction strictly between is
-//               the shortest.
+//               joints. A segment yields to a convex neighbour with a shorter way out along its normal. The boxes must
+//               meet, and the centre must be in front of the neighbour. A segment also yields to a shorter way along a
+//               direction of a convex joint or open end in the body's box. If it faces an edge of the body, it yields
+//               only to directions more than 20 degrees from its normal. A joint yields unless the shortest way out is
+//               along a direction strictly between.
 // Exact         all of these signs, for points, segments, triangles, boxes, polygons and their forms with a convex
 //               radius. Points of an ellipse or custom shape are within 2 LSB. With these, a segment yields only to
 //               neighbours' normals more than 20 degrees off, and a joint to normals that reach farther.

@@ -39,7 +39,7 @@ typedef struct gjk2_hull_simple {
 // most      the most vertices, at least GJK2_HULL_SIMPLE_MIN (RANGE).
 // vertices  room for 2 count vertices, all the memory needed; may not be points. The simple hull comes first. It runs
 //           counterclockwise from its lowest vertex, or if it is a box from its lower left corner.
-// Exact     every point is inside or on the simple hull; a final test makes sure. If the hull has at most most
+// Exact     every point is inside or on the simple hull; a final test makes sure. If the hull has no more than most
 //           vertices, they are the result, and the excess is 0. The result is the same for any order of the points.
 // Excess    measured: never below the largest distance, and at most 4 LSB above it; at most that of the bounding box.
 // Statuses  those of gjk2_polygon_order; then out is not written, but vertices may be.
