@@ -10,7 +10,7 @@
 //     ...
 //     gjk_arm_init(&arm, &model, &base, &memory);
 //     gjk_arm_obstacles(&arm, crates, 12);
-//     gjk_arm_edge_start(&arm, from, to, &setup);
+//     gjk_arm_edge_start(&arm, from, to, &setup, NULL, NULL);
 //     gjk_arm_edge_run(&arm, 1000, &result);  // FREE, TOUCH, or UNSETTLED so far: call it again to go on
 //
 // Tested   Pairs of parts of different links, and each part with each obstacle, if some joint moves one against the
@@ -290,11 +290,11 @@ gjk_status gjk_arm_path(gjk_arm *arm, const int32_t *path, unsigned count, const
 
 // Do the proofs show that result is true of the edge?
 //
-// The check needs no search. A proof takes the poses at both ends of its span, one support point of each shape there
-// along the direction, and the bound of the motion between. A touch takes one gjk_within at upper.
+// The check needs no search. A proof takes the bound of the motion on its span, and the poses at both ends. There it
+// takes one support point of each shape along the direction. A touch takes one gjk_within at upper.
 //
-// Weaker   A claim that is weaker than what is proven passes: a smaller gap or lower, or in a TOUCH any upper at which
-//          the pair is near. tests and outside are not checked.
+// Weaker   A claim weaker than what is proven passes. That is a smaller gap or lower, or in a TOUCH any upper where the
+//          pair is near. tests and outside are not checked.
 // proofs   count proofs, as the callback got them.
 //
 // OK                                proven.
@@ -312,7 +312,7 @@ typedef struct gjk_arm_distance_result {
 
 // The least distance of all tested pairs at a configuration, and the pair that has it.
 //
-// most      pairs farther apart than this are skipped, Q16.16, at least 0; GJK_DISTANCE_MAX: no pair is.
+// most      pairs farther apart than this are skipped, Q16.16, at least 0; GJK_DISTANCE_MAX: none is.
 // out       written after OK and ITERATION_LIMIT. EMPTY: there is no pair, or none within most.
 // Exact     as in gjk_distance, for colliders posed by gjk_pose_compose of the link's pose and the part's pose.
 // Statuses  NULL, UNINITIALISED, NEGATIVE, RANGE (see Range above), EMPTY. ITERATION_LIMIT: a curved pair, which counts

@@ -4,10 +4,8 @@
 // gjk/penetration.h), with these exceptions:
 //
 // iterations   is not checked.
-// certificate  is not looked at if the bounding spheres are apart, which settles the answer. Else the fields of its
-//              proof are.
-// lower        of overlapping cores equals depth. That depth is enough is proven; that it is the least, no certificate
-//              proves.
+// certificate  Only the fields that its proof uses are checked, and none if the bounding spheres are apart.
+// lower        of overlapping cores equals depth. A certificate proves depth to be enough, not to be the least.
 // saturated    A point with a coordinate at an end of Q16.16 is not checked if the nearest features reach that end.
 //
 // A right answer that no query gives, such as one with another nearest feature, may be UNPROVEN.

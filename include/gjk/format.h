@@ -32,7 +32,7 @@ typedef struct gjk_quat {
   gjk_q30 x, y, z, w;  // axis times the sine of half the angle, and its cosine
 } gjk_quat;
 
-// Where a shape stands: first rotated about its own origin, then moved by position.
+// The pose of a shape, which is first rotated about its own origin and then moved by position.
 typedef struct gjk_pose {
   gjk_vec3 position;  // of the origin of its frame
   gjk_quat rotation;  // a unit, see gjk/pose.h
@@ -42,19 +42,19 @@ typedef struct gjk_pose {
 #define GJK_Q16_ONE ((gjk_q16)65536)
 #define GJK_Q30_ONE ((gjk_q30)1073741824)
 
-// A literal in units, rounded to the nearest LSB; the compiler folds it, the program holds an integer. What leaves
-// int32 does not compile in C++11, nor in C where a constant is needed. Within a function C compilers warn of a
-// division by zero.
+// A literal in units, rounded to the nearest LSB. The compiler folds it, so the program holds an integer. A value
+// beyond int32 does not compile in C++11, nor in C where a constant is needed. In a function, C compilers warn of a
+// division by 0.
 #define GJK_Q16(units) GJK_FIXED((units)*65536.0)
 #define GJK_Q30(value) GJK_FIXED((value)*1073741824.0)
 #define GJK_ANGLE(radians) GJK_FIXED((radians)*65536.0)
 
-// Of the literals above: x as an integer, and x with half of an LSB away from 0.
+// Helpers of the literals above: x as an integer, and x moved by half an LSB away from 0.
 #define GJK_FIXED(x) \
   ((int32_t)GJK_TO_NEAREST(x) / GJK_TRUE(GJK_TO_NEAREST(x) >= -2147483648.5 && GJK_TO_NEAREST(x) < 2147483648.0))
 #define GJK_TO_NEAREST(x) ((x) + ((x) < 0 ? -0.5 : 0.5))
 
-// 1; does not compile where the condition is false.
+// 1; does not compile if the condition is false.
 #if defined(__cplusplus) && __cplusplus >= 201103L
 #define GJK_TRUE(condition) ((int32_t)sizeof(char[(condition) ? 1 : -1]))
 #else
@@ -72,26 +72,26 @@ typedef struct gjk_pose {
     }                      \
   }
 
-// Largest radius of a shape about the centre of its core's bounding box, convex radius included: 4095 units.
+// The largest radius of a shape about the centre of its core's bounding box, convex radius included: 4095 units.
 #define GJK_RADIUS_MAX ((gjk_q16)(4095 * (int32_t)65536))
 
-// Most vertices of one hull.
+// The most vertices of one hull.
 #define GJK_HULL_VERTICES_MAX 65535
 
-// Most corners of one face of a hull.
+// The most corners of one face of a hull.
 #define GJK_FACE_CORNERS_MAX 12
 
-// The levels of a hull's table (gjk/table.h), and how many cells of directions a table of a level has.
+// The highest level of a hull's table (gjk/table.h), and the number of cells of directions in a table of a level.
 #define GJK_TABLE_LEVEL_MAX 4
 #define GJK_TABLE_CELLS(level) (24 << 2 * (level))
 
 // The most iterations of gjk_intersect, gjk_within, gjk_distance and their _until forms on polytopes of n and m
-// vertices, with or without a convex radius: 15 + n + m. Of a shape 64 vertices count at most. The bound is proven in
-// src/gjk/gjk_search.h. A box has 8 vertices, a triangle 3, a segment or capsule 2, a point or sphere 1.
+// vertices, with or without a convex radius. It is 15 + n + m, where n and m count as at most 64. src/gjk/gjk_search.h
+// has the proof. A box has 8 vertices, a triangle 3, a segment or capsule 2, a point or sphere 1.
 #define GJK_ITERATIONS_OF(n, m) (15 + ((n) < 64 ? (n) : 64) + ((m) < 64 ? (m) : 64))
 
 // The ceiling on the iterations of a query with a cylinder, cone, ellipsoid or custom shape, for which no bound is
-// proven. A query that reaches it returns GJK_ERROR_ITERATION_LIMIT; its comment says what it reports then.
+// proven. A query that reaches it returns GJK_ERROR_ITERATION_LIMIT. The query's comment says what it reports then.
 #ifndef GJK_ITERATIONS_MAX
 #define GJK_ITERATIONS_MAX 128
 #endif

@@ -91,7 +91,7 @@ typedef struct gjk_hull_simple {
 // workspace  as for gjk_hull_build, at least GJK_HULL_SIMPLIFY_WORKSPACE(count) bytes; not needed afterwards.
 // vertices   room for most vertices; may not be points. gjk_hull_build finds their faces.
 // out        written, with vertices, when the result is GJK_OK.
-// Exact      every point is inside or on the simple hull; a final test makes sure. If the hull has at most most
+// Exact      every point is inside or on the simple hull; a final test makes sure. If the hull has no more than most
 //            vertices, they are the result, and the excess is 0. The result is the same for any order of the points.
 // Excess     measured on the result: never below the largest distance, and at most 2 LSB above it. It never exceeds
 //            that of the bounding box (8 vertices) or of a tetrahedron around it. It is not the least: for a sphere of

@@ -50,7 +50,7 @@ typedef struct gjk_mass {
 //           cylinder has the limit of thin ones, a flat hull that of its outline.
 // Statuses  NULL; those of gjk_collider_init for the shape. UNSUPPORTED: a custom shape, a hull of more than three
 //           vertices without faces, or a rounded ellipsoid. The area of an ellipsoid has no closed form; use a rounded
-//           hull instead. RANGE: the faces are noticed not to be sound. Other unsound faces give meaningless numbers.
+//           hull instead. RANGE: faces that the call finds unsound. Other unsound faces give meaningless numbers.
 // Cost      an exact sum over the triangles of the faces, and nine divisions of 256 bits. On Cortex-M3 that is some
 //           100,000 instructions, and 3,000 a triangle. A radius adds three angles a triangle and one an edge, each 84
 //           products of 96 bits. For n corners, finding the edges in all faces adds some n^2 steps.
@@ -71,8 +71,8 @@ gjk_status gjk_mass_set_density(gjk_mass *body, uint32_t density);
 // pose      pose of the part's frame in the body's.
 // body      Each part adds an error of at most 2^-8 LSB to the centre. Inertia is within 12 square LSB and 2^-26 of the
 //           larger of the inertias and the squared distance of the centres. Volumes add up.
-// Statuses  NULL; ROTATION; RANGE: a total mass of 2^32 or more, a centre outside int32, a radius of gyration above
-//           2^30 LSB.
+// Statuses  NULL; ROTATION; RANGE: a total mass of 2^32 or more, a centre outside int32, a gyration radius above 2^30
+//           LSB.
 gjk_status gjk_mass_add(gjk_mass *body, const gjk_mass *part, const gjk_pose *pose);
 
 // The principal axes of a body.
@@ -84,8 +84,8 @@ typedef struct gjk_principal {
 // Finds the principal axes that are nearest to x, y and z. A diagonal tensor, such as a cube's, gives the identity.
 //
 // Accuracy  In the frame of the rounded rotation, a product of inertia is at most 2^-26 of the tensor's largest entry,
-//           or 8 square LSB. A moment is within 2^-27 of that entry, or 2 square LSB. The larger bound holds. Moments
-//           nearer than that count as equal.
+//           or 8 square LSB. A moment is within 2^-27 of that entry, or 2 square LSB. The larger bound of each holds.
+//           Moments nearer than that count as equal.
 // Statuses  NULL; RANGE: an entry of the tensor above 2^60; ITERATION_LIMIT: more than 40 rotations. Of 20,000 random
 //           tensors none took more than 10.
 // After     Jacobi 1846; each rotation is found from the given tensor anew, so errors do not add up.

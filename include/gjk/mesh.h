@@ -74,8 +74,8 @@ typedef struct gjk_mesh {
 //            of their edges. They must outlive the mesh.
 // nodes      room for capacity nodes, at least GJK_MESH_NODES(triangle_count).
 // out        written when the result is GJK_OK; on any other status the triangles are as they were.
-// Exact      an edge's kind is the sign of an 87-bit determinant. Triangles in the same order give the same mesh
-//            everywhere.
+// Exact      an edge's kind is the sign of an 87-bit determinant. The same triangles in the same order give the same
+//            mesh everywhere.
 // Statuses   NULL; EMPTY: no triangles; CAPACITY: nodes; SIZE: a triangle is longer than GJK_RADIUS_MAX along an axis.
 //            RANGE: a number or coordinate too large, or too many triangles or vertices.
 // Cost       of the order of n log n for n triangles, if few of them meet in one place. No recursion, no workspace.
@@ -104,7 +104,7 @@ typedef struct gjk_mesh_report {
   uint8_t edge;       // edge of the triangle, for faults of an edge; for NUMBER_FAULT to SIZE the corner
   uint32_t triangle;  // the first triangle with the fault
   uint32_t node;      // BOX: the node
-  uint32_t edges[4];  // how many edges of each gjk_mesh_edge, each side of an edge counted; 0 for NUMBER_FAULT to EDGES
+  uint32_t edges[4];  // number of edges by gjk_mesh_edge, each side of an edge counted; 0 for NUMBER_FAULT to EDGES
 } gjk_mesh_report;
 
 // Is a mesh as gjk_mesh_build makes it, and a sound surface?

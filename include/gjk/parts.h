@@ -192,13 +192,12 @@ gjk_status gjk_parts_time_of_impact(const gjk_parts *a, const gjk_motion *motion
 // are the parts that a body on the ground may still run into.
 //
 // Triangles  B is in front if all of it is more than the margin beyond the plane. Of a two-sided triangle, the side
-//            counts on which most of B lies. An impact asks for more than margin and tolerance instead. If B is nearer
-//            than that, it meets the triangle only if most of B goes through the plane.
+//            counts on which most of B lies. In an impact, B meets such a triangle only if it is more than margin +
+//            tolerance beyond, or if most of B crosses the plane.
 // Others     B is in front of any other part if B is farther than the margin from it. The same holds for a triangle
-//            whose corners lie in a line; there an impact asks for more than margin and tolerance.
+//            whose corners lie in a line; there an impact asks for margin + tolerance.
 // Rounding   B's height above a plane may be within 12 LSB of the margin. Then B does not meet the triangle if B is
-//            within the margin of it. Otherwise B does if the computed height passes, or if most of B crosses the
-//            plane.
+//            within the margin of it. Otherwise B does if it is in front or if most of it crosses the plane.
 // Statuses   as in gjk_parts_cast and gjk_parts_time_of_impact. For an impact, b need only be bound to its shape.
 gjk_status gjk_parts_cast_ahead(const gjk_parts *a, const gjk_collider *b, const gjk_cast_path *path, uint32_t *part,
                                 gjk_cast_result *out);

@@ -85,9 +85,9 @@ typedef struct gjk_penetration_result {
 //              points          each within 1 LSB of its shape. When B has moved by depth normal, they coincide to
 //                              within 3 LSB and 2^-28 of depth. Coordinates saturate at the ends of Q16.16
 //            Ties: depths along directions are compared exactly, not in LSB. Among points, segments and boxes the order
-//            is: faces of a by half axis, faces of b, then edges of a by those of b. For other pairs the choice is a
-//            function of the posed shapes and their order. Cylinder, cone, ellipsoid: depth within 3 LSB, between
-//            bounds at most 6 LSB apart; or CAPACITY.
+//            is: faces of a by half axis, faces of b, then edges of a by those of b. For other pairs the choice depends
+//            only on the posed shapes and their order.
+//            Cylinder, cone, ellipsoid: depth within 3 LSB, between bounds at most 6 LSB apart; or CAPACITY.
 // Cost       the iterations of gjk_distance, and one for each vertex of the EPA hull. The workspace limits these; with
 //            a curved shape GJK_EPA_CURVED_ITERATIONS_MAX does too. Stack: `make sizes`.
 // After      Gino van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001: an

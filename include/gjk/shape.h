@@ -1,11 +1,11 @@
 // Shapes: convex geometry in its own frame, constant, fit for flash.
 //
 // A shape is a core and a convex radius around it: a sphere is a point with a radius, a capsule a segment with one.
-// Long axes lie along local z. The initialiser of its kind makes a shape:
+// Long axes lie along local z. An initialiser makes each kind of shape:
 //
 //     static const gjk_shape crate = GJK_BOX(GJK_Q16(0.5), GJK_Q16(0.5), GJK_Q16(0.25));
 //
-// An initialiser names the class of its kind, so a program links those kinds that it mentions and no others.
+// An initialiser names the class of its kind. So a program links the kinds that it mentions, and no others.
 #ifndef GJK_SHAPE_H
 #define GJK_SHAPE_H
 
@@ -18,7 +18,7 @@ extern "C" {
 // The functions behind a kind of shape, opaque: one constant per kind.
 typedef struct gjk_shape_class gjk_shape_class;
 
-// One for each kind of shape; the initialisers below name them.
+// The class of each kind of shape. The initialisers below name them.
 extern const gjk_shape_class gjk_class_point;
 extern const gjk_shape_class gjk_class_segment;
 extern const gjk_shape_class gjk_class_box;
@@ -30,51 +30,50 @@ extern const gjk_shape_class gjk_class_cone;
 extern const gjk_shape_class gjk_class_ellipsoid;
 extern const gjk_shape_class gjk_class_custom;
 
-// The support function of a custom shape: writes to out a point of the shape that is farthest along direction.
+// The support function of a custom shape. It writes to out a point of the shape that is farthest along direction.
 //
 // user       the shape's user pointer.
-// direction  not zero, of any length up to 2^31, local frame.
+// direction  local frame, not zero, of any length up to 2^31.
 // out        local frame, Q16.16; the local origin on entry. A point farther than size.x from the local origin is
-//            pulled back onto that bound, towards the origin; a port with asserts stops there. Where the point is e
-//            LSB from the true farthest one, decisions and distances are right to within e LSB more.
+//            pulled back towards it, onto that bound; a port with asserts stops there. If the point is e LSB from the
+//            true farthest one, decisions and distances are right to within e LSB more.
 typedef void gjk_support_function(const void *user, const gjk_vec3 *direction, gjk_vec3 *out);
 
-// The faces of a hull, convex polygons of 3 to GJK_FACE_CORNERS_MAX corners. Only contact manifolds need them.
+// The faces of a hull: convex polygons of 3 to GJK_FACE_CORNERS_MAX corners. Only contact manifolds need them.
 typedef struct gjk_hull_faces {
   const uint16_t *corner;  // vertices of all faces, one face after the other, each counterclockwise seen from outside
   const uint16_t *end;     // end[i]: where face i ends in corner
-  uint16_t count;          // faces
+  uint16_t count;          // number of faces
 } gjk_hull_faces;
 
-// A table of a hull: for each cell of directions the vertices that may be farthest along one of them. Only these are
-// looked at. gjk/table.h makes one. Only hulls of some 32 vertices and more gain.
+// A table of a hull, made by gjk/table.h. For each cell of directions it lists the vertices that may be farthest along
+// one of them. Support scans look only at these. It pays for hulls of some 32 vertices or more.
 //
-// gjk_collider_init checks that every list can be read, no more. With vertices missing from a cell, answers are wrong,
-// as if the hull lacked them along those directions. gjk_hull_table_check proves that none is missing.
+// gjk_collider_init checks only that every list can be read. If a cell lacks vertices, answers are wrong, as if the
+// hull lacked them along those directions. gjk_hull_table_check proves that none is missing.
 typedef struct gjk_hull_table {
   const uint16_t *vertex;  // numbers of vertices of all cells, one cell after the other, rising within each
   const uint16_t *end;     // end[i]: where cell i ends in vertex; no cell is empty
   uint8_t level;           // 0 to GJK_TABLE_LEVEL_MAX: there are GJK_TABLE_CELLS(level) cells
 } gjk_hull_table;
 
-// Fields are set by the initialisers below; gjk_collider_init checks them.
+// A shape. The initialisers below set the fields, and gjk_collider_init checks them.
 typedef struct gjk_shape {
-  const gjk_shape_class *type;    // its kind
-  const gjk_vec3 *vertices;       // triangle, hull: local, Q16.16, the caller's, must outlive the shape
-  gjk_support_function *support;  // custom
-  const void *user;               // custom; of a hull with a table: the gjk_hull_table, the caller's
+  const gjk_shape_class *type;    // the kind of shape
+  const gjk_vec3 *vertices;       // triangle, hull: local frame, Q16.16, the caller's, must outlive the shape
+  gjk_support_function *support;  // custom: the support function
+  const void *user;               // custom: the user pointer; hull with a table: the gjk_hull_table, the caller's
   gjk_vec3 size;                  // half extents or radii, Q16.16, by kind
   gjk_q16 convex_radius;          // at least 0
-  uint16_t count;                 // vertices of the hull; of the triangle: 3
+  uint16_t count;                 // hull: number of vertices; triangle: 3
   const gjk_hull_faces *faces;    // hull: optional, the caller's
 } gjk_shape;
 
-// Size and convex radius of a shape, Q16.16. A floating-point literal does not compile: 0.5 is written GJK_Q16(0.5).
+// Size and convex radius of a shape, Q16.16. A floating-point literal does not compile: write GJK_Q16(0.5) for 0.5.
 #define GJK_LENGTHS(x, y, z, radius) {GJK_INTEGER(x), GJK_INTEGER(y), GJK_INTEGER(z)}, GJK_INTEGER(radius)
 
-// Shapes with a convex radius. The vertices of a hull need no order; they may repeat, and may lie in a line, in a
-// plane or inside the hull. Their coordinates are any int32_t, within GJK_RADIUS_MAX of the centre of the vertices'
-// bounding box.
+// Shapes with a convex radius. The vertices of a hull need no order. They may repeat, and may lie in a line, in a plane
+// or inside the hull. Their coordinates are any int32_t within GJK_RADIUS_MAX of the centre of their bounding box.
 #define GJK_ROUNDED_POINT(radius) \
   { &gjk_class_point, 0, 0, 0, GJK_LENGTHS(0, 0, 0, radius), 0, 0 }
 #define GJK_ROUNDED_SEGMENT(half, radius) \
@@ -105,19 +104,19 @@ typedef struct gjk_shape {
         (n), (faces_pointer)                                                                                          \
   }
 
-// The same without a convex radius; a sphere and a capsule have no other.
+// The same shapes without a convex radius. A sphere and a capsule have only this radius.
 #define GJK_POINT GJK_ROUNDED_POINT(0)
 #define GJK_SPHERE(radius) GJK_ROUNDED_POINT(radius)
 // A segment from (0, 0, -half) to (0, 0, half).
 #define GJK_SEGMENT(half) GJK_ROUNDED_SEGMENT(half, 0)
-// A segment with a radius; half: of the straight part's length. gjk_pose_between (gjk/math.h) finds half and the pose from
-// the two end points.
+// A segment with a radius. half is half the length of the straight part. gjk_pose_between (gjk/math.h) finds half and
+// the pose from the two end points.
 #define GJK_CAPSULE(radius, half) GJK_ROUNDED_SEGMENT(half, radius)
 // The triangle of three vertices.
 #define GJK_TRIANGLE(vertices3) GJK_ROUNDED_TRIANGLE(vertices3, 0)
 // A box about the origin, by half its extents.
 #define GJK_BOX(half_x, half_y, half_z) GJK_ROUNDED_BOX(half_x, half_y, half_z, 0)
-// The hull of n vertices; with faces for contacts, or with a table.
+// The hull of n vertices, also with faces for contacts, or with a table.
 #define GJK_HULL(vertices_n, n) GJK_ROUNDED_HULL(vertices_n, n, 0)
 #define GJK_HULL_WITH_FACES(vertices_n, n, faces_pointer) GJK_ROUNDED_HULL_WITH_FACES(vertices_n, n, faces_pointer, 0)
 #define GJK_HULL_WITH_TABLE(vertices_n, n, table_pointer) \
@@ -128,7 +127,7 @@ typedef struct gjk_shape {
 #define GJK_CONE(base_radius, half) GJK_ROUNDED_CONE(base_radius, half, 0)
 // An ellipsoid by its radii.
 #define GJK_ELLIPSOID(radius_x, radius_y, radius_z) GJK_ROUNDED_ELLIPSOID(radius_x, radius_y, radius_z, 0)
-// A shape of your own; bound: a radius about the local origin that the shape stays within.
+// A custom shape. bound is a radius about the local origin that the shape stays within.
 #define GJK_CUSTOM(function, user_pointer, bound) GJK_ROUNDED_CUSTOM(function, user_pointer, bound, 0)
 
 #ifdef __cplusplus

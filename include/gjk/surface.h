@@ -14,8 +14,8 @@ typedef struct gjk_surface_contact {
   gjk_manifold manifold;  // its normal leads out of the surface, from A to B
 } gjk_surface_contact;
 
-// The contacts of a body with a mesh or height field: one manifold for each triangle that it overlaps or is near to
-// (margin). Normals that a lone triangle would have, but the surface does not, are left out.
+// The contacts of a body with a mesh or height field. Each triangle that overlaps the body or is at most margin apart
+// has a manifold. Normals that a lone triangle would have, but the surface does not, are left out.
 //
 // a          a body of triangles: GJK_PARTS_OF_MESH or GJK_PARTS_OF_HEIGHT_FIELD (others: GJK_ERROR_UNSUPPORTED).
 // b          a posed collider.

@@ -4,8 +4,7 @@
 // gjk2/penetration.h), with these exceptions:
 //
 // iterations   is not checked.
-// certificate  is not looked at if the bounding circles are apart, which settles the answer. Else the fields of its
-//              proof are.
+// certificate  Only the fields that its proof uses are checked, and none if the bounding circles are apart.
 // saturated    A point with a coordinate at an end of Q16.16 is not checked if the nearest features reach that end.
 //
 // A right answer that no query gives, such as one with another nearest feature, may be UNPROVEN.

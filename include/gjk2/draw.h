@@ -1,15 +1,15 @@
-// Debug drawing in the plane: lines and points of colliders, boxes, contacts, casts and scenes, handed to functions of yours.
+// Debug drawing in the plane: lines and points of colliders, boxes, contacts, casts and scenes, for your functions.
 //
-// Nothing is stored, and nothing is linked that is not called. Lines are in the world frame, Q16.16, and come in an order
-// that the arguments alone decide. Coordinates beyond int32 are saturated. No line has length 0.
+// Nothing is stored, and a program links only what it calls. Lines are in the world frame, Q16.16; the arguments alone
+// fix their order. Coordinates beyond int32 are saturated. No line has length 0.
 //
-// Outlines  points, segments, triangles, boxes and polygons in order by their edges. Shapes that are curved or have a
-//           convex radius, and other polygons, by the polygon of the surface points that are farthest in
-//           GJK_DRAW_DIRECTIONS directions.
-// Accuracy  a vertex is that of the collider; other surface points are within 4 LSB. A circle of radius r is drawn with
-//           chords at most r / 100 inside of it.
-// Statuses of every call: NULL for a pointer that is missing; UNINITIALISED for a collider that is not posed; CORRUPT for
-// a handle whose block is not a scene's.
+// Outlines  Points, segments, triangles, boxes and ordered polygons are drawn by their edges. Curved shapes, shapes
+//           with a convex radius, and other polygons are drawn by one polygon. Its corners are the surface points
+//           farthest in GJK_DRAW_DIRECTIONS directions.
+// Accuracy  Vertices are those of the collider; other surface points are within 4 LSB. The chords of a circle of radius
+//           r are at most r / 100 inside it.
+// Statuses of every call: NULL (a missing pointer), UNINITIALISED (a collider that is not posed), CORRUPT (a handle
+// whose block is not a scene).
 #ifndef GJK2_DRAW_H
 #define GJK2_DRAW_H
 
@@ -20,38 +20,38 @@
 extern "C" {
 #endif
 
-// Where drawing goes. A function that is NULL is not called.
+// The functions that draw. A function that is NULL is not called.
 typedef struct gjk2_draw {
   // Draws a line from one point to another.
   void (*line)(void *user, const gjk2_vec *from, const gjk2_vec *to, gjk_draw_role role);
   // Draws a point.
   void (*point)(void *user, const gjk2_vec *at, gjk_draw_role role);
-  void *user;  // the first argument of both
+  void *user;  // the first argument of both functions
 } gjk2_draw;
 
-// The outline of a posed collider, in any role.
+// Draws the outline of a posed collider, in any role.
 gjk_status gjk2_draw_collider(const gjk2_draw *draw, const gjk2_collider *collider, gjk_draw_role role);
 
-// The edges of a box.
+// Draws the edges of a box.
 gjk_status gjk2_draw_box(const gjk2_draw *draw, const gjk2_aabb *box, gjk_draw_role role);
 
-// Each contact: both points and the line between them, and from point_b a line of this length along the normal.
+// Draws each contact: both points, the line between them, and a line of this length along the normal from point_b.
 gjk_status gjk2_draw_manifold(const gjk2_draw *draw, const gjk2_manifold *manifold, gjk_q16 length);
 
-// A ray that ended with OK: its way, and at a hit the point and the normal.
+// Draws a ray whose cast ended with OK: its way, and after a hit the point and the normal.
 gjk_status gjk2_draw_ray(const gjk2_draw *draw, const gjk2_vec *from, const gjk2_vec *to,
                          const gjk2_cast_result *result, gjk_q16 length);
 
-// A cast of B against a shape that stands. Drawn are its outline at the start, and where it rests or, without a hit,
-// where the way ends; the way between both positions; and of a hit that is not inside, point_a and the normal.
+// Draws a cast of B against a shape that does not move. It shows B's outline at the start and at rest, or without a hit
+// at the end. It shows the way between both positions, and after a hit that is not inside, point_a and the normal.
 //
 // collider  B at the start.
-// Statuses  RANGE: to takes its centre out of int32.
+// Statuses  RANGE: to takes the centre of B out of int32.
 gjk_status gjk2_draw_cast(const gjk2_draw *draw, const gjk2_collider *collider, const gjk2_vec *to,
                           const gjk2_cast_result *result, gjk_q16 length);
 
-// A scene as it is now. what is a sum of GJK_DRAW_SHAPES (outlines of all parts), GJK_DRAW_BOXES (their boxes) and
-// GJK_DRAW_PAIRS (pairs near at the last update). Parts of which gjk2_scene_collider makes no collider are left out.
+// Draws a scene as it is now. what is a sum of GJK_DRAW_SHAPES (outlines of all parts), GJK_DRAW_BOXES (their boxes)
+// and GJK_DRAW_PAIRS (pairs near at the last update). Parts that gjk2_scene_collider refuses are left out.
 // Statuses  RANGE: what has another bit.
 gjk_status gjk2_draw_scene(const gjk2_draw *draw, const gjk2_scene *scene, unsigned what);
 

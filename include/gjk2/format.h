@@ -1,7 +1,7 @@
 // Number formats, vectors and limits of the plane.
 //
-// Lengths, angles, statuses and versions are those of gjk/format.h, gjk/status.h and gjk/version.h; nothing else of
-// space is needed in the plane.
+// Lengths, angles, statuses and versions are those of gjk/format.h, gjk/status.h and gjk/version.h. Nothing else of
+// space is needed.
 #ifndef GJK2_FORMAT_H
 #define GJK2_FORMAT_H
 
@@ -17,13 +17,13 @@ typedef struct gjk2_unit {
   gjk_q30 x, y;  // components, from -GJK_Q30_ONE to GJK_Q30_ONE
 } gjk2_unit;
 
-// Rotation as the unit complex number c + i s, Q2.30: the cosine and sine of an angle, counterclockwise from x to y.
+// Rotation as the unit complex number c + i s, Q2.30: cosine and sine of an angle, counterclockwise from x to y.
 // The identity is {GJK_Q30_ONE, 0}.
 typedef struct gjk2_rotation {
   gjk_q30 c, s;  // cosine and sine of the angle
 } gjk2_rotation;
 
-// Where a shape stands: first rotated about its own origin, then moved by position.
+// The pose of a shape, which is first rotated about its own origin and then moved by position.
 typedef struct gjk2_pose {
   gjk2_vec position;       // of the origin of its frame
   gjk2_rotation rotation;  // a unit, see gjk2/pose.h
@@ -37,19 +37,18 @@ typedef struct gjk2_pose {
     }                      \
   }
 
-// Largest radius of a shape about the centre of its core's bounding box, convex radius included: 4095 units.
+// The largest radius of a shape about the centre of its core's bounding box, convex radius included: 4095 units.
 #define GJK2_RADIUS_MAX GJK_RADIUS_MAX
 
-// Most vertices of one polygon.
+// The most vertices of one polygon.
 #define GJK2_POLYGON_VERTICES_MAX 65535
 
 // The most iterations of gjk2_intersect, gjk2_within, gjk2_distance and their _until forms on polygons of n and m
-// vertices, with or without a convex radius. The bound is proven in src/plane/gjk2_search.h. A box has 4 vertices, a
+// vertices, with or without a convex radius. src/plane/gjk2_search.h proves this bound. A box has 4 vertices, a
 // triangle 3, a segment or capsule 2, a point or circle 1.
 #define GJK2_ITERATIONS_OF(n, m) (3 + (n) + (m))
 
-// An ellipse or custom shape has no vertices to count: the ceiling on the iterations of a query with one is
-// GJK_ITERATIONS_MAX of gjk/format.h. A query that reaches it returns GJK_ERROR_ITERATION_LIMIT; its comment says what
-// it reports then.
+// An ellipse or custom shape has no vertices to count. The ceiling on the iterations of a query with one is
+// GJK_ITERATIONS_MAX of gjk/format.h. Its comment applies here too.
 
 #endif

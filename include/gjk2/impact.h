@@ -38,7 +38,7 @@ typedef struct gjk2_impact_result {
   gjk2_vec point_a;    // nearest point of A there; where the shapes overlap not set, nor are the next two
   gjk2_vec point_b;    // nearest point of B there
   gjk2_unit normal;    // from A to B, Q2.30
-  gjk2_pose pose_a;    // pose of A at lower, where the shapes are apart
+  gjk2_pose pose_a;    // pose of A at lower, where the shapes are apart unless overlap is set
   gjk2_pose pose_b;    // pose of B at lower
   uint8_t iterations;  // distances measured
 } gjk2_impact_result;

@@ -1,11 +1,11 @@
 // Shapes of the plane: convex geometry in its own frame, constant, fit for flash.
 //
 // A shape is a core and a convex radius around it: a circle is a point with a radius, a capsule a segment with one.
-// Segments lie along local x. The initialiser of its kind makes a shape:
+// Segments lie along local x. An initialiser makes each kind of shape:
 //
 //     static const gjk2_shape crate = GJK2_BOX(GJK_Q16(0.5), GJK_Q16(0.25));
 //
-// An initialiser names the class of its kind, so a program links those kinds that it mentions and no others.
+// An initialiser names the class of its kind. So a program links the kinds that it mentions, and no others.
 #ifndef GJK2_SHAPE_H
 #define GJK2_SHAPE_H
 
@@ -18,7 +18,7 @@ extern "C" {
 // The functions behind a kind of shape, opaque: one constant per kind.
 typedef struct gjk2_shape_class gjk2_shape_class;
 
-// One for each kind of shape; the initialisers below name them.
+// The class of each kind of shape. The initialisers below name them.
 extern const gjk2_shape_class gjk2_class_point;
 extern const gjk2_shape_class gjk2_class_segment;
 extern const gjk2_shape_class gjk2_class_box;
@@ -27,32 +27,32 @@ extern const gjk2_shape_class gjk2_class_polygon;
 extern const gjk2_shape_class gjk2_class_ellipse;
 extern const gjk2_shape_class gjk2_class_custom;
 
-// The support function of a custom shape: writes to out a point of the shape that is farthest along direction.
+// The support function of a custom shape. It writes to out a point of the shape that is farthest along direction.
 //
 // user       the shape's user pointer.
-// direction  not zero, of any length up to 2^31, local frame.
+// direction  local frame, not zero, of any length up to 2^31.
 // out        local frame, Q16.16; the local origin on entry. A point farther than size.x from the local origin is
-//            pulled back onto that bound, towards the origin; a port with asserts stops there. Where the point is e
-//            LSB from the true farthest one, decisions and distances are right to within e LSB more.
+//            pulled back towards it, onto that bound; a port with asserts stops there. If the point is e LSB from the
+//            true farthest one, decisions and distances are right to within e LSB more.
 typedef void gjk2_support_function(const void *user, const gjk2_vec *direction, gjk2_vec *out);
 
-// Fields are set by the initialisers below; gjk2_collider_init checks them.
+// A shape. The initialisers below set the fields, and gjk2_collider_init checks them.
 typedef struct gjk2_shape {
-  const gjk2_shape_class *type;    // its kind
-  const gjk2_vec *vertices;        // triangle, polygon: local, Q16.16, the caller's, must outlive the shape
-  gjk2_support_function *support;  // custom
-  const void *user;                // custom
+  const gjk2_shape_class *type;    // the kind of shape
+  const gjk2_vec *vertices;        // triangle, polygon: local frame, Q16.16, the caller's, must outlive the shape
+  gjk2_support_function *support;  // custom: the support function
+  const void *user;                // custom: the user pointer
   gjk2_vec size;                   // half extents or radii, Q16.16, by kind
   gjk_q16 convex_radius;           // at least 0
-  uint16_t count;                  // vertices of the polygon; of the triangle: 3
+  uint16_t count;                  // polygon: number of vertices; triangle: 3
 } gjk2_shape;
 
-// Size and convex radius of a shape, Q16.16. A floating-point literal does not compile: 0.5 is written GJK_Q16(0.5).
+// Size and convex radius of a shape, Q16.16. A floating-point literal does not compile: write GJK_Q16(0.5) for 0.5.
 #define GJK2_LENGTHS(x, y, radius) {GJK_INTEGER(x), GJK_INTEGER(y)}, GJK_INTEGER(radius)
 
-// Shapes with a convex radius. A polygon is the convex hull of its vertices. They need no order; they may repeat, and
-// may lie in a line or inside. Depths, contacts and bounds are found faster for vertices in counterclockwise order
-// without any to spare, as gjk2_polygon_order of gjk2/polygon.h writes them. Coordinates are any int32_t, within
+// Shapes with a convex radius. A polygon is the convex hull of its vertices. They need no order. They may repeat, and
+// may lie in a line or inside. Depths, contacts and bounds are found faster if the vertices are as gjk2_polygon_order
+// writes them, counterclockwise and without any to spare (gjk2/polygon.h). Coordinates are any int32_t within
 // GJK2_RADIUS_MAX of the centre of the vertices' bounding box.
 #define GJK2_ROUNDED_POINT(radius) \
   { &gjk2_class_point, 0, 0, 0, GJK2_LENGTHS(0, 0, radius), 0 }
@@ -69,13 +69,13 @@ typedef struct gjk2_shape {
 #define GJK2_ROUNDED_CUSTOM(function, user_pointer, bound, radius) \
   { &gjk2_class_custom, 0, (function), (user_pointer), GJK2_LENGTHS(bound, 0, radius), 0 }
 
-// The same without a convex radius; a circle and a capsule have no other.
+// The same shapes without a convex radius. A circle and a capsule have only this radius.
 #define GJK2_POINT GJK2_ROUNDED_POINT(0)
 #define GJK2_CIRCLE(radius) GJK2_ROUNDED_POINT(radius)
 // A segment from (-half, 0) to (half, 0).
 #define GJK2_SEGMENT(half) GJK2_ROUNDED_SEGMENT(half, 0)
-// A segment with a radius; half: of the straight part's length. gjk2_pose_between (gjk2/math.h) finds half and the pose from
-// the two end points.
+// A segment with a radius. half is half the length of the straight part. gjk2_pose_between (gjk2/math.h) finds half and
+// the pose from the two end points.
 #define GJK2_CAPSULE(radius, half) GJK2_ROUNDED_SEGMENT(half, radius)
 // The triangle of three vertices.
 #define GJK2_TRIANGLE(vertices3) GJK2_ROUNDED_TRIANGLE(vertices3, 0)
@@ -85,7 +85,7 @@ typedef struct gjk2_shape {
 #define GJK2_POLYGON(vertices_n, n) GJK2_ROUNDED_POLYGON(vertices_n, n, 0)
 // An ellipse by its radii.
 #define GJK2_ELLIPSE(radius_x, radius_y) GJK2_ROUNDED_ELLIPSE(radius_x, radius_y, 0)
-// A shape of your own; bound: a radius about the local origin that the shape stays within.
+// A custom shape. bound is a radius about the local origin that the shape stays within.
 #define GJK2_CUSTOM(function, user_pointer, bound) GJK2_ROUNDED_CUSTOM(function, user_pointer, bound, 0)
 
 #ifdef __cplusplus
