@@ -15,7 +15,7 @@ extern "C" {
 // CAPACITY         of a workspace, from gjk_penetration, gjk_signed_distance and gjk_contacts: an answer that is safe
 //                  to move by, but not the least.
 //
-// Every other error leaves all outputs as they were; so does CAPACITY of a buffer or of a scene.
+// Every other error leaves all outputs as they were, unless the call's comment says that it writes some.
 typedef enum gjk_status {
   GJK_OK = 0,                       // the answer is there
   GJK_ERROR_NULL = -1,              // a required pointer is NULL
