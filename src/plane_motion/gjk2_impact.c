@@ -211,6 +211,9 @@ static int64_t plane_lever(const plane_mover *m, const gjk2_unit *u, bool clockw
   return plane_mover_along(m, &w, &farthest.offset) + 16;
 }
 
+// What that is for a point, which lies at its origin.
+#define PLANE_POINT_LEVER 16
+
 // 2^31 / x, within 2^-14 of itself, for 2^15 <= x < 2^16 by Newton's iteration, with u = x / 2^16 and Y = y / 2^15:
 // from the line Y = 48/17 - 32/17 u, within 1/17 of 1 / u, twice Y += Y (1 - u Y).
 static uint32_t plane_reciprocal(uint32_t x) {
@@ -291,7 +294,7 @@ static void plane_add_turn(const plane_mover *m, const gjk2_unit *u, const gjk2_
                            int64_t height, int64_t tangent, int64_t *rate, uint64_t *bend) {
   if (angle != 0) {
     const uint64_t size = gjk_magnitude64(angle);
-    const int64_t lever = plane_lever(m, u, angle < 0, tangent, nearest);
+    const int64_t lever = m->point ? PLANE_POINT_LEVER : plane_lever(m, u, angle < 0, tangent, nearest);
     *rate += plane_turn_rate(size, lever);
     *bend += plane_bend(size, (uint64_t)(height < 0 ? -height : 0) + plane_third(lever < 0 ? -lever : 0, tangent));
   }
