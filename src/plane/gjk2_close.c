@@ -117,7 +117,7 @@ static inline bool has_axes(const gjk2_collider *a, const gjk2_collider *b) {
 }
 
 // 1 or, of a number below 0, -1.
-static inline close_number sign_of(int64_t x) {
+static inline close_number close_sign(int64_t x) {
   return gjk_sar64(x, 63) | 1;
 }
 
@@ -141,7 +141,7 @@ GJK_ONCE static bool find_closest(const gjk2_collider *a, const gjk2_collider *b
   }
   // Step 1
   const int64_t alpha = close_cross(u_x, u_y, y_x, y_y), beta = close_cross(x_x, x_y, u_x, u_y);
-  const close_number s = sign_of(alpha ^ area), t = sign_of(beta ^ area);
+  const close_number s = close_sign(alpha ^ area), t = close_sign(beta ^ area);
   const uint64_t size = gjk_magnitude64(area);
   const bool beyond_x = gjk_magnitude64(alpha) > size, beyond_y = gjk_magnitude64(beta) > size;
   if (beyond_x) {  // Step 2

@@ -69,7 +69,7 @@ GJK_ONCE static bool report_feature(const gjk2_search *s, gjk2_length *length, g
 }
 
 // Step 2
-GJK_ONCE static gjk_q16 round_gap(const gjk2_search *s, const gjk2_length *length, bool *saturated) {
+static inline gjk_q16 round_gap(const gjk2_search *s, const gjk2_length *length, bool *saturated) {
   const int64_t core = in_lsb(s, length, -s->base, GJK2_ROUND_NEAREST);
   gjk_q16 distance;
   if (s->far == 0) {
