@@ -105,6 +105,12 @@ static void pose_plane_triangle(gjk2_collider *c, const gjk2_vec *rotation) {
 
 static void pose_polygon(gjk2_collider *c, const gjk2_vec *rotation) {
   c->frame[0] = *rotation;
+  if (GJK_SMALL) {
+    for (uint32_t i = 0; c->buffer != NULL && i < c->count; i++) {
+      c->buffer[i] = plane_posed(c, rotation, i);
+    }
+    return;
+  }
   // As plane_posed, of numbers that no store to the buffer can change.
   const gjk2_vec unit = {rotation->x, rotation->y}, centre = {c->local_centre.x, c->local_centre.y};
   const gjk2_vec *const vertices = c->shape->vertices;

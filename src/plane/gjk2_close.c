@@ -36,7 +36,7 @@ static inline int64_t close_cross(close_number px, close_number py, close_number
 // The half axes of both shapes, those of A first, and the feature.
 typedef struct close_pair {
   close_number delta_x, delta_y;  // centre_a - centre_b
-  close_number x[2], y[2];        // of both half axes
+  close_number x[2], y[2];        // of both half axes; of the feature with its signs
   unsigned of_a;                  // how many are A's
   // The feature is the corner with these signs, 1 or -1. Or the edge from there to the corner whose signs differ where
   // `turns` is 1.
@@ -51,8 +51,12 @@ typedef struct close_pair {
 static inline void set_close_feature(close_pair *of, close_number s, close_number t) {
   of->sign[0] = s;
   of->sign[1] = t;
-  of->w_x = of->delta_x + s * of->x[0] + t * of->x[1];
-  of->w_y = of->delta_y + s * of->y[0] + t * of->y[1];
+  of->x[0] *= s;
+  of->y[0] *= s;
+  of->x[1] *= t;
+  of->y[1] *= t;
+  of->w_x = of->delta_x + of->x[0] + of->x[1];
+  of->w_y = of->delta_y + of->y[0] + of->y[1];
 }
 
 // Makes a corner the feature. False: it is O.
@@ -74,12 +78,16 @@ GJK_ONCE static bool take_edge(close_pair *of, close_number s, close_number t, c
   set_close_feature(of, s, t);
   of->turns[0] = turns_x;
   of->turns[1] = turns_y;
-  of->edge_x = -2 * (turns_x * s * of->x[0] + turns_y * t * of->x[1]);
-  of->edge_y = -2 * (turns_x * s * of->y[0] + turns_y * t * of->y[1]);
+  of->edge_x = -2 * (turns_x * of->x[0] + turns_y * of->x[1]);
+  of->edge_y = -2 * (turns_x * of->y[0] + turns_y * of->y[1]);
   of->base = close_cross(of->w_x, of->w_y, of->edge_x, of->edge_y);
   if (of->base > 0) {
     of->sign[0] = s * (1 - 2 * turns_x);
     of->sign[1] = t * (1 - 2 * turns_y);
+    of->x[0] *= 1 - 2 * turns_x;
+    of->y[0] *= 1 - 2 * turns_x;
+    of->x[1] *= 1 - 2 * turns_y;
+    of->y[1] *= 1 - 2 * turns_y;
     of->w_x += of->edge_x;
     of->w_y += of->edge_y;
     of->edge_x = -of->edge_x;
@@ -109,7 +117,7 @@ static inline bool has_axes(const gjk2_collider *a, const gjk2_collider *b) {
 }
 
 // 1 or, of a number below 0, -1.
-static inline close_number sign_of(int64_t x) {
+static inline close_number close_sign(int64_t x) {
   return gjk_sar64(x, 63) | 1;
 }
 
@@ -133,7 +141,7 @@ GJK_ONCE static bool find_closest(const gjk2_collider *a, const gjk2_collider *b
   }
   // Step 1
   const int64_t alpha = close_cross(u_x, u_y, y_x, y_y), beta = close_cross(x_x, x_y, u_x, u_y);
-  const close_number s = sign_of(alpha ^ area), t = sign_of(beta ^ area);
+  const close_number s = close_sign(alpha ^ area), t = close_sign(beta ^ area);
   const uint64_t size = gjk_magnitude64(area);
   const bool beyond_x = gjk_magnitude64(alpha) > size, beyond_y = gjk_magnitude64(beta) > size;
   if (beyond_x) {  // Step 2
@@ -157,12 +165,13 @@ GJK_ONCE static bool find_closest(const gjk2_collider *a, const gjk2_collider *b
   return (beyond_x || beyond_y) && take_corner(of, s, t);
 }
 
-// The numbers of each shape's vertex at the corner with these signs.
-static inline void number_corner(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, close_number s,
-                                 close_number t, uint16_t *of_a, uint16_t *of_b) {
-  const unsigned plus = (unsigned)((s + 1) / 2 + (t + 1));
-  *of_a = (uint16_t)(plus & (a->count - 1u));
-  *of_b = (uint16_t)(~plus >> of->of_a & (b->count - 1u));
+// A bit for each half axis, as it tells the numbers of both shapes' vertices.
+static inline uint16_t number_of_a(const gjk2_collider *a, unsigned bits) {
+  return (uint16_t)(bits & (a->count - 1u));
+}
+
+static inline uint16_t number_of_b(const gjk2_collider *b, unsigned of_a, unsigned bits) {
+  return (uint16_t)(bits >> of_a & (b->count - 1u));
 }
 
 // The point of a shape on the feature: from its corner there, by the weight of the other end of its edge, and moved by the
@@ -185,17 +194,22 @@ static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, con
   const close_number s = of->sign[0], t = of->sign[1];
   // Of A, and those of B less.
   const close_number in_a = of->of_a > 0, both_in_a = of->of_a > 1;
-  const close_number a_x = in_a * s * of->x[0] + both_in_a * t * of->x[1];
-  const close_number a_y = in_a * s * of->y[0] + both_in_a * t * of->y[1];
+  const close_number a_x = in_a * of->x[0] + both_in_a * of->x[1];
+  const close_number a_y = in_a * of->y[0] + both_in_a * of->y[1];
   const close_number b_x = a_x + of->delta_x - of->w_x, b_y = a_y + of->delta_y - of->w_y;
   close_number edge_x = 0, edge_y = 0;
   int32_t weight = 0;
   out->certificate.count = 1;
-  number_corner(a, b, of, s, t, &out->certificate.a[0], &out->certificate.b[0]);
+  // Bit 0 and 1: the corner has plus the half axis. A vertex of -B is that of B with the other signs.
+  const unsigned plus = (unsigned)((s + 1) / 2 + (t + 1));
+  out->certificate.a[0] = number_of_a(a, plus);
+  out->certificate.b[0] = number_of_b(b, of->of_a, ~plus);
   if ((of->turns[0] | of->turns[1]) != 0) {
-    const close_number turn_x = of->turns[0] * s, turn_y = of->turns[1] * t;
+    const close_number turn_x = of->turns[0], turn_y = of->turns[1];
     out->certificate.count = 2;
-    number_corner(a, b, of, s - 2 * turn_x, t - 2 * turn_y, &out->certificate.a[1], &out->certificate.b[1]);
+    const unsigned turned = (unsigned)(turn_x + 2 * turn_y);
+    out->certificate.a[1] = number_of_a(a, plus ^ turned);
+    out->certificate.b[1] = number_of_b(b, of->of_a, ~(plus ^ turned));
     if (!points) {
       return;
     }

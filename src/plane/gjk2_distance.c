@@ -69,7 +69,7 @@ GJK_ONCE static bool report_feature(const gjk2_search *s, gjk2_length *length, g
 }
 
 // Step 2
-gjk_q16 gjk2_distance_of(const gjk2_search *s, const gjk2_length *length, bool *saturated) {
+static inline gjk_q16 round_gap(const gjk2_search *s, const gjk2_length *length, bool *saturated) {
   const int64_t core = in_lsb(s, length, -s->base, GJK2_ROUND_NEAREST);
   gjk_q16 distance;
   if (s->far == 0) {
@@ -80,13 +80,17 @@ gjk_q16 gjk2_distance_of(const gjk2_search *s, const gjk2_length *length, bool *
   return distance > 0 ? distance : 0;
 }
 
+gjk_q16 gjk2_distance_of(const gjk2_search *s, const gjk2_length *length, bool *saturated) {
+  return round_gap(s, length, saturated);
+}
+
 void gjk2_distance_report(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache, gjk2_distance_result *out) {
   gjk_q16 distance = 0;
   bool saturated = false;
   if (outcome == GJK2_OUTCOME_NEAREST) {
     gjk2_length length;
     saturated = report_feature(s, &length, out);
-    distance = gjk2_distance_of(s, &length, &saturated);
+    distance = round_gap(s, &length, &saturated);
   }
   out->distance = distance;
   out->lower = distance;

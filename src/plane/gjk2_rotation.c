@@ -31,7 +31,7 @@ bool gjk2_rotation_with_point(const gjk2_rotation *r, const gjk2_vec *v, gjk2_ve
   unit->y = gjk2_to_q30(gjk2_corrected(gjk_shl64(r->s, 30), excess));
   //@ assert unit->x >= -GJK_Q30_ONE && unit->x <= GJK_Q30_ONE;
   //@ assert unit->y >= -GJK_Q30_ONE && unit->y <= GJK_Q30_ONE;
-  if ((v->x | v->y) == 0) {
+  if (!GJK_SMALL && (v->x | v->y) == 0) {
     rotated[0] = 0;
     rotated[1] = 0;
     return true;

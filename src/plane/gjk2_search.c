@@ -264,7 +264,9 @@ static gjk2_outcome walk_round(gjk2_search *s, bool decides, bool following) {
       s->apex = at;
       make_apex(s);
       s->d = gjk2_negate(w);
-      s->whole = base > 0 && came < 0;
+      if (!GJK_SMALL) {
+        s->whole = base > 0 && came < 0;
+      }
       return GJK2_OUTCOME_NEAREST;
     }
     const gjk2_vec edge = following ? step : gjk2_negate(step);
@@ -286,8 +288,11 @@ static gjk2_outcome walk_round(gjk2_search *s, bool decides, bool following) {
     //@ assert ahead->w.y >= -(INT32_C(3) << 29) && ahead->w.y <= INT32_C(3) << 29;
     came = gjk2_dot(ahead->w, step);
     if (came > 0) {
-      s->whole = turn == 0 || at != s->spare ||
-                 (turn > 0 ? comes_across(s->b, &at->b, following, step) : comes_across(s->a, &at->a, following, step));
+      if (!GJK_SMALL) {
+        s->whole =
+            turn == 0 || at != s->spare ||
+            (turn > 0 ? comes_across(s->b, &at->b, following, step) : comes_across(s->a, &at->a, following, step));
+      }
       s->first = following ? at : ahead;
       s->last = following ? ahead : at;
       s->count = 2;
@@ -329,7 +334,9 @@ GJK_ONCE static gjk2_outcome walk_on(gjk2_search *s, gjk2_goal goal) {
     exchange_vertices(&s->apex, &s->spare);
     make_apex(s);
     if (nears) {
-      s->whole = level > 0;
+      if (!GJK_SMALL) {
+        s->whole = level > 0;
+      }
       s->d = gjk2_negate(w);
       outcome = GJK2_OUTCOME_NEAREST;
     }
@@ -395,15 +402,16 @@ GJK_OUT_OF_LINE static gjk2_outcome iterate(gjk2_search *s, gjk2_goal goal, uint
 
 // The one vertex of A - B: nothing needs to be searched.
 static gjk2_outcome settle_point(gjk2_search *s, gjk2_goal goal) {
-  gjk2_vertex *const v = s->apex;
-  const gjk2_vec none = {0, 0};
-  gjk2_copy(&v->w, &s->delta);
-  gjk2_copy(&v->a.offset, &none);
-  gjk2_copy(&v->b.offset, &none);
-  v->a.vertex = 0;
-  v->b.vertex = 0;
+  if (GJK_SMALL) {
+    (void)gjk2_search_place(s, 0, 0, s->apex);
+  } else {
+    const gjk2_support none = {{0, 0}, 0};
+    gjk2_copy(&s->apex->w, &s->delta);
+    gjk2_copy_support(&s->apex->a, &none);
+    gjk2_copy_support(&s->apex->b, &none);
+  }
   make_apex(s);
-  s->d = gjk2_negate(v->w);
+  s->d = gjk2_negate(s->apex->w);
   s->along = s->base;
   s->iterations = 1;
   if (s->base == 0) {

@@ -50,7 +50,9 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   s->count = 0;
   s->curved = false;
   s->warm = false;
-  s->whole = false;
+  if (!GJK_SMALL) {
+    s->whole = false;
+  }
   s->first = &s->slot[0];
   s->apex = &s->slot[1];
   s->last = &s->slot[2];

@@ -21,7 +21,7 @@
 #include "../arith/gjk_ceilings.h"
 #include "../plane/gjk2_canonical.h"
 #include "../plane/gjk2_close.h"
-#include "../plane/gjk2_measure_inline.h"
+#include "../plane/gjk2_measure.h"
 #include "gjk2/intersect.h"
 #include "gjk2_cast_report.h"
 
@@ -48,50 +48,9 @@ typedef struct plane_advance {
   bool nearest;      // the last gap's feature is exactly the nearest
   bool open;         // the last distance is but bounded
   gjk_q30 fraction;  // no contact before
-  gjk_q30 foot_at;   // the fraction of the last foot on an edge, or -1
-  int64_t foot;      // as of gjk2_cast_foot
   plane_face face;   // of the last gap measured
   gjk2_distance_result gap;
 } plane_advance;
-
-// One coordinate of a way at a fraction, to the nearest LSB.
-static int64_t plane_part(int64_t way, gjk_q30 fraction) {
-  return gjk_sar64(way * fraction + (INT64_C(1) << 29), 30);
-}
-
-// *to = *from, word by word: see gjk2_copy.
-static void plane_copy_collider(gjk2_collider *to, const gjk2_collider *from) {
-  to->shape = from->shape;
-  to->buffer = from->buffer;
-  gjk2_copy(&to->position, &from->position);
-  gjk2_copy(&to->centre, &from->centre);
-  gjk2_copy(&to->local_centre, &from->local_centre);
-  for (int i = 0; i < 3; i++) {
-    gjk2_copy(&to->frame[i], &from->frame[i]);
-  }
-  to->core_radius = from->core_radius;
-  to->radius = from->radius;
-  to->state = from->state;
-  to->count = from->count;
-  to->fraction[0] = from->fraction[0];
-  to->fraction[1] = from->fraction[1];
-  to->ordered = from->ordered;
-}
-
-const gjk2_collider *gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b) {
-  int64_t x = 0, y = 0;
-  plane_copy_collider(at_b, way->b);
-  if ((way->of_a.x | way->of_a.y) != 0) {
-    x = plane_part(way->of_a.x, fraction);
-    y = plane_part(way->of_a.y, fraction);
-    plane_copy_collider(at_a, way->a);
-    at_a->centre.x = (int32_t)(way->a->centre.x + x);
-    at_a->centre.y = (int32_t)(way->a->centre.y + y);
-  }
-  at_b->centre.x = gjk_saturate(way->b->centre.x + x + plane_part(way->t.x, fraction));
-  at_b->centre.y = gjk_saturate(way->b->centre.y + y + plane_part(way->t.y, fraction));
-  return (way->of_a.x | way->of_a.y) != 0 ? at_a : way->a;
-}
 
 // Measures the gap at a fraction. Returns whether it is at most the margin: exact of polygons.
 GJK_OUT_OF_LINE static bool plane_advance_is_near(plane_advance *s, gjk_q30 fraction) {
@@ -153,13 +112,6 @@ static void plane_load_span(const gjk2_way *way, uint16_t a, uint16_t b, gjk2_sp
   out->o = gjk2_sub(out->a.offset, out->b.offset);
 }
 
-// Where the origin is, seen from a vertex, when B has gone a fraction of its way.
-static gjk2_long plane_place_from(const gjk2_way *way, gjk2_vec o, gjk_q30 fraction) {
-  const gjk2_long from = {plane_part(way->t.x, fraction) - way->delta.x - o.x,
-                          plane_part(way->t.y, fraction) - way->delta.y - o.y};
-  return from;
-}
-
 // Makes the face the edge from p to q, unless they are the same, with its normal on the side of towards.
 static void plane_advance_across(plane_face *face, gjk2_vec towards) {
   const gjk2_vec across = gjk2_outward(gjk2_sub(face->q.o, face->p.o));
@@ -189,7 +141,7 @@ static void plane_advance_face(const plane_advance *s, plane_face *face) {
 // What the last two do for a vertex alone, where it is near. False: it is not, or the shapes intersect.
 static bool plane_advance_at_vertex(plane_advance *s) {
   static const gjk2_span vertex = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
-  const gjk2_long from = plane_place_from(s->way, vertex.o, s->fraction);
+  const gjk2_long from = gjk2_cast_place_from(s->way, vertex.o, s->fraction);
   const int64_t near = INT64_C(1) << 28, radii = s->radius - s->margin;
   if (from.x > near || from.x < -near || from.y > near || from.y < -near ||
       from.x * from.x + from.y * from.y <= radii * radii) {
@@ -218,34 +170,10 @@ static int plane_advance_slope(const plane_advance *s, const plane_face *face, b
   return gjk_sign64(gjk2_way_ahead(s->way, face->n));
 }
 
-// |n| is scaled to 2^29 and above, so its rounding up to an integer costs at most radius / 2^29 of the gap.
-//   |n| < 2^30 + 4, |w|, |t| < 2^32.7:  below 2^63
-gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_t radius, uint32_t near,
-                           gjk_q30 *fraction, gjk2_rate *rate) {
-  const unsigned zeros = gjk_clz64((uint64_t)gjk2_dot(n, n)) / 2;  // 2^(31 - zeros) <= |n| < 2^(32 - zeros)
-  const unsigned up = zeros > 2 ? zeros - 2 : 0;
-  const gjk2_vec scaled = {gjk_shl32(n.x, up), gjk_shl32(n.y, up)};
-  const int64_t length = (int64_t)gjk2_root((uint64_t)gjk2_dot(scaled, scaled), near) + 1;
-  const int64_t closing = -gjk2_way_ahead(way, scaled), ahead = -gjk_shl64(most, up) - radius * length;
-  bool exact;
-  *fraction = 0;
-  if (closing <= 0) {
-    return GJK2_BOUND_AWAY;
-  }
-  rate->length = length;
-  rate->closing = closing;
-  if (ahead > closing) {
-    return GJK2_BOUND_BEYOND;
-  }
-  if (ahead > 0) {
-    *fraction = gjk2_ratio((uint64_t)ahead, (uint64_t)closing, &exact);
-  }
-  return GJK2_BOUND_AT;
-}
-
 static gjk2_bound plane_advance_bound(plane_advance *s, gjk2_vec n, uint32_t near, gjk2_span *support,
                                       gjk_q30 *fraction, gjk2_rate *rate) {
-  if (s->point || (s->nearest && s->face.count == 2)) {  // no vertex is farther along n than the nearest edge
+  if (!GJK_SMALL &&
+      (s->point || (s->nearest && s->face.count == 2))) {  // no vertex is farther along n than the nearest edge
     gjk2_copy_span(support, &s->face.p);
   } else {
     gjk2_way_scan(s->way, n, support);
@@ -262,17 +190,6 @@ static bool plane_is_step(const gjk2_rate *rate, gjk_q30 more) {
   return more - 1 <= gjk2_ratio((uint64_t)rate->length, (uint64_t)rate->closing, &exact);
 }
 
-int64_t gjk2_cast_foot(const gjk2_way *way, gjk2_vec p, gjk2_vec q, gjk_q30 fraction) {
-  const gjk2_vec edge = gjk2_sub(q, p);
-  const gjk2_long from = plane_place_from(way, p, fraction);
-  const int64_t part = from.x * edge.x + from.y * edge.y, whole = gjk2_dot(edge, edge);
-  bool exact;
-  if (part < 0 || part > whole) {
-    return part < 0 ? -1 : (int64_t)GJK_Q30_ONE + 1;
-  }
-  return gjk2_ratio((uint64_t)part, (uint64_t)whole, &exact);
-}
-
 // The direction in which the line meets the circle of radius around the vertex p. False: it does not, or one that is too
 // large for this.
 //   along a unit vector of the way: v = -sqrt(radius^2 - side^2), and side across it
@@ -281,7 +198,8 @@ static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n, uint32_t *ne
   const int64_t side = gjk2_way_side(way, s->face.p.o);
   const uint64_t size = gjk_magnitude64(side);
   if (way->wide || s->radius >> 29 != 0 || s->radius == 0 ||
-      size > gjk_umul32(gjk2_length_bound(way->d), (uint32_t)s->radius)) {
+      (GJK_SMALL ? gjk2_way_is_beside(way, s->face.p.o, s->radius)
+                 : size > gjk_umul32(gjk2_length_bound(way->d), (uint32_t)s->radius))) {
     return false;
   }
   gjk2_length length;
@@ -294,7 +212,7 @@ static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n, uint32_t *ne
   const int64_t beside = gjk_shl64(gjk2_round_distance(&length, GJK2_ROUND_NEAREST, size << fine), up - fine);
   // beside <= 9/8 2^30, and off by at most half of what it was shifted by.
   if (beside > radius ||
-      (beside + gjk_shl64(1, up - fine) > radius && gjk2_way_is_beside(way, s->face.p.o, s->radius))) {
+      (!GJK_SMALL && beside + gjk_shl64(1, up - fine) > radius && gjk2_way_is_beside(way, s->face.p.o, s->radius))) {
     return false;
   }
   const int32_t back = -(int32_t)gjk2_root((uint64_t)(radius * radius - beside * beside), 0);
@@ -343,7 +261,6 @@ static bool plane_advance_faces(gjk2_vec to, gjk2_vec x, gjk2_vec p, gjk2_vec q)
 static void plane_advance_touch(plane_advance *s) {
   const gjk2_certificate *c = &s->gap.certificate;
   plane_face *face = &s->face;
-  s->foot_at = -1;
   s->nearest = false;
   plane_load_span(s->way, c->a[0], c->b[0], &face->p);
   face->count = 1;
@@ -402,8 +319,7 @@ static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
   const gjk2_portion portion = {0, 1, s->fraction, true};
   gjk2_contact_place place = {&s->face.p, &s->face.p, 0, s->face.n};
   if (s->face.count == 2) {
-    const int64_t foot =
-        s->foot_at == s->fraction ? s->foot : gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
+    const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
     place.q = &s->face.q;
     place.weight = (gjk_q30)(foot < 0 ? 0 : foot > GJK_Q30_ONE ? GJK_Q30_ONE : foot);
   }
@@ -429,9 +345,8 @@ static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
     return plane_is_step(&rate, next - before);
   }
   if (s->face.count == 2) {
-    s->foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
-    s->foot_at = s->fraction;
-    if (s->foot >= 0 && s->foot <= GJK_Q30_ONE) {
+    const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
+    if (foot >= 0 && foot <= GJK_Q30_ONE) {
       plane_advance_settle(s, next);
       return true;
     }
@@ -479,7 +394,7 @@ static bool plane_is_centred(const gjk2_collider *c) {
 static bool plane_advance_is_beside(plane_advance *s, gjk2_cast_result *out) {
   for (int left = 0; left < 2 && (s->way->t.x | s->way->t.y) != 0; left++) {
     gjk2_span nearest = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
-    if (s->centred && (left != 0 ? s->way->base >= 0 : s->way->base <= 0)) {  // so is the outermost there
+    if (!GJK_SMALL && s->centred && (left != 0 ? s->way->base >= 0 : s->way->base <= 0)) {  // so is the outermost there
       continue;
     }
     if (!s->point) {
@@ -546,7 +461,6 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
   s.point = way->a->count == 1 && way->b->count == 1;
   s.centred = plane_is_centred(way->a) && plane_is_centred(way->b);
   s.nearest = false;
-  s.foot_at = -1;
   s.radius = radius + (s.curved ? PLANE_CURVED_SLACK : 0);
   s.fraction = 0;
   s.open = false;
@@ -562,8 +476,8 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
   bool measured = early;
   for (int i = 0; i < GJK2_ADVANCE_ROUNDS_MAX; i++) {
     gjk2_bound bound;
-    if (!measured && !(s.point && plane_advance_at_vertex(&s))) {
-      if (s.curved || !plane_advance_feature(&s, s.fraction)) {
+    if (!measured && !(!GJK_SMALL && s.point && plane_advance_at_vertex(&s))) {
+      if (s.curved || GJK_SMALL || !plane_advance_feature(&s, s.fraction)) {
         (void)plane_advance_is_near(&s, s.fraction);
       }
       if (s.gap.intersecting) {

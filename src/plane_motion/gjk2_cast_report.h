@@ -30,6 +30,9 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
 // A's: at_a, or where it stands A itself.
 const gjk2_collider *gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b);
 
+// Where the origin is, seen from a vertex, when B has gone a fraction of its way.
+gjk2_long gjk2_cast_place_from(const gjk2_way *way, gjk2_vec o, gjk_q30 fraction);
+
 typedef enum gjk2_bound { GJK2_BOUND_AT, GJK2_BOUND_BEYOND, GJK2_BOUND_AWAY } gjk2_bound;
 
 // By how much the whole way closes the gap along n, and an LSB of gap, at the same scale.

@@ -75,6 +75,11 @@ static int64_t plane_length_above(const gjk2_vec *v) {
   return x > y ? x + y / 2 + 1 : y + x / 2 + 1;  // sqrt(1 + t^2) <= 1 + t / 2 for 0 <= t <= 1
 }
 
+// Code chosen for size turns all cores alike.
+static inline bool plane_is_point(const plane_mover *m) {
+  return !GJK_SMALL && m->point;
+}
+
 static gjk_status plane_mover_set(plane_mover *m, const gjk2_collider *c, const gjk2_motion *motion) {
   const gjk_status status = gjk2_sweep_set(&m->sweep, motion);
   if (status != GJK_OK) {
@@ -92,7 +97,7 @@ static gjk_status plane_mover_set(plane_mover *m, const gjk2_collider *c, const 
   m->reach = (int64_t)c->core_radius + ((centre->x | centre->y) != 0 ? plane_length_above(centre) : 0);
   m->arc = m->sweep.angle != 0 ? plane_arc(m->sweep.angle, m->reach) : 0;
   m->point = c->shape->type->count == 1;
-  if (m->point) {  // what gjk2_collider_pose makes of it
+  if (plane_is_point(m)) {  // what gjk2_collider_pose makes of it
     const gjk2_vec none = {0, 0};
     gjk2_copy(&m->posed.frame[0], &none);
     gjk2_copy(&m->posed.frame[1], &none);
@@ -104,7 +109,7 @@ static gjk_status plane_mover_set(plane_mover *m, const gjk2_collider *c, const 
 }
 
 static gjk_status plane_mover_pose(plane_mover *m, gjk_q30 fraction) {
-  if (m->point) {
+  if (plane_is_point(m)) {
     gjk2_sweep_place(&m->sweep, fraction, &m->pose.position);
     gjk2_copy(&m->posed.position, &m->pose.position);
     gjk2_copy(&m->posed.centre, &m->pose.position);
@@ -211,6 +216,9 @@ static int64_t plane_lever(const plane_mover *m, const gjk2_unit *u, bool clockw
   return plane_mover_along(m, &w, &farthest.offset) + 16;
 }
 
+// What that is for a point, which lies at its origin.
+#define PLANE_POINT_LEVER 16
+
 // 2^31 / x, within 2^-14 of itself, for 2^15 <= x < 2^16 by Newton's iteration, with u = x / 2^16 and Y = y / 2^15:
 // from the line Y = 48/17 - 32/17 u, within 1/17 of 1 / u, twice Y += Y (1 - u Y).
 static uint32_t plane_reciprocal(uint32_t x) {
@@ -291,7 +299,7 @@ static void plane_add_turn(const plane_mover *m, const gjk2_unit *u, const gjk2_
                            int64_t height, int64_t tangent, int64_t *rate, uint64_t *bend) {
   if (angle != 0) {
     const uint64_t size = gjk_magnitude64(angle);
-    const int64_t lever = plane_lever(m, u, angle < 0, tangent, nearest);
+    const int64_t lever = plane_is_point(m) ? PLANE_POINT_LEVER : plane_lever(m, u, angle < 0, tangent, nearest);
     *rate += plane_turn_rate(size, lever);
     *bend += plane_bend(size, (uint64_t)(height < 0 ? -height : 0) + plane_third(lever < 0 ? -lever : 0, tangent));
   }
@@ -411,7 +419,7 @@ static void plane_impact_report(plane_impact *s, gjk_q30 lower, gjk_q30 upper, g
 
 // Writes the pose at lower of a mover that is posed at a fraction.
 static void plane_mover_end(const plane_mover *m, gjk_q30 posed, gjk_q30 lower, gjk2_pose *out) {
-  if (lower != posed || m->point) {
+  if (lower != posed || plane_is_point(m)) {
     gjk2_sweep_pose(&m->sweep, lower, out);
     return;
   }

@@ -263,9 +263,9 @@ static void plane_divisor_set(gjk_divisor *divisor, uint64_t den) {
   gjk_divisor_set(divisor, &whole);
 }
 
-// Is one division of 64 bits enough?
+// Is one division of 64 bits enough? A forged certificate may have no edge to divide: then the longer way has an answer, too.
 static inline bool plane_divides(uint64_t den) {
-  return GJK_64_BIT && !GJK_SMALL && den >> 62 == 0;
+  return GJK_64_BIT && !GJK_SMALL && den - 1 < (UINT64_C(1) << 62) - 1;
 }
 
 void gjk2_ratio_set(gjk_divisor *divisor, uint64_t den) {

@@ -261,8 +261,9 @@ set_up() {
           sources="$moved $(echo src/plane_motion/*cast*.c) src/plane_motion/gjk2_entry.c"
           ;;
         plane_advance*)
-          level=10 models=plane_distance
-          sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_entry.c src/plane_motion/gjk2_advance.c"
+          level=10 models='plane_distance plane_search'
+          sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_entry.c \
+            $(echo src/plane_motion/gjk2_advance*.c) src/plane/gjk2_canonical.c src/plane/gjk2_hull.c"
           ;;
         plane_sweep*) sources="$(echo src/plane/*.c) src/plane_motion/gjk2_sweep.c src/plane_motion/gjk2_way.c $(echo src/arith/*.c)" ;;
         plane_impact*)

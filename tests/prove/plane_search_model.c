@@ -18,6 +18,7 @@ bool gjk2_search_start(gjk2_search *s, const gjk2_collider *a, const gjk2_collid
   s->d = any_vec2(ANY_W);
   s->count = 0;
   s->warm = false;
+  s->whole = any_bool();
   s->first = &s->slot[0];
   s->apex = &s->slot[1];
   s->last = &s->slot[2];

@@ -20,3 +20,9 @@ void gjk2_sweep_pose(const gjk2_sweep *sweep, gjk_q30 fraction, gjk2_pose *out) 
   check_within(sweep->x, (INT64_C(1) << 32) - 1);
   *out = any_pose2();
 }
+
+void gjk2_sweep_place(const gjk2_sweep *sweep, gjk_q30 fraction, gjk2_vec *out) {
+  //@ assert fraction >= 0 && fraction <= GJK_Q30_ONE;
+  check_within(sweep->x, (INT64_C(1) << 32) - 1);
+  *out = any_position2();
+}
