@@ -100,8 +100,8 @@ static inline int32_t along_normal(int64_t start, gjk_q30 normal, int32_t radius
 //   partial sums:   A's core point within 2^59 + 2^47, 5 times that on the way; 2^59 for the differences and for the radius
 //   results:        at most 2^30 + 2^28 + 2^28 + 2^27
 GJK_ONCE static void report_coarse_axis(const witness_move *m, unsigned count, gjk_q16 centre_a, int32_t a0, int32_t a1,
-                                      int32_t a2, int32_t w0, int32_t w1, int32_t w2, gjk_q30 normal, gjk_q16 *point_a,
-                                      gjk_q16 *point_b) {
+                                        int32_t a2, int32_t w0, int32_t w1, int32_t w2, gjk_q30 normal,
+                                        gjk_q16 *point_a, gjk_q16 *point_b) {
   int64_t core = gjk_int64((uint64_t)a0 << 31 | UINT64_C(1) << 30);  // and half an LSB
   int64_t of_b = core;
   if (count > 1) {
@@ -118,7 +118,7 @@ GJK_ONCE static void report_coarse_axis(const witness_move *m, unsigned count, g
 
 // The same as nearest_points. Pre: is_coarse. In line, for the count of the feature.
 GJK_ONCE static void coarse_points(const gjk_iteration *it, unsigned count, const feature *f, const gjk_unit3 *normal,
-                                 gjk_vec3 *point_a, gjk_vec3 *point_b) {
+                                   gjk_vec3 *point_a, gjk_vec3 *point_b) {
   const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
   const gjk_vec3 *centre = &it->a->centre;
   const witness_move m = {f->weight[0].high, f->weight[1].high, 2 * it->a->shape->convex_radius,
