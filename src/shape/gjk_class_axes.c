@@ -150,7 +150,7 @@ static inline unsigned one_bit(unsigned v, unsigned w) {
 }
 
 // One branch for all half axes: which of them lie across is a matter of chance, but the signs of the others are sure, mostly.
-static unsigned refined_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
+static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
   const uint64_t slack = 2 * (uint64_t)(uint32_t)c->core_radius;
   const uint16_t *level = direction->level;
   unsigned across = 0, open = 0, ties = 0;
@@ -177,7 +177,7 @@ static inline bool is_across(const gjk_direction *direction, unsigned bit) {
          ((level[0] ^ level[1]) == bit || (level[1] ^ level[2]) == bit || (level[0] ^ level[2]) == bit);
 }
 
-static unsigned refined_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
+static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
   const int64_t slack = 2 * (int64_t)c->core_radius;
   direction->ties = 0;
   for (unsigned i = 0; i < c->count; i++) {
@@ -192,7 +192,7 @@ static unsigned refined_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_dir
 #endif
 
 static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
-  const unsigned number = refined_vertex(c, d, direction, at->vertex);
+  const unsigned number = turned_vertex(c, d, direction, at->vertex);
   if (number == at->vertex) {
     return false;
   }
