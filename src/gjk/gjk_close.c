@@ -121,7 +121,7 @@ GJK_ONCE static void place_corner(gjk_iteration *it, unsigned i, const gjk_vec3 
 }
 
 // Makes the feature the corner. False: it is the origin.
-static bool set_corner(gjk_iteration *it) {
+static bool set_lone_corner(gjk_iteration *it) {
   const gjk_vec3 *w = &it->simplex.slot[0].w;
   it->simplex.toward[0][0] = gjk_dot(w, w);
   it->direction.d = gjk_negate(*w);
@@ -160,7 +160,7 @@ static bool set_closest(gjk_iteration *it, const segment_products *m, const gjk_
                         int t) {
   place_corner(it, 0, a, b, s != 0 ? s : t != 0 ? -1 : 1, t != 0 ? t : -1);
   if (s != 0 && t != 0) {
-    return set_corner(it);
+    return set_lone_corner(it);
   }
   place_corner(it, 1, a, b, s != 0 ? s : t != 0 ? 1 : -1, t != 0 ? t : 1);
   if (s != 0) {
@@ -178,7 +178,7 @@ static bool close_points(gjk_iteration *it) {
   v->b = 0;
   v->w = it->delta;
   it->simplex.count = 1;
-  return set_corner(it);
+  return set_lone_corner(it);
 }
 
 // Points and segments of which one has a half axis.

@@ -128,8 +128,8 @@ static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
 
 // Sets or clears the bit of a half axis in *number as it lies along the exact direction. Returns its ties: 1 where it lies across
 // and has a length.
-static unsigned turn_axis(const gjk_direction *direction, const gjk_vec3 *axis, unsigned bit, bool across,
-                          unsigned *number) {
+static unsigned settle_axis(const gjk_direction *direction, const gjk_vec3 *axis, unsigned bit, bool across,
+                            unsigned *number) {
   const int side = across ? 0 : gjk_direction_sign(direction, axis);
   if (side != 0) {
     *number = side > 0 ? *number | bit : *number & ~bit;
@@ -163,7 +163,7 @@ static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_dire
     open |= (near & ~(across >> i)) << i;
   }
   for (unsigned i = 0; open >> i != 0; i++) {  // at most 3 times
-    ties += (open >> i & 1) != 0 ? turn_axis(direction, &c->frame[i], 1u << i, false, &number) : 0;
+    ties += (open >> i & 1) != 0 ? settle_axis(direction, &c->frame[i], 1u << i, false, &number) : 0;
   }
   direction->ties = ties;
   return number;
@@ -183,7 +183,7 @@ static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_dire
   for (unsigned i = 0; i < c->count; i++) {
     const int64_t along = gjk_dot(&c->frame[i], d);
     if (along < slack && along > -slack) {
-      direction->ties += turn_axis(direction, &c->frame[i], 1u << i, is_across(direction, 1u << i), &number);
+      direction->ties += settle_axis(direction, &c->frame[i], 1u << i, is_across(direction, 1u << i), &number);
     }
   }
   return number;
