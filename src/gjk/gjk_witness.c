@@ -178,9 +178,16 @@ static inline void describe_edge(const gjk_iteration *it, feature *f) {
   const unsigned u = s->order[0], v = s->order[1];
   f->u = f->w = &s->slot[u];
   f->v = &s->slot[v];
-  gjk_portion((uint64_t)s->toward[v][u], (uint64_t)s->toward[u][v], number_of(f->v) < number_of(f->u),
-              it->shift < FINE_SHIFT, &f->weight[0]);
+  const bool flip = number_of(f->v) < number_of(f->u), fine = it->shift < FINE_SHIFT;
+#if GJK_SMALL
+  gjk_u128 part[3];
+  gjk_simplex_parts(s, part);
+  gjk_portions(&part[2], &part[0], &part[1], flip ? 2 : 0, fine, f->weight);
+  f->weight[0] = f->weight[1];
+#else
+  gjk_portion((uint64_t)s->toward[v][u], (uint64_t)s->toward[u][v], flip, fine, &f->weight[0]);
   f->weight[1] = f->weight[0];
+#endif
 }
 
 // Steps 1 and 2 of a triangle.
