@@ -175,19 +175,19 @@ static inline unsigned first_corner(const gjk_iteration *it, const uint32_t n[3]
 // Steps 1 and 2 of an edge.
 static inline void describe_edge(const gjk_iteration *it, feature *f) {
   const gjk_simplex *s = &it->simplex;
-  const unsigned u = s->order[0], v = s->order[1];
-  f->u = f->w = &s->slot[u];
-  f->v = &s->slot[v];
-  const bool flip = number_of(f->v) < number_of(f->u), fine = it->shift < FINE_SHIFT;
+  f->u = f->w = &s->slot[s->order[0]];
+  f->v = &s->slot[s->order[1]];
 #if GJK_SMALL
   gjk_u128 part[3];
   gjk_simplex_parts(s, part);
-  gjk_portions(&part[2], &part[0], &part[1], flip ? 2 : 0, fine, f->weight);
-  f->weight[0] = f->weight[1];
+  gjk_portions(&part[2], &part[0], &part[1], number_of(f->v) < number_of(f->u) ? 2 : 0, it->shift < FINE_SHIFT,
+               f->weight);
 #else
-  gjk_portion((uint64_t)s->toward[v][u], (uint64_t)s->toward[u][v], flip, fine, &f->weight[0]);
-  f->weight[1] = f->weight[0];
+  const unsigned u = s->order[0], v = s->order[1];
+  gjk_portion((uint64_t)s->toward[v][u], (uint64_t)s->toward[u][v], number_of(f->v) < number_of(f->u),
+              it->shift < FINE_SHIFT, &f->weight[1]);
 #endif
+  f->weight[0] = f->weight[1];
 }
 
 // Steps 1 and 2 of a triangle.
@@ -211,28 +211,23 @@ static inline void describe_triangle(const gjk_iteration *it, feature *f) {
 void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_vec3 *point_a, gjk_vec3 *point_b,
                         bool *saturated) {
   const gjk_simplex *s = &it->simplex;
-  const bool coarse = is_coarse(it);
   feature f;
   //@ assert s->count >= 1 && s->count <= 3;
   if (s->count == 3) {
     describe_triangle(it, &f);
-    if (coarse) {
-      coarse_points(it, 3, &f, normal, point_a, point_b);
-      return;
-    }
   } else if (s->count == 2) {
     describe_edge(it, &f);
-    if (coarse) {
-      coarse_points(it, 2, &f, normal, point_a, point_b);
-      return;
-    }
   } else {
     f.u = f.v = f.w = &s->slot[s->order[0]];
     f.weight[0].high = f.weight[0].low = f.weight[1].high = f.weight[1].low = 0;
-    if (coarse) {
-      coarse_points(it, 1, &f, normal, point_a, point_b);
-      return;
-    }
   }
-  nearest_points(it, &f, normal, point_a, point_b, saturated);
+  if (!is_coarse(it)) {
+    nearest_points(it, &f, normal, point_a, point_b, saturated);
+  } else if (s->count == 3) {
+    coarse_points(it, 3, &f, normal, point_a, point_b);
+  } else if (s->count == 2) {
+    coarse_points(it, 2, &f, normal, point_a, point_b);
+  } else {
+    coarse_points(it, 1, &f, normal, point_a, point_b);
+  }
 }
