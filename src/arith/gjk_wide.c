@@ -127,6 +127,8 @@ static int32_t coarse_portion(uint32_t part, uint32_t inverse, bool from_rest) {
   return (int32_t)(from_rest ? most + 1 - inside : inside);
 }
 
+#if !GJK_SMALL
+
 void gjk_portion(uint64_t rest, uint64_t part, bool from_rest, bool fine, gjk_barycentric *weight) {
   const uint64_t sum = rest + part, first = from_rest ? rest : part;
   if (fine) {
@@ -139,6 +141,8 @@ void gjk_portion(uint64_t rest, uint64_t part, bool from_rest, bool fine, gjk_ba
   weight->high = coarse_portion((uint32_t)(first << zeros >> 32), inverse, from_rest);
   weight->low = 0;
 }
+
+#endif
 
 void gjk_portions(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, unsigned from_rest, bool fine,
                   gjk_barycentric weight[2]) {

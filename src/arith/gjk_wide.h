@@ -386,8 +386,8 @@ void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128
 void gjk_portions(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, unsigned from_rest, bool fine,
                   gjk_barycentric weight[2]);
 
-// The weight of one part of an edge, as gjk_portions finds it for a third part of 0. Pre: rest and part are above 0, their sum
-// is below 2^63.
+// The weight of one part of an edge: as of gjk_portions with a third part of 0, which a build for size asks instead.
+// Pre: rest and part are above 0, their sum is below 2^63.
 void gjk_portion(uint64_t rest, uint64_t part, bool from_rest, bool fine, gjk_barycentric *weight);
 
 // *out = |x| for x = 2^31 high + low, low < 2^31.

@@ -84,8 +84,13 @@ static bool closest_sides(const segment_products *m, int *s, int *t) {
   if (gjk_high32(rough) < 1 && gjk_sum_of_products_sign(m->aa, m->bb, -m->ab, m->ab) <= 0) {
     return false;
   }
-  *s = side_of(m, gjk_mac32(gjk_mul32(ab, bd), -bb, ad), rough, false);
-  *t = side_of(m, gjk_mac32(gjk_mul32(aa, bd), -ab, ad), rough, true);
+  if (GJK_SMALL) {
+    *s = side_exactly(m, false);
+    *t = side_exactly(m, true);
+  } else {
+    *s = side_of(m, gjk_mac32(gjk_mul32(ab, bd), -bb, ad), rough, false);
+    *t = side_of(m, gjk_mac32(gjk_mul32(aa, bd), -ab, ad), rough, true);
+  }
   if (*s != 0 || *t != 0) {
     find_border(m, s, t);
   }
@@ -106,22 +111,35 @@ static inline gjk_vec3 half_axis(const gjk_iteration *it, const gjk_collider *c)
 
 // Puts the corner at the ends s and t into slot i, the last one. a, b: the half axes, multiples of 2^shift.
 GJK_ONCE static void place_corner(gjk_iteration *it, unsigned i, const gjk_vec3 *a, const gjk_vec3 *b, int s, int t) {
-  const unsigned shift = (unsigned)it->shift;
-  gjk_vertex *v = &it->simplex.slot[i];
-  const gjk_vec3 of_a = {s * a->x, s * a->y, s * a->z};
-  v->a.offset.x = gjk_sar32(of_a.x, shift);
-  v->a.offset.y = gjk_sar32(of_a.y, shift);
-  v->a.offset.z = gjk_sar32(of_a.z, shift);
-  v->a.vertex = it->a->count > 0 && s > 0 ? 1 : 0;
-  v->b = it->b->count > 0 && t > 0 ? 1 : 0;
-  v->w.x = it->delta.x + of_a.x - t * b->x;
-  v->w.y = it->delta.y + of_a.y - t * b->y;
-  v->w.z = it->delta.z + of_a.z - t * b->z;
+  const uint16_t of_a = it->a->count > 0 && s > 0 ? 1 : 0, of_b = it->b->count > 0 && t > 0 ? 1 : 0;
+  if (GJK_SMALL) {
+    gjk_iteration_place(it, of_a, of_b);
+  } else {
+    const unsigned shift = (unsigned)it->shift;
+    gjk_vertex *v = &it->simplex.slot[i];
+    const gjk_vec3 end = {s * a->x, s * a->y, s * a->z};
+    v->a.offset.x = gjk_sar32(end.x, shift);
+    v->a.offset.y = gjk_sar32(end.y, shift);
+    v->a.offset.z = gjk_sar32(end.z, shift);
+    v->a.vertex = of_a;
+    v->b = of_b;
+    v->w.x = it->delta.x + end.x - t * b->x;
+    v->w.y = it->delta.y + end.y - t * b->y;
+    v->w.z = it->delta.z + end.z - t * b->z;
+  }
   it->simplex.count = (uint8_t)(i + 1);
 }
 
-// Makes the feature the corner. False: it is the origin.
-static bool set_corner(gjk_iteration *it) {
+// Makes the feature the corners, and sets the direction. False: the nearest point lies on a triangle's border, or it is the
+// origin.
+static bool set_corners(gjk_iteration *it) {
+  gjk_simplex *s = &it->simplex;
+  return gjk_simplex_set(s, s->count) && (s->count < 3 || gjk_dot_sign(&s->normal, &s->slot[0].w) != 0) &&
+         gjk_simplex_direction(s, &it->direction);
+}
+
+// The same for one corner.
+static bool set_lone_corner(gjk_iteration *it) {
   const gjk_vec3 *w = &it->simplex.slot[0].w;
   it->simplex.toward[0][0] = gjk_dot(w, w);
   it->direction.d = gjk_negate(*w);
@@ -129,8 +147,8 @@ static bool set_corner(gjk_iteration *it) {
   return (w->x | w->y | w->z) != 0;
 }
 
-// Makes the feature the edge along a half axis h from the corner v placed first to w. square: h . h; along: h . m for the
-// middle m = v + h = w - h. Below 2^60 and 2^61; the edge's parts h . (m + h) and h . (h - m) are above 0.
+// The same for the edge along a half axis h, from the corner v to w. square: h . h; along: h . m for the middle m = v + h =
+// w - h. Below 2^60 and 2^61. The products of h with m + h and h - m are above 0, since m is cut inside the range.
 static bool set_edge_along(gjk_iteration *it, int64_t square, int64_t along) {
   gjk_simplex *s = &it->simplex;
   const gjk_vec3 *v = &s->slot[0].w, *w = &s->slot[1].w;
@@ -141,18 +159,14 @@ static bool set_edge_along(gjk_iteration *it, int64_t square, int64_t along) {
   return gjk_search_direction_of_edge(v, s->toward[1][0], w, s->toward[0][1], &it->direction);
 }
 
-// Makes the feature the half parallelogram with the nearest point, on the diagonal of the first two corners. False: the point
-// lies on the diagonal, or it is the origin.
+// The same for half of the parallelogram, beside the diagonal that the first two corners span.
 static bool set_half(gjk_iteration *it, const segment_products *m, const gjk_vec3 *a, const gjk_vec3 *b) {
-  gjk_simplex *simplex = &it->simplex;
   // The sign of s + t: on which side of the diagonal.
   const int side = gjk_sum_of_products_sign(m->bd, m->aa + m->ab, -m->ad, m->bb + m->ab);
-  if (side == 0) {
-    return false;
+  if (side != 0) {
+    place_corner(it, 2, a, b, side, side);
   }
-  place_corner(it, 2, a, b, side, side);
-  return gjk_simplex_set(simplex, 3) && gjk_dot_sign(&simplex->normal, &simplex->slot[0].w) != 0 &&
-         gjk_simplex_direction(simplex, &it->direction);
+  return side != 0 && set_corners(it);
 }
 
 // Makes the feature the corner, edge or half parallelogram, and sets the direction from it. False: there is none.
@@ -160,16 +174,19 @@ static bool set_closest(gjk_iteration *it, const segment_products *m, const gjk_
                         int t) {
   place_corner(it, 0, a, b, s != 0 ? s : t != 0 ? -1 : 1, t != 0 ? t : -1);
   if (s != 0 && t != 0) {
-    return set_corner(it);
+    return GJK_SMALL ? set_corners(it) : set_lone_corner(it);
   }
   place_corner(it, 1, a, b, s != 0 ? s : t != 0 ? 1 : -1, t != 0 ? t : 1);
-  if (s != 0) {
-    return set_edge_along(it, m->bb, -m->bd - s * m->ab);
+  if (s == 0 && t == 0) {
+    return set_half(it, m, a, b);
   }
-  return t != 0 ? set_edge_along(it, m->aa, m->ad - t * m->ab) : set_half(it, m, a, b);
+  if (GJK_SMALL) {
+    return set_corners(it);
+  }
+  return s != 0 ? set_edge_along(it, m->bb, -m->bd - s * m->ab) : set_edge_along(it, m->aa, m->ad - t * m->ab);
 }
 
-// Makes the feature the one vertex of two points. False: it is the origin.
+// Points alone: their one difference. False: it is the origin.
 static bool close_points(gjk_iteration *it) {
   const gjk_vec3 zero = {0, 0, 0};
   gjk_vertex *v = &it->simplex.slot[0];
@@ -178,10 +195,10 @@ static bool close_points(gjk_iteration *it) {
   v->b = 0;
   v->w = it->delta;
   it->simplex.count = 1;
-  return set_corner(it);
+  return set_lone_corner(it);
 }
 
-// Points and segments of which one has a half axis.
+// Points and segments.
 static bool close_axes(gjk_iteration *it) {
   const gjk_vec3 a = half_axis(it, it->a), b = half_axis(it, it->b);
   const segment_products m = {gjk_dot(&a, &a), gjk_dot(&b, &b), gjk_dot(&a, &b), gjk_dot(&a, &it->delta),
@@ -192,7 +209,7 @@ static bool close_axes(gjk_iteration *it) {
 
 bool gjk_close_segments(gjk_iteration *it) {
   gjk_simplex_clear(&it->simplex);
-  if (it->a->count + it->b->count == 0 ? close_points(it) : close_axes(it)) {
+  if (!GJK_SMALL && it->a->count + it->b->count == 0 ? close_points(it) : close_axes(it)) {
     it->iterations = 1;
     it->ties[0] = it->ties[1] = 0;  // the half axes are not parallel: the nearest point is that of one feature
     return true;

@@ -401,5 +401,5 @@ bool gjk_search_canonical(gjk_iteration *it, bool points) {
 }
 
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal) {
-  return it->shift >= 0 && goal != GJK_GOAL_WITHIN && it->a->shape->type->close(it);
+  return gjk_search_may_close(it) && it->shift >= 0 && goal != GJK_GOAL_WITHIN && it->a->shape->type->close(it);
 }

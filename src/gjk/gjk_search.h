@@ -77,7 +77,7 @@ static inline bool gjk_search_may_close(const gjk_iteration *it) {
   return it->a->shape->type->close != NULL && it->a->shape->type->close == it->b->shape->type->close;
 }
 
-// Does the closed form find the feature? It rounds nothing in exact frames. A plane answers WITHIN sooner. Pre: there is one.
+// Does a closed form find the feature? It rounds nothing in exact frames. A plane answers WITHIN sooner.
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal);
 
 // Searches until the goal is answered or the iterations of the query reach the limit; after LIMIT and with a higher
@@ -88,7 +88,7 @@ static inline gjk_outcome gjk_search_any(gjk_iteration *it, gjk_goal goal, const
   const unsigned plain = limit < most ? limit : most;
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
   if (it->iterations < plain) {
-    if (it->iterations == 0 && gjk_search_may_close(it) && gjk_search_closes(it, goal)) {
+    if (it->iterations == 0 && it->a->shape->type->close != NULL && gjk_search_closes(it, goal)) {
       return GJK_OUTCOME_NEAREST;
     }
     it->limit = (uint8_t)plain;

@@ -16,6 +16,13 @@
 //         of them meets its conditions.
 #include "gjk_simplex.h"
 
+void gjk_simplex_clear(gjk_simplex *s) {
+  s->count = 0;
+  for (uint8_t i = 0; i < 4; i++) {
+    s->order[i] = i;
+  }
+}
+
 // Makes the feature the first n of the slots i, j, k; the other slots follow.
 GJK_ONCE static void set_feature(gjk_simplex *s, unsigned n, unsigned i, unsigned j, unsigned k) {
   s->count = (uint8_t)n;

@@ -45,12 +45,7 @@ static inline gjk_vertex *gjk_simplex_free(gjk_simplex *s) {
   return &s->slot[s->order[s->count]];
 }
 
-static inline void gjk_simplex_clear(gjk_simplex *s) {
-  s->count = 0;
-  for (uint8_t i = 0; i < 4; i++) {
-    s->order[i] = i;
-  }
-}
+void gjk_simplex_clear(gjk_simplex *s);
 
 // Adds the vertex in the free slot. Pre: count <= 3, and the last step was not ENCLOSING.
 gjk_step gjk_simplex_add(gjk_simplex *s);

@@ -100,8 +100,8 @@ static inline int32_t along_normal(int64_t start, gjk_q30 normal, int32_t radius
 //   partial sums:   A's core point within 2^59 + 2^47, 5 times that on the way; 2^59 for the differences and for the radius
 //   results:        at most 2^30 + 2^28 + 2^28 + 2^27
 GJK_ONCE static void report_coarse_axis(const witness_move *m, unsigned count, gjk_q16 centre_a, int32_t a0, int32_t a1,
-                                      int32_t a2, int32_t w0, int32_t w1, int32_t w2, gjk_q30 normal, gjk_q16 *point_a,
-                                      gjk_q16 *point_b) {
+                                        int32_t a2, int32_t w0, int32_t w1, int32_t w2, gjk_q30 normal,
+                                        gjk_q16 *point_a, gjk_q16 *point_b) {
   int64_t core = gjk_int64((uint64_t)a0 << 31 | UINT64_C(1) << 30);  // and half an LSB
   int64_t of_b = core;
   if (count > 1) {
@@ -118,7 +118,7 @@ GJK_ONCE static void report_coarse_axis(const witness_move *m, unsigned count, g
 
 // The same as nearest_points. Pre: is_coarse. In line, for the count of the feature.
 GJK_ONCE static void coarse_points(const gjk_iteration *it, unsigned count, const feature *f, const gjk_unit3 *normal,
-                                 gjk_vec3 *point_a, gjk_vec3 *point_b) {
+                                   gjk_vec3 *point_a, gjk_vec3 *point_b) {
   const gjk_vertex *u = f->u, *v = f->v, *w = f->w;
   const gjk_vec3 *centre = &it->a->centre;
   const witness_move m = {f->weight[0].high, f->weight[1].high, 2 * it->a->shape->convex_radius,
@@ -175,12 +175,19 @@ static inline unsigned first_corner(const gjk_iteration *it, const uint32_t n[3]
 // Steps 1 and 2 of an edge.
 static inline void describe_edge(const gjk_iteration *it, feature *f) {
   const gjk_simplex *s = &it->simplex;
+  f->u = f->w = &s->slot[s->order[0]];
+  f->v = &s->slot[s->order[1]];
+#if GJK_SMALL
+  gjk_u128 part[3];
+  gjk_simplex_parts(s, part);
+  gjk_portions(&part[2], &part[0], &part[1], number_of(f->v) < number_of(f->u) ? 2 : 0, it->shift < FINE_SHIFT,
+               f->weight);
+#else
   const unsigned u = s->order[0], v = s->order[1];
-  f->u = f->w = &s->slot[u];
-  f->v = &s->slot[v];
   gjk_portion((uint64_t)s->toward[v][u], (uint64_t)s->toward[u][v], number_of(f->v) < number_of(f->u),
-              it->shift < FINE_SHIFT, &f->weight[0]);
-  f->weight[1] = f->weight[0];
+              it->shift < FINE_SHIFT, &f->weight[1]);
+#endif
+  f->weight[0] = f->weight[1];
 }
 
 // Steps 1 and 2 of a triangle.
@@ -204,28 +211,23 @@ static inline void describe_triangle(const gjk_iteration *it, feature *f) {
 void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_vec3 *point_a, gjk_vec3 *point_b,
                         bool *saturated) {
   const gjk_simplex *s = &it->simplex;
-  const bool coarse = is_coarse(it);
   feature f;
   //@ assert s->count >= 1 && s->count <= 3;
   if (s->count == 3) {
     describe_triangle(it, &f);
-    if (coarse) {
-      coarse_points(it, 3, &f, normal, point_a, point_b);
-      return;
-    }
   } else if (s->count == 2) {
     describe_edge(it, &f);
-    if (coarse) {
-      coarse_points(it, 2, &f, normal, point_a, point_b);
-      return;
-    }
   } else {
     f.u = f.v = f.w = &s->slot[s->order[0]];
     f.weight[0].high = f.weight[0].low = f.weight[1].high = f.weight[1].low = 0;
-    if (coarse) {
-      coarse_points(it, 1, &f, normal, point_a, point_b);
-      return;
-    }
   }
-  nearest_points(it, &f, normal, point_a, point_b, saturated);
+  if (!is_coarse(it)) {
+    nearest_points(it, &f, normal, point_a, point_b, saturated);
+  } else if (s->count == 3) {
+    coarse_points(it, 3, &f, normal, point_a, point_b);
+  } else if (s->count == 2) {
+    coarse_points(it, 2, &f, normal, point_a, point_b);
+  } else {
+    coarse_points(it, 1, &f, normal, point_a, point_b);
+  }
 }

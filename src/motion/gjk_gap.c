@@ -313,12 +313,15 @@ gjk_vec3 gjk_gap_point(const gjk_gap *gap) {
   const gjk_vec3 *w = s->count > 2 ? &s->slot[s->order[2]].a.offset : u;
   const gjk_q16 radius = gap->it.a->shape->convex_radius;
   gjk_barycentric weight[2];
-  if (s->count < 2) {
+  if (!GJK_SMALL && s->count < 2) {
     const gjk_vec3 vertex = {vertex_point(u->x, gap->normal.x, radius), vertex_point(u->y, gap->normal.y, radius),
                              vertex_point(u->z, gap->normal.z, radius)};
     return vertex;
   }
-  gjk_simplex_weights(s, gap->it.shift < POLYTOPE_SHIFT, weight);
+  gjk_zero(weight, sizeof weight);
+  if (s->count > 1) {
+    gjk_simplex_weights(s, gap->it.shift < POLYTOPE_SHIFT, weight);
+  }
   const gjk_vec3 point = {point_axis(weight, u->x, v->x, w->x, gap->normal.x, radius),
                           point_axis(weight, u->y, v->y, w->y, gap->normal.y, radius),
                           point_axis(weight, u->z, v->z, w->z, gap->normal.z, radius)};

@@ -126,30 +126,73 @@ static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   return number >> c->count == 0;
 }
 
-// Does the half axis lie across the exact direction for sure? Two vertices that differ by it alone are equally far.
+// Sets or clears the bit of a half axis in *number as it lies along the exact direction. Returns its ties: 1 where it lies across
+// and has a length.
+static unsigned settle_axis(const gjk_direction *direction, const gjk_vec3 *axis, unsigned bit, bool across,
+                            unsigned *number) {
+  const int side = across ? 0 : gjk_direction_sign(direction, axis);
+  if (side != 0) {
+    *number = side > 0 ? *number | bit : *number & ~bit;
+    return 0;
+  }
+  return gjk_norm1(*axis) > 0 ? 1 : 0;
+}
+
+// The refinement: only the signs of products within slack are in doubt. d is off by less than 1 per component, so d . axis by
+// less than |axis|_1 <= sqrt(3) core_radius. Two vertices that differ by a half axis alone and are equally far show that
+// it lies across the exact direction: it is among those in doubt, and keeps its sign. Returns the vertex's number.
+#if GJK_CONDITIONAL_MOVES
+
+// The bits in which two numbers of vertices differ, if that is one bit.
+static inline unsigned one_bit(unsigned v, unsigned w) {
+  const unsigned bits = v ^ w;
+  return (bits & (bits - 1)) == 0 ? bits : 0;
+}
+
+// One branch for all half axes: which of them lie across is a matter of chance, but the signs of the others are sure, mostly.
+static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
+  const uint64_t slack = 2 * (uint64_t)(uint32_t)c->core_radius;
+  const uint16_t *level = direction->level;
+  unsigned across = 0, open = 0, ties = 0;
+  if (level != NULL) {
+    across = one_bit(level[0], level[1]) | one_bit(level[1], level[2]) | one_bit(level[0], level[2]);
+  }
+  for (unsigned i = 0; i < c->count; i++) {
+    const unsigned near = gjk_magnitude64(gjk_dot(&c->frame[i], d)) < slack ? 1u : 0u;
+    ties += across >> i & (gjk_norm1(c->frame[i]) > 0 ? 1u : 0u);
+    open |= (near & ~(across >> i)) << i;
+  }
+  for (unsigned i = 0; open >> i != 0; i++) {  // at most 3 times
+    ties += (open >> i & 1) != 0 ? settle_axis(direction, &c->frame[i], 1u << i, false, &number) : 0;
+  }
+  direction->ties = ties;
+  return number;
+}
+
+#else
+
 static inline bool is_across(const gjk_direction *direction, unsigned bit) {
   const uint16_t *level = direction->level;
   return !GJK_SMALL && level != NULL &&
          ((level[0] ^ level[1]) == bit || (level[1] ^ level[2]) == bit || (level[0] ^ level[2]) == bit);
 }
 
-// d is off by less than 1 per component, so d . axis by less than |axis|_1 <= sqrt(3) core_radius. Only the signs of
-// products within slack are in doubt. An axis across the exact direction keeps its sign.
-static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
+static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
   const int64_t slack = 2 * (int64_t)c->core_radius;
-  unsigned number = at->vertex;
   direction->ties = 0;
   for (unsigned i = 0; i < c->count; i++) {
     const int64_t along = gjk_dot(&c->frame[i], d);
     if (along < slack && along > -slack) {
-      const int side = is_across(direction, 1u << i) ? 0 : gjk_direction_sign(direction, &c->frame[i]);
-      if (side != 0) {
-        number = side > 0 ? number | 1u << i : number & ~(1u << i);
-      } else if (gjk_norm1(c->frame[i]) > 0) {
-        direction->ties++;
-      }
+      direction->ties += settle_axis(direction, &c->frame[i], 1u << i, is_across(direction, 1u << i), &number);
     }
   }
+  return number;
+}
+
+#endif
+
+static bool refine_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
+  const unsigned number = turned_vertex(c, d, direction, at->vertex);
   if (number == at->vertex) {
     return false;
   }

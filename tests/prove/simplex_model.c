@@ -2,6 +2,13 @@
 // once.
 #include "simplex_any.h"
 
+void gjk_simplex_clear(gjk_simplex *s) {
+  s->count = 0;
+  for (uint8_t i = 0; i < 4; i++) {
+    s->order[i] = i;
+  }
+}
+
 // Takes what the first n slots hold, and gives them any other vertices in any order. Of three there is a normal.
 static void any_feature(gjk_simplex *s, unsigned n) {
   for (unsigned i = 0; i < n; i++) {
