@@ -134,32 +134,45 @@ static void check_no_forms(void) {
   CHECK(gjk2_ground_within(&forged, &origin, &ball, 0, &yes) == GJK_OK && !yes);
 }
 
-// A fast body that stands, and ground that goes from one pose to another. What is reported of it.
-static gjk_event meet(const gjk2_pose *from, const gjk2_pose *to, gjk2_vec at) {
+static gjk2_scene scene;
+static gjk_body_id id[2];
+static gjk2_report report;
+
+// A scene of ground that may move and of a body.
+static void make_scene(const gjk2_pose *of_ground, const gjk2_shape *body, const gjk2_pose *of_body, uint8_t detail) {
   static uint32_t block[500];
-  static const gjk2_shape crate = GJK2_BOX(ONE / 2, ONE / 2);
-  const gjk2_shape *const shapes[] = {&ground_shape, &crate};
-  const gjk2_scene_config config = {.bodies = 2, .parts = 2, .pairs = 2, .motions = 2};
-  const gjk2_scene_bindings bindings = {.motion = &gjk2_scene_motion};
+  static const gjk2_shape *shapes[2];
+  const gjk2_scene_config config = {.bodies = 2, .parts = 2, .pairs = 2, .detail = detail, .motions = 2};
+  const gjk2_scene_bindings bindings = {.details = &gjk2_scene_depth, .motion = &gjk2_scene_motion};
   const gjk2_part parts[] = {{.shape = 0}, {.shape = 1}};
-  gjk2_body_setup setup = {*from, &parts[0], 1, GJK_BODY_KINEMATIC, 0, 1, 1, 0, 0};
-  gjk2_report report = {.event = 0};
-  gjk_progress progress;
-  gjk2_scene scene;
-  gjk_body_id id[2];
+  gjk2_body_setup setup = {*of_ground, &parts[0], 1, GJK_BODY_KINEMATIC, 0, 1, 1, 0, 0};
+  shapes[0] = &ground_shape;
+  shapes[1] = body;
   CHECK(gjk2_scene_init(&scene, &config, block, sizeof block, shapes, 2, &bindings) == GJK_OK);
   CHECK(gjk2_scene_add(&scene, &setup, &id[0]) == GJK_OK);
   setup.parts = &parts[1];
   setup.kind = GJK_BODY_DYNAMIC;
-  setup.pose = origin;
-  setup.pose.position = at;
+  setup.pose = *of_body;
   CHECK(gjk2_scene_add(&scene, &setup, &id[1]) == GJK_OK);
-  CHECK(gjk2_scene_set_motion(&scene, id[0], GJK_MOTION_KEPT) == GJK_OK);
-  CHECK(gjk2_scene_set_motion(&scene, id[1], GJK_MOTION_FAST) == GJK_OK);
-  CHECK(gjk2_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports == 0);
-  CHECK(gjk2_scene_move(&scene, id[0], to) == GJK_OK);
+}
+
+// What an update reports: one event or none.
+static gjk_event update(void) {
+  gjk_progress progress;
   CHECK(gjk2_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports_left == 0);
   return progress.reports == 1 ? (gjk_event)report.event : (gjk_event)0;
+}
+
+// A fast crate that stands, and ground that goes from one pose to another.
+static gjk_event meet(const gjk2_pose *from, const gjk2_pose *to, gjk2_vec at) {
+  static const gjk2_shape crate = GJK2_BOX(ONE / 2, ONE / 2);
+  const gjk2_pose stands = {at, {GJK_Q30_ONE, 0}};
+  make_scene(from, &crate, &stands, GJK_DETAIL_TOUCH);
+  CHECK(gjk2_scene_set_motion(&scene, id[0], GJK_MOTION_KEPT) == GJK_OK);
+  CHECK(gjk2_scene_set_motion(&scene, id[1], GJK_MOTION_FAST) == GJK_OK);
+  CHECK(update() == 0);
+  CHECK(gjk2_scene_move(&scene, id[0], to) == GJK_OK);
+  return update();
 }
 
 // Ground that turns from 30 degrees below to 30 above, so that the cosine is the same: its far end comes by, from below.
@@ -188,6 +201,31 @@ static void check_rising(void) {
   CHECK(meet(&low, &high, between) == GJK_EVENT_IMPACT);
 }
 
+// A rod that stands upright and flies along a level, turning by little, with a gap that is less than what an impact allows:
+// its end is as far from its middle as anything of it.
+static void check_passing(void) {
+  static const gjk2_vec level[] = {{30 * ONE, -ONE - 5}, {-30 * ONE, -ONE - 5}};
+  static const gjk2_shape rod = GJK2_SEGMENT(ONE);
+  const gjk2_pose from = {{0, 0}, {0, GJK_Q30_ONE}}, to = {{4 * ONE, 0}, {20, GJK_Q30_ONE}};
+  make_chain(level, 2);
+  make_scene(&origin, &rod, &from, GJK_DETAIL_TOUCH);
+  CHECK(gjk2_scene_set_motion(&scene, id[1], GJK_MOTION_FAST) == GJK_OK);
+  CHECK(update() == 0);
+  CHECK(gjk2_scene_move(&scene, id[1], &to) == GJK_OK);
+  CHECK(update() == GJK_EVENT_IMPACT);
+}
+
+// How deep a crate is in the ground, as a scene reports it.
+static void check_depth(void) {
+  static const gjk2_vec level[] = {{9 * ONE, 0}, {-9 * ONE, 0}};
+  static const gjk2_shape crate = GJK2_BOX(ONE / 2, ONE / 2);
+  const gjk2_pose at = {{0, ONE / 2 - 1000}, {GJK_Q30_ONE, 0}};
+  make_chain(level, 2);
+  make_scene(&origin, &crate, &at, GJK_DETAIL_DEPTH);
+  CHECK(update() == GJK_EVENT_BEGIN);
+  CHECK_MSG(report.distance == -1000, "%d", (int)report.distance);
+}
+
 int main(void) {
   check_rest();
   check_profiles();
@@ -197,5 +235,7 @@ int main(void) {
   check_no_forms();
   check_turning();
   check_rising();
+  check_passing();
+  check_depth();
   return check_done("plane ground cases");
 }
