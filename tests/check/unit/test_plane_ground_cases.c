@@ -163,8 +163,8 @@ static gjk_event update(void) {
   return progress.reports == 1 ? (gjk_event)report.event : (gjk_event)0;
 }
 
-// A fast crate that stands, and ground that goes from one pose to another.
-static gjk_event meet(const gjk2_pose *from, const gjk2_pose *to, gjk2_vec at) {
+// A fast crate that stands, or turns a little, and ground that goes from one pose to another.
+static gjk_event meet(const gjk2_pose *from, const gjk2_pose *to, gjk2_vec at, bool turns) {
   static const gjk2_shape crate = GJK2_BOX(ONE / 2, ONE / 2);
   const gjk2_pose stands = {at, {GJK_Q30_ONE, 0}};
   make_scene(from, &crate, &stands, GJK_DETAIL_TOUCH);
@@ -172,6 +172,11 @@ static gjk_event meet(const gjk2_pose *from, const gjk2_pose *to, gjk2_vec at) {
   CHECK(gjk2_scene_set_motion(&scene, id[1], GJK_MOTION_FAST) == GJK_OK);
   CHECK(update() == 0);
   CHECK(gjk2_scene_move(&scene, id[0], to) == GJK_OK);
+  if (turns) {
+    gjk2_pose turned = stands;
+    CHECK(gjk2_rotation_from_angle(100, &turned.rotation) == GJK_OK);
+    CHECK(gjk2_scene_move(&scene, id[1], &turned) == GJK_OK);
+  }
   return update();
 }
 
@@ -185,8 +190,8 @@ static void check_turning(void) {
   CHECK(gjk2_rotation_from_angle(-34315, &low.rotation) == GJK_OK);
   CHECK(gjk2_rotation_from_angle(34315, &high.rotation) == GJK_OK);
   CHECK(low.rotation.c == high.rotation.c && low.rotation.s == -high.rotation.s);
-  CHECK(meet(&low, &high, beside) == GJK_EVENT_IMPACT);
-  CHECK(meet(&high, &low, beside) == 0);
+  CHECK(meet(&low, &high, beside, false) == GJK_EVENT_IMPACT);
+  CHECK(meet(&high, &low, beside, false) == 0);
 }
 
 // Ground below the origin that turns a little and rises through a crate, in one tick; and that sinks away.
@@ -195,10 +200,12 @@ static void check_rising(void) {
   gjk2_pose low = {{0, -50 * ONE}, {GJK_Q30_ONE, 0}}, high = {{0, -10 * ONE}, {GJK_Q30_ONE, 0}};
   const gjk2_vec between = {0, -30 * ONE};
   make_chain(level, 2);
-  CHECK(meet(&low, &high, between) == GJK_EVENT_IMPACT);
-  CHECK(meet(&high, &low, between) == 0);
+  for (int turns = 0; turns < 2; turns++) {
+    CHECK(meet(&low, &high, between, turns != 0) == GJK_EVENT_IMPACT);
+    CHECK(meet(&high, &low, between, turns != 0) == 0);
+  }
   CHECK(gjk2_rotation_from_angle(100, &high.rotation) == GJK_OK);
-  CHECK(meet(&low, &high, between) == GJK_EVENT_IMPACT);
+  CHECK(meet(&low, &high, between, false) == GJK_EVENT_IMPACT);
 }
 
 // A rod that stands upright and flies along a level, turning by little, with a gap that is less than what an impact allows:
