@@ -1,5 +1,6 @@
 // Ground where the answer is known by hand: ends of ways, limits, ties, neighbours at a corner, and turning ground.
 #include <stdlib.h>
+#include <string.h>
 
 #include "check.h"
 #include "gjk2/gjk2.h"
@@ -76,6 +77,47 @@ static void check_tie(void) {
   make_chain(roof, 5);
   CHECK(gjk2_ground_cast(&ground, &origin, &ball, &path, &hit, &segment) == GJK_OK && hit.hit);
   CHECK_MSG(segment == 0 && hit.normal.x == 0, "segment %u", (unsigned)segment);
+}
+
+// A ball that passes a ridge by an LSB does not meet it. A ray that begins on the surface enters there.
+static void check_grazing(void) {
+  static const gjk2_vec ridge[] = {{5 * ONE, -5 * ONE}, {0, 0}, {-5 * ONE, -5 * ONE}};
+  const gjk2_collider ball = put(&disc, -3 * ONE, ONE + 1), lower = put(&disc, -3 * ONE, ONE - 2);
+  const gjk2_vec to = {3 * ONE, ONE + 1}, lower_to = {3 * ONE, ONE - 2}, on = {-ONE, -ONE}, under = {-ONE, -2 * ONE};
+  const gjk2_cast_path path = {NULL, &to, 0}, lower_path = {NULL, &lower_to, 0};
+  gjk2_cast_result hit;
+  uint32_t segment;
+  make_chain(ridge, 3);
+  CHECK(gjk2_ground_cast(&ground, &origin, &ball, &path, &hit, &segment) == GJK_OK && !hit.hit);
+  CHECK(gjk2_ground_cast(&ground, &origin, &lower, &lower_path, &hit, &segment) == GJK_OK && hit.hit);
+  CHECK(gjk2_ground_cast_ray(&ground, &origin, &on, &under, &hit, &segment) == GJK_OK && hit.hit && hit.fraction == 0);
+}
+
+// As far from the origin as ground may be, along a diagonal that a turn puts upright.
+static void check_far(void) {
+  static const gjk2_vec corner[] = {{GJK2_GROUND_REACH, GJK2_GROUND_REACH - ONE},
+                                    {GJK2_GROUND_REACH - ONE, GJK2_GROUND_REACH}};
+  const gjk2_pose turned = {{0, 0}, {759250125, 759250125}};
+  gjk2_vec at;
+  bool yes = false;
+  make_chain(corner, 2);
+  CHECK(gjk2_pose_apply(&turned, &corner[0], &at) == GJK_OK && at.y > GJK2_GROUND_REACH / 4 * 5);
+  const gjk2_collider point = put(&dot, at.x, at.y + 10);
+  CHECK(gjk2_ground_within(&ground, &turned, &point, 20, &yes) == GJK_OK && yes);
+}
+
+// All of a shape is written, whatever was there; and the smallest tiles are refused for their size.
+static void check_made(void) {
+  static const gjk2_vec level[] = {{ONE, 0}, {0, 0}};
+  static const gjk2_tile full[] = {GJK2_TILE(4, 4)};
+  static const uint8_t cells[] = {0};
+  const gjk2_tiles grid = {cells, 1, 1, 1, 1, full};
+  memset(&ground_shape, 0x5A, sizeof ground_shape);
+  make_chain(level, 2);
+  CHECK(ground_shape.type == &gjk2_class_ground && ground_shape.user == &ground);
+  CHECK(ground_shape.vertices == NULL && ground_shape.support == NULL);
+  CHECK(ground_shape.convex_radius == 0 && ground_shape.count == 0);
+  CHECK(gjk2_ground_of_tiles(&grid, &ground, &ground_shape) == GJK_ERROR_SIZE);
 }
 
 // The edge of that number, with its neighbours.
@@ -183,10 +225,10 @@ static gjk_event meet(const gjk2_pose *from, const gjk2_pose *to, gjk2_vec at, b
 // Ground that turns from 30 degrees below to 30 above, so that the cosine is the same: its far end comes by, from below.
 // From behind, on its way back, it does not count.
 static void check_turning(void) {
-  static const gjk2_vec arm[] = {{12 * ONE, 0}, {8 * ONE, 0}};
+  static const gjk2_vec arm[] = {{12 * ONE, 0}, {9 * ONE, 0}, {8 * ONE, 0}};
   gjk2_pose low = GJK2_POSE_IDENTITY, high = GJK2_POSE_IDENTITY;
   const gjk2_vec beside = {10 * ONE, 0};
-  make_chain(arm, 2);
+  make_chain(arm, 3);
   CHECK(gjk2_rotation_from_angle(-34315, &low.rotation) == GJK_OK);
   CHECK(gjk2_rotation_from_angle(34315, &high.rotation) == GJK_OK);
   CHECK(low.rotation.c == high.rotation.c && low.rotation.s == -high.rotation.s);
@@ -237,6 +279,9 @@ int main(void) {
   check_rest();
   check_profiles();
   check_tie();
+  check_grazing();
+  check_far();
+  check_made();
   check_chain_neighbours();
   check_tile_neighbours();
   check_no_forms();
