@@ -106,6 +106,22 @@ static void check_far(void) {
   CHECK(gjk2_ground_within(&ground, &turned, &point, 20, &yes) == GJK_OK && yes);
 }
 
+// The nearest segment of a body that is much farther away than ground reaches; and a ray along the line of a segment, which
+// does not enter it.
+static void check_beside(void) {
+  static const gjk2_vec level[] = {{ONE, 0}, {0, 0}};
+  const gjk2_collider ball = put(&disc, INT32_C(3) << 29, ONE);
+  const gjk2_vec from = {3 * ONE, 0}, to = {-3 * ONE, 0};
+  gjk2_distance_result gap;
+  gjk2_cast_result hit;
+  uint32_t segment;
+  bool found = false;
+  make_chain(level, 2);
+  CHECK(gjk2_ground_distance(&ground, &origin, &ball, &gap, &segment, &found) == GJK_OK && found);
+  CHECK(abs(gap.distance - ((INT32_C(3) << 29) - 2 * ONE)) <= 8);
+  CHECK(gjk2_ground_cast_ray(&ground, &origin, &from, &to, &hit, &segment) == GJK_OK && !hit.hit);
+}
+
 // All of a shape is written, whatever was there; and the smallest tiles are refused for their size.
 static void check_made(void) {
   static const gjk2_vec level[] = {{ONE, 0}, {0, 0}};
@@ -281,6 +297,7 @@ int main(void) {
   check_tie();
   check_grazing();
   check_far();
+  check_beside();
   check_made();
   check_chain_neighbours();
   check_tile_neighbours();
