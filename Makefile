@@ -11,6 +11,7 @@
 #   make demo-plane      two players run, jump and push things over a level of the plane, in two processes that exchange only
 #                        keys; then one of them is firmware on an emulated Cortex-M3, then on a big-endian machine:
 #                        build/plane.svg
+#   make demo-platform   draws the platform game of tests/programs/examples on its ground of tiles: build/platform.svg
 #   make demo-parts      a bracket, a torus and a rock in convex parts that enclose them, and a gripper's contacts: build/parts.svg
 #   make demo-trace      draws what each iteration of GJK does on some pairs: build/trace.html
 #   make page            the page to touch: build/page/index.html, one file with the library as WebAssembly, opens from disk
@@ -115,7 +116,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: bench-hull bench-parts all help lib setup check test unit-tests programs demo demo-stack demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: bench-hull bench-parts all help lib setup check test unit-tests programs demo demo-stack demo-platform demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all:
 	+@$(PARALLEL) lib build/gjk-query build/gjk-convert build/gjk-demo
 
@@ -202,6 +203,11 @@ endif
 $(addprefix build/,$(PROGRAMS)):
 	@echo '  $@'
 	@$(HOSTED) $(filter %.o,$^) -lm -o $@
+
+# Its game is an example that it includes, which needed.awk does not see.
+build/gjk-demo-platform: build/hosted/tests/programs/demo_platform/main.o build/hosted/port/hosted/gjk_hosted.o $(HOST_LIB)
+	@echo '  $@'
+	@$(HOSTED) $(filter %.o,$^) $(HOST_LIB) -o $@
 
 # The benchmark, and the report on its figures. BENCH_PEERS: other libraries to measure, out of ccd, bullet, fcl and ode.
 
@@ -389,7 +395,7 @@ TESTS := $(LONG_TESTS) $(filter-out $(LONG_TESTS),$(UNIT_TESTS) $(TEST_SCRIPTS))
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 PARALLEL = $(MAKE) --no-print-directory $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 
-programs: lib build/gjk-query build/gjk-demo unit-tests build/scene-bench build/gjk-rest build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-parts build/gjk-demo-plane
+programs: lib build/gjk-query build/gjk-demo unit-tests build/scene-bench build/gjk-rest build/gjk-plane-alone build/lockstep build/gjk-convert build/gjk-demo-stack build/gjk-demo-platform build/gjk-demo-parts build/gjk-demo-plane
 
 test: $(filter setup,$(MAKECMDGOALS))
 	+@$(PARALLEL) programs
@@ -414,6 +420,10 @@ demo:
 demo-stack:
 	+@$(PARALLEL) build/gjk-demo-stack
 	build/gjk-demo-stack build/stack.svg
+
+demo-platform:
+	+@$(PARALLEL) build/gjk-demo-platform
+	build/gjk-demo-platform build/platform.svg
 
 demo-parts:
 	+@$(PARALLEL) build/gjk-demo-parts

@@ -33,8 +33,11 @@ static const gjk2_tile *form_of(const gjk2_tiles *t, int32_t column, int32_t row
     return NULL;
   }
   const uint8_t number = t->cells[(uint32_t)row * t->columns + (uint32_t)column];
+  if (number >= t->form_count) {
+    return NULL;
+  }
   const gjk2_tile *form = &t->forms[number];
-  return number < t->form_count && (form->one_way || (form->left | form->right) != 0) ? form : NULL;
+  return form->one_way || (form->left | form->right) != 0 ? form : NULL;
 }
 
 static int32_t quarters_of(uint8_t height) {

@@ -1,0 +1,310 @@
+// Ground where the answer is known by hand: ends of ways, limits, ties, neighbours at a corner, and turning ground.
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "gjk2/gjk2.h"
+#include "gjk2/ground.h"
+#include "src/ground/gjk2_ground_walk.h"
+
+#define ONE GJK_Q16_ONE
+
+static gjk2_ground ground;
+static gjk2_shape ground_shape;
+static const gjk2_pose origin = GJK2_POSE_IDENTITY;
+static const gjk2_shape disc = GJK2_CIRCLE(ONE), dot = GJK2_POINT;
+
+static gjk2_collider put(const gjk2_shape *shape, gjk_q16 x, gjk_q16 y) {
+  const gjk2_pose pose = {{x, y}, {GJK_Q30_ONE, 0}};
+  gjk2_collider c;
+  CHECK(gjk2_collider_init(&c, shape, NULL, 0) == GJK_OK && gjk2_collider_pose(&c, &pose) == GJK_OK);
+  return c;
+}
+
+static void make_chain(const gjk2_vec *vertices, uint16_t count) {
+  static gjk2_polyline chain;
+  chain.vertices = vertices;
+  chain.count = count;
+  chain.index = NULL;
+  CHECK(gjk2_ground_of_chain(&chain, &ground, &ground_shape) == GJK_OK);
+}
+
+// Where the ground comes to rest that rises and goes aside below a ball.
+static void check_rest(void) {
+  static const gjk2_vec level[] = {{20 * ONE, 0}, {-20 * ONE, 0}};
+  const gjk2_pose pose = {{100, 200}, {GJK_Q30_ONE, 0}};
+  const gjk2_vec to = {100 + 3000, 200 + 8 * ONE};
+  const gjk2_cast_path path = {&to, NULL, 0};
+  const gjk2_collider ball = put(&disc, 0, 200 + 5 * ONE);
+  gjk2_cast_result hit;
+  uint32_t segment;
+  make_chain(level, 2);
+  CHECK(gjk2_ground_cast(&ground, &pose, &ball, &path, &hit, &segment) == GJK_OK && hit.hit);
+  CHECK_MSG(abs(hit.rest_a.x - 1600) <= 1 && abs(hit.rest_a.y - 200 - 4 * ONE) <= 1, "rests at %d, %d",
+            (int)hit.rest_a.x, (int)hit.rest_a.y);
+  CHECK(hit.rest_b.x == 0 && abs(hit.rest_b.y - 200 - 5 * ONE) <= 1);
+}
+
+// The least width, the largest shift, and a box that ends where the profile begins.
+static void check_profiles(void) {
+  static const int16_t steps[] = {1, 1}, flat[] = {0, 0, 0};
+  gjk2_heights profile = {steps, 2, ONE, 13};
+  const gjk2_vec from = {ONE / 2, 9 * ONE}, to = {ONE / 2, 0};
+  gjk2_cast_result hit;
+  uint32_t segment;
+  bool yes = false;
+  CHECK(gjk2_ground_of_heights(&profile, &ground, &ground_shape) == GJK_OK);
+  CHECK(gjk2_ground_cast_ray(&ground, &origin, &from, &to, &hit, &segment) == GJK_OK && hit.hit);
+  CHECK(hit.point_a.y == 1 << 13);
+  profile.heights = flat;
+  profile.count = 3;
+  profile.width = 1;
+  CHECK(gjk2_ground_of_heights(&profile, &ground, &ground_shape) == GJK_OK);
+  const gjk2_collider first = put(&dot, 0, 0), last = put(&dot, 2, 0);
+  CHECK(gjk2_ground_within(&ground, &origin, &first, 0, &yes) == GJK_OK && yes);
+  CHECK(gjk2_ground_within(&ground, &origin, &last, 0, &yes) == GJK_OK && yes);
+}
+
+// A ball falls onto a corner of a closed chain: of both sides, which it meets at once, the first counts, although the normal
+// is that of the last.
+static void check_tie(void) {
+  static const gjk2_vec roof[] = {{0, 0}, {-9 * ONE, -9 * ONE}, {9 * ONE, -9 * ONE}, {9 * ONE, 0}, {0, 0}};
+  const gjk2_collider ball = put(&disc, 0, 5 * ONE);
+  const gjk2_vec to = {0, 0};
+  const gjk2_cast_path path = {NULL, &to, 0};
+  gjk2_cast_result hit;
+  uint32_t segment = 9;
+  make_chain(roof, 5);
+  CHECK(gjk2_ground_cast(&ground, &origin, &ball, &path, &hit, &segment) == GJK_OK && hit.hit);
+  CHECK_MSG(segment == 0 && hit.normal.x == 0, "segment %u", (unsigned)segment);
+}
+
+// A ball that passes a ridge by an LSB does not meet it. A ray that begins on the surface enters there.
+static void check_grazing(void) {
+  static const gjk2_vec ridge[] = {{5 * ONE, -5 * ONE}, {0, 0}, {-5 * ONE, -5 * ONE}};
+  const gjk2_collider ball = put(&disc, -3 * ONE, ONE + 1), lower = put(&disc, -3 * ONE, ONE - 2);
+  const gjk2_vec to = {3 * ONE, ONE + 1}, lower_to = {3 * ONE, ONE - 2}, on = {-ONE, -ONE}, under = {-ONE, -2 * ONE};
+  const gjk2_cast_path path = {NULL, &to, 0}, lower_path = {NULL, &lower_to, 0};
+  gjk2_cast_result hit;
+  uint32_t segment;
+  make_chain(ridge, 3);
+  CHECK(gjk2_ground_cast(&ground, &origin, &ball, &path, &hit, &segment) == GJK_OK && !hit.hit);
+  CHECK(gjk2_ground_cast(&ground, &origin, &lower, &lower_path, &hit, &segment) == GJK_OK && hit.hit);
+  CHECK(gjk2_ground_cast_ray(&ground, &origin, &on, &under, &hit, &segment) == GJK_OK && hit.hit && hit.fraction == 0);
+}
+
+// As far from the origin as ground may be, along a diagonal that a turn puts upright.
+static void check_far(void) {
+  static const gjk2_vec corner[] = {{GJK2_GROUND_REACH, GJK2_GROUND_REACH - ONE},
+                                    {GJK2_GROUND_REACH - ONE, GJK2_GROUND_REACH}};
+  const gjk2_pose turned = {{0, 0}, {759250125, 759250125}};
+  gjk2_vec at;
+  bool yes = false;
+  make_chain(corner, 2);
+  CHECK(gjk2_pose_apply(&turned, &corner[0], &at) == GJK_OK && at.y > GJK2_GROUND_REACH / 4 * 5);
+  const gjk2_collider point = put(&dot, at.x, at.y + 10);
+  CHECK(gjk2_ground_within(&ground, &turned, &point, 20, &yes) == GJK_OK && yes);
+}
+
+// The nearest segment of a body that is much farther away than ground reaches; and a ray along the line of a segment, which
+// does not enter it.
+static void check_beside(void) {
+  static const gjk2_vec level[] = {{ONE, 0}, {0, 0}};
+  const gjk2_collider ball = put(&disc, INT32_C(3) << 29, ONE);
+  const gjk2_vec from = {3 * ONE, 0}, to = {-3 * ONE, 0};
+  gjk2_distance_result gap;
+  gjk2_cast_result hit;
+  uint32_t segment;
+  bool found = false;
+  make_chain(level, 2);
+  CHECK(gjk2_ground_distance(&ground, &origin, &ball, &gap, &segment, &found) == GJK_OK && found);
+  CHECK(abs(gap.distance - ((INT32_C(3) << 29) - 2 * ONE)) <= 8);
+  CHECK(gjk2_ground_cast_ray(&ground, &origin, &from, &to, &hit, &segment) == GJK_OK && !hit.hit);
+}
+
+// All of a shape is written, whatever was there; and the smallest tiles are refused for their size.
+static void check_made(void) {
+  static const gjk2_vec level[] = {{ONE, 0}, {0, 0}};
+  static const gjk2_tile full[] = {GJK2_TILE(4, 4)};
+  static const uint8_t cells[] = {0};
+  const gjk2_tiles grid = {cells, 1, 1, 1, 1, full};
+  memset(&ground_shape, 0x5A, sizeof ground_shape);
+  make_chain(level, 2);
+  CHECK(ground_shape.type == &gjk2_class_ground && ground_shape.user == &ground);
+  CHECK(ground_shape.vertices == NULL && ground_shape.support == NULL);
+  CHECK(ground_shape.convex_radius == 0 && ground_shape.count == 0);
+  CHECK(gjk2_ground_of_tiles(&grid, &ground, &ground_shape) == GJK_ERROR_SIZE);
+}
+
+// The edge of that number, with its neighbours.
+static bool edge_of(uint32_t number, gjk2_ground_edge *edge) {
+  static const gjk2_aabb all = {{INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX}};
+  gjk2_ground_walk walk;
+  gjk2_line line;
+  CHECK(gjk2_ground_place(&ground, &origin, &walk) == GJK_OK);
+  gjk2_ground_begin(&walk, &all);
+  while (gjk2_ground_next(&walk, &line, edge)) {
+    if (edge->number == number) {
+      gjk2_ground_set_neighbours(&walk, &line, edge);
+      return true;
+    }
+  }
+  return false;
+}
+
+// Each segment of a closed chain and of an open one has the vertices before and after it, past those that come twice.
+static void check_chain_neighbours(void) {
+  static const gjk2_vec square[] = {{0, 0}, {0, 0}, {ONE, 0}, {ONE, ONE}, {ONE, ONE}, {0, ONE}, {0, 0}};
+  gjk2_ground_edge edge;
+  make_chain(square, 7);
+  CHECK(edge_of(1, &edge) && !edge.open_before && !edge.open_after);
+  CHECK(edge.vertex[0].x == 0 && edge.vertex[0].y == ONE && edge.vertex[3].x == ONE && edge.vertex[3].y == ONE);
+  CHECK(edge_of(2, &edge) && edge.vertex[0].x == 0 && edge.vertex[0].y == 0);
+  CHECK(edge.vertex[3].x == 0 && edge.vertex[3].y == ONE);
+  CHECK(edge_of(4, &edge) && edge.vertex[0].x == ONE && edge.vertex[0].y == 0);
+  CHECK(edge.vertex[3].x == 0 && edge.vertex[3].y == 0);
+  CHECK(edge_of(5, &edge) && edge.vertex[0].x == ONE && edge.vertex[0].y == ONE);
+  CHECK(edge.vertex[3].x == ONE && edge.vertex[3].y == 0);
+  make_chain(square + 1, 5);
+  CHECK(edge_of(0, &edge) && edge.open_before && !edge.open_after && edge.vertex[3].y == ONE);
+  CHECK(edge_of(3, &edge) && !edge.open_before && edge.open_after && edge.vertex[0].y == 0);
+}
+
+// Where two sides turn right at a corner, the one that turns more follows: of a platform that falls away below a full tile.
+static void check_tile_neighbours(void) {
+  static const gjk2_tile forms[] = {GJK2_TILE(0, 0), GJK2_TILE(4, 4), {4, 0, 2, true}};
+  static const uint8_t cells[] = {1, 2, 0, 1};
+  static gjk2_tiles grid = {cells, 2, 2, 4, 3, forms};
+  gjk2_ground_edge edge;
+  CHECK(gjk2_ground_of_tiles(&grid, &ground, &ground_shape) == GJK_OK);
+  CHECK(edge_of(4 * 0 + 1, &edge) && !edge.open_after);
+  CHECK(edge.vertex[2].x == 4 && edge.vertex[2].y == 4);
+  CHECK_MSG(edge.vertex[3].x == 8 && edge.vertex[3].y == 0, "%d, %d", (int)edge.vertex[3].x, (int)edge.vertex[3].y);
+}
+
+// A grid that nobody checked, without forms: it has no surface.
+static void check_no_forms(void) {
+  static const uint8_t cells[] = {0, 1, 2, 3};
+  static const gjk2_tiles grid = {cells, 2, 2, 4, 3, NULL};
+  const gjk2_ground forged = {&gjk2_ground_tiles, &grid, {0, 0}};
+  const gjk2_collider ball = put(&disc, 0, 0);
+  bool yes = true;
+  CHECK(gjk2_ground_within(&forged, &origin, &ball, 0, &yes) == GJK_OK && !yes);
+}
+
+static gjk2_scene scene;
+static gjk_body_id id[2];
+static gjk2_report report;
+
+// A scene of ground that may move and of a body.
+static void make_scene(const gjk2_pose *of_ground, const gjk2_shape *body, const gjk2_pose *of_body, uint8_t detail) {
+  static uint32_t block[500];
+  static const gjk2_shape *shapes[2];
+  const gjk2_scene_config config = {.bodies = 2, .parts = 2, .pairs = 2, .detail = detail, .motions = 2};
+  const gjk2_scene_bindings bindings = {.details = &gjk2_scene_depth, .motion = &gjk2_scene_motion};
+  const gjk2_part parts[] = {{.shape = 0}, {.shape = 1}};
+  gjk2_body_setup setup = {*of_ground, &parts[0], 1, GJK_BODY_KINEMATIC, 0, 1, 1, 0, 0};
+  shapes[0] = &ground_shape;
+  shapes[1] = body;
+  CHECK(gjk2_scene_init(&scene, &config, block, sizeof block, shapes, 2, &bindings) == GJK_OK);
+  CHECK(gjk2_scene_add(&scene, &setup, &id[0]) == GJK_OK);
+  setup.parts = &parts[1];
+  setup.kind = GJK_BODY_DYNAMIC;
+  setup.pose = *of_body;
+  CHECK(gjk2_scene_add(&scene, &setup, &id[1]) == GJK_OK);
+}
+
+// What an update reports: one event or none.
+static gjk_event update(void) {
+  gjk_progress progress;
+  CHECK(gjk2_scene_update(&scene, &report, 1, &progress) == GJK_OK && progress.reports_left == 0);
+  return progress.reports == 1 ? (gjk_event)report.event : (gjk_event)0;
+}
+
+// A fast crate that stands, or turns a little, and ground that goes from one pose to another.
+static gjk_event meet(const gjk2_pose *from, const gjk2_pose *to, gjk2_vec at, bool turns) {
+  static const gjk2_shape crate = GJK2_BOX(ONE / 2, ONE / 2);
+  const gjk2_pose stands = {at, {GJK_Q30_ONE, 0}};
+  make_scene(from, &crate, &stands, GJK_DETAIL_TOUCH);
+  CHECK(gjk2_scene_set_motion(&scene, id[0], GJK_MOTION_KEPT) == GJK_OK);
+  CHECK(gjk2_scene_set_motion(&scene, id[1], GJK_MOTION_FAST) == GJK_OK);
+  CHECK(update() == 0);
+  CHECK(gjk2_scene_move(&scene, id[0], to) == GJK_OK);
+  if (turns) {
+    gjk2_pose turned = stands;
+    CHECK(gjk2_rotation_from_angle(100, &turned.rotation) == GJK_OK);
+    CHECK(gjk2_scene_move(&scene, id[1], &turned) == GJK_OK);
+  }
+  return update();
+}
+
+// Ground that turns from 30 degrees below to 30 above, so that the cosine is the same: its far end comes by, from below.
+// From behind, on its way back, it does not count.
+static void check_turning(void) {
+  static const gjk2_vec arm[] = {{12 * ONE, 0}, {9 * ONE, 0}, {8 * ONE, 0}};
+  gjk2_pose low = GJK2_POSE_IDENTITY, high = GJK2_POSE_IDENTITY;
+  const gjk2_vec beside = {10 * ONE, 0};
+  make_chain(arm, 3);
+  CHECK(gjk2_rotation_from_angle(-34315, &low.rotation) == GJK_OK);
+  CHECK(gjk2_rotation_from_angle(34315, &high.rotation) == GJK_OK);
+  CHECK(low.rotation.c == high.rotation.c && low.rotation.s == -high.rotation.s);
+  CHECK(meet(&low, &high, beside, false) == GJK_EVENT_IMPACT);
+  CHECK(meet(&high, &low, beside, false) == 0);
+}
+
+// Ground below the origin that turns a little and rises through a crate, in one tick; and that sinks away.
+static void check_rising(void) {
+  static const gjk2_vec level[] = {{9 * ONE, 0}, {-9 * ONE, 0}};
+  gjk2_pose low = {{0, -50 * ONE}, {GJK_Q30_ONE, 0}}, high = {{0, -10 * ONE}, {GJK_Q30_ONE, 0}};
+  const gjk2_vec between = {0, -30 * ONE};
+  make_chain(level, 2);
+  for (int turns = 0; turns < 2; turns++) {
+    CHECK(meet(&low, &high, between, turns != 0) == GJK_EVENT_IMPACT);
+    CHECK(meet(&high, &low, between, turns != 0) == 0);
+  }
+  CHECK(gjk2_rotation_from_angle(100, &high.rotation) == GJK_OK);
+  CHECK(meet(&low, &high, between, false) == GJK_EVENT_IMPACT);
+}
+
+// A rod that stands upright and flies along a level, turning by little, with a gap that is less than what an impact allows:
+// its end is as far from its middle as anything of it.
+static void check_passing(void) {
+  static const gjk2_vec level[] = {{30 * ONE, -ONE - 5}, {-30 * ONE, -ONE - 5}};
+  static const gjk2_shape rod = GJK2_SEGMENT(ONE);
+  const gjk2_pose from = {{0, 0}, {0, GJK_Q30_ONE}}, to = {{4 * ONE, 0}, {20, GJK_Q30_ONE}};
+  make_chain(level, 2);
+  make_scene(&origin, &rod, &from, GJK_DETAIL_TOUCH);
+  CHECK(gjk2_scene_set_motion(&scene, id[1], GJK_MOTION_FAST) == GJK_OK);
+  CHECK(update() == 0);
+  CHECK(gjk2_scene_move(&scene, id[1], &to) == GJK_OK);
+  CHECK(update() == GJK_EVENT_IMPACT);
+}
+
+// How deep a crate is in the ground, as a scene reports it.
+static void check_depth(void) {
+  static const gjk2_vec level[] = {{9 * ONE, 0}, {-9 * ONE, 0}};
+  static const gjk2_shape crate = GJK2_BOX(ONE / 2, ONE / 2);
+  const gjk2_pose at = {{0, ONE / 2 - 1000}, {GJK_Q30_ONE, 0}};
+  make_chain(level, 2);
+  make_scene(&origin, &crate, &at, GJK_DETAIL_DEPTH);
+  CHECK(update() == GJK_EVENT_BEGIN);
+  CHECK_MSG(report.distance == -1000, "%d", (int)report.distance);
+}
+
+int main(void) {
+  check_rest();
+  check_profiles();
+  check_tie();
+  check_grazing();
+  check_far();
+  check_beside();
+  check_made();
+  check_chain_neighbours();
+  check_tile_neighbours();
+  check_no_forms();
+  check_turning();
+  check_rising();
+  check_passing();
+  check_depth();
+  return check_done("plane ground cases");
+}
