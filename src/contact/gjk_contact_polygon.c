@@ -149,14 +149,18 @@ void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const 
   switch (type->kind) {
     case GJK_KIND_AXES: gjk_polygon_from_axes(c, position, out); break;
     case GJK_KIND_VERTICES:
-      if (type->buffered) {
+      if (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered) {
         gjk_polygon_from_hull(c, position, out);
-      } else {
+      } else if (GJK_SHAPES >= GJK_SHAPES_POLYTOPES) {
         gjk_polygon_from_triangle(c, position, out);
       }
       break;
     case GJK_KIND_CYLINDER:
-    case GJK_KIND_CONE: gjk_polygon_from_disc_base(c, position, out); return;
+    case GJK_KIND_CONE:
+      if (GJK_SHAPES >= GJK_SHAPES_ALL) {
+        gjk_polygon_from_disc_base(c, position, out);
+      }
+      return;
     default: return;
   }
   finish_polygon(out, c->shape->convex_radius);

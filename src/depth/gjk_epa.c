@@ -311,7 +311,9 @@ gjk_epa_outcome gjk_epa(gjk_iteration *it, const gjk_workspace *workspace, gjk_f
   gjk_epa_hull p;
   gjk_epa_outcome outcome;
   *lower = -curved_error(it);
-  if (!complete_tetrahedron(it, facet, iterations, &outcome)) {
+  const bool has_inside = complete_tetrahedron(it, facet, iterations, &outcome);
+  // Points, segments and boxes: gjk_box_sat has left those A - B that are flat.
+  if (GJK_SHAPES <= GJK_SHAPES_BOXES || !has_inside) {
     return outcome;
   }
   if (!gjk_epa_hull_start(&p, workspace, &it->simplex, gjk_pair_is_curved(it))) {

@@ -38,9 +38,11 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   }
   it->iterations = 0;
   it->diagonal = false;
-  it->stalls = a->shape->type->stalls;
-  if (!gjk_pair_is_curved(it)) {
-    it->stalls = b->shape->type->stalls;
+  if (GJK_SHAPES >= GJK_SHAPES_ALL) {
+    it->stalls = a->shape->type->stalls;
+    if (!gjk_pair_is_curved(it)) {
+      it->stalls = b->shape->type->stalls;
+    }
   }
   gjk_simplex_clear(&it->simplex);
   return true;

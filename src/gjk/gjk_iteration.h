@@ -56,7 +56,7 @@ typedef struct gjk_iteration {
 
 // Is A or B curved?
 static inline bool gjk_pair_is_curved(const gjk_iteration *it) {
-  return it->stalls != NULL;
+  return GJK_SHAPES >= GJK_SHAPES_ALL && it->stalls != NULL;
 }
 
 // Does a NEAREST feature of the pair become a canonical one? It does where a cache may have led to another one.

@@ -34,6 +34,9 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
   }
   const gjk_shape_class *type = shape->type;
   gjk_extent extent;
+  if (!gjk_is_known(type)) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
   gjk_status status = shape->convex_radius < 0 ? GJK_ERROR_NEGATIVE : type->measure(shape, &extent);
   if (status != GJK_OK) {
     return status;

@@ -190,7 +190,9 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   gjk_cache direction;
   const gjk_cache *from = !gjk_pair_is_curved(it) && cache != NULL && cache->count < 4 ? cache : NULL;
   o->facet.found = false;
-  if (it->shift < 0 || !gjk_is_box_pair(it)) {
+  // Points and segments are always flat: the search alone tells how they lie.
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND || it->shift < 0 ||
+      (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && !gjk_is_box_pair(it))) {
     o->points = true;
   } else {
     if (are_cores_apart(o, goal, cache)) {

@@ -62,7 +62,16 @@ struct gjk_shape_class {
 
 // Is the shape a cylinder, cone, ellipsoid or custom shape, which have no vertices?
 static inline bool gjk_is_curved(const gjk_shape *shape) {
-  return shape->type->stalls != NULL;
+  return GJK_SHAPES >= GJK_SHAPES_ALL && shape->type->stalls != NULL;
+}
+
+// Does a build for GJK_SHAPES know shapes of this kind?
+static inline bool gjk_is_known(const gjk_shape_class *type) {
+  return GJK_SHAPES >= GJK_SHAPES_ALL ||
+         (GJK_SHAPES == GJK_SHAPES_POLYTOPES
+              ? type->stalls == NULL
+              : type->kind == GJK_KIND_AXES &&
+                    type->count <= (GJK_SHAPES == GJK_SHAPES_BOXES ? 3 : GJK_SHAPES == GJK_SHAPES_ROUND ? 1 : 0));
 }
 
 // The state of a collider. Other values are those of memory that was never initialised.
