@@ -131,7 +131,11 @@ void gjk_polygon_settle(gjk_polygon *p, gjk_q16 radius) {
 
 // Steps 2 to 4.
 static void finish_polygon(gjk_polygon *p, gjk_q16 radius) {
-  if (p->meets || (p->count > 2 && gjk_polygon_alignment(&p->normal, &p->direction) >= GJK_POLYGON_FACE_KEY)) {
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {  // no faces
+    if (p->count > 1) {
+      gjk_polygon_settle(p, radius);
+    }
+  } else if (p->meets || (p->count > 2 && gjk_polygon_alignment(&p->normal, &p->direction) >= GJK_POLYGON_FACE_KEY)) {
     lift_face(p, radius);
   } else if (p->count > 1) {
     gjk_polygon_settle(p, radius);

@@ -84,6 +84,10 @@ bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b);
 // cache: where to start from; NULL, or of no use: a cold start.
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache);
 
+// Step 1 by itself, where points and segments have a build to themselves: gjk_iteration_run leaves the cache aside there,
+// which only times of impact gain by. Returns whether the origin lies in the simplex already.
+bool gjk_iteration_warm(gjk_iteration *it, const gjk_cache *cache);
+
 // Is the exact distance of the feature at most it->radius? Pre: 1 <= count <= 3.
 bool gjk_iteration_near(const gjk_iteration *it);
 

@@ -348,6 +348,9 @@ static bool place_beside_diagonal(gjk_iteration *it) {
   if (of_a != 0 && of_b != 0) {
     return gjk_iteration_place(it, u->a.vertex, v->b);
   }
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {
+    return false;
+  }
   if (it->a->shape->type->kind == GJK_KIND_AXES && of_a != low_a) {
     return gjk_iteration_place(it, (uint16_t)(u->a.vertex ^ low_a), u->b);
   }
@@ -378,9 +381,32 @@ GJK_OUT_OF_LINE static bool complete_diagonal(gjk_iteration *it) {
   return true;
 }
 
+// gjk_search_canonical of two segments. Where they are parallel, all of A - B is level: a line, on which the second vertex is
+// the farthest beyond the foot of the origin. Otherwise one feature alone holds the nearest point.
+static void canonical_segments(gjk_iteration *it) {
+  gjk_simplex *s = &it->simplex;
+  gjk_long3 n;
+  gjk_cross(&it->a->frame[0], &it->b->frame[0], &n);
+  if ((n.x | n.y | n.z) == 0) {
+    gjk_simplex_clear(s);
+    gjk_iteration_place(it, 0, 0);
+    gjk_simplex_add(s);
+    const gjk_vec3 *w = &gjk_simplex_vertex(s, 0)->w;  // the direction is the opposite
+    gjk_iteration_place(it, gjk_dot(w, &it->a->frame[0]) < 0 ? 1 : 0, gjk_dot(w, &it->b->frame[0]) > 0 ? 1 : 0);
+    gjk_simplex_add(s);
+  }
+}
+
 bool gjk_search_canonical(gjk_iteration *it, bool points) {
   const gjk_simplex *s = &it->simplex;
   seen_vertices level[2];
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {
+    if (s->count < 3 && (s->count == 1 || !complete_diagonal(it))) {
+      canonical_segments(it);
+    }
+    gjk_simplex_direction(s, &it->direction);
+    return true;
+  }
   bool across = false;
   if (it->ties[0] + it->ties[1] > 2 || s->count == 1 || (s->count == 2 && !complete_diagonal(it))) {
     mark_all_level(it, level);
@@ -401,6 +427,9 @@ bool gjk_search_canonical(gjk_iteration *it, bool points) {
 }
 
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal) {
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {
+    return it->shift >= 0 && goal != GJK_GOAL_WITHIN && gjk_close_segments(it);
+  }
   bool (*const close)(gjk_iteration *) = it->a->shape->type->close;
   return close == it->b->shape->type->close && it->shift >= 0 && goal != GJK_GOAL_WITHIN && close(it);
 }

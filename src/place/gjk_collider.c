@@ -64,6 +64,19 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
   return GJK_OK;
 }
 
+// The rest of gjk_collider_pose where shapes have their centre at the local origin: points, segments and boxes.
+static gjk_status pose_at_origin(gjk_collider *c, const gjk_pose *pose) {
+  gjk_vec3 rows[3];
+  if (!gjk_rotation_from_quat(&pose->rotation, rows)) {
+    return GJK_ERROR_ROTATION;
+  }
+  c->centre = c->position = pose->position;
+  c->fraction[0] = c->fraction[1] = c->fraction[2] = 0;
+  c->shape->type->pose(c, rows);
+  c->state = GJK_STATE_POSED;
+  return GJK_OK;
+}
+
 static bool fits(int64_t x) {
   return x >= INT32_MIN && x <= INT32_MAX;
 }
@@ -81,6 +94,9 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
   }
   if (c->state != GJK_STATE_INITIALISED && c->state != GJK_STATE_POSED) {
     return GJK_ERROR_UNINITIALISED;
+  }
+  if (GJK_SHAPES <= GJK_SHAPES_BOXES) {
+    return pose_at_origin(c, pose);
   }
   gjk_vec3 rows[3];
   int64_t centre[3];

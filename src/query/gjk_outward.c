@@ -69,7 +69,7 @@ static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
   gjk_u192 numerator, denominator;
   bool parted = false;
   // not reached: any other outcome, since t parts the cores
-  if (gjk_search_any(it, GJK_GOAL_SIGNED, NULL, GJK_NO_LIMIT) == GJK_OUTCOME_NEAREST) {
+  if (gjk_search_whole(it, GJK_GOAL_SIGNED, NULL) == GJK_OUTCOME_NEAREST) {
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
     parted = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
   }

@@ -22,8 +22,13 @@ typedef enum gjk_kind {
 
 struct gjk_iteration;
 
-// For points and segments: src/gjk/gjk_close.c.
+// For points and segments: src/gjk/gjk_close.c. A build that knows no others asks for it by its name.
 bool gjk_close_segments(struct gjk_iteration *it);
+#if GJK_SHAPES <= GJK_SHAPES_ROUND
+#define GJK_CLOSE_SEGMENTS NULL
+#else
+#define GJK_CLOSE_SEGMENTS gjk_close_segments
+#endif
 
 struct gjk_shape_class {
   // Checks the shape's own fields and measures its core. gjk_collider_init checks the convex radius.
