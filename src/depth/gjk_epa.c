@@ -106,6 +106,10 @@ static bool complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, uint16_t *
   gjk_simplex *s = &it->simplex;
   const uint8_t count = s->count;
   *outcome = GJK_EPA_TOUCHES;
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    it->direction.d = x;
+    return false;
+  }
   if (s->count == 1) {
     ++*iterations;
     if (!support_beyond_origin(it, &x)) {

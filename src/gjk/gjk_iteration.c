@@ -146,7 +146,7 @@ static bool refine_nearest(gjk_iteration *it, gjk_goal goal, gjk_support *b) {
 bool gjk_iteration_near(const gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   gjk_u192 numerator, denominator;
-  if (s->count == 1) {
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS || s->count == 1) {
     return s->toward[s->order[0]][s->order[0]] <= gjk_mul32(it->radius, it->radius);
   }
   gjk_simplex_squared_distance(s, &numerator, &denominator);

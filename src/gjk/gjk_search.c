@@ -433,3 +433,29 @@ bool gjk_search_closes(gjk_iteration *it, gjk_goal goal) {
   bool (*const close)(gjk_iteration *) = it->a->shape->type->close;
   return close == it->b->shape->type->close && it->shift >= 0 && goal != GJK_GOAL_WITHIN && close(it);
 }
+
+#if GJK_SHAPES <= GJK_SHAPES_POINTS
+gjk_outcome gjk_search_points(gjk_iteration *it, gjk_goal goal, unsigned limit) {
+  gjk_simplex *s = &it->simplex;
+  gjk_vertex *v = &s->slot[0];
+  const gjk_vec3 origin = {0, 0, 0}, w = it->delta;
+  const int64_t square = gjk_dot(&w, &w);
+  const bool first = it->iterations == 0;
+  v->w = w;
+  v->a.offset = origin;
+  v->a.vertex = v->b = 0;
+  s->toward[0][0] = square;
+  s->count = 1;
+  it->direction.d = gjk_negate(w);
+  it->direction.exact = true;
+  it->iterations = first ? 1 : 2;
+  if (square == 0) {
+    return GJK_OUTCOME_ENCLOSING;
+  }
+  if (goal == GJK_GOAL_WITHIN) {
+    return gjk_iteration_near(it) ? GJK_OUTCOME_NEAR : GJK_OUTCOME_SEPARATED;
+  }
+  // A far pair knows that its first vertex is the nearest once it has found it again.
+  return first && limit == 1 && it->shift < 0 ? GJK_OUTCOME_LIMIT : GJK_OUTCOME_NEAREST;
+}
+#endif

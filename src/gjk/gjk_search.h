@@ -72,11 +72,15 @@ bool gjk_search_canonical(gjk_iteration *it, bool points);
 
 // May several features hold the nearest point?
 static inline bool gjk_search_has_ties(const gjk_iteration *it, gjk_goal goal, gjk_outcome outcome) {
-  return outcome == GJK_OUTCOME_NEAREST && gjk_goal_counts_ties(it, goal) && it->ties[0] + it->ties[1] > 1;
+  return GJK_SHAPES >= GJK_SHAPES_ROUND && outcome == GJK_OUTCOME_NEAREST && gjk_goal_counts_ties(it, goal) &&
+         it->ties[0] + it->ties[1] > 1;
 }
 
 // Does a closed form find the feature? It rounds nothing in exact frames. A plane answers WITHIN sooner.
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal);
+
+// The search of two points: A - B is one vertex. It takes the iterations that others take.
+gjk_outcome gjk_search_points(gjk_iteration *it, gjk_goal goal, unsigned limit);
 
 // Searches until the goal is answered or the iterations of the query reach the limit; after LIMIT and with a higher
 // limit, on from there. cache: where to start from; NULL, or of no use: a cold start. NEAREST: any feature that holds the
@@ -92,15 +96,19 @@ static inline gjk_outcome gjk_search_any(gjk_iteration *it, gjk_goal goal, const
   const unsigned plain = limit < most ? limit : most;
   const bool may_close = GJK_SHAPES >= GJK_SHAPES_BOXES || goal != GJK_GOAL_WITHIN;
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
+#if GJK_SHAPES <= GJK_SHAPES_POINTS
+  return gjk_search_points(it, goal, limit);
+#endif
   if (it->iterations < plain) {
     if (may_close && it->iterations == 0 && (GJK_SHAPES <= GJK_SHAPES_ROUND || it->a->shape->type->close != NULL) &&
         gjk_search_closes(it, goal)) {
       return GJK_OUTCOME_NEAREST;
     }
-    if (GJK_SHAPES <= GJK_SHAPES_ROUND && goal != GJK_GOAL_WITHIN && it->iterations == 0 && cache != NULL &&
-        gjk_iteration_warm(it, cache)) {
+#if GJK_SHAPES <= GJK_SHAPES_ROUND
+    if (goal != GJK_GOAL_WITHIN && it->iterations == 0 && cache != NULL && gjk_iteration_warm(it, cache)) {
       return GJK_OUTCOME_ENCLOSING;
     }
+#endif
     it->limit = (uint8_t)plain;
     outcome = gjk_iteration_run(it, goal, cache);
   }
@@ -113,7 +121,7 @@ static inline gjk_outcome gjk_search_any(gjk_iteration *it, gjk_goal goal, const
 // The same without a limit, for readers that take any feature for the same. Points and segments then do without the closed
 // form, which no reader but those with a limit needs.
 static inline gjk_outcome gjk_search_whole(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
-  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {
+  if (GJK_SHAPES == GJK_SHAPES_ROUND) {
     it->limit = GJK_ROUND_ITERATIONS;
     return gjk_iteration_run(it, goal, NULL);
   }

@@ -51,7 +51,7 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
       return status;
     }
   }
-  const uint32_t reach = gjk_isqrt64(extent.squared);
+  const uint32_t reach = GJK_SHAPES <= GJK_SHAPES_POINTS ? 0 : gjk_isqrt64(extent.squared);
   //@ assert reach <= GJK_RADIUS_MAX;
   c->shape = shape;
   c->buffer = type->buffered ? buffer : NULL;
@@ -67,12 +67,16 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
 // The rest of gjk_collider_pose where shapes have their centre at the local origin: points, segments and boxes.
 static gjk_status pose_at_origin(gjk_collider *c, const gjk_pose *pose) {
   gjk_vec3 rows[3];
-  if (!gjk_rotation_from_quat(&pose->rotation, rows)) {
+  int64_t deviation;
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS ? !gjk_quat_deviation(&pose->rotation, &deviation)
+                                      : !gjk_rotation_from_quat(&pose->rotation, rows)) {
     return GJK_ERROR_ROTATION;
   }
   c->centre = c->position = pose->position;
   c->fraction[0] = c->fraction[1] = c->fraction[2] = 0;
-  c->shape->type->pose(c, rows);
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND) {
+    c->shape->type->pose(c, rows);
+  }
   c->state = GJK_STATE_POSED;
   return GJK_OK;
 }

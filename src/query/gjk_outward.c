@@ -80,7 +80,8 @@ static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
 
 // Step 3.
 static bool does_part(gjk_iteration *it, const gjk_facet *facet, const gjk_vec3 *t) {
-  return facet != NULL ? clears_facet(it, facet, t) : is_apart_when_moved(it, t);
+  // Cores of points and segments have the depth 0, which no facet is asked about.
+  return GJK_SHAPES >= GJK_SHAPES_BOXES && facet != NULL ? clears_facet(it, facet, t) : is_apart_when_moved(it, t);
 }
 
 // Step 4. A component of 0 is exact, and none exceeds 1.

@@ -57,7 +57,7 @@ static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
     return GJK_OK;
   }
   o->upper = facet->depth;
-  if (o->points) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && o->points) {
     gjk_facet_load(facet, it);
   }
   return expansion == GJK_EPA_FULL ? GJK_ERROR_CAPACITY : GJK_OK;
@@ -191,8 +191,7 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   const gjk_cache *from = !gjk_pair_is_curved(it) && cache != NULL && cache->count < 4 ? cache : NULL;
   o->facet.found = false;
   // Points and segments are always flat: the search alone tells how they lie.
-  if (GJK_SHAPES <= GJK_SHAPES_ROUND || it->shift < 0 ||
-      (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && !gjk_is_box_pair(it))) {
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND || it->shift < 0 || (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && !gjk_is_box_pair(it))) {
     o->points = true;
   } else {
     if (are_cores_apart(o, goal, cache)) {

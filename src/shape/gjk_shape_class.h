@@ -75,8 +75,9 @@ static inline bool gjk_is_known(const gjk_shape_class *type) {
   return GJK_SHAPES >= GJK_SHAPES_ALL ||
          (GJK_SHAPES == GJK_SHAPES_POLYTOPES
               ? type->stalls == NULL
-              : type->kind == GJK_KIND_AXES &&
-                    type->count <= (GJK_SHAPES == GJK_SHAPES_BOXES ? 3 : GJK_SHAPES == GJK_SHAPES_ROUND ? 1 : 0));
+              : type->kind == GJK_KIND_AXES && type->count <= (GJK_SHAPES == GJK_SHAPES_BOXES   ? 3
+                                                               : GJK_SHAPES == GJK_SHAPES_ROUND ? 1
+                                                                                                : 0));
 }
 
 // The state of a collider. Other values are those of memory that was never initialised.

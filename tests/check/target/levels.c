@@ -104,7 +104,7 @@ static void query_contacts(gjk_q16 margin, unsigned most) {
   }
 }
 
-static void query_motion(random_state *random, gjk_q16 margin) {
+static void query_cast(gjk_q16 margin) {
   const gjk_collider *a = &bodies[0].collider, *b = &bodies[1].collider;
   const gjk_cast_path path = {NULL, &bodies[0].pose.position, margin};
   gjk_cast_result cast;
@@ -115,6 +115,10 @@ static void query_motion(random_state *random, gjk_q16 margin) {
     mix_vector(LEVELS_MOTION, cast.rest_b.x, cast.rest_b.y, cast.rest_b.z);
   }
   mix(LEVELS_PROOFS, (uint32_t)gjk_check_cast(a, b, &path, &cast));
+}
+
+static void query_impact(random_state *random, gjk_q16 margin) {
+  const gjk_collider *a = &bodies[0].collider, *b = &bodies[1].collider;
   if (random_below(random, 8) == 0) {
     const gjk_motion still = {.from = bodies[0].pose, .to = bodies[0].pose};
     const gjk_motion moving = {
@@ -127,6 +131,14 @@ static void query_motion(random_state *random, gjk_q16 margin) {
       mix_vector(LEVELS_MOTION, out.hit, out.lower, out.upper);
     }
   }
+}
+
+// Points alone have no casts.
+static void query_motion(random_state *random, unsigned level, gjk_q16 margin) {
+  if (level > 1) {
+    query_cast(margin);
+  }
+  query_impact(random, margin);
 }
 
 static gjk_vec3 random_vector(random_state *random, int32_t size) {
@@ -174,7 +186,7 @@ static void make_shape(random_state *random, body *b, unsigned level, int32_t si
     b->vertices[i].y = w.y / grid * grid;
     b->vertices[i].z = w.z / grid * grid;
   }
-  b->shape.convex_radius = random_below(random, 2) == 0 ? random_range(random, 0, size / 2) : 0;
+  b->shape.convex_radius = random_below(random, 2) == 0 ? random_range(random, 0, size) : 0;
 }
 
 // Every other pose is not turned, or by a quarter, and on a grid: parallel edges, crossing ones, and shapes that touch.
@@ -212,10 +224,10 @@ static void approach(random_state *random, const gjk_distance_result *result) {
 static bool query_pair(random_state *random, unsigned level) {
   static const gjk_cache cold = {{0, 0, 0}, 0, {0, 0, 0, 0}, {0, 0, 0, 0}};
   const int32_t size = INT32_C(1) << (1 + random_below(random, 25));
-  const bool far = random_below(random, 8) == 0;
+  const bool far = random_below(random, 8) == 0, near = random_below(random, 2) == 0;
   for (int i = 0; i < 2; i++) {
     make_shape(random, &bodies[i], level, size);
-    make_pose(random, &bodies[i], far ? INT32_MAX : size);
+    make_pose(random, &bodies[i], far ? INT32_MAX : near ? size / 4 + 1 : size);
     bodies[i].collider.state = 0;
     mix(LEVELS_GAP, (uint32_t)gjk_collider_init(&bodies[i].collider, &bodies[i].shape, NULL, 0));
     mix(LEVELS_GAP, (uint32_t)gjk_collider_pose(&bodies[i].collider, &bodies[i].pose));
@@ -227,10 +239,11 @@ static bool query_pair(random_state *random, unsigned level) {
   query_touch(gap.distance, NULL);
   query_until(size / 16, 1);
   query_until(0, 2);
+  query_until(gap.distance, 1);
   query_gap(&cache, &gap);
   const bool overlap = query_depth(&cache);
   query_contacts(size / 16, 4);
-  query_motion(random, size / 16);
+  query_motion(random, level, size / 16);
   if (!gap.intersecting && !far) {
     approach(random, &gap);
     query_gap(&cache, &gap);
@@ -239,7 +252,7 @@ static bool query_pair(random_state *random, unsigned level) {
     query_depth(NULL);
     query_contacts(size / 8, 1);
     query_contacts(size / 8, 2);
-    query_motion(random, 0);
+    query_motion(random, level, 0);
   }
   return overlap;
 }
