@@ -320,8 +320,8 @@ static void squared_height(const gjk_simplex *s, gjk_u192 *out) {
 int32_t gjk_simplex_along_axis(const gjk_simplex *s) {
   const gjk_vec3 *w = &s->slot[s->order[0]].w;
   const gjk_long3 *n = &s->normal;
-  const bool face = GJK_SHAPES >= GJK_SHAPES_ROUND && s->count == 3, x = face ? n->x != 0 : w->x != 0, y = face ? n->y != 0 : w->y != 0,
-             z = face ? n->z != 0 : w->z != 0;
+  const bool face = GJK_SHAPES >= GJK_SHAPES_ROUND && s->count == 3, x = face ? n->x != 0 : w->x != 0,
+             y = face ? n->y != 0 : w->y != 0, z = face ? n->z != 0 : w->z != 0;
   if (s->count == 2 || (x ? y || z : y == z)) {
     return -1;
   }

@@ -257,15 +257,21 @@ static bool query_pair(random_state *random, unsigned level) {
   return overlap;
 }
 
-// What gjk_collider_init says to each kind.
-static void refuse(void) {
+uint32_t levels_refused(void) {
   static const gjk_vec3 corners[4] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+  uint32_t refused = 0;
   for (unsigned i = 0; i < KINDS; i++) {
     bodies[0].shape = kinds[i];
     bodies[0].shape.vertices = corners;
     bodies[0].shape.count = bodies[0].shape.type == &gjk_class_triangle ? 3 : 4;
-    mix(LEVELS_REFUSED, (uint32_t)gjk_collider_init(&bodies[0].collider, &bodies[0].shape, NULL, 0));
+    const gjk_status status = gjk_collider_init(&bodies[0].collider, &bodies[0].shape, NULL, 0);
+    refused |= status == GJK_ERROR_UNSUPPORTED ? UINT32_C(1) << i : status != GJK_OK ? UINT32_C(1) << 31 : 0;
   }
+  return refused;
+}
+
+uint32_t levels_beyond(unsigned level) {
+  return (UINT32_C(1) << KINDS) - (UINT32_C(1) << (level == 5 ? KINDS : known[level]));
 }
 
 uint32_t levels_hash(unsigned level, uint32_t pairs, uint64_t hash[LEVELS_QUERIES]) {
@@ -278,6 +284,5 @@ uint32_t levels_hash(unsigned level, uint32_t pairs, uint64_t hash[LEVELS_QUERIE
   for (uint32_t i = 0; i < pairs; i++) {
     overlaps += query_pair(&random, level) ? 1 : 0;
   }
-  refuse();
   return overlaps;
 }

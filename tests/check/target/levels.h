@@ -4,27 +4,32 @@
 
 #include <stdint.h>
 
-#define LEVELS_PAIRS 6000
-#define LEVELS_FEW_PAIRS 300
+// Pairs in the full set, and in the start of it that small emulated cores have time for.
+#define LEVELS_PAIRS 3000
+#define LEVELS_FEW_PAIRS 200
 
-// The rows of the table that the two programs print.
 typedef enum levels_query {
   LEVELS_TOUCH,
   LEVELS_GAP,
   LEVELS_DEPTH,
   LEVELS_CONTACTS,
   LEVELS_MOTION,
-  LEVELS_UNTIL,
-  LEVELS_PROOFS,
-  LEVELS_REFUSED,
+  LEVELS_UNTIL,   // what queries prove in a few iterations
+  LEVELS_PROOFS,  // what the checks say of the certificates
   LEVELS_QUERIES
 } levels_query;
 
-// Each hash over the first pairs of the set. level: the first kinds alone, from 1 for points to 5 for all; every build of
-// that level or a higher one answers with the same hashes. Refused is another one in each build: the statuses of
-// gjk_collider_init for all kinds.
-// Returns how many pairs overlapped, so that a caller sees that both sides are covered.
+// Sets the hashes over the first pairs of the level's set: of kinds that it knows, from 1 for points to 5 for all. The builds
+// for that level and for all kinds have the same. Returns how many pairs overlap. Not reentrant.
 uint32_t levels_hash(unsigned level, uint32_t pairs, uint64_t hash[LEVELS_QUERIES]);
 uint32_t plane_levels_hash(unsigned level, uint32_t pairs, uint64_t hash[LEVELS_QUERIES]);
+
+// The kinds that gjk_collider_init refuses as unsupported, a bit each; bit 31: it says something else of one.
+uint32_t levels_refused(void);
+uint32_t plane_levels_refused(void);
+
+// The kinds that are beyond the level.
+uint32_t levels_beyond(unsigned level);
+uint32_t plane_levels_beyond(unsigned level);
 
 #endif

@@ -233,14 +233,21 @@ static bool query_pair(random_state *random, unsigned level) {
   return overlap;
 }
 
-static void refuse(void) {
+uint32_t plane_levels_refused(void) {
   static const gjk2_vec corners[3] = {{1, 0}, {0, 1}, {0, 0}};
+  uint32_t refused = 0;
   for (unsigned i = 0; i < KINDS; i++) {
     bodies[0].shape = kinds[i];
     bodies[0].shape.vertices = corners;
     bodies[0].shape.count = 3;
-    mix(LEVELS_REFUSED, (uint32_t)gjk2_collider_init(&bodies[0].collider, &bodies[0].shape, NULL, 0));
+    const gjk_status status = gjk2_collider_init(&bodies[0].collider, &bodies[0].shape, NULL, 0);
+    refused |= status == GJK_ERROR_UNSUPPORTED ? UINT32_C(1) << i : status != GJK_OK ? UINT32_C(1) << 31 : 0;
   }
+  return refused;
+}
+
+uint32_t plane_levels_beyond(unsigned level) {
+  return (UINT32_C(1) << KINDS) - (UINT32_C(1) << (level == 5 ? KINDS : known[level]));
 }
 
 uint32_t plane_levels_hash(unsigned level, uint32_t pairs, uint64_t hash[LEVELS_QUERIES]) {
@@ -253,6 +260,5 @@ uint32_t plane_levels_hash(unsigned level, uint32_t pairs, uint64_t hash[LEVELS_
   for (uint32_t i = 0; i < pairs; i++) {
     overlaps += query_pair(&random, level) ? 1 : 0;
   }
-  refuse();
   return overlaps;
 }
