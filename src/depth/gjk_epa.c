@@ -131,7 +131,7 @@ static bool complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, uint16_t *
     simplex_normal(s, &n);
     gjk_search_direction_of(&n, &it->direction);
     ++*iterations;
-    if (!support_beyond(it, &n, &gjk_simplex_vertex(s, 0)->w)) {
+    if (GJK_SHAPES <= GJK_SHAPES_BOXES || !support_beyond(it, &n, &gjk_simplex_vertex(s, 0)->w)) {
       take_triangle(it, facet);
       *outcome = GJK_EPA_FACET;
       return false;
@@ -315,8 +315,8 @@ gjk_epa_outcome gjk_epa(gjk_iteration *it, const gjk_workspace *workspace, gjk_f
   gjk_epa_hull p;
   gjk_epa_outcome outcome;
   *lower = -curved_error(it);
+  // Of points, segments and boxes gjk_box_sat has left those A - B that are flat.
   const bool has_inside = complete_tetrahedron(it, facet, iterations, &outcome);
-  // Points, segments and boxes: gjk_box_sat has left those A - B that are flat.
   if (GJK_SHAPES <= GJK_SHAPES_BOXES || !has_inside) {
     return outcome;
   }

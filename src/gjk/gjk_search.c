@@ -16,7 +16,8 @@ static seen_vertices seen_vertices_of(gjk_iteration *it, unsigned side) {
   const gjk_collider *c = side == 0 ? it->a : it->b;
   const uint32_t count = c->shape->type->kind == GJK_KIND_AXES ? UINT32_C(1) << c->count : c->count;
   seen_vertices of = {c, &it->seen[side], count, 0, false, 0, 0};
-  while ((count - 1) >> of.shift >= GJK_MARKS) {  // count <= 2^16: at most 10 times
+  while (GJK_SHAPES >= GJK_SHAPES_POLYTOPES &&
+         (count - 1) >> of.shift >= GJK_MARKS) {  // count <= 2^16: at most 10 times
     of.shift++;
   }
   return of;
@@ -281,7 +282,7 @@ static void mark_level_axes(seen_vertices *of, const gjk_direction *direction, u
 
 // Marks the vertices of a shape that are level with one at the offset.
 static void mark_level(seen_vertices *of, const gjk_direction *direction, unsigned vertex, const gjk_vec3 *at) {
-  if (of->collider->shape->type->kind == GJK_KIND_AXES) {
+  if (GJK_SHAPES <= GJK_SHAPES_BOXES || of->collider->shape->type->kind == GJK_KIND_AXES) {
     mark_level_axes(of, direction, vertex);
     return;
   }

@@ -163,7 +163,7 @@ static inline unsigned first_corner(const gjk_iteration *it, const uint32_t n[3]
   if (!is_side(all)) {
     return !is_side(differ) ? 2 : !is_side(differ2) ? 0 : 1;
   }
-  if ((all >> 16 != 0 ? it->a : it->b)->shape->type->kind == GJK_KIND_AXES) {
+  if (GJK_SHAPES <= GJK_SHAPES_BOXES || (all >> 16 != 0 ? it->a : it->b)->shape->type->kind == GJK_KIND_AXES) {
     return has_more_bits(differ) ? 2 : has_more_bits(differ2) ? 0 : 1;
   }
   return n[0] < n[1] ? (n[0] < n[2] ? 0 : 2) : (n[1] < n[2] ? 1 : 2);

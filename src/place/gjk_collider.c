@@ -45,7 +45,7 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
   if (room < 0 || extent.squared > (uint64_t)(room * room)) {
     return GJK_ERROR_SIZE;
   }
-  if (type->buffered && buffer != NULL) {
+  if (gjk_is_buffered(type) && buffer != NULL) {
     status = check_buffer(c, shape, buffer, capacity);
     if (status != GJK_OK) {
       return status;
@@ -54,12 +54,12 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
   const uint32_t reach = GJK_SHAPES <= GJK_SHAPES_POINTS ? 0 : gjk_isqrt64(extent.squared);
   //@ assert reach <= GJK_RADIUS_MAX;
   c->shape = shape;
-  c->buffer = type->buffered ? buffer : NULL;
+  c->buffer = gjk_is_buffered(type) ? buffer : NULL;
   c->local_centre = extent.centre;
   c->core_radius = (gjk_q16)reach + 1 + POSE_SLACK;
   c->radius = c->core_radius + shape->convex_radius;
   c->bits = (uint8_t)(32 - gjk_clz32((uint32_t)c->core_radius));
-  c->count = type->buffered ? shape->count : type->count;
+  c->count = gjk_is_buffered(type) ? shape->count : type->count;
   c->state = GJK_STATE_INITIALISED;
   return GJK_OK;
 }
@@ -67,9 +67,15 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
 // The rest of gjk_collider_pose where shapes have their centre at the local origin: points, segments and boxes.
 static gjk_status pose_at_origin(gjk_collider *c, const gjk_pose *pose) {
   gjk_vec3 rows[3];
+#if GJK_SHAPES <= GJK_SHAPES_POINTS
   int64_t deviation;
-  if (GJK_SHAPES <= GJK_SHAPES_POINTS ? !gjk_quat_deviation(&pose->rotation, &deviation)
-                                      : !gjk_rotation_from_quat(&pose->rotation, rows)) {
+  const bool turned = gjk_quat_deviation(&pose->rotation, &deviation);
+#elif GJK_SHAPES == GJK_SHAPES_ROUND
+  const bool turned = gjk_rotation_of_z(&pose->rotation, rows);
+#else
+  const bool turned = gjk_rotation_from_quat(&pose->rotation, rows);
+#endif
+  if (!turned) {
     return GJK_ERROR_ROTATION;
   }
   c->centre = c->position = pose->position;

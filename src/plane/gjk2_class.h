@@ -81,6 +81,11 @@ static inline bool gjk2_is_curved(const gjk2_shape *shape) {
   return GJK_SHAPES >= GJK_SHAPES_ALL && shape->type->vertex == NULL;
 }
 
+// May a collider have a buffer for posed vertices?
+static inline bool gjk2_is_buffered(const gjk2_shape_class *type) {
+  return GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered;
+}
+
 // Does a build for GJK_SHAPES know shapes of this kind?
 static inline bool gjk2_is_known(const gjk2_shape_class *type) {
   const unsigned most = GJK_SHAPES == GJK_SHAPES_POINTS ? 1 : GJK_SHAPES == GJK_SHAPES_ROUND ? 2 : 4;

@@ -46,21 +46,21 @@ gjk_status gjk2_collider_init(gjk2_collider *c, const gjk2_shape *shape, gjk2_ve
   if (room < 0 || extent.squared > (uint64_t)(room * room)) {
     return GJK_ERROR_SIZE;
   }
-  if (type->buffered && buffer != NULL) {
+  if (gjk2_is_buffered(type) && buffer != NULL) {
     status = plane_check_buffer(c, shape, buffer, capacity);
     if (status != GJK_OK) {
       return status;
     }
   }
   c->shape = shape;
-  c->buffer = type->buffered ? buffer : NULL;
+  c->buffer = gjk2_is_buffered(type) ? buffer : NULL;
   c->local_centre = extent.centre;
   const uint32_t reach = GJK_SHAPES <= GJK_SHAPES_POINTS ? 0 : gjk_isqrt64(extent.squared);
   //@ assert reach <= GJK2_RADIUS_MAX;
   c->core_radius = (gjk_q16)reach + 1 + PLANE_POSE_SLACK;
   //@ assert shape->convex_radius <= GJK2_RADIUS_MAX;
   c->radius = c->core_radius + shape->convex_radius;
-  c->count = type->buffered ? shape->count : type->count;
+  c->count = gjk2_is_buffered(type) ? shape->count : type->count;
   c->ordered = extent.ordered;
   c->state = GJK2_STATE_INITIALISED;
   return GJK_OK;

@@ -70,6 +70,11 @@ static inline bool gjk_is_curved(const gjk_shape *shape) {
   return GJK_SHAPES >= GJK_SHAPES_ALL && shape->type->stalls != NULL;
 }
 
+// May a collider have a buffer for posed vertices?
+static inline bool gjk_is_buffered(const gjk_shape_class *type) {
+  return GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered;
+}
+
 // Does a build for GJK_SHAPES know shapes of this kind?
 static inline bool gjk_is_known(const gjk_shape_class *type) {
   return GJK_SHAPES >= GJK_SHAPES_ALL ||
