@@ -90,9 +90,8 @@ gjk_outcome gjk_search_points(gjk_iteration *it, gjk_goal goal, unsigned limit);
 // where one is swept (gjk_swept.h). Each iteration but the last finds a feature strictly nearer than all before. Of eight
 // vertices there are 8 + 28 + 56.
 static inline gjk_outcome gjk_search_any(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
-  const unsigned most = gjk_pair_is_curved(it)           ? GJK_ITERATIONS_MAX
-                        : GJK_SHAPES <= GJK_SHAPES_ROUND ? GJK_ROUND_ITERATIONS
-                                                         : GJK_PLAIN_ITERATIONS;
+  const unsigned of_polytopes = GJK_SHAPES <= GJK_SHAPES_ROUND ? GJK_ROUND_ITERATIONS : GJK_PLAIN_ITERATIONS;
+  const unsigned most = gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : of_polytopes;
   const unsigned plain = limit < most ? limit : most;
   const bool may_close = GJK_SHAPES >= GJK_SHAPES_BOXES || goal != GJK_GOAL_WITHIN;
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;

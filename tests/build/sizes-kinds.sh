@@ -48,8 +48,10 @@ heading() {
   echo '|---|---|---|---|---|---|---|---|---|'
 }
 
-for level in POINTS ROUND BOXES POLYTOPES ALL; do
-  library cortex-m3 "$variant-Os$(level_suffix $level)" "OPT=-Os$([ $level = ALL ] || echo " -DGJK_SHAPES=GJK_SHAPES_$level")" || exit 1
+sources=$(needed tests/measure/target/size_user.c tests/measure/target/size_user_plane.h)
+library cortex-m3 "$variant-Os" OPT=-Os || exit 1
+for level in POINTS ROUND BOXES POLYTOPES; do
+  library cortex-m3 "$variant-Os-$level" "OPT=-Os -DGJK_SHAPES=GJK_SHAPES_$level" "SOURCES=$sources" || exit 1
 done
 {
   heading 'space'
