@@ -45,7 +45,7 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
   if (room < 0 || extent.squared > (uint64_t)(room * room)) {
     return GJK_ERROR_SIZE;
   }
-  if (gjk_is_buffered(type) && buffer != NULL) {
+  if (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered && buffer != NULL) {
     status = check_buffer(c, shape, buffer, capacity);
     if (status != GJK_OK) {
       return status;

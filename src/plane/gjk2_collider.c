@@ -46,7 +46,7 @@ gjk_status gjk2_collider_init(gjk2_collider *c, const gjk2_shape *shape, gjk2_ve
   if (room < 0 || extent.squared > (uint64_t)(room * room)) {
     return GJK_ERROR_SIZE;
   }
-  if (gjk2_is_buffered(type) && buffer != NULL) {
+  if (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered && buffer != NULL) {
     status = plane_check_buffer(c, shape, buffer, capacity);
     if (status != GJK_OK) {
       return status;
