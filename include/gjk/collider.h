@@ -49,7 +49,7 @@ typedef struct gjk_collider {
 //           collider), RANGE (a triangle whose count is not 3; a face of a hull with less than 3 or more than
 //           GJK_FACE_CORNERS_MAX corners, or with a corner that is no vertex of the hull; a table
 //           whose level, list of ends or numbers are not as gjk/shape.h has them), UNSUPPORTED (a kind that the build
-//           leaves out: GJK_SHAPES of port/README.md).
+//           leaves out, see port/README.md).
 // Cost      one pass over a hull's vertices, and over its faces and table.
 gjk_status gjk_collider_init(gjk_collider *collider, const gjk_shape *shape, gjk_vec3 *buffer, uint16_t capacity);
 

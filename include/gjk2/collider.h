@@ -46,8 +46,8 @@ typedef struct gjk2_collider {
 //           baked, which is fastest. NULL: lazy; vertices are rotated as they are needed. The answers are the same
 //           bits. Shapes of other kinds ignore the buffer.
 // Statuses  NULL, SIZE, NEGATIVE, EMPTY, CAPACITY, OVERLAP (of the buffer with the shape's vertices or with the
-//           collider), RANGE (a triangle whose count is not 3), UNSUPPORTED (a kind that the build leaves out:
-//           GJK_SHAPES of port/README.md).
+//           collider), RANGE (a triangle whose count is not 3), UNSUPPORTED (a kind that the build leaves out,
+//           see port/README.md).
 // Cost      one pass over a polygon's vertices.
 gjk_status gjk2_collider_init(gjk2_collider *collider, const gjk2_shape *shape, gjk2_vec *buffer, uint16_t capacity);
 
