@@ -365,6 +365,7 @@ $(OUT)/ground_golden.elf $(OUT)/ground_bench.elf: BOARD_rv32imc += -Wl,--defsym=
 $(OUT)/scene_golden.elf: tests/support/scene/match.c
 $(OUT)/plane_scene_golden.elf: tests/support/scene/plane_match.c
 $(OUT)/port.elf: tests/check/target/port_allocation.c port/generic/gjk_arena.c
+$(OUT)/levels.elf: tests/check/target/plane_levels.c
 
 $(OUT)/demo.elf: build/demo_scene.c tests/programs/demo/firmware.c tests/programs/demo/arm.c tests/programs/demo/demo_firmware.c $(OUT)/demo.elf.flags $(FIRMWARE_NEEDS)
 	@echo '  $@'
@@ -387,7 +388,7 @@ unit-tests: $(UNIT_TESTS)
 
 # What takes longest is begun first; scripts that want the same libraries are not begun together.
 LONG_TESTS := $(patsubst %,tests/check/unit/test_%.sh,lint golden prove) build/test_plane_certificates \
-  $(patsubst %,tests/check/unit/test_%.sh,ceilings symbols) build/test_penetration build/test_certificates \
+  $(patsubst %,tests/check/unit/test_%.sh,ceilings symbols levels) build/test_penetration build/test_certificates \
   $(patsubst %,tests/check/unit/test_%.sh,amalgamation fuzz scene_golden bench_cost port limit)
 TESTS := $(LONG_TESTS) $(filter-out $(LONG_TESTS),$(UNIT_TESTS) $(TEST_SCRIPTS))
 

@@ -29,7 +29,7 @@ typedef enum gjk_status {
   GJK_ERROR_UNINITIALISED = -9,     // a collider that was never initialised, or never posed
   GJK_ERROR_ITERATION_LIMIT = -10,  // GJK_ITERATIONS_MAX iterations did not settle it; of curved shapes alone
   GJK_ERROR_UNPROVEN = -11,         // a certificate that does not hold
-  GJK_ERROR_UNSUPPORTED = -12,      // an answer that no exact check exists for; or what a scene does not do
+  GJK_ERROR_UNSUPPORTED = -12,      // what no exact check exists for, a scene does not do, or a build left out
   GJK_ERROR_BODY_ID = -13,          // a body id that is stale or was never given, or a slot that is taken
   GJK_ERROR_BUSY = -14,             // a scene in the middle of an update
   GJK_ERROR_CORRUPT = -15           // a block that is no scene, or is not as it was when it was sealed

@@ -14,12 +14,28 @@
 #include <stddef.h>
 #include <stdint.h>
 
+// What GJK_SHAPES may be.
+#define GJK_SHAPES_POINTS 1     // points with a radius alone: spheres; circles in the plane
+#define GJK_SHAPES_ROUND 2      // and segments: capsules
+#define GJK_SHAPES_BOXES 3      // and boxes, rounded or not
+#define GJK_SHAPES_POLYTOPES 4  // and triangles, hulls and polygons
+#define GJK_SHAPES_ALL 5        // and curved shapes
+
 #ifdef GJK_PORT_HEADER
 #include GJK_PORT_HEADER
 #elif defined(__has_include)
 #if __has_include(<gjk_port.h>)
 #include <gjk_port.h>
 #endif
+#endif
+
+// GJK_SHAPES: the kinds of shapes that a program has. Code that only further kinds reach is left out, and
+// gjk_collider_init refuses these. Default: all.
+#ifndef GJK_SHAPES
+#define GJK_SHAPES GJK_SHAPES_ALL
+#endif
+#if GJK_SHAPES < GJK_SHAPES_POINTS || GJK_SHAPES > GJK_SHAPES_ALL
+#error "GJK_SHAPES must be one of GJK_SHAPES_POINTS, _ROUND, _BOXES, _POLYTOPES and _ALL"
 #endif
 
 #if CHAR_BIT != 8

@@ -44,6 +44,12 @@ gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess) {
   return to_q30(corrected(x, excess));
 }
 
+// Step 2, for e = |q|^2 - 1 in Q46: 1 - 1 / |q|^2 = e - e^2 + e^3 - ...
+static inline int32_t quat_excess(int64_t deviation) {
+  const int32_t e = (int32_t)gjk_sar64(deviation, 14);  // |deviation| <= 2^44:  |e| <= 2^30
+  return e - (int32_t)gjk_sar64(gjk_mul32(e, e), 46);   // e^2 <= 2^14, and e^3 < 1
+}
+
 // Steps 1 to 4: the matrix of q / |q| by rows, Q60; entries within 2^-43. False, and m not set, as
 // gjk_rotation_from_quat.
 static bool fine_matrix(const gjk_quat *q, int64_t m[9]) {
@@ -51,9 +57,7 @@ static bool fine_matrix(const gjk_quat *q, int64_t m[9]) {
   if (!gjk_quat_deviation(q, &deviation)) {  // Step 1
     return false;
   }
-  // Step 2, for e = |q|^2 - 1 in Q46: 1 - 1 / |q|^2 = e - e^2 + e^3 - ...
-  const int32_t e = (int32_t)gjk_sar64(deviation, 14);                 // |deviation| <= 2^44:  |e| <= 2^30
-  const int32_t excess = e - (int32_t)gjk_sar64(gjk_mul32(e, e), 46);  // e^2 <= 2^14, and e^3 < 1
+  const int32_t excess = quat_excess(deviation);
   // Step 3: |products| <= |q|^2 <= 2^60 (1 + 2^-16), and so is each entry.
   const int64_t xx = gjk_mul32(q->x, q->x), yy = gjk_mul32(q->y, q->y), zz = gjk_mul32(q->z, q->z);
   const int64_t ww = gjk_mul32(q->w, q->w);
@@ -88,6 +92,21 @@ bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
   round_matrix(m, rows);
   return true;
 }
+
+#if GJK_SHAPES == GJK_SHAPES_ROUND
+bool gjk_rotation_of_z(const gjk_quat *q, gjk_vec3 rows[3]) {
+  int64_t deviation;
+  if (!gjk_quat_deviation(q, &deviation)) {
+    return false;
+  }
+  const int32_t excess = quat_excess(deviation);
+  const int64_t ww = gjk_mul32(q->w, q->w), zz = gjk_mul32(q->z, q->z);
+  rows[0].z = gjk_corrected_q30(2 * gjk_mac32(gjk_mul32(q->x, q->z), q->w, q->y), excess);
+  rows[1].z = gjk_corrected_q30(2 * gjk_mac32(gjk_mul32(q->y, q->z), -q->w, q->x), excess);
+  rows[2].z = gjk_corrected_q30(ww - gjk_mul32(q->x, q->x) - gjk_mul32(q->y, q->y) + zz, excess);
+  return true;
+}
+#endif
 
 // m, Q60, times v, Q30: as gjk_rotation_with_point has it.
 static void rotate_fine(const int64_t m[9], const gjk_vec3 *v, int64_t out[3]) {

@@ -26,6 +26,9 @@ gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess);
 // identity is exact. False, and rows not set, when q is not a unit within GJK_ROTATION_TOLERANCE.
 bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]);
 
+// The same of the components z alone: where the local z axis goes. For builds that know segments and no boxes.
+bool gjk_rotation_of_z(const gjk_quat *q, gjk_vec3 rows[3]);
+
 // The same, and v rotated without the rounding of the matrix, Q30: within 2^-42 (|v.x| + |v.y| + |v.z|), so within
 // 2^-9 LSB for any v, and at most 2^62 in size. The identity is exact.
 bool gjk_rotation_with_point(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 rows[3], int64_t rotated[3]);

@@ -557,7 +557,7 @@ void gjk_clip(const gjk_polygon *a, const gjk_polygon *b, const gjk_vec3 *centre
   c.near = nearness(a, b);
   c.slivers = 0;
   out->count = 0;
-  if (a->count > 2 || b->count > 2) {
+  if (GJK_SHAPES >= GJK_SHAPES_BOXES && (a->count > 2 || b->count > 2)) {
     clip_faces(&c);
   } else {
     clip_edges(&c);

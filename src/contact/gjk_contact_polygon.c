@@ -131,7 +131,11 @@ void gjk_polygon_settle(gjk_polygon *p, gjk_q16 radius) {
 
 // Steps 2 to 4.
 static void finish_polygon(gjk_polygon *p, gjk_q16 radius) {
-  if (p->meets || (p->count > 2 && gjk_polygon_alignment(&p->normal, &p->direction) >= GJK_POLYGON_FACE_KEY)) {
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {  // no faces
+    if (p->count > 1) {
+      gjk_polygon_settle(p, radius);
+    }
+  } else if (p->meets || (p->count > 2 && gjk_polygon_alignment(&p->normal, &p->direction) >= GJK_POLYGON_FACE_KEY)) {
     lift_face(p, radius);
   } else if (p->count > 1) {
     gjk_polygon_settle(p, radius);
@@ -146,17 +150,21 @@ void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const 
   out->meets = false;
   out->feature = 0;
   out->radius = c->shape->convex_radius;
-  switch (type->kind) {
+  switch (GJK_SHAPES <= GJK_SHAPES_BOXES ? GJK_KIND_AXES : type->kind) {
     case GJK_KIND_AXES: gjk_polygon_from_axes(c, position, out); break;
     case GJK_KIND_VERTICES:
-      if (type->buffered) {
+      if (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered) {
         gjk_polygon_from_hull(c, position, out);
-      } else {
+      } else if (GJK_SHAPES >= GJK_SHAPES_POLYTOPES) {
         gjk_polygon_from_triangle(c, position, out);
       }
       break;
     case GJK_KIND_CYLINDER:
-    case GJK_KIND_CONE: gjk_polygon_from_disc_base(c, position, out); return;
+    case GJK_KIND_CONE:
+      if (GJK_SHAPES >= GJK_SHAPES_ALL) {
+        gjk_polygon_from_disc_base(c, position, out);
+      }
+      return;
     default: return;
   }
   finish_polygon(out, c->shape->convex_radius);

@@ -98,7 +98,7 @@ static void from_box(const gjk_collider *c, const gjk_vec3 *position, gjk_polygo
 }
 
 void gjk_polygon_from_axes(const gjk_collider *c, const gjk_vec3 *position, gjk_polygon *out) {
-  if (c->count == 3) {
+  if (GJK_SHAPES >= GJK_SHAPES_BOXES && c->count == 3) {
     from_box(c, position, out);
   } else if (c->count == 1 && !gjk_polygon_is_zero(&c->frame[0])) {
     set_box_edge(c, position, 0, 0, out);

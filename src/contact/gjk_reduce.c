@@ -186,6 +186,9 @@ static void keep_farthest(selection *s) {
 // Steps 2 to 4.
 static void keep_most(selection *s, unsigned first, unsigned most) {
   keep_first(s, first);
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {
+    return;  // two edges have two candidates: most is 1
+  }
   if (most > 2) {
     keep_largest(s, most > 3);
   }

@@ -106,6 +106,10 @@ static bool complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, uint16_t *
   gjk_simplex *s = &it->simplex;
   const uint8_t count = s->count;
   *outcome = GJK_EPA_TOUCHES;
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    it->direction.d = x;
+    return false;
+  }
   if (s->count == 1) {
     ++*iterations;
     if (!support_beyond_origin(it, &x)) {
@@ -127,7 +131,7 @@ static bool complete_tetrahedron(gjk_iteration *it, gjk_facet *facet, uint16_t *
     simplex_normal(s, &n);
     gjk_search_direction_of(&n, &it->direction);
     ++*iterations;
-    if (!support_beyond(it, &n, &gjk_simplex_vertex(s, 0)->w)) {
+    if (GJK_SHAPES <= GJK_SHAPES_BOXES || !support_beyond(it, &n, &gjk_simplex_vertex(s, 0)->w)) {
       take_triangle(it, facet);
       *outcome = GJK_EPA_FACET;
       return false;
@@ -311,7 +315,9 @@ gjk_epa_outcome gjk_epa(gjk_iteration *it, const gjk_workspace *workspace, gjk_f
   gjk_epa_hull p;
   gjk_epa_outcome outcome;
   *lower = -curved_error(it);
-  if (!complete_tetrahedron(it, facet, iterations, &outcome)) {
+  // Of points, segments and boxes gjk_box_sat has left those A - B that are flat.
+  const bool has_inside = complete_tetrahedron(it, facet, iterations, &outcome);
+  if (GJK_SHAPES <= GJK_SHAPES_BOXES || !has_inside) {
     return outcome;
   }
   if (!gjk_epa_hull_start(&p, workspace, &it->simplex, gjk_pair_is_curved(it))) {

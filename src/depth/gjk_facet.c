@@ -138,7 +138,8 @@ void gjk_facet_load(const gjk_facet *facet, gjk_iteration *it) {
     return;
   }
   gjk_simplex_set(s, 3);
-  if (gjk_simplex_beyond(s) == 3) {
+  // Those of gjk_box_sat, and of an A - B that is flat, cover it.
+  if (GJK_SHAPES <= GJK_SHAPES_BOXES || gjk_simplex_beyond(s) == 3) {
     return;
   }
   // The corners do not cover the projection. Add them until none makes the feature strictly nearer.

@@ -38,9 +38,11 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   }
   it->iterations = 0;
   it->diagonal = false;
-  it->stalls = a->shape->type->stalls;
-  if (!gjk_pair_is_curved(it)) {
-    it->stalls = b->shape->type->stalls;
+  if (GJK_SHAPES >= GJK_SHAPES_ALL) {
+    it->stalls = a->shape->type->stalls;
+    if (!gjk_pair_is_curved(it)) {
+      it->stalls = b->shape->type->stalls;
+    }
   }
   gjk_simplex_clear(&it->simplex);
   return true;
@@ -144,7 +146,7 @@ static bool refine_nearest(gjk_iteration *it, gjk_goal goal, gjk_support *b) {
 bool gjk_iteration_near(const gjk_iteration *it) {
   const gjk_simplex *s = &it->simplex;
   gjk_u192 numerator, denominator;
-  if (s->count == 1) {
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS || s->count == 1) {
     return s->toward[s->order[0]][s->order[0]] <= gjk_mul32(it->radius, it->radius);
   }
   gjk_simplex_squared_distance(s, &numerator, &denominator);
@@ -239,6 +241,12 @@ static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
   return false;
 }
 
+#if GJK_SHAPES <= GJK_SHAPES_ROUND
+bool gjk_iteration_warm(gjk_iteration *it, const gjk_cache *cache) {
+  return it->shift >= 0 && warm_start(it, cache);
+}
+#endif
+
 // Steps 6 to 8. NONE: nothing of A - B is nearer than the feature.
 static gjk_step add_vertex(gjk_iteration *it, gjk_goal goal, const gjk_vertex *added, gjk_support *b) {
   if (!is_duplicate(it, added)) {
@@ -254,7 +262,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   gjk_support b;
   // The vertices of far frames and of curved shapes are rounded: where the search ends would depend on where it began.
   // So the cache does not count.
-  if (it->shift < 0 || gjk_pair_is_curved(it)) {
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND || it->shift < 0 || gjk_pair_is_curved(it)) {
     cache = NULL;
   }
   if (cache != NULL && warm_start(it, cache)) {

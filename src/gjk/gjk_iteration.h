@@ -56,7 +56,7 @@ typedef struct gjk_iteration {
 
 // Is A or B curved?
 static inline bool gjk_pair_is_curved(const gjk_iteration *it) {
-  return it->stalls != NULL;
+  return GJK_SHAPES >= GJK_SHAPES_ALL && it->stalls != NULL;
 }
 
 // Does a NEAREST feature of the pair become a canonical one? It does where a cache may have led to another one.
@@ -83,6 +83,10 @@ bool gjk_iteration_place(gjk_iteration *it, uint16_t a, uint16_t b);
 // Iterates until the goal is answered or it->limit is reached; after LIMIT, on from there with a higher limit.
 // cache: where to start from; NULL, or of no use: a cold start.
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache);
+
+// Step 1 by itself, where points and segments have a build to themselves: gjk_iteration_run leaves the cache aside there,
+// which only times of impact gain by. Returns whether the origin lies in the simplex already.
+bool gjk_iteration_warm(gjk_iteration *it, const gjk_cache *cache);
 
 // Is the exact distance of the feature at most it->radius? Pre: 1 <= count <= 3.
 bool gjk_iteration_near(const gjk_iteration *it);

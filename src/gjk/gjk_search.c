@@ -16,7 +16,8 @@ static seen_vertices seen_vertices_of(gjk_iteration *it, unsigned side) {
   const gjk_collider *c = side == 0 ? it->a : it->b;
   const uint32_t count = c->shape->type->kind == GJK_KIND_AXES ? UINT32_C(1) << c->count : c->count;
   seen_vertices of = {c, &it->seen[side], count, 0, false, 0, 0};
-  while ((count - 1) >> of.shift >= GJK_MARKS) {  // count <= 2^16: at most 10 times
+  while (GJK_SHAPES >= GJK_SHAPES_POLYTOPES &&
+         (count - 1) >> of.shift >= GJK_MARKS) {  // count <= 2^16: at most 10 times
     of.shift++;
   }
   return of;
@@ -281,7 +282,7 @@ static void mark_level_axes(seen_vertices *of, const gjk_direction *direction, u
 
 // Marks the vertices of a shape that are level with one at the offset.
 static void mark_level(seen_vertices *of, const gjk_direction *direction, unsigned vertex, const gjk_vec3 *at) {
-  if (of->collider->shape->type->kind == GJK_KIND_AXES) {
+  if (GJK_SHAPES <= GJK_SHAPES_BOXES || of->collider->shape->type->kind == GJK_KIND_AXES) {
     mark_level_axes(of, direction, vertex);
     return;
   }
@@ -348,6 +349,9 @@ static bool place_beside_diagonal(gjk_iteration *it) {
   if (of_a != 0 && of_b != 0) {
     return gjk_iteration_place(it, u->a.vertex, v->b);
   }
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {
+    return false;
+  }
   if (it->a->shape->type->kind == GJK_KIND_AXES && of_a != low_a) {
     return gjk_iteration_place(it, (uint16_t)(u->a.vertex ^ low_a), u->b);
   }
@@ -378,9 +382,32 @@ GJK_OUT_OF_LINE static bool complete_diagonal(gjk_iteration *it) {
   return true;
 }
 
+// gjk_search_canonical of two segments. Where they are parallel, all of A - B is level: a line, on which the second vertex is
+// the farthest beyond the foot of the origin. Otherwise one feature alone holds the nearest point.
+static void canonical_segments(gjk_iteration *it) {
+  gjk_simplex *s = &it->simplex;
+  gjk_long3 n;
+  gjk_cross(&it->a->frame[0], &it->b->frame[0], &n);
+  if ((n.x | n.y | n.z) == 0) {
+    gjk_simplex_clear(s);
+    gjk_iteration_place(it, 0, 0);
+    gjk_simplex_add(s);
+    const gjk_vec3 *w = &gjk_simplex_vertex(s, 0)->w;  // the direction is the opposite
+    gjk_iteration_place(it, gjk_dot(w, &it->a->frame[0]) < 0 ? 1 : 0, gjk_dot(w, &it->b->frame[0]) > 0 ? 1 : 0);
+    gjk_simplex_add(s);
+  }
+}
+
 bool gjk_search_canonical(gjk_iteration *it, bool points) {
   const gjk_simplex *s = &it->simplex;
   seen_vertices level[2];
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {
+    if (s->count < 3 && (s->count == 1 || !complete_diagonal(it))) {
+      canonical_segments(it);
+    }
+    gjk_simplex_direction(s, &it->direction);
+    return true;
+  }
   bool across = false;
   if (it->ties[0] + it->ties[1] > 2 || s->count == 1 || (s->count == 2 && !complete_diagonal(it))) {
     mark_all_level(it, level);
@@ -401,5 +428,34 @@ bool gjk_search_canonical(gjk_iteration *it, bool points) {
 }
 
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal) {
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {
+    return it->shift >= 0 && goal != GJK_GOAL_WITHIN && gjk_close_segments(it);
+  }
   return gjk_search_may_close(it) && it->shift >= 0 && goal != GJK_GOAL_WITHIN && it->a->shape->type->close(it);
 }
+
+#if GJK_SHAPES <= GJK_SHAPES_POINTS
+gjk_outcome gjk_search_points(gjk_iteration *it, gjk_goal goal, unsigned limit) {
+  gjk_simplex *s = &it->simplex;
+  gjk_vertex *v = &s->slot[0];
+  const gjk_vec3 origin = {0, 0, 0}, w = it->delta;
+  const int64_t square = gjk_dot(&w, &w);
+  const bool first = it->iterations == 0;
+  v->w = w;
+  v->a.offset = origin;
+  v->a.vertex = v->b = 0;
+  s->toward[0][0] = square;
+  s->count = 1;
+  it->direction.d = gjk_negate(w);
+  it->direction.exact = true;
+  it->iterations = first ? 1 : 2;
+  if (square == 0) {
+    return GJK_OUTCOME_ENCLOSING;
+  }
+  if (goal == GJK_GOAL_WITHIN) {
+    return gjk_iteration_near(it) ? GJK_OUTCOME_NEAR : GJK_OUTCOME_SEPARATED;
+  }
+  // A far pair knows that its first vertex is the nearest once it has found it again.
+  return first && limit == 1 && it->shift < 0 ? GJK_OUTCOME_LIMIT : GJK_OUTCOME_NEAREST;
+}
+#endif

@@ -41,6 +41,9 @@
 // Two polytopes of any size take fewer iterations.
 #define GJK_SEARCH_ITERATIONS_MAX (GJK_PLAIN_ITERATIONS + 2 * GJK_MARKS)
 
+// More than two features of at most eight vertices have: see gjk_search_any.
+#define GJK_ROUND_ITERATIONS 128
+
 // The ceiling on iterations: polytopes end before it, a curved pair may end there with LIMIT.
 static inline unsigned gjk_search_limit(const gjk_iteration *it) {
   return gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : GJK_SEARCH_ITERATIONS_MAX;
@@ -69,7 +72,8 @@ bool gjk_search_canonical(gjk_iteration *it, bool points);
 
 // May several features hold the nearest point?
 static inline bool gjk_search_has_ties(const gjk_iteration *it, gjk_goal goal, gjk_outcome outcome) {
-  return outcome == GJK_OUTCOME_NEAREST && gjk_goal_counts_ties(it, goal) && it->ties[0] + it->ties[1] > 1;
+  return GJK_SHAPES >= GJK_SHAPES_ROUND && outcome == GJK_OUTCOME_NEAREST && gjk_goal_counts_ties(it, goal) &&
+         it->ties[0] + it->ties[1] > 1;
 }
 
 // Do the shapes have a closed form? It needs no feature to start from.
@@ -80,27 +84,55 @@ static inline bool gjk_search_may_close(const gjk_iteration *it) {
 // Does a closed form find the feature? It rounds nothing in exact frames. A plane answers WITHIN sooner.
 bool gjk_search_closes(gjk_iteration *it, gjk_goal goal);
 
+// The search of two points: A - B is one vertex. It takes the iterations that others take.
+gjk_outcome gjk_search_points(gjk_iteration *it, gjk_goal goal, unsigned limit);
+
 // Searches until the goal is answered or the iterations of the query reach the limit; after LIMIT and with a higher
 // limit, on from there. cache: where to start from; NULL, or of no use: a cold start. NEAREST: any feature that holds the
 // nearest point.
+//
+// Where all shapes are points and segments, steps 1 to 4 are not needed. A - B of two has four vertices at most, and eight
+// where one is swept (gjk_swept.h). Each iteration but the last finds a feature strictly nearer than all before. Of eight
+// vertices there are 8 + 28 + 56.
 static inline gjk_outcome gjk_search_any(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
-  const unsigned most = gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : GJK_PLAIN_ITERATIONS;
+  const unsigned of_polytopes = GJK_SHAPES <= GJK_SHAPES_ROUND ? GJK_ROUND_ITERATIONS : GJK_PLAIN_ITERATIONS;
+  const unsigned most = gjk_pair_is_curved(it) ? GJK_ITERATIONS_MAX : of_polytopes;
   const unsigned plain = limit < most ? limit : most;
+  const bool may_close = GJK_SHAPES >= GJK_SHAPES_BOXES || goal != GJK_GOAL_WITHIN;
   gjk_outcome outcome = GJK_OUTCOME_LIMIT;
+#if GJK_SHAPES <= GJK_SHAPES_POINTS
+  return gjk_search_points(it, goal, limit);
+#endif
   if (it->iterations < plain) {
-    if (it->iterations == 0 && it->a->shape->type->close != NULL && gjk_search_closes(it, goal)) {
+    if (may_close && it->iterations == 0 && (GJK_SHAPES <= GJK_SHAPES_ROUND || it->a->shape->type->close != NULL) &&
+        gjk_search_closes(it, goal)) {
       return GJK_OUTCOME_NEAREST;
     }
+#if GJK_SHAPES <= GJK_SHAPES_ROUND
+    if (goal != GJK_GOAL_WITHIN && it->iterations == 0 && cache != NULL && gjk_iteration_warm(it, cache)) {
+      return GJK_OUTCOME_ENCLOSING;
+    }
+#endif
     it->limit = (uint8_t)plain;
     outcome = gjk_iteration_run(it, goal, cache);
   }
-  if (outcome == GJK_OUTCOME_LIMIT && !gjk_pair_is_curved(it)) {
+  if (GJK_SHAPES >= GJK_SHAPES_BOXES && outcome == GJK_OUTCOME_LIMIT && !gjk_pair_is_curved(it)) {
     outcome = gjk_search_on(it, goal, limit);
   }
   return outcome;
 }
 
-// The same for what is reported: the canonical feature.
+// The same without a limit, for readers that take any feature for the same. Points and segments then do without the closed
+// form, which no reader but those with a limit needs.
+static inline gjk_outcome gjk_search_whole(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
+  if (GJK_SHAPES == GJK_SHAPES_ROUND) {
+    it->limit = GJK_ROUND_ITERATIONS;
+    return gjk_iteration_run(it, goal, NULL);
+  }
+  return gjk_search_any(it, goal, cache, GJK_NO_LIMIT);
+}
+
+// gjk_search_any for what is reported: the canonical feature.
 static inline gjk_outcome gjk_search(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache, unsigned limit) {
   const gjk_outcome outcome = gjk_search_any(it, goal, cache, limit);
   if (gjk_search_has_ties(it, goal, outcome)) {

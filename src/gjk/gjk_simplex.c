@@ -267,11 +267,11 @@ bool gjk_simplex_encloses(gjk_simplex *s, unsigned n) {
 
 bool gjk_simplex_direction(const gjk_simplex *s, gjk_search_direction *out) {
   const unsigned a = s->order[0], b = s->order[1];
-  if (s->count == 3) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && s->count == 3) {
     gjk_search_direction_of(&s->normal, out);
     return true;
   }
-  if (s->count == 2) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && s->count == 2) {
     return gjk_search_direction_of_edge(&s->slot[a].w, s->toward[b][a], &s->slot[b].w, s->toward[a][b], out);
   }
   out->d = gjk_negate(s->slot[a].w);
@@ -320,8 +320,8 @@ static void squared_height(const gjk_simplex *s, gjk_u192 *out) {
 int32_t gjk_simplex_along_axis(const gjk_simplex *s) {
   const gjk_vec3 *w = &s->slot[s->order[0]].w;
   const gjk_long3 *n = &s->normal;
-  const bool face = s->count == 3, x = face ? n->x != 0 : w->x != 0, y = face ? n->y != 0 : w->y != 0,
-             z = face ? n->z != 0 : w->z != 0;
+  const bool face = GJK_SHAPES >= GJK_SHAPES_ROUND && s->count == 3, x = face ? n->x != 0 : w->x != 0,
+             y = face ? n->y != 0 : w->y != 0, z = face ? n->z != 0 : w->z != 0;
   if (s->count == 2 || (x ? y || z : y == z)) {
     return -1;
   }
@@ -332,7 +332,10 @@ void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_u192 *numerator, gjk
   const unsigned a = s->order[0], b = s->order[1];
   const gjk_long3 *n = &s->normal;
   const int64_t square = s->toward[a][a];
-  if (s->count == 3) {
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    gjk_u192_set(numerator, (uint64_t)square);
+    gjk_u192_set(denominator, 1);
+  } else if (s->count == 3) {
     // (n . a)^2 / |n|^2
     gjk_u192 z;
     squared_height(s, numerator);

@@ -35,6 +35,9 @@ static inline int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t w
   v -= u;
   w -= u;
   const int64_t start = gjk_shl64(2 * u + 1, 30);  // |u| <= 2^29:  at most 2^60 + 2^30
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return start;
+  }
   //@ assert start >= -(INT64_C(1) << 61) && start <= INT64_C(1) << 61;
   // |v - u|, |w - u| <= 2^30, weights < 2^31:  partial sums below 5 2^60 + 2^30
   const int64_t sum = gjk_mac32(gjk_mac32(start, v, f->weight[0].high), w, f->weight[1].high);
@@ -166,7 +169,7 @@ static inline unsigned first_corner(const gjk_iteration *it, const uint32_t n[3]
   if (!is_side(all)) {
     return !is_side(differ) ? 2 : !is_side(differ2) ? 0 : 1;
   }
-  if ((all >> 16 != 0 ? it->a : it->b)->shape->type->kind == GJK_KIND_AXES) {
+  if (GJK_SHAPES <= GJK_SHAPES_BOXES || (all >> 16 != 0 ? it->a : it->b)->shape->type->kind == GJK_KIND_AXES) {
     return has_more_bits(differ) ? 2 : has_more_bits(differ2) ? 0 : 1;
   }
   return n[0] < n[1] ? (n[0] < n[2] ? 0 : 2) : (n[1] < n[2] ? 1 : 2);
@@ -213,9 +216,9 @@ void gjk_witness_points(const gjk_iteration *it, const gjk_unit3 *normal, gjk_ve
   const gjk_simplex *s = &it->simplex;
   feature f;
   //@ assert s->count >= 1 && s->count <= 3;
-  if (s->count == 3) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && s->count == 3) {
     describe_triangle(it, &f);
-  } else if (s->count == 2) {
+  } else if (GJK_SHAPES >= GJK_SHAPES_ROUND && s->count == 2) {
     describe_edge(it, &f);
   } else {
     f.u = f.v = f.w = &s->slot[s->order[0]];

@@ -88,6 +88,9 @@ static uint32_t half_of(int32_t low, int32_t high, int32_t *middle) {
 gjk_status gjk_triangle_collider(const gjk_vec3 world[3], gjk_parts_room *room, gjk_collider *out) {
   gjk_aabb box;
   uint64_t most = 0;
+  if (GJK_SHAPES < GJK_SHAPES_POLYTOPES) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
   make_shape(room);
   set_corners(world, room);
   box_of_triangle(world, &box);

@@ -109,6 +109,9 @@ GJK_OUT_OF_LINE static gjk_status cast_rounded(const gjk_collider *a, const gjk_
 gjk_status gjk_cast(const gjk_collider *a, const gjk_collider *b, const gjk_cast_path *path, gjk_cast_result *out) {
   gjk_way way;
   gjk_status status = gjk_check_pair(a, b, out);
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return GJK_ERROR_UNSUPPORTED;  // a point on its way is a segment
+  }
   if (status == GJK_OK) {
     status = gjk_way_set(&way, a, b, path);
   }

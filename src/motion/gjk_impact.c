@@ -27,6 +27,7 @@
 #include "gjk_impact.h"
 #include "../arith/gjk_memory.h"
 #include "../arith/gjk_root.h"
+#include "../query/gjk_distance.h"
 #include "../shape/gjk_shape_class.h"
 #include "gjk/distance.h"
 #include "gjk/intersect.h"
@@ -212,6 +213,12 @@ static bool is_hit(const impact_query *of, const gjk_distance_result *gap) {
   return gjk_within(&of->mover[0].collider, &of->mover[1].collider, gap->upper, NULL, &near) == GJK_OK && near.yes;
 }
 
+// Step 1. Its certificate tells step 2 which of several features the search has ended at.
+static gjk_status measure_gap_of(const impact_query *of, gjk_cache *cache, gjk_distance_result *out) {
+  const gjk_collider *a = &of->mover[0].collider, *b = &of->mover[1].collider;
+  return GJK_SHAPES <= GJK_SHAPES_ROUND ? gjk_distance_with(a, b, true, cache, out) : gjk_distance(a, b, cache, out);
+}
+
 // Steps 1 to 3, at most `most` times.
 static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most, gjk_impact_result *out) {
   gjk_cache cache;
@@ -223,7 +230,7 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
   for (unsigned i = 1; i <= most && of->x < GJK_Q30_ONE; i++) {
     gjk_distance_result gap;
     pose_both(of, out);
-    const gjk_status status = gjk_distance(&of->mover[0].collider, &of->mover[1].collider, &cache, &gap);  // Step 1
+    const gjk_status status = measure_gap_of(of, &cache, &gap);  // Step 1
     out->iterations = (uint8_t)i;
     if (is_hit(of, &gap)) {
       write_impact_hit(of, margin, &gap, out);

@@ -34,6 +34,9 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
   }
   const gjk_shape_class *type = shape->type;
   gjk_extent extent;
+  if (!gjk_is_known(type)) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
   gjk_status status = shape->convex_radius < 0 ? GJK_ERROR_NEGATIVE : type->measure(shape, &extent);
   if (status != GJK_OK) {
     return status;
@@ -42,22 +45,45 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
   if (room < 0 || extent.squared > (uint64_t)(room * room)) {
     return GJK_ERROR_SIZE;
   }
-  if (type->buffered && buffer != NULL) {
+  if (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered && buffer != NULL) {
     status = check_buffer(c, shape, buffer, capacity);
     if (status != GJK_OK) {
       return status;
     }
   }
-  const uint32_t reach = gjk_isqrt64(extent.squared);
+  const uint32_t reach = GJK_SHAPES <= GJK_SHAPES_POINTS ? 0 : gjk_isqrt64(extent.squared);
   //@ assert reach <= GJK_RADIUS_MAX;
   c->shape = shape;
-  c->buffer = type->buffered ? buffer : NULL;
+  c->buffer = gjk_is_buffered(type) ? buffer : NULL;
   c->local_centre = extent.centre;
   c->core_radius = (gjk_q16)reach + 1 + POSE_SLACK;
   c->radius = c->core_radius + shape->convex_radius;
   c->bits = (uint8_t)(32 - gjk_clz32((uint32_t)c->core_radius));
-  c->count = type->buffered ? shape->count : type->count;
+  c->count = gjk_is_buffered(type) ? shape->count : type->count;
   c->state = GJK_STATE_INITIALISED;
+  return GJK_OK;
+}
+
+// The rest of gjk_collider_pose where shapes have their centre at the local origin: points, segments and boxes.
+static gjk_status pose_at_origin(gjk_collider *c, const gjk_pose *pose) {
+  gjk_vec3 rows[3];
+#if GJK_SHAPES <= GJK_SHAPES_POINTS
+  int64_t deviation;
+  const bool turned = gjk_quat_deviation(&pose->rotation, &deviation);
+#elif GJK_SHAPES == GJK_SHAPES_ROUND
+  const bool turned = gjk_rotation_of_z(&pose->rotation, rows);
+#else
+  const bool turned = gjk_rotation_from_quat(&pose->rotation, rows);
+#endif
+  if (!turned) {
+    return GJK_ERROR_ROTATION;
+  }
+  c->centre = c->position = pose->position;
+  c->fraction[0] = c->fraction[1] = c->fraction[2] = 0;
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND) {
+    c->shape->type->pose(c, rows);
+  }
+  c->state = GJK_STATE_POSED;
   return GJK_OK;
 }
 
@@ -78,6 +104,9 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
   }
   if (c->state != GJK_STATE_INITIALISED && c->state != GJK_STATE_POSED) {
     return GJK_ERROR_UNINITIALISED;
+  }
+  if (GJK_SHAPES <= GJK_SHAPES_BOXES) {
+    return pose_at_origin(c, pose);
   }
   gjk_vec3 rows[3];
   int64_t centre[3];

@@ -78,7 +78,20 @@ struct gjk2_shape_class {
 
 // Is the shape an ellipse or a custom shape, which have no vertices?
 static inline bool gjk2_is_curved(const gjk2_shape *shape) {
-  return shape->type->vertex == NULL;
+  return GJK_SHAPES >= GJK_SHAPES_ALL && shape->type->vertex == NULL;
+}
+
+// May a collider have a buffer for posed vertices?
+static inline bool gjk2_is_buffered(const gjk2_shape_class *type) {
+  return GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered;
+}
+
+// Does a build for GJK_SHAPES know shapes of this kind?
+static inline bool gjk2_is_known(const gjk2_shape_class *type) {
+  const unsigned most = GJK_SHAPES == GJK_SHAPES_POINTS ? 1 : GJK_SHAPES == GJK_SHAPES_ROUND ? 2 : 4;
+  return GJK_SHAPES >= GJK_SHAPES_ALL ||
+         (type->vertex != NULL &&
+          (GJK_SHAPES == GJK_SHAPES_POLYTOPES || (!type->buffered && type->count != 3 && type->count <= most)));
 }
 
 // The state of a collider. Other values are those of memory that was never initialised.
@@ -89,6 +102,9 @@ static inline bool gjk2_is_curved(const gjk2_shape *shape) {
 static inline gjk_status gjk2_check_pair(const gjk2_collider *a, const gjk2_collider *b, const void *out) {
   if (a == NULL || b == NULL || out == NULL) {
     return GJK_ERROR_NULL;
+  }
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS && (a->count > 1 || b->count > 1)) {
+    return GJK_ERROR_UNSUPPORTED;  // a segment of ground
   }
   return a->state == GJK2_STATE_POSED && b->state == GJK2_STATE_POSED ? GJK_OK : GJK_ERROR_UNINITIALISED;
 }

@@ -33,7 +33,9 @@ static void pose_plane_segment(gjk2_collider *c, const gjk2_vec *rotation) {
 }
 
 static void pose_plane_point(gjk2_collider *c, const gjk2_vec *rotation) {
-  pose_axes(c, rotation, 0, 0);
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND) {
+    pose_axes(c, rotation, 0, 0);
+  }
 }
 
 static void support_point(const gjk2_collider *c, const gjk2_vec *d, gjk2_support *out) {
@@ -65,6 +67,10 @@ static bool vertex_plane_axes(const gjk2_collider *c, uint16_t number, gjk2_vec 
   if (number >= c->count) {
     return false;
   }
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    offset->x = offset->y = 0;
+    return true;
+  }
   // A segment has bit 0 alone, and its frame[1] is 0. A point has neither.
   offset->x = ((number & 1u) != 0 ? x.x : -x.x) + ((number & 2u) != 0 ? y.x : -y.x);
   offset->y = ((number & 1u) != 0 ? x.y : -x.y) + ((number & 2u) != 0 ? y.y : -y.y);
@@ -83,7 +89,9 @@ static void adjacent_axes(const gjk2_collider *c, const gjk2_support *from, bool
   way->vertex = (uint16_t)other;
 }
 
-#if GJK_SMALL || !GJK_64_BIT
+#if GJK_SHAPES <= GJK_SHAPES_POINTS
+#define ADJACENT_ENDS NULL
+#elif GJK_SMALL || !GJK_64_BIT
 #define ADJACENT_ENDS adjacent_axes
 #else
 #define ADJACENT_ENDS adjacent_ends

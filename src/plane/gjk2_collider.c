@@ -35,6 +35,9 @@ gjk_status gjk2_collider_init(gjk2_collider *c, const gjk2_shape *shape, gjk2_ve
   }
   const gjk2_shape_class *type = shape->type;
   gjk2_extent extent;
+  if (!gjk2_is_known(type)) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
   gjk_status status = shape->convex_radius < 0 ? GJK_ERROR_NEGATIVE : type->measure(shape, &extent);
   if (status != GJK_OK) {
     return status;
@@ -43,23 +46,36 @@ gjk_status gjk2_collider_init(gjk2_collider *c, const gjk2_shape *shape, gjk2_ve
   if (room < 0 || extent.squared > (uint64_t)(room * room)) {
     return GJK_ERROR_SIZE;
   }
-  if (type->buffered && buffer != NULL) {
+  if (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered && buffer != NULL) {
     status = plane_check_buffer(c, shape, buffer, capacity);
     if (status != GJK_OK) {
       return status;
     }
   }
   c->shape = shape;
-  c->buffer = type->buffered ? buffer : NULL;
+  c->buffer = gjk2_is_buffered(type) ? buffer : NULL;
   c->local_centre = extent.centre;
-  const uint32_t reach = gjk_isqrt64(extent.squared);
+  const uint32_t reach = GJK_SHAPES <= GJK_SHAPES_POINTS ? 0 : gjk_isqrt64(extent.squared);
   //@ assert reach <= GJK2_RADIUS_MAX;
   c->core_radius = (gjk_q16)reach + 1 + PLANE_POSE_SLACK;
   //@ assert shape->convex_radius <= GJK2_RADIUS_MAX;
   c->radius = c->core_radius + shape->convex_radius;
-  c->count = type->buffered ? shape->count : type->count;
+  c->count = gjk2_is_buffered(type) ? shape->count : type->count;
   c->ordered = extent.ordered;
   c->state = GJK2_STATE_INITIALISED;
+  return GJK_OK;
+}
+
+// The rest of gjk2_collider_pose of a point.
+static gjk_status plane_pose_alone(gjk2_collider *c, const gjk2_pose *pose) {
+  int64_t deviation;
+  if (!gjk2_rotation_deviation(&pose->rotation, &deviation)) {
+    return GJK_ERROR_ROTATION;
+  }
+  c->centre = c->position = pose->position;
+  c->fraction[0] = c->fraction[1] = 0;
+  c->frame[0] = c->frame[1] = c->local_centre;  // 0
+  c->state = GJK2_STATE_POSED;
   return GJK_OK;
 }
 
@@ -80,6 +96,9 @@ gjk_status gjk2_collider_pose(gjk2_collider *c, const gjk2_pose *pose) {
   }
   if (c->state != GJK2_STATE_INITIALISED && c->state != GJK2_STATE_POSED) {
     return GJK_ERROR_UNINITIALISED;
+  }
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return plane_pose_alone(c, pose);
   }
   gjk2_vec rotation;
   int64_t centre[2];

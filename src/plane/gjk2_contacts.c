@@ -528,7 +528,7 @@ gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16
   out->count = 0;
   if (m.distance <= margin) {
     uint16_t id = 0;  // circles have one vertex, number 0
-    if (a->count != 1 || b->count != 1) {
+    if (GJK_SHAPES >= GJK_SHAPES_ROUND && (a->count != 1 || b->count != 1)) {
       (void)gjk2_facing_contacts(a, b, margin, m.p->a.vertex, m.p->b.vertex, out, &id);
     }
     if (gjk2_facing_lacks(out, m.distance)) {

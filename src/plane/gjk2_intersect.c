@@ -30,7 +30,7 @@ static gjk2_answer plane_decide(const gjk2_collider *a, const gjk2_collider *b, 
     out->certificate.count = 0;
     return GJK2_ANSWER_NO;
   }
-  if (cache != NULL && most == 0) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && cache != NULL && most == 0) {
     gjk2_search_aim(&s, cache);
   }
   const bool limited = most > 0 && most < gjk2_search_limit(&s);

@@ -60,7 +60,7 @@ bool gjk2_meeting_points(const gjk2_meeting *m, gjk2_vec *point_a, gjk2_vec *poi
     return saturated;
   }
 #endif
-  if (m->overlaps && s->curved && q != NULL) {
+  if (GJK_SHAPES >= GJK_SHAPES_ALL && m->overlaps && s->curved && q != NULL) {
     const gjk2_vec across = gjk2_sub(q->w, m->p->w);
     if (gjk2_norm1(across) != 0) {
       gjk2_length_set(&own, across);
@@ -90,7 +90,8 @@ void gjk2_meeting_certify(const gjk2_meeting *m, gjk2_certificate *out) {
 
 gjk2_lie gjk2_meeting_edges(gjk2_meeting *m) {
   gjk2_search *s = &m->s;
-  return s->curved || gjk2_search_is_point(s) ? GJK2_LIE_OPEN : gjk2_nearest_edge(s, &m->edge);
+  return GJK_SHAPES <= GJK_SHAPES_POINTS || s->curved || gjk2_search_is_point(s) ? GJK2_LIE_OPEN
+                                                                                 : gjk2_nearest_edge(s, &m->edge);
 }
 
 gjk2_outcome gjk2_meeting_search(gjk2_meeting *m, gjk2_goal goal, gjk2_lie lie, const gjk2_cache *cache) {
@@ -157,7 +158,7 @@ static gjk_status overlap_curved(gjk2_meeting *m) {
 
 gjk_status gjk2_meeting_overlap(gjk2_meeting *m, gjk2_lie lie) {
   gjk2_edge *edge = &m->edge;
-  if (lie == GJK2_LIE_OVERLAP) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && lie == GJK2_LIE_OVERLAP) {
     gjk2_copy_length(&m->length, &edge->length);
     m->n = gjk2_outward(gjk2_sub(edge->q.w, edge->p.w));
     m->height = edge->height;
@@ -165,7 +166,7 @@ gjk_status gjk2_meeting_overlap(gjk2_meeting *m, gjk2_lie lie) {
     set_overlap(m, &edge->p, &edge->q, core, GJK2_PROOF_EDGE);
     return GJK_OK;
   }
-  if (m->s.curved) {
+  if (GJK_SHAPES >= GJK_SHAPES_ALL && m->s.curved) {
     return overlap_curved(m);
   }
   // A - B is a point, the origin: every direction is as good.

@@ -131,7 +131,7 @@ static void load_cached(gjk2_search *s, const gjk2_cache *cache) {
 
 void gjk2_search_aim(gjk2_search *s, const gjk2_cache *cache) {
   s->d = gjk2_negate(s->delta);
-  if (cache != NULL && !s->curved && s->far == 0) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && cache != NULL && !s->curved && s->far == 0) {
     if ((cache->direction[0] | cache->direction[1]) != 0) {
       s->d.x = cache->direction[0];
       s->d.y = cache->direction[1];
@@ -435,7 +435,20 @@ static inline bool is_polygon_with_ends(const gjk2_search *s) {
 }
 #endif
 
+// The first of two iterations on a far pair of points, for a query that counts them: the rounded difference of the centres is
+// not yet the direction of the rounded vertex.
+static gjk2_outcome begin_far_point(gjk2_search *s, gjk2_goal goal) {
+  (void)gjk2_search_place(s, 0, 0, s->apex);
+  make_apex(s);
+  s->along = gjk2_dot(s->d, s->apex->w);
+  s->iterations = 1;
+  return s->along < 0 && goal == GJK2_GOAL_WITHIN && line_separates(s) ? GJK2_OUTCOME_SEPARATED : GJK2_OUTCOME_LIMIT;
+}
+
 gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return s->far != 0 && limit == 1 ? begin_far_point(s, goal) : settle_point(s, goal);
+  }
   if (gjk2_search_is_point(s) && limit != 0) {
     return settle_point(s, goal);
   }
@@ -460,7 +473,7 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
 
 // The numbers of the feature's vertices. Of three only the cache has no room, and it takes no simplex.
 static inline void name_feature(const gjk2_search *s, uint16_t *a, uint16_t *b) {
-  if (s->count == 1) {
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS || s->count == 1) {
     a[0] = s->apex->a.vertex;
     b[0] = s->apex->b.vertex;
     return;
@@ -492,7 +505,7 @@ void gjk2_search_certify(const gjk2_search *s, gjk2_outcome outcome, gjk2_certif
 }
 
 void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *cache) {
-  if (s->curved || s->far != 0) {
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS || s->curved || s->far != 0) {
     return;
   }
   cache->count = 0;

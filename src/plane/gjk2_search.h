@@ -114,14 +114,18 @@ bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex
 
 // Sets d to the direction from the feature to the origin, of which base is known. Pre: count is 1 or 2.
 static inline void gjk2_search_direct(gjk2_search *s) {
-  s->d = s->count == 2 ? gjk2_outward(gjk2_sub(s->last->w, s->first->w)) : gjk2_negate(s->apex->w);
+  s->d = GJK_SHAPES >= GJK_SHAPES_ROUND && s->count == 2 ? gjk2_outward(gjk2_sub(s->last->w, s->first->w))
+                                                         : gjk2_negate(s->apex->w);
   //@ assert s->d.x >= -(INT32_C(3) << 29) && s->d.x <= INT32_C(3) << 29;
   //@ assert s->d.y >= -(INT32_C(3) << 29) && s->d.y <= INT32_C(3) << 29;
 }
 
 // The feature's vertices: one or two, or after ENCLOSING three.
 static inline const gjk2_vertex *gjk2_search_vertex(const gjk2_search *s, unsigned i) {
-  return s->count == 1 ? s->apex : i == 0 ? s->first : i == 1 && s->count == 3 ? s->apex : s->last;
+  return GJK_SHAPES <= GJK_SHAPES_POINTS || s->count == 1 ? s->apex
+         : i == 0                                         ? s->first
+         : i == 1 && s->count == 3                        ? s->apex
+                                                          : s->last;
 }
 
 // Writes the certificate of an outcome, and what the cache keeps of it for the next query.

@@ -26,7 +26,7 @@ GJK_ONCE static bool report_point(const gjk2_collider *c, gjk2_vec p, const gjk2
 bool gjk2_witness_points(const gjk2_search *s, const gjk2_vertex *p, const gjk2_vertex *q, const gjk2_length *length,
                          const gjk2_unit *normal, gjk2_vec *point_a, gjk2_vec *point_b) {
   int32_t weight = 0;  // of q
-  if (q != NULL) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && q != NULL) {
     const int64_t part = gjk2_dot(p->w, gjk2_sub(p->w, q->w)), whole = (int64_t)length->squared;
     weight = gjk2_weight(length, whole >> (2 * GJK2_FINE_LENGTH) != 0, part < whole ? part : whole);
   } else {

@@ -88,7 +88,7 @@ void gjk_manifold_find(const gjk_collider *a, const gjk_collider *b, gjk_q16 mar
                        gjk_manifold *out) {
   candidates->count = 0;
   candidates->candidate[0].id = gjk_contact_id(GJK_FEATURE_CORNER, GJK_FEATURE_CORNER);
-  if (is_within_reach(&a->centre, &b->centre)) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && is_within_reach(&a->centre, &b->centre)) {
     clip_polygons(a, b, margin, candidates, out);
   }
 }
@@ -99,7 +99,7 @@ void gjk_manifold_keep(gjk_candidates *candidates, const gjk_distance_result *ne
   if (nearest != NULL) {
     admit_nearest(nearest, candidates);
   }
-  const bool reduced = candidates->count > most;
+  const bool reduced = GJK_SHAPES >= GJK_SHAPES_ROUND && candidates->count > most;
   if (reduced) {
     gjk_reduce(candidates, &out->normal, most, keep);
   }

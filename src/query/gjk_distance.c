@@ -189,7 +189,7 @@ gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, bool 
   gjk_iteration it;
   start_distance(&it, a, b, out);
   gjk_outcome outcome = run_and_narrow(&it, GJK_NO_LIMIT, points, cache, out);
-  if (outcome == GJK_OUTCOME_LIMIT) {
+  if (GJK_SHAPES >= GJK_SHAPES_ALL && outcome == GJK_OUTCOME_LIMIT) {
     if (stop_early(&it, out)) {
       return GJK_ERROR_ITERATION_LIMIT;
     }
@@ -199,7 +199,26 @@ gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, bool 
   return GJK_OK;
 }
 
+// gjk_distance of points and segments.
+static gjk_status distance_round(const gjk_collider *a, const gjk_collider *b, gjk_distance_result *out) {
+  const gjk_status status = gjk_check_pair(a, b, out);
+  if (status == GJK_OK) {
+    gjk_iteration it;
+    start_distance(&it, a, b, out);
+    const gjk_outcome outcome = gjk_search_whole(&it, GJK_GOAL_DISTANCE, NULL);
+    if (gjk_search_has_ties(&it, GJK_GOAL_DISTANCE, outcome)) {
+      (void)gjk_search_canonical(&it, true);
+    }
+    out->iterations = it.iterations;
+    gjk_distance_report(&it, outcome, true, NULL, out);
+  }
+  return status;
+}
+
 gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND) {
+    return distance_round(a, b, out);
+  }
   return gjk_distance_with(a, b, true, cache, out);
 }
 

@@ -40,7 +40,7 @@ GJK_ONCE static gjk_answer decide(const gjk_collider *a, const gjk_collider *b, 
   }
   out->yes = outcome == GJK_OUTCOME_ENCLOSING || outcome == GJK_OUTCOME_NEAR;
   gjk_iteration_certify(&it, outcome, &out->certificate);
-  if (cache != NULL) {
+  if (GJK_SHAPES >= GJK_SHAPES_BOXES && cache != NULL) {
     gjk_iteration_keep(&it, outcome, cache);
   }
   return out->yes ? GJK_ANSWER_YES : GJK_ANSWER_NO;

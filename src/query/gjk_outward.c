@@ -69,7 +69,7 @@ static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
   gjk_u192 numerator, denominator;
   bool parted = false;
   // not reached: any other outcome, since t parts the cores
-  if (gjk_search_any(it, GJK_GOAL_SIGNED, NULL, GJK_NO_LIMIT) == GJK_OUTCOME_NEAREST) {
+  if (gjk_search_whole(it, GJK_GOAL_SIGNED, NULL) == GJK_OUTCOME_NEAREST) {
     gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
     parted = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
   }
@@ -80,7 +80,8 @@ static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
 
 // Step 3.
 static bool does_part(gjk_iteration *it, const gjk_facet *facet, const gjk_vec3 *t) {
-  return facet != NULL ? clears_facet(it, facet, t) : is_apart_when_moved(it, t);
+  // Cores of points and segments have the depth 0, which no facet is asked about.
+  return GJK_SHAPES >= GJK_SHAPES_BOXES && facet != NULL ? clears_facet(it, facet, t) : is_apart_when_moved(it, t);
 }
 
 // Step 4. A component of 0 is exact, and none exceeds 1.

@@ -57,7 +57,7 @@ static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
     return GJK_OK;
   }
   o->upper = facet->depth;
-  if (o->points) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && o->points) {
     gjk_facet_load(facet, it);
   }
   return expansion == GJK_EPA_FULL ? GJK_ERROR_CAPACITY : GJK_OK;
@@ -144,7 +144,7 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
 // The search for what is reported. Boxes that lie face to face need no points where none are asked for.
 static gjk_outcome search_pair(overlap *o, gjk_goal goal, const gjk_cache *cache) {
   gjk_iteration *it = &o->it;
-  const gjk_outcome outcome = gjk_search_any(it, goal, cache, GJK_NO_LIMIT);
+  const gjk_outcome outcome = gjk_search_whole(it, goal, cache);
   const bool level = gjk_search_has_ties(it, goal, outcome);
   o->points = level ? gjk_search_canonical(it, o->points) : true;
   return outcome;
@@ -177,7 +177,7 @@ static bool are_cores_apart(const overlap *o, gjk_goal goal, const gjk_cache *ca
 
 // Keeps what the next query starts from. A feature leaves no plane.
 static void keep_apart(const gjk_iteration *it, gjk_outcome outcome, gjk_cache *cache) {
-  if (cache != NULL && outcome != GJK_OUTCOME_LIMIT) {
+  if (GJK_SHAPES >= GJK_SHAPES_BOXES && cache != NULL && outcome != GJK_OUTCOME_LIMIT) {
     gjk_iteration_keep(it, outcome, cache);
     cache->a[3] = outcome == GJK_OUTCOME_NEAREST ? 0 : cache->a[3];
   }
@@ -190,7 +190,8 @@ static gjk_outcome start_overlap(overlap *o, gjk_goal goal, gjk_cache *cache) {
   gjk_cache direction;
   const gjk_cache *from = !gjk_pair_is_curved(it) && cache != NULL && cache->count < 4 ? cache : NULL;
   o->facet.found = false;
-  if (it->shift < 0 || !gjk_is_box_pair(it)) {
+  // Points and segments are always flat: the search alone tells how they lie.
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND || it->shift < 0 || (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && !gjk_is_box_pair(it))) {
     o->points = true;
   } else {
     if (are_cores_apart(o, goal, cache)) {
@@ -245,7 +246,7 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
     return GJK_OK;
   }
   const gjk_outcome outcome = start_overlap(&o, GJK_GOAL_DEPTH, cache);
-  if (outcome == GJK_OUTCOME_LIMIT) {
+  if (GJK_SHAPES >= GJK_SHAPES_ALL && outcome == GJK_OUTCOME_LIMIT) {
     return GJK_ERROR_ITERATION_LIMIT;
   }
   int64_t plane = 0;
@@ -305,7 +306,7 @@ gjk_status gjk_signed_distance_along(const gjk_collider *a, const gjk_collider *
   gjk_iteration_start(it, a, b, GJK_GOAL_SIGNED, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
   const gjk_outcome outcome = start_overlap(&o, GJK_GOAL_SIGNED, cache);
   *points = o.points;
-  if (outcome == GJK_OUTCOME_LIMIT) {
+  if (GJK_SHAPES >= GJK_SHAPES_ALL && outcome == GJK_OUTCOME_LIMIT) {
     report_bounds(it, out);
     return GJK_ERROR_ITERATION_LIMIT;
   }

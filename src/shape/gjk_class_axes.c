@@ -15,7 +15,7 @@ static inline int64_t opposes(const gjk_vec3 *axis, const gjk_vec3 *d) {
 // In 64 bits: for 32 GCC keeps two components in a vector, from which it takes them again for the products.
 static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *out) {
   const gjk_vec3 *axis = c->frame;
-  if (c->count == 0) {
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS || c->count == 0) {
     out->offset.x = out->offset.y = out->offset.z = 0;
     out->vertex = 0;
     return;
@@ -104,10 +104,10 @@ static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *
   const probe p = probe_of(c, d);
   gjk_vec3 sum = {0, 0, 0};
   unsigned number = 0;
-  if (c->count > 0) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && c->count > 0) {
     number = add_axis(&c->frame[0], &p, 1, &sum);
   }
-  if (c->count > 1) {
+  if (GJK_SHAPES >= GJK_SHAPES_BOXES && c->count > 1) {
     number |= add_axis(&c->frame[1], &p, 2, &sum);
     number |= add_axis(&c->frame[2], &p, 4, &sum);
   }
@@ -119,7 +119,7 @@ static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *
 
 static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
   gjk_vec3 sum = {0, 0, 0};
-  for (unsigned i = 0; i < c->count; i++) {
+  for (unsigned i = 0; GJK_SHAPES >= GJK_SHAPES_ROUND && i < c->count; i++) {
     sum = ((unsigned)number >> i & 1u) != 0 ? gjk_add(sum, c->frame[i]) : gjk_sub(sum, c->frame[i]);
   }
   *offset = sum;
@@ -180,7 +180,7 @@ static inline bool is_across(const gjk_direction *direction, unsigned bit) {
 static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
   const int64_t slack = 2 * (int64_t)c->core_radius;
   direction->ties = 0;
-  for (unsigned i = 0; i < c->count; i++) {
+  for (unsigned i = 0; GJK_SHAPES >= GJK_SHAPES_ROUND && i < c->count; i++) {
     const int64_t along = gjk_dot(&c->frame[i], d);
     if (along < slack && along > -slack) {
       direction->ties += settle_axis(direction, &c->frame[i], 1u << i, is_across(direction, 1u << i), &number);
@@ -254,7 +254,7 @@ const gjk_shape_class gjk_class_point = {
     .refine = refine_axes,
     .vertex = vertex_axes,
     .stalls = NULL,
-    .close = gjk_close_segments,
+    .close = GJK_CLOSE_SEGMENTS,
     .concave = NULL,
     .buffered = false,
     .count = 0,
@@ -268,7 +268,7 @@ const gjk_shape_class gjk_class_segment = {
     .refine = refine_axes,
     .vertex = vertex_axes,
     .stalls = NULL,
-    .close = gjk_close_segments,
+    .close = GJK_CLOSE_SEGMENTS,
     .concave = NULL,
     .buffered = false,
     .count = 1,

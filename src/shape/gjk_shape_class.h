@@ -22,8 +22,13 @@ typedef enum gjk_kind {
 
 struct gjk_iteration;
 
-// For points and segments: src/gjk/gjk_close.c.
+// For points and segments: src/gjk/gjk_close.c. A build that knows no others asks for it by its name.
 bool gjk_close_segments(struct gjk_iteration *it);
+#if GJK_SHAPES <= GJK_SHAPES_ROUND
+#define GJK_CLOSE_SEGMENTS NULL
+#else
+#define GJK_CLOSE_SEGMENTS gjk_close_segments
+#endif
 
 struct gjk_shape_class {
   // Checks the shape's own fields and measures its core. gjk_collider_init checks the convex radius.
@@ -62,7 +67,22 @@ struct gjk_shape_class {
 
 // Is the shape a cylinder, cone, ellipsoid or custom shape, which have no vertices?
 static inline bool gjk_is_curved(const gjk_shape *shape) {
-  return shape->type->stalls != NULL;
+  return GJK_SHAPES >= GJK_SHAPES_ALL && shape->type->stalls != NULL;
+}
+
+// May a collider have a buffer for posed vertices?
+static inline bool gjk_is_buffered(const gjk_shape_class *type) {
+  return GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered;
+}
+
+// Does a build for GJK_SHAPES know shapes of this kind?
+static inline bool gjk_is_known(const gjk_shape_class *type) {
+  return GJK_SHAPES >= GJK_SHAPES_ALL ||
+         (GJK_SHAPES == GJK_SHAPES_POLYTOPES
+              ? type->stalls == NULL
+              : type->kind == GJK_KIND_AXES && type->count <= (GJK_SHAPES == GJK_SHAPES_BOXES   ? 3
+                                                               : GJK_SHAPES == GJK_SHAPES_ROUND ? 1
+                                                                                                : 0));
 }
 
 // The state of a collider. Other values are those of memory that was never initialised.

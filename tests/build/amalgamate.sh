@@ -21,6 +21,8 @@ heading() {
 //   GJK_ITERATIONS_MAX   1 to 250: the ceiling on the iterations of a query with a curved shape; 128 by default
 //   GJK_PORT_HEADER      a header to include, in quotes, that defines any of those below; by default a gjk_port.h, if there is one
 //   GJK_ASSERT(x)        what happens where x is false, which it must not return from; by default nothing
+//   GJK_SHAPES           GJK_SHAPES_POINTS, _ROUND, _BOXES, _POLYTOPES or _ALL: the kinds of shapes to have code for; by default
+//                        all, others are refused
 //   GJK_CLZ32(x)         the leading zeros of a uint32_t that is not 0; by default the compiler's, or portable C
 //   GJK_NARROW_MULTIPLY  1: no product of 32 x 32 to 64 bits is used; by default 1 on cores without one that are known
 //   GJK_VECTORS          1: scans take eight vertices at a time; by default 1 with SSE2 and AArch64 unless built for size

@@ -1,10 +1,11 @@
 #!/bin/sh
-# The figures that are counted, of README.md and tests/measure/README.md: readme-figures.sh BUILD [TARGET]
+# The figures that are counted, of README.md, tests/measure/README.md and port/README.md: readme-figures.sh BUILD [TARGET]
 #
 # Writes the tables between the marks '<!-- figures: NAME -->' and '<!-- end -->' from a fresh count on every target. With a
 # TARGET it counts on that one alone, compares the columns for it, the table of the most expensive pairs, and this library's
-# and the reference's columns of wrong decisions in space and in the plane, and changes nothing.
-pages='README.md tests/measure/README.md'
+# and the reference's columns of wrong decisions in space and in the plane, and changes nothing. test_size.sh compares the
+# sizes of whole programs.
+pages='README.md tests/measure/README.md port/README.md'
 build=$1
 target=$2
 figures=$build/figures
@@ -45,6 +46,7 @@ awk -F' *[|] *' '
   }' "$figures/cost" >"$figures/short"
 
 if [ -z "$target" ]; then
+  sh tests/build/sizes-kinds.sh "$build" && cp "$build/linked/kinds" "$build/linked/planekinds" "$figures" || exit 1
   if [ "$(head -n 1 "$figures/decisions" | tr -cd '|' | wc -c)" -lt 7 ]; then
     echo 'the table of decisions stays: libccd-dev, libfcl-dev and libbullet-dev are needed' >&2
     shown decisions >"$figures/decisions"

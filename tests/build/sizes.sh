@@ -89,6 +89,10 @@ for query in gjk_intersect gjk_distance gjk_penetration; do
 done
 
 echo
+echo 'whole programs for Cortex-M3 at -Os, bytes, by kinds of shapes:'
+sh tests/build/sizes-kinds.sh "$build" && cat "$build/linked/kinds" "$build/linked/planekinds" || exit 1
+
+echo
 echo 'in the plane, linked for Cortex-M3 at -Os, bytes:'
 printf '%-28s%9s%14s\n' '' query 'with posing'
 for query in INTERSECT DISTANCE ALL CAST IMPACT; do

@@ -53,6 +53,26 @@ frames() {
       END { print sum " in frames, " all " in all"; exit bad || sum != all || NR < 4 }'
 }
 
+# Whole programs by kinds of shapes: each is within 2 % of what port/README.md says.
+kinds() {
+  sh tests/build/sizes-kinds.sh "$build" &&
+    for table in kinds planekinds; do
+      sed -n "/^<!-- figures: $table -->\$/,/^<!-- end -->\$/{/^|/p;}" port/README.md >"$build/linked/shown"
+      tr -d , <"$build/linked/shown" >"$build/linked/shown-$table"
+      tr -d , <"$build/linked/$table" | paste -d '=' - "$build/linked/shown-$table" | awk -F= '
+        {
+          count = split($1, fresh, "|"); split($2, shown, "|")
+          for (i = 2; i < count; i++) {
+            number = fresh[i] ~ /^ [0-9]+ $/
+            cells += number
+            differ = number ? fresh[i] > shown[i] * 1.02 || fresh[i] < shown[i] * 0.98 : fresh[i] != shown[i]
+            if (differ) { print fresh[2] fresh[3] fresh[i] "instead of" shown[i]; bad = 1 }
+          }
+        }
+        END { exit bad || cells < 41 }' || return 1
+    done
+}
+
 build=$1
 if [ -z "$(missing_package cortex-m3)" ]; then
   check 'the library for Cortex-M3 at -Os' library cortex-m3 -Os OPT=-Os
@@ -71,6 +91,7 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   check 'and the check of faces' objects_at_most 6424 hull_build hull_grow hull_facets hull_write hull_check
   check 'simpler hulls' objects_at_most 5714 hull_simplify hull_move hull_excess
   check 'mass properties' objects_at_most 12058 big big_angle mass_shape mass_round mass_rounded mass_rounded_faces mass_rounded_cone mass_hull mass_add mass_principal moments tensor
+  check 'whole programs by kinds of shapes' kinds
   check 'the parts of a program' parts
   check 'the frames of a stack' frames
   check 'in the plane: gjk2_intersect on boxes and polygons' at_most 5520 -DSIZE_PLANE_INTERSECT

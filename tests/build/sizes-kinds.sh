@@ -1,0 +1,74 @@
+#!/bin/sh
+# What a whole program links for Cortex-M3 at -Os, by its kinds of shapes and its query: sizes-kinds.sh BUILD writes two tables in
+# Markdown, BUILD/linked/kinds and BUILD/linked/planekinds. A program is tests/measure/target/size_user.c with a board's start-up
+# code, posing and libgcc, and the library built for no more kinds than it has.
+. tests/build/count.sh
+build=$1
+out=$build/linked
+variant=$(variant_of "$build")
+mkdir -p "$out"
+tools=$(make -s print-TOOLS_cortex-m3 | sed 's/-fcallgraph-info=su//')
+board=$(make -s print-BOARD_cortex-m3)
+queries='TOUCH DISTANCE DEPTH CONTACTS CAST IMPACT SCENE'
+
+# cell LEVEL KIND QUERY MACROS...: bytes of code and constants
+cell() {
+  level=$1
+  name=$out/user-$(echo "$*" | tr ' ' -)
+  kind=$2 query=$3
+  shift 3
+  # shellcheck disable=SC2086
+  $tools -std=c99 -Os -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Iinclude -Iport -I. \
+    -Itests/measure/target "-DUSER_$kind" "-DUSER_$query" "$@" tests/measure/target/size_user.c $board \
+    "build/cortex-m3$variant-Os$(level_suffix "$level")/libgjk.a" -lgcc -Wl,--gc-sections -Wl,--no-warn-rwx-segments \
+    "-Wl,-Map=$name.map" -o "$name.elf" || return 1
+  arm-none-eabi-size "$name.elf" | awk 'NR == 2 { print $1 + $2 }'
+}
+
+level_suffix() {
+  [ "$1" = ALL ] || echo "-$1"
+}
+
+# row LABEL LEVEL KIND MACROS...
+row() {
+  label=$1 of_level=$2 of_kind=$3
+  shift 3
+  printf '| %s | `GJK_SHAPES_%s`' "$label" "$of_level"
+  for of_query in $queries; do
+    case $of_level-$of_query$* in
+      POINTS-CAST) printf ' | none' ;;
+      *) printf ' | %s' "$(cell "$of_level" "$of_kind" "$of_query" "$@" | sed 's/\([0-9]\{3\}\)$/,\1/')" ;;
+    esac
+  done
+  echo ' |'
+}
+
+heading() {
+  echo "| $1 | level | touch | distance | depth | contacts | cast | impact | scene |"
+  echo '|---|---|---|---|---|---|---|---|---|'
+}
+
+sources=$(needed tests/measure/target/size_user.c tests/measure/target/size_user_plane.h)
+library cortex-m3 "$variant-Os" OPT=-Os || exit 1
+for level in POINTS ROUND BOXES POLYTOPES; do
+  library cortex-m3 "$variant-Os-$level" "OPT=-Os -DGJK_SHAPES=GJK_SHAPES_$level" "SOURCES=$sources" || exit 1
+done
+{
+  heading 'space'
+  row spheres POINTS SPHERES
+  row 'spheres, capsules' ROUND CAPSULES
+  row boxes BOXES BOXES
+  row 'boxes, hulls' POLYTOPES HULLS
+  row 'boxes, the library as it is' ALL BOXES
+  row 'hulls, cylinders' ALL ALL
+} >"$out/kinds" || exit 1
+{
+  heading 'in the plane'
+  row circles POINTS SPHERES -DUSER_PLANE
+  row 'circles, capsules' ROUND CAPSULES -DUSER_PLANE
+  row boxes BOXES BOXES -DUSER_PLANE
+  row 'boxes, polygons' POLYTOPES HULLS -DUSER_PLANE
+  row 'boxes, the library as it is' ALL BOXES -DUSER_PLANE
+  row 'polygons, ellipses' ALL ALL -DUSER_PLANE
+} >"$out/planekinds"
+! grep -h '|  |' "$out/kinds" "$out/planekinds"
