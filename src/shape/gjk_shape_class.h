@@ -77,12 +77,9 @@ static inline bool gjk_is_buffered(const gjk_shape_class *type) {
 
 // Does a build for GJK_SHAPES know shapes of this kind?
 static inline bool gjk_is_known(const gjk_shape_class *type) {
+  const unsigned end = GJK_SHAPES == GJK_SHAPES_BOXES ? 4 : GJK_SHAPES == GJK_SHAPES_ROUND ? 2 : 1;  // of half axes
   return GJK_SHAPES >= GJK_SHAPES_ALL ||
-         (GJK_SHAPES == GJK_SHAPES_POLYTOPES
-              ? type->stalls == NULL
-              : type->kind == GJK_KIND_AXES && type->count <= (GJK_SHAPES == GJK_SHAPES_BOXES   ? 3
-                                                               : GJK_SHAPES == GJK_SHAPES_ROUND ? 1
-                                                                                                : 0));
+         (GJK_SHAPES == GJK_SHAPES_POLYTOPES ? type->stalls == NULL : type->kind == GJK_KIND_AXES && type->count < end);
 }
 
 // The state of a collider. Other values are those of memory that was never initialised.
