@@ -52,6 +52,9 @@ typedef struct plane_advance {
   gjk2_distance_result gap;
 } plane_advance;
 
+// The one vertex of A - B of two circles.
+static const gjk2_span plane_vertex = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
+
 // Measures the gap at a fraction. Returns whether it is at most the margin: exact of polygons.
 GJK_OUT_OF_LINE static bool plane_advance_is_near(plane_advance *s, gjk_q30 fraction) {
   gjk2_collider moved, at_b;
@@ -72,7 +75,7 @@ GJK_OUT_OF_LINE static bool plane_advance_is_near(plane_advance *s, gjk_q30 frac
 
 // Finds the feature nearest at a fraction: its direction and certificate, and whether the shapes intersect.
 // Pre: polygons. False: in a far frame it may be open.
-static bool plane_advance_feature(plane_advance *s, gjk_q30 fraction) {
+GJK_OUT_OF_LINE static bool plane_advance_feature(plane_advance *s, gjk_q30 fraction) {
   gjk2_distance_result *gap = &s->gap;
   gjk2_search search;
   gjk2_length length;
@@ -140,8 +143,7 @@ static void plane_advance_face(const plane_advance *s, plane_face *face) {
 
 // What the last two do for a vertex alone, where it is near. False: it is not, or the shapes intersect.
 static bool plane_advance_at_vertex(plane_advance *s) {
-  static const gjk2_span vertex = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
-  const gjk2_long from = gjk2_cast_place_from(s->way, vertex.o, s->fraction);
+  const gjk2_long from = gjk2_cast_place_from(s->way, plane_vertex.o, s->fraction);
   const int64_t near = INT64_C(1) << 28, radii = s->radius - s->margin;
   if (from.x > near || from.x < -near || from.y > near || from.y < -near ||
       from.x * from.x + from.y * from.y <= radii * radii) {
@@ -157,7 +159,7 @@ static bool plane_advance_at_vertex(plane_advance *s) {
   s->face.n.x = unit.x;
   s->face.n.y = unit.y;
   s->face.count = 1;
-  gjk2_copy_span(&s->face.p, &vertex);
+  gjk2_copy_span(&s->face.p, &plane_vertex);
   return true;
 }
 
@@ -286,9 +288,8 @@ static void plane_advance_touch(plane_advance *s) {
     }
   }
   gjk_q30 next;
-  gjk2_rate rate;
   gjk2_span support;
-  if (plane_advance_bound(s, face->n, 0, &support, &next, &rate) == GJK2_BOUND_AT) {
+  if (plane_advance_bound(s, face->n, 0, &support, &next, NULL) == GJK2_BOUND_AT) {
     plane_advance_settle(s, next);
   }
 }
@@ -328,9 +329,9 @@ static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
 
 // Step 4 and 5, once. Returns whether the fraction is the answer. Pre: the gap at the fraction is measured, or at one
 // before it.
-static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
+GJK_OUT_OF_LINE static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
   gjk_q30 next;
-  gjk2_rate rate, closer_rate;
+  gjk2_rate rate;
   gjk2_span support;
   *bound = plane_advance_bound(s, s->face.n, s->face.count == 1 ? UINT32_C(1) << 30 : 0, &support, &next, &rate);
   if (s->curved) {
@@ -354,9 +355,8 @@ static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
     gjk2_vec n;
     gjk_q30 closer;
     uint32_t near;
-    if (plane_advance_disc(s, &n, &near) &&
-        plane_advance_bound(s, n, near, &support, &closer, &closer_rate) == GJK2_BOUND_AT && closer >= next &&
-        closer >= before && gjk2_equal(support.o, s->face.p.o)) {
+    if (plane_advance_disc(s, &n, &near) && plane_advance_bound(s, n, near, &support, &closer, NULL) == GJK2_BOUND_AT &&
+        closer >= next && closer >= before && gjk2_equal(support.o, s->face.p.o)) {
       s->fraction = closer;
       s->face.n = n;
       return true;
@@ -393,11 +393,13 @@ static bool plane_is_centred(const gjk2_collider *c) {
 // Step 1. Pre: polygons. Without a way no line is there to be passed.
 static bool plane_advance_is_beside(plane_advance *s, gjk2_cast_result *out) {
   for (int left = 0; left < 2 && (s->way->t.x | s->way->t.y) != 0; left++) {
-    gjk2_span nearest = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
+    gjk2_span nearest;
     if (!GJK_SMALL && s->centred && (left != 0 ? s->way->base >= 0 : s->way->base <= 0)) {  // so is the outermost there
       continue;
     }
-    if (!s->point) {
+    if (!GJK_SMALL && s->point) {
+      gjk2_copy_span(&nearest, &plane_vertex);
+    } else {
       gjk2_way_outermost(s->way, left != 0, &nearest);
     }
     const int64_t side = gjk2_way_side(s->way, nearest.o);

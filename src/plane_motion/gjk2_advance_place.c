@@ -61,8 +61,10 @@ gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_
   if (closing <= 0) {
     return GJK2_BOUND_AWAY;
   }
-  rate->length = length;
-  rate->closing = closing;
+  if (rate != NULL) {
+    rate->length = length;
+    rate->closing = closing;
+  }
   if (ahead > closing) {
     return GJK2_BOUND_BEYOND;
   }

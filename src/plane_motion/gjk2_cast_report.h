@@ -41,7 +41,7 @@ typedef struct gjk2_rate {
 } gjk2_rate;
 
 // AT: the fraction before which no contact comes, since no vertex of A - B lies beyond n . w = most.
-// BEYOND: not on the way. AWAY: the way does not lead against n; then *rate is not set.
+// BEYOND: not on the way. AWAY: the way does not lead against n; then *rate is not set. rate: NULL: not wanted.
 // near: what |n|, shifted to from 2^29 to 2^30, is likely close to, or 0. Pre: n != 0, |n| < 2^30 + 4.
 gjk2_bound gjk2_cast_bound(const gjk2_way *way, gjk2_vec n, int64_t most, int64_t radius, uint32_t near,
                            gjk_q30 *fraction, gjk2_rate *rate);

@@ -192,9 +192,8 @@ static bool plane_stops_at(const gjk2_way *way, gjk2_vec n, int64_t radius, gjk_
   gjk2_distance_result gap;
   int64_t most, ahead;
   gjk_q30 bound;
-  gjk2_rate rate;
   if (!plane_along(way, n, &most, &ahead) || fraction < 0 ||
-      gjk2_cast_bound(way, n, most, radius, 0, &bound, &rate) != GJK2_BOUND_AT || fraction > bound) {
+      gjk2_cast_bound(way, n, most, radius, 0, &bound, NULL) != GJK2_BOUND_AT || fraction > bound) {
     return false;
   }
   const gjk2_collider *at_a = gjk2_cast_places(way, fraction, &moved, &at_b);
