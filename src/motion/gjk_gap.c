@@ -252,7 +252,7 @@ gjk_outcome gjk_gap_measure(gjk_gap *gap, gjk_q30 fraction) {
   if (!fits_near_frame(at.x) || !fits_near_frame(at.y) || !fits_near_frame(at.z)) {
     return measure_far(gap, &at);
   }
-  if (gjk_search_may_close(it)) {
+  if (!GJK_SMALL && gjk_search_may_close(it)) {
     it->shift = -1;  // no feature to move
   }
   if (!move_near(gap, &at)) {

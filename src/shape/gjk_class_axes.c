@@ -126,18 +126,6 @@ static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   return number >> c->count == 0;
 }
 
-// Sets or clears the bit of a half axis in *number as it lies along the exact direction. Returns its ties: 1 where it lies across
-// and has a length.
-static unsigned settle_axis(const gjk_direction *direction, const gjk_vec3 *axis, unsigned bit, bool across,
-                            unsigned *number) {
-  const int side = across ? 0 : gjk_direction_sign(direction, axis);
-  if (side != 0) {
-    *number = side > 0 ? *number | bit : *number & ~bit;
-    return 0;
-  }
-  return gjk_norm1(*axis) > 0 ? 1 : 0;
-}
-
 // The refinement: only the signs of products within slack are in doubt. d is off by less than 1 per component, so d . axis by
 // less than |axis|_1 <= sqrt(3) core_radius. Two vertices that differ by a half axis alone and are equally far show that
 // it lies across the exact direction: it is among those in doubt, and keeps its sign. Returns the vertex's number.
@@ -163,7 +151,15 @@ static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_dire
     open |= (near & ~(across >> i)) << i;
   }
   for (unsigned i = 0; open >> i != 0; i++) {  // at most 3 times
-    ties += (open >> i & 1) != 0 ? settle_axis(direction, &c->frame[i], 1u << i, false, &number) : 0;
+    if ((open >> i & 1) == 0) {
+      continue;
+    }
+    const int side = gjk_direction_sign(direction, &c->frame[i]);
+    if (side != 0) {
+      number = side > 0 ? number | 1u << i : number & ~(1u << i);
+    } else if (gjk_norm1(c->frame[i]) > 0) {
+      ties++;
+    }
   }
   direction->ties = ties;
   return number;
@@ -183,7 +179,12 @@ static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_dire
   for (unsigned i = 0; GJK_SHAPES >= GJK_SHAPES_ROUND && i < c->count; i++) {
     const int64_t along = gjk_dot(&c->frame[i], d);
     if (along < slack && along > -slack) {
-      direction->ties += settle_axis(direction, &c->frame[i], 1u << i, is_across(direction, 1u << i), &number);
+      const int side = is_across(direction, 1u << i) ? 0 : gjk_direction_sign(direction, &c->frame[i]);
+      if (side != 0) {
+        number = side > 0 ? number | 1u << i : number & ~(1u << i);
+      } else if (gjk_norm1(c->frame[i]) > 0) {
+        direction->ties++;
+      }
     }
   }
   return number;
