@@ -17,6 +17,10 @@
         0x4000000000000000 * (x >> 62) <= x < 0x4000000000000000 * (x >> 62) + 0x4000000000000000;
       axiom shift64: \forall integer x;
         0x10000000000000000 * (x >> 64) <= x < 0x10000000000000000 * (x >> 64) + 0x10000000000000000;
+      axiom left16: \forall integer x; (x << 16) == x * 0x10000;
+      axiom left31: \forall integer x; (x << 31) == x * 0x80000000;
+      axiom left32: \forall integer x; (x << 32) == x * 0x100000000;
+      axiom left62: \forall integer x; (x << 62) == x * 0x4000000000000000;
       axiom and16: \forall integer x; (x & 0xffff) == x - 0x10000 * (x >> 16);
       axiom and31: \forall integer x; (x & 0x7fffffff) == x - 0x80000000 * (x >> 31);
       axiom and32: \forall integer x; (x & 0xffffffff) == x - 0x100000000 * (x >> 32);

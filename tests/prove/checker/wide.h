@@ -32,7 +32,7 @@ static inline int32_t gjk_high32(int64_t x);
 static inline uint32_t gjk_low32(int64_t x);
 
 /*@ assigns \nothing;
-    ensures \result == (x < 0 ? -x : x); */
+    ensures 0 <= \result <= 0x80000000 && (\result == x || \result == -x); */
 static inline uint32_t gjk_magnitude32(int32_t x);
 
 /*@ assigns \nothing;
