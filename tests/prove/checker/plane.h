@@ -55,12 +55,12 @@ static inline gjk2_vec gjk2_negate(gjk2_vec a);
 
 #define FITS64(x) (-0x8000000000000000 <= (x) <= 0x7fffffffffffffff)
 
-/*@ requires FITS64(a.x * b.x + a.y * b.y);
+/*@ requires dot_fits(a.x, a.y, b.x, b.y);
     assigns \nothing;
     ensures \result == dot(a.x, a.y, b.x, b.y); */
 static inline int64_t gjk2_dot(gjk2_vec a, gjk2_vec b);
 
-/*@ requires FITS64(a.x * b.y - a.y * b.x) && a.y > -0x80000000;
+/*@ requires cross_fits(a.x, a.y, b.x, b.y) && a.y > -0x80000000;
     assigns \nothing;
     ensures \result == cross(a.x, a.y, b.x, b.y); */
 static inline int64_t gjk2_cross(gjk2_vec a, gjk2_vec b);
@@ -133,7 +133,9 @@ static gjk2_vec framed(const gjk2_search *s, gjk2_vec offset);
     ensures \result == 0 || \result == 1;
     ensures \result == 1 <==> a < s->a->count && b < s->b->count;
     ensures \result == 1 ==> out->w.x == qx(s, a, b) && out->w.y == qy(s, a, b);
-    ensures \result == 1 ==> in_disc(out->w.x, out->w.y, REACH); */
+    ensures \result == 1 ==> in_disc(out->w.x, out->w.y, REACH);
+    ensures \result == 1 ==> -0x20000000 <= out->w.x - s->delta.x <= 0x20000000 &&
+      -0x20000000 <= out->w.y - s->delta.y <= 0x20000000; */
 bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex *out);
 
 // The checker.
@@ -152,6 +154,7 @@ static int64_t plane_farthest(const gjk2_collider *c, gjk2_vec d);
       0 <= i < s->a->count && 0 <= j < s->b->count ==> beyond(dx, dy, qx(s, i, j), qy(s, i, j), r);
     predicate named(gjk2_search *s, gjk2_certificate *c, integer k) =
       c->a[k] < s->a->count && c->b[k] < s->b->count && in_disc(s->slot[k].w.x, s->slot[k].w.y, REACH) &&
+      -0x20000000 <= s->slot[k].w.x - s->delta.x <= 0x20000000 && -0x20000000 <= s->slot[k].w.y - s->delta.y <= 0x20000000 &&
       s->slot[k].w.x == qx(s, c->a[k], c->b[k]) && s->slot[k].w.y == qy(s, c->a[k], c->b[k]); */
 
 /*@ requires \valid_read(s) && BOTH(s) && NEAR(s) && DIRECTION(d);
