@@ -1,14 +1,16 @@
 #!/bin/sh
-# Proves what the checker of the plane stands on, with Frama-C's WP, Why3, Z3 and CVC4: prove-checker.sh BUILD [quick]
+# Proves what the checker of the plane stands on, with Frama-C's WP, Why3, Z3 and CVC4:
+# prove-checker.sh BUILD [quick | FUNCTION...]
 #
 # tests/prove/README.md tells what is proven. Each lemma and each obligation of a function is printed with its prover. One
 # that is not proven fails, and so does a function of the list without a contract. What is proven is the sources as they
-# are, with comments between their lines: see annotate.awk. `quick` proves the lemmas and the functions marked so.
+# are, with comments between their lines: see annotate.awk. `quick` proves the functions marked so, as int32; FUNCTION... these alone.
 . tests/build/count.sh
 LC_ALL=C.UTF-8
 export LC_ALL
 build=$1
-quick=$2
+shift
+wanted=$*
 dir=$build/prove-checker
 spec=tests/prove/checker
 WHY3CONFIG=$PWD/$dir/why3.conf
@@ -24,6 +26,7 @@ annotate() {
 }
 
 provers() {
+  version=$(z3 -version | sed 's/.*version \([0-9.]*\).*/\1/')
   why3 config detect >/dev/null 2>&1
   cat >>"$WHY3CONFIG" <<EOC
 
@@ -36,7 +39,7 @@ in_place = false
 interactive = false
 name = "Z3"
 shortcut = "ground"
-version = "$(z3 -version | sed 's/.*version \([0-9.]*\).*/\1/')"
+version = "$version"
 EOC
   why3 config list-provers | grep -q 'Z3.*(ground)' && why3 config list-provers | grep -q '^CVC4'
 }
@@ -60,9 +63,9 @@ contracts() {
 }
 
 functions() {
-  awk -v file="$1" -v quick="$quick" '
+  awk -v file="$1" -v wanted=" $wanted " '
     /^#/ || NF == 0 { next }
-    $1 == file && (quick == "" || $3 == "quick") { list = list (list == "" ? "" : ",") $2 }
+    $1 == file && (wanted ~ /^ *$/ || index(wanted, " " $2 " ") || wanted == " quick " && $3 == "quick") { list = list (list == "" ? "" : ",") $2 }
     END { print list }' $spec/functions.txt
 }
 
@@ -74,6 +77,18 @@ run() {
   cat "$dir/$1.goals"
   check "$1: each obligation is proven" [ $proven = 0 ]
   check "$1: each function has its contract" contracts "$1" "$list"
+}
+
+# Each goal of hull.mlw, by any of the provers.
+hulls() {
+  for prover in "Z3,$version,ground" CVC4 "Z3,$version,"; do
+    why3 prove -a split_vc -P "$prover" -t 10 $spec/hull.mlw 2>&1 |
+      awk -v prover="$prover" '/^File/ { goal = $0 } /goal/ { goal = goal " " $0 } /^Goal/ { goal = goal " " $0 }
+        /^Prover result/ { print ++number "|" prover "|" goal "|" ($4 == "Valid") }'
+  done | sort -t '|' -k 1,1n -k 4,4nr | awk -F '|' '$1 != last { last = $1; print ($4 ? "" : "failed: ") "hulls: " $3 " " $2 }' \
+    >"$dir/hulls.goals"
+  cat "$dir/hulls.goals"
+  [ -s "$dir/hulls.goals" ] && ! grep -q '^failed' "$dir/hulls.goals"
 }
 
 for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3; do
@@ -88,12 +103,17 @@ mkdir -p "$dir"
 check 'the annotations stand in the sources, which are as they were' annotate
 check 'the provers are known' provers
 [ $failed = 0 ] || { finish prove-checker; exit; }
-wp lemmas gcc_x86_32 '' plane.c -wp-prop=@lemma >"$dir/lemmas.goals"
-proven=$?
-cat "$dir/lemmas.goals"
-check 'each lemma is proven' [ $proven = 0 ]
+if [ -z "$wanted" ]; then
+  wp lemmas gcc_x86_32 '' plane.c -wp-prop=@lemma >"$dir/lemmas.goals"
+  proven=$?
+  cat "$dir/lemmas.goals"
+  check 'each lemma is proven' [ $proven = 0 ]
+  check 'what is true of vertices is true of all points' hulls
+fi
 run int32 gcc_x86_32 '' wide
-run int16 gcc_x86_16 -DGJK_NARROW_MULTIPLY=1 wide
 run plane gcc_x86_32 '' plane
-[ -n "$quick" ] || run plane16 gcc_x86_16 -DGJK_NARROW_MULTIPLY=1 plane
+if [ -z "$wanted" ]; then
+  run int16 gcc_x86_16 -DGJK_NARROW_MULTIPLY=1 wide
+  run plane16 gcc_x86_16 -DGJK_NARROW_MULTIPLY=1 plane
+fi
 finish prove-checker
