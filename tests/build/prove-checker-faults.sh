@@ -47,5 +47,5 @@ fault end-as-foot src/plane/gjk2_check.c has_foot '< 0 && gjk2_dot(*q, edge) > 0
 fault behind-as-on src/plane/gjk2_check.c holds_origin 'gjk2_dot(*p, *q) <= 0' 'gjk2_dot(*p, *q) >= 0' "$open"
 fault contract-lost tests/prove/checker/plane.h gjk2_reaches \
   '    ensures \result == 0 || \result == 1;
-    ensures \result == 1 <==> h * h >= x * squared + rest; */' '*/' '^no contract: gjk2_reaches'
+    ensures \result == 1 <==> reaches(h, squared, x, rest); */' '*/' '^no contract: gjk2_reaches'
 finish prove-checker-faults

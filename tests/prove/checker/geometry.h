@@ -33,6 +33,8 @@
 /*@ predicate longer(integer m, integer square) = 0 <= m && m * m >= square;
     predicate shorter(integer m, integer square) = 0 <= m && m * m <= square;
     predicate farther(integer s, integer r, integer square) = s * s > r * r * square;
+    predicate reaches(integer h, integer square, integer x, integer rest) = h * h >= x * square + rest;
+    lemma reaches: \forall integer h, r, square; reaches(h, square, r * r, 1) <==> farther(h, r, square);
     lemma half_fits: \forall integer x, y; 0 <= y <= x < 0x80000000 ==> 0 <= x + (y >> 1) + 1 < 0xffffffff;
     lemma half_square: \forall integer x, y, h;
       0 <= y <= x && 2 * h <= y && y < 2 * h + 2 ==> longer(x + h + 1, x * x + y * y);

@@ -99,7 +99,7 @@ static inline uint32_t gjk2_length_bound(gjk2_vec n);
     requires rest < 0x8000000000000000;
     assigns \nothing;
     ensures \result == 0 || \result == 1;
-    ensures \result == 1 <==> h * h >= x * squared + rest; */
+    ensures \result == 1 <==> reaches(h, squared, x, rest); */
 bool gjk2_reaches(uint64_t h, uint64_t squared, uint64_t x, uint64_t rest);
 
 /*@ requires 0 <= h < 0x4000000000000000 && 0 <= radius && -0x80000000 < n.x && -0x80000000 < n.y;
