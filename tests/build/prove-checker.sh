@@ -48,7 +48,7 @@ EOC
 wp() {
   name=$1 machine=$2 defines=$3 file=$4
   shift 4
-  (cd "$dir" && frama-c -wp -wp-rte -rte-no-pointer-call -wp-prover ground,z3,cvc4 -wp-timeout 20 -wp-par 2 -machdep "$machine" \
+  (cd "$dir" && nice -n 5 frama-c -wp -wp-rte -rte-no-pointer-call -wp-prover ground,cvc4,z3 -wp-timeout 20 -wp-par 2 -machdep "$machine" \
     -cpp-extra-args="-Iinclude -I. -DGJK_VECTORS=0 $defines" "$@" $spec/"$file") >"$dir/$name.txt" 2>&1
   sed -n 's/^\[wp\] \[\(.*\)\] Goal typed_\([^ ]*\) : Valid.*/\2: \1/p' "$dir/$name.txt" | grep -v ': Qed$' | sed "s/^/$name: /"
   grep -E '^\[wp\] \[.*\] Goal' "$dir/$name.txt" | grep -v ' : Valid' | sed "s/^/failed: $name: /"
