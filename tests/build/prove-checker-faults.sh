@@ -35,7 +35,7 @@ for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3; do
     exit
   fi
 done
-wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane): '
+wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane): \[wp\]'
 fault shifted-by-one $wide.c gjk_sum_of_products 'gjk_sar64(high, 2)' 'gjk_sar64(high, 1)' "$open"
 fault carry-lost $wide.c gjk_sum_of_products '+ (digit >> 31);' ';' "$open"
 fault sign-of-zero $wide.c gjk_sum_of_products_sign_exact '? -1 : (sum.high | sum.low) != 0' '? -1 : sum.low != 0' "$open"

@@ -3,9 +3,9 @@
 #define PROVE_CHECKER_PLANE_H
 
 #include "geometry.h"
-#include "wide.h"
 #include "gjk2/check.h"
 #include "src/plane/gjk2_search.h"
+#include "wide.h"
 
 // Vertex i of a collider, relative to its centre. What follows holds for any vertices that obey `posed`.
 /*@ axiomatic vertices {
@@ -149,7 +149,8 @@ bool gjk2_search_place(const gjk2_search *s, uint16_t a, uint16_t b, gjk2_vertex
 static int64_t plane_farthest(const gjk2_collider *c, gjk2_vec d);
 
 /*@ predicate behind(gjk2_search *s, integer dx, integer dy, integer h) = \forall integer i, j;
-      0 <= i < s->a->count && 0 <= j < s->b->count ==> dot(s->delta.x, s->delta.y, dx, dy) + dot(vx(s->a, i), vy(s->a, i), dx, dy) +
+      0 <= i < s->a->count && 0 <= j < s->b->count ==>
+        dot(s->delta.x, s->delta.y, dx, dy) + dot(vx(s->a, i), vy(s->a, i), dx, dy) +
         dot(vx(s->b, j), vy(s->b, j), -dx, -dy) <= h;
     predicate all_beyond(gjk2_search *s, integer dx, integer dy, integer r) = \forall integer i, j;
       0 <= i < s->a->count && 0 <= j < s->b->count ==> beyond(dx, dy, qx(s, i, j), qy(s, i, j), r);
