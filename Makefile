@@ -34,6 +34,8 @@
 #                        installs the compilers that the tests do without)
 #   make prove           shows the absence of undefined behaviour (Frama-C); CHANGED=1: where the code has changed
 #   make prove-faults    puts faults into copies of the sources that the proof must notice
+#   make prove-checker   proves exact arithmetic that the checkers stand on, over the integers (Frama-C, Why3, Z3, CVC4)
+#   make prove-checker-faults   puts faults into copies of it that this proof must notice
 #   make lint            clang-format, clang-tidy, cppcheck with MISRA C:2012, shellcheck
 #   make coverage        which lines and branches of src the tests reach, over all variants of the code; FILES=. matches the
 #                        files that count
@@ -116,7 +118,7 @@ FREESTANDING := $(TOOLS_$(TARGET)) $(call PORT_HEADER,$(PORT)) $(COMMON) $(OPT) 
   -ffreestanding -ffunction-sections -fdata-sections
 HOSTED := $(TOOLS_host) $(call PORT_HEADER,$(PORT_host)) $(COMMON) -O2 -I. -Itests/support
 
-.PHONY: bench-hull bench-parts all help lib setup check test unit-tests programs demo demo-stack demo-platform demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
+.PHONY: bench-hull bench-parts all help lib setup check test unit-tests programs demo demo-stack demo-platform demo-parts demo-plane demo-trace page amalgamation install package sizes bench bench-target readme-figures worst-case matrix prove prove-faults prove-checker prove-checker-faults lint coverage soak soak-casts mutants fuzz bench-scene scene-soak demo-lockstep clean FORCE
 all:
 	+@$(PARALLEL) lib build/gjk-query build/gjk-convert build/gjk-demo
 
@@ -499,6 +501,12 @@ prove:
 
 prove-faults:
 	@sh tests/build/prove-faults.sh build
+
+prove-checker:
+	@sh tests/build/prove-checker.sh build
+
+prove-checker-faults:
+	@sh tests/build/prove-checker-faults.sh build
 
 lint:
 	@sh tests/build/lint.sh build

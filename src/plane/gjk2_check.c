@@ -18,8 +18,10 @@
 static int64_t plane_farthest(const gjk2_collider *c, gjk2_vec d) {
   int64_t largest = INT64_MIN;
   gjk2_vec offset;
-  // not reached: no such vertex, since there are count
-  for (uint32_t i = 0; i < c->count && c->shape->type->vertex(c, (uint16_t)i, &offset); i++) {
+  for (uint32_t i = 0; i < c->count; i++) {
+    if (!c->shape->type->vertex(c, (uint16_t)i, &offset)) {
+      break;  // not reached: there are count
+    }
     const int64_t along = gjk2_dot(offset, d);
     largest = along > largest ? along : largest;
   }

@@ -3,7 +3,7 @@
 # and its relatives. Debian's gcc-multilib cannot stay beside its cross compilers: apt-get takes it away.
 set -e
 PACKAGES='gcc g++ clang libclang-rt-dev gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf qemu-system-misc
-  gcc-avr avr-libc simavr frama-c-base why3 z3 clang-tidy clang-format cppcheck shellcheck doxygen
+  gcc-avr avr-libc simavr frama-c-base why3 z3 cvc4 clang-tidy clang-format cppcheck shellcheck doxygen
   gcc-i686-linux-gnu libc6-dev-i386-cross gcc-aarch64-linux-gnu libc6-dev-arm64-cross
   cmake pkg-config arduino-core-avr gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user
   lld chromium python3 nodejs cargo rustc rust-src mono-mcs mono-runtime node-typescript python3-numpy python3-pip'

@@ -1,0 +1,50 @@
+#!/bin/sh
+# Does the proof of the checker notice faults? prove-checker-faults.sh BUILD. Each fault is put into a copy of the sources,
+# and the function's proof must fail there: at an obligation, not for want of a prover or a line.
+. tests/build/count.sh
+LC_ALL=C.UTF-8
+export LC_ALL
+top=$1/prove-checker-faults
+
+# fault NAME FILE FUNCTION OLD NEW: replaces literal text, which must occur once.
+fault() {
+  copy=$top/$1
+  rm -rf "$copy"
+  mkdir -p "$copy/tests/prove"
+  cp -r src include "$copy" && cp -r tests/build "$copy/tests" && cp -r tests/prove/checker "$copy/tests/prove"
+  OLD=$4 NEW=$5 awk '
+    { text = text $0 "\n" }
+    END {
+      old = ENVIRON["OLD"]
+      at = index(text, old)
+      if (at == 0 || index(substr(text, at + 1), old) != 0) exit 1
+      printf "%s%s%s", substr(text, 1, at - 1), ENVIRON["NEW"], substr(text, at + length(old))
+    }' "$2" >"$copy/$2" || {
+    check "$1: $2 still has '$4', once" false
+    return
+  }
+  (cd "$copy" && sh tests/build/prove-checker.sh build "$3") >"$copy/out" 2>&1
+  check "$1: noticed" grep -qE "$6" "$copy/out"
+  grep -m 2 -E "$6" "$copy/out" | sed "s/^/  $1: /"
+}
+
+for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3; do
+  if ! have "${tool%%:*}"; then
+    skip 'the faults' "${tool##*:}"
+    finish prove-checker-faults
+    exit
+  fi
+done
+wide=src/arith/gjk_wide measure=src/plane/gjk2_measure open='^failed: (int32|plane): \[wp\]'
+fault digits-mixed $wide.c gjk_sum_of_products 'gjk_mac32(gjk_mul32(rh, sl), rl, sh);' 'gjk_mac32(gjk_mul32(rh, sl), rl, sl);' "$open"
+fault carry-lost $wide.c gjk_sum_of_products '+ (digit >> 31);' ';' "$open"
+fault sign-of-zero $wide.c gjk_sum_of_products_sign_exact '? -1 : (sum.high | sum.low) != 0' '? -1 : sum.low != 0' "$open"
+fault low-digit-of-32 $wide.h gjk_low_digit '(gjk_low32(x) & INT32_MAX)' '(gjk_low32(x) & UINT32_MAX)' "$open"
+fault touching-is-apart $measure.c gjk2_is_within 'gjk_umul32(r, r), 1)' 'gjk_umul32(r, r), 0)' "$open"
+fault borrow-lost $measure.c gjk2_reaches '(sum.high - (sum.low < rest))' 'sum.high' "$open"
+fault bound-too-low $measure.h gjk2_length_bound 'y = gjk_magnitude32(n.y);' 'y = gjk_magnitude32(n.x);' "$open"
+fault edge-reversed src/plane/gjk2_check.c has_foot 'gjk2_vec edge = gjk2_sub(*q, *p);' 'gjk2_vec edge = gjk2_sub(*p, *q);' "$open"
+fault contract-lost tests/prove/checker/plane.h gjk2_reaches \
+  '    ensures \result == 0 || \result == 1;
+    ensures \result == 1 <==> reaches(h, squared, x, rest); */' '*/' '^no contract: gjk2_reaches'
+finish prove-checker-faults

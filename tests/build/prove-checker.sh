@@ -1,0 +1,106 @@
+#!/bin/sh
+# Proves what the checker of the plane stands on, with Frama-C's WP, Why3, Z3 and CVC4:
+# prove-checker.sh BUILD [quick | FUNCTION...]
+#
+# tests/prove/README.md tells what is proven. Each lemma and each obligation of a function is printed with its prover. One
+# that is not proven fails, and so does a function of the list without a contract. What is proven is the sources as they
+# are, with comments between their lines: see annotate.awk. `quick` proves the functions marked so, as int32; FUNCTION... these alone.
+. tests/build/count.sh
+LC_ALL=C.UTF-8
+export LC_ALL
+build=$1
+shift
+wanted=$*
+dir=$build/prove-checker
+spec=tests/prove/checker
+WHY3CONFIG=$PWD/$dir/why3.conf
+export WHY3CONFIG
+
+# The sources with annotations, and the contracts, in $dir. Without the annotations each file must be as it was.
+annotate() {
+  mkdir -p "$dir/tests/prove" && cp -r src include "$dir" && cp -r $spec "$dir/tests/prove" || return 1
+  for file in $(awk '$1 == "in" { print $2 }' $spec/inside.txt | sort -u); do
+    awk -v path="$file" -f tests/build/annotate.awk $spec/inside.txt "$file" >"$dir/$file" || return 1
+    sed '/^\/\*@.*\*\/$/d' "$dir/$file" | cmp - "$file" || return 1
+  done
+}
+
+provers() {
+  version=$(z3 -version | sed 's/.*version \([0-9.]*\).*/\1/')
+  why3 config detect >/dev/null 2>&1
+  cat >>"$WHY3CONFIG" <<EOC
+
+[prover]
+alternative = "ground"
+command = "python3 $PWD/tests/build/prove-ground.py %t %f"
+driver = "z3_440"
+editor = ""
+in_place = false
+interactive = false
+name = "Z3"
+shortcut = "ground"
+version = "$version"
+EOC
+  why3 config list-provers | grep -q 'Z3.*(ground)' && why3 config list-provers | grep -q '^CVC4'
+}
+
+# wp NAME MACHINE DEFINES FILE OPTION...: the goals of one run, in $dir/NAME.txt.
+wp() {
+  name=$1 machine=$2 defines=$3 file=$4
+  shift 4
+  (cd "$dir" && nice -n 5 frama-c -wp -wp-rte -rte-no-pointer-call -wp-prover ground,cvc4,z3 -wp-timeout 20 -wp-par 2 -machdep "$machine" \
+    -cpp-extra-args="-Iinclude -I. -DGJK_VECTORS=0 $defines" "$@" $spec/"$file") >"$dir/$name.txt" 2>&1
+  sed -n 's/^\[wp\] \[\(.*\)\] Goal typed_\([^ ]*\) : Valid.*/\2: \1/p' "$dir/$name.txt" | grep -v ': Qed$' | sed "s/^/$name: /"
+  grep -E '^\[wp\] \[.*\] Goal' "$dir/$name.txt" | grep -v ' : Valid' | sed "s/^/failed: $name: /"
+  grep -qE '^\[wp\] Proved goals: *([0-9]+) / \1$' "$dir/$name.txt"
+}
+
+# Has each function of the run a contract, from which a goal follows?
+contracts() {
+  for function in $(echo "$2" | tr , ' '); do
+    grep -q "Goal typed_${function}_ensures" "$dir/$1.txt" || { echo "no contract: $function"; return 1; }
+  done
+}
+
+functions() {
+  awk -v file="$1" -v machine="$2" -v wanted=" $wanted " '
+    /^#/ || NF == 0 { next }
+    $3 == "int32" && machine == "gcc_x86_16" { next }
+    $1 == file && (wanted ~ /^ *$/ || index(wanted, " " $2 " ") || wanted == " quick " && $3 == "quick") { list = list (list == "" ? "" : ",") $2 }
+    END { print list }' $spec/functions.txt
+}
+
+run() {
+  list=$(functions "$4.c" "$2")
+  [ -n "$list" ] || return 0
+  wp "$1" "$2" "$3" "$4.c" -wp-fct "$list" >"$dir/$1.goals"
+  proven=$?
+  cat "$dir/$1.goals"
+  check "$1: each obligation is proven" [ $proven = 0 ]
+  check "$1: each function has its contract" contracts "$1" "$list"
+}
+
+for tool in frama-c:frama-c-base why3:why3 z3:z3 cvc4:cvc4 python3:python3; do
+  if ! have "${tool%%:*}"; then
+    skip 'the proof of the checker' "${tool##*:}"
+    finish prove-checker
+    exit
+  fi
+done
+rm -rf "$dir"
+mkdir -p "$dir"
+check 'the annotations stand in the sources, which are as they were' annotate
+check 'the provers are known' provers
+[ $failed = 0 ] || { finish prove-checker; exit; }
+if [ -z "$wanted" ]; then
+  wp lemmas gcc_x86_32 '' plane.c -wp-prop=@lemma >"$dir/lemmas.goals"
+  proven=$?
+  cat "$dir/lemmas.goals"
+  check 'each lemma is proven' [ $proven = 0 ]
+fi
+run int32 gcc_x86_32 '' wide
+run plane gcc_x86_32 '' plane
+if [ -z "$wanted" ]; then
+  run int16 gcc_x86_16 -DGJK_NARROW_MULTIPLY=1 wide
+fi
+finish prove-checker

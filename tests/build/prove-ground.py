@@ -1,0 +1,119 @@
+# Z3 without what is quantified: prove-ground.py SECONDS FILE. Why3 calls it as one of its provers.
+#
+# Each assertion of a problem that has a quantifier is dropped, but the last, which is the goal. Less is assumed then, so
+# `unsat` still proves the goal; and Z3 decides polynomials by a method that it does not use beside quantifiers. Why3 writes
+# definitions as quantified equations, whose names end in 'def: these become definitions of Z3.
+import re
+import subprocess
+import sys
+
+
+def forms(text):
+    """The top-level forms, each with the comment before it."""
+    name, stack, out = "", [], []
+    for token in re.findall(r";[^\n]*|\|[^|]*\||[()]|[^\s()]+", text):
+        if token.startswith(";"):
+            if not stack:
+                name = token.lstrip("; ")
+        elif token == "(":
+            stack.append([])
+        elif token == ")":
+            form = stack.pop()
+            if stack:
+                stack[-1].append(form)
+            else:
+                out.append((name, form))
+        else:
+            stack[-1].append(token)
+    return out
+
+
+def text(form):
+    return form if isinstance(form, str) else "(" + " ".join(map(text, form)) + ")"
+
+
+def quantified(form):
+    return form in ("forall", "exists") if isinstance(form, str) else any(map(quantified, form))
+
+
+def symbols(form):
+    return {form} & names if isinstance(form, str) else set().union(*map(symbols, form))
+
+
+def inner(form):
+    """(let BINDINGS (= LEFT RIGHT)) as (= LEFT (let BINDINGS RIGHT))."""
+    if form[0] != "let":
+        return form
+    equation = inner(form[2])
+    return ["=", equation[1], ["let", form[1], equation[2]]] if equation[0] == "=" else form
+
+
+def definition(name, form, types):
+    """(assert (forall (ARGUMENTS) (= (NAME ARGUMENTS) BODY))), or None."""
+    function = re.sub("['_]def$", "", name)
+    if function == name or function not in types or form[1][0] != "forall":
+        return None
+    arguments, equation = form[1][1], inner(form[1][2])
+    if equation[0] != "=" or equation[1] != [function] + [a[0] for a in arguments] or quantified(equation[2]):
+        return None
+    return ["define-fun", function, arguments, types[function], equation[2]]
+
+
+def projection(name, form, types):
+    """(assert (forall (ARGUMENTS) (= (NAME (CONSTRUCTOR ARGUMENTS)) ARGUMENT))): the constructor and the argument's number."""
+    function = re.sub("'def$", "", name)
+    if function == name or function not in types or form[1][0] != "forall":
+        return None
+    arguments, equation = [a[0] for a in form[1][1]], form[1][2]
+    if equation[0] != "=" or equation[2] not in arguments or len(equation[1]) != 2 or equation[1][0] != function:
+        return None
+    record = equation[1][1]
+    return (record[0], arguments.index(equation[2]), function) if record[1:] == arguments else None
+
+
+problem = [(n, f) for n, f in forms(open(sys.argv[2]).read()) if f[0] not in ("get-info", "get-model")]
+# Records.
+types = {f[1]: f[3] for n, f in problem if f[0] == "declare-fun"}
+fields = {}
+for n, f in problem:
+    found = projection(n, f, types) if f[0] == "assert" else None
+    if found:
+        fields.setdefault(found[0], {})[found[1]] = found[2]
+constructors = {f[1]: f for n, f in problem if f[0] == "declare-fun" and f[1] in fields and len(fields[f[1]]) == len(f[2])}
+selectors = {name for c in constructors for name in fields[c].values()}
+records = {f[3] for f in constructors.values()}
+sorts = [("", f) for n, f in problem if f[0] == "declare-sort" and f[1] not in records]
+datatypes = [("", ["declare-datatypes", [[f[3], "0"]], [[[f[1]] + [[fields[f[1]][i], f[2][i]] for i in range(len(f[2]))]]]])
+             for f in constructors.values()]
+problem = sorts + datatypes + [(n, f) for n, f in problem if f[0] != "declare-sort" and
+                               not (f[0] == "declare-fun" and (f[1] in constructors or f[1] in selectors))]
+types = {f[1]: f[3] for n, f in problem if f[0] == "declare-fun"}
+goal = max(i for i, (n, f) in enumerate(problem) if f[0] == "assert")
+# The goal is that no x contradicts it: so any x, as a constant.
+while isinstance(problem[goal][1][1], list) and problem[goal][1][1][0] == "not" and problem[goal][1][1][1][0] == "forall":
+    _, variables, body = problem[goal][1][1][1]
+    problem[goal:goal + 1] = [("", ["declare-fun", v, [], kind]) for v, kind in variables] + [("", ["assert", ["not", body]])]
+    goal += len(variables)
+names = {f[1] for n, f in problem if f[0] == "declare-fun"}
+types = {f[1]: f[3] for n, f in problem if f[0] == "declare-fun"}
+defined = {d[1]: d for d in (definition(n, f, types) for n, f in problem if f[0] == "assert") if d}
+problem = [(n, f if i == goal else definition(n, f, types) or f) for i, (n, f) in enumerate(problem)
+           if not (f[0] == "declare-fun" and f[1] in defined)]
+goal = max(i for i, (n, f) in enumerate(problem) if f[0] == "assert")
+wanted = symbols(problem[goal][1])
+kept = {goal}
+grown = True
+while grown:
+    grown = False
+    for i, (n, f) in enumerate(problem):
+        if i in kept or f[0] == "assert" and quantified(f):
+            continue
+        own = symbols(f)
+        if f[0] == "assert" and own & wanted or f[0] == "define-fun" and f[1] in wanted:
+            kept.add(i)
+            wanted |= own
+            grown = True
+lines = [text(f) for i, (n, f) in enumerate(problem)
+         if f[0] not in ("assert", "define-fun", "declare-fun") or i in kept or f[0] == "declare-fun" and f[1] in wanted]
+answer = subprocess.run(["z3", "-smt2", "-in", "-T:" + sys.argv[1]], input="\n".join(lines), text=True, stdout=subprocess.PIPE)
+print("unsat" if answer.stdout.split() == ["unsat"] else "unknown")

@@ -1,0 +1,82 @@
+// Geometry of the plane over the integers, and lemmas about it.
+#ifndef PROVE_CHECKER_GEOMETRY_H
+#define PROVE_CHECKER_GEOMETRY_H
+
+#include "operators.h"
+
+/*@ predicate in_disc(integer x, integer y, integer r) = x * x + y * y <= r * r;
+    logic integer dot(integer x, integer y, integer u, integer v) = x * u + y * v;
+    logic integer cross(integer x, integer y, integer u, integer v) = x * v - y * u;
+    predicate dot_fits(integer x, integer y, integer u, integer v) =
+      -0x8000000000000000 <= x * u + y * v <= 0x7fffffffffffffff;
+    predicate cross_fits(integer x, integer y, integer u, integer v) =
+      -0x8000000000000000 <= x * v - y * u <= 0x7fffffffffffffff;
+
+    // The point is within r of the origin.
+    predicate near_point(integer x, integer y, integer r) = x * x + y * y <= r * r;
+    // The origin's foot lies within the segment, and is within r of it.
+    predicate foot(integer x, integer y, integer u, integer v) =
+      dot(x, y, u - x, v - y) < 0 && dot(u, v, u - x, v - y) > 0;
+    predicate near_line(integer x, integer y, integer u, integer v, integer r) =
+      cross(x, y, u, v) * cross(x, y, u, v) <= r * r * dot(u - x, v - y, u - x, v - y);
+    // The segment holds the origin.
+    predicate on_segment(integer x, integer y, integer u, integer v) =
+      cross(x, y, u, v) == 0 && dot(x, y, u, v) <= 0;
+    // The triangle holds the origin.
+    predicate in_triangle(integer x, integer y, integer u, integer v, integer s, integer t) =
+      on_segment(x, y, u, v) || on_segment(u, v, s, t) || on_segment(s, t, x, y) ||
+      (cross(x, y, u, v) > 0 && cross(u, v, s, t) > 0 && cross(s, t, x, y) > 0) ||
+      (cross(x, y, u, v) < 0 && cross(u, v, s, t) < 0 && cross(s, t, x, y) < 0); */
+
+/*@ lemma disc: \forall integer x, y, r; 0 <= r && in_disc(x, y, r) ==> -r <= x <= r && -r <= y <= r; */
+
+/*@ predicate longer(integer m, integer square) = 0 <= m && m * m >= square;
+    predicate shorter(integer m, integer square) = 0 <= m && m * m <= square;
+    predicate farther(integer s, integer r, integer square) = s * s > r * r * square;
+    predicate reaches(integer h, integer square, integer x, integer rest) = h * h >= x * square + rest;
+    lemma reaches: \forall integer h, r, square; reaches(h, square, r * r, 1) <==> farther(h, r, square);
+    lemma half_fits: \forall integer x, y; 0 <= y <= x < 0x80000000 ==> 0 <= x + (y >> 1) + 1 < 0xffffffff;
+    lemma half_square: \forall integer x, y, h;
+      0 <= y <= x && 2 * h <= y && y < 2 * h + 2 ==> longer(x + h + 1, x * x + y * y);
+    predicate half_value(integer x, integer y) = (uint32_t)(1 + (uint32_t)(x + (y >> 1))) == x + (y >> 1) + 1;
+    predicate half_longer(integer x, integer y) = longer(x + (y >> 1) + 1, x * x + y * y);
+    lemma half_value: \forall integer x, y; 0 <= y <= x < 0x80000000 ==> half_value(x, y);
+    lemma half_longer: \forall integer x, y; 0 <= y <= x ==> half_longer(x, y);
+    lemma monotonic: \forall integer x, y, z; 0 <= x <= y && 0 <= z ==> x * z <= y * z;
+    lemma far: \forall integer s, m, r, square; 0 <= r && longer(m, square) && s > m * r ==> farther(s, r, square);
+    lemma close: \forall integer s, m, r, square;
+      0 <= r && 0 <= s && shorter(m, square) && s <= m * r ==> !farther(s, r, square); */
+
+/*@ predicate small(integer dx, integer dy, integer x, integer y) =
+      -0x4000000000000000 < dot(dx, dy, x, y) < 0x4000000000000000;
+    predicate under(integer t, integer d, integer p) = t * t <= d * p;
+    predicate at_most(integer t, integer r, integer s) = t <= r * s;
+    predicate sum_in(integer x, integer y, integer u, integer v, integer r, integer s) =
+      at_most(dot(x, y, u, v), r, s) && in_disc(x + u, y + v, r + s);
+    predicate spread(integer dx, integer dy, integer x, integer y, integer u, integer v, integer s, integer t) =
+      dot(dx, dy, x + u - s, y + v - t) == dot(x, y, dx, dy) + dot(u, v, dx, dy) + dot(s, t, -dx, -dy); */
+
+// The point lies more than r before the line across d through the origin.
+/*@ predicate beyond(integer dx, integer dy, integer x, integer y, integer r) =
+      dot(dx, dy, x, y) < 0 && farther(-dot(dx, dy, x, y), r, dot(dx, dy, dx, dy));
+    lemma beyond: \forall integer dx, dy, x, y, r, h;
+      0 < h && dot(dx, dy, x, y) <= -h && farther(h, r, dot(dx, dy, dx, dy)) ==> beyond(dx, dy, x, y, r);
+    lemma cauchy: \forall integer x, y, u, v; under(dot(x, y, u, v), dot(x, y, x, y), dot(u, v, u, v));
+    lemma under_products: \forall integer t, a, b, r, s;
+      0 <= r && 0 <= s && 0 <= a <= r * r && 0 <= b <= s * s && under(t, a, b) ==> at_most(t, r, s);
+    lemma squares: \forall integer x, y; 0 <= dot(x, y, x, y);
+    lemma sum_of_discs: \forall integer x, y, u, v, r, s; in_disc(x, y, r) && in_disc(u, v, s) &&
+      at_most(dot(x, y, u, v), r, s) ==> in_disc(x + u, y + v, r + s);
+    lemma discs_product: \forall integer x, y, u, v, r, s;
+      0 <= r && 0 <= s && in_disc(x, y, r) && in_disc(u, v, s) ==> at_most(dot(x, y, u, v), r, s);
+    lemma triangle: \forall integer x, y, u, v, r, s;
+      0 <= r && 0 <= s && in_disc(x, y, r) && in_disc(u, v, s) ==> sum_in(x, y, u, v, r, s);
+    lemma spread: \forall integer dx, dy, x, y, u, v, s, t; spread(dx, dy, x, y, u, v, s, t);
+    lemma along: \forall integer dx, dy, x, y; dot(dx, dy, dx, dy) < 0x4000000000000000 && in_disc(x, y, 0x60000000) ==>
+      small(dx, dy, x, y);
+    lemma widened: \forall integer x, y, r, s; 0 <= r <= s && in_disc(x, y, r) ==> in_disc(x, y, s);
+    lemma reach: \forall integer t, d, p, r; 0 <= d && under(t, d, p) && 0 <= r && p <= r * r ==> !farther(t, r, d);
+    lemma point: \forall integer x, y, r;
+      0 <= r && !farther(dot(x, y, x, y), r, dot(x, y, x, y)) && dot(x, y, x, y) > 0 ==> near_point(x, y, r); */
+
+#endif

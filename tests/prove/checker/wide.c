@@ -1,0 +1,2 @@
+#include "wide.h"
+#include "src/arith/gjk_wide.c"
