@@ -132,7 +132,7 @@ GJK_ONCE static void place_corner(gjk_iteration *it, unsigned i, const gjk_vec3 
 
 // Makes the feature the corners, and sets the direction. False: the nearest point lies on a triangle's border, or it is the
 // origin.
-static bool set_corners(gjk_iteration *it) {
+static bool take_corners(gjk_iteration *it) {
   gjk_simplex *s = &it->simplex;
   return gjk_simplex_set(s, s->count) && (s->count < 3 || gjk_dot_sign(&s->normal, &s->slot[0].w) != 0) &&
          gjk_simplex_direction(s, &it->direction);
@@ -166,7 +166,7 @@ static bool set_half(gjk_iteration *it, const segment_products *m, const gjk_vec
   if (side != 0) {
     place_corner(it, 2, a, b, side, side);
   }
-  return side != 0 && set_corners(it);
+  return side != 0 && take_corners(it);
 }
 
 // Makes the feature the corner, edge or half parallelogram, and sets the direction from it. False: there is none.
@@ -174,14 +174,14 @@ static bool set_closest(gjk_iteration *it, const segment_products *m, const gjk_
                         int t) {
   place_corner(it, 0, a, b, s != 0 ? s : t != 0 ? -1 : 1, t != 0 ? t : -1);
   if (s != 0 && t != 0) {
-    return GJK_SMALL ? set_corners(it) : set_lone_corner(it);
+    return GJK_SMALL ? take_corners(it) : set_lone_corner(it);
   }
   place_corner(it, 1, a, b, s != 0 ? s : t != 0 ? 1 : -1, t != 0 ? t : 1);
   if (s == 0 && t == 0) {
     return set_half(it, m, a, b);
   }
   if (GJK_SMALL) {
-    return set_corners(it);
+    return take_corners(it);
   }
   return s != 0 ? set_edge_along(it, m->bb, -m->bd - s * m->ab) : set_edge_along(it, m->aa, m->ad - t * m->ab);
 }
