@@ -150,7 +150,7 @@ void gjk_contact_polygon(const gjk_collider *c, const gjk_vec3 *position, const 
   out->meets = false;
   out->feature = 0;
   out->radius = c->shape->convex_radius;
-  switch (GJK_SHAPES <= GJK_SHAPES_BOXES ? GJK_KIND_AXES : type->kind) {
+  switch (GJK_SHAPES <= GJK_SHAPES_BOXES ? (uint8_t)GJK_KIND_AXES : type->kind) {
     case GJK_KIND_AXES: gjk_polygon_from_axes(c, position, out); break;
     case GJK_KIND_VERTICES:
       if (GJK_SHAPES >= GJK_SHAPES_POLYTOPES && type->buffered) {
