@@ -249,8 +249,8 @@ static bool line_of(const gjk_unit3 *m, const gjk_unit3 *n, gjk_unit3 *out) {
 }
 #endif
 
-// Step 3: what is left of a way.
-static gjk_vec3 slide_on(const gjk_slide_result *out, const gjk_vec3 *way) {
+// Step 3: what is left of a way. Out of line: elsewhere GCC copies its result by memcpy for Cortex-M0.
+GJK_OUT_OF_LINE static gjk_vec3 slide_on(const gjk_slide_result *out, const gjk_vec3 *way) {
   for (unsigned i = out->count; i > 0; i--) {
     const gjk_vec3 along_one = clip_way(way, &out->plane[i - 1].normal);
     if (leads_out(out, &along_one)) {
