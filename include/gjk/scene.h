@@ -185,7 +185,7 @@ gjk_status gjk_scene_refilter(gjk_scene *scene, gjk_body_id id);
 // What a scene holds about a body.
 typedef struct gjk_body_state {
   gjk_pose pose;                  // where it stands now
-  uint32_t category, mask, user;  // as of gjk_body_setup
+  uint32_t category, mask, user;  // as in gjk_body_setup
   gjk_q16 margin;                 // the same
   uint16_t part_count;            // of its parts
   uint8_t kind, detail;           // a gjk_body_kind and a gjk_detail

@@ -201,8 +201,8 @@ gjk_status gjk2_scene_ground(const gjk2_scene *scene, gjk_body_id id, uint16_t p
 // deepest of them, of equals the first, from the report's a to its b; its feature of the ground is the segment's
 // number modulo 2^16.
 //
-// out, capacity, count  as of gjk2_ground_contacts.
-// Statuses  as of gjk2_ground_contacts and gjk2_scene_manifold; UNSUPPORTED: none of the two is ground, or both are.
+// out, capacity, count  as in gjk2_ground_contacts.
+// Statuses  as in gjk2_ground_contacts and gjk2_scene_manifold; UNSUPPORTED: none of the two is ground, or both are.
 gjk_status gjk2_scene_ground_contacts(const gjk2_scene *scene, const gjk2_report *report, gjk2_chain_contact *out,
                                       uint16_t capacity, uint16_t *count);
 

@@ -191,7 +191,7 @@ gjk_status gjk2_scene_refilter(gjk2_scene *scene, gjk_body_id id);
 // What a scene holds about a body.
 typedef struct gjk2_body_state {
   gjk2_pose pose;                 // where it stands now
-  uint32_t category, mask, user;  // as of gjk2_body_setup
+  uint32_t category, mask, user;  // as in gjk2_body_setup
   gjk_q16 margin;                 // the same
   uint16_t part_count;            // of its parts
   uint8_t kind, detail;           // a gjk_body_kind and a gjk_detail
