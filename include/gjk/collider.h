@@ -47,7 +47,7 @@ typedef struct gjk_collider {
 // Statuses  NULL, SIZE, NEGATIVE, EMPTY, CAPACITY. OVERLAP: the buffer overlaps the shape's vertices or the collider.
 //           RANGE: a triangle's count is not 3, or a table's level, ends or numbers are not as in gjk/shape.h. Also
 //           RANGE: a face has fewer than 3 or more than GJK_FACE_CORNERS_MAX corners, or one that is no vertex.
-//           UNSUPPORTED: the build leaves out this kind of shape (GJK_SHAPES, see port/README.md).
+//           UNSUPPORTED: the build leaves out this kind of shape (see port/README.md).
 // Cost      one pass over a hull's vertices, faces and table.
 gjk_status gjk_collider_init(gjk_collider *collider, const gjk_shape *shape, gjk_vec3 *buffer, uint16_t capacity);
 

@@ -46,7 +46,7 @@ typedef struct gjk2_collider {
 //           kinds of shapes ignore the buffer.
 // Statuses  NULL, SIZE, NEGATIVE, EMPTY, CAPACITY. OVERLAP: the buffer overlaps the shape's vertices or the collider.
 //           RANGE: a triangle's count is not 3. UNSUPPORTED: the build leaves out this kind of shape
-//           (GJK_SHAPES, see port/README.md).
+//           (see port/README.md).
 // Cost      one pass over a polygon's vertices.
 gjk_status gjk2_collider_init(gjk2_collider *collider, const gjk2_shape *shape, gjk2_vec *buffer, uint16_t capacity);
 
