@@ -27,7 +27,7 @@ awk -F ' *[|] *' '/<!-- figures: cost -->/ { inside = 1; print "const README_COS
   inside && /<!-- end -->/ { exit }
   inside && $2 ~ /: (distance|depth|contacts|intersect)$/ && $5 ~ /^[0-9]/ { printf "  \"%s\": \"%s\",\n", $2, $5 }
   END { print "};" }' tests/measure/README.md >"$build/costs.js"
-scripts='core case plane expand solid main idea_steps view_idea view_lattice view_space view_lockstep start'
+scripts='core case plane expand solid main idea_steps view_idea view_lattice view_space view_lockstep view_game start'
 for script in $scripts; do
   cat "$sources/$script.js"
 done | cat port/wasm/gjk.js "$build/costs.js" - >"$build/SCRIPT"

@@ -48,7 +48,7 @@ def test_start(browser):
     check('one file of less than 1 MB', os.path.getsize(BUILD + '/page/index.html') < 1000000)
 
 
-VIEWS = ('idea', 'lattice', 'space', 'lockstep')
+VIEWS = ('idea', 'lattice', 'space', 'lockstep', 'game')
 
 QUESTIONS = (('distance', []), ('intersect', ['--intersect']), ('penetration', ['--penetration']),
              ('contacts', ['--contacts', '0.25']), ('cast', ['--cast']), ('impact', ['--impact']))
@@ -155,7 +155,7 @@ def host_query(text, *options):
 def test_views(browser):
     """Every view is reached by its key and by its tab; what is no view or case shows the first."""
     load(browser)
-    for key, name in zip('1234', VIEWS):
+    for key, name in zip('12345', VIEWS):
         browser.key(key)
         browser.wait("document.querySelector('.view.shown').id === '%s'" % name, 10)
         check('key %s' % key, shown(browser) == name)
@@ -165,7 +165,8 @@ def test_views(browser):
         check('tab of ' + name, shown(browser) == name)
         check('the address says ' + name, address(browser).startswith('#' + name + '?'), address(browser))
     for wrong in ('#nothing', '#idea?case=nonsense', '#idea?step=-4&ask=x', '#space?case=case2+a;A+point;B+point',
-                  '#lattice?pair=x&tolerance=z&i=1e9', '#lockstep?tick=-3&bodies=7', '#%'):
+                  '#lattice?pair=x&tolerance=z&i=1e9', '#lockstep?tick=-3&bodies=7',
+                  '#game?tick=-1&jumps=x_5', '#%'):
         load(browser, wrong)
         check('address ' + wrong, browser.run("document.querySelectorAll('.view.shown').length") == 1)
     load(browser)
@@ -448,7 +449,8 @@ LAYOUT = """(() => {
 
 def test_layout(browser):
     """Nothing overlaps, is cut or has text below 12 px, in four sizes and both themes. Pictures stay in BUILD/page-test."""
-    hashes = {'idea': '#idea?step=2', 'lattice': '#lattice', 'space': '#space', 'lockstep': '#lockstep?tick=60&bodies=60&look=scene'}
+    hashes = {'idea': '#idea?step=2', 'lattice': '#lattice', 'space': '#space', 'lockstep': '#lockstep?tick=60&bodies=60&look=scene',
+              'game': '#game?tick=120'}
     load(browser)
     for width, height in SIZES:
         browser.size(width, height)
@@ -471,6 +473,34 @@ def test_layout(browser):
     check('the check of the layout finds faults', all(word in found for word in (' over ', 'small text', 'wider')), found)
 
 
+GAME = """(() => {
+  const view = page.current, count = gjk.exports.page_game_look(), at = gjk.exports.page_game_records() / 4;
+  const records = gjk.words().slice(at, at + 5 * count), of = (role) => records.filter((_, i) => records[i - i % 5] === role);
+  return {tick: view.tick, fine: view.fine, running: view.running, runner: of(100)[1] / ONE, asleep: of(2).length / 5,
+    ground: of(101).length / 5, hash: view.caption.textContent};
+})()"""
+
+
+def test_game(browser):
+    """The game of the examples ends where it does as a program; a jump is an input that the address keeps."""
+    load(browser, '#game?tick=570')
+    said = browser.run(GAME)
+    check('after 570 ticks the runner is at column 33', said['fine'] and not said['running'] and said['tick'] == 570 and
+          33 <= said['runner'] < 34, said)
+    check('crates sleep in the end, and the level is drawn', said['asleep'] >= 200 and said['ground'] > 20, said)
+    load(browser, '#game?tick=570')
+    check('again the same bits', browser.run(GAME) == said)
+    load(browser, '#game?tick=570&jumps=300_420')
+    jumped = browser.run(GAME)
+    check('a jump leads elsewhere', jumped['fine'] and jumped['hash'] != said['hash'], jumped)
+    load(browser, '#game?tick=100')
+    browser.click(*centre(browser, '#game canvas'))
+    browser.wait('page.current.tick > 130', 20)
+    browser.run('page.current.toggle()')
+    browser.run('page.saveNow()')
+    check('a tap is a jump, and is in the address', 'jumps=100' in address(browser), address(browser))
+
+
 def first_difference(a, b):
     for p, q in zip(a.split('\n'), b.split('\n')):
         if p != q:
@@ -486,7 +516,7 @@ def main():
     try:
         browser.size(1280, 800)
         for test in (test_start, test_library, test_views, test_idea, test_touch, test_cases, test_lattice, test_space,
-                     test_lockstep, test_look, test_layout, test_answers):
+                     test_lockstep, test_look, test_game, test_layout, test_answers):
             test(browser)
         check('no console errors', not browser.errors, browser.errors)
     finally:
