@@ -332,17 +332,14 @@ void gjk_simplex_squared_distance(const gjk_simplex *s, gjk_u192 *numerator, gjk
   const unsigned a = s->order[0], b = s->order[1];
   const gjk_long3 *n = &s->normal;
   const int64_t square = s->toward[a][a];
-  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
-    gjk_u192_set(numerator, (uint64_t)square);
-    gjk_u192_set(denominator, 1);
-  } else if (s->count == 3) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && s->count == 3) {
     // (n . a)^2 / |n|^2
     gjk_u192 z;
     squared_height(s, numerator);
     set_sum_of_products(n->x, n->x, n->y, n->y, denominator);
     set_sum_of_products(n->z, n->z, 0, 0, &z);
     gjk_u192_add(denominator, &z);
-  } else if (s->count == 2) {
+  } else if (GJK_SHAPES >= GJK_SHAPES_ROUND && s->count == 2) {
     // |a x b|^2 / |b - a|^2, where |a x b|^2 = (a . a) (b . b) - (a . b)^2
     const int64_t dot = square - s->toward[a][b];
     set_sum_of_products(square, s->toward[b][b], -dot, dot, numerator);
