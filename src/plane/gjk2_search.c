@@ -402,7 +402,7 @@ GJK_OUT_OF_LINE static gjk2_outcome iterate(gjk2_search *s, gjk2_goal goal, uint
 
 // The one vertex of A - B: nothing needs to be searched.
 static gjk2_outcome settle_point(gjk2_search *s, gjk2_goal goal) {
-  if (GJK_SMALL) {
+  if (GJK_SMALL || GJK_SHAPES <= GJK_SHAPES_POINTS) {  // the latter in far frames, too
     (void)gjk2_search_place(s, 0, 0, s->apex);
   } else {
     const gjk2_support none = {{0, 0}, 0};
