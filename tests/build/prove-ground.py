@@ -1,8 +1,8 @@
 # Z3 without what is quantified: prove-ground.py SECONDS FILE. Why3 calls it as one of its provers.
 #
-# Each assertion of a problem that has a quantifier is dropped, but the last, which is the goal. Less is assumed then, so
-# `unsat` still proves the goal; and Z3 decides polynomials by a method that it does not use beside quantifiers. Why3 writes
-# definitions as quantified equations, whose names end in 'def: these become definitions of Z3.
+# Each assertion of a problem that has a quantifier is dropped, but the last, which is the goal. Less is assumed then,
+# so `unsat` still proves the goal. Z3 decides polynomials by a method that it does not use beside quantifiers. Why3
+# writes definitions as quantified equations, whose names end in 'def: these become definitions of Z3.
 import re
 import subprocess
 import sys
@@ -60,7 +60,7 @@ def definition(name, form, types):
 
 
 def projection(name, form, types):
-    """(assert (forall (ARGUMENTS) (= (NAME (CONSTRUCTOR ARGUMENTS)) ARGUMENT))): the constructor and the argument's number."""
+    """(assert (forall (ARGUMENTS) (= (NAME (CONSTRUCTOR ARGUMENTS)) ARGUMENT))): constructor, argument's number, name."""
     function = re.sub("'def$", "", name)
     if function == name or function not in types or form[1][0] != "forall":
         return None
@@ -79,20 +79,24 @@ for n, f in problem:
     found = projection(n, f, types) if f[0] == "assert" else None
     if found:
         fields.setdefault(found[0], {})[found[1]] = found[2]
-constructors = {f[1]: f for n, f in problem if f[0] == "declare-fun" and f[1] in fields and len(fields[f[1]]) == len(f[2])}
+constructors = {f[1]: f for n, f in problem
+                if f[0] == "declare-fun" and f[1] in fields and len(fields[f[1]]) == len(f[2])}
 selectors = {name for c in constructors for name in fields[c].values()}
 records = {f[3] for f in constructors.values()}
 sorts = [("", f) for n, f in problem if f[0] == "declare-sort" and f[1] not in records]
-datatypes = [("", ["declare-datatypes", [[f[3], "0"]], [[[f[1]] + [[fields[f[1]][i], f[2][i]] for i in range(len(f[2]))]]]])
+datatypes = [("", ["declare-datatypes", [[f[3], "0"]],
+                   [[[f[1]] + [[fields[f[1]][i], f[2][i]] for i in range(len(f[2]))]]]])
              for f in constructors.values()]
 problem = sorts + datatypes + [(n, f) for n, f in problem if f[0] != "declare-sort" and
                                not (f[0] == "declare-fun" and (f[1] in constructors or f[1] in selectors))]
 types = {f[1]: f[3] for n, f in problem if f[0] == "declare-fun"}
 goal = max(i for i, (n, f) in enumerate(problem) if f[0] == "assert")
 # The goal is that no x contradicts it: so any x, as a constant.
-while isinstance(problem[goal][1][1], list) and problem[goal][1][1][0] == "not" and problem[goal][1][1][1][0] == "forall":
+while (isinstance(problem[goal][1][1], list) and problem[goal][1][1][0] == "not" and
+       problem[goal][1][1][1][0] == "forall"):
     _, variables, body = problem[goal][1][1][1]
-    problem[goal:goal + 1] = [("", ["declare-fun", v, [], kind]) for v, kind in variables] + [("", ["assert", ["not", body]])]
+    constants = [("", ["declare-fun", v, [], kind]) for v, kind in variables]
+    problem[goal:goal + 1] = constants + [("", ["assert", ["not", body]])]
     goal += len(variables)
 names = {f[1] for n, f in problem if f[0] == "declare-fun"}
 types = {f[1]: f[3] for n, f in problem if f[0] == "declare-fun"}
@@ -114,6 +118,8 @@ while grown:
             wanted |= own
             grown = True
 lines = [text(f) for i, (n, f) in enumerate(problem)
-         if f[0] not in ("assert", "define-fun", "declare-fun") or i in kept or f[0] == "declare-fun" and f[1] in wanted]
-answer = subprocess.run(["z3", "-smt2", "-in", "-T:" + sys.argv[1]], input="\n".join(lines), text=True, stdout=subprocess.PIPE)
+         if f[0] not in ("assert", "define-fun", "declare-fun") or i in kept or
+         f[0] == "declare-fun" and f[1] in wanted]
+answer = subprocess.run(["z3", "-smt2", "-in", "-T:" + sys.argv[1]], input="\n".join(lines), text=True,
+                        stdout=subprocess.PIPE)
 print("unsat" if answer.stdout.split() == ["unsat"] else "unknown")
