@@ -60,7 +60,7 @@ def definition(name, form, types):
 
 
 def projection(name, form, types):
-    """(assert (forall (ARGUMENTS) (= (NAME (CONSTRUCTOR ARGUMENTS)) ARGUMENT))): constructor, argument's number, name."""
+    """Of (assert (forall (ARGUMENTS) (= (NAME (CONSTRUCTOR ARGUMENTS)) ARGUMENT))): CONSTRUCTOR, number, NAME."""
     function = re.sub("'def$", "", name)
     if function == name or function not in types or form[1][0] != "forall":
         return None
