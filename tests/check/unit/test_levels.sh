@@ -44,17 +44,21 @@ missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
 for level in 1 2 3 4; do
   check "level $level" host $level
   check "level $level: the same bits, and others are refused" same $level
-  if [ -z "${missing# }" ]; then
-    check "level $level on cortex-m3" firmware $level
-  else
-    skip "level $level on cortex-m3" "$missing"
-  fi
+  case $level in
+    1 | 3)  # the host has shown all levels; two show that the core adds nothing
+      if [ -z "${missing# }" ]; then
+        check "level $level on cortex-m3" firmware $level
+      else
+        skip "level $level on cortex-m3" "$missing"
+      fi
+      ;;
+  esac
   strict="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror -DGJK_SHAPES=$level"
   # shellcheck disable=SC2086
   check "level $level: one file, gcc, no function is unused" one_file gcc -std=c99 -O0 $strict
   if have clang; then
     # shellcheck disable=SC2086
-    check "level $level: one file, clang" one_file clang -std=c99 -O0 $strict -Wno-unused-function
+    check "level $level: one file, clang" one_file clang -std=c99 -fsyntax-only $strict -Wno-unused-function
   else
     skip "level $level: one file" clang
   fi
