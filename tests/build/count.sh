@@ -29,6 +29,18 @@ is() {
   [ "$1" = "$2" ] || { echo "'$2' instead of '$1'"; return 1; }
 }
 
+# numbers_only SVG: no coordinate is one that is none
+numbers_only() {
+  ! grep -qE 'nan|inf[^o]' "$1"
+}
+
+# well_formed SVG LEAST: each element is closed, and there are more than so many
+well_formed() {
+  opened=$(grep -oE '<[a-zA-Z]' "$1" | wc -l)
+  closed=$(grep -oE '</|/>' "$1" | wc -l)
+  [ "$opened" -gt "$2" ] && [ "$opened" = "$closed" ]
+}
+
 # skip 'what' package
 skip() {
   skipped=$((skipped + 1))

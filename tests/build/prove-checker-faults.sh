@@ -2,6 +2,7 @@
 # Does the proof of the checker notice faults? prove-checker-faults.sh BUILD. Each fault is put into a copy of the sources,
 # and the function's proof must fail there: at an obligation, not for want of a prover or a line.
 . tests/build/count.sh
+. tests/build/fault.sh
 LC_ALL=C.UTF-8
 export LC_ALL
 top=$1/prove-checker-faults
@@ -9,17 +10,8 @@ top=$1/prove-checker-faults
 # fault NAME FILE FUNCTION OLD NEW: replaces literal text, which must occur once.
 fault() {
   copy=$top/$1
-  rm -rf "$copy"
-  mkdir -p "$copy/tests/prove"
-  cp -r src include "$copy" && cp -r tests/build "$copy/tests" && cp -r tests/prove/checker "$copy/tests/prove"
-  OLD=$4 NEW=$5 awk '
-    { text = text $0 "\n" }
-    END {
-      old = ENVIRON["OLD"]
-      at = index(text, old)
-      if (at == 0 || index(substr(text, at + 1), old) != 0) exit 1
-      printf "%s%s%s", substr(text, 1, at - 1), ENVIRON["NEW"], substr(text, at + length(old))
-    }' "$2" >"$copy/$2" || {
+  copy_sources "$copy"
+  replace_once "$copy/$2" "$4" "$5" || {
     check "$1: $2 still has '$4', once" false
     return
   }

@@ -2,6 +2,7 @@
 # Does the proof notice faults? prove-faults.sh BUILD. Each fault is put into a copy of the sources, and the runs
 # concerned must fail. Without a fault they must hold.
 . tests/build/count.sh
+. tests/build/fault.sh
 LC_ALL=C.UTF-8
 export LC_ALL
 top=$1/prove-faults
@@ -12,23 +13,12 @@ fault() {
   name=$1 file=$2 runs=$3
   copy=$top/$name
   shift 3
-  rm -rf "$copy"
-  mkdir -p "$copy/tests"
-  cp -r src include "$copy"
-  cp -r tests/build tests/prove "$copy/tests"
+  copy_sources "$copy"
   while [ $# -gt 0 ]; do
-    OLD=$1 NEW=$2 awk '
-      { text = text $0 "\n" }
-      END {
-        old = ENVIRON["OLD"]
-        at = index(text, old)
-        if (at == 0 || index(substr(text, at + 1), old) != 0) exit 1
-        printf "%s%s%s", substr(text, 1, at - 1), ENVIRON["NEW"], substr(text, at + length(old))
-      }' "$copy/src"/*/"$file" >"$copy/changed" || {
+    replace_once "$(echo "$copy/src"/*/"$file")" "$1" "$2" || {
       check "$name: $file still has '$1', once" false
       return
     }
-    mv "$copy/changed" "$(echo "$copy/src"/*/"$file")"
     shift 2
   done
   for run in $runs; do

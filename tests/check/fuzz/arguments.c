@@ -20,9 +20,6 @@ typedef struct world {
 static world w;
 static fuzz_bytes bytes;
 
-// Leaves out one argument in 32.
-#define MAYBE(pointer) (hostile_leaves_out(&bytes) ? NULL : (pointer))
-
 static void place(int i) {
   gjk_collider *c = &w.collider[i], before;
   memset(c, fuzz_u8(&bytes) % 2 == 0 ? 0 : POISON, sizeof *c);

@@ -29,14 +29,6 @@ static gjk2_ground ground;
 static gjk2_shape ground_shape;
 static gjk2_pose at;
 
-#define MAYBE(pointer) (hostile_leaves_out(&bytes) ? NULL : (pointer))
-
-#define ASK(result, call)                              \
-  do {                                                 \
-    memset(&(result), HOSTILE_POISON, sizeof(result)); \
-    hostile_check((call), &(result), sizeof(result));  \
-  } while (false)
-
 static uint32_t below(uint32_t most) {
   return fuzz_u8(&bytes) % most;
 }

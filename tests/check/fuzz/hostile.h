@@ -2,6 +2,8 @@
 #ifndef FUZZ_HOSTILE_H
 #define FUZZ_HOSTILE_H
 
+#include <string.h>
+
 #include "bytes.h"
 
 // What outputs hold before a call.
@@ -27,6 +29,16 @@ static inline bool hostile_leaves_out(fuzz_bytes *bytes) {
 // Ends the program unless the status is one that exists, and nothing was written but where the status says that fields
 // are valid.
 void hostile_check(gjk_status status, const void *output, size_t size);
+
+// Calls with &result; the status and what was written must go together.
+#define ASK(result, call)                              \
+  do {                                                 \
+    memset(&(result), HOSTILE_POISON, sizeof(result)); \
+    hostile_check((call), &(result), sizeof(result));  \
+  } while (false)
+
+// The pointer; NULL for one argument in 32 of the target's `bytes`.
+#define MAYBE(pointer) (hostile_leaves_out(&bytes) ? NULL : (pointer))
 
 // Mostly a rotation.
 gjk_quat hostile_quat(fuzz_bytes *bytes);

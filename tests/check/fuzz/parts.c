@@ -17,8 +17,6 @@
 
 static fuzz_bytes bytes;
 
-#define MAYBE(pointer) (hostile_leaves_out(&bytes) ? NULL : (pointer))
-
 // A body with its arrays, each on the heap and as long as the body says, so that a sanitizer sees what is read beyond.
 typedef struct body {
   gjk_parts parts;
@@ -211,13 +209,6 @@ static void check_nearest(const body *a, const gjk_collider *b, uint32_t part, c
     }
   }
 }
-
-// Calls FUNCTION with the arguments and &result; the status and what was written must go together.
-#define ASK(result, call)                              \
-  do {                                                 \
-    memset(&(result), HOSTILE_POISON, sizeof(result)); \
-    hostile_check((call), &(result), sizeof(result));  \
-  } while (false)
 
 static void ask_distance(const body *a, const gjk_collider *b) {
   gjk_distance_result distance;

@@ -13,15 +13,6 @@
 
 static fuzz_bytes bytes;
 
-#define MAYBE(pointer) (hostile_leaves_out(&bytes) ? NULL : (pointer))
-
-// Calls with &result; the status and what was written must go together.
-#define ASK(result, call)                              \
-  do {                                                 \
-    memset(&(result), HOSTILE_POISON, sizeof(result)); \
-    hostile_check((call), &(result), sizeof(result));  \
-  } while (false)
-
 static uint32_t below(uint32_t most) {
   return fuzz_u8(&bytes) % most;
 }

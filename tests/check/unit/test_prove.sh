@@ -1,16 +1,14 @@
 #!/bin/sh
 # The quick part of `make prove`, and a run of the assertions that the proof takes as given. test_prove.sh BUILD
 . tests/build/count.sh
+. tests/build/fault.sh
 check 'assertions of the sources hold, without undefined behaviour' sh tests/build/bounds.sh "$1" 4000 4001
 check 'at least eighty assertions are checked' sh -c "[ \$(cat build/checked/src/*/*.[ch] | grep -c __builtin_trap) -ge 80 ]"
 check 'each run that tests/prove/digests.txt names has held on this code' sh tests/build/prove.sh "$1/stale" --stale
 
 # altered SCRIPT: a copy of the sources, in which a script of sed has changed what poses are made of
 altered() {
-  rm -rf "$1/altered"
-  mkdir -p "$1/altered/tests"
-  cp -r src include "$1/altered"
-  cp -r tests/build tests/prove "$1/altered/tests"
+  copy_sources "$1/altered"
   sed -i "$2" "$1/altered/src/place/gjk_pose.c"
   (cd "$1/altered" && sh tests/build/prove.sh build --stale) >"$1/altered/said"
 }
