@@ -1,6 +1,8 @@
-# What a run of Eva leaves open, a line each: STATUS, tab, PLACES, tab, what. Input: the properties' table, Eva's report. -v driver: names the harness in what is open there; -v contracts: functions without their body.
+# What a run of Eva leaves open, a line each: STATUS, tab, PLACES, tab, what. Input: the properties' table, Eva's report.
+# -v driver: names the harness in what is open there; -v contracts: functions without their body; -v full=1: a line per
+# property instead, KIND first.
 #
-#   unknown            a property that is not proven, in so many places of a function
+#   unknown            properties of a kind that are not proven, in so many places of a function
 #   stopped            the same; of the states that Eva keeps apart there, it is false for some, which end there
 #   refuted            false for all states that reach it
 #   unreached          a function and how many of its statements no path reaches; all: one of src that is never called
@@ -18,6 +20,15 @@ function plain(name) {
   return name
 }
 
+# The kinds that assumed.txt tells apart.
+function kind_of(kind) {
+  if (kind ~ /^(signed|unsigned)_(overflow|downcast)$/) return "range"
+  if (kind ~ /^(initialization|bool_value)$/) return "init"
+  if (kind ~ /^(mem_access|index_bound|dangling_pointer|function_pointer|pointer_value|separation|overlap)$/) return "memory"
+  if (kind ~ /^precondition of/) return "contract"
+  return kind == "user assertion" ? "assert" : kind
+}
+
 FILENAME == ARGV[1] {
   if (FNR == 1 || $6 ~ /^(Valid|Considered valid|Dead)$/ || $1 ~ /FRAMAC/ || ($2 == "contracts.h" && $5 ~ /condition$/)) next
   property = $7
@@ -26,8 +37,12 @@ FILENAME == ARGV[1] {
   gsub(/#/, "", property)
   gsub(/  +/, " ", property)
   kind = plain($5)
-  status = $6 ~ /^Invalid/ ? "refuted" : tolower($6)
-  what = ($1 ~ /prove$/ ? driver "/" : "") $2 " " plain($4) ": " (kind ~ /precondition/ ? kind ": " : "") property
+  status = $6 ~ /^Invalid/ ? "refuted" : "unknown"
+  what = ($1 ~ /prove$/ ? driver "/" : "") $2 " " plain($4) " " kind_of(kind)
+  if (full) {
+    print status, what, (kind ~ /precondition/ ? kind ": " : "") property
+    next
+  }
   rows++
   row_status[rows] = status
   row_what[rows] = what
@@ -63,6 +78,7 @@ listing && listed {
 }
 
 END {
+  if (full) exit
   for (row = 1; row <= rows; row++) {
     status = row_status[row]
     fact = (status == "unknown" && row_place[row] in stopped ? "stopped" : status) OFS row_what[row]

@@ -1,6 +1,7 @@
 # Facts of runs, in short and at length. First the names of all runs, then what -v mode says:
 #
-#   mode=join    RUN, tab, STATUS, tab, PLACES, tab, WHAT: a line per fact, its runs in short after PLACES
+#   mode=join    RUN, tab, STATUS, tab, PLACES, tab, WHAT: a line per status and set of runs, STATUS, tab, the runs in short,
+#                tab, WHAT, space, PLACES of each fact, with ", " between
 #   mode=split   such lines: a line per fact and run, of -v only=RUN, or of all but the runs that the file -v without= lists
 #
 # In short: * is every run, a driver all of its runs, DRIVER-*-VARIANT every case, DRIVER-CASE both variants.
@@ -34,7 +35,8 @@ FILENAME == ARGV[1] {
 /^#/ || /^$/ { next }
 
 mode == "split" {
-  split($3, short, " ")
+  split($2, short, " ")
+  facts_here = split($3, fact_here, ", ")
   split("", is_short)
   for (i in short) is_short[short[i]]
   for (r = 1; r <= count; r++) {
@@ -43,7 +45,11 @@ mode == "split" {
     names_of(run, names)
     for (i = 1; i <= 5; i++) {
       if (names[i] in is_short) {
-        print run, $1, $2, $4
+        for (k = 1; k <= facts_here; k++) {
+          places = fact_here[k]
+          sub(/^.* /, "", places)
+          print run, $1, places, substr(fact_here[k], 1, length(fact_here[k]) - length(places) - 1)
+        }
         break
       }
     }
@@ -52,6 +58,7 @@ mode == "split" {
 
 mode == "join" {
   fact = $2 OFS $3 OFS $4
+  if (!(fact in facts)) order[++fact_count] = fact
   facts[fact]
   has[fact, $1]
   names_of($1, names)
@@ -59,7 +66,8 @@ mode == "join" {
 }
 
 END {
-  for (fact in facts) {
+  for (f = 1; f <= fact_count; f++) {
+    fact = order[f]
     text = ""
     split("", written)
     for (r = 1; r <= count; r++) {
@@ -71,6 +79,9 @@ END {
       written[names[i]]
     }
     split(fact, field, OFS)
-    print field[1], field[2], text, field[3]
+    line = field[1] OFS text
+    if (!(line in folded)) lines[++line_count] = line
+    folded[line] = folded[line] ", " field[3] " " field[2]
   }
+  for (f = 1; f <= line_count; f++) print lines[f], substr(folded[lines[f]], 3)
 }

@@ -191,6 +191,15 @@ runs() {
   cases | sed 's/$/-int16/'
 }
 
+# room ROOM NAME...: what is named gjk_NAME.c in src/ROOM joins the sources.
+room() {
+  folder=src/$1
+  shift
+  for part in "$@"; do
+    sources="$sources $folder/gjk_$part.c"
+  done
+}
+
 # set_up RUN: sets the files that it analyses, contracts, machine, defines and options.
 set_up() {
   driver=${1%%-*}
@@ -198,7 +207,7 @@ set_up() {
   instance=${1#*-}
   instance=${instance%-*}
   defines="-DCASE=$instance"
-  sources=$(echo src/arith/*.c src/place/*.c src/shape/*.c src/gjk/*.c src/depth/*.c src/contact/*.c src/query/*.c)
+  sources=
   case $variant in
     int16) machine=gcc_x86_16 defines="$defines -DGJK_NARROW_MULTIPLY=1" ;;
     *) machine=gcc_x86_32 ;;
@@ -206,20 +215,28 @@ set_up() {
   models=
   contracts="-eva-use-spec $CONTRACTS"
   case $driver in
-    primitives) contracts= && set -- "$1" -eva-slevel 200 ;;
-    witness) models=simplex && set -- "$1" -eva-slevel 200 ;;
+    primitives) contracts= && room arith vector && set -- "$1" -eva-slevel 200 ;;
+    pose) room arith root rotation && room place angle pose && set -- "$1" -eva-slevel 200 ;;
+    math) room arith number root rotation && room place aim math pose && set -- "$1" -eva-slevel 200 ;;
+    polygon)
+      sources=$(echo src/contact/gjk_*polygon*.c)
+      room arith height_key root rotation unit vector wide && room shape curved disc_base && set -- "$1" -eva-slevel 200
+      ;;
+    witness) models=simplex && room arith wide && room gjk witness && set -- "$1" -eva-slevel 200 ;;
     query)
+      sources=$(echo src/query/*.c | sed 's|src/query/gjk_contacts[.]c||')
+      room arith root unit vector wide
       models='simplex iteration search witness box_sat facet epa'
       set -- "$1" -eva-slevel 50 -eva-slevel-function "$QUERY_LEVELS" -eva-interprocedural-splits \
         -eva-partition-value facet_is_found
       ;;
     iteration)
-      models=simplex
+      models=simplex && room arith wide && room gjk frame iteration
       set -- "$1" -eva-slevel 10 -eva-slevel-function "$ITERATION_LEVELS" -eva-interprocedural-splits \
         -eva-split-return-function "$ITERATION_RETURNS"
       ;;
     search)
-      models='simplex iteration'
+      models='simplex iteration' && room arith vector wide && room gjk search
       set -- "$1" -eva-slevel 20 -eva-min-loop-unroll 4 -eva-interprocedural-splits
       ;;
     scene_*)
@@ -276,30 +293,41 @@ set_up() {
       esac
       set -- "$1" -eva-slevel $level -eva-slevel-function "$(plane_levels)" -eva-interprocedural-splits
       ;;
-    shape) models=hull_table && set -- "$1" -eva-slevel 200 ;;
+    shape)
+      models=hull_table sources=$(echo src/shape/*.c | sed 's|src/shape/gjk_hull_table[.]c||')
+      room arith root rotation unit vector wide && room place aabb collider && room gjk close simplex
+      set -- "$1" -eva-slevel 200
+      ;;
     hull_table)
+      room shape hull_table
       set -- "$1" -eva-slevel 2 -eva-slevel-function "$TABLE_LEVELS" -eva-min-loop-unroll 0 -eva-auto-loop-unroll 8
       ;;
-    facet) models=simplex contracts=${contracts%,gjk_height_key} && set -- "$1" -eva-slevel 200 -eva-interprocedural-splits ;;
+    facet)
+      models=simplex contracts=${contracts%,gjk_height_key}
+      room arith height_key root unit vector wide && room depth facet
+      set -- "$1" -eva-slevel 200 -eva-interprocedural-splits
+      ;;
     box_sat)
-      models='simplex facet'
+      models='simplex facet' && room arith root unit vector wide && room depth box_sat box_heights
       set -- "$1" -eva-slevel 2 -eva-slevel-function "$BOX_SAT_LEVELS" -eva-auto-loop-unroll 6 -eva-min-loop-unroll 6 \
         -eva-partition-value facet_is_found
       ;;
     epa_hull)
+      room arith height_key vector wide && room depth epa_hull && room gjk simplex
       set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 9 -eva-slevel-function "$EPA_HULL_LEVELS"
       ;;
     epa)
-      models='simplex iteration epa_hull facet'
+      models='simplex iteration epa_hull facet' && room arith root unit vector wide && room depth epa
       set -- "$1" -eva-slevel 100 -eva-interprocedural-splits -eva-partition-value facet_is_found
       ;;
     contacts)
-      models='penetration contact_polygon clip reduce'
+      models='penetration contact_polygon clip reduce' && room query contacts
       set -- "$1" -eva-slevel 300 -eva-min-loop-unroll 24 -eva-interprocedural-splits
       ;;
-    clip | reduce) set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
+    clip) room arith vector wide && room contact clip flat && set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
+    reduce) room contact reduce && set -- "$1" -eva-slevel 5 -eva-min-loop-unroll 24 ;;
     hull_build | hull_grow | hull_facets | hull_check)
-      sources=$(echo src/hull/*.c src/arith/*.c)
+      sources=$(echo src/hull/*.c) && room arith vector wide
       level=50
       case $driver in
         hull_grow) level=2000 ;;
@@ -323,11 +351,12 @@ set_up() {
       set -- "$1" -eva-slevel 50
       ;;
     mesh)
-      sources="$(echo src/mesh/*.c src/arith/*.c | sed 's|src/mesh/gjk_surface[a-z_]*[.]c||g') src/parts/gjk_region.c"
+      sources=$(echo src/mesh/*.c | sed 's|src/mesh/gjk_surface[a-z_]*[.]c||g')
+      room arith root rotation vector wide && room parts region
       set -- "$1" -eva-slevel 20 -eva-auto-loop-unroll 8
       ;;
     region)
-      sources=$(echo src/parts/gjk_region.c src/arith/*.c)
+      room parts region
       set -- "$1" -eva-slevel 200
       ;;
     parts)
@@ -346,7 +375,7 @@ set_up() {
       ;;
     compound)
       models='region place'
-      sources=$(echo src/parts/gjk_compound*.c src/arith/*.c)
+      sources=$(echo src/parts/gjk_compound*.c) && room arith root
       set -- "$1" -eva-slevel 500 -eva-interprocedural-splits
       ;;
     surface)
@@ -355,37 +384,35 @@ set_up() {
       contracts=$(echo "$contracts" | sed 's/,gjk_copy//') defines="$defines -DPROVE_COPY_WHOLE"
       set -- "$1" -eva-slevel 50 -eva-interprocedural-splits
       ;;
-    quotient | way | swept | motion | integrate)
-      sources=$(echo src/motion/*.c src/arith/*.c src/place/*.c src/query/gjk_status.c)
-      set -- "$1" -eva-slevel 200
-      ;;
+    quotient) room arith wide && room motion quotient && set -- "$1" -eva-slevel 200 ;;
+    way) room motion spheres way && set -- "$1" -eva-slevel 200 ;;
+    swept) room arith root vector wide && room motion swept && set -- "$1" -eva-slevel 200 ;;
+    motion) room arith root rotation && room motion motion && room place pose && set -- "$1" -eva-slevel 200 ;;
+    integrate) room arith root rotation && room motion integrate motion && room place pose && set -- "$1" -eva-slevel 200 ;;
     portal)
-      sources=$(echo src/motion/gjk_portal*.c src/arith/*.c)
+      sources=$(echo src/motion/gjk_portal*.c) && room arith vector wide
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
       ;;
     cast)
       models='portal quotient advance within'
-      sources=$(echo src/motion/*cast*.c src/motion/gjk_way.c src/motion/gjk_spheres.c src/motion/gjk_swept.c src/motion/gjk_portal.c \
-        src/motion/gjk_quotient.c src/motion/gjk_advance.c src/query/gjk_status.c src/shape/gjk_class_axes.c src/arith/*.c)
+      sources=$(echo src/motion/*cast*.c)
+      room motion spheres swept way && room shape class_axes && room arith root unit vector wide
       set -- "$1" -eva-slevel 50 -eva-interprocedural-splits
       ;;
     separation | impact)
-      models=motion
-      sources=$(echo src/motion/gjk_impact*.c src/motion/gjk_motion.c src/arith/*.c)
+      models=motion && room arith root rotation
       case $driver in
-        separation) sources="$sources src/shape/gjk_scan.c" ;;
-        impact) models='motion impact_separation distance' sources="$sources $(echo src/place/*.c)" ;;
+        separation) room arith unit vector wide && room motion impact_separation && room place pose && room shape scan ;;
+        impact) models='motion impact_separation distance' && room motion impact && room place collider pose ;;
       esac
-      [ "$driver" = impact ] || sources=$(echo "$sources" | sed 's|src/motion/gjk_impact[.]c||')
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
       ;;
     gap)
-      models='simplex iteration search'
-      sources=$(echo src/motion/*.c src/gjk/*.c src/arith/*.c)
+      models='simplex iteration search' && room arith root unit wide && room gjk frame && room motion gap
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits
       ;;
     advance)
-      sources=$(echo src/motion/*.c src/gjk/*.c src/arith/*.c)
+      room arith root unit vector wide && room motion advance
       models='simplex gap' defines="$defines -DPROVE_COPY_BODY"
       contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits -eva-warn-copy-indeterminate=-gjk_copy

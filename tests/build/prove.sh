@@ -31,8 +31,10 @@ analyse() {
 
 # What RUN leaves open, from its table and report, sorted.
 facts() {
-  awk -v driver="${1%%-*}" -v contracts="${contracts#-eva-use-spec }" -f tests/build/prove-facts.awk \
-    "$dir/$1.csv" "$dir/$1.txt" | sort
+  run=$1
+  shift
+  awk -v driver="${run%%-*}" -v contracts="${contracts#-eva-use-spec }" "$@" -f tests/build/prove-facts.awk \
+    "$dir/$run.csv" "$dir/$run.txt" | sort
 }
 
 # expected MODE...: open.txt at length.
@@ -42,9 +44,13 @@ expected() {
   rm "$dir/runs.$$"
 }
 
-# entries FILE...: without comments, sorted.
-entries() {
-  cat "$@" | grep -v '^#' | grep . | sort -u
+# What assumed.txt gives a reason for: FILE FUNCTION, a line each.
+assumptions() {
+  grep -v '^#' tests/prove/assumed.txt | awk -v RS='[ \n]+' '
+    NF == 0 { next }
+    { name = $1; sub(/;$/, "", name) }
+    name ~ /[.][ch]$/ { file = name; next }
+    { print file, name }' | sort -u
 }
 
 # What the contracts say of vectors' lengths, by an SMT solver.
@@ -69,6 +75,7 @@ prove_one() {
     return
   fi
   facts "$name" >"$dir/$name.facts"
+  facts "$name" -v full=1 >"$dir/$name.places"
   expected -v only="$name" | cut -f 2- | sort >"$dir/$name.expected"
   grep '^refuted' "$dir/$name.facts" | sed 's/^/refuted: /' >"$dir/$name.wrong"
   comm -13 "$dir/$name.expected" "$dir/$name.facts" | grep -v '^refuted' | sed 's/^/not in open.txt: /' >>"$dir/$name.wrong"
@@ -77,6 +84,10 @@ prove_one() {
   echo "$name: $(wc -l <"$dir/$name.wrong") unexpected, $(grep -vc '^unreached' "$dir/$name.facts") open, $reached," \
     "$(($(date +%s) - start)) s"
   sed "s/^/failed: $name: /" "$dir/$name.wrong"
+  # The properties of what is not listed.
+  sed -n 's/^not in open.txt: [a-z]*	[0-9]*	//p' "$dir/$name.wrong" | while read -r what; do
+    grep -F "	$what	" "$dir/$name.places" | sed 's/^/  /'
+  done
 }
 
 # list RUN...: what they found becomes what is expected.
@@ -97,8 +108,8 @@ list() {
   {
     grep '^#' tests/prove/open.txt
     echo
-    grep -v '	refuted	' "$dir/all" | awk -v mode=join -f tests/build/prove-runs.awk "$dir/runs" - |
-      sort -t '	' -k 4 -k 1,1 -k 2,2n
+    grep -v '	refuted	' "$dir/all" | sort -t '	' -k 4 -k 2 | awk -v mode=join -f tests/build/prove-runs.awk "$dir/runs" - |
+      sort -t '	' -k 2,2 -k 1,1
   } >"$dir/open"
   cat "$dir/open" >tests/prove/open.txt
   normalize
@@ -106,12 +117,20 @@ list() {
   ! grep '	refuted	' "$dir/all"
 }
 
-# Each open property has its reason, each reason a run that needs it.
+# Each function that a run leaves something open in has its reason, each reason a run that needs it.
 is_explained() {
-  grep -v '^#' tests/prove/open.txt | grep . | grep -v '^unreached' | cut -f 4 | sort -u >"$dir/needed"
-  entries tests/prove/assumed.txt >"$dir/assumed"
-  comm -13 "$dir/assumed" "$dir/needed" | sed 's/^/without a reason: /' >"$dir/explained"
-  comm -23 "$dir/assumed" "$dir/needed" | sed 's/^/needed by no run: /' >>"$dir/explained"
+  assumptions >"$dir/assumed"
+  grep -v '^#' tests/prove/open.txt | grep . | grep -v '^unreached' | cut -f 3 | awk -v RS=', |\n' '{ print $1, $2 }' |
+    sort -u | awk '
+      FNR == NR { reason[$0]; next }
+      {
+        everywhere = $0
+        sub(/^[a-z_]*\//, "*/", everywhere)
+        if ($0 in reason) needed[$0]
+        else if (everywhere in reason) needed[everywhere]
+        else print "without a reason: " $0
+      }
+      END { for (what in reason) if (!(what in needed)) print "needed by no run: " what }' "$dir/assumed" - >"$dir/explained"
   cat "$dir/explained"
   [ ! -s "$dir/explained" ]
 }
@@ -171,5 +190,5 @@ if [ -n "$all" ]; then
   fi
   check 'what is assumed holds as it runs' nice sh tests/build/bounds.sh "$build" 20000 1
 fi
-echo "$(entries tests/prove/assumed.txt | wc -l) assumptions"
+echo "$(assumptions | wc -l) assumptions"
 finish prove

@@ -6,8 +6,12 @@
 
 extern int facet_is_found;  // by the model of the facet
 
-static const gjk_shape_class axes = {any_measure, keep_pose, any_support, any_refine, any_vertex_of,
-                                     NULL,        NULL,      false,       0,          GJK_KIND_AXES};
+static const gjk_shape_class axes = {.measure = any_measure,
+                                     .pose = keep_pose,
+                                     .support = any_support,
+                                     .refine = any_refine,
+                                     .vertex = any_vertex_of,
+                                     .kind = GJK_KIND_AXES};
 
 static void check_direction(const gjk_vec3 *d) {
   const gjk_vec3 copy = {d->x, d->y, d->z};

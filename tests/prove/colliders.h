@@ -52,10 +52,17 @@ static bool any_stalls(const gjk_vec3 *d, const gjk_vec3 *from, const gjk_vec3 *
   return any_bool();
 }
 
-static const gjk_shape_class polytope = {any_measure, keep_pose, any_support, any_refine, any_vertex_of,
-                                         NULL,        NULL,      false,       0,          GJK_KIND_SMOOTH};
-static const gjk_shape_class curved = {any_measure, keep_pose, any_curved_support, NULL, NULL, any_stalls, NULL,
-                                       false,       0,         GJK_KIND_SMOOTH};
+static const gjk_shape_class polytope = {.measure = any_measure,
+                                         .pose = keep_pose,
+                                         .support = any_support,
+                                         .refine = any_refine,
+                                         .vertex = any_vertex_of,
+                                         .kind = GJK_KIND_SMOOTH};
+static const gjk_shape_class curved = {.measure = any_measure,
+                                       .pose = keep_pose,
+                                       .support = any_curved_support,
+                                       .stalls = any_stalls,
+                                       .kind = GJK_KIND_SMOOTH};
 
 static void any_collider(gjk_collider *c, gjk_shape *shape, const gjk_shape_class *type) {
   shape->type = type;

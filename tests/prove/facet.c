@@ -9,8 +9,12 @@ static bool any_existing(const gjk_collider *c, uint16_t number, gjk_vec3 *offse
   return true;
 }
 
-static const gjk_shape_class existing = {any_measure, keep_pose, any_support, any_refine, any_existing,
-                                         NULL,        NULL,      false,       0,          GJK_KIND_SMOOTH};
+static const gjk_shape_class existing = {.measure = any_measure,
+                                         .pose = keep_pose,
+                                         .support = any_support,
+                                         .refine = any_refine,
+                                         .vertex = any_existing,
+                                         .kind = GJK_KIND_SMOOTH};
 
 static void any_iteration(gjk_iteration *it, const gjk_collider *a, bool is_curved) {
   it->a = a;

@@ -44,8 +44,7 @@ static void take_shape(unsigned kind, unsigned count, bool rounded) {
   static gjk_vec3 vertices[VERTICES];
   static uint16_t corner[CORNERS];
   static uint16_t end[1];
-  const gjk_shape_class type = {any_measure_of, NULL, NULL,  NULL,           NULL,
-                                NULL,           NULL, false, (uint8_t)count, (uint8_t)kind};
+  const gjk_shape_class type = {.measure = any_measure_of, .count = (uint8_t)count, .kind = (uint8_t)kind};
   for (int i = 0; i < VERTICES; i++) {
     vertices[i] = any_vec3(GJK_RADIUS_MAX);
   }

@@ -7,6 +7,7 @@
 #include "gjk/intersect.h"
 #include "src/motion/gjk_impact.h"
 #include "src/motion/gjk_motion.h"
+#include "src/query/gjk_distance.h"
 
 // A search of parts keeps two results, of which the better one is its answer. Which of both are set: 1 the one that was set
 // first, 2 the other. Of contacts: how many manifolds there are. Eva keeps its values apart, so that it sees that what is
@@ -65,7 +66,8 @@ gjk_status gjk_intersect(const gjk_collider *a, const gjk_collider *b, gjk_cache
   return gjk_within(a, b, 0, cache, out);
 }
 
-gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {
+gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, bool points, gjk_cache *cache,
+                             gjk_distance_result *out) {
   check_posed(a, b);
   (void)cache;
   const int32_t answer = any_between(0, 2);
@@ -77,16 +79,24 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
   out->distance = 0;
   out->lower = 0;
   out->upper = 0;
-  any_proof(&out->certificate);
+  if (points) {
+    any_proof(&out->certificate);
+  }
   if (answer != 0) {
     out->distance = any_between(0, INT32_MAX);
     out->lower = any_between(0, INT32_MAX);
     out->upper = any_between(0, INT32_MAX);
-    out->normal = any_unit();
-    out->point_a = any_position();
-    out->point_b = any_position();
+    if (points) {
+      out->normal = any_unit();
+      out->point_a = any_position();
+      out->point_b = any_position();
+    }
   }
   return answer == 2 ? GJK_ERROR_ITERATION_LIMIT : GJK_OK;
+}
+
+gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {
+  return gjk_distance_with(a, b, true, cache, out);
 }
 
 gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,

@@ -54,9 +54,14 @@ static void any_vertex(gjk2_vertex *v) {
 // Stands for gjk2_curved_depth.
 static bool any_depth(gjk2_search *s, gjk2_edge *edge, int64_t *lower, uint16_t *iterations);
 
-static const gjk2_shape_class polygon = {any_measure, keep_pose, any_support, any_vertex_of, any_adjacent, NULL, NULL,
-                                         false,       4};
-static const gjk2_shape_class curved = {any_measure, keep_pose, any_support, NULL, NULL, any_depth, NULL, false, 0};
+static const gjk2_shape_class polygon = {.measure = any_measure,
+                                         .pose = keep_pose,
+                                         .support = any_support,
+                                         .vertex = any_vertex_of,
+                                         .adjacent = any_adjacent,
+                                         .count = 4};
+static const gjk2_shape_class curved = {
+    .measure = any_measure, .pose = keep_pose, .support = any_support, .depth = any_depth};
 
 static void any_collider(gjk2_collider *c, gjk2_shape *shape, const gjk2_shape_class *type) {
   shape->type = type;

@@ -15,16 +15,36 @@ static bool any_existing(const gjk_collider *c, uint16_t number, gjk_vec3 *offse
   return true;
 }
 
-static const gjk_shape_class axes = {any_measure, keep_pose, any_support, any_refine, any_existing,
-                                     NULL,        NULL,      false,       0,          GJK_KIND_AXES};
-static const gjk_shape_class triangle = {any_measure, keep_pose, any_support, any_refine, any_existing,
-                                         NULL,        NULL,      false,       3,          GJK_KIND_VERTICES};
-static const gjk_shape_class hull = {any_measure, keep_pose, any_support, any_refine, any_existing,
-                                     NULL,        NULL,      true,        0,          GJK_KIND_VERTICES};
-static const gjk_shape_class cylinder = {any_measure, keep_pose, any_curved_support, NULL, NULL, any_stalls, NULL,
-                                         false,       0,         GJK_KIND_CYLINDER};
-static const gjk_shape_class cone = {any_measure, keep_pose, any_curved_support, NULL, NULL, any_stalls, NULL,
-                                     false,       0,         GJK_KIND_CONE};
+static const gjk_shape_class axes = {.measure = any_measure,
+                                     .pose = keep_pose,
+                                     .support = any_support,
+                                     .refine = any_refine,
+                                     .vertex = any_existing,
+                                     .kind = GJK_KIND_AXES};
+static const gjk_shape_class triangle = {.measure = any_measure,
+                                         .pose = keep_pose,
+                                         .support = any_support,
+                                         .refine = any_refine,
+                                         .vertex = any_existing,
+                                         .count = 3,
+                                         .kind = GJK_KIND_VERTICES};
+static const gjk_shape_class hull = {.measure = any_measure,
+                                     .pose = keep_pose,
+                                     .support = any_support,
+                                     .refine = any_refine,
+                                     .vertex = any_existing,
+                                     .buffered = true,
+                                     .kind = GJK_KIND_VERTICES};
+static const gjk_shape_class cylinder = {.measure = any_measure,
+                                         .pose = keep_pose,
+                                         .support = any_curved_support,
+                                         .stalls = any_stalls,
+                                         .kind = GJK_KIND_CYLINDER};
+static const gjk_shape_class cone = {.measure = any_measure,
+                                     .pose = keep_pose,
+                                     .support = any_curved_support,
+                                     .stalls = any_stalls,
+                                     .kind = GJK_KIND_CONE};
 
 static void ask(const gjk_collider *c) {
   const gjk_vec3 position = any_vec3(INT32_C(1) << 29), direction = any_vec3(ANY_UNIT);

@@ -72,8 +72,12 @@ static bool named_vertex(const gjk_collider *c, uint16_t number, gjk_vec3 *offse
   return true;
 }
 
-static const gjk_shape_class with_vertices = {any_measure, keep_pose, any_support, any_refine,     named_vertex,
-                                              NULL,        false,     0,           GJK_KIND_SMOOTH};
+static const gjk_shape_class with_vertices = {.measure = any_measure,
+                                              .pose = keep_pose,
+                                              .support = any_support,
+                                              .refine = any_refine,
+                                              .vertex = named_vertex,
+                                              .kind = GJK_KIND_SMOOTH};
 
 static void any_shapes(void) {
   const int32_t vertices = any_between(0, 1);

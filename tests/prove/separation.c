@@ -3,8 +3,13 @@
 #include "movers.h"
 
 // Of a hull that is not baked the vertices are scanned.
-static const gjk_shape_class lazy_class = {any_measure, keep_pose, any_support, any_refine, any_vertex_of,
-                                           NULL,        NULL,      true,        0,          GJK_KIND_VERTICES};
+static const gjk_shape_class lazy_class = {.measure = any_measure,
+                                           .pose = keep_pose,
+                                           .support = any_support,
+                                           .refine = any_refine,
+                                           .vertex = any_vertex_of,
+                                           .buffered = true,
+                                           .kind = GJK_KIND_VERTICES};
 
 static gjk_vec3 vertices[2];
 
