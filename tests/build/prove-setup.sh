@@ -417,7 +417,7 @@ set_up() {
       contracts=$(echo "$contracts" | sed 's/,gjk_copy//')
       set -- "$1" -eva-slevel 30 -eva-interprocedural-splits -eva-warn-copy-indeterminate=-gjk_copy
       ;;
-    simplex) set -- "$1" -eva-slevel 12 -eva-slevel-function "$SIMPLEX_LEVELS" ;;
+    simplex) room arith vector wide && room gjk simplex && set -- "$1" -eva-slevel 12 -eva-slevel-function "$SIMPLEX_LEVELS" ;;
     *) set -- "$1" -eva-slevel 200 ;;
   esac
   for model in $models; do

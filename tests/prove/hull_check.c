@@ -1,10 +1,10 @@
 // gjk_hull_check on any vertices (4), corners of any number, null pointers too. CASE 0: up to two faces whose ends are any
-// that lie in the list of 12 corners. CASE n: n faces of 3 corners, and one more of 5, or to the end of the list.
+// that lie in the list of 8 corners. CASE n: of 12 corners, n faces of 3, and one more of 5, or to the end of the list.
 #include "any.h"
 #include "gjk/hull.h"
 
 #define VERTICES 4
-#define CORNERS 12
+#define CORNERS (CASE == 0 ? 8 : 12)
 
 int main(void) {
   static gjk_vec3 vertices[VERTICES];
