@@ -41,67 +41,80 @@ normalize() {
     "$dir/sums" "$dir/includes" >"$dir/files"
 }
 
-# code_of RUN: the digest of its code and options. Headers are found by their names, which are unique.
-code_of() {
-  set_up "$1"
-  {
-    echo "$options|$machine|$defines|$contracts"
-    # shellcheck disable=SC2086
-    printf '%s\n' $sources tests/prove/contracts.h | awk -F '\t' '
-      FNR == NR {
-        sum[$1] = $2
-        includes[$1] = $3
-        name = $1
-        sub(/^.*\//, "", name)
-        path[name] = $1
-        next
+# digests RUN...: the line that digests.txt has of each where it is fresh. Headers are found by their names, which are unique.
+digests() {
+  of=$dir/of.$$
+  mkdir -p "$of/code" "$of/list"
+  for run in "$@"; do
+    set_up "$run"
+    printf '%s\t%s\t%s\n' "$run" "$options|$machine|$defines|$contracts" "$sources tests/prove/contracts.h"
+  done >"$of/runs"
+  awk -F '\t' -v folder="$of/code" '
+    FNR == NR {
+      sum[$1] = $2
+      includes[$1] = $3
+      name = $1
+      sub(/^.*\//, "", name)
+      path[name] = $1
+      next
+    }
+    {
+      out = folder "/" $1
+      print $2 >out
+      split("", seen)
+      count = split($3, wanted, " ")
+      for (i = 1; i <= count; i++) {
+        if (wanted[i] in seen) continue
+        seen[wanted[i]]
+        print wanted[i], sum[wanted[i]] >out
+        n = split(includes[wanted[i]], header, " ")
+        for (k = 1; k <= n; k++) if (header[k] in path) wanted[++count] = path[header[k]]
       }
-      { wanted[++count] = $1 }
-      END {
-        for (i = 1; i <= count; i++) {
-          if (wanted[i] in seen) continue
-          seen[wanted[i]]
-          print wanted[i], sum[wanted[i]]
-          n = split(includes[wanted[i]], header, " ")
-          for (k = 1; k <= n; k++) if (header[k] in path) wanted[++count] = path[header[k]]
-        }
-      }' "$dir/files" - | sort
-  } | cksum | tr ' ' .
+      close(out)
+    }' "$dir/files" "$of/runs"
+  expected | sort | awk -F '\t' -v folder="$of/list" '
+    FNR == NR { printf "" >(folder "/" $1); close(folder "/" $1); known[$1]; next }
+    $1 != last { close(folder "/" last); last = $1 }
+    $1 in known { print $2, $3, $4 >(folder "/" $1) }' "$of/runs" -
+  # Both list the same names in the same order.
+  (cd "$of/code" && cksum -- *) >"$of/codes"
+  (cd "$of/list" && cksum -- *) | paste "$of/codes" - | awk '{ print $3 "\t" $1 "." $2 "\t" $4 "." $5 }'
+  rm -rf "$of"
 }
 
-# line_of RUN: what digests.txt says of it where it is fresh.
-line_of() {
-  printf '%s\t%s\t%s\n' "$1" "$(code_of "$1")" "$(expected -v only="$1" | cut -f 2- | sort | cksum | tr ' ' .)"
-}
-
-is_fresh() {
-  grep -q "^$1	" tests/prove/digests.txt && grep -qxF "$(line_of "$1")" tests/prove/digests.txt
+# code_of RUN: the digest of its code and options.
+code_of() {
+  digests "$1" | cut -f 2
 }
 
 # The runs that digests.txt has no line of, or one of other code.
 unsigned() {
-  runs | while read -r run; do
-    is_fresh "$run" || echo "$run"
-  done
+  # shellcheck disable=SC2046
+  digests $(runs) | grep -vxFf tests/prove/digests.txt | cut -f 1
 }
 
 # Names the runs whose line is of other code, or of another list.
 stale() {
   bad=0
   runs >"$dir/known"
-  for run in $(grep -v '^#' tests/prove/digests.txt | cut -f 1); do
-    grep -qxF "$run" "$dir/known" || { echo "no such run: $run"; bad=1; continue; }
-    is_fresh "$run" || { echo "of other code: $run. \`make prove CHANGED=1\` repeats it."; bad=1; }
-  done
+  grep -v '^#' tests/prove/digests.txt | cut -f 1 >"$dir/signed"
+  if grep -vxFf "$dir/known" "$dir/signed" | sed 's/^/no such run: /' | grep .; then
+    bad=1
+  fi
+  # shellcheck disable=SC2046
+  if digests $(grep -xFf "$dir/known" "$dir/signed") | grep -vxFf tests/prove/digests.txt | cut -f 1 |
+    sed 's/\(.*\)/of other code: \1. `make prove CHANGED=1` repeats it./' | grep .; then
+    bad=1
+  fi
   return $bad
 }
 
 # sign RUN...: writes into digests.txt those that the last analysis shows to hold, if it was of this code.
 sign() {
-  for run in "$@"; do
-    if [ -e "$dir/$run.facts" ] && [ "$(cat "$dir/$run.code")" = "$(code_of "$run")" ] &&
-      expected -v only="$run" | cut -f 2- | sort | cmp -s - "$dir/$run.facts"; then
-      line_of "$run"
+  digests "$@" | while IFS='	' read -r run code list; do
+    if [ -e "$dir/$run.facts" ] && [ "$(cat "$dir/$run.code")" = "$code" ] &&
+      [ "$(tr '\t' ' ' <"$dir/$run.facts" | cksum | tr ' ' .)" = "$list" ]; then
+      printf '%s\t%s\t%s\n' "$run" "$code" "$list"
     fi
   done >"$dir/new"
   {

@@ -149,10 +149,14 @@ plane_levels() {
   for model in $models; do
     files=$(echo "$files" | sed "s|src/plane/gjk2_${model#plane_}\(_frame\)\?\.c||g")
   done
+  # shellcheck disable=SC2086
+  found=$(grep -ohE "[ *]($(echo "$PLANE_LEVELS" | sed 's/:[0-9]*//g; s/,/|/g'))\(.*\{\$" $files "tests/prove/$driver.c" |
+    sed 's/(.*//; s/^.//' | tr '\n' ' ')
+  levels=
   for level in $(echo "$PLANE_LEVELS" | tr , ' '); do
-    # shellcheck disable=SC2086
-    ! grep -q "[ *]${level%:*}(.*{\$" $files "tests/prove/$driver.c" || echo "$level"
-  done | paste -sd, -
+    case " $found" in *" ${level%:*} "*) levels=$levels,$level ;; esac
+  done
+  echo "${levels#,}"
 }
 
 plane_cases() {
@@ -420,11 +424,18 @@ set_up() {
     simplex) room arith vector wide && room gjk simplex && set -- "$1" -eva-slevel 12 -eva-slevel-function "$SIMPLEX_LEVELS" ;;
     *) set -- "$1" -eva-slevel 200 ;;
   esac
+  left_out=
+  stand_ins=
   for model in $models; do
-    source=$(echo "$model" | sed 's|^plane_|plane/gjk2_|; t; s|^|[a-z]*/gjk_|')
-    sources="$(echo "$sources" | sed "s|src/$source\(_frame\)\?\.c||g") tests/prove/${model}_model.c"
+    case $model in
+      plane_*) file=plane/gjk2_${model#plane_} ;;
+      *) file=[a-z]*/gjk_$model ;;
+    esac
+    left_out="$left_out;s|src/$file\(_frame\)\?\.c||g"
+    stand_ins="$stand_ins tests/prove/${model}_model.c"
   done
-  sources="$sources tests/prove/$driver.c"
+  [ -z "$models" ] || sources=$(echo "$sources" | sed "${left_out#;}")
+  sources="$sources$stand_ins tests/prove/$driver.c"
   shift
   options=$*
 }

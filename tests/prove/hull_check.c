@@ -4,7 +4,11 @@
 #include "gjk/hull.h"
 
 #define VERTICES 4
-#define CORNERS (CASE == 0 ? 8 : 12)
+#if CASE == 0
+#define CORNERS 8
+#else
+#define CORNERS 12
+#endif
 
 int main(void) {
   static gjk_vec3 vertices[VERTICES];

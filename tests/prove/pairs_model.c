@@ -72,7 +72,6 @@ gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, bool 
   (void)cache;
   const int32_t answer = any_between(0, 2);
   //@ split answer;
-  note_result(out);
   out->intersecting = answer == 0;
   out->saturated = any_bool();
   out->iterations = (uint8_t)any_between(0, UINT8_MAX);
