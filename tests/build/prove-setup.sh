@@ -429,7 +429,7 @@ set_up() {
   for model in $models; do
     case $model in
       plane_*) file=plane/gjk2_${model#plane_} ;;
-      *) file=[a-z]*/gjk_$model ;;
+      *) file="[a-z]*/gjk_$model" ;;
     esac
     left_out="$left_out;s|src/$file\(_frame\)\?\.c||g"
     stand_ins="$stand_ins tests/prove/${model}_model.c"
