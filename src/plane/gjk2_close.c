@@ -10,15 +10,14 @@
 //   4. Where x and y are parallel, or one is 0, A - B is the segment centre +- z: its inside, or an end.
 //
 // The feature is canonical as it is (gjk2_canonical.h): edges of a parallelogram are whole, and so is the segment. Then its
-// distance, the normal and the points follow, with the same roundings as elsewhere (gjk2_distance.c, gjk2_meeting.c).
+// distance, the normal and the points follow (gjk2_feature.h).
 //   |u| <= 2^30, |x|, |y| < 2^28:  sums of them below 3 2^29, products below 2^60
 //
 // Only where registers hold 64 bits. Coordinates are scalars of 64 bits: GCC makes vectors of pairs, which costs more than it
 // saves.
 #include "gjk2_close.h"
 
-#include "gjk2_outward.h"
-#include "gjk2_witness.h"
+#include "gjk2_feature.h"
 
 #if GJK_64_BIT && !GJK_SMALL
 
@@ -174,116 +173,34 @@ static inline uint16_t number_of_b(const gjk2_collider *b, unsigned of_a, unsign
   return (uint16_t)(bits >> of_a & (b->count - 1u));
 }
 
-// The point of a shape on the feature: from its corner there, by the weight of the other end of its edge, and moved by the
-// convex radius. toward: 1 for A, which the normal leads away from, -1 for B. Bounds: plane_offset of gjk2_witness.c.
-GJK_ONCE static void set_close_point(const gjk2_collider *c, close_number x, close_number y, close_number edge_x,
-                                     close_number edge_y, int32_t weight, const gjk2_unit *normal, int toward,
-                                     gjk2_vec *point, bool *saturated) {
-  const int64_t half = INT64_C(1) << 30;
-  const close_number twice = 2 * toward * c->shape->convex_radius;
-  const int64_t moved_x = gjk_sar64(half + edge_x * weight + normal->x * twice, 31);
-  const int64_t moved_y = gjk_sar64(half + edge_y * weight + normal->y * twice, 31);
-  point->x = gjk_saturate_noting((int64_t)c->centre.x + x + moved_x, saturated);
-  point->y = gjk_saturate_noting((int64_t)c->centre.y + y + moved_y, saturated);
-}
-
-// The points and the certificate.
-static inline void set_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of,
-                             const gjk2_length *length, const gjk2_unit *across, bool points,
-                             gjk2_distance_result *out) {
-  const close_number s = of->sign[0], t = of->sign[1];
-  // Of A, and those of B less.
-  const close_number in_a = of->of_a > 0, both_in_a = of->of_a > 1;
-  const close_number a_x = in_a * of->x[0] + both_in_a * of->x[1];
-  const close_number a_y = in_a * of->y[0] + both_in_a * of->y[1];
-  const close_number b_x = a_x + of->delta_x - of->w_x, b_y = a_y + of->delta_y - of->w_y;
-  close_number edge_x = 0, edge_y = 0;
-  int32_t weight = 0;
-  out->certificate.count = 1;
+// The feature by A's part of it. Names its vertices.
+static inline void name_closest(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, gjk2_feature *out,
+                                gjk2_certificate *names) {
+  out->w_x = of->w_x;
+  out->w_y = of->w_y;
+  out->edge_x = of->edge_x;
+  out->edge_y = of->edge_y;
+  out->d_x = of->d_x;
+  out->d_y = of->d_y;
+  out->base = of->base;
+  // A's half axes come first.
+  const bool some = of->of_a > 0, both = of->of_a > 1;
+  out->a_x = (some ? of->x[0] : 0) + (both ? of->x[1] : 0);
+  out->a_y = (some ? of->y[0] : 0) + (both ? of->y[1] : 0);
   // Bit 0 and 1: the corner has plus the half axis. A vertex of -B is that of B with the other signs.
-  const unsigned plus = (unsigned)((s + 1) / 2 + (t + 1));
-  out->certificate.a[0] = number_of_a(a, plus);
-  out->certificate.b[0] = number_of_b(b, of->of_a, ~plus);
-  if ((of->turns[0] | of->turns[1]) != 0) {
-    const close_number turn_x = of->turns[0], turn_y = of->turns[1];
-    out->certificate.count = 2;
-    const unsigned turned = (unsigned)(turn_x + 2 * turn_y);
-    out->certificate.a[1] = number_of_a(a, plus ^ turned);
-    out->certificate.b[1] = number_of_b(b, of->of_a, ~(plus ^ turned));
-    if (!points) {
-      return;
-    }
-    const int64_t part = -close_dot(of->w_x, of->w_y, of->edge_x, of->edge_y), whole = (int64_t)length->squared;
-    weight = gjk2_weight(length, whole >> (2 * GJK2_FINE_LENGTH) != 0, part < whole ? part : whole);
-    edge_x = -2 * (in_a * turn_x * of->x[0] + both_in_a * turn_y * of->x[1]);
-    edge_y = -2 * (in_a * turn_x * of->y[0] + both_in_a * turn_y * of->y[1]);
-  }
-  if (!points) {
-    return;
-  }
-  set_close_point(a, a_x, a_y, edge_x, edge_y, weight, across, 1, &out->point_a, &out->saturated);
-  set_close_point(b, b_x, b_y, edge_x - of->edge_x, edge_y - of->edge_y, weight, across, -1, &out->point_b,
-                  &out->saturated);
-}
-
-// gjk2_is_within of h and d, mostly by the leading bits of h / |d|.
-static inline bool is_touching(int64_t h, gjk2_vec d, int32_t radius, uint32_t leading, unsigned shift) {
-  if (shift >= 38 && shift <= 62) {
-    const int64_t beyond = (int64_t)leading - gjk_shl64(radius, shift - 32);  // off by less than 10
-    if (beyond > 10 || beyond < -10) {
-      return beyond < 0;
-    }
-  }
-  return gjk2_is_within(h, d, radius);
-}
-
-// What follows from the feature. circles: of two points, which need no corners.
-GJK_ONCE static void measure_touch(const gjk2_collider *a, const gjk2_collider *b, const close_pair *of, bool circles,
-                                   unsigned parts, gjk2_distance_result *out) {
-  gjk2_length length;
-  gjk2_unit across;
-  unsigned shift;
-  const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
-  const uint64_t h = (uint64_t)-of->base;
-  const gjk2_vec d = {(int32_t)of->d_x, (int32_t)of->d_y};
-  gjk2_quick_length(&length, d);
-  gjk2_quick_unit(&across, &length, d);
-  const uint32_t leading = (uint32_t)(gjk2_inline_quotient(&length, &shift, h) >> 32);
-  const bool overlaps = radius > 0 && is_touching(-of->base, d, radius, leading, shift);
-  const bool complete = (parts & (overlaps ? GJK2_TOUCH_DEPTH : GJK2_TOUCH_POINTS)) != 0;
-  out->intersecting = overlaps;
-  out->iterations = 1;
-  out->saturated = false;
-  out->certificate.direction.x = d.x;
-  out->certificate.direction.y = d.y;
-  out->certificate.proof = overlaps && !complete ? GJK2_PROOF_NEAR : GJK2_PROOF_NEAREST;
-  if (!overlaps || complete) {
-    out->normal.x = across.x;
-    out->normal.y = across.y;
-  }
-  int32_t distance = 0;
-  if (complete) {
-    const gjk2_round_to to = overlaps ? GJK2_ROUND_DOWN : GJK2_ROUND_NEAREST;
-    distance = (int32_t)gjk2_inline_rounded(&length, to, h, leading, shift) - radius;
-  }
-  if (overlaps && distance < 0 && !gjk2_inline_exceeds(leading, shift, -distance)) {
-    gjk2_outward_normal(d, of->base, radius, &length, -distance, &out->normal);
-  }
-  out->distance = distance;
-  out->lower = distance;
-  out->upper = distance;
-  if (!circles) {
-    set_touch(a, b, of, &length, &across, complete, out);
-    out->saturated = out->saturated && !overlaps;
-    return;
-  }
-  out->certificate.count = 1;
-  out->certificate.a[0] = 0;
-  out->certificate.b[0] = 0;
-  if (complete) {
-    set_close_point(a, 0, 0, 0, 0, 0, &across, 1, &out->point_a, &out->saturated);
-    set_close_point(b, 0, 0, 0, 0, 0, &across, -1, &out->point_b, &out->saturated);
-    out->saturated = out->saturated && !overlaps;
+  const unsigned plus = (unsigned)((of->sign[0] + 1) / 2 + (of->sign[1] + 1));
+  names->a[0] = number_of_a(a, plus);
+  names->b[0] = number_of_b(b, of->of_a, ~plus);
+  out->is_edge = (of->turns[0] | of->turns[1]) != 0;
+  out->edge_a_x = 0;
+  out->edge_a_y = 0;
+  if (out->is_edge) {
+    const close_number turn_x = some ? -2 * of->turns[0] : 0, turn_y = both ? -2 * of->turns[1] : 0;
+    out->edge_a_x = turn_x * of->x[0] + turn_y * of->x[1];
+    out->edge_a_y = turn_x * of->y[0] + turn_y * of->y[1];
+    const unsigned other = plus ^ (unsigned)(of->turns[0] + 2 * of->turns[1]);
+    names->a[1] = number_of_a(a, other);
+    names->b[1] = number_of_b(b, of->of_a, ~other);
   }
 }
 
@@ -296,26 +213,42 @@ static inline bool is_near_enough(const gjk2_collider *a, const gjk2_collider *b
          0;
 }
 
+// Of two points. False: they are in one place.
+GJK_OUT_OF_LINE static bool touch_points(const gjk2_collider *a, const gjk2_collider *b, unsigned parts,
+                                         gjk2_distance_result *out) {
+  gjk2_feature of;
+  of.d_x = (close_number)b->centre.x - a->centre.x;
+  of.d_y = (close_number)b->centre.y - a->centre.y;
+  of.base = -close_dot(of.d_x, of.d_y, of.d_x, of.d_y);
+  if (of.base == 0) {
+    return false;
+  }
+  out->certificate.a[0] = 0;
+  out->certificate.b[0] = 0;
+  gjk2_feature_measure(a, b, &of, true, parts, out);
+  return true;
+}
+
+GJK_OUT_OF_LINE static bool touch_lines(const gjk2_collider *a, const gjk2_collider *b, unsigned parts,
+                                        gjk2_distance_result *out) {
+  close_pair pair;
+  gjk2_feature of;
+  if (!find_closest(a, b, &pair)) {
+    return false;
+  }
+  name_closest(a, b, &pair, &of, &out->certificate);
+  gjk2_feature_measure(a, b, &of, false, parts, out);
+  return true;
+}
+
 bool gjk2_touch_axes(const gjk2_collider *a, const gjk2_collider *b, unsigned parts, gjk2_distance_result *out) {
-  close_pair of;
   if (!is_near_enough(a, b)) {
     return false;
   }
   if (a->count == 1 && b->count == 1) {
-    of.d_x = (close_number)b->centre.x - a->centre.x;
-    of.d_y = (close_number)b->centre.y - a->centre.y;
-    of.base = -close_dot(of.d_x, of.d_y, of.d_x, of.d_y);
-    if (of.base == 0) {
-      return false;
-    }
-    measure_touch(a, b, &of, true, parts, out);
-    return true;
+    return touch_points(a, b, parts, out);
   }
-  if (!has_axes(a, b) || !find_closest(a, b, &of)) {
-    return false;
-  }
-  measure_touch(a, b, &of, false, parts, out);
-  return true;
+  return has_axes(a, b) && touch_lines(a, b, parts, out);
 }
 #else
 

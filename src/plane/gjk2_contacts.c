@@ -12,11 +12,11 @@
 //   step 3   points of edges, points across from a corner, and gaps: to the nearest LSB
 #include "gjk2/contacts.h"
 
-#include "gjk2_close.h"
 #include "gjk2_facing.h"
 #include "gjk2_hull.h"
 #include "gjk2_measure_inline.h"
 #include "gjk2_meeting.h"
+#include "gjk2_recall.h"
 
 // Centres farther apart than this along an axis skip steps 2 and 3: the nearest points are the one contact. Otherwise
 // coordinates relative to A's centre are below 2^29 + 2^28.
@@ -511,6 +511,10 @@ gjk_status gjk2_contacts(const gjk2_collider *a, const gjk2_collider *b, gjk_q16
     return status != GJK_OK ? status : margin < 0 ? GJK_ERROR_NEGATIVE : GJK_ERROR_RANGE;
   }
   gjk2_distance_result touch;
+  if (gjk2_recalls(a, b, cache, GJK2_TOUCH_ALL, &touch)) {
+    plane_touch(a, b, margin, most, &touch, out);
+    return GJK_OK;
+  }
   if (gjk2_touch_without_search(a, b, GJK2_TOUCH_ALL, &touch)) {
     gjk2_touch_keep(&touch, cache);
     plane_touch(a, b, margin, most, &touch, out);

@@ -15,8 +15,8 @@
 #include "gjk2/distance.h"
 
 #include "gjk2_canonical.h"
-#include "gjk2_close.h"
 #include "gjk2_measure_inline.h"
+#include "gjk2_recall.h"
 #include "gjk2_report.h"
 #include "gjk2_witness.h"
 
@@ -147,15 +147,8 @@ gjk2_outcome gjk2_distance_settle(gjk2_search *s, gjk2_distance_result *out) {
   return settle_limit(s, out);
 }
 
-gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache, gjk2_distance_result *out) {
-  const gjk_status status = gjk2_check_pair(a, b, out);
-  if (status != GJK_OK) {
-    return status;
-  }
-  if (gjk2_touch_without_search(a, b, GJK2_TOUCH_POINTS, out)) {
-    gjk2_touch_keep(out, cache);
-    return GJK_OK;
-  }
+GJK_ONCE static gjk_status distance_by_search(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache,
+                                              gjk2_distance_result *out) {
   gjk2_search s;
   plane_start_distance(&s, a, b);
   if (cache != NULL) {
@@ -171,6 +164,21 @@ gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_ca
   }
   gjk2_distance_report(&s, outcome, cache, out);
   return GJK_OK;
+}
+
+gjk_status gjk2_distance(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache, gjk2_distance_result *out) {
+  const gjk_status status = gjk2_check_pair(a, b, out);
+  if (status != GJK_OK) {
+    return status;
+  }
+  if (gjk2_recalls(a, b, cache, GJK2_TOUCH_POINTS, out)) {
+    return GJK_OK;
+  }
+  if (gjk2_touch_without_search(a, b, GJK2_TOUCH_POINTS, out)) {
+    gjk2_touch_keep(out, cache);
+    return GJK_OK;
+  }
+  return distance_by_search(a, b, cache, out);
 }
 
 gjk_status gjk2_distance_until(const gjk2_collider *a, const gjk2_collider *b, const gjk2_effort *effort,

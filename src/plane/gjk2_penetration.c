@@ -2,8 +2,8 @@
 #include "gjk2/penetration.h"
 
 #include "gjk2_canonical.h"
-#include "gjk2_close.h"
 #include "gjk2_meeting.h"
+#include "gjk2_recall.h"
 #include "gjk2_report.h"
 
 static void report_plane_depth(const gjk2_meeting *m, gjk2_penetration_result *out) {
@@ -126,6 +126,9 @@ gjk_status gjk2_signed_distance(const gjk2_collider *a, const gjk2_collider *b, 
   gjk_status status = gjk2_check_pair(a, b, out);
   if (status != GJK_OK) {
     return status;
+  }
+  if (gjk2_recalls(a, b, cache, GJK2_TOUCH_ALL, out)) {
+    return GJK_OK;
   }
   if (gjk2_touch_without_search(a, b, GJK2_TOUCH_ALL, out)) {
     gjk2_touch_keep(out, cache);

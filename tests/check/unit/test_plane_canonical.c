@@ -1,7 +1,7 @@
 // In the plane, too, a cache changes speed and nothing else: every field of every answer but iterations and certificate is the
-// same from a cold start, with its own cache, with that of another pair, and with random bytes. Half of the pairs are aligned
-// on a lattice, where features tie: parallel edges, repeated and collinear vertices, shapes in the same place. Each answer
-// also has its proof.
+// same from a cold start, with its own cache, with that from before a small move, with that of another pair, and with random
+// bytes. Half of the pairs are aligned on a lattice, where features tie: parallel edges, repeated and collinear vertices,
+// shapes in the same place. Each answer also has its proof.
 #include <string.h>
 
 #include "check.h"
@@ -15,7 +15,7 @@
 #define KINDS 10
 #define QUERIES 7
 
-static gjk2_vec corners[2][CORNERS];
+static gjk2_vec corners[2][CORNERS], posed[2][CORNERS];
 
 // A box's corners in order, the middle of its upper side, a point inside and a corner again.
 static void make_corners(random_state *random, gjk2_vec *v, gjk_q16 x, gjk_q16 y, bool aligned) {
@@ -139,20 +139,28 @@ int main(void) {
     const gjk2_cache rubbish = make_rubbish(&random);
     question q;
     answers cold, warm;
-    gjk2_cache own;
+    gjk2_cache own, past;
     gjk2_distance_result gap;
     memset(&own, 0, sizeof own);
-    CHECK(gjk2_collider_init(&q.a, &shapes[0], NULL, 0) == GJK_OK && gjk2_collider_pose(&q.a, &poses[0]) == GJK_OK);
-    CHECK(gjk2_collider_init(&q.b, &shapes[1], NULL, 0) == GJK_OK && gjk2_collider_pose(&q.b, &poses[1]) == GJK_OK);
+    memset(&past, 0, sizeof past);
+    const bool baked = i % 3 != 0;
+    CHECK(gjk2_collider_init(&q.a, &shapes[0], baked ? posed[0] : NULL, CORNERS) == GJK_OK);
+    CHECK(gjk2_collider_init(&q.b, &shapes[1], baked ? posed[1] : NULL, CORNERS) == GJK_OK);
+    const gjk2_vec place = {poses[1].position.x + random_range(&random, -size / 8 - 1, size / 8 + 1),
+                            poses[1].position.y + random_range(&random, -size / 8 - 1, size / 8 + 1)};
+    CHECK(gjk2_collider_pose(&q.a, &poses[0]) == GJK_OK && gjk2_collider_pose(&q.b, &poses[1]) == GJK_OK);
+    CHECK(gjk2_collider_move(&q.b, &place) == GJK_OK && gjk2_distance(&q.a, &q.b, &past, &gap) == GJK_OK);
+    CHECK(gjk2_collider_move(&q.b, &poses[1].position) == GJK_OK);
     q.margin = size * (int32_t)random_below(&random, 3);
     q.effort.iterations = (uint8_t)random_below(&random, 6);
     q.effort.error = random_below(&random, 2) == 0 ? 0 : size / 8;
     ask(&q, NULL, &cold);
     check_proofs(i, &q, &cold);
     CHECK(gjk2_distance(&q.a, &q.b, &own, &gap) == GJK_OK);
-    const gjk2_cache *const caches[3] = {&own, &before, &rubbish};
-    static const char *const names[3] = {"its own cache", "another pair's cache", "a cache of random bits"};
-    for (int k = 0; k < 3; k++) {
+    const gjk2_cache *const caches[4] = {&own, &past, &before, &rubbish};
+    static const char *const names[4] = {"its own cache", "that from before a move", "another pair's cache",
+                                         "a cache of random bits"};
+    for (int k = 0; k < 4; k++) {
       ask(&q, caches[k], &warm);
       compare(i, names[k], &cold, &warm);
       check_proofs(i, &q, &warm);
