@@ -147,8 +147,8 @@ gjk2_outcome gjk2_distance_settle(gjk2_search *s, gjk2_distance_result *out) {
   return settle_limit(s, out);
 }
 
-GJK_ONCE static gjk_status distance_by_search(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache,
-                                              gjk2_distance_result *out) {
+static inline gjk_status distance_by_search(const gjk2_collider *a, const gjk2_collider *b, gjk2_cache *cache,
+                                            gjk2_distance_result *out) {
   gjk2_search s;
   plane_start_distance(&s, a, b);
   if (cache != NULL) {
