@@ -18,6 +18,7 @@
 #include "gjk/intersect.h"
 #include "gjk_advance.h"
 #include "gjk_cast_report.h"
+#include "gjk_slab.h"
 #include "gjk_spheres.h"
 #include "gjk_swept.h"
 
@@ -34,10 +35,18 @@ static uint8_t add_iterations(uint8_t first, uint8_t second) {
 }
 
 // Steps 2 and 3: shapes without radius and margin. Out of line, as step 4: one of their frames on the stack at a time.
+// slabs: a box and a point, whose spheres have not been asked yet.
 GJK_OUT_OF_LINE static gjk_status cast_polytopes(const gjk_collider *a, const gjk_collider *b, const gjk_way *way,
-                                                 gjk_cast_result *out) {
+                                                 bool slabs, gjk_cast_result *out) {
   gjk_portal p;
-  const gjk_passage passage = gjk_portal_find(&p, a, b, way);
+  gjk_passage passage = slabs ? gjk_slab_find(&p, a, b, way) : GJK_PASSAGE_LIMIT;
+  if (passage == GJK_PASSAGE_LIMIT) {
+    if (slabs && gjk_spheres_part(a, b, way, 0)) {
+      report_miss(out, GJK_CAST_PROOF_SPHERES, 0);
+      return GJK_OK;
+    }
+    passage = gjk_portal_find(&p, a, b, way);
+  }
   out->iterations = p.iterations;
   if (passage == GJK_PASSAGE_LIMIT) {
     // Nothing is proven but that no contact is before the start.
@@ -120,14 +129,15 @@ gjk_status gjk_cast(const gjk_collider *a, const gjk_collider *b, const gjk_cast
   }
   // Convex radii are below 2^28 each, the margin is below 2^31.
   const int64_t radius = (int64_t)a->shape->convex_radius + b->shape->convex_radius + path->margin;
-  if (gjk_spheres_part(a, b, &way, radius)) {
+  const bool slabs = radius == 0 && gjk_slab_may_find(a, b);  // a short way, which comes before the spheres
+  if (!slabs && gjk_spheres_part(a, b, &way, radius)) {
     report_miss(out, GJK_CAST_PROOF_SPHERES, 0);
     return GJK_OK;
   }
   if (radius > 0 || gjk_is_curved(a->shape) || gjk_is_curved(b->shape)) {
     return cast_rounded(a, b, &way, path->margin, out);
   }
-  return cast_polytopes(a, b, &way, out);
+  return cast_polytopes(a, b, &way, slabs, out);
 }
 
 // The core radius of a posed point: what gjk_collider_init adds for rounding.

@@ -1,9 +1,6 @@
 // A line and A - B beside it: the frame of gjk_portal_frame.h, and its exact signs.
 #include "gjk_portal_frame.h"
 
-// How much farther from the line than the core radii the bounding spheres may leave start, rounded up (gjk_spheres.h).
-#define LINE_SLACK 1024
-
 // v / 8, rounded down.
 static gjk_vec3 eighth(const gjk_long3 *v) {
   const gjk_vec3 q = {(int32_t)gjk_sar64(v->x, 3), (int32_t)gjk_sar64(v->y, 3), (int32_t)gjk_sar64(v->z, 3)};
@@ -101,21 +98,12 @@ static void scale(gjk_long3 *v, unsigned shift) {
 }
 
 void gjk_portal_start(gjk_portal *p, const gjk_collider *a, const gjk_collider *b, const gjk_way *way) {
-  p->a = a;
-  p->b = b;
-  gjk_portal_copy(&way->t, &p->way);
-  p->start.x = (int64_t)a->centre.x - b->centre.x;
-  p->start.y = (int64_t)a->centre.y - b->centre.y;
-  p->start.z = (int64_t)a->centre.z - b->centre.z;
-  p->goal.x = p->start.x - way->t.x;
-  p->goal.y = p->start.y - way->t.y;
-  p->goal.z = p->start.z - way->t.z;
+  gjk_portal_place(p, a, b, way);
   if (gjk_portal_is_zero(&p->way)) {
     // Any axis serves for whether the origin lies in A - B.
     p->way.x = 1;
   }
-  // Both |u| and the part of start across the line are at most the core radii and LINE_SLACK.
-  p->shift = (uint8_t)(gjk_clz32((uint32_t)(a->core_radius + b->core_radius) + LINE_SLACK) - 3);
+  p->shift = gjk_portal_shift(a, b);
   const uint64_t bits = gjk_portal_bits(&p->way);
   p->wide = bits >> 30 != 0;
   p->near = !p->wide && is_below_29(&p->start) && is_below_29(&p->goal);

@@ -67,7 +67,35 @@ static inline void gjk_portal_scale(const gjk_portal *p, const gjk_vec3 *a, cons
   //@ assert u->z > -(INT32_C(1) << 29) && u->z < INT32_C(1) << 29;
 }
 
-// Fills in what does not change during a search: a, b, t, start, goal, m. No iterations, not leaving.
+// *to = *from, by parts: GCC makes a copy a call of memcpy on ARMv6-M.
+static inline void gjk_portal_copy(const gjk_long3 *from, gjk_long3 *to) {
+  to->x = from->x;
+  to->y = from->y;
+  to->z = from->z;
+}
+
+// Fills in a, b, way, start and goal.
+static inline void gjk_portal_place(gjk_portal *p, const gjk_collider *a, const gjk_collider *b, const gjk_way *way) {
+  p->a = a;
+  p->b = b;
+  gjk_portal_copy(&way->t, &p->way);
+  p->start.x = (int64_t)a->centre.x - b->centre.x;
+  p->start.y = (int64_t)a->centre.y - b->centre.y;
+  p->start.z = (int64_t)a->centre.z - b->centre.z;
+  p->goal.x = p->start.x - way->t.x;
+  p->goal.y = p->start.y - way->t.y;
+  p->goal.z = p->start.z - way->t.z;
+}
+
+// How much farther from the line than the core radii the bounding spheres may leave start, rounded up (gjk_spheres.h).
+#define GJK_LINE_SLACK 1024
+
+// The shift of the pair: both |u| and the part of start across the line are at most the core radii and GJK_LINE_SLACK.
+static inline uint8_t gjk_portal_shift(const gjk_collider *a, const gjk_collider *b) {
+  return (uint8_t)(gjk_clz32((uint32_t)(a->core_radius + b->core_radius) + GJK_LINE_SLACK) - 3);
+}
+
+// Fills in what does not change during a search: what gjk_portal_place does, shift, t and m. No iterations, not leaving.
 void gjk_portal_start(gjk_portal *p, const gjk_collider *a, const gjk_collider *b, const gjk_way *way);
 
 // *out = t x v.
@@ -116,13 +144,6 @@ static inline uint64_t gjk_portal_bits(const gjk_long3 *v) {
 
 static inline bool gjk_portal_is_zero(const gjk_long3 *v) {
   return (v->x | v->y | v->z) == 0;
-}
-
-// *to = *from, by parts: GCC makes a copy a call of memcpy on ARMv6-M.
-static inline void gjk_portal_copy(const gjk_long3 *from, gjk_long3 *to) {
-  to->x = from->x;
-  to->y = from->y;
-  to->z = from->z;
 }
 
 #endif
