@@ -2,6 +2,7 @@
 //
 // A long way is cut into pieces, so that no more segments are asked than those near it. A segment's hit is always that of
 // the whole way. A hit lies in the piece of its fraction, so once one is found in the pieces so far, none is earlier.
+// A segment is not asked where the body stays in front of its line, or its centre behind it, as far as the way counts.
 #include "../arith/gjk_memory.h"
 #include "../plane/gjk2_measure.h"
 #include "gjk2_ground_box.h"
@@ -24,8 +25,11 @@ typedef struct ground_cast {
   int64_t of_a[2];  // the way of the ground, below 2^32
   bool ahead;       // see gjk2_ground_cast_ahead
   gjk2_ground_walk walk;
-  gjk2_cast_result first;  // the first hit so far
-  uint32_t segment;        // of it
+  int64_t until_x, until_y;  // the way that counts: up to the first hit, within an LSB, or all of it
+  gjk2_cast_result result[2];
+  unsigned first;    // which one is the first hit so far; the other one is free
+  bool found;        // there is one
+  uint32_t segment;  // of it
 } ground_cast;
 
 // n . way:  |n.x| + |n.y| <= 2^28 + 4
@@ -45,8 +49,32 @@ static bool comes_nearer(const ground_cast *c, const gjk2_unit *normal) {
   return normal->x * c->x + normal->y * c->y < 0;
 }
 
+// Is no hit of a segment to be expected that counts and is as early as the first? Of curved bodies always asked, which may have
+// no answer.
+//
+//   |n.x| + |n.y| <= 2^28 + 4, a vertex of the body < 2^32.1 from p, the way < 2^32:  heights < 2^62
+//   radius < 2^31 + 2^29:  times |n.x| + |n.y| < 2^60
+static bool is_out_of_reach(const ground_cast *c, const gjk2_line *line) {
+  const gjk2_shape *shape = c->body->shape;
+  if (gjk2_is_curved(shape)) {
+    return false;
+  }
+  const gjk2_vec n = gjk2_outward(gjk2_sub(line->q, line->p)), back = gjk2_negate(n);
+  const int64_t along = n.x * c->until_x + n.y * c->until_y, falls = along < 0 ? along : 0;
+  const int64_t x = (int64_t)c->start.x - line->p.x, y = (int64_t)c->start.y - line->p.y;
+  const int64_t slack = c->found ? (EARLY + 1) * (int64_t)gjk2_norm1(n) : 0;
+  const int64_t centre = n.x * x + n.y * y;
+  if (centre < -slack && centre - falls + along < -slack) {
+    return true;
+  }
+  gjk2_support lowest;
+  shape->type->support(c->body, &back, &lowest);
+  const int64_t radius = (int64_t)shape->convex_radius + c->path->margin;
+  return centre + gjk2_dot(n, lowest.offset) + falls > radius * (int64_t)gjk2_norm1(n) + slack;
+}
+
 // Does a hit of a segment count? A normal that is not of a joint becomes the segment's own, as exact as that is.
-static bool does_hit_count(const ground_cast *c, const gjk2_line *line, gjk2_cast_result *hit) {
+static bool does_hit_count(const ground_cast *c, gjk2_line *line, gjk2_ground_edge *edge, gjk2_cast_result *hit) {
   const gjk2_vec n = gjk2_outward(gjk2_sub(line->q, line->p));
   if (!is_in_front_at(c, line, hit->fraction)) {
     return false;
@@ -54,7 +82,11 @@ static bool does_hit_count(const ground_cast *c, const gjk2_line *line, gjk2_cas
   if (hit->inside) {
     return true;
   }
-  const gjk2_ground_side side = gjk2_ground_side_of(line, &hit->normal);
+  gjk2_ground_side side = GJK2_GROUND_OWN;
+  if (!gjk2_ground_is_own(line, &hit->normal)) {
+    gjk2_ground_set_neighbours(&c->walk, line, edge);
+    side = gjk2_ground_side_of(line, &hit->normal);
+  }
   if (side == GJK2_GROUND_BETWEEN) {
     return comes_nearer(c, &hit->normal);
   }
@@ -81,12 +113,23 @@ static gjk_status ask_segment(const ground_cast *c, const gjk2_collider *segment
   return gjk2_cast(segment, c->body, &path, hit);
 }
 
-// The ground's own position in place of the segment's.
-static void put_rest_of_ground(ground_cast *c, const gjk2_collider *segment) {
-  const int64_t x = (int64_t)c->first.rest_a.x - segment->position.x,
-                y = (int64_t)c->first.rest_a.y - segment->position.y;
-  c->first.rest_a.x = gjk_saturate(c->walk.position.x + x);
-  c->first.rest_a.y = gjk_saturate(c->walk.position.y + y);
+// Keeps the free result as the first hit, with the ground's own position in place of the segment's.
+static void keep_first(ground_cast *c, const gjk2_collider *segment, uint32_t number) {
+  c->first = 1 - c->first;
+  gjk2_cast_result *hit = &c->result[c->first];
+  const int64_t x = (int64_t)hit->rest_a.x - segment->position.x, y = (int64_t)hit->rest_a.y - segment->position.y;
+  hit->rest_a.x = gjk_saturate(c->walk.position.x + x);
+  hit->rest_a.y = gjk_saturate(c->walk.position.y + y);
+  c->found = true;
+  c->segment = number;
+  c->until_x = gjk_sar64(c->x * hit->fraction, 30);  // |way| < 2^32:  the product < 2^62
+  c->until_y = gjk_sar64(c->y * hit->fraction, 30);
+}
+
+// Does a hit come before the first one, or is there none?
+static bool is_earlier(const ground_cast *c, const gjk2_cast_result *hit, uint32_t number) {
+  const gjk_q30 first = c->result[c->first].fraction;
+  return !c->found || hit->fraction < first || (hit->fraction == first && number < c->segment);
 }
 
 // Asks the segments near a box. Keeps the first hit.
@@ -96,28 +139,18 @@ static gjk_status ask_near(ground_cast *c, const gjk2_aabb *near) {
   gjk_status open = GJK_OK;
   gjk2_ground_begin(&c->walk, near);
   while (gjk2_ground_next(&c->walk, &line, &edge)) {
-    gjk2_cast_result hit;
+    gjk2_cast_result *hit = &c->result[1 - c->first];
     gjk2_collider segment;
-    if (c->ahead && !gjk2_ground_is_ahead(&line, c->body, 0)) {
+    if (c->body != NULL && (is_out_of_reach(c, &line) || (c->ahead && !gjk2_ground_is_ahead(&line, c->body, 0)))) {
       continue;
     }
     gjk2_line_collider(line.p, line.q, &segment);
-    const gjk_status status = ask_segment(c, &segment, &hit);
+    const gjk_status status = ask_segment(c, &segment, hit);
     if (status != GJK_OK) {
       open = status;
-      continue;
-    }
-    if (hit.hit && c->body != NULL) {
-      gjk2_ground_set_neighbours(&c->walk, &line, &edge);
-    }
-    if (!hit.hit || !(c->body == NULL ? does_ray_count(c, &line) : does_hit_count(c, &line, &hit))) {
-      continue;
-    }
-    if (!c->first.hit || hit.fraction < c->first.fraction ||
-        (hit.fraction == c->first.fraction && line.number < c->segment)) {
-      gjk_copy(&c->first, &hit, sizeof hit);
-      c->segment = line.number;
-      put_rest_of_ground(c, &segment);
+    } else if (hit->hit && is_earlier(c, hit, line.number) &&
+               (c->body == NULL ? does_ray_count(c, &line) : does_hit_count(c, &line, &edge, hit))) {
+      keep_first(c, &segment, line.number);
     }
   }
   return open;
@@ -146,7 +179,7 @@ static gjk_status ask_pieces(ground_cast *c, const gjk2_aabb *box) {
     const gjk2_aabb near = gjk2_aabb_hull(&from, &to);
     const gjk_status status = ask_near(c, &near);
     open = status != GJK_OK ? status : open;
-    if (c->first.hit && (uint32_t)c->first.fraction >> (30 - pieces) <= i) {
+    if (c->found && (uint32_t)c->result[c->first].fraction >> (30 - pieces) <= i) {
       break;
     }
   }
@@ -155,19 +188,22 @@ static gjk_status ask_pieces(ground_cast *c, const gjk2_aabb *box) {
 
 // Runs a cast whose way is set. Writes out and segment after OK.
 static gjk_status run_cast(ground_cast *c, const gjk2_aabb *box, gjk2_cast_result *out, uint32_t *segment) {
-  c->first.hit = false;
+  c->found = false;
+  c->first = 0;
+  c->until_x = c->x;
+  c->until_y = c->y;
   const gjk_status status = ask_pieces(c, box);
   if (status != GJK_OK) {
     return status;
   }
-  if (!c->first.hit) {
+  if (!c->found) {
     out->hit = false;
     out->iterations = 0;
     out->certificate.proof = GJK2_CAST_PROOF_NONE;
     out->certificate.count = 0;
     return GJK_OK;
   }
-  gjk_copy(out, &c->first, sizeof *out);
+  gjk_copy(out, &c->result[c->first], sizeof *out);
   *segment = c->segment;
   return GJK_OK;
 }

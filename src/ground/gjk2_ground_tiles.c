@@ -292,21 +292,63 @@ static bool is_in_cells(const gjk2_ground_cells *c, const tile_side *s) {
 // A run has at most so many sides: each is at least a quarter of a tile long, along x or along y.
 #define RUN_SIDES (QUARTERS * GJK2_TILE_RUN)
 
+// Have two tiles the same sides? NULL is an empty one.
+static bool are_alike(const gjk2_tile *form, const gjk2_tile *other) {
+  return form == other ||
+         (form != NULL && other != NULL && is_full(form) && is_full(other) && ((form->turns ^ other->turns) & 3u) == 0);
+}
+
+// Takes a side along its run as long as it covers whole tiles that are alike, and next to alike ones: find_in_run would find the
+// same, one step on.
+static void pass_alike(const gjk2_tiles *t, tile_side *s, bool following) {
+  const gjk2_tile *form = form_of(t, s->column, s->row), *other = NULL;
+  const gjk2_vec way = way_of_side(s);
+  const int32_t step = following ? 1 : -1, x = way.x / QUARTERS * step, y = way.y / QUARTERS * step;
+  unsigned square = 0;
+  if (x == 0 ? way.x != 0 || y == 0 : way.y != 0) {
+    return;  // part of a tile, or a slope
+  }
+  const bool bounds = square_of(form, s->side, &square);
+  const int32_t across = square == 1 ? 1 : square == 3 ? -1 : 0, above = square == 2 ? 1 : square == 0 ? -1 : 0;
+  if (bounds) {
+    other = form_of(t, s->column + across, s->row + above);
+  }
+  // At most GJK2_TILE_RUN steps: each whole tile ends at one of their multiples, or before.
+  while (!is_run_cut(following ? s->to : s->from, way) && are_alike(form_of(t, s->column + x, s->row + y), form) &&
+         (!bounds || are_alike(form_of(t, s->column + x + across, s->row + y + above), other))) {
+    const gjk2_vec tile = {x * QUARTERS, y * QUARTERS};
+    s->column += x;
+    s->row += y;
+    s->from = gjk2_add(s->from, tile);
+    s->to = gjk2_add(s->to, tile);
+  }
+}
+
+// Takes a side to the end of its run, or to its beginning.
+static void end_of_run(const gjk2_tiles *t, tile_side *s, bool following) {
+  tile_side next;
+  for (unsigned i = 0; i < RUN_SIDES; i++) {
+    pass_alike(t, s, following);
+    if (!find_in_run(t, s, following, &next)) {
+      return;
+    }
+    copy_side(s, &next);
+  }
+}
+
 // Step 2: the run of a side, from its first to its last. False: the walk has met it before.
 static bool find_run(const gjk2_ground_walk *walk, const tile_side *s, tile_side *first, tile_side *last) {
   const gjk2_tiles *t = tiles_of(walk);
-  tile_side next;
-  copy_side(first, s);
-  for (unsigned i = 0; i < RUN_SIDES && find_in_run(t, first, false, &next); i++) {
-    if (i == 0 && is_in_cells(&walk->cells, &next)) {
+  if (find_in_run(t, s, false, first)) {
+    if (is_in_cells(&walk->cells, first)) {
       return false;
     }
-    copy_side(first, &next);
+    end_of_run(t, first, false);
+  } else {
+    copy_side(first, s);
   }
   copy_side(last, s);
-  for (unsigned i = 0; i < RUN_SIDES && find_in_run(t, last, true, &next); i++) {
-    copy_side(last, &next);
-  }
+  end_of_run(t, last, true);
   return true;
 }
 
@@ -314,6 +356,13 @@ static gjk2_vec corner_of(const gjk2_tiles *t, gjk2_vec v) {
   const int32_t quarter = t->size / QUARTERS;
   const gjk2_vec at = {v.x * quarter, v.y * quarter};
   return at;
+}
+
+// Is a side along an axis beside a box? Then so is its run, whose ends have the same coordinate across.
+static bool is_beside_box(const gjk2_tiles *t, const gjk2_aabb *box, const tile_side *s) {
+  const gjk2_vec at = corner_of(t, s->from);
+  return (s->from.y == s->to.y && (at.y < box->lower.y || at.y > box->upper.y)) ||
+         (s->from.x == s->to.x && (at.x < box->lower.x || at.x > box->upper.x));
 }
 
 static void neighbours_of_tiles(const gjk2_ground_walk *walk, gjk2_ground_edge *edge) {
@@ -385,7 +434,8 @@ static bool next_of_tiles(gjk2_ground_walk *walk, gjk2_ground_edge *out) {
     const unsigned number = c->side;
     const gjk2_tile *form = form_of(t, column, row);
     step_on(c, form == NULL);
-    if (form != NULL && find_tile_side(t, form, column, row, number, &side) && find_run(walk, &side, &first, &last)) {
+    if (form != NULL && find_tile_side(t, form, column, row, number, &side) && !is_beside_box(t, &walk->near, &side) &&
+        find_run(walk, &side, &first, &last)) {
       out->vertex[1] = corner_of(t, first.from);
       out->vertex[2] = corner_of(t, last.to);
       if (gjk2_ground_meets(&walk->near, out->vertex[1], out->vertex[2])) {

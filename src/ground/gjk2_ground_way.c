@@ -9,13 +9,18 @@
 // The normal of a hit is within 2^-28. Less of it along the segment than this, per unit of |x| + |y|, is none.
 #define ALONG_NOISE 16
 
+bool gjk2_ground_is_own(const gjk2_line *line, const gjk2_unit *normal) {
+  const gjk2_vec n = {normal->x, normal->y}, along = gjk2_sub(line->q, line->p);
+  const int64_t off = gjk2_dot(along, n), noise = (int64_t)gjk2_norm1(along) * ALONG_NOISE;
+  return off <= noise && off >= -noise;
+}
+
 gjk2_ground_side gjk2_ground_side_of(const gjk2_line *line, const gjk2_unit *normal) {
   const gjk2_vec n = {normal->x, normal->y}, along = gjk2_sub(line->q, line->p), own = gjk2_outward(along);
-  const int64_t off = gjk2_dot(along, n), noise = (int64_t)gjk2_norm1(along) * ALONG_NOISE;
-  if (off <= noise && off >= -noise) {
+  if (gjk2_ground_is_own(line, normal)) {
     return GJK2_GROUND_OWN;
   }
-  const bool at_end = off > 0;
+  const bool at_end = gjk2_dot(along, n) > 0;
   if (at_end ? line->open_after : line->open_before) {
     return gjk2_dot(own, n) >= 0 ? GJK2_GROUND_BETWEEN : GJK2_GROUND_OTHER;
   }

@@ -12,6 +12,9 @@ typedef enum gjk2_ground_side {
   GJK2_GROUND_OTHER     // none of it: a neighbour is nearer
 } gjk2_ground_side;
 
+// Is it the segment's own? The line's neighbours are not looked at.
+bool gjk2_ground_is_own(const gjk2_line *line, const gjk2_unit *normal);
+
 gjk2_ground_side gjk2_ground_side_of(const gjk2_line *line, const gjk2_unit *normal);
 
 // Is all of a body in front of the segment's line by more than apart? Pre: apart >= 0.
