@@ -165,12 +165,14 @@ static int64_t piece_of_way(int64_t way, unsigned i, unsigned pieces) {
 static gjk_status ask_pieces(ground_cast *c, const gjk2_aabb *box) {
   const int64_t x = (int64_t)gjk_magnitude64(c->x), y = (int64_t)gjk_magnitude64(c->y), longer = x > y ? x : y;
   const int64_t size = ((int64_t)box->upper.x - box->lower.x) + ((int64_t)box->upper.y - box->lower.y) + GRAIN;
-  const gjk_q16 margin = c->path != NULL && c->path->margin <= GJK2_RADIUS_MAX ? c->path->margin + EARLY : EARLY;
+  const gjk_q16 most = c->path != NULL && c->path->margin <= GJK2_RADIUS_MAX ? c->path->margin : 0;
   gjk_status open = GJK_OK;
   unsigned pieces = 0;
   while (pieces < PIECES && longer >> pieces > size) {
     pieces++;
   }
+  // In one piece fractions of polygons do not matter: what the box with its margin does not meet is not hit.
+  const gjk_q16 margin = pieces == 0 && c->body != NULL && !gjk2_is_curved(c->body->shape) ? most : most + EARLY;
   for (unsigned i = 0; i < 1u << pieces; i++) {
     const gjk2_aabb from =
         gjk2_ground_box_at(box, margin, piece_of_way(c->x, i, pieces), piece_of_way(c->y, i, pieces));

@@ -358,11 +358,10 @@ static gjk2_vec corner_of(const gjk2_tiles *t, gjk2_vec v) {
   return at;
 }
 
-// Is a side along an axis beside a box? Then so is its run, whose ends have the same coordinate across.
-static bool is_beside_box(const gjk2_tiles *t, const gjk2_aabb *box, const tile_side *s) {
-  const gjk2_vec at = corner_of(t, s->from);
-  return (s->from.y == s->to.y && (at.y < box->lower.y || at.y > box->upper.y)) ||
-         (s->from.x == s->to.x && (at.x < box->lower.x || at.x > box->upper.x));
+// Is a side along an axis beside the box? Then so is its run, whose ends have the same coordinate across.
+static bool is_beside_box(const gjk2_ground_cells *c, const tile_side *s) {
+  const gjk2_vec at = s->from, low = c->low, high = c->high;
+  return (at.y == s->to.y && (at.y < low.y || at.y > high.y)) || (at.x == s->to.x && (at.x < low.x || at.x > high.x));
 }
 
 static void neighbours_of_tiles(const gjk2_ground_walk *walk, gjk2_ground_edge *edge) {
@@ -380,11 +379,16 @@ static void neighbours_of_tiles(const gjk2_ground_walk *walk, gjk2_ground_edge *
   }
 }
 
-// The rows or columns that a range meets; a tile's sides are its, too.
-static void range_of(int32_t low, int32_t high, gjk_q16 size, int32_t count, int32_t *first, int32_t *last) {
+// The quarters of a tile that a range of an axis holds, and the rows or columns that it meets; a tile's sides are its, too.
+static void range_of(int32_t low, int32_t high, gjk_q16 size, int32_t count, int32_t *first, int32_t *last,
+                     int32_t *least, int32_t *most) {
   // Unsigned, which has less to do where no instruction divides.
-  *first = low <= 0 ? 0 : (int32_t)((uint32_t)(low - 1) / (uint32_t)size);
-  *last = high < 0 ? -1 : (int32_t)((uint32_t)high / (uint32_t)size);
+  const uint32_t quarter = (uint32_t)size / QUARTERS;
+  const uint32_t below = low <= 0 ? 0 : (uint32_t)(low - 1) / quarter, up_to = high < 0 ? 0 : (uint32_t)high / quarter;
+  *least = low <= 0 ? 0 : (int32_t)below + 1;
+  *most = high < 0 ? -1 : (int32_t)up_to;
+  *first = (int32_t)(below / QUARTERS);
+  *last = high < 0 ? -1 : (int32_t)(up_to / QUARTERS);
   *last = *last < count - 1 ? *last : count - 1;
 }
 
@@ -403,8 +407,10 @@ static void begin_tiles(gjk2_ground_walk *walk) {
   c->first_column = 0;
   c->last_column = -1;
   if (is_grid(t)) {
-    range_of(walk->near.lower.x, walk->near.upper.x, t->size, t->columns, &c->first_column, &c->last_column);
-    range_of(walk->near.lower.y, walk->near.upper.y, t->size, t->rows, &c->first_row, &c->last_row);
+    range_of(walk->near.lower.x, walk->near.upper.x, t->size, t->columns, &c->first_column, &c->last_column, &c->low.x,
+             &c->high.x);
+    range_of(walk->near.lower.y, walk->near.upper.y, t->size, t->rows, &c->first_row, &c->last_row, &c->low.y,
+             &c->high.y);
   }
   c->column = c->first_column;
   c->row = c->first_column <= c->last_column ? c->first_row : c->last_row + 1;
@@ -434,7 +440,7 @@ static bool next_of_tiles(gjk2_ground_walk *walk, gjk2_ground_edge *out) {
     const unsigned number = c->side;
     const gjk2_tile *form = form_of(t, column, row);
     step_on(c, form == NULL);
-    if (form != NULL && find_tile_side(t, form, column, row, number, &side) && !is_beside_box(t, &walk->near, &side) &&
+    if (form != NULL && find_tile_side(t, form, column, row, number, &side) && !is_beside_box(c, &side) &&
         find_run(walk, &side, &first, &last)) {
       out->vertex[1] = corner_of(t, first.from);
       out->vertex[2] = corner_of(t, last.to);

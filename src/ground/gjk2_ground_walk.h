@@ -20,7 +20,8 @@ typedef struct gjk2_ground_cells {
   int32_t first_column, last_column, first_row, last_row;
   int32_t column, row;
   unsigned side;
-  gjk2_vec from, to;  // ends of the segment that was found last, quarters of a tile
+  gjk2_vec low, high;  // the quarters of a tile that the box holds
+  gjk2_vec from, to;   // ends of the segment that was found last, quarters of a tile
 } gjk2_ground_cells;
 
 typedef struct gjk2_ground_walk {

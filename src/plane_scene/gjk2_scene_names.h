@@ -112,6 +112,7 @@
 #define gjk_scene_passage gjk2_scene_passage
 #define gjk_scene_step gjk2_scene_step
 #define gjk_scene_view gjk2_scene_view
+#define gjk_scene_vicinity gjk2_scene_vicinity
 #define gjk_scene_walk gjk2_scene_walk
 
 // Functions of scenes.
@@ -134,6 +135,7 @@
 #define gjk_scene_bytes gjk2_scene_bytes
 #define gjk_scene_cast gjk2_scene_cast
 #define gjk_scene_cast_all gjk2_scene_cast_all
+#define gjk_scene_cast_near gjk2_scene_cast_near
 #define gjk_scene_cast_ray gjk2_scene_cast_ray
 #define gjk_scene_cast_ray_all gjk2_scene_cast_ray_all
 #define gjk_scene_cells gjk2_scene_cells
@@ -189,7 +191,9 @@
 #define gjk_scene_load gjk2_scene_load
 #define gjk_scene_load_cache gjk2_scene_load_cache
 #define gjk_scene_local_centre gjk2_scene_local_centre
+#define gjk_scene_look_round gjk2_scene_look_round
 #define gjk_scene_make_events gjk2_scene_make_events
+#define gjk_scene_may_accept gjk2_scene_may_accept
 #define gjk_scene_may_pair gjk2_scene_may_pair
 #define gjk_scene_mix_rotation gjk2_scene_mix_rotation
 #define gjk_scene_mix_vec3 gjk2_scene_mix_vec
@@ -226,6 +230,7 @@
 #define gjk_scene_part_turns gjk2_scene_part_turns
 #define gjk_scene_passage_next gjk2_scene_passage_next
 #define gjk_scene_passage_start gjk2_scene_passage_start
+#define gjk_scene_passage_start_among gjk2_scene_passage_start_among
 #define gjk_scene_pool_give gjk2_scene_pool_give
 #define gjk_scene_pool_take gjk2_scene_pool_take
 #define gjk_scene_pose_of gjk2_scene_pose_of

@@ -75,8 +75,8 @@ static void push(const gjk_scene_view *v, gjk_scene_passage *p, uint32_t node) {
   }
 }
 
-void gjk_scene_passage_start(const gjk_scene_view *v, gjk_scene_passage *p, const gjk_aabb *box, int64_t grow,
-                             const gjk_vec3 *from, const gjk_vec3 *to) {
+static void aim_passage(gjk_scene_passage *p, const gjk_aabb *box, int64_t grow, const gjk_vec3 *from,
+                        const gjk_vec3 *to) {
   set_axis(&p->axis[0], box->lower.x, box->upper.x, grow, from->x, to->x);
   set_axis(&p->axis[1], box->lower.y, box->upper.y, grow, from->y, to->y);
 #if GJK_SCENE_AXES == 3
@@ -84,8 +84,21 @@ void gjk_scene_passage_start(const gjk_scene_view *v, gjk_scene_passage *p, cons
 #endif
   p->latest = (uint32_t)GJK_Q30_ONE;
   p->count = 0;
+}
+
+void gjk_scene_passage_start(const gjk_scene_view *v, gjk_scene_passage *p, const gjk_aabb *box, int64_t grow,
+                             const gjk_vec3 *from, const gjk_vec3 *to) {
+  aim_passage(p, box, grow, from, to);
   if (v->header->root != GJK_SCENE_NONE) {
     push(v, p, v->header->root);
+  }
+}
+
+void gjk_scene_passage_start_among(const gjk_scene_view *v, gjk_scene_passage *p, const gjk_aabb *box, int64_t grow,
+                                   const gjk_vec3 *from, const gjk_vec3 *to, const uint32_t *parts, unsigned count) {
+  aim_passage(p, box, grow, from, to);
+  for (unsigned i = 0; i < count; i++) {
+    push(v, p, parts[i] | GJK_SCENE_LEAF);
   }
 }
 

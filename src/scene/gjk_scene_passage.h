@@ -29,6 +29,9 @@ typedef struct gjk_scene_axis {
   uint32_t scale;        // 2^scale length has its highest bit set
 } gjk_scene_axis;
 
+// As many parts may be known to be near.
+#define GJK_SCENE_NEAR 8
+
 typedef struct gjk_scene_passage {
   gjk_scene_axis axis[GJK_SCENE_AXES];
   uint32_t latest;                    // Q30
@@ -40,6 +43,10 @@ typedef struct gjk_scene_passage {
 // Starts with a box, enlarged by grow all round, that moves as a point does from from to to. Pre: 0 <= grow < 2^35.
 void gjk_scene_passage_start(const gjk_scene_view *v, gjk_scene_passage *p, const gjk_aabb *box, int64_t grow,
                              const gjk_vec3 *from, const gjk_vec3 *to);
+
+// Starts with the parts of a list alone. Pre: count <= GJK_SCENE_NEAR.
+void gjk_scene_passage_start_among(const gjk_scene_view *v, gjk_scene_passage *p, const gjk_aabb *box, int64_t grow,
+                                   const gjk_vec3 *from, const gjk_vec3 *to, const uint32_t *parts, unsigned count);
 
 // The next part, or NONE. Sets a fraction, Q30 rounded down, before which the box does not meet that of the part.
 uint32_t gjk_scene_passage_next(const gjk_scene_view *v, gjk_scene_passage *p, uint32_t *entered);

@@ -1,5 +1,6 @@
 // Casts of a collider against the shapes of a scene.
 #include "../scene/gjk_scene_solid.h"
+#include "gjk_scene_filter.h"
 #include "gjk_scene_inquiry.h"
 
 static gjk_status ask_cast(const gjk_scene_inquiry *inquiry, const gjk_scene_view *v, const gjk_scene_part *part,
@@ -22,8 +23,47 @@ static bool is_in_range(const gjk_collider *c, const gjk_vec3 *to) {
       ;
 }
 
-static gjk_status start_cast(const gjk_scene_view *v, const gjk_collider *collider, const gjk_vec3 *to, gjk_q16 margin,
-                             const gjk_scene_filter *filter, gjk_scene_inquiry *inquiry, gjk_scene_passage *passage) {
+void gjk_scene_look_round(const gjk_scene_view *v, const gjk_scene_filter *filter, gjk_scene_vicinity *near) {
+  const gjk_vec3 origin = gjk_scene_equal_vec3(0);
+  gjk_scene_passage passage;
+  uint32_t entered;
+  near->count = 0;
+  gjk_scene_passage_start(v, &passage, &near->box, 0, &origin, &origin);
+  for (;;) {  // ends: each part comes once
+    const uint32_t part = gjk_scene_passage_next(v, &passage, &entered);
+    near->whole = part == GJK_SCENE_NONE;
+    if (near->whole) {
+      return;
+    }
+    if (gjk_scene_may_accept(v, filter, part)) {
+      if (near->count == GJK_SCENE_NEAR) {
+        return;
+      }
+      near->part[near->count++] = part;
+    }
+  }
+}
+
+// Starts a passage. near: NULL: of no vicinity.
+static void start_passage(const gjk_scene_view *v, const gjk_scene_vicinity *near, const gjk_aabb *box,
+                          const gjk_scene_inquiry *inquiry, gjk_scene_passage *passage) {
+  const int64_t grow = (int64_t)inquiry->margin + GJK_SCENE_EARLY;
+  if (near != NULL && near->whole) {
+    gjk_aabb swept = *box;
+    gjk_vec3 way;
+    gjk_scene_way(inquiry->from, inquiry->to, &way);
+    gjk_scene_grow(&swept, (int32_t)grow, &way, 1);
+    if (gjk_aabb_inside(&swept, &near->box)) {
+      gjk_scene_passage_start_among(v, passage, box, grow, inquiry->from, inquiry->to, near->part, near->count);
+      return;
+    }
+  }
+  gjk_scene_passage_start(v, passage, box, grow, inquiry->from, inquiry->to);
+}
+
+static gjk_status start_cast(const gjk_scene_view *v, const gjk_scene_vicinity *near, const gjk_collider *collider,
+                             const gjk_vec3 *to, gjk_q16 margin, const gjk_scene_filter *filter,
+                             gjk_scene_inquiry *inquiry, gjk_scene_passage *passage) {
   gjk_aabb box;
   const gjk_status status = gjk_collider_aabb(collider, &box);
   if (status != GJK_OK) {
@@ -41,21 +81,27 @@ static gjk_status start_cast(const gjk_scene_view *v, const gjk_collider *collid
   inquiry->to = to;
   inquiry->margin = margin;
   inquiry->filter = filter;
-  gjk_scene_passage_start(v, passage, &box, (int64_t)margin + GJK_SCENE_EARLY, &collider->position, to);
+  start_passage(v, near, &box, inquiry, passage);
   return GJK_OK;
 }
 
-gjk_status gjk_scene_cast(const gjk_scene *scene, const gjk_collider *collider, const gjk_vec3 *to, gjk_q16 margin,
-                          const gjk_scene_filter *filter, gjk_scene_hit *hit, gjk_cast_result *result, bool *found) {
+gjk_status gjk_scene_cast_near(const gjk_scene *scene, const gjk_scene_vicinity *near, const gjk_collider *collider,
+                               const gjk_vec3 *to, gjk_q16 margin, const gjk_scene_filter *filter, gjk_scene_hit *hit,
+                               gjk_cast_result *result, bool *found) {
   gjk_scene_view v;
   gjk_scene_passage passage;
   gjk_scene_inquiry inquiry;
   gjk_status status =
       to == NULL || hit == NULL || result == NULL || found == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, &v);
   if (status == GJK_OK) {
-    status = start_cast(&v, collider, to, margin, filter, &inquiry, &passage);
+    status = start_cast(&v, near, collider, to, margin, filter, &inquiry, &passage);
   }
   return status == GJK_OK ? gjk_scene_find_first(&v, &inquiry, &passage, hit, result, found) : status;
+}
+
+gjk_status gjk_scene_cast(const gjk_scene *scene, const gjk_collider *collider, const gjk_vec3 *to, gjk_q16 margin,
+                          const gjk_scene_filter *filter, gjk_scene_hit *hit, gjk_cast_result *result, bool *found) {
+  return gjk_scene_cast_near(scene, NULL, collider, to, margin, filter, hit, result, found);
 }
 
 gjk_status gjk_scene_cast_all(const gjk_scene *scene, const gjk_collider *collider, const gjk_vec3 *to, gjk_q16 margin,
@@ -66,7 +112,7 @@ gjk_status gjk_scene_cast_all(const gjk_scene *scene, const gjk_collider *collid
   gjk_scene_inquiry inquiry;
   gjk_status status = to == NULL ? GJK_ERROR_NULL : gjk_scene_open_query(scene, collider, hits, capacity, count, &v);
   if (status == GJK_OK) {
-    status = start_cast(&v, collider, to, margin, filter, &inquiry, &passage);
+    status = start_cast(&v, NULL, collider, to, margin, filter, &inquiry, &passage);
   }
   if (status != GJK_OK) {
     return status;

@@ -13,6 +13,7 @@
 #include "../arith/gjk_memory.h"
 #include "../scene/gjk_scene_part.h"
 #include "../scene/gjk_scene_solid.h"
+#include "gjk_scene_inquiry.h"
 
 #ifndef GJK_SCENE_OF_PLANE
 #include "../scene/gjk_scene_travel.h"
@@ -28,6 +29,7 @@ typedef struct slider {
   const gjk_scene *scene;
   const gjk_slide_setup *setup;
   gjk_collider collider;  // where it is
+  gjk_scene_vicinity near;
   gjk_slide_result *out;
   gjk_status status;  // OK, or ITERATION_LIMIT: it has to stop
 } slider;
@@ -101,8 +103,8 @@ static void cast_slider(slider *s, const gjk_vec3 *way, gjk_q16 margin, answer *
   const gjk_vec3 to = moved_by(&s->collider.position, way);
   a->found = false;
   s->out->casts++;
-  const gjk_status status =
-      gjk_scene_cast(s->scene, &s->collider, &to, margin, s->setup->filter, &a->hit, &a->result, &a->found);
+  const gjk_status status = gjk_scene_cast_near(s->scene, &s->near, &s->collider, &to, margin, s->setup->filter,
+                                                &a->hit, &a->result, &a->found);
   if (status != GJK_OK) {
     s->status = status;
   }
@@ -443,6 +445,11 @@ gjk_status gjk_slide(const gjk_scene *scene, const gjk_collider *collider, const
   result.casts = 0;
   result.on_ground = result.stepped = false;
   gjk_scene_set_zero(&result.left);
+  // Every cast stays in that box, save of one that is shoved far from where it starts.
+  const gjk_q16 most = setup->step > setup->reach ? setup->step : setup->reach;
+  gjk_copy(&s.near.box, &box, sizeof box);
+  gjk_scene_grow(&s.near.box, most + 2 * setup->skin + 2 * GJK_SCENE_EARLY, &way, 1);
+  gjk_scene_look_round(&v, setup->filter, &s.near);
   result.stuck = !free_start(&s);
   if (result.stuck) {
     result.position = collider->position;

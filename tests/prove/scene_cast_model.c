@@ -1,9 +1,17 @@
 // Stands in for src/scene_query/gjk_scene_cast.c under gjk_slide: any answers of tests/prove/scene_probe.c.
 #include "gjk/probe.h"
 #include "scene_any.h"
+#include "src/scene_query/gjk_scene_inquiry.h"
 
-gjk_status gjk_scene_cast(const gjk_scene *scene, const gjk_collider *collider, const gjk_vec3 *to, gjk_q16 margin,
-                          const gjk_scene_filter *filter, gjk_scene_hit *hit, gjk_cast_result *result, bool *found) {
+void gjk_scene_look_round(const gjk_scene_view *v, const gjk_scene_filter *filter, gjk_scene_vicinity *near) {
+  check_size(near->box.lower.x ^ near->box.lower.y ^ near->box.lower.z, INT64_C(1) << 31);
+  check_size(near->box.upper.x ^ near->box.upper.y ^ near->box.upper.z, INT64_C(1) << 31);
+  near->whole = any_bool();
+}
+
+gjk_status gjk_scene_cast_near(const gjk_scene *scene, const gjk_scene_vicinity *near, const gjk_collider *collider,
+                               const gjk_vec3 *to, gjk_q16 margin, const gjk_scene_filter *filter, gjk_scene_hit *hit,
+                               gjk_cast_result *result, bool *found) {
   //@ assert collider->state == GJK_STATE_POSED;
   //@ assert margin >= 0;
   check_size(to->x ^ to->y ^ to->z, INT64_C(1) << 31);
