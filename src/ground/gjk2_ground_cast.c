@@ -110,7 +110,7 @@ static gjk_status ask_segment(const ground_cast *c, const gjk2_collider *segment
   // The ground is in range at both ends, so the segment is.
   const gjk2_vec to_a = {(int32_t)(segment->position.x + c->of_a[0]), (int32_t)(segment->position.y + c->of_a[1])};
   const gjk2_cast_path path = {c->path->to_a != NULL ? &to_a : NULL, c->path->to_b, c->path->margin};
-  return gjk2_cast(segment, c->body, &path, hit);
+  return gjk2_line_cast(segment, c->body, &path, hit);
 }
 
 // Keeps the free result as the first hit, with the ground's own position in place of the segment's.

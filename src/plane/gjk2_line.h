@@ -2,6 +2,7 @@
 #ifndef GJK2_SRC_LINE_H
 #define GJK2_SRC_LINE_H
 
+#include "gjk2/cast.h"
 #include "gjk2/chain.h"
 #include "gjk2_class.h"
 
@@ -16,6 +17,10 @@ typedef struct gjk2_line {
 // Makes a collider of the segment from p to q; they may be the same. Its vertices are p, q and q again, exact.
 // Pre: at most GJK2_RADIUS_MAX apart along each axis.
 void gjk2_line_collider(gjk2_vec p, gjk2_vec q, gjk2_collider *out);
+
+// As gjk2_cast of such a collider and a body.
+gjk_status gjk2_line_cast(const gjk2_collider *line, const gjk2_collider *body, const gjk2_cast_path *path,
+                          gjk2_cast_result *out);
 
 // A body that is asked about segments, one after the other.
 typedef struct gjk2_line_query {

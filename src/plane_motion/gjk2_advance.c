@@ -454,18 +454,64 @@ static bool plane_advance_decide(plane_advance *s, bool early, bool late, gjk2_c
   return false;
 }
 
+static void plane_advance_set(plane_advance *s, gjk2_way *way, gjk_q16 margin) {
+  const int64_t radius = (int64_t)way->a->shape->convex_radius + way->b->shape->convex_radius + margin;
+  s->way = way;
+  s->margin = margin;
+  s->curved = gjk2_is_curved(way->a->shape) || gjk2_is_curved(way->b->shape);
+  s->point = way->a->count == 1 && way->b->count == 1;
+  s->centred = plane_is_centred(way->a) && plane_is_centred(way->b);
+  s->nearest = false;
+  s->radius = radius + (s->curved ? PLANE_CURVED_SLACK : 0);
+  s->fraction = 0;
+  s->open = false;
+}
+
+// Steps 4 and 5. measured: the face of the gap at the fraction is known.
+static gjk_status plane_advance_run(plane_advance *s, bool measured, gjk2_cast_result *out) {
+  for (int i = 0; i < GJK2_ADVANCE_ROUNDS_MAX; i++) {
+    gjk2_bound bound;
+    if (!measured && !(!GJK_SMALL && s->point && plane_advance_at_vertex(s))) {
+      if (s->curved || GJK_SMALL || !plane_advance_feature(s, s->fraction)) {
+        (void)plane_advance_is_near(s, s->fraction);
+      }
+      if (s->gap.intersecting) {
+        // Supports of curved shapes err by as much as the slack. The last round's direction bounds the fraction, and stays. There
+        // is a last round: where bounding circles meet, cores are apart by the slack of both circles and PLANE_CURVED_SLACK.
+        if (!s->curved) {
+          plane_advance_touch(s);
+        }
+        plane_advance_hit(s, out);
+        return GJK_OK;
+      }
+      plane_advance_face(s, &s->face);
+    }
+    measured = false;
+    const gjk_q30 before = s->fraction;
+    if (plane_advance_round(s, &bound)) {
+      if (s->open && bound != GJK2_BOUND_BEYOND &&
+          (bound == GJK2_BOUND_AWAY || s->gap.upper > s->margin + PLANE_CURVED_GAP)) {
+        return GJK_ERROR_ITERATION_LIMIT;
+      }
+      if (bound != GJK2_BOUND_AT && s->curved) {
+        plane_advance_short(s, &s->face, false, out);
+        return GJK_OK;
+      }
+      if (s->curved) {
+        plane_advance_stay(s, before);
+      } else if (bound != GJK2_BOUND_AT) {
+        plane_advance_graze(s);
+      }
+      plane_advance_hit(s, out);
+      return GJK_OK;
+    }
+  }
+  return GJK_ERROR_ITERATION_LIMIT;
+}
+
 gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gjk2_cast_result *out) {
   plane_advance s;
-  const int64_t radius = (int64_t)way->a->shape->convex_radius + way->b->shape->convex_radius + margin;
-  s.way = way;
-  s.margin = margin;
-  s.curved = gjk2_is_curved(way->a->shape) || gjk2_is_curved(way->b->shape);
-  s.point = way->a->count == 1 && way->b->count == 1;
-  s.centred = plane_is_centred(way->a) && plane_is_centred(way->b);
-  s.nearest = false;
-  s.radius = radius + (s.curved ? PLANE_CURVED_SLACK : 0);
-  s.fraction = 0;
-  s.open = false;
+  plane_advance_set(&s, way, margin);
   if (!s.curved && plane_advance_is_beside(&s, out)) {
     return GJK_OK;
   }
@@ -475,43 +521,17 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
   if (!early) {
     s.fraction = plane_advance_reach(&s);
   }
-  bool measured = early;
-  for (int i = 0; i < GJK2_ADVANCE_ROUNDS_MAX; i++) {
-    gjk2_bound bound;
-    if (!measured && !(!GJK_SMALL && s.point && plane_advance_at_vertex(&s))) {
-      if (s.curved || GJK_SMALL || !plane_advance_feature(&s, s.fraction)) {
-        (void)plane_advance_is_near(&s, s.fraction);
-      }
-      if (s.gap.intersecting) {
-        // Supports of curved shapes err by as much as the slack. The last round's direction bounds the fraction, and stays. There
-        // is a last round: where bounding circles meet, cores are apart by the slack of both circles and PLANE_CURVED_SLACK.
-        if (!s.curved) {
-          plane_advance_touch(&s);
-        }
-        plane_advance_hit(&s, out);
-        return GJK_OK;
-      }
-      plane_advance_face(&s, &s.face);
-    }
-    measured = false;
-    const gjk_q30 before = s.fraction;
-    if (plane_advance_round(&s, &bound)) {
-      if (s.open && bound != GJK2_BOUND_BEYOND &&
-          (bound == GJK2_BOUND_AWAY || s.gap.upper > s.margin + PLANE_CURVED_GAP)) {
-        return GJK_ERROR_ITERATION_LIMIT;
-      }
-      if (bound != GJK2_BOUND_AT && s.curved) {
-        plane_advance_short(&s, &s.face, false, out);
-        return GJK_OK;
-      }
-      if (s.curved) {
-        plane_advance_stay(&s, before);
-      } else if (bound != GJK2_BOUND_AT) {
-        plane_advance_graze(&s);
-      }
-      plane_advance_hit(&s, out);
-      return GJK_OK;
-    }
-  }
-  return GJK_ERROR_ITERATION_LIMIT;
+  return plane_advance_run(&s, early, out);
+}
+
+// Steps 1 to 3 are known.
+gjk_status gjk2_advance_to_edge(gjk2_way *way, gjk_q16 margin, const gjk2_span *p, const gjk2_span *q,
+                                gjk2_cast_result *out) {
+  plane_advance s;
+  plane_advance_set(&s, way, margin);
+  gjk2_copy_span(&s.face.p, p);
+  gjk2_copy_span(&s.face.q, q);
+  s.face.n = gjk2_outward(gjk2_sub(q->o, p->o));
+  s.face.count = 2;
+  return plane_advance_run(&s, true, out);
 }

@@ -26,6 +26,11 @@ void gjk2_cast_hit(const gjk2_way *way, const gjk2_contact_place *place, const g
 // Statuses: OK or ITERATION_LIMIT.
 gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gjk2_cast_result *out);
 
+// The same where the edge from p to q of A - B, with B to the right of it, is known to be nearest at the start and to be hit.
+// Pre: polygons.
+gjk_status gjk2_advance_to_edge(gjk2_way *way, gjk_q16 margin, const gjk2_span *p, const gjk2_span *q,
+                                gjk2_cast_result *out);
+
 // Both colliders at a fraction, to the nearest LSB, so that B's place against A is off by at most half of one. Returns
 // A's: at_a, or where it stands A itself.
 const gjk2_collider *gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b);

@@ -417,9 +417,8 @@ gjk_status gjk_slide(const gjk_scene *scene, const gjk_collider *collider, const
                      const gjk_slide_setup *setup, gjk_slide_result *out) {
   gjk_scene_view v;
   gjk_aabb box;
-  gjk_vec3 way;
+  gjk_vec3 way, goal;
   slider s;
-  gjk_slide_result result;
   gjk_status status = to == NULL || setup == NULL || out == NULL ? GJK_ERROR_NULL : gjk_scene_view_of(scene, &v);
   if (status == GJK_OK) {
     status = gjk_collider_aabb(collider, &box);
@@ -430,6 +429,7 @@ gjk_status gjk_slide(const gjk_scene *scene, const gjk_collider *collider, const
   if (status != GJK_OK) {
     return status;
   }
+  goal = *to;  // which may be a part of out
   // Both within 2^30: then the way and all steps stay in int32.
   gjk_scene_way(&collider->position, to, &way);
   if (!gjk_scene_is_below(&collider->position, 30) || !gjk_scene_is_below(to, 30) || !gjk_scene_is_below(&way, 29) ||
@@ -439,29 +439,29 @@ gjk_status gjk_slide(const gjk_scene *scene, const gjk_collider *collider, const
   s.scene = scene;
   s.setup = setup;
   gjk_copy(&s.collider, collider, sizeof s.collider);
-  s.out = &result;
+  s.out = out;
   s.status = GJK_OK;
-  result.count = 0;
-  result.casts = 0;
-  result.on_ground = result.stepped = false;
-  gjk_scene_set_zero(&result.left);
+  out->count = 0;
+  out->casts = 0;
+  out->on_ground = out->stepped = false;
+  gjk_scene_set_zero(&out->left);
   // Every cast stays in that box, save of one that is shoved far from where it starts.
   const gjk_q16 most = setup->step > setup->reach ? setup->step : setup->reach;
   gjk_copy(&s.near.box, &box, sizeof box);
   gjk_scene_grow(&s.near.box, most + 2 * setup->skin + 2 * GJK_SCENE_EARLY, &way, 1);
   gjk_scene_look_round(&v, setup->filter, &s.near);
-  result.stuck = !free_start(&s);
-  if (result.stuck) {
-    result.position = collider->position;
-    gjk_copy(&result.left, &way, sizeof way);
+  out->stuck = !free_start(&s);
+  if (out->stuck) {
+    out->position = collider->position;
+    gjk_copy(&out->left, &way, sizeof way);
   } else {
     gjk_vec3 start;
     bool steep = false;
     gjk_copy(&start, &s.collider.position, sizeof start);
-    gjk_scene_way(&start, to, &way);
+    gjk_scene_way(&start, &goal, &way);
     slide_along(&s, way);
-    for (unsigned i = 0; i < result.count; i++) {
-      steep = steep || is_steep(setup, &result.plane[i].normal);
+    for (unsigned i = 0; i < out->count; i++) {
+      steep = steep || is_steep(setup, &out->plane[i].normal);
     }
     if (s.status == GJK_OK && steep && setup->step > 0) {
       climb(&s, &start, &way);
@@ -469,8 +469,7 @@ gjk_status gjk_slide(const gjk_scene *scene, const gjk_collider *collider, const
     if (s.status == GJK_OK && setup->reach > 0) {
       find_ground(&s);
     }
-    gjk_copy(&result.position, &s.collider.position, sizeof result.position);
+    gjk_copy(&out->position, &s.collider.position, sizeof out->position);
   }
-  gjk_copy(out, &result, sizeof result);
   return s.status;
 }
