@@ -114,7 +114,7 @@ static gjk_status ask_segment(const ground_cast *c, const gjk2_collider *segment
 }
 
 // Keeps the free result as the first hit, with the ground's own position in place of the segment's.
-static void keep_first(ground_cast *c, const gjk2_collider *segment, uint32_t number) {
+static void keep_ground_hit(ground_cast *c, const gjk2_collider *segment, uint32_t number) {
   c->first = 1 - c->first;
   gjk2_cast_result *hit = &c->result[c->first];
   const int64_t x = (int64_t)hit->rest_a.x - segment->position.x, y = (int64_t)hit->rest_a.y - segment->position.y;
@@ -127,7 +127,7 @@ static void keep_first(ground_cast *c, const gjk2_collider *segment, uint32_t nu
 }
 
 // Does a hit come before the first one, or is there none?
-static bool is_earlier(const ground_cast *c, const gjk2_cast_result *hit, uint32_t number) {
+static bool is_ground_hit_earlier(const ground_cast *c, const gjk2_cast_result *hit, uint32_t number) {
   const gjk_q30 first = c->result[c->first].fraction;
   return !c->found || hit->fraction < first || (hit->fraction == first && number < c->segment);
 }
@@ -148,9 +148,9 @@ static gjk_status ask_near(ground_cast *c, const gjk2_aabb *near) {
     const gjk_status status = ask_segment(c, &segment, hit);
     if (status != GJK_OK) {
       open = status;
-    } else if (hit->hit && is_earlier(c, hit, line.number) &&
+    } else if (hit->hit && is_ground_hit_earlier(c, hit, line.number) &&
                (c->body == NULL ? does_ray_count(c, &line) : does_hit_count(c, &line, &edge, hit))) {
-      keep_first(c, &segment, line.number);
+      keep_ground_hit(c, &segment, line.number);
     }
   }
   return open;

@@ -12,7 +12,7 @@
 #include "gjk2_cast_report.h"
 
 // Vertices of a point, a segment or a box.
-#define FEW 4
+#define LINE_FEW 4
 
 // An end of e.
 static void span_of(gjk2_span *out, uint16_t vertex, const gjk2_vec *of_line, const gjk2_support *of_body) {
@@ -26,7 +26,7 @@ static void span_of(gjk2_span *out, uint16_t vertex, const gjk2_vec *of_line, co
 // there, or many vertices.
 static bool find_lowest(const gjk2_collider *body, gjk2_vec n, gjk2_vec along, gjk2_support *p, gjk2_support *q) {
   unsigned level = 1;
-  if (body->count > FEW || gjk2_is_curved(body->shape)) {
+  if (body->count > LINE_FEW || gjk2_is_curved(body->shape)) {
     return false;
   }
   p->vertex = 0;
