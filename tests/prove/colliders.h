@@ -27,8 +27,9 @@ static void any_curved_support(const gjk_collider *c, const gjk_vec3 *d, gjk_sup
   out->vertex = 0;
 }
 
-static bool any_refine(const gjk_collider *c, const gjk_vec3 *d, const gjk_direction *direction, gjk_support *at) {
+static bool any_refine(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
   check_vec3(d, ANY_W);
+  direction->ties = any_uint16();
   at->vertex = any_uint16();
   return any_offset(&at->offset);
 }
