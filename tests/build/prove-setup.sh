@@ -276,6 +276,9 @@ set_up() {
       moved="src/plane/gjk2_measure.c src/plane/gjk2_collider.c src/arith/gjk_root.c src/arith/gjk_wide.c \
         src/plane_motion/gjk2_way.c"
       case $1 in
+        plane_pose*) sources='src/plane/gjk2_angle.c src/plane/gjk2_pose.c src/plane/gjk2_rotation.c' && room arith root ;;
+        plane_measure*) sources='src/plane/gjk2_measure.c src/plane/gjk2_outward.c' && room arith root wide ;;
+        plane_polygon*) sources='src/plane/gjk2_outline.c src/plane/gjk2_polygon.c' ;;
         plane_way*) level=20 sources="$moved src/plane_motion/gjk2_entry.c" ;;
         plane_cast*)
           level=20 models='plane_distance plane_advance'
@@ -286,7 +289,10 @@ set_up() {
           sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_entry.c \
             $(echo src/plane_motion/gjk2_advance*.c) src/plane/gjk2_canonical.c src/plane/gjk2_hull.c"
           ;;
-        plane_sweep*) sources="$(echo src/plane/*.c) src/plane_motion/gjk2_sweep.c src/plane_motion/gjk2_way.c $(echo src/arith/*.c)" ;;
+        plane_sweep*)
+          sources="src/plane/gjk2_measure.c src/plane/gjk2_pose.c src/plane/gjk2_rotation.c src/plane_motion/gjk2_sweep.c \
+            src/plane_motion/gjk2_way.c" && room arith root wide
+          ;;
         plane_impact*)
           level=8 models='plane_search plane_edges plane_sweep'
           sources="$sources src/plane_motion/gjk2_impact.c"

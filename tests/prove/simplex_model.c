@@ -126,6 +126,20 @@ int64_t gjk_round_distance(const gjk_u192 *numerator, const gjk_u192 *denominato
   return rounded >= low && rounded <= high ? rounded : low;
 }
 
+int32_t gjk_simplex_along_axis(const gjk_simplex *s) {
+  //@ assert s->count >= 1 && s->count <= 3;
+  return any_between(-1, ANY_W);
+}
+
+// Not negative, the sum below 2^126.
+void gjk_simplex_parts(const gjk_simplex *s, gjk_u128 part[3]) {
+  //@ assert s->count >= 2 && s->count <= 3;
+  for (int i = 0; i < 3; i++) {
+    part[i].high = (uint64_t)Frama_C_long_long_interval(0, INT64_C(1) << 62);
+    part[i].low = (uint64_t)any_int32() << 32 | (uint32_t)any_int32();
+  }
+}
+
 void gjk_simplex_weights(const gjk_simplex *s, bool fine, gjk_barycentric weight[2]) {
   //@ assert s->count >= 2 && s->count <= 3;
   for (int i = 0; i < 2; i++) {

@@ -18,6 +18,9 @@ int main(void) {
   it.simplex.count = CASE;
   for (int i = 0; i < CASE; i++) {
     any_vertex(&it.simplex.slot[i]);
+    for (int k = 0; k < CASE; k++) {
+      it.simplex.toward[i][k] = Frama_C_long_long_interval(1, ANY_TOWARD);
+    }
   }
   const gjk_vec3 u = any_vec3(ANY_UNIT);
   const gjk_unit3 normal = {u.x, u.y, u.z};
