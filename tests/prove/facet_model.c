@@ -28,6 +28,22 @@ bool gjk_facet_may_improve(const gjk_facet *best, int shift, uint32_t rank) {
   return any_bool();
 }
 
+bool gjk_facet_may_tie(const gjk_facet *best, uint32_t rank) {
+  check_size(best->found, 1);
+  check_size(rank, UINT32_MAX);
+  return any_bool();
+}
+
+int gjk_facet_compare(gjk_facet *best, gjk_iteration *it) {
+  check_facet(best, false);
+  check_vec3(&it->direction.d, INT32_C(1) << 30);
+  for (int i = 0; i < 3; i++) {
+    check_corner(&it->simplex.slot[i], false);
+    any_vertex(&it->simplex.slot[i]);
+  }
+  return (int)any_between(-1, 1);
+}
+
 void gjk_facet_consider(gjk_facet *best, gjk_iteration *it, bool covers, gjk_q16 bound) {
   const gjk_simplex *s = &it->simplex;
   //@ assert it->shift >= 0 && it->shift <= 29 && s->count == 3;

@@ -68,6 +68,8 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   it->iterations = (uint8_t)any_between(0, it->limit);
   it->direction.d = outcome == GJK_OUTCOME_NEAREST ? any_direction(s->count) : any_vec3(ANY_W);
   it->direction.exact = any_bool();
+  it->ties[0] = any_uint16();
+  it->ties[1] = any_uint16();
   return outcome;
 }
 
