@@ -27,7 +27,7 @@ bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation) {
 }
 
 // Step 4: x (1 - excess / 2^46), Q60, as gjk_corrected_q30 has it.
-static int64_t corrected(int64_t x, int32_t excess) {
+GJK_ONCE static int64_t corrected(int64_t x, int32_t excess) {
   //@ assert x >= -(INT64_C(33) << 55) && x <= INT64_C(33) << 55;
   // x / 2^30 times excess, from Q76 to Q60:         |x / 2^30| < 2^31, |excess| < 2^31:  |product| < 2^62
   // The first shift loses 1 in Q30 times excess:    < 2^-45, since excess / 2^46 < 2^-15
@@ -50,6 +50,16 @@ static inline int32_t quat_excess(int64_t deviation) {
   return e - (int32_t)gjk_sar64(gjk_mul32(e, e), 46);   // e^2 <= 2^14, and e^3 < 1
 }
 
+// Steps 3 and 4 for the entries (i, i), (i, j) and (j, i) of the rows m, where j follows i. c: x, y, z, w.
+GJK_ONCE static void set_entries(const gjk_q30 c[4], unsigned i, int32_t excess, int64_t m[9]) {
+  const unsigned j = gjk_next(i), k = gjk_next(j);
+  // |products|, |partial sums| <= |q|^2 <= 2^60 (1 + 2^-16), and so is each entry.
+  const int64_t product = gjk_mul32(c[i], c[j]), square = gjk_mac32(gjk_mul32(c[3], c[3]), c[i], c[i]);
+  m[4 * i] = corrected(gjk_msub32(gjk_msub32(square, c[j], c[j]), c[k], c[k]), excess);
+  m[3 * i + j] = corrected(2 * gjk_msub32(product, c[3], c[k]), excess);
+  m[3 * j + i] = corrected(2 * gjk_mac32(product, c[3], c[k]), excess);
+}
+
 // Steps 1 to 4: the matrix of q / |q| by rows, Q60; entries within 2^-43. False, and m not set, as
 // gjk_rotation_from_quat.
 static bool fine_matrix(const gjk_quat *q, int64_t m[9]) {
@@ -57,21 +67,11 @@ static bool fine_matrix(const gjk_quat *q, int64_t m[9]) {
   if (!gjk_quat_deviation(q, &deviation)) {  // Step 1
     return false;
   }
+  const gjk_q30 c[4] = {q->x, q->y, q->z, q->w};
   const int32_t excess = quat_excess(deviation);
-  // Step 3: |products| <= |q|^2 <= 2^60 (1 + 2^-16), and so is each entry.
-  const int64_t xx = gjk_mul32(q->x, q->x), yy = gjk_mul32(q->y, q->y), zz = gjk_mul32(q->z, q->z);
-  const int64_t ww = gjk_mul32(q->w, q->w);
-  const int64_t xy = gjk_mul32(q->x, q->y), xz = gjk_mul32(q->x, q->z), yz = gjk_mul32(q->y, q->z);
-  const int64_t wx = gjk_mul32(q->w, q->x), wy = gjk_mul32(q->w, q->y), wz = gjk_mul32(q->w, q->z);
-  m[0] = corrected(ww + xx - yy - zz, excess);
-  m[1] = corrected(2 * (xy - wz), excess);
-  m[2] = corrected(2 * (xz + wy), excess);
-  m[3] = corrected(2 * (xy + wz), excess);
-  m[4] = corrected(ww - xx + yy - zz, excess);
-  m[5] = corrected(2 * (yz - wx), excess);
-  m[6] = corrected(2 * (xz - wy), excess);
-  m[7] = corrected(2 * (yz + wx), excess);
-  m[8] = corrected(ww - xx - yy + zz, excess);
+  set_entries(c, 0, excess, m);
+  set_entries(c, 1, excess, m);
+  set_entries(c, 2, excess, m);
   return true;
 }
 

@@ -217,6 +217,15 @@ static inline int64_t gjk_mac32(int64_t sum, int32_t a, int32_t b) {
 #endif
 }
 
+// sum - a b. Pre: the result fits, a is not INT32_MIN.
+static inline int64_t gjk_msub32(int64_t sum, int32_t a, int32_t b) {
+#if defined(GJK_ARM_LONG_MULTIPLY)
+  return gjk_mac32(sum, -a, b);
+#else
+  return sum - gjk_mul32(a, b);
+#endif
+}
+
 // a b, exact, unsigned.
 static inline uint64_t gjk_umul32(uint32_t a, uint32_t b) {
 #if GJK_NARROW_MULTIPLY
