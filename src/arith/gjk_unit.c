@@ -18,10 +18,10 @@ gjk_unit3 gjk_unit(const gjk_vec3 *d) {
   // With x, 2^30 <= x < 2^32, for the leading bits of squared = 2^(32 - 2 z) x: y = 2^46 / sqrt(x) = 2^(62 - z) / |v|.
   const int32_t y = (int32_t)gjk_reciprocal_root((uint32_t)((squared << (2 * z)) >> 32));
   // 2^30 v / |v| = v y / 2^(32 - z) = (2^(z - 1) v) y / 2^31
-  const int64_t half = INT64_C(1) << 30;
-  gjk_unit3 unit = {(gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.x, z - 1), y) + half, 31),
-                    (gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.y, z - 1), y) + half, 31),
-                    (gjk_q30)gjk_sar64(gjk_mul32(gjk_shl32(v.z, z - 1), y) + half, 31)};
+  const gjk_vec3 up = {gjk_shl32(v.x, z - 1), gjk_shl32(v.y, z - 1), gjk_shl32(v.z, z - 1)};
+  gjk_vec3 scaled;
+  gjk_scaled(&up, y, 31, &scaled);
+  const gjk_unit3 unit = {scaled.x, scaled.y, scaled.z};
   //@ assert unit.x >= -GJK_Q30_ONE - 1 && unit.x <= GJK_Q30_ONE + 1;
   //@ assert unit.y >= -GJK_Q30_ONE - 1 && unit.y <= GJK_Q30_ONE + 1;
   //@ assert unit.z >= -GJK_Q30_ONE - 1 && unit.z <= GJK_Q30_ONE + 1;

@@ -26,6 +26,19 @@ GJK_HOT void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
   //@ assert out->z > -(INT64_C(1) << 62) && out->z < INT64_C(1) << 62;
 }
 
+// a b / 2^n to the nearest integer, a half up. Pre: as of gjk_scaled.
+GJK_ONCE static int32_t gjk_scaled_component(int32_t a, int32_t b, unsigned n) {
+  return (int32_t)gjk_sar64(gjk_mac32(INT64_C(1) << (n - 1), a, b), n);
+}
+
+// *out = by v / 2^n, each component to the nearest integer, a half up. Pre: 1 <= n <= 62; products are below 2^62 in size, and
+// results fit.
+GJK_HOT void gjk_scaled(const gjk_vec3 *v, int32_t by, unsigned n, gjk_vec3 *out) {
+  out->x = gjk_scaled_component(v->x, by, n);
+  out->y = gjk_scaled_component(v->y, by, n);
+  out->z = gjk_scaled_component(v->z, by, n);
+}
+
 // The sign of n . v. Pre: |n| < 2^62.9, |v| <= 2^31, lengths.
 //
 // The high words settle most signs. With n = 2^32 high + low, 0 <= low < 2^32 per component:

@@ -262,11 +262,9 @@ static void add_corners(clip *c, const gjk_polygon *from, unsigned which, const 
     const gjk_vec3 *p = &from->corner[i];
     unsigned k;
     const int32_t m = gap_before(&plane, p, &k);
-    //   m d.x + half        |m d.x| <= 2^61, half <= 2^61:     below 2^62
-    const int64_t half = INT64_C(1) << (29 + k);
-    const gjk_vec3 across = {p->x - (int32_t)gjk_sar64(gjk_mul32(m, d->x) + half, 30 + k),
-                             p->y - (int32_t)gjk_sar64(gjk_mul32(m, d->y) + half, 30 + k),
-                             p->z - (int32_t)gjk_sar64(gjk_mul32(m, d->z) + half, 30 + k)};
+    gjk_vec3 way;
+    gjk_scaled(d, m, 30 + k, &way);  // |m d| <= 2^61
+    const gjk_vec3 across = gjk_sub(*p, way);
     const gjk_q16 gap = k == 0 ? m : (gjk_q16)gjk_sar64((int64_t)m + (INT64_C(1) << (k - 1)), k);
     const unsigned feature_from = feature_at(c, from, p, GJK_FEATURE_FACE),
                    feature_onto = feature_at(c, onto, &across, GJK_FEATURE_FACE);
@@ -284,11 +282,9 @@ static void add_corners(clip *c, const gjk_polygon *from, unsigned which, const 
 //   result   per component to the nearest LSB
 static gjk_vec3 point_between(const gjk_vec3 *from, const gjk_vec3 *to, int32_t share) {
   const gjk_vec3 edge = gjk_sub(*to, *from);
-  const int64_t half = INT64_C(1) << 30;
-  const gjk_vec3 at = {from->x + (int32_t)gjk_sar64(gjk_mul32(edge.x, share) + half, 31),
-                       from->y + (int32_t)gjk_sar64(gjk_mul32(edge.y, share) + half, 31),
-                       from->z + (int32_t)gjk_sar64(gjk_mul32(edge.z, share) + half, 31)};
-  return at;
+  gjk_vec3 way;
+  gjk_scaled(&edge, share, 31, &way);
+  return gjk_add(*from, way);
 }
 
 // The point that divides the way from one point to another as part to rest.
@@ -485,12 +481,11 @@ typedef struct opposite_pair {
 
 // Step 7: finds the points at x. False: they are too far aside of each other.
 static bool find_opposite(const clip *c, const edge_span *a, const edge_span *b, int64_t x, opposite_pair *out) {
-  const gjk_vec3 *d = &c->a->direction, on_a = point_at(a, x), on_b = point_at(b, x), step = gjk_sub(on_b, on_a);
-  const int64_t half = INT64_C(1) << 29;
+  const gjk_vec3 on_a = point_at(a, x), on_b = point_at(b, x), step = gjk_sub(on_b, on_a);
   const gjk_q16 gap = gap_along(c, &step);
-  const gjk_vec3 aside = {step.x - (int32_t)gjk_sar64(gjk_mul32(gap, d->x) + half, 30),
-                          step.y - (int32_t)gjk_sar64(gjk_mul32(gap, d->y) + half, 30),
-                          step.z - (int32_t)gjk_sar64(gjk_mul32(gap, d->z) + half, 30)};
+  gjk_vec3 way;
+  gjk_scaled(&c->a->direction, gap, 30, &way);
+  const gjk_vec3 aside = gjk_sub(step, way);
   const gjk_q16 radius = c->a->radius < c->b->radius ? c->a->radius : c->b->radius;
   const int64_t squared = gjk_dot(&aside, &aside);
   out->a = on_a;

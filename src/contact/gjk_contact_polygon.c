@@ -41,10 +41,9 @@ static uint32_t slope(const gjk_vec3 *edge, const gjk_vec3 *direction) {
 // Moves the corners by radius u.
 //   |u.x radius| <= 2^30 2^28 = 2^58; the quotient is rounded to the nearest LSB
 static void lift(gjk_polygon *p, const gjk_unit3 *u, gjk_q16 radius) {
-  const int64_t half = INT64_C(1) << 29;
-  const gjk_vec3 by = {(gjk_q16)gjk_sar64(gjk_mul32(u->x, radius) + half, 30),
-                       (gjk_q16)gjk_sar64(gjk_mul32(u->y, radius) + half, 30),
-                       (gjk_q16)gjk_sar64(gjk_mul32(u->z, radius) + half, 30)};
+  const gjk_vec3 unit = {u->x, u->y, u->z};
+  gjk_vec3 by;
+  gjk_scaled(&unit, radius, 30, &by);
   for (unsigned i = 0; i < p->count; i++) {
     p->corner[i] = gjk_add(p->corner[i], by);
   }

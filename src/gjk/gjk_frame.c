@@ -61,3 +61,9 @@ bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius) {
   it->radius = framed < INT32_MAX ? (int32_t)framed : INT32_MAX;
   return true;
 }
+
+#if GJK_SMALL
+void gjk_frame_set_near(gjk_iteration *it, const gjk_vec3 *delta, int64_t radius) {
+  gjk_frame_fill(it, delta, radius);
+}
+#endif

@@ -20,6 +20,25 @@
 // The same as gjk_frame_set. Pre: a component of centre_a - centre_b is at least 2^29 - 3 in size, so that shift <= 0.
 bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
 
+// Sets shift, delta and radius for cores of the pair it->a, it->b that are moved to where their centres are delta apart.
+// Pre: |delta| <= 2^30, its norm and the core radii together below 2^31. In a build for size one copy, in gjk_frame.c.
+#if GJK_SMALL
+void gjk_frame_set_near(gjk_iteration *it, const gjk_vec3 *delta, int64_t radius);
+#else
+#define gjk_frame_set_near gjk_frame_fill
+#endif
+static inline void gjk_frame_fill(gjk_iteration *it, const gjk_vec3 *delta, int64_t radius) {
+  // Not 0, since core radii have slack.
+  const int32_t reach = (int32_t)(gjk_norm1(*delta) + (uint32_t)(it->a->core_radius + it->b->core_radius));
+  const unsigned zeros = gjk_clz32((uint32_t)reach), shift = zeros < 2 ? 0 : zeros - 2;
+  it->shift = (int8_t)shift;
+  it->delta.x = gjk_shl32(delta->x, shift);
+  it->delta.y = gjk_shl32(delta->y, shift);
+  it->delta.z = gjk_shl32(delta->z, shift);
+  // A radius of the reach or more settles the question like the reach, which is below 2^31 in the frame as well.
+  it->radius = gjk_shl32(radius < reach ? (int32_t)radius : reach, shift);
+}
+
 // Sets shift, delta and radius for the pair it->a, it->b. radius: in LSB, from 0; below 2^32 with both core radii.
 // False: the bounding spheres are more than radius apart (asked only where spheres is set); then nothing is set.
 static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius) {
@@ -43,15 +62,7 @@ static inline bool gjk_frame_set(gjk_iteration *it, bool spheres, int64_t radius
   if (spheres && limit <= INT32_MAX && gjk_dot(&delta, &delta) > gjk_mul32((int32_t)limit, (int32_t)limit)) {
     return false;
   }
-  // Below 2^31; not 0, since core radii have slack.
-  const int32_t reach = (int32_t)(gjk_norm1(delta) + (uint32_t)cores);
-  const unsigned zeros = gjk_clz32((uint32_t)reach), shift = zeros < 2 ? 0 : zeros - 2;
-  it->shift = (int8_t)shift;
-  it->delta.x = gjk_shl32(delta.x, shift);
-  it->delta.y = gjk_shl32(delta.y, shift);
-  it->delta.z = gjk_shl32(delta.z, shift);
-  // A radius of the reach or more settles the question like the reach, which is below 2^31 in the frame as well.
-  it->radius = gjk_shl32(radius < reach ? (int32_t)radius : reach, shift);
+  gjk_frame_set_near(it, &delta, radius);
   return true;
 }
 

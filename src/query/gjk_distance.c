@@ -21,12 +21,6 @@
 #include "../gjk/gjk_search.h"
 #include "../gjk/gjk_witness.h"
 
-// x / 2^(30 + shift) to the nearest integer, not negative; from the frame's Q30 to LSB. -3 <= shift <= 29.
-static int64_t to_lsb(int64_t x, int shift) {
-  const unsigned n = (unsigned)(30 + shift);
-  return x <= 0 ? 0 : gjk_sar64(x + (INT64_C(1) << (n - 1)), n);
-}
-
 // The exact distance, rounded: the one of low to high, in LSB, that an exact comparison of squares finds.
 //   frame 2^n times as coarse as an LSB, n <= 3: no edge exceeds 2^(30 - n), and 4^n numerator stays below 2^186
 GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high, gjk_round_to to) {
@@ -38,6 +32,22 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t 
   }
   // At most 129 candidates, so 8 steps; 2 high + 2 < 2^35.
   return gjk_round_distance(&numerator, &denominator, low, high, finer, to);
+}
+
+// x / 2^(30 + shift), not negative, floored after half is added; from the frame's Q30 to LSB. -3 <= shift <= 29.
+GJK_ONCE static int64_t to_lsb(int64_t x, int64_t half, int shift) {
+  return x <= 0 ? 0 : gjk_sar64(x + half, (unsigned)(30 + shift));
+}
+
+int64_t gjk_feature_distance(const gjk_iteration *it, int64_t plane, gjk_round_to to) {
+  const int shift = it->shift;
+  const int64_t half = to == GJK_ROUND_NEAREST ? INT64_C(1) << (29 + shift) : 0;
+  const int64_t low = to_lsb(plane - GJK_PLANE_ERROR, half, shift), high = to_lsb(plane + GJK_PLANE_ERROR, half, shift);
+  if (low == high) {
+    return low;
+  }
+  const int32_t along = shift >= 0 ? gjk_simplex_along_axis(&it->simplex) : -1;
+  return along >= 0 ? gjk_sar32(along, (unsigned)shift) : settle_distance(it, low, high, to);  // a multiple of 2^shift
 }
 
 // The feature's distance in LSB, correctly rounded, a tie up; from the distance of its plane.
@@ -53,14 +63,18 @@ static int64_t exact_distance(const gjk_iteration *it, const gjk_unit3 *normal, 
       return steps >> n;
     }
   }
-  int64_t distance = settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift),
-                                     to_lsb(plane + GJK_PLANE_ERROR, it->shift), GJK_ROUND_NEAREST);
+  int64_t distance = gjk_feature_distance(it, plane, GJK_ROUND_NEAREST);
   if (it->shift == -1) {
     // Rounding raised each coordinate of w by 0 or 1 LSB, 1/2 on average. Remove that bias along the normal. Coarser
     // frames need not: there the error is below 2^-28 of the distance in any case.
     distance += gjk_sar64((int64_t)normal->x + normal->y + normal->z + (INT64_C(1) << 30), 31);
   }
   return distance;
+}
+
+int64_t gjk_plane_of(const gjk_iteration *it, gjk_unit3 *normal) {
+  *normal = gjk_unit(&it->direction.d);
+  return -gjk_along(normal, &it->simplex.slot[it->simplex.order[0]].w);
 }
 
 bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane) {
@@ -116,8 +130,7 @@ void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, bool poin
   out->saturated = false;
   if (outcome == GJK_OUTCOME_NEAREST) {
     // Step 2.
-    out->normal = gjk_unit(&it->direction.d);
-    const int64_t plane = -gjk_along(&out->normal, &it->simplex.slot[it->simplex.order[0]].w);
+    const int64_t plane = gjk_plane_of(it, &out->normal);
     if (gjk_convex_radii_touch(it, plane)) {  // Step 3
       outcome = GJK_OUTCOME_NEAR;
     } else {
@@ -149,14 +162,12 @@ static void start_distance(gjk_iteration *it, const gjk_collider *a, const gjk_c
 // Step 6: out->distance becomes the exact distance of the feature to the nearest LSB, and out->upper the same rounded
 // up. Both are sharper than the plane's bound by up to 17 units of the frame, which a far frame keeps.
 // False: the feature is within the convex radii, so the shapes intersect.
-static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
+static bool take_feature(const gjk_iteration *it, int64_t plane, gjk_distance_result *out) {
   out->distance = out->upper;
   if (it->shift < 0) {
     return true;
   }
-  const int64_t plane = -gjk_along(&out->normal, &it->simplex.slot[it->simplex.order[0]].w);
-  const int64_t nearest = settle_distance(it, to_lsb(plane - GJK_PLANE_ERROR, it->shift),
-                                          to_lsb(plane + GJK_PLANE_ERROR, it->shift), GJK_ROUND_NEAREST);
+  const int64_t nearest = gjk_feature_distance(it, plane, GJK_ROUND_NEAREST);
   //@ assert nearest >= 0 && nearest <= INT64_C(1) << 31;
   const int64_t upper = settle_distance(it, nearest, nearest + 1, GJK_ROUND_UP) - gjk_convex_radii(it);
   out->distance = (gjk_q16)(nearest - gjk_convex_radii(it));
@@ -168,8 +179,7 @@ static bool take_feature(const gjk_iteration *it, gjk_distance_result *out) {
 // False: they prove that the shapes intersect; the caller reports that.
 // Pre: it->direction is the feature's.
 static bool stop_early(const gjk_iteration *it, gjk_distance_result *out) {
-  out->normal = gjk_unit(&it->direction.d);
-  if (!take_feature(it, out)) {
+  if (!take_feature(it, gjk_plane_of(it, &out->normal), out)) {
     return false;
   }
   out->saturated = false;

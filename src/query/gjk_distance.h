@@ -20,6 +20,14 @@ static inline int64_t gjk_convex_radii(const gjk_iteration *it) {
 // Pre: the feature is nearest.
 bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane);
 
+// The distance of the feature's plane in the frame, Q30, within GJK_PLANE_ERROR, and its unit normal. Pre: it->direction is
+// the feature's.
+int64_t gjk_plane_of(const gjk_iteration *it, gjk_unit3 *normal);
+
+// The feature's distance in LSB, correctly rounded: to the nearest, a tie up, or down. In a far frame that of the rounded
+// vertices. plane: its plane's distance, as of gjk_plane_of.
+int64_t gjk_feature_distance(const gjk_iteration *it, int64_t plane, gjk_round_to to);
+
 // Bounds of the distance, or of minus the depth, in LSB, that the last iteration of an outcome LIMIT proves.
 //   lower   the newest vertex is the support vertex along the direction: no vertex of A - B lies before its plane
 //   upper   the plane of the feature, across the feature's own direction, touches it

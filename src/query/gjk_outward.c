@@ -1,7 +1,7 @@
 // How a normal is rounded outward so that moving by the depth along it parts the shapes: the steps of gjk_outward.h.
 #include "gjk_outward.h"
 
-#include "../arith/gjk_memory.h"
+#include "../gjk/gjk_frame.h"
 #include "../gjk/gjk_search.h"
 #include "gjk_distance.h"
 
@@ -20,7 +20,7 @@ gjk_vec3 gjk_outward_move(gjk_q16 depth, const gjk_unit3 *normal) {
 
 // What step 1 adds to u t, Q60: |u| (|t| 2^30 - depth |u|).
 //   the bracket is what rounding depth |u| up has added, below 2^30; the product is at most 2^60
-static int64_t surplus(gjk_q16 depth, gjk_q30 u, gjk_q16 t) {
+GJK_ONCE static int64_t surplus(gjk_q16 depth, gjk_q30 u, gjk_q16 t) {
   const int32_t size = (int32_t)gjk_magnitude32(u), steps = (int32_t)gjk_magnitude32(t);
   return gjk_mul32(size, (int32_t)(gjk_shl64(steps, 30) - gjk_mul32(depth, size)));
 }
@@ -53,29 +53,23 @@ static bool clears_facet(const gjk_iteration *it, const gjk_facet *facet, const 
 // Step 3 for convex radii: are the shapes apart or touching when B has moved by t? Exact. Overwrites the iteration.
 // Pre: t parts the cores.
 static bool is_apart_when_moved(gjk_iteration *it, const gjk_vec3 *t) {
-  const gjk_collider *a = it->a, *b = it->b;
-  // Copies at the world's origin, so that no coordinate saturates. The shapes overlap:
-  //   |apart|   at most 2^29 + 2^3
-  //   |t|       at most depth + sqrt(3):   the moved centre is below 2^31
-  const gjk_vec3 origin = {0, 0, 0}, apart = gjk_sub(b->centre, a->centre);
-  gjk_collider moved_a, moved_b;
-  gjk_copy(&moved_a, a, sizeof moved_a);
-  gjk_copy(&moved_b, b, sizeof moved_b);
-  moved_a.centre = origin;
-  moved_b.centre = gjk_add(apart, *t);
-  const int64_t radius = gjk_convex_radii(it);
-  gjk_iteration_start(it, &moved_a, &moved_b, GJK_GOAL_SIGNED, radius);
-  //@ assert it->shift >= 0;
+  // The shapes overlap, and the move makes them touch. So along t the centres are at most the sum of the radii apart, which is
+  // below 2^29, and across it as well:  |delta| < 2^30
+  const gjk_vec3 delta = gjk_sub(gjk_sub(it->a->centre, it->b->centre), *t);
+  const int64_t radius = gjk_convex_radii(it);  // below 2^29
   gjk_u192 numerator, denominator;
-  bool parted = false;
-  // not reached: any other outcome, since t parts the cores
-  if (gjk_search_whole(it, GJK_GOAL_SIGNED, NULL) == GJK_OUTCOME_NEAREST) {
-    gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
-    parted = gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return gjk_dot(&delta, &delta) >= gjk_mul32((int32_t)radius, (int32_t)radius);
   }
-  it->a = a;
-  it->b = b;
-  return parted;
+  gjk_frame_set_near(it, &delta, radius);
+  it->iterations = 0;
+  gjk_simplex_clear(&it->simplex);
+  // not reached: any other outcome, since t parts the cores
+  if (gjk_search_whole(it, GJK_GOAL_SIGNED, NULL) != GJK_OUTCOME_NEAREST) {
+    return false;
+  }
+  gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
+  return gjk_compare_distance(&numerator, &denominator, (uint64_t)(2 * radius) << it->shift) >= 0;
 }
 
 // Step 3.

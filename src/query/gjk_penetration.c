@@ -66,22 +66,11 @@ static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
 // Measures cores that are apart by plane in the frame, Q30: minus their distance, rounded up.
 static void measure_gap(overlap *o, int64_t plane) {
   const gjk_iteration *it = &o->it;
-  const unsigned n = (unsigned)(30 + it->shift);
-  int64_t low = plane > GJK_PLANE_ERROR ? gjk_sar64(plane - GJK_PLANE_ERROR, n) : 0;
-  const int64_t high = gjk_sar64(plane + GJK_PLANE_ERROR, n);
-  //@ assert low >= 0 && low <= INT64_C(1) << 30 && high <= INT64_C(1) << 30;
-  const int32_t exact = low < high ? gjk_simplex_along_axis(&it->simplex) : -1;
-  if (exact >= 0) {
-    low = gjk_sar32(exact, (unsigned)it->shift);  // a multiple of 2^shift
-  } else if (low < high) {
-    gjk_u192 numerator, denominator;
-    gjk_simplex_squared_distance(&it->simplex, &numerator, &denominator);
-    // At most 17 candidates, so 5 steps.
-    low = gjk_round_distance(&numerator, &denominator, low, high, (unsigned)it->shift, GJK_ROUND_DOWN);
-  }
+  const gjk_q16 gap = (gjk_q16)gjk_feature_distance(it, plane, GJK_ROUND_DOWN);
+  //@ assert gap >= 0 && gap <= INT32_C(1) << 30;
   o->proof = GJK_PROOF_NEAREST;
-  o->upper = -(gjk_q16)low + (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR : 0);
-  o->lower = -(gjk_q16)low - (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR + 1 : 0);
+  o->upper = -gap + (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR : 0);
+  o->lower = -gap - (gjk_pair_is_curved(it) ? GJK_CURVED_ERROR + 1 : 0);
 }
 
 // Step 4: names the vertices of the feature, or of the facet.
@@ -100,13 +89,7 @@ static void certify(const overlap *o, gjk_certificate *out) {
   }
 }
 
-// The distance of the feature's plane in the frame, Q30, within GJK_PLANE_ERROR, and its unit normal.
-static int64_t plane_of(const gjk_iteration *it, gjk_unit3 *normal) {
-  *normal = gjk_unit(&it->direction.d);
-  return -gjk_along(normal, &it->simplex.slot[it->simplex.order[0]].w);
-}
-
-// Steps 2 to 5. When the outcome is NEAREST, plane and out->normal are those of plane_of.
+// Steps 2 to 5. When the outcome is NEAREST, plane and out->normal are those of gjk_plane_of.
 static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, const gjk_workspace *workspace,
                                gjk_penetration_result *out) {
   gjk_status status = GJK_OK;
@@ -251,7 +234,7 @@ gjk_status gjk_penetration(const gjk_collider *a, const gjk_collider *b, gjk_cac
   }
   int64_t plane = 0;
   if (outcome == GJK_OUTCOME_NEAREST) {
-    plane = plane_of(it, &out->normal);
+    plane = gjk_plane_of(it, &out->normal);
   }
   if (outcome == GJK_OUTCOME_SEPARATED || (outcome == GJK_OUTCOME_NEAREST && !gjk_convex_radii_touch(it, plane))) {
     out->intersecting = false;
@@ -313,7 +296,7 @@ gjk_status gjk_signed_distance_along(const gjk_collider *a, const gjk_collider *
   gjk_penetration_result overlapping;
   int64_t plane = 0;
   if (outcome == GJK_OUTCOME_NEAREST) {
-    plane = plane_of(it, &overlapping.normal);
+    plane = gjk_plane_of(it, &overlapping.normal);
     if (!gjk_convex_radii_touch(it, plane)) {
       out->iterations = it->iterations;
       gjk_distance_report(it, outcome, o.points, NULL, out);
