@@ -51,10 +51,11 @@ int64_t gjk_dot_exact(const gjk_long3 *n, const gjk_vec3 *v, uint32_t *low);
 // The sign of n . v. Pre: |n| < 2^62.9, |v| <= 2^31, lengths.
 int gjk_dot_sign_exact(const gjk_long3 *n, const gjk_vec3 *v);
 
-// a . b, a x b, by v / 2^n, the sign of n . v and of p q + r s: in line in a build for speed, one copy in a build for size.
+// a . b, a x b, a triangle's normal, by v / 2^n, the sign of n . v and of p q + r s: in line in a build for speed, one copy in a build for size.
 #if GJK_SMALL
 int64_t gjk_dot(const gjk_vec3 *a, const gjk_vec3 *b);
 void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out);
+void gjk_triangle_normal(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, gjk_long3 *out);
 void gjk_scaled(const gjk_vec3 *v, int32_t by, unsigned n, gjk_vec3 *out);
 int gjk_dot_sign(const gjk_long3 *n, const gjk_vec3 *v);
 int gjk_sum_of_products_sign(int64_t p, int64_t q, int64_t r, int64_t s);
@@ -62,13 +63,6 @@ int gjk_sum_of_products_sign(int64_t p, int64_t q, int64_t r, int64_t s);
 #define GJK_HOT static inline
 #include "gjk_vector_inline.h"
 #endif
-
-// *out = (b - a) x (c - a), exact: the triangle's normal, on the side from which a, b, c run counterclockwise.
-// Pre: both edges are shorter than 2^31; then products of their components are below 2^62. The proof asks at each call.
-static inline void gjk_triangle_normal(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, gjk_long3 *out) {
-  const gjk_vec3 ab = gjk_sub(*b, *a), ac = gjk_sub(*c, *a);
-  gjk_cross(&ab, &ac, out);
-}
 
 // A vertex of a shape.
 typedef struct gjk_support {

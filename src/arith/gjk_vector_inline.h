@@ -26,6 +26,13 @@ GJK_HOT void gjk_cross(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
   //@ assert out->z > -(INT64_C(1) << 62) && out->z < INT64_C(1) << 62;
 }
 
+// *out = (b - a) x (c - a), exact: the triangle's normal, on the side from which a, b, c run counterclockwise.
+// Pre: both edges are shorter than 2^31; then products of their components are below 2^62. The proof asks at each call.
+GJK_HOT void gjk_triangle_normal(const gjk_vec3 *a, const gjk_vec3 *b, const gjk_vec3 *c, gjk_long3 *out) {
+  const gjk_vec3 ab = gjk_sub(*b, *a), ac = gjk_sub(*c, *a);
+  gjk_cross(&ab, &ac, out);
+}
+
 // a b / 2^n to the nearest integer, a half up. Pre: as of gjk_scaled.
 GJK_ONCE static int32_t gjk_scaled_component(int32_t a, int32_t b, unsigned n) {
   return (int32_t)gjk_sar64(gjk_mac32(INT64_C(1) << (n - 1), a, b), n);

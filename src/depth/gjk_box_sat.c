@@ -21,6 +21,8 @@
 //            which the nearest facet of all does.
 //   Step 7   The origin lies strictly beyond the plane: APART. Otherwise this is the nearest facet: FACET.
 //
+// Steps 1 and 2 are for speed alone, and a build for size leaves them out.
+//
 // After   the separating axes of Gottschalk, Lin, Manocha, OBBTree, 1996. Departures: half axes need not be at right
 //         angles, since posing rounds them; exact signs; the nearest point of the facet as well.
 #include "gjk_box_sat.h"
@@ -354,7 +356,7 @@ static void keep_doubtful(const gjk_box_heights *h, bounded_planes *planes) {
   planes->count = count;
 }
 
-// Steps 3 and 4. NULL: all half axes are parallel.
+// Steps 3 and 4. NULL: all half axes are parallel. A build for size does without steps 1 and 2: it takes all planes.
 static box_plane *least_plane(const box_pair *pair, const bounded_planes *planes, box_plane slot[2]) {
   box_plane *least = NULL, *next = &slot[0];
   int32_t lowest = 0;
@@ -363,6 +365,9 @@ static box_plane *least_plane(const box_pair *pair, const bounded_planes *planes
       continue;
     }
     const int32_t height = planes->count > 1 ? height_along_normal(pair, next) : 0;
+    if (GJK_SMALL && height < -ALONG_ERROR) {
+      return next;  // it separates the cores
+    }
     if (least == NULL || height < lowest - 2 * ALONG_ERROR ||
         (height <= lowest + 2 * ALONG_ERROR && is_lower_exactly(pair, next, least))) {
       lowest = height;
@@ -418,13 +423,19 @@ gjk_box_sat_answer gjk_box_sat(gjk_iteration *it, unsigned *number, bool *points
     return GJK_BOX_SAT_FLAT;
   }
   set_box_pair(&pair, it);
-  unsigned apart = gjk_box_heights_set(pair.axis, &pair.delta, pair.of_a, pair.of_b, &heights);
-  apart = apart < GJK_BOX_PLANES ? apart : bound_heights(&pair, &heights, *number, &planes);
-  if (apart < GJK_BOX_PLANES) {
-    direct_across(&pair, apart);
-    return GJK_BOX_SAT_APART;
+  if (GJK_SMALL) {
+    for (planes.count = 0; planes.count < GJK_BOX_PLANES; planes.count++) {
+      planes.number[planes.count] = (uint8_t)planes.count;
+    }
+  } else {
+    unsigned apart = gjk_box_heights_set(pair.axis, &pair.delta, pair.of_a, pair.of_b, &heights);
+    apart = apart < GJK_BOX_PLANES ? apart : bound_heights(&pair, &heights, *number, &planes);
+    if (apart < GJK_BOX_PLANES) {
+      direct_across(&pair, apart);
+      return GJK_BOX_SAT_APART;
+    }
+    keep_doubtful(&heights, &planes);
   }
-  keep_doubtful(&heights, &planes);
   box_plane *plane = least_plane(&pair, &planes, slot);
   if (plane == NULL) {
     return GJK_BOX_SAT_FLAT;

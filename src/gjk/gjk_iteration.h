@@ -37,6 +37,15 @@ static inline bool gjk_goal_nears(gjk_goal goal) {
   return goal <= GJK_GOAL_WITHIN;
 }
 
+// Marks of vertices: of shapes made of half axes 8 suffice.
+#if GJK_SHAPES <= GJK_SHAPES_BOXES
+typedef uint8_t gjk_marks;
+#define GJK_MARKS 8
+#else
+typedef uint64_t gjk_marks;
+#define GJK_MARKS 64
+#endif
+
 typedef struct gjk_iteration {
   const gjk_collider *a, *b;
   gjk_vec3 delta;                  // frame: centre_a - centre_b
@@ -45,7 +54,7 @@ typedef struct gjk_iteration {
   uint8_t iterations;              // so far
   uint8_t limit;                   // on iterations
   uint8_t recalls;                 // the search's: steps among the seen vertices so far
-  uint64_t seen[2];                // the search's: marks of the seen vertices of A and of B
+  gjk_marks seen[2];               // the search's: marks of the seen vertices of A and of B
   unsigned ties[2];                // gjk_direction.ties of A and of B in the last refinement
   bool diagonal;                   // the nearest point lies on the edge of the triangle's first two vertices
   gjk_search_direction direction;  // of the last support scan

@@ -4,7 +4,7 @@
 // The vertices of one shape that were seen. Bit i of *seen marks the vertices i 2^shift to (i + 1) 2^shift - 1.
 typedef struct seen_vertices {
   const gjk_collider *collider;
-  uint64_t *seen;
+  gjk_marks *seen;
   uint32_t count;
   uint8_t shift;
   bool level;         // of a shape made of half axes: they are the vertex `first` and all that differ from it along
@@ -25,12 +25,12 @@ static seen_vertices seen_vertices_of(gjk_iteration *it, unsigned side) {
 
 // The bit that marks a vertex. The mask changes nothing: shift leaves numbers below GJK_MARKS.
 static unsigned mark_number(const seen_vertices *of, uint32_t vertex) {
-  return vertex >> of->shift & (GJK_MARKS - 1);
+  return (GJK_SHAPES >= GJK_SHAPES_POLYTOPES ? vertex >> of->shift : vertex) & (GJK_MARKS - 1);
 }
 
 // Marks a vertex as seen. Returns whether its mark is new.
 static bool mark_vertex(const seen_vertices *of, uint16_t vertex) {
-  const uint64_t bit = UINT64_C(1) << mark_number(of, vertex), before = *of->seen;
+  const gjk_marks before = *of->seen, bit = (gjk_marks)((gjk_marks)1 << mark_number(of, vertex));
   *of->seen |= bit;
   return *of->seen != before;
 }
@@ -92,10 +92,17 @@ static uint16_t farthest_level(const seen_vertices *of, const gjk_vec3 *d, const
 // two vertices wrongly only within 2 sqrt(3) core_radius, which is less than slack.
 static uint16_t farthest_seen(const seen_vertices *of, const gjk_vec3 *d, const gjk_direction *direction) {
   const gjk_collider *c = of->collider;
-  if (of->level) {
-    return farthest_level(of, d, direction);
+  if (!GJK_SMALL && of->level) {
+    return farthest_level(of, d, direction);  // the same one, sooner
   }
   farthest_vertex best = {c, d, direction, -(INT64_C(1) << 62), 4 * (int64_t)c->core_radius, {0, 0, 0}, 0};
+#if GJK_SHAPES <= GJK_SHAPES_BOXES
+  for (unsigned v = 0; v < of->count; v++) {  // at most GJK_MARKS
+    if ((*of->seen >> v & 1) != 0) {
+      compare_vertex(&best, (uint16_t)v);
+    }
+  }
+#else
   uint32_t first = 0;
   for (uint64_t rest = *of->seen; rest != 0; rest >>= 1) {  // at most GJK_MARKS
     const uint32_t end = first + (UINT32_C(1) << of->shift);
@@ -104,6 +111,7 @@ static uint16_t farthest_seen(const seen_vertices *of, const gjk_vec3 *d, const 
     }
     first = end;
   }
+#endif
   return best.vertex;
 }
 
@@ -276,7 +284,7 @@ static void mark_level_axes(seen_vertices *of, const gjk_direction *direction, u
   of->first = (uint8_t)first;
   *of->seen = 0;
   for (unsigned v = 0; v < of->count; v++) {  // 8 at most
-    *of->seen |= (uint64_t)((v & ~in) == first ? 1u : 0u) << v;
+    *of->seen |= (gjk_marks)((gjk_marks)((v & ~in) == first ? 1u : 0u) << v);
   }
 }
 

@@ -13,7 +13,8 @@
 // The bound: before the first step 3 a vertex of each shape is marked, and each iteration but the last brings a new
 // mark. So shapes of n and m vertices take at most
 //   GJK_PLAIN_ITERATIONS + n + m - 1   iterations.
-// A shape has GJK_MARKS marks. Where it has more vertices, neighbours share a mark; n counts marks then.
+// A shape has GJK_MARKS marks, bits of gjk_iteration.seen. Where it has more vertices, neighbours share a mark; n counts
+// marks then.
 //
 // Within step 2 runs another GJK, among the seen vertices, which has no useful bound either. After GJK_RECALLS_MAX of
 // its steps in a query it tries all features instead, which ends.
@@ -34,9 +35,6 @@
 #if GJK_PLAIN_ITERATIONS < 1 || GJK_PLAIN_ITERATIONS > 100
 #error "GJK_PLAIN_ITERATIONS must be from 1 to 100"
 #endif
-
-// Marks of a shape: bits of gjk_iteration.seen.
-#define GJK_MARKS 64
 
 // Two polytopes of any size take fewer iterations.
 #define GJK_SEARCH_ITERATIONS_MAX (GJK_PLAIN_ITERATIONS + 2 * GJK_MARKS)
