@@ -27,10 +27,11 @@ int gjk_sum_of_products_sign_exact(int64_t p, int64_t q, int64_t r, int64_t s) {
   return sum.high > INT64_MAX ? -1 : (sum.high | sum.low) != 0;
 }
 
-static gjk_u128 add128(gjk_u128 a, gjk_u128 b) {
-  gjk_u128 sum = {a.high + b.high, a.low + b.low};
-  sum.high += sum.low < b.low;
-  return sum;
+// *sum = a + b
+GJK_ONCE static void add128(const gjk_u128 *a, const gjk_u128 *b, gjk_u128 *sum) {
+  const uint64_t low = a->low + b->low;
+  sum->high = a->high + b->high + (low < b->low);
+  sum->low = low;
 }
 
 // The number of bits of x; 1 where x is 0.
@@ -92,7 +93,9 @@ static void fine_barycentric(const gjk_u128 *part, const gjk_u128 *sum, gjk_bary
 
 void gjk_barycentrics(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, bool fine,
                       gjk_barycentric weight[2]) {
-  const gjk_u128 sum = add128(add128(*rest, *part), *part2);
+  gjk_u128 sum;
+  add128(rest, part, &sum);
+  add128(&sum, part2, &sum);
   if (fine) {
     fine_barycentric(part, &sum, &weight[0]);
     fine_barycentric(part2, &sum, &weight[1]);
@@ -146,9 +149,12 @@ void gjk_portion(uint64_t rest, uint64_t part, bool from_rest, bool fine, gjk_ba
 
 void gjk_portions(const gjk_u128 *rest, const gjk_u128 *part, const gjk_u128 *part2, unsigned from_rest, bool fine,
                   gjk_barycentric weight[2]) {
-  const gjk_u128 others = add128(*rest, *part2), sum = add128(others, *part);
+  gjk_u128 others, others2, sum;
+  add128(rest, part2, &others);
+  add128(rest, part, &others2);
+  add128(&others, part, &sum);
   const bool flip = (from_rest & 1u) != 0, flip2 = (from_rest & 2u) != 0;
-  const gjk_u128 others2 = add128(*rest, *part), *first = flip ? &others : part, *second = flip2 ? &others2 : part2;
+  const gjk_u128 *first = flip ? &others : part, *second = flip2 ? &others2 : part2;
   if (fine) {
     fine_portion(first, &sum, flip, &weight[0]);
     fine_portion(second, &sum, flip2, &weight[1]);
