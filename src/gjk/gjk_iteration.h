@@ -37,10 +37,10 @@ static inline bool gjk_goal_nears(gjk_goal goal) {
   return goal <= GJK_GOAL_WITHIN;
 }
 
-// Marks of vertices: of shapes made of half axes 8 suffice.
+// Marks of vertices: a box has 8 of them, and swept along a way 16 (gjk_swept.h).
 #if GJK_SHAPES <= GJK_SHAPES_BOXES
-typedef uint8_t gjk_marks;
-#define GJK_MARKS 8
+typedef uint16_t gjk_marks;
+#define GJK_MARKS 16
 #else
 typedef uint64_t gjk_marks;
 #define GJK_MARKS 64

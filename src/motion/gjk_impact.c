@@ -99,9 +99,9 @@ static int64_t composing_slack(const gjk_pose *own) {
 static int64_t impact_slack(const gjk_mover *m) {
   const gjk_shape *shape = m->collider.shape;
   const int64_t r = (int64_t)m->reach + shape->convex_radius;
-  const int64_t posing = gjk_is_curved(shape)                 ? 228 + 2 * 256
-                         : shape->type->kind == GJK_KIND_AXES ? HALF_DIAGONAL * m->collider.count
-                                                              : HALF_DIAGONAL * 3 / 2;
+  const int64_t posing = gjk_is_curved(shape)       ? 228 + 2 * 256
+                         : gjk_has_half_axes(shape) ? HALF_DIAGONAL * m->collider.count
+                                                    : HALF_DIAGONAL * 3 / 2;
   return 2 * posing + HALF_DIAGONAL + gjk_sar64(r, 15) + 1 + (m->own != NULL ? composing_slack(m->own) : 0);
 }
 

@@ -71,7 +71,7 @@ gjk_status gjk_collider_aabb(const gjk_collider *c, gjk_aabb *out) {
   const gjk_q16 convex_radius = c->shape->convex_radius;
   if (gjk_is_curved(c->shape)) {
     bound_curved(c, out);
-  } else if (c->shape->type->kind == GJK_KIND_AXES) {
+  } else if (gjk_has_half_axes(c->shape)) {
     bound_axes(c, out);
   } else {
     bound_vertices(c, out);

@@ -387,7 +387,7 @@ static inline const gjk_vec3 *gjk_scene_local_centre(const gjk_scene_part *part,
 
 // Is the core a point?
 static inline bool gjk_scene_is_point(const gjk_shape *shape) {
-  return shape->type->kind == GJK_KIND_AXES && shape->type->count == 0;
+  return gjk_has_half_axes(shape) && shape->type->count == 0;
 }
 
 // Writes a part as a posed collider with lazy hulls.
@@ -443,7 +443,7 @@ static inline bool gjk_scene_holds(const gjk_scene_part *p, const gjk_collider *
 static inline bool gjk_scene_holds_unposed(const gjk_scene_part *p, const gjk_collider *c) {
   static const gjk_vec3 origin = {0, 0, 0};
   const gjk_shape_class *type = c->shape->type;
-  for (unsigned i = type->count; i < 3 && type->kind == GJK_KIND_AXES; i++) {
+  for (unsigned i = type->count; i < 3 && gjk_has_half_axes(c->shape); i++) {
     if (!gjk_scene_same_vec3(&p->frame[i], &origin)) {
       return false;
     }

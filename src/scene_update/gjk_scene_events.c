@@ -2,7 +2,7 @@
 #include "../arith/gjk_sort.h"
 #include "gjk_scene_update.h"
 
-// Up to so many events are sorted by insertion.
+// Up to so many events are sorted by insertion. A build for size does without that, and without the walk below.
 #define FEW 8
 
 // Where the last update had an event for one in so many bodies, parts and pairs, all of them are walked. A step of such a
@@ -201,7 +201,7 @@ static inline uint32_t packed(const sorted_queue *q, uint32_t index, uint32_t sl
 // Sorts count entries: a few by insertion, where each goes down to its place.
 static void sort_entries(sorted_queue *q, uint32_t count) {
   static const gjk_sort_order order = {.before = reported_before, .exchange = exchange_events};
-  if (count > FEW) {
+  if (GJK_SMALL || count > FEW) {
     gjk_sort(&order, q, count);
     return;
   }
@@ -286,8 +286,8 @@ static uint32_t keep_events(sorted_queue *q, gjk_scene_view *v) {
 void gjk_scene_make_events(gjk_scene_view *v) {
   gjk_scene_header *h = v->header;
   const uint32_t last = h->stats.begun + h->stats.persisting + h->stats.ended;
-  const bool walks =
-      h->gone == GJK_SCENE_NONE && last > FEW && last >= (h->bodies.fresh + h->parts.count + h->pairs.count) / WALK;
+  const bool walks = !GJK_SMALL && h->gone == GJK_SCENE_NONE && last > FEW &&
+                     last >= (h->bodies.fresh + h->parts.count + h->pairs.count) / WALK;
   sorted_queue q = {v, v->queue, UINT32_MAX >> gjk_clz32(h->pairs.capacity), gjk_clz32(h->config.bodies)};
   start_stats(v);
   const uint32_t kept = walks ? walk_events(&q) : keep_events(&q, v);

@@ -63,7 +63,7 @@ static uint64_t gjk_scene_centres_squared(const gjk_scene_part *a, const gjk_sce
 // A posed half axis of a box is off by less than 5/4 LSB, so a support plane comes nearer by less than 15/4.
 static int32_t gjk_scene_inner_radius(const gjk_shape *shape) {
   const gjk_vec3 *size = &shape->size;
-  if (shape->type->kind != GJK_KIND_AXES) {
+  if (!gjk_has_half_axes(shape)) {
     return -(INT32_C(1) << 30);
   }
   if (shape->type->count < 3) {

@@ -18,7 +18,7 @@
 // 3 and 6 alone, cold. Step 3 is then the answer itself, not a skip of it. For whether such a pair has a record at all
 // depends on its larger boxes in the tree, and so on history.
 //
-// With retest_all, pairs without curves take steps 2 and 6 alone, cold.
+// With retest_all, pairs without curves take steps 2 and 6 alone, cold. Points take steps 1, 2, 3 and 6, which is step 4.
 #include "../arith/gjk_root.h"
 #include "../scene/gjk_scene_pairs.h"
 #include "../scene/gjk_scene_part.h"
@@ -239,7 +239,7 @@ static void test_geometry(const gjk_scene_view *v, const gjk_scene_part *a, cons
   if ((skips || curved) && boxes_apart(&q, pair)) {
     return;
   }
-  const bool cold = !skips || curved;
+  const bool cold = GJK_SHAPES <= GJK_SHAPES_POINTS || !skips || curved;  // spheres are what points ask about
   if (cold || !spheres_settle(&q, pair)) {
     query_pair(&q, cold, pair);
   }

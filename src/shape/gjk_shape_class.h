@@ -82,6 +82,11 @@ static inline bool gjk_is_known(const gjk_shape_class *type) {
          (GJK_SHAPES == GJK_SHAPES_POLYTOPES ? type->stalls == NULL : type->kind == GJK_KIND_AXES && type->count < end);
 }
 
+// Is the shape a point, segment or box, and not one of a query's own?
+static inline bool gjk_has_half_axes(const gjk_shape *shape) {
+  return GJK_SHAPES <= GJK_SHAPES_BOXES || shape->type->kind == GJK_KIND_AXES;
+}
+
 // The state of a collider. Other values are those of memory that was never initialised.
 #define GJK_STATE_INITIALISED UINT16_C(0x676A)
 #define GJK_STATE_POSED UINT16_C(0x676B)
