@@ -1,6 +1,16 @@
 // Exact sums of products, comparisons and quotients beyond 64 bits: what runs when the high words do not settle a sign.
 #include "gjk_wide.h"
 
+#if GJK_SMALL && !GJK_64_BIT
+int64_t gjk_sar64_by(int64_t x, unsigned n) {
+  return x >> n;  // the compilers that optimise for size shift arithmetically
+}
+
+int64_t gjk_shl64_by(int64_t x, unsigned n) {
+  return gjk_int64((uint64_t)x << n);
+}
+#endif
+
 // Long multiplication in digits of 31 bits: p = 2^31 ph + pl, 0 <= pl < 2^31, |ph| <= 2^31 since |p| < 2^62. q, r and s
 // alike.
 //

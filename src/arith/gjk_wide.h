@@ -9,6 +9,7 @@
 // GJK_OUT_OF_LINE marks a function that must not be inlined, mostly because it rarely runs.
 // GJK_SMALL is 1 where the compiler optimises for size; the code is then chosen for size as well.
 // GJK_ONCE marks a function that stays one copy where GJK_SMALL is 1, and goes in line elsewhere.
+// GJK_ONE_COPY marks one that stays one copy there, and is up to the compiler elsewhere.
 #if defined(__GNUC__)
 #define GJK_OUT_OF_LINE __attribute__((noinline))
 #else
@@ -17,12 +18,15 @@
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define GJK_SMALL 1
 #define GJK_ONCE GJK_OUT_OF_LINE
+#define GJK_ONE_COPY GJK_OUT_OF_LINE
 #elif defined(__GNUC__)
 #define GJK_SMALL 0
 #define GJK_ONCE __attribute__((always_inline)) inline
+#define GJK_ONE_COPY
 #else
 #define GJK_SMALL 0
 #define GJK_ONCE inline
+#define GJK_ONE_COPY
 #endif
 
 // GJK_CONDITIONAL_MOVES is 1 on processors that guess branches far ahead: there a wrong guess costs more than a product.
@@ -70,8 +74,24 @@ static inline int32_t gjk_sar32(int32_t x, unsigned n) {
   return x < 0 ? ~(~x >> n) : x >> n;
 }
 
+// A shift of 64 bits by a number that varies is a dozen instructions on a core of 32 bits: in a build for size a call.
+#if GJK_SMALL && !GJK_64_BIT
+#define GJK_IS_CALL(n) (!__builtin_constant_p(n))
+#define GJK_SHIFT __attribute__((always_inline)) static inline
+int64_t gjk_sar64_by(int64_t x, unsigned n);
+int64_t gjk_shl64_by(int64_t x, unsigned n);
+#else
+#define GJK_IS_CALL(n) false
+#define GJK_SHIFT static inline
+#define gjk_sar64_by(x, n) (x)
+#define gjk_shl64_by(x, n) (x)
+#endif
+
 // floor(x / 2^n), 0 <= n <= 63.
-static inline int64_t gjk_sar64(int64_t x, unsigned n) {
+GJK_SHIFT int64_t gjk_sar64(int64_t x, unsigned n) {
+  if (GJK_IS_CALL(n)) {
+    return gjk_sar64_by(x, n);
+  }
   if ((-1 >> 1) == -1) {  // not reached: a constant has one outcome
     return x >> n;
   }
@@ -85,7 +105,10 @@ static inline int32_t gjk_shl32(int32_t x, unsigned n) {
 }
 
 // x 2^n. Pre: the result fits.
-static inline int64_t gjk_shl64(int64_t x, unsigned n) {
+GJK_SHIFT int64_t gjk_shl64(int64_t x, unsigned n) {
+  if (GJK_IS_CALL(n)) {
+    return gjk_shl64_by(x, n);
+  }
   return gjk_int64((uint64_t)x << n);
 }
 

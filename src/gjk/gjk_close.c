@@ -17,7 +17,7 @@ typedef struct segment_products {
 } segment_products;
 
 // Where is x in the range from -most to most? 0: strictly inside.
-static int range_end(int64_t x, int64_t most) {
+GJK_ONE_COPY static int range_end(int64_t x, int64_t most) {
   return x >= most ? 1 : x <= -most ? -1 : 0;
 }
 

@@ -96,13 +96,13 @@ static int64_t fraction_of(int64_t above, int64_t slope, unsigned scale, bool up
 
 // Is a step of the fraction at most so many LSB long?
 //   norm1 of the way < 3 2^32 < 2^34, step <= 2^31:  below 2^63 once the length is at most 2^32
-static bool is_short_step(const gjk_way *way, int64_t step, unsigned lsb) {
+GJK_ONE_COPY static bool is_short_step(const gjk_way *way, int64_t step, unsigned lsb) {
   const uint64_t length = gjk_magnitude64(way->t.x) + gjk_magnitude64(way->t.y) + gjk_magnitude64(way->t.z);
   return step <= GJK_Q30_ONE && length * (uint64_t)step <= (uint64_t)lsb << 30;
 }
 
 // 2^scale x / y, to about 2^-28 of it, rounded down, at most 2^31 - 1. Pre: x >= 0, y > 0.
-static int64_t quotient(int64_t x, int64_t y, unsigned scale) {
+GJK_ONE_COPY static int64_t quotient(int64_t x, int64_t y, unsigned scale) {
   const gjk_u128 dividend = {0, (uint64_t)x}, divisor = {0, (uint64_t)y};
   gjk_divisor prepared;
   unsigned k;
@@ -112,7 +112,7 @@ static int64_t quotient(int64_t x, int64_t y, unsigned scale) {
 }
 
 // x y / 2^30. Pre: |x|, |y| <= 2^31.
-static int64_t scaled(int64_t x, int64_t y) {
+GJK_ONE_COPY static int64_t scaled(int64_t x, int64_t y) {
   return gjk_sar64(x * y, 30);
 }
 
@@ -154,7 +154,7 @@ static int64_t probe_ahead(const advance_rounds *r, int64_t step) {
   return scaled(step, quotient((2 * (int64_t)GJK_Q30_ONE - share) * c, c + root, 0));
 }
 
-static void raise_proven(advance_rounds *r, int64_t fraction) {
+GJK_ONE_COPY static void raise_proven(advance_rounds *r, int64_t fraction) {
   if (fraction > r->proven) {
     r->proven = (gjk_q30)fraction;
   }
@@ -235,12 +235,12 @@ static advance_end run_rounds(advance_rounds *r) {
 }
 
 // One axis of how far a centre has come, Q30 LSB. |end - start| < 2^32:  at most 2^62
-static int64_t way_done(gjk_q16 start, gjk_q16 end, gjk_q30 fraction) {
+GJK_ONE_COPY static int64_t way_done(gjk_q16 start, gjk_q16 end, gjk_q30 fraction) {
   return ((int64_t)end - start) * fraction;
 }
 
 // x / 2^30 rounded up where side is above 0, down where it is below, else to the nearest. Pre: |x| <= 2^62.
-static int64_t round_away(int64_t x, gjk_q30 side) {
+GJK_ONE_COPY static int64_t round_away(int64_t x, gjk_q30 side) {
   const int64_t up = side > 0 ? GJK_Q30_ONE - 1 : side < 0 ? 0 : GJK_Q30_ONE / 2;
   return gjk_sar64(x + up, 30);
 }

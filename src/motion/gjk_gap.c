@@ -53,7 +53,7 @@ static int64_t apart(int64_t start, int64_t t, gjk_q30 fraction) {
 }
 
 // One axis of the frame's delta, and what it leaves, Q30 LSB: at most 2^(29 - shift) in size.
-static int32_t frame_axis(int64_t apart, unsigned shift, int32_t *rest) {
+GJK_ONE_COPY static int32_t frame_axis(int64_t apart, unsigned shift, int32_t *rest) {
   const unsigned n = 30 - shift;
   const int64_t delta = gjk_sar64(apart + (INT64_C(1) << (n - 1)), n);
   *rest = (int32_t)(apart - gjk_shl64(delta, n));
@@ -75,7 +75,7 @@ static void set_near_frame(gjk_gap *gap, const gjk_long3 *at) {
 }
 
 // One axis of a vertex of A - B in the new frame. The offset, in LSB, stays.
-static int32_t vertex_axis(int32_t w, int32_t from, unsigned from_shift, int32_t to, unsigned to_shift) {
+GJK_ONE_COPY static int32_t vertex_axis(int32_t w, int32_t from, unsigned from_shift, int32_t to, unsigned to_shift) {
   return to + gjk_shl32(gjk_sar32(w - from, from_shift), to_shift);
 }
 

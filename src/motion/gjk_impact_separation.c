@@ -36,7 +36,7 @@ static int64_t along_q8(const gjk_unit3 *v, const gjk_long3 *d) {
   return gjk_sar64(v->x * d->x + v->y * d->y + v->z * d->z, 22);
 }
 
-static gjk_long3 between(const gjk_vec3 *a, const gjk_vec3 *b) {
+GJK_ONE_COPY static gjk_long3 between(const gjk_vec3 *a, const gjk_vec3 *b) {
   const gjk_long3 d = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
   return d;
 }
@@ -181,7 +181,7 @@ GJK_OUT_OF_LINE static uint64_t distance_bound(const gjk_vec3 *p, const gjk_vec3
 }
 
 // x y / 2^16, rounded up. Pre: the product is below 2^63.
-static uint64_t q16_product(uint64_t x, uint32_t y) {
+GJK_ONE_COPY static uint64_t q16_product(uint64_t x, uint32_t y) {
   return ((x * y) >> 16) + 1;
 }
 
@@ -212,7 +212,7 @@ static uint64_t times_square(uint64_t length, uint32_t w) {
 }
 
 // c over a part of the way, Q8, rounded up. Pre: no body turns by ANGLE_MAX there.
-static uint64_t parabola_over(const separation_bounds *of, const gjk_separation *s, gjk_q30 part) {
+GJK_ONE_COPY static uint64_t parabola_over(const separation_bounds *of, const gjk_separation *s, gjk_q30 part) {
   uint32_t w[3];  // angles, Q16
   for (int i = 0; i < 3; i++) {
     w[i] = of->angle[i] == 0 ? 0 : (uint32_t)(gjk_umul32(of->angle[i], (uint32_t)part) >> 30) + 1;

@@ -93,17 +93,17 @@ static int look(gjk_portal *p, int least) {
   return side < least && refine(p) ? gjk_portal_beside(p, &p->corner[3].u) : side;
 }
 
-static int look_along(gjk_portal *p, const gjk_vec3 *g, int least) {
+GJK_ONE_COPY static int look_along(gjk_portal *p, const gjk_vec3 *g, int least) {
   gjk_portal_face(p, g);
   return look(p, least);
 }
 
-static gjk_vec3 unit_axis(unsigned axis, int32_t length) {
+GJK_ONE_COPY static gjk_vec3 unit_axis(unsigned axis, int32_t length) {
   const gjk_vec3 v = {axis == 0 ? length : 0, axis == 1 ? length : 0, axis == 2 ? length : 0};
   return v;
 }
 
-static void set_inward(gjk_portal *p, unsigned i, unsigned j) {
+GJK_ONE_COPY static void set_inward(gjk_portal *p, unsigned i, unsigned j) {
   gjk_set(&p->corner[i].u, &p->inward[0]);
   gjk_set(&p->corner[j].u, &p->inward[1]);
 }

@@ -85,13 +85,13 @@ int64_t gjk_portal_component(const gjk_long3 *v, unsigned axis) {
 }
 
 // Is each component from -2^29 to below 2^29?
-static bool is_below_29(const gjk_long3 *v) {
+GJK_ONE_COPY static bool is_below_29(const gjk_long3 *v) {
   const uint64_t half = UINT64_C(1) << 29;
   return (((uint64_t)v->x + half) | ((uint64_t)v->y + half) | ((uint64_t)v->z + half)) >> 30 == 0;
 }
 
 // *v 2^shift, modulo 2^64.
-static void scale(gjk_long3 *v, unsigned shift) {
+GJK_ONE_COPY static void scale(gjk_long3 *v, unsigned shift) {
   v->x = gjk_shl64(v->x, shift);
   v->y = gjk_shl64(v->y, shift);
   v->z = gjk_shl64(v->z, shift);

@@ -4,7 +4,7 @@
 // One axis of a collider's way: *end becomes its centre at the end, and the way's length is returned. *outside is set
 // where the centre leaves int32.
 //   the way    to - position: below 2^32 in size
-static int64_t way_along(gjk_q16 position, gjk_q16 to, gjk_q16 centre, gjk_q16 *end, bool *outside) {
+GJK_ONE_COPY static int64_t way_along(gjk_q16 position, gjk_q16 to, gjk_q16 centre, gjk_q16 *end, bool *outside) {
   const int64_t way = (int64_t)to - position;
   *end = gjk_saturate_noting(centre + way, outside);
   return way;
