@@ -1,10 +1,11 @@
 // The frame of a pair; the bounds are in gjk_frame.h.
 #include "gjk_frame.h"
 
-// Is v longer than r? Exact for r < 2^31. For larger r single components alone are compared, so a "no" may be wrong.
-// Pre: components of v at most 2^32 in size, 0 <= r < 2^33.
-static bool longer_than(const gjk_long3 *v, int64_t r) {
-  const uint64_t x = gjk_magnitude64(v->x), y = gjk_magnitude64(v->y), z = gjk_magnitude64(v->z);
+// Is v / 2^n, floored, longer than r? Exact for r < 2^31. For larger r single components alone are compared, so a "no" may be
+// wrong. Pre: components of v at most 2^32 in size, 0 <= r < 2^33.
+static bool longer_than(const gjk_long3 *v, unsigned n, int64_t r) {
+  const uint64_t x = gjk_magnitude64(gjk_sar64(v->x, n)), y = gjk_magnitude64(gjk_sar64(v->y, n)),
+                 z = gjk_magnitude64(gjk_sar64(v->z, n));
   const uint64_t limit = (uint64_t)r;
   if (x > limit || y > limit || z > limit) {
     return true;
@@ -19,16 +20,11 @@ static bool longer_than(const gjk_long3 *v, int64_t r) {
 
 // The largest shift <= 0 that leaves delta 2^shift at most 2^30 long.
 static int far_shift(const gjk_long3 *delta) {
-  const int64_t unit = INT64_C(1) << 30;
-  gjk_long3 scaled = {delta->x, delta->y, delta->z};
-  int shift = 0;
-  while (shift > -3 && longer_than(&scaled, unit)) {
-    scaled.x = gjk_sar64(scaled.x, 1);
-    scaled.y = gjk_sar64(scaled.y, 1);
-    scaled.z = gjk_sar64(scaled.z, 1);
-    shift--;
+  unsigned n = 0;
+  while (n < 3 && longer_than(delta, n, INT64_C(1) << 30)) {
+    n++;
   }
-  return shift;
+  return -(int)n;
 }
 
 // A component of a vector in a far frame, rounded to the nearest integer. In line it costs Cortex-M0 100 bytes.
@@ -50,7 +46,7 @@ void gjk_frame_move_far(const gjk_iteration *it, gjk_vec3 *v) {
 bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius) {
   const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre;
   const gjk_long3 delta = {(int64_t)a->x - b->x, (int64_t)a->y - b->y, (int64_t)a->z - b->z};  // each at most 2^32
-  if (spheres && longer_than(&delta, it->a->core_radius + it->b->core_radius + radius)) {
+  if (spheres && longer_than(&delta, 0, it->a->core_radius + it->b->core_radius + radius)) {
     return false;
   }
   it->shift = (int8_t)far_shift(&delta);
@@ -62,7 +58,7 @@ bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius) {
   return true;
 }
 
-#if GJK_SMALL
+#if GJK_SMALL && GJK_SHAPES >= GJK_SHAPES_ROUND
 void gjk_frame_set_near(gjk_iteration *it, const gjk_vec3 *delta, int64_t radius) {
   gjk_frame_fill(it, delta, radius);
 }

@@ -22,7 +22,7 @@ bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius);
 
 // Sets shift, delta and radius for cores of the pair it->a, it->b that are moved to where their centres are delta apart.
 // Pre: |delta| <= 2^30, its norm and the core radii together below 2^31. In a build for size one copy, in gjk_frame.c.
-#if GJK_SMALL
+#if GJK_SMALL && GJK_SHAPES >= GJK_SHAPES_ROUND
 void gjk_frame_set_near(gjk_iteration *it, const gjk_vec3 *delta, int64_t radius);
 #else
 #define gjk_frame_set_near gjk_frame_fill

@@ -19,6 +19,41 @@ typedef struct feature {
 // At a smaller shift edges may be so long that weights of 31 bits move the point by half an LSB: low parts count too.
 #define FINE_SHIFT 4
 
+// One coordinate of a witness point in the world: core, from the centre, Q31, moved by convex_radius along the normal.
+GJK_ONCE static gjk_q16 coordinate(int64_t core, gjk_q16 centre, gjk_q30 normal, gjk_q16 convex_radius,
+                                   bool *saturated) {
+  return gjk_saturate_noting(centre + gjk_sar64(gjk_mac32(core, normal, 2 * convex_radius), 31), saturated);
+}
+
+// One coordinate of the vertex of B, from B's centre, by that of the vertex of A and of w. At most 2^28 + 2^3 in size.
+static int32_t offset_b(const gjk_iteration *it, gjk_q16 centre_a, gjk_q16 centre_b, int32_t a, int32_t w) {
+  const int shift = it->shift;
+  if (shift >= 0) {
+    return centre_a - centre_b + a - gjk_sar32(w, (unsigned)shift);
+  }
+  return (int32_t)((int64_t)centre_a - centre_b + a - gjk_shl64(w, (unsigned)-shift));
+}
+
+#if GJK_SHAPES <= GJK_SHAPES_POINTS
+
+// One coordinate of both points of two points, w apart in the frame: half an LSB is added to the cores.
+GJK_ONE_COPY static void point_axis(const gjk_iteration *it, gjk_q16 centre_a, gjk_q16 centre_b, int32_t w,
+                                    gjk_q30 normal, gjk_q16 *point_a, gjk_q16 *point_b, bool *saturated) {
+  const int64_t half = INT64_C(1) << 30, core_b = gjk_shl64(offset_b(it, centre_a, centre_b, 0, w), 31) + half;
+  *point_a = coordinate(half, centre_a, normal, it->a->shape->convex_radius, saturated);
+  *point_b = coordinate(core_b, centre_b, normal, -it->b->shape->convex_radius, saturated);
+}
+
+static void nearest_points(const gjk_iteration *it, const feature *f, const gjk_unit3 *normal, gjk_vec3 *point_a,
+                           gjk_vec3 *point_b, bool *saturated) {
+  const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre, *w = &f->u->w;
+  point_axis(it, a->x, b->x, w->x, normal->x, &point_a->x, &point_b->x, saturated);
+  point_axis(it, a->y, b->y, w->y, normal->y, &point_a->y, &point_b->y, saturated);
+  point_axis(it, a->z, b->z, w->z, normal->z, &point_a->z, &point_b->z, saturated);
+}
+
+#else
+
 // What the low parts of the weights of v - u and w - u add, Q31. In line it costs 0.9 % of a distance query.
 GJK_OUT_OF_LINE static int64_t fine_part(const feature *f, int32_t v, int32_t w) {
   // |v|, |w| <= 2^30, weights < 2^16:  at most 2^31
@@ -34,28 +69,10 @@ GJK_ONCE static int64_t weighted(const feature *f, int32_t u, int32_t v, int32_t
   v -= u;
   w -= u;
   const int64_t start = gjk_shl64(2 * u + 1, 30);  // |u| <= 2^29:  at most 2^60 + 2^30
-  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
-    return start;
-  }
   //@ assert start >= -(INT64_C(1) << 61) && start <= INT64_C(1) << 61;
   // |v - u|, |w - u| <= 2^30, weights < 2^31:  partial sums below 5 2^60 + 2^30
   const int64_t sum = gjk_mac32(gjk_mac32(start, v, f->weight[0].high), w, f->weight[1].high);
   return (f->weight[0].low | f->weight[1].low) != 0 ? sum + fine_part(f, v, w) : sum;
-}
-
-// One coordinate of a witness point in the world: core, from the centre, Q31, moved by convex_radius along the normal.
-GJK_ONCE static gjk_q16 coordinate(int64_t core, gjk_q16 centre, gjk_q30 normal, gjk_q16 convex_radius,
-                                   bool *saturated) {
-  return gjk_saturate_noting(centre + gjk_sar64(gjk_mac32(core, normal, 2 * convex_radius), 31), saturated);
-}
-
-// One coordinate of the vertex of B, from B's centre, by that of the vertex of A and of w. At most 2^28 + 2^3 in size.
-static int32_t offset_b(const gjk_iteration *it, gjk_q16 centre_a, gjk_q16 centre_b, int32_t a, int32_t w) {
-  const int shift = it->shift;
-  if (shift >= 0) {
-    return centre_a - centre_b + a - gjk_sar32(w, (unsigned)shift);
-  }
-  return (int32_t)((int64_t)centre_a - centre_b + a - gjk_shl64(w, (unsigned)-shift));
 }
 
 // One coordinate of both points. a: of the vertices of A; w: of their differences, in the frame.
@@ -95,6 +112,8 @@ GJK_OUT_OF_LINE static void nearest_points(const gjk_iteration *it, const featur
   point_b->y = on_b[1];
   point_b->z = on_b[2];
 }
+
+#endif
 
 // What all coordinates of both points share in a frame of FINE_SHIFT or more.
 typedef struct witness_move {

@@ -23,6 +23,24 @@
 
 // The exact distance, rounded: the one of low to high, in LSB, that an exact comparison of squares finds.
 //   frame 2^n times as coarse as an LSB, n <= 3: no edge exceeds 2^(30 - n), and 4^n numerator stays below 2^186
+#if GJK_SHAPES <= GJK_SHAPES_POINTS
+//   points: up from low, while 2 distance >= q 2^shift. With q = 2^n a + f for a far frame of shift -n, squared:
+//     4 square - a^2 >= (2 a f 2^n + f^2) / 4^n      |w| <= 2^30 + 1, a < 2^32; the left side is below 2^40, see below
+GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high, gjk_round_to to) {
+  const int64_t square = 4 * it->simplex.toward[0][0] - (to == GJK_ROUND_UP ? 1 : 0);  // up: near frames alone
+  const unsigned up = it->shift > 0 ? (unsigned)it->shift : 0, n = it->shift < 0 ? (unsigned)-it->shift : 0;
+  for (; low < high; low++) {
+    const int64_t q = gjk_shl64(2 * low + (int)to, up);
+    const uint32_t a = (uint32_t)gjk_sar64(q, n), f = gjk_low32(q) & ((UINT32_C(1) << n) - 1);
+    const int64_t rest = square - gjk_int64(gjk_umul32(a, a));
+    if (rest < 0 ||
+        gjk_shl64(rest, 2 * n) < gjk_shl64(gjk_int64(gjk_umul32(a, f)), n + 1) + gjk_mul32((int32_t)f, (int32_t)f)) {
+      break;
+    }
+  }
+  return low;
+}
+#else
 GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t low, int64_t high, gjk_round_to to) {
   const unsigned finer = it->shift > 0 ? (unsigned)it->shift : 0;
   gjk_u192 numerator, denominator;
@@ -33,6 +51,7 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t 
   // At most 129 candidates, so 8 steps; 2 high + 2 < 2^35.
   return gjk_round_distance(&numerator, &denominator, low, high, finer, to);
 }
+#endif
 
 // x / 2^(30 + shift), not negative, floored after half is added; from the frame's Q30 to LSB. -3 <= shift <= 29.
 GJK_ONCE static int64_t to_lsb(int64_t x, int64_t half, int shift) {
@@ -46,8 +65,9 @@ int64_t gjk_feature_distance(const gjk_iteration *it, int64_t plane, gjk_round_t
   if (low == high) {
     return low;
   }
-  const int32_t along = shift >= 0 ? gjk_simplex_along_axis(&it->simplex) : -1;
-  return along >= 0 ? gjk_sar32(along, (unsigned)shift) : settle_distance(it, low, high, to);  // a multiple of 2^shift
+  // A multiple of 2^shift needs no comparison.
+  const int32_t along = !GJK_SMALL && shift >= 0 ? gjk_simplex_along_axis(&it->simplex) : -1;
+  return along >= 0 ? gjk_sar32(along, (unsigned)shift) : settle_distance(it, low, high, to);
 }
 
 // The feature's distance in LSB, correctly rounded, a tie up; from the distance of its plane.
@@ -148,7 +168,7 @@ void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, bool poin
   if (points) {
     gjk_iteration_certify(it, outcome, &out->certificate);
   }
-  if (cache != NULL) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && cache != NULL) {
     gjk_iteration_keep(it, outcome, cache);
   }
 }
