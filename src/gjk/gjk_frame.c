@@ -50,8 +50,9 @@ bool gjk_frame_set_far(gjk_iteration *it, bool spheres, int64_t radius) {
     return false;
   }
   it->shift = (int8_t)far_shift(&delta);
-  it->delta.x = it->delta.y = it->delta.z = 0;
-  gjk_frame_move_far(it, &it->delta);
+  it->delta.x = far_component(delta.x, it->shift);
+  it->delta.y = far_component(delta.y, it->shift);
+  it->delta.z = far_component(delta.z, it->shift);
   // |w| < 2^31 - 1, so that a larger radius settles the question like this one.
   const int64_t framed = gjk_sar64(radius, (unsigned)-it->shift);
   it->radius = framed < INT32_MAX ? (int32_t)framed : INT32_MAX;

@@ -306,6 +306,10 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
 // have no numbers, and for SEPARATED, which the direction proves.
 GJK_ONCE static uint8_t name_vertices(const gjk_iteration *it, gjk_outcome outcome, uint16_t a[4], uint16_t b[4]) {
   const gjk_simplex *s = &it->simplex;
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    a[0] = b[0] = 0;
+    return outcome == GJK_OUTCOME_SEPARATED ? 0 : 1;
+  }
   const uint8_t named = outcome == GJK_OUTCOME_NEAREST && it->diagonal ? 2 : s->count;
   const uint8_t count = gjk_pair_is_curved(it) || outcome == GJK_OUTCOME_SEPARATED ? 0 : named;
   for (unsigned i = 0; i < count; i++) {

@@ -445,13 +445,10 @@ bool gjk_search_closes(gjk_iteration *it, gjk_goal goal) {
 #if GJK_SHAPES <= GJK_SHAPES_POINTS
 gjk_outcome gjk_search_points(gjk_iteration *it, gjk_goal goal, unsigned limit) {
   gjk_simplex *s = &it->simplex;
-  gjk_vertex *v = &s->slot[0];
-  const gjk_vec3 origin = {0, 0, 0}, w = it->delta;
+  const gjk_vec3 w = it->delta;
   const int64_t square = gjk_dot(&w, &w);
   const bool first = it->iterations == 0;
-  v->w = w;
-  v->a.offset = origin;
-  v->a.vertex = v->b = 0;
+  s->slot[0].w = w;  // of the vertices nothing else is read
   s->toward[0][0] = square;
   s->count = 1;
   it->direction.d = gjk_negate(w);

@@ -65,7 +65,8 @@ static int64_t squared_between(const gjk_vec3 *p, const gjk_vec3 *q) {
 static void admit_nearest(const gjk_distance_result *nearest, gjk_candidates *candidates) {
   unsigned next = 0;
   int64_t least = INT64_MAX;
-  for (unsigned i = 0; i < candidates->count; i++) {
+  // Points have no candidates.
+  for (unsigned i = 0; GJK_SHAPES >= GJK_SHAPES_ROUND && i < candidates->count; i++) {
     const gjk_contact *candidate = &candidates->candidate[i];
     if (candidate->distance <= nearest->distance + SLACK) {
       return;
@@ -147,7 +148,8 @@ gjk_status gjk_contacts(const gjk_collider *a, const gjk_collider *b, gjk_q16 ma
   out->feature_a = 0;
   out->feature_b = 0;
   out->count = 0;
-  if (nearest.distance <= margin && !find_contacts(a, b, margin, most, &nearest, points, out)) {
+  if (nearest.distance <= margin && !find_contacts(a, b, margin, most, &nearest, points, out) &&
+      GJK_SHAPES >= GJK_SHAPES_BOXES) {
     status = gjk_signed_distance(a, b, cache, workspace, &nearest);
     (void)find_contacts(a, b, margin, most, &nearest, true, out);
   }

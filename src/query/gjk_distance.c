@@ -99,6 +99,9 @@ int64_t gjk_plane_of(const gjk_iteration *it, gjk_unit3 *normal) {
 
 bool gjk_convex_radii_touch(const gjk_iteration *it, int64_t plane) {
   const int64_t radius = gjk_shl64(it->radius, 30);  // below 2^61
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return it->radius > 0 && gjk_iteration_near(it);
+  }
   return radius > 0 && plane - GJK_PLANE_ERROR <= radius &&
          (plane + GJK_PLANE_ERROR <= radius || gjk_iteration_near(it));
 }

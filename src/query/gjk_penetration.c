@@ -46,7 +46,7 @@ static gjk_status measure_cores(overlap *o, const gjk_workspace *workspace) {
   gjk_facet *facet = &o->facet;
   gjk_epa_outcome expansion = GJK_EPA_FACET;
   o->proof = GJK_PROOF_FACET;
-  if (facet->found) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && facet->found) {
     o->lower = facet->depth;
   } else {
     expansion = gjk_epa(it, workspace, facet, &o->lower, &o->iterations);
@@ -80,7 +80,7 @@ static void certify(const overlap *o, gjk_certificate *out) {
     return;
   }
   out->proof = o->proof;
-  if (o->proof == GJK_PROOF_FACET) {
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && o->proof == GJK_PROOF_FACET) {
     out->count = 3;
     for (int i = 0; i < 3; i++) {
       out->a[i] = o->facet.corner[i].a.vertex;
@@ -99,7 +99,8 @@ static gjk_status report_depth(overlap *o, gjk_outcome outcome, int64_t plane, c
     measure_gap(o, plane);
   } else {
     status = measure_cores(o, workspace);
-    out->normal = o->proof == GJK_PROOF_FACET ? o->facet.normal : gjk_unit(&o->it.direction.d);
+    const bool facet = GJK_SHAPES >= GJK_SHAPES_ROUND && o->proof == GJK_PROOF_FACET;
+    out->normal = facet ? o->facet.normal : gjk_unit(&o->it.direction.d);
   }
   out->intersecting = true;
   out->upper = o->upper + radii;
@@ -139,7 +140,7 @@ static gjk_outcome search_overlap(overlap *o, gjk_goal goal, const gjk_cache *ca
   gjk_iteration *it = &o->it;
   const gjk_outcome outcome = search_pair(o, goal, cache);
   o->iterations = it->iterations;
-  if (outcome != GJK_OUTCOME_ENCLOSING || cache == NULL) {
+  if (GJK_SHAPES <= GJK_SHAPES_ROUND || outcome != GJK_OUTCOME_ENCLOSING || cache == NULL) {
     return outcome;
   }
   gjk_iteration_start(it, it->a, it->b, goal, gjk_convex_radii(it));
