@@ -35,7 +35,7 @@ GJK_HOT void gjk_triangle_normal(const gjk_vec3 *a, const gjk_vec3 *b, const gjk
 
 // a b / 2^n to the nearest integer, a half up. Pre: as of gjk_scaled.
 GJK_ONCE static int32_t gjk_scaled_component(int32_t a, int32_t b, unsigned n) {
-  return (int32_t)gjk_sar64(gjk_mac32(INT64_C(1) << (n - 1), a, b), n);
+  return (int32_t)gjk_sar64(gjk_mac32(gjk_shl64(1, n - 1), a, b), n);
 }
 
 // *out = by v / 2^n, each component to the nearest integer, a half up. Pre: 1 <= n <= 62; products are below 2^62 in size, and

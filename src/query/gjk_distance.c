@@ -33,8 +33,7 @@ GJK_OUT_OF_LINE static int64_t settle_distance(const gjk_iteration *it, int64_t 
     const int64_t q = gjk_shl64(2 * low + (int)to, up);
     const uint32_t a = (uint32_t)gjk_sar64(q, n), f = gjk_low32(q) & ((UINT32_C(1) << n) - 1);
     const int64_t rest = square - gjk_int64(gjk_umul32(a, a));
-    if (rest < 0 ||
-        gjk_shl64(rest, 2 * n) < gjk_shl64(gjk_int64(gjk_umul32(a, f)), n + 1) + gjk_mul32((int32_t)f, (int32_t)f)) {
+    if (rest < 0 || gjk_shl64(rest, 2 * n) < gjk_shl64(gjk_int64(gjk_umul32(a, f)), n + 1) + (int32_t)(f * f)) {
       break;
     }
   }
@@ -60,7 +59,7 @@ GJK_ONCE static int64_t to_lsb(int64_t x, int64_t half, int shift) {
 
 int64_t gjk_feature_distance(const gjk_iteration *it, int64_t plane, gjk_round_to to) {
   const int shift = it->shift;
-  const int64_t half = to == GJK_ROUND_NEAREST ? INT64_C(1) << (29 + shift) : 0;
+  const int64_t half = to == GJK_ROUND_NEAREST ? gjk_shl64(1, (unsigned)(29 + shift)) : 0;
   const int64_t low = to_lsb(plane - GJK_PLANE_ERROR, half, shift), high = to_lsb(plane + GJK_PLANE_ERROR, half, shift);
   if (low == high) {
     return low;
@@ -114,7 +113,7 @@ static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
   const gjk_unit3 u = gjk_unit(&it->direction.d);
   const int64_t plane = error - gjk_along(&u, &s->slot[s->order[s->count - 1]].w);
   const unsigned n = (unsigned)(30 + it->shift);
-  return gjk_sar64(plane + (INT64_C(1) << (n - 1)), n) - gjk_convex_radii(it);
+  return gjk_sar64(plane + (gjk_shl64(1, n - 1)), n) - gjk_convex_radii(it);
 }
 
 gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *upper) {
@@ -237,7 +236,7 @@ static gjk_status distance_round(const gjk_collider *a, const gjk_collider *b, g
   const gjk_status status = gjk_check_pair(a, b, out);
   if (status == GJK_OK) {
     gjk_iteration it;
-    start_distance(&it, a, b, out);
+    gjk_iteration_start(&it, a, b, GJK_GOAL_DISTANCE, (int64_t)a->shape->convex_radius + b->shape->convex_radius);
     const gjk_outcome outcome = gjk_search_whole(&it, GJK_GOAL_DISTANCE, NULL);
     if (gjk_search_has_ties(&it, GJK_GOAL_DISTANCE, outcome)) {
       (void)gjk_search_canonical(&it, true);
