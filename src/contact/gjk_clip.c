@@ -265,7 +265,7 @@ static void add_corners(clip *c, const gjk_polygon *from, unsigned which, const 
     gjk_vec3 way;
     gjk_scaled(d, m, 30 + k, &way);  // |m d| <= 2^61
     const gjk_vec3 across = gjk_sub(*p, way);
-    const gjk_q16 gap = k == 0 ? m : (gjk_q16)gjk_sar64((int64_t)m + (gjk_shl64(1, k - 1)), k);
+    const gjk_q16 gap = k == 0 ? m : (gjk_q16)gjk_sar64((int64_t)m + gjk_shl64(1, k - 1), k);
     const unsigned feature_from = feature_at(c, from, p, GJK_FEATURE_FACE),
                    feature_onto = feature_at(c, onto, &across, GJK_FEATURE_FACE);
     if (from == c->a) {

@@ -55,7 +55,7 @@ static int64_t apart(int64_t start, int64_t t, gjk_q30 fraction) {
 // One axis of the frame's delta, and what it leaves, Q30 LSB: at most 2^(29 - shift) in size.
 GJK_ONE_COPY static int32_t frame_axis(int64_t apart, unsigned shift, int32_t *rest) {
   const unsigned n = 30 - shift;
-  const int64_t delta = gjk_sar64(apart + (gjk_shl64(1, n - 1)), n);
+  const int64_t delta = gjk_sar64(apart + gjk_shl64(1, n - 1), n);
   *rest = (int32_t)(apart - gjk_shl64(delta, n));
   return (int32_t)delta;
 }

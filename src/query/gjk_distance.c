@@ -113,7 +113,7 @@ static int64_t plane_distance(const gjk_iteration *it, int64_t error) {
   const gjk_unit3 u = gjk_unit(&it->direction.d);
   const int64_t plane = error - gjk_along(&u, &s->slot[s->order[s->count - 1]].w);
   const unsigned n = (unsigned)(30 + it->shift);
-  return gjk_sar64(plane + (gjk_shl64(1, n - 1)), n) - gjk_convex_radii(it);
+  return gjk_sar64(plane + gjk_shl64(1, n - 1), n) - gjk_convex_radii(it);
 }
 
 gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *upper) {
