@@ -31,7 +31,7 @@ GJK_OUT_OF_LINE static int64_t far_in_lsb(const gjk2_search *s, const gjk2_lengt
   // Distances in far frames are 2^27 units at least, so shift is more than 4.
   const unsigned n = shift > s->far ? shift - s->far : 1;
   const int64_t nearest = (int64_t)((quotient + (UINT64_C(1) << (n - 1))) >> n);
-  return nearest + (to == GJK2_ROUND_NEAREST ? 0 : to == GJK2_ROUND_UP ? gjk_shl64(8, s->far) : -gjk_shl64(8, s->far));
+  return nearest + (to == GJK2_ROUND_NEAREST ? 0 : to == GJK2_ROUND_UP ? gjk_shl32(8, s->far) : -gjk_shl32(8, s->far));
 }
 
 // h / |n| in LSB.

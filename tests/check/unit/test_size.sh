@@ -76,21 +76,21 @@ kinds() {
 build=$1
 if [ -z "$(missing_package cortex-m3)" ]; then
   check 'the library for Cortex-M3 at -Os' library cortex-m3 -Os OPT=-Os
-  check 'gjk_intersect on boxes alone' at_most 8832 -DSIZE_BOXES
-  check 'gjk_distance on hulls, boxes and rounded forms' at_most 15744
-  check 'gjk_penetration as well, with posing' at_most 28096 -DSIZE_POSED -DSIZE_DEPTH
-  check 'gjk_cast as well, with posing' at_most 34944 -DSIZE_POSED -DSIZE_CAST
-  check 'gjk_time_of_impact as well, with posing' at_most 26880 -DSIZE_POSED -DSIZE_IMPACT
-  check 'gjk_cast_ray alone' at_most 30208 -DSIZE_RAY
+  check 'gjk_intersect on boxes alone' at_most 8736 -DSIZE_BOXES
+  check 'gjk_distance on hulls, boxes and rounded forms' at_most 15136
+  check 'gjk_penetration as well, with posing' at_most 24864 -DSIZE_POSED -DSIZE_DEPTH
+  check 'gjk_cast as well, with posing' at_most 32448 -DSIZE_POSED -DSIZE_CAST
+  check 'gjk_time_of_impact as well, with posing' at_most 25600 -DSIZE_POSED -DSIZE_IMPACT
+  check 'gjk_cast_ray alone' at_most 28576 -DSIZE_RAY
   # What the README says of programs.
-  check 'gjk_intersect on boxes, with posing' at_most 10672 -DSIZE_BOXES -DSIZE_POSED
-  check 'a scene with contacts' at_most 54240 -DSIZE_SCENE
-  check 'and with a mesh' at_most 101176 -DSIZE_SCENE -DSIZE_GROUND
+  check 'gjk_intersect on boxes, with posing' at_most 10208 -DSIZE_BOXES -DSIZE_POSED
+  check 'a scene with contacts' at_most 49952 -DSIZE_SCENE
+  check 'and with a mesh' at_most 94848 -DSIZE_SCENE -DSIZE_GROUND
   check 'bodies of many parts are linked only where they are' links_parts_if_named
-  check 'hulls of points' objects_at_most 4608 hull_build hull_grow hull_facets hull_write
-  check 'and the check of faces' objects_at_most 6424 hull_build hull_grow hull_facets hull_write hull_check
+  check 'hulls of points' objects_at_most 4256 hull_build hull_grow hull_facets hull_write
+  check 'and the check of faces' objects_at_most 6240 hull_build hull_grow hull_facets hull_write hull_check
   check 'simpler hulls' objects_at_most 5714 hull_simplify hull_move hull_excess
-  check 'mass properties' objects_at_most 12058 big big_angle mass_shape mass_round mass_rounded mass_rounded_faces mass_rounded_cone mass_hull mass_add mass_principal moments tensor
+  check 'mass properties' objects_at_most 11520 big big_angle mass_shape mass_round mass_rounded mass_rounded_faces mass_rounded_cone mass_hull mass_add mass_principal moments tensor
   check 'whole programs by kinds of shapes' kinds
   check 'the parts of a program' parts
   check 'the frames of a stack' frames
@@ -98,12 +98,12 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   check 'in the plane: gjk2_distance, rounded forms as well' at_most 8960 -DSIZE_PLANE_DISTANCE
   check 'in the plane: every query' at_most 16256 -DSIZE_PLANE_ALL
   check 'in the plane: gjk2_cast' at_most 19760 -DSIZE_PLANE_CAST
-  check 'in the plane: gjk2_time_of_impact' at_most 15104 -DSIZE_PLANE_IMPACT
-  check 'in the plane: a scene with contacts' at_most 29032 -DSIZE_PLANE_SCENE
+  check 'in the plane: gjk2_time_of_impact' at_most 14400 -DSIZE_PLANE_IMPACT
+  check 'in the plane: a scene with contacts' at_most 28576 -DSIZE_PLANE_SCENE
   # What the README says of a build that keeps unused sections.
   objects=$(echo build/cortex-m3-Os/gjk*.o)
   export LIBRARY="$objects"
-  check 'all objects, unused sections dropped' at_most 8832 -DSIZE_BOXES
+  check 'all objects, unused sections dropped' at_most 8736 -DSIZE_BOXES
   export SECTIONS=--no-gc-sections
   check 'all objects, all sections: about 301 KB' at_most 308224 -DSIZE_BOXES
   check 'and not much less' not_at_most 266240 -DSIZE_BOXES
