@@ -37,8 +37,8 @@ static int32_t offset_b(const gjk_iteration *it, gjk_q16 centre_a, gjk_q16 centr
 #if GJK_SHAPES <= GJK_SHAPES_POINTS
 
 // One coordinate of both points of two points, w apart in the frame: half an LSB is added to the cores.
-GJK_ONE_COPY static void point_axis(const gjk_iteration *it, gjk_q16 centre_a, gjk_q16 centre_b, int32_t w,
-                                    gjk_q30 normal, gjk_q16 *point_a, gjk_q16 *point_b, bool *saturated) {
+GJK_ONE_COPY static void axis_of_points(const gjk_iteration *it, gjk_q16 centre_a, gjk_q16 centre_b, int32_t w,
+                                        gjk_q30 normal, gjk_q16 *point_a, gjk_q16 *point_b, bool *saturated) {
   const int64_t half = INT64_C(1) << 30, core_b = gjk_shl64(offset_b(it, centre_a, centre_b, 0, w), 31) + half;
   *point_a = coordinate(half, centre_a, normal, it->a->shape->convex_radius, saturated);
   *point_b = coordinate(core_b, centre_b, normal, -it->b->shape->convex_radius, saturated);
@@ -47,9 +47,9 @@ GJK_ONE_COPY static void point_axis(const gjk_iteration *it, gjk_q16 centre_a, g
 static void nearest_points(const gjk_iteration *it, const feature *f, const gjk_unit3 *normal, gjk_vec3 *point_a,
                            gjk_vec3 *point_b, bool *saturated) {
   const gjk_vec3 *a = &it->a->centre, *b = &it->b->centre, *w = &f->u->w;
-  point_axis(it, a->x, b->x, w->x, normal->x, &point_a->x, &point_b->x, saturated);
-  point_axis(it, a->y, b->y, w->y, normal->y, &point_a->y, &point_b->y, saturated);
-  point_axis(it, a->z, b->z, w->z, normal->z, &point_a->z, &point_b->z, saturated);
+  axis_of_points(it, a->x, b->x, w->x, normal->x, &point_a->x, &point_b->x, saturated);
+  axis_of_points(it, a->y, b->y, w->y, normal->y, &point_a->y, &point_b->y, saturated);
+  axis_of_points(it, a->z, b->z, w->z, normal->z, &point_a->z, &point_b->z, saturated);
 }
 
 #else
