@@ -5,7 +5,7 @@ CONTRACTS=gjk_add,gjk_sub,gjk_negate,gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gj
 gjk_reciprocal_root,gjk_unit,gjk_copy,gjk_height_key
 
 # The same for the drivers of the plane.
-PLANE_CONTRACTS=gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,inverse_root,gjk_reciprocal_root
+PLANE_CONTRACTS=gjk_clz32,gjk_clz64,gjk_mul32,gjk_umul32,gjk_mac32,gjk2_inverse_root,gjk_reciprocal_root
 PLANE_LEVELS=main:50,gjk2_search_start:100,start_far:100,gjk2_frame_far:10,framed:10,gjk2_hull_neighbour:300,gjk2_hull_corner:300,gjk2_collider_init:100,gjk2_polygon_order:200
 
 # The split and the number of states kept apart: enough for zero false alarms about initialisation and indices.

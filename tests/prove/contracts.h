@@ -99,11 +99,11 @@ uint32_t gjk_reciprocal(uint32_t x);
     ensures 0x3fffffff <= \result <= 0x7fffffff; */
 uint32_t gjk_reciprocal_root(uint32_t x);
 
-// Shown for every x by tests/prove/exhaust.c: 2^46 / sqrt(x), of src/plane/gjk2_measure.c.
+// Shown for every x by tests/prove/exhaust.c: 2^46 / sqrt(x), of src/plane/gjk2_measure_inline.h.
 /*@ requires normal: x >= 0x40000000;
     assigns \result \from x;
     ensures 0x3fffffff <= \result <= 0x7fffffff; */
-static uint32_t inverse_root(uint32_t x);
+static uint32_t gjk2_inverse_root(uint32_t x);
 
 // Its root is at most 3/2 too large, so that a component is at most 1 too large; the assertion beside the code checks
 // it.
