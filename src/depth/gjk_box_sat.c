@@ -389,7 +389,17 @@ static void direct_across(const box_pair *pair, unsigned k) {
   }
 }
 
-// Steps 6, where the projection counts, and 7.
+// Does the origin's projection seem to lie beyond the edge from v to w? side_of_edge of where it lies, as far as the rounded
+// normal tells: v is not in the plane of the origin.
+static bool seems_beyond(const gjk_vec3 *normal, const gjk_vec3 *v, const gjk_vec3 *w) {
+  const gjk_vec3 e = gjk_sub(*w, *v);
+  gjk_long3 product;
+  gjk_cross(&e, v, &product);
+  return gjk_dot_sign(&product, normal) > 0;
+}
+
+// Steps 6, where the projection counts, and 7. Step 6 begins with the half of a parallelogram that seems to hold it: where both
+// hold it, the points are the same. In a larger facet they may depend on where it begins.
 static gjk_box_sat_answer offer_facet(const box_pair *pair, const box_plane *plane, bool points, gjk_facet *facet) {
   gjk_simplex *s = &pair->it->simplex;
   const unsigned i = 1u << plane->i, j = 1u << plane->j;
@@ -399,6 +409,13 @@ static gjk_box_sat_answer offer_facet(const box_pair *pair, const box_plane *pla
   add_twice(pair, plane->j, &s->slot[0], &s->slot[2]);
   bool covers = true;
   if (points) {
+    if (!GJK_SMALL && plane->in_plane == (i | j) &&
+        seems_beyond(&pair->it->direction.d, &s->slot[1].w, &s->slot[2].w)) {
+      gjk_copy(&s->slot[0], &s->slot[1], sizeof s->slot[0]);
+      add_twice(pair, plane->j, &s->slot[0], &s->slot[1]);
+      t.signs[0] = plane->signs | i;
+      t.signs[1] = plane->signs | i | j;
+    }
     covers = reach_projection(&t);
   } else {
     gjk_simplex_clear(s);
