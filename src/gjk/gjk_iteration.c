@@ -38,6 +38,9 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
   }
   it->iterations = 0;
   it->diagonal = false;
+  if (!GJK_SMALL) {
+    it->scans = false;
+  }
   if (GJK_SHAPES >= GJK_SHAPES_ALL) {
     it->stalls = a->shape->type->stalls;
     if (!gjk_pair_is_curved(it)) {
@@ -130,7 +133,7 @@ static bool level_vertices(const gjk_iteration *it, uint16_t level[6]) {
 
 // Step 8: replaces w by the vertex farthest along the exact direction. Returns whether that is another one. An exact
 // direction hides none, so it only counts ties, if the goal counts them.
-static bool refine_nearest(gjk_iteration *it, gjk_goal goal, gjk_support *b) {
+static inline bool refine_nearest(gjk_iteration *it, gjk_goal goal, gjk_support *b) {
   gjk_direction direction;
   uint16_t level[6];
   if (it->direction.exact && !gjk_goal_counts_ties(it, goal)) {
@@ -219,7 +222,8 @@ static unsigned empty_axes(const gjk_collider *c) {
   unsigned bits = 0;
   if (c->shape->type->kind == GJK_KIND_AXES) {
     for (unsigned i = 0; i < c->count; i++) {
-      bits |= gjk_norm1(c->frame[i]) == 0 ? 1u << i : 0;
+      const gjk_vec3 *axis = &c->frame[i];
+      bits |= (axis->x | axis->y | axis->z) == 0 ? 1u << i : 0;
     }
   }
   return bits;
@@ -258,6 +262,34 @@ static gjk_step add_vertex(gjk_iteration *it, gjk_goal goal, const gjk_vertex *a
   return refine_nearest(it, goal, b) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
 }
 
+// The iteration of a cached edge or triangle, which mostly is the nearest still: of steps 4 to 8, step 8 alone, from one of its
+// vertices. LIMIT: it is not. The direction of a vertex is exact, and step 8 may then leave B out.
+GJK_OUT_OF_LINE static gjk_outcome confirm_feature(gjk_iteration *it, gjk_goal goal) {
+  const gjk_vertex *v = &it->simplex.slot[it->simplex.order[0]];
+  gjk_vertex *added = gjk_simplex_free(&it->simplex);
+  gjk_support b;
+  if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
+    return GJK_OUTCOME_ENCLOSING;
+  }
+  if (it->radius > 0 && gjk_goal_nears(goal) && settles_near(it)) {
+    return GJK_OUTCOME_NEAR;
+  }
+  gjk_set(&v->a.offset, &added->a.offset);
+  added->a.vertex = v->a.vertex;
+  b.vertex = v->b;
+  it->b->shape->type->vertex(it->b, v->b, &b.offset);
+  const gjk_step step = refine_nearest(it, goal, &b) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
+  it->iterations++;
+  return step == GJK_STEP_ENCLOSING ? GJK_OUTCOME_ENCLOSING
+         : step == GJK_STEP_NEARER  ? GJK_OUTCOME_LIMIT
+                                    : GJK_OUTCOME_NEAREST;
+}
+
+// May a refinement begin at any vertex?
+static bool refines_from_any(const gjk_collider *c) {
+  return GJK_CONDITIONAL_MOVES || c->shape->type->kind != GJK_KIND_AXES;
+}
+
 gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache *cache) {
   gjk_support b;
   // The vertices of far frames and of curved shapes are rounded: where the search ends would depend on where it began.
@@ -267,6 +299,13 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   }
   if (cache != NULL && warm_start(it, cache)) {
     return GJK_OUTCOME_ENCLOSING;
+  }
+  if (!GJK_SMALL && cache != NULL && !it->scans && it->simplex.count > 1 && !gjk_goal_separates(goal) &&
+      refines_from_any(it->a) && refines_from_any(it->b)) {
+    const gjk_outcome outcome = confirm_feature(it, goal);
+    if (outcome != GJK_OUTCOME_LIMIT) {
+      return outcome;
+    }
   }
   //@ dynamic_split it->simplex.count;
   for (; it->iterations < it->limit; it->iterations++) {

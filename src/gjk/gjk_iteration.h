@@ -56,6 +56,7 @@ typedef struct gjk_iteration {
   uint8_t recalls;                 // the search's: steps among the seen vertices so far
   gjk_marks seen[2];               // the search's: marks of the seen vertices of A and of B
   unsigned ties[2];                // gjk_direction.ties of A and of B in the last refinement
+  bool scans;                      // a cached feature is confirmed by a scan along d first; not in builds for size
   bool diagonal;                   // the nearest point lies on the edge of the triangle's first two vertices
   gjk_search_direction direction;  // of the last support scan
   // gjk_shape_class.stalls of a shape of the pair that is curved; NULL: both are polytopes.

@@ -216,7 +216,7 @@ static bool is_hit(const impact_query *of, const gjk_distance_result *gap) {
 // Step 1. Its certificate tells step 2 which of several features the search has ended at.
 static gjk_status measure_gap_of(const impact_query *of, gjk_cache *cache, gjk_distance_result *out) {
   const gjk_collider *a = &of->mover[0].collider, *b = &of->mover[1].collider;
-  return GJK_SHAPES <= GJK_SHAPES_ROUND ? gjk_distance_with(a, b, true, cache, out) : gjk_distance(a, b, cache, out);
+  return gjk_distance_with(a, b, GJK_DISTANCE_BY_SCANS, cache, out);
 }
 
 // Steps 1 to 3, at most `most` times.

@@ -49,7 +49,7 @@ static gjk_status ask_part(gjk_parts_nearest *n, const gjk_parts_frame *frame, c
   if (status != GJK_OK) {
     return status;
   }
-  status = gjk_distance_with(&c, b, false, NULL, &trial);
+  status = gjk_distance_with(&c, b, GJK_DISTANCE_ALONE, NULL, &trial);
   if (status != GJK_OK && status != GJK_ERROR_ITERATION_LIMIT) {
     return status;
   }
@@ -107,7 +107,7 @@ gjk_status gjk_parts_nearest_bound(gjk_parts_nearest *n, const gjk_parts_frame *
   trial.lower = n->lower;
   while (gjk_parts_next(frame, region, &walk, &part)) {  // Step 3; ends: each part comes once
     gjk_status status = gjk_parts_place_in(frame, part, &room, &c);
-    status = status == GJK_OK ? gjk_distance_with(&c, b, false, NULL, &trial) : status;
+    status = status == GJK_OK ? gjk_distance_with(&c, b, GJK_DISTANCE_ALONE, NULL, &trial) : status;
     if (status == GJK_ERROR_ITERATION_LIMIT) {
       n->lower = trial.lower < n->lower ? trial.lower : n->lower;
     } else if (status != GJK_OK) {

@@ -212,14 +212,18 @@ static bool stop_early(const gjk_iteration *it, gjk_distance_result *out) {
   return true;
 }
 
-gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, bool points, gjk_cache *cache,
+gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, gjk_distance_detail detail, gjk_cache *cache,
                              gjk_distance_result *out) {
+  const bool points = detail != GJK_DISTANCE_ALONE;
   gjk_status status = gjk_check_pair(a, b, out);
   if (status != GJK_OK) {
     return status;
   }
   gjk_iteration it;
   start_distance(&it, a, b, out);
+  if (!GJK_SMALL) {
+    it.scans = detail == GJK_DISTANCE_BY_SCANS;
+  }
   gjk_outcome outcome = run_and_narrow(&it, GJK_NO_LIMIT, points, cache, out);
   if (GJK_SHAPES >= GJK_SHAPES_ALL && outcome == GJK_OUTCOME_LIMIT) {
     if (stop_early(&it, out)) {
@@ -251,7 +255,7 @@ gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache 
   if (GJK_SHAPES <= GJK_SHAPES_ROUND) {
     return distance_round(a, b, out);
   }
-  return gjk_distance_with(a, b, true, cache, out);
+  return gjk_distance_with(a, b, GJK_DISTANCE_POINTS, cache, out);
 }
 
 gjk_status gjk_distance_until(const gjk_collider *a, const gjk_collider *b, const gjk_effort *effort, gjk_cache *cache,

@@ -40,8 +40,15 @@ gjk_outcome gjk_distance_bounds(gjk_iteration *it, int64_t *lower, int64_t *uppe
 void gjk_distance_report(const gjk_iteration *it, gjk_outcome outcome, bool points, gjk_cache *cache,
                          gjk_distance_result *out);
 
-// gjk_distance. points: are normal, points and certificate needed? Otherwise only the other fields are valid.
-gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, bool points, gjk_cache *cache,
+// What is wanted of a distance.
+typedef enum gjk_distance_detail {
+  GJK_DISTANCE_ALONE,    // all but normal, points and certificate
+  GJK_DISTANCE_POINTS,   // all
+  GJK_DISTANCE_BY_SCANS  // all, and the certificate's feature by the same way in every build
+} gjk_distance_detail;
+
+// gjk_distance of that detail.
+gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, gjk_distance_detail detail, gjk_cache *cache,
                              gjk_distance_result *out);
 
 // gjk_signed_distance. *points: are points and certificate needed? Where not, and boxes overlap with a face or lie apart with

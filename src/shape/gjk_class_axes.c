@@ -117,6 +117,8 @@ static void support_axes(const gjk_collider *c, const gjk_vec3 *d, gjk_support *
 
 #endif
 
+#if GJK_SMALL
+
 static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
   gjk_vec3 sum = {0, 0, 0};
   for (unsigned i = 0; GJK_SHAPES >= GJK_SHAPES_ROUND && i < c->count; i++) {
@@ -126,7 +128,34 @@ static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset
   return number >> c->count == 0;
 }
 
-// The refinement: only the signs of products within slack are in doubt. d is off by less than 1 per component, so d . axis by
+#else
+
+// Adds the half axis to *sum where the bit is set, and subtracts it elsewhere, without a branch.
+static inline void add_signed(const gjk_vec3 *axis, unsigned bit, gjk_vec3 *sum) {
+  const int32_t minus = (int32_t)bit - 1;
+  sum->x += (axis->x ^ minus) - minus;
+  sum->y += (axis->y ^ minus) - minus;
+  sum->z += (axis->z ^ minus) - minus;
+}
+
+static bool vertex_axes(const gjk_collider *c, uint16_t number, gjk_vec3 *offset) {
+  const unsigned signs = number;
+  gjk_vec3 sum = {0, 0, 0};
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND && c->count > 0) {
+    add_signed(&c->frame[0], signs & 1u, &sum);
+  }
+  if (GJK_SHAPES >= GJK_SHAPES_BOXES && c->count > 1) {
+    add_signed(&c->frame[1], signs >> 1 & 1u, &sum);
+    add_signed(&c->frame[2], signs >> 2 & 1u, &sum);
+  }
+  *offset = sum;
+  return signs >> c->count == 0;
+}
+
+#endif
+
+// The refinement. On hosts it begins at any vertex, elsewhere at the support along d, to spare signs. Only the signs of products
+// within slack are in doubt. d is off by less than 1 per component, so d . axis by
 // less than |axis|_1 <= sqrt(3) core_radius. Two vertices that differ by a half axis alone and are equally far show that
 // it lies across the exact direction: it is among those in doubt, and keeps its sign. Returns the vertex's number.
 #if GJK_CONDITIONAL_MOVES
@@ -141,15 +170,19 @@ static inline unsigned one_bit(unsigned v, unsigned w) {
 static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
   const uint64_t slack = 2 * (uint64_t)(uint32_t)c->core_radius;
   const uint16_t *level = direction->level;
-  unsigned across = 0, open = 0, ties = 0;
+  unsigned across = 0, open = 0, ties = 0, sure = 0, near_axes = 0;
   if (level != NULL) {
     across = one_bit(level[0], level[1]) | one_bit(level[1], level[2]) | one_bit(level[0], level[2]);
   }
   for (unsigned i = 0; i < c->count; i++) {
-    const unsigned near = gjk_magnitude64(gjk_dot(&c->frame[i], d)) < slack ? 1u : 0u;
+    const int64_t along = gjk_dot(&c->frame[i], d);
+    const unsigned near = gjk_magnitude64(along) < slack ? 1u : 0u;
+    near_axes |= near << i;
+    sure |= (along > 0 ? 1u : 0u) << i;
     ties += across >> i & (gjk_norm1(c->frame[i]) > 0 ? 1u : 0u);
     open |= (near & ~(across >> i)) << i;
   }
+  number = (number & near_axes) | (sure & ~near_axes);
   for (unsigned i = 0; open >> i != 0; i++) {  // at most 3 times
     if ((open >> i & 1) == 0) {
       continue;

@@ -88,7 +88,7 @@ static bool refine_few(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *
 
 #endif
 
-// Steps 5 and 6. Pre: offsets are at most core_radius long; *at is among the farthest vertices along d.
+// Steps 5 and 6. Pre: offsets are at most core_radius long.
 static bool refine_posed(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at) {
 #if GJK_CONDITIONAL_MOVES
   if (c->count <= FEW_VERTICES) {

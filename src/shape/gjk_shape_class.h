@@ -41,8 +41,9 @@ struct gjk_shape_class {
   // Pre: d != 0, |d| <= 2^31.
   void (*support)(const gjk_collider *collider, const gjk_vec3 *d, gjk_support *out);
 
-  // Moves *at, the support along d, to a vertex that is farthest along *direction, which d approximates. Returns
-  // whether *at has moved, and in direction->ties what is as far. NULL for curved shapes, which have no vertices to choose from.
+  // Moves *at, the support along d, to a vertex that is farthest along *direction, which d approximates. Returns whether *at has
+  // moved, and in direction->ties what is as far. NULL for curved shapes, which have no vertices to choose from.
+  // Of GJK_KIND_VERTICES *at may be any vertex, and where GJK_CONDITIONAL_MOVES of GJK_KIND_AXES as well.
   bool (*refine)(const gjk_collider *collider, const gjk_vec3 *d, gjk_direction *direction, gjk_support *at);
 
   // The offset of the vertex with a number; false where there is none. NULL for curved shapes.

@@ -66,8 +66,9 @@ gjk_status gjk_intersect(const gjk_collider *a, const gjk_collider *b, gjk_cache
   return gjk_within(a, b, 0, cache, out);
 }
 
-gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, bool points, gjk_cache *cache,
+gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, gjk_distance_detail detail, gjk_cache *cache,
                              gjk_distance_result *out) {
+  const bool points = detail != GJK_DISTANCE_ALONE;
   check_posed(a, b);
   (void)cache;
   const int32_t answer = any_between(0, 2);
@@ -95,7 +96,7 @@ gjk_status gjk_distance_with(const gjk_collider *a, const gjk_collider *b, bool 
 }
 
 gjk_status gjk_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache, gjk_distance_result *out) {
-  return gjk_distance_with(a, b, true, cache, out);
+  return gjk_distance_with(a, b, GJK_DISTANCE_POINTS, cache, out);
 }
 
 gjk_status gjk_signed_distance(const gjk_collider *a, const gjk_collider *b, gjk_cache *cache,
