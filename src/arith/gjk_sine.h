@@ -28,15 +28,27 @@ static uint32_t gjk_multiply_q33(uint32_t a, uint32_t b) {
   return (uint32_t)(gjk_umul32(a, b) >> 33);
 }
 
+// A term of the series, and what follows.
+static inline uint32_t gjk_sine_step(uint32_t term, uint32_t sum) {
+  return term - gjk_multiply_q33(term, sum);
+}
+
 // c0 h (1 - c1 h (1 - c2 h (...))), Q33. c: Q32, at most 1/3; h: Q33, at most pi^2 / 32. Within 1.3 LSB: the floors of
 // the last step, one each way, are below 1; c is rounded; of the error of earlier steps at most 1/9 remains.
-static uint32_t gjk_sine_series(const uint32_t c[GJK_SINE_TERMS], uint32_t h) {
+static inline uint32_t gjk_sine_series(const uint32_t c[GJK_SINE_TERMS], uint32_t h) {
+#if GJK_SMALL || !GJK_64_BIT
   uint32_t sum = 0;
   for (int i = GJK_SINE_TERMS - 1; i >= 0; i--) {
-    const uint32_t term = gjk_umulh32(h, c[i]);
-    sum = term - gjk_multiply_q33(term, sum);
+    sum = gjk_sine_step(gjk_umulh32(h, c[i]), sum);
   }
   return sum;
+#else
+  uint32_t sum = gjk_umulh32(h, c[4]);
+  sum = gjk_sine_step(gjk_umulh32(h, c[3]), sum);
+  sum = gjk_sine_step(gjk_umulh32(h, c[2]), sum);
+  sum = gjk_sine_step(gjk_umulh32(h, c[1]), sum);
+  return gjk_sine_step(gjk_umulh32(h, c[0]), sum);
+#endif
 }
 
 // Step 1: half an angle of this size as a part of a turn, in units of 2^-64; the error is below 1.

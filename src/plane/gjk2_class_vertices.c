@@ -112,14 +112,27 @@ static void pose_polygon(gjk2_collider *c, const gjk2_vec *rotation) {
     return;
   }
   // As plane_posed, of numbers that no store to the buffer can change.
-  const gjk2_vec unit = {rotation->x, rotation->y}, centre = {c->local_centre.x, c->local_centre.y};
+  const gjk2_vec centre = {c->local_centre.x, c->local_centre.y};
   const gjk2_vec *const vertices = c->shape->vertices;
-  const int8_t fraction[2] = {c->fraction[0], c->fraction[1]};
   gjk2_vec *const buffer = c->buffer;
   const uint32_t count = buffer != NULL ? c->count : 0;
+#if GJK_64_BIT
+  const int64_t cosine = rotation->x, sine = rotation->y, half = INT64_C(1) << 29, step = INT64_C(1) << 22;
+  // Half an LSB and the fraction, less the rotated centre: below 2^61.6 in size, and partial sums with a vertex below 2^63.
+  const int64_t x = half + c->fraction[0] * step - (cosine * centre.x - sine * centre.y);
+  const int64_t y = half + c->fraction[1] * step - (sine * centre.x + cosine * centre.y);
+  for (uint32_t i = 0; i < count; i++) {
+    const int64_t u = vertices[i].x, v = vertices[i].y;
+    buffer[i].x = (int32_t)gjk_sar64(x + cosine * u - sine * v, 30);
+    buffer[i].y = (int32_t)gjk_sar64(y + sine * u + cosine * v, 30);
+  }
+#else
+  const gjk2_vec unit = {rotation->x, rotation->y};
+  const int8_t fraction[2] = {c->fraction[0], c->fraction[1]};
   for (uint32_t i = 0; i < count; i++) {
     buffer[i] = gjk2_rotate_onto(&unit, gjk2_sub(vertices[i], centre), fraction);
   }
+#endif
 }
 
 // How far vertices are along d: exactly; or on cores without a long multiplication by products of directions and vertices

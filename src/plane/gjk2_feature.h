@@ -85,7 +85,7 @@ GJK_OUT_OF_LINE static bool feature_near(gjk2_vec d, int64_t base, int32_t radiu
   unsigned shift;
   const uint32_t leading = (uint32_t)(gjk2_inline_quotient(length, &shift, (uint64_t)-base) >> 32);
   const bool overlaps = radius > 0 && feature_touches(-base, d, radius, leading, shift);
-  const bool complete = (parts & (overlaps ? GJK2_TOUCH_DEPTH : GJK2_TOUCH_POINTS)) != 0;
+  const bool complete = (parts & (overlaps ? GJK2_TOUCH_DEPTH : GJK2_TOUCH_POINTS | GJK2_TOUCH_GAP)) != 0;
   out->intersecting = overlaps;
   out->certificate.proof = overlaps && !complete ? GJK2_PROOF_NEAR : GJK2_PROOF_NEAREST;
   if (!overlaps || complete) {
@@ -106,34 +106,38 @@ GJK_OUT_OF_LINE static bool feature_near(gjk2_vec d, int64_t base, int32_t radiu
 // set.
 GJK_ONCE static void gjk2_feature_measure(const gjk2_collider *a, const gjk2_collider *b, const gjk2_feature *of,
                                           bool circles, unsigned parts, gjk2_distance_result *out) {
-  gjk2_length length;
-  gjk2_unit across;
-  unsigned shift;
   const int32_t radius = a->shape->convex_radius + b->shape->convex_radius;
   const uint64_t h = (uint64_t)-of->base;
   const gjk2_vec d = {(int32_t)of->d_x, (int32_t)of->d_y};
+  out->iterations = 1;
+  out->certificate.direction.x = d.x;
+  out->certificate.direction.y = d.y;
+  out->certificate.count = !circles && of->is_edge ? 2 : 1;
+  out->certificate.proof = GJK2_PROOF_NEAREST;
+  if (parts == 0) {
+    out->intersecting = radius > 0 && gjk2_is_within(-of->base, d, radius);
+    return;
+  }
+  gjk2_length length;
+  gjk2_unit across;
+  unsigned shift;
   gjk2_quick_length(&length, d);
   gjk2_quick_unit(&across, &length, d);
   const uint32_t leading = (uint32_t)(gjk2_inline_quotient(&length, &shift, h) >> 32);
   const int32_t core = (int32_t)gjk2_inline_rounded(&length, GJK2_ROUND_NEAREST, h, leading, shift);
-  bool complete = (parts & GJK2_TOUCH_POINTS) != 0;
-  out->certificate.direction.x = d.x;
-  out->certificate.direction.y = d.y;
-  out->certificate.count = !circles && of->is_edge ? 2 : 1;
+  bool points = (parts & GJK2_TOUCH_POINTS) != 0;
   if (core > radius) {
     out->intersecting = false;
-    out->certificate.proof = GJK2_PROOF_NEAREST;
     out->normal.x = across.x;
     out->normal.y = across.y;
-    out->distance = complete ? core - radius : 0;
+    out->distance = core - radius;
   } else {
     out->distance = 0;
-    complete = feature_near(d, of->base, radius, &length, &across, parts, out);
+    points = feature_near(d, of->base, radius, &length, &across, parts, out) && parts != GJK2_TOUCH_GAP;
   }
   out->lower = out->distance;
   out->upper = out->distance;
-  out->iterations = 1;
-  out->saturated = complete && feature_points(a, b, of, circles, &length, &across, out) && !out->intersecting;
+  out->saturated = points && feature_points(a, b, of, circles, &length, &across, out) && !out->intersecting;
 }
 
 #endif

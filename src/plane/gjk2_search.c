@@ -445,6 +445,87 @@ static gjk2_outcome begin_far_point(gjk2_search *s, gjk2_goal goal) {
   return s->along < 0 && goal == GJK2_GOAL_WITHIN && line_separates(s) ? GJK2_OUTCOME_SEPARATED : GJK2_OUTCOME_LIMIT;
 }
 
+#if GJK_64_BIT && !GJK_SMALL
+// Boxes alone have four vertices without a list.
+static inline bool walks_as_boxes(const gjk2_search *s) {
+  return s->a->count == 4 && s->b->count == 4 && !s->a->shape->type->buffered && !s->b->shape->type->buffered;
+}
+
+// A half axis with the sign of a vertex: plus or minus.
+static inline gjk2_vec signed_half(gjk2_vec axis, bool plus) {
+  const gjk2_vec other = gjk2_negate(axis);
+  return plus ? axis : other;
+}
+
+// Sets a vertex of two boxes: its half axes with their signs, A's and B's.
+static void set_box_corner(const gjk2_search *s, const gjk2_vec *of_a, const gjk2_vec *of_b, unsigned number_a,
+                           unsigned number_b, gjk2_vertex *out) {
+  out->a.offset = gjk2_add(of_a[0], of_a[1]);
+  out->b.offset = gjk2_add(of_b[0], of_b[1]);
+  out->a.vertex = (uint16_t)number_a;
+  out->b.vertex = (uint16_t)number_b;
+  out->w = gjk2_add(s->delta, gjk2_sub(out->a.offset, out->b.offset));
+}
+
+// The scan and the walk of two boxes, as far as the first edge, by half axes alone. False: the walk decides. Pre: boxes with
+// area, in a near frame; nothing but the nearest feature is asked for.
+GJK_OUT_OF_LINE static bool walk_boxes(gjk2_search *s) {
+  const gjk2_vec d = {s->d.x, s->d.y};
+  gjk2_vec a[2] = {s->a->frame[0], s->a->frame[1]}, b[2] = {s->b->frame[0], s->b->frame[1]};
+  const bool a_0 = gjk2_dot(a[0], d) >= 0, a_1 = gjk2_dot(a[1], d) >= 0;
+  const bool b_0 = gjk2_dot(b[0], d) <= 0, b_1 = gjk2_dot(b[1], d) <= 0;
+  a[0] = signed_half(a[0], a_0);
+  a[1] = signed_half(a[1], a_1);
+  b[0] = signed_half(b[0], b_0);
+  b[1] = signed_half(b[1], b_1);
+  unsigned number_a = (a_0 ? 1u : 0u) | (a_1 ? 2u : 0u), number_b = (b_0 ? 1u : 0u) | (b_1 ? 2u : 0u);
+  set_box_corner(s, a, b, number_a, number_b, s->apex);
+  const gjk2_vec w = {s->apex->w.x, s->apex->w.y};
+  bool following = gjk2_cross(d, w) <= 0;
+  for (int i = 0; i < 2; i++, following = !following) {
+    // As gjk2_class_axes.c: of corners with equal signs the next edge counterclockwise is along x.
+    const unsigned ahead_a = (a_0 == a_1) == following ? 0 : 1, ahead_b = (b_0 == b_1) == following ? 0 : 1;
+    const gjk2_vec of_a = gjk2_negate(a[ahead_a]), of_b = {b[ahead_b].x, b[ahead_b].y};  // half of the edges
+    const int64_t turn = following ? gjk2_cross(of_a, of_b) : gjk2_cross(of_b, of_a);
+    const gjk2_vec step = turn > 0 ? of_a : turn < 0 ? of_b : gjk2_add(of_a, of_b);
+    const int64_t base = gjk2_dot(w, step);
+    if (base > 0) {
+      continue;
+    }
+    const int64_t side = following ? gjk2_cross(w, step) : gjk2_cross(step, w);
+    const gjk2_vec end = {w.x + 2 * step.x, w.y + 2 * step.y};
+    if (base == 0 || side >= 0 || gjk2_dot(end, step) <= 0) {
+      return false;
+    }
+    // Another edge of the shape that stays, in the same direction, would be behind.
+    s->whole = turn == 0 || gjk2_cross(turn > 0 ? b[1 - ahead_b] : a[1 - ahead_a], step) != 0;
+    s->iterations = 2;
+    s->count = 2;
+    s->first = following ? s->apex : s->spare;
+    s->last = following ? s->spare : s->apex;
+    s->spare = &s->slot[0];
+    s->apex = &s->slot[2];
+    if (turn >= 0) {
+      a[ahead_a] = of_a;
+      number_a ^= 1u << ahead_a;
+    }
+    if (turn <= 0) {
+      b[ahead_b] = gjk2_negate(of_b);
+      number_b ^= 1u << ahead_b;
+    }
+    set_box_corner(s, a, b, number_a, number_b, following ? s->last : s->first);
+    s->base = 2 * side;
+    s->d = gjk2_outward(gjk2_sub(s->last->w, s->first->w));
+    return true;
+  }
+  s->whole = true;
+  s->iterations = 1;
+  make_apex(s);
+  s->d = gjk2_negate(w);
+  return true;
+}
+#endif
+
 gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
   if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
     return s->far != 0 && limit == 1 ? begin_far_point(s, goal) : settle_point(s, goal);
@@ -458,6 +539,11 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
 #if !GJK_SMALL
   // What iterate does for a cold start, without its loop.
   if (s->walks && s->count == 0) {
+#if GJK_64_BIT
+    if ((goal == GJK2_GOAL_DISTANCE || goal == GJK2_GOAL_SIGNED) && walks_as_boxes(s) && walk_boxes(s)) {
+      return is_near(s, goal) ? GJK2_OUTCOME_NEAR : GJK2_OUTCOME_NEAREST;
+    }
+#endif
     s->iterations++;
     if (scan_separates(s, goal)) {
       return GJK2_OUTCOME_SEPARATED;

@@ -28,6 +28,13 @@
 // Supports of curved shapes are up to 2 LSB below the true ones.
 #define PLANE_CURVED_SLACK 2
 
+// Where a corner is touched, its circle's direction is tried first: on processors whose registers hold 64 bits.
+#if GJK_64_BIT && !GJK_SMALL
+#define PLANE_DIRECT true
+#else
+#define PLANE_DIRECT false
+#endif
+
 // The most gap at a hit of curved shapes.
 #define PLANE_CURVED_GAP 4
 
@@ -47,6 +54,7 @@ typedef struct plane_advance {
   bool centred;      // A - B is the same on both sides of the centres' difference
   bool nearest;      // the last gap's feature is exactly the nearest
   bool open;         // the last distance is but bounded
+  bool raw;          // the face's direction, from a vertex, has its exact length
   gjk_q30 fraction;  // no contact before
   plane_face face;   // of the last gap measured
   gjk2_distance_result gap;
@@ -60,6 +68,7 @@ GJK_OUT_OF_LINE static bool plane_advance_is_near(plane_advance *s, gjk_q30 frac
   gjk2_collider moved, at_b;
   const gjk2_collider *at_a = gjk2_cast_places(s->way, fraction, &moved, &at_b);
   s->nearest = false;
+  s->raw = false;
   s->open = gjk2_distance(at_a, &at_b, NULL, &s->gap) != GJK_OK;
   s->way->scans += s->gap.iterations;
   if (s->gap.intersecting || s->gap.distance != s->margin || s->margin == 0) {
@@ -84,6 +93,9 @@ GJK_OUT_OF_LINE static bool plane_advance_feature(plane_advance *s, gjk_q30 frac
   s->nearest = true;
   if (gjk2_touch_without_search(at_a, &at_b, 0, gap)) {
     s->way->scans++;
+    s->raw = gap->certificate.count == 1;
+    gap->normal.x = gap->certificate.direction.x;
+    gap->normal.y = gap->certificate.direction.y;
     return true;
   }
   (void)gjk2_search_start(&search, at_a, &at_b, false, (uint32_t)(s->radius - s->margin));
@@ -94,7 +106,8 @@ GJK_OUT_OF_LINE static bool plane_advance_feature(plane_advance *s, gjk_q30 frac
   s->way->scans += search.iterations;
   gap->intersecting = outcome != GJK2_OUTCOME_NEAREST;
   gjk2_search_certify(&search, outcome, &gap->certificate);
-  if (search.count == 1 && !gap->intersecting) {
+  s->raw = PLANE_DIRECT && search.count == 1;
+  if (!PLANE_DIRECT && search.count == 1 && !gap->intersecting) {
     gjk2_normal_set(&gap->normal, &length, &search.d);
   } else {  // across an edge its own direction is exact: see plane_advance_face
     gap->normal.x = search.d.x;
@@ -141,6 +154,15 @@ static void plane_advance_face(const plane_advance *s, plane_face *face) {
   }
 }
 
+// Makes a direction a unit vector.
+static void plane_advance_shorten(gjk2_vec *n) {
+  gjk2_length length;
+  gjk2_unit unit;
+  gjk2_normal_set(&unit, &length, n);
+  n->x = unit.x;
+  n->y = unit.y;
+}
+
 // What the last two do for a vertex alone, where it is near. False: it is not, or the shapes intersect.
 static bool plane_advance_at_vertex(plane_advance *s) {
   const gjk2_long from = gjk2_cast_place_from(s->way, plane_vertex.o, s->fraction);
@@ -149,15 +171,15 @@ static bool plane_advance_at_vertex(plane_advance *s) {
       from.x * from.x + from.y * from.y <= radii * radii) {
     return false;
   }
-  const gjk2_vec d = {(int32_t)from.x, (int32_t)from.y};
-  gjk2_length length;
-  gjk2_unit unit;
-  gjk2_normal_set(&unit, &length, &d);
   s->way->scans++;
+  s->raw = PLANE_DIRECT;
   s->gap.certificate.a[0] = 0;
   s->gap.certificate.b[0] = 0;
-  s->face.n.x = unit.x;
-  s->face.n.y = unit.y;
+  s->face.n.x = (int32_t)from.x;
+  s->face.n.y = (int32_t)from.y;
+  if (!PLANE_DIRECT) {
+    plane_advance_shorten(&s->face.n);
+  }
   s->face.count = 1;
   gjk2_copy_span(&s->face.p, &plane_vertex);
   return true;
@@ -327,12 +349,110 @@ static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
   gjk2_cast_hit(s->way, &place, &portion, out);
 }
 
+// From a vertex p, the direction n in which the line meets the circle of radius R around it, where its bound surely exceeds that
+// of the direction d from p. With theta between n and d, and v for the speed at which the way leads against n:
+//   d's bound    the line meets the circle at s; d's bound is R (1 - cos theta) / |t| or more before it: at least R 2^-21 / |t|
+//   n's bound    an LSB of |n|, R 2^-29 / v, and its rounding, 2^-30, before s, and less than R 2^-40 / v for that of n
+//   so for v >= |t| / 32 and R >= |t| / 128 it is less than R 2^-22 / |t| before s
+// False: it is not known, or another vertex is farther along n.
+static bool plane_advance_direct(plane_advance *s) {
+  const gjk2_way *way = s->way;
+  const gjk2_vec d = {s->face.n.x, s->face.n.y};
+  const uint32_t size = gjk2_norm1(way->d), scans = way->scans;
+  const int64_t closing = -gjk2_way_ahead(way, d);
+  gjk2_vec n;
+  uint32_t near;
+  gjk_q30 closer;
+  gjk2_rate rate;
+  if (way->wide || s->radius >> 29 != 0 || s->radius << 7 < size ||
+      closing <= (int64_t)(gjk_umul32(gjk2_norm1(d), size) >> 10) || !plane_advance_disc(s, &n, &near)) {
+    return false;
+  }
+  const uint64_t turn = gjk_magnitude64(gjk2_cross(n, d));
+  if (turn <= gjk_umul32(gjk2_norm1(n), gjk2_norm1(d)) >> 10 ||
+      gjk2_cast_bound(way, n, gjk2_way_along(way, n, s->face.p.o), s->radius, near, &closer, &rate) != GJK2_BOUND_AT ||
+      rate.closing < (int64_t)((uint64_t)rate.length * size >> 5) || closer < s->fraction) {
+    return false;
+  }
+  if (!s->point) {
+    gjk2_span support;
+    gjk2_way_scan(s->way, n, &support);
+    if (!gjk2_equal(support.o, s->face.p.o)) {
+      s->way->scans = scans;
+      return false;
+    }
+    s->way->scans++;  // and for d
+  }
+  s->fraction = closer;
+  s->face.n = n;
+  return true;
+}
+
+// The sum of the bounding circles' radii, and the margin.
+static inline int64_t plane_advance_radius(const plane_advance *s) {
+  return s->radius + s->way->a->core_radius + s->way->b->core_radius;
+}
+
+// A fraction before which the bounding circles do not meet, where they do not at the start.
+static gjk_q30 plane_advance_reach(const plane_advance *s) {
+  const gjk2_way *way = s->way;
+  if (way->wide) {
+    return 0;
+  }
+  const gjk2_vec delta = {(int32_t)way->delta.x, (int32_t)way->delta.y};
+  const int64_t ahead = gjk2_dot(way->d, delta), squared = gjk2_dot(way->d, way->d);
+  const int64_t reach = plane_advance_radius(s);
+  // At most 1/8 too long, so that the bound is early.
+  const int64_t before = ahead - (int64_t)gjk2_length_bound(way->d) * reach;
+  bool exact;
+  return before <= 0 ? 0 : before >= squared ? GJK_Q30_ONE : gjk2_ratio((uint64_t)before, (uint64_t)squared, &exact);
+}
+
+// The same for two circles that do not meet at the start, from the place of plane_advance_reach. It lies R or more before the
+// centre along the way; the line meets the circle nearer. For a line that passes the centre at R / 8 or more the angle is above
+// 2^-10, less 2^-12 by the place's rounding where R is 2^12 or more.
+static bool plane_advance_circle(plane_advance *s) {
+  const gjk2_way *way = s->way;
+  const uint32_t size = gjk2_norm1(way->d);
+  if (way->wide || s->radius >> 28 != 0 || s->radius >> 12 == 0 || s->radius << 7 < size) {
+    return false;
+  }
+  const gjk2_vec delta = {(int32_t)way->delta.x, (int32_t)way->delta.y};
+  const uint64_t reach = gjk_umul32(gjk2_length_bound(way->d), (uint32_t)plane_advance_radius(s));
+  const int64_t before = gjk2_dot(way->d, delta) - (int64_t)reach;
+  gjk2_vec n;
+  uint32_t near;
+  gjk2_rate rate;
+  gjk_q30 closer;
+  gjk2_copy_span(&s->face.p, &plane_vertex);
+  if (before <= 0 || before >= gjk2_dot(way->d, way->d) || gjk_magnitude64(way->base) << 3 < reach ||
+      !plane_advance_disc(s, &n, &near) ||
+      gjk2_cast_bound(way, n, gjk2_dot(n, delta), s->radius, near, &closer, &rate) != GJK2_BOUND_AT ||
+      rate.closing < (int64_t)((uint64_t)rate.length * size >> 5)) {
+    return false;
+  }
+  s->way->scans++;
+  s->fraction = closer;
+  s->face.n = n;
+  s->face.count = 1;
+  return true;
+}
+
 // Step 4 and 5, once. Returns whether the fraction is the answer. Pre: the gap at the fraction is measured, or at one
 // before it.
 GJK_OUT_OF_LINE static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
   gjk_q30 next;
   gjk2_rate rate;
   gjk2_span support;
+  if (PLANE_DIRECT && s->face.count == 1 && !s->curved) {
+    *bound = GJK2_BOUND_AT;
+    if (plane_advance_direct(s)) {
+      return true;
+    }
+    if (s->raw) {
+      plane_advance_shorten(&s->face.n);
+    }
+  }
   *bound = plane_advance_bound(s, s->face.n, s->face.count == 1 ? UINT32_C(1) << 30 : 0, &support, &next, &rate);
   if (s->curved) {
     gjk2_copy_span(&s->face.p, &support);
@@ -414,21 +534,6 @@ static bool plane_advance_is_beside(plane_advance *s, gjk2_cast_result *out) {
   return false;
 }
 
-// A fraction before which the bounding circles do not meet, where they do not at the start.
-static gjk_q30 plane_advance_reach(const plane_advance *s) {
-  const gjk2_way *way = s->way;
-  if (way->wide) {
-    return 0;
-  }
-  const gjk2_vec delta = {(int32_t)way->delta.x, (int32_t)way->delta.y};
-  const int64_t ahead = gjk2_dot(way->d, delta), squared = gjk2_dot(way->d, way->d);
-  const int64_t reach = s->radius + way->a->core_radius + way->b->core_radius;
-  // At most 1/8 too long, so that the bound is early.
-  const int64_t before = ahead - (int64_t)gjk2_length_bound(way->d) * reach;
-  bool exact;
-  return before <= 0 ? 0 : before >= squared ? GJK_Q30_ONE : gjk2_ratio((uint64_t)before, (uint64_t)squared, &exact);
-}
-
 // Steps 2 and 3. Returns whether out is written: a hit at the start, or a miss. Otherwise polygons hit. The direction of
 // the start is set where its gap is measured.
 static bool plane_advance_decide(plane_advance *s, bool early, bool late, gjk2_cast_result *out) {
@@ -462,6 +567,7 @@ static void plane_advance_set(plane_advance *s, gjk2_way *way, gjk_q16 margin) {
   s->point = way->a->count == 1 && way->b->count == 1;
   s->centred = plane_is_centred(way->a) && plane_is_centred(way->b);
   s->nearest = false;
+  s->raw = false;
   s->radius = radius + (s->curved ? PLANE_CURVED_SLACK : 0);
   s->fraction = 0;
   s->open = false;
@@ -513,6 +619,10 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
   plane_advance s;
   plane_advance_set(&s, way, margin);
   if (!s.curved && plane_advance_is_beside(&s, out)) {
+    return GJK_OK;
+  }
+  if (PLANE_DIRECT && s.point && !early && !late && plane_advance_circle(&s)) {
+    plane_advance_hit(&s, out);
     return GJK_OK;
   }
   if (plane_advance_decide(&s, early, late, out)) {

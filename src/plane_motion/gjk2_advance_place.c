@@ -13,8 +13,11 @@ gjk2_long gjk2_cast_place_from(const gjk2_way *way, gjk2_vec o, gjk_q30 fraction
   return from;
 }
 
-// *to = *from, word by word: see gjk2_copy.
-static void plane_copy_collider(gjk2_collider *to, const gjk2_collider *from) {
+// *to = *from. Where that may become a call of memcpy, word by word: see gjk2_copy.
+static inline void plane_copy_collider(gjk2_collider *to, const gjk2_collider *from) {
+#if GJK_64_BIT && !GJK_SMALL
+  *to = *from;
+#else
   to->shape = from->shape;
   to->buffer = from->buffer;
   gjk2_copy(&to->position, &from->position);
@@ -30,6 +33,7 @@ static void plane_copy_collider(gjk2_collider *to, const gjk2_collider *from) {
   to->fraction[0] = from->fraction[0];
   to->fraction[1] = from->fraction[1];
   to->ordered = from->ordered;
+#endif
 }
 
 const gjk2_collider *gjk2_cast_places(const gjk2_way *way, gjk_q30 fraction, gjk2_collider *at_a, gjk2_collider *at_b) {

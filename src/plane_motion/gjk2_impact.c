@@ -27,6 +27,7 @@
 #include "gjk2/impact.h"
 
 #include "../arith/gjk_root.h"
+#include "../plane/gjk2_close.h"
 #include "../plane/gjk2_report.h"
 #include "gjk2_sweep.h"
 #include "gjk2_way.h"
@@ -40,6 +41,9 @@
 
 // Angles from here on, in radians Q24, take no turning frame.
 #define PLANE_FAST (UINT64_C(1) << 30)
+
+// Are gaps measured without a search? See gjk2_close.h.
+#define PLANE_TOUCHES (GJK_64_BIT && !GJK_SMALL)
 
 typedef struct plane_mover {
   gjk2_sweep sweep;
@@ -55,10 +59,14 @@ typedef struct plane_impact {
   const gjk2_impact_setup *setup;
   gjk2_search search;
   gjk2_distance_result gap;  // of nearest features distance, bounds and normal alone
-  bool nearest;              // the search has found the nearest feature of polygons, in a near frame
-  bool open;                 // the gap is but bounded, and not along its normal
-  int64_t error;             // LSB Q8
-  int64_t half;              // the part of the way on which both turn by half a radian together
+#if PLANE_TOUCHES
+  bool close;    // points, segments and boxes of two half axes in all: see gjk2_close.h
+  bool touched;  // the gap was found without a search, which names the feature alone
+#endif
+  bool nearest;   // the search has found the nearest feature of polygons, in a near frame
+  bool open;      // the gap is but bounded, and not along its normal
+  int64_t error;  // LSB Q8
+  int64_t half;   // the part of the way on which both turn by half a radian together
 } plane_impact;
 
 // angle length, rounded up, LSB. Pre: angle at most 2^40, length at most 2^32.
@@ -119,11 +127,51 @@ static gjk_status plane_mover_pose(plane_mover *m, gjk_q30 fraction) {
   return gjk2_collider_pose(&m->posed, &m->pose);
 }
 
+#if PLANE_TOUCHES
+// A vertex of the feature. Of points the offsets stay 0.
+static inline void plane_impact_name(const gjk2_collider *c, uint16_t number, gjk2_support *out) {
+  out->vertex = number;
+  if (c->count > 1) {
+    (void)c->shape->type->vertex(c, number, &out->offset);
+  } else {
+    out->offset.x = 0;
+    out->offset.y = 0;
+  }
+}
+
+// Step 1 of a pair whose gap needs no search. Segments that are parallel are left to it: it ends at a feature of its own.
+static inline bool plane_impact_touch(plane_impact *s) {
+  const gjk2_collider *a = &s->a.posed, *b = &s->b.posed;
+  gjk2_search *search = &s->search;
+  const gjk2_certificate *names = &s->gap.certificate;
+  if ((a->count > 1 && b->count > 1 && gjk2_cross(a->frame[0], b->frame[0]) == 0) ||
+      !gjk2_touch_without_search(a, b, GJK2_TOUCH_GAP, &s->gap)) {
+    return false;
+  }
+  s->open = false;
+  s->nearest = !s->gap.intersecting;
+  search->count = names->count;
+  search->apex = search->first = &search->slot[0];
+  search->last = &search->slot[1];
+  for (unsigned i = 0; i < names->count; i++) {
+    plane_impact_name(a, names->a[i], &search->slot[i].a);
+    plane_impact_name(b, names->b[i], &search->slot[i].b);
+  }
+  return true;
+}
+#endif
+
 // Step 1 for posed shapes. Of nearest features the points are left for later.
 static void plane_impact_gap(plane_impact *s) {
   const gjk2_collider *a = &s->a.posed, *b = &s->b.posed;
   gjk2_search *search = &s->search;
   gjk2_distance_result *gap = &s->gap;
+#if PLANE_TOUCHES
+  s->touched = s->close && plane_impact_touch(s);
+  if (s->touched) {
+    return;
+  }
+#endif
   (void)gjk2_search_start(search, a, b, false, (uint32_t)(a->shape->convex_radius + b->shape->convex_radius));
   gjk2_outcome outcome = gjk2_search_run(search, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
   s->nearest = outcome == GJK2_OUTCOME_NEAREST && gjk2_search_is_exact(search);
@@ -407,6 +455,12 @@ static void plane_impact_report(plane_impact *s, gjk_q30 lower, gjk_q30 upper, g
   out->upper = upper;
   out->distance = s->gap.distance;
   if (!s->gap.intersecting) {
+#if PLANE_TOUCHES
+    if (s->touched) {
+      (void)gjk2_touch_without_search(&s->a.posed, &s->b.posed, GJK2_TOUCH_POINTS, &s->gap);
+      s->nearest = false;
+    }
+#endif
     if (s->nearest) {
       gjk2_distance_report(&s->search, GJK2_OUTCOME_NEAREST, NULL, &s->gap);
     }
@@ -507,6 +561,10 @@ gjk_status gjk2_time_of_impact(const gjk2_collider *a, const gjk2_motion *motion
     return status;
   }
   s.setup = setup;
+#if PLANE_TOUCHES
+  // Their classes have 1, 2 and 4 vertices, triangles 3, all others none.
+  s.close = (0x16u >> ((unsigned)a->shape->type->count * b->shape->type->count) & 1u) != 0;
+#endif
   s.error = PLANE_IMPACT_ERROR + ((s.a.reach + s.b.reach) * 11 >> 23) +
             ((int64_t)(a->core_radius + b->core_radius) * 3 >> 23);
   s.half = plane_step(INT64_C(1) << 23, (int64_t)((s.a.sweep.angle + s.b.sweep.angle + 2) >> 8) + 1);

@@ -8,20 +8,21 @@ static bool plane_way_fits(int64_t x) {
   return gjk_magnitude64(x) >> 32 == 0;
 }
 
-// One axis of a collider's way. *outside is set where its centre leaves int32.
-static int64_t plane_way_along(gjk_q16 position, gjk_q16 to, gjk_q16 centre, bool *outside) {
-  const int64_t way = (int64_t)to - position;
-  (void)gjk_saturate_noting(centre + way, outside);
-  return way;
+// Is x an int32?
+static inline bool plane_way_ends_inside(int64_t x) {
+  return x >= INT32_MIN && x <= INT32_MAX;
 }
 
-static void plane_way_of(const gjk2_collider *c, const gjk2_vec *to, gjk2_long *way, bool *outside) {
+// A collider's way. False: its centre leaves int32.
+static inline bool plane_way_of(const gjk2_collider *c, const gjk2_vec *to, gjk2_long *way) {
   way->x = 0;
   way->y = 0;
-  if (to != NULL) {
-    way->x = plane_way_along(c->position.x, to->x, c->centre.x, outside);
-    way->y = plane_way_along(c->position.y, to->y, c->centre.y, outside);
+  if (to == NULL) {
+    return true;
   }
+  way->x = (int64_t)to->x - c->position.x;
+  way->y = (int64_t)to->y - c->position.y;
+  return plane_way_ends_inside(c->centre.x + way->x) && plane_way_ends_inside(c->centre.y + way->y);
 }
 
 // x = 2^16 high + low of p q + r s. Pre: each is below 2^33 in size.
@@ -74,14 +75,15 @@ gjk_status gjk2_way_set(gjk2_way *way, const gjk2_collider *a, const gjk2_collid
   if (path->margin < 0) {
     return GJK_ERROR_NEGATIVE;
   }
-  bool outside = false;
-  plane_way_of(a, path->to_a, &way->of_a, &outside);
-  plane_way_of(b, path->to_b, &way->of_b, &outside);
+  const bool inside = plane_way_of(a, path->to_a, &way->of_a) && plane_way_of(b, path->to_b, &way->of_b);
+  if (!inside) {
+    return GJK_ERROR_RANGE;
+  }
   way->a = a;
   way->b = b;
   way->t.x = way->of_b.x - way->of_a.x;
   way->t.y = way->of_b.y - way->of_a.y;
-  if (outside || !plane_way_fits(way->t.x) || !plane_way_fits(way->t.y)) {
+  if (!plane_way_fits(way->t.x) || !plane_way_fits(way->t.y)) {
     return GJK_ERROR_RANGE;
   }
   way->delta.x = (int64_t)a->centre.x - b->centre.x;
@@ -317,7 +319,7 @@ GJK_OUT_OF_LINE static int plane_compare_products(uint64_t p, uint64_t x, uint64
 }
 
 // 2^30 size num / den lies from size fraction to below size (fraction + 1), and is the former where exact.
-int64_t gjk2_portion_floor(const gjk2_portion *portion, int64_t length) {
+int64_t gjk2_portion_floor_of(const gjk2_portion *portion, int64_t length) {
   if (length == 0) {
     return 0;
   }

@@ -86,7 +86,12 @@ typedef struct gjk2_portion {
 } gjk2_portion;
 
 // The length of a way along an axis times the portion, rounded down, exactly. Pre: |length| < 2^33.
-int64_t gjk2_portion_floor(const gjk2_portion *portion, int64_t length);
+int64_t gjk2_portion_floor_of(const gjk2_portion *portion, int64_t length);
+
+static inline int64_t gjk2_portion_floor(const gjk2_portion *portion, int64_t length) {
+  return GJK_64_BIT && !GJK_SMALL && portion->exact ? gjk_sar64(length * portion->fraction, 30)
+                                                    : gjk2_portion_floor_of(portion, length);
+}
 
 // The same to the nearest integer, a tie up. Pre: |length| < 2^32.
 static inline int64_t gjk2_portion_nearest(const gjk2_portion *portion, int64_t length) {
