@@ -179,6 +179,9 @@ plane_cases() {
   for kinds in 0 1 2; do
     echo plane_advance-$kinds
   done
+  for kind in CHAIN HEIGHTS TILES; do
+    echo plane_ground-$kind
+  done
   echo plane_sweep-x
   echo plane_impact-0
   echo plane_impact-1
@@ -282,12 +285,19 @@ set_up() {
         plane_way*) level=20 sources="$moved src/plane_motion/gjk2_entry.c" ;;
         plane_cast*)
           level=20 models='plane_distance plane_advance'
-          sources="$moved $(echo src/plane_motion/*cast*.c) src/plane_motion/gjk2_entry.c"
+          sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_check_cast.c src/plane_motion/gjk2_entry.c"
           ;;
         plane_advance*)
           level=10 models='plane_distance plane_search'
           sources="$moved $(echo src/plane_motion/gjk2_cast*.c) src/plane_motion/gjk2_entry.c \
             $(echo src/plane_motion/gjk2_advance*.c) src/plane/gjk2_canonical.c src/plane/gjk2_hull.c"
+          ;;
+        plane_ground*)
+          level=200 defines="$defines -DPROVE_COPY_WHOLE"
+          [ "$instance" != TILES ] || level=5
+          kind=$(echo "$instance" | tr '[:upper:]' '[:lower:]')
+          sources="src/arith/gjk_root.c src/arith/gjk_wide.c src/plane/gjk2_rotation.c src/ground/gjk2_ground.c \
+            src/ground/gjk2_ground_walk.c src/ground/gjk2_ground_$kind.c"
           ;;
         plane_sweep*)
           sources="src/plane/gjk2_measure.c src/plane/gjk2_pose.c src/plane/gjk2_rotation.c src/plane_motion/gjk2_sweep.c \

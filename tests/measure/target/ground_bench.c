@@ -13,6 +13,6 @@ bool ground_bench_tick(int time) {
 }
 
 size_t ground_bench_bytes(void) {
-  return gjk2_scene_bytes(&config) + sizeof manifold + sizeof scene + sizeof runner + sizeof id + sizeof pose +
+  return gjk2_scene_bytes(&config) + sizeof touch + sizeof scene + sizeof runner + sizeof id + sizeof pose +
          sizeof speed;
 }

@@ -1,29 +1,15 @@
 // A small platform game: a level of tiles in flash, a lift, eighty crates that fall, and a runner who slides over the level.
-#include "gjk2/ground.h"
 #include "gjk2/slide.h"
+#include "platform_level.h"
 
 enum { LEVEL, LIFT, FIRST, BODIES = 82, REST = -1, ASLEEP = -2 };
-static const uint8_t level[] =
-    "########################################"  // the bottom row
-    "#     /##\\    /\\             /#\\       #"
-    "#     ----                    ---       #";
-static const gjk2_tile forms[128] = {
-    ['#'] = GJK2_TILE(4, 4), ['/'] = GJK2_TILE(0, 4), ['\\'] = GJK2_TILE(4, 0), ['-'] = GJK2_TILE_ONE_WAY(4, 4)};
-static const gjk2_tiles tiles = {level, 40, 3, GJK_Q16(1), 128, forms};
-static const gjk2_ground ground = {&gjk2_ground_tiles, &tiles, {GJK_Q16(20), GJK_Q16(1.5)}};
-static const gjk2_shape ground_shape = GJK2_GROUND(&ground, GJK_Q16(20), GJK_Q16(1.5));
-static const gjk2_shape plank = GJK2_BOX(GJK_Q16(1), GJK_Q16(0.1)), crate = GJK2_BOX(GJK_Q16(0.2), GJK_Q16(0.2));
-static const gjk2_shape body = GJK2_CAPSULE(GJK_Q16(0.3), GJK_Q16(0.2));
-static const gjk2_shape *const shapes[] = {&ground_shape, &plank, &crate};
 static const gjk2_scene_config config = {
     .bodies = BODIES, .parts = BODIES, .pairs = 128, .box_margin = 4000, .detail = GJK_DETAIL_CONTACTS, .persist = 1};
 static const gjk_scene_filter solid = {.category = 2, .mask = 2};
 static const gjk2_slide_setup gait = {{0, GJK_Q30_ONE}, GJK_Q30_ONE / 2, 64, GJK_Q16(0.3), GJK_Q16(0.1), true, &solid};
-
 static uint32_t block[5000];
-static gjk2_manifold manifold;
-static const gjk2_scene_bindings tools = {
-    .details = &gjk2_scene_contacts, .manifolds = &manifold, .keeps_manifolds = 1};
+static gjk2_manifold touch;
+static const gjk2_scene_bindings tools = {.details = &gjk2_scene_contacts, .manifolds = &touch, .keeps_manifolds = 1};
 static gjk2_scene scene;
 static gjk2_collider runner;
 static gjk_body_id id[BODIES];
@@ -34,11 +20,10 @@ static bool start(void) {
   static const gjk2_pose upright = {{GJK_Q16(2), GJK_Q16(1.6)}, {0, GJK_Q30_ONE}};
   bool fine = gjk2_scene_init(&scene, &config, block, sizeof block, shapes, 3, &tools) == GJK_OK;
   for (int i = 0; i < BODIES && fine; i++) {
+    pose[i] = (gjk2_pose){{i % 62 * 39000, i ? GJK_Q16(4) + i / 62 * 34000 + i % 9 * 7000 : 0}, {GJK_Q30_ONE, 0}};
     const gjk2_part part = {.shape = (uint16_t)(i < FIRST ? i : 2)};
-    const gjk2_vec at = {i % 62 * 39000, i == LEVEL ? 0 : GJK_Q16(4) + i / 62 * 34000 + i % 9 * 7000};
     const uint8_t kind = (uint8_t)(i < FIRST ? i : GJK_BODY_DYNAMIC), category = i < FIRST ? 3 : 1;
-    const gjk2_body_setup setup = {{at, {GJK_Q30_ONE, 0}}, &part, 1, kind, 0, category, 3, (uint32_t)i, 50};
-    pose[i] = setup.pose;
+    const gjk2_body_setup setup = {pose[i], &part, 1, kind, 0, category, 3, (uint32_t)i, 50};
     fine = gjk2_scene_add(&scene, &setup, &id[i]) == GJK_OK;
   }
   return fine && gjk2_collider_init(&runner, &body, 0, 0) == GJK_OK && gjk2_collider_pose(&runner, &upright) == GJK_OK;
