@@ -12,6 +12,14 @@
 #define COLUMNS 4
 #define CELLS 2
 
+// Grids are placed as they are: what turns a walk has nothing of them.
+#if CASE == TILES
+#define TURN \
+  { GJK_Q30_ONE, 0 }
+#else
+#define TURN any_rotation()
+#endif
+
 static gjk2_vec vertices[VERTICES];
 static gjk2_index_box boxes[BOXES];
 static int16_t heights[COLUMNS];
@@ -71,13 +79,13 @@ static gjk_status any_tiles(gjk2_tiles *grid, gjk2_ground *out, gjk2_shape *shap
 
 // Any walk, whatever the calls above have said of the data.
 static void walk_over(const gjk2_ground_class *type, const void *data) {
-  const gjk2_ground ground = {type, any_bool() ? data : NULL, any_position2()};
-  const gjk2_pose pose = any_pose2();
+  const gjk2_ground ground = {type, data, any_position2()};
+  const gjk2_pose pose = {any_position2(), TURN};
   const gjk2_aabb box = {any_position2(), any_position2()};
   gjk2_ground_walk walk;
   gjk2_line line;
   gjk2_ground_edge edge;
-  if (gjk2_ground_place(any_bool() ? &ground : NULL, any_bool() ? &pose : NULL, &walk) != GJK_OK) {
+  if (gjk2_ground_place(&ground, &pose, &walk) != GJK_OK) {
     return;
   }
   gjk2_ground_begin(&walk, &box);

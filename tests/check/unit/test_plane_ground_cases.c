@@ -93,6 +93,38 @@ static void check_grazing(void) {
   CHECK(gjk2_ground_cast_ray(&ground, &origin, &on, &under, &hit, &segment) == GJK_OK && hit.hit && hit.fraction == 0);
 }
 
+// A ball that grazes a ridge just at its margin: the hit is reported while it still comes nearer, so it counts.
+static void check_tangential(void) {
+  static const gjk2_vec ridge[] = {{5 * ONE, -5 * ONE}, {0, 0}, {-5 * ONE, -5 * ONE}};
+  const gjk2_vec to = {3 * ONE, ONE + 64};
+  const gjk2_cast_path path = {NULL, &to, 64};
+  const gjk2_collider ball = put(&disc, -3 * ONE, ONE + 64);
+  gjk2_cast_result hit;
+  uint32_t segment;
+  make_chain(ridge, 3);
+  CHECK(gjk2_ground_cast(&ground, &origin, &ball, &path, &hit, &segment) == GJK_OK && hit.hit);
+  CHECK(hit.normal.x < 0 && hit.fraction < GJK_Q30_ONE / 2);
+}
+
+// The longest way of a body against ground is an LSB below 2^32, either way.
+static void check_longest_way(void) {
+  static const gjk2_vec level[] = {{ONE, 0}, {0, 0}};
+  gjk2_cast_result hit;
+  uint32_t segment;
+  make_chain(level, 2);
+  for (int back = 0; back < 4; back++) {
+    const bool along_y = back >= 2, down = back % 2 != 0;
+    const gjk_q16 first = down ? INT32_MAX : INT32_MIN, last = down ? INT32_MIN : INT32_MAX, aside = INT32_C(1) << 30;
+    const gjk2_collider point = along_y ? put(&dot, aside, first) : put(&dot, first, aside);
+    const gjk2_vec to = {along_y ? aside : last, along_y ? last : aside};
+    gjk2_vec goes = {0, 0};
+    const gjk2_cast_path path = {&goes, &to, 0};
+    CHECK(gjk2_ground_cast(&ground, &origin, &point, &path, &hit, &segment) == GJK_OK && !hit.hit);
+    *(along_y ? &goes.y : &goes.x) = down ? 1 : -1;
+    CHECK(gjk2_ground_cast(&ground, &origin, &point, &path, &hit, &segment) == GJK_ERROR_RANGE);
+  }
+}
+
 // As far from the origin as ground may be, along a diagonal that a turn puts upright.
 static void check_far(void) {
   static const gjk2_vec corner[] = {{GJK2_GROUND_REACH, GJK2_GROUND_REACH - ONE},
@@ -291,11 +323,31 @@ static void check_depth(void) {
   CHECK_MSG(report.distance == -1000, "%d", (int)report.distance);
 }
 
+// Two grounds never touch, and none hits the other however it moves.
+static void check_two_grounds(void) {
+  static const gjk2_vec level[] = {{9 * ONE, 0}, {-9 * ONE, 0}};
+  const gjk2_pose above = {{0, ONE}, {GJK_Q30_ONE, 0}}, below = {{0, -ONE}, {GJK_Q30_ONE, 0}};
+  gjk2_chain_contact contact;
+  uint16_t count = 0;
+  make_chain(level, 2);
+  make_scene(&origin, &ground_shape, &origin, GJK_DETAIL_DEPTH);
+  CHECK(update() == 0);
+  make_scene(&origin, &ground_shape, &above, GJK_DETAIL_TOUCH);
+  CHECK(gjk2_scene_set_motion(&scene, id[1], GJK_MOTION_FAST) == GJK_OK);
+  CHECK(update() == 0);
+  CHECK(gjk2_scene_move(&scene, id[1], &below) == GJK_OK);
+  CHECK(update() == 0);
+  const gjk2_report pair = {.a = id[0], .b = id[1]};
+  CHECK(gjk2_scene_ground_contacts(&scene, &pair, &contact, 1, &count) == GJK_ERROR_UNSUPPORTED);
+}
+
 int main(void) {
   check_rest();
   check_profiles();
   check_tie();
   check_grazing();
+  check_tangential();
+  check_longest_way();
   check_far();
   check_beside();
   check_made();
@@ -306,5 +358,6 @@ int main(void) {
   check_rising();
   check_passing();
   check_depth();
+  check_two_grounds();
   return check_done("plane ground cases");
 }
