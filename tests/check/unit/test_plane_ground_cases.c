@@ -5,7 +5,9 @@
 #include "check.h"
 #include "gjk2/gjk2.h"
 #include "gjk2/ground.h"
+#include "random.h"
 #include "src/ground/gjk2_ground_walk.h"
+#include "src/plane/gjk2_line.h"
 
 #define ONE GJK_Q16_ONE
 
@@ -224,6 +226,96 @@ static void check_no_forms(void) {
   CHECK(gjk2_ground_within(&forged, &origin, &ball, 0, &yes) == GJK_OK && !yes);
 }
 
+// A profile without heights, and a grid whose forms are not there, have no segments, whatever made them.
+static void check_no_data(void) {
+  static const uint8_t cells[] = {0};
+  const gjk2_heights bare = {NULL, 5, ONE, 0};
+  const gjk2_tiles formless = {cells, 1, 1, ONE, 1, NULL};
+  const gjk2_ground made[] = {{&gjk2_ground_heights, &bare, {0, 0}}, {&gjk2_ground_tiles, &formless, {0, 0}}};
+  const gjk2_collider ball = put(&disc, ONE, ONE);
+  for (int i = 0; i < 2; i++) {
+    bool yes = true;
+    CHECK(gjk2_ground_within(&made[i], &origin, &ball, ONE, &yes) == GJK_OK && !yes);
+  }
+}
+
+// The largest grids, along each axis, and those that are a tile larger.
+static void check_largest_grids(void) {
+  static const gjk2_tile full[] = {GJK2_TILE(4, 4)};
+  static const uint8_t cells[4096];
+  gjk2_tiles grid = {cells, 1, 4095, ONE, 1, full};
+  bool yes = false;
+  for (int along_x = 0; along_x < 2; along_x++) {
+    grid.columns = along_x ? 4095 : 1;
+    grid.rows = along_x ? 1 : 4095;
+    CHECK(gjk2_ground_of_tiles(&grid, &ground, &ground_shape) == GJK_OK);
+    const gjk2_collider ball = put(&disc, grid.columns * grid.size / 2, grid.rows * grid.size + ONE);
+    CHECK(gjk2_ground_within(&ground, &origin, &ball, 0, &yes) == GJK_OK && yes);
+    *(along_x ? &grid.columns : &grid.rows) = 4096;
+    CHECK(gjk2_ground_of_tiles(&grid, &ground, &ground_shape) == GJK_ERROR_SIZE);
+  }
+}
+
+// The one segment of a turned chain is farther away than GJK2_GROUND_REACH, and found.
+static void check_far_distance(void) {
+  static const gjk2_vec corner[] = {{GJK2_GROUND_REACH - ONE, GJK2_GROUND_REACH},
+                                    {GJK2_GROUND_REACH, GJK2_GROUND_REACH - ONE}};
+  const gjk2_pose turned = {{0, 0}, {759250125, 759250125}};
+  const gjk2_collider point = put(&dot, 0, 0);
+  gjk2_distance_result gap;
+  uint32_t segment;
+  bool found = false;
+  make_chain(corner, 2);
+  CHECK(gjk2_ground_distance(&ground, &turned, &point, &gap, &segment, &found) == GJK_OK && found);
+  CHECK(gap.distance > GJK2_GROUND_REACH / 4 * 5);
+}
+
+static bool same_vec(gjk2_vec a, gjk2_vec b) {
+  return a.x == b.x && a.y == b.y;
+}
+
+static bool same_hit(const gjk2_cast_result *a, const gjk2_cast_result *b) {
+  const gjk2_cast_certificate *c = &a->certificate, *d = &b->certificate;
+  if (!a->hit || !b->hit || a->inside || b->inside) {
+    return a->hit == b->hit && (!a->hit || a->inside == b->inside);
+  }
+  bool same = a->fraction == b->fraction && a->normal.x == b->normal.x && a->normal.y == b->normal.y &&
+              same_vec(a->point_a, b->point_a) && same_vec(a->point_b, b->point_b) && same_vec(a->rest_a, b->rest_a) &&
+              same_vec(a->rest_b, b->rest_b) && c->proof == d->proof && c->count == d->count &&
+              same_vec(c->direction, d->direction);
+  for (int i = 0; i < c->count && same; i++) {
+    same = c->a[i] == d->a[i] && c->b[i] == d->b[i];
+  }
+  return same;
+}
+
+// Casts at segments are those of gjk2_cast, on coordinates so few that ends, feet and margins often meet exactly.
+static void check_line_casts(void) {
+  static const gjk2_shape bodies[] = {GJK2_CIRCLE(2), GJK2_CAPSULE(4, 1), GJK2_ROUNDED_BOX(3, 2, 1), GJK2_BOX(2, 2)};
+  random_state r = random_seed(33);
+  unsigned hits = 0, trials = 0;
+  for (int i = 0; i < 40000; i++) {
+    const gjk2_vec p = {random_range(&r, -8, 8), random_range(&r, -3, 3)};
+    const gjk2_vec q = {random_range(&r, -8, 8), i % 2 != 0 ? p.y : random_range(&r, -3, 3)};
+    const gjk2_pose at = {{random_range(&r, -9, 9), random_range(&r, -12, 12)},
+                          {i % 3 != 0 ? GJK_Q30_ONE : 0, i % 3 != 0 ? 0 : GJK_Q30_ONE}};
+    const gjk2_vec to = {at.position.x + (i % 4 != 0 ? random_range(&r, -6, 6) : 0), random_range(&r, -12, 12)};
+    const gjk2_cast_path path = {NULL, &to, random_range(&r, 0, 2)};
+    gjk2_collider line, body;
+    gjk2_cast_result hit, expected;
+    if (same_vec(p, q)) {
+      continue;
+    }
+    CHECK(gjk2_collider_init(&body, &bodies[i % 4], NULL, 0) == GJK_OK && gjk2_collider_pose(&body, &at) == GJK_OK);
+    gjk2_line_collider(p, q, &line);
+    CHECK(gjk2_line_cast(&line, &body, &path, &hit) == GJK_OK && gjk2_cast(&line, &body, &path, &expected) == GJK_OK);
+    CHECK_MSG(same_hit(&hit, &expected), "%d", i);
+    hits += hit.hit && !hit.inside;
+    trials++;
+  }
+  CHECK_MSG(hits > trials / 8 && hits < trials / 2, "seed 33: %u hits of %u", hits, trials);
+}
+
 static gjk2_scene scene;
 static gjk_body_id id[2];
 static gjk2_report report;
@@ -354,6 +446,10 @@ int main(void) {
   check_chain_neighbours();
   check_tile_neighbours();
   check_no_forms();
+  check_no_data();
+  check_largest_grids();
+  check_far_distance();
+  check_line_casts();
   check_turning();
   check_rising();
   check_passing();
