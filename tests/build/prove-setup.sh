@@ -294,7 +294,7 @@ set_up() {
           ;;
         plane_ground*)
           level=200 defines="$defines -DPROVE_COPY_WHOLE"
-          [ "$instance" != TILES ] || level=20
+          [ "$instance" != TILES ] || level=5
           kind=$(echo "$instance" | tr '[:upper:]' '[:lower:]')
           sources="src/arith/gjk_root.c src/arith/gjk_wide.c src/plane/gjk2_rotation.c src/ground/gjk2_ground.c \
             src/ground/gjk2_ground_walk.c src/ground/gjk2_ground_$kind.c"
