@@ -264,10 +264,9 @@ static gjk_step add_vertex(gjk_iteration *it, gjk_goal goal, const gjk_vertex *a
 
 // The iteration of a cached edge or triangle, which mostly is the nearest still: of steps 4 to 8, step 8 alone, from one of its
 // vertices. LIMIT: it is not. The direction of a vertex is exact, and step 8 may then leave B out.
-GJK_OUT_OF_LINE static gjk_outcome confirm_feature(gjk_iteration *it, gjk_goal goal) {
+static inline gjk_outcome confirm_feature(gjk_iteration *it, gjk_goal goal, gjk_support *b) {
   const gjk_vertex *v = &it->simplex.slot[it->simplex.order[0]];
   gjk_vertex *added = gjk_simplex_free(&it->simplex);
-  gjk_support b;
   if (!gjk_simplex_direction(&it->simplex, &it->direction)) {
     return GJK_OUTCOME_ENCLOSING;
   }
@@ -276,9 +275,9 @@ GJK_OUT_OF_LINE static gjk_outcome confirm_feature(gjk_iteration *it, gjk_goal g
   }
   gjk_set(&v->a.offset, &added->a.offset);
   added->a.vertex = v->a.vertex;
-  b.vertex = v->b;
-  it->b->shape->type->vertex(it->b, v->b, &b.offset);
-  const gjk_step step = refine_nearest(it, goal, &b) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
+  b->vertex = v->b;
+  it->b->shape->type->vertex(it->b, v->b, &b->offset);
+  const gjk_step step = refine_nearest(it, goal, b) ? gjk_simplex_add(&it->simplex) : GJK_STEP_NONE;
   it->iterations++;
   return step == GJK_STEP_ENCLOSING ? GJK_OUTCOME_ENCLOSING
          : step == GJK_STEP_NEARER  ? GJK_OUTCOME_LIMIT
@@ -302,7 +301,7 @@ gjk_outcome gjk_iteration_run(gjk_iteration *it, gjk_goal goal, const gjk_cache 
   }
   if (!GJK_SMALL && cache != NULL && !it->scans && it->simplex.count > 1 && !gjk_goal_separates(goal) &&
       refines_from_any(it->a) && refines_from_any(it->b)) {
-    const gjk_outcome outcome = confirm_feature(it, goal);
+    const gjk_outcome outcome = confirm_feature(it, goal, &b);
     if (outcome != GJK_OUTCOME_LIMIT) {
       return outcome;
     }
