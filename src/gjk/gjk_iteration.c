@@ -37,7 +37,10 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
     return false;
   }
   it->iterations = 0;
-  it->diagonal = false;
+  if (GJK_SHAPES >= GJK_SHAPES_ROUND) {  // gjk_search_points sets all that is read
+    it->diagonal = false;
+    gjk_simplex_clear(&it->simplex);
+  }
   if (!GJK_SMALL) {
     it->scans = false;
   }
@@ -47,7 +50,6 @@ bool gjk_iteration_start(gjk_iteration *it, const gjk_collider *a, const gjk_col
       it->stalls = b->shape->type->stalls;
     }
   }
-  gjk_simplex_clear(&it->simplex);
   return true;
 }
 

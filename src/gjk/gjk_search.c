@@ -449,6 +449,7 @@ gjk_outcome gjk_search_points(gjk_iteration *it, gjk_goal goal, unsigned limit) 
   const int64_t square = gjk_dot(&w, &w);
   const bool first = it->iterations == 0;
   s->slot[0].w = w;  // of the vertices nothing else is read
+  s->order[0] = 0;
   s->toward[0][0] = square;
   s->count = 1;
   it->direction.d = gjk_negate(w);

@@ -400,16 +400,23 @@ GJK_OUT_OF_LINE static gjk2_outcome iterate(gjk2_search *s, gjk2_goal goal, uint
   return GJK2_OUTCOME_LIMIT;
 }
 
+// Makes apex the one vertex of A - B, that of two points.
+static inline void place_origins(gjk2_search *s) {
+  if (GJK_SMALL && GJK_SHAPES >= GJK_SHAPES_ROUND) {
+    (void)gjk2_search_place(s, 0, 0, s->apex);
+    return;
+  }
+  const gjk2_support none = {{0, 0}, 0};
+  const gjk2_vec w =
+      GJK_SHAPES <= GJK_SHAPES_POINTS ? framed(s, none.offset) : s->delta;  // the former in far frames, too
+  gjk2_copy(&s->apex->w, &w);
+  gjk2_copy_support(&s->apex->a, &none);
+  gjk2_copy_support(&s->apex->b, &none);
+}
+
 // The one vertex of A - B: nothing needs to be searched.
 static gjk2_outcome settle_point(gjk2_search *s, gjk2_goal goal) {
-  if (GJK_SMALL || GJK_SHAPES <= GJK_SHAPES_POINTS) {  // the latter in far frames, too
-    (void)gjk2_search_place(s, 0, 0, s->apex);
-  } else {
-    const gjk2_support none = {{0, 0}, 0};
-    gjk2_copy(&s->apex->w, &s->delta);
-    gjk2_copy_support(&s->apex->a, &none);
-    gjk2_copy_support(&s->apex->b, &none);
-  }
+  place_origins(s);
   make_apex(s);
   s->d = gjk2_negate(s->apex->w);
   s->along = s->base;
@@ -438,7 +445,7 @@ static inline bool is_polygon_with_ends(const gjk2_search *s) {
 // The first of two iterations on a far pair of points, for a query that counts them: the rounded difference of the centres is
 // not yet the direction of the rounded vertex.
 static gjk2_outcome begin_far_point(gjk2_search *s, gjk2_goal goal) {
-  (void)gjk2_search_place(s, 0, 0, s->apex);
+  place_origins(s);
   make_apex(s);
   s->along = gjk2_dot(s->d, s->apex->w);
   s->iterations = 1;
