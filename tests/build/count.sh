@@ -117,6 +117,17 @@ library() {
   )
 }
 
+# level_library VARIANT LEVEL: the library for Cortex-M3 at -Os with the kinds of a level of GJK_SHAPES alone, of what measures
+# and tests levels, in build/cortex-m3VARIANT-Os-LEVEL
+level_library() {
+  library cortex-m3 "$1-Os-$2" "OPT=-Os -DGJK_SHAPES=GJK_SHAPES_$2" "SOURCES=$(level_sources)"
+}
+
+level_sources() {
+  needed tests/measure/target/size_user.c tests/measure/target/size_user_plane.h tests/check/target/levels.c \
+    tests/check/target/plane_levels.c
+}
+
 # The library as WebAssembly, alone: build/wasm/gjk.wasm.
 wasm_library() {
   mkdir -p build/wasm

@@ -73,11 +73,6 @@ golden_library() {
       checked_library
       return
       ;;
-    *' -DGJK_VECTORS=0 '*hosted/gjk_port.h*)
-      golden_objects=build/host-scalar
-      library host '' && alone host-scalar sh tests/build/variant.sh "$golden_objects" -DGJK_VECTORS=0
-      return
-      ;;
   esac
   golden_port=
   case $* in

@@ -48,10 +48,9 @@ heading() {
   echo '|---|---|---|---|---|---|---|---|---|'
 }
 
-sources=$(needed tests/measure/target/size_user.c tests/measure/target/size_user_plane.h)
 library cortex-m3 "$variant-Os" OPT=-Os || exit 1
 for level in POINTS ROUND BOXES POLYTOPES; do
-  library cortex-m3 "$variant-Os-$level" "OPT=-Os -DGJK_SHAPES=GJK_SHAPES_$level" "SOURCES=$sources" || exit 1
+  level_library "$variant" $level || exit 1
 done
 {
   heading 'space'

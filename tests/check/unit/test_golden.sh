@@ -16,17 +16,14 @@ same() {
   fi
 }
 
-same host gcc -O0
+same host gcc -O0 -DGJK_VECTORS=0
 same host gcc -O2 '-DGJK_PORT_HEADER="hosted/gjk_port.h"'  # 128-bit integers
-same host clang -Os '-DGJK_PORT_HEADER="hosted/gjk_port.h"'
 same host clang -O2 -DGJK_NARROW_MULTIPLY=1 $golden_avx2
 same host gcc -O1 -fsanitize=undefined,address -fno-sanitize-recover=all
-same host gcc -O2 -DGJK_VECTORS=0 '-DGJK_PORT_HEADER="hosted/gjk_port.h"'
 same aarch64 gcc -O2
 same s390x gcc -O2
 same cortex-m0 gcc -O2
 same cortex-m3 gcc -O2
-same cortex-m4 gcc -Os
 same rv32imc gcc -Os
 same avr gcc -Os
 

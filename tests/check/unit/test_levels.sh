@@ -5,13 +5,13 @@
 build=$1/levels
 mkdir -p "$build"
 sources='tests/check/target/levels.c tests/check/target/plane_levels.c'
-library_sources=$(needed $sources)
 
-# host LEVEL: the program with the library of that level, at build/levels/host-LEVEL
+# host NAME OBJECTS...: the program with that library, at build/levels/host-NAME
 host() {
-  library host "-shapes$1" "OPT=-O2 -DGJK_SHAPES=$1" "SOURCES=$library_sources" &&
-    ${CC:-cc} -std=c99 -O1 -Iinclude -I. -Iport -Itests/support $sources tests/check/target/levels_host.c port/hosted/gjk_hosted.c \
-      "build/host-shapes$1"/gjk*.o -o "$build/host-$1"
+  program=$build/host-$1
+  shift
+  ${CC:-cc} -std=c99 -O1 -Iinclude -I. -Iport -Itests/support $sources tests/check/target/levels_host.c port/hosted/gjk_hosted.c \
+    "$@" -o "$program"
 }
 
 # same LEVEL: its set by its build and by that of all shapes
@@ -19,18 +19,19 @@ same() {
   "$build/host-5" 5 "$1" 3000 >"$build/all-$1.txt" && "$build/host-$1" "$1" "$1" 3000 | diff "$build/all-$1.txt" -
 }
 
-# firmware LEVEL
+# firmware LEVEL NAME
 firmware() {
   "$build/host-5" 5 "$1" 200 >"$build/few-$1.txt"
-  make -s "build/cortex-m3-shapes$1/levels.elf" TARGET=cortex-m3 VARIANT="-shapes$1" "OPT=-Os -DGJK_SHAPES=$1" \
-    "SOURCES=$library_sources" "FIRMWARE_DEFINES=-DLEVELS_LEVEL=$1" >"$build/log" 2>&1 || { cat "$build/log"; return 1; }
-  sh tests/build/emulate.sh cortex-m3 "build/cortex-m3-shapes$1/levels.elf" >"$build/firmware-$1.txt" &&
+  level_library '' "$2" || return 1
+  make -s "build/cortex-m3-Os-$2/levels.elf" TARGET=cortex-m3 VARIANT="-Os-$2" "OPT=-Os -DGJK_SHAPES=GJK_SHAPES_$2" \
+    "SOURCES=$(level_sources)" "FIRMWARE_DEFINES=-DLEVELS_LEVEL=$1" >"$build/log" 2>&1 || { cat "$build/log"; return 1; }
+  sh tests/build/emulate.sh cortex-m3 "build/cortex-m3-Os-$2/levels.elf" >"$build/firmware-$1.txt" &&
     diff "$build/few-$1.txt" "$build/firmware-$1.txt"
 }
 
 # one_file COMPILER FLAGS...
 one_file() {
-  (cd "$build/one" && "$@" -c -o /dev/null gjk.c)
+  (cd "$build/one" && "$@" gjk.c)
 }
 
 refused_value() {
@@ -38,29 +39,28 @@ refused_value() {
     grep -q GJK_SHAPES_POINTS "$build/message"
 }
 
-check 'all shapes' host 5
+check 'the library of all shapes' library host ''
+check 'all shapes' host 5 build/host/gjk*.o
 check 'one file' sh tests/build/amalgamate.sh "$build/one"
 missing="$(missing_package cortex-m3) $(missing_emulator cortex-m3)"
 for level in 1 2 3 4; do
-  check "level $level" host $level
-  check "level $level: the same bits, and others are refused" same $level
-  case $level in
-    1 | 3)  # the host has shown all levels; two show that the core adds nothing
-      if [ -z "${missing# }" ]; then
-        check "level $level on cortex-m3" firmware $level
-      else
-        skip "level $level on cortex-m3" "$missing"
-      fi
-      ;;
-  esac
   strict="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror -DGJK_SHAPES=$level"
   # shellcheck disable=SC2086
-  check "level $level: one file, gcc, no function is unused" one_file gcc -std=c99 -O0 $strict
+  check "level $level: one file, gcc, no function is unused" one_file gcc -std=c99 -O0 $strict -c -o "../$level.o"
   if have clang; then
     # shellcheck disable=SC2086
     check "level $level: one file, clang" one_file clang -std=c99 -fsyntax-only $strict -Wno-unused-function
   else
     skip "level $level: one file" clang
+  fi
+  check "level $level" host $level "$build/$level.o"
+  check "level $level: the same bits, and others are refused" same $level
+done
+for level in 1-POINTS 3-BOXES; do  # the host has shown all levels; two show that the core adds nothing
+  if [ -z "${missing# }" ]; then
+    check "level $level on cortex-m3" firmware "${level%-*}" "${level#*-}"
+  else
+    skip "level $level on cortex-m3" "$missing"
   fi
 done
 check 'a level that is none stops the build' refused_value

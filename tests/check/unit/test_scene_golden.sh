@@ -39,7 +39,6 @@ match() {
       -fno-sanitize-recover=all
   fi
   if have clang; then
-    check "$game: clang -Os" host clang '' host clang -Os '-DGJK_PORT_HEADER="hosted/gjk_port.h"'
     check "$game: clang -O2, narrow multiplication" host clang-narrow '' host clang -O2 -DGJK_NARROW_MULTIPLY=1 $golden_avx2
   else
     skip "$game with clang" clang
@@ -51,7 +50,7 @@ match() {
   else
     check "$game: big-endian" host s390x qemu-s390x s390x gcc -O2
   fi
-  for core in cortex-m3 cortex-m4 cortex-m33 rv32imc; do
+  for core in cortex-m3 cortex-m4 rv32imc; do
     missing="$(missing_package $core) $(missing_emulator $core)"
     if [ -z "${missing# }" ]; then
       check "$game: $core" target $core
