@@ -117,6 +117,15 @@ library() {
   )
 }
 
+# The host's library with the ceilings of tests/support/given_ceilings.h, and sets ceilings_objects to its objects: all but the
+# table of names, whose values are constants.
+ceilings_library() {
+  ceilings_objects='build/host-ceilings/gjk*.o build/hosted/tests/support/given_ceilings.o'
+  library host -ceilings 'OPT=-O2 -include tests/support/given_ceilings.h' WARNINGS= \
+    "SOURCES=$(echo src/*/*.c | sed 's|[^ ]*/gjk_bind_names.c||')" &&
+    alone hosted make -s build/hosted/tests/support/given_ceilings.o
+}
+
 # level_library VARIANT LEVEL: the library for Cortex-M3 at -Os with the kinds of a level of GJK_SHAPES alone, of what measures
 # and tests levels, in build/cortex-m3VARIANT-Os-LEVEL
 level_library() {

@@ -63,9 +63,9 @@ golden_sources() {
 # or ask for sanitizers, it is the usual library but for that, by the usual compiler.
 golden_library() {
   case $* in
-    *-DGJK_ITERATIONS_MAX=*)
-      golden_objects=build/host$4
-      library host '' && alone "host$4" sh tests/build/variant.sh "$golden_objects" "$4"
+    *given_ceilings.h)
+      golden_objects=build/host-ceilings
+      ceilings_library
       return
       ;;
     'host '*-fsanitize=undefined,address*)  # its assertions are checks, too
@@ -141,7 +141,7 @@ golden() {
       ;;
   esac
   case $architecture in  # what fits the memory
-    avr) parts='1 2 4 8 64' ;;
+    avr) parts=${golden_shared:+1 8 64} parts=${parts:-1 2 4 8 64} ;;  # simavr is slow: make matrix has all
     cortex-m0) parts='1 6 56 64' ;;
     *) parts=127 ;;
   esac
@@ -172,6 +172,7 @@ golden() {
       ;;
   esac
   case "$*" in
+    *given_ceilings.h) glue="$glue tests/support/given_ceilings.c" ;;
     *-fsanitize=*address*) glue="$glue -fsanitize=undefined,address" ;;
     gcc*-flto*) glue="$glue -flto" ;;
   esac

@@ -60,9 +60,9 @@ other_match() {
 # ceiling COMPILER MAX: with a library that has it
 ceiling() {
   # shellcheck disable=SC2086
-  golden_library host "${CC:-cc}" -O2 "-DGJK_ITERATIONS_MAX=$2" '-DGJK_PORT_HEADER="hosted/gjk_port.h"' &&
-    "$1" -std=c++17 -O1 $strict $includes "-DGJK_ITERATIONS_MAX=$2" tests/check/bind/ceilings.cpp "$golden_objects"/gjk*.o \
-      "$build/hosted/port/hosted/gjk_hosted.o" -o "$dir/ceiling-$2" && "$dir/ceiling-$2"
+  ceilings_library &&
+    "$1" -std=c++17 -O1 $strict $includes "-DGJK_ITERATIONS_MAX=$2" tests/check/bind/ceilings.cpp $ceilings_objects \
+      "$build/hosted/port/hosted/gjk_hosted.o" -o "$dir/ceiling-$2" && GJK_TEST_ITERATIONS=$2 "$dir/ceiling-$2"
 }
 
 # literal COMPILER WORD: does a literal compile?

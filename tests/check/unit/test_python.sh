@@ -51,10 +51,11 @@ other_match() {
 
 # ceiling MAX: with a library that has it
 ceiling() {
-  golden_library host "${CC:-cc}" -O2 "-DGJK_ITERATIONS_MAX=$1" '-DGJK_PORT_HEADER="hosted/gjk_port.h"' &&
-    "${CC:-cc}" -shared -fPIC -Wl,-Bsymbolic -Iinclude -Iport port/hosted/gjk_hosted.c "$golden_objects"/gjk*.o \
-      -o "$dir/libgjk-$1.so" &&
-    PYTHONPATH=$modules PYTHONDONTWRITEBYTECODE=1 GJK_LIBRARY=$dir/libgjk-$1.so python3 tests/check/bind/ceilings.py "$dir/save"
+  # shellcheck disable=SC2086
+  ceilings_library &&
+    "${CC:-cc}" -shared -std=c99 -O1 -fPIC -Wl,-Bsymbolic -Iinclude -Iport "-DGJK_ITERATIONS_MAX=$1" src/bind/gjk_bind_names.c \
+      port/hosted/gjk_hosted.c $ceilings_objects -o "$dir/libgjk-$1.so" &&
+    PYTHONPATH=$modules PYTHONDONTWRITEBYTECODE=1 GJK_TEST_ITERATIONS=$1 GJK_LIBRARY=$dir/libgjk-$1.so python3 tests/check/bind/ceilings.py "$dir/save"
 }
 
 if ! have python3; then

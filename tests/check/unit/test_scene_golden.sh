@@ -48,7 +48,7 @@ match() {
   elif ! have qemu-s390x; then
     skip "$game on a big-endian machine" qemu-user
   else
-    check "$game: big-endian" host s390x qemu-s390x s390x gcc -O2
+    check "$game: big-endian" host s390x qemu-s390x s390x gcc -O1
   fi
   for core in cortex-m3 cortex-m4 rv32imc; do
     missing="$(missing_package $core) $(missing_emulator $core)"
