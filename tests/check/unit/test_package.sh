@@ -251,7 +251,7 @@ if [ -z "$(missing_package cortex-m3)" ] && have arm-none-eabi-g++; then
   mkdir -p "$dir/core"
   printf '#include <stddef.h>\n#include <stdint.h>\nstruct Port { void begin(long); void println(long); };\nextern Port Serial;\n' \
     >"$dir/core/Arduino.h"
-  check 'Arduino: the library for ARM' arduino_library arm-none-eabi-gcc -mthumb -mcpu=cortex-m0plus -ffreestanding
+  check 'Arduino: the library for ARM' arduino_library arm-none-eabi-gcc -mthumb -mcpu=cortex-m0plus -ffreestanding -O0
   for name in Distance Contacts; do
     check "Arduino: $name for ARM" sketch $name arm-none-eabi-g++ -mthumb -mcpu=cortex-m0plus -ffreestanding "-I$dir/core"
   done
