@@ -187,7 +187,7 @@ build/hosted/%.o: %.c build/hosted/programs.flags Makefile
 	@$(HOSTED) $(DEPENDENCIES) -c $< -o $@
 
 # What checks answers is not what takes the time.
-build/hosted/tests/check/unit/%.o: HOSTED_OPT := -O1
+build/hosted/tests/check/unit/%.o: private HOSTED_OPT := -O1
 $(UNIT_TESTS): build/%: build/hosted/tests/check/unit/%.o
 build/test_decompose build/test_decompose_outline build/test_enclose build/test_urdf: $(filter-out %/main.o,$(CONVERT))
 $(UNIT_TESTS): $(SUPPORT) $(HOST_LIB)
