@@ -20,7 +20,7 @@ work=$(mktemp -d "$build/install-XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$root/lib/pkgconfig" "$root/lib/cmake/gjk" "$root/include/gjk" "$root/include/gjk2"
 
-library host -install 'OPT=-O2 -fPIC' PORT= || exit 1
+installed_library || exit 1
 archive=build/host-install/libgjk.a
 sh tests/build/shared.sh "$archive" "$work/libgjk.so.$version" "libgjk.so.$api" port/python/gjk_batch.c || exit 1
 

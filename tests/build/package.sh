@@ -86,8 +86,7 @@ unity_package() {
     1s|.*|// Shapes at poses, queries and scenes, of the plane: made from Shared.cs.|' port/csharp/Runtime/Shared.cs \
     >"$to/Runtime/PlaneShared.cs"
   cp "$amalgamation"/gjk.[ch] "$to/Runtime/Plugins"
-  # Without a port, and so without libc.
-  library host -install 'OPT=-O2 -fPIC' PORT= &&
+  installed_library &&
     sh tests/build/shared.sh build/host-install/libgjk.a "$to/Runtime/Plugins/x86_64/libgjk.so"
 }
 
@@ -124,14 +123,8 @@ wheel_package() {
     return
   fi
   mkdir -p "$build/package/wheel"
-  # Integers of 128 bits, where the compiler has them, make large coordinates a third faster.
-  wide=
-  if "${CC:-cc}" -dM -E - </dev/null | grep -q __SIZEOF_INT128__; then
-    wide='-DGJK_INT128=1 -DGJK_INT128_TYPE=__int128'
-  fi
-  # shellcheck disable=SC2086
-  "${CC:-cc}" -std=c99 -O2 -fPIC $wide -c "$amalgamation/gjk.c" -o "$build/package-gjk.o" &&
-    sh tests/build/shared.sh "$build/package-gjk.o" "$build/package-libgjk.so" libgjk.so port/python/gjk_batch.c &&
+  installed_library &&
+    sh tests/build/shared.sh build/host-install/libgjk.a "$build/package-libgjk.so" libgjk.so port/python/gjk_batch.c &&
     python3 tests/build/wheel.py "$version" "$build/package-libgjk.so" "$build/package/wheel"
 }
 

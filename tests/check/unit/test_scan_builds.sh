@@ -5,6 +5,7 @@
 . tests/build/golden.sh
 build=$1/scan_builds
 mkdir -p "$build"
+scanned=$(needed tests/check/unit/test_scan.c)
 
 # run ARCHITECTURE COMPILER FLAGS...: the checks, counted from the last line 'NAME: N passed, N failed'
 run() {
@@ -23,7 +24,7 @@ run() {
   esac
   # shellcheck disable=SC2086
   $compiler -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror $link "$@" -DSCAN_REACH=1 \
-    -Iinclude -Iport -I. -Itests/support tests/check/unit/test_scan.c src/shape/gjk_scan*.c src/arith/*.c -o "$build/scan" &&
+    -Iinclude -Iport -I. -Itests/support tests/check/unit/test_scan.c $scanned -o "$build/scan" &&
     $emulator "$build/scan" >"$build/scan.txt"
   status=$?
   tail -n 20 "$build/scan.txt"

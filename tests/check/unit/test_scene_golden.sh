@@ -23,7 +23,11 @@ host() {
 
 # target NAME
 target() {
-  library "$1" '' OPT=-O2 && make -s "build/$1/$game.elf" TARGET="$1" && sh tests/build/emulate.sh "$1" "build/$1/$game.elf"
+  level=-O2
+  [ "$1" != rv32imc ] || level=-Os
+  library "$1" "${level#-O2}" "OPT=$level" &&
+    make -s "build/$1${level#-O2}/$game.elf" TARGET="$1" VARIANT="${level#-O2}" "OPT=$level" &&
+    sh tests/build/emulate.sh "$1" "build/$1${level#-O2}/$game.elf"
 }
 
 # match GAME [SOURCE]: the match of that name has its hash from every build
