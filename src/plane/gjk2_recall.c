@@ -115,7 +115,6 @@ GJK_ONCE static bool recall_is_vertex(const recall_pair *of, const gjk2_cache *c
   out->d_x = -x;
   out->d_y = -y;
   out->base = -(x * x + y * y);
-  out->edge_x = out->edge_y = out->edge_a_x = out->edge_a_y = 0;
   return out->base != 0 && recall_is_peak(of->a, of->list_a, cache->a[0], -x, -y) &&
          recall_is_peak(of->b, of->list_b, cache->b[0], x, y);
 }
@@ -127,6 +126,8 @@ GJK_ONCE static bool recall_confirms(const recall_pair *of, const gjk2_cache *ca
   recall_place(of->b, of->list_b, cache->b[0], &b_x, &b_y);
   out->w_x = (int64_t)of->a->centre.x - of->b->centre.x + out->a_x - b_x;
   out->w_y = (int64_t)of->a->centre.y - of->b->centre.y + out->a_y - b_y;
+  out->base = out->d_x = out->d_y = 0;
+  out->edge_x = out->edge_y = out->edge_a_x = out->edge_a_y = 0;
   out->is_edge = cache->count == 2;
   return out->is_edge ? recall_is_edge(of, cache, out) : recall_is_vertex(of, cache, out);
 }
