@@ -147,12 +147,17 @@ level_sources() {
     tests/check/target/plane_levels.c
 }
 
-# The library as WebAssembly, alone: build/wasm/gjk.wasm.
-wasm_library() {
-  mkdir -p build/wasm
+# The library's objects for WebAssembly, alone, in WASM_OBJECTS.
+wasm_objects() {
+  export WASM_OBJECTS=build/wasm/objects
   # shellcheck disable=SC2016
   alone wasm sh -c 'key=$(cat port/wasm/* port/board/memory.c src/*/*.[ch] include/*/*.h | cksum)
-    [ "$key" = "$(cat build/wasm/key 2>/dev/null)" ] || { sh port/wasm/build.sh build/wasm/gjk.wasm && echo "$key" >build/wasm/key; }'
+    [ "$key" = "$(cat build/wasm/key 2>/dev/null)" ] || { sh port/wasm/build.sh --objects build/wasm/objects && echo "$key" >build/wasm/key; }'
+}
+
+# The library as WebAssembly: wasm_library OUT.wasm
+wasm_library() {
+  wasm_objects && sh port/wasm/build.sh "$1"
 }
 
 # The library with its assertions as checks, in build/checked: see checked.sh.

@@ -3,13 +3,15 @@
 #
 # The library, gjk-query's answers and what else the page computes become one WebAssembly module, which stands in the page
 # in base 64; so do the style sheet and the scripts. Needs clang, wasm-ld (Debian: clang lld).
+. tests/build/count.sh
 build=$1/page
 sources=tests/programs/page
-if ! command -v clang >/dev/null || ! command -v wasm-ld >/dev/null; then
+if ! have clang || ! have wasm-ld; then
   echo 'The page needs clang lld: `make setup` installs them.' >&2
   exit 1
 fi
 mkdir -p "$build"
+wasm_objects || exit 1
 # shellcheck disable=SC2046
 WASM_EXPORTS="gjk_port_.*" sh port/wasm/build.sh "$build/page.wasm" -nostdlibinc -I$sources/libc -I. -Itests/support -Wno-sign-compare \
   $(grep -ohE '\bpage_[a-z0-9_]+\(' $sources/*.h | sed 's/($//; s/^/-Wl,--export=/' | sort -u) \

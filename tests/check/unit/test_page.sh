@@ -12,8 +12,7 @@ if [ -n "$missing" ]; then
   exit
 fi
 check 'the page is built' make -s page
-check 'the library alone is built' wasm_library
-cp build/wasm/gjk.wasm "$build/page"
+check 'the library alone is built' wasm_library "$build/page/gjk.wasm"
 
 browser=
 for name in chromium chromium-browser google-chrome; do
