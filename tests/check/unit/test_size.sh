@@ -105,7 +105,7 @@ if [ -z "$(missing_package cortex-m3)" ]; then
   export LIBRARY="$objects"
   check 'all objects, unused sections dropped' at_most 8736 -DSIZE_BOXES
   export SECTIONS=--no-gc-sections
-  check 'all objects, all sections: about 301 KB' at_most 308224 -DSIZE_BOXES
+  check 'all objects, all sections: about 300 KB' at_most 304192 -DSIZE_BOXES
   check 'and not much less' not_at_most 266240 -DSIZE_BOXES
 else
   skip 'linked sizes' "$(missing_package cortex-m3)"
