@@ -143,7 +143,7 @@ static gjk_passage pass_slabs(gjk_portal *p, const line_slabs *of, unsigned m) {
 
 // Steps 2 and 3.
 static gjk_passage enter_slabs(gjk_portal *p, const line_slabs *of) {
-  int32_t highest = INT32_MIN;
+  int32_t highest = of->e[0] - of->v;
   unsigned m = 0;
   for (unsigned k = 0; k < 3; k++) {
     const int32_t q = of->e[k] - of->v;

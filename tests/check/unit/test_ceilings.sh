@@ -3,6 +3,7 @@
 # scenes, saves and lockstep with ceilings of 1, 2, 3 and 10 iterations, and in workspaces of 0 to 60 cells. Then with such
 # ceilings on casts alone: their scans and rounds.
 # test_ceilings.sh BUILD
+# shellcheck disable=SC2030,SC2031  # what is exported in a subshell is for that alone
 . tests/build/count.sh
 dir=$1/ceilings
 mkdir -p "$dir"
