@@ -171,8 +171,8 @@ GJK_ONCE static void coarse_points(const gjk_iteration *it, unsigned count, cons
 // along each axis, and B's points are within 2^27 + 2^28 + 2^28 of its centre.
 static inline bool is_coarse(const gjk_iteration *it) {
   const gjk_vec3 *c = &it->a->centre;
-  // not reached: GJK_SMALL is a constant
-  return !GJK_SMALL && it->shift >= FINE_SHIFT &&
+  // not reached: GJK_SMALL is a constant. Points leave the offsets of vertices unset.
+  return !GJK_SMALL && GJK_SHAPES >= GJK_SHAPES_ROUND && it->shift >= FINE_SHIFT &&
          ((uint32_t)(c->x ^ gjk_sar32(c->x, 31)) | (uint32_t)(c->y ^ gjk_sar32(c->y, 31)) |
           (uint32_t)(c->z ^ gjk_sar32(c->z, 31))) >>
                  30 ==

@@ -36,7 +36,7 @@ static int64_t along_q8(const gjk_unit3 *v, const gjk_long3 *d) {
   return gjk_sar64(v->x * d->x + v->y * d->y + v->z * d->z, 22);
 }
 
-GJK_ONE_COPY static gjk_long3 between(const gjk_vec3 *a, const gjk_vec3 *b) {
+static gjk_long3 between(const gjk_vec3 *a, const gjk_vec3 *b) {
   const gjk_long3 d = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
   return d;
 }

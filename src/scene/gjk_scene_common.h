@@ -137,7 +137,8 @@ static inline int32_t gjk_scene_higher_by(int32_t x, gjk_q16 margin) {
 
 // Grows a box along one axis: by margin at both sides, and by step on the side that step points to.
 GJK_SCENE_IN_LINE void gjk_scene_grow_side(gjk_q16 *lower, gjk_q16 *upper, int32_t margin, int32_t step) {
-  *lower = gjk_scene_lower_by(gjk_scene_lower_by(*lower, margin), step < 0 ? -step : 0);
+  const int32_t least = gjk_scene_lower_by(*lower, margin), back = step < 0 ? step : 0;
+  *lower = least < INT32_MIN - back ? INT32_MIN : least + back;
   *upper = gjk_scene_higher_by(gjk_scene_higher_by(*upper, margin), step > 0 ? step : 0);
 }
 
