@@ -19,6 +19,7 @@
 #include "gjk2/intersect.h"
 #include "gjk2/pose.h"
 #include "gjk2/scene.h"
+#include "gjk2_scene_ground.h"
 
 // The first word of a block: "gjs2" in a little-endian one.
 #define GJK2_SCENE_MAGIC UINT32_C(0x32736A67)
@@ -170,7 +171,7 @@ struct gjk2_ground_queries {
 
   // gjk2_scene_ground_impact.
   gjk_status (*impact)(const gjk2_collider c[2], const gjk2_motion motion[2], gjk_q16 margin, const gjk2_motion *ahead,
-                       gjk2_impact_result *out);
+                       gjk2_impact_query *query, gjk2_impact_result *out);
 };
 
 struct gjk2_scene_details {
