@@ -418,9 +418,14 @@ static inline uint32_t gjk2_scene_rotation_bound(const gjk2_rotation *a, const g
   return distance + (distance >> 15) + 1;
 }
 
+// Is the shape a polytope? Ground has no vertices, whatever kinds of shapes the build knows.
+static inline bool gjk2_scene_has_vertices(const gjk2_shape *shape) {
+  return shape->type->vertex != NULL;
+}
+
 // Is the shape made of half axes: a point, segment or box? Polygons have a buffer, triangles three vertices.
 static inline bool gjk2_scene_has_axes(const gjk2_shape *shape) {
-  return !gjk2_is_curved(shape) && !shape->type->buffered && shape->type->count != 3;
+  return gjk2_scene_has_vertices(shape) && !shape->type->buffered && shape->type->count != 3;
 }
 
 // Is the core a point?
