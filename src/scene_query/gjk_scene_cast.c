@@ -1,4 +1,5 @@
 // Casts of a collider against the shapes of a scene.
+#include "../arith/gjk_memory.h"
 #include "../scene/gjk_scene_solid.h"
 #include "../scene/gjk_scene_tree.h"
 #include "gjk_scene_filter.h"
@@ -48,8 +49,9 @@ static void start_passage(const gjk_scene_view *v, const gjk_scene_vicinity *nea
                           const gjk_scene_inquiry *inquiry, gjk_scene_passage *passage) {
   const int64_t grow = (int64_t)inquiry->margin + GJK_SCENE_EARLY;
   if (near != NULL && near->whole) {
-    gjk_aabb swept = *box;
+    gjk_aabb swept;
     gjk_vec3 way;
+    gjk_copy(&swept, box, sizeof swept);
     gjk_scene_way(inquiry->from, inquiry->to, &way);
     gjk_scene_grow(&swept, (int32_t)grow, &way, 1);
     if (gjk_aabb_inside(&swept, &near->box)) {
