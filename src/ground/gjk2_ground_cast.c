@@ -3,7 +3,6 @@
 // A long way is cut into pieces, so that no more segments are asked than those near it. A segment's hit is always that of
 // the whole way. A hit lies in the piece of its fraction, so once one is found in the pieces so far, none is earlier.
 // A segment is not asked where the body stays in front of its line, or its centre behind it, as far as the way counts.
-#include "../arith/gjk_memory.h"
 #include "../plane/gjk2_measure.h"
 #include "gjk2_ground_box.h"
 #include "gjk2_ground_queries.h"
@@ -188,6 +187,28 @@ static gjk_status ask_pieces(ground_cast *c, const gjk2_aabb *box) {
   return open;
 }
 
+// By parts, see gjk2_copy.
+static void copy_ground_hit(gjk2_cast_result *to, const gjk2_cast_result *from) {
+  to->hit = from->hit;
+  to->inside = from->inside;
+  to->fraction = from->fraction;
+  gjk2_copy(&to->point_a, &from->point_a);
+  gjk2_copy(&to->point_b, &from->point_b);
+  to->normal.x = from->normal.x;
+  to->normal.y = from->normal.y;
+  gjk2_copy(&to->rest_a, &from->rest_a);
+  gjk2_copy(&to->rest_b, &from->rest_b);
+  to->saturated = from->saturated;
+  to->iterations = from->iterations;
+  gjk2_copy(&to->certificate.direction, &from->certificate.direction);
+  for (int i = 0; i < 3; i++) {
+    to->certificate.a[i] = from->certificate.a[i];
+    to->certificate.b[i] = from->certificate.b[i];
+  }
+  to->certificate.count = from->certificate.count;
+  to->certificate.proof = from->certificate.proof;
+}
+
 // Runs a cast whose way is set. Writes out and segment after OK.
 static gjk_status run_cast(ground_cast *c, const gjk2_aabb *box, gjk2_cast_result *out, uint32_t *segment) {
   c->found = false;
@@ -205,7 +226,7 @@ static gjk_status run_cast(ground_cast *c, const gjk2_aabb *box, gjk2_cast_resul
     out->certificate.count = 0;
     return GJK_OK;
   }
-  gjk_copy(out, &c->result[c->first], sizeof *out);
+  copy_ground_hit(out, &c->result[c->first]);
   *segment = c->segment;
   return GJK_OK;
 }

@@ -2,6 +2,7 @@
 #include "gjk2/ground.h"
 
 #include "../arith/gjk_memory.h"
+#include "../arith/gjk_root.h"
 #include "../plane/gjk2_facing.h"
 #include "../plane/gjk2_line.h"
 #include "gjk2_scene_names.h"
@@ -20,17 +21,6 @@ static gjk_status refuse_ground(const gjk2_shape *shape, gjk2_extent *out) {
   (void)shape;
   (void)out;
   return GJK_ERROR_UNSUPPORTED;
-}
-
-static gjk_status measure_ground(const gjk2_shape *shape, gjk2_extent *out) {
-  const gjk2_vec *half = &shape->size;
-  if (half->x < 0 || half->y < 0) {
-    return GJK_ERROR_NEGATIVE;
-  }
-  gjk2_copy(&out->centre, &ground_of_shape(shape)->centre);
-  out->squared = (uint64_t)gjk2_dot(*half, *half);
-  out->ordered = false;
-  return GJK_OK;
 }
 
 // Keeps the rotation, as curved shapes do.
@@ -58,36 +48,36 @@ static void support_ground(const gjk2_collider *c, const gjk2_vec *d, gjk2_suppo
   out->vertex = 0;
 }
 
-// What gjk2_collider_init measures for gjk2_ground_bind, where the public class refuses.
-static const gjk2_shape_class class_of_ground_box = {
-    .measure = measure_ground,
-    .pose = pose_ground,
-    .support = support_ground,
-    .vertex = NULL,
-    .adjacent = NULL,
-    .depth = NULL,
-    .touch = NULL,
-    .ground = NULL,
-    .buffered = false,
-    .count = 0,
-};
+// By how much more than the box's corner its posed vertices may be away from the centre, see box_reach; and 1 for the root.
+#define GROUND_SLACK 3
 
+// What gjk2_collider_init does for other shapes.
 static gjk_status bind_ground(const gjk2_shape *shape, gjk2_collider *out) {
-  gjk2_shape box;
   const gjk2_ground *ground = ground_of_shape(shape);
+  const gjk2_vec *half = &shape->size;
+  const uint64_t room = (uint64_t)GJK2_RADIUS_MAX * (uint64_t)GJK2_RADIUS_MAX;
+  if (GJK_SHAPES <= GJK_SHAPES_POINTS) {
+    return GJK_ERROR_UNSUPPORTED;
+  }
   if (ground == NULL || ground->type == NULL || ground->data == NULL) {
     return GJK_ERROR_NULL;
   }
-  box.type = &class_of_ground_box;
-  box.vertices = NULL;
-  box.support = NULL;
-  box.user = ground;
-  gjk2_copy(&box.size, &shape->size);
-  box.convex_radius = 0;
-  box.count = 0;
-  const gjk_status status = gjk2_collider_init(out, &box, NULL, 0);
+  if (half->x < 0 || half->y < 0) {
+    return GJK_ERROR_NEGATIVE;
+  }
+  const uint64_t squared = (uint64_t)gjk_mac32(gjk_mul32(half->x, half->x), half->y, half->y);  // < 2^63
+  if (squared > room) {
+    return GJK_ERROR_SIZE;
+  }
   out->shape = shape;
-  return status;
+  out->buffer = NULL;
+  gjk2_copy(&out->local_centre, &ground->centre);
+  out->core_radius = (gjk_q16)gjk_isqrt64(squared) + GROUND_SLACK;
+  out->radius = out->core_radius;
+  out->count = 0;
+  out->ordered = false;
+  out->state = GJK2_STATE_INITIALISED;
+  return GJK_OK;
 }
 
 static const gjk2_ground *ground_of_collider(const gjk2_collider *c) {

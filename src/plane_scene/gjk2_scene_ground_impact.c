@@ -12,6 +12,7 @@ typedef struct ground_impact {
   unsigned at;  // of the ground among the two
   const gjk2_motion *motion, *ahead;
   gjk2_impact_setup setup;
+  gjk2_impact_query *query;
 } ground_impact;
 
 // Poses a copy of the body.
@@ -98,7 +99,7 @@ static gjk_status impact_of_segment(const ground_impact *g, const gjk2_ground_ed
   gjk2_collider segment;
   const gjk_status status = gjk2_collider_init(&segment, &shape, NULL, 0);
   const gjk2_collider *a = g->at == 0 ? &segment : g->body, *b = g->at == 0 ? g->body : &segment;
-  return status == GJK_OK ? gjk2_time_of_impact(a, &g->motion[0], b, &g->motion[1], &g->setup, out) : status;
+  return status == GJK_OK ? g->query(a, &g->motion[0], b, &g->motion[1], &g->setup, out) : status;
 }
 
 // Asks all segments near the way. Where one reaches its ceiling, its lower fraction counts as an impact.
@@ -137,7 +138,7 @@ static gjk_status find_first_impact(const ground_impact *g, gjk2_ground_walk *wa
 }
 
 gjk_status gjk2_scene_ground_impact(const gjk2_collider c[2], const gjk2_motion motion[2], gjk_q16 margin,
-                                    const gjk2_motion *ahead, gjk2_impact_result *out) {
+                                    const gjk2_motion *ahead, gjk2_impact_query *query, gjk2_impact_result *out) {
   ground_impact g;
   gjk2_ground_walk walk;
   out->hit = false;
@@ -152,6 +153,7 @@ gjk_status gjk2_scene_ground_impact(const gjk2_collider c[2], const gjk2_motion 
   g.setup.margin = margin;
   g.setup.tolerance = GJK2_IMPACT_TOLERANCE_MIN;
   g.setup.iterations = 0;
+  g.query = query;
   const gjk_status status = gjk2_ground_place(g.ground, &motion[g.at].from, &walk);
   return status == GJK_OK ? find_first_impact(&g, &walk, out) : status;
 }

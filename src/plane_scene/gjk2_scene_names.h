@@ -52,7 +52,6 @@
 #define gjk_draw_manifold gjk2_draw_manifold
 #define gjk_draw_ray gjk2_draw_ray
 #define gjk_draw_scene gjk2_draw_scene
-#define gjk_is_curved gjk2_is_curved
 #define gjk_manifold gjk2_manifold
 #define gjk_motion gjk2_motion
 #define gjk_motion_pose gjk2_motion_pose
@@ -179,6 +178,7 @@
 #define gjk_scene_is_below gjk2_scene_is_below
 #define gjk_scene_is_concave gjk2_scene_is_concave
 #define gjk_scene_is_pending gjk2_scene_is_pending
+#define gjk_scene_has_vertices gjk2_scene_has_vertices
 #define gjk_scene_is_point gjk2_scene_is_point
 #define gjk_scene_is_refused gjk2_scene_is_refused
 #define gjk_scene_is_rotation gjk2_scene_is_rotation

@@ -19,6 +19,7 @@
 #include "gjk2/intersect.h"
 #include "gjk2/pose.h"
 #include "gjk2/scene.h"
+#include "gjk2_scene_ground.h"
 
 // The first word of a block: "gjs2" in a little-endian one.
 #define GJK2_SCENE_MAGIC UINT32_C(0x32736A67)
@@ -170,7 +171,7 @@ struct gjk2_ground_queries {
 
   // gjk2_scene_ground_impact.
   gjk_status (*impact)(const gjk2_collider c[2], const gjk2_motion motion[2], gjk_q16 margin, const gjk2_motion *ahead,
-                       gjk2_impact_result *out);
+                       gjk2_impact_query *query, gjk2_impact_result *out);
 };
 
 struct gjk2_scene_details {
@@ -417,9 +418,14 @@ static inline uint32_t gjk2_scene_rotation_bound(const gjk2_rotation *a, const g
   return distance + (distance >> 15) + 1;
 }
 
+// Is the shape a polytope? Ground has no vertices, whatever kinds of shapes the build knows.
+static inline bool gjk2_scene_has_vertices(const gjk2_shape *shape) {
+  return shape->type->vertex != NULL;
+}
+
 // Is the shape made of half axes: a point, segment or box? Polygons have a buffer, triangles three vertices.
 static inline bool gjk2_scene_has_axes(const gjk2_shape *shape) {
-  return !gjk2_is_curved(shape) && !shape->type->buffered && shape->type->count != 3;
+  return gjk2_scene_has_vertices(shape) && !shape->type->buffered && shape->type->count != 3;
 }
 
 // Is the core a point?

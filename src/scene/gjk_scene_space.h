@@ -385,6 +385,11 @@ static inline const gjk_vec3 *gjk_scene_local_centre(const gjk_scene_part *part,
   return &part->local_centre;
 }
 
+// Is the shape a polytope, or made of several?
+static inline bool gjk_scene_has_vertices(const gjk_shape *shape) {
+  return !gjk_is_curved(shape);
+}
+
 // Is the core a point?
 static inline bool gjk_scene_is_point(const gjk_shape *shape) {
   return gjk_has_half_axes(shape) && shape->type->count == 0;

@@ -1,5 +1,7 @@
 // Casts of a collider against the shapes of a scene.
+#include "../arith/gjk_memory.h"
 #include "../scene/gjk_scene_solid.h"
+#include "../scene/gjk_scene_tree.h"
 #include "gjk_scene_filter.h"
 #include "gjk_scene_inquiry.h"
 
@@ -24,18 +26,16 @@ static bool is_in_range(const gjk_collider *c, const gjk_vec3 *to) {
 }
 
 void gjk_scene_look_round(const gjk_scene_view *v, const gjk_scene_filter *filter, gjk_scene_vicinity *near) {
-  const gjk_vec3 origin = gjk_scene_equal_vec3(0);
-  gjk_scene_passage passage;
-  uint32_t entered;
+  gjk_scene_walk walk;
   near->count = 0;
-  gjk_scene_passage_start(v, &passage, &near->box, 0, &origin, &origin);
+  gjk_scene_walk_start(v, &walk);
   for (;;) {  // ends: each part comes once
-    const uint32_t part = gjk_scene_passage_next(v, &passage, &entered);
+    const uint32_t part = gjk_scene_walk_meeting(v, &walk, &near->box);
     near->whole = part == GJK_SCENE_NONE;
     if (near->whole) {
       return;
     }
-    if (gjk_scene_may_accept(v, filter, part)) {
+    if (gjk_aabb_meet(&near->box, &v->parts[part].exact) && gjk_scene_may_accept(v, filter, part)) {
       if (near->count == GJK_SCENE_NEAR) {
         return;
       }
@@ -49,8 +49,9 @@ static void start_passage(const gjk_scene_view *v, const gjk_scene_vicinity *nea
                           const gjk_scene_inquiry *inquiry, gjk_scene_passage *passage) {
   const int64_t grow = (int64_t)inquiry->margin + GJK_SCENE_EARLY;
   if (near != NULL && near->whole) {
-    gjk_aabb swept = *box;
+    gjk_aabb swept;
     gjk_vec3 way;
+    gjk_copy(&swept, box, sizeof swept);
     gjk_scene_way(inquiry->from, inquiry->to, &way);
     gjk_scene_grow(&swept, (int32_t)grow, &way, 1);
     if (gjk_aabb_inside(&swept, &near->box)) {

@@ -10,7 +10,7 @@
 #define WALK 16
 
 static bool is_awake(const gjk_scene_body *body) {
-  return (body->kind_detail & 15u) != GJK_BODY_STATIC && (body->flags & GJK_SCENE_ASLEEP) == 0;
+  return (body->flags & GJK_SCENE_ASLEEP) == 0 && (body->kind_detail & 15u) != GJK_BODY_STATIC;
 }
 
 // Is a pair of two bodies that stays near to be reported?
@@ -64,7 +64,7 @@ static inline void note_event(const gjk_scene_view *v, gjk_scene_pair *pair, uns
 
 // Counts what became of a pair that was tested, and whether it is near. Returns its event: PERSIST whether that is to be
 // reported or not; 0: it has none.
-static inline unsigned settle_tested(const gjk_scene_view *v, uint32_t index, unsigned flags) {
+static inline unsigned settle_tested(const gjk_scene_view *v, uint32_t index) {
   gjk_scene_header *h = v->header;
   gjk_scene_pair *pair = &v->pairs[index];
   const unsigned state = pair->state, outcome = pair->outcome;
@@ -77,7 +77,7 @@ static inline unsigned settle_tested(const gjk_scene_view *v, uint32_t index, un
     h->stats.measured += (outcome & GJK_SCENE_MEASURED) != 0;
   }
   pair->state = (uint8_t)((state & ~(GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_QUEUED | GJK_SCENE_PAIR_NEAR_NOW)) |
-                          (now ? GJK_SCENE_PAIR_NEAR | flags : 0u));
+                          (now ? GJK_SCENE_PAIR_NEAR : 0u));
   if (now && !was) {
     clear_words(v, index);
   }
@@ -95,30 +95,52 @@ static void keep_event(gjk_scene_view *v, uint32_t index, unsigned event, uint32
 }
 
 // Step 6, pairs that were tested. Each makes at most one event, so no entry is overwritten before it is read.
-//
-// flags: QUEUED stays on those that are near, so that keep_resting does not find them again.
-static void keep_tested(gjk_scene_view *v, unsigned flags, uint32_t *kept) {
+static void keep_tested(gjk_scene_view *v, uint32_t *kept) {
   const gjk_scene_header *h = v->header;
   for (uint32_t i = 0; i < h->queued; i++) {
     const uint32_t index = v->queue[i];
-    const unsigned event = settle_tested(v, index, flags);
+    const unsigned event = settle_tested(v, index);
     if (event != 0 && (event != GJK_EVENT_PERSIST || pair_persists(v, &v->pairs[index]))) {
       keep_event(v, index, event, kept);
     }
   }
 }
 
-// Step 6, with persist: pairs that rest near.
+// The same of a pair, if it rests near.
+static void keep_if_resting(gjk_scene_view *v, uint32_t index, uint32_t *kept) {
+  const unsigned rests = GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR;
+  const gjk_scene_pair *pair = &v->pairs[index];
+  if ((pair->state & (rests | GJK_SCENE_PAIR_GONE | GJK_SCENE_PAIR_QUEUED)) == rests && pair_persists(v, pair)) {
+    keep_event(v, index, GJK_EVENT_PERSIST, kept);
+  }
+}
+
+// The same of the pairs of a part of an awake body. A pair of two such bodies is kept at its first one.
+static void keep_resting_of(gjk_scene_view *v, uint32_t part, uint32_t *kept) {
+  uint32_t next;
+  for (uint32_t link = v->parts[part].pairs; link != GJK_SCENE_NONE; link = next) {
+    const gjk_scene_pair *pair = &v->pairs[link / 2];
+    next = gjk_scene_next(pair, link % 2);
+    if (link % 2 == 0 || !is_awake(&v->bodies[v->parts[gjk_scene_end(pair, 0)].body])) {
+      keep_if_resting(v, link / 2, kept);
+    }
+  }
+}
+
+// Step 6, with persist: pairs that rest near. Those of two bodies asleep are not to be reported, and not looked at but in a
+// build for size.
 static void keep_resting(gjk_scene_view *v, uint32_t *kept) {
   const gjk_scene_header *h = v->header;
-  for (uint32_t i = 0; i < h->pairs.fresh; i++) {
-    gjk_scene_pair *pair = &v->pairs[i];
-    const unsigned flags = pair->state & (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR | GJK_SCENE_PAIR_GONE);
-    if (flags == (GJK_SCENE_PAIR_LIVE | GJK_SCENE_PAIR_NEAR) && (pair->state & GJK_SCENE_PAIR_QUEUED) == 0 &&
-        pair_persists(v, pair)) {
-      keep_event(v, i, GJK_EVENT_PERSIST, kept);
+  for (uint32_t i = 0; GJK_SMALL && i < h->pairs.fresh; i++) {
+    keep_if_resting(v, i, kept);
+  }
+  for (uint32_t slot = 0; !GJK_SMALL && slot < h->bodies.fresh; slot++) {
+    const gjk_scene_body *body = &v->bodies[slot];
+    if (is_awake(body) && body->generation % 2 != 0) {
+      for (uint32_t i = body->first; i != GJK_SCENE_NONE; i = v->parts[i].next) {
+        keep_resting_of(v, i, kept);
+      }
     }
-    pair->state = (uint8_t)(pair->state & ~GJK_SCENE_PAIR_QUEUED);
   }
 }
 
@@ -217,7 +239,7 @@ static inline unsigned walk_pair(const gjk_scene_view *v, uint32_t index, const 
   const unsigned state = v->pairs[index].state;
   unsigned event = (state & GJK_SCENE_PAIR_NEAR) != 0 ? (unsigned)GJK_EVENT_PERSIST : 0u;
   if ((state & GJK_SCENE_PAIR_QUEUED) != 0) {
-    event = settle_tested(v, index, 0);
+    event = settle_tested(v, index);
   }
   return event != GJK_EVENT_PERSIST || persists(v, own, &v->bodies[other]) ? event : 0;
 }
@@ -266,14 +288,17 @@ static uint32_t walk_events(sorted_queue *q) {
   return count;
 }
 
-// Steps 6 and 8 one after the other. gone: some pairs are gone, and in no list.
+// Steps 6 and 8 one after the other. gone: some pairs are gone, and in no list. Those that rest are found first, while those
+// to be tested still say so, and wait behind the queue: no pair is in both.
 static uint32_t keep_events(sorted_queue *q, gjk_scene_view *v) {
   const gjk_scene_header *h = v->header;
-  const bool resting = h->config.persist != 0 && h->stats.resting > 0;
-  uint32_t kept = 0;
-  keep_tested(v, resting ? GJK_SCENE_PAIR_QUEUED : 0, &kept);
-  if (resting) {
-    keep_resting(v, &kept);
+  uint32_t kept = 0, end = h->queued;
+  if (h->config.persist != 0 && h->stats.resting > 0) {
+    keep_resting(v, &end);
+  }
+  keep_tested(v, &kept);
+  for (uint32_t i = h->queued; i < end; i++) {
+    v->queue[kept++] = v->queue[i];
   }
   keep_gone(v, &kept);
   for (uint32_t i = 0; i < kept; i++) {

@@ -112,7 +112,7 @@ static gjk_status ask_impact_of(const gjk_collider c[2], const gjk_motion motion
 #endif
 #if GJK_SCENE_AXES == 2
   if (ground_code(c) != NULL) {
-    return ground_code(c)->impact(c, motion, margin, ahead, out);
+    return ground_code(c)->impact(c, motion, margin, ahead, gjk_time_of_impact, out);
   }
 #endif
   (void)ahead;

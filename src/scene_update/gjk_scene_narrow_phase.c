@@ -53,7 +53,7 @@ static int32_t beyond_margins(const pair_question *q, int64_t bound) {
 }
 
 static bool is_curved(const gjk_scene_view *v, const gjk_scene_part *a, const gjk_scene_part *b) {
-  return gjk_is_curved(v->scene->shapes[a->shape]) || gjk_is_curved(v->scene->shapes[b->shape]);
+  return !gjk_scene_has_vertices(v->scene->shapes[a->shape]) || !gjk_scene_has_vertices(v->scene->shapes[b->shape]);
 }
 
 // Step 1. A distance that is asked for has to be found anew.

@@ -29,6 +29,12 @@ firmware() {
     diff "$build/few-$1.txt" "$build/firmware-$1.txt"
 }
 
+# ground LEVEL: ground, and a game on it, of boxes and capsules
+ground() {
+  ${CC:-cc} -std=c99 -O1 "-DGJK_SHAPES=$1" -Iinclude -I. -Iport -Itests/support tests/check/target/ground_golden.c \
+    tests/check/target/ground_golden_host.c port/hosted/gjk_hosted.c "$build/$1.o" -o "$build/ground-$1" && "$build/ground-$1"
+}
+
 # one_file COMPILER FLAGS...
 one_file() {
   (cd "$build/one" && "$@" gjk.c)
@@ -55,6 +61,7 @@ for level in 1 2 3 4; do
   fi
   check "level $level" host $level "$build/$level.o"
   check "level $level: the same bits, and others are refused" same $level
+  [ $level -lt 3 ] || check "level $level: ground has its hash" ground $level
 done
 for level in 1-POINTS 3-BOXES; do  # the host has shown all levels; two show that the core adds nothing
   if [ -z "${missing# }" ]; then

@@ -205,15 +205,20 @@ static void check_chain_neighbours(void) {
 }
 
 // Where two sides turn right at a corner, the one that turns more follows: of a platform that falls away below a full tile.
+// And where two turn right to the side that begins there, the one that turns more precedes it.
 static void check_tile_neighbours(void) {
-  static const gjk2_tile forms[] = {GJK2_TILE(0, 0), GJK2_TILE(4, 4), {4, 0, 2, true}};
-  static const uint8_t cells[] = {1, 2, 0, 1};
-  static gjk2_tiles grid = {cells, 2, 2, 4, 3, forms};
+  static const gjk2_tile forms[] = {GJK2_TILE(0, 0), GJK2_TILE(4, 4), {4, 0, 2, true}, GJK2_TILE_ONE_WAY(4, 0)};
+  static uint8_t cells[] = {1, 2, 0, 1};
+  static gjk2_tiles grid = {cells, 2, 2, 4, 4, forms};
   gjk2_ground_edge edge;
   CHECK(gjk2_ground_of_tiles(&grid, &ground, &ground_shape) == GJK_OK);
   CHECK(edge_of(4 * 0 + 1, &edge) && !edge.open_after);
   CHECK(edge.vertex[2].x == 4 && edge.vertex[2].y == 4);
   CHECK_MSG(edge.vertex[3].x == 8 && edge.vertex[3].y == 0, "%d, %d", (int)edge.vertex[3].x, (int)edge.vertex[3].y);
+  cells[1] = 3;
+  CHECK(edge_of(4 * 3, &edge) && !edge.open_before);
+  CHECK(edge.vertex[1].x == 4 && edge.vertex[1].y == 4);
+  CHECK_MSG(edge.vertex[0].x == 8 && edge.vertex[0].y == 0, "%d, %d", (int)edge.vertex[0].x, (int)edge.vertex[0].y);
 }
 
 // A grid that nobody checked, without forms: it has no surface.
@@ -433,6 +438,40 @@ static void check_two_grounds(void) {
   CHECK(gjk2_scene_ground_contacts(&scene, &pair, &contact, 1, &count) == GJK_ERROR_UNSUPPORTED);
 }
 
+// Shapes of ground that nobody made are refused or taken by what they say, up to the largest one.
+static void check_shapes(void) {
+  static const gjk2_vec level[] = {{9 * ONE, 0}, {-9 * ONE, 0}};
+  static const gjk2_ground none = {NULL, level, {0, 0}};
+  static const struct {
+    gjk2_vec half;
+    gjk_status status;
+  } sizes[] = {{{-1, 0}, GJK_ERROR_NEGATIVE},
+               {{0, -1}, GJK_ERROR_NEGATIVE},
+               {{GJK2_RADIUS_MAX, 1}, GJK_ERROR_SIZE},
+               {{1, GJK2_RADIUS_MAX}, GJK_ERROR_SIZE},
+               {{INT32_MAX, INT32_MAX}, GJK_ERROR_SIZE}};
+  gjk2_shape made;
+  make_chain(level, 2);
+  make_scene(&origin, &dot, &origin, GJK_DETAIL_TOUCH);
+  CHECK(gjk2_scene_remove(&scene, id[0]) == GJK_OK);
+  const gjk2_body_setup setup = {origin, &(gjk2_part){.shape = 1}, 1, GJK_BODY_STATIC, 0, 1, 1, 0, 0};
+  const gjk2_shape *const shapes[] = {&ground_shape, &made};
+  made = ground_shape;
+  scene.shapes = shapes;
+  for (unsigned i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+    made.size = sizes[i].half;
+    CHECK_MSG(gjk2_scene_add(&scene, &setup, &id[0]) == sizes[i].status, "size %u", i);
+  }
+  made.size.x = GJK2_RADIUS_MAX;
+  made.size.y = 0;
+  made.user = NULL;
+  CHECK(gjk2_scene_add(&scene, &setup, &id[0]) == GJK_ERROR_NULL);
+  made.user = &none;
+  CHECK(gjk2_scene_add(&scene, &setup, &id[0]) == GJK_ERROR_NULL);
+  made.user = &ground;
+  CHECK(gjk2_scene_add(&scene, &setup, &id[0]) == GJK_OK);
+}
+
 int main(void) {
   check_rest();
   check_profiles();
@@ -455,5 +494,6 @@ int main(void) {
   check_passing();
   check_depth();
   check_two_grounds();
+  check_shapes();
   return check_done("plane ground cases");
 }
