@@ -36,9 +36,10 @@ static int64_t along_q8(const gjk_unit3 *v, const gjk_long3 *d) {
   return gjk_sar64(v->x * d->x + v->y * d->y + v->z * d->z, 22);
 }
 
-static gjk_long3 between(const gjk_vec3 *a, const gjk_vec3 *b) {
-  const gjk_long3 d = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
-  return d;
+GJK_ONE_COPY static void between(const gjk_vec3 *a, const gjk_vec3 *b, gjk_long3 *out) {
+  out->x = (int64_t)b->x - a->x;
+  out->y = (int64_t)b->y - a->y;
+  out->z = (int64_t)b->z - a->z;
 }
 
 // low + part / 2^30 (high - low), at most 2 too small. Pre: |high - low| < 2^45.
@@ -72,12 +73,14 @@ static int64_t extent_along(const gjk_mover *m, const gjk_unit3 *d) {
   if (shape->type->buffered && shape->user == NULL && c->buffer == NULL) {
     const gjk_vec3 local = gjk_rotate_back(c->frame, &along), *first = shape->vertices;
     const gjk_vec3 *v = gjk_scan(first, first + shape->count, 31, &local);
-    const gjk_long3 carried = between(&m->place, &c->position);
+    gjk_long3 carried;
+    between(&m->place, &c->position, &carried);
     return gjk_sar64(gjk_dot(&local, v), 22) + (m->own != NULL ? along_q8(d, &carried) : 0);
   }
   gjk_support at;
   shape->type->support(c, &along, &at);
-  gjk_long3 reach = between(&m->place, &c->centre);
+  gjk_long3 reach;
+  between(&m->place, &c->centre, &reach);
   reach.x += at.offset.x;
   reach.y += at.offset.y;
   reach.z += at.offset.z;
@@ -99,8 +102,8 @@ static void start_course(separation_course *of, const gjk_separation *s, int64_t
   const gjk_motion *a = s->mover[0].motion, *b = s->mover[1].motion;
   of->of = s;
   of->target = target;
-  of->from = between(&a->from.position, &b->from.position);
-  of->to = between(&a->to.position, &b->to.position);
+  between(&a->from.position, &b->from.position, &of->from);
+  between(&a->to.position, &b->to.position, &of->to);
   if (s->carrier != NULL) {
     gjk_turning_split(s->carrier, &s->n, &of->split);
   }
@@ -364,7 +367,8 @@ static int64_t rate_of_point(const gjk_mover *m, const gjk_unit3 *n, const gjk_v
   const gjk_motion *motion = m->motion;
   const gjk_vec3 *at = &m->place, along = {n->x, n->y, n->z};
   const gjk_vec3 axis = {m->turning.axis.x, m->turning.axis.y, m->turning.axis.z};
-  const gjk_long3 way = between(&motion->from.position, &motion->to.position);
+  gjk_long3 way;
+  between(&motion->from.position, &motion->to.position, &way);
   const int64_t rate = along_q8(n, &way);
   const uint32_t angle = whole_angle(&m->turning);
   if (angle == 0 || m->reach >> 30 != 0) {
@@ -428,7 +432,9 @@ static gjk_q30 choose_part(const separation_state *at, const separation_parabola
 
 gjk_q30 gjk_separation_of_spheres(const gjk_mover mover[2], int64_t target) {
   const gjk_motion *a = mover[0].motion, *b = mover[1].motion;
-  const gjk_long3 from = between(&a->from.position, &b->from.position), to = between(&a->to.position, &b->to.position);
+  gjk_long3 from, to;
+  between(&a->from.position, &b->from.position, &from);
+  between(&a->to.position, &b->to.position, &to);
   const int64_t apart = target + ((int64_t)mover[0].reach + mover[1].reach) * 256;
   gjk_search_direction direction;
   if ((from.x | from.y | from.z) == 0) {
