@@ -349,11 +349,14 @@ static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
   gjk2_cast_hit(s->way, &place, &portion, out);
 }
 
-// From a vertex p, the direction n in which the line meets the circle of radius R around it, where its bound surely exceeds that
-// of the direction d from p. With theta between n and d, and v for the speed at which the way leads against n:
-//   d's bound    the line meets the circle at s; d's bound is R (1 - cos theta) / |t| or more before it: at least R 2^-21 / |t|
-//   n's bound    an LSB of |n|, R 2^-29 / v, and its rounding, 2^-30, before s, and less than R 2^-40 / v for that of n
-//   so for v >= |t| / 32 and R >= |t| / 128 it is less than R 2^-22 / |t| before s
+// The line meets the circle of radius R around a vertex p at s, in the direction n from p. Takes n in place of the direction d
+// from p where n surely bounds more. theta is between n and d; v is the speed at which the way leads against n:
+//   d's bound    is R (1 - cos theta) / |t| or more before s:  at least R 2^-21 / |t|
+//   n's bound    is before s by three parts:
+//                  an LSB of |n|       R 2^-29 / v
+//                  its own rounding    2^-30
+//                  the rounding of n   less than R 2^-40 / v
+//                For v >= |t| / 32 and R >= |t| / 128 all three are less than R 2^-22 / |t|.
 // False: it is not known, or another vertex is farther along n.
 static bool plane_advance_direct(plane_advance *s) {
   const gjk2_way *way = s->way;

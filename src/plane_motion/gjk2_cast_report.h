@@ -26,8 +26,8 @@ void gjk2_cast_hit(const gjk2_way *way, const gjk2_contact_place *place, const g
 // Statuses: OK or ITERATION_LIMIT.
 gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gjk2_cast_result *out);
 
-// The same where the edge from p to q of A - B, with B to the right of it, is known to be nearest at the start and to be hit.
-// Pre: polygons.
+// The same, along the edge from p to q of A - B.
+// Pre: polygons; B is to the right of the edge, which is nearest at the start, and which the way hits.
 gjk_status gjk2_advance_to_edge(gjk2_way *way, gjk_q16 margin, const gjk2_span *p, const gjk2_span *q,
                                 gjk2_cast_result *out);
 

@@ -59,8 +59,8 @@ golden_sources() {
 }
 
 # Makes the library of a build for all scripts that want the same one, and sets golden_objects to its objects:
-# golden_library ARCHITECTURE COMPILER FLAGS... Cores: gcc with one level of optimisation alone. Where flags change a macro
-# or ask for sanitizers, it is the usual library but for that, by the usual compiler.
+# golden_library ARCHITECTURE COMPILER FLAGS... Cores: gcc with one level of optimisation alone. With sanitizers, or with the
+# ceilings of tests/support/given_ceilings.h as its last flag, it is the library that other tests share, by the usual compiler.
 golden_library() {
   case $* in
     *given_ceilings.h)

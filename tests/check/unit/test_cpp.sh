@@ -2,7 +2,6 @@
 # The C++ headers: the golden hashes of pairs and of a scene, what they do around the calls, low ceilings on iterations, the
 # example of port/README.md; that firmware can have them, and what they cost there. test_cpp.sh BUILD
 . tests/build/count.sh
-. tests/build/golden.sh
 build=$1
 dir=$build/cpp-test
 rm -rf "$dir"

@@ -2,7 +2,6 @@
 # The Python module, as it is installed: the golden hashes of pairs and of a scene, errors, lifetimes, low ceilings on
 # iterations, and the README's examples. test_python.sh BUILD
 . tests/build/count.sh
-. tests/build/golden.sh
 build=$1
 dir=$build/python-test
 golden=$(sed -n 's/^#define GOLDEN_HASH UINT64_C(0x\(.*\))$/\1/p' tests/check/target/golden.h)
