@@ -72,6 +72,18 @@ static uint32_t even_bits(uint32_t x) {
   return (x | x >> 8) & UINT32_C(0x0000FFFF);
 }
 
+// Ones in both halves of a number on the curve, as far as numbers up to count reach.
+static uint32_t ones_over(uint32_t count) {
+  return (UINT32_C(1) << 2 * (32u - gjk_clz32(count))) - 1;  // 0 < count < 2^15
+}
+
+// Which bits of a cell's number on the curve are complemented, so that a way leads from lower to higher numbers.
+static uint32_t mirror_of(const gjk_height_field *f, const gjk_region *region) {
+  const uint32_t x = region->moves && region->way[0] < 0 ? ones_over(f->columns - UINT32_C(1)) : 0;
+  const uint32_t y = region->moves && region->way[1] < 0 ? ones_over(f->rows - UINT32_C(1)) : 0;
+  return (x & UINT32_C(0x55555555)) | (y & UINT32_C(0xAAAAAAAA));
+}
+
 // May a block of cells meet the region? Blocks reach from the lowest height to the highest.
 static bool block_meets(const gjk_height_field *f, const gjk_region *region, uint32_t cell, unsigned level) {
   const uint32_t i = even_bits(cell), j = even_bits(cell >> 1), side = UINT32_C(1) << level;
@@ -87,6 +99,7 @@ static bool block_meets(const gjk_height_field *f, const gjk_region *region, uin
 
 // Finds the next cell whose block meets the region; false: there is none.
 static bool next_cell(const gjk_height_field *f, const gjk_region *region, gjk_parts_walk *walk) {
+  const uint32_t mirror = mirror_of(f, region);
   uint32_t cell = walk->node;
   unsigned level = 0;
   bool found = false;
@@ -94,7 +107,7 @@ static bool next_cell(const gjk_height_field *f, const gjk_region *region, gjk_p
     while (level < LEVEL_MAX && (cell >> 2 * level & 3u) == 0) {
       level++;
     }
-    while (!found && block_meets(f, region, cell, level)) {
+    while (!found && block_meets(f, region, (cell ^ mirror) >> 2 * level << 2 * level, level)) {
       found = level == 0;
       level -= found ? 0u : 1u;
     }
@@ -115,7 +128,7 @@ static bool next_in_field(const void *data, const gjk_region *region, gjk_parts_
       walk->item = 1;
     }
     const unsigned second = walk->item == 2 ? 1 : 0;
-    const uint32_t cell = walk->node - 1, i = even_bits(cell), j = even_bits(cell >> 1);
+    const uint32_t cell = (walk->node - 1) ^ mirror_of(f, region), i = even_bits(cell), j = even_bits(cell >> 1);
     gjk_vec3 corner[3];
     walk->item = second != 0 ? 0 : 2;
     if (corners_in_cell(f, i, j, second, corner) && gjk_triangle_meets(region, corner)) {

@@ -59,28 +59,20 @@ static bool is_outside(const gjk_mesh *mesh, const gjk_region *region) {
   return gjk_box_gap(&mesh->lower, &mesh->upper, region) > 0;
 }
 
-// Where a leaf's triangles end.
-static uint32_t end_of_leaf(const gjk_mesh *mesh, uint32_t leaf) {
-  const uint32_t first = leaf * GJK_MESH_LEAF;
-  return mesh->triangle_count - first > GJK_MESH_LEAF ? first + GJK_MESH_LEAF : mesh->triangle_count;
-}
-
-// Finds the next leaf whose box meets the region; false: there is none.
-static bool next_leaf(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_walk *walk) {
+// Finds the next leaf whose box meets a region that does not move, from leaf walk->node on. False: there is none.
+static bool next_leaf_in_order(const gjk_mesh *mesh, const gjk_region *region, const gjk_mesh_node *steps,
+                               gjk_parts_walk *walk) {
   const uint32_t leaves = gjk_mesh_leaves(mesh->triangle_count);
   uint32_t leaf = walk->node;
   unsigned level = 0;
   bool found = false;
-  gjk_mesh_node steps;
-  gjk_mesh_steps_of(mesh, &region->box.lower, &region->box.upper, &steps);
-  leaf = leaf == 0 && is_outside(mesh, region) ? leaves : leaf;
   while (leaf < leaves && !found) {
     // The highest level that begins here: after a node that was left out, or at the start.
     while (level < GJK_MESH_LEVEL_MAX && (leaf >> level & 1u) == 0) {
       level++;
     }
     level = gjk_mesh_level(leaf, level, leaves);
-    while (node_meets(mesh, gjk_mesh_node_number(leaf, level), &steps, region)) {
+    while (node_meets(mesh, gjk_mesh_node_number(leaf, level), steps, region)) {
       if (level == 0) {
         walk->item = leaf * GJK_MESH_LEAF;
         found = true;
@@ -91,6 +83,66 @@ static bool next_leaf(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_
     leaf += UINT32_C(1) << level;
   }
   walk->node = found ? leaf : leaves;
+  return found;
+}
+
+// By how much the middle of one node lies above that of another one, doubled, LSB: below 2^34 in size.
+static int64_t rise_of_node(const gjk_mesh *mesh, const gjk_mesh_node *from, const gjk_mesh_node *to, unsigned axis) {
+  const int32_t steps = (int32_t)to->lower[axis] + to->upper[axis] - from->lower[axis] - from->upper[axis];
+  return gjk_shl64(steps, mesh->shift[axis] & 31u);
+}
+
+// Does a way come to the second of two nodes first?
+static bool second_is_first(const gjk_mesh *mesh, const gjk_region *region, uint32_t first, uint32_t second) {
+  const gjk_mesh_node *a = &mesh->nodes[first], *b = &mesh->nodes[second];
+  const int64_t rise[3] = {rise_of_node(mesh, a, b, 0), rise_of_node(mesh, a, b, 1), rise_of_node(mesh, a, b, 2)};
+  return gjk_region_comes_back(region, rise);
+}
+
+// As next_leaf_in_order for a region that moves, from near to far. Of two halves that the region meets, the one that the way
+// comes to first is next, and the other is put off: bit l of walk->node is 1 while a half of a node of level l is.
+static bool next_mesh_leaf_on_way(const gjk_mesh *mesh, const gjk_region *region, const gjk_mesh_node *steps,
+                                  gjk_parts_walk *walk) {
+  const uint32_t leaves = gjk_mesh_leaves(mesh->triangle_count);
+  uint32_t leaf = walk->item == 0 ? 0 : (walk->item - 1) / GJK_MESH_LEAF;
+  unsigned level = walk->item == 0 ? gjk_mesh_level(0, GJK_MESH_LEVEL_MAX, leaves) : 0;
+  bool meets = walk->item == 0 && node_meets(mesh, gjk_mesh_node_number(0, level), steps, region);
+  while (level > 0 || !meets) {  // ends: each node comes once
+    if (!meets) {
+      if (walk->node == 0) {
+        return false;
+      }
+      while (level < GJK_MESH_LEVEL_MAX && (walk->node >> level & 1u) == 0) {
+        level++;
+      }
+      walk->node &= walk->node - 1;
+      leaf = (leaf >> (level - 1) ^ 1u) << (level - 1);
+      level = gjk_mesh_level(leaf, level - 1, leaves);
+      meets = node_meets(mesh, gjk_mesh_node_number(leaf, level), steps, region);
+      continue;
+    }
+    const uint32_t middle = leaf + (UINT32_C(1) << (level - 1)), left = gjk_mesh_node_number(leaf, level - 1);
+    const unsigned level_right = gjk_mesh_level(middle, level - 1, leaves);
+    const uint32_t right = gjk_mesh_node_number(middle, level_right);
+    const bool meets_left = node_meets(mesh, left, steps, region);
+    const bool meets_right = node_meets(mesh, right, steps, region);
+    const bool goes_right = meets_right && (!meets_left || second_is_first(mesh, region, left, right));
+    walk->node |= meets_left && meets_right ? UINT32_C(1) << level : 0;
+    meets = meets_left || meets_right;
+    leaf = goes_right ? middle : leaf;
+    level = goes_right ? level_right : level - 1;
+  }
+  walk->item = leaf * GJK_MESH_LEAF;
+  return true;
+}
+
+// Finds the next leaf whose box meets the region; false: there is none.
+static bool next_leaf(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_walk *walk) {
+  gjk_mesh_node steps;
+  gjk_mesh_steps_of(mesh, &region->box.lower, &region->box.upper, &steps);
+  const bool found = (walk->item != 0 || !is_outside(mesh, region)) &&
+                     (region->moves ? next_mesh_leaf_on_way(mesh, region, &steps, walk)
+                                    : next_leaf_in_order(mesh, region, &steps, walk));
   walk->item = found ? walk->item : mesh->triangle_count;
   return found;
 }
@@ -119,10 +171,8 @@ static bool is_left_out(const gjk_mesh *mesh, uint32_t triangle, const gjk_aabb 
 bool gjk_mesh_next(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_walk *walk, uint32_t *triangle,
                    gjk_vec3 corner[3]) {
   for (;;) {  // ends: each triangle once
-    if (walk->node == 0 || walk->item >= end_of_leaf(mesh, walk->node - 1)) {
-      if (!next_leaf(mesh, region, walk)) {
-        return false;
-      }
+    if ((walk->item % GJK_MESH_LEAF == 0 || walk->item >= mesh->triangle_count) && !next_leaf(mesh, region, walk)) {
+      return false;
     }
     const uint32_t t = walk->item++;
     if (!is_left_out(mesh, t, &region->box) && gjk_mesh_corners(mesh, t, corner) &&

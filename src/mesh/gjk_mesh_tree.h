@@ -6,7 +6,8 @@
 // number 2 s + 2^l - 1.
 //
 // The node that follows one and all below it begins at leaf s + 2^l. It is of the highest level that divides this, since
-// all higher ones that begin there would hold the leaf before as well. So the walk is a number and a level.
+// all higher ones that begin there would hold the leaf before as well. So the walk is a number and a level. Where the region
+// moves, the walk goes from near to far, and keeps a bit per level: whether the farther half is still to come.
 #ifndef GJK_SRC_MESH_TREE_H
 #define GJK_SRC_MESH_TREE_H
 
@@ -35,8 +36,9 @@ static inline unsigned gjk_mesh_level(uint32_t leaf, unsigned level, uint32_t le
 // The next triangle whose box meets the region, and its corners. False: there is none. A triangle with a corner that is
 // no vertex is left out. Each node is visited at most once.
 //
-// walk->node  the leaf where the next node begins, which is of the highest level that begins there
-// walk->item  the next triangle of the leaf before that one
+// walk->node  the leaf where the next node begins, which is of the highest level that begins there; of a region that moves
+//             the bits of its levels
+// walk->item  the next triangle. Where it begins a leaf, or is the last one's next, another leaf has to be found
 bool gjk_mesh_next(const gjk_mesh *mesh, const gjk_region *region, gjk_parts_walk *walk, uint32_t *triangle,
                    gjk_vec3 corner[3]);
 

@@ -29,20 +29,20 @@ static int32_t clamp_to_int32(int64_t x) {
   return gjk_saturate(x);
 }
 
-// A part of the way, within 2. Pre: |way| < 2^34.
+// A part of the way, within 2, and no longer than that of a larger fraction. Pre: |way| < 2^34.
 static int64_t part_until(int64_t way, gjk_q30 fraction) {
-  const int64_t coarse = gjk_sar64(way, 15), fine = way - gjk_shl64(coarse, 15);
-  return gjk_sar64(coarse * fraction, 15) + gjk_sar64(fine * fraction, 30);
+  const int64_t size = (int64_t)gjk_magnitude64(way), coarse = size >> 15, fine = size & 32767;
+  const int64_t part = (coarse * fraction >> 15) + (fine * fraction >> 30);
+  return way < 0 ? -part : part;
 }
 
-// Sets the box, and on a way the coarse frame.
-static void settle_region(gjk_region *r) {
-  int64_t along[3], most = 0;
+// Sets the box.
+static void settle_box(gjk_region *r) {
   int32_t low[3], high[3];
   for (int i = 0; i < 3; i++) {
-    along[i] = r->moves ? part_until(r->way[i], r->latest) : 0;
-    low[i] = clamp_to_int32(r->lower[i] - r->grow + (along[i] < 0 ? along[i] : 0));
-    high[i] = clamp_to_int32(r->upper[i] + r->grow + (along[i] > 0 ? along[i] : 0));
+    const int64_t along = r->moves ? part_until(r->way[i], r->latest) : 0;
+    low[i] = clamp_to_int32(r->lower[i] - r->grow + (along < 0 ? along : 0));
+    high[i] = clamp_to_int32(r->upper[i] + r->grow + (along > 0 ? along : 0));
   }
   r->box.lower.x = low[0];
   r->box.lower.y = low[1];
@@ -50,14 +50,22 @@ static void settle_region(gjk_region *r) {
   r->box.upper.x = high[0];
   r->box.upper.y = high[1];
   r->box.upper.z = high[2];
+}
+
+// Sets the box and on a way, which has not been cut, the coarse frame. All that this holds is measured from the box's lower
+// corner: the start, the end, and the box's extent.
+//   lower, upper < 2^34 in size, way < 2^34, grow < 2^40:   below 2^42
+static void settle_region(gjk_region *r) {
+  settle_box(r);
   if (!r->moves) {
     return;
   }
-  // All that the coarse frame holds is measured from box.lower: the start, the end, and the box's extent.
-  //   lower, upper < 2^34 in size, way < 2^34, grow < 2^40:   below 2^42
+  const int32_t low[3] = {r->box.lower.x, r->box.lower.y, r->box.lower.z};
+  const int32_t high[3] = {r->box.upper.x, r->box.upper.y, r->box.upper.z};
+  int64_t most = 0;
   for (int i = 0; i < 3; i++) {
     const int64_t start = r->lower[i] - low[i], extent = r->upper[i] - r->lower[i] + 2 * r->grow;
-    const int64_t sizes[4] = {start, start + along[i], extent, (int64_t)high[i] - low[i]};
+    const int64_t sizes[4] = {start, start + r->way[i], extent, (int64_t)high[i] - low[i]};
     for (int j = 0; j < 4; j++) {
       const int64_t size = (int64_t)gjk_magnitude64(sizes[j]);
       most = size > most ? size : most;
@@ -69,8 +77,9 @@ static void settle_region(gjk_region *r) {
   }
   for (int i = 0; i < 3; i++) {
     const int64_t middle =
-        r->lower[i] + r->upper[i] - 2 * (int64_t)low[i] + along[i];  // doubled:  below 2^29 when shifted
-    r->along[i] = (int32_t)gjk_sar64(along[i], r->shift);
+        r->lower[i] + r->upper[i] - 2 * (int64_t)low[i] + r->way[i];  // doubled:  below 2^29 when shifted
+    r->base[i] = low[i];
+    r->along[i] = (int32_t)gjk_sar64(r->way[i], r->shift);
     r->middle[i] = (int32_t)gjk_sar64(middle, r->shift);
     // A box's corners, the way's ends and the middle are each off by less than 2 coarse units, doubled less than 4.
     r->extent[i] = (int32_t)gjk_sar64(r->upper[i] - r->lower[i] + 2 * r->grow, r->shift) + 16;
@@ -109,14 +118,16 @@ void gjk_region_grow(gjk_region *r, int64_t grow) {
 
 void gjk_region_cut(gjk_region *r, gjk_q30 latest) {
   r->latest = latest;
-  settle_region(r);
+  settle_box(r);
 }
 
 // One axis of a box that is cut off at the region's own, in the coarse frame and doubled: its middle less the region's, and
-// how far apart both middles may be.
+// how far apart both middles may be. A box that holds another one, or is cut off farther out, may lie by no more apart than
+// it reaches farther.
 static void coarse_axis(const gjk_region *r, int i, int64_t low, int64_t high, gjk_q16 own_low, gjk_q16 own_high,
                         int32_t *apart, int32_t *reach) {
-  const int64_t from = (low > own_low ? low : own_low) - own_low, to = (high < own_high ? high : own_high) - own_low;
+  const int64_t from = (low > own_low ? low : own_low) - r->base[i],
+                to = (high < own_high ? high : own_high) - r->base[i];
   const int32_t a = (int32_t)gjk_sar64(from, r->shift), b = (int32_t)gjk_sar64(to, r->shift);  // 0 to 2^27
   *apart = a + b - r->middle[i];
   *reach = b - a + r->extent[i];

@@ -5,7 +5,8 @@
 // 3. On a way, the region is what the box covers up to a fraction. The caller may lower the fraction while it walks.
 //
 // A box is outside if it is apart along an axis of the frame or, on a way, along one across the way and such an axis (the
-// separating axes of a segment and a box).
+// separating axes of a segment and a box). What is outside stays outside as the region is cut, and so does what is in a box
+// that is. So the boxes that a walk meets do not depend on its order: they are those of its region at the end, and others.
 #ifndef GJK_SRC_REGION_H
 #define GJK_SRC_REGION_H
 
@@ -31,9 +32,10 @@ typedef struct gjk_region {
   int64_t grow;
   gjk_q30 latest;
   bool moves;
-  // On a way, coarse: shifted right by `shift`, relative to box.lower.
+  // Of the whole way, coarse: shifted right by `shift`, relative to base.
   unsigned shift;
-  int32_t along[3];   // the way up to latest
+  int32_t base[3];    // the lower corner of box before it is cut
+  int32_t along[3];   // the way
   int32_t middle[3];  // of the box at half of that way, doubled
   int32_t extent[3];  // of the box, doubled, and errors of the coarse frame
 } gjk_region;
@@ -43,13 +45,28 @@ typedef struct gjk_region {
 void gjk_region_start(gjk_region *region, const gjk_vec3 rows[3], const gjk_vec3 *position, const gjk_aabb *world,
                       const gjk_long3 *way);
 
-// Sets by how much the box is grown. Pre: 0 <= grow < 2^40.
+// Sets by how much the box is grown. Pre: 0 <= grow < 2^40; it has not been cut.
 void gjk_region_grow(gjk_region *region, int64_t grow);
 
 // Sets up to which fraction of the way.
 void gjk_region_cut(gjk_region *region, gjk_q30 latest);
 
 bool gjk_region_meets_on_way(const gjk_region *region, const gjk_aabb *box);
+
+// Does the way lead back along the axis in which one of two boxes lies farthest from the other? Then that box is met first.
+// rise: from the middle of the other box to that of this one. Pre: the region moves.
+static inline bool gjk_region_comes_back(const gjk_region *region, const int64_t rise[3]) {
+  uint64_t most = 0;
+  bool back = false;
+  for (int i = 0; i < 3; i++) {
+    const uint64_t size = gjk_magnitude64(rise[i]);
+    if (size > most) {
+      most = size;
+      back = (rise[i] < 0) != (region->way[i] < 0);
+    }
+  }
+  return back;
+}
 
 // May a part in this box of the body's frame be met? False: it is not.
 static inline bool gjk_region_meets(const gjk_region *region, const gjk_aabb *box) {

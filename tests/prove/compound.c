@@ -72,6 +72,11 @@ static void use_class(const gjk_compound *c) {
   frame.parts = &body;
   region.box.lower = any_position();
   region.box.upper = any_position();
+  for (int i = 0; i < 3; i++) {
+    region.lower[i] = Frama_C_long_long_interval(-(INT64_C(1) << 34), INT64_C(1) << 34);
+    region.upper[i] = Frama_C_long_long_interval(-(INT64_C(1) << 34), INT64_C(1) << 34);
+    region.way[i] = Frama_C_long_long_interval(-(INT64_C(1) << 34), INT64_C(1) << 34);
+  }
   region.moves = any_bool();
   const uint32_t guess = type->guess(c, &region);
   //@ assert guess < count;

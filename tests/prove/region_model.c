@@ -22,6 +22,11 @@ void gjk_region_start(gjk_region *r, const gjk_vec3 rows[3], const gjk_vec3 *pos
     check_size(way->z, (INT64_C(1) << 32) - 1);
   }
   any_region_box(r);
+  for (int i = 0; i < 3; i++) {
+    r->lower[i] = Frama_C_long_long_interval(-(INT64_C(1) << 34), INT64_C(1) << 34);
+    r->upper[i] = Frama_C_long_long_interval(-(INT64_C(1) << 34), INT64_C(1) << 34);
+    r->way[i] = Frama_C_long_long_interval(-(INT64_C(1) << 34), INT64_C(1) << 34);
+  }
   r->moves = way != NULL && any_bool();
   r->grow = 0;
   r->latest = GJK_Q30_ONE;
