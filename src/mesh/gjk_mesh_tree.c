@@ -42,17 +42,16 @@ static bool steps_meet(const gjk_mesh_node *a, const gjk_mesh_node *b) {
          b->lower[1] <= a->upper[1] && a->lower[2] <= b->upper[2] && b->lower[2] <= a->upper[2];
 }
 
-// steps: those of the region's box.
-static bool node_meets(const gjk_mesh *mesh, uint32_t number, const gjk_mesh_node *steps, const gjk_region *region) {
+static bool is_on_way(const gjk_mesh *mesh, uint32_t number, const gjk_region *region) {
   gjk_aabb box;
-  if (!steps_meet(&mesh->nodes[number], steps)) {
-    return false;
-  }
-  if (!region->moves) {
-    return true;
-  }
   box_of_node(mesh, number, &box);
-  return gjk_region_meets(region, &box);
+  return gjk_region_meets_on_way(region, &box);
+}
+
+// steps: those of the region's box.
+static inline bool node_meets(const gjk_mesh *mesh, uint32_t number, const gjk_mesh_node *steps,
+                              const gjk_region *region) {
+  return steps_meet(&mesh->nodes[number], steps) && (!region->moves || is_on_way(mesh, number, region));
 }
 
 static bool is_outside(const gjk_mesh *mesh, const gjk_region *region) {
@@ -118,7 +117,7 @@ static bool next_mesh_leaf_on_way(const gjk_mesh *mesh, const gjk_region *region
       walk->node &= walk->node - 1;
       leaf = (leaf >> (level - 1) ^ 1u) << (level - 1);
       level = gjk_mesh_level(leaf, level - 1, leaves);
-      meets = node_meets(mesh, gjk_mesh_node_number(leaf, level), steps, region);
+      meets = steps_meet(&mesh->nodes[gjk_mesh_node_number(leaf, level)], steps);  // across the way it did
       continue;
     }
     const uint32_t middle = leaf + (UINT32_C(1) << (level - 1)), left = gjk_mesh_node_number(leaf, level - 1);

@@ -138,8 +138,8 @@ static bool next_part_on_way(const gjk_compound *c, const gjk_region *region, gj
   walk->node = walk->node == 0 ? 1 : walk->node;
   while (goes_on) {  // ends: each node comes once
     compound_tree t = tree_at(c, walk->node);
-    bool meets = gjk_region_meets(region, &c->nodes[t.at].box);
-    while (meets && t.leaves > 1) {  // ends: t.leaves falls
+    bool meets = gjk_region_touches(region, &c->nodes[t.at].box);  // across the way it did, or its halves tell
+    while (meets && t.leaves > 1) {                                // ends: t.leaves falls
       const compound_tree left = half_of_tree(&t, false), right = half_of_tree(&t, true);
       const bool meets_left = gjk_region_meets(region, &c->nodes[left.at].box);
       const bool meets_right = gjk_region_meets(region, &c->nodes[right.at].box);

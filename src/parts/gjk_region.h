@@ -68,12 +68,16 @@ static inline bool gjk_region_comes_back(const gjk_region *region, const int64_t
   return back;
 }
 
-// May a part in this box of the body's frame be met? False: it is not.
-static inline bool gjk_region_meets(const gjk_region *region, const gjk_aabb *box) {
+// Does the region's box meet this one?
+static inline bool gjk_region_touches(const gjk_region *region, const gjk_aabb *box) {
   const gjk_aabb *own = &region->box;
   return box->lower.x <= own->upper.x && own->lower.x <= box->upper.x && box->lower.y <= own->upper.y &&
-         own->lower.y <= box->upper.y && box->lower.z <= own->upper.z && own->lower.z <= box->upper.z &&
-         (!region->moves || gjk_region_meets_on_way(region, box));
+         own->lower.y <= box->upper.y && box->lower.z <= own->upper.z && own->lower.z <= box->upper.z;
+}
+
+// May a part in this box of the body's frame be met? False: it is not.
+static inline bool gjk_region_meets(const gjk_region *region, const gjk_aabb *box) {
+  return gjk_region_touches(region, box) && (!region->moves || gjk_region_meets_on_way(region, box));
 }
 
 #endif
