@@ -85,16 +85,17 @@ static bool next_leaf_in_order(const gjk_mesh *mesh, const gjk_region *region, c
   return found;
 }
 
-// By how much the middle of one node lies above that of another one, doubled, LSB: below 2^34 in size.
-static int64_t rise_of_node(const gjk_mesh *mesh, const gjk_mesh_node *from, const gjk_mesh_node *to, unsigned axis) {
+// By how much the middle of one node lies above that of another one, LSB, within a step.
+//   less than the mesh is long, at most 2^31; of data that were never checked modulo 2^32
+static int32_t rise_of_node(const gjk_mesh *mesh, const gjk_mesh_node *from, const gjk_mesh_node *to, unsigned axis) {
   const int32_t steps = (int32_t)to->lower[axis] + to->upper[axis] - from->lower[axis] - from->upper[axis];
-  return gjk_shl64(steps, mesh->shift[axis] & 31u);
+  return gjk_shl32(gjk_sar32(steps, 1), mesh->shift[axis] & 31u);
 }
 
 // Does a way come to the second of two nodes first?
 static bool second_is_first(const gjk_mesh *mesh, const gjk_region *region, uint32_t first, uint32_t second) {
   const gjk_mesh_node *a = &mesh->nodes[first], *b = &mesh->nodes[second];
-  const int64_t rise[3] = {rise_of_node(mesh, a, b, 0), rise_of_node(mesh, a, b, 1), rise_of_node(mesh, a, b, 2)};
+  const int32_t rise[3] = {rise_of_node(mesh, a, b, 0), rise_of_node(mesh, a, b, 1), rise_of_node(mesh, a, b, 2)};
   return gjk_region_comes_back(region, rise);
 }
 

@@ -55,11 +55,11 @@ bool gjk_region_meets_on_way(const gjk_region *region, const gjk_aabb *box);
 
 // Does the way lead back along the axis in which one of two boxes lies farthest from the other? Then that box is met first.
 // rise: from the middle of the other box to that of this one. Pre: the region moves.
-static inline bool gjk_region_comes_back(const gjk_region *region, const int64_t rise[3]) {
-  uint64_t most = 0;
+static inline bool gjk_region_comes_back(const gjk_region *region, const int32_t rise[3]) {
+  uint32_t most = 0;
   bool back = false;
   for (int i = 0; i < 3; i++) {
-    const uint64_t size = gjk_magnitude64(rise[i]);
+    const uint32_t size = gjk_magnitude32(rise[i]);
     if (size > most) {
       most = size;
       back = (rise[i] < 0) != (region->way[i] < 0);
