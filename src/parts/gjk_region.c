@@ -36,9 +36,8 @@ static int64_t part_until(int64_t way, gjk_q30 fraction) {
   return way < 0 ? -part : part;
 }
 
-// Sets the box.
-static void settle_box(gjk_region *r) {
-  int32_t low[3], high[3];
+// Sets the box, also as its corners.
+static void settle_box(gjk_region *r, int32_t low[3], int32_t high[3]) {
   for (int i = 0; i < 3; i++) {
     const int64_t along = r->moves ? part_until(r->way[i], r->latest) : 0;
     low[i] = clamp_to_int32(r->lower[i] - r->grow + (along < 0 ? along : 0));
@@ -56,13 +55,13 @@ static void settle_box(gjk_region *r) {
 // corner: the start, the end, and the box's extent.
 //   lower, upper < 2^34 in size, way < 2^34, grow < 2^40:   below 2^42
 static void settle_region(gjk_region *r) {
-  settle_box(r);
+  const int32_t *low = r->base;
+  int32_t high[3];
+  int64_t most = 0;
+  settle_box(r, r->base, high);
   if (!r->moves) {
     return;
   }
-  const int32_t low[3] = {r->box.lower.x, r->box.lower.y, r->box.lower.z};
-  const int32_t high[3] = {r->box.upper.x, r->box.upper.y, r->box.upper.z};
-  int64_t most = 0;
   for (int i = 0; i < 3; i++) {
     const int64_t start = r->lower[i] - low[i], extent = r->upper[i] - r->lower[i] + 2 * r->grow;
     const int64_t sizes[4] = {start, start + r->way[i], extent, (int64_t)high[i] - low[i]};
@@ -78,7 +77,6 @@ static void settle_region(gjk_region *r) {
   for (int i = 0; i < 3; i++) {
     const int64_t middle =
         r->lower[i] + r->upper[i] - 2 * (int64_t)low[i] + r->way[i];  // doubled:  below 2^29 when shifted
-    r->base[i] = low[i];
     r->along[i] = (int32_t)gjk_sar64(r->way[i], r->shift);
     r->middle[i] = (int32_t)gjk_sar64(middle, r->shift);
     // A box's corners, the way's ends and the middle are each off by less than 2 coarse units, doubled less than 4.
@@ -117,8 +115,9 @@ void gjk_region_grow(gjk_region *r, int64_t grow) {
 }
 
 void gjk_region_cut(gjk_region *r, gjk_q30 latest) {
+  int32_t low[3], high[3];
   r->latest = latest;
-  settle_box(r);
+  settle_box(r, low, high);
 }
 
 // One axis of a box that is cut off at the region's own, in the coarse frame and doubled: its middle less the region's, and
