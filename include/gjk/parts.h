@@ -154,6 +154,7 @@ gjk_status gjk_parts_manifolds(const gjk_parts *a, const gjk_collider *b, gjk_q1
 //       no part is met. May be NULL.
 // out   the result for that part, except that rest_a is the position of A's own pose. After a miss only hit is set,
 //       with 0 iterations and GJK_CAST_PROOF_NONE.
+// Cost  parts are queried from near to far, as far as their boxes tell, and none beyond the first hit so far.
 //
 // OK               as above.
 // ITERATION_LIMIT  everything, as in gjk_cast with this status: a curved part may be met before all others. fraction is
