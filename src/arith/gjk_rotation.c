@@ -75,6 +75,11 @@ static bool fine_matrix(const gjk_quat *q, int64_t m[9]) {
   return true;
 }
 
+// What to_q30 drops of x, its low 30 bits as a signed number, from Q60 to Q45, rounded down: at most 2^14 in size.
+static int32_t dropped(int64_t x) {
+  return gjk_sar32(gjk_int32(gjk_low32(x) << 2), 17);
+}
+
 // Step 5
 static void round_matrix(const int64_t m[9], gjk_vec3 rows[3]) {
   for (int i = 0; i < 3; i++) {
@@ -108,24 +113,12 @@ bool gjk_rotation_of_z(const gjk_quat *q, gjk_vec3 rows[3]) {
 }
 #endif
 
-// m, Q60, times v, Q30: as gjk_rotation_with_point has it.
-static void rotate_fine(const int64_t m[9], const gjk_vec3 *v, int64_t out[3]) {
-  const int32_t along[3] = {v->x, v->y, v->z};
-  out[0] = out[1] = out[2] = 0;
-  if ((v->x | v->y | v->z) == 0) {
-    return;
-  }
-  for (int i = 0; i < 3; i++) {
-    int64_t coarse = 0, fine = 0;
-    for (int j = 0; j < 3; j++) {
-      const int64_t entry = m[3 * i + j];
-      const gjk_q30 high = to_q30(entry);
-      coarse = gjk_mac32(coarse, high, along[j]);
-      // Q45:  |entry - high| <= 2^29 in Q60, so at most 2^14 in Q45;  |fine| < 2^47
-      fine = gjk_mac32(fine, (int32_t)gjk_sar64(entry - gjk_shl64(high, 30), 15), along[j]);
-    }
-    out[i] = coarse + gjk_sar64(fine, 15);
-  }
+// Row i of m, Q60, to Q30, and times v, as gjk_rotation_with_point has it.
+static int64_t round_and_rotate(const int64_t m[3], const gjk_vec3 *v, gjk_vec3 *row) {
+  const gjk_vec3 high = {to_q30(m[0]), to_q30(m[1]), to_q30(m[2])};
+  *row = high;
+  const int64_t fine = gjk_mac32(gjk_mac32(gjk_mul32(dropped(m[0]), v->x), dropped(m[1]), v->y), dropped(m[2]), v->z);  // |fine| < 2^47
+  return gjk_dot(&high, v) + gjk_sar64(fine, 15);
 }
 
 bool gjk_rotation_with_point(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 rows[3], int64_t rotated[3]) {
@@ -133,8 +126,14 @@ bool gjk_rotation_with_point(const gjk_quat *q, const gjk_vec3 *v, gjk_vec3 rows
   if (!fine_matrix(q, m)) {
     return false;
   }
-  round_matrix(m, rows);
-  rotate_fine(m, v, rotated);
+  if ((v->x | v->y | v->z) == 0) {
+    round_matrix(m, rows);
+    rotated[0] = rotated[1] = rotated[2] = 0;
+    return true;
+  }
+  for (int i = 0; i < 3; i++) {
+    rotated[i] = round_and_rotate(&m[3 * i], v, &rows[i]);
+  }
   return true;
 }
 

@@ -33,22 +33,17 @@ static inline uint32_t gjk_sine_step(uint32_t term, uint32_t sum) {
   return term - gjk_multiply_q33(term, sum);
 }
 
-// c0 h (1 - c1 h (1 - c2 h (...))), Q33. c: Q32, at most 1/3; h: Q33, at most pi^2 / 32. Within 1.3 LSB: the floors of
-// the last step, one each way, are below 1; c is rounded; of the error of earlier steps at most 1/9 remains.
-static inline uint32_t gjk_sine_series(const uint32_t c[GJK_SINE_TERMS], uint32_t h) {
-#if GJK_SMALL || !GJK_64_BIT
-  uint32_t sum = 0;
+// c0 h (1 - c1 h (1 - c2 h (...))), Q33, of the divisors of either series: sum[0] for the sine, sum[1] for the cosine.
+// c: Q32, at most 1/3; h: Q33, at most pi^2 / 32. Within 1.3 LSB: the floors of the last step, one each way, are below 1;
+// c is rounded; of the error of earlier steps at most 1/9 remains.
+static inline void gjk_sine_series(const uint32_t c[GJK_SINE_TERMS][2], uint32_t h, uint32_t sum[2]) {
+  uint32_t s = 0, t = 0;
   for (int i = GJK_SINE_TERMS - 1; i >= 0; i--) {
-    sum = gjk_sine_step(gjk_umulh32(h, c[i]), sum);
+    s = gjk_sine_step(gjk_umulh32(h, c[i][0]), s);
+    t = gjk_sine_step(gjk_umulh32(h, c[i][1]), t);
   }
-  return sum;
-#else
-  uint32_t sum = gjk_umulh32(h, c[4]);
-  sum = gjk_sine_step(gjk_umulh32(h, c[3]), sum);
-  sum = gjk_sine_step(gjk_umulh32(h, c[2]), sum);
-  sum = gjk_sine_step(gjk_umulh32(h, c[1]), sum);
-  return gjk_sine_step(gjk_umulh32(h, c[0]), sum);
-#endif
+  sum[0] = s;
+  sum[1] = t;
 }
 
 // Step 1: half an angle of this size as a part of a turn, in units of 2^-64; the error is below 1.
@@ -59,10 +54,11 @@ static inline uint64_t gjk_half_turns(uint32_t size) {
 // Steps 2 to 4: sine and cosine, Q30, of a turn in units of 2^-64. The turn has the sign of angle. Each result is within
 // 1 LSB of the real one.
 static void gjk_sine_cosine(gjk_angle angle, uint64_t turn, gjk_q30 *sine, gjk_q30 *cosine) {
-  static const uint32_t sine_terms[GJK_SINE_TERMS] = {UINT32_C(1431655765), UINT32_C(429496730), UINT32_C(204522252),
-                                                      UINT32_C(119304647), UINT32_C(78090314)};
-  static const uint32_t cosine_terms[GJK_SINE_TERMS] = {UINT32_C(715827883), UINT32_C(286331153), UINT32_C(153391689),
-                                                        UINT32_C(95443718), UINT32_C(65075262)};
+  static const uint32_t terms[GJK_SINE_TERMS][2] = {{UINT32_C(1431655765), UINT32_C(715827883)},
+                                                    {UINT32_C(429496730), UINT32_C(286331153)},
+                                                    {UINT32_C(204522252), UINT32_C(153391689)},
+                                                    {UINT32_C(119304647), UINT32_C(95443718)},
+                                                    {UINT32_C(78090314), UINT32_C(65075262)}};
   // Step 2
   const uint64_t eighth = UINT64_C(1) << 61;
   const unsigned quarter = (unsigned)((turn + eighth) >> 62);
@@ -74,10 +70,12 @@ static void gjk_sine_cosine(gjk_angle angle, uint64_t turn, gjk_q30 *sine, gjk_q
   const uint32_t half = UINT32_C(1) << 31;
   const uint32_t r = (uint32_t)((gjk_umul32(part, GJK_EIGHTH_TURN) + GJK_EIGHTH_TURN / 2 + half) >> 32);
   const uint32_t h = gjk_umulh32(r, r);
+  uint32_t sum[2];
+  gjk_sine_series(terms, h, sum);
   // Step 3: sin = r (1 - series), Q64 to Q30; cos = 1 - h (1 - series), Q33 to Q30.
-  const uint64_t s_wide = ((uint64_t)r << 32) - (gjk_umul32(r, gjk_sine_series(sine_terms, h)) >> 1);
+  const uint64_t s_wide = ((uint64_t)r << 32) - (gjk_umul32(r, sum[0]) >> 1);
   const gjk_q30 s = (gjk_q30)((s_wide + (UINT64_C(1) << 33)) >> 34);
-  const uint32_t drop = h - gjk_multiply_q33(h, gjk_sine_series(cosine_terms, h));
+  const uint32_t drop = h - gjk_multiply_q33(h, sum[1]);
   const gjk_q30 c = (gjk_q30)(((UINT64_C(1) << 33) - drop + 4) >> 3);
   const gjk_q30 s_rest = below ? -s : s;
   // Step 4: a quarter turn takes (sine, cosine) to (cosine, -sine), half a turn to their opposites.
