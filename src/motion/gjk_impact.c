@@ -36,7 +36,7 @@
 
 // A query: both bodies, and how near is a hit.
 typedef struct impact_query {
-  gjk_mover mover[2];
+  gjk_movers pair;
   int64_t wanted;   // the gap that is wanted, Q8: margin and slack
   int64_t radii;    // both convex radii, LSB
   int64_t touched;  // the gap of a hit: margin and tolerance, LSB
@@ -110,22 +110,21 @@ static gjk_status start_impact(impact_query *of, const gjk_impact_setup *setup) 
     return GJK_ERROR_NEGATIVE;
   }
   const int64_t slack =
-      impact_slack(&of->mover[0]) + impact_slack(&of->mover[1]) + 128 + 32 + gjk_sar64(setup->margin, 18) + 1;
+      impact_slack(&of->pair.mover[0]) + impact_slack(&of->pair.mover[1]) + 128 + 32 + gjk_sar64(setup->margin, 18) + 1;
   if (setup->tolerance < GJK_IMPACT_TOLERANCE_MIN || setup->margin > GJK_IMPACT_MARGIN_MAX ||
       setup->tolerance * INT64_C(256) < slack + 256) {
     return GJK_ERROR_RANGE;
   }
-  of->radii = (int64_t)of->mover[0].collider.shape->convex_radius + of->mover[1].collider.shape->convex_radius;
+  of->radii = (int64_t)of->pair.mover[0].collider.shape->convex_radius + of->pair.mover[1].collider.shape->convex_radius;
   of->wanted = (int64_t)setup->margin * 256 + slack;
   of->touched = (int64_t)setup->margin + setup->tolerance;
   of->x = 0;
   return GJK_OK;
 }
 
-// Poses a body at a fraction. Out of line, as next_x, so that their stack is not that of distances too.
-GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, gjk_q30 fraction, gjk_pose *body) {
+// Poses a body's collider for a pose of the body. Out of line, as next_x, so that their stack is not that of distances too.
+GJK_OUT_OF_LINE static void pose_mover(gjk_mover *m, const gjk_pose *body) {
   gjk_pose own;
-  gjk_turning_pose(m->motion, &m->turning, fraction, body);
   gjk_set(&body->position, &m->place);
   if (m->own != NULL) {
     (void)gjk_pose_compose(body, m->own, &own);  // in range, since the arm is
@@ -155,22 +154,26 @@ static unsigned vertices_in(const uint16_t *number, unsigned count) {
 
 // Step 2: with the shape that has more vertices in the nearest feature, or as the normal of two edges. out: room for that.
 static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_result *gap, gjk_turning *out) {
-  const gjk_turning *of_a = &of->mover[0].turning, *of_b = &of->mover[1].turning;
+  const gjk_turning *of_a = &of->pair.mover[0].turning, *of_b = &of->pair.mover[1].turning;
   const gjk_certificate *nearest = &gap->certificate;
   const unsigned a = vertices_in(nearest->a, nearest->count), b = vertices_in(nearest->b, nearest->count);
   if (a != b) {
     return a > b ? of_a : of_b;
   }
-  return a == 2 && gjk_turning_of_edges(of->mover, nearest, &gap->normal, out) ? out : NULL;
+  return a == 2 && gjk_turning_of_edges(of->pair.mover, nearest, &gap->normal, out) ? out : NULL;
 }
 
-// Poses both bodies at x.
-static void pose_both(impact_query *of, gjk_impact_result *out) {
-  if (!stands(&of->mover[0], of->x)) {
-    pose_mover(&of->mover[0], of->x, &out->pose_a);
-  }
-  if (!stands(&of->mover[1], of->x)) {
-    pose_mover(&of->mover[1], of->x, &out->pose_b);
+// The poses of both bodies at x. measured: a distance follows, so both colliders are posed as well.
+static void pose_both(impact_query *of, bool measured, gjk_impact_result *out) {
+  for (int i = 0; i < 2; i++) {
+    gjk_mover *m = &of->pair.mover[i];
+    gjk_pose *body = i == 0 ? &out->pose_a : &out->pose_b;
+    if (!stands(m, of->x)) {
+      gjk_turning_pose(m->motion, &m->turning, of->x, body);
+      if (measured) {
+        pose_mover(m, body);
+      }
+    }
   }
 }
 
@@ -193,7 +196,7 @@ static void write_impact_hit(const impact_query *of, gjk_q16 margin, const gjk_d
 GJK_OUT_OF_LINE static gjk_q30 next_x(const impact_query *of, const gjk_distance_result *gap, bool exact) {
   gjk_turning on;
   gjk_separation along;
-  along.mover = of->mover;
+  along.pair = &of->pair;
   along.n = gap->normal;
   along.start = of->x;
   along.carrier = carrier_of(of, gap, &on);
@@ -210,12 +213,12 @@ static bool is_hit(const impact_query *of, const gjk_distance_result *gap) {
   if (gap->upper != of->touched) {
     return gap->upper < of->touched;
   }
-  return gjk_within(&of->mover[0].collider, &of->mover[1].collider, gap->upper, NULL, &near) == GJK_OK && near.yes;
+  return gjk_within(&of->pair.mover[0].collider, &of->pair.mover[1].collider, gap->upper, NULL, &near) == GJK_OK && near.yes;
 }
 
 // Step 1. Its certificate tells step 2 which of several features the search has ended at.
 static gjk_status measure_gap_of(const impact_query *of, gjk_cache *cache, gjk_distance_result *out) {
-  const gjk_collider *a = &of->mover[0].collider, *b = &of->mover[1].collider;
+  const gjk_collider *a = &of->pair.mover[0].collider, *b = &of->pair.mover[1].collider;
   return gjk_distance_with(a, b, GJK_DISTANCE_BY_SCANS, cache, out);
 }
 
@@ -223,13 +226,14 @@ static gjk_status measure_gap_of(const impact_query *of, gjk_cache *cache, gjk_d
 static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most, gjk_impact_result *out) {
   gjk_cache cache;
   gjk_zero(&cache, sizeof cache);
-  of->x = gjk_separation_of_spheres(of->mover, of->wanted + of->radii * 256);
+  gjk_movers_start(&of->pair);
+  of->x = gjk_separation_of_spheres(&of->pair, of->wanted + of->radii * 256);
   out->hit = false;
   out->overlap = false;
   out->iterations = 0;
   for (unsigned i = 1; i <= most && of->x < GJK_Q30_ONE; i++) {
     gjk_distance_result gap;
-    pose_both(of, out);
+    pose_both(of, true, out);
     const gjk_status status = measure_gap_of(of, &cache, &gap);  // Step 1
     out->iterations = (uint8_t)i;
     if (is_hit(of, &gap)) {
@@ -243,7 +247,7 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
       break;
     }
   }
-  pose_both(of, out);
+  pose_both(of, false, out);
   out->lower = of->x;
   out->upper = GJK_Q30_ONE;
   return of->x == GJK_Q30_ONE ? GJK_OK : GJK_ERROR_ITERATION_LIMIT;
@@ -251,8 +255,8 @@ static gjk_status advance_impact(impact_query *of, gjk_q16 margin, unsigned most
 
 gjk_status gjk_impact_of_carried(const gjk_carried of[2], const gjk_impact_setup *setup, gjk_impact_result *out) {
   impact_query query;
-  gjk_status status = start_mover(&query.mover[0], &of[0]);
-  status = status == GJK_OK ? start_mover(&query.mover[1], &of[1]) : status;
+  gjk_status status = start_mover(&query.pair.mover[0], &of[0]);
+  status = status == GJK_OK ? start_mover(&query.pair.mover[1], &of[1]) : status;
   status = status == GJK_OK ? start_impact(&query, setup) : status;
   if (status != GJK_OK) {
     return status;

@@ -31,8 +31,13 @@
 // little, and turns fast.
 #define SINE_MIN (UINT32_C(1) << 27)
 
-// v . d, Q8, rounded down. Pre: |v| <= 2^30 + 2^5; |d| <= sqrt(3) 2^32:  the product is below 2^63
-static int64_t along_q8(const gjk_unit3 *v, const gjk_long3 *d) {
+// v . d, Q8, rounded down. near: components of d are int32.
+// Pre: |v| <= 2^30 + 2^5; |d| <= sqrt(3) 2^32:  the product is below 2^63
+static int64_t along_q8(const gjk_unit3 *v, const gjk_long3 *d, bool near) {
+  if (near && !GJK_SMALL) {
+    const gjk_vec3 narrow = {(int32_t)d->x, (int32_t)d->y, (int32_t)d->z};
+    return gjk_sar64(gjk_along(v, &narrow), 22);
+  }
   return gjk_sar64(v->x * d->x + v->y * d->y + v->z * d->z, 22);
 }
 
@@ -53,7 +58,6 @@ static int64_t blend_q8(int64_t low, int64_t high, gjk_q30 part) {
 typedef struct separation_course {
   const gjk_separation *of;
   int64_t target;      // Q8
-  gjk_long3 from, to;  // p_b - p_a at the start and the end of the way
   gjk_turned split;    // n as the carrier sees it
   bool is_fixed[2];    // the body's extent does not change:
   int64_t extent[2];   // this one, Q8
@@ -61,7 +65,8 @@ typedef struct separation_course {
 
 // v . (p_b - p_a) at a fraction, Q8, at most 4 too small.
 static int64_t between_positions(const separation_course *of, const gjk_unit3 *v, gjk_q30 fraction) {
-  return blend_q8(along_q8(v, &of->from), along_q8(v, &of->to), fraction);
+  const gjk_movers *pair = of->of->pair;
+  return blend_q8(along_q8(v, &pair->from, pair->near), along_q8(v, &pair->to, pair->near), fraction);
 }
 
 // How far a body's core reaches along d, from the position that it is posed at, Q8, rounded down. d: a unit vector.
@@ -75,7 +80,7 @@ static int64_t extent_along(const gjk_mover *m, const gjk_unit3 *d) {
     const gjk_vec3 *v = gjk_scan(first, first + shape->count, 31, &local);
     gjk_long3 carried;
     between(&m->place, &c->position, &carried);
-    return gjk_sar64(gjk_dot(&local, v), 22) + (m->own != NULL ? along_q8(d, &carried) : 0);
+    return gjk_sar64(gjk_dot(&local, v), 22) + (m->own != NULL ? along_q8(d, &carried, false) : 0);
   }
   gjk_support at;
   shape->type->support(c, &along, &at);
@@ -84,7 +89,7 @@ static int64_t extent_along(const gjk_mover *m, const gjk_unit3 *d) {
   reach.x += at.offset.x;
   reach.y += at.offset.y;
   reach.z += at.offset.z;
-  return along_q8(d, &reach);
+  return along_q8(d, &reach, m->reach >> 31 == 0);
 }
 
 static gjk_unit3 opposite_unit(const gjk_unit3 *v) {
@@ -95,20 +100,17 @@ static gjk_unit3 opposite_unit(const gjk_unit3 *v) {
 // A body's extent towards the other one along d, Q8, rounded up.
 static int64_t extent_towards(const gjk_separation *s, int i, const gjk_unit3 *d) {
   const gjk_unit3 opposite = opposite_unit(d);
-  return extent_along(&s->mover[i], i == 0 ? d : &opposite) + 1;
+  return extent_along(&s->pair->mover[i], i == 0 ? d : &opposite) + 1;
 }
 
 static void start_course(separation_course *of, const gjk_separation *s, int64_t target) {
-  const gjk_motion *a = s->mover[0].motion, *b = s->mover[1].motion;
   of->of = s;
   of->target = target;
-  between(&a->from.position, &b->from.position, &of->from);
-  between(&a->to.position, &b->to.position, &of->to);
   if (s->carrier != NULL) {
     gjk_turning_split(s->carrier, &s->n, &of->split);
   }
   for (int i = 0; i < 2; i++) {
-    const gjk_turning *turning = &s->mover[i].turning;
+    const gjk_turning *turning = &s->pair->mover[i].turning;
     of->is_fixed[i] = s->carrier == turning || (s->carrier == NULL && turning->half_turns == 0);
     of->extent[i] = of->is_fixed[i] ? extent_towards(s, i, &s->n) : 0;
   }
@@ -128,7 +130,7 @@ static int64_t separation_at(const separation_course *of, gjk_q30 fraction) {
       above -= of->extent[i];
     } else {
       gjk_unit3 d = v;
-      gjk_turning_rotate(&s->mover[i].turning, part, true, &d);
+      gjk_turning_rotate(&s->pair->mover[i].turning, part, true, &d);
       above -= extent_towards(s, i, &d);
     }
   }
@@ -140,7 +142,7 @@ typedef struct separation_bounds {
   uint32_t angle[3];    // over the whole way, radians, Q16, rounded up; 0: nothing turns; [2]: the direction
   uint32_t across;      // k of a direction that turns, Q16, rounded up
   uint32_t arm[2];      // r of a body that turns, but not with the direction, LSB; k r where the direction stands still
-  uint64_t apart, way;  // |p_b - p_a| from the start on, and how far both go on the whole way; LSB
+  uint64_t apart;       // |p_b - p_a| from the start on, LSB
 } separation_bounds;
 
 // The angle over the whole way: 4 pi half_turns / 2^48 radians, Q16, rounded up.  half_turns / 2^29 < 2^32
@@ -190,23 +192,20 @@ GJK_ONE_COPY static uint64_t q16_product(uint64_t x, uint32_t y) {
 
 // False: the direction turns, and the bodies are so far apart that its rounding would count.
 static bool set_separation_bounds(separation_bounds *of, const gjk_separation *s) {
-  const gjk_motion *a = s->mover[0].motion, *b = s->mover[1].motion;
-  const uint64_t now = distance_bound(&s->mover[0].place, &s->mover[1].place) + 2;
-  const uint64_t end = distance_bound(&a->to.position, &b->to.position);
+  const uint64_t now = distance_bound(&s->pair->mover[0].place, &s->pair->mover[1].place) + 2, end = s->pair->end;
   of->apart = now > end ? now : end;
-  of->way = distance_bound(&a->from.position, &a->to.position) + distance_bound(&b->from.position, &b->to.position);
   for (int i = 0; i < 2; i++) {
-    const gjk_turning *turning = &s->mover[i].turning;
+    const gjk_turning *turning = &s->pair->mover[i].turning;
     of->arm[i] = 0;
-    of->angle[i] = s->carrier == turning ? 0 : whole_angle(turning);
+    of->angle[i] = s->carrier == turning ? 0 : s->pair->mover[i].angle;
     if (of->angle[i] != 0) {
-      of->arm[i] = s->carrier != NULL ? s->mover[i].reach
-                                      : (uint32_t)q16_product(s->mover[i].reach, sine_between(&turning->axis, &s->n));
+      of->arm[i] = s->carrier != NULL ? s->pair->mover[i].reach
+                                      : (uint32_t)q16_product(s->pair->mover[i].reach, sine_between(&turning->axis, &s->n));
     }
   }
   of->angle[2] = s->carrier == NULL ? 0 : whole_angle(s->carrier);
   of->across = s->carrier == NULL ? 0 : sine_between(&s->carrier->axis, &s->n);
-  return s->carrier == NULL || of->apart <= 4 * ((uint64_t)s->mover[0].reach + s->mover[1].reach);
+  return s->carrier == NULL || of->apart <= 4 * ((uint64_t)s->pair->mover[0].reach + s->pair->mover[1].reach);
 }
 
 // length w^2, Q16, rounded up, in two steps: the second factor alone keeps its fraction. Pre: length < 2^34, w < 2^19.
@@ -223,9 +222,9 @@ GJK_ONE_COPY static uint64_t parabola_over(const separation_bounds *of, const gj
   const uint64_t turned_a = q16_product(of->arm[0], w[0]), turned_b = q16_product(of->arm[1], w[1]);
   uint64_t twice = turned_a * w[0] + turned_b * w[1];  // Q16, each term below 2^57
   if (s->carrier != NULL) {
-    const uint64_t moved = ((of->way / 16 + 1) * (uint32_t)part >> 26) + 1;
-    twice += times_square(q16_product(of->apart + (s->carrier == &s->mover[0].turning ? 0 : s->mover[0].reach) +
-                                          (s->carrier == &s->mover[1].turning ? 0 : s->mover[1].reach),
+    const uint64_t moved = ((s->pair->way / 16 + 1) * (uint32_t)part >> 26) + 1;
+    twice += times_square(q16_product(of->apart + (s->carrier == &s->pair->mover[0].turning ? 0 : s->pair->mover[0].reach) +
+                                          (s->carrier == &s->pair->mover[1].turning ? 0 : s->pair->mover[1].reach),
                                       of->across),
                           w[2]) +
              2 * q16_product(moved + turned_a + turned_b, of->across) * w[2];
@@ -303,13 +302,13 @@ static int32_t cosine_between(const gjk_unit3 *u, const gjk_vec3 *v) {
 
 // How far a turning tilts an edge towards n over the whole way, angle axis . (edge x n), radians, Q16.
 // Pre: less than a turn, so below 2^19.
-static int32_t tilt_of(const gjk_turning *turning, const gjk_unit3 *edge, const gjk_unit3 *n) {
+static int32_t tilt_of(const gjk_mover *m, const gjk_unit3 *edge, const gjk_unit3 *n) {
   gjk_vec3 cross;
-  if (turning->half_turns == 0) {
+  if (m->angle == 0) {
     return 0;
   }
   cross_q30(edge, n, &cross);
-  return (int32_t)gjk_sar64((int64_t)whole_angle(turning) * cosine_between(&turning->axis, &cross), 30);
+  return (int32_t)gjk_sar64((int64_t)m->angle * cosine_between(&m->turning.axis, &cross), 30);
 }
 
 // One component of q a - p b, 2^-20 of it. The whole is below 2^30 in length, but for rounding. Pre: |p|, |q| <= 2^19.
@@ -329,7 +328,7 @@ bool gjk_turning_of_edges(const gjk_mover mover[2], const gjk_certificate *neare
   }
   cross_q30(&a, &b, &cross);
   const int32_t volume = cosine_between(n, &cross);
-  const int32_t p = tilt_of(of_a, &a, n), q = tilt_of(of_b, &b, n);
+  const int32_t p = tilt_of(&mover[0], &a, n), q = tilt_of(&mover[1], &b, n);
   gjk_vec3 w = {blend_edges(p, q, a.x, b.x), blend_edges(p, q, a.y, b.y), blend_edges(p, q, a.z, b.z)};  // radians, Q26
   if (volume < 0) {
     w = gjk_negate(w);
@@ -355,7 +354,7 @@ static int64_t of_spheres(const separation_course *of, gjk_q30 fraction) {
   const gjk_separation *s = of->of;
   int64_t bound = between_positions(of, &s->n, fraction) - of->target;
   for (int i = 0; i < 2; i++) {
-    const gjk_mover *m = &s->mover[i];
+    const gjk_mover *m = &s->pair->mover[i];
     bound -= m->turning.half_turns != 0 ? m->reach * INT64_C(256) : extent_towards(s, i, &s->n);
   }
   return bound;
@@ -369,8 +368,8 @@ static int64_t rate_of_point(const gjk_mover *m, const gjk_unit3 *n, const gjk_v
   const gjk_vec3 axis = {m->turning.axis.x, m->turning.axis.y, m->turning.axis.z};
   gjk_long3 way;
   between(&motion->from.position, &motion->to.position, &way);
-  const int64_t rate = along_q8(n, &way);
-  const uint32_t angle = whole_angle(&m->turning);
+  const int64_t rate = along_q8(n, &way, false);
+  const uint32_t angle = m->angle;
   if (angle == 0 || m->reach >> 30 != 0) {
     return rate;
   }
@@ -383,7 +382,7 @@ static int64_t rate_of_point(const gjk_mover *m, const gjk_unit3 *n, const gjk_v
 }
 
 int64_t gjk_separation_fall(const gjk_separation *s, const gjk_vec3 *point_a, const gjk_vec3 *point_b) {
-  return rate_of_point(&s->mover[0], &s->n, point_a) - rate_of_point(&s->mover[1], &s->n, point_b);
+  return rate_of_point(&s->pair->mover[0], &s->n, point_a) - rate_of_point(&s->pair->mover[1], &s->n, point_b);
 }
 
 // Where a search along one direction stands.
@@ -430,20 +429,29 @@ static gjk_q30 choose_part(const separation_state *at, const separation_parabola
   return part > 0 ? part : 1;
 }
 
-gjk_q30 gjk_separation_of_spheres(const gjk_mover mover[2], int64_t target) {
-  const gjk_motion *a = mover[0].motion, *b = mover[1].motion;
-  gjk_long3 from, to;
-  between(&a->from.position, &b->from.position, &from);
-  between(&a->to.position, &b->to.position, &to);
-  const int64_t apart = target + ((int64_t)mover[0].reach + mover[1].reach) * 256;
+void gjk_movers_start(gjk_movers *of) {
+  const gjk_motion *a = of->mover[0].motion, *b = of->mover[1].motion;
+  const gjk_long3 *from = &of->from, *to = &of->to;
+  of->mover[0].angle = whole_angle(&of->mover[0].turning);
+  of->mover[1].angle = whole_angle(&of->mover[1].turning);
+  between(&a->from.position, &b->from.position, &of->from);
+  between(&a->to.position, &b->to.position, &of->to);
+  of->end = length_bound(gjk_magnitude64(to->x), gjk_magnitude64(to->y), gjk_magnitude64(to->z));
+  of->way = distance_bound(&a->from.position, &a->to.position) + distance_bound(&b->from.position, &b->to.position);
+  of->near = (gjk_magnitude64(from->x) | gjk_magnitude64(from->y) | gjk_magnitude64(from->z) | of->end) >> 31 == 0;
+}
+
+gjk_q30 gjk_separation_of_spheres(const gjk_movers *pair, int64_t target) {
+  const gjk_long3 *from = &pair->from;
+  const int64_t apart = target + ((int64_t)pair->mover[0].reach + pair->mover[1].reach) * 256;
   gjk_search_direction direction;
-  if ((from.x | from.y | from.z) == 0) {
+  if ((from->x | from->y | from->z) == 0) {
     return 0;
   }
-  gjk_search_direction_of(&from, &direction);
+  gjk_search_direction_of(from, &direction);
   const gjk_unit3 n = gjk_unit(&direction.d);
-  const int64_t g = along_q8(&n, &from) - apart;
-  return g > 0 ? first_root(g, along_q8(&n, &to) - apart, 0) : 0;
+  const int64_t g = along_q8(&n, from, false) - apart;
+  return g > 0 ? first_root(g, along_q8(&n, &pair->to, false) - apart, 0) : 0;
 }
 
 gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, int64_t enough) {

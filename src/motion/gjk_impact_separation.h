@@ -29,14 +29,26 @@ typedef struct gjk_mover {
   const gjk_pose *own;  // the collider's pose in the frame of the body that moves; NULL: the body's own
   gjk_vec3 place;       // the position of the body that the collider is posed for
   uint32_t reach;       // of the core's points from the body's position, LSB, posing included
+  uint32_t angle;       // by which it turns over the whole way, radians, Q16, rounded up; 0: nothing turns
   gjk_turning turning;
   gjk_collider collider;
   gjk_vec3 baked[GJK_MOVER_VERTICES];
 } gjk_mover;
 
+// The bodies of a query, A and B, and what stays as it is on the way.
+typedef struct gjk_movers {
+  gjk_mover mover[2];
+  gjk_long3 from, to;  // p_b - p_a at the start and the end of the way, LSB
+  uint64_t end, way;   // |to|, and how far both go on the whole way; LSB, or more
+  bool near;           // components of from and to are int32
+} gjk_movers;
+
+// Fills in all but the movers, and their angles. Pre: their motions and turnings are set.
+void gjk_movers_start(gjk_movers *of);
+
 // The direction and where from: both colliders are posed at start.
 typedef struct gjk_separation {
-  const gjk_mover *mover;  // A and B
+  const gjk_movers *pair;
   gjk_unit3 n;             // from A to B
   gjk_q30 start;
   const gjk_turning *carrier;  // how the direction turns from there on; NULL: it stands still
@@ -53,7 +65,7 @@ gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, i
 
 // The last fraction up to which the bodies' spheres, about the positions of their poses, are more than target apart along
 // the direction from A to B at the start of the way, for sure; 0 where they are not at the start. target as above.
-gjk_q30 gjk_separation_of_spheres(const gjk_mover mover[2], int64_t target);
+gjk_q30 gjk_separation_of_spheres(const gjk_movers *pair, int64_t target);
 
 // An estimate of s->fall for points of A and B that are nearest to each other at the start.
 int64_t gjk_separation_fall(const gjk_separation *s, const gjk_vec3 *point_a, const gjk_vec3 *point_b);
