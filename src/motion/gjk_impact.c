@@ -17,7 +17,7 @@
 //   position, once           sqrt(3)/2
 //   quaternion, twice        r 32 2^-30           gjk_motion.h
 //   matrix of half axes      r 3 2^-30
-//   directions               r 27 2^-30           gjk_turning_rotate, twice, and into the frame of a hull
+//   directions               r 27 2^-30           gjk_turning_join, twice, and into the frame of a hull
 //   the same of |p_b - p_a|  r 48 2^-30           where the direction turns it is at most 4 times both r
 //   normal                   r 4 2^-30
 //   composed rotation, twice r 4 2^-30           where the body carries the shape at a pose of its own

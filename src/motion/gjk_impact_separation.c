@@ -116,6 +116,19 @@ static void start_course(separation_course *of, const gjk_separation *s, int64_t
   }
 }
 
+// A body's extent towards the other one along v after part of the way, Q8, rounded up: the body turns on, or v turns back.
+static int64_t turned_extent(const gjk_separation *s, int i, gjk_q30 part, const gjk_unit3 *v) {
+  const gjk_turning *turning = &s->pair->mover[i].turning;
+  gjk_turned split;
+  gjk_unit3 back;
+  if (turning->half_turns == 0) {
+    return extent_towards(s, i, v);
+  }
+  gjk_turning_split(turning, v, &split);
+  gjk_turning_join(turning, part, true, &split, &back);
+  return extent_towards(s, i, &back);
+}
+
 // s - target at a fraction from the start on, Q8, within 8.
 static int64_t separation_at(const separation_course *of, gjk_q30 fraction) {
   const gjk_separation *s = of->of;
@@ -129,9 +142,7 @@ static int64_t separation_at(const separation_course *of, gjk_q30 fraction) {
     if (of->is_fixed[i]) {
       above -= of->extent[i];
     } else {
-      gjk_unit3 d = v;
-      gjk_turning_rotate(&s->pair->mover[i].turning, part, true, &d);
-      above -= extent_towards(s, i, &d);
+      above -= turned_extent(s, i, part, &v);
     }
   }
   return above;
@@ -410,8 +421,8 @@ static gjk_q30 expected_part(const separation_state *at) {
   return part < (uint64_t)GJK_Q30_ONE ? (gjk_q30)part : GJK_Q30_ONE;
 }
 
-// Step 2: y - x.
-static gjk_q30 choose_part(const separation_state *at, const separation_parabola *of, int64_t enough) {
+// Step 2: y - x, and *c over it.
+static gjk_q30 choose_part(const separation_state *at, const separation_parabola *of, int64_t enough, int64_t *c) {
   const gjk_q30 left = GJK_Q30_ONE - at->x, longest = GJK_Q30_ONE >> of->cut, expected = expected_part(at);
   gjk_q30 part = left < longest ? left : longest;
   if (expected < part) {
@@ -423,10 +434,14 @@ static gjk_q30 choose_part(const separation_state *at, const separation_parabola
     }
     part = expected - (expected >> k);
   }
-  for (int64_t c = parabola(of, part); part > 1 && c > at->g; c = parabola(of, part)) {  // at most 40 times
-    part -= (c > 4 * at->g ? part / 2 : part / 4) + (part < 4 ? 1 : 0);
+  for (*c = parabola(of, part); part > 1 && *c > at->g; *c = parabola(of, part)) {  // at most 40 times
+    part -= (*c > 4 * at->g ? part / 2 : part / 4) + (part < 4 ? 1 : 0);
   }
-  return part > 0 ? part : 1;
+  if (part == 0) {
+    part = 1;
+    *c = parabola(of, 1);
+  }
+  return part;
 }
 
 void gjk_movers_start(gjk_movers *of) {
@@ -475,8 +490,7 @@ gjk_q30 gjk_separation_holds(gjk_separation *s, int64_t above, int64_t target, i
     if (g > 0) {
       h = of_spheres(&course, GJK_Q30_ONE);
     } else {
-      part = choose_part(&at, &of, enough);
-      c = parabola(&of, part);
+      part = choose_part(&at, &of, enough, &c);
       g = at.g;
       h = separation_at(&course, at.x + part);
     }

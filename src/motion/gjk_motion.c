@@ -181,14 +181,6 @@ void gjk_turning_join(const gjk_turning *turning, gjk_q30 part, bool back, const
   v->z = along->z + round_q60(gjk_mac32(gjk_mul32(cosine, off->z), sine, across->z));
 }
 
-void gjk_turning_rotate(const gjk_turning *turning, gjk_q30 part, bool back, gjk_unit3 *v) {
-  gjk_turned split;
-  if (turning->half_turns != 0) {
-    gjk_turning_split(turning, v, &split);
-    gjk_turning_join(turning, part, back, &split, v);
-  }
-}
-
 gjk_status gjk_motion_pose(const gjk_motion *motion, gjk_q30 fraction, gjk_pose *out) {
   if (motion == NULL || out == NULL) {
     return GJK_ERROR_NULL;

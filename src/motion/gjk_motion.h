@@ -55,7 +55,4 @@ void gjk_turning_split(const gjk_turning *turning, const gjk_unit3 *v, gjk_turne
 //   sine and cosine 1.42, what is along the axis 1.37 (1 - cos) <= 2.8, across 0.87, the result 0.87, the axis 5.3
 void gjk_turning_join(const gjk_turning *turning, gjk_q30 part, bool back, const gjk_turned *split, gjk_unit3 *v);
 
-// Both steps in one. Where nothing turns, *v stays as it is.
-void gjk_turning_rotate(const gjk_turning *turning, gjk_q30 part, bool back, gjk_unit3 *v);
-
 #endif
