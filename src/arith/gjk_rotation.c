@@ -44,6 +44,19 @@ gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess) {
   return to_q30(corrected(x, excess));
 }
 
+void gjk_quat_multiply(const gjk_quat *a, int64_t off_a, const gjk_quat *b, int64_t off_b, gjk_quat *out) {
+  // e = |a|^2 |b|^2 - 1 in Q45:  |ea|, |eb| <= 2^29, |e| <= 2^30 + 2^13
+  const int32_t ea = (int32_t)gjk_sar64(off_a, 15), eb = (int32_t)gjk_sar64(off_b, 15);
+  const int32_t e = ea + eb + (int32_t)gjk_sar64(gjk_mul32(ea, eb), 45);
+  // 1 - 1 / sqrt(1 + e) = e / 2 - 3/8 e^2 + ..., in Q46:  3 e^2 < 2^62, the other terms together < 1
+  const int32_t excess = e - (int32_t)gjk_sar64(3 * gjk_mul32(e, e), 47);
+  int64_t p[4];
+  gjk_quat_product(a, b, p);  // |a| |b| <= 2^60 (1 + 2^-16)
+  const gjk_quat product = {gjk_corrected_q30(p[0], excess), gjk_corrected_q30(p[1], excess),
+                            gjk_corrected_q30(p[2], excess), gjk_corrected_q30(p[3], excess)};
+  *out = product;
+}
+
 // Step 2, for e = |q|^2 - 1 in Q46: 1 - 1 / |q|^2 = e - e^2 + e^3 - ...
 static inline int32_t quat_excess(int64_t deviation) {
   const int32_t e = (int32_t)gjk_sar64(deviation, 14);  // |deviation| <= 2^44:  |e| <= 2^30

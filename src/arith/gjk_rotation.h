@@ -22,6 +22,9 @@ static inline void gjk_quat_product(const gjk_quat *a, const gjk_quat *b, int64_
 // exact value is. Pre: |x| <= 2^60 (1 + 2^-15), |excess| < 2^31.
 gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess);
 
+// The product of a / |a| and b / |b|, each component within 0.501 LSB, for a and b with these deviations.
+void gjk_quat_multiply(const gjk_quat *a, int64_t off_a, const gjk_quat *b, int64_t off_b, gjk_quat *out);
+
 // The rotation matrix of q / |q|, by rows, Q2.30: entries within 0.5 + 2^-13 LSB and at most 2^30 in size; the
 // identity is exact. False, and rows not set, when q is not a unit within GJK_ROTATION_TOLERANCE.
 bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]);

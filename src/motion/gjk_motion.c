@@ -110,12 +110,11 @@ static bool motion_spins(const gjk_motion *motion) {
 gjk_status gjk_turning_start(const gjk_motion *motion, gjk_turning *out) {
   const gjk_unit3 none = {0, 0, 0};
   out->axis = none;
+  if (!gjk_quat_deviation(&motion->from.rotation, &out->deviation)) {
+    return GJK_ERROR_ROTATION;
+  }
   if (!motion_spins(motion)) {
     return start_arc(motion, out);
-  }
-  int64_t deviation;
-  if (!gjk_quat_deviation(&motion->from.rotation, &deviation)) {
-    return GJK_ERROR_ROTATION;
   }
   const gjk_quat direction = {motion->spin.x, motion->spin.y, motion->spin.z, 0};
   gjk_quat unit;
@@ -144,11 +143,13 @@ void gjk_turning_pose(const gjk_motion *motion, const gjk_turning *turning, gjk_
   } else if (fraction > 0 && turning->half_turns != 0) {
     gjk_q30 sine;
     gjk_quat turned;
+    int64_t deviation = 0;
     gjk_sine_cosine(1, gjk_turning_after(turning, fraction), &sine, &turned.w);
     turned.x = times_q30(turning->axis.x, sine);
     turned.y = times_q30(turning->axis.y, sine);
     turned.z = times_q30(turning->axis.z, sine);
-    (void)gjk_quat_compose(&turned, &motion->from.rotation, &out->rotation);  // both are units
+    (void)gjk_quat_deviation(&turned, &deviation);  // it is a unit
+    gjk_quat_multiply(&turned, deviation, &motion->from.rotation, turning->deviation, &out->rotation);
   }
 }
 

@@ -24,6 +24,7 @@
 // The rotation of a motion.
 typedef struct gjk_turning {
   uint64_t half_turns;  // half of the angle over the whole way, in units of 2^-48 turns; 0: nothing turns
+  int64_t deviation;    // of the motion's first rotation (gjk_rotation.h)
   gjk_unit3 axis;
 } gjk_turning;
 

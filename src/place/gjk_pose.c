@@ -69,16 +69,7 @@ gjk_status gjk_quat_compose(const gjk_quat *a, const gjk_quat *b, gjk_quat *out)
   if (!gjk_quat_deviation(a, &off_a) || !gjk_quat_deviation(b, &off_b)) {
     return GJK_ERROR_ROTATION;
   }
-  // e = |a|^2 |b|^2 - 1 in Q45:  |ea|, |eb| <= 2^29, |e| <= 2^30 + 2^13
-  const int32_t ea = (int32_t)gjk_sar64(off_a, 15), eb = (int32_t)gjk_sar64(off_b, 15);
-  const int32_t e = ea + eb + (int32_t)gjk_sar64(gjk_mul32(ea, eb), 45);
-  // 1 - 1 / sqrt(1 + e) = e / 2 - 3/8 e^2 + ..., in Q46:  3 e^2 < 2^62, the other terms together < 1
-  const int32_t excess = e - (int32_t)gjk_sar64(3 * gjk_mul32(e, e), 47);
-  int64_t p[4];
-  gjk_quat_product(a, b, p);  // |a| |b| <= 2^60 (1 + 2^-16)
-  const gjk_quat product = {gjk_corrected_q30(p[0], excess), gjk_corrected_q30(p[1], excess),
-                            gjk_corrected_q30(p[2], excess), gjk_corrected_q30(p[3], excess)};
-  *out = product;
+  gjk_quat_multiply(a, off_a, b, off_b, out);
   return GJK_OK;
 }
 
