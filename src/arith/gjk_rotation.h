@@ -25,6 +25,12 @@ gjk_q30 gjk_corrected_q30(int64_t x, int32_t excess);
 // The product of a / |a| and b / |b|, each component within 0.501 LSB, for a and b with these deviations.
 void gjk_quat_multiply(const gjk_quat *a, int64_t off_a, const gjk_quat *b, int64_t off_b, gjk_quat *out);
 
+// unit = v / |v| for a vector v of so many components, at most four, each within 0.501 LSB. False: v is zero.
+bool gjk_normalize(const int32_t v[4], int count, gjk_q30 unit[4]);
+
+// *out = v / |v|, likewise.
+bool gjk_axis_normalize(const gjk_vec3 *v, gjk_unit3 *out);
+
 // The rotation matrix of q / |q|, by rows, Q2.30: entries within 0.5 + 2^-13 LSB and at most 2^30 in size; the
 // identity is exact. False, and rows not set, when q is not a unit within GJK_ROTATION_TOLERANCE.
 bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]);

@@ -345,14 +345,9 @@ bool gjk_turning_of_edges(const gjk_mover mover[2], const gjk_certificate *neare
     w = gjk_negate(w);
   }
   const uint32_t sine = gjk_magnitude32(volume);
-  const gjk_quat direction = {w.x, w.y, w.z, 0};
-  gjk_quat unit;
-  if (sine < SINE_MIN || gjk_quat_normalize(&direction, &unit) != GJK_OK) {
+  if (sine < SINE_MIN || !gjk_axis_normalize(&w, &out->axis)) {
     return false;
   }
-  out->axis.x = unit.x;
-  out->axis.y = unit.y;
-  out->axis.z = unit.z;
   // |w| / sine 2^48 / (4 pi), as (|w| 2^(62 - k) / sine / 2^30) 2^35 / (4 pi) 2^(k - 15); sine >= 2^27:  k <= 4
   const unsigned k = gjk_clz32(sine);
   const uint32_t ratio = (uint32_t)(gjk_umul32(gjk_isqrt64((uint64_t)gjk_dot(&w, &w)), reciprocal_of(sine, k)) >> 30);

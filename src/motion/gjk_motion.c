@@ -90,15 +90,11 @@ static gjk_status start_arc(const gjk_motion *motion, gjk_turning *out) {
   const uint64_t squared = (uint64_t)gjk_mul32(arc.x, arc.x) + (uint64_t)gjk_mul32(arc.y, arc.y) +
                            (uint64_t)gjk_mul32(arc.z, arc.z);  // below 2^60 + 2^32
   const uint32_t sine = gjk_nearest_root(squared);
-  const gjk_quat direction = {arc.x, arc.y, arc.z, 0};
-  gjk_quat unit;
-  if (gjk_quat_normalize(&direction, &unit) != GJK_OK) {
+  const gjk_vec3 direction = {arc.x, arc.y, arc.z};
+  if (!gjk_axis_normalize(&direction, &out->axis)) {
     out->half_turns = 0;
     return GJK_OK;
   }
-  out->axis.x = unit.x;
-  out->axis.y = unit.y;
-  out->axis.z = unit.z;
   out->half_turns = half_turns_of_arc((gjk_q30)sine, arc.w);
   return GJK_OK;
 }
@@ -116,12 +112,7 @@ gjk_status gjk_turning_start(const gjk_motion *motion, gjk_turning *out) {
   if (!motion_spins(motion)) {
     return start_arc(motion, out);
   }
-  const gjk_quat direction = {motion->spin.x, motion->spin.y, motion->spin.z, 0};
-  gjk_quat unit;
-  (void)gjk_quat_normalize(&direction, &unit);  // it is not zero
-  out->axis.x = unit.x;
-  out->axis.y = unit.y;
-  out->axis.z = unit.z;
+  (void)gjk_axis_normalize(&motion->spin, &out->axis);  // it is not zero
   out->half_turns = half_turns_of_spin(&motion->spin);
   return GJK_OK;
 }

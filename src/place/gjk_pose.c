@@ -1,63 +1,19 @@
 // Quaternions and poses: normalise, compose, invert, apply.
 #include "gjk/pose.h"
 
-#include "../arith/gjk_root.h"
 #include "../arith/gjk_rotation.h"
-
-// |p|^2 - 1, Q60, from 0 to 5 too small, for p in Q60. Pre: |p|^2 is within 2^-28 of 1.
-static int64_t excess_q60(const uint64_t p[4]) {
-  // p = 2^30 h + l, 0 <= l < 2^30, per component:  p^2 / 2^60 = h^2 + 2 h l / 2^30 + (less than 1)
-  //   |h| <= 2^30 + 8, length:  squares < 2^61, products < 2^62
-  uint64_t squares = 0, products = 0;
-  for (int i = 0; i < 4; i++) {
-    const uint32_t h = (uint32_t)(p[i] >> 30), l = (uint32_t)(p[i] & 0x3FFFFFFFu);
-    squares += gjk_umul32(h, h);
-    products += gjk_umul32(h, l);
-  }
-  return gjk_int64(squares + (products >> 29) - (UINT64_C(1) << 60));
-}
 
 gjk_status gjk_quat_normalize(const gjk_quat *q, gjk_quat *out) {
   if (q == NULL || out == NULL) {
     return GJK_ERROR_NULL;
   }
   const int32_t component[4] = {q->x, q->y, q->z, q->w};
-  uint32_t bits = 0;
-  for (int i = 0; i < 4; i++) {
-    bits |= gjk_magnitude32(component[i]);
-  }
-  if (bits == 0) {
+  gjk_q30 unit[4];
+  if (!gjk_normalize(component, 4, unit)) {
     return GJK_ERROR_ROTATION;
   }
-  const unsigned up = gjk_clz32(bits);
-  // A quarter of |q 2^up|^2. One component >= 2^31, all < 2^32:  2^60 <= quarter < 2^64
-  uint64_t quarter = 0;
-  for (int i = 0; i < 4; i++) {
-    const uint32_t size = gjk_magnitude32(component[i]) << up;
-    quarter += gjk_umul32(size, size) >> 2;
-  }
-  //@ assert quarter >= UINT64_C(1) << 60;
-  const unsigned zeros = gjk_clz64(quarter) & ~1u;  // 0 or 2
-  // root = 2^46 sqrt(2^32) / sqrt(quarter 2^zeros) = 2^(63 - zeros / 2) / |q 2^up|, relative error <= 2^-29.4
-  const uint32_t root = gjk_reciprocal_root((uint32_t)((quarter << zeros) >> 32));
-  const unsigned down = 3 - zeros / 2;
-  uint64_t p[4];
-  for (int i = 0; i < 4; i++) {
-    p[i] = gjk_umul32(gjk_magnitude32(component[i]) << up, root) >> down;
-  }
-  // p is a unit in Q60 but for the error of root. Correct it: 1 - 1 / sqrt(1 + e) = e / 2 - ..., Q46, below 2^18.
-  const int64_t off = excess_q60(p);
-  //@ assert off >= -(INT64_C(1) << 33) && off <= INT64_C(1) << 33;
-  const int32_t excess = (int32_t)gjk_sar64(off, 15);
-  int32_t unit[4];
-  for (int i = 0; i < 4; i++) {
-    const gjk_q30 size = gjk_corrected_q30((int64_t)p[i], excess);
-    unit[i] = component[i] < 0 ? -size : size;
-  }
-  out->x = unit[0];
-  out->y = unit[1];
-  out->z = unit[2];
-  out->w = unit[3];
+  const gjk_quat normal = {unit[0], unit[1], unit[2], unit[3]};
+  *out = normal;
   return GJK_OK;
 }
 
