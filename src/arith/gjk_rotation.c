@@ -16,7 +16,7 @@ bool gjk_quat_deviation(const gjk_quat *q, int64_t *deviation) {
                            (uint64_t)gjk_mul32(q->z, q->z) + (uint64_t)gjk_mul32(q->w, q->w);
   const int64_t off = gjk_int64(squared - (UINT64_C(1) << 60));
   const uint64_t tolerance = (uint64_t)GJK_ROTATION_TOLERANCE << 30;
-  if (gjk_magnitude64(off) > tolerance) {
+  if ((uint64_t)off + tolerance > 2 * tolerance) {  // |off| > tolerance
     return false;
   }
   //@ assert off >= -(INT64_C(1) << 44) && off <= INT64_C(1) << 44;
@@ -89,7 +89,8 @@ bool gjk_normalize(const int32_t v[4], int count, gjk_q30 unit[4]) {
   const int32_t excess = (int32_t)gjk_sar64(off, 15);
   for (int i = 0; i < count; i++) {
     const gjk_q30 size = gjk_corrected_q30((int64_t)p[i], excess);
-    unit[i] = v[i] < 0 ? -size : size;
+    const int32_t sign = gjk_sar32(v[i], 31);
+    unit[i] = (size ^ sign) - sign;
   }
   return true;
 }

@@ -28,22 +28,33 @@ static uint32_t gjk_multiply_q33(uint32_t a, uint32_t b) {
   return (uint32_t)(gjk_umul32(a, b) >> 33);
 }
 
-// A term of the series, and what follows.
-static inline uint32_t gjk_sine_step(uint32_t term, uint32_t sum) {
+// A term of the series, c h, and what follows.
+static inline uint32_t gjk_sine_step(uint32_t c, uint32_t h, uint32_t sum) {
+  const uint32_t term = gjk_umulh32(h, c);
   return term - gjk_multiply_q33(term, sum);
 }
 
-// c0 h (1 - c1 h (1 - c2 h (...))), Q33, of the divisors of either series: sum[0] for the sine, sum[1] for the cosine.
-// c: Q32, at most 1/3; h: Q33, at most pi^2 / 32. Within 1.3 LSB: the floors of the last step, one each way, are below 1;
-// c is rounded; of the error of earlier steps at most 1/9 remains.
+// A term of both series, sum[0] of the sine and sum[1] of the cosine.
+static inline void gjk_sine_steps(const uint32_t c[2], uint32_t h, uint32_t sum[2]) {
+  sum[0] = gjk_sine_step(c[0], h, sum[0]);
+  sum[1] = gjk_sine_step(c[1], h, sum[1]);
+}
+
+// Both series, c0 h (1 - c1 h (1 - c2 h (...))), Q33. c: Q32, at most 1/3; h: Q33, at most pi^2 / 32. Within 1.3 LSB: the
+// floors of the last step, one each way, are below 1; c is rounded; of the error of earlier steps at most 1/9 remains.
 static inline void gjk_sine_series(const uint32_t c[GJK_SINE_TERMS][2], uint32_t h, uint32_t sum[2]) {
-  uint32_t s = 0, t = 0;
+  sum[0] = sum[1] = 0;
+#if GJK_SMALL || !GJK_64_BIT
   for (int i = GJK_SINE_TERMS - 1; i >= 0; i--) {
-    s = gjk_sine_step(gjk_umulh32(h, c[i][0]), s);
-    t = gjk_sine_step(gjk_umulh32(h, c[i][1]), t);
+    gjk_sine_steps(c[i], h, sum);
   }
-  sum[0] = s;
-  sum[1] = t;
+#else
+  gjk_sine_steps(c[4], h, sum);
+  gjk_sine_steps(c[3], h, sum);
+  gjk_sine_steps(c[2], h, sum);
+  gjk_sine_steps(c[1], h, sum);
+  gjk_sine_steps(c[0], h, sum);
+#endif
 }
 
 // Step 1: half an angle of this size as a part of a turn, in units of 2^-64; the error is below 1.
