@@ -193,7 +193,8 @@ bool gjk_rotation_of_z(const gjk_quat *q, gjk_vec3 rows[3]) {
 static int64_t round_and_rotate(const int64_t m[3], const gjk_vec3 *v, gjk_vec3 *row) {
   const gjk_vec3 high = {to_q30(m[0]), to_q30(m[1]), to_q30(m[2])};
   *row = high;
-  const int64_t fine = gjk_mac32(gjk_mac32(gjk_mul32(dropped(m[0]), v->x), dropped(m[1]), v->y), dropped(m[2]), v->z);  // |fine| < 2^47
+  const int64_t fine =
+      gjk_mac32(gjk_mac32(gjk_mul32(dropped(m[0]), v->x), dropped(m[1]), v->y), dropped(m[2]), v->z);  // |fine| < 2^47
   return gjk_dot(&high, v) + gjk_sar64(fine, 15);
 }
 

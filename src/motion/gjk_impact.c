@@ -115,7 +115,8 @@ static gjk_status start_impact(impact_query *of, const gjk_impact_setup *setup) 
       setup->tolerance * INT64_C(256) < slack + 256) {
     return GJK_ERROR_RANGE;
   }
-  of->radii = (int64_t)of->pair.mover[0].collider.shape->convex_radius + of->pair.mover[1].collider.shape->convex_radius;
+  of->radii =
+      (int64_t)of->pair.mover[0].collider.shape->convex_radius + of->pair.mover[1].collider.shape->convex_radius;
   of->wanted = (int64_t)setup->margin * 256 + slack;
   of->touched = (int64_t)setup->margin + setup->tolerance;
   of->x = 0;
@@ -163,18 +164,19 @@ static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_
   return a == 2 && gjk_turning_of_edges(of->pair.mover, nearest, &gap->normal, out) ? out : NULL;
 }
 
-// The poses of both bodies at x. measured: a distance follows, so both colliders are posed as well.
-static void pose_both(impact_query *of, bool measured, gjk_impact_result *out) {
-  for (int i = 0; i < 2; i++) {
-    gjk_mover *m = &of->pair.mover[i];
-    gjk_pose *body = i == 0 ? &out->pose_a : &out->pose_b;
-    if (!stands(m, of->x)) {
-      gjk_turning_pose(m->motion, &m->turning, of->x, body);
-      if (measured) {
-        pose_mover(m, body);
-      }
+// The pose of a body at a fraction. measured: a distance follows, so its collider is posed as well.
+static void pose_at(gjk_mover *m, gjk_q30 fraction, bool measured, gjk_pose *body) {
+  if (!stands(m, fraction)) {
+    gjk_turning_pose(m->motion, &m->turning, fraction, body);
+    if (measured) {
+      pose_mover(m, body);
     }
   }
+}
+
+static void pose_both(impact_query *of, bool measured, gjk_impact_result *out) {
+  pose_at(&of->pair.mover[0], of->x, measured, &out->pose_a);
+  pose_at(&of->pair.mover[1], of->x, measured, &out->pose_b);
 }
 
 // The shapes touch at x, where they are posed.
@@ -213,7 +215,8 @@ static bool is_hit(const impact_query *of, const gjk_distance_result *gap) {
   if (gap->upper != of->touched) {
     return gap->upper < of->touched;
   }
-  return gjk_within(&of->pair.mover[0].collider, &of->pair.mover[1].collider, gap->upper, NULL, &near) == GJK_OK && near.yes;
+  return gjk_within(&of->pair.mover[0].collider, &of->pair.mover[1].collider, gap->upper, NULL, &near) == GJK_OK &&
+         near.yes;
 }
 
 // Step 1. Its certificate tells step 2 which of several features the search has ended at.

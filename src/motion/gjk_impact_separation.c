@@ -35,7 +35,7 @@
 // Pre: |v| <= 2^30 + 2^5; |d| <= sqrt(3) 2^32:  the product is below 2^63
 static int64_t along_q8(const gjk_unit3 *v, const gjk_long3 *d, bool near) {
   if (near && !GJK_SMALL) {
-    const gjk_vec3 narrow = {(int32_t)d->x, (int32_t)d->y, (int32_t)d->z};
+    const gjk_vec3 narrow = {gjk_int32(gjk_low32(d->x)), gjk_int32(gjk_low32(d->y)), gjk_int32(gjk_low32(d->z))};
     return gjk_sar64(gjk_along(v, &narrow), 22);
   }
   return gjk_sar64(v->x * d->x + v->y * d->y + v->z * d->z, 22);
@@ -57,10 +57,10 @@ static int64_t blend_q8(int64_t low, int64_t high, gjk_q30 part) {
 // s along one direction: what does not depend on the fraction.
 typedef struct separation_course {
   const gjk_separation *of;
-  int64_t target;      // Q8
-  gjk_turned split;    // n as the carrier sees it
-  bool is_fixed[2];    // the body's extent does not change:
-  int64_t extent[2];   // this one, Q8
+  int64_t target;     // Q8
+  gjk_turned split;   // n as the carrier sees it
+  bool is_fixed[2];   // the body's extent does not change:
+  int64_t extent[2];  // this one, Q8
 } separation_course;
 
 // v . (p_b - p_a) at a fraction, Q8, at most 4 too small.
@@ -150,10 +150,10 @@ static int64_t separation_at(const separation_course *of, gjk_q30 fraction) {
 
 // What of the bounds does not depend on the part of the way.
 typedef struct separation_bounds {
-  uint32_t angle[3];    // over the whole way, radians, Q16, rounded up; 0: nothing turns; [2]: the direction
-  uint32_t across;      // k of a direction that turns, Q16, rounded up
-  uint32_t arm[2];      // r of a body that turns, but not with the direction, LSB; k r where the direction stands still
-  uint64_t apart;       // |p_b - p_a| from the start on, LSB
+  uint32_t angle[3];  // over the whole way, radians, Q16, rounded up; 0: nothing turns; [2]: the direction
+  uint32_t across;    // k of a direction that turns, Q16, rounded up
+  uint32_t arm[2];    // r of a body that turns, but not with the direction, LSB; k r where the direction stands still
+  uint64_t apart;     // |p_b - p_a| from the start on, LSB
 } separation_bounds;
 
 // The angle over the whole way: 4 pi half_turns / 2^48 radians, Q16, rounded up.  half_turns / 2^29 < 2^32
@@ -210,8 +210,9 @@ static bool set_separation_bounds(separation_bounds *of, const gjk_separation *s
     of->arm[i] = 0;
     of->angle[i] = s->carrier == turning ? 0 : s->pair->mover[i].angle;
     if (of->angle[i] != 0) {
-      of->arm[i] = s->carrier != NULL ? s->pair->mover[i].reach
-                                      : (uint32_t)q16_product(s->pair->mover[i].reach, sine_between(&turning->axis, &s->n));
+      of->arm[i] = s->carrier != NULL
+                       ? s->pair->mover[i].reach
+                       : (uint32_t)q16_product(s->pair->mover[i].reach, sine_between(&turning->axis, &s->n));
     }
   }
   of->angle[2] = s->carrier == NULL ? 0 : whole_angle(s->carrier);
@@ -234,11 +235,12 @@ GJK_ONE_COPY static uint64_t parabola_over(const separation_bounds *of, const gj
   uint64_t twice = turned_a * w[0] + turned_b * w[1];  // Q16, each term below 2^57
   if (s->carrier != NULL) {
     const uint64_t moved = ((s->pair->way / 16 + 1) * (uint32_t)part >> 26) + 1;
-    twice += times_square(q16_product(of->apart + (s->carrier == &s->pair->mover[0].turning ? 0 : s->pair->mover[0].reach) +
-                                          (s->carrier == &s->pair->mover[1].turning ? 0 : s->pair->mover[1].reach),
-                                      of->across),
-                          w[2]) +
-             2 * q16_product(moved + turned_a + turned_b, of->across) * w[2];
+    twice +=
+        times_square(q16_product(of->apart + (s->carrier == &s->pair->mover[0].turning ? 0 : s->pair->mover[0].reach) +
+                                     (s->carrier == &s->pair->mover[1].turning ? 0 : s->pair->mover[1].reach),
+                                 of->across),
+                     w[2]) +
+        2 * q16_product(moved + turned_a + turned_b, of->across) * w[2];
   }
   return (twice >> 9) + 1;
 }
@@ -432,7 +434,7 @@ static gjk_q30 choose_part(const separation_state *at, const separation_parabola
   for (*c = parabola(of, part); part > 1 && *c > at->g; *c = parabola(of, part)) {  // at most 40 times
     part -= (*c > 4 * at->g ? part / 2 : part / 4) + (part < 4 ? 1 : 0);
   }
-  if (part == 0) {
+  if (part <= 0) {
     part = 1;
     *c = parabola(of, 1);
   }

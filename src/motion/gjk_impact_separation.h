@@ -49,7 +49,7 @@ void gjk_movers_start(gjk_movers *of);
 // The direction and where from: both colliders are posed at start.
 typedef struct gjk_separation {
   const gjk_movers *pair;
-  gjk_unit3 n;             // from A to B
+  gjk_unit3 n;  // from A to B
   gjk_q30 start;
   const gjk_turning *carrier;  // how the direction turns from there on; NULL: it stands still
   int64_t fall;                // an estimate: how much s would fall over the whole way at the rate of the start, Q8

@@ -7,9 +7,17 @@ static void check_mover(const gjk_mover *m) {
   check_turning(&m->turning);
 }
 
-gjk_q30 gjk_separation_of_spheres(const gjk_mover mover[2], int64_t target) {
-  check_mover(&mover[0]);
-  check_mover(&mover[1]);
+void gjk_movers_start(gjk_movers *of) {
+  for (int i = 0; i < 2; i++) {
+    const gjk_motion *motion = of->mover[i].motion;
+    //@ assert \initialized(&motion->from.position) && \initialized(&motion->to.position);
+    check_turning(&of->mover[i].turning);
+  }
+}
+
+gjk_q30 gjk_separation_of_spheres(const gjk_movers *pair, int64_t target) {
+  check_mover(&pair->mover[0]);
+  check_mover(&pair->mover[1]);
   //@ assert target >= 0 && target <= INT64_C(1) << 38;
   return any_between(0, GJK_Q30_ONE);
 }

@@ -13,7 +13,9 @@ int main(void) {
   if (status == GJK_OK) {
     gjk_unit3 v = {any_between(-GJK_Q30_ONE, GJK_Q30_ONE), any_between(-GJK_Q30_ONE, GJK_Q30_ONE),
                    any_between(-GJK_Q30_ONE, GJK_Q30_ONE)};
-    gjk_turning_rotate(&turning, any_between(0, GJK_Q30_ONE), any_bool(), &v);
+    gjk_turned split;
+    gjk_turning_split(&turning, &v, &split);
+    gjk_turning_join(&turning, any_between(0, GJK_Q30_ONE), any_bool(), &split, &v);
   }
   return 0;
 }

@@ -11,6 +11,7 @@ gjk_status gjk_turning_start(const gjk_motion *motion, gjk_turning *out) {
 void gjk_turning_pose(const gjk_motion *motion, const gjk_turning *turning, gjk_q30 fraction, gjk_pose *out) {
   //@ assert fraction >= 0 && fraction <= GJK_Q30_ONE;
   check_turning(turning);
+  //@ assert \initialized(&turning->deviation);
   *out = any_pose();
 }
 
@@ -32,14 +33,6 @@ void gjk_turning_join(const gjk_turning *turning, gjk_q30 part, bool back, const
   check_vec3(&split->along, ANY_UNIT + 64);
   check_vec3(&split->off, ANY_UNIT + 64);
   check_vec3(&split->across, ANY_UNIT + 64);
-  (void)back;
-  *v = any_unit3();
-}
-
-void gjk_turning_rotate(const gjk_turning *turning, gjk_q30 part, bool back, gjk_unit3 *v) {
-  //@ assert part >= 0 && part <= GJK_Q30_ONE;
-  check_turning(turning);
-  check_unit3(v);
   (void)back;
   *v = any_unit3();
 }

@@ -25,6 +25,7 @@ static void check_unit3(const gjk_unit3 *u) {
 
 static void any_turning(gjk_turning *turning) {
   turning->half_turns = (uint64_t)Frama_C_long_long_interval(0, ANY_HALF_TURNS);
+  turning->deviation = Frama_C_long_long_interval(-(INT64_C(1) << 44), INT64_C(1) << 44);
   turning->axis.x = any_between(-GJK_Q30_ONE, GJK_Q30_ONE);
   turning->axis.y = any_between(-GJK_Q30_ONE, GJK_Q30_ONE);
   turning->axis.z = any_between(-GJK_Q30_ONE, GJK_Q30_ONE);

@@ -238,6 +238,7 @@ gjk_status gjk_turning_start(const gjk_motion *motion, gjk_turning *out) {
     return GJK_ERROR_ROTATION;
   }
   out->half_turns = (uint64_t)Frama_C_long_long_interval(0, INT64_C(3) << 59);
+  out->deviation = Frama_C_long_long_interval(-(INT64_C(1) << 44), INT64_C(1) << 44);
   out->axis = any_unit();
   return GJK_OK;
 }

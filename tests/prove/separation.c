@@ -29,7 +29,8 @@ static void any_mover(gjk_mover *m, gjk_shape *shape, const gjk_motion *motion, 
 
 int main(void) {
   gjk_shape shapes[2] = {0};
-  gjk_mover mover[2] = {0};
+  gjk_movers pair = {0};
+  gjk_mover *mover = pair.mover;
   const gjk_motion motions[2] = {{any_pose(), any_pose(), any_position()}, {any_pose(), any_pose(), any_position()}};
   const gjk_pose own = any_pose();
   gjk_separation s;
@@ -42,10 +43,11 @@ int main(void) {
   }
   const int64_t target = Frama_C_long_long_interval(0, INT64_C(1) << 38),
                 enough = Frama_C_long_long_interval(1, INT64_C(1) << 38);
-  const gjk_q30 first = gjk_separation_of_spheres(mover, target);
+  gjk_movers_start(&pair);
+  const gjk_q30 first = gjk_separation_of_spheres(&pair, target);
   //@ assert first >= 0 && first <= GJK_Q30_ONE;
   const gjk_certificate nearest = {{0, 0, 0}, {0, 1, 2, 0}, {2, 2, 3, 0}, 3, 0};
-  s.mover = mover;
+  s.pair = &pair;
   s.n = any_unit3();
   s.start = any_between(0, GJK_Q30_ONE);
   const int32_t carried = any_between(0, 3);
