@@ -192,17 +192,14 @@ void gjk_divisor_set(gjk_divisor *divisor, const gjk_u128 *x) {
   divisor->inverse = gjk_reciprocal(leading(x, divisor->bits));
 }
 
-int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale, unsigned *k) {
-  const unsigned bits = bit_length(x);
-  *k = 0;
-  if ((x->high | x->low) == 0) {
-    return 0;
-  }
-  // With x = 2^(bits - 32) top and the divisor = 2^(divisor->bits - 32) bottom, before truncation, quotient is
-  // 2^30 top / bottom, from 2^29 to 2^31. Truncating top, inverse and product lowers quotient by less than 1 + 2 + 2.
-  // Truncating bottom raises it.
-  const uint32_t quotient = gjk_umulh32(leading(x, bits), divisor->inverse) >> 1;
+// gjk_divide of an x = 2^(bits - 32) top, before truncation. With the divisor = 2^(divisor->bits - 32) bottom, quotient is
+// 2^30 top / bottom, from 2^29 to 2^31. Truncating top, inverse and product lowers quotient by less than 1 + 2 + 2.
+// Truncating bottom raises it.
+GJK_ONCE static int32_t divide_leading(uint32_t top, unsigned bits, const gjk_divisor *divisor, unsigned scale,
+                                       unsigned *k) {
+  const uint32_t quotient = gjk_umulh32(top, divisor->inverse) >> 1;
   const int exponent = (int)divisor->bits + 30 - (int)bits - (int)scale;  // the result is quotient / 2^exponent
+  *k = 0;
   if (exponent >= 0) {
     const unsigned cut = exponent > 32 ? (unsigned)exponent - 32 : 0;
     *k = (unsigned)exponent - cut;
@@ -210,6 +207,32 @@ int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale
     return cut < 32 ? (int32_t)(quotient >> cut) : 0;
   }
   return exponent == -1 && quotient >> 30 == 0 ? (int32_t)(quotient << 1) : INT32_MAX;
+}
+
+int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale, unsigned *k) {
+  const unsigned bits = bit_length(x);
+  if ((x->high | x->low) == 0) {
+    *k = 0;
+    return 0;
+  }
+  return divide_leading(leading(x, bits), bits, divisor, scale, k);
+}
+
+int32_t gjk_divide64(uint64_t x, uint64_t y, unsigned scale, unsigned *k) {
+#if GJK_SMALL
+  const gjk_u128 dividend = {0, x}, whole = {0, y};
+  gjk_divisor divisor;
+  gjk_divisor_set(&divisor, &whole);
+  return gjk_divide(&dividend, &divisor, scale, k);
+#else
+  if (x == 0) {
+    *k = 0;
+    return 0;
+  }
+  const unsigned zeros = gjk_clz64(x), zeros2 = gjk_clz64(y);
+  const gjk_divisor divisor = {gjk_reciprocal((uint32_t)(y << zeros2 >> 32)), 64 - zeros2};
+  return divide_leading((uint32_t)(x << zeros >> 32), 64 - zeros, &divisor, scale, k);
+#endif
 }
 
 void gjk_u192_set(gjk_u192 *x, uint64_t value) {

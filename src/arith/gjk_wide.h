@@ -441,6 +441,9 @@ void gjk_divisor_set(gjk_divisor *divisor, const gjk_u128 *x);
 // 2^31 or more, returns INT32_MAX with k = 0. Pre: scale <= 64, x < 2^127.
 int32_t gjk_divide(const gjk_u128 *x, const gjk_divisor *divisor, unsigned scale, unsigned *k);
 
+// The same by a divisor y for this once. Pre: y > 0.
+int32_t gjk_divide64(uint64_t x, uint64_t y, unsigned scale, unsigned *k);
+
 // Unsigned integers of 192 bits, least significant limb first, for comparisons of squares, which are rare.
 #define GJK_U192_LIMBS 6
 

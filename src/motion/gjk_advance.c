@@ -77,12 +77,9 @@ static void keep_contact(const gjk_gap *gap, gjk_q30 fraction, advance_contact *
 // 2^30 above / slope, Q30, for a slope in units of 2^scale LSB: rounded down, or up where up is set.
 // Saturates at 2^31, which is more than any way has. Pre: above, slope > 0.
 static int64_t fraction_of(int64_t above, int64_t slope, unsigned scale, bool up) {
-  const gjk_u128 gap = {0, (uint64_t)above}, rate = {0, (uint64_t)slope};
-  gjk_divisor divisor;
   unsigned k;
-  gjk_divisor_set(&divisor, &rate);
   // Q16 LSB / (Q30 2^scale LSB) in Q30: 2^(44 - scale)
-  const int64_t quotient = gjk_divide(&gap, &divisor, 44 - scale, &k);
+  const int64_t quotient = gjk_divide64((uint64_t)above, (uint64_t)slope, 44 - scale, &k);
   if (quotient == INT32_MAX && k == 0) {
     return INT64_C(1) << 31;
   }
@@ -103,11 +100,8 @@ GJK_ONE_COPY static bool is_short_step(const gjk_way *way, int64_t step, unsigne
 
 // 2^scale x / y, to about 2^-28 of it, rounded down, at most 2^31 - 1. Pre: x >= 0, y > 0.
 GJK_ONE_COPY static int64_t quotient(int64_t x, int64_t y, unsigned scale) {
-  const gjk_u128 dividend = {0, (uint64_t)x}, divisor = {0, (uint64_t)y};
-  gjk_divisor prepared;
   unsigned k;
-  gjk_divisor_set(&prepared, &divisor);
-  const int32_t number = gjk_divide(&dividend, &prepared, scale, &k);
+  const int32_t number = gjk_divide64((uint64_t)x, (uint64_t)y, scale, &k);
   return gjk_sar64(number, k);
 }
 

@@ -443,14 +443,16 @@ static gjk_q30 choose_part(const separation_state *at, const separation_parabola
 
 void gjk_movers_start(gjk_movers *of) {
   const gjk_motion *a = of->mover[0].motion, *b = of->mover[1].motion;
-  const gjk_long3 *from = &of->from, *to = &of->to;
-  of->mover[0].angle = whole_angle(&of->mover[0].turning);
-  of->mover[1].angle = whole_angle(&of->mover[1].turning);
+  of->way = 0;
+  for (int i = 0; i < 2; i++) {
+    gjk_mover *m = &of->mover[i];
+    m->angle = whole_angle(&m->turning);
+    of->way += distance_bound(&m->motion->from.position, &m->motion->to.position);
+  }
   between(&a->from.position, &b->from.position, &of->from);
   between(&a->to.position, &b->to.position, &of->to);
-  of->end = length_bound(gjk_magnitude64(to->x), gjk_magnitude64(to->y), gjk_magnitude64(to->z));
-  of->way = distance_bound(&a->from.position, &a->to.position) + distance_bound(&b->from.position, &b->to.position);
-  of->near = (gjk_magnitude64(from->x) | gjk_magnitude64(from->y) | gjk_magnitude64(from->z) | of->end) >> 31 == 0;
+  of->end = distance_bound(&a->to.position, &b->to.position);
+  of->near = !GJK_SMALL && (distance_bound(&a->from.position, &b->from.position) | of->end) >> 31 == 0;
 }
 
 gjk_q30 gjk_separation_of_spheres(const gjk_movers *pair, int64_t target) {

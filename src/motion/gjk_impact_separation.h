@@ -40,7 +40,7 @@ typedef struct gjk_movers {
   gjk_mover mover[2];
   gjk_long3 from, to;  // p_b - p_a at the start and the end of the way, LSB
   uint64_t end, way;   // |to|, and how far both go on the whole way; LSB, or more
-  bool near;           // components of from and to are int32
+  bool near;           // components of from and to are int32, for sure; not asked in builds for size
 } gjk_movers;
 
 // Fills in all but the movers, and their angles. Pre: their motions and turnings are set.
