@@ -165,7 +165,7 @@ static const gjk_turning *carrier_of(const impact_query *of, const gjk_distance_
 }
 
 // The pose of a body at a fraction. measured: a distance follows, so its collider is posed as well.
-static void pose_at(gjk_mover *m, gjk_q30 fraction, bool measured, gjk_pose *body) {
+static void pose_mover_at(gjk_mover *m, gjk_q30 fraction, bool measured, gjk_pose *body) {
   if (!stands(m, fraction)) {
     gjk_turning_pose(m->motion, &m->turning, fraction, body);
     if (measured) {
@@ -175,8 +175,8 @@ static void pose_at(gjk_mover *m, gjk_q30 fraction, bool measured, gjk_pose *bod
 }
 
 static void pose_both(impact_query *of, bool measured, gjk_impact_result *out) {
-  pose_at(&of->pair.mover[0], of->x, measured, &out->pose_a);
-  pose_at(&of->pair.mover[1], of->x, measured, &out->pose_b);
+  pose_mover_at(&of->pair.mover[0], of->x, measured, &out->pose_a);
+  pose_mover_at(&of->pair.mover[1], of->x, measured, &out->pose_b);
 }
 
 // The shapes touch at x, where they are posed.

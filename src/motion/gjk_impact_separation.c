@@ -117,7 +117,7 @@ static void start_course(separation_course *of, const gjk_separation *s, int64_t
 }
 
 // A body's extent towards the other one along v after part of the way, Q8, rounded up: the body turns on, or v turns back.
-static int64_t turned_extent(const gjk_separation *s, int i, gjk_q30 part, const gjk_unit3 *v) {
+static int64_t extent_after_turn(const gjk_separation *s, int i, gjk_q30 part, const gjk_unit3 *v) {
   const gjk_turning *turning = &s->pair->mover[i].turning;
   gjk_turned split;
   gjk_unit3 back;
@@ -142,7 +142,7 @@ static int64_t separation_at(const separation_course *of, gjk_q30 fraction) {
     if (of->is_fixed[i]) {
       above -= of->extent[i];
     } else {
-      above -= turned_extent(s, i, part, &v);
+      above -= extent_after_turn(s, i, part, &v);
     }
   }
   return above;
