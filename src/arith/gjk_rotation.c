@@ -165,6 +165,8 @@ static void round_matrix(const int64_t m[9], gjk_vec3 rows[3]) {
   }
 }
 
+#if GJK_SMALL
+
 bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
   int64_t m[9];
   if (!fine_matrix(q, m)) {
@@ -173,6 +175,36 @@ bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
   round_matrix(m, rows);
   return true;
 }
+
+#else
+
+// Steps 4 and 5.
+GJK_ONCE static gjk_q30 rounded_entry(int64_t x, int32_t excess) {
+  return to_q30(corrected(x, excess));
+}
+
+// All steps of each entry at once: the sums are those of set_entries.
+bool gjk_rotation_from_quat(const gjk_quat *q, gjk_vec3 rows[3]) {
+  int64_t deviation;
+  if (!gjk_quat_deviation(q, &deviation)) {
+    return false;
+  }
+  const int32_t x = q->x, y = q->y, z = q->z, w = q->w, excess = quat_excess(deviation);
+  const int64_t xx = gjk_mul32(x, x), yy = gjk_mul32(y, y), zz = gjk_mul32(z, z), ww = gjk_mul32(w, w);
+  const int64_t xy = gjk_mul32(x, y), yz = gjk_mul32(y, z), zx = gjk_mul32(z, x);
+  rows[0].x = rounded_entry(ww + xx - yy - zz, excess);
+  rows[0].y = rounded_entry(2 * gjk_msub32(xy, w, z), excess);
+  rows[0].z = rounded_entry(2 * gjk_mac32(zx, w, y), excess);
+  rows[1].x = rounded_entry(2 * gjk_mac32(xy, w, z), excess);
+  rows[1].y = rounded_entry(ww + yy - zz - xx, excess);
+  rows[1].z = rounded_entry(2 * gjk_msub32(yz, w, x), excess);
+  rows[2].x = rounded_entry(2 * gjk_msub32(zx, w, y), excess);
+  rows[2].y = rounded_entry(2 * gjk_mac32(yz, w, x), excess);
+  rows[2].z = rounded_entry(ww + zz - xx - yy, excess);
+  return true;
+}
+
+#endif
 
 #if GJK_SHAPES == GJK_SHAPES_ROUND
 bool gjk_rotation_of_z(const gjk_quat *q, gjk_vec3 rows[3]) {

@@ -273,11 +273,19 @@ static inline uint32_t gjk_umulh32(uint32_t a, uint32_t b) {
 // Vectors of the compiler: a shift, sum or comparison is one of each component.
 typedef int32_t gjk_4x32 __attribute__((vector_size(16)));
 typedef int16_t gjk_8x16 __attribute__((vector_size(16)));
+typedef uint32_t gjk_4xu32 __attribute__((vector_size(16)));
+typedef uint64_t gjk_2xu64 __attribute__((vector_size(16)));
 
 // The four numbers from p on.
 static inline gjk_4x32 gjk_load_4x32(const int32_t *p) {
   typedef int32_t unaligned __attribute__((vector_size(16), aligned(4), may_alias));
   return *(const unaligned *)p;
+}
+
+// The four numbers from p on become those of x.
+static inline void gjk_store_4x32(gjk_4x32 x, int32_t *p) {
+  typedef int32_t unaligned __attribute__((vector_size(16), aligned(4), may_alias));
+  *(unaligned *)p = x;
 }
 
 // x as each component.
@@ -313,6 +321,17 @@ static inline gjk_8x16 gjk_narrow(gjk_4x32 a, gjk_4x32 b) {
 // a0 p0 + a1 p1, a2 p2 + a3 p3, b0 q0 + b1 q1, b2 q2 + b3 q3. Pre: each component fits int16_t.
 static inline gjk_4x32 gjk_add_products(gjk_4x32 a, gjk_4x32 b, gjk_4x32 p, gjk_4x32 q) {
   return (gjk_4x32)__builtin_ia32_pmaddwd128(gjk_narrow(a, b), gjk_narrow(p, q));
+}
+
+// The products of components 0 and 2 of a and b, unsigned.
+#define GJK_VECTORS_MULTIPLY
+static inline gjk_2xu64 gjk_mul_even(gjk_4xu32 a, gjk_4xu32 b) {
+#if defined(__clang__)
+  const gjk_2xu64 low = {UINT32_MAX, UINT32_MAX};
+  return ((gjk_2xu64)a & low) * ((gjk_2xu64)b & low);
+#else
+  return (gjk_2xu64)__builtin_ia32_pmuludq128((gjk_4x32)a, (gjk_4x32)b);
+#endif
 }
 
 // Bit i is set where component i of the comparison c holds.

@@ -113,7 +113,11 @@ bool gjk_iteration_refine(gjk_iteration *it, gjk_direction *direction, gjk_suppo
 
 // Do two vertices of A - B share their vertex of A or of B?
 static inline bool share_vertex(const gjk_vertex *v, const gjk_vertex *w) {
+#if GJK_CONDITIONAL_MOVES
+  return ((uint32_t)v->a.vertex ^ w->a.vertex) * ((uint32_t)v->b ^ w->b) == 0;  // both are below 2^16
+#else
   return v->a.vertex == w->a.vertex || v->b == w->b;
+#endif
 }
 
 // The vertices of A and then of B in an edge or a triangle, if all of A are equally far along its exact direction, and
@@ -129,8 +133,13 @@ static bool level_vertices(const gjk_iteration *it, uint16_t level[6]) {
   level[3] = u->b;
   level[4] = v->b;
   level[5] = w->b;
-  return it->shift >= 0 && !gjk_pair_is_curved(it) &&
-         (share_vertex(u, v) ? share_vertex(v, w) || share_vertex(u, w) : share_vertex(v, w) && share_vertex(u, w));
+  const bool of_uv = share_vertex(u, v);
+#if GJK_CONDITIONAL_MOVES
+  const bool two = (of_uv ? 1 : 0) + (share_vertex(v, w) ? 1 : 0) + (share_vertex(u, w) ? 1 : 0) >= 2;
+#else
+  const bool two = of_uv ? share_vertex(v, w) || share_vertex(u, w) : share_vertex(v, w) && share_vertex(u, w);
+#endif
+  return two && it->shift >= 0 && !gjk_pair_is_curved(it);
 }
 
 // Step 8: replaces w by the vertex farthest along the exact direction. Returns whether that is another one. An exact
@@ -138,7 +147,7 @@ static bool level_vertices(const gjk_iteration *it, uint16_t level[6]) {
 static inline bool refine_nearest(gjk_iteration *it, gjk_goal goal, gjk_support *b) {
   gjk_direction direction;
   uint16_t level[6];
-  if (it->direction.exact && !gjk_goal_counts_ties(it, goal)) {
+  if (!gjk_goal_counts_ties(it, goal) && it->direction.exact) {
     return false;
   }
   gjk_simplex_exact_direction(&it->simplex, &direction);
@@ -179,6 +188,15 @@ static bool settles_near(const gjk_iteration *it) {
   return (s->count == 1 || !plane_clears_radius(it, &v->w)) && gjk_iteration_near(it);
 }
 
+#if GJK_CONDITIONAL_MOVES
+
+// 0 where two vertices of A - B have the same numbers; otherwise below 2^16.
+static inline uint64_t vertices_differ(const gjk_vertex *v, const gjk_vertex *w) {
+  return (uint64_t)((unsigned)(v->a.vertex ^ w->a.vertex) | (unsigned)(v->b ^ w->b));
+}
+
+#endif
+
 // Step 6: is w a vertex of the feature? Of a curved pair: does w gain too little over the feature to go on? The signs
 // of step 7 would reject a vertex of the feature as well, at a higher cost.
 static bool is_duplicate(const gjk_iteration *it, const gjk_vertex *added) {
@@ -187,6 +205,15 @@ static bool is_duplicate(const gjk_iteration *it, const gjk_vertex *added) {
     return it->stalls(&it->direction.d, &s->slot[s->order[0]].w, &added->w, it->shift,
                       it->iterations >= LATE_ITERATIONS);
   }
+#if GJK_CONDITIONAL_MOVES
+  // One condition for all of them: which it is would be a guess.
+  if (s->count == 0) {
+    return false;
+  }
+  const gjk_vertex *u = &s->slot[s->order[0]], *v = &s->slot[s->order[s->count > 1 ? 1 : 0]],
+                   *w = &s->slot[s->order[s->count > 2 ? 2 : 0]];
+  return vertices_differ(u, added) * vertices_differ(v, added) * vertices_differ(w, added) == 0;  // below 2^48
+#else
   for (unsigned i = 0; i < s->count; i++) {
     const gjk_vertex *v = &s->slot[s->order[i]];
     if (v->a.vertex == added->a.vertex && v->b == added->b) {
@@ -194,6 +221,7 @@ static bool is_duplicate(const gjk_iteration *it, const gjk_vertex *added) {
     }
   }
   return false;
+#endif
 }
 
 // Takes the direction of the cache. False: it has none.

@@ -64,7 +64,8 @@ gjk_status gjk_collider_init(gjk_collider *c, const gjk_shape *shape, gjk_vec3 *
   return GJK_OK;
 }
 
-// The rest of gjk_collider_pose where shapes have their centre at the local origin: points, segments and boxes.
+// The rest of gjk_collider_pose where the shape has its centre at the local origin, as points, segments and boxes have: then
+// nothing of the position is rounded.
 static gjk_status pose_at_origin(gjk_collider *c, const gjk_pose *pose) {
   gjk_vec3 rows[3];
 #if GJK_SHAPES <= GJK_SHAPES_POINTS
@@ -105,7 +106,9 @@ gjk_status gjk_collider_pose(gjk_collider *c, const gjk_pose *pose) {
   if (c->state != GJK_STATE_INITIALISED && c->state != GJK_STATE_POSED) {
     return GJK_ERROR_UNINITIALISED;
   }
-  if (GJK_SHAPES <= GJK_SHAPES_BOXES) {
+  // not reached: GJK_SMALL is a constant
+  if (GJK_SHAPES <= GJK_SHAPES_BOXES ||
+      (!GJK_SMALL && (c->local_centre.x | c->local_centre.y | c->local_centre.z) == 0)) {
     return pose_at_origin(c, pose);
   }
   gjk_vec3 rows[3];

@@ -166,22 +166,26 @@ static inline unsigned one_bit(unsigned v, unsigned w) {
   return (bits & (bits - 1)) == 0 ? bits : 0;
 }
 
+// Is the half axis longer than 0?
+static inline unsigned has_length(const gjk_vec3 *axis) {
+  return (axis->x | axis->y | axis->z) != 0 ? 1u : 0u;
+}
+
 // One branch for all half axes: which of them lie across is a matter of chance, but the signs of the others are sure, mostly.
 static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
   const uint64_t slack = 2 * (uint64_t)(uint32_t)c->core_radius;
   const uint16_t *level = direction->level;
-  unsigned across = 0, open = 0, ties = 0, sure = 0, near_axes = 0;
+  unsigned across = 0, ties = 0, sure = 0, near_axes = 0;
   if (level != NULL) {
     across = one_bit(level[0], level[1]) | one_bit(level[1], level[2]) | one_bit(level[0], level[2]);
   }
   for (unsigned i = 0; i < c->count; i++) {
     const int64_t along = gjk_dot(&c->frame[i], d);
-    const unsigned near = gjk_magnitude64(along) < slack ? 1u : 0u;
-    near_axes |= near << i;
+    near_axes |= ((uint64_t)along + slack < 2 * slack ? 1u : 0u) << i;  // from -slack on, modulo 2^64: one comparison
     sure |= (along > 0 ? 1u : 0u) << i;
-    ties += across >> i & (gjk_norm1(c->frame[i]) > 0 ? 1u : 0u);
-    open |= (near & ~(across >> i)) << i;
+    ties += across >> i & has_length(&c->frame[i]);
   }
+  const unsigned open = near_axes & ~across;
   number = (number & near_axes) | (sure & ~near_axes);
   for (unsigned i = 0; open >> i != 0; i++) {  // at most 3 times
     if ((open >> i & 1) == 0) {
@@ -190,8 +194,8 @@ static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_dire
     const int side = gjk_direction_sign(direction, &c->frame[i]);
     if (side != 0) {
       number = side > 0 ? number | 1u << i : number & ~(1u << i);
-    } else if (gjk_norm1(c->frame[i]) > 0) {
-      ties++;
+    } else {
+      ties += has_length(&c->frame[i]);
     }
   }
   direction->ties = ties;
@@ -211,7 +215,8 @@ static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_dire
   direction->ties = 0;
   for (unsigned i = 0; GJK_SHAPES >= GJK_SHAPES_ROUND && i < c->count; i++) {
     const int64_t along = gjk_dot(&c->frame[i], d);
-    if (along < slack && along > -slack) {
+    const int32_t high = gjk_high32(along);  // slack < 2^32
+    if ((high == 0 || high == -1) && along < slack && along > -slack) {
       const int side = is_across(direction, 1u << i) ? 0 : gjk_direction_sign(direction, &c->frame[i]);
       if (side != 0) {
         number = side > 0 ? number | 1u << i : number & ~(1u << i);

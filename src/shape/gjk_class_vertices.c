@@ -236,12 +236,80 @@ static inline int32_t pose_component(pose_row row, gjk_vec3 v) {
   return (int32_t)rotated;
 }
 
+#if defined(GJK_VECTORS_MULTIPLY)
+
+// Two vertices at a time, where products of vectors are unsigned. With r for an entry, v for a coordinate, R = r + 2^30 and
+// V = v + 2^28, neither negative:
+//   sum of r v       = sum of R V - 2^30 (sum of V) - 2^28 (sum of r)
+//   pose_component   = (start + sum of r v) / 2^30, floored
+//                    = (start - 2^28 (sum of r) + sum of R V) / 2^30, floored, - (sum of V)
+// modulo 2^32, since a shift modulo 2^64 keeps the low 34 bits.
+typedef struct pose_rows {
+  gjk_4xu32 x, y, z;  // R of a row
+  gjk_2xu64 start;
+} pose_rows;
+
+#define POSE_BIAS (INT32_C(1) << 28)
+
+static inline gjk_4xu32 all_of(uint32_t x) {
+  const gjk_4xu32 all = {x, x, x, x};
+  return all;
+}
+
+static inline pose_rows pose_rows_of(const gjk_vec3 *row, int8_t fraction) {
+  const uint32_t bias = UINT32_C(1) << 30;
+  const int64_t sum = (int64_t)row->x + row->y + row->z;  // at most 2^32 in size
+  const uint64_t start = (uint64_t)(gjk_rotation_start(fraction) - sum * POSE_BIAS);
+  const pose_rows of = {all_of((uint32_t)row->x + bias), all_of((uint32_t)row->y + bias),
+                        all_of((uint32_t)row->z + bias), {start, start}};
+  return of;
+}
+
+// pose_component of two vertices, at 0 and 2, by V and their sum.
+static inline gjk_4x32 pose_two(const pose_rows *row, gjk_4xu32 x, gjk_4xu32 y, gjk_4xu32 z, gjk_4xu32 sum) {
+  const gjk_2xu64 products = gjk_mul_even(row->x, x) + gjk_mul_even(row->y, y) + gjk_mul_even(row->z, z);
+  return (gjk_4x32)((gjk_4xu32)((products + row->start) >> 30) - sum);
+}
+
+// Poses all vertices, or all but the last one. Returns how many.
+static unsigned pose_pairs(const gjk_collider *c, const gjk_vec3 rows[3], gjk_vec3 *out) {
+  const pose_rows of_x = pose_rows_of(&rows[0], c->fraction[0]);
+  const pose_rows of_y = pose_rows_of(&rows[1], c->fraction[1]);
+  const pose_rows of_z = pose_rows_of(&rows[2], c->fraction[2]);
+  const gjk_vec3 *centre = &c->local_centre, *v = c->shape->vertices;
+  const uint32_t bias = (uint32_t)POSE_BIAS;
+  const gjk_4xu32 to_x = all_of(bias - (uint32_t)centre->x), to_y = all_of(bias - (uint32_t)centre->y),
+                  to_z = all_of(bias - (uint32_t)centre->z);
+  unsigned i = 0;
+  for (; i + 1 < c->count; i += 2) {
+    const gjk_4x32 first = gjk_load_4x32(&v[i].x), last = gjk_load_4x32(&v[i].z);  // x y z x and z x y z
+    const gjk_4xu32 x = (gjk_4xu32)GJK_PICK(gjk_4x32, first, first, 0, 0, 3, 3) + to_x;
+    const gjk_4xu32 y = (gjk_4xu32)GJK_PICK(gjk_4x32, first, last, 1, 1, 6, 6) + to_y;
+    const gjk_4xu32 z = (gjk_4xu32)GJK_PICK(gjk_4x32, last, last, 0, 0, 3, 3) + to_z;
+    const gjk_4xu32 sum = x + y + z;
+    const gjk_4x32 px = pose_two(&of_x, x, y, z, sum), py = pose_two(&of_y, x, y, z, sum),
+                   pz = pose_two(&of_z, x, y, z, sum);
+    const gjk_4x32 xy = GJK_PICK(gjk_4x32, px, py, 0, 4, 2, 6), zx = GJK_PICK(gjk_4x32, pz, px, 0, 0, 6, 6);
+    gjk_store_4x32(GJK_PICK(gjk_4x32, xy, zx, 0, 1, 4, 6), &out[i].x);  // and the second x
+    out[i + 1].y = py[2];
+    out[i + 1].z = pz[2];
+  }
+  return i;
+}
+
+#endif
+
 static void pose_vertices(const gjk_collider *c, const gjk_vec3 rows[3], gjk_vec3 *out) {
   const pose_row x = pose_row_of(&rows[0], c->fraction[0]);
   const pose_row y = pose_row_of(&rows[1], c->fraction[1]);
   const pose_row z = pose_row_of(&rows[2], c->fraction[2]);
   const gjk_vec3 centre = c->local_centre;
   const gjk_vec3 *v = c->shape->vertices, *const end = v + c->count;
+#if defined(GJK_VECTORS_MULTIPLY)
+  const unsigned posed_in_pairs = pose_pairs(c, rows, out);
+  v += posed_in_pairs;
+  out += posed_in_pairs;
+#endif
   for (; v != end; v++, out++) {
     const gjk_vec3 local = gjk_sub(*v, centre);  // gjk_collider_init:  |local| <= GJK_RADIUS_MAX
     out->x = pose_component(x, local);
