@@ -205,26 +205,10 @@ static void orient_plane(const box_pair *pair, box_plane *plane) {
   plane->j = opposite ? i : j;
   plane->in_plane = 1u << i | 1u << j;
   plane->signs = 0;
-#if GJK_CONDITIONAL_MOVES
-  // As gjk_dot_sign, but without a branch for each; those not told by high words are rare.
-  const gjk_vec3 high = {gjk_high32(plane->n.x), gjk_high32(plane->n.y), gjk_high32(plane->n.z)};
-  unsigned open = 0;
   for (unsigned k = 0; k < AXES; k++) {
-    const int32_t top = gjk_high32(gjk_dot(&high, &pair->axis[k]));
-    plane->signs |= (top > 0 ? 1u : 0u) << k;
-    open |= (top == 0 || top == -1 ? 1u : 0u) << k;
-  }
-  plane->signs &= ~plane->in_plane;
-  open &= ~plane->in_plane;
-#else
-  const unsigned open = (1u << AXES) - 1 - plane->in_plane;
-#endif
-  for (unsigned k = 0; open >> k != 0; k++) {  // at most AXES times
-    if ((open >> k & 1u) != 0) {
-      const int side = side_of_plane(&plane->n, &pair->axis[k]);
-      plane->signs |= (side > 0 ? 1u : 0u) << k;
-      plane->in_plane |= (side == 0 ? 1u : 0u) << k;
-    }
+    const int side = k == i || k == j ? 0 : side_of_plane(&plane->n, &pair->axis[k]);
+    plane->signs |= (side > 0 ? 1u : 0u) << k;
+    plane->in_plane |= (side == 0 ? 1u : 0u) << k;
   }
 }
 

@@ -259,16 +259,14 @@ static unsigned empty_axes(const gjk_collider *c) {
   return bits;
 }
 
-// Step 1: adds the cached vertices. Returns whether the origin lies in the simplex already.
+// Step 1: adds the cached vertices. Returns whether they enclose the origin. Where it lies on a vertex or an edge, none is nearer:
+// step 2 finds that.
 static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
   const unsigned empty_a = empty_axes(it->a), empty_b = empty_axes(it->b);
   //@ dynamic_split it->simplex.count;
   for (unsigned i = 0; i < cache->count && i < 4; i++) {
-    const gjk_step step = gjk_iteration_place(it, (uint16_t)(cache->a[i] | empty_a), (uint16_t)(cache->b[i] | empty_b))
-                              ? gjk_simplex_add(&it->simplex)
-                              : GJK_STEP_NONE;
-    if (step == GJK_STEP_ENCLOSING ||
-        (step == GJK_STEP_NEARER && it->simplex.count < 3 && !gjk_simplex_direction(&it->simplex, &it->direction))) {
+    if (gjk_iteration_place(it, (uint16_t)(cache->a[i] | empty_a), (uint16_t)(cache->b[i] | empty_b)) &&
+        gjk_simplex_add(&it->simplex) == GJK_STEP_ENCLOSING) {
       return true;
     }
   }

@@ -417,6 +417,9 @@ bool gjk_search_canonical(gjk_iteration *it, bool points) {
     return true;
   }
   bool across = false;
+  if (it->ties[0] + it->ties[1] == 2 && s->count == 3) {
+    return true;  // the direction is the triangle's
+  }
   if (it->ties[0] + it->ties[1] > 2 || s->count == 1 || (s->count == 2 && !complete_diagonal(it))) {
     mark_all_level(it, level);
     across = direct_across_face(it, &level[0]) || direct_across_face(it, &level[1]);
