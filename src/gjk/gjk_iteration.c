@@ -259,15 +259,24 @@ static unsigned empty_axes(const gjk_collider *c) {
   return bits;
 }
 
-// Step 1: adds the cached vertices. Returns whether they enclose the origin. Where it lies on a vertex or an edge, none is nearer:
-// step 2 finds that.
+// Step 1: adds the cached vertices. Returns whether they enclose the origin; then the direction is that of the last edge, which
+// they began with. Where the origin lies on a vertex or an edge, no other vertex is nearer, and step 2 finds that.
 static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
   const unsigned empty_a = empty_axes(it->a), empty_b = empty_axes(it->b);
+  gjk_simplex *s = &it->simplex;
+  unsigned a = 0, b = 0;  // of the last edge; the vertices that make it a triangle or a tetrahedron leave their slots
   //@ dynamic_split it->simplex.count;
   for (unsigned i = 0; i < cache->count && i < 4; i++) {
-    if (gjk_iteration_place(it, (uint16_t)(cache->a[i] | empty_a), (uint16_t)(cache->b[i] | empty_b)) &&
-        gjk_simplex_add(&it->simplex) == GJK_STEP_ENCLOSING) {
+    const gjk_step step = gjk_iteration_place(it, (uint16_t)(cache->a[i] | empty_a), (uint16_t)(cache->b[i] | empty_b))
+                              ? gjk_simplex_add(s)
+                              : GJK_STEP_NONE;
+    if (step == GJK_STEP_ENCLOSING) {
+      gjk_search_direction_of_edge(&s->slot[a].w, s->toward[b][a], &s->slot[b].w, s->toward[a][b], &it->direction);
       return true;
+    }
+    if (s->count < 3 && s->count > 0) {
+      a = s->order[0];
+      b = s->order[s->count - 1];
     }
   }
   return false;
