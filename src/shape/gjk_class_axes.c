@@ -210,13 +210,33 @@ static inline bool is_across(const gjk_direction *direction, unsigned bit) {
          ((level[0] ^ level[1]) == bit || (level[1] ^ level[2]) == bit || (level[0] ^ level[2]) == bit);
 }
 
+#if GJK_NARROW_MULTIPLY && !GJK_SMALL
+
+// Is the half axis beyond the slack for sure? That is below 2 2^bits, and so 2^14 at most in units of the coarse product.
+static inline bool is_surely_beyond(const gjk_coarse *coarse, const gjk_vec3 *axis) {
+  const int32_t along = gjk_coarse_dot(coarse, axis), most = GJK_COARSE_ERROR + (INT32_C(1) << 14);
+  return along > most || along < -most;
+}
+
+#else
+
+#define is_surely_beyond(coarse, axis) false
+
+#endif
+
 static unsigned turned_vertex(const gjk_collider *c, const gjk_vec3 *d, gjk_direction *direction, unsigned number) {
   const int64_t slack = 2 * (int64_t)c->core_radius;
+#if GJK_NARROW_MULTIPLY && !GJK_SMALL
+  const gjk_coarse coarse = gjk_coarse_direction(d, c->bits);
+#endif
   direction->ties = 0;
   for (unsigned i = 0; GJK_SHAPES >= GJK_SHAPES_ROUND && i < c->count; i++) {
-    const int64_t along = gjk_dot(&c->frame[i], d);
-    const int32_t high = gjk_high32(along);  // slack < 2^32
-    if ((high == 0 || high == -1) && along < slack && along > -slack) {
+    if (is_surely_beyond(&coarse, &c->frame[i])) {
+      continue;
+    }
+    const bool known = GJK_NARROW_MULTIPLY && is_across(direction, 1u << i);  // there the product costs more
+    const int64_t along = known ? 0 : gjk_dot(&c->frame[i], d);
+    if (along < slack && along > -slack) {
       const int side = is_across(direction, 1u << i) ? 0 : gjk_direction_sign(direction, &c->frame[i]);
       if (side != 0) {
         number = side > 0 ? number | 1u << i : number & ~(1u << i);
