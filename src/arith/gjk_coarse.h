@@ -25,7 +25,8 @@ typedef struct gjk_coarse {
 
 // For vertices with components of at most 2^bits in size, 1 <= bits <= 31. Pre: d != 0.
 static inline gjk_coarse gjk_coarse_direction(const gjk_vec3 *d, unsigned bits) {
-  const unsigned d_bits = 32 - gjk_clz32(gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z));
+  const uint32_t size = gjk_magnitude32(d->x) | gjk_magnitude32(d->y) | gjk_magnitude32(d->z);
+  const unsigned d_bits = !GJK_SMALL && size >> 29 == 1 ? 30 : 32 - gjk_clz32(size);  // mostly 30
   const unsigned vertex_shift = bits > 13 ? bits - 13 : 0, shift = d_bits > 15 ? d_bits - 15 : 0;
   const gjk_coarse coarse = {gjk_sar32(d->x, shift), gjk_sar32(d->y, shift), gjk_sar32(d->z, shift), vertex_shift,
                              shift};

@@ -124,6 +124,9 @@ typedef struct witness_move {
 
 // start + radius normal, floored from Q31. Pre: the result fits.
 static inline int32_t along_normal(int64_t start, gjk_q30 normal, int32_t radius) {
+  if (GJK_NARROW_MULTIPLY && radius == 0) {
+    return (int32_t)gjk_sar64(start, 31);
+  }
   return (int32_t)gjk_sar64(gjk_mac32(start, normal, radius), 31);
 }
 
