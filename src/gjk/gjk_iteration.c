@@ -264,12 +264,21 @@ static unsigned empty_axes(const gjk_collider *c) {
 static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
   const unsigned empty_a = empty_axes(it->a), empty_b = empty_axes(it->b);
   gjk_simplex *s = &it->simplex;
+#if !GJK_SMALL
   unsigned a = 0, b = 0;  // of the last edge; the vertices that make it a triangle or a tetrahedron leave their slots
+#endif
   //@ dynamic_split it->simplex.count;
   for (unsigned i = 0; i < cache->count && i < 4; i++) {
     const gjk_step step = gjk_iteration_place(it, (uint16_t)(cache->a[i] | empty_a), (uint16_t)(cache->b[i] | empty_b))
                               ? gjk_simplex_add(s)
                               : GJK_STEP_NONE;
+#if GJK_SMALL
+    if (step == GJK_STEP_ENCLOSING ||
+        (step == GJK_STEP_NEARER && s->count < 3 && !gjk_simplex_direction(s, &it->direction))) {
+      return true;
+    }
+  }
+#else
     if (step == GJK_STEP_ENCLOSING) {
       gjk_search_direction_of_edge(&s->slot[a].w, s->toward[b][a], &s->slot[b].w, s->toward[a][b], &it->direction);
       return true;
@@ -279,6 +288,7 @@ static bool warm_start(gjk_iteration *it, const gjk_cache *cache) {
       b = s->order[s->count - 1];
     }
   }
+#endif
   return false;
 }
 

@@ -417,7 +417,7 @@ bool gjk_search_canonical(gjk_iteration *it, bool points) {
     return true;
   }
   bool across = false;
-  if (it->ties[0] + it->ties[1] == 2 && s->count == 3) {
+  if (!GJK_SMALL && it->ties[0] + it->ties[1] == 2 && s->count == 3) {
     return true;  // the direction is the triangle's
   }
   if (it->ties[0] + it->ties[1] > 2 || s->count == 1 || (s->count == 2 && !complete_diagonal(it))) {

@@ -260,8 +260,10 @@ static inline pose_rows pose_rows_of(const gjk_vec3 *row, int8_t fraction) {
   const uint32_t bias = UINT32_C(1) << 30;
   const int64_t sum = (int64_t)row->x + row->y + row->z;  // at most 2^32 in size
   const uint64_t start = (uint64_t)(gjk_rotation_start(fraction) - sum * POSE_BIAS);
-  const pose_rows of = {all_of((uint32_t)row->x + bias), all_of((uint32_t)row->y + bias),
-                        all_of((uint32_t)row->z + bias), {start, start}};
+  const pose_rows of = {all_of((uint32_t)row->x + bias),
+                        all_of((uint32_t)row->y + bias),
+                        all_of((uint32_t)row->z + bias),
+                        {start, start}};
   return of;
 }
 
