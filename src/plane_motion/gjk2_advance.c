@@ -54,6 +54,7 @@ typedef struct plane_advance {
   bool centred;      // A - B is the same on both sides of the centres' difference
   bool nearest;      // the last gap's feature is exactly the nearest
   bool open;         // the last distance is but bounded
+  bool late;         // polygons: whether the way ends before contact is open
   bool raw;          // the face's direction, from a vertex, has its exact length
   gjk_q30 fraction;  // no contact before
   plane_face face;   // of the last gap measured
@@ -88,17 +89,21 @@ GJK_OUT_OF_LINE static bool plane_advance_feature(plane_advance *s, gjk_q30 frac
   gjk2_distance_result *gap = &s->gap;
   gjk2_search search;
   gjk2_length length;
-  gjk2_collider moved, at_b;
-  const gjk2_collider *at_a = gjk2_cast_places(s->way, fraction, &moved, &at_b);
+  gjk2_collider moved, moved_b;
+  const gjk2_collider *at_a = s->way->a, *at_b = s->way->b;
+  if (fraction != 0) {
+    at_a = gjk2_cast_places(s->way, fraction, &moved, &moved_b);
+    at_b = &moved_b;
+  }
   s->nearest = true;
-  if (gjk2_touch_without_search(at_a, &at_b, 0, gap)) {
+  if (gjk2_touch_without_search(at_a, at_b, 0, gap)) {
     s->way->scans++;
     s->raw = gap->certificate.count == 1;
     gap->normal.x = gap->certificate.direction.x;
     gap->normal.y = gap->certificate.direction.y;
     return true;
   }
-  (void)gjk2_search_start(&search, at_a, &at_b, false, (uint32_t)(s->radius - s->margin));
+  (void)gjk2_search_start(&search, at_a, at_b, false, (uint32_t)(s->radius - s->margin));
   if (search.far != 0) {
     return false;
   }
@@ -537,29 +542,86 @@ static bool plane_advance_is_beside(plane_advance *s, gjk2_cast_result *out) {
   return false;
 }
 
-// Steps 2 and 3. Returns whether out is written: a hit at the start, or a miss. Otherwise polygons hit. The direction of
-// the start is set where its gap is measured.
-static bool plane_advance_decide(plane_advance *s, bool early, bool late, gjk2_cast_result *out) {
-  if (early) {
-    if (plane_advance_is_near(s, 0)) {
-      gjk2_cast_inside(s->way, s->gap.intersecting ? NULL : &s->gap, out);
-      return true;
-    }
-    plane_advance_face(s, &s->face);
-    if (!s->open && plane_advance_slope(s, &s->face, false) >= 0) {
-      plane_advance_short(s, &s->face, false, out);
-      return true;
-    }
+// Is a place within radius of the face? from: its vertex p. Exact for a radius below 2^29. False: or the place is far from p.
+//   |edge|, |n| <= 2^30, components of from below 3 2^29:  products below 3 2^60, and its square below 9 2^59
+static bool plane_advance_is_within(const plane_advance *s, const plane_face *face, gjk2_long from) {
+  const int64_t reach = INT64_C(3) << 29;
+  if (from.x >= reach || from.x <= -reach || from.y >= reach || from.y <= -reach) {
+    return false;
   }
-  if (late && !s->curved && !plane_advance_is_near(s, GJK_Q30_ONE)) {
-    plane_face end;
-    plane_advance_face(s, &end);
-    if (plane_advance_slope(s, &end, true) < 0) {
-      plane_advance_short(s, &end, true, out);
-      return true;
-    }
+  const gjk2_vec at = {(int32_t)from.x, (int32_t)from.y};
+  if (face->count == 1) {
+    return gjk2_dot(at, at) <= s->radius * s->radius;
+  }
+  const gjk2_vec edge = gjk2_sub(face->q.o, face->p.o);
+  const int64_t height = gjk2_dot(face->n, at), part = gjk2_dot(edge, at);
+  return height >= 0 && part >= 0 && part <= gjk2_dot(edge, edge) && gjk2_is_within(height, face->n, (int32_t)s->radius);
+}
+
+// Is a face at hand better than a distance at an end of the way? Where radii and margin are below 2^29, an end that may be near
+// has a near frame, and both are exact.
+static inline bool plane_is_put_off(const plane_advance *s) {
+  return !GJK_SMALL && s->radius >> 29 == 0;
+}
+
+// Does the way come within radius of the face? Exact. False: it is not known.
+static bool plane_advance_meets(const plane_advance *s, const plane_face *face) {
+  const gjk2_way *way = s->way;
+  const gjk2_vec p = face->p.o;
+  const gjk2_long end = {way->t.x - way->delta.x - p.x, way->t.y - way->delta.y - p.y};
+  if (way->wide) {
+    return false;
+  }
+  if (face->count == 1 && gjk2_way_is_ahead(way, p, true) <= 0) {  // the line is nearest to p before the end
+    return gjk2_way_is_ahead(way, p, false) >= 0 && !gjk2_way_is_beside(way, p, s->radius);
+  }
+  if (face->count == 2 && gjk2_way_along(way, face->n, p) <= 0 && face->n.x * end.x + face->n.y * end.y < 0) {
+    const int64_t side_p = gjk2_way_side(way, p), side_q = gjk2_way_side(way, face->q.o);
+    return side_p <= 0 ? side_q >= 0 : side_q <= 0;  // from one side of the edge to the other, between its ends
+  }
+  return plane_advance_is_within(s, face, end);
+}
+
+// Step 2. Finds the face at the start. Returns whether the gap there is at most the margin: exact of polygons.
+static bool plane_advance_starts_near(plane_advance *s) {
+  if (s->curved || !plane_is_put_off(s) || !plane_advance_feature(s, 0)) {
+    const bool near = plane_advance_is_near(s, 0);
+    plane_advance_face(s, &s->face);
+    return near;
+  }
+  if (s->gap.intersecting) {
+    return true;
+  }
+  plane_advance_face(s, &s->face);
+  const gjk2_long from = gjk2_cast_place_from(s->way, s->face.p.o, 0);
+  return s->margin > 0 && plane_advance_is_within(s, &s->face, from) && plane_advance_is_near(s, 0);
+}
+
+// Step 2. Returns whether out is written: a hit at the start, or a miss. Otherwise the start's face is set.
+static bool plane_advance_decide_start(plane_advance *s, gjk2_cast_result *out) {
+  if (plane_advance_starts_near(s)) {
+    gjk2_cast_inside(s->way, s->gap.intersecting ? NULL : &s->gap, out);
+    return true;
+  }
+  if (!s->open && plane_advance_slope(s, &s->face, false) >= 0) {
+    plane_advance_short(s, &s->face, false, out);
+    return true;
   }
   return false;
+}
+
+// Step 3, where it is open. Returns whether out is written: a miss. Otherwise polygons hit.
+static bool plane_advance_decide_end(plane_advance *s, gjk2_cast_result *out) {
+  plane_face end;
+  if (plane_advance_is_near(s, GJK_Q30_ONE)) {
+    return false;
+  }
+  plane_advance_face(s, &end);
+  if (plane_advance_slope(s, &end, true) >= 0) {
+    return false;
+  }
+  plane_advance_short(s, &end, true, out);
+  return true;
 }
 
 static void plane_advance_set(plane_advance *s, gjk2_way *way, gjk_q16 margin) {
@@ -574,6 +636,14 @@ static void plane_advance_set(plane_advance *s, gjk2_way *way, gjk_q16 margin) {
   s->radius = radius + (s->curved ? PLANE_CURVED_SLACK : 0);
   s->fraction = 0;
   s->open = false;
+  s->late = false;
+}
+
+// Reports a hit, unless it is open whether the way ends before it, and it does.
+static void plane_advance_finish(plane_advance *s, gjk2_cast_result *out) {
+  if (!s->late || plane_advance_meets(s, &s->face) || !plane_advance_decide_end(s, out)) {
+    plane_advance_hit(s, out);
+  }
 }
 
 // Steps 4 and 5. measured: the face of the gap at the fraction is known.
@@ -590,7 +660,7 @@ static gjk_status plane_advance_run(plane_advance *s, bool measured, gjk2_cast_r
         if (!s->curved) {
           plane_advance_touch(s);
         }
-        plane_advance_hit(s, out);
+        plane_advance_finish(s, out);
         return GJK_OK;
       }
       plane_advance_face(s, &s->face);
@@ -609,9 +679,18 @@ static gjk_status plane_advance_run(plane_advance *s, bool measured, gjk2_cast_r
       if (s->curved) {
         plane_advance_stay(s, before);
       } else if (bound != GJK2_BOUND_AT) {
+        if (s->late && bound == GJK2_BOUND_BEYOND) {  // the last direction parts the shapes on the whole way
+          gjk2_cast_miss(s->way, GJK2_CAST_PROOF_SHORT, out);
+          gjk2_copy(&out->certificate.direction, &s->face.n);
+          return GJK_OK;
+        }
+        if (s->late && plane_advance_decide_end(s, out)) {
+          return GJK_OK;
+        }
+        s->late = false;
         plane_advance_graze(s);
       }
-      plane_advance_hit(s, out);
+      plane_advance_finish(s, out);
       return GJK_OK;
     }
   }
@@ -628,8 +707,14 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
     plane_advance_hit(&s, out);
     return GJK_OK;
   }
-  if (plane_advance_decide(&s, early, late, out)) {
+  if (early && plane_advance_decide_start(&s, out)) {
     return GJK_OK;
+  }
+  if (late && !s.curved) {
+    s.late = plane_is_put_off(&s);
+    if (!s.late && plane_advance_decide_end(&s, out)) {
+      return GJK_OK;
+    }
   }
   if (!early) {
     s.fraction = plane_advance_reach(&s);
