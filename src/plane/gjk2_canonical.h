@@ -11,7 +11,7 @@ void gjk2_search_canonical(gjk2_search *s);
 // As gjk2_search_run, for goals that report a feature: a canonical one.
 static inline gjk2_outcome gjk2_search_feature(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
   const gjk2_outcome outcome = gjk2_search_run(s, goal, limit);
-  const bool whole = !GJK_SMALL && s->whole && s->a->ordered && s->b->ordered;
+  const bool whole = !GJK_SMALL && s->whole;
   if (GJK_SHAPES >= GJK_SHAPES_ROUND && outcome == GJK2_OUTCOME_NEAREST && !whole && gjk2_search_is_exact(s)) {
     gjk2_search_canonical(s);
   }

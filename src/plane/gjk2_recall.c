@@ -16,14 +16,14 @@
 
 #if GJK_64_BIT && !GJK_SMALL
 
-// The posed vertices of a shape in order, or NULL: those of a box are sums of its half axes.
+// The posed vertices of a shape in order, or NULL: those of points, segments and boxes are sums of half axes.
 static inline const gjk2_vec *recall_list(const gjk2_collider *c) {
-  return c->buffer != NULL ? c->buffer : c->count == 4 ? NULL : c->frame;
+  return c->buffer != NULL ? c->buffer : c->count == 3 ? c->frame : NULL;
 }
 
 // Has the shape vertices in order, whose places are known, and one with this number?
 static inline bool recall_has(const gjk2_collider *c, unsigned number) {
-  return c->ordered && number < c->count && (c->buffer != NULL || !c->shape->type->buffered);
+  return (c->ordered ? c->buffer != NULL || !c->shape->type->buffered : c->shape->type->touch != NULL) && number < c->count;
 }
 
 static inline unsigned recall_after(const gjk2_collider *c, unsigned number) {
@@ -54,7 +54,7 @@ GJK_ONCE static void recall_place(const gjk2_collider *c, const gjk2_vec *v, uns
 GJK_ONCE static unsigned recall_edge(const gjk2_collider *c, const gjk2_vec *v, unsigned number, int64_t *x,
                                      int64_t *y) {
   if (v == NULL) {
-    const unsigned axis = (number ^ number >> 1) & 1u;
+    const unsigned axis = c->count == 4 ? (number ^ number >> 1) & 1u : 0;
     const int64_t twice = -2 * recall_sign(number, 1u << axis);
     *x = twice * c->frame[axis].x;
     *y = twice * c->frame[axis].y;
@@ -70,8 +70,8 @@ GJK_ONCE static unsigned recall_edge(const gjk2_collider *c, const gjk2_vec *v, 
 GJK_ONCE static bool recall_is_peak(const gjk2_collider *c, const gjk2_vec *v, unsigned number, int64_t d_x,
                                     int64_t d_y) {
   if (v == NULL) {
-    return recall_sign(number, 1) * (c->frame[0].x * d_x + c->frame[0].y * d_y) > 0 &&
-           recall_sign(number, 2) * (c->frame[1].x * d_x + c->frame[1].y * d_y) > 0;
+    return (c->count < 2 || recall_sign(number, 1) * (c->frame[0].x * d_x + c->frame[0].y * d_y) > 0) &&
+           (c->count < 4 || recall_sign(number, 2) * (c->frame[1].x * d_x + c->frame[1].y * d_y) > 0);
   }
   const int64_t along = v[number].x * d_x + v[number].y * d_y;
   const gjk2_vec *after = v + recall_after(c, number), *before = v + recall_before(c, number);
