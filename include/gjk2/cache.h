@@ -11,7 +11,7 @@
 typedef struct gjk2_cache {
   int16_t direction[2];  // last direction from A to B; both zero: none
   uint16_t count;        // pairs in use
-  uint16_t a[2], b[2];   // vertices of the last feature, in pairs
+  uint16_t a[2], b[2];   // vertices of the last feature, in pairs; of three the second above the first's 8 bits
 } gjk2_cache;
 
 #endif

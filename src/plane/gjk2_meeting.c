@@ -207,7 +207,7 @@ gjk_status gjk2_meet(gjk2_meeting *m, const gjk2_collider *a, const gjk2_collide
   (void)gjk2_search_start(s, a, b, false, (uint32_t)radius);
   // A cached feature is likely to be the nearest still, and cores with a radius are likely to be apart. Others that are near
   // are likely to overlap.
-  const bool apart = radius > 0 || (cache != NULL && cache->count > 0) || !circles_meet(s);
+  const bool apart = radius > 0 || (cache != NULL && (cache->count == 1 || cache->count == 2)) || !circles_meet(s);
   gjk2_lie lie = apart ? GJK2_LIE_OPEN : gjk2_meeting_edges(m);
   gjk2_outcome outcome = GJK2_OUTCOME_ENCLOSING;
   if (lie != GJK2_LIE_OVERLAP) {

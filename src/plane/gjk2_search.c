@@ -113,8 +113,46 @@ static void make_apex(gjk2_search *s) {
   s->base = -gjk2_dot(s->apex->w, s->apex->w);
 }
 
-// Loads the cached vertices as far as they make a feature that O's foot lies on.
+#if !GJK_SMALL
+// Vertex i of three that a cache names, the numbers of the second above those of the first.
+static bool place_cached(const gjk2_search *s, const gjk2_cache *cache, unsigned i, gjk2_vertex *out) {
+  const uint16_t a = cache->a[i >> 1], b = cache->b[i >> 1];
+  return gjk2_search_place(s, i == 1 ? a >> 8 : a & 0xFFu, i == 1 ? b >> 8 : b & 0xFFu, out);
+}
+
+// Loads three cached vertices, if O lies in their triangle.
+static void load_triangle(gjk2_search *s, const gjk2_cache *cache) {
+  if (!place_cached(s, cache, 0, s->first) || !place_cached(s, cache, 1, s->apex) || !place_cached(s, cache, 2, s->last)) {
+    return;
+  }
+  const gjk2_vec p = s->first->w, x = s->apex->w, q = s->last->w;
+  const int64_t before = gjk2_cross(p, x), after = gjk2_cross(x, q), base = gjk2_cross(q, p);
+  if (before >= 0 && after >= 0 && base >= 0 && (before | after | base) != 0) {
+    s->count = 3;
+  }
+}
+
+// Names three vertices in the room of two, where they have numbers of 8 bits.
+static void keep_triangle(const gjk2_search *s, gjk2_cache *cache) {
+  const gjk2_vertex *p = s->first, *x = s->apex, *q = s->last;
+  if ((p->a.vertex | x->a.vertex | q->a.vertex | p->b.vertex | x->b.vertex | q->b.vertex) >> 8 == 0) {
+    cache->count = 3;
+    cache->a[0] = (uint16_t)(p->a.vertex | (unsigned)x->a.vertex << 8);
+    cache->b[0] = (uint16_t)(p->b.vertex | (unsigned)x->b.vertex << 8);
+    cache->a[1] = q->a.vertex;
+    cache->b[1] = q->b.vertex;
+  }
+}
+#endif
+
+// Loads the cached vertices as far as they make a feature that O's foot lies on, or a triangle with O in it.
 static void load_cached(gjk2_search *s, const gjk2_cache *cache) {
+#if !GJK_SMALL
+  if (cache->count == 3) {
+    load_triangle(s, cache);
+    return;
+  }
+#endif
   if (cache->count < 1 || cache->count > 2 || !gjk2_search_place(s, cache->a[0], cache->b[0], s->apex)) {
     return;
   }
@@ -540,6 +578,9 @@ gjk2_outcome gjk2_search_run(gjk2_search *s, gjk2_goal goal, uint32_t limit) {
   if (gjk2_search_is_point(s) && limit != 0) {
     return settle_point(s, goal);
   }
+  if (!GJK_SMALL && s->count == 3) {  // the cache's
+    return GJK2_OUTCOME_ENCLOSING;
+  }
 #if GJK_64_BIT && !GJK_SMALL
   s->walks = s->walks || (limit == GJK2_NO_LIMIT && is_polygon_with_ends(s));
 #endif
@@ -605,6 +646,11 @@ void gjk2_search_keep(const gjk2_search *s, gjk2_outcome outcome, gjk2_cache *ca
   cache->direction[0] = 0;
   cache->direction[1] = 0;
   if (outcome == GJK2_OUTCOME_ENCLOSING) {
+#if !GJK_SMALL
+    if (s->count == 3) {
+      keep_triangle(s, cache);
+    }
+#endif
     return;
   }
   gjk2_cache_direction(cache, s->d);
