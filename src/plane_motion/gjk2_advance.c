@@ -83,44 +83,6 @@ GJK_OUT_OF_LINE static bool plane_advance_is_near(plane_advance *s, gjk_q30 frac
   return decision.yes;
 }
 
-// Finds the feature nearest at a fraction: its direction and certificate, and whether the shapes intersect.
-// Pre: polygons. False: in a far frame it may be open.
-GJK_OUT_OF_LINE static bool plane_advance_feature(plane_advance *s, gjk_q30 fraction) {
-  gjk2_distance_result *gap = &s->gap;
-  gjk2_search search;
-  gjk2_length length;
-  gjk2_collider moved, moved_b;
-  const gjk2_collider *at_a = s->way->a, *at_b = s->way->b;
-  if (fraction != 0) {
-    at_a = gjk2_cast_places(s->way, fraction, &moved, &moved_b);
-    at_b = &moved_b;
-  }
-  s->nearest = true;
-  if (gjk2_touch_without_search(at_a, at_b, 0, gap)) {
-    s->way->scans++;
-    s->raw = gap->certificate.count == 1;
-    gap->normal.x = gap->certificate.direction.x;
-    gap->normal.y = gap->certificate.direction.y;
-    return true;
-  }
-  (void)gjk2_search_start(&search, at_a, at_b, false, (uint32_t)(s->radius - s->margin));
-  if (search.far != 0) {
-    return false;
-  }
-  const gjk2_outcome outcome = gjk2_search_feature(&search, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
-  s->way->scans += search.iterations;
-  gap->intersecting = outcome != GJK2_OUTCOME_NEAREST;
-  gjk2_search_certify(&search, outcome, &gap->certificate);
-  s->raw = PLANE_DIRECT && search.count == 1;
-  if (!PLANE_DIRECT && search.count == 1 && !gap->intersecting) {
-    gjk2_normal_set(&gap->normal, &length, &search.d);
-  } else {  // across an edge its own direction is exact: see plane_advance_face
-    gap->normal.x = search.d.x;
-    gap->normal.y = search.d.y;
-  }
-  return true;
-}
-
 // Loads a vertex of A - B by its numbers.
 static void plane_load_span(const gjk2_way *way, uint16_t a, uint16_t b, gjk2_span *out) {
   const gjk2_vec none = {0, 0};
@@ -168,7 +130,62 @@ static void plane_advance_shorten(gjk2_vec *n) {
   n->y = unit.y;
 }
 
-// What the last two do for a vertex alone, where it is near. False: it is not, or the shapes intersect.
+// A vertex of A - B.
+static void plane_take_vertex(const gjk2_vertex *from, gjk2_span *out) {
+  gjk2_copy_support(&out->a, &from->a);
+  gjk2_copy_support(&out->b, &from->b);
+  out->o = gjk2_sub(out->a.offset, out->b.offset);
+}
+
+// Finds whether the shapes intersect at a fraction, and the certificate; or the face.
+// Pre: polygons. False: in a far frame it may be open.
+GJK_OUT_OF_LINE static bool plane_advance_feature(plane_advance *s, gjk_q30 fraction) {
+  gjk2_distance_result *gap = &s->gap;
+  gjk2_search search;
+  gjk2_collider moved, moved_b;
+  const gjk2_collider *at_a = s->way->a, *at_b = s->way->b;
+  if (fraction != 0) {
+    at_a = gjk2_cast_places(s->way, fraction, &moved, &moved_b);
+    at_b = &moved_b;
+  }
+  s->nearest = true;
+  if (gjk2_touch_without_search(at_a, at_b, 0, gap)) {
+    s->way->scans++;
+    s->raw = gap->certificate.count == 1;
+    gap->normal.x = gap->certificate.direction.x;
+    gap->normal.y = gap->certificate.direction.y;
+    if (!gap->intersecting) {
+      plane_advance_face(s, &s->face);
+    }
+    return true;
+  }
+  (void)gjk2_search_start(&search, at_a, at_b, false, (uint32_t)(s->radius - s->margin));
+  if (search.far != 0) {
+    return false;
+  }
+  const gjk2_outcome outcome = gjk2_search_feature(&search, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
+  s->way->scans += search.iterations;
+  gap->intersecting = outcome != GJK2_OUTCOME_NEAREST;
+  if (gap->intersecting) {
+    gjk2_search_certify(&search, outcome, &gap->certificate);
+    return true;
+  }
+  plane_face *face = &s->face;
+  face->count = search.count;
+  gjk2_copy(&face->n, &search.d);
+  plane_take_vertex(gjk2_search_vertex(&search, 0), &face->p);
+  if (search.count == 2) {
+    plane_take_vertex(gjk2_search_vertex(&search, 1), &face->q);
+  } else {
+    s->raw = PLANE_DIRECT;
+    if (!PLANE_DIRECT) {
+      plane_advance_shorten(&face->n);
+    }
+  }
+  return true;
+}
+
+// What plane_advance_feature does for a vertex alone, where it is near. False: it is not, or the shapes intersect.
 static bool plane_advance_at_vertex(plane_advance *s) {
   const gjk2_long from = gjk2_cast_place_from(s->way, plane_vertex.o, s->fraction);
   const int64_t near = INT64_C(1) << 28, radii = s->radius - s->margin;
@@ -178,8 +195,6 @@ static bool plane_advance_at_vertex(plane_advance *s) {
   }
   s->way->scans++;
   s->raw = PLANE_DIRECT;
-  s->gap.certificate.a[0] = 0;
-  s->gap.certificate.b[0] = 0;
   s->face.n.x = (int32_t)from.x;
   s->face.n.y = (int32_t)from.y;
   if (!PLANE_DIRECT) {
@@ -286,12 +301,10 @@ static bool plane_advance_faces(gjk2_vec to, gjk2_vec x, gjk2_vec p, gjk2_vec q)
 }
 
 // Where rounding the place of the fraction has closed a gap of less than an LSB: the feature nearest to the exact place,
-// by GJK from one that is near. At the ceiling, which is not known to be reached, the result is not proven.
+// by GJK from the face's first vertex, which is near. At the ceiling, which is not known to be reached, the result is not proven.
 static void plane_advance_touch(plane_advance *s) {
-  const gjk2_certificate *c = &s->gap.certificate;
   plane_face *face = &s->face;
   s->nearest = false;
-  plane_load_span(s->way, c->a[0], c->b[0], &face->p);
   face->count = 1;
   face->n = plane_advance_fine(s, face->p.o);
   for (int i = 0; i < 16; i++) {
@@ -592,7 +605,6 @@ static bool plane_advance_starts_near(plane_advance *s) {
   if (s->gap.intersecting) {
     return true;
   }
-  plane_advance_face(s, &s->face);
   const gjk2_long from = gjk2_cast_place_from(s->way, s->face.p.o, 0);
   return s->margin > 0 && plane_advance_is_within(s, &s->face, from) && plane_advance_is_near(s, 0);
 }
@@ -651,19 +663,23 @@ static gjk_status plane_advance_run(plane_advance *s, bool measured, gjk2_cast_r
   for (int i = 0; i < GJK2_ADVANCE_ROUNDS_MAX; i++) {
     gjk2_bound bound;
     if (!measured && !(!GJK_SMALL && s->point && plane_advance_at_vertex(s))) {
-      if (s->curved || GJK_SMALL || !plane_advance_feature(s, s->fraction)) {
+      const bool found = !s->curved && !GJK_SMALL && plane_advance_feature(s, s->fraction);
+      if (!found) {
         (void)plane_advance_is_near(s, s->fraction);
       }
       if (s->gap.intersecting) {
         // Supports of curved shapes err by as much as the slack. The last round's direction bounds the fraction, and stays. There
         // is a last round: where bounding circles meet, cores are apart by the slack of both circles and PLANE_CURVED_SLACK.
         if (!s->curved) {
+          plane_load_span(s->way, s->gap.certificate.a[0], s->gap.certificate.b[0], &s->face.p);
           plane_advance_touch(s);
         }
         plane_advance_finish(s, out);
         return GJK_OK;
       }
-      plane_advance_face(s, &s->face);
+      if (!found) {
+        plane_advance_face(s, &s->face);
+      }
     }
     measured = false;
     const gjk_q30 before = s->fraction;
