@@ -57,6 +57,8 @@ typedef struct plane_advance {
   bool late;         // polygons: whether the way ends before contact is open
   bool raw;          // the face's direction, from a vertex, has its exact length
   gjk_q30 fraction;  // no contact before
+  gjk_q30 at;        // where foot is known, else -1
+  int64_t foot;      // on the face's edge, gjk2_cast_foot
   plane_face face;   // of the last gap measured
   gjk2_distance_result gap;
 } plane_advance;
@@ -360,7 +362,8 @@ static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
   const gjk2_portion portion = {0, 1, s->fraction, true};
   gjk2_contact_place place = {&s->face.p, &s->face.p, 0, s->face.n};
   if (s->face.count == 2) {
-    const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
+    const int64_t foot =
+        !GJK_SMALL && s->at == s->fraction ? s->foot : gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
     place.q = &s->face.q;
     place.weight = (gjk_q30)(foot < 0 ? 0 : foot > GJK_Q30_ONE ? GJK_Q30_ONE : foot);
   }
@@ -489,6 +492,8 @@ GJK_OUT_OF_LINE static bool plane_advance_round(plane_advance *s, gjk2_bound *bo
   if (s->face.count == 2) {
     const int64_t foot = gjk2_cast_foot(s->way, s->face.p.o, s->face.q.o, s->fraction);
     if (foot >= 0 && foot <= GJK_Q30_ONE) {
+      s->at = s->fraction;
+      s->foot = foot;
       plane_advance_settle(s, next);
       return true;
     }
@@ -649,6 +654,7 @@ static void plane_advance_set(plane_advance *s, gjk2_way *way, gjk_q16 margin) {
   s->fraction = 0;
   s->open = false;
   s->late = false;
+  s->at = -1;
 }
 
 // Reports a hit, unless it is open whether the way ends before it, and it does.
