@@ -69,7 +69,7 @@ static void plane_sweep_spin(gjk2_sweep *sweep, gjk_angle spin) {
 }
 
 gjk_status gjk2_sweep_set(gjk2_sweep *sweep, const gjk2_motion *motion) {
-  gjk2_rotation back, between;
+  const gjk2_rotation *from = &motion->from.rotation, *to = &motion->to.rotation;
   if (!gjk2_rotation_deviation(&motion->from.rotation, &sweep->deviation)) {
     return GJK_ERROR_ROTATION;
   }
@@ -80,10 +80,13 @@ gjk_status gjk2_sweep_set(gjk2_sweep *sweep, const gjk2_motion *motion) {
     plane_sweep_spin(sweep, motion->spin);
     return GJK_OK;
   }
-  (void)gjk2_rotation_invert(&motion->from.rotation, &back);
-  if (gjk2_rotation_compose(&back, &motion->to.rotation, &between) != GJK_OK) {
+  int64_t deviation;
+  if (!gjk2_rotation_deviation(to, &deviation)) {
     return GJK_ERROR_ROTATION;
   }
+  const gjk2_rotation back = {from->c, -from->s};  // as long as from
+  gjk2_rotation between;
+  gjk2_rotation_product(&back, sweep->deviation, to, deviation, &between);
   if (between.s == 0 && between.c > 0) {
     sweep->rate_high = 0;
     sweep->rate_low = 0;
