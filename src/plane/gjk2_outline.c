@@ -1,10 +1,8 @@
-// Outlines in the plane: their hull's numbers, and what is wrong with given ones.
+// Outlines in the plane: what is wrong with given ones.
 //
 // An outline that turns left at each vertex, by less than half a turn, is convex if its turns add up to one whole turn. Then
 // its edges point up, from 0 to below half a turn, for one stretch of it and down for another: their side changes twice.
 #include "gjk2_outline.h"
-
-#include "gjk2/polygon.h"
 
 bool gjk2_outline_fits(const gjk2_vec *v, uint32_t count) {
   gjk2_vec low = v[0], high = v[0];
@@ -63,24 +61,5 @@ gjk_status gjk2_hull_check(const gjk2_vec *vertices, uint16_t count, gjk2_hull_r
     return GJK_ERROR_SIZE;
   }
   gjk2_outline_check(vertices, count, out);
-  return GJK_OK;
-}
-
-gjk_status gjk2_hull_build(const gjk2_vec *points, uint16_t count, gjk2_vec *vertices, gjk2_hull *out) {
-  if (out == NULL) {
-    return GJK_ERROR_NULL;
-  }
-  uint16_t corners;
-  const gjk_status status = gjk2_polygon_order(points, count, vertices, &corners);
-  if (status != GJK_OK) {
-    return status;
-  }
-  uint64_t area = 0;  // of triangles from the first corner: in all at most 2 (2 GJK2_RADIUS_MAX)^2 < 2^59
-  for (uint32_t i = 1; i + 1 < corners; i++) {
-    area += (uint64_t)gjk2_cross(gjk2_sub(vertices[i], vertices[0]), gjk2_sub(vertices[i + 1], vertices[0]));
-  }
-  out->dimension = corners < 3 ? (uint8_t)(corners - 1u) : 2;
-  out->vertices = corners;
-  out->twice_area = area;
   return GJK_OK;
 }

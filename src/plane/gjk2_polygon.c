@@ -1,4 +1,4 @@
-// The convex hull of a set of points: Graham's scan, in place.
+// The convex hull of a set of points and its numbers: Graham's scan, in place.
 //
 //   1. Check that no cross product can overflow. Copy the points to out.
 //   2. Bring the lowest point, of equally low ones the leftmost, to the front.
@@ -98,5 +98,24 @@ gjk_status gjk2_polygon_order(const gjk2_vec *points, uint16_t count, gjk2_vec *
   exchange_points(&out[0], &out[lowest]);               // Step 2
   sort_by_angle(out[0], out + 1, count - UINT32_C(1));  // Step 3
   *out_count = (uint16_t)keep_corners(out, count);
+  return GJK_OK;
+}
+
+gjk_status gjk2_hull_build(const gjk2_vec *points, uint16_t count, gjk2_vec *vertices, gjk2_hull *out) {
+  if (out == NULL) {
+    return GJK_ERROR_NULL;
+  }
+  uint16_t corners;
+  const gjk_status status = gjk2_polygon_order(points, count, vertices, &corners);
+  if (status != GJK_OK) {
+    return status;
+  }
+  uint64_t area = 0;  // of triangles from the first corner: in all at most 2 (2 GJK2_RADIUS_MAX)^2 < 2^59
+  for (uint32_t i = 1; i + 1 < corners; i++) {
+    area += (uint64_t)gjk2_cross(gjk2_sub(vertices[i], vertices[0]), gjk2_sub(vertices[i + 1], vertices[0]));
+  }
+  out->dimension = corners < 3 ? (uint8_t)(corners - 1u) : 2;
+  out->vertices = corners;
+  out->twice_area = area;
   return GJK_OK;
 }

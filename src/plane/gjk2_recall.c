@@ -23,7 +23,8 @@ static inline const gjk2_vec *recall_list(const gjk2_collider *c) {
 
 // Has the shape vertices in order, whose places are known, and one with this number?
 static inline bool recall_has(const gjk2_collider *c, unsigned number) {
-  return (c->ordered ? c->buffer != NULL || !c->shape->type->buffered : c->shape->type->touch != NULL) && number < c->count;
+  return (c->ordered ? c->buffer != NULL || !c->shape->type->buffered : c->shape->type->touch != NULL) &&
+         number < c->count;
 }
 
 static inline unsigned recall_after(const gjk2_collider *c, unsigned number) {

@@ -122,7 +122,8 @@ static bool place_cached(const gjk2_search *s, const gjk2_cache *cache, unsigned
 
 // Loads three cached vertices, if O lies in their triangle.
 static void load_triangle(gjk2_search *s, const gjk2_cache *cache) {
-  if (!place_cached(s, cache, 0, s->first) || !place_cached(s, cache, 1, s->apex) || !place_cached(s, cache, 2, s->last)) {
+  if (!place_cached(s, cache, 0, s->first) || !place_cached(s, cache, 1, s->apex) ||
+      !place_cached(s, cache, 2, s->last)) {
     return;
   }
   const gjk2_vec p = s->first->w, x = s->apex->w, q = s->last->w;

@@ -10,6 +10,9 @@
 //      beyond h, so there is no contact before the fraction at which n . (s t) = h + radius |n|: the next one.
 //   5. Stop when that is less than an LSB of gap ahead. Then the gap there is at most 2 LSB, of curved shapes 4.
 //
+// Step 3 is put off until 5. Mostly the face that is met then shows that the way comes within radius before its end, exactly:
+// the line crosses the edge and the way ends behind it, or is nearest to the vertex before its end; or the end is within radius.
+//
 // Steps 2 and 3 measure places that are integers. Places between are rounded to the nearest LSB to find n; that does not
 // matter, since any n gives a true bound.
 //
@@ -19,204 +22,25 @@
 // Rounds: of a convex function each step of Newton's iteration halves the gap or the slope. The gap is below 2^33 LSB and
 // above 1, and the slope is not below the gap that is left, so 66 rounds are never reached.
 #include "../arith/gjk_ceilings.h"
-#include "../plane/gjk2_canonical.h"
-#include "../plane/gjk2_close.h"
 #include "../plane/gjk2_measure.h"
-#include "gjk2/intersect.h"
-#include "gjk2_cast_report.h"
+#include "gjk2_advance_face.h"
 
 // Supports of curved shapes are up to 2 LSB below the true ones.
 #define PLANE_CURVED_SLACK 2
 
-// Where a corner is touched, its circle's direction is tried first: on processors whose registers hold 64 bits.
-#if GJK_64_BIT && !GJK_SMALL
-#define PLANE_DIRECT true
-#else
-#define PLANE_DIRECT false
-#endif
-
 // The most gap at a hit of curved shapes.
 #define PLANE_CURVED_GAP 4
 
-// What is nearest at a place: a vertex p or an edge from p to q of A - B, and the direction from it.
-typedef struct plane_face {
-  gjk2_vec n;
-  gjk2_span p, q;
-  unsigned count;  // 1 or 2
-} plane_face;
-
-typedef struct plane_advance {
-  gjk2_way *way;
-  int64_t radius;  // convex radii and margin; of curved shapes and PLANE_CURVED_SLACK
-  gjk_q16 margin;
-  bool curved;
-  bool point;        // A - B is a vertex alone, that of two circles
-  bool centred;      // A - B is the same on both sides of the centres' difference
-  bool nearest;      // the last gap's feature is exactly the nearest
-  bool open;         // the last distance is but bounded
-  bool late;         // polygons: whether the way ends before contact is open
-  bool raw;          // the face's direction, from a vertex, has its exact length
-  gjk_q30 fraction;  // no contact before
-  gjk_q30 at;        // where foot is known, else -1
-  int64_t foot;      // on the face's edge, gjk2_cast_foot
-  plane_face face;   // of the last gap measured
-  gjk2_distance_result gap;
-} plane_advance;
-
-// The one vertex of A - B of two circles.
-static const gjk2_span plane_vertex = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
-
-// Measures the gap at a fraction. Returns whether it is at most the margin: exact of polygons.
-GJK_OUT_OF_LINE static bool plane_advance_is_near(plane_advance *s, gjk_q30 fraction) {
-  gjk2_collider moved, at_b;
-  const gjk2_collider *at_a = gjk2_cast_places(s->way, fraction, &moved, &at_b);
-  s->nearest = false;
-  s->raw = false;
-  s->open = gjk2_distance(at_a, &at_b, NULL, &s->gap) != GJK_OK;
-  s->way->scans += s->gap.iterations;
-  if (s->gap.intersecting || s->gap.distance != s->margin || s->margin == 0) {
-    return s->gap.intersecting || s->gap.distance < s->margin;
-  }
-  gjk2_decision decision;
-  if (gjk2_within(at_a, &at_b, s->margin, NULL, &decision) != GJK_OK) {
-    return true;
-  }
-  s->way->scans += decision.iterations;
-  return decision.yes;
-}
-
-// Loads a vertex of A - B by its numbers.
-static void plane_load_span(const gjk2_way *way, uint16_t a, uint16_t b, gjk2_span *out) {
-  const gjk2_vec none = {0, 0};
-  out->a.vertex = a;
-  out->b.vertex = b;
-  out->a.offset = none;
-  out->b.offset = none;
-  (void)way->a->shape->type->vertex(way->a, a, &out->a.offset);
-  (void)way->b->shape->type->vertex(way->b, b, &out->b.offset);
-  out->o = gjk2_sub(out->a.offset, out->b.offset);
-}
-
-// Makes the face the edge from p to q, unless they are the same, with its normal on the side of towards.
-static void plane_advance_across(plane_face *face, gjk2_vec towards) {
-  const gjk2_vec across = gjk2_outward(gjk2_sub(face->q.o, face->p.o));
-  if (gjk2_norm1(across) != 0) {
-    face->count = 2;
-    face->n = gjk2_dot(across, towards) < 0 ? gjk2_negate(across) : across;
-  }
-}
-
-// Takes the direction, and of polygons the feature, from the last gap. An edge's normal is exact.
-static void plane_advance_face(const plane_advance *s, plane_face *face) {
-  const gjk2_certificate *c = &s->gap.certificate;
-  face->n.x = s->gap.normal.x;
-  face->n.y = s->gap.normal.y;
-  face->p.o = gjk2_negate(face->n);  // not used: of polygons apart the proof is NEAREST
-  face->count = 1;
-  if (c->proof != GJK2_PROOF_NEAREST) {
-    return;
-  }
-  plane_load_span(s->way, c->a[0], c->b[0], &face->p);
-  if (c->count == 2) {
-    plane_load_span(s->way, c->a[1], c->b[1], &face->q);
-    plane_advance_across(face, face->n);
-  }
-}
-
-// Makes a direction a unit vector.
-static void plane_advance_shorten(gjk2_vec *n) {
-  gjk2_length length;
-  gjk2_unit unit;
-  gjk2_normal_set(&unit, &length, n);
-  n->x = unit.x;
-  n->y = unit.y;
-}
-
-// A vertex of A - B.
-static void plane_take_vertex(const gjk2_vertex *from, gjk2_span *out) {
-  gjk2_copy_support(&out->a, &from->a);
-  gjk2_copy_support(&out->b, &from->b);
-  out->o = gjk2_sub(out->a.offset, out->b.offset);
-}
-
-// Finds whether the shapes intersect at a fraction, and the certificate; or the face.
-// Pre: polygons. False: in a far frame it may be open.
-GJK_OUT_OF_LINE static bool plane_advance_feature(plane_advance *s, gjk_q30 fraction) {
-  gjk2_distance_result *gap = &s->gap;
-  gjk2_search search;
-  gjk2_collider moved, moved_b;
-  const gjk2_collider *at_a = s->way->a, *at_b = s->way->b;
-  if (fraction != 0) {
-    at_a = gjk2_cast_places(s->way, fraction, &moved, &moved_b);
-    at_b = &moved_b;
-  }
-  s->nearest = true;
-  if (gjk2_touch_without_search(at_a, at_b, 0, gap)) {
-    s->way->scans++;
-    s->raw = gap->certificate.count == 1;
-    gap->normal.x = gap->certificate.direction.x;
-    gap->normal.y = gap->certificate.direction.y;
-    if (!gap->intersecting) {
-      plane_advance_face(s, &s->face);
-    }
-    return true;
-  }
-  (void)gjk2_search_start(&search, at_a, at_b, false, (uint32_t)(s->radius - s->margin));
-  if (search.far != 0) {
-    return false;
-  }
-  const gjk2_outcome outcome = gjk2_search_feature(&search, GJK2_GOAL_DISTANCE, GJK2_NO_LIMIT);
-  s->way->scans += search.iterations;
-  gap->intersecting = outcome != GJK2_OUTCOME_NEAREST;
-  if (gap->intersecting) {
-    gjk2_search_certify(&search, outcome, &gap->certificate);
-    return true;
-  }
-  plane_face *face = &s->face;
-  face->count = search.count;
-  gjk2_copy(&face->n, &search.d);
-  plane_take_vertex(gjk2_search_vertex(&search, 0), &face->p);
-  if (search.count == 2) {
-    plane_take_vertex(gjk2_search_vertex(&search, 1), &face->q);
-  } else {
-    s->raw = PLANE_DIRECT;
-    if (!PLANE_DIRECT) {
-      plane_advance_shorten(&face->n);
-    }
-  }
-  return true;
-}
-
-// What plane_advance_feature does for a vertex alone, where it is near. False: it is not, or the shapes intersect.
-static bool plane_advance_at_vertex(plane_advance *s) {
-  const gjk2_long from = gjk2_cast_place_from(s->way, plane_vertex.o, s->fraction);
-  const int64_t near = INT64_C(1) << 28, radii = s->radius - s->margin;
-  if (from.x > near || from.x < -near || from.y > near || from.y < -near ||
-      from.x * from.x + from.y * from.y <= radii * radii) {
-    return false;
-  }
-  s->way->scans++;
-  s->raw = PLANE_DIRECT;
-  s->face.n.x = (int32_t)from.x;
-  s->face.n.y = (int32_t)from.y;
-  if (!PLANE_DIRECT) {
-    plane_advance_shorten(&s->face.n);
-  }
-  s->face.count = 1;
-  gjk2_copy_span(&s->face.p, &plane_vertex);
-  return true;
-}
-
 // Does the gap fall along the way (-1), keep (0) or grow (1), by the last feature, at the start or the end? Exact of
 // polygons with centres at most 2^30 apart.
-static int plane_advance_slope(const plane_advance *s, const plane_face *face, bool at_end) {
+static int plane_advance_slope(const gjk2_advancing *s, const gjk2_face *face, bool at_end) {
   if (face->count == 1 && !s->curved) {
     return -gjk2_way_is_ahead(s->way, face->p.o, at_end);
   }
   return gjk_sign64(gjk2_way_ahead(s->way, face->n));
 }
 
-static gjk2_bound plane_advance_bound(plane_advance *s, gjk2_vec n, uint32_t near, gjk2_span *support,
+static gjk2_bound plane_advance_bound(gjk2_advancing *s, gjk2_vec n, uint32_t near, gjk2_span *support,
                                       gjk_q30 *fraction, gjk2_rate *rate) {
   if (!GJK_SMALL &&
       (s->point || (s->nearest && s->face.count == 2))) {  // no vertex is farther along n than the nearest edge
@@ -239,7 +63,7 @@ static bool plane_is_step(const gjk2_rate *rate, gjk_q30 more) {
 // The direction in which the line meets the circle of radius around the vertex p. False: it does not, or one that is too
 // large for this.
 //   along a unit vector of the way: v = -sqrt(radius^2 - side^2), and side across it
-static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n, uint32_t *near) {
+static bool plane_advance_disc(const gjk2_advancing *s, gjk2_vec *n, uint32_t *near) {
   const gjk2_way *way = s->way;
   const int64_t side = gjk2_way_side(way, s->face.p.o);
   const uint64_t size = gjk_magnitude64(side);
@@ -271,74 +95,26 @@ static bool plane_advance_disc(const plane_advance *s, gjk2_vec *n, uint32_t *ne
 }
 
 // Of two fractions without contact before, takes the one that n proves if it is at most half an LSB of the way earlier.
-static void plane_advance_settle(plane_advance *s, gjk_q30 proven) {
+static void plane_advance_settle(gjk2_advancing *s, gjk_q30 proven) {
   const uint64_t way = gjk_magnitude64(s->way->t.x) + gjk_magnitude64(s->way->t.y);  // below 2^33
   if (proven < s->fraction && (uint64_t)(s->fraction - proven) * way <= UINT64_C(1) << 29) {
     s->fraction = proven;
   }
 }
 
-// One coordinate of the way at a fraction, exact, less from, Q30. Pre: it is below 2^30 in size.
-static int64_t plane_fine_part(int64_t way, gjk_q30 fraction, int64_t from) {
-  const int64_t exact = way * fraction, whole = gjk_sar64(exact, 30);  // below 2^62
-  return gjk_shl64(whole - from, 30) + (exact - gjk_shl64(whole, 30));
-}
-
-// From a vertex to the exact place of the fraction, as fine as 30 bits allow. Pre: it is at most 2^29 away along an axis.
-static gjk2_vec plane_advance_fine(const plane_advance *s, gjk2_vec o) {
-  const gjk2_way *way = s->way;
-  const int64_t x = plane_fine_part(way->t.x, s->fraction, way->delta.x + o.x);
-  const int64_t y = plane_fine_part(way->t.y, s->fraction, way->delta.y + o.y);
-  const unsigned zeros = gjk_clz64(gjk_magnitude64(x) | gjk_magnitude64(y) | 1);
-  const unsigned down = zeros < 35 ? 35 - zeros : 0;
-  const gjk2_vec n = {(int32_t)gjk_sar64(x, down), (int32_t)gjk_sar64(y, down)};  // below 2^29
-  return n;
-}
-
-// Is the foot of a place between the vertices x and p, and the place on the other side of their line than q? to: from x.
-static bool plane_advance_faces(gjk2_vec to, gjk2_vec x, gjk2_vec p, gjk2_vec q) {
-  const gjk2_vec edge = gjk2_sub(p, x);
-  const int64_t side = gjk2_cross(edge, to);
-  return gjk2_dot(to, edge) > 0 && (gjk2_cross(edge, gjk2_sub(q, x)) > 0 ? side < 0 : side > 0);
-}
-
-// Where rounding the place of the fraction has closed a gap of less than an LSB: the feature nearest to the exact place,
-// by GJK from the face's first vertex, which is near. At the ceiling, which is not known to be reached, the result is not proven.
-static void plane_advance_touch(plane_advance *s) {
-  plane_face *face = &s->face;
-  s->nearest = false;
-  face->count = 1;
-  face->n = plane_advance_fine(s, face->p.o);
-  for (int i = 0; i < 16; i++) {
-    gjk2_span x;
-    gjk2_way_scan(s->way, face->n, &x);
-    if (gjk2_dot(face->n, gjk2_sub(x.o, face->p.o)) <= 0) {
-      break;
-    }
-    const gjk2_vec to = plane_advance_fine(s, x.o);
-    if (face->count == 1 ? gjk2_dot(to, gjk2_sub(face->p.o, x.o)) > 0
-                         : plane_advance_faces(to, x.o, face->p.o, face->q.o)) {
-      gjk2_copy_span(&face->q, &x);
-      plane_advance_across(face, to);
-    } else if (face->count == 2 && plane_advance_faces(to, x.o, face->q.o, face->p.o)) {
-      gjk2_copy_span(&face->p, &x);
-      plane_advance_across(face, to);
-    } else {
-      gjk2_copy_span(&face->p, &x);
-      face->count = 1;
-      gjk2_copy(&face->n, &to);
-    }
-  }
+// Where rounding the place of the fraction has closed a gap of less than an LSB.
+static void plane_advance_touch(gjk2_advancing *s) {
+  gjk2_face_touch(s);
   gjk_q30 next;
   gjk2_span support;
-  if (plane_advance_bound(s, face->n, 0, &support, &next, NULL) == GJK2_BOUND_AT) {
+  if (plane_advance_bound(s, s->face.n, 0, &support, &next, NULL) == GJK2_BOUND_AT) {
     plane_advance_settle(s, next);
   }
 }
 
 // Polygons are known to hit, but the gap does not fall at the place: the way but grazes them, at a gap of at most 1.5 LSB.
 // Half an LSB of the way before the gap is at most 2 LSB, and it falls.
-static void plane_advance_graze(plane_advance *s) {
+static void plane_advance_graze(gjk2_advancing *s) {
   const uint64_t way = gjk_magnitude64(s->way->t.x) + gjk_magnitude64(s->way->t.y);
   const gjk_q30 back = (gjk_q30)((UINT32_C(1) << 29) / (way < UINT32_MAX ? (uint32_t)way : UINT32_MAX));
   s->fraction = s->fraction > back ? s->fraction - back : 0;
@@ -347,18 +123,18 @@ static void plane_advance_graze(plane_advance *s) {
 
 // Curved shapes are within an LSB of the bound along a direction, but a grazing way goes far for that, and may have left them
 // again by then. Then the last place that was measured is the answer: the gap there is as small.
-static void plane_advance_stay(plane_advance *s, gjk_q30 before) {
+static void plane_advance_stay(gjk2_advancing *s, gjk_q30 before) {
   const uint64_t way = gjk_magnitude64(s->way->t.x) + gjk_magnitude64(s->way->t.y);  // below 2^33
   if ((uint64_t)(s->fraction - before) * way >> 30 <= PLANE_CURVED_GAP) {
     return;
   }
-  (void)plane_advance_is_near(s, s->fraction);
+  (void)gjk2_face_is_near(s, s->fraction);
   if (!s->gap.intersecting && s->gap.distance > (int64_t)s->margin + PLANE_CURVED_GAP) {
     s->fraction = before;
   }
 }
 
-static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
+static void plane_advance_hit(gjk2_advancing *s, gjk2_cast_result *out) {
   const gjk2_portion portion = {0, 1, s->fraction, true};
   gjk2_contact_place place = {&s->face.p, &s->face.p, 0, s->face.n};
   if (s->face.count == 2) {
@@ -379,7 +155,7 @@ static void plane_advance_hit(plane_advance *s, gjk2_cast_result *out) {
 //                  the rounding of n   less than R 2^-40 / v
 //                For v >= |t| / 32 and R >= |t| / 128 all three are less than R 2^-22 / |t|.
 // False: it is not known, or another vertex is farther along n.
-static bool plane_advance_direct(plane_advance *s) {
+static bool plane_advance_direct(gjk2_advancing *s) {
   const gjk2_way *way = s->way;
   const gjk2_vec d = {s->face.n.x, s->face.n.y};
   const uint32_t size = gjk2_norm1(way->d), scans = way->scans;
@@ -413,12 +189,12 @@ static bool plane_advance_direct(plane_advance *s) {
 }
 
 // The sum of the bounding circles' radii, and the margin.
-static inline int64_t plane_advance_radius(const plane_advance *s) {
+static inline int64_t plane_advance_radius(const gjk2_advancing *s) {
   return s->radius + s->way->a->core_radius + s->way->b->core_radius;
 }
 
 // A fraction before which the bounding circles do not meet, where they do not at the start.
-static gjk_q30 plane_advance_reach(const plane_advance *s) {
+static gjk_q30 plane_advance_reach(const gjk2_advancing *s) {
   const gjk2_way *way = s->way;
   if (way->wide) {
     return 0;
@@ -435,7 +211,7 @@ static gjk_q30 plane_advance_reach(const plane_advance *s) {
 // The same for two circles that do not meet at the start, from the place of plane_advance_reach. It lies R or more before the
 // centre along the way; the line meets the circle nearer. For a line that passes the centre at R / 8 or more the angle is above
 // 2^-10, less 2^-12 by the place's rounding where R is 2^12 or more.
-static bool plane_advance_circle(plane_advance *s) {
+static bool plane_advance_circle(gjk2_advancing *s) {
   const gjk2_way *way = s->way;
   const uint32_t size = gjk2_norm1(way->d);
   if (way->wide || s->radius >> 28 != 0 || s->radius >> 12 == 0 || s->radius << 7 < size) {
@@ -448,7 +224,7 @@ static bool plane_advance_circle(plane_advance *s) {
   uint32_t near;
   gjk2_rate rate;
   gjk_q30 closer;
-  gjk2_copy_span(&s->face.p, &plane_vertex);
+  gjk2_copy_span(&s->face.p, &gjk2_origin_span);
   if (before <= 0 || before >= gjk2_dot(way->d, way->d) || gjk_magnitude64(way->base) << 3 < reach ||
       !plane_advance_disc(s, &n, &near) ||
       gjk2_cast_bound(way, n, gjk2_dot(n, delta), s->radius, near, &closer, &rate) != GJK2_BOUND_AT ||
@@ -464,17 +240,17 @@ static bool plane_advance_circle(plane_advance *s) {
 
 // Step 4 and 5, once. Returns whether the fraction is the answer. Pre: the gap at the fraction is measured, or at one
 // before it.
-GJK_OUT_OF_LINE static bool plane_advance_round(plane_advance *s, gjk2_bound *bound) {
+GJK_OUT_OF_LINE static bool plane_advance_round(gjk2_advancing *s, gjk2_bound *bound) {
   gjk_q30 next;
   gjk2_rate rate;
   gjk2_span support;
-  if (PLANE_DIRECT && s->face.count == 1 && !s->curved) {
+  if (GJK2_DIRECT && s->face.count == 1 && !s->curved) {
     *bound = GJK2_BOUND_AT;
     if (plane_advance_direct(s)) {
       return true;
     }
     if (s->raw) {
-      plane_advance_shorten(&s->face.n);
+      gjk2_face_shorten(&s->face.n);
     }
   }
   *bound = plane_advance_bound(s, s->face.n, s->face.count == 1 ? UINT32_C(1) << 30 : 0, &support, &next, &rate);
@@ -517,7 +293,7 @@ GJK_OUT_OF_LINE static bool plane_advance_round(plane_advance *s, gjk2_bound *bo
 }
 
 // A miss, by the direction that parts the shapes at the start or at the end. From a vertex the exact one is reported.
-static void plane_advance_short(const plane_advance *s, const plane_face *face, bool at_end, gjk2_cast_result *out) {
+static void plane_advance_short(const gjk2_advancing *s, const gjk2_face *face, bool at_end, gjk2_cast_result *out) {
   const gjk2_way *way = s->way;
   gjk2_cast_miss(way, s->curved ? GJK2_CAST_PROOF_NONE : GJK2_CAST_PROOF_SHORT, out);
   gjk2_copy(&out->certificate.direction, &face->n);
@@ -537,14 +313,14 @@ static bool plane_is_centred(const gjk2_collider *c) {
 }
 
 // Step 1. Pre: polygons. Without a way no line is there to be passed.
-static bool plane_advance_is_beside(plane_advance *s, gjk2_cast_result *out) {
+static bool plane_advance_is_beside(gjk2_advancing *s, gjk2_cast_result *out) {
   for (int left = 0; left < 2 && (s->way->t.x | s->way->t.y) != 0; left++) {
     gjk2_span nearest;
     if (!GJK_SMALL && s->centred && (left != 0 ? s->way->base >= 0 : s->way->base <= 0)) {  // so is the outermost there
       continue;
     }
     if (!GJK_SMALL && s->point) {
-      gjk2_copy_span(&nearest, &plane_vertex);
+      gjk2_copy_span(&nearest, &gjk2_origin_span);
     } else {
       gjk2_way_outermost(s->way, left != 0, &nearest);
     }
@@ -560,62 +336,28 @@ static bool plane_advance_is_beside(plane_advance *s, gjk2_cast_result *out) {
   return false;
 }
 
-// Is a place within radius of the face? from: its vertex p. Exact for a radius below 2^29. False: or the place is far from p.
-//   |edge|, |n| <= 2^30, components of from below 3 2^29:  products below 3 2^60, and its square below 9 2^59
-static bool plane_advance_is_within(const plane_advance *s, const plane_face *face, gjk2_long from) {
-  const int64_t reach = INT64_C(3) << 29;
-  if (from.x >= reach || from.x <= -reach || from.y >= reach || from.y <= -reach) {
-    return false;
-  }
-  const gjk2_vec at = {(int32_t)from.x, (int32_t)from.y};
-  if (face->count == 1) {
-    return gjk2_dot(at, at) <= s->radius * s->radius;
-  }
-  const gjk2_vec edge = gjk2_sub(face->q.o, face->p.o);
-  const int64_t height = gjk2_dot(face->n, at), part = gjk2_dot(edge, at);
-  return height >= 0 && part >= 0 && part <= gjk2_dot(edge, edge) && gjk2_is_within(height, face->n, (int32_t)s->radius);
-}
-
 // Is a face at hand better than a distance at an end of the way? Where radii and margin are below 2^29, an end that may be near
 // has a near frame, and both are exact.
-static inline bool plane_is_put_off(const plane_advance *s) {
+static inline bool plane_is_put_off(const gjk2_advancing *s) {
   return !GJK_SMALL && s->radius >> 29 == 0;
 }
 
-// Does the way come within radius of the face? Exact. False: it is not known.
-static bool plane_advance_meets(const plane_advance *s, const plane_face *face) {
-  const gjk2_way *way = s->way;
-  const gjk2_vec p = face->p.o;
-  const gjk2_long end = {way->t.x - way->delta.x - p.x, way->t.y - way->delta.y - p.y};
-  if (way->wide) {
-    return false;
-  }
-  if (face->count == 1 && gjk2_way_is_ahead(way, p, true) <= 0) {  // the line is nearest to p before the end
-    return gjk2_way_is_ahead(way, p, false) >= 0 && !gjk2_way_is_beside(way, p, s->radius);
-  }
-  if (face->count == 2 && gjk2_way_along(way, face->n, p) <= 0 && face->n.x * end.x + face->n.y * end.y < 0) {
-    const int64_t side_p = gjk2_way_side(way, p), side_q = gjk2_way_side(way, face->q.o);
-    return side_p <= 0 ? side_q >= 0 : side_q <= 0;  // from one side of the edge to the other, between its ends
-  }
-  return plane_advance_is_within(s, face, end);
-}
-
 // Step 2. Finds the face at the start. Returns whether the gap there is at most the margin: exact of polygons.
-static bool plane_advance_starts_near(plane_advance *s) {
-  if (s->curved || !plane_is_put_off(s) || !plane_advance_feature(s, 0)) {
-    const bool near = plane_advance_is_near(s, 0);
-    plane_advance_face(s, &s->face);
+static bool plane_advance_starts_near(gjk2_advancing *s) {
+  if (s->curved || !plane_is_put_off(s) || !gjk2_face_find(s, 0)) {
+    const bool near = gjk2_face_is_near(s, 0);
+    gjk2_face_of_gap(s, &s->face);
     return near;
   }
   if (s->gap.intersecting) {
     return true;
   }
   const gjk2_long from = gjk2_cast_place_from(s->way, s->face.p.o, 0);
-  return s->margin > 0 && plane_advance_is_within(s, &s->face, from) && plane_advance_is_near(s, 0);
+  return s->margin > 0 && gjk2_face_is_within(s, &s->face, from) && gjk2_face_is_near(s, 0);
 }
 
 // Step 2. Returns whether out is written: a hit at the start, or a miss. Otherwise the start's face is set.
-static bool plane_advance_decide_start(plane_advance *s, gjk2_cast_result *out) {
+static bool plane_advance_decide_start(gjk2_advancing *s, gjk2_cast_result *out) {
   if (plane_advance_starts_near(s)) {
     gjk2_cast_inside(s->way, s->gap.intersecting ? NULL : &s->gap, out);
     return true;
@@ -628,12 +370,12 @@ static bool plane_advance_decide_start(plane_advance *s, gjk2_cast_result *out) 
 }
 
 // Step 3, where it is open. Returns whether out is written: a miss. Otherwise polygons hit.
-static bool plane_advance_decide_end(plane_advance *s, gjk2_cast_result *out) {
-  plane_face end;
-  if (plane_advance_is_near(s, GJK_Q30_ONE)) {
+static bool plane_advance_decide_end(gjk2_advancing *s, gjk2_cast_result *out) {
+  gjk2_face end;
+  if (gjk2_face_is_near(s, GJK_Q30_ONE)) {
     return false;
   }
-  plane_advance_face(s, &end);
+  gjk2_face_of_gap(s, &end);
   if (plane_advance_slope(s, &end, true) >= 0) {
     return false;
   }
@@ -641,7 +383,7 @@ static bool plane_advance_decide_end(plane_advance *s, gjk2_cast_result *out) {
   return true;
 }
 
-static void plane_advance_set(plane_advance *s, gjk2_way *way, gjk_q16 margin) {
+static void plane_advance_set(gjk2_advancing *s, gjk2_way *way, gjk_q16 margin) {
   const int64_t radius = (int64_t)way->a->shape->convex_radius + way->b->shape->convex_radius + margin;
   s->way = way;
   s->margin = margin;
@@ -658,33 +400,33 @@ static void plane_advance_set(plane_advance *s, gjk2_way *way, gjk_q16 margin) {
 }
 
 // Reports a hit, unless it is open whether the way ends before it, and it does.
-static void plane_advance_finish(plane_advance *s, gjk2_cast_result *out) {
-  if (!s->late || plane_advance_meets(s, &s->face) || !plane_advance_decide_end(s, out)) {
+static void plane_advance_finish(gjk2_advancing *s, gjk2_cast_result *out) {
+  if (!s->late || gjk2_face_is_met(s, &s->face) || !plane_advance_decide_end(s, out)) {
     plane_advance_hit(s, out);
   }
 }
 
 // Steps 4 and 5. measured: the face of the gap at the fraction is known.
-static gjk_status plane_advance_run(plane_advance *s, bool measured, gjk2_cast_result *out) {
+static gjk_status plane_advance_run(gjk2_advancing *s, bool measured, gjk2_cast_result *out) {
   for (int i = 0; i < GJK2_ADVANCE_ROUNDS_MAX; i++) {
     gjk2_bound bound;
-    if (!measured && !(!GJK_SMALL && s->point && plane_advance_at_vertex(s))) {
-      const bool found = !s->curved && !GJK_SMALL && plane_advance_feature(s, s->fraction);
+    if (!measured && !(!GJK_SMALL && s->point && gjk2_face_at_vertex(s))) {
+      const bool found = !s->curved && !GJK_SMALL && gjk2_face_find(s, s->fraction);
       if (!found) {
-        (void)plane_advance_is_near(s, s->fraction);
+        (void)gjk2_face_is_near(s, s->fraction);
       }
       if (s->gap.intersecting) {
         // Supports of curved shapes err by as much as the slack. The last round's direction bounds the fraction, and stays. There
         // is a last round: where bounding circles meet, cores are apart by the slack of both circles and PLANE_CURVED_SLACK.
         if (!s->curved) {
-          plane_load_span(s->way, s->gap.certificate.a[0], s->gap.certificate.b[0], &s->face.p);
+          gjk2_face_load(s->way, s->gap.certificate.a[0], s->gap.certificate.b[0], &s->face.p);
           plane_advance_touch(s);
         }
         plane_advance_finish(s, out);
         return GJK_OK;
       }
       if (!found) {
-        plane_advance_face(s, &s->face);
+        gjk2_face_of_gap(s, &s->face);
       }
     }
     measured = false;
@@ -720,12 +462,12 @@ static gjk_status plane_advance_run(plane_advance *s, bool measured, gjk2_cast_r
 }
 
 gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gjk2_cast_result *out) {
-  plane_advance s;
+  gjk2_advancing s;
   plane_advance_set(&s, way, margin);
   if (!s.curved && plane_advance_is_beside(&s, out)) {
     return GJK_OK;
   }
-  if (PLANE_DIRECT && s.point && !early && !late && plane_advance_circle(&s)) {
+  if (GJK2_DIRECT && s.point && !early && !late && plane_advance_circle(&s)) {
     plane_advance_hit(&s, out);
     return GJK_OK;
   }
@@ -747,7 +489,7 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
 // Steps 1 to 3 are known.
 gjk_status gjk2_advance_to_edge(gjk2_way *way, gjk_q16 margin, const gjk2_span *p, const gjk2_span *q,
                                 gjk2_cast_result *out) {
-  plane_advance s;
+  gjk2_advancing s;
   plane_advance_set(&s, way, margin);
   gjk2_copy_span(&s.face.p, p);
   gjk2_copy_span(&s.face.q, q);
