@@ -342,6 +342,10 @@ static inline bool plane_is_put_off(const gjk2_advancing *s) {
   return !GJK_SMALL && s->radius >> 29 == 0;
 }
 
+static inline bool plane_is_late(const gjk2_advancing *s) {
+  return !GJK_SMALL && s->late;
+}
+
 // Step 2. Finds the face at the start. Returns whether the gap there is at most the margin: exact of polygons.
 static bool plane_advance_starts_near(gjk2_advancing *s) {
   if (s->curved || !plane_is_put_off(s) || !gjk2_face_find(s, 0)) {
@@ -401,7 +405,7 @@ static void plane_advance_set(gjk2_advancing *s, gjk2_way *way, gjk_q16 margin) 
 
 // Reports a hit, unless it is open whether the way ends before it, and it does.
 static void plane_advance_finish(gjk2_advancing *s, gjk2_cast_result *out) {
-  if (!s->late || gjk2_face_is_met(s, &s->face) || !plane_advance_decide_end(s, out)) {
+  if (!plane_is_late(s) || gjk2_face_is_met(s, &s->face) || !plane_advance_decide_end(s, out)) {
     plane_advance_hit(s, out);
   }
 }
@@ -443,12 +447,12 @@ static gjk_status plane_advance_run(gjk2_advancing *s, bool measured, gjk2_cast_
       if (s->curved) {
         plane_advance_stay(s, before);
       } else if (bound != GJK2_BOUND_AT) {
-        if (s->late && bound == GJK2_BOUND_BEYOND) {  // the last direction parts the shapes on the whole way
+        if (plane_is_late(s) && bound == GJK2_BOUND_BEYOND) {  // the last direction parts the shapes on the whole way
           gjk2_cast_miss(s->way, GJK2_CAST_PROOF_SHORT, out);
           gjk2_copy(&out->certificate.direction, &s->face.n);
           return GJK_OK;
         }
-        if (s->late && plane_advance_decide_end(s, out)) {
+        if (plane_is_late(s) && plane_advance_decide_end(s, out)) {
           return GJK_OK;
         }
         s->late = false;

@@ -60,6 +60,57 @@ void gjk2_face_of_gap(const gjk2_advancing *s, gjk2_face *face) {
   }
 }
 
+// One coordinate of the way at a fraction, exact, less from, Q30. Pre: it is below 2^30 in size.
+static int64_t plane_fine_part(int64_t way, gjk_q30 fraction, int64_t from) {
+  const int64_t exact = way * fraction, whole = gjk_sar64(exact, 30);  // below 2^62
+  return gjk_shl64(whole - from, 30) + (exact - gjk_shl64(whole, 30));
+}
+
+// From a vertex to the exact place of the fraction, as fine as 30 bits allow. Pre: it is at most 2^29 away along an axis.
+static gjk2_vec plane_fine_place(const gjk2_advancing *s, gjk2_vec o) {
+  const gjk2_way *way = s->way;
+  const int64_t x = plane_fine_part(way->t.x, s->fraction, way->delta.x + o.x);
+  const int64_t y = plane_fine_part(way->t.y, s->fraction, way->delta.y + o.y);
+  const unsigned zeros = gjk_clz64(gjk_magnitude64(x) | gjk_magnitude64(y) | 1);
+  const unsigned down = zeros < 35 ? 35 - zeros : 0;
+  const gjk2_vec n = {(int32_t)gjk_sar64(x, down), (int32_t)gjk_sar64(y, down)};  // below 2^29
+  return n;
+}
+
+// Is the foot of a place between the vertices x and p, and the place on the other side of their line than q? to: from x.
+static bool plane_faces(gjk2_vec to, gjk2_vec x, gjk2_vec p, gjk2_vec q) {
+  const gjk2_vec edge = gjk2_sub(p, x);
+  const int64_t side = gjk2_cross(edge, to);
+  return gjk2_dot(to, edge) > 0 && (gjk2_cross(edge, gjk2_sub(q, x)) > 0 ? side < 0 : side > 0);
+}
+
+void gjk2_face_touch(gjk2_advancing *s) {
+  gjk2_face *face = &s->face;
+  s->nearest = false;
+  face->count = 1;
+  face->n = plane_fine_place(s, face->p.o);
+  for (int i = 0; i < 16; i++) {
+    gjk2_span x;
+    gjk2_way_scan(s->way, face->n, &x);
+    if (gjk2_dot(face->n, gjk2_sub(x.o, face->p.o)) <= 0) {
+      break;
+    }
+    const gjk2_vec to = plane_fine_place(s, x.o);
+    if (face->count == 1 ? gjk2_dot(to, gjk2_sub(face->p.o, x.o)) > 0 : plane_faces(to, x.o, face->p.o, face->q.o)) {
+      gjk2_copy_span(&face->q, &x);
+      plane_face_turn(face, to);
+    } else if (face->count == 2 && plane_faces(to, x.o, face->q.o, face->p.o)) {
+      gjk2_copy_span(&face->p, &x);
+      plane_face_turn(face, to);
+    } else {
+      gjk2_copy_span(&face->p, &x);
+      face->count = 1;
+      gjk2_copy(&face->n, &to);
+    }
+  }
+}
+
+#if !GJK_SMALL  // code chosen for size measures distances alone
 void gjk2_face_shorten(gjk2_vec *n) {
   gjk2_length length;
   gjk2_unit unit;
@@ -140,56 +191,6 @@ bool gjk2_face_at_vertex(gjk2_advancing *s) {
   return true;
 }
 
-// One coordinate of the way at a fraction, exact, less from, Q30. Pre: it is below 2^30 in size.
-static int64_t plane_fine_part(int64_t way, gjk_q30 fraction, int64_t from) {
-  const int64_t exact = way * fraction, whole = gjk_sar64(exact, 30);  // below 2^62
-  return gjk_shl64(whole - from, 30) + (exact - gjk_shl64(whole, 30));
-}
-
-// From a vertex to the exact place of the fraction, as fine as 30 bits allow. Pre: it is at most 2^29 away along an axis.
-static gjk2_vec plane_fine_place(const gjk2_advancing *s, gjk2_vec o) {
-  const gjk2_way *way = s->way;
-  const int64_t x = plane_fine_part(way->t.x, s->fraction, way->delta.x + o.x);
-  const int64_t y = plane_fine_part(way->t.y, s->fraction, way->delta.y + o.y);
-  const unsigned zeros = gjk_clz64(gjk_magnitude64(x) | gjk_magnitude64(y) | 1);
-  const unsigned down = zeros < 35 ? 35 - zeros : 0;
-  const gjk2_vec n = {(int32_t)gjk_sar64(x, down), (int32_t)gjk_sar64(y, down)};  // below 2^29
-  return n;
-}
-
-// Is the foot of a place between the vertices x and p, and the place on the other side of their line than q? to: from x.
-static bool plane_faces(gjk2_vec to, gjk2_vec x, gjk2_vec p, gjk2_vec q) {
-  const gjk2_vec edge = gjk2_sub(p, x);
-  const int64_t side = gjk2_cross(edge, to);
-  return gjk2_dot(to, edge) > 0 && (gjk2_cross(edge, gjk2_sub(q, x)) > 0 ? side < 0 : side > 0);
-}
-
-void gjk2_face_touch(gjk2_advancing *s) {
-  gjk2_face *face = &s->face;
-  s->nearest = false;
-  face->count = 1;
-  face->n = plane_fine_place(s, face->p.o);
-  for (int i = 0; i < 16; i++) {
-    gjk2_span x;
-    gjk2_way_scan(s->way, face->n, &x);
-    if (gjk2_dot(face->n, gjk2_sub(x.o, face->p.o)) <= 0) {
-      break;
-    }
-    const gjk2_vec to = plane_fine_place(s, x.o);
-    if (face->count == 1 ? gjk2_dot(to, gjk2_sub(face->p.o, x.o)) > 0 : plane_faces(to, x.o, face->p.o, face->q.o)) {
-      gjk2_copy_span(&face->q, &x);
-      plane_face_turn(face, to);
-    } else if (face->count == 2 && plane_faces(to, x.o, face->q.o, face->p.o)) {
-      gjk2_copy_span(&face->p, &x);
-      plane_face_turn(face, to);
-    } else {
-      gjk2_copy_span(&face->p, &x);
-      face->count = 1;
-      gjk2_copy(&face->n, &to);
-    }
-  }
-}
-
 //   |edge|, |n| <= 2^30, components of from below 3 2^29:  products below 3 2^60, and its square below 9 2^59
 bool gjk2_face_is_within(const gjk2_advancing *s, const gjk2_face *face, gjk2_long from) {
   const int64_t reach = INT64_C(3) << 29;
@@ -222,3 +223,4 @@ bool gjk2_face_is_met(const gjk2_advancing *s, const gjk2_face *face) {
   }
   return gjk2_face_is_within(s, face, end);
 }
+#endif
