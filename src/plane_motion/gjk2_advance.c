@@ -339,7 +339,7 @@ static bool plane_advance_is_beside(gjk2_advancing *s, gjk2_cast_result *out) {
 // Is a face at hand better than a distance at an end of the way? Where radii and margin are below 2^29, an end that may be near
 // has a near frame, and both are exact.
 static inline bool plane_is_put_off(const gjk2_advancing *s) {
-  return !GJK_SMALL && s->radius >> 29 == 0;
+  return !GJK_SMALL && !s->curved && s->radius >> 29 == 0;
 }
 
 static inline bool plane_is_late(const gjk2_advancing *s) {
@@ -348,7 +348,7 @@ static inline bool plane_is_late(const gjk2_advancing *s) {
 
 // Step 2. Finds the face at the start. Returns whether the gap there is at most the margin: exact of polygons.
 static bool plane_advance_starts_near(gjk2_advancing *s) {
-  if (s->curved || !plane_is_put_off(s) || !gjk2_face_find(s, 0)) {
+  if (!plane_is_put_off(s) || !gjk2_face_find(s, 0)) {
     const bool near = gjk2_face_is_near(s, 0);
     gjk2_face_of_gap(s, &s->face);
     return near;
@@ -471,18 +471,16 @@ gjk_status gjk2_advance(gjk2_way *way, gjk_q16 margin, bool early, bool late, gj
   if (!s.curved && plane_advance_is_beside(&s, out)) {
     return GJK_OK;
   }
-  if (GJK2_DIRECT && s.point && !early && !late && plane_advance_circle(&s)) {
-    plane_advance_hit(&s, out);
+  s.late = late && plane_is_put_off(&s);
+  if (GJK2_DIRECT && s.point && !early && s.late == late && plane_advance_circle(&s)) {
+    plane_advance_finish(&s, out);
     return GJK_OK;
   }
   if (early && plane_advance_decide_start(&s, out)) {
     return GJK_OK;
   }
-  if (late && !s.curved) {
-    s.late = plane_is_put_off(&s);
-    if (!s.late && plane_advance_decide_end(&s, out)) {
-      return GJK_OK;
-    }
+  if (late && !s.late && !s.curved && plane_advance_decide_end(&s, out)) {
+    return GJK_OK;
   }
   if (!early) {
     s.fraction = plane_advance_reach(&s);
