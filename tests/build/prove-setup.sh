@@ -305,7 +305,7 @@ set_up() {
           ;;
         plane_impact*)
           level=8 models='plane_search plane_edges plane_sweep'
-          sources="$sources src/plane_motion/gjk2_impact.c"
+          sources="$sources $(echo src/plane_motion/gjk2_impact*.c)"
           ;;
         plane_search*) level=3 ;;
         plane_query-CONTACTS*) models='plane_search plane_penetration' ;;
