@@ -357,7 +357,7 @@ static bool plane_advance_starts_near(gjk2_advancing *s) {
     return true;
   }
   const gjk2_long from = gjk2_cast_place_from(s->way, s->face.p.o, 0);
-  return s->margin > 0 && gjk2_face_is_within(s, &s->face, from) && gjk2_face_is_near(s, 0);
+  return s->margin > 0 && gjk2_face_is_within(s, &s->face, &from) && gjk2_face_is_near(s, 0);
 }
 
 // Step 2. Returns whether out is written: a hit at the start, or a miss. Otherwise the start's face is set.

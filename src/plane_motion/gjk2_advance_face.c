@@ -192,12 +192,12 @@ bool gjk2_face_at_vertex(gjk2_advancing *s) {
 }
 
 //   |edge|, |n| <= 2^30, components of from below 3 2^29:  products below 3 2^60, and its square below 9 2^59
-bool gjk2_face_is_within(const gjk2_advancing *s, const gjk2_face *face, gjk2_long from) {
+bool gjk2_face_is_within(const gjk2_advancing *s, const gjk2_face *face, const gjk2_long *from) {
   const int64_t reach = INT64_C(3) << 29;
-  if (from.x >= reach || from.x <= -reach || from.y >= reach || from.y <= -reach) {
+  if (from->x >= reach || from->x <= -reach || from->y >= reach || from->y <= -reach) {
     return false;
   }
-  const gjk2_vec at = {(int32_t)from.x, (int32_t)from.y};
+  const gjk2_vec at = {(int32_t)from->x, (int32_t)from->y};
   if (face->count == 1) {
     return gjk2_dot(at, at) <= s->radius * s->radius;
   }
@@ -221,6 +221,6 @@ bool gjk2_face_is_met(const gjk2_advancing *s, const gjk2_face *face) {
     const int64_t side_p = gjk2_way_side(way, p), side_q = gjk2_way_side(way, face->q.o);
     return side_p <= 0 ? side_q >= 0 : side_q <= 0;  // from one side of the edge to the other, between its ends
   }
-  return gjk2_face_is_within(s, face, end);
+  return gjk2_face_is_within(s, face, &end);
 }
 #endif

@@ -58,7 +58,7 @@ bool gjk2_face_at_vertex(gjk2_advancing *s);
 void gjk2_face_touch(gjk2_advancing *s);
 
 // Is a place within radius of the face? from: its vertex p. Exact for a radius below 2^29. False: or the place is far from p.
-bool gjk2_face_is_within(const gjk2_advancing *s, const gjk2_face *face, gjk2_long from);
+bool gjk2_face_is_within(const gjk2_advancing *s, const gjk2_face *face, const gjk2_long *from);
 
 // Does the way come within radius of the face? Exact. False: it is not known. Pre: the radius is below 2^29.
 bool gjk2_face_is_met(const gjk2_advancing *s, const gjk2_face *face);
