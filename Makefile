@@ -135,21 +135,29 @@ help:
 
 lib: $(LIB)
 
-# SOURCES: what the library is made of; part of it is enough for some tests.
+# SOURCES: what the library is made of; part of it is enough for some tests. With ROOMS=1 the sources of a folder of src are
+# compiled as one file, in less than half the time.
 SOURCES ?= src/*/*.c
-LIB_OBJECTS := $(patsubst %.c,$(OUT)/%.o,$(notdir $(wildcard $(SOURCES))))
+ROOMS ?=
+IN_LIBRARY := $(wildcard $(SOURCES))
+LIB_OBJECTS := $(patsubst %,$(OUT)/%.o,$(if $(ROOMS),$(addprefix gjk-,$(sort $(notdir $(patsubst %/,%,$(dir $(IN_LIBRARY)))))),$(notdir $(IN_LIBRARY:.c=))))
 vpath gjk_%.c $(wildcard src/*)
 vpath gjk2_%.c $(wildcard src/*)
 
 $(LIB): $(LIB_OBJECTS)
-	@rm -f $@
+	@rm -f $@ $(filter-out $^,$(wildcard $(OUT)/gjk*.o))
 	@echo '  $@'
 	@$(AR_$(TARGET)) rcs $@ $^
 
 $(OUT)/library.flags: FORCE
-	$(call FLAGS,$(FREESTANDING) $(AR_$(TARGET)))
+	$(call FLAGS,$(FREESTANDING) $(AR_$(TARGET)) $(if $(ROOMS),$(IN_LIBRARY)))
 
-$(LIB_OBJECTS): $(OUT)/%.o: %.c $(OUT)/library.flags Makefile
+$(filter $(OUT)/gjk-%,$(LIB_OBJECTS)): $(OUT)/gjk-%.o: $(IN_LIBRARY) $(OUT)/library.flags Makefile
+	@mkdir -p $(@D)
+	@echo '  $(TARGET) src/$*'
+	@printf '#include "%s"\n' $(filter src/$*/%,$(IN_LIBRARY)) | $(FREESTANDING) $(DEPENDENCIES) -MF $(@:.o=.d) -MT $@ -x c -c - -o $@
+
+$(filter-out $(OUT)/gjk-%,$(LIB_OBJECTS)): $(OUT)/%.o: %.c $(OUT)/library.flags Makefile
 	@mkdir -p $(@D)
 	@echo '  $(TARGET) $<'
 	@$(FREESTANDING) $(DEPENDENCIES) -c $< -o $@

@@ -104,6 +104,19 @@ needed() {
     tr '\n' ' '
 }
 
+# rooms FOLDER SOURCES...: for each folder of src a file of FOLDER that includes its sources, so that their headers are read
+# once. No name is in two sources.
+rooms() {
+  rooms_at=$1 rooms_top=$(pwd)
+  shift
+  rm -rf "$rooms_at"
+  mkdir -p "$rooms_at"
+  for source; do
+    room=${source%/*}
+    echo "#include \"$rooms_top/$source\"" >>"$rooms_at/gjk-${room##*/}.c"
+  done
+}
+
 # library TARGET VARIANT NAME=VALUE...: makes the library with these variables of the Makefile in build/TARGETVARIANT,
 # alone.
 library() {
@@ -115,6 +128,11 @@ library() {
     unset MAKEFLAGS MFLAGS MAKELEVEL  # it has jobs of its own
     alone "$library_name" make -s -j2 lib $library_at "$@" >/dev/null
   )
+}
+
+# The same with each folder of src compiled as one file, for what is tested alone; warnings are those of the usual builds.
+library_by_rooms() {
+  library "$@" ROOMS=1 WARNINGS=
 }
 
 # The library as it is installed and packed, in build/host-install: without a port, and so without libc. Integers of 128 bits,
@@ -131,7 +149,7 @@ installed_library() {
 # table of names, whose values are constants.
 ceilings_library() {
   ceilings_objects='build/host-ceilings/gjk*.o build/hosted/tests/support/given_ceilings.o'
-  library host -ceilings 'OPT=-O2 -include tests/support/given_ceilings.h' WARNINGS= \
+  library_by_rooms host -ceilings 'OPT=-O1 -include tests/support/given_ceilings.h' \
     "SOURCES=$(echo src/*/*.c | sed 's|[^ ]*/gjk_bind_names.c||')" &&
     alone hosted make -s build/hosted/tests/support/given_ceilings.o
 }

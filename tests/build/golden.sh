@@ -89,12 +89,12 @@ golden_library() {
       if [ -z "$golden_name" ]; then
         library host ''
       else
-        library host "$golden_name" "CC=$2" "PORT=$golden_port" "OPT=$golden_flags" "SOURCES=$(golden_sources)"
+        library_by_rooms host "$golden_name" "CC=$2" "PORT=$golden_port" "OPT=$golden_flags" "SOURCES=$(golden_sources)"
       fi
       ;;
     avr)
       golden_objects=build/avr${3#-O2}
-      library avr "${3#-O2}" "OPT=$3" "SOURCES=$(golden_sources)"
+      library_by_rooms avr "${3#-O2}" "OPT=$3" "SOURCES=$(golden_sources)"
       return
       ;;
     cortex-* | rv32imc)
@@ -103,7 +103,7 @@ golden_library() {
       return
       ;;
     *)
-      library host "$golden_name" "CC=$(golden_triple "$1")-$2" "PORT=$golden_port" "OPT=$golden_flags" \
+      library_by_rooms host "$golden_name" "CC=$(golden_triple "$1")-$2" "PORT=$golden_port" "OPT=$golden_flags" \
         "SOURCES=$(golden_sources)"
       ;;
   esac || return 1
