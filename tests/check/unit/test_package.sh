@@ -71,13 +71,32 @@ exports() {
     readelf -d "$prefix/lib/libgjk.so" | grep -q 'soname: \[libgjk\.so\.'"$(echo "$version" | cut -d. -f1,2)"'\]'
 }
 
+# Where the library is compiled, each folder of its sources is compiled as one file.
+cat >"$dir/rooms.cmake" <<'END'
+if(NOT CMAKE_VERSION VERSION_LESS 3.18)
+  get_target_property(sources gjk SOURCES)
+  foreach(source ${sources})
+    get_filename_component(room ${source} DIRECTORY)
+    get_filename_component(room ${room} NAME)
+    set_source_files_properties(${source} TARGET_DIRECTORY gjk PROPERTIES UNITY_GROUP ${room})
+  endforeach()
+  set_target_properties(gjk PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endif()
+END
+
+# known LINE: the LINE that makes the target gjk::gjk known
+known() {
+  echo "$1"
+  case $1 in add_subdirectory*) echo "include($dir/rooms.cmake)" ;; esac
+}
+
 # A project of CMake with the examples: consumer FOLDER LINE, where LINE makes the target gjk::gjk known
 consumer() {
   mkdir -p "$dir/$1"
   {
     echo 'cmake_minimum_required(VERSION 3.13)'
     echo 'project(consumer C)'
-    echo "$2"
+    known "$2"
     for example in $examples; do
       echo "add_executable($example $(pwd)/tests/programs/examples/$example.c)"
       echo "target_link_libraries($example PRIVATE ${3:-gjk::gjk})"
@@ -94,7 +113,7 @@ consumer() {
 cpp_consumer() {
   mkdir -p "$dir/$1"
   awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' port/README.md >"$dir/$1/distance.cpp"
-  printf 'cmake_minimum_required(VERSION 3.13)\nproject(consumer C CXX)\nset(CMAKE_CXX_STANDARD 17)\n%s\n' "$2" \
+  printf 'cmake_minimum_required(VERSION 3.13)\nproject(consumer C CXX)\nset(CMAKE_CXX_STANDARD 17)\n%s\n' "$(known "$2")" \
     >"$dir/$1/CMakeLists.txt"
   printf 'add_executable(distance distance.cpp)\ntarget_link_libraries(distance PRIVATE gjk::gjk)\n' >>"$dir/$1/CMakeLists.txt"
   cmake -S "$dir/$1" -B "$dir/$1/build" "-DCMAKE_PREFIX_PATH=$prefix" -DCMAKE_BUILD_TYPE=Debug &&
@@ -112,7 +131,8 @@ refuses_another_version() {
 # stand_in FOLDER LINES: a project of CMake with functions in the place of Zephyr's or ESP-IDF's
 stand_in() {
   mkdir -p "$dir/$1"
-  printf 'cmake_minimum_required(VERSION 3.13)\nproject(%s C)\n%s\n' "$1" "$2" >"$dir/$1/CMakeLists.txt"
+  printf 'cmake_minimum_required(VERSION 3.13)\nproject(%s C)\n%s\ninclude(%s)\n' "$1" "$2" "$dir/rooms.cmake" \
+    >"$dir/$1/CMakeLists.txt"
   printf 'add_executable(distance %s)\ntarget_link_libraries(distance PRIVATE gjk)\n' \
     "$(pwd)/tests/programs/examples/distance.c" >>"$dir/$1/CMakeLists.txt"
   cmake -S "$dir/$1" -B "$dir/$1/build" && cmake --build "$dir/$1/build" --parallel 2 &&
@@ -238,7 +258,7 @@ mkdir -p "$dir/sketch"
 if have avr-g++ && [ -e $core/cores/arduino/Arduino.h ]; then
   avr="-mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO_AVR_MEGA2560 -DARDUINO_ARCH_AVR -I$core/cores/arduino -I$core/variants/mega"
   # shellcheck disable=SC2086
-  check 'Arduino: the library for AVR' arduino_library avr-gcc $avr
+  check 'Arduino: the library for AVR' arduino_library avr-gcc $avr -O0
   for name in Distance Contacts; do
     # shellcheck disable=SC2086
     check "Arduino: $name for AVR" sketch $name avr-g++ $avr
