@@ -399,11 +399,12 @@ setup:
 
 unit-tests: $(UNIT_TESTS)
 
-# What takes longest is begun first; scripts that want the same libraries are not begun together.
-LONG_TESTS := $(patsubst %,tests/check/unit/test_%.sh,lint golden prove) build/test_plane_certificates \
+# What takes longest is begun first, and programs last, most of which take a second; scripts that want the same libraries are
+# not begun together.
+LONG_TESTS := $(patsubst %,tests/check/unit/test_%.sh,golden lint prove) build/test_plane_certificates \
   $(patsubst %,tests/check/unit/test_%.sh,ceilings symbols levels) build/test_penetration build/test_certificates \
-  $(patsubst %,tests/check/unit/test_%.sh,amalgamation fuzz scene_golden bench_cost port limit)
-TESTS := $(LONG_TESTS) $(filter-out $(LONG_TESTS),$(UNIT_TESTS) $(TEST_SCRIPTS))
+  $(patsubst %,tests/check/unit/test_%.sh,amalgamation fuzz package scene_golden bench_cost port limit)
+TESTS := $(LONG_TESTS) $(filter-out $(LONG_TESTS),$(TEST_SCRIPTS) $(UNIT_TESTS))
 
 # Makes goals in parallel, also where this make is not.
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)

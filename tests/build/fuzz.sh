@@ -69,6 +69,7 @@ oracles=$(printf 'build/hosted/%s.o\n' tests/support/exact/*.c tests/support/gen
   sed 's/\.c\.o$/.o/')
 # shellcheck disable=SC2086
 make -s $oracles >/dev/null || exit 1
+# shellcheck disable=SC2046
 rooms "$build/rooms" $(needed tests/check/fuzz/*.c tests/programs/convert/*.c)
 for source in tests/check/fuzz/bytes.c tests/check/fuzz/hostile.c tests/check/fuzz/overlap.c tests/support/case/case.c tests/support/case/case2.c \
   tests/support/case/case2_collider.c tests/support/case/lines.c tests/support/case/number.c tests/support/case/parse.c tests/support/case/parse2.c \

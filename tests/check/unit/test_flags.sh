@@ -48,6 +48,7 @@ lib=build/host/libgjk.a
 unset CC OPT PORT TARGET VARIANT
 check 'a library' again $lib lib
 check 'another level' again $lib lib OPT=-Os
+check 'a folder of src as one file' again $lib lib ROOMS=1
 check 'the level of before' again $lib lib
 check 'another port' again $lib lib PORT=generic
 check 'no port' again $lib lib PORT=
