@@ -44,6 +44,7 @@
 #   make fuzz            fuzzes pairs, the reader of cases, arguments, bodies of many parts, hulls and masses, scenes,
 #                        forged claims, casts, the plane, its ground, arms, gjk-convert and robots for SECONDS=60
 #   make soak            certifies PAIRS=100000000 random pairs on two cores; goes on where it was interrupted
+#                        (SOAK=test_plane_certificates: in the plane)
 #   make soak-casts      the same for CASTS=1000000 random casts
 #   make numbers         sine, cosine and roots of all 2^32 numbers: their errors are those stated (20 minutes on two cores)
 #   make bench-scene     cost of a scene's tick: instructions on an emulated Cortex-M4, time here for 8 to 20,000 bodies, beside
@@ -538,8 +539,9 @@ fuzz:
 	@sh tests/build/fuzz.sh build $(SECONDS) 0
 
 PAIRS ?= 100000000
-soak: build/test_certificates
-	@sh tests/build/soak.sh build $(PAIRS)
+SOAK ?= test_certificates
+soak: build/$(SOAK)
+	@sh tests/build/soak.sh build $(PAIRS) $(SOAK)
 
 CASTS ?= 1000000
 soak-casts: build/test_cast_certificates

@@ -1,7 +1,7 @@
 #!/bin/sh
 # A long campaign of certified pairs, or casts, over two cores: soak.sh BUILD PAIRS [TEST]
 #
-# Runs chunks of TEST, test_certificates or test_cast_certificates, one seed each. The state of a campaign is a folder of
+# Runs chunks of TEST, test_certificates or one of its kind, one seed each. The state of a campaign is a folder of
 # BUILD/soak, one for each version of that program. It holds the program, and in 'done' the seeds that are finished. So
 # an interrupted campaign goes on where it was, and a larger one after a smaller one does only the rest. A chunk that
 # fails shows its pairs as cases for build/gjk-query, keeps them in SEED.log, and runs again the next time.
