@@ -4,15 +4,10 @@
 # Every function of include is exported and every gjk_wasm_ one, or those alone whose names WASM_EXPORTS matches, a regular
 # expression for grep -x. More sources and flags of clang may follow. Run it in the project's folder. Needs clang and wasm-ld
 # (Debian: clang lld); WASM_CC names another clang. build.sh --objects FOLDER compiles the sources there, as WASM_OBJECTS, the
-# name of such a folder, gives them to other modules. Each folder of src is compiled as one file, whose headers are read once.
+# name of such a folder, gives them to other modules.
 out=$1
 shift
-rooms=$(mktemp -d)
-trap 'rm -rf "$rooms"' EXIT
-for folder in src/*/; do
-  printf '#include "%s"\n' "$(pwd)/$folder"*.c >"$rooms/$(basename "$folder").c"
-done
-library="$rooms/*.c port/wasm/gjk_wasm*.c port/board/memory.c"
+library='src/*/*.c port/wasm/gjk_wasm*.c port/board/memory.c'
 # memcpy and memset of port/board must not become calls of themselves.
 flags="--target=wasm32 -std=c99 -O2 -ffreestanding -fno-builtin-memcpy -fno-builtin-memset -ffunction-sections -fdata-sections
   -mbulk-memory -Wall -Wextra -Werror -DNDEBUG -DGJK_PORT_HEADER=\"wasm/gjk_port.h\" -Iinclude -Iport"
