@@ -94,7 +94,7 @@ static void vertex_of_signs(const box_pair *pair, unsigned signs, gjk_vertex *ou
 
 // *out = v with half axis k added, which it has subtracted.
 static void add_twice(const box_pair *pair, unsigned k, const gjk_vertex *v, gjk_vertex *out) {
-  const unsigned bit = 1u << k, a = bit & 7u, b = bit >> 3;
+  const unsigned a = k < 3 ? 1u << k : 0, b = k < 3 ? 0 : 1u << (k - 3);
   out->w = gjk_add(gjk_add(v->w, pair->axis[k]), pair->axis[k]);
   out->a.vertex = (uint16_t)(v->a.vertex | a);
   out->b = (uint16_t)(v->b & ~b);
